@@ -42,7 +42,7 @@ def generate(results: Results | None = None) -> dict[str, str]:
     results = results or derive()
     modules = all_modules(results)
     files = render(modules) | ledger.files(results)
-    return files | {MANIFEST: manifest(files, results, modules)}
+    return files | {MANIFEST: manifest(files, results)}
 
 
 def regenerate(scratch: Path) -> None:

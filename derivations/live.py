@@ -14,7 +14,6 @@ Nothing here reads a string as code: forces are SymPy expressions already, and n
 from __future__ import annotations
 
 import hashlib
-import json
 import keyword
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -38,7 +37,7 @@ from .codegen.measured import LIVE
 from .codegen.provenance import tools, versions
 from .codegen.targets import numpy, program
 from .codegen.views import programs
-from .codegen.write import MANIFEST, write
+from .codegen.write import MANIFEST, as_json, write
 from .forces.monotone import not_shown, smooth_end
 from .forces.of_mechanism import OfMechanism, of_mechanism
 from .forces.quadrature import FUNCTIONS, Quadrature, singular_at, v
@@ -281,7 +280,7 @@ def written(mechanism: Mechanism | Sided, folder: Path) -> list[str]:
         "versions": versions(),
         "files": {file: hashlib.sha256(text.encode()).hexdigest() for file, text in sorted(files.items())},
     }
-    files[MANIFEST] = json.dumps(content, indent=1, ensure_ascii=False) + "\n"
+    files[MANIFEST] = as_json(content)
     write(files, folder)
     return sorted(files)
 

@@ -108,14 +108,14 @@ def manifest():
 
 
 def test_manifest_lists_every_file(manifest):
-    assert manifest["files"].keys() == on_disk(GENERATED).keys() - {MANIFEST}
+    assert set(manifest["files"]) == on_disk(GENERATED).keys() - {MANIFEST}
 
 
 def test_manifest_records_the_resultants(manifest):
-    onset = manifest["resultants"]["rod_spring"]["saddle_node_onset"]
+    onset = manifest["resultants"]["rod_spring saddle_node_onset"]
     assert onset["degree"] == 36
     assert onset["vanishing powers"] == list(range(1, 36, 2))
-    detachment = manifest["resultants"]["detachment"][""]
+    detachment = manifest["resultants"]["detachment"]
     assert detachment["degree"] == 6 and detachment["content"] == "-256"
     assert {"factor": "A", "multiplicity": 8} in detachment["factors"]
 

@@ -7,25 +7,25 @@ Out: files in a folder, or the differences as unified diffs.
 from __future__ import annotations
 
 import difflib
-import hashlib
 import json
+import textwrap
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from .form import suffix
 from .provenance import digest, versions
 
 if TYPE_CHECKING:
     from ..paper.critical_forcings import Elimination
     from ..results import Results
-    from .form import Module
 
 MANIFEST = "MANIFEST.json"
 COMMAND = "make derive"
 COMPILED = (".so", ".pyd")
 
 
-def manifest(files: dict[str, str], results: Results, modules: list[Module]) -> str:
-    """The manifest's text: every file with its hash, and what it was made from."""
+def manifest(files: dict[str, str], results: Results) -> str:
+    """The manifest's text: what the files were made from, and their names. What is in each says its history."""
     here = Path(__file__).parents[1]
     content = {
         "command": COMMAND,
@@ -34,22 +34,37 @@ def manifest(files: dict[str, str], results: Results, modules: list[Module]) -> 
             name: {"file": f"derivations/mechanisms/{name}.py", "sha256": digest(here / "mechanisms" / f"{name}.py")}
             for name in results.mechanisms
         },
-        "scenes": list(results.flows),
-        "files": {name: hashlib.sha256(text.encode()).hexdigest() for name, text in sorted(files.items())},
         "resultants": {
-            "detachment": {scene: facts(e) for scene, e in results.detachment.items()},
+            **{f"detachment{suffix(scene)}": facts(found) for scene, found in results.detachment.items()},
             **{
-                name: {
-                    "saddle_node_onset": facts(derived.saddle_node_onset),
-                    "saddle_nodes": facts(derived.saddle_nodes),
-                }
+                f"{name} {which}": facts(getattr(derived, which))
                 for name, derived in results.mechanisms.items()
                 if derived.saddle_nodes
+                for which in ("saddle_node_onset", "saddle_nodes")
             },
         },
-        "modules": {module.name: module.title for module in modules},
+        "files": sorted(files),
     }
-    return json.dumps(content, indent=1, ensure_ascii=False) + "\n"
+    return as_json(content)
+
+
+def as_json(content: dict[str, object]) -> str:
+    """JSON with a line for each entry of what is in it."""
+    entries = []
+    for name, value in content.items():
+        inner = (
+            {key: json.dumps(entry, ensure_ascii=False) for key, entry in value.items()}
+            if isinstance(value, dict)
+            else {}
+        )
+        lines = ",\n".join(f"  {json.dumps(key)}: {entry}" for key, entry in inner.items())
+        text = (
+            f"{{\n{lines}\n }}"
+            if inner
+            else textwrap.fill(json.dumps(value), 116, subsequent_indent="  ", break_long_words=False)
+        )
+        entries.append(f" {json.dumps(name)}: {text}")
+    return "{\n" + ",\n".join(entries) + "\n}\n"
 
 
 def facts(elimination: Elimination) -> dict[str, object]:

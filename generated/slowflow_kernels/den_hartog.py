@@ -14,17 +14,24 @@ ones are the worst of all outputs that was found, by a search for it with A 0.01
 # a formatter would spread each polynomial over a page
 # fmt: off
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 
 from slowflow_support.backend import NATIVE, compiled
 from slowflow_support.broadcast import floats
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 __all__ = [
     "S_ratio", "U", "V", "amplitude", "bound", "motion",
 ]
 
 
-def V(Omega):
+def V(Omega: ArrayLike) -> Any:
     """Response function.
 
     Equation (37). Domain: Omega > 0, Omega != 1. Shape: as the arguments broadcast.
@@ -35,7 +42,7 @@ def V(Omega):
     return -1.0 / ((Omega - 1.0) * (Omega + 1.0))
 
 
-def U(Omega):
+def U(Omega: ArrayLike) -> Any:
     """Damping function.
 
     Equation (37). Domain: Omega > 0, Omega not 1, 1/3, 1/5 and so on. Shape: as the arguments broadcast.
@@ -47,7 +54,7 @@ def U(Omega):
     return t0 / np.tan(1.5707963267948966 * t0 * (Omega - 1.0))
 
 
-def S_ratio(tau, Omega):
+def S_ratio(tau: ArrayLike, Omega: ArrayLike) -> Any:
     """S is the maximum of this over 0 < tau < pi/Omega.
 
     Equation (37). Domain: 0 < tau < pi/Omega, Omega > 0, Omega not 1, 1/3, 1/5 and so on. Shape: as the arguments
@@ -66,7 +73,7 @@ def S_ratio(tau, Omega):
     )
 
 
-def amplitude(Omega, F_0, mu):
+def amplitude(Omega: ArrayLike, F_0: ArrayLike, mu: ArrayLike) -> Any:
     """Amplitude of the motion.
 
     Equation (35). Domain: F_0 |V| > mu |U|, Omega > 0, Omega not 1, 1/3, 1/5 and so on. Shape: as the arguments
@@ -84,7 +91,7 @@ def amplitude(Omega, F_0, mu):
     return np.sqrt((t2 - t3) * (t2 + t3))
 
 
-def bound(Omega, F_0, S):
+def bound(Omega: ArrayLike, F_0: ArrayLike, S: ArrayLike) -> Any:
     """The motion has no stops while its amplitude exceeds this.
 
     Equation (36). Domain: Omega > 0, Omega not 1, 1/3, 1/5 and so on. Shape: as the arguments broadcast.
@@ -101,7 +108,7 @@ def bound(Omega, F_0, S):
     return F_0 * np.abs(S) * np.abs(V) / np.sqrt(Omega4 * U * U + S * S)
 
 
-def motion(tau, Omega, A, mu):
+def motion(tau: ArrayLike, Omega: ArrayLike, A: ArrayLike, mu: ArrayLike) -> Any:
     """Displacement tau after a maximum.
 
     Equation from (37). Domain: 0 <= tau <= pi/Omega, Omega > 0, Omega not 1, 1/3, 1/5 and so on. Shape: as the

@@ -20,6 +20,10 @@ or 0, u_cr 1e-06 to 1, x 0.001 to 1000, zeta 1e-12 to 1 or 0.
 # a formatter would spread each polynomial over a page
 # fmt: off
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 
 
@@ -36,7 +40,7 @@ __all__ = [
 ]
 
 
-def quadratic(c_2):
+def quadratic(c_2: Any) -> Any:
     """Quadratic damping's factor of A^2 Omega^2 in I.
 
     Equation from (19). Domain: any. Shape: the arguments that it depends on, broadcast.
@@ -46,7 +50,7 @@ def quadratic(c_2):
     return 0.84882636315677518 * c_2
 
 
-def restoring(A, F_0, d):
+def restoring(A: Any, F_0: Any, d: Any) -> Any:
     """The largest |h| of a state with this amplitude, as quadratic damping bounds its frequency.
 
     Equation from (23). Domain: A > 0, d > 0. Shape: the arguments that it depends on, broadcast.
@@ -56,7 +60,7 @@ def restoring(A, F_0, d):
     return F_0 + F_0 / (A * d)
 
 
-def at_rest(A, m, eta):
+def at_rest(A: Any, m: Any, eta: Any) -> tuple[Any, Any, Any, Any]:
     """I_0, I at Omega = 0, and three derivatives by A: friction acts throughout.
 
     Equation from (19). Domain: A > 0. Shape: 4 results, each the arguments that it depends on, broadcast.
@@ -71,7 +75,7 @@ def at_rest(A, m, eta):
     )
 
 
-def released(A, m, eta, u_cr):
+def released(A: Any, m: Any, eta: Any, u_cr: Any) -> tuple[Any, Any, Any, Any]:
     """The same where friction acts for |u| < u_cr only.
 
     Equation from (19). Domain: A >= u_cr > 0. Shape: 4 results, each the arguments that it depends on, broadcast.
@@ -90,7 +94,7 @@ def released(A, m, eta, u_cr):
     )
 
 
-def rest_moves(A):
+def rest_moves(A: Any) -> tuple[Any, Any, Any, Any, Any, Any]:
     """What m, then eta, does to I_0, I_0A and I_0AA: friction acts throughout.
 
     Equation from (19). Domain: A > 0. Shape: 6 results, each the arguments that it depends on, broadcast.
@@ -107,7 +111,7 @@ def rest_moves(A):
     )
 
 
-def released_moves(A, m, u_cr):
+def released_moves(A: Any, m: Any, u_cr: Any) -> tuple[Any, Any, Any, Any, Any, Any, Any, Any, Any]:
     """What m, then eta, then u_cr does to them where friction acts for |u| < u_cr only.
 
     Equation from (19). Domain: A >= u_cr > 0. Shape: 9 results, each the arguments that it depends on, broadcast.
@@ -132,7 +136,7 @@ def released_moves(A, m, u_cr):
     )
 
 
-def I(Omega, A, I_0, zeta, d):  # noqa: E743
+def I(Omega: Any, A: Any, I_0: Any, zeta: Any, d: Any) -> Any:  # noqa: E743
     """Sine balance, -F_0 sin phi at a fixed point.
 
     Equation (23). Domain: Omega > 0, A > 0. Shape: the arguments that it depends on, broadcast.
@@ -142,7 +146,7 @@ def I(Omega, A, I_0, zeta, d):  # noqa: E743
     return A * A * Omega * Omega * d + 2.0 * A * Omega * zeta + I_0
 
 
-def I_A(Omega, A, I_0A, zeta, d):
+def I_A(Omega: Any, A: Any, I_0A: Any, zeta: Any, d: Any) -> Any:
     """dI/dA.
 
     Equation (23). Domain: Omega > 0, A > 0. Shape: the arguments that it depends on, broadcast.
@@ -152,7 +156,7 @@ def I_A(Omega, A, I_0A, zeta, d):
     return 2.0 * A * Omega * Omega * d + I_0A + 2.0 * Omega * zeta
 
 
-def far(x, A, I_0, I_0A, zeta, d, h, h_A):
+def far(x: Any, A: Any, I_0: Any, I_0A: Any, zeta: Any, d: Any, h: Any, h_A: Any) -> tuple[Any, Any, Any, Any]:
     """R, R_A, I and I_A over Omega^2, at x = 1/Omega.
 
     Equation (23). Domain: x >= 0, A > 0. Shape: 4 results, each the arguments that it depends on, broadcast.
@@ -170,7 +174,7 @@ def far(x, A, I_0, I_0A, zeta, d, h, h_A):
     )
 
 
-def F(Omega, A, F_0, I_0, zeta, d, h):
+def F(Omega: Any, A: Any, F_0: Any, I_0: Any, zeta: Any, d: Any, h: Any) -> Any:
     """Zero at a steady state.
 
     Equation (24). Domain: Omega > 0, A > 0. Shape: the arguments that it depends on, broadcast.
@@ -183,7 +187,7 @@ def F(Omega, A, F_0, I_0, zeta, d, h):
     return R * R + (-F_0 + I) * (F_0 + I)
 
 
-def F_A(Omega, A, I_0, I_0A, zeta, d, h, h_A):
+def F_A(Omega: Any, A: Any, I_0: Any, I_0A: Any, zeta: Any, d: Any, h: Any, h_A: Any) -> Any:
     """dF/dA; positive where stable.
 
     Equation (24), (30). Domain: Omega > 0, A > 0. Shape: the arguments that it depends on, broadcast.
@@ -198,7 +202,7 @@ def F_A(Omega, A, I_0, I_0A, zeta, d, h, h_A):
     return 2.0 * (I * (I_0A + 2.0 * d * t1 + t2) + R * (h_A + t0))
 
 
-def F_AA(Omega, A, I_0, I_0A, I_0AA, zeta, d, h, h_A, h_AA):
+def F_AA(Omega: Any, A: Any, I_0: Any, I_0A: Any, I_0AA: Any, zeta: Any, d: Any, h: Any, h_A: Any, h_AA: Any) -> Any:
     """d2F/dA2.
 
     Equation (24). Domain: Omega > 0, A > 0. Shape: the arguments that it depends on, broadcast.
@@ -216,7 +220,7 @@ def F_AA(Omega, A, I_0, I_0A, I_0AA, zeta, d, h, h_A, h_AA):
     return 2.0 * (I * I_0AA + 2.0 * I * t3 + R * h_AA + t4 * t4 + t5 * t5)
 
 
-def F_Omega(Omega, A, I_0, zeta, d, h):
+def F_Omega(Omega: Any, A: Any, I_0: Any, zeta: Any, d: Any, h: Any) -> Any:
     """dF/dOmega.
 
     Equation (24). Domain: Omega > 0, A > 0. Shape: the arguments that it depends on, broadcast.
@@ -230,7 +234,7 @@ def F_Omega(Omega, A, I_0, zeta, d, h):
     return 4.0 * A * (I * (d * t1 + zeta) + Omega * R)
 
 
-def F_OmegaOmega(Omega, A, I_0, zeta, d, h):
+def F_OmegaOmega(Omega: Any, A: Any, I_0: Any, zeta: Any, d: Any, h: Any) -> Any:
     """d2F/dOmega2.
 
     Equation (24). Domain: Omega > 0, A > 0. Shape: the arguments that it depends on, broadcast.
@@ -247,7 +251,7 @@ def F_OmegaOmega(Omega, A, I_0, zeta, d, h):
     return 4.0 * A * (I * t3 + R + 2.0 * t1 + t2 * t4 * t4)
 
 
-def F_AOmega(Omega, A, I_0, I_0A, zeta, d, h, h_A):
+def F_AOmega(Omega: Any, A: Any, I_0: Any, I_0A: Any, zeta: Any, d: Any, h: Any, h_A: Any) -> Any:
     """d2F/dA dOmega.
 
     Equation (24). Domain: Omega > 0, A > 0. Shape: the arguments that it depends on, broadcast.
@@ -267,7 +271,7 @@ def F_AOmega(Omega, A, I_0, I_0A, zeta, d, h, h_A):
     )
 
 
-def F_AOmegaOmega(Omega, A, I_0, I_0A, zeta, d, h, h_A):
+def F_AOmegaOmega(Omega: Any, A: Any, I_0: Any, I_0A: Any, zeta: Any, d: Any, h: Any, h_A: Any) -> Any:
     """d3F/dA dOmega2.
 
     Equation (24). Domain: Omega > 0, A > 0. Shape: the arguments that it depends on, broadcast.
@@ -288,7 +292,7 @@ def F_AOmegaOmega(Omega, A, I_0, I_0A, zeta, d, h, h_A):
     )
 
 
-def Omega_A(Omega, A, I_0, I_0A, zeta, d, h, h_A):
+def Omega_A(Omega: Any, A: Any, I_0: Any, I_0A: Any, zeta: Any, d: Any, h: Any, h_A: Any) -> Any:
     """dOmega/dA along the response.
 
     Equation from (24). Domain: Omega > 0, A > 0. Shape: the arguments that it depends on, broadcast.
@@ -308,7 +312,7 @@ def Omega_A(Omega, A, I_0, I_0A, zeta, d, h, h_A):
     )
 
 
-def Omega_A_by_inertia(Omega, A, I_0, I_0A, zeta, d, h, h_A):
+def Omega_A_by_inertia(Omega: Any, A: Any, I_0: Any, I_0A: Any, zeta: Any, d: Any, h: Any, h_A: Any) -> Any:
     """The same of an excitation by inertia.
 
     Equation from (24). Domain: Omega > 0, A > 0. Shape: the arguments that it depends on, broadcast.
@@ -326,7 +330,7 @@ def Omega_A_by_inertia(Omega, A, I_0, I_0A, zeta, d, h, h_A):
     )
 
 
-def cusp_bend(Omega, A, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA):
+def cusp_bend(Omega: Any, A: Any, I_0: Any, I_0A: Any, I_0AA: Any, I_0AAA: Any, zeta: Any, d: Any, h: Any, h_A: Any, h_AA: Any, h_AAA: Any) -> Any:
     """Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum.
 
     Equation from (24), (30). Domain: Omega > 0, A > 0. Shape: the arguments that it depends on, broadcast.
@@ -354,7 +358,7 @@ def cusp_bend(Omega, A, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA):
     return -F_AAA * F_AOmega * F_Omega / A
 
 
-def isola_bend(Omega, A, I_0, I_0A, I_0AA, zeta, d, h, h_A, h_AA):
+def isola_bend(Omega: Any, A: Any, I_0: Any, I_0A: Any, I_0AA: Any, zeta: Any, d: Any, h: Any, h_A: Any, h_AA: Any) -> tuple[Any, Any]:
     """At an isola point: negative at a saddle of F; and as `cusp_bend`.
 
     Equation from (24), (30). Domain: Omega > 0, A > 0. Shape: 2 results, each the arguments that it depends on,
@@ -400,7 +404,7 @@ def isola_bend(Omega, A, I_0, I_0A, I_0AA, zeta, d, h, h_A, h_AA):
     )
 
 
-def stability(Omega, A, I_0, I_0A, zeta, d, h, h_A):
+def stability(Omega: Any, A: Any, I_0: Any, I_0A: Any, zeta: Any, d: Any, h: Any, h_A: Any) -> Any:
     """4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
 
     Equation (30). Domain: Omega > 0, A > 0. Shape: the arguments that it depends on, broadcast.
@@ -415,7 +419,7 @@ def stability(Omega, A, I_0, I_0A, zeta, d, h, h_A):
     return (I * (I_0A + 2.0 * d * t1 + t2) + R * (h_A + t0)) / A
 
 
-def static(F_0, I_0, I_0A, h, h_A):
+def static(F_0: Any, I_0: Any, I_0A: Any, h: Any, h_A: Any) -> tuple[Any, Any, Any, Any]:
     """F at Omega = 0 by its halves h - c and h + c, c^2 = F_0^2 - I_0^2; and the slope of each.
 
     Equation from (24). Domain: F_0 > I_0. Shape: 4 results, each the arguments that it depends on, broadcast.
@@ -432,7 +436,7 @@ def static(F_0, I_0, I_0A, h, h_A):
     )
 
 
-def response_quartic(A, I_0, zeta, d, h):
+def response_quartic(A: Any, I_0: Any, zeta: Any, d: Any, h: Any) -> tuple[Any, Any, Any, Any, Any]:
     """F + F_0^2 as a polynomial in Omega: coefficients of 1, Omega, ..., Omega^4.
 
     Equation (24). Domain: A > 0. Shape: 5 results, each the arguments that it depends on, broadcast.
@@ -452,7 +456,7 @@ def response_quartic(A, I_0, zeta, d, h):
     )
 
 
-def fold_quartic(A, I_0, I_0A, zeta, d, h, h_A):
+def fold_quartic(A: Any, I_0: Any, I_0A: Any, zeta: Any, d: Any, h: Any, h_A: Any) -> tuple[Any, Any, Any, Any, Any]:
     """F_A/2 as a polynomial in Omega: coefficients of 1, Omega, ..., Omega^4.
 
     Equation (30). Domain: A > 0. Shape: 5 results, each the arguments that it depends on, broadcast.
@@ -472,7 +476,7 @@ def fold_quartic(A, I_0, I_0A, zeta, d, h, h_A):
     )
 
 
-def limit_envelope(Omega, F_0, m, zeta, eta, d):
+def limit_envelope(Omega: Any, F_0: Any, m: Any, zeta: Any, eta: Any, d: Any) -> Any:
     """Largest amplitude that the forcing can hold at this frequency, where friction acts throughout.
 
     Equation (27). Domain: Omega > 0, F_0 > m, one of zeta, eta, d > 0. Shape: the arguments that it depends on,
@@ -484,7 +488,7 @@ def limit_envelope(Omega, F_0, m, zeta, eta, d):
     return (2.0 * F_0 - 2.0 * m) / (t0 + np.sqrt(-4.0 * Omega * Omega * d * (-F_0 + m) + t0 * t0))
 
 
-def turn_share(x, A, I_0, I_0A, zeta, d):
+def turn_share(x: Any, A: Any, I_0: Any, I_0A: Any, zeta: Any, d: Any) -> Any:
     """D/Omega^2 at x = 1/Omega, where F_AOmega/(4 Omega) = R + A R_A + D.
 
     Equation from (30). Domain: x >= 0, A > 0. Shape: the arguments that it depends on, broadcast.
@@ -502,7 +506,7 @@ def turn_share(x, A, I_0, I_0A, zeta, d):
     )
 
 
-def F_A_halved(R, R_A, I, I_A):
+def F_A_halved(R: Any, R_A: Any, I: Any, I_A: Any) -> Any:
     """F_A/2 by R, I and their slopes.
 
     Equation (30). Domain: Omega >= 0, A > 0. Shape: the arguments that it depends on, broadcast.
@@ -512,7 +516,7 @@ def F_A_halved(R, R_A, I, I_A):
     return I * I_A + R * R_A
 
 
-def R_of_response(F_0, I):
+def R_of_response(F_0: Any, I: Any) -> Any:
     """The size of R where F = 0.
 
     Equation (24). Domain: Omega >= 0, A > 0. Shape: the arguments that it depends on, broadcast.
@@ -522,7 +526,7 @@ def R_of_response(F_0, I):
     return np.sqrt(F_0 * F_0 - I * I)
 
 
-def R_of_peak(Omega, A, zeta, d, I):
+def R_of_peak(Omega: Any, A: Any, zeta: Any, d: Any, I: Any) -> Any:
     """R where F_Omega = 0.
 
     Equation from (24). Domain: Omega >= 0, A > 0. Shape: the arguments that it depends on, broadcast.
@@ -532,7 +536,7 @@ def R_of_peak(Omega, A, zeta, d, I):
     return I * (-A * d - zeta / Omega)
 
 
-def R_where_stationary(x, A, I_0, zeta, d):
+def R_where_stationary(x: Any, A: Any, I_0: Any, zeta: Any, d: Any) -> tuple[Any, Any, Any]:
     """Where a level by inertia is stationary, x = 1/Omega: what is not negative, lower and higher R/Omega^2.
 
     Equation from (24). Domain: Omega >= 0, A > 0. Shape: 3 results, each the arguments that it depends on,
@@ -552,7 +556,7 @@ def R_where_stationary(x, A, I_0, zeta, d):
     )
 
 
-def I_scaled(Omega, A, I_0_over_A, zeta, d):
+def I_scaled(Omega: Any, A: Any, I_0_over_A: Any, zeta: Any, d: Any) -> Any:
     """I/A, by I_0/A.
 
     Equation (23). Domain: Omega >= 0, A > 0. Shape: the arguments that it depends on, broadcast.
@@ -562,7 +566,7 @@ def I_scaled(Omega, A, I_0_over_A, zeta, d):
     return A * Omega * Omega * d + I_0_over_A + 2.0 * Omega * zeta
 
 
-def F_A_scaled(Omega, h_over_A, h_A, I_over_A, I_A):
+def F_A_scaled(Omega: Any, h_over_A: Any, h_A: Any, I_over_A: Any, I_A: Any) -> Any:
     """F_A/(2 A), by h/A and I/A.
 
     Equation (30). Domain: Omega >= 0, A > 0. Shape: the arguments that it depends on, broadcast.
@@ -573,7 +577,7 @@ def F_A_scaled(Omega, h_over_A, h_A, I_over_A, I_A):
     return I_A * I_over_A + (h_A + t0) * (h_over_A + t0)
 
 
-def least_scaled(Omega, zeta, eta, d, h_AA):
+def least_scaled(Omega: Any, zeta: Any, eta: Any, d: Any, h_AA: Any) -> tuple[Any, Any]:
     """Of what 4/A times the least F_A/2 is not below where |k| <= A^2 |h_AA|/2, friction throughout: 1, A^2.
 
     Equation from (30). Domain: Omega >= 0. Shape: 2 results, each the arguments that it depends on, broadcast.
@@ -590,7 +594,7 @@ def least_scaled(Omega, zeta, eta, d, h_AA):
     )
 
 
-def far_by_inertia(x, A, F_0, I_0, zeta, d, h):
+def far_by_inertia(x: Any, A: Any, F_0: Any, I_0: Any, zeta: Any, d: Any, h: Any) -> tuple[Any, Any, Any]:
     """F/Omega^4 at x = 1/Omega; and -Omega^3/4 dlevel^2/dOmega, less Omega times the third.
 
     Equation (24). Domain: x >= 0, A > 0. Shape: 3 results, each the arguments that it depends on, broadcast.
@@ -612,7 +616,7 @@ def far_by_inertia(x, A, F_0, I_0, zeta, d, h):
     )
 
 
-def cusp_bend_by_inertia(Omega, A, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA):
+def cusp_bend_by_inertia(Omega: Any, A: Any, I_0: Any, I_0A: Any, I_0AA: Any, I_0AAA: Any, zeta: Any, d: Any, h: Any, h_A: Any, h_AA: Any, h_AAA: Any) -> Any:
     """As `cusp_bend`, for an excitation by inertia.
 
     Equation from (24), (30). Domain: Omega > 0, A > 0. Shape: the arguments that it depends on, broadcast.
@@ -638,7 +642,7 @@ def cusp_bend_by_inertia(Omega, A, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_
     return F_AAA * F_AOmega * (I * (A * t2 + I_0) + R * h)
 
 
-def isola_bend_by_inertia(Omega, A, I_0, I_0A, I_0AA, zeta, d, h, h_A, h_AA):
+def isola_bend_by_inertia(Omega: Any, A: Any, I_0: Any, I_0A: Any, I_0AA: Any, zeta: Any, d: Any, h: Any, h_A: Any, h_AA: Any) -> tuple[Any, Any]:
     """As `isola_bend`, for an excitation by inertia.
 
     Equation from (24), (30). Domain: Omega > 0, A > 0. Shape: 2 results, each the arguments that it depends on,
@@ -672,7 +676,7 @@ def isola_bend_by_inertia(Omega, A, I_0, I_0A, I_0AA, zeta, d, h, h_A, h_AA):
     )
 
 
-def full_by_inertia(F_0, d):
+def full_by_inertia(F_0: Any, d: Any) -> Any:
     """The amplitude that the response tends to as Omega grows.
 
     Equation from (24). Domain: F_0 > 0. Shape: the arguments that it depends on, broadcast.
@@ -682,7 +686,7 @@ def full_by_inertia(F_0, d):
     return 1.4142135623730951 * F_0 / np.sqrt(np.sqrt(4.0 * F_0 * F_0 * d * d + 1.0) + 1.0)
 
 
-def structural_bound(A, F_0, eta, h, steepest):
+def structural_bound(A: Any, F_0: Any, eta: Any, h: Any, steepest: Any) -> tuple[Any, Any]:
     """Both positive: no state above A, while |h| grows by steepest dA at most.
 
     Equation from (23), (24). Domain: A > 0. Shape: 2 results, each the arguments that it depends on, broadcast.
@@ -698,7 +702,7 @@ def structural_bound(A, F_0, eta, h, steepest):
     )
 
 
-def quadratic_bound(F_0, d):
+def quadratic_bound(F_0: Any, d: Any) -> Any:
     """What no amplitude exceeds.
 
     Equation from (23), (24). Domain: d > 0. Shape: the arguments that it depends on, broadcast.
@@ -708,7 +712,7 @@ def quadratic_bound(F_0, d):
     return np.sqrt(F_0) / np.sqrt(d)
 
 
-def folds_by_R(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, R, I, R_A, I_A):
+def folds_by_R(Omega: Any, A: Any, F_0: Any, I_0: Any, I_0A: Any, I_0AA: Any, I_0AAA: Any, zeta: Any, d: Any, h: Any, h_A: Any, h_AA: Any, h_AAA: Any, R: Any, I: Any, R_A: Any, I_A: Any) -> tuple[Any, Any, Any, Any, Any, Any]:
     """F and F_A/2; derivatives by A and by R of the first, then of the second.
 
     Equation from (24), (30). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
@@ -733,7 +737,7 @@ def folds_by_R(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h
     )
 
 
-def peaks_by_R(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, R, I, R_A, I_A):
+def peaks_by_R(Omega: Any, A: Any, F_0: Any, I_0: Any, I_0A: Any, I_0AA: Any, I_0AAA: Any, zeta: Any, d: Any, h: Any, h_A: Any, h_AA: Any, h_AAA: Any, R: Any, I: Any, R_A: Any, I_A: Any) -> tuple[Any, Any, Any, Any, Any, Any]:
     """F and what vanishes where the level is stationary; derivatives by A and by R of the first, then of the second.
 
     Equation from (24). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
@@ -759,7 +763,7 @@ def peaks_by_R(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h
     )
 
 
-def cusps_by_R(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, R, I, R_A, I_A):
+def cusps_by_R(Omega: Any, A: Any, F_0: Any, I_0: Any, I_0A: Any, I_0AA: Any, I_0AAA: Any, zeta: Any, d: Any, h: Any, h_A: Any, h_AA: Any, h_AAA: Any, R: Any, I: Any, R_A: Any, I_A: Any) -> tuple[Any, Any, Any, Any, Any, Any]:
     """F_A/2 and F_AA/2; derivatives by A and by R of the first, then of the second.
 
     Equation from (30), (33). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
@@ -791,7 +795,7 @@ def cusps_by_R(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h
     )
 
 
-def isolas_by_R(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, R, I, R_A, I_A):
+def isolas_by_R(Omega: Any, A: Any, F_0: Any, I_0: Any, I_0A: Any, I_0AA: Any, I_0AAA: Any, zeta: Any, d: Any, h: Any, h_A: Any, h_AA: Any, h_AAA: Any, R: Any, I: Any, R_A: Any, I_A: Any) -> tuple[Any, Any, Any, Any, Any, Any]:
     """F_A/2 and what vanishes where the level is stationary; derivatives by A and by R of the first, then of the second.
 
     Equation from (30). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
@@ -822,7 +826,7 @@ def isolas_by_R(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, 
     )
 
 
-def turns_by_R(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, R, I, R_A, I_A):
+def turns_by_R(Omega: Any, A: Any, F_0: Any, I_0: Any, I_0A: Any, I_0AA: Any, I_0AAA: Any, zeta: Any, d: Any, h: Any, h_A: Any, h_AA: Any, h_AAA: Any, R: Any, I: Any, R_A: Any, I_A: Any) -> tuple[Any, Any, Any, Any, Any, Any]:
     """F_A/2 and F_AOmega/(4 Omega); derivatives by A and by R of the first, then of the second.
 
     Equation from (30). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
@@ -864,7 +868,7 @@ def turns_by_R(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h
     )
 
 
-def folds_by_Omega(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, R, I, R_A, I_A):
+def folds_by_Omega(Omega: Any, A: Any, F_0: Any, I_0: Any, I_0A: Any, I_0AA: Any, I_0AAA: Any, zeta: Any, d: Any, h: Any, h_A: Any, h_AA: Any, h_AAA: Any, R: Any, I: Any, R_A: Any, I_A: Any) -> tuple[Any, Any, Any, Any, Any, Any]:
     """F and F_A/2; derivatives by A and by Omega of the first, then of the second.
 
     Equation from (24), (30). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
@@ -887,7 +891,7 @@ def folds_by_Omega(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_A
     )
 
 
-def peaks_by_Omega(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, R, I, R_A, I_A):
+def peaks_by_Omega(Omega: Any, A: Any, F_0: Any, I_0: Any, I_0A: Any, I_0AA: Any, I_0AAA: Any, zeta: Any, d: Any, h: Any, h_A: Any, h_AA: Any, h_AAA: Any, R: Any, I: Any, R_A: Any, I_A: Any) -> tuple[Any, Any, Any, Any, Any, Any]:
     """F and what vanishes where the level is stationary; derivatives by A and by Omega of the first, then of the second.
 
     Equation from (24). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
@@ -911,7 +915,7 @@ def peaks_by_Omega(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_A
     )
 
 
-def cusps_by_Omega(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, R, I, R_A, I_A):
+def cusps_by_Omega(Omega: Any, A: Any, F_0: Any, I_0: Any, I_0A: Any, I_0AA: Any, I_0AAA: Any, zeta: Any, d: Any, h: Any, h_A: Any, h_AA: Any, h_AAA: Any, R: Any, I: Any, R_A: Any, I_A: Any) -> tuple[Any, Any, Any, Any, Any, Any]:
     """F_A/2 and F_AA/2; derivatives by A and by Omega of the first, then of the second.
 
     Equation from (30), (33). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
@@ -936,7 +940,7 @@ def cusps_by_Omega(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_A
     )
 
 
-def isolas_by_Omega(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, R, I, R_A, I_A):
+def isolas_by_Omega(Omega: Any, A: Any, F_0: Any, I_0: Any, I_0A: Any, I_0AA: Any, I_0AAA: Any, zeta: Any, d: Any, h: Any, h_A: Any, h_AA: Any, h_AAA: Any, R: Any, I: Any, R_A: Any, I_A: Any) -> tuple[Any, Any, Any, Any, Any, Any]:
     """F_A/2 and what vanishes where the level is stationary; derivatives by A and by Omega of the first, then of the second.
 
     Equation from (30). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
@@ -963,7 +967,7 @@ def isolas_by_Omega(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_
     )
 
 
-def turns_by_Omega(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, R, I, R_A, I_A):
+def turns_by_Omega(Omega: Any, A: Any, F_0: Any, I_0: Any, I_0A: Any, I_0AA: Any, I_0AAA: Any, zeta: Any, d: Any, h: Any, h_A: Any, h_AA: Any, h_AAA: Any, R: Any, I: Any, R_A: Any, I_A: Any) -> tuple[Any, Any, Any, Any, Any, Any]:
     """F_A/2 and F_AOmega/(4 Omega); derivatives by A and by Omega of the first, then of the second.
 
     Equation from (30). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
@@ -999,7 +1003,7 @@ def turns_by_Omega(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_A
     )
 
 
-def folds_far_by_R(x, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, R, I, R_A, I_A):
+def folds_far_by_R(x: Any, A: Any, F_0: Any, I_0: Any, I_0A: Any, I_0AA: Any, I_0AAA: Any, zeta: Any, d: Any, h: Any, h_A: Any, h_AA: Any, h_AAA: Any, R: Any, I: Any, R_A: Any, I_A: Any) -> tuple[Any, Any, Any, Any, Any, Any]:
     """F and F_A/2 of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by R of the first, then of the second.
 
     Equation from (24), (30). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
@@ -1024,7 +1028,7 @@ def folds_far_by_R(x, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h
     )
 
 
-def peaks_far_by_R(x, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, R, I, R_A, I_A):
+def peaks_far_by_R(x: Any, A: Any, F_0: Any, I_0: Any, I_0A: Any, I_0AA: Any, I_0AAA: Any, zeta: Any, d: Any, h: Any, h_A: Any, h_AA: Any, h_AAA: Any, R: Any, I: Any, R_A: Any, I_A: Any) -> tuple[Any, Any, Any, Any, Any, Any]:
     """F and what vanishes where the level is stationary of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by R of the first, then of the second.
 
     Equation from (24). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
@@ -1056,7 +1060,7 @@ def peaks_far_by_R(x, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h
     )
 
 
-def cusps_far_by_R(x, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, R, I, R_A, I_A):
+def cusps_far_by_R(x: Any, A: Any, F_0: Any, I_0: Any, I_0A: Any, I_0AA: Any, I_0AAA: Any, zeta: Any, d: Any, h: Any, h_A: Any, h_AA: Any, h_AAA: Any, R: Any, I: Any, R_A: Any, I_A: Any) -> tuple[Any, Any, Any, Any, Any, Any]:
     """F_A/2 and F_AA/2 of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by R of the first, then of the second.
 
     Equation from (30), (33). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
@@ -1093,7 +1097,7 @@ def cusps_far_by_R(x, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h
     )
 
 
-def isolas_far_by_R(x, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, R, I, R_A, I_A):
+def isolas_far_by_R(x: Any, A: Any, F_0: Any, I_0: Any, I_0A: Any, I_0AA: Any, I_0AAA: Any, zeta: Any, d: Any, h: Any, h_A: Any, h_AA: Any, h_AAA: Any, R: Any, I: Any, R_A: Any, I_A: Any) -> tuple[Any, Any, Any, Any, Any, Any]:
     """F_A/2 and what vanishes where the level is stationary of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by R of the first, then of the second.
 
     Equation from (30). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
@@ -1127,7 +1131,7 @@ def isolas_far_by_R(x, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, 
     )
 
 
-def folds_far_by_x(x, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, R, I, R_A, I_A):
+def folds_far_by_x(x: Any, A: Any, F_0: Any, I_0: Any, I_0A: Any, I_0AA: Any, I_0AAA: Any, zeta: Any, d: Any, h: Any, h_A: Any, h_AA: Any, h_AAA: Any, R: Any, I: Any, R_A: Any, I_A: Any) -> tuple[Any, Any, Any, Any, Any, Any]:
     """F and F_A/2 of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by x of the first, then of the second.
 
     Equation from (24), (30). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
@@ -1149,7 +1153,7 @@ def folds_far_by_x(x, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h
     )
 
 
-def peaks_far_by_x(x, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, R, I, R_A, I_A):
+def peaks_far_by_x(x: Any, A: Any, F_0: Any, I_0: Any, I_0A: Any, I_0AA: Any, I_0AAA: Any, zeta: Any, d: Any, h: Any, h_A: Any, h_AA: Any, h_AAA: Any, R: Any, I: Any, R_A: Any, I_A: Any) -> tuple[Any, Any, Any, Any, Any, Any]:
     """F and what vanishes where the level is stationary of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by x of the first, then of the second.
 
     Equation from (24). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
@@ -1175,7 +1179,7 @@ def peaks_far_by_x(x, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h
     )
 
 
-def cusps_far_by_x(x, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, R, I, R_A, I_A):
+def cusps_far_by_x(x: Any, A: Any, F_0: Any, I_0: Any, I_0A: Any, I_0AA: Any, I_0AAA: Any, zeta: Any, d: Any, h: Any, h_A: Any, h_AA: Any, h_AAA: Any, R: Any, I: Any, R_A: Any, I_A: Any) -> tuple[Any, Any, Any, Any, Any, Any]:
     """F_A/2 and F_AA/2 of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by x of the first, then of the second.
 
     Equation from (30), (33). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
@@ -1204,7 +1208,7 @@ def cusps_far_by_x(x, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h
     )
 
 
-def isolas_far_by_x(x, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, R, I, R_A, I_A):
+def isolas_far_by_x(x: Any, A: Any, F_0: Any, I_0: Any, I_0A: Any, I_0AA: Any, I_0AAA: Any, zeta: Any, d: Any, h: Any, h_A: Any, h_AA: Any, h_AAA: Any, R: Any, I: Any, R_A: Any, I_A: Any) -> tuple[Any, Any, Any, Any, Any, Any]:
     """F_A/2 and what vanishes where the level is stationary of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by x of the first, then of the second.
 
     Equation from (30). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,

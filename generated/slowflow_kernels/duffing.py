@@ -15,10 +15,19 @@ mu 1e-12 to 1 or 0, u 1e-09 to 1000 of either sign or 0, zeta 1e-12 to 1 or 0.
 # a formatter would spread each polynomial over a page
 # fmt: off
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
 from slowflow_kernels import slow_flow as flow
 from slowflow_support.backend import NATIVE, coefficients_of, compiled, in_tuple
 from slowflow_support.broadcast import common_shape, floats, full, number_by_regime, stacked
 from slowflow_support.record import Law, Mechanism, Parameter
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from slowflow_support.broadcast import Floats
 
 __all__ = [
     "F_A", "H_A", "H_AA", "MECHANISM", "F", "H", "averaged", "averaged_2", "averaged_H", "backbone", "breakpoints",
@@ -29,7 +38,7 @@ __all__ = [
 ]
 
 
-def averaged(A, alpha, beta):
+def averaged(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike) -> tuple[Any, Any, Any, Any]:
     """h, h_A, h_AA, h_AAA together.
 
     Equation (20)-(22), (31). Domain: A >= 0. Shape: 4 results, each as the arguments broadcast.
@@ -48,7 +57,7 @@ def averaged(A, alpha, beta):
     )
 
 
-def averaged_2(A, alpha, beta):
+def averaged_2(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike) -> tuple[Any, Any]:
     """h, h_A together.
 
     Equation (20)-(22), (31). Domain: A >= 0. Shape: 2 results, each as the arguments broadcast.
@@ -63,7 +72,7 @@ def averaged_2(A, alpha, beta):
     )
 
 
-def averaged_H(A, alpha, beta):
+def averaged_H(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike) -> tuple[Any, Any]:
     """H, H_A together.
 
     Equation (20)-(22), (31). Domain: A >= 0. Shape: 2 results, each as the arguments broadcast.
@@ -79,7 +88,7 @@ def averaged_H(A, alpha, beta):
     )
 
 
-def intercept(A, alpha, beta):
+def intercept(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike) -> Any:
     """h - A h_A, where the tangent of h meets A = 0; linear terms are none.
 
     Equation (20)-(22), (31). Domain: A >= 0. Shape: as the arguments broadcast.
@@ -92,7 +101,7 @@ def intercept(A, alpha, beta):
     return full(1.5 * A3 * beta, common_shape((A, alpha, beta)))
 
 
-def harmonics(A, alpha, beta):
+def harmonics(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike) -> tuple[Any, Any, Any, Any, Any, Any, Any, Any]:
     """Higher harmonics of the force, as h is its first: h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA.
 
     Equation beyond (20). Domain: A >= 0. Shape: 8 results, each as the arguments broadcast.
@@ -116,7 +125,7 @@ def harmonics(A, alpha, beta):
     )
 
 
-def by_parameter(A, h, h_A, h_AA, alpha, beta):
+def by_parameter(A: Any, h: Any, h_A: Any, h_AA: Any, alpha: Any, beta: Any) -> tuple[Any, Any, Any, Any, Any, Any]:
     """d/dp of h, h_A and h_AA at a fixed A, for each parameter p in turn.
 
     Equation from (20)-(22), (31). Domain: A > 0. Shape: 6 results, each as the arguments broadcast.
@@ -137,7 +146,7 @@ def by_parameter(A, h, h_A, h_AA, alpha, beta):
     )
 
 
-def by_design(alpha, beta):
+def by_design(alpha: Any, beta: Any) -> tuple[Any, Any, Any, Any]:
     """d/d of each number of the design: of each parameter in turn, then of each breakpoint.
 
     Equation (5), (7). Domain: any design. Shape: 4 results, each as the arguments broadcast.
@@ -154,7 +163,7 @@ def by_design(alpha, beta):
     )
 
 
-def coefficients(alpha, beta):
+def coefficients(alpha: ArrayLike, beta: ArrayLike) -> tuple[Any, Any]:
     """The parameters alpha, beta from the design.
 
     Equation (5), (7). Domain: any design. Shape: 2 results, each as the arguments broadcast.
@@ -169,7 +178,7 @@ def coefficients(alpha, beta):
     )
 
 
-def breakpoints(alpha, beta):
+def breakpoints(alpha: ArrayLike, beta: ArrayLike) -> tuple[()]:
     """The |u| at which a piece of the force ends.
 
     Equation (5). Domain: any parameters. Shape: none, ().
@@ -179,7 +188,7 @@ def breakpoints(alpha, beta):
     return ()
 
 
-def jumps(alpha, beta):
+def jumps(alpha: ArrayLike, beta: ArrayLike) -> tuple[()]:
     """What the force loses at each breakpoint: f below less f above.
 
     Equation (5). Domain: any parameters. Shape: none, ().
@@ -189,7 +198,7 @@ def jumps(alpha, beta):
     return ()
 
 
-def hardening(alpha, beta):
+def hardening(alpha: ArrayLike, beta: ArrayLike) -> tuple[Any]:
     """The force over the displacement, f(u)/u, rises with |u| where none of these is negative.
 
     Equation from (3). Domain: any parameters. Shape: a tuple of one, as the arguments broadcast.
@@ -203,7 +212,7 @@ def hardening(alpha, beta):
     )
 
 
-def steps(alpha, beta):
+def steps(alpha: Any, beta: Any) -> tuple[Any, Any, Any, Any, Any, Any, Any, Any]:
     """f and its derivatives just above 0, their gains at each breakpoint, and the last piece's by its formula at 0.
 
     Equation (3), (5). Domain: any parameters. Shape: 8 results, each as the arguments broadcast.
@@ -225,7 +234,7 @@ def steps(alpha, beta):
     )
 
 
-def force_1(u, alpha, beta):
+def force_1(u: Any, alpha: Any, beta: Any) -> Any:
     """Piece 1 of the whole restoring force u + F_k(u).
 
     Equation (3), (5). Domain: where it holds. Shape: the arguments that it depends on, broadcast.
@@ -235,7 +244,7 @@ def force_1(u, alpha, beta):
     return u * (alpha + beta * u * u)
 
 
-def force_1_u(u, alpha, beta):
+def force_1_u(u: Any, alpha: Any, beta: Any) -> Any:
     """d/du of piece 1 of the whole restoring force u + F_k(u).
 
     Equation (3), (5). Domain: where it holds. Shape: the arguments that it depends on, broadcast.
@@ -245,7 +254,7 @@ def force_1_u(u, alpha, beta):
     return alpha + 3.0 * beta * u * u
 
 
-def force(u, alpha, beta):
+def force(u: ArrayLike, alpha: ArrayLike, beta: ArrayLike) -> Any:
     """Whole dimensionless restoring force u + F_k(u).
 
     Equation (3), (5). Domain: any u. Shape: as the arguments broadcast.
@@ -257,7 +266,7 @@ def force(u, alpha, beta):
     return number_by_regime(guards, bodies, arguments)
 
 
-def saddle_node_onset(m, zeta, alpha, beta):
+def saddle_node_onset(m: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, beta: ArrayLike) -> Floats:
     """Reduced resultant of F_A and F_AA: coefficients of A^0, A^2, ...; its roots are candidates for the onset.
 
     Equation (33). Domain: roots with A > 0. Shape: (11, ...), coefficients by rising power, each as the arguments
@@ -299,7 +308,7 @@ def saddle_node_onset(m, zeta, alpha, beta):
     )
 
 
-def saddle_nodes(F_0, m, zeta, alpha, beta):
+def saddle_nodes(F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, beta: ArrayLike) -> Floats:
     """Reduced resultant of F and F_A: coefficients of A^0, A^2, ...; its roots are candidates for folds.
 
     Equation from (24), (30). Domain: roots with A > 0. Shape: (11, ...), coefficients by rising power, each as the
@@ -353,7 +362,7 @@ def saddle_nodes(F_0, m, zeta, alpha, beta):
     )
 
 
-def h(A, alpha, beta):
+def h(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike) -> Any:
     """The averaged restoring force h = H - A.
 
     Equation (20)-(22). Domain: A >= 0. Shape: as the arguments broadcast.
@@ -362,7 +371,7 @@ def h(A, alpha, beta):
     return averaged_2(A, alpha, beta)[0]
 
 
-def h_A(A, alpha, beta):
+def h_A(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike) -> Any:
     """d/dA of the averaged restoring force h = H - A.
 
     Equation (31). Domain: A >= 0. Shape: as the arguments broadcast.
@@ -371,7 +380,7 @@ def h_A(A, alpha, beta):
     return averaged_2(A, alpha, beta)[1]
 
 
-def h_AA(A, alpha, beta):
+def h_AA(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike) -> Any:
     """d2/dA2 of the averaged restoring force h = H - A.
 
     Equation from (31). Domain: A >= 0. Shape: as the arguments broadcast.
@@ -380,7 +389,7 @@ def h_AA(A, alpha, beta):
     return averaged(A, alpha, beta)[2]
 
 
-def h_AAA(A, alpha, beta):
+def h_AAA(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike) -> Any:
     """d3/dA3 of the averaged restoring force h = H - A.
 
     Equation from (31). Domain: A >= 0. Shape: as the arguments broadcast.
@@ -389,7 +398,7 @@ def h_AAA(A, alpha, beta):
     return averaged(A, alpha, beta)[3]
 
 
-def H(A, alpha, beta):
+def H(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike) -> Any:
     """The averaged force H beside the vertical spring.
 
     Equation (20)-(22). Domain: A >= 0. Shape: as the arguments broadcast.
@@ -398,7 +407,7 @@ def H(A, alpha, beta):
     return averaged_H(A, alpha, beta)[0]
 
 
-def H_A(A, alpha, beta):
+def H_A(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike) -> Any:
     """d/dA of the averaged force H beside the vertical spring.
 
     Equation (31). Domain: A >= 0. Shape: as the arguments broadcast.
@@ -407,7 +416,7 @@ def H_A(A, alpha, beta):
     return averaged_H(A, alpha, beta)[1]
 
 
-def H_AA(A, alpha, beta):
+def H_AA(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike) -> Any:
     """d2/dA2 of the averaged force H beside the vertical spring.
 
     Equation from (31). Domain: A >= 0. Shape: as the arguments broadcast.
@@ -416,7 +425,7 @@ def H_AA(A, alpha, beta):
     return averaged(A, alpha, beta)[2]
 
 
-def F(Omega, A, F_0, mu, zeta, alpha, beta):
+def F(Omega: ArrayLike, A: ArrayLike, F_0: ArrayLike, mu: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, beta: ArrayLike) -> Any:
     """Frequency response; zero at a steady state.
 
     Equation (24). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
@@ -426,7 +435,7 @@ def F(Omega, A, F_0, mu, zeta, alpha, beta):
     return flow.F(Omega, A, F_0, flow.friction(mu), zeta, average)
 
 
-def F_A(Omega, A, mu, zeta, alpha, beta):
+def F_A(Omega: ArrayLike, A: ArrayLike, mu: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, beta: ArrayLike) -> Any:
     """dF/dA; positive where stable.
 
     Equation (24), (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
@@ -436,7 +445,7 @@ def F_A(Omega, A, mu, zeta, alpha, beta):
     return flow.F_A(Omega, A, flow.friction(mu), zeta, average, average_A)
 
 
-def level(Omega, A, mu, zeta, alpha, beta):
+def level(Omega: ArrayLike, A: ArrayLike, mu: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, beta: ArrayLike) -> Any:
     """The forcing F_0 for which (Omega, A) is a steady state.
 
     Equation (24). Domain: Omega >= 0, A > 0. Shape: as the arguments broadcast.
@@ -446,7 +455,7 @@ def level(Omega, A, mu, zeta, alpha, beta):
     return flow.level(Omega, A, flow.friction(mu), zeta, average)
 
 
-def phase(Omega, A, mu, zeta, alpha, beta):
+def phase(Omega: ArrayLike, A: ArrayLike, mu: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, beta: ArrayLike) -> Any:
     """Phase phi of a steady state, from -pi to 0.
 
     Equation (25). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
@@ -456,7 +465,7 @@ def phase(Omega, A, mu, zeta, alpha, beta):
     return flow.phase(Omega, A, flow.friction(mu), zeta, average)
 
 
-def jacobian(Omega, A, mu, zeta, alpha, beta):
+def jacobian(Omega: ArrayLike, A: ArrayLike, mu: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, beta: ArrayLike) -> tuple[Any, Any, Any, Any]:
     """Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22.
 
     Equation (28). Domain: Omega > 0, A > 0. Shape: 4 results, each as the arguments broadcast.
@@ -466,7 +475,7 @@ def jacobian(Omega, A, mu, zeta, alpha, beta):
     return flow.jacobian(Omega, A, flow.friction(mu), zeta, average, average_A)
 
 
-def stability(Omega, A, mu, zeta, alpha, beta):
+def stability(Omega: ArrayLike, A: ArrayLike, mu: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, beta: ArrayLike) -> Any:
     """4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
 
     Equation (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
@@ -476,7 +485,7 @@ def stability(Omega, A, mu, zeta, alpha, beta):
     return flow.stability(Omega, A, flow.friction(mu), zeta, average, average_A)
 
 
-def transmissibility(Omega, A, F_0, mu, zeta, alpha, beta):
+def transmissibility(Omega: ArrayLike, A: ArrayLike, F_0: ArrayLike, mu: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, beta: ArrayLike) -> Any:
     """Fundamental harmonic of the force on the base over F_0, at a steady state.
 
     Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0. Shape: as the arguments broadcast.
@@ -486,7 +495,7 @@ def transmissibility(Omega, A, F_0, mu, zeta, alpha, beta):
     return flow.transmissibility(Omega, A, F_0, flow.friction(mu), zeta, average)
 
 
-def backbone(A, alpha, beta):
+def backbone(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike) -> Any:
     """Frequency on the backbone.
 
     Equation (26). Domain: A > 0, h <= 0. Shape: as the arguments broadcast.
@@ -496,7 +505,7 @@ def backbone(A, alpha, beta):
     return flow.backbone(A, average)
 
 
-def limit_envelope(Omega, F_0, mu, zeta):
+def limit_envelope(Omega: ArrayLike, F_0: ArrayLike, mu: ArrayLike, zeta: ArrayLike) -> Any:
     """Largest amplitude that the forcing can hold at this frequency.
 
     Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise. Shape: as the arguments broadcast.
@@ -505,7 +514,7 @@ def limit_envelope(Omega, F_0, mu, zeta):
     return flow.limit_envelope(Omega, F_0, flow.friction(mu), zeta)
 
 
-def equivalent_damping(Omega, A, mu, zeta):
+def equivalent_damping(Omega: ArrayLike, A: ArrayLike, mu: ArrayLike, zeta: ArrayLike) -> Any:
     """Viscous damping ratio that dissipates as much as zeta and friction together.
 
     Equation (38). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
@@ -514,7 +523,7 @@ def equivalent_damping(Omega, A, mu, zeta):
     return flow.equivalent_damping(Omega, A, flow.friction(mu), zeta)
 
 
-def response_quartic(A, F_0, mu, zeta, alpha, beta):
+def response_quartic(A: ArrayLike, F_0: ArrayLike, mu: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, beta: ArrayLike) -> tuple[Any, Any, Any, Any]:
     """F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
 
     Equation (24). Domain: A > 0. Shape: 4 results, each as the arguments broadcast.
@@ -524,7 +533,7 @@ def response_quartic(A, F_0, mu, zeta, alpha, beta):
     return flow.response_quartic(A, F_0, flow.friction(mu), zeta, average)
 
 
-def fold_quartic(A, mu, zeta, alpha, beta):
+def fold_quartic(A: ArrayLike, mu: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, beta: ArrayLike) -> tuple[Any, Any, Any, Any]:
     """F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
 
     Equation (24), (30). Domain: A > 0. Shape: 4 results, each as the arguments broadcast.
@@ -534,7 +543,7 @@ def fold_quartic(A, mu, zeta, alpha, beta):
     return flow.fold_quartic(A, flow.friction(mu), zeta, average, average_A)
 
 
-def peak_cubic(A, mu, zeta, alpha, beta):
+def peak_cubic(A: ArrayLike, mu: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, beta: ArrayLike) -> tuple[Any, Any, Any]:
     """F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3.
 
     Equation (34). Domain: A > 0. Shape: 3 results, each as the arguments broadcast.
@@ -544,7 +553,7 @@ def peak_cubic(A, mu, zeta, alpha, beta):
     return flow.peak_cubic(A, flow.friction(mu), zeta, average)
 
 
-def detachment(A, mu, zeta, alpha, beta):
+def detachment(A: ArrayLike, mu: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, beta: ArrayLike) -> Floats:
     """Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
 
     Equation (34). Domain: A > 0. Shape: (4, ...), coefficients by rising power, each as the arguments broadcast.

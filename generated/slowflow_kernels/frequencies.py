@@ -15,9 +15,16 @@ either sign, m 1e-12 to 1 or 0, p 1e-09 to 1000 of either sign, p_low up to 1e-1
 # a formatter would spread each polynomial over a page
 # fmt: off
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 
 from slowflow_support.twofold import distilled, two_product, two_sum
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 ROUGH = 8.881784197001252e-16
 FINE = 3.1554436208840472e-30
@@ -29,7 +36,7 @@ __all__ = [
 ]
 
 
-def response(Omega, A, F_0, m, zeta, h):
+def response(Omega: Any, A: Any, F_0: Any, m: Any, zeta: Any, h: Any) -> tuple[Any, Any]:
     """F, and what its rounding error is below ROUGH times of.
 
     Equation (24). Domain: Omega >= 0, A > 0. Shape: 2 results, each the arguments that it depends on, broadcast.
@@ -47,7 +54,7 @@ def response(Omega, A, F_0, m, zeta, h):
     )
 
 
-def response_at_0(F_0, m, h):
+def response_at_0(F_0: Any, m: Any, h: Any) -> tuple[Any, Any]:
     """F at Omega = 0, and what its rounding error is below ROUGH times of.
 
     Equation (24). Domain: any. Shape: 2 results, each the arguments that it depends on, broadcast.
@@ -63,7 +70,7 @@ def response_at_0(F_0, m, h):
     )
 
 
-def fold(Omega, A, m, zeta, h, h_A):
+def fold(Omega: Any, A: Any, m: Any, zeta: Any, h: Any, h_A: Any) -> tuple[Any, Any]:
     """F_A/2, and what its rounding error is below ROUGH times of.
 
     Equation (30). Domain: Omega >= 0, A > 0. Shape: 2 results, each the arguments that it depends on, broadcast.
@@ -84,7 +91,7 @@ def fold(Omega, A, m, zeta, h, h_A):
     )
 
 
-def fold_at_0(h, h_A):
+def fold_at_0(h: Any, h_A: Any) -> Any:
     """F_A/2 at Omega = 0.
 
     Equation (30). Domain: any. Shape: the arguments that it depends on, broadcast.
@@ -94,7 +101,7 @@ def fold_at_0(h, h_A):
     return h * h_A
 
 
-def cubic(Omega, A, p, q):
+def cubic(Omega: Any, A: Any, p: Any, q: Any) -> Any:
     """A Omega^3 + p Omega + q.
 
     Equation from (24), (30). Domain: Omega >= 0, A > 0. Shape: the arguments that it depends on, broadcast.
@@ -104,7 +111,7 @@ def cubic(Omega, A, p, q):
     return Omega * (A * Omega * Omega + p) + q
 
 
-def cubic_slope(Omega, A, p):
+def cubic_slope(Omega: Any, A: Any, p: Any) -> Any:
     """Its derivative by Omega.
 
     Equation from (24), (30). Domain: Omega >= 0, A > 0. Shape: the arguments that it depends on, broadcast.
@@ -114,7 +121,7 @@ def cubic_slope(Omega, A, p):
     return 3.0 * A * Omega * Omega + p
 
 
-def rise(Omega, A, p, k):
+def rise(Omega: Any, A: Any, p: Any, k: Any) -> tuple[Any, Any]:
     """Of a quartic from 0 to a critical point, and its magnitude.
 
     Equation from (24), (30). Domain: Omega >= 0, A > 0. Shape: 2 results, each the arguments that it depends on,
@@ -132,7 +139,7 @@ def rise(Omega, A, p, k):
     )
 
 
-def response_fine(Omega, A, F_0, m, zeta, h):
+def response_fine(Omega: ArrayLike, A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> tuple[Any, Any]:
     """F in double-double, and what its error is below FINE times of.
 
     Equation (24). Domain: Omega >= 0, A > 0.
@@ -165,7 +172,7 @@ def response_fine(Omega, A, F_0, m, zeta, h):
     )
 
 
-def response_beside(Omega, tail, A, F_0, m, zeta, h):
+def response_beside(Omega: ArrayLike, tail: ArrayLike, A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> tuple[Any, Any]:
     """F at Omega + tail in double-double, and what its error is below FINE times of.
 
     Equation (24). Domain: Omega >= 0, A > 0.
@@ -202,7 +209,7 @@ def response_beside(Omega, tail, A, F_0, m, zeta, h):
     )
 
 
-def response_derivative(A, m, zeta, h):
+def response_derivative(A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> tuple[Any, Any, Any, Any, Any]:
     """The derivative of F by Omega is k (A Omega^3 + p Omega + q): p, p_low, q, q_low, k.
 
     Equation (24). Domain: A > 0.
@@ -225,7 +232,7 @@ def response_derivative(A, m, zeta, h):
     )
 
 
-def response_exactly_at_0(F_0, m, h):
+def response_exactly_at_0(F_0: ArrayLike, m: ArrayLike, h: ArrayLike) -> Any:
     """F at Omega = 0, with a certain sign.
 
     Equation (24). Domain: any.
@@ -238,7 +245,7 @@ def response_exactly_at_0(F_0, m, h):
     return distilled([d0_low, d1_low, -d2_low, d0, d1, -d2])
 
 
-def fold_fine(Omega, A, m, zeta, h, h_A):
+def fold_fine(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike) -> tuple[Any, Any]:
     """F_A/2 in double-double, and what its error is below FINE times of.
 
     Equation (30). Domain: Omega >= 0, A > 0.
@@ -275,7 +282,7 @@ def fold_fine(Omega, A, m, zeta, h, h_A):
     )
 
 
-def fold_beside(Omega, tail, A, m, zeta, h, h_A):
+def fold_beside(Omega: ArrayLike, tail: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike) -> tuple[Any, Any]:
     """F_A/2 at Omega + tail in double-double, and what its error is below FINE times of.
 
     Equation (30). Domain: Omega >= 0, A > 0.
@@ -318,7 +325,7 @@ def fold_beside(Omega, tail, A, m, zeta, h, h_A):
     )
 
 
-def fold_derivative(A, m, zeta, h, h_A):
+def fold_derivative(A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike) -> tuple[Any, Any, Any, Any, Any]:
     """The derivative of F_A/2 by Omega is k (A Omega^3 + p Omega + q): p, p_low, q, q_low, k.
 
     Equation (30). Domain: A > 0.
@@ -345,7 +352,7 @@ def fold_derivative(A, m, zeta, h, h_A):
     )
 
 
-def cubic_fine(Omega, A, p, p_low, q, q_low):
+def cubic_fine(Omega: ArrayLike, A: ArrayLike, p: ArrayLike, p_low: ArrayLike, q: ArrayLike, q_low: ArrayLike) -> Any:
     """A Omega^3 + p Omega + q in double-double.
 
     Equation from (24), (30). Domain: A > 0.
@@ -364,7 +371,7 @@ def cubic_fine(Omega, A, p, p_low, q, q_low):
     return d7 + d8
 
 
-def discriminant(A, p, p_low, q, q_low):
+def discriminant(A: ArrayLike, p: ArrayLike, p_low: ArrayLike, q: ArrayLike, q_low: ArrayLike) -> tuple[Any, Any]:
     """Of the cubic, over A: for p < 0 < q positive where it has two positive roots; and its first term.
 
     Equation from (24), (30). Domain: A > 0.

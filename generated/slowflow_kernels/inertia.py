@@ -17,10 +17,17 @@ either sign, h_AA up to 5 of either sign, h_AAA up to 20 of either sign, holds 0
 # a formatter would spread each polynomial over a page
 # fmt: off
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 
 from slowflow_support.backend import NATIVE, compiled
 from slowflow_support.broadcast import by_regime, common_shape, floats, full
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 __all__ = [
     "F", "Omega_A", "Omega_of_share", "amplitude", "bound", "cusp_bend", "fold_force", "fold_level", "fold_slopes",
@@ -29,7 +36,7 @@ __all__ = [
 ]
 
 
-def force(Omega, F_0):
+def force(Omega: ArrayLike, F_0: ArrayLike) -> Any:
     """Amplitude of the force on the mass.
 
     Equation beside (3). Domain: Omega >= 0. Shape: as the arguments broadcast.
@@ -40,7 +47,7 @@ def force(Omega, F_0):
     return F_0 * Omega * Omega
 
 
-def force_slopes(Omega, F_0):
+def force_slopes(Omega: ArrayLike, F_0: ArrayLike) -> tuple[Any, Any]:
     """Its slopes by Omega, F_0.
 
     Equation beside (3). Domain: Omega >= 0. Shape: 2 results, each as the arguments broadcast.
@@ -55,7 +62,7 @@ def force_slopes(Omega, F_0):
     )
 
 
-def amplitude(Omega, force):
+def amplitude(Omega: Any, force: Any) -> Any:
     """The F_0 of a force at one frequency.
 
     Equation beside (3). Domain: Omega > 0. Shape: as the arguments broadcast.
@@ -66,7 +73,7 @@ def amplitude(Omega, force):
     return force / (Omega * Omega)
 
 
-def moves_from(F_0, holds):
+def moves_from(F_0: Any, holds: Any) -> Any:
     """The Omega from which on the force exceeds what holds a mass at rest, 4 mu/pi on the average.
 
     Equation beside (3). Domain: F_0 > 0, holds >= 0. Shape: as the arguments broadcast.
@@ -78,7 +85,7 @@ def moves_from(F_0, holds):
     return np.sqrt(turn)
 
 
-def isolation(A, F_0, reduction, h):
+def isolation(A: Any, F_0: Any, reduction: Any, h: Any) -> Any:
     """Frequency of a state that transmits sqrt(1 - reduction) of what drives it, though it moves.
 
     Equation from (23). Domain: A > F_0 sqrt(reduction), 0 <= reduction < 1, h <= 0. Shape: as the arguments
@@ -92,7 +99,7 @@ def isolation(A, F_0, reduction, h):
     return np.sqrt(turn)
 
 
-def level(Omega, A, m, zeta, h):
+def level(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> Any:
     """The amplitude F_0 of the excitation for which (Omega, A) is a steady state.
 
     Equation from (24). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
@@ -106,7 +113,7 @@ def level(Omega, A, m, zeta, h):
     return np.sqrt(I * I + R * R) / t0
 
 
-def F(Omega, A, F_0, m, zeta, h):
+def F(Omega: ArrayLike, A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> Any:
     """Zero at a steady state.
 
     Equation from (24). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
@@ -121,7 +128,7 @@ def F(Omega, A, F_0, m, zeta, h):
     return R * R + (I - t1) * (I + t1)
 
 
-def level_slope(Omega, A, m, zeta, h):
+def level_slope(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> Any:
     """Omega^5 times the derivative of level^2 by Omega.
 
     Equation from (24). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
@@ -135,7 +142,7 @@ def level_slope(Omega, A, m, zeta, h):
     return -4.0 * I * (m + t0) - 4.0 * R * h
 
 
-def Omega_A(Omega, A, m, zeta, h, h_A):
+def Omega_A(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike) -> Any:
     """dOmega/dA along the response.
 
     Equation from (24). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
@@ -189,7 +196,7 @@ def _outer_rising(A, F_0, m, zeta, h):
     )
 
 
-def outer(A, F_0, m, zeta, h):
+def outer(A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> tuple[Any, Any]:
     """1/Omega^2 below the low frequency of an amplitude, and above the high one, where it has that.
 
     Equation from (24). Domain: A > 0, where F has a root. Shape: 2 results, each as the arguments broadcast.
@@ -202,7 +209,7 @@ def outer(A, F_0, m, zeta, h):
     return by_regime(guards, bodies, arguments, 2)
 
 
-def terms(A, m, zeta, h):
+def terms(A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> tuple[Any, Any, Any]:
     """What the least level of an amplitude follows from; it has one where the first, fall, is positive.
 
     Equation from (24). Domain: A > 0. Shape: 3 results, each as the arguments broadcast.
@@ -218,7 +225,7 @@ def terms(A, m, zeta, h):
     )
 
 
-def least(fall, linear, rest):
+def least(fall: ArrayLike, linear: ArrayLike, rest: ArrayLike) -> Any:
     """x = 1/Omega where the level of an amplitude is least, by its `terms`.
 
     Equation from (24). Domain: fall > 0, linear >= 0, rest > 0. Shape: as the arguments broadcast.
@@ -229,7 +236,7 @@ def least(fall, linear, rest):
     return 8.0 * fall / (linear + np.sqrt(64.0 * fall * rest + linear * linear))
 
 
-def least_Omega_A(x, A, m, zeta, h, h_A):
+def least_Omega_A(x: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike) -> Any:
     """dOmega/dA where the level of an amplitude is least: what a rounding of A does to Omega there.
 
     Equation from (24). Domain: x of `least`, h < 0. Shape: as the arguments broadcast.
@@ -245,7 +252,7 @@ def least_Omega_A(x, A, m, zeta, h, h_A):
     )
 
 
-def peak(x, A, F_0, m, zeta, h, h_A):
+def peak(x: ArrayLike, A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike) -> tuple[Any, Any]:
     """The least level of an amplitude less F_0, and its slope along A.
 
     Equation from (24). Domain: x of `least`, h < 0. Shape: 2 results, each as the arguments broadcast.
@@ -266,7 +273,7 @@ def peak(x, A, F_0, m, zeta, h, h_A):
     )
 
 
-def isola(x, A, m, zeta, h, h_A, h_AA):
+def isola(x: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike) -> tuple[Any, Any]:
     """Has the sign of F_A where an amplitude's level is least: zero at an isola point; its slope along A.
 
     Equation from (24), (30). Domain: x of `least`, h < 0. Shape: 2 results, each as the arguments broadcast.
@@ -292,7 +299,7 @@ def isola(x, A, m, zeta, h, h_A, h_AA):
     )
 
 
-def isola_apart(x, A, m, zeta, h, k, cubic):
+def isola_apart(x: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, k: ArrayLike, cubic: ArrayLike) -> Any:
     """The same without its slope by k = h - A h_A and cubic = 3 h - A h_A, small where h is like A^3.
 
     Equation from (24), (30). Domain: x of `least`, h < 0. Shape: as the arguments broadcast.
@@ -308,7 +315,7 @@ def isola_apart(x, A, m, zeta, h, k, cubic):
     return (-cubic * t0 * x2 + drag * drag * (-2.0 * t0 - t1) / h - k * m * x3) / A
 
 
-def fold_slopes(Omega, A, m, zeta, k):
+def fold_slopes(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, k: ArrayLike) -> tuple[Any, Any, Any]:
     """dR/dA at a fold by k = h - A h_A: of the two with F_A = 0 the larger, the other; -R/I with the first.
 
     Equation from (30). Domain: Omega > 0, A > 0, zeta > 0, k other than 0. Shape: 3 results, each as the arguments
@@ -331,7 +338,7 @@ def fold_slopes(Omega, A, m, zeta, k):
     )
 
 
-def fold_force(Omega, A, m, zeta, other):
+def fold_force(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, other: ArrayLike) -> Any:
     """The F_0 of a force at a fold, by the one of `fold_slopes` that is not its own.
 
     Equation from (24), (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
@@ -343,7 +350,7 @@ def fold_force(Omega, A, m, zeta, other):
     return np.sqrt(A * A * other * other + I * I)
 
 
-def fold_level(Omega, A, m, zeta, other):
+def fold_level(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, other: ArrayLike) -> Any:
     """The F_0 of a fold, by the one of `fold_slopes` that is not its own.
 
     Equation from (24), (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
@@ -355,7 +362,7 @@ def fold_level(Omega, A, m, zeta, other):
     return np.sqrt(A * A * other * other + I * I) / (Omega * Omega)
 
 
-def peak_share(Omega, A, m, zeta):
+def peak_share(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike) -> Any:
     """-R/I where the level is least and R small beside A Omega^2.
 
     Equation from (24). Domain: Omega > 0, A > 0, zeta > 0. Shape: as the arguments broadcast.
@@ -373,7 +380,7 @@ def peak_share(Omega, A, m, zeta):
     return (-2.0 * m - t1) / (A * Omega2 + root)
 
 
-def Omega_of_share(A, F_0, m, zeta, share):
+def Omega_of_share(A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike, share: ArrayLike) -> Any:
     """Omega of a steady state with that -R/I.
 
     Equation from (24). Domain: A > 0, F_0 > 0. Shape: as the arguments broadcast.
@@ -385,7 +392,7 @@ def Omega_of_share(A, F_0, m, zeta, share):
     return (A * zeta + np.sqrt(A * A * zeta * zeta + m * of_I)) / of_I
 
 
-def level_rise(Omega, A, m, zeta, h, h_A, h_AA):
+def level_rise(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike) -> Any:
     """Positive where the level rises with A along the fold locus, negative where it falls.
 
     Equation from (24), (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
@@ -406,7 +413,7 @@ def level_rise(Omega, A, m, zeta, h, h_A, h_AA):
     )
 
 
-def cusp_bend(Omega, A, m, zeta, h, h_A, h_AA, h_AAA):
+def cusp_bend(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike, h_AAA: ArrayLike) -> Any:
     """Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum.
 
     Equation from (24), (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
@@ -426,7 +433,7 @@ def cusp_bend(Omega, A, m, zeta, h, h_A, h_AA, h_AAA):
     )
 
 
-def hessian(Omega, A, m, zeta, h, h_A, h_AA):
+def hessian(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike) -> Any:
     """At an isola point: negative where the level has a saddle in (A, Omega).
 
     Equation from (24), (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
@@ -459,7 +466,7 @@ def hessian(Omega, A, m, zeta, h, h_A, h_AA):
     )
 
 
-def bound(A, F_0, zeta, h, h_A, h_AA, h_AAA, lost):
+def bound(A: ArrayLike, F_0: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike, h_AAA: ArrayLike, lost: ArrayLike) -> tuple[Any, Any, Any, Any]:
     """Positive where no state has an amplitude A > F_0, if zeta^2 A <= lost |h|; three derivatives by A.
 
     Equation from (24). Domain: A > 0, h < 0, lost <= 1/2. Shape: 4 results, each as the arguments broadcast.
@@ -481,7 +488,7 @@ def bound(A, F_0, zeta, h, h_A, h_AA, h_AAA, lost):
     )
 
 
-def share(A, zeta, h):
+def share(A: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> Any:
     """What zeta^2 A is of |h|: `lost` of the `bound`.
 
     Equation from (24). Domain: h < 0. Shape: as the arguments broadcast.

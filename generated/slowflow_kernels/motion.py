@@ -20,6 +20,10 @@ right 0.01 to 0.99, sine up to 0.99 of either sign, slip up to 0.99 of either si
 # a formatter would spread each polynomial over a page
 # fmt: off
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 
 
@@ -30,7 +34,7 @@ __all__ = [
 ]
 
 
-def push(cosine, F_0, f):
+def push(cosine: Any, F_0: Any, f: Any) -> Any:
     """What friction has to hold at rest; cosine of theta = Omega tau.
 
     Equation (3). Domain: any. Shape: the arguments that it depends on, broadcast.
@@ -40,7 +44,7 @@ def push(cosine, F_0, f):
     return F_0 * cosine - f
 
 
-def push_slopes(cosine, sine, F_0, f_u):
+def push_slopes(cosine: Any, sine: Any, F_0: Any, f_u: Any) -> tuple[Any, Any, Any]:
     """Derivatives of the push by theta, u, F_0.
 
     Equation (3). Domain: any. Shape: 3 results, each the arguments that it depends on, broadcast.
@@ -54,7 +58,7 @@ def push_slopes(cosine, sine, F_0, f_u):
     )
 
 
-def breakaway(F_0, friction, f):
+def breakaway(F_0: Any, friction: Any, f: Any) -> Any:
     """The cosine of theta at which a mass at rest breaks away against friction mu or -mu.
 
     Equation (3). Domain: F_0 > 0. Shape: the arguments that it depends on, broadcast.
@@ -64,7 +68,7 @@ def breakaway(F_0, friction, f):
     return (f + friction) / F_0
 
 
-def acceleration(cosine, v, F_0, zeta, friction, f):
+def acceleration(cosine: Any, v: Any, F_0: Any, zeta: Any, friction: Any, f: Any) -> Any:
     """u'' of a slipping mass; friction is mu sign(u').
 
     Equation (3). Domain: any. Shape: the arguments that it depends on, broadcast.
@@ -74,7 +78,7 @@ def acceleration(cosine, v, F_0, zeta, friction, f):
     return F_0 * cosine - f - friction - 2.0 * v * zeta
 
 
-def resistance(v, zeta, friction, quadratic):
+def resistance(v: Any, zeta: Any, friction: Any, quadratic: Any) -> tuple[Any, Any]:
     """Friction and quadratic damping, both times the sign of u'; and the zeta of the slope of all by u'.
 
     Equation (3). Domain: any. Shape: 2 results, each the arguments that it depends on, broadcast.
@@ -87,7 +91,7 @@ def resistance(v, zeta, friction, quadratic):
     )
 
 
-def transmissibility(Omega, A_1, F_0, phi):
+def transmissibility(Omega: Any, A_1: Any, F_0: Any, phi: Any) -> Any:
     """Fundamental harmonic of what is passed on over F_0, where that of u is A_1 cos(theta + phi).
 
     Equation (3). Domain: F_0 > 0. Shape: the arguments that it depends on, broadcast.
@@ -98,7 +102,7 @@ def transmissibility(Omega, A_1, F_0, phi):
     return np.hypot(of_inertia * np.cos(phi) + 1.0, of_inertia * np.sin(phi))
 
 
-def stopping(Omega, A, mu):
+def stopping(Omega: Any, A: Any, mu: Any) -> Any:
     """Friction over the largest force of inertia of A cos(theta), by which the mass stops within the cycle.
 
     Equation (3). Domain: Omega > 0, A > 0. Shape: the arguments that it depends on, broadcast.
@@ -109,7 +113,7 @@ def stopping(Omega, A, mu):
     return mu / (A * turn)
 
 
-def structural(Omega, eta):
+def structural(Omega: Any, eta: Any) -> tuple[Any, Any]:
     """The zeta of structural damping at one frequency, and its slope by Omega.
 
     Equation beside (3). Domain: Omega > 0. Shape: 2 results, each the arguments that it depends on, broadcast.
@@ -123,7 +127,7 @@ def structural(Omega, eta):
     )
 
 
-def across(before, after, v):
+def across(before: Any, after: Any, v: Any) -> Any:
     """What u' gains of a deviation of u where u'' changes at an edge.
 
     Equation beside (3). Domain: v other than 0. Shape: the arguments that it depends on, broadcast.
@@ -133,7 +137,7 @@ def across(before, after, v):
     return (after - before) / v
 
 
-def turned(before, after):
+def turned(before: Any, after: Any) -> Any:
     """What is left of a deviation of u' where the velocity changes its sign and u'' with it; 0 where the mass stops.
 
     Equation beside (3). Domain: before other than 0. Shape: the arguments that it depends on, broadcast.
@@ -143,7 +147,7 @@ def turned(before, after):
     return after / before
 
 
-def released(after, Omega, by_theta, by_u):
+def released(after: Any, Omega: Any, by_theta: Any, by_u: Any) -> Any:
     """What u' is of a deviation of u where the push on a mass at rest, with these slopes, breaks it away.
 
     Equation beside (3). Domain: Omega > 0, by_theta other than 0. Shape: the arguments that it depends on,
@@ -154,7 +158,7 @@ def released(after, Omega, by_theta, by_u):
     return after * by_u / (Omega * by_theta)
 
 
-def out(beyond, pull):
+def out(beyond: Any, pull: Any) -> Any:
     """The time of a way beyond an edge, up to where a constant pull turns it.
 
     Equation beside (3). Domain: beyond >= 0, pull > 0. Shape: the arguments that it depends on, broadcast.
@@ -165,7 +169,7 @@ def out(beyond, pull):
     return np.sqrt(square)
 
 
-def back(beyond, growth):
+def back(beyond: Any, growth: Any) -> Any:
     """The time of the way back to it from rest, under a push that grows steadily from 0.
 
     Equation beside (3). Domain: beyond >= 0, growth > 0. Shape: the arguments that it depends on, broadcast.
@@ -176,7 +180,7 @@ def back(beyond, growth):
     return np.cbrt(cube)
 
 
-def rates(cosine, v, Omega, F_0, zeta, friction, f):
+def rates(cosine: Any, v: Any, Omega: Any, F_0: Any, zeta: Any, friction: Any, f: Any) -> tuple[Any, Any]:
     """u and v by theta.
 
     Equation (3). Domain: Omega > 0. Shape: 2 results, each the arguments that it depends on, broadcast.
@@ -190,7 +194,7 @@ def rates(cosine, v, Omega, F_0, zeta, friction, f):
     )
 
 
-def rates_by_state(Omega, zeta, f_u):
+def rates_by_state(Omega: Any, zeta: Any, f_u: Any) -> tuple[Any, Any, Any, Any]:
     """Derivatives of the rates by u, v: of the first, then of the second.
 
     Equation (3). Domain: Omega > 0. Shape: 4 results, each the arguments that it depends on, broadcast.
@@ -206,7 +210,7 @@ def rates_by_state(Omega, zeta, f_u):
     )
 
 
-def rates_by_parameter(cosine, v, Omega, F_0, zeta, friction, f):
+def rates_by_parameter(cosine: Any, v: Any, Omega: Any, F_0: Any, zeta: Any, friction: Any, f: Any) -> tuple[Any, Any, Any, Any, Any, Any, Any, Any, Any, Any]:
     """Derivatives of the rates by Omega, F_0, zeta, friction, f: of the first, then of the second.
 
     Equation (3). Domain: Omega > 0. Shape: 10 results, each the arguments that it depends on, broadcast.
@@ -231,7 +235,7 @@ def rates_by_parameter(cosine, v, Omega, F_0, zeta, friction, f):
     )
 
 
-def smoothed(cosine, v, F_0, mu, zeta, left, right, slip, inner, outer):
+def smoothed(cosine: Any, v: Any, F_0: Any, mu: Any, zeta: Any, left: Any, right: Any, slip: Any, inner: Any, outer: Any) -> tuple[Any, Any]:
     """u and v by tau, smoothed: slip = tanh(nu v), left and right are logistic functions of nu (u +- u_cr).
 
     Equation (A1), (A2). Domain: any. Shape: 2 results, each the arguments that it depends on, broadcast.
@@ -246,7 +250,7 @@ def smoothed(cosine, v, F_0, mu, zeta, left, right, slip, inner, outer):
     )
 
 
-def smoothed_by_state(mu, zeta, nu, left, right, slip, inner, outer, inner_u, outer_u):
+def smoothed_by_state(mu: Any, zeta: Any, nu: Any, left: Any, right: Any, slip: Any, inner: Any, outer: Any, inner_u: Any, outer_u: Any) -> tuple[Any, Any, Any, Any]:
     """Derivatives of these rates by u, v: of the first, then of the second.
 
     Equation (A1), (A2). Domain: any. Shape: 4 results, each the arguments that it depends on, broadcast.

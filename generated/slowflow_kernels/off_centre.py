@@ -28,6 +28,10 @@ s_2_p 1e-09 to 1000 of either sign or 0, s_3 1e-09 to 1000 of either sign or 0, 
 # a formatter would spread each polynomial over a page
 # fmt: off
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 
 
@@ -37,7 +41,7 @@ __all__ = [
 ]
 
 
-def averaged(A, c_1, c_2, c_3, s_0, s_1, s_2, s_3):
+def averaged(A: Any, c_1: Any, c_2: Any, c_3: Any, s_0: Any, s_1: Any, s_2: Any, s_3: Any) -> tuple[Any, Any, Any, Any]:
     """h, h_A, h_AA, h_AAA along the balance of the mean.
 
     Equation (20), (31). Domain: A > 0, c_1 other than 0. Shape: 4 results, each the arguments that it depends on,
@@ -75,7 +79,7 @@ def averaged(A, c_1, c_2, c_3, s_0, s_1, s_2, s_3):
     )
 
 
-def state(Omega, A, force, I, I_A, load, c_0, c_1, s_0, s_1):
+def state(Omega: Any, A: Any, force: Any, I: Any, I_A: Any, load: Any, c_0: Any, c_1: Any, s_0: Any, s_1: Any) -> tuple[Any, Any, Any, Any, Any, Any]:
     """What vanishes at a steady state: the balance of the mean and F; slopes of each by A and B.
 
     Equation (24) and the mean of (3). Domain: A > 0. Shape: 6 results, each the arguments that it depends on,
@@ -97,7 +101,7 @@ def state(Omega, A, force, I, I_A, load, c_0, c_1, s_0, s_1):
     )
 
 
-def fold(R, A, F_0, F_2, m, eta, zeta, d, load, c_0, c_1, c_2, s_0, s_1, s_2):
+def fold(R: Any, A: Any, F_0: Any, F_2: Any, m: Any, eta: Any, zeta: Any, d: Any, load: Any, c_0: Any, c_1: Any, c_2: Any, s_0: Any, s_1: Any, s_2: Any) -> tuple[Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any]:
     """What vanishes at a fold, by R, with the force F_0 + F_2 Omega^2: the balance, F along it by c_1 A/2, and F; slopes of each by A, B and R.
 
     Equation (24), (30) and the mean of (3). Domain: A > 0, R + 2 s_0 > 0. Shape: 12 results, each the arguments
@@ -156,7 +160,7 @@ def fold(R, A, F_0, F_2, m, eta, zeta, d, load, c_0, c_1, c_2, s_0, s_1, s_2):
     )
 
 
-def ended_state(Omega, A, force, I, I_A, load, c_0, s_0, c_x, c_y, X, Y):
+def ended_state(Omega: Any, A: Any, force: Any, I: Any, I_A: Any, load: Any, c_0: Any, s_0: Any, c_x: Any, c_y: Any, X: Any, Y: Any) -> tuple[Any, Any, Any, Any, Any, Any]:
     """What vanishes at a steady state, by coordinates x and y of the motion's ends: the balance of the mean and F; slopes of each by x and y.
 
     Equation (24) and the mean of (3). Domain: A > 0. Shape: 6 results, each the arguments that it depends on,
@@ -181,7 +185,7 @@ def ended_state(Omega, A, force, I, I_A, load, c_0, s_0, c_x, c_y, X, Y):
     )
 
 
-def ended_along(A, s_0, c_x, c_y, X, Y):
+def ended_along(A: Any, s_0: Any, c_x: Any, c_y: Any, X: Any, Y: Any) -> tuple[Any, Any]:
     """Along the balance, by coordinates of the motion's ends: A's slope, and what F_A gains there by R.
 
     Equation (30) and the mean of (3). Domain: A > 0. Shape: 2 results, each the arguments that it depends on,
@@ -196,7 +200,7 @@ def ended_along(A, s_0, c_x, c_y, X, Y):
     )
 
 
-def ended_slopes(A, s_0, c_x, c_y, X, Y):
+def ended_slopes(A: Any, s_0: Any, c_x: Any, c_y: Any, X: Any, Y: Any) -> tuple[Any, Any, Any]:
     """Slopes of s_0 by coordinates x and y of the motion's ends, and of c_x by y.
 
     Equation the mean of (3). Domain: A > 0. Shape: 3 results, each the arguments that it depends on, broadcast.
@@ -212,7 +216,7 @@ def ended_slopes(A, s_0, c_x, c_y, X, Y):
     )
 
 
-def ended_fold(R, A, F_0, F_2, m, eta, zeta, d, load, c_0, s_0, c_x, c_y, c_xx, c_yy, X, Y, X_x, Y_y):
+def ended_fold(R: Any, A: Any, F_0: Any, F_2: Any, m: Any, eta: Any, zeta: Any, d: Any, load: Any, c_0: Any, s_0: Any, c_x: Any, c_y: Any, c_xx: Any, c_yy: Any, X: Any, Y: Any, X_x: Any, Y_y: Any) -> tuple[Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any]:
     """What vanishes at a fold, by R, with the force F_0 + F_2 Omega^2, by coordinates x and y of the motion's ends: the balance, F along it times A/2, and F; slopes of each by x, y and R.
 
     Equation (24), (30) and the mean of (3). Domain: A > 0, R + 2 s_0 > 0. Shape: 12 results, each the arguments
@@ -281,7 +285,7 @@ def ended_fold(R, A, F_0, F_2, m, eta, zeta, d, load, c_0, s_0, c_x, c_y, c_xx, 
     )
 
 
-def frequency_by_phase(A, R, I, m, zeta, h):
+def frequency_by_phase(A: Any, R: Any, I: Any, m: Any, zeta: Any, h: Any) -> tuple[Any, Any]:
     """Omega of a motion by I; and its square by R.
 
     Equation (23). Domain: A > 0, zeta > 0. Shape: 2 results, each the arguments that it depends on, broadcast.
@@ -295,7 +299,7 @@ def frequency_by_phase(A, R, I, m, zeta, h):
     )
 
 
-def versine(k):
+def versine(k: Any) -> Any:
     """The mean of (1 - cos psi)^(k + 1) over that of (1 - cos psi)^k.
 
     Equation the mean of (3). Domain: k >= 0. Shape: the arguments that it depends on, broadcast.
@@ -305,7 +309,7 @@ def versine(k):
     return (2.0 * k + 1.0) / (k + 1.0)
 
 
-def beside(B, c_3, s_2):
+def beside(B: Any, c_3: Any, s_2: Any) -> Any:
     """(c_1^2 - s_1^2)/c_1 of an odd force without a load where f_0 = 0 and B is not 0, with c_3 and s_2 of some B between 0 and there.
 
     Equation the mean of (3). Domain: c_3 other than 0. Shape: the arguments that it depends on, broadcast.
@@ -315,7 +319,7 @@ def beside(B, c_3, s_2):
     return 0.33333333333333331 * B * B * c_3 - 3.0 * s_2 * s_2 / c_3
 
 
-def moved(A, c_1, c_2, c_3, s_1, s_2, s_3, c_0_p, c_1_p, c_2_p, s_0_p, s_1_p, s_2_p, load_p):
+def moved(A: Any, c_1: Any, c_2: Any, c_3: Any, s_1: Any, s_2: Any, s_3: Any, c_0_p: Any, c_1_p: Any, c_2_p: Any, s_0_p: Any, s_1_p: Any, s_2_p: Any, load_p: Any) -> tuple[Any, Any, Any, Any]:
     """B_p, h_p, h_Ap, h_AAp along the balance at a fixed A, by what a parameter does to means and load.
 
     Equation (20), (31). Domain: A > 0, c_1 other than 0. Shape: 4 results, each the arguments that it depends on,
@@ -359,7 +363,7 @@ def moved(A, c_1, c_2, c_3, s_1, s_2, s_3, c_0_p, c_1_p, c_2_p, s_0_p, s_1_p, s_
     )
 
 
-def moved_at_end(side, c_1, s_1, c_0_p, load_p, end_p):
+def moved_at_end(side: Any, c_1: Any, s_1: Any, c_0_p: Any, load_p: Any, end_p: Any) -> tuple[Any]:
     """A_p of a motion that comes to an end of a piece: at B + A for side = 1, at B - A for side = -1.
 
     Equation the mean of (3). Domain: side c_1 other than s_1. Shape: a tuple of one, the arguments that it depends
@@ -373,7 +377,7 @@ def moved_at_end(side, c_1, s_1, c_0_p, load_p, end_p):
     )
 
 
-def begin(A, a, root, angle):
+def begin(A: Any, a: Any, root: Any, angle: Any) -> tuple[Any, Any, Any, Any]:
     """L_-1, L_0, M_-1, M_0 of a step at B + a that the motion passes at psi = angle.
 
     Equation the mean of (3). Domain: root = sqrt(A^2 - a^2). Shape: 4 results, each the arguments that it depends
@@ -391,7 +395,7 @@ def begin(A, a, root, angle):
     )
 
 
-def up(k, A, a, span, L_2, L_1, M_2, M_1):
+def up(k: Any, A: Any, a: Any, span: Any, L_2: Any, L_1: Any, M_2: Any, M_1: Any) -> tuple[Any, Any]:
     """L_k and M_k from the two below each; span = A^2 - a^2.
 
     Equation the mean of (3). Domain: k >= 1. Shape: 2 results, each the arguments that it depends on, broadcast.
@@ -406,7 +410,7 @@ def up(k, A, a, span, L_2, L_1, M_2, M_1):
     )
 
 
-def down(k, A, a, root, L_1, L_k, M_1, M_k):
+def down(k: Any, A: Any, a: Any, root: Any, L_1: Any, L_k: Any, M_1: Any, M_k: Any) -> tuple[Any, Any]:
     """L_(k-2) and M_(k-2) from the two above each.
 
     Equation the mean of (3). Domain: root > 0. Shape: 2 results, each the arguments that it depends on, broadcast.

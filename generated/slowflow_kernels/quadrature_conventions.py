@@ -17,8 +17,6 @@ FEWEST_PANELS = 16
 MOST_PANELS = 512
 # of Gauss's rule on a panel
 NODES = 16
-# power of what is divided into panels that the angle from a piece's begin is
-DENSE = 3
 # an amplitude next to 0
 NEXT_TO_ZERO = 3.8725919148493183e-121
 # of the quarter cycle, of each piece, in which an average by quadrature is enclosed

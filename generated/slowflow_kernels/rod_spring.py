@@ -17,12 +17,21 @@ either sign or 0, u_cr 1e-06 to 1, zeta 1e-12 to 1 or 0.
 # a formatter would spread each polynomial over a page
 # fmt: off
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 
 from slowflow_kernels import slow_flow as flow
 from slowflow_support.backend import NATIVE, coefficients_of, compiled, in_tuple
 from slowflow_support.broadcast import by_regime, common_shape, floats, full, number_by_regime, stacked
 from slowflow_support.record import Law, Mechanism, Parameter, Scale
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from slowflow_support.broadcast import Floats
 
 __all__ = [
     "F_A", "H_A", "H_AA", "MECHANISM", "F", "H", "averaged", "averaged_2", "averaged_H", "backbone", "breakpoints",
@@ -154,7 +163,7 @@ def _averaged_passed_1_far_1(A, alpha, beta, gamma, u_cr):
     )
 
 
-def averaged(A, alpha, beta, gamma, u_cr):
+def averaged(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, u_cr: ArrayLike) -> tuple[Any, Any, Any, Any]:
     """h, h_A, h_AA, h_AAA together.
 
     Equation (20)-(22), (31). Domain: A >= 0. Shape: 4 results, each as the arguments broadcast.
@@ -250,7 +259,7 @@ def _averaged_2_passed_1_far_1(A, alpha, beta, gamma, u_cr):
     )
 
 
-def averaged_2(A, alpha, beta, gamma, u_cr):
+def averaged_2(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, u_cr: ArrayLike) -> tuple[Any, Any]:
     """h, h_A together.
 
     Equation (20)-(22), (31). Domain: A >= 0. Shape: 2 results, each as the arguments broadcast.
@@ -344,7 +353,7 @@ def _averaged_H_passed_1_far_1(A, alpha, beta, gamma, u_cr):
     )
 
 
-def averaged_H(A, alpha, beta, gamma, u_cr):
+def averaged_H(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, u_cr: ArrayLike) -> tuple[Any, Any]:
     """H, H_A together.
 
     Equation (20)-(22), (31). Domain: A >= 0. Shape: 2 results, each as the arguments broadcast.
@@ -425,7 +434,7 @@ def _intercept_passed_1_far_1(A, alpha, beta, gamma, u_cr):
     )
 
 
-def intercept(A, alpha, beta, gamma, u_cr):
+def intercept(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, u_cr: ArrayLike) -> Any:
     """h - A h_A, where the tangent of h meets A = 0; linear terms are none.
 
     Equation (20)-(22), (31). Domain: A >= 0. Shape: as the arguments broadcast.
@@ -673,7 +682,7 @@ def _harmonics_passed_1_far_1(A, alpha, beta, gamma, u_cr):
     )
 
 
-def harmonics(A, alpha, beta, gamma, u_cr):
+def harmonics(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, u_cr: ArrayLike) -> tuple[Any, Any, Any, Any, Any, Any, Any, Any]:
     """Higher harmonics of the force, as h is its first: h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA.
 
     Equation beyond (20). Domain: A >= 0. Shape: 8 results, each as the arguments broadcast.
@@ -824,7 +833,7 @@ def _by_parameter_passed_1_far_1(A, h, h_A, h_AA, alpha, beta, gamma, u_cr):
     )
 
 
-def by_parameter(A, h, h_A, h_AA, alpha, beta, gamma, u_cr):
+def by_parameter(A: Any, h: Any, h_A: Any, h_AA: Any, alpha: Any, beta: Any, gamma: Any, u_cr: Any) -> tuple[Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any]:
     """d/dp of h, h_A and h_AA at a fixed A, for each parameter p in turn.
 
     Equation from (20)-(22), (31). Domain: A > 0. Shape: 12 results, each as the arguments broadcast.
@@ -836,7 +845,7 @@ def by_parameter(A, h, h_A, h_AA, alpha, beta, gamma, u_cr):
     return by_regime(guards, bodies, arguments, 12)
 
 
-def by_design(lam, r, delta_h):
+def by_design(lam: Any, r: Any, delta_h: Any) -> tuple[Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any]:
     """d/d of each number of the design: of each parameter in turn, then of each breakpoint.
 
     Equation (5), (7). Domain: any design that has a breakpoint. Shape: 15 results, each as the arguments broadcast.
@@ -868,7 +877,7 @@ def by_design(lam, r, delta_h):
     )
 
 
-def coefficients(lam, r, delta_h):
+def coefficients(lam: ArrayLike, r: ArrayLike, delta_h: ArrayLike) -> tuple[Any, Any, Any, Any]:
     """The parameters alpha, beta, gamma, u_cr from the design.
 
     Equation (5), (7). Domain: any design. Shape: 4 results, each as the arguments broadcast.
@@ -888,7 +897,7 @@ def coefficients(lam, r, delta_h):
     )
 
 
-def breakpoints(alpha, beta, gamma, u_cr):
+def breakpoints(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, u_cr: ArrayLike) -> tuple[Any]:
     """The |u| at which a piece of the force ends.
 
     Equation (5). Domain: any parameters. Shape: a tuple of one, as the arguments broadcast.
@@ -902,7 +911,7 @@ def breakpoints(alpha, beta, gamma, u_cr):
     )
 
 
-def jumps(alpha, beta, gamma, u_cr):
+def jumps(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, u_cr: ArrayLike) -> tuple[Any]:
     """What the force loses at each breakpoint: f below less f above.
 
     Equation (6). Domain: any parameters. Shape: a tuple of one, as the arguments broadcast.
@@ -916,7 +925,7 @@ def jumps(alpha, beta, gamma, u_cr):
     )
 
 
-def hardening(alpha, beta, gamma, u_cr):
+def hardening(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, u_cr: ArrayLike) -> tuple[Any, Any, Any]:
     """The force over the displacement, f(u)/u, rises with |u| where none of these is negative.
 
     Equation from (3). Domain: any parameters. Shape: 3 results, each as the arguments broadcast.
@@ -933,7 +942,7 @@ def hardening(alpha, beta, gamma, u_cr):
     )
 
 
-def steps(alpha, beta, gamma, u_cr):
+def steps(alpha: Any, beta: Any, gamma: Any, u_cr: Any) -> tuple[Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any]:
     """f and its derivatives just above 0, their gains at each breakpoint, and the last piece's by its formula at 0.
 
     Equation (3), (5). Domain: any parameters. Shape: 18 results, each as the arguments broadcast.
@@ -969,7 +978,7 @@ def steps(alpha, beta, gamma, u_cr):
     )
 
 
-def force_1(u, alpha, beta, gamma, u_cr):
+def force_1(u: Any, alpha: Any, beta: Any, gamma: Any, u_cr: Any) -> Any:
     """Piece 1 of the whole restoring force u + F_k(u).
 
     Equation (3), (6). Domain: where it holds. Shape: the arguments that it depends on, broadcast.
@@ -980,7 +989,7 @@ def force_1(u, alpha, beta, gamma, u_cr):
     return u * (alpha + t0 * (beta + gamma * t0))
 
 
-def force_1_u(u, alpha, beta, gamma, u_cr):
+def force_1_u(u: Any, alpha: Any, beta: Any, gamma: Any, u_cr: Any) -> Any:
     """d/du of piece 1 of the whole restoring force u + F_k(u).
 
     Equation (3), (6). Domain: where it holds. Shape: the arguments that it depends on, broadcast.
@@ -991,7 +1000,7 @@ def force_1_u(u, alpha, beta, gamma, u_cr):
     return alpha + t0 * (3.0 * beta + 5.0 * gamma * t0)
 
 
-def force_2(u, alpha, beta, gamma, u_cr):
+def force_2(u: Any, alpha: Any, beta: Any, gamma: Any, u_cr: Any) -> Any:
     """Piece 2 of the whole restoring force u + F_k(u).
 
     Equation (3), (6). Domain: where it holds. Shape: the arguments that it depends on, broadcast.
@@ -1001,7 +1010,7 @@ def force_2(u, alpha, beta, gamma, u_cr):
     return u
 
 
-def force_2_u(u, alpha, beta, gamma, u_cr):
+def force_2_u(u: Any, alpha: Any, beta: Any, gamma: Any, u_cr: Any) -> Any:
     """d/du of piece 2 of the whole restoring force u + F_k(u).
 
     Equation (3), (6). Domain: where it holds. Shape: the arguments that it depends on, broadcast.
@@ -1011,7 +1020,7 @@ def force_2_u(u, alpha, beta, gamma, u_cr):
     return 1.0
 
 
-def force(u, alpha, beta, gamma, u_cr):
+def force(u: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, u_cr: ArrayLike) -> Any:
     """Whole dimensionless restoring force u + F_k(u), truncated.
 
     Equation (3), (6). Domain: any u. Shape: as the arguments broadcast.
@@ -1023,7 +1032,7 @@ def force(u, alpha, beta, gamma, u_cr):
     return number_by_regime(guards, bodies, arguments)
 
 
-def saddle_node_onset(m, zeta, alpha, beta, gamma, u_cr):
+def saddle_node_onset(m: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, u_cr: ArrayLike) -> Floats:
     """Reduced resultant of F_A and F_AA: coefficients of A^0, A^2, ...; its roots are candidates for the onset.
 
     Equation (33). Domain: roots with 0 < A <= u_cr. Shape: (19, ...), coefficients by rising power, each as the
@@ -1106,7 +1115,7 @@ def saddle_node_onset(m, zeta, alpha, beta, gamma, u_cr):
     )
 
 
-def saddle_nodes(F_0, m, zeta, alpha, beta, gamma, u_cr):
+def saddle_nodes(F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, u_cr: ArrayLike) -> Floats:
     """Reduced resultant of F and F_A: coefficients of A^0, A^2, ...; its roots are candidates for folds.
 
     Equation from (24), (30). Domain: roots with 0 < A <= u_cr. Shape: (17, ...), coefficients by rising power, each
@@ -1217,7 +1226,7 @@ def saddle_nodes(F_0, m, zeta, alpha, beta, gamma, u_cr):
     )
 
 
-def h(A, alpha, beta, gamma, u_cr):
+def h(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, u_cr: ArrayLike) -> Any:
     """The averaged restoring force h = H - A.
 
     Equation (20)-(22). Domain: A >= 0. Shape: as the arguments broadcast.
@@ -1226,7 +1235,7 @@ def h(A, alpha, beta, gamma, u_cr):
     return averaged_2(A, alpha, beta, gamma, u_cr)[0]
 
 
-def h_A(A, alpha, beta, gamma, u_cr):
+def h_A(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, u_cr: ArrayLike) -> Any:
     """d/dA of the averaged restoring force h = H - A.
 
     Equation (31). Domain: A >= 0. Shape: as the arguments broadcast.
@@ -1235,7 +1244,7 @@ def h_A(A, alpha, beta, gamma, u_cr):
     return averaged_2(A, alpha, beta, gamma, u_cr)[1]
 
 
-def h_AA(A, alpha, beta, gamma, u_cr):
+def h_AA(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, u_cr: ArrayLike) -> Any:
     """d2/dA2 of the averaged restoring force h = H - A.
 
     Equation from (31). Domain: A >= 0. Shape: as the arguments broadcast.
@@ -1244,7 +1253,7 @@ def h_AA(A, alpha, beta, gamma, u_cr):
     return averaged(A, alpha, beta, gamma, u_cr)[2]
 
 
-def h_AAA(A, alpha, beta, gamma, u_cr):
+def h_AAA(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, u_cr: ArrayLike) -> Any:
     """d3/dA3 of the averaged restoring force h = H - A.
 
     Equation from (31). Domain: A >= 0. Shape: as the arguments broadcast.
@@ -1253,7 +1262,7 @@ def h_AAA(A, alpha, beta, gamma, u_cr):
     return averaged(A, alpha, beta, gamma, u_cr)[3]
 
 
-def H(A, alpha, beta, gamma, u_cr):
+def H(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, u_cr: ArrayLike) -> Any:
     """The averaged force H beside the vertical spring.
 
     Equation (20)-(22). Domain: A >= 0. Shape: as the arguments broadcast.
@@ -1262,7 +1271,7 @@ def H(A, alpha, beta, gamma, u_cr):
     return averaged_H(A, alpha, beta, gamma, u_cr)[0]
 
 
-def H_A(A, alpha, beta, gamma, u_cr):
+def H_A(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, u_cr: ArrayLike) -> Any:
     """d/dA of the averaged force H beside the vertical spring.
 
     Equation (31). Domain: A >= 0. Shape: as the arguments broadcast.
@@ -1271,7 +1280,7 @@ def H_A(A, alpha, beta, gamma, u_cr):
     return averaged_H(A, alpha, beta, gamma, u_cr)[1]
 
 
-def H_AA(A, alpha, beta, gamma, u_cr):
+def H_AA(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, u_cr: ArrayLike) -> Any:
     """d2/dA2 of the averaged force H beside the vertical spring.
 
     Equation from (31). Domain: A >= 0. Shape: as the arguments broadcast.
@@ -1280,7 +1289,7 @@ def H_AA(A, alpha, beta, gamma, u_cr):
     return averaged(A, alpha, beta, gamma, u_cr)[2]
 
 
-def F(Omega, A, F_0, mu, zeta, alpha, beta, gamma, u_cr):
+def F(Omega: ArrayLike, A: ArrayLike, F_0: ArrayLike, mu: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, u_cr: ArrayLike) -> Any:
     """Frequency response; zero at a steady state.
 
     Equation (24). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
@@ -1290,7 +1299,7 @@ def F(Omega, A, F_0, mu, zeta, alpha, beta, gamma, u_cr):
     return flow.F(Omega, A, F_0, flow.friction(mu), zeta, average)
 
 
-def F_A(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
+def F_A(Omega: ArrayLike, A: ArrayLike, mu: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, u_cr: ArrayLike) -> Any:
     """dF/dA; positive where stable.
 
     Equation (24), (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
@@ -1300,7 +1309,7 @@ def F_A(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
     return flow.F_A(Omega, A, flow.friction(mu), zeta, average, average_A)
 
 
-def level(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
+def level(Omega: ArrayLike, A: ArrayLike, mu: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, u_cr: ArrayLike) -> Any:
     """The forcing F_0 for which (Omega, A) is a steady state.
 
     Equation (24). Domain: Omega >= 0, A > 0. Shape: as the arguments broadcast.
@@ -1310,7 +1319,7 @@ def level(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
     return flow.level(Omega, A, flow.friction(mu), zeta, average)
 
 
-def phase(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
+def phase(Omega: ArrayLike, A: ArrayLike, mu: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, u_cr: ArrayLike) -> Any:
     """Phase phi of a steady state, from -pi to 0.
 
     Equation (25). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
@@ -1320,7 +1329,7 @@ def phase(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
     return flow.phase(Omega, A, flow.friction(mu), zeta, average)
 
 
-def jacobian(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
+def jacobian(Omega: ArrayLike, A: ArrayLike, mu: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, u_cr: ArrayLike) -> tuple[Any, Any, Any, Any]:
     """Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22.
 
     Equation (28). Domain: Omega > 0, A > 0. Shape: 4 results, each as the arguments broadcast.
@@ -1330,7 +1339,7 @@ def jacobian(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
     return flow.jacobian(Omega, A, flow.friction(mu), zeta, average, average_A)
 
 
-def stability(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
+def stability(Omega: ArrayLike, A: ArrayLike, mu: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, u_cr: ArrayLike) -> Any:
     """4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
 
     Equation (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
@@ -1340,7 +1349,7 @@ def stability(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
     return flow.stability(Omega, A, flow.friction(mu), zeta, average, average_A)
 
 
-def transmissibility(Omega, A, F_0, mu, zeta, alpha, beta, gamma, u_cr):
+def transmissibility(Omega: ArrayLike, A: ArrayLike, F_0: ArrayLike, mu: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, u_cr: ArrayLike) -> Any:
     """Fundamental harmonic of the force on the base over F_0, at a steady state.
 
     Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0. Shape: as the arguments broadcast.
@@ -1350,7 +1359,7 @@ def transmissibility(Omega, A, F_0, mu, zeta, alpha, beta, gamma, u_cr):
     return flow.transmissibility(Omega, A, F_0, flow.friction(mu), zeta, average)
 
 
-def backbone(A, alpha, beta, gamma, u_cr):
+def backbone(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, u_cr: ArrayLike) -> Any:
     """Frequency on the backbone.
 
     Equation (26). Domain: A > 0, h <= 0. Shape: as the arguments broadcast.
@@ -1360,7 +1369,7 @@ def backbone(A, alpha, beta, gamma, u_cr):
     return flow.backbone(A, average)
 
 
-def limit_envelope(Omega, F_0, mu, zeta):
+def limit_envelope(Omega: ArrayLike, F_0: ArrayLike, mu: ArrayLike, zeta: ArrayLike) -> Any:
     """Largest amplitude that the forcing can hold at this frequency.
 
     Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise. Shape: as the arguments broadcast.
@@ -1369,7 +1378,7 @@ def limit_envelope(Omega, F_0, mu, zeta):
     return flow.limit_envelope(Omega, F_0, flow.friction(mu), zeta)
 
 
-def equivalent_damping(Omega, A, mu, zeta):
+def equivalent_damping(Omega: ArrayLike, A: ArrayLike, mu: ArrayLike, zeta: ArrayLike) -> Any:
     """Viscous damping ratio that dissipates as much as zeta and friction together.
 
     Equation (38). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
@@ -1378,7 +1387,7 @@ def equivalent_damping(Omega, A, mu, zeta):
     return flow.equivalent_damping(Omega, A, flow.friction(mu), zeta)
 
 
-def response_quartic(A, F_0, mu, zeta, alpha, beta, gamma, u_cr):
+def response_quartic(A: ArrayLike, F_0: ArrayLike, mu: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, u_cr: ArrayLike) -> tuple[Any, Any, Any, Any]:
     """F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
 
     Equation (24). Domain: A > 0. Shape: 4 results, each as the arguments broadcast.
@@ -1388,7 +1397,7 @@ def response_quartic(A, F_0, mu, zeta, alpha, beta, gamma, u_cr):
     return flow.response_quartic(A, F_0, flow.friction(mu), zeta, average)
 
 
-def fold_quartic(A, mu, zeta, alpha, beta, gamma, u_cr):
+def fold_quartic(A: ArrayLike, mu: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, u_cr: ArrayLike) -> tuple[Any, Any, Any, Any]:
     """F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
 
     Equation (24), (30). Domain: A > 0. Shape: 4 results, each as the arguments broadcast.
@@ -1398,7 +1407,7 @@ def fold_quartic(A, mu, zeta, alpha, beta, gamma, u_cr):
     return flow.fold_quartic(A, flow.friction(mu), zeta, average, average_A)
 
 
-def peak_cubic(A, mu, zeta, alpha, beta, gamma, u_cr):
+def peak_cubic(A: ArrayLike, mu: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, u_cr: ArrayLike) -> tuple[Any, Any, Any]:
     """F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3.
 
     Equation (34). Domain: A > 0. Shape: 3 results, each as the arguments broadcast.
@@ -1408,7 +1417,7 @@ def peak_cubic(A, mu, zeta, alpha, beta, gamma, u_cr):
     return flow.peak_cubic(A, flow.friction(mu), zeta, average)
 
 
-def detachment(A, mu, zeta, alpha, beta, gamma, u_cr):
+def detachment(A: ArrayLike, mu: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, u_cr: ArrayLike) -> Floats:
     """Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
 
     Equation (34). Domain: A > 0. Shape: (4, ...), coefficients by rising power, each as the arguments broadcast.

@@ -17,12 +17,21 @@ lam 1 to 100, mu 1e-12 to 1 or 0, r 1e-06 to 1e+06, u 1e-09 to 1000 of either si
 # a formatter would spread each polynomial over a page
 # fmt: off
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 
 from slowflow_kernels import slow_flow as flow
 from slowflow_support.backend import NATIVE, compiled, in_tuple
 from slowflow_support.broadcast import by_regime, common_shape, floats, full, number_by_regime
 from slowflow_support.record import Law, Mechanism, Parameter, Scale
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from slowflow_support.broadcast import Floats
 
 __all__ = [
     "F_A", "H_A", "H_AA", "MECHANISM", "F", "H", "averaged", "averaged_2", "averaged_H", "averaged_all", "backbone",
@@ -1357,7 +1366,7 @@ def _averaged_all_passed_1_steep(A, alpha, beta, delta_h):
     )
 
 
-def averaged_all(A, alpha, beta, delta_h):
+def averaged_all(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike, delta_h: ArrayLike) -> tuple[Any, Any, Any, Any, Any, Any, Any]:
     """h, h_A, h_AA, h_AAA, H, H_A, h - A h_A together.
 
     Equation (20)-(22), (31). Domain: A >= 0. Shape: 7 results, each as the arguments broadcast.
@@ -1635,7 +1644,7 @@ def _harmonics_passed_1(A, alpha, beta, delta_h):
     )
 
 
-def harmonics(A, alpha, beta, delta_h):
+def harmonics(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike, delta_h: ArrayLike) -> tuple[Any, Any, Any, Any, Any, Any, Any, Any]:
     """Higher harmonics of the force, as h is its first: h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA.
 
     Equation beyond (20). Domain: A >= 0, u_cr <= 3/4. Shape: 8 results, each as the arguments broadcast.
@@ -1739,7 +1748,7 @@ def _by_parameter_passed_1_far_1(A, h, h_A, h_AA, alpha, beta, delta_h):
     )
 
 
-def by_parameter(A, h, h_A, h_AA, alpha, beta, delta_h):
+def by_parameter(A: Any, h: Any, h_A: Any, h_AA: Any, alpha: Any, beta: Any, delta_h: Any) -> tuple[Any, Any, Any, Any, Any, Any, Any, Any, Any]:
     """d/dp of h, h_A and h_AA at a fixed A, for each parameter p in turn.
 
     Equation from (20)-(22), (31). Domain: A > 0. Shape: 9 results, each as the arguments broadcast.
@@ -1751,7 +1760,7 @@ def by_parameter(A, h, h_A, h_AA, alpha, beta, delta_h):
     return by_regime(guards, bodies, arguments, 9)
 
 
-def by_design(lam, r, delta_h):
+def by_design(lam: Any, r: Any, delta_h: Any) -> tuple[Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any]:
     """d/d of each number of the design: of each parameter in turn, then of each breakpoint.
 
     Equation (5), (7). Domain: any design that has a breakpoint. Shape: 12 results, each as the arguments broadcast.
@@ -1779,7 +1788,7 @@ def by_design(lam, r, delta_h):
     )
 
 
-def coefficients(lam, r, delta_h):
+def coefficients(lam: ArrayLike, r: ArrayLike, delta_h: ArrayLike) -> tuple[Any, Any, Any]:
     """The parameters alpha, beta, delta_h from the design.
 
     Equation (5), (7). Domain: any design. Shape: 3 results, each as the arguments broadcast.
@@ -1796,7 +1805,7 @@ def coefficients(lam, r, delta_h):
     )
 
 
-def breakpoints(alpha, beta, delta_h):
+def breakpoints(alpha: ArrayLike, beta: ArrayLike, delta_h: ArrayLike) -> tuple[Any]:
     """The |u| at which a piece of the force ends.
 
     Equation (5). Domain: any parameters. Shape: a tuple of one, as the arguments broadcast.
@@ -1810,7 +1819,7 @@ def breakpoints(alpha, beta, delta_h):
     )
 
 
-def jumps(alpha, beta, delta_h):
+def jumps(alpha: ArrayLike, beta: ArrayLike, delta_h: ArrayLike) -> tuple[Any]:
     """What the force loses at each breakpoint: f below less f above.
 
     Equation (5). Domain: any parameters. Shape: a tuple of one, as the arguments broadcast.
@@ -1824,7 +1833,7 @@ def jumps(alpha, beta, delta_h):
     )
 
 
-def hardening(alpha, beta, delta_h):
+def hardening(alpha: ArrayLike, beta: ArrayLike, delta_h: ArrayLike) -> tuple[Any]:
     """The force over the displacement, f(u)/u, rises with |u| where none of these is negative.
 
     Equation from (3). Domain: any parameters. Shape: a tuple of one, as the arguments broadcast.
@@ -1838,7 +1847,7 @@ def hardening(alpha, beta, delta_h):
     )
 
 
-def force_1(u, alpha, beta, delta_h):
+def force_1(u: Any, alpha: Any, beta: Any, delta_h: Any) -> Any:
     """Piece 1 of the whole restoring force u + F_k(u).
 
     Equation (3), (5). Domain: where it holds. Shape: the arguments that it depends on, broadcast.
@@ -1849,7 +1858,7 @@ def force_1(u, alpha, beta, delta_h):
     return u * (alpha + 2.0 * beta * u * u / (t0 * (t0 + 1.0)))
 
 
-def force_1_u(u, alpha, beta, delta_h):
+def force_1_u(u: Any, alpha: Any, beta: Any, delta_h: Any) -> Any:
     """d/du of piece 1 of the whole restoring force u + F_k(u).
 
     Equation (3), (5). Domain: where it holds. Shape: the arguments that it depends on, broadcast.
@@ -1865,7 +1874,7 @@ def force_1_u(u, alpha, beta, delta_h):
     return alpha + 6.0 * beta * t1 * t3 - t3 * (-t3 * t4 / (t0 * t0) - t1 * t2 * t4 / (root_1 * root_1))
 
 
-def force_2(u, alpha, beta, delta_h):
+def force_2(u: Any, alpha: Any, beta: Any, delta_h: Any) -> Any:
     """Piece 2 of the whole restoring force u + F_k(u).
 
     Equation (3), (5). Domain: where it holds. Shape: the arguments that it depends on, broadcast.
@@ -1875,7 +1884,7 @@ def force_2(u, alpha, beta, delta_h):
     return u
 
 
-def force_2_u(u, alpha, beta, delta_h):
+def force_2_u(u: Any, alpha: Any, beta: Any, delta_h: Any) -> Any:
     """d/du of piece 2 of the whole restoring force u + F_k(u).
 
     Equation (3), (5). Domain: where it holds. Shape: the arguments that it depends on, broadcast.
@@ -1885,7 +1894,7 @@ def force_2_u(u, alpha, beta, delta_h):
     return 1.0
 
 
-def force(u, alpha, beta, delta_h):
+def force(u: ArrayLike, alpha: ArrayLike, beta: ArrayLike, delta_h: ArrayLike) -> Any:
     """Whole dimensionless restoring force u + F_k(u), untruncated.
 
     Equation (3), (5). Domain: |u| < 1. Shape: as the arguments broadcast.
@@ -1898,7 +1907,7 @@ def force(u, alpha, beta, delta_h):
     return number_by_regime(guards, bodies, arguments)
 
 
-def averaged(A, alpha, beta, delta_h):
+def averaged(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike, delta_h: ArrayLike) -> tuple[Any, Any, Any, Any]:
     """h, h_A, h_AA, h_AAA together.
 
     Equation (20)-(22), (31). Domain: A >= 0. Shape: 4 results, each as the arguments broadcast.
@@ -1908,7 +1917,7 @@ def averaged(A, alpha, beta, delta_h):
     return values[0], values[1], values[2], values[3]
 
 
-def averaged_2(A, alpha, beta, delta_h):
+def averaged_2(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike, delta_h: ArrayLike) -> tuple[Any, Any]:
     """h, h_A together.
 
     Equation (20)-(22), (31). Domain: A >= 0. Shape: 2 results, each as the arguments broadcast.
@@ -1918,7 +1927,7 @@ def averaged_2(A, alpha, beta, delta_h):
     return values[0], values[1]
 
 
-def averaged_H(A, alpha, beta, delta_h):
+def averaged_H(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike, delta_h: ArrayLike) -> tuple[Any, Any]:
     """H, H_A together.
 
     Equation (20)-(22), (31). Domain: A >= 0. Shape: 2 results, each as the arguments broadcast.
@@ -1928,7 +1937,7 @@ def averaged_H(A, alpha, beta, delta_h):
     return values[4], values[5]
 
 
-def intercept(A, alpha, beta, delta_h):
+def intercept(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike, delta_h: ArrayLike) -> Any:
     """h - A h_A, where the tangent of h meets A = 0; linear terms are none.
 
     Equation (20)-(22), (31). Domain: A >= 0. Shape: as the arguments broadcast.
@@ -1937,7 +1946,7 @@ def intercept(A, alpha, beta, delta_h):
     return averaged_all(A, alpha, beta, delta_h)[6]
 
 
-def h(A, alpha, beta, delta_h):
+def h(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike, delta_h: ArrayLike) -> Any:
     """The averaged restoring force h = H - A.
 
     Equation (20)-(22). Domain: A >= 0. Shape: as the arguments broadcast.
@@ -1946,7 +1955,7 @@ def h(A, alpha, beta, delta_h):
     return averaged_2(A, alpha, beta, delta_h)[0]
 
 
-def h_A(A, alpha, beta, delta_h):
+def h_A(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike, delta_h: ArrayLike) -> Any:
     """d/dA of the averaged restoring force h = H - A.
 
     Equation (31). Domain: A >= 0. Shape: as the arguments broadcast.
@@ -1955,7 +1964,7 @@ def h_A(A, alpha, beta, delta_h):
     return averaged_2(A, alpha, beta, delta_h)[1]
 
 
-def h_AA(A, alpha, beta, delta_h):
+def h_AA(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike, delta_h: ArrayLike) -> Any:
     """d2/dA2 of the averaged restoring force h = H - A.
 
     Equation from (31). Domain: A >= 0. Shape: as the arguments broadcast.
@@ -1964,7 +1973,7 @@ def h_AA(A, alpha, beta, delta_h):
     return averaged(A, alpha, beta, delta_h)[2]
 
 
-def h_AAA(A, alpha, beta, delta_h):
+def h_AAA(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike, delta_h: ArrayLike) -> Any:
     """d3/dA3 of the averaged restoring force h = H - A.
 
     Equation from (31). Domain: A >= 0. Shape: as the arguments broadcast.
@@ -1973,7 +1982,7 @@ def h_AAA(A, alpha, beta, delta_h):
     return averaged(A, alpha, beta, delta_h)[3]
 
 
-def H(A, alpha, beta, delta_h):
+def H(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike, delta_h: ArrayLike) -> Any:
     """The averaged force H beside the vertical spring.
 
     Equation (20)-(22). Domain: A >= 0. Shape: as the arguments broadcast.
@@ -1982,7 +1991,7 @@ def H(A, alpha, beta, delta_h):
     return averaged_H(A, alpha, beta, delta_h)[0]
 
 
-def H_A(A, alpha, beta, delta_h):
+def H_A(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike, delta_h: ArrayLike) -> Any:
     """d/dA of the averaged force H beside the vertical spring.
 
     Equation (31). Domain: A >= 0. Shape: as the arguments broadcast.
@@ -1991,7 +2000,7 @@ def H_A(A, alpha, beta, delta_h):
     return averaged_H(A, alpha, beta, delta_h)[1]
 
 
-def H_AA(A, alpha, beta, delta_h):
+def H_AA(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike, delta_h: ArrayLike) -> Any:
     """d2/dA2 of the averaged force H beside the vertical spring.
 
     Equation from (31). Domain: A >= 0. Shape: as the arguments broadcast.
@@ -2000,7 +2009,7 @@ def H_AA(A, alpha, beta, delta_h):
     return averaged(A, alpha, beta, delta_h)[2]
 
 
-def F(Omega, A, F_0, mu, zeta, alpha, beta, delta_h):
+def F(Omega: ArrayLike, A: ArrayLike, F_0: ArrayLike, mu: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, beta: ArrayLike, delta_h: ArrayLike) -> Any:
     """Frequency response; zero at a steady state.
 
     Equation (24). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
@@ -2010,7 +2019,7 @@ def F(Omega, A, F_0, mu, zeta, alpha, beta, delta_h):
     return flow.F(Omega, A, F_0, flow.friction(mu), zeta, average)
 
 
-def F_A(Omega, A, mu, zeta, alpha, beta, delta_h):
+def F_A(Omega: ArrayLike, A: ArrayLike, mu: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, beta: ArrayLike, delta_h: ArrayLike) -> Any:
     """dF/dA; positive where stable.
 
     Equation (24), (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
@@ -2020,7 +2029,7 @@ def F_A(Omega, A, mu, zeta, alpha, beta, delta_h):
     return flow.F_A(Omega, A, flow.friction(mu), zeta, average, average_A)
 
 
-def level(Omega, A, mu, zeta, alpha, beta, delta_h):
+def level(Omega: ArrayLike, A: ArrayLike, mu: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, beta: ArrayLike, delta_h: ArrayLike) -> Any:
     """The forcing F_0 for which (Omega, A) is a steady state.
 
     Equation (24). Domain: Omega >= 0, A > 0. Shape: as the arguments broadcast.
@@ -2030,7 +2039,7 @@ def level(Omega, A, mu, zeta, alpha, beta, delta_h):
     return flow.level(Omega, A, flow.friction(mu), zeta, average)
 
 
-def phase(Omega, A, mu, zeta, alpha, beta, delta_h):
+def phase(Omega: ArrayLike, A: ArrayLike, mu: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, beta: ArrayLike, delta_h: ArrayLike) -> Any:
     """Phase phi of a steady state, from -pi to 0.
 
     Equation (25). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
@@ -2040,7 +2049,7 @@ def phase(Omega, A, mu, zeta, alpha, beta, delta_h):
     return flow.phase(Omega, A, flow.friction(mu), zeta, average)
 
 
-def jacobian(Omega, A, mu, zeta, alpha, beta, delta_h):
+def jacobian(Omega: ArrayLike, A: ArrayLike, mu: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, beta: ArrayLike, delta_h: ArrayLike) -> tuple[Any, Any, Any, Any]:
     """Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22.
 
     Equation (28). Domain: Omega > 0, A > 0. Shape: 4 results, each as the arguments broadcast.
@@ -2050,7 +2059,7 @@ def jacobian(Omega, A, mu, zeta, alpha, beta, delta_h):
     return flow.jacobian(Omega, A, flow.friction(mu), zeta, average, average_A)
 
 
-def stability(Omega, A, mu, zeta, alpha, beta, delta_h):
+def stability(Omega: ArrayLike, A: ArrayLike, mu: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, beta: ArrayLike, delta_h: ArrayLike) -> Any:
     """4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
 
     Equation (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
@@ -2060,7 +2069,7 @@ def stability(Omega, A, mu, zeta, alpha, beta, delta_h):
     return flow.stability(Omega, A, flow.friction(mu), zeta, average, average_A)
 
 
-def transmissibility(Omega, A, F_0, mu, zeta, alpha, beta, delta_h):
+def transmissibility(Omega: ArrayLike, A: ArrayLike, F_0: ArrayLike, mu: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, beta: ArrayLike, delta_h: ArrayLike) -> Any:
     """Fundamental harmonic of the force on the base over F_0, at a steady state.
 
     Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0. Shape: as the arguments broadcast.
@@ -2070,7 +2079,7 @@ def transmissibility(Omega, A, F_0, mu, zeta, alpha, beta, delta_h):
     return flow.transmissibility(Omega, A, F_0, flow.friction(mu), zeta, average)
 
 
-def backbone(A, alpha, beta, delta_h):
+def backbone(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike, delta_h: ArrayLike) -> Any:
     """Frequency on the backbone.
 
     Equation (26). Domain: A > 0, h <= 0. Shape: as the arguments broadcast.
@@ -2080,7 +2089,7 @@ def backbone(A, alpha, beta, delta_h):
     return flow.backbone(A, average)
 
 
-def limit_envelope(Omega, F_0, mu, zeta):
+def limit_envelope(Omega: ArrayLike, F_0: ArrayLike, mu: ArrayLike, zeta: ArrayLike) -> Any:
     """Largest amplitude that the forcing can hold at this frequency.
 
     Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise. Shape: as the arguments broadcast.
@@ -2089,7 +2098,7 @@ def limit_envelope(Omega, F_0, mu, zeta):
     return flow.limit_envelope(Omega, F_0, flow.friction(mu), zeta)
 
 
-def equivalent_damping(Omega, A, mu, zeta):
+def equivalent_damping(Omega: ArrayLike, A: ArrayLike, mu: ArrayLike, zeta: ArrayLike) -> Any:
     """Viscous damping ratio that dissipates as much as zeta and friction together.
 
     Equation (38). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
@@ -2098,7 +2107,7 @@ def equivalent_damping(Omega, A, mu, zeta):
     return flow.equivalent_damping(Omega, A, flow.friction(mu), zeta)
 
 
-def response_quartic(A, F_0, mu, zeta, alpha, beta, delta_h):
+def response_quartic(A: ArrayLike, F_0: ArrayLike, mu: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, beta: ArrayLike, delta_h: ArrayLike) -> tuple[Any, Any, Any, Any]:
     """F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
 
     Equation (24). Domain: A > 0. Shape: 4 results, each as the arguments broadcast.
@@ -2108,7 +2117,7 @@ def response_quartic(A, F_0, mu, zeta, alpha, beta, delta_h):
     return flow.response_quartic(A, F_0, flow.friction(mu), zeta, average)
 
 
-def fold_quartic(A, mu, zeta, alpha, beta, delta_h):
+def fold_quartic(A: ArrayLike, mu: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, beta: ArrayLike, delta_h: ArrayLike) -> tuple[Any, Any, Any, Any]:
     """F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
 
     Equation (24), (30). Domain: A > 0. Shape: 4 results, each as the arguments broadcast.
@@ -2118,7 +2127,7 @@ def fold_quartic(A, mu, zeta, alpha, beta, delta_h):
     return flow.fold_quartic(A, flow.friction(mu), zeta, average, average_A)
 
 
-def peak_cubic(A, mu, zeta, alpha, beta, delta_h):
+def peak_cubic(A: ArrayLike, mu: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, beta: ArrayLike, delta_h: ArrayLike) -> tuple[Any, Any, Any]:
     """F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3.
 
     Equation (34). Domain: A > 0. Shape: 3 results, each as the arguments broadcast.
@@ -2128,7 +2137,7 @@ def peak_cubic(A, mu, zeta, alpha, beta, delta_h):
     return flow.peak_cubic(A, flow.friction(mu), zeta, average)
 
 
-def detachment(A, mu, zeta, alpha, beta, delta_h):
+def detachment(A: ArrayLike, mu: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, beta: ArrayLike, delta_h: ArrayLike) -> Floats:
     """Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
 
     Equation (34). Domain: A > 0. Shape: (4, ...), coefficients by rising power, each as the arguments broadcast.

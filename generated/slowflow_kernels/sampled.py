@@ -17,6 +17,10 @@ of either sign or 0, lost_1 1e-09 to 1000 of either sign or 0, lost_2 1e-09 to 1
 # a formatter would spread each polynomial over a page
 # fmt: off
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 
 
@@ -26,7 +30,7 @@ __all__ = [
 ]
 
 
-def at_rest(f):
+def at_rest(f: Any) -> Any:
     """h as A tends to 0.
 
     Equation (20). Domain: any. Shape: the arguments that it depends on, broadcast.
@@ -36,7 +40,7 @@ def at_rest(f):
     return -1.2732395447351628 * f
 
 
-def averaged_terms(sine, f, f_u, f_uu, f_uuu):
+def averaged_terms(sine: Any, f: Any, f_u: Any, f_uu: Any, f_uuu: Any) -> tuple[Any, Any, Any, Any]:
     """Under the integrals of h, h_A, h_AA, h_AAA over the quarter cycle.
 
     Equation (20)-(22), (31). Domain: any. Shape: 4 results, each the arguments that it depends on, broadcast.
@@ -54,7 +58,7 @@ def averaged_terms(sine, f, f_u, f_uu, f_uuu):
     )
 
 
-def averaged_end(A, b, lost_0, lost_1, lost_2):
+def averaged_end(A: Any, b: Any, lost_0: Any, lost_1: Any, lost_2: Any) -> tuple[Any, Any, Any]:
     """What a breakpoint adds to h_A, h_AA, h_AAA.
 
     Equation (21), (22), (31). Domain: A > b > 0. Shape: 3 results, each the arguments that it depends on,
@@ -88,7 +92,7 @@ def averaged_end(A, b, lost_0, lost_1, lost_2):
     )
 
 
-def intercept_terms(A, sine, cosine, f_uu):
+def intercept_terms(A: Any, sine: Any, cosine: Any, f_uu: Any) -> Any:
     """Under the integral of h - A h_A, which `at_rest` adds to.
 
     Equation from (20). Domain: any. Shape: the arguments that it depends on, broadcast.
@@ -98,7 +102,7 @@ def intercept_terms(A, sine, cosine, f_uu):
     return 1.2732395447351628 * A * A * cosine * cosine * f_uu * sine
 
 
-def intercept_end(A, b, lost_0, lost_1):
+def intercept_end(A: Any, b: Any, lost_0: Any, lost_1: Any) -> Any:
     """What a breakpoint adds to h - A h_A.
 
     Equation from (20). Domain: A > b > 0. Shape: the arguments that it depends on, broadcast.
@@ -110,7 +114,7 @@ def intercept_end(A, b, lost_0, lost_1):
     return 1.2732395447351628 * (-b * b * lost_0 * t0 / root + root * t0 * (-b * lost_1 + lost_0))
 
 
-def harmonics_terms(sine, f, f_u, f_uu, f_uuu):
+def harmonics_terms(sine: Any, f: Any, f_u: Any, f_uu: Any, f_uuu: Any) -> tuple[Any, Any, Any, Any, Any, Any, Any, Any]:
     """Under the integrals of h_3 and three derivatives, then of h_5.
 
     Equation beyond (20). Domain: any. Shape: 8 results, each the arguments that it depends on, broadcast.
@@ -141,7 +145,7 @@ def harmonics_terms(sine, f, f_u, f_uu, f_uuu):
     )
 
 
-def harmonics_end(A, b, lost_0, lost_1, lost_2):
+def harmonics_end(A: Any, b: Any, lost_0: Any, lost_1: Any, lost_2: Any) -> tuple[Any, Any, Any, Any, Any, Any]:
     """What a breakpoint adds to the three derivatives of h_3, then of h_5.
 
     Equation beyond (20). Domain: A > b > 0. Shape: 6 results, each the arguments that it depends on, broadcast.
@@ -200,7 +204,7 @@ def harmonics_end(A, b, lost_0, lost_1, lost_2):
     )
 
 
-def bent_terms(sine, f, f_uuuu):
+def bent_terms(sine: Any, f: Any, f_uuuu: Any) -> tuple[Any, Any]:
     """Under the integrals of h and h_AAAA.
 
     Equation (20), (31). Domain: any. Shape: 2 results, each the arguments that it depends on, broadcast.
@@ -216,7 +220,7 @@ def bent_terms(sine, f, f_uuuu):
     )
 
 
-def bent_end_0(A, b, lost_0, lost_1, lost_2, lost_3):
+def bent_end_0(A: Any, b: Any, lost_0: Any, lost_1: Any, lost_2: Any, lost_3: Any) -> Any:
     """What a breakpoint adds to h_AAAA; derivatives of order 0 are the first to be lost.
 
     Equation (31). Domain: A > b > 0. Shape: the arguments that it depends on, broadcast.
@@ -247,7 +251,7 @@ def bent_end_0(A, b, lost_0, lost_1, lost_2, lost_3):
     )
 
 
-def bent_end_1(A, b, lost_1, lost_2, lost_3):
+def bent_end_1(A: Any, b: Any, lost_1: Any, lost_2: Any, lost_3: Any) -> Any:
     """What a breakpoint adds to h_AAAA; derivatives of order 1 are the first to be lost.
 
     Equation (31). Domain: A > b > 0. Shape: the arguments that it depends on, broadcast.
@@ -272,7 +276,7 @@ def bent_end_1(A, b, lost_1, lost_2, lost_3):
     )
 
 
-def bent_end_2(A, b, lost_2, lost_3):
+def bent_end_2(A: Any, b: Any, lost_2: Any, lost_3: Any) -> Any:
     """What a breakpoint adds to h_AAAA; derivatives of order 2 are the first to be lost.
 
     Equation (31). Domain: A > b > 0. Shape: the arguments that it depends on, broadcast.
@@ -292,7 +296,7 @@ def bent_end_2(A, b, lost_2, lost_3):
     return -1.2732395447351628 * (b4 * lost_2 * t0 * (A2 + 4.0 * root2) - b5 * lost_3 * root2 * t0) / root3
 
 
-def bent_end_3(A, b, lost_3):
+def bent_end_3(A: Any, b: Any, lost_3: Any) -> Any:
     """What a breakpoint adds to h_AAAA; derivatives of order 3 are the first to be lost.
 
     Equation (31). Domain: A > b > 0. Shape: the arguments that it depends on, broadcast.

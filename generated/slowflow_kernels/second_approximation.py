@@ -19,10 +19,17 @@ to 20 of either sign, kappa up to 8 of either sign, m 0.001 to 0.03, sine up to 
 # a formatter would spread each polynomial over a page
 # fmt: off
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 
 from slowflow_support.backend import NATIVE, compiled
 from slowflow_support.broadcast import common_shape, floats, full
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 RESONANCE = 9.0
 
@@ -31,7 +38,7 @@ __all__ = [
 ]
 
 
-def response(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA):
+def response(Omega: ArrayLike, A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike, h_3: ArrayLike, h_3_A: ArrayLike, h_3_AA: ArrayLike, h_5: ArrayLike, h_5_A: ArrayLike, h_5_AA: ArrayLike) -> tuple[Any, Any, Any, Any, Any, Any, Any, Any, Any]:
     """Largest displacement, A_1 and phase, R, F, and dF/dA, dF/dOmega, dR/dA, dR/dOmega.
 
     Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2. Shape: 9 results, each as the arguments
@@ -142,7 +149,7 @@ def response(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_
     )
 
 
-def detachment(Omega, A, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA):
+def detachment(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike, h_3: ArrayLike, h_3_A: ArrayLike, h_3_AA: ArrayLike, h_5: ArrayLike, h_5_A: ArrayLike, h_5_AA: ArrayLike) -> tuple[Any, Any, Any]:
     """The forcing (24), largest displacement, and what vanishes where the forcing that reaches it is least.
 
     Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2. Shape: 3 results, each as the arguments
@@ -246,7 +253,7 @@ def detachment(Omega, A, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, 
     )
 
 
-def detachment_by_inertia(Omega, A, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA):
+def detachment_by_inertia(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike, h_3: ArrayLike, h_3_A: ArrayLike, h_3_AA: ArrayLike, h_5: ArrayLike, h_5_A: ArrayLike, h_5_AA: ArrayLike) -> tuple[Any, Any, Any]:
     """The same of an excitation by inertia.
 
     Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2. Shape: 3 results, each as the arguments
@@ -359,7 +366,7 @@ def detachment_by_inertia(Omega, A, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h
     )
 
 
-def folds(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA):
+def folds(Omega: ArrayLike, A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike, h_AAA: ArrayLike, h_3: ArrayLike, h_3_A: ArrayLike, h_3_AA: ArrayLike, h_3_AAA: ArrayLike, h_5: ArrayLike, h_5_A: ArrayLike, h_5_AA: ArrayLike, h_5_AAA: ArrayLike) -> tuple[Any, Any, Any]:
     """F and its derivatives: a fold has F = F_A = 0, a cusp all three.
 
     Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2. Shape: 3 results, each as the arguments
@@ -521,7 +528,7 @@ def folds(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_3, h_3_A, h_3_AA, h_3_A
     )
 
 
-def components(Omega, A, m, h, h_3, h_5):
+def components(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, h: ArrayLike, h_3: ArrayLike, h_5: ArrayLike) -> tuple[Any, Any, Any, Any, Any, Any, Any]:
     """Largest displacement and what `wave` takes.
 
     Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2. Shape: 7 results, each as the arguments
@@ -562,7 +569,7 @@ def components(Omega, A, m, h, h_3, h_5):
     )
 
 
-def wave(turned, Omega, m, A_1, sine, cosine, a_3, a_5, kappa):
+def wave(turned: ArrayLike, Omega: ArrayLike, m: ArrayLike, A_1: ArrayLike, sine: ArrayLike, cosine: ArrayLike, a_3: ArrayLike, a_5: ArrayLike, kappa: ArrayLike) -> tuple[Any, Any]:
     """u and u' at an angle after the mass turned at its largest displacement.
 
     Equation beyond (23). Domain: Omega > 0, 0 <= turned <= pi, |kappa| < 9. Shape: 2 results, each as the arguments

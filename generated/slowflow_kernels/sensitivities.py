@@ -25,6 +25,10 @@ either sign or 0.
 # a formatter would spread each polynomial over a page
 # fmt: off
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 
 
@@ -33,7 +37,7 @@ __all__ = [
 ]
 
 
-def slopes(Omega, A, R, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, S_Omega, S_OmegaOmega, S_F, S_FOmega):
+def slopes(Omega: Any, A: Any, R: Any, I_0: Any, I_0A: Any, I_0AA: Any, I_0AAA: Any, zeta: Any, d: Any, h: Any, h_A: Any, h_AA: Any, h_AAA: Any, S_Omega: Any, S_OmegaOmega: Any, S_F: Any, S_FOmega: Any) -> tuple[Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any]:
     """By A, Omega and F_0, of what vanishes by `conventions.SYSTEMS`; then the sizes of these.
 
     Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 48 results, each the arguments that it depends on,
@@ -134,7 +138,7 @@ def slopes(Omega, A, R, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, 
     )
 
 
-def right(Omega, A, R, I_0, I_0A, I_0AA, zeta, d, h_A, h_AA, h_p, h_Ap, h_AAp, I_0p, I_0Ap, I_0AAp, zeta_p, d_p, forcing_p, frequency_p, end_p):
+def right(Omega: Any, A: Any, R: Any, I_0: Any, I_0A: Any, I_0AA: Any, zeta: Any, d: Any, h_A: Any, h_AA: Any, h_p: Any, h_Ap: Any, h_AAp: Any, I_0p: Any, I_0Ap: Any, I_0AAp: Any, zeta_p: Any, d_p: Any, forcing_p: Any, frequency_p: Any, end_p: Any) -> tuple[Any, Any, Any, Any, Any, Any, Any, Any]:
     """What a parameter does to what vanishes, with the opposite sign.
 
     Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 8 results, each the arguments that it depends on,
@@ -170,7 +174,7 @@ def right(Omega, A, R, I_0, I_0A, I_0AA, zeta, d, h_A, h_AA, h_p, h_Ap, h_AAp, I
     )
 
 
-def of_state(Omega, A, I_0, I_0A, zeta, d, h, h_A, force, force_Omega, force_F, h_p, I_0p, zeta_p, d_p, A_p, Omega_p, F_0_p):
+def of_state(Omega: Any, A: Any, I_0: Any, I_0A: Any, zeta: Any, d: Any, h: Any, h_A: Any, force: Any, force_Omega: Any, force_F: Any, h_p: Any, I_0p: Any, zeta_p: Any, d_p: Any, A_p: Any, Omega_p: Any, F_0_p: Any) -> tuple[Any, Any]:
     """d/dp of the phase (25) and of the transmissibility of a state that moves by A_p, Omega_p, F_0_p.
 
     Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 2 results, each the arguments that it depends on,
@@ -201,7 +205,7 @@ def of_state(Omega, A, I_0, I_0A, zeta, d, h, h_A, force, force_Omega, force_F, 
     )
 
 
-def by_force(Omega, F_0):
+def by_force(Omega: Any, F_0: Any) -> tuple[Any, Any, Any, Any, Any, Any, Any]:
     """Force, its slopes by Omega and F_0; of its square S_Omega, S_OmegaOmega, S_F, S_FOmega: a force.
 
     Equation (3). Domain: Omega >= 0. Shape: 7 results, each the arguments that it depends on, broadcast.
@@ -219,7 +223,7 @@ def by_force(Omega, F_0):
     )
 
 
-def by_inertia(Omega, F_0):
+def by_inertia(Omega: Any, F_0: Any) -> tuple[Any, Any, Any, Any, Any, Any, Any]:
     """Force, its slopes by Omega and F_0; of its square S_Omega, S_OmegaOmega, S_F, S_FOmega: an excitation by inertia.
 
     Equation beside (3). Domain: Omega >= 0. Shape: 7 results, each the arguments that it depends on, broadcast.

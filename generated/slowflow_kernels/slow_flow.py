@@ -18,10 +18,19 @@ to 1 or 0, root 1e-09 to 1000 of either sign, zeta 1e-12 to 1 or 0.
 # a formatter would spread each polynomial over a page
 # fmt: off
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 
 from slowflow_support.backend import NATIVE, coefficients_of, compiled
 from slowflow_support.broadcast import common_shape, floats, full, number_by_regime, stacked
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from slowflow_support.broadcast import Floats
 
 SCENE = "mu > 0, zeta > 0: F is a quartic in Omega"
 
@@ -35,7 +44,7 @@ __all__ = [
 ]
 
 
-def friction(mu):
+def friction(mu: ArrayLike) -> Any:
     """Dry friction's share of I.
 
     Equation (23). Domain: mu >= 0. Shape: as the arguments broadcast.
@@ -46,7 +55,7 @@ def friction(mu):
     return 1.2732395447351628 * mu
 
 
-def R(Omega, A, h):
+def R(Omega: ArrayLike, A: ArrayLike, h: ArrayLike) -> Any:
     """Cosine balance, -F_0 cos phi at a fixed point.
 
     Equation (23). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
@@ -57,7 +66,7 @@ def R(Omega, A, h):
     return A * Omega * Omega + h
 
 
-def I(Omega, A, m, zeta):  # noqa: E743
+def I(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike) -> Any:  # noqa: E743
     """Sine balance, -F_0 sin phi at a fixed point.
 
     Equation (23). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
@@ -68,7 +77,7 @@ def I(Omega, A, m, zeta):  # noqa: E743
     return 2.0 * A * Omega * zeta + m
 
 
-def F(Omega, A, F_0, m, zeta, h):
+def F(Omega: ArrayLike, A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> Any:
     """Frequency response; zero at a steady state.
 
     Equation (24). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
@@ -81,7 +90,7 @@ def F(Omega, A, F_0, m, zeta, h):
     return R * R + (-F_0 + I) * (F_0 + I)
 
 
-def F_A(Omega, A, m, zeta, h, h_A):
+def F_A(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike) -> Any:
     """dF/dA; positive where stable.
 
     Equation (24), (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
@@ -96,7 +105,7 @@ def F_A(Omega, A, m, zeta, h, h_A):
     return 2.0 * (I * t1 + R * (h_A + t0))
 
 
-def F_AA(Omega, A, m, zeta, h, h_A, h_AA):
+def F_AA(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike) -> Any:
     """d2F/dA2.
 
     Equation (24), (33). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
@@ -110,7 +119,7 @@ def F_AA(Omega, A, m, zeta, h, h_A, h_AA):
     return full(2.0 * (R * h_AA + 4.0 * t0 * zeta * zeta + t1 * t1), common_shape((Omega, A, m, zeta, h, h_A, h_AA)))
 
 
-def F_Omega(Omega, A, m, zeta, h):
+def F_Omega(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> Any:
     """dF/dOmega.
 
     Equation (24), (34). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
@@ -123,7 +132,7 @@ def F_Omega(Omega, A, m, zeta, h):
     return 4.0 * A * (I * zeta + Omega * R)
 
 
-def F_AOmega(Omega, A, m, zeta, h, h_A):
+def F_AOmega(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike) -> Any:
     """d2F/dA dOmega.
 
     Equation (24). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
@@ -139,7 +148,7 @@ def F_AOmega(Omega, A, m, zeta, h, h_A):
     return 4.0 * (I * zeta + Omega * R + t1 * (h_A + t0) + t2 * zeta * zeta)
 
 
-def phase(Omega, A, m, zeta, h):
+def phase(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> Any:
     """Phase phi of a steady state, from -pi to 0.
 
     Equation (25). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
@@ -152,7 +161,7 @@ def phase(Omega, A, m, zeta, h):
     return np.arctan2(-I, -R)
 
 
-def backbone(A, h):
+def backbone(A: ArrayLike, h: ArrayLike) -> Any:
     """Frequency on the backbone.
 
     Equation (26). Domain: A > 0, h <= 0. Shape: as the arguments broadcast.
@@ -164,7 +173,7 @@ def backbone(A, h):
     return np.sqrt(square)
 
 
-def limit_envelope(Omega, F_0, m, zeta):
+def limit_envelope(Omega: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike) -> Any:
     """Largest amplitude that the forcing can hold at this frequency.
 
     Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise. Shape: as the arguments broadcast.
@@ -175,7 +184,7 @@ def limit_envelope(Omega, F_0, m, zeta):
     return 0.5 * (F_0 - m) / (Omega * zeta)
 
 
-def equivalent_damping(Omega, A, m, zeta):
+def equivalent_damping(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike) -> Any:
     """Viscous damping ratio that dissipates as much as zeta and friction together.
 
     Equation (38). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
@@ -186,7 +195,7 @@ def equivalent_damping(Omega, A, m, zeta):
     return zeta + 0.5 * m / (A * Omega)
 
 
-def transmissibility(Omega, A, F_0, m, zeta, h):
+def transmissibility(Omega: ArrayLike, A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> Any:
     """Fundamental harmonic of the force on the base over F_0, at a steady state.
 
     Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0. Shape: as the arguments broadcast.
@@ -214,7 +223,7 @@ def _isolation_outwards(A, F_0, reduction, h):
     return np.sqrt(turn)
 
 
-def isolation(A, F_0, reduction, h):
+def isolation(A: Any, F_0: Any, reduction: Any, h: Any) -> Any:
     """Frequency of a state that transmits sqrt(1 - reduction) of what drives it, though it moves.
 
     Equation from (23). Domain: A > 0, F_0 > 0, 0 <= reduction < 1. Shape: as the arguments broadcast.
@@ -227,7 +236,7 @@ def isolation(A, F_0, reduction, h):
     return number_by_regime(guards, bodies, arguments)
 
 
-def held(m, preload):
+def held(m: Any, preload: Any) -> Any:
     """The forcing up to which a mass at rest stays there: that of a state as A tends to 0.
 
     Equation (24). Domain: preload >= 0, -h as A tends to 0. Shape: as the arguments broadcast.
@@ -238,7 +247,7 @@ def held(m, preload):
     return np.hypot(m, preload)
 
 
-def jacobian(Omega, A, m, zeta, h, h_A):
+def jacobian(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike) -> tuple[Any, Any, Any, Any]:
     """Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22.
 
     Equation (28). Domain: Omega > 0, A > 0. Shape: 4 results, each as the arguments broadcast.
@@ -258,7 +267,7 @@ def jacobian(Omega, A, m, zeta, h, h_A):
     )
 
 
-def mean_stiffness(A, h, h_A):
+def mean_stiffness(A: ArrayLike, h: ArrayLike, h_A: ArrayLike) -> Any:
     """Mean of the stiffness over a cycle of a motion about u = 0, which stays about it where this is positive.
 
     Equation beside (30). Domain: A > 0. Shape: as the arguments broadcast.
@@ -286,7 +295,7 @@ def _offset_stiffness_apart(Omega, A, h, h_A):
     return -0.5 * h_A - 0.5 * t1 + t2 * t2 / (8.0 * Omega * Omega + h_A + t1)
 
 
-def offset_stiffness(Omega, A, h, h_A):
+def offset_stiffness(Omega: ArrayLike, A: ArrayLike, h: ArrayLike, h_A: ArrayLike) -> Any:
     """What carries a small mean offset back; where the mean stiffness is negative this decides.
 
     Equation beside (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
@@ -299,7 +308,7 @@ def offset_stiffness(Omega, A, h, h_A):
     return number_by_regime(guards, bodies, arguments)
 
 
-def stability(Omega, A, m, zeta, h, h_A):
+def stability(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike) -> Any:
     """4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
 
     Equation (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
@@ -314,7 +323,7 @@ def stability(Omega, A, m, zeta, h, h_A):
     return (I * t1 + R * (h_A + t0)) / A
 
 
-def response_quartic(A, F_0, m, zeta, h):
+def response_quartic(A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> tuple[Any, Any, Any, Any]:
     """F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
 
     Equation (24). Domain: A > 0. Shape: 4 results, each as the arguments broadcast.
@@ -333,7 +342,7 @@ def response_quartic(A, F_0, m, zeta, h):
     )
 
 
-def fold_quartic(A, m, zeta, h, h_A):
+def fold_quartic(A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike) -> tuple[Any, Any, Any, Any]:
     """F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
 
     Equation (24), (30). Domain: A > 0. Shape: 4 results, each as the arguments broadcast.
@@ -350,7 +359,7 @@ def fold_quartic(A, m, zeta, h, h_A):
     )
 
 
-def peak_cubic(A, m, zeta, h):
+def peak_cubic(A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> tuple[Any, Any, Any]:
     """F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3.
 
     Equation (34). Domain: A > 0. Shape: 3 results, each as the arguments broadcast.
@@ -366,7 +375,7 @@ def peak_cubic(A, m, zeta, h):
     )
 
 
-def detachment(A, m, zeta, h):
+def detachment(A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> Floats:
     """Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
 
     Equation (34). Domain: A > 0. Shape: (4, ...), coefficients by rising power, each as the arguments broadcast.
@@ -397,7 +406,7 @@ def detachment(A, m, zeta, h):
     )
 
 
-def F_OmegaOmega(Omega, A, zeta, h):
+def F_OmegaOmega(Omega: ArrayLike, A: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> Any:
     """d2F/dOmega2.
 
     Equation (24). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
@@ -410,7 +419,7 @@ def F_OmegaOmega(Omega, A, zeta, h):
     return 4.0 * A * (2.0 * A * zeta * zeta + R + 2.0 * t0)
 
 
-def level(Omega, A, m, zeta, h):
+def level(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> Any:
     """The forcing F_0 for which (Omega, A) is a steady state.
 
     Equation (24). Domain: Omega >= 0, A > 0. Shape: as the arguments broadcast.
@@ -423,7 +432,7 @@ def level(Omega, A, m, zeta, h):
     return np.sqrt(I * I + R * R)
 
 
-def rest(F_0, m, h, h_A):
+def rest(F_0: ArrayLike, m: ArrayLike, h: ArrayLike, h_A: ArrayLike) -> tuple[Any, Any, Any]:
     """F at Omega = 0 as a product: h - c, h + c, and the slope of both along A.
 
     Equation from (24). Domain: F_0 >= m. Shape: 3 results, each as the arguments broadcast.
@@ -441,7 +450,7 @@ def rest(F_0, m, h, h_A):
     )
 
 
-def intercept(A, h, h_A, h_AA):
+def intercept(A: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike) -> tuple[Any, Any]:
     """k = h - A h_A, where the tangent of h meets A = 0, and its slope along A.
 
     Equation from (24), (30). Domain: A >= 0. Shape: 2 results, each as the arguments broadcast.
@@ -456,7 +465,7 @@ def intercept(A, h, h_A, h_AA):
     )
 
 
-def fold(A, F_0, m, zeta, h, h_A, k, k_A):
+def fold(A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, k: ArrayLike, k_A: ArrayLike) -> tuple[Any, Any, Any]:
     """Zero at a fold at F_0: R of (23) less the R of F = F_A = 0; its slope along A, and Omega.
 
     Equation from (24), (30). Domain: A > 0, F_0 > m, k^2 >= F_0^2 - m^2. Shape: 3 results, each as the arguments
@@ -486,7 +495,7 @@ def fold(A, F_0, m, zeta, h, h_A, k, k_A):
     )
 
 
-def fold_square(Omega, A, lacks):
+def fold_square(Omega: ArrayLike, A: ArrayLike, lacks: ArrayLike) -> Any:
     """Omega^2 beside a fold by the R of F = F_A = 0, from the Omega by I and what R lacks of agreeing (`fold`).
 
     Equation from (23). Domain: A > 0. Shape: as the arguments broadcast.
@@ -497,7 +506,7 @@ def fold_square(Omega, A, lacks):
     return Omega * Omega - lacks / A
 
 
-def fold_moves(A, k, R):
+def fold_moves(A: ArrayLike, k: ArrayLike, R: ArrayLike) -> tuple[Any, Any]:
     """What F and F_A change by beside a fold, per what vanishes there (`fold`), at its A, Omega and I.
 
     Equation from (24), (30). Domain: A > 0. Shape: 2 results, each as the arguments broadcast.
@@ -513,7 +522,7 @@ def fold_moves(A, k, R):
     )
 
 
-def isola_Omega(h_A):
+def isola_Omega(h_A: ArrayLike) -> Any:
     """Omega at an isola point.
 
     Equation from (30), (34). Domain: h_A >= 0. Shape: as the arguments broadcast.
@@ -524,7 +533,7 @@ def isola_Omega(h_A):
     return np.sqrt(h_A)
 
 
-def isola_level(Omega, A, m, zeta):
+def isola_level(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike) -> Any:
     """The forcing at an isola point: of R from h rounding leaves nothing where damping is weak.
 
     Equation from (24), (30). Domain: Omega > 0. Shape: as the arguments broadcast.
@@ -536,7 +545,7 @@ def isola_level(Omega, A, m, zeta):
     return np.hypot(I, -I * zeta / Omega)
 
 
-def isola(A, m, zeta, h, h_A, h_AA):
+def isola(A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike) -> tuple[Any, Any]:
     """Zero at an isola point: F_Omega/(4 A) at its Omega, for m = 0 without the factor Omega; slope along A.
 
     Equation from (30), (34). Domain: A > 0, h_A > 0; for m = 0 any h_A. Shape: 2 results, each as the arguments
@@ -556,7 +565,7 @@ def isola(A, m, zeta, h, h_A, h_AA):
     )
 
 
-def cusps(A, zeta, h, h_A, h_AA, k):
+def cusps(A: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike, k: ArrayLike) -> tuple[Any, Any, Any, Any, Any]:
     """F_AA/2 = T^2 + 2 a T + b = X^2 + 2 c X + d, T = dR/dA, X = Omega^2: a, b, c, d, and a^2 - b = c^2 - d.
 
     Equation from (33). Domain: A > 0. Shape: 5 results, each as the arguments broadcast.
@@ -578,7 +587,7 @@ def cusps(A, zeta, h, h_A, h_AA, k):
     )
 
 
-def cusp_R(A, zeta, h_AA, k, X, T):
+def cusp_R(A: ArrayLike, zeta: ArrayLike, h_AA: ArrayLike, k: ArrayLike, X: ArrayLike, T: ArrayLike) -> tuple[Any, Any]:
     """R where F_AA = 0 (`cusps`), in two forms: by its tangent, and from F_AA itself.
 
     Equation from (33). Domain: A > 0, X >= 0. Shape: 2 results, each as the arguments broadcast.
@@ -593,7 +602,7 @@ def cusp_R(A, zeta, h_AA, k, X, T):
     )
 
 
-def cusp(A, m, zeta, h_AA, h_AAA, k, X, T, R, root):
+def cusp(A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h_AA: ArrayLike, h_AAA: ArrayLike, k: ArrayLike, X: ArrayLike, T: ArrayLike, R: ArrayLike, root: ArrayLike) -> tuple[Any, Any, Any, Any]:
     """Where F_AA = 0 (`cusps`; root = a + T): F_A/2, the same less A F_AA/2, its slope along A, F_0 if it is 0.
 
     Equation from (33). Domain: A > 0, X > 0. Shape: 4 results, each as the arguments broadcast.
@@ -614,7 +623,7 @@ def cusp(A, m, zeta, h_AA, h_AAA, k, X, T, R, root):
     )
 
 
-def cusp_balance(A, m, zeta, h, k, X, T):
+def cusp_balance(A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, k: ArrayLike, X: ArrayLike, T: ArrayLike) -> tuple[Any, Any]:
     """Omega^2 and F_0^2 at a cusp with R from F_A = 0, by an X = Omega^2 that is nearly right, and T (`cusps`).
 
     Equation from (30). Domain: A > 0, X > 0, T not 0. Shape: 2 results, each as the arguments broadcast.
@@ -633,7 +642,7 @@ def cusp_balance(A, m, zeta, h, k, X, T):
     )
 
 
-def turn(Omega, A, m, zeta, h_AA, k):
+def turn(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h_AA: ArrayLike, k: ArrayLike) -> tuple[Any, Any]:
     """F_A/2 where F_AOmega = 0, an extremum of F_A over Omega, and its slope along A.
 
     Equation from (30). Domain: Omega > 0, A > 0. Shape: 2 results, each as the arguments broadcast.
@@ -654,7 +663,7 @@ def turn(Omega, A, m, zeta, h_AA, k):
     )
 
 
-def peak(Omega, A, F_0, m, zeta, h_A):
+def peak(Omega: ArrayLike, A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike, h_A: ArrayLike) -> tuple[Any, Any]:
     """F where F_Omega = 0: an extremum of F over Omega, and its slope along A.
 
     Equation from (24), (34). Domain: Omega > 0, A > 0. Shape: 2 results, each as the arguments broadcast.
@@ -673,7 +682,7 @@ def peak(Omega, A, F_0, m, zeta, h_A):
     )
 
 
-def peak_Omega_A(Omega, A, m, zeta, h_A):
+def peak_Omega_A(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h_A: ArrayLike) -> Any:
     """dOmega/dA along F_Omega = 0: what a rounding of A does to Omega at a peak.
 
     Equation from (34). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
@@ -686,7 +695,7 @@ def peak_Omega_A(Omega, A, m, zeta, h_A):
     return Omega2 * (Omega2 + h_A + 2.0 * zeta * zeta) / (-2.0 * A * Omega3 + m * zeta)
 
 
-def Omega_A(Omega, A, m, zeta, h, h_A):
+def Omega_A(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike) -> Any:
     """dOmega/dA along the response.
 
     Equation from (24). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
@@ -704,7 +713,7 @@ def Omega_A(Omega, A, m, zeta, h, h_A):
     return -F_A / F_Omega
 
 
-def level_rise(Omega, A, m, zeta, h, h_A, h_AA):
+def level_rise(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike) -> Any:
     """Positive where the level rises with A along the fold locus, negative where it falls.
 
     Equation from (24), (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
@@ -726,7 +735,7 @@ def level_rise(Omega, A, m, zeta, h, h_A, h_AA):
     return -F_AA * F_AOmega * F_Omega
 
 
-def cusp_bend(Omega, A, zeta, h_AA, h_AAA, T):
+def cusp_bend(Omega: ArrayLike, A: ArrayLike, zeta: ArrayLike, h_AA: ArrayLike, h_AAA: ArrayLike, T: ArrayLike) -> Any:
     """Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum; T = dR/dA.
 
     Equation from (24), (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
@@ -745,7 +754,7 @@ def cusp_bend(Omega, A, zeta, h_AA, h_AAA, T):
     return -F_AAA * F_AOmega * F_Omega / A
 
 
-def isola_bend(Omega, A, m, zeta, h_AA):
+def isola_bend(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h_AA: ArrayLike) -> Any:
     """The same at an isola point.
 
     Equation from (24), (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
@@ -767,7 +776,7 @@ def isola_bend(Omega, A, m, zeta, h_AA):
     )
 
 
-def isola_hessian(Omega, A, m, zeta, h_AA):
+def isola_hessian(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h_AA: ArrayLike) -> Any:
     """F_AA F_OmegaOmega - F_AOmega^2 at an isola point: negative at a saddle.
 
     Equation from (24), (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
@@ -786,7 +795,7 @@ def isola_hessian(Omega, A, m, zeta, h_AA):
     )
 
 
-def tail(Omega, F_0, m):
+def tail(Omega: ArrayLike, F_0: ArrayLike, m: ArrayLike) -> Any:
     """An amplitude of the size of that far above resonance.
 
     Equation from (24). Domain: Omega > 0, F_0 >= m. Shape: as the arguments broadcast.
@@ -798,7 +807,7 @@ def tail(Omega, F_0, m):
     return np.sqrt(square) / (Omega * Omega + 1.0)
 
 
-def most_restoring(A, F_0, m, zeta):
+def most_restoring(A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike) -> Any:
     """The largest |h| of a state with this amplitude: F_0 + (A Omega)^2/A at the highest Omega.
 
     Equation from (23). Domain: A > 0, F_0 >= m, zeta > 0. Shape: as the arguments broadcast.
@@ -811,7 +820,7 @@ def most_restoring(A, F_0, m, zeta):
     return F_0 + c * fastest
 
 
-def least_restoring(F_0, m):
+def least_restoring(F_0: ArrayLike, m: ArrayLike) -> Any:
     """The |h| of a state at Omega = 0, and the least |h - A h_A| of a fold.
 
     Equation from (24), (30). Domain: F_0 >= m. Shape: as the arguments broadcast.

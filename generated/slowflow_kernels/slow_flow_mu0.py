@@ -15,6 +15,10 @@ k 1e-09 to 1000 of either sign, k_A 1e-09 to 1e+06 of either sign or 0, m 1e-12 
 # a formatter would spread each polynomial over a page
 # fmt: off
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 
 from slowflow_kernels.slow_flow import (
@@ -23,6 +27,11 @@ from slowflow_kernels.slow_flow import (
 )
 from slowflow_support.backend import NATIVE, coefficients_of, compiled
 from slowflow_support.broadcast import common_shape, floats, full, stacked
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from slowflow_support.broadcast import Floats
 
 SCENE = "mu = 0: F is a quadratic in Omega^2, roots in closed form"
 
@@ -33,7 +42,7 @@ __all__ = [
 ]
 
 
-def response_quartic(A, F_0, m, zeta, h):
+def response_quartic(A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> tuple[Any, Any, Any, Any]:
     """F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
 
     Equation (24). Domain: A > 0. Shape: 4 results, each as the arguments broadcast.
@@ -52,7 +61,7 @@ def response_quartic(A, F_0, m, zeta, h):
     )
 
 
-def detachment(A, m, zeta, h):
+def detachment(A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> Floats:
     """Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
 
     Equation (34). Domain: A > 0. Shape: (3, ...), coefficients by rising power, each as the arguments broadcast.
@@ -75,7 +84,7 @@ def detachment(A, m, zeta, h):
     )
 
 
-def fold(A, F_0, m, zeta, h, h_A, k, k_A):
+def fold(A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, k: ArrayLike, k_A: ArrayLike) -> tuple[Any, Any, Any]:
     """Zero at a fold at F_0: R of (23) less the R of F = F_A = 0; its slope along A, and Omega.
 
     Equation from (24), (30). Domain: A > 0, F_0 > m, k^2 >= F_0^2 - m^2. Shape: 3 results, each as the arguments
@@ -104,7 +113,7 @@ def fold(A, F_0, m, zeta, h, h_A, k, k_A):
     )
 
 
-def isola(A, m, zeta, h, h_A, h_AA):
+def isola(A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike) -> tuple[Any, Any]:
     """Zero at an isola point: F_Omega/(4 A) at its Omega, for m = 0 without the factor Omega; slope along A.
 
     Equation from (30), (34). Domain: A > 0, h_A > 0; for m = 0 any h_A. Shape: 2 results, each as the arguments

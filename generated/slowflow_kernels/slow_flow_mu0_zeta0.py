@@ -14,6 +14,10 @@ sign or 0, m 1e-12 to 1 or 0, zeta 1e-12 to 1 or 0.
 # a formatter would spread each polynomial over a page
 # fmt: off
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
 from slowflow_kernels.slow_flow import (
     F_A, F_AA, F, F_AOmega, F_Omega, I, R, backbone, equivalent_damping, fold_quartic, level, peak_cubic, phase,
     stability,
@@ -25,6 +29,11 @@ from slowflow_kernels.slow_flow_zeta0 import (
 from slowflow_support.backend import NATIVE, coefficients_of, compiled
 from slowflow_support.broadcast import common_shape, floats, stacked
 
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from slowflow_support.broadcast import Floats
+
 SCENE = "mu = zeta = 0: F is a quadratic in Omega^2, roots in closed form"
 
 __all__ = [
@@ -34,7 +43,7 @@ __all__ = [
 ]
 
 
-def detachment(A, m, zeta, h):
+def detachment(A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> Floats:
     """Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
 
     Equation (34). Domain: A > 0. Shape: (2, ...), coefficients by rising power, each as the arguments broadcast.

@@ -16,6 +16,10 @@ either sign or 0, m 1e-12 to 1 or 0, zeta 1e-12 to 1 or 0.
 # a formatter would spread each polynomial over a page
 # fmt: off
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 
 from slowflow_kernels.slow_flow import (
@@ -24,6 +28,11 @@ from slowflow_kernels.slow_flow import (
 )
 from slowflow_support.backend import NATIVE, coefficients_of, compiled
 from slowflow_support.broadcast import common_shape, floats, full, stacked
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from slowflow_support.broadcast import Floats
 
 SCENE = "zeta = 0: F is a quadratic in Omega^2, roots in closed form"
 
@@ -34,7 +43,7 @@ __all__ = [
 ]
 
 
-def limit_envelope(Omega, F_0, m, zeta):
+def limit_envelope(Omega: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike) -> Any:
     """Largest amplitude that the forcing can hold at this frequency.
 
     Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise. Shape: as the arguments broadcast.
@@ -45,7 +54,7 @@ def limit_envelope(Omega, F_0, m, zeta):
     return full(np.inf, common_shape((Omega, F_0, m, zeta)))
 
 
-def detachment(A, m, zeta, h):
+def detachment(A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> Floats:
     """Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
 
     Equation (34). Domain: A > 0. Shape: (3, ...), coefficients by rising power, each as the arguments broadcast.
@@ -65,7 +74,7 @@ def detachment(A, m, zeta, h):
     )
 
 
-def undamped_Omega(h_A):
+def undamped_Omega(h_A: ArrayLike) -> Any:
     """Omega of the folds.
 
     Equation from (30). Domain: h_A <= 0. Shape: as the arguments broadcast.
@@ -76,7 +85,7 @@ def undamped_Omega(h_A):
     return np.sqrt(-h_A)
 
 
-def fold(F_0, m, k, k_A):
+def fold(F_0: ArrayLike, m: ArrayLike, k: ArrayLike, k_A: ArrayLike) -> tuple[Any, Any]:
     """Zero at a fold at F_0, where h_A < 0: R^2 + I^2 - F_0^2 on the undamped folds, and its slope along A.
 
     Equation from (24), (30). Domain: F_0 > m. Shape: 2 results, each as the arguments broadcast.
@@ -93,7 +102,7 @@ def fold(F_0, m, k, k_A):
     )
 
 
-def undamped_level(m, k):
+def undamped_level(m: ArrayLike, k: ArrayLike) -> Any:
     """The forcing of a fold, whose R is k.
 
     Equation from (24), (30). Domain: h_A <= 0. Shape: as the arguments broadcast.
@@ -104,7 +113,7 @@ def undamped_level(m, k):
     return np.sqrt(k * k + m * m)
 
 
-def undamped_rises(h_AA, h_AAA, k):
+def undamped_rises(h_AA: ArrayLike, h_AAA: ArrayLike, k: ArrayLike) -> tuple[Any, Any]:
     """The sign of the level's slope along A on the undamped folds; and, where that is 0, of the slope's own.
 
     Equation from (24), (30). Domain: h_A <= 0. Shape: 2 results, each as the arguments broadcast.
@@ -119,7 +128,7 @@ def undamped_rises(h_AA, h_AAA, k):
     )
 
 
-def undamped(A, h, h_A, h_AA, h_AAA):
+def undamped(A: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike, h_AAA: ArrayLike) -> tuple[Any, Any, Any, Any]:
     """The factors of F_AA/2 at the folds, each with its slope along A: h_AA, R.
 
     Equation from (30), (33). Domain: A > 0. Shape: 4 results, each as the arguments broadcast.

@@ -173,7 +173,7 @@ def _alone(
     try:
         model = designs.model(values)
         force = followed(Force.of(designs.mechanism, model.parameters), designs.mechanism.name)
-        laws = {"c_2": model.laws.c_2, "released": model.laws.rubs != THROUGHOUT}
+        laws: dict[str, Any] = {"c_2": model.laws.c_2, "released": model.laws.rubs != THROUGHOUT}
         system = EquationOfMotion(force, model.mu, model.zeta, **laws)
         # off the centre nothing is averaged of some forces, of which nothing is asked where the mass rests at u = 0
         centred = system.centred and questions.rests_at_centre(system)

@@ -150,7 +150,8 @@ class EndedFold(ByEnds):
         forcing = [_point(one) for one in self.flow.forcing(self.given[self.number(of)])]
         known = [Interval.point(one) for one in self._damping]
         of_means = (here.c_0, here.s_0, here.c_x, here.c_y, here.c_xx, here.c_yy, here.X, here.Y, here.X_x, here.Y_y)
-        found = off_centre_intervals.ended_fold(xy[2], here.A, *forcing, *known, self._load, *of_means)
+        given = (xy[2], here.A, *forcing, *known, self._load, *of_means)
+        found = off_centre_intervals.ended_fold(*given)
         holds = np.stack((np.full_like(x, -np.inf), np.full_like(x, np.inf)))
         # R (h - A h_A) = G^2 + I (A I_A - I)
         along = resists(here)[0]

@@ -1,4 +1,4 @@
-"""NumPy: a Python module for each generated module, with its signatures beside it, and the package around them.
+"""NumPy: a Python module for each generated module, and the package around them.
 
 In:  `Module`s with the straight-line code of their kernels.
 Out: a dict from file name (below `generated/`) to text.
@@ -55,7 +55,6 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
 
     environment = _environment()
     result = {f"slowflow_kernels/{module.name}.py": text(module, code[module.name]) for module in modules}
-    result |= {f"slowflow_kernels/{module.name}.pyi": signatures(module) for module in modules}
     # what type checkers look for, before they believe a package's annotations
     result["slowflow_kernels/py.typed"] = ""
     result["slowflow_kernels/domains.py"] = environment.get_template("domains.py.jinja").render(
@@ -84,6 +83,7 @@ def asked(module: Module) -> tuple[Kernel, ...]:
 
 def text(module: Module, code: Code) -> str:
     """One module."""
+    named = (*module.kernels, *module.twofolds, *module.selections, *module.compositions)
     return (
         _environment()
         .get_template("module.py.jinja")
@@ -95,6 +95,7 @@ def text(module: Module, code: Code) -> str:
             selections=[selection_view(selection) for selection in module.selections],
             compositions=[composition_view(composition, CALLS) for composition in module.compositions],
             exported=exported(module),
+            typed={one.name: signature(one) for one in named},
             borrowed={other: sorted(names, key=in_import) for other, names in sorted(module.borrowed.items())},
             regimes=regimes(module),
             measured=measured.of(module),
@@ -109,20 +110,9 @@ def text(module: Module, code: Code) -> str:
     )
 
 
-def signatures(module: Module) -> str:
-    """What stands beside a module for type checkers and editors: compiled kernels have no signature to be read."""
-    named = (*module.kernels, *module.twofolds, *module.selections, *module.compositions)
-    return (
-        _environment()
-        .get_template("module.pyi.jinja")
-        .render(
-            module=module,
-            exported=exported(module),
-            borrowed={other: sorted(names, key=in_import) for other, names in sorted(module.borrowed.items())},
-            constants={name: kind(value) for name, value in module.constants.items()},
-            functions=[(one.name, taken(one), given(one)) for one in named],
-        )
-    )
+def signature(function: Kernel | TwofoldKernel | Selection | Composition) -> str:
+    """What stands behind its name: arguments and result with their types, for type checkers and editors."""
+    return f"({taken(function)}) -> {given(function)}"
 
 
 def taken(function: Kernel | TwofoldKernel | Selection | Composition) -> str:
@@ -141,11 +131,6 @@ def given(function: Kernel | TwofoldKernel | Selection | Composition) -> str:
     if function.returns == "stack":
         return "Floats"
     return "Any" if alone else f"tuple[{', '.join(['Any'] * width) or '()'}]"
-
-
-def kind(value: object) -> str:
-    """The type of a constant."""
-    return "tuple[str, ...]" if isinstance(value, tuple) else "float" if isinstance(value, sp.Expr) else "str"
 
 
 def _environment() -> jinja2.Environment:
