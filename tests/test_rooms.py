@@ -28,7 +28,7 @@ FLOORS = (
     ("exact", "second", "loads"),
     ("averaged",),
     ("results", "quantities"),
-    ("certificate", "measured", "files", "moves", "physical_moves"),
+    ("certificate", "measured", "files", "moves"),
     ("gradient",),
     ("answer", "loaded"),
     ("model", "table", "transmitted"),

@@ -10,6 +10,7 @@ takes many of them is compiled (native/solver/intervals.c).
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -136,78 +137,51 @@ def _apart(ends: Floats) -> Floats:
     return np.asarray(np.clip(ends + _FUNCTION * np.where(np.isinf(ends), 0.0, np.abs(ends)), least, most))
 
 
+def _rising(function: Any, least: float = -np.inf, most: float = np.inf) -> Callable[[Any], Elementary]:
+    """The method of a function that rises, on its domain."""
+
+    def method(self: Elementary) -> Elementary:
+        values = _apart(function(self.ends))
+        return Elementary(np.where((self.ends[0] >= least) & (self.ends[1] <= most), values, np.nan))
+
+    return method
+
+
 class Elementary(Interval):
     """Intervals with elementary functions; where an argument leaves a function's domain nothing is known: NaN."""
 
     __slots__ = ()
 
-    def _rising(self, function: Any, least: float = -np.inf, most: float = np.inf) -> Elementary:
-        """A function that rises, on its domain."""
-        values = _apart(function(self.ends))
-        return Elementary(np.where((self.ends[0] >= least) & (self.ends[1] <= most), values, np.nan))
-
-    def exp(self) -> Elementary:
-        """e to it."""
-        return self._rising(np.exp)
-
-    def log(self) -> Elementary:
-        """Its natural logarithm."""
-        return self._rising(np.log, 0.0)
-
-    def log1p(self) -> Elementary:
-        """The natural logarithm of 1 more."""
-        return self._rising(np.log1p, -1.0)
-
-    def root(self) -> Elementary:
-        """Its square root."""
-        return self._rising(np.sqrt, 0.0)
-
-    def sinh(self) -> Elementary:
-        """Its hyperbolic sine."""
-        return self._rising(np.sinh)
-
-    def tanh(self) -> Elementary:
-        """Its hyperbolic tangent."""
-        return self._rising(np.tanh)
-
-    def asin(self) -> Elementary:
-        """Its arcsine."""
-        return self._rising(np.arcsin, -1.0, 1.0)
+    exp = _rising(np.exp)
+    log = _rising(np.log, 0.0)
+    log1p = _rising(np.log1p, -1.0)
+    #: the square root
+    root = _rising(np.sqrt, 0.0)
+    sinh = _rising(np.sinh)
+    tanh = _rising(np.tanh)
+    atan = _rising(np.arctan)
+    asinh = _rising(np.arcsinh)
+    asin = _rising(np.arcsin, -1.0, 1.0)
+    acosh = _rising(np.arccosh, 1.0)
+    atanh = _rising(np.arctanh, -1.0, 1.0)
 
     def acos(self) -> Elementary:
         """Its arccosine."""
         return Elementary((0.5 * np.pi - self.asin()).ends)
 
-    def atan(self) -> Elementary:
-        """Its arctangent."""
-        return self._rising(np.arctan)
-
-    def asinh(self) -> Elementary:
-        """Its inverse hyperbolic sine."""
-        return self._rising(np.arcsinh)
-
-    def acosh(self) -> Elementary:
-        """Its inverse hyperbolic cosine."""
-        return self._rising(np.arccosh, 1.0)
-
-    def atanh(self) -> Elementary:
-        """Its inverse hyperbolic tangent."""
-        return self._rising(np.arctanh, -1.0, 1.0)
-
     def tan(self) -> Elementary:
         """Its tangent, between two poles."""
         branch = np.floor(self.ends / np.pi + 0.5)
-        return Elementary(np.where(branch[0] == branch[1], self._rising(np.tan).ends, np.nan))
+        return Elementary(np.where(branch[0] == branch[1], _rising(np.tan)(self).ends, np.nan))
 
     def cosh(self) -> Elementary:
         """Its hyperbolic cosine, which is not less than 1."""
         least = np.maximum(np.maximum(self.ends[0], -self.ends[1]), 0.0)
-        return Elementary(np.array((least, np.abs(self.ends).max(axis=0))))._rising(np.cosh)
+        return _rising(np.cosh)(Elementary(np.array((least, np.abs(self.ends).max(axis=0)))))
 
     def sin(self) -> Elementary:
         """Its sine, by the maxima and minima that it passes."""
-        quarter = 0.5 * np.pi
-        return self._waves(np.sin, quarter)
+        return self._waves(np.sin, 0.5 * np.pi)
 
     def cos(self) -> Elementary:
         """Its cosine."""

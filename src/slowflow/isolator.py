@@ -14,8 +14,7 @@ from slowflow.mechanism import LINEAR, Force, Mechanism, told
 from slowflow.model import THROUGHOUT, Laws, Model
 from slowflow.oscillator import FORCES, Oscillator
 from slowflow.physical import Physical
-from slowflow.physical_moves import g
-from slowflow.quantities import SHEET, Scales, si
+from slowflow.quantities import SHEET, Scales, g, si
 from slowflow.text import text
 from slowflow_kernels import duffing, rod_spring
 from slowflow_kernels.domains import DAMPING, DISSIPATION, EXCITATIONS

@@ -19,8 +19,7 @@ from slowflow import plausible, validate
 from slowflow.answer import joined
 from slowflow.averaged.plan import Plan
 from slowflow.mechanism import Floats
-from slowflow.physical_moves import g
-from slowflow.quantities import DRAWN, SI, UNITS, Quantities, Scales, si, turns
+from slowflow.quantities import DRAWN, SI, UNITS, Quantities, Scales, g, si, turns
 from slowflow.table import QUANTITIES
 from slowflow.text import in_units
 from slowflow_support.errors import OutOfRange, Refused

@@ -18,17 +18,22 @@ from typing import Any
 
 import numpy as np
 
-from slowflow import physical_moves, validate
+from slowflow import validate
 from slowflow.answer import PLAIN, Answer, Table, in_text, plain
 from slowflow.gradient import Gradient
+from slowflow.mechanism import Floats
 from slowflow.table import QUANTITIES
 from slowflow.text import in_units
+from slowflow_kernels.domains import DAMPING, DISSIPATION
+from slowflow_kernels.rod_spring import MECHANISM as ROD_SPRING
 from slowflow_kernels.scaling import AMPLITUDES as AMPLITUDE_SCALES
 from slowflow_kernels.scaling import SCALES
 from slowflow_support.errors import Refused, WrongType
 from slowflow_support.frozen import dataclass
 from slowflow_support.record import Parameter, Scale
 
+#: standard gravity, m/s^2
+g = 9.80665
 #: what units there are of each kind, by their size in SI units; the first is SI's, and a turn is what Hz counts
 UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
     {
@@ -37,7 +42,7 @@ UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
         "frequency": {"Hz": 1.0, "rpm": 1 / 60, "rad/s": 1 / math.tau},
         "time": {"s": 1.0, "ms": 1e-3},
         "speed": {"m/s": 1.0, "mm/s": 1e-3},
-        "acceleration": {"m/s^2": 1.0, "g": physical_moves.g},
+        "acceleration": {"m/s^2": 1.0, "g": g},
         "unbalance": {"kg m": 1.0, "kg mm": 1e-3, "g mm": 1e-6},
         "stiffness": {"N/m": 1.0, "N/mm": 1e3},
         "angle": {"rad": 1.0, "deg": math.tau / 360},
@@ -94,6 +99,27 @@ PINT: Mapping[str, str] = MappingProxyType(
         "kg m": "kilogram*meter",
     }
 )
+#: a mount's words for the letters of the scales of its design and its damping
+WORDS = {"lam": "n", "k_h": "k_h", "Delta_h": "preload", "F_c": "friction", "c": "c", "c_q": "c_2"}
+#: what all scales are powers of, in their order
+BASE = ("k_v", "L", "m")
+#: of a number that is none
+PURE = Scale("", 1.0, (0.0, 0.0, 0.0))
+#: what numbers of a kind are measured in, but for the turn of a frequency
+OF_KIND: Mapping[str, Scale] = MappingProxyType(
+    {
+        "": PURE,
+        "angle": PURE,
+        "force": SCALES["F_0"],
+        "length": SCALES["u"],
+        "frequency": SCALES["Omega"],
+        "time": SCALES["tau"],
+        "unbalance": AMPLITUDE_SCALES["unbalance"],
+        "quadratic damping": SCALES["c_2"],
+        "stiffness": Scale("k", 1.0, (1.0, 0.0, 0.0)),
+    }
+)
+WITHOUT_PRELOAD = "without preload the springs never touch the push-rod: no number of theirs moves an answer"
 #: what only the dimensionless answer has
 OF_THE_ANSWER = "validity"
 #: what can be drawn of a response curve
@@ -227,7 +253,7 @@ class Quantities(Answer):
         """
         if self.scales is None or not hasattr(self.answer, "gradient"):
             raise Refused("gradients are known of averaged answers: this is none")
-        return physical_moves.in_units(self.answer.gradient(), self.scales)
+        return self.scales.gradient(self.answer.gradient())
 
     def measure(self, force: str | None = None, *, of: str | None = None) -> Quantities:
         """How far averaged states, folds, a peak, an onset, a detachment are from the equation of motion, in SI units.
@@ -313,20 +339,10 @@ def size(scale: Scale, *, m: Any, k_v: Any, L: Any) -> Any:
 
 def sizes(*, m: Any, k_v: Any, L: Any) -> dict[str, Any]:
     """What numbers of each kind are measured in."""
-    base = {"m": m, "k_v": k_v, "L": L}
-    length, rate = size(SCALES["u"], **base), size(SCALES["Omega"], **base)
-    return {
-        "force": size(SCALES["F_0"], **base),
-        "length": length,
-        "frequency": rate / math.tau,
-        "time": size(SCALES["tau"], **base),
-        "speed": length * rate,
-        "stiffness": k_v,
-        "acceleration": length * rate**2,
-        "unbalance": size(AMPLITUDE_SCALES["unbalance"], **base),
-        "quadratic damping": size(SCALES["c_2"], **base),
-        "angle": 1.0,
-    }
+    found = {kind: size(scale, m=m, k_v=k_v, L=L) for kind, scale in OF_KIND.items() if scale is not PURE}
+    length, rate = found["length"], found["frequency"]
+    turning = {"frequency": rate / math.tau, "speed": length * rate, "acceleration": length * rate**2}
+    return {**found, **turning, "angle": 1.0}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -433,3 +449,53 @@ class Scales:
                 values[shown] = _times(value, self.sizes[kind])
                 units[shown] = SI[kind]
         return Quantities(values, units, answer, tuple(self.kind(name)[0] for name in entry), self)
+
+    def gradient(self, found: Gradient) -> Gradient:
+        """A gradient in SI units, by the numbers of a mount. Raises ValueError where these are not its design's.
+
+        A number of a mount is its dimensionless number times powers of k_v, L and m (4), and so is each number that it
+        moves with: k_v, L and m move it through all of these.
+        """
+        design = {one.name: scale for one, scale in zip(ROD_SPRING.design, ROD_SPRING.scales, strict=True)}
+        damping = {one.name: SCALES[one.name] for one in (*DAMPING, *DISSIPATION)}
+        if found.by[: len(design)] != tuple(design):
+            raise Refused(WITHOUT_PRELOAD)
+        if self.damping == "zeta":
+            damping["zeta"] = PURE
+        asked = {"F_0": AMPLITUDE_SCALES[self.excitation], "Omega": SCALES["Omega"], "load": SCALES["F_0"]}
+        measures = [{**design, **damping, **asked}[name] for name in found.by]
+        by = tuple(WORDS.get(one.letter) or self.symbol(name) for name, one in zip(found.by, measures, strict=True))
+        of, kinds = zip(*(self.kind(name) for name in found.of), strict=True)
+        answers = [OF_KIND[kind] for kind in kinds]
+        # a frequency is in turns, not in radians
+        sizes = np.array([self.sizes[kind] if kind else 1.0 for kind in kinds])
+        units = np.array(
+            [self.sizes["frequency"] if name == "f" else self.of(one) for name, one in zip(by, measures, strict=True)]
+        )
+        shape = found.status.shape
+        values, at = (
+            np.stack([np.broadcast_to(np.asarray(one, dtype=float), shape) for one in numbers], axis=-1)
+            for numbers in (found._values, found._at)
+        )
+        base = np.array([getattr(self, name) for name in BASE])
+        own, others = (np.array([one.powers for one in measured]) for measured in (answers, measures))
+        moved = (values[..., np.newaxis] * own - (found.slopes * at[..., np.newaxis, :]) @ others) / base
+        slopes = np.concatenate((found.slopes / units, moved), axis=-1) * sizes[:, np.newaxis]
+        numbers: tuple[Any, ...] = (*np.moveaxis(at * units, -1, 0), *base)
+        names = (*by, *BASE)
+        if "load" in by:
+            slopes, numbers = _by_masses(names, slopes, numbers)
+        return Gradient(of, names, slopes, found.status.copy(), tuple(np.moveaxis(values * sizes, -1, 0)), numbers)
+
+
+def _by_masses(names: tuple[str, ...], slopes: Floats, numbers: tuple[Any, ...]) -> tuple[Floats, tuple[Any, ...]]:
+    """Of a mount under a load by its masses: `load` is the one that moves, m what the vertical spring is preset for.
+
+    Up to here `load` is a weight, g (load - m), and m the mass that moves.
+    """
+    weight, mass = names.index("load"), names.index("m")
+    found, given = slopes.copy(), list(numbers)
+    found[..., weight] = slopes[..., mass] + g * slopes[..., weight]
+    found[..., mass] = -g * slopes[..., weight]
+    given[weight], given[mass] = numbers[mass], numbers[mass] - numbers[weight] / g
+    return found, tuple(given)

@@ -12,7 +12,6 @@ from typing import Any
 
 import numpy as np
 
-from slowflow import physical_moves
 from slowflow.gradient import Gradient
 from slowflow.isolator import Isolator
 from slowflow.model import OF_DAMPING
@@ -54,7 +53,7 @@ def _moves(of: Any, answer: str, F: float | None) -> tuple[Gradient, Any] | None
         at_rest = _at_rest(of.oscillator if isinstance(of, Physical) else of)
         if at_rest is None:
             return None
-        return physical_moves.in_units(at_rest, of.scales) if isinstance(of, Physical) else at_rest, ()
+        return of.scales.gradient(at_rest) if isinstance(of, Physical) else at_rest, ()
     if answer == "F_SN":
         return of.saddle_node_onset().gradient(), ()
     if answer == "F_cr":

@@ -22,8 +22,7 @@ from slowflow.mechanism import Floats
 from slowflow.off_centre.many import OffCentreDesigns
 from slowflow.oscillator import Oscillator
 from slowflow.physical import Physical
-from slowflow.physical_moves import WORDS, g
-from slowflow.quantities import EXCITED, SHEET, SI, UNITS, si, size, sizes, turns
+from slowflow.quantities import EXCITED, SHEET, SI, UNITS, WORDS, g, si, size, sizes, turns
 from slowflow.table import COLUMNS
 from slowflow_kernels import inertia, slow_flow
 from slowflow_kernels.conventions import FoldKind, Status
