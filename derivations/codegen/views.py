@@ -42,12 +42,17 @@ class Line:
     number   -- its type, where that is not the kernel's own
     function -- what is called, if it is one that is printed beside the kernels: `name` are all its outputs then, and
                 `value` its arguments
+    columns, table -- of a loop that calls it: arguments that vary, and what they are in each turn
+    sums     -- of its outputs over all turns, which are all that is asked for
     """
 
     name: str
     value: str
     number: str = ""
     function: str = ""
+    columns: tuple[str, ...] = ()
+    table: tuple[tuple[str, ...], ...] = ()
+    sums: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -277,25 +282,77 @@ def named(symbol: sp.Symbol, language: Language) -> str:
 
 
 def printed(lets: Sequence[Let], language: Language) -> tuple[Line, ...]:
-    """Lets as lines; the outputs of one call are one line."""
-    lines = []
-    calls = itertools.groupby(lets, lambda let: (let[1].repeated, let[1].args) if isinstance(let[1], Output) else let)
-    for _, together in calls:
-        symbols, (value, *others) = zip(*together, strict=True)
-        if not isinstance(value, Output):
-            name = named(symbols[0], language)
-            lines.append(Line(name, wrapped(language.printer.doprint(value), len(name) + 3, language)))
+    """Lets as lines; the outputs of one call are one line, and calls whose outputs are only summed are one loop."""
+    lines: list[Line] = []
+    summed: set[sp.Symbol] = set()
+    calls = [list(together) for _, together in itertools.groupby(lets, _call)]
+    runs = itertools.groupby(calls, lambda call: getattr(call[0][1], "repeated", None))
+    for repeated, run in runs:
+        here = list(run)
+        if repeated is None:
+            plain = (let for call in here for let in call if let[0] not in summed)
+            lines += (_assigned(symbol, value, language) for symbol, value in plain)
             continue
-        if [one.number for one in (value, *others)] != list(range(len(value.repeated.outputs))):
-            raise ArithmeticError(f"not every output of {value.repeated.name} is used, or not in their order")
-        lines.append(
-            Line(
-                ", ".join(named(symbol, language) for symbol in symbols),
-                ", ".join(map(language.printer.doprint, value.args)),
-                function=value.repeated.name,
-            )
-        )
+        if any([one.number for _, one in call] != list(range(len(repeated.outputs))) for call in here):
+            raise ArithmeticError(f"not every output of {repeated.name} is used, or not in their order")
+        sums = _sums(here, lets)
+        if sums:
+            lines.append(_loop(here, sums, language))
+            gone = {symbol for call in here for symbol, _ in call}
+            beside = {symbol.name for name, value in lets for symbol in {name, *value.free_symbols} - gone}
+            if taken := beside & {*lines[-1].columns, *lines[-1].name.split(", ")}:
+                raise ArithmeticError(f"{repeated.name} called in a loop hides {sorted(taken)}")
+            summed |= {symbol for symbol, _ in sums}
+        else:
+            lines += (_called(call, language) for call in here)
     return tuple(lines)
+
+
+def _call(let: Let) -> object:
+    """What the outputs of one call have in common; a let of anything else stands alone."""
+    return (let[1].repeated, let[1].args) if isinstance(let[1], Output) else let
+
+
+def _assigned(symbol: sp.Symbol, value: sp.Expr, language: Language) -> Line:
+    name = named(symbol, language)
+    return Line(name, wrapped(language.printer.doprint(value), len(name) + 3, language))
+
+
+def _called(call: Sequence[Let], language: Language) -> Line:
+    symbols, (value, *_) = zip(*call, strict=True)
+    return Line(
+        ", ".join(named(symbol, language) for symbol in symbols),
+        ", ".join(map(language.printer.doprint, value.args)),
+        function=value.repeated.name,
+    )
+
+
+def _sums(calls: Sequence[Sequence[Let]], lets: Sequence[Let]) -> list[Let]:
+    """The lets that are the sums of each output over several calls, where nothing else asks for these outputs."""
+    columns = [{call[k][0] for call in calls} for k in range(len(calls[0]))]
+    asked = [let for let in lets if any(not column.isdisjoint(let[1].free_symbols) for column in columns)]
+    if len(calls) == 1 or len(asked) != len(columns):
+        return []
+    found = [next((let for let in asked if let[1].is_Add and set(let[1].args) == column), None) for column in columns]
+    return [] if None in found else found
+
+
+def _loop(calls: Sequence[Sequence[Let]], sums: Sequence[Let], language: Language) -> Line:
+    """These calls by a table of what varies, in the order in which the first sum has them."""
+    by_name = {call[0][0]: call[0][1] for call in calls}
+    turns = [by_name[name] for name in language.printer._as_ordered_terms(sums[0][1])]
+    repeated = turns[0].repeated
+    varies = [len({turn.args[k] for turn in turns}) > 1 for k in range(len(turns[0].args))]
+    own = [named(symbol, language) for symbol in repeated.arguments]
+    show = language.printer.doprint
+    return Line(
+        ", ".join(f"{name}_here" for name, _ in repeated.outputs),
+        ", ".join(own[k] if vary else show(turns[0].args[k]) for k, vary in enumerate(varies)),
+        function=repeated.name,
+        columns=tuple(itertools.compress(own, varies)),
+        table=tuple(tuple(map(show, itertools.compress(turn.args, varies))) for turn in turns),
+        sums=tuple(named(symbol, language) for symbol, _ in sums),
+    )
 
 
 def repeated_views(code: Code, language: Language) -> list[RepeatedView]:
