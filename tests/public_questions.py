@@ -215,9 +215,7 @@ OF_CLASS = {
 NO_QUESTIONS = {
     "many",
     "physical",
-    "measured_states",
-    "measured_folds",
-    "measured_point",
+    "measured",
     "at_centre",
     "only_for_a_force",
 }

@@ -156,9 +156,7 @@ def test_every_question_has_a_plan():
     # the rest proves, draws and says
     beside = {"explain", "plot", "replace", "many", "restoring_force", "equation_of_motion"}
     beside |= {
-        "measured_states",
-        "measured_folds",
-        "measured_point",
+        "measured",
         "states",
         "curve",
         "folds",

@@ -49,11 +49,6 @@ class Interval:
         return cls(np.stack(np.broadcast_arrays(lo, hi)))
 
     @classmethod
-    def hull(cls, a: Floats, b: Floats) -> Interval:
-        """From the lesser to the greater."""
-        return cls(np.array((np.minimum(a, b), np.maximum(a, b))))
-
-    @classmethod
     def point(cls, x: Any) -> Interval:
         """A number, for any number of elements; or an array of them, one for each."""
         return cls(np.array((x, x), dtype=float).reshape(2, -1))

@@ -292,16 +292,6 @@ class Model:
         """
         return self.hardens and not self.negative_stiffness
 
-    @cached_property
-    def kinks(self) -> tuple[tuple[float, float], ...]:
-        """What slope and curvature of the force lose at each breakpoint; 1 for a slope that is not told."""
-        if self.mechanism.kinks is None:
-            return ((1.0, 0.0),) * len(self.breakpoints)
-        ends = map(float, self.mechanism.breakpoints(*self.parameters))
-        flat = [float(value) for value in self.mechanism.kinks(*self.parameters)]
-        pairs = zip(ends, zip(flat[::2], flat[1::2], strict=True), strict=True)
-        return tuple(pair for end, pair in pairs if end > 0)
-
     @property
     def inertial(self) -> bool:
         """Whether the force is the amplitude of the excitation times Omega^2."""

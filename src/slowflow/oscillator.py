@@ -19,7 +19,7 @@ from slowflow.certificate import Certificate
 from slowflow.loaded import CENTRED, Loaded, off_centre_by
 from slowflow.mechanism import EquationOfMotion, Floats, Force, Mechanism, followed
 from slowflow.model import THROUGHOUT, Laws, Model
-from slowflow.results import Detachment, Measured, MeasuredFolds, MeasuredPoint, Remark, SaddleNodeOnset
+from slowflow.results import Remark, SaddleNodeOnset
 from slowflow.table import SHOCKS
 from slowflow.text import Sentence, text
 from slowflow.unchanging import Unchanging
@@ -469,35 +469,11 @@ class Oscillator(Unchanging, Averaged):
         """Itself: it has an equation of motion."""
         return self
 
-    def measured_states(self, found: Any, force: str | None, B: Floats | None = None) -> Measured:
-        """See `slowflow.results.SteadyStates.measure`; off the centre with the mean of each state."""
+    def measured(self, found: Any, force: str | None, of: str = "") -> Any:
+        """An answer of its own against the equation of motion: what `measure` of averaged answers asks."""
         from slowflow.exact import measure
 
-        return measure.states(self.equation_of_motion(force), found, B)
-
-    def measured_folds(self, found: Any, force: str | None, B: Floats | None = None) -> MeasuredFolds:
-        """See `slowflow.results.SaddleNodes.measure`; likewise."""
-        from slowflow.exact import measure
-
-        def at_frequency(Omega: float) -> tuple[Any, Floats]:
-            ask = self.states if B is None else self.off_centre.amplitudes
-            states = ask(Omega=Omega, F_0=found.F_0)
-            return states, states.mean
-
-        return measure.folds(at_frequency, self.equation_of_motion(force), found, B)
-
-    def measured_point(self, found: Any, force: str | None, of: str = "") -> MeasuredPoint:
-        """See `slowflow.results.Peak.measure`, those of onset and detachment, and of isolation; about the centre."""
-        from slowflow.exact import measure
-
-        system = self.equation_of_motion(force)
-        if of:
-            return measure.isolation(lambda Omega: self.states(Omega=Omega, F_0=found.F_0), system, found, of)
-        if isinstance(found, SaddleNodeOnset):
-            return measure.onset(system, found)
-        if isinstance(found, Detachment):
-            return measure.detachment(system, found)
-        return measure.peak(lambda Omega: self.states(Omega=Omega, F_0=found.F_0), system, found)
+        return measure.measured(self, found, force, of)
 
     @cached_property
     def second_approximation(self) -> SecondApproximation:

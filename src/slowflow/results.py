@@ -162,16 +162,8 @@ class MeasuredPoint(Single):
 class Measures(Protocol):
     """What an answer was asked of, as far as it can be held against the equation of motion."""
 
-    def measured_states(self, found: Any, force: str | None, B: Floats | None = None) -> Measured:
-        """See `SteadyStates.measure`; B is the mean of each state off the centre."""
-        ...
-
-    def measured_folds(self, found: Any, force: str | None, B: Floats | None = None) -> MeasuredFolds:
-        """See `SaddleNodes.measure`; likewise."""
-        ...
-
-    def measured_point(self, found: Any, force: str | None, of: str = "") -> MeasuredPoint:
-        """See `Peak.measure`, `SaddleNodeOnset.measure`, `Detachment.measure`, `loads.Isolation.measure` with `of`."""
+    def measured(self, found: Any, force: str | None, of: str = "") -> Any:
+        """See `SteadyStates.measure`, those of other answers, and `loads.Isolation.measure` with `of`."""
         ...
 
 
@@ -197,6 +189,12 @@ class Moving:
     _asked: Measures | None = field(default=None, kw_only=True, repr=False)
     _moves: Moves | None = field(default=None, kw_only=True, repr=False)
 
+    def _against_motion(self, force: str | None, of: str = "") -> Any:
+        """What measuring it gives."""
+        if self._asked is None:
+            raise Refused(NOT_ASKED)
+        return self._asked.measured(self, force, of)
+
     def _moved(self: Any, of: Callable[..., Gradient], *numbers: Any) -> Gradient:
         """The gradient, without a load by a function of whose answer it is, and of its numbers."""
         found: Gradient = self._moves(self) if self._moves else of(of_model(self._model), *numbers)
@@ -215,9 +213,8 @@ class OfPoint(Moving):
     def _measured(self, force: str | None, of: str = "") -> MeasuredPoint:
         if self.load is not None:
             raise validate.NotAvailable(NOT_MEASURED)
-        if self._asked is None:
-            raise Refused(NOT_ASKED)
-        return self._asked.measured_point(self, force, of)
+        found: MeasuredPoint = self._against_motion(force, of)
+        return found
 
 
 @dataclass(frozen=True, eq=False)
@@ -409,9 +406,8 @@ class SteadyStates(Moving, WithMean, InDecibels, Table):
         and `.error` that of `u_max`. Raises ValueError where there is no such force, or where neither friction nor
         viscous damping lets a motion settle.
         """
-        if self._asked is None:
-            raise Refused(NOT_ASKED)
-        return self._asked.measured_states(self, force, self.B)
+        found: Measured = self._against_motion(force)
+        return found
 
 
 @dataclass(frozen=True, eq=False)
@@ -486,9 +482,8 @@ class SaddleNodes(Moving, WithMean, Drawn, Table):
         is raised as in `SteadyStates.measure`; under a load `.A` of the answer is the largest |u| at the fold, and
         `.error_of_A` that of |B| + A.
         """
-        if self._asked is None:
-            raise Refused(NOT_ASKED)
-        return self._asked.measured_folds(self, force, self.B)
+        found: MeasuredFolds = self._against_motion(force)
+        return found
 
 
 @dataclass(frozen=True, eq=False)

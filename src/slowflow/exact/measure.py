@@ -22,7 +22,15 @@ import numpy as np
 from slowflow.exact import response, shooting
 from slowflow.exact.work import limited
 from slowflow.mechanism import EquationOfMotion, Floats, Force
-from slowflow.results import Measured, MeasuredFolds, MeasuredPoint
+from slowflow.results import (
+    Detachment,
+    Measured,
+    MeasuredFolds,
+    MeasuredPoint,
+    SaddleNodeOnset,
+    SaddleNodes,
+    SteadyStates,
+)
 from slowflow.text import text
 from slowflow_support.errors import NotSettled
 
@@ -61,13 +69,33 @@ BORN = "an isolated curve is born there, which the exact curve through the motio
 TAKEN_FOLD = "the folds that the exact curve has beside it are nearer to other ones"
 
 
-#: averaged states at a frequency, with their means
-AtFrequency = Callable[[float], tuple[Any, Floats]]
+#: averaged states at a frequency
+AtFrequency = Callable[[float], SteadyStates]
 
 
-def states(system: EquationOfMotion, found: Any, B: Floats | None = None) -> Measured:
+def measured(oscillator: Any, found: Any, force: str | None, of: str = "") -> Measured | MeasuredFolds | MeasuredPoint:
+    """An answer of an oscillator against its equation of motion with that force; `of` its wave, where isolation is."""
+    system = oscillator.equation_of_motion(force)
+
+    def at_frequency(Omega: float) -> SteadyStates:
+        ask = oscillator.states if getattr(found, "B", None) is None else oscillator.off_centre.amplitudes
+        at: SteadyStates = ask(Omega=Omega, F_0=found.F_0)
+        return at
+
+    if of:
+        return isolation(at_frequency, system, found, of)
+    if isinstance(found, SteadyStates):
+        return states(system, found)
+    if isinstance(found, SaddleNodes):
+        return folds(at_frequency, system, found)
+    if isinstance(found, SaddleNodeOnset):
+        return onset(system, found)
+    return detachment(system, found) if isinstance(found, Detachment) else peak(at_frequency, system, found)
+
+
+def states(system: EquationOfMotion, found: SteadyStates) -> Measured:
     """The motion that each averaged state leads to. Raises ValueError for a force <= mu."""
-    means = np.zeros(found.A.size) if B is None else B
+    means = found.mean
     largest = found.A + np.abs(means)
     motions: list[shooting.SteadyState | None] = []
     reasons = [""] * found.A.size
@@ -84,7 +112,7 @@ def states(system: EquationOfMotion, found: Any, B: Floats | None = None) -> Mea
         motions.append(motion)
         if motion is None:
             reasons[i] = NO_MOTION if Omega > 0.0 else AT_REST
-    _one_each(found, largest, forcing, motions, reasons, has_mean=B is not None)
+    _one_each(found, largest, forcing, motions, reasons, has_mean=found.B is not None)
     return Measured(
         Omega=found.Omega.copy(),
         A=np.array([np.nan if motion is None else motion.A for motion in motions]),
@@ -136,9 +164,9 @@ def _one_each(
 
 
 @limited()
-def folds(at_frequency: AtFrequency, system: EquationOfMotion, found: Any, B: Floats | None = None) -> MeasuredFolds:
+def folds(at_frequency: AtFrequency, system: EquationOfMotion, found: SaddleNodes) -> MeasuredFolds:
     """The fold of the exact curve that each averaged one leads to. Raises ValueError for F_0 <= mu."""
-    largest = found.A if B is None else found.A + np.abs(B)
+    largest = found.A + np.abs(found.mean)
     averaged = list(zip(found.Omega.tolist(), largest.tolist(), strict=True))
     exact, reasons = _matched(averaged, [_folds_near(at_frequency, system, found.F_0, *one) for one in averaged])
     pairs = [(np.nan, np.nan) if fold is None else (fold.Omega, fold.A) for fold in exact]
@@ -190,15 +218,15 @@ def _folds_near(
     at_frequency: AtFrequency, system: EquationOfMotion, F_0: float, Omega: float, A: float
 ) -> Iterator[response.ResponsePoint]:
     """The folds that the exact curve meets from motions beside the averaged one, the nearest motions first."""
-    more, fewer = (at_frequency(Omega * (1 + side * ASIDE))[0].A.size for side in (1, -1))
+    more, fewer = (at_frequency(Omega * (1 + side * ASIDE)).A.size for side in (1, -1))
     for offset in BESIDE:
         for side in (1.0, -1.0) if more == fewer else (1.0,) if more > fewer else (-1.0,):
             at = Omega * (1.0 + side * offset)
-            beside, means = at_frequency(at)
-            by_distance = np.argsort(np.abs(beside.A + np.abs(means) - A) / A + ~beside.stable)
+            beside = at_frequency(at)
+            by_distance = np.argsort(np.abs(beside.A + np.abs(beside.mean) - A) / A + ~beside.stable)
             for i in by_distance[:2]:
                 guess = float(beside.A[i]), float(beside.phi[i])
-                start = shooting.near(system, at, F_0, guess, B=float(means[i]))
+                start = shooting.near(system, at, F_0, guess, B=float(beside.mean[i]))
                 if start is None:
                     continue
                 fold = response.first_fold(start, -side, (Omega / AROUND, Omega * AROUND))
@@ -216,7 +244,7 @@ def _told(reasons: list[str], what: str) -> str:
 
 
 @limited()
-def peak(at_frequency: Callable[[float], Any], system: EquationOfMotion, found: Any) -> MeasuredPoint:
+def peak(at_frequency: AtFrequency, system: EquationOfMotion, found: Any) -> MeasuredPoint:
     """The peak of the exact curve that passes beside an averaged one. Raises ValueError for F_0 <= mu."""
     if not found.Omega:
         return _nothing(found.message if found.Omega is None else AT_REST)
@@ -258,7 +286,7 @@ def detachment(system: EquationOfMotion, found: Any) -> MeasuredPoint:
 
 
 @limited()
-def isolation(at_frequency: Callable[[float], Any], system: EquationOfMotion, found: Any, of: str) -> MeasuredPoint:
+def isolation(at_frequency: AtFrequency, system: EquationOfMotion, found: Any, of: str) -> MeasuredPoint:
     """From where on the exact motions beside averaged ones transmit less, `of` their wave. Raises as `peak`."""
     if not found.Omega or not found.A:
         return _nothing(found.message if found.Omega is None else AT_REST)
@@ -277,13 +305,9 @@ def isolation(at_frequency: Callable[[float], Any], system: EquationOfMotion, fo
     def lacks(Omega: float) -> float:
         return float(1.0 - motion(Omega)[0] / ratio)
 
-    def with_means(Omega: float) -> tuple[Any, Floats]:
-        beside = at_frequency(Omega)
-        return beside, beside.mean
-
     at = found.Omega
     if found.at_fold:
-        fold = next(_folds_near(with_means, system, found.F_0, at, found.A), None)
+        fold = next(_folds_near(at_frequency, system, found.F_0, at, found.A), None)
         if fold is None:
             return _nothing(NO_FOLD)
         at = fold.Omega * (1.0 + ASIDE)
