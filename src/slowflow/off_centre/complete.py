@@ -23,6 +23,8 @@ from slowflow_support.errors import NotSettled, OutOfRange, Refused
 
 #: octaves of the amplitude that are looked at above the size of the problem
 ABOVE = 8
+#: octaves that are looked at above these for any fold, as long as none is known
+FIRST = 2
 #: parts of the range of B that are looked at first
 PARTS = 8
 #: frequencies that are looked at together
@@ -93,8 +95,7 @@ class Complete:
     def lowest(self) -> Lowest | None:
         """The fold at the onset, or None where none is. Raises ArithmeticError where that is not decided."""
         search = Search(self._steps, self._flow)
-        known = [search.descend(*at) for at in search.begin(self._steps.size, self.offset_bound)]
-        known += search.corners(self.sheets.corners(self.A_max(self._flow.m))[0])
+        known = search.corners(self.sheets.corners(self.A_max(self._flow.m))[0])
         while True:
             best = min(known, key=lambda fold: fold.F_0, default=None)
             if best is not None and not best.kind:
@@ -103,8 +104,10 @@ class Complete:
                 raise NotSettled("folds of ever lower forcing go on to ever smaller amplitudes")
             if best is not None and best.A > self.A_max(best.F_0):
                 raise NotSettled("folds of ever lower forcing go on to ever larger amplitudes")
-            F_0 = math.inf if best is None else best.F_0
-            lower = search.lower(self.sheets, self.A_max(self._flow.m if best is None else F_0), F_0)
+            # a first one may lie beyond what is looked at for small forcings
+            first = min(2.0**FIRST * self.A_max(self._flow.m), self._grown)
+            A_max, F_0 = (first, math.inf) if best is None else (self.A_max(best.F_0), best.F_0)
+            lower = search.lower(self.sheets, A_max, F_0)
             if lower is None:
                 return best
             known.append(search.descend(*lower))

@@ -36,8 +36,6 @@ MOST_BOXES, FEW = 100_000, 2000
 #: how often boxes are halved: then both sides are as narrow as doubles allow, and the same box would come back; sides
 #: that end at 0 take a halving for each power of 2 that doubles have
 MOST_ROUNDS = 2200
-#: amplitudes, by octaves, and mean displacements at which folds are looked for to begin with
-OCTAVES, SAMPLES, ACROSS = 20, 121, 96
 
 
 @dataclass(frozen=True)
@@ -65,25 +63,6 @@ class Search:
         with np.errstate(all="ignore"):
             h_A = 2 * means.s[0] / A - 2 * (means.c[1] - means.s[1] ** 2 / means.c[1])
         return self.flow.least_fold(A, -2 * means.s[0], np.where(means.c[1] > 0, h_A, np.nan))
-
-    def begin(self, size: float, offset_bound: Callable[[float], float]) -> list[tuple[float, float]]:
-        """Points of the balance with low folds: the lowest on each stretch of a coarse sample of it."""
-        amplitudes = size * 2.0 ** np.linspace(-OCTAVES / 2, OCTAVES / 2, SAMPLES)
-        across = np.linspace(-1.0, 1.0, ACROSS)
-        bound = np.array([offset_bound(float(A)) for A in amplitudes])
-        A = np.repeat(amplitudes, ACROSS)
-        B = (bound[:, np.newaxis] * across).ravel()
-        value = (self.steps.at(A, B, 0).c[0] - self.steps.load).reshape(SAMPLES, ACROSS)
-        row, column = np.nonzero(value[:, :-1] * value[:, 1:] <= 0)
-        A, low, high = amplitudes[row], bound[row] * across[column], bound[row] * across[column + 1]
-        sign = np.sign(value[row, column])
-        for _ in range(45):
-            B = 0.5 * (low + high)
-            same = sign * (self.steps.at(A, B, 0).c[0] - self.steps.load) > 0
-            low, high = np.where(same, B, low), np.where(same, high, B)
-        level = self.folds(A, 0.5 * (low + high))[0]
-        order = np.argsort(level)[:1]
-        return [(float(A[i]), float(0.5 * (low[i] + high[i]))) for i in order if np.isfinite(level[i])]
 
     def corners(self, corners: list[Corner]) -> list[Lowest]:
         """Folds that sit where the motion comes to a jump of the force, at the lowest forcing each.
