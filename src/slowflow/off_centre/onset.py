@@ -36,6 +36,8 @@ MOST_BOXES, FEW = 100_000, 2000
 #: how often boxes are halved: then both sides are as narrow as doubles allow, and the same box would come back; sides
 #: that end at 0 take a halving for each power of 2 that doubles have
 MOST_ROUNDS = 2200
+#: by how many values a root is told
+VALUES = 16
 
 
 @dataclass(frozen=True)
@@ -133,7 +135,9 @@ class Search:
 
     def _stationary(self, A: float, B: float) -> Lowest:
         """The nearest root of F_AA along the balance, or of F_Omega, beside a least level."""
-        at, kind = self._beside(A, B), ""
+        at, (level, Omega) = self._beside(A, B), self.folds(np.array([A]), np.array([B]))
+        near = 2.0**-36 * (A + abs(B))
+        beside = near * np.linspace(-1.0, 1.0, VALUES)
         for width in (1e-6, 1e-5, 1e-4, 1e-3):
             width *= A + abs(B)
             for name in ("cusp", "isola"):
@@ -141,17 +145,16 @@ class Search:
                 def vanishes(along: float, name: str = name) -> float:
                     return self._slopes(*at(along))[name]
 
-                ends = vanishes(-width), vanishes(width)
-                if not kind and ends[0] * ends[1] < 0:
-                    # as near as the point itself is known: it may be the root
-                    near = 2.0**-54 * (A + abs(B))
-                    root = at(float(brentq(vanishes, -width, width, xtol=near, rtol=1e-15)))
-                    if self._level(*root) <= self._level(A, B) * (1 + 1e-9):
-                        (A, B), kind = root, name
-            if kind:
-                break
-        level, Omega = self.folds(np.array([A]), np.array([B]))
-        return Lowest(float(level[0]), float(Omega[0]), A, B, kind)
+                if not vanishes(-width) * vanishes(width) < 0:
+                    continue
+                root = float(brentq(vanishes, -width, width, xtol=near / 16))
+                # by many values, each of which has its roundings: their line, and the mean of what is stationary
+                values = np.array([vanishes(root + one) for one in beside.tolist()])
+                root -= float(values.mean() * (beside @ beside) / (beside @ values))
+                levels = self.folds(*np.array([at(root + one) for one in beside.tolist()]).T)
+                if levels[0].mean() <= level[0] * (1 + 1e-9):
+                    return Lowest(float(levels[0].mean()), float(levels[1].mean()), *at(root), name)
+        return Lowest(float(level[0]), float(Omega[0]), A, B, "")
 
     def _slopes(self, A: float, B: float) -> dict[str, float]:
         at = np.array([A]), np.array([B])
