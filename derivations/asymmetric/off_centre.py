@@ -435,13 +435,36 @@ def steps(
     What f itself gains is its jump with the other sign: 0 for one that is continuous, not a difference of its pieces.
     By the last a motion is bounded that is large beside the breakpoints: the others cancel there.
     """
-    highest = max(sp.degree(piece, u) for piece in pieces)
-
-    def derivatives(f: sp.Expr, at: sp.Expr) -> list[sp.Expr]:
-        return [sp.horner(sp.diff(f, u, order), u).subs(u, at) for order in range(highest + 1)]
-
+    highest = _highest(pieces)
     gains = [
-        (-jump, *derivatives(above - below, b)[1:])
+        (-jump, *_derivatives(above - below, b, highest)[1:])
         for below, above, b, jump in zip(pieces, pieces[1:], breakpoints, jumps, strict=False)
     ]
-    return tuple(derivatives(pieces[0], sp.Integer(0))), *gains, tuple(derivatives(pieces[-1], sp.Integer(0)))
+    first, last = (tuple(_derivatives(piece, sp.Integer(0), highest)) for piece in (pieces[0], pieces[-1]))
+    return first, *gains, last
+
+
+def steps_by(
+    pieces: Sequence[sp.Expr], ends: Sequence[sp.Expr], parameters: Sequence[sp.Symbol]
+) -> tuple[sp.Expr, ...]:
+    """What each parameter in turn does to the derivatives of each piece at u = 0, then to their gains at each end.
+
+    u is held fixed: of an end that moves something else is made.
+    """
+    highest, found = _highest(pieces), []
+    for parameter in parameters:
+        moved = [sp.diff(piece, parameter) for piece in pieces]
+        for piece in moved:
+            found += _derivatives(piece, sp.Integer(0), highest)
+        for (below, above), end in zip(pairwise(moved), ends, strict=True):
+            found += _derivatives(above - below, end, highest)
+    return tuple(found)
+
+
+def _highest(pieces: Sequence[sp.Expr]) -> int:
+    """The highest power of u."""
+    return max(0, *(int(sp.degree(piece, u)) for piece in pieces if piece.has(u)))
+
+
+def _derivatives(f: sp.Expr, at: sp.Expr, highest: int) -> list[sp.Expr]:
+    return [sp.horner(sp.diff(f, u, order), u).subs(u, at) for order in range(highest + 1)]

@@ -54,6 +54,7 @@ SF_KERNEL void off_centre_begin(double A, double a, double root, double angle, d
 /* L_k and M_k from the two below each; span = A^2 - a^2.
    Equation the mean of (3). Domain: k >= 1.
    Operations: 20 structured, 19 common subexpressions, 19 power chains
+   Proved, error / u (1 + kappa): 14.01, -
    Measured, error / u (1 + kappa): 0.5
  */
 SF_KERNEL void off_centre_up(double k, double A, double a, double span, double L_2, double L_1, double M_2, double M_1, double *out)

@@ -1015,6 +1015,95 @@ SF_KERNEL void rod_spring_steps(const double *p, double *out)
     out[17] = 0.0;
 }
 
+/* What each parameter does to derivatives of each piece at u = 0, then to their gains at each breakpoint.
+   Equation (3). Domain: any parameters.
+   Operations: 19 structured, 16 common subexpressions, 10 power chains
+   Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+   0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.51, 0.67, 0.51, 0.0, 0.0, 0.0, 0.0, 0.0,
+   0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.67, 0.81, 0.76, 0.67, 0.51, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+   0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+ */
+SF_KERNEL void rod_spring_steps_by(const double *p, double *out)
+{
+    const double u_cr = p[3];
+    const double u_cr2 = u_cr * u_cr;
+    const double u_cr3 = u_cr * u_cr2;
+    const double u_cr4 = u_cr2 * u_cr2;
+    const double u_cr5 = u_cr * u_cr4;
+    out[0] = 0.0;
+    out[1] = 1.0;
+    out[2] = 0.0;
+    out[3] = 0.0;
+    out[4] = 0.0;
+    out[5] = 0.0;
+    out[6] = 0.0;
+    out[7] = 0.0;
+    out[8] = 0.0;
+    out[9] = 0.0;
+    out[10] = 0.0;
+    out[11] = 0.0;
+    out[12] = -u_cr;
+    out[13] = -1.0;
+    out[14] = 0.0;
+    out[15] = 0.0;
+    out[16] = 0.0;
+    out[17] = 0.0;
+    out[18] = 0.0;
+    out[19] = 0.0;
+    out[20] = 0.0;
+    out[21] = 6.0;
+    out[22] = 0.0;
+    out[23] = 0.0;
+    out[24] = 0.0;
+    out[25] = 0.0;
+    out[26] = 0.0;
+    out[27] = 0.0;
+    out[28] = 0.0;
+    out[29] = 0.0;
+    out[30] = -u_cr3;
+    out[31] = -3.0 * u_cr2;
+    out[32] = -6.0 * u_cr;
+    out[33] = -6.0;
+    out[34] = 0.0;
+    out[35] = 0.0;
+    out[36] = 0.0;
+    out[37] = 0.0;
+    out[38] = 0.0;
+    out[39] = 0.0;
+    out[40] = 0.0;
+    out[41] = 120.0;
+    out[42] = 0.0;
+    out[43] = 0.0;
+    out[44] = 0.0;
+    out[45] = 0.0;
+    out[46] = 0.0;
+    out[47] = 0.0;
+    out[48] = -u_cr5;
+    out[49] = -5.0 * u_cr4;
+    out[50] = -20.0 * u_cr3;
+    out[51] = -60.0 * u_cr2;
+    out[52] = -120.0 * u_cr;
+    out[53] = -120.0;
+    out[54] = 0.0;
+    out[55] = 0.0;
+    out[56] = 0.0;
+    out[57] = 0.0;
+    out[58] = 0.0;
+    out[59] = 0.0;
+    out[60] = 0.0;
+    out[61] = 0.0;
+    out[62] = 0.0;
+    out[63] = 0.0;
+    out[64] = 0.0;
+    out[65] = 0.0;
+    out[66] = 0.0;
+    out[67] = 0.0;
+    out[68] = 0.0;
+    out[69] = 0.0;
+    out[70] = 0.0;
+    out[71] = 0.0;
+}
+
 /* Piece 1 of the whole restoring force u + F_k(u).
    Equation (3), (6). Domain: where it holds.
    Operations: 7 structured, 6 common subexpressions, 6 power chains

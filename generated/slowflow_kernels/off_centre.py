@@ -205,7 +205,7 @@ def ended_slopes(A: Any, s_0: Any, c_x: Any, c_y: Any, X: Any, Y: Any) -> tuple[
 
     Equation the mean of (3). Domain: A > 0. Shape: 3 results, each the arguments that it depends on, broadcast.
     Operations: 11 structured, 11 common subexpressions, 11 power chains.
-    Measured, error / u (1 + kappa): 0.55
+    Proved, error / u (1 + kappa): 1.26, 1.26, 2.01
     """
     t0 = 1.0 / A
     t1 = s_0 * t0
@@ -400,6 +400,7 @@ def up(k: Any, A: Any, a: Any, span: Any, L_2: Any, L_1: Any, M_2: Any, M_1: Any
 
     Equation the mean of (3). Domain: k >= 1. Shape: 2 results, each the arguments that it depends on, broadcast.
     Operations: 20 structured, 19 common subexpressions, 19 power chains.
+    Proved, error / u (1 + kappa): 14.01, -
     Measured, error / u (1 + kappa): 0.5
     """
     t0 = 2.0 * k

@@ -138,6 +138,8 @@ class Mechanism:
                    each breakpoint; and those of the last piece, by its formula, at u = 0. None where a piece is no
                    polynomial. Of a force that is not odd: those of each piece by its formula at u = 0, and their gains
                    at each breakpoint
+    steps_by    -- of the parameters: what each in turn does to the derivatives of each piece at u = 0, and to their
+                   gains at each breakpoint, u held fixed
     curved      -- where `steps` is None, what means off the centre are summed from; None where nothing is known there
     told        -- of the parameters: in words, how a force is known that is no formula; None for one that is
     samples     -- of the parameters: the words and numbers by which the compiled solvers know a force that is no
@@ -172,6 +174,7 @@ class Mechanism:
     kinks: Function | None = None
     enclosed: tuple[Function, ...] | None = None
     steps: Function | None = None
+    steps_by: Function | None = None
     curved: Curved | None = None
     odd: bool = True
     told: Function | None = None

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from ...asymmetric.off_centre import steps
+from ...asymmetric.off_centre import steps, steps_by
 from ...extensions.second_approximation import OF_HARMONIC
 from ...forces import elliptic
 from ...forces.elliptic import evaluable, parts
@@ -548,7 +548,7 @@ def data_kernels(derived: OfMechanism) -> list[Kernel]:
         *steps_of(derived),
     ):
         kernel = plain(name, parameters, values, doc, equation, "any parameters", parameters=count)
-        kernel = replace(kernel, looped=name != "steps")
+        kernel = replace(kernel, looped=name not in ("steps", "steps_by"))
         exact = name == "breakpoints" and bool(values)
         kernels.append(replace(kernel, enclosed=exact, paired=exact))
     return kernels
@@ -556,6 +556,9 @@ def data_kernels(derived: OfMechanism) -> list[Kernel]:
 
 DOC_OF_STEPS = (
     "f and its derivatives just above 0, their gains at each breakpoint, and the last piece's by its formula at 0."
+)
+DOC_OF_STEPS_BY = (
+    "What each parameter does to derivatives of each piece at u = 0, then to their gains at each breakpoint."
 )
 
 
@@ -569,9 +572,10 @@ def steps_of(derived: OfMechanism) -> list[tuple[str, tuple[sp.Expr, ...], str, 
     """The force as a sum of steps, where its pieces are polynomials."""
     if not is_stepped(derived):
         return []
-    rows = steps(derived.whole.pieces, derived.whole.breakpoints, derived.whole.jumps)
-    values = tuple(value for row in rows for value in row)
-    return [("steps", values, DOC_OF_STEPS, "(3), (5)")]
+    whole, parameters = derived.whole, derived.oscillator.mechanism.parameters
+    rows = steps(whole.pieces, whole.breakpoints, whole.jumps)
+    values, moved = tuple(value for row in rows for value in row), steps_by(whole.pieces, whole.breakpoints, parameters)
+    return [("steps", values, DOC_OF_STEPS, "(3), (5)"), ("steps_by", moved, DOC_OF_STEPS_BY, "(3)")]
 
 
 def piece_kernels(derived: OfMechanism, module: str) -> tuple[list[Kernel], tuple[Law, ...]]:

@@ -15,7 +15,7 @@ from dataclasses import replace
 import sympy as sp
 
 from ...asymmetric.curved import of_odd
-from ...asymmetric.off_centre import steps
+from ...asymmetric.off_centre import steps, steps_by
 from ...extensions.second_approximation import OF_HARMONIC
 from ...forces.contact import Contact, y
 from ...forces.quadrature import BROKEN, DENSE, Quadrature, c, s, sums, v
@@ -24,7 +24,7 @@ from ...paper.restoring_force import ORDERS
 from ...symbols import A, u
 from ..compensated import copysign
 from ..form import AVERAGED, Branch, Enclosed, Kernel, Law, Let, Module, Record, Sums, plain
-from .mechanism import DOC_OF_STEPS, INTERCEPT
+from .mechanism import DOC_OF_STEPS, DOC_OF_STEPS_BY, INTERCEPT
 from .sided import curved_kernels
 
 #: of an odd force that is stated for u > 0
@@ -260,8 +260,15 @@ def step_kernels(mechanism: Mechanism, average: Quadrature) -> list[Kernel]:
     if not is_stepped(average):
         return []
     rows = steps(average.pieces, tuple(average.breakpoints.values()), tuple(lost[0] for lost in average.losses))
-    values, given = tuple(value for row in rows for value in row), mechanism.parameters
-    return [replace(plain("steps", given, values, DOC_OF_STEPS, "(3), (5)", ANY, parameters=len(given)), looped=False)]
+    given, ends = mechanism.parameters, tuple(average.breakpoints.values())
+    told = (
+        ("steps", tuple(value for row in rows for value in row), DOC_OF_STEPS, "(3), (5)"),
+        ("steps_by", steps_by(average.pieces, ends, given), DOC_OF_STEPS_BY, "(3)"),
+    )
+    return [
+        replace(plain(name, given, values, doc, equation, ANY, parameters=len(given)), looped=False)
+        for name, values, doc, equation in told
+    ]
 
 
 def piece_kernels(mechanism: Mechanism, average: Quadrature, module: str) -> tuple[list[Kernel], tuple[Law, ...]]:

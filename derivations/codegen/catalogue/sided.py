@@ -12,11 +12,12 @@ from dataclasses import replace
 import sympy as sp
 
 from ...asymmetric.curved import Curved
-from ...asymmetric.off_centre import ORDERS
+from ...asymmetric.off_centre import ORDERS, steps_by
 from ...asymmetric.sided import Sided
 from ...forces.quadrature import nested, v
 from ...symbols import u
 from ..form import Kernel, Law, Module, OffCentreTerms, Record, plain
+from .mechanism import DOC_OF_STEPS_BY
 
 ANY = "any parameters"
 
@@ -100,6 +101,7 @@ def data_kernels(force: Sided) -> list[Kernel]:
                     tuple(value for row in force.steps for value in row),
                     "Each piece and its derivatives by its formula at u = 0; then their gains at each breakpoint.",
                 ),
+                ("steps_by", steps_by(force.pieces, force.ends, given), DOC_OF_STEPS_BY),
             )
             if force.is_polynomial
             else ()

@@ -13,18 +13,21 @@ import numpy as np
 
 from slowflow.model import Floats
 from slowflow.off_centre.boxes import Ints, Solutions, solve
-from slowflow.off_centre.by_ends import EndedFold, EndedState
+from slowflow.off_centre.by_ends import EndedEdge, EndedFold, EndedState
 from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import Steps
 from slowflow.off_centre.onset import Lowest, Search
 from slowflow.off_centre.sheets import FARTHEST, TOO_FAR, Corner, Sheets
 from slowflow.text import text
+from slowflow_kernels import off_centre
 from slowflow_support.errors import NotSettled, OutOfRange, Refused
 
 #: octaves of the amplitude that are looked at above the size of the problem
 ABOVE = 8
 #: octaves that are looked at above these for any fold, as long as none is known
 FIRST = 2
+#: octaves of an amplitude beside the size of the problem, where what is beyond is not bounded by a polynomial
+OCTAVES = 40
 #: parts of the range of B that are looked at first
 PARTS = 8
 #: frequencies that are looked at together
@@ -91,6 +94,54 @@ class Complete:
                     kinds.append(kind)
         open_ = np.concatenate((open_, np.zeros((1, open_.shape[1]))))
         return np.array(found).reshape(-1, 3).T, kinds, open_
+
+    def detaching(self) -> Floats:
+        """A and B of all motions that reach an end of the piece about u = 0, and no end is passed, (2, n)."""
+        charts, found = self.sheets.charts, [np.empty((2, 0))]
+        for edge in (0, 1):
+            of = charts.about(edge)
+            if not of.size:
+                continue
+            high = charts.high[1 - edge, of]
+            if not np.isfinite(high).all():
+                polynomial = self._steps.curved is None
+                most = 2 * (self._highest_at(edge) if polynomial else self._highest_by_octaves(edge, of))
+                high = np.minimum(high, np.where(charts.rooted[1 - edge, of], np.sqrt(most), most))
+            edges = np.linspace(0.0, high, PARTS + 1)
+            low, high = (ends.reshape(1, -1) for ends in (edges[:-1], edges[1:]))
+            solved = solve(EndedEdge(charts, edge), low, high, np.tile(of, PARTS))
+            found.append(np.stack(charts.on_edge(edge, solved.x[0], solved.of)))
+        motions = np.concatenate(found, axis=1)
+        return motions[:, motions[0] > 0]
+
+    def _highest_at(self, edge: int) -> float:
+        """An amplitude up to which the mean may be balanced of motions that come to an end of a piece with one only.
+
+        <f(end -+ A (1 - cos psi))> is a polynomial in A, whose roots Cauchy's bound holds.
+        """
+        about, end = self._steps.gains[0], self._steps.inner[1 - edge]
+        n = np.arange(about.size)
+        factorials = np.cumprod(np.maximum(n, 1.0))
+        at_end = [float(about[k:] @ (end ** n[: n.size - k] / factorials[: n.size - k])) for k in n]
+        means = np.cumprod(np.append(1.0, off_centre.versine(n[:-1])))
+        coefficients = np.trim_zeros(np.array(at_end) * means / factorials * (1.0 if edge else -1.0) ** n, "b")
+        if coefficients.size < 2:
+            raise Refused(UNBOUNDED)
+        size = np.abs(coefficients)
+        size[0] += abs(self._steps.load)
+        return float(1.0 + size[:-1].max() / size[-1])
+
+    def _highest_by_octaves(self, edge: int, charts: Ints) -> float:
+        """The same of a piece that is no polynomial: beyond it the mean of the force is never the load."""
+        edges = self._steps.size * 2.0 ** np.arange(0, OCTAVES + 0.25, 0.5)
+        along = 2 * edges if not self.sheets.charts.rooted[1 - edge, charts[0]] else np.sqrt(2 * edges)
+        middle, half = 0.5 * (along[:-1] + along[1:])[np.newaxis], 0.5 * np.diff(along)[np.newaxis]
+        with np.errstate(all="ignore"):
+            found, _ = EndedEdge(self.sheets.charts, edge).on(middle, half, np.repeat(charts, half.size))
+        may = ~((found[0, 0] > 0) | (found[1, 0] < 0))
+        if may[-1]:
+            raise Refused(UNBOUNDED)
+        return float(edges[1:][may].max(initial=edges[0]))
 
     def lowest(self) -> Lowest | None:
         """The fold at the onset, or None where none is. Raises ArithmeticError where that is not decided."""

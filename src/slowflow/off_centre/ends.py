@@ -147,6 +147,18 @@ class Charts:
         upper, lower = self.place[:, chart]
         return 0.5 * (upper - lower + (past_x + past_y)), 0.5 * (upper + lower + (past_x - past_y))
 
+    def on_edge(self, edge: int, along: Floats, chart: Ints) -> tuple[Floats, Floats]:
+        """A and B at points of the edge x = 0 or y = 0."""
+        return self.motion(*((along, 0 * along) if edge else (0 * along, along)), chart)
+
+    def about(self, edge: int) -> Ints:
+        """Charts on whose edge motions reach the upper or the lower end of the piece about u = 0, which they are in."""
+        lower, upper = self.steps.inner
+        first, last = np.searchsorted(self._at, lower, side="right"), np.searchsorted(self._at, upper, side="left")
+        one, other = (self.lower, self.upper) if edge else (self.upper, self.lower)
+        found = (one == (first - 1 if edge else last + 1)) & (first <= other) & (other <= last)
+        return np.flatnonzero(found)
+
     def inside(self, edge: int, along: float, chart: int) -> tuple[int, float, float]:
         """The chart on the other side of the edge x = 0 or y = 0, of motions that are not past it; x and y there."""
         i, k = int(self.upper[chart]) - (edge == 0), int(self.lower[chart]) + (edge == 1)

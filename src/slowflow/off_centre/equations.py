@@ -1,7 +1,6 @@
-"""What vanishes at rest and where the springs detach, as `boxes` takes it: in go charts of a force, out come equations.
+"""What vanishes at rest, as `boxes` takes it: in go charts of a force, out come equations.
 
 Resting    f_0 = 0    in u, at A = 0
-Detaching  f_0 = 0    in A, where the motion comes to an end of the first piece
 """
 
 from __future__ import annotations
@@ -14,7 +13,7 @@ from slowflow.intervals import Interval
 from slowflow.model import Floats
 from slowflow.off_centre.boxes import Ints, interval_of
 from slowflow.off_centre.ends import Charts
-from slowflow.off_centre.means import ALL, Steps
+from slowflow.off_centre.means import ALL
 
 
 class Resting:
@@ -45,34 +44,3 @@ class Resting:
         """See `boxes.Equations`."""
         means = self.steps.at(np.zeros(of.size), x[0], 1)
         return (means.c[0] - self.steps.load)[np.newaxis], means.c[1][np.newaxis, np.newaxis]
-
-
-class Detaching:
-    """Where the motion reaches an end of the first piece: in A, system 0 the upper one, system 1 the lower one."""
-
-    def __init__(self, steps: Steps) -> None:
-        self.steps, (self.lower, self.upper) = steps.first(), steps.inner
-        self.charts = Charts(self.steps)
-
-    def offset(self, A: Floats, of: Ints) -> Floats:
-        """B there."""
-        return np.where(of == 0, self.upper - A, self.lower + A)
-
-    def limits(self, of: Ints) -> tuple[Any, Any]:
-        """See `boxes.Equations`."""
-        return 0.0, np.inf
-
-    def on(self, x: Floats, r: Floats, of: Ints) -> tuple[Floats, Floats]:
-        """See `boxes.Equations`."""
-        A, below = interval_of(x[0], r[0]), of == 0
-        end = Interval.point(np.where(below, self.upper, -self.lower))
-        far = A * 2.0 - end
-        here = self.charts.on(end.where(below, far), far.where(below, end), np.zeros_like(of))
-        slope = here.c_y.where(below, here.c_x) * 2.0
-        return (here.c_0 - self.steps.load).ends[:, np.newaxis], slope.ends[:, np.newaxis, np.newaxis]
-
-    def at(self, x: Floats, of: Ints) -> tuple[Floats, Floats]:
-        """See `boxes.Equations`."""
-        means = self.steps.at(x[0], self.offset(x[0], of), 1)
-        slope = means.s[1] - np.where(of == 0, 1.0, -1.0) * means.c[1]
-        return (means.c[0] - self.steps.load)[np.newaxis], slope[np.newaxis, np.newaxis]

@@ -27,6 +27,7 @@ from slowflow.text import Sentence, text
 from slowflow_support.errors import NotSettled
 
 NO_MEANS = Sentence("{name:s}: motions off the centre are not derived for a force {what:s}")
+NEXT_TO_REST = text("a force that may jump at {u} = 0 and does not has no gradients off the centre")
 JUMPS = text("that jumps at {u} = 0, as a preload does")
 NOT_SMOOTH = "of which a piece is no polynomial, nor known to be smooth up to its ends"
 
@@ -55,31 +56,45 @@ IN_PLAY = Sentence(
 
 
 class Steps:
-    """A force as steps: the first piece, which all of a motion is above, and at each breakpoint one on either side.
+    """A force as steps: the piece about u = 0, which all of a motion is above, and one at each end on its side.
 
-    A force that is not odd has the piece about u = 0 first, and a step at each of its own breakpoints. Of one that is
-    no polynomial the steps are what it and its slope gain at its breakpoints, and `curved` is all else.
+    Of an odd force the ends for u > 0 are stated, each of which has a step on either side. Of one that is no polynomial
+    the steps are what it and its slope gain at its ends, and `curved` is all else.
 
     Raises ValueError where a piece of the force is not smooth, or nothing is derived of it.
+
+    breakpoints -- the ends, as they are stated
+    places, sides, gains -- where steps are, outwards from u = 0, on which side, and what derivatives gain there; the
+                   first is that of all u, then come those on the right
+    pieces -- by rising u, the derivatives of each by its formula at u = 0
+    inner, about -- between which u the piece about u = 0 holds, and its number as they are stated
     """
 
     curved: Curved | None = None
     #: of a force that is no polynomial, above and below
     beyond: tuple[Beyond, Beyond] | None = None
-    #: and what each parameter does to it: to what it and its slope gain at its breakpoints, and to all else
-    by_parameter: tuple[tuple[Floats, Curved], ...] = ()
 
     def __init__(self, mechanism: Mechanism, parameters: tuple[float, ...], load: float) -> None:
-        ends = np.array([float(end) for end in mechanism.breakpoints(*parameters)])
+        self.load, self.odd = load, mechanism.odd
+        self.breakpoints = ends = np.array([float(end) for end in mechanism.breakpoints(*parameters)])
+        below, above = (-ends, ends) if self.odd else (ends[ends < 0], ends[ends >= 0])
+        self.inner = float(below.max(initial=-math.inf)), float(above.min(initial=math.inf))
+        self.about = 0 if self.odd else below.size
         if mechanism.steps is None:
-            self._state_curved(mechanism, parameters, ends, load)
-            return
-        values = np.array([float(value) for value in mechanism.steps(*parameters)])
-        if mechanism.odd:
-            self._state(ends, values.reshape(ends.size + 2, -1), load)
+            first, gains = np.zeros(2), self._state_curved(mechanism, parameters)
         else:
-            rows = values.reshape(2 * ends.size + 1, -1)
-            self._state_sided(ends, rows[: ends.size + 1], rows[ends.size + 1 :], load)
+            values = np.array([float(value) for value in mechanism.steps(*parameters)])
+            rows = values.reshape(ends.size + 2 if self.odd else 2 * ends.size + 1, -1)
+            first, gains = rows[self.about], rows[1:-1] if self.odd else rows[ends.size + 1 :]
+            self.pieces = self._both_sides(rows) if self.odd else rows[: ends.size + 1]
+        #: of an odd force the odd part of its first piece is one for all u; what else that has is a step at 0
+        right, at_0 = np.arange(self.about, ends.size), [-1] * bool(self.odd and first[::2].any())
+        left = right if self.odd else np.arange(self.about)
+        self._end_of = np.array([-1, *at_0, *right, *at_0, *left])
+        self.sides = np.array([1.0] * (1 + len(at_0) + right.size) + [-1.0] * (len(at_0) + left.size))
+        self.highest = first.size - 1
+        self.places, self.gains = self.by_step(ends), self._gained(first, gains)
+        self._of_c, self._of_s = self._weights()
 
     @property
     def length(self) -> float:
@@ -105,6 +120,11 @@ class Steps:
         ends: list[float] = np.abs(self.breakpoints).tolist()
         return max(min(1.0, SMALL * self.length), abs(self.load), *ends)
 
+    @property
+    def outer(self) -> tuple[Floats, Floats]:
+        """Beyond all ends the force on the right, and -f(-u) of that on the left: derivatives at u = 0."""
+        return self.pieces[-1], _turned(self.pieces[0])
+
     def check_balanced(self) -> None:
         """Raises ArithmeticError where the force is the load on a whole interval of u, as in a play."""
         if self.curved is not None or self.odd:
@@ -114,81 +134,72 @@ class Steps:
             if row[0] == self.load and not row[1:].any():
                 raise NotSettled(IN_PLAY.format(self.load, (low, high)))
 
+    @property
+    def of_first(self) -> Any:
+        """Which steps the piece about u = 0 has by itself."""
+        return self._end_of < 0
+
     def first(self) -> Steps:
-        """The first piece alone, as if it held everywhere."""
-        other = Steps.__new__(Steps)
-        if self.curved is not None:
-            other._state_sided(np.empty(0), np.zeros((1, 2)), np.empty((0, 2)), self.load)
-            other.curved = self.curved.first()
-        elif self.odd:
-            other._state(np.empty(0), np.stack((self._rows[0], self._rows[0])), self.load)
-        else:
-            other._state_sided(np.empty(0), self.gains[:1], np.empty((0, self.highest + 1)), self.load)
+        """The means of that piece alone, as if it held everywhere."""
+        other, own = copy.copy(self), self.of_first
+        other.places, other.sides, other.gains = self.places[own], self.sides[own], self.gains[own]
+        other._of_c, other._of_s = other._weights()
+        other.curved = None if self.curved is None else self.curved.first()
         return other
 
-    def _state(self, ends: Floats, rows: Floats, load: float) -> None:
-        """From the breakpoints and a row of derivatives for each of the steps, and for the last piece."""
-        self.load, self.odd = load, True
-        self.breakpoints = ends
-        self.highest = rows.shape[1] - 1
-        #: between which u the first piece holds, and beyond all breakpoints the force on the right and on the left
-        self.inner = (-float(ends[0]), float(ends[0])) if ends.size else (-math.inf, math.inf)
-        self.outer: tuple[Floats, ...] = (rows[-1],)
-        odd = np.arange(self.highest + 1) % 2 == 1
-        #: the odd part of the first piece is one for all u; what else it has for u > 0 is a step at 0
-        first = np.where(odd, 0.0, rows[0])
-        steps = rows[1:-1] if not first.any() else np.concatenate((first[np.newaxis], rows[1:-1]))
-        places = ends if not first.any() else np.array([0.0, *ends])
-        #: where they are, and on which side; the first is that of all u
-        self.places = np.array([0.0, *places, *places])
-        self.sides = np.array([1.0] * (places.size + 1) + [-1.0] * places.size)
-        self.gains = np.concatenate((np.where(odd, rows[0], 0.0)[np.newaxis], steps, steps))
-        self._rows = rows
-        self._of_c, self._of_s = self._weights()
-        mirrored = -((-1.0) ** np.arange(self.highest + 1))
+    def by_step(self, ends: Floats) -> Floats:
+        """What is known of each end, along the last axis, by steps as these count: outwards; 0 at u = 0."""
+        none = np.zeros((*ends.shape[:-1], 1))
+        return np.asarray(np.append(ends, none, axis=-1)[..., self._end_of] * (1.0 if self.odd else self.sides))
+
+    def _gained(self, first: Floats, gains: Floats) -> Floats:
+        """Rows of steps from that of the piece about u = 0 and those of ends, (..., orders) and (..., ends, orders)."""
+        even = np.where(np.arange(first.shape[-1]) % 2 == 0, first, 0.0) if self.odd else np.zeros_like(first)
+        rows = np.append(gains, even[..., np.newaxis, :], axis=-2)[..., self._end_of, :]
+        rows[..., 0, :] = first - even
+        # on the left it is -f(-u) that is gained
+        return rows if self.odd else np.where(self.sides[:, np.newaxis] < 0, -_turned(rows), rows)
+
+    def by_parameter(self, mechanism: Mechanism, parameters: tuple[float, ...]) -> Floats:
+        """What each parameter does to the gains of the steps, u held fixed: (parameters, steps, orders).
+
+        Raises NotAvailable where that adds a step at u = 0.
+        """
+        count, ends = len(parameters), self.breakpoints.size
+        if mechanism.steps_by is None:
+            assert mechanism.curved is not None
+            gains = np.array([float(one) for one in mechanism.curved.gained_by(*parameters)])
+            return self._gained(np.zeros((count, 2)), gains.reshape(ends, count, 2).swapaxes(0, 1))
+        rows = np.array([float(one) for one in mechanism.steps_by(*parameters)]).reshape(count, 2 * ends + 1, -1)
+        first = rows[:, self.about]
+        if self.odd and self.of_first.sum() == 1 and first[:, ::2].any():
+            raise validate.NotAvailable(NEXT_TO_REST)
+        return self._gained(first, rows[:, ends + 1 :])
+
+    def _both_sides(self, rows: Floats) -> Floats:
+        """All pieces of an odd force, from what is stated for u > 0: its first, what each end gains, its last."""
         right = [rows[0]]
-        for end, gained in zip(ends[:-1], rows[1:-2], strict=True):
+        for end, gained in zip(self.breakpoints[:-1], rows[1:-2], strict=True):
             right.append(right[-1] + _about(gained, -float(end)))
-        right = [*right, rows[-1]][: 1 + ends.size]
-        #: pieces by rising u, the derivatives of each at u = 0
-        self.pieces = np.array([*(mirrored * row for row in right[: None if first.any() else 0 : -1]), *right])
+        right = [*right, rows[-1]][: 1 + self.breakpoints.size]
         #: the odd part of the last piece, which holds everywhere but for what is bounded
-        self._last = rows[-1]
-        self._even = np.where(odd, 0.0, rows[-1])
-        self._beside = [self._bound(n) for n in range(ORDERS)]
+        self._last, self._even = rows[-1], np.where(np.arange(rows.shape[1]) % 2 == 1, 0.0, rows[-1])
+        self._beside = [self._bound(n, right) for n in range(ORDERS)]
         #: of derivatives the size of the terms that they are made of, at breakpoints too
-        most, far = np.abs(rows).max(axis=0), float(ends.max(initial=0.0))
+        most, far = np.abs(rows).max(axis=0), float(self.breakpoints.max(initial=0.0))
         sizes = [
             sum(most[j] * far ** (j - k) / math.factorial(j - k) for j in range(k, most.size)) for k in range(most.size)
         ]
         self._sizes = np.array(sizes)
+        return np.array([*map(_turned, right[: None if rows[0, ::2].any() else 0 : -1]), *right])
 
-    def _state_sided(self, ends: Floats, pieces: Floats, gains: Floats, load: float) -> None:
-        """From rows of derivatives: of each piece at u = 0, by rising u, and of what is gained at each breakpoint."""
-        self.load, self.odd = load, False
-        self.breakpoints = ends
-        self.highest = pieces.shape[1] - 1
-        #: on the left it is -f(-u) that is gained there, as of a force that is odd
-        mirrored = (-1.0) ** np.arange(self.highest + 1)
-        right, about = ends >= 0, int((ends < 0).sum())
-        self.inner = (
-            float(ends[about - 1]) if about else -math.inf,
-            float(ends[about]) if about < ends.size else math.inf,
-        )
-        self.outer = (pieces[-1], -mirrored * pieces[0])
-        self.pieces = pieces
-        self.places = np.array([0.0, *ends[right], *-ends[~right]])
-        self.sides = np.array([1.0] * (1 + int(right.sum())) + [-1.0] * about)
-        self.gains = np.concatenate((pieces[about : about + 1], gains[right], gains[~right] * mirrored))
-        self._of_c, self._of_s = self._weights()
-
-    def _state_curved(self, mechanism: Mechanism, parameters: tuple[float, ...], ends: Floats, load: float) -> None:
-        """Of a force that is no polynomial, from what it and its slope gain at its ends."""
-        stated = mechanism.curved
+    def _state_curved(self, mechanism: Mechanism, parameters: tuple[float, ...]) -> Floats:
+        """Of a force that is no polynomial all but its steps, and what it and its slope gain at its ends."""
+        stated, ends = mechanism.curved, self.breakpoints
         if stated is None:
             jumps = mechanism.odd and float(mechanism.pieces[0].force(0.0, *parameters)) != 0
             raise validate.NotAvailable(NO_MEANS.format(mechanism.name, JUMPS if jumps else NOT_SMOOTH))
-        gains = np.array([float(one) for one in stated.gained(*parameters)]).reshape(-1, 3)
+        gains = own = np.array([float(one) for one in stated.gained(*parameters)]).reshape(-1, 3)
         laws = [
             (partial(_law, one, parameters), partial(_held, other, parameters), False)
             for one, other in zip(stated.pieces, stated.held, strict=True)
@@ -197,12 +208,8 @@ class Steps:
             laws = [*((law, held, True) for law, held, _ in laws[:0:-1]), *laws]
             ends, gains = np.concatenate((-ends[::-1], ends)), np.concatenate((gains[::-1] * (1, -1, 1), gains))
         about = int((ends < 0).sum())
-        lines = _lines(ends, gains)
-        self._state_sided(ends, lines, gains[:, :2], load)
+        self.pieces = lines = _lines(ends, gains)
         parts = [Part(*law, (float(a), float(b))) for law, (a, b) in zip(laws, lines, strict=True)]
-        self.odd = mechanism.odd
-        if mechanism.odd:
-            self.breakpoints = ends[about:]
 
         def complain(number: int) -> Callable[[float], str]:
             own = number - about if mechanism.odd else number
@@ -210,28 +217,31 @@ class Steps:
 
         for number, (low, high) in enumerate(pairwise(ends.tolist()), start=1):
             check(parts[number], low, high, complain(number))
-        size = max(1.0, abs(load), *map(abs, ends))
+        size = max(1.0, abs(self.load), *map(abs, ends))
         starts = (-ends[0], ends[-1]) if ends.size else (0.0, 0.0)
         self.beyond = (
-            outwards(parts[-1], 1.0, float(starts[1]), size, load, complain(len(parts) - 1)),
-            outwards(parts[0], -1.0, float(starts[0]), size, load, complain(0)),
+            outwards(parts[-1], 1.0, float(starts[1]), size, self.load, complain(len(parts) - 1)),
+            outwards(parts[0], -1.0, float(starts[0]), size, self.load, complain(0)),
         )
         self.curved = Curved(parts, ends, gains[:, 2], (-self.beyond[1].wall, self.beyond[0].wall))
-        self._state_moved(mechanism, parameters, parts)
+        return own[:, :2]
 
-    def _state_moved(self, mechanism: Mechanism, parameters: tuple[float, ...], parts: list[Part]) -> None:
-        """What each parameter does to such a force."""
-        stated, count, known = mechanism.curved, len(parameters), self.curved
-        assert stated is not None and known is not None
-        own = known.ends.size // 2 if mechanism.odd else known.ends.size
+    def curved_by(self, mechanism: Mechanism, parameters: tuple[float, ...]) -> list[Curved | None]:
+        """What each parameter does to the force beside its steps."""
+        stated, known = mechanism.curved, self.curved
+        found: list[Curved | None] = []
+        if stated is None or known is None:
+            return [None] * len(parameters)
+        own, count = self.breakpoints.size, len(parameters)
         gained = np.array([float(one) for one in stated.gained_by(*parameters)]).reshape(own, count, 2)
         for number in range(count):
             gains, laws = gained[:, number], [partial(_law, piece[number], parameters) for piece in stated.moved]
             if mechanism.odd:
                 gains, laws = np.concatenate((gains[::-1] * (1, -1), gains)), [*laws[:0:-1], *laws]
-            lines = zip(laws, parts, _lines(known.ends, gains), strict=True)
+            lines = zip(laws, known.parts, _lines(known.ends, gains), strict=True)
             moved = [Part(law, None, part.mirrored, (float(a), float(b))) for law, part, (a, b) in lines]
-            self.by_parameter += ((gains, Curved(moved, known.ends, np.zeros(known.ends.size), known.walls)),)
+            found.append(Curved(moved, known.ends, np.zeros(known.ends.size), known.walls))
+        return found
 
     def _weights(self) -> tuple[Floats, Floats]:
         """What c_n and s_n take of L_j and M_j of each step, j from -ORDERS on: (ORDERS + 1, steps, j)."""
@@ -243,14 +253,12 @@ class Steps:
             weights[1, n] *= (self.sides**n)[:, np.newaxis]
         return weights[0], weights[1]
 
-    def _bound(self, n: int) -> float:
+    def _bound(self, n: int, right: list[Floats]) -> float:
         """A bound of the n-th derivative of what the force has beside the base up to its last breakpoint."""
-        ends, most = [0.0, *self.breakpoints], 0.0
-        for piece in range(self.breakpoints.size):
+        most = 0.0
+        for (at, end), piece in zip(pairwise([0.0, *self.breakpoints.tolist()]), right, strict=False):
             # its derivatives where the piece begins, less the base's
-            at = ends[piece]
-            values = np.array([self._derivative(j, piece, at) for j in range(n, self.highest + 1)])
-            width = ends[piece + 1] - at
+            values, width = _about(piece - (self._last - self._even), at)[n:], end - at
             grid = np.linspace(0.0, width, GRID + 1)
             powers = [grid**k / math.factorial(k) for k in range(values.size)]
             slopes = [width**k / math.factorial(k) for k in range(max(values.size - 1, 0))]
@@ -258,14 +266,6 @@ class Steps:
             on_grid = float(np.max(np.abs(values @ np.array(powers)))) if values.size else 0.0
             most = max(most, on_grid + steep * width / GRID)
         return most * (1 + 2.0**-40)
-
-    def _derivative(self, n: int, piece: int, at: float) -> float:
-        """Of the n-th derivative of a piece what it has beside the base, at u = `at` > 0."""
-        total = 0.0
-        for place, row in zip((0.0, *self.breakpoints), self._rows[: 1 + piece], strict=False):
-            total += sum(row[k] * (at - place) ** (k - n) / math.factorial(k - n) for k in range(n, row.size))
-        odd = self._last - self._even
-        return float(total - sum(odd[k] * at ** (k - n) / math.factorial(k - n) for k in range(n, odd.size)))
 
     def at(self, A: Floats, B: Floats, orders: int) -> Means:
         """At numbers A > 0 and B of one shape (n,)."""
@@ -325,6 +325,11 @@ def _law(kernel: Any, parameters: tuple[float, ...], u: Floats) -> Any:
 
 def _held(kernel: Any, parameters: tuple[float, ...], u: Elementary) -> Any:
     return kernel(Elementary.point, u, *map(Elementary.point, parameters))
+
+
+def _turned(derivatives: Floats) -> Floats:
+    """Of -f(-u), along the last axis."""
+    return np.asarray(-((-1.0) ** np.arange(derivatives.shape[-1])) * derivatives)
 
 
 def _about(derivatives: Floats, at: float) -> Floats:

@@ -13,7 +13,6 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
 from slowflow import moves
 from slowflow.gradient import Gradient
@@ -21,19 +20,14 @@ from slowflow.model import Floats, Model, at_rest
 from slowflow.off_centre.curved import Curved
 from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import ORDERS, Steps
-from slowflow.text import text
 from slowflow.validate import NotAvailable
 from slowflow_kernels import dissipation, off_centre, sensitivities, slow_flow
 from slowflow_kernels.conventions import MEETING, SAME, SYSTEMS, MovesStatus, Pinned
-
-#: of a complex step, by which what is analytic has its derivative to the last digit
-STEP = 1e-200
 
 #: answers on a corner that a jump of the force makes, which move in their own ways on either side of it
 ON_A_JUMP = (Pinned.CORNER_FOLD, Pinned.CORNER_END)
 
 NO_DESIGN = "gradients are known of an oscillator whose record says how its force moves with its design: this is none"
-NEXT_TO_REST = text("a force that may jump at {u} = 0 and does not has no gradients off the centre")
 
 
 @dataclass(frozen=True)
@@ -57,38 +51,29 @@ class Given:
         if model is None or not model.has_design or model.mechanism.by_design is None:
             raise NotAvailable(NO_DESIGN)
         steps = Steps(model.mechanism, model.parameters, load)
-        if steps.curved is None:
-            return cls(model, steps, *_by_design(model, steps), (None,) * len(model.design))
-        return cls(model, steps, *_of_curved(model, steps), tuple(curved for _, curved in steps.by_parameter))
+        of_force = model.mechanism, model.parameters
+        of_parameters, of_ends = _by_design(model)
+        gains = np.einsum("psk,pd->dsk", steps.by_parameter(*of_force), of_parameters)
+        return cls(model, steps, gains, steps.by_step(of_ends.T), tuple(steps.curved_by(*of_force)))
 
     def first(self) -> Given:
         """With the first piece alone, as if it held everywhere; its end moves as before."""
-        steps, ends = self.steps.first(), self.steps.breakpoints.size
-        kept = [0, 1, 2 + ends][: steps.places.size]
+        own = self.steps.of_first
         curved = tuple(None if one is None else one.first() for one in self.curved)
-        return Given(self.model, steps, self.gains[:, kept], self.places[:, kept], curved)
+        return Given(self.model, self.steps.first(), self.gains[:, own], self.places[:, own], curved)
 
     def end(self, A: Floats, B: Floats) -> tuple[Floats, Floats]:
         """On which side of the mean motions come to an end of the first piece, and what the design does to it.
 
         That end counts outwards: A + side B. Shapes (n,) and (numbers, n).
         """
-        model, n = self.model, len(self.model.design)
-        assert model.mechanism.by_design is not None
-        ends = np.array([float(end) for end in model.mechanism.breakpoints(*model.parameters)])
-        rows = len(model.parameters) + ends.size
-        slopes = np.array(model.mechanism.by_design(*model.design), dtype=float).reshape(rows, n)[
-            len(model.parameters) :
-        ]
-        if not ends.size:  # none comes to it
-            return np.ones_like(A), np.zeros((n, A.size))
-        if model.mechanism.odd:
-            return np.where(B > 0, 1.0, -1.0), np.tile(slopes[0][:, np.newaxis], A.size)
-        about = int((ends < 0).sum())
-        places, still = np.array([-np.inf, *ends, np.inf]), np.zeros((1, n))
-        below, above = np.concatenate((still, slopes, still))[about : about + 2, :, np.newaxis]
-        upper = np.abs(places[about + 1] - B - A) <= np.abs(B - A - places[about])
-        return np.where(upper, 1.0, -1.0), np.where(upper, above, -below)
+        steps, (_, of_ends) = self.steps, _by_design(self.model)
+        none, (lower, upper) = np.zeros((1, len(self.model.design))), steps.inner
+        below, above = np.concatenate((none, of_ends, none))[steps.about : steps.about + 2, :, np.newaxis]
+        if steps.odd:
+            return np.where(B > 0, 1.0, -1.0), above + 0.0 * A
+        is_above = np.abs(upper - B - A) <= np.abs(B - A - lower)
+        return np.where(is_above, 1.0, -1.0), np.where(is_above, above, -below)
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -103,88 +88,15 @@ class Given:
         return {"mu": model.mu, "zeta": model.zeta, **others}
 
 
-def _by_design(model: Model, steps: Steps) -> tuple[Floats, Floats]:
-    """What each number of the design does to the gains of the steps, u held fixed, and to their places."""
-    mechanism, parameters = model.mechanism, model.parameters
-    if not model.design:
-        return np.zeros((0, steps.places.size, steps.highest + 1)), np.zeros((0, steps.places.size))
+def _by_design(model: Model) -> tuple[Floats, Floats]:
+    """What each number of the design does to the force's parameters, and to the ends of its pieces; rows by these."""
+    mechanism, count = model.mechanism, len(model.parameters)
     assert mechanism.by_design is not None
     with np.errstate(divide="ignore", invalid="ignore"):  # at the end of a domain a slope may have no bound
-        slopes = np.array(mechanism.by_design(*model.design), dtype=float).reshape(-1, len(model.design))
-    of_parameters, of_ends = slopes[: len(parameters)], slopes[len(parameters) :]
-    ends = steps.breakpoints
-    # (parameters, pieces, orders): derivatives of each piece by a parameter and then by u, at u = 0
-    pieces = np.stack([_of_pieces(mechanism, parameters, k, steps) for k in range(len(parameters))])
-    orders = np.arange(steps.highest + 1)
-    beyond = pieces[:, 1:] - pieces[:, :-1]
-    jumps = np.stack([_at(beyond[:, k], end) for k, end in enumerate(ends)], axis=1) if ends.size else beyond
-    if steps.odd:
-        first = pieces[:, :1].copy()
-        even = np.where(orders % 2 == 0, first, 0.0)
-        first -= even
-        if steps.places.size > 1 + 2 * ends.size:
-            jumps, of_ends = np.concatenate((even, jumps), axis=1), np.concatenate((0 * of_ends[:1], of_ends))
-        elif np.abs(even).max(initial=0.0) > 1e-12 * np.abs(pieces).max(initial=1.0):
-            raise NotAvailable(NEXT_TO_REST)
-        both = np.concatenate((jumps, jumps), axis=1)
-        places = np.concatenate((of_ends, of_ends))
-    else:
-        about = int((ends < 0).sum())
-        first, mirrored = pieces[:, about : about + 1], (-1.0) ** orders
-        both = np.concatenate((jumps[:, about:], jumps[:, :about] * mirrored), axis=1)
-        places = np.concatenate((of_ends[about:], -of_ends[:about]))
-    gains = np.einsum("psk,pd->dsk", np.concatenate((first, both), axis=1), of_parameters)
-    return gains, np.concatenate((np.zeros((1, len(model.design))), places)).T
-
-
-def _of_curved(model: Model, steps: Steps) -> tuple[Floats, Floats]:
-    """The same of a force that is no polynomial, whose parameters are the design."""
-    n, ends = len(model.design), steps.curved.ends if steps.curved else np.empty(0)
-    if not n:
-        return np.zeros((0, steps.places.size, 2)), np.zeros((0, steps.places.size))
-    assert model.mechanism.by_design is not None
-    of_ends = np.array(model.mechanism.by_design(*model.design), dtype=float).reshape(-1, n)[n:]
-    if model.mechanism.odd:
-        of_ends = np.concatenate((-of_ends[::-1], of_ends))
-    right, still = ends >= 0, np.zeros((1, n))
-    places = np.concatenate((still, of_ends[right], -of_ends[~right])).T
-    gains = np.zeros((n, steps.places.size, 2))
-    for number, (gained, _) in enumerate(steps.by_parameter):
-        gains[number, 1:] = np.concatenate((gained[right], gained[~right] * (1, -1)))
-    return gains, places
-
-
-def _of_pieces(mechanism: Any, parameters: tuple[float, ...], k: int, steps: Steps) -> Floats:
-    """Of each piece, its derivative by a parameter: that polynomial's derivatives at u = 0, (pieces, orders)."""
-    moved: list[Any] = [np.longdouble(value) for value in parameters]
-    moved[k] = moved[k] + np.clongdouble(1j * STEP)
-    count = steps.highest + 1
-    size = 1.0 + float(np.abs(steps.breakpoints).max(initial=0.0))
-    nodes = size * np.arange(1, count + 1, dtype=np.longdouble) / count
-    factorials = np.cumprod(np.maximum(np.arange(count), 1.0))
-    rows = []
-    for law in mechanism.pieces:
-        values = np.array([np.imag(np.clongdouble(law.force(node, *moved))) / STEP for node in nodes])
-        rows.append(_polynomial(nodes, values).astype(float) * factorials)
-    return np.array(rows)
-
-
-def _polynomial(nodes: npt.NDArray[Any], values: npt.NDArray[Any]) -> npt.NDArray[Any]:
-    """Coefficients of the polynomial through these points, by Newton's divided differences."""
-    newton = values.copy()
-    for j in range(1, nodes.size):
-        newton[j:] = (newton[j:] - newton[j - 1 : -1]) / (nodes[j:] - nodes[:-j])
-    found = np.zeros_like(values)
-    for node, one in zip(nodes[::-1], newton[::-1], strict=True):
-        found[1:], found[0] = found[:-1] - node * found[1:], one - node * found[0]
-    return found
-
-
-def _at(derivatives: Floats, u: float) -> Floats:
-    """Derivatives of polynomials at u, from those at 0 along the last axis."""
-    count = derivatives.shape[-1]
-    powers = u ** np.arange(count) / np.cumprod(np.maximum(np.arange(count), 1.0))
-    return np.stack([derivatives[..., k:] @ powers[: count - k] for k in range(count)], axis=-1)
+        slopes = np.array(mechanism.by_design(*model.design), dtype=float)
+    ends = len(mechanism.breakpoints(*model.parameters))
+    slopes = slopes.reshape(count + ends, len(model.design))
+    return slopes[:count], slopes[count:]
 
 
 def gradient(

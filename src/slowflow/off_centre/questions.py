@@ -26,9 +26,9 @@ from slowflow.model import Floats, Model
 from slowflow.off_centre import answers
 from slowflow.off_centre.answers import RestPositions
 from slowflow.off_centre.boxes import Ints, Solutions, solve
-from slowflow.off_centre.complete import AT_CENTRE, PARTS, UNBOUNDED, Complete
+from slowflow.off_centre.complete import AT_CENTRE, PARTS, Complete
 from slowflow.off_centre.curve import Curves, Slow, curves, on_curve
-from slowflow.off_centre.equations import Detaching, Resting
+from slowflow.off_centre.equations import Resting
 from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import ORDERS, Means, Steps
 from slowflow.off_centre.reach import AMPLITUDE, LARGEST, Farthest, Measure, Reach, Share
@@ -48,8 +48,6 @@ from slowflow.unchanging import Unchanging
 from slowflow_kernels import dissipation, off_centre
 from slowflow_support.errors import NotSettled, OutOfRange, Refused
 
-#: octaves of an amplitude beside the size of the problem, where what is beyond is not bounded by a polynomial
-OCTAVES = 40
 #: a force that has shorter lengths is small beside what is rounded, as the size of a problem is taken to be 1 at least
 SHORTEST = 2.0**-40
 TOO_SMALL = Sentence(
@@ -213,23 +211,14 @@ class OffCentre(Unchanging):
     def _detachment(self) -> Detachment:
         if not self.breakpoints:
             return self._no_detachment(ONE_PIECE)
-        lower, upper = self._steps.inner
         if self._rests_beyond():
             return self._no_detachment(BEYOND)
-        equations = Detaching(self._steps)
-        ends = [k for k, end in enumerate((upper, lower)) if math.isfinite(end)]
-        highest = 0.5 * (upper - lower) if len(ends) == 2 else self._highest_at((upper, lower)[ends[0]], ends[0])
-        edges = np.linspace(0.0, highest, PARTS + 1)
-        low, high = (np.tile(side, len(ends))[np.newaxis] for side in (edges[:-1], edges[1:]))
-        found = solve(equations, low, high, np.repeat(ends, PARTS))
-        A = found.x[0]
-        inside = (A > 0) & (A <= highest)
-        A, B = A[inside], equations.offset(A, found.of)[inside]
+        A, B = self._complete.detaching()
         if not A.size and not self.rest().stable.any() and Remark.UNDECIDED in self.rest().remarks:
             return replace(self._no_detachment(UNKNOWN), remarks=Remark.UNDECIDED)
         if not A.size:
             return self._no_detachment(NOT_REACHED)
-        level, Omega = self._flow.least_forcing(A, -2 * equations.steps.at(A, B, 0).s[0])
+        level, Omega = self._flow.least_forcing(A, -2 * self._steps.first().at(A, B, 0).s[0])
         least = int(np.argmin(level))
         if math.isinf(Omega[least]):
             return self._no_detachment(TENDED_TO.format(level[least]))
@@ -241,37 +230,6 @@ class OffCentre(Unchanging):
         (lower, upper), at_rest = self._steps.inner, self.rest()
         steady = at_rest.u[at_rest.stable]
         return bool(steady.size and ((steady >= upper) | (steady <= lower)).all())
-
-    def _highest_at(self, end: float, of: int) -> float:
-        """An amplitude up to which the mean may be balanced of motions that come to an end of a piece with one only.
-
-        <f(end -+ A (1 - cos psi))> is a polynomial in A, whose roots Cauchy's bound holds.
-        """
-        if self._steps.curved is not None:
-            return self._highest_by_octaves(of)
-        about = self._steps.gains[0]
-        n = np.arange(about.size)
-        factorials = np.cumprod(np.maximum(n, 1.0))
-        at_end = [float(about[k:] @ (end ** n[: n.size - k] / factorials[: n.size - k])) for k in n]
-        means = np.cumprod(np.append(1.0, off_centre.versine(n[:-1])))
-        coefficients = np.trim_zeros(np.array(at_end) * means / factorials * (-1.0 if of == 0 else 1.0) ** n, "b")
-        if coefficients.size < 2:
-            raise Refused(UNBOUNDED)
-        size = np.abs(coefficients)
-        size[0] += abs(self.load)
-        return float(1.0 + size[:-1].max() / size[-1])
-
-    def _highest_by_octaves(self, of: int) -> float:
-        """The same of a piece that is no polynomial: beyond it the mean of the force is never the load."""
-        edges = self._steps.size * 2.0 ** np.arange(0, OCTAVES + 0.25, 0.5)
-        low, high = edges[:-1], edges[1:]
-        middle, half = 0.5 * (low + high)[np.newaxis], 0.5 * (high - low)[np.newaxis]
-        with np.errstate(all="ignore"):
-            found, _ = Detaching(self._steps).on(middle, half, np.full(low.size, of))
-        may = ~((found[0, 0] > 0) | (found[1, 0] < 0))
-        if may[-1]:
-            raise Refused(UNBOUNDED)
-        return float(high[may].max(initial=edges[0]))
 
     def _no_detachment(self, message: str) -> Detachment:
         return self._made(Detachment, None, None, None, message)

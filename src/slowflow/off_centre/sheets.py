@@ -136,9 +136,7 @@ class Sheets:
                 low, high = (ends[1 - edge : 2 - edge, some] for ends in (cells.low, cells.high))
                 solved = solve(EndedEdge(self.charts, edge), low, high, cells.chart[some])
                 found += [self._corner(edge, *at) for at in zip(solved.x[0].tolist(), solved.of.tolist(), strict=True)]
-                along = solved.undecided[0]
-                x, y = (0 * along, along) if edge == 0 else (along, 0 * along)
-                open_.append(np.stack(self.charts.motion(x, y, solved.undecided_of)))
+                open_.append(np.stack(self.charts.on_edge(edge, solved.undecided[0], solved.undecided_of)))
             self._corners[octave] = found, np.concatenate(open_, axis=1)
         return self._corners[octave]
 
