@@ -12,6 +12,7 @@
 
 SF_SCALAR(, inertia_force, inertia_force, X(0), X(1))
 SF_TUPLE(, inertia_force_slopes, 2, inertia_force_slopes, X(0), X(1))
+SF_SCALAR(, inertia_isolation, inertia_isolation, X(0), X(1), X(2), X(3))
 SF_SCALAR(, inertia_level, inertia_level, X(0), X(1), X(2), X(3), X(4))
 SF_SCALAR(, inertia_F, inertia_F, X(0), X(1), X(2), X(3), X(4), X(5))
 SF_SCALAR(, inertia_level_slope, inertia_level_slope, X(0), X(1), X(2), X(3), X(4))
@@ -38,6 +39,7 @@ SF_SCALAR(, inertia_share, inertia_share, X(0), X(1), X(2))
 static const sf_kernel kernels[] = {
     {"force", 2, 1, SF_ONE(inertia_force)},
     {"force_slopes", 2, 2, SF_ONE(inertia_force_slopes)},
+    {"isolation", 4, 1, SF_ONE(inertia_isolation)},
     {"level", 5, 1, SF_ONE(inertia_level)},
     {"F", 6, 1, SF_ONE(inertia_F)},
     {"level_slope", 5, 1, SF_ONE(inertia_level_slope)},

@@ -8,7 +8,8 @@
 
 #include "kernels.h"
 
-#define REGIMES_1(loop, ...) loop(_over, __VA_ARGS__) loop(_apart, __VA_ARGS__)
+#define REGIMES_1(loop, ...) loop(_inwards, __VA_ARGS__) loop(_outwards, __VA_ARGS__)
+#define REGIMES_2(loop, ...) loop(_over, __VA_ARGS__) loop(_apart, __VA_ARGS__)
 
 SF_SCALAR(, slow_flow_friction, slow_flow_friction, X(0))
 SF_SCALAR(, slow_flow_R, slow_flow_R, X(0), X(1), X(2))
@@ -23,9 +24,11 @@ SF_SCALAR(, slow_flow_backbone, slow_flow_backbone, X(0), X(1))
 SF_SCALAR(, slow_flow_limit_envelope, slow_flow_limit_envelope, X(0), X(1), X(2), X(3))
 SF_SCALAR(, slow_flow_equivalent_damping, slow_flow_equivalent_damping, X(0), X(1), X(2), X(3))
 SF_SCALAR(, slow_flow_transmissibility, slow_flow_transmissibility, X(0), X(1), X(2), X(3), X(4), X(5))
+REGIMES_1(SF_SCALAR, slow_flow_isolation, slow_flow_isolation, X(0), X(1), X(2), X(3))
+SF_CHOOSE(slow_flow_isolation, 4, h <= 0.0 ? 0 : 1, const double h = X(3))
 SF_TUPLE(, slow_flow_jacobian, 4, slow_flow_jacobian, X(0), X(1), X(2), X(3), X(4), X(5))
 SF_SCALAR(, slow_flow_mean_stiffness, slow_flow_mean_stiffness, X(0), X(1), X(2))
-REGIMES_1(SF_SCALAR, slow_flow_offset_stiffness, slow_flow_offset_stiffness, X(0), X(1), X(2), X(3))
+REGIMES_2(SF_SCALAR, slow_flow_offset_stiffness, slow_flow_offset_stiffness, X(0), X(1), X(2), X(3))
 SF_CHOOSE(slow_flow_offset_stiffness, 4, 0.5 * fabs(h_A) + 0.5 * fabs(h) / A <= fabs(8.0 * Omega * Omega + h_A + h /
     A) ? 0 : 1, const double Omega = X(0), A = X(1), h = X(2), h_A = X(3))
 SF_SCALAR(, slow_flow_stability, slow_flow_stability, X(0), X(1), X(2), X(3), X(4), X(5))
@@ -73,9 +76,10 @@ static const sf_kernel kernels[] = {
     {"limit_envelope", 4, 1, SF_ONE(slow_flow_limit_envelope)},
     {"equivalent_damping", 4, 1, SF_ONE(slow_flow_equivalent_damping)},
     {"transmissibility", 6, 1, SF_ONE(slow_flow_transmissibility)},
+    {"isolation", 4, 1, SF_SEVERAL(slow_flow_isolation, REGIMES_1(SF_NAMED, slow_flow_isolation))},
     {"jacobian", 6, 4, SF_ONE(slow_flow_jacobian)},
     {"mean_stiffness", 3, 1, SF_ONE(slow_flow_mean_stiffness)},
-    {"offset_stiffness", 4, 1, SF_SEVERAL(slow_flow_offset_stiffness, REGIMES_1(SF_NAMED, slow_flow_offset_stiffness))},
+    {"offset_stiffness", 4, 1, SF_SEVERAL(slow_flow_offset_stiffness, REGIMES_2(SF_NAMED, slow_flow_offset_stiffness))},
     {"stability", 6, 1, SF_ONE(slow_flow_stability)},
     {"response_quartic", 5, 4, SF_ONE(slow_flow_response_quartic)},
     {"fold_quartic", 5, 4, SF_ONE(slow_flow_fold_quartic)},

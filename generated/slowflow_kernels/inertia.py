@@ -85,7 +85,7 @@ def moves_from(F_0: Any, holds: Any) -> Any:
     return np.sqrt(turn)
 
 
-def isolation(A: Any, F_0: Any, reduction: Any, h: Any) -> Any:
+def isolation(A: ArrayLike, F_0: ArrayLike, reduction: ArrayLike, h: ArrayLike) -> Any:
     """Frequency of a state that transmits sqrt(1 - reduction) of what drives it, though it moves.
 
     Equation from (23). Domain: A > F_0 sqrt(reduction), 0 <= reduction < 1, h <= 0. Shape: as the arguments
@@ -502,12 +502,12 @@ def share(A: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> Any:
 
 if NATIVE is not None:
     (
-        force, force_slopes, level, F, level_slope, Omega_A, outer, terms, least, least_Omega_A, peak, isola,
-        isola_apart, fold_slopes, fold_force, fold_level, peak_share, Omega_of_share, level_rise, cusp_bend,
+        force, force_slopes, isolation, level, F, level_slope, Omega_A, outer, terms, least, least_Omega_A, peak,
+        isola, isola_apart, fold_slopes, fold_force, fold_level, peak_share, Omega_of_share, level_rise, cusp_bend,
         hessian, bound, share,
     ) = compiled(
-        (force, force_slopes, level, F, level_slope, Omega_A, outer, terms, least, least_Omega_A, peak, isola,
-         isola_apart, fold_slopes, fold_force, fold_level, peak_share, Omega_of_share, level_rise, cusp_bend,
+        (force, force_slopes, isolation, level, F, level_slope, Omega_A, outer, terms, least, least_Omega_A, peak,
+         isola, isola_apart, fold_slopes, fold_force, fold_level, peak_share, Omega_of_share, level_rise, cusp_bend,
          hessian, bound, share,),
         NATIVE.inertia(),
     )

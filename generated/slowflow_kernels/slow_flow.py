@@ -223,7 +223,7 @@ def _isolation_outwards(A, F_0, reduction, h):
     return np.sqrt(turn)
 
 
-def isolation(A: Any, F_0: Any, reduction: Any, h: Any) -> Any:
+def isolation(A: ArrayLike, F_0: ArrayLike, reduction: ArrayLike, h: ArrayLike) -> Any:
     """Frequency of a state that transmits sqrt(1 - reduction) of what drives it, though it moves.
 
     Equation from (23). Domain: A > 0, F_0 > 0, 0 <= reduction < 1. Shape: as the arguments broadcast.
@@ -834,16 +834,16 @@ def least_restoring(F_0: ArrayLike, m: ArrayLike) -> Any:
 if NATIVE is not None:
     (
         friction, R, I, F, F_A, F_AA, F_Omega, F_AOmega, phase, backbone, limit_envelope, equivalent_damping,
-        transmissibility, jacobian, mean_stiffness, offset_stiffness, stability, response_quartic, fold_quartic,
-        peak_cubic, detachment, F_OmegaOmega, level, rest, intercept, fold, fold_square, fold_moves, isola_Omega,
-        isola_level, isola, cusps, cusp_R, cusp, cusp_balance, turn, peak, peak_Omega_A, Omega_A, level_rise,
-        cusp_bend, isola_bend, isola_hessian, tail, most_restoring, least_restoring,
+        transmissibility, isolation, jacobian, mean_stiffness, offset_stiffness, stability, response_quartic,
+        fold_quartic, peak_cubic, detachment, F_OmegaOmega, level, rest, intercept, fold, fold_square, fold_moves,
+        isola_Omega, isola_level, isola, cusps, cusp_R, cusp, cusp_balance, turn, peak, peak_Omega_A, Omega_A,
+        level_rise, cusp_bend, isola_bend, isola_hessian, tail, most_restoring, least_restoring,
     ) = compiled(
         (friction, R, I, F, F_A, F_AA, F_Omega, F_AOmega, phase, backbone, limit_envelope, equivalent_damping,
-         transmissibility, jacobian, mean_stiffness, offset_stiffness, stability, response_quartic, fold_quartic,
-         peak_cubic, detachment, F_OmegaOmega, level, rest, intercept, fold, fold_square, fold_moves, isola_Omega,
-         isola_level, isola, cusps, cusp_R, cusp, cusp_balance, turn, peak, peak_Omega_A, Omega_A, level_rise,
-         cusp_bend, isola_bend, isola_hessian, tail, most_restoring, least_restoring,),
+         transmissibility, isolation, jacobian, mean_stiffness, offset_stiffness, stability, response_quartic,
+         fold_quartic, peak_cubic, detachment, F_OmegaOmega, level, rest, intercept, fold, fold_square, fold_moves,
+         isola_Omega, isola_level, isola, cusps, cusp_R, cusp, cusp_balance, turn, peak, peak_Omega_A, Omega_A,
+         level_rise, cusp_bend, isola_bend, isola_hessian, tail, most_restoring, least_restoring,),
         NATIVE.slow_flow(),
     )
     detachment = coefficients_of(detachment)

@@ -258,8 +258,6 @@ def slow_flow_kernels(flow: SlowFlow, detachment: Elimination) -> list[Kernel]:
             "Frequency of a state that transmits sqrt(1 - reduction) of what drives it, though it moves.",
             "from (23)",
             "A > 0, F_0 > 0, 0 <= reduction < 1",
-            looped=False,
-            in_c=False,
         ),
         plain(
             "held",

@@ -67,8 +67,6 @@ def inertia_module(results: Results) -> Module:
                 "from (23)",
                 "A > F_0 sqrt(reduction), 0 <= reduction < 1, h <= 0",
                 lets=of.isolation_lets,
-                looped=False,
-                in_c=False,
             ),
             of_flow(
                 "level",
