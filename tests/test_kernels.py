@@ -99,7 +99,7 @@ def test_every_c_function_has_an_oracle():
     assert {f"{module}_{kernel}" for module, kernel in KERNELS if module in MECHANISMS} <= known
     helpers = {name for name in found - known if name.startswith("angles_")}
     regimes = {name for name in found - known if name.rpartition("_passed_")[0] in known}
-    forms = "_falling", "_rising", "_apart", "_over"
+    forms = "_falling", "_rising", "_apart", "_over", "_inwards", "_outwards"
     regimes |= {name for name in found - known for form in forms if name.removesuffix(form) in known}
     # of what kernels repeat each output has a pointer of its own
     repeated = {
