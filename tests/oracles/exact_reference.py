@@ -20,9 +20,9 @@ from scipy.integrate import solve_ivp
 
 from slowflow.exact import EquationOfMotion, Force, compiled
 from slowflow.exact.cycle import Border, Cycle, Equations
-from slowflow.exact.motion import Forced, Phase, break_away, edge_ahead, signature
+from slowflow.exact.motion import Forced, Phase, edge_ahead, signature
 from slowflow_kernels import inertia, motion
-from slowflow_kernels.exact_conventions import FAR, GRAZING, MOST_PHASES, TOLERANCE, Event
+from slowflow_kernels.exact_conventions import FAR, GRAZING, MOST_PHASES, OF_TURN, TOLERANCE, Event
 
 TURN = 2 * math.pi
 MOST_CALLS = 200_000  # of one integration
@@ -148,6 +148,28 @@ class ScipyIntegrator:
         return solution
 
 
+def break_away(forced: Forced, region: int, theta: float, u: float) -> tuple[float, int]:
+    """When and in which direction a mass at rest at u moves off, at or after theta; (inf, 0) if never."""
+    holds, amplitude = forced.system.holds(region), forced.force
+    force = forced.piece(region).value(u) - forced.system.load
+    found = (math.inf, 0)
+    for slip in (1, -1) if amplitude > 0 else ():
+        cosine = motion.breakaway(amplitude, slip * holds, force)
+        if abs(cosine) < 1.0:
+            # cos theta rises through it for slip = 1 and falls for slip = -1
+            angle = -slip * math.acos(cosine)
+            at = angle + TURN * math.ceil((theta - angle) / TURN - OF_TURN)
+            found = min(found, (max(at, theta), slip))
+    return found
+
+
+def push_slopes(forced: Forced, region: int, theta: float, u: float) -> tuple[float, float, float]:
+    """Derivatives of the push by theta, u, and the amplitude of the force."""
+    slope = forced.piece(region).slope(u)
+    by_theta, by_u, by_force = motion.push_slopes(math.cos(theta), math.sin(theta), forced.force, slope)
+    return by_theta, by_u, by_force
+
+
 def after_stop(forced: Forced, slip: int, region: int, theta: float, u: float) -> int:
     """What follows a stop reached in direction `slip`: the next direction, 0 if friction holds the mass."""
     push, holds = forced.push(region, theta, u), forced.system.holds(region)
@@ -269,7 +291,7 @@ def equations(cycle: Cycle, integrator: Any, z: Any, F_0: float) -> Equations:
             of_theta[2 + i] = 1.0
             of_state[1] = 0.0
             residual[i] = push - next_slip * system.holds(region)
-            by_theta, by_u, by_force = forced.push_slopes(region, end, u)
+            by_theta, by_u, by_force = push_slopes(forced, region, end, u)
             jacobian[i] = by_theta * of_theta + by_u * of_state[0]
             jacobian[i, -1] += by_force
             # v is forgotten; where the push that breaks it away exceeds friction the acceleration jumps from 0, and
@@ -326,7 +348,7 @@ def _borders(
     edge = edge_ahead(cycle.system, slip, region)
     found = [] if abs(edge) == FAR else [Border(phase, False, slip * (edge - u), -slip * of_u)]
     if next_slip != 0 and cycle.system.holds(region) > 0:
-        by_theta, by_u, by_force = forced.push_slopes(region, theta, u)
+        by_theta, by_u, by_force = push_slopes(forced, region, theta, u)
         slope = by_theta * of_theta + by_u * of_u
         slope[-1] += by_force
         margin = next_slip * forced.push(region, theta, u) - cycle.system.holds(region)

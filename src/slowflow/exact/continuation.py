@@ -452,9 +452,8 @@ class Path:
                 if found is not None:
                     yield found
         for border in cycle.equations(z, self.F_0).borders:
-            if border.margin < 0.0:
-                put_in = cycle.with_rest if border.rest else cycle.with_excursion
-                found = put_in(z, self.F_0, border.phase)
+            if border.margin < 0.0 and not border.rest:
+                found = cycle.with_excursion(z, self.F_0, border.phase)
                 if found is not None:
                     yield found
         found = self._as_followed(trial)

@@ -25,7 +25,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slowflow.exact import compiled
-from slowflow.exact.motion import Forced, Phase, break_away, edge_ahead, follow, signature
+from slowflow.exact.motion import Forced, Phase, edge_ahead, follow, signature
 from slowflow.mechanism import EquationOfMotion
 from slowflow.text import text
 from slowflow_kernels import motion
@@ -173,22 +173,17 @@ class Cycle:
             theta, u = theta + math.pi * self.half_turns, -u
         return replace(self, signature=tuple(phases)), np.array([u, theta, *spans, z[-1]])
 
-    def with_rest(self, z: Array, F_0: float, phase: int) -> tuple[Cycle, Array] | None:
-        """The cycle with a rest put in at the end of a phase, and trial unknowns; None if friction cannot hold it."""
-        forced = Forced(self.system, float(z[-1]), F_0)
-        _, region = self.signature[phase]
-        theta, u = self._end(z, F_0, phase)
-        until, following = break_away(forced, region, theta, u)
-        if following == 0 or until - theta > 0.5:
-            return None
-        return self._with(z, phase, [(0, region)], [until - theta], [], [])
-
     def with_excursion(self, z: Array, F_0: float, phase: int) -> tuple[Cycle, Array] | None:
-        """The cycle with a way beyond the breakpoint and back put in at the end of a phase, and trial unknowns."""
+        """The cycle with a way beyond the breakpoint and back put in where a phase turns, and trial unknowns.
+
+        None where the mass would be pushed on there, or rests.
+        """
         forced = Forced(self.system, float(z[-1]), F_0)
-        slip, region = self.signature[phase]
-        if self.signature[(phase + 1) % len(self.signature)][0] == 0:
-            return self._with_rest_beyond(z, F_0, phase)
+        phases, spans = list(self.signature), z[2:-1].tolist()
+        slip, region = phases[phase]
+        after = (phase + 1) % len(phases)
+        if phases[after][0] == 0:
+            return None
         theta, u = self._end(z, F_0, phase)
         beyond = max(slip * (u - edge_ahead(self.system, slip, region)), 0.0)
         # constant deceleration on the way out, constant acceleration on the way back
@@ -197,38 +192,14 @@ class Cycle:
         if min(pulls) <= 0.0:
             return None
         out, back = (float(motion.out(beyond, pull)) * forced.Omega for pull in pulls)
-        return self._with(z, phase, [(slip, other)], [out], [(-slip, other)], [back])
-
-    def _with_rest_beyond(self, z: Array, F_0: float, phase: int) -> tuple[Cycle, Array] | None:
-        """The same where the mass rests beyond the breakpoint before it comes back."""
-        forced = Forced(self.system, float(z[-1]), F_0)
-        signature, spans = list(self.signature), [float(span) for span in z[2:-1]]
-        slip, region = signature[phase]
-        rest, last = phase + 1, phase + 2 == len(signature)
-        if (self.sign * signature[0][0] if last else signature[rest + 1][0]) != -slip:
-            return None
-        theta, u = self._end(z, F_0, phase)
-        beyond = max(slip * (u - edge_ahead(self.system, slip, region)), 0.0)
-        other = self.system.force.beyond(slip, region)
-        pull = -slip * forced.acceleration(slip, other, theta, u, 0.0)
-        # the push grows steadily from the moment of breaking away
-        growth = forced.Omega * abs(forced.push_slopes(region, theta + spans[rest], u)[0])
-        if min(pull, growth) <= 0.0:
-            return None
-        out, back = (float(time) * forced.Omega for time in (motion.out(beyond, pull), motion.back(beyond, growth)))
         spans[phase] -= out
-        spans[0 if last else rest + 1] -= back
-        signature[rest] = (0, other)
-        if last:
-            signature.insert(0, (-self.sign * slip, self.sign * other))
-            spans.insert(0, back)
-            phase += 1
+        spans[after] -= back
+        if after == 0:  # the cycle begins on the way back
+            phases = [(-self.sign * slip, self.sign * other), *phases, (slip, other)]
+            spans = [back, *spans, out]
         else:
-            signature.insert(rest + 1, (-slip, other))
-            spans.insert(rest + 1, back)
-        signature.insert(phase + 1, (slip, other))
-        spans.insert(phase + 1, out)
-        return replace(self, signature=tuple(signature)), np.array([z[0], z[1], *spans, z[-1]])
+            phases[after:after], spans[after:after] = [(slip, other), (-slip, other)], [out, back]
+        return replace(self, signature=tuple(phases)), np.array([z[0], z[1], *spans, z[-1]])
 
     def _end(self, z: Array, F_0: float, phase: int) -> tuple[float, float]:
         """theta and u at the end of a phase, integrated over the spans."""
@@ -244,28 +215,6 @@ class Cycle:
                 u, v, _ = compiled.advance(self.system, region, forced.drive(slip, region), theta, u, v, end)
             theta = end
             yield theta, u
-
-    def _with(
-        self,
-        z: Array,
-        phase: int,
-        before: list[tuple[int, int]],
-        before_spans: list[float],
-        after: list[tuple[int, int]],
-        after_spans: list[float],
-    ) -> tuple[Cycle, Array]:
-        """Phases put in before and after the switch at the end of `phase`; their spans come from the neighbours."""
-        signature, spans = list(self.signature), [float(span) for span in z[2:-1]]
-        last = phase == len(signature) - 1
-        spans[phase] -= sum(before_spans)
-        spans[0 if last else phase + 1] -= sum(after_spans)
-        if last:
-            after = [(self.sign * slip, self.sign * region) for slip, region in after]
-            signature, spans = after + signature + before, after_spans + spans + before_spans
-        else:
-            at = phase + 1
-            signature[at:at], spans[at:at] = before + after, before_spans + after_spans
-        return replace(self, signature=tuple(signature)), np.array([z[0], z[1], *spans, z[-1]])
 
     def phases(self, z: Array, F_0: float) -> list[Phase]:
         """The motion that really starts at z's (theta_0, u_0), one phase beyond what the signature lists."""

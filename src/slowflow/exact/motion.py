@@ -21,7 +21,7 @@ from slowflow.exact.compiled import Drive
 from slowflow.mechanism import EquationOfMotion, Piece
 from slowflow.text import Sentence
 from slowflow_kernels import motion
-from slowflow_kernels.exact_conventions import FAR, MOST_PHASES, OF_TURN, Outcome
+from slowflow_kernels.exact_conventions import FAR, MOST_PHASES, Outcome
 from slowflow_support.errors import NotSettled
 
 TURN = 2.0 * math.pi
@@ -96,13 +96,6 @@ class Forced(NamedTuple):
         """The force less f(u): what friction has to hold at rest."""
         return float(motion.push(math.cos(theta), self.force, self.piece(region).value(u) - self.system.load))
 
-    def push_slopes(self, region: int, theta: float, u: float) -> tuple[float, float, float]:
-        """Derivatives of the push by theta, u, and the amplitude of the force."""
-        by_theta, by_u, by_force = motion.push_slopes(
-            math.cos(theta), math.sin(theta), self.force, self.piece(region).slope(u)
-        )
-        return by_theta, by_u, by_force
-
     def acceleration(self, slip: int, region: int, theta: float, u: float, v: float) -> float:
         """u'' in a slip phase."""
         drive = self.drive(slip, region)
@@ -114,21 +107,6 @@ def edge_ahead(system: EquationOfMotion, slip: int, region: int) -> float:
     """The breakpoint towards which a mass in that region slips, with its sign; slip * FAR if there is none."""
     edge = system.force.edge_ahead(slip, region)
     return slip * FAR if edge is None else edge
-
-
-def break_away(forced: Forced, region: int, theta: float, u: float) -> tuple[float, int]:
-    """When and in which direction a mass at rest at u moves off, at or after theta; (inf, 0) if never."""
-    holds, amplitude = forced.system.holds(region), forced.force
-    force = forced.piece(region).value(u) - forced.system.load
-    found = (math.inf, 0)
-    for slip in (1, -1) if amplitude > 0 else ():
-        cosine = motion.breakaway(amplitude, slip * holds, force)
-        if abs(cosine) < 1.0:
-            # cos theta rises through it for slip = 1 and falls for slip = -1
-            angle = -slip * math.acos(cosine)
-            at = angle + TURN * math.ceil((theta - angle) / TURN - OF_TURN)
-            found = min(found, (max(at, theta), slip))
-    return found
 
 
 def follow(
