@@ -23,13 +23,12 @@ from benchmarks import document, environment, footprint
 from examples.paper.smoothed import direct_integration
 from slowflow import example
 from slowflow.exact import EquationOfMotion, Response, compiled, exact_response, linear, steady_state, sweep
-from slowflow.exact.compiled import Drive
 from slowflow.exact.motion import TURN, Forced, follow
 from slowflow.example import TABLE_1
 from slowflow_kernels import den_hartog
 from tests.oracles import exact_linear, exact_reference
 from tests.oracles.exact_cases import isolator, table_1
-from tests.oracles.exact_reference import ScipyIntegrator, again
+from tests.oracles.exact_reference import ScipyIntegrator, again, drive_of
 from tests.oracles.exact_scipy import half_turn
 
 FORCINGS = (0.025, 0.03, 0.0301, 0.04, 0.05)
@@ -95,13 +94,14 @@ def jobs() -> list[Job]:
     system = table_1(True)
     free, stops = EquationOfMotion(system.force, 0.0, system.zeta), EquationOfMotion(linear(), 0.2, 0.0)
     near = steady_state(system, steady_state(system, Omega=0.9, F_0=0.04), Omega=0.901, F_0=0.04)
-    drive = Drive(0.9, 0.04, 0.02, -0.012)
+    forced = Forced(system, 0.9, 0.04)
+    drive = drive_of(forced, -1, 0)
     frequencies = np.concatenate((np.linspace(0.5, 1.5, 300), np.linspace(1.5, 0.5, 300)))
     return [
         Job(
             "half a turn of one piece with derivatives",
             *(None, 101),
-            lambda: compiled.advance(system, 0, drive, 0.3, -0.25, 0.0, 3.4),
+            lambda: compiled.advance(forced, -1, 0, 0.3, -0.25, 0.0, 3.4),
             lambda i: i.advance(system.force.pieces[0], drive, 0.3, -0.25, 0.0, 3.4),
         ),
         Job(

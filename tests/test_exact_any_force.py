@@ -19,11 +19,10 @@ from derivations.symbols import u
 from slowflow import derive, include
 from slowflow.backend import EXACT
 from slowflow.exact import EquationOfMotion, exact_response, steady_state
-from slowflow.exact.compiled import Drive
 from slowflow.mechanism import Force, Law, Piece
 from slowflow_kernels.exact_conventions import Event
 from tests.native import headers
-from tests.oracles.exact_reference import Compiled, ScipyIntegrator, again
+from tests.oracles.exact_reference import Compiled, Drive, ScipyIntegrator, again
 from tests.test_taylor import CONSTANTS, a, b, fake_module, slope_of
 from tests.test_taylor import FORCES as EVERY
 

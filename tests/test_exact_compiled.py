@@ -12,7 +12,7 @@ import pytest
 from slowflow import Duffing, Isolator
 from slowflow.backend import EXACT
 from slowflow.exact import EquationOfMotion, exact_response, linear, steady_state, sweep
-from slowflow.exact.compiled import Drive, recurrences
+from slowflow.exact.compiled import recurrences
 from slowflow.exact.continuation import Path
 from slowflow.exact.motion import Forced, follow
 from slowflow.exact.shooting import lengths, settle
@@ -20,7 +20,7 @@ from slowflow.mechanism import Force
 from slowflow_kernels import rod_spring
 from slowflow_kernels.exact_conventions import Event
 from tests.oracles.exact_cases import random_cases, random_motions
-from tests.oracles.exact_reference import Compiled, ScipyIntegrator, again
+from tests.oracles.exact_reference import Compiled, Drive, ScipyIntegrator, again
 
 OURS = Compiled()
 
@@ -349,9 +349,9 @@ def test_c_refuses_what_does_not_fit():
         EXACT.system((number,), ((1.0, "0"),), (), 0, True, *damping)
     system = EXACT.system((number,), ((1.0, 0.0),), (), 0, True, *damping)
     with pytest.raises(ValueError, match="room for too few"):
-        EXACT.advance(system, 0, (1.0, 1.0, 0.1, 0.0, 0.0, 0.0), 0.0, 0.0, 0.0, 1.0, 100, np.empty(7))
+        EXACT.advance(system, 1.0, 1.0, 1, 0, 0.0, 0.0, 0.0, 1.0, 100, np.empty(7))
     with pytest.raises(ValueError, match="no piece of a force is number 1"):
-        EXACT.advance(system, 1, (1.0, 1.0, 0.1, 0.0, 0.0, 0.0), 0.0, 0.0, 0.0, 1.0, 100, np.empty(8))
+        EXACT.advance(system, 1.0, 1.0, 1, 1, 0.0, 0.0, 0.0, 1.0, 100, np.empty(8))
     for rows in (np.empty(0), np.zeros(134), np.ones(133)):
         with pytest.raises(ValueError, match="no polynomials of a force"):
             EXACT.polynomials(rows, rows)

@@ -25,7 +25,6 @@ from slowflow.exact import (
     sweep,
     transient,
 )
-from slowflow.exact.compiled import Drive
 from slowflow.exact.motion import Forced, follow
 from slowflow.example import TABLE_1
 from slowflow_kernels import den_hartog
@@ -223,9 +222,7 @@ def test_multipliers_against_finite_differences(states):
         forced = Forced(case.system, case.Omega, case.F_0)
         phase = max(state.phases, key=lambda p: (p.slip != 0) * (p.end - p.theta))
         theta = 0.5 * (phase.theta + phase.end)
-        drive = forced.drive(phase.slip, phase.region)
-        way = phase.theta, phase.u, phase.v, np.array([theta])
-        u, v = compiled.sample(case.system, phase.region, drive, *way)[0]
+        u, v, _ = compiled.sample(forced, phase, np.array([theta]))[0]
         end = theta + state.period * case.Omega
         columns = []
         size = 1e-6
@@ -357,7 +354,7 @@ def test_a_shock_or_a_release_that_escapes_is_told_with_its_time():
 
 def test_ever_faster_motion_is_given_up():
     """A trial may end where the mass swings a million times a turn: an error, not a wait."""
-    stiff, drive = Duffing(1.0, 1e12).restoring_force().pieces[0], Drive(0.5, 0.1, 0.02, 0.0)
+    stiff, drive = Duffing(1.0, 1e12).restoring_force().pieces[0], exact_reference.Drive(0.5, 0.1, 0.02, 0.0)
     with pytest.raises(ArithmeticError, match="the integration from theta = 0"):
         exact_reference.Compiled().advance(stiff, drive, 0.0, 1.0, 0.0, 3.0)
 

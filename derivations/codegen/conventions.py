@@ -427,6 +427,12 @@ CONVENTIONS = (
                 sp.Rational(1, 10**9),
                 "speed over distance at which a mass that creeps back is at rest, or both over A",
             ),
+            Number(
+                "BALANCED",
+                sp.Rational(1, 2**50),
+                "of load and shock, by which a mass at rest may be off balance",
+            ),
+            Number("BACK", sp.Rational(1, 2**47), "of these, by which it begins behind its place of rest then"),
             Number("POINTS", 17, "along a phase at which its acceleration is looked at"),
             Number("ROUNDS", 3, "of twice as many about the largest of these"),
             Number("NEAR", sp.Rational(19, 20), "of the largest, from which on a phase may have the largest of all"),
@@ -444,6 +450,6 @@ C_ALONE = frozenset(
         "FAR_RAISE FAR_RAISES FINE_RUNGS FIRST_F_0 HARDLY LAST_STEP MAY_MEET MOST_CELLS NARROW NEARING NEAR_BOUND "
         "NEAR_END NEAR_ENDLESS NEAR_ROOT NO_WIDTH POLISHED POLISHING RAISE RAISES RUNGS SIMPLE SLOW SOFT STEEP TENDS "
         "TOLD_APART ANGLE CONTACT_SUMS DENSE HALVED LARGEST_SUM HARMONICS LONGEST MATCHING MOVED SETTLED SMALL "
-        "VANISHED WEIGHT DONE"
+        "VANISHED WEIGHT DONE CREEPS NEAR OF_TURN POINTS BALANCED ROUNDS"
     ).split()
 )

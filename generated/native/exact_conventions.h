@@ -60,6 +60,10 @@ typedef enum {
 #define SF_MOST_DEGREE 64
 /* speed over distance at which a mass that creeps back is at rest, or both over A */
 #define SF_CREEPS 1.0000000000000001e-09
+/* of load and shock, by which a mass at rest may be off balance */
+#define SF_BALANCED 8.8817841970012523e-16
+/* of these, by which it begins behind its place of rest then */
+#define SF_BACK 7.1054273576010019e-15
 /* along a phase at which its acceleration is looked at */
 #define SF_POINTS 17
 /* of twice as many about the largest of these */

@@ -76,19 +76,11 @@ MOST_NEWTON = 12
 ALONG = 8
 # phase beyond a cycle's end in which its last switch is counted
 OVER_END = 9.9999999999999995e-07
-# share of a turn by which rounding may miss its end
-OF_TURN = 1e-14
 # after a shock, after which it is given up to see the mass turn twice
 MOST_TURNS = 3000
 # of a polynomial by which motions are followed where values tell a force, at most
 MOST_DEGREE = 64
-# speed over distance at which a mass that creeps back is at rest, or both over A
-CREEPS = 1.0000000000000001e-09
-# along a phase at which its acceleration is looked at
-POINTS = 17
-# of twice as many about the largest of these
-ROUNDS = 3
-# of the largest, from which on a phase may have the largest of all
-NEAR = 0.94999999999999996
+# of these, by which it begins behind its place of rest then
+BACK = 7.1054273576010019e-15
 # of a peak, from which on one is as high: the first of them is told
 SAME = 0.99999999999900002

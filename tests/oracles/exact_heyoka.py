@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slowflow.exact.compiled import Array, Drive
+from slowflow.exact.compiled import Array
 from slowflow.mechanism import Law, Piece
 from slowflow_kernels.exact_conventions import FAR, Event
 
@@ -108,7 +108,7 @@ class HeyokaIntegrator(threading.local):
         )
 
     @staticmethod
-    def _set(integrator: Any, piece: Piece, drive: Drive, slip: float, edge: float, theta: float) -> None:
+    def _set(integrator: Any, piece: Piece, drive: Any, slip: float, edge: float, theta: float) -> None:
         # an integrator has as many parameters as its expressions mention
         integrator.pars[:] = (*drive[:5], slip, edge, *piece.constants)[: len(integrator.pars)]
         integrator.time = theta
@@ -123,7 +123,7 @@ class HeyokaIntegrator(threading.local):
                 return outcome
 
     def advance(
-        self, piece: Piece, drive: Drive, theta: float, u: float, v: float, end: float
+        self, piece: Piece, drive: Any, theta: float, u: float, v: float, end: float
     ) -> tuple[float, float, Array]:
         """As of `exact_reference.Compiled`."""
         integrator = self._for(piece).variations
@@ -135,7 +135,7 @@ class HeyokaIntegrator(threading.local):
         return float(state[0]), float(state[1]), state[2:].reshape(2, 4).copy()
 
     def until(
-        self, piece: Piece, drive: Drive, slip: int, edge: float, theta: float, u: float, v: float, end: float
+        self, piece: Piece, drive: Any, slip: int, edge: float, theta: float, u: float, v: float, end: float
     ) -> tuple[float, float, float, int]:
         """As of `exact_reference.Compiled`."""
         integrator = self._for(piece).events

@@ -13,7 +13,7 @@ from __future__ import annotations
 import functools
 import math
 from types import SimpleNamespace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from scipy.integrate import solve_ivp
@@ -22,11 +22,34 @@ from slowflow.exact import EquationOfMotion, Force, compiled
 from slowflow.exact.cycle import Border, Cycle, Equations
 from slowflow.exact.motion import Forced, Phase, edge_ahead, signature
 from slowflow_kernels import inertia, motion
-from slowflow_kernels.exact_conventions import FAR, GRAZING, MOST_PHASES, OF_TURN, TOLERANCE, Event
+from slowflow_kernels.exact_conventions import FAR, GRAZING, MOST_PHASES, TOLERANCE, Event
 
 TURN = 2 * math.pi
 MOST_CALLS = 200_000  # of one integration
+OF_TURN = 1e-14  # share of a turn by which rounding may miss its end
 NUDGES = (1e-3, 1e-4, 1e-5, 1e-6)  # angles over which a start at rest moves off before stops are looked for
+
+
+class Drive(NamedTuple):
+    """The constants of a slip phase; friction and quadratic are mu and c_2 times the sign of the velocity.
+
+    Of friction a static load is taken off. Structural damping is part of zeta, and has it go with Omega.
+    """
+
+    Omega: float
+    F_0: float
+    zeta: float
+    friction: float
+    quadratic: float = 0.0
+    zeta_by_Omega: float = 0.0
+
+
+def drive_of(forced: Forced, slip: int, region: int) -> Drive:
+    """Those in a region."""
+    system = forced.system
+    zeta, by_Omega = system.damping(forced.Omega)
+    friction = slip * system.friction(region) - system.load
+    return Drive(forced.Omega, forced.force, zeta, friction, slip * system.c_2, by_Omega)
 
 
 def resistance(drive: Any, v: Any) -> Any:
@@ -36,6 +59,13 @@ def resistance(drive: Any, v: Any) -> Any:
     return motion.resistance(v, drive.zeta, drive.friction, drive.quadratic)
 
 
+def accelerated(forced: Forced, slip: int, region: int, theta: float, u: float, v: float) -> float:
+    """u'' in a slip phase."""
+    drive = drive_of(forced, slip, region)
+    resists, spring = resistance(drive, v)[0], forced.piece(region).value(u)
+    return float(motion.acceleration(math.cos(theta), v, drive.F_0, drive.zeta, resists, spring))
+
+
 class Compiled:
     """The compiled integrator on one piece by itself."""
 
@@ -43,21 +73,33 @@ class Compiled:
 
     def advance(self, piece: Any, drive: Any, *way: float) -> Any:
         """State (u, v) at the end, also before the start, and its derivatives by (u, v, Omega, F_0): shape (2, 4)."""
-        return compiled.advance(alone(piece), 0, drive, *way)
+        return compiled.advance(alone(piece, drive), slip_of(drive), 0, *way)
 
     def until(self, piece: Any, drive: Any, slip: int, edge: float, *way: float) -> Any:
         """First stop (slip v falls through 0), arrival at u = edge, or the end: (theta, u, v, `Event`)."""
-        asked = compiled.of_system(alone(piece)), 0, drive, slip, edge, *way
-        outcome, _, at, u, v, event, _ = compiled.EXACT.until(*asked, MOST_CALLS)
+        *state, end = way
+        forced = alone(piece, drive, edge)
+        at = forced.system.force.region_of(state[1])
+        outcome, phases = compiled.follow(*forced, tuple(state), end, (slip, at))
+        first = Phase(*next(phases))
         if outcome:
-            raise ArithmeticError(f"the integration from theta = {way[0]} failed at theta = {at}")
-        return at, u, v, event
+            raise ArithmeticError(f"the integration from theta = {way[0]} failed at theta = {first.end}")
+        return first.end, first.u_end, first.v_end, first.event
+
+
+def slip_of(drive: Drive) -> int:
+    """The direction in which that resists; friction is taken for a load."""
+    return -1 if drive.quadratic < 0 else 1
 
 
 @functools.cache
-def alone(piece: Any) -> EquationOfMotion:
-    """An oscillator of that piece alone: what damps it a drive has."""
-    return EquationOfMotion(Force((piece,), ()), 0.0, 0.0)
+def alone(piece: Any, drive: Drive, edge: float = FAR) -> Forced:
+    """That piece alone, on both sides of an edge, under what a drive has."""
+    force = Force((piece,), ()) if abs(edge) >= FAR else Force((piece, piece), (edge,), odd=False)
+    eta = -2.0 * drive.Omega**2 * drive.zeta_by_Omega
+    zeta = drive.zeta - eta / (2.0 * drive.Omega)
+    system = EquationOfMotion(force, 0.0, zeta, load=-drive.friction, c_2=abs(drive.quadratic), eta=eta)
+    return Forced(system, drive.Omega, drive.F_0)
 
 
 class ScipyIntegrator:
@@ -205,7 +247,7 @@ def follow(
         if slip * (u - edge) >= 0.0:  # turned round within rounding of a breakpoint
             region += slip
             continue
-        piece, drive = forced.piece(region), forced.drive(slip, region)
+        piece, drive = forced.piece(region), drive_of(forced, slip, region)
         from_theta, from_u, from_v = theta, u, v
         if v == 0.0:
             moved = _move_off(integrator, piece, drive, slip, edge, theta, u, end)
@@ -225,7 +267,7 @@ def follow(
         elif event == Event.EDGE:
             u = edge
             beyond = system.force.beyond(slip, region)
-            if abs(v) < GRAZING and slip * forced.acceleration(slip, beyond, theta, u, v) < 0.0:
+            if abs(v) < GRAZING and slip * accelerated(forced, slip, beyond, theta, u, v) < 0.0:
                 v, event = 0.0, Event.STOP
         phases.append(Phase(slip, region, from_theta, from_u, from_v, theta, u, v, event))
         if event == Event.STOP and u == 0.0 and system.force.jump != 0.0:
@@ -296,17 +338,17 @@ def equations(cycle: Cycle, integrator: Any, z: Any, F_0: float) -> Equations:
             jacobian[i, -1] += by_force
             # v is forgotten; where the push that breaks it away exceeds friction the acceleration jumps from 0, and
             # u tells when
-            jump = forced.acceleration(next_slip, region, end, u, 0.0) if system.mu_s > system.mu else 0.0
+            jump = accelerated(forced, next_slip, region, end, u, 0.0) if system.mu_s > system.mu else 0.0
             monodromy[1] = motion.released(jump, Omega, by_theta, by_u) * monodromy[0]
             v, theta = 0.0, end
             continue
-        piece, drive = forced.piece(region), forced.drive(slip, region)
-        rate = np.array([v, forced.acceleration(slip, region, theta, u, v)]) / Omega
+        piece, drive = forced.piece(region), drive_of(forced, slip, region)
+        rate = np.array([v, accelerated(forced, slip, region, theta, u, v)]) / Omega
         u, v, flow = integrator.advance(piece, drive, theta, u, v, end)
         of_state -= np.outer(rate, of_theta)
         of_state = flow[:, :2] @ of_state
         of_theta[2 + i] = 1.0
-        acceleration = forced.acceleration(slip, region, end, u, v)
+        acceleration = accelerated(forced, slip, region, end, u, v)
         of_state += np.outer((v / Omega, acceleration / Omega), of_theta)
         of_state[:, -2:] += flow[:, 2:]
         monodromy = flow[:, :2] @ monodromy
@@ -318,7 +360,7 @@ def equations(cycle: Cycle, integrator: Any, z: Any, F_0: float) -> Equations:
             residual[i] = u - edge
             jacobian[i] = of_state[0]
             if v != 0.0:
-                after = forced.acceleration(slip, next_region, end, u, v)
+                after = accelerated(forced, slip, next_region, end, u, v)
                 monodromy[1] += motion.across(acceleration, after, v) * monodromy[0]
         else:
             residual[i] = v
@@ -326,7 +368,7 @@ def equations(cycle: Cycle, integrator: Any, z: Any, F_0: float) -> Equations:
             if next_slip == 0:
                 monodromy[1] = 0.0
             elif acceleration != 0.0:
-                monodromy[1] *= motion.turned(acceleration, forced.acceleration(next_slip, region, end, u, v))
+                monodromy[1] *= motion.turned(acceleration, accelerated(forced, next_slip, region, end, u, v))
             borders += _borders(cycle, forced, i, next_slip, end, u, of_state[0], of_theta)
     residual[k] = u - cycle.sign * float(z[0])
     jacobian[k] = of_state[0]

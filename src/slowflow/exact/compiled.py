@@ -18,7 +18,7 @@ import sys
 from array import array
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -27,35 +27,15 @@ from slowflow import backend
 from slowflow.exact.work import MOST_STEPS, MOST_WORK, spend, steps_left
 from slowflow.mechanism import EquationOfMotion, Law, Piece
 from slowflow.sampled import rows
-from slowflow_kernels import motion
 from slowflow_kernels.exact_conventions import FAR
 from slowflow_support.errors import NotSettled
 
 EXACT = backend.EXACT
 Array = npt.NDArray[np.float64]
 PHASE = struct.Struct("@iiddddddi?0d")  # a phase as C has it, in the order of `motion.Phase`
+#: a phase of a shock likewise: when its arc begins, the arc, the phase
+STRETCH = struct.Struct("@d4diiddddddi?dl")
 KEPT = 64  # oscillators in C, of which a curve asks one again and again
-TRACED = 50  # points of a curve at a time: some milliseconds, after which Ctrl-C is heard
-
-
-class Drive(NamedTuple):
-    """The constants of a slip phase; friction and quadratic are mu and c_2 times the sign of the velocity.
-
-    Of friction a static load is taken off. Structural damping is part of zeta, and has it go with Omega.
-    """
-
-    Omega: float
-    F_0: float
-    zeta: float
-    friction: float
-    quadratic: float = 0.0
-    zeta_by_Omega: float = 0.0
-
-    def resistance(self, v: Any) -> Any:
-        """What resists like friction at a velocity, quadratic damping included."""
-        if self.quadratic == 0:
-            return self.friction
-        return motion.resistance(v, self.zeta, self.friction, self.quadratic)[0]
 
 
 #: the oscillator that was asked for last, and what it is for C; set as a whole, so that threads may share it
@@ -140,27 +120,48 @@ def _made(system: EquationOfMotion) -> Any:
 
 
 def advance(
-    system: EquationOfMotion, region: int, drive: Drive, theta: float, u: float, v: float, end: float
+    forced: Any, slip: int, region: int, theta: float, u: float, v: float, end: float
 ) -> tuple[float, float, Array]:
     """State (u, v) at `end`, also before theta, and its derivatives by (u, v, Omega, F_0): shape (2, 4)."""
+    system, Omega, F_0 = forced
     flow = np.empty((2, 4))
-    outcome, steps, u, v = EXACT.advance(of_system(system), region, drive, theta, u, v, end, steps_left(), flow)
+    outcome, steps, u, v = EXACT.advance(
+        of_system(system), Omega, F_0, slip, region, theta, u, v, end, steps_left(), flow
+    )
     spend(steps)
     if outcome:
         raise NotSettled(f"the integration from theta = {theta} to {end} failed")
     return u, v, flow
 
 
-def sample(system: EquationOfMotion, region: int, drive: Drive, theta: float, u: float, v: float, grid: Array) -> Array:
-    """States on the grid, which lies at or after theta and does not fall: shape (grid.size, 2)."""
-    states = np.empty((grid.size, 2))
+def sample(forced: Any, phase: Any, grid: Array) -> Array:
+    """u, v and the acceleration of the mass, as seen by who stands still, within a phase: shape (grid.size, 3).
+
+    grid -- does not fall, and lies at or after where the phase begins
+    """
+    system, Omega, F_0 = forced
+    states = np.empty((grid.size, 3))
     outcome, steps = EXACT.sample(
-        of_system(system), region, drive, theta, u, v, steps_left(), np.ascontiguousarray(grid), states
+        of_system(system), Omega, F_0, *phase[:5], steps_left(), np.ascontiguousarray(grid), states
     )
     spend(steps)
     if outcome:
-        raise NotSettled(f"the integration from theta = {theta} to {grid[-1]} failed")
+        raise NotSettled(f"the integration from theta = {phase.theta} to {grid[-1]} failed")
     return states
+
+
+def shock(
+    system: EquationOfMotion, arcs: Array, *how: float
+) -> tuple[int, tuple[float, ...], Iterator[tuple[Any, ...]]]:
+    """What a mass does under the arcs: the outcome, numbers as `many_shocks` has them, and its phases.
+
+    how -- when the arcs begin, how long the free motion is followed, u, v, and where the mass rests without friction
+    Where it is not followed to the end the numbers are when that is, u there, and the amplitude of what drives it.
+    """
+    arcs = np.ascontiguousarray(arcs)
+    outcome, steps, numbers, phases = EXACT.shock(of_system(system), arcs, *how, MOST_STEPS, MOST_WORK)
+    spend(steps)
+    return outcome, numbers, STRETCH.iter_unpack(phases)
 
 
 def follow(
@@ -184,88 +185,6 @@ def follow(
     )
     spend(steps)
     return outcome, PHASE.iter_unpack(phases)
-
-
-def newton(
-    system: EquationOfMotion,
-    signature: bytes,
-    half_turns: int,
-    z: Array,
-    F_0: float,
-    extra: tuple[int, Array, float, int],
-    most: int,
-    tolerance: float,
-) -> tuple[int, Array, Array, tuple[Any, ...]]:
-    """Newton's iteration from z, which it moves, or the equations at z where `most` is 0.
-
-    extra -- kind, row, value, number of the border
-    Gives the outcome, the equations' arrays one after the other, the direction in which they all stay zero, and A,
-    the monodromy matrix row by row and the borders.
-    """
-    k = z.size - 3
-    equations, along = np.empty((k + 2) * (k + 5) + (2 * k + 1) * (k + 4)), np.zeros(z.size)
-    kind, row, value, border = extra
-    outcome, steps, *rest = EXACT.newton(
-        of_system(system),
-        signature,
-        half_turns,
-        z,
-        F_0,
-        kind,
-        row,
-        value,
-        border,
-        most,
-        tolerance,
-        steps_left(),
-        equations,
-        along,
-    )
-    spend(steps)
-    return outcome, equations, along, tuple(rest)
-
-
-def trace(
-    system: EquationOfMotion,
-    signature: bytes,
-    half_turns: int,
-    starts_from_rest: bool,
-    F_0: float,
-    course: tuple[float, float, float, float, float, float],
-    point: Array,
-    came_from: bool,
-    size: float,
-    travelled: float,
-    first: Array,
-) -> tuple[Array, float, float]:
-    """Points of the curve after one, up to the first step with which anything is to be decided.
-
-    course -- least and greatest Omega, largest step, least cosine between tangents, largest amplitude, and the
-              least that steps of u_0 are measured in
-    point  -- unknowns, tangent, and what `came_from` says is there: those of the point before, with its row
-    first  -- unknowns and tangent of the point where the curve began, or nothing
-    Gives a row for each point (unknowns, tangent, A, dA along the curve, monodromy), the next step's length, and
-    that of the curve so far.
-    """
-    k = point.size // 5 - 3
-    rows = np.empty((TRACED, 2 * (k + 3) + 6))
-    count, steps, _, size, travelled = EXACT.trace(
-        of_system(system),
-        signature,
-        half_turns,
-        starts_from_rest,
-        F_0,
-        course,
-        point,
-        came_from,
-        size,
-        travelled,
-        first,
-        steps_left(),
-        rows,
-    )
-    spend(steps, keep=count > 0)
-    return rows[:count], size, travelled
 
 
 def many_shocks(

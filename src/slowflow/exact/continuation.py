@@ -18,11 +18,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from slowflow.exact import compiled
-from slowflow.exact.compiled import TRACED
+from slowflow.backend import EXACT
+from slowflow.exact.compiled import of_system
 from slowflow.exact.cycle import Array, AtBorder, Cycle, Equations, Row, closed_cycle
 from slowflow.exact.motion import Forced, follow
 from slowflow.exact.shooting import SteadyState
+from slowflow.exact.work import spend, steps_left
 from slowflow.text import text
 from slowflow_kernels.exact_conventions import ALONG
 from slowflow_support.errors import NotSettled
@@ -39,6 +40,7 @@ LEVEL = 1e-5  # Omega component of a tangent that is none: where phases vanish l
 BEFORE = 1e-3
 AT_BORDER = 1e-10  # a span, or a margin, that is taken to vanish
 MOST_POINTS = 20_000
+TRACED = 50  # points at a time: some milliseconds, after which Ctrl-C is heard
 PASSES = "the response curve at {F_0 = :} passes {A = :g} at {Omega = :.9g}: {why:s}choose a range on one side of it"
 ENDS = "the response curve at {F_0 = :} cannot be followed beyond {Omega = :.9g}, {A = :.9g}"
 FOLDS = ("fold", "corner")  # roles of points
@@ -172,26 +174,20 @@ class Path:
     def _traced(self, point: Point, first: Point, size: float, travelled: float) -> tuple[list[Point], float, float]:
         """Points after one as long as nothing is to be decided, in C; the next step and the way from the first."""
         cycle, n = point.cycle, point.z.size
-        here = np.zeros(5 * n)
+        here = np.zeros(5 * n)  # unknowns and tangent, and those of the point before with its row, which C brings along
         parts = (point.z, point.tangent, *(point.came_from or ()))
         here[: len(parts) * n] = np.concatenate(parts)
         begun = (first.z, first.tangent) if first.cycle.signature == cycle.signature else (np.empty(0),)
-        rows, size, travelled = compiled.trace(
-            cycle.system,
-            cycle.packed,
-            cycle.half_turns,
-            cycle.starts_from_rest,
-            self.F_0,
-            (self.low, self.high, self.step, STRAIGHT, LARGEST, self.least),
-            here,
-            point.came_from is not None,
-            size,
-            travelled,
-            np.concatenate(begun),
+        rows = np.empty((TRACED, 2 * n + 6))
+        course = (self.low, self.high, self.step, STRAIGHT, LARGEST, self.least)
+        count, steps, _, size, travelled = EXACT.trace(
+            *(of_system(cycle.system), cycle.packed, cycle.half_turns, cycle.starts_from_rest, self.F_0, course, here),
+            *(point.came_from is not None, size, travelled, np.concatenate(begun), steps_left(), rows),
         )
+        spend(steps, keep=count > 0)
         points = [
             Point(cycle, row[:n], row[n : 2 * n], float(row[2 * n]), float(row[2 * n + 1]), row[2 * n + 2 :])
-            for row in rows
+            for row in rows[:count]
         ]
         if points:
             points[-1] = points[-1]._replace(came_from=(here[2 * n : 3 * n], here[3 * n : 4 * n], here[4 * n :]))
@@ -424,7 +420,7 @@ class Path:
                 for offset in (0.0, 1e-6, -1e-6, 1e-5, -1e-5, 1e-4, -1e-4):
                     at = z.copy()
                     at[index] = z[index] * (1.0 + offset)
-                    new = self._with_fixed(cycle, at, row, last)
+                    new = self._with_fixed(cycle, at, row)
                     if new is None:
                         continue
                     size = max(abs(float(last.z[0])), self.least)
@@ -471,8 +467,8 @@ class Path:
             return None
         return closed_cycle(cycle.system, cycle.half_turns, motion, forced.Omega)
 
-    def _with_fixed(self, cycle: Cycle, z: Array, row: Array, last: Point) -> Point | None:
-        """The solution with one unknown kept, if its order of switches holds and it lies near the border."""
+    def _with_fixed(self, cycle: Cycle, z: Array, row: Array) -> Point | None:
+        """The solution with one unknown kept, if its order of switches holds."""
         found = cycle.newton(z, self.F_0, Row(row, float(row @ z)))
         if found is None or not cycle.holds(found[0], self.F_0):
             return None

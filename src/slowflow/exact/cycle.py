@@ -19,13 +19,15 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from slowflow.backend import EXACT
 from slowflow.exact import compiled
 from slowflow.exact.motion import Forced, Phase, edge_ahead, follow, signature
+from slowflow.exact.work import spend, steps_left
 from slowflow.mechanism import EquationOfMotion
 from slowflow.text import text
 from slowflow_kernels import motion
@@ -188,7 +190,7 @@ class Cycle:
         beyond = max(slip * (u - edge_ahead(self.system, slip, region)), 0.0)
         # constant deceleration on the way out, constant acceleration on the way back
         other = self.system.force.beyond(slip, region)
-        pulls = [-slip * forced.acceleration(s, other, theta, u, 0.0) for s in (slip, -slip)]
+        pulls = [-slip * forced.starts(s, other, theta, u) for s in (slip, -slip)]
         if min(pulls) <= 0.0:
             return None
         out, back = (float(motion.out(beyond, pull)) * forced.Omega for pull in pulls)
@@ -212,7 +214,7 @@ class Cycle:
         for (slip, region), span in zip(self.signature, z[2:-1].tolist(), strict=True):
             end = theta + span
             if slip != 0:
-                u, v, _ = compiled.advance(self.system, region, forced.drive(slip, region), theta, u, v, end)
+                u, v, _ = compiled.advance(forced, slip, region, theta, u, v, end)
             theta = end
             yield theta, u
 
@@ -261,19 +263,21 @@ class Cycle:
 
     def _solved(self, z: Array, F_0: float, extra: Extra | None, most: int, tolerance: float) -> Equations | None:
         """Newton's iteration, which moves z; None where it does not converge or integration fails."""
-        if extra is None:
-            asked = (ExtraKind.NO_MORE, z, 0.0, 0)
-        elif isinstance(extra, Row):
-            asked = (ExtraKind.ROW, np.ascontiguousarray(extra.row), extra.value, 0)
-        else:
-            asked = (ExtraKind.BORDER, z, 0.0, extra.border)
-        outcome, numbers, along, (A, monodromy, borders) = compiled.newton(
-            self.system, self.packed, self.half_turns, z, F_0, asked, most, tolerance
-        )
-        if outcome:
-            return None
         k = len(self.signature)
         n = k + 4
+        numbers, along = np.empty((k + 2) * (k + 5) + (2 * k + 1) * n), np.zeros(z.size)
+        more: tuple[Any, ...] = ExtraKind.NO_MORE, z, 0.0, 0
+        if isinstance(extra, Row):
+            more = ExtraKind.ROW, np.ascontiguousarray(extra.row), extra.value, 0
+        elif extra is not None:
+            more = ExtraKind.BORDER, z, 0.0, extra.border
+        system, steps = compiled.of_system(self.system), steps_left()
+        outcome, spent, A, monodromy, borders = EXACT.newton(
+            system, self.packed, self.half_turns, z, F_0, *more, most, tolerance, steps, numbers, along
+        )
+        spend(spent)
+        if outcome:
+            return None
         ends = np.cumsum((k + 2, (k + 2) * n, n, 2 * k * n))
         residual, jacobian, of_A, gradients = (numbers[a:b] for a, b in pairwise((0, *ends)))
         return Equations(

@@ -17,7 +17,6 @@ from typing import NamedTuple
 import numpy as np
 
 from slowflow.exact import compiled
-from slowflow.exact.compiled import Drive
 from slowflow.mechanism import EquationOfMotion, Piece
 from slowflow.text import Sentence
 from slowflow_kernels import motion
@@ -37,13 +36,6 @@ UNBOUNDED = Sentence("the integration stalls near {u = :.6g}, where the restorin
 AT = Sentence("{why:s}; at {Omega = :}, {F_0 = :}")
 #: a force that has no bound near u is larger there, by this factor, than at `NEARER` u
 GROWS, NEARER = 1e6, 0.9
-
-
-class Lost(NotSettled):
-    """A motion that is not followed further: why, in words without what drives it, and at which angle of that."""
-
-    why: str
-    theta: float
 
 
 class Phase(NamedTuple):
@@ -85,22 +77,13 @@ class Forced(NamedTuple):
         """The piece of the force in that region."""
         return self.system.force.piece(region)
 
-    def drive(self, slip: int, region: int) -> Drive:
-        """The constants of a slip phase in that region."""
-        system = self.system
-        friction = slip * system.friction(region) - system.load
-        zeta, by_Omega = system.damping(self.Omega)
-        return Drive(self.Omega, self.force, zeta, friction, slip * system.c_2, by_Omega)
-
     def push(self, region: int, theta: float, u: float) -> float:
         """The force less f(u): what friction has to hold at rest."""
         return float(motion.push(math.cos(theta), self.force, self.piece(region).value(u) - self.system.load))
 
-    def acceleration(self, slip: int, region: int, theta: float, u: float, v: float) -> float:
-        """u'' in a slip phase."""
-        drive = self.drive(slip, region)
-        spring = self.piece(region).value(u)
-        return float(motion.acceleration(math.cos(theta), v, drive.F_0, drive.zeta, drive.resistance(v), spring))
+    def starts(self, slip: int, region: int, theta: float, u: float) -> float:
+        """u'' where a slip begins, or ends."""
+        return self.push(region, theta, u) - slip * self.system.friction(region)
 
 
 def edge_ahead(system: EquationOfMotion, slip: int, region: int) -> float:
@@ -114,30 +97,27 @@ def follow(
 ) -> list[Phase]:
     """All phases from (theta, u, v) to `end`; `start` = (slip, region) overrides the state, e.g. at break-away.
 
-    Raises `Lost` if switches accumulate (the mass chatters at a jump of the force), the motion escapes, or comes to
-    where the integration stalls.
+    Raises ArithmeticError if switches accumulate (the mass chatters at a jump of the force), the motion escapes, or
+    comes to where the integration stalls.
     """
     outcome, rows = compiled.follow(forced.system, forced.Omega, forced.F_0, (theta, u, v), end, start)
     phases = list(map(_phase, rows))
     if outcome:
         last = phases[-1] if phases else None  # which ends where the motion is lost
-        raise _lost(outcome, forced, *((theta, u) if last is None else (last.end, last.u_end)))
+        why = lost(outcome, forced.system, u if last is None else last.u_end)
+        raise NotSettled(AT.format(why, forced.Omega, forced.F_0) if forced.F_0 else why)
     return phases
 
 
-def _lost(outcome: int, forced: Forced, theta: float, u: float) -> Exception:
-    """In words why a motion is given up at an angle, and at u."""
+def lost(outcome: int, system: EquationOfMotion, u: float) -> str:
+    """In words why a motion is given up at u. Raises MemoryError where there is no room for its phases."""
     if outcome == Outcome.NO_MEMORY:
-        return MemoryError("no memory for the phases of the motion")
+        raise MemoryError("no memory for the phases of the motion")
     if outcome == Outcome.CHATTERS:
-        why = CHATTERS.format(u, MOST_PHASES)
-    elif outcome == Outcome.ESCAPES:
-        why = ESCAPES.format(FAR)
-    else:
-        why = (UNBOUNDED if _grows_without_bound(forced.system, u) else STALLS).format(u)
-    lost = Lost(AT.format(why, forced.Omega, forced.F_0) if forced.F_0 else why)
-    lost.why, lost.theta = why, theta
-    return lost
+        return CHATTERS.format(u, MOST_PHASES)
+    if outcome == Outcome.ESCAPES:
+        return ESCAPES.format(FAR)
+    return (UNBOUNDED if _grows_without_bound(system, u) else STALLS).format(u)
 
 
 def _grows_without_bound(system: EquationOfMotion, u: float) -> bool:

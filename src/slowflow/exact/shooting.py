@@ -24,7 +24,6 @@ from slowflow.exact.work import limited
 from slowflow.mechanism import EquationOfMotion
 from slowflow.text import Sentence, text
 from slowflow.transmitted import Transmitted, asked
-from slowflow_kernels.motion import acceleration
 from slowflow_support.errors import NotSettled, Refused
 
 Array = NDArray[np.float64]
@@ -164,7 +163,7 @@ class SteadyState(Answer):
         slip, region = self.cycle.signature[0]
         theta, span = float(self.unknowns[1]), float(self.unknowns[2])
         middle = theta + 0.5 * span
-        ((u, v),) = self._within(self.phases[0], np.array([middle])).tolist()
+        ((u, v, _),) = self._within(self.phases[0], np.array([middle])).tolist()
         last = follow(forced, middle, u, v, middle + self.Omega * self.period, (slip, region))[-1]
         return float(max(abs(last.u_end - u), abs(last.v_end - v)))
 
@@ -235,20 +234,9 @@ class SteadyState(Answer):
 
     def _wave(self, of: str, phase: Phase, theta: Array) -> Array:
         """What is asked for of the motion within a phase."""
-        if of == "force":
-            return self._passed_on(phase, theta)
-        u = self._within(phase, theta)[:, 0]
-        return np.asarray(u + self.F_0 * np.cos(theta)) if of == "absolute" else u
-
-    def _passed_on(self, phase: Phase, theta: Array) -> Array:
-        """f(u) + 2 zeta v + friction, which at rest holds against all of the force."""
-        if phase.slip == 0:
-            return np.asarray(self.force * np.cos(theta))
-        u, v = self._within(phase, theta).T
-        drive = Forced(self.cycle.system, self.Omega, self.F_0).drive(phase.slip, phase.region)
-        of_spring = self.cycle.system.force.piece(phase.region)(u)
-        # seen by who stands still the forcing is no force
-        return -np.asarray(acceleration(0.0, v, drive.F_0, drive.zeta, drive.resistance(v), of_spring))
+        u, _, a = self._within(phase, theta).T
+        # spring, damper and friction: what accelerates the mass, and at rest holds against all of the force
+        return -a if of == "force" else np.asarray(u + self.F_0 * np.cos(theta)) if of == "absolute" else u
 
     def _highest(self, of: str, phase: Phase) -> float:
         """The largest size of that within a phase, its ends included."""
@@ -269,28 +257,20 @@ class SteadyState(Answer):
         return max(float(sizes[top]), -float(found.fun))
 
     def _within(self, phase: Phase, theta: Array) -> Array:
-        if phase.slip == 0:
-            return np.tile(np.array([phase.u, 0.0]), (theta.size, 1))
-        system = self.cycle.system
-        drive = Forced(system, self.Omega, self.F_0).drive(phase.slip, phase.region)
-        return compiled.sample(system, phase.region, drive, phase.theta, phase.u, phase.v, theta)
+        """u, v and acceleration at angles within a phase, as `compiled.sample` has them."""
+        return compiled.sample(Forced(self.cycle.system, self.Omega, self.F_0), phase, theta)
 
     def _state(self, theta: float) -> tuple[float, float]:
         """(u, v) at one angle of the forcing."""
-        start, span = float(self.unknowns[1]), self.cycle.half_turns * math.pi
-        turns = math.floor((theta - start) / span)
-        local = theta - turns * span
-        phase = next((phase for phase in reversed(self.phases) if phase.theta <= local), self.phases[0])
-        ((u, v),) = self._within(phase, np.array([local])).tolist()
-        sign = self.cycle.sign if turns % 2 else 1
-        return sign * u, sign * v
+        (u,), (v,) = self._at(np.array([theta]))
+        return float(u), float(v)
 
     def _at(self, theta: Array) -> tuple[Array, Array]:
         start, span = float(self.unknowns[1]), self.cycle.half_turns * math.pi
         turns = np.floor((theta - start) / span)
         local = theta - turns * span
         sign = np.where(turns % 2 == 0, 1.0, float(self.cycle.sign))
-        out = np.zeros((theta.size, 2))
+        out = np.zeros((theta.size, 3))
         phases = self.phases
         order = np.argsort(local)
         which = np.clip(np.searchsorted([p.theta for p in phases], local[order], side="right") - 1, 0, None)

@@ -8,7 +8,6 @@ differs from a straight line by less than ARC^2/8 of the samples: one integrator
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from typing import Any, ClassVar, NamedTuple
 
@@ -17,12 +16,11 @@ from numpy.typing import NDArray
 
 from slowflow.answer import Drawn
 from slowflow.exact import compiled
-from slowflow.exact.motion import TURN, Forced, Lost, Phase, follow
+from slowflow.exact.motion import TURN, Forced, Phase, lost
 from slowflow.exact.work import limited
 from slowflow.mechanism import EquationOfMotion
 from slowflow.text import Sentence, text
-from slowflow_kernels import motion
-from slowflow_kernels.exact_conventions import CREEPS, MOST_TURNS, NEAR, POINTS, ROUNDS, SAME, Event
+from slowflow_kernels.exact_conventions import BACK, MOST_TURNS, Outcome
 from slowflow_support.errors import NotSettled
 
 Array = NDArray[np.float64]
@@ -30,8 +28,6 @@ Array = NDArray[np.float64]
 NO_PULSE = text("a pulse needs either its duration, of a half sine, or {tau}, the times of a record")
 #: angle between two samples of a record
 ARC = 1e-3
-#: share of load and forcing by which their balance may be off, and by which a motion begins behind its place of rest
-ROUNDING, BACK = 2.0**-50, 2.0**-47
 #: what the place of rest is off by may be this share of a pulse
 WEAK = 2.0**-10
 TOO_WEAK = Sentence(
@@ -55,16 +51,15 @@ class Arc(NamedTuple):
 
 
 class Stretch(NamedTuple):
-    """A stretch of tau from `since` on under one arc, whose angle is `theta` there, in its phases."""
+    """A phase of the motion, and the arc that it is under, which begins at tau = since."""
 
     since: float
-    theta: float
-    forced: Forced
-    phases: list[Phase]
+    arc: Arc
+    phase: Phase
 
     def tau(self, theta: Any) -> Any:
         """The time at angles of the arc."""
-        return self.since + (theta - self.theta) / self.forced.Omega
+        return self.since + (theta - self.arc.theta) / self.arc.Omega
 
 
 class Series(NamedTuple):
@@ -104,24 +99,23 @@ class Transient(Drawn):
     u_end: float
     message: str
     stretches: tuple[Stretch, ...] = field(repr=False)
+    system: EquationOfMotion = field(repr=False)
     picture: ClassVar[str] = "history"
 
     def series(self, samples: int = 400) -> Series:
         """The motion at `samples` equal steps from the pulse's beginning to the end of what was followed."""
         first, last = self.stretches[0], self.stretches[-1]
-        tau = np.linspace(first.since, last.tau(last.phases[-1].end), samples)
+        tau = np.linspace(first.since, last.tau(last.phase.end), samples)
         out = np.zeros((4, samples))
-        begins = np.array([stretch.tau(phase.theta) for stretch, phase in self._phases()])
+        begins = np.array([one.tau(one.phase.theta) for one in self.stretches])
         which = np.clip(np.searchsorted(begins, tau, side="right") - 1, 0, None)
-        for number, (stretch, phase) in enumerate(self._phases()):
+        for number, (since, arc, phase) in enumerate(self.stretches):
             here = np.flatnonzero(which == number)
             if here.size:
-                theta = stretch.theta + stretch.forced.Omega * (tau[here] - stretch.since)
-                out[:, here] = _states(stretch.forced, phase, np.clip(theta, phase.theta, phase.end))
+                theta = np.clip(arc.theta + arc.Omega * (tau[here] - since), phase.theta, phase.end)
+                out[:3, here] = compiled.sample(Forced(self.system, arc.Omega, arc.F), phase, theta).T
+                out[3, here] = -arc.F * np.cos(theta)
         return Series(tau, *out)
-
-    def _phases(self) -> Iterator[tuple[Stretch, Phase]]:
-        return ((stretch, phase) for stretch in self.stretches for phase in stretch.phases)
 
 
 def half_sine(acceleration: Any, duration: Any) -> Array:
@@ -165,104 +159,15 @@ def transient(
     held = peak + off_by <= system.holds(system.force.region_of(at))
     if 0 < peak < off_by / WEAK and not held and at == rest and v == 0.0:
         raise NotSettled(TOO_WEAK.format(peak, at, off_by / peak))
-    forced = replace(system, inertial=False)  # an acceleration is a force, whatever else the oscillator is excited by
-    stretches = list(_followed(forced, arcs, begin, after, (at, v), rest))
-    phases = [(stretch, phase) for stretch in stretches for phase in stretch.phases]
-    last = phases[-1][1]
-    # between switches u is monotone
-    reached = [(abs(phase.u_end), stretch.tau(phase.end)) for stretch, phase in phases]
-    if at != 0.0:
-        reached.insert(0, (abs(at), begin))
-    A = max(spot for spot, _ in reached)
-    tau_A = next(tau for spot, tau in reached if spot >= A * SAME)
-    innermost = system.force.innermost
-    off = next((stretch.tau(phase.theta) for stretch, phase in phases if abs(phase.region) > innermost), None)
-    a_max, tau_a = _largest_acceleration(phases)
-    u_cr = next(iter(system.force.breakpoints[innermost:]), None) if system.force.odd else None
-    rests, stated = last.slip == 0, tuple(stretches)
-    return Transient(A, tau_A, a_max, tau_a, u_cr, off is not None, off, rests, last.u_end, "", stated)
-
-
-def _followed(
-    system: EquationOfMotion,
-    arcs: Array,
-    tau: float,
-    after: float,
-    begins: tuple[float, float],
-    rest: float,
-) -> Iterator[Stretch]:
-    (u, v), A = begins, 0.0
-    for arc in map(Arc._make, arcs.tolist()):
-        stretch = _under(Forced(system, arc.Omega, arc.F), tau, arc, u, v)
-        u, v = stretch.phases[-1].u_end, stretch.phases[-1].v_end
-        tau += arc.span
-        A = max(A, *(abs(phase.u_end - rest) for phase in stretch.phases))
-        yield stretch
-    over, turned = tau + after, 0
-    for _ in range(MOST_TURNS):
-        free = Arc(max(over - tau, TURN), 1.0, 0.0, 0.0)
-        stretch = _under(Forced(system, free.Omega, free.F), tau, free, u, v)
-        u, v = stretch.phases[-1].u_end, stretch.phases[-1].v_end
-        tau += free.span
-        yield stretch
-        turned += sum(phase.event == Event.STOP for phase in stretch.phases)
-        A = max(A, *(abs(phase.u_end - rest) for phase in stretch.phases))
-        # a mass that is damped much creeps back, and turns once at most: until it does not move, or has come back
-        off = abs(u - rest)
-        creeps = abs(v) <= off * CREEPS or max(off, abs(v)) <= A * CREEPS + BACK * abs(rest)
-        if tau >= over and (turned >= 2 or stretch.phases[-1].slip == 0 or creeps):
-            return
-    raise NotSettled(f"within {MOST_TURNS} turns after the pulse the mass does not turn twice, and does not rest")
-
-
-def _under(forced: Forced, tau: float, arc: Arc, u: float, v: float) -> Stretch:
-    """The motion from (u, v) on under one arc."""
-    end, system = arc.theta + arc.Omega * arc.span, forced.system
-    region = system.force.region_of(u)
-    push, holds = abs(forced.push(region, arc.theta, u)), system.holds(region)
-    # at rest the spring holds the load but for a rounding, which tells nothing of where the mass goes
-    doubt = ROUNDING * (abs(system.load) + arc.F) if system.load != 0.0 else 0.0
-    balanced = v == 0.0 and push <= max(holds, doubt)
-    if arc.F == 0.0 and balanced:
-        rest = Phase(0, region, arc.theta, u, 0.0, end, u, 0.0, Event.TIME)
-        return Stretch(tau, arc.theta, forced, [rest])
-    if balanced and holds < doubt:  # some roundings back from where F cos(theta) begins to push, so that it goes there
-        u += math.copysign(BACK, math.sin(arc.theta)) * max(abs(u), abs(system.load), arc.F)
-    try:
-        return Stretch(tau, arc.theta, forced, follow(forced, arc.theta, u, v, end))
-    except Lost as lost:  # of the arc, whose frequency and force are none that anybody gave, it says the time
-        at = tau + (lost.theta - arc.theta) / arc.Omega
-        raise NotSettled(LOST.format(lost.why, at, ACCELERATED if arc.F else FREE)) from None
-
-
-def _states(forced: Forced, phase: Phase, theta: Array) -> Array:
-    """u, v, acceleration of the mass and of the base at angles within a phase that do not fall: shape (4, n)."""
-    base = -forced.F_0 * np.cos(theta)
-    if phase.slip == 0:
-        return np.array([np.full(theta.size, phase.u), np.zeros(theta.size), base, base])
-    drive, piece = forced.drive(phase.slip, phase.region), forced.piece(phase.region)
-    u, v = compiled.sample(forced.system, phase.region, drive, phase.theta, phase.u, phase.v, theta).T
-    # seen by who stands still the forcing is no force
-    a = motion.acceleration(0.0, v, drive.F_0, drive.zeta, drive.resistance(v), piece(u))
-    return np.array([u, v, a, base])
-
-
-def _largest_acceleration(phases: list[tuple[Stretch, Phase]]) -> tuple[float, float]:
-    """The largest |a| and its time: looked for at points of each phase, then ever nearer to the largest of these."""
-    found = []
-    for stretch, phase in phases:
-        theta = np.linspace(phase.theta, phase.end, POINTS)
-        a = np.abs(_states(stretch.forced, phase, theta)[2])
-        found.append((float(a.max()), stretch, phase, theta, int(a.argmax())))
-    most = max(one[0] for one in found)
-    largest, at = 0.0, 0.0
-    for value, stretch, phase, theta, k in found:
-        if value < NEAR * most:
-            continue
-        for _ in range(ROUNDS):
-            theta = np.linspace(theta[max(k - 1, 0)], theta[min(k + 1, theta.size - 1)], 2 * POINTS)
-            a = np.abs(_states(stretch.forced, phase, theta)[2])
-            k = int(a.argmax())
-        if a[k] * SAME > largest:
-            largest, at = float(a[k]), float(stretch.tau(theta[k]))
-    return largest, at
+    system = replace(system, inertial=False)  # an acceleration is a force, whatever else the oscillator is excited by
+    outcome, numbers, found = compiled.shock(system, arcs, begin, after, at, v, rest)
+    if outcome == Outcome.DIVERGES:
+        raise NotSettled(f"within {MOST_TURNS} turns after the pulse the mass does not turn twice, and does not rest")
+    if outcome:  # of the arc, whose frequency and force are none that anybody gave, it says the time
+        tau, u, F = numbers
+        raise NotSettled(LOST.format(lost(outcome, system, u), tau, ACCELERATED if F else FREE))
+    A, tau_A, a_max, tau_a, left, rests, u_end = numbers
+    off = not math.isnan(left)
+    u_cr = next(iter(system.force.breakpoints[system.force.innermost :]), None) if system.force.odd else None
+    stretches = tuple(Stretch(since, Arc(*of[:4]), Phase(*of[4:14])) for since, *of in found)
+    return Transient(A, tau_A, a_max, tau_a, u_cr, off, left if off else None, rests == 1, u_end, "", stretches, system)

@@ -160,14 +160,12 @@ static PyObject *polynomials(PyObject *self, PyObject *arguments)
     return capsule;
 }
 
-/* A piece of an oscillator by its region; NULL with an error where there is none. */
-static const sf_piece *piece_at(PyObject *capsule, int region)
+/* The oscillator of a capsule, which has a piece of that number; NULL with an error where it has none. */
+static const sf_system *with_piece(PyObject *capsule, int region)
 {
     const sf_system *const system = PyCapsule_GetPointer(capsule, NAME);
-    if (system == NULL)
-        return NULL;
-    if (region >= -system->about && region < system->pieces - system->about)
-        return sf_piece_of(system, region);
+    if (system == NULL || (region >= -system->about && region < system->pieces - system->about))
+        return system;
     PyErr_Format(PyExc_ValueError, "no piece of a force is number %d", region);
     return NULL;
 }
@@ -176,84 +174,86 @@ static PyObject *advance(PyObject *self, PyObject *arguments)
 {
     (void)self;
     PyObject *capsule;
-    int region;
-    sf_drive drive;
+    sf_forced forced;
+    int slip, region;
     double theta, u, v, end;
-    long left;
     Py_buffer out;
-    if (!PyArg_ParseTuple(arguments, "Oi(dddddd)ddddlw*", &capsule, &region, &drive.Omega, &drive.F_0, &drive.zeta,
-                          &drive.friction, &drive.quadratic, &drive.zeta_by_Omega, &theta, &u, &v, &end, &left, &out))
+    if (!PyArg_ParseTuple(arguments, "Oddiiddddlw*", &capsule, &forced.Omega, &forced.F_0, &slip, &region, &theta, &u,
+                          &v, &end, &forced.left, &out))
         return NULL;
-    const sf_piece *const piece = piece_at(capsule, region);
-    if (piece == NULL || out.len < (Py_ssize_t)(2 * sizeof(sf_four))) {
-        PyBuffer_Release(&out);
-        return piece == NULL ? NULL : PyErr_Format(PyExc_ValueError, "room for too few derivatives");
-    }
+    forced.system = with_piece(capsule, region);
     sf_four flow[2];
-    const long most = left;
-    sf_outcome outcome;
-    Py_BEGIN_ALLOW_THREADS
-    outcome = sf_advance(piece, &drive, theta, end, &u, &v, flow, &left);
-    Py_END_ALLOW_THREADS
-    memcpy(out.buf, flow, sizeof flow);
-    PyBuffer_Release(&out);
-    return Py_BuildValue("ildd", (int)outcome, most - left, u, v);
-}
-
-static PyObject *until(PyObject *self, PyObject *arguments)
-{
-    (void)self;
-    PyObject *capsule;
-    int region;
-    sf_drive drive;
-    double edge, theta, u, v, end;
-    int slip;
-    _Bool undecided = 0;
-    long left;
-    if (!PyArg_ParseTuple(arguments, "Oi(dddddd)idddddl", &capsule, &region, &drive.Omega, &drive.F_0, &drive.zeta,
-                          &drive.friction, &drive.quadratic, &drive.zeta_by_Omega, &slip, &edge, &theta, &u, &v, &end,
-                          &left))
-        return NULL;
-    const sf_piece *const piece = piece_at(capsule, region);
-    if (piece == NULL)
-        return NULL;
-    const long most = left;
-    sf_event event = SF_TIME;
+    const long most = forced.left;
     sf_outcome outcome = SF_GOOD;
-    Py_BEGIN_ALLOW_THREADS
-    const double push = motion_push(cos(theta), drive.F_0, sf_value(piece, u)) - drive.friction;
-    if (theta < end)
-        outcome = sf_until(piece, &drive, slip, edge, end, v != 0.0 ? 0 : slip * push > 0.0 ? 1 : 2, &theta, &u, &v,
-                           &left, &event, &undecided);
-    Py_END_ALLOW_THREADS
-    return Py_BuildValue("ildddii", (int)outcome, most - left, theta, u, v, (int)event, undecided);
+    if (forced.system != NULL && out.len == (Py_ssize_t)sizeof flow) {
+        Py_BEGIN_ALLOW_THREADS
+        const sf_drive drive = sf_drive_of(&forced, slip, region);
+        outcome = sf_advance(sf_piece_of(forced.system, region), &drive, theta, end, &u, &v, flow, &forced.left);
+        Py_END_ALLOW_THREADS
+        memcpy(out.buf, flow, sizeof flow);
+    }
+    else if (forced.system != NULL)
+        PyErr_SetString(PyExc_ValueError, "room for too few derivatives");
+    PyBuffer_Release(&out);
+    return PyErr_Occurred() ? NULL : Py_BuildValue("ildd", (int)outcome, most - forced.left, u, v);
 }
 
 static PyObject *sample(PyObject *self, PyObject *arguments)
 {
     (void)self;
     PyObject *capsule;
-    int region;
-    sf_drive drive;
-    double theta, u, v;
-    long left;
+    sf_forced forced;
+    sf_phase phase = {0};
     Py_buffer grid, out;
-    if (!PyArg_ParseTuple(arguments, "Oi(dddddd)dddly*w*", &capsule, &region, &drive.Omega, &drive.F_0, &drive.zeta,
-                          &drive.friction, &drive.quadratic, &drive.zeta_by_Omega, &theta, &u, &v, &left, &grid, &out))
+    if (!PyArg_ParseTuple(arguments, "Oddiidddly*w*", &capsule, &forced.Omega, &forced.F_0, &phase.slip, &phase.region,
+                          &phase.theta, &phase.u, &phase.v, &forced.left, &grid, &out))
         return NULL;
-    const sf_piece *const piece = piece_at(capsule, region);
-    const long count = (long)(grid.len / (Py_ssize_t)sizeof(double)), most = left;
+    forced.system = with_piece(capsule, phase.region);
+    const long count = (long)(grid.len / (Py_ssize_t)sizeof(double)), most = forced.left;
     sf_outcome outcome = SF_GOOD;
-    if (piece != NULL && out.len >= 2 * grid.len) {
+    if (forced.system != NULL && out.len == 3 * grid.len) {
         Py_BEGIN_ALLOW_THREADS
-        outcome = sf_sample(piece, &drive, theta, u, v, grid.buf, count, out.buf, &left);
+        outcome = sf_sample(&forced, &phase, grid.buf, count, out.buf);
         Py_END_ALLOW_THREADS
     }
-    else if (piece != NULL)
+    else if (forced.system != NULL)
         PyErr_SetString(PyExc_ValueError, "room for too few states");
     PyBuffer_Release(&grid);
     PyBuffer_Release(&out);
-    return PyErr_Occurred() ? NULL : Py_BuildValue("il", (int)outcome, most - left);
+    return PyErr_Occurred() ? NULL : Py_BuildValue("il", (int)outcome, most - forced.left);
+}
+
+/* (outcome, steps, numbers as `shocks` has them, phases as bytes, each an sf_stretch); in place of the numbers those of
+ * sf_shocked.lost where the motion is lost. */
+static PyObject *shock(PyObject *self, PyObject *arguments)
+{
+    (void)self;
+    PyObject *capsule;
+    sf_shocked shock = {0};
+    double begin, after, numbers[SF_SHOCK_NUMBERS] = {0};
+    Py_buffer arcs;
+    if (!PyArg_ParseTuple(arguments, "Oy*dddddll", &capsule, &arcs, &begin, &after, &shock.u, &shock.v, &shock.rest,
+                          &shock.most, &shock.left))
+        return NULL;
+    const long all = shock.left;
+    shock.system = PyCapsule_GetPointer(capsule, NAME);
+    sf_outcome outcome = SF_GOOD;
+    if (shock.system != NULL) {
+        Py_BEGIN_ALLOW_THREADS
+        outcome = sf_shock(&shock, arcs.buf, (long)(arcs.len / (Py_ssize_t)sizeof(sf_arc)), begin, after, numbers);
+        Py_END_ALLOW_THREADS
+    }
+    PyBuffer_Release(&arcs);
+    const Py_ssize_t size = shock.count * (Py_ssize_t)sizeof *shock.at;
+    PyObject *const phases = shock.system == NULL ? NULL : PyBytes_FromStringAndSize((const char *)shock.at, size);
+    free(shock.phases.at);
+    free(shock.at);
+    if (phases == NULL)
+        return NULL;
+    const double *const n = numbers, *const at = shock.lost;
+    return outcome != SF_GOOD ? Py_BuildValue("il(ddd)N", (int)outcome, all - shock.left, at[0], at[1], at[2], phases)
+                              : Py_BuildValue("il(ddddddd)N", (int)outcome, all - shock.left, n[0], n[1], n[2], n[3],
+                                              n[4], n[5], n[6], phases);
 }
 
 /* (outcome, steps, phases as bytes, each an sf_phase) */
@@ -448,7 +448,7 @@ static PyObject *shocks(PyObject *self, PyObject *arguments)
             const sf_system system = odd_system(law, pieces, (const double *)ends.buf + k * (pieces - 1), both,
                                                 (const double *)damping.buf + 2 * k, piece, edge);
             double *const found = (double *)out.buf + k * SF_SHOCK_NUMBERS;
-            shock.system = &system, shock.left = all;
+            shock.system = &system, shock.left = all, shock.u = shock.v = 0.0;
             const sf_outcome outcome = sf_shock(&shock, (const sf_arc *)arcs.buf + k * pulses, (long)pulses,
                                                 ((const double *)begin.buf)[k], after, found);
             ((signed char *)outcomes.buf)[k] = (signed char)outcome;
@@ -476,10 +476,12 @@ static PyMethodDef methods[] = {
     {"laws", laws, METH_O, "The laws of a table in a shared library, by name."},
     {"interpreted", interpreted, METH_VARARGS, "name, words, numbers -> a law, None where it is too large."},
     {"polynomials", polynomials, METH_VARARGS, "rows for u < 0, for u > 0 -> a law."},
-    {"advance", advance, METH_VARARGS, "system, region, drive, theta, u, v, end, steps, derivatives -> outcome, spent, u, v."},
-    {"until", until, METH_VARARGS,
-     "system, region, drive, slip, edge, theta, u, v, end, steps -> outcome, spent, theta, u, v, event, undecided."},
-    {"sample", sample, METH_VARARGS, "system, region, drive, theta, u, v, steps, grid, states -> outcome, spent."},
+    {"advance", advance, METH_VARARGS,
+     "system, Omega, F_0, slip, region, theta, u, v, end, steps, derivatives -> outcome, spent, u, v."},
+    {"sample", sample, METH_VARARGS,
+     "system, Omega, F_0, slip, region, theta, u, v, steps, grid, states -> outcome, spent."},
+    {"shock", shock, METH_VARARGS,
+     "system, arcs, begin, after, u, v, rest, steps of one integration, of all -> outcome, spent, numbers, phases."},
     {"follow", follow, METH_VARARGS,
      "system, Omega, F_0, theta, u, v, end, started, slip, region, steps -> outcome, spent, phases."},
     {"newton", newton, METH_VARARGS,

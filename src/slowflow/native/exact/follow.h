@@ -260,20 +260,24 @@ static sf_outcome sf_advance(const sf_piece *over, const sf_drive *drive, double
     return isfinite(*u) && isfinite(*v) ? SF_GOOD : SF_STALLS;
 }
 
-/* States (u, v) on a grid of theta that does not fall, at or after the start. */
-static sf_outcome sf_sample(const sf_piece *over, const sf_drive *drive, double theta, double u, double v,
-                            const double *grid, long count, double (*out)[2], long *left)
+/* Of a phase u, v and the acceleration of the mass, as seen by who stands still, on a grid of theta that does not fall,
+ * at or after its start. */
+static sf_outcome sf_sample(sf_forced *forced, const sf_phase *phase, const double *grid, long count, double (*out)[3])
 {
-    const double start = theta;
+    const double start = phase->theta;
+    const sf_piece *const over = sf_piece_of(forced->system, phase->region);
+    const sf_drive drive = sf_drive_of(forced, phase->slip, phase->region);
     /* a phase that ends where its piece does has no series from there on: a rounding later is still on the way there */
-    const double doubt = count > 0 ? 0x1p-50 * fmax(fabs(start), fabs(grid[count - 1])) / drive->Omega : 0.0;
-    double passed = 0.0;
+    const double doubt = count > 0 ? 0x1p-50 * fmax(fabs(start), fabs(grid[count - 1])) / drive.Omega : 0.0;
+    double passed = 0.0, theta = start, u = phase->u, v = phase->v;
     long i = 0;
     sf_expansion x;
+    for (; phase->slip == 0 && i < count; i++) /* with the base */
+        out[i][0] = u, out[i][1] = 0.0, out[i][2] = -motion_push(cos(grid[i]), drive.F_0, 0.0);
     while (i < count) {
-        if ((*left)-- <= 0)
+        if (forced->left-- <= 0)
             return SF_STALLS;
-        double h = sf_expanded(sf_piece_at(over, drive, 1.0, theta, u, v), drive, 1.0, theta, u, v, NULL, &x);
+        double h = sf_expanded(sf_piece_at(over, &drive, 1.0, theta, u, v), &drive, 1.0, theta, u, v, NULL, &x);
         if (!(h > 0.0) || !isfinite(x.v[SF_ORDER]))
             return SF_STALLS;
         double there = sf_at(x.u, h);
@@ -281,14 +285,16 @@ static sf_outcome sf_sample(const sf_piece *over, const sf_drive *drive, double 
         if (isfinite(place))
             h = sf_met(&x, h, place), there = place;
         for (; i < count; i++) {
-            const double at = (grid[i] - start) / drive->Omega - passed;
+            const double at = (grid[i] - start) / drive.Omega - passed;
             if (!(at <= h + doubt))
                 break;
             out[i][0] = sf_at(x.u, at), out[i][1] = sf_at(x.v, at);
+            /* seen by who stands still the forcing is no force */
+            out[i][2] = sf_rate(&drive, 0.0, sf_value(over, out[i][0]), out[i][1]);
         }
         u = there, v = sf_at(x.v, h);
         passed += h;
-        theta = start + drive->Omega * passed;
+        theta = start + drive.Omega * passed;
     }
     return SF_GOOD;
 }

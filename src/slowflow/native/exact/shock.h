@@ -1,5 +1,6 @@
-/* A shock: in go an oscillator at rest and the acceleration of its base, arc by arc, out comes what the mass does then,
- * as slowflow.exact.transient states it. */
+/* A shock: in go an oscillator and the acceleration of its base, arc by arc, out comes what the mass does then.
+ *
+ * Seen from the base the mass moves by the equation of motion with minus the base's acceleration as its forcing. */
 #ifndef SF_SHOCK_H
 #define SF_SHOCK_H
 
@@ -10,19 +11,26 @@ typedef struct {
     double span, Omega, F, theta;
 } sf_arc;
 
-/* a phase of the motion, and the arc that it is under, which begins at tau = since. */
+/* a phase of the motion, and the arc that it is under, which begins at tau = since; the largest of some of its
+ * accelerations, and which that is. Python reads it as it stands. */
 typedef struct {
     double since;
     sf_arc arc;
     sf_phase phase;
+    double largest;
+    long which;
 } sf_stretch;
 
+/* u, v: how it begins; rest: where the mass rests without friction; lost: where it is not followed further, when, u, and
+ * the amplitude of what drives it then */
 typedef struct {
     const sf_system *system;
+    double u, v, rest;
     long most, left; /* steps that one integration may take, and all */
     sf_phases phases;
     long count, room;
     sf_stretch *at;
+    double lost[3];
 } sf_shocked;
 
 /* what a batch is given as doubles: largest |u|, when; largest acceleration, when; when the springs leave, NaN for
@@ -40,26 +48,39 @@ static inline sf_forced sf_forced_by(const sf_shocked *shock, const sf_arc *arc)
     return (sf_forced){shock->system, arc->Omega, arc->F, shock->left < shock->most ? shock->left + 1 : shock->most};
 }
 
-/* The motion from (u, v) on under one arc, its phases behind those before. */
-static sf_outcome sf_under(sf_shocked *shock, double since, const sf_arc *arc, double u, double v)
+/* The motion from where it is on under one arc, its phases behind those before. */
+static sf_outcome sf_under(sf_shocked *shock, double since, const sf_arc *arc)
 {
+    const sf_system *const system = shock->system;
     const double end = arc->theta + arc->Omega * arc->span;
+    double u = shock->u;
     sf_forced forced = sf_forced_by(shock, arc);
     const long most = forced.left;
-    const int region = sf_region_of(shock->system, u);
+    const int region = sf_region_of(system, u);
     sf_outcome outcome = SF_GOOD;
     shock->phases.count = 0;
-    if (arc->F == 0.0 && v == 0.0 && fabs(sf_push(&forced, region, 0.0, u)) <= sf_holding(shock->system, region)) {
+    /* at rest the spring holds the load but for a rounding, which tells nothing of where the mass goes */
+    const double doubt = system->load != 0.0 ? SF_BALANCED * (fabs(system->load) + arc->F) : 0.0;
+    const double holds = sf_holding(system, region), push = fabs(sf_push(&forced, region, arc->theta, u));
+    const int balanced = shock->v == 0.0 && push <= fmax(holds, doubt);
+    if (arc->F == 0.0 && balanced) {
         if (!sf_append(&shock->phases, (sf_phase){0, region, arc->theta, u, 0.0, end, u, 0.0, SF_TIME, 0}))
             return SF_NO_MEMORY;
     }
-    else
-        outcome = sf_follow(&forced, arc->theta, u, v, end, NULL, &shock->phases);
+    else {
+        if (balanced && holds < doubt) /* some roundings back from where F cos(theta) begins to push: it goes there */
+            u += copysign(SF_BACK, sin(arc->theta)) * fmax(fmax(fabs(u), fabs(system->load)), arc->F);
+        outcome = sf_follow(&forced, arc->theta, u, shock->v, end, NULL, &shock->phases);
+    }
     shock->left -= most - forced.left;
-    if (outcome != SF_GOOD)
+    const sf_phase *const last = shock->phases.count ? &shock->phases.at[shock->phases.count - 1] : NULL;
+    if (outcome == SF_GOOD && shock->left < 0)
+        outcome = SF_STALLS;
+    if (outcome != SF_GOOD) { /* the last phase ends where the motion is lost */
+        shock->lost[0] = since + (last != NULL ? last->end - arc->theta : 0.0) / arc->Omega;
+        shock->lost[1] = last != NULL ? last->u_end : u, shock->lost[2] = arc->F;
         return outcome;
-    if (shock->left < 0)
-        return SF_STALLS;
+    }
     if (shock->count + shock->phases.count > shock->room) {
         const long room = 2 * (shock->count + shock->phases.count);
         sf_stretch *const more = realloc(shock->at, (size_t)room * sizeof *more);
@@ -68,43 +89,42 @@ static sf_outcome sf_under(sf_shocked *shock, double since, const sf_arc *arc, d
         shock->at = more, shock->room = room;
     }
     for (long i = 0; i < shock->phases.count; i++)
-        shock->at[shock->count++] = (sf_stretch){since, *arc, shock->phases.at[i]};
+        shock->at[shock->count++] = (sf_stretch){since, *arc, shock->phases.at[i], 0.0, 0};
+    shock->u = last->u_end, shock->v = last->v_end;
     return SF_GOOD;
 }
 
-/* All phases: under the arcs, then freely until the mass has turned twice or is held, for `after` at least. */
+/* All phases: under the arcs, then freely until the mass has turned twice or is held, for `after` at least: a free
+ * motion only loses energy. SF_DIVERGES where that does not come. */
 static sf_outcome sf_all_phases(sf_shocked *shock, const sf_arc *arcs, long count, double tau, double after)
 {
-    double u = 0.0, v = 0.0, A = 0.0;
+    double A = 0.0;
     for (long i = 0; i < count; i++) {
-        const sf_outcome outcome = sf_under(shock, tau, &arcs[i], u, v);
+        const sf_outcome outcome = sf_under(shock, tau, &arcs[i]);
         if (outcome != SF_GOOD)
             return outcome;
-        u = shock->at[shock->count - 1].phase.u_end, v = shock->at[shock->count - 1].phase.v_end;
         tau += arcs[i].span;
     }
     const double over = tau + after;
     const long before = shock->count;
-    long turned = 0;
+    long turned = 0, i = 0;
     for (int turn = 0; turn < SF_MOST_TURNS; turn++) {
         const sf_arc free_arc = {fmax(over - tau, SF_TURN), 1.0, 0.0, 0.0};
-        long i = turn > 0 ? shock->count : 0;
-        const sf_outcome outcome = sf_under(shock, tau, &free_arc, u, v);
+        const sf_outcome outcome = sf_under(shock, tau, &free_arc);
         if (outcome != SF_GOOD)
             return outcome;
-        const sf_phase *const last = &shock->at[shock->count - 1].phase;
-        u = last->u_end, v = last->v_end;
         tau += free_arc.span;
         for (; i < shock->count; i++) {
             turned += i >= before && shock->at[i].phase.event == SF_STOP;
-            A = fmax(A, fabs(shock->at[i].phase.u_end));
+            A = fmax(A, fabs(shock->at[i].phase.u_end - shock->rest));
         }
         /* a mass that is damped much creeps back, and turns once at most: until it does not move, or has come back */
-        const int creeps = fabs(v) <= fabs(u) * SF_CREEPS || fmax(fabs(u), fabs(v)) <= A * SF_CREEPS;
-        if (tau >= over && (turned >= 2 || last->slip == 0 || creeps))
+        const double off = fabs(shock->u - shock->rest), v = fabs(shock->v);
+        const int creeps = v <= off * SF_CREEPS || fmax(off, v) <= A * SF_CREEPS + SF_BACK * fabs(shock->rest);
+        if (tau >= over && (turned >= 2 || shock->at[shock->count - 1].phase.slip == 0 || creeps))
             return SF_GOOD;
     }
-    return SF_STALLS;
+    return SF_DIVERGES;
 }
 
 static void sf_spaced(double low, double high, long count, double *out)
@@ -115,94 +135,81 @@ static void sf_spaced(double low, double high, long count, double *out)
     out[count - 1] = high;
 }
 
-/* |acceleration| of the mass, as seen by who stands still, at angles within a phase; the largest, and where */
-static sf_outcome sf_accelerations(sf_shocked *shock, const sf_stretch *one, const double *theta, long count,
-                                   double *largest, long *where)
+/* The largest |acceleration| of the mass, as seen by who stands still, at angles within a phase, and at which. */
+static sf_outcome sf_accelerations(sf_shocked *shock, const double *theta, long count, sf_stretch *one)
 {
-    const sf_phase *const phase = &one->phase;
     sf_forced forced = sf_forced_by(shock, &one->arc);
-    const sf_piece *const piece = sf_piece_of(shock->system, phase->region);
-    const sf_drive drive = sf_drive_of(&forced, phase->slip, phase->region);
-    double states[2 * SF_POINTS][2];
+    double states[2 * SF_POINTS][3];
     const long most = forced.left;
-    if (phase->slip != 0) {
-        const sf_outcome outcome =
-            sf_sample(piece, &drive, phase->theta, phase->u, phase->v, theta, count, states, &forced.left);
-        shock->left -= most - forced.left;
-        if (outcome != SF_GOOD || shock->left < 0)
-            return SF_STALLS;
+    const sf_outcome outcome = sf_sample(&forced, &one->phase, theta, count, states);
+    shock->left -= most - forced.left;
+    if (outcome != SF_GOOD || shock->left < 0) {
+        shock->lost[0] = sf_time_of(one, theta[0]), shock->lost[1] = one->phase.u, shock->lost[2] = one->arc.F;
+        return SF_STALLS;
     }
-    *largest = -1.0;
-    for (long k = 0; k < count; k++) {
-        const double u = states[k][0], v = states[k][1];
-        double resists[2];
-        motion_resistance(v, drive.zeta, drive.friction, drive.quadratic, resists);
-        /* seen by who stands still the forcing is no force */
-        const double a = phase->slip == 0
-                             ? motion_push(cos(theta[k]), drive.F_0, 0.0)
-                             : motion_acceleration(0.0, v, drive.F_0, drive.zeta, resists[0], sf_value(piece, u));
-        if (fabs(a) > *largest)
-            *largest = fabs(a), *where = k;
-    }
+    one->largest = -1.0;
+    for (long k = 0; k < count; k++)
+        if (fabs(states[k][2]) > one->largest)
+            one->largest = fabs(states[k][2]), one->which = k;
     return SF_GOOD;
 }
 
 /* The largest acceleration and its time: at points of each phase, then ever nearer to the largest of these. */
 static sf_outcome sf_largest_acceleration(sf_shocked *shock, double *largest, double *when)
 {
-    double theta[2 * SF_POINTS], most = 0.0, a;
-    long k = 0;
+    double theta[2 * SF_POINTS], most = 0.0;
     for (long i = 0; i < shock->count; i++) {
         sf_stretch *const one = &shock->at[i];
         sf_spaced(one->phase.theta, one->phase.end, SF_POINTS, theta);
-        const sf_outcome outcome = sf_accelerations(shock, one, theta, SF_POINTS, &a, &k);
+        const sf_outcome outcome = sf_accelerations(shock, theta, SF_POINTS, one);
         if (outcome != SF_GOOD)
             return outcome;
-        one->phase.event = (int)k; /* what ended it has been counted: its place is free */
-        one->phase.v_end = a;
-        most = fmax(most, a);
+        most = fmax(most, one->largest);
     }
     *largest = 0.0, *when = 0.0;
     for (long i = 0; i < shock->count; i++) {
-        const sf_stretch *const one = &shock->at[i];
-        if (one->phase.v_end < SF_NEAR * most)
+        sf_stretch *const one = &shock->at[i];
+        if (one->largest < SF_NEAR * most)
             continue;
         long count = SF_POINTS;
         sf_spaced(one->phase.theta, one->phase.end, count, theta);
-        k = one->phase.event;
         for (int round = 0; round < SF_ROUNDS; round++) {
+            const long k = one->which;
             sf_spaced(theta[k > 0 ? k - 1 : 0], theta[k < count - 1 ? k + 1 : count - 1], 2 * SF_POINTS, theta);
             count = 2 * SF_POINTS;
-            const sf_outcome outcome = sf_accelerations(shock, one, theta, count, &a, &k);
+            const sf_outcome outcome = sf_accelerations(shock, theta, count, one);
             if (outcome != SF_GOOD)
                 return outcome;
         }
-        if (a * SF_SAME > *largest)
-            *largest = a, *when = sf_time_of(one, theta[k]);
+        if (one->largest * SF_SAME > *largest)
+            *largest = one->largest, *when = sf_time_of(one, theta[one->which]);
     }
     return SF_GOOD;
 }
 
-/* What the mass does, as SF_SHOCK_NUMBERS numbers; `shock` is given its oscillator and steps, and memory is kept in
- * it. */
+/* What the mass does, as SF_SHOCK_NUMBERS numbers; `shock` is given its oscillator, start and steps, and memory is kept
+ * in it. */
 static sf_outcome sf_shock(sf_shocked *shock, const sf_arc *arcs, long count, double begin, double after, double *out)
 {
+    const double from = fabs(shock->u);
+    const int innermost = shock->system->jump != 0.0;
     shock->count = 0;
     sf_outcome outcome = sf_all_phases(shock, arcs, count, begin, after);
     if (outcome != SF_GOOD)
         return outcome;
-    out[0] = 0.0, out[4] = NAN;
+    out[0] = from, out[4] = NAN;
     for (long i = 0; i < shock->count; i++)
         out[0] = fmax(out[0], fabs(shock->at[i].phase.u_end)); /* between switches u is monotone */
     for (long i = shock->count - 1; i >= 0; i--) {
         const sf_stretch *const one = &shock->at[i];
         if (fabs(one->phase.u_end) >= out[0] * SF_SAME)
             out[1] = sf_time_of(one, one->phase.end);
-        if (one->phase.region != 0)
+        if (abs(one->phase.region) > innermost)
             out[4] = sf_time_of(one, one->phase.theta);
     }
-    const sf_phase last = shock->at[shock->count - 1].phase;
-    out[5] = last.slip == 0, out[6] = last.u_end;
+    if (from != 0.0 && from >= out[0] * SF_SAME)
+        out[1] = begin;
+    out[5] = shock->at[shock->count - 1].phase.slip == 0, out[6] = shock->u;
     return sf_largest_acceleration(shock, &out[2], &out[3]);
 }
 
