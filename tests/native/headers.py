@@ -26,7 +26,7 @@ WORD = re.compile(r"\b[A-Za-z_]\w*\b")
 #: names that a macro of the solvers puts together begin so
 PASTED = re.compile(r"\b(\w+)##")
 COMPILER = shutil.which("cc")
-WIDEST = 64
+WIDEST = 128
 LIBRARY = "kernels.so"
 
 

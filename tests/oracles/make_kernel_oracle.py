@@ -42,6 +42,7 @@ from tests.oracles.definitions.averaged_force import (
     second_approximation_table,
     stated,
     steps,
+    steps_by,
 )
 from tests.oracles.definitions.damping import dissipation_table
 from tests.oracles.definitions.den_hartog import DEN_HARTOG, exact_U, exact_V
@@ -274,6 +275,7 @@ def data_table(name: str, designs: Sequence, parameters: list[tuple[float, ...]]
     table["jumps"] = [entry(jumps, p) for p in parameters]
     if name != "rod_spring_untruncated":
         table["steps"] = [entry(functools.partial(steps, name), p) for p in parameters]
+        table["steps_by"] = [entry(functools.partial(steps_by, name), p) for p in parameters]
     # f(u)/u rises where no coefficient of its slope is negative: all but the first, or what multiplies 1/sqrt(1 - u^2)
     rising = {
         "duffing": lambda *q: q[1:],

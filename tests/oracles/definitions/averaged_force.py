@@ -277,20 +277,35 @@ def scale_of(name: str, p: Sequence[float]) -> float:
 
 
 def steps(name: str, *q) -> list:
-    """The force and its derivatives at 0, what they gain at each end of a piece, and those of the last piece at 0.
-
-    From values of the polynomials at as many points as they need, by the differences' exact interpolation.
-    """
+    """The force and its derivatives at 0, what they gain at each end of a piece, and those of the last piece at 0."""
     forces, ends = pieces(name, q)
-    other = stated(name)
-    degree = max(map(max, other.polynomials(q))) if other else {"duffing": 3, "rod_spring": 5}[name]
     gains = [(forces[0], mpf(0))]
     gains += [(lambda u, k=k: forces[k + 1](u) - forces[k](u), end) for k, end in enumerate(ends)]
-    found = []
-    for gain, at in [*gains, (forces[-1], mpf(0))]:
-        nodes = [mpf(j) / 4 for j in range(1, degree + 2)]
-        rows = mp.matrix([[node**k / mp.factorial(k) for k in range(degree + 1)] for node in nodes])
-        found += list(mp.lu_solve(rows, mp.matrix([gain(at + node) for node in nodes])))
+    return [value for gain, at in [*gains, (forces[-1], mpf(0))] for value in slopes_at(name, q, gain, at)]
+
+
+def steps_by(name: str, *q) -> list:
+    """What each parameter does to the derivatives of each piece at 0, and to their gains at the ends, which stay."""
+    ends, found = pieces(name, q)[1], []
+    for i in range(len(q)):
+
+        def moved(u, k, i=i):
+            return mp.diff(lambda value: pieces(name, (*q[:i], value, *q[i + 1 :]))[0][k](u), q[i])
+
+        for k in range(len(ends) + 1):
+            found += slopes_at(name, q, lambda u, k=k: moved(u, k), mpf(0))
+        for k, end in enumerate(ends):
+            found += slopes_at(name, q, lambda u, k=k: moved(u, k + 1) - moved(u, k), end)
+    return found
+
+
+def slopes_at(name: str, q: Sequence, polynomial, at) -> list:
+    """A polynomial of the force and its derivatives, from as many values as they need, by exact interpolation."""
+    other = stated(name)
+    degree = max(map(max, other.polynomials(q))) if other else {"duffing": 3, "rod_spring": 5}[name]
+    nodes = [mpf(j) / 4 for j in range(1, degree + 2)]
+    rows = mp.matrix([[node**k / mp.factorial(k) for k in range(degree + 1)] for node in nodes])
+    found = mp.lu_solve(rows, mp.matrix([polynomial(at + node) for node in nodes]))
     return [mpf(0) if abs(value) < mpf(10) ** -45 else value for value in found]
 
 
