@@ -62,7 +62,7 @@ typedef struct {
                                       double *Omega_cr);
     sf_many many_detachment, many_onsets, many_folds, many_states, many_peaks, many_proved_folds, many_proved_states;
     sf_many many_curves;
-    sf_many many_gradients, many_inertial_gradients;
+    sf_many many_gradients, many_inertial_gradients, many_told;
     sf_many many_second_detachment, many_second_onsets, many_second_folds, many_second_peaks;
     sf_many many_averages;
     const sf_records *records;

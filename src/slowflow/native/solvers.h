@@ -52,6 +52,7 @@ const sf_solvers SF_SOLVERS = {
     sf_many_curves,
     sf_many_gradients,
     sf_many_inertial_gradients,
+    sf_many_told,
     sf_many_second_detachment,
     sf_many_second_onsets,
     sf_many_second_folds,

@@ -5,9 +5,8 @@ curved     what a force has beside its steps that is no polynomial, by sums, at 
 smooth     where such a force is smooth, and where it holds motions back
 flow       what excites and what dissipates: frequencies, levels and bounds at points and on boxes
 boxes      all solutions of a few equations in a box, by exclusion and Krawczyk's test
-equations  what vanishes at rest, where the springs detach, and at folds beside the centre, as `boxes` takes it
 ends       the means by the motion's ends, in which nothing is singular next to a jump of the force
-by_ends    what vanishes at states and at folds, in these
+by_ends    what vanishes at rest, where a motion comes to a step, at states and at folds, in these
 sheets     the balance of the mean as cells that hold all of it, for all questions
 onset      the lowest forcing with a fold, and that none is below
 reach      how far motions go at a forcing, and that none is beyond

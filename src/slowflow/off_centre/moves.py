@@ -7,22 +7,22 @@ move as those about the centre do (`slowflow.moves`).
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any
 
 import numpy as np
 
 from slowflow import moves
+from slowflow.backend import SOLVER
 from slowflow.gradient import Gradient
 from slowflow.model import Floats, Model, at_rest
 from slowflow.off_centre.curved import Curved
 from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import ORDERS, Steps
 from slowflow.validate import NotAvailable
-from slowflow_kernels import dissipation, off_centre, sensitivities, slow_flow
-from slowflow_kernels.conventions import MEETING, SAME, SYSTEMS, MovesStatus, Pinned
+from slowflow_kernels import dissipation, off_centre, slow_flow
+from slowflow_kernels.conventions import MEETING, SAME, MovesStatus, Pinned
 
 #: answers on a corner that a jump of the force makes, which move in their own ways on either side of it
 ON_A_JUMP = (Pinned.CORNER_FOLD, Pinned.CORNER_END)
@@ -169,88 +169,6 @@ def of_rest(given: Given, u: Floats) -> Gradient:
     return Gradient(("u", "stiffness"), names, slopes, status.astype(np.int8), (u, slope), numbers)
 
 
-@dataclass(frozen=True, eq=False)
-class System:
-    """The conditions of answers at A, Omega and F_0, in what their slopes are of, as gradient.h has them.
-
-    rest, d -- I_0 and three derivatives by A; of quadratic damping
-    causes  -- what each of the numbers that answers move with does to I_0, I_0A, I_0AA, zeta and d, (5, numbers, n)
-    h      -- and three derivatives
-    moves  -- of what each of the numbers that answers move with does: to h, h_A and h_AA, (3, numbers, n); and to the
-              forcing, the frequency and a breakpoint that are given
-    """
-
-    A: Floats
-    Omega: Floats
-    F_0: Floats
-    inertial: bool
-    rest: tuple[Floats, ...]
-    zeta: float
-    d: float
-    causes: Floats
-    h: Sequence[Floats]
-    of_h: Floats
-    given: Floats
-
-    @cached_property
-    def excited(self) -> tuple[Any, ...]:
-        """The force's amplitude, its slopes, and those of its square."""
-        return (sensitivities.by_inertia if self.inertial else sensitivities.by_force)(self.Omega, self.F_0)
-
-    @cached_property
-    def R(self) -> tuple[Any, Any]:
-        """The cosine balance, and its size."""
-        return slow_flow.R(self.Omega, self.A, self.h[0]), slow_flow.R(self.Omega, self.A, np.abs(self.h[0]))
-
-    def slopes(self, R: Any) -> tuple[Floats, Floats]:
-        """Of each condition by A, Omega and F_0, and their sizes: (conditions, 3, n)."""
-        at = (self.Omega, self.A, R, *self.rest, self.zeta, self.d, *self.h, *self.excited[3:])
-        both = _stacked(sensitivities.slopes(*at), self.A).reshape(2, -1, 3, self.A.size)
-        return both[0], both[1]
-
-    def solved(self, kind: Pinned) -> tuple[Floats, Any]:
-        """How answers of a kind move, (3, numbers, n), and where they meet others."""
-        R = 0.0 if kind is Pinned.CORNER_BACKBONE else self.R[0]
-        slopes, sizes = self.slopes(R)
-        at = (self.Omega, self.A, R, *self.rest[:3], self.zeta, self.d, *self.h[1:3])
-        shape = self.given.shape[1:]
-        right = [_in_shape(one, shape) for one in sensitivities.right(*at, *self.of_h, *self.causes, *self.given)]
-        system = SYSTEMS[kind]
-        rows, unknowns, together = system[:3], system[3:6], system[6]
-        for vanishing in system[7:]:
-            slopes[divmod(vanishing, 3)] = 0.0
-        moved, meets = np.zeros((3, *shape)), np.zeros(shape[1:], bool)
-        for n, (row, x) in enumerate(zip(rows, unknowns, strict=True)):
-            if together and n:
-                break
-            known = right[row] - sum(slopes[row, k] * moved[k] for k in unknowns[:n])
-            moved[x] = known / slopes[row, x]
-            meets |= moves.vanishes(slopes[row, x], sizes[row, x], MEETING)
-        if together:
-            (first, x, y), (_, a, b) = unknowns, rows
-            of_a, of_b = (right[row] - slopes[row, first] * moved[first] for row in (a, b))
-            determinant = slopes[a, x] * slopes[b, y] - slopes[a, y] * slopes[b, x]
-            meets |= moves.vanishes(determinant, sizes[a, x] * sizes[b, y] + sizes[a, y] * sizes[b, x], MEETING)
-            moved[x] = (of_a * slopes[b, y] - slopes[a, y] * of_b) / determinant
-            moved[y] = (slopes[a, x] * of_b - of_a * slopes[b, x]) / determinant
-        return moved, meets
-
-    def of_state(self, moved: Floats) -> tuple[Any, Any]:
-        """How the phase and the transmissibility of states move."""
-        at = (self.Omega, self.A, *self.rest[:2], self.zeta, self.d, *self.h[:2], *self.excited[:3])
-        # mypy takes a starred argument for all that are left
-        return sensitivities.of_state(*at, self.of_h[0], *self.causes[[0, 3, 4]], *moved)  # type: ignore[call-arg]
-
-
-def _stacked(values: Sequence[Any], like: Floats) -> Floats:
-    return np.array([_in_shape(value, like.shape) for value in values])
-
-
-def _in_shape(value: Any, shape: tuple[int, ...]) -> Any:
-    """The value in a shape, which it mostly has: NumPy takes eight microseconds to find that out."""
-    return value if np.shape(value) == shape else np.broadcast_to(value, shape)
-
-
 def _of_kind(
     given: Given, kind: Pinned, names: tuple[str, ...], A: Floats, B: Floats, Omega: Floats, F_0: Floats
 ) -> tuple[Mapping[str, Floats], Mapping[str, Floats], Any]:
@@ -271,21 +189,17 @@ def _of_kind(
     if kind in (Pinned.CORNER_TOP, Pinned.CORNER_REST):
         side, ends[: len(model.design)] = given.end(A, B)
         (ends,) = off_centre.moved_at_end(side, means.c[1], means.s[1], c_p[0], of_load, ends)
-    m, eta, place = np.full(A.shape, flow.m), np.full(A.shape, flow.eta), len(model.design)
-    of_m, of_eta = np.reshape([_in_shape(one, A.shape) for one in dissipation.rest_moves(A)], (2, 3, A.size))
-    causes = np.zeros((5, len(names), A.size))
+    place, causes = len(model.design), np.zeros((5, len(names), A.size))
+    of_m, of_eta = np.reshape([np.broadcast_to(one, A.shape) for one in dissipation.rest_moves(A)], (2, 3, A.size))
     causes[:3, place], causes[3, place + 1] = slow_flow.friction(1.0) * of_m, 1.0
     if model.laws.any:
         causes[:3, place + 2], causes[4, place + 3] = of_eta, dissipation.quadratic(1.0)
-    system = System(
-        *(A, Omega, F_0, model.inertial, at_rest(A, m, eta), flow.zeta, flow.d, causes),
-        *((h, h_A, h_AA, h_AAA), np.array(of_h), np.array((of_F_0, of_Omega, ends))),
-    )
-    (A_p, Omega_p, F_0_p), meets = system.solved(kind)
-    phase = system.of_state(np.array((A_p, Omega_p, F_0_p)))
+    at = A, Omega, F_0, kind, model.inertial, h, h_A, h_AA, h_AAA, *at_rest(A, flow.m, flow.eta), flow.zeta, flow.d
+    told = np.broadcast_arrays(*at, *of_h, *causes, of_F_0, of_Omega, ends)
+    A_p, phi_p, passed_p, Omega_p, F_0_p, alone = np.moveaxis(SOLVER.moved(np.stack(told, axis=-1)), -1, 0)
     found = {"A": A_p, "B": B_p - means.s[1] / means.c[1] * A_p, "Omega": Omega_p, "F_0": F_0_p}
     found["u_max"] = found["A"] + np.sign(B) * found["B"]
-    found |= dict(zip(("phi", "transmissibility"), phase, strict=True))
+    found |= {"phi": phi_p, "transmissibility": passed_p}
     values = {
         "A": A,
         "B": B,
@@ -295,4 +209,4 @@ def _of_kind(
         "phi": flow.phase(Omega, A, h),
         "transmissibility": flow.transmissibility(Omega, A, F_0, h),
     }
-    return found, values, np.where(meets, MovesStatus.MEETS, MovesStatus.OK)
+    return found, values, np.where(alone[0] == 1, MovesStatus.OK, MovesStatus.MEETS)

@@ -26,9 +26,9 @@ from slowflow.model import Floats, Model
 from slowflow.off_centre import answers
 from slowflow.off_centre.answers import RestPositions
 from slowflow.off_centre.boxes import Ints, Solutions, solve
+from slowflow.off_centre.by_ends import Resting
 from slowflow.off_centre.complete import AT_CENTRE, PARTS, Complete
 from slowflow.off_centre.curve import Curves, Slow, curves, on_curve
-from slowflow.off_centre.equations import Resting
 from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import ORDERS, Means, Steps
 from slowflow.off_centre.reach import AMPLITUDE, LARGEST, Farthest, Measure, Reach, Share

@@ -37,6 +37,8 @@ static const struct {
     {"ends", "(n),(),(),(),(),()->(14),(14)", "charts, lo and hi of x, of y, chart -> lower ends, upper ends.", 6, 2,
      sf_ends_loop,
      {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE}},
+    {"moved", "(26)->(6)", "an answer by what is known there, and of that -> moves, whether it meets no other.", 1, 1,
+     sf_moved_loop, {NPY_DOUBLE, NPY_DOUBLE}},
     {"interval_product", "(),(),(),()->(),()", "lo, hi, lo, hi -> lo, hi", 4, 2, sf_interval_product_loop,
      {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE}},
     {"interval_square", "(),()->(),()", "lo, hi -> lo, hi", 2, 2, sf_interval_square_loop,

@@ -85,3 +85,9 @@ void sf_ends_loop(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t 
     }
     fesetenv(&before);
 }
+
+/* How answers move that are told by what is known there (gradient.h). */
+void sf_moved_loop(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data)
+{
+    sf_here()->many_told(operands, dimensions, steps, data);
+}
