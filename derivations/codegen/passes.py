@@ -1,7 +1,7 @@
 """From a kernel's expressions to a straight line of assignments: common subexpressions once, powers as chains.
 
 In:  lets and outputs, exact SymPy expressions in structured form.
-Out: `Program`: the assignments in order, the outputs, and the operations counted after each pass. Outputs of a
+Out: `Program`: the assignments in order, the outputs, and how many operations it takes. Outputs of a
      `Repeated` stay what they are, one after the other; `program_of` is what computes them.
 
 Nothing is expanded, factored or rounded here: the structured forms keep digits that an expansion cancels.
@@ -12,7 +12,7 @@ from __future__ import annotations
 import functools
 from collections import Counter
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import sympy as sp
 
@@ -30,12 +30,12 @@ class Program:
 
     lets    -- assignments (symbol, expression) in order; an integer power in them is a square of a symbol
     outputs -- expressions in the arguments and the lets
-    counts  -- floating-point operations after each pass, by pass
+    operations -- floating-point operations that it takes
     """
 
     lets: tuple[Let, ...]
     outputs: tuple[sp.Expr, ...]
-    counts: dict[str, int] = field(hash=False)
+    operations: int
 
 
 @functools.cache
@@ -84,16 +84,11 @@ def straight_line(
 def _passed(lets: tuple[Let, ...], outputs: tuple[sp.Expr, ...], reserved: tuple[str, ...], named: bool) -> Program:
     """`straight_line` of what is needed: regimes that differ in what is not are the same code."""
     names = {*reserved, *(symbol.name for symbol, _ in lets)}
-    counts = {"structured": _counted(lets, outputs, "structured")}
-
     if not (named or is_spelled_out(lets)):
         lets, outputs = _common_subexpressions(lets, outputs)
-    counts["common subexpressions"] = _counted(lets, outputs, "common subexpressions")
-
     lets, outputs = _power_chains(lets, outputs)
     lets, outputs = _numbered(lets, outputs, names)
-    counts["power chains"] = _counted(lets, outputs, "power chains")
-    return Program(tuple(lets), tuple(outputs), counts)
+    return Program(tuple(lets), tuple(outputs), _counted(lets, outputs))
 
 
 def is_spelled_out(lets: Sequence[Let]) -> bool:
@@ -107,11 +102,11 @@ def program_of(repeated: Repeated) -> Program:
     return straight_line(repeated.lets, [value for _, value in repeated.outputs], repeated.arguments, named=True)
 
 
-def _counted(lets: Sequence[Let], outputs: Sequence[sp.Expr], after: str) -> int:
-    """Operations after a pass, those of what is repeated as often as it is called."""
+def _counted(lets: Sequence[Let], outputs: Sequence[sp.Expr]) -> int:
+    """Operations, those of what is repeated as often as it is called."""
     calls = {(value.repeated, value.args) for _, value in lets if isinstance(value, Output)}
     own = sum(operations(e) for e in (*(value for _, value in lets), *outputs))
-    return own + sum(program_of(repeated).counts[after] for repeated, _ in calls)
+    return own + sum(program_of(repeated).operations for repeated, _ in calls)
 
 
 @functools.cache

@@ -83,7 +83,7 @@ class BranchView:
     lets: tuple[Line, ...]
     outputs: tuple[str, ...]
     unused: tuple[str, ...]
-    counts: dict[str, int]
+    operations: int
     proved: str
 
 
@@ -271,7 +271,7 @@ def branch_view(
         lines,
         tuple(show(output) for output in program.outputs),
         tuple(named(argument, language) for argument in kernel.arguments if argument not in used),
-        program.counts,
+        program.operations,
         in_words(program, kernel.arguments),
     )
 

@@ -5,7 +5,7 @@
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
-   Operations are counted after each pass. Bounds of rounding errors, output by output, are proved for all arguments
+   Operations are those in floating point. Bounds of rounding errors, output by output, are proved for all arguments
    where nothing overflows or underflows (derivations/codegen/rounding.py).
    Others are measured: the worst error of all outputs that was found, by a search for it with A 1e-09 to 1000, F_0
    1e-09 to 1000, Omega 0.001 to 1000, alpha 1e-16 to 1000 of either sign or 0, beta 1e-12 to 1000 of either sign or
@@ -29,10 +29,8 @@
 #define DUFFING_BREAKPOINTS 0
 
 /* h, h_A, h_AA, h_AAA together.
-   Equation (20)-(22), (31). Domain: A >= 0.
-   Operations: 12 structured, 9 common subexpressions, 9 power chains
-   Proved, error / u (1 + kappa): 1.84, 1.26, 0.67, 0.51
- */
+   Equation (20)-(22), (31). Domain: A >= 0. Operations: 9.
+   Proved, error / u (1 + kappa): 1.84, 1.26, 0.67, 0.51 */
 SF_KERNEL void duffing_averaged(double A, const double *p, double *out)
 {
     const double alpha = p[0];
@@ -46,10 +44,8 @@ SF_KERNEL void duffing_averaged(double A, const double *p, double *out)
 }
 
 /* h, h_A together.
-   Equation (20)-(22), (31). Domain: A >= 0.
-   Operations: 9 structured, 7 common subexpressions, 7 power chains
-   Proved, error / u (1 + kappa): 1.84, 1.26
- */
+   Equation (20)-(22), (31). Domain: A >= 0. Operations: 7.
+   Proved, error / u (1 + kappa): 1.84, 1.26 */
 SF_KERNEL void duffing_averaged_2(double A, const double *p, double *out)
 {
     const double alpha = p[0];
@@ -60,10 +56,8 @@ SF_KERNEL void duffing_averaged_2(double A, const double *p, double *out)
 }
 
 /* H, H_A together.
-   Equation (20)-(22), (31). Domain: A >= 0.
-   Operations: 11 structured, 8 common subexpressions, 8 power chains
-   Proved, error / u (1 + kappa): 6.01, 4.01
- */
+   Equation (20)-(22), (31). Domain: A >= 0. Operations: 8.
+   Proved, error / u (1 + kappa): 6.01, 4.01 */
 SF_KERNEL void duffing_averaged_H(double A, const double *p, double *out)
 {
     const double alpha = p[0];
@@ -75,10 +69,8 @@ SF_KERNEL void duffing_averaged_H(double A, const double *p, double *out)
 }
 
 /* h - A h_A, where the tangent of h meets A = 0; linear terms are none.
-   Equation (20)-(22), (31). Domain: A >= 0.
-   Operations: 4 structured, 4 common subexpressions, 4 power chains
-   Proved, error / u (1 + kappa): 0.81
- */
+   Equation (20)-(22), (31). Domain: A >= 0. Operations: 4.
+   Proved, error / u (1 + kappa): 0.81 */
 SF_KERNEL double duffing_intercept(double A, double alpha, double beta)
 {
     (void)(alpha);
@@ -88,10 +80,8 @@ SF_KERNEL double duffing_intercept(double A, double alpha, double beta)
 }
 
 /* Higher harmonics of the force, as h is its first: h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA.
-   Equation beyond (20). Domain: A >= 0.
-   Operations: 10 structured, 9 common subexpressions, 8 power chains
-   Proved, error / u (1 + kappa): 0.61, 0.76, 0.67, 0.51, 0.0, 0.0, 0.0, 0.0
- */
+   Equation beyond (20). Domain: A >= 0. Operations: 8.
+   Proved, error / u (1 + kappa): 0.61, 0.76, 0.67, 0.51, 0.0, 0.0, 0.0, 0.0 */
 SF_KERNEL void duffing_harmonics(double A, const double *p, double *out)
 {
     const double beta = p[1];
@@ -109,10 +99,8 @@ SF_KERNEL void duffing_harmonics(double A, const double *p, double *out)
 }
 
 /* d/dp of h, h_A and h_AA at a fixed A, for each parameter p in turn.
-   Equation from (20)-(22), (31). Domain: A > 0.
-   Operations: 6 structured, 6 common subexpressions, 5 power chains
-   Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.76, 0.67, 0.51
- */
+   Equation from (20)-(22), (31). Domain: A > 0. Operations: 5.
+   Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.76, 0.67, 0.51 */
 SF_KERNEL void duffing_by_parameter(double A, double h, double h_A, double h_AA, const double *p, double *out)
 {
     (void)(h);
@@ -130,10 +118,8 @@ SF_KERNEL void duffing_by_parameter(double A, double h, double h_A, double h_AA,
 }
 
 /* d/d of each number of the design: of each parameter in turn, then of each breakpoint.
-   Equation (5), (7). Domain: any design.
-   Operations: 0 structured, 0 common subexpressions, 0 power chains
-   Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.0
- */
+   Equation (5), (7). Domain: any design. Operations: 0.
+   Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.0 */
 SF_KERNEL void duffing_by_design(double alpha, double beta, double *out)
 {
     (void)(alpha);
@@ -145,10 +131,8 @@ SF_KERNEL void duffing_by_design(double alpha, double beta, double *out)
 }
 
 /* The parameters alpha, beta from the design.
-   Equation (5), (7). Domain: any design.
-   Operations: 0 structured, 0 common subexpressions, 0 power chains
-   Proved, error / u (1 + kappa): 0.0, 0.0
- */
+   Equation (5), (7). Domain: any design. Operations: 0.
+   Proved, error / u (1 + kappa): 0.0, 0.0 */
 SF_KERNEL void duffing_coefficients(double alpha, double beta, double *out)
 {
     out[0] = alpha;
@@ -156,9 +140,7 @@ SF_KERNEL void duffing_coefficients(double alpha, double beta, double *out)
 }
 
 /* The |u| at which a piece of the force ends.
-   Equation (5). Domain: any parameters.
-   Operations: 0 structured, 0 common subexpressions, 0 power chains
- */
+   Equation (5). Domain: any parameters. Operations: 0. */
 SF_KERNEL void duffing_breakpoints(const double *p, double *out)
 {
     (void)(out);
@@ -167,9 +149,7 @@ SF_KERNEL void duffing_breakpoints(const double *p, double *out)
 }
 
 /* What the force loses at each breakpoint: f below less f above.
-   Equation (5). Domain: any parameters.
-   Operations: 0 structured, 0 common subexpressions, 0 power chains
- */
+   Equation (5). Domain: any parameters. Operations: 0. */
 SF_KERNEL void duffing_jumps(const double *p, double *out)
 {
     (void)(out);
@@ -178,10 +158,8 @@ SF_KERNEL void duffing_jumps(const double *p, double *out)
 }
 
 /* The force over the displacement, f(u)/u, rises with |u| where none of these is negative.
-   Equation from (3). Domain: any parameters.
-   Operations: 0 structured, 0 common subexpressions, 0 power chains
-   Proved, error / u (1 + kappa): 0.0
- */
+   Equation from (3). Domain: any parameters. Operations: 0.
+   Proved, error / u (1 + kappa): 0.0 */
 SF_KERNEL void duffing_hardening(const double *p, double *out)
 {
     const double beta = p[1];
@@ -189,10 +167,8 @@ SF_KERNEL void duffing_hardening(const double *p, double *out)
 }
 
 /* f and its derivatives just above 0, their gains at each breakpoint, and the last piece's by its formula at 0.
-   Equation (3), (5). Domain: any parameters.
-   Operations: 2 structured, 1 common subexpressions, 1 power chains
-   Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.51, 0.0, 0.0, 0.0, 0.51
- */
+   Equation (3), (5). Domain: any parameters. Operations: 1.
+   Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.51, 0.0, 0.0, 0.0, 0.51 */
 SF_KERNEL void duffing_steps(const double *p, double *out)
 {
     const double alpha = p[0];
@@ -209,10 +185,8 @@ SF_KERNEL void duffing_steps(const double *p, double *out)
 }
 
 /* What each parameter does to derivatives of each piece at u = 0, then to their gains at each breakpoint.
-   Equation (3). Domain: any parameters.
-   Operations: 0 structured, 0 common subexpressions, 0 power chains
-   Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
- */
+   Equation (3). Domain: any parameters. Operations: 0.
+   Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 */
 SF_KERNEL void duffing_steps_by(const double *p, double *out)
 {
     (void)(p);
@@ -227,20 +201,16 @@ SF_KERNEL void duffing_steps_by(const double *p, double *out)
 }
 
 /* Piece 1 of the whole restoring force u + F_k(u).
-   Equation (3), (5). Domain: where it holds.
-   Operations: 4 structured, 4 common subexpressions, 4 power chains
-   Proved, error / u (1 + kappa): 1.67
- */
+   Equation (3), (5). Domain: where it holds. Operations: 4.
+   Proved, error / u (1 + kappa): 1.67 */
 SF_KERNEL double duffing_force_1(double u, double alpha, double beta)
 {
     return u * (alpha + beta * u * u);
 }
 
 /* d/du of piece 1 of the whole restoring force u + F_k(u).
-   Equation (3), (5). Domain: where it holds.
-   Operations: 4 structured, 4 common subexpressions, 4 power chains
-   Proved, error / u (1 + kappa): 1.26
- */
+   Equation (3), (5). Domain: where it holds. Operations: 4.
+   Proved, error / u (1 + kappa): 1.26 */
 SF_KERNEL double duffing_force_1_u(double u, double alpha, double beta)
 {
     return alpha + 3.0 * beta * u * u;
@@ -248,19 +218,15 @@ SF_KERNEL double duffing_force_1_u(double u, double alpha, double beta)
 
 /* Whole dimensionless restoring force u + F_k(u).
    Equation (3), (5). Domain: any u.
-   Operations where force_1: 4 structured, 4 common subexpressions, 4 power chains
-   Proved where force_1, error / u (1 + kappa): 1.67
- */
+   force_1: 4 operations. Proved, error / u (1 + kappa): 1.67 */
 SF_KERNEL double duffing_force(double u, double alpha, double beta)
 {
     return duffing_force_1(u, alpha, beta);
 }
 
 /* Reduced resultant of F_A and F_AA: coefficients of A^0, A^2, ...; its roots are candidates for the onset.
-   Equation (33). Domain: roots with A > 0.
-   Operations: 117 structured, 77 common subexpressions, 52 power chains
-   Proved, error / u (1 + kappa): 0.82, 0.91, 0.91, 0.91, 0.91, 7.67, 3.2, 0.91, 7.34, 0.91, 0.89
- */
+   Equation (33). Domain: roots with A > 0. Operations: 52.
+   Proved, error / u (1 + kappa): 0.82, 0.91, 0.91, 0.91, 0.91, 7.67, 3.2, 0.91, 7.34, 0.91, 0.89 */
 #define DUFFING_SADDLE_NODE_ONSET_COUNT 11
 SF_KERNEL void duffing_saddle_node_onset(double m, double zeta, const double *p, double *out)
 {
@@ -295,11 +261,9 @@ SF_KERNEL void duffing_saddle_node_onset(double m, double zeta, const double *p,
 }
 
 /* Reduced resultant of F and F_A: coefficients of A^0, A^2, ...; its roots are candidates for folds.
-   Equation from (24), (30). Domain: roots with A > 0.
-   Operations: 191 structured, 115 common subexpressions, 98 power chains
+   Equation from (24), (30). Domain: roots with A > 0. Operations: 98.
    Proved, error / u (1 + kappa): -, -, -, -, -, -, -, -, -, 0.91, 0.91
-   Measured, error / u (1 + kappa): 1.2
- */
+   Measured, error / u (1 + kappa): 1.2 */
 #define DUFFING_SADDLE_NODES_COUNT 11
 SF_KERNEL void duffing_saddle_nodes(double F_0, double m, double zeta, const double *p, double *out)
 {
@@ -346,8 +310,7 @@ SF_KERNEL void duffing_saddle_nodes(double F_0, double m, double zeta, const dou
 
 /* The averaged restoring force h = H - A.
    Equation (20)-(22). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 0.69
- */
+   Measured, error / u (1 + kappa): 0.69 */
 SF_KERNEL double duffing_h(double A, double alpha, double beta)
 {
     const double p[] = {alpha, beta};
@@ -358,8 +321,7 @@ SF_KERNEL double duffing_h(double A, double alpha, double beta)
 
 /* d/dA of the averaged restoring force h = H - A.
    Equation (31). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 0.83
- */
+   Measured, error / u (1 + kappa): 0.83 */
 SF_KERNEL double duffing_h_A(double A, double alpha, double beta)
 {
     const double p[] = {alpha, beta};
@@ -370,8 +332,7 @@ SF_KERNEL double duffing_h_A(double A, double alpha, double beta)
 
 /* d2/dA2 of the averaged restoring force h = H - A.
    Equation from (31). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 0.67
- */
+   Measured, error / u (1 + kappa): 0.67 */
 SF_KERNEL double duffing_h_AA(double A, double alpha, double beta)
 {
     const double p[] = {alpha, beta};
@@ -382,8 +343,7 @@ SF_KERNEL double duffing_h_AA(double A, double alpha, double beta)
 
 /* d3/dA3 of the averaged restoring force h = H - A.
    Equation from (31). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 0.49
- */
+   Measured, error / u (1 + kappa): 0.49 */
 SF_KERNEL double duffing_h_AAA(double A, double alpha, double beta)
 {
     const double p[] = {alpha, beta};
@@ -394,8 +354,7 @@ SF_KERNEL double duffing_h_AAA(double A, double alpha, double beta)
 
 /* The averaged force H beside the vertical spring.
    Equation (20)-(22). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 1.5
- */
+   Measured, error / u (1 + kappa): 1.5 */
 SF_KERNEL double duffing_H(double A, double alpha, double beta)
 {
     const double p[] = {alpha, beta};
@@ -406,8 +365,7 @@ SF_KERNEL double duffing_H(double A, double alpha, double beta)
 
 /* d/dA of the averaged force H beside the vertical spring.
    Equation (31). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 2
- */
+   Measured, error / u (1 + kappa): 2 */
 SF_KERNEL double duffing_H_A(double A, double alpha, double beta)
 {
     const double p[] = {alpha, beta};
@@ -418,8 +376,7 @@ SF_KERNEL double duffing_H_A(double A, double alpha, double beta)
 
 /* d2/dA2 of the averaged force H beside the vertical spring.
    Equation from (31). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 0.64
- */
+   Measured, error / u (1 + kappa): 0.64 */
 SF_KERNEL double duffing_H_AA(double A, double alpha, double beta)
 {
     const double p[] = {alpha, beta};
@@ -430,8 +387,7 @@ SF_KERNEL double duffing_H_AA(double A, double alpha, double beta)
 
 /* Frequency response; zero at a steady state.
    Equation (24). Domain: Omega > 0, A > 0.
-   Measured, error / u (1 + kappa): 1.9
- */
+   Measured, error / u (1 + kappa): 1.9 */
 SF_KERNEL double duffing_F(double Omega, double A, double F_0, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -441,8 +397,7 @@ SF_KERNEL double duffing_F(double Omega, double A, double F_0, double mu, double
 
 /* dF/dA; positive where stable.
    Equation (24), (30). Domain: Omega > 0, A > 0.
-   Measured, error / u (1 + kappa): 1.4
- */
+   Measured, error / u (1 + kappa): 1.4 */
 SF_KERNEL double duffing_F_A(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -452,8 +407,7 @@ SF_KERNEL double duffing_F_A(double Omega, double A, double mu, double zeta, con
 
 /* The forcing F_0 for which (Omega, A) is a steady state.
    Equation (24). Domain: Omega >= 0, A > 0.
-   Measured, error / u (1 + kappa): 2.1
- */
+   Measured, error / u (1 + kappa): 2.1 */
 SF_KERNEL double duffing_level(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -463,8 +417,7 @@ SF_KERNEL double duffing_level(double Omega, double A, double mu, double zeta, c
 
 /* Phase phi of a steady state, from -pi to 0.
    Equation (25). Domain: Omega > 0, A > 0.
-   Measured, error / u (1 + kappa): 1.1
- */
+   Measured, error / u (1 + kappa): 1.1 */
 SF_KERNEL double duffing_phase(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -474,8 +427,7 @@ SF_KERNEL double duffing_phase(double Omega, double A, double mu, double zeta, c
 
 /* Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22.
    Equation (28). Domain: Omega > 0, A > 0.
-   Measured, error / u (1 + kappa): 1.6
- */
+   Measured, error / u (1 + kappa): 1.6 */
 SF_KERNEL void duffing_jacobian(double Omega, double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
@@ -485,8 +437,7 @@ SF_KERNEL void duffing_jacobian(double Omega, double A, double mu, double zeta, 
 
 /* 4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
    Equation (30). Domain: Omega > 0, A > 0.
-   Measured, error / u (1 + kappa): 1.7
- */
+   Measured, error / u (1 + kappa): 1.7 */
 SF_KERNEL double duffing_stability(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -496,8 +447,7 @@ SF_KERNEL double duffing_stability(double Omega, double A, double mu, double zet
 
 /* Fundamental harmonic of the force on the base over F_0, at a steady state.
    Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0.
-   Measured, error / u (1 + kappa): 0.88
- */
+   Measured, error / u (1 + kappa): 0.88 */
 SF_KERNEL double duffing_transmissibility(double Omega, double A, double F_0, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -507,8 +457,7 @@ SF_KERNEL double duffing_transmissibility(double Omega, double A, double F_0, do
 
 /* Frequency on the backbone.
    Equation (26). Domain: A > 0, h <= 0.
-   Measured, error / u (1 + kappa): 0.98
- */
+   Measured, error / u (1 + kappa): 0.98 */
 SF_KERNEL double duffing_backbone(double A, const double *p)
 {
     double average[2];
@@ -518,8 +467,7 @@ SF_KERNEL double duffing_backbone(double A, const double *p)
 
 /* Largest amplitude that the forcing can hold at this frequency.
    Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise.
-   Measured, error / u (1 + kappa): 0.64
- */
+   Measured, error / u (1 + kappa): 0.64 */
 SF_KERNEL double duffing_limit_envelope(double Omega, double F_0, double mu, double zeta)
 {
     return slow_flow_limit_envelope(Omega, F_0, slow_flow_friction(mu), zeta);
@@ -527,8 +475,7 @@ SF_KERNEL double duffing_limit_envelope(double Omega, double F_0, double mu, dou
 
 /* Viscous damping ratio that dissipates as much as zeta and friction together.
    Equation (38). Domain: Omega > 0, A > 0.
-   Measured, error / u (1 + kappa): 0.91
- */
+   Measured, error / u (1 + kappa): 0.91 */
 SF_KERNEL double duffing_equivalent_damping(double Omega, double A, double mu, double zeta)
 {
     return slow_flow_equivalent_damping(Omega, A, slow_flow_friction(mu), zeta);
@@ -536,8 +483,7 @@ SF_KERNEL double duffing_equivalent_damping(double Omega, double A, double mu, d
 
 /* F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
    Equation (24). Domain: A > 0.
-   Measured, error / u (1 + kappa): 1.7
- */
+   Measured, error / u (1 + kappa): 1.7 */
 SF_KERNEL void duffing_response_quartic(double A, double F_0, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
@@ -547,8 +493,7 @@ SF_KERNEL void duffing_response_quartic(double A, double F_0, double mu, double 
 
 /* F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
    Equation (24), (30). Domain: A > 0.
-   Measured, error / u (1 + kappa): 0.83
- */
+   Measured, error / u (1 + kappa): 0.83 */
 SF_KERNEL void duffing_fold_quartic(double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
@@ -558,8 +503,7 @@ SF_KERNEL void duffing_fold_quartic(double A, double mu, double zeta, const doub
 
 /* F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3.
    Equation (34). Domain: A > 0.
-   Measured, error / u (1 + kappa): 0.83
- */
+   Measured, error / u (1 + kappa): 0.83 */
 SF_KERNEL void duffing_peak_cubic(double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
@@ -569,8 +513,7 @@ SF_KERNEL void duffing_peak_cubic(double A, double mu, double zeta, const double
 
 /* Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
    Equation (34). Domain: A > 0.
-   Measured, error / u (1 + kappa): 1.8
- */
+   Measured, error / u (1 + kappa): 1.8 */
 SF_KERNEL void duffing_detachment(double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];

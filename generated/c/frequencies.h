@@ -5,7 +5,7 @@
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
-   Operations are counted after each pass. Bounds of rounding errors, output by output, are proved for all arguments
+   Operations are those in floating point. Bounds of rounding errors, output by output, are proved for all arguments
    where nothing overflows or underflows (derivations/codegen/rounding.py).
    Others are measured: the worst error of all outputs that was found, by a search for it with A 1e-09 to 1000, F_0
    1e-09 to 1000, Omega 0.001 to 1000, h 1e-12 to 1000 of either sign or 0, h_A 1e-09 to 1e+06 of either sign or 0,
@@ -30,10 +30,8 @@
 #define FREQUENCIES_FINE 3.1554436208840472e-30
 
 /* F, and what its rounding error is below ROUGH times of.
-   Equation (24). Domain: Omega >= 0, A > 0.
-   Operations: 27 structured, 20 common subexpressions, 20 power chains
-   Measured, error / u (1 + kappa): 0.98
- */
+   Equation (24). Domain: Omega >= 0, A > 0. Operations: 20.
+   Measured, error / u (1 + kappa): 0.98 */
 SF_TWOFOLD void frequencies_response(double Omega, double A, double F_0, double m, double zeta, double h, double *out)
 {
     const double t0 = A * Omega * Omega;
@@ -46,11 +44,9 @@ SF_TWOFOLD void frequencies_response(double Omega, double A, double F_0, double 
 }
 
 /* F at Omega = 0, and what its rounding error is below ROUGH times of.
-   Equation (24). Domain: any.
-   Operations: 9 structured, 7 common subexpressions, 7 power chains
+   Equation (24). Domain: any. Operations: 7.
    Proved, error / u (1 + kappa): -, 1.34
-   Measured, error / u (1 + kappa): 1.3
- */
+   Measured, error / u (1 + kappa): 1.3 */
 SF_TWOFOLD void frequencies_response_at_0(double F_0, double m, double h, double *out)
 {
     const double t0 = h * h;
@@ -60,10 +56,8 @@ SF_TWOFOLD void frequencies_response_at_0(double F_0, double m, double h, double
 }
 
 /* F_A/2, and what its rounding error is below ROUGH times of.
-   Equation (30). Domain: Omega >= 0, A > 0.
-   Operations: 38 structured, 23 common subexpressions, 23 power chains
-   Measured, error / u (1 + kappa): 1.1
- */
+   Equation (30). Domain: Omega >= 0, A > 0. Operations: 23.
+   Measured, error / u (1 + kappa): 1.1 */
 SF_TWOFOLD void frequencies_fold(double Omega, double A, double m, double zeta, double h, double h_A, double *out)
 {
     const double t0 = Omega * Omega;
@@ -79,41 +73,33 @@ SF_TWOFOLD void frequencies_fold(double Omega, double A, double m, double zeta, 
 }
 
 /* F_A/2 at Omega = 0.
-   Equation (30). Domain: any.
-   Operations: 1 structured, 1 common subexpressions, 1 power chains
-   Proved, error / u (1 + kappa): 0.34
- */
+   Equation (30). Domain: any. Operations: 1.
+   Proved, error / u (1 + kappa): 0.34 */
 SF_TWOFOLD double frequencies_fold_at_0(double h, double h_A)
 {
     return h * h_A;
 }
 
 /* A Omega^3 + p Omega + q.
-   Equation from (24), (30). Domain: Omega >= 0, A > 0.
-   Operations: 5 structured, 5 common subexpressions, 5 power chains
-   Proved, error / u (1 + kappa): 2.67
- */
+   Equation from (24), (30). Domain: Omega >= 0, A > 0. Operations: 5.
+   Proved, error / u (1 + kappa): 2.67 */
 SF_TWOFOLD double frequencies_cubic(double Omega, double A, double p, double q)
 {
     return Omega * (A * Omega * Omega + p) + q;
 }
 
 /* Its derivative by Omega.
-   Equation from (24), (30). Domain: Omega >= 0, A > 0.
-   Operations: 4 structured, 4 common subexpressions, 4 power chains
-   Proved, error / u (1 + kappa): 1.26
- */
+   Equation from (24), (30). Domain: Omega >= 0, A > 0. Operations: 4.
+   Proved, error / u (1 + kappa): 1.26 */
 SF_TWOFOLD double frequencies_cubic_slope(double Omega, double A, double p)
 {
     return 3.0 * A * Omega * Omega + p;
 }
 
 /* Of a quartic from 0 to a critical point, and its magnitude.
-   Equation from (24), (30). Domain: Omega >= 0, A > 0.
-   Operations: 17 structured, 11 common subexpressions, 11 power chains
+   Equation from (24), (30). Domain: Omega >= 0, A > 0. Operations: 11.
    Proved, error / u (1 + kappa): 3.01, -
-   Measured, error / u (1 + kappa): 0.55
- */
+   Measured, error / u (1 + kappa): 0.55 */
 SF_TWOFOLD void frequencies_rise(double Omega, double A, double p, double k, double *out)
 {
     const double t0 = Omega * Omega;
@@ -126,8 +112,7 @@ SF_TWOFOLD void frequencies_rise(double Omega, double A, double p, double k, dou
 /* F in double-double, and what its error is below FINE times of.
    Equation (24). Domain: Omega >= 0, A > 0.
    Exact: 6 products and 4 sums.
-   Measured, error / u (1 + kappa): 1.9
- */
+   Measured, error / u (1 + kappa): 1.9 */
 SF_TWOFOLD void frequencies_response_fine(double Omega, double A, double F_0, double m, double zeta, double h, double *out)
 {
     double d0_low;
@@ -167,8 +152,7 @@ SF_TWOFOLD void frequencies_response_fine(double Omega, double A, double F_0, do
 /* F at Omega + tail in double-double, and what its error is below FINE times of.
    Equation (24). Domain: Omega >= 0, A > 0.
    Exact: 7 products and 4 sums.
-   Measured, error / u (1 + kappa): 1.7
- */
+   Measured, error / u (1 + kappa): 1.7 */
 SF_TWOFOLD void frequencies_response_beside(double Omega, double tail, double A, double F_0, double m, double zeta, double h, double *out)
 {
     double d0_low;
@@ -213,8 +197,7 @@ SF_TWOFOLD void frequencies_response_beside(double Omega, double tail, double A,
 /* The derivative of F by Omega is k (A Omega^3 + p Omega + q): p, p_low, q, q_low, k.
    Equation (24). Domain: A > 0.
    Exact: 3 products and 2 sums.
-   Measured, error / u (1 + kappa): 0.31
- */
+   Measured, error / u (1 + kappa): 0.31 */
 SF_TWOFOLD void frequencies_response_derivative(double A, double m, double zeta, double h, double *out)
 {
     double d0_low;
@@ -239,8 +222,7 @@ SF_TWOFOLD void frequencies_response_derivative(double A, double m, double zeta,
 /* F at Omega = 0, with a certain sign.
    Equation (24). Domain: any.
    Exact: 3 products.
-   Measured, error / u (1 + kappa): 0.34
- */
+   Measured, error / u (1 + kappa): 0.34 */
 SF_TWOFOLD double frequencies_response_exactly_at_0(double F_0, double m, double h)
 {
     double d0_low;
@@ -256,8 +238,7 @@ SF_TWOFOLD double frequencies_response_exactly_at_0(double F_0, double m, double
 /* F_A/2 in double-double, and what its error is below FINE times of.
    Equation (30). Domain: Omega >= 0, A > 0.
    Exact: 7 products and 4 sums.
-   Measured, error / u (1 + kappa): 1.5
- */
+   Measured, error / u (1 + kappa): 1.5 */
 SF_TWOFOLD void frequencies_fold_fine(double Omega, double A, double m, double zeta, double h, double h_A, double *out)
 {
     double d0_low;
@@ -302,8 +283,7 @@ SF_TWOFOLD void frequencies_fold_fine(double Omega, double A, double m, double z
 /* F_A/2 at Omega + tail in double-double, and what its error is below FINE times of.
    Equation (30). Domain: Omega >= 0, A > 0.
    Exact: 8 products and 4 sums.
-   Measured, error / u (1 + kappa): 1.1
- */
+   Measured, error / u (1 + kappa): 1.1 */
 SF_TWOFOLD void frequencies_fold_beside(double Omega, double tail, double A, double m, double zeta, double h, double h_A, double *out)
 {
     double d0_low;
@@ -355,8 +335,7 @@ SF_TWOFOLD void frequencies_fold_beside(double Omega, double tail, double A, dou
 /* The derivative of F_A/2 by Omega is k (A Omega^3 + p Omega + q): p, p_low, q, q_low, k.
    Equation (30). Domain: A > 0.
    Exact: 4 products and 4 sums.
-   Measured, error / u (1 + kappa): 0.76
- */
+   Measured, error / u (1 + kappa): 0.76 */
 SF_TWOFOLD void frequencies_fold_derivative(double A, double m, double zeta, double h, double h_A, double *out)
 {
     double d0_low;
@@ -388,8 +367,7 @@ SF_TWOFOLD void frequencies_fold_derivative(double A, double m, double zeta, dou
 /* A Omega^3 + p Omega + q in double-double.
    Equation from (24), (30). Domain: A > 0.
    Exact: 3 products and 2 sums.
-   Measured, error / u (1 + kappa): 0.5
- */
+   Measured, error / u (1 + kappa): 0.5 */
 SF_TWOFOLD double frequencies_cubic_fine(double Omega, double A, double p, double p_low, double q, double q_low)
 {
     double d0_low;
@@ -412,8 +390,7 @@ SF_TWOFOLD double frequencies_cubic_fine(double Omega, double A, double p, doubl
 /* Of the cubic, over A: for p < 0 < q positive where it has two positive roots; and its first term.
    Equation from (24), (30). Domain: A > 0.
    Exact: 5 products and 1 sum.
-   Measured, error / u (1 + kappa): 1.6
- */
+   Measured, error / u (1 + kappa): 1.6 */
 SF_TWOFOLD void frequencies_discriminant(double A, double p, double p_low, double q, double q_low, double *out)
 {
     double d0_low;

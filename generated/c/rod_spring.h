@@ -6,7 +6,7 @@
 
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
    Regimes: passed_n where A exceeds n breakpoints, far_k where it exceeds k of them 21/20 times.
-   Operations are counted after each pass. Bounds of rounding errors, output by output, are proved for all arguments
+   Operations are those in floating point. Bounds of rounding errors, output by output, are proved for all arguments
    where nothing overflows or underflows (derivations/codegen/rounding.py).
    Others are measured: the worst error of all outputs that was found, by a search for it with A 1e-09 to 1000, F_0
    1e-09 to 1000, Omega 0.001 to 1000, alpha 1e-16 to 1000 of either sign or 0, beta 1e-12 to 1000 of either sign or
@@ -33,12 +33,10 @@
 
 /* h, h_A, h_AA, h_AAA together.
    Equation (20)-(22), (31). Domain: A >= 0.
-   Operations where passed_0: 28 structured, 19 common subexpressions, 19 power chains
-   Proved where passed_0, error / u (1 + kappa): 5.51, 4.51, 2.34, 1.51
-   Operations where passed_1: 249 structured, 123 common subexpressions, 116 power chains
-   Operations where passed_1_far_1: 313 structured, 182 common subexpressions, 167 power chains
-   Measured, error / u (1 + kappa): 2.2
- */
+   passed_0: 19 operations. Proved, error / u (1 + kappa): 5.51, 4.51, 2.34, 1.51
+   passed_1: 116 operations.
+   passed_1_far_1: 167 operations.
+   Measured, error / u (1 + kappa): 2.2 */
 SF_KERNEL void rod_spring_averaged_passed_0(double A, const double *p, double *out)
 {
     const double alpha = p[0];
@@ -178,12 +176,10 @@ SF_KERNEL void rod_spring_averaged(double A, const double *p, double *out)
 
 /* h, h_A together.
    Equation (20)-(22), (31). Domain: A >= 0.
-   Operations where passed_0: 17 structured, 13 common subexpressions, 13 power chains
-   Proved where passed_0, error / u (1 + kappa): 5.51, 4.51
-   Operations where passed_1: 76 structured, 59 common subexpressions, 56 power chains
-   Operations where passed_1_far_1: 214 structured, 132 common subexpressions, 117 power chains
-   Measured, error / u (1 + kappa): 1.6
- */
+   passed_0: 13 operations. Proved, error / u (1 + kappa): 5.51, 4.51
+   passed_1: 56 operations.
+   passed_1_far_1: 117 operations.
+   Measured, error / u (1 + kappa): 1.6 */
 SF_KERNEL void rod_spring_averaged_2_passed_0(double A, const double *p, double *out)
 {
     const double alpha = p[0];
@@ -285,12 +281,10 @@ SF_KERNEL void rod_spring_averaged_2(double A, const double *p, double *out)
 
 /* H, H_A together.
    Equation (20)-(22), (31). Domain: A >= 0.
-   Operations where passed_0: 19 structured, 14 common subexpressions, 14 power chains
-   Proved where passed_0, error / u (1 + kappa): 7.67, 6.34
-   Operations where passed_1: 71 structured, 55 common subexpressions, 52 power chains
-   Operations where passed_1_far_1: 212 structured, 130 common subexpressions, 115 power chains
-   Measured, error / u (1 + kappa): 3
- */
+   passed_0: 14 operations. Proved, error / u (1 + kappa): 7.67, 6.34
+   passed_1: 52 operations.
+   passed_1_far_1: 115 operations.
+   Measured, error / u (1 + kappa): 3 */
 SF_KERNEL void rod_spring_averaged_H_passed_0(double A, const double *p, double *out)
 {
     const double alpha = p[0];
@@ -390,12 +384,10 @@ SF_KERNEL void rod_spring_averaged_H(double A, const double *p, double *out)
 
 /* h - A h_A, where the tangent of h meets A = 0; linear terms are none.
    Equation (20)-(22), (31). Domain: A >= 0.
-   Operations where passed_0: 8 structured, 8 common subexpressions, 7 power chains
-   Proved where passed_0, error / u (1 + kappa): 4.61
-   Operations where passed_1: 51 structured, 48 common subexpressions, 45 power chains
-   Operations where passed_1_far_1: 186 structured, 114 common subexpressions, 99 power chains
-   Measured, error / u (1 + kappa): 3
- */
+   passed_0: 7 operations. Proved, error / u (1 + kappa): 4.61
+   passed_1: 45 operations.
+   passed_1_far_1: 99 operations.
+   Measured, error / u (1 + kappa): 3 */
 SF_KERNEL double rod_spring_intercept_passed_0(double A, double alpha, double beta, double gamma, double u_cr)
 {
     (void)(alpha);
@@ -470,12 +462,10 @@ SF_KERNEL double rod_spring_intercept(double A, double alpha, double beta, doubl
 
 /* Higher harmonics of the force, as h is its first: h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA.
    Equation beyond (20). Domain: A >= 0.
-   Operations where passed_0: 44 structured, 32 common subexpressions, 26 power chains
-   Proved where passed_0, error / u (1 + kappa): 4.11, 3.51, 2.34, 1.51, 0.72, 0.84, 0.81, 0.76
-   Operations where passed_1: 975 structured, 291 common subexpressions, 278 power chains
-   Operations where passed_1_far_1: 1104 structured, 363 common subexpressions, 331 power chains
-   Measured, error / u (1 + kappa): 3.8
- */
+   passed_0: 26 operations. Proved, error / u (1 + kappa): 4.11, 3.51, 2.34, 1.51, 0.72, 0.84, 0.81, 0.76
+   passed_1: 278 operations.
+   passed_1_far_1: 331 operations.
+   Measured, error / u (1 + kappa): 3.8 */
 SF_KERNEL void rod_spring_harmonics_passed_0(double A, const double *p, double *out)
 {
     const double beta = p[1];
@@ -725,11 +715,10 @@ SF_KERNEL void rod_spring_harmonics(double A, const double *p, double *out)
 
 /* d/dp of h, h_A and h_AA at a fixed A, for each parameter p in turn.
    Equation from (20)-(22), (31). Domain: A > 0.
-   Operations where passed_0: 18 structured, 16 common subexpressions, 10 power chains
-   Proved where passed_0, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.76, 0.67, 0.51, 0.84, 0.81, 0.76, 0.0, 0.0, 0.0
-   Operations where passed_1: 207 structured, 131 common subexpressions, 109 power chains
-   Operations where passed_1_far_1: 321 structured, 188 common subexpressions, 159 power chains
- */
+   passed_0: 10 operations. Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.76, 0.67, 0.51, 0.84, 0.81, 0.76, 0.0,
+   0.0, 0.0
+   passed_1: 109 operations.
+   passed_1_far_1: 159 operations. */
 SF_KERNEL void rod_spring_by_parameter_passed_0(double A, double h, double h_A, double h_AA, const double *p, double *out)
 {
     (void)(h);
@@ -893,9 +882,7 @@ SF_KERNEL void rod_spring_by_parameter(double A, double h, double h_A, double h_
 }
 
 /* d/d of each number of the design: of each parameter in turn, then of each breakpoint.
-   Equation (5), (7). Domain: any design that has a breakpoint.
-   Operations: 31 structured, 17 common subexpressions, 17 power chains
- */
+   Equation (5), (7). Domain: any design that has a breakpoint. Operations: 17. */
 SF_KERNEL void rod_spring_by_design(double lam, double r, double delta_h, double *out)
 {
     const double t0 = lam * r;
@@ -921,11 +908,9 @@ SF_KERNEL void rod_spring_by_design(double lam, double r, double delta_h, double
 }
 
 /* The parameters alpha, beta, gamma, u_cr from the design.
-   Equation (5), (7). Domain: any design.
-   Operations: 15 structured, 11 common subexpressions, 11 power chains
+   Equation (5), (7). Domain: any design. Operations: 11.
    Proved, error / u (1 + kappa): 1.34, 6.01, 8.01, -
-   Measured, error / u (1 + kappa): 2
- */
+   Measured, error / u (1 + kappa): 2 */
 SF_KERNEL void rod_spring_coefficients(double lam, double r, double delta_h, double *out)
 {
     const double t0 = lam * r;
@@ -937,10 +922,8 @@ SF_KERNEL void rod_spring_coefficients(double lam, double r, double delta_h, dou
 }
 
 /* The |u| at which a piece of the force ends.
-   Equation (5). Domain: any parameters.
-   Operations: 0 structured, 0 common subexpressions, 0 power chains
-   Proved, error / u (1 + kappa): 0.0
- */
+   Equation (5). Domain: any parameters. Operations: 0.
+   Proved, error / u (1 + kappa): 0.0 */
 SF_KERNEL void rod_spring_breakpoints(const double *p, double *out)
 {
     const double u_cr = p[3];
@@ -948,10 +931,8 @@ SF_KERNEL void rod_spring_breakpoints(const double *p, double *out)
 }
 
 /* What the force loses at each breakpoint: f below less f above.
-   Equation (6). Domain: any parameters.
-   Operations: 8 structured, 7 common subexpressions, 7 power chains
-   Proved, error / u (1 + kappa): 7.67
- */
+   Equation (6). Domain: any parameters. Operations: 7.
+   Proved, error / u (1 + kappa): 7.67 */
 SF_KERNEL void rod_spring_jumps(const double *p, double *out)
 {
     const double alpha = p[0];
@@ -963,10 +944,8 @@ SF_KERNEL void rod_spring_jumps(const double *p, double *out)
 }
 
 /* The force over the displacement, f(u)/u, rises with |u| where none of these is negative.
-   Equation from (3). Domain: any parameters.
-   Operations: 8 structured, 7 common subexpressions, 7 power chains
-   Proved, error / u (1 + kappa): 0.0, 0.0, 7.67
- */
+   Equation from (3). Domain: any parameters. Operations: 7.
+   Proved, error / u (1 + kappa): 0.0, 0.0, 7.67 */
 SF_KERNEL void rod_spring_hardening(const double *p, double *out)
 {
     const double alpha = p[0];
@@ -980,11 +959,9 @@ SF_KERNEL void rod_spring_hardening(const double *p, double *out)
 }
 
 /* f and its derivatives just above 0, their gains at each breakpoint, and the last piece's by its formula at 0.
-   Equation (3), (5). Domain: any parameters.
-   Operations: 33 structured, 21 common subexpressions, 21 power chains
+   Equation (3), (5). Domain: any parameters. Operations: 21.
    Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.51, 0.0, 0.51, 7.67, 7.34, 2.34, 1.51, 0.67, 0.51, 0.0, 0.0, 0.0,
-   0.0, 0.0, 0.0
- */
+   0.0, 0.0, 0.0 */
 SF_KERNEL void rod_spring_steps(const double *p, double *out)
 {
     const double alpha = p[0];
@@ -1016,13 +993,11 @@ SF_KERNEL void rod_spring_steps(const double *p, double *out)
 }
 
 /* What each parameter does to derivatives of each piece at u = 0, then to their gains at each breakpoint.
-   Equation (3). Domain: any parameters.
-   Operations: 19 structured, 16 common subexpressions, 10 power chains
+   Equation (3). Domain: any parameters. Operations: 10.
    Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
    0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.51, 0.67, 0.51, 0.0, 0.0, 0.0, 0.0, 0.0,
    0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.67, 0.81, 0.76, 0.67, 0.51, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-   0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
- */
+   0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 */
 SF_KERNEL void rod_spring_steps_by(const double *p, double *out)
 {
     const double u_cr = p[3];
@@ -1105,10 +1080,8 @@ SF_KERNEL void rod_spring_steps_by(const double *p, double *out)
 }
 
 /* Piece 1 of the whole restoring force u + F_k(u).
-   Equation (3), (6). Domain: where it holds.
-   Operations: 7 structured, 6 common subexpressions, 6 power chains
-   Proved, error / u (1 + kappa): 4.76
- */
+   Equation (3), (6). Domain: where it holds. Operations: 6.
+   Proved, error / u (1 + kappa): 4.76 */
 SF_KERNEL double rod_spring_force_1(double u, double alpha, double beta, double gamma, double u_cr)
 {
     (void)(u_cr);
@@ -1117,10 +1090,8 @@ SF_KERNEL double rod_spring_force_1(double u, double alpha, double beta, double 
 }
 
 /* d/du of piece 1 of the whole restoring force u + F_k(u).
-   Equation (3), (6). Domain: where it holds.
-   Operations: 8 structured, 7 common subexpressions, 7 power chains
-   Proved, error / u (1 + kappa): 4.51
- */
+   Equation (3), (6). Domain: where it holds. Operations: 7.
+   Proved, error / u (1 + kappa): 4.51 */
 SF_KERNEL double rod_spring_force_1_u(double u, double alpha, double beta, double gamma, double u_cr)
 {
     (void)(u_cr);
@@ -1129,10 +1100,8 @@ SF_KERNEL double rod_spring_force_1_u(double u, double alpha, double beta, doubl
 }
 
 /* Piece 2 of the whole restoring force u + F_k(u).
-   Equation (3), (6). Domain: where it holds.
-   Operations: 0 structured, 0 common subexpressions, 0 power chains
-   Proved, error / u (1 + kappa): 0.0
- */
+   Equation (3), (6). Domain: where it holds. Operations: 0.
+   Proved, error / u (1 + kappa): 0.0 */
 SF_KERNEL double rod_spring_force_2(double u, double alpha, double beta, double gamma, double u_cr)
 {
     (void)(alpha);
@@ -1143,10 +1112,8 @@ SF_KERNEL double rod_spring_force_2(double u, double alpha, double beta, double 
 }
 
 /* d/du of piece 2 of the whole restoring force u + F_k(u).
-   Equation (3), (6). Domain: where it holds.
-   Operations: 0 structured, 0 common subexpressions, 0 power chains
-   Proved, error / u (1 + kappa): 0.0
- */
+   Equation (3), (6). Domain: where it holds. Operations: 0.
+   Proved, error / u (1 + kappa): 0.0 */
 SF_KERNEL double rod_spring_force_2_u(double u, double alpha, double beta, double gamma, double u_cr)
 {
     (void)(u);
@@ -1159,11 +1126,8 @@ SF_KERNEL double rod_spring_force_2_u(double u, double alpha, double beta, doubl
 
 /* Whole dimensionless restoring force u + F_k(u), truncated.
    Equation (3), (6). Domain: any u.
-   Operations where force_1: 7 structured, 6 common subexpressions, 6 power chains
-   Proved where force_1, error / u (1 + kappa): 4.76
-   Operations where force_2: 0 structured, 0 common subexpressions, 0 power chains
-   Proved where force_2, error / u (1 + kappa): 0.0
- */
+   force_1: 6 operations. Proved, error / u (1 + kappa): 4.76
+   force_2: 0 operations. Proved, error / u (1 + kappa): 0.0 */
 SF_KERNEL double rod_spring_force(double u, double alpha, double beta, double gamma, double u_cr)
 {
     if (fabs(u) <= u_cr)
@@ -1172,11 +1136,9 @@ SF_KERNEL double rod_spring_force(double u, double alpha, double beta, double ga
 }
 
 /* Reduced resultant of F_A and F_AA: coefficients of A^0, A^2, ...; its roots are candidates for the onset.
-   Equation (33). Domain: roots with 0 < A <= u_cr.
-   Operations: 546 structured, 276 common subexpressions, 238 power chains
+   Equation (33). Domain: roots with 0 < A <= u_cr. Operations: 238.
    Proved, error / u (1 + kappa): 0.82, 0.91, 6.01, 4.01, 8.17, -, -, -, -, -, -, -, -, -, -, 4.8, 5.04, 0.89, 0.89
-   Measured, error / u (1 + kappa): 4.2
- */
+   Measured, error / u (1 + kappa): 4.2 */
 #define ROD_SPRING_SADDLE_NODE_ONSET_COUNT 19
 SF_KERNEL void rod_spring_saddle_node_onset(double m, double zeta, const double *p, double *out)
 {
@@ -1252,10 +1214,8 @@ SF_KERNEL void rod_spring_saddle_node_onset(double m, double zeta, const double 
 }
 
 /* Reduced resultant of F and F_A: coefficients of A^0, A^2, ...; its roots are candidates for folds.
-   Equation from (24), (30). Domain: roots with 0 < A <= u_cr.
-   Operations: 780 structured, 382 common subexpressions, 355 power chains
-   Measured, error / u (1 + kappa): 1.9
- */
+   Equation from (24), (30). Domain: roots with 0 < A <= u_cr. Operations: 355.
+   Measured, error / u (1 + kappa): 1.9 */
 #define ROD_SPRING_SADDLE_NODES_COUNT 17
 SF_KERNEL void rod_spring_saddle_nodes(double F_0, double m, double zeta, const double *p, double *out)
 {
@@ -1362,8 +1322,7 @@ SF_KERNEL void rod_spring_saddle_nodes(double F_0, double m, double zeta, const 
 
 /* The averaged restoring force h = H - A.
    Equation (20)-(22). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 0.97
- */
+   Measured, error / u (1 + kappa): 0.97 */
 SF_KERNEL double rod_spring_h(double A, double alpha, double beta, double gamma, double u_cr)
 {
     const double p[] = {alpha, beta, gamma, u_cr};
@@ -1374,8 +1333,7 @@ SF_KERNEL double rod_spring_h(double A, double alpha, double beta, double gamma,
 
 /* d/dA of the averaged restoring force h = H - A.
    Equation (31). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 2.8
- */
+   Measured, error / u (1 + kappa): 2.8 */
 SF_KERNEL double rod_spring_h_A(double A, double alpha, double beta, double gamma, double u_cr)
 {
     const double p[] = {alpha, beta, gamma, u_cr};
@@ -1386,8 +1344,7 @@ SF_KERNEL double rod_spring_h_A(double A, double alpha, double beta, double gamm
 
 /* d2/dA2 of the averaged restoring force h = H - A.
    Equation from (31). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 2.5
- */
+   Measured, error / u (1 + kappa): 2.5 */
 SF_KERNEL double rod_spring_h_AA(double A, double alpha, double beta, double gamma, double u_cr)
 {
     const double p[] = {alpha, beta, gamma, u_cr};
@@ -1398,8 +1355,7 @@ SF_KERNEL double rod_spring_h_AA(double A, double alpha, double beta, double gam
 
 /* d3/dA3 of the averaged restoring force h = H - A.
    Equation from (31). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 0.83
- */
+   Measured, error / u (1 + kappa): 0.83 */
 SF_KERNEL double rod_spring_h_AAA(double A, double alpha, double beta, double gamma, double u_cr)
 {
     const double p[] = {alpha, beta, gamma, u_cr};
@@ -1410,8 +1366,7 @@ SF_KERNEL double rod_spring_h_AAA(double A, double alpha, double beta, double ga
 
 /* The averaged force H beside the vertical spring.
    Equation (20)-(22). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 1.7
- */
+   Measured, error / u (1 + kappa): 1.7 */
 SF_KERNEL double rod_spring_H(double A, double alpha, double beta, double gamma, double u_cr)
 {
     const double p[] = {alpha, beta, gamma, u_cr};
@@ -1422,8 +1377,7 @@ SF_KERNEL double rod_spring_H(double A, double alpha, double beta, double gamma,
 
 /* d/dA of the averaged force H beside the vertical spring.
    Equation (31). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 2.9
- */
+   Measured, error / u (1 + kappa): 2.9 */
 SF_KERNEL double rod_spring_H_A(double A, double alpha, double beta, double gamma, double u_cr)
 {
     const double p[] = {alpha, beta, gamma, u_cr};
@@ -1434,8 +1388,7 @@ SF_KERNEL double rod_spring_H_A(double A, double alpha, double beta, double gamm
 
 /* d2/dA2 of the averaged force H beside the vertical spring.
    Equation from (31). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 1.8
- */
+   Measured, error / u (1 + kappa): 1.8 */
 SF_KERNEL double rod_spring_H_AA(double A, double alpha, double beta, double gamma, double u_cr)
 {
     const double p[] = {alpha, beta, gamma, u_cr};
@@ -1446,8 +1399,7 @@ SF_KERNEL double rod_spring_H_AA(double A, double alpha, double beta, double gam
 
 /* Frequency response; zero at a steady state.
    Equation (24). Domain: Omega > 0, A > 0.
-   Measured, error / u (1 + kappa): 1.7
- */
+   Measured, error / u (1 + kappa): 1.7 */
 SF_KERNEL double rod_spring_F(double Omega, double A, double F_0, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -1457,8 +1409,7 @@ SF_KERNEL double rod_spring_F(double Omega, double A, double F_0, double mu, dou
 
 /* dF/dA; positive where stable.
    Equation (24), (30). Domain: Omega > 0, A > 0.
-   Measured, error / u (1 + kappa): 7.1
- */
+   Measured, error / u (1 + kappa): 7.1 */
 SF_KERNEL double rod_spring_F_A(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -1468,8 +1419,7 @@ SF_KERNEL double rod_spring_F_A(double Omega, double A, double mu, double zeta, 
 
 /* The forcing F_0 for which (Omega, A) is a steady state.
    Equation (24). Domain: Omega >= 0, A > 0.
-   Measured, error / u (1 + kappa): 1.7
- */
+   Measured, error / u (1 + kappa): 1.7 */
 SF_KERNEL double rod_spring_level(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -1479,8 +1429,7 @@ SF_KERNEL double rod_spring_level(double Omega, double A, double mu, double zeta
 
 /* Phase phi of a steady state, from -pi to 0.
    Equation (25). Domain: Omega > 0, A > 0.
-   Measured, error / u (1 + kappa): 1.5
- */
+   Measured, error / u (1 + kappa): 1.5 */
 SF_KERNEL double rod_spring_phase(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -1490,8 +1439,7 @@ SF_KERNEL double rod_spring_phase(double Omega, double A, double mu, double zeta
 
 /* Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22.
    Equation (28). Domain: Omega > 0, A > 0.
-   Measured, error / u (1 + kappa): 1.7
- */
+   Measured, error / u (1 + kappa): 1.7 */
 SF_KERNEL void rod_spring_jacobian(double Omega, double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
@@ -1501,8 +1449,7 @@ SF_KERNEL void rod_spring_jacobian(double Omega, double A, double mu, double zet
 
 /* 4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
    Equation (30). Domain: Omega > 0, A > 0.
-   Measured, error / u (1 + kappa): 3.9
- */
+   Measured, error / u (1 + kappa): 3.9 */
 SF_KERNEL double rod_spring_stability(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -1512,8 +1459,7 @@ SF_KERNEL double rod_spring_stability(double Omega, double A, double mu, double 
 
 /* Fundamental harmonic of the force on the base over F_0, at a steady state.
    Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0.
-   Measured, error / u (1 + kappa): 1.1
- */
+   Measured, error / u (1 + kappa): 1.1 */
 SF_KERNEL double rod_spring_transmissibility(double Omega, double A, double F_0, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -1523,8 +1469,7 @@ SF_KERNEL double rod_spring_transmissibility(double Omega, double A, double F_0,
 
 /* Frequency on the backbone.
    Equation (26). Domain: A > 0, h <= 0.
-   Measured, error / u (1 + kappa): 1.8
- */
+   Measured, error / u (1 + kappa): 1.8 */
 SF_KERNEL double rod_spring_backbone(double A, const double *p)
 {
     double average[2];
@@ -1534,8 +1479,7 @@ SF_KERNEL double rod_spring_backbone(double A, const double *p)
 
 /* Largest amplitude that the forcing can hold at this frequency.
    Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise.
-   Measured, error / u (1 + kappa): 0.58
- */
+   Measured, error / u (1 + kappa): 0.58 */
 SF_KERNEL double rod_spring_limit_envelope(double Omega, double F_0, double mu, double zeta)
 {
     return slow_flow_limit_envelope(Omega, F_0, slow_flow_friction(mu), zeta);
@@ -1543,8 +1487,7 @@ SF_KERNEL double rod_spring_limit_envelope(double Omega, double F_0, double mu, 
 
 /* Viscous damping ratio that dissipates as much as zeta and friction together.
    Equation (38). Domain: Omega > 0, A > 0.
-   Measured, error / u (1 + kappa): 0.82
- */
+   Measured, error / u (1 + kappa): 0.82 */
 SF_KERNEL double rod_spring_equivalent_damping(double Omega, double A, double mu, double zeta)
 {
     return slow_flow_equivalent_damping(Omega, A, slow_flow_friction(mu), zeta);
@@ -1552,8 +1495,7 @@ SF_KERNEL double rod_spring_equivalent_damping(double Omega, double A, double mu
 
 /* F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
    Equation (24). Domain: A > 0.
-   Measured, error / u (1 + kappa): 1.8
- */
+   Measured, error / u (1 + kappa): 1.8 */
 SF_KERNEL void rod_spring_response_quartic(double A, double F_0, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
@@ -1563,8 +1505,7 @@ SF_KERNEL void rod_spring_response_quartic(double A, double F_0, double mu, doub
 
 /* F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
    Equation (24), (30). Domain: A > 0.
-   Measured, error / u (1 + kappa): 8.8
- */
+   Measured, error / u (1 + kappa): 8.8 */
 SF_KERNEL void rod_spring_fold_quartic(double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
@@ -1574,8 +1515,7 @@ SF_KERNEL void rod_spring_fold_quartic(double A, double mu, double zeta, const d
 
 /* F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3.
    Equation (34). Domain: A > 0.
-   Measured, error / u (1 + kappa): 0.98
- */
+   Measured, error / u (1 + kappa): 0.98 */
 SF_KERNEL void rod_spring_peak_cubic(double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
@@ -1585,8 +1525,7 @@ SF_KERNEL void rod_spring_peak_cubic(double A, double mu, double zeta, const dou
 
 /* Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
    Equation (34). Domain: A > 0.
-   Measured, error / u (1 + kappa): 1.7
- */
+   Measured, error / u (1 + kappa): 1.7 */
 SF_KERNEL void rod_spring_detachment(double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];

@@ -6,7 +6,7 @@
 
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
    Regimes: passed_n where A exceeds n breakpoints, far_k where it exceeds k of them 21/20 times.
-   Operations are counted after each pass. Bounds of rounding errors, output by output, are proved for all arguments
+   Operations are those in floating point. Bounds of rounding errors, output by output, are proved for all arguments
    where nothing overflows or underflows (derivations/codegen/rounding.py).
    Others are measured: the worst error of all outputs that was found, by a search for it with A 1e-09 to 1000, F_0
    1e-09 to 1000, Omega 0.001 to 1000, alpha 1e-16 to 1000 of either sign or 0, beta 1e-12 to 1000 of either sign or
@@ -330,18 +330,17 @@ SF_KERNEL void rod_spring_untruncated_tangent_node(double X2, double K2, double 
 
 /* h, h_A, h_AA, h_AAA, H, H_A, h - A h_A together.
    Equation (20)-(22), (31). Domain: A >= 0.
-   Operations where passed_0_end: 184 structured, 155 common subexpressions, 154 power chains
-   Operations where passed_0: 115 structured, 95 common subexpressions, 94 power chains
-   Operations where passed_0_steep: 176 structured, 147 common subexpressions, 146 power chains
-   Operations where passed_1_far: 715 structured, 715 common subexpressions, 655 power chains
-   Operations where passed_1: 675 structured, 675 common subexpressions, 615 power chains
-   Operations where passed_1_steeper_far: 1057 structured, 1057 common subexpressions, 988 power chains
-   Operations where passed_1_steeper: 1005 structured, 1005 common subexpressions, 944 power chains
-   Operations where passed_1_steep_far: 1722 structured, 1722 common subexpressions, 1673 power chains
-   Operations where passed_1_steep_away: 1365 structured, 1365 common subexpressions, 1357 power chains
-   Operations where passed_1_steep: 1491 structured, 1491 common subexpressions, 1444 power chains
-   Measured, error / u (1 + kappa): 3.8
- */
+   passed_0_end: 154 operations.
+   passed_0: 94 operations.
+   passed_0_steep: 146 operations.
+   passed_1_far: 655 operations.
+   passed_1: 615 operations.
+   passed_1_steeper_far: 988 operations.
+   passed_1_steeper: 944 operations.
+   passed_1_steep_far: 1673 operations.
+   passed_1_steep_away: 1357 operations.
+   passed_1_steep: 1444 operations.
+   Measured, error / u (1 + kappa): 3.8 */
 SF_KERNEL void rod_spring_untruncated_averaged_all_passed_0_end(double A, const double *p, double *out)
 {
     const double alpha = p[0];
@@ -1232,10 +1231,9 @@ SF_KERNEL void rod_spring_untruncated_averaged_all(double A, const double *p, do
 
 /* Higher harmonics of the force, as h is its first: h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA.
    Equation beyond (20). Domain: A >= 0, u_cr <= 3/4.
-   Operations where passed_0: 4852 structured, 4852 common subexpressions, 1995 power chains
-   Operations where passed_1: 3265 structured, 3265 common subexpressions, 2537 power chains
-   Measured, error / u (1 + kappa): 5.9
- */
+   passed_0: 1995 operations.
+   passed_1: 2537 operations.
+   Measured, error / u (1 + kappa): 5.9 */
 SF_KERNEL void rod_spring_untruncated_harmonics_passed_0(double A, const double *p, double *out)
 {
     const double beta = p[1];
@@ -1394,11 +1392,9 @@ SF_KERNEL void rod_spring_untruncated_harmonics(double A, const double *p, doubl
 
 /* d/dp of h, h_A and h_AA at a fixed A, for each parameter p in turn.
    Equation from (20)-(22), (31). Domain: A > 0.
-   Operations where passed_0: 6 structured, 7 common subexpressions, 7 power chains
-   Proved where passed_0, error / u (1 + kappa): 0.0, 0.0, 0.0, 2.34, 3.01, 0.67, 0.0, 0.0, 0.0
-   Operations where passed_1: 48 structured, 44 common subexpressions, 44 power chains
-   Operations where passed_1_far_1: 190 structured, 104 common subexpressions, 100 power chains
- */
+   passed_0: 7 operations. Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 2.34, 3.01, 0.67, 0.0, 0.0, 0.0
+   passed_1: 44 operations.
+   passed_1_far_1: 100 operations. */
 SF_KERNEL void rod_spring_untruncated_by_parameter_passed_0(double A, double h, double h_A, double h_AA, const double *p, double *out)
 {
     const double alpha = p[0];
@@ -1502,10 +1498,8 @@ SF_KERNEL void rod_spring_untruncated_by_parameter(double A, double h, double h_
 }
 
 /* d/d of each number of the design: of each parameter in turn, then of each breakpoint.
-   Equation (5), (7). Domain: any design that has a breakpoint.
-   Operations: 17 structured, 13 common subexpressions, 13 power chains
-   Proved, error / u (1 + kappa): 0.34, 0.34, 0.34, 4.01, 4.01, 0.34, 0.0, 0.0, 0.0, 0.0, 0.0, -
- */
+   Equation (5), (7). Domain: any design that has a breakpoint. Operations: 13.
+   Proved, error / u (1 + kappa): 0.34, 0.34, 0.34, 4.01, 4.01, 0.34, 0.0, 0.0, 0.0, 0.0, 0.0, - */
 SF_KERNEL void rod_spring_untruncated_by_design(double lam, double r, double delta_h, double *out)
 {
     const double t0 = lam * r;
@@ -1526,10 +1520,8 @@ SF_KERNEL void rod_spring_untruncated_by_design(double lam, double r, double del
 }
 
 /* The parameters alpha, beta, delta_h from the design.
-   Equation (5), (7). Domain: any design.
-   Operations: 7 structured, 6 common subexpressions, 6 power chains
-   Proved, error / u (1 + kappa): 1.34, 6.01, 0.0
- */
+   Equation (5), (7). Domain: any design. Operations: 6.
+   Proved, error / u (1 + kappa): 1.34, 6.01, 0.0 */
 SF_KERNEL void rod_spring_untruncated_coefficients(double lam, double r, double delta_h, double *out)
 {
     const double t0 = lam * r;
@@ -1539,10 +1531,8 @@ SF_KERNEL void rod_spring_untruncated_coefficients(double lam, double r, double 
 }
 
 /* The |u| at which a piece of the force ends.
-   Equation (5). Domain: any parameters.
-   Operations: 4 structured, 4 common subexpressions, 4 power chains
-   Measured, error / u (1 + kappa): 0.96
- */
+   Equation (5). Domain: any parameters. Operations: 4.
+   Measured, error / u (1 + kappa): 0.96 */
 SF_KERNEL void rod_spring_untruncated_breakpoints(const double *p, double *out)
 {
     const double delta_h = p[2];
@@ -1550,10 +1540,8 @@ SF_KERNEL void rod_spring_untruncated_breakpoints(const double *p, double *out)
 }
 
 /* What the force loses at each breakpoint: f below less f above.
-   Equation (5). Domain: any parameters.
-   Operations: 0 structured, 0 common subexpressions, 0 power chains
-   Proved, error / u (1 + kappa): 0.0
- */
+   Equation (5). Domain: any parameters. Operations: 0.
+   Proved, error / u (1 + kappa): 0.0 */
 SF_KERNEL void rod_spring_untruncated_jumps(const double *p, double *out)
 {
     (void)(p);
@@ -1561,10 +1549,8 @@ SF_KERNEL void rod_spring_untruncated_jumps(const double *p, double *out)
 }
 
 /* The force over the displacement, f(u)/u, rises with |u| where none of these is negative.
-   Equation from (3). Domain: any parameters.
-   Operations: 1 structured, 1 common subexpressions, 1 power chains
-   Proved, error / u (1 + kappa): 0.0
- */
+   Equation from (3). Domain: any parameters. Operations: 1.
+   Proved, error / u (1 + kappa): 0.0 */
 SF_KERNEL void rod_spring_untruncated_hardening(const double *p, double *out)
 {
     const double beta = p[1];
@@ -1572,10 +1558,8 @@ SF_KERNEL void rod_spring_untruncated_hardening(const double *p, double *out)
 }
 
 /* Piece 1 of the whole restoring force u + F_k(u).
-   Equation (3), (5). Domain: where it holds.
-   Operations: 16 structured, 12 common subexpressions, 12 power chains
-   Measured, error / u (1 + kappa): 0.85
- */
+   Equation (3), (5). Domain: where it holds. Operations: 12.
+   Measured, error / u (1 + kappa): 0.85 */
 SF_KERNEL double rod_spring_untruncated_force_1(double u, double alpha, double beta, double delta_h)
 {
     (void)(delta_h);
@@ -1584,10 +1568,8 @@ SF_KERNEL double rod_spring_untruncated_force_1(double u, double alpha, double b
 }
 
 /* d/du of piece 1 of the whole restoring force u + F_k(u).
-   Equation (3), (5). Domain: where it holds.
-   Operations: 30 structured, 23 common subexpressions, 23 power chains
-   Measured, error / u (1 + kappa): 1.5
- */
+   Equation (3), (5). Domain: where it holds. Operations: 23.
+   Measured, error / u (1 + kappa): 1.5 */
 SF_KERNEL double rod_spring_untruncated_force_1_u(double u, double alpha, double beta, double delta_h)
 {
     (void)(delta_h);
@@ -1601,10 +1583,8 @@ SF_KERNEL double rod_spring_untruncated_force_1_u(double u, double alpha, double
 }
 
 /* Piece 2 of the whole restoring force u + F_k(u).
-   Equation (3), (5). Domain: where it holds.
-   Operations: 0 structured, 0 common subexpressions, 0 power chains
-   Proved, error / u (1 + kappa): 0.0
- */
+   Equation (3), (5). Domain: where it holds. Operations: 0.
+   Proved, error / u (1 + kappa): 0.0 */
 SF_KERNEL double rod_spring_untruncated_force_2(double u, double alpha, double beta, double delta_h)
 {
     (void)(alpha);
@@ -1614,10 +1594,8 @@ SF_KERNEL double rod_spring_untruncated_force_2(double u, double alpha, double b
 }
 
 /* d/du of piece 2 of the whole restoring force u + F_k(u).
-   Equation (3), (5). Domain: where it holds.
-   Operations: 0 structured, 0 common subexpressions, 0 power chains
-   Proved, error / u (1 + kappa): 0.0
- */
+   Equation (3), (5). Domain: where it holds. Operations: 0.
+   Proved, error / u (1 + kappa): 0.0 */
 SF_KERNEL double rod_spring_untruncated_force_2_u(double u, double alpha, double beta, double delta_h)
 {
     (void)(u);
@@ -1629,11 +1607,9 @@ SF_KERNEL double rod_spring_untruncated_force_2_u(double u, double alpha, double
 
 /* Whole dimensionless restoring force u + F_k(u), untruncated.
    Equation (3), (5). Domain: |u| < 1.
-   Operations where force_2: 0 structured, 0 common subexpressions, 0 power chains
-   Proved where force_2, error / u (1 + kappa): 0.0
-   Operations where force_1: 16 structured, 12 common subexpressions, 12 power chains
-   Measured, error / u (1 + kappa): 0.86
- */
+   force_2: 0 operations. Proved, error / u (1 + kappa): 0.0
+   force_1: 12 operations.
+   Measured, error / u (1 + kappa): 0.86 */
 SF_KERNEL double rod_spring_untruncated_force(double u, double alpha, double beta, double delta_h)
 {
     if (sqrt(-delta_h * delta_h + 2.0 * delta_h) <= fabs(u))
@@ -1643,8 +1619,7 @@ SF_KERNEL double rod_spring_untruncated_force(double u, double alpha, double bet
 
 /* h, h_A, h_AA, h_AAA together.
    Equation (20)-(22), (31). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 3.3
- */
+   Measured, error / u (1 + kappa): 3.3 */
 SF_KERNEL void rod_spring_untruncated_averaged(double A, const double *p, double *out)
 {
     double values[7];
@@ -1657,8 +1632,7 @@ SF_KERNEL void rod_spring_untruncated_averaged(double A, const double *p, double
 
 /* h, h_A together.
    Equation (20)-(22), (31). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 1.7
- */
+   Measured, error / u (1 + kappa): 1.7 */
 SF_KERNEL void rod_spring_untruncated_averaged_2(double A, const double *p, double *out)
 {
     double values[7];
@@ -1669,8 +1643,7 @@ SF_KERNEL void rod_spring_untruncated_averaged_2(double A, const double *p, doub
 
 /* H, H_A together.
    Equation (20)-(22), (31). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 3
- */
+   Measured, error / u (1 + kappa): 3 */
 SF_KERNEL void rod_spring_untruncated_averaged_H(double A, const double *p, double *out)
 {
     double values[7];
@@ -1681,8 +1654,7 @@ SF_KERNEL void rod_spring_untruncated_averaged_H(double A, const double *p, doub
 
 /* h - A h_A, where the tangent of h meets A = 0; linear terms are none.
    Equation (20)-(22), (31). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 2.9
- */
+   Measured, error / u (1 + kappa): 2.9 */
 SF_KERNEL double rod_spring_untruncated_intercept(double A, double alpha, double beta, double delta_h)
 {
     const double p[] = {alpha, beta, delta_h};
@@ -1693,8 +1665,7 @@ SF_KERNEL double rod_spring_untruncated_intercept(double A, double alpha, double
 
 /* The averaged restoring force h = H - A.
    Equation (20)-(22). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 1.4
- */
+   Measured, error / u (1 + kappa): 1.4 */
 SF_KERNEL double rod_spring_untruncated_h(double A, double alpha, double beta, double delta_h)
 {
     const double p[] = {alpha, beta, delta_h};
@@ -1705,8 +1676,7 @@ SF_KERNEL double rod_spring_untruncated_h(double A, double alpha, double beta, d
 
 /* d/dA of the averaged restoring force h = H - A.
    Equation (31). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 2.1
- */
+   Measured, error / u (1 + kappa): 2.1 */
 SF_KERNEL double rod_spring_untruncated_h_A(double A, double alpha, double beta, double delta_h)
 {
     const double p[] = {alpha, beta, delta_h};
@@ -1717,8 +1687,7 @@ SF_KERNEL double rod_spring_untruncated_h_A(double A, double alpha, double beta,
 
 /* d2/dA2 of the averaged restoring force h = H - A.
    Equation from (31). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 1.7
- */
+   Measured, error / u (1 + kappa): 1.7 */
 SF_KERNEL double rod_spring_untruncated_h_AA(double A, double alpha, double beta, double delta_h)
 {
     const double p[] = {alpha, beta, delta_h};
@@ -1729,8 +1698,7 @@ SF_KERNEL double rod_spring_untruncated_h_AA(double A, double alpha, double beta
 
 /* d3/dA3 of the averaged restoring force h = H - A.
    Equation from (31). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 3.6
- */
+   Measured, error / u (1 + kappa): 3.6 */
 SF_KERNEL double rod_spring_untruncated_h_AAA(double A, double alpha, double beta, double delta_h)
 {
     const double p[] = {alpha, beta, delta_h};
@@ -1741,8 +1709,7 @@ SF_KERNEL double rod_spring_untruncated_h_AAA(double A, double alpha, double bet
 
 /* The averaged force H beside the vertical spring.
    Equation (20)-(22). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 3.1
- */
+   Measured, error / u (1 + kappa): 3.1 */
 SF_KERNEL double rod_spring_untruncated_H(double A, double alpha, double beta, double delta_h)
 {
     const double p[] = {alpha, beta, delta_h};
@@ -1753,8 +1720,7 @@ SF_KERNEL double rod_spring_untruncated_H(double A, double alpha, double beta, d
 
 /* d/dA of the averaged force H beside the vertical spring.
    Equation (31). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 2
- */
+   Measured, error / u (1 + kappa): 2 */
 SF_KERNEL double rod_spring_untruncated_H_A(double A, double alpha, double beta, double delta_h)
 {
     const double p[] = {alpha, beta, delta_h};
@@ -1765,8 +1731,7 @@ SF_KERNEL double rod_spring_untruncated_H_A(double A, double alpha, double beta,
 
 /* d2/dA2 of the averaged force H beside the vertical spring.
    Equation from (31). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 2.4
- */
+   Measured, error / u (1 + kappa): 2.4 */
 SF_KERNEL double rod_spring_untruncated_H_AA(double A, double alpha, double beta, double delta_h)
 {
     const double p[] = {alpha, beta, delta_h};
@@ -1777,8 +1742,7 @@ SF_KERNEL double rod_spring_untruncated_H_AA(double A, double alpha, double beta
 
 /* Frequency response; zero at a steady state.
    Equation (24). Domain: Omega > 0, A > 0.
-   Measured, error / u (1 + kappa): 1.5
- */
+   Measured, error / u (1 + kappa): 1.5 */
 SF_KERNEL double rod_spring_untruncated_F(double Omega, double A, double F_0, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -1788,8 +1752,7 @@ SF_KERNEL double rod_spring_untruncated_F(double Omega, double A, double F_0, do
 
 /* dF/dA; positive where stable.
    Equation (24), (30). Domain: Omega > 0, A > 0.
-   Measured, error / u (1 + kappa): 4.2
- */
+   Measured, error / u (1 + kappa): 4.2 */
 SF_KERNEL double rod_spring_untruncated_F_A(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -1799,8 +1762,7 @@ SF_KERNEL double rod_spring_untruncated_F_A(double Omega, double A, double mu, d
 
 /* The forcing F_0 for which (Omega, A) is a steady state.
    Equation (24). Domain: Omega >= 0, A > 0.
-   Measured, error / u (1 + kappa): 1.5
- */
+   Measured, error / u (1 + kappa): 1.5 */
 SF_KERNEL double rod_spring_untruncated_level(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -1810,8 +1772,7 @@ SF_KERNEL double rod_spring_untruncated_level(double Omega, double A, double mu,
 
 /* Phase phi of a steady state, from -pi to 0.
    Equation (25). Domain: Omega > 0, A > 0.
-   Measured, error / u (1 + kappa): 1.4
- */
+   Measured, error / u (1 + kappa): 1.4 */
 SF_KERNEL double rod_spring_untruncated_phase(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -1821,8 +1782,7 @@ SF_KERNEL double rod_spring_untruncated_phase(double Omega, double A, double mu,
 
 /* Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22.
    Equation (28). Domain: Omega > 0, A > 0.
-   Measured, error / u (1 + kappa): 1.8
- */
+   Measured, error / u (1 + kappa): 1.8 */
 SF_KERNEL void rod_spring_untruncated_jacobian(double Omega, double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
@@ -1832,8 +1792,7 @@ SF_KERNEL void rod_spring_untruncated_jacobian(double Omega, double A, double mu
 
 /* 4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
    Equation (30). Domain: Omega > 0, A > 0.
-   Measured, error / u (1 + kappa): 4.4
- */
+   Measured, error / u (1 + kappa): 4.4 */
 SF_KERNEL double rod_spring_untruncated_stability(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -1843,8 +1802,7 @@ SF_KERNEL double rod_spring_untruncated_stability(double Omega, double A, double
 
 /* Fundamental harmonic of the force on the base over F_0, at a steady state.
    Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0.
-   Measured, error / u (1 + kappa): 1.4
- */
+   Measured, error / u (1 + kappa): 1.4 */
 SF_KERNEL double rod_spring_untruncated_transmissibility(double Omega, double A, double F_0, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -1854,8 +1812,7 @@ SF_KERNEL double rod_spring_untruncated_transmissibility(double Omega, double A,
 
 /* Frequency on the backbone.
    Equation (26). Domain: A > 0, h <= 0.
-   Measured, error / u (1 + kappa): 1.6
- */
+   Measured, error / u (1 + kappa): 1.6 */
 SF_KERNEL double rod_spring_untruncated_backbone(double A, const double *p)
 {
     double average[2];
@@ -1865,8 +1822,7 @@ SF_KERNEL double rod_spring_untruncated_backbone(double A, const double *p)
 
 /* Largest amplitude that the forcing can hold at this frequency.
    Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise.
-   Measured, error / u (1 + kappa): 0.66
- */
+   Measured, error / u (1 + kappa): 0.66 */
 SF_KERNEL double rod_spring_untruncated_limit_envelope(double Omega, double F_0, double mu, double zeta)
 {
     return slow_flow_limit_envelope(Omega, F_0, slow_flow_friction(mu), zeta);
@@ -1874,8 +1830,7 @@ SF_KERNEL double rod_spring_untruncated_limit_envelope(double Omega, double F_0,
 
 /* Viscous damping ratio that dissipates as much as zeta and friction together.
    Equation (38). Domain: Omega > 0, A > 0.
-   Measured, error / u (1 + kappa): 0.65
- */
+   Measured, error / u (1 + kappa): 0.65 */
 SF_KERNEL double rod_spring_untruncated_equivalent_damping(double Omega, double A, double mu, double zeta)
 {
     return slow_flow_equivalent_damping(Omega, A, slow_flow_friction(mu), zeta);
@@ -1883,8 +1838,7 @@ SF_KERNEL double rod_spring_untruncated_equivalent_damping(double Omega, double 
 
 /* F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
    Equation (24). Domain: A > 0.
-   Measured, error / u (1 + kappa): 1.4
- */
+   Measured, error / u (1 + kappa): 1.4 */
 SF_KERNEL void rod_spring_untruncated_response_quartic(double A, double F_0, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
@@ -1894,8 +1848,7 @@ SF_KERNEL void rod_spring_untruncated_response_quartic(double A, double F_0, dou
 
 /* F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
    Equation (24), (30). Domain: A > 0.
-   Measured, error / u (1 + kappa): 3.7
- */
+   Measured, error / u (1 + kappa): 3.7 */
 SF_KERNEL void rod_spring_untruncated_fold_quartic(double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
@@ -1905,8 +1858,7 @@ SF_KERNEL void rod_spring_untruncated_fold_quartic(double A, double mu, double z
 
 /* F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3.
    Equation (34). Domain: A > 0.
-   Measured, error / u (1 + kappa): 2.3
- */
+   Measured, error / u (1 + kappa): 2.3 */
 SF_KERNEL void rod_spring_untruncated_peak_cubic(double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
@@ -1916,8 +1868,7 @@ SF_KERNEL void rod_spring_untruncated_peak_cubic(double A, double mu, double zet
 
 /* Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
    Equation (34). Domain: A > 0.
-   Measured, error / u (1 + kappa): 1.6
- */
+   Measured, error / u (1 + kappa): 1.6 */
 SF_KERNEL void rod_spring_untruncated_detachment(double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];

@@ -5,7 +5,7 @@
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
-   Operations are counted after each pass. Bounds of rounding errors, output by output, are proved for all arguments
+   Operations are those in floating point. Bounds of rounding errors, output by output, are proved for all arguments
    where nothing overflows or underflows (derivations/codegen/rounding.py).
    Others are measured: the worst error of all outputs that was found, by a search for it with A 1e-09 to 1000, F_0
    1e-09 to 1000, h 1e-12 to 1000 of either sign or 0, h_A 1e-09 to 1e+06 of either sign or 0, h_AA 1e-09 to 1e+09
@@ -24,11 +24,9 @@
 #endif
 
 /* F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
-   Equation (24). Domain: A > 0.
-   Operations: 11 structured, 10 common subexpressions, 10 power chains
+   Equation (24). Domain: A > 0. Operations: 10.
    Proved, error / u (1 + kappa): -, 0.0, 1.61, 0.34
-   Measured, error / u (1 + kappa): 0.92
- */
+   Measured, error / u (1 + kappa): 0.92 */
 SF_KERNEL void slow_flow_mu0_response_quartic(double A, double F_0, double m, double zeta, double h, double *out)
 {
     (void)(m);
@@ -40,10 +38,8 @@ SF_KERNEL void slow_flow_mu0_response_quartic(double A, double F_0, double m, do
 }
 
 /* Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
-   Equation (34). Domain: A > 0.
-   Operations: 22 structured, 16 common subexpressions, 14 power chains
-   Proved, error / u (1 + kappa): 4.01, 5.67, 0.0
- */
+   Equation (34). Domain: A > 0. Operations: 14.
+   Proved, error / u (1 + kappa): 4.01, 5.67, 0.0 */
 #define SLOW_FLOW_MU0_DETACHMENT_COUNT 3
 SF_KERNEL void slow_flow_mu0_detachment(double A, double m, double zeta, double h, double *out)
 {
@@ -59,10 +55,8 @@ SF_KERNEL void slow_flow_mu0_detachment(double A, double m, double zeta, double 
 }
 
 /* Zero at a fold at F_0: R of (23) less the R of F = F_A = 0; its slope along A, and Omega.
-   Equation from (24), (30). Domain: A > 0, F_0 > m, k^2 >= F_0^2 - m^2.
-   Operations: 44 structured, 39 common subexpressions, 39 power chains
-   Measured, error / u (1 + kappa): 1.4
- */
+   Equation from (24), (30). Domain: A > 0, F_0 > m, k^2 >= F_0^2 - m^2. Operations: 39.
+   Measured, error / u (1 + kappa): 1.4 */
 SF_KERNEL void slow_flow_mu0_fold(double A, double F_0, double m, double zeta, double h, double h_A, double k, double k_A, double *out)
 {
     (void)(m);
@@ -84,10 +78,8 @@ SF_KERNEL void slow_flow_mu0_fold(double A, double F_0, double m, double zeta, d
 }
 
 /* Zero at an isola point: F_Omega/(4 A) at its Omega, for m = 0 without the factor Omega; slope along A.
-   Equation from (30), (34). Domain: A > 0, h_A > 0; for m = 0 any h_A.
-   Operations: 11 structured, 9 common subexpressions, 9 power chains
-   Proved, error / u (1 + kappa): 2.34, 1.67
- */
+   Equation from (30), (34). Domain: A > 0, h_A > 0; for m = 0 any h_A. Operations: 9.
+   Proved, error / u (1 + kappa): 2.34, 1.67 */
 SF_KERNEL void slow_flow_mu0_isola(double A, double m, double zeta, double h, double h_A, double h_AA, double *out)
 {
     (void)(m);

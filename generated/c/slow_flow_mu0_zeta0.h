@@ -5,7 +5,7 @@
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
-   Operations are counted after each pass. Bounds of rounding errors, output by output, are proved for all arguments
+   Operations are those in floating point. Bounds of rounding errors, output by output, are proved for all arguments
    where nothing overflows or underflows (derivations/codegen/rounding.py).
    Others are measured: the worst error of all outputs that was found, by a search for it with A 1e-09 to 1000, h
    1e-12 to 1000 of either sign or 0, m 1e-12 to 1 or 0, zeta 1e-12 to 1 or 0.
@@ -22,10 +22,8 @@
 #endif
 
 /* Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
-   Equation (34). Domain: A > 0.
-   Operations: 1 structured, 1 common subexpressions, 1 power chains
-   Proved, error / u (1 + kappa): 0.34, 0.0
- */
+   Equation (34). Domain: A > 0. Operations: 1.
+   Proved, error / u (1 + kappa): 0.34, 0.0 */
 #define SLOW_FLOW_MU0_ZETA0_DETACHMENT_COUNT 2
 SF_KERNEL void slow_flow_mu0_zeta0_detachment(double A, double m, double zeta, double h, double *out)
 {

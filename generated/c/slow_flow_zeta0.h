@@ -5,7 +5,7 @@
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
-   Operations are counted after each pass. Bounds of rounding errors, output by output, are proved for all arguments
+   Operations are those in floating point. Bounds of rounding errors, output by output, are proved for all arguments
    where nothing overflows or underflows (derivations/codegen/rounding.py).
    Others are measured: the worst error of all outputs that was found, by a search for it with A 1e-09 to 1000, F_0
    1e-09 to 1000, Omega 0.001 to 1000, h 1e-12 to 1000 of either sign or 0, h_A 1e-09 to 1e+06 of either sign or 0,
@@ -24,10 +24,8 @@
 #endif
 
 /* Largest amplitude that the forcing can hold at this frequency.
-   Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise.
-   Operations: 0 structured, 0 common subexpressions, 0 power chains
-   Measured, error / u (1 + kappa): 0
- */
+   Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise. Operations: 0.
+   Measured, error / u (1 + kappa): 0 */
 SF_KERNEL double slow_flow_zeta0_limit_envelope(double Omega, double F_0, double m, double zeta)
 {
     (void)(Omega);
@@ -38,10 +36,8 @@ SF_KERNEL double slow_flow_zeta0_limit_envelope(double Omega, double F_0, double
 }
 
 /* Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
-   Equation (34). Domain: A > 0.
-   Operations: 9 structured, 6 common subexpressions, 6 power chains
-   Proved, error / u (1 + kappa): 0.81, 0.67, 0.0
- */
+   Equation (34). Domain: A > 0. Operations: 6.
+   Proved, error / u (1 + kappa): 0.81, 0.67, 0.0 */
 #define SLOW_FLOW_ZETA0_DETACHMENT_COUNT 3
 SF_KERNEL void slow_flow_zeta0_detachment(double A, double m, double zeta, double h, double *out)
 {
@@ -55,20 +51,16 @@ SF_KERNEL void slow_flow_zeta0_detachment(double A, double m, double zeta, doubl
 }
 
 /* Omega of the folds.
-   Equation from (30). Domain: h_A <= 0.
-   Operations: 1 structured, 1 common subexpressions, 1 power chains
-   Measured, error / u (1 + kappa): 0.67
- */
+   Equation from (30). Domain: h_A <= 0. Operations: 1.
+   Measured, error / u (1 + kappa): 0.67 */
 SF_KERNEL double slow_flow_zeta0_undamped_Omega(double h_A)
 {
     return sqrt(-h_A);
 }
 
 /* Zero at a fold at F_0, where h_A < 0: R^2 + I^2 - F_0^2 on the undamped folds, and its slope along A.
-   Equation from (24), (30). Domain: F_0 > m.
-   Operations: 9 structured, 9 common subexpressions, 9 power chains
-   Measured, error / u (1 + kappa): 0.62
- */
+   Equation from (24), (30). Domain: F_0 > m. Operations: 9.
+   Measured, error / u (1 + kappa): 0.62 */
 SF_KERNEL void slow_flow_zeta0_fold(double F_0, double m, double k, double k_A, double *out)
 {
     const double excess = (F_0 - m) * (F_0 + m);
@@ -78,20 +70,16 @@ SF_KERNEL void slow_flow_zeta0_fold(double F_0, double m, double k, double k_A, 
 }
 
 /* The forcing of a fold, whose R is k.
-   Equation from (24), (30). Domain: h_A <= 0.
-   Operations: 4 structured, 4 common subexpressions, 4 power chains
-   Measured, error / u (1 + kappa): 0.99
- */
+   Equation from (24), (30). Domain: h_A <= 0. Operations: 4.
+   Measured, error / u (1 + kappa): 0.99 */
 SF_KERNEL double slow_flow_zeta0_undamped_level(double m, double k)
 {
     return sqrt(k * k + m * m);
 }
 
 /* The sign of the level's slope along A on the undamped folds; and, where that is 0, of the slope's own.
-   Equation from (24), (30). Domain: h_A <= 0.
-   Operations: 2 structured, 2 common subexpressions, 2 power chains
-   Proved, error / u (1 + kappa): 0.34, 0.34
- */
+   Equation from (24), (30). Domain: h_A <= 0. Operations: 2.
+   Proved, error / u (1 + kappa): 0.34, 0.34 */
 SF_KERNEL void slow_flow_zeta0_undamped_rises(double h_AA, double h_AAA, double k, double *out)
 {
     out[0] = -h_AA * k;
@@ -99,10 +87,8 @@ SF_KERNEL void slow_flow_zeta0_undamped_rises(double h_AA, double h_AAA, double 
 }
 
 /* The factors of F_AA/2 at the folds, each with its slope along A: h_AA, R.
-   Equation from (30), (33). Domain: A > 0.
-   Operations: 3 structured, 3 common subexpressions, 3 power chains
-   Proved, error / u (1 + kappa): 0.0, 0.0, 1.01, 0.34
- */
+   Equation from (30), (33). Domain: A > 0. Operations: 3.
+   Proved, error / u (1 + kappa): 0.0, 0.0, 1.01, 0.34 */
 SF_KERNEL void slow_flow_zeta0_undamped(double A, double h, double h_A, double h_AA, double h_AAA, double *out)
 {
     out[0] = h_AA;

@@ -5,7 +5,7 @@ Input: none but the equation of motion in derivations/paper/den_hartog.py
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each
-docstring gives equation number, domain, shape and the operations after each pass.
+docstring gives equation number, domain, shape and floating-point operations.
 Rounding errors are in u (1 + kappa), u = 2^-53: proved ones hold wherever nothing overflows or underflows, measured
 ones are the worst of all outputs that was found, by a search for it with A 0.01 to 1, F_0 0.03 to 0.1, Omega 0.3 to
 2, S 0.5 to 2, mu 0.001 to 0.02, tau 1e-09 to 30.
@@ -34,8 +34,7 @@ __all__ = [
 def V(Omega: ArrayLike) -> Any:
     """Response function.
 
-    Equation (37). Domain: Omega > 0, Omega != 1. Shape: as the arguments broadcast.
-    Operations: 3 structured, 3 common subexpressions, 3 power chains.
+    Equation (37). Domain: Omega > 0, Omega != 1. Shape: as the arguments broadcast. Operations: 3.
     Measured, error / u (1 + kappa): 1.4
     """
     (Omega,) = floats(Omega)
@@ -46,7 +45,7 @@ def U(Omega: ArrayLike) -> Any:
     """Damping function.
 
     Equation (37). Domain: Omega > 0, Omega not 1, 1/3, 1/5 and so on. Shape: as the arguments broadcast.
-    Operations: 5 structured, 6 common subexpressions, 6 power chains.
+    Operations: 6.
     Measured, error / u (1 + kappa): 1.4
     """
     (Omega,) = floats(Omega)
@@ -58,8 +57,7 @@ def S_ratio(tau: ArrayLike, Omega: ArrayLike) -> Any:
     """S is the maximum of this over 0 < tau < pi/Omega.
 
     Equation (37). Domain: 0 < tau < pi/Omega, Omega > 0, Omega not 1, 1/3, 1/5 and so on. Shape: as the arguments
-    broadcast.
-    Operations: 24 structured, 23 common subexpressions, 23 power chains.
+    broadcast. Operations: 23.
     Measured, error / u (1 + kappa): 3.9
     """
     tau, Omega = floats(tau, Omega)
@@ -77,8 +75,7 @@ def amplitude(Omega: ArrayLike, F_0: ArrayLike, mu: ArrayLike) -> Any:
     """Amplitude of the motion.
 
     Equation (35). Domain: F_0 |V| > mu |U|, Omega > 0, Omega not 1, 1/3, 1/5 and so on. Shape: as the arguments
-    broadcast.
-    Operations: 16 structured, 14 common subexpressions, 14 power chains.
+    broadcast. Operations: 14.
     Measured, error / u (1 + kappa): 1.5
     """
     Omega, F_0, mu = floats(Omega, F_0, mu)
@@ -95,7 +92,7 @@ def bound(Omega: ArrayLike, F_0: ArrayLike, S: ArrayLike) -> Any:
     """The motion has no stops while its amplitude exceeds this.
 
     Equation (36). Domain: Omega > 0, Omega not 1, 1/3, 1/5 and so on. Shape: as the arguments broadcast.
-    Operations: 21 structured, 21 common subexpressions, 20 power chains.
+    Operations: 20.
     Measured, error / u (1 + kappa): 1.9
     """
     Omega, F_0, S = floats(Omega, F_0, S)
@@ -112,8 +109,7 @@ def motion(tau: ArrayLike, Omega: ArrayLike, A: ArrayLike, mu: ArrayLike) -> Any
     """Displacement tau after a maximum.
 
     Equation from (37). Domain: 0 <= tau <= pi/Omega, Omega > 0, Omega not 1, 1/3, 1/5 and so on. Shape: as the
-    arguments broadcast.
-    Operations: 30 structured, 27 common subexpressions, 27 power chains.
+    arguments broadcast. Operations: 27.
     Measured, error / u (1 + kappa): 1.7
     """
     tau, Omega, A, mu = floats(tau, Omega, A, mu)

@@ -5,7 +5,7 @@ Input: none but the equation of motion in derivations/paper/averaging.py, deriva
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each
-docstring gives equation number, domain, shape and the operations after each pass.
+docstring gives equation number, domain, shape and floating-point operations.
 Rounding errors are in u (1 + kappa), u = 2^-53: proved ones hold wherever nothing overflows or underflows, measured
 ones are the worst of all outputs that was found, by a search for it with A 1e-09 to 1000, h 1e-12 to 1000 of either
 sign or 0, m 1e-12 to 1 or 0, zeta 1e-12 to 1 or 0.
@@ -47,7 +47,7 @@ def detachment(A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> Flo
     """Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
 
     Equation (34). Domain: A > 0. Shape: (2, ...), coefficients by rising power, each as the arguments broadcast.
-    Operations: 1 structured, 1 common subexpressions, 1 power chains.
+    Operations: 1.
     Proved, error / u (1 + kappa): 0.34, 0.0
     """
     A, m, zeta, h = floats(A, m, zeta, h)

@@ -5,7 +5,7 @@ Input: none but the equation of motion in derivations/paper/averaging.py, deriva
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each
-docstring gives equation number, domain, shape and the operations after each pass.
+docstring gives equation number, domain, shape and floating-point operations.
 Rounding errors are in u (1 + kappa), u = 2^-53: proved ones hold wherever nothing overflows or underflows, measured
 ones are the worst of all outputs that was found, by a search for it with A 1e-09 to 1000, F_0 1e-09 to 1000, Omega
 0.001 to 1000, h 1e-12 to 1000 of either sign or 0, h_A 1e-09 to 1e+06 of either sign or 0, h_AA 1e-09 to 1e+09 of
@@ -46,8 +46,7 @@ __all__ = [
 def limit_envelope(Omega: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike) -> Any:
     """Largest amplitude that the forcing can hold at this frequency.
 
-    Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise. Shape: as the arguments broadcast.
-    Operations: 0 structured, 0 common subexpressions, 0 power chains.
+    Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise. Shape: as the arguments broadcast. Operations: 0.
     Measured, error / u (1 + kappa): 0
     """
     Omega, F_0, m, zeta = floats(Omega, F_0, m, zeta)
@@ -58,7 +57,7 @@ def detachment(A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> Flo
     """Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
 
     Equation (34). Domain: A > 0. Shape: (3, ...), coefficients by rising power, each as the arguments broadcast.
-    Operations: 9 structured, 6 common subexpressions, 6 power chains.
+    Operations: 6.
     Proved, error / u (1 + kappa): 0.81, 0.67, 0.0
     """
     A, m, zeta, h = floats(A, m, zeta, h)
@@ -77,8 +76,7 @@ def detachment(A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> Flo
 def undamped_Omega(h_A: ArrayLike) -> Any:
     """Omega of the folds.
 
-    Equation from (30). Domain: h_A <= 0. Shape: as the arguments broadcast.
-    Operations: 1 structured, 1 common subexpressions, 1 power chains.
+    Equation from (30). Domain: h_A <= 0. Shape: as the arguments broadcast. Operations: 1.
     Measured, error / u (1 + kappa): 0.67
     """
     (h_A,) = floats(h_A)
@@ -88,8 +86,7 @@ def undamped_Omega(h_A: ArrayLike) -> Any:
 def fold(F_0: ArrayLike, m: ArrayLike, k: ArrayLike, k_A: ArrayLike) -> tuple[Any, Any]:
     """Zero at a fold at F_0, where h_A < 0: R^2 + I^2 - F_0^2 on the undamped folds, and its slope along A.
 
-    Equation from (24), (30). Domain: F_0 > m. Shape: 2 results, each as the arguments broadcast.
-    Operations: 9 structured, 9 common subexpressions, 9 power chains.
+    Equation from (24), (30). Domain: F_0 > m. Shape: 2 results, each as the arguments broadcast. Operations: 9.
     Measured, error / u (1 + kappa): 0.62
     """
     F_0, m, k, k_A = floats(F_0, m, k, k_A)
@@ -105,8 +102,7 @@ def fold(F_0: ArrayLike, m: ArrayLike, k: ArrayLike, k_A: ArrayLike) -> tuple[An
 def undamped_level(m: ArrayLike, k: ArrayLike) -> Any:
     """The forcing of a fold, whose R is k.
 
-    Equation from (24), (30). Domain: h_A <= 0. Shape: as the arguments broadcast.
-    Operations: 4 structured, 4 common subexpressions, 4 power chains.
+    Equation from (24), (30). Domain: h_A <= 0. Shape: as the arguments broadcast. Operations: 4.
     Measured, error / u (1 + kappa): 0.99
     """
     m, k = floats(m, k)
@@ -116,8 +112,7 @@ def undamped_level(m: ArrayLike, k: ArrayLike) -> Any:
 def undamped_rises(h_AA: ArrayLike, h_AAA: ArrayLike, k: ArrayLike) -> tuple[Any, Any]:
     """The sign of the level's slope along A on the undamped folds; and, where that is 0, of the slope's own.
 
-    Equation from (24), (30). Domain: h_A <= 0. Shape: 2 results, each as the arguments broadcast.
-    Operations: 2 structured, 2 common subexpressions, 2 power chains.
+    Equation from (24), (30). Domain: h_A <= 0. Shape: 2 results, each as the arguments broadcast. Operations: 2.
     Proved, error / u (1 + kappa): 0.34, 0.34
     """
     h_AA, h_AAA, k = floats(h_AA, h_AAA, k)
@@ -131,8 +126,7 @@ def undamped_rises(h_AA: ArrayLike, h_AAA: ArrayLike, k: ArrayLike) -> tuple[Any
 def undamped(A: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike, h_AAA: ArrayLike) -> tuple[Any, Any, Any, Any]:
     """The factors of F_AA/2 at the folds, each with its slope along A: h_AA, R.
 
-    Equation from (30), (33). Domain: A > 0. Shape: 4 results, each as the arguments broadcast.
-    Operations: 3 structured, 3 common subexpressions, 3 power chains.
+    Equation from (30), (33). Domain: A > 0. Shape: 4 results, each as the arguments broadcast. Operations: 3.
     Proved, error / u (1 + kappa): 0.0, 0.0, 1.01, 0.34
     """
     A, h, h_A, h_AA, h_AAA = floats(A, h, h_A, h_AA, h_AAA)
