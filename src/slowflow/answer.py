@@ -255,7 +255,8 @@ class Table(Answer):
     def columns(self) -> dict[str, Any]:
         """Arrays of one length by name: those of the entries, and what each has besides."""
         found = {name: getattr(self, name) for name in (*self._entry_of()._fields, *self._beside_of())}
-        return found | {name: value for name, value in self._content().items() if _is_column(value, len(self))}
+        content, shape = self._content().items(), (len(self),)
+        return found | {name: one for name, one in content if isinstance(one, np.ndarray) and one.shape == shape}
 
     def about(self) -> dict[str, Any]:
         """Message, forcing, and the parameters of the oscillator where the answer knows them."""
@@ -332,10 +333,6 @@ def head(name: str, units: Mapping[str, str]) -> str:
 
 def _short(value: Any) -> str:
     return f"{value:.4g}" if isinstance(value, (float, np.floating, np.complexfloating)) else str(value)
-
-
-def _is_column(value: Any, length: int) -> bool:
-    return isinstance(value, np.ndarray) and value.shape == (length,)
 
 
 def plain(value: Any) -> Any:

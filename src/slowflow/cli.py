@@ -197,7 +197,7 @@ def explain_scene(given: argparse.Namespace) -> int:
         f"together {_some(total)}: estimates, medians of random mounts on {costs.MACHINE}; there nine of ten took at "
         f"most {costs.SPREAD:g} times as long, or as short"
     )
-    skipped = scene.not_asked()
+    skipped = [question for question in QUESTIONS if not scene.of(question)]
     print(f"not asked for, and not computed: {', '.join(skipped)}" if skipped else "all questions are asked")
     return 0
 

@@ -77,7 +77,8 @@ def whole(title: str, sections: Mapping[str, Sequence[str]]) -> str:
     body = "\n".join(
         line
         for name, parts in sections.items()
-        for line in (f'<section aria-labelledby="{_anchor(name)}">', _heading(name), *parts, "</section>")
+        for at in (_anchor(name),)
+        for line in (f'<section aria-labelledby="{at}">', f'<h2 id="{at}">{escape(name)}</h2>', *parts, "</section>")
     )
     return (
         f'<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n<title>{escape(title)}</title>\n'
@@ -90,10 +91,6 @@ def whole(title: str, sections: Mapping[str, Sequence[str]]) -> str:
 
 def _anchor(name: str) -> str:
     return name.lower().replace(" ", "-")
-
-
-def _heading(name: str) -> str:
-    return f'<h2 id="{_anchor(name)}">{escape(name)}</h2>'
 
 
 def cell(value: Any) -> str:

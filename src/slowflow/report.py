@@ -23,7 +23,7 @@ from slowflow.measured.validity import IN_PYTHON
 from slowflow.physical import Physical
 from slowflow.quantities import SHEET, SHOWN, UNITS, Quantities, in_shown
 from slowflow.results import Remark
-from slowflow.scenes import FORCINGS, Asked, Scene
+from slowflow.scenes import FORCINGS, Scene
 from slowflow.sizing.subject import Load, Subject
 from slowflow.table import COLUMNS, SHOCKS
 from slowflow.text import in_units
@@ -177,7 +177,7 @@ def _summary(forcings: Sequence[float], scene: Scene) -> Iterator[str]:
 
 def _frequencies(scene: Scene) -> Sequence[float]:
     """Those at which the scene asks for motions."""
-    asked = (one.arguments for one in scene.asked if one.question == "amplitudes")
+    asked = (one.arguments for one in scene.of("amplitudes"))
     return next((given.get("f", given.get("Omega")) for given in asked), ())
 
 
@@ -192,7 +192,7 @@ def _transmitted(scene: Scene, F: float) -> Iterator[str]:
 
 def _of_shocks(scene: Scene) -> Iterator[str]:
     """How many of the half sines lift the springs, and the worst of them."""
-    answers = [(one, scene.answer(one)) for one in scene.asked if one.question == "transient"]
+    answers = [(one, scene.answer(one)) for one in scene.of("transient")]
     if not answers:
         return
     for name, most in (("A", "deflects it most, by"), ("a_max", "accelerates it most, to")):
@@ -213,7 +213,8 @@ def _in_short(scene: Scene, F: float) -> Iterator[str]:
         yield "friction holds the mass: it does not move."
         return
     if len(folds):
-        at = ", ".join(f"{kind.replace('-', 's ')} at {_number(folds, x, 'f', 'Omega')}" for kind, x in _jumps(folds))
+        jumps = zip(folds.kind.tolist(), getattr(folds, _called(scene.oscillator, "Omega")[0]).tolist(), strict=True)
+        at = ", ".join(f"{kind.replace('-', 's ')} at {_number(folds, x, 'f', 'Omega')}" for kind, x in jumps)
         yield f"it {at};"
     elif (lowest := _one(onset, *(f"{letter[0]}_SN" for letter in pictures.AMPLITUDES))) is None:
         yield "it does not jump, nor at any other amplitude of the excitation;"
@@ -240,11 +241,6 @@ def _in_short(scene: Scene, F: float) -> Iterator[str]:
         level = one.arguments.get("level_dB", 0.0) if one.question == "isolation" and one.forcing == F else 0.0
         if level and (begin := _one(scene.answer(one), "f", "Omega")) is not None:
             yield f"From {begin} on it transmits less than {level:g} dB."
-
-
-def _jumps(folds: Any) -> Iterator[tuple[str, float]]:
-    for fold in folds:
-        yield fold.kind, fold.f if hasattr(fold, "f") else fold.Omega
 
 
 def _one(answer: Any, *names: str) -> str | None:
@@ -304,7 +300,7 @@ def _answers(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
             # a force moves the mass at all frequencies, or at none, which `sticks` says
             yield _table(caption, *found, left_out=(*UNSHOWN, *OF_INERTIA) if of_force else UNSHOWN)
     for question, caption in ALSO.items():
-        asked = [one for one in scene.asked if one.question == question]
+        asked = scene.of(question)
         if question == "isolation":  # that of 0 dB has its table
             asked = [one for one in asked if one.arguments.get("level_dB")]
         if also := [scene.answer(one) for one in asked]:
@@ -315,7 +311,7 @@ def _answers(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
 def _curves(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
     if not forcings:
         return
-    asked = (one.arguments for one in scene.asked if one.question == "frequency_response")
+    asked = (one.arguments for one in scene.of("frequency_response"))
     own = {name: value for name, value in next(asked, {}).items() if name not in FORCINGS}  # the scene's window
     curves = [_shown(scene.ask("frequency_response", **_forced_by(scene, F), **own)) for F in forcings]
     folds = [_shown(scene.ask("saddle_nodes", **_forced_by(scene, F))) for F in forcings]
@@ -338,19 +334,19 @@ def _curves(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
 
 def _locus(scene: Scene) -> Iterator[str]:
     """The folds of every forcing, if the scene asks for them."""
-    for one in (one for one in scene.asked if one.question == "fold_locus"):
+    for one in scene.of("fold_locus"):
         ax = pictures.locus(page.axes(), scene.answer(one))
         yield page.figure(ax, "The amplitudes of the excitation that have a fold, over its frequency.")
 
 
 def _spectrum(scene: Scene) -> Iterator[str]:
-    for one in (one for one in scene.asked if one.question == "spectrum"):
+    for one in scene.of("spectrum"):
         yield _table("Each tone by itself, in the order of the table", scene.answer(one))
 
 
 def _shocks(scene: Scene) -> Iterator[str]:
     """What the scene asks of shocks, by the equation of motion."""
-    asked = [one for one in scene.asked if one.question == "transient"]
+    asked = scene.of("transient")
     found = [scene.answer(one) for one in asked]
     if found:
         pulses = [{head(name, one.units()): value for name, value in one.numbers().items()} for one in asked]
@@ -360,10 +356,10 @@ def _shocks(scene: Scene) -> Iterator[str]:
         yield _table(f"Shocks of the base, by the equation of motion{leaves}", *found, beside=pulses, left_out=more)
         worst = max(range(len(found)), key=lambda k: float(found[k].columns()["A"][0]))
         ax = pictures.history(page.axes(), found[worst], "below")
-        yield page.figure(
-            ax, f"The motion of the mass, seen from its base, in the shock that deflects it most{_colon(asked[worst])}."
-        )
-    for one in (one for one in scene.asked if one.question == "shock_spectrum"):
+        _, _, shock = str(asked[worst]).partition(" at ")  # nothing of a record
+        said = "The motion of the mass, seen from its base, in the shock that deflects it most"
+        yield page.figure(ax, f"{said}{shock and ': ' + shock}.")
+    for one in scene.of("shock_spectrum"):
         answer: Any = scene.answer(one)
         if not found:
             yield _table("Shocks of the base, by the equation of motion", answer)
@@ -371,15 +367,9 @@ def _shocks(scene: Scene) -> Iterator[str]:
         yield page.figure(ax, "The largest acceleration of the mass over the pulse's, over the duration of the pulse.")
 
 
-def _colon(shock: Asked) -> str:
-    """What a shock is, after a colon; nothing of a record."""
-    _, _, said = str(shock).partition(" at ")
-    return f": {said}" if said else ""
-
-
 def _tolerances(scene: Scene) -> Iterator[str]:
     """What the scene asks of tolerances."""
-    asked = [one for one in scene.asked if one.question == "tolerances"]
+    asked = scene.of("tolerances")
     if asked:
         shares = asked[0].arguments["within"].items()
         within = ", ".join(f"{page.inline(name)} within {100 * share:g} %" for name, share in shares)
@@ -568,7 +558,7 @@ def _data(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
         text = files.in_csv([({force: F / size}, answer) for F, answer in found], {force: unit})
         yield f"<li>{page.download(f'{question}.csv', 'text/csv', text)}</li>"
     for question in ("spectrum", "tolerances", "transient", "shock_spectrum"):
-        alike = [one for one in scene.asked if one.question == question]
+        alike = scene.of(question)
         try:
             answers = [(one.numbers(), scene.answer(one)) for one in alike]
         except NotAvailable:  # its own section says so

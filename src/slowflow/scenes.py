@@ -302,9 +302,9 @@ class Scene:
         """The forcings of its questions, each once, in their order."""
         return list(dict.fromkeys(asked.forcing for asked in self.asked if asked.forcing is not None))
 
-    def not_asked(self) -> list[str]:
-        """Questions that the scene does not ask."""
-        return [name for name in QUESTIONS if name not in {asked.question for asked in self.asked}]
+    def of(self, question: str) -> list[Asked]:
+        """What it asks by one question."""
+        return [asked for asked in self.asked if asked.question == question]
 
     @property
     def sha256(self) -> str:
@@ -392,18 +392,11 @@ class _Reader:
             arguments[kind.frequency] = self._tried("ask", ask, lambda: validate.window("window", ask["window"]))
         if "samples" in takes and "samples" in ask:
             arguments["samples"] = ask["samples"]
-        levels = self._levels(ask) if "level_dB" in takes and "level_dB" in ask else [{}]
+        decibels = self._numbers("level_dB", most=0.0) if "level_dB" in takes and "level_dB" in ask else []
+        levels: list[dict[str, Any]] = [{"level_dB": one} for one in decibels] or [{}]
         for forcing in self._positive(kind.forcing) if "F_0" in takes else [None]:
             for level in levels:
                 yield Asked(name, {**({} if forcing is None else {kind.forcing: forcing}), **arguments, **level})
-
-    def _levels(self, ask: Mapping[str, Any]) -> list[dict[str, float]]:
-        """Transmissibilities in decibels."""
-        given = self._list("ask", "level_dB", (int, float))
-        found: list[dict[str, float]] = self._tried(
-            "ask", ask, lambda: [{"level_dB": validate.number("level_dB", one, most=0.0)} for one in given]
-        )
-        return found
 
     def _spectrum(self, question: str, kind: Kind) -> dict[str, Any]:
         """The pairs of a load spectrum."""
@@ -473,9 +466,13 @@ class _Reader:
 
     def _positive(self, key: str, table: str = "ask") -> list[float]:
         """A list of numbers > 0."""
+        return self._numbers(key, table, above=0.0)
+
+    def _numbers(self, key: str, table: str = "ask", **bounds: float) -> list[float]:
+        """A list of numbers within bounds."""
         values = self._list(table, key, (int, float))
         given = self.content[table]
-        found: list[float] = self._tried(table, given, lambda: [validate.number(key, v, above=0.0) for v in values])
+        found: list[float] = self._tried(table, given, lambda: [validate.number(key, v, **bounds) for v in values])
         return found
 
     def _table(self, name: str, question: str = "") -> dict[str, Any]:
