@@ -497,3 +497,27 @@ def test_a_curve_does_not_start_from_a_motion_of_another_forcing():
         iso.exact_response(0.031, start=start)
     with pytest.raises(ValueError, match=r"start must be a steady state at F_0 = 0.03, Omega in"):
         iso.exact_response(0.03, start=start, Omega=(0.9, 1.2))
+
+
+@pytest.mark.parametrize("upwards", [True, False])
+def test_a_sweep_jumps_on_its_way_past_the_fold(upwards):
+    """From the frequency before the fold at which its motion ends to the one beyond, in the order of the sweep."""
+    oscillator = Duffing(1.0, 0.5, 0.0, 0.05)
+    folds = [fold.Omega for fold in oscillator.exact_response(0.2, Omega=(0.7, 1.6)).folds]
+    Omega = np.linspace(0.8, 1.5, 15)
+    found = oscillator.sweep(F_0=0.2, Omega=Omega if upwards else Omega[::-1])
+    ((before, after),) = found.jumps
+    end = max(folds) if upwards else min(folds)
+    assert (before < end < after) if upwards else (before > end > after)
+    assert abs(after - before) == pytest.approx(Omega[1] - Omega[0])
+
+
+def test_a_sweep_begins_with_the_velocity_that_is_given():
+    """Of two motions at one frequency that which the state leads to, as integration of it does."""
+    oscillator, at = Duffing(1.0, 0.5, 0.0, 0.05), {"Omega": 1.25, "F_0": 0.2}
+    led = {}
+    for v_0 in np.linspace(-2.0, 2.0, 9):
+        led[v_0] = oscillator.steady_state(**at, u_0=0.0, v_0=float(v_0)).A
+        found = oscillator.sweep(F_0=0.2, Omega=[1.25], u_0=0.0, v_0=float(v_0))
+        assert found.A[0] == pytest.approx(led[v_0], rel=1e-6) and found.settled.all()
+    assert any(abs(led[v_0] / led[-v_0] - 1) > 0.1 for v_0 in led)

@@ -313,3 +313,8 @@ def test_transmissibility_is_the_force_on_the_base_over_the_forcing():
     expected = np.hypot(1, 0.2 * states.Omega) / np.hypot(1 - states.Omega**2, 0.2 * states.Omega)
     np.testing.assert_allclose(states.transmissibility, expected, rtol=1e-14)
     np.testing.assert_allclose(states.transmissibility_dB, 20 * np.log10(expected), rtol=1e-13)
+
+
+def test_of_several_frequencies_none_may_be_too_high():
+    with pytest.raises(ValueError, match="Omega = 2e"):
+        isolator().amplitudes(Omega=[0.9, 2e40], F_0=0.04)

@@ -253,3 +253,24 @@ def test_what_is_unresolved_has_that_status_in_every_batch():
     asked = (designs.saddle_nodes(F_0), designs.amplitudes(Omega=0.5, F_0=F_0), designs.frequency_response(F_0))
     assert {int(found.status) for found in asked} == {Status.UNRESOLVED}
     assert designs.spectrum(Omega=[0.5, 1.2], F_0=F_0).status.tolist() == [Status.UNRESOLVED] * 2
+
+
+def test_a_linear_mount_has_no_forcing_with_a_jump_whatever_the_load():
+    """Its spring is one line: the lowest such forcing is beyond all numbers, and the load no part of it."""
+    found = Duffing.many(alpha=[1.0, 2.0], beta=[0.0, 0.3], zeta=0.05).margins(0.1)
+    assert found.F_SN.tolist() == [math.inf, pytest.approx(Duffing(2.0, 0.3, zeta=0.05).margins(0.1).F_SN)]
+    assert found.of_SN[0] == math.inf and found.of_SN[1] < math.inf
+
+
+def test_what_has_no_band_has_no_frequency_of_one():
+    found = Duffing.many(alpha=1.0, beta=[0.0, 0.5], zeta=0.02).hysteresis(0.1)
+    assert found.count.tolist() == [0, 1]
+    assert np.isnan(found.Omega_low[0]).all() and np.isnan(found.Omega_high[0]).all()
+    assert np.isfinite(found.Omega_low[1, 0]) and np.isnan(found.Omega_low[1, 1:]).all()
+
+
+def test_on_a_base_margins_say_why_no_springs_leave():
+    """A Duffing has one piece, and says so where the base shakes; of a force there is nothing to bear in mind."""
+    shaken, pushed = (Duffing(1.0, 0.5, zeta=0.05, excitation=one).margins(0.1) for one in ("base", "force"))
+    why = Duffing(1.0, 0.5, zeta=0.05, excitation="base").detachment().message
+    assert why and why in shaken.message and why not in pushed.message

@@ -158,6 +158,19 @@ def test_lengths_with_tolerances_are_in_millimetres(text):
     """A table of them is no answer in units, but is told in these."""
     tables = text.partition('<h2 id="tolerances"')[2].partition("<h2")[0]
     assert "<td>mm</td>" in tables and "<td>m</td>" not in tables
+    stated = scenes.read(MOUNT).content["tolerances"]
+    shown = {name: float(share) for name, share in re.findall(r"(\w+)(?:</\w+>)? within ([\d.]+) %", tables)}
+    assert sorted(shown.values()) == pytest.approx(sorted(100 * share for share in stated.values()))
+
+
+def test_jumps_of_three_depths_stand_in_the_same_unit_with_the_error_that_they_show(text):
+    table = text.partition("<caption>Each jump by averaging")[2].partition("</table>")[0]
+    rows = [re.findall(r"<td>(.*?)</td>", row) for row in table.split("<tr>")[2:]]
+    assert len(rows) == 4
+    for _, _, averaged, second, exact, error in rows:
+        one, two, three = map(float, (averaged, second, exact))
+        assert two == pytest.approx(three, rel=2e-4)
+        assert float(error.removesuffix(" %")) == pytest.approx(100 * (one / three - 1), abs=5e-3)
 
 
 def test_the_page_says_in_short_what_happens_at_each_force(text):

@@ -447,6 +447,8 @@ def test_text_of_a_scene_is_never_evaluated(scene, capsys, monkeypatch):
     monkeypatch.setattr(os, "system", lambda *_: pytest.fail("it was run"))
     for evil in ("\"__import__('os').system('true')\"", '"1/0"', "true", "{ a = 1 }"):
         assert run("run", scene(MOUNT.replace("m = 12.0", f"m = {evil}")), capsys=capsys)[0] == 2
+    forced = MOUNT.replace("F = [3.0, 5.0]", "F = [3.0, true]")
+    assert forced != MOUNT and run("run", scene(forced), capsys=capsys)[0] == 2
 
 
 def test_a_question_without_an_answer_is_said_and_the_others_are_written(scene, tmp_path, capsys):

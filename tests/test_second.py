@@ -676,3 +676,21 @@ def test_what_batches_of_the_second_approximation_do_not_answer_is_said():
         with pytest.raises(AttributeError, match=f"has no {name}: "):
             getattr(second, name)
     assert pickle.loads(pickle.dumps(second)) == second and copy.deepcopy(second) == second
+
+
+def test_states_that_it_lacks_beside_the_first_approximation_are_told():
+    """Beside a fold of averaging its own may lie on the other side: there it has two states less."""
+    iso = Isolator(lam=1.0394108387827414, r=1.1845, delta_h=0.2713, mu=0.0085, zeta=0.0136)
+    folds = iso.saddle_nodes(0.10874)
+    Omega = [0.9, folds.Omega[0] * (1 + 1e-4), folds.Omega[-1] * (1 - 1e-4), 1.2]
+    first, second = (one.amplitudes(Omega=Omega, F_0=0.10874) for one in (iso, iso.second_approximation))
+    counts = [[int((found.Omega == at).sum()) for at in Omega] for found in (first, second)]
+    lacking = [two < one for one, two in zip(*counts, strict=True)]
+    assert 0 < sum(lacking) < len(Omega)
+    assert (
+        f"fewer states than in the first approximation at {sum(lacking)} of {len(Omega)} frequencies" in second.message
+    )
+    given = {name: getattr(iso, name) for name in ("lam", "r", "delta_h", "mu", "zeta")}
+    many = Isolator.many(**given).second_approximation.amplitudes(Omega=Omega, F_0=0.10874)
+    assert many.undecided.astype(bool).tolist() == lacking
+    assert many.count.tolist() == counts[1]
