@@ -126,7 +126,7 @@ class Derived(Stated):
 
     def __repr__(self) -> str:
         how = "compiled" if self.compiled else "interpreted"
-        if _is_summed(self.record):
+        if hasattr(sys.modules[self.record.pieces[0].force.__module__], "averaged_of"):  # it closes sums
             how += ", by quadrature"
         if not self.record.odd:
             how = f"motions {'compiled' if self.compiled else 'interpreted'}, averages on NumPy"
@@ -367,11 +367,6 @@ def _side_by_side(commands: Iterable[list[str]]) -> None:
     for process, words in told.items():
         if process.returncode:
             raise BuildFailed(f"compile=True: {running[process]} failed:\n{words}")
-
-
-def _is_summed(record: Mechanism) -> bool:
-    """Whether its average is a quadrature: its module closes sums then."""
-    return hasattr(sys.modules[record.pieces[0].force.__module__], "averaged_of")
 
 
 def _attach(printed: ModuleType, library: Path) -> None:

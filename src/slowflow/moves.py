@@ -207,17 +207,9 @@ _PINNED = {OnsetKind.CUSP: Pinned.CUSP, OnsetKind.ISOLA: Pinned.ISOLA, OnsetKind
 _ONSETS = np.array([float(_PINNED.get(kind, Pinned.CUSP)) for kind in OnsetKind])
 
 
-def of_cusps(given: Given, F_0: Any, Omega: Any, A: Any) -> Gradient:
-    """Of cusps of the fold locus."""
-    return gradient(given, float(Pinned.CUSP), (A, Omega, F_0), _EXTREMA)
-
-
-def of_isola_points(given: Given, F_0: Any, Omega: Any, A: Any) -> Gradient:
-    """Of its isola points."""
-    return gradient(given, float(Pinned.ISOLA), (A, Omega, F_0), _EXTREMA)
-
-
-_EXTREMA = {"F_0": 2, "Omega": 1, "A": 0}
+def of_extrema(given: Given, kind: Pinned, F_0: Any, Omega: Any, A: Any) -> Gradient:
+    """Of cusps or isola points of the fold locus."""
+    return gradient(given, float(kind), (A, Omega, F_0), {"F_0": 2, "Omega": 1, "A": 0})
 
 
 def _either(flag: Any, one: Pinned, other: Pinned) -> Any:

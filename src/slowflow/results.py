@@ -24,7 +24,7 @@ from slowflow.model import Floats, Model
 from slowflow.text import text
 from slowflow.transmitted import in_motion
 from slowflow_kernels import slow_flow
-from slowflow_kernels.conventions import OnsetKind, Status
+from slowflow_kernels.conventions import OnsetKind, Pinned, Status
 from slowflow_support.errors import Refused
 from slowflow_support.frozen import dataclass
 
@@ -254,15 +254,6 @@ def of_model(model: Model | None) -> moves.Given:
     return moves.Given(model.mechanism, (*numbers, laws.eta, laws.c_2), model.excitation, laws.rubs)
 
 
-class Transmits(Protocol):
-    """What has a transmissibility."""
-
-    @property
-    def transmissibility(self) -> Floats:
-        """Fundamental harmonic of what is passed on, over what drives it, of each state."""
-        ...
-
-
 class WithMean:
     """What states and folds share: about a mean, which is 0 without a load."""
 
@@ -286,8 +277,11 @@ class WithMean:
 class InDecibels:
     """What tables of states share, at whatever depth and about whatever mean."""
 
+    if TYPE_CHECKING:
+        transmissibility: Any
+
     @property
-    def transmissibility_dB(self: Transmits) -> Floats:
+    def transmissibility_dB(self) -> Floats:
         """`transmissibility` in decibels, 20 log10; -inf where nothing is transmitted."""
         with np.errstate(divide="ignore"):
             return np.asarray(20.0 * np.log10(self.transmissibility))
@@ -561,7 +555,7 @@ class Cusps(Table):
 
     def gradient(self) -> Gradient:
         """How F_0, Omega and A of each cusp move with the parameters, exactly."""
-        return moves.of_cusps(of_model(self._model), self.F_0, self.Omega, self.A)
+        return moves.of_extrema(of_model(self._model), Pinned.CUSP, self.F_0, self.Omega, self.A)
 
 
 @dataclass(frozen=True, eq=False)
@@ -585,7 +579,7 @@ class IsolaPoints(Table):
 
     def gradient(self) -> Gradient:
         """How F_0, Omega and A of each isola point move with the parameters, exactly."""
-        return moves.of_isola_points(of_model(self._model), self.F_0, self.Omega, self.A)
+        return moves.of_extrema(of_model(self._model), Pinned.ISOLA, self.F_0, self.Omega, self.A)
 
 
 @dataclass(frozen=True, eq=False)

@@ -6,7 +6,6 @@ A file outlives the program that wrote it: units, codes with their words, and wh
 from __future__ import annotations
 
 import inspect
-from enum import IntEnum
 from typing import Any
 
 from slowflow.grid.block import Ask
@@ -34,36 +33,14 @@ def of_column(ask: Ask, name: str) -> dict[str, Any]:
     """Of a column of an answer, or of one of the numbers that it was asked with."""
     known = {domain.name: domain.doc for domain in (*ask.mechanism.design, *DAMPING, *DISSIPATION)}
     found: dict[str, Any] = {"long_name": known.get(name) or COLUMNS[name].text}
+    flags = {"remarks": Remark, "status": Status, "onset": Status, "fold_kind": FoldKind, "kind": ask.asked.kinds}
+    kind: Any = flags.get(name)
+    if kind is None:
+        return {**found, "units": UNITS_OF.get(name, UNITS)}
+    values, meanings = list(map(int, kind)), " ".join(code.name for code in kind)
     if name == "remarks":
-        codes = [remark for remark in Remark]
-        return {**found, "flag_masks": [int(code) for code in codes], "flag_meanings": _words(codes)}
+        return {**found, "flag_masks": values, "flag_meanings": meanings}
     if name == "status":
-        values = [NOT_YET, *map(int, Status)]
-        meanings = f"NOT_YET {_words(Status)}"
-        return {**found, "flag_values": values, "flag_meanings": meanings, "meaning": _told(Status)}
-    if name == "onset":
-        return {
-            **found,
-            "flag_values": list(map(int, Status)),
-            "flag_meanings": _words(Status),
-            "meaning": _told(Status),
-        }
-    if name in ("kind", "fold_kind"):
-        kind = FoldKind if name == "fold_kind" else ask.asked.kinds
-        assert kind is not None
-        return {
-            **found,
-            "flag_values": [int(code) for code in kind],
-            "flag_meanings": _words(kind),
-            "meaning": _told(kind),
-        }
-    return {**found, "units": UNITS_OF.get(name, UNITS)}
-
-
-def _words(codes: Any) -> str:
-    return " ".join(code.name for code in codes)
-
-
-def _told(kind: type[IntEnum]) -> str:
-    """What each number stands for, as the derivation states it."""
-    return inspect.cleandoc(kind.__doc__ or "")
+        values, meanings = [NOT_YET, *values], f"NOT_YET {meanings}"
+    # what each number stands for, as the derivation states it
+    return {**found, "flag_values": values, "flag_meanings": meanings, "meaning": inspect.cleandoc(kind.__doc__ or "")}

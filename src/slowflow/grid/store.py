@@ -45,7 +45,8 @@ def filled(path: Any, ask: Ask, values: Mapping[str, Any], sizes: dict[str, int]
     sizes  -- lengths of the axes, in their order
     blocks -- lengths of a block along each; a store that was begun keeps its own
     """
-    path = _absolute(path)
+    if isinstance(path, Path) or (isinstance(path, str) and "://" not in path):
+        path = os.path.abspath(path)  # means the same to every process; a store of Zarr, or an address, does as it is
     values = {name: value if _unread(value) else value.compute() for name, value in values.items()}
     asked = _asked(ask, values, sizes)
     about = {**meaning.of_map(ask), "asked": json.dumps(asked), "blocks": json.dumps(blocks), "complete": 0}
@@ -148,11 +149,6 @@ def _dims(value: Any, sizes: Mapping[str, int]) -> list[str]:
 
 
 # ---- the store
-
-
-def _absolute(path: Any) -> Any:
-    """A path that means the same to every process; a store of Zarr, or an address, as it is."""
-    return os.path.abspath(path) if isinstance(path, Path) or (isinstance(path, str) and "://" not in path) else path
 
 
 def _begun(path: Any, asked: dict[str, Any], about: dict[str, Any]) -> Any:

@@ -8,7 +8,8 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Mapping, Set
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 
@@ -61,13 +62,6 @@ PAIR = "({1}, {0}), the columns of a table"
 LAWS, STATIC = tuple(one.name for one in DISSIPATION), "static_friction"
 
 
-class Shocked(NamedTuple):
-    """The largest deflection and acceleration of each design in a shock."""
-
-    A: Floats
-    a_max: Floats
-
-
 @dataclass(frozen=True)
 class Load:
     """What a design has to bear, None where that is not given; in SI units of a mount.
@@ -107,7 +101,10 @@ class Subject:
         self.mechanism, self.excitation = isolator.model.mechanism, isolator.excitation
         self.loaded, self.rubs = isolator.load != 0, isolator.rubs
         self.nominal = self._numbers(isolator)
-        self._check_varied(varied)
+        for name in varied:
+            if name not in self.nominal:
+                allowed = f"{', '.join(self.nominal)}{validate.meant(name, self.nominal)}"
+                raise Refused(f"{name!r} cannot be varied: it must be one of {allowed}")
         # laws of damping beside mu and zeta that some design has
         self.laws = {*isolator.model.laws.said, *(name for name in LAWS if name in varied)}
         self.one_by_one = self.loaded or bool(self.laws)
@@ -233,13 +230,6 @@ class Subject:
                 what = known.get(needed, "a forcing")
                 raise Refused(f"{name} needs {what}: give {needed}")
         return list(names)
-
-    def _check_varied(self, names: Iterable[str]) -> None:
-        """Raises ValueError for a number that cannot be varied."""
-        for name in names:
-            if name not in self.nominal:
-                known = f"{', '.join(self.nominal)}{validate.meant(name, self.nominal)}"
-                raise Refused(f"{name!r} cannot be varied: it must be one of {known}")
 
     def ask(self, values: Mapping[str, Any], names: Iterable[str], load: Load) -> dict[str, Floats]:
         """These answers of designs whose numbers are as given, arrays of one shape, and else nominal.
@@ -374,7 +364,7 @@ class _Batch:
         columns = {**self.designs.values, "mu_s": self.holds, "peak": peak, "span": span}
         rows = zip(*(np.broadcast_to(value, shape).ravel().tolist() for value in columns.values()), strict=True)
         found = np.array([self._shocked(**dict(zip(columns, row, strict=True))) for row in rows])
-        return Shocked(*found.reshape(-1, 2).T.reshape(2, *shape))
+        return SimpleNamespace(**dict(zip(("A", "a_max"), found.reshape(-1, 2).T.reshape(2, *shape), strict=True)))
 
     def _shocked(self, peak: float, span: float, **numbers: float) -> tuple[float, float]:
         """Of one design, NaN for what is none and for a motion that escapes."""
