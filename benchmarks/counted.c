@@ -350,8 +350,7 @@ enum {
  * designs a cell and an amplitude, a quartic solved by itself, its parameters made, on intervals and in pairs too, and
  * its answer written; then the seconds of one of each. Returns 0 where there is no such record. */
 int count(int asked, const char *name, long n, double *inputs, double *out) {
-    const sf_many loops[] = {solvers_counted.many_states, solvers_counted.many_folds, solvers_counted.many_peaks,
-                             solvers_counted.many_onsets};
+    const sf_many loops[] = {sf_loop_states, sf_loop_folds, sf_loop_peaks, sf_loop_onsets};
     const int at[] = {2, 1, 1, 0}, outputs[] = {5, 6, 3, 6};
     double *taken = out + PARTS;
     static unsigned char answers[4096];
@@ -416,19 +415,19 @@ int curve(const char *name, const double *design, double F_0, const double *wind
         out[3] = out[4] = out[5] = HUGE_VAL;
         for (int round = 0; round < 10 * ROUNDS; round++) {
             double start = now();
-            answered = solvers_counted.skeleton(&model, &given, F_0, room) == SF_OK;
+            answered = sf_make_skeleton(&model, &given, F_0, room) == SF_OK;
             out[3] = least(out[3], now() - start), start = now();
-            n = solvers_counted.show(&model, F_0, window[0], window[1], samples, &room->work);
+            n = sf_show(&model, F_0, window[0], window[1], samples, &room->work);
             if (!answered || n > places)
                 break;
-            solvers_counted.draw(&model, F_0, samples, &room->work.shown, Omega, A, stable, branch);
+            sf_draw(&model, F_0, samples, &room->work.shown, Omega, A, stable, branch);
             out[4] = least(out[4], now() - start), start = now();
-            solvers_counted.saddle_nodes(&model, &given, F_0, room, &room->work.folds);
+            sf_settled_folds(&model, &given, F_0, room, &room->work.folds);
             out[5] = least(out[5], now() - start);
         }
         counting = *record, counting.averaged = counted_average, model.mechanism = &counting;
         ranges = averages = 0;
-        solvers_counted.skeleton(&model, &given, F_0, room);
+        sf_make_skeleton(&model, &given, F_0, room);
         out[0] = (double)n, out[1] = (double)averages, out[2] = (double)ranges;
         answered &= n <= places;
     }
@@ -454,7 +453,7 @@ static void timed_harmonics(const sf_mechanism *self, ptrdiff_t n, const double 
  * of each. Returns 0 where there is no such record or no room. */
 int second(const char *name, const double *design, double F_0, int wanted, long n, const double *Omega, const double *A,
            const long long *branch, double *out) {
-    static const unsigned char closed[64];
+    static const int closed[64];
     sf_mechanism counting;
     sf_model model;
     if (!find_record(name) || record->harmonics == NULL || !record->parameters_of(record, design, model.p) ||
@@ -467,7 +466,7 @@ int second(const char *name, const double *design, double F_0, int wanted, long 
         sf_second_curve *moved = sf_second_follow(&model, F_0, (sf_wanted)wanted, n, Omega, A, branch, closed);
         if (moved == NULL)
             return 0;
-        solvers_counted.second_free(moved);
+        sf_second_free(moved);
     }
     out[0] = (double)averages_in_lanes.places / ROUNDS, out[1] = (double)balances_in_lanes.places / ROUNDS;
     out[2] = seconds_in_lanes(&averages_in_lanes), out[3] = seconds_in_lanes(&balances_in_lanes);

@@ -141,6 +141,7 @@ def test_a_record_compiled_elsewhere_is_solved_like_our_own(own, alpha, beta):
     same(NATIVE.onset(mine), NATIVE.onset(ours))
     same(NATIVE.detachment(mine), NATIVE.detachment(ours))
     same(NATIVE.fold_locus(mine, 2.0, 50), NATIVE.fold_locus(ours, 2.0, 50))
+    same(NATIVE.extrema(mine, 2.0), NATIVE.extrema(ours, 2.0))
     for F_0 in (0.02, 0.06, 0.3):
         same(NATIVE.saddle_nodes(mine, F_0), NATIVE.saddle_nodes(ours, F_0))
         same(NATIVE.peak(mine, F_0, np.inf), NATIVE.peak(ours, F_0, np.inf))
@@ -164,10 +165,11 @@ def test_a_record_compiled_elsewhere_is_solved_like_our_own(own, alpha, beta):
 
 def test_the_solvers_ask_the_record_what_forcing_a_state_takes(own):
     plain, doubled = (NATIVE.model(own(*options), (0.5, 1.0, 0.0), (0.012, 0.02)) for options in ((), ("-DLEVEL=2.0",)))
-    _, Omega, A, F_0, _, extrema = NATIVE.fold_locus(plain, 2.0, 50)
-    _, same_Omega, same_A, twice, _, doubled_extrema = NATIVE.fold_locus(doubled, 2.0, 50)
+    _, Omega, A, F_0, _ = NATIVE.fold_locus(plain, 2.0, 50)
+    _, same_Omega, same_A, twice, _ = NATIVE.fold_locus(doubled, 2.0, 50)
     assert (same_Omega == Omega).all() and (same_A == A).all() and (twice == 2 * F_0).all()
-    assert [point[0] for point in doubled_extrema] == [2 * point[0] for point in extrema] != []
+    levels, doubled_levels = (NATIVE.extrema(model, 2.0)[1] for model in (plain, doubled))
+    assert levels.size > 0 and (doubled_levels == 2 * levels).all()
 
 
 def test_the_solvers_ask_the_record_whether_the_mass_sticks(own):

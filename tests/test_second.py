@@ -10,6 +10,7 @@ import pickle
 import platform
 import subprocess
 import sys
+from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
@@ -21,14 +22,40 @@ from slowflow import Duffing, Isolator, backend
 from slowflow.answer import joined
 from slowflow.averaged.questions import Averaged
 from slowflow.example import isolator
-from slowflow.second import compiled
 from slowflow_kernels import den_hartog, second_approximation
 from slowflow_kernels.conventions import Status
-from slowflow_kernels.second_conventions import Wanted
+from slowflow_kernels.second_conventions import BEYOND, Wanted
 from tests.oracles.balance import Balance
 from tests.oracles.second import DATA
 
 FORCES = ("truncated", "untruncated")
+SOLVER = backend.SOLVER
+
+
+class Curve(NamedTuple):
+    """Points as the compiled solvers have them, A as in the kernels."""
+
+    Omega: Any
+    u_max: Any
+    A_1: Any
+    phi: Any
+    stable: Any
+    A: Any
+    branch: Any
+    closed: Any
+    lost: int
+
+
+def curve_of(model, F_0, samples, window, wanted=Wanted.EVERY_POINT):
+    status, *columns, _, _, _ = SOLVER.second_curve(model.native, F_0, wanted, samples, *window)
+    assert status == Status.OK
+    return Curve(*columns)
+
+
+def folds_about(model, F_0, low=np.inf, high=0.0):
+    """Omega, u_max, A_1, up and corner of each; how many are lost, of how many; points of averaging's that are lost."""
+    status, undecided, *columns, of, _, _ = SOLVER.second_saddle_nodes(model.native, F_0, low, high)
+    return None if status != Status.OK or undecided or not of else (*map(np.ndarray.tolist, columns[:5]), *columns[5:])
 
 
 def test_a_motion_that_leaves_the_centre_is_not_stable():
@@ -184,10 +211,10 @@ def test_the_balance_is_met_on_the_curve(force, changes):
     shown = (0.8 * iso.backbone(0.1 * iso.u_cr), 1.2 * iso.backbone(1.4 * iso.u_cr))
     first = iso.curve(F_0, samples=1000, Omega=shown)
     balance = Balance(iso.model)
-    curve = compiled.along(iso.model, F_0, 1000, shown)
+    curve = curve_of(iso.model, F_0, 1000, shown)
     _, _, _, _, F, *_ = balance.response(curve.Omega, curve.A, F_0)
     assert np.abs(F).max() < 1e-10 * F_0**2
-    assert not curve.message and curve.A.size >= first.A.size
+    assert curve.lost == 0 and curve.A.size >= first.A.size
     x, y = np.diff(np.log(curve.Omega)), np.diff(np.log(curve.A))
     assert np.all(np.hypot(x, y)[np.diff(curve.branch) == 0] < 0.1)
     assert np.count_nonzero(curve.stable[1:] != curve.stable[:-1]) == len(second.saddle_nodes(F_0))
@@ -446,22 +473,24 @@ def test_curves_folds_states_and_peaks_meet_the_balance(excitation):
     seen = 0
     for oscillator, F_0 in random_oscillators(excitation=excitation):
         model, balance = oscillator.model, Balance(oscillator.model)
-        curve = compiled.along(model, F_0, 600, (0.5, 2.0))
+        curve = curve_of(model, F_0, 600, (0.5, 2.0))
         met, force = balance.response(curve.Omega, curve.A, F_0), model.force(F_0, curve.Omega)
         # a step of a point's way that is small enough ends it
         assert np.all(np.abs(met.F) < (1e-9 if model.inertial else 1e-11) * force**2)
         assert np.allclose(curve.u_max, met.u_max, rtol=1e-12, atol=0) and np.array_equal(curve.stable, met.F_A > 0)
-        for fold in compiled.folds(model, curve, F_0).found:
-            here = balance.response(fold.Omega, at_displacement(balance, fold.Omega, fold.u_max), F_0)
-            scale = model.force(F_0, fold.Omega) ** 2
-            assert abs(here.F) < 1e-9 * scale and (fold.corner or abs(here.F_A) * fold.u_max < 1e-6 * scale)
+        for Omega, u_max, _, _, corner in zip(*folds_about(model, F_0, 0.5 * BEYOND, 2.0 / BEYOND)[:5], strict=True):
+            here = balance.response(Omega, at_displacement(balance, Omega, u_max), F_0)
+            scale = model.force(F_0, Omega) ** 2
+            assert abs(here.F) < 1e-9 * scale and (corner or abs(here.F_A) * u_max < 1e-6 * scale)
             seen += 1
-        for state in compiled.states(model, curve, np.linspace(0.55, 1.9, 9), F_0):
-            here = balance.response(state.Omega, at_displacement(balance, state.Omega, state.u_max), F_0)
-            assert abs(here.F) < 1e-9 * model.force(F_0, state.Omega) ** 2 and state.stable == (here.F_A > 0)
-        peak = compiled.peak(model, curve, F_0)
-        if peak is not None:
-            u_max, Omega = peak
+        status, *states = SOLVER.second_states(model.native, F_0, np.linspace(0.55, 1.9, 9))
+        assert status == Status.OK
+        for Omega, u_max, _, _, stable in zip(*states, strict=True):
+            here = balance.response(Omega, at_displacement(balance, Omega, u_max), F_0)
+            assert abs(here.F) < 1e-9 * model.force(F_0, Omega) ** 2 and stable == (here.F_A > 0)
+        near = oscillator.peak(F_0).Omega
+        status, u_max, Omega, *_ = SOLVER.second_peak(model.native, F_0, near) if near else (Status.NONE, 0.0, 0.0)
+        if status == Status.OK:
             level, _, turning = balance.detachment(Omega, at_displacement(balance, Omega, u_max))
             assert level == pytest.approx(F_0, rel=1e-8) and abs(turning) < 1e-5 * model.force(F_0, Omega) ** 2
             assert u_max >= curve.u_max.max() * (1 - 1e-12)
@@ -472,30 +501,33 @@ def test_folds_asked_for_at_once_are_those_of_averagings_folds_and_peak_step_by_
     """Their numbers, what is lost and what is said; where doubles do not tell averaging's there is no short way."""
     seen = 0
     for oscillator, F_0 in random_oscillators(20):
-        second = oscillator.second_approximation
-        at_once, by_steps = compiled.saddle_nodes(oscillator.model, F_0), second._folds_by_steps(F_0)
-        assert at_once == by_steps
-        seen += len(at_once.found)
+        marks = [*oscillator.folds(F_0).Omega, oscillator.peak(F_0).Omega]
+        at_once = folds_about(oscillator.model, F_0)
+        assert at_once == folds_about(oscillator.model, F_0, min(marks), max(marks))
+        seen += len(at_once[0])
     assert seen > 30
     undecided = isolator(mu=0.0, delta_h=0.03)
     F_0 = undecided.saddle_node_onset().F_SN
-    asked = backend.SOLVER.saddle_nodes(undecided.model.native, F_0)[-1]
-    assert asked == (compiled.saddle_nodes(undecided.model, F_0) is None)
+    asked = SOLVER.saddle_nodes(undecided.model.native, F_0)[-1]
+    assert asked == (folds_about(undecided.model, F_0) is None)
 
 
 def test_points_far_from_folds_and_peak_are_not_needed_for_them():
-    """The whole curve's folds and peak come of a fraction of its points."""
+    """Those of the whole curve come of a fraction of its points: where its stability changes, and above all of them."""
     seen = 0
     for oscillator, F_0 in random_oscillators(30):
         model = oscillator.model
-        whole, beside_folds, beside_top = (compiled.along(model, F_0, 600, (0.4, 2.5), wanted) for wanted in Wanted)
+        whole, beside_folds, beside_top = (curve_of(model, F_0, 600, (0.4, 2.5), wanted) for wanted in Wanted)
         assert beside_folds.A.size < whole.A.size and beside_top.A.size < whole.A.size
-        folds, expected = (compiled.folds(model, curve, F_0).found for curve in (beside_folds, whole))
-        assert np.allclose(folds, expected, rtol=1e-15, atol=0) and len(folds) == len(expected)
-        peak, expected = (compiled.peak(model, curve, F_0) for curve in (beside_top, whole))
-        assert (peak is None) == (expected is None)
-        assert peak is None or np.allclose(peak, expected, rtol=1e-13, atol=0)
-        seen += len(folds) + (peak is not None)
+        turns = np.flatnonzero((np.diff(whole.stable.astype(int)) != 0) & (np.diff(whole.branch) == 0))
+        Omega, u_max, *_, lost, tried, _ = folds_about(model, F_0, 0.4 * BEYOND, 2.5 / BEYOND)
+        assert lost == 0 and len(Omega) == tried == turns.size
+        sides = np.sort([whole.u_max[turns], whole.u_max[turns + 1]], axis=0)
+        order = np.argsort(sides[0])
+        assert np.all((sides[0][order] <= np.sort(u_max)) & (np.sort(u_max) <= sides[1][order]))
+        status, top, *_ = SOLVER.second_peak(model.native, F_0, oscillator.peak(F_0).Omega)
+        assert status != Status.OK or top >= whole.u_max.max() * (1 - 1e-13)
+        seen += turns.size + (status == Status.OK)
     assert seen > 100
 
 
@@ -527,16 +559,16 @@ def test_critical_forcings_meet_the_balance(excitation):
     for oscillator, _ in random_oscillators(20, excitation):
         model, balance = oscillator.model, Balance(oscillator.model)
         onset, lift = oscillator.saddle_node_onset(), oscillator.detachment()
-        cusp = compiled.cusp(model, onset.F_SN, onset.Omega, onset.A) if onset.kind == "cusp" else None
-        if cusp is not None:
-            F_SN, Omega, u_max = cusp
+        given = (onset.F_SN, onset.Omega, onset.A) if onset.kind == "cusp" else (np.nan, np.nan, np.nan)
+        is_near, F_SN, Omega, u_max = SOLVER.second_onset(model.native, *given)
+        if is_near:
             A, scale = at_displacement(balance, Omega, u_max), model.force(F_SN, Omega) ** 2
             F, F_A, F_AA = balance.folds(Omega, A, F_SN)
             assert max(abs(F), A * abs(F_A), A * A * abs(F_AA)) < 1e-6 * scale
             found += 1
-        detached = compiled.detachment(model, lift.F_cr, lift.Omega_cr, lift.u_cr) if lift.F_cr else None
-        if detached is not None:
-            F_cr, Omega = detached
+        given = (lift.F_cr, lift.Omega_cr, lift.u_cr) if lift.F_cr else (np.nan, np.nan, np.nan)
+        is_near, F_cr, Omega = SOLVER.second_detachment(model.native, *given)
+        if is_near:
             level, _, turning = balance.detachment(Omega, at_displacement(balance, Omega, lift.u_cr))
             assert level == pytest.approx(F_cr, rel=1e-10) and abs(turning) < 1e-8
             found += 1

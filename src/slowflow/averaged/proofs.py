@@ -307,12 +307,10 @@ def onset_in_doubles(model: Model) -> ProvedForcing:
     answer, reason = _asked(backend.SOLVER.certify_onset, model)
     if answer is None:
         return _no_forcing(reason)
-    status, *ends, proved = answer
+    status, F_SN, Omega, A, kind, proved = answer
     if status != Status.OK:
         said = {Status.UNBOUNDED: words.OF_NO_LOWEST, Status.NONE: words.OF_NO_ONSET}
         return _no_forcing(said.get(status, (words.FAILED, words.FAILED))[proved], proved=proved)
-    *ends, kind = ends
-    F_SN, Omega, A = map(np.array, ends)
     word = OnsetKind(kind).name.lower() if kind != OnsetKind.NO else ""
     return ProvedForcing(proved, "" if proved else words.ONSET_IN_DOUBT, DOUBLES, F_SN, Omega, A, word)
 
@@ -326,7 +324,7 @@ def detachment_in_doubles(model: Model) -> ProvedForcing:
         return _no_forcing(words.NO_DETACHMENT, proved=True)
     if answer[0] != Status.OK:
         return _no_forcing(words.FAILED)
-    F_cr, Omega_cr, u_cr = map(np.array, answer[1:])
+    _, F_cr, Omega_cr, u_cr = answer
     return ProvedForcing(True, "", DOUBLES, F_cr, Omega_cr, u_cr, "")
 
 

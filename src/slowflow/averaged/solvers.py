@@ -147,22 +147,21 @@ def peak(model: Model, F_0: float, most: float = math.inf) -> Peak:
 
 def fold_locus(model: Model, A_max: float, samples: int) -> FoldLocus:
     """About `samples` points of the fold locus up to A_max."""
-    status, Omega, A, F_0, branch, _ = backend.SOLVER.fold_locus(model.native, A_max, samples)
+    status, Omega, A, F_0, branch = backend.SOLVER.fold_locus(model.native, A_max, samples)
     check(status, model)
     return FoldLocus(Omega, A, F_0, branch, "" if A.size else words.no_locus(model, A_max))
 
 
 def extrema(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
     """The cusps and the isola points up to A_max."""
-    status, _, _, _, _, found = backend.SOLVER.fold_locus(model.native, A_max, 0)
+    status, *columns = backend.SOLVER.extrema(model.native, A_max)
     check(status, model)
-    table = np.array(found, dtype=float).reshape(-1, 7)
-    isola = table[:, 3] == 1
-    F_0, Omega, A, _, minimum, _, few = table[~isola].T
-    cusps = Cusps(F_0, Omega, A, minimum == 1, **words.of_points(A, few == 1, words.NO_CUSP.format(A_max)))
-    F_0, Omega, A, _, minimum, saddle, few = table[isola].T
-    kind = np.where(saddle == 1, "merger", np.where(minimum == 1, "birth", "death"))
-    return cusps, IsolaPoints(F_0, Omega, A, kind, **words.of_points(A, few == 1, words.NO_ISOLA.format(A_max)))
+    isola = columns[3]
+    F_0, Omega, A, _, minimum, _, few = (column[~isola] for column in columns)
+    cusps = Cusps(F_0, Omega, A, minimum, **words.of_points(A, few, words.NO_CUSP.format(A_max)))
+    F_0, Omega, A, _, minimum, saddle, few = (column[isola] for column in columns)
+    kind = np.where(saddle, "merger", np.where(minimum, "birth", "death"))
+    return cusps, IsolaPoints(F_0, Omega, A, kind, **words.of_points(A, few, words.NO_ISOLA.format(A_max)))
 
 
 def frequency_response(model: Model, F_0: float, samples: int, window: tuple[float, float]) -> FrequencyResponse:
@@ -170,12 +169,10 @@ def frequency_response(model: Model, F_0: float, samples: int, window: tuple[flo
     answer = backend.SOLVER.frequency_response(model.native, F_0, samples, *window)
     status, Omega, A, stable, branch, isola, undecided = answer
     check(status, model, F_0)
-    moves = A > 0
-    if not moves.all():  # where the response to an excitation by inertia begins the mass is at rest
-        Omega, A, stable, branch = Omega[moves], A[moves], stable[moves], branch[moves]
     remark = remark_of(model, F_0, window[0])
     message = remark if A.size else joined(remark, words.empty_window(model, F_0, window))
-    columns = {"Omega": Omega, "A": A, "stable": stable, "branch": branch, "isola": isola, "Omega_undecided": NO_NUMBER}
+    columns = {"Omega": Omega, "A": A, "stable": stable, "branch": branch, "isola": tuple(isola.tolist())}
+    columns |= {"Omega_undecided": NO_NUMBER}
     codes = words.beside(undecided, remark)
     return FrequencyResponse._made(**columns, F_0=F_0, message=message, remarks=codes, _model=model)
 

@@ -7,7 +7,6 @@
 #ifndef SF_GRADIENT_H
 #define SF_GRADIENT_H
 
-#include "interface.h"
 #include "laws.h"
 #include "many.h"
 #include "sensitivities.h"
@@ -414,18 +413,6 @@ static void sf_loop_forced_gradients(char **args, const ptrdiff_t *dimensions, c
 
 static void sf_loop_inertial_gradients(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
     sf_loop_gradients(args, dimensions, steps, data, 1);
-}
-
-static void sf_many_gradients(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
-    sf_quietly(sf_loop_forced_gradients, args, dimensions, steps, data);
-}
-
-static void sf_many_inertial_gradients(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
-    sf_quietly(sf_loop_inertial_gradients, args, dimensions, steps, data);
-}
-
-static void sf_many_told(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
-    sf_quietly(sf_loop_told, args, dimensions, steps, data);
 }
 
 #endif

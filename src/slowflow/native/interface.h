@@ -1,10 +1,10 @@
-/* The solvers and the records as tables: what the binding to Python calls. */
+/* What was built for one target, as tables: rows of questions about one oscillator, rows of those about many, and
+ * records. The binding to Python reads the rows and knows no question by itself.
+ */
 #ifndef SF_INTERFACE_H
 #define SF_INTERFACE_H
 
 #include "certificate.h"
-#include "second_work.h"
-#include "work.h"
 
 typedef void (*sf_many)(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data);
 
@@ -20,51 +20,78 @@ typedef struct {
     void (*free_samples)(const sf_mechanism *record);
 } sf_records;
 
-/* All that was built for one target: the questions about one oscillator, those about many, and the records. */
+/* ==== Questions about one oscillator ============================================================================== */
+
+/* What items an answer has: a value, or a column of n values. */
+typedef enum {
+    SF_INTEGER,
+    SF_FLAG,
+    SF_NUMBER,
+    SF_WORDS,
+    SF_NUMBERS,   /* of double */
+    SF_INTERVALS, /* of sf_interval */
+    SF_INTEGERS,  /* of int */
+    SF_FLAGS,     /* of int */
+    SF_BYTE_FLAGS,
+    SF_POSITIVE, /* whether a double is above 0 */
+    SF_LONG_INTEGERS
+} sf_item_kind;
+
+/* step: bytes from one item to the next */
 typedef struct {
-    sf_status (*onset)(const sf_model *, const sf_exactly *, sf_work *, sf_onset *);
-    sf_status (*detachment)(const sf_model *, const sf_exactly *, double *F_cr, double *Omega_cr, double *u_cr);
-    sf_status (*peak)(const sf_model *, const sf_exactly *, double F_0, double most, sf_work *, double *A,
-                      double *Omega);
-    sf_status (*saddle_nodes)(const sf_model *, const sf_given *, double F_0, sf_room *, sf_folds *);
-    sf_status (*fold_locus)(const sf_model *, double A_max, sf_work *);
-    sf_status (*extrema)(const sf_model *, double A_max, sf_work *);
-    sf_status (*range)(const sf_model *, double F_0, double *A_max);
-    double (*undamped_cut)(const sf_model *, double F_0);
-    const char *(*spring)(const sf_model *);
-    int (*are_events_close)(const sf_model *, double F_0, double A_max, sf_work *);
-    sf_status (*skeleton)(const sf_model *, const sf_given *, double F_0, sf_room *);
-    long (*show)(const sf_model *, double F_0, double low, double high, double samples, sf_work *);
-    void (*draw)(const sf_model *, double F_0, double samples, const sf_skeleton *shown, double *Omega,
-                 double *A, unsigned char *stable, long long *branch);
-    sf_status (*states)(const sf_model *, const sf_given *, double F_0, sf_room *, double Omega, int *n, double *A,
-                        unsigned char *stable, int *undecided);
-    int most_states;
-    sf_extremum (*extremum)(const sf_model *, const sf_exactly *, const sf_zero *);
-    long (*draw_locus)(const sf_model *, long samples, sf_work *, double *Omega, double *A, double *F_0,
-                       long long *branch);
-    sf_status (*certify_folds)(const sf_model *, const sf_given *, double F_0, const double *hints, int count,
-                               sf_proof *, sf_certificate *);
-    sf_status (*certify_states)(const sf_model *, const sf_given *, double F_0, double Omega, sf_proof *,
-                                sf_certificate *);
-    sf_status (*certify_detachment)(const sf_given *, sf_interval *F_cr, sf_interval *Omega_cr);
-    sf_status (*certify_onset)(const sf_model *, const sf_given *, sf_work *, sf_proof *, sf_proved_onset *);
-    sf_second_curve *(*second_response)(const sf_model *, const sf_given *, double F_0, sf_wanted, double samples,
-                                        double low, double high, sf_room *, sf_status *);
-    sf_status (*second_saddle_nodes)(const sf_model *, const sf_given *, double F_0, sf_room *, sf_second_folds *);
-    void (*second_free)(sf_second_curve *);
-    void (*second_folds)(const sf_model *, double F_0, const sf_second_curve *, sf_second_folds *);
-    long (*second_most)(const sf_second_curve *, double Omega);
-    int (*second_states)(const sf_model *, double F_0, const sf_second_curve *, double Omega, sf_second_point *);
-    sf_second_status (*second_peak)(const sf_model *, double F_0, const sf_second_curve *, sf_second_point *);
-    sf_second_status (*second_cusp)(const sf_model *, const sf_onset *first, sf_onset *, double *u_max);
-    sf_second_status (*second_detach)(const sf_model *, double F_first, double Omega_first, double u_cr, double *F_cr,
-                                      double *Omega_cr);
-    sf_many many_detachment, many_onsets, many_folds, many_states, many_peaks, many_proved_folds, many_proved_states;
-    sf_many many_curves;
-    sf_many many_gradients, many_inertial_gradients, many_told;
-    sf_many many_second_detachment, many_second_onsets, many_second_folds, many_second_peaks;
-    sf_many many_averages;
+    sf_item_kind kind;
+    double value;
+    long n;
+    const void *first;
+    ptrdiff_t step;
+} sf_item;
+
+enum { SF_MOST_NUMBERS = 5, SF_MOST_ITEMS = 14, SF_MOST_RESERVED = 4 };
+
+/* A question put to an oscillator, and its answer's items.
+ *
+ * given     -- as it was given, NULL where no proof about it is possible; exactly: the same in pairs
+ * values    -- a list, behind the numbers
+ * room      -- a workspace, which items may lie in; so may they in what is reserved
+ * goes_on   -- to be called now and then by what takes long: 0 where it is interrupted, and the answer not wanted
+ */
+typedef struct sf_query {
+    const sf_model *model;
+    const sf_given *given;
+    const sf_exactly *exactly;
+    double number[SF_MOST_NUMBERS];
+    const double *values;
+    ptrdiff_t length;
+    sf_room *room;
+    int (*goes_on)(struct sf_query *);
+    int items, reserved;
+    sf_item item[SF_MOST_ITEMS];
+    void *reserve[SF_MOST_RESERVED];
+} sf_query;
+
+/* numbers: how many it takes behind the oscillator; takes_list: whether a list too; of_given: whether it is one about
+ * an oscillator as it was given, else it has no answer */
+typedef struct {
+    const char *name, *doc;
+    int numbers, takes_list, of_given;
+    void (*answer)(sf_query *);
+} sf_row;
+
+/* ==== Questions about many ======================================================================================== */
+
+/* shape, types: of the outputs, behind the design, the damping and `at` numbers more, F_0 and Omega or others; by `d`,
+ * `b`, `h` and `i` for double, int8, short and int. of_parameters: whether A and the parameters are the inputs instead */
+typedef struct {
+    const char *name, *shape, *types, *doc;
+    int at, of_parameters;
+    sf_many loop;
+} sf_batch;
+
+typedef struct {
+    const sf_row *of_one;
+    const sf_batch *of_many;
+    int count_of_one, count_of_many;
+    sf_many told; /* of answers by what is known there, not of a record */
     const sf_records *records;
 } sf_solvers;
 

@@ -7,8 +7,6 @@
 #ifndef SF_MANY_H
 #define SF_MANY_H
 
-#include <fenv.h>
-
 #include "many_detachment.h"
 #include "many_folds.h"
 #include "many_onsets.h"
@@ -87,14 +85,6 @@ static void sf_exactly_of(const sf_mechanism *mechanism, char **args, const ptrd
         exactly->p[i] = (sf_pair){part[2 * i * SF_LANE_BLOCK], part[(2 * i + 1) * SF_LANE_BLOCK]};
     sf_complete_exact(mechanism, sf_input(args, steps, mechanism->design_size, k),
                       sf_input(args, steps, mechanism->design_size + 1, k), exactly);
-}
-
-/* A solver tries values that it then discards: the flags that these raise are no fault of the arguments. */
-static void sf_quietly(sf_many loop, char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
-    fenv_t before;
-    feholdexcept(&before);
-    loop(args, dimensions, steps, data);
-    fesetenv(&before);
 }
 
 /* ==== Answers, from output `out` on =============================================================================== */
@@ -558,30 +548,6 @@ static void sf_loop_averages(char **args, const ptrdiff_t *dimensions, const ptr
         for (i = 0; i < 4; i++)
             sf_output(args, steps, 1 + mechanism->parameters + i, k, h[i]);
     }
-}
-
-static void sf_many_detachment(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
-    sf_quietly(sf_loop_detachment, args, dimensions, steps, data);
-}
-
-static void sf_many_averages(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
-    sf_quietly(sf_loop_averages, args, dimensions, steps, data);
-}
-
-static void sf_many_onsets(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
-    sf_quietly(sf_loop_onsets, args, dimensions, steps, data);
-}
-
-static void sf_many_folds(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
-    sf_quietly(sf_loop_folds, args, dimensions, steps, data);
-}
-
-static void sf_many_states(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
-    sf_quietly(sf_loop_states, args, dimensions, steps, data);
-}
-
-static void sf_many_peaks(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
-    sf_quietly(sf_loop_peaks, args, dimensions, steps, data);
 }
 
 #endif

@@ -109,8 +109,4 @@ static void sf_loop_curves(char **args, const ptrdiff_t *dimensions, const ptrdi
     free(room);
 }
 
-static void sf_many_curves(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
-    sf_quietly(sf_loop_curves, args, dimensions, steps, data);
-}
-
 #endif

@@ -48,12 +48,4 @@ static void sf_loop_proved_states(char **args, const ptrdiff_t *dimensions, cons
     sf_loop_proofs(args, dimensions, steps, data, 1);
 }
 
-static void sf_many_proved_folds(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
-    sf_quietly(sf_loop_proved_folds, args, dimensions, steps, data);
-}
-
-static void sf_many_proved_states(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
-    sf_quietly(sf_loop_proved_states, args, dimensions, steps, data);
-}
-
 #endif

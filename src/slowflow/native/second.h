@@ -377,7 +377,7 @@ static void sf_keep_points(const sf_second *second, const sf_first *first, const
 }
 
 /* What is left of each branch: the part that each point belongs to, whether a part is closed, and what is lost. */
-static void sf_keep_parts(const sf_first *first, const unsigned char *closed, const unsigned char *kept,
+static void sf_keep_parts(const sf_first *first, const int *closed, const unsigned char *kept,
                           sf_second_curve *curve) {
     long from, to, i, n = 0;
     for (from = 0; from < first->n; from = to) {
@@ -446,7 +446,7 @@ static int sf_insert_beside(const sf_second *second, double b, sf_second_curve *
     return 1;
 }
 
-static int sf_second_move(const sf_second *second, const sf_first *first, const unsigned char *closed, double *room,
+static int sf_second_move(const sf_second *second, const sf_first *first, const int *closed, double *room,
                           unsigned char *kept, sf_second_curve *curve) {
     const sf_moved moved = {room, room + first->n, room + 2 * first->n, room + 3 * first->n,
                             room + 7 * first->n};
@@ -475,7 +475,7 @@ static int sf_second_move(const sf_second *second, const sf_first *first, const 
  * freed by sf_second_free. NULL if there is no memory. */
 static sf_second_curve *sf_second_follow(const sf_model *model, double F_0, sf_wanted wanted, long n,
                                          const double *Omega, const double *A, const long long *branch,
-                                         const unsigned char *closed)
+                                         const int *closed)
 {
     const sf_second second = {model, F_0, wanted};
     sf_second_curve *curve = calloc(1, sizeof *curve);

@@ -205,8 +205,8 @@ static void sf_second_cusp_at(const sf_second *second, double ln_Omega, double l
 }
 
 /* The lowest forcing that has a fold, from the first approximation's cusp: F_A = F_AA = 0, which do not hold F_0, by
- * Newton's iteration with differences for slopes. */
-static sf_second_status sf_second_cusp(const sf_model *model, const sf_onset *first, sf_onset *out, double *u_max) {
+ * Newton's iteration with differences for slopes; 0 where it does not come near. */
+static int sf_second_cusp(const sf_model *model, const sf_onset *first, sf_onset *out, double *u_max) {
     const sf_second second = {model, first->F_SN, SF_EVERY_POINT};
     const double from[2] = {log(first->Omega), log(first->A)}, apart = 0x1p-20;
     double x[2] = {from[0], from[1]}, g[2], moved = HUGE_VAL, Omega, A, k[SF_KNOWN], balance[3];
@@ -226,21 +226,21 @@ static sf_second_status sf_second_cusp(const sf_model *model, const sf_onset *fi
         step[1] = -(g[1] * by[0][0] - g[0] * by[1][0]) / determinant;
         moved = fmax(fabs(step[0]), fabs(step[1]));
         if (!(moved < HUGE_VAL))
-            return SF_FAR_SECOND;
+            return 0;
         for (j = 0; j < 2; j++)
             x[j] += step[j] * fmin(1, SF_LONGEST / moved);
     }
     Omega = exp(x[0]), A = exp(x[1]);
     if (!(moved <= SF_DONE && fabs(x[0] - from[0]) <= SF_SMALL && fabs(x[1] - from[1]) <= SF_SMALL))
-        return SF_FAR_SECOND;
+        return 0;
     sf_second_known(model, 1, &A, k);
     sf_second_level(model, Omega, A, k, balance);
     out->F_SN = balance[0];
     if (!(fabs(log(out->F_SN / first->F_SN)) <= SF_SMALL && sf_second_is_small(&second, Omega, A)))
-        return SF_FAR_SECOND;
+        return 0;
     out->Omega = Omega, out->A = A, out->kind = SF_CUSP_KIND, out->rest = first->rest;
     *u_max = balance[1];
-    return SF_OK_SECOND;
+    return 1;
 }
 
 /* A at which the largest displacement is u at a frequency: above it by what friction's harmonics take off; and the
@@ -272,14 +272,14 @@ static double sf_turning_at(const void *given, double Omega) {
 }
 
 /* The lowest forcing whose largest displacement is u_cr; no iteration over A and Omega at once: next to u_cr, above
- * which the harmonics change, it gets stuck. */
-static sf_second_status sf_second_detach(const sf_model *model, double F_first, double Omega_first, double u_cr,
+ * which the harmonics change, it gets stuck. 0 where it does not come near. */
+static int sf_second_detach(const sf_model *model, double F_first, double Omega_first, double u_cr,
                                          double *F_cr, double *Omega_cr) {
     const sf_second_reach reach = {model, u_cr};
     const sf_second second = {model, F_first, SF_EVERY_POINT};
     int i;
     if (Omega_first == 0)
-        return SF_STATIC_SECOND;
+        return 0;
     for (i = 10; i >= 0; i--) {
         const double width = ldexp(SF_SMALL, -i), low = Omega_first * exp(-width), high = Omega_first * exp(width);
         const double f_low = sf_turning_at(&reach, low), f_high = sf_turning_at(&reach, high);
@@ -292,9 +292,9 @@ static sf_second_status sf_second_detach(const sf_model *model, double F_first, 
         /* without damping it is nought to rounding */
         if (fabs(A / u_cr - 1) < SF_SMALL && fabs(*F_cr - F_first) < SF_SMALL * F_first + SF_DONE * u_cr &&
             sf_second_is_small(&second, *Omega_cr, A))
-            return SF_OK_SECOND;
+            return 1;
     }
-    return SF_FAR_SECOND;
+    return 0;
 }
 
 /* What vanishes where u_max is largest along the curve, by frequency; near a peak A hardly depends on that. */
@@ -323,8 +323,8 @@ static double sf_turning_near(const void *given, double Omega) {
     return balance[2];
 }
 
-/* The highest peak of a curve; `far` where there is none between its points. */
-static sf_second_status sf_peak_on(const sf_model *model, double F_0, const sf_second_curve *curve,
+/* The highest peak of a curve; 0 where there is none between its points. */
+static int sf_peak_on(const sf_model *model, double F_0, const sf_second_curve *curve,
                                    sf_second_point *out) {
     const sf_second here = {model, F_0, SF_EVERY_POINT}, *second = &here;
     sf_second_near near = {second, 0};
@@ -336,18 +336,18 @@ static sf_second_status sf_peak_on(const sf_model *model, double F_0, const sf_s
             (top == NULL || curve->point[i].at.u_max > top->at.u_max))
             top = &curve->point[i];
     if (top == NULL || !(top->at.u_max >= top[-1].at.u_max && top->at.u_max >= top[1].at.u_max))
-        return SF_FAR_SECOND;
+        return 0;
     low = top[-1].Omega < top[1].Omega ? top - 1 : top + 1, high = low == top - 1 ? top + 1 : top - 1;
     near.A = top->A;
     f_low = sf_turning_near(&near, low->Omega), f_high = sf_turning_near(&near, high->Omega);
     if (!(low->Omega < high->Omega && sf_opposite(f_low, f_high) && f_low == f_low && f_high == f_high))
-        return SF_FAR_SECOND;
+        return 0;
     out->Omega = sf_zero_between(sf_turning_near, &near, low->Omega, f_low, high->Omega, f_high, 0x1p-46);
     out->A = sf_amplitude_near(&near, out->Omega, balance);
     if (!(out->A > 0))
-        return SF_FAR_SECOND;
+        return 0;
     sf_second_at(second, out->Omega, out->A, &out->at);
-    return SF_OK_SECOND;
+    return 1;
 }
 
 #endif

@@ -23,7 +23,7 @@ static void sf_loop_second_detachment(char **args, const ptrdiff_t *dimensions, 
         sf_status status = SF_INVALID;
         if (sf_design_at(mechanism, args, steps, k, 1, &model) && sf_has_second(&model))
             status = sf_detachment(&model, &first[0], &first[1], &first[2]);
-        if (status == SF_OK && sf_second_detach(&model, first[0], first[1], first[2], &F_cr, &Omega_cr) != SF_OK_SECOND)
+        if (status == SF_OK && !sf_second_detach(&model, first[0], first[1], first[2], &F_cr, &Omega_cr))
             status = SF_NONE, F_cr = Omega_cr = NAN;
         sf_write_detachment(args, steps, out, k, F_cr, Omega_cr, first[2], status);
     }
@@ -45,7 +45,7 @@ static void sf_loop_second_onsets(char **args, const ptrdiff_t *dimensions, cons
             status = sf_settled_onset(&model, sf_exactly_at(mechanism, args, steps, k, &exactly) ? &exactly : NULL,
                                       work, &first);
         if (status == SF_OK &&
-            (first.kind != SF_CUSP_KIND || sf_second_cusp(&model, &first, &found, &u_max) != SF_OK_SECOND))
+            (first.kind != SF_CUSP_KIND || !sf_second_cusp(&model, &first, &found, &u_max)))
             status = SF_NONE;
         found.A = u_max;
         sf_write_onset(args, steps, out, k, &found, sf_is_rest_below(&first), status);
@@ -61,15 +61,27 @@ static void sf_loop_second_peaks(char **args, const ptrdiff_t *dimensions, const
     ptrdiff_t k;
     for (k = 0; k < dimensions[0]; k++) {
         const double F_0 = sf_input(args, steps, out - 1, k);
+        const sf_given *exact;
+        sf_second_curve *curve = NULL;
+        sf_second_point top;
         sf_model model;
         sf_given given;
         double A = NAN, Omega = NAN;
         sf_status status = room == NULL ? SF_NO_MEMORY : SF_INVALID;
         if (room != NULL && mechanism->is_forcing(F_0) && sf_design_at(mechanism, args, steps, k, 1, &model) &&
-            sf_has_second(&model))
-            status = sf_second_peak(&model, sf_given_at(mechanism, args, steps, k, &given) ? &given : NULL, F_0,
-                                    room, &A, &Omega);
-        sf_write_peak(args, steps, out, k, A, Omega, status);
+            sf_has_second(&model)) {
+            exact = sf_given_at(mechanism, args, steps, k, &given) ? &given : NULL;
+            status = sf_settled_peak(&model, exact == NULL ? NULL : &exact->exactly, F_0, HUGE_VAL, &room->work, &A,
+                                     &Omega);
+            if (status == SF_OK)
+                status = Omega == 0 ? SF_NONE : sf_second_peak(&model, exact, F_0, Omega, room, &curve, &top);
+        }
+        if (curve != NULL)
+            sf_second_free(curve);
+        if (status == SF_OK)
+            sf_write_peak(args, steps, out, k, top.at.u_max, top.Omega, status);
+        else
+            sf_write_peak(args, steps, out, k, NAN, NAN, status);
     }
     free(room);
 }
@@ -91,7 +103,7 @@ static void sf_loop_second_folds(char **args, const ptrdiff_t *dimensions, const
         if (room != NULL && mechanism->is_forcing(F_0) && sf_design_at(mechanism, args, steps, k, 1, &model) &&
             sf_has_second(&model))
             status = sf_of_search(sf_second_saddle_nodes(
-                &model, sf_given_at(mechanism, args, steps, k, &given) ? &given : NULL, F_0, room, &found));
+                &model, sf_given_at(mechanism, args, steps, k, &given) ? &given : NULL, F_0, HUGE_VAL, 0, room, &found));
         for (i = 0; i < found.n && i < places; i++) {
             const sf_second_fold *at = &found.at[i];
             const sf_fold fold = {at->Omega, at->u_max, at->up, at->corner};
@@ -102,22 +114,6 @@ static void sf_loop_second_folds(char **args, const ptrdiff_t *dimensions, const
         sf_write_count(args, steps, out + 3, k, found.n, found.lost > 0, places, status);
     }
     free(room);
-}
-
-static void sf_many_second_detachment(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
-    sf_quietly(sf_loop_second_detachment, args, dimensions, steps, data);
-}
-
-static void sf_many_second_onsets(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
-    sf_quietly(sf_loop_second_onsets, args, dimensions, steps, data);
-}
-
-static void sf_many_second_folds(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
-    sf_quietly(sf_loop_second_folds, args, dimensions, steps, data);
-}
-
-static void sf_many_second_peaks(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
-    sf_quietly(sf_loop_second_peaks, args, dimensions, steps, data);
 }
 
 #endif

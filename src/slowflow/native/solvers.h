@@ -1,62 +1,42 @@
 /* All solvers for one target: SF_SOLVERS is the name of the table that is defined here, SF_RECORDS that of its
  * records. */
-#include "certify.h"
-#include "curve.h"
 #include "gradient.h"
-#include "interface.h"
-#include "many.h"
 #include "many_curves.h"
 #include "many_proofs.h"
-#include "onset.h"
+#include "questions.h"
 #include "second_many.h"
-#include "states.h"
 
-const sf_solvers SF_SOLVERS = {
-    sf_settled_onset,
-    sf_settled_detachment,
-    sf_settled_peak,
-    sf_settled_folds,
-    sf_fold_locus,
-    sf_extrema,
-    sf_range_at,
-    sf_undamped_cut,
-    sf_spring,
-    sf_are_events_close,
-    sf_make_skeleton,
-    sf_show,
-    sf_draw,
-    sf_states,
-    SF_MOST_STATES,
-    sf_settled_extremum,
-    sf_draw_locus,
-    sf_certify_folds,
-    sf_certify_states,
-    sf_certify_detachment,
-    sf_certify_onset,
-    sf_second_response,
-    sf_second_saddle_nodes,
-    sf_second_free,
-    sf_folds_on,
-    sf_most_crossings,
-    sf_states_on,
-    sf_peak_on,
-    sf_second_cusp,
-    sf_second_detach,
-    sf_many_detachment,
-    sf_many_onsets,
-    sf_many_folds,
-    sf_many_states,
-    sf_many_peaks,
-    sf_many_proved_folds,
-    sf_many_proved_states,
-    sf_many_curves,
-    sf_many_gradients,
-    sf_many_inertial_gradients,
-    sf_many_told,
-    sf_many_second_detachment,
-    sf_many_second_onsets,
-    sf_many_second_folds,
-    sf_many_second_peaks,
-    sf_many_averages,
-    &SF_RECORDS,
+static const sf_batch sf_rows_of_many[] = {
+    {"many_detachment", "(),(),(),()", "dddb", "F_cr, Omega_cr, u_cr, status", 0, 0, sf_loop_detachment},
+    {"many_onset", "(),(),(),(),(),()", "dddbbb", "F_SN, Omega, A, kind, folds at rest, status", 0, 0, sf_loop_onsets},
+    {"many_saddle_nodes", "(k),(k),(k),(),(),()", "ddbbbb",
+     "F_0 -> Omega, A, kind, count, undecided, status", 1, 0, sf_loop_folds},
+    {"many_amplitudes", "(k),(k),(),(),()", "dbbbb", "F_0, Omega -> A, stable, count, undecided, status", 2, 0,
+     sf_loop_states},
+    {"many_peak", "(),(),()", "ddb", "F_0 -> A, Omega, status", 1, 0, sf_loop_peaks},
+    {"many_frequency_response", "(n),(n),(n),(n),(n),(),(k),(k),(k),(),(),()", "ddbhbiddbbbb",
+     "F_0, samples, low, high -> Omega, A, stable, branch, whether it is closed, points; Omega, A, kind of folds, "
+     "count, undecided, status",
+     4, 0, sf_loop_curves},
+    {"many_second_detachment", "(),(),(),()", "dddb", "as many_detachment, in the second approximation", 0, 0,
+     sf_loop_second_detachment},
+    {"many_second_onset", "(),(),(),(),(),()", "dddbbb", "as many_onset, in the second approximation", 0, 0,
+     sf_loop_second_onsets},
+    {"many_second_saddle_nodes", "(k),(k),(k),(),(),()", "ddbbbb",
+     "as many_saddle_nodes, in the second approximation, with whether some are lost for undecided", 1, 0,
+     sf_loop_second_folds},
+    {"many_second_peak", "(),(),()", "ddb", "as many_peak, in the second approximation", 1, 0, sf_loop_second_peaks},
+    {"many_proved_saddle_nodes", "(),(),()", "bbb", "F_0 -> count, whether it is proved, status", 1, 0,
+     sf_loop_proved_folds},
+    {"many_proved_amplitudes", "(),(),()", "bbb", "F_0, Omega -> count, whether it is proved, status", 2, 0,
+     sf_loop_proved_states},
+    {"many_gradients", "(r,n),()", "db", "F_0, Omega, A, what it is -> moves (rows, columns), status", 4, 0,
+     sf_loop_forced_gradients},
+    {"many_inertial_gradients", "(r,n),()", "db",
+     "amplitude of the excitation, Omega, A, what it is -> moves (rows, columns), status", 4, 0,
+     sf_loop_inertial_gradients},
+    {"many_averages", "(),(),(),()", "dddd", "A, parameters -> h, h_A, h_AA, h_AAA", 0, 1, sf_loop_averages},
 };
+
+const sf_solvers SF_SOLVERS = {sf_rows_of_one, sf_rows_of_many, sizeof sf_rows_of_one / sizeof *sf_rows_of_one,
+                               sizeof sf_rows_of_many / sizeof *sf_rows_of_many, sf_loop_told, &SF_RECORDS};

@@ -16,22 +16,28 @@ import numpy.typing as npt
 
 from slowflow import validate
 from slowflow.answer import joined
-from slowflow.averaged import remarks, words
+from slowflow.averaged import remarks, solvers, words
 from slowflow.averaged.pairs import at_pairs, with_rests
 from slowflow.averaged.plan import Plan, Step
+from slowflow.backend import SOLVER
 from slowflow.measured import validity
 from slowflow.model import Floats
 from slowflow.results import Detachment, Peak, Remark, SaddleNodeOnset, SteadyStates
-from slowflow.second import compiled
 from slowflow.second.answers import SecondFolds, SecondResponse, SecondStates
-from slowflow.second.found import Curve, Folds, State
 from slowflow.text import Sentence, text
+from slowflow_kernels.conventions import Status
 from slowflow_kernels.second_conventions import BEYOND, SAMPLES, Wanted
 from slowflow_support.errors import Refused
 
 if TYPE_CHECKING:
     from slowflow.averaged.questions import Averaged
 
+LOST = Sentence(
+    "left out: {some:d} of {all:d} points of the first approximation, at {Omega} from {Omega[0]:.3g} to "
+    "{Omega[1]:.3g}; its harmonics are not small"
+)
+UNSOLVED = "left out: {} of {} folds, next to which the curve is lost"
+NO_FOLD = Sentence("no saddle node at {F_0 = :g} in the second approximation")
 FEWER = "fewer states than in the first approximation at {} of {} frequencies"
 NO_CUSP = "the onset of the first approximation is of kind {}: the second follows a cusp only"
 FAR = "the second approximation does not come near the first: its harmonics are not small"
@@ -131,17 +137,20 @@ class SecondApproximation:
             columns = (none, none, none, none, np.empty(0, bool))
             said, rest = self._remarked(words.sticks(model, F_0), none, none), (np.empty(0, np.intp), ())
             return SecondResponse(*columns, said, *rest, F_0=F_0, force=none, _model=model)
-        curve = compiled.along(self.first.model, F_0, samples, window)
-        Omega_, u_max, A_1, phi, stable, branch = self._with_peak(curve, F_0, samples)
+        answer = SOLVER.second_curve(model.native, F_0, Wanted.EVERY_POINT, samples, *window)
+        status, *columns, _, branch, closed, lost, of, low, high = answer
+        solvers.check(status, model, F_0)
+        Omega_, u_max, A_1, phi, stable, branch = self._with_peak((*columns, branch), F_0, samples)
         if not model.stays_centred:
             stable = stable & self._stay(Omega_, u_max)
+        message = self._of_curve(F_0, (lost, of, low, high), window)
         return SecondResponse(
-            *(Omega_, u_max, A_1, phi, stable, self._remarked(curve.message, Omega_, u_max)),
-            *(branch, curve.isola),
+            *(Omega_, u_max, A_1, phi, stable, self._remarked(message, Omega_, u_max)),
+            *(branch, tuple(closed.tolist())),
             F_0=F_0,
             force=self._force(F_0, Omega_),
             _model=model,
-            _lost=curve.lost,
+            _lost=lost > 0,
         )
 
     def amplitudes(self, *, Omega: Any, F_0: Any) -> SecondStates:
@@ -156,18 +165,18 @@ class SecondApproximation:
             return SecondStates(**several.columns, F_0=several.F_0, message=several.message(), _model=self.first.model)
         first = self.first.states(Omega=Omega, F_0=F_0)
         wanted = np.asarray(Omega, dtype=float).ravel()
-        found: list[State] = []
+        at, u_max, A_1, phi, stable = (*(np.empty(0) for _ in range(4)), np.empty(0, bool))
         if wanted.size and first.A.size:
-            curve = self._around(F_0, wanted, Wanted.EVERY_POINT)
-            found = compiled.states(self.first.model, curve, wanted, float(F_0))
-        at, u_max, A_1, phi, stable = np.array(found).reshape(-1, 5).T
+            model = self.first.model
+            status, at, u_max, A_1, phi, stable = SOLVER.second_states(model.native, float(F_0), wanted)
+            solvers.check(status, model, F_0)
         fewer = int(np.count_nonzero(_counts(wanted, at) < _counts(wanted, first.Omega)))
         message = joined(first.message, FEWER.format(fewer, wanted.size) if fewer else "")
-        stays = (stable != 0) & self._stay(at, u_max)
+        stays = stable & self._stay(at, u_max)
         columns, message = self._with_rests(first, wanted, (at, u_max, A_1, phi, stays), message)
         return SecondStates(
             **columns,
-            message=self._remarked(message, at, u_max) if found else message,
+            message=self._remarked(message, at, u_max) if at.size else message,
             F_0=first.F_0,
             force=self._force(F_0, columns["Omega"]),
             _model=self.first.model,
@@ -192,13 +201,23 @@ class SecondApproximation:
         them, in 600 points, not proved. What lies where the harmonics are not small is left out, in words.
         """
         F_0 = validate.number("F_0", F_0, above=0.0)
-        of_curve = None if self.first.model.sticks(F_0) else compiled.saddle_nodes(self.first.model, F_0)
-        found, lost, message = of_curve or self._folds_by_steps(F_0)
-        at, u_max, A_1, up, corner = np.array(found).reshape(-1, 5).T
-        # what a sweep leaves for a larger amplitude has its stable side below
-        kind = np.where(up != 0, "jump-up", "jump-down")
-        message = self._remarked(message, at, u_max)
-        return SecondFolds(at, u_max, A_1, kind, corner != 0, F_0, message, _lost=lost)
+        model, ask, window = self.first.model, SOLVER.second_saddle_nodes, (0.0, math.inf)
+        answer: Any = (Status.STICKS,) if model.sticks(F_0) else ask(model.native, F_0, math.inf, 0.0)
+        if answer[0] != Status.OK or answer[1] or not answer[-3]:
+            # balls may have to tell averaging's folds and its peak
+            first, peak = self.first.folds(F_0), self.first.peak(F_0)
+            marks = [*first.Omega.tolist(), *([peak.Omega] if peak.Omega else [])]
+            if not marks:
+                none, no = np.empty(0), np.empty(0, bool)
+                message = self._remarked(first.message, none, none)
+                return SecondFolds(none, none, none, solvers.FOLD_KINDS.take(no), no, F_0, message)
+            window = _around(min(marks), max(marks))
+            answer = ask(model.native, F_0, min(marks), max(marks))
+            solvers.check(answer[0], model, F_0)
+        Omega, u_max, A_1, up, corner, lost, tried, *left = answer[2:]
+        message = joined("" if Omega.size else NO_FOLD.format(F_0), self._of_curve(F_0, left, window))
+        message = self._remarked(joined(message, UNSOLVED.format(lost, tried) if lost else ""), Omega, u_max)
+        return SecondFolds(Omega, u_max, A_1, solvers.FOLD_KINDS.take(up), corner, F_0, message, _lost=lost)
 
     def peak(self, F_0: float) -> Peak:
         """The highest point of the curve about the first approximation's highest peak: its largest displacement A."""
@@ -207,11 +226,10 @@ class SecondApproximation:
             return first
         if first.Omega == 0:
             return Peak(None, None, first.F_0, NO_PEAK.format(AT_REST))
-        curve = self._around(first.F_0, np.array([first.Omega]), Wanted.TOP_ONLY)
-        found = compiled.peak(self.first.model, curve, first.F_0)
-        if found is None:
-            return Peak(None, None, first.F_0, joined(NO_PEAK.format(LEFT_OUT), curve.message))
-        u_max, Omega = found
+        status, u_max, Omega, _, left = self._peak_about(first.F_0, first.Omega)
+        if status != Status.OK:
+            of_curve = self._of_curve(first.F_0, left, _around(first.Omega, first.Omega))
+            return Peak(None, None, first.F_0, joined(NO_PEAK.format(LEFT_OUT), of_curve))
         return Peak(u_max, Omega, first.F_0, self._remarked("", np.array([Omega]), np.array([u_max])))
 
     def saddle_node_onset(self) -> SaddleNodeOnset:
@@ -221,10 +239,9 @@ class SecondApproximation:
             return first
         if first.kind != "cusp":
             return SaddleNodeOnset(None, None, None, "", NO_CUSP.format(first.kind))
-        found = compiled.cusp(self.first.model, first.F_SN, first.Omega, first.A)
-        if found is None:
+        is_near, F_SN, Omega, u_max = SOLVER.second_onset(self.first.model.native, first.F_SN, first.Omega, first.A)
+        if not is_near:
             return SaddleNodeOnset(None, None, None, "", FAR)
-        F_SN, Omega, u_max = found
         return SaddleNodeOnset(F_SN, Omega, u_max, first.kind, first.message)
 
     def detachment(self) -> Detachment:
@@ -234,45 +251,47 @@ class SecondApproximation:
             return first
         if first.Omega_cr == 0:
             return Detachment(None, None, first.u_cr, STATIC)
-        found = compiled.detachment(self.first.model, first.F_cr, first.Omega_cr, first.u_cr)
-        if found is None:
+        at = first.F_cr, first.Omega_cr, first.u_cr
+        is_near, F_cr, Omega_cr = SOLVER.second_detachment(self.first.model.native, *at)
+        if not is_near:
             return Detachment(None, None, first.u_cr, FAR)
-        F_cr, Omega_cr = found
         return Detachment(F_cr, Omega_cr, first.u_cr, first.message)
 
-    def _folds_by_steps(self, F_0: float) -> Folds:
-        """Folds, where averaging's and its peak are asked for first: balls may have to tell these."""
-        first, peak = self.first.folds(F_0), self.first.peak(F_0)
-        marks = [*first.Omega.tolist(), *([peak.Omega] if peak.Omega else [])]
-        if not marks:
-            return Folds([], 0, first.message)
-        curve = self._around(F_0, np.array(marks), Wanted.FOLDS_ONLY)
-        return compiled.folds(self.first.model, curve, F_0)
+    def _peak_about(self, F_0: float, Omega: float) -> tuple[Any, ...]:
+        """The highest point about a frequency: status, its A and Omega, states at that, what of the curve is lost."""
+        model = self.first.model
+        status, u_max, at, *states, lost, of, low, high = SOLVER.second_peak(model.native, F_0, Omega)
+        solvers.check(status, model, F_0)
+        return status, u_max, at, states, (lost, of, low, high)
 
-    def _with_peak(self, curve: Curve, F_0: float, samples: int) -> tuple[Any, ...]:
+    def _with_peak(self, columns: tuple[Any, ...], F_0: float, samples: int) -> tuple[Any, ...]:
         """The columns of a curve, with its highest point where few samples leave that between two of them.
 
         It is that of the curve in which `peak` looks for it, which takes longer than few points do.
         """
-        columns = curve.Omega, curve.u_max, curve.A_1, curve.phi, curve.stable, curve.branch
+        Omega, A, *_, branch = columns
         first = self.first.peak(F_0).Omega if samples < SAMPLES else None
-        if not (first and curve.Omega.size and curve.Omega.min() < first < curve.Omega.max()):
+        if not (first and Omega.size and Omega.min() < first < Omega.max()):
             return columns
-        beside = self._around(F_0, np.array([first]), Wanted.TOP_ONLY)
-        u_max, Omega = compiled.peak(self.first.model, beside, F_0) or (0.0, 0.0)
-        highest = int(curve.u_max.argmax())
-        behind = highest > 0 and (curve.Omega[highest - 1] < Omega) == (Omega < curve.Omega[highest])
-        ends = curve.Omega[max(highest - 1, 0) : highest + 2]
-        if not (u_max > HIGHER * curve.u_max[highest] and ends.min() < Omega < ends.max()):
+        _, u_max, at, states, _ = self._peak_about(F_0, first)
+        highest = int(A.argmax())
+        behind = highest > 0 and (Omega[highest - 1] < at) == (at < Omega[highest])
+        ends = Omega[max(highest - 1, 0) : highest + 2]
+        if not (u_max > HIGHER * A[highest] and ends.min() < at < ends.max() and states[0].size):
             return columns
-        there = compiled.states(self.first.model, beside, np.array([Omega]), F_0)
-        top = min(there, key=lambda one: abs(one.u_max - u_max), default=None)
-        if top is None or not top.u_max > HIGHER * curve.u_max[highest]:
+        top = int(np.abs(states[1] - u_max).argmin())
+        if not states[1][top] > HIGHER * A[highest]:
             return columns
-        point = *top, curve.branch[highest]
-        return tuple(
-            np.insert(column, highest + (not behind), value) for column, value in zip(columns, point, strict=True)
-        )
+        point = (*(column[top] for column in states), branch[highest])
+        place = highest + (not behind)
+        return tuple(np.insert(column, place, value) for column, value in zip(columns, point, strict=True))
+
+    def _of_curve(self, F_0: float, left: Any, window: tuple[float, float]) -> str:
+        """What is to be said of a curve in a window: how many of how many points are left out, and between where."""
+        lost, of, low, high = left
+        message = solvers.remark_of(self.first.model, F_0)
+        empty = "" if of else words.empty_window(self.first.model, F_0, window)
+        return joined(message, empty, LOST.format(lost, of, (low, high)) if lost else "")
 
     def _stay(self, Omega: Floats, A: Floats) -> remarks.Flags:
         """Which states stay about u = 0, as averaging has it: others are not stable."""
@@ -292,10 +311,10 @@ class SecondApproximation:
         force = self.first.model.force(F_0, Omega)
         return np.asarray(force) if self.first.model.inertial else np.full(Omega.shape, force)
 
-    def _around(self, F_0: float, Omega: Floats, wanted: Wanted) -> Curve:
-        """The curve that holds some frequencies and what may lie beside them."""
-        shown = (float(Omega.min()) / BEYOND, float(Omega.max()) * BEYOND)
-        return compiled.along(self.first.model, F_0, SAMPLES, shown, wanted)
+
+def _around(low: float, high: float) -> tuple[float, float]:
+    """The window of the curve that holds some frequencies and what may lie beside them."""
+    return low / BEYOND, high * BEYOND
 
 
 def _counts(wanted: Floats, values: Floats) -> npt.NDArray[np.intp]:

@@ -2,8 +2,6 @@
  * packed into an array (ends.h). */
 #include "ends.h"
 
-#include <fenv.h>
-
 #include "solver.h"
 
 #define IN(k) (*(const double *)(operands[k] + i * steps[k]))
@@ -42,9 +40,7 @@ void sf_step_means_loop(char **operands, const ptrdiff_t *dimensions, const ptrd
 {
     enum { MOST = SF_MOST_POWERS + 8 };
     const int places = (int)dimensions[1];
-    fenv_t before;
     (void)data;
-    feholdexcept(&before);
     for (ptrdiff_t i = 0; i < dimensions[0]; i++) {
         double L[MOST], M[MOST];
         const int below = (int)IN(3), is_room = places <= MOST && below > 0 && below < places;
@@ -55,18 +51,15 @@ void sf_step_means_loop(char **operands, const ptrdiff_t *dimensions, const ptrd
             *(double *)(void *)(operands[6] + i * steps[6] + k * steps[9]) = is_room ? M[k] : NAN;
         }
     }
-    fesetenv(&before);
 }
 
 /* charts, lo and hi of x, of y, number of the chart -> lower ends, upper ends; NaN where there are no such charts. */
 void sf_ends_loop(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data)
 {
-    fenv_t before;
     const double *known = NULL;
     sf_charts charts = {0};
     int is_known = 0;
     (void)data;
-    feholdexcept(&before);
     for (ptrdiff_t i = 0; i < dimensions[0]; i++) {
         const double *packed = (const double *)(const void *)(operands[0] + i * steps[0]), chart = IN(5);
         sf_ended found;
@@ -83,11 +76,10 @@ void sf_ends_loop(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t 
             *(double *)(void *)(operands[7] + i * steps[7] + j * steps[10]) = is_chart ? of[j].hi : NAN;
         }
     }
-    fesetenv(&before);
 }
 
 /* How answers move that are told by what is known there (gradient.h). */
 void sf_moved_loop(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data)
 {
-    sf_here()->many_told(operands, dimensions, steps, data);
+    sf_here()->told(operands, dimensions, steps, data);
 }

@@ -3,7 +3,6 @@
  * Otherwise than in interval.h 0 times what is not known is 0, and ends that are no numbers do not hide others: the
  * search in boxes asks for that. Of a few boxes NumPy takes most of its time between its operations.
  */
-#include <fenv.h>
 #include <math.h>
 
 #include "solver.h"
@@ -18,9 +17,7 @@ static inline double wider(double x, double ulp) { return x + ulp * fabs(x); }
 /* (lo, hi) times (lo, hi): the extremes of four products, of those that are numbers; NaN where one is not known. */
 void sf_interval_product_loop(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data)
 {
-    fenv_t before;
     (void)data;
-    feholdexcept(&before);
     for (ptrdiff_t i = 0; i < dimensions[0]; i++) {
         const double a[2] = {IN(0), IN(1)}, b[2] = {IN(2), IN(3)};
         double low = NAN, high = NAN;
@@ -35,15 +32,12 @@ void sf_interval_product_loop(char **operands, const ptrdiff_t *dimensions, cons
         OUT(4) = unknown ? NAN : low;
         OUT(5) = unknown ? NAN : high;
     }
-    fesetenv(&before);
 }
 
 /* The square of (lo, hi), which is not negative; NaN where lo <= hi is not known. */
 void sf_interval_square_loop(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data)
 {
-    fenv_t before;
     (void)data;
-    feholdexcept(&before);
     for (ptrdiff_t i = 0; i < dimensions[0]; i++) {
         const double lo = IN(0), hi = IN(1);
         const int known = lo <= hi;
@@ -52,15 +46,12 @@ void sf_interval_square_loop(char **operands, const ptrdiff_t *dimensions, const
         OUT(2) = !known ? NAN : low < 0 ? 0 : low;
         OUT(3) = known ? wider(most * most, ULP) + LEAST * (most != 0) : NAN;
     }
-    fesetenv(&before);
 }
 
 /* 1 over (lo, hi) on one side of 0, which it may touch; anything over one that holds 0 inside. */
 void sf_interval_inverse_loop(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data)
 {
-    fenv_t before;
     (void)data;
-    feholdexcept(&before);
     for (ptrdiff_t i = 0; i < dimensions[0]; i++) {
         const double lo = IN(0), hi = IN(1);
         double low = wider(1 / hi, -ULP) - LEAST, high = wider(1 / lo, ULP) + LEAST;
@@ -75,5 +66,4 @@ void sf_interval_inverse_loop(char **operands, const ptrdiff_t *dimensions, cons
         OUT(2) = lo <= hi ? low : NAN;
         OUT(3) = lo <= hi ? high : NAN;
     }
-    fesetenv(&before);
 }

@@ -59,30 +59,64 @@ const sf_mechanism *sf_record_in(PyObject *capsule)
     return record;
 }
 
-PyObject *sf_kept(PyObject *cache, PyObject *capsule, PyObject *(*make)(const sf_mechanism *, const void *),
-                  const void *how)
+/* A function's definition, for as long as the process lives. */
+int sf_add_function(PyObject *module, const char *name, const char *doc, PyCFunction call, int flags, const void *data)
 {
+    PyMethodDef *own = malloc(sizeof *own);
+    PyObject *capsule = own == NULL ? PyErr_NoMemory() : PyCapsule_New((void *)data, NULL, NULL);
+    if (capsule == NULL)
+        return -1;
+    *own = (PyMethodDef){name, call, flags, doc};
+    PyObject *function = PyCFunction_New(own, capsule);
+    const int failed = function == NULL ? -1 : PyModule_AddObjectRef(module, name, function);
+    Py_DECREF(capsule);
+    Py_XDECREF(function);
+    return failed;
+}
+
+typedef struct {
+    PyObject *(*make)(const sf_mechanism *, const void *);
+    const void *how;
+    PyObject *cache; /* by the record's address */
+} maker;
+
+static PyObject *made_once(PyObject *self, PyObject *capsule)
+{
+    const maker *of = PyCapsule_GetPointer(self, NULL);
     const sf_mechanism *record = sf_record_in(capsule);
     PyObject *address = record == NULL ? NULL : PyLong_FromVoidPtr((void *)record);
     if (address == NULL)
         return NULL;
-    PyObject *found = PyDict_GetItemWithError(cache, address);
+    PyObject *found = PyDict_GetItemWithError(of->cache, address);
     Py_XINCREF(found);
     if (found == NULL && !PyErr_Occurred()) {
-        found = make(record, how);
-        if (found != NULL && PyDict_SetItem(cache, address, found) < 0)
+        found = of->make(record, of->how);
+        if (found != NULL && PyDict_SetItem(of->cache, address, found) < 0)
             Py_CLEAR(found);
     }
     Py_DECREF(address);
     return found;
 }
 
-/* A copy of a record that is changed: a change for each variant. A record is never let go, as batches keep its
- * address. */
+int sf_add_maker(PyObject *module, const char *name, const char *doc,
+                 PyObject *(*make)(const sf_mechanism *, const void *), const void *how)
+{
+    maker *own = malloc(sizeof *own);
+    PyObject *cache = own == NULL ? PyErr_NoMemory() : PyDict_New();
+    if (cache == NULL)
+        return -1;
+    *own = (maker){make, how, cache};
+    return sf_add_function(module, name, doc, made_once, METH_O, own);
+}
+
+/* How a copy of a record is changed. */
 typedef struct {
     void (*change)(sf_mechanism *);
 } variant;
 
+static const variant excited_by_inertia = {sf_excite_by_inertia}, damped_by_laws = {sf_add_laws};
+
+/* A record is never let go, as batches keep its address. */
 static PyObject *new_variant(const sf_mechanism *record, const void *how)
 {
     sf_mechanism *made = malloc(sizeof *made);
@@ -94,18 +128,6 @@ static PyObject *new_variant(const sf_mechanism *record, const void *how)
     if (found == NULL)
         free(made);
     return found;
-}
-
-static PyObject *inertial(PyObject *cache, PyObject *capsule)
-{
-    static const variant excited = {sf_excite_by_inertia};
-    return sf_kept(cache, capsule, new_variant, &excited);
-}
-
-static PyObject *with_laws(PyObject *cache, PyObject *capsule)
-{
-    static const variant damped = {sf_add_laws};
-    return sf_kept(cache, capsule, new_variant, &damped);
 }
 
 static void free_samples(PyObject *capsule)
@@ -216,16 +238,13 @@ typedef struct {
     PyObject *record;
 } oscillator;
 
-const sf_model *sf_model_in(PyObject *capsule)
+const sf_model *sf_model_in(PyObject *capsule, const sf_given **given)
 {
     const oscillator *made = PyCapsule_GetPointer(capsule, SF_MODEL);
-    return made == NULL ? NULL : &made->model;
-}
-
-const sf_given *sf_given_in(PyObject *capsule)
-{
-    const oscillator *made = PyCapsule_GetPointer(capsule, SF_MODEL);
-    return made == NULL || !made->is_given ? NULL : &made->given;
+    if (made == NULL)
+        return NULL;
+    *given = made->is_given ? &made->given : NULL;
+    return &made->model;
 }
 
 static void free_model(PyObject *capsule)
@@ -342,7 +361,8 @@ static PyObject *averages(PyObject *self, PyObject *args)
 
 static PyObject *prepared(PyObject *self, PyObject *capsule)
 {
-    const sf_model *model = sf_model_in(capsule);
+    const sf_given *given;
+    const sf_model *model = sf_model_in(capsule, &given);
     (void)self;
     if (model == NULL)
         return NULL;
@@ -362,41 +382,23 @@ static PyMethodDef functions[] = {
     {NULL, NULL, 0, NULL},
 };
 
-static PyMethodDef variants[] = {
-    {"inertial", inertial, METH_O, "record -> the same mechanism excited by inertia"},
-    {"with_laws", with_laws, METH_O, "record -> the same mechanism with other laws of damping"},
-};
-
-/* Functions that keep what they made, each in a cache of its own. */
-static int add_variants(PyObject *module)
-{
-    int failed = 0;
-    for (int i = 0; i < (int)(sizeof variants / sizeof variants[0]) && !failed; i++) {
-        PyObject *cache = PyDict_New(), *function = cache == NULL ? NULL : PyCFunction_New(&variants[i], cache);
-        failed = function == NULL || PyModule_AddObjectRef(module, variants[i].ml_name, function) < 0;
-        Py_XDECREF(cache);
-        Py_XDECREF(function);
-    }
-    return failed;
-}
-
 int sf_add_records(PyObject *module)
 {
     const sf_records *shipped = sf_here()->records;
     PyObject *records = PyDict_New();
-    if (records == NULL)
-        return -1;
     PyObject *most = Py_BuildValue("iii", SF_MOST_DESIGN, SF_MOST_PARAMETERS, SF_MOST_BREAKS);
-    int failed = most == NULL || PyModule_AddObjectRef(module, "MOST", most) < 0 ||
-                 PyModule_AddFunctions(module, functions) < 0 || add_variants(module);
-    Py_XDECREF(most);
+    int failed = records == NULL || most == NULL || PyModule_AddObjectRef(module, "MOST", most) < 0 ||
+                 PyModule_AddFunctions(module, functions) < 0 || PyModule_AddObjectRef(module, "RECORDS", records) < 0 ||
+                 sf_add_maker(module, "inertial", "record -> the same mechanism excited by inertia", new_variant,
+                              &excited_by_inertia) < 0 ||
+                 sf_add_maker(module, "with_laws", "record -> the same mechanism with other laws of damping", new_variant,
+                              &damped_by_laws) < 0;
     for (int i = 0; i < shipped->count && !failed; i++) {
         PyObject *capsule = PyCapsule_New((void *)shipped->all[i], SF_RECORD, NULL);
         failed = capsule == NULL || PyDict_SetItemString(records, shipped->all[i]->name, capsule) < 0;
         Py_XDECREF(capsule);
     }
-    if (!failed)
-        failed = PyModule_AddObjectRef(module, "RECORDS", records) < 0;
-    Py_DECREF(records);
+    Py_XDECREF(most);
+    Py_XDECREF(records);
     return failed ? -1 : 0;
 }

@@ -3,7 +3,6 @@
 #include "laws.h"
 #include "root_lanes.h"
 
-#include <fenv.h>
 #include <stdint.h>
 #include <string.h>
 
@@ -17,9 +16,7 @@
 #define ROOTS_LOOP(name, inputs, places, solve)                                                               \
     SF_FMA void name(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data)        \
     {                                                                                                         \
-        fenv_t before;                                                                                        \
         (void)data;                                                                                           \
-        feholdexcept(&before);                                                                                \
         for (ptrdiff_t i = 0; i < dimensions[0]; i++) {                                                       \
             double Omega[places];                                                                             \
             const int32_t count = solve;                                                                      \
@@ -27,7 +24,6 @@
                 *(double *)(operands[inputs] + i * steps[inputs] + j * steps[(inputs) + 2]) = Omega[j];       \
             *(int32_t *)(operands[(inputs) + 1] + i * steps[(inputs) + 1]) = count;                           \
         }                                                                                                     \
-        fesetenv(&before);                                                                                    \
     }
 
 /* The roots of the first n quartics of a block, three places for each, and their numbers. */
@@ -59,9 +55,7 @@ void sf_response_roots_loop(char **operands, const ptrdiff_t *dimensions, const 
 {
     sf_quartics block;
     sf_jobs jobs;
-    fenv_t before;
     (void)data;
-    feholdexcept(&before);
     for (ptrdiff_t first = 0; first < dimensions[0]; first += SF_QUARTICS) {
         const ptrdiff_t left = dimensions[0] - first, n = left < SF_QUARTICS ? left : SF_QUARTICS;
         double Omega[SF_QUARTICS][3];
@@ -78,7 +72,6 @@ void sf_response_roots_loop(char **operands, const ptrdiff_t *dimensions, const 
             *(int32_t *)(operands[6] + i * steps[6]) = count[k];
         }
     }
-    fesetenv(&before);
 }
 
 ROOTS_LOOP(sf_fold_roots_loop, 5, 3, sf_fold_roots(IN(0), IN(1), IN(2), IN(3), IN(4), Omega))
@@ -102,9 +95,7 @@ static void put_roots(const double *Omega, int n, int places, char *to, ptrdiff_
 
 void sf_law_roots_loop(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data)
 {
-    fenv_t before;
     (void)data;
-    feholdexcept(&before);
     for (ptrdiff_t i = 0; i < dimensions[0]; i++) {
         const sf_sample at = {.A = IN(0), .h = IN(1), .h_A = IN(2)};
         const sf_law_quartic_kind kind = IN(7) < 0 ? SF_OF_FOLDS : SF_OF_RESPONSE;
@@ -114,14 +105,11 @@ void sf_law_roots_loop(char **operands, const ptrdiff_t *dimensions, const ptrdi
         damped_by(operands, steps, i, 3, IN(8) != 0, &record, &model);
         put_roots(Omega, sf_law_frequencies(&model, &at, kind, IN(7), 0, Omega), 3, operands[9] + i * steps[9], steps[10]);
     }
-    fesetenv(&before);
 }
 
 void sf_law_peak_roots_loop(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data)
 {
-    fenv_t before;
     (void)data;
-    feholdexcept(&before);
     for (ptrdiff_t i = 0; i < dimensions[0]; i++) {
         const sf_sample at = {.A = IN(0), .h = IN(1)};
         sf_mechanism record;
@@ -130,5 +118,4 @@ void sf_law_peak_roots_loop(char **operands, const ptrdiff_t *dimensions, const 
         damped_by(operands, steps, i, 2, IN(6) != 0, &record, &model);
         put_roots(Omega, sf_law_stationary(&model, &at, Omega), 2, operands[7] + i * steps[7], steps[8]);
     }
-    fesetenv(&before);
 }

@@ -17,28 +17,30 @@ sf_gufunc_loop sf_interval_product_loop, sf_interval_square_loop, sf_interval_in
 /* The solvers for this processor. */
 const sf_solvers *sf_here(void);
 
-/* What a capsule holds, or NULL with an exception set; a PyObject. */
+/* What a capsule holds, or NULL with an exception set; a PyObject. given: the model as it was given, NULL where no proof
+ * about it is possible */
 struct _object;
 const sf_mechanism *sf_record_in(struct _object *capsule);
-const sf_model *sf_model_in(struct _object *capsule);
-/* The same as it was given, or NULL where no proof about it is possible; of a capsule that holds a model. */
-const sf_given *sf_given_in(struct _object *capsule);
+const sf_model *sf_model_in(struct _object *capsule, const sf_given **given);
 
-/* What is made of a record once: kept in the cache by the record's address, which what is made may hold. NULL with an
+/* A generalised ufunc of a loop, for as long as the process lives; types: of all operands, `d`, `b`, `h` and `i` for
+ * double, int8, short and int. NULL with an exception set. */
+struct _object *sf_new_ufunc(const char *name, const char *doc, const char *signature, const char *types,
+                             sf_gufunc_loop *loop, void *data);
+
+/* Adds a function to a module, which finds `data` in the capsule that is its first argument; -1 with an exception. */
+int sf_add_function(struct _object *module, const char *name, const char *doc,
+                    struct _object *(*call)(struct _object *, struct _object *), int flags, const void *data);
+
+/* Adds a function of a record to a module: what is made of it and `how`, which is made once, and may hold its address.
+ * Its maker returns NULL with an exception set. -1 with an exception */
+int sf_add_maker(struct _object *module, const char *name, const char *doc,
+                 struct _object *(*make)(const sf_mechanism *record, const void *how), const void *how);
+
+/* Members of a module: records and models, questions about one oscillator, and those about many; -1 with an
  * exception set. */
-struct _object *sf_kept(struct _object *cache, struct _object *capsule,
-                        struct _object *(*make)(const sf_mechanism *record, const void *how), const void *how);
-
-/* As many numbers as the tuple has to hold; -1 with an exception set. */
-int sf_read_numbers(struct _object *tuple, int n, const char *name, const char *what, double *values);
-
-/* Members of a module: records and models, questions about one oscillator, those about many, proofs, and the second
- * approximation;
- * -1 with an exception set. */
 int sf_add_records(struct _object *module);
 int sf_add_answers(struct _object *module);
 int sf_add_batches(struct _object *module);
-int sf_add_certificates(struct _object *module);
-int sf_add_second(struct _object *module);
 
 #endif

@@ -1,0 +1,421 @@
+/* The questions about one oscillator as rows: each answers a query (interface.h) by its items, a status first. */
+#ifndef SF_QUESTIONS_H
+#define SF_QUESTIONS_H
+
+#include "certify.h"
+#include "interface.h"
+#include "onset.h"
+#include "second_questions.h"
+#include "states.h"
+
+/* ==== Items of an answer ========================================================================================== */
+
+static void sf_put(sf_query *q, sf_item_kind kind, double value) {
+    q->item[q->items++] = (sf_item){kind, value, 0, NULL, 0};
+}
+
+/* A column of n values that lie `step` bytes apart. */
+static void sf_put_column(sf_query *q, sf_item_kind kind, long n, const void *first, size_t step) {
+    q->item[q->items++] = (sf_item){kind, 0, n, first, (ptrdiff_t)step};
+}
+
+/* Lowest and highest of what is enclosed. */
+static void sf_put_interval(sf_query *q, const sf_interval *of) { sf_put_column(q, SF_NUMBERS, 2, of, sizeof of->lo); }
+
+/* Room that items lie in until they are read; NULL if there is none: an answer without items is out of memory. */
+static void *sf_reserve(sf_query *q, long n, size_t size) {
+    return q->reserve[q->reserved++] = malloc((size_t)(n > 0 ? n : 1) * size);
+}
+
+/* ==== Averaging =================================================================================================== */
+
+static void sf_answer_folds_of(sf_query *q)
+{
+    sf_folds *found = &q->room->work.folds;
+    const sf_fold *at = found->at;
+    const sf_status status = sf_settled_folds(q->model, q->given, q->number[0], q->room, found);
+    const long n = status == SF_OK ? found->n : 0;
+    sf_put(q, SF_INTEGER, status);
+    sf_put_column(q, SF_NUMBERS, n, &at->Omega, sizeof *at);
+    sf_put_column(q, SF_NUMBERS, n, &at->A, sizeof *at);
+    sf_put_column(q, SF_FLAGS, n, &at->up, sizeof *at);
+    sf_put_column(q, SF_FLAGS, n, &at->corner, sizeof *at);
+    sf_put(q, SF_FLAG, status == SF_OK && found->undecided);
+}
+
+static void sf_answer_onset_of(sf_query *q)
+{
+    sf_onset found;
+    sf_put(q, SF_INTEGER, sf_settled_onset(q->model, q->exactly, &q->room->work, &found));
+    sf_put(q, SF_NUMBER, found.F_SN), sf_put(q, SF_NUMBER, found.Omega), sf_put(q, SF_NUMBER, found.A);
+    sf_put(q, SF_INTEGER, found.kind), sf_put(q, SF_NUMBER, found.rest);
+}
+
+static void sf_answer_detachment_of(sf_query *q)
+{
+    double F_cr, Omega_cr, u_cr;
+    sf_put(q, SF_INTEGER, sf_settled_detachment(q->model, q->exactly, &F_cr, &Omega_cr, &u_cr));
+    sf_put(q, SF_NUMBER, F_cr), sf_put(q, SF_NUMBER, Omega_cr), sf_put(q, SF_NUMBER, u_cr);
+}
+
+static void sf_answer_peak_of(sf_query *q)
+{
+    double A, Omega;
+    sf_put(q, SF_INTEGER,
+           sf_settled_peak(q->model, q->exactly, q->number[0], q->number[1], &q->room->work, &A, &Omega));
+    sf_put(q, SF_NUMBER, A), sf_put(q, SF_NUMBER, Omega);
+}
+
+static void sf_answer_bound(sf_query *q)
+{
+    double A_max;
+    sf_put(q, SF_INTEGER, sf_range_at(q->model, q->number[0], &A_max));
+    sf_put(q, SF_NUMBER, A_max);
+}
+
+static void sf_answer_cut(sf_query *q) { sf_put(q, SF_NUMBER, sf_undamped_cut(q->model, q->number[0])); }
+
+static void sf_answer_spring(sf_query *q) { sf_put_column(q, SF_WORDS, 1, sf_spring(q->model), 0); }
+
+static void sf_answer_closeness(sf_query *q)
+{
+    sf_put(q, SF_FLAG, sf_are_events_close(q->model, q->number[0], q->number[1], &q->room->work));
+}
+
+static void sf_answer_locus(sf_query *q)
+{
+    sf_work *work = &q->room->work;
+    const long samples = (long)q->number[1];
+    double *Omega, *A, *F_0;
+    long long *branch;
+    const sf_status status = sf_fold_locus(q->model, q->number[0], work);
+    const long n = status == SF_OK ? sf_draw_locus(q->model, samples, work, NULL, NULL, NULL, NULL) : 0;
+    Omega = sf_reserve(q, n, sizeof *Omega), A = sf_reserve(q, n, sizeof *A), F_0 = sf_reserve(q, n, sizeof *F_0);
+    branch = sf_reserve(q, n, sizeof *branch);
+    if (Omega == NULL || A == NULL || F_0 == NULL || branch == NULL)
+        return;
+    if (n > 0)
+        sf_draw_locus(q->model, samples, work, Omega, A, F_0, branch);
+    sf_put(q, SF_INTEGER, status);
+    sf_put_column(q, SF_NUMBERS, n, Omega, sizeof *Omega);
+    sf_put_column(q, SF_NUMBERS, n, A, sizeof *A);
+    sf_put_column(q, SF_NUMBERS, n, F_0, sizeof *F_0);
+    sf_put_column(q, SF_LONG_INTEGERS, n, branch, sizeof *branch);
+}
+
+static void sf_answer_extrema(sf_query *q)
+{
+    const sf_zeros *zeros = &q->room->work.extrema;
+    const sf_status status = sf_extrema(q->model, q->number[0], &q->room->work);
+    sf_extremum *at = sf_reserve(q, zeros->n, sizeof *at);
+    long n = 0;
+    int i;
+    if (at == NULL)
+        return;
+    for (i = 0; i < zeros->n; i++)
+        if (!(zeros->at[i].question == SF_UNDAMPED && zeros->at[i].channel == 1)) /* there it only touches the backbone */
+            at[n++] = sf_settled_extremum(q->model, q->exactly, &zeros->at[i]);
+    sf_put(q, SF_INTEGER, status);
+    sf_put_column(q, SF_NUMBERS, n, &at->F_0, sizeof *at);
+    sf_put_column(q, SF_NUMBERS, n, &at->Omega, sizeof *at);
+    sf_put_column(q, SF_NUMBERS, n, &at->A, sizeof *at);
+    sf_put_column(q, SF_FLAGS, n, &at->isola, sizeof *at);
+    sf_put_column(q, SF_FLAGS, n, &at->minimum, sizeof *at);
+    sf_put_column(q, SF_FLAGS, n, &at->saddle, sizeof *at);
+    sf_put_column(q, SF_FLAGS, n, &at->few_digits, sizeof *at);
+}
+
+static void sf_answer_response(sf_query *q)
+{
+    const double F_0 = q->number[0], samples = q->number[1], low = q->number[2], high = q->number[3];
+    sf_skeleton *shown = &q->room->work.shown;
+    sf_model model = *q->model;
+    sf_status status;
+    sf_points at;
+    long n = 0;
+    shown->curves = 0, model.lowest = low;
+    status = sf_make_skeleton(&model, q->given, F_0, q->room);
+    if (status == SF_OK && (n = sf_show(&model, F_0, low, high, samples, &q->room->work)) < 0)
+        status = SF_NO_BOUND, n = 0;
+    at.Omega = sf_reserve(q, n, sizeof *at.Omega), at.A = sf_reserve(q, n, sizeof *at.A);
+    at.branch = sf_reserve(q, n, sizeof *at.branch), at.stable = sf_reserve(q, n, sizeof *at.stable);
+    if (at.Omega == NULL || at.A == NULL || at.branch == NULL || at.stable == NULL)
+        return;
+    if (n > 0)
+        sf_draw(&model, F_0, samples, shown, at.Omega, at.A, at.stable, at.branch);
+    n = sf_leave_rest_out(n, &at);
+    sf_put(q, SF_INTEGER, status);
+    sf_put_column(q, SF_NUMBERS, n, at.Omega, sizeof *at.Omega);
+    sf_put_column(q, SF_NUMBERS, n, at.A, sizeof *at.A);
+    sf_put_column(q, SF_BYTE_FLAGS, n, at.stable, sizeof *at.stable);
+    sf_put_column(q, SF_LONG_INTEGERS, n, at.branch, sizeof *at.branch);
+    sf_put_column(q, SF_FLAGS, shown->curves, shown->closed, sizeof *shown->closed);
+    sf_put(q, SF_FLAG, status == SF_OK && q->room->undecided);
+}
+
+/* A state, as its columns have it. */
+typedef struct {
+    double Omega, A;
+    int stable;
+} sf_state;
+
+/* Every state at the frequencies of a list, in their order, and those of these at which their number is undecided. */
+static void sf_answer_states_of(sf_query *q)
+{
+    /* frequencies: some milliseconds; and as how many of them a proof counts */
+    enum { BETWEEN_SIGNALS = 1 << 14, PROOF = 100 };
+    sf_room *room = q->room;
+    long n = 0, doubts = 0, places = SF_MOST_STATES, since = 0, i;
+    double *doubt = sf_reserve(q, (long)q->length, sizeof *doubt);
+    sf_state *at = sf_reserve(q, places, sizeof *at);
+    void **of_states = &q->reserve[q->reserved - 1];
+    sf_model model = *q->model;
+    sf_status status = SF_OK;
+    if (doubt == NULL || at == NULL)
+        return;
+    model.lowest = q->length > 0 ? q->values[0] : 0;
+    for (i = 1; i < q->length; i++)
+        model.lowest = fmin(model.lowest, q->values[i]);
+    room->followed = 0, room->proofs = 0;
+    for (i = 0; i < q->length && status == SF_OK; i++) {
+        const double Omega = q->values[i];
+        double A[SF_MOST_STATES];
+        unsigned char stable[SF_MOST_STATES];
+        int here, undecided, k;
+        if (n + SF_MOST_STATES > places) {
+            void *more = realloc(at, (size_t)(places *= 2) * sizeof *at);
+            if (more == NULL)
+                return;
+            *of_states = at = more;
+        }
+        status = sf_states(&model, q->given, q->number[0], room, Omega, &here, A, stable, &undecided);
+        for (k = 0; k < here; k++)
+            at[n++] = (sf_state){Omega, A[k], stable[k]};
+        if (undecided)
+            doubt[doubts++] = Omega;
+        since += 1 + PROOF * room->proofs, room->proofs = 0;
+        if (since >= BETWEEN_SIGNALS && !q->goes_on(q))
+            return;
+        since %= BETWEEN_SIGNALS;
+    }
+    sf_put(q, SF_INTEGER, status);
+    sf_put_column(q, SF_NUMBERS, n, &at->Omega, sizeof *at);
+    sf_put_column(q, SF_NUMBERS, n, &at->A, sizeof *at);
+    sf_put_column(q, SF_FLAGS, n, &at->stable, sizeof *at);
+    sf_put_column(q, SF_NUMBERS, doubts, doubt, sizeof *doubt);
+}
+
+/* ==== Proofs ====================================================================================================== */
+
+static void sf_put_certificate(sf_query *q, sf_status status)
+{
+    const sf_certificate *found = &q->room->found;
+    const sf_enclosure *at = found->at;
+    const long n = status == SF_OK ? found->n : 0, doubts = status == SF_OK ? found->doubts : 0;
+    sf_put(q, SF_INTEGER, status);
+    sf_put_column(q, SF_INTERVALS, n, &at->Omega, sizeof *at);
+    sf_put_column(q, SF_INTERVALS, n, &at->A, sizeof *at);
+    sf_put_column(q, SF_FLAGS, n, &at->corner, sizeof *at);
+    sf_put_column(q, SF_INTEGERS, n, &at->sign, sizeof *at);
+    sf_put_column(q, SF_INTERVALS, doubts, found->doubt, sizeof *found->doubt);
+    sf_put(q, SF_NUMBER, found->A_max), sf_put(q, SF_FLAG, found->bounded), sf_put(q, SF_FLAG, !found->full);
+}
+
+static void sf_answer_certified_folds(sf_query *q)
+{
+    sf_put_certificate(q, sf_certify_folds(q->model, q->given, q->number[0], q->values, (int)q->length,
+                                           &q->room->proof, &q->room->found));
+}
+
+static void sf_answer_certified_states(sf_query *q)
+{
+    sf_put_certificate(q, sf_certify_states(q->model, q->given, q->number[0], q->number[1], &q->room->proof,
+                                            &q->room->found));
+}
+
+static void sf_answer_certified_onset(sf_query *q)
+{
+    sf_proved_onset *found = sf_reserve(q, 1, sizeof *found);
+    if (found == NULL)
+        return;
+    memset(found, 0, sizeof *found);
+    sf_put(q, SF_INTEGER, sf_certify_onset(q->model, q->given, &q->room->work, &q->room->proof, found));
+    sf_put_interval(q, &found->F_SN), sf_put_interval(q, &found->Omega), sf_put_interval(q, &found->A);
+    sf_put(q, SF_INTEGER, found->kind), sf_put(q, SF_FLAG, found->proved);
+}
+
+static void sf_answer_certified_detachment(sf_query *q)
+{
+    sf_interval *found = sf_reserve(q, 2, sizeof *found);
+    if (found == NULL)
+        return;
+    found[0] = found[1] = sfi_point(NAN);
+    sf_put(q, SF_INTEGER, sf_certify_detachment(q->given, &found[0], &found[1]));
+    sf_put_interval(q, &found[0]), sf_put_interval(q, &found[1]), sf_put_interval(q, &q->given->b[0]);
+}
+
+/* ==== The second approximation ==================================================================================== */
+
+static void sf_put_left_out(sf_query *q, const sf_left_out *left)
+{
+    sf_put(q, SF_INTEGER, (double)left->lost), sf_put(q, SF_INTEGER, (double)left->of);
+    sf_put(q, SF_NUMBER, left->low), sf_put(q, SF_NUMBER, left->high);
+}
+
+static void sf_put_second_states(sf_query *q, long n, const sf_second_point *at)
+{
+    sf_put_column(q, SF_NUMBERS, n, &at->Omega, sizeof *at);
+    sf_put_column(q, SF_NUMBERS, n, &at->at.u_max, sizeof *at);
+    sf_put_column(q, SF_NUMBERS, n, &at->at.A_1, sizeof *at);
+    sf_put_column(q, SF_NUMBERS, n, &at->at.phi, sizeof *at);
+    sf_put_column(q, SF_POSITIVE, n, &at->at.F_A, sizeof *at);
+}
+
+/* Keeps a curve until its items are read; where there is none, one without points. */
+static const sf_second_curve *sf_keep_curve(sf_query *q, sf_second_curve *curve)
+{
+    static sf_second_point nowhere;
+    static const sf_second_curve none = {.point = &nowhere};
+    if (curve == NULL)
+        return &none;
+    q->reserve[q->reserved++] = curve->point, q->reserve[q->reserved++] = curve->closed;
+    return q->reserve[q->reserved++] = curve;
+}
+
+static void sf_answer_second_curve(sf_query *q)
+{
+    sf_status status;
+    const sf_second_curve *curve = sf_keep_curve(
+        q, sf_second_response(q->model, q->given, q->number[0], (sf_wanted)q->number[1], q->number[2], q->number[3],
+                              q->number[4], q->room, &status));
+    sf_put(q, SF_INTEGER, status);
+    sf_put_second_states(q, curve->n, curve->point);
+    sf_put_column(q, SF_NUMBERS, curve->n, &curve->point->A, sizeof *curve->point);
+    sf_put_column(q, SF_INTEGERS, curve->n, &curve->point->part, sizeof *curve->point);
+    sf_put_column(q, SF_BYTE_FLAGS, curve->parts, curve->closed, sizeof *curve->closed);
+    sf_put_left_out(q, &curve->left);
+}
+
+static void sf_answer_second_folds(sf_query *q)
+{
+    sf_second_folds *found = sf_reserve(q, 1, sizeof *found);
+    const sf_second_fold *at;
+    if (found == NULL)
+        return;
+    at = found->at, q->room->undecided = 0;
+    sf_put(q, SF_INTEGER, sf_second_saddle_nodes(q->model, q->given, q->number[0], q->number[1], q->number[2], q->room,
+                                                 found));
+    sf_put(q, SF_FLAG, q->room->undecided);
+    sf_put_column(q, SF_NUMBERS, found->n, &at->Omega, sizeof *at);
+    sf_put_column(q, SF_NUMBERS, found->n, &at->u_max, sizeof *at);
+    sf_put_column(q, SF_NUMBERS, found->n, &at->A_1, sizeof *at);
+    sf_put_column(q, SF_FLAGS, found->n, &at->up, sizeof *at);
+    sf_put_column(q, SF_FLAGS, found->n, &at->corner, sizeof *at);
+    sf_put(q, SF_INTEGER, found->lost), sf_put(q, SF_INTEGER, found->tried);
+    sf_put_left_out(q, &found->left);
+}
+
+static void sf_answer_second_states(sf_query *q)
+{
+    double low = HUGE_VAL, high = 0;
+    const sf_second_curve *curve;
+    sf_second_point *at;
+    sf_status status;
+    long most = 0, n = 0, i;
+    for (i = 0; i < q->length; i++)
+        low = fmin(low, q->values[i]), high = fmax(high, q->values[i]);
+    curve = sf_keep_curve(q, sf_second_around(q->model, q->given, q->number[0], SF_EVERY_POINT, low, high, q->room,
+                                              &status));
+    for (i = 0; i < q->length; i++)
+        most += sf_most_crossings(curve, q->values[i]);
+    at = sf_reserve(q, most, sizeof *at);
+    for (i = 0; i < q->length && at != NULL; i++) {
+        n += sf_states_on(q->model, q->number[0], curve, q->values[i], at + n);
+        if (!q->goes_on(q))
+            return;
+    }
+    if (at == NULL)
+        return;
+    sf_put(q, SF_INTEGER, status);
+    sf_put_second_states(q, n, at);
+}
+
+/* The highest point about a frequency, and the states at its own. */
+static void sf_answer_second_peak(sf_query *q)
+{
+    sf_second_curve *about = NULL;
+    const sf_second_curve *curve;
+    sf_second_point top = {0}, *at;
+    const sf_status status =
+        sf_second_peak(q->model, q->given, q->number[0], q->number[1], q->room, &about, &top);
+    int n;
+    curve = sf_keep_curve(q, about);
+    at = sf_reserve(q, sf_most_crossings(curve, top.Omega), sizeof *at);
+    if (at == NULL)
+        return;
+    n = sf_states_on(q->model, q->number[0], curve, top.Omega, at);
+    sf_put(q, SF_INTEGER, status), sf_put(q, SF_NUMBER, top.at.u_max), sf_put(q, SF_NUMBER, top.Omega);
+    sf_put_second_states(q, n, at);
+    sf_put_left_out(q, &curve->left);
+}
+
+static void sf_answer_second_onset(sf_query *q)
+{
+    const sf_onset first = {q->number[0], q->number[1], q->number[2], SF_CUSP_KIND, HUGE_VAL, 0};
+    sf_onset found = {NAN, NAN, NAN, SF_NO_KIND, HUGE_VAL, 0};
+    double u_max = NAN;
+    sf_put(q, SF_FLAG, sf_second_cusp(q->model, &first, &found, &u_max));
+    sf_put(q, SF_NUMBER, found.F_SN), sf_put(q, SF_NUMBER, found.Omega), sf_put(q, SF_NUMBER, u_max);
+}
+
+static void sf_answer_second_detachment(sf_query *q)
+{
+    double F_cr = NAN, Omega_cr = NAN;
+    sf_put(q, SF_FLAG, sf_second_detach(q->model, q->number[0], q->number[1], q->number[2], &F_cr, &Omega_cr));
+    sf_put(q, SF_NUMBER, F_cr), sf_put(q, SF_NUMBER, Omega_cr);
+}
+
+/* ==== The rows ==================================================================================================== */
+
+static const sf_row sf_rows_of_one[] = {
+    {"saddle_nodes", "F_0 -> status, Omega, A, up, corner, undecided", 1, 0, 0, sf_answer_folds_of},
+    {"onset", "status, F_SN, Omega, A, kind, lowest level at rest", 0, 0, 0, sf_answer_onset_of},
+    {"detachment", "status, F_cr, Omega_cr, u_cr", 0, 0, 0, sf_answer_detachment_of},
+    {"peak", "F_0, most -> status, A, Omega", 2, 0, 0, sf_answer_peak_of},
+    {"amplitude_bound", "F_0 -> status, A_max", 1, 0, 0, sf_answer_bound},
+    {"undamped_cut", "F_0 -> A_max", 1, 0, 0, sf_answer_cut},
+    {"spring", "whether a spring holds the mass, none does, or one that levels off", 0, 0, 0, sf_answer_spring},
+    {"are_events_close", "F_0, A_max -> whether doubles leave open which peaks and static states a curve has", 2, 0, 0,
+     sf_answer_closeness},
+    {"fold_locus", "A_max, samples -> status, Omega, A, F_0, branch", 2, 0, 0, sf_answer_locus},
+    {"extrema", "A_max -> status, F_0, Omega, A, isola, minimum, saddle, few_digits", 1, 0, 0, sf_answer_extrema},
+    {"frequency_response", "F_0, samples, low, high -> status, Omega, A, stable, branch, closed, undecided", 4, 0, 0,
+     sf_answer_response},
+    {"steady_states", "F_0, [Omega] -> status, Omega, A, stable, Omega where undecided", 1, 1, 0,
+     sf_answer_states_of},
+    {"certify_folds",
+     "F_0, [A where folds are expected] -> status, Omega, A, corner, sign of F_AA, doubts, A_max, bounded, complete",
+     1, 1, 1, sf_answer_certified_folds},
+    {"certify_states", "F_0, Omega -> the same, with the sign of F_A", 2, 0, 1, sf_answer_certified_states},
+    {"certify_onset", "status, F_SN, Omega, A, kind, whether it is proved", 0, 0, 1, sf_answer_certified_onset},
+    {"certify_detachment", "status, F_cr, Omega_cr, u_cr", 0, 0, 1, sf_answer_certified_detachment},
+    {"second_curve",
+     "F_0, wanted, samples, low, high -> status, Omega, u_max, A_1, phi, stable, A, part, closed parts; points lost, of, "
+     "from, to",
+     5, 0, 0, sf_answer_second_curve},
+    {"second_saddle_nodes",
+     "F_0, low, high of averaging's folds and peak, infinite and 0 where these are not known -> status, whether doubles "
+     "leave them undecided, Omega, u_max, A_1, up, corner, folds lost, tried; points lost, of, from, to",
+     3, 0, 0, sf_answer_second_folds},
+    {"second_states", "F_0, [Omega] -> status, Omega, u_max, A_1, phi, stable", 1, 1, 0, sf_answer_second_states},
+    {"second_peak",
+     "F_0, Omega of averaging's -> status, u_max, Omega; of the states there Omega, u_max, A_1, phi, stable; points "
+     "lost, of, from, to",
+     2, 0, 0, sf_answer_second_peak},
+    {"second_onset", "F_SN, Omega, A of a cusp -> whether there is one, F_SN, Omega, u_max", 3, 0, 0,
+     sf_answer_second_onset},
+    {"second_detachment", "F_cr, Omega_cr, u_cr -> whether there is one, F_cr, Omega_cr", 3, 0, 0,
+     sf_answer_second_detachment},
+};
+
+#endif
