@@ -29,7 +29,6 @@ from slowflow import backend, example
 from slowflow.averaged.asked import AMPLITUDES, ONSET, PEAK, SADDLE_NODES, Question
 from slowflow.backend import SOLVER
 from slowflow.exact import compiled
-from slowflow.exact.compiled import by_rising_u
 from slowflow.exact.motion import TURN
 from slowflow.example import TABLE_1
 from slowflow.table import QUESTIONS
@@ -258,7 +257,7 @@ def _of_motion(library: Any) -> str:
     """Turns of the forcing with every switch."""
     (job,) = (job for job in bench_exact.jobs() if job.name == bench_exact.TURNS)
     system = bench_exact.table_1(True)
-    pieces, edges = by_rising_u(system.force)
+    pieces, edges = (*system.force.pieces[:0:-1], *system.force.pieces), system.force.edges
     names = (ctypes.c_char_p * len(pieces))(*(piece.law.name.encode() for piece in pieces))
     sizes = np.array([len(piece.constants) for piece in pieces], dtype=np.intc)
     constants, ends = np.array([x for piece in pieces for x in piece.constants]), np.array(edges)
