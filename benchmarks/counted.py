@@ -268,10 +268,10 @@ def _of_motion(library: Any) -> str:
         _pointer(out),
     ):
         raise RuntimeError("the motion of Table 1 is not followed")
-    start = (0.0, 0.0, 0.0)
+    asked = compiled.of_system(system), bench_exact.OMEGA, certified.F_0, 0.0, 0.0, 0.0, end, False, 0, 0, 10**6
     whole, in_c = _in_turn(
         job.run,
-        lambda: compiled.follow(system, bench_exact.OMEGA, certified.F_0, start, end, None),
+        lambda: backend.EXACT.follow(*asked),
     )
     phases, steps, searches, step, search = out
     return (

@@ -59,7 +59,6 @@ MODULES = (
     "slowflow.second.answers",
     "slowflow.second.many",
     "slowflow.exact",
-    "slowflow.exact.shocks",
     "slowflow.exact.shocks_many",
     "slowflow.transmitted",
     "slowflow.mechanism",

@@ -16,7 +16,7 @@ from benchmarks.peers import problem
 from benchmarks.peers.__main__ import with_earlier
 from benchmarks.remote import Remote, in_turn
 from slowflow.exact import compiled
-from slowflow.exact.motion import TURN
+from slowflow.exact.motion import PHASE, TURN
 from slowflow.example import DESIGN, TABLE_1
 from slowflow_kernels import rod_spring, slow_flow
 
@@ -133,7 +133,7 @@ def test_what_a_limit_leaves_unexplained_is_told() -> None:
     asked = compiled.of_system(bench_exact.table_1(True)), bench_exact.OMEGA, 0.04, 0.0, 0.0, 0.0, 200 * TURN
     _, taken, phases = compiled.EXACT.follow(*asked, False, 0, 0, 10**6)
     assert steps == taken
-    assert f" {len(phases) // compiled.PHASE.size} phases" in motion
+    assert f" {len(phases) // PHASE.size} phases" in motion
 
 
 def test_a_process_that_was_ended_is_said_to_be_so() -> None:

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 from scipy.special import expit
 
-from slowflow.exact.shooting import check_forcing
+from slowflow.exact.motion import check_forcing
 from slowflow.mechanism import EquationOfMotion
 from slowflow_kernels import motion
 from slowflow_support.errors import NotSettled, Refused

@@ -20,7 +20,7 @@ from scipy.integrate import solve_ivp
 
 from slowflow.exact import EquationOfMotion, Force, compiled
 from slowflow.exact.cycle import Border, Cycle, Equations
-from slowflow.exact.motion import Forced, Phase, edge_ahead, signature
+from slowflow.exact.motion import PHASE, Forced, Phase, edge_ahead, signature
 from slowflow_kernels import inertia, motion
 from slowflow_kernels.exact_conventions import FAR, GRAZING, MOST_PHASES, TOLERANCE, Event
 
@@ -80,8 +80,9 @@ class Compiled:
         *state, end = way
         forced = alone(piece, drive, edge)
         at = forced.system.force.region_of(state[1])
-        outcome, phases = compiled.follow(*forced, tuple(state), end, (slip, at))
-        first = Phase(*next(phases))
+        of, given = compiled.of_system(forced.system), (True, slip, at, MOST_CALLS)
+        outcome, _, phases = compiled.EXACT.follow(of, *forced[1:], *state, end, *given)
+        first = Phase(*next(PHASE.iter_unpack(phases)))
         if outcome:
             raise ArithmeticError(f"the integration from theta = {way[0]} failed at theta = {first.end}")
         return first.end, first.u_end, first.v_end, first.event

@@ -6,10 +6,9 @@ Out: `steady_state`, `exact_response`, `sweep`, `transient`; motions switch exac
 """
 
 from slowflow.exact.response import Fold, Response, exact_response
-from slowflow.exact.shocks import ShockSpectrum
 from slowflow.exact.shooting import SteadyState, steady_state
 from slowflow.exact.sweep import Sweep, sweep
-from slowflow.exact.transient import Transient, half_sine, record, transient
+from slowflow.exact.transient import ShockSpectrum, Transient, half_sine, record, transient
 from slowflow.mechanism import EquationOfMotion, Force, Law, Piece, linear
 
 __all__ = [

@@ -13,10 +13,8 @@ from __future__ import annotations
 import functools
 import json
 import math
-import struct
 import sys
 from array import array
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -24,7 +22,7 @@ import numpy as np
 import numpy.typing as npt
 
 from slowflow import backend
-from slowflow.exact.work import MOST_STEPS, MOST_WORK, spend, steps_left
+from slowflow.exact.work import spend, steps_left
 from slowflow.mechanism import EquationOfMotion, Law, Piece
 from slowflow.sampled import rows
 from slowflow_kernels.exact_conventions import FAR
@@ -32,9 +30,6 @@ from slowflow_support.errors import NotSettled
 
 EXACT = backend.EXACT
 Array = npt.NDArray[np.float64]
-PHASE = struct.Struct("@iiddddddi?0d")  # a phase as C has it, in the order of `motion.Phase`
-#: a phase of a shock likewise: when its arc begins, the arc, the phase
-STRETCH = struct.Struct("@d4diiddddddi?dl")
 KEPT = 64  # oscillators in C, of which a curve asks one again and again
 
 
@@ -148,55 +143,3 @@ def sample(forced: Any, phase: Any, grid: Array) -> Array:
     if outcome:
         raise NotSettled(f"the integration from theta = {phase.theta} to {grid[-1]} failed")
     return states
-
-
-def shock(
-    system: EquationOfMotion, arcs: Array, *how: float
-) -> tuple[int, tuple[float, ...], Iterator[tuple[Any, ...]]]:
-    """What a mass does under the arcs: the outcome, numbers as `many_shocks` has them, and its phases.
-
-    how -- when the arcs begin, how long the free motion is followed, u, v, and where the mass rests without friction
-    Where it is not followed to the end the numbers are when that is, u there, and the amplitude of what drives it.
-    """
-    arcs = np.ascontiguousarray(arcs)
-    outcome, steps, numbers, phases = EXACT.shock(of_system(system), arcs, *how, MOST_STEPS, MOST_WORK)
-    spend(steps)
-    return outcome, numbers, STRETCH.iter_unpack(phases)
-
-
-def follow(
-    system: EquationOfMotion,
-    Omega: float,
-    F_0: float,
-    state: tuple[float, float, float],
-    end: float,
-    start: tuple[int, int] | None,
-) -> tuple[int, Iterator[tuple[Any, ...]]]:
-    """The outcome and the phases of `motion.follow`, each as its fields in order."""
-    outcome, steps, phases = EXACT.follow(
-        of_system(system),
-        Omega,
-        F_0,
-        *state,
-        end,
-        start is not None,
-        *(start or (0, 0)),
-        steps_left(),
-    )
-    spend(steps)
-    return outcome, PHASE.iter_unpack(phases)
-
-
-def many_shocks(
-    laws: tuple[Any, ...], oscillators: list[Array], arcs: Array, begin: Array, after: float
-) -> tuple[npt.NDArray[np.int8], Array]:
-    """Shocks of oscillators whose pieces have these recurrences: their outcomes, and a row of numbers for each.
-
-    oscillators -- rows of the force's parameters, of its breakpoints, of mu and zeta
-    arcs, begin -- of `transient`, shape (n, arcs, 4), and when they begin
-    Numbers are A, tau_A, a_max, tau_a, when the springs leave, whether the mass rests at the end, u_end.
-    """
-    outcomes, numbers = np.empty(begin.size, np.int8), np.empty((begin.size, 7))
-    rows = (np.ascontiguousarray(values) for values in (*oscillators, arcs, begin))
-    EXACT.shocks(laws, *rows, after, MOST_STEPS, MOST_WORK, outcomes, numbers)
-    return outcomes, numbers

@@ -12,18 +12,22 @@ from __future__ import annotations
 
 import functools
 import math
+import struct
 from typing import NamedTuple
 
 import numpy as np
 
-from slowflow.exact import compiled
+from slowflow.backend import EXACT
+from slowflow.exact.compiled import of_system
+from slowflow.exact.work import spend, steps_left
 from slowflow.mechanism import EquationOfMotion, Piece
-from slowflow.text import Sentence
+from slowflow.text import Sentence, text
 from slowflow_kernels import motion
 from slowflow_kernels.exact_conventions import FAR, MOST_PHASES, Outcome
-from slowflow_support.errors import NotSettled
+from slowflow_support.errors import NotSettled, Refused
 
 TURN = 2.0 * math.pi
+PHASE = struct.Struct("@iiddddddi?0d")  # a phase as C has it, in the order of `Phase`
 
 CHATTERS = Sentence(
     "the mass chatters near {u = :.6g}, where the restoring force jumps: more than {most:d} switches in one turn"
@@ -36,6 +40,19 @@ UNBOUNDED = Sentence("the integration stalls near {u = :.6g}, where the restorin
 AT = Sentence("{why:s}; at {Omega = :}, {F_0 = :}")
 #: a force that has no bound near u is larger there, by this factor, than at `NEARER` u
 GROWS, NEARER = 1e6, 0.9
+
+
+#: of the load, the difference from the spring's force that rounding makes where they balance
+BALANCED = 2.0**-40
+FORCE = Sentence("{F_0 = :g}")
+INERTIA = Sentence("the inertia force {force:g} at {Omega = :g}")
+PUSH = Sentence(" and the push {force:g} of the spring at {u = :g}, together,")
+NEVER_MOVES = Sentence("{what:s} does not exceed {mu = :g}: friction holds the mass for ever, it never moves")
+HELD = Sentence(
+    "{what:s} does not exceed {holds:s} = {force:g}: friction holds a mass at rest for ever; of motions beside that, "
+    "if there are any, steady_state has the one next to A="
+)
+NO_DAMPING = text("{mu = :g} and zeta = 0: without any damping the forced motion has no attracting steady state", 0.0)
 
 
 class Phase(NamedTuple):
@@ -100,12 +117,15 @@ def follow(
     Raises ArithmeticError if switches accumulate (the mass chatters at a jump of the force), the motion escapes, or
     comes to where the integration stalls.
     """
-    outcome, rows = compiled.follow(forced.system, forced.Omega, forced.F_0, (theta, u, v), end, start)
-    phases = list(map(_phase, rows))
+    system, Omega, F_0 = forced
+    of, given = of_system(system), (start is not None, *(start or (0, 0)))
+    outcome, steps, found = EXACT.follow(of, Omega, F_0, theta, u, v, end, *given, steps_left())
+    spend(steps)
+    phases = list(map(_phase, PHASE.iter_unpack(found)))
     if outcome:
         last = phases[-1] if phases else None  # which ends where the motion is lost
-        why = lost(outcome, forced.system, u if last is None else last.u_end)
-        raise NotSettled(AT.format(why, forced.Omega, forced.F_0) if forced.F_0 else why)
+        why = lost(outcome, system, u if last is None else last.u_end)
+        raise NotSettled(AT.format(why, Omega, F_0) if F_0 else why)
     return phases
 
 
@@ -135,3 +155,58 @@ def signature(phases: list[Phase]) -> tuple[tuple[int, int], ...]:
 def stops(phases: list[Phase]) -> int:
     """How many of the phases are rests."""
     return sum(phase.slip == 0 for phase in phases)
+
+
+def stays_at_rest(system: EquationOfMotion, Omega: float, F_0: float, u: float = 0.0) -> bool:
+    """Whether friction holds a mass at rest at u for ever, as spring, load and forcing together do not exceed it."""
+    region = system.force.region_of(u)
+    return system.forcing(Omega=Omega, F_0=F_0) + _pull(system, u) <= system.holds(region)
+
+
+def only_rests(system: EquationOfMotion, Omega: float, F_0: float) -> bool:
+    """Whether every motion comes to rest: kinetic friction on all of the way takes more than such a force gives."""
+    return system.forcing(Omega=Omega, F_0=F_0) <= system.mu and not system.released
+
+
+def _pull(system: EquationOfMotion, u: float) -> float:
+    """What spring and load together push with at u; 0 where they balance but for rounding."""
+    at = system.force.value(u)
+    pull = abs(at - system.load)
+    return 0.0 if pull <= BALANCED * abs(system.load) else pull
+
+
+def check_forcing(
+    system: EquationOfMotion, Omega: float, F_0: float, *, begins: tuple[float, float] | None = None
+) -> None:
+    """Raises ValueError unless Omega > 0, F_0 > 0 are finite, damping settles a motion, and the forcing keeps one up.
+
+    Kinetic friction that acts throughout takes more than a force that does not exceed it can give. Static friction, and
+    one that ends at a breakpoint, holds a mass that `begins` with such (u, v), beside which there may be motions.
+    """
+    check_numbers(system, Omega, F_0)
+    if only_rests(system, Omega, F_0) or (
+        begins is not None and begins[1] == 0 and stays_at_rest(system, Omega, F_0, begins[0])
+    ):
+        raise Refused(why_at_rest(system, Omega, F_0, 0.0 if begins is None else begins[0]))
+
+
+def why_at_rest(system: EquationOfMotion, Omega: float, F_0: float, u: float) -> str:
+    """In words that friction holds a mass at rest at u for ever."""
+    force = system.forcing(Omega=Omega, F_0=F_0)
+    told = INERTIA.format(force, Omega) if system.inertial else FORCE.format(F_0)
+    if only_rests(system, Omega, F_0):
+        return NEVER_MOVES.format(told, system.mu)
+    region, pull = system.force.region_of(u), _pull(system, u)
+    both = told + PUSH.format(pull, u) if pull else told
+    name = text("{mu_s}" if system.mu_s > system.mu else "{mu}")
+    jump = text(" and what the force jumps to at {u} = 0, together") if system.force.jump else ""
+    return HELD.format(both, name + jump, system.holds(region))
+
+
+def check_numbers(system: EquationOfMotion, Omega: float, F_0: float) -> None:
+    """Raises ValueError unless Omega > 0 and F_0 > 0 are finite, and there is damping."""
+    for name, value in (("Omega", Omega), ("F_0", F_0)):
+        if not (math.isfinite(value) and value > 0):
+            raise Refused(text(f"{{{name} = :}} must be positive and finite", value))
+    if not system.is_damped:
+        raise Refused(NO_DAMPING)

@@ -16,10 +16,10 @@ from slowflow import validate
 from slowflow.answer import joined
 from slowflow.averaged.remarks import WORDS
 from slowflow.exact import response, shooting
-from slowflow.exact.shocks import ShockSpectrum, shock_spectrum
+from slowflow.exact.motion import check_forcing, only_rests, stays_at_rest, why_at_rest
 from slowflow.exact.sweep import Sweep
 from slowflow.exact.sweep import sweep as stepped
-from slowflow.exact.transient import AFTER, NO_PULSE, Arc, Transient, half_sine, record
+from slowflow.exact.transient import AFTER, NO_PULSE, Arc, ShockSpectrum, Transient, half_sine, record, shock_spectrum
 from slowflow.exact.transient import transient as followed
 from slowflow.loaded import Loaded
 from slowflow.mechanism import EquationOfMotion
@@ -86,9 +86,9 @@ def steady_state(
         return _from_rest(averaged, system, Omega, F_0, u_0, v_0)
     if u_0 is not None or v_0 != 0:
         raise Refused(BOTH.format("A"))
-    if shooting.only_rests(system, Omega, F_0):
+    if only_rests(system, Omega, F_0):
         return _from_rest(averaged, system, Omega, F_0)
-    shooting.check_forcing(system, Omega, F_0)
+    check_forcing(system, Omega, F_0)
     if not system.centred:
         return _off_centre(averaged, system, Omega, F_0, wanted)
     guesses = _guesses(averaged, Omega, F_0, wanted)
@@ -105,7 +105,7 @@ def _held(averaged: Averaged, system: EquationOfMotion, Omega: float, F_0: float
         return []
     try:
         at, _ = at_rest(averaged, system)
-        if shooting.stays_at_rest(system, Omega, F_0, at):
+        if stays_at_rest(system, Omega, F_0, at):
             return []
         return [_from_rest(averaged, system, Omega, F_0)]
     except ArithmeticError:
@@ -163,7 +163,7 @@ def exact_response(
     elif not (isinstance(start, shooting.SteadyState) and low <= start.Omega <= high and start.F_0 == F_0):
         raise Refused(text(START, start, F_0, Omega))
     if start.cycle.stays:
-        said = shooting.why_at_rest(system, start.Omega, F_0, float(start.unknowns[0]))
+        said = why_at_rest(system, start.Omega, F_0, float(start.unknowns[0]))
         return response.without_a_motion(F_0, joined(start.message, said))
     found = response.exact_response(system, F_0, Omega=(low, high), start=start, step=step)
     # what else there is cannot be told from a part

@@ -20,8 +20,8 @@ from numpy.typing import NDArray
 from slowflow.answer import Drawn, Table
 from slowflow.exact.continuation import FOLDS, STEP, LostCurve, Path, Point, is_same, least_scale
 from slowflow.exact.cycle import Array
-from slowflow.exact.motion import Forced
-from slowflow.exact.shooting import SteadyState, check_forcing, describe, lengths, settle, steady_state
+from slowflow.exact.motion import Forced, check_forcing
+from slowflow.exact.shooting import Settled, SteadyState, describe, lengths, settle, steady_state
 from slowflow.exact.work import OutOfWork, limited
 from slowflow.mechanism import EquationOfMotion
 from slowflow.text import text
@@ -249,21 +249,16 @@ def _is_stable(point: Point) -> bool:
 
 
 def _settles_higher(F_0: float, fold: Point, Omega: float) -> bool:
-    """Whether the motion of a fold, at a frequency just beyond it, comes to a larger one; also if it escapes.
+    """Whether the motion of a fold, at a frequency just beyond it, comes to a larger one; also if it escapes."""
+    system = fold.cycle.system
 
-    With steps of its own: a part of a curve has used up those of the question.
-    """
-    return Context().run(_comes_higher, F_0, fold, Omega)
+    def settled() -> Settled:
+        state = describe(fold.cycle, fold.z, F_0, fold.monodromy)._state(0.0)
+        return settle(Forced(system, Omega, F_0), 0.0, *state, lengths(system), MOST_FALL)
 
-
-@limited()
-def _comes_higher(F_0: float, fold: Point, Omega: float) -> bool:
-    cycle = fold.cycle
-    state = describe(cycle, fold.z, F_0, fold.monodromy)._state(0.0)
-    forced = Forced(cycle.system, Omega, F_0)
     try:
         # with steps of its own: a curve that has used up all is given as far as it was reached, its folds named
-        end = Context().run(limited()(settle), forced, 0.0, *state, lengths(cycle.system), MOST_FALL)
+        end = Context().run(limited()(settled))
     except ArithmeticError:
         return True
     A = max(abs(phase.u_end) for phase in end.phases) if end.found is None else end.found.A

@@ -11,9 +11,11 @@ from slowflow import progress, validate
 from slowflow.averaged.batches import Batch
 from slowflow.averaged.many import Designs
 from slowflow.averaged.parts import share
+from slowflow.backend import EXACT
 from slowflow.exact import questions
-from slowflow.exact.compiled import many_shocks, recurrences
+from slowflow.exact.compiled import recurrences
 from slowflow.exact.transient import AFTER, NO_PULSE, half_sine, record, transient
+from slowflow.exact.work import MOST_STEPS, MOST_WORK
 from slowflow.mechanism import EquationOfMotion, Floats, Force, followed
 from slowflow.model import THROUGHOUT, Model
 from slowflow.results import Remark
@@ -143,7 +145,10 @@ def _followed(
         parameters = designs.mechanism.coefficients(*(own[domain.name] for domain in designs.mechanism.design))
         ends = designs.mechanism.breakpoints(*parameters)
         columns = [_columns(of, here.size) for of in (parameters, ends, (own["mu"], own["zeta"]))]
-        outcomes, numbers[here] = many_shocks(laws, columns, pulses_of[which[here]], begins[here], after)
+        outcomes, found = np.empty(here.size, np.int8), np.empty((here.size, 7))
+        rows = (np.ascontiguousarray(of) for of in (*columns, pulses_of[which[here]], begins[here]))
+        EXACT.shocks(laws, *rows, after, MOST_STEPS, MOST_WORK, outcomes, found)
+        numbers[here] = found
         status[here] = np.where(outcomes == Outcome.GOOD, Status.OK, Status.UNRESOLVED)
 
     at_once = max(1, AT_ONCE // (ALONE + arcs.shape[-2]))

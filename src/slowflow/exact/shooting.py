@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import functools
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple
 
@@ -19,10 +20,10 @@ from numpy.typing import NDArray
 from slowflow.answer import Answer, in_values
 from slowflow.exact import compiled
 from slowflow.exact.cycle import Cycle, closed_cycle, rests_at_jump, shown_in
-from slowflow.exact.motion import TURN, Forced, Phase, follow
+from slowflow.exact.motion import TURN, Forced, Phase, check_forcing, check_numbers, follow, only_rests, stays_at_rest
 from slowflow.exact.work import limited
 from slowflow.mechanism import EquationOfMotion
-from slowflow.text import Sentence, text
+from slowflow.text import Sentence
 from slowflow.transmitted import Transmitted, asked
 from slowflow_support.errors import NotSettled, Refused
 
@@ -55,8 +56,6 @@ def _turns(half_turns: int) -> int:
     return half_turns if half_turns % 2 else half_turns // 2
 
 
-#: of the load, the difference from the spring's force that rounding makes where they balance
-BALANCED = 2.0**-40
 AGAIN = 1e-9  # of its amplitude, within which a motion is where it was before
 GAUSS_NODES = 40  # per phase of the motion, for its harmonics
 PEAK_SAMPLES = 65  # per phase, between which the largest force that is passed on is looked for
@@ -100,15 +99,6 @@ NOT_FOUND = Sentence(
     "no steady state found at {Omega = :}, {F_0 = :}: after {turns:d} turns of the forcing the motion comes back only "
     "to within {A:.1e}; {why:s}"
 )
-FORCE = Sentence("{F_0 = :g}")
-INERTIA = Sentence("the inertia force {force:g} at {Omega = :g}")
-PUSH = Sentence(" and the push {force:g} of the spring at {u = :g}, together,")
-NEVER_MOVES = Sentence("{what:s} does not exceed {mu = :g}: friction holds the mass for ever, it never moves")
-HELD = Sentence(
-    "{what:s} does not exceed {holds:s} = {force:g}: friction holds a mass at rest for ever; of motions beside that, "
-    "if there are any, steady_state has the one next to A="
-)
-NO_DAMPING = text("{mu = :g} and zeta = 0: without any damping the forced motion has no attracting steady state", 0.0)
 
 
 class NotPeriodic(NotSettled):
@@ -191,17 +181,13 @@ class SteadyState(Answer):
 
     def harmonics(self, most: int = 7) -> NDArray[np.complex128]:
         """c_0 ... c_most of u = Re sum c_k exp(i k Omega' tau), Omega' = 2 pi/period; by a Gauss rule on each phase."""
-        nodes, weights = np.polynomial.legendre.leggauss(GAUSS_NODES)
         orders = np.arange(most + 1)
         span = self.cycle.half_turns * math.pi
         whole = self.Omega * self.period
         base = TURN / whole
         total = np.zeros(most + 1, dtype=np.complex128)
-        for phase in self.phases:
-            half = 0.5 * (phase.end - phase.theta)
-            at = phase.theta + half * (1.0 + nodes)
-            u = self._within(phase, at)[:, 0]
-            total += np.exp(-1j * base * np.outer(orders, at)) @ (weights * half * u)
+        for phase, at, weights in self._on_nodes():
+            total += np.exp(-1j * base * np.outer(orders, at)) @ (weights * self._within(phase, at)[:, 0])
         if whole > span * 1.5:  # the second half of a symmetric motion mirrors the first
             total *= 1.0 - (-1.0) ** orders
         total *= 2.0 / whole
@@ -219,18 +205,22 @@ class SteadyState(Answer):
         Raises ValueError for another `of`, and for "absolute" where the base stands still.
         """
         asked(of, inertial=self.cycle.system.inertial)
-        nodes, weights = np.polynomial.legendre.leggauss(GAUSS_NODES)
         whole = self.cycle.half_turns * math.pi
         square, first, peak = 0.0, 0j, 0.0
-        for phase in self.phases:
-            half = 0.5 * (phase.end - phase.theta)
-            at = phase.theta + half * (1.0 + nodes)
+        for phase, at, weights in self._on_nodes():
             passed = self._wave(of, phase, at)
-            square += half * float(weights @ passed**2)
-            first += half * complex((weights * passed) @ np.exp(-1j * at))
+            square += float(weights @ passed**2)
+            first += complex((weights * passed) @ np.exp(-1j * at))
             peak = max(peak, self._highest(of, phase))
         drives = self.force if of == "force" else self.F_0
         return Transmitted(2.0 * abs(first) / whole / drives, peak / drives, math.sqrt(square / whole) / drives)
+
+    def _on_nodes(self) -> Iterator[tuple[Phase, Array, Array]]:
+        """Each phase with angles in it and their weights, by Gauss's rule."""
+        nodes, weights = np.polynomial.legendre.leggauss(GAUSS_NODES)
+        for phase in self.phases:
+            half = 0.5 * (phase.end - phase.theta)
+            yield phase, phase.theta + half * (1.0 + nodes), half * weights
 
     def _wave(self, of: str, phase: Phase, theta: Array) -> Array:
         """What is asked for of the motion within a phase."""
@@ -387,52 +377,6 @@ def _once(found: SteadyState, forced: Forced, tries: tuple[int, ...]) -> SteadyS
     return found
 
 
-def stays_at_rest(system: EquationOfMotion, Omega: float, F_0: float, u: float = 0.0) -> bool:
-    """Whether friction holds a mass at rest at u for ever, as spring, load and forcing together do not exceed it."""
-    region = system.force.region_of(u)
-    return system.forcing(Omega=Omega, F_0=F_0) + _pull(system, u) <= system.holds(region)
-
-
-def only_rests(system: EquationOfMotion, Omega: float, F_0: float) -> bool:
-    """Whether every motion comes to rest: kinetic friction on all of the way takes more than such a force gives."""
-    return system.forcing(Omega=Omega, F_0=F_0) <= system.mu and not system.released
-
-
-def _pull(system: EquationOfMotion, u: float) -> float:
-    """What spring and load together push with at u; 0 where they balance but for rounding."""
-    at = system.force.value(u)
-    pull = abs(at - system.load)
-    return 0.0 if pull <= BALANCED * abs(system.load) else pull
-
-
-def check_forcing(
-    system: EquationOfMotion, Omega: float, F_0: float, *, begins: tuple[float, float] | None = None
-) -> None:
-    """Raises ValueError unless Omega > 0, F_0 > 0 are finite, damping settles a motion, and the forcing keeps one up.
-
-    Kinetic friction that acts throughout takes more than a force that does not exceed it can give. Static friction, and
-    one that ends at a breakpoint, holds a mass that `begins` with such (u, v), beside which there may be motions.
-    """
-    check_numbers(system, Omega, F_0)
-    if only_rests(system, Omega, F_0) or (
-        begins is not None and begins[1] == 0 and stays_at_rest(system, Omega, F_0, begins[0])
-    ):
-        raise Refused(why_at_rest(system, Omega, F_0, 0.0 if begins is None else begins[0]))
-
-
-def why_at_rest(system: EquationOfMotion, Omega: float, F_0: float, u: float) -> str:
-    """In words that friction holds a mass at rest at u for ever."""
-    force = system.forcing(Omega=Omega, F_0=F_0)
-    told = INERTIA.format(force, Omega) if system.inertial else FORCE.format(F_0)
-    if only_rests(system, Omega, F_0):
-        return NEVER_MOVES.format(told, system.mu)
-    region, pull = system.force.region_of(u), _pull(system, u)
-    both = told + PUSH.format(pull, u) if pull else told
-    name = text("{mu_s}" if system.mu_s > system.mu else "{mu}")
-    jump = text(" and what the force jumps to at {u} = 0, together") if system.force.jump else ""
-    return HELD.format(both, name + jump, system.holds(region))
-
-
 def comes_to_rest(system: EquationOfMotion, Omega: float, F_0: float, u: float, v: float) -> SteadyState | None:
     """The place at which a motion from (u, v) stays at rest for ever, as a steady state; None where it moves on."""
     check_numbers(system, Omega, F_0)
@@ -467,15 +411,6 @@ def held(system: EquationOfMotion, Omega: float, F_0: float, u: float) -> Steady
     )
 
 
-def check_numbers(system: EquationOfMotion, Omega: float, F_0: float) -> None:
-    """Raises ValueError unless Omega > 0 and F_0 > 0 are finite, and there is damping."""
-    for name, value in (("Omega", Omega), ("F_0", F_0)):
-        if not (math.isfinite(value) and value > 0):
-            raise Refused(text(f"{{{name} = :}} must be positive and finite", value))
-    if not system.is_damped:
-        raise Refused(NO_DAMPING)
-
-
 def describe(cycle: Cycle, z: Array, F_0: float, monodromy: Array, phases: list[Phase] | None = None) -> SteadyState:
     """The `SteadyState` of a converged cycle.
 
@@ -491,7 +426,7 @@ def describe(cycle: Cycle, z: Array, F_0: float, monodromy: Array, phases: list[
     return SteadyState(
         Omega=Omega,
         F_0=F_0,
-        A=_largest(phases),
+        A=largest(phases),
         stops=cycle.stops,
         multipliers=multipliers,
         half_multipliers=half,
@@ -508,7 +443,8 @@ def at_rest(phases: list[Phase]) -> bool:
     return all(phase.slip == 0 for phase in phases)
 
 
-def _largest(phases: list[Phase]) -> float:
+def largest(phases: list[Phase]) -> float:
+    """The largest |u| of them, which lies at a switch."""
     return max(max(abs(phase.u), abs(phase.u_end)) for phase in phases)
 
 
@@ -585,12 +521,12 @@ def settle(forced: Forced, theta: float, u: float, v: float, tries: tuple[int, .
             return Settled(None, len(history) - 1, u, v, phases, 0.0)
         if rests_at_jump(forced.system, phases):
             change = max(abs(u - history[-2][0]), abs(v - history[-2][1]))
-            if change <= AGAIN * _largest(phases):
+            if change <= AGAIN * largest(phases):
                 return Settled(None, len(history) - 1, u, v, phases, change, repeats=True)
         if len(history) <= ask:
             continue
         ask += min(ask, ASKED_AGAIN)
-        scale = COMES_BACK * _largest(phases)
+        scale = COMES_BACK * largest(phases)
         change = sooner = math.inf  # after any number of turns, and after fewer
         last = 0
         for n in tries:
@@ -630,7 +566,7 @@ def _by_time_stepping(forced: Forced, theta: float, state: tuple[float, float], 
         where = WITHIN_END.format(ends[0]) if ends else "where"
         raise NotSettled(ADRIFT.format(Omega=forced.Omega, F_0=forced.F_0, A=settled.adrift.A, where=where))
     if settled.repeats:
-        raise NotPeriodic(RESTS_AT_JUMP.format(Omega=forced.Omega, F_0=forced.F_0, A=_largest(settled.phases)))
+        raise NotPeriodic(RESTS_AT_JUMP.format(Omega=forced.Omega, F_0=forced.F_0, A=largest(settled.phases)))
     if at_rest(settled.phases):
         raise NotPeriodic(COMES_TO_REST.format(Omega=forced.Omega, F_0=forced.F_0, u=state[0]))
     if parted >= PARTED:
@@ -638,7 +574,7 @@ def _by_time_stepping(forced: Forced, theta: float, state: tuple[float, float], 
         raise NotPeriodic(
             CHAOTIC.format(Omega=forced.Omega, F_0=forced.F_0, turns=settled.turns + PARTING_TURNS, rate=rate)
         )
-    share, longest = settled.change / _largest(settled.phases), max(map(_turns, tries))
+    share, longest = settled.change / largest(settled.phases), max(map(_turns, tries))
     why = (
         "it repeats itself, but Newton's iteration does not find it: sweep follows it in time"
         if share <= AGAIN
@@ -649,20 +585,15 @@ def _by_time_stepping(forced: Forced, theta: float, state: tuple[float, float], 
     raise NotPeriodic(NOT_FOUND.format(forced.Omega, forced.F_0, settled.turns, settled.change, why))
 
 
-def _on_its_way(settled: Settled) -> bool:
-    """Whether a motion that was followed neither settled, nor rests, nor is adrift."""
-    known = settled.found is not None or settled.adrift is not None or settled.repeats
-    return not known and not at_rest(settled.phases)
-
-
 def _parted(forced: Forced, theta: float, settled: Settled) -> float:
     """By what a motion that has not settled and one beside it part within `PARTING_TURNS` turns, on average of these.
 
     The one beside is brought near again after each turn; 1 of a motion that has an end.
     """
-    if not _on_its_way(settled):
+    ends = settled.found is not None or settled.adrift is not None or settled.repeats
+    if ends or at_rest(settled.phases):
         return 1.0
-    parted, near = 1.0, 1e-7 * _largest(settled.phases)
+    parted, near = 1.0, 1e-7 * largest(settled.phases)
     here, beside = (settled.u, settled.v), (settled.u + near, settled.v)
     for _ in range(PARTING_TURNS):
         here, there = (
@@ -679,7 +610,7 @@ def _parted(forced: Forced, theta: float, settled: Settled) -> float:
 def calmed(forced: Forced, theta: float, end: Settled, most_turns: int) -> Settled:
     """A motion that is adrift, followed on until it does not change any more from turn to turn, or for `most_turns`."""
     turns, u, v, phases, change = end.turns, end.u, end.v, end.phases, end.change
-    while turns < most_turns and change > CALM * _largest(phases):
+    while turns < most_turns and change > CALM * largest(phases):
         before = u, v
         phases = follow(forced, theta, u, v, theta + TURN)
         u, v = phases[-1].u_end, phases[-1].v_end

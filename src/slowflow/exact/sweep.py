@@ -17,12 +17,12 @@ from numpy.typing import NDArray
 
 from slowflow.answer import Drawn, Table, entry
 from slowflow.exact.continuation import FOLDS, Path, Point, is_same, least_scale
-from slowflow.exact.motion import Forced, stops
+from slowflow.exact.motion import Forced, check_numbers, stops
 from slowflow.exact.shooting import (
     SteadyState,
     at_rest,
     calmed,
-    check_numbers,
+    largest,
     lengths,
     settle,
 )
@@ -75,6 +75,16 @@ class Sweep(Drawn, Table):
     picture: ClassVar[str] = "sweep"
 
 
+class Visited(NamedTuple):
+    """What a sweep shows at each frequency, as `Sweep` has it, and the periodic motions that it settled to."""
+
+    A: Array
+    stops: NDArray[np.int64]
+    turns: NDArray[np.int64]
+    settled: NDArray[np.bool_]
+    motions: list[SteadyState | None]
+
+
 def sweep(
     system: EquationOfMotion,
     *,
@@ -101,52 +111,29 @@ def sweep(
     for frequency in frequencies:
         check_numbers(system, float(frequency), F_0)
 
+    tries = lengths(system)
+
     def through(Omega: Array, u: float, v: float) -> Visited:
-        return _visited(system, Omega, F_0, most_turns, u, v)
+        """The motion from (u, v) through frequencies."""
+        A, rests, spent = np.empty(Omega.size), np.empty(Omega.size, int), np.empty(Omega.size, int)
+        settled = np.zeros(Omega.size, bool)
+        motions: list[SteadyState | None] = [None] * Omega.size
+        for i, at in enumerate(Omega.tolist()):
+            with limited():
+                forced = Forced(system, at, F_0)
+                end = settle(forced, 0.0, u, v, tries, most_turns)
+                if end.adrift is not None:
+                    end = calmed(forced, 0.0, end, most_turns)
+            drifts = end.adrift is not None and end.turns < most_turns
+            u, v, spent[i], motions[i] = end.u, end.v, end.turns, end.found
+            settled[i] = end.found is not None or end.repeats or at_rest(end.phases) or drifts
+            A[i] = largest(end.phases) if end.found is None else end.found.A
+            rests[i] = stops(end.phases) if end.found is None else end.found.stops
+        return Visited(A, rests, spent, settled, motions)
 
     found = through(frequencies, u_0, v_0)
     jumps = Branches(frequencies, F_0, found.motions, through).jumps()
     return Sweep(F_0, frequencies, found.A, found.stops, found.turns, found.settled, jumps)
-
-
-class Visited(NamedTuple):
-    """What a sweep shows at each frequency, as `Sweep` has it, and the periodic motions that it settled to."""
-
-    A: Array
-    stops: NDArray[np.int64]
-    turns: NDArray[np.int64]
-    settled: NDArray[np.bool_]
-    motions: list[SteadyState | None]
-
-
-def _visited(
-    system: EquationOfMotion,
-    frequencies: Array,
-    F_0: float,
-    most_turns: int,
-    u: float,
-    v: float,
-) -> Visited:
-    """The motion from (u, v) through the frequencies."""
-    tries = lengths(system)
-    A, rests, spent = np.empty(frequencies.size), np.empty(frequencies.size, int), np.empty(frequencies.size, int)
-    settled = np.zeros(frequencies.size, bool)
-    motions: list[SteadyState | None] = [None] * frequencies.size
-    for i, Omega in enumerate(frequencies.tolist()):
-        with limited():
-            forced = Forced(system, Omega, F_0)
-            end = settle(forced, 0.0, u, v, tries, most_turns)
-            if end.adrift is not None:
-                end = calmed(forced, 0.0, end, most_turns)
-        drifts = end.adrift is not None and end.turns < most_turns
-        u, v, spent[i] = end.u, end.v, end.turns
-        settled[i] = end.found is not None or end.repeats or at_rest(end.phases) or drifts
-        if end.found is None:
-            A[i] = max(max(abs(phase.u), abs(phase.u_end)) for phase in end.phases)
-            rests[i] = stops(end.phases)
-        else:
-            A[i], rests[i], motions[i] = end.found.A, end.found.stops, end.found
-    return Visited(A, rests, spent, settled, motions)
 
 
 class Branches:

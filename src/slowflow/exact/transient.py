@@ -8,17 +8,19 @@ differs from a straight line by less than ARC^2/8 of the samples: one integrator
 from __future__ import annotations
 
 import math
+import struct
 from dataclasses import dataclass, field, replace
 from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from slowflow.answer import Drawn
+from slowflow.answer import Drawn, Table, entry
+from slowflow.backend import EXACT
 from slowflow.exact import compiled
 from slowflow.exact.motion import TURN, Forced, Phase, lost
-from slowflow.exact.work import limited
-from slowflow.mechanism import EquationOfMotion
+from slowflow.exact.work import MOST_STEPS, MOST_WORK, limited, spend
+from slowflow.mechanism import EquationOfMotion, Floats
 from slowflow.text import Sentence, text
 from slowflow_kernels.exact_conventions import BACK, MOST_TURNS, Outcome
 from slowflow_support.errors import NotSettled
@@ -39,6 +41,10 @@ AFTER = 10 * TURN
 #: where a motion is lost: why, when, and what drives it then
 LOST = Sentence("{why:s}; at {tau = :.6g}, {when:s}")
 ACCELERATED, FREE = "while the base is accelerated", "in the free motion"
+
+
+#: a phase as C has it: when its arc begins, the arc, the phase
+STRETCH = struct.Struct("@d4diiddddddi?dl")
 
 
 class Arc(NamedTuple):
@@ -160,7 +166,9 @@ def transient(
     if 0 < peak < off_by / WEAK and not held and at == rest and v == 0.0:
         raise NotSettled(TOO_WEAK.format(peak, at, off_by / peak))
     system = replace(system, inertial=False)  # an acceleration is a force, whatever else the oscillator is excited by
-    outcome, numbers, found = compiled.shock(system, arcs, begin, after, at, v, rest)
+    of, how = compiled.of_system(system), (begin, after, at, v, rest)
+    outcome, steps, numbers, found = EXACT.shock(of, np.ascontiguousarray(arcs), *how, MOST_STEPS, MOST_WORK)
+    spend(steps)
     if outcome == Outcome.DIVERGES:
         raise NotSettled(f"within {MOST_TURNS} turns after the pulse the mass does not turn twice, and does not rest")
     if outcome:  # of the arc, whose frequency and force are none that anybody gave, it says the time
@@ -169,5 +177,38 @@ def transient(
     A, tau_A, a_max, tau_a, left, rests, u_end = numbers
     off = not math.isnan(left)
     u_cr = next(iter(system.force.breakpoints[system.force.innermost :]), None) if system.force.odd else None
-    stretches = tuple(Stretch(since, Arc(*of[:4]), Phase(*of[4:14])) for since, *of in found)
+    stretches = tuple(Stretch(since, Arc(*by[:4]), Phase(*by[4:14])) for since, *by in STRETCH.iter_unpack(found))
     return Transient(A, tau_A, a_max, tau_a, u_cr, off, left if off else None, rests == 1, u_end, "", stretches, system)
+
+
+Shock = entry("Shock", "acceleration duration A a_max ratio detaches", "One pulse of a `ShockSpectrum`.")
+
+
+@dataclass(frozen=True, eq=False)
+class ShockSpectrum(Drawn, Table):
+    """What half sines of the base do, pulse by pulse.
+
+    acceleration, duration -- of the pulse, over k_v L/m and in tau
+    A        -- the largest deflection of the springs, during the pulse or later, under a load with that at rest
+    a_max    -- the largest acceleration of the mass; ratio -- this over the pulse's
+    detaches -- whether the springs leave
+    message  -- what to bear in mind
+    """
+
+    entry: ClassVar[Any] = Shock
+
+    acceleration: Floats
+    duration: Floats
+    A: Floats
+    a_max: Floats
+    ratio: Floats
+    detaches: NDArray[np.bool_]
+    message: str
+    picture: ClassVar[str] = "shocks"
+
+
+def shock_spectrum(system: EquationOfMotion, acceleration: Floats, duration: Floats, at: float = 0.0) -> ShockSpectrum:
+    """Pulse by pulse, from rest at u = `at`; shapes (n,)."""
+    found = [transient(system, arcs, after=0.0, at=at) for arcs in half_sine(acceleration, duration)]
+    A, a_max, detaches = (np.array([getattr(one, name) for one in found]) for name in ("A", "a_max", "detaches"))
+    return ShockSpectrum(acceleration, duration, A, a_max, a_max / acceleration, detaches.astype(np.bool_), "")

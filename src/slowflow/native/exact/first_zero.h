@@ -11,33 +11,12 @@ typedef enum { SF_NONE, SF_ONE, SF_UNDECIDED } sf_found;
 
 enum { SF_DEEPEST = 60 };
 
-/* binomial coefficients of SF_ORDER over 0 to 12, and so of all: each from the one before, by the compiler */
-enum {
-    SF_OF_0 = 1,
-    SF_OF_1 = SF_OF_0 * SF_ORDER,
-    SF_OF_2 = SF_OF_1 * (SF_ORDER - 1) / 2,
-    SF_OF_3 = SF_OF_2 * (SF_ORDER - 2) / 3,
-    SF_OF_4 = SF_OF_3 * (SF_ORDER - 3) / 4,
-    SF_OF_5 = SF_OF_4 * (SF_ORDER - 4) / 5,
-    SF_OF_6 = SF_OF_5 * (SF_ORDER - 5) / 6,
-    SF_OF_7 = SF_OF_6 * (SF_ORDER - 6) / 7,
-    SF_OF_8 = SF_OF_7 * (SF_ORDER - 7) / 8,
-    SF_OF_9 = SF_OF_8 * (SF_ORDER - 8) / 9,
-    SF_OF_10 = SF_OF_9 * (SF_ORDER - 9) / 10,
-    SF_OF_11 = SF_OF_10 * (SF_ORDER - 10) / 11,
-    SF_OF_12 = SF_OF_11 * (SF_ORDER - 11) / 12,
-};
-_Static_assert(SF_ORDER == 24, "half of the binomial coefficients are those of order 24");
-static const double sf_binomial[SF_TERMS] = {
-    SF_OF_0, SF_OF_1, SF_OF_2, SF_OF_3, SF_OF_4, SF_OF_5, SF_OF_6, SF_OF_7, SF_OF_8, SF_OF_9, SF_OF_10, SF_OF_11,
-    SF_OF_12, SF_OF_11, SF_OF_10, SF_OF_9, SF_OF_8, SF_OF_7, SF_OF_6, SF_OF_5, SF_OF_4, SF_OF_3, SF_OF_2, SF_OF_1,
-    SF_OF_0};
-
 /* Bernstein coefficients on [0, 1] of the polynomial with coefficients a, by sums alone */
 static void sf_bernstein(const double *a, double *b)
 {
-    for (int k = 0; k <= SF_ORDER; k++)
-        b[k] = a[k] / sf_binomial[k];
+    double binomial = 1.0; /* each an integer, and exact */
+    for (int k = 0; k <= SF_ORDER; k++, binomial = binomial * (SF_ORDER + 1 - k) / k)
+        b[k] = a[k] / binomial;
     for (int r = 1; r <= SF_ORDER; r++)
         for (int j = SF_ORDER; j >= r; j--)
             b[j] += b[j - 1];
