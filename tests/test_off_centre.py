@@ -944,7 +944,7 @@ def test_what_transmits_the_force_beyond_the_isolation_found_is_seen_by_the_proo
     """Points of the response that pass over its last stretch do not make the answer: more are taken, or it says so."""
     true, begins = loaded.isolation(0.04), OffCentre._begins
     assert Remark.UNDECIDED not in true.remarks and not true.message
-    low, high = loaded.off_centre._transmits_beyond(replace(true, Omega=0.97 * true.Omega))
+    low, high = loaded.off_centre._reach.transmits_beyond(0.04, 0.97 * true.Omega)
     assert low < true.Omega < high
 
     def early(*given):

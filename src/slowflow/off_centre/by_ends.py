@@ -17,7 +17,7 @@ from slowflow.intervals import Interval
 from slowflow.model import Floats
 from slowflow.off_centre.boxes import Ints, interval_of
 from slowflow.off_centre.ends import Charts, Local
-from slowflow.off_centre.flow import Flow
+from slowflow.off_centre.flow import Flow, Slow
 from slowflow.off_centre.means import ALL
 from slowflow_kernels import off_centre, off_centre_intervals
 
@@ -116,7 +116,7 @@ class EndedState(ByEnds):
 
     def __init__(self, charts: Charts, flow: Flow, Omega: Floats, F_0: float) -> None:
         super().__init__(charts, flow, Omega)
-        self.force = flow.force(F_0, Omega)
+        self.F_0, self.force = F_0, flow.force(F_0, Omega)
 
     def on(self, x: Floats, r: Floats, of: Ints) -> tuple[Floats, ...]:
         """See `boxes.Equations`."""
@@ -129,10 +129,8 @@ class EndedState(ByEnds):
 
     def by_motion(self, z: Floats, of: Ints) -> tuple[Floats, Floats]:
         """See `ByEnds`."""
-        means, Omega = self.charts.steps.at(z[0], z[1], 1), self.given[self.number(of)]
-        of_flow = self.force[self.number(of)], self.flow.sine(Omega, z[0]), self.flow.sine_A(Omega, z[0])
-        known = *of_flow, self.charts.steps.load
-        return numbers_of(off_centre.state(Omega, z[0], *known, *means.c, *means.s), 2, of.size)
+        slow = Slow(self.charts.steps, self.flow, self.F_0)
+        return numbers_of(slow.state(self.given[self.number(of)], z), 2, of.size)
 
 
 class EndedFold(ByEnds):

@@ -145,7 +145,7 @@ class Complete:
 
     def lowest(self) -> Lowest | None:
         """The fold at the onset, or None where none is. Raises ArithmeticError where that is not decided."""
-        search = Search(self._steps, self._flow)
+        search = Search(self.sheets, self._flow)
         known = search.corners(self.sheets.corners(self.A_max(self._flow.m))[0])
         while True:
             best = min(known, key=lambda fold: fold.F_0, default=None)
@@ -158,7 +158,7 @@ class Complete:
             # a first one may lie beyond what is looked at for small forcings
             first = min(2.0**FIRST * self.A_max(self._flow.m), self._grown)
             A_max, F_0 = (first, math.inf) if best is None else (self.A_max(best.F_0), best.F_0)
-            lower = search.lower(self.sheets, A_max, F_0)
+            lower = search.lower(A_max, F_0)
             if lower is None:
                 return best
             known.append(search.descend(*lower))

@@ -18,10 +18,8 @@ import numpy as np
 from slowflow.intervals import Bools
 from slowflow.model import Floats
 from slowflow.off_centre.boxes import Ints
-from slowflow.off_centre.flow import Flow
-from slowflow.off_centre.means import Steps
+from slowflow.off_centre.flow import Slow
 from slowflow.text import Sentence
-from slowflow_kernels import off_centre
 from slowflow_support.errors import NotSettled
 
 #: frequencies of a cell that are asked for at first, and how often a stretch is cut where its arcs are not told apart
@@ -82,14 +80,6 @@ class Curves:
         number = np.argsort(order, kind="stable")[branch] if closed.size else branch
         by_branch = np.argsort(number, kind="stable")
         return Curves(Omega[by_branch], A[by_branch], B[by_branch], number[by_branch], tuple(closed[order].tolist()))
-
-
-class Slow(NamedTuple):
-    """An averaged oscillator at a forcing."""
-
-    steps: Steps
-    flow: Flow
-    F_0: float
 
 
 def curves(
@@ -332,31 +322,22 @@ def _first(low: float, high: float, after_fold: bool, before_fold: bool) -> list
 
 def _tangents(of: Slow, Omega: Floats, x: Floats) -> Floats:
     """dA/dOmega and dB/dOmega along the response at states (2, n)."""
-    means = of.steps.at(x[0], x[1], 0)
+    means = of.steps.at(x[0], x[1], 1)
     by_Omega = of.flow.F_Omega(Omega, x[0], -2 * means.s[0])
-    return -_solved(of, Omega, x, lambda f_0, F: (0 * f_0, by_Omega))
+    return -_step(of, (0 * by_Omega, by_Omega, *of.state(Omega, x, means)[2:]))
 
 
-def _solved(of: Slow, Omega: Floats, x: Floats, right: Callable[[Floats, Floats], tuple[Floats, Floats]]) -> Floats:
-    """What the slopes of f_0 and F by A and B take to a right side, which is made of f_0 and F; 0 where they cannot."""
-    f_0, F, f_A, f_B, F_A, F_B = _state(of, Omega, x)
-    one, two = right(f_0, F)
+def _step(of: Slow, state: Any) -> Floats:
+    """Newton's step, 0 where the slopes do not tell one."""
     with np.errstate(all="ignore"):
-        found = np.stack((F_B * one - f_B * two, f_A * two - F_A * one)) / (f_A * F_B - f_B * F_A)
+        found = of.step(state)
     return np.where(np.isfinite(found), found, 0.0)
 
 
 def _arm(of: Slow, Omega: Floats, x: Floats) -> Floats:
     """The sign that tells arms that meet at a fold: of what the slopes of f_0 and F by A and B span."""
-    _, _, f_A, f_B, F_A, F_B = _state(of, Omega, x)
+    _, _, f_A, f_B, F_A, F_B = of.state(Omega, x)
     return np.asarray(np.sign(f_A * F_B - f_B * F_A))
-
-
-def _state(of: Slow, Omega: Floats, x: Floats) -> Any:
-    """f_0 and F, and their slopes by A and B."""
-    means = of.steps.at(x[0], x[1], 1)
-    given = of.flow.force(of.F_0, Omega), of.flow.sine(Omega, x[0]), of.flow.sine_A(Omega, x[0]), of.steps.load
-    return off_centre.state(Omega, x[0], *given, *means.c, *means.s)
 
 
 def _points(of: Slow, skeleton: _Skeleton, tours: list[tuple[list[Node], bool]], points: int) -> Curves:
@@ -443,7 +424,7 @@ def _newton(of: Slow, Omega: Floats, guess: Floats) -> tuple[Floats, Floats]:
     """States, and the last step to them."""
     x = guess
     for _ in range(8):
-        change = _solved(of, Omega, x, lambda f_0, F: (f_0, F))
+        change = _step(of, of.state(Omega, x))
         x = x - change
         x[0] = np.maximum(x[0], 1e-3 * guess[0])
     return x, change

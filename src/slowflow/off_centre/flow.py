@@ -8,14 +8,15 @@ p = -h/A, e = -h_A - p and y = Omega^2 - p a fold has y (e - y) A = I I_A, with 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from slowflow.backend import SOLVER
 from slowflow.intervals import Bools, Interval
 from slowflow.model import Floats, Model
-from slowflow_kernels import dissipation, inertia, slow_flow
+from slowflow.off_centre.means import Means, Steps
+from slowflow_kernels import dissipation, inertia, off_centre, slow_flow
 
 #: what rounding does to a bound
 ROUNDED = 2.0**-40
@@ -279,6 +280,25 @@ class Flow:
         of_I = zip(Omega[::-1], (A.lo, A.hi), strict=True)
         I = [np.where(at > 0, self.sine(at, one) / at**2, np.inf) for at, one in of_I]
         return (A.lo * low) ** 2 + I[0] ** 2, (A.hi * high) ** 2 + I[1] ** 2
+
+
+class Slow(NamedTuple):
+    """An averaged oscillator at a forcing, or at one of each state."""
+
+    steps: Steps
+    flow: Flow
+    F_0: Any
+
+    def state(self, Omega: Any, x: Floats, means: Means | None = None) -> Any:
+        """f_0 and F, and their slopes by A and B, at states x (2, n) or beside them; by their means, if known."""
+        flow, means = self.flow, means or self.steps.at(x[0], x[1], 1)
+        given = flow.force(self.F_0, Omega), flow.sine(Omega, x[0]), flow.sine_A(Omega, x[0]), self.steps.load
+        return off_centre.state(Omega, x[0], *given, *means.c, *means.s)
+
+    def step(self, state: Any) -> Floats:
+        """Newton's to f_0 = F = 0."""
+        f_0, F, f_A, f_B, F_A, F_B = state
+        return np.asarray(np.stack((F_B * f_0 - f_B * F, f_A * F - F_A * f_0)) / (f_A * F_B - f_B * F_A))
 
 
 def _lowest(level: Floats, Omega: Floats) -> tuple[Floats, Floats]:

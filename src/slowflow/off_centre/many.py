@@ -225,13 +225,15 @@ class OffCentreDesigns(Unchanging, ManyQuestions[Batch]):
             after = validate.number("after", after, least=0.0)
         if tau is None:
             pulse = shocks_many.numbers(acceleration=acceleration, duration=duration)
-            return self._answered(
-                question, _shock if question == "shock_spectrum" else partial(_transient, after), pulse
-            )
-        times, samples = shocks_many.samples(tau, acceleration)
-        times, samples = np.broadcast_arrays(times, samples)
-        which = np.arange(math.prod(times.shape[:-1]), dtype=float).reshape(times.shape[:-1])
-        one = partial(_record, after, times.reshape(-1, times.shape[-1]), samples.reshape(-1, times.shape[-1]))
+            return self._answered(question, partial(_shock, question, after), pulse)
+        times, samples = np.broadcast_arrays(*shocks_many.samples(tau, acceleration))
+        shape, records = times.shape[:-1], [one.reshape(-1, times.shape[-1]) for one in (samples, times)]
+        which = np.arange(math.prod(shape), dtype=float).reshape(shape)
+
+        def one(single: OffCentre, row: float) -> Found:
+            acceleration, tau = (record[int(row)] for record in records)
+            return _shock(question, after, single, acceleration, None, tau)
+
         found = self._answered(question, one, {"which": which})
         return OffCentreBatch(question, found._values, self, {}, OFFSET, remarks=found.remarks)
 
@@ -429,39 +431,24 @@ def _margins(_: str, single: OffCentre, F_0: float) -> Found:
     return columns, Status.OK, found.remarks
 
 
-def _shocked(single: OffCentre) -> tuple[EquationOfMotion, int]:
-    """The equation of motion of a design, and how many stable places of rest it has."""
+def _shock(
+    question: str, after: float | None, single: OffCentre, acceleration: Any, duration: Any, tau: Any = None
+) -> Found:
+    """What follows a pulse, and how many stable places of rest the design has."""
     model = single.model
     force = followed(Force.of(model.mechanism, model.parameters), model.mechanism.name)
     system = EquationOfMotion(force, model.mu, model.zeta, load=single.load, c_2=model.laws.c_2)
     begins_at_centre = system.centred and questions.rests_at_centre(system)
-    return system, 1 if begins_at_centre else int(single.rest().stable.sum())
-
-
-def _of_shock(question: str, single: OffCentre, found: Any, stands: int) -> Found:
+    stands = 1 if begins_at_centre else int(single.rest().stable.sum())
+    found: Any
+    if question == "shock_spectrum":
+        (found,) = questions.shocks(single, system, acceleration, duration)
+    else:
+        found = questions.transient(single, system, acceleration, duration, tau, after)
     names = [name for name in QUESTIONS[question].columns[AVERAGING] if name != "status"]
     columns = {name: np.nan if (value := getattr(found, name)) is None else value for name in names}
-    beyond = found.A > single.model.reach
+    beyond = found.A > model.reach
     return {**columns, "stands": stands}, Status.OK, Remark.BEYOND_REACH if beyond else Remark(0)
-
-
-def _transient(after: float | None, single: OffCentre, acceleration: float, duration: float) -> Found:
-    system, stands = _shocked(single)
-    found = questions.transient(single, system, acceleration, duration, None, after)
-    return _of_shock("transient", single, found, stands)
-
-
-def _record(after: float | None, tau: Floats, acceleration: Floats, single: OffCentre, which: float) -> Found:
-    system, stands = _shocked(single)
-    row = int(which)
-    found = questions.transient(single, system, acceleration[row], None, tau[row], after)
-    return _of_shock("transient", single, found, stands)
-
-
-def _shock(single: OffCentre, acceleration: float, duration: float) -> Found:
-    system, stands = _shocked(single)
-    (pulse,) = questions.shocks(single, system, acceleration, duration)
-    return _of_shock("shock_spectrum", single, pulse, stands)
 
 
 #: questions that are answered otherwise than by what a single answer has

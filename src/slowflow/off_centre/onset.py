@@ -24,7 +24,7 @@ from scipy.optimize import brentq, minimize_scalar
 from slowflow.intervals import Bools
 from slowflow.model import Floats
 from slowflow.off_centre.flow import Flow
-from slowflow.off_centre.means import ORDERS, Steps
+from slowflow.off_centre.means import ORDERS
 from slowflow.off_centre.sheets import Cells, Corner, Sheets
 from slowflow_kernels import off_centre
 from slowflow_support.errors import NotSettled
@@ -54,8 +54,8 @@ class Lowest:
 class Search:
     """For one force with its load, by what excites and dissipates."""
 
-    def __init__(self, steps: Steps, flow: Flow) -> None:
-        self.steps, self.flow = steps, flow
+    def __init__(self, sheets: Sheets, flow: Flow) -> None:
+        self.sheets, self.steps, self.flow = sheets, sheets.steps, flow
 
     # ==== Folds at points of the balance ==============================================================================
 
@@ -167,12 +167,12 @@ class Search:
 
     # ==== No fold is lower ============================================================================================
 
-    def lower(self, sheets: Sheets, A_max: float, known: float) -> tuple[float, float] | None:
+    def lower(self, A_max: float, known: float) -> tuple[float, float] | None:
         """A point of the balance with a lower fold up to an amplitude, or None: none is below (1 - GAP) of it.
 
         Raises ArithmeticError where too many boxes stay undecided.
         """
-        rounds, looked_at, cells = 0, 0, sheets.cells(A_max)
+        rounds, looked_at, cells = 0, 0, self.sheets.cells(A_max)
         while cells.chart.size:
             rounds, looked_at = rounds + 1, looked_at + cells.chart.size
             if looked_at > MOST_BOXES or rounds > MOST_ROUNDS:
@@ -181,7 +181,7 @@ class Search:
                 cells = cells.take(self._may_be_lower(cells, known * (1 - GAP)))
             if 0 < cells.chart.size <= FEW:
                 x, y = 0.5 * (cells.low + cells.high)
-                A, B = sheets.charts.motion(x, y, cells.chart)
+                A, B = self.sheets.charts.motion(x, y, cells.chart)
                 for _ in range(4):
                     means = self.steps.at(A, B, 1)
                     with np.errstate(all="ignore"):
@@ -193,7 +193,7 @@ class Search:
                     i = int(np.argmin(level))
                     return float(A[i]), float(B[i])
             with np.errstate(all="ignore"):
-                cells = sheets.cut(cells)
+                cells = self.sheets.cut(cells)
         return None
 
     def _may_be_lower(self, cells: Cells, below: float) -> Bools:

@@ -28,8 +28,8 @@ from slowflow.off_centre.answers import RestPositions
 from slowflow.off_centre.boxes import Ints, Solutions, solve
 from slowflow.off_centre.by_ends import Resting
 from slowflow.off_centre.complete import AT_CENTRE, PARTS, Complete
-from slowflow.off_centre.curve import Curves, Slow, curves, on_curve
-from slowflow.off_centre.flow import Flow
+from slowflow.off_centre.curve import Curves, curves, on_curve
+from slowflow.off_centre.flow import Flow, Slow
 from slowflow.off_centre.means import ORDERS, Means, Steps
 from slowflow.off_centre.reach import AMPLITUDE, LARGEST, Farthest, Measure, Reach, Share
 from slowflow.off_centre.reach import BEYOND as BEYOND_IT
@@ -141,7 +141,8 @@ class OffCentre(Unchanging):
         self.__dict__.update(model=Loaded(model, load), _model=model, _asked=asked)
         self.__dict__.update(_steps=steps, _flow=flow)
         self.__dict__.update(_m=model.m, _zeta=model.zeta, _known={})
-        self.__dict__.update(_reach=Reach(steps, flow), _complete=Complete(steps, flow))
+        complete = Complete(steps, flow)
+        self.__dict__.update(_complete=complete, _reach=Reach(complete.sheets, flow, complete.A_max))
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, OffCentre):
@@ -366,7 +367,8 @@ class OffCentre(Unchanging):
             return self._folds(np.empty((3, 0)), np.empty(0, dtype=str), F_0, _Said(words.STICKS.format(F_0, self._m)))
         centred = Averaged(self._model).saddle_nodes(F_0) if self._complete.has_centre else None
         if centred is not None and self._keeps_centre:
-            return self._folds_with(centred, None, F_0, _Said(centred.message, centred.remarks))
+            said = _Said(centred.message, centred.remarks)
+            return self._folds(np.empty((3, 0)), np.empty(0, dtype=str), F_0, said, centred)
         return self._folds_of(self._complete.folds(np.array([F_0])), centred, F_0)
 
     def _folds_at(self, F_0: list[float]) -> list[SaddleNodes]:
@@ -391,22 +393,10 @@ class OffCentre(Unchanging):
         if open_.size:
             folds = _listed(UNDECIDED_FOLDS, np.unique(np.round(open_[0], 12)))
             said = said.beside(_Said(folds, Remark.UNDECIDED))
-        if centred is None:
-            return self._folds(x, kind, F_0, said)
-        off = np.abs(x[1]) > AT_CENTRE
-        return self._folds_with(centred, self._folds(x[:, off], kind[off], F_0, said), F_0, said)
-
-    def _folds_with(self, centred: SaddleNodes, off: SaddleNodes | None, F_0: float, said: _Said) -> SaddleNodes:
-        """Folds about the centre by their own solvers, and those off it."""
-        means = self._steps.at(centred.A, np.zeros(len(centred)), 1)
-        kind = np.where(means.c[1] > 0, centred.kind, "unstable")
-        columns: list[Any] = [centred.Omega, centred.A, np.zeros(len(centred)), kind, centred.corner]
-        if off is not None:
-            beside = (off.Omega, off.A, off.mean, off.kind, off.corner)
-            columns = [np.concatenate(pair) for pair in zip(columns, beside, strict=True)]
-        order = np.argsort(columns[0], kind="stable")
-        Omega, A, B, kind, corner = (column[order] for column in columns)
-        return self._made(SaddleNodes, Omega, A, kind, corner, F_0, B=B, **said._asdict())
+        if centred is not None:
+            off = np.abs(x[1]) > AT_CENTRE
+            x, kind = x[:, off], kind[off]
+        return self._folds(x, kind, F_0, said, centred)
 
     def saddle_node_onset(self) -> SaddleNodeOnset:
         """The lowest forcing for which a stable motion ends at a fold, with its Omega, A, B; up to `A_max(F_SN)`.
@@ -489,7 +479,7 @@ class OffCentre(Unchanging):
 
     def _go_farthest(self, F_0: float, measure: Measure) -> Farthest | None:
         """The motion that goes farthest; of one about the centre as its own solvers have it."""
-        found = self._reach.farthest(self._complete.sheets, self.A_max(F_0), F_0, measure)
+        found = self._reach.farthest(F_0, measure)
         if found is None or not self._complete.has_centre or abs(found.B) > AT_CENTRE:
             return found
         centred = Averaged(self._model).peak(F_0)
@@ -556,7 +546,7 @@ class OffCentre(Unchanging):
         if self._flow.inertial and self._is_cut(F_0):
             raise validate.NotAvailable(OPEN.format(self.A_max(F_0)))
         # what is transmitted has the square h^2 + I^2, as much as F_0 where R = -h, at Omega^2 = 2 p with p = -h/A
-        backbone = self._reach.highest_backbone(self._complete.sheets, self.A_max(F_0), F_0, COARSE)
+        backbone = self._reach.highest_backbone(F_0, COARSE)
         highest = loads.BEYOND * math.sqrt(2 * (1 + COARSE) * backbone)
         share = None
         if level.dB:
@@ -564,12 +554,12 @@ class OffCentre(Unchanging):
             highest = float(loads.last_passed(self._flow, F_0, level, steepest))
             share = Share(float(level.ratio), highest, steepest)
         found = self._begins(F_0, 0.0, highest, level)
-        if found.Omega is None or not (left := self._transmits_beyond(found, share)):
+        if found.Omega is None or not (left := self._reach.transmits_beyond(F_0, found.Omega, share)):
             return found
         # between points of the response a motion may come to transmit F_0 and leave that again: more points there
         if math.isfinite(left[1]):
             higher = self._begins(F_0, left[0] * (1 + BEYOND_IT), loads.BEYOND * left[1], level)
-            if higher.Omega and not self._transmits_beyond(higher, share):
+            if higher.Omega and not self._reach.transmits_beyond(F_0, higher.Omega, share):
                 return higher
         message = joined(found.message, UNDECIDED_BEYOND.format(str(level)))
         return replace(found, message=message, remarks=found.remarks | Remark.UNDECIDED)
@@ -592,11 +582,6 @@ class OffCentre(Unchanging):
 
         found = loads.begins(loads.Curves.of(curve, curve.mean), transmits, passes)
         return loads.told(partial(self._isolation, level), curve, level, *(column.item() for column in found))
-
-    def _transmits_beyond(self, found: loads.Isolation, share: Share | None = None) -> tuple[float, float] | None:
-        """Between which frequencies beyond that one F_0 may be transmitted; None where it is proved that it is not."""
-        sheets, A_max = self._complete.sheets, self.A_max(found.F_0)
-        return self._reach.transmits_beyond(sheets, A_max, found.F_0, found.Omega or 0.0, share)
 
     def _transmits(self, curve: FrequencyResponse, ratio: float, one: int, other: int) -> tuple[float, float, float]:
         """Omega, A and B between two points of a curve, at which the motion transmits that share of F_0."""
@@ -624,8 +609,13 @@ class OffCentre(Unchanging):
         self._check_answered("A_max")
         return self._complete.A_max(validate.number("F_0", F_0, above=0.0))
 
-    def _folds(self, x: Floats, on_corner: Any, F_0: float, said: _Said) -> SaddleNodes:
-        """Folds in A, B and R, or Omega on a corner; of which kind those are, "" for others."""
+    def _folds(
+        self, x: Floats, on_corner: Any, F_0: float, said: _Said, centred: SaddleNodes | None = None
+    ) -> SaddleNodes:
+        """Folds in A, B and R, or Omega on a corner; of which kind those are, "" for others.
+
+        centred -- those about the centre, by their own solvers
+        """
         A, B, R = x
         means = self._steps.at(A, B, ORDERS)
         with np.errstate(all="ignore"):
@@ -635,7 +625,14 @@ class OffCentre(Unchanging):
         kind = np.where(bends < 0, "jump-up", "jump-down")
         kind, corner = np.where(means.c[1] > 0, kind, "unstable"), on_corner != ""
         kind = np.where(corner, on_corner, kind)
-        order, said = np.argsort(Omega, kind="stable"), said.beside(self._beyond_reach(A, B))
+        if centred is None:
+            said = said.beside(self._beyond_reach(A, B))
+        else:
+            rises = self._steps.at(centred.A, 0 * centred.A, 1).c[1] > 0
+            about = centred.Omega, centred.A, 0 * centred.A, np.where(rises, centred.kind, "unstable"), centred.corner
+            pairs = zip(about, (Omega, A, B, kind, corner), strict=True)
+            Omega, A, B, kind, corner = (np.concatenate(pair) for pair in pairs)
+        order = np.argsort(Omega, kind="stable")
         Omega, A, B = Omega[order], A[order], B[order]
         return self._made(SaddleNodes, Omega, A, kind[order], corner[order], F_0, B=B, **said._asdict())
 

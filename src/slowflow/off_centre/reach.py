@@ -27,11 +27,9 @@ import numpy as np
 
 from slowflow.intervals import Bools, Interval
 from slowflow.model import Floats
-from slowflow.off_centre.flow import ROUNDED, Flow
-from slowflow.off_centre.means import Steps
+from slowflow.off_centre.flow import ROUNDED, Flow, Slow
 from slowflow.off_centre.sheets import Cells, Sheets
 from slowflow.text import Sentence
-from slowflow_kernels import off_centre
 from slowflow_kernels.conventions import HIGHEST_OMEGA
 from slowflow_support.errors import NotSettled
 
@@ -96,31 +94,29 @@ BACKBONE = Measure(lambda A, B, p: np.maximum(p, 1.0), lambda A, B, p: np.maximu
 class Reach:
     """For one force with its load, by what excites and dissipates, zeta > 0."""
 
-    def __init__(self, steps: Steps, flow: Flow) -> None:
-        self.steps, self.flow = steps, flow
+    def __init__(self, sheets: Sheets, flow: Flow, A_max: Callable[[float], float]) -> None:
+        self.sheets, self.steps, self.flow, self._A_max = sheets, sheets.steps, flow, A_max
 
-    def farthest(self, sheets: Sheets, A_max: float, F_0: float, measure: Measure, gap: float = GAP) -> Farthest | None:
-        """The motion at F_0 up to an amplitude that goes farthest; no other goes farther by more than `gap` of that.
+    def farthest(self, F_0: float, measure: Measure) -> Farthest | None:
+        """The motion at F_0 up to `A_max` that goes farthest; no other goes farther by more than `GAP` of that.
 
         None where no motion is found. Raises ArithmeticError where too many boxes stay undecided.
         """
-        return self._farthest(sheets, A_max, F_0, measure, gap, 0.0)[0]
+        return self._farthest(F_0, measure, GAP, 0.0)[0]
 
-    def highest_backbone(self, sheets: Sheets, A_max: float, F_0: float, gap: float) -> float:
+    def highest_backbone(self, F_0: float, gap: float) -> float:
         """The square of a frequency, 1 at least, that the backbone does not exceed at any motion at F_0, nearly.
 
         Next to where two pieces meet at rest p is as its slopes make it down to no size at all: there it is not told
         which of them it takes.
         """
-        found, beside = self._farthest(sheets, A_max, F_0, BACKBONE, gap, SMALL * F_0)
+        found, beside = self._farthest(F_0, BACKBONE, gap, SMALL * F_0)
         return max(1.0 if found is None else found.value, beside)
 
-    def _farthest(
-        self, sheets: Sheets, A_max: float, F_0: float, measure: Measure, gap: float, small: float
-    ) -> tuple[Farthest | None, float]:
+    def _farthest(self, F_0: float, measure: Measure, gap: float, small: float) -> tuple[Farthest | None, float]:
         """The same, and what motions do not exceed that are no larger than `small`, which are not told apart."""
         beside = -np.inf
-        best, looked_at, rounds, cells = None, 0, 0, sheets.cells(A_max)
+        best, looked_at, rounds, cells = None, 0, 0, self.sheets.cells(self._A_max(F_0))
         while cells.chart.size:
             looked_at, rounds = looked_at + cells.chart.size, rounds + 1
             if looked_at > MOST_BOXES:
@@ -137,22 +133,20 @@ class Reach:
                 # a motion that is found in one round mostly stays the farthest in the next ones
                 first = np.argsort(-most, kind="stable")[: MIDDLES if rounds % EVERY == 1 else 0]
                 x, y = 0.5 * (cells.low + cells.high)[:, first]
-                motions = np.stack(sheets.charts.motion(x, y, cells.chart[first]))
+                motions = np.stack(self.sheets.charts.motion(x, y, cells.chart[first]))
                 for candidate in self._motions(motions, F_0, measure):
                     if best is None or candidate.value > best.value:
                         best = candidate
-                cells = sheets.cut(cells)
+                cells = self.sheets.cut(cells)
         return best, beside
 
-    def transmits_beyond(
-        self, sheets: Sheets, A_max: float, F_0: float, Omega: float, share: Share | None = None
-    ) -> tuple[float, float] | None:
+    def transmits_beyond(self, F_0: float, Omega: float, share: Share | None = None) -> tuple[float, float] | None:
         """Between which frequencies beyond Omega stable motions at F_0 may transmit it; None: proved, nowhere.
 
         What is nearer to Omega than by `BEYOND` of it is not looked at.
         """
         least = (Omega * (1 + BEYOND)) ** 2
-        cells, looked_at = sheets.cells(A_max), 0
+        cells, looked_at = self.sheets.cells(self._A_max(F_0)), 0
         for _ in range(ROUNDS):
             cells = cells.take(self._may_transmit(cells, F_0, least, share))
             looked_at += cells.chart.size
@@ -161,7 +155,7 @@ class Reach:
             if looked_at > MOST_BEYOND:
                 break
             with np.errstate(all="ignore"):
-                cells = sheets.cut(cells)
+                cells = self.sheets.cut(cells)
         return Omega, math.sqrt(2 * max(float(cells.p.hi.max()), 0.0)) if share is None else share.last
 
     def _may_transmit(self, cells: Cells, F_0: float, least: float, share: Share | None) -> Bools:
@@ -226,12 +220,10 @@ class Reach:
 
         Where it is the least, F does not change with Omega.
         """
-        means = self.steps.at(x[0], x[1], 1)
+        means, slow = self.steps.at(x[0], x[1], 1), Slow(self.steps, self.flow, F_0)
         _, Omega = self.flow.least_forcing(x[0], -2 * means.s[0])
-        given = self.flow.force(F_0, Omega), self.flow.sine(Omega, x[0]), self.flow.sine_A(Omega, x[0]), self.steps.load
-        f_0, F, f_A, f_B, F_A, F_B = off_centre.state(Omega, x[0], *given, *means.c, *means.s)
-        both = np.stack((F_B * f_0 - f_B * F, f_A * F - F_A * f_0)) / (f_A * F_B - f_B * F_A)
-        return np.where(turns, np.stack((0 * f_0, f_0 / f_B)), both)
+        f_0, _, _, f_B, _, _ = state = slow.state(Omega, x, means)
+        return np.where(turns, np.stack((0 * f_0, f_0 / f_B)), slow.step(state))
 
     def _highest(self, A: Floats, h: Floats, F_0: float) -> float:
         """The highest frequency of a state. Raises ArithmeticError where rounding leaves none."""
