@@ -465,7 +465,7 @@ class Oscillator(Unchanging, Averaged):
         return loads.spectrum(self, Omega, F_0)
 
     @property
-    def _equation(self) -> Self:  # type: ignore[override]
+    def _equation(self) -> Self:
         """Itself: it has an equation of motion."""
         return self
 

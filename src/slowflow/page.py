@@ -11,7 +11,7 @@ import hashlib
 import io
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from html import escape
+from html import escape, unescape
 from typing import Any
 
 import matplotlib as mpl
@@ -23,19 +23,9 @@ from slowflow.pictures import in_brackets, label
 #: what a cell of words begins with until it is written
 WORDS = "\0"
 #: how Matplotlib's labels write what is Greek, and what stands below a letter
-GREEK = {"Omega": "Ω", "omega": "ω", "lambda": "λ", "lam": "λ", "delta": "δ", "mu": "μ", "zeta": "ζ", "tau": "τ"}
-GREEK |= {
-    "varphi": "φ",
-    "phi": "φ",
-    "alpha": "α",
-    "beta": "β",
-    "gamma": "γ",
-    "psi": "ψ",
-    "Phi": "Φ",
-    "eta": "η",
-    "pi": "π",
-}
-GREEK |= {"dOmega": "dΩ"}
+LETTERS = ("alpha", "beta", "gamma", "delta", "zeta", "eta", "lambda", "mu", "pi", "tau", "phi", "psi", "omega")
+GREEK = {name: unescape(f"&{name};") for name in (*LETTERS, "Phi", "Omega")}
+GREEK |= {"lam": "λ", "varphi": "φ", "dOmega": "dΩ"}
 #: whole powers, as they stand above the line
 RAISED = dict(zip("23456789", "²³⁴⁵⁶⁷⁸⁹", strict=True))
 #: what stands between a letter and its unit, which stay on one line

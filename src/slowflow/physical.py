@@ -107,10 +107,7 @@ class Physical:
         """How far from the centre a mass in kg would rest, in m, when k_v is preset for m: the force is (5)."""
         load = validate.number("load", si("load", load, "kg"), above=0.0)
         preset = float(si("m", self.given["m"], "kg"))
-        return self._resting((load - preset) * g / self.scales.sizes["force"])
-
-    def _resting(self, weight: float) -> float:
-        """A place, in m, at which the spring force (5) over k_v L is this; there may be several."""
+        weight = (load - preset) * g / self.scales.sizes["force"]
         # here, not above: `import slowflow` does without SciPy
         from scipy.optimize import brentq
 

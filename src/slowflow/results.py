@@ -10,7 +10,7 @@ from collections.abc import Callable
 from dataclasses import field
 from enum import IntFlag
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, ClassVar, Protocol
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 import numpy.typing as npt
@@ -159,14 +159,6 @@ class MeasuredPoint(Single):
     message: str
 
 
-class Measures(Protocol):
-    """What an answer was asked of, as far as it can be held against the equation of motion."""
-
-    def measured(self, found: Any, force: str | None, of: str = "") -> Any:
-        """See `SteadyStates.measure`, those of other answers, and `loads.Isolation.measure` with `of`."""
-        ...
-
-
 #: what may be drawn of a response curve
 DRAWN = ("A", "phi", "transmissibility", "transmissibility_dB")
 #: an answer of averaging alone, which knows no equation of motion
@@ -186,7 +178,8 @@ NOT_MEASURED = "off the centre states and folds are measured, as amplitudes(...)
 class Moving:
     """What averaged answers share, about whatever mean: what measures them, and under a load how their numbers move."""
 
-    _asked: Measures | None = field(default=None, kw_only=True, repr=False)
+    #: the oscillator, whose `measured` holds an answer against the equation of motion
+    _asked: Any = field(default=None, kw_only=True, repr=False)
     _moves: Moves | None = field(default=None, kw_only=True, repr=False)
 
     def _against_motion(self, force: str | None, of: str = "") -> Any:

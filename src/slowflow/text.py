@@ -18,28 +18,14 @@ from __future__ import annotations
 import functools
 from collections.abc import Iterator, Mapping, Sequence
 from string import Formatter
-from typing import Any, NamedTuple, Protocol
+from typing import Any, NamedTuple
 
 #: digits of a number in units: as many as it is written with, at least and at most
 FEWEST, MOST = 4, 15
 #: of numbers that are written as a user gave them
 BRACKETS: Mapping[type, tuple[str, str]] = {tuple: ("(", ")"), list: ("[", "]")}
-
-
-class Units(Protocol):
-    """What tells symbols and numbers in units: `slowflow.quantities.Scales`."""
-
-    def symbol(self, name: str) -> str:
-        """The symbol of a quantity."""
-        ...
-
-    def unit(self, name: str) -> str:
-        """In which unit its numbers are shown, "" of no kind of unit."""
-        ...
-
-    def number(self, name: str, value: float, *, si: bool = False) -> float | str:
-        """A number of it in that unit, or in SI units."""
-        ...
+#: what tells symbols and numbers in units: `slowflow.quantities.Scales`
+Units = Any
 
 
 class _Place(NamedTuple):

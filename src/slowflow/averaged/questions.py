@@ -30,7 +30,6 @@ from slowflow.results import (
     FoldLocus,
     FrequencyResponse,
     IsolaPoints,
-    Measures,
     Peak,
     Remark,
     SaddleNodeOnset,
@@ -80,7 +79,7 @@ class Averaged:
     mu: float
     zeta: float
     #: what measures answers against the equation of motion, where that is known
-    _equation: Measures | None = None
+    _equation: Any = None
     #: what answers under a load, where there is one
     _loaded: Any = None
 

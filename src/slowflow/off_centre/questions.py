@@ -36,7 +36,6 @@ from slowflow.off_centre.reach import BEYOND as BEYOND_IT
 from slowflow.results import (
     Detachment,
     FrequencyResponse,
-    Measures,
     Peak,
     Remark,
     SaddleNodeOnset,
@@ -126,7 +125,7 @@ class OffCentre(Unchanging):
 
     model: Loaded
     _model: Model
-    _asked: Measures | None
+    _asked: Any
     _steps: Steps
     _flow: Flow
     _m: float
@@ -135,7 +134,7 @@ class OffCentre(Unchanging):
     _complete: Complete
     _known: dict[tuple[Any, ...], Any]
 
-    def __init__(self, model: Model, load: float, asked: Measures | None = None) -> None:
+    def __init__(self, model: Model, load: float, asked: Any = None) -> None:
         steps, flow = Steps(model.mechanism, model.parameters, load), Flow.of(model)
         # not by attribute: these cannot be set
         self.__dict__.update(model=Loaded(model, load), _model=model, _asked=asked)
