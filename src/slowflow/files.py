@@ -33,7 +33,8 @@ def write(path: Path, text: str) -> None:
     try:
         with os.fdopen(handle, "w", encoding="utf-8", newline="") as file:
             file.write(text)
-        os.chmod(name, 0o666 & ~_umask())
+        os.umask(mask := os.umask(0))
+        os.chmod(name, 0o666 & ~mask)  # `mkstemp` allows nobody else to read
         os.replace(name, path)
     except BaseException:
         os.unlink(name)
@@ -59,13 +60,6 @@ def written(folder: Path, names: Sequence[str]) -> list[Path]:
 def digest(content: bytes) -> str:
     """The hash of a file."""
     return hashlib.sha256(content).hexdigest()
-
-
-def _umask() -> int:
-    """What new files are not to allow, which `mkstemp` goes beyond."""
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
 
 
 def in_csv(answers: Sequence[tuple[Mapping[str, float], Answer]], units: Mapping[str, str]) -> str:

@@ -383,6 +383,14 @@ class Scales:
         """Of which kind the amplitude of the excitation is."""
         return EXCITED[self.excitation][1]
 
+    @cached_property
+    def measures(self) -> dict[str, tuple[str, Scale]]:
+        """A mount's word for each number of a design and of its damping, by name, and what it is measured in."""
+        damping = ((one, SCALES[one.name]) for one in (*DAMPING, *DISSIPATION))
+        scales = {one.name: scale for one, scale in (*zip(ROD_SPRING.design, ROD_SPRING.scales, strict=True), *damping)}
+        scales |= {"zeta": PURE} if self.damping == "zeta" else {}
+        return {name: (WORDS.get(scale.letter) or self.symbol(name), scale) for name, scale in scales.items()}
+
     def of(self, scale: Scale) -> float:
         """What one of these numbers is measured in."""
         return float(size(scale, m=self.m, k_v=self.k_v, L=self.L))
@@ -456,15 +464,11 @@ class Scales:
         A number of a mount is its dimensionless number times powers of k_v, L and m (4), and so is each number that it
         moves with: k_v, L and m move it through all of these.
         """
-        design = {one.name: scale for one, scale in zip(ROD_SPRING.design, ROD_SPRING.scales, strict=True)}
-        damping = {one.name: SCALES[one.name] for one in (*DAMPING, *DISSIPATION)}
-        if found.by[: len(design)] != tuple(design):
+        if found.by[: len(ROD_SPRING.design)] != ROD_SPRING.design_names:
             raise Refused(WITHOUT_PRELOAD)
-        if self.damping == "zeta":
-            damping["zeta"] = PURE
         asked = {"F_0": AMPLITUDE_SCALES[self.excitation], "Omega": SCALES["Omega"], "load": SCALES["F_0"]}
-        measures = [{**design, **damping, **asked}[name] for name in found.by]
-        by = tuple(WORDS.get(one.letter) or self.symbol(name) for name, one in zip(found.by, measures, strict=True))
+        known = self.measures | {name: (self.symbol(name), scale) for name, scale in asked.items()}
+        by, measures = zip(*(known[name] for name in found.by), strict=True)
         of, kinds = zip(*(self.kind(name) for name in found.of), strict=True)
         answers = [OF_KIND[kind] for kind in kinds]
         # a frequency is in turns, not in radians

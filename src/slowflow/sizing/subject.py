@@ -17,18 +17,17 @@ from slowflow import validate
 from slowflow.answer import frozen
 from slowflow.averaged.batches import Batch, first_end
 from slowflow.designs import Designs
-from slowflow.isolator import ROD_SPRING, Isolator
+from slowflow.isolator import Isolator
 from slowflow.loads_many import full, lifting
 from slowflow.mechanism import Floats
 from slowflow.off_centre.many import OffCentreDesigns
 from slowflow.oscillator import Oscillator
 from slowflow.physical import Physical
-from slowflow.quantities import EXCITED, SHEET, SI, UNITS, WORDS, g, si, size, sizes, turns
+from slowflow.quantities import EXCITED, PURE, SHEET, SI, UNITS, Scales, g, si, size, sizes, turns
 from slowflow.table import COLUMNS
 from slowflow_kernels import inertia, slow_flow
 from slowflow_kernels.conventions import FoldKind, Status
-from slowflow_kernels.domains import DAMPING, DISSIPATION
-from slowflow_kernels.scaling import SCALES
+from slowflow_kernels.domains import DISSIPATION
 from slowflow_support.errors import Refused
 
 #: what can be asked of designs, and which column of `table` that is one of; a frequency is called with an f of a mount,
@@ -58,6 +57,8 @@ AT_NO_FREQUENCY = "{} is not available with structural damping, which is stated 
 PAIR = "({1}, {0}), the columns of a table"
 
 
+#: of an isolator without dimensions
+UNSCALED = Scales(m=1.0, k_v=1.0, L=1.0)
 #: laws of damping beside mu and zeta, by the names of their numbers, and a mount's word for mu_s
 LAWS, STATIC = tuple(one.name for one in DISSIPATION), "static_friction"
 
@@ -100,6 +101,13 @@ class Subject:
             raise Refused(f"{of!r} is not allowed: it must be an Isolator, or one made by Isolator.physical")
         self.mechanism, self.excitation = isolator.model.mechanism, isolator.excitation
         self.loaded, self.rubs = isolator.load != 0, isolator.rubs
+        known = (UNSCALED if self.mount is None else self.mount.scales).measures
+        #: names and sizes here of the numbers of a design, by their names there; under a load without other laws
+        self._measures = {
+            name: row if self.mount else (name, PURE)
+            for name, row in known.items()
+            if not (self.loaded and name in LAWS)
+        }
         self.nominal = self._numbers(isolator)
         for name in varied:
             if name not in self.nominal:
@@ -112,41 +120,25 @@ class Subject:
         others = ABOUT_THE_CENTRE if self.loaded else UNDER_A_LOAD
         others = others | (OF_INERTIA if self.loaded or self.excitation == "force" else {})
         others = others | (IN_A_SHOCK if "eta" in self.laws else {})
-        known = {name: COLUMNS[column].kind for name, column in COLUMN.items() if name not in others}
-        self.answers = {f"{letter}_{name}" if kind == "frequency" else name: name for name, kind in known.items()}
+        kinds = {name: COLUMNS[column].kind for name, column in COLUMN.items() if name not in others}
+        self.answers = {f"{letter}_{name}" if kind == "frequency" else name: name for name, kind in kinds.items()}
         if self.mount is not None:
             self.answers = {self.mount.scales.kind(name)[0]: plain for name, plain in self.answers.items()}
 
     def _numbers(self, isolator: Isolator) -> dict[str, float]:
         """What an isolator was made from, a mount's in SI units; static friction only where it is given."""
+        scales = UNSCALED if self.mount is None else self.mount.scales
+        base = {name: getattr(scales, name) for name in ("m", "k_v", "L")}
+        own = {word: getattr(isolator, name) * size(scale, **base) for name, (word, scale) in self._measures.items()}
         if self.mount is None:
-            beside = {name: isolator.given[name] for name in ("load", "mu_s") if name in isolator.given}
-            return {name: getattr(isolator, name) for name in self._scales()} | beside
-        base = {name: getattr(self.mount.scales, name) for name in ("m", "k_v", "L")}
-        found = dict(base)
-        if self.loaded:  # what moves is the load; m is what the vertical spring is preset for
-            found |= {"load": base["m"], "m": float(si("m", self.mount.given["m"], "kg"))}
-        for name, scale in self._scales().items():
-            if self._word(name) == "zeta":
-                found["zeta"] = isolator.zeta
-            else:
-                found[self._word(name)] = getattr(isolator, name) * size(scale, **base)
+            return own | {name: isolator.given[name] for name in ("load", "mu_s") if name in isolator.given}
+        # what moves is the load; m is what the vertical spring is preset for
+        masses = {"load": base["m"], "m": float(si("m", self.mount.given["m"], "kg"))} if self.loaded else {}
+        found: dict[str, float] = {**base, **masses, **own}
         if (static := self.mount.given.get(STATIC)) is not None:
             # as it was given: rounded, it may be less than friction
             found[STATIC] = max(float(si(STATIC, static, "N")), found["friction"])
         return found
-
-    def _scales(self) -> dict[str, Any]:
-        """What the numbers of a design are measured in, by name; under a load without other laws."""
-        design = {domain.name: scale for domain, scale in zip(ROD_SPRING.design, ROD_SPRING.scales, strict=True)}
-        laws = () if self.loaded else DISSIPATION
-        return {**design, **{domain.name: SCALES[domain.name] for domain in (*DAMPING, *laws)}}
-
-    def _word(self, name: str) -> str:
-        """What a number of a design is called here."""
-        if self.mount is None or (name == "zeta" and "c" not in self.mount.given):
-            return name
-        return WORDS.get(self._scales()[name].letter, name)
 
     @property
     def amplitude(self) -> str:
@@ -256,14 +248,13 @@ class Subject:
         given: dict[str, Any] = {**self.nominal, **values}
         shape = np.broadcast_shapes(*(np.shape(value) for value in given.values()))
         units: dict[str, Any] = dict.fromkeys((*UNITS, ""), 1.0)
-        static, kinetic = given.pop(STATIC if self.mount else "mu_s", None), given[self._word("mu")]
+        static, kinetic = given.pop(STATIC if self.mount else "mu_s", None), given[self._measures["mu"][0]]
         if self.mount is not None:
             base = {"m": given["load" if self.loaded else "m"], "k_v": given["k_v"], "L": given["L"]}
             units = {**sizes(**base), "": 1.0}
             weight = {"load": (given["load"] - given["m"]) * g / units["force"]} if self.loaded else {}
-            measures = {name: size(scale, **base) for name, scale in self._scales().items()}
-            measures |= {"zeta": 1.0} if "zeta" in given else {}
-            given = weight | {name: given[self._word(name)] / one for name, one in measures.items()}
+            own = self._measures.items()
+            given = weight | {name: given[word] / size(scale, **base) for name, (word, scale) in own}
         given = {name: value for name, value in given.items() if name not in LAWS or name in self.laws}
         arrays = {name: np.broadcast_to(np.asarray(value, dtype=float), shape) for name, value in given.items()}
         mu_s = None
