@@ -59,15 +59,16 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: p
 
 @pytest.hookimpl(trylast=True)
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Of cases marked `part` one in so many.
+    """Of cases marked `part` one in so many, of each family that the mark names.
 
     Files that ask for the derivation come first: one worker has all of them, and derives for all of them.
     """
-    cases: dict[tuple[str, int], list[pytest.Item]] = {}
+    cases: dict[tuple[str, int, *tuple[str, ...]], list[pytest.Item]] = {}
     for item in items:
         if (marked := item.get_closest_marker("part")) is not None:
             cases.setdefault((item.nodeid.partition("[")[0], *marked.args), []).append(item)
-    left_out = {item for (name, of), every in cases.items() for item in set(every) - set(part(every, of, name))}
+    kept = {item for (name, of, *more), every in cases.items() for item in part(every, of, " ".join((name, *more)))}
+    left_out = {item for every in cases.values() for item in every if item not in kept}
     items[:] = [item for item in items if item not in left_out]
     derive = {item.path for item in items if "results" in getattr(item, "fixturenames", ())}
     items.sort(key=lambda item: item.path not in derive)

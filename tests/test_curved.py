@@ -1,10 +1,6 @@
-"""Forces off the centre that are no polynomials: against integrals, certified cases, polynomials, and exact motions."""
+"""Forces off the centre that are no polynomials: against integrals, polynomials, and exact motions."""
 
 from __future__ import annotations
-
-import json
-from collections import Counter
-from pathlib import Path
 
 import mpmath
 import numpy as np
@@ -14,8 +10,6 @@ import sympy as sp
 from slowflow import derive
 from slowflow.intervals import Interval
 from slowflow.off_centre.means import Steps
-from tests.off_centre_cases import check_folds_and_states, check_onset
-from tests.sampling import part
 
 u, k, g, q, d, p, z = sp.symbols("u k g q d p z")
 ABOVE = {"above": 0}
@@ -397,27 +391,3 @@ def test_batches_and_margins_have_the_single_answers(cushion):
         np.testing.assert_array_equal(found.Omega[at][: len(one)], one.Omega)
     one = cushion(**given)
     assert one.margins(0.02).of_cr == pytest.approx(one.detachment().F_cr / 0.02, rel=1e-12)
-
-
-#: errors in u (1 + kappa): of a fold's A, where sums are not as near as their last digits, and of B over A + |B|
-FOLD_A, MEAN = 32.0, 16.0
-CASES = json.loads((Path(__file__).parent / "data" / "curved.json").read_text())
-#: what is certified, and the same force as it is stated
-CERTIFIED = {"exponential": (k * u + q * (sp.exp(u / d) - 1), False), "hyperbolic": (k * u + q * sp.sinh(u / d), True)}
-
-
-def test_there_are_certified_cases_of_each_force():
-    assert set(CERTIFIED) == set(Counter(case["force"] for case in CASES)) and len(CASES) >= 30
-    assert sum(case["onset"] is not None for case in CASES) >= 25
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("name", sorted(CERTIFIED))
-def test_folds_states_and_onsets_are_the_certified_ones_and_no_others(name):
-    """All folds and states that there are, with their mean; and the lowest forcing that has a fold."""
-    force, odd = CERTIFIED[name]
-    made = derive.mechanism(f"certified_{name}", [(force, None)], {"k": ABOVE, "q": ABOVE, "d": ABOVE}, odd=odd)
-    for case in part([case for case in CASES if case["force"] == name], 4):
-        one = made(**{key: value[1] for key, value in case["parameters"].items()})
-        check_folds_and_states(one, case, fold_A=FOLD_A, mean=MEAN)
-        check_onset(one, case, mean=MEAN)

@@ -1,9 +1,5 @@
 """Off the centre on a base that shakes, by an unbalance, with structural and quadratic damping: cases and limits."""
 
-import json
-from collections import Counter
-from pathlib import Path
-
 import mpmath as mp
 import numpy as np
 import pytest
@@ -16,38 +12,12 @@ from slowflow.example import TABLE_1
 from slowflow.off_centre.flow import Flow
 from slowflow.sizing import tolerances
 from slowflow.validate import NotAvailable
-from tests.off_centre_cases import check_folds_and_states, made
-from tests.sampling import directions, part
+from tests.sampling import directions
 
 u, k, g, a, b = sp.symbols("u k g a b", real=True)
 ABOVE = {"above": 0}
-CASES = json.loads((Path(__file__).parent / "data" / "off_centre_laws.json").read_text())
 #: one of each law and excitation
 LAWS = ({"excitation": "base"}, {"excitation": "unbalance", "c_2": 0.02}, {"eta": 0.02}, {"c_2": 0.03, "eta": 0.01})
-
-
-def test_there_are_certified_cases_of_each_excitation_with_folds():
-    by_law = Counter(
-        (case["excitation"], *(float(case["parameters"][law][1]) > 0 for law in ("eta", "c_2"))) for case in CASES
-    )
-    assert by_law == {
-        ("base", False, False): 15,
-        ("base", True, False): 3,
-        ("base", False, True): 3,
-        ("base", True, True): 4,
-        ("force", True, False): 7,
-        ("force", False, True): 7,
-        ("force", True, True): 3,
-    }
-    assert sum(len(case["folds"]) for case in CASES) == 56
-
-
-@pytest.mark.parametrize("force", ["even", *(pytest.param(one, marks=pytest.mark.slow) for one in ("stop", "springs"))])
-def test_folds_and_states_are_the_certified_ones_and_no_others(force):
-    of = made(force)
-    for case in part([case for case in CASES if case["force"] == force], 4):
-        given = {name: value[1] for name, value in case["parameters"].items()}
-        check_folds_and_states(of(**given, excitation=case["excitation"]), case)
 
 
 @pytest.mark.slow

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import json
 import pickle
-from collections import Counter
-from pathlib import Path
 
 import mpmath
 import numpy as np
@@ -20,9 +17,8 @@ from slowflow.off_centre.means import ORDERS, Steps
 from slowflow.results import Remark
 from slowflow.validate import NotAvailable
 from slowflow_kernels.conventions import Status
-from tests.off_centre_cases import check_folds_and_states, check_onset, made
 from tests.oracles import exact_reference
-from tests.sampling import directions, part
+from tests.sampling import directions
 from tests.test_off_centre import mean
 
 u, k, g, p, q, a, b = sp.symbols("u k g p q a b")
@@ -383,25 +379,6 @@ def test_its_derivation_is_told(stop, tmp_path):
     text = stop.document()
     assert "The force is not odd" in text and r"B + A \cos\psi" in text and "D_1" in text
     assert "derivation.md" in stop.write(tmp_path)
-
-
-CASES = json.loads((Path(__file__).parent / "data" / "sided.json").read_text())
-
-
-def test_there_are_certified_cases_of_each_force_with_folds_and_onsets():
-    assert Counter(case["force"] for case in CASES) == {"stop": 12, "springs": 12, "even": 12}
-    assert sum(len(case["folds"]) for case in CASES) == 58 and sum(case["onset"] is not None for case in CASES) == 31
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("name", ["even", "stop", "springs"])
-def test_folds_states_and_onsets_are_the_certified_ones_and_no_others(name):
-    """All folds and states that there are, with their mean; and the lowest forcing that has a fold."""
-    of = made(name)
-    for case in part([case for case in CASES if case["force"] == name], 4):
-        one = of(**{key: value[1] for key, value in case["parameters"].items()})
-        check_folds_and_states(one, case)
-        check_onset(one, case)
 
 
 def test_in_a_play_that_is_not_symmetric_a_mean_is_not_singled_out():

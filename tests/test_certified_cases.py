@@ -1,0 +1,334 @@
+"""Certified cases of every family: all folds and states that there are, no others, and onsets; errors in u (1 + kappa).
+
+tests/data/README.md says what the files hold. One item answers the cases of one force, or five of a family that has one
+force; a part of the items runs per push, all in `make test-all`.
+"""
+
+from __future__ import annotations
+
+import functools
+import json
+import warnings
+from collections import Counter
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from slowflow import Duffing, Isolator, derive
+from slowflow.results import Remark
+from slowflow_kernels.conventions import MovesStatus
+from tests.off_centre_cases import check_folds_and_states, check_onset
+from tests.off_centre_cases import made as made_off_centre
+from tests.oracles.errors import U, error
+
+Case = dict[str, Any]
+DATA = Path(__file__).parent / "data"
+#: of the reference's condition numbers, which have three digits
+ROUNDED = 5.01e-3
+#: relative distance of a fold from u_cr below which counts may be said to be undecided
+NEAR = 1e-8
+ABOVE = {"above": 0}
+#: cases of an item where a family has one force; of how many items of a family a push runs one
+TOGETHER, PART = 5, 4
+
+u, k, c, p, gap, a, b, q, d = sp.symbols("u k c p gap a b q d")
+#: pieces for u > 0 and their numbers
+STATED: dict[str, tuple[list[Any], Any]] = {
+    "wave": ([(u + k * sp.sin(c * u), None)], "kc"),
+    "saturating": ([(c * u + sp.tanh(k * u), None)], "ck"),
+    "exponential": ([(k * (sp.exp(c * u) - 1), None)], "kc"),
+    "oblique": ([(u + 2 * k * u * (1 - c / sp.sqrt(c**2 + u**2)), None)], "kc"),
+    "magnets": ([(u + k * (1 / (c - u) ** 2 - 1 / (c + u) ** 2), None)], "kc"),
+    "power": ([(u + k * u**p, None)], "kp"),
+    "root": ([(u + k * u**p, None)], "kp"),
+    "preload": ([(c + k * (sp.exp(u) - 1), None)], "ck"),
+    "preload_power": ([(c + u + k * u**p, None)], "ckp"),
+    "soft_stop": ([(u, gap), (u + c * sp.tanh(k * (u - gap)), None)], ("c", "k", "gap")),
+    "hard_stop": ([(u, gap), (u + k * (sp.exp(c * (u - gap)) - 1), None)], ("k", "c", "gap")),
+    "root_stop": ([(u, gap), (u + k * (sp.sqrt(1 + c * (u - gap)) - 1), None)], ("k", "c", "gap")),
+    "contact": ([(u, gap), (u + k * (u - gap) ** 1.5, None)], ("k", "gap")),
+    "preloaded_stop": (
+        [(c + u + k * sp.sin(u), gap), (c + u + k * sp.sin(u) + 3 * sp.tanh(u - gap), None)],
+        ("c", "k", "gap"),
+    ),
+}
+#: an exponential leaves the doubles before it is known to hold every motion; magnets are 4 to 5 apart
+REACH = {name: {"reach": 8.0} for name in ("exponential", "preload", "hard_stop")} | {"magnets": {"reach": 3.9}}
+#: of the library, with the design that a case's parameters are
+LIBRARY = {
+    "stop": ("elastic_stop", lambda given: {"kappa": given["k"], "delta": given["gap"]}),
+    "bilinear": ("bilinear", lambda given: {"kappa": given["k"], "delta": given["gap"]}),
+    "play": ("dead_zone", lambda given: {"delta": given["gap"]}),
+}
+CLOSED = {
+    "even": ([(u + a * u**2 + b * u**3, None)], {"a": {}, "b": ABOVE}),
+    "preload": ([(c + u + b * u**3, None)], {"c": ABOVE, "b": ABOVE}),
+}
+#: an exponential that is not odd and a hyperbolic sine that is, under a load
+CURVED = {"exponential": (k * u + q * (sp.exp(u / d) - 1), False), "hyperbolic": (k * u + q * sp.sinh(u / d), True)}
+
+
+def numbers(case: Case) -> dict[str, float]:
+    """Its parameters as doubles."""
+    return {name: value[1] for name, value in case["parameters"].items()}
+
+
+@functools.cache
+def stated(name: str, compiled: bool) -> Any:
+    """A force that is averaged by sums."""
+    pieces, given = STATED[name]
+    called = f"{name}_compiled" if compiled else name
+    return derive.mechanism(called, pieces, dict.fromkeys(given, ABOVE), compile=compiled, **REACH.get(name, {}))
+
+
+@functools.cache
+def closed(name: str, compiled: bool) -> Any:
+    """One with closed averages."""
+    if name in LIBRARY:
+        return derive.library(LIBRARY[name][0], compile=compiled)
+    return derive.mechanism(f"{name}_closed", *CLOSED[name], compile=compiled)
+
+
+@functools.cache
+def curved(name: str) -> Any:
+    """One off the centre that is no polynomial."""
+    force, odd = CURVED[name]
+    return derive.mechanism(f"certified_{name}", [(force, None)], {"k": ABOVE, "q": ABOVE, "d": ABOVE}, odd=odd)
+
+
+def of_closed(case: Case, compiled: bool) -> Any:
+    """The oscillator of a case of `closed.json`."""
+    given = numbers(case)
+    damping = {key: given.pop(key) for key in ("mu", "zeta")}
+    design = LIBRARY[case["force"]][1](given) if case["force"] in LIBRARY else given
+    return closed(case["force"], compiled)(**design, **damping)
+
+
+def of_record(case: Case, **more: Any) -> Any:
+    """Of an isolator's or a Duffing oscillator's."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        if case["mechanism"] == "duffing":
+            return Duffing(**numbers(case), **more)
+        return Isolator(**numbers(case), rubs=case.get("rubs", "throughout"), **more)
+
+
+def on_a_base(case: Case, _: bool) -> Any:
+    """The same, excited by inertia."""
+    return of_record(case, excitation="base")
+
+
+@dataclass(frozen=True)
+class Family:
+    """Cases of a file: the oscillator of each, and bounds of errors in u (1 + kappa), of phi by kappa of A."""
+
+    oscillator: Callable[[Case, bool], Any]
+    fold: float = 4.0
+    state: float = 4.0
+    onset: float = 4.0
+    phase: float = 50.0
+    #: whether its force is derived, and asked interpreted and compiled
+    derived: bool = False
+    #: whether folds are told apart that lie on a corner; whether their amplitude there has a bound
+    corners: bool = True
+    A_on_corner: bool = True
+    #: whether answers next to a corner may be undecided
+    hard: bool = False
+    #: whether condition numbers are compared with those of gradients; cases in which these are singular
+    gradients: bool = False
+    singular: tuple[int, ...] = ()
+    #: whether phi is known as well as what A moves it by
+    by_A: bool = False
+    #: whether the mass may be held at rest beside its motions; whether softening lets motions leave the centre
+    held: bool = False
+    leaves: bool = False
+    #: off the centre: bounds of a fold's A, and of B
+    mean: tuple[float, float] | None = None
+
+
+FAMILIES = {
+    "stated": Family(lambda case, compiled: stated(case["force"], compiled)(**numbers(case)), onset=16.0, derived=True,
+                     corners=False),
+    "closed": Family(of_closed, onset=16.0, phase=4.0, derived=True, corners=False, by_A=True),
+    **{
+        f"damped_{law}": Family(lambda case, _: of_record(case), 2.0, 2.0, hard=True, gradients=True, leaves=True)
+        for law in ("eta", "c_2", "rubs")
+    },
+    # of the second c_2 A is some 10^-5 and nothing else damps: folds lie so near to the backbone that gradients count
+    # as singular
+    "damped_base": Family(on_a_base, 2.0, 2.0, gradients=True, singular=(1,), held=True, leaves=True),
+    "inertia": Family(on_a_base, state=2.0, phase=100.0, A_on_corner=False, held=True),
+    "sided": Family(lambda case, _: made_off_centre(case["force"])(**numbers(case)), mean=(4.0, 1.0)),
+    "curved": Family(lambda case, _: curved(case["force"])(**numbers(case)), mean=(32.0, 16.0)),
+    "off_centre_laws": Family(
+        lambda case, _: made_off_centre(case["force"])(**numbers(case), excitation=case["excitation"]), mean=(4.0, 1.0)
+    ),
+}  # fmt: skip
+
+
+@functools.cache
+def cases(name: str) -> list[Case]:
+    """Those of a file."""
+    return json.loads((DATA / f"{name}.json").read_text())
+
+
+#: by the fast tests: of each family whose force need not be derived, and one that is
+FAST = {"stated-root", "closed-bilinear", "inertia-0", "damped_eta-0", "damped_c_2-5", "damped_rubs-10",
+        "damped_base-0", "off_centre_laws-even"}  # fmt: skip
+
+
+def items() -> Iterator[Any]:
+    """A family's name, numbers of cases, and whether they are compiled, as parameters."""
+    for name, family in FAMILIES.items():
+        groups: dict[str, list[int]] = {}
+        for number, case in enumerate(cases(name)):
+            groups.setdefault(str(case.get("force", number // TOGETHER * TOGETHER)), []).append(number)
+        for compiled in (False, True) if family.derived else (False,):
+            for group, of_it in groups.items():
+                called = f"{name}-{group}" + ("-compiled" if compiled else "")
+                marks = [pytest.mark.part(PART, name), *([] if called in FAST else [pytest.mark.slow])]
+                yield pytest.param(name, of_it, compiled, id=called, marks=marks)
+
+
+@pytest.mark.parametrize(("name", "of_it", "compiled"), list(items()))
+def test_folds_states_and_onsets_are_the_certified_ones_and_no_others(name, of_it, compiled):
+    family = FAMILIES[name]
+    for number in of_it:
+        case = cases(name)[number]
+        one = family.oscillator(case, compiled)
+        if family.mean is not None:
+            fold_A, mean = family.mean
+            check_folds_and_states(one, case, fold_A=fold_A, mean=mean)
+            if "onset" in case:
+                check_onset(one, case, mean=mean)
+            continue
+        check_folds(one, case, family, number in family.singular)
+        check_states(one, case, family)
+        if case.get("onset") is not None:
+            check_centred_onset(one, case["onset"], family)
+
+
+def is_hard(one: Any, case: Case) -> bool:
+    """Whether a fold lies next to u_cr, so that answers at this forcing may say that they are undecided."""
+    beside = [float(fold["A"]) for fold in case["folds"] if not fold["corner"]]
+    return any(abs(A / u_cr - 1) < NEAR for A in beside for u_cr in one.breakpoints)
+
+
+def check_folds(one: Any, case: Case, family: Family, is_singular: bool) -> None:
+    """All of them, with what inputs move them by."""
+    found, known = one.saddle_nodes(case["F_0"][1]), case["folds"]
+    if Remark.UNDECIDED in found.remarks:
+        assert family.hard and is_hard(one, case)
+        return
+    assert [fold.kind for fold in found] == [fold["kind"] for fold in known]
+    assert not family.corners or [fold.corner for fold in found] == [fold["corner"] for fold in known]
+    for fold, sure in zip(found, known, strict=True):
+        assert error(fold.Omega, sure, "Omega") < family.fold
+        assert (fold.corner and not family.A_on_corner) or error(fold.A, sure, "A") < family.fold
+    if is_singular:
+        assert set(found.gradient().status) == {MovesStatus.MEETS}
+    elif family.gradients:
+        moves = found.gradient()
+        for name in moves.of:
+            expected = [sure["condition"][name] for sure in known]
+            np.testing.assert_allclose(moves.condition(name), expected, rtol=ROUNDED)
+
+
+def in_its_well(one: Any, A: float) -> bool:
+    """Whether a motion turns where the spring pulls back: what averaging holds for stable beyond it is not."""
+    return not (isinstance(one, Duffing) and one.beta < 0 < one.alpha < -one.beta * A**2)
+
+
+def check_states(one: Any, case: Case, family: Family) -> None:
+    """All of them at each frequency."""
+    F_0 = case["F_0"][1]
+    for at in case["amplitudes"]:
+        Omega, sure = at["Omega"][1], at["steady"]
+        found = one.amplitudes(Omega=Omega, F_0=F_0)
+        if Remark.UNDECIDED in found.remarks:
+            assert family.hard and is_hard(one, case)
+            continue
+        moving = found.A > 0
+        assert moving.all() or family.held
+        stable, sizes = found.stable[moving].tolist(), found.A[moving]
+        expected = [state["stable"] and in_its_well(one, A) for state, A in zip(sure, sizes, strict=True)]
+        if family.leaves and Remark.LEAVES_CENTRE in found.remarks:  # as softening has it
+            assert family.held or one.beta < 0
+            assert all(known or not said for said, known in zip(stable, expected, strict=True))
+        else:
+            assert stable == expected
+        for A, phi, known in zip(sizes, found.phi[moving], sure, strict=True):
+            assert error(A, known, "A") < family.state
+            kappa = known["condition"]["A"] + known["condition_kernel"]["A"]
+            # of tan(phi) = I/R, of which R = A Omega^2 + h moves by A R_A with A
+            moved = A * (Omega**2 + abs(one.model.averaged(A)[1])) / F_0 if family.by_A else 0.0
+            assert phi == pytest.approx(float(known["phi"]), abs=family.phase * U * (1 + kappa) * (1 + moved))
+        if family.gradients:
+            known = [state["condition"]["A"] for state in sure]
+            np.testing.assert_allclose(found.gradient().condition("A")[moving], known, rtol=ROUNDED)
+
+
+def check_centred_onset(one: Any, sure: Case, family: Family) -> None:
+    """The lowest forcing that has a fold; where folds that end at Omega = 0 lie lower, that is said."""
+    found = one.saddle_node_onset()
+    for name in ("F_SN", "Omega", "A"):
+        assert error(getattr(found, name), sure, name) < family.onset
+    if family.gradients:
+        assert found.kind == sure["kind"]
+        assert (Remark.FOLDS_AT_REST in found.remarks) == (not sure["global"])
+        moves = found.gradient()
+        for name in ("F_SN", "Omega", "A"):
+            known = sure["condition"]["F_0" if name == "F_SN" else name]
+            assert moves.condition(name) == pytest.approx(known, rel=ROUNDED)
+
+
+def test_there_are_cases_of_each_force_with_folds_on_both_sides_of_an_edge():
+    each = Counter(case["force"] for case in cases("stated"))
+    stops = {"soft_stop": 10, "hard_stop": 7, "root_stop": 13}
+    preloaded = dict.fromkeys(("preload", "preload_power", "preloaded_stop"), 10)
+    assert each == {**dict.fromkeys(STATED, 3), "magnets": 12, "contact": 30, **preloaded, **stops}
+    assert sum(len(case["folds"]) for case in cases("stated")) > 40
+    assert sum(case["onset"] is not None for case in cases("stated")) >= 15
+    assert Counter(case["force"] for case in cases("closed")) == dict.fromkeys((*LIBRARY, *CLOSED), 30)
+    assert all(len(case["folds"]) >= 2 for case in cases("closed"))
+    assert Counter(case["force"] for case in cases("sided")) == dict.fromkeys(("stop", "springs", "even"), 12)
+    assert sum(len(case["folds"]) for case in cases("sided")) == 58
+    assert sum(case["onset"] is not None for case in cases("sided")) == 31
+    assert {case["force"] for case in cases("curved")} == set(CURVED) and len(cases("curved")) >= 30
+    assert sum(case["onset"] is not None for case in cases("curved")) >= 25
+
+
+def test_there_are_cases_of_each_law_with_many_folds_on_both_sides_of_u_cr():
+    for law in ("eta", "c_2", "rubs", "base"):
+        of_it = cases(f"damped_{law}")
+        assert len(of_it) == (40 if law == "base" else 30) and sum(len(case["folds"]) for case in of_it) > 50
+        assert any(fold["corner"] for case in of_it for fold in case["folds"])
+        assert law == "base" or {bool(case["parameters"]["zeta"][1]) for case in of_it} == {True, law == "rubs"}
+    laws = {
+        (*(bool(case["parameters"][name][1]) for name in ("zeta", "eta", "c_2")), case["rubs"])
+        for case in cases("damped_base")
+    }
+    assert {(True, True, True, "throughout"), (False, True, False, "throughout")} < laws
+    assert (True, False, False, "attached") in laws
+
+
+def test_there_are_certified_cases_of_each_excitation_with_folds():
+    of_it = cases("off_centre_laws")
+    by_law = Counter(
+        (case["excitation"], *(float(case["parameters"][law][1]) > 0 for law in ("eta", "c_2"))) for case in of_it
+    )
+    assert by_law == {
+        ("base", False, False): 15,
+        ("base", True, False): 3,
+        ("base", False, True): 3,
+        ("base", True, True): 4,
+        ("force", True, False): 7,
+        ("force", False, True): 7,
+        ("force", True, True): 3,
+    }
+    assert sum(len(case["folds"]) for case in of_it) == 56
