@@ -25,10 +25,6 @@ from slowflow_kernels import off_centre, off_centre_intervals
 NEAR = 2.0**-8
 
 
-def _point(values: Floats) -> Interval:
-    return Interval(np.stack((values, values)))
-
-
 def _square(rows: Any, d: int) -> tuple[Any, Any]:
     """Values and slopes from a kernel's outputs."""
     values, slopes = rows[:d], rows[d:]
@@ -121,7 +117,7 @@ class EndedState(ByEnds):
     def on(self, x: Floats, r: Floats, of: Ints) -> tuple[Floats, ...]:
         """See `boxes.Equations`."""
         here = self.charts.on(interval_of(x[0], r[0]), interval_of(x[1], r[1]), self.chart(of))
-        Omega, force = (_point(one[self.number(of)]) for one in (self.given, self.force))
+        Omega, force = (Interval.point(one[self.number(of)]) for one in (self.given, self.force))
         known = force, *self.flow.balances(Omega, here.A), self._load
         of_means = here.c_0, here.s_0, here.c_x, here.c_y, here.X, here.Y
         found = off_centre_intervals.ended_state(Omega, here.A, *known, *of_means)
@@ -145,7 +141,7 @@ class EndedFold(ByEnds):
         """See `boxes.Equations`."""
         xy = [interval_of(*pair) for pair in zip(x, r, strict=True)]
         here = self.charts.on(xy[0], xy[1], self.chart(of))
-        forcing = [_point(one) for one in self.flow.forcing(self.given[self.number(of)])]
+        forcing = [Interval.point(one) for one in self.flow.forcing(self.given[self.number(of)])]
         known = [Interval.point(one) for one in self._damping]
         of_means = (here.c_0, here.s_0, here.c_x, here.c_y, here.c_xx, here.c_yy, here.X, here.Y, here.X_x, here.Y_y)
         given = (xy[2], here.A, *forcing, *known, self._load, *of_means)

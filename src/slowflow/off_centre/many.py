@@ -27,6 +27,7 @@ from slowflow.loaded import AT_CENTRE, off_centre_by
 from slowflow.loads import Spectrum
 from slowflow.mechanism import EquationOfMotion, Force, Mechanism, followed
 from slowflow.model import THROUGHOUT, Floats
+from slowflow.off_centre.answers import NUMBERS
 from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import NO_MEANS, NOT_SMOOTH
 from slowflow.off_centre.questions import OffCentre
@@ -49,18 +50,6 @@ Found = tuple[dict[str, Any], Status, Remark]
 One = Callable[..., Found]
 
 
-#: the numbers of an answer that move with the parameters, by question
-MOVES: Mapping[str, tuple[str, ...]] = {
-    "rest": ("u", "stiffness"),
-    "detachment": ("F_cr", "Omega_cr", "A", "B"),
-    "saddle_node_onset": ("F_SN", "Omega", "A", "B"),
-    "saddle_nodes": ("Omega", "A", "B"),
-    "amplitudes": ("A", "B", "phi", "transmissibility"),
-    "peak": ("A", "B", "Omega", "u_max"),
-    "isolation": ("Omega", "A", "B"),
-}
-
-
 class OffCentreBatch(Batch):
     """An answer off the centre: `remarks` are those of the single answers, and so are gradients."""
 
@@ -74,7 +63,7 @@ class OffCentreBatch(Batch):
 
         Raises NotAvailable where it is not known how the force moves with the design, and of an answer without one.
         """
-        if (moves := MOVES.get(self.question.name)) is None:
+        if (moves := NUMBERS.get(self.question.name)) is None:
             raise NotAvailable(NO_GRADIENT)
         asked = self._asked_at()
         numbers = {**self._designs.values, **asked}

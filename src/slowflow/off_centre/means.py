@@ -227,11 +227,11 @@ class Steps:
         return own[:, :2]
 
     def curved_by(self, mechanism: Mechanism, parameters: tuple[float, ...]) -> list[Curved | None]:
-        """What each parameter does to the force beside its steps."""
+        """What each number of the design does to the force beside its steps; None where there is nothing beside them."""
         stated, known = mechanism.curved, self.curved
         found: list[Curved | None] = []
         if stated is None or known is None:
-            return [None] * len(parameters)
+            return [None] * len(mechanism.design)
         own, count = self.breakpoints.size, len(parameters)
         gained = np.array([float(one) for one in stated.gained_by(*parameters)]).reshape(own, count, 2)
         for number in range(count):

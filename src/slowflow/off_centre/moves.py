@@ -75,6 +75,14 @@ class Given:
         is_above = np.abs(upper - B - A) <= np.abs(B - A - lower)
         return np.where(is_above, 1.0, -1.0), np.where(is_above, above, -below)
 
+    def moved(self, A: Floats, B: Floats, numbers: int) -> Floats:
+        """What so many numbers, those of the design first, do to c_n and to s_n: (2, ORDERS, numbers, n)."""
+        found = np.zeros((2, ORDERS, numbers, A.size))
+        for k, of in enumerate(zip(self.gains, self.places, self.curved, strict=True)):
+            moved = self.steps.moved(A, B, *of)
+            found[0, :, k], found[1, :, k] = moved.c, moved.s
+        return found
+
     @property
     def names(self) -> tuple[str, ...]:
         """What answers move with, beside what is asked."""
@@ -151,10 +159,7 @@ def of_rest(given: Given, u: Floats) -> Gradient:
     none, steps = np.zeros(u.shape), given.steps
     _, slope, curvature = steps.at(none, u, ORDERS - 1).c
     names, size = given.names, np.abs(slope).max(initial=1.0)
-    f_p, slope_p = np.zeros((2, len(names), u.size))
-    for k in range(len(given.model.design)):
-        moved = steps.moved(none, u, given.gains[k], given.places[k], given.curved[k])
-        f_p[k], slope_p[k] = moved.c[:2]
+    f_p, slope_p = given.moved(none, u, len(names))[0][:2]
     f_p[names.index("load")] -= 1.0
     with np.errstate(all="ignore"):
         u_p = -f_p / slope
@@ -179,11 +184,7 @@ def _of_kind(
     of_load, of_F_0, of_Omega = (
         (np.array(names) == name)[:, np.newaxis] * np.ones(A.size) for name in ("load", "F_0", "Omega")
     )
-    c_p, s_p = (np.zeros((ORDERS, len(names), A.size)) for _ in range(2))
-    ends = np.zeros((len(names), A.size))
-    for k in range(len(model.design)):
-        moved = steps.moved(A, B, given.gains[k], given.places[k], given.curved[k])
-        c_p[:, k], s_p[:, k] = moved.c, moved.s
+    (c_p, s_p), ends = given.moved(A, B, len(names)), np.zeros((len(names), A.size))
     # mypy takes a starred argument for all that are left
     B_p, *of_h = off_centre.moved(A, *means.c[1:], *means.s[1:], *c_p, *s_p, of_load)  # type: ignore[call-arg]
     if kind in (Pinned.CORNER_TOP, Pinned.CORNER_REST):

@@ -144,7 +144,7 @@ class Sheets:
         other, *inside = self.charts.inside(edge, along, chart)
         places = np.array((inside, (0.0, along) if edge == 0 else (along, 0.0))).T
         with np.errstate(all="ignore"):
-            x, y = (Interval(np.stack((at, at))) for at in places)
+            x, y = map(Interval.point, places)
             here = self.charts.on(x, y, np.array((other, chart)))
             bent, A_t = resists(here)
             e = (bent - here.s_0 / here.A) * 4.0
@@ -172,7 +172,7 @@ class Sheets:
         empty = f_0.has_sign | (f + moved[0] + moved[1]).has_sign | (here.A.hi <= LEAST)
         found = []
         for i, slope in enumerate((here.c_x, here.c_y)):
-            at = Interval(np.stack((centre[i], centre[i])))
+            at = Interval.point(centre[i])
             left = at - (f + moved[1 - i]) / slope
             signed = slope.has_sign
             found.append(
