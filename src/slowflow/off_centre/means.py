@@ -227,7 +227,7 @@ class Steps:
         return own[:, :2]
 
     def curved_by(self, mechanism: Mechanism, parameters: tuple[float, ...]) -> list[Curved | None]:
-        """What each number of the design does to the force beside its steps; None where there is nothing beside them."""
+        """What each number of the design does to the force beside its steps; None for a piecewise polynomial."""
         stated, known = mechanism.curved, self.curved
         found: list[Curved | None] = []
         if stated is None or known is None:
