@@ -17,13 +17,11 @@ from slowflow.designs import Designs
 from slowflow.mechanism import Mechanism
 from slowflow.off_centre.many import OffCentreDesigns
 from slowflow.second.many import SecondDesigns
-from slowflow.table import AVERAGING, MORE_POINTS, OFFSET, QUESTIONS, SECOND, ManyQuestions, Question
+from slowflow.table import AVERAGING, MORE_POINTS, OFFSET, QUESTIONS, ManyQuestions, Question
 from slowflow.version import __version__
 
 #: axes of places, of tables and of records, which are never cut
 INNER = ("place", "point", "row", "instant")
-#: averaging, and beyond
-DEPTHS = (AVERAGING, SECOND)
 
 
 def made_by(mechanism: Mechanism) -> dict[str, str]:
@@ -36,7 +34,7 @@ class Ask:
     """A question about designs, asked block by block.
 
     excitation, rubs -- what F_0 is the amplitude of, and where dry friction acts
-    depth   -- one of `DEPTHS`
+    depth   -- by what it is answered without a load, `AVERAGING` or `SECOND`
     names   -- of the numbers that it is called with: the design's, mu, zeta and those of other laws of damping, a load,
                and what the question takes beside these
     options -- what else it takes
@@ -85,7 +83,7 @@ class Ask:
         if "load" in given:
             return OffCentreDesigns(self.mechanism, given, self.excitation)
         designs = Designs(self.mechanism, given, self.excitation, self.rubs)
-        return designs if self.depth == DEPTHS[0] else SecondDesigns(designs)
+        return designs if self.depth == AVERAGING else SecondDesigns(designs)
 
 
 def lengths(asked: Question, system: str, options: Mapping[str, Any], rows: int) -> tuple[tuple[str, int], ...]:

@@ -17,13 +17,13 @@ from slowflow import validate
 from slowflow.answer import optional
 from slowflow.exact.transient import NO_PULSE
 from slowflow.grid import meaning
-from slowflow.grid.block import DEPTHS, INNER, Ask, lengths, made_by
+from slowflow.grid.block import INNER, Ask, lengths, made_by
 from slowflow.loaded import AT_CENTRE, off_centre_by
 from slowflow.mechanism import Mechanism
 from slowflow.model import THROUGHOUT, check_names
 from slowflow.off_centre.many import check_polynomial
 from slowflow.second.many import UNANSWERED
-from slowflow.table import OFFSET, QUESTIONS, ManyQuestions, Question
+from slowflow.table import AVERAGING, OFFSET, QUESTIONS, SECOND, ManyQuestions, Question
 from slowflow.text import text
 from slowflow.unchanging import Unchanging
 from slowflow_kernels.domains import DISSIPATION
@@ -69,7 +69,7 @@ class Grid(Unchanging, ManyQuestions[Any]):
             given["load"] = values["load"]
         # not by attribute: these cannot be set
         self.__dict__.update(mechanism=mechanism, excitation=excitation, rubs=rubs, values=labelled(given))
-        self.__dict__.update(_given=given, _depth=DEPTHS[0])
+        self.__dict__.update(_given=given, _depth=AVERAGING)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Grid):
@@ -88,7 +88,7 @@ class Grid(Unchanging, ManyQuestions[Any]):
         if "load" in self._given:
             raise validate.NotAvailable(AT_CENTRE.format(off_centre_by(self.mechanism, 0.0) or "with a load"))
         deeper = copy.copy(self)
-        deeper.__dict__["_depth"] = DEPTHS[1]
+        deeper.__dict__["_depth"] = SECOND
         return deeper
 
     @property
