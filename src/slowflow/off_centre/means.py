@@ -170,7 +170,8 @@ class Steps:
             assert mechanism.curved is not None
             gains = np.array([float(one) for one in mechanism.curved.gained_by(*parameters)])
             return self._gained(np.zeros((count, 2)), gains.reshape(ends, count, 2).swapaxes(0, 1))
-        rows = np.array([float(one) for one in mechanism.steps_by(*parameters)]).reshape(count, 2 * ends + 1, -1)
+        rows = np.array([float(one) for one in mechanism.steps_by(*parameters)])
+        rows = rows.reshape(count, 2 * ends + 1, self.highest + 1)
         first = rows[:, self.about]
         if self.odd and self.of_first.sum() == 1 and first[:, ::2].any():
             raise validate.NotAvailable(NEXT_TO_REST)
@@ -234,7 +235,7 @@ class Steps:
             return [None] * len(mechanism.design)
         own, count = self.breakpoints.size, len(parameters)
         gained = np.array([float(one) for one in stated.gained_by(*parameters)]).reshape(own, count, 2)
-        for number in range(count):
+        for number in range(len(mechanism.design)):
             gains, laws = gained[:, number], [partial(_law, piece[number], parameters) for piece in stated.moved]
             if mechanism.odd:
                 gains, laws = np.concatenate((gains[::-1] * (1, -1), gains)), [*laws[:0:-1], *laws]
