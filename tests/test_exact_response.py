@@ -423,3 +423,15 @@ def test_multipliers_along_a_curve_have_the_product_of_a_whole_period():
     curve = Duffing(1.0, 0.5, 0.0, 0.05).exact_response(0.1, Omega=(0.6, 0.9))
     expected = np.exp(-2 * 0.05 * 2 * np.pi / curve.Omega)
     assert np.prod(curve.multipliers, axis=1) == pytest.approx(expected, rel=1e-10)
+
+
+def test_a_curve_is_followed_across_a_border_that_its_cycle_begins_at():
+    """Restarted at the highest turning point it was given up there, after 16 points; the other end leads through it."""
+    mount = Isolator(lam=2.372, r=1.75, delta_h=0.1458, mu=0.0, zeta=0.0371, load=-0.0715)
+    curve = mount.exact_response(0.05, Omega=(0.4, 1.6), step=0.05)
+    end = mount.steady_state(Omega=1.6, F_0=0.05)
+    back = mount.exact_response(0.05, Omega=(0.4, 1.6), step=0.05, start=end)
+    assert curve.complete and back.complete and len(curve.folds) == len(back.folds) == 2
+    for one, other in zip(curve.folds, back.folds, strict=True):
+        assert one.Omega == pytest.approx(other.Omega, rel=1e-12) and one.kind == other.kind
+    assert curve.peak.A == pytest.approx(back.peak.A, rel=1e-12)

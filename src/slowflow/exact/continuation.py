@@ -111,6 +111,7 @@ class Path:
     def __init__(self, F_0: float, low: float, high: float, step: float, least: float) -> None:
         self.F_0, self.low, self.high, self.step, self.least = F_0, low, high, step, least
         self.closed = False
+        self.restarts = True  # whether cycles are restarted at their highest point before their order is changed
 
     def begin(self, start: SteadyState, direction: float) -> Point:
         """The first point, to be left towards rising (direction 1) or falling Omega."""
@@ -162,13 +163,10 @@ class Path:
                     continue
             size *= 0.5
             if size < SMALLEST_STEP:
-                # phases may vanish so unevenly that the curve has a cusp at the border: across it in one go
-                new = self._other_side(point, point)
-                if new is None:
+                if not self.restarts or point.cycle.system.centred:
                     break
-                yield self._border(point, new)
-                yield new
-                point, size = new, 0.05 * self.step
+                # once more: off the centre a cycle that starts elsewhere may have its start at the border
+                self.restarts, size = False, 0.1 * self.step
         raise LostCurve(text(ENDS, self.F_0, point.z[-1], point.A))
 
     def _traced(self, point: Point, first: Point, size: float, travelled: float) -> tuple[list[Point], float, float]:
@@ -408,7 +406,7 @@ class Path:
 
     def _other_side(self, last: Point, trial: Point) -> Point | None:
         """A point near the border with the new order of switches."""
-        start = last.cycle.highest(last.z, self.F_0)
+        start = last.cycle.highest(last.z, self.F_0) if self.restarts else 0
         last, trial = (self._started_at(point, start) for point in (last, trial))
         nearest, best = None, NEAR
         for cycle, z in self._orders(trial):
