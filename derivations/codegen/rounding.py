@@ -47,7 +47,7 @@ Monomial = tuple[int, ...]
 Polynomial = dict[Monomial, Fraction]
 
 
-class Unproved(ArithmeticError):
+class NoBound(ArithmeticError):
     """This way finds no bound."""
 
 
@@ -65,13 +65,13 @@ def bounds(program: Program, arguments: Sequence[sp.Symbol]) -> list[Fraction | 
     try:
         for symbol, expression in program.lets:
             known[symbol] = _value(expression, known, len(arguments))
-    except Unproved:
+    except NoBound:
         return [None] * len(program.outputs)
     found: list[Fraction | None] = []
     for output in program.outputs:
         try:
             found.append(_bound(_value(output, known, len(arguments)), arguments))
-        except Unproved:
+        except NoBound:
             found.append(None)
     return found
 
@@ -84,7 +84,7 @@ def _constant(number: sp.Expr, size: int) -> tuple[Value, bool]:
     """A number as printed, and whether multiplying by it is exact."""
     number = number.doit()
     if not number.is_Rational:
-        raise Unproved(f"the constant {number}")
+        raise NoBound(f"the constant {number}")
     value = Fraction(int(number.p), int(number.q))
     one = (0,) * size
     if value == 0:
@@ -111,13 +111,13 @@ def _value(expression: sp.Expr, known: dict[sp.Symbol, Value], size: int) -> Val
                 continue
             base, exponent = factor.as_base_exp()
             if not exponent.is_Integer:
-                raise Unproved(str(factor))
+                raise NoBound(str(factor))
             other = _value(base, known, size)
             for _ in range(abs(int(exponent))):
                 by = other if exponent > 0 else _reciprocal(other)
                 result, exact = _product(result, by, rounded=exponent < 0 or not exact), False
         return result
-    raise Unproved(str(expression.func))
+    raise NoBound(str(expression.func))
 
 
 def _sum(terms: Sequence[Value]) -> Value:
@@ -138,11 +138,11 @@ def _product(one: Value, other: Value, rounded: bool) -> Value:
 def _reciprocal(value: Value) -> Value:
     """Of a monomial; the division itself is counted as the product's rounding."""
     if len(value.exact) != 1:
-        raise Unproved("a quotient by a sum")
+        raise NoBound("a quotient by a sum")
     ((monomial, coefficient),) = value.exact.items()
     inverse = tuple(-power for power in monomial)
     if any(other != monomial for other in value.error):
-        raise Unproved("a divisor whose error is no share of it")
+        raise NoBound("a divisor whose error is no share of it")
     share = value.error.get(monomial, Fraction(0)) / abs(coefficient)
     return Value({inverse: 1 / coefficient}, {inverse: share / abs(coefficient)} if share else {})
 
@@ -157,7 +157,7 @@ def _added(polynomials: Sequence[Polynomial]) -> Polynomial:
 
 def _multiplied(one: Polynomial, other: Polynomial) -> Polynomial:
     if len(one) * len(other) > MOST**2:
-        raise Unproved("too many monomials")
+        raise NoBound("too many monomials")
     return _added(
         [
             {tuple(map(sum, zip(p, q, strict=True))): a * b}
@@ -178,10 +178,10 @@ def _bound(value: Value, arguments: Sequence[sp.Symbol]) -> Fraction:
     """The largest over all signs of the arguments that may have either."""
     if not value.exact:
         if value.error:
-            raise Unproved("an error of zero")
+            raise NoBound("an error of zero")
         return Fraction(0)
     if len(value.exact) > MOST or value.error.keys() - value.exact.keys():
-        raise Unproved("an error in a monomial that is not there")
+        raise NoBound("an error in a monomial that is not there")
     either = [k for k, x in enumerate(arguments) if x not in POSITIVE and any(t[k] % 2 for t in value.exact)]
     worst = Fraction(0)
     for signs in itertools.product((1, -1), repeat=len(either)):
@@ -208,11 +208,11 @@ def _of_signs(value: Value, sign: dict[int, int]) -> Fraction:
         bounds=[(None, None)] * count + [(0, None)],
     )
     if not found.success:
-        raise Unproved("no multipliers")
+        raise NoBound("no multipliers")
     multipliers = [Fraction(x).limit_denominator(10**6) * (1 + Fraction(1, 10**4)) for x in found.x[:count]]
     for j, weight in enumerate(weights):
         if sum(x * row[j] for x, row in zip(multipliers, rows, strict=True)) < weight:
-            raise Unproved("the multipliers do not hold in exact arithmetic")
+            raise NoBound("the multipliers do not hold in exact arithmetic")
     return max(abs(x) for x in multipliers)
 
 
