@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import functools
 import html
 import itertools
 import re
@@ -230,7 +231,12 @@ def lines_of(path):
 @pytest.mark.slow
 def test_what_is_undecided_of_isolation_is_said_in_short_too(monkeypatch):
     plain, ask = " ".join(report._in_short(scenes.read(MOUNT), 5.0)), Isolator.isolation
-    monkeypatch.setattr(Isolator, "isolation", lambda *at: replace(ask(*at), remarks=Remark.UNDECIDED))
+
+    @functools.wraps(ask)
+    def undecided(*at, **given):
+        return replace(ask(*at, **given), remarks=Remark.UNDECIDED)
+
+    monkeypatch.setattr(Isolator, "isolation", undecided)
     said = plain.replace("less than what drives it.", "less than what drives it, as far as is decided.")
     assert " ".join(report._in_short(scenes.read(MOUNT), 5.0)) == said != plain
 

@@ -33,11 +33,11 @@
         (void)self; \
         function(p, out); \
     }
-#define OF_DESIGN(member, number, function, ...) \
+#define OF_DESIGN(member, number, call) \
     static void member(const sf_mechanism *self, const double *design, number *out) \
     { \
         (void)self; \
-        function(__VA_ARGS__, out); \
+        call; \
     }
 
 /* Sums over the force, `width` of them in one regime, at n amplitudes: each sum into a row of its own. */
@@ -171,9 +171,9 @@ static int rod_spring_untruncated_record_parameters_of(const sf_mechanism *self,
     return 1;
 }
 
-OF_DESIGN(duffing_record_by_design, double, duffing_by_design, design[0], design[1])
-OF_DESIGN(duffing_record_parameters_within, sf_interval, duffing_intervals_given, sfi_point(design[0]), sfi_point(design[1]))
-OF_DESIGN(duffing_record_parameters_in_pairs, sf_pair, duffing_pairs_given, sfp_point(design[0]), sfp_point(design[1]))
+OF_DESIGN(duffing_record_by_design, double, duffing_by_design(design[0], design[1], out))
+OF_DESIGN(duffing_record_parameters_within, sf_interval, duffing_intervals_given(sfi_point(design[0]), sfi_point(design[1]), out))
+OF_DESIGN(duffing_record_parameters_in_pairs, sf_pair, duffing_pairs_given(sfp_point(design[0]), sfp_point(design[1]), out))
 
 ROWS(duffing_record_averaged_loop, duffing_averaged, 4)
 SUMS(duffing_record_averaged, duffing_averaged, duffing_record_averaged_loop(n, n, A, p, out))
@@ -264,9 +264,9 @@ OF_PARAMETERS(rod_spring_record_ends, double, rod_spring_breakpoints)
 OF_PARAMETERS(rod_spring_record_jumps, double, rod_spring_jumps)
 OF_PARAMETERS(rod_spring_record_ends_within, sf_interval, rod_spring_intervals_breakpoints)
 OF_PARAMETERS(rod_spring_record_ends_in_pairs, sf_pair, rod_spring_pairs_breakpoints)
-OF_DESIGN(rod_spring_record_by_design, double, rod_spring_by_design, design[0], design[1], design[2])
-OF_DESIGN(rod_spring_record_parameters_within, sf_interval, rod_spring_intervals_given, sfi_point(design[0]), sfi_point(design[1]), sfi_point(design[2]))
-OF_DESIGN(rod_spring_record_parameters_in_pairs, sf_pair, rod_spring_pairs_given, sfp_point(design[0]), sfp_point(design[1]), sfp_point(design[2]))
+OF_DESIGN(rod_spring_record_by_design, double, rod_spring_by_design(design[0], design[1], design[2], out))
+OF_DESIGN(rod_spring_record_parameters_within, sf_interval, rod_spring_intervals_given(sfi_point(design[0]), sfi_point(design[1]), sfi_point(design[2]), out))
+OF_DESIGN(rod_spring_record_parameters_in_pairs, sf_pair, rod_spring_pairs_given(sfp_point(design[0]), sfp_point(design[1]), sfp_point(design[2]), out))
 
 static inline int rod_spring_record_averaged_regime(double A, const double *p)
 {
@@ -380,9 +380,9 @@ OF_PARAMETERS(rod_spring_untruncated_record_jumps, double, rod_spring_untruncate
 OF_PARAMETERS(rod_spring_untruncated_record_ends_within, sf_interval, rod_spring_untruncated_intervals_breakpoints)
 OF_PARAMETERS(rod_spring_untruncated_record_ends_in_pairs, sf_pair, rod_spring_untruncated_pairs_breakpoints)
 OF_PARAMETERS(rod_spring_untruncated_record_kinks_within, sf_interval, rod_spring_untruncated_intervals_kinks)
-OF_DESIGN(rod_spring_untruncated_record_by_design, double, rod_spring_untruncated_by_design, design[0], design[1], design[2])
-OF_DESIGN(rod_spring_untruncated_record_parameters_within, sf_interval, rod_spring_untruncated_intervals_given, sfi_point(design[0]), sfi_point(design[1]), sfi_point(design[2]))
-OF_DESIGN(rod_spring_untruncated_record_parameters_in_pairs, sf_pair, rod_spring_untruncated_pairs_given, sfp_point(design[0]), sfp_point(design[1]), sfp_point(design[2]))
+OF_DESIGN(rod_spring_untruncated_record_by_design, double, rod_spring_untruncated_by_design(design[0], design[1], design[2], out))
+OF_DESIGN(rod_spring_untruncated_record_parameters_within, sf_interval, rod_spring_untruncated_intervals_given(sfi_point(design[0]), sfi_point(design[1]), sfi_point(design[2]), out))
+OF_DESIGN(rod_spring_untruncated_record_parameters_in_pairs, sf_pair, rod_spring_untruncated_pairs_given(sfp_point(design[0]), sfp_point(design[1]), sfp_point(design[2]), out))
 
 ROWS(rod_spring_untruncated_record_averaged_loop, rod_spring_untruncated_averaged, 4)
 SUMS(rod_spring_untruncated_record_averaged, rod_spring_untruncated_averaged, rod_spring_untruncated_record_averaged_loop(n, n, A, p, out))
