@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
-from slowflow import Duffing, Isolator, loads, scenes
+from slowflow import Duffing, Isolator, isolating, scenes
 from slowflow_kernels.conventions import Status
 from slowflow_support.errors import Refused
 from tests.sampling import fewer
@@ -53,7 +53,7 @@ def test_zeros_of_many_functions_are_those_of_scipy_to_the_bit():
         return np.sin(a[which] * x) + b[which] * x**3 + c[which] * np.abs(x - 0.3)
 
     low, high = rng.uniform(-2, 0, 200), rng.uniform(0, 2, 200)
-    found, near = loads.zeros(f, low, high), {"xtol": 4 * np.finfo(float).tiny, "rtol": 4 * EPS}
+    found, near = isolating.zeros(f, low, high), {"xtol": 4 * np.finfo(float).tiny, "rtol": 4 * EPS}
     opposite = np.flatnonzero(f(low) * f(high) < 0)
     assert opposite.size > 50
     for k in opposite.tolist():

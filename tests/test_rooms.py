@@ -26,7 +26,7 @@ FLOORS = (
     ("off_centre",),
     ("loads_many",),
     ("exact", "second", "loads"),
-    ("averaged",),
+    ("averaged", "isolating"),
     ("results", "quantities"),
     ("certificate", "measured", "files", "moves"),
     ("gradient",),

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from slowflow import loads, progress, validate
+from slowflow import isolating, loads, progress, validate
 from slowflow.averaged.batches import Batch, Codes, first_end
 from slowflow.averaged.many import Designs
 from slowflow.averaged.questions import Averaged
@@ -162,7 +162,7 @@ def hysteresis(designs: Designs, F_0: Any, places: int = 3, workers: int = 1) ->
 def isolation(designs: Designs, F_0: Any, level_dB: Any = None, workers: int = 1) -> Batch:
     """See `slowflow.designs.Designs.isolation`.
 
-    `loads.isolated` of response curves; designs with other damping than mu and zeta, and those without a peak, are
+    `isolating.isolated` of response curves; designs with other damping than mu and zeta, and those without a peak, are
     asked singly.
     """
     peaks = designs.peak(F_0, workers=workers)
@@ -171,7 +171,7 @@ def isolation(designs: Designs, F_0: Any, level_dB: Any = None, workers: int = 1
     dB, forcing = (np.broadcast_to(np.asarray(one, dtype=float), shape) for one in (given, F_0))
     inertial, mu, zeta = designs.excitation != "force", *(np.asarray(designs.values[one]) for one in ("mu", "zeta"))
     with np.errstate(all="ignore"):  # a number outside its domain has a status
-        levels, m = loads.Level.of(dB), np.asarray(slow_flow.friction(mu))
+        levels, m = isolating.Level.of(dB), np.asarray(slow_flow.friction(mu))
         status = np.where(np.isfinite(dB) & (dB <= 0), peaks.status, Status.INVALID).astype(np.int8)
         # friction alone passes on more, at any frequency
         floor = (dB < 0) & (m >= levels.ratio * forcing) & (status == Status.OK) & (not inertial)
@@ -192,7 +192,7 @@ def isolation(designs: Designs, F_0: Any, level_dB: Any = None, workers: int = 1
             at = tuple(rows[part].T) or (np.newaxis,)  # a single design has no axis
             values = {name: np.broadcast_to(value, shape)[at] for name, value in designs.values.items()}
             few = Designs(designs.mechanism, values, designs.excitation, designs.rubs)
-            level = loads.Level(*(one[at][:, np.newaxis] for one in levels))
+            level = isolating.Level(*(one[at][:, np.newaxis] for one in levels))
             numbers = forcing[at][:, np.newaxis], level, highest[at][:, np.newaxis]
             curves, *columns = _isolated(few, *numbers, points, workers)
             for name, column in zip(("at_fold", "Omega", "A"), columns, strict=True):
@@ -338,17 +338,17 @@ class _Flows:
 
 
 def _isolated(
-    few: Designs, F_0: Floats, level: loads.Level, A_max: Floats, samples: int, workers: int
+    few: Designs, F_0: Floats, level: isolating.Level, A_max: Floats, samples: int, workers: int
 ) -> tuple[Any, ...]:
-    """Response curves, and `loads.isolated` of them."""
+    """Response curves, and `isolating.isolated` of them."""
     with np.errstate(all="ignore"):  # amplitudes behind the last point
         of = _Flows.of(few)
-        last = loads.highest(of, A_max, F_0, level, samples)[:, 0]
+        last = isolating.highest(of, A_max, F_0, level, samples)[:, 0]
         found = few._response_up_to(F_0[:, 0], Omega=last, samples=samples, workers=workers)
         points = slice(max(1, int(found.points.max())))
         columns: Any = found.Omega, found.A, found.stable == 1, found.branch, found.isola == 1
         Omega, A, *flags = (one[:, points] for one in columns)
-        return found, *loads.isolated(of.take, loads.Curves((Omega, A), *flags), F_0, level)
+        return found, *isolating.isolated(of.take, isolating.Curves((Omega, A), *flags), F_0, level)
 
 
 def _singly(designs: Designs, F_0: Any, wanted: Flags, ask: Callable[..., Any], *beside: Floats) -> Any:

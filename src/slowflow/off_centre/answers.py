@@ -15,7 +15,8 @@ import numpy.typing as npt
 from slowflow import validate
 from slowflow.answer import Table, entry
 from slowflow.gradient import Gradient
-from slowflow.loads import Isolation, Level
+from slowflow.isolating import Level
+from slowflow.loads import Isolation
 from slowflow.model import Floats, Model
 from slowflow.off_centre import moves
 from slowflow.off_centre.moves import Given

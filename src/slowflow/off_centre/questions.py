@@ -15,7 +15,7 @@ from typing import Any, NamedTuple, TypeVar
 import numpy as np
 from scipy.optimize import brentq
 
-from slowflow import loads, validate
+from slowflow import isolating, loads, validate
 from slowflow.answer import joined
 from slowflow.averaged import remarks, words
 from slowflow.averaged.pairs import at_pairs
@@ -536,40 +536,40 @@ class OffCentre(Unchanging):
         where that is not decided the answer says so, `Remark.UNDECIDED`. See `slowflow.off_centre.reach`. Raises
         NotAvailable where motions go beyond `A_max`, as on a base that shakes too much for a hardening spring.
         """
-        F_0, level = validate.number("F_0", F_0, above=0.0), loads.as_level(level_dB)
+        F_0, level = validate.number("F_0", F_0, above=0.0), isolating.as_level(level_dB)
         self._check_answered("isolation")
         sticks = words.STICKS.format(F_0, self._m) if self._flow.sticks(F_0) else ""
         floor = Averaged(self._model).transmissibility_floor(F_0)
-        if why := sticks or loads.passes_on(self._model, floor, level):
+        if why := sticks or isolating.passes_on(self._model, floor, level):
             return self._isolation(level, None, None, None, False, F_0, why, Remark(0))
         if self._flow.inertial and self._is_cut(F_0):
             raise validate.NotAvailable(OPEN.format(self.A_max(F_0)))
         # what is transmitted has the square h^2 + I^2, as much as F_0 where R = -h, at Omega^2 = 2 p with p = -h/A
         backbone = self._reach.highest_backbone(F_0, COARSE)
-        highest = loads.BEYOND * math.sqrt(2 * (1 + COARSE) * backbone)
+        highest = isolating.BEYOND * math.sqrt(2 * (1 + COARSE) * backbone)
         share = None
         if level.dB:
             steepest = (1 + COARSE) * backbone
-            highest = float(loads.last_passed(self._flow, F_0, level, steepest))
+            highest = float(isolating.last_passed(self._flow, F_0, level, steepest))
             share = Share(float(level.ratio), highest, steepest)
         found = self._begins(F_0, 0.0, highest, level)
         if found.Omega is None or not (left := self._reach.transmits_beyond(F_0, found.Omega, share)):
             return found
         # between points of the response a motion may come to transmit F_0 and leave that again: more points there
         if math.isfinite(left[1]):
-            higher = self._begins(F_0, left[0] * (1 + BEYOND_IT), loads.BEYOND * left[1], level)
+            higher = self._begins(F_0, left[0] * (1 + BEYOND_IT), isolating.BEYOND * left[1], level)
             if higher.Omega and not self._reach.transmits_beyond(F_0, higher.Omega, share):
                 return higher
         message = joined(found.message, UNDECIDED_BEYOND.format(str(level)))
         return replace(found, message=message, remarks=found.remarks | Remark.UNDECIDED)
 
     def _isolation(
-        self, level: loads.Level, Omega: float | None, A: float | None, B: float | None, *others: Any
+        self, level: isolating.Level, Omega: float | None, A: float | None, B: float | None, *others: Any
     ) -> loads.Isolation:
         beside: dict[str, Any] = {"B": B, "load": self.load, "_model": self._model, "_moves": answers.isolation_moves}
         return loads.Isolation(Omega, A, *others, level_dB=level.dB, **beside)
 
-    def _begins(self, F_0: float, low: float, high: float, level: loads.Level) -> loads.Isolation:
+    def _begins(self, F_0: float, low: float, high: float, level: isolating.Level) -> loads.Isolation:
         """Where isolation begins on points of the response between two frequencies."""
         curve = self._curve(F_0, loads.SAMPLES, low, high)
         transmits, ratio = curve.transmissibility[np.newaxis] >= level.ratio, float(level.ratio)
@@ -579,8 +579,8 @@ class OffCentre(Unchanging):
             found = [self._transmits(curve, ratio, *pair) if curve.stable[pair[0]] else none for pair in pairs]
             return tuple(np.array(found).reshape(-1, 3).T)
 
-        found = loads.begins(loads.Curves.of(curve, curve.mean), transmits, passes)
-        return loads.told(partial(self._isolation, level), curve, level, *(column.item() for column in found))
+        found = isolating.begins(isolating.Curves.of(curve, curve.mean), transmits, passes)
+        return isolating.told(partial(self._isolation, level), curve, level, *(column.item() for column in found))
 
     def _transmits(self, curve: FrequencyResponse, ratio: float, one: int, other: int) -> tuple[float, float, float]:
         """Omega, A and B between two points of a curve, at which the motion transmits that share of F_0."""
