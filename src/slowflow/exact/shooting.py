@@ -59,8 +59,6 @@ def _turns(half_turns: int) -> int:
 AGAIN = 1e-9  # of its amplitude, within which a motion is where it was before
 GAUSS_NODES = 40  # per phase of the motion, for its harmonics
 PEAK_SAMPLES = 65  # per phase, between which the largest force that is passed on is looked for
-
-
 #: shares of the amplitude at which it is asked whether the force has any stiffness there
 WITHIN = (0.25, 0.5, 0.9)
 #: of its amplitude, what a motion that is adrift may still change in a turn of the forcing
@@ -83,7 +81,6 @@ CHAOTIC = Sentence(
     "forcing tell: motions that begin beside each other part by a factor of {rate:.2g} in each; A= gives the periodic "
     "motion, stable or not, next to an amplitude"
 )
-
 RESTS_AT_JUMP = Sentence(
     "the motion at {Omega = :g}, {F_0 = :g} repeats itself with {A = :.6g}, but the mass rests at {u} = 0 in each "
     "turn, where the force jumps, after passing it ever more often: that is followed in time, by sweep, and has no "
@@ -93,8 +90,6 @@ COMES_TO_REST = Sentence(
     "no steady state found at {Omega = :g}, {F_0 = :g}: a motion from {u = :.6g} on comes to rest, where "
     "friction holds the mass"
 )
-
-
 NOT_FOUND = Sentence(
     "no steady state found at {Omega = :}, {F_0 = :}: after {turns:d} turns of the forcing the motion comes back only "
     "to within {A:.1e}; {why:s}"
@@ -251,9 +246,14 @@ class SteadyState(Answer):
         return compiled.sample(Forced(self.cycle.system, self.Omega, self.F_0), phase, theta)
 
     def _state(self, theta: float) -> tuple[float, float]:
-        """(u, v) at one angle of the forcing."""
-        (u,), (v,) = self._at(np.array([theta]))
-        return float(u), float(v)
+        """(u, v) at one angle of the forcing: as `_at`, in a third of the time, as time stepping asks often."""
+        start, span = float(self.unknowns[1]), self.cycle.half_turns * math.pi
+        turns = math.floor((theta - start) / span)
+        local = theta - turns * span
+        phase = next((one for one in reversed(self.phases) if one.theta <= local), self.phases[0])
+        ((u, v, _),) = self._within(phase, np.array([local])).tolist()
+        sign = self.cycle.sign if turns % 2 else 1
+        return sign * u, sign * v
 
     def _at(self, theta: Array) -> tuple[Array, Array]:
         start, span = float(self.unknowns[1]), self.cycle.half_turns * math.pi
