@@ -161,17 +161,13 @@ COUNT_LANES(sf_approach_cusps, sf_cusp_zeros, amplitudes_in_lanes)
 #define sf_approach_folds counted_sf_approach_folds
 #define sf_approach_cusps counted_sf_approach_cusps
 
-#define COUNT_BALANCES(loop) \
-    static void counted_##loop(ptrdiff_t n, const double *Omega, const double *A, double F_0, int inertial, double m, \
-                               double zeta, const double *known, double *out) { \
-        const double start = now(); \
-        loop(n, Omega, A, F_0, inertial, m, zeta, known, out); \
-        balances_in_lanes.seconds += now() - start, balances_in_lanes.calls++, balances_in_lanes.places += n; \
-    }
-COUNT_BALANCES(sf_second_balances)
-COUNT_BALANCES(sf_second_answers)
+static void counted_sf_second_balances(ptrdiff_t n, const double *Omega, const double *A, double F_0, int inertial,
+                                       int phases, double m, double zeta, const double *known, double *out) {
+    const double start = now();
+    sf_second_balances(n, Omega, A, F_0, inertial, phases, m, zeta, known, out);
+    balances_in_lanes.seconds += now() - start, balances_in_lanes.calls++, balances_in_lanes.places += n;
+}
 #define sf_second_balances counted_sf_second_balances
-#define sf_second_answers counted_sf_second_answers
 #define SF_SOLVERS solvers_counted
 /* in a source of its own */
 #define SF_RECORDS sf_records_baseline

@@ -162,19 +162,6 @@ EXTRA = Table(
     ),
 )
 
-SECOND = Table(
-    ("SecondStatus", "sf_second_status"),
-    "How one answer of the second approximation fared.",
-    (
-        Word("OK", "an answer"),
-        Word("FIRST_HAS_NONE", "the first approximation has none to start from"),
-        Word("NO_CUSP", "the onset of the first approximation is no cusp, which is all that is followed"),
-        Word("STATIC", "the first approximation's motion is at Omega = 0: it has no harmonics"),
-        Word("FAR", "it does not come near the first approximation: the harmonics are not small"),
-    ),
-    suffix="_SECOND",
-)
-
 WANTED = Table(
     ("Wanted", "sf_wanted"),
     "What a curve of the second approximation is followed for.",
@@ -363,7 +350,7 @@ CONVENTIONS = (
     Conventions(
         "second_conventions",
         "What the solvers of the second approximation have in common",
-        (SECOND, WANTED),
+        (WANTED,),
         (
             Number(
                 "SMALL", sp.Rational(1, 5), "change of ln A, ln Omega up to which it is a correction, share of A too"
@@ -450,6 +437,6 @@ C_ALONE = frozenset(
         "FAR_RAISE FAR_RAISES FINE_RUNGS FIRST_F_0 HARDLY LAST_STEP MAY_MEET MOST_CELLS NARROW NEARING NEAR_BOUND "
         "NEAR_END NEAR_ENDLESS NEAR_ROOT NO_WIDTH POLISHED POLISHING RAISE RAISES RUNGS SIMPLE SLOW SOFT STEEP TENDS "
         "TOLD_APART ANGLE CONTACT_SUMS DENSE HALVED LARGEST_SUM HARMONICS LONGEST MATCHING MOVED SETTLED SMALL "
-        "VANISHED WEIGHT DONE CREEPS NEAR OF_TURN POINTS BALANCED ROUNDS SYSTEMS"
+        "VANISHED WEIGHT DONE CREEPS NEAR OF_TURN POINTS BALANCED ROUNDS"
     ).split()
 )

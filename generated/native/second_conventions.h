@@ -6,15 +6,6 @@
 #ifndef SECOND_CONVENTIONS_H
 #define SECOND_CONVENTIONS_H
 
-/* How one answer of the second approximation fared. */
-typedef enum {
-    SF_OK_SECOND = 0, /* an answer */
-    SF_FIRST_HAS_NONE_SECOND = 1, /* the first approximation has none to start from */
-    SF_NO_CUSP_SECOND = 2, /* the onset of the first approximation is no cusp, which is all that is followed */
-    SF_STATIC_SECOND = 3, /* the first approximation's motion is at Omega = 0: it has no harmonics */
-    SF_FAR_SECOND = 4 /* it does not come near the first approximation: the harmonics are not small */
-} sf_second_status;
-
 /* What a curve of the second approximation is followed for. */
 typedef enum {
     SF_EVERY_POINT = 0, /* all of its points */

@@ -7,29 +7,12 @@ Input: derivations/codegen/conventions.py
 from enum import IntEnum
 
 
-class SecondStatus(IntEnum):
-    """How one answer of the second approximation fared.
-
-    0  OK              an answer
-    1  FIRST_HAS_NONE  the first approximation has none to start from
-    2  NO_CUSP         the onset of the first approximation is no cusp, which is all that is followed
-    3  STATIC          the first approximation's motion is at Omega = 0: it has no harmonics
-    4  FAR             it does not come near the first approximation: the harmonics are not small
-    """
-
-    OK = 0
-    FIRST_HAS_NONE = 1
-    NO_CUSP = 2
-    STATIC = 3
-    FAR = 4
-
-
 class Wanted(IntEnum):
     """What a curve of the second approximation is followed for.
 
-    0  EVERY_POINT     all of its points
-    1  FOLDS_ONLY      those beside which F_A may vanish
-    2  TOP_ONLY        those beside which u_max may be largest
+    0  EVERY_POINT  all of its points
+    1  FOLDS_ONLY   those beside which F_A may vanish
+    2  TOP_ONLY     those beside which u_max may be largest
     """
 
     EVERY_POINT = 0

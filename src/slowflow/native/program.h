@@ -243,7 +243,7 @@ SF_FUNCTION_OF(sf_interval, sf_at_on_intervals, sf_run_on_intervals, one.lo <= o
 static int sf_program_parameters_of(const sf_mechanism *self, const double *design, double *p)
 {
     const sf_program *of = self->program;
-    sf_pair given[SF_MOST_DESIGN], pairs[SF_MOST_PARAMETERS + SF_MOST_BREAKS];
+    sf_pair pairs[SF_MOST_PARAMETERS + SF_MOST_BREAKS];
     int i;
     for (i = 0; i < of->conditions; i++) {
         const sf_condition *on = &of->condition[i];
@@ -255,9 +255,7 @@ static int sf_program_parameters_of(const sf_mechanism *self, const double *desi
     }
     sf_at(&of->coefficients, design, p);
     if (self->parameters_in_pairs != NULL) {
-        for (i = 0; i < self->design_size; i++)
-            given[i] = sfp_point(design[i]);
-        sf_at_in_pairs(&of->given_in_pairs, -1, given, pairs);
+        self->parameters_in_pairs(self, design, pairs);
         sf_keep_digits(self->parameters, pairs, p);
     }
     return 1;
@@ -289,12 +287,17 @@ static void sf_program_closed(const sf_mechanism *self, int which, int wanted, d
     sf_at(&of->averages[which], arguments, out);
 }
 
-static void sf_program_average(const sf_mechanism *self, int which, int wanted, int outputs, ptrdiff_t n,
-                               const double *A, const double *p, double *out)
+/* The first outputs of an average: by a quadrature from so many integrals, or as it is printed in a function of A. */
+static void sf_program_average(const sf_mechanism *self, int which, int wanted, const sf_function *printed, int outputs,
+                               ptrdiff_t n, const double *A, const double *p, double *out)
 {
     double at[3 * SF_MOST_PARAMETERS + 8];
     ptrdiff_t i;
     int k;
+    if (!self->program->summed) {
+        sf_at_amplitudes(printed, self->parameters, n, A, p, out);
+        return;
+    }
     for (i = 0; i < n; i++) {
         sf_program_closed(self, which, wanted, A[i], p, at);
         for (k = 0; k < outputs; k++)
@@ -305,10 +308,7 @@ static void sf_program_average(const sf_mechanism *self, int which, int wanted, 
 static void sf_program_averaged(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out)
 {
     const sf_program *of = self->program;
-    if (of->summed)
-        sf_program_average(self, SF_AVERAGED, of->sums[SF_AVERAGED].width, 4, n, A, p, out);
-    else
-        sf_at_amplitudes(&of->averages[SF_AVERAGED], self->parameters, n, A, p, out);
+    sf_program_average(self, SF_AVERAGED, of->sums[SF_AVERAGED].width, &of->averages[SF_AVERAGED], 4, n, A, p, out);
 }
 
 /* Without contacts h and h_A need the first two integrals only. */
@@ -316,29 +316,20 @@ static void sf_program_averaged_2(const sf_mechanism *self, ptrdiff_t n, const d
 {
     const sf_program *of = self->program;
     const sf_quarter *sums = &of->sums[SF_AVERAGED];
-    if (of->summed)
-        sf_program_average(self, SF_AVERAGED, sums->contacts > 0 ? sums->width : 2, 2, n, A, p, out);
-    else
-        sf_at_amplitudes(&of->averaged_2, self->parameters, n, A, p, out);
+    sf_program_average(self, SF_AVERAGED, sums->contacts > 0 ? sums->width : 2, &of->averaged_2, 2, n, A, p, out);
 }
 
 static void sf_program_harmonics(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out)
 {
     const sf_program *of = self->program;
-    if (of->summed)
-        sf_program_average(self, SF_HIGHER, of->sums[SF_HIGHER].width, 8, n, A, p, out);
-    else
-        sf_at_amplitudes(&of->averages[SF_HIGHER], self->parameters, n, A, p, out);
+    sf_program_average(self, SF_HIGHER, of->sums[SF_HIGHER].width, &of->averages[SF_HIGHER], 8, n, A, p, out);
 }
 
 static double sf_program_intercept(const sf_mechanism *self, double A, const double *p)
 {
     const sf_program *of = self->program;
     double out;
-    if (of->summed)
-        sf_program_closed(self, SF_INTERCEPT, of->sums[SF_INTERCEPT].width, A, p, &out);
-    else
-        sf_at_amplitudes(&of->averages[SF_INTERCEPT], self->parameters, 1, &A, p, &out);
+    sf_program_average(self, SF_INTERCEPT, of->sums[SF_INTERCEPT].width, &of->averages[SF_INTERCEPT], 1, 1, &A, p, &out);
     return out;
 }
 

@@ -156,30 +156,29 @@ static int sf_is_away(const sf_second *second, const sf_moved *moved, const long
     return second->wanted == SF_FOLDS_ONLY && one * other > 0 && fmin(fabs(one), fabs(other)) > SF_AWAY * change;
 }
 
+/* A point of the first approximation's enters a lane; not where the third harmonic is below its resonance. */
+static void sf_go_own_way(const sf_second *second, const sf_first *first, long i, sf_lanes *lanes,
+                          const sf_moved *moved) {
+    if (sf_off_resonance(first->Omega[i], first->A[i], first->h[i]))
+        sf_enter_lane(second, (int)i, first->Omega[i], first->A[i], first->R[i], 1, lanes, moved);
+}
+
 static void sf_second_stretch(const sf_second *second, const sf_first *first, long from, long to,
                               const sf_moved *moved) {
     const long anchors = (to - 1 - from + SF_APART - 1) / SF_APART + 1;
+    const int all = anchors < 4; /* go their own way */
     double best = 0;
     double Omega[SF_APART], A[SF_APART], R[SF_APART];
     sf_beside_gap beside;
     sf_lanes lanes;
     long i, k;
     int j;
-    if (anchors < 4) {
-        lanes.n = 0;
-        for (i = from; i < to; i++)
-            if (sf_off_resonance(first->Omega[i], first->A[i], first->h[i]))
-                sf_enter_lane(second, (int)i, first->Omega[i], first->A[i], first->R[i], 1, &lanes, moved);
-        sf_second_settle(second, &lanes, 1, moved);
-        return;
-    }
     lanes.n = 0;
-    for (k = 0; k < anchors; k++) {
-        i = sf_anchor(from, to, k);
-        if (sf_off_resonance(first->Omega[i], first->A[i], first->h[i]))
-            sf_enter_lane(second, (int)i, first->Omega[i], first->A[i], first->R[i], 1, &lanes, moved);
-    }
+    for (k = 0; k < (all ? to - from : anchors); k++)
+        sf_go_own_way(second, first, all ? from + k : sf_anchor(from, to, k), &lanes, moved);
     sf_second_settle(second, &lanes, 1, moved);
+    if (all)
+        return;
     if (second->wanted != SF_EVERY_POINT)
         sf_second_look(second, first, from, to, anchors, moved);
     for (k = 0; k < anchors && second->wanted == SF_TOP_ONLY; k++)
@@ -206,9 +205,9 @@ static void sf_second_stretch(const sf_second *second, const sf_first *first, lo
     for (k = 0; k + 1 < anchors; k++) {
         const long start = sf_anchor(from, to, k), end = sf_anchor(from, to, k + 1);
         for (i = start + 1; i < end; i++)
-            if (!(moved->step[i] < 0) && sf_off_resonance(first->Omega[i], first->A[i], first->h[i]) &&
+            if (!(moved->step[i] < 0) &&
                 !(sf_are_parallel(second, first, moved, start, i) && sf_are_parallel(second, first, moved, i, end)))
-                sf_enter_lane(second, (int)i, first->Omega[i], first->A[i], first->R[i], 1, &lanes, moved);
+                sf_go_own_way(second, first, i, &lanes, moved);
     }
     sf_second_settle(second, &lanes, 1, moved);
 }
@@ -277,14 +276,11 @@ static int sf_passes(const sf_second_point *a, const sf_second_point *b, double 
 /* Balances at whole vectors of states; phi where every point is wanted, else none. */
 static void sf_second_told(const sf_second *second, int n, const double *Omega, const double *A, const double *known,
                            double *out) {
+    const int phases = second->wanted == SF_EVERY_POINT;
     int i;
-    if (second->wanted == SF_EVERY_POINT) {
-        sf_second_answers(n, Omega, A, second->F_0, sf_inertial(second->model), second->model->m, second->model->zeta,
-                          known, out);
-        return;
-    }
-    sf_lane_balances(second, n, Omega, A, known, out);
-    for (i = 0; i < n; i++)
+    sf_second_balances(n, Omega, A, second->F_0, sf_inertial(second->model), phases, second->model->m,
+                       second->model->zeta, known, out);
+    for (i = 0; i < n && !phases; i++)
         out[2 * n + i] = NAN;
 }
 

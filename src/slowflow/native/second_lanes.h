@@ -22,13 +22,11 @@ static inline double sf_force_squared_slope(double Omega, double F_0) {
     return 2 * inertia_force(Omega, F_0) * slopes[0];
 }
 
-/* Row k of the n states begins at known[k * n], and at out[k * n]; no row of phi is written by the first.
+/* Row k of the n states begins at known[k * n], and at out[k * n].
  *
- * inertial: whether the force is F_0 Omega^2 */
-void sf_second_balances(ptrdiff_t n, const double *Omega, const double *A, double F_0, int inertial, double m,
-                        double zeta, const double *known, double *out);
-void sf_second_answers(ptrdiff_t n, const double *Omega, const double *A, double F_0, int inertial, double m,
-                       double zeta, const double *known, double *out);
+ * inertial: whether the force is F_0 Omega^2; phases: whether the row of phi is written */
+void sf_second_balances(ptrdiff_t n, const double *Omega, const double *A, double F_0, int inertial, int phases,
+                        double m, double zeta, const double *known, double *out);
 
 /* exp(x) to rounding up to |x| = SF_SHORT */
 #define SF_SHORT 1e-3

@@ -42,10 +42,10 @@ static void sf_second_level(const sf_model *model, double Omega, double A, const
         Omega, A, model->m, model->zeta, k[0], k[1], k[2], k[4], k[5], k[6], k[8], k[9], k[10], out);
 }
 
-/* The same at whole vectors of states. */
+/* The same at whole vectors of states, without phi. */
 static inline void sf_lane_balances(const sf_second *second, int n, const double *Omega, const double *A,
                                     const double *known, double *out) {
-    sf_second_balances(n, Omega, A, second->F_0, sf_inertial(second->model), second->model->m, second->model->zeta,
+    sf_second_balances(n, Omega, A, second->F_0, sf_inertial(second->model), 0, second->model->m, second->model->zeta,
                        known, out);
 }
 

@@ -5,7 +5,7 @@
 #include "second_approximation.h"
 #include "second_conventions.h"
 
-/* The loop of both; `phase` and `by_inertia` are known when it is compiled. */
+/* The loop of all; `phase` and `by_inertia` are known when it is compiled. */
 #define OVER_STATES(phase, by_inertia)                                                                                 \
     const double *restrict h = known, *restrict h_A = known + n, *restrict h_AA = known + 2 * n;                       \
     const double *restrict h_3 = known + 4 * n, *restrict h_3_A = known + 5 * n, *restrict h_3_AA = known + 6 * n;     \
@@ -29,23 +29,17 @@
     }                                                                                                                  \
     (void)phi
 
-SF_WIDE void sf_second_balances(ptrdiff_t n, const double *Omega, const double *A, double F_0, int inertial, double m,
-                                double zeta, const double *known, double *out)
+SF_WIDE void sf_second_balances(ptrdiff_t n, const double *Omega, const double *A, double F_0, int inertial, int phases,
+                                double m, double zeta, const double *known, double *out)
 {
-    if (inertial) {
+    if (inertial && phases) {
+        OVER_STATES(1, 1);
+    } else if (inertial) {
         OVER_STATES(0, 1);
+    } else if (phases) {
+        OVER_STATES(1, 0);
     } else {
         OVER_STATES(0, 0);
-    }
-}
-
-SF_WIDE void sf_second_answers(ptrdiff_t n, const double *Omega, const double *A, double F_0, int inertial, double m,
-                                double zeta, const double *known, double *out)
-{
-    if (inertial) {
-        OVER_STATES(1, 1);
-    } else {
-        OVER_STATES(1, 0);
     }
 }
 
