@@ -27,6 +27,14 @@ static int goes_on(sf_query *q)
     return is_quiet;
 }
 
+/* The values of a column, each made of what is there, into those of an array. */
+#define COPIED(type, what, value)                                                                 \
+    for (npy_intp i = 0; i < of->n; i++) {                                                        \
+        const what from = *(const what *)(const void *)((const char *)of->first + i * of->step);  \
+        ((type *)to)[i] = value;                                                                  \
+    }                                                                                             \
+    break
+
 /* A new array; all kinds of flags become bool, all integers int64. */
 static PyObject *column(const sf_item *of)
 {
@@ -38,30 +46,21 @@ static PyObject *column(const sf_item *of)
     if (array == NULL)
         return NULL;
     void *to = PyArray_DATA((PyArrayObject *)array);
-    for (npy_intp i = 0; i < of->n; i++) {
-        const void *from = (const char *)of->first + i * of->step;
-        switch (of->kind) {
-        case SF_INTERVALS:
-            ((sf_interval *)to)[i] = *(const sf_interval *)from;
-            break;
-        case SF_INTEGERS:
-            ((npy_int64 *)to)[i] = *(const int *)from;
-            break;
-        case SF_LONG_INTEGERS:
-            ((npy_int64 *)to)[i] = *(const long long *)from;
-            break;
-        case SF_FLAGS:
-            ((npy_bool *)to)[i] = *(const int *)from != 0;
-            break;
-        case SF_BYTE_FLAGS:
-            ((npy_bool *)to)[i] = *(const unsigned char *)from != 0;
-            break;
-        case SF_POSITIVE:
-            ((npy_bool *)to)[i] = *(const double *)from > 0;
-            break;
-        default:
-            ((double *)to)[i] = *(const double *)from;
-        }
+    switch (of->kind) {
+    case SF_INTERVALS:
+        COPIED(sf_interval, sf_interval, from);
+    case SF_INTEGERS:
+        COPIED(npy_int64, int, from);
+    case SF_LONG_INTEGERS:
+        COPIED(npy_int64, long long, from);
+    case SF_FLAGS:
+        COPIED(npy_bool, int, from != 0);
+    case SF_BYTE_FLAGS:
+        COPIED(npy_bool, unsigned char, from != 0);
+    case SF_POSITIVE:
+        COPIED(npy_bool, double, from > 0);
+    default:
+        COPIED(double, double, from);
     }
     return array;
 }
