@@ -350,3 +350,11 @@ def test_an_isola_point_next_to_no_damping_is_off_by_its_rounding(zeta):
             assert abs(found.A[k] / A - 1) <= 1.5 * u  # kappa is 1 between alpha and beta
             assert abs(found.Omega[k] / w - 1) <= 1.5 * u
             assert abs(found.F_0[k] / F_0 - 1) <= 2 * u
+
+
+@pytest.mark.parametrize("zeta", [1e-7, 1e-9, 1e-12])
+def test_all_of_a_resonance_so_sharp_that_rounding_leaves_nothing_of_R_is_stable(zeta):
+    """A linear mount has one motion at each frequency, which is stable, and the closed form's height."""
+    found = slowflow.Duffing(1.0, 0.0, zeta=zeta).frequency_response(1e-2, samples=400, Omega=(0.5, 1.5))
+    assert found.stable.all() and len(found) > 400
+    assert found.A.max() == pytest.approx(1e-2 / (2 * zeta), rel=1e-6)
