@@ -318,3 +318,15 @@ def test_transmissibility_is_the_force_on_the_base_over_the_forcing():
 def test_of_several_frequencies_none_may_be_too_high():
     with pytest.raises(ValueError, match="Omega = 2e"):
         isolator().amplitudes(Omega=[0.9, 2e40], F_0=0.04)
+
+
+def test_at_the_very_frequency_at_which_a_curve_passes_u_cr_that_is_one_of_the_states():
+    """Two pieces of the curve end there: neither leaves it out or goes on to its other end."""
+    iso = isolator()
+    curve = iso.frequency_response(0.04)
+    passed = curve.Omega[curve.A == iso.u_cr]
+    assert passed.size == 2
+    for Omega in passed:
+        beside, at = (iso.amplitudes(Omega=Omega * (1 + off), F_0=0.04).A for off in (1e-9, 0.0))
+        assert np.abs(at - iso.u_cr).min() < 1e-14
+        np.testing.assert_allclose(at, beside, rtol=1e-6)
