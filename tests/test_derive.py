@@ -313,6 +313,7 @@ def test_a_piece_ends_at_the_double_that_was_given(folder, end):
     assert [float(b) for b in sampled.breakpoints()] == [end] and sampled.reach == 2 * end
 
 
+@pytest.mark.slow
 def test_a_coefficient_is_the_double_that_was_given(folder):
     for number in HARD:
         cubic = derive.mechanism("cubic", [(u + sp.Float(number) * u**3, None)], {})

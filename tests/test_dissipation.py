@@ -1059,6 +1059,7 @@ def test_states_by_inertia_born_next_to_rest_are_all_there(excitation):
         np.testing.assert_allclose(found.A, A[turns], rtol=3e-5)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("rubs", ["throughout", "attached"])
 def test_the_onset_by_inertia_is_the_least_level_where_that_is_below_all_cusps(rubs):
     """An isola point of weak damping: the least level of all amplitudes beyond the stop, on a grid and beside it."""
@@ -1101,6 +1102,7 @@ def test_the_fold_locus_holds_points_at_which_the_level_is_stationary_along_the_
     assert np.allclose(level[0], level[2], rtol=0, atol=1e-3 * step)
 
 
+@pytest.mark.slow
 def test_a_fold_next_to_a_corner_has_its_digits_beyond_it():
     """Its distance to u_cr is 1.2e-9 of it, on which F_A varies: 3 % of that were lost. F = F_A = 0 to 40 digits."""
     iso = Isolator(

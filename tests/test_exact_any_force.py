@@ -78,6 +78,7 @@ def pieces(tmp_path_factory):
         yield piece
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", [*EVERY, *FORCES])
 def test_interpreted_series_have_the_bits_of_printed_ones(pieces, name):
     """States and derivatives, forwards and backwards, and the first stop; of forces with every function."""

@@ -68,6 +68,7 @@ def test_a_mass_at_rest_begins_where_load_and_spring_balance():
         double.steady_state(Omega=1.2, F_0=0.1, A=1.0, u_0=-1.0)
 
 
+@pytest.mark.slow
 def test_a_loaded_isolator_comes_to_the_motion_that_integration_from_its_place_of_rest_comes_to():
     """From u = 0, where it does not rest, it comes to one of A = 0.2485."""
     iso = Isolator(lam=3, r=2.03, delta_h=0.082, mu=0.0, zeta=0.02, load=0.0455)

@@ -425,6 +425,7 @@ def test_multipliers_along_a_curve_have_the_product_of_a_whole_period():
     assert np.prod(curve.multipliers, axis=1) == pytest.approx(expected, rel=1e-10)
 
 
+@pytest.mark.slow
 def test_a_curve_is_followed_across_a_border_that_its_cycle_begins_at():
     """Restarted at the highest turning point it was given up there, after 16 points; the other end leads through it."""
     mount = Isolator(lam=2.372, r=1.75, delta_h=0.1458, mu=0.0, zeta=0.0371, load=-0.0715)

@@ -87,6 +87,7 @@ def test_a_function_called_by_its_symbol_is_that_of_python(tmp_path):
     assert tried > 60
 
 
+@pytest.mark.slow
 def test_a_mechanism_of_ones_own_is_exported(tmp_path):
     """Its average by the symbol, against a quadrature of the force."""
     u, k, gap = sp.symbols("u k gap")

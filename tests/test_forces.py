@@ -105,6 +105,7 @@ def slow_beside(names, few):
     return [name if name in few else pytest.param(name, marks=pytest.mark.slow) for name in names]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", slow_beside(sorted({case["force"] for case in CASES}), FEW))
 @pytest.mark.part(3)
 def test_an_average_and_its_slopes_are_right_to_rounding(derived, name):

@@ -106,6 +106,7 @@ def test_beyond_it_no_stable_motion_at_any_frequency_transmits_more_and_before_i
             assert passed(one, found.Omega, F_0) == pytest.approx(level_dB, abs=1e-7)
 
 
+@pytest.mark.slow
 @given(seed=st.integers(0, 2**32), levels=st.lists(st.floats(-60, 0), min_size=2, max_size=4))
 def test_a_lower_level_never_begins_earlier(seed, levels):
     one, F_0 = random_design(np.random.default_rng(seed), "force")

@@ -176,6 +176,7 @@ def mistaken(results: Results, change: Callable[[Any], Any]) -> Results:
     return replace(results, mechanisms={**results.mechanisms, "rod_spring": rod})
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "change",
     [lambda found: tuple(-value for value in found), lambda found: found[:0]],

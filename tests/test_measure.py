@@ -230,6 +230,7 @@ def test_what_is_no_state_and_no_fold_off_the_centre_is_not_measured():
             answer.measure()
 
 
+@pytest.mark.slow
 def test_a_fold_leads_to_the_exact_one_that_is_nearest():
     """u + 1.6 u^2 + u^3, about its centre of symmetry: the third fold was said to lead to another one's."""
     linear, centre = 11 / 75, 8 / 15

@@ -60,6 +60,7 @@ def test_a_load_of_0_is_no_load(excitation, damping, question):
                 assert (told[~np.isnan(told)] == 0).all()
 
 
+@pytest.mark.slow
 def test_designs_with_loads_beside_are_answered_as_before():
     """Of the second R^2 + m^2 = F_0^2 is a cubic in A, as there is no viscous damping."""
     onsets = Duffing.many(1.0, -0.3, zeta=0.02, excitation="unbalance", load=[0.0, 0.05]).saddle_node_onset()

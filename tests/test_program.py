@@ -108,6 +108,7 @@ def changed(words, place, value):
 NO_WORDS = st.integers(-(2**31), -1) | st.integers(2**16, 2**31 - 1)
 
 
+@pytest.mark.slow
 @given(st.data())
 @settings(max_examples=60, deadline=None)
 def test_words_or_numbers_too_few_or_too_many_are_refused(valid, data):
@@ -118,6 +119,7 @@ def test_words_or_numbers_too_few_or_too_many_are_refused(valid, data):
     assert refused(words, [*numbers, data.draw(st.floats())])
 
 
+@pytest.mark.slow
 @given(st.data())
 @settings(max_examples=200, deadline=None)
 def test_an_operation_that_is_none_or_a_register_that_is_not_there_is_refused(valid, data):
@@ -190,6 +192,7 @@ def test_words_that_are_any_integers_are_refused_or_run(valid, data):
         record.ask("ends", p, h)
 
 
+@pytest.mark.slow
 def test_a_force_beyond_what_a_record_has_room_for_is_refused():
     """Thirty-three numbers of a design."""
     names = sp.symbols(f"a0:{33}")
@@ -210,6 +213,7 @@ def stops(count: int):
     return derive.mechanism("stops", [*pieces, (force, None)], {one.name: ABOVE_0 for one in (*gaps, *springs)})
 
 
+@pytest.mark.slow
 def test_breakpoints_that_no_fold_reaches_change_no_answer():
     """Six of them beside two."""
     numbers = {"gap_1": 0.1, "gap_2": 0.2, "spring_1": 0.5, "spring_2": 0.4, "mu": 0.01, "zeta": 0.05}
@@ -403,6 +407,7 @@ def test_a_program_gives_the_bits_of_compiled_C(name):
             np.testing.assert_array_equal(here, there)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["stop", "softening", "two_stops", "jump", "summed_hertz", "summed_wave"])
 def test_an_interpreted_average_is_that_of_its_force(name):
     """By mpmath's quadrature of the force as it is written: to some roundings of what is added up."""

@@ -85,6 +85,7 @@ def each(test):
     return test
 
 
+@pytest.mark.slow
 @each
 @given(TEXTS.map("".join).filter(str.strip))
 @settings(max_examples=25, deadline=None)

@@ -155,6 +155,7 @@ def test_data_on_the_page_is_what_run_writes(page, tmp_path):
     assert base64.b64decode(links["mount.toml"].partition("base64,")[2]).decode() == MOUNT.read_text()
 
 
+@pytest.mark.slow
 def test_lengths_with_tolerances_are_in_millimetres(text):
     """A table of them is no answer in units, but is told in these."""
     tables = text.partition('<h2 id="tolerances"')[2].partition("<h2")[0]
@@ -164,6 +165,7 @@ def test_lengths_with_tolerances_are_in_millimetres(text):
     assert sorted(shown.values()) == pytest.approx(sorted(100 * share for share in stated.values()))
 
 
+@pytest.mark.slow
 def test_jumps_of_three_depths_stand_in_the_same_unit_with_the_error_that_they_show(text):
     table = text.partition("<caption>Each jump by averaging")[2].partition("</table>")[0]
     rows = [re.findall(r"<td>(.*?)</td>", row) for row in table.split("<tr>")[2:]]
@@ -174,6 +176,7 @@ def test_jumps_of_three_depths_stand_in_the_same_unit_with_the_error_that_they_s
         assert float(error.removesuffix(" %")) == pytest.approx(100 * (one / three - 1), abs=5e-3)
 
 
+@pytest.mark.slow
 def test_the_page_says_in_short_what_happens_at_each_force(text):
     items = re.findall(r"<li>(At .*?)</li>", text.replace("\xa0", " "))
     assert items == [

@@ -141,6 +141,7 @@ def test_a_mount_that_is_excited_by_inertia_is_sized_in_its_own_terms(mount, let
     assert single[f"{letter}_SN"](safe.design) == pytest.approx(2 * single[f"{letter}_SN"](mount), rel=1e-9)
 
 
+@pytest.mark.slow
 def test_damping_and_friction_are_found_from_motions_on_a_base_that_shakes():
     f = np.linspace(2.0, 4.0, 14)  # the force is ten times friction and more: averaging errs little
     motions = [SHAKEN.steady_state(f=one, F=0.002) for one in f]
@@ -515,6 +516,7 @@ START = {"friction": 0.3, "zeta": 0.03, "k_h": 1500, "preload": 0.010}
 TRUE = {"friction": 0.4, "zeta": 0.02, "k_h": 1700, "preload": 0.009}
 
 
+@pytest.mark.slow
 def test_a_fit_recovers_the_numbers_behind_a_noisy_exact_sweep():
     """The sweep is one of the equation of motion, up and down: nothing averaged is in it."""
     f = np.concatenate([np.linspace(1.2, 2.25, 30), np.linspace(2.3, 4.0, 20), np.linspace(2.18, 1.2, 20)])
@@ -555,6 +557,7 @@ def test_an_interval_ends_where_the_sum_of_squares_exceeds_the_least_by_students
     assert found.message == ""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("share", "noise", "seed"), [(0.8, 0.01, 3), (1.3, 0.02, 0)])
 def test_intervals_hold_every_design_that_the_points_allow(share, noise, seed):
     """Below the onset r and delta_h make up for each other; above it the sum of squares jumps as a fold passes a point.

@@ -288,6 +288,7 @@ CUSPS_NEXT_TO_U_CR = (
 )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("design", CUSPS_NEXT_TO_U_CR)
 def test_cusps_next_to_u_cr_are_those_of_balls_or_are_said_to_have_few_digits(design, monkeypatch):
     pytest.importorskip("flint")

@@ -324,6 +324,7 @@ def test_an_onset_next_to_a_steep_corner(delta_h, r):
         assert abs(mpf(onset.Omega) - _number(point.Omega)) <= 1e-14 * _number(point.Omega)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("delta_h", [1 - 1e-9, 1 - 2.0**-52])
 def test_an_onset_at_an_amplitude_that_no_double_is_is_proved_in_balls_or_refused(delta_h, monkeypatch):
     """About 20 (1 - delta_h)^2 below 1: neither a wrong onset nor none.
