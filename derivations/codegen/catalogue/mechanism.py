@@ -545,13 +545,11 @@ def data_kernels(derived: OfMechanism) -> list[Kernel]:
             "The force over the displacement, f(u)/u, rises with |u| where none of these is negative.",
             "from (3)",
         ),
-        *steps_of(derived),
     ):
         kernel = plain(name, parameters, values, doc, equation, "any parameters", parameters=count)
-        kernel = replace(kernel, looped=name not in ("steps", "steps_by"))
         exact = name == "breakpoints" and bool(values)
         kernels.append(replace(kernel, enclosed=exact, paired=exact))
-    return kernels
+    return [*kernels, *step_kernels(whole.pieces, whole.breakpoints, whole.jumps, parameters)]
 
 
 DOC_OF_STEPS = (
@@ -562,20 +560,25 @@ DOC_OF_STEPS_BY = (
 )
 
 
-def is_stepped(derived: OfMechanism) -> bool:
+def is_stepped(pieces: Sequence[sp.Expr]) -> bool:
     """Whether the force is a sum of steps in powers of u, and continuous at u = 0: then it is known off the centre."""
-    pieces = derived.whole.pieces
     return all(piece.is_polynomial(u) for piece in pieces) and pieces[0].subs(u, 0) == 0
 
 
-def steps_of(derived: OfMechanism) -> list[tuple[str, tuple[sp.Expr, ...], str, str]]:
-    """The force as a sum of steps, where its pieces are polynomials."""
-    if not is_stepped(derived):
+def step_kernels(
+    pieces: Sequence[sp.Expr], ends: Sequence[sp.Symbol], jumps: Sequence[sp.Expr], parameters: tuple[sp.Symbol, ...]
+) -> list[Kernel]:
+    """An odd force as a sum of steps and its derivatives by the parameters, where its pieces are polynomials."""
+    if not is_stepped(pieces):
         return []
-    whole, parameters = derived.whole, derived.oscillator.mechanism.parameters
-    rows = steps(whole.pieces, whole.breakpoints, whole.jumps)
-    values, moved = tuple(value for row in rows for value in row), steps_by(whole.pieces, whole.breakpoints, parameters)
-    return [("steps", values, DOC_OF_STEPS, "(3), (5)"), ("steps_by", moved, DOC_OF_STEPS_BY, "(3)")]
+    values = tuple(value for row in steps(pieces, ends, jumps) for value in row)
+    return [
+        replace(plain(name, parameters, of, doc, equation, "any parameters", parameters=len(parameters)), looped=False)
+        for name, of, doc, equation in (
+            ("steps", values, DOC_OF_STEPS, "(3), (5)"),
+            ("steps_by", steps_by(pieces, ends, parameters), DOC_OF_STEPS_BY, "(3)"),
+        )
+    ]
 
 
 def piece_kernels(derived: OfMechanism, module: str) -> tuple[list[Kernel], tuple[Law, ...]]:
@@ -661,7 +664,7 @@ def record(
         truncated,
         twins[0] if twins else "",
         () if alone else scales(mechanism),
-        is_stepped(derived),
+        is_stepped(derived.whole.pieces),
     )
 
 

@@ -15,7 +15,6 @@ from dataclasses import replace
 import sympy as sp
 
 from ...asymmetric.curved import of_odd
-from ...asymmetric.off_centre import steps, steps_by
 from ...extensions.second_approximation import OF_HARMONIC
 from ...forces.contact import Contact, y
 from ...forces.quadrature import BROKEN, DENSE, Quadrature, c, s, sums, v
@@ -24,7 +23,7 @@ from ...paper.restoring_force import ORDERS
 from ...symbols import A, u
 from ..compensated import copysign
 from ..form import AVERAGED, Branch, Enclosed, Kernel, Law, Let, Module, Record, Sums, plain
-from .mechanism import DOC_OF_STEPS, DOC_OF_STEPS_BY, INTERCEPT
+from .mechanism import INTERCEPT, is_stepped, step_kernels
 from .sided import curved_kernels
 
 #: of an odd force that is stated for u > 0
@@ -48,12 +47,17 @@ def quadrature_module(name: str, mechanism: Mechanism, average: Quadrature) -> M
         inputs=("live.py", "forces/quadrature.py", *(["asymmetric/curved.py"] if terms else [])),
         kernels=(
             *data_kernels(mechanism, average),
-            *step_kernels(mechanism, average),
+            *step_kernels(
+                average.pieces,
+                tuple(average.breakpoints.values()),
+                tuple(lost[0] for lost in average.losses),
+                mechanism.parameters,
+            ),
             *pieces,
             *(terms.kernels if terms else ()),
             *(kernel for one in averages for kernel in (*one.terms, one.closing)),
         ),
-        record=Record(stated, stated.design or (UNIT,), laws, sp.oo, False, "", (), stepped=is_stepped(average)),
+        record=Record(stated, stated.design or (UNIT,), laws, sp.oo, False, "", (), stepped=is_stepped(average.pieces)),
         native=False,
         sums=averages,
         enclosed=enclosed(mechanism, average),
@@ -248,27 +252,6 @@ def kink_kernel(parameters: tuple[sp.Symbol, ...], average: Quadrature) -> Kerne
     doc = "What its slope and its curvature lose at each breakpoint, as broken powers about them do too."
     values = tuple(value for lost in average.kinks for value in lost)
     return plain("kinks", parameters, values, doc, "(5)", ANY, parameters=len(parameters))
-
-
-def is_stepped(average: Quadrature) -> bool:
-    """Whether the force is a sum of steps in powers of u, and continuous at u = 0: then it is known off the centre."""
-    return all(piece.is_polynomial(u) for piece in average.pieces) and average.pieces[0].subs(u, 0) == 0
-
-
-def step_kernels(mechanism: Mechanism, average: Quadrature) -> list[Kernel]:
-    """The force as a sum of steps, where it is one."""
-    if not is_stepped(average):
-        return []
-    rows = steps(average.pieces, tuple(average.breakpoints.values()), tuple(lost[0] for lost in average.losses))
-    given, ends = mechanism.parameters, tuple(average.breakpoints.values())
-    told = (
-        ("steps", tuple(value for row in rows for value in row), DOC_OF_STEPS, "(3), (5)"),
-        ("steps_by", steps_by(average.pieces, ends, given), DOC_OF_STEPS_BY, "(3)"),
-    )
-    return [
-        replace(plain(name, given, values, doc, equation, ANY, parameters=len(given)), looped=False)
-        for name, values, doc, equation in told
-    ]
 
 
 def piece_kernels(mechanism: Mechanism, average: Quadrature, module: str) -> tuple[list[Kernel], tuple[Law, ...]]:
