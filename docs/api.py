@@ -31,6 +31,8 @@ MODULES = (
     "slowflow.oscillator",
     "slowflow.table",
     "slowflow.designs",
+    "slowflow.questions",
+    "slowflow.composed",
     "slowflow.averaged.questions",
     "slowflow.results",
     "slowflow.certificate",

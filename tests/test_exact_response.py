@@ -48,6 +48,7 @@ def test_folds_lie_where_solutions_end(curves):
             at = curve.steady_state(index)
             assert np.min(np.abs(at.half_multipliers - 1)) <= 1e-6
             assert at.residual <= 1e-12
+            assert not curve.stable[index]  # one multiplier is 1: nothing returns to it
             inside = 1 if fold.kind == "jump-up" else -1
             cycle, z = at.cycle, at.unknowns
             found = []

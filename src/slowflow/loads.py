@@ -18,7 +18,6 @@ import numpy.typing as npt
 from slowflow import moves, validate
 from slowflow.answer import LOADED, Single, Table, Words, entry, joined, sentences
 from slowflow.averaged import remarks, solvers, words
-from slowflow.averaged.questions import Averaged
 from slowflow.gradient import NO_GRADIENT, Gradient
 from slowflow.isolating import NEVER, WHOLE, Curves, Level, as_level, highest, isolated, passes_on, told
 from slowflow.mechanism import Floats, Law, Mechanism
@@ -37,6 +36,7 @@ APART = text(
     "motions beyond {u_cr} at a forcing below {F_cr} are on curves of their own: none at this forcing passes {u_cr}, "
     "so that a slow change from rest does not come to them"
 )
+WITHIN = "motions whose mean stiffness vanishes may lose their stability within a band too"
 NONE_STABLE = Sentence("no motion is stable at {Omega = :g}, {F_0 = :g}")
 #: amplitudes at which the highest frequency of the backbone is looked for, and points of a response curve
 SAMPLES = 2000
@@ -271,8 +271,9 @@ def rests_within(laws: Sequence[Law], parameters: Sequence[Any], ends: Sequence[
     return np.where(held > 0, np.where(left, math.inf, low), np.where(held == 0, 0.0, math.nan))
 
 
-def margins(oscillator: Any, F_0: float, detaches: Callable[[float], bool] | None = None) -> Margins:
-    """See `Oscillator.margins`; of an `Averaged`, or of an `OffCentre`, which tells what `detaches` at a forcing."""
+def margins(oscillator: Any, F_0: float) -> Margins:
+    """See `ComposedQuestions.margins`; of what answers them."""
+    oscillator._check_margins()
     folds = oscillator.saddle_nodes(F_0)
     onset, detachment = oscillator.saddle_node_onset(), oscillator.detachment()
     model, F_cr = oscillator.model, detachment.F_cr
@@ -281,7 +282,7 @@ def margins(oscillator: Any, F_0: float, detaches: Callable[[float], bool] | Non
         F_cr = model.full_level(oscillator.breakpoints[0]) if model.laws.any else oscillator.breakpoints[0]
     # beside a mass at rest that stays there motions may be that detach
     sticks, moves = folds.F_0 <= oscillator.sticking_forcing, not model.sticks(folds.F_0)
-    leaves = moves and (detaches(folds.F_0) if detaches else passes_first_end(oscillator, folds.F_0))
+    leaves = moves and oscillator._detaches(folds.F_0)
     beside = (folds.remarks | detachment.remarks) & ~onset.remarks
     said = (
         folds.message if sticks else "",
@@ -307,7 +308,7 @@ def margins(oscillator: Any, F_0: float, detaches: Callable[[float], bool] | Non
     )
 
 
-def passes_first_end(oscillator: Averaged, F_0: float) -> bool:
+def passes_first_end(oscillator: Any, F_0: float) -> bool:
     """Whether a stable motion passes the first breakpoint."""
     if not oscillator.breakpoints:
         return False
@@ -328,7 +329,7 @@ def resonates(mechanism: Mechanism, parameters: tuple[Any, ...]) -> Any:
 
 
 def hysteresis(oscillator: Any, F_0: float) -> Hysteresis:
-    """See `Oscillator.hysteresis`; of an `Averaged` or an `OffCentre`."""
+    """See `ComposedQuestions.hysteresis`; of what answers them."""
     folds = oscillator.saddle_nodes(F_0)
     # beyond the last fold the number of motions does not change any more
     ends = [0.0, *np.unique(folds.Omega).tolist(), math.inf]
@@ -340,12 +341,13 @@ def hysteresis(oscillator: Any, F_0: float) -> Hysteresis:
         if (stable := int(oscillator.amplitudes(Omega=middle, F_0=F_0).stable.sum())) > 1:
             bands.append((low, high, stable))
     low, high, motions = np.array(bands).reshape(-1, 3).T
-    message = joined(folds.message, "" if bands else "at each frequency at most one motion is stable")
+    none = "" if bands else "at each frequency at most one motion is stable"
+    message = joined(folds.message, none, WITHIN if (folds.kind == "unstable").any() else "")
     return Hysteresis(low, high, motions.astype(np.intp), folds.F_0, message, folds.remarks)
 
 
-def isolation(oscillator: Averaged, F_0: float, level_dB: float = 0.0) -> Isolation:
-    """See `Oscillator.isolation`: `isolated` of one response curve, in words."""
+def isolation(oscillator: Any, F_0: float, level_dB: float = 0.0) -> Isolation:
+    """See `ComposedQuestions.isolation`: `isolated` of one response curve, in words."""
     F_0, level, model = validate.number("F_0", F_0, above=0.0), as_level(level_dB), oscillator.model
     made = partial(Isolation, level_dB=level.dB, _model=model, _asked=oscillator._equation)
     if model.inertial and not oscillator.closes(F_0):
@@ -363,7 +365,7 @@ def isolation(oscillator: Averaged, F_0: float, level_dB: float = 0.0) -> Isolat
     return told(made, curve, level, *(column.item() for column in found))
 
 
-def _highest(oscillator: Averaged, F_0: float, level: Level = WHOLE) -> float:
+def _highest(oscillator: Any, F_0: float, level: Level = WHOLE) -> float:
     """A frequency beyond which every motion transmits less than the force, or than that."""
     found = oscillator.peak(F_0)
     peak = (
@@ -377,23 +379,15 @@ def _highest(oscillator: Averaged, F_0: float, level: Level = WHOLE) -> float:
     return float(highest(oscillator.model, np.array([[A_max]]), F_0, level, SAMPLES).item())
 
 
-def spectrum(
-    oscillator: Any,
-    Omega: Any,
-    F_0: Any,
-    leaves: Callable[[Any], Flags] | None = None,
-    folds_at: Callable[[list[float]], list[Any]] | None = None,
-) -> Spectrum:
-    """See `Oscillator.spectrum`; of an `Averaged`, or of an `OffCentre`.
-
-    That tells of states which pass u_cr, and has the folds of several forcings together.
-    """
+def spectrum(oscillator: Any, Omega: Any, F_0: Any) -> Spectrum:
+    """See `ComposedQuestions.spectrum`; of what answers them, which may have the folds of several forcings together."""
     given = {"Omega": validate.frequencies("Omega", Omega), "F_0": validate.positive_array("F_0", F_0)}
     shape = validate.common_shape(given)
     at, F = (np.broadcast_to(values, shape).ravel() for values in given.values())
     points = np.array([at, F])
 
     folds: dict[float, Floats] = {}  # rows share forcings
+    folds_at = getattr(oscillator, "_folds_at", None)
     ask = folds_at or (lambda several: [oscillator.saddle_nodes(one) for one in several])
 
     def sides(_: Any, Omega: Floats, F_0: Floats) -> Ints:
@@ -415,9 +409,8 @@ def spectrum(
         ways = crossed(on_shared, points[:, :-1], points[:, 1:], AT_ONCE, shared)
     crosses = np.concatenate(([False], ways))[: at.size]
     rows, said, codes = [], [], []
-    passes = leaves or (lambda states: states.A > oscillator.breakpoints[0])
     for here in zip(at.tolist(), F.tolist(), crosses.tolist(), strict=True):
-        row, message, code = _row(oscillator, passes, *here)
+        row, message, code = _row(oscillator, *here)
         rows.append(row)
         said.append(message)
         codes.append(code)
@@ -489,9 +482,7 @@ def crossed(
     return found
 
 
-def _row(
-    oscillator: Any, passes: Callable[[Any], Flags], Omega: float, F_0: float, crosses: bool
-) -> tuple[Load, str, Remark]:
+def _row(oscillator: Any, Omega: float, F_0: float, crosses: bool) -> tuple[Load, str, Remark]:
     """One row, and what is said beside it, in words and as codes."""
     states = oscillator.amplitudes(Omega=Omega, F_0=F_0)
     stable = np.flatnonzero(states.stable)
@@ -500,6 +491,6 @@ def _row(
         return none, joined(states.message, NONE_STABLE.format(Omega, F_0)), states.remarks
     top = stable[np.argmax(states.A[stable])]
     motions = int(np.count_nonzero(states.A[stable]))
-    detaches = motions > 0 and bool(oscillator.breakpoints) and bool(passes(states)[stable].any())
+    detaches = motions > 0 and bool(oscillator.breakpoints) and bool(oscillator._leaves(states)[stable].any())
     A, dB = float(states.A[top]), float(states.transmissibility_dB[top])
     return Load(Omega, F_0, A, dB, motions, crosses, detaches, motions == 0), states.message, states.remarks

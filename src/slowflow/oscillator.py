@@ -16,6 +16,7 @@ from slowflow import validate
 from slowflow.answer import joined, sentences
 from slowflow.averaged.questions import Averaged
 from slowflow.certificate import Certificate
+from slowflow.composed import ComposedQuestions
 from slowflow.loaded import CENTRED, Loaded, off_centre_by
 from slowflow.mechanism import EquationOfMotion, Floats, Force, Mechanism, followed
 from slowflow.model import THROUGHOUT, Laws, Model
@@ -47,7 +48,7 @@ LESS_THAN_MU = "{mu_s = :r} is not allowed: static friction is not less than {mu
 WITHOUT_TRUNCATION = Sentence("without truncation {F_SN = :.4g}, a {kind:s}")
 
 
-class Oscillator(Unchanging, Averaged):
+class Oscillator(Unchanging, ComposedQuestions, Averaged):
     """A forced oscillator u'' + 2 zeta u' + mu sign(u') + f(u) = F_0 cos(Omega tau) (3), dimensionless.
 
     mechanism -- the record of its restoring force, `MECHANISM` of a module of `slowflow_kernels`
@@ -162,9 +163,9 @@ class Oscillator(Unchanging, Averaged):
             raise validate.NotAvailable(CENTRED.format(question, self._off_centre_by))
 
     @property
-    def _loaded(self) -> OffCentre | None:
-        """What answers in its place under a load, with the mean B."""
-        return self.off_centre if isinstance(self.model, Loaded) else None
+    def _system(self) -> Any:
+        """What answers: under a load `off_centre`, with the mean B."""
+        return self.off_centre if isinstance(self.model, Loaded) else self
 
     def rest(self) -> RestPositions:
         """Every place at which the mass rests under its load without friction; see `OffCentre.rest`."""
@@ -215,16 +216,6 @@ class Oscillator(Unchanging, Averaged):
     def stiffness(self, u: Reals) -> Floats:
         """df/du at displacements of any shape, both dimensionless; at a breakpoint that of the inner piece."""
         return self.restoring_force().stiffness(validate.finite_array("u", u))
-
-    def saddle_node_onset(self) -> SaddleNodeOnset:
-        """The lowest forcing F_SN that has a fold, wherever it lies, with its Omega and A (33).
-
-        Where it lies on a corner that the truncation makes, `.untruncated` is the onset of the untruncated force. Under
-        a load `OffCentre.saddle_node_onset`, with the mean B, and without that.
-        """
-        if isinstance(self.model, Loaded):
-            return self.off_centre.saddle_node_onset()
-        return super().saddle_node_onset()
 
     def _onset_with_words(self) -> SaddleNodeOnset:
         found = super()._onset_with_words()
@@ -415,54 +406,6 @@ class Oscillator(Unchanging, Averaged):
 
         self.at_centre("at_rest")
         return loads.at_rest(self)
-
-    def margins(self, F_0: float) -> loads.Margins:
-        """How far F_0 is from the lowest forcing that has a fold, F_SN, and from that which lifts the springs, F_cr.
-
-        `.of_SN` and `.of_cr` are these over F_0. Raises ValueError for F_0 <= 0.
-        """
-        from slowflow import loads
-
-        return self.off_centre.margins(F_0) if self._off_centre_by else loads.margins(self, F_0)
-
-    def hysteresis(self, F_0: float) -> loads.Hysteresis:
-        """The bands of frequencies at F_0 with several stable motions: .Omega_low .Omega_high .motions.
-
-        A sweep jumps at their ends, see `saddle_nodes`. Raises ValueError for F_0 <= 0.
-        """
-        from slowflow import loads
-
-        return self.off_centre.hysteresis(F_0) if self._off_centre_by else loads.hysteresis(self, F_0)
-
-    def isolation(self, F_0: float, level_dB: float = 0.0) -> loads.Isolation:
-        """The frequency from which on every stable motion at F_0 transmits less than F_0, .Omega, and .A there.
-
-        level_dB -- the transmissibility below which it stays, in decibels: -20 for a tenth of F_0, 0 for all of it
-
-        Of the transmitted force the fundamental harmonic counts; `.measure()` has that of the equation of motion, and
-        of the peak of its whole wave. For a linear spring it is sqrt(2) times the natural frequency at 0 dB. On a base
-        that shakes it is that from which on the mass moves less than the base. Friction alone passes on 4 mu/pi of a
-        force at any frequency: where the level is not above that there is none. Raises ValueError for F_0 <= 0 and
-        level_dB > 0.
-        """
-        from slowflow import loads
-
-        if self._off_centre_by:
-            return self.off_centre.isolation(F_0, level_dB)
-        return loads.isolation(self, F_0, level_dB)
-
-    def spectrum(self, *, Omega: Reals, F_0: Reals) -> loads.Spectrum:
-        """A load spectrum, one tone at a time: what the motion at each pair (Omega, F_0) does, in their order.
-
-        Which have several motions, cross a fold from the one before, detach, stick; see `slowflow.loads.Spectrum`.
-        Under a load rows with several forcings take some tenths of a second each.
-        Raises ValueError for numbers <= 0 and for shapes that do not broadcast.
-        """
-        from slowflow import loads
-
-        if self._off_centre_by:
-            return self.off_centre.spectrum(Omega=Omega, F_0=F_0)
-        return loads.spectrum(self, Omega, F_0)
 
     @property
     def _equation(self) -> Self:

@@ -5,6 +5,8 @@ It is asked once for each forcing, at all of its frequencies.
 
 from __future__ import annotations
 
+import functools
+import operator
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any, NamedTuple
 
@@ -13,6 +15,7 @@ import numpy as np
 from slowflow import validate
 from slowflow.averaged import words
 from slowflow.mechanism import Floats
+from slowflow.results import NOTHING
 
 
 class Pairs(NamedTuple):
@@ -29,9 +32,11 @@ class Pairs(NamedTuple):
     Omega: Floats
     parts: list[Any]
 
-    def undecided(self) -> Floats:
-        """Every frequency at which one of the parts is undecided."""
-        return np.unique(np.concatenate([np.empty(0), *(part.Omega_undecided for part in self.parts)]))
+    def notes(self) -> dict[str, Any]:
+        """Message, that the pairs are not combined among it, remarks and undecided frequencies of all parts."""
+        undecided = np.unique(np.concatenate([np.empty(0), *(part.Omega_undecided for part in self.parts)]))
+        remarks = functools.reduce(operator.or_, (part.remarks for part in self.parts), NOTHING)
+        return {"message": self.message(), "Omega_undecided": undecided, "remarks": remarks}
 
     def message(self) -> str:
         """What the parts say, and that the pairs are not combined."""

@@ -9,10 +9,7 @@ from __future__ import annotations
 import dataclasses
 import functools
 import math
-import operator
-from collections.abc import Callable
-from functools import cached_property
-from typing import TYPE_CHECKING, Any, Concatenate, ParamSpec, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
@@ -22,6 +19,7 @@ from slowflow.averaged import pairs, plan, proofs, remarks, solvers, words
 from slowflow.averaged.defined import check_defined
 from slowflow.certificate import Certificate, ProvedFolds
 from slowflow.model import THROUGHOUT, Floats, Model
+from slowflow.questions import Questions
 from slowflow.results import (
     DRAWN,
     NOTHING,
@@ -42,8 +40,6 @@ from slowflow_support.errors import OutOfRange, Refused
 if TYPE_CHECKING:
     from slowflow.mechanism import Reals
 
-P = ParamSpec("P")
-R = TypeVar("R")
 State = TypeVar("State", FrequencyResponse, SteadyStates)
 NONE = np.empty(0)
 #: of a peak: where the next lower one is looked for, by more than roundings below it
@@ -52,20 +48,7 @@ JUST_BELOW = 1 - 2.0**-30
 Answer = TypeVar("Answer", FrequencyResponse, SteadyStates, SaddleNodes, SaddleNodeOnset, Detachment, Peak)
 
 
-def also_loaded(ask: Callable[Concatenate[Any, P], R]) -> Callable[Concatenate[Any, P], R]:
-    """A question that an oscillator under a load answers with its mean B, by the method of that name of `OffCentre`."""
-
-    @functools.wraps(ask)
-    def asked(self: Any, /, *arguments: P.args, **named: P.kwargs) -> R:
-        if (loaded := self._loaded) is None:
-            return ask(self, *arguments, **named)
-        found: R = getattr(loaded, ask.__name__)(*arguments, **named)
-        return found
-
-    return asked
-
-
-class Averaged:
+class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
     """A forced oscillator u'' + 2 zeta u' + mu sign(u') + f(u) = F_0 cos(Omega tau) (3), averaged.
 
     model    -- its slow flow
@@ -80,8 +63,6 @@ class Averaged:
     zeta: float
     #: what measures answers against the equation of motion, where that is known
     _equation: Any = None
-    #: what answers under a load, where there is one
-    _loaded: Any = None
 
     def __init__(self, model: Model) -> None:
         check_defined(model)
@@ -111,17 +92,8 @@ class Averaged:
         """Amplitudes at which the force passes from one piece to the next: (u_cr,), or none."""
         return self.model.breakpoints
 
-    @also_loaded
-    def frequency_response(
-        self, F_0: float, *, samples: int = 1000, Omega: tuple[float, float] = validate.WINDOW
-    ) -> FrequencyResponse:
-        """The response curve at F_0, every branch and isola, for frequencies in the window `Omega` (24), (25), (30).
-
-        About `samples` points; folds, peaks and corners are among them exactly. Raises ValueError for F_0 <= 0,
-        samples < 2 or > 10^6, or a window that is not 0 <= low < high <= 1e40. F_0 <= 4 mu/pi gives no point and a
-        message. Under a load each point has its mean, `.B`.
-        """
-        return self._remarked(self.curve(F_0, samples=samples, Omega=Omega), F_0)
+    def _frequency_response(self, F_0: float, samples: int, window: tuple[float, float]) -> FrequencyResponse:
+        return self._remarked(self.curve(F_0, samples=samples, Omega=window), F_0)
 
     def curve(
         self, F_0: float, *, samples: int, Omega: tuple[float, float], allowance: proofs.Allowance | None = None
@@ -135,31 +107,14 @@ class Averaged:
         found = solvers.frequency_response(solved, F_0, samples, shown)
         return self._centred(proofs.decided_curve(found, self.model, shown, allowance or proofs.Allowance()))
 
-    @also_loaded
-    def amplitudes(self, *, Omega: Reals, F_0: Reals) -> SteadyStates:
-        """Every steady state at the frequency Omega, or at each of an array of frequencies (24), (30).
+    def _amplitudes(self, at: Floats, F_0: float, allowance: proofs.Allowance | None = None) -> SteadyStates:
+        return self._with_rests(self._remarked(self.states(Omega=at, F_0=F_0, allowance=allowance), F_0), at)
 
-        F_0 may be an array that broadcasts with Omega: then the points are the pairs, each a single tone. Flat arrays
-        .Omega, .A, .phi, .stable, in the order of the points, then by rising A. Raises ValueError for Omega <= 0 or
-        > 1e40, for F_0 <= 0, and for shapes that do not broadcast. Where the force does not exceed 4 mu/pi friction
-        holds the mass: A = 0 is a steady state, which transmits all that drives it, and on a base that shakes moves
-        with it. Under a load each has its mean, `.B`.
-
-        Where doubles do not tell how many there are balls of more digits do, as for `saddle_nodes`, at 200 points at
-        most; `.Omega_undecided` has the frequencies at which neither does.
-        """
-        if validate.is_single(F_0):
-            return self._with_rests(self._remarked(self.states(Omega=Omega, F_0=F_0), F_0), Omega)
-        allowance = proofs.Allowance()
-
-        def ask(at: Floats, one: float) -> SteadyStates:
-            return self._with_rests(self._remarked(self.states(Omega=at, F_0=one, allowance=allowance), one), at)
-
+    def _at_pairs(self, Omega: Any, F_0: Any) -> SteadyStates:
+        ask = functools.partial(self._amplitudes, allowance=proofs.Allowance())
         found = pairs.at_pairs(ask, Omega, F_0, ("Omega", "A", "stable"))
-        beside = functools.reduce(operator.or_, (part.remarks for part in found.parts), NOTHING)
         asked = found.parts[-1]._asked if found.parts else None
-        told: dict[str, Any] = {"remarks": beside, "Omega_undecided": found.undecided(), "_asked": asked}
-        return SteadyStates(**found.columns, F_0=found.F_0, message=found.message(), _model=self.model, **told)
+        return SteadyStates(**found.columns, F_0=found.F_0, **found.notes(), _model=self.model, _asked=asked)
 
     def _with_rests(self, found: SteadyStates, Omega: Any) -> SteadyStates:
         """The states with those at which friction holds the mass."""
@@ -200,25 +155,13 @@ class Averaged:
         said: dict[str, Any] = {"F_0": F_0, "message": message, "remarks": NOTHING, "_model": self.model}
         return {"Omega": NONE, "A": NONE, "stable": np.empty(0, bool), "Omega_undecided": NONE, **said}
 
-    @also_loaded
-    def saddle_nodes(self, F_0: float, *, certify: bool = False) -> SaddleNodes:
-        """Every fold of the response curve at F_0, by rising Omega, of one Omega by rising A (24), (30).
+    def _check_proof(self) -> None:
+        """Raises ValueError where no proof of the averaged equations is derived."""
+        self.only_for_a_force("certify")
+        self.only_for_plain_damping("certify")
 
-        Raises ValueError for F_0 <= 0. Under a load each has its mean, `.B`, and there is no proof.
-
-        Where doubles do not tell how many there are balls of more digits do, with python-flint
-        (`pip install 'slowflow[proofs]'`), in hundredths of a second; `Remark.UNDECIDED` says where neither does.
-
-        With `certify`, `.proof` holds an enclosure of each and whether there are proved to be no others; a proof that
-        finds another number of folds than the answer has says so in its message.
-        """
-        if certify:
-            self.only_for_a_force("certify")
-            self.only_for_plain_damping("certify")
-        found = self._remarked(self.folds(F_0), F_0)
-        if certify:
-            found.__dict__["proof"] = self._proved_folds(found)
-        return found
+    def _saddle_nodes(self, F_0: float) -> SaddleNodes:
+        return self._remarked(self.folds(F_0), F_0)
 
     def certify(self, F_0: float, *, Omega: float | None = None) -> Certificate:
         """What is proved at F_0, in interval arithmetic: all folds, F_SN, F_cr, and all states at a frequency `Omega`.
@@ -228,8 +171,7 @@ class Averaged:
         (`pip install 'slowflow[proofs]'`); `bits` says which it was. Raises ValueError for F_0 <= 0, for Omega <= 0 or
         > 1e40, for an excitation by inertia, and for other laws of damping than mu and zeta.
         """
-        self.only_for_a_force("certify")
-        self.only_for_plain_damping("certify")
+        self._check_proof()
         found = self.saddle_nodes(F_0)
         states = None
         if Omega is not None:
@@ -260,12 +202,7 @@ class Averaged:
         none: dict[str, Any] = {"Omega": NONE, "A": NONE, "kind": np.empty(0, "U9"), "corner": np.empty(0, bool)}
         return SaddleNodes._made(**none, F_0=F_0, message=message, remarks=NOTHING, _model=self.model)
 
-    def saddle_node_onset(self) -> SaddleNodeOnset:
-        """The lowest forcing F_SN that has a fold, wherever it lies, with its Omega and A (33).
-
-        Where doubles do not tell which it is balls of more digits do, as for `saddle_nodes`, in some seconds; without
-        python-flint that is refused. Raises ArithmeticError where neither tells.
-        """
+    def _saddle_node_onset(self) -> SaddleNodeOnset:
         # not as a cached property: in Python 3.11 its lock takes longer than all that is said beside the answer
         if (known := self.__dict__.get("_onset")) is None:
             known = self.__dict__["_onset"] = self._onset_with_words()
@@ -274,30 +211,14 @@ class Averaged:
     def _onset_with_words(self) -> SaddleNodeOnset:
         return self._remarked(self.onset(), math.nan)
 
-    @also_loaded
-    def detachment(self) -> Detachment:
-        """The lowest forcing F_cr that reaches u_cr, and its frequency Omega_cr (34); under a load with A and B."""
-        return self._detachment
+    def _detachment(self) -> Detachment:
+        if (known := self.__dict__.get("_detached")) is None:
+            solves = not plan.needs_no_solver("detachment", self.model)
+            found = solvers.detachment(self.model) if solves else Detachment(None, None, None, words.NO_DETACHMENT)
+            known = self.__dict__["_detached"] = self._remarked(found, math.nan)
+        return known
 
-    @also_loaded
-    def peak(self, F_0: float) -> Peak:
-        """The highest peak of the response at F_0, isolas included: .A .Omega. Raises ValueError for F_0 <= 0.
-
-        Under a load it has its mean, `.B`, and the largest |u| of all motions, `.u_max` at `.Omega_max`.
-
-        A peak is a top of the curve over Omega at which stable motions end, so that F of (24) rises with A there. Where
-        the curve has none, as its amplitude only falls with Omega, it is the static amplitude, with Omega = 0.
-
-        Where the spring gives way, as alpha u + beta u^3 with beta < 0 does at |u| = sqrt(-alpha/beta), it is the
-        highest peak within the well: of motions that turn where the spring pulls back. Averaging has states beyond, the
-        highest of them towards Omega = 0; none of these is stable, none is a peak, and `Remark.BEYOND_WELL` says that
-        `amplitudes` and `frequency_response` have them.
-
-        There is none, and `.message` says why, where the response passes the top of the well, so that it ends nowhere
-        in it; without viscous damping; and where an excitation by inertia has a response that does not close, or whose
-        amplitude only rises, towards F_0.
-        """
-        F_0 = validate.number("F_0", F_0, above=0.0)
+    def _peak(self, F_0: float) -> Peak:
         solved, _ = self._solved("peak", F_0)
         if solved is None:
             message = functools.partial(words.sticks, self.model, F_0)
@@ -310,6 +231,10 @@ class Averaged:
         if remarks.of_one_gives_way(self.model) or found._escapes:
             found = dataclasses.replace(found, remarks=Remark.BEYOND_WELL)
         return self._remarked(found, F_0)
+
+    def _leaves(self, states: SteadyStates) -> Any:
+        """Which motions pass the first breakpoint."""
+        return states.A > self.breakpoints[0]
 
     def transmissibility_floor(self, F_0: float) -> float:
         """What transmissibility tends to as Omega tends to inf: 4 mu/(pi F_0) for a force, 0 for one of inertia.
@@ -441,8 +366,7 @@ class Averaged:
             allowed = f"{', '.join(known)}{validate.meant(question, known)}"
             raise Refused(f"question = {question!r} is not allowed: it must be one of {allowed}")
         if question == "certify":
-            self.only_for_a_force(question)
-            self.only_for_plain_damping(question)
+            self._check_proof()
         if question == "limit_envelope" and self.model.laws.rubs != THROUGHOUT:
             self.only_for_plain_damping(question)
         if question not in (*plan.QUESTIONS, *plan.AT_ONE):
@@ -467,12 +391,6 @@ class Averaged:
             if (by_balls := proofs.decided_onset(self.model, allowance or proofs.Allowance())) is None:
                 raise
             return by_balls
-
-    @cached_property
-    def _detachment(self) -> Detachment:
-        if plan.needs_no_solver("detachment", self.model):
-            return self._remarked(Detachment(None, None, None, words.NO_DETACHMENT), math.nan)
-        return self._remarked(solvers.detachment(self.model), math.nan)
 
     def _solved(self, question: str, F_0: float) -> tuple[Model | None, bool]:
         # finding the onset costs time too: it serves only where it has been asked for already

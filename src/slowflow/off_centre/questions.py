@@ -8,8 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from functools import partial, reduce
-from operator import or_
+from functools import partial
 from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
@@ -20,6 +19,7 @@ from slowflow.answer import joined
 from slowflow.averaged import remarks, words
 from slowflow.averaged.pairs import at_pairs
 from slowflow.averaged.questions import Averaged
+from slowflow.composed import ComposedQuestions
 from slowflow.gradient import Gradient
 from slowflow.loaded import CENTRED, Loaded, off_centre_by
 from slowflow.model import Floats, Model
@@ -33,6 +33,7 @@ from slowflow.off_centre.flow import Flow, Slow
 from slowflow.off_centre.means import ORDERS, Means, Steps
 from slowflow.off_centre.reach import AMPLITUDE, LARGEST, Farthest, Measure, Reach, Share
 from slowflow.off_centre.reach import BEYOND as BEYOND_IT
+from slowflow.questions import Questions
 from slowflow.results import (
     Detachment,
     FrequencyResponse,
@@ -75,7 +76,6 @@ ONE_PIECE = "no detachment: the force has one piece only"
 NOT_REACHED = "no motion comes to the first breakpoint"
 UNKNOWN = "whether motions come to the first breakpoint is undecided, as where the mass rests is"
 TURNS = "the mean turns back where a motion goes farthest: how far is told to 2^-24 of it"
-WITHIN = "motions whose mean stiffness vanishes may lose their stability within a band too"
 NO_ONSET = "no saddle node at any forcing, up to amplitudes far beyond the size of the problem"
 UNDECIDED_ONSET = Sentence("the onset is undecided: {why:s}")
 ON_CORNER = "on a corner that the jump of the force makes: one that does not jump has none there"
@@ -108,7 +108,7 @@ class _Said(NamedTuple):
         return _Said(joined(self.message, other.message), self.remarks | other.remarks)
 
 
-class OffCentre(Unchanging):
+class OffCentre(Unchanging, ComposedQuestions, Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
     """An oscillator under a static load, or one whose motions may leave the centre, averaged.
 
     load -- the static load over k_v L, what the mass weighs beyond what the vertical spring holds at the centre
@@ -201,14 +201,10 @@ class OffCentre(Unchanging):
             said = _Said(_listed(UNDECIDED_REST, found.undecided[0]), Remark.UNDECIDED).beside(said)
         return RestPositions(u, stiffness, stiffness > 0, self.load, **said._asdict(), _model=self._model)
 
-    def detachment(self) -> Detachment:
-        """The lowest forcing for which the motion reaches the first breakpoint, |B| + A = u_cr, on either side.
-
-        Of a force that is not odd it is that which comes to an end of the piece about u = 0: to a stop, say.
-        """
-        return self._once(("detachment",), self._detachment)
-
     def _detachment(self) -> Detachment:
+        return self._once(("detachment",), self._lowest_detachment)
+
+    def _lowest_detachment(self) -> Detachment:
         if not self.breakpoints:
             return self._no_detachment(ONE_PIECE)
         if self._rests_beyond():
@@ -234,20 +230,11 @@ class OffCentre(Unchanging):
     def _no_detachment(self, message: str) -> Detachment:
         return self._made(Detachment, None, None, None, message)
 
-    def amplitudes(self, *, Omega: Any, F_0: Any) -> SteadyStates:
-        """Every steady state at the frequency Omega, or at each of an array of frequencies, with its B.
+    def _at_pairs(self, Omega: Any, F_0: Any) -> SteadyStates:
+        found = at_pairs(self._amplitudes, Omega, F_0, ("Omega", "A", "B", "stable", "_h"))
+        return self._made(SteadyStates, **found.columns, F_0=found.F_0, _flow=self._flow, **found.notes())
 
-        F_0 may be an array that broadcasts with Omega, as in `Averaged.amplitudes`. Raises ValueError for Omega <= 0,
-        F_0 <= 0 and without damping that grows with the amplitude.
-        """
-        if not validate.is_single(F_0):
-            names = ("Omega", "A", "B", "stable", "_h")
-            found = at_pairs(lambda at, one: self.amplitudes(Omega=at, F_0=one), Omega, F_0, names)
-            told: dict[str, Any] = {"message": found.message(), "Omega_undecided": found.undecided()}
-            told["remarks"] = reduce(or_, (part.remarks for part in found.parts), Remark(0))
-            return self._made(SteadyStates, **found.columns, F_0=found.F_0, _flow=self._flow, **told)
-        at = validate.frequencies("Omega", Omega).ravel()
-        F_0 = validate.number("F_0", F_0, above=0.0)
+    def _amplitudes(self, at: Floats, F_0: float) -> SteadyStates:
         self._check_answered("amplitudes")
         x, of, undecided = np.empty((2, 0)), np.empty(0, dtype=np.intp), np.empty(0, dtype=np.intp)
         rests = np.flatnonzero(self._flow.force(F_0, at) <= self._m)
@@ -302,24 +289,13 @@ class OffCentre(Unchanging):
         centred[0] = A
         return np.concatenate((x[:, off], centred), axis=1), np.concatenate((of[off], of_A))
 
-    def frequency_response(
-        self, F_0: float, *, samples: int = 1000, Omega: tuple[float, float] = validate.WINDOW
-    ) -> FrequencyResponse:
-        """The response at F_0, every branch and isolated curve with its B, for frequencies in the window `Omega`.
-
-        About `samples` points; folds are among them exactly. No branch is lost: folds and the states at frequencies
-        between them are all there are, and neighbouring states are shown to be on one arc. Under an excitation by
-        inertia it begins where the mass has begun to move, or at 2^-10 of the window's end.
-        Raises ValueError as `Oscillator.frequency_response` and without damping that grows, ArithmeticError where it is
-        not decided which states are on one curve.
-        """
-        F_0 = validate.number("F_0", F_0, above=0.0)
-        samples, (low, high) = validate.curve(samples, Omega)
+    def _frequency_response(self, F_0: float, samples: int, window: tuple[float, float]) -> FrequencyResponse:
+        # no branch is lost: folds and the states at frequencies between them are all there are, and neighbouring states
+        # are shown to be on one arc
         self._check_answered("frequency_response")
-        return self._once(("frequency_response", F_0, samples, low, high), lambda: self._curve(F_0, samples, low, high))
+        return self._once(("frequency_response", F_0, samples, *window), lambda: self._curve(F_0, samples, *window))
 
     def _curve(self, F_0: float, samples: int, low: float, high: float) -> FrequencyResponse:
-        """`frequency_response` in a window of frequencies."""
         if self._flow.sticks(F_0):
             return self._response(Curves.none(), F_0, _Said(words.STICKS.format(F_0, self._m)))
         found, said = Curves.none(), _Said()
@@ -349,19 +325,17 @@ class OffCentre(Unchanging):
         off = np.abs(x[1]) > AT_CENTRE if self._complete.has_centre else np.ones(of.size, dtype=bool)
         return x[:, off], of[off]
 
-    def saddle_nodes(self, F_0: float, *, certify: bool = False) -> SaddleNodes:
-        """Every fold of the response at F_0, by rising Omega, on every sheet of the balance, up to `A_max(F_0)`.
-
-        Raises ValueError for F_0 <= 0, without damping that grows with the amplitude, and for `certify`.
-        """
-        if certify:
-            why = off_centre_by(self._model.mechanism, self.load) or "a mean B"
-            raise validate.NotAvailable(CENTRED.format("certify", why))
-        F_0 = validate.number("F_0", F_0, above=0.0)
-        self._check_answered("saddle_nodes")
-        return self._once(("saddle_nodes", F_0), lambda: self._saddle_nodes(F_0))
+    def _check_proof(self) -> None:
+        """Raises ValueError: there is no proof of motions with a mean."""
+        why = off_centre_by(self._model.mechanism, self.load) or "a mean B"
+        raise validate.NotAvailable(CENTRED.format("certify", why))
 
     def _saddle_nodes(self, F_0: float) -> SaddleNodes:
+        self._check_answered("saddle_nodes")
+        return self._once(("saddle_nodes", F_0), lambda: self._every_fold(F_0))
+
+    def _every_fold(self, F_0: float) -> SaddleNodes:
+        """On every sheet of the balance."""
         if self._flow.sticks(F_0):
             return self._folds(np.empty((3, 0)), np.empty(0, dtype=str), F_0, _Said(words.STICKS.format(F_0, self._m)))
         centred = Averaged(self._model).saddle_nodes(F_0) if self._complete.has_centre else None
@@ -397,12 +371,7 @@ class OffCentre(Unchanging):
             x, kind = x[:, off], kind[off]
         return self._folds(x, kind, F_0, said, centred)
 
-    def saddle_node_onset(self) -> SaddleNodeOnset:
-        """The lowest forcing for which a stable motion ends at a fold, with its Omega, A, B; up to `A_max(F_SN)`.
-
-        That no fold is below it is proved up to 2^-16 of F_SN; nearer to it, it is the least of its surroundings.
-        Raises ValueError without damping that grows with the amplitude.
-        """
+    def _saddle_node_onset(self) -> SaddleNodeOnset:
         self._check_answered("saddle_node_onset")
         return self._once(("saddle_node_onset",), self._onset)
 
@@ -427,19 +396,11 @@ class OffCentre(Unchanging):
     def _no_onset(self, message: str, said: Remark) -> SaddleNodeOnset:
         return self._made(SaddleNodeOnset, None, None, None, "", message, remarks=said)
 
-    def peak(self, F_0: float) -> Peak:
-        """The largest amplitude at F_0, and the largest |u| = |B| + A, of motions with a positive mean stiffness.
-
-        That none goes farther is proved but for 2^-24 of it, up to `A_max(F_0)`; see `slowflow.off_centre.reach`.
-        Of an excitation by inertia there is none where motions go beyond `A_max`, or where the amplitude only rises.
-        Raises ValueError for F_0 <= 0 and without damping that grows with the amplitude, ArithmeticError where too many
-        boxes stay undecided.
-        """
-        F_0 = validate.number("F_0", F_0, above=0.0)
-        self._check_answered("peak")
-        return self._once(("peak", F_0), lambda: self._peak(F_0))
-
     def _peak(self, F_0: float) -> Peak:
+        self._check_answered("peak")
+        return self._once(("peak", F_0), lambda: self._highest(F_0))
+
+    def _highest(self, F_0: float) -> Peak:
         if self._flow.sticks(F_0):
             return self._no_peak(F_0, words.STICKS.format(F_0, self._m))
         if self._keeps_centre:
@@ -486,12 +447,10 @@ class OffCentre(Unchanging):
             return found
         return Farthest(centred.A, centred.Omega, centred.A, 0.0, found.turns)
 
-    def margins(self, F_0: float) -> loads.Margins:
-        """How far F_0 is from F_SN and F_cr, see `Oscillator.margins`."""
+    def _check_margins(self) -> None:
         detachment = self.detachment()
         if detachment.F_cr is None and detachment.message not in (ONE_PIECE, BEYOND, NOT_REACHED):
             raise validate.NotAvailable(NO_MARGINS + detachment.message)
-        return loads.margins(self, F_0, self._detaches)
 
     def _detaches(self, F_0: float) -> bool:
         """Whether a stable motion passes the first breakpoint."""
@@ -511,37 +470,13 @@ class OffCentre(Unchanging):
         lower, upper = self._steps.inner
         return (states.mean + states.A > upper) | (states.mean - states.A < lower)
 
-    def hysteresis(self, F_0: float) -> loads.Hysteresis:
-        """The bands of frequencies at F_0 with several stable motions, see `Oscillator.hysteresis`.
-
-        Where motions of a negative mean stiffness take part, one may lose its stability within a band too.
-        """
-        found = loads.hysteresis(self, F_0)
-        if not (self.saddle_nodes(F_0).kind == "unstable").any():
-            return found
-        return replace(found, message=joined(found.message, WITHIN))
-
-    def spectrum(self, *, Omega: Any, F_0: Any) -> loads.Spectrum:
-        """A load spectrum, one tone at a time, see `Oscillator.spectrum`; of each motion A is about its mean.
-
-        Rows with several forcings take some tenths of a second each, few rows two seconds: folds of forcings between
-        are found, which rows share.
-        """
-        return loads.spectrum(self, Omega, F_0, self._leaves, self._folds_at)
-
-    def isolation(self, F_0: float, level_dB: float = 0.0) -> loads.Isolation:
-        """The frequency from which on every stable motion at F_0 transmits less than F_0, see `Oscillator.isolation`.
-
-        It is found on the response, and that no stable motion transmits that beyond it is proved but for 2^-16 of it;
-        where that is not decided the answer says so, `Remark.UNDECIDED`. See `slowflow.off_centre.reach`. Raises
-        NotAvailable where motions go beyond `A_max`, as on a base that shakes too much for a hardening spring.
-        """
+    def _isolation(self, F_0: float, level_dB: float) -> loads.Isolation:
         F_0, level = validate.number("F_0", F_0, above=0.0), isolating.as_level(level_dB)
         self._check_answered("isolation")
         sticks = words.STICKS.format(F_0, self._m) if self._flow.sticks(F_0) else ""
         floor = Averaged(self._model).transmissibility_floor(F_0)
         if why := sticks or isolating.passes_on(self._model, floor, level):
-            return self._isolation(level, None, None, None, False, F_0, why, Remark(0))
+            return self._isolation_at(level, None, None, None, False, F_0, why, Remark(0))
         if self._flow.inertial and self._is_cut(F_0):
             raise validate.NotAvailable(OPEN.format(self.A_max(F_0)))
         # what is transmitted has the square h^2 + I^2, as much as F_0 where R = -h, at Omega^2 = 2 p with p = -h/A
@@ -563,7 +498,7 @@ class OffCentre(Unchanging):
         message = joined(found.message, UNDECIDED_BEYOND.format(str(level)))
         return replace(found, message=message, remarks=found.remarks | Remark.UNDECIDED)
 
-    def _isolation(
+    def _isolation_at(
         self, level: isolating.Level, Omega: float | None, A: float | None, B: float | None, *others: Any
     ) -> loads.Isolation:
         beside: dict[str, Any] = {"B": B, "load": self.load, "_model": self._model, "_moves": answers.isolation_moves}
@@ -580,7 +515,7 @@ class OffCentre(Unchanging):
             return tuple(np.array(found).reshape(-1, 3).T)
 
         found = isolating.begins(isolating.Curves.of(curve, curve.mean), transmits, passes)
-        return isolating.told(partial(self._isolation, level), curve, level, *(column.item() for column in found))
+        return isolating.told(partial(self._isolation_at, level), curve, level, *(column.item() for column in found))
 
     def _transmits(self, curve: FrequencyResponse, ratio: float, one: int, other: int) -> tuple[float, float, float]:
         """Omega, A and B between two points of a curve, at which the motion transmits that share of F_0."""

@@ -22,6 +22,7 @@ from slowflow.averaged.plan import Plan, Step
 from slowflow.backend import SOLVER
 from slowflow.measured import validity
 from slowflow.model import Floats
+from slowflow.questions import Questions
 from slowflow.results import Detachment, Peak, Remark, SaddleNodeOnset, SteadyStates
 from slowflow.second.answers import SecondFolds, SecondResponse, SecondStates
 from slowflow.text import Sentence, text
@@ -85,7 +86,7 @@ UNANSWERED = {
 
 
 @dataclass(frozen=True)
-class SecondApproximation:
+class SecondApproximation(Questions[SecondStates, SecondResponse, SecondFolds]):
     """The questions of an oscillator in the second approximation; `.second_approximation` of an oscillator makes it.
 
     Answers have the largest displacement as A, and the amplitude of the first harmonic as A_1. Arguments and errors are
@@ -106,6 +107,9 @@ class SecondApproximation:
             if u_cr > mechanism.harmonics_up_to:
                 raise Refused(NOT_DERIVED.format(u_cr, mechanism.harmonics_up_to))
 
+    def _check_proof(self) -> None:
+        raise validate.NotAvailable(f"certify is not available: {UNANSWERED['certify']}")
+
     def __getattr__(self, name: str) -> Any:
         """Raises AttributeError, with the reason where averaging answers the question of that name."""
         why = f": {UNANSWERED[name]}" if name in UNANSWERED else ""
@@ -125,12 +129,8 @@ class SecondApproximation:
         after = Step("harmonics", not skipped, "nothing to begin with" if skipped else SECOND[question])
         return replace(first, steps=(*first.steps, after))
 
-    def frequency_response(
-        self, F_0: float, *, samples: int = 1000, Omega: tuple[float, float] = validate.WINDOW
-    ) -> SecondResponse:
-        """The response curve, as the first approximation's points move to it, with its peak among them."""
-        F_0 = validate.number("F_0", F_0, above=0.0)
-        samples, window = validate.curve(samples, Omega)
+    def _frequency_response(self, F_0: float, samples: int, window: tuple[float, float]) -> SecondResponse:
+        # as the first approximation's points move to it, with its peak among them
         model = self.first.model
         if model.sticks(F_0):
             none = np.empty(0)
@@ -153,18 +153,12 @@ class SecondApproximation:
             _lost=lost > 0,
         )
 
-    def amplitudes(self, *, Omega: Any, F_0: Any) -> SecondStates:
-        """Every steady state at the frequency Omega, or at each of an array of frequencies: where the curve crosses.
+    def _at_pairs(self, Omega: Any, F_0: Any) -> SecondStates:
+        found = at_pairs(self._amplitudes, Omega, F_0, ("Omega", "A", "A_1", "phi", "stable", "force"))
+        return SecondStates(**found.columns, F_0=found.F_0, message=found.message(), _model=self.first.model)
 
-        F_0 may be an array that broadcasts with Omega, as in `Averaged.amplitudes`; as there A = 0 is a steady state
-        where friction holds the mass.
-        """
-        if not validate.is_single(F_0):
-            names = ("Omega", "A", "A_1", "phi", "stable", "force")
-            several = at_pairs(lambda at, one: self.amplitudes(Omega=at, F_0=one), Omega, F_0, names)
-            return SecondStates(**several.columns, F_0=several.F_0, message=several.message(), _model=self.first.model)
-        first = self.first.states(Omega=Omega, F_0=F_0)
-        wanted = np.asarray(Omega, dtype=float).ravel()
+    def _amplitudes(self, wanted: Floats, F_0: float) -> SecondStates:
+        first = self.first.states(Omega=wanted, F_0=F_0)
         at, u_max, A_1, phi, stable = (*(np.empty(0) for _ in range(4)), np.empty(0, bool))
         if wanted.size and first.A.size:
             model = self.first.model
@@ -194,13 +188,12 @@ class SecondApproximation:
         columns = with_rests(wanted, model.rests(first.F_0, wanted), moving[0], dict(pairs))
         return columns, joined(message, words.moves_exactly(model, model.force(first.F_0, wanted)))
 
-    def saddle_nodes(self, F_0: float) -> SecondFolds:
-        """Every fold of the response curve between two of its points, by rising Omega.
+    def _saddle_nodes(self, F_0: float) -> SecondFolds:
+        """Every fold between two points of the curve.
 
         Averaging's curve is complete, and so are the branches that are followed from it; folds are searched for along
         them, in 600 points, not proved. What lies where the harmonics are not small is left out, in words.
         """
-        F_0 = validate.number("F_0", F_0, above=0.0)
         model, ask, window = self.first.model, SOLVER.second_saddle_nodes, (0.0, math.inf)
         answer: Any = (Status.STICKS,) if model.sticks(F_0) else ask(model.native, F_0, math.inf, 0.0)
         if answer[0] != Status.OK or answer[1] or not answer[-3]:
@@ -219,7 +212,7 @@ class SecondApproximation:
         message = self._remarked(joined(message, UNSOLVED.format(lost, tried) if lost else ""), Omega, u_max)
         return SecondFolds(Omega, u_max, A_1, solvers.FOLD_KINDS.take(up), corner, F_0, message, _lost=lost)
 
-    def peak(self, F_0: float) -> Peak:
+    def _peak(self, F_0: float) -> Peak:
         """The highest point of the curve about the first approximation's highest peak: its largest displacement A."""
         first = self.first.peak(F_0)
         if first.Omega is None:
@@ -232,7 +225,7 @@ class SecondApproximation:
             return Peak(None, None, first.F_0, joined(NO_PEAK.format(LEFT_OUT), of_curve))
         return Peak(u_max, Omega, first.F_0, self._remarked("", np.array([Omega]), np.array([u_max])))
 
-    def saddle_node_onset(self) -> SaddleNodeOnset:
+    def _saddle_node_onset(self) -> SaddleNodeOnset:
         """The lowest forcing that has a fold, where that is a cusp."""
         first = self.first.saddle_node_onset()
         if first.F_SN is None or first.Omega is None or first.A is None:
@@ -244,7 +237,7 @@ class SecondApproximation:
             return SaddleNodeOnset(None, None, None, "", FAR)
         return SaddleNodeOnset(F_SN, Omega, u_max, first.kind, first.message)
 
-    def detachment(self) -> Detachment:
+    def _detachment(self) -> Detachment:
         """The lowest forcing whose largest displacement is u_cr."""
         first = self.first.detachment()
         if first.F_cr is None or first.Omega_cr is None or first.u_cr is None:
