@@ -28,6 +28,10 @@ from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
 from setuptools.errors import BaseError, CompileError, LinkError
 
+#: address of the repository, "https://host/owner/slowflow": every URL of the metadata follows from it, and the links of
+#: README.md on the page of an index. None until it has one; CITATION.cff needs it as repository-code then.
+SOURCE = None
+
 NATIVE = Path("src/slowflow/native")
 GENERATED = Path("generated")
 HEADERS = sorted(str(path) for folder in (NATIVE, GENERATED) for path in folder.rglob("*.h"))
@@ -180,13 +184,25 @@ def readme(text, address=None):
     return re.sub(link, place, re.sub(picture, place, text))
 
 
+def urls(address=None):
+    """The project's pages on the web, as the metadata names them; the paper alone where the sources have no address."""
+    pages = {
+        "Source": "",
+        "Documentation": "/blob/HEAD/docs/index.md",
+        "Issues": "/issues",
+        "Changelog": "/blob/HEAD/CHANGELOG.md",
+    }
+    own = {name: address + page for name, page in pages.items()} if address else {}
+    return own | {"Paper": "https://doi.org/10.3390/app15084187"}
+
+
 with open("pyproject.toml", "rb") as stated:
     PROJECT = tomllib.load(stated)["project"]
-SOURCE = PROJECT["urls"].get("Source")
 
 setup(
     long_description=readme(Path("README.md").read_text(encoding="utf-8"), SOURCE),
     long_description_content_type="text/markdown",
+    project_urls=urls(SOURCE),
     ext_modules=[]
     if LATER
     else [

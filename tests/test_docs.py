@@ -48,7 +48,10 @@ SLOW = {
 DECISIONS = ROOT / "docs" / "decisions"
 LINK = re.compile(r"\]\(([^)#:]+)\)")
 #: pages whose links must lead somewhere
-PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md"))]
+PAGES = [
+    *(ROOT / name for name in ("README.md", "CONTRIBUTING.md", "SECURITY.md")),
+    *sorted((ROOT / "docs").rglob("*.md")),
+]
 
 
 @pytest.mark.parametrize(
@@ -205,6 +208,37 @@ def test_on_the_page_of_an_index_the_readme_has_no_path(monkeypatch: pytest.Monk
         assert f"](https://example.org/sources/{kind}/HEAD/{path})" in there
     # nothing else is touched
     assert re.sub(r"https://example.org/sources/(raw|blob)/HEAD/", "", there) == text
+
+
+def test_every_address_of_the_metadata_follows_from_that_of_the_sources(monkeypatch: pytest.MonkeyPatch) -> None:
+    setuptools = pytest.importorskip("setuptools")
+    stated: dict[str, Any] = {}
+    monkeypatch.setattr(setuptools, "setup", stated.update)
+    monkeypatch.chdir(ROOT)
+    build = runpy.run_path("setup.py")
+    assert stated["project_urls"] == build["urls"](build["SOURCE"])
+    (paper,) = build["urls"]().values()
+    with_it = build["urls"]("https://example.org/sources")
+    assert set(with_it) == {"Source", "Documentation", "Issues", "Changelog", "Paper"} and with_it.pop("Paper") == paper
+    for address in with_it.values():
+        path = address.removeprefix("https://example.org/sources").removeprefix("/blob/HEAD/")
+        assert path in ("", "/issues") or (ROOT / path).exists(), address
+    citation = (ROOT / "CITATION.cff").read_text(encoding="utf-8")
+    repository = [build["SOURCE"]] if build["SOURCE"] else []
+    assert re.findall(r"^repository-code: (.*)$", citation, re.MULTILINE) == repository
+    version = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["version"]
+    assert f"\nversion: {version}\n" in citation and f"doi: {paper.partition('org/')[2]}" in citation
+
+
+def test_workflows_run_what_the_makefile_has_on_every_python_that_the_classifiers_name() -> None:
+    workflows = [path.read_text(encoding="utf-8") for path in (ROOT / ".github" / "workflows").glob("*.yml")]
+    targets = re.findall(r"^([\w-]+):", (ROOT / "Makefile").read_text(encoding="utf-8"), re.MULTILINE)
+    run = {target for text in workflows for target in re.findall(r"run: make ([\w-]+)", text)}
+    assert {"test", "test-fast", "test-all", "check", "dist"} <= run <= set(targets)
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    versions = re.findall(r"Python :: (3\.\d+)", "\n".join(project["classifiers"]))
+    (matrix,) = (found for text in workflows for found in re.findall(r"python: (\[.*\])", text))
+    assert json.loads(matrix) == versions and f">={versions[0]}" == project["requires-python"]
 
 
 #: docstrings of modules with code, and which of these need what deriving needs
