@@ -143,7 +143,7 @@ def test_the_conda_recipe_asks_for_what_the_package_asks_for() -> None:
 SEARCHED = {
     "install compiler windows": "howto/install",
     "jump force": "howto/questions",
-    "F_SN onset fold": "words",
+    "F_SN onset fold": "glossary",
     "newton units millimetre": "howto/questions",
     "base shakes floor": "howto/shocks",
     "accurate trust averaging": "howto/questions",
@@ -156,11 +156,24 @@ SEARCHED = {
     "fit measured damping": "howto/questions",
     "million designs parallel": "howto/questions",
     "matlab": "howto/languages",
-    "limits": "howto/questions",
+    "limits subharmonics": "limits",
+    "quasi-zero stiffness": "faq",
+    "transmissibility nonlinear": "faq",
+    "stick-slip exactly": "faq",
+    "jump-up frequencies": "faq",
+    "Duffing dry friction": "faq",
+    "harmonic balance": "glossary",
+    "rotating unbalance": "howto/shocks",
+    "shock response spectrum": "howto/questions",
+    "static load asymmetric": "howto/off_centre",
+    "structural damping loss factor": "howto/damping",
+    "Hertzian contact": "howto/own_mechanism",
+    "optional dependencies": "howto/install",
+    "deprecation SPEC 0": "versions",
     "spring law own": "howto/own_mechanism",
     "million all cores dask cluster": "howto/batches",
     "status code remark": "howto/questions",
-    "TOO_MANY UNRESOLVED": "words",
+    "TOO_MANY UNRESOLVED": "glossary",
     "equation paper": "howto/questions",
     "differ paper errata misprint": "howto/questions",
     "identify damping measured curve": "howto/questions",
@@ -179,7 +192,7 @@ def test_the_words_of_a_newcomer_stand_on_the_page_that_answers(words: str) -> N
 
 
 def test_the_codes_of_answers_stand_among_the_words_with_their_numbers() -> None:
-    section = (ROOT / "docs" / "words.md").read_text(encoding="utf-8").split("## Codes")[1]
+    section = (ROOT / "docs" / "glossary.md").read_text(encoding="utf-8").split("## Codes")[1]
     rows = [line.split("|")[1:-1] for line in section.splitlines() if re.match(r"\| \d", line)]
     told = [(name, int(number)) for number, *cells in rows for name in re.findall(r"`([A-Z_]+)`", "".join(cells))]
     codes = [(one.name, one.value) for kind in (Status, Remark, FoldKind, OnsetKind) for one in kind]

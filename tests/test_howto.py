@@ -25,7 +25,7 @@ PAGES = [
 ]
 #: they derive mechanisms, or ask much
 SLOW = ("mechanisms", "own_mechanism", "off_centre", "damping", "tutorial", "tolerances")
-LANGUAGES = (DOCS / "howto" / "languages.md").read_text(encoding="utf-8").split("\n## ")[1:]
+PATHS, *LANGUAGES = (DOCS / "howto" / "languages.md").read_text(encoding="utf-8").split("\n## ")
 #: what a language's lines need besides a C compiler: programs, and packages of Python
 NEEDED = {
     "C": ((), ()),
@@ -63,11 +63,12 @@ def test_another_language_computes_the_same(section: str, tmp_path: Path) -> Non
         pytest.skip(f"{language} is not tried: there is no {', '.join(missing)} here")
     for name, text in re.findall(r"`([\w.]+)`:\n\n```\w+\n(.*?)```", section, re.DOTALL):
         (tmp_path / name).write_text(text, encoding="utf-8")
-    (commands,) = re.findall(r"```sh\n(.*?)```", section, re.DOTALL)
+    paths, commands = (text for part in (PATHS, section) for text in re.findall(r"```sh\n(.*?)```", part, re.DOTALL))
     # what this process imports is what the lines import
     path = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
     environment = {**os.environ, "PATH": path, "PYTHONPATH": os.pathsep.join(sys.path)}
-    done = subprocess.run(["sh", "-ec", commands], cwd=tmp_path, env=environment, capture_output=True, text=True)
+    command = ["sh", "-ec", paths + commands]
+    done = subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
     found = np.array(done.stdout.split(), float)
     h, h_A, _, _ = rod_spring.averaged(0.5, *rod_spring.coefficients(*example.DESIGN))

@@ -34,16 +34,8 @@ def write(docs: Path) -> None:
     for source, page in ELSEWHERE.items():
         if page.startswith("_made"):
             (docs / page).write_text(moved(ROOT / source, docs / page), encoding="utf-8")
-    limits(made / "limits.md")
     derivation(made / "derivation")
     reference(made / "reference")
-
-
-def limits(page: Path) -> None:
-    """What the README says that it is not good for."""
-    title = "What it is not good for"
-    section = moved(ROOT / "README.md", page).split(f"## {title}\n")[1].split("\n## ")[0]
-    page.write_text(f"# {title}\n{section}", encoding="utf-8")
 
 
 def moved(source: Path, page: Path) -> str:

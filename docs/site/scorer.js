@@ -1,12 +1,11 @@
-/* What a search finds first: in goes a result as Sphinx ranks it, out comes its rank. Pages that answer a question are
-before lists of names, and those before the reasons of decisions. */
+/* Rank of a search result: pages that answer a question before lists of names, those before methods and decisions. */
 var Scorer = {
   score: ([page, title, anchor, descr, score, filename, kind]) => {
     if (/^howto\/questions$/.test(page)) return score + 60;
-    if (/^(howto\/|tutorial$|words$|try$|gallery$|mechanisms$|_made\/limits$)/.test(page)) return score + 50;
+    if (/^(howto\/|tutorial$|glossary$|faq$|try$|gallery$|mechanisms$|limits$)/.test(page)) return score + 50;
     if (/^(validity|benchmarks|reliability|stability|_made\/ledger)$/.test(page)) return score + 20;
     if (kind === "object" || kind === "index") return score - 5;
-    if (/^decisions\//.test(page)) return score - 10;
+    if (/^(decisions|methods)\//.test(page)) return score - 10;
     return score;
   },
   objNameMatch: 11,
