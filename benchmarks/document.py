@@ -1,4 +1,4 @@
-"""The tables in words: measured rows in, lines of text, JSON files and docs/benchmarks.md out."""
+"""Measured rows as tables: docs/benchmarks.md for users, benchmarks/results/README.md with all of them; JSON files."""
 
 from __future__ import annotations
 
@@ -10,10 +10,15 @@ from typing import Any
 RESULTS = Path(__file__).resolve().parent / "results"
 DOCS = Path(__file__).resolve().parents[1] / "docs"
 
-HEAD = """# Measured speed and error
+HEAD = """# Benchmarks: speed, accuracy, other tools
 
-Written by `make bench` from the measurements that it makes; the same numbers stand in
-[benchmarks/results](../benchmarks/results).
+Written by `make bench`. Times are medians of processor time on one machine. Comparisons were measured in turn in one
+run, unless a row says otherwise. Errors are relative, or in u (1 + κ), u = 2^-53, with the condition number κ.
+[All measurements](../benchmarks/results/README.md), with what limits them.
+"""
+DETAILS = """# All measurements
+
+Written by `make bench`, from the JSON files in this folder. [For users](../../docs/benchmarks.md).
 """
 
 
@@ -47,23 +52,20 @@ def table(head: tuple[str, ...], rows: list[tuple[str, ...]]) -> list[str]:
     return ["| " + " | ".join(cell.ljust(n) for cell, n in zip(line, width, strict=True)) + " |" for line in lines]
 
 
-def bench_table(rows: list[dict[str, Any]]) -> list[str]:
-    """Job, target, measured median, ratio, error, reached."""
+def bench_table(rows: list[dict[str, Any]], targets: bool = True) -> list[str]:
+    """Job, measured median, comparison, error; with targets these and whether they are reached."""
     cells = []
     for row in rows:
-        reached = row.get("reached")
         others = [told or f"{name} is not at hand here" for name, told in row.get("others", {}).items()]
-        cells.append(
-            (
-                row["job"],
-                f"{'≤' if row['at_most'] else '≥'} {quantity(row['target'], row['unit'])}",
-                quantity(row["measured"], row["unit"]),
-                "; ".join([row.get("ratio", ""), *others]),
-                row.get("error", ""),
-                "yes" if reached else "NO",
-            )
+        measured = (
+            row["job"],
+            quantity(row["measured"], row["unit"]),
+            "; ".join(part for part in (row.get("ratio", ""), *others) if part),
+            row.get("error", ""),
         )
-    return table(("job", "target", "median", "beside it", "error", "reached"), cells)
+        target = f"{'≤' if row['at_most'] else '≥'} {quantity(row['target'], row['unit'])}"
+        cells.append((*measured, target, "yes" if row.get("reached") else "NO") if targets else measured)
+    return table(("job", "median", "comparison", "error", *(("target", "reached") if targets else ())), cells)
 
 
 def environment_lines(environment: dict[str, Any]) -> list[str]:
@@ -173,44 +175,58 @@ def precision_table(scene: dict[str, Any]) -> list[str]:
 
 
 def write(results: Path = RESULTS, docs: Path = DOCS) -> None:
-    """Write docs/benchmarks.md from whatever results there are."""
+    """Write docs/benchmarks.md and the page of all measurements from whatever results there are."""
+    found = {path.stem: earlier(path) for path in results.glob("*.json")}
+    for page, text in ((docs / "benchmarks.md", users(found)), (results / "README.md", details(found))):
+        page.parent.mkdir(parents=True, exist_ok=True)
+        page.write_text(text, encoding="utf-8")
+
+
+def users(found: dict[str, Any]) -> str:
+    """One page: times, other tools in the same run, error against time."""
     lines = [HEAD]
-    names = ("bench", "work_precision", "exact", "derive", "grid", "paper", "peers")
-    bench, precision, exact, derive, grid, paper, peers = (earlier(results / f"{name}.json") for name in names)
-    if bench:
+    if bench := found.get("bench"):
+        lines += [*environment_lines(bench["environment"]), "", "## Time and error of each question", ""]
+        lines += [*bench_table(bench["rows"], targets=False), ""]
+    if peers := found.get("peers"):
+        ways = dict.fromkeys((row["peer"], row["what"]) for row in peers["rows"])
+        lines += ["## Other tools", "", *PEERS_WORDS, "", *peers_table(peers["rows"]), ""]
+        lines += ["What each does:", "", *(f"- {peer}: {what}." for peer, what in ways), ""]
+    if "work_precision" in found:
+        lines += ["## Error against time", "", "![Error against time](work_precision.png)", ""]
+        lines += ["## Cost against size", "", "![Cost against size](scaling.png)", ""]
+    return "\n".join(lines)
+
+
+def details(found: dict[str, Any]) -> str:
+    """Every measurement, with targets and what limits each."""
+    lines = [DETAILS]
+    if bench := found.get("bench"):
         lines += ["## Targets", "", *environment_lines(bench["environment"]), "", *bench_table(bench["rows"]), ""]
         if bench["limits"]:
             lines += ["Where the limits are:", "", *(f"- {limit}" for limit in bench["limits"]), ""]
-    if precision:
-        lines += ["## Error against time", "", "![Error against time](work_precision.png)", ""]
+    if precision := found.get("work_precision"):
+        lines += ["## Error against time", ""]
         lines += ["Scenes: Table 1 with F_0 = 0.04. Errors are relative, against values certified to 40 digits.", ""]
         for scene in precision["scenes"]:
             lines += [f"### {scene['title']}", "", *precision_table(scene), ""]
-        lines += ["## How cost grows", "", "![Cost against size](scaling.png)", ""]
-        lines += [*STOPS_WORDS, "", *stops_table(precision["scaling"]["stops"]), ""]
-    if exact:
+        lines += ["## Cost against stops", "", *STOPS_WORDS, "", *stops_table(precision["scaling"]["stops"]), ""]
+    if exact := found.get("exact"):
         about = [f"{exact['earlier'].capitalize()}."] if "earlier" in exact else []
         lines += ["## The equation of motion", "", *EXACT_WORDS, *about, ""]
-        lines += [*environment_lines(exact["environment"]), ""]
-        lines += [*exact_table(exact["rows"]), ""]
-    if derive:
+        lines += [*environment_lines(exact["environment"]), "", *exact_table(exact["rows"]), ""]
+    if derive := found.get("derive"):
         about = ["Modules and templates have bytecode, which an earlier process left."] if "bytecode" in derive else []
         about += [f"{derive['earlier'].capitalize()}."] if "earlier" in derive else []
-        lines += ["## A force of one's own", "", *DERIVE_WORDS, *about, ""]
+        lines += ["## Custom restoring forces", "", *DERIVE_WORDS, *about, ""]
         lines += [*environment_lines(derive["environment"]), "", *derive_table(derive["rows"]), ""]
-    if grid:
+    if grid := found.get("grid"):
         lines += ["## Maps in stores", "", *GRID_WORDS, "", *environment_lines(grid["environment"]), ""]
         lines += [*grid_table(grid["rows"]), ""]
-    if paper:
+    if paper := found.get("paper"):
         lines += ["## The first run", "", *PAPER_WORDS, "", *environment_lines(paper["environment"]), ""]
         lines += [*paper_table(paper["rows"]), ""]
-    if peers:
-        lines += ["## Beside other tools", "", *PEERS_WORDS, "", *environment_lines(peers["environment"]), ""]
-        lines += [*peers_table(peers["rows"]), ""]
-        ways = dict.fromkeys((row["peer"], row["what"]) for row in peers["rows"])
-        lines += ["What each does:", "", *(f"- {peer}: {what}." for peer, what in ways), ""]
-    docs.mkdir(parents=True, exist_ok=True)
-    (docs / "benchmarks.md").write_text("\n".join(lines), encoding="utf-8")
+    return "\n".join(lines)
 
 
 STOPS_WORDS = (
@@ -223,7 +239,7 @@ EXACT_WORDS = (
 )
 PAPER_WORDS = (
     "On a clone of what is committed, in a folder of its own (`python -m benchmarks.bench_paper`): the first command",
-    "of the README, and once more where all is made. Packages come from pip's index or its cache. Asked: 45 s, 350 MB.",
+    "of the README, and once more where all is made. Packages come from pip's index or its cache.",
 )
 DERIVE_WORDS = (
     "Forces given as SymPy expressions (`python -m benchmarks.bench_derive`), each in a process of its own that finds",

@@ -6,6 +6,7 @@ import shutil
 import subprocess
 import sys
 import time
+from pathlib import Path
 
 import mpmath
 import numpy as np
@@ -100,6 +101,14 @@ def test_others_that_are_not_at_hand_keep_their_last_measured_figures() -> None:
     about = {"ratio": "NumPy", "at_most": True, "target": 1.0, "measured": 2.0, "unit": "s", "reached": False}
     (*_, line) = document.bench_table([{"job": "quartic", **about, "others": {"Boost.Math": "80 ns", "ACM": None}}])
     assert "NumPy; 80 ns; ACM is not at hand here" in line
+
+
+def test_the_pages_are_those_of_the_results(tmp_path: Path) -> None:
+    for path in document.RESULTS.glob("*.json"):
+        (tmp_path / path.name).write_bytes(path.read_bytes())
+    document.write(tmp_path, tmp_path)
+    for page in (document.DOCS / "benchmarks.md", document.RESULTS / "README.md"):
+        assert (tmp_path / page.name).read_text(encoding="utf-8") == page.read_text(encoding="utf-8")
 
 
 def test_a_method_that_cannot_be_run_keeps_its_place_in_the_diagram() -> None:
