@@ -11,7 +11,6 @@ import matplotlib as mpl
 
 from benchmarks.document import environment_lines, table
 from benchmarks.stress import answers, counts, domains, kernels, proofs, roots, scale
-from derivations.codegen.proved import stored
 
 mpl.use("Agg")
 import matplotlib.pyplot as plt
@@ -40,16 +39,16 @@ WHY = {
     "depend on no argument: seven roundings, each of one u, while kappa is next to 0",
 }
 
-HEAD = """# Numerical stability, searched
+HEAD = """# Rounding errors: worst cases found by search
 
-Written by `make stress`; never edit. Numbers and the exact points: `benchmarks/results/stability.json`. The worst
-points are tests: `tests/data/stability.json`, replayed by `tests/test_stability.py`, where no error may grow.
+Written by `make stress`. Numbers and exact points, of every kernel: `benchmarks/results/stability.json`. The worst
+points are replayed by `tests/test_stability.py`, where no error may grow.
 
-u = 2^-53. kappa is the relative condition number of a result in all its arguments: rounding each argument once, and the
-result once, costs up to u (1 + kappa). Errors are in this unit, at the points drawn and at those that a search found
-from the worst of them: single coordinates moved by ulps and by factors as long as the error grows. So each figure is a
-lower bound of the true maximum. Exact values: kernels by `tests/oracles/kernels.py` to 40 digits and more, roots by
-FLINT, answers by Newton's method in 420 bits at the solution nearby, counts proved by `tests/oracles/averaged.py`.
+Errors are in u (1 + κ), u = 2^-53. κ is the relative condition number of a result in all its arguments: rounding each
+argument once, and the result once, costs up to that. A search starts from the worst of the points drawn and moves
+single coordinates by ulps and by factors as long as the error grows, so each figure is a lower bound of the true
+maximum. Exact values: kernels to 40 digits and more, roots by FLINT, answers by Newton's method in 420 bits, counts
+by proof.
 """
 
 
@@ -100,18 +99,18 @@ KERNELS = ("kernel", "points", "error / u(1+κ)", "NumPy there", "1 + κ there",
 ROOTS = ("roots", "family", "cases", "wrong number", "error / u(1+κ)", "1 + κ there", "where")
 ANSWERS = ("force", "answer", "answers", "error / u(1+κ)", "1 + κ there", "alone", "where")
 COUNTS = (
-    "asked",
+    "question",
     "cases",
-    "wrong, decided",
-    "wrong, beside a level",
-    "said to be undecided",
-    "asked of balls",
-    "left open",
-    "wrong after balls",
+    "wrong",
+    "wrong next to a level",
+    "undecided",
+    "repeated in balls",
+    "still undecided",
+    "wrong in balls",
     "refused",
     "not proved",
 )
-SCALE = ("asked", "cases", "differ, unsaid", "said to be undecided", "not proved, unsaid", "refused")
+SCALE = ("question", "cases", "differ", "undecided", "not proved", "refused")
 
 
 def by_group(found: list[Numbers]) -> Rows:
@@ -225,22 +224,15 @@ def by_count(found: list[Numbers]) -> Rows:
 def scale_lines(found: list[Numbers]) -> list[str]:
     """Counts against proofs, and some of the cases that differ or that nothing proves."""
     rows = [(f"{t['mechanism']}, {t['kind']}", *(f"{t[name]:,}" for name in scale.COUNTED)) for t in found]
-    named = []
-    for t in found:
-        names = answers.NAMES[t["mechanism"].split(",")[0]]
-        names = names if t["kind"] == "states" else names[:-1]
-        named += [(f"{t['mechanism']}, {t['kind']}", what, where(names, at)) for what, at in t["named"]]
     return [
-        "### By the million, against proofs in intervals",
+        "### Millions of cases against proofs in intervals",
         "",
-        "Oscillators and forcings of `tests/oracles/draws.py`: many decades of damping, with and without friction;",
-        "some frequencies lie beside folds, from an ulp on. Doubles alone answer. *Differ* are those of which another",
-        "number is proved and which do not say that doubles do not decide. Where only the proof is at a loss balls",
-        "agree with the answer wherever they were asked (`tests/test_undecided.py`).",
+        "Double precision alone. Many decades of damping, with and without friction; some frequencies lie next to",
+        "folds. *Differ* are cases of which another number is proved and which are not marked as undecided.",
+        "Where only the proof fails, ball arithmetic agrees wherever it was tried (`tests/test_undecided.py`).",
         "",
         *table(SCALE, rows),
         "",
-        *(["Some of these:", "", *table(("asked", "what", "where"), named), ""] if named else []),
     ]
 
 
@@ -386,11 +378,11 @@ def in_short(numbers: Numbers) -> list[str]:
         f"{number(max(value(w['error']) for w in of_roots))}; {wrong_roots} wrong numbers of roots.",
         f"- **Answers, target {answers.TARGET:g} u (1 + κ)**: {len(of_answers) - len(missed)} of {len(of_answers)} "
         f"kinds keep to it{'; the others are marked below' if missed else ''}.",
-        f"- **Counts, target none wrong of 10^7**: {wrong:,} of {cases:,} beside levels at which numbers change are "
-        f"wrong by doubles without a word; of {said:,} ({said / cases:.1%}) doubles say that they do not decide. Of "
-        f"these balls were asked {balls:,}: they leave {open_:,} open and have {wrong_balls:,} wrong. Of {many:,} more "
-        f"{differ:,} differ from a proof in intervals without a word, {of_many:,} ({of_many / many:.1%}) say that they "
-        f"are undecided, and for {unproved:,} there is no proof.",
+        f"- **Counts, target none wrong of 10^7**: of {cases:,} next to levels at which numbers change, {wrong:,} are "
+        f"wrong without being marked; {said:,} ({said / cases:.1%}) are marked as undecided in double precision. Of "
+        f"{balls:,} of these ball arithmetic leaves {open_:,} undecided and has {wrong_balls:,} wrong. Of {many:,} "
+        f"more, {differ:,} differ from a proof without being marked, {of_many:,} ({of_many / many:.1%}) are marked, "
+        f"{unproved:,} have no proof.",
         f"- **Proofs, target 99 % of folds by doubles alone, at most twice the time**: "
         f"{share(numbers['proofs'][0], 'folds', 'alone')} at {numbers['proofs'][0]['ratio']:.2f} times the time of "
         f"`saddle_nodes`, median; with balls {balls_share(numbers['proofs'][0])}.",
@@ -403,18 +395,8 @@ def page(numbers: Numbers) -> str:
     extreme, tried, kept = by_extreme(numbers["extremes"])
     misses = [row for row in by_kernel(numbers["kernels"]) if "missed" in row[2]]
     of_answers = merged(numbers["answers"])
-    bounds = [(found["kernel"], ", ".join(k or "-" for k in found["k"])) for found in stored().values()]
-    box = [
-        (", ".join((name, *modules)), f"{low:g}", f"{high:g}", "yes" if negative else "", "yes" if zero else "")
-        for modules, names in (((), domains.BOX), *domains.APART)
-        for name, (low, high, negative, zero) in names.items()
-    ]
     lines = [
         HEAD,
-        "Processor time: "
-        + "; ".join(f"{what} {c['seconds']} s at size {c['size']:g}" for what, c in numbers["cost"].items())
-        + ". Size 1 is `make stress`.",
-        "",
         *environment_lines(numbers["environment"]),
         "",
         "## In short",
@@ -435,18 +417,9 @@ def page(numbers: Numbers) -> str:
         "",
         *(f"- {row[0]}: {WHY.get(row[0], 'why is not known')}." for row in misses),
         "",
-        "The domain: every argument within these sizes, of either sign or zero where it says so, and where the formula",
-        "is defined; derivatives of h are free of h. Hard places are drawn on purpose: " + "; ".join(domains.PLACES),
-        "(one line each in `benchmarks/stress/domains.py`). The parameters of a mechanism come from designs, of",
-        "quasi-zero stiffness to the ulp and negative stiffness among them. The equation of motion, Den Hartog's",
-        "solution, the second approximation and excitations by inertia are tried in the ranges of",
-        "`tests.oracles.definitions`.",
-        "",
-        "Not searched are the kernels of gradients with viscous damping and dry friction alone:",
-        "`tests/test_kernels.py` holds them to exact values at stored points, `tests/test_gradients.py` to differences",
-        "of answers.",
-        "",
-        *table(("argument", "from", "to", "negative", "zero"), box),
+        "Arguments lie within the sizes of `benchmarks/stress/domains.py`, and where the formula is defined. Hard",
+        "places are drawn on purpose: " + "; ".join(domains.PLACES) + ". Kernels of gradients with",
+        "viscous damping and dry friction alone are not searched.",
         "",
         "### At 1e±150 and subnormal numbers",
         "",
@@ -456,14 +429,10 @@ def page(numbers: Numbers) -> str:
         "",
         *table(("kernel", "beyond the target", "worst", "where"), extreme),
         "",
-        "### Proved",
+        "### Proved bounds",
         "",
-        "Where a kernel is a polynomial, or one over monomials, its bound may be proved for all arguments, as long as",
-        "nothing overflows or underflows: `derivations/codegen/rounding.py` says how, `tests/test_rounding.py` holds",
-        f"that the bounds are of the programs as they are. {len(stored())} regimes of kernels have one for some or",
-        "all of their outputs, in the order of these, `-` for those that have none; all else here is measured.",
-        "",
-        *table(("kernel and regime", "error / u(1+κ), proved"), bounds),
+        "Where a kernel is a polynomial, or one over monomials, its bound may be proved for all arguments, without",
+        "overflow and underflow. The header of each generated function states such bounds. All else here is measured.",
         "",
         "## Roots in Omega",
         "",
@@ -479,14 +448,11 @@ def page(numbers: Numbers) -> str:
         "",
         "![Errors of answers against condition](stability_answers.png)",
         "",
-        "kappa is the condition in the oscillator's numbers and the forcing, plus that in the values of the kernels.",
-        "*Alone* are answers without a solution within a hundredth that Newton's method settles on: seen an ulp above",
-        "4 mu/pi, where the excess is a rounding, at the tip of a curve with zeta of 1e-9 and less, and on the corner.",
-        "A fold above u_cr by less than the doubles tell is given at the double of u_cr, whose own error is up to 3 u,",
-        "or at the next: there kappa is small, and A may miss the target.",
-        "A cusp of the untruncated force between u_cr and the last double below it, as where delta_h is next to 1, of",
-        "which doubles have few digits, is found by balls; without them it is said to have few.",
-        "Bounds: " + "; ".join(f"{name} {low:g} to {high:g}" for name, (low, high) in answers.BOUNDS.items()) + ".",
+        "κ is the condition with respect to parameters and forcing, plus that with respect to kernel values. *Alone*",
+        "are answers to which Newton's method finds no solution within a hundredth: an ulp above 4 mu/pi, at the tip of",
+        "a curve with zeta of 1e-9 and less, and on the corner. A fold closer to u_cr than doubles resolve is given at",
+        "a double next to u_cr, where A may miss the target.",
+        "Ranges: " + "; ".join(f"{name} {low:g} to {high:g}" for name, (low, high) in answers.BOUNDS.items()) + ".",
         "",
         *table(ANSWERS, by_answer(of_answers)),
         "",
@@ -494,13 +460,11 @@ def page(numbers: Numbers) -> str:
         *unjudged_lines(of_answers),
         "## Numbers of states and folds",
         "",
-        "Forcings from an ulp to a tenth beside the levels at which the number changes, and between them;",
-        f"{counts.FORCINGS['states']} at each frequency, {counts.FORCINGS['folds']} of each oscillator.",
-        f"*Beside a level* are forcings within {counts.UNDECIDED:g} u (1 + κ) of one, κ the level's condition in the",
-        "oscillator's numbers, the frequency and h: rounding these once moves it by as much. *Wrong* are numbers that",
-        "doubles give without a word. *Said to be undecided* are those of which doubles say that they do not decide;",
-        f"{counts.ASKED_OF_BALLS:.0%} of them, by a seeded draw, were asked again as users ask, with balls. zeta is",
-        "from 1e-4 to 0.5, as the proof needs some damping.",
+        "Forcings from an ulp to a tenth from the levels at which the number changes, and between them;",
+        f"{counts.FORCINGS['states']} at each frequency, {counts.FORCINGS['folds']} of each oscillator, zeta from 1e-4",
+        f"to 0.5. *Next to a level* means within {counts.UNDECIDED:g} u (1 + κ) of it, which rounding the arguments once",
+        "may cost. *Wrong* numbers are not marked as undecided, *undecided* ones are. Of these",
+        f"{counts.ASKED_OF_BALLS:.0%}, drawn at random, were repeated in ball arithmetic.",
         "",
         *table(COUNTS, by_count(numbers["counts"])),
         "",
@@ -509,16 +473,14 @@ def page(numbers: Numbers) -> str:
         "## Proofs at run time",
         "",
         *proof_lines(numbers["proofs"][0]),
-        "## What one would write instead",
+        "## Common alternatives",
         "",
         "The same cases, decided ones: `numpy.roots` on the coefficients of (24), a sign change between the points of",
         "a grid and `brentq`, `fsolve` from a grid of starts, `numpy.roots` on the resultant's coefficients.",
         "",
-        *table(("asked", "way", "wrong numbers", "error / u(1+κ)", "slowflow: wrong", "error"), by_other(numbers)),
-        "",
-        "## All kernels",
-        "",
-        *table(KERNELS, by_kernel(numbers["kernels"])),
+        *table(
+            ("question", "method", "wrong numbers", "error / u(1+κ)", "slowflow: wrong", "error"), by_other(numbers)
+        ),
         "",
     ]
     return "\n".join(lines)
@@ -597,7 +559,7 @@ def proof_lines(numbers: Numbers) -> list[str]:
         f"`Isolator.certify` of {numbers['isolators']:,} random isolators, in intervals of doubles: 1 to",
         f"{proofs.MOST_SPRINGS} springs, {drawn}, *excess* being F_0/(4 mu/pi) - 1. The relative width of an",
         f"enclosure of A is {numbers['width']:.2g}, median, {numbers['widest']:.2g} at most. Everything of Table 2",
-        f"takes {1e3 * numbers['table_2']:.2g} ms. What doubles leave open balls of 128 or 512 bits are asked, by",
+        f"takes {1e3 * numbers['table_2']:.2g} ms. What stays undecided is repeated in balls of 128 or 512 bits, by",
         f"python-flint, in {slowest:.2g} s at most. Hard families are drawn otherwise in one number: delta_h to",
         "1 - 10^-16 and to 10^-12, alpha to 10^-16, excess from 10^-16 to 10^-6; and the force that is not truncated.",
         "",
