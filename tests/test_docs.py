@@ -354,14 +354,19 @@ def test_each_section_of_the_gallery_has_a_picture() -> None:
         assert (page.parent / picture).stat().st_size > 5000
 
 
-def test_every_decision_says_why_and_what_it_costs() -> None:
+def test_every_decision_has_a_date_and_a_status_and_says_why_and_what_it_costs() -> None:
     index = (DECISIONS / "README.md").read_text(encoding="utf-8")
     pages = [page for page in sorted(DECISIONS.glob("*.md")) if page.name != "README.md"]
+    records = []
     for page in pages:
-        text = page.read_text(encoding="utf-8")
-        assert re.findall(r"^## (.*)$", text, re.MULTILINE) == ["Decision", "Why", "What it costs", "Deferred"], page
-        assert f"- [{text.splitlines()[0].removeprefix('# ')}]({page.name})" in index
-    assert index.count("\n- [") == len(pages)
+        title, *found = page.read_text(encoding="utf-8").split("\n## ")
+        assert f"- [{title.splitlines()[0].removeprefix('# ')}]({page.name})" in index
+        records += found
+    status = r"\d{4}-\d\d-\d\d, (in force|(changed|replaced) \d{4}-\d\d-\d\d|replaces [^.]*)\. "
+    for record in records:
+        name, _, text = record.partition("\n\n")
+        assert re.match(status, text) and "**Why**: " in text and "**Cost**: " in text, name
+    assert index.count("\n- [") == len(pages) == 6 and len(records) <= 30
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda path: path.relative_to(ROOT).as_posix())
