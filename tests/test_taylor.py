@@ -106,8 +106,8 @@ int main(void)
     for (int i = 0; i < SF_LAWS; i++) {{
         static sf_expansion x, y;
         sf_four by[2];
-        sf_laws[i].expand(&sf_laws[i], p, &drive, {state}, &x);
-        sf_laws[i].expand_both(&sf_laws[i], p, &drive, {state}, flow, &y);
+        sf_laws[i].expand(&sf_laws[i], p, &drive, {state}, NULL, &x);
+        sf_laws[i].expand(&sf_laws[i], p, &drive, {state}, flow, &y);
         sf_four_at(y.U, h, &by[0]);
         sf_four_at(y.V, h, &by[1]);
         printf("%.17g %.17g %.17g %.17g", sf_at(x.u, h), sf_at(x.v, h), sf_at(y.u, h), sf_at(y.v, h));

@@ -95,16 +95,6 @@ static SF_INLINE void duffing_force_1_next(const sf_coefficients *c, const doubl
     right[0] = sf_four_of(w[0], w[2], 0.0, 0.0);
 }
 
-SF_FMA static void duffing_force_1(const sf_law *self, const double *p, const sf_drive *drive, double theta, double u, double v,
-    sf_expansion *x)
-{
-    double over[4], w[4 * 4];
-    sf_four left[1 * SF_TERMS], right[1 * SF_TERMS];
-    sf_expand(duffing_force_1_begin, duffing_force_1_next,
-        p, drive, theta, u, v, 4, 1, 3, over, w, left, right, x);
-    (void)self;
-}
-
 static SF_INLINE void duffing_force_1_both_begin(const double *p, double *first, double *over)
 {
     (void)over;
@@ -130,14 +120,17 @@ static SF_INLINE void duffing_force_1_both_next(const sf_coefficients *c, const 
     right[0] = sf_four_of(w[0], w[3], 0.0, 0.0);
 }
 
-SF_FMA static void duffing_force_1_both(const sf_law *self, const double *p, const sf_drive *drive, double theta, double u, double v,
-    const sf_four flow[2], sf_expansion *x)
+SF_FMA static void duffing_force_1(const sf_law *self, const double *p, const sf_drive *drive, double theta, double u, double v,
+    const sf_four *flow, sf_expansion *x)
 {
     double over[6], w[4 * 6];
     sf_four left[1 * SF_TERMS], right[1 * SF_TERMS];
-    sf_expand_both(duffing_force_1_both_begin, duffing_force_1_both_next,
-        p, drive, theta, u, v, flow, 6, 1, 4, 5, 0,
-        over, w, left, right, x);
+    if (flow == NULL)
+        sf_expand(duffing_force_1_begin, duffing_force_1_next,
+            p, drive, theta, u, v, NULL, 4, 1, 3, 0, 0, over, w, left, right, x);
+    else
+        sf_expand(duffing_force_1_both_begin, duffing_force_1_both_next,
+            p, drive, theta, u, v, flow, 6, 1, 4, 5, 0, over, w, left, right, x);
     (void)self;
 }
 
@@ -189,16 +182,6 @@ static SF_INLINE void rod_spring_force_1_next(const sf_coefficients *c, const do
     right[0] = sf_four_of(w[0], w[2], w[4], 0.0);
 }
 
-SF_FMA static void rod_spring_force_1(const sf_law *self, const double *p, const sf_drive *drive, double theta, double u, double v,
-    sf_expansion *x)
-{
-    double over[6], w[4 * 6];
-    sf_four left[1 * SF_TERMS], right[1 * SF_TERMS];
-    sf_expand(rod_spring_force_1_begin, rod_spring_force_1_next,
-        p, drive, theta, u, v, 6, 1, 5, over, w, left, right, x);
-    (void)self;
-}
-
 static SF_INLINE void rod_spring_force_1_both_begin(const double *p, double *first, double *over)
 {
     (void)over;
@@ -233,14 +216,17 @@ static SF_INLINE void rod_spring_force_1_both_next(const sf_coefficients *c, con
     right[0] = sf_four_of(w[0], w[3], w[5], w[7]);
 }
 
-SF_FMA static void rod_spring_force_1_both(const sf_law *self, const double *p, const sf_drive *drive, double theta, double u, double v,
-    const sf_four flow[2], sf_expansion *x)
+SF_FMA static void rod_spring_force_1(const sf_law *self, const double *p, const sf_drive *drive, double theta, double u, double v,
+    const sf_four *flow, sf_expansion *x)
 {
     double over[10], w[4 * 10];
     sf_four left[1 * SF_TERMS], right[1 * SF_TERMS];
-    sf_expand_both(rod_spring_force_1_both_begin, rod_spring_force_1_both_next,
-        p, drive, theta, u, v, flow, 10, 1, 6, 9, 0,
-        over, w, left, right, x);
+    if (flow == NULL)
+        sf_expand(rod_spring_force_1_begin, rod_spring_force_1_next,
+            p, drive, theta, u, v, NULL, 6, 1, 5, 0, 0, over, w, left, right, x);
+    else
+        sf_expand(rod_spring_force_1_both_begin, rod_spring_force_1_both_next,
+            p, drive, theta, u, v, flow, 10, 1, 6, 9, 0, over, w, left, right, x);
     (void)self;
 }
 
@@ -269,16 +255,6 @@ static SF_INLINE void rod_spring_force_2_next(const sf_coefficients *c, const do
     (void)c, (void)p, (void)w, (void)left, (void)right;
 }
 
-SF_FMA static void rod_spring_force_2(const sf_law *self, const double *p, const sf_drive *drive, double theta, double u, double v,
-    sf_expansion *x)
-{
-    double over[1], w[4 * 1];
-    sf_four left[1 * SF_TERMS], right[1 * SF_TERMS];
-    sf_expand(rod_spring_force_2_begin, rod_spring_force_2_next,
-        p, drive, theta, u, v, 1, 0, 0, over, w, left, right, x);
-    (void)self;
-}
-
 static SF_INLINE void rod_spring_force_2_both_begin(const double *p, double *first, double *over)
 {
     (void)p, (void)over;
@@ -292,14 +268,17 @@ static SF_INLINE void rod_spring_force_2_both_next(const sf_coefficients *c, con
     w[1] = 0.0;
 }
 
-SF_FMA static void rod_spring_force_2_both(const sf_law *self, const double *p, const sf_drive *drive, double theta, double u, double v,
-    const sf_four flow[2], sf_expansion *x)
+SF_FMA static void rod_spring_force_2(const sf_law *self, const double *p, const sf_drive *drive, double theta, double u, double v,
+    const sf_four *flow, sf_expansion *x)
 {
     double over[2], w[4 * 2];
     sf_four left[1 * SF_TERMS], right[1 * SF_TERMS];
-    sf_expand_both(rod_spring_force_2_both_begin, rod_spring_force_2_both_next,
-        p, drive, theta, u, v, flow, 2, 0, 0, 1, 1,
-        over, w, left, right, x);
+    if (flow == NULL)
+        sf_expand(rod_spring_force_2_begin, rod_spring_force_2_next,
+            p, drive, theta, u, v, NULL, 1, 0, 0, 0, 1, over, w, left, right, x);
+    else
+        sf_expand(rod_spring_force_2_both_begin, rod_spring_force_2_both_next,
+            p, drive, theta, u, v, flow, 2, 0, 0, 1, 1, over, w, left, right, x);
     (void)self;
 }
 
@@ -367,16 +346,6 @@ static SF_INLINE void rod_spring_untruncated_force_1_next(const sf_coefficients 
     right[0] = sf_four_of(w[2], w[4], w[5], w[7]);
 }
 
-SF_FMA static void rod_spring_untruncated_force_1(const sf_law *self, const double *p, const sf_drive *drive, double theta, double u, double v,
-    sf_expansion *x)
-{
-    double over[9], w[4 * 9];
-    sf_four left[1 * SF_TERMS], right[1 * SF_TERMS];
-    sf_expand(rod_spring_untruncated_force_1_begin, rod_spring_untruncated_force_1_next,
-        p, drive, theta, u, v, 9, 1, 8, over, w, left, right, x);
-    (void)self;
-}
-
 static SF_INLINE void rod_spring_untruncated_force_1_both_begin(const double *p, double *first, double *over)
 {
     first[1] = 1.0 - first[0];
@@ -415,14 +384,17 @@ static SF_INLINE void rod_spring_untruncated_force_1_both_next(const sf_coeffici
     right[1] = sf_four_of(w[9], 0.0, 0.0, 0.0);
 }
 
-SF_FMA static void rod_spring_untruncated_force_1_both(const sf_law *self, const double *p, const sf_drive *drive, double theta, double u, double v,
-    const sf_four flow[2], sf_expansion *x)
+SF_FMA static void rod_spring_untruncated_force_1(const sf_law *self, const double *p, const sf_drive *drive, double theta, double u, double v,
+    const sf_four *flow, sf_expansion *x)
 {
     double over[12], w[4 * 12];
     sf_four left[2 * SF_TERMS], right[2 * SF_TERMS];
-    sf_expand_both(rod_spring_untruncated_force_1_both_begin, rod_spring_untruncated_force_1_both_next,
-        p, drive, theta, u, v, flow, 12, 2, 8, 11, 0,
-        over, w, left, right, x);
+    if (flow == NULL)
+        sf_expand(rod_spring_untruncated_force_1_begin, rod_spring_untruncated_force_1_next,
+            p, drive, theta, u, v, NULL, 9, 1, 8, 0, 0, over, w, left, right, x);
+    else
+        sf_expand(rod_spring_untruncated_force_1_both_begin, rod_spring_untruncated_force_1_both_next,
+            p, drive, theta, u, v, flow, 12, 2, 8, 11, 0, over, w, left, right, x);
     (void)self;
 }
 
@@ -451,16 +423,6 @@ static SF_INLINE void rod_spring_untruncated_force_2_next(const sf_coefficients 
     (void)c, (void)p, (void)w, (void)left, (void)right;
 }
 
-SF_FMA static void rod_spring_untruncated_force_2(const sf_law *self, const double *p, const sf_drive *drive, double theta, double u, double v,
-    sf_expansion *x)
-{
-    double over[1], w[4 * 1];
-    sf_four left[1 * SF_TERMS], right[1 * SF_TERMS];
-    sf_expand(rod_spring_untruncated_force_2_begin, rod_spring_untruncated_force_2_next,
-        p, drive, theta, u, v, 1, 0, 0, over, w, left, right, x);
-    (void)self;
-}
-
 static SF_INLINE void rod_spring_untruncated_force_2_both_begin(const double *p, double *first, double *over)
 {
     (void)p, (void)over;
@@ -474,25 +436,28 @@ static SF_INLINE void rod_spring_untruncated_force_2_both_next(const sf_coeffici
     w[1] = 0.0;
 }
 
-SF_FMA static void rod_spring_untruncated_force_2_both(const sf_law *self, const double *p, const sf_drive *drive, double theta, double u, double v,
-    const sf_four flow[2], sf_expansion *x)
+SF_FMA static void rod_spring_untruncated_force_2(const sf_law *self, const double *p, const sf_drive *drive, double theta, double u, double v,
+    const sf_four *flow, sf_expansion *x)
 {
     double over[2], w[4 * 2];
     sf_four left[1 * SF_TERMS], right[1 * SF_TERMS];
-    sf_expand_both(rod_spring_untruncated_force_2_both_begin, rod_spring_untruncated_force_2_both_next,
-        p, drive, theta, u, v, flow, 2, 0, 0, 1, 1,
-        over, w, left, right, x);
+    if (flow == NULL)
+        sf_expand(rod_spring_untruncated_force_2_begin, rod_spring_untruncated_force_2_next,
+            p, drive, theta, u, v, NULL, 1, 0, 0, 0, 1, over, w, left, right, x);
+    else
+        sf_expand(rod_spring_untruncated_force_2_both_begin, rod_spring_untruncated_force_2_both_next,
+            p, drive, theta, u, v, flow, 2, 0, 0, 1, 1, over, w, left, right, x);
     (void)self;
 }
 
 enum { SF_LAWS = 5 };
 
 static const sf_law sf_laws[SF_LAWS + 1] = {
-    {"duffing.force_1", 2, SF_SMOOTH, duffing_force_1_value, duffing_force_1_slope, duffing_force_1, duffing_force_1_both, NULL, NULL, NULL},
-    {"rod_spring.force_1", 4, SF_SMOOTH, rod_spring_force_1_value, rod_spring_force_1_slope, rod_spring_force_1, rod_spring_force_1_both, NULL, NULL, NULL},
-    {"rod_spring.force_2", 4, SF_SMOOTH, rod_spring_force_2_value, rod_spring_force_2_slope, rod_spring_force_2, rod_spring_force_2_both, NULL, NULL, NULL},
-    {"rod_spring_untruncated.force_1", 3, SF_SMOOTH, rod_spring_untruncated_force_1_value, rod_spring_untruncated_force_1_slope, rod_spring_untruncated_force_1, rod_spring_untruncated_force_1_both, NULL, NULL, NULL},
-    {"rod_spring_untruncated.force_2", 3, SF_SMOOTH, rod_spring_untruncated_force_2_value, rod_spring_untruncated_force_2_slope, rod_spring_untruncated_force_2, rod_spring_untruncated_force_2_both, NULL, NULL, NULL},
+    {"duffing.force_1", 2, SF_SMOOTH, duffing_force_1_value, duffing_force_1_slope, duffing_force_1, NULL, NULL, NULL},
+    {"rod_spring.force_1", 4, SF_SMOOTH, rod_spring_force_1_value, rod_spring_force_1_slope, rod_spring_force_1, NULL, NULL, NULL},
+    {"rod_spring.force_2", 4, SF_SMOOTH, rod_spring_force_2_value, rod_spring_force_2_slope, rod_spring_force_2, NULL, NULL, NULL},
+    {"rod_spring_untruncated.force_1", 3, SF_SMOOTH, rod_spring_untruncated_force_1_value, rod_spring_untruncated_force_1_slope, rod_spring_untruncated_force_1, NULL, NULL, NULL},
+    {"rod_spring_untruncated.force_2", 3, SF_SMOOTH, rod_spring_untruncated_force_2_value, rod_spring_untruncated_force_2_slope, rod_spring_untruncated_force_2, NULL, NULL, NULL},
     {0},
 };
 

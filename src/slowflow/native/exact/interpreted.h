@@ -92,26 +92,15 @@ static void sf_interpreted_next(const sf_coefficients *c, const double *p, doubl
 }
 
 SF_FMA static void sf_interpreted_expand(const sf_law *self, const double *p, const sf_drive *drive, double theta,
-                                         double u, double v, sf_expansion *x)
-{
-    const sf_recurrence *const by = &((const sf_interpreted *)self)->force;
-    const sf_interpreting of = {by, self->constants + 1, p};
-    double over[SF_MOST_SERIES], w[4 * SF_MOST_SERIES];
-    sf_four left[SF_MOST_FOURS * SF_TERMS], right[SF_MOST_FOURS * SF_TERMS];
-    sf_expand(sf_interpreted_begin, sf_interpreted_next, (const double *)&of, drive, theta, u, v, by->series,
-              by->sums / 4, by->value, over, w, left, right, x);
-}
-
-SF_FMA static void sf_interpreted_expand_both(const sf_law *self, const double *p, const sf_drive *drive, double theta,
-                                              double u, double v, const sf_four flow[2], sf_expansion *x)
+                                         double u, double v, const sf_four *flow, sf_expansion *x)
 {
     const sf_interpreted *const all = (const sf_interpreted *)self;
-    const sf_recurrence *const by = &all->both;
+    const sf_recurrence *const by = flow != NULL ? &all->both : &all->force;
     const sf_interpreting of = {by, self->constants + 1, p};
     double over[SF_MOST_SERIES], w[4 * SF_MOST_SERIES];
     sf_four left[SF_MOST_FOURS * SF_TERMS], right[SF_MOST_FOURS * SF_TERMS];
-    sf_expand_both(sf_interpreted_begin, sf_interpreted_next, (const double *)&of, drive, theta, u, v, flow, by->series,
-                   by->sums / 4, by->value, by->slope, all->linear, over, w, left, right, x);
+    sf_expand(sf_interpreted_begin, sf_interpreted_next, (const double *)&of, drive, theta, u, v, flow, by->series,
+              by->sums / 4, by->value, by->slope, all->linear, over, w, left, right, x);
 }
 
 /* ---- reading */
@@ -148,7 +137,6 @@ static const sf_law *sf_read_law(const char *name, const int *words, size_t coun
                              sf_interpreted_value,
                              sf_interpreted_slope,
                              sf_interpreted_expand,
-                             sf_interpreted_expand_both,
                              breaks == SF_BEGINS ? sf_interpreted_begins : NULL,
                              NULL,
                              NULL};

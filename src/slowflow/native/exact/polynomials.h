@@ -144,24 +144,13 @@ static void sf_polynomial_next(const sf_coefficients *c, const double *p, double
 }
 
 SF_FMA static void sf_polynomial_expand(const sf_law *self, const double *p, const sf_drive *drive, double theta,
-                                        double u, double v, sf_expansion *x)
+                                        double u, double v, const sf_four *flow, sf_expansion *x)
 {
     const sf_places at = sf_places_of((const sf_polynomial *)p);
     double over[SF_MOST_SERIES], w[4 * SF_MOST_SERIES];
     sf_four left[SF_MOST_FOURS * SF_TERMS], right[SF_MOST_FOURS * SF_TERMS];
-    sf_expand(sf_polynomial_begin, sf_polynomial_next, p, drive, theta, u, v, at.series, at.fours, at.force, over, w,
-              left, right, x);
-    (void)self;
-}
-
-SF_FMA static void sf_polynomial_expand_both(const sf_law *self, const double *p, const sf_drive *drive, double theta,
-                                             double u, double v, const sf_four flow[2], sf_expansion *x)
-{
-    const sf_places at = sf_places_of((const sf_polynomial *)p);
-    double over[SF_MOST_SERIES], w[4 * SF_MOST_SERIES];
-    sf_four left[SF_MOST_FOURS * SF_TERMS], right[SF_MOST_FOURS * SF_TERMS];
-    sf_expand_both(sf_polynomial_begin, sf_polynomial_next, p, drive, theta, u, v, flow, at.series, at.fours, at.force,
-                   at.slope, 0, over, w, left, right, x);
+    sf_expand(sf_polynomial_begin, sf_polynomial_next, p, drive, theta, u, v, flow, at.series, at.fours, at.force,
+              at.slope, 0, over, w, left, right, x);
     (void)self;
 }
 
@@ -173,7 +162,7 @@ static sf_law *sf_polynomial_law(const double (*const rows[2])[4 + 2 * SF_SUMMED
     if (made == NULL)
         return NULL;
     made->law = (sf_law){"polynomials", 0, SF_SEAMS, sf_polynomial_value, sf_polynomial_slope, sf_polynomial_expand,
-                         sf_polynomial_expand_both, NULL, sf_polynomial_seam, sf_polynomial_at};
+                         NULL, sf_polynomial_seam, sf_polynomial_at};
     for (int s = 0; s < 2; s++) {
         made->count[s] = count[s];
         made->side[s] = (sf_polynomial *)(made + 1) + s * count[0];

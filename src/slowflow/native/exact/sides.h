@@ -31,11 +31,8 @@ static void sf_forceless(const sf_drive *drive, double theta, double u, double v
 {
     double over[2], w[4 * 2];
     sf_four left[SF_TERMS], right[SF_TERMS];
-    if (flow == NULL)
-        sf_expand(sf_forceless_begin, sf_forceless_next, NULL, drive, theta, u, v, 2, 0, 1, over, w, left, right, x);
-    else
-        sf_expand_both(sf_forceless_begin, sf_forceless_next, NULL, drive, theta, u, v, flow, 2, 0, 1, 1, 1, over, w,
-                       left, right, x);
+    sf_expand(sf_forceless_begin, sf_forceless_next, NULL, drive, theta, u, v, flow, 2, 0, 1, 1, 1, over, w, left, right,
+              x);
 }
 
 /* What a force without a series at a place does from there on, over a step so short that the way under what it is at
@@ -139,10 +136,7 @@ static SF_INLINE double sf_expanded(const sf_piece *piece, const sf_drive *drive
         if (law->breaks == SF_BRANCHES)
             return sf_branched(law, p, drive, direction, side, theta, 0.0, 0.0, v, flow, x);
     }
-    if (flow == NULL)
-        law->expand(law, p, drive, theta, u, v, x);
-    else
-        law->expand_both(law, p, drive, theta, u, v, flow, x);
+    law->expand(law, p, drive, theta, u, v, flow, x);
     return sf_step_of(x, flow != NULL);
 }
 

@@ -27,8 +27,8 @@ typedef struct {
  * which 0 may be one, and are those of a polynomial between them. */
 typedef enum { SF_SMOOTH, SF_MEETS, SF_BRANCHES, SF_BEGINS, SF_SEAMS } sf_breaks;
 
-/* One piece of a restoring force: f(u), df/du, and the expansion of the motion over it without and with the
- * derivatives by column at a fixed theta = Omega tau, from those in `flow`. Its functions take the law itself, `self`,
+/* One piece of a restoring force: f(u), df/du, and the expansion of the motion over it, with the derivatives by column at
+ * a fixed theta = Omega tau from those in `flow`, or without where that is NULL. Its functions take the law itself, `self`,
  * by which one text serves many forces. After its constants, p holds the side of u = 0, 1 or -1. begins: the u at which
  * it begins without a series on the side of u, or NULL. Of SF_SEAMS: seam, the place ahead of u in a direction, 0 among
  * them where the piece is on both sides; at, what expansions take in place of p from u on in a direction. The others
@@ -42,9 +42,7 @@ struct sf_law {
     double (*value)(const sf_law *self, const double *p, double u);
     double (*slope)(const sf_law *self, const double *p, double u);
     void (*expand)(const sf_law *self, const double *p, const sf_drive *drive, double theta, double u, double v,
-                   sf_expansion *x);
-    void (*expand_both)(const sf_law *self, const double *p, const sf_drive *drive, double theta, double u, double v,
-                        const sf_four flow[2], sf_expansion *x);
+                   const sf_four *flow, sf_expansion *x);
     double (*begins)(const sf_law *self, const double *p, double u);
     double (*seam)(const sf_law *self, double u, double direction, int both);
     const double *(*at)(const sf_law *self, double side, double u, double direction);
@@ -177,64 +175,46 @@ static SF_INLINE double sf_by_Omega(double Omega)
     return by_parameter[0] * Omega;
 }
 
-/* u' = v and v' by the equation of motion. The piece has `series`, f is number `value` of them; `fours` groups of
- * sums. */
+/* u' = v and v' by the equation of motion. The piece has `series`, f is number `value` of them; `fours` groups of sums.
+ * Where `flow` is not NULL, with the derivatives from those in it: of u, U' = V; of v, V' = -f'(u) U less what resists
+ * it, plus cos theta in the column of F_0; and in that of Omega what the rates of u and v have of it at a fixed theta,
+ * and what zeta has. f' is series `slope`; where it is linear, its first coefficient. */
 static SF_INLINE void sf_expand(sf_begin *begin, sf_next *next, const double *p, const sf_drive *drive, double theta,
-                                double u, double v, int series, int fours, int value, double *over, double *w,
-                                sf_four *left, sf_four *right, sf_expansion *x)
+                                double u, double v, const sf_four *flow, int series, int fours, int value, int slope,
+                                int linear, double *over, double *w, sf_four *left, sf_four *right, sf_expansion *x)
 {
+    const int both = flow != NULL;
+    const double by_Omega = both ? sf_by_Omega(drive->Omega) : 0.0;
+    const double damped_more = both ? sf_damped(drive->zeta_by_Omega) : 0.0;
+    const sf_four damped = sf_all(both ? sf_damped(drive->zeta) : 0.0);
+    const sf_four damped_by_v = sf_all(both ? sf_damped(drive->quadratic) : 0.0);
     double cosine = cos(theta), sine = sin(theta);
+    sf_four slopes[SF_TERMS], pull;
     memset(w + series, 0, (size_t)series * sizeof *w); /* taken while coefficients 1 are put in, times zero */
     w[0] = u;
     begin(p, w, over);
     x->u[0] = u, x->v[0] = v;
     double rate = sf_rate(drive, cosine, w[value], v);
     x->u[1] = v;
-    for (int n = 1;; n++) {
-        x->v[n] = rate * sf_over[n];
-        if (n == SF_ORDER)
-            break;
-        x->u[n + 1] = rate * (sf_over[n] * sf_over[n + 1]);
-        const double turned = -drive->Omega * sine * sf_over[n];
-        sine = drive->Omega * cosine * sf_over[n], cosine = turned;
-        const double *const now = sf_carried(next, p, n, x->u[n], series, fours, over, w, left, right);
-        rate = sf_rate_of(drive, cosine, now[value], x->v, n);
+    slopes[0] = pull = sf_all(both ? w[slope] : 0.0);
+    if (both) {
+        x->U[0] = flow[0], x->V[0] = flow[1];
+        pull = sf_times(pull, flow[0]);
     }
-}
-
-/* The same with the derivatives: of u, U' = V; of v, V' = -f'(u) U less what resists it, plus cos theta in the column
- * of F_0; and in that of Omega what the rates of u and v have of it at a fixed theta, and what zeta has. f' is series
- * `slope`; where it is linear, its first coefficient. */
-static SF_INLINE void sf_expand_both(sf_begin *begin, sf_next *next, const double *p, const sf_drive *drive,
-                                     double theta, double u, double v, const sf_four flow[2], int series, int fours,
-                                     int value, int slope, int linear, double *over, double *w, sf_four *left,
-                                     sf_four *right, sf_expansion *x)
-{
-    const double by_Omega = sf_by_Omega(drive->Omega), damped_more = sf_damped(drive->zeta_by_Omega);
-    const sf_four damped = sf_all(sf_damped(drive->zeta)), damped_by_v = sf_all(sf_damped(drive->quadratic));
-    double cosine = cos(theta), sine = sin(theta);
-    sf_four slopes[SF_TERMS];
-    memset(w + series, 0, (size_t)series * sizeof *w); /* taken while coefficients 1 are put in, times zero */
-    w[0] = u;
-    begin(p, w, over);
-    x->u[0] = u, x->v[0] = v;
-    x->U[0] = flow[0], x->V[0] = flow[1];
-    slopes[0] = sf_all(w[slope]);
-    double rate = sf_rate(drive, cosine, w[value], v);
-    sf_four pull = sf_times(slopes[0], flow[0]);
-    x->u[1] = v;
     for (int n = 1;; n++) {
-        const sf_four each = sf_all(sf_over[n]);
         x->v[n] = rate * sf_over[n];
-        x->U[n] = sf_times(sf_plus(x->V[n - 1], sf_four_of(0.0, 0.0, x->v[n - 1] * by_Omega, 0.0)), each);
-        sf_four resisted = sf_more(pull, damped, x->V[n - 1]);
-        if (drive->quadratic != 0.0) {
-            sf_four with_v;
-            sf_fours_with_v(x->v, x->V, n - 1, &with_v);
-            resisted = sf_more(resisted, damped_by_v, with_v);
+        if (both) {
+            const sf_four each = sf_all(sf_over[n]);
+            x->U[n] = sf_times(sf_plus(x->V[n - 1], sf_four_of(0.0, 0.0, x->v[n - 1] * by_Omega, 0.0)), each);
+            sf_four resisted = sf_more(pull, damped, x->V[n - 1]);
+            if (drive->quadratic != 0.0) {
+                sf_four with_v;
+                sf_fours_with_v(x->v, x->V, n - 1, &with_v);
+                resisted = sf_more(resisted, damped_by_v, with_v);
+            }
+            const double of_Omega = rate * by_Omega - damped_more * x->v[n - 1];
+            x->V[n] = sf_times(sf_less(sf_four_of(0.0, 0.0, of_Omega, cosine), resisted), each);
         }
-        const double of_Omega = rate * by_Omega - damped_more * x->v[n - 1];
-        x->V[n] = sf_times(sf_less(sf_four_of(0.0, 0.0, of_Omega, cosine), resisted), each);
         if (n == SF_ORDER)
             break;
         x->u[n + 1] = rate * (sf_over[n] * sf_over[n + 1]);
@@ -242,8 +222,9 @@ static SF_INLINE void sf_expand_both(sf_begin *begin, sf_next *next, const doubl
         sine = drive->Omega * cosine * sf_over[n], cosine = turned;
         const double *const now = sf_carried(next, p, n, x->u[n], series, fours, over, w, left, right);
         rate = sf_rate_of(drive, cosine, now[value], x->v, n);
-        pull = sf_times(slopes[0], x->U[n]);
-        if (!linear) {
+        if (both)
+            pull = sf_times(slopes[0], x->U[n]);
+        if (both && !linear) {
             sf_four below;
             slopes[n] = sf_all(now[slope]);
             sf_sums(slopes, x->U, n, 1, 1, &below);
