@@ -8,11 +8,10 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from functools import partial
-from typing import Any, NamedTuple, TypeVar
+from functools import partial, wraps
+from typing import Any, NamedTuple, TypeVar, cast
 
 import numpy as np
-from scipy.optimize import brentq
 
 from slowflow import isolating, loads, validate
 from slowflow.answer import joined
@@ -86,6 +85,7 @@ UNDECIDED_REST = Sentence("whether there are others is undecided next to {u = :.
 
 
 _Answered = TypeVar("_Answered")
+Method = TypeVar("Method", bound=Callable[..., Any])
 #: how the numbers of answers move, by class
 MOVES: Mapping[str, Callable[[Any], Gradient]] = {
     "SteadyStates": answers.states_move,
@@ -106,6 +106,21 @@ class _Said(NamedTuple):
     def beside(self, other: _Said) -> _Said:
         """Both, this first."""
         return _Said(joined(self.message, other.message), self.remarks | other.remarks)
+
+
+def _kept(answer: Method) -> Method:
+    """Keep what a method answers for a while, by what it takes."""
+
+    @wraps(answer)
+    def known(self: OffCentre, *given: Any) -> Any:
+        key = (answer.__name__, *given)
+        if (found := self._known.get(key)) is None:
+            found = self._known[key] = answer(self, *given)
+            if len(self._known) > KEPT:
+                self._known.pop(next(iter(self._known)), None)
+        return found
+
+    return cast("Method", known)
 
 
 class OffCentre(Unchanging, ComposedQuestions, Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
@@ -151,15 +166,6 @@ class OffCentre(Unchanging, ComposedQuestions, Questions[SteadyStates, Frequency
     def __hash__(self) -> int:
         return hash((self._model, self.load))
 
-    def _once(self, key: tuple[Any, ...], ask: Callable[[], _Answered]) -> _Answered:
-        """An answer that is known, or asked for and kept for a while."""
-        found: _Answered | None = self._known.get(key)
-        if found is None:
-            found = self._known[key] = ask()
-            if len(self._known) > KEPT:
-                self._known.pop(next(iter(self._known)), None)
-        return found
-
     def _made(self, kind: Callable[..., _Answered], *columns: Any, **beside: Any) -> _Answered:
         """An answer with the load, that knows whom it was asked of, and how its numbers move."""
         return kind(
@@ -181,11 +187,9 @@ class OffCentre(Unchanging, ComposedQuestions, Questions[SteadyStates, Frequency
         """The |u| at which the force passes from one piece to the next; u where the force is not odd."""
         return tuple(map(float, self._steps.breakpoints))
 
+    @_kept
     def rest(self) -> RestPositions:
         """Every place of rest, f(u) = load. Raises ArithmeticError in a play, where each is one."""
-        return self._once(("rest",), self._rest)
-
-    def _rest(self) -> RestPositions:
         # a bound of 0, as of a linear force without a load, leaves u = 0: it is looked for in a box around it
         bound = self._complete.offset_bound(0.0) or 1.0
         self._steps.check_balanced()
@@ -201,10 +205,8 @@ class OffCentre(Unchanging, ComposedQuestions, Questions[SteadyStates, Frequency
             said = _Said(_listed(UNDECIDED_REST, found.undecided[0]), Remark.UNDECIDED).beside(said)
         return RestPositions(u, stiffness, stiffness > 0, self.load, **said._asdict(), _model=self._model)
 
+    @_kept
     def _detachment(self) -> Detachment:
-        return self._once(("detachment",), self._lowest_detachment)
-
-    def _lowest_detachment(self) -> Detachment:
         if not self.breakpoints:
             return self._no_detachment(ONE_PIECE)
         if self._rests_beyond():
@@ -252,7 +254,8 @@ class OffCentre(Unchanging, ComposedQuestions, Questions[SteadyStates, Frequency
             centred = Averaged(self._model).states(Omega=at, F_0=F_0)
             of_centred = np.concatenate([np.flatnonzero(at == Omega) for Omega in np.unique(centred.Omega)] or [of])
             of_centred = np.repeat(of_centred, [int((centred.Omega == at[i]).sum()) for i in of_centred])
-            x, of = self._with_centred(x, of, centred.A, of_centred)
+            x = np.concatenate((x, (centred.A, 0 * centred.A)), axis=1)
+            of = np.concatenate((of, of_centred))
             undecided = np.concatenate((undecided, np.flatnonzero(np.isin(at, centred.Omega_undecided))))
         x, of = np.concatenate((x, held), axis=1), np.concatenate((of, np.repeat(rests, places.size)))
         order = np.lexsort((x[1], x[0], of))
@@ -282,20 +285,12 @@ class OffCentre(Unchanging, ComposedQuestions, Questions[SteadyStates, Frequency
         """
         return self._complete.has_centre and self._model.stays_centred
 
-    def _with_centred(self, x: Floats, of: Ints, A: Floats, of_A: Ints) -> tuple[Floats, Ints]:
-        """States or folds with those about the centre by their own solvers, in the place of what is found of them."""
-        off = np.abs(x[1]) > AT_CENTRE
-        centred = np.zeros((x.shape[0], A.size))
-        centred[0] = A
-        return np.concatenate((x[:, off], centred), axis=1), np.concatenate((of[off], of_A))
-
+    @_kept
     def _frequency_response(self, F_0: float, samples: int, window: tuple[float, float]) -> FrequencyResponse:
         # no branch is lost: folds and the states at frequencies between them are all there are, and neighbouring states
         # are shown to be on one arc
         self._check_answered("frequency_response")
-        return self._once(("frequency_response", F_0, samples, *window), lambda: self._curve(F_0, samples, *window))
-
-    def _curve(self, F_0: float, samples: int, low: float, high: float) -> FrequencyResponse:
+        low, high = window
         if self._flow.sticks(F_0):
             return self._response(Curves.none(), F_0, _Said(words.STICKS.format(F_0, self._m)))
         found, said = Curves.none(), _Said()
@@ -322,20 +317,16 @@ class OffCentre(Unchanging, ComposedQuestions, Questions[SteadyStates, Frequency
         x, of, undecided = self._complete.states(Omega, F_0)
         if undecided.size:
             raise NotSettled("the response is unresolved: at a frequency next to a fold doubles do not decide")
-        off = np.abs(x[1]) > AT_CENTRE if self._complete.has_centre else np.ones(of.size, dtype=bool)
-        return x[:, off], of[off]
+        return x, of
 
     def _check_proof(self) -> None:
         """Raises ValueError: there is no proof of motions with a mean."""
         why = off_centre_by(self._model.mechanism, self.load) or "a mean B"
         raise validate.NotAvailable(CENTRED.format("certify", why))
 
+    @_kept
     def _saddle_nodes(self, F_0: float) -> SaddleNodes:
         self._check_answered("saddle_nodes")
-        return self._once(("saddle_nodes", F_0), lambda: self._every_fold(F_0))
-
-    def _every_fold(self, F_0: float) -> SaddleNodes:
-        """On every sheet of the balance."""
         if self._flow.sticks(F_0):
             return self._folds(np.empty((3, 0)), np.empty(0, dtype=str), F_0, _Said(words.STICKS.format(F_0, self._m)))
         centred = Averaged(self._model).saddle_nodes(F_0) if self._complete.has_centre else None
@@ -346,14 +337,14 @@ class OffCentre(Unchanging, ComposedQuestions, Questions[SteadyStates, Frequency
 
     def _folds_at(self, F_0: list[float]) -> list[SaddleNodes]:
         """`saddle_nodes` at several forcings together."""
-        several = [one for one in F_0 if not self._flow.sticks(one) and ("saddle_nodes", one) not in self._known]
+        several = [one for one in F_0 if not self._flow.sticks(one) and ("_saddle_nodes", one) not in self._known]
         if len(several) > 1 and not self._complete.has_centre:
             self._check_answered("saddle_nodes")
             found = self._complete.folds(np.array(several))
             for i, one in enumerate(several):
                 here, open_ = found.of == i, found.undecided_of == i
                 part = Solutions(found.x[:, here], found.of[here], found.undecided[:, open_], found.undecided_of[open_])
-                self._known["saddle_nodes", one] = self._folds_of(part, None, one)
+                self._known["_saddle_nodes", one] = self._folds_of(part, None, one)
         return [self.saddle_nodes(one) for one in F_0]
 
     def _folds_of(self, found: Solutions, centred: SaddleNodes | None, F_0: float) -> SaddleNodes:
@@ -366,16 +357,11 @@ class OffCentre(Unchanging, ComposedQuestions, Questions[SteadyStates, Frequency
         if open_.size:
             folds = _listed(UNDECIDED_FOLDS, np.unique(np.round(open_[0], 12)))
             said = said.beside(_Said(folds, Remark.UNDECIDED))
-        if centred is not None:
-            off = np.abs(x[1]) > AT_CENTRE
-            x, kind = x[:, off], kind[off]
         return self._folds(x, kind, F_0, said, centred)
 
+    @_kept
     def _saddle_node_onset(self) -> SaddleNodeOnset:
         self._check_answered("saddle_node_onset")
-        return self._once(("saddle_node_onset",), self._onset)
-
-    def _onset(self) -> SaddleNodeOnset:
         if self._keeps_centre:
             centred = Averaged(self._model).saddle_node_onset()
             B, said = None if centred.F_SN is None else 0.0, _Said(centred.message, centred.remarks)
@@ -396,11 +382,9 @@ class OffCentre(Unchanging, ComposedQuestions, Questions[SteadyStates, Frequency
     def _no_onset(self, message: str, said: Remark) -> SaddleNodeOnset:
         return self._made(SaddleNodeOnset, None, None, None, "", message, remarks=said)
 
+    @_kept
     def _peak(self, F_0: float) -> Peak:
         self._check_answered("peak")
-        return self._once(("peak", F_0), lambda: self._highest(F_0))
-
-    def _highest(self, F_0: float) -> Peak:
         if self._flow.sticks(F_0):
             return self._no_peak(F_0, words.STICKS.format(F_0, self._m))
         if self._keeps_centre:
@@ -433,11 +417,8 @@ class OffCentre(Unchanging, ComposedQuestions, Questions[SteadyStates, Frequency
         highest = None if self._keeps_centre else self._farthest(F_0, AMPLITUDE)
         return highest is not None and highest.A > self.A_max(F_0)
 
+    @_kept
     def _farthest(self, F_0: float, measure: Measure) -> Farthest | None:
-        """`_go_farthest`, kept."""
-        return self._once(("_farthest", F_0, measure.at), lambda: self._go_farthest(F_0, measure))
-
-    def _go_farthest(self, F_0: float, measure: Measure) -> Farthest | None:
         """The motion that goes farthest; of one about the centre as its own solvers have it."""
         found = self._reach.farthest(F_0, measure)
         if found is None or not self._complete.has_centre or abs(found.B) > AT_CENTRE:
@@ -506,34 +487,26 @@ class OffCentre(Unchanging, ComposedQuestions, Questions[SteadyStates, Frequency
 
     def _begins(self, F_0: float, low: float, high: float, level: isolating.Level) -> loads.Isolation:
         """Where isolation begins on points of the response between two frequencies."""
-        curve = self._curve(F_0, loads.SAMPLES, low, high)
-        transmits, ratio = curve.transmissibility[np.newaxis] >= level.ratio, float(level.ratio)
+        curve = self._frequency_response(F_0, loads.SAMPLES, (low, high))
+        slow, ratio = Slow(self._steps, self._flow, F_0), float(level.ratio)
 
         def passes(_: Ints, *between: Ints) -> tuple[Floats, ...]:
-            pairs, none = np.transpose(between).tolist(), (-math.inf, 0.0, 0.0)
-            found = [self._transmits(curve, ratio, *pair) if curve.stable[pair[0]] else none for pair in pairs]
-            return tuple(np.array(found).reshape(-1, 3).T)
+            (low, start), (high, end) = ((curve.Omega[k], np.stack((curve.A[k], curve.mean[k]))) for k in between)
 
+            def at(Omega: Floats) -> Floats:
+                return on_curve(slow, Omega, start + (Omega - low) / (high - low) * (end - start))
+
+            def excess(Omega: Floats) -> Floats:
+                x = at(Omega)
+                h = -2 * self._steps.at(x[0], x[1], 0).s[0]
+                return np.asarray(self._flow.transmissibility(Omega, x[0], F_0, h)) - ratio
+
+            Omega = isolating.zeros(excess, low, high)
+            return np.where(curve.stable[between[0]], Omega, -math.inf), *at(Omega)
+
+        transmits = curve.transmissibility[np.newaxis] >= level.ratio
         found = isolating.begins(isolating.Curves.of(curve, curve.mean), transmits, passes)
         return isolating.told(partial(self._isolation_at, level), curve, level, *(column.item() for column in found))
-
-    def _transmits(self, curve: FrequencyResponse, ratio: float, one: int, other: int) -> tuple[float, float, float]:
-        """Omega, A and B between two points of a curve, at which the motion transmits that share of F_0."""
-        slow = Slow(self._steps, self._flow, curve.F_0)
-        ends = np.array([(curve.Omega[k], curve.A[k], curve.mean[k]) for k in (one, other)])
-
-        def at(Omega: float) -> tuple[Floats, float]:
-            share = (Omega - ends[0, 0]) / (ends[1, 0] - ends[0, 0])
-            x = on_curve(slow, np.array([Omega]), (ends[0, 1:] + share * (ends[1, 1:] - ends[0, 1:]))[:, np.newaxis])
-            h = -2 * self._steps.at(x[0], x[1], 0).s[0]
-            return x, float(np.asarray(self._flow.transmissibility(Omega, x[0], curve.F_0, h))[0]) - ratio
-
-        if at(ends[0, 0])[1] * at(ends[1, 0])[1] > 0:  # it is at the very point
-            return float(ends[0, 0]), float(ends[0, 1]), float(ends[0, 2])
-        near = {"xtol": 4 * np.finfo(float).tiny, "rtol": 4 * np.finfo(float).eps}
-        Omega = float(brentq(lambda Omega: at(Omega)[1], *ends[:, 0], **near))
-        A, B = at(Omega)[0][:, 0].tolist()
-        return Omega, A, B
 
     def A_max(self, F_0: float) -> float:
         """Up to which amplitude folds at F_0 are looked for: 2^8 times what the problem is as large as.
