@@ -26,14 +26,13 @@ from slowflow.gradient import Gradient
 from slowflow.loaded import AT_CENTRE, off_centre_by
 from slowflow.loads import Spectrum
 from slowflow.mechanism import EquationOfMotion, Force, Mechanism, followed
-from slowflow.model import THROUGHOUT, Floats
+from slowflow.model import Floats, Model
 from slowflow.off_centre.answers import NUMBERS
 from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import NO_MEANS, NOT_SMOOTH
 from slowflow.off_centre.questions import OffCentre
 from slowflow.results import Remark
 from slowflow.table import AVERAGING, MORE_POINTS, OFFSET, QUESTIONS, SHOCKS, ManyQuestions, Unanswered
-from slowflow.unchanging import Unchanging
 from slowflow.validate import NotAvailable
 from slowflow_kernels.conventions import MovesStatus, OnsetKind, Status
 from slowflow_kernels.domains import DAMPING, DISSIPATION
@@ -95,7 +94,7 @@ class OffCentreBatch(Batch):
         return Gradient(moves, by, slopes, status, columns, at)
 
 
-class OffCentreDesigns(Unchanging, ManyQuestions[Batch]):
+class OffCentreDesigns(many.Designs):
     """Arrays of designs of one mechanism under static loads, and the questions off the centre about them.
 
     values -- as of `slowflow.averaged.many.Designs`, with "load"
@@ -107,33 +106,16 @@ class OffCentreDesigns(Unchanging, ManyQuestions[Batch]):
     Raises TypeError and ValueError as that does, ValueError for a force that is no piecewise polynomial.
     """
 
-    rubs = THROUGHOUT
-    mechanism: Mechanism
-    excitation: str
-    values: dict[str, npt.NDArray[Any]]
-    shape: tuple[int, ...]
-    _unloaded: many.Designs
     _singles: dict[tuple[float, ...], OffCentre]
 
     def __init__(self, mechanism: Mechanism, values: dict[str, Any], excitation: str = "force") -> None:
         check_polynomial(mechanism)
-        own = {name: value for name, value in values.items() if name != "load"}
-        unloaded = many.Designs(mechanism, own, excitation)
-        numbers = {**unloaded.values, "load": validate.real_array("load", values["load"])}
+        super().__init__(mechanism, {name: value for name, value in values.items() if name != "load"}, excitation)
+        numbers = {**self.values, "load": validate.real_array("load", values["load"])}
         # not by attribute: these cannot be set
-        self.__dict__.update(mechanism=mechanism, excitation=excitation, values=numbers)
-        self.__dict__.update(shape=validate.common_shape(numbers), _unloaded=unloaded, _singles={})
+        self.__dict__.update(values=numbers, shape=validate.common_shape(numbers), _singles={})
 
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, OffCentreDesigns):
-            return NotImplemented
-        return self._unloaded == other._unloaded and np.array_equal(
-            self.values["load"], other.values["load"], equal_nan=True
-        )
-
-    def __hash__(self) -> int:
-        return hash((self._unloaded, self.values["load"].tobytes()))
-
+    rest = ManyQuestions.rest
     at_rest = certify = Unanswered("of motions about the centre")
 
     def __getattr__(self, name: str) -> Any:
@@ -142,9 +124,9 @@ class OffCentreDesigns(Unchanging, ManyQuestions[Batch]):
         why = ", a single oscillator has it" if hasattr(OffCentre, name) else ""
         raise AttributeError(f"many designs off the centre have no {name}{why}")
 
-    def spanned(self, x: str, y: str, of: str, values: Floats, beside: dict[str, Any]) -> Any:
-        """As of `slowflow.averaged.many.Designs`."""
-        return self._unloaded.spanned(x, y, of, values, {**beside, "load": self.values["load"]})
+    def model(self, numbers: dict[str, float]) -> Model:
+        """One design without its load, from its numbers by name. Raises ValueError for one outside its domain."""
+        return super().model({name: value for name, value in numbers.items() if name != "load"})
 
     def _ask(self, question: str, /, *, workers: int = 1, **given: Any) -> Batch:
         """The answer to a question by its name, from what its method takes."""
@@ -191,13 +173,12 @@ class OffCentreDesigns(Unchanging, ManyQuestions[Batch]):
     def _tones(self, numbers: tuple[float, ...], Omega: Floats, F_0: Floats) -> tuple[Spectrum | None, Any]:
         """The rows of one design, and how they fared."""
         try:
+            single: Any
             if self.mechanism.odd and numbers[-1] == 0:
-                found = loads.spectrum(self._about_centre(numbers), Omega, F_0)
-                return found, np.where(found.sticks, Status.STICKS, np.where(found.motions > 0, Status.OK, Status.NONE))
-            single = self._single(numbers)
-            if not Flow.of(single.model.unloaded).damps:
+                single = Averaged(self.model(dict(zip(self.values, numbers, strict=True))))
+            elif not Flow.of((single := self._single(numbers)).model.unloaded).damps:
                 return None, Status.UNBOUNDED
-            found = single.spectrum(Omega=Omega, F_0=F_0)
+            found = loads.spectrum(single, Omega, F_0)
         except (ValueError, ArithmeticError) as error:
             return None, _failed(error)
         return found, np.where(found.sticks, Status.STICKS, np.where(found.motions > 0, Status.OK, Status.NONE))
@@ -318,16 +299,11 @@ class OffCentreDesigns(Unchanging, ManyQuestions[Batch]):
         except (ValueError, ArithmeticError) as error:
             return none, _failed(error), Remark(0)
 
-    def _about_centre(self, numbers: tuple[float, ...]) -> Averaged:
-        """One design without its load, which is 0."""
-        return Averaged(self._unloaded.model(dict(zip(self._unloaded.values, numbers[:-1], strict=True))))
-
     def _single(self, numbers: tuple[float, ...]) -> OffCentre:
         """One design, which keeps for a while what it has been asked already. Raises ValueError for what is none."""
         if (known := self._singles.get(numbers)) is None:
-            *own, load = numbers
-            model = self._unloaded.model(dict(zip(self._unloaded.values, own, strict=True)))
-            known = self._singles[numbers] = OffCentre(model, validate.number("load", load))
+            model = self.model(dict(zip(self.values, numbers, strict=True)))
+            known = self._singles[numbers] = OffCentre(model, validate.number("load", numbers[-1]))
             if len(self._singles) > KEPT:
                 self._singles.pop(next(iter(self._singles)), None)
         return known
