@@ -379,15 +379,3 @@ def test_motions_against_a_magnet_are_those_of_its_average(magnet):
     (state,) = (one for one in oscillator.amplitudes(Omega=0.9, F_0=0.03) if one.stable)
     motion = oscillator.steady_state(Omega=0.9, F_0=0.03, A=state.A + abs(state.B))
     assert motion.A == pytest.approx(state.A + abs(state.B), rel=0.03)
-
-
-@pytest.mark.slow
-def test_batches_and_margins_have_the_single_answers(cushion):
-    given = {"q": 0.2, "d": 0.1, "g": 0.1, **DAMPED}
-    many = cushion.many(**{**given, "g": np.array([0.1, 0.15])})
-    found = many.saddle_nodes(0.03)
-    for at, gap in enumerate((0.1, 0.15)):
-        one = cushion(**{**given, "g": gap}).saddle_nodes(0.03)
-        np.testing.assert_array_equal(found.Omega[at][: len(one)], one.Omega)
-    one = cushion(**given)
-    assert one.margins(0.02).of_cr == pytest.approx(one.detachment().F_cr / 0.02, rel=1e-12)

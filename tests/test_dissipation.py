@@ -17,7 +17,7 @@ from slowflow import Duffing, Isolator, Oscillator, derive, exact
 from slowflow.results import Remark
 from slowflow.sizing import tolerances
 from slowflow_kernels import duffing
-from slowflow_kernels.conventions import MovesStatus, Status
+from slowflow_kernels.conventions import MovesStatus
 from tests.sampling import directions
 
 RUBBING = Isolator(lam=3.0, r=2.0, delta_h=0.08, mu=0.012, zeta=0.04, rubs="attached", force="untruncated")
@@ -329,56 +329,6 @@ def test_states_under_inertia_are_those_under_the_force_that_it_is_at_their_freq
 
 
 @pytest.mark.slow
-def test_batches_under_inertia_have_single_answers():
-    many = Duffing.many(alpha=1.0, beta=[0.5, 2.0], mu=0.001, zeta=0.02, c_2=0.05, excitation="base")
-    single = Duffing(1.0, 2.0, mu=0.001, zeta=0.02, c_2=0.05, excitation="base")
-    assert many.saddle_node_onset().F_SN[1] == single.saddle_node_onset().F_SN
-    assert many.peak(0.1).A[1] == single.peak(0.1).A
-    assert many.amplitudes(Omega=1.1, F_0=0.1).A[1, 0] == single.amplitudes(Omega=1.1, F_0=0.1).A[0]
-
-
-#: of a batch: arrays of what laws there are; the second has none, the last is no design
-MANY = {"lam": 3.0, "r": [2.0, 0.5, 2.0], "delta_h": [0.08, 0.02, 0.08], "mu": 0.02}
-MANY |= {"zeta": [0.04, 0.03, 0.0], "eta": [0.01, 0.0, -1.0], "c_2": [0.1, 0.0, 0.2]}
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("more", [{}, {"rubs": "attached", "force": "untruncated"}], ids=repr)
-def test_a_batch_has_the_digits_of_single_answers_and_their_remarks(more):
-    designs, F_0 = Isolator.many(**MANY, **more), 0.0502
-    batch = {
-        "saddle_node_onset": (designs.saddle_node_onset(), {}, ("F_SN", "Omega", "A")),
-        "detachment": (designs.detachment(), {}, ("F_cr", "Omega_cr", "u_cr")),
-        "peak": (designs.peak(F_0), {"F_0": F_0}, ("A", "Omega")),
-        "saddle_nodes": (designs.saddle_nodes(F_0, places=3), {"F_0": F_0}, ("Omega", "A")),
-        "amplitudes": (
-            designs.amplitudes(Omega=0.95, F_0=F_0, places=3),
-            {"Omega": 0.95, "F_0": F_0},
-            ("A", "phi", "transmissibility", "stable"),
-        ),
-        "isolation": (designs.isolation(F_0), {"F_0": F_0}, ("Omega", "A")),
-    }
-    bands = designs.hysteresis(F_0)
-    for k in (0, 1):
-        values = {name: value[k] if isinstance(value, list) else value for name, value in MANY.items()}
-        one = Isolator(**values, **more)
-        for question, (many, asked, names) in batch.items():
-            single = getattr(one, question)(**asked)
-            for name in names:
-                expected = getattr(single, name)
-                found = np.atleast_1d(getattr(many, name)[k])
-                wanted = np.atleast_1d(np.nan if expected is None else expected).astype(float)
-                assert found[: wanted.size].tolist() == pytest.approx(wanted.tolist(), rel=0, abs=0, nan_ok=True)
-                assert np.isnan(found[wanted.size :]).all() or name == "stable"
-            if question != "isolation":  # which has none
-                assert many.remarks[k] == single.remarks, question
-        assert bands.count[k] == len(one.hysteresis(F_0))
-    for many, *_ in batch.values():
-        assert many.status[2] == Status.INVALID
-    assert designs.margins(F_0).status.tolist() == [0, 0, 1]
-
-
-@pytest.mark.slow
 def test_laws_are_columns_of_a_batch_and_of_a_map():
     peaks = Duffing.many(1.0, 0.5, eta=[0.02, 0.05], c_2=0.1).peak(0.04)
     columns = peaks.columns()
@@ -475,13 +425,7 @@ def test_a_law_that_is_not_there_has_a_slope_too():
 
 
 @pytest.mark.slow
-def test_a_batch_and_a_mount_have_the_same_gradients():
-    given = {"lam": 3.0, "r": 0.5, "delta_h": 0.02, "mu": 0.03, "zeta": 0.03, "rubs": "attached"}
-    many = Isolator.many(**given, eta=[0.0, 0.002], c_2=0.02).amplitudes(Omega=1.02, F_0=0.0502, places=3)
-    for k, eta in enumerate((0.0, 0.002)):
-        one = Isolator(**given, eta=eta, c_2=0.02).amplitudes(Omega=1.02, F_0=0.0502).gradient()
-        found = many.gradient()
-        assert found.by == one.by and found.slopes[k, : len(one.slopes)].tolist() == one.slopes.tolist()
+def test_a_mount_has_the_same_gradients():
     mount = Isolator.physical(m=12, k_v=2500, k_h=600, n=2, L=0.08, preload=0.002, c=8.0, eta=0.01, c_2=5.0)
     moves = mount.peak(F=5).gradient()
     assert moves.by == ("n", "k_h", "preload", "friction", "c", "eta", "c_2", "F", "k_v", "L", "m")

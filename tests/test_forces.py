@@ -342,12 +342,6 @@ def test_stiffnesses_that_cancel_leave_what_rounding_allows():
     assert len(springs(k=1.0, c=1.5, **DAMPING).saddle_nodes(0.05)) == 2
 
 
-def test_many_designs_are_single_ones(derived):
-    _, numbers = FORCES["wave"]
-    many = derived("wave").many(**{**numbers, "k": np.array([0.2, 0.3])}, **DAMPING).saddle_node_onset()
-    assert many.F_SN[1] == derived("wave")(**numbers, **DAMPING).saddle_node_onset().F_SN
-
-
 @pytest.mark.slow
 def test_what_it_is_and_how_it_is_derived_is_said(derived):
     made = derived("soft_stop")

@@ -316,37 +316,6 @@ def test_springs_that_share_their_stiffness_move_an_answer_by_its_product():
 # ---- many designs
 
 
-@pytest.mark.parametrize("force", ["truncated", "untruncated"])
-def test_a_batch_has_the_gradients_of_its_designs(force):
-    r, mu = np.array([[1.0], [1.7], [2.9]]), np.array([0.0, 0.004, 0.02, -1.0])
-    designs = Isolator.many(lam=3, r=r, delta_h=0.1, mu=mu, zeta=0.02, force=force)
-    at_point = {"Omega": 0.95, "F_0": F_0}
-    for question, at in (
-        ("saddle_node_onset", {}),
-        ("detachment", {}),
-        ("peak", {"F_0": F_0}),
-        ("saddle_nodes", {"F_0": F_0}),
-        ("amplitudes", at_point),
-        ("isolation", {"F_0": F_0}),
-    ):
-        answers = getattr(designs, question)(**at)
-        moves = answers.gradient()
-        for k, j in np.ndindex(3, 3):
-            one = Isolator(lam=3, r=r[k, 0], delta_h=0.1, mu=mu[j], zeta=0.02, force=force)
-            alone = getattr(one, question)(**at).gradient()
-            some = len(alone.slopes) if question in ("saddle_nodes", "amplitudes") else None
-            # where isolation begins is found by another iteration
-            near = 1e-9 if question == "isolation" else 0.0
-            np.testing.assert_allclose(moves.slopes[k, j, :some], alone.slopes, rtol=near)
-            condition = moves.condition(moves.of[-1])[k, j]
-            known = condition[:some] if some else condition
-            np.testing.assert_allclose(known, alone.condition(moves.of[-1]), rtol=near)
-        assert np.all(moves.status[:, 3] == MovesStatus.NOTHING)
-        assert r.flags.writeable
-        assert mu.flags.writeable
-        assert np.isnan(moves.slopes[:, 3]).all()
-
-
 # ---- where there is none
 
 

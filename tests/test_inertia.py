@@ -333,19 +333,6 @@ def test_folds_of_the_second_approximation_come_closer_to_those_of_forty_digits(
         assert second < 1e-4
 
 
-def test_the_second_approximation_of_many_designs_is_that_of_each():
-    zeta = np.array([0.02, 0.05, 0.0])
-    designs = Isolator.many(**{**example.TABLE_1, "zeta": zeta}, excitation="base").second_approximation
-    lifted, folds = designs.detachment(), designs.saddle_nodes(0.05)
-    for found in (lifted, folds):
-        assert found.status.tolist() == [Status.OK, Status.OK, Status.INVALID]
-    for k in range(2):
-        one = Isolator(**{**example.TABLE_1, "zeta": zeta[k]}, excitation="base").second_approximation
-        assert lifted.F_cr[k] == one.detachment().F_cr
-        assert folds.Omega[k][: folds.count[k]].tolist() == one.saddle_nodes(0.05).Omega.tolist()
-    assert folds.count[0] == 2
-
-
 def test_the_second_approximation_of_a_linear_mount_with_friction_is_den_hartogs():
     osc = Duffing(1.0, 0.0, mu=0.02, zeta=1e-9, excitation="base").second_approximation
     Omega, Y = np.array([0.7, 1.4, 2.5]), 0.1
@@ -385,58 +372,24 @@ def test_transmissibility_tends_to_its_floor():
     assert shaken.amplitudes(Omega=1e5, F_0=0.04).transmissibility < 1e-5
 
 
-def test_batches_answer_as_single_oscillators_do():
-    zeta = np.array([0.01, 0.05, 0.0])
-    designs = Isolator.many(**{**example.TABLE_1, "zeta": zeta}, excitation="base")
-    ones = [Isolator(**{**example.TABLE_1, "zeta": z}, excitation="base") for z in zeta[:2]]
-    onsets, cr, folds, peaks = (
-        designs.saddle_node_onset(),
-        designs.detachment(),
-        designs.saddle_nodes(0.03),
-        designs.peak(0.03),
-    )
-    for answer in (onsets, cr, folds, peaks):
-        assert answer.status.tolist() == [Status.OK, Status.OK, Status.INVALID]
-    for k, one in enumerate(ones):
-        assert onsets.F_SN[k] == one.saddle_node_onset().F_SN
-        assert cr.F_cr[k] == one.detachment().F_cr
-        assert folds.A[k][: folds.count[k]].tolist() == one.saddle_nodes(0.03).A.tolist()
-        assert peaks.A[k] == one.peak(0.03).A
-
-
-def test_margins_bands_and_isolation_of_many_are_those_of_each():
-    rng, n = np.random.default_rng(3), 60
-    given = {"lam": 3.0, "r": rng.uniform(0.5, 3, n), "delta_h": rng.uniform(0.01, 0.15, n)}
-    given |= {"mu": rng.choice([0, 0.003, 0.01], n), "zeta": rng.uniform(0.03, 0.85, n) ** 1.5}
-    Y, designs = 10 ** rng.uniform(-2.3, 0, n), Isolator.many(**given, excitation="base")
-    found, bands, isolation = designs.margins(Y), designs.hysteresis(Y), designs.isolation(Y)
-    kinds = set()
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        ones = [
-            Isolator(**{k: float(np.broadcast_to(v, n)[i]) for k, v in given.items()}, excitation="base")
-            for i in range(n)
-        ]
+def test_margins_and_isolation_are_those_of_the_states_of_a_mount_on_a_base():
+    rng, kinds = np.random.default_rng(3), set()
     Omega = np.geomspace(0.1, 50.0, 400)
-    for k, one in enumerate(ones):
-        margins, band, begins = one.margins(Y[k]), one.hysteresis(Y[k]), one.isolation(Y[k])
-        states = one.amplitudes(Omega=Omega, F_0=Y[k])
-        kinds.add((margins.detaches, one.peak(Y[k]).A is None))
+    for _ in range(60):
+        given = {"lam": 3.0, "r": rng.uniform(0.5, 3), "delta_h": rng.uniform(0.01, 0.15)}
+        given |= {"mu": rng.choice([0, 0.003, 0.01]), "zeta": rng.uniform(0.03, 0.85) ** 1.5}
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            one, Y = Isolator(**given, excitation="base"), 10 ** rng.uniform(-2.3, 0)
+        margins, begins, states = one.margins(Y), one.isolation(Y), one.amplitudes(Omega=Omega, F_0=Y)
+        kinds.add((margins.detaches, one.peak(Y).A is None))
         # a sharp peak may pass between these frequencies
         assert margins.detaches >= bool((states.A[states.stable] > one.u_cr).any())
-        assert margins.detaches == (Y[k] > margins.F_cr)
-        assert (found.detaches[k], found.folds[k], found.sticks[k]) == (margins.detaches, margins.folds, 0)
-        assert found.F_cr[k] == pytest.approx(margins.F_cr, rel=1e-13)
-        assert bands.count[k] == len(band)
-        assert bands.Omega_low[k, : len(band)] == pytest.approx(band.Omega_low, rel=1e-13)
-        if begins.Omega is None:
-            assert isolation.status[k] == Status.NONE
-            continue
-        assert isolation.Omega[k] == pytest.approx(begins.Omega, rel=1e-11)
-        transmits = states.transmissibility[states.stable & (states.Omega > begins.Omega)]
-        assert (transmits < 1).all()
+        assert margins.detaches == (Y > margins.F_cr)
+        if begins.Omega is not None:
+            transmits = states.transmissibility[states.stable & (states.Omega > begins.Omega)]
+            assert (transmits < 1).all()
     assert len(kinds) >= 3
-    assert bands.count.sum() > 5
 
 
 @pytest.mark.slow

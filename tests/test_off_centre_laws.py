@@ -269,23 +269,6 @@ def test_gradients_by_a_law_that_is_not_there_tend_to_those_with_it():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("law", LAWS)
-@pytest.mark.part(4)
-def test_batches_are_single_answers(law):
-    many = Isolator.many(**TABLE_1, load=[0.03, 0.1], **law)
-    moved = many.saddle_node_onset().gradient()
-    found = many.peak(0.05), many.saddle_node_onset(), many.detachment(), many.amplitudes(Omega=0.9, F_0=0.05)
-    for row, load in enumerate((0.03, 0.1)):
-        one = Isolator(**TABLE_1, load=load, **law)
-        states = one.amplitudes(Omega=0.9, F_0=0.05)
-        assert np.array_equal(moved.slopes[row], one.saddle_node_onset().gradient().slopes, equal_nan=True)
-        assert found[0].A[row] == one.peak(0.05).A and found[1].F_SN[row] == one.saddle_node_onset().F_SN
-        assert found[2].F_cr[row] == one.detachment().F_cr
-        assert np.array_equal(found[3].A[row, : len(states)], states.A)
-        assert np.array_equal(found[3].transmissibility[row, : len(states)], states.transmissibility)
-
-
-@pytest.mark.slow
 def test_tolerances_of_a_heavy_mount_on_a_shaking_floor_are_of_its_single_answers():
     sheet = {"m": 12, "k_v": 2500, "k_h": 1700, "n": 3, "L": 0.080, "preload": 0.009, "friction": 0.4, "zeta": 0.02}
     mount = Isolator.physical(**sheet, load=12.36, excitation="base")

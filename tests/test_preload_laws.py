@@ -11,7 +11,6 @@ from scipy.integrate import solve_ivp
 
 from slowflow import Duffing, derive
 from slowflow.results import Remark
-from slowflow_kernels.conventions import Status
 
 u, k, c, gap = sp.symbols("u k c gap")
 ABOVE_0 = {"above": 0}
@@ -197,20 +196,6 @@ def test_at_low_frequencies_an_excitation_by_inertia_leaves_the_mass_at_rest(spr
     # along the curve the amplitude tends to 0 there
     curve = one.frequency_response(0.08, Omega=(0.0, 2.0))
     assert curve.Omega[np.argmin(curve.A)] == pytest.approx(begin, rel=1e-3)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("compile", [False, True])
-def test_batches_have_single_answers(compile):
-    made = derive.mechanism(
-        "preloaded_cubic", [(c + u + k * u**3, None)], {"c": ABOVE_0, "k": ABOVE_0}, compile=compile
-    )
-    for laws in ({"mu": 0.01, "zeta": 0.03, "excitation": "base"}, LAWS["structural"]):
-        single, many = made(c=0.03, k=1.2, **laws), made.many(c=np.array([0.03, -1.0]), k=1.2, **laws)
-        found = many.amplitudes(Omega=1.3, F_0=0.08)
-        alone = single.amplitudes(Omega=1.3, F_0=0.08)
-        assert found.A[0][: len(alone)] == pytest.approx(alone.A, rel=1e-14)
-        assert found.status.tolist() == [Status.OK, Status.INVALID]
 
 
 def test_a_response_by_inertia_that_closes_is_not_cut():

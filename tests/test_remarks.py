@@ -38,19 +38,6 @@ def single(k):
         return Isolator(**{name: float(values[k]) for name, values in DESIGNS.items()})
 
 
-@pytest.mark.parametrize("F_0", [0.04, 0.2])
-def test_a_batch_has_the_remarks_of_single_answers_at_a_forcing(F_0):
-    designs, alone = Isolator.many(**DESIGNS), [single(k) for k in range(5)]
-    assert designs.saddle_nodes(F_0).remarks.tolist() == [int(one.saddle_nodes(F_0).remarks) for one in alone]
-    assert designs.peak(F_0).remarks.tolist() == [int(one.peak(F_0).remarks) for one in alone]
-
-
-def test_a_batch_has_the_remarks_of_single_answers():
-    designs, alone = Isolator.many(**DESIGNS), [single(k) for k in range(5)]
-    assert designs.detachment().remarks.tolist() == [int(one.detachment().remarks) for one in alone]
-    assert designs.saddle_node_onset().remarks.tolist() == [int(one.saddle_node_onset().remarks) for one in alone]
-
-
 def test_an_onset_that_only_the_truncation_makes_says_so():
     """The untruncated force of this isolator has no onset at all."""
     onset = single(0).saddle_node_onset()

@@ -184,24 +184,18 @@ def test_batches_and_other_excitations_are_answered():
     numbers = {"c": [1.0, 3.0], "k": 2.0, "gap": 0.2}
     many = made.many(**numbers, **DAMPING)
     onsets, folds = many.saddle_node_onset(), many.saddle_nodes(F_0=0.05)
+    states = many.amplitudes(Omega=1.3, F_0=0.06)
     for k, c in enumerate(numbers["c"]):
         one = made(c=c, k=2.0, gap=0.2, **DAMPING)
         assert onsets.F_SN[k] == pytest.approx(one.saddle_node_onset().F_SN, rel=1e-14)
         found = one.saddle_nodes(F_0=0.05).Omega
         np.testing.assert_allclose(folds.Omega[k][: len(found)], found, rtol=1e-14)
+        here = one.amplitudes(Omega=1.3, F_0=0.06)
+        np.testing.assert_allclose(states.A[k][: len(here)], here.A, rtol=1e-14)
+        assert np.isnan(states.A[k][len(here) :]).all() and states.remarks[k] == here.remarks
     shaken = made(c=1.0, k=2.0, gap=0.2, **DAMPING, excitation="base")
     assert shaken.amplitudes(Omega=1.5, F_0=0.02).A.size
     assert one.detachment().u_cr == 0.2
-
-
-def test_states_of_batches_are_those_of_each_design():
-    """Whether motions turn beyond a well was asked of the force with arrays of parameters: a TypeError."""
-    made = mechanism("soft_stop")
-    many = made.many(c=np.array([1.0, 3.0]), k=2.0, gap=0.2, **DAMPING).amplitudes(Omega=1.3, F_0=0.06)
-    for k, c in enumerate((1.0, 3.0)):
-        one = made(c=c, k=2.0, gap=0.2, **DAMPING).amplitudes(Omega=1.3, F_0=0.06)
-        np.testing.assert_allclose(many.A[k][: len(one)], one.A, rtol=1e-14)
-        assert np.isnan(many.A[k][len(one) :]).all() and many.remarks[k] == one.remarks
 
 
 def test_it_says_what_it_is():

@@ -575,18 +575,6 @@ def test_critical_forcings_meet_the_balance(excitation):
     assert found > 20
 
 
-def test_batches_by_inertia_are_those_of_each():
-    numbers = {"lam": 2.0, "r": 1.0, "delta_h": 0.3, "mu": 0.01, "excitation": "base"}
-    zeta = np.array([0.02, 0.05])
-    many = Isolator.many(**numbers, zeta=zeta).second_approximation
-    each = [Isolator(**numbers, zeta=one).second_approximation for one in zeta]
-    for k, one in enumerate(each):
-        assert many.peak(0.1).A[k] == pytest.approx(one.peak(0.1).A, rel=1e-12)
-        assert many.detachment().F_cr[k] == pytest.approx(one.detachment().F_cr, rel=1e-12)
-        alone = one.saddle_nodes(0.1)
-        assert many.saddle_nodes(0.1).A[k][: len(alone)] == pytest.approx(alone.A, rel=1e-10)
-
-
 @pytest.mark.parametrize("name", ["table 1", "duffing"])
 def test_states_and_folds_have_the_digits_of_an_independent_solution(name):
     """Of tests/oracles/second.py, which knows no derivation: h_n by quadrature, friction's sum in closed form."""
@@ -626,66 +614,6 @@ def test_the_peak_is_the_highest_point_of_the_curve():
     assert unbounded.A is None and unbounded.message
 
 
-def test_many_designs_have_the_answers_of_each():
-    """The same digits, and a status where a single answer has words; with workers too."""
-    rng = np.random.default_rng(5)
-    n = 8
-    lam, r = rng.uniform(1, 4, n), rng.uniform(0.5, 3, n)
-    design = {"lam": lam, "r": r, "delta_h": rng.uniform(0.1, 0.9, n) / (lam * r), "mu": 0.01, "zeta": 0.03}
-    design["mu"] = np.where(np.arange(n) == 3, 0.2, 0.01)  # one sticks
-    many, F_0 = Isolator.many(**design).second_approximation, 0.05
-    onset, lift = many.saddle_node_onset(workers=2), many.detachment(workers=2)
-    folds, peak = many.saddle_nodes(F_0, workers=2), many.peak(F_0, workers=2)
-    for k in range(n):
-        one = Isolator(**{name: np.broadcast_to(value, n)[k] for name, value in design.items()}).second_approximation
-        for found, names, answer in (
-            (onset, ("F_SN", "Omega", "A"), one.saddle_node_onset()),
-            (lift, ("F_cr", "Omega_cr"), one.detachment()),
-            (peak, ("A", "Omega"), one.peak(F_0)),
-        ):
-            for name in names:
-                value = getattr(answer, name)
-                assert (found.status[k] == Status.OK) == (value is not None)
-                assert np.isnan(getattr(found, name)[k]) if value is None else getattr(found, name)[k] == value
-        beside = one.saddle_nodes(F_0)
-        assert folds.count[k] == len(beside)
-        assert np.array_equal(folds.Omega[k, : len(beside)], beside.Omega)
-        assert np.array_equal(folds.A[k, : len(beside)], beside.A)
-    assert folds.status[3] == peak.status[3] == Status.STICKS
-    assert np.count_nonzero(folds.status == Status.OK) == n - 1
-
-
-def test_states_and_curves_of_many_designs_are_those_of_each():
-    """The same digits, and what is left out is said of each."""
-    design = {"lam": 3.0, "r": 2.0, "delta_h": np.array([0.05, 0.08, 0.1, -1.0]), "mu": 0.012, "zeta": 0.02}
-    F_0, window = np.array([[0.04], [0.014]]), (0.7, 1.1)
-    many = Isolator.many(**design).second_approximation
-    states = many.amplitudes(Omega=0.9, F_0=F_0)
-    curves = many.frequency_response(F_0, samples=60, Omega=window)
-    assert states.A.shape == (2, 4, 6) and curves.A.shape == (2, 4, 316)
-    several = 0
-    for j, k in np.ndindex(2, 3):
-        first = Isolator(**{**design, "delta_h": design["delta_h"][k]})
-        one, F = first.second_approximation, float(F_0[j, 0])
-        for found, single, size in (
-            (states, one.amplitudes(Omega=0.9, F_0=F), states.count[j, k]),
-            (curves, one.frequency_response(F, samples=60, Omega=window), curves.points[j, k]),
-        ):
-            assert size == len(single)
-            sticks = F < first.model.m
-            assert found.status[j, k] == (Status.STICKS if sticks else Status.OK if size else Status.NONE)
-            for name in ("A", "A_1", "phi", "stable", "transmissibility"):
-                assert np.array_equal(getattr(found, name)[j, k, :size], getattr(single, name)), name
-                assert name == "stable" or np.isnan(getattr(found, name)[j, k, size:]).all()
-            said = "left out" in single.message or "fewer states" in single.message
-            assert bool(found.undecided[j, k]) == said
-        several += states.count[j, k] > 1
-    assert several and np.all(states.status[:, 3] == Status.INVALID)
-    few = many.amplitudes(Omega=0.9, F_0=0.04, places=1)
-    assert (few.status == Status.TOO_MANY).any() and np.array_equal(few.A[:, 0], states.A[0, :, 0], equal_nan=True)
-    assert len(curves.columns()["A_1"]) == curves.points.sum()
-
-
 @pytest.mark.parametrize("of", ["second", "load"])
 def test_states_at_pairs_are_those_of_each_pair(of):
     """Beyond averaging too Omega and F_0 broadcast; states come in the order of the pairs."""
@@ -708,6 +636,10 @@ def test_what_batches_of_the_second_approximation_do_not_answer_is_said():
         with pytest.raises(AttributeError, match=f"has no {name}: "):
             getattr(second, name)
     assert pickle.loads(pickle.dumps(second)) == second and copy.deepcopy(second) == second
+    few, states = (second.amplitudes(Omega=0.9, F_0=0.04, places=places) for places in (1, 6))
+    assert (few.status == Status.TOO_MANY).any() and np.array_equal(few.A[:, 0], states.A[:, 0], equal_nan=True)
+    curves = second.frequency_response(0.04, samples=60, Omega=(0.7, 1.1))
+    assert len(curves.columns()["A_1"]) == curves.points.sum()
 
 
 def test_states_that_it_lacks_beside_the_first_approximation_are_told():

@@ -17,7 +17,6 @@ from slowflow import Duffing, Isolator
 from slowflow.averaged import remarks
 from slowflow.example import TABLE_1, isolator
 from slowflow.results import Remark
-from slowflow_kernels.conventions import FoldKind
 
 DATA = Path(__file__).parent / "data"
 UNIT = 2.0**-53
@@ -145,48 +144,11 @@ def random_designs(seed, n):
 # ---- many designs --------------------------------------------------------------------------------------------------
 
 
-def test_many_designs_are_the_single_ones():
-    lam, zeta = np.array([1.0, 2.0, 3.0]), np.array([[0.02], [0.5]])
-    parameters = {**TABLE_1, "lam": lam, "zeta": zeta}
-    many = Isolator.many(**parameters)
-    assert many.shape == (2, 3)
-    detachment, onset, peak = many.detachment(), many.saddle_node_onset(), many.peak(0.04)
-    nodes, states = many.saddle_nodes(0.04), many.amplitudes(Omega=0.9, F_0=0.04)
-    assert states.count.max() == 3
-    for at in np.ndindex(2, 3):
-        one = Isolator(**{**TABLE_1, "lam": lam[at[1]], "zeta": zeta[at[0], 0]})
-        single = one.detachment()
-        np.testing.assert_allclose(detachment.F_cr[at], single.F_cr, rtol=1e-15)
-        np.testing.assert_allclose(detachment.Omega_cr[at], single.Omega_cr, rtol=1e-14)
-        start = one.saddle_node_onset()
-        np.testing.assert_allclose([onset.F_SN[at], onset.A[at]], [start.F_SN, start.A], rtol=1e-13)
-        assert ("cusp", "isola", "corner")[onset.kind[at] - 1] == start.kind
-        found = one.saddle_nodes(0.04)
-        assert nodes.count[at] == len(found)
-        np.testing.assert_allclose(nodes.A[at][: len(found)], found.A, rtol=1e-13)
-        assert np.isnan(nodes.A[at][len(found) :]).all()
-        assert (
-            nodes.kind[at][: len(found)] == np.where(found.kind == "jump-up", FoldKind.JUMP_UP, FoldKind.JUMP_DOWN)
-        ).all()
-        np.testing.assert_allclose(peak.A[at], one.peak(0.04).A, rtol=1e-13)
-        here = one.amplitudes(Omega=0.9, F_0=0.04)
-        n = states.count[at]
-        np.testing.assert_array_equal([states.A[at][:n], states.stable[at][:n]], [here.A, here.stable])
-        np.testing.assert_array_equal(states.phi[at][:n], here.phi)
-        assert np.isnan(states.A[at][n:]).all() and np.isnan(states.phi[at][n:]).all()
-    assert not any(answer.status.any() for answer in (detachment, onset, peak, nodes, states))
-
-
 def test_states_of_many_that_leave_the_centre_or_have_no_place_say_so():
     """Negative stiffness at rest: a small motion about u = 0 does not last, though the averaged equations hold it."""
     alpha, Omega = np.array([-0.2, 1.0]), np.array([[0.3], [1.2], [-1.0]])
     many = Duffing.many(alpha, 1.0, 0.0, 0.05).amplitudes(Omega=Omega, F_0=0.05)
     assert many.status.tolist() == [[0, 0], [0, 0], [1, 1]]
-    for i, j in np.ndindex(2, 2):
-        one = Duffing(alpha[j], 1.0, 0.0, 0.05).amplitudes(Omega=Omega[i, 0], F_0=0.05)
-        n = many.count[i, j]
-        np.testing.assert_array_equal([many.A[i, j, :n], many.stable[i, j, :n]], [one.A, one.stable])
-        assert int(one.remarks) == many.remarks[i, j]
     assert (many.remarks[:2, 0] & Remark.LEAVES_CENTRE).any() and not (many.remarks[:2, 1] & Remark.LEAVES_CENTRE).any()
     few = Duffing.many(-0.2, 1.0, 0.0, 0.05).amplitudes(Omega=0.3, F_0=0.05, places=1)
     assert few.status == (6 if few.count > 1 else 0) and few.A.shape == (1,)
