@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
@@ -10,7 +11,6 @@ import numpy.typing as npt
 from slowflow.answer import Answer, joined
 from slowflow.model import Floats
 from slowflow.text import text
-from slowflow_support.frozen import dataclass
 
 #: bits of a double
 DOUBLES = 53

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import field
+from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -12,7 +12,6 @@ import numpy.typing as npt
 from slowflow.answer import Answer
 from slowflow.mechanism import Floats
 from slowflow_kernels.conventions import MovesStatus
-from slowflow_support.frozen import dataclass
 
 NO_GRADIENT = (
     "this answer has no gradient, as it is put together from others: those of saddle_node_onset, detachment, "

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import field
+from dataclasses import dataclass, field
 from functools import partial
 from itertools import pairwise
 from typing import Any, ClassVar, NamedTuple
@@ -26,7 +26,6 @@ from slowflow.results import MeasuredPoint, OfPoint, Remark
 from slowflow.text import Sentence, text
 from slowflow_kernels import inertia
 from slowflow_kernels.conventions import ENDLESS, HIGHEST_OMEGA
-from slowflow_support.frozen import dataclass
 
 Flags = npt.NDArray[np.bool_]
 Ints = npt.NDArray[np.intp]

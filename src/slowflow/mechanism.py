@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Any, Protocol
 
@@ -21,7 +21,6 @@ import numpy.typing as npt
 from slowflow.text import text
 from slowflow_kernels import duffing, inertia, motion, slow_flow
 from slowflow_support.errors import Refused
-from slowflow_support.frozen import dataclass
 from slowflow_support.record import Law, Mechanism, Parameter
 
 __all__ = [

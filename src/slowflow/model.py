@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import field, fields
+from dataclasses import dataclass, field, fields
 from functools import cached_property
 from itertools import pairwise
 from types import ModuleType
@@ -25,7 +25,6 @@ from slowflow_kernels.conventions import LARGEST
 from slowflow_kernels.domains import DAMPING, DISSIPATION, RUBS
 from slowflow_kernels.scenes import flow_of
 from slowflow_support.errors import Refused, WrongType
-from slowflow_support.frozen import dataclass
 
 __all__ = ["Floats", "Laws", "Model", "check_names"]
 

@@ -11,6 +11,7 @@ import functools
 import inspect
 import math
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
@@ -23,7 +24,6 @@ from slowflow.quantities import DRAWN, SI, UNITS, Quantities, Scales, g, si, tur
 from slowflow.table import QUANTITIES
 from slowflow.text import in_units
 from slowflow_support.errors import OutOfRange, Refused
-from slowflow_support.frozen import dataclass
 
 if TYPE_CHECKING:
     from slowflow import physical_answers as answers

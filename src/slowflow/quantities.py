@@ -12,6 +12,7 @@ import dataclasses
 import math
 import operator
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from functools import cached_property
 from types import MappingProxyType, SimpleNamespace
 from typing import Any
@@ -29,7 +30,6 @@ from slowflow_kernels.rod_spring import MECHANISM as ROD_SPRING
 from slowflow_kernels.scaling import AMPLITUDES as AMPLITUDE_SCALES
 from slowflow_kernels.scaling import SCALES
 from slowflow_support.errors import Refused, WrongType
-from slowflow_support.frozen import dataclass
 from slowflow_support.record import Parameter, Scale
 
 #: standard gravity, m/s^2

@@ -7,7 +7,7 @@ length, and an index or a loop gives one entry as a named tuple: `for fold in is
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import field
+from dataclasses import dataclass, field
 from enum import IntFlag
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar
@@ -26,7 +26,6 @@ from slowflow.transmitted import in_motion
 from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import OnsetKind, Pinned, Status
 from slowflow_support.errors import Refused
-from slowflow_support.frozen import dataclass
 
 ONLY_OFFSET = "{u_max} is that of motions with a mean B: without a load A is the largest |{u}|"
 

@@ -10,7 +10,7 @@ import functools
 import importlib
 import sys
 from collections.abc import Callable
-from dataclasses import fields, replace
+from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from itertools import pairwise
 from math import inf, isfinite
@@ -20,7 +20,6 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slowflow_support.errors import Refused
-from slowflow_support.frozen import dataclass
 
 #: where generated modules are, those that come with the package and those that were derived on this machine
 GENERATED = ("slowflow_kernels", "slowflow_derived")

@@ -7,6 +7,7 @@ the reasons, step by step, and is made where one is asked for.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from types import MappingProxyType
 
 from slowflow.averaged import proofs, words
@@ -14,7 +15,6 @@ from slowflow.model import Model
 from slowflow.results import Remark, SaddleNodeOnset
 from slowflow.text import Sentence, text
 from slowflow_kernels.conventions import CLOSE
-from slowflow_support.frozen import dataclass
 
 #: questions at one forcing
 QUESTIONS = ("frequency_response", "amplitudes", "saddle_nodes", "peak")

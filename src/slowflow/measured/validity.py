@@ -7,6 +7,7 @@ the mechanisms that they hold for. Of any other mechanism this says that nothing
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -16,7 +17,6 @@ from slowflow.measured import table as measured
 from slowflow.model import THROUGHOUT, Floats, Model
 from slowflow.text import Sentence, text
 from slowflow_kernels import motion
-from slowflow_support.frozen import dataclass
 
 #: from this size on an error is worth a remark
 WORTH = 0.02

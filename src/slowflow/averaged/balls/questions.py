@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 import threading
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
 from functools import partial
 from typing import Any, NamedTuple, TypeVar
 
@@ -43,7 +44,6 @@ from slowflow_kernels import slow_flow_intervals as flow
 from slowflow_kernels import slow_flow_mu0_intervals as of_mu_0
 from slowflow_kernels import slow_flow_zeta0_intervals as of_zeta_0
 from slowflow_kernels.conventions import ENDLESS, FIRST, OnsetKind
-from slowflow_support.frozen import dataclass
 
 #: how many bits are tried, in turn
 BITS = (128, 512)
