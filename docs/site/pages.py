@@ -22,6 +22,17 @@ ELSEWHERE = {
     "generated/LEDGER.md": "_made/ledger.md",
     "CHANGELOG.md": "_made/changelog.md",
 }
+#: what one wants from the reference, by patterns of modules: the first that fits
+PURPOSES = {
+    "Isolators and oscillators": r"^slowflow(\.(physical|oscillator|questions|composed|averaged\.questions|loads|example))?$",
+    "Many designs": r"many|batches|asked|designs|grid|\.table$",
+    "Static loads and asymmetric forces": r"off_centre",
+    "Exact motions and second approximation": r"exact|second",
+    "Tolerances, requirements, fits": r"sizing",
+    "Custom restoring forces": r"derive$|mechanism$",
+    "Results": r"results|answer|quantities|certificate|gradient|transmitted|validity",
+    "Input files, progress, codes": r"",
+}
 LINK = re.compile(r"(?<!!)\[([^\]\n]+)\]\((?!https?:|#|mailto:)([^)#\s]+)(#[^)\s]*)?\)")
 
 
@@ -118,5 +129,8 @@ def reference(folder: Path) -> None:
         (folder / f"{name}.md").write_text("\n".join(lines), encoding="utf-8")
     text = (Path(__file__).parent / "reference.txt").read_text(encoding="utf-8")
     text += "\n".join(["\nExamples begin with these lines:", "", *block(EXAMPLES["begin"])])
-    entries = "\n".join(module.replace(".", "_") for module in MODULES)
-    (folder / "index.md").write_text(f"{text}\n```{{toctree}}\n:maxdepth: 1\n\n{entries}\n```\n", encoding="utf-8")
+    for title, belongs in PURPOSES.items():
+        here = [module for module in MODULES if next(p for p in PURPOSES.values() if re.search(p, module)) == belongs]
+        entries = "\n".join(module.replace(".", "_") for module in here)
+        text += f"\n## {title}\n\n```{{toctree}}\n:maxdepth: 1\n\n{entries}\n```\n"
+    (folder / "index.md").write_text(text, encoding="utf-8")
