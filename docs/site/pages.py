@@ -24,7 +24,7 @@ ELSEWHERE = {
 }
 #: what one wants from the reference, by patterns of modules: the first that fits
 PURPOSES = {
-    "Isolators and oscillators": r"^slowflow(\.(physical|oscillator|questions|composed|averaged\.questions|loads|example))?$",
+    "Isolators and oscillators": r"^slowflow$|(physical|oscillator|composed|loads|example)$|(w|averaged)\.questions$",
     "Many designs": r"many|batches|asked|designs|grid|\.table$",
     "Static loads and asymmetric forces": r"off_centre",
     "Exact motions and second approximation": r"exact|second",
