@@ -389,6 +389,20 @@ def test_links_into_a_page_lead_to_a_heading(page: Path) -> None:
         assert anchor in headings(page.parent / target if target else page), f"{target}#{anchor}"
 
 
+def test_files_that_pages_name_exist() -> None:
+    """But those of which a page has the text, and what a user writes."""
+    folders = (ROOT / name for name in ("benchmarks", "derivations", "docs", "explorer", "generated", "src", "tests"))
+    here = {path.as_posix() for folder in folders for path in folder.rglob("*.*")} | {"/scene.toml"}
+    here |= {path.as_posix() for path in ROOT.glob("*.*")}
+    for page in (one for one in PAGES if "_made" not in one.parts):
+        text = page.read_text(encoding="utf-8")
+        named = re.findall(r"`([\w./-]+\.(?:py|h|c|md|toml|json|js))`(?!:\n)", text)
+        named += [name for line in re.findall(r"pytest ((?:tests/\S+\.py ?)+)", text) for name in line.split()]
+        shown = re.findall(r"^`([\w.]+)`:$", text, re.MULTILINE)
+        missing = {name for name in named if not any(path.endswith(f"/{name}") for path in here)}
+        assert missing <= set(shown), page
+
+
 def test_addresses_on_the_web_are_whole() -> None:
     """Whether somebody answers there `make links` asks, which needs a network."""
     texts = [path.read_text(encoding="utf-8") for path in (*PAGES, ROOT / "pyproject.toml", ROOT / "CITATION.cff")]
