@@ -24,7 +24,7 @@ from slowflow.example import TABLE_1, isolator
 from slowflow.intervals import Interval
 from slowflow.isolator import ROD_SPRING
 from slowflow.model import Model
-from slowflow.off_centre.answers import states_move
+from slowflow.off_centre import answers
 from slowflow.off_centre.ends import Charts
 from slowflow.off_centre.means import ORDERS, Steps
 from slowflow.off_centre.questions import OffCentre
@@ -1071,7 +1071,7 @@ def test_where_there_is_no_gradient_off_the_centre_the_reason_is_said(loaded):
     assert none.F_cr is None and "no answer that could move" in none.gradient().message
     bent = Duffing(1.0, 0.5, 0.0, 0.05, load=0.3)
     folds = bent.saddle_nodes(0.2)
-    on_folds = states_move(
+    on_folds = answers.gradient(
         SteadyStates(folds.Omega, folds.A, folds.kind == "", 0.2, "", bent.off_centre._model, B=folds.B, load=0.3)
     )
     assert "2 of 2: it meets another answer there" in on_folds.message and np.isnan(on_folds.slopes).all()

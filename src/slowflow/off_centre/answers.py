@@ -5,9 +5,9 @@ The answers are those of `slowflow.results`, with B and the load.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import Any, ClassVar, NoReturn
+from typing import Any, ClassVar, NamedTuple, NoReturn
 
 import numpy as np
 import numpy.typing as npt
@@ -16,11 +16,10 @@ from slowflow import validate
 from slowflow.answer import Table, entry
 from slowflow.gradient import Gradient
 from slowflow.isolating import Level
-from slowflow.loads import Isolation
 from slowflow.model import Floats, Model
 from slowflow.off_centre import moves
 from slowflow.off_centre.moves import Given
-from slowflow.results import NOT_MEASURED, Detachment, Peak, Remark, SaddleNodeOnset, SaddleNodes, SteadyStates
+from slowflow.results import NOT_MEASURED, Remark
 from slowflow_kernels.conventions import Pinned
 
 #: the numbers of an answer that move with the parameters, by question
@@ -74,53 +73,56 @@ class RestPositions(Table):
         return moves.of_rest(Given.of(self._model, self.load), self.u)
 
 
-# ---- how the numbers of answers move with the parameters, the load, and what was asked at, exactly; each raises
-# NotAvailable where it is not known how the force moves with the design
+class _Moved(NamedTuple):
+    """Which numbers of an answer move with the parameters.
+
+    question -- a key of `NUMBERS`
+    asked    -- what was asked at beside the design
+    kinds    -- what its points are, of `Pinned`
+    """
+
+    question: str
+    asked: tuple[str, ...]
+    kinds: Callable[[Any], Any]
 
 
-def states_move(found: SteadyStates) -> Gradient:
-    """A, B, phi and transmissibility of each state, by F_0 and Omega too."""
-    return _moved(found, Pinned.STATE, NUMBERS["amplitudes"], ("F_0", "Omega"))
+_STATES = _Moved("amplitudes", ("F_0", "Omega"), lambda _: Pinned.STATE)
+#: a detachment at rest stays there, as a peak at Omega = 0 does; of an onset at which more than two folds are born, and
+#: of what is on a jump of the force there is no gradient
+_MOVED: Mapping[str, _Moved] = {
+    "SteadyStates": _STATES,
+    "FrequencyResponse": _STATES,
+    "SaddleNodes": _Moved(
+        "saddle_nodes", ("F_0",), lambda one: np.where(one.corner, int(Pinned.CORNER_FOLD), int(Pinned.FOLD))
+    ),
+    "Detachment": _Moved("detachment", (), lambda one: Pinned.CORNER_REST if one.Omega_cr == 0 else Pinned.CORNER_TOP),
+    "Peak": _Moved("peak", ("F_0",), lambda one: Pinned.STATE if one.Omega == 0 else Pinned.PEAK),
+    "SaddleNodeOnset": _Moved(
+        "saddle_node_onset",
+        (),
+        lambda one: {"cusp": Pinned.CUSP, "isola": Pinned.ISOLA}.get(one.kind, Pinned.CORNER_END),
+    ),
+    "Isolation": _Moved("isolation", ("F_0",), lambda _: Pinned.FOLD),
+}
 
 
-def folds_move(found: SaddleNodes) -> Gradient:
-    """Omega, A and B of each fold, by F_0 too; on a corner that a jump of the force makes there is none."""
-    kinds = np.where(found.corner, int(Pinned.CORNER_FOLD), int(Pinned.FOLD))
-    return _moved(found, kinds, NUMBERS["saddle_nodes"], ("F_0",))
+def gradient(found: Any) -> Gradient:
+    """How the numbers of an answer move with the parameters, the load, and what was asked at, exactly.
 
-
-def detachment_moves(found: Detachment) -> Gradient:
-    """F_cr, Omega_cr, A and B; one at rest stays there."""
-    kind = Pinned.CORNER_REST if found.Omega_cr == 0 else Pinned.CORNER_TOP
-    return _moved(found, kind, NUMBERS["detachment"], first=True)
-
-
-def peak_moves(found: Peak) -> Gradient:
-    """A, B and Omega, by F_0 too, and u_max if it is that motion's; a peak at Omega = 0 stays there."""
-    if found._turns:
-        raise validate.NotAvailable(WITHIN)
-    names = NUMBERS["peak"] if found.Omega == found.Omega_max else NUMBERS["peak"][:-1]
-    return _moved(found, Pinned.STATE if found.Omega == 0 else Pinned.PEAK, names, ("F_0",))
-
-
-def onset_moves(found: SaddleNodeOnset) -> Gradient:
-    """F_SN, Omega, A and B; nothing where more than two folds are born together, or on a jump of the force."""
-    kinds = {"cusp": Pinned.CUSP, "isola": Pinned.ISOLA}
-    return _moved(found, kinds.get(found.kind, Pinned.CORNER_END), NUMBERS["saddle_node_onset"])
-
-
-def isolation_moves(found: Isolation) -> Gradient:
-    """Omega, A and B, by F_0 too."""
-    if found.at_fold:
-        return _moved(found, Pinned.FOLD, NUMBERS["isolation"], ("F_0",))
-    assert found.load is not None
-    point = found.A, found.B, found.Omega, found.F_0
-    return moves.of_isolation(Given.of(found._model, found.load), point, Level.of(found.level_dB).ratio)
-
-
-def _moved(found: Any, kind: Any, names: tuple[str, ...], asked: tuple[str, ...] = (), first: bool = False) -> Gradient:
-    """The gradient of an answer's numbers, of the first piece of the force alone where it comes to its end."""
+    Raises NotAvailable where it is not known how the force moves with the design, and of a peak at which the mean turns
+    back.
+    """
+    question, asked, kinds = _MOVED[type(found).__name__]
+    names = NUMBERS[question]
+    if question == "peak":
+        if found._turns:
+            raise validate.NotAvailable(WITHIN)
+        if found.Omega != found.Omega_max:  # u_max is that of another motion
+            names = names[:-1]
     given, called = Given.of(found._model, found.load), {CALLED.get(name, name): name for name in names}
     point = tuple(getattr(found, called.get(one, one)) for one in ("A", "B", "Omega", "F_0"))
-    of = {name: one for one, name in called.items()}
-    return moves.gradient(given.first() if first else given, kind, point, of, asked)
+    if question == "isolation" and not found.at_fold:
+        return moves.of_isolation(given, point, Level.of(found.level_dB).ratio)
+    if question == "detachment":  # of the piece alone to whose end it comes
+        given = given.first()
+    return moves.gradient(given, kinds(found), point, {name: one for one, name in called.items()}, asked)

@@ -6,7 +6,7 @@ u = B + A cos psi with the balance of the mean f_0(A, B) = 0. Every answer holds
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import replace
 from functools import partial, wraps
 from typing import Any, NamedTuple, TypeVar, cast
@@ -19,7 +19,6 @@ from slowflow.averaged import remarks, words
 from slowflow.averaged.pairs import at_pairs
 from slowflow.averaged.questions import Averaged
 from slowflow.composed import ComposedQuestions
-from slowflow.gradient import Gradient
 from slowflow.loaded import CENTRED, Loaded, off_centre_by
 from slowflow.model import Floats, Model
 from slowflow.off_centre import answers
@@ -86,15 +85,6 @@ UNDECIDED_REST = Sentence("whether there are others is undecided next to {u = :.
 
 _Answered = TypeVar("_Answered")
 Method = TypeVar("Method", bound=Callable[..., Any])
-#: how the numbers of answers move, by class
-MOVES: Mapping[str, Callable[[Any], Gradient]] = {
-    "SteadyStates": answers.states_move,
-    "FrequencyResponse": answers.states_move,
-    "SaddleNodes": answers.folds_move,
-    "SaddleNodeOnset": answers.onset_moves,
-    "Peak": answers.peak_moves,
-    "Detachment": answers.detachment_moves,
-}
 
 
 class _Said(NamedTuple):
@@ -168,9 +158,8 @@ class OffCentre(Unchanging, ComposedQuestions, Questions[SteadyStates, Frequency
 
     def _made(self, kind: Callable[..., _Answered], *columns: Any, **beside: Any) -> _Answered:
         """An answer with the load, that knows whom it was asked of, and how its numbers move."""
-        return kind(
-            *columns, **beside, load=self.load, _model=self._model, _asked=self._asked, _moves=MOVES[kind.__name__]
-        )
+        beside |= {"load": self.load, "_model": self._model, "_moves": answers.gradient}
+        return kind(*columns, **beside, _asked=self._asked)
 
     @property
     def load(self) -> float:
@@ -482,7 +471,7 @@ class OffCentre(Unchanging, ComposedQuestions, Questions[SteadyStates, Frequency
     def _isolation_at(
         self, level: isolating.Level, Omega: float | None, A: float | None, B: float | None, *others: Any
     ) -> loads.Isolation:
-        beside: dict[str, Any] = {"B": B, "load": self.load, "_model": self._model, "_moves": answers.isolation_moves}
+        beside: dict[str, Any] = {"B": B, "load": self.load, "_model": self._model, "_moves": answers.gradient}
         return loads.Isolation(Omega, A, *others, level_dB=level.dB, **beside)
 
     def _begins(self, F_0: float, low: float, high: float, level: isolating.Level) -> loads.Isolation:
