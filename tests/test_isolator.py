@@ -92,7 +92,7 @@ def test_a_bad_window_is_named(window):
         isolator().frequency_response(0.04, Omega=window)
 
 
-@pytest.mark.parametrize("samples", [1, -5, 2.5, True, "100"])
+@pytest.mark.parametrize("samples", [1, -5, 2.5, True, "100", 10**6 + 1])
 def test_a_bad_number_of_samples_is_named(samples):
     with pytest.raises(ValueError, match="samples"):
         isolator().frequency_response(0.04, samples=samples)

@@ -323,6 +323,14 @@ def test_a_window_is_a_pair(mount):
         mount.frequency_response(5, f=3)
 
 
+def test_units_have_the_sizes_of_their_prefixes():
+    """Those of the International System by their definition, a prefix being a power of ten; a gram is not its unit."""
+    others = {"rpm": 1 / 60, "rad/s": 1 / (2 * math.pi), "g": 9.80665, "deg": math.pi / 180}
+    prefixes = {"mN": 1e-3, "kN": 1e3, "mm": 1e-3, "um": 1e-6, "ms": 1e-3, "mm/s": 1e-3, "N/mm": 1e3}
+    sizes = {unit: size for units in UNITS.values() for unit, size in units.items() if size != 1}
+    assert sizes == pytest.approx({**others, **prefixes, "kg mm": 1e-3, "g mm": 1e-6}, rel=1e-15)
+
+
 def test_units_are_those_that_were_asked_for(mount):
     folds = mount.saddle_nodes(5)
     assert folds.units == {"f": "Hz", "A": "m", "F": "N"}
