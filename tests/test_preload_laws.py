@@ -184,6 +184,16 @@ def test_a_preload_that_pushes_outwards_is_refused():
     for laws in ({"eta": 0.02}, {"excitation": "base"}):
         with pytest.raises(ValueError, match="jumps at u = 0, and pushes outwards"):
             outward(c=0.02, k=1.0, mu=0.01, zeta=0.03, **laws)
+    # a force has answers, which say that u = 0 is no place of rest: next to it the spring pushes on, by c
+    numbers = {"c": 0.02, "k": 1.0, "mu": 0.01, "zeta": 0.03}
+    assert Remark.NEGATIVE_STIFFNESS in outward(**numbers).saddle_nodes(0.1).remarks
+    assert outward.many(**numbers).saddle_nodes(0.1).remarks & Remark.NEGATIVE_STIFFNESS
+
+
+def test_a_force_that_falls_at_a_breakpoint_does_not_harden():
+    """f(u)/u rises on each piece, 1 and 1 - c/u, and falls by c/gap between them: motions may leave the centre."""
+    falls = derive.mechanism("falls_at_gap", [(u, gap), (u - c, None)], {"gap": ABOVE_0, "c": ABOVE_0})
+    assert not falls(gap=0.3, c=0.05, mu=0.0, zeta=0.05).model.stays_centred
 
 
 @pytest.mark.slow
