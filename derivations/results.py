@@ -10,14 +10,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from .asymmetric.off_centre import Climb, OffCentre, climb, off_centre
-from .extensions.dissipation import Dissipation, dissipation
-from .extensions.inertia import Inertia, inertia
+from .extensions.dissipation import dissipation
+from .extensions.inertia import inertia
 from .extensions.motion import Motion, Smoothed, motion, smoothed
 from .extensions.second_approximation import SecondApproximation, second_approximation
 from .extensions.switching import Switching, switching
 from .extensions.wave import Wave, wave
 from .forces.of_mechanism import OfMechanism, of_mechanism
 from .forces.sampled import Sampled, sampled
+from .kernels import Formulas
 from .mechanisms import Mechanism, all_mechanisms
 from .paper import critical_forcings
 from .paper.averaging import Averaged, averaged
@@ -64,8 +65,8 @@ class Results:
     averaged: Averaged
     flows: dict[str, SlowFlow]
     frequencies: Frequencies
-    inertia: Inertia
-    dissipation: Dissipation
+    inertia: Formulas
+    dissipation: Formulas
     along: dict[str, Along]
     slopes: Slopes
     bounds: Bounds
@@ -87,7 +88,8 @@ def derive(mechanisms: Sequence[Mechanism] | None = None) -> Results:
     equations = averaged()
     flows = {scene: slow_flow(equations, scene) for scene in SCENES}
     by_inertia = inertia(flows[""])
-    by_laws = dissipation(equations, flows[""])
+    of_slopes = slopes(flows[""])
+    by_laws = dissipation(equations, flows[""], of_slopes)
     of_scenes = {scene: along(flow) for scene, flow in flows.items()}
     damped = of_scenes[""].damped
     assert damped is not None
@@ -101,7 +103,7 @@ def derive(mechanisms: Sequence[Mechanism] | None = None) -> Results:
         by_inertia,
         by_laws,
         of_scenes,
-        slopes(flows[""]),
+        of_slopes,
         bounds(flows[""]),
         gradients(by_laws.curve, by_inertia.force),
         off_centre(equations, flows[""], by_laws),

@@ -52,7 +52,7 @@ DERIVING = (
     ("systems", "forces"),
     ("paper",),
     ("mechanisms",),
-    ("symbols", "vanishing", "given", "claims", "__init__"),
+    ("symbols", "vanishing", "given", "claims", "kernels", "__init__"),
 )
 DERIVATION = SOURCE.parent / "derivations"
 FILES = sorted((SOURCE / "slowflow").rglob("*.py"))

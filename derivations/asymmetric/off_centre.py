@@ -51,7 +51,8 @@ from typing import Any
 import sympy as sp
 
 from ..claims import claim
-from ..extensions.dissipation import I_0, I_A, Dissipation
+from ..extensions.dissipation import I_0, I_A
+from ..kernels import Formulas
 from ..paper.averaging import Averaged, F_k, cycle_integral, psi
 from ..paper.slow_flow import I, R, SlowFlow, m, turn
 from ..symbols import F_0, A, Omega, h, mu, sigma, u
@@ -200,7 +201,7 @@ def check_balance(averaged: Averaged) -> None:
     claim("the mean of forcing, damping and friction", others)
 
 
-def off_centre(averaged: Averaged, flow: SlowFlow, laws: Dissipation) -> OffCentre:
+def off_centre(averaged: Averaged, flow: SlowFlow, laws: Formulas) -> OffCentre:
     """All of it."""
     check_means()
     check_balance(averaged)
@@ -335,7 +336,7 @@ def _by_ends() -> tuple[Callable[[sp.Expr], sp.Expr], Callable[[sp.Expr], sp.Exp
     return by(chains[0]), by(chains[1])
 
 
-def _by_R(laws: Dissipation) -> tuple[Let, ...]:
+def _by_R(laws: Formulas) -> tuple[Let, ...]:
     """What is known at a given R, in order."""
     known = sp.expand(laws.I.subs(I_0, laws.at_rest[0].subs(mu, sp.pi * m / 4)))
     value = sp.expand(known.subs(Omega, speed / A))

@@ -21,7 +21,8 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from .form import Let, TwofoldKernel
+from ..kernels import Let
+from .form import TwofoldKernel
 
 TWO_SUM, TWO_PRODUCT = "two_sum", "two_product"
 

@@ -9,12 +9,13 @@ Arguments come in one order everywhere: Omega, A, F_0, m or mu, zeta, h, h_A, h_
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 import sympy as sp
 
+from ..kernels import Branch as Branch
+from ..kernels import Kernel, Let
 from ..paper.slow_flow import SCENES, m
 from ..symbols import h, h_A, h_AA, h_AAA
 from .prose import Prose
@@ -25,8 +26,6 @@ if TYPE_CHECKING:
     from ..mechanisms import Mechanism, Parameter
     from ..paper.critical_forcings import Elimination
 
-Let = tuple[sp.Symbol, sp.Expr]
-
 AVERAGED = (h, h_A, h_AA, h_AAA)
 
 #: name of the slow flow's module with all damping terms
@@ -34,73 +33,6 @@ GENERAL = "slow_flow"
 
 #: of h or H and its derivatives
 NAMES = ("", "_A", "_AA", "_AAA")
-
-
-@dataclass(frozen=True)
-class Branch:
-    """One regime of a kernel.
-
-    name    -- for the generated code
-    kernel  -- name of another kernel of the same arguments that computes it; "" where it is printed with this one
-    passed  -- how many breakpoints the amplitude exceeds, where that is what makes the regime
-    remainders -- lets that stand for a series cut short, each with a bound of its relative error
-    guards  -- pairs (left, right): the branch holds where every left <= right and no earlier branch does
-    lets    -- intermediate quantities in order
-    outputs -- expressions in the arguments and the lets
-    """
-
-    name: str
-    guards: tuple[tuple[sp.Expr, sp.Expr], ...]
-    lets: tuple[Let, ...]
-    outputs: tuple[sp.Expr, ...]
-    kernel: str = ""
-    passed: int = 0
-    remainders: tuple[Let, ...] = ()
-
-
-@dataclass(frozen=True)
-class Kernel:
-    """A generated function of real numbers.
-
-    parameters -- how many of the last arguments are the mechanism's parameters
-    returns    -- "scalar", "tuple" or "stack" (one array, coefficients along its first axis)
-    equation   -- number in the paper, or what it is derived from
-    domain     -- where it holds
-    generic    -- in Python for any kind of number that has arithmetic, and NumPy's functions where it calls them:
-                  floats, complex numbers, arrays, an integrator's symbols
-    enclosed   -- whether it is wanted on intervals too, in C
-    searched   -- and on intervals of any arithmetic, in Python
-    looped     -- whether Python may have it as a compiled loop over arrays of floats: asked once an answer, it need not
-    in_c       -- whether anything in C calls it, where a module is in C at all
-    paired     -- and in double-double, in C, and in balls, in Python
-    to_pairs   -- of one in double-double: the lets that are wanted so, what is left to do being done in doubles; all
-                  of it where there are none
-    """
-
-    name: str
-    arguments: tuple[sp.Symbol, ...]
-    branches: tuple[Branch, ...]
-    doc: str
-    equation: str
-    domain: str
-    parameters: int = 0
-    returns: str = "scalar"
-    generic: bool = False
-    enclosed: bool = False
-    searched: bool = False
-    looped: bool = True
-    in_c: bool = True
-    paired: bool = False
-    to_pairs: tuple[sp.Symbol, ...] = ()
-
-    @property
-    def width(self) -> int:
-        return len(self.branches[0].outputs)
-
-    @property
-    def compiled(self) -> bool:
-        """Whether Python has it as a loop over arrays of floats."""
-        return self.width > 0 and self.looped and not self.generic
 
 
 @dataclass(frozen=True)
@@ -371,24 +303,6 @@ class Module:
     def in_balls(self) -> tuple[Kernel, ...]:
         """What is printed in balls."""
         return (*(one for one in (*self.kernels, *self.cells) if one.paired), *self.balls)
-
-
-def plain(
-    name: str,
-    arguments: Sequence[sp.Symbol],
-    outputs: sp.Expr | Sequence[sp.Expr],
-    doc: str,
-    equation: str,
-    domain: str = "Omega > 0, A > 0",
-    lets: Sequence[Let] = (),
-    **keywords: object,
-) -> Kernel:
-    """A kernel with one branch."""
-    single = isinstance(outputs, sp.Expr)
-    if not single:
-        keywords.setdefault("returns", "tuple")
-    branch = Branch("", (), tuple(lets), (outputs,) if single else tuple(outputs))
-    return Kernel(name, tuple(arguments), (branch,), doc, equation, domain, **keywords)
 
 
 def by_even_power(elimination: Elimination) -> tuple[sp.Expr, ...]:

@@ -1,7 +1,7 @@
 """Steps 2 and 4 once more: dissipation by other laws beside viscous damping and dry friction on all of the cycle.
 
 In:  the equation of motion (3), the averaged equations, `SlowFlow` with all damping; the mechanism stays an open h(A).
-Out: `Dissipation`: with the sine balance (23) of any of these laws together, in I_0, its part that knows no frequency,
+Out: `Formulas`: with the sine balance (23) of any of these laws together, in I_0, its part that knows no frequency,
 
     I = I_0 + 2 zeta A Omega + d A^2 Omega^2
 
@@ -20,18 +20,18 @@ Out: `Dissipation`: with the sine balance (23) of any of these laws together, in
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 
 import sympy as sp
 
 from ..claims import claim
+from ..kernels import Formulas, Lets
 from ..paper.averaging import VELOCITY, Averaged, cycle_integral
 from ..paper.averaging import H as averaged_force
 from ..paper.slow_flow import I, R, SlowFlow, m, slope
-from ..symbols import F_0, A, Omega, c_2, eta, h, h_A, h_AA, mu, phi, psi, sigma, zeta
+from ..symbols import F_0, A, Omega, c_2, eta, h, h_A, h_AA, h_AAA, mu, phi, psi, sigma, zeta
 from ..systems.along import k
 from ..systems.gradients import Curve, I_0AAp, I_0Ap, I_0p, d_p, h_AAp, h_Ap, h_p, zeta_p
-from ..systems.slopes import DERIVATIVES, Let, hessian
+from ..systems.slopes import DERIVATIVES, Slopes, hessian
 
 #: the |u| up to which something is attached
 u_cr = sp.Symbol("u_cr", positive=True)
@@ -50,119 +50,21 @@ level = sp.Symbol("level", nonnegative=True)
 #: half the angle over which what is attached is not passed: cos(psi_0) = u_cr/A
 psi_0 = sp.Symbol("psi_0", positive=True)
 
-
-@dataclass(frozen=True)
-class System:
-    """Functions of (A, Omega) that vanish together, and their derivatives: by A, by Omega.
-
-    values -- in R, I and the derivatives of h and I_0: two, or one that vanishes at Omega = 0
-    slopes -- of the first, then of the second
-    """
-
-    values: tuple[sp.Expr, ...]
-    slopes: tuple[sp.Expr, ...]
-
-
-@dataclass(frozen=True)
-class Dissipation:
-    """Of any mechanism, in I_0 and its derivatives.
-
-    quadratic -- d
-    at_rest, released -- I_0 and three derivatives: friction acts throughout, or beyond u_cr nothing rubs any more
-    I, I_A    -- sine balance (23), and its slope
-    far       -- R, R_A, I and I_A over Omega^2, in x = 1/Omega
-    F         -- response (24), in R and I
-    F_A, ...  -- its derivatives
-    F_A_halved -- F_A/2 by R, I and their slopes
-    R_of_response, R_of_peak -- what R, or its size, is where F or F_Omega vanishes, in I;
-                 R_of_peak_by_rest, in I_0
-    I_scaled, F_A_scaled -- I/A, and F_A/(2 A) by I/A and h/A, which stay as A falls to 0
-    least_scaled -- what 4/A times the least F_A/2 is not below there: a number and the factor of A^2, where
-                 |k| <= A^2 |h_AA|/2
-    Omega_A   -- slope of the response
-    trace     -- -2 A Omega times the trace of the Jacobian (28)
-    stability -- 4 Omega^2 times its determinant (30)
-    peak      -- F_Omega/(4 A Omega), which does not vanish at Omega = 0
-    fold_bend -- F_AOmega/Omega, likewise
-    response_quartic, fold_quartic -- coefficients of F and F_A/2 by power of Omega, constant first
-    limit_envelope -- (27) while friction acts throughout
-    restoring -- the largest |h| of a state, by d: |R| <= F_0, and d (A Omega)^2 <= F_0
-    turn_share -- D/Omega^2 in x = 1/Omega, where F_AOmega/(4 Omega) = R + A R_A + D
-    least_by_inertia -- -Omega^5/4 dlevel^2/dOmega of an excitation by inertia, in R, I and h
-    far_by_inertia -- F/Omega^4 of such an excitation in x = 1/Omega, and `least_by_inertia`/Omega^2 in two parts: the
-                 second, which is not negative, grows with Omega
-    R_where_stationary -- R/Omega^2 where the level of such an excitation is stationary, in x: a square that is not
-                 negative there, and the lower and the higher value
-    hessian  -- as `Slopes.determinant`, in its lets
-    cusp_bend_by_inertia -- `Slopes.cusp` of such an excitation, less positive factors, in R, I and derivatives of F
-    Omega_A_by_inertia -- slope of such a response
-    F_OmegaOmega_by_inertia -- F_OmegaOmega of such an excitation where the level is stationary
-    full_by_inertia -- the amplitude that a response tends to as Omega grows
-    structural_bound -- above A, where |h| grows by s dA at most, no state lies where these are positive: and its slope
-    quadratic_bound -- the amplitude that no state under an excitation by inertia exceeds, by d
-    searched  -- systems of two functions, by what they are, in R, I and their slopes R_A, I_A along A at a given
-                 Omega. `by_R`: A and R are the
-                 unknowns, Omega^2 = (R - h)/A, in which nothing cancels where R is small; `by_Omega`: A and Omega are.
-                 `far`: of an excitation by inertia, all over Omega^2, x = 1/Omega, x^2 = (R - A)/h
-    sine_intercept -- I - A I_A, where the tangent of I at a given Omega meets A = 0, by that of I_0
-    velocity  -- A Omega by I
-    static -- F at Omega = 0 by its two halves h - c and h + c, and the slope of each
-    rest_intercept, released_intercept -- I_0 - A I_0A
-    curve     -- the response, for how answers move
-    rest_moves, released_moves -- what m, eta and, where friction ends there, u_cr do to I_0, I_0A and I_0AA
-    """
-
-    quadratic: sp.Expr
-    at_rest: tuple[sp.Expr, ...]
-    released: tuple[sp.Expr, ...]
-    I: sp.Expr
-    I_A: sp.Expr
-    far: tuple[sp.Expr, ...]
-    F: sp.Expr
-    F_A: sp.Expr
-    F_AA: sp.Expr
-    F_AAA: sp.Expr
-    F_A_halved: sp.Expr
-    R_of_response: sp.Expr
-    R_of_peak: sp.Expr
-    R_of_peak_by_rest: sp.Expr
-    I_scaled: sp.Expr
-    F_A_scaled: sp.Expr
-    least_scaled: tuple[sp.Expr, sp.Expr]
-    F_Omega: sp.Expr
-    F_AOmega: sp.Expr
-    F_OmegaOmega: sp.Expr
-    F_AOmegaOmega: sp.Expr
-    Omega_A: sp.Expr
-    trace: sp.Expr
-    stability: sp.Expr
-    peak: sp.Expr
-    response_quartic: tuple[sp.Expr, ...]
-    fold_quartic: tuple[sp.Expr, ...]
-    limit_envelope: sp.Expr
-    restoring: sp.Expr
-    turn_share: sp.Expr
-    least_by_inertia: sp.Expr
-    far_by_inertia: tuple[sp.Expr, ...]
-    R_where_stationary: tuple[sp.Expr, ...]
-    hessian_lets: tuple[Let, ...]
-    hessian: sp.Expr
-    cusp_bend_by_inertia: sp.Expr
-    Omega_A_by_inertia: sp.Expr
-    F_OmegaOmega_by_inertia: sp.Expr
-    full_by_inertia: sp.Expr
-    structural_bound: tuple[sp.Expr, ...]
-    quadratic_bound: sp.Expr
-    searched: dict[str, System]
-    sine_intercept: sp.Expr
-    velocity: sp.Expr
-    static_lets: tuple[tuple[sp.Symbol, sp.Expr], ...]
-    static: tuple[sp.Expr, ...]
-    rest_intercept: sp.Expr
-    released_intercept: sp.Expr
-    curve: Curve
-    rest_moves: tuple[sp.Expr, ...]
-    released_moves: tuple[sp.Expr, ...]
+#: what the systems of the search take, after the frequency
+KNOWN = (A, F_0, *REST, zeta, d, h, h_A, h_AA, h_AAA)
+#: of arguments
+ORDER = (
+    *(Omega, x, A, F_0, m, *REST, I_0_over_A, level, zeta, eta, d, c_2, u_cr),
+    *(h_over_A, h, h_A, h_AA, h_AAA, steepest, R, R_A, I, I_over_A, I_A),
+)
+#: the systems of the search, functions of (A, Omega) that vanish together, in words
+SEARCHED = {
+    "folds": ("F and F_A/2", "from (24), (30)"),
+    "peaks": ("F and what vanishes where the level is stationary", "from (24)"),
+    "cusps": ("F_A/2 and F_AA/2", "from (30), (33)"),
+    "isolas": ("F_A/2 and what vanishes where the level is stationary", "from (30)"),
+    "turns": ("F_A/2 and F_AOmega/(4 Omega)", "from (30)"),
+}
 
 
 def share(force: Callable[[int], sp.Expr], start: sp.Expr = sp.S.Zero) -> sp.Expr:
@@ -182,25 +84,21 @@ def by_A(expression: sp.Expr, slopes: dict[sp.Symbol, sp.Expr] | None = None) ->
     return slope(expression, {I_0: I_0A, I_0A: I_0AA, I_0AA: I_0AAA, **(slopes or {})})
 
 
-def dissipation(averaged: Averaged, flow: SlowFlow) -> Dissipation:
-    """All of it."""
+def dissipation(averaged: Averaged, flow: SlowFlow, slopes: Slopes) -> Formulas:
+    """Of any mechanism, in I_0 and its derivatives; R, and what contains I as a number, are those of the slow flow."""
     viscous = share(lambda _: 2 * zeta * VELOCITY)
     friction = share(lambda sign: mu * sp.Integer(sign))
     claim("the shares of viscous damping and dry friction", viscous + friction.subs(mu, sp.pi * m / 4) - flow.I)
     structural = share(lambda _: eta / Omega * VELOCITY)
-    of_quadratic = share(lambda sign: sign * c_2 * VELOCITY**2)
     attached = share(lambda sign: mu * sp.Integer(sign), psi_0).subs(sp.cos(psi_0), u_cr / A)
     if attached.has(psi_0):
         raise ArithmeticError(f"the share of friction on one piece: {attached}")
     of_friction = {mu: sp.solve(flow.m - m, mu)[0]}
-
-    def chain(value: sp.Expr) -> tuple[sp.Expr, ...]:
-        return tuple(sp.diff(value, A, order) for order in range(4))
-
-    factor = sp.cancel(of_quadratic / (A * Omega) ** 2)
     value = I_0 + viscous + d * A**2 * Omega**2
     slope_of_R, R_Omega = by_A(flow.R), sp.diff(flow.R, Omega)
     along_A = {R: slope_of_R, I: by_A(value)}
+    whole = {R: flow.R, I: value}
+    of = Formulas(ORDER, whole)
 
     def by_amplitude(expression: sp.Expr) -> sp.Expr:
         return by_A(expression, along_A)
@@ -212,139 +110,247 @@ def dissipation(averaged: Averaged, flow: SlowFlow) -> Dissipation:
             + sp.diff(expression, I) * sp.diff(value, Omega)
         )
 
-    whole = {R: flow.R, I: value}
-    F = flow.F
-    F_A, F_Omega = sp.factor_terms(by_amplitude(F)), by_Omega(F)
-    F_AA, F_AOmega = sp.factor_terms(by_amplitude(F_A)), by_Omega(F_A)
-    hessian_lets, determinant = hessian(F_AA * by_Omega(F_Omega) - F_AOmega**2, flow.R, value, by_A)
-    peak = R + zeta * I_0 / Omega + A * (2 * zeta**2 + d * I_0 + d * A * Omega * (3 * zeta + d * A * Omega))
-    claim("F_Omega over 4 A Omega", (4 * A * Omega * peak - F_Omega).subs(whole))
-    linear = sp.Symbol("linear", real=True)
-    of_linear = 2 * zeta * by_A(A * I_0)
-    bend = sp.Poly(sp.expand((F_AOmega / 2).subs(whole)), Omega)
-    claim("F_AOmega at Omega = 0", bend.coeff_monomial(1) - of_linear)
-    bend_over = sp.expand((bend.as_expr() - bend.coeff_monomial(1)) / Omega)
-    bend_over = sp.collect(bend_over, Omega) + linear / Omega
-    turn = bend_over.subs(linear, of_linear)
-    # where it vanishes R_A is -R/A less this over A
-    share_of_turn = sp.expand(sp.expand(turn / 2 - flow.R - A * slope_of_R).subs(Omega, 1 / x) * x**2)
-    if share_of_turn.has(h, h_A) or any(power.exp < 0 for power in share_of_turn.atoms(sp.Pow) if power.base == x):
-        raise ArithmeticError(f"what F_AOmega has beside R and R_A: {share_of_turn}")
-    halved = sp.expand((sp.diff(F, R) * R_A + sp.diff(F, I) * I_A) / 2)
-    claim("F_A by R, I and their slopes", halved.subs({R_A: slope_of_R, I_A: by_A(value)}) - F_A / 2)
-    R_of_peak = -sp.expand(sp.cancel(sp.diff(value, Omega) / R_Omega)) * I
-    claim("R where F_Omega vanishes", (peak - R + R_of_peak).subs(whole))
-    least_F_A = _least_F_A(halved)
-    trace = _trace(averaged, flow, value)
+    def chain(of_share: sp.Expr) -> tuple[sp.Expr, ...]:
+        return tuple(sp.diff(of_share.subs(of_friction), A, order) for order in range(4))
+
+    def moves(of_share: tuple[sp.Expr, ...], *by: sp.Symbol) -> tuple[sp.Expr, ...]:
+        return tuple(sp.diff(one, symbol) for symbol in by for one in of_share[:3])
+
+    @of.kernel("from (19)", "any")
+    def quadratic() -> sp.Expr:
+        """Quadratic damping's factor of A^2 Omega^2 in I."""
+        factor = sp.cancel(share(lambda sign: sign * c_2 * VELOCITY**2) / (A * Omega) ** 2)
+        if sp.diff(factor, c_2) * c_2 != factor:
+            raise ArithmeticError("quadratic damping's share of I is not proportional to c_2")
+        return factor
+
+    @of.kernel("from (23)", "A > 0, d > 0")
+    def restoring() -> sp.Expr:
+        """The largest |h| of a state with this amplitude, as quadratic damping bounds its frequency.
+
+        |R| <= F_0, and d (A Omega)^2 <= F_0.
+        """
+        return F_0 + (flow.R - h).subs(Omega, sp.sqrt(F_0 / d) / A)
+
+    beyond, only = "A >= u_cr > 0", "where friction acts for |u| < u_cr only."
+    text = "I_0, I at Omega = 0, and three derivatives by A: friction acts throughout."
+    at_rest = of.add("at_rest", chain(friction + structural), text, "from (19)", "A > 0")
+    released = of.add("released", chain(attached + structural), f"The same {only}", "from (19)", beyond)
+    text = "What m, then eta, does to I_0, I_0A and I_0AA: friction acts throughout."
+    of.add("rest_moves", moves(at_rest, m, eta), text, "from (19)", "A > 0")
+    text = f"What m, then eta, then u_cr does to them {only}"
+    of.add("released_moves", moves(released, m, eta, u_cr), text, "from (19)", beyond)
+    of.add("I", value, "Sine balance, -F_0 sin phi at a fixed point.", "(23)")
+    of.add("I_A", by_A(value), "dI/dA.", "(23)")
+    far = tuple(sp.expand((one / Omega**2).subs(Omega, 1 / x)) for one in (flow.R, slope_of_R, value, by_A(value)))
+    of.add("far", far, "R, R_A, I and I_A over Omega^2, at x = 1/Omega.", "(23)", "x >= 0, A > 0")
+
+    F = of.add("F", flow.F, "Zero at a steady state.", "(24)")
+    F_A = sp.factor_terms(by_amplitude(F))
+    of.add("F_A", F_A, "dF/dA; positive where stable.", "(24), (30)")
+    F_AA = of.add("F_AA", sp.factor_terms(by_amplitude(F_A)), "d2F/dA2.", "(24)")
+    F_Omega, F_AOmega = by_Omega(F), by_Omega(F_A)
+    of.add("F_Omega", sp.factor_terms(F_Omega), "dF/dOmega.", "(24)")
+    of.add("F_OmegaOmega", sp.factor_terms(by_Omega(F_Omega)), "d2F/dOmega2.", "(24)")
+    of.add("F_AOmega", sp.factor_terms(F_AOmega), "d2F/dA dOmega.", "(24)")
+    of.add("F_AOmegaOmega", sp.factor_terms(by_Omega(F_AOmega)), "d3F/dA dOmega2.", "(24)")
+    of.add("Omega_A", -F_A / F_Omega, "dOmega/dA along the response.", "from (24)")
+
     # a product by parts would cancel where the forcing is small
     by_inertia = F.subs(F_0, F_0 * Omega**2)
-    static = F.subs(whole).subs(Omega, 0)
-    product = sp.factor(h**2 - static)
-    root = sp.Symbol("c", nonnegative=True)
-    halves = (h - root, h + root)
-    claim("the halves of F at Omega = 0", sp.expand(sp.Mul(*halves)).subs(root**2, product) - static)
-    root_A = sp.cancel(by_A(product) / (2 * root))
+    # -Omega^5/4 dlevel^2/dOmega of an excitation by inertia
     least = h * R + I * (I_0 + zeta * A * Omega)
     claim(
         "the slope of the level of an excitation by inertia",
         (4 * least + Omega**5 * sp.diff((F + F_0**2).subs(whole) / Omega**4, Omega)).subs(whole),
     )
-    at_rest, released = (chain((one + structural).subs(of_friction)) for one in (friction, attached))
-    if sp.diff(factor, c_2) * c_2 != factor:
-        raise ArithmeticError("quadratic damping's share of I is not proportional to c_2")
+    # on F = 0: dF/dOmega is Omega^4 times the slope of the squared level
+    text = "The same of an excitation by inertia."
+    of.add("Omega_A_by_inertia", Omega * F_A / (4 * least), text, "from (24)")
 
-    def moves(share: tuple[sp.Expr, ...], *by: sp.Symbol) -> tuple[sp.Expr, ...]:
-        return tuple(sp.diff(one, symbol) for symbol in by for one in share[:3])
+    derivatives = {
+        DERIVATIVES[2, 0]: F_AA,
+        DERIVATIVES[3, 0]: sp.factor_terms(by_amplitude(F_AA)),
+        DERIVATIVES[0, 1]: of.F_Omega,
+        DERIVATIVES[1, 1]: of.F_AOmega,
+        DERIVATIVES[0, 2]: of.F_OmegaOmega,
+    }
 
-    return Dissipation(
-        quadratic=factor,
-        at_rest=at_rest,
-        released=released,
+    def in_derivatives(*values: sp.Expr, others: dict[sp.Symbol, sp.Expr] | None = None) -> Lets:
+        """With the values of the derivatives of F that are in them."""
+        used = {one: known for one, known in (derivatives | (others or {})).items() if any(v.has(one) for v in values)}
+        return Lets([*whole.items(), *used.items()], values if len(values) > 1 else values[0])
+
+    both = "from (24), (30)"
+    text = "Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum."
+    of.add("cusp_bend", in_derivatives(slopes.cusp), text, both)
+
+    @of.kernel(both)
+    def isola_bend() -> Lets:
+        """At an isola point: negative at a saddle of F; and as `cusp_bend`.
+
+        By second derivatives of F, whose squares cancel in the determinant.
+        """
+        lets, determinant = hessian(F_AA * by_Omega(F_Omega) - F_AOmega**2, flow.R, value, by_A)
+        by_it = sp.cancel(slopes.isola_by_it / slopes.determinant)
+        return Lets([*whole.items(), (DERIVATIVES[2, 0], F_AA), *lets], (determinant, by_it * determinant))
+
+    text = "4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive."
+    of.add("stability", sp.factor_terms(F_A / (2 * A)), text, "(30)")
+    _trace(averaged, flow, value)
+
+    @of.kernel("from (24)", "F_0 > I_0")
+    def static() -> Lets:
+        """F at Omega = 0 by its halves h - c and h + c, c^2 = F_0^2 - I_0^2; and the slope of each."""
+        at_0 = F.subs(whole).subs(Omega, 0)
+        product = sp.factor(h**2 - at_0)
+        root = sp.Symbol("c", nonnegative=True)
+        halves = (h - root, h + root)
+        claim("the halves of F at Omega = 0", sp.expand(sp.Mul(*halves)).subs(root**2, product) - at_0)
+        root_A = sp.cancel(by_A(product) / (2 * root))
+        return Lets([(root, sp.sqrt(product))], (*halves, h_A - root_A, h_A + root_A))
+
+    text = "as a polynomial in Omega: coefficients of 1, Omega, ..., Omega^4."
+    of.add("response_quartic", _coefficients((F + F_0**2).subs(whole)), f"F + F_0^2 {text}", "(24)", "A > 0")
+    of.add("fold_quartic", _coefficients((F_A / 2).subs(whole)), f"F_A/2 {text}", "(30)", "A > 0")
+
+    @of.kernel("(27)", "Omega > 0, F_0 > m, one of zeta, eta, d > 0")
+    def limit_envelope() -> sp.Expr:
+        """Largest amplitude that the forcing can hold at this frequency, where friction acts throughout.
+
+        The largest A with I = F_0 where I_0 = m + eta A, in the form in which nothing cancels.
+        """
+        balance = sp.Poly(sp.expand(value.subs(I_0, m + eta * A) - F_0), A)
+        found = _root(balance)
+        claim("the limit envelope", balance.as_expr().subs(A, found))
+        return found
+
+    # F_Omega/(4 A Omega) and F_AOmega/Omega do not vanish at Omega = 0
+    peak = R + zeta * I_0 / Omega + A * (2 * zeta**2 + d * I_0 + d * A * Omega * (3 * zeta + d * A * Omega))
+    claim("F_Omega over 4 A Omega", (4 * A * Omega * peak - F_Omega).subs(whole))
+
+    @of.kernel("from (30)", "x >= 0, A > 0")
+    def turn_share() -> sp.Expr:
+        """D/Omega^2 at x = 1/Omega, where F_AOmega/(4 Omega) = R + A R_A + D."""
+        linear = sp.Symbol("linear", real=True)
+        of_linear = 2 * zeta * by_A(A * I_0)
+        bend = sp.Poly(sp.expand((F_AOmega / 2).subs(whole)), Omega)
+        claim("F_AOmega at Omega = 0", bend.coeff_monomial(1) - of_linear)
+        bend_over = sp.expand((bend.as_expr() - bend.coeff_monomial(1)) / Omega)
+        turn = (sp.collect(bend_over, Omega) + linear / Omega).subs(linear, of_linear)
+        # where it vanishes R_A is -R/A less this over A
+        found = sp.expand(sp.expand(turn / 2 - flow.R - A * slope_of_R).subs(Omega, 1 / x) * x**2)
+        if found.has(h, h_A) or any(power.exp < 0 for power in found.atoms(sp.Pow) if power.base == x):
+            raise ArithmeticError(f"what F_AOmega has beside R and R_A: {found}")
+        return sp.collect(found, x)
+
+    halved = sp.expand((sp.diff(F, R) * R_A + sp.diff(F, I) * I_A) / 2)
+    claim("F_A by R, I and their slopes", halved.subs({R_A: slope_of_R, I_A: by_A(value)}) - F_A / 2)
+    R_of_peak = -sp.expand(sp.cancel(sp.diff(value, Omega) / R_Omega)) * I
+    claim("R where F_Omega vanishes", (peak - R + R_of_peak).subs(whole))
+    # of numbers R and I
+    quadrant = "Omega >= 0, A > 0"
+    of.add("F_A_halved", Lets((), halved), "F_A/2 by R, I and their slopes.", "(30)", quadrant)
+    of_response = sp.sqrt(R**2 - sp.expand(F))
+    of.add("R_of_response", Lets((), of_response), "The size of R where F = 0.", "(24)", quadrant)
+    of.add("R_of_peak", Lets((), R_of_peak), "R where F_Omega = 0.", "from (24)", quadrant)
+    text = "Where a level by inertia is stationary, x = 1/Omega: what is not negative, lower and higher R/Omega^2."
+    of.add("R_where_stationary", _R_where_stationary(flow.R, value, least), text, "from (24)", quadrant)
+    scaled = sp.expand(value.subs(I_0, A * I_0_over_A) / A)
+    of.add("I_scaled", scaled, "I/A, by I_0/A.", "(23)", quadrant)
+    of.add("F_A_scaled", _F_A_scaled(halved, flow.R), "F_A/(2 A), by h/A and I/A.", "(30)", quadrant)
+    text = "Of what 4/A times the least F_A/2 is not below where |k| <= A^2 |h_AA|/2, friction throughout: 1, A^2."
+    of.add("least_scaled", _least_scaled(_least_F_A(halved), value), text, "from (30)", "Omega >= 0")
+
+    text = "F/Omega^4 at x = 1/Omega; and -Omega^3/4 dlevel^2/dOmega, less Omega times the third."
+    of_level = _far_by_inertia(flow.R, value, by_inertia.subs(whole), least.subs(whole))
+    of.add("far_by_inertia", of_level, text, "(24)", "x >= 0, A > 0")
+    # dlevel^2/dOmega takes the place of a force's F_Omega
+    bend = in_derivatives(least * DERIVATIVES[3, 0] * DERIVATIVES[1, 1])
+    of.add("cusp_bend_by_inertia", bend, "As `cusp_bend`, for an excitation by inertia.", both)
+    # where the level is stationary
+    there = {DERIVATIVES[0, 2]: -4 * by_Omega(least) / Omega}
+    bend = in_derivatives(slopes.determinant, slopes.isola_by_it, others=there)
+    of.add("isola_bend_by_inertia", bend, "As `isola_bend`, for an excitation by inertia.", both)
+    text = "The amplitude that the response tends to as Omega grows."
+    of.add("full_by_inertia", _full(by_inertia.subs(whole)), text, "from (24)", "F_0 > 0")
+
+    @of.kernel("from (23), (24)", "A > 0")
+    def structural_bound() -> tuple[sp.Expr, ...]:
+        """Both positive: no state above A, while |h| grows by steepest dA at most.
+
+        eta A <= I <= F_0 Omega^2, and A Omega^2 - |h| <= |R| <= F_0 Omega^2: so eta A (A - F_0) <= F_0 |h|.
+        """
+        excess = eta * A * (A - F_0) - F_0 * sp.Abs(h)
+        return excess, sp.diff(excess.subs(h, 0), A) - F_0 * steepest
+
+    @of.kernel("from (23), (24)", "d > 0")
+    def quadratic_bound() -> sp.Expr:
+        """What no amplitude exceeds.
+
+        d (A Omega)^2 <= I <= F_0 Omega^2.
+        """
+        found = sp.sqrt(F_0 / d)
+        claim("quadratic damping at its bound", sp.Poly(value, Omega).coeff_monomial(Omega**2).subs(A, found) - F_0)
+        return found
+
+    _searched(of, flow.R, value, F, halved, peak)
+
+    # on intervals: where tangents of I along A meet A = 0, and A Omega by I
+    text = "I_0 - A I_0A: friction acts throughout."
+    of.add("rest_intercept", _intercept(at_rest), text, "from (19)", "A > 0")
+    of.add("released_intercept", _intercept(released), f"The same {only}", "from (19)", beyond)
+    of_I = sp.expand(value - A * by_A(value)).subs(I_0, level + A * I_0A)
+    of.add("sine_intercept", of_I, "I - A I_A, by that of I_0.", "from (23)", quadrant)
+    of_I = sp.expand((of_I / Omega**2).subs(Omega, 1 / x))
+    of.add("sine_intercept_far", of_I, "The same over Omega^2, at x = 1/Omega.", "from (23)", "x >= 0, A > 0")
+    of.add("R_of_peak_by_rest", R - peak, "R where F_Omega = 0, by I at Omega = 0.", "from (24)")
+
+    @of.kernel("from (23)", "I >= I_0", arguments=(I, I_0, zeta, d))
+    def velocity() -> Lets:
+        """A Omega by I."""
+        v = sp.Symbol("v", nonnegative=True)
+        balance = sp.Poly(sp.expand(value.subs(Omega, v / A)) - I, v)
+        found = _root(balance)
+        claim("the velocity by I", balance.as_expr().subs(v, found))
+        return Lets((), sp.simplify(found))
+
+    of.curve = Curve(
+        R=flow.R,
         I=value,
-        I_A=by_A(value),
-        far=tuple(sp.expand((one / Omega**2).subs(Omega, 1 / x)) for one in (flow.R, slope_of_R, value, by_A(value))),
         F=F,
         F_A=F_A,
         F_AA=F_AA,
-        F_AAA=sp.factor_terms(by_amplitude(F_AA)),
-        F_A_halved=halved,
-        R_of_response=sp.sqrt(R**2 - sp.expand(F)),
-        R_of_peak=R_of_peak,
-        R_of_peak_by_rest=R - peak,
-        I_scaled=sp.expand(value.subs(I_0, A * I_0_over_A) / A),
-        F_A_scaled=_F_A_scaled(halved, flow.R),
-        least_scaled=_least_scaled(least_F_A, value),
-        F_Omega=sp.factor_terms(F_Omega),
-        F_AOmega=sp.factor_terms(F_AOmega),
-        F_OmegaOmega=sp.factor_terms(by_Omega(F_Omega)),
-        F_AOmegaOmega=sp.factor_terms(by_Omega(F_AOmega)),
-        Omega_A=-F_A / F_Omega,
-        trace=trace,
-        stability=sp.factor_terms(F_A / (2 * A)),
-        peak=peak,
-        response_quartic=_coefficients((F + F_0**2).subs(whole)),
-        fold_quartic=_coefficients((F_A / 2).subs(whole)),
-        limit_envelope=_envelope(value),
-        restoring=F_0 + (flow.R - h).subs(Omega, sp.sqrt(F_0 / d) / A),
-        turn_share=sp.collect(share_of_turn, x),
-        least_by_inertia=least,
-        far_by_inertia=_far_by_inertia(flow.R, value, by_inertia.subs(whole), least.subs(whole)),
-        R_where_stationary=_R_where_stationary(flow.R, value, least),
-        hessian_lets=hessian_lets,
-        hessian=determinant,
-        # dlevel^2/dOmega takes the place of a force's F_Omega
-        cusp_bend_by_inertia=least * DERIVATIVES[3, 0] * DERIVATIVES[1, 1],
-        # on F = 0: dF/dOmega is Omega^4 times the slope of the squared level
-        Omega_A_by_inertia=Omega * F_A / (4 * least),
-        F_OmegaOmega_by_inertia=-4 * by_Omega(least) / Omega,
-        full_by_inertia=_full(by_inertia.subs(whole)),
-        structural_bound=_structural_bound(),
-        quadratic_bound=_quadratic_bound(value),
-        searched=_searched(flow.R, value, F, halved, peak),
-        sine_intercept=sp.expand(value - A * by_A(value)).subs(I_0, level + A * I_0A),
-        velocity=_velocity(value),
-        static_lets=((root, sp.sqrt(product)),),
-        static=(*halves, h_A - root_A, h_A + root_A),
-        rest_intercept=_intercept(at_rest),
-        released_intercept=_intercept(released),
-        curve=Curve(
-            R=flow.R,
-            I=value,
-            F=F,
-            F_A=F_A,
-            F_AA=F_AA,
-            F_AAA=sp.factor_terms(by_amplitude(F_AA)),
-            F_Omega=sp.factor_terms(F_Omega),
-            F_AOmega=sp.factor_terms(F_AOmega),
-            F_AAOmega=sp.factor_terms(by_amplitude(F_AOmega)),
-            F_OmegaOmega=sp.factor_terms(by_Omega(F_Omega)),
-            phase=flow.phase,
-            transmissibility=flow.transmissibility,
-            moved={h: h_p, h_A: h_Ap, h_AA: h_AAp, I_0: I_0p, I_0A: I_0Ap, I_0AA: I_0AAp, zeta: zeta_p, d: d_p},
-            rises={I_0: I_0A, I_0A: I_0AA, I_0AA: I_0AAA},
-        ),
-        rest_moves=moves(at_rest, m, eta),
-        released_moves=moves(released, m, eta, u_cr),
+        F_AAA=derivatives[DERIVATIVES[3, 0]],
+        F_Omega=of.F_Omega,
+        F_AOmega=of.F_AOmega,
+        F_AAOmega=sp.factor_terms(by_amplitude(F_AOmega)),
+        F_OmegaOmega=of.F_OmegaOmega,
+        phase=flow.phase,
+        transmissibility=flow.transmissibility,
+        moved={h: h_p, h_A: h_Ap, h_AA: h_AAp, I_0: I_0p, I_0A: I_0Ap, I_0AA: I_0AAp, zeta: zeta_p, d: d_p},
+        rises={I_0: I_0A, I_0A: I_0AA, I_0AA: I_0AAA},
     )
+    return of
 
 
 def _intercept(rest: tuple[sp.Expr, ...]) -> sp.Expr:
     return sp.expand(rest[0] - A * rest[1])
 
 
-def _velocity(value: sp.Expr) -> sp.Expr:
-    """A Omega where I is known, in the form in which nothing cancels."""
-    v = sp.Symbol("v", nonnegative=True)
-    balance = sp.Poly(sp.expand(value.subs(Omega, v / A)) - I, v)
-    constant, linear, second = (balance.coeff_monomial(v**power) for power in range(3))
-    found = -2 * constant / (linear + sp.sqrt(linear**2 - 4 * second * constant))
-    claim("the velocity by I", balance.as_expr().subs(v, found))
-    return sp.simplify(found)
+def _root(balance: sp.Poly) -> sp.Expr:
+    """The positive root of a quadratic whose constant alone is negative, in the form in which nothing cancels."""
+    constant, linear, second = (balance.coeff_monomial(balance.gen**power) for power in range(3))
+    return -2 * constant / (linear + sp.sqrt(linear**2 - 4 * second * constant))
 
 
-def _searched(of_R: sp.Expr, value: sp.Expr, F: sp.Expr, halved: sp.Expr, peak: sp.Expr) -> dict[str, System]:
-    """By implicit differentiation: on a line of constant R the frequency moves by -R_A/R_w along A."""
-    result = {}
+def _searched(of: Formulas, of_R: sp.Expr, value: sp.Expr, F: sp.Expr, halved: sp.Expr, peak: sp.Expr) -> None:
+    """Systems of two functions, in R, I and their slopes R_A, I_A along A at a given Omega.
+
+    `by_R`: A and R are the unknowns, Omega^2 = (R - h)/A, in which nothing cancels where R is small; `by_Omega`: A and
+    Omega are. `far`: of an excitation by inertia, all over Omega^2, x = 1/Omega, x^2 = (R - A)/h. By implicit
+    differentiation: on a line of constant R the frequency moves by -R_A/R_w along A.
+    """
     for w in (Omega, x):
 
         def at(whole: sp.Expr, w: sp.Symbol = w) -> sp.Expr:
@@ -399,8 +405,17 @@ def _searched(of_R: sp.Expr, value: sp.Expr, F: sp.Expr, halved: sp.Expr, peak: 
                 slopes = tuple(slope_of(each, *line) for each in values for line in lines)
                 if system == "turns":  # in which R_A less R_A is left otherwise
                     slopes = tuple(sp.factor_terms(sp.expand(one)) for one in slopes)
-                result[f"{system}_{'far_' if w == x else ''}{named}"] = System(values, slopes)
-    return result
+                doc, equation = SEARCHED[system]
+                over = " of an excitation by inertia, over powers of Omega, x = 1/Omega" if w == x else ""
+                unknown = named.removeprefix("by_")
+                # the same arguments for all, so that the search has them in a table
+                of.add(
+                    f"{system}_{'far_' if w == x else ''}{named}",
+                    Lets((), (*values, *slopes)),
+                    f"{doc}{over}; derivatives by A and by {unknown} of the first, then of the second.",
+                    equation,
+                    arguments=[w, *KNOWN, R, I, R_A, I_A],
+                )
 
 
 def _far_by_inertia(R: sp.Expr, I: sp.Expr, F: sp.Expr, least: sp.Expr) -> tuple[sp.Expr, ...]:
@@ -439,19 +454,6 @@ def _full(F: sp.Expr) -> sp.Expr:
     found = 2 * F_0**2 / (1 + sp.sqrt(1 + 4 * d**2 * F_0**2))
     claim("the amplitude as Omega grows", leading.subs(X, found))
     return sp.sqrt(found)
-
-
-def _structural_bound() -> tuple[sp.Expr, ...]:
-    """eta A <= I <= F_0 Omega^2, and A Omega^2 - |h| <= |R| <= F_0 Omega^2: so eta A (A - F_0) <= F_0 |h|."""
-    excess = eta * A * (A - F_0) - F_0 * sp.Abs(h)
-    return excess, sp.diff(excess.subs(h, 0), A) - F_0 * steepest
-
-
-def _quadratic_bound(value: sp.Expr) -> sp.Expr:
-    """d (A Omega)^2 <= I <= F_0 Omega^2."""
-    found = sp.sqrt(F_0 / d)
-    claim("quadratic damping at its bound", sp.Poly(value, Omega).coeff_monomial(Omega**2).subs(A, found) - F_0)
-    return found
 
 
 def _least_F_A(halved: sp.Expr) -> sp.Expr:
@@ -511,12 +513,3 @@ def _trace(averaged: Averaged, flow: SlowFlow, value: sp.Expr) -> sp.Expr:
     rise = by_A(A * value)
     claim("the trace of the Jacobian", -2 * A * Omega * at_fixed_point - rise)
     return sp.collect(sp.expand(rise), (A, Omega))
-
-
-def _envelope(value: sp.Expr) -> sp.Expr:
-    """The largest A with I = F_0 where I_0 = m + eta A, in the form in which nothing cancels."""
-    balance = sp.Poly(sp.expand(value.subs(I_0, m + eta * A) - F_0), A)
-    constant, linear, second = (balance.coeff_monomial(A**power) for power in range(3))
-    found = -2 * constant / (linear + sp.sqrt(linear**2 - 4 * second * constant))
-    claim("the limit envelope", balance.as_expr().subs(A, found))
-    return found

@@ -5,7 +5,7 @@ turns at the radius e with m_u e omega^2 cos(omega t). With u measured from the 
 F_0 Omega^2 cos(Omega tau), where F_0 is Y/L or m_u e/(m L).
 
 In:  the dimensionless groups (4) and `SlowFlow` with all damping; the mechanism stays an open h(A).
-Out: `Inertia`: what differs from a force. F is R^2 + I^2 - F_0^2 Omega^4, so
+Out: `Formulas`: what differs from a force. F is R^2 + I^2 - F_0^2 Omega^4, so
 
     level        R^2 + I^2 = level^2 Omega^4; F_A does not contain it: folds and cusps lie where they lie for a force
     level_slope  Omega^5 dlevel^2/dOmega = Omega G_Omega - 4 G, G = R^2 + I^2: a quadratic in Omega, whose only positive
@@ -16,20 +16,17 @@ Out: `Inertia`: what differs from a force. F is R^2 + I^2 - F_0^2 Omega^4, so
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import sympy as sp
 
 from ..claims import claim
+from ..kernels import Branch, Formulas, Lets
 from ..mechanisms import EXCITATIONS as stated
 from ..paper.equation_of_motion import F, groups, m, omega, omega_n
 from ..paper.slow_flow import I, R, SlowFlow, reduction, removed, slope
 from ..paper.slow_flow import m as friction
 from ..symbols import F_0, A, Omega, h, h_A, h_AA, h_AAA, zeta
 from ..systems.along import T, k
-from ..systems.slopes import hessian
-
-Let = tuple[sp.Symbol, sp.Expr]
+from ..systems.slopes import hessian as hessian_of
 
 #: displacement of the base; the mass that turns and its radius; the spring and the length that u is measured in
 Y, m_u, e, k_v, L = sp.symbols("Y m_u e k_v L", positive=True)
@@ -57,81 +54,11 @@ turn = sp.Symbol("turn", nonnegative=True)
 #: what h/A may at most take from the bound of the level
 lost = sp.Symbol("lost", real=True)
 
-
-@dataclass(frozen=True)
-class Inertia:
-    """Of any mechanism; outputs beside lets are in these.
-
-    force       -- amplitude of the force
-    force_slopes -- its derivatives by Omega and F_0
-    amplitude   -- the F_0 of a force at one frequency
-    moves_from  -- the Omega from which on the force exceeds what holds a mass at rest, in its let
-    isolation   -- the Omega at which the square of what is transmitted is 1 - reduction of what drives, in its lets
-    level       -- the F_0 for which (Omega, A) is a steady state, in R and I
-    F           -- response, in R and I
-    level_slope -- Omega^5 dlevel^2/dOmega, in R and I
-    level_bend  -- its derivative by Omega, positive where it vanishes
-    Omega_A     -- slope of the response, in R, I and F_A
-    outer, outer_beyond -- roots, the larger first, of what is left of F over Omega^4 without its cubic term, which only
-                   raises it: a quadratic in X = x^2; where it falls at X = 0, and where it does not
-    outer_falls -- not positive where it falls
-    terms, least -- fall, linear, rest; and the x at which an amplitude's level is least in these, for fall > 0
-    least_Omega_A -- dOmega/dA there, along these
-    peak        -- level there less F_0, and its slope along A: R follows from I, and nothing cancels
-    isola       -- what that slope vanishes with, and its own slope along A
-    isola_apart -- the same by k and `cubic`: of h like A^3, as it is far out, large terms cancel in the other form
-    fold_slopes -- T = dR/dA on the fold locus, where F_A vanishes, by k, the larger of two first, and -R/I with that;
-                   without h, which may be all rounding
-    fold_force  -- the F_0 of a force there, by the T that is not its own
-    fold_level  -- the level there, by the T that is not its own
-    peak_share  -- -R/I where the level is least, without h
-    Omega_of_share -- the frequency of a level with an -R/I
-    level_rise, cusp_bend -- along the fold locus, as in `Slopes`
-    hessian     -- as there, at an isola point, in its lets
-    bound       -- 4 zeta^2 A^2 (1 - lost) - F_0^2 |h|/A and three derivatives, each times powers of A: while it is
-                   positive no state above F_0 has the amplitude A if zeta^2 A is at most lost |h|
-    share       -- that of |h| which zeta^2 A is, for h < 0, in its let
-    """
-
-    force: sp.Expr
-    force_slopes: tuple[sp.Expr, ...]
-    amplitude: sp.Expr
-    moves_from_lets: tuple[Let, ...]
-    moves_from: sp.Expr
-    isolation_lets: tuple[Let, ...]
-    isolation: sp.Expr
-    level: sp.Expr
-    F: sp.Expr
-    level_slope: sp.Expr
-    level_bend: sp.Expr
-    Omega_A: sp.Expr
-    outer_lets: tuple[Let, ...]
-    outer: tuple[sp.Expr, ...]
-    outer_beyond: tuple[sp.Expr, ...]
-    outer_falls: sp.Expr
-    terms: tuple[sp.Expr, ...]
-    least: sp.Expr
-    least_Omega_A: sp.Expr
-    peak_lets: tuple[Let, ...]
-    peak: tuple[sp.Expr, ...]
-    isola_lets: tuple[Let, ...]
-    isola: tuple[sp.Expr, ...]
-    isola_apart: sp.Expr
-    fold_slopes_lets: tuple[Let, ...]
-    fold_slopes: tuple[sp.Expr, ...]
-    fold_force: sp.Expr
-    fold_level: sp.Expr
-    peak_share_lets: tuple[Let, ...]
-    peak_share: sp.Expr
-    Omega_of_share_lets: tuple[Let, ...]
-    Omega_of_share: sp.Expr
-    level_rise: sp.Expr
-    cusp_bend: sp.Expr
-    hessian_lets: tuple[Let, ...]
-    hessian: sp.Expr
-    bound: tuple[sp.Expr, ...]
-    share_lets: tuple[Let, ...]
-    share: sp.Expr
+#: of arguments
+ORDER = (
+    *(x, Omega, A, F_0, excited, holds, reduction, fall, linear, rest, friction, zeta, h, h_A, h_AA, h_AAA),
+    *(k, cubic, other, share, lost),
+)
 
 
 def amplitude_of(name: str) -> sp.Expr:
@@ -143,95 +70,100 @@ def amplitude_of(name: str) -> sp.Expr:
     return amplitude
 
 
-def inertia(flow: SlowFlow) -> Inertia:
-    """All of it."""
+def inertia(flow: SlowFlow) -> Formulas:
+    """Of any mechanism: what differs from a force."""
     if {"force", *EXCITATIONS} != set(stated):
         raise ValueError(f"the excitations stated are {list(stated)}, those derived {list(EXCITATIONS)} beside a force")
     for name in EXCITATIONS:
         amplitude_of(name)
-    force = F_0 * Omega**2
+    of = Formulas(ORDER, {R: flow.R, I: flow.I})
+    beside, by_flow, on_locus = "beside (3)", "from (24)", "from (24), (30)"
+    force = of.add("force", F_0 * Omega**2, "Amplitude of the force on the mass.", beside, "Omega >= 0")
+    slopes = (sp.diff(force, Omega), sp.diff(force, F_0))
+    of.add("force_slopes", slopes, "Its slopes by Omega, F_0.", beside, "Omega >= 0")
+    (amplitude,) = sp.solve(force - excited, F_0)
+    of.add("amplitude", amplitude, "The F_0 of a force at one frequency.", beside, "Omega > 0")
+
+    @of.kernel(beside, "F_0 > 0, holds >= 0")
+    def moves_from() -> Lets:
+        """The Omega from which on the force exceeds what holds a mass at rest, 4 mu/pi on the average."""
+        return Lets([(turn, sp.solve(force.subs(Omega**2, turn) - holds, turn)[0])], sp.sqrt(turn))
+
+    @of.kernel("from (23)", "A > F_0 sqrt(reduction), 0 <= reduction < 1, h <= 0")
+    def isolation() -> Lets:
+        """Frequency of a state that transmits sqrt(1 - reduction) of what drives it, though it moves.
+
+        R^2 - h^2 = reduction force^2 is linear in Omega^2 but for Omega = 0; without a reduction that is -2 h/A.
+        """
+        over = flow.R**2 - h**2 - (removed * force / F_0) ** 2
+        (value,) = (root for root in sp.solve(sp.expand(over.subs(Omega, sp.sqrt(turn))), turn) if root != 0)
+        apart = -2 * h / (A - removed**2 / A)
+        claim("the frequency of a transmissibility", value - apart)
+        return Lets([(removed, F_0 * sp.sqrt(reduction)), (turn, apart)], sp.sqrt(turn))
+
     whole = {R: flow.R, I: flow.I}
     G = sp.expand((flow.F + F_0**2).subs(whole))
-    F_value = flow.F.subs(F_0, force)
-    level = sp.sqrt(R**2 + I**2) / Omega**2
-    claim("F at the level", F_value.subs(F_0, level))
+
+    @of.kernel(by_flow)
+    def level() -> sp.Expr:
+        """The amplitude F_0 of the excitation for which (Omega, A) is a steady state."""
+        return sp.sqrt(R**2 + I**2) / Omega**2
+
+    F = of.add("F", flow.F.subs(F_0, force), "Zero at a steady state.", by_flow)
+    claim("F at the level", F.subs(F_0, level))
     of_level = sp.expand(Omega * sp.diff(G, Omega) - 4 * G)
     claim("the slope of the level", Omega**5 * sp.diff(G / Omega**4, Omega) - of_level)
-    # without what cancels between G and the derivative
-    slope_of_level = -4 * (h * R + I * (friction + zeta * A * Omega))
-    claim("the slope of the level in R and I", slope_of_level.subs(whole) - of_level)
-    bend = sp.factor_terms(sp.diff(of_level, Omega))
+
+    @of.kernel(by_flow)
+    def level_slope() -> sp.Expr:
+        """Omega^5 times the derivative of level^2 by Omega.
+
+        Without what cancels between G and the derivative.
+        """
+        value = -4 * (h * R + I * (friction + zeta * A * Omega))
+        claim("the slope of the level in R and I", value.subs(whole) - of_level)
+        return value
+
+    # on F = 0: dF/dOmega = G_Omega - 4 F_0^2 Omega^3 is the level's slope over Omega
+    of.add("Omega_A", -Omega * flow.F_A / level_slope, "dOmega/dA along the response.", by_flow)
     quadratic = sp.Poly(of_level, Omega)
     if quadratic.degree() != 2 or sp.expand(G).coeff(Omega, 3) != 0:
         raise ArithmeticError(f"the level's slope is no quadratic in Omega: {of_level}")
-    outer_lets, outer, outer_beyond, outer_falls = _outer(F_value.subs(whole))
-    terms, least = _least(quadratic)
-    peak_lets, peak, isola = _peak(flow, slope_of_level, of_level)
-    fold_slopes_lets, fold_slopes, fold_force = _fold(flow)
-    peak_share_lets, peak_share = _peak_share(flow, slope_of_level)
-    Omega_of_share_lets, Omega_of_share = _Omega_of_share(flow)
-    least_Omega_A = sp.factor_terms(-_x_A(of_level) / x**2)
+    _outer(of, F.subs(whole))
+    _least(of, quadratic)
+    _peak(of, flow, level_slope, of_level)
+    _fold(of, flow)
+    _of_share(of, flow, level_slope)
+    # along F_A = 0: dOmega/dA = -F_AA/F_AOmega
     F_AOmega, F_AA = flow.F_AOmega, flow.F_AA
-    # bend/Omega is a force's F_OmegaOmega less 3 F_Omega/Omega; in the determinant of a force no squares cancel
-    bound, share_lets, share_of_h = _bound(G)
-    hessian_lets, of_force = hessian(F_AA * flow.F_OmegaOmega - F_AOmega**2, flow.R, flow.I)
-    determinant = of_force - 3 * flow.F_Omega * F_AA / Omega
-    claim("the determinant", (determinant.subs(hessian_lets) - (bend / Omega * F_AA - F_AOmega**2)).subs(whole))
-    return Inertia(
-        force=force,
-        force_slopes=(sp.diff(force, Omega), sp.diff(force, F_0)),
-        amplitude=sp.solve(force - excited, F_0)[0],
-        moves_from_lets=((turn, sp.solve(force.subs(Omega**2, turn) - holds, turn)[0]),),
-        moves_from=sp.sqrt(turn),
-        isolation_lets=_isolation(flow, force),
-        isolation=sp.sqrt(turn),
-        level=level,
-        F=F_value,
-        level_slope=slope_of_level,
-        level_bend=bend,
-        # on F = 0: dF/dOmega = G_Omega - 4 F_0^2 Omega^3 is the level's slope over Omega
-        Omega_A=-Omega * flow.F_A / slope_of_level,
-        outer_lets=outer_lets,
-        outer=outer,
-        outer_beyond=outer_beyond,
-        outer_falls=outer_falls,
-        terms=terms,
-        least=least,
-        least_Omega_A=least_Omega_A,
-        peak_lets=peak_lets,
-        peak=peak,
-        isola_lets=((drag, friction * x + zeta * A),),
-        isola=isola,
-        isola_apart=_isola_apart(flow, isola[0], of_level),
-        fold_slopes_lets=fold_slopes_lets,
-        fold_slopes=fold_slopes,
-        fold_force=fold_force,
-        fold_level=fold_force / Omega**2,
-        peak_share_lets=peak_share_lets,
-        peak_share=peak_share,
-        Omega_of_share_lets=Omega_of_share_lets,
-        Omega_of_share=Omega_of_share,
-        # along F_A = 0: dOmega/dA = -F_AA/F_AOmega
-        level_rise=-slope_of_level * F_AA * F_AOmega,
-        cusp_bend=-slope_of_level * flow.F_AAA * F_AOmega,
-        hessian_lets=hessian_lets,
-        hessian=determinant,
-        bound=bound,
-        share_lets=share_lets,
-        share=share_of_h,
+    of.add(
+        "level_rise",
+        -level_slope * F_AA * F_AOmega,
+        "Positive where the level rises with A along the fold locus, negative where it falls.",
+        on_locus,
+    )
+    of.add(
+        "cusp_bend",
+        -level_slope * flow.F_AAA * F_AOmega,
+        "Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum.",
+        on_locus,
     )
 
+    @of.kernel(on_locus)
+    def hessian() -> Lets:
+        """At an isola point: negative where the level has a saddle in (A, Omega)."""
+        bend = sp.factor_terms(sp.diff(of_level, Omega))
+        # bend/Omega is a force's F_OmegaOmega less 3 F_Omega/Omega; in the determinant of a force no squares cancel
+        lets, of_force = hessian_of(F_AA * flow.F_OmegaOmega - F_AOmega**2, flow.R, flow.I)
+        value = of_force - 3 * flow.F_Omega * F_AA / Omega
+        claim("the determinant", (value.subs(lets) - (bend / Omega * F_AA - F_AOmega**2)).subs(whole))
+        return Lets([*whole.items(), *lets], value)
 
-def _isolation(flow: SlowFlow, force: sp.Expr) -> tuple[Let, ...]:
-    """R^2 - h^2 = reduction force^2 is linear in Omega^2 but for Omega = 0; without a reduction that is -2 h/A."""
-    over = flow.R**2 - h**2 - (removed * force / F_0) ** 2
-    (value,) = (root for root in sp.solve(sp.expand(over.subs(Omega, sp.sqrt(turn))), turn) if root != 0)
-    apart = -2 * h / (A - removed**2 / A)
-    claim("the frequency of a transmissibility", value - apart)
-    return (removed, F_0 * sp.sqrt(reduction)), (turn, apart)
+    _bound(of, G)
+    return of
 
 
-def _outer(F_value: sp.Expr) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...], tuple[sp.Expr, ...], sp.Expr]:
+def _outer(of: Formulas, F_value: sp.Expr) -> None:
     """Roots of the quadratic in the forms in which nothing cancels; those of F lie inside of them."""
     of_x = sp.Poly(sp.expand(sp.expand(F_value / Omega**4).subs(Omega, 1 / x)), x)
     constant, linear_term, second, cubic, fourth = (of_x.coeff_monomial(x**power) for power in range(5))
@@ -245,8 +177,11 @@ def _outer(F_value: sp.Expr) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...], tupl
     viscous = sp.factor(rest_of_it - rest_of_it.coeff(zeta, 0))
     inner_value = F_0**2 * square + rest_of_it.coeff(zeta, 0) + viscous
     claim("what the root is of", inner_value.subs(square, fourth) - of_inner)
-    roots = ((falls + spread) / square, over / (spread + falls)), (-over / (spread - falls), (falls - spread) / square)
-    for larger, smaller in roots:
+    falling, rising = (
+        ((falls + spread) / square, over / (spread + falls)),
+        (-over / (spread - falls), (falls - spread) / square),
+    )
+    for larger, smaller in (falling, rising):
         product = (falls**2 - spread**2) / square
         claim("the sum of the roots", (larger + smaller).subs(over, product) - 2 * falls / square)
         claim("the product of the roots", (larger * smaller).subs(over, product) - product / square)
@@ -257,95 +192,148 @@ def _outer(F_value: sp.Expr) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...], tupl
         (inner, inner_value),
         (spread, sp.sqrt((inner + sp.Abs(inner)) / 2)),
     )
-    return lets, *roots, sp.cancel(-of_falls / A)
+    of.add(
+        "outer",
+        (
+            Branch("falling", ((sp.cancel(-of_falls / A), sp.S.Zero),), lets, falling),
+            Branch("rising", (), lets, rising),
+        ),
+        "1/Omega^2 below the low frequency of an amplitude, and above the high one, where it has that.",
+        "from (24)",
+        "A > 0, where F has a root",
+    )
 
 
-def _least(quadratic: sp.Poly) -> tuple[tuple[sp.Expr, ...], sp.Expr]:
+def _least(of: Formulas, quadratic: sp.Poly) -> None:
     """The positive root in the form in which nothing cancels."""
     constant, first, second = (quadratic.coeff_monomial(Omega**power) for power in range(3))
-    terms = (sp.factor(second / 4), sp.expand(-first), sp.expand(-constant / 4))
-    value = 8 * fall / (linear + sp.sqrt(linear**2 + 64 * fall * rest))
-    claim("where the level is least", 4 * rest * value**2 + linear * value - 4 * fall)
-    return terms, value
+    of.add(
+        "terms",
+        (sp.factor(second / 4), sp.expand(-first), sp.expand(-constant / 4)),
+        "What the least level of an amplitude follows from; it has one where the first, fall, is positive.",
+        "from (24)",
+        "A > 0",
+    )
+
+    @of.kernel("from (24)", "fall > 0, linear >= 0, rest > 0")
+    def least() -> sp.Expr:
+        """x = 1/Omega where the level of an amplitude is least, by its `terms`."""
+        value = 8 * fall / (linear + sp.sqrt(linear**2 + 64 * fall * rest))
+        claim("where the level is least", 4 * rest * value**2 + linear * value - 4 * fall)
+        return value
 
 
-def _x_A(of_level: sp.Expr) -> sp.Expr:
-    """Slope of x along A where the level's slope over Omega^2 stays as it is: 0 where the level is least."""
-    of_x = sp.expand(of_level.subs(Omega, 1 / x) * x**2)
-    return -slope(of_x) / sp.diff(of_x, x)
-
-
-def _peak(
-    flow: SlowFlow, slope_of_level: sp.Expr, of_level: sp.Expr
-) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
+def _peak(of: Formulas, flow: SlowFlow, slope_of_level: sp.Expr, of_level: sp.Expr) -> None:
     """R = -I drag/(h x) where the level is least: then level = I x root, and F_A/2 = I (2 zeta - share (...))/x."""
     at_x = {Omega: 1 / x}
     of_drag = {drag: friction * x + zeta * A}
-    (balanced,) = sp.solve(slope_of_level, R)
-    claim("R where the level is least", (balanced.subs(at_x) + I * drag / (h * x)).subs(of_drag))
-    squared = (R**2 + I**2).subs(R, balanced).subs(at_x) * x**4
-    claim("the least level", squared - (I * x * root).subs(root, sp.sqrt(x**2 + (drag / h) ** 2)).subs(of_drag) ** 2)
-    half_F_A = (flow.F_A / 2).subs(R, balanced).subs(at_x)
-    rises = 2 * zeta * x**2 - share * (1 + h_A * x**2)
-    claim("F_A where the level is least", half_F_A * x**3 - (I * rises).subs(share, drag / h).subs(of_drag))
-    # dlevel/dA = F_A/(2 level Omega^4), as its derivative by Omega vanishes
+    there = "x of `least`, h < 0"
+    vanishing = sp.expand(of_level.subs(at_x) * x**2)
+    # slope of x along A where the level's slope over Omega^2 stays as it is: 0 where the level is least
+    x_A = -slope(vanishing) / sp.diff(vanishing, x)
     slow = sp.expand(flow.I.subs(at_x) * x)
-    lets = ((drag, of_drag[drag]), (share, drag / h), (root, sp.sqrt(x**2 + share**2)))
-    peak = (slow * root - F_0, rises / root)
-    # -h F_A x^3/(2 I), h < 0
-    value = drag * (1 + h_A * x**2) - 2 * zeta * h * x**2
-    whole = value.subs(of_drag)
-    return lets, peak, (value, slope(whole) + sp.diff(whole, x) * _x_A(of_level))
+
+    @of.kernel("from (24)", there)
+    def least_Omega_A() -> sp.Expr:
+        """dOmega/dA where the level of an amplitude is least: what a rounding of A does to Omega there."""
+        return sp.factor_terms(-x_A / x**2)
+
+    @of.kernel("from (24)", there)
+    def peak() -> Lets:
+        """The least level of an amplitude less F_0, and its slope along A.
+
+        R follows from I, and nothing cancels: dlevel/dA = F_A/(2 level Omega^4), as its derivative by Omega vanishes.
+        """
+        (balanced,) = sp.solve(slope_of_level, R)
+        claim("R where the level is least", (balanced.subs(at_x) + I * drag / (h * x)).subs(of_drag))
+        squared = (R**2 + I**2).subs(R, balanced).subs(at_x) * x**4
+        claim(
+            "the least level", squared - (I * x * root).subs(root, sp.sqrt(x**2 + (drag / h) ** 2)).subs(of_drag) ** 2
+        )
+        half_F_A = (flow.F_A / 2).subs(R, balanced).subs(at_x)
+        rises = 2 * zeta * x**2 - share * (1 + h_A * x**2)
+        claim("F_A where the level is least", half_F_A * x**3 - (I * rises).subs(share, drag / h).subs(of_drag))
+        lets = (*of_drag.items(), (share, drag / h), (root, sp.sqrt(x**2 + share**2)))
+        return Lets(lets, (slow * root - F_0, rises / root))
+
+    @of.kernel("from (24), (30)", there)
+    def isola() -> Lets:
+        """Has the sign of F_A where an amplitude's level is least: zero at an isola point; its slope along A.
+
+        It is -h F_A x^3/(2 I), h < 0.
+        """
+        value = drag * (1 + h_A * x**2) - 2 * zeta * h * x**2
+        whole = value.subs(of_drag)
+        return Lets(of_drag.items(), (value, slope(whole) + sp.diff(whole, x) * x_A))
+
+    @of.kernel("from (24), (30)", there)
+    def isola_apart() -> Lets:
+        """The same without its slope by k = h - A h_A and cubic = 3 h - A h_A, small where h is like A^3.
+
+        A times it less what vanishes where the level is least: what is left of A + h x^2 there is -I x drag/h.
+        """
+        apart = -slow * drag**2 / h - zeta * A * cubic * x**2 - friction * k * x**3
+        of_h = {cubic: 3 * h - A * h_A, k: h - A * h_A, **of_drag}
+        left = (apart - A * isola[0]).subs(of_h)
+        claim("F_A where the level is least, by k and cubic", left - of_h[drag] * vanishing / (4 * h))
+        return Lets(of_drag.items(), apart / A)
 
 
-def _isola_apart(flow: SlowFlow, value: sp.Expr, of_level: sp.Expr) -> sp.Expr:
-    """A times it less what vanishes where the level is least: what is left of A + h x^2 there is -I x drag/h."""
-    slow = sp.expand(flow.I.subs(Omega, 1 / x) * x)
-    apart = -slow * drag**2 / h - zeta * A * cubic * x**2 - friction * k * x**3
-    of_h = {cubic: 3 * h - A * h_A, k: h - A * h_A, drag: friction * x + zeta * A}
-    vanishing = sp.expand(of_level.subs(Omega, 1 / x) * x**2)
-    left = (apart - A * value).subs(of_h)
-    claim("F_A where the level is least, by k and cubic", left - of_h[drag] * vanishing / (4 * h))
-    return apart / A
-
-
-def _fold(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...], sp.Expr]:
+def _fold(of: Formulas, flow: SlowFlow) -> None:
     """F_A/2 is R T + I dI/dA, and R = k + A T: a quadratic in T, whose roots are T and -R/A, for a force as well."""
     of_T = {R: k + A * T, h_A: T - Omega**2}
     quadratic = sp.Poly(sp.expand((flow.F_A / 2).subs(of_T)), T)
     leading, middle, constant = quadratic.all_coeffs()
     if (leading, middle) != (A, k):
         raise ArithmeticError(f"F_A/2 is no quadratic of the sum -k/A of its roots: {quadratic}")
-    larger = -k * (1 + root) / (2 * A)
-    at_larger = sp.expand(quadratic.as_expr().subs(T, larger))
-    claim("dR/dA on the fold locus", at_larger.subs(root**2, 1 - 4 * A * constant / k**2))
-    inner = 1 - 4 * A * constant / k**2
-    lets = ((I, flow.I), (part, inner), (root, sp.sqrt((part + sp.Abs(part)) / 2)), (steep, larger))
-    force = sp.sqrt((A * other) ** 2 + I**2)
-    return lets, (steep, constant / (A * steep), constant / (I * steep)), force
+
+    @of.kernel("from (30)", "Omega > 0, A > 0, zeta > 0, k other than 0")
+    def fold_slopes() -> Lets:
+        """dR/dA at a fold by k = h - A h_A: of the two with F_A = 0 the larger, the other; -R/I with the first.
+
+        Without h, which may be all rounding.
+        """
+        larger = -k * (1 + root) / (2 * A)
+        at_larger = sp.expand(quadratic.as_expr().subs(T, larger))
+        claim("dR/dA on the fold locus", at_larger.subs(root**2, 1 - 4 * A * constant / k**2))
+        inner = 1 - 4 * A * constant / k**2
+        lets = ((I, flow.I), (part, inner), (root, sp.sqrt((part + sp.Abs(part)) / 2)), (steep, larger))
+        return Lets(lets, (steep, constant / (A * steep), constant / (I * steep)))
+
+    by_other = "by the one of `fold_slopes` that is not its own."
+    level = sp.sqrt((A * other) ** 2 + I**2)
+    of.add("fold_force", level, f"The F_0 of a force at a fold, {by_other}", "from (24), (30)")
+    of.add("fold_level", level / Omega**2, f"The F_0 of a fold, {by_other}", "from (24), (30)")
 
 
-def _peak_share(flow: SlowFlow, slope_of_level: sp.Expr) -> tuple[tuple[Let, ...], sp.Expr]:
+def _of_share(of: Formulas, flow: SlowFlow, slope_of_level: sp.Expr) -> None:
     """h is R - A Omega^2: the level is least where a quadratic in R vanishes; of its roots that which is 0 with I."""
-    of_R = slope_of_level.subs(h, R - flow.R + h).subs(R, -share * I) / (-4 * I)
-    quadratic = sp.Poly(sp.expand(of_R), share)
-    leading, middle, constant = (sp.factor(term) for term in quadratic.all_coeffs())
-    value = -2 * constant / (middle + root)
-    square = (middle**2 - root**2) / (4 * constant)
-    claim("R where the level is least", square * value**2 + middle * value + constant)
-    inner = middle**2 - 4 * leading * constant
-    return ((I, flow.I), (part, inner), (root, sp.sqrt((part + sp.Abs(part)) / 2))), value
+
+    @of.kernel("from (24)", "Omega > 0, A > 0, zeta > 0")
+    def peak_share() -> Lets:
+        """-R/I where the level is least and R small beside A Omega^2."""
+        of_R = slope_of_level.subs(h, R - flow.R + h).subs(R, -share * I) / (-4 * I)
+        quadratic = sp.Poly(sp.expand(of_R), share)
+        leading, middle, constant = (sp.factor(term) for term in quadratic.all_coeffs())
+        value = -2 * constant / (middle + root)
+        square = (middle**2 - root**2) / (4 * constant)
+        claim("R where the level is least", square * value**2 + middle * value + constant)
+        inner = middle**2 - 4 * leading * constant
+        return Lets([(I, flow.I), (part, inner), (root, sp.sqrt((part + sp.Abs(part)) / 2))], value)
+
+    @of.kernel("from (24)", "A > 0, F_0 > 0")
+    def Omega_of_share() -> Lets:
+        """Omega of a steady state with that -R/I.
+
+        The level is I sqrt(1 + share^2)/Omega^2.
+        """
+        viscous = zeta * A
+        value = (viscous + sp.sqrt(viscous**2 + of_I * friction)) / of_I
+        claim("the frequency of a level", (of_I * Omega**2 - flow.I).subs(Omega, value))
+        return Lets([(of_I, F_0 / sp.sqrt(1 + share**2))], value)
 
 
-def _Omega_of_share(flow: SlowFlow) -> tuple[tuple[Let, ...], sp.Expr]:
-    """The level is I sqrt(1 + share^2)/Omega^2."""
-    viscous = zeta * A
-    value = (viscous + sp.sqrt(viscous**2 + of_I * friction)) / of_I
-    claim("the frequency of a level", (of_I * Omega**2 - flow.I).subs(Omega, value))
-    return ((of_I, F_0 / sp.sqrt(1 + share**2)),), value
-
-
-def _bound(G: sp.Expr) -> tuple[tuple[sp.Expr, ...], tuple[Let, ...], sp.Expr]:
+def _bound(of: Formulas, G: sp.Expr) -> None:
     """Friction only raises the level, which without it is least at 4 zeta^2 A^3 (|h| - zeta^2 A)/h^2 = level^2."""
     smooth = sp.expand(G.subs(friction, 0))
     square = sp.Symbol("square", positive=True)
@@ -355,13 +343,22 @@ def _bound(G: sp.Expr) -> tuple[tuple[sp.Expr, ...], tuple[Let, ...], sp.Expr]:
     claim("the least level without friction", least - 4 * zeta**2 * A**3 * (-h - zeta**2 * A) / h**2)
     if any(term.could_extract_minus_sign() for term in sp.Add.make_args(sp.expand(G - smooth))):
         raise ArithmeticError("friction does not raise the level everywhere")
-    # (|h| - zeta^2 A)/|h| >= 1 - lost leaves level^2 >= 4 zeta^2 (1 - lost) A^3/|h|
-    value = 4 * zeta**2 * (1 - lost) * A**3 + F_0**2 * h
-    chain = [value]
-    for _ in range(3):
-        chain.append(slope(chain[-1]))
-    if h_AAA not in chain[-1].free_symbols or h_AA in chain[-1].free_symbols:
-        raise ArithmeticError("the third derivative of the bound")
+
+    @of.kernel("from (24)", "A > 0, h < 0, lost <= 1/2")
+    def bound() -> tuple[sp.Expr, ...]:
+        """Positive where no state has an amplitude A > F_0, if zeta^2 A <= lost |h|; three derivatives by A.
+
+        It is 4 zeta^2 A^2 (1 - lost) - F_0^2 |h|/A, each derivative times powers of A: (|h| - zeta^2 A)/|h| >= 1 - lost
+        leaves level^2 >= 4 zeta^2 (1 - lost) A^3/|h|.
+        """
+        chain = [4 * zeta**2 * (1 - lost) * A**3 + F_0**2 * h]
+        for _ in range(3):
+            chain.append(slope(chain[-1]))
+        if h_AAA not in chain[-1].free_symbols or h_AA in chain[-1].free_symbols:
+            raise ArithmeticError("the third derivative of the bound")
+        return tuple(chain)
+
     twice = sp.Symbol("twice", nonnegative=True)
     taken = sp.cancel(1 - least * -h / (4 * zeta**2 * A**3))
-    return tuple(chain), ((twice, zeta**2),), taken.subs(zeta, sp.sqrt(twice))
+    share = Lets([(twice, zeta**2)], taken.subs(zeta, sp.sqrt(twice)))
+    of.add("share", share, "What zeta^2 A is of |h|: `lost` of the `bound`.", "from (24)", "h < 0")

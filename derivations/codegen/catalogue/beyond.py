@@ -12,12 +12,13 @@ import sympy as sp
 
 from ...extensions.second_approximation import OF_HARMONIC, RESONANCE
 from ...extensions.wave import A_1, cosine, kappa, of_spring, sine, turned
+from ...kernels import Kernel, plain
 from ...paper import den_hartog as dh
 from ...paper.den_hartog import S
 from ...paper.slow_flow import m
 from ...results import Results
 from ...symbols import F_0, A, Omega, h, mu, tau, zeta
-from ..form import AVERAGED, Kernel, Module, plain
+from ..form import AVERAGED, Module
 
 
 def second_approximation_module(results: Results) -> Module:

@@ -13,6 +13,7 @@ from functools import partial
 import sympy as sp
 
 from ...asymmetric.offset import mean_stiffness, offset_stiffness
+from ...kernels import Branch, Kernel, plain
 from ...paper.critical_forcings import Elimination
 from ...paper.slow_flow import SCENES, I, R, SlowFlow, m, preload, reduction
 from ...results import Results
@@ -37,7 +38,7 @@ from ...systems.along import (
 )
 from ...systems.newton import EQUATIONS
 from ...systems.slopes import Slopes
-from ..form import GENERAL, Branch, Kernel, Module, by_even_power, in_words, plain, suffix
+from ..form import GENERAL, Module, by_even_power, in_words, suffix
 
 #: of a frequency
 square = sp.Symbol("square", real=True)

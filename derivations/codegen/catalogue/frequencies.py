@@ -8,12 +8,13 @@ from __future__ import annotations
 
 import sympy as sp
 
+from ...kernels import Kernel, Let, plain
 from ...paper.slow_flow import I, R, m
 from ...results import Results
 from ...symbols import F_0, A, Omega, h, h_A, zeta
 from ...systems.frequencies import Frequencies, Quartic, k, p, q
 from ..compensated import magnitude
-from ..form import Kernel, Let, Module, TwofoldKernel, plain
+from ..form import Module, TwofoldKernel
 
 #: a value below this part of its terms has no certain sign in double, and in double-double
 ROUGH, FINE = sp.Rational(1, 2**50), sp.Rational(1, 2**98)

@@ -17,26 +17,14 @@ from ...extensions.second_approximation import OF_HARMONIC
 from ...forces import elliptic
 from ...forces.elliptic import evaluable, parts
 from ...forces.of_mechanism import OfMechanism
+from ...kernels import Branch, Kernel, Let, plain
 from ...mechanisms import Mechanism, Parameter
 from ...paper.equation_of_motion import Dimensionless
 from ...paper.restoring_force import Case, Restoring, average, forms
 from ...paper.slow_flow import m
 from ...symbols import F_0, A, mu, u, zeta
 from ..compensated import copysign
-from ..form import (
-    AVERAGED,
-    NAMES,
-    Branch,
-    Composition,
-    Kernel,
-    Law,
-    Let,
-    Module,
-    Record,
-    Selection,
-    by_even_power,
-    plain,
-)
+from ..form import AVERAGED, NAMES, Composition, Law, Module, Record, Selection, by_even_power
 
 if TYPE_CHECKING:
     from ...extensions.scaling import Scale

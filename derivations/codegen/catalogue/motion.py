@@ -27,9 +27,10 @@ from ...extensions.motion import (
     v,
 )
 from ...extensions.switching import after, before, beyond, by_theta, by_u, growth, pull
+from ...kernels import plain
 from ...results import Results
 from ...symbols import F_0, A, Omega, eta, mu, phi, zeta
-from ..form import Module, plain
+from ..form import Module
 
 #: what the compiled integrator asks for
 IN_C = (

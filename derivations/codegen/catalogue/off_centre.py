@@ -41,10 +41,11 @@ from ...asymmetric.off_centre import (
     span,
 )
 from ...extensions.dissipation import I_A, d
+from ...kernels import plain
 from ...paper.slow_flow import m
 from ...results import Results
 from ...symbols import F_0, A, Omega, eta, h, zeta
-from ..form import Module, plain
+from ..form import Module
 
 
 def off_centre_module(results: Results) -> Module:

@@ -18,11 +18,12 @@ from ...asymmetric.curved import of_odd
 from ...extensions.second_approximation import OF_HARMONIC
 from ...forces.contact import Contact, y
 from ...forces.quadrature import BROKEN, DENSE, Quadrature, c, s, sums, v
+from ...kernels import Branch, Kernel, Let, plain
 from ...mechanisms import UNIT, Mechanism
 from ...paper.restoring_force import ORDERS
 from ...symbols import A, u
 from ..compensated import copysign
-from ..form import AVERAGED, Branch, Enclosed, Kernel, Law, Let, Module, Record, Sums, plain
+from ..form import AVERAGED, Enclosed, Law, Module, Record, Sums
 from .mechanism import INTERCEPT, is_stepped, step_kernels
 from .sided import curved_kernels
 

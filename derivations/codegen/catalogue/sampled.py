@@ -8,10 +8,11 @@ from __future__ import annotations
 
 from ...forces.quadrature import c, s
 from ...forces.sampled import b, f, lets, lost, terms_lets
+from ...kernels import plain
 from ...paper.restoring_force import ORDERS
 from ...results import Results
 from ...symbols import A
-from ..form import Module, plain
+from ..form import Module
 
 
 def sampled_module(results: Results) -> Module:

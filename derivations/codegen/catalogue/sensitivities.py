@@ -7,11 +7,12 @@ Out: `sensitivities_module`.
 from __future__ import annotations
 
 from ...extensions.dissipation import REST, d
+from ...kernels import plain
 from ...paper.slow_flow import R
 from ...results import Results
 from ...symbols import F_0, A, Omega, h, h_A, h_AA, h_AAA, zeta
 from ...systems.gradients import MOVES, OF_PARAMETER, OF_SQUARE, I_0p, d_p, force, force_F, force_Omega, h_p, zeta_p
-from ..form import Module, plain
+from ..form import Module
 
 
 def sensitivities_module(results: Results) -> Module:

@@ -15,8 +15,9 @@ from ...asymmetric.curved import Curved
 from ...asymmetric.off_centre import ORDERS, steps_by
 from ...asymmetric.sided import Sided
 from ...forces.quadrature import nested, v
+from ...kernels import Kernel, plain
 from ...symbols import u
-from ..form import Kernel, Law, Module, OffCentreTerms, Record, plain
+from ..form import Law, Module, OffCentreTerms, Record
 from .mechanism import DOC_OF_STEPS_BY
 
 ANY = "any parameters"

@@ -1,0 +1,57 @@
+"""Who wants the kernels of mechanism-free modules in which form: one table, by the names of kernels.
+
+In:  the kernels that a step of the derivation states.
+Out: `requested`, what `Module` takes of them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+
+from ..kernels import Kernel
+
+#: systems of functions that vanish together, which the search in boxes takes on numbers and on intervals
+_SYSTEMS = " ".join(
+    f"{system}_{unknowns}"
+    for system in ("folds", "peaks", "cusps", "isolas", "turns")
+    for unknowns in ("by_R", "by_Omega", *(("far_by_R", "far_by_x") if system != "turns" else ()))
+)
+
+#: by module, with names of kernels, or * for all that are not in cells:
+#:     cells    -- on intervals, and nowhere on doubles
+#:     in_c     -- in C these alone; all where nothing is said
+#:     unlooped -- asked once an answer: Python has them as no loop over arrays
+#:     others   -- as in `Kernel`
+REQUESTS = {
+    "inertia": {"enclosed": "terms peak isola isola_apart", "unlooped": "amplitude moves_from"},
+    "dissipation": {
+        "generic": "*",
+        "in_c": f"""quadratic restoring at_rest released I I_A far F F_A F_AA response_quartic fold_quartic
+            far_by_inertia structural_bound quadratic_bound least_scaled static limit_envelope R_of_peak F_A_halved
+            F_OmegaOmega Omega_A Omega_A_by_inertia full_by_inertia rest_moves released_moves F_AOmegaOmega cusp_bend
+            isola_bend cusp_bend_by_inertia isola_bend_by_inertia {_SYSTEMS}""",
+        "enclosed": f"""at_rest released I I_A far R_of_response R_of_peak R_where_stationary far_by_inertia F_A_scaled
+            I_scaled static turn_share {_SYSTEMS}""",
+        "cells": """rest_intercept released_intercept sine_intercept sine_intercept_far R_of_peak_by_rest velocity""",
+    },
+}
+
+
+def requested(module: str, kernels: Iterable[Kernel]) -> dict[str, tuple[Kernel, ...]]:
+    """The kernels of a module with what is wanted of each; an error where a name is no kernel's."""
+    by_name = {kernel.name: kernel for kernel in kernels}
+    wanted = {flag: names.split() for flag, names in REQUESTS.get(module, {}).items()}
+    apart = wanted.pop("cells", [])
+    flags: dict[str, dict[str, bool]] = {name: {} for name in by_name}
+    for flag, names in wanted.items():
+        for name in (one for one in by_name if one not in apart):
+            given = names == ["*"] or name in names
+            flags[name] |= {"looped": not given} if flag == "unlooped" else {flag: given}
+    if unknown := {name for names in (*wanted.values(), apart) for name in names} - {"*", *by_name}:
+        raise ArithmeticError(f"{module} has no kernels {sorted(unknown)}")
+    stated = {name: replace(kernel, **flags[name]) for name, kernel in by_name.items()}
+    return {
+        "kernels": tuple(kernel for name, kernel in stated.items() if name not in apart),
+        "cells": tuple(stated[name] for name in apart),
+    }

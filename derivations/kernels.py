@@ -1,0 +1,195 @@
+"""What a kernel is, and how a step of the derivation states one beside its formula.
+
+In:  exact SymPy expressions, and what is known of them: equation number, domain, what they are in a sentence.
+Out: `Kernel`, a function of numbers, regime by regime; `Formulas`, what a step states: `@of.kernel(...)` on the
+     function that derives a formula, whose name and docstring the kernel takes, or `of.add` of one expression.
+
+Who wants a kernel in which arithmetic and language is said in `codegen.requests`.
+"""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import sympy as sp
+
+Let = tuple[sp.Symbol, sp.Expr]
+Outputs = sp.Expr | Sequence[sp.Expr]
+
+
+@dataclass(frozen=True)
+class Branch:
+    """One regime of a kernel.
+
+    name    -- for the generated code
+    kernel  -- name of another kernel of the same arguments that computes it; "" where it is printed with this one
+    passed  -- how many breakpoints the amplitude exceeds, where that is what makes the regime
+    remainders -- lets that stand for a series cut short, each with a bound of its relative error
+    guards  -- pairs (left, right): the branch holds where every left <= right and no earlier branch does
+    lets    -- intermediate quantities in order
+    outputs -- expressions in the arguments and the lets
+    """
+
+    name: str
+    guards: tuple[tuple[sp.Expr, sp.Expr], ...]
+    lets: tuple[Let, ...]
+    outputs: tuple[sp.Expr, ...]
+    kernel: str = ""
+    passed: int = 0
+    remainders: tuple[Let, ...] = ()
+
+    @property
+    def free_symbols(self) -> set[sp.Symbol]:
+        """What it takes: all symbols but its lets."""
+        expressions = [
+            *self.outputs,
+            *(value for _, value in self.lets),
+            *(one for pair in self.guards for one in pair),
+        ]
+        return set().union(*(one.free_symbols for one in expressions)) - {symbol for symbol, _ in self.lets}
+
+
+@dataclass(frozen=True)
+class Kernel:
+    """A generated function of real numbers.
+
+    parameters -- how many of the last arguments are the mechanism's parameters
+    returns    -- "scalar", "tuple" or "stack" (one array, coefficients along its first axis)
+    equation   -- number in the paper, or what it is derived from
+    domain     -- where it holds
+    generic    -- in Python for any kind of number that has arithmetic, and NumPy's functions where it calls them:
+                  floats, complex numbers, arrays, an integrator's symbols
+    enclosed   -- whether it is wanted on intervals too, in C
+    searched   -- and on intervals of any arithmetic, in Python
+    looped     -- whether Python may have it as a compiled loop over arrays of floats: asked once an answer, it need not
+    in_c       -- whether anything in C calls it, where a module is in C at all
+    paired     -- and in double-double, in C, and in balls, in Python
+    to_pairs   -- of one in double-double: the lets that are wanted so, what is left to do being done in doubles; all
+                  of it where there are none
+    """
+
+    name: str
+    arguments: tuple[sp.Symbol, ...]
+    branches: tuple[Branch, ...]
+    doc: str
+    equation: str
+    domain: str
+    parameters: int = 0
+    returns: str = "scalar"
+    generic: bool = False
+    enclosed: bool = False
+    searched: bool = False
+    looped: bool = True
+    in_c: bool = True
+    paired: bool = False
+    to_pairs: tuple[sp.Symbol, ...] = ()
+
+    @property
+    def width(self) -> int:
+        return len(self.branches[0].outputs)
+
+    @property
+    def compiled(self) -> bool:
+        """Whether Python has it as a loop over arrays of floats."""
+        return self.width > 0 and self.looped and not self.generic
+
+
+def plain(
+    name: str,
+    arguments: Sequence[sp.Symbol],
+    outputs: Outputs,
+    doc: str,
+    equation: str,
+    domain: str = "Omega > 0, A > 0",
+    lets: Sequence[Let] = (),
+    **keywords: object,
+) -> Kernel:
+    """A kernel with one branch."""
+    single = isinstance(outputs, sp.Expr)
+    if not single:
+        keywords.setdefault("returns", "tuple")
+    branch = Branch("", (), tuple(lets), (outputs,) if single else tuple(outputs))
+    return Kernel(name, tuple(arguments), (branch,), doc, equation, domain, **keywords)
+
+
+class Lets(NamedTuple):
+    """A formula with the intermediate quantities that it is in."""
+
+    lets: Sequence[Let]
+    value: Outputs
+
+
+class Formulas:
+    """What a step of the derivation states: its kernels by name, and what else it finds, all as attributes too.
+
+    order  -- of the symbols: a kernel takes those that its formula has, in this order
+    lets   -- intermediate quantities: a formula without lets of its own has those of them that are in it
+    domain -- of the kernels for which no other is given
+    """
+
+    def __init__(
+        self, order: Sequence[sp.Symbol], lets: Mapping[sp.Symbol, sp.Expr] = {}, domain: str = "Omega > 0, A > 0"
+    ) -> None:
+        self.order = tuple(order)
+        self.lets = dict(lets)
+        self.domain = domain
+        self.kernels: dict[str, Kernel] = {}
+
+    def __getattr__(self, name: str) -> Any:
+        # only for what is not there; here so that attributes may be of any kind
+        raise AttributeError(f"no formula {name} is stated")
+
+    def add(
+        self,
+        name: str,
+        value: Outputs | Lets | Sequence[Branch],
+        doc: str,
+        equation: str,
+        domain: str = "",
+        *,
+        arguments: Sequence[sp.Symbol] = (),
+        **keywords: object,
+    ) -> Any:
+        """State a kernel, and return its formula without lets.
+
+        value     -- its output or outputs, with lets of their own or without; or branches
+        arguments -- where the order is another, or it takes more than it has
+        """
+        if name in self.kernels:
+            raise ArithmeticError(f"two formulas {name}")
+        lets, outputs = value if isinstance(value, Lets) else (None, value)
+        single = isinstance(outputs, sp.Expr)
+        several = (outputs,) if single else tuple(outputs)
+        if isinstance(several[0], Branch):
+            branches = several
+        else:
+            if lets is None:
+                numbers = {symbol: whole for symbol, whole in self.lets.items() if whole.is_number}
+                several = tuple(one.subs(numbers) for one in several) if numbers else several
+                lets = [let for let in self.lets.items() if any(one.has(let[0]) for one in several)]
+            branches = (Branch("", (), tuple(lets), several),)
+        if not arguments:
+            needed = set().union(*(branch.free_symbols for branch in branches))
+            if unknown := needed.difference(self.order):
+                raise ArithmeticError(f"{name} has {unknown}, which no order of arguments knows")
+            arguments = [symbol for symbol in self.order if symbol in needed]
+        keywords.setdefault("returns", "tuple" if len(branches[0].outputs) > 1 or not single else "scalar")
+        kernel = Kernel(name, tuple(arguments), branches, doc, equation, domain or self.domain, **keywords)
+        self.kernels[name] = kernel
+        setattr(self, name, outputs)
+        return outputs
+
+    def kernel(self, equation: str, domain: str = "", **keywords: Any) -> Callable[[Callable[[], Any]], Any]:
+        """Of a function without arguments: state what it derives under its name; the docstring begins with what it is.
+
+        The name then is the formula.
+        """
+
+        def stated(derive: Callable[[], Any]) -> Any:
+            doc = " ".join(inspect.getdoc(derive).partition("\n\n")[0].split())
+            return self.add(derive.__name__, derive(), doc, equation, domain, **keywords)
+
+        return stated
