@@ -8,10 +8,7 @@ record_of, parameters_of, compiled_model   what the solvers take: a mechanism's 
 
 from __future__ import annotations
 
-import json
 import sys
-from array import array
-from pathlib import Path
 from types import ModuleType
 from typing import Any
 
@@ -20,7 +17,7 @@ import numpy as np
 from slowflow import callbacks
 from slowflow_support.backend import NATIVE, loaded
 from slowflow_support.errors import Refused
-from slowflow_support.quadrature import COMPILED
+from slowflow_support.quadrature import RECORDS, interpreted
 from slowflow_support.record import Mechanism, stated_by_module
 
 ENCLOSED = "{}: enclosed is not allowed in a record that is typed: only what is derived is known on intervals"
@@ -71,12 +68,7 @@ def check_room(mechanism: Mechanism, *, interpreted: bool = True) -> None:
 def _interpreted(mechanism: Mechanism) -> Any:
     """A record from the program beside the mechanism's module; None where there is none, or the force has no room."""
     module = sys.modules[mechanism.pieces[0].force.__module__]
-    place = Path(module.__file__ or "").with_suffix(".json")
-    if not place.exists():
-        return None
-    program = json.loads(place.read_text())
-    lists = array("i", program["words"]).tobytes(), array("d", program["numbers"]).tobytes()
-    record = SOLVER.program(mechanism.name, *lists)
+    record = interpreted(module)
     if record is not None:
         sum_in_C(module, record)
     return record
@@ -84,9 +76,7 @@ def _interpreted(mechanism: Mechanism) -> Any:
 
 def sum_in_C(module: ModuleType, record: Any) -> None:
     """Lets a record answer for its module's averages where these are quadratures."""
-    if hasattr(module, "averaged_of"):
-        averages = SOLVER.many_averages(record)
-        COMPILED[module.averaged_of] = lambda numbers: np.stack(averages(*numbers))
+    RECORDS[module.__name__] = record
 
 
 def parameters_of(mechanism: Mechanism, design: tuple[float, ...]) -> tuple[float, ...]:

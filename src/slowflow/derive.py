@@ -116,7 +116,8 @@ class Derived(Stated):
     def write(self, folder: Path) -> list[str]:
         """Write what `make derive` writes of the package's own mechanisms, and the document; the files' names.
 
-        A Python module of kernels on NumPy, C headers (which include those of `include()`), for an odd force the
+        A Python module of kernels on NumPy, but for averages by quadrature, which slowflow's compiled code sums by the
+        program beside it; C headers (which include those of `include()`), for an odd force the
         program that the solvers interpret and `exported.c`, which gives their functions symbols, with the list
         `exported.def`, C sources with the record that the solvers take and with the force as power series,
         derivation.md, MANIFEST.json with a hash of each. Files of an earlier run are replaced.
@@ -126,7 +127,7 @@ class Derived(Stated):
 
     def __repr__(self) -> str:
         how = "compiled" if self.compiled else "interpreted"
-        if hasattr(sys.modules[self.record.pieces[0].force.__module__], "averaged_of"):  # it closes sums
+        if hasattr(sys.modules[self.record.pieces[0].force.__module__], "over_quarter"):
             how += ", by quadrature"
         if not self.record.odd:
             how = f"motions {'compiled' if self.compiled else 'interpreted'}, averages on NumPy"
@@ -370,7 +371,7 @@ def _side_by_side(commands: Iterable[list[str]]) -> None:
 
 
 def _attach(printed: ModuleType, library: Path) -> None:
-    """Hands what is in a library to the compiled code, and its averages to NumPy's; neither is ever let go.
+    """Hands what is in a library to the compiled code, and its averages to its module; neither is ever let go.
 
     To the integrator the pieces of the force, to the solvers the record, which only an odd force has.
     """

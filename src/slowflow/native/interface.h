@@ -80,10 +80,10 @@ typedef struct {
 /* ==== Questions about many ======================================================================================== */
 
 /* shape, types: of the outputs, behind the design, the damping and `at` numbers more, F_0 and Omega or others; by `d`,
- * `b`, `h` and `i` for double, int8, short and int. of_parameters: whether A and the parameters are the inputs instead */
+ * `b`, `h` and `i` for double, int8, short and int. */
 typedef struct {
     const char *name, *shape, *types, *doc;
-    int at, of_parameters;
+    int at;
     sf_many loop;
 } sf_batch;
 

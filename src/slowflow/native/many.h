@@ -534,20 +534,4 @@ static void sf_loop_states(char **args, const ptrdiff_t *dimensions, const ptrdi
     free(room);
 }
 
-/* h and its derivatives at A and the parameters, which are the inputs. */
-static void sf_loop_averages(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
-    const sf_mechanism *mechanism = data;
-    ptrdiff_t k;
-    int i;
-    for (k = 0; k < dimensions[0]; k++) {
-        const double A = sf_input(args, steps, 0, k);
-        double p[SF_MOST_PARAMETERS], h[4];
-        for (i = 0; i < mechanism->parameters; i++)
-            p[i] = sf_input(args, steps, 1 + i, k);
-        mechanism->averaged(mechanism, 1, &A, p, h);
-        for (i = 0; i < 4; i++)
-            sf_output(args, steps, 1 + mechanism->parameters + i, k, h[i]);
-    }
-}
-
 #endif

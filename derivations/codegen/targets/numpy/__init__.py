@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING
 import jinja2
 import sympy as sp
 
-from ....forces.quadrature import rule
 from ....mechanisms import DAMPING, DISSIPATION, EXCITATIONS, RUBS, Parameter
 from ....paper.slow_flow import SCENES
 from ... import measured
@@ -36,7 +35,7 @@ from ...views import (
     wrapped,
 )
 from ..interval.printer import EnclosurePrinter
-from ..printing import literal, stated
+from ..printing import stated
 from .printer import NumpyPrinter
 
 if TYPE_CHECKING:
@@ -81,15 +80,21 @@ def asked(module: Module) -> tuple[Kernel, ...]:
     return (*module.kernels, *module.on_intervals)
 
 
+def printed(module: Module) -> tuple[Kernel, ...]:
+    """The kernels but those that C alone sums and closes."""
+    summed = {kernel.name for one in module.sums for kernel in (*one.terms, one.closing)}
+    return tuple(kernel for kernel in module.kernels if kernel.name not in summed)
+
+
 def text(module: Module, code: Code) -> str:
     """One module."""
-    named = (*module.kernels, *module.twofolds, *module.selections, *module.compositions)
+    named = (*printed(module), *module.twofolds, *module.selections, *module.compositions)
     return (
         _environment()
         .get_template("module.py.jinja")
         .render(
             module=module,
-            kernels=[view(kernel, code[kernel.name], LANGUAGE) for kernel in module.kernels],
+            kernels=[view(kernel, code[kernel.name], LANGUAGE) for kernel in printed(module)],
             repeated=repeated_views(code, LANGUAGE),
             twofolds=[twofold_view(kernel, LANGUAGE) for kernel in module.twofolds],
             selections=[selection_view(selection) for selection in module.selections],
@@ -100,7 +105,6 @@ def text(module: Module, code: Code) -> str:
             regimes=regimes(module),
             measured=measured.of(module),
             enclosed=[view(kernel, code[kernel.name], ENCLOSED) for kernel in module.on_intervals],
-            rule=[(literal(node), literal(weight)) for node, weight in rule()] if module.sums else [],
             has_balls=module.native and bool(module.in_balls),
             constants={name: constant(value) for name, value in module.constants.items()},
             **compiled(module),
@@ -170,7 +174,7 @@ def exported(module: Module) -> list[str]:
     """Public names of a Python module, sorted as in an import."""
     own = [
         *module.constants,
-        *(one.name for one in (*module.kernels, *module.twofolds, *module.selections, *module.compositions)),
+        *(one.name for one in (*printed(module), *module.twofolds, *module.selections, *module.compositions)),
         *(name for names in module.borrowed.values() for name in names),
         *(["MECHANISM"] if module.record else []),
     ]

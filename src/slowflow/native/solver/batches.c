@@ -59,8 +59,7 @@ PyObject *sf_new_ufunc(const char *name, const char *doc, const char *signature,
 static PyObject *new_batch(const sf_mechanism *record, const void *of_row)
 {
     const sf_batch *row = of_row;
-    const int inputs =
-        row->of_parameters ? 1 + record->parameters : record->design_size + record->damping_size + row->at;
+    const int inputs = record->design_size + record->damping_size + row->at;
     char signature[4 * MOST_OPERANDS] = "()", types[MOST_OPERANDS + 1] = "d";
     for (int i = 1; i < inputs; i++)
         strcat(signature, ",()"), strcat(types, "d");

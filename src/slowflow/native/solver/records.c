@@ -332,7 +332,8 @@ static PyObject *new_model(PyObject *self, PyObject *args)
     return NULL;
 }
 
-/* (record, parameters, A, out): of so many outputs 4 are h and its derivatives, 8 those of the harmonics, 1 h - A h_A. */
+/* (record, parameters, A, out): of so many outputs 4 are h and its derivatives, 8 those of the harmonics, 1
+ * h - A h_A, and 3 for each parameter what it does to h, h_A and h_AA where they are sums. */
 static PyObject *averages(PyObject *self, PyObject *args)
 {
     PyObject *capsule, *parameters;
@@ -351,6 +352,14 @@ static PyObject *averages(PyObject *self, PyObject *args)
         else if (out.len == A.len)
             for (Py_ssize_t i = 0; i < n; i++)
                 ((double *)out.buf)[i] = record->intercept(record, ((const double *)A.buf)[i], p);
+        else if (out.len == 3 * record->parameters * A.len)
+            for (Py_ssize_t i = 0; i < n; i++) {
+                const double at = ((const double *)A.buf)[i], none[3] = {0};
+                double by[3 * SF_MOST_PARAMETERS];
+                record->by_parameter(record, at, none, p, by);
+                for (int k = 0; k < 3 * record->parameters; k++)
+                    ((double *)out.buf)[k * n + i] = by[k];
+            }
         else
             PyErr_SetString(PyExc_ValueError, "room for other numbers than averages");
     }
