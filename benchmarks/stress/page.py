@@ -96,8 +96,8 @@ def by_kernel(found: list[Numbers]) -> Rows:
 
 #: heads of tables
 KERNELS = ("kernel", "points", "error / u(1+κ)", "NumPy there", "1 + κ there", "where")
-ROOTS = ("roots", "family", "cases", "wrong number", "error / u(1+κ)", "1 + κ there", "where")
-ANSWERS = ("force", "answer", "answers", "error / u(1+κ)", "1 + κ there", "alone", "where")
+ROOTS = ("roots", "family", "cases", "wrong number", "error / u(1+κ)", "1 + κ there")
+ANSWERS = ("force", "answer", "answers", "error / u(1+κ)", "1 + κ there", "alone")
 COUNTS = (
     "question",
     "cases",
@@ -137,7 +137,6 @@ def by_root(found: list[Numbers]) -> Rows:
                 str(len(row["wrong"])),
                 number(worst["error"]) if worst else "-",
                 number(worst["condition"]) if worst else "-",
-                where(row["names"], worst["at"]) if worst else "-",
             )
         )
     return rows
@@ -171,7 +170,6 @@ def by_answer(found: list[Numbers]) -> Rows:
                 number(worst["error"]) + (" **missed**" if value(worst["error"]) > answers.TARGET else ""),
                 number(worst["condition"]),
                 str(len(row["alone"])),
-                f"{worst['place']}: {where(row['names'], worst['at'])}",
             )
         )
     return rows
@@ -546,9 +544,12 @@ def proof_lines(numbers: Numbers) -> list[str]:
     drawn = ", ".join(f"{name} 10^{low:g} to 10^{high:g}" for name, (low, high) in proofs.DRAWN.items())
     families = {"as above": numbers, **numbers["families"]}
     asked = [
-        (name, what, share(found, what, "alone"), share(found, what))
+        (
+            name,
+            *(f"{found['alone'][what]:,} of {found['asked'][what]:,}" for what in proofs.ASKED),
+            f"{sum(found['proved'][what] for what in proofs.ASKED):,} of {sum(found['asked'].values()):,}",
+        )
         for name, found in families.items()
-        for what in proofs.ASKED
     ]
     beside = [
         (name, f"{alone:,} of {tried:,}", f"{proved:,}") for name, (tried, proved, alone) in numbers["beside"].items()
@@ -563,7 +564,7 @@ def proof_lines(numbers: Numbers) -> list[str]:
         f"python-flint, in {slowest:.2g} s at most. Hard families are drawn otherwise in one number: delta_h to",
         "1 - 10^-16 and to 10^-12, alpha to 10^-16, excess from 10^-16 to 10^-6; and the force that is not truncated.",
         "",
-        *table(("drawn", "asked", "proved by doubles alone", "proved"), asked),
+        *table(("drawn", *(f"{what}, by doubles" for what in proofs.ASKED), "all, with balls"), asked),
         "",
         "Folds next to F_SN, where two of them are one to within rounding:",
         "",
