@@ -19,7 +19,8 @@ version = release = __version__
 extensions = ["myst_parser", "sphinx.ext.autodoc"]
 myst_enable_extensions = ["dollarmath", "amsmath", "colon_fence", "attrs_inline"]
 myst_heading_anchors = 3
-exclude_patterns = ["site", "decisions/_*"]
+# the reference has all signatures, a page a class
+exclude_patterns = ["site", "api.md"]
 html_theme = "furo"
 html_title = "slowflow"
 html_static_path = ["site/static"]

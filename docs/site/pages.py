@@ -5,9 +5,11 @@ The derivation runs: `derivations.walkthrough` is the paper's, `derivations.docu
 
 from __future__ import annotations
 
+import inspect
 import os
 import re
 import shutil
+from enum import Enum
 from importlib import import_module
 from pathlib import Path
 from typing import Any
@@ -104,33 +106,56 @@ def derivation(folder: Path) -> None:
     )
 
 
-def told_later(module: str) -> list[str]:
-    """Names of it that are defined in no public module and stand on a later page too: Sphinx takes them once."""
-    later = [import_module(other) for other in MODULES[MODULES.index(module) + 1 :]]
-    listed = {id(getattr(other, name)) for other in later for name in getattr(other, "__all__", ())}
-    own = {name: getattr(import_module(module), name) for name in getattr(import_module(module), "__all__", ())}
-    elsewhere = {name for name, value in own.items() if getattr(value, "__module__", module) not in MODULES}
-    return sorted(name for name in elsewhere if id(own[name]) in listed)
+def public(module: str) -> dict[str, Any]:
+    """Its names with a docstring: those of `__all__`, or that it defines itself."""
+    here = import_module(module)
+    stated = getattr(here, "__all__", None)
+    own = [
+        name for name, value in vars(here).items() if getattr(value, "__module__", None) == module and name[0] != "_"
+    ]
+    found = {name: getattr(here, name) for name in (own if stated is None else stated)}
+    return {name: value for name, value in found.items() if getattr(value, "__doc__", None) or not callable(value)}
 
 
 def reference(folder: Path) -> None:
-    """A page for each public module, from its docstrings."""
+    """A page for each public class, and one for each module with all else, from their docstrings."""
+    pages: dict[str, list[str]] = {module: [module.replace(".", "_")] for module in MODULES}
+    home: dict[int, str] = {}
     for module in MODULES:
-        name = module.replace(".", "_")
-        # a function that has the name of a module beside it would be listed twice
-        children = [other.rpartition(".")[2] for other in MODULES if other.rpartition(".")[0] == module]
-        twice = any(callable(getattr(import_module(module), child, None)) for child in children)
-        options = ["   :no-index:"] if twice else []
-        if again := told_later(module):
-            options.append(f"   :exclude-members: {', '.join(again)}")
+        for value in public(module).values():
+            if callable(value):
+                home.setdefault(id(value), value.__module__ if value.__module__ in MODULES else module)
+    for module in MODULES:
+        page, links, shown = pages[module][0], [], []
         begin = EXAMPLES.get(module, {}).get("begin", "")
         first = ["Examples here begin with these lines too:", "", *block(begin)] if begin else []
-        lines = [f"# {module}", "", *first, "```{eval-rst}", f".. automodule:: {module}", *options, "```", ""]
-        (folder / f"{name}.md").write_text("\n".join(lines), encoding="utf-8")
+        for name, value in public(module).items():
+            there = home.get(id(value), module)
+            alone = inspect.isclass(value) and not issubclass(value, Exception | Enum)
+            target = f"{there}.{name}".replace(".", "_") if alone else there.replace(".", "_")
+            if alone or there != module:
+                links.append(name)
+                shown.append(f"[{name}]({target}.md)")
+            if alone and there == module:
+                lines = [
+                    f"# {name}",
+                    "",
+                    *first,
+                    "```{eval-rst}",
+                    f".. autoclass:: {module}.{name}",
+                    "   :members:",
+                    "```",
+                ]
+                (folder / f"{target}.md").write_text("\n".join([*lines, ""]), encoding="utf-8")
+                pages[module].append(target)
+        apart = [f"   :exclude-members: {', '.join(links)}"] if links else []
+        lines = [f"# {module}", "", *first, "```{eval-rst}", f".. automodule:: {module}", *apart, "```", ""]
+        lines += ["On their own pages: " + ", ".join(shown) + ".", ""] if links else []
+        (folder / f"{page}.md").write_text("\n".join(lines), encoding="utf-8")
     text = (Path(__file__).parent / "reference.txt").read_text(encoding="utf-8")
     text += "\n".join(["\nExamples begin with these lines:", "", *block(EXAMPLES["begin"])])
     for title, belongs in PURPOSES.items():
         here = [module for module in MODULES if next(p for p in PURPOSES.values() if re.search(p, module)) == belongs]
-        entries = "\n".join(module.replace(".", "_") for module in here)
+        entries = "\n".join(page for module in here for page in pages[module])
         text += f"\n## {title}\n\n```{{toctree}}\n:maxdepth: 1\n\n{entries}\n```\n"
     (folder / "index.md").write_text(text, encoding="utf-8")
