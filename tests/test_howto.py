@@ -106,7 +106,17 @@ def test_a_docstring_is_shown_as_it_stands() -> None:
         "    code(*x)",
     ]
     docstrings.as_rst(None, "class", "x", None, None, lines)
-    shown = ["What (1) gives: u\\*v, ``A`` of h_A.", "", ":F_0: the force, in k_v L", ":A, B: two", "", "::", ""]
+    shown = [
+        "What (1) gives: u\\*v, ``A`` of h_A.",
+        "",
+        "``F_0``",
+        "    the force, in k_v L",
+        "``A, B``",
+        "    two",
+        "",
+        "::",
+        "",
+    ]
     assert lines == [*shown, "        code(*x)", ""]
 
 

@@ -1,7 +1,7 @@
-"""Docstrings as they stand in the code: in go their lines, out come lines of reStructuredText that read the same.
+"""Docstrings as reStructuredText that reads the same: a Sphinx hook.
 
-A line `name -- what it is` becomes a field; text that is set in is shown as it is; nothing else has a meaning. Below it
-stands the example of docs/api.toml.
+A line `name -- what it is` becomes a term with its definition; indented text is shown as it is; nothing else has a
+meaning. The example of docs/api.toml follows.
 """
 
 from __future__ import annotations
@@ -37,7 +37,8 @@ def paragraph(lines: list[str]) -> Iterator[str]:
             else:
                 fields[-1] = (fields[-1][0], f"{fields[-1][1]} {line.strip()}")
         for name, text in fields:
-            yield f":{escaped(name)}: {escaped(text)}"
+            yield f"``{name}``"
+            yield f"    {escaped(text)}"
     elif lines[0].startswith(" "):
         yield "::"
         yield ""
