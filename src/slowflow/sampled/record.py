@@ -19,31 +19,59 @@ from slowflow_support.record import Law, Mechanism, Parameter
 REACHED = "averaging does not ask the function for what lies beyond"
 
 
+#: what a force says of a design: tuples of numbers that may be of arrays of designs, and what is of one design only
+OF_DESIGNS: dict[str, Callable[[Force], Sequence[float]]] = {
+    "coefficients": lambda force: force.numbers,
+    "breakpoints": lambda force: force.ends[:-1],
+    "jumps": lambda force: [lost[0] for lost in force.lost[:-1]],
+    "kinks": lambda force: [one for lost in force.lost[:-1] for one in lost[1:3]],
+    "hardening": lambda force: (-1.0,),
+}
+OF_ONE: dict[str, Callable[[Force], Any]] = {
+    "samples": lambda force: force.samples,
+    "told": lambda force: (
+        f"a Python function, by {force.points} of its values, error {force.error:.1g}; sums over polynomials"
+    ),
+}
+#: how many outputs averages have; of a piece the method that gives it, and which derivative
+AVERAGES = {"averaged": 4, "harmonics": 8, "intercept": 1}
+OF_PIECE = {
+    "force": (Force.value, 0),
+    "slope": (Force.value, 1),
+    "force_throughout": (Force.value_throughout, 0),
+    "slope_throughout": (Force.value_throughout, 1),
+}
+
+
 @dataclass(frozen=True)
 class Asked:
-    """One function of the record: of a piece by its number, where it is of one.
-
-    what -- one of those below
-    """
+    """One function of the record, by its name in these tables: of a piece by its number, where it is of one."""
 
     stated: Stated
-    what: Callable[..., Any]
+    what: str
     number: int = 0
 
     @property
     def __name__(self) -> str:
-        return self.what.__name__
+        return self.what
 
     def __call__(self, *arguments: Any) -> Any:
-        return self.what(self, *arguments)
-
-    def _numbers(self, given: Sequence[Any]) -> tuple[float, ...]:
-        return tuple(float(one) for one in given)
+        what = self.what
+        if what in OF_ONE:
+            return OF_ONE[what](self.stated.force(tuple(map(float, arguments))))
+        if what in OF_DESIGNS:
+            return self._by_design(arguments, of=OF_DESIGNS[what])
+        first, *given = arguments
+        if what in AVERAGES:
+            found = self._by_design(given, first, of=lambda force, A: force.averages(A, AVERAGES[what]))
+            return found if what != "intercept" else found[0]
+        method, order = OF_PIECE[what]
+        return self._by_design(given, first, of=lambda force, u: (method(force, self.number, u, order),))[0]
 
     def _by_design(self, given: Sequence[Any], *beside: Any, of: Callable[..., Sequence[Any]]) -> tuple[Any, ...]:
         """What is of one design, of arrays of them: each once."""
         if all(np.ndim(one) == 0 for one in given):
-            return tuple(of(self.stated.force(self._numbers(given)), *beside))
+            return tuple(of(self.stated.force(tuple(map(float, given))), *beside))
         *arrays, shaped = np.broadcast_arrays(*given, *(beside or (0.0,)))
         arrays.append(shaped)
         rows = np.stack([np.asarray(one, dtype=float).ravel() for one in arrays[: len(given)]], axis=-1)
@@ -52,103 +80,34 @@ class Asked:
         found: list[Floats] = []
         for k, design in enumerate(designs):
             here = of_row.ravel() == k
-            values = of(self.stated.force(self._numbers(design)), *((one[here] for one in others) if beside else ()))
+            values = of(self.stated.force(tuple(design.tolist())), *((one[here] for one in others) if beside else ()))
             if not found:
                 found = [np.empty(len(rows)) for _ in values]
             for whole, value in zip(found, values, strict=True):
                 whole[here] = value
         return tuple(one.reshape(arrays[0].shape) for one in found)
 
-    # --- of the parameters ---
-
-    def coefficients(self, *design: Any) -> Any:
-        """The parameters are the design; a force that is not allowed is told here, before any work."""
-        self._by_design(design, of=lambda force: (0.0,))
-        return tuple(design)
-
-    def breakpoints(self, *given: Any) -> Any:
-        return self._by_design(given, of=lambda force: force.ends[:-1])
-
-    def jumps(self, *given: Any) -> Any:
-        return self._by_design(given, of=lambda force: [lost[0] for lost in force.lost[:-1]])
-
-    def kinks(self, *given: Any) -> Any:
-        return self._by_design(given, of=lambda force: [one for lost in force.lost[:-1] for one in lost[1:3]])
-
-    def hardening(self, *given: Any) -> Any:
-        return self._by_design(given, of=lambda force: (-1.0,))
-
-    def samples(self, *given: Any) -> tuple[bytes, bytes]:
-        return self.stated.force(self._numbers(given)).samples
-
-    def told(self, *given: Any) -> str:
-        force = self.stated.force(self._numbers(given))
-        by = f"by {force.points} of its values, error {force.error:.1g}"
-        return f"a Python function, {by}; sums over polynomials"
-
-    # --- of the amplitude ---
-
-    def averaged(self, A: Any, *given: Any) -> Any:
-        return self._averages(A, given, 4)
-
-    def harmonics(self, A: Any, *given: Any) -> Any:
-        return self._averages(A, given, 8)
-
-    def intercept(self, A: Any, *given: Any) -> Any:
-        (found,) = self._averages(A, given, 1)
-        return found
-
-    def _averages(self, A: Any, given: Sequence[Any], outputs: int) -> Any:
-        return self._by_design(given, A, of=lambda force, A: force.averages(A, outputs))
-
-    # --- of a piece ---
-
-    def force(self, u: Any, *given: Any) -> Any:
-        return self._value(u, given, 0)
-
-    def slope(self, u: Any, *given: Any) -> Any:
-        return self._value(u, given, 1)
-
-    def force_throughout(self, u: Any, *given: Any) -> Any:
-        return self._value(u, given, 0, Force.value_throughout)
-
-    def slope_throughout(self, u: Any, *given: Any) -> Any:
-        return self._value(u, given, 1, Force.value_throughout)
-
-    def _value(self, u: Any, given: Sequence[Any], order: int, of: Callable[..., Any] = Force.value) -> Any:
-        """The piece, or a derivative of it."""
-        (found,) = self._by_design(given, u, of=lambda force, u: (of(force, self.number, u, order),))
-        return found
-
 
 def record(stated: Stated, title: str, design: tuple[Parameter, ...], reach_reason: str) -> Mechanism:
     """The record of a mechanism whose force is stated by functions."""
     count = len(stated.functions)
     last = count - 1
-    whole = Law(Asked(stated, Asked.force_throughout, last), Asked(stated, Asked.slope_throughout, last))
+    whole = Law(Asked(stated, "force_throughout", last), Asked(stated, "slope_throughout", last))
+    functions: dict[str, Any] = {name: Asked(stated, name) for name in (*OF_DESIGNS, *OF_ONE, *AVERAGES)}
     return Mechanism(
+        **functions,
         name=stated.name,
         title=title,
         design=design,
         parameters=design,
-        coefficients=Asked(stated, Asked.coefficients),
         pieces=tuple(
-            Law(Asked(stated, Asked.force, k), Asked(stated, Asked.slope, k), whole=whole if k == last else None)
+            Law(Asked(stated, "force", k), Asked(stated, "slope", k), whole=whole if k == last else None)
             for k in range(count)
         ),
-        breakpoints=Asked(stated, Asked.breakpoints),
-        jumps=Asked(stated, Asked.jumps),
-        kinks=Asked(stated, Asked.kinks),
-        hardening=Asked(stated, Asked.hardening),
-        averaged=Asked(stated, Asked.averaged),
-        intercept=Asked(stated, Asked.intercept),
-        harmonics=Asked(stated, Asked.harmonics),
         harmonics_up_to=math.inf,
         reach=stated.reach,
         reach_reason=reach_reason or REACHED,
         truncated=False,
         load_untruncated=None,
         enclosed=(),
-        told=Asked(stated, Asked.told),
-        samples=Asked(stated, Asked.samples),
     )
