@@ -102,6 +102,16 @@ def is_same(fold: Point, other: Point) -> bool:
     return abs(float(fold.z[-1] - other.z[-1])) < COINCIDE and abs(fold.A - other.A) < COINCIDE
 
 
+def has_turned(points: list[Point]) -> bool:
+    """Whether a branch has a fold at the last point but one; one there and back by rounding is none."""
+    if len(points) < 2 or points[-2].role not in FOLDS:
+        return False
+    if points[-1].role in FOLDS and is_same(points[-2], points[-1]):
+        del points[-2:]
+        return False
+    return True
+
+
 class Path:
     """Follows a curve of cycles point by point.
 

@@ -123,10 +123,10 @@ class Cycle:
         The monodromy matrix takes a deviation of (u, v) at the start, times `sign`, to one after the cycle; the start's
         own switch is counted at the end.
         """
-        found = self._solved(z.copy(), F_0, None, 0, 0.0)
+        found = self.newton(z, F_0, most=0)
         if found is None:
             raise NotSettled(text("the cycle at {Omega = :} cannot be integrated", z[-1]))
-        return found
+        return found[1]
 
     @functools.cached_property
     def order(self) -> Signature:
@@ -253,16 +253,11 @@ class Cycle:
     def newton(
         self, z: Array, F_0: float, extra: Extra | None = None, *, most: int = MOST_NEWTON, tolerance: float = TOLERANCE
     ) -> tuple[Array, Equations] | None:
-        """Newton's iteration; None where it does not converge.
+        """Newton's iteration; None where it does not converge or integration fails.
 
         Omega is kept unless `extra` gives one more equation.
         """
         z = np.array(z)
-        solved = self._solved(z, F_0, extra, most, tolerance)
-        return None if solved is None else (z, solved)
-
-    def _solved(self, z: Array, F_0: float, extra: Extra | None, most: int, tolerance: float) -> Equations | None:
-        """Newton's iteration, which moves z; None where it does not converge or integration fails."""
         k = len(self.signature)
         n = k + 4
         numbers, along = np.empty((k + 2) * (k + 5) + (2 * k + 1) * n), np.zeros(z.size)
@@ -280,18 +275,12 @@ class Cycle:
             return None
         ends = np.cumsum((k + 2, (k + 2) * n, n, 2 * k * n))
         residual, jacobian, of_A, gradients = (numbers[a:b] for a, b in pairwise((0, *ends)))
-        return Equations(
-            residual,
-            jacobian.reshape(k + 2, n),
-            np.array(monodromy).reshape(2, 2),
-            A,
-            of_A,
-            tuple(
-                Border(phase, bool(rest), margin, gradients[i * n : (i + 1) * n])
-                for i, (phase, rest, margin) in enumerate(borders)
-            ),
-            None if extra is None else along,
+        borders_at = tuple(
+            Border(phase, bool(rest), margin, gradients[i * n : (i + 1) * n])
+            for i, (phase, rest, margin) in enumerate(borders)
         )
+        jacobian, monodromy = jacobian.reshape(k + 2, n), np.array(monodromy).reshape(2, 2)
+        return z, Equations(residual, jacobian, monodromy, A, of_A, borders_at, None if extra is None else along)
 
     @functools.cached_property
     def packed(self) -> bytes:

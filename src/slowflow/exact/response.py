@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slowflow.answer import Drawn, Table
-from slowflow.exact.continuation import FOLDS, STEP, LostCurve, Path, Point, is_same, least_scale
+from slowflow.exact.continuation import FOLDS, STEP, LostCurve, Path, Point, has_turned, is_same, least_scale
 from slowflow.exact.cycle import Array
 from slowflow.exact.motion import Forced, check_forcing
 from slowflow.exact.shooting import Settled, SteadyState, describe, lengths, settle, steady_state
@@ -182,13 +182,9 @@ def first_fold(start: SteadyState, towards: float, Omega_range: tuple[float, flo
     try:
         for point in path.follow(path.begin(start, towards)):
             points.append(point)
-            if len(points) < 3 or points[-2].role not in FOLDS:
-                continue
-            if point.role in FOLDS and is_same(points[-2], point):
-                del points[-2:]  # there and back: none
-                continue
-            fold = points[-2]
-            return ResponsePoint(float(fold.z[-1]), fold.A, False, fold.cycle.stops)
+            if has_turned(points):
+                fold = points[-2]
+                return ResponsePoint(float(fold.z[-1]), fold.A, False, fold.cycle.stops)
     except ArithmeticError:
         pass
     return None

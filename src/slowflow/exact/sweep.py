@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slowflow.answer import Drawn, Table, entry
-from slowflow.exact.continuation import FOLDS, Path, Point, is_same, least_scale
+from slowflow.exact.continuation import Path, Point, has_turned, least_scale
 from slowflow.exact.motion import Forced, check_numbers, stops
 from slowflow.exact.shooting import (
     SteadyState,
@@ -215,7 +215,7 @@ class Branches:
                     j += 1
                 if j > end:
                     return end, False, True
-                if _has_turned(points):
+                if has_turned(points):
                     return j, self._falls(j, points[-2]), _is_stable(points[:-2])
         except ArithmeticError:
             pass
@@ -264,7 +264,7 @@ class Branches:
         try:
             for point in path.follow(path.begin(motion, math.copysign(1.0, Omega - self.Omega[j]))):
                 back.append(point)
-                if _has_turned(back):
+                if has_turned(back):
                     return back, True
         except ArithmeticError:
             pass
@@ -297,13 +297,3 @@ def _between(before: Point, after: Point, F_0: float, Omega: float) -> Point | N
         if found is not None and base.cycle.holds(found[0], F_0):
             return Point.of(base.cycle, *found, base.tangent)
     return None
-
-
-def _has_turned(points: list[Point]) -> bool:
-    """Whether a branch has a fold at the last point but one; one there and back by rounding is none."""
-    if len(points) < 2 or points[-2].role not in FOLDS:
-        return False
-    if points[-1].role in FOLDS and is_same(points[-2], points[-1]):
-        del points[-2:]
-        return False
-    return True
