@@ -47,9 +47,9 @@ class Drive(NamedTuple):
 def drive_of(forced: Forced, slip: int, region: int) -> Drive:
     """Those in a region."""
     system = forced.system
-    structural, by_Omega = motion.structural(forced.Omega, system.eta) if system.eta else (0.0, 0.0)
+    zeta, by_Omega = system.damping(forced.Omega)
     friction = slip * system.friction(region) - system.load
-    return Drive(forced.Omega, forced.force, system.zeta + structural, friction, slip * system.c_2, by_Omega)
+    return Drive(forced.Omega, forced.force, zeta, friction, slip * system.c_2, by_Omega)
 
 
 def resistance(drive: Any, v: Any) -> Any:
