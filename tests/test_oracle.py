@@ -21,8 +21,7 @@ from tests.oracles.averaged import (
     Duffing,
     Oscillator,
     RodSpring,
-    _res_quadratic_cubic,
-    _res_quadratic_quartic,
+    bezout,
 )
 from tests.oracles.certified_roots import isolate, polynomial_roots, precision
 from tests.oracles.kernels import Truncated
@@ -113,14 +112,15 @@ def test_h_of_duffing_is_that_of_the_force() -> None:
 # ---- the parts -------------------------------------------------------------------------------------------------------
 
 
-def test_resultant_formulas() -> None:
+def test_the_determinant_of_bezouts_matrix_is_the_resultant() -> None:
+    """Times a power of a leading coefficient, and a sign."""
     rng = random.Random(1)
-    for _ in range(20):
-        a, b, c, d, e, f, g = (fmpq(rng.randint(-9, 9), rng.randint(1, 9)) for _ in range(7))
-        a, d = a or fmpq(1), d or fmpq(1)
-        quadratic = fmpq_poly([c, b, a])
-        assert quadratic.resultant(fmpq_poly([g, f, e, 0, d])) == _res_quadratic_quartic(a, b, c, d, e, f, g)
-        assert quadratic.resultant(fmpq_poly([g, f, 0, d])) == _res_quadratic_cubic(a, b, c, d, f, g)
+    for degree in (2, 3, 4):
+        for _ in range(10):
+            f, g = ([fmpq(rng.randint(-9, 9), rng.randint(1, 9)) for _ in range(5)] for _ in range(2))
+            f[4], g[degree], g[degree + 1 :] = fmpq(2, 3), fmpq(5), [fmpq(0)] * (4 - degree)
+            exact = fmpq_poly(f).resultant(fmpq_poly(g)) * f[4] ** (4 - degree)
+            assert bezout(f, g) in (exact, -exact)
 
 
 def test_isolation_of_known_roots() -> None:

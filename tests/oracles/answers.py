@@ -37,11 +37,6 @@ class Anywhere(averaged.Oscillator):
 
     mechanism: str
 
-    def __init__(self, **parameters: Any) -> None:
-        self.parameters = {k: v if isinstance(v, fmpq) else exact(v) for k, v in parameters.items()}
-        self.zeta, self.mu = self.parameters["zeta"], self.parameters["mu"]
-        self.alpha, self.beta, self.gamma = self._stiffness()
-
     def h(self, A: arb, regime: str) -> tuple[arb, arb, arb, arb]:
         """h and three derivatives at the centre of a ball."""
         with workdps(int(BITS * 0.3)):

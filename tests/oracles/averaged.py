@@ -4,13 +4,15 @@ The independent reference for the runtime's tests. It shares no code with `deriv
 restoring force is averaged here through the moments of sin^(2k), all arithmetic is FLINT's (exact rationals, and balls
 that enclose the true value), and completeness is proved, not sampled:
 
-* With m = 4 mu/pi, R = A Omega^2 + h, I = 2 zeta A Omega + m the response curve is F = R^2 + I^2 - F_0^2 = 0.
-  A F_A/2 - F is a *quadratic* in Omega, so the folds are the zeros in A of an explicit resultant of a quadratic and
-  the quartic F. While the mass stays attached (A <= u_cr) it is a polynomial with rational coefficients: all its roots
-  are isolated exactly. Beyond, with A = u_cr sqrt(1 + t^2), it is analytic in t down to and including the corner t = 0,
-  and `certified_roots.isolate` encloses every zero on a range outside which no fold can be.
-* Every zero is a candidate. Omega follows from the quadratic; F and F_A decide; a Krawczyk step then proves that the
-  enclosing box holds exactly one solution of the system itself.
+* With R = A Omega^2 + h and I = n + 2 zeta A Omega + d A^2 Omega^2 the response curve is F = R^2 + I^2 - F_0^2 = 0.
+  n = 4 mu/pi + eta A, or 4 mu u_cr/(pi A) beyond u_cr where only what is attached rubs; d = 8 c_2/(3 pi).
+  F, A F_A/2 - F and the like are quartics in Omega: each pair of them gives one function of A, the determinant of their
+  Bezout matrix, which is the resultant times a power of a leading coefficient that is positive. Where both are even in
+  Omega it is that of Omega^2. While the mass stays attached (A <= u_cr) it is a polynomial with rational coefficients:
+  all its roots are isolated exactly. Beyond, with A = u_cr sqrt(1 + t^2), it is analytic in t down to and including the
+  corner t = 0, and `certified_roots.isolate` encloses every zero on a range outside which no fold can be.
+* Every zero is a candidate. Omega follows from the roots of a quartic, each enclosed; F and F_A decide; a Krawczyk step
+  then proves that the enclosing box holds exactly one solution of the system itself.
 * At A = u_cr the slope h_A jumps to -infinity (the truncated force is negative there), so F_A jumps to
   -sign(R) infinity: a response point on the corner is a fold where R and the attached F_A have the same sign.
 * Independently, the number of folds at any F_0 is a Morse count on the fold locus: twice (minima of F_0 below, minus
@@ -20,7 +22,7 @@ that enclose the true value), and completeness is proved, not sampled:
 Numbers given as floats are taken exactly as their binary values; `fractions.Fraction` is exact too.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
@@ -35,6 +37,7 @@ BITS = 280  # 84 digits to compute with; 40 are reported
 DIGITS = 40
 ATTACHED, DETACHED, CORNER = "attached", "detached", "corner"
 Number = float | int | Fraction
+Coefficients = Sequence[Any]
 
 
 def exact(x: Number) -> fmpq:
@@ -92,34 +95,28 @@ def _moments(t: Any) -> list:
     return moments
 
 
-def _res_quadratic_quartic(a: Any, b: Any, c: Any, f4: Any, f2: Any, f1: Any, f0: Any) -> Any:
-    """Res_x(a x^2 + b x + c, f4 x^4 + f2 x^2 + f1 x + f0), by the symmetric functions of the quadratic's roots."""
-    power_2 = b * b - 2 * a * c
-    return (
-        f4 * f4 * c**4
-        + f4 * f2 * c * c * power_2
-        + f4 * f1 * b * c * (3 * a * c - b * b)
-        + f4 * f0 * (power_2 * power_2 - 2 * a * a * c * c)
-        + f2 * f2 * a * a * c * c
-        - f2 * f1 * a * a * b * c
-        + f2 * f0 * a * a * power_2
-        + f1 * f1 * a * a * a * c
-        - f1 * f0 * a * a * a * b
-        + f0 * f0 * a**4
-    )
+def determinant(rows: list[list[Any]]) -> Any:
+    """By minors of the first row: no division."""
+    if len(rows) == 1:
+        return rows[0][0]
+    total = None
+    for k, entry in enumerate(rows[0]):
+        term = entry * determinant([row[:k] + row[k + 1 :] for row in rows[1:]])
+        term = -term if k % 2 else term
+        total = term if total is None else total + term
+    return total
 
 
-def _res_quadratic_cubic(a: Any, b: Any, c: Any, f3: Any, f1: Any, f0: Any) -> Any:
-    """Res_x(a x^2 + b x + c, f3 x^3 + f1 x + f0)."""
-    power_2 = b * b - 2 * a * c
-    return (
-        f3 * f3 * c**3
-        + f3 * f1 * c * power_2
-        + f3 * f0 * b * (3 * a * c - b * b)
-        + f1 * f1 * a * a * c
-        - f1 * f0 * a * a * b
-        + f0 * f0 * a**3
-    )
+def bezout(f: Coefficients, g: Coefficients) -> Any:
+    """The determinant of the Bezout matrix of two polynomials of one formal degree, coefficients constant first."""
+    n = len(f) - 1
+
+    def entry(i: int, j: int) -> Any:
+        pairs = [(i + j + 1 - k, k) for k in range(min(i, j) + 1) if i + j + 1 - k <= n]
+        terms = [f[high] * g[low] - f[low] * g[high] for high, low in pairs]
+        return sum(terms[1:], terms[0])
+
+    return determinant([[entry(i, j) for j in range(n)] for i in range(n)])
 
 
 @dataclass
@@ -131,6 +128,11 @@ class Jet:
     g: Any = None
     k: Any = None
     s: Any = 1
+
+    @property
+    def scales(self) -> tuple[Any, Any, Any]:
+        """What h_AA, h_A and h_A^2 are multiplied by where h_AA is freed of its denominator."""
+        return self.s * self.s * self.s, self.s * self.s, self.s
 
 
 @dataclass
@@ -167,20 +169,25 @@ class Oscillator:
     """Averaged oscillator with h(A) given piecewise; parameters by name as exact rationals."""
 
     inputs: tuple[str, ...]
+    #: whether friction acts on the attached piece only
+    ends_at_u_cr = False
 
     def __init__(self, **parameters: Number | fmpq) -> None:
         self.parameters = {k: v if isinstance(v, fmpq) else exact(v) for k, v in parameters.items()}
-        self.zeta, self.mu = self.parameters["zeta"], self.parameters["mu"]
-        if not self.zeta > 0 or self.mu < 0:
-            raise ValueError("the oracle wants zeta > 0 and mu >= 0")
+        self.zeta, self.mu, self.eta, self.c_2 = (
+            self.parameters.get(name, fmpq(0)) for name in ("zeta", "mu", "eta", "c_2")
+        )
+        if self.ends_at_u_cr and (self.zeta == 0 or self.eta + self.c_2 > 0):
+            raise NotImplementedError("friction that ends goes with viscous damping only")
         with precision(2 * BITS):
-            self._m_rational = exact_ball(4 * arb(self.mu) / arb.pi())
+            self._m_rational, self._d_rational = exact_ball(self.m), exact_ball(self.d)
         self.alpha, self.beta, self.gamma = self._stiffness()
 
     # ---- the mechanism -------------------------------------------------------------------------------------------
 
     def _stiffness(self) -> tuple[fmpq, fmpq, fmpq]:
-        raise NotImplementedError
+        """Of the attached piece; of no force that is averaged in another way."""
+        return fmpq(0), fmpq(0), fmpq(0)
 
     @property
     def u_cr(self) -> arb | None:
@@ -191,6 +198,19 @@ class Oscillator:
     def m(self) -> arb:
         """4 mu / pi."""
         return 4 * arb(self.mu) / arb.pi()
+
+    @property
+    def d(self) -> arb:
+        """8 c_2/(3 pi)."""
+        return 8 * arb(self.c_2) / (3 * arb.pi())
+
+    def at_rest(self, A: arb, regime: str) -> tuple[arb, arb, arb, arb]:
+        """n and three derivatives."""
+        m, eta, zero = self.m, arb(self.eta), arb(0)
+        if regime == DETACHED and self.ends_at_u_cr:
+            n = m * self.u_cr / A
+            return n + eta * A, eta - n / A, 2 * n / A**2, -6 * n / A**3
+        return m + eta * A, eta, zero, zero
 
     def force(self, u: Any) -> Any:
         """The restoring force of the attached piece at u, vertical spring included."""
@@ -266,23 +286,26 @@ class Oscillator:
     # ---- F and its derivatives at a point ------------------------------------------------------------------------
 
     def derivatives(self, Omega: arb, A: arb, regime: str, F_0: arb) -> dict[str, arb]:
-        """F and its partial derivatives up to what cusps need, with R and I, at a ball."""
-        zeta, m = arb(self.zeta), self.m
+        zeta, d = arb(self.zeta), self.d
         h, h_A, h_AA, h_AAA = self.h(A, regime)
+        n, n_A, n_AA, n_AAA = self.at_rest(A, regime)
         W = Omega * Omega
-        R, damping = A * W + h, 2 * zeta * A * Omega + m
-        R_A, R_Omega, I_A, I_Omega = W + h_A, 2 * A * Omega, 2 * zeta * Omega, 2 * zeta * A
+        R, R_A, R_O = A * W + h, W + h_A, 2 * A * Omega
+        lag = n + A * Omega * (2 * zeta + d * A * Omega)
+        lag_A, lag_O = n_A + 2 * zeta * Omega + 2 * d * A * W, 2 * zeta * A + 2 * d * A * A * Omega
+        lag_AA, lag_AO, lag_OO, lag_AAO = n_AA + 2 * d * W, 2 * zeta + 4 * d * A * Omega, 2 * d * A * A, 4 * d * Omega
         return {
             "R": R,
-            "I": damping,
-            "F": R * R + (damping - F_0) * (damping + F_0),
-            "A": 2 * (R * R_A + damping * I_A),
-            "O": 2 * (R * R_Omega + damping * I_Omega),
-            "AA": 2 * (R_A * R_A + R * h_AA + I_A * I_A),
-            "AO": 2 * (R_Omega * R_A + 2 * R * Omega + I_Omega * I_A + 2 * damping * zeta),
-            "OO": 2 * (R_Omega * R_Omega + 2 * R * A + I_Omega * I_Omega),
-            "AAA": 2 * (3 * R_A * h_AA + R * h_AAA),
-            "AAO": 2 * (4 * Omega * R_A + R_Omega * h_AA + 4 * zeta * I_A),
+            "I": lag,
+            "I_A": lag_A,
+            "F": R * R + (lag - F_0) * (lag + F_0),
+            "A": 2 * (R * R_A + lag * lag_A),
+            "O": 2 * (R * R_O + lag * lag_O),
+            "AA": 2 * (R_A * R_A + R * h_AA + lag_A * lag_A + lag * lag_AA),
+            "AO": 2 * (R_O * R_A + 2 * R * Omega + lag_O * lag_A + lag * lag_AO),
+            "OO": 2 * (R_O * R_O + 2 * R * A + lag_O * lag_O + lag * lag_OO),
+            "AAA": 2 * (3 * R_A * h_AA + R * h_AAA + 3 * lag_A * lag_AA + lag * n_AAA),
+            "AAO": 2 * (4 * R_A * Omega + R_O * h_AA + 2 * lag_A * lag_AO + lag_O * lag_AA + lag * lag_AAO),
         }
 
     def forcing(self, Omega: arb, A: arb, regime: str) -> arb:
@@ -290,70 +313,126 @@ class Oscillator:
         d = self.derivatives(Omega, A, regime, arb(0))
         return d["F"].sqrt()
 
-    # ---- one-variable functions whose zeros are candidates ---------------------------------------------------------
+    # ---- polynomials in Omega, constant first -----------------------------------------------------------------------
 
-    def _constants(self, A: Any) -> tuple[Any, Any]:
+    def _numbers(self, j: Jet) -> tuple[Any, Any, Any, Any, Any, Any]:
+        """zeta, d, n and its derivatives (not multiplied by any s) at a jet."""
+        A = j.A
         if isinstance(A, fmpq_poly):
-            return self.zeta, self._m_rational
-        return arb(self.zeta), self.m
+            zero = fmpq_poly([0])
+            return self.zeta, self._d_rational, self._m_rational + self.eta * A, zero + self.eta, zero, zero
+        eta = arb(self.eta)
+        if self.ends_at_u_cr and self._beyond(j):
+            n = self.m * self.u_cr / A
+            return arb(self.zeta), self.d, n + eta * A, eta - n / A, 2 * n / (A * A), 0 * A
+        return arb(self.zeta), self.d, self.m + eta * A, 0 * A + eta, 0 * A, 0 * A
 
-    def _fold_quadratic(self, j: Jet, F_0: Any) -> tuple[Any, Any, Any]:
-        """s (A F_A/2 - F) as a quadratic in Omega."""
-        zeta, m = self._constants(j.A)
-        lag = j.s * j.h - j.A * j.g
-        return j.A * lag, 2 * zeta * m * j.A * j.s, j.h * lag + j.s * (m * m - F_0 * F_0)
+    @staticmethod
+    def _beyond(j: Jet) -> bool:
+        """Jets of balls and series stand for amplitudes beyond u_cr: those before it are rational polynomials."""
+        return not isinstance(j.A, fmpq_poly)
 
-    def _fold_resultant(self, j: Jet, F_0: Any) -> Any:
-        zeta, m = self._constants(j.A)
-        a, b, c = self._fold_quadratic(j, F_0)
-        f4, f2 = j.A * j.A, 2 * j.A * j.h + 4 * zeta * zeta * j.A * j.A
-        f0 = j.h * j.h + m * m - F_0 * F_0
-        if self.mu == 0:  # everything is even in Omega: the resultant in Omega would be a square
-            return f4 * c * c - f2 * a * c + f0 * a * a
-        return _res_quadratic_quartic(a, b, c, f4, f2, 4 * zeta * m * j.A, f0)
+    def _response_polynomial(self, j: Jet, F_0: Any) -> list[Any]:
+        """F."""
+        zeta, d, n, *_ = self._numbers(j)
+        z, D = 2 * zeta * j.A, d * j.A * j.A
+        return [
+            j.h * j.h + n * n - F_0 * F_0,
+            2 * z * n,
+            2 * j.A * j.h + z * z + 2 * n * D,
+            2 * z * D,
+            j.A * j.A + D * D,
+        ]
 
-    def _cusp_quadratic(self, j: Jet) -> tuple[Any, Any, Any]:
-        """s^3 (F_A/2 - A F_AA/2) as a quadratic in Omega."""
-        zeta, m = self._constants(j.A)
-        s2 = j.s * j.s
-        lag = j.s * j.h - j.A * j.g
-        return (
-            s2 * lag - j.A * j.A * j.k,
-            2 * zeta * m * s2 * j.s,
-            j.g * j.s * lag - j.A * j.h * j.k,
-        )
+    def _lag_polynomial(self, j: Jet, F_0: Any) -> list[Any]:
+        """s (A F_A/2 - F)."""
+        zeta, d, n, n_A, *_ = self._numbers(j)
+        z, D = 2 * zeta * j.A, d * j.A * j.A
+        v, turn = j.A * n_A - n, j.A * j.g - j.s * j.h
+        return [
+            j.s * (n * v + F_0 * F_0) + turn * j.h,
+            j.s * z * v,
+            j.s * D * (v + n) + turn * j.A,
+            j.s * z * D,
+            j.s * D * D,
+        ]
 
-    def _cusp_resultant(self, j: Jet) -> Any:
-        zeta, _ = self._constants(j.A)
-        a, b, c = self._cusp_quadratic(j)
-        s2 = j.s * j.s
-        f4, f2, f0 = (
-            s2 * j.s,
-            2 * j.g * s2 + j.A * j.k + 4 * zeta * zeta * s2 * j.s,
-            j.g * j.g * j.s + j.h * j.k,
-        )
-        if self.mu == 0:
-            return f4 * c * c - f2 * a * c + f0 * a * a
-        return _res_quadratic_quartic(a, b, c, f4, f2, 0 * f4, f0)
+    def _slope_polynomial(self, j: Jet) -> list[Any]:
+        """s F_A/2."""
+        zeta, d, n, n_A, *_ = self._numbers(j)
+        z, D, A = 2 * zeta * j.A, d * j.A * j.A, j.A
+        return [
+            j.h * j.g + j.s * n * n_A,
+            j.s * (2 * zeta * n + z * n_A),
+            j.s * (j.h + 2 * zeta * z + 2 * d * A * n + D * n_A) + A * j.g,
+            j.s * (2 * d * A * z + 2 * zeta * D),
+            j.s * (A + 2 * d * A * D),
+        ]
 
-    def _peak_quadratic(self, j: Jet, F_0: Any) -> tuple[Any, Any, Any]:
-        """F - Omega F_Omega/4 as a quadratic in Omega."""
-        zeta, m = self._constants(j.A)
-        e = j.h + 2 * zeta * zeta * j.A
-        return j.A * e, 3 * zeta * m * j.A, j.h * j.h + m * m - F_0 * F_0
+    def _bend_polynomial(self, j: Jet) -> list[Any]:
+        """s^3 F_AA/2, or what a jet scales it by."""
+        zeta, d, n, n_A, n_AA, _ = self._numbers(j)
+        z, D, A, (s3, s2, s) = 2 * zeta * j.A, d * j.A * j.A, j.A, j.scales
+        return [
+            s * j.g * j.g + j.h * j.k + s3 * (n_A * n_A + n * n_AA),
+            s3 * (4 * zeta * n_A + z * n_AA),
+            2 * s2 * j.g + A * j.k + s3 * (4 * zeta * zeta + 4 * d * A * n_A + 2 * d * n + D * n_AA),
+            s3 * (8 * zeta * d * A + 2 * d * z),
+            s3 * (1 + 4 * d * d * A * A + 2 * d * D),
+        ]
 
-    def _peak_resultant(self, j: Jet, F_0: Any) -> Any:
-        zeta, m = self._constants(j.A)
-        e = j.h + 2 * zeta * zeta * j.A
-        a, b, c = self._peak_quadratic(j, F_0)
-        if self.mu == 0:
-            return c - e * e
-        return _res_quadratic_cubic(a, b, c, j.A, e, j.A * 0 + zeta * m)
+    def _peak_polynomial(self, j: Jet) -> list[Any]:
+        """F_Omega/2."""
+        zeta, d, n, *_ = self._numbers(j)
+        z, D = 2 * zeta * j.A, d * j.A * j.A
+        return [n * z, 2 * j.A * j.h + z * z + 2 * n * D, 3 * z * D, 2 * (j.A * j.A + D * D)]
 
-    def _isola_function(self, j: Jet) -> Any:
-        """On F_A = 0, F_Omega = 0 exactly where Omega^2 = h_A: then Omega (A h_A + h + 2 zeta^2 A) + zeta m = 0."""
-        zeta, m = self._constants(j.A)
-        return j.g * (j.A * j.g + j.h + 2 * zeta * zeta * j.A) ** 2 - zeta * zeta * m * m
+    @property
+    def _even(self) -> bool:
+        """Whether all is even in Omega: a resultant would be a square."""
+        return self.zeta == 0 or self.mu == self.eta == self.c_2 == 0
+
+    def _resultant(self, f: Coefficients, g: Coefficients) -> Any:
+        return bezout(f[::2], g[::2]) if self._even else bezout(f, g)
+
+    @staticmethod
+    def _value(f: Coefficients, x: Any) -> Any:
+        return f[0] + x * (f[1] + x * (f[2] + x * (f[3] + x * f[4])))
+
+    def _roots(self, coefficients: Coefficients) -> list[arb]:
+        """Positive roots of a polynomial in Omega whose coefficients are balls, each enclosed."""
+        centre = fmpq_poly([exact_ball(arb(c)) for c in coefficients])
+        enclosed = []
+        for root in polynomial_roots(centre, BITS):
+            mid, value = arb(root.mid()), arb(0)
+            for power in range(len(coefficients) - 1, -1, -1):
+                value = value * mid + coefficients[power]
+            for part in (2, 4, 8, 12, 16, 20, 24, 28):  # as wide as the coefficients ask for
+                box, slope = arb(mid, arb(2) ** (-BITS // part) * abs(root).upper()), arb(0)
+                for power in range(len(coefficients) - 1, 0, -1):
+                    slope = slope * box + power * coefficients[power]
+                new = mid - value / slope
+                if box.contains_interior(new):
+                    break
+            else:
+                raise ArithmeticError("nearly double root in Omega")
+            enclosed.append(new)
+        return enclosed
+
+    def _at(self, A: arb, regime: str) -> "tuple[Oscillator, Jet]":
+        """The oscillator whose n is the one there, and h there."""
+        h, h_A, h_AA, _ = self.h(A, regime)
+        own = self
+        if self.ends_at_u_cr and regime != DETACHED:
+            own = self._rubbing_throughout
+        return own, Jet(A, h, h_A, h_AA, arb(1))
+
+    @property
+    def _rubbing_throughout(self) -> "Oscillator":
+        other = object.__new__(type(self))
+        other.__dict__.update(self.__dict__)
+        other.ends_at_u_cr = False
+        return other
 
     # ---- zeros on both sides of the corner ------------------------------------------------------------------------
 
@@ -385,27 +464,35 @@ class Oscillator:
             (self.u_cr * (1 + t * t).sqrt(), DETACHED) for t in isolate(at, arb(0), t_max, exclude=exclude)
         ]
 
+    def _fold_bounds(self, A: arb) -> tuple[arb, arb]:
+        """With h = -A + e: bounds of |e|/A and |e'| from A >= 2 u_cr on."""
+        u, pi = self.u_cr, arb.pi()
+        parts = [abs(arb(self.alpha) - 1), abs(arb(self.beta)) * u**2, abs(arb(self.gamma)) * u**4]
+        force, slope = u * sum(parts, arb(0)), parts[0] + 3 * parts[1] + 5 * parts[2]
+        s = u / A
+        return (4 / pi) * force * s**2 / A, (4 / pi) * s**3 * (slope * pi / 2 + force / u / (arb(3) / 4).sqrt())
+
     @cached_property
     def _fold_range(self) -> arb | None:
         """t beyond which F_A > 0 for every Omega, whatever the forcing.
 
-        With h = -A + e and |e|/A, |e'| <= zeta/2 the quartic F_A/(2A) stays above
-        4 zeta^2 - zeta^2/2 - 2 zeta^3 - 4 zeta^4.
+        F_A/(2 A) = (y + p)(y + q) + I I_A/A with y = Omega^2 - 1 and |p|, |q| <= e. The product is not below -e^2, and
+        above e^2 for |y| > 2 e. I I_A/A is not below eta^2 + 4 zeta^2 Omega^2 + 2 (d A Omega^2)^2, less (m u_cr)^2/A^4
+        where friction ends. All of these grow with A, and e falls.
         """
         if self.u_cr is None:
             return None
-        zeta, u, pi = arb(self.zeta), self.u_cr, arb.pi()
-        if not zeta < arb("0.6"):
-            raise ValueError("the range of folds is only bounded for zeta < 0.6")
-        parts = [abs(arb(self.alpha) - 1), abs(arb(self.beta)) * u**2, abs(arb(self.gamma)) * u**4]
-        force, slope = u * sum(parts, arb(0)), parts[0] + 3 * parts[1] + 5 * parts[2]
-        A = 2 * u
+        if not self.zeta + self.eta + self.c_2 > 0:
+            raise ValueError("the oracle wants damping beside friction")
+        A = 2 * self.u_cr
         while True:
-            s = u / A
-            e = (4 / pi) * force * s**2 / A
-            e_A = (4 / pi) * (slope * pi / 2 * s**3 + force * s**3 / u / (arb(3) / 4).sqrt())
-            if e < zeta / 2 and e_A < zeta / 2:
-                return self.t(A)
+            lost = self.m * self.u_cr / A**2 if self.ends_at_u_cr else arb(0)
+            e = max(*self._fold_bounds(A), lost, key=lambda x: x.mid()) * arb("1.0001")
+            low = 1 - 2 * e
+            if low > 0:
+                gain = arb(self.eta) ** 2 + 4 * arb(self.zeta) ** 2 * low + 2 * (self.d * A * low) ** 2
+                if gain - lost**2 > e**2:
+                    return self.t(A)
             A *= arb(5) / 4
 
     def _response_range(self, F_0: arb) -> arb | None:
@@ -418,21 +505,15 @@ class Oscillator:
         bound = half + (half**2 + ((F_0 - self.m) / (2 * zeta)) ** 2).sqrt()
         return self.t(bound.max(2 * u))
 
-    # ---- from a zero to a certified point -------------------------------------------------------------------------
+    def _state_range(self, Omega: arb, F_0: arb) -> arb | None:
+        """The same at one frequency: I = F_0 at most."""
+        if self.u_cr is None:
+            return None
+        linear, square = arb(self.eta) + 2 * arb(self.zeta) * Omega, self.d * Omega**2
+        top = F_0 / linear if linear > 0 else (F_0 / square).sqrt()
+        return self.t((top * arb("1.0001")).max(2 * self.u_cr))
 
-    def _omegas(self, quadratic: Callable[[Jet], tuple], A: arb, regime: str) -> list[arb]:
-        """Positive roots of a quadratic in Omega at the ball A."""
-        h, h_A, h_AA, _ = self.h(A, regime)
-        a, b, c = quadratic(Jet(A, h, h_A, h_AA, arb(1)))
-        discriminant = b * b - 4 * a * c
-        if discriminant < 0:
-            return []
-        root = discriminant.sqrt()
-        if not root > 0:
-            raise ArithmeticError("double root of the quadratic in Omega")
-        q = -(b + root) / 2 if self.mu else None
-        candidates = [root / (2 * abs(a))] if q is None else [q / a, c / q]
-        return [x for x in candidates if not x < 0]
+    # ---- from a zero to a certified point -------------------------------------------------------------------------
 
     def _krawczyk(self, Omega: arb, A: arb, system: Callable[[arb, arb], tuple[list, list]]) -> tuple[arb, arb]:
         """A box with exactly one solution of the 2 x 2 system(Omega, A) -> values, rows of the Jacobian."""
@@ -456,30 +537,25 @@ class Oscillator:
             raise ArithmeticError("Newton's method left the enclosure")
         return new_x, new_y
 
-    def _accept(
+    def _common(
         self,
         zeros: list[tuple[arb, str]],
-        quadratic: Callable[[Jet], tuple],
+        polynomial: Callable[["Oscillator", Jet], list[Any]],
         F_0: arb,
         names: tuple[str, str],
     ) -> list[Point]:
-        """The candidates (A from a resultant, Omega from a quadratic) at which both named functions vanish."""
+        """The candidates at which both named functions vanish; Omega from the roots of one polynomial."""
+        rows = {"F": ("O", "A"), "A": ("AO", "AA"), "AA": ("AAO", "AAA"), "O": ("OO", "AO")}
         points = []
-        jacobian = {"F": ("O", "A"), "A": ("AO", "AA"), "AA": ("AAO", "AAA"), "O": ("OO", "AO")}
         for A, regime in zeros:
 
             def system(x: arb, y: arb, regime: str = regime) -> tuple[list, list]:
                 d = self.derivatives(x, y, regime, F_0)
-                return [d[n] for n in names], [[d[k] for k in jacobian[n]] for n in names]
+                return [d[n] for n in names], [[d[k] for k in rows[n]] for n in names]
 
-            hits = []
-            for Omega in self._omegas(quadratic, A, regime):
-                values, _ = system(Omega, A)
-                if all(v.contains(0) for v in values):
-                    hits.append(self._krawczyk(Omega, A, system))
-            if len(hits) > 1:
-                raise ArithmeticError("two points at one amplitude")
-            points += [Point(x, y, regime) for x, y in hits if x > 0]
+            for Omega in self._roots(polynomial(*self._at(A, regime))):
+                if all(value.contains(0) for value in system(Omega, A)[0]):
+                    points.append(Point(*self._krawczyk(Omega, A, system), regime))
         return points
 
     # ---- what is asked ----------------------------------------------------------------------------------------------
@@ -488,11 +564,17 @@ class Oscillator:
         """Every (Omega, A) with F = F_A = 0 or on the corner between F_A of opposite signs, by rising Omega."""
         with precision(BITS):
             forcing, rational = arb(exact(F_0)), exact(F_0)
-            zeros = self._zeros(
-                lambda j: self._fold_resultant(j, rational if isinstance(j.A, fmpq_poly) else forcing),
-                self._fold_range,
+
+            def function(j: Jet) -> Any:
+                force = rational if isinstance(j.A, fmpq_poly) else forcing
+                return self._resultant(self._response_polynomial(j, force), self._lag_polynomial(j, force))
+
+            points = self._common(
+                self._zeros(function, self._fold_range),
+                lambda own, j: own._response_polynomial(j, forcing),
+                forcing,
+                ("F", "A"),
             )
-            points = self._accept(zeros, lambda j: self._fold_quadratic(j, forcing), forcing, ("F", "A"))
             for p in points:
                 curvature = self.derivatives(p.Omega, p.A, p.regime, forcing)["AA"]
                 p.kind = "jump-up" if _sign(curvature) < 0 else "jump-down"
@@ -516,49 +598,23 @@ class Oscillator:
         """Every positive Omega with F = 0 at this amplitude, ascending."""
         with precision(BITS):
             A = A if isinstance(A, arb) else arb(exact(A))
-            F_0 = F_0 if isinstance(F_0, arb) else arb(exact(F_0))
-            h = self.h(A, regime or self.regime(A))[0]
-            zeta, m = arb(self.zeta), self.m
-            return self._quartic(
-                A * A, 2 * A * h + 4 * zeta**2 * A * A, 4 * zeta * m * A, h * h + (m - F_0) * (m + F_0)
-            )
-
-    def _quartic(self, f4: arb, f2: arb, f1: arb, f0: arb) -> list[arb]:
-        """Positive roots of a depressed quartic whose coefficients are balls of relative radius ~ 2^-BITS.
-
-        Isolated exactly for the balls' centres; then each is enclosed for the balls by an interval Newton step.
-        """
-        centre = [exact_ball(x) for x in (f0, f1, f2)]
-        roots = polynomial_roots(fmpq_poly([*centre, 0, exact_ball(f4)]), BITS)
-        enclosed = []
-        for root in roots:
-            box = arb(root.mid(), arb(2) ** (-BITS // 2) * abs(root).upper())
-            slope = f1 + box * (2 * f2 + box * box * 4 * f4)
-            mid = arb(root.mid())
-            new = mid - (f0 + mid * (f1 + mid * (f2 + mid * mid * f4))) / slope
-            if not box.contains_interior(new):
-                raise ArithmeticError("nearly double root of a quartic")
-            enclosed.append(new)
-        return enclosed
+            own, j = self._at(A, regime or self.regime(A))
+            return self._roots(own._response_polynomial(j, F_0 if isinstance(F_0, arb) else arb(exact(F_0))))
 
     def amplitudes(self, Omega: Number, F_0: Number) -> list[Amplitude]:
         """Every steady state at this frequency, by rising amplitude."""
         with precision(BITS):
-            W, forcing = exact(Omega) ** 2, arb(exact(F_0))
+            frequency, forcing = arb(exact(Omega)), arb(exact(F_0))
 
             def function(j: Jet) -> Any:
-                zeta, m = self._constants(j.A)
-                polynomial = isinstance(j.A, fmpq_poly)
-                R = j.A * (W if polynomial else arb(W)) + j.h
-                friction = 2 * zeta * j.A * (exact(Omega) if polynomial else arb(exact(Omega))) + m
-                return R * R + friction * friction - (exact(F_0) if polynomial else forcing) ** 2
+                x, force = (exact(Omega), exact(F_0)) if isinstance(j.A, fmpq_poly) else (frequency, forcing)
+                return self._value(self._response_polynomial(j, force), x)
 
             found = []
-            for A, regime in self._zeros(function, self._response_range(forcing)):
-                A = self._newton_amplitude(arb(exact(Omega)), A, regime, forcing)
-                d = self.derivatives(arb(exact(Omega)), A, regime, forcing)
-                phi = arb.atan2(-d["I"], -d["R"])
-                found.append(Amplitude(A, phi, _sign(d["A"]) > 0, regime))
+            for A, regime in self._zeros(function, self._state_range(frequency, forcing)):
+                A = self._newton_amplitude(frequency, A, regime, forcing)
+                d = self.derivatives(frequency, A, regime, forcing)
+                found.append(Amplitude(A, arb.atan2(-d["I"], -d["R"]), _sign(d["A"]) > 0, regime))
             return sorted(found, key=lambda a: a.A.mid())
 
     def _newton_amplitude(self, Omega: arb, A: arb, regime: str, forcing: arb) -> arb:
@@ -585,19 +641,20 @@ class Oscillator:
 
     @cached_property
     def ends(self) -> list[tuple[arb, int, arb]]:
-        """Where the fold locus runs into Omega = 0: the forcing there, its trend along the locus (+1, -1), and A.
-
-        F_A/2 is h h_A at Omega = 0, so these are the zeros of h and of h_A; and the corner, where h_A > 0 before it.
-        """
+        """Where the fold locus runs into Omega = 0: F_A vanishes there, or is of one sign with h at the corner."""
         with precision(BITS):
+            points = self._zeros(lambda j: self._slope_polynomial(j)[0], self._fold_range)
+            if self.u_cr is not None:
+                own, j = self._at(self.u_cr, CORNER)
+                if _sign(own._slope_polynomial(j)[0]) == _sign(j.h):
+                    points.append((self.u_cr, CORNER))
             found = []
-            points = self._zeros(lambda j: j.h * j.g, self._fold_range)
-            if self.u_cr is not None and self.h(self.u_cr, CORNER)[1] > 0:
-                points.append((self.u_cr, CORNER))
             for A, regime in points:
-                h = self.h(A, regime)[0]
-                trend = 1 if self.mu else _sign(h + 2 * arb(self.zeta) ** 2 * A)
-                found.append((self.m if h.contains(0) else (h * h + self.m**2).sqrt(), trend, A))
+                own, j = self._at(A, regime)
+                constant, linear, *_ = own._peak_polynomial(j)
+                n = self.at_rest(A, regime)[0]
+                trend = _sign(linear) if self.zeta == 0 or constant == 0 else _sign(constant)
+                found.append((n if j.h.contains(0) else (j.h * j.h + n * n).sqrt(), trend, A))
             return found
 
     def fold_count(self, F_0: Number) -> int:
@@ -616,101 +673,113 @@ class Oscillator:
         """The lowest minimum of F_0 on the fold locus; None when it has none."""
         return next((p for p in self.extrema if p.sense == "min"), None)
 
-    def _cusps(self) -> list[Point]:
-        def exclude(t: arb) -> bool:
-            # F_A = 0 needs R (Omega^2 + h_A) < 0, which for h_A < h/A leaves R > 0 only; then h_AA > 0 makes F_AA > 0.
-            if not t.lower() >= 0:
-                t = arb(0).union(arb(t.upper()))
-            A, h, g, k = self.detached(t)
-            return k > 0 and A * g < t * h
+    def _no_cusp(self, t: arb) -> bool:
+        """A proof for a piece beyond the corner, down to it: the resultant vanishes there.
 
-        zeros = self._zeros(self._cusp_resultant, self._fold_range, exclude)
-        points = self._accept(zeros, self._cusp_quadratic, arb(0), ("A", "AA"))
+        Where I_A >= 0, F_A = 0 needs R R_A < 0, which for h_A < h/A leaves R > 0 only; then h_AA > 0 makes F_AA > 0, as
+        I_AA >= 0. Where I_A < 0, R and R_A have one sign, and minus leaves Omega^2 < -h/A: there R = -I I_A/R_A narrows
+        Omega, and F_AA R_A must not vanish.
+        """
+        if not t.lower() >= 0:
+            t = arb(0).union(arb(t.upper()))
+        A, h, g, k = self.detached(t)
+        if not (k > 0 and A * g < t * h):
+            return False
+        if not self.ends_at_u_cr:
+            return True
+        n, n_A, n_AA, _ = self.at_rest(A, DETACHED)
+        zeta, d, most = arb(self.zeta), self.d, (-h / A).upper()
+        if not most > 0:
+            return True
+        W = arb(0).union(arb(most))
+        for _ in range(6):
+            least = arb(W.lower()) if W.lower() >= 0 else arb(0)  # a ball from 0 on reaches a little below it
+            Omega, turn = least.sqrt().union(arb(W.upper()).sqrt()), t * W + g
+            if not turn < 0:
+                return False
+            lag, lag_A = n + A * Omega * (2 * zeta + d * A * Omega), n_A + 2 * zeta * Omega + 2 * d * A * W
+            low = (-h - t * lag * lag_A / turn) / A
+            if low < W or low > W:
+                return True
+            W = low.intersection(W)
+        return not (turn**3 - lag * lag_A * k + t * t * turn * (lag_A * lag_A + lag * (n_AA + 2 * d * W))).contains(0)
+
+    def _cusps(self) -> list[Point]:
+        def function(j: Jet) -> Any:
+            slope, bend = self._slope_polynomial(j), self._bend_polynomial(j)
+            # A n does not depend on A beyond u_cr: no odd powers are left, and a resultant in Omega would be a square
+            even = self._even or (self.ends_at_u_cr and self._beyond(j))
+            return bezout(slope[::2], bend[::2]) if even else bezout(slope, bend)
+
+        zeros = self._zeros(function, self._fold_range, self._no_cusp)
+        points = self._common(zeros, lambda own, j: own._slope_polynomial(j), arb(0), ("A", "AA"))
         for p in points:
             d = self.derivatives(p.Omega, p.A, p.regime, arb(0))
             p.kind, p.sense = "cusp", "min" if _sign(d["O"] * d["AAA"] * d["AO"]) < 0 else "max"
         return points
 
     def _isolas(self) -> list[Point]:
-        # just beyond the corner h_A is -infinity: without a zero it stays negative, and Omega^2 = h_A impossible
-        if any(regime == DETACHED for _, regime in self._zeros(lambda j: j.g, self._fold_range)):
-            raise NotImplementedError("isola births beyond the corner")
-        points = []
-        for A, regime in self._zeros(self._isola_function, None):
-            h, h_A, _, _ = self.h(A, regime)
-            if not h_A > 0:
-                continue
-            Omega = h_A.sqrt()
-            if not (Omega * (A * h_A + h + 2 * arb(self.zeta) ** 2 * A) + arb(self.zeta) * self.m).contains(0):
-                continue
+        if self.zeta == 0 and self.c_2 == 0:  # F_Omega = 4 A Omega R then, and F_A > 0 where R = 0
+            return []
 
-            def system(x: arb, y: arb, regime: str = regime) -> tuple[list, list]:
-                d = self.derivatives(x, y, regime, arb(0))
-                return [d["A"], d["O"]], [[d["AO"], d["AA"]], [d["OO"], d["AO"]]]
+        def function(j: Jet) -> Any:
+            slope, peak = self._slope_polynomial(j), self._peak_polynomial(j)
+            # less a multiple of Omega F_Omega, so that the leading power, which vanishes at the corner, is not there
+            reduced = [peak[3] * one - slope[4] * below for one, below in zip(slope[1:4], peak[:3], strict=True)]
+            reduced = [peak[3] * slope[0], *reduced]
+            if self._even:  # F_Omega/Omega
+                return bezout(reduced[::2], peak[1::2])
+            return bezout(reduced, peak)
 
-            Omega, A = self._krawczyk(Omega, A, system)
-            d = self.derivatives(Omega, A, regime, arb(0))
-            sense = "min" if _sign(d["AA"] * (d["AA"] * d["OO"] - d["AO"] ** 2)) > 0 else "max"
-            points.append(Point(Omega, A, regime, kind="isola", sense=sense))
+        zeros = self._zeros(function, self._fold_range)
+        points = self._common(zeros, lambda own, j: own._peak_polynomial(j), arb(0), ("A", "O"))
+        for p in points:
+            d = self.derivatives(p.Omega, p.A, p.regime, arb(0))
+            p.kind, p.sense = "isola", "min" if _sign(d["AA"] * (d["AA"] * d["OO"] - d["AO"] ** 2)) > 0 else "max"
         return points
 
     def _corner_extrema(self) -> list[Point]:
-        """Extrema on {A = u_cr, R and the attached F_A of one sign}, joints with the locus on either side included."""
         u = self.u_cr
         if u is None:
             return []
         if not self.force(u) - u < 0:
             raise NotImplementedError("the corner analysis is for a force that jumps up where the springs leave")
-        zeta, m = arb(self.zeta), self.m
-        h, h_A, _, _ = self.h(u, CORNER)
+        own, j = self._at(u, CORNER)
         points = []
 
-        def trend(Omega: arb) -> int:
-            return _sign(self.derivatives(Omega, u, CORNER, arb(0))["O"])
+        def of(Omega: arb) -> dict[str, arb]:
+            return self.derivatives(Omega, u, CORNER, arb(0))
 
-        # the joint with the detached locus is on the backbone, and a minimum: both ways lead to larger Omega, and
-        # F_Omega > 0 there
-        if h < 0:
-            points.append(Point((-h / u).sqrt(), u, CORNER, kind="corner", sense="min"))
-        # the joints with the attached locus
-        for Omega in self._quartic(u, h + u * h_A + 4 * zeta**2 * u, 2 * zeta * m, h * h_A):
-            d = self.derivatives(Omega, u, CORNER, arb(0))
-            rising = _sign(u * (4 * Omega**3) + 2 * (h + u * h_A + 4 * zeta**2 * u) * Omega + 2 * zeta * m)
-            along_corner = trend(Omega) * rising * _sign(d["R"])
-            along_attached = trend(Omega) * _sign(d["AA"] * d["AO"])  # -A direction: dOmega = +F_AA/F_AO
+        if j.h < 0:
+            # the joint with the detached locus is on the backbone, where F_Omega > 0. Along the corner Omega rises from
+            # there. Beyond it h = h(u) + g u t + ..., and R = -I I_A t/g + ... from F_A = 0, with g < 0
+            Omega = (-j.h / u).sqrt()
+            n, n_A, *_ = self.at_rest(u, DETACHED)
+            lag = n + u * Omega * (2 * arb(self.zeta) + self.d * u * Omega)
+            lag_A = n_A + 2 * arb(self.zeta) * Omega + 2 * self.d * u * Omega**2
+            g = self.detached(arb(0))[2]
+            if _sign(g) < 0 < _sign(g * g * u + lag * lag_A):
+                points.append(Point(Omega, u, CORNER, kind="corner", sense="min"))
+        for Omega in self._roots(own._slope_polynomial(j)):
+            d = of(Omega)
+            trend = _sign(d["O"])
+            along_corner = trend * _sign(d["AO"]) * _sign(d["R"])
+            along_attached = trend * _sign(d["AA"] * d["AO"])
             if along_corner == along_attached:
-                sense = "min" if along_corner > 0 else "max"
-                points.append(Point(Omega, u, CORNER, kind="corner", sense=sense))
-        # the interior: F_Omega = 0
-        for Omega in self._peak_frequencies(u, h):
-            d = self.derivatives(Omega, u, CORNER, arb(0))
+                points.append(Point(Omega, u, CORNER, kind="corner", sense="min" if along_corner > 0 else "max"))
+        undamped = self.zeta == 0 and self.c_2 == 0  # F_Omega = 4 A Omega R then: the joint on the backbone
+        for Omega in [] if undamped else self._roots(own._peak_polynomial(j)):
+            d = of(Omega)
             if _sign(d["R"]) == _sign(d["A"]):
-                sense = "min" if _sign(d["OO"]) > 0 else "max"
-                points.append(Point(Omega, u, CORNER, kind="corner", sense=sense))
+                points.append(Point(Omega, u, CORNER, kind="corner", sense="min" if _sign(d["OO"]) > 0 else "max"))
         return points
-
-    def _peak_frequencies(self, A: arb, h: arb) -> list[arb]:
-        """Positive roots of the depressed cubic F_Omega/(4A) = 0."""
-        e = h + 2 * arb(self.zeta) ** 2 * A
-        if self.mu == 0:
-            return [(-e / A).sqrt()] if e < 0 else []
-        cubic = fmpq_poly([exact_ball(arb(self.zeta) * self.m), exact_ball(e), 0, exact_ball(A)])
-        enclosed = []
-        for root in polynomial_roots(cubic, BITS):
-            box = arb(root.mid(), arb(2) ** (-BITS // 2))
-            mid = arb(root.mid())
-            new = mid - (mid * (A * mid * mid + e) + arb(self.zeta) * self.m) / (3 * A * box * box + e)
-            if not box.contains_interior(new):
-                raise ArithmeticError("nearly double root of the cubic")
-            enclosed.append(new)
-        return enclosed
 
     def detachment(self) -> Point:
         """The lowest forcing with a steady state of amplitude u_cr (sense "limit" when only Omega -> 0 attains it)."""
         with precision(BITS):
             u = self.u_cr
-            h = self.h(u, CORNER)[0]
-            points = [Point(x, u, CORNER, sense="min") for x in self._peak_frequencies(u, h)]
+            own, j = self._at(u, CORNER)
+            points = [Point(x, u, CORNER, sense="min") for x in self._roots(own._peak_polynomial(j))]
             points.append(Point(arb(0), u, CORNER, sense="limit"))
             for p in points:
                 p.F_0 = self.forcing(p.Omega, u, CORNER)
@@ -734,18 +803,16 @@ class Oscillator:
                 return rational if isinstance(j.A, fmpq_poly) else forcing
 
             def through(Omega: int) -> Callable[[Jet], Any]:
-                def function(j: Jet) -> Any:
-                    zeta, m = self._constants(j.A)
-                    R, friction = j.A * Omega**2 + j.h, 2 * zeta * j.A * Omega + m
-                    return R * R + friction * friction - given(j) ** 2
+                return lambda j: self._value(self._response_polynomial(j, given(j)), Omega)
 
-                return function
+            def peaked(j: Jet) -> Any:
+                response, peak = self._response_polynomial(j, given(j)), self._peak_polynomial(j)
+                if self._even:  # F_Omega/Omega
+                    return bezout(response[::2], [*peak[1::2], 0 * j.A])
+                return bezout(response, [*peak, 0 * j.A])
 
-            peak_zeros = self._zeros(lambda j: self._peak_resultant(j, given(j)), t_max)
-            if self.mu == 0:
-                extremes = self._peaks_without_friction(peak_zeros, forcing)
-            else:
-                extremes = self._accept(peak_zeros, lambda j: self._peak_quadratic(j, forcing), forcing, ("F", "O"))
+            zeros = self._zeros(peaked, t_max)
+            extremes = self._common(zeros, lambda own, j: own._peak_polynomial(j), forcing, ("F", "O"))
             for p in extremes:
                 d = self.derivatives(p.Omega, p.A, p.regime, forcing)
                 p.sense = "max" if _sign(d["OO"] * d["A"]) > 0 else "min"
@@ -760,20 +827,6 @@ class Oscillator:
                 if a.overlaps(b):
                     raise ArithmeticError("two events at one amplitude")
             return Response(self._components(events, forcing, limit), sorted(extremes, key=lambda p: p.A.mid()))
-
-    def _peaks_without_friction(self, zeros: list[tuple[arb, str]], forcing: arb) -> list[Point]:
-        points = []
-        for A, regime in zeros:
-            W = -self.h(A, regime)[0] / A - 2 * arb(self.zeta) ** 2
-            if not W > 0:
-                continue
-
-            def system(x: arb, y: arb, regime: str = regime) -> tuple[list, list]:
-                d = self.derivatives(x, y, regime, forcing)
-                return [d["F"], d["O"]], [[d["O"], d["A"]], [d["OO"], d["AO"]]]
-
-            points.append(Point(*self._krawczyk(W.sqrt(), A, system), regime))
-        return points
 
     def _components(self, events: list[tuple], forcing: arb, limit: arb) -> int:
         if not events:

@@ -25,14 +25,10 @@ class States:
 
     def __init__(self, oscillator: Oscillator, Omega: float) -> None:
         with precision(BITS):
-            W = exact(Omega) ** 2
 
             def half_F_A(j: Jet) -> Any:
-                zeta, m = oscillator._constants(j.A)
-                rational = isinstance(j.A, fmpq_poly)
-                w, square = (exact(Omega), W) if rational else (arb(exact(Omega)), arb(W))
-                friction = 2 * zeta * j.A * w + m
-                return (j.A * square + j.h) * (j.s * square + j.g) + friction * 2 * zeta * w * j.s
+                w = exact(Omega) if isinstance(j.A, fmpq_poly) else arb(exact(Omega))
+                return oscillator._value(oscillator._slope_polynomial(j), w)
 
             # A itself is no factor of F_A where there is friction
             nodes = [(A, regime) for A, regime in oscillator._zeros(half_F_A, oscillator._fold_range)]

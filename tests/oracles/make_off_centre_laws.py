@@ -2,8 +2,8 @@
 
     python -m tests.oracles.make_off_centre_laws
 
-`make_sided` has the forces, their mean balanced in closed form along a parameter, and `make_damped` the slow flow with
-structural and quadratic damping and on a base that shakes; the two are put together here. Bounds beside these: with y
+`make_sided` has the forces, their mean balanced in closed form along a parameter, `averaged` structural and quadratic
+damping, and `inertia` a base that shakes; they are put together here. Bounds beside these: with y
 for Omega^2 + h/A a fold has y (e - y) = I I_A/A >= 4 zeta^2 Omega^2, by all laws, so |h - A h_A| >= 4 zeta A sqrt(K) as
 there. On a base F_0 Omega^2 >= I bounds A by F_0 Omega/(2 zeta), and Omega at a fold by the largest slope of the force:
 the forces on a base are those whose slope has a bound.
@@ -14,17 +14,15 @@ from __future__ import annotations
 import json
 import random
 from fractions import Fraction
-from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from flint import arb, fmpq
+from flint import arb
 
-from tests.oracles.averaged import BITS, Amplitude, Number, _sign, digits, exact
+from tests.oracles.averaged import BITS, Amplitude, Number, digits, exact
 from tests.oracles.certified_roots import precision
-from tests.oracles.conditioning import Conditioning
-from tests.oracles.make_damped import Damped, ShakenDamped, bezout
-from tests.oracles.make_random_isolators import SEED, conditions, given, log_uniform, write
+from tests.oracles.inertia import ByInertia
+from tests.oracles.make_random_isolators import SEED, answered, given, log_uniform, write
 from tests.oracles.make_sided import Along, Even, Stop, drawn
 
 OUT = Path(__file__).parents[1] / "data" / "off_centre_laws.json"
@@ -43,49 +41,19 @@ ASKED = (
 )
 
 
-class Lawful(Damped):
-    """Other laws of damping, to be mixed into one of `make_sided`."""
-
-    def _stiffness(self) -> tuple[fmpq, fmpq, fmpq]:
-        return fmpq(0), fmpq(0), fmpq(0)
-
-    def _resultant(self, f: Any, g: Any) -> Any:
-        even = self.mu == self.eta == self.c_2 == 0  # in Omega: the resultant would be a square
-        return bezout(f[::2], g[::2]) if even else super()._resultant(f, g)
-
-    @cached_property
-    def _fold_range(self) -> arb:
-        return arb(1)  # there is none: `Along` leaves what is too near to linear
-
-    def amplitudes(self, Omega: Number, F_0: Number) -> list[Amplitude]:
-        with precision(BITS):
-            frequency, forcing = arb(exact(Omega)), arb(exact(F_0))
-
-            def function(j: Any) -> Any:
-                f = self._response_polynomial(j, forcing)
-                return f[0] + frequency * (f[1] + frequency * (f[2] + frequency * (f[3] + frequency * f[4])))
-
-            found = []
-            for A, regime in self._zeros(function, None):
-                A = self._newton_amplitude(frequency, A, regime, forcing)
-                d = self.derivatives(frequency, A, regime, forcing)
-                found.append(Amplitude(A, arb.atan2(-d["I"], -d["R"]), _sign(d["A"]) > 0, regime))
-            return sorted(found, key=lambda a: a.A.mid())
-
-
-class LawfulStop(Lawful, Stop):
+class LawfulStop(Stop):
     """A stop on one side, or two springs."""
 
     inputs = (*Stop.inputs, "eta", "c_2")
 
 
-class LawfulEven(Lawful, Even):
+class LawfulEven(Even):
     """A polynomial with an even power."""
 
     inputs = (*Even.inputs, "eta", "c_2")
 
 
-class ShakenStop(ShakenDamped, LawfulStop):
+class ShakenStop(ByInertia, LawfulStop):
     """The first of them on a base that shakes."""
 
     plain = LawfulStop
@@ -121,29 +89,22 @@ def case(excitation: str, laws: tuple[str, ...], force: str, index: int) -> dict
     if excitation == "base":
         F_0 /= base**2
     oscillator.ask(F_0, [base])
-    folds, conditioning = oscillator.folds(F_0), Conditioning(oscillator)
+    folds = oscillator.folds(F_0)
     at = [float(p.Omega.mid()) for p in folds]
     among = rng.uniform(at[0], at[-1]) if len(at) > 1 else base * rng.uniform(0.9, 1.3)
 
-    def shown(p: Any, **more: Any) -> dict:
+    def mean(p: Any) -> dict:
         with precision(BITS):
-            return {"A": digits(p.A), "B": digits(sign * oscillator.mean(p.A)), **more}
+            return {"A": digits(p.A), "B": digits(sign * oscillator.mean(p.A))}
 
-    states = []
-    for Omega in (among, base * rng.uniform(0.8, 2)):
-        oscillator.ask(F_0, [Omega])
-        steady = [
-            shown(one, phi=digits(one.phi), stable=one.stable, **conditions(conditioning.amplitude(one, Omega, F_0)))
-            for one in oscillator.amplitudes(Omega, F_0)
-        ]
-        states.append({"Omega": given(Omega), "steady": steady})
+    frequencies = among, base * rng.uniform(0.8, 2)
+    oscillator.ask(F_0, frequencies)
     return {
         "excitation": excitation,
         "force": force,
         "parameters": {name: given(value) for name, value in {**user, **beside}.items()},
         "F_0": given(F_0),
-        "folds": [shown(p, Omega=digits(p.Omega), kind=p.kind, **conditions(conditioning.fold(p))) for p in folds],
-        "amplitudes": states,
+        **answered(oscillator, folds, F_0, frequencies, "Omega kind", "phi stable", mean),
     }
 
 

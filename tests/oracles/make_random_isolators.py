@@ -12,7 +12,7 @@ import argparse
 import json
 import math
 import random
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from multiprocessing import Pool
 from pathlib import Path
@@ -120,23 +120,39 @@ def conditions(c: Condition | None) -> dict[str, Any]:
     }
 
 
-def steady_records(oscillator: Oscillator, conditioning: Conditioning, Omega: Number, F_0: Number) -> list[dict]:
-    """Every steady state at one frequency."""
-    return [
-        {
-            "A": digits(a.A),
-            "phi": digits(a.phi),
-            "stable": a.stable,
-            "regime": a.regime,
-            **conditions(conditioning.amplitude(a, Omega, F_0)),
-        }
-        for a in oscillator.amplitudes(Omega, F_0)
-    ]
+def row(p: Any, names: str, condition: Condition | None, **more: Any) -> dict[str, Any]:
+    """What is recorded of a point or a state: numbers to forty digits, words, and its condition."""
+    found: dict[str, Any] = {}
+    for name in names.split():
+        one = p.regime == CORNER if name == "corner" else more[name] if name in more else getattr(p, name)
+        found[name] = one if isinstance(one, (str, bool)) else digits(one)
+    return {**found, **conditions(condition)}
+
+
+def answered(
+    oscillator: Oscillator,
+    folds: Sequence[Point],
+    F_0: Number,
+    frequencies: Sequence[Number],
+    of_folds: str = "Omega A kind corner",
+    of_states: str = "A phi stable",
+    before: Callable[[Any], dict[str, Any]] = lambda one: {},
+) -> dict[str, Any]:
+    """Folds and the states at some frequencies, each after what `before` says of it."""
+    conditioning = Conditioning(oscillator)
+    with precision(BITS):
+        shown = [{**before(p), **row(p, of_folds, conditioning.fold(p))} for p in folds]
+    states = []
+    for Omega in frequencies:
+        steady = oscillator.amplitudes(Omega, F_0)
+        with precision(BITS):
+            rows = [{**before(a), **row(a, of_states, conditioning.amplitude(a, Omega, F_0))} for a in steady]
+        states.append({"Omega": given(Omega), "steady": rows})
+    return {"folds": shown, "amplitudes": states}
 
 
 def forcing_record(
     oscillator: Oscillator,
-    conditioning: Conditioning,
     F_0: Number,
     why: str,
     rng: random.Random,
@@ -152,43 +168,19 @@ def forcing_record(
     for A in amplitudes:
         Omega = oscillator.frequencies(A, F_0)
         rows.append({"A": given(A), "count": len(Omega), "Omega": [digits(x) for x in Omega]})
+    frequencies = draw_frequencies(rng, folds, response.peaks)
+    known = answered(oscillator, folds, F_0, frequencies, "Omega A kind corner regime", "A phi stable regime")
     return {
         "F_0": given(F_0),
         "chosen": why,
-        "folds": [
-            {
-                "Omega": digits(p.Omega),
-                "A": digits(p.A),
-                "kind": p.kind,
-                "corner": p.regime == CORNER,
-                "regime": p.regime,
-                **conditions(conditioning.fold(p)),
-            }
-            for p in folds
-        ],
+        "folds": known["folds"],
         "components": response.components,
         "components_unlimited": unlimited.components,
         "peaks": [
             {"Omega": digits(p.Omega), "A": digits(p.A), "sense": p.sense, "regime": p.regime} for p in response.peaks
         ],
         "frequencies": rows,
-        "amplitudes": [
-            {"Omega": given(Omega), "steady": steady_records(oscillator, conditioning, Omega, F_0)}
-            for Omega in draw_frequencies(rng, folds, response.peaks)
-        ],
-    }
-
-
-def extremum_record(oscillator: Oscillator, conditioning: Conditioning, p: Point) -> dict:
-    """A minimum or maximum of the forcing on the fold locus."""
-    return {
-        "F_0": digits(p.F_0),
-        "Omega": digits(p.Omega),
-        "A": digits(p.A),
-        "kind": p.kind,
-        "sense": p.sense,
-        "regime": p.regime,
-        **conditions(conditioning.extremum(p)),
+        "amplitudes": known["amplitudes"],
     }
 
 
@@ -215,7 +207,7 @@ def case_record(
                 "attained": d.sense == "min",
                 **conditions(conditioning.detachment(d)),
             }
-        extrema = [extremum_record(oscillator, conditioning, p) for p in oscillator.extrema]
+        extrema = [row(p, "F_0 Omega A kind sense regime", conditioning.extremum(p)) for p in oscillator.extrema]
         record["onset"] = None
         if onset is not None:
             lowest = extrema[oscillator.extrema.index(onset)]
@@ -230,7 +222,7 @@ def case_record(
         }
         if forcings is None:
             forcings = [draw_forcing(rng, oscillator) for _ in range(3)]
-    record["forcings"] = [forcing_record(oscillator, conditioning, F_0, why, rng) for F_0, why in forcings]
+    record["forcings"] = [forcing_record(oscillator, F_0, why, rng) for F_0, why in forcings]
     return record
 
 

@@ -38,11 +38,10 @@ from tests.oracles.averaged import (
     Point,
     digits,
     exact,
-    exact_ball,
 )
 from tests.oracles.certified_roots import isolate, precision
 from tests.oracles.conditioning import Conditioning
-from tests.oracles.make_random_isolators import SEED, conditions, given, log_uniform, write
+from tests.oracles.make_random_isolators import SEED, answered, given, log_uniform, row, write
 from tests.oracles.make_stated import Bent, Stated
 
 OUT = Path(__file__).parents[1] / "data" / "sided.json"
@@ -54,12 +53,6 @@ HIGHEST = 0.15
 
 class Along(Stated):
     """An oscillator whose amplitude rises along a parameter x; a jet's h_AA is k/w there, w = 0 on an edge."""
-
-    def __init__(self, **parameters: Any) -> None:
-        self.parameters = {k: exact(v) if isinstance(v, (int, float)) else v for k, v in parameters.items()}
-        self.zeta, self.mu = self.parameters["zeta"], self.parameters["mu"]
-        with precision(2 * BITS):
-            self._m_rational = exact_ball(4 * arb(self.mu) / arb.pi())
 
     def _p(self, name: str) -> arb:
         return arb(self.parameters[name])
@@ -292,7 +285,6 @@ def asked(rng: random.Random, oscillator: Along, base: float, above: tuple[float
     F_0 = m + log_uniform(rng, 0.02, HIGHEST)
     if onset is not None:
         F_0 = min(float(onset.F_0.mid()) * rng.choice([1.02, rng.uniform(1.1, 3), rng.uniform(1.1, 3)]), m + HIGHEST)
-    conditioning = Conditioning(oscillator)
     folds = oscillator.folds(F_0)
     if len(folds) != oscillator.fold_count(F_0):
         raise AssertionError(f"{oscillator.parameters} {F_0}: {len(folds)} folds, not {oscillator.fold_count(F_0)}")
@@ -303,31 +295,15 @@ def asked(rng: random.Random, oscillator: Along, base: float, above: tuple[float
     ]
     oscillator.ask(F_0, frequencies)
 
-    def shown(p: Any, **beside: Any) -> dict:
+    def mean(p: Any) -> dict:
         with precision(BITS):
-            return {"A": digits(p.A), "B": digits(sign * oscillator.mean(p.A)), **beside}
+            return {"A": digits(p.A), "B": digits(sign * oscillator.mean(p.A))}
 
-    states = [
-        {
-            "Omega": given(Omega),
-            "steady": [
-                shown(
-                    one,
-                    phi=digits(one.phi),
-                    stable=one.stable,
-                    **conditions(conditioning.amplitude(one, Omega, F_0)),
-                )
-                for one in oscillator.amplitudes(Omega, F_0)
-            ],
-        }
-        for Omega in frequencies
-    ]
+    lowest = onset and row(onset, "F_0 Omega", Conditioning(oscillator).extremum(onset))
     return {
         "F_0": given(F_0),
-        "onset": onset
-        and shown(onset, F_SN=digits(onset.F_0), Omega=digits(onset.Omega), **conditions(conditioning.extremum(onset))),
-        "folds": [shown(p, Omega=digits(p.Omega), kind=p.kind, **conditions(conditioning.fold(p))) for p in folds],
-        "amplitudes": states,
+        "onset": lowest and {**mean(onset), "F_SN": lowest.pop("F_0"), **lowest},
+        **answered(oscillator, folds, F_0, frequencies, "Omega kind", "phi stable", mean),
     }
 
 

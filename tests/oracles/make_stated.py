@@ -42,21 +42,16 @@ from tests.oracles.averaged import (
     BITS,
     CORNER,
     DETACHED,
-    Amplitude,
     Jet,
-    Number,
     Oscillator,
     Point,
     _sign,
-    digits,
     exact,
-    exact_ball,
 )
 from tests.oracles.certified_roots import isolate, precision
 from tests.oracles.conditioning import Conditioning
 from tests.oracles.forces import arctangent, root, tanh
-from tests.oracles.make_damped import bezout
-from tests.oracles.make_random_isolators import SEED, conditions, given, log_uniform, write
+from tests.oracles.make_random_isolators import SEED, answered, given, log_uniform, row, write
 
 OUT = Path(__file__).parents[1] / "data" / "stated.json"
 #: of each force
@@ -172,9 +167,13 @@ FORCES: dict[str, Force] = {
 
 
 class Bent(Jet):
-    """A jet beyond a stop's edge: h_A = g there, h_AA = k/w with w = t."""
+    """A jet beyond a stop's edge: h_A = g there, h_AA = k/w with w = t; at an edge, w = 0, w F_AA/2 is R k."""
 
     w: Any = 1
+
+    @property
+    def scales(self) -> tuple[Any, Any, Any]:
+        return self.w, self.w, self.w
 
 
 @dataclass
@@ -218,12 +217,6 @@ class Stated(Oscillator):
 
     force_: Force
     level: arb
-
-    def __init__(self, **parameters: Any) -> None:
-        self.parameters = {k: exact(v) if isinstance(v, (int, float)) else v for k, v in parameters.items()}
-        self.zeta, self.mu = self.parameters["zeta"], self.parameters["mu"]
-        with precision(2 * BITS):
-            self._m_rational = exact_ball(4 * arb(self.mu) / arb.pi())
 
     @property
     def u_cr(self) -> arb | None:
@@ -454,8 +447,8 @@ class Stated(Oscillator):
     def _fold_range(self) -> arb:
         return self.high
 
-    def _response_range(self, F_0: arb) -> arb:
-        return self.high
+    def _state_range(self, Omega: arb, F_0: arb) -> None:
+        return None
 
     def _zeros(
         self, function: Callable[[Jet], Any], t_max: arb | None, exclude: Callable[[arb], bool] | None = None
@@ -481,41 +474,10 @@ class Stated(Oscillator):
         A = j.A[0]
         return bool(abs(j.h[0] - A * j.g[0]) < 4 * arb(self.zeta) * A * self.least_slope.sqrt())
 
-    def amplitudes(self, Omega: Number, F_0: Number) -> list[Amplitude]:
-        with precision(BITS):
-            frequency, forcing = arb(exact(Omega)), arb(exact(F_0))
-
-            def function(j: Jet) -> Any:
-                R, lag = j.A * frequency**2 + j.h, 2 * arb(self.zeta) * frequency * j.A + self.m
-                return R * R + lag * lag - forcing**2
-
-            found = []
-            for A, regime in self._zeros(function, None):
-                A = self._newton_amplitude(frequency, A, regime, forcing)
-                d = self.derivatives(frequency, A, regime, forcing)
-                found.append(Amplitude(A, arb.atan2(-d["I"], -d["R"]), _sign(d["A"]) > 0, regime))
-            return sorted(found, key=lambda one: one.A.mid())
-
     def _corner_folds(self, forcing: arb) -> list[Point]:
         return []  # the force does not jump
 
     # ---- extrema of the forcing on the fold locus, up to the forcing asked -----------------------------------------
-
-    def _cusp_resultant(self, j: Jet) -> Any:
-        """Of F_A/2 and w F_AA/2, where h_AA = k/w; at an edge, w = 0, the second is R k."""
-        zeta, m, w = arb(self.zeta), self.m, j.w
-        slope = [j.h * j.g, 2 * zeta * m + 0 * j.A, j.h + j.A * j.g + 4 * zeta**2 * j.A, 0 * j.A, j.A]
-        bend = [j.g * j.g * w + j.h * j.k, 0 * w, 2 * j.g * w + j.A * j.k + 4 * zeta**2 * w, 0 * w, w]
-        return bezout(slope[::2], bend[::2]) if self.mu == 0 else bezout(slope, bend)
-
-    def _cusps(self) -> list[Point]:
-        points = self._accept(
-            self._zeros(self._cusp_resultant, self._fold_range), self._cusp_quadratic, arb(0), ("A", "AA")
-        )
-        for p in points:
-            d = self.derivatives(p.Omega, p.A, p.regime, arb(0))
-            p.kind, p.sense = "cusp", "min" if _sign(d["O"] * d["AAA"] * d["AO"]) < 0 else "max"
-        return points
 
     def _isolas(self) -> list[Point]:
         return []  # Omega^2 = h_A there, and h_A < 0
@@ -524,10 +486,8 @@ class Stated(Oscillator):
         """On a stop's edge, beyond which h_AA comes from -infinity: the locus turns where F_AA changes its sign."""
         if self.force_.end is None or self.high < self.u_cr:
             return []
-        u, zeta = self.u_cr, arb(self.zeta)
-        h, h_A, *_ = self.h(u, CORNER)
-        points = []
-        for Omega in self._quartic(u, h + u * h_A + 4 * zeta**2 * u, 2 * zeta * self.m, h * h_A):
+        u, points = self.u_cr, []
+        for Omega in self._roots(self._slope_polynomial(self._at(u, CORNER)[1])):
             d = self.derivatives(Omega, u, CORNER, arb(0))
             if _sign(d["AA"]) == _sign(d["R"]):
                 sense = "min" if _sign(d["O"] * d["AA"] * d["AO"]) > 0 else "max"
@@ -555,7 +515,7 @@ def case(name: str, force: Force, index: int, kind: type[Stated] = Stated) -> di
         "zeta": log_uniform(rng, 0.02, 0.06),
     }
     oscillator = mechanism(name, force, kind)(**parameters)
-    conditioning, onset = Conditioning(oscillator), None
+    onset = None
     m = float(oscillator.m.mid())
     F_0 = m + log_uniform(rng, 0.03, 0.2)
     if "preload" in name:
@@ -579,35 +539,13 @@ def case(name: str, force: Force, index: int, kind: type[Stated] = Stated) -> di
         base * rng.uniform(0.8, 2),
     ]
     oscillator.ask(F_0, frequencies)
-    states = []
-    for Omega in frequencies:
-        steady = [
-            {
-                "A": digits(state.A),
-                "phi": digits(state.phi),
-                "stable": state.stable,
-                **conditions(conditioning.amplitude(state, Omega, F_0)),
-            }
-            for state in oscillator.amplitudes(Omega, F_0)
-        ]
-        states.append({"Omega": given(Omega), "steady": steady})
+    lowest = onset and row(onset, "F_0 Omega A kind", Conditioning(oscillator).extremum(onset))
     return {
         "force": name,
         "parameters": {k: given(v) for k, v in parameters.items()},
         "F_0": given(F_0),
-        "onset": onset
-        and {
-            "F_SN": digits(onset.F_0),
-            "Omega": digits(onset.Omega),
-            "A": digits(onset.A),
-            "kind": onset.kind,
-            **conditions(conditioning.extremum(onset)),
-        },
-        "folds": [
-            {"Omega": digits(p.Omega), "A": digits(p.A), "kind": p.kind, **conditions(conditioning.fold(p))}
-            for p in folds
-        ],
-        "amplitudes": states,
+        "onset": lowest and {"F_SN": lowest.pop("F_0"), **lowest},
+        **answered(oscillator, folds, F_0, frequencies, "Omega A kind"),
     }
 
 
