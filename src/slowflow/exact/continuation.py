@@ -92,11 +92,6 @@ class Point(NamedTuple):
         return found**2 if self.cycle.sign == -1 else found
 
 
-def least_scale(cycle: Cycle, A: float) -> float:
-    """What steps of u_0 are measured in at least: about the centre it is the amplitude, and never 0."""
-    return 0.0 if cycle.system.centred else A
-
-
 def is_same(fold: Point, other: Point) -> bool:
     """Whether two folds agree within the accuracy of a fold."""
     return abs(float(fold.z[-1] - other.z[-1])) < COINCIDE and abs(fold.A - other.A) < COINCIDE
@@ -115,11 +110,12 @@ def has_turned(points: list[Point]) -> bool:
 class Path:
     """Follows a curve of cycles point by point.
 
-    least -- what steps of u_0 are measured in where it is less: off the centre it may pass 0
+    start -- a motion of the curve: off the centre, where u_0 may pass 0, steps of it are shares of its amplitude at least
     """
 
-    def __init__(self, F_0: float, low: float, high: float, step: float, least: float) -> None:
-        self.F_0, self.low, self.high, self.step, self.least = F_0, low, high, step, least
+    def __init__(self, F_0: float, low: float, high: float, step: float, start: SteadyState | Point) -> None:
+        self.F_0, self.low, self.high, self.step = F_0, low, high, step
+        self.least = 0.0 if start.cycle.system.centred else start.A
         self.closed = False
         self.restarts = True  # whether cycles are restarted at their highest point before their order is changed
 
@@ -127,9 +123,7 @@ class Path:
         """The first point, to be left towards rising (direction 1) or falling Omega."""
         cycle, z = start.cycle, start.unknowns
         equations = cycle.equations(z, self.F_0)
-        tangent = self._tangent(z, equations, None)
-        if tangent[-1] * direction < 0:
-            tangent = -tangent
+        tangent = self._tangent(z, equations, np.append(np.zeros(z.size - 1), direction))
         return Point.of(cycle, z, equations, tangent)
 
     def follow(self, point: Point) -> Iterator[Point]:
@@ -209,17 +203,11 @@ class Path:
         weights[-1] = 4.0
         return weights
 
-    def _tangent(self, z: Array, equations: Equations, along: Array | None) -> Array:
-        """Unit tangent; `along` fixes its sense where it has the same number of phases."""
-        matrix = equations.jacobian[:, :-1]
-        weights = self._weights(z)
-        row = weights * along if along is not None else weights
-        if along is None:
-            # the last row only has to be independent of the others: the null vector by SVD decides
-            tangent = np.linalg.svd(matrix)[2][-1]
-        else:
-            tangent = np.linalg.solve(np.vstack((matrix, row)), np.append(np.zeros(matrix.shape[0]), 1.0))
-        return self._unit(z, tangent)
+    def _tangent(self, z: Array, equations: Equations, sense: Array) -> Array:
+        """Unit tangent, in the sense of another."""
+        tangent = np.linalg.svd(equations.jacobian[:, :-1])[2][-1]
+        against = float(tangent @ (self._weights(z) * sense)) < 0
+        return self._unit(z, -tangent if against else tangent)
 
     def _unit(self, z: Array, tangent: Array | None) -> Array:
         """The tangent at z, of unit length."""

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slowflow.answer import Drawn, Table
-from slowflow.exact.continuation import FOLDS, STEP, LostCurve, Path, Point, has_turned, is_same, least_scale
+from slowflow.exact.continuation import FOLDS, STEP, LostCurve, Path, Point, has_turned, is_same
 from slowflow.exact.cycle import Array
 from slowflow.exact.motion import Forced, check_forcing
 from slowflow.exact.shooting import Settled, SteadyState, describe, lengths, settle, steady_state
@@ -144,7 +144,7 @@ def exact_response(
         start = steady_state(system, Omega=low, F_0=F_0)
     if not low <= start.Omega <= high:
         raise Refused(text("start.{Omega} = {Omega_0:r} lies outside {Omega = :r}", float(start.Omega), Omega))
-    path = Path(F_0, low, high, step, least_scale(start.cycle, start.A))
+    path = Path(F_0, low, high, step, start)
     forward, lost = _reached(path, path.begin(start, 1.0))
     closed = path.closed
     backward: list[Point] = []
@@ -177,7 +177,7 @@ def first_fold(start: SteadyState, towards: float, Omega_range: tuple[float, flo
 
     None where it leaves the range of Omega before, or cannot be followed.
     """
-    path = Path(start.F_0, *Omega_range, STEP, least_scale(start.cycle, start.A))
+    path = Path(start.F_0, *Omega_range, STEP, start)
     points: list[Point] = []
     try:
         for point in path.follow(path.begin(start, towards)):
@@ -200,7 +200,7 @@ def without_a_motion(F_0: float, message: str) -> Response:
 def _highest(F_0: float, points: tuple[Point, ...]) -> Point:
     """The highest point of the curve through the points, between them too."""
     best = max(points, key=lambda point: point.A)
-    path = Path(F_0, 0.0, math.inf, STEP, least_scale(best.cycle, best.A))
+    path = Path(F_0, 0.0, math.inf, STEP, best)
     least = NEAR_TOP * best.A
     for a, b in itertools.pairwise(points):
         if max(a.A, b.A) < least:

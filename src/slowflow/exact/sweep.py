@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slowflow.answer import Drawn, Table, entry
-from slowflow.exact.continuation import Path, Point, has_turned, least_scale
+from slowflow.exact.continuation import Path, Point, has_turned
 from slowflow.exact.motion import Forced, check_numbers, stops
 from slowflow.exact.shooting import (
     SteadyState,
@@ -223,7 +223,7 @@ class Branches:
 
     def _path(self, motion: SteadyState, one: float, other: float) -> Path:
         low, high = sorted((float(one), float(other)))
-        return Path(self.F_0, low, high, STEP, least_scale(motion.cycle, motion.A))
+        return Path(self.F_0, low, high, STEP, motion)
 
     def _is_there(self, j: int, point: Point) -> bool:
         """Whether the motion at a frequency is that of the branch."""
