@@ -110,7 +110,7 @@ def has_turned(points: list[Point]) -> bool:
 class Path:
     """Follows a curve of cycles point by point.
 
-    start -- a motion of the curve: off the centre, where u_0 may pass 0, steps of it are shares of its amplitude at least
+    start -- a motion of the curve: off the centre, where u_0 may pass 0, steps are shares of its amplitude at least
     """
 
     def __init__(self, F_0: float, low: float, high: float, step: float, start: SteadyState | Point) -> None:
