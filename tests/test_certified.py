@@ -19,6 +19,7 @@ from slowflow.averaged import proofs, solvers, words
 from slowflow.averaged.balls.search import Given, averages_of
 from tests.native.intervals import ELEMENTARY, HELD, OPERATIONS, Intervals, build
 from tests.oracles import averaged
+from tests.test_certified_cases import of_record
 
 DATA = Path(__file__).parent / "data"
 FILES = ("random_isolators", "random_duffing", "negative_stiffness", "table_1")
@@ -30,13 +31,6 @@ CASES = [
 ]
 #: no fold is expected anywhere: proofs do not rest on what the solvers find
 NOWHERE = np.empty(0)
-
-
-def oscillator(case):
-    values = {name: value[1] for name, value in case["parameters"].items()}
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        return Duffing(**values) if case["mechanism"] == "duffing" else Isolator(**values)
 
 
 def holds(ends, digits):
@@ -56,7 +50,7 @@ def check_folds(proof, folds):
 def test_enclosures_hold_the_certified_folds_and_states_of_every_reference_case():
     asked = doubtful = 0
     for _, _, case in CASES:
-        model = oscillator(case).model
+        model = of_record(case).model
         for forcing in case["forcings"]:
             F_0 = forcing["F_0"][1]
             proof = proofs.folds_in_doubles(model, F_0, NOWHERE)
@@ -76,7 +70,7 @@ def test_enclosures_hold_the_certified_folds_and_states_of_every_reference_case(
 
 def test_enclosures_hold_the_certified_onsets_and_detachments():
     for _, _, case in CASES:
-        model = oscillator(case).model
+        model = of_record(case).model
         onset, found = case["onset"], proofs.onset(model)
         assert found.proved
         assert found.kind == onset["kind"]
@@ -95,7 +89,7 @@ def test_enclosures_are_narrow():
     """In units of rounding times the condition number that the reference states."""
     widest = 0.0
     for _, _, case in CASES[:60]:
-        model = oscillator(case).model
+        model = of_record(case).model
         for forcing in case["forcings"]:
             proof = proofs.saddle_nodes(model, forcing["F_0"][1], NOWHERE)
             for A, fold in zip(proof.A, forcing["folds"], strict=proof.proved):
@@ -121,7 +115,7 @@ def test_beside_a_double_fold_what_is_proved_is_true():
         onset = case["onset"]
         if onset is None or not onset["global"]:
             continue
-        model = oscillator(case).model
+        model = of_record(case).model
         for F_0, above in level_ulps(onset["F_SN"]):
             proof = proofs.folds_in_doubles(model, F_0, NOWHERE)
             if proof.proved:
@@ -147,7 +141,7 @@ def test_a_fold_that_the_solvers_miss_is_noticed(monkeypatch):
 def test_a_tampered_enclosure_is_noticed():
     (case,) = (case for name, _, case in CASES if name == "table_1")
     forcing = case["forcings"][0]
-    proof = proofs.saddle_nodes(oscillator(case).model, forcing["F_0"][1], NOWHERE)
+    proof = proofs.saddle_nodes(of_record(case).model, forcing["F_0"][1], NOWHERE)
     check_folds(proof, forcing["folds"])
     wide = proof.A[:, 1:] - proof.A[:, :1]
     for A in (proof.A + 2 * wide, proof.A - 2 * wide, proof.A[:1]):

@@ -1,29 +1,24 @@
 """Other laws of damping: averaged by quadrature, next to the onset on a base, of any size, and what is refused."""
 
-import json
-import warnings
-from pathlib import Path
+from dataclasses import replace
 
 import mpmath
 import pytest
 import sympy as sp
 
-from slowflow import Duffing, Isolator, derive
-from tests.oracles.errors import error
+from slowflow import Isolator, derive
+from tests.test_certified_cases import (
+    FAMILIES,
+    cases,
+    check_centred_onset,
+    check_folds,
+    check_states,
+    of_record,
+    on_a_base,
+)
 
-DATA = Path(__file__).parent / "data"
-CASES = {law: json.loads((DATA / f"damped_{law}.json").read_text()) for law in ("eta", "c_2", "rubs")}
-#: errors in u (1 + kappa)
-FOLD, STATE, ONSET = 2.0, 2.0, 4.0
 #: one in so many belongs to the fast tests
 FEW = 10
-
-
-def oscillator(case):
-    values = {name: value[1] for name, value in case["parameters"].items()}
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        return Duffing(**values) if case["mechanism"] == "duffing" else Isolator(**values, rubs=case["rubs"])
 
 
 @pytest.fixture(scope="module")
@@ -35,7 +30,7 @@ def by_quadrature():
     made = derive.mechanism("damped_by_quadrature", [(inside, end), (u, None)], given)
 
     def get(case):
-        alone = oscillator(case)
+        alone = of_record(case)
         numbers = dict(zip(("a", "b", "g", "end"), alone.model.parameters, strict=True))
         damping = {name: getattr(alone, name) for name in ("mu", "zeta", "eta", "c_2")}
         return made(**numbers, nothing=0.0, rubs=case["rubs"], **damping)
@@ -50,20 +45,14 @@ def by_quadrature():
 )
 @pytest.mark.part(2)
 def test_a_force_that_is_averaged_by_quadrature_has_the_certified_answers(by_quadrature, law, number):
-    case = CASES[law][number]
+    case, family = cases(f"damped_{law}")[number], replace(FAMILIES[f"damped_{law}"], gradients=False, leaves=False)
     osc = by_quadrature(case)
     assert osc.model.mechanism.enclosed is not None
     found = osc.saddle_nodes(case["F_0"][1])
     assert "message" in vars(found), "words that ask for an average, which may not settle, are made with the answer"
-    assert [(fold.kind, fold.corner) for fold in found] == [(fold["kind"], fold["corner"]) for fold in case["folds"]]
-    for fold, known in zip(found, case["folds"], strict=True):
-        assert error(fold.Omega, known, "Omega") < FOLD
-        assert error(fold.A, known, "A") < FOLD
-    for at in case["amplitudes"]:
-        states = osc.amplitudes(Omega=at["Omega"][1], F_0=case["F_0"][1])
-        for A, known in zip(states.A, at["steady"], strict=True):
-            assert error(A, known, "A") < STATE
-    assert error(osc.saddle_node_onset().F_SN, case["onset"], "F_SN") < ONSET
+    check_folds(osc, case, family, False)
+    check_states(osc, case, family)
+    check_centred_onset(osc, case["onset"], family)
 
 
 def test_laws_are_refused_where_the_stiffness_at_rest_is_infinite():
@@ -73,11 +62,7 @@ def test_laws_are_refused_where_the_stiffness_at_rest_is_infinite():
         root(k=0.05, c_2=0.05, mu=0.01)
 
 
-BASE = json.loads((DATA / "damped_base.json").read_text())
-
-
-def on_a_base(case):
-    return oscillator(case).replace(excitation="base")
+BASE = cases("damped_base")
 
 
 def on_bases(first):
@@ -91,7 +76,7 @@ def on_bases(first):
 @pytest.mark.part(4)
 def test_folds_on_a_base_come_at_the_onset(number):
     """None below it, and above it there are some next to where it says."""
-    osc = on_a_base(BASE[number])
+    osc = on_a_base(BASE[number], False)
     onset = osc.saddle_node_onset()
     if onset.F_SN is None:
         return

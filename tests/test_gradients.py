@@ -3,7 +3,6 @@
 import json
 import pickle
 import random
-import warnings
 from fractions import Fraction
 from pathlib import Path
 
@@ -17,6 +16,7 @@ from slowflow_kernels.conventions import MovesStatus, Pinned
 from tests.oracles.answers import Nearby
 from tests.oracles.definitions import points as drawn
 from tests.oracles.definitions import sensitivities
+from tests.test_certified_cases import of_record
 
 DATA = Path(__file__).parent / "data"
 FILES = ("random_isolators", "random_duffing", "negative_stiffness", "table_1")
@@ -29,13 +29,6 @@ CASES = [
 F_0 = 0.04
 #: of a critical forcing, as the reference names its numbers
 OF_FORCING = ("F_0", "Omega", "A")
-
-
-def oscillator(case):
-    values = {name: value[1] for name, value in case["parameters"].items()}
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        return Duffing(**values) if case["mechanism"] == "duffing" else Isolator(**values)
 
 
 def random_oscillators(count):
@@ -62,7 +55,7 @@ def test_condition_numbers_are_those_of_every_reference_case():
     """Those of the reference are rounded to three digits."""
     asked, kinds = 0, set()
     for case in CASES:
-        of = oscillator(case)
+        of = of_record(case)
         found = []
         onset, detachment = case["onset"], case.get("detachment")
         if onset and onset["global"]:
@@ -92,7 +85,7 @@ def test_condition_numbers_are_those_of_every_reference_case():
 def test_condition_numbers_on_a_base_that_shakes_are_those_of_every_reference_case():
     found = []
     for case in json.loads((DATA / "inertia.json").read_text())[::2]:
-        of, at = oscillator(case).replace(excitation="base"), case["F_0"][1]
+        of, at = of_record(case).replace(excitation="base"), case["F_0"][1]
         moves = of.saddle_nodes(at).gradient()
         for x in moves.of:
             found += zip(moves.condition(x), (fold["condition"][x] for fold in case["folds"]), strict=True)
@@ -193,7 +186,7 @@ def test_a_fold_on_a_breakpoint_moves_with_it():
     for case in CASES:
         for forcing in case["forcings"]:
             if tried < 4 and any(fold["corner"] for fold in forcing["folds"]):
-                of, at = oscillator(case), forcing["F_0"][1]
+                of, at = of_record(case), forcing["F_0"][1]
                 folds = of.saddle_nodes(at)
                 (k,) = np.flatnonzero(folds.corner)
                 moves = folds.gradient()

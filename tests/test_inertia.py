@@ -15,19 +15,12 @@ from slowflow.averaged import solvers
 from slowflow.results import Remark
 from slowflow_kernels import den_hartog
 from slowflow_kernels.conventions import Status
+from tests.test_certified_cases import on_a_base
 
 CASES = json.loads((Path(__file__).parent / "data" / "inertia.json").read_text())
 U = 2.0**-53
 #: errors in u (1 + kappa)
 CUSP = 16.0
-
-
-def oscillator(case):
-    values = {name: value[1] for name, value in case["parameters"].items()}
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        kind = Duffing if case["mechanism"] == "duffing" else Isolator
-        return kind(**values, excitation="base")
 
 
 def error(found, known, *conditions):
@@ -60,7 +53,7 @@ def test_beside_a_kink_the_number_of_folds_is_known(name, numbers, compile):
 def test_cusps_lie_where_they_lie_for_a_force_at_the_certified_level():
     asked = 0
     for case in CASES:
-        osc, known = oscillator(case), case["cusps"]
+        osc, known = on_a_base(case, False), case["cusps"]
         A_max = 1.1 * max([float(cusp["A"]) for cusp in known] or [1.0])
         found, forced = osc.cusps(A_max=A_max), osc.replace(excitation="force").cusps(A_max=A_max)
         assert np.allclose(np.sort(found.A), np.sort(forced.A), rtol=1e-11, atol=0)
@@ -75,7 +68,7 @@ def test_cusps_lie_where_they_lie_for_a_force_at_the_certified_level():
 
 def test_an_onset_is_where_folds_come():
     for case in CASES[::3]:
-        osc = oscillator(case)
+        osc = on_a_base(case, False)
         onset = osc.saddle_node_onset()
         if onset.F_SN is not None:
             assert len(osc.saddle_nodes(onset.F_SN * (1 - 1e-6))) == 0

@@ -21,26 +21,16 @@ from pathlib import Path
 
 from flint import acb_poly, arb, ctx, fmpq, fmpq_poly
 
-DIGITS = 40
+from tests.oracles.averaged import DIGITS, _sign, exact
+
 #: of roots of polynomials whose coefficients are balls
 TOLERANCE = arb(10) ** -80
 ANSWERS = {"duffing": "states", "isolator": "detachment", "onset": "onset"}
 OUT = Path(__file__).parents[1] / "data" / "off_centre.json"
 
 
-def exact(x: float) -> fmpq:
-    return fmpq(*x.as_integer_ratio())
-
-
 def ball(x: fmpq) -> arb:
     return arb(x.p) / arb(x.q)
-
-
-def sign(x: arb) -> int:
-    """Of a whole ball."""
-    if not (x > 0 or x < 0):
-        raise ArithmeticError(f"the sign of {x} is not certain")
-    return 1 if x > 0 else -1
 
 
 def shown(x: arb) -> str:
@@ -84,7 +74,7 @@ def duffing(case: dict) -> list[dict]:
     found = []
     for root in roots:
         square = ball_at(above, root) / ball_at(below, root)
-        if sign(square) < 0:
+        if _sign(square) < 0:
             continue
         A = square.sqrt()
         R = A * (ball(Omega**2 - alpha) - 3 * ball(beta) * root**2 - ball(fmpq(3, 4) * beta) * square)
@@ -98,7 +88,7 @@ def duffing(case: dict) -> list[dict]:
         s_1 = 3 * ball(beta) * A * root
         h_A = -(ball(alpha) + 3 * ball(beta) * root**2 + ball(fmpq(9, 4) * beta) * square) + 2 * s_1**2 / c_1
         turns = R * (ball(Omega**2) + h_A) + 2 * ball(zeta * Omega) * I
-        found.append((A, root, sign(turns) > 0 and sign(c_1) > 0))
+        found.append((A, root, _sign(turns) > 0 and _sign(c_1) > 0))
     found.sort(key=lambda one: float(one[0]))
     return [{"A": shown(A), "B": shown(B), "stable": stable} for A, B, stable in found]
 
@@ -121,7 +111,7 @@ def detachment(case: dict) -> dict:
         mean = alpha * B + beta * (B**3 + fmpq(3, 2) * A**2 * B)
         mean += gamma * (B**5 + 5 * A**2 * B**3 + fmpq(15, 8) * A**4 * B)
         for root in real_roots(mean - load):
-            if sign(side * root) < 0 or sign(ball(u_cr) - side * root) < 0:
+            if _sign(side * root) < 0 or _sign(ball(u_cr) - side * root) < 0:
                 continue
             amplitude = ball(u_cr) - side * root
             first = ball(alpha) * amplitude + ball(beta) * (3 * root**2 * amplitude + 3 * amplitude**3 / 4)
@@ -139,7 +129,7 @@ def least(A: arb, h: arb, m: arb, zeta: arb) -> list[tuple[arb, arb]]:
     found = []
     for root in cubic.roots(tol=TOLERANCE):
         Omega = root.real
-        if root.imag.contains(0) and sign(Omega) > 0:
+        if root.imag.contains(0) and _sign(Omega) > 0:
             R, I = A * Omega**2 + h, 2 * zeta * A * Omega + m
             found.append(((R * R + I * I).sqrt(), Omega))
     static = (h * h + m * m).sqrt()
@@ -202,7 +192,7 @@ def onset(case: dict) -> dict:
     isolas = [(B_0, q * minus) for B_0 in (p + q + constant(-2 * zeta**2)).roots()]
     levels = []
     for B_0, X in cusps + isolas:
-        if sign(A_2.at(B_0)) < 0 or sign(c_1.at(B_0)) < 0 or sign(X.at(B_0)) < 0:
+        if _sign(A_2.at(B_0)) < 0 or _sign(c_1.at(B_0)) < 0 or _sign(X.at(B_0)) < 0:
             continue
         Omega, A = X.at(B_0).sqrt(), A_2.at(B_0).sqrt()
         R, I = A * (X.at(B_0) - p.at(B_0)), 2 * ball(zeta) * A * Omega
