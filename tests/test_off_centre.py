@@ -1037,33 +1037,6 @@ def test_gradients_are_those_of_the_balance_by_hand(vanish, ask, by):
                     assert value == pytest.approx(float(slopes[one]), rel=1e-11, abs=1e-12)
 
 
-@pytest.mark.slow
-def test_gradients_of_a_mount_under_a_load_are_its_answers_differences():
-    """Of a force that jumps at a breakpoint which moves; in SI units, where the load is the mass that moves."""
-    mount = Isolator.physical(
-        m=12, k_v=2500, k_h=1700, n=3, L=0.080, preload=0.009, friction=0.4, zeta=0.02, load=12.36
-    )
-
-    def last(answer, of):
-        return np.array([np.atleast_1d(getattr(answer, name))[-1] for name in of])
-
-    for ask, every in (
-        (lambda of: of.detachment(), ("k_h", "preload", "friction", "zeta", "load", "m", "k_v", "L")),
-        (lambda of: of.saddle_node_onset(), ("load",)),
-        (lambda of: of.saddle_nodes(3.0), ("preload",)),
-        (lambda of: of.peak(3.0), ("L",)),
-    ):
-        answer = ask(mount)
-        gradient = answer.gradient()
-        slopes = gradient.slopes if gradient.slopes.ndim == 2 else gradient.slopes[-1]
-        for name in every:
-            value, step = mount.given[name], 1e-5 * mount.given[name]
-            ends = [last(ask(mount.replace(**{name: value + sign * step})), gradient.of) for sign in (1, -1)]
-            expected = (ends[0] - ends[1]) / (2 * step)
-            size = np.abs(last(answer, gradient.of) / value)
-            assert np.abs(slopes[:, gradient.by.index(name)] - expected) == pytest.approx(0, abs=2e-7 * size.max())
-
-
 def test_where_there_is_no_gradient_off_the_centre_the_reason_is_said(loaded):
     heavy = loaded.replace(load=0.1).saddle_node_onset()
     assert heavy.kind == "corner" and "comes to a breakpoint" in heavy.gradient().message

@@ -638,8 +638,12 @@ def test_numbers_are_shown_over_the_size_of_the_usual_unit(unit, shown):
         (lambda mount: mount.rest(), ("x", "stiffness")),
         (lambda mount: mount.isolation(5.0), ("f", "A", "B")),
         (lambda mount: mount.peak(5.0), ("A", "f", "x_max")),
+        # of a force that jumps at a breakpoint which moves
+        (lambda mount: mount.detachment(), ("F_cr", "f_cr", "A", "B")),
+        (lambda mount: mount.saddle_node_onset(), ("F_SN", "f", "A", "B")),
+        (lambda mount: mount.saddle_nodes(3.0), ("f", "A", "B")),
     ],
-    ids=("rest", "isolation", "peak"),
+    ids=("rest", "isolation", "peak", "detachment", "onset", "folds"),
 )
 def test_gradients_of_a_loaded_mount_are_the_differences_of_mounts(ask, of):
     sheet = {**MOUNT, "load": 1.01 * MOUNT["m"]}
@@ -651,7 +655,7 @@ def test_gradients_of_a_loaded_mount_are_the_differences_of_mounts(ask, of):
         return [np.atleast_1d(getattr(mount, answer)) for answer in of]
 
     ends = np.cumsum([value.size for value in values(mount)])[:-1]
-    for way in directions(("m", "k_v", "k_h", "L", "preload", "load")):
+    for way in directions(("m", "k_v", "k_h", "L", "preload", "load", "friction", "zeta")):
         step = {name: 1e-4 * sheet[name] * weight for name, weight in way.items()}
         # each mount is asked once for all of its answers
         moved = differences(lambda given: np.concatenate(values(ask(Isolator.physical(**given)))), sheet, step)
