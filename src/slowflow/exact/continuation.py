@@ -182,7 +182,7 @@ class Path:
         begun = (first.z, first.tangent) if first.cycle.signature == cycle.signature else (np.empty(0),)
         rows = np.empty((TRACED, 2 * n + 6))
         course = (self.low, self.high, self.step, STRAIGHT, LARGEST, self.least)
-        count, steps, _, size, travelled = EXACT.trace(
+        count, steps, size, travelled = EXACT.trace(
             *(of_system(cycle.system), cycle.packed, cycle.half_turns, cycle.starts_from_rest, self.F_0, course, here),
             *(point.came_from is not None, size, travelled, np.concatenate(begun), steps_left(), rows),
         )

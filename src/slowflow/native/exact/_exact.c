@@ -336,7 +336,7 @@ static PyObject *newton(PyObject *self, PyObject *arguments)
     return result;
 }
 
-/* (points, steps, has_before, step, travelled): the points' numbers row by row in `rows`, which sets how many there may
+/* (points, steps, step, travelled): the points' numbers row by row in `rows`, which sets how many there may
  * be;
  * `point` holds z, the tangent and what sf_ahead wants of the point before; `first` z and tangent, or nothing. */
 static PyObject *trace(PyObject *self, PyObject *arguments)
@@ -377,7 +377,7 @@ static PyObject *trace(PyObject *self, PyObject *arguments)
                          room, &found, &phases, work);
         Py_END_ALLOW_THREADS
         free(phases.at);
-        result = Py_BuildValue("llOdd", count, left - forced.left, has_before ? Py_True : Py_False, step, travelled);
+        result = Py_BuildValue("lldd", count, left - forced.left, step, travelled);
     }
     free(work);
     free(at);
@@ -489,8 +489,7 @@ static PyMethodDef methods[] = {
      "outcome, spent, A, monodromy, borders."},
     {"trace", trace, METH_VARARGS,
      "system, phases, half_turns, starts_from_rest, F_0, course, point, has_before, step, travelled, first, steps, "
-     "rows -> "
-     "points, spent, has_before, step, travelled."},
+     "rows -> points, spent, step, travelled."},
     {"shocks", shocks, METH_VARARGS,
      "laws, constants, ends, damping, arcs, begin, after, steps of one integration, of all, outcomes, numbers -> "
      "None."},

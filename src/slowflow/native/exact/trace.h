@@ -32,14 +32,6 @@ static double sf_inner(const sf_course *course, const double *z, const double *a
     return sum;
 }
 
-static double sf_apart(const sf_course *course, const double *z, const double *other, long size)
-{
-    double sum = 0.0;
-    for (long j = 0; j < size; j++)
-        sum += sf_weight(course, z, j, size) * (other[j] - z[j]) * (other[j] - z[j]);
-    return sqrt(sum);
-}
-
 /* Whether the motion from z's start really switches in the order of the cycle, every switch at its time. */
 static int sf_holds(sf_forced *forced, const sf_cycle *cycle, int starts_from_rest, const double *z, sf_phases *phases)
 {
@@ -112,10 +104,11 @@ static long sf_trace(sf_forced *forced, const sf_cycle *cycle, const sf_course *
         if (sf_newton(forced, cycle, next, &extra, SF_ALONG, SF_TOLERANCE, found, along, rest) != SF_GOOD)
             break;
         const double length = sqrt(sf_inner(course, next, along, along, size));
+        double *const way = rest; /* which is free again */
         for (long j = 0; j < size; j++)
-            along[j] /= length;
+            along[j] /= length, way[j] = next[j] - z[j];
         const int usable = sf_inner(course, z, tangent, along, size) > course->straight &&
-                           sf_apart(course, z, next, size) < 2.0 * *step;
+                           sqrt(sf_inner(course, z, way, way, size)) < 2.0 * *step;
         const int inside = course->low < next[size - 1] && next[size - 1] < course->high;
         if (!usable || !inside || along[size - 1] * tangent[size - 1] < 0.0 || found->A > course->largest)
             break;
