@@ -10,6 +10,7 @@ import json
 import sys
 from array import array
 from collections.abc import Sequence
+from math import isfinite
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -39,28 +40,32 @@ def interpreted(module: ModuleType) -> Any:
     return loaded("slowflow._native").program(module.MECHANISM.name, *lists)
 
 
-def over_quarter(module: str, outputs: int, A: Any, parameters: Sequence[Any]) -> tuple[Any, ...]:
-    """Averages of a module's force at A and parameters that broadcast, those that `averages` in C has so many of.
+def averages(record: Any, numbers: tuple[float, ...], A: Any, outputs: int) -> Any:
+    """Averages of a record's force at amplitudes of any shape, those that `averages` in C has so many of.
 
-    Raises ArithmeticError where a sum does not settle: the force is all but singular; ValueError without a record.
+    Raises ArithmeticError where a sum does not settle: the force is all but singular.
     """
+    A = np.asarray(A, dtype=float, order="C")
+    found = np.empty((outputs, *A.shape))
+    loaded("slowflow._native").averages(record, numbers, A, found)
+    lost = np.isnan(found).any(axis=0) & np.isfinite(A) & all(map(isfinite, numbers))
+    if lost.any():
+        raise NotSettled(UNSETTLED.format(A[lost][0]))
+    return found
+
+
+def over_quarter(module: str, outputs: int, A: Any, parameters: Sequence[Any]) -> tuple[Any, ...]:
+    """The averages of a module's force at A and parameters that broadcast. ValueError where it has no record."""
     if outputs == 0:  # slopes by parameters, of a force that has none
         return ()
     if module not in RECORDS:
         RECORDS[module] = interpreted(sys.modules[module])
-    if RECORDS[module] is None:
+    record = RECORDS[module]
+    if record is None:
         raise Refused(NO_PROGRAM.format(module))
-    averages = loaded("slowflow._native").averages
-    A, *given = np.broadcast_arrays(*(np.asarray(one, dtype=float) for one in (A, *parameters)))
-    amplitudes, rows = A.ravel(), np.reshape([one.ravel() for one in given], (len(given), A.size))
-    found = np.empty((outputs, A.size))
-    if A.size and not any(np.ndim(one) for one in parameters):
-        averages(RECORDS[module], tuple(rows[:, 0].tolist()), amplitudes, found)
-    else:
-        for k, numbers in enumerate(rows.T.tolist()):
-            averages(RECORDS[module], tuple(numbers), amplitudes[k : k + 1], one := np.empty((outputs, 1)))
-            found[:, k] = one[:, 0]
-    lost = np.isnan(found).any(axis=0) & np.isfinite(amplitudes) & np.isfinite(rows).all(axis=0)
-    if lost.any():
-        raise NotSettled(UNSETTLED.format(amplitudes[lost][0]))
-    return tuple(found.reshape(outputs, *A.shape)[()])
+    if not any(np.ndim(one) for one in parameters):
+        return tuple(averages(record, tuple(map(float, parameters)), A, outputs))
+    arrays = np.broadcast_arrays(*(np.asarray(one, dtype=float) for one in (A, *parameters)))
+    rows = zip(*(one.ravel().tolist() for one in arrays), strict=True)
+    found = [averages(record, tuple(numbers), at, outputs) for at, *numbers in rows]
+    return tuple(np.reshape(np.transpose(found), (outputs, *arrays[0].shape)))

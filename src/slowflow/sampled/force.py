@@ -23,8 +23,8 @@ from numpy.polynomial.legendre import leggauss
 from slowflow.sampled.polynomial import CELLS, ORDERS, Floats, Smooth
 from slowflow_kernels.quadrature_conventions import NODES
 from slowflow_support.backend import loaded
-from slowflow_support.errors import NotSettled, Refused, WrongType
-from slowflow_support.quadrature import UNSETTLED
+from slowflow_support.errors import Refused, WrongType
+from slowflow_support.quadrature import averages
 
 #: a function stated for u > 0 and u < 0 is odd within this share of itself
 ODD = 1e-9
@@ -136,13 +136,7 @@ class Force:
 
         Raises ArithmeticError where they do not settle.
         """
-        A = np.asarray(A, dtype=float, order="C")
-        found = np.empty((outputs, *A.shape))
-        loaded("slowflow._native").averages(self._record, self.numbers, A, found)
-        lost = np.isfinite(A) & np.isnan(found).any(axis=0)
-        if lost.any():
-            raise NotSettled(UNSETTLED.format(A[lost][0]))
-        return tuple(found)
+        return tuple(averages(self._record, self.numbers, A, outputs))
 
     def value(self, number: int, u: Any, order: int) -> Any:
         """A piece of the force, or its slope, on both sides of u = 0."""
