@@ -24,7 +24,7 @@ ANSWERED = (Status.OK, Status.NONE, Status.UNBOUNDED)
 #: frequencies of rows of a load spectrum
 OVER = (0.7, 1.2, 0.9, 0.9, 0.6)
 #: designs of each kind, few enough to be asked alone; of those that take long
-COUNT, FEW = 70, 5
+COUNT, FEW = 40, 5
 
 
 def isolators(draw, count):
@@ -244,10 +244,13 @@ def asked_alone(make, given, same, F_0, question):
             yield refusal
 
 
-def asked(which):
+SLOW = pytest.mark.slow
+
+
+def asked(which, fast=tuple(KINDS)):
     """Kinds and questions; those that take long are not among the fast tests."""
     return [
-        pytest.param(kind, question, marks=pytest.mark.slow if of.count == FEW else ())
+        pytest.param(kind, question, marks=() if kind in fast and of.count > FEW and of.draw is not spoilt else SLOW)
         for kind, of in KINDS.items()
         for question in of.questions
         if which(question, of)
@@ -301,7 +304,7 @@ MOVING = (
 
 @pytest.mark.parametrize(
     ("kind", "question"),
-    asked(lambda question, of: question in MOVING[isinstance(of.make, str)] and of.draw is not spoilt),
+    asked(lambda question, of: question in MOVING[isinstance(of.make, str)] and of.draw is not spoilt, ("Duffing's",)),
 )
 def test_many_have_the_gradient_of_each_alone(kind, question):
     make, given, same, F_0 = drawn(kind)
