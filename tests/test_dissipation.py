@@ -18,6 +18,7 @@ from slowflow.results import Remark
 from slowflow.sizing import tolerances
 from slowflow_kernels import duffing
 from slowflow_kernels.conventions import MovesStatus
+from tests.oracles.by_time import largest
 from tests.sampling import directions
 
 RUBBING = Isolator(lam=3.0, r=2.0, delta_h=0.08, mu=0.012, zeta=0.04, rubs="attached", force="untruncated")
@@ -191,34 +192,6 @@ def test_friction_that_ends_at_u_cr_leaves_an_isolated_curve_below_the_forcing_t
     assert np.unique(curve.branch).size == 2 and curve.isola == (False, True)
 
 
-def settled(osc, Omega, F_0, turns):
-    """The largest |u| after many turns, by SciPy from switch to switch; only for motions that never rest."""
-    force, edges = osc.restoring_force(), osc.breakpoints or (np.inf,)
-    state, t, end, largest = np.array([0.0, 0.0]), 0.0, turns * 2 * np.pi / Omega, 0.0
-    slip, inside = 1.0, True
-    while t < end:
-        mu = osc.mu if inside or osc.rubs == "throughout" else 0.0
-
-        def field(tau, y, slip=slip, mu=mu):
-            resists = (2 * osc.zeta + osc.eta / Omega) * y[1] + slip * (osc.c_2 * y[1] ** 2 + mu)
-            return [y[1], F_0 * np.cos(Omega * tau) - resists - force.value(y[0])]
-
-        events = [lambda tau, y: y[1], lambda tau, y: abs(y[0]) - edges[0]]
-        events[0].terminal = events[1].terminal = True
-        # at a start on the edge the value is a rounding: only the way back across it counts
-        events[0].direction, events[1].direction = -slip, 1 if inside else -1
-        solution = solve_ivp(field, (t, end), state, rtol=1e-9, atol=1e-12, events=events, method="DOP853")
-        t, state = float(solution.t[-1]), solution.y[:, -1]
-        if t > 0.9 * end:
-            largest = max(largest, np.abs(solution.y[0]).max())
-        if solution.t_events[0].size:
-            assert abs(F_0 * np.cos(Omega * t) - force.value(state[0])) > mu
-            slip, state = -slip, np.array([state[0], -slip * 1e-13])
-        elif solution.t_events[1].size:
-            inside = not inside
-    return largest
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("osc", "Omega", "F_0", "within"),
@@ -232,7 +205,7 @@ def settled(osc, Omega, F_0, turns):
 def test_exact_motions_are_those_of_an_independent_integration_and_near_the_averaged_ones(osc, Omega, F_0, within):
     state = osc.steady_state(Omega=Omega, F_0=F_0)
     assert state.stops == 0 and state.stable
-    assert state.A == pytest.approx(settled(osc, Omega, F_0, 40), rel=1e-6)
+    assert state.A == pytest.approx(largest(osc.restoring_force().value, osc, Omega, F_0, 40), rel=1e-6)
     (A,) = osc.amplitudes(Omega=Omega, F_0=F_0).A
     assert pytest.approx(A, rel=within) == state.A
     if osc.rubs == "attached":
@@ -299,7 +272,7 @@ SHAKEN = [
 def test_exact_motions_under_inertia_are_those_of_an_independent_integration(osc, Omega, F_0, within):
     state = osc.steady_state(Omega=Omega, F_0=F_0)
     assert state.stops == 0 and state.stable
-    expected = settled(osc.replace(excitation="force"), Omega, F_0 * Omega**2, 40)
+    expected = largest(osc.restoring_force().value, osc, Omega, F_0, 40)
     assert state.A == pytest.approx(expected, rel=1e-6)
     (A,) = osc.amplitudes(Omega=Omega, F_0=F_0).A
     assert pytest.approx(A, rel=within) == state.A

@@ -4,7 +4,6 @@ import mpmath as mp
 import numpy as np
 import pytest
 import sympy as sp
-from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 from slowflow import Duffing, Isolator
@@ -12,6 +11,7 @@ from slowflow.example import TABLE_1
 from slowflow.off_centre.flow import Flow
 from slowflow.sizing import tolerances
 from slowflow.validate import NotAvailable
+from tests.oracles.by_time import mean_and_first
 from tests.sampling import directions
 
 u, k, g, a, b = sp.symbols("u k g a b", real=True)
@@ -116,21 +116,6 @@ def test_a_curve_has_its_folds_and_the_peak_and_the_onset_is_where_folds_begin(l
         assert sorted(beside) == [1, 3]
 
 
-def by_time(mount, Omega, F_0, start, turns=150):
-    """Mean and first harmonic after many turns of the forcing, by an integrator of its own."""
-    period, force = 2 * np.pi / Omega, F_0 * Omega**2 if mount.model.inertial else F_0
-    zeta = mount.zeta + mount.eta / (2 * Omega)
-
-    def rates(tau, y):
-        drag = 2 * zeta * y[1] + mount.c_2 * abs(y[1]) * y[1]
-        return y[1], force * np.cos(Omega * tau) - drag - y[0] - y[0] ** 3 + mount.load
-
-    last = solve_ivp(rates, (0, turns * period), start, "LSODA", rtol=1e-10, atol=1e-12, max_step=period / 40).y[:, -1]
-    grid = period * (np.arange(512) + 0.5) / 512
-    wave = solve_ivp(rates, (0, period), last, "LSODA", rtol=1e-10, atol=1e-12, t_eval=grid, max_step=period / 100).y[0]
-    return wave.mean(), abs(2 * (wave * np.exp(-1j * Omega * grid)).mean())
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("law", LAWS)
 def test_exact_motions_under_a_load_are_those_of_integration_by_time_and_averages_near_them(law):
@@ -138,7 +123,7 @@ def test_exact_motions_under_a_load_are_those_of_integration_by_time_and_average
     Omega, F_0 = 1.0, 0.04
     motion = mount.steady_state(Omega=Omega, F_0=F_0)
     middle, first = motion.harmonics(1)
-    B, A = by_time(mount, Omega, F_0, (0.19, 0.0))
+    B, A = mean_and_first(lambda u: u + u**3, mount, Omega, F_0, (0.19, 0.0), 150)
     assert middle.real == pytest.approx(B, abs=1e-7) and abs(first) == pytest.approx(A, abs=1e-7)
     (state,) = mount.amplitudes(Omega=Omega, F_0=F_0)
     assert state.A == pytest.approx(A, rel=0.03) and state.B == pytest.approx(B, rel=0.02)

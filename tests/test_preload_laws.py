@@ -7,10 +7,10 @@ import math
 import numpy as np
 import pytest
 import sympy as sp
-from scipy.integrate import solve_ivp
 
 from slowflow import Duffing, derive
 from slowflow.results import Remark
+from tests.oracles.by_time import largest
 
 u, k, c, gap = sp.symbols("u k c gap")
 ABOVE_0 = {"above": 0}
@@ -134,47 +134,13 @@ def test_a_curve_has_states_of_its_own_frequencies(oscillator):
         assert peak.A >= curve.A.max() * (1 - 1e-12)
 
 
-def settled(one, Omega, F_0, turns):
-    """The largest |u| after many turns, by SciPy between changes of the signs of u and u'; it must never rest."""
-    p, force = one.given, F_0 * Omega**2 if one.model.inertial else F_0
-    state, t, end, largest = np.array([1e-3, 1e-3]), 0.0, turns * 2 * np.pi / Omega, 0.0
-    side, slip = 1.0, 1.0
-
-    def pull(x):
-        hard = p["k"] * (abs(x) - p["gap"]) * (abs(x) > p["gap"]) if "gap" in p else p["k"] * abs(x) ** 3
-        return math.copysign(hard, x) + x
-
-    while t < end:
-
-        def field(tau, y, side=side, slip=slip):
-            mu = p["mu"] if one.rubs == "throughout" or abs(y[0]) <= p["gap"] else 0.0
-            resists = (2 * p["zeta"] + one.eta / Omega) * y[1] + slip * (one.c_2 * y[1] ** 2 + mu)
-            return [y[1], force * np.cos(Omega * tau) - resists - pull(y[0]) - side * p["c"]]
-
-        events = [lambda tau, y: y[0], lambda tau, y: y[1]]
-        events[0].terminal = events[1].terminal = True
-        events[0].direction, events[1].direction = -side, -slip
-        step = 0.05 / Omega if one.rubs == "attached" else np.inf
-        solution = solve_ivp(
-            field, (t, end), state, rtol=1e-9, atol=1e-12, events=events, method="DOP853", max_step=step
-        )
-        t, state = float(solution.t[-1]), solution.y[:, -1].copy()
-        if t > 0.9 * end:
-            largest = max(largest, np.abs(solution.y[0]).max())
-        if solution.t_events[0].size:
-            side, state[0] = -side, -side * 1e-15
-        elif solution.t_events[1].size:
-            slip, state[1] = -slip, -slip * 1e-15
-    return largest
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize(("law", "Omega", "F_0"), [("both", 1.1, 0.12), ("base and structural", 1.0, 0.1)])
 def test_exact_motions_are_those_of_an_independent_integration_and_near_the_averaged_ones(springs, law, Omega, F_0):
     one = springs["cubic"](c=0.01, k=0.5, **LAWS[law])
     state = one.steady_state(Omega=Omega, F_0=F_0)
     assert state.stable and state.stops == 0
-    assert state.A == pytest.approx(settled(one, Omega, F_0, 120), rel=1e-6)
+    assert state.A == pytest.approx(largest(lambda u: u + 0.5 * u**3, one, Omega, F_0, 120, preload=0.01), rel=1e-6)
     found = one.amplitudes(Omega=Omega, F_0=F_0)
     assert np.min(np.abs(found.A[found.stable] / state.A - 1)) < 0.02
 

@@ -8,7 +8,6 @@ import mpmath
 import numpy as np
 import pytest
 import sympy as sp
-from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 from slowflow import Duffing, derive, exact
@@ -18,6 +17,7 @@ from slowflow.results import Remark
 from slowflow.validate import NotAvailable
 from slowflow_kernels.conventions import Status
 from tests.oracles import exact_reference
+from tests.oracles.by_time import mean_and_first
 from tests.sampling import directions
 from tests.test_off_centre import mean
 
@@ -263,24 +263,11 @@ def test_folds_and_the_onset_against_a_stop_are_where_states_become_three(stop):
     assert (np.diff(curve.stable.astype(int)) != 0).sum() == 2 and curve.B.min() < -0.05
 
 
-def by_time(force, Omega, F_0, mu, zeta, start, turns):
-    """Mean and first harmonic after many turns of the forcing, by an integrator of its own."""
-    period = 2 * np.pi / Omega
-
-    def rates(tau, y):
-        return y[1], F_0 * np.cos(Omega * tau) - 2 * zeta * y[1] - mu * np.sign(y[1]) - force(y[0])
-
-    last = solve_ivp(rates, (0, turns * period), start, "LSODA", rtol=1e-9, atol=1e-11, max_step=period / 60).y[:, -1]
-    grid = period * (np.arange(1024) + 0.5) / 1024
-    u_ = solve_ivp(rates, (0, period), last, "LSODA", rtol=1e-10, atol=1e-12, t_eval=grid, max_step=period / 200).y[0]
-    return u_.mean(), abs(2 * (u_ * np.exp(-1j * Omega * grid)).mean())
-
-
 def test_exact_motions_against_a_stop_are_those_of_integration_by_time_and_averages_near_them(stop):
     soft = stop(k=0.3, g=0.1, mu=0.0, zeta=0.05)
     (state,) = soft.amplitudes(Omega=1.05, F_0=0.03)
     motion = soft.steady_state(Omega=1.05, F_0=0.03)
-    B, A = by_time(lambda x: x + 0.3 * max(x - 0.1, 0.0), 1.05, 0.03, 0.0, 0.05, (0.0, 0.0), 70)
+    B, A = mean_and_first(lambda x: x + 0.3 * max(x - 0.1, 0.0), soft, 1.05, 0.03, (0.0, 0.0), 70)
     middle, first = motion.harmonics(1)
     assert middle.real == pytest.approx(B, abs=1e-7) and abs(first) == pytest.approx(A, abs=1e-7)
     assert motion.stable and motion.residual < 1e-10 and B < -0.005
@@ -297,7 +284,7 @@ def test_a_force_of_four_pieces_is_followed_through_all_of_them(patched):
     assert state.B + state.A > 0.25 and state.B - state.A < -0.1
     motion = oscillator.steady_state(Omega=0.8, F_0=0.12)
     law = oscillator.restoring_force()
-    B, A = by_time(law.value, 0.8, 0.12, 0.002, 0.06, (0.0, 0.0), 40)
+    B, A = mean_and_first(law.value, oscillator, 0.8, 0.12, (0.0, 0.0), 40)
     middle, first = motion.harmonics(1)
     assert middle.real == pytest.approx(B, abs=1e-5) and abs(first) == pytest.approx(A, abs=1e-5)
     assert state.A == pytest.approx(A, rel=0.05)
