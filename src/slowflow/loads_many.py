@@ -353,12 +353,9 @@ def _isolated(
 
 def _singly(designs: Designs, F_0: Any, wanted: Flags, ask: Callable[..., Any], *beside: Floats) -> Any:
     """A single question of each wanted design, with its place, and what it takes beside F_0; None where it fails."""
-    forcing = np.broadcast_to(np.asarray(F_0, dtype=float), wanted.shape)
-    chosen = np.argwhere(wanted)
-    for at in progress.each(map(tuple, chosen), len(chosen), "designs asked singly"):
-        values = {name: float(np.broadcast_to(value, wanted.shape)[at]) for name, value in designs.values.items()}
+    for at, numbers, asked in designs._each(wanted, F_0, *beside):
         try:
-            yield at, ask(Averaged(designs.model(values)), float(forcing[at]), *(float(one[at]) for one in beside))
+            yield at, ask(Averaged(designs.model(dict(zip(designs.values, numbers, strict=True)))), *asked)
         except ArithmeticError:
             yield at, None
 

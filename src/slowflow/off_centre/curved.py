@@ -309,11 +309,6 @@ class Curved:
             found += np.sort(both, axis=0) + 2.0**-46 * abs(bend) * np.array([[-1.0], [1.0]])
         return Interval(found)
 
-    def slope(self, u: Interval) -> Interval:
-        """r' on intervals of u."""
-        with np.errstate(all="ignore"):
-            return Interval(self._on_panels(u.ends[0][np.newaxis], u.ends[1][np.newaxis])[1].ends[:, 0])
-
     def _on_panels(self, low: Floats, high: Floats) -> list[Interval]:
         """r and three derivatives on intervals of u, (2, panels, n)."""
         low, high = low - 2.0**-50 * np.abs(low), high + 2.0**-50 * np.abs(high)

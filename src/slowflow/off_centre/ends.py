@@ -37,7 +37,6 @@ TOO_LARGE = Sentence(
     "motions off the centre are not derived for a force of {lines:d} breakpoints and powers up to {highest:d}: at most "
     "{most[0]:d} and {most[1]:d}"
 )
-_OUTWARDS = np.array([[-(2.0**-50)], [2.0**-50]])
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,6 +93,8 @@ class Charts:
             LARGE * float(np.abs(lines).max()) if lines.size and steps.odd and steps.curved is None else np.inf
         )
         self.passes = i > k
+        #: by piece, the chart of motions on it alone
+        self._own = np.flatnonzero(~self.passes)
         jumps = np.append(self._gains[:, 0], 0.0) != 0
         #: where the force jumps
         self.jumps = lines[jumps[:-1]]
@@ -178,20 +179,12 @@ class Charts:
         past_x, past_y = (np.where(root, one.hi**2, one.hi) for root, one in zip(rooted, (x, y), strict=True))
         upper, lower = self.place[:, chart]
         u = Interval(np.stack((lower - past_y, upper + past_x)))
-        ends = [self._slope(u, self.steps.pieces[of[chart]].T).ends for of in (self.upper, self.lower)]
+        # of motions on one piece, those at rest among them
+        of_pieces = [self.on(u, -u, self._own[of[chart]]) for of in (self.upper, self.lower)]
+        ends = [(one.c_x - one.c_y).ends for one in of_pieces]
         hull = np.stack((np.minimum(ends[0][0], ends[1][0]), np.maximum(ends[0][1], ends[1][1])))
         known = ~rooted.any(axis=0) & (~passes | (self.upper[chart] == self.lower[chart] + 1))
-        found = Interval(np.where(known, hull, ALL))
-        return found if self.steps.curved is None else found + self.steps.curved.slope(u)
-
-    @staticmethod
-    def _slope(u: Interval, D: Floats) -> Interval:
-        """That of a polynomial by its derivatives at u = 0."""
-        found, power = Interval(np.zeros_like(u.ends)), Interval(np.ones_like(u.ends))
-        for k in range(1, len(D)):
-            found = found + _scaled(power, D[k] / math.factorial(k - 1))
-            power = (u.square() if k == 2 else power * u) if k > 1 else u
-        return found
+        return Interval(np.where(known, hull, ALL))
 
 
 def above_diagonal(x: Interval, y: Interval, passes: Bools) -> tuple[Interval, Interval]:
@@ -201,14 +194,3 @@ def above_diagonal(x: Interval, y: Interval, passes: Bools) -> tuple[Interval, I
     )
     low_x, low_y = low
     return Interval(np.stack((low_x, x.hi))), Interval(np.stack((low_y, y.hi)))
-
-
-def _wide(ends: Floats) -> Floats:
-    """Rounded outwards."""
-    outwards = _OUTWARDS.reshape(2, *(1,) * (ends.ndim - 1))
-    return np.asarray(ends + outwards * np.abs(ends))
-
-
-def _scaled(value: Interval, by: Floats) -> Interval:
-    """Times numbers of any sign; 0 times what is not known is 0."""
-    return Interval(_wide(np.where(by == 0, 0.0, np.sort(value.ends * by, axis=0))))
