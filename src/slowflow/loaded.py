@@ -26,6 +26,8 @@ KNOWN = (
     "m",
     "breakpoints",
     "reach",
+    "sticks",
+    "force",
 )
 
 #: questions that look at motions about the centre, or begin there
@@ -54,17 +56,9 @@ class Loaded:
         # off the centre a preload does not change sides next to rest: friction alone holds the mass there
         self.held, self.preload = model.m, 0.0
 
-    def sticks(self, F_0: float) -> bool:
-        """Whether the forcing leaves the mass at rest (27), wherever that is."""
-        return self.unloaded.sticks(F_0)
-
     def holds(self, F_0: float) -> bool:
         """Whether a mass at rest stays there while there are motions as well: none does, as the preload is 0."""
         return False
-
-    def force(self, F_0: Any, Omega: Any) -> Any:
-        """As of `Model`."""
-        return self.unloaded.force(F_0, Omega)
 
     def given(self) -> dict[str, Any]:
         """As of `Model`, with the load."""

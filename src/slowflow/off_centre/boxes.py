@@ -82,8 +82,8 @@ def solve(equations: Equations, low: Floats, high: Floats, of: Ints) -> Solution
 def _solve(equations: Equations, low: Floats, high: Floats, of: Ints) -> Solutions:
     d, looked_at, doubt = low.shape[0], 0, np.zeros_like(low)
     most = max(MOST_BOXES, MOST_EACH * np.unique(of).size)
-    found: list[tuple[Floats, Floats, Floats, Ints]] = []
-    open_: list[tuple[Floats, Ints]] = []
+    no_x, no_of = np.zeros((d, 0)), np.zeros(0, dtype=np.intp)
+    found, open_ = [(no_x, no_x, no_x, no_of)], [(no_x, no_of)]
     while of.size:
         looked_at += of.size
         if looked_at > most:
@@ -128,21 +128,13 @@ def _solve(equations: Equations, low: Floats, high: Floats, of: Ints) -> Solutio
         # a proof has to be wider than the roundings that it holds
         doubt = 2 * np.tile(np.where(np.isfinite(floor), floor, 0.0)[:, left], 2)
         low, high, of = _cut(low, high, of[left], slopes[..., left])
-    undecided, undecided_of = _joined(open_, d)
-    if not found:
-        return Solutions(np.zeros((d, 0)), np.zeros(0, dtype=np.intp), undecided, undecided_of)
+    undecided, undecided_of = (np.concatenate(parts, axis=-1) for parts in zip(*open_, strict=True))
     x, middle, wide, of = (np.concatenate(parts, axis=-1) for parts in zip(*found, strict=True))
-    x = _refined(equations, x, of, wide)
+    if of.size:
+        x = _refined(equations, x, of, wide)
     kept = _once(x, middle, wide, of)
     beside = _beside(undecided, undecided_of, middle[:, kept], wide[:, kept], of[kept])
     return Solutions(x[:, kept], of[kept], undecided[:, ~beside], undecided_of[~beside])
-
-
-def _joined(parts: list[tuple[Floats, Ints]], d: int) -> tuple[Floats, Ints]:
-    if not parts:
-        return np.zeros((d, 0)), np.zeros(0, dtype=np.intp)
-    x, of = (np.concatenate(column, axis=-1) for column in zip(*parts, strict=True))
-    return x, of
 
 
 def _krawczyk(values: Floats, x: Floats, r: Floats, slopes: Floats) -> tuple[Floats, Floats, Floats]:
@@ -193,8 +185,6 @@ def _alone(values: Floats, x: Floats, r: Floats, slopes: Floats) -> Floats:
 
 def _cut(low: Floats, high: Floats, of: Ints, slopes: Floats) -> tuple[Floats, Floats, Ints]:
     """Each box in two, across the unknown in which the equations vary most over it."""
-    if not of.size:
-        return low, high, of
     width = high - low
     size = np.max(np.abs(slopes), axis=0)
     scale = np.max(np.where(np.isfinite(size), size, 0.0), axis=1, keepdims=True)

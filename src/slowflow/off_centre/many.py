@@ -234,10 +234,9 @@ class OffCentreDesigns(many.Designs):
         if self.mechanism.odd and AVERAGING in QUESTIONS[question].columns and question not in SHOCKS:
             at_centre = np.broadcast_to(self.values["load"] == 0, shape)
             self._at_centre(question, at_centre, dict(zip(values, given, strict=True)), workers, options, columns, said)
-        for place in progress.each(map(tuple, np.argwhere(~at_centre)), int((~at_centre).sum())):
-            numbers = tuple(float(value[place]) for value in given)
-            own, there = numbers[: len(self.values)], dict(zip(at, numbers[len(self.values) :], strict=True))
-            found, columns["status"][place], said[place] = self._status(question, one, own, there, several)
+        for place, own, numbers in self._each(~at_centre, *asked.values()):
+            there = dict(zip(at, numbers, strict=True))
+            found, columns["status"][place], said[place] = self._status(question, one, tuple(own), there, several)
             for name, value in found.items():
                 if inner[name]:
                     length = lengths[inner[name]]
