@@ -17,7 +17,8 @@ from slowflow.averaged.balls import questions as answers
 from slowflow.averaged.balls.search import AT_0, Enclosure, Given, averages_of
 from slowflow.certificate import DOUBLES
 from slowflow.results import Remark
-from tests.test_certified import CASES, check_folds, holds, level_ulps, oscillator
+from tests.test_certified import CASES, check_folds, holds, level_ulps
+from tests.test_certified_cases import of_record
 
 #: designs of the force that is not truncated: as in Table 1, nearly quasi-zero stiffness, negative stiffness, steep
 UNTRUNCATED = (
@@ -71,7 +72,7 @@ def test_what_doubles_leave_undecided_beside_a_double_fold_is_decided_and_right(
         onset = case["onset"]
         if onset is None or not onset["global"]:
             continue
-        model = oscillator(case).model
+        model = of_record(case).model
         for F_0, above in level_ulps(onset["F_SN"]):
             proof = proofs.saddle_nodes(model, F_0, np.empty(0))
             assert proof.proved
@@ -84,7 +85,7 @@ def test_what_doubles_leave_undecided_beside_a_double_fold_is_decided_and_right(
 def test_balls_hold_the_certified_folds_states_onsets_and_detachments():
     """Of the truncated force and of Duffing's, from doubles' own reference: not to fill gaps but throughout."""
     for _, _, case in CASES[::25]:
-        model = oscillator(case).model
+        model = of_record(case).model
         forcing, onset = case["forcings"][0], case["onset"]
         proof = answers.saddle_nodes(model, forcing["F_0"][1])
         assert proof.proved
