@@ -402,3 +402,12 @@ def test_a_force_that_drops_at_a_breakpoint_does_not_harden():
     made = derive.mechanism("drops_at_a_gap", [(u, gap), (u - drop, None)], numbers)
     one = made(drop=0.05, gap=0.2, mu=0.0, zeta=0.1)
     assert not one.model.hardens and not one.model.stays_centred
+
+
+def test_a_motion_turns_beyond_a_well_whose_top_lies_on_the_second_piece():
+    """The force rises to gap at u = gap, and falls from there: it pushes on beyond 2 gap."""
+    u, gap = sp.symbols("u gap")
+    tent = derive.mechanism("tent", [(u, gap), (2 * gap - u, None)], {"gap": {"above": 0}})
+    model = tent(gap=0.3, zeta=0.05).model
+    found = remarks.turns_beyond(model.mechanism, model.parameters, np.array([0.1, 0.29, 0.31, 0.59, 0.61, 1.0]))
+    assert found.tolist() == [False, False, False, False, True, True]
