@@ -275,8 +275,7 @@ class Model:
     @cached_property
     def hardens(self) -> bool:
         """Whether f(u)/u is known to rise with |u|, jumps included."""
-        rises = all(value >= 0 for value in self.mechanism.hardening(*self.parameters))
-        return rises and all(jump <= 0 for jump in self.jumps)
+        return all(value >= 0 for value in self.mechanism.hardening(*self.parameters))
 
     @cached_property
     def negative_stiffness(self) -> bool:

@@ -255,9 +255,6 @@ def stay_centred(mechanism: Mechanism, parameters: tuple[Any, ...]) -> Flags:
     hardens = np.all(
         [np.asarray(value) >= 0 for value in np.broadcast_arrays(*mechanism.hardening(*parameters))], axis=0
     )
-    ends, jumps = mechanism.breakpoints(*parameters), mechanism.jumps(*parameters)
-    for end, jump in zip(ends, jumps, strict=True):
-        hardens = hardens & ((np.asarray(end) <= 0) | (np.asarray(jump) <= 0))
     pull, at_rest = (np.asarray(value) for value in mechanism.at_rest(*parameters)[:2])
     return np.asarray(hardens & ~(at_rest > 0) & ~(pull > 0))
 
