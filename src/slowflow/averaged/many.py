@@ -8,7 +8,7 @@ raised for it: `status` says why, by the numbers of `slowflow_kernels.convention
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from functools import cached_property
 from itertools import islice
 from typing import Any
@@ -21,18 +21,14 @@ from slowflow.averaged import proofs, remarks, words
 from slowflow.averaged.asked import (
     AMPLITUDES,
     DETACHMENT,
-    NO_PROOF,
     ONSET,
     PEAK,
     PROVED_FOLDS,
     PROVED_STATES,
     SADDLE_NODES,
-    One,
     Question,
     curves,
-    in_places,
-    onset_in_columns,
-    states_in_places,
+    failed,
 )
 from slowflow.averaged.batches import Batch, Codes
 from slowflow.averaged.defined import check_defined, may_be_undefined
@@ -43,19 +39,13 @@ from slowflow.certificate import DOUBLES
 from slowflow.mechanism import Mechanism
 from slowflow.model import THROUGHOUT, Floats, Laws, Model, check_names, held
 from slowflow.results import Remark
-from slowflow.table import AVERAGING, COLUMNS, QUESTIONS, ManyQuestions, Unanswered
+from slowflow.table import AVERAGING, QUESTIONS, ManyQuestions, Unanswered
 from slowflow.text import text
 from slowflow.unchanging import Unchanging
 from slowflow_kernels import inertia, slow_flow
 from slowflow_kernels.conventions import Status
 from slowflow_kernels.domains import DAMPING, DISSIPATION
 from slowflow_support.errors import Refused
-
-
-def _undecided(columns: list[npt.NDArray[Any]]) -> npt.NDArray[np.bool_]:
-    """Where doubles do not tell a number, by the last columns of an answer."""
-    *_, undecided, status = columns
-    return np.asarray((undecided != 0) | (status == Status.UNRESOLVED))
 
 
 class Designs(Unchanging, ManyQuestions[Batch]):
@@ -143,50 +133,46 @@ class Designs(Unchanging, ManyQuestions[Batch]):
 
     def _saddle_node_onset(self, *, workers: int) -> Batch:
         columns = self.ask(ONSET, workers)
-
-        def of_one(one: Averaged) -> tuple[Remark, tuple[Any, ...]]:
-            found = one.onset()
-            return found.remarks, onset_in_columns(found)
-
-        by_balls = self._decide(of_one, columns, columns[-1] == Status.UNRESOLVED, most=proofs.MOST_ONSETS_IN_BALLS)
+        by_balls = self._decide(ONSET, columns, most=proofs.MOST_ONSETS_IN_BALLS)
         return self._batch("saddle_node_onset", columns, {"by_balls": by_balls})
 
     def _saddle_nodes(self, F_0: Any, *, places: int, workers: int) -> Batch:
         columns = self.ask(SADDLE_NODES, workers, F_0, places)
-
-        def of_one(one: Averaged, F: float) -> tuple[Remark, tuple[Any, ...]]:
-            found = one.folds(F)
-            return found.remarks, in_places(found, places, Remark.UNDECIDED in found.remarks)
-
-        by_balls = self._decide(of_one, columns, _undecided(columns), F_0)
+        by_balls = self._decide(SADDLE_NODES, columns, places, F_0)
         return self._batch("saddle_nodes", columns, {"by_balls": by_balls}, F_0=F_0)
 
     def _decide(
         self,
-        of_one: Callable[..., tuple[Remark, tuple[Any, ...]]],
+        question: Question,
         columns: list[npt.NDArray[Any]],
-        left: npt.NDArray[np.bool_],
+        places: int = 0,
         *asked: Any,
         most: int | None = None,
     ) -> npt.NDArray[np.bool_]:
-        """Change the columns to those of single answers where balls decide; where that is.
+        """Change the columns to those of single answers where balls decide what doubles do not; where that is.
 
-        of_one -- from a single oscillator, and what is asked of it, the remarks and the columns of its answer
-        left   -- where doubles do not decide
-        most   -- how many of these balls are asked for, `MOST_IN_BALLS` by default
+        most -- how many of these balls are asked for, `MOST_IN_BALLS` by default
         """
+        *_, undecided, status = columns
+        left = status == Status.UNRESOLVED
+        if question is not ONSET:
+            left |= undecided != 0
         by_balls = np.zeros(left.shape, dtype=bool)
         if self.excitation != "force" or self.laws or not left.any() or proofs.in_balls() is None:
             return by_balls
+        assert question.one is not None  # of a proof `_certify` asks balls
         for at, numbers, own in islice(self._each(left, *asked), proofs.MOST_IN_BALLS if most is None else most):
             try:
-                remarked, values = of_one(Averaged(self.model(dict(zip(self.values, numbers, strict=True)))), *own)
+                found = question.one(Averaged(self._model(numbers)), proofs.Allowance(), *own)
             except ArithmeticError:  # what single answers refuse stays refused
                 continue
-            by_balls[at] = Remark.BY_BALLS in remarked
-            for column, value in zip(columns, values, strict=True):
-                column[at] = value
+            by_balls[at] = Remark.BY_BALLS in (found[0] if isinstance(found, tuple) else found).remarks
+            _put(columns, at, question.columns(found, places))
         return by_balls
+
+    def _model(self, numbers: list[float]) -> Model:
+        """One design, from its numbers in their order."""
+        return self.model(dict(zip(self.values, numbers, strict=True)))
 
     def _each(self, wanted: npt.NDArray[np.bool_], *asked: Any) -> Iterator[tuple[Any, list[float], list[float]]]:
         """Where a design is wanted, its numbers, and what is asked of it, one by one."""
@@ -198,12 +184,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
 
     def _amplitudes(self, *, Omega: Any, F_0: Any, places: int, workers: int) -> Batch:
         columns = self.ask(AMPLITUDES, workers, F_0, places, Omega=Omega)
-
-        def of_one(one: Averaged, F: float, at: float) -> tuple[Remark, tuple[Any, ...]]:
-            found = one.states(Omega=at, F_0=F)
-            return found.remarks, states_in_places(found, places)
-
-        by_balls = self._decide(of_one, columns, _undecided(columns), F_0, Omega)
+        by_balls = self._decide(AMPLITUDES, columns, places, F_0, Omega)
         A, stable, *_ = columns
         self._leave_out_what_drifts(np.asarray(Omega, dtype=float)[..., np.newaxis], A, stable)
         self._put_in_what_rests(Omega, F_0, ((A, 0.0), (stable, 1)), columns[2], columns[-1])
@@ -249,16 +230,8 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         self, samples: int, window: tuple[float, float] | None, F_0: Any, places: int, workers: int, *up_to: Any
     ) -> Batch:
         question = curves(samples, window)
-        in_doubles = question.one
         columns = self.ask(question, workers, F_0, places, *up_to)
-
-        def of_one(one: Averaged, F: float, *at: float) -> tuple[Remark, tuple[Any, ...]]:
-            assert in_doubles is not None  # only proofs have none
-            remarked = one.curve(F, samples=samples, Omega=window or (0.0, at[0])).remarks
-            *values, undecided, status = in_doubles(one, F, *at, places)
-            return remarked, (*values, undecided and Remark.BY_BALLS not in remarked, status)
-
-        by_balls = self._decide(of_one, columns, _undecided(columns), F_0, *up_to)
+        by_balls = self._decide(question, columns, places, F_0, *up_to)
         found, A, stable, *_ = columns
         self._leave_out_what_drifts(found, A, stable)
         return self._batch("frequency_response", columns, {"by_balls": by_balls}, F_0=F_0)
@@ -270,7 +243,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         with np.errstate(all="ignore"):  # a number outside its domain has a status, and no amplitude
             beyond = remarks.look_at(self.mechanism, self._parameters, Omega[..., np.newaxis], A[..., np.newaxis])[1]
         for at, numbers, (F,) in self._each(beyond[..., 0], F_0):
-            found = Averaged(self.model(dict(zip(self.values, numbers, strict=True)))).peak(F)
+            found = Averaged(self._model(numbers)).peak(F)
             escapes[at] = found._escapes
             none = found.A is None
             A[at], Omega[at], status[at] = (
@@ -294,7 +267,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
             return
         for at, numbers, (F, *frequency) in self._each(left, F_0, *([] if Omega is None else [Omega])):
             try:
-                model = self.model(dict(zip(self.values, numbers, strict=True)))
+                model = self._model(numbers)
                 validate.number("F_0", F, above=0.0)
                 found: Any
                 if not frequency:
@@ -377,13 +350,12 @@ class Designs(Unchanging, ManyQuestions[Batch]):
                 )
         values = {**self.values, **{name: validate.real_array(name, value) for name, value in at.items()}}
         shape = validate.common_shape(values)
-        inner = {"": (), "place": (places,), "point": (question.points,)}
-        columns = QUESTIONS[question.name].columns[question.system].items()
-        outputs: list[Any] = [np.empty((*shape, *inner[axis]), COLUMNS[name].type) for name, axis in columns]
-        told = outputs
+        outputs = list(question.blank(places, Status.UNRESOLVED, shape).values())
+        solved = outputs
         if question.one is None:  # a proof: bits of its arithmetic, before the status
             outputs[-2][...] = DOUBLES
-            told = [*outputs[:-2], outputs[-1]]
+            solved = [*outputs[:-2], outputs[-1]]
+        each = list(np.broadcast_arrays(*values.values()))
         record = backend.record_of(self.mechanism, self.excitation != "force", bool(self.laws))
         if question.batch is not None and record is not None:
             solve = question.batch(backend.SOLVER)(record)
@@ -393,22 +365,17 @@ class Designs(Unchanging, ManyQuestions[Batch]):
             given = [np.broadcast_to(value, shape) for value in doubles]
 
             def part(block: tuple[slice | int, ...]) -> None:
-                out = tuple(output[block] for output in told)
+                out = tuple(output[block] for output in solved)
                 solve(*(value[block] for value in given), out=out)
 
             places_of = np.broadcast_to(np.uint8(0), shape)
             share(part, blocks(shape, question.at_once), threads, lambda one: places_of[one].size, places_of.size)
-            each = list(np.broadcast_arrays(*values.values()))
             if question.one is not None and self.mechanism.enclosed is not None:
-                self._refuse_undefined(question.one, each, len(at), places, outputs)
+                self._refuse_undefined(question, each, places, outputs)
             if self.laws:
                 left = np.isin(outputs[-1], (Status.NO_BOUND, Status.UNRESOLVED))
                 self._ask_singly(question, left, each, places, outputs)
-        elif question.one is None:
-            for output, value in zip(told, NO_PROOF, strict=True):
-                output[...] = value
-        else:
-            each = list(np.broadcast_arrays(*values.values()))
+        elif question.one is not None:
             self._ask_singly(question, np.ones(shape, dtype=bool), each, places, outputs)
         return outputs
 
@@ -431,8 +398,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         size, chosen = len(self.values), np.argwhere(wanted)
         for index in progress.each(map(tuple, chosen), len(chosen), "designs asked singly"):
             numbers = [float(value[index]) for value in values]
-            for output, value in zip(outputs, self._one(question, numbers[:size], numbers[size:], places), strict=True):
-                output[index] = value
+            _put(outputs, index, self._one(question, numbers[:size], numbers[size:], places))
 
     @property
     def _parameters(self) -> tuple[npt.NDArray[Any], ...]:
@@ -440,37 +406,32 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         return tuple(np.asarray(value) for value in self.mechanism.coefficients(*self.design))
 
     def _refuse_undefined(
-        self, one: One, values: list[npt.NDArray[Any]], beside: int, places: int, outputs: list[Any]
+        self, question: Question, values: list[npt.NDArray[Any]], places: int, outputs: list[Any]
     ) -> None:
         """A status for designs whose force is infinite within its reach, of which the compiled solvers do not know."""
         with np.errstate(all="ignore"):  # a number outside its domain has a status already
-            parameters = self._parameters
-            doubtful = np.broadcast_to(may_be_undefined(self.mechanism, parameters), values[0].shape)
+            doubtful = np.broadcast_to(may_be_undefined(self.mechanism, self._parameters), values[0].shape)
         for index in map(tuple, np.argwhere(doubtful & (outputs[-1] != Status.INVALID))):
-            numbers = [float(value[index]) for value in values]
-            size = len(numbers) - beside
             try:
-                check_defined(self.model(dict(zip(self.values, numbers[:size], strict=True))))
+                check_defined(self._model([float(value[index]) for value in values[: len(self.values)]]))
             except ValueError:
-                blank = (*one(None, *numbers[size:], places)[:-1], Status.INVALID)
-                for output, value in zip(outputs, blank, strict=True):
-                    output[index] = value
+                _put(outputs, index, question.blank(places, Status.INVALID))
 
-    def _one(self, question: Question, given: list[float], asked: list[float], places: int) -> Any:
+    def _one(self, question: Question, given: list[float], asked: list[float], places: int) -> dict[str, Any]:
         """One design's answer, with a status in place of an exception."""
         assert question.one is not None
-        blank = question.one(None, *asked, places)[:-1]
         try:
-            model = self.model(dict(zip(self.values, given, strict=True)))
-            oscillator = Averaged(model)
+            oscillator = Averaged(model := self._model(given))
             if len(asked) > 1:
                 validate.frequencies("Omega", asked[1])
             if asked and model.sticks(validate.number("F_0", asked[0], above=0.0)):
-                return (*blank, Status.STICKS)
-            return question.one(oscillator, *asked, places)
-        except ValueError:
-            return (*blank, Status.INVALID)
-        except OverflowError:
-            return (*blank, Status.NO_BOUND)
-        except ArithmeticError:
-            return (*blank, Status.UNRESOLVED)
+                return question.blank(places, Status.STICKS)
+            return question.columns(question.one(oscillator, proofs.Allowance(0), *asked), places)
+        except (ValueError, ArithmeticError) as error:
+            return question.blank(places, failed(error))
+
+
+def _put(columns: list[npt.NDArray[Any]], at: tuple[int, ...], found: dict[str, Any]) -> None:
+    """Put one design's columns into those of all."""
+    for column, value in zip(columns, found.values(), strict=True):
+        column[at] = value

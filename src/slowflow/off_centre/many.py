@@ -17,7 +17,7 @@ import numpy.typing as npt
 
 from slowflow import loads, loads_many, progress, validate
 from slowflow.averaged import many
-from slowflow.averaged.asked import FOLD_KINDS
+from slowflow.averaged.asked import failed, kinds
 from slowflow.averaged.batches import Batch
 from slowflow.averaged.questions import Averaged
 from slowflow.exact import questions, shocks_many
@@ -180,7 +180,7 @@ class OffCentreDesigns(many.Designs):
                 return None, Status.UNBOUNDED
             found = loads.spectrum(single, Omega, F_0)
         except (ValueError, ArithmeticError) as error:
-            return None, _failed(error)
+            return None, failed(error)
         return found, np.where(found.sticks, Status.STICKS, np.where(found.motions > 0, Status.OK, Status.NONE))
 
     def _of_shocks(
@@ -296,7 +296,7 @@ class OffCentreDesigns(many.Designs):
             found, status, said = one(single, *at.values())
             return found, Status.TOO_MANY if places and found["count"] > places else status, said
         except (ValueError, ArithmeticError) as error:
-            return none, _failed(error), Remark(0)
+            return none, failed(error), Remark(0)
 
     def _single(self, numbers: tuple[float, ...]) -> OffCentre:
         """One design, which keeps for a while what it has been asked already. Raises ValueError for what is none."""
@@ -321,13 +321,6 @@ CENTRED = frozenset(("at_rest", "certify", "second_approximation"))
 COMPOSED = ("margins", "hysteresis", "isolation")
 
 
-def _failed(error: Exception) -> Status:
-    """How a design fared that was refused, or has no answer."""
-    if isinstance(error, ValueError):
-        return Status.INVALID
-    return Status.NO_BOUND if isinstance(error, OverflowError) else Status.UNRESOLVED
-
-
 def _runs(Omega: Floats, F_0: Floats) -> list[slice]:
     """Rows next to each other that are tones."""
     with np.errstate(invalid="ignore"):
@@ -349,17 +342,10 @@ def _single(question: str, single: OffCentre, *at: float) -> Found:
     if getattr(found, names[0]) is None:
         unknown = undecided and question in ("detachment", "saddle_node_onset")
         return {}, Status.UNRESOLVED if unknown else Status.NONE, found.remarks
-    coded = {"count": len, "undecided": lambda _: undecided, "kind": _kinds}
+    coded = {"count": len, "undecided": lambda _: undecided, "kind": kinds}
     columns = {name: coded[name](found) if name in coded else getattr(found, name) for name in names}
     known = {name: math.nan if value is None else value for name, value in columns.items()}
     return known, Status.OK, found.remarks
-
-
-def _kinds(found: Any) -> Any:
-    """Of an onset, or of each fold."""
-    if isinstance(found.kind, str):
-        return OnsetKind[found.kind.upper()]
-    return [FOLD_KINDS.get((fold.kind, fold.corner), 0) for fold in found]
 
 
 def _curve(samples: int, window: tuple[float, float], most: int, single: OffCentre, F_0: float) -> Found:

@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
+from operator import attrgetter
 from typing import Any
 
 import numpy as np
@@ -23,13 +24,12 @@ from slowflow.averaged.batches import OF_STATES, Batch
 from slowflow.averaged.many import Designs
 from slowflow.averaged.questions import Averaged
 from slowflow.mechanism import Floats
-from slowflow.results import Remark
 from slowflow.second.questions import SecondApproximation
 from slowflow.table import MORE_POINTS, QUESTIONS, SECOND, ManyQuestions, Unanswered
 from slowflow.transmitted import Transmitted, in_motion
 from slowflow.transmitted import asked as asked_of
 from slowflow_kernels import motion
-from slowflow_kernels.conventions import OnsetKind, Status
+from slowflow_kernels.conventions import Status
 
 #: why a question about designs has no answer here, where it has one of averaging
 UNANSWERED = {
@@ -71,7 +71,7 @@ def _transmitted(found: Any, of: str, Omega: Floats) -> Transmitted:
     columns = Transmitted(*(np.full(found.A.shape, np.nan) for _ in Transmitted._fields))
     here = ~np.isnan(found.A)
     for at, numbers, (F_0,) in designs._each(here.any(axis=-1), found._F_0):
-        model, rows = designs.model(dict(zip(designs.values, numbers, strict=True))), (*at, here[at])
+        model, rows = designs._model(numbers), (*at, here[at])
         forcing = np.full(np.count_nonzero(here[at]), F_0)
         passed = Waves(model, Omega[rows], found.A[rows], found.phi[rows], forcing).transmitted(of)
         for column, value in zip(columns, passed, strict=True):
@@ -120,91 +120,46 @@ for _name, _why in UNANSWERED.items():
     setattr(SecondDesigns, _name, Unanswered(f"the second approximation of many designs has no {_name}: {_why}"))
 
 
-def _second(one: Callable[..., tuple[Any, ...]]) -> Callable[..., tuple[Any, ...]]:
-    """The answer of one design, from its averaged oscillator or from None for a blank one."""
+def _second(question: str) -> Callable[..., Any]:
+    """The single answer of an averaged oscillator; from doubles only, whatever the allowance."""
 
-    def ask(oscillator: Averaged | None, *arguments: Any) -> tuple[Any, ...]:
-        return one(None if oscillator is None else SecondApproximation(oscillator), *arguments)
+    def one(oscillator: Averaged, _: Any, *at: float) -> Any:
+        given = dict(zip(QUESTIONS[question].takes, at, strict=True))
+        return getattr(SecondApproximation(oscillator), question)(**given)
 
-    return ask
-
-
-def _onset(second: SecondApproximation | None, _: int) -> tuple[Any, ...]:
-    if second is None:
-        return np.nan, np.nan, np.nan, 0, 0, Status.NONE
-    found = second.saddle_node_onset()
-    at_rest = Remark.FOLDS_AT_REST in second.first.saddle_node_onset().remarks
-    if found.F_SN is None:
-        return np.nan, np.nan, np.nan, 0, at_rest, found._status
-    return found.F_SN, found.Omega, found.A, OnsetKind.CUSP, at_rest, Status.OK
+    return one
 
 
-def _saddle_nodes(second: SecondApproximation | None, F_0: float, places: int) -> tuple[Any, ...]:
-    found = None if second is None else second.saddle_nodes(F_0)
-    return asked.in_places(found, places, found is not None and found._lost > 0)
+def _onset(oscillator: Averaged, _: Any) -> Any:
+    remarks = oscillator.saddle_node_onset().remarks
+    return replace(SecondApproximation(oscillator).saddle_node_onset(), remarks=remarks)
 
 
-def _peak(second: SecondApproximation | None, F_0: float, _: int) -> tuple[Any, ...]:
-    found = second and second.peak(F_0)
-    if not found or found.A is None:
-        return np.nan, np.nan, found._status if found else Status.NONE
-    return found.A, found.Omega, Status.OK
-
-
-def _detachment(second: SecondApproximation | None, _: int) -> tuple[Any, ...]:
-    found = second and second.detachment()
-    if not found or found.F_cr is None:
-        return np.nan, np.nan, np.nan if not found or found.u_cr is None else found.u_cr, Status.NONE
-    return found.F_cr, found.Omega_cr, found.u_cr, Status.OK
-
-
-def _amplitudes(second: SecondApproximation | None, F_0: float, Omega: float, places: int) -> tuple[Any, ...]:
-    A, A_1, phi = (np.full(places, np.nan) for _ in range(3))
-    stable = np.zeros(places, np.int8)
-    if second is None:
-        return A, A_1, phi, stable, 0, False, Status.NONE
-    found = second.amplitudes(Omega=Omega, F_0=F_0)
+def _amplitudes(oscillator: Averaged, _: Any, F_0: float, Omega: float) -> Any:
+    found = SecondApproximation(oscillator).amplitudes(Omega=Omega, F_0=F_0)
     moves = found.A > 0  # those at rest are put in for all designs together
-    count = int(np.count_nonzero(moves))
-    n = min(places, count)
-    for column, of in ((A, found.A), (A_1, found.A_1), (phi, found.phi), (stable, found.stable)):
-        column[:n] = of[moves][:n]
-    fits = Status.OK if n == count else Status.TOO_MANY
-    return A, A_1, phi, stable, count, found._lost, fits if count else Status.NONE
+    return replace(found, **{name: getattr(found, name)[moves] for name in ("Omega", "A", "A_1", "phi", "stable")})
 
 
 def _curves(samples: int, window: tuple[float, float]) -> asked.Question:
     """The question about response curves of so many samples in a window of Omega."""
-    n = samples + MORE_POINTS[SECOND]
 
-    def one(second: SecondApproximation | None, F_0: float, _: int) -> tuple[Any, ...]:
-        found = None if second is None else second.frequency_response(F_0, samples=samples, Omega=window)
-        size = 0 if found is None else len(found)
-        Omega, A, A_1, phi = (np.full(n, np.nan) for _ in range(4))
-        branch = np.full(n, -1, np.int16)
-        stable, isola = np.zeros(n, np.int8), np.zeros(n, np.int8)
-        columns: tuple[npt.NDArray[Any], ...] = Omega, A, A_1, phi, stable, branch, isola
-        lost = found is not None and found._lost
-        if found is None or not 0 < size <= n:
-            return *columns, size, lost, Status.TOO_MANY if size else Status.NONE
-        own = found.Omega, found.A, found.A_1, found.phi, found.stable, found.branch
-        for column, of in zip(columns, (*own, np.array(found.isola)[found.branch]), strict=True):
-            column[:size] = of
-        return *columns, size, lost, Status.OK
+    def one(oscillator: Averaged, _: Any, F_0: float) -> Any:
+        return SecondApproximation(oscillator).frequency_response(F_0, samples=samples, Omega=window)
 
-    return asked.Question("frequency_response", _second(one), None, 1, SECOND, n)
-
-
-def _in_lanes(question: asked.Question, one: asked.One, name: str, at_once: int) -> asked.Question:
-    """The same question of the second approximation: by itself, or by that function of the compiled solvers."""
-    return replace(question, one=_second(one), batch=lambda native: getattr(native, name), at_once=at_once)
+    return asked.Question("frequency_response", one, None, 1, SECOND, samples + MORE_POINTS[SECOND], Status.NONE)
 
 
 #: by name
 ASKED: Mapping[str, asked.Question] = {
-    "amplitudes": asked.Question("amplitudes", _second(_amplitudes), None, 1, SECOND),
-    "detachment": _in_lanes(asked.DETACHMENT, _detachment, "many_second_detachment", 2**13),
-    "saddle_node_onset": _in_lanes(asked.ONSET, _onset, "many_second_onset", 2**13),
-    "saddle_nodes": _in_lanes(asked.SADDLE_NODES, _saddle_nodes, "many_second_saddle_nodes", 2**9),
-    "peak": _in_lanes(asked.PEAK, _peak, "many_second_peak", 2**9),
+    "amplitudes": asked.Question("amplitudes", _amplitudes, None, 1, SECOND, empty=Status.NONE),
+    **{
+        name: asked.Question(name, one, attrgetter(f"many_second_{of}"), at_once, SECOND)
+        for name, one, of, at_once in (
+            ("detachment", _second("detachment"), "detachment", 2**13),
+            ("saddle_node_onset", _onset, "onset", 2**13),
+            ("saddle_nodes", _second("saddle_nodes"), "saddle_nodes", 2**9),
+            ("peak", _second("peak"), "peak", 2**9),
+        )
+    },
 }
