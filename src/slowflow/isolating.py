@@ -12,19 +12,16 @@ from functools import partial
 from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
-import numpy.typing as npt
 
 from slowflow import validate
 from slowflow.answer import joined
-from slowflow.mechanism import Floats
+from slowflow.mechanism import Flags, Floats, Ints
 from slowflow.model import Model
 from slowflow.text import Sentence
 from slowflow.transmitted import in_motion
 from slowflow_kernels import inertia, slow_flow
 from slowflow_kernels.conventions import HIGHEST_OMEGA
 
-Flags = npt.NDArray[np.bool_]
-Ints = npt.NDArray[np.intp]
 Begins = TypeVar("Begins")
 
 ISOLATES = Sentence("every motion transmits less than {what:s}")

@@ -13,22 +13,18 @@ from itertools import pairwise
 from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
 from slowflow import moves, validate
 from slowflow.answer import LOADED, Single, Table, Words, entry, joined, sentences
 from slowflow.averaged import remarks, solvers, words
 from slowflow.gradient import NO_GRADIENT, Gradient
 from slowflow.isolating import NEVER, WHOLE, Curves, Level, as_level, highest, isolated, passes_on, told
-from slowflow.mechanism import Floats, Law, Mechanism
+from slowflow.mechanism import Flags, Floats, Ints, Law, Mechanism
 from slowflow.model import THROUGHOUT
 from slowflow.results import MeasuredPoint, OfPoint, Remark
 from slowflow.text import Sentence, text
 from slowflow_kernels import inertia
 from slowflow_kernels.conventions import ENDLESS, HIGHEST_OMEGA
-
-Flags = npt.NDArray[np.bool_]
-Ints = npt.NDArray[np.intp]
 
 ISOLA = text("at {F_SN} an isolated curve is born: a sweep from rest does not meet it, and does not jump there")
 APART = text(
@@ -128,7 +124,7 @@ class Hysteresis(Composed, Table):
 
     Omega_low: Floats
     Omega_high: Floats
-    motions: npt.NDArray[np.intp]
+    motions: Ints
     F_0: float
     message: str
     remarks: Remark
@@ -214,7 +210,7 @@ class Spectrum(Composed, Table):
     F_0: Floats
     A: Floats
     transmissibility_dB: Floats
-    motions: npt.NDArray[np.intp]
+    motions: Ints
     crosses: Flags
     detaches: Flags
     sticks: Flags

@@ -13,22 +13,18 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
 from slowflow import isolating, loads, progress, validate
 from slowflow.averaged.batches import Batch, Codes, first_end
 from slowflow.averaged.many import Designs
 from slowflow.averaged.questions import Averaged
 from slowflow.averaged.remarks import gives_way, stay_centred
-from slowflow.mechanism import Floats, Mechanism
+from slowflow.mechanism import Flags, Floats, Ints, Mechanism
 from slowflow.model import THROUGHOUT, held
 from slowflow.results import Remark
 from slowflow.table import AVERAGING, QUESTIONS
 from slowflow_kernels import dissipation, inertia, slow_flow
 from slowflow_kernels.conventions import Status
-
-Flags = npt.NDArray[np.bool_]
-Ints = npt.NDArray[np.intp]
 
 #: points of a response curve where motions stay centred, and where they may not; designs at once
 SAMPLES, AT_ONCE = (64, loads.SAMPLES), 1024

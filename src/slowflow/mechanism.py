@@ -26,8 +26,10 @@ from slowflow_support.record import Law, Mechanism, Parameter
 __all__ = [
     "LINEAR",
     "EquationOfMotion",
+    "Flags",
     "Floats",
     "Force",
+    "Ints",
     "Law",
     "Mechanism",
     "Parameter",
@@ -37,6 +39,8 @@ __all__ = [
 ]
 
 Floats = npt.NDArray[np.float64]
+Flags = npt.NDArray[np.bool_]
+Ints = npt.NDArray[np.intp]
 
 
 class Array(Protocol):

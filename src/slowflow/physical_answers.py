@@ -13,12 +13,10 @@ from typing import Any, Protocol
 import numpy as np
 import numpy.typing as npt
 
-from slowflow.mechanism import Array, Floats
+from slowflow.mechanism import Array, Flags, Floats, Ints
 from slowflow.quantities import Quantities
 from slowflow.results import Remark
 
-Flags = npt.NDArray[np.bool_]
-Ints = npt.NDArray[np.intp]
 Words = npt.NDArray[np.str_]
 
 

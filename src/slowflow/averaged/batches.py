@@ -19,7 +19,7 @@ from slowflow import validate
 from slowflow.answer import Answer, frozen, optional
 from slowflow.averaged import remarks
 from slowflow.gradient import NO_GRADIENT, Gradient
-from slowflow.mechanism import Mechanism
+from slowflow.mechanism import Flags, Mechanism
 from slowflow.model import THROUGHOUT, Floats, at_rest
 from slowflow.moves import Given, of_detachment, of_folds, of_isolation, of_onset, of_peak, of_states
 from slowflow.results import NOT_AVERAGED, Remark
@@ -31,7 +31,6 @@ from slowflow_kernels.domains import DAMPING, DISSIPATION
 from slowflow_support.errors import Refused
 
 Codes = npt.NDArray[np.int8]
-Flags = npt.NDArray[np.bool_]
 
 
 class Batch(Answer):
@@ -410,16 +409,15 @@ def _again(kind: type[Batch], question: str, values: Any, designs: Any, asked: A
 def _states(found: Batch) -> tuple[Any, Any, Any]:
     """Omega and A of each design's states along one more axis, NaN for none, and of folds which are on a corner."""
     name, one = found.question.name, (..., np.newaxis)
-    if name == "detachment":
-        return found.Omega_cr[one], found.u_cr[one], None
-    if name == "saddle_node_onset":
-        return found.Omega[one], found.A[one], (found.kind == OnsetKind.CORNER)[one]
-    if name == "saddle_nodes":
-        return found.Omega, found.A, _corner(found)
-    if name == "peak":
-        return found.Omega[one], found.A[one], None
     if name in OF_STATES:
         return found._frequency, found.A, None
+    if name == "saddle_nodes":
+        return found.Omega, found.A, _corner(found)
+    if name == "detachment":
+        return found.Omega_cr[one], found.u_cr[one], None
+    if name in ("saddle_node_onset", "peak"):
+        corner = None if name == "peak" else (found.kind == OnsetKind.CORNER)[one]
+        return found.Omega[one], found.A[one], corner
     none = np.full((*found.status.shape, 1), np.nan)
     return none, none, None
 

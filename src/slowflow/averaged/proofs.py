@@ -13,12 +13,12 @@ from collections.abc import Callable
 from typing import Any, TypeVar
 
 import numpy as np
-import numpy.typing as npt
 
 from slowflow import backend
 from slowflow.answer import joined
 from slowflow.averaged import solvers, words
 from slowflow.certificate import DOUBLES, Proved, ProvedFolds, ProvedForcing, ProvedStates
+from slowflow.mechanism import Flags
 from slowflow.model import Floats, Model
 from slowflow.results import Cusps, FrequencyResponse, Remark, SaddleNodeOnset, SaddleNodes, SteadyStates
 from slowflow_kernels.conventions import SAME, OnsetKind, Status
@@ -237,9 +237,7 @@ def nothing_decided(model: Model, asked: Floats, F_0: float) -> SteadyStates:
     return SteadyStates(none, none, _NO_FLAG, F_0, message, model, Omega_undecided=at, remarks=codes)
 
 
-def _with_proved(
-    found: SteadyStates, asked: Floats, proved: dict[float, ProvedStates]
-) -> tuple[Floats, Floats, npt.NDArray[np.bool_]]:
+def _with_proved(found: SteadyStates, asked: Floats, proved: dict[float, ProvedStates]) -> tuple[Floats, Floats, Flags]:
     """Omega, A, stable with proved states in the place of those found, by the order of the frequencies asked for."""
     Omega, of = np.unique(asked, return_inverse=True)
     # as many at each of repeated frequencies

@@ -14,7 +14,7 @@ import numpy.typing as npt
 
 from slowflow.averaged import sustained
 from slowflow.measured import validity
-from slowflow.mechanism import Floats, Mechanism
+from slowflow.mechanism import Flags, Floats, Mechanism
 from slowflow.model import THROUGHOUT, Model
 from slowflow.model import held as held_up_to
 from slowflow.results import NOTHING, Remark
@@ -23,7 +23,6 @@ from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import ENDLESS
 
 Codes = npt.NDArray[np.uint16]
-Flags = npt.NDArray[np.bool_]
 
 #: how near above a breakpoint, in shares of it, a jump of the force is what makes the slope of h, if over twice that
 #: distance the slope changes by this share of itself: as 1/sqrt(A - b) does, the jump's term, by all of itself

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from functools import partial
+from functools import partial, reduce
+from operator import add
 
 import numpy as np
 
@@ -24,7 +25,7 @@ from slowflow.results import (
     SteadyStates,
 )
 from slowflow_kernels import dissipation
-from slowflow_kernels.conventions import OnsetKind, Status
+from slowflow_kernels.conventions import STATIC_MULTIPLE, OnsetKind, Status
 from slowflow_support.errors import NotSettled, OutOfRange
 
 #: the words for kinds of folds, by whether a sweep leaves them upwards
@@ -43,10 +44,11 @@ def check(status: int, model: Model, F_0: float | None = None) -> None:
     if status == Status.NO_BOUND:
         alone = model.inertial and model.zeta == model.m == model.laws.eta == 0
         if alone and model.spring == "none" and F_0 is not None:
-            raise NotSettled(words.everywhere(float(dissipation.full_by_inertia(F_0, model.d))))
+            raise NotSettled(words.EVERYWHERE.format(float(dissipation.full_by_inertia(F_0, model.d))))
         # where there is a bound, up to it squares leave the range of doubles
         if model.laws.any and F_0 is not None and backend.SOLVER.amplitude_bound(model.native, F_0)[1] < math.inf:
-            raise OutOfRange(words.beyond_range(model, F_0))
+            laws = " with " + model.laws.told()
+            raise OutOfRange(words.SQUARES.format(F_0, laws))
         raise OutOfRange(words.unbounded(model, F_0))
     if status in (Status.TOO_MANY, Status.UNRESOLVED):
         raise NotSettled("the response is unresolved" if F_0 is None else words.unresolved(model, F_0))
@@ -63,8 +65,12 @@ def remark_of(model: Model, F_0: float, lowest: float = 0.0) -> str:
     if status != Status.UNBOUNDED:
         return ""
     if goes:
-        return words.cut_towards_rest(model, F_0)[1]
-    return words.does_not_close(A_max)[1] if model.inertial else words.cut_at_reach(model)[1]
+        why = "no spring holds the mass" if model.spring == "none" else words.LEVELS_OFF
+        return words.CUT_TOWARDS_REST.format(why, float(STATIC_MULTIPLE * max(F_0, *model.breakpoints, 0.0)))
+    if model.inertial:
+        return words.NOT_CLOSED.format(A_max)
+    reason = model.mechanism.reach_reason
+    return words.CUT_AT_REACH.format(model.reach, f", {reason}" if reason else "")
 
 
 def amplitude_bound(model: Model, F_0: float) -> float:
@@ -133,7 +139,7 @@ def peak(model: Model, F_0: float, most: float = math.inf) -> Peak:
     """The highest peak at F_0 > m with an amplitude up to `most`."""
     status, A, Omega = backend.SOLVER.peak(model.native, F_0, most)
     if status == Status.UNRESOLVED and A > 0:
-        raise NotSettled(words.peak_at_doubles(F_0, A))
+        raise NotSettled(words.PEAK_AT.format(F_0, A))
     check(status, model, F_0)
     if status == Status.STICKS:
         return Peak(None, None, F_0, words.sticks(model, F_0), _status=Status.STICKS)
@@ -149,7 +155,10 @@ def fold_locus(model: Model, A_max: float, samples: int) -> FoldLocus:
     """About `samples` points of the fold locus up to A_max."""
     status, Omega, A, F_0, branch = backend.SOLVER.fold_locus(model.native, A_max, samples)
     check(status, model)
-    return FoldLocus(Omega, A, F_0, branch, "" if A.size else words.no_locus(model, A_max))
+    # next to a breakpoint a force that hardly jumps has folds too
+    ends = [b for b in model.breakpoints if b < A_max and model.mechanism.truncated]
+    none = reduce(add, map(words.AT_JUMP.format, ends), words.NO_LOCUS.format(A_max))
+    return FoldLocus(Omega, A, F_0, branch, "" if A.size else none)
 
 
 def extrema(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:

@@ -17,13 +17,10 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
-from slowflow.mechanism import Floats, Mechanism
+from slowflow.mechanism import Flags, Floats, Mechanism
 from slowflow.model import THROUGHOUT, Model, at_rest
 from slowflow_kernels import dissipation, slow_flow
-
-Flags = npt.NDArray[np.bool_]
 
 #: how far from a state, relative in amplitude and in frequency, a motion that is sustained counts as near it; the
 #: averaged folds of wells that are right to this are no artefacts (`tests/test_sustained.py` has what it detects)

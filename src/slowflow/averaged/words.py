@@ -6,20 +6,19 @@ import dataclasses
 import math
 import sys
 from collections.abc import Callable, Iterable
-from functools import partial, reduce
-from operator import add
+from functools import partial
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
 from slowflow import backend
 from slowflow.answer import joined
+from slowflow.mechanism import Flags
 from slowflow.model import THROUGHOUT, Floats, Model
 from slowflow.results import NOTHING, Peak, Remark, SaddleNodeOnset
 from slowflow.text import Sentence, text, together
 from slowflow_kernels import dissipation, inertia
-from slowflow_kernels.conventions import CLOSE, STATIC_MULTIPLE, Status
+from slowflow_kernels.conventions import CLOSE, Status
 
 #: frequencies that a message names
 MOST_NAMED = 3
@@ -113,11 +112,6 @@ OF_NO_ONSET = (
 HIGHEST_FORCING = 2.0 ** (sys.float_info.max_exp // 6)
 
 
-def does_not_close(A_max: float) -> tuple[float, str]:
-    """Where a response is cut that has no end, though there is viscous damping, and a remark."""
-    return A_max, NOT_CLOSED.format(A_max)
-
-
 def of_states(model: Model, F_0: float, cut: str, Omega: Floats, found: Floats, undecided: Floats) -> str:
     """The message of states at the frequencies asked for, `Omega`.
 
@@ -125,9 +119,11 @@ def of_states(model: Model, F_0: float, cut: str, Omega: Floats, found: Floats, 
     found     -- frequencies of the states
     undecided -- those of the frequencies asked for at which their number is
     """
-    moves = Omega[~model.rests(F_0, Omega)]
-    none = without_a_state(np.setdiff1d(moves, undecided), found)
-    return joined(cut, none, sticks_below(model, F_0, Omega), undecided_at(undecided))
+    missing = np.setdiff1d(np.setdiff1d(Omega[~model.rests(F_0, Omega)], undecided), found)
+    none = NO_STATE.format(missing) if missing.size else ""
+    more = ", ..." * (undecided.size > MOST_NAMED)
+    at = UNDECIDED_AT.format(undecided[:MOST_NAMED], more) if undecided.size else ""
+    return joined(cut, none, sticks_below(model, F_0, Omega), at)
 
 
 def intervals(doubt: Iterable[Any]) -> str:
@@ -142,7 +138,7 @@ def beside(undecided: bool, cut: str) -> Remark:
     return Remark(int(Remark.UNDECIDED) * bool(undecided) + int(Remark.CUT) * bool(cut))
 
 
-def of_points(A: Floats, few: npt.NDArray[np.bool_], none: str) -> dict[str, Any]:
+def of_points(A: Floats, few: Flags, none: str) -> dict[str, Any]:
     """What is said of cusps or isola points at A: which of them have few digits; `none` where there are none."""
     if few.any():
         return {"message": FEW_DIGITS.format(A[few]), "remarks": Remark.UNDECIDED}
@@ -185,11 +181,6 @@ def unresolved(model: Model, F_0: float) -> str:
         return UNRESOLVED.format(F_0, POWERS)
     near = not model.inertial and F_0 <= model.m * (1 + CLOSE)
     return UNRESOLVED.format(F_0, (COINCIDE_AS.format(model.m) if near else COINCIDE) + _or_not_known(model))
-
-
-def beyond_range(model: Model, F_0: float) -> str:
-    """That forces at the amplitudes of states are too large to be squared."""
-    return SQUARES.format(F_0, " with " + model.laws.told() if model.laws.any else "")
 
 
 def _or_not_known(model: Model) -> str:
@@ -248,13 +239,8 @@ def unresolved_onset(model: Model) -> str:
     return said + IN_BALLS if proved else said
 
 
-def no_locus(model: Model, A_max: float) -> str:
-    """That there is no fold at any forcing, but next to breakpoints, where a force that hardly jumps has folds too."""
-    ends = [b for b in model.breakpoints if b < A_max and model.mechanism.truncated]
-    return reduce(add, map(AT_JUMP.format, ends), NO_LOCUS.format(A_max))
-
-
 CUT = Sentence("unbounded without viscous damping: cut at {A = :g}{why:s}")
+LEVELS_OFF = "the spring's force, which levels off, does not hold the mass"
 CUT_TOWARDS_REST = Sentence("unbounded as {Omega} tends to 0, where {why:s}: cut at {A = :g}")
 CUT_AT_REACH = Sentence("cut at {A = :g}{why:s}")
 EVERYWHERE = Sentence(
@@ -269,19 +255,6 @@ def cut(model: Model, F_0: float) -> tuple[float, str]:
     return A_max, CUT.format(A_max, f", {model.mechanism.reach_reason}" if math.isfinite(model.reach) else "")
 
 
-def cut_towards_rest(model: Model, F_0: float) -> tuple[float, str]:
-    """Where the response is cut of a mass that no spring holds, or one whose force levels off, and a remark."""
-    A_max = float(STATIC_MULTIPLE * max(F_0, *model.breakpoints, 0.0))
-    free = model.spring == "none"
-    why = "no spring holds the mass" if free else "the spring's force, which levels off, does not hold the mass"
-    return A_max, CUT_TOWARDS_REST.format(why, A_max)
-
-
-def everywhere(A: float) -> str:
-    """That a mass without a spring follows a shaking base alike at any frequency, by quadratic damping alone."""
-    return EVERYWHERE.format(A)
-
-
 def no_top(model: Model, F_0: float, most: float) -> Peak:
     """The answer where nothing ends a response up to an amplitude, or up to any.
 
@@ -292,17 +265,6 @@ def no_top(model: Model, F_0: float, most: float) -> Peak:
     if model.laws.any:
         return Peak(None, None, F_0, NO_TOP_BELOW.format(float(dissipation.full_by_inertia(F_0, model.d))))
     return Peak(None, None, F_0, NO_TOP.format(F_0))
-
-
-def peak_at_doubles(F_0: float, A: float) -> str:
-    """That the highest peak is next to an amplitude, as a breakpoint, where doubles do not tell whether it is there."""
-    return PEAK_AT.format(F_0, A)
-
-
-def cut_at_reach(model: Model) -> tuple[float, str]:
-    """Where a response is cut that goes beyond the mechanism's reach, and a remark."""
-    reason = f", {model.mechanism.reach_reason}" if model.mechanism.reach_reason else ""
-    return model.reach, CUT_AT_REACH.format(model.reach, reason)
 
 
 def with_folds_at_rest(model: Model, onset: SaddleNodeOnset, rest: float) -> SaddleNodeOnset:
@@ -321,12 +283,6 @@ def with_folds_at_rest(model: Model, onset: SaddleNodeOnset, rest: float) -> Sad
 NO_STATE = Sentence("no steady state at {Omega = :g}")
 UNDECIDED_AT = Sentence("how many states there are is undecided at {Omega = :.17g}{more:s}")
 EMPTY_WINDOW = Sentence("no steady state for {Omega} in [{Omega:g}]")
-
-
-def without_a_state(Omega: Floats, found: Floats) -> str:
-    """At which of the frequencies asked for there is no state among those found."""
-    missing = np.setdiff1d(Omega, found)
-    return NO_STATE.format(missing) if missing.size else ""
 
 
 def sticks_below(model: Model, F_0: float, Omega: Floats) -> str:
@@ -363,13 +319,6 @@ def at_several(messages: Iterable[str]) -> str:
     """What is said at several forcings: each message once, the first `SAID` of them."""
     told = list(dict.fromkeys(message for message in messages if message))
     return joined(*told[:SAID], f"and {len(told) - SAID} remarks more" if len(told) > SAID else "")
-
-
-def undecided_at(Omega: Floats) -> str:
-    """At which of the frequencies asked for doubles do not tell how many states there are."""
-    if not Omega.size:
-        return ""
-    return UNDECIDED_AT.format(Omega[:MOST_NAMED], ", ..." * (Omega.size > MOST_NAMED))
 
 
 def empty_window(model: Model, F_0: float, window: tuple[float, float]) -> str:

@@ -12,7 +12,6 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import numpy.typing as npt
 
 from slowflow import validate
 from slowflow.answer import joined
@@ -21,6 +20,7 @@ from slowflow.averaged.pairs import at_pairs, with_rests
 from slowflow.averaged.plan import Plan, Step
 from slowflow.backend import SOLVER
 from slowflow.measured import validity
+from slowflow.mechanism import Flags, Ints
 from slowflow.model import Floats
 from slowflow.questions import Questions
 from slowflow.results import Detachment, Peak, Remark, SaddleNodeOnset, SteadyStates
@@ -286,7 +286,7 @@ class SecondApproximation(Questions[SecondStates, SecondResponse, SecondFolds]):
         empty = "" if of else words.empty_window(self.first.model, F_0, window)
         return joined(message, empty, LOST.format(lost, of, (low, high)) if lost else "")
 
-    def _stay(self, Omega: Floats, A: Floats) -> remarks.Flags:
+    def _stay(self, Omega: Floats, A: Floats) -> Flags:
         """Which states stay about u = 0, as averaging has it: others are not stable."""
         model = self.first.model
         if model.stays_centred:
@@ -310,7 +310,7 @@ def _around(low: float, high: float) -> tuple[float, float]:
     return low / BEYOND, high * BEYOND
 
 
-def _counts(wanted: Floats, values: Floats) -> npt.NDArray[np.intp]:
+def _counts(wanted: Floats, values: Floats) -> Ints:
     """How often each wanted value is among the values."""
     known = np.sort(values)
     return np.searchsorted(known, wanted, "right") - np.searchsorted(known, wanted, "left")

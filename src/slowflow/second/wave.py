@@ -12,9 +12,8 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-import numpy.typing as npt
 
-from slowflow.mechanism import Force
+from slowflow.mechanism import Force, Ints
 from slowflow.model import Floats, Model
 from slowflow.transmitted import Transmitted
 from slowflow_kernels import motion
@@ -57,7 +56,7 @@ class Waves:
                 column[rows] = values
         return found
 
-    def _part(self, rows: npt.NDArray[np.intp]) -> Waves:
+    def _part(self, rows: Ints) -> Waves:
         return Waves(self.model, *(column[rows] for column in (self.Omega, self.u_max, self.phi, self.F_0)))
 
     def _transmitted(self, of: str) -> Transmitted:
