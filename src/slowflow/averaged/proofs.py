@@ -295,9 +295,8 @@ def states_in_doubles(model: Model, Omega: float, F_0: float) -> ProvedStates:
     if answer is None:
         return ProvedStates(False, reason, DOUBLES, _NONE, _NO_FLAG, 0.0, False, _NONE)
     status, _, A, _, sign, doubt, A_max, bounded, room = answer
-    order = np.argsort(A[:, 0])
     proved, message = _remarks(model, F_0, status, doubt, A_max, bounded, room)
-    return ProvedStates(proved, message, DOUBLES, A[order], sign[order] > 0, A_max, bounded, doubt)
+    return ProvedStates(proved, message, DOUBLES, A, sign > 0, A_max, bounded, doubt)
 
 
 def onset_in_doubles(model: Model) -> ProvedForcing:

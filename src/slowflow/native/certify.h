@@ -150,22 +150,13 @@ static int sf_follows(const sf_enclosure *one, const sf_enclosure *other) {
     return other->corner && !one->corner;
 }
 
-static void sf_sort_enclosures(sf_certificate *out) {
-    int i, k;
-    for (i = 1; i < out->n; i++) {
-        const sf_enclosure one = out->at[i];
-        for (k = i; k > 0 && sf_follows(&out->at[k - 1], &one); k--)
-            out->at[k] = out->at[k - 1];
-        out->at[k] = one;
-    }
-}
+static int sf_is_higher(const sf_enclosure *one, const sf_enclosure *other) { return one->A.lo > other->A.lo; }
 
-/* By rising A. */
-static void sf_sort_by_amplitude(sf_certificate *out) {
+static void sf_sort_enclosures(sf_certificate *out, int (*follows)(const sf_enclosure *, const sf_enclosure *)) {
     int i, k;
     for (i = 1; i < out->n; i++) {
         const sf_enclosure one = out->at[i];
-        for (k = i; k > 0 && out->at[k - 1].A.lo > one.A.lo; k--)
+        for (k = i; k > 0 && follows(&out->at[k - 1], &one); k--)
             out->at[k] = out->at[k - 1];
         out->at[k] = one;
     }
@@ -205,7 +196,7 @@ static sf_status sf_certify_folds(const sf_model *model, const sf_given *given, 
                    sf_sign_of(slow_flow_intervals_F_AA(Omega, on->A, given->m, given->zeta, on->h, on->h_A, on->h_AA)));
     }
     sf_certify_corners(given, &proving.terms, out);
-    sf_sort_enclosures(out);
+    sf_sort_enclosures(out, sf_follows);
     return SF_OK;
 }
 
@@ -216,7 +207,7 @@ static void sf_state_on(const sf_proving *proving, const sf_cell *cell, int open
     sf_range_state(&proving->terms, proving->Omega, cell, &out[0]);
 }
 
-/* Every state at (Omega, F_0). */
+/* Every state at (Omega, F_0), by rising A. */
 static sf_status sf_certify_states(const sf_model *model, const sf_given *given, double F_0, double Omega,
                                    sf_proof *proof, sf_certificate *out)
 {
@@ -230,6 +221,7 @@ static sf_status sf_certify_states(const sf_model *model, const sf_given *given,
     sf_leave_all_in_doubt(given, proof, out);
     for (i = 0; i < proof->n; i++)
         sf_enclose(out, proving.Omega, proof->at[i].on.A, 0, proof->at[i].rising ? 1 : -1);
+    sf_sort_enclosures(out, sf_is_higher);
     return SF_OK;
 }
 
@@ -347,36 +339,31 @@ static void sf_enter_corners(const sf_given *given, const sf_terms *terms, int k
     sf_cell on;
     sf_at_amplitude q;
     sf_roots roots;
-    int i;
+    int side, i;
     sf_breakpoint_on(given, k, &on);
     if (jumps && on.h.lo < 0 && J <= 0) {
         const sf_interval Omega = slow_flow_intervals_backbone(b, on.h);
         sf_enter(list, sf_level_on(terms, Omega, &on), Omega, b, SF_CORNER_KIND, on.h.hi < 0 ? -J : 0);
     }
     q = sf_at_cell(SF_ROOTS_OF_F_A, terms, &on);
-    sf_prove_roots(&q, &roots);
-    list->full |= roots.full;
-    for (i = 0; i < roots.n; i++) {
-        const sf_interval w = roots.at[i], m = terms->m, zeta = terms->zeta;
-        const int R = sf_sign_of(slow_flow_intervals_R(w, b, on.h));
-        const int falls = -sf_sign_of(slow_flow_intervals_level_rise(w, b, m, zeta, on.h, on.h_A, on.h_AA));
-        const int turns = -R * J * sf_sign_of(sfi_mul(slow_flow_intervals_F_Omega(w, b, m, zeta, on.h),
-                                                      slow_flow_intervals_F_AOmega(w, b, m, zeta, on.h, on.h_A)));
-        const int sign = falls < 0 || turns < 0 ? -1 : falls * turns;
-        sf_enter(list, sf_level_on(terms, w, &on), w, b, SF_CORNER_KIND, roots.doubtful[i] ? 0 : sign);
-    }
-    if (!jumps)
-        return;
-    q.of = SF_ROOTS_OF_F_OMEGA;
-    sf_prove_roots(&q, &roots);
-    list->full |= roots.full;
-    for (i = 0; i < roots.n; i++) {
-        const sf_interval w = roots.at[i], m = terms->m, zeta = terms->zeta;
-        const int R = sf_sign_of(slow_flow_intervals_R(w, b, on.h));
-        const int opposite = -R * J * sf_sign_of(slow_flow_intervals_F_A(w, b, m, zeta, on.h, on.h_A));
-        const int least = sf_sign_of(slow_flow_intervals_F_OmegaOmega(w, b, zeta, on.h));
-        const int sign = opposite < 0 || least < 0 ? -1 : opposite * least;
-        sf_enter(list, sf_level_on(terms, w, &on), w, b, SF_CORNER_KIND, roots.doubtful[i] ? 0 : sign);
+    for (side = 0; side < 1 + jumps; side++, q.of = SF_ROOTS_OF_F_OMEGA) {
+        sf_prove_roots(&q, &roots);
+        list->full |= roots.full;
+        for (i = 0; i < roots.n; i++) {
+            const sf_interval w = roots.at[i], m = terms->m, zeta = terms->zeta;
+            const int rises = -J * sf_sign_of(slow_flow_intervals_R(w, b, on.h));
+            int one, other;
+            if (q.of == SF_ROOTS_OF_F_A) {
+                one = -sf_sign_of(slow_flow_intervals_level_rise(w, b, m, zeta, on.h, on.h_A, on.h_AA));
+                other = rises * sf_sign_of(sfi_mul(slow_flow_intervals_F_Omega(w, b, m, zeta, on.h),
+                                                   slow_flow_intervals_F_AOmega(w, b, m, zeta, on.h, on.h_A)));
+            } else {
+                one = rises * sf_sign_of(slow_flow_intervals_F_A(w, b, m, zeta, on.h, on.h_A));
+                other = sf_sign_of(slow_flow_intervals_F_OmegaOmega(w, b, zeta, on.h));
+            }
+            sf_enter(list, sf_level_on(terms, w, &on), w, b, SF_CORNER_KIND,
+                     roots.doubtful[i] ? 0 : one < 0 || other < 0 ? -1 : one * other);
+        }
     }
 }
 

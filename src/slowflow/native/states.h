@@ -115,7 +115,6 @@ static int sf_take_proved_states(const sf_model *model, const sf_given *given, d
     room->proofs++;
     if (sf_certify_states(model, given, F_0, Omega, &room->proof, found) != SF_OK || !sf_is_proved(found))
         return 0;
-    sf_sort_by_amplitude(found);
     same = found->n == *n;
     memcpy(before, A, (size_t)*n * sizeof *A);
     for (i = 0; i < found->n; i++) {

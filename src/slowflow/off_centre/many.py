@@ -17,7 +17,7 @@ import numpy.typing as npt
 
 from slowflow import loads, loads_many, progress, validate
 from slowflow.averaged import many
-from slowflow.averaged.asked import failed, kinds
+from slowflow.averaged.asked import CODED, failed
 from slowflow.averaged.batches import Batch
 from slowflow.averaged.questions import Averaged
 from slowflow.exact import questions, shocks_many
@@ -342,8 +342,7 @@ def _single(question: str, single: OffCentre, *at: float) -> Found:
     if getattr(found, names[0]) is None:
         unknown = undecided and question in ("detachment", "saddle_node_onset")
         return {}, Status.UNRESOLVED if unknown else Status.NONE, found.remarks
-    coded = {"count": len, "undecided": lambda _: undecided, "kind": kinds}
-    columns = {name: coded[name](found) if name in coded else getattr(found, name) for name in names}
+    columns = {name: CODED[name](found) if name in CODED else getattr(found, name) for name in names}
     known = {name: math.nan if value is None else value for name, value in columns.items()}
     return known, Status.OK, found.remarks
 
