@@ -26,10 +26,8 @@ from slowflow_support.record import Law, Mechanism, Parameter
 __all__ = [
     "LINEAR",
     "EquationOfMotion",
-    "Flags",
     "Floats",
     "Force",
-    "Ints",
     "Law",
     "Mechanism",
     "Parameter",
