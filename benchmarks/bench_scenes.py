@@ -54,10 +54,10 @@ def rows(repeats: int | None = None) -> list[dict[str, Any]]:
         return lambda: solvers.frequency_response(model, F_0, 1000, WINDOW)
 
     def folds(model: Model, F_0: float) -> Callable[[], Any]:
-        return lambda: solvers.saddle_nodes(model, F_0)
+        return lambda: solvers.folds(model, F_0)
 
     def states(model: Model, F_0: float) -> Callable[[], Any]:
-        return lambda: solvers.amplitudes(model, Omega, F_0)
+        return lambda: solvers.states(model, Omega, F_0)
 
     pairs = [
         ("delta_h = 0: linear", "frequency_response", curve(no_preload, 0.04), curve(linear, 0.04)),

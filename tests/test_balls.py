@@ -74,7 +74,7 @@ def test_what_doubles_leave_undecided_beside_a_double_fold_is_decided_and_right(
             continue
         model = of_record(case).model
         for F_0, above in level_ulps(onset["F_SN"]):
-            proof = proofs.saddle_nodes(model, F_0, np.empty(0))
+            proof = proofs.folds(model, F_0, np.empty(0))
             assert proof.proved
             assert len(proof.A) == (2 if above else 0)
             by_balls += proof.bits > DOUBLES
@@ -87,12 +87,12 @@ def test_balls_hold_the_certified_folds_states_onsets_and_detachments():
     for _, _, case in CASES[::25]:
         model = of_record(case).model
         forcing, onset = case["forcings"][0], case["onset"]
-        proof = answers.saddle_nodes(model, forcing["F_0"][1])
+        proof = answers.folds(model, forcing["F_0"][1])
         assert proof.proved
         assert proof.bounded
         check_folds(proof, forcing["folds"])
         for at in forcing["amplitudes"][:2]:
-            states = answers.amplitudes(model, at["Omega"][1], forcing["F_0"][1])
+            states = answers.states(model, at["Omega"][1], forcing["F_0"][1])
             assert states.stable.tolist() == [state["stable"] for state in at["steady"]]
             assert all(holds(A, state["A"]) for A, state in zip(states.A, at["steady"], strict=True))
         found = answers.onset(model)
@@ -214,7 +214,7 @@ def test_one_ulp_from_friction_it_is_decided_whether_the_mass_moves():
     with mpmath.workdps(40):
         m = 4 * mpmath.mpf(iso.mu) / mpmath.pi
         for F_0 in (math.nextafter(float(m), 0), float(m), math.nextafter(float(m), 1)):
-            proof = proofs.saddle_nodes(iso.model, F_0, np.empty(0))
+            proof = proofs.folds(iso.model, F_0, np.empty(0))
             assert proof.proved
             assert proof.message.startswith("sticks") is not (mpmath.mpf(F_0) > m)
 
@@ -224,12 +224,12 @@ def test_a_double_state_that_is_exact_stays_undecided_in_words():
     """Where two states meet at numbers that are doubles no digits tell them apart."""
     iso = Duffing(2.5, -4.0, mu=0.0, zeta=0.0)
     # R = A (Omega^2 - 5/2) + 3 A^3 = -F_0 at Omega = 1/2: R is least where 9 A^2 = 9/4, at A = 1/2, and is -3/4 there
-    proof = proofs.amplitudes(iso.model, 0.5, 0.75)
+    proof = proofs.states(iso.model, 0.5, 0.75)
     assert not proof.proved
     assert words.BALLS_IN_DOUBT.format(512, "") in proof.message
     assert proof.doubt[0, 0] < 0.5 < proof.doubt[0, 1]
     for F_0, count in ((math.nextafter(0.75, 0), 3), (math.nextafter(0.75, 1), 1)):
-        found = proofs.amplitudes(iso.model, 0.5, F_0)
+        found = proofs.states(iso.model, 0.5, F_0)
         assert found.proved
         assert len(found.A) == count
 
@@ -237,7 +237,7 @@ def test_a_double_state_that_is_exact_stays_undecided_in_words():
 def test_without_flint_the_answer_says_how_to_have_it(monkeypatch):
     monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
     iso = untruncated(UNTRUNCATED[0])
-    proof = proofs.saddle_nodes(iso.model, float(np.nextafter(iso.saddle_node_onset().F_SN, 1)), np.empty(0))
+    proof = proofs.folds(iso.model, float(np.nextafter(iso.saddle_node_onset().F_SN, 1)), np.empty(0))
     assert not proof.proved
     assert words.NO_BALLS in proof.message
 
@@ -249,9 +249,9 @@ def test_proofs_in_balls_are_the_same_in_threads():
     model = untruncated(UNTRUNCATED[1]).model
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        alone = answers.saddle_nodes(model, 0.05)
+        alone = answers.folds(model, 0.05)
         with ThreadPoolExecutor(4) as pool:
-            found = list(pool.map(lambda _: answers.saddle_nodes(model, 0.05), range(4)))
+            found = list(pool.map(lambda _: answers.folds(model, 0.05), range(4)))
     assert all(one == alone for one in found)
     assert example.isolator().certify(0.04).proved
 
@@ -297,5 +297,5 @@ def test_undamped_folds_next_to_the_corner_have_a_frequency(delta_h, mu):
     for found in (one.saddle_nodes(F_0).Omega, many.Omega[0, : many.count[0]]):
         assert len(found) in (0, 2)
         assert found == pytest.approx([Omega] * len(found), rel=1e-9)
-    proof = answers.saddle_nodes(one.model, F_0)
+    proof = answers.folds(one.model, F_0)
     assert proof.proved and proof.Omega == pytest.approx(np.full((2, 2), Omega), rel=1e-9)

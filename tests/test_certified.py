@@ -91,7 +91,7 @@ def test_enclosures_are_narrow():
     for _, _, case in CASES[:60]:
         model = of_record(case).model
         for forcing in case["forcings"]:
-            proof = proofs.saddle_nodes(model, forcing["F_0"][1], NOWHERE)
+            proof = proofs.folds(model, forcing["F_0"][1], NOWHERE)
             for A, fold in zip(proof.A, forcing["folds"], strict=proof.proved):
                 if fold["condition"] is not None and proof.proved and not fold["corner"]:
                     condition = fold["condition"]["A"] + fold["condition_kernel"]["A"]
@@ -132,7 +132,7 @@ def test_a_fold_that_the_solvers_miss_is_noticed(monkeypatch):
     assert found.proof.proved
     assert not found.proof.message
     one = dataclasses.replace(found, Omega=found.Omega[:1], A=found.A[:1], kind=found.kind[:1], corner=found.corner[:1])
-    monkeypatch.setattr(solvers, "saddle_nodes", lambda model, F_0: one)
+    monkeypatch.setattr(solvers, "folds", lambda model, F_0: one)
     assert (
         example.isolator().saddle_nodes(0.04, certify=True).proof.message == "2 folds are proved, saddle_nodes gives 1"
     )
@@ -141,7 +141,7 @@ def test_a_fold_that_the_solvers_miss_is_noticed(monkeypatch):
 def test_a_tampered_enclosure_is_noticed():
     (case,) = (case for name, _, case in CASES if name == "table_1")
     forcing = case["forcings"][0]
-    proof = proofs.saddle_nodes(of_record(case).model, forcing["F_0"][1], NOWHERE)
+    proof = proofs.folds(of_record(case).model, forcing["F_0"][1], NOWHERE)
     check_folds(proof, forcing["folds"])
     wide = proof.A[:, 1:] - proof.A[:, :1]
     for A in (proof.A + 2 * wide, proof.A - 2 * wide, proof.A[:1]):

@@ -266,7 +266,7 @@ def test_a_fold_itself_is_one_state_and_not_stable():
     """To doubles; balls tell whether the double is above the fold's frequency or below, see test_states_by_balls."""
     folds = isolator().saddle_nodes(0.04)
     for Omega, A in zip(folds.Omega, folds.A, strict=True):
-        states = solvers.amplitudes(isolator().model, np.array([Omega]), 0.04)
+        states = solvers.states(isolator().model, np.array([Omega]), 0.04)
         assert states.A.size == 2
         at = np.argmin(np.abs(states.A - A))
         assert states.A[at] == pytest.approx(A, rel=1e-7) and not states.stable[at] and states.stable[1 - at]

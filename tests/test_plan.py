@@ -102,7 +102,7 @@ def test_the_linear_scene_gives_what_the_whole_force_gives():
         rod_spring.MECHANISM, rod_spring.coefficients(TABLE_1["lam"], TABLE_1["r"], 0.0), linear.mu, linear.zeta
     )
     Omega = np.linspace(0.3, 1.5, 25)
-    one, other = linear.amplitudes(Omega=Omega, F_0=0.04), solvers.amplitudes(whole, Omega, 0.04)
+    one, other = linear.amplitudes(Omega=Omega, F_0=0.04), solvers.states(whole, Omega, 0.04)
     assert np.allclose(one.A, other.A, rtol=1e-13, atol=0) and np.allclose(one.phi, other.phi, rtol=1e-12, atol=0)
 
 
@@ -119,7 +119,7 @@ def test_a_damping_scene_is_the_limit_of_the_general_one(mu, zeta):
 def test_a_mechanism_that_is_derived_but_not_compiled_is_solved_all_the_same():
     mechanism = dataclasses.replace(duffing.MECHANISM, name="fresh")
     fresh, known = Model(mechanism, (1.0, 0.5), 0.01, 0.02), Model(duffing.MECHANISM, (1.0, 0.5), 0.01, 0.02)
-    same_folds(solvers.saddle_nodes(fresh, 0.1), solvers.saddle_nodes(known, 0.1))
+    same_folds(solvers.folds(fresh, 0.1), solvers.folds(known, 0.1))
     assert solvers.onset(fresh).F_SN == pytest.approx(solvers.onset(known).F_SN, rel=1e-13)
 
 

@@ -150,7 +150,7 @@ def test_folds_of_a_curve_of_states_and_of_a_batch_are_those_of_the_question():
         for Omega, A in zip(folds.Omega, folds.A, strict=True):
             assert ((curve.Omega == Omega) & (curve.A == A)).any()
             # by doubles: balls tell whether the double is above the fold's frequency or below
-            assert A in solvers.amplitudes(oscillator.model, np.array([Omega]), F_0).A
+            assert A in solvers.states(oscillator.model, np.array([Omega]), F_0).A
 
 
 def test_states_at_the_frequency_of_a_peak_lie_between_the_doubles_beside_them():

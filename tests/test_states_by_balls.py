@@ -89,7 +89,7 @@ def test_states_next_to_a_fold_are_as_many_as_the_oracle_proves_in_the_order_ask
     one, F_0 = BESIDE[name]
     asked = beside_folds(one, F_0)
     number = [counts.States(exact(one), w).count(F_0) for w in asked]
-    assert solvers.amplitudes(one.model, np.array(asked), F_0).Omega_undecided.size or name == "isolator"
+    assert solvers.states(one.model, np.array(asked), F_0).Omega_undecided.size or name == "isolator"
     found, many = one.amplitudes(Omega=asked, F_0=F_0), batch(one).amplitudes(Omega=asked, F_0=F_0)
     assert found.Omega.tolist() == [w for w, n in zip(asked, number, strict=True) for _ in range(n)]
     ends = np.cumsum([0, *number]).tolist()
@@ -132,7 +132,7 @@ def test_balls_are_asked_so_often_and_what_is_left_is_said_to_be_undecided(monke
     one, F_0 = BESIDE["hardening"]
     asked = sorted(set(beside_folds(one, F_0)[:-1]))
     model = one.model
-    open_ = solvers.amplitudes(model, np.array(asked), F_0).Omega_undecided.tolist()
+    open_ = solvers.states(model, np.array(asked), F_0).Omega_undecided.tolist()
     monkeypatch.setattr(proofs, "MOST_IN_BALLS", 2)
     monkeypatch.setattr(proofs.Allowance.__init__, "__defaults__", (2,))
     found, many = one.amplitudes(Omega=asked, F_0=F_0), batch(one).amplitudes(Omega=asked, F_0=F_0)
@@ -150,8 +150,8 @@ def test_a_batch_asks_balls_once(monkeypatch):
     one, F_0 = BESIDE["hardening"]
     asked = beside_folds(one, F_0)[:2]
     balls, tried = proofs.in_balls(), []
-    ask = balls.amplitudes
-    monkeypatch.setattr(balls, "amplitudes", lambda *given: tried.append(given) or ask(*given))
+    ask = balls.states
+    monkeypatch.setattr(balls, "states", lambda *given: tried.append(given) or ask(*given))
     batch(one).amplitudes(Omega=asked, F_0=F_0)
     columns = batch(one).ask(AMPLITUDES, 1, F_0, 6, Omega=asked)
     assert len(tried) == (columns[-2] != 0).sum()
@@ -220,7 +220,7 @@ def test_a_curve_is_decided_where_balls_prove_the_folds_that_it_has(design, F_0,
     assert Remark.UNDECIDED in found.remarks and in_doubles.undecided
     for single, several in ((found, in_doubles), (decided, many)):
         assert (int(single.remarks), single.A.tolist()) == (several.remarks, several.A[: len(single)].tolist())
-    by_balls, folds = Remark.BY_BALLS in decided.remarks, solvers.saddle_nodes(one.model, F_0)
+    by_balls, folds = Remark.BY_BALLS in decided.remarks, solvers.folds(one.model, F_0)
     assert by_balls == (Remark.UNDECIDED not in decided.remarks) == (not many.undecided)
     assert by_balls  # whose folds have fewer digits
     assert not by_balls or len(folds) == number

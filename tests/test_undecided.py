@@ -228,7 +228,7 @@ def test_a_number_of_folds_that_doubles_do_not_tell_is_the_one_that_balls_prove(
     pytest.importorskip("flint")
     kind, (*own, mu, zeta), F_0, number = EXTREME[name]
     iso = oscillator(kind, *own, mu=mu, zeta=zeta)
-    assert Remark.UNDECIDED in solvers.saddle_nodes(iso.model, F_0).remarks  # in doubles
+    assert Remark.UNDECIDED in solvers.folds(iso.model, F_0).remarks  # in doubles
     found, many = iso.saddle_nodes(F_0), batch(kind, (*own, mu, zeta)).saddle_nodes([F_0, 2 * F_0])
     proof = iso.certify(F_0).saddle_nodes
     assert proof.proved and "saddle_nodes gives" not in proof.message
@@ -502,10 +502,10 @@ def test_a_batch_of_proofs_is_that_of_single_ones():
         assert folds.count.shape == states.proved.shape == (2, 2)
         for (i, j), count in np.ndenumerate(folds.count):
             one = oscillator(Isolator, 3.0, float(numbers["r"][j]), 0.08, mu=0.01, zeta=0.02).replace(force=force)
-            single = proofs.saddle_nodes(one.model, float(F_0[i, 0]), np.empty(0))
+            single = proofs.folds(one.model, float(F_0[i, 0]), np.empty(0))
             assert (folds.proved[i, j], count, folds.bits[i, j]) == (single.proved, len(single.A), single.bits)
             assert folds.status[i, j] == (Status.STICKS if one.model.sticks(float(F_0[i, 0])) else Status.OK)
-            at = proofs.amplitudes(one.model, float(Omega[j]), float(F_0[i, 0]))
+            at = proofs.states(one.model, float(Omega[j]), float(F_0[i, 0]))
             assert (states.proved[i, j], states.count[i, j], states.bits[i, j]) == (at.proved, len(at.A), at.bits)
         assert (folds.bits == DOUBLES).all()
     assert (Isolator.many(**numbers).certify(-1.0).status == Status.INVALID).all()
@@ -660,7 +660,7 @@ def test_folds_of_one_frequency_come_by_rising_amplitude(design, F_0):
     iso = Isolator(lam=lam, r=r, delta_h=delta_h, mu=mu, zeta=zeta)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        folds, proof = iso.saddle_nodes(F_0, certify=True), proofs.in_balls().saddle_nodes(iso.model, F_0)
+        folds, proof = iso.saddle_nodes(F_0, certify=True), proofs.in_balls().folds(iso.model, F_0)
     assert proof.proved and len(folds) == len(proof.A) > 1
     for found in (folds, folds.proof, proof):
         assert found.corner.tolist() == proof.corner.tolist()

@@ -74,8 +74,8 @@ def of_family(rng: np.random.Generator, family: str, isolators: int) -> dict[str
         isolator, F_0, Omega = drawn(rng, family)
         model = isolator.model
         questions: dict[str, Callable[[], Proved]] = {
-            "folds": partial(proofs.saddle_nodes, model, F_0, np.empty(0)),
-            "states": partial(proofs.amplitudes, model, Omega, F_0),
+            "folds": partial(proofs.folds, model, F_0, np.empty(0)),
+            "states": partial(proofs.states, model, Omega, F_0),
             "F_SN": partial(proofs.onset, model),
             "F_cr": partial(proofs.detachment, model),
         }

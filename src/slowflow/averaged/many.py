@@ -271,10 +271,10 @@ class Designs(Unchanging, ManyQuestions[Batch]):
                 validate.number("F_0", F, above=0.0)
                 found: Any
                 if not frequency:
-                    found = proofs.saddle_nodes(model, F, np.empty(0))
+                    found = proofs.folds(model, F, np.empty(0))
                 else:
                     (w,) = validate.frequencies("Omega", *frequency).ravel()
-                    found = proofs.amplitudes(model, float(w), F)
+                    found = proofs.states(model, float(w), F)
             except ValueError:
                 status[at] = Status.INVALID
                 continue

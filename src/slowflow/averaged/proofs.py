@@ -96,9 +96,9 @@ def _decided(found: Answer, model: Model, ask: Callable[[Any], Answer | None]) -
     return found if decided is None else decided
 
 
-def saddle_nodes(model: Model, F_0: float, expected: Floats) -> ProvedFolds:
+def folds(model: Model, F_0: float, expected: Floats) -> ProvedFolds:
     """Every fold at F_0, with what is proved of it; `expected`: amplitudes where some are, which saves time."""
-    return _decided(folds_in_doubles(model, F_0, expected), model, lambda balls: balls.saddle_nodes(model, F_0))
+    return _decided(folds_in_doubles(model, F_0, expected), model, lambda balls: balls.folds(model, F_0))
 
 
 def is_plain(model: Model) -> bool:
@@ -109,7 +109,7 @@ def is_plain(model: Model) -> bool:
 def decided(found: SaddleNodes, model: Model, allowance: Allowance) -> SaddleNodes:
     """Folds whose number doubles leave undecided, as balls prove them; as they are where these do not decide either."""
     balls = in_balls() if Remark.UNDECIDED in found.remarks and is_plain(model) else None
-    proof = None if balls is None or not allowance.take() else balls.saddle_nodes(model, found.F_0)
+    proof = None if balls is None or not allowance.take() else balls.folds(model, found.F_0)
     if proof is None or not proof.proved:
         return found
     # doubles may have more digits of one that lies next to a breakpoint
@@ -143,7 +143,7 @@ def decided_states(found: SteadyStates, model: Model, asked: Floats, F_0: float,
         return found
     proved: dict[float, ProvedStates] = {}
     for w in np.unique(found.Omega_undecided).tolist():
-        proof = balls.amplitudes(model, w, F_0) if allowance.take() else None
+        proof = balls.states(model, w, F_0) if allowance.take() else None
         if proof is not None and proof.proved and not np.isnan(_middle(proof.A, None)).any():
             proved[w] = proof
     if not proved:
@@ -171,7 +171,7 @@ def decided_curve(
     F_0 = float(found.F_0)
     if Remark.UNDECIDED not in found.remarks or not is_plain(model):
         return found
-    folds = solvers.saddle_nodes(model, F_0)
+    folds = solvers.folds(model, F_0)
     known = folds if Remark.UNDECIDED not in folds.remarks else decided(folds, model, allowance)
     if known is folds or len(known) != len(folds) or not (_same(known.A, folds.A) and _same(known.Omega, folds.Omega)):
         return found
@@ -264,9 +264,9 @@ def _middle(enclosed: Floats, known: Floats | None) -> Floats:
     return middle if known is None else np.where((low <= known) & (known <= high), known, middle)
 
 
-def amplitudes(model: Model, Omega: float, F_0: float) -> ProvedStates:
+def states(model: Model, Omega: float, F_0: float) -> ProvedStates:
     """Every state at (Omega, F_0), with what is proved of it."""
-    return _decided(states_in_doubles(model, Omega, F_0), model, lambda balls: balls.amplitudes(model, Omega, F_0))
+    return _decided(states_in_doubles(model, Omega, F_0), model, lambda balls: balls.states(model, Omega, F_0))
 
 
 def onset(model: Model) -> ProvedForcing:
@@ -280,7 +280,7 @@ def detachment(model: Model) -> ProvedForcing:
 
 
 def folds_in_doubles(model: Model, F_0: float, expected: Floats) -> ProvedFolds:
-    """`saddle_nodes` by doubles alone."""
+    """`folds` by doubles alone."""
     answer, reason = _asked(backend.SOLVER.certify_folds, model, F_0, expected)
     if answer is None:
         return ProvedFolds(False, reason, DOUBLES, _NONE, _NONE, _KINDS[:0], _NO_FLAG, 0.0, False, _NONE)
@@ -290,7 +290,7 @@ def folds_in_doubles(model: Model, F_0: float, expected: Floats) -> ProvedFolds:
 
 
 def states_in_doubles(model: Model, Omega: float, F_0: float) -> ProvedStates:
-    """`amplitudes` by doubles alone."""
+    """`states` by doubles alone."""
     answer, reason = _asked(backend.SOLVER.certify_states, model, F_0, Omega)
     if answer is None:
         return ProvedStates(False, reason, DOUBLES, _NONE, _NO_FLAG, 0.0, False, _NONE)

@@ -147,7 +147,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
     def _states(self, at: Floats, F_0: float) -> SteadyStates:
         F_0 = validate.number("F_0", F_0, above=0.0)
         solved, _ = self._solved("amplitudes", F_0)
-        return SteadyStates._made(**self._no_state(F_0)) if solved is None else solvers.amplitudes(solved, at, F_0)
+        return SteadyStates._made(**self._no_state(F_0)) if solved is None else solvers.states(solved, at, F_0)
 
     def _no_state(self, F_0: float) -> dict[str, Any]:
         """Of a mass that friction holds at any frequency."""
@@ -176,13 +176,13 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         states = None
         if Omega is not None:
             (at,) = validate.frequencies("Omega", validate.number("Omega", Omega)).ravel()
-            states = proofs.amplitudes(self.model, float(at), found.F_0)
+            states = proofs.states(self.model, float(at), found.F_0)
         folds = self._proved_folds(found)
         return Certificate(found.F_0, folds, proofs.onset(self.model), proofs.detachment(self.model), states)
 
     def _proved_folds(self, found: SaddleNodes) -> ProvedFolds:
         """What is proved of an answer's folds."""
-        proof = proofs.saddle_nodes(self.model, found.F_0, found.A)
+        proof = proofs.folds(self.model, found.F_0, found.A)
         if not proof.proved or len(proof.A) == len(found):
             return proof
         beside = f"{len(proof.A)} folds are proved, saddle_nodes gives {len(found)}"
@@ -196,7 +196,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         F_0 = validate.number("F_0", F_0, above=0.0)
         solved, searched = self._solved("saddle_nodes", F_0)
         if solved is not None and searched:
-            return solvers.saddle_nodes(solved, F_0)
+            return solvers.folds(solved, F_0)
         sticks = functools.partial(words.sticks, self.model, F_0)
         message = sticks if solved is None else functools.partial(words.NO_FOLD.format, F_0)
         none: dict[str, Any] = {"Omega": NONE, "A": NONE, "kind": np.empty(0, "U9"), "corner": np.empty(0, bool)}

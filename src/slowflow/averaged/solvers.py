@@ -96,7 +96,7 @@ def closes(model: Model, F_0: float) -> bool:
     return bool(backend.SOLVER.amplitude_bound(model.native, F_0)[0] == Status.OK)
 
 
-def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
+def folds(model: Model, F_0: float) -> SaddleNodes:
     """Every fold at F_0 > m, in every regime, by rising Omega."""
     status, Omega, A, up, corner, undecided = backend.SOLVER.saddle_nodes(model.native, F_0)
     check(status, model, F_0)
@@ -186,7 +186,7 @@ def frequency_response(model: Model, F_0: float, samples: int, window: tuple[flo
     return FrequencyResponse._made(**columns, F_0=F_0, message=message, remarks=codes, _model=model)
 
 
-def amplitudes(model: Model, Omega: Floats, F_0: float) -> SteadyStates:
+def states(model: Model, Omega: Floats, F_0: float) -> SteadyStates:
     """Every steady state at each frequency, by the order of Omega, then by rising A."""
     status, at, A, stable, undecided = backend.SOLVER.steady_states(model.native, F_0, Omega)
     check(status, model, F_0)

@@ -424,7 +424,7 @@ def _at_forcing(
     return _decided(model, ask)
 
 
-def saddle_nodes(model: Model, F_0: float) -> ProvedFolds | None:
+def folds(model: Model, F_0: float) -> ProvedFolds | None:
     """Every fold at F_0, with what is proved of it."""
 
     def make(points: list[Point], **said: Any) -> ProvedFolds:
@@ -438,7 +438,7 @@ def saddle_nodes(model: Model, F_0: float) -> ProvedFolds | None:
     return _at_forcing(model, F_0, Asked.folds, make)
 
 
-def amplitudes(model: Model, Omega: float, F_0: float) -> ProvedStates | None:
+def states(model: Model, Omega: float, F_0: float) -> ProvedStates | None:
     """Every state at (Omega, F_0), with what is proved of it."""
 
     def make(points: list[Point], **said: Any) -> ProvedStates:
