@@ -109,11 +109,11 @@ class Sources:
 
     @property
     def exported(self) -> dict[str, str]:
-        """A source that gives each of its C functions a symbol, and the list of them; none where no header is in C."""
+        """A source that gives each of its C functions a symbol; none where no header is in C."""
         from .codegen.targets import c  # here, not above: NumPy answers without
 
         header = f"{self.module.name}.h"
-        return c.exported({header: self.compiled[header]}) if self.odd else {}
+        return c.exported([header]) if self.odd else {}
 
 
 def stated(

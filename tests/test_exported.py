@@ -1,4 +1,4 @@
-"""Every function of the headers has a symbol in a library of `exported.c`, and is listed; so called it is the same."""
+"""Every function of the headers has a symbol in a library of `exported.c`; so called it is the same."""
 
 from __future__ import annotations
 
@@ -37,9 +37,11 @@ def compiled(folder, place):
 
 
 def listed(folder):
-    """Prototypes by name."""
-    lines = (folder / "exported.def").read_text().partition("EXPORTS\n")[2].splitlines()
-    return dict(line.strip().split(" ; ") for line in lines)
+    """Prototypes by name, of the headers that its `exported.c` includes."""
+    included = re.findall(r'#include "(.*)"', (folder / "exported.c").read_text())
+    text = "".join((folder / header).read_text() for header in included)
+    found = re.findall(r"^(?:SF_KERNEL|SF_TWOFOLD) (\w+ (\w+)\([^()]*\))\n{", text, re.MULTILINE)
+    return {name: " ".join(prototype.split()) for prototype, name in found}
 
 
 def symbols(library):
@@ -93,7 +95,7 @@ def test_a_mechanism_of_ones_own_is_exported(tmp_path):
     u, k, gap = sp.symbols("u k gap")
     made = derive.mechanism("stop", [(u, gap), (u + k * (u - gap), None)], {"k": {"above": 0}, "gap": {"above": 0}})
     names = made.write(tmp_path)
-    assert {"exported.c", "exported.def"} <= set(names)
+    assert "exported.c" in names
     library = ctypes.CDLL(str(compiled(tmp_path, tmp_path)))
     prefix = made.record.name
     assert set(listed(tmp_path)) >= {f"{prefix}_averaged", f"{prefix}_coefficients"}

@@ -109,6 +109,11 @@ class KernelView:
         return all(branch.proved and "-" not in branch.proved for branch in self.branches)
 
     @property
+    def leaves_out(self) -> bool:
+        """Whether it has no use for an argument in some regime."""
+        return not self.kernel.width or any(branch.unused for branch in self.branches)
+
+    @property
     def uses_angles(self) -> bool:
         """Whether it calls the generated arctangent."""
         texts = (text for branch in self.branches for text in (*branch.outputs, *(line.value for line in branch.lets)))
@@ -159,7 +164,8 @@ def programs(module: Module, asked: Iterable[Kernel] | None = None) -> Code:
 def templates(folder: Path) -> jinja2.Environment:
     """The templates below `folder`, which is a target's, each compiled once; what they use undefined is an error."""
     environment = jinja2.Environment(
-        loader=jinja2.FileSystemLoader(folder / "templates"),
+        # of C's what other kinds of header share with it
+        loader=jinja2.FileSystemLoader([folder / "templates", Path(__file__).parent / "targets" / "c" / "templates"]),
         undefined=jinja2.StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
@@ -378,6 +384,12 @@ def repeated_views(code: Code, language: Language) -> list[RepeatedView]:
             )
         )
     return views
+
+
+def tables(views: Iterable[KernelView]) -> list[tuple[tuple[str, ...], tuple[tuple[str, ...], ...]]]:
+    """The tables that these kernels loop over, each once: columns and rows."""
+    lines = (line for view in views for branch in view.branches for line in branch.lets if line.table)
+    return list(dict.fromkeys((line.columns, line.table) for line in lines))
 
 
 def wrapped(value: str, used: int, language: Language) -> str:

@@ -27,6 +27,12 @@
 #define SF_KERNEL static inline
 #endif
 
+/* kernels of one family take the same arguments, whether each needs them or not */
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#endif
+
 /* Quadratic damping's factor of A^2 Omega^2 in I.
    Equation from (19). Domain: any. Operations: 1.
    Measured, error / u (1 + kappa): 0.69 */
@@ -484,12 +490,6 @@ SF_KERNEL double dissipation_quadratic_bound(double F_0, double d)
    Measured, error / u (1 + kappa): 0.68 */
 SF_KERNEL void dissipation_folds_by_R(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
-    (void)(I_0);
-    (void)(I_0A);
-    (void)(I_0AAA);
-    (void)(h);
-    (void)(h_A);
-    (void)(h_AAA);
     const double t0 = 1.0 / Omega;
     const double t1 = A * Omega * d;
     const double t2 = t0 * (t1 + zeta);
@@ -511,14 +511,6 @@ SF_KERNEL void dissipation_folds_by_R(double Omega, double A, double F_0, double
    Measured, error / u (1 + kappa): 0.42 */
 SF_KERNEL void dissipation_peaks_by_R(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
-    (void)(I_0);
-    (void)(I_0A);
-    (void)(I_0AA);
-    (void)(I_0AAA);
-    (void)(h);
-    (void)(h_A);
-    (void)(h_AA);
-    (void)(h_AAA);
     const double t0 = A * d;
     const double t1 = 1.0 / Omega;
     const double t2 = t0 + t1 * zeta;
@@ -541,11 +533,6 @@ SF_KERNEL void dissipation_peaks_by_R(double Omega, double A, double F_0, double
    Measured, error / u (1 + kappa): 0.72 */
 SF_KERNEL void dissipation_cusps_by_R(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
-    (void)(F_0);
-    (void)(I_0);
-    (void)(I_0A);
-    (void)(h);
-    (void)(h_A);
     const double t0 = 2.0 * d;
     const double t1 = Omega * Omega * t0;
     const double t2 = 1.0 / A;
@@ -574,13 +561,6 @@ SF_KERNEL void dissipation_cusps_by_R(double Omega, double A, double F_0, double
    Measured, error / u (1 + kappa): 0.71 */
 SF_KERNEL void dissipation_isolas_by_R(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
-    (void)(F_0);
-    (void)(I_0);
-    (void)(I_0A);
-    (void)(I_0AAA);
-    (void)(h);
-    (void)(h_A);
-    (void)(h_AAA);
     const double t0 = A * d;
     const double t1 = 1.0 / Omega;
     const double t2 = t0 + t1 * zeta;
@@ -608,13 +588,6 @@ SF_KERNEL void dissipation_isolas_by_R(double Omega, double A, double F_0, doubl
    Measured, error / u (1 + kappa): 0.73 */
 SF_KERNEL void dissipation_turns_by_R(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
-    (void)(F_0);
-    (void)(I_0);
-    (void)(I_0A);
-    (void)(I_0AAA);
-    (void)(h);
-    (void)(h_A);
-    (void)(h_AAA);
     const double t0 = R * R_A;
     const double t1 = A * R_A;
     const double t2 = 2.0 * d;
@@ -653,12 +626,6 @@ SF_KERNEL void dissipation_turns_by_R(double Omega, double A, double F_0, double
    Measured, error / u (1 + kappa): 0.43 */
 SF_KERNEL void dissipation_folds_by_Omega(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
-    (void)(I_0);
-    (void)(I_0A);
-    (void)(I_0AAA);
-    (void)(h);
-    (void)(h_A);
-    (void)(h_AAA);
     const double t0 = I_ * I_A + R * R_A;
     const double t1 = Omega * R;
     const double t2 = A * Omega;
@@ -678,12 +645,6 @@ SF_KERNEL void dissipation_folds_by_Omega(double Omega, double A, double F_0, do
    Measured, error / u (1 + kappa): 0.52 */
 SF_KERNEL void dissipation_peaks_by_Omega(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
-    (void)(I_0AA);
-    (void)(I_0AAA);
-    (void)(h);
-    (void)(h_A);
-    (void)(h_AA);
-    (void)(h_AAA);
     const double t0 = zeta / Omega;
     const double t1 = 3.0 * zeta;
     const double t2 = A * d;
@@ -704,11 +665,6 @@ SF_KERNEL void dissipation_peaks_by_Omega(double Omega, double A, double F_0, do
    Measured, error / u (1 + kappa): 0.76 */
 SF_KERNEL void dissipation_cusps_by_Omega(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
-    (void)(F_0);
-    (void)(I_0);
-    (void)(I_0A);
-    (void)(h);
-    (void)(h_A);
     const double t0 = 2.0 * d;
     const double t1 = Omega * Omega * t0;
     const double t2 = I_A * I_A + R * h_AA + R_A * R_A;
@@ -730,11 +686,6 @@ SF_KERNEL void dissipation_cusps_by_Omega(double Omega, double A, double F_0, do
    Measured, error / u (1 + kappa): 0.9 */
 SF_KERNEL void dissipation_isolas_by_Omega(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
-    (void)(F_0);
-    (void)(I_0AAA);
-    (void)(h);
-    (void)(h_A);
-    (void)(h_AAA);
     const double t0 = zeta / Omega;
     const double t1 = 3.0 * zeta;
     const double t2 = A * d;
@@ -758,13 +709,6 @@ SF_KERNEL void dissipation_isolas_by_Omega(double Omega, double A, double F_0, d
    Measured, error / u (1 + kappa): 1.2 */
 SF_KERNEL void dissipation_turns_by_Omega(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
-    (void)(F_0);
-    (void)(I_0);
-    (void)(I_0A);
-    (void)(I_0AAA);
-    (void)(h);
-    (void)(h_A);
-    (void)(h_AAA);
     const double t0 = A * R_A;
     const double t1 = 2.0 * d;
     const double t2 = I_ * t1;
@@ -798,8 +742,6 @@ SF_KERNEL void dissipation_turns_by_Omega(double Omega, double A, double F_0, do
    Measured, error / u (1 + kappa): 0.53 */
 SF_KERNEL void dissipation_folds_far_by_R(double x, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
-    (void)(I_0AAA);
-    (void)(h_AAA);
     const double t0 = 1.0 / h;
     const double t1 = t0 / x;
     const double t2 = t1 * (A * zeta + I_0 * x);
@@ -821,11 +763,6 @@ SF_KERNEL void dissipation_folds_far_by_R(double x, double A, double F_0, double
    Measured, error / u (1 + kappa): 0.91 */
 SF_KERNEL void dissipation_peaks_far_by_R(double x, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
-    (void)(I_0AA);
-    (void)(I_0AAA);
-    (void)(d);
-    (void)(h_AA);
-    (void)(h_AAA);
     const double t0 = 1.0 / h;
     const double t1 = 1.0 / x;
     const double t2 = A * zeta;
@@ -854,7 +791,6 @@ SF_KERNEL void dissipation_peaks_far_by_R(double x, double A, double F_0, double
    Measured, error / u (1 + kappa): 0.84 */
 SF_KERNEL void dissipation_cusps_far_by_R(double x, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
-    (void)(F_0);
     const double t0 = 2.0 * d;
     const double t1 = x * x;
     const double t2 = I_0AA * t1;
@@ -888,9 +824,6 @@ SF_KERNEL void dissipation_cusps_far_by_R(double x, double A, double F_0, double
    Measured, error / u (1 + kappa): 0.7 */
 SF_KERNEL void dissipation_isolas_far_by_R(double x, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
-    (void)(F_0);
-    (void)(I_0AAA);
-    (void)(h_AAA);
     const double t0 = 1.0 / h;
     const double t1 = 1.0 / x;
     const double t2 = A * zeta;
@@ -921,8 +854,6 @@ SF_KERNEL void dissipation_isolas_far_by_R(double x, double A, double F_0, doubl
    Measured, error / u (1 + kappa): 0.59 */
 SF_KERNEL void dissipation_folds_far_by_x(double x, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
-    (void)(I_0AAA);
-    (void)(h_AAA);
     const double t0 = I_ * I_A + R * R_A;
     const double t1 = R * x;
     const double t2 = A * zeta + I_0 * x;
@@ -941,10 +872,6 @@ SF_KERNEL void dissipation_folds_far_by_x(double x, double A, double F_0, double
    Measured, error / u (1 + kappa): 0.91 */
 SF_KERNEL void dissipation_peaks_far_by_x(double x, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
-    (void)(I_0AA);
-    (void)(I_0AAA);
-    (void)(h_AA);
-    (void)(h_AAA);
     const double t0 = R * h;
     const double t1 = A * zeta;
     const double t2 = I_0 * x;
@@ -967,7 +894,6 @@ SF_KERNEL void dissipation_peaks_far_by_x(double x, double A, double F_0, double
    Measured, error / u (1 + kappa): 0.75 */
 SF_KERNEL void dissipation_cusps_far_by_x(double x, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
-    (void)(F_0);
     const double t0 = 2.0 * d;
     const double x2 = x * x;
     const double t1 = I_0AA * x2;
@@ -992,9 +918,6 @@ SF_KERNEL void dissipation_cusps_far_by_x(double x, double A, double F_0, double
    Proved, error / u (1 + kappa): 1.01, 7.51, 3.67, 7.67, 16.21, 8.51 */
 SF_KERNEL void dissipation_isolas_far_by_x(double x, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
-    (void)(F_0);
-    (void)(I_0AAA);
-    (void)(h_AAA);
     const double t0 = A * zeta;
     const double t1 = I_0 * x;
     const double t2 = 2.0 * t0;
@@ -1012,5 +935,9 @@ SF_KERNEL void dissipation_isolas_far_by_x(double x, double A, double F_0, doubl
     out[4] = I_0 * I_A + I_0A * (I_ + t0 * x) + t2 * (A * t4 + zeta) + t5 * zeta + t7 + t8;
     out[5] = 2.0 * I_0 * t9 + 2.0 * h * h * x + t0 * (I_0 - d * t3 / t6);
 }
+
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
 
 #endif

@@ -24,6 +24,12 @@
 #define SF_KERNEL static inline
 #endif
 
+/* kernels of one family take the same arguments, whether each needs them or not */
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#endif
+
 /* alpha, beta */
 #define DUFFING_PARAMETERS 2
 #define DUFFING_BREAKPOINTS 0
@@ -73,7 +79,6 @@ SF_KERNEL void duffing_averaged_H(double A, const double *p, double *out)
    Proved, error / u (1 + kappa): 0.81 */
 SF_KERNEL double duffing_intercept(double A, double alpha, double beta)
 {
-    (void)(alpha);
     const double A2 = A * A;
     const double A3 = A * A2;
     return 1.5 * A3 * beta;
@@ -103,10 +108,6 @@ SF_KERNEL void duffing_harmonics(double A, const double *p, double *out)
    Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.76, 0.67, 0.51 */
 SF_KERNEL void duffing_by_parameter(double A, double h, double h_A, double h_AA, const double *p, double *out)
 {
-    (void)(h);
-    (void)(h_A);
-    (void)(h_AA);
-    (void)(p);
     const double A2 = A * A;
     const double A3 = A * A2;
     out[0] = -A;
@@ -122,8 +123,6 @@ SF_KERNEL void duffing_by_parameter(double A, double h, double h_A, double h_AA,
    Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.0 */
 SF_KERNEL void duffing_by_design(double alpha, double beta, double *out)
 {
-    (void)(alpha);
-    (void)(beta);
     out[0] = 1.0;
     out[1] = 0.0;
     out[2] = 0.0;
@@ -143,18 +142,12 @@ SF_KERNEL void duffing_coefficients(double alpha, double beta, double *out)
    Equation (5). Domain: any parameters. Operations: 0. */
 SF_KERNEL void duffing_breakpoints(const double *p, double *out)
 {
-    (void)(out);
-    (void)(p);
-    (void)(out);
 }
 
 /* What the force loses at each breakpoint: f below less f above.
    Equation (5). Domain: any parameters. Operations: 0. */
 SF_KERNEL void duffing_jumps(const double *p, double *out)
 {
-    (void)(out);
-    (void)(p);
-    (void)(out);
 }
 
 /* The force over the displacement, f(u)/u, rises with |u| where none of these is negative.
@@ -189,7 +182,6 @@ SF_KERNEL void duffing_steps(const double *p, double *out)
    Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 */
 SF_KERNEL void duffing_steps_by(const double *p, double *out)
 {
-    (void)(p);
     out[0] = 0.0;
     out[1] = 1.0;
     out[2] = 0.0;
@@ -520,5 +512,9 @@ SF_KERNEL void duffing_detachment(double A, double mu, double zeta, const double
     duffing_averaged_2(A, p, average);
     slow_flow_detachment(A, slow_flow_friction(mu), zeta, average[0], out);
 }
+
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
 
 #endif

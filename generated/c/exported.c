@@ -1,10 +1,14 @@
-/* Every function of these headers with a symbol, for what calls a library; exported.def lists them with their arguments.
+/* Every function of these headers with a symbol, for what calls a library.
 
    Written by `make derive` or `slowflow derive`; never edit.
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6 */
 
+#ifdef _WIN32
+#define SF_KERNEL __declspec(dllexport)
+#else
 #define SF_KERNEL
-#define SF_TWOFOLD
+#endif
+#define SF_TWOFOLD SF_KERNEL
 
 #include "slow_flow.h"
 #include "slow_flow_mu0.h"

@@ -27,6 +27,12 @@
 #define SF_KERNEL static inline
 #endif
 
+/* kernels of one family take the same arguments, whether each needs them or not */
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#endif
+
 /* alpha, beta, gamma, u_cr */
 #define ROD_SPRING_PARAMETERS 4
 #define ROD_SPRING_BREAKPOINTS 1
@@ -390,8 +396,6 @@ SF_KERNEL void rod_spring_averaged_H(double A, const double *p, double *out)
    Measured, error / u (1 + kappa): 3 */
 SF_KERNEL double rod_spring_intercept_passed_0(double A, double alpha, double beta, double gamma, double u_cr)
 {
-    (void)(alpha);
-    (void)(u_cr);
     const double A2 = A * A;
     const double A3 = A * A2;
     return A3 * (2.5 * A2 * gamma + 1.5 * beta);
@@ -721,10 +725,6 @@ SF_KERNEL void rod_spring_harmonics(double A, const double *p, double *out)
    passed_1_far_1: 159 operations. */
 SF_KERNEL void rod_spring_by_parameter_passed_0(double A, double h, double h_A, double h_AA, const double *p, double *out)
 {
-    (void)(h);
-    (void)(h_A);
-    (void)(h_AA);
-    (void)(p);
     const double A2 = A * A;
     const double A3 = A * A2;
     const double A4 = A2 * A2;
@@ -749,9 +749,6 @@ SF_KERNEL void rod_spring_by_parameter_passed_1(double A, double h, double h_A, 
     const double beta = p[1];
     const double gamma = p[2];
     const double u_cr = p[3];
-    (void)(h);
-    (void)(h_A);
-    (void)(h_AA);
     const double root = sqrt((A - u_cr) * (A + u_cr));
     const double t0 = 1.0 / A;
     const double x = t0 * u_cr;
@@ -802,9 +799,6 @@ SF_KERNEL void rod_spring_by_parameter_passed_1_far_1(double A, double h, double
     const double beta = p[1];
     const double gamma = p[2];
     const double u_cr = p[3];
-    (void)(h);
-    (void)(h_A);
-    (void)(h_AA);
     const double root = sqrt((A - u_cr) * (A + u_cr));
     const double t0 = 1.0 / A;
     const double x = t0 * u_cr;
@@ -1084,7 +1078,6 @@ SF_KERNEL void rod_spring_steps_by(const double *p, double *out)
    Proved, error / u (1 + kappa): 4.76 */
 SF_KERNEL double rod_spring_force_1(double u, double alpha, double beta, double gamma, double u_cr)
 {
-    (void)(u_cr);
     const double t0 = u * u;
     return u * (alpha + t0 * (beta + gamma * t0));
 }
@@ -1094,7 +1087,6 @@ SF_KERNEL double rod_spring_force_1(double u, double alpha, double beta, double 
    Proved, error / u (1 + kappa): 4.51 */
 SF_KERNEL double rod_spring_force_1_u(double u, double alpha, double beta, double gamma, double u_cr)
 {
-    (void)(u_cr);
     const double t0 = u * u;
     return alpha + t0 * (3.0 * beta + 5.0 * gamma * t0);
 }
@@ -1104,10 +1096,6 @@ SF_KERNEL double rod_spring_force_1_u(double u, double alpha, double beta, doubl
    Proved, error / u (1 + kappa): 0.0 */
 SF_KERNEL double rod_spring_force_2(double u, double alpha, double beta, double gamma, double u_cr)
 {
-    (void)(alpha);
-    (void)(beta);
-    (void)(gamma);
-    (void)(u_cr);
     return u;
 }
 
@@ -1116,11 +1104,6 @@ SF_KERNEL double rod_spring_force_2(double u, double alpha, double beta, double 
    Proved, error / u (1 + kappa): 0.0 */
 SF_KERNEL double rod_spring_force_2_u(double u, double alpha, double beta, double gamma, double u_cr)
 {
-    (void)(u);
-    (void)(alpha);
-    (void)(beta);
-    (void)(gamma);
-    (void)(u_cr);
     return 1.0;
 }
 
@@ -1532,5 +1515,9 @@ SF_KERNEL void rod_spring_detachment(double A, double mu, double zeta, const dou
     rod_spring_averaged_2(A, p, average);
     slow_flow_detachment(A, slow_flow_friction(mu), zeta, average[0], out);
 }
+
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
 
 #endif

@@ -27,6 +27,12 @@
 #define SF_KERNEL static inline
 #endif
 
+/* kernels of one family take the same arguments, whether each needs them or not */
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#endif
+
 /* Dry friction's share of I.
    Equation (23). Domain: mu >= 0. Operations: 1.
    Measured, error / u (1 + kappa): 0.76 */
@@ -78,7 +84,6 @@ SF_KERNEL double slow_flow_F_A(double Omega, double A, double m, double zeta, do
    Measured, error / u (1 + kappa): 1.3 */
 SF_KERNEL double slow_flow_F_AA(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA)
 {
-    (void)(m);
     const double t0 = Omega * Omega;
     const double R = A * t0 + h;
     const double t1 = h_A + t0;
@@ -620,5 +625,9 @@ SF_KERNEL double slow_flow_least_restoring(double F_0, double m)
 {
     return sqrt(F_0 - m) * sqrt(F_0 + m);
 }
+
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
 
 #endif

@@ -21,17 +21,24 @@
 #define SF_KERNEL static inline
 #endif
 
+/* kernels of one family take the same arguments, whether each needs them or not */
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#endif
+
 /* Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
    Equation (34). Domain: A > 0. Operations: 1.
    Proved, error / u (1 + kappa): 0.34, 0.0 */
 #define SLOW_FLOW_MU0_ZETA0_DETACHMENT_COUNT 2
 SF_KERNEL void slow_flow_mu0_zeta0_detachment(double A, double m, double zeta, double h, double *out)
 {
-    (void)(A);
-    (void)(m);
-    (void)(zeta);
     out[0] = -h * h;
     out[1] = 1.0;
 }
+
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
 
 #endif

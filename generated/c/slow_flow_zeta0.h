@@ -23,15 +23,17 @@
 #define SF_KERNEL static inline
 #endif
 
+/* kernels of one family take the same arguments, whether each needs them or not */
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#endif
+
 /* Largest amplitude that the forcing can hold at this frequency.
    Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise. Operations: 0.
    Measured, error / u (1 + kappa): 0 */
 SF_KERNEL double slow_flow_zeta0_limit_envelope(double Omega, double F_0, double m, double zeta)
 {
-    (void)(Omega);
-    (void)(F_0);
-    (void)(m);
-    (void)(zeta);
     return INFINITY;
 }
 
@@ -41,8 +43,6 @@ SF_KERNEL double slow_flow_zeta0_limit_envelope(double Omega, double F_0, double
 #define SLOW_FLOW_ZETA0_DETACHMENT_COUNT 3
 SF_KERNEL void slow_flow_zeta0_detachment(double A, double m, double zeta, double h, double *out)
 {
-    (void)(A);
-    (void)(zeta);
     const double t0 = m * m;
     const double t1 = h * h;
     out[0] = t0 * (t0 + t1);
@@ -96,5 +96,9 @@ SF_KERNEL void slow_flow_zeta0_undamped(double A, double h, double h_A, double h
     out[2] = -A * h_A + h;
     out[3] = -A * h_AA;
 }
+
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
 
 #endif

@@ -11,6 +11,12 @@
 
 #include "interval.h"
 
+/* kernels of one family take the same arguments, whether each needs them or not */
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#endif
+
 /* I_0, I at Omega = 0, and three derivatives by A: friction acts throughout.
    Equation from (19). Domain: A > 0. */
 static inline void dissipation_intervals_at_rest(sf_interval A, sf_interval m, sf_interval eta, sf_interval *out)
@@ -157,12 +163,6 @@ static inline void dissipation_intervals_far_by_inertia(sf_interval x, sf_interv
    Equation from (24), (30). Domain: Omega > 0, A > 0. */
 static inline void dissipation_intervals_folds_by_R(sf_interval Omega, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A, sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval d, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval h_AAA, sf_interval R, sf_interval I_, sf_interval R_A, sf_interval I_A, sf_interval *out)
 {
-    (void)(I_0);
-    (void)(I_0A);
-    (void)(I_0AAA);
-    (void)(h);
-    (void)(h_A);
-    (void)(h_AAA);
     const sf_interval t0 = sfi_inverse(Omega);
     const sf_interval t1 = sfi_mul(sfi_mul(A, Omega), d);
     const sf_interval t2 = sfi_mul(t0, sfi_add(t1, zeta));
@@ -183,14 +183,6 @@ static inline void dissipation_intervals_folds_by_R(sf_interval Omega, sf_interv
    Equation from (24). Domain: Omega > 0, A > 0. */
 static inline void dissipation_intervals_peaks_by_R(sf_interval Omega, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A, sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval d, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval h_AAA, sf_interval R, sf_interval I_, sf_interval R_A, sf_interval I_A, sf_interval *out)
 {
-    (void)(I_0);
-    (void)(I_0A);
-    (void)(I_0AA);
-    (void)(I_0AAA);
-    (void)(h);
-    (void)(h_A);
-    (void)(h_AA);
-    (void)(h_AAA);
     const sf_interval t0 = sfi_mul(A, d);
     const sf_interval t1 = sfi_inverse(Omega);
     const sf_interval t2 = sfi_add(t0, sfi_mul(t1, zeta));
@@ -211,11 +203,6 @@ static inline void dissipation_intervals_peaks_by_R(sf_interval Omega, sf_interv
    Equation from (30), (33). Domain: Omega > 0, A > 0. */
 static inline void dissipation_intervals_cusps_by_R(sf_interval Omega, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A, sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval d, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval h_AAA, sf_interval R, sf_interval I_, sf_interval R_A, sf_interval I_A, sf_interval *out)
 {
-    (void)(F_0);
-    (void)(I_0);
-    (void)(I_0A);
-    (void)(h);
-    (void)(h_A);
     const sf_interval t0 = sfi_times(2.0, d);
     const sf_interval t1 = sfi_mul(sfi_square(Omega), t0);
     const sf_interval t2 = sfi_inverse(A);
@@ -245,13 +232,6 @@ static inline void dissipation_intervals_cusps_by_R(sf_interval Omega, sf_interv
    Equation from (30). Domain: Omega > 0, A > 0. */
 static inline void dissipation_intervals_isolas_by_R(sf_interval Omega, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A, sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval d, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval h_AAA, sf_interval R, sf_interval I_, sf_interval R_A, sf_interval I_A, sf_interval *out)
 {
-    (void)(F_0);
-    (void)(I_0);
-    (void)(I_0A);
-    (void)(I_0AAA);
-    (void)(h);
-    (void)(h_A);
-    (void)(h_AAA);
     const sf_interval t0 = sfi_mul(A, d);
     const sf_interval t1 = sfi_inverse(Omega);
     const sf_interval t2 = sfi_add(t0, sfi_mul(t1, zeta));
@@ -278,13 +258,6 @@ static inline void dissipation_intervals_isolas_by_R(sf_interval Omega, sf_inter
    Equation from (30). Domain: Omega > 0, A > 0. */
 static inline void dissipation_intervals_turns_by_R(sf_interval Omega, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A, sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval d, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval h_AAA, sf_interval R, sf_interval I_, sf_interval R_A, sf_interval I_A, sf_interval *out)
 {
-    (void)(F_0);
-    (void)(I_0);
-    (void)(I_0A);
-    (void)(I_0AAA);
-    (void)(h);
-    (void)(h_A);
-    (void)(h_AAA);
     const sf_interval t0 = sfi_mul(R, R_A);
     const sf_interval t1 = sfi_mul(A, R_A);
     const sf_interval t2 = sfi_times(2.0, d);
@@ -325,12 +298,6 @@ static inline void dissipation_intervals_turns_by_R(sf_interval Omega, sf_interv
    Equation from (24), (30). Domain: Omega > 0, A > 0. */
 static inline void dissipation_intervals_folds_by_Omega(sf_interval Omega, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A, sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval d, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval h_AAA, sf_interval R, sf_interval I_, sf_interval R_A, sf_interval I_A, sf_interval *out)
 {
-    (void)(I_0);
-    (void)(I_0A);
-    (void)(I_0AAA);
-    (void)(h);
-    (void)(h_A);
-    (void)(h_AAA);
     const sf_interval t0 = sfi_add(sfi_mul(I_, I_A), sfi_mul(R, R_A));
     const sf_interval t1 = sfi_mul(Omega, R);
     const sf_interval t2 = sfi_mul(A, Omega);
@@ -350,12 +317,6 @@ static inline void dissipation_intervals_folds_by_Omega(sf_interval Omega, sf_in
    Equation from (24). Domain: Omega > 0, A > 0. */
 static inline void dissipation_intervals_peaks_by_Omega(sf_interval Omega, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A, sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval d, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval h_AAA, sf_interval R, sf_interval I_, sf_interval R_A, sf_interval I_A, sf_interval *out)
 {
-    (void)(I_0AA);
-    (void)(I_0AAA);
-    (void)(h);
-    (void)(h_A);
-    (void)(h_AA);
-    (void)(h_AAA);
     const sf_interval t0 = sfi_div(zeta, Omega);
     const sf_interval t1 = sfi_times(3.0, zeta);
     const sf_interval t2 = sfi_mul(A, d);
@@ -376,11 +337,6 @@ static inline void dissipation_intervals_peaks_by_Omega(sf_interval Omega, sf_in
    Equation from (30), (33). Domain: Omega > 0, A > 0. */
 static inline void dissipation_intervals_cusps_by_Omega(sf_interval Omega, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A, sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval d, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval h_AAA, sf_interval R, sf_interval I_, sf_interval R_A, sf_interval I_A, sf_interval *out)
 {
-    (void)(F_0);
-    (void)(I_0);
-    (void)(I_0A);
-    (void)(h);
-    (void)(h_A);
     const sf_interval t0 = sfi_times(2.0, d);
     const sf_interval t1 = sfi_mul(sfi_square(Omega), t0);
     const sf_interval t2 = sfi_add(sfi_add(sfi_square(I_A), sfi_mul(R, h_AA)), sfi_square(R_A));
@@ -403,11 +359,6 @@ static inline void dissipation_intervals_cusps_by_Omega(sf_interval Omega, sf_in
    Equation from (30). Domain: Omega > 0, A > 0. */
 static inline void dissipation_intervals_isolas_by_Omega(sf_interval Omega, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A, sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval d, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval h_AAA, sf_interval R, sf_interval I_, sf_interval R_A, sf_interval I_A, sf_interval *out)
 {
-    (void)(F_0);
-    (void)(I_0AAA);
-    (void)(h);
-    (void)(h_A);
-    (void)(h_AAA);
     const sf_interval t0 = sfi_div(zeta, Omega);
     const sf_interval t1 = sfi_times(3.0, zeta);
     const sf_interval t2 = sfi_mul(A, d);
@@ -433,13 +384,6 @@ static inline void dissipation_intervals_isolas_by_Omega(sf_interval Omega, sf_i
    Equation from (30). Domain: Omega > 0, A > 0. */
 static inline void dissipation_intervals_turns_by_Omega(sf_interval Omega, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A, sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval d, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval h_AAA, sf_interval R, sf_interval I_, sf_interval R_A, sf_interval I_A, sf_interval *out)
 {
-    (void)(F_0);
-    (void)(I_0);
-    (void)(I_0A);
-    (void)(I_0AAA);
-    (void)(h);
-    (void)(h_A);
-    (void)(h_AAA);
     const sf_interval t0 = sfi_mul(A, R_A);
     const sf_interval t1 = sfi_times(2.0, d);
     const sf_interval t2 = sfi_mul(I_, t1);
@@ -476,8 +420,6 @@ static inline void dissipation_intervals_turns_by_Omega(sf_interval Omega, sf_in
    Equation from (24), (30). Domain: Omega > 0, A > 0. */
 static inline void dissipation_intervals_folds_far_by_R(sf_interval x, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A, sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval d, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval h_AAA, sf_interval R, sf_interval I_, sf_interval R_A, sf_interval I_A, sf_interval *out)
 {
-    (void)(I_0AAA);
-    (void)(h_AAA);
     const sf_interval t0 = sfi_inverse(h);
     const sf_interval t1 = sfi_div(t0, x);
     const sf_interval t2 = sfi_mul(t1, sfi_add(sfi_mul(A, zeta), sfi_mul(I_0, x)));
@@ -498,11 +440,6 @@ static inline void dissipation_intervals_folds_far_by_R(sf_interval x, sf_interv
    Equation from (24). Domain: Omega > 0, A > 0. */
 static inline void dissipation_intervals_peaks_far_by_R(sf_interval x, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A, sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval d, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval h_AAA, sf_interval R, sf_interval I_, sf_interval R_A, sf_interval I_A, sf_interval *out)
 {
-    (void)(I_0AA);
-    (void)(I_0AAA);
-    (void)(d);
-    (void)(h_AA);
-    (void)(h_AAA);
     const sf_interval t0 = sfi_inverse(h);
     const sf_interval t1 = sfi_inverse(x);
     const sf_interval t2 = sfi_mul(A, zeta);
@@ -531,7 +468,6 @@ static inline void dissipation_intervals_peaks_far_by_R(sf_interval x, sf_interv
    Equation from (30), (33). Domain: Omega > 0, A > 0. */
 static inline void dissipation_intervals_cusps_far_by_R(sf_interval x, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A, sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval d, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval h_AAA, sf_interval R, sf_interval I_, sf_interval R_A, sf_interval I_A, sf_interval *out)
 {
-    (void)(F_0);
     const sf_interval t0 = sfi_times(2.0, d);
     const sf_interval t1 = sfi_square(x);
     const sf_interval t2 = sfi_mul(I_0AA, t1);
@@ -565,9 +501,6 @@ static inline void dissipation_intervals_cusps_far_by_R(sf_interval x, sf_interv
    Equation from (30). Domain: Omega > 0, A > 0. */
 static inline void dissipation_intervals_isolas_far_by_R(sf_interval x, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A, sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval d, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval h_AAA, sf_interval R, sf_interval I_, sf_interval R_A, sf_interval I_A, sf_interval *out)
 {
-    (void)(F_0);
-    (void)(I_0AAA);
-    (void)(h_AAA);
     const sf_interval t0 = sfi_inverse(h);
     const sf_interval t1 = sfi_inverse(x);
     const sf_interval t2 = sfi_mul(A, zeta);
@@ -598,8 +531,6 @@ static inline void dissipation_intervals_isolas_far_by_R(sf_interval x, sf_inter
    Equation from (24), (30). Domain: Omega > 0, A > 0. */
 static inline void dissipation_intervals_folds_far_by_x(sf_interval x, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A, sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval d, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval h_AAA, sf_interval R, sf_interval I_, sf_interval R_A, sf_interval I_A, sf_interval *out)
 {
-    (void)(I_0AAA);
-    (void)(h_AAA);
     const sf_interval t0 = sfi_add(sfi_mul(I_, I_A), sfi_mul(R, R_A));
     const sf_interval t1 = sfi_mul(R, x);
     const sf_interval t2 = sfi_add(sfi_mul(A, zeta), sfi_mul(I_0, x));
@@ -618,10 +549,6 @@ static inline void dissipation_intervals_folds_far_by_x(sf_interval x, sf_interv
    Equation from (24). Domain: Omega > 0, A > 0. */
 static inline void dissipation_intervals_peaks_far_by_x(sf_interval x, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A, sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval d, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval h_AAA, sf_interval R, sf_interval I_, sf_interval R_A, sf_interval I_A, sf_interval *out)
 {
-    (void)(I_0AA);
-    (void)(I_0AAA);
-    (void)(h_AA);
-    (void)(h_AAA);
     const sf_interval t0 = sfi_mul(R, h);
     const sf_interval t1 = sfi_mul(A, zeta);
     const sf_interval t2 = sfi_mul(I_0, x);
@@ -644,7 +571,6 @@ static inline void dissipation_intervals_peaks_far_by_x(sf_interval x, sf_interv
    Equation from (30), (33). Domain: Omega > 0, A > 0. */
 static inline void dissipation_intervals_cusps_far_by_x(sf_interval x, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A, sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval d, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval h_AAA, sf_interval R, sf_interval I_, sf_interval R_A, sf_interval I_A, sf_interval *out)
 {
-    (void)(F_0);
     const sf_interval t0 = sfi_times(2.0, d);
     const sf_interval x2 = sfi_square(x);
     const sf_interval t1 = sfi_mul(I_0AA, x2);
@@ -672,9 +598,6 @@ static inline void dissipation_intervals_cusps_far_by_x(sf_interval x, sf_interv
    Equation from (30). Domain: Omega > 0, A > 0. */
 static inline void dissipation_intervals_isolas_far_by_x(sf_interval x, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A, sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval d, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval h_AAA, sf_interval R, sf_interval I_, sf_interval R_A, sf_interval I_A, sf_interval *out)
 {
-    (void)(F_0);
-    (void)(I_0AAA);
-    (void)(h_AAA);
     const sf_interval t0 = sfi_mul(A, zeta);
     const sf_interval t1 = sfi_mul(I_0, x);
     const sf_interval t2 = sfi_times(2.0, t0);
@@ -741,5 +664,9 @@ static inline sf_interval dissipation_intervals_velocity(sf_interval I_, sf_inte
     const sf_interval t0 = sfi_sub(I_, I_0);
     return sfi_div(t0, sfi_add(zeta, sfi_sqrt(sfi_add(sfi_mul(d, t0), sfi_square(zeta)))));
 }
+
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
 
 #endif

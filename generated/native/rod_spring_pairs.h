@@ -12,6 +12,12 @@
 
 #include "pair_angles.h"
 
+/* kernels of one family take the same arguments, whether each needs them or not */
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#endif
+
 /* The |u| at which a piece of the force ends.
    Equation (5). Domain: any parameters. */
 static inline void rod_spring_pairs_breakpoints(const sf_pair *p, sf_pair *out)
@@ -44,7 +50,6 @@ TWOFOLD_INLINE void rod_spring_pairs_known_passed_0(sf_pair A, sf_pair beyond, c
     const sf_pair alpha = p[0];
     const sf_pair beta = p[1];
     const sf_pair gamma = p[2];
-    (void)(beyond);
     const sf_pair t0 = sfp_neg(alpha);
     const sf_pair A2 = sfp_square(A);
     const sf_pair t1 = sfp_mul(A2, gamma);
@@ -232,5 +237,9 @@ TWOFOLD_INLINE void rod_spring_pairs_known(int passed, sf_pair A, sf_pair beyond
     }
     rod_spring_pairs_known_passed_1(A, beyond, p, out);
 }
+
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
 
 #endif

@@ -11,6 +11,12 @@
 
 #include "held_carlson.h"
 
+/* kernels of one family take the same arguments, whether each needs them or not */
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#endif
+
 /* A; sqrt(1 - u_cr^2); sine, cosine and angle of where the first piece ends.
    Equation (5). Domain: beyond > 0. */
 static inline void rod_spring_untruncated_held_ends(sf_held beyond, const sf_held *p, sf_held *out)
@@ -93,5 +99,9 @@ static inline void rod_spring_untruncated_held_parts(sf_held A, sf_held c, sf_he
         t20)), sfh_mul(t24, t25));
     out[4] = sfh_neg(sfh_mul(A2, t11));
 }
+
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
 
 #endif

@@ -11,6 +11,12 @@
 
 #include "interval.h"
 
+/* kernels of one family take the same arguments, whether each needs them or not */
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#endif
+
 /* The |u| at which a piece of the force ends.
    Equation (5). Domain: any parameters. */
 static inline void rod_spring_untruncated_intervals_breakpoints(const sf_interval *p, sf_interval *out)
@@ -188,5 +194,9 @@ static inline void rod_spring_untruncated_intervals_detached(sf_interval A, sf_i
     out[3] = sfi_mul(part_3, t0);
     out[4] = sfi_mul(part_4, t0);
 }
+
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
 
 #endif

@@ -11,6 +11,12 @@
 
 #include "pair_angles.h"
 
+/* kernels of one family take the same arguments, whether each needs them or not */
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#endif
+
 /* The |u| at which a piece of the force ends.
    Equation (5). Domain: any parameters. */
 static inline void rod_spring_untruncated_pairs_breakpoints(const sf_pair *p, sf_pair *out)
@@ -188,5 +194,9 @@ static inline void rod_spring_untruncated_pairs_detached(sf_pair A, sf_pair part
     out[3] = sfp_mul(part_3, t0);
     out[4] = sfp_mul(part_4, t0);
 }
+
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
 
 #endif

@@ -11,6 +11,12 @@
 
 #include "interval.h"
 
+/* kernels of one family take the same arguments, whether each needs them or not */
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#endif
+
 /* Dry friction's share of I.
    Equation (23). Domain: mu >= 0. */
 static inline sf_interval slow_flow_intervals_friction(sf_interval mu)
@@ -49,7 +55,6 @@ static inline sf_interval slow_flow_intervals_F_A(sf_interval Omega, sf_interval
    Equation (24), (33). Domain: Omega > 0, A > 0. */
 static inline sf_interval slow_flow_intervals_F_AA(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval h_A, sf_interval h_AA)
 {
-    (void)(m);
     const sf_interval t0 = sfi_square(Omega);
     const sf_interval R = sfi_add(sfi_mul(A, t0), h);
     const sf_interval t1 = sfi_add(h_A, t0);
@@ -407,5 +412,9 @@ static inline sf_interval slow_flow_intervals_cusp_scaled_slope(sf_interval A, s
         sfi_add(sfi_mul(rho, sum), sfi_times(3.0, t))), sfi_add(sfi_add(sum, t), sfi_div(sfi_mul(t0,
         sfi_add(sfi_div(sfi_mul(sfi_mul(m, t0), zeta), w), sfi_times(4.0, sfi_square(zeta)))), h_AA)))), root));
 }
+
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
 
 #endif

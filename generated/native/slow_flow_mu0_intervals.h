@@ -11,11 +11,16 @@
 
 #include "interval.h"
 
+/* kernels of one family take the same arguments, whether each needs them or not */
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#endif
+
 /* Zero at an isola point: F_Omega/(4 A) at its Omega, for m = 0 without the factor Omega; slope along A.
    Equation from (30), (34). Domain: A > 0, h_A > 0; for m = 0 any h_A. */
 static inline void slow_flow_mu0_intervals_isola(sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval *out)
 {
-    (void)(m);
     const sf_interval t0 = sfi_times(2.0, sfi_square(zeta));
     const sf_interval bracket = sfi_add(sfi_mul(A, sfi_add(h_A, t0)), h);
     const sf_interval bracket_A = sfi_add(sfi_add(sfi_mul(A, h_AA), sfi_times(2.0, h_A)), t0);
@@ -27,11 +32,14 @@ static inline void slow_flow_mu0_intervals_isola(sf_interval A, sf_interval m, s
    Equation (34). Domain: Omega > 0, A > 0. */
 static inline void slow_flow_mu0_intervals_F_Omega_reduced(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval *out)
 {
-    (void)(m);
     const sf_interval t0 = sfi_times(2.0, A);
     const sf_interval p = sfi_add(h, sfi_mul(t0, sfi_square(zeta)));
     out[0] = sfi_add(sfi_mul(A, sfi_square(Omega)), p);
     out[1] = sfi_mul(Omega, t0);
 }
+
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
 
 #endif

@@ -11,6 +11,12 @@
 
 #include "pair_angles.h"
 
+/* kernels of one family take the same arguments, whether each needs them or not */
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#endif
+
 /* Dry friction's share of I.
    Equation (23). Domain: mu >= 0. */
 static inline sf_pair slow_flow_pairs_friction(sf_pair mu)
@@ -22,7 +28,6 @@ static inline sf_pair slow_flow_pairs_friction(sf_pair mu)
    Equation from (24). Domain: Omega > 0, A > 0. */
 static inline void slow_flow_pairs_state_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)
 {
-    (void)(h_AAA);
     const sf_pair t0 = sfp_square(Omega);
     const sf_pair R = sfp_add(sfp_mul(A, t0), h);
     const sf_pair t1 = sfp_times(2.0, sfp_mul(Omega, zeta));
@@ -68,7 +73,6 @@ static inline void slow_flow_pairs_fold_step(sf_pair Omega, sf_pair A, sf_pair F
    Equation from (24). Domain: Omega > 0, A > 0. */
 static inline void slow_flow_pairs_peak_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)
 {
-    (void)(h_AAA);
     const sf_pair t0 = sfp_square(Omega);
     const sf_pair t1 = sfp_mul(A, t0);
     const sf_pair R = sfp_add(h, t1);
@@ -169,9 +173,6 @@ static inline void slow_flow_pairs_isola_step(sf_pair Omega, sf_pair A, sf_pair 
    Equation from (24). Domain: Omega > 0, A > 0. */
 static inline void slow_flow_pairs_corner_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)
 {
-    (void)(h_A);
-    (void)(h_AA);
-    (void)(h_AAA);
     const sf_pair t0 = sfp_mul(A, sfp_square(Omega));
     const sf_pair R = sfp_add(h, t0);
     const sf_pair t1 = sfp_times(2.0, A);
@@ -188,10 +189,6 @@ static inline void slow_flow_pairs_corner_step(sf_pair Omega, sf_pair A, sf_pair
    Equation from (24). Domain: Omega > 0, A > 0. */
 static inline void slow_flow_pairs_ridge_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)
 {
-    (void)(F_0);
-    (void)(h_A);
-    (void)(h_AA);
-    (void)(h_AAA);
     const sf_pair t0 = sfp_mul(A, sfp_square(Omega));
     const sf_pair R = sfp_add(h, t0);
     const sf_pair t1 = sfp_times(2.0, A);
@@ -207,14 +204,15 @@ static inline void slow_flow_pairs_ridge_step(sf_pair Omega, sf_pair A, sf_pair 
    Equation from (24). Domain: Omega > 0, A > 0. */
 static inline void slow_flow_pairs_level_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)
 {
-    (void)(h_A);
-    (void)(h_AA);
-    (void)(h_AAA);
     const sf_pair R = sfp_add(sfp_mul(A, sfp_square(Omega)), h);
     const sf_pair I_ = sfp_add(sfp_times(2.0, sfp_mul(sfp_mul(A, Omega), zeta)), m);
     const sf_pair F = sfp_add(sfp_square(R), sfp_mul(sfp_add(sfp_neg(F_0), I_), sfp_add(F_0, I_)));
     out[0] = 0.5 * F.high / F_0.high;
     out[1] = 0.0;
 }
+
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
 
 #endif

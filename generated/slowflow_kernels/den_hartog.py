@@ -125,9 +125,4 @@ def motion(tau: ArrayLike, Omega: ArrayLike, A: ArrayLike, mu: ArrayLike) -> Any
 
 
 if NATIVE is not None:
-    (
-        V, U, S_ratio, amplitude, bound, motion,
-    ) = compiled(
-        (V, U, S_ratio, amplitude, bound, motion,),
-        NATIVE.den_hartog(),
-    )
+    globals().update(compiled(globals(), NATIVE.den_hartog()))

@@ -20,7 +20,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from slowflow_kernels import slow_flow as flow
-from slowflow_support.backend import NATIVE, coefficients_of, compiled, in_tuple
+from slowflow_support.backend import NATIVE, compiled
 from slowflow_support.broadcast import common_shape, floats, full, number_by_regime, stacked
 from slowflow_support.record import Law, Mechanism, Parameter
 
@@ -568,22 +568,7 @@ def detachment(A: ArrayLike, mu: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, b
 
 
 if NATIVE is not None:
-    (
-        averaged, averaged_2, averaged_H, intercept, harmonics, coefficients, hardening, force, saddle_node_onset,
-        saddle_nodes, h, h_A, h_AA, h_AAA, H, H_A, H_AA, F, F_A, level, phase, jacobian, stability,
-        transmissibility, backbone, limit_envelope, equivalent_damping, response_quartic, fold_quartic, peak_cubic,
-        detachment,
-    ) = compiled(
-        (averaged, averaged_2, averaged_H, intercept, harmonics, coefficients, hardening, force, saddle_node_onset,
-         saddle_nodes, h, h_A, h_AA, h_AAA, H, H_A, H_AA, F, F_A, level, phase, jacobian, stability,
-         transmissibility, backbone, limit_envelope, equivalent_damping, response_quartic, fold_quartic, peak_cubic,
-         detachment,),
-        NATIVE.duffing(),
-    )
-    saddle_node_onset = coefficients_of(saddle_node_onset)
-    saddle_nodes = coefficients_of(saddle_nodes)
-    detachment = coefficients_of(detachment)
-    hardening = in_tuple(hardening)
+    globals().update(compiled(globals(), NATIVE.duffing()))
 
 
 def _load_balls():

@@ -479,13 +479,4 @@ def share(A: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> Any:
 
 
 if NATIVE is not None:
-    (
-        force, force_slopes, isolation, level, F, level_slope, Omega_A, outer, terms, least, least_Omega_A, peak,
-        isola, isola_apart, fold_slopes, fold_force, fold_level, peak_share, Omega_of_share, level_rise, cusp_bend,
-        hessian, bound, share,
-    ) = compiled(
-        (force, force_slopes, isolation, level, F, level_slope, Omega_A, outer, terms, least, least_Omega_A, peak,
-         isola, isola_apart, fold_slopes, fold_force, fold_level, peak_share, Omega_of_share, level_rise, cusp_bend,
-         hessian, bound, share,),
-        NATIVE.inertia(),
-    )
+    globals().update(compiled(globals(), NATIVE.inertia()))

@@ -24,7 +24,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from slowflow_kernels import slow_flow as flow
-from slowflow_support.backend import NATIVE, coefficients_of, compiled, in_tuple
+from slowflow_support.backend import NATIVE, compiled
 from slowflow_support.broadcast import by_regime, common_shape, floats, full, number_by_regime, stacked
 from slowflow_support.record import Law, Mechanism, Parameter, Scale
 
@@ -1502,23 +1502,7 @@ def detachment(A: ArrayLike, mu: ArrayLike, zeta: ArrayLike, alpha: ArrayLike, b
 
 
 if NATIVE is not None:
-    (
-        averaged, averaged_2, averaged_H, intercept, harmonics, coefficients, breakpoints, jumps, hardening, force,
-        saddle_node_onset, saddle_nodes, h, h_A, h_AA, h_AAA, H, H_A, H_AA, F, F_A, level, phase, jacobian,
-        stability, transmissibility, backbone, limit_envelope, equivalent_damping, response_quartic, fold_quartic,
-        peak_cubic, detachment,
-    ) = compiled(
-        (averaged, averaged_2, averaged_H, intercept, harmonics, coefficients, breakpoints, jumps, hardening,
-         force, saddle_node_onset, saddle_nodes, h, h_A, h_AA, h_AAA, H, H_A, H_AA, F, F_A, level, phase, jacobian,
-         stability, transmissibility, backbone, limit_envelope, equivalent_damping, response_quartic, fold_quartic,
-         peak_cubic, detachment,),
-        NATIVE.rod_spring(),
-    )
-    saddle_node_onset = coefficients_of(saddle_node_onset)
-    saddle_nodes = coefficients_of(saddle_nodes)
-    detachment = coefficients_of(detachment)
-    breakpoints = in_tuple(breakpoints)
-    jumps = in_tuple(jumps)
+    globals().update(compiled(globals(), NATIVE.rod_spring()))
 
 
 def _load_untruncated():

@@ -666,9 +666,4 @@ def wave(turned: ArrayLike, Omega: ArrayLike, m: ArrayLike, A_1: ArrayLike, sine
 
 
 if NATIVE is not None:
-    (
-        response, detachment, detachment_by_inertia, folds, components, wave,
-    ) = compiled(
-        (response, detachment, detachment_by_inertia, folds, components, wave,),
-        NATIVE.second_approximation(),
-    )
+    globals().update(compiled(globals(), NATIVE.second_approximation()))

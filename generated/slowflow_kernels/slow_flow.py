@@ -24,7 +24,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from slowflow_support.backend import NATIVE, coefficients_of, compiled
+from slowflow_support.backend import NATIVE, compiled
 from slowflow_support.broadcast import common_shape, floats, full, number_by_regime, stacked
 
 if TYPE_CHECKING:
@@ -789,18 +789,4 @@ def least_restoring(F_0: ArrayLike, m: ArrayLike) -> Any:
 
 
 if NATIVE is not None:
-    (
-        friction, R, I, F, F_A, F_AA, F_Omega, F_AOmega, phase, backbone, limit_envelope, equivalent_damping,
-        transmissibility, isolation, jacobian, mean_stiffness, offset_stiffness, stability, response_quartic,
-        fold_quartic, peak_cubic, detachment, F_OmegaOmega, level, rest, intercept, fold, fold_square, fold_moves,
-        isola_Omega, isola_level, isola, cusps, cusp_R, cusp, cusp_balance, turn, peak, peak_Omega_A, Omega_A,
-        level_rise, cusp_bend, isola_bend, isola_hessian, tail, most_restoring, least_restoring,
-    ) = compiled(
-        (friction, R, I, F, F_A, F_AA, F_Omega, F_AOmega, phase, backbone, limit_envelope, equivalent_damping,
-         transmissibility, isolation, jacobian, mean_stiffness, offset_stiffness, stability, response_quartic,
-         fold_quartic, peak_cubic, detachment, F_OmegaOmega, level, rest, intercept, fold, fold_square, fold_moves,
-         isola_Omega, isola_level, isola, cusps, cusp_R, cusp, cusp_balance, turn, peak, peak_Omega_A, Omega_A,
-         level_rise, cusp_bend, isola_bend, isola_hessian, tail, most_restoring, least_restoring,),
-        NATIVE.slow_flow(),
-    )
-    detachment = coefficients_of(detachment)
+    globals().update(compiled(globals(), NATIVE.slow_flow()))

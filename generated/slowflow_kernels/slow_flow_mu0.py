@@ -25,7 +25,7 @@ from slowflow_kernels.slow_flow import (
     F_A, F_AA, F, F_AOmega, F_Omega, I, R, backbone, equivalent_damping, fold_quartic, isola_Omega, level,
     limit_envelope, peak_cubic, phase, stability,
 )
-from slowflow_support.backend import NATIVE, coefficients_of, compiled
+from slowflow_support.backend import NATIVE, compiled
 from slowflow_support.broadcast import common_shape, floats, full, stacked
 
 if TYPE_CHECKING:
@@ -130,10 +130,4 @@ def isola(A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayL
 
 
 if NATIVE is not None:
-    (
-        response_quartic, detachment, fold, isola,
-    ) = compiled(
-        (response_quartic, detachment, fold, isola,),
-        NATIVE.slow_flow_mu0(),
-    )
-    detachment = coefficients_of(detachment)
+    globals().update(compiled(globals(), NATIVE.slow_flow_mu0()))

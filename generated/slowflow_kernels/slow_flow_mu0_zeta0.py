@@ -26,7 +26,7 @@ from slowflow_kernels.slow_flow_mu0 import response_quartic
 from slowflow_kernels.slow_flow_zeta0 import (
     fold, limit_envelope, undamped, undamped_Omega, undamped_level, undamped_rises,
 )
-from slowflow_support.backend import NATIVE, coefficients_of, compiled
+from slowflow_support.backend import NATIVE, compiled
 from slowflow_support.broadcast import common_shape, floats, stacked
 
 if TYPE_CHECKING:
@@ -61,10 +61,4 @@ def detachment(A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> Flo
 
 
 if NATIVE is not None:
-    (
-        detachment,
-    ) = compiled(
-        (detachment,),
-        NATIVE.slow_flow_mu0_zeta0(),
-    )
-    detachment = coefficients_of(detachment)
+    globals().update(compiled(globals(), NATIVE.slow_flow_mu0_zeta0()))

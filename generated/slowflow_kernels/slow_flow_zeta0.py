@@ -26,7 +26,7 @@ from slowflow_kernels.slow_flow import (
     F_A, F_AA, F, F_AOmega, F_Omega, I, R, backbone, equivalent_damping, fold_quartic, level, peak_cubic, phase,
     response_quartic, stability,
 )
-from slowflow_support.backend import NATIVE, coefficients_of, compiled
+from slowflow_support.backend import NATIVE, compiled
 from slowflow_support.broadcast import common_shape, floats, full, stacked
 
 if TYPE_CHECKING:
@@ -140,10 +140,4 @@ def undamped(A: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike, h_AAA:
 
 
 if NATIVE is not None:
-    (
-        limit_envelope, detachment, undamped_Omega, fold, undamped_level, undamped_rises, undamped,
-    ) = compiled(
-        (limit_envelope, detachment, undamped_Omega, fold, undamped_level, undamped_rises, undamped,),
-        NATIVE.slow_flow_zeta0(),
-    )
-    detachment = coefficients_of(detachment)
+    globals().update(compiled(globals(), NATIVE.slow_flow_zeta0()))

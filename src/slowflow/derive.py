@@ -117,10 +117,10 @@ class Derived(Stated):
         """Write what `make derive` writes of the package's own mechanisms, and the document; the files' names.
 
         A Python module of kernels on NumPy, but for averages by quadrature, which slowflow's compiled code sums by the
-        program beside it; C headers (which include those of `include()`), for an odd force the
-        program that the solvers interpret and `exported.c`, which gives their functions symbols, with the list
-        `exported.def`, C sources with the record that the solvers take and with the force as power series,
-        derivation.md, MANIFEST.json with a hash of each. Files of an earlier run are replaced.
+        program beside it; C headers (which include those of `include()`), for an odd force the program that the solvers
+        interpret and `exported.c`, which gives their functions symbols, C sources with the record that the solvers take
+        and with the force as power series, derivation.md, MANIFEST.json with a hash of each. Files of an earlier run
+        are replaced.
         """
         names: list[str] = _derivation().written(self._stated, Path(folder))
         return names

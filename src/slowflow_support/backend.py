@@ -36,9 +36,16 @@ NOT_BUILT = (
 NATIVE: ModuleType | None = loaded(EXTENSION)
 
 
-def compiled(kernels: Sequence[Callable[..., Any]], ufuncs: Sequence[np.ufunc]) -> tuple[Callable[..., Any], ...]:
-    """Each kernel by its ufunc: with the name, arguments and docstring that it has on NumPy, which is `__wrapped__`."""
-    return tuple(map(_called, kernels, ufuncs))
+def compiled(module: Mapping[str, Any], ufuncs: Sequence[np.ufunc]) -> dict[str, Callable[..., Any]]:
+    """A module's kernels by their ufuncs: with name, arguments and docstring as on NumPy, which is `__wrapped__`."""
+    forms = {"Floats": coefficients_of, "tuple[Any]": in_tuple}
+    found = {}
+    for ufunc in ufuncs:
+        kernel = module[ufunc.__name__]
+        called = _called(kernel, ufunc)
+        form = forms.get(kernel.__annotations__["return"])
+        found[ufunc.__name__] = form(called) if form else called
+    return found
 
 
 def coefficients_of(kernel: Callable[..., Any]) -> Callable[..., npt.NDArray[np.float64]]:

@@ -6,8 +6,7 @@ Out: a dict from file name (below `generated/`) to text.
 
 from __future__ import annotations
 
-import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 import sympy as sp
@@ -28,6 +27,7 @@ from ...views import (
     repeated_views,
     selection_view,
     sources,
+    tables,
     templates,
     twofold_view,
     view,
@@ -70,6 +70,7 @@ def headers(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
             includes=includes(module, views),
             regimes=regimes(module),
             numbers=numbers(module),
+            tables=tables(views),
             measured=measured.of(module),
             rule=[(literal(node), literal(weight)) for node, weight in rule()] if module.sums else [],
             tools=tools(),
@@ -78,23 +79,11 @@ def headers(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     return result
 
 
-def exported(printed: Mapping[str, str]) -> dict[str, str]:
-    """A source that gives each function of these headers a symbol, and the list of them, by file name.
-
-    The list is read off the headers' text: what it holds is what a compiler finds there.
-    """
-    environment = templates(Path(__file__).parent)
+def exported(printed: Iterable[str]) -> dict[str, str]:
+    """A source that gives each function of these headers a symbol, by file name."""
     names = [Path(file).stem for file in printed]
-    functions = [
-        (name, " ".join(prototype.split()))
-        for text in printed.values()
-        for prototype, name in re.findall(r"^(?:SF_KERNEL|SF_TWOFOLD) (\w+ (\w+)\([^()]*\))\n{", text, re.MULTILINE)
-    ]
-    folder = Path(next(iter(printed))).parent
-    return {
-        str(folder / "exported.c"): environment.get_template("exported.c.jinja").render(names=names, tools=tools()),
-        str(folder / "exported.def"): environment.get_template("exported.def.jinja").render(functions=functions),
-    }
+    template = templates(Path(__file__).parent).get_template("exported.c.jinja")
+    return {str(Path(next(iter(printed))).with_name("exported.c")): template.render(names=names, tools=tools())}
 
 
 def motion(module: Module) -> str:

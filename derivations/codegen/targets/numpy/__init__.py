@@ -29,6 +29,7 @@ from ...views import (
     repeated_views,
     selection_view,
     sources,
+    tables,
     templates,
     twofold_view,
     view,
@@ -89,12 +90,14 @@ def printed(module: Module) -> tuple[Kernel, ...]:
 def text(module: Module, code: Code) -> str:
     """One module."""
     named = (*printed(module), *module.twofolds, *module.selections, *module.compositions)
+    views = [view(kernel, code[kernel.name], LANGUAGE) for kernel in printed(module)]
     return (
         _environment()
         .get_template("module.py.jinja")
         .render(
             module=module,
-            kernels=[view(kernel, code[kernel.name], LANGUAGE) for kernel in printed(module)],
+            kernels=views,
+            tables=tables(views),
             repeated=repeated_views(code, LANGUAGE),
             twofolds=[twofold_view(kernel, LANGUAGE) for kernel in module.twofolds],
             selections=[selection_view(selection) for selection in module.selections],
@@ -107,7 +110,7 @@ def text(module: Module, code: Code) -> str:
             enclosed=[view(kernel, code[kernel.name], ENCLOSED) for kernel in module.on_intervals],
             has_balls=module.native and bool(module.in_balls),
             constants={name: constant(value) for name, value in module.constants.items()},
-            **compiled(module),
+            compiled=module.native and bool(module.looped),
             tools=tools(),
             **sources(module),
         )
@@ -150,24 +153,6 @@ def most_first(scenes: dict[str, dict[sp.Symbol, sp.Expr]]) -> list[tuple[str, l
     """Scenes and the names of what vanishes in them, the most first: where all of it vanishes, so does each part."""
     named = [(scene, [symbol.name for symbol in vanishing]) for scene, vanishing in scenes.items()]
     return sorted(named, key=lambda one: -len(one[1]))
-
-
-def compiled(module: Module) -> dict[str, list[str]]:
-    """Names of what is compiled in the order in which the extension module gives them, and which need a wrapper."""
-    looped = module.looped if module.native else ()
-    stacks = [one.name for one in looped if one.returns == "stack"]
-    singles = [one.name for one in looped if one.returns == "tuple" and one.width == 1]
-    return {
-        "ufuncs": [one.name for one in looped],
-        "stacks": stacks,
-        "singles": singles,
-        "backend": [
-            "NATIVE",
-            *(["coefficients_of"] if stacks else []),
-            "compiled",
-            *(["in_tuple"] if singles else []),
-        ],
-    }
 
 
 def exported(module: Module) -> list[str]:
