@@ -172,7 +172,7 @@ def test_json_is_printed_when_wanted_and_text_otherwise(capsys):
 
 
 def test_only_what_is_asked_for_is_computed(scene, monkeypatch, capsys):
-    for name in ("frequency_response", "onset", "saddle_nodes", "peak", "fold_locus", "amplitudes", "extrema"):
+    for name in ("frequency_response", "onset", "folds", "peak", "fold_locus", "states", "extrema"):
         monkeypatch.setattr(solvers, name, lambda *_, name=name: pytest.fail(f"{name} was computed"))
     path = scene(MOUNT.partition("questions")[0] + 'questions = ["detachment"]\n')
     code, out, _ = run("run", path, capsys=capsys)
