@@ -9,15 +9,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from .asymmetric.off_centre import Climb, OffCentre, climb, off_centre
+from .asymmetric.off_centre import off_centre
 from .extensions.dissipation import dissipation
 from .extensions.inertia import inertia
-from .extensions.motion import Motion, Smoothed, motion, smoothed
+from .extensions.motion import motion
 from .extensions.second_approximation import SecondApproximation, second_approximation
-from .extensions.switching import Switching, switching
+from .extensions.switching import switching
 from .extensions.wave import Wave, wave
 from .forces.of_mechanism import OfMechanism, of_mechanism
-from .forces.sampled import Sampled, sampled
+from .forces.sampled import sampled
 from .kernels import Formulas
 from .mechanisms import Mechanism, all_mechanisms
 from .paper import critical_forcings
@@ -37,8 +37,7 @@ from .systems.slopes import Slopes, slopes
 class Results:
     """The whole derivation.
 
-    motion     -- the equation of motion (3)
-    smoothed   -- (A1), (A2)
+    motion     -- the equation of motion (3), and (A1), (A2)
     switching  -- what a deviation from a motion becomes where (3) switches
     averaged   -- steps (8)-(20)
     flows      -- slow flow and its polynomials, by scene
@@ -49,7 +48,7 @@ class Results:
     slopes     -- along the response and the fold locus
     bounds     -- what no state at a forcing exceeds
     gradients  -- how answers move with the parameters
-    off_centre, climb -- motions about another place than the centre, and the means that these are made of
+    off_centre -- motions about another place than the centre, and the means that these are made of
     sampled    -- the average of a force that is known by its values
     steps      -- of Newton's method on the equations of each answer
     detachment -- (34), by scene
@@ -59,9 +58,8 @@ class Results:
     mechanisms -- by name
     """
 
-    motion: Motion
-    smoothed: Smoothed
-    switching: Switching
+    motion: Formulas
+    switching: Formulas
     averaged: Averaged
     flows: dict[str, SlowFlow]
     frequencies: Frequencies
@@ -71,9 +69,8 @@ class Results:
     slopes: Slopes
     bounds: Bounds
     gradients: Gradients
-    off_centre: OffCentre
-    climb: Climb
-    sampled: Sampled
+    off_centre: Formulas
+    sampled: Formulas
     steps: dict[str, Step]
     detachment: dict[str, Elimination]
     second: SecondApproximation
@@ -84,7 +81,6 @@ class Results:
 
 def derive(mechanisms: Sequence[Mechanism] | None = None) -> Results:
     """Everything, for the given mechanisms or for all of `mechanisms/`."""
-    sharp = motion()
     equations = averaged()
     flows = {scene: slow_flow(equations, scene) for scene in SCENES}
     by_inertia = inertia(flows[""])
@@ -94,8 +90,7 @@ def derive(mechanisms: Sequence[Mechanism] | None = None) -> Results:
     damped = of_scenes[""].damped
     assert damped is not None
     return Results(
-        sharp,
-        smoothed(sharp),
+        motion(),
         switching(),
         equations,
         flows,
@@ -107,7 +102,6 @@ def derive(mechanisms: Sequence[Mechanism] | None = None) -> Results:
         bounds(flows[""]),
         gradients(by_laws.curve, by_inertia.force),
         off_centre(equations, flows[""], by_laws),
-        climb(),
         sampled(),
         steps(flows[""], damped),
         {scene: critical_forcings.detachment(flow) for scene, flow in flows.items()},

@@ -1,10 +1,10 @@
 """Beside (11)-(30): motions off the centre, u = B + A cos psi, under a static load or where a force is not odd.
 
 In:  the equation of motion as `averaging` has it, with the load beside F_0 cos; the force f stays an open function.
-Out: `OffCentre`: the balance of the mean, h and its derivatives along it, and what vanishes at states and at folds, all
-     in the means c_n of f^(n) and s_n of f^(n) cos psi over a cycle;
-     `Moved`: what a parameter of the force or the load does to h along the balance, for the gradients of answers;
-     `steps` and `Climb`: these means of a piecewise polynomial in closed form, in every regime alike.
+Out: `Formulas`: the balance of the mean, h and its derivatives along it, and what vanishes at states and at folds, all
+     in the means c_n of f^(n) and s_n of f^(n) cos psi over a cycle; what a parameter of the force or the load does to
+     h along the balance, for the gradients of answers; these means of a piecewise polynomial in closed form, in every
+     regime alike, with its `steps`.
 
 Averaged as in (19), with B beside A cos psi, the equation of motion leaves the balance
 
@@ -30,7 +30,7 @@ and y for B - A, each the root of how far that end is past a step, or the end it
 
     (B + A)_x = 2 X    (B - A)_y = -2 Y    c_x = X (c_1 + s_1)    c_y = -Y (c_1 - s_1)    A_x = X    A_y = Y
 
-where X = x or 1/2. `Ended` has what vanishes at states and at folds in these.
+where X = x or 1/2. What vanishes at states and at folds is had in these too.
 
 What dissipates and what excites has no part in the balance. It comes in as I and as the amplitude of the force G, which
 is F_0, or F_2 Omega^2 of an excitation by inertia. With R for the frequency, A Omega^2 = R - h, nothing cancels next to
@@ -44,20 +44,17 @@ and A I_A - I is d (A Omega)^2 - m: neither viscous nor structural damping is in
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
 
 import sympy as sp
 
 from ..claims import claim
-from ..extensions.dissipation import I_0, I_A
-from ..kernels import Formulas
+from ..extensions.dissipation import I_0, I_A, d
+from ..kernels import Formulas, Let, Lets
 from ..paper.averaging import Averaged, F_k, cycle_integral, psi
 from ..paper.slow_flow import I, R, SlowFlow, m, turn
-from ..symbols import F_0, A, Omega, h, mu, sigma, u
-
-Let = tuple[sp.Symbol, sp.Expr]
+from ..symbols import F_0, A, Omega, eta, h, mu, sigma, u, zeta
 
 B, load = sp.symbols("B load", real=True)
 #: what a fold needs of f: its first three derivatives
@@ -95,76 +92,12 @@ _f = sp.Function("f")
 _DISPLACED = B + A * sp.cos(psi)
 
 
-@dataclass(frozen=True)
-class Moved:
-    """What a parameter does, in c and s and in what it does to these.
-
-    lets, values -- B_p and its derivatives along the balance, and with them B_p, h_p, h_Ap, h_AAp at a fixed A
-    at_end       -- A_p of a motion that comes to an end of a piece, which moves by end_p, and the balance with it
-    """
-
-    lets: tuple[Let, ...]
-    values: tuple[sp.Expr, ...]
-    at_end: sp.Expr
-
-
-@dataclass(frozen=True)
-class Ended:
-    """What vanishes, in coordinates x and y of a motion's ends.
-
-    state -- f_0 and F, and their slopes by x and y in turn
-    along -- along the balance, where it goes as (-c_y, c_x): A's slope, and what F_A gains there by R; c_1 has the sign
-             of the first
-    fold  -- at a forcing, in x, y and R, in the lets of `OffCentre.by_R`: f_0, F along the balance, F; and slopes
-    slopes -- of s_0 by x and y, and of c_x by y
-    """
-
-    state: tuple[sp.Expr, ...]
-    along: tuple[sp.Expr, sp.Expr]
-    fold: tuple[sp.Expr, ...]
-    slopes: tuple[sp.Expr, ...]
-
-
-@dataclass(frozen=True)
-class OffCentre:
-    """Of any mechanism, in c and s.
-
-    lets, averaged -- B_A, B_AA, B_AAA and with them h, h_A, h_AA, h_AAA along the balance, for c_1 other than 0
-    state    -- f_0 and F, and their slopes by A and B in turn, in R, I, I_A and the force
-    by_R     -- what is known at a given R, of any damping and excitation
-    fold     -- at a forcing, in A, B and R, in these: f_0, F_A along the balance times A c_1/2, and F; and their slopes
-                by A, B and R in turn
-    beside   -- `resists` of an odd force without a load, where B is not 0: with c_3 and s_2 at some B between
-    moved    -- what a parameter does to B and h
-    ended    -- states and folds by the motion's ends
-    frequency -- Omega of a motion by I; Omega^2 by R
-    versine  -- the mean of (1 - cos psi)^(k + 1) over that of (1 - cos psi)^k
-    """
-
-    lets: tuple[Let, ...]
-    averaged: tuple[sp.Expr, ...]
-    state: tuple[sp.Expr, ...]
-    by_R: tuple[Let, ...]
-    fold: tuple[sp.Expr, ...]
-    beside: sp.Expr
-    moved: Moved
-    ended: Ended
-    frequency: tuple[sp.Expr, sp.Expr]
-    versine: sp.Expr
-
-
-@dataclass(frozen=True)
-class Climb:
-    """The means over what is above a step.
-
-    begin -- L_-1, L_0, M_-1, M_0 where the motion passes the step, in A, a, root, angle
-    up    -- L_k and M_k from the two below each, wherever the step lies
-    down  -- L_(k-2) and M_(k-2) from the two above each, where the motion passes the step
-    """
-
-    begin: tuple[sp.Expr, ...]
-    up: tuple[sp.Expr, ...]
-    down: tuple[sp.Expr, ...]
+#: of arguments
+ORDER = (
+    *(Omega, R, k, side, A, B, force, F_0, F_2, I, I_A, m, eta, zeta, d, load, h, *c, *s),
+    *(c_x, c_y, c_xx, c_yy, X, Y, X_x, Y_y, *c_p, *s_p, load_p, end_p),
+    *(a, root, span, angle, L_2, L_1, L_k, M_2, M_1, M_k),
+)
 
 
 def _by_B(expression: sp.Expr) -> sp.Expr:
@@ -201,63 +134,102 @@ def check_balance(averaged: Averaged) -> None:
     claim("the mean of forcing, damping and friction", others)
 
 
-def off_centre(averaged: Averaged, flow: SlowFlow, laws: Formulas) -> OffCentre:
-    """All of it."""
+def off_centre(averaged: Averaged, flow: SlowFlow, laws: Formulas) -> Formulas:
+    """In the means c_n of f^(n) and s_n of f^(n) cos psi over a cycle, and what gives these of a step of the force."""
     check_means()
     check_balance(averaged)
+    of = Formulas(ORDER)
+    of_mean, of_state, of_fold = "the mean of (3)", "(24) and the mean of (3)", "(24), (30) and the mean of (3)"
     # (20): H = -(1/pi) int F_k cos psi, of which s_0 is half the negative
     claim("h = -2 s_0", averaged.restoring_integrand + F_k * sp.cos(psi) / sp.pi)
     of_h = {h: -2 * s[0]}
     f_0 = c[0] - load
     R_value = flow.R.subs(of_h)
-
     lets, chain = _along_balance(f_0, of_h[h])
+    text = "h, h_A, h_AA, h_AAA along the balance of the mean."
+    of.add("averaged", Lets(lets, chain), text, "(20), (31)", "A > 0, c_1 other than 0")
+
     F = R**2 + I**2 - force**2
     claim("F by the force", (F - flow.F).subs(force, F_0))
     # in R, I and I_A, which a kernel has first
     slopes = tuple(2 * (R * by(R_value) + I * of_I) for by, of_I in ((_by_A, I_A), (_by_B, 0)))
-    state = (f_0, F, s[1], c[1], *slopes)
+    of.add(
+        "state",
+        Lets([(R, R_value)], (f_0, F, s[1], c[1], *slopes)),
+        "What vanishes at a steady state: the balance of the mean and F; slopes of each by A and B.",
+        of_state,
+        "A > 0",
+    )
     by_R = _by_R(laws)
     fold = _fold_by_R(by_R, f_0, c[1], c[1] * s[0] - A * (c[1] ** 2 - s[1] ** 2) / 2, (_by_A, _by_B))
     _check_fold_by_R(by_R, fold[1], (c[1], -s[1]), (_by_A, _by_B))
+    at_fold = "What vanishes at a fold, by R, with the force F_0 + F_2 Omega^2"
+    text = f"{at_fold}: the balance, F along it by c_1 A/2, and F; slopes of each by A, B and R."
+    of.add("fold", Lets(by_R, fold), text, of_fold, "A > 0, R + 2 s_0 > 0")
     along_balance = 2 * s[0] / A - 2 * resists
     of_means = {resists: (c[1] ** 2 - s[1] ** 2) / c[1]}
     claim("h_A along the balance", along_balance.subs(of_means) - chain[1].subs(lets))
-    return OffCentre(
-        lets,
-        chain,
-        state,
-        by_R,
-        fold,
-        _beside(of_means[resists]),
-        moved(),
-        _ended(R_value, by_R, f_0),
-        (sp.solve(I - flow.I, Omega)[0], sp.solve(R - flow.R.subs(Omega**2, turn), turn)[0]),
-        _versine(),
+
+    # by the motion's ends as by A and B, by the chain rule
+    both, by_ends = _by_ends(), "by coordinates x and y of the motion's ends"
+    slopes = tuple(2 * (R * by(R_value) + I * I_A * by(A)) for by in both)
+    of.add(
+        "ended_state",
+        Lets([(R, R_value)], (f_0, F, *(by(f_0) for by in both), *slopes)),
+        f"What vanishes at a steady state, {by_ends}: the balance of the mean and F; slopes of each by x and y.",
+        of_state,
+        "A > 0",
     )
+    A_t = -c_y * X + c_x * Y
+    gain = s[0] * A_t + A * c_x * c_y
+    of_ends = {c_x: X * (c[1] + s[1]), c_y: -Y * (c[1] - s[1])}
+    claim("A rises along the balance where c_1 is positive", A_t.subs(of_ends) - 2 * X * Y * c[1])
+    # along the balance, which goes as (-c_y, c_x); c_1 has the sign of the first
+    text = "Along the balance, by coordinates of the motion's ends: A's slope, and what F_A gains there by R."
+    of.add("ended_along", (A_t, gain), text, "(30) and the mean of (3)", "A > 0")
+    text = "Slopes of s_0 by coordinates x and y of the motion's ends, and of c_x by y."
+    of.add("ended_slopes", (both[0](s[0]), both[1](s[0]), both[1](c_x)), text, of_mean, "A > 0")
+    fold = _fold_by_R(by_R, f_0, A_t, gain, both)
+    _check_fold_by_R(by_R, fold[1], (-c_y, c_x), both)
+    text = f"{at_fold}, {by_ends}: the balance, F along it times A/2, and F; slopes of each by x, y and R."
+    of.add("ended_fold", Lets(by_R, fold), text, of_fold, "A > 0, R + 2 s_0 > 0")
 
+    @of.kernel("(23)", "A > 0, zeta > 0", arguments=(A, R, I, m, zeta, h))
+    def frequency_by_phase() -> tuple[sp.Expr, sp.Expr]:
+        """Omega of a motion by I; and its square by R."""
+        return sp.solve(I - flow.I, Omega)[0], sp.solve(R - flow.R.subs(Omega**2, turn), turn)[0]
 
-def _versine() -> sp.Expr:
-    """By parts: the derivative of sin(psi) w^k, w = 1 - cos(psi), has no mean."""
-    w, power = sp.symbols("w power", positive=True)
-    over = 1 - sp.cos(psi)
-    whole = sp.expand(sp.diff(sp.sin(psi) * over**power, psi) / over**power)
-    of_w = sp.cancel(sp.expand(whole.subs(sp.sin(psi) ** 2, w * (2 - w)).subs(sp.cos(psi), 1 - w)))
-    rise, fall = (sp.Poly(of_w, w).coeff_monomial(w**n) for n in (0, 1))
-    claim("by parts", of_w - rise - fall * w)
-    return sp.factor(-rise / fall).subs(power, k)
+    @of.kernel(of_mean, "k >= 0")
+    def versine() -> sp.Expr:
+        """The mean of (1 - cos psi)^(k + 1) over that of (1 - cos psi)^k.
 
+        By parts: the derivative of sin(psi) w^k, w = 1 - cos(psi), has no mean.
+        """
+        w, power = sp.symbols("w power", positive=True)
+        over = 1 - sp.cos(psi)
+        whole = sp.expand(sp.diff(sp.sin(psi) * over**power, psi) / over**power)
+        of_w = sp.cancel(sp.expand(whole.subs(sp.sin(psi) ** 2, w * (2 - w)).subs(sp.cos(psi), 1 - w)))
+        rise, fall = (sp.Poly(of_w, w).coeff_monomial(w**n) for n in (0, 1))
+        claim("by parts", of_w - rise - fall * w)
+        return sp.factor(-rise / fall).subs(power, k)
 
-def _beside(of_means: sp.Expr) -> sp.Expr:
-    """`resists` where f_0 = B g(A, B^2) vanishes with g.
+    @of.kernel(of_mean, "c_3 other than 0")
+    def beside() -> sp.Expr:
+        """(c_1^2 - s_1^2)/c_1 of an odd force without a load where f_0 = 0 and B is not 0, with c_3 and s_2 of some B
+        between 0 and there.
 
-    Then c_1 = 2 B^2 dg/dB^2 and s_1 = B dg/dA. As f_0 = int c_1 dB from 0, g is the mean of c_1 over the B between, its
-    slope by A that of s_2, and that by B^2 the mean of c_3 with weights whose sum is 1/6.
-    """
-    share, second = sp.symbols("share second", positive=True)
-    # c_1 of B is even: its slope c_2 at B share is the integral of c_3 from 0
-    weight = sp.integrate(share * sp.integrate(1, (second, 0, share)), (share, 0, 1)) / 2
-    return sp.expand(of_means.subs({c[1]: 2 * B**2 * weight * c[3], s[1]: B * s[2]}))
+        f_0 = B g(A, B^2) vanishes with g. Then c_1 = 2 B^2 dg/dB^2 and s_1 = B dg/dA. As f_0 = int c_1 dB from 0, g is
+        the mean of c_1 over the B between, its slope by A that of s_2, and that by B^2 the mean of c_3 with weights
+        whose sum is 1/6.
+        """
+        share, second = sp.symbols("share second", positive=True)
+        # c_1 of B is even: its slope c_2 at B share is the integral of c_3 from 0
+        weight = sp.integrate(share * sp.integrate(1, (second, 0, share)), (share, 0, 1)) / 2
+        return sp.expand(of_means[resists].subs({c[1]: 2 * B**2 * weight * c[3], s[1]: B * s[2]}))
+
+    _moved(of, f_0, of_h[h])
+    _climb(of)
+    return of
 
 
 def _along_balance(f_0: sp.Expr, value: sp.Expr) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...]]:
@@ -278,9 +250,8 @@ def _along_balance(f_0: sp.Expr, value: sp.Expr) -> tuple[tuple[Let, ...], tuple
     return tuple(lets), tuple(derivatives)
 
 
-def moved() -> Moved:
+def _moved(of: Formulas, f_0: sp.Expr, value: sp.Expr) -> None:
     """By implicit differentiation of the balance, once by the parameter and then along it."""
-    f_0, value = c[0] - load, -2 * s[0]
 
     def by_p(expression: sp.Expr) -> sp.Expr:
         """At fixed A and B."""
@@ -311,7 +282,10 @@ def moved() -> Moved:
     claim("h_A by the parameter", (by_parameter - values[1]).subs(reversed(lets)))
     at_end = sp.Symbol("A_p")
     (edge,) = sp.solve(by_p(f_0) + at_end * _by_A(f_0) + side * (end_p - at_end) * _by_B(f_0), at_end)
-    return Moved(tuple(lets), (moves[0], *values), edge)
+    text = "B_p, h_p, h_Ap, h_AAp along the balance at a fixed A, by what a parameter does to means and load."
+    of.add("moved", Lets(lets, (moves[0], *values)), text, "(20), (31)", "A > 0, c_1 other than 0")
+    text = "A_p of a motion that comes to an end of a piece: at B + A for side = 1, at B - A for side = -1."
+    of.add("moved_at_end", (edge,), text, "the mean of (3)", "side c_1 other than s_1")
 
 
 def _by_ends() -> tuple[Callable[[sp.Expr], sp.Expr], Callable[[sp.Expr], sp.Expr]]:
@@ -382,23 +356,7 @@ def _check_fold_by_R(by_R: tuple[Let, ...], turns: sp.Expr, to: Any, by: tuple[B
     claim("F along the balance, by R", slope - on_F)
 
 
-def _ended(R_value: sp.Expr, by_R: tuple[Let, ...], f_0: sp.Expr) -> Ended:
-    """As `state` and `fold` by A and B, by the chain rule."""
-    both = _by_ends()
-    slopes = tuple(2 * (R * by(R_value) + I * I_A * by(A)) for by in both)
-    F = R**2 + I**2 - force**2
-    # along the balance
-    A_t = -c_y * X + c_x * Y
-    gain = s[0] * A_t + A * c_x * c_y
-    of_means = {c_x: X * (c[1] + s[1]), c_y: -Y * (c[1] - s[1])}
-    claim("A rises along the balance where c_1 is positive", A_t.subs(of_means) - 2 * X * Y * c[1])
-    fold = _fold_by_R(by_R, f_0, A_t, gain, both)
-    _check_fold_by_R(by_R, fold[1], (-c_y, c_x), both)
-    moved = (both[0](s[0]), both[1](s[0]), both[1](c_x))
-    return Ended((f_0, F, *(by(f_0) for by in both), *slopes), (A_t, gain), fold, moved)
-
-
-def climb() -> Climb:
+def _climb(of: Formulas) -> None:
     """L and M by recursion: what is integrated is a whole derivative, which vanishes at both ends of its range."""
     theta, power = sp.symbols("theta power", positive=True)
     over = A * sp.cos(theta) - a
@@ -425,7 +383,11 @@ def climb() -> Climb:
         apart = value.subs({angle: sp.acos(a / A), root: passes}) - exact
         if sp.simplify(apart.subs(inside)) != 0:
             raise ArithmeticError(f"{value} is not where the recursion begins")
-    return Climb(begin, up, down)
+    of_mean = "the mean of (3)"
+    text = "L_-1, L_0, M_-1, M_0 of a step at B + a that the motion passes at psi = angle."
+    of.add("begin", begin, text, of_mean, "root = sqrt(A^2 - a^2)")
+    of.add("up", up, "L_k and M_k from the two below each; span = A^2 - a^2.", of_mean, "k >= 1")
+    of.add("down", down, "L_(k-2) and M_(k-2) from the two above each.", of_mean, "root > 0")
 
 
 def steps(

@@ -35,6 +35,23 @@ REQUESTS = {
             I_scaled static turn_share {_SYSTEMS}""",
         "cells": """rest_intercept released_intercept sine_intercept sine_intercept_far R_of_peak_by_rest velocity""",
     },
+    "off_centre": {
+        "generic": "*",
+        "in_c": "begin up down",
+        "searched": "ended_state ended_along ended_fold beside",
+        "enclosed": "ended_slopes begin down",
+    },
+    "sampled": {
+        "generic": "*",
+        "in_c": """at_rest averaged_terms averaged_end intercept_terms intercept_end harmonics_terms harmonics_end""",
+        "enclosed": "bent_terms bent_end_0 bent_end_1 bent_end_2 bent_end_3",
+    },
+    # the recurrences of `taylor` are the rates in C; only the paper's own way is smoothed
+    "motion": {
+        "generic": "*",
+        "in_c": """push push_slopes breakaway acceleration resistance across turned released rates_by_state
+            rates_by_parameter structural""",
+    },
 }
 
 

@@ -1,23 +1,20 @@
 """Step 1 once more, equation (3) as it is followed in time: friction's hold, the acceleration, and their derivatives.
 
 In:  the equation of motion (1), the dimensionless groups (4); the whole restoring force stays an open f = u + F_k(u).
-Out: `Motion`: expressions in v = u', f, its slope f_u, friction mu sign(u'), and cosine, sine of theta = Omega tau;
-     `Smoothed`: (A1), (A2), the same equation with tanh for the sign and logistic steps for the piece's end.
+Out: `Formulas` in v = u', f, its slope f_u, friction mu sign(u'), and cosine, sine of theta = Omega tau; of (A1), (A2)
+     too, the same equation with tanh for the sign and logistic steps for the piece's end.
 
 The cosine is a name because each kind of number has its own function for it.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import sympy as sp
 from sympy.codegen.cfunctions import hypot
 
+from ..kernels import Formulas, Lets
 from ..paper.equation_of_motion import F, F_c, c, cos_forcing, groups, scaled_motion, sign_u_dot, u_ddot, u_dot
 from ..symbols import F_0, A, Omega, eta, mu, phi, u, zeta
-
-Let = tuple[sp.Symbol, sp.Expr]
 
 theta, v = sp.symbols("theta v", real=True)
 cosine, sine = sp.symbols("cosine sine", real=True)
@@ -37,54 +34,11 @@ weight, weight_u = sp.symbols("weight weight_u", real=True)
 u_cr = sp.Symbol("u_cr", positive=True)
 
 
-@dataclass(frozen=True)
-class Motion:
-    """(3); primes by tau in the first four, by theta in the rest.
-
-    equation     -- what vanishes, in u'' and the symbols of this module
-    push         -- what friction has to hold at rest
-    cosine       -- cos theta at which the mass breaks away against that friction
-    acceleration -- u'' of a slipping mass
-    resistance   -- mu sign(u') + c_2 |u'|u' in one direction of slip, for friction, and the zeta by which rates depend
-                    on u'
-    transmissibility -- fundamental harmonic of what spring, damper and friction pass on, over F_0, in its let: that of
-                    inertia, likewise
-    push_slopes  -- of the push by theta, u, F_0
-    rates        -- u', v' by theta
-    by_state     -- derivatives of the rates by u, v: row by row
-    stopping     -- friction over the largest force of inertia of A cos theta, in its let
-    structural   -- the zeta whose damper is (eta/Omega) u', and its slope by Omega
-    by_parameter -- by Omega, F_0, zeta, friction and f, which any parameter of the force enters by: row by row
-    """
-
-    equation: sp.Expr
-    push: sp.Expr
-    cosine: sp.Expr
-    acceleration: sp.Expr
-    resistance: tuple[sp.Expr, sp.Expr]
-    transmissibility_lets: tuple[Let, ...]
-    transmissibility: sp.Expr
-    push_slopes: tuple[sp.Expr, ...]
-    stopping_lets: tuple[Let, ...]
-    stopping: sp.Expr
-    structural: tuple[sp.Expr, sp.Expr]
-    rates: tuple[sp.Expr, ...]
-    by_state: tuple[sp.Expr, ...]
-    by_parameter: tuple[sp.Expr, ...]
-
-
-@dataclass(frozen=True)
-class Smoothed:
-    """(A1); primes by tau.
-
-    lets     -- Phi_2, the weight of the inner piece, and its slope by u
-    rates    -- u', v'
-    by_state -- derivatives of the rates by u, v: row by row
-    """
-
-    lets: tuple[Let, ...]
-    rates: tuple[sp.Expr, ...]
-    by_state: tuple[sp.Expr, ...]
+#: of arguments
+ORDER = (
+    *(cosine, sine, v, Omega, A_1, A, eta, F_0, phi, mu, zeta, f_u, friction, nu, f, quadratic),
+    *(left, right, slip, inner, outer, inner_u, outer_u),
+)
 
 
 def equation_of_motion() -> sp.Expr:
@@ -110,17 +64,6 @@ def _by(expression: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
     return sp.diff(expression, inner_symbol) * factor
 
 
-def _resistance(rates: tuple[sp.Expr, ...]) -> tuple[sp.Expr, sp.Expr]:
-    """What stands for friction in (3) while the mass slips one way, and the zeta by which its rates depend on u'."""
-    resists = friction + quadratic * v**2
-    damps = zeta + sp.diff(resists, v) / 2
-    for rate in rates:
-        whole = sp.diff(rate.subs(friction, resists), v) - _by(rate, v).subs(zeta, damps)
-        if sp.expand(whole) != 0:
-            raise ArithmeticError(f"the slope of the rates by u': {whole} is not zero")
-    return resists, damps
-
-
 def _check_linear(acceleration: sp.Expr) -> None:
     """In all that depends on time, so that it gives each coefficient of its Taylor series from theirs."""
     varies = (cosine, v, f, friction)
@@ -128,61 +71,76 @@ def _check_linear(acceleration: sp.Expr) -> None:
         raise ArithmeticError(f"not linear in what depends on time: {acceleration}")
 
 
-def _transmissibility(equation: sp.Expr) -> tuple[tuple[Let, ...], sp.Expr]:
-    """Of u whose first harmonic is A_1 cos(theta + phi): what is passed on is the force less that of inertia."""
-    passed = -equation.subs({f: 0, v: 0, friction: 0})
-    if passed.free_symbols != {F_0, cosine, u_ddot}:
-        raise ArithmeticError(f"what is passed on depends on more than force and acceleration: {passed}")
-    # as complex amplitudes
-    of_inertia = sp.Symbol("of_inertia", real=True)
-    parts = ((1, sp.cos), (0, sp.sin))
-    both = (sp.expand(passed.subs({cosine: a, u_ddot: -F_0 * of_inertia * b(phi)}) / F_0) for a, b in parts)
-    return ((of_inertia, Omega**2 * A_1 / F_0),), hypot(*both)
-
-
-def _stopping() -> tuple[tuple[Let, ...], sp.Expr]:
-    """Near a turning point friction stops the mass the longer, the more of the force of inertia it is."""
-    turn = sp.Symbol("turn", positive=True)
-    largest = -(Omega**2) * sp.diff(A * sp.cos(theta), theta, 2).subs(theta, 0)
-    return ((turn, Omega**2),), mu / largest.subs(Omega, sp.sqrt(turn))
-
-
-def _structural(equation: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
-    """Of what (3) has for zeta, and how that goes with Omega along a curve."""
-    damper = equation - equation.subs(zeta, 0)
-    (found,) = sp.solve(damper - eta / Omega * v, zeta)
-    return found, sp.diff(found, Omega)
-
-
-def motion() -> Motion:
-    """All of it."""
+def motion() -> Formulas:
+    """(3) in v = u' and the whole restoring force and its slope, f and f_u."""
+    of = Formulas(ORDER, domain="any")
     equation = equation_of_motion()
-    acceleration = sp.solve(equation, u_ddot)[0]
+    (acceleration,) = sp.solve(equation, u_ddot)
     _check_linear(acceleration)
     # at rest the acceleration is zero too: friction is what keeps it so
-    push = sp.solve(equation.subs({u_ddot: 0, v: 0}), friction)[0]
+    (push,) = sp.solve(equation.subs({u_ddot: 0, v: 0}), friction)
     rates = (v / Omega, acceleration / Omega)
-    transmissibility_lets, transmissibility = _transmissibility(equation)
-    stopping_lets, stopping = _stopping()
-    return Motion(
-        equation=equation,
-        push=push,
-        cosine=sp.solve(push - friction, cosine)[0],
-        acceleration=acceleration,
-        resistance=_resistance(rates),
-        transmissibility_lets=transmissibility_lets,
-        transmissibility=transmissibility,
-        stopping_lets=stopping_lets,
-        stopping=stopping,
-        structural=_structural(equation),
-        push_slopes=tuple(_by(push, symbol) for symbol in (theta, u, F_0)),
-        rates=rates,
-        by_state=tuple(_by(rate, symbol) for rate in rates for symbol in (u, v)),
-        by_parameter=tuple(_by(rate, symbol) for rate in rates for symbol in (Omega, F_0, zeta, friction, f)),
-    )
+    of.add("push", push, "What friction has to hold at rest; cosine of theta = Omega tau.", "(3)")
+    by_each = tuple(_by(push, symbol) for symbol in (theta, u, F_0))
+    of.add("push_slopes", by_each, "Derivatives of the push by theta, u, F_0.", "(3)")
+    text = "The cosine of theta at which a mass at rest breaks away against friction mu or -mu."
+    of.add("breakaway", sp.solve(push - friction, cosine)[0], text, "(3)", "F_0 > 0")
+    of.add("acceleration", acceleration, "u'' of a slipping mass; friction is mu sign(u').", "(3)")
+
+    @of.kernel("(3)")
+    def resistance() -> tuple[sp.Expr, sp.Expr]:
+        """Friction and quadratic damping, both times the sign of u'; and the zeta of the slope of all by u'."""
+        resists = friction + quadratic * v**2
+        damps = zeta + sp.diff(resists, v) / 2
+        for rate in rates:
+            whole = sp.diff(rate.subs(friction, resists), v) - _by(rate, v).subs(zeta, damps)
+            if sp.expand(whole) != 0:
+                raise ArithmeticError(f"the slope of the rates by u': {whole} is not zero")
+        return resists, damps
+
+    @of.kernel("(3)", "F_0 > 0")
+    def transmissibility() -> Lets:
+        """Fundamental harmonic of what is passed on over F_0, where that of u is A_1 cos(theta + phi).
+
+        What is passed on is the force less that of inertia, as complex amplitudes.
+        """
+        passed = -equation.subs({f: 0, v: 0, friction: 0})
+        if passed.free_symbols != {F_0, cosine, u_ddot}:
+            raise ArithmeticError(f"what is passed on depends on more than force and acceleration: {passed}")
+        of_inertia = sp.Symbol("of_inertia", real=True)
+        parts = ((1, sp.cos), (0, sp.sin))
+        both = (sp.expand(passed.subs({cosine: a, u_ddot: -F_0 * of_inertia * b(phi)}) / F_0) for a, b in parts)
+        return Lets([(of_inertia, Omega**2 * A_1 / F_0)], hypot(*both))
+
+    @of.kernel("(3)", "Omega > 0, A > 0")
+    def stopping() -> Lets:
+        """Friction over the largest force of inertia of A cos(theta), by which the mass stops within the cycle.
+
+        Near a turning point friction stops the mass the longer, the more of the force of inertia it is.
+        """
+        turn = sp.Symbol("turn", positive=True)
+        largest = -(Omega**2) * sp.diff(A * sp.cos(theta), theta, 2).subs(theta, 0)
+        return Lets([(turn, Omega**2)], mu / largest.subs(Omega, sp.sqrt(turn)))
+
+    @of.kernel("beside (3)", "Omega > 0")
+    def structural() -> tuple[sp.Expr, sp.Expr]:
+        """The zeta of structural damping at one frequency, and its slope by Omega."""
+        damper = equation - equation.subs(zeta, 0)
+        (found,) = sp.solve(damper - eta / Omega * v, zeta)
+        return found, sp.diff(found, Omega)
+
+    of.add("rates", rates, "u and v by theta.", "(3)", "Omega > 0")
+    by_state = tuple(_by(rate, symbol) for rate in rates for symbol in (u, v))
+    text = "Derivatives of the rates by u, v: of the first, then of the second."
+    of.add("rates_by_state", by_state, text, "(3)", "Omega > 0")
+    by_parameter = tuple(_by(rate, symbol) for rate in rates for symbol in (Omega, F_0, zeta, friction, f))
+    text = "Derivatives of the rates by Omega, F_0, zeta, friction, f: of the first, then of the second."
+    of.add("rates_by_parameter", by_parameter, text, "(3)", "Omega > 0")
+    _smoothed(of)
+    return of
 
 
-def smoothed(sharp: Motion) -> Smoothed:
+def _smoothed(of: Formulas) -> None:
     """(A1), (A2) in the values of tanh and of the logistic steps."""
     steps = {left: 1 / (1 + sp.exp(-nu * (u + u_cr))), right: 1 / (1 + sp.exp(-nu * (u - u_cr)))}
     slopes = {step: nu * step * (1 - step) for step in steps}
@@ -195,13 +153,14 @@ def smoothed(sharp: Motion) -> Smoothed:
     # the inner piece holds between the steps, the outer one beyond
     phi_2 = left - right
     force = outer + weight * (inner - outer)
-    acceleration = sharp.acceleration.subs({f: force, friction: mu * slip})
+    acceleration = of.acceleration.subs({f: force, friction: mu * slip})
     along_u = {inner: inner_u, outer: outer_u, weight: weight_u}
     weight_slope = sum(sp.diff(phi_2, step) * value for step, value in slopes.items())
-    by_u = sum(sp.diff(force, name) * value for name, value in along_u.items()) * sp.diff(sharp.acceleration, f)
+    by_u = sum(sp.diff(force, name) * value for name, value in along_u.items()) * sp.diff(of.acceleration, f)
     by_v = sp.diff(acceleration, v) + sp.diff(acceleration, slip) * of_slip
-    return Smoothed(
-        lets=((weight, phi_2), (weight_u, sp.factor(weight_slope).subs(phi_2, weight))),
-        rates=(v, acceleration),
-        by_state=(sp.Integer(0), sp.Integer(1), by_u, by_v),
-    )
+    lets = ((weight, phi_2), (weight_u, sp.factor(weight_slope).subs(phi_2, weight)))
+    text = "u and v by tau, smoothed: slip = tanh(nu v), left and right are logistic functions of nu (u +- u_cr)."
+    of.add("smoothed", Lets(lets[:1], (v, acceleration)), text, "(A1), (A2)")
+    by_state = (sp.Integer(0), sp.Integer(1), by_u, by_v)
+    text = "Derivatives of these rates by u, v: of the first, then of the second."
+    of.add("smoothed_by_state", Lets(lets, by_state), text, "(A1), (A2)")

@@ -1,7 +1,7 @@
 """Step 3 for a force that is known by its values, (20)-(22), (31): what stands under the integrals, and what ends add.
 
 In:  the force and its derivatives at u = A s, s = sin t, as numbers; what they lose at a breakpoint b.
-Out: `Sampled`: integrands of h and its derivatives, of h - A h_A and of the harmonics over the quarter cycle, what a
+Out: `Formulas`: integrands of h and its derivatives, of h - A h_A and of the harmonics over the quarter cycle, what a
      breakpoint that is passed adds to the integrals, and the same of h_AAAA.
 
 It is `quadrature`, in which the force is a formula, with numbers in its place: the same terms stand under the integrals
@@ -10,10 +10,9 @@ and around them.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import sympy as sp
 
+from ..kernels import Formulas, Lets
 from ..paper.restoring_force import ORDERS
 from ..symbols import A
 from .harmonics import HARMONICS, chebyshev, derivatives_of
@@ -33,32 +32,13 @@ _T = {n: sp.Symbol(f"T_{n}", real=True) for n in HARMONICS}
 terms_lets = ((_T_2, 2 * s**2 - 1), (_T[3], s * (2 * _T_2 - 1)), (_T[5], 2 * _T_2 * _T[3] - s))
 
 
-@dataclass(frozen=True)
-class Sampled:
-    """Each output is a share of what its integrals and ends sum up to.
-
-    at_rest    -- h as A tends to 0, of the force there
-    averaged   -- under the integrals of h, h_A, h_AA, h_AAA
-    averaged_end -- what a breakpoint adds to h_A, h_AA, h_AAA
-    intercept, intercept_end -- the same of h - A h_A, to which what is at rest adds itself
-    harmonics, harmonics_end -- of h_3 and its derivatives, then of h_5; under the integrals in `terms_lets`
-    bent       -- under the integrals of h and h_AAAA
-    bent_end   -- what a breakpoint adds to h_AAAA, by the lowest order of what is lost there
-    """
-
-    at_rest: sp.Expr
-    averaged: tuple[sp.Expr, ...]
-    averaged_end: tuple[sp.Expr, ...]
-    intercept: sp.Expr
-    intercept_end: sp.Expr
-    harmonics: tuple[sp.Expr, ...]
-    harmonics_end: tuple[sp.Expr, ...]
-    bent: tuple[sp.Expr, sp.Expr]
-    bent_end: tuple[sp.Expr, ...]
+#: of arguments
+ORDER = (A, b, s, c, *f, *lost)
 
 
-def sampled() -> Sampled:
-    """All of it."""
+def sampled() -> Formulas:
+    """What stands under its integrals, and what ends of its pieces add to them: of each a share."""
+    of = Formulas(ORDER, domain="any")
 
     def under(of_psi: sp.Expr) -> tuple[sp.Expr, ...]:
         return tuple(_FACTOR * f[order] * s**order * of_psi for order in range(ORDERS + 1))
@@ -70,14 +50,25 @@ def sampled() -> Sampled:
     for n, one in _T.items():
         if sp.expand(sp.expand(one.subs(terms_lets[::-1])) - chebyshev(n, s)) != 0:
             raise ArithmeticError(f"cos({n} psi)")
-    return Sampled(
-        _FACTOR * f[0],
-        under(s),
-        end(1),
-        -_FACTOR * A**2 * f[2] * s * c**2,
-        -_FACTOR * untilted_at(lost, b, root),
-        tuple(value for n in HARMONICS for value in under(_T[n])),
-        tuple(value for n in HARMONICS for value in end(n)),
-        (_FACTOR * f[0] * s, _FACTOR * f[ORDERS + 1] * s ** (ORDERS + 2)),
-        tuple(_FACTOR * bent_at(lost, lowest, b, root) for lowest in range(ORDERS + 1)),
-    )
+    averages, beyond = "(20)-(22), (31)", "A > b > 0"
+    of.add("at_rest", _FACTOR * f[0], "h as A tends to 0.", "(20)")
+    of.add("averaged_terms", under(s), "Under the integrals of h, h_A, h_AA, h_AAA over the quarter cycle.", averages)
+    text = "What a breakpoint adds to h_A, h_AA, h_AAA."
+    of.add("averaged_end", Lets(lets, end(1)), text, "(21), (22), (31)", beyond)
+    text = "Under the integral of h - A h_A, which `at_rest` adds to."
+    of.add("intercept_terms", -_FACTOR * A**2 * f[2] * s * c**2, text, "from (20)")
+    by_end = Lets(lets, -_FACTOR * untilted_at(lost, b, root))
+    of.add("intercept_end", by_end, "What a breakpoint adds to h - A h_A.", "from (20)", beyond)
+    terms = Lets(terms_lets, tuple(value for n in HARMONICS for value in under(_T[n])))
+    of.add("harmonics_terms", terms, "Under the integrals of h_3 and three derivatives, then of h_5.", "beyond (20)")
+    by_end = Lets(lets, tuple(value for n in HARMONICS for value in end(n)))
+    text = "What a breakpoint adds to the three derivatives of h_3, then of h_5."
+    of.add("harmonics_end", by_end, text, "beyond (20)", beyond)
+    bent = (_FACTOR * f[0] * s, _FACTOR * f[ORDERS + 1] * s ** (ORDERS + 2))
+    highest = f"h_A{'A' * ORDERS}"
+    of.add("bent_terms", bent, f"Under the integrals of h and {highest}.", "(20), (31)")
+    for lowest in range(ORDERS + 1):
+        by_end = Lets(lets, _FACTOR * bent_at(lost, lowest, b, root))
+        text = f"What a breakpoint adds to {highest}; derivatives of order {lowest} are the first to be lost."
+        of.add(f"bent_end_{lowest}", by_end, text, "(31)", beyond)
+    return of

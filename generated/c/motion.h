@@ -80,30 +80,6 @@ SF_KERNEL void motion_structural(double Omega, double eta, double *out)
     out[1] = -t0 / (Omega * Omega);
 }
 
-/* What u' gains of a deviation of u where u'' changes at an edge.
-   Equation beside (3). Domain: v other than 0. Operations: 2.
-   Proved, error / u (1 + kappa): 3.01 */
-SF_KERNEL double motion_across(double before, double after, double v)
-{
-    return (after - before) / v;
-}
-
-/* What is left of a deviation of u' where the velocity changes its sign and u'' with it; 0 where the mass stops.
-   Equation beside (3). Domain: before other than 0. Operations: 1.
-   Proved, error / u (1 + kappa): 0.34 */
-SF_KERNEL double motion_turned(double before, double after)
-{
-    return after / before;
-}
-
-/* What u' is of a deviation of u where the push on a mass at rest, with these slopes, breaks it away.
-   Equation beside (3). Domain: Omega > 0, by_theta other than 0. Operations: 3.
-   Proved, error / u (1 + kappa): 0.61 */
-SF_KERNEL double motion_released(double after, double Omega, double by_theta, double by_u)
-{
-    return after * by_u / (Omega * by_theta);
-}
-
 /* Derivatives of the rates by u, v: of the first, then of the second.
    Equation (3). Domain: Omega > 0. Operations: 4.
    Proved, error / u (1 + kappa): 0.0, 0.51, 0.67, 0.67 */
@@ -135,6 +111,30 @@ SF_KERNEL void motion_rates_by_parameter(double cosine, double v, double Omega, 
     out[7] = -t1 * t2;
     out[8] = t3;
     out[9] = t3;
+}
+
+/* What u' gains of a deviation of u where u'' changes at an edge.
+   Equation beside (3). Domain: v other than 0. Operations: 2.
+   Proved, error / u (1 + kappa): 3.01 */
+SF_KERNEL double motion_across(double before, double after, double v)
+{
+    return (after - before) / v;
+}
+
+/* What is left of a deviation of u' where the velocity changes its sign and u'' with it; 0 where the mass stops.
+   Equation beside (3). Domain: before other than 0. Operations: 1.
+   Proved, error / u (1 + kappa): 0.34 */
+SF_KERNEL double motion_turned(double before, double after)
+{
+    return after / before;
+}
+
+/* What u' is of a deviation of u where the push on a mass at rest, with these slopes, breaks it away.
+   Equation beside (3). Domain: Omega > 0, by_theta other than 0. Operations: 3.
+   Proved, error / u (1 + kappa): 0.61 */
+SF_KERNEL double motion_released(double after, double Omega, double by_theta, double by_u)
+{
+    return after * by_u / (Omega * by_theta);
 }
 
 #endif

@@ -120,57 +120,6 @@ def structural(Omega: Any, eta: Any) -> tuple[Any, Any]:
     )
 
 
-def across(before: Any, after: Any, v: Any) -> Any:
-    """What u' gains of a deviation of u where u'' changes at an edge.
-
-    Equation beside (3). Domain: v other than 0. Shape: the arguments that it depends on, broadcast. Operations: 2.
-    Proved, error / u (1 + kappa): 3.01
-    """
-    return (after - before) / v
-
-
-def turned(before: Any, after: Any) -> Any:
-    """What is left of a deviation of u' where the velocity changes its sign and u'' with it; 0 where the mass stops.
-
-    Equation beside (3). Domain: before other than 0. Shape: the arguments that it depends on, broadcast.
-    Operations: 1.
-    Proved, error / u (1 + kappa): 0.34
-    """
-    return after / before
-
-
-def released(after: Any, Omega: Any, by_theta: Any, by_u: Any) -> Any:
-    """What u' is of a deviation of u where the push on a mass at rest, with these slopes, breaks it away.
-
-    Equation beside (3). Domain: Omega > 0, by_theta other than 0. Shape: the arguments that it depends on,
-    broadcast. Operations: 3.
-    Proved, error / u (1 + kappa): 0.61
-    """
-    return after * by_u / (Omega * by_theta)
-
-
-def out(beyond: Any, pull: Any) -> Any:
-    """The time of a way beyond an edge, up to where a constant pull turns it.
-
-    Equation beside (3). Domain: beyond >= 0, pull > 0. Shape: the arguments that it depends on, broadcast.
-    Operations: 3.
-    Measured, error / u (1 + kappa): 0.68
-    """
-    square = 2.0 * beyond / pull
-    return np.sqrt(square)
-
-
-def back(beyond: Any, growth: Any) -> Any:
-    """The time of the way back to it from rest, under a push that grows steadily from 0.
-
-    Equation beside (3). Domain: beyond >= 0, growth > 0. Shape: the arguments that it depends on, broadcast.
-    Operations: 3.
-    Measured, error / u (1 + kappa): 0.85
-    """
-    cube = 6.0 * beyond / growth
-    return np.cbrt(cube)
-
-
 def rates(cosine: Any, v: Any, Omega: Any, F_0: Any, zeta: Any, friction: Any, f: Any) -> tuple[Any, Any]:
     """u and v by theta.
 
@@ -257,4 +206,55 @@ def smoothed_by_state(mu: Any, zeta: Any, nu: Any, left: Any, right: Any, slip: 
         -inner_u * weight - outer_u * (1.0 - weight) - weight_u * (inner - outer),
         -mu * nu * (1.0 - slip * slip) - 2.0 * zeta,
     )
+
+
+def across(before: Any, after: Any, v: Any) -> Any:
+    """What u' gains of a deviation of u where u'' changes at an edge.
+
+    Equation beside (3). Domain: v other than 0. Shape: the arguments that it depends on, broadcast. Operations: 2.
+    Proved, error / u (1 + kappa): 3.01
+    """
+    return (after - before) / v
+
+
+def turned(before: Any, after: Any) -> Any:
+    """What is left of a deviation of u' where the velocity changes its sign and u'' with it; 0 where the mass stops.
+
+    Equation beside (3). Domain: before other than 0. Shape: the arguments that it depends on, broadcast.
+    Operations: 1.
+    Proved, error / u (1 + kappa): 0.34
+    """
+    return after / before
+
+
+def released(after: Any, Omega: Any, by_theta: Any, by_u: Any) -> Any:
+    """What u' is of a deviation of u where the push on a mass at rest, with these slopes, breaks it away.
+
+    Equation beside (3). Domain: Omega > 0, by_theta other than 0. Shape: the arguments that it depends on,
+    broadcast. Operations: 3.
+    Proved, error / u (1 + kappa): 0.61
+    """
+    return after * by_u / (Omega * by_theta)
+
+
+def out(beyond: Any, pull: Any) -> Any:
+    """The time of a way beyond an edge, up to where a constant pull turns it.
+
+    Equation beside (3). Domain: beyond >= 0, pull > 0. Shape: the arguments that it depends on, broadcast.
+    Operations: 3.
+    Measured, error / u (1 + kappa): 0.68
+    """
+    square = 2.0 * beyond / pull
+    return np.sqrt(square)
+
+
+def back(beyond: Any, growth: Any) -> Any:
+    """The time of the way back to it from rest, under a push that grows steadily from 0.
+
+    Equation beside (3). Domain: beyond >= 0, growth > 0. Shape: the arguments that it depends on, broadcast.
+    Operations: 3.
+    Measured, error / u (1 + kappa): 0.85
+    """
+    cube = 6.0 * beyond / growth
+    return np.cbrt(cube)
 

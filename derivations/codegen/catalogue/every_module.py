@@ -9,15 +9,11 @@ from __future__ import annotations
 from ...results import Results
 from ..form import Module
 from .beyond import den_hartog_module, second_approximation_module
-from .dissipation import dissipation_module
 from .flow import slow_flow_modules
 from .frequencies import frequencies_module
-from .inertia import inertia_module
 from .mechanism import mechanism_module, with_proofs
-from .motion import motion_module
-from .off_centre import off_centre_module
-from .sampled import sampled_module
 from .sensitivities import sensitivities_module
+from .stated import stated_module
 
 
 def all_modules(results: Results) -> list[Module]:
@@ -26,12 +22,12 @@ def all_modules(results: Results) -> list[Module]:
     return [
         *flows,
         frequencies_module(results),
-        inertia_module(results),
-        off_centre_module(results),
-        dissipation_module(results),
+        stated_module("inertia", results),
+        stated_module("off_centre", results),
+        stated_module("dissipation", results),
         sensitivities_module(results),
-        sampled_module(results),
-        motion_module(results),
+        stated_module("sampled", results),
+        stated_module("motion", results),
         second_approximation_module(results),
         den_hartog_module(results),
         *(
