@@ -14,7 +14,6 @@ import pytest
 import sympy as sp
 
 from slowflow import Duffing, Isolator, derive
-from slowflow.results import Remark
 from slowflow_kernels.conventions import FoldKind, MovesStatus, OnsetKind, Status
 from slowflow_support.errors import Refused, SlowflowError
 from tests.batch_questions import ALL, OFF_CENTRE, ROWS, ask, columns
@@ -115,13 +114,10 @@ class Kind(NamedTuple):
     same: Mapping[str, Any] = MappingProxyType({})
     questions: tuple[str, ...] = ALL
     count: int = COUNT
-    #: remarks that a batch has not as a single answer has them
-    unsaid: int = 0
 
 
 #: asked of mechanisms that are derived here
 SOME = ("saddle_node_onset", "saddle_nodes", "amplitudes", "peak")
-AT_REST = int(Remark.HELD_AT_REST | Remark.NEAR_STICKING)
 PRELOADED = near({"c": 0.03, "k": 1.2})
 KINDS = {
     "isolators": Kind(Isolator, isolators),
@@ -130,11 +126,9 @@ KINDS = {
     "isolators of which some are none": Kind(Isolator, spoilt),
     "the same with an unbalance": Kind(Isolator, spoilt, {"excitation": "unbalance"}),
     "untruncated isolators": Kind(Isolator, isolators, {"force": "untruncated"}),
-    "rubbing isolators": Kind(Isolator, rubbing, {"rubs": "attached"}, ALL, FEW, AT_REST),
+    "rubbing isolators": Kind(Isolator, rubbing, {"rubs": "attached"}, ALL, FEW),
     "rubbing isolators on a base": Kind(Isolator, rubbing, {"rubs": "attached", "excitation": "base"}, count=FEW),
-    "rubbing untruncated isolators": Kind(
-        *(Isolator, rubbing, {"rubs": "attached", "force": "untruncated"}, ALL, FEW, AT_REST)
-    ),
+    "rubbing untruncated isolators": Kind(*(Isolator, rubbing, {"rubs": "attached", "force": "untruncated"}, ALL, FEW)),
     "Duffing's": Kind(Duffing, duffings),
     "Duffing's with an unbalance": Kind(Duffing, duffings, {"excitation": "unbalance"}),
     "Duffing's with every law": Kind(Duffing, with_laws, count=FEW),
@@ -148,7 +142,7 @@ KINDS = {
     "loaded Duffing's with every law": Kind(Duffing, loaded(with_laws, 0.3), {}, OFF_CENTRE, FEW),
     "waves": Kind("wave", near({"k": 0.25, "c": 2.0}), {}, SOME, FEW),
     "soft stops": Kind("soft stop", near({"c": 2.0, "k": 2.0, "g": 0.2}), {}, SOME, FEW),
-    "preloaded": Kind("preload", PRELOADED, {"excitation": "base"}, SOME, FEW, AT_REST),
+    "preloaded": Kind("preload", PRELOADED, {"excitation": "base"}, SOME, FEW),
     "preloaded in C": Kind("preload in C", PRELOADED, {"eta": 0.02}, SOME, FEW),
     "stops on one side": Kind("sided stop", near({"k": 4.0, "g": 0.2}), {}, SOME, FEW),
     "cushions": Kind("cushion", near({"k": 0.2, "d": 0.1, "g": 0.1}), {}, SOME[1:3], FEW),
@@ -157,7 +151,7 @@ KINDS = {
 
 def drawn(kind, seed=7):
     """Designs of a kind as arrays, what they have in common, and a forcing of each."""
-    make, draw, same, _, count, _ = KINDS[kind]
+    make, draw, same, _, count = KINDS[kind]
     generator = np.random.default_rng(seed)
     given = {name: value for name, value in draw(generator, count).items() if name not in same}
     make = derived(make) if isinstance(make, str) else make
@@ -188,11 +182,8 @@ def of_single(answer, name, question):
     return math.nan if value is None and hasattr(answer, name) and not about_centre else value
 
 
-def assert_is_that_of_each(found, singles, question, unsaid=0):
-    """Columns, and remarks, where single answers have the like; where these are refused there is a status.
-
-    unsaid -- remarks that are not compared
-    """
+def assert_is_that_of_each(found, singles, question):
+    """Columns, and remarks, where single answers have the like; where these are refused there is a status."""
     told = columns(found)
     for k, single in enumerate(singles):
         status = np.atleast_1d(found.status[k])
@@ -209,8 +200,7 @@ def assert_is_that_of_each(found, singles, question, unsaid=0):
         said = getattr(single, "_remarks", getattr(single, "remarks", None))
         # the second approximation has them in words
         if said is not None and "." not in question:
-            here, sure = (np.asarray(one, int) & ~unsaid for one in (found.remarks[k], said))
-            np.testing.assert_array_equal(here, sure, err_msg=f"{question} {k}: remarks")
+            np.testing.assert_array_equal(found.remarks[k], said, err_msg=f"{question} {k}: remarks")
         for name, column in told.items():
             value = of_single(single, name, question)
             if value is None or name == "status":
@@ -265,7 +255,7 @@ def test_many_are_answered_as_each_alone(kind, question):
     except Refused as refusal:  # of all of them, as proofs by inertia
         assert all(isinstance(one, ValueError) for one in asked_alone(make, given, same, F_0, question)), refusal
         return
-    assert_is_that_of_each(found, asked_alone(make, given, same, F_0, question), question, KINDS[kind].unsaid)
+    assert_is_that_of_each(found, asked_alone(make, given, same, F_0, question), question)
     # what is said beside is that of other questions
     if question == "frequency_response":
         folds = make.many(**given, **same).saddle_nodes(F_0)

@@ -180,7 +180,7 @@ def isolation(designs: Designs, F_0: Any, level_dB: Any = None, workers: int = 1
     highest = np.broadcast_to(np.where(peaks.status == Status.NONE, F_0, peaks.A), shape)
     known = known & np.isin(status, (Status.OK, Status.NONE) if inertial else Status.OK) & ~floor
     found = {**QUESTIONS["isolation"].blank(AVERAGING, shape), "status": status}
-    said = np.zeros(shape, np.uint16)
+    said = np.where(status == Status.STICKS, peaks.remarks, np.uint16(0))
     asked = np.array(np.isin(status, (Status.OK, Status.UNBOUNDED, Status.NONE)) & ~floor & ~known)
     for points in SAMPLES:
         rows = np.argwhere(known & (samples == points))

@@ -129,15 +129,16 @@ def of_designs(
     parameters, damping -- of the designs, shapes that broadcast
     force               -- on each state, of a shape that broadcasts with Omega; NaN where the question has none
     """
-    # what is excited by inertia nothing holds at every frequency, see `Model.holds`
-    mu, rubs = damping.mu, THROUGHOUT if damping.inertial else damping.rubs
+    mu = damping.mu
     A = np.asarray(A, dtype=float)
     there = A > 0
     beside = tuple(np.asarray(value, dtype=float)[..., np.newaxis] for value in parameters)
     kept, beyond = look_at(mechanism, parameters, np.asarray(Omega), A)
     # at rest h_A is the stiffness with its sign turned, and h is 4/pi times a preload
     pull, at_rest = (np.asarray(value) for value in mechanism.at_rest(*parameters)[:2])
-    held = np.where((pull < 0) | (rubs != THROUGHOUT), held_up_to(slow_flow.friction(mu), -pull), -np.inf)
+    # what is excited by inertia nothing holds at every frequency, see `Model.holds`
+    may_hold = ((pull < 0) | (damping.rubs != THROUGHOUT)) & (not damping.inertial)
+    held = np.where(may_hold, held_up_to(slow_flow.friction(mu), -pull), -np.inf)
     on_jump = np.zeros(A.shape[:-1], dtype=bool)
     if mechanism.truncated and corner is not None:
         jumps = zip(mechanism.breakpoints(*beside), mechanism.jumps(*beside), strict=True)
