@@ -167,6 +167,7 @@ def test_a_free_contact_swings_as_long_as_its_closed_form(pieces, power):
     assert np.max(np.abs(flow[:, :2] - [[-1.0, 0.0], [float(-push * later), -1.0]])) <= 1e-13
 
 
+@pytest.mark.slow  # its forces are derived
 def test_a_curve_at_a_contact(pieces):
     """A contact at rest, with friction: 300 points and more, folds, stops and borders; one point by SciPy."""
     system = EquationOfMotion(Force((pieces("contact", A, 0.5),), ()), 0.004, 0.01)

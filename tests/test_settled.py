@@ -81,7 +81,8 @@ def test_averages_in_pairs_have_twenty_digits_and_more(pairs):
                     assert abs(ball(value) - held) <= scale * float(2.0**-62)
 
 
-@pytest.mark.parametrize("mechanism", [pytest.param("rod_spring", marks=pytest.mark.slow), "duffing"])
+@pytest.mark.slow
+@pytest.mark.parametrize("mechanism", ["rod_spring", "duffing"])
 def test_answers_are_right_to_one_rounding_of_their_condition(mechanism):
     """Seeded oscillators and forcings at hard places, which `make stress` does not ask.
 
