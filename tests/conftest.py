@@ -57,6 +57,12 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: p
     terminalreporter.write_line(f"again: {seed}" if sampling.ALL else turn)
 
 
+def pytest_itemcollected(item: pytest.Item) -> None:
+    """What asks for the derivation is slow."""
+    if "results" in getattr(item, "fixturenames", ()):
+        item.add_marker(pytest.mark.slow)
+
+
 @pytest.hookimpl(trylast=True)
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Of cases marked `part` one in so many, of each family that the mark names.

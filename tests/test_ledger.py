@@ -193,7 +193,6 @@ def test_an_error_of_the_derivation_is_told_by_its_equation_with_both_sides(
         assert word in told
 
 
-@pytest.mark.slow  # it derives
 @pytest.mark.parametrize("regime", [0, 1])
 def test_an_average_that_formulas_do_not_show_is_told_with_both_sides(results: Results, regime: int) -> None:
     """A sign in the rest of the force, which F_k has nothing of: all published formulas agree."""
