@@ -6,7 +6,6 @@
  * down to displacements of the size of the spring: all that a force does lies there. On each part u, sine and the
  * angle that it takes are known on an interval of A by their values at its ends, as each is monotone in A; what stands
  * under the integrals is generated. A contact's are over shares of what A exceeds its begin by, whose weight is known.
- * As slowflow/averaged/reference/enclosed.py.
  */
 #ifndef SF_BENT_H
 #define SF_BENT_H
