@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
+
+from slowflow.questions import Questions
+from slowflow.results import FrequencyResponse, SaddleNodes, SteadyStates
 
 if TYPE_CHECKING:
     from slowflow import loads
     from slowflow.mechanism import Reals
 
 
-class ComposedQuestions:
+class ComposedQuestions(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
     """What is put together from the averaged answers about one oscillator, whatever system gives these."""
-
-    @property
-    def _system(self) -> Any:
-        """As of `Questions`."""
-        return self
 
     def _check_margins(self) -> None:
         """Raises NotAvailable where it is not known which forcing detaches; of most systems it always is."""

@@ -382,7 +382,7 @@ def spectrum(oscillator: Any, Omega: Any, F_0: Any) -> Spectrum:
     points = np.array([at, F])
 
     folds: dict[float, Floats] = {}  # rows share forcings
-    folds_at = getattr(oscillator, "_folds_at", None)
+    folds_at = oscillator._folds_at
     ask = folds_at or (lambda several: [oscillator.saddle_nodes(one) for one in several])
 
     def sides(_: Any, Omega: Floats, F_0: Floats) -> Ints:

@@ -351,7 +351,7 @@ def _singly(designs: Designs, F_0: Any, wanted: Flags, ask: Callable[..., Any], 
     """A single question of each wanted design, with its place, and what it takes beside F_0; None where it fails."""
     for at, numbers, asked in designs._each(wanted, F_0, *beside):
         try:
-            yield at, ask(Averaged(designs.model(dict(zip(designs.values, numbers, strict=True)))), *asked)
+            yield at, ask(Averaged(designs._model(numbers)), *asked)
         except ArithmeticError:
             yield at, None
 

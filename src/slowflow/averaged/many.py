@@ -153,10 +153,8 @@ class Designs(Unchanging, ManyQuestions[Batch]):
 
         most -- how many of these balls are asked for, `MOST_IN_BALLS` by default
         """
-        *_, undecided, status = columns
-        left = status == Status.UNRESOLVED
-        if question is not ONSET:
-            left |= undecided != 0
+        named = dict(zip(QUESTIONS[question.name].columns[AVERAGING], columns, strict=True))
+        left = (named["status"] == Status.UNRESOLVED) | np.asarray(named.get("undecided", 0) != 0)
         by_balls = np.zeros(left.shape, dtype=bool)
         if self.excitation != "force" or self.laws or not left.any() or proofs.in_balls() is None:
             return by_balls
@@ -170,7 +168,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
             _put(columns, at, question.columns(found, places))
         return by_balls
 
-    def _model(self, numbers: list[float]) -> Model:
+    def _model(self, numbers: Sequence[float]) -> Model:
         """One design, from its numbers in their order."""
         return self.model(dict(zip(self.values, numbers, strict=True)))
 

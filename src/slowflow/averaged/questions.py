@@ -63,6 +63,8 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
     zeta: float
     #: what measures answers against the equation of motion, where that is known
     _equation: Any = None
+    #: what finds the folds of several forcings together, where that takes less time
+    _folds_at: Any = None
 
     def __init__(self, model: Model) -> None:
         check_defined(model)

@@ -175,7 +175,7 @@ class OffCentreDesigns(many.Designs):
         try:
             single: Any
             if self.mechanism.odd and numbers[-1] == 0:
-                single = Averaged(self.model(dict(zip(self.values, numbers, strict=True))))
+                single = Averaged(self._model(numbers))
             elif not Flow.of((single := self._single(numbers)).model.unloaded).damps:
                 return None, Status.UNBOUNDED
             found = loads.spectrum(single, Omega, F_0)
@@ -301,7 +301,7 @@ class OffCentreDesigns(many.Designs):
     def _single(self, numbers: tuple[float, ...]) -> OffCentre:
         """One design, which keeps for a while what it has been asked already. Raises ValueError for what is none."""
         if (known := self._singles.get(numbers)) is None:
-            model = self.model(dict(zip(self.values, numbers, strict=True)))
+            model = self._model(numbers)
             known = self._singles[numbers] = OffCentre(model, validate.number("load", numbers[-1]))
             if len(self._singles) > KEPT:
                 self._singles.pop(next(iter(self._singles)), None)

@@ -31,7 +31,6 @@ from slowflow.off_centre.flow import Flow, Slow
 from slowflow.off_centre.means import ORDERS, Means, Steps
 from slowflow.off_centre.reach import AMPLITUDE, LARGEST, Farthest, Measure, Reach, Share
 from slowflow.off_centre.reach import BEYOND as BEYOND_IT
-from slowflow.questions import Questions
 from slowflow.results import (
     Detachment,
     FrequencyResponse,
@@ -113,7 +112,7 @@ def _kept(answer: Method) -> Method:
     return cast("Method", known)
 
 
-class OffCentre(Unchanging, ComposedQuestions, Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
+class OffCentre(Unchanging, ComposedQuestions):
     """An oscillator under a static load, or one whose motions may leave the centre, averaged.
 
     load -- the static load over k_v L, what the mass weighs beyond what the vertical spring holds at the centre
