@@ -285,7 +285,7 @@ class Scene:
 
     def explain(self, asked: Asked) -> Plan | None:
         """What runs for it and what is skipped; None for what is a formula, or put together from other questions."""
-        if asked.question not in (*plan.QUESTIONS, *plan.OF_ALL, *plan.COMPOSED):
+        if asked.question not in plan.QUESTIONS:
             return None
         found: Plan = self.oscillator.explain(asked.question, asked.forcing)
         return found

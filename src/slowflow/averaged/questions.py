@@ -364,22 +364,14 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         forcings, as "saddle_node_onset", and about rows of their own, as "spectrum" or "transient", take none. Raises
         ValueError for another question, F_0 <= 0, and one that is missing or not needed.
         """
-        if question not in (known := (*plan.QUESTIONS, *plan.OF_ALL, *plan.COMPOSED)):
-            allowed = f"{', '.join(known)}{validate.meant(question, known)}"
+        if question not in plan.QUESTIONS:
+            allowed = f"{', '.join(plan.QUESTIONS)}{validate.meant(question, plan.QUESTIONS)}"
             raise Refused(f"question = {question!r} is not allowed: it must be one of {allowed}")
         if question == "certify":
             self._check_proof()
         if question == "limit_envelope" and self.model.laws.rubs != THROUGHOUT:
             self.only_for_plain_damping(question)
-        if question not in (*plan.QUESTIONS, *plan.AT_ONE):
-            if F_0 is not None:
-                raise Refused(plan.ABOUT_ALL.format(F_0, question))
-            of_all = plan.plan_of_all if question in plan.OF_ALL else functools.partial(plan.plan_composed, F_0=None)
-            return of_all(question, whole=self.model)
-        F_0 = validate.number("F_0", F_0, above=0.0)
-        if question in plan.COMPOSED:
-            return plan.plan_composed(question, F_0, self.model)
-        return plan.plan(question, F_0, self.model, self.__dict__.get("_onset"))
+        return plan.plan(question, plan.forcing(question, F_0), self.model, self.__dict__.get("_onset"))
 
     def onset(self, allowance: proofs.Allowance | None = None) -> SaddleNodeOnset:
         """`saddle_node_onset` without the remarks on averaging: what another approximation starts from."""

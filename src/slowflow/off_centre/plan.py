@@ -5,12 +5,10 @@ There is one way to each answer; what depends on numbers is whether the mass sti
 
 from __future__ import annotations
 
-from slowflow import validate
 from slowflow.averaged import words
-from slowflow.averaged.plan import ABOUT_ALL, AT_ONE, COMPOSED, QUESTIONS, Plan, Step
+from slowflow.averaged.plan import COMPOSED, Plan, Step, forcing
 from slowflow.model import Model
 from slowflow.text import text
-from slowflow_support.errors import Refused
 
 _PLANE = "the plane of amplitude A and mean B is cut until each box is proved to hold"
 REST = text("{u} is cut until each part is proved to hold one place with f({u}) = load, or none")
@@ -50,22 +48,15 @@ STEPS: dict[str, tuple[Step, ...]] = {
         Step("root", True, "next to that point"),
         Step("proof", True, f"{_PLANE} no stable motion that transmits the force beyond it"),
     ),
-    "spectrum": (
-        Step("states", True, "of each row"),
-        Step("folds", True, "of the forcings on the way from row to row: on which side of it they lie"),
-    ),
+    "spectrum": COMPOSED["spectrum"][:-1],
     **{question: COMPOSED[question] for question in ("force", "stiffness", "hysteresis", *EXACT)},
 }
 
 
 def plan(question: str, F_0: float | None, model: Model) -> Plan:
     """The plan for one of `STEPS`. Raises ValueError for a forcing that is missing, or not needed."""
-    at_one = question in (*QUESTIONS, *AT_ONE)
-    if not at_one and F_0 is not None:
-        raise Refused(ABOUT_ALL.format(F_0, question))
-    if not at_one:
-        return Plan(question, None, model, False, STEPS[question])
-    forcing = validate.number("F_0", F_0, above=0.0)
-    if model.sticks(forcing) and question in ("amplitudes", "saddle_nodes", "frequency_response", "isolation"):
-        return Plan(question, forcing, None, False, (Step("boxes", False, words.sticks(model, forcing)),))
-    return Plan(question, forcing, model, question in ("saddle_nodes", "frequency_response"), STEPS[question])
+    at = forcing(question, F_0)
+    may_stick = question in ("amplitudes", "saddle_nodes", "frequency_response", "isolation")
+    if at is not None and may_stick and model.sticks(at):
+        return Plan(question, at, None, (Step("boxes", False, words.sticks(model, at)),))
+    return Plan(question, at, model, STEPS[question])

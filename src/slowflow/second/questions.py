@@ -125,7 +125,7 @@ class SecondApproximation(Questions[SecondStates, SecondResponse, SecondFolds]):
             allowed = f"{', '.join(SECOND)}{why or validate.meant(question, SECOND)}"
             raise Refused(f"question = {question!r} is not allowed: it must be one of {allowed}")
         first = self.first.explain(question, F_0)
-        skipped = first.sticks or (question == "saddle_nodes" and not first.folds)
+        skipped = first.sticks or (question == "saddle_nodes" and not first.steps[-1].runs)
         after = Step("harmonics", not skipped, "nothing to begin with" if skipped else SECOND[question])
         return replace(first, steps=(*first.steps, after))
 
