@@ -14,7 +14,6 @@ from slowflow.averaged import solvers
 from slowflow.backend import SOLVER
 from slowflow.example import TABLE_1
 from slowflow.results import Remark
-from tests.oracles.answers import Nearby
 from tests.test_solver_paths import random_designs
 
 #: designs; NumPy takes a hundred times as long for each
@@ -228,90 +227,6 @@ def test_no_fold_of_a_softening_spring_is_missed():
             warnings.simplefilter("ignore")
             oscillator = Duffing(alpha, beta, mu, zeta)
         assert_folds_of_samples(oscillator, oscillator.sticking_forcing + 10 ** rng.uniform(-2, 0.5))
-
-
-def test_isola_points_at_low_frequency_have_their_digits():
-    """F_A = F_Omega = 0 by Newton with 50 digits: Omega^2 = h_A is a small difference there."""
-    alpha, beta, mu, zeta = map(mpmath.mpf, (1.0, -0.3, 0.01, 0.001))
-    found = Duffing(1, -0.3, 0.01, 0.001).isola_points(A_max=10)
-    with mpmath.workdps(50):
-        m = 4 * mu / mpmath.pi
-
-        def both(A, Omega):
-            h, h_A = -alpha * A - 3 * beta * A**3 / 4, -alpha - 9 * beta * A**2 / 4
-            R, I = A * Omega**2 + h, 2 * zeta * A * Omega + m
-            return [R * (Omega**2 + h_A) + 2 * zeta * Omega * I, Omega * R + zeta * I]
-
-        for A, Omega in zip(found.A, found.Omega, strict=True):
-            exact = mpmath.findroot(both, (mpmath.mpf(A), mpmath.mpf(Omega)))
-            assert abs(Omega / exact[1] - 1) < 1e-14 and abs(A / exact[0] - 1) < 1e-15
-    assert found.Omega[0] == pytest.approx(1.569e-5, rel=1e-3)
-
-
-#: softening springs with an isola point so near to rest that h_A is as small as its rounding there, or smaller
-NEXT_TO_REST = (
-    (1.3522029270709968, -0.0018044210749757325, 0.00011375466363049601, 0.003554334866127584),
-    (0.3623331949513468, -5.044082462406216, 1.515754160125272e-26, 0.04879711076981738),
-    (39.39518081821686, -0.9140121678348022, 4.7872679319678334e-05, 1.0209418257050332e-07),
-    (0.015244738168843136, -1.6232322120353398e-05, 2.167996450454234e-08, 0.052721391250508995),
-    # turns of the locus are beyond doubles here: it was refused
-    (0.5597169235133792, -1.4633717925197204e-05, 7.110172733903116e-09, 3.994139880535876e-10),
-)
-
-
-@pytest.mark.parametrize("numbers", NEXT_TO_REST)
-def test_isola_points_next_to_rest_are_there_with_all_their_digits(numbers):
-    """With A by Omega^2 = h_A = -alpha - 9/4 beta A^2, F_Omega/(4 A) is a function of Omega alone; 60 digits."""
-    with mpmath.workdps(60):
-        alpha, beta, mu, zeta = map(mpmath.mpf, numbers)
-
-        def amplitude(Omega):
-            return mpmath.sqrt((Omega**2 + alpha) * 4 / (-9 * beta))
-
-        def value(Omega):
-            A = amplitude(Omega)
-            return Omega * (A * (Omega**2 + 2 * zeta**2) - alpha * A - 3 * beta * A**3 / 4) + 4 * mu * zeta / mpmath.pi
-
-        at = [mpmath.mpf(10) ** (k / mpmath.mpf(8)) for k in range(-400, 24)]
-        changes = [(a, b) for a, b in itertools.pairwise(at) if (value(a) < 0) != (value(b) < 0)]
-        Omega = [mpmath.findroot(value, ends, solver="anderson", tol=1e-110, verify=False) for ends in changes]
-        A = [float(amplitude(w)) for w in Omega]
-    assert len(A) == 2
-    for A_max in (1.1 * A[1], 1.5 * A[1], 2.1 * A[1], 1e3 * A[1]):
-        found = Duffing(*numbers).isola_points(A_max=A_max)
-        assert found.Omega.tolist() == pytest.approx([float(w) for w in Omega], rel=2e-15, abs=0)
-        assert found.A.tolist() == pytest.approx(A, rel=1e-15)
-        assert found.kind.tolist()[1] == "merger"
-
-
-@pytest.mark.parametrize(
-    "numbers", [(1.0, 2e-6, 2.4537712839029615e-23, 3.1e-18), (1.0, 1e-3, 0.0, 1e-15), (2.0, 0.5, 1e-20, 1e-14)]
-)
-def test_an_onset_at_weak_damping_is_the_cusp_that_is_there(numbers):
-    """F_A = F_AA = 0 with 80 digits: R = A Omega^2 + h has none of its own in doubles, and the cusp was no minimum."""
-    with mpmath.workdps(80):
-        alpha, beta, mu, zeta = map(mpmath.mpf, numbers)
-        m = 4 * mu / mpmath.pi
-
-        def stated(Omega, A):
-            R, T = A * (Omega**2 - alpha) - 3 * beta * A**3 / 4, Omega**2 - alpha - 9 * beta * A**2 / 4
-            return R, T, 2 * zeta * Omega * A + m
-
-        def both(A, X):
-            Omega = mpmath.sqrt(alpha + X)
-            R, T, I = stated(Omega, A)
-            return [(R * T + 2 * zeta * Omega * I) / q, (T**2 - 9 * beta * A * R / 2 + 4 * zeta**2 * Omega**2) / T**2]
-
-        found = Duffing(*numbers).saddle_node_onset()
-        A = mpmath.mpf(found.A)
-        q = 2 * zeta * mpmath.sqrt(alpha) * (2 * zeta * mpmath.sqrt(alpha) * A + m)
-        A, X = mpmath.findroot(both, (A, 9 * beta * A**2 / 4 - mpmath.cbrt(9 * beta * A / 2 * q)), tol=1e-60)
-        R, _, I = stated(mpmath.sqrt(alpha + X), A)
-        level = mpmath.sqrt(R**2 + I**2)
-    assert found.kind == "cusp"
-    assert found.A == pytest.approx(float(A), rel=1e-9) and found.F_SN == pytest.approx(float(level), rel=1e-12)
-    many = Duffing.many(**dict(zip(("alpha", "beta", "mu", "zeta"), numbers, strict=True))).saddle_node_onset()
-    assert many.F_SN == found.F_SN
 
 
 def test_an_onset_at_weak_damping_is_not_the_corner_above_it():
@@ -545,69 +460,6 @@ def test_the_peak_at_the_detachment_is_the_higher_static_state(delta_h, zeta):
     highest = above.max() if above.size else oscillator.u_cr
     assert peak.Omega == 0 and peak.A == pytest.approx(highest, rel=1e-4)
     assert len(oscillator.second_approximation.saddle_nodes(F_cr)) == 0
-
-
-@pytest.mark.parametrize("zeta", [1e-1, 1e-3, 1e-6, 1e-9, 1e-12])
-def test_the_onset_keeps_its_digits_as_damping_vanishes(zeta):
-    """F_A = F_AA = 0 by Newton with 60 digits."""
-    onset = Duffing(1, 1, 0, zeta).saddle_node_onset()
-    with mpmath.workdps(60):
-        damping = mpmath.mpf(zeta)
-
-        def parts(A, Omega):
-            return A * Omega**2 - A - 3 * A**3 / 4, Omega**2 - 1 - 9 * A**2 / 4, 2 * damping * A * Omega
-
-        def both(A, Omega):
-            R, R_A, I = parts(A, Omega)
-            return [R * R_A + 2 * damping * Omega * I, R_A**2 - 9 * A / 2 * R + 4 * damping**2 * Omega**2]
-
-        guess = mpmath.mpf(onset.A), mpmath.mpf(onset.Omega)
-        A, Omega = mpmath.findroot(both, guess, tol=1e-90, maxsteps=200, verify=False)
-        R, _, I = parts(A, Omega)
-        assert abs(onset.F_SN / mpmath.hypot(R, I) - 1) < 1e-15
-        assert abs(onset.A / A - 1) < 1e-15 and abs(onset.Omega / Omega - 1) < 1e-15
-
-
-@pytest.mark.parametrize("off", [-1e-10, -1e-14, 0.0, 2.0**-52, 1e-12])
-def test_a_fold_lies_where_F_A_vanishes_and_not_on_the_other_side_of_the_curve(off):
-    """At zeta = 1e-12 I does not tell Omega any more; Newton on F = F_A = 0 with 40 digits does."""
-    values = {"lam": 1.0, "r": 0.6878572059222127, "delta_h": 0.44989683991903934, "mu": 0.030948100247472007}
-    oscillator, F_0 = Isolator(**values, zeta=1e-12), 0.03942103354886267 * (1 + off)
-    folds = oscillator.saddle_nodes(F_0)
-    with mpmath.workdps(40):
-        alpha, beta, gamma, _ = map(mpmath.mpf, oscillator.model.parameters)
-        m, zeta = 4 * mpmath.mpf(values["mu"]) / mpmath.pi, mpmath.mpf(1e-12)
-
-        def both(A, Omega):
-            h = -(alpha * A + 3 * beta * A**3 / 4 + 5 * gamma * A**5 / 8)
-            h_A = -(alpha + 9 * beta * A**2 / 4 + 25 * gamma * A**4 / 8)
-            R, I = A * Omega**2 + h, 2 * zeta * A * Omega + m
-            return [R**2 + I**2 - mpmath.mpf(F_0) ** 2, R * (Omega**2 + h_A) + 2 * zeta * Omega * I]
-
-        A, Omega = mpmath.findroot(both, (mpmath.mpf(folds.A[0]), mpmath.mpf(folds.Omega[0])), verify=False)
-        assert abs(folds.A[0] / A - 1) < 1e-9 and abs(folds.Omega[0] / Omega - 1) < 1e-9
-
-
-@pytest.mark.parametrize(
-    ("numbers", "Omega", "F_0", "near"),
-    [
-        # NumPy had 3.0013
-        (
-            {"lam": 1.0, "r": 0.8395718794272566, "delta_h": 0.2341626889359597, "mu": 0.0, "zeta": 0.4},
-            0.95,
-            3.0,
-            3.9154,
-        ),
-        # 1e-6 above sticking NumPy had none
-        ({"lam": 3.0, "r": 2.0, "delta_h": 0.1, "mu": 0.01, "zeta": 0.02}, 0.9, 0.04 / np.pi * (1 + 1e-6), 3.5365e-7),
-    ],
-)
-def test_the_one_state_is_the_exact_one_on_either_path(numbers, Omega, F_0, near):
-    """By Newton's method in 420 bits, from a number nearby."""
-    state, condition = Nearby("rod_spring", **numbers).state(Omega, near, F_0)
-    (A,) = Isolator(**numbers).amplitudes(Omega=Omega, F_0=F_0).A
-    rounding = 2.0**-53 * (1 + condition.inputs["A"] + condition.kernel["A"])
-    assert abs(A / float(state.A) - 1) <= 8 * rounding
 
 
 def test_motions_beyond_the_well_of_a_softening_force_are_higher_than_its_peak():

@@ -6,7 +6,6 @@ import pickle
 import warnings
 from pathlib import Path
 
-import mpmath
 import numpy as np
 import pytest
 
@@ -426,32 +425,6 @@ def test_an_oscillator_keeps_its_excitation():
     assert iso == pickle.loads(pickle.dumps(iso)) == iso.replace() != iso.replace(excitation="unbalance")
     assert "excitation='base'" in repr(iso)
     assert "excitation" not in repr(iso.replace(excitation="force"))
-
-
-#: alpha, beta, mu, zeta: isola points where the averaged force nearly vanishes, so that Omega turns quickly with A
-STEEP_ISOLAS = [
-    (-0.39148383256953867, 47.74137753481426, 2.8295050281055706e-05, 0.008664330294370215),
-    (-0.3, 2.0, 1e-05, 0.0001),
-    (-1.0, 0.5, 1e-04, 0.003),
-]
-
-
-@pytest.mark.parametrize(("alpha", "beta", "mu", "zeta"), STEEP_ISOLAS)
-def test_isola_points_have_the_frequency_of_40_digits_where_it_turns_quickly_with_the_amplitude(alpha, beta, mu, zeta):
-    """They are stationary points of the level of (24), R^2 + I^2 over Omega^4."""
-    found = Duffing(alpha, beta, mu=mu, zeta=zeta, excitation="base").isola_points(A_max=3.0)
-    assert len(found.Omega) > 0
-
-    def squared_level(Omega, A):
-        R = A * Omega**2 - mpmath.mpf(alpha) * A - 3 * mpmath.mpf(beta) * A**3 / 4
-        return (R**2 + (2 * mpmath.mpf(zeta) * A * Omega + 4 * mpmath.mpf(mu) / mpmath.pi) ** 2) / Omega**4
-
-    with mpmath.workdps(40):
-        for Omega, A in zip(found.Omega, found.A, strict=True):
-            sure = mpmath.findroot(
-                lambda *at: [mpmath.diff(squared_level, at, order) for order in ((1, 0), (0, 1))], (Omega, A)
-            )
-            assert abs(Omega / sure[0] - 1) < 1e-14 and abs(A / sure[1] - 1) < 1e-14
 
 
 def test_a_base_that_hardly_shakes_sticks_at_any_frequency_without_a_warning():

@@ -262,11 +262,13 @@ def test_the_curve_passes_its_folds_and_changes_stability_there_only():
     assert np.count_nonzero(np.diff(curve.stable)) == len(folds)
 
 
-def test_a_fold_itself_is_one_state_and_not_stable():
+@pytest.mark.parametrize("more", [{}, {"c_2": 0.1}, {"zeta": 0.02, "excitation": "base"}], ids=str)
+def test_a_fold_itself_is_one_state_and_not_stable(more):
     """To doubles; balls tell whether the double is above the fold's frequency or below, see test_states_by_balls."""
-    folds = isolator().saddle_nodes(0.04)
+    folds = isolator(**more).saddle_nodes(0.04)
+    assert len(folds) == 2
     for Omega, A in zip(folds.Omega, folds.A, strict=True):
-        states = solvers.states(isolator().model, np.array([Omega]), 0.04)
+        states = solvers.states(isolator(**more).model, np.array([Omega]), 0.04)
         assert states.A.size == 2
         at = np.argmin(np.abs(states.A - A))
         assert states.A[at] == pytest.approx(A, rel=1e-7) and not states.stable[at] and states.stable[1 - at]

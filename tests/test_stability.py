@@ -18,7 +18,6 @@ from benchmarks.stress import __main__ as stress
 from benchmarks.stress import answers, counts, kernels, roots
 from tests import backends
 from tests.oracles import kernels as exact
-from tests.oracles.answers import Nearby
 from tests.oracles.frequencies import KINDS
 from tests.sampling import fewer
 from tests.test_kernels import worst
@@ -116,24 +115,6 @@ def test_seeded_counts_are_proved(mechanism, oscillators, states):
     for kind in ("states", "folds"):
         assert found[kind]["wrong"] == []
         assert found[kind]["wrong beside"] == found[kind]["wrong by balls"] == 0
-
-
-@pytest.mark.parametrize(
-    ("mechanism", "at"),
-    [
-        ("rod_spring", (3.0, 3.783, 0.05272, 9.937e-4, 0.1081)),  # two ulps above u_cr, where h_A is large
-        ("duffing", (1.954, -0.5733, 1.443e-4, 7.787e-3)),  # two frequencies of F_Omega = 0 are close
-    ],
-)
-def test_a_peak_that_moves_fast_with_its_amplitude_has_the_digits_of_omega(mechanism, at):
-    iso = answers.oscillator(mechanism, (*at, 1.0, 1.0))
-    F_0 = iso.detachment().F_cr * (1 + 1e-10) if iso.breakpoints else 0.002997
-    found = iso.peak(F_0)
-    exact_peak, condition = Nearby(mechanism, **dict(zip(answers.NAMES[mechanism], at, strict=False))).two(
-        "peak", found.Omega, found.A, F_0
-    )
-    kappa = condition.inputs["Omega"] + condition.kernel["Omega"]
-    assert abs(float((found.Omega - exact_peak.Omega) / exact_peak.Omega)) <= 2.0**-53 * (1 + kappa)
 
 
 @pytest.mark.slow

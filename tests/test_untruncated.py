@@ -18,7 +18,7 @@ from slowflow.example import DESIGN
 from slowflow.results import Remark
 from slowflow_kernels import rod_spring, rod_spring_untruncated
 from tests.oracles import kernels
-from tests.oracles.answers import Nearby
+from tests.oracles.answers import Nearby, errors
 
 DIGITS = 30
 STEP = mpf(10) ** -10
@@ -281,35 +281,18 @@ def steep_isolator(delta_h: float) -> Isolator:
     return Isolator(lam=1, r=0.3, delta_h=delta_h, mu=0.01, zeta=0.02, force="untruncated")
 
 
-def rounded(found: float, true, kappa: float) -> float:
-    """The error in u (1 + kappa)."""
-    return abs(float((mpf(float(found)) - _number(true)) / _number(true))) / (ROUNDING * (1 + kappa))
-
-
-def _number(x) -> mpf:
-    """A ball's middle."""
-    man, exp = (int(part) for part in x.mid().man_exp())
-    return mp.ldexp(man, exp)
-
-
 @pytest.mark.parametrize("delta_h", STEEP_FEW)
 def test_answers_keep_their_digits_as_the_preload_nears_the_length_of_the_rod(delta_h):
     """F_cr, folds and states against solutions in 420 bits; nothing is said of lost digits."""
     iso = steep_isolator(delta_h)
     nearby = Nearby("rod_spring_untruncated", lam=1.0, r=0.3, delta_h=delta_h, mu=0.01, zeta=0.02)
-    with mp.workdps(DIGITS):
-        found = iso.detachment()
-        point, condition = nearby.on_corner("detachment", found.Omega_cr, found.F_cr)
-        assert rounded(found.F_cr, point.F_0, condition.inputs["F_0"] + condition.kernel["F_0"]) <= 3
-        folds = iso.saddle_nodes(0.1)
-        assert len(folds) == 2 and Remark.UNDECIDED not in folds.remarks
-        for fold in folds:
-            point, condition = nearby.two("fold", fold.Omega, fold.A, 0.1)
-            for name, value, true in (("Omega", fold.Omega, point.Omega), ("A", fold.A, point.A)):
-                assert rounded(value, true, condition.inputs[name] + condition.kernel[name]) <= 2
-        for A in iso.amplitudes(Omega=0.95, F_0=0.1).A:
-            state, condition = nearby.state(0.95, A, 0.1)
-            assert rounded(A, state.A, condition.inputs["A"] + condition.kernel["A"]) <= 2
+    folds = iso.saddle_nodes(0.1)
+    assert len(folds) == 2 and Remark.UNDECIDED not in folds.remarks
+    assert errors(iso.detachment(), nearby, "detachment", {})["F_0"][1] <= 3
+    for question, found in (("saddle_nodes", folds), ("amplitudes", iso.amplitudes(Omega=0.95, F_0=0.1))):
+        for one in found:
+            off = errors(one, nearby, question, {"Omega": 0.95, "F_0": 0.1})
+            assert max(rounding for _, rounding in off.values()) <= 2
 
 
 @pytest.mark.parametrize("delta_h", [d for d in STEEP if d < 1 - 1e-7])
@@ -318,10 +301,8 @@ def test_an_onset_next_to_a_steep_corner(delta_h, r):
     """Its amplitude is so near to u_cr that h_AA changes by much from one double to the next; the level does not."""
     onset = Isolator(lam=1, r=r, delta_h=delta_h, mu=0.01, zeta=0.02, force="untruncated").saddle_node_onset()
     nearby = Nearby("rod_spring_untruncated", lam=1.0, r=r, delta_h=delta_h, mu=0.01, zeta=0.02)
-    with mp.workdps(DIGITS):
-        point, _ = nearby.two("cusp", onset.Omega, onset.A, onset.F_SN)
-        assert abs(mpf(onset.F_SN) - _number(point.F_0)) <= 1e-14 * _number(point.F_0)
-        assert abs(mpf(onset.Omega) - _number(point.Omega)) <= 1e-14 * _number(point.Omega)
+    off = errors(onset, nearby, "saddle_node_onset", {})
+    assert onset.kind == "cusp" and off["F_0"][0] <= 1e-14 and off["Omega"][0] <= 1e-14
 
 
 @pytest.mark.slow

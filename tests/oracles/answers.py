@@ -19,6 +19,8 @@ from tests.oracles import averaged, kernels
 from tests.oracles.averaged import ATTACHED, CORNER, DETACHED, Amplitude, Point, exact, exact_ball
 from tests.oracles.certified_roots import precision
 from tests.oracles.conditioning import Condition, Conditioning
+from tests.oracles.errors import U
+from tests.oracles.inertia import ByInertia
 
 BITS = 420
 T = TypeVar("T")
@@ -30,6 +32,18 @@ NEXT, BESIDE = arb(2) ** -48, arb(2) ** -100
 #: what vanishes, by what is asked: names in `averaged.Oscillator.derivatives`
 EQUATIONS = {"fold": ("F", "A"), "cusp": ("A", "AA"), "isola": ("A", "O"), "peak": ("F", "O")}
 SLOPES = {"F": ("O", "A"), "A": ("AO", "AA"), "AA": ("AAO", "AAA"), "O": ("OO", "AO")}
+
+
+#: the numbers of an answer to each question by their names in the oracle, and what the answer is there
+VALUES = {
+    "amplitudes": ("state", {"A": "A"}),
+    "detachment": ("detachment", {"F_0": "F_cr"}),
+    "peak": ("peak", {"Omega": "Omega", "A": "A"}),
+    "saddle_nodes": ("fold", {"Omega": "Omega", "A": "A"}),
+    "cusps": ("cusp", {"F_0": "F_0", "Omega": "Omega", "A": "A"}),
+    "isola_points": ("isola", {"F_0": "F_0", "Omega": "Omega", "A": "A"}),
+    "saddle_node_onset": ("", {"F_0": "F_SN", "Omega": "Omega", "A": "A"}),
+}
 
 
 class Anywhere(averaged.Oscillator):
@@ -68,7 +82,12 @@ class Cubic(Anywhere, averaged.Duffing):
     mechanism = "duffing"
 
 
+class CubicByInertia(ByInertia, Cubic):
+    """The same, excited by inertia."""
+
+
 MECHANISMS: dict[str, type[Anywhere]] = {kind.mechanism: kind for kind in (Rod, UntruncatedRod, Cubic)}
+MECHANISMS["duffing by inertia"] = CubicByInertia
 
 
 def _mpf(x: fmpq) -> Any:
@@ -193,3 +212,19 @@ def _newton(system: Any, x: list[arb]) -> list[arb] | None:
             near = all(abs(a - b) < abs(b) * arb("0.01") for a, b in zip(x, start, strict=True))
             return x if near else None
     return None
+
+
+def errors(one: Any, nearby: Nearby, question: str, given: dict[str, float]) -> dict[str, tuple[float, float]]:
+    """Relative errors of an answer's numbers, and these in u (1 + kappa)."""
+    kind, names = VALUES[question]
+    F_0 = given["F_0"] if "F_0" in given else getattr(one, names["F_0"])
+    if kind == "state":
+        found = nearby.state(given["Omega"], one.A, F_0)
+    elif kind == "detachment":
+        found = nearby.on_corner(kind, one.Omega_cr, F_0)
+    else:
+        found = nearby.two(kind or one.kind, one.Omega, one.A, F_0)
+    assert found is not None
+    point, condition = found
+    off = {key: float(abs(exact(getattr(one, name)) / getattr(point, key) - 1)) for key, name in names.items()}
+    return {key: (off[key], off[key] / (U * (1 + condition.inputs[key] + condition.kernel[key]))) for key in off}
