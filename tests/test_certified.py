@@ -225,35 +225,6 @@ def test_bad_input_is_refused(bad):
         example.isolator().certify(**bad)
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    ("lam", "r", "delta_h", "mu", "zeta", "F_0"),
-    [
-        (1.0, 0.5911485197485808, 0.0011838792407794405, 0.0022145279283006937, 0.0005511611989420826, 0.397132400102),
-        (
-            4.0,
-            0.10906197969560882,
-            0.0015125245966018577,
-            0.0008227929748283448,
-            0.0008824210922688184,
-            0.2764908560414,
-        ),
-        (2.0, 0.25818037648907155, 0.0015681742633599112, 0.07661519088438935, 0.009273195434677394, 96.0254784968006),
-    ],
-)
-def test_folds_next_to_a_corner_are_told_from_those_on_it(lam, r, delta_h, mu, zeta, F_0):
-    """The force hardly jumps: a fold lies above the corner by less than 10^-18 of u_cr, and another on it."""
-    proof = Isolator(lam=lam, r=r, delta_h=delta_h, mu=mu, zeta=zeta).saddle_nodes(F_0, certify=True).proof
-    exact = averaged.RodSpring(lam=lam, r=r, delta_h=delta_h, mu=mu, zeta=zeta).folds(F_0)
-    assert proof.proved
-    assert sorted(proof.corner) == [False, True]
-    for Omega, A, fold in zip(
-        proof.Omega.tolist(), proof.A.tolist(), sorted(exact, key=lambda one: float(one.Omega.mid())), strict=True
-    ):
-        assert flint.arb(Omega[0]) <= fold.Omega <= flint.arb(Omega[1])
-        assert flint.arb(A[0]) <= fold.A <= flint.arb(A[1])
-
-
 @pytest.mark.parametrize("mu", [0.0, 1e-3])
 def test_the_state_far_above_resonance_is_proved(mu):
     """There R = A Omega^2 + h is next to A Omega^2, so that A is next to sqrt(F_0^2 - m^2)/Omega^2 (23)."""
@@ -274,26 +245,6 @@ def test_a_certificate_is_an_answer_like_others():
     assert plain["saddle_nodes"]["A"] == one.saddle_nodes.A.tolist()
     with pytest.raises(ValueError, match="read-only"):
         one.saddle_nodes.A[0, 0] = 0.0
-
-
-def test_two_folds_whose_amplitudes_are_one_double_are_proved():
-    """On the corner and less than an ulp above it: F_A in balls changes its sign twice there."""
-    values = {"lam": 3.0, "r": 204.63518445472744, "delta_h": 7.559766221401877e-08, "mu": 0.08546135485983754}
-    iso, F_0 = Isolator(**values, zeta=0.2418809410042566), 1860.7927826101763
-    found = iso.saddle_nodes(F_0, certify=True)
-    assert found.proof.proved
-    assert len(found) == len(found.proof.A) == 2
-    assert found.corner.tolist() == found.proof.corner.tolist()
-    assert not found.proof.message
-    flint.ctx.prec = 1000
-    exact, signs = averaged.RodSpring(**values, zeta=iso.zeta), []
-    for share in (-1e-9, 1e-60, 1e-6):
-        A = exact.u_cr * (1 + flint.arb(share))
-        regime = "attached" if share < 0 else "detached"
-        (Omega,) = exact.frequencies(A, F_0, regime)
-        F_A = exact.derivatives(Omega, A, regime, flint.arb(F_0))["A"]
-        signs.append(F_A > 0 if not F_A.contains(0) else None)
-    assert signs == [True, False, True]
 
 
 def test_the_command_line_prints_the_certificate(capsys, monkeypatch):

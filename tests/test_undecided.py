@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import importlib.util
+import json
 import math
-import warnings
+from pathlib import Path
 
+import flint
 import mpmath
 import numpy as np
 import pytest
@@ -25,6 +27,7 @@ from tests.oracles.draws import batch, drawn_isolators, drawn_springs, forcings,
 
 #: drawn oscillators and forcings; without compiled code there is nothing to hold them against
 DRAWN = 50_000
+KINDS = {"duffing": Duffing, "rod_spring": Isolator}
 
 
 def exact(iso):
@@ -66,41 +69,6 @@ def test_a_state_next_to_a_fold_is_counted_or_said_to_be_undecided():
     assert ("doubles do not tell" in found.message and f"{Omega:.17g}" in found.message) == bool(
         found.Omega_undecided.size
     )
-
-
-#: lam, r, delta_h, mu, zeta, F_0 with two folds
-HARDLY_JUMPS = {
-    # the jump at u_cr is 0 as a difference of parameters: the fold above u_cr was lost
-    "no jump": (
-        1.0,
-        265264.28348037973,
-        2.5979192078190755e-09,
-        2.71820903116629e-09,
-        0.00019053161619,
-        3.67533984e-08,
-    ),
-    # a pair on the corner and less than an ulp above it, as balls say in test_certified
-    "pair": (
-        3.0,
-        204.63518445472744,
-        7.559766221401877e-08,
-        0.08546135485983754,
-        0.2418809410042566,
-        1860.7927826101763,
-    ),
-}
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("name", HARDLY_JUMPS)
-def test_folds_where_the_force_hardly_jumps_are_found_or_said_to_be_undecided(name):
-    *numbers, mu, zeta, F_0 = HARDLY_JUMPS[name]
-    iso = oscillator(Isolator, *numbers, mu=mu, zeta=zeta)
-    found, many = iso.saddle_nodes(F_0), batch(Isolator, (*numbers, mu, zeta)).saddle_nodes(F_0)
-    assert name == "pair" or len(exact(iso).folds(F_0)) == 2
-    assert len(found) == many.count == 2
-    assert Remark.UNDECIDED not in found.remarks and not many.undecided
-    assert int(many.remarks) == int(found.remarks)
 
 
 @pytest.mark.parametrize("delta_h", [1e-3, 3e-6, 1e-7, 1e-9, 1e-20, 1e-60])
@@ -174,110 +142,49 @@ def test_a_curve_of_undecided_folds_says_so():
 
 # ---- what doubles leave undecided balls decide -----------------------------------------------------------------------
 
-#: kind, numbers, F_0, and how many folds the oracle proves; None where it takes minutes
-EXTREME = {
-    "a fold at Omega = 2e-16": (
-        Isolator,
-        (7.356350898606193, 0.14494660533680995, 0.9378416465508616, 6.060964178840721e-42, 4.0216051618736227e-13),
-        9.335410446666571e-36,
-        None,
-    ),
-    "a linear force but for what jumps": (
-        Isolator,
-        (1.0494971262910175, 1.0976270937851909, 0.576859410701582, 1.6681822958267604e-11, 0.002900359580566705),
-        0.0005652022306858192,
-        0,
-    ),
-    "a narrow resonance": (
-        Duffing,
-        (0.000689555900675044, 1.0227705624300956e-08, 1.5426909900751161e-24, 3.056605148137999e-14),
-        9.112061459523848e-19,
-        2,
-    ),
-    "negative stiffness": (
-        Duffing,
-        (-0.00021597299003443265, 26.8693679083473, 2.71605314453098e-13, 0.05747123241535006),
-        0.000948960369973336,
-        2,
-    ),
-    "below the onset": (
-        Duffing,
-        (0.03285225659281934, 0.014529750968574394, 2.4579810915998e-56, 1.5575038733423527e-13),
-        1.5946190078945942e-19,
-        0,
-    ),
-    # F_0^2 - m^2 has 11 digits: where the lower fold is, at Omega = 1e-17, h_A has the other sign by them; it was lost
-    "a fold where the locus ends by rounding": (
-        Duffing,
-        (0.0037022059817632784, -0.0011695355483726886, 0.41331865120111955, 1.0981313503559726),
-        0.526261794105098,
-        2,
-    ),
-    "a softening spring next to its static load": (
-        Duffing,
-        (0.00013791025799766277, -12.48933524903305, 2.911234464557362e-31, 2.9136502074270093e-06),
-        1.3129060903981146e-10,
-        3,
-    ),
-}
+PLACES = json.loads((Path(__file__).parent / "data" / "hard_counts.json").read_text())
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("name", EXTREME)
-def test_a_number_of_folds_that_doubles_do_not_tell_is_the_one_that_balls_prove(name):
-    pytest.importorskip("flint")
-    kind, (*own, mu, zeta), F_0, number = EXTREME[name]
-    iso = oscillator(kind, *own, mu=mu, zeta=zeta)
-    assert Remark.UNDECIDED in solvers.folds(iso.model, F_0).remarks  # in doubles
-    found, many = iso.saddle_nodes(F_0), batch(kind, (*own, mu, zeta)).saddle_nodes([F_0, 2 * F_0])
-    proof = iso.certify(F_0).saddle_nodes
-    assert proof.proved and "saddle_nodes gives" not in proof.message
-    assert len(found) == many.count[0] == len(proof.A) == (len(found) if number is None else number)
-    assert Remark.UNDECIDED not in found.remarks and not many.undecided[0]
-    assert int(many.remarks[0]) == int(found.remarks) and many.status[0] == Status.OK
-    assert ("no saddle node" in found.message) == (len(found) == 0)
-    for x, several, enclosed in ((found.A, many.A, proof.A), (found.Omega, many.Omega, proof.Omega)):
-        assert (enclosed[:, 0] <= x).all() and (x <= enclosed[:, 1]).all()
-        assert several[0, : len(x)].tolist() == x.tolist() and np.isnan(several[0, len(x) :]).all()
-
-
-def test_without_flint_what_doubles_leave_undecided_says_so(monkeypatch):
-    monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
-    for kind, (*own, mu, zeta), F_0, _ in EXTREME.values():
-        found = oscillator(kind, *own, mu=mu, zeta=zeta).saddle_nodes(F_0)
-        many = batch(kind, (*own, mu, zeta)).saddle_nodes(F_0)
-        assert Remark.UNDECIDED in found.remarks and "doubles do not tell" in found.message
-        assert many.undecided and many.count == len(found) and int(many.remarks) == int(found.remarks)
-
-
-#: Duffing oscillators and forcings whose folds doubles had with few digits or none, without a word, as an Omega of
-#: 7e-10 in the place of 2e-12
-FEW_DIGITS = (
-    (-0.0018337914363967599, 6.590437084193176e-05, 3.43630732791e-21, 1.1992695351445068e-07, 2.5218865830814967e-18),
-    (49.346635716035884, -0.00031240808632781243, 5.899107900458036e-18, 1.607427410392945e-11, 3.0424372620208503e-13),
-    # on NumPy
-    (3.8549268754941686, -3.7376176404310135e-07, 1.6002924423647609e-28, 0.002784202131163233, 2.0376525781807013e-28),
-    (-15.722394444524728, 0.00010585090510138652, 8.682558969275179e-13, 6.097302790120791e-11, 1.1057201809986293e-12),
-    (-1.7814482022200663e-05, 4.2451607082e-06, 3.723584094754156e-26, 3.241035098169172e-15, 4.741014517589253e-26),
+@pytest.mark.parametrize(
+    "case",
+    [
+        pytest.param(case, id=case["why"], marks=[pytest.mark.slow] if {"undecided", "isolated"} & set(case) else [])
+        for case in PLACES
+    ],
 )
-
-
-@pytest.mark.parametrize("at", FEW_DIGITS)
-def test_folds_of_which_doubles_have_few_digits_have_those_of_balls(at, monkeypatch):
-    pytest.importorskip("flint")
-    *numbers, F_0 = at
-    iso = oscillator(Duffing, *numbers[:2], mu=numbers[2], zeta=numbers[3])
-    found, many = iso.saddle_nodes(F_0), batch(Duffing, numbers).saddle_nodes(F_0)
-    exactly = exact(iso).folds(F_0)
-    assert Remark.UNDECIDED not in found.remarks and len(found) == len(exactly) > 0
-    for name, several in (("Omega", many.Omega), ("A", many.A)):
-        ours = getattr(found, name).tolist()
-        assert sorted(ours) == pytest.approx(
-            sorted(float(getattr(fold, name).mid()) for fold in exactly), rel=4e-16, abs=0
-        )
-        assert several[: len(found)].tolist() == ours
+def test_at_hard_places_folds_are_those_that_are_proved(case, monkeypatch):
+    """Alone and in a batch, with kinds, order and remarks; without balls those that doubles do not tell say so."""
+    kind, F_0, (*own, mu, zeta) = KINDS[case["mechanism"]], case["F_0"], case["numbers"].values()
+    iso, designs = oscillator(kind, *own, mu=mu, zeta=zeta), batch(kind, (*own, mu, zeta))
+    assert (Remark.UNDECIDED in solvers.folds(iso.model, F_0).remarks) == ("undecided" in case)  # in doubles
+    found, many = iso.saddle_nodes(F_0, certify=True), designs.saddle_nodes([F_0, 2 * F_0])
+    proof = found.proof
+    assert proof.proved and "saddle_nodes gives" not in proof.message
+    assert len(found) == many.count[0] == len(proof.A) == case["count"]
+    assert Remark.UNDECIDED not in found.remarks and not many.undecided[0] and many.status[0] == Status.OK
+    assert int(many.remarks[0]) == int(found.remarks) and ("no saddle node" in found.message) == (len(found) == 0)
+    for one in (proof, proofs.in_balls().folds(iso.model, F_0)):
+        assert (one.kind.tolist(), one.corner.tolist()) == (found.kind.tolist(), found.corner.tolist())
+    assert np.lexsort((found.A, found.Omega)).tolist() == list(range(len(found)))
+    assert (np.diff(proof.A.mean(axis=1))[np.diff(found.Omega) == 0] >= 0).all()
+    folds = sorted(exact(iso).folds(F_0), key=lambda fold: float(fold.Omega.mid())) if "isolated" in case else None
+    for name in ("Omega", "A"):
+        values, enclosed, several = (getattr(one, name) for one in (found, proof, many))
+        assert (enclosed[:, 0] <= values).all() and (values <= enclosed[:, 1]).all()
+        assert several[0, : len(values)].tolist() == values.tolist() and np.isnan(several[0, len(values) :]).all()
+        if folds is not None:
+            sure = [getattr(fold, name) for fold in folds]
+            assert values == pytest.approx([float(one.mid()) for one in sure], rel=4e-16, abs=0)
+            ends = zip(*enclosed.T.tolist(), sure, strict=True)
+            assert all(flint.arb(low) <= one <= flint.arb(high) for low, high, one in ends)
     monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
-    assert Remark.UNDECIDED in iso.saddle_nodes(F_0).remarks and batch(Duffing, numbers).saddle_nodes(F_0).undecided
+    alone, many = iso.saddle_nodes(F_0), designs.saddle_nodes(F_0)
+    assert (Remark.UNDECIDED in alone.remarks) == ("doubles do not tell" in alone.message) == ("undecided" in case)
+    assert (int(many.remarks), many.count, bool(many.undecided)) == (
+        int(alone.remarks),
+        len(alone),
+        "undecided" in case,
+    )
 
 
 #: lam, r, delta_h, mu, zeta of the untruncated force: a cusp between u_cr and the last double below it, which doubles
@@ -341,42 +248,6 @@ def test_an_onset_next_to_quasi_zero_stiffness_has_its_digits(at):
 
 def test_what_is_quasi_zero_stiffness_to_rounding_stays_so():
     assert Isolator(lam=1.0, r=10.0, delta_h=0.1, mu=1e-4, zeta=0.01).alpha == 0
-
-
-#: lam, r, delta_h, mu, zeta, F_0: next to a corner at which the force hardly jumps doubles had both folds, one with the
-#: frequency of the other side of the resonance
-OTHER_SIDE = (
-    (
-        0.20555338440477708,
-        0.0055219818035543355,
-        0.0019947085364255893,
-        0.0,
-        3.777117335031062e-18,
-        3.374678678846709e-05,
-    ),
-    (
-        *(0.00024017002053609962, 5.685857408599354e-06, 0.9540011912422783, 5.0112559052880664e-30),
-        *(0.005164838193396855, 0.010322723012698782),
-    ),
-    (
-        *(3.8467044700531905, 2.678200547780606, 0.00027871197113065404, 1.1898508603158788e-29),
-        *(0.00904120352983074, 0.0004267397626953578),
-    ),
-)
-
-
-@pytest.mark.parametrize("at", OTHER_SIDE)
-def test_a_fold_just_above_a_corner_has_the_frequency_that_is_proved(at):
-    pytest.importorskip("flint")
-    *numbers, F_0 = at
-    iso = oscillator(Isolator, *numbers[:3], mu=numbers[3], zeta=numbers[4])
-    found, many = iso.saddle_nodes(F_0), batch(Isolator, numbers).saddle_nodes(F_0)
-    proof = iso.certify(F_0).saddle_nodes
-    assert proof.proved and len(found) == len(proof.A) == 2 and Remark.UNDECIDED not in found.remarks
-    assert sorted(found.Omega) == pytest.approx(sorted(proof.Omega.mean(axis=1)), rel=1e-15)
-    assert sorted(found.A) == pytest.approx(sorted(proof.A.mean(axis=1)), rel=1e-15)
-    assert sorted(found.kind) == ["jump-down", "jump-up"]
-    assert many.Omega[:2].tolist() == found.Omega.tolist() and many.A[:2].tolist() == found.A.tolist()
 
 
 # ---- no answer differs from the proof without a word -----------------------------------------------------------------
@@ -626,44 +497,3 @@ def test_folds_that_end_at_rest_are_there_under_quadratic_damping_alone_too():
     onset = asked.saddle_node_onset()
     assert Remark.FOLDS_AT_REST in onset.remarks and "from F_0 = 0 on" in onset.message
     assert len(fresh.saddle_nodes(0.2 * onset.F_SN)) == len(asked.saddle_nodes(0.2 * onset.F_SN)) == 1
-
-
-@pytest.mark.parametrize(
-    ("design", "F_0"),
-    [
-        (
-            (
-                *(0.2975918362696879, 0.07663223225442382, 5.113539157467413e-08),
-                6.711744366936679e-11,
-                3.42393114108e-11,
-            ),
-            9.604108744497731e-11,
-        ),
-        (
-            (
-                *(0.734943376826064, 0.02300796750558373, 3.5148607123967826e-06),
-                3.719130072490559e-09,
-                3.47870743161e-09,
-            ),
-            6.160060597471898e-09,
-        ),
-        (
-            (*(2.9900301983650466, 4.792058447591987, 1.0475111962595819e-07), 4.53570293e-08, 6.472038710960279e-09),
-            5.775780250235655e-08,
-        ),
-    ],
-)
-def test_folds_of_one_frequency_come_by_rising_amplitude(design, F_0):
-    """Next to u_cr two folds have one double: on each path the lower one comes first, as in a certificate."""
-    pytest.importorskip("flint")
-    lam, r, delta_h, mu, zeta = design
-    iso = Isolator(lam=lam, r=r, delta_h=delta_h, mu=mu, zeta=zeta)
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        folds, proof = iso.saddle_nodes(F_0, certify=True), proofs.in_balls().folds(iso.model, F_0)
-    assert proof.proved and len(folds) == len(proof.A) > 1
-    for found in (folds, folds.proof, proof):
-        assert found.corner.tolist() == proof.corner.tolist()
-    assert folds.kind.tolist() == proof.kind.tolist()
-    assert np.lexsort((folds.A, folds.Omega)).tolist() == list(range(len(folds)))
-    assert (np.diff(proof.A.mean(axis=1))[np.diff(folds.Omega) == 0] >= 0).all()
