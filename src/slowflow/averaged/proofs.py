@@ -50,30 +50,32 @@ class Allowance:
         return self.left >= 0
 
 
-def _asked(proof: Callable[..., Any], model: Model, *numbers: Any) -> tuple[Any, str]:
-    """What one of the compiled solvers' proofs gives, or why there is none."""
-    if not model.has_design:
-        return None, words.NO_DESIGN
-    answer = proof(model.native, *numbers)
-    return answer, "" if answer is not None else words.NO_INTERVALS
+def _asked(proof: Callable[..., Any], model: Model, *numbers: Any) -> Any:
+    """What one of the compiled solvers' proofs gives, None where they have none: `_why_not` says why."""
+    return proof(model.native, *numbers) if model.has_design else None
 
 
-def _remarks(
-    model: Model, F_0: float, status: int, doubt: Floats, A_max: float, bounded: bool, room: bool
-) -> tuple[bool, str]:
-    """Whether it is all proved, and what to say beside it."""
+def _why_not(model: Model) -> str:
+    return words.NO_INTERVALS if model.has_design else words.NO_DESIGN
+
+
+def _asked_at(
+    proof: Callable[..., Any], model: Model, F_0: float, *more: Any
+) -> tuple[tuple[bool, str, int], tuple[Any, ...], tuple[Any, ...]]:
+    """What a proof at a forcing gives: whether it is all proved, and what to say beside it; columns; and the rest."""
+    if (answer := _asked(proof, model, F_0, *more)) is None:
+        return (False, _why_not(model), DOUBLES), (_NONE, _NONE, _NO_FLAG, np.empty(0, int)), (0.0, False, _NONE)
+    status, *columns, doubt, A_max, bounded, room = answer
     if status == Status.STICKS:
-        return bounded, words.sticks(model, F_0) if bounded else words.NEAR_STICKING
-    if status != Status.OK:
-        return False, words.FAILED
-    said: list[str] = []
-    if len(doubt):
-        said.append(words.IN_DOUBT.format(words.intervals(doubt)))
-    if not room:
-        said.append(words.NO_ROOM)
-    if not bounded:
-        said.append(words.NOT_BOUNDED.format(A_max))
-    return not len(doubt) and room, joined(*said)
+        proved, message = bounded, words.sticks(model, F_0) if bounded else words.NEAR_STICKING
+    elif status != Status.OK:
+        proved, message = False, words.FAILED
+    else:
+        proved = not len(doubt) and room
+        in_doubt = words.IN_DOUBT.format(words.intervals(doubt)) if len(doubt) else ""
+        limit = "" if bounded else words.NOT_BOUNDED.format(A_max)
+        message = joined(in_doubt, "" if room else words.NO_ROOM, limit)
+    return (proved, message, DOUBLES), tuple(columns), (A_max, bounded, doubt)
 
 
 def in_balls() -> Any:
@@ -281,29 +283,20 @@ def detachment(model: Model) -> ProvedForcing:
 
 def folds_in_doubles(model: Model, F_0: float, expected: Floats) -> ProvedFolds:
     """`folds` by doubles alone."""
-    answer, reason = _asked(backend.SOLVER.certify_folds, model, F_0, expected)
-    if answer is None:
-        return ProvedFolds(False, reason, DOUBLES, _NONE, _NONE, _KINDS[:0], _NO_FLAG, 0.0, False, _NONE)
-    status, Omega, A, corner, sign, doubt, A_max, bounded, room = answer
-    proved, message = _remarks(model, F_0, status, doubt, A_max, bounded, room)
-    return ProvedFolds(proved, message, DOUBLES, Omega, A, _KINDS[sign], corner, A_max, bounded, doubt)
+    said, (Omega, A, corner, sign), others = _asked_at(backend.SOLVER.certify_folds, model, F_0, expected)
+    return ProvedFolds(*said, Omega, A, _KINDS[sign], corner, *others)
 
 
 def states_in_doubles(model: Model, Omega: float, F_0: float) -> ProvedStates:
     """`states` by doubles alone."""
-    answer, reason = _asked(backend.SOLVER.certify_states, model, F_0, Omega)
-    if answer is None:
-        return ProvedStates(False, reason, DOUBLES, _NONE, _NO_FLAG, 0.0, False, _NONE)
-    status, _, A, _, sign, doubt, A_max, bounded, room = answer
-    proved, message = _remarks(model, F_0, status, doubt, A_max, bounded, room)
-    return ProvedStates(proved, message, DOUBLES, A, sign > 0, A_max, bounded, doubt)
+    said, (_, A, _, sign), others = _asked_at(backend.SOLVER.certify_states, model, F_0, Omega)
+    return ProvedStates(*said, A, sign > 0, *others)
 
 
 def onset_in_doubles(model: Model) -> ProvedForcing:
     """`onset` by doubles alone."""
-    answer, reason = _asked(backend.SOLVER.certify_onset, model)
-    if answer is None:
-        return _no_forcing(reason)
+    if (answer := _asked(backend.SOLVER.certify_onset, model)) is None:
+        return _no_forcing(_why_not(model))
     status, F_SN, Omega, A, kind, proved = answer
     if status != Status.OK:
         said = {Status.UNBOUNDED: words.OF_NO_LOWEST, Status.NONE: words.OF_NO_ONSET}
@@ -314,9 +307,8 @@ def onset_in_doubles(model: Model) -> ProvedForcing:
 
 def detachment_in_doubles(model: Model) -> ProvedForcing:
     """`detachment` by doubles alone."""
-    answer, reason = _asked(backend.SOLVER.certify_detachment, model)
-    if answer is None:
-        return _no_forcing(reason)
+    if (answer := _asked(backend.SOLVER.certify_detachment, model)) is None:
+        return _no_forcing(_why_not(model))
     if answer[0] == Status.NONE:
         return _no_forcing(words.NO_DETACHMENT, proved=True)
     if answer[0] != Status.OK:
