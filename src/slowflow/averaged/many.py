@@ -353,7 +353,6 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         if question.one is None:  # a proof: bits of its arithmetic, before the status
             outputs[-2][...] = DOUBLES
             solved = [*outputs[:-2], outputs[-1]]
-        each = list(np.broadcast_arrays(*values.values()))
         record = backend.record_of(self.mechanism, self.excitation != "force", bool(self.laws))
         if question.batch is not None and record is not None:
             solve = question.batch(backend.SOLVER)(record)
@@ -369,12 +368,12 @@ class Designs(Unchanging, ManyQuestions[Batch]):
             places_of = np.broadcast_to(np.uint8(0), shape)
             share(part, blocks(shape, question.at_once), threads, lambda one: places_of[one].size, places_of.size)
             if question.one is not None and self.mechanism.enclosed is not None:
-                self._refuse_undefined(question, each, places, outputs)
-            if self.laws:
-                left = np.isin(outputs[-1], (Status.NO_BOUND, Status.UNRESOLVED))
-                self._ask_singly(question, left, each, places, outputs)
-        elif question.one is not None:
-            self._ask_singly(question, np.ones(shape, dtype=bool), each, places, outputs)
+                self._refuse_undefined(question, places, outputs)
+        if question.one is not None and (self.laws or record is None or question.batch is None):
+            # single answers know of masses that no spring holds, and of what boxes leave unresolved
+            left = np.isin(outputs[-1], (Status.NO_BOUND, Status.UNRESOLVED))
+            for index, design, own in self._each(left, *(values[name] for name in at)):
+                _put(outputs, index, self._one(question, design, own, places))
         return outputs
 
     def _with_all_laws(self, values: dict[str, npt.NDArray[Any]]) -> list[npt.NDArray[Any]]:
@@ -384,34 +383,18 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         asked = (value for name, value in values.items() if name not in self.values)
         return [*(values.get(name, np.zeros(())) for name in names), ends, *asked]
 
-    def _ask_singly(
-        self,
-        question: Question,
-        wanted: npt.NDArray[np.bool_],
-        values: list[npt.NDArray[Any]],
-        places: int,
-        outputs: list[npt.NDArray[Any]],
-    ) -> None:
-        """Put in single answers, which know of masses that no spring holds, and of what boxes leave unresolved."""
-        size, chosen = len(self.values), np.argwhere(wanted)
-        for index in progress.each(map(tuple, chosen), len(chosen), "designs asked singly"):
-            numbers = [float(value[index]) for value in values]
-            _put(outputs, index, self._one(question, numbers[:size], numbers[size:], places))
-
     @property
     def _parameters(self) -> tuple[npt.NDArray[Any], ...]:
         """What the force takes, of all designs; a number outside its domain, which has a status, may warn."""
         return tuple(np.asarray(value) for value in self.mechanism.coefficients(*self.design))
 
-    def _refuse_undefined(
-        self, question: Question, values: list[npt.NDArray[Any]], places: int, outputs: list[Any]
-    ) -> None:
+    def _refuse_undefined(self, question: Question, places: int, outputs: list[Any]) -> None:
         """A status for designs whose force is infinite within its reach, of which the compiled solvers do not know."""
         with np.errstate(all="ignore"):  # a number outside its domain has a status already
-            doubtful = np.broadcast_to(may_be_undefined(self.mechanism, self._parameters), values[0].shape)
-        for index in map(tuple, np.argwhere(doubtful & (outputs[-1] != Status.INVALID))):
+            doubtful = may_be_undefined(self.mechanism, self._parameters)
+        for index, numbers, _ in self._each(doubtful & (outputs[-1] != Status.INVALID)):
             try:
-                check_defined(self._model([float(value[index]) for value in values[: len(self.values)]]))
+                check_defined(self._model(numbers))
             except ValueError:
                 _put(outputs, index, question.blank(places, Status.INVALID))
 
