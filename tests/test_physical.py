@@ -401,7 +401,7 @@ def test_quantities_of_pint_are_taken(mount):
         assert other.amplitudes(f=f, F=5).A == pytest.approx(expected), f
     with pytest.raises(ValueError, match="f must be in Hz, rpm, or rad/s"):
         other.amplitudes(f=u.Quantity(5, "1/s"), F=5)
-    with pytest.raises(ValueError, match="F = 5 kilogram is not allowed: F must be measured in newton"):
+    with pytest.raises(ValueError, match="F = 5 kilogram is not allowed: F must be measured in N"):
         other.peak(u.Quantity(5, "kg"))
 
 

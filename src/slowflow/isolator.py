@@ -23,8 +23,8 @@ from slowflow_support.errors import Refused
 
 ROD_SPRING: Mechanism = rod_spring.MECHANISM
 DUFFING: Mechanism = duffing.MECHANISM
-#: domain of quadratic damping, and what it is measured in
-OF_C_2 = DISSIPATION[1], SCALES["c_2"]
+#: of the numbers of a design and of its damping, by name
+DOMAINS = {domain.name: domain for domain in (*ROD_SPRING.design, *DAMPING, *DISSIPATION)}
 
 
 NEGATIVE = (
@@ -170,29 +170,22 @@ class Isolator(Oscillator):
         scales = Scales(m=moving, k_v=k_v, L=L, excitation=excited, damping="zeta" if c is None else "c")
         preset = validate.number("m", si("m", m, "kg"), above=0.0)
         beyond = scales.m - preset
-        of_springs = {"n": n, "k_h": k_h, "preload": preload}
-        known = {name: si(name, value, SHEET[name]) for name, value in of_springs.items()}
-        of_design = zip(known.items(), ROD_SPRING.design, ROD_SPRING.scales, strict=True)
-        lam, r, delta_h = (scales.over(name, value, domain, scale) for (name, value), domain, scale in of_design)
-        of_mu, of_zeta = DAMPING
-        mu = scales.over("friction", si("friction", friction, "N"), of_mu, SCALES["mu"])
-        mu_s = 0.0
-        if static_friction is not None:
-            least = si("friction", friction, "N")
-            static = validate.number("static_friction", si("static_friction", static_friction, "N"), least=least)
-            mu_s = max(mu, static / scales.of(SCALES["mu"]))
         if c is not None and zeta is not None:
             raise Refused("c and zeta say the same: give one of them")
-        if c is not None:
-            zeta = scales.over("c", si("c", c, "N s/m"), of_zeta, SCALES["zeta"])
-        zeta = 0.0 if zeta is None else si("zeta", zeta, "")
-        quadratic = scales.over("c_2", si("c_2", c_2, SHEET["c_2"]), *OF_C_2)
-        laws = Laws.of(si("eta", eta, ""), quadratic, rubs)
+        sheet = {"k_h": k_h, "n": n, "preload": preload, "friction": friction, "eta": eta, "c_2": c_2}
+        sheet |= {"zeta": 0.0 if zeta is None else zeta} if c is None else {"c": c}
+        known = {name: si(name, value, SHEET[name]) for name, value in sheet.items()}
+        of_design = scales.measures.items()
+        numbers = {name: scales.over(word, known[word], DOMAINS[name], scale) for name, (word, scale) in of_design}
+        mu_s, mu = 0.0, numbers["mu"]
+        if static_friction is not None:
+            held = si("static_friction", static_friction, "N")
+            static = validate.number("static_friction", held, least=known["friction"])
+            mu_s = max(mu, static / scales.of(SCALES["mu"]))
+        laws = Laws.of(numbers["eta"], numbers["c_2"], rubs)
         weight = beyond * g / scales.sizes["force"]
-        numbers = {"lam": lam, "r": r, "delta_h": delta_h, "mu": mu, "zeta": zeta, "load": weight}
-        numbers |= {"eta": laws.eta, "c_2": laws.c_2, "mu_s": mu_s}
         with scales.in_these_terms():
-            isolator = cls(force=force, excitation=excitation, rubs=laws.rubs, **numbers)
+            isolator = cls(force=force, excitation=excitation, rubs=laws.rubs, mu_s=mu_s, load=weight, **numbers)
         sheet = {"k_v": scales.k_v, "L": scales.L, **{name: float(known[name]) for name in ("k_h", "n", "preload")}}
         beside = {"m": max(scales.m, scales.m - beyond), "friction": mu * scales.sizes["force"], "zeta": isolator.zeta}
         plausible.warn(plausible.of_mount(**sheet, **beside, g=g), stacklevel=3)

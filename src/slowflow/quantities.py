@@ -83,22 +83,6 @@ SHEET: Mapping[str, str] = MappingProxyType(
         "excitation": "",
     }
 )
-#: what pint calls units
-PINT: Mapping[str, str] = MappingProxyType(
-    {
-        "": "dimensionless",
-        "kg": "kilogram",
-        "N": "newton",
-        "m": "meter",
-        "N/m": "newton/meter",
-        "N s/m": "newton*second/meter",
-        "N s^2/m^2": "newton*second**2/meter**2",
-        "s": "second",
-        "m/s": "meter/second",
-        "m/s^2": "meter/second**2",
-        "kg m": "kilogram*meter",
-    }
-)
 #: a mount's words for the letters of the scales of its design and its damping
 WORDS = {"lam": "n", "k_h": "k_h", "Delta_h": "preload", "F_c": "friction", "c": "c", "c_q": "c_2"}
 #: what all scales are powers of, in their order
@@ -304,9 +288,9 @@ def si(name: str, value: Any, unit: str) -> Any:
     if unit == SI["frequency"]:
         return turns(name, value)
     try:
-        return value.to(PINT[unit]).magnitude
+        return value.to(unit).magnitude  # pint reads them as they are written here
     except TypeError:  # what pint raises for another dimension
-        measured = f"measured in {PINT[unit]}" if unit else "a plain number"
+        measured = f"measured in {unit}" if unit else "a plain number"
         raise Refused(f"{name} = {value} is not allowed: {name} must be {measured}") from None
 
 
