@@ -10,7 +10,7 @@ import platform
 import runpy
 import sys
 import traceback
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
@@ -29,6 +29,8 @@ NOBODY_READS = 141
 
 #: seconds below which no estimate is told
 SHORT = 0.01
+#: numbers of an isolator, which are options of `certify`
+OF_ISOLATOR = (*ROD_SPRING.design, *DAMPING)
 
 
 def info() -> dict[str, str]:
@@ -47,26 +49,12 @@ def info() -> dict[str, str]:
     return lines
 
 
-def add_certify(commands: Any) -> None:
-    """`slowflow certify 0.04 --zeta 0.03`: options are the isolator's numbers, by default those of Table 1."""
-    certify = commands.add_parser(
-        "certify",
-        help="proofs at a forcing: all folds, F_SN, F_cr, each in an interval; exit code 1 where one is not proved",
-        description="An isolator in interval arithmetic. Numbers that are not given are those of the paper's Table 1.",
-    )
-    certify.add_argument("F_0", type=float, help="forcing amplitude over k_v L")
-    certify.add_argument("--Omega", type=float, help="a frequency, of which all states are wanted too")
-    for domain in (*ROD_SPRING.design, *DAMPING):
-        certify.add_argument(f"--{domain.name}", type=float, help=domain.doc)
-
-
 def certify(given: argparse.Namespace) -> int:
     """Print a certificate; 0 if all of it is proved, 2 if a number is not allowed."""
     # here, not above: `slowflow info` needs none of it
     from slowflow import example
 
-    names = (domain.name for domain in (*ROD_SPRING.design, *DAMPING))
-    changes = {name: value for name in names if (value := getattr(given, name)) is not None}
+    changes = {one.name: value for one in OF_ISOLATOR if (value := getattr(given, one.name)) is not None}
     try:
         isolator = example.isolator(**changes)
         found = isolator.certify(given.F_0, Omega=given.Omega)
@@ -76,32 +64,6 @@ def certify(given: argparse.Namespace) -> int:
     print(isolator)
     print(found)
     return 0 if found.proved else 1
-
-
-def add_scenes(commands: Any) -> None:
-    """`slowflow run`, `check`, `explain`, `report` and `new`."""
-    run = commands.add_parser("run", help="the answers that a scene asks for", description=run_scene.__doc__)
-    run.add_argument("scene", type=Path, help="TOML file; `slowflow new` writes one to begin with")
-    run.add_argument("-o", "--out", type=Path, metavar="DIR", help="write CSV and JSON there instead of printing")
-    run.add_argument("--json", action="store_true", help="print JSON")
-    run.add_argument(
-        "--report", type=Path, metavar="FILE", help="write the report too, from the same answers, as an HTML page"
-    )
-    run.add_argument("--quiet", action="store_true", help="say nothing of what is being done")
-    check = commands.add_parser("check", help="whether a scene is allowed; computes nothing")
-    check.add_argument("scene", type=Path, nargs="+")
-    explain = commands.add_parser(
-        "explain", help="what runs for a scene, what is skipped, and about how long it takes; computes nothing"
-    )
-    explain.add_argument("scene", type=Path)
-    report = commands.add_parser("report", help="a scene's answers, curves and errors on one HTML page")
-    report.add_argument("scene", type=Path)
-    report.add_argument(
-        "-o", "--out", type=Path, metavar="FILE", default=Path("report.html"), help="default: %(default)s"
-    )
-    report.add_argument("--quiet", action="store_true", help="say nothing of what is being done")
-    new = commands.add_parser("new", help="write a commented scene to begin with")
-    new.add_argument("scene", type=Path, nargs="?", default=Path("scene.toml"), help="default: %(default)s")
 
 
 def run_scene(given: argparse.Namespace) -> int:
@@ -282,29 +244,67 @@ def _read(path: Path) -> Scene:
     return scene
 
 
-def main(arguments: Sequence[str] | None = None) -> int:
-    """Run one subcommand: 0 if it succeeds, 1 if something is not answered or not proved, 2 for what is not allowed."""
-    parser = argparse.ArgumentParser(
+def parser() -> argparse.ArgumentParser:
+    """Of the subcommands, each with its options and the function that runs it."""
+    whole = argparse.ArgumentParser(
         prog="slowflow",
         description="Slow flow of piecewise-smooth vibration isolators.",
         epilog="Exit codes: 0 done; 1 a question that could not be answered, or a proof that was not found; "
         "2 arguments or a scene that are not allowed; 130 interrupted; 141 whoever read the output stopped.",
     )
-    parser.add_argument("--version", action="version", version=f"slowflow {slowflow.__version__}")
-    commands = parser.add_subparsers(dest="command", required=True)
-    commands.add_parser("info", help="versions, how the compiled code was built")
-    add_certify(commands)
-    add_scenes(commands)
-    derive = commands.add_parser("derive", help="kernels, C and derivation of mechanisms that a Python program states")
-    derive.add_argument(
+    whole.add_argument("--version", action="version", version=f"slowflow {slowflow.__version__}")
+    commands = whole.add_subparsers(dest="command", required=True)
+
+    def command(run: Callable[[argparse.Namespace], int], name: str, help: str, description: str | None = None) -> Any:
+        one = commands.add_parser(name, help=help, description=description)
+        one.set_defaults(run=run)
+        return one.add_argument
+
+    quiet = {"action": "store_true", "help": "say nothing of what is being done"}
+    command(print_info, "info", "versions, how the compiled code was built")
+    option = command(
+        certify,
+        "certify",
+        "proofs at a forcing: all folds, F_SN, F_cr, each in an interval; exit code 1 where one is not proved",
+        "An isolator in interval arithmetic. Numbers that are not given are those of the paper's Table 1.",
+    )
+    option("F_0", type=float, help="forcing amplitude over k_v L")
+    option("--Omega", type=float, help="a frequency, of which all states are wanted too")
+    for domain in OF_ISOLATOR:
+        option(f"--{domain.name}", type=float, help=domain.doc)
+    option = command(run_scene, "run", "the answers that a scene asks for", run_scene.__doc__)
+    option("scene", type=Path, help="TOML file; `slowflow new` writes one to begin with")
+    option("-o", "--out", type=Path, metavar="DIR", help="write CSV and JSON there instead of printing")
+    option("--json", action="store_true", help="print JSON")
+    option("--report", type=Path, metavar="FILE", help="write the report too, from the same answers, as an HTML page")
+    option("--quiet", **quiet)
+    option = command(check_scenes, "check", "whether a scene is allowed; computes nothing")
+    option("scene", type=Path, nargs="+")
+    told = "what runs for a scene, what is skipped, and about how long it takes; computes nothing"
+    command(explain_scene, "explain", told)("scene", type=Path)
+    option = command(write_report, "report", "a scene's answers, curves and errors on one HTML page")
+    option("scene", type=Path)
+    option("-o", "--out", type=Path, metavar="FILE", default=Path("report.html"), help="default: %(default)s")
+    option("--quiet", **quiet)
+    option = command(new_scene, "new", "write a commented scene to begin with")
+    option("scene", type=Path, nargs="?", default=Path("scene.toml"), help="default: %(default)s")
+    option = command(
+        derive_mechanisms, "derive", "kernels, C and derivation of mechanisms that a Python program states"
+    )
+    option(
         "program",
         type=Path,
         help="a Python file that derives mechanisms, which is run; or the name of one in the library",
     )
-    derive.add_argument("-o", "--out", type=Path, metavar="DIR", default=Path("derived"), help="default: %(default)s")
-    given = parser.parse_args(arguments)
+    option("-o", "--out", type=Path, metavar="DIR", default=Path("derived"), help="default: %(default)s")
+    return whole
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run one subcommand: 0 if it succeeds, 1 if something is not answered or not proved, 2 for what is not allowed."""
+    given = parser().parse_args(arguments)
     try:
-        code = COMMANDS[given.command](given)
+        code: int = given.run(given)
         sys.stdout.flush()
         return code
     except BrokenPipeError:
@@ -335,15 +335,3 @@ def print_info(given: argparse.Namespace) -> int:
     for topic, text in info().items():
         print(f"{topic:14}{text}")
     return 0
-
-
-COMMANDS = {
-    "derive": derive_mechanisms,
-    "info": print_info,
-    "certify": certify,
-    "check": check_scenes,
-    "run": run_scene,
-    "explain": explain_scene,
-    "new": new_scene,
-    "report": write_report,
-}
