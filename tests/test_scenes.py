@@ -188,7 +188,7 @@ def test_explain_tells_what_runs_what_is_skipped_and_an_estimate_and_solves_noth
     code, out, _ = run("explain", path, capsys=capsys)
     assert code == 0 and "saddle_nodes at F = 0.3 N\n  force         skipped  sticks" in out
     assert out.count("  takes         ") == len(scenes.read(path).asked) and "\ntogether " in out
-    left = "rest, margins, hysteresis, isolation, spectrum, tolerances, transient, shock_spectrum, exact_response, "
+    left = "rest, margins, hysteresis, isolation, spectrum, transient, shock_spectrum, tolerances, exact_response, "
     left += "fold_locus, cusps, isola_points"
     assert out.endswith(f"not asked for, and not computed: {left}\n")
 
@@ -327,9 +327,9 @@ WRONG = {
     "an unknown question": (
         '"saddle_nodes"',
         '"saddle_node"',
-        "17: questions = 'saddle_node' is not allowed: it must be one of at_rest, rest, saddle_node_onset, "
-        "detachment, saddle_nodes, peak, margins, hysteresis, isolation, amplitudes, frequency_response, spectrum, "
-        "tolerances, transient, shock_spectrum, exact_response, fold_locus, cusps, isola_points. "
+        "17: questions = 'saddle_node' is not allowed: it must be one of detachment, "
+        "saddle_node_onset, saddle_nodes, amplitudes, frequency_response, peak, rest, at_rest, margins, hysteresis, "
+        "isolation, spectrum, transient, shock_spectrum, tolerances, exact_response, fold_locus, cusps, isola_points. "
         "Did you mean 'saddle_nodes'?",
     ),
     "a decimal comma": (

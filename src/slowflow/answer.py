@@ -118,7 +118,7 @@ class Answer:
         return self._content()
 
     def __str__(self) -> str:
-        return "\n".join(in_text(self))
+        return "\n".join(in_text(shown(self)))
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Answer) or type(self) is not type(other):
@@ -272,6 +272,11 @@ def _freeze(value: Any) -> None:
     elif not isinstance(value, PLAIN) and isinstance(value, (tuple, Mapping)):  # what is plain is told sooner
         for part in value.values() if isinstance(value, Mapping) else value:
             _freeze(part)
+
+
+def shown(answer: Any) -> Any:
+    """An answer in the units in which it is printed; as it is where it has none."""
+    return answer.in_units() if hasattr(answer, "in_units") else answer
 
 
 def in_text(answer: Answer) -> Iterator[str]:

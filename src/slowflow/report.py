@@ -17,7 +17,7 @@ import numpy as np
 
 import slowflow
 from slowflow import files, page, pictures
-from slowflow.answer import Answer, head
+from slowflow.answer import Answer, head, shown
 from slowflow.isolator import Isolator
 from slowflow.measured.validity import IN_PYTHON
 from slowflow.physical import Physical
@@ -144,7 +144,7 @@ def _forced_by(scene: Scene, F: float) -> dict[str, float]:
 def _at_each(scene: Scene, question: str, forcings: Sequence[float], left_out: list[str]) -> list[Any]:
     """The answers at each forcing; none where such an oscillator has none, and why is added to `left_out`."""
     try:
-        return [_shown(scene.ask(question, **_forced_by(scene, F))) for F in forcings]
+        return [shown(scene.ask(question, **_forced_by(scene, F))) for F in forcings]
     except NotAvailable as error:
         said = str(error)
         left_out.append(said if question in said else f"{question}: {said}")
@@ -185,7 +185,7 @@ def _transmitted(scene: Scene, F: float) -> Iterator[str]:
     """What stable motions transmit at the frequencies asked for."""
     name, *_ = _called(scene.oscillator, "Omega")
     for at in _frequencies(scene):
-        states = _shown(scene.ask("amplitudes", **{name: at}, **_forced_by(scene, F)))
+        states = shown(scene.ask("amplitudes", **{name: at}, **_forced_by(scene, F)))
         if found := [f"{one:.4g}" for one in states.transmissibility_dB[states.stable].tolist()]:
             yield f"At {_number(states, at, name)} it transmits {' or '.join(found)} dB."
 
@@ -204,8 +204,8 @@ def _of_shocks(scene: Scene) -> Iterator[str]:
 
 
 def _in_short(scene: Scene, F: float) -> Iterator[str]:
-    folds = _shown(scene.ask("saddle_nodes", **_forced_by(scene, F)))
-    onset, leaving = _shown(scene.ask("saddle_node_onset")), _shown(scene.ask("detachment"))
+    folds = shown(scene.ask("saddle_nodes", **_forced_by(scene, F)))
+    onset, leaving = shown(scene.ask("saddle_node_onset")), shown(scene.ask("detachment"))
     # without these the sentence is shorter; what is left out is said further down
     margins, peak, isolation = (_at_each(scene, one, [F], []) for one in ("margins", "peak", "isolation"))
     yield f"At {_one(folds, *pictures.AMPLITUDES)}"
@@ -271,9 +271,9 @@ def _design(of: Any, scene: Scene) -> Iterator[str]:
     for text in scene.warnings:
         yield f"<p>Note: {page.inline(text)}</p>"
     if mount and _plain(of).load == 0:
-        shown = _shown(scene.ask("at_rest"))
-        units = shown.units_of_columns()
-        found = {name: column[0] for name, column in shown.columns().items()}
+        centred = shown(scene.ask("at_rest"))
+        units = centred.units_of_columns()
+        found = {name: column[0] for name, column in centred.columns().items()}
         at_rest = [
             (page.inline(name), page.cell(value), escape(units.get(name, "")), page.words(MEANING[name]))
             for name, value in found.items()
@@ -281,14 +281,14 @@ def _design(of: Any, scene: Scene) -> Iterator[str]:
         ]
         yield page.table("At rest", ("number", "value", "unit", "what it is"), at_rest)
     elif _plain(of).load != 0:
-        yield _table("Where it stands under its load", _shown(scene.ask("rest")))
+        yield _table("Where it stands under its load", shown(scene.ask("rest")))
 
 
 def _answers(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
     what, of_force = EXCITATION[_plain(of).excitation], _plain(of).excitation == "force"
     left_out: list[str] = []
-    yield _table(f"It jumps from this {what} on", _shown(scene.ask("saddle_node_onset")))
-    yield _table(f"Its springs leave from this {what} on", _shown(scene.ask("detachment")))
+    yield _table(f"It jumps from this {what} on", shown(scene.ask("saddle_node_onset")))
+    yield _table(f"Its springs leave from this {what} on", shown(scene.ask("detachment")))
     for caption, question in (
         ("Margins to jumps and to detachment: above 1 is safe", "margins"),
         ("The highest peak", "peak"),
@@ -313,8 +313,8 @@ def _curves(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
         return
     asked = (one.arguments for one in scene.of("frequency_response"))
     own = {name: value for name, value in next(asked, {}).items() if name not in FORCINGS}  # the scene's window
-    curves = [_shown(scene.ask("frequency_response", **_forced_by(scene, F), **own)) for F in forcings]
-    folds = [_shown(scene.ask("saddle_nodes", **_forced_by(scene, F))) for F in forcings]
+    curves = [shown(scene.ask("frequency_response", **_forced_by(scene, F), **own)) for F in forcings]
+    folds = [shown(scene.ask("saddle_nodes", **_forced_by(scene, F))) for F in forcings]
     force, *_ = _called(of)
     oscillator = _plain(of)
     letter, _, size = _called(of, "u")
@@ -520,7 +520,7 @@ def _depths(of: Any, F: float, scene: Scene) -> Iterator[str]:
         except (ValueError, ArithmeticError) as error:
             missing.append(f"<p>No {depth} here: {page.inline(str(error))}.</p>")
             continue
-        found[depth] = _shown(curve)
+        found[depth] = shown(curve)
         if not getattr(curve, "complete", True):
             missing.append(f"<p>By the {depth} {page.inline(curve.message)}.</p>")
     if len(found) > 1:
@@ -554,7 +554,7 @@ def _data(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
     force, unit, size = _called(of)
     yield "<ul>"
     for question in ("saddle_nodes", "frequency_response") if forcings else ():
-        found = [(F, _shown(scene.ask(question, **_forced_by(scene, F)))) for F in forcings]
+        found = [(F, shown(scene.ask(question, **_forced_by(scene, F)))) for F in forcings]
         text = files.in_csv([({force: F / size}, answer) for F, answer in found], {force: unit})
         yield f"<li>{page.download(f'{question}.csv', 'text/csv', text)}</li>"
     for question in ("spectrum", "tolerances", "transient", "shock_spectrum"):
@@ -577,10 +577,6 @@ def _data(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
 def _error(share: float) -> str:
     """An error in percent; one that the digits beside it do not show is not told in powers of ten."""
     return f"{100 * share:+.2g} %" if abs(share) >= UNSEEN else f"below {100 * UNSEEN:g} %"
-
-
-def _shown(answer: Any) -> Any:
-    return answer.in_units() if isinstance(answer, Quantities) else answer
 
 
 def _table(

@@ -47,15 +47,15 @@ from pathlib import Path
 from typing import Any
 
 from slowflow import plausible, validate
-from slowflow.answer import Answer
+from slowflow.answer import Answer, shown
 from slowflow.averaged import plan
 from slowflow.averaged.plan import Plan
-from slowflow.isolator import DUFFING, ROD_SPRING, Duffing, Isolator
+from slowflow.isolator import Duffing, Isolator
 from slowflow.measured import costs
 from slowflow.physical import Physical
 from slowflow.quantities import EXCITED, SHOWN, SI, UNITS
 from slowflow.table import COLUMNS, SHOCKS
-from slowflow_kernels.domains import DAMPING, DISSIPATION
+from slowflow.table import QUESTIONS as ROWS
 from slowflow_support.errors import SceneError
 
 #: a scene to begin with
@@ -119,14 +119,11 @@ def _tolerances(of: Isolator | Duffing | Physical) -> Callable[..., Answer]:
     return partial(tolerances, of)
 
 
-ASKED_OF_ONE = (
-    *("at_rest", "rest", "saddle_node_onset", "detachment", "saddle_nodes", "peak", "margins", "hysteresis"),
-    *("isolation", "amplitudes", "frequency_response", "spectrum"),
-)
+#: those of the table but proofs, which a certificate has, tolerances, and what many designs are not asked
 QUESTIONS: Mapping[str, Question] = {
-    **{name: _named(name) for name in ASKED_OF_ONE},
+    **{name: _named(name) for name in ROWS if name != "certify"},
     "tolerances": Question(_tolerances),
-    **{name: _named(name) for name in (*SHOCKS, "exact_response", "fold_locus", "cusps", "isola_points")},
+    **{name: _named(name) for name in ("exact_response", "fold_locus", "cusps", "isola_points")},
 }
 
 
@@ -134,20 +131,31 @@ QUESTIONS: Mapping[str, Question] = {
 class Kind:
     """A table that states an oscillator.
 
-    make               -- of its keys
-    needed, more       -- keys that it needs, and others that it may have
+    make               -- of its keys, which are its arguments
     forcing, frequency -- names of the keys in [ask], and of the methods' arguments
     time               -- that of the times of a record
     """
 
     make: Callable[..., Any]
-    needed: tuple[str, ...]
-    more: tuple[str, ...]
-    forcing: str
-    frequency: str
-    time: str
+    forcing: str = "F_0"
+    frequency: str = "Omega"
+    time: str = "tau"
+
+    @property
+    def keys(self) -> tuple[str, ...]:
+        """Those that it may have."""
+        return tuple(inspect.signature(self.make).parameters)
+
+    @property
+    def needed(self) -> tuple[str, ...]:
+        """Those that it must have."""
+        given = inspect.signature(self.make).parameters
+        return tuple(name for name, one in given.items() if one.default is inspect.Parameter.empty)
 
 
+KINDS = {"mount": Kind(Isolator.physical, "F", "f", "t"), "isolator": Kind(Isolator), "duffing": Kind(Duffing)}
+#: keys of these that are no numbers with a tolerance
+NO_NUMBERS = ("load", "force", "excitation", "rubs", "mu_s", "static_friction")
 #: what the amplitude of a mount's excitation is called, and that of any
 LETTERS = tuple(letter for letter, *_ in EXCITED.values())
 FORCINGS = (*LETTERS, "F_0")
@@ -158,31 +166,6 @@ OF_MOUNT |= dict(EXCITED.values())
 FREQUENCIES = ("f", "Omega")
 #: what a half sine of the base is given by
 OF_A_PULSE = ("acceleration", "duration")
-#: names of forcing, frequency and time without dimensions
-PLAIN = ("F_0", "Omega", "tau")
-
-
-def _kinds() -> dict[str, Kind]:
-    damping = tuple(domain.name for domain in (*DAMPING, *DISSIPATION))
-    own = [record.design_names for record in (ROD_SPRING, DUFFING)]
-    given = inspect.signature(Isolator.physical).parameters
-    return {
-        "mount": Kind(
-            Isolator.physical,
-            tuple(name for name, one in given.items() if one.default is inspect.Parameter.empty),
-            tuple(name for name, one in given.items() if one.default is not inspect.Parameter.empty),
-            "F",
-            "f",
-            "t",
-        ),
-        "isolator": Kind(Isolator, own[0], (*damping, "rubs", "mu_s", "force", "excitation", "load"), *PLAIN),
-        "duffing": Kind(Duffing, own[1], (*damping, "mu_s", "excitation", "load"), *PLAIN),
-    }
-
-
-KINDS = _kinds()
-#: keys of these that are no numbers with a tolerance
-NO_NUMBERS = ("load", "force", "excitation", "rubs", "mu_s", "static_friction")
 
 
 @dataclass(frozen=True)
@@ -271,9 +254,8 @@ class Scene:
 
     def answer(self, asked: Asked) -> Answer:
         """The answer to one of its questions, of a mount in N, mm and Hz; computed when it is first asked for."""
-        found: Any = self.ask(asked.question, **self.arguments(asked))
-        shown: Answer = found.in_units() if hasattr(found, "in_units") else found
-        return shown
+        found: Answer = shown(self.ask(asked.question, **self.arguments(asked)))
+        return found
 
     def ask(self, question: str, **arguments: Any) -> Any:
         """What the oscillator answers, of a mount in SI units; computed when it is first asked for."""
@@ -344,7 +326,7 @@ class _Reader:
             )
         (name,) = stated
         kind, given = KINDS[name], self._table(name)
-        self._known(name, given, (*kind.needed, *kind.more))
+        self._known(name, given, kind.keys)
         if name == "mount" and given.get("excitation") in tuple(EXCITED):
             kind = replace(kind, forcing=EXCITED[given["excitation"]][0])
         self._complete(name, given, kind.needed)
@@ -457,7 +439,7 @@ class _Reader:
     def _within(self, question: str, kind: Kind) -> dict[str, float]:
         """Shares of its numbers by which these may be off."""
         table = self._table("tolerances", question)
-        self._known("tolerances", table, tuple(key for key in (*kind.needed, *kind.more) if key not in NO_NUMBERS))
+        self._known("tolerances", table, tuple(key for key in kind.keys if key not in NO_NUMBERS))
         share = {"least": 0.0, "below": 1.0}
         found: dict[str, float] = self._tried(
             "tolerances", table, lambda: {key: validate.number(key, value, **share) for key, value in table.items()}

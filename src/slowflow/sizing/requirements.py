@@ -17,7 +17,7 @@ from scipy.optimize import differential_evolution, minimize
 from scipy.stats import qmc
 
 from slowflow import progress, validate
-from slowflow.answer import Answer, Table, entry, frozen, head, in_text
+from slowflow.answer import Answer, Table, entry, frozen, head
 from slowflow.mechanism import Floats
 from slowflow.physical import Physical
 from slowflow.quantities import SHEET, in_shown
@@ -65,9 +65,6 @@ class Met(Answer):
     def __hash__(self) -> int:
         return hash((self.design, self.binding))
 
-    def __str__(self) -> str:
-        return "\n".join(in_text(self.in_units()))
-
     def in_units(self) -> Met:
         """The same in the units in which answers are shown: N, mm, Hz, ... . The free numbers stay as on the sheet."""
         shown = {name: in_shown(self.units.get(name, "")) for name in self.reached}
@@ -110,9 +107,6 @@ class Front(Table):
 
     def __hash__(self) -> int:
         return hash((self.answers, self.one.tobytes(), self.other.tobytes()))
-
-    def __str__(self) -> str:
-        return "\n".join(in_text(self.in_units()))
 
     def in_units(self) -> Front:
         """The same in the units in which answers are shown: N, mm, Hz, ... . The free numbers stay as on the sheet."""

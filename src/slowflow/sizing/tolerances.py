@@ -15,7 +15,7 @@ import numpy.typing as npt
 from scipy.stats import qmc
 
 from slowflow import progress, validate
-from slowflow.answer import Table, entry, frozen, in_text, optional
+from slowflow.answer import Table, entry, frozen, optional
 from slowflow.mechanism import Floats
 from slowflow.quantities import in_shown, si
 from slowflow.sizing.subject import Load, Subject
@@ -58,9 +58,6 @@ class Tolerances(Table):
     message: str
     samples: Mapping[str, Floats] = field(repr=False)
     drawn: Mapping[str, Floats] = field(repr=False)
-
-    def __str__(self) -> str:
-        return "\n".join(in_text(self.in_units()))
 
     def in_units(self) -> Tolerances:
         """The same in the units in which answers are shown: N, mm, Hz, ... . What was drawn stays in SI units."""
