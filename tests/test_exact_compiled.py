@@ -16,6 +16,7 @@ from slowflow.exact.compiled import recurrences
 from slowflow.exact.continuation import Path
 from slowflow.exact.motion import Forced, follow
 from slowflow.exact.shooting import lengths, settle
+from slowflow.example import TABLE_1
 from slowflow.mechanism import Force
 from slowflow_kernels import rod_spring
 from slowflow_kernels.exact_conventions import Event
@@ -256,6 +257,32 @@ def test_motions_under_every_law_of_damping_are_scipys(law, Omega, F_0, stops):
     assert found.stops == stops and found.residual <= 1e-14
     assert other.A == pytest.approx(found.A, rel=1e-11)
     assert np.max(np.abs(other.multipliers - found.multipliers)) <= 1e-11
+
+
+@pytest.mark.parametrize(
+    ("oscillator", "Omega", "F_0", "stops"),
+    [
+        (Isolator(**TABLE_1, excitation="base"), 0.7, 0.05, 0),
+        (Duffing(1.0, 0.5, 0.02, 0.02, mu_s=0.045), 0.3, 0.05, 2),
+        (Duffing(1.0, 0.5, 0.02, 0.02, load=-0.2), 0.6, 0.1, 0),
+    ],
+)
+def test_derivatives_of_a_cycle_are_those_of_its_equations(oscillator, Omega, F_0, stops):
+    """Under a load downwards the largest |u| is where u is least; the others are half-wave symmetric."""
+    motion, step = oscillator.steady_state(Omega=Omega, F_0=F_0), 1e-5
+    cycle = motion.cycle
+    assert motion.stops == stops and motion.symmetric == oscillator.equation_of_motion().centred
+    # away from the solution: on it two turning points have the same |u|, and A a kink
+    at = np.append(motion.unknowns + 1e-3, F_0)
+
+    def values(of):
+        found = cycle.equations(of[:-1], of[-1])
+        return np.array([*found.residual, found.A, *(border.margin for border in found.borders)])
+
+    found = cycle.equations(at[:-1], F_0)
+    derivatives = np.array([*found.jacobian, found.of_A, *(border.gradient for border in found.borders)])
+    differences = [(values(at + step * e) - values(at - step * e)) / (2 * step) for e in np.eye(at.size)]
+    assert np.allclose(derivatives, np.array(differences).T, rtol=0, atol=1e-6)
 
 
 def test_a_curve_traced_in_c_has_the_points_of_the_one_followed_in_python(monkeypatch):

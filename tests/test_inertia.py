@@ -258,24 +258,6 @@ def test_a_point_of_the_exact_curve_is_a_motion_under_the_force_that_there_is_at
     assert np.abs(iso.saddle_nodes(Y).measure().error).max() < 0.01
 
 
-def test_derivatives_of_a_cycle_are_those_of_its_equations():
-    iso, Y, step = Isolator(**example.TABLE_1, excitation="base"), 0.05, 1e-5
-    motion = iso.steady_state(Omega=0.7, F_0=Y)
-    cycle = motion.cycle
-    assert cycle.half_turns == 1  # two borders: it may come to rest, and leave the springs
-    # away from the solution: on it two turning points have the same |u|, and A a kink
-    at = np.append(motion.unknowns + 1e-3, Y)
-
-    def values(of):
-        found = cycle.equations(of[:-1], of[-1])
-        return np.array([*found.residual, found.A, *(border.margin for border in found.borders)])
-
-    found = cycle.equations(at[:-1], Y)
-    derivatives = np.array([*found.jacobian, found.of_A, *(border.gradient for border in found.borders)])
-    differences = [(values(at + step * e) - values(at - step * e)) / (2 * step) for e in np.eye(at.size)]
-    assert np.allclose(derivatives, np.array(differences).T, rtol=0, atol=1e-6)
-
-
 def test_a_sweep_jumps_at_the_exact_folds_and_rests_where_friction_holds_the_mass():
     iso, Y = Isolator(**example.TABLE_1, excitation="base"), 0.05
     up, down = (fold.Omega for fold in iso.exact_response(Y).folds)

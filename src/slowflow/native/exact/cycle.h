@@ -49,6 +49,16 @@ static inline void sf_excited(double *row, long n, double by_Omega, double by_F_
     row[n - 1] *= by_F_0;
 }
 
+/* Takes note of |u| at a switch, and of its derivatives by the unknowns, where it is the largest up to there. */
+static inline void sf_reached(sf_equations *out, double u, const double *of_u, long n)
+{
+    if (!(fabs(u) > out->A))
+        return;
+    out->A = fabs(u);
+    for (long j = 0; j < n; j++)
+        out->of_A[j] = copysign(1.0, u) * of_u[j];
+}
+
 static sf_outcome sf_cycle_equations(sf_forced *forced, const sf_cycle *cycle, const double *z, sf_equations *out,
                                      double *work)
 {
@@ -61,9 +71,8 @@ static sf_outcome sf_cycle_equations(sf_forced *forced, const sf_cycle *cycle, c
     memset(out->jacobian, 0, (size_t)((k + 2) * n) * sizeof *out->jacobian);
     of_u[0] = 1.0, of_theta[1] = 1.0;
     double M[2][2] = {{1.0, 0.0}, {0.0, 1.0}};
-    out->A = fabs(u);
-    for (long j = 0; j < n; j++)
-        out->of_A[j] = copysign(1.0, u) * of_u[j];
+    out->A = -1.0;
+    sf_reached(out, u, of_u, n);
     out->borders = 0;
     for (long i = 0; i < k; i++) {
         const int slip = cycle->phase[2 * i], region = cycle->phase[2 * i + 1], flip = i == k - 1 ? cycle->sign : 1;
@@ -116,11 +125,7 @@ static sf_outcome sf_cycle_equations(sf_forced *forced, const sf_cycle *cycle, c
             M[1][c] = flow[1][0] * a + flow[1][1] * b;
         }
         theta = end;
-        if (fabs(u) > out->A) {
-            out->A = fabs(u);
-            for (long j = 0; j < n; j++)
-                out->of_A[j] = copysign(1.0, u) * of_u[j];
-        }
+        sf_reached(out, u, of_u, n);
         const double edge = sf_edge_ahead(system, slip, region);
         if (next_region != region) {
             out->residual[i] = u - edge;
