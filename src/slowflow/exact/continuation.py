@@ -10,6 +10,7 @@ side: a fold that sits on the border (`corner`) is found as such, and no fold is
 
 from __future__ import annotations
 
+import contextlib
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import replace
@@ -20,7 +21,7 @@ from numpy.typing import NDArray
 
 from slowflow.backend import EXACT
 from slowflow.exact.compiled import of_system
-from slowflow.exact.cycle import Array, AtBorder, Cycle, Equations, Row, closed_cycle
+from slowflow.exact.cycle import Array, Cycle, Equations, closed_cycle
 from slowflow.exact.motion import Forced, follow
 from slowflow.exact.shooting import SteadyState
 from slowflow.exact.work import spend, steps_left
@@ -90,6 +91,11 @@ class Point(NamedTuple):
     def multipliers(self) -> NDArray[np.complex128]:
         found = self.cycle.multipliers(self.monodromy)
         return found**2 if self.cycle.sign == -1 else found
+
+    @property
+    def stable(self) -> bool:
+        """Whether both lie inside the unit circle; at a fold rounding decides."""
+        return bool(np.all(np.abs(self.multipliers) < 1.0))
 
 
 def is_same(fold: Point, other: Point) -> bool:
@@ -173,6 +179,16 @@ class Path:
                 self.restarts, size = False, 0.1 * self.step
         raise LostCurve(text(ENDS, self.F_0, point.z[-1], point.A))
 
+    def up_to_fold(self, start: SteadyState, direction: float) -> tuple[list[Point], bool]:
+        """The points from a motion on up to the first beyond a fold, and whether there is one before the curve ends."""
+        points: list[Point] = []
+        with contextlib.suppress(ArithmeticError):
+            for point in self.follow(self.begin(start, direction)):
+                points.append(point)
+                if has_turned(points):
+                    return points, True
+        return points, False
+
     def _traced(self, point: Point, first: Point, size: float, travelled: float) -> tuple[list[Point], float, float]:
         """Points after one as long as nothing is to be decided, in C; the next step and the way from the first."""
         cycle, n = point.cycle, point.z.size
@@ -222,7 +238,7 @@ class Path:
         row = self._weights(point.z) * point.tangent
         # tangents are of unit length: the weighted distance along this one is the size
         value = float(row @ point.z) + size
-        found = point.cycle.newton(point.ahead(row, size), self.F_0, Row(row, value), most=ALONG)
+        found = point.cycle.newton(point.ahead(row, size), self.F_0, row, value, most=ALONG)
         if found is None:
             return None
         tangent = self._unit(found[0], found[1].along)
@@ -465,7 +481,7 @@ class Path:
 
     def _with_fixed(self, cycle: Cycle, z: Array, row: Array) -> Point | None:
         """The solution with one unknown kept, if its order of switches holds."""
-        found = cycle.newton(z, self.F_0, Row(row, float(row @ z)))
+        found = cycle.newton(z, self.F_0, row, float(row @ z))
         if found is None or not cycle.holds(found[0], self.F_0):
             return None
         return Point.of(cycle, *found, self._unit(found[0], found[1].along))
@@ -491,7 +507,7 @@ class Path:
             index = margins.index(min(margins))
 
             # to rounding: beyond a touching point everything grows like the square root of its error
-            found = simple.cycle.newton(simple.z, self.F_0, AtBorder(index), tolerance=1e-16)
+            found = simple.cycle.newton(simple.z, self.F_0, border=index, tolerance=1e-16)
             # the border may also be a stop in mid-slip, of which no margin tells: then `last` is as good as it gets
             if found is not None and abs(found[0][-1] - last.z[-1]) < 1e-5 and abs(found[1].A / last.A - 1) < 1e-5:
                 return Point.of(simple.cycle, *found, simple.tangent)._replace(role="border")

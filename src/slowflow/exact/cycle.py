@@ -19,7 +19,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -76,22 +76,6 @@ class Equations(NamedTuple):
     of_A: Array
     borders: tuple[Border, ...]
     along: Array | None = None
-
-
-class Row(NamedTuple):
-    """One more equation for Newton's iteration: row @ z = value."""
-
-    row: Array
-    value: float
-
-
-class AtBorder(NamedTuple):
-    """One more equation for Newton's iteration: that the margin of a border vanishes."""
-
-    border: int
-
-
-Extra = Row | AtBorder
 
 
 @dataclass(frozen=True)
@@ -251,21 +235,26 @@ class Cycle:
         return found
 
     def newton(
-        self, z: Array, F_0: float, extra: Extra | None = None, *, most: int = MOST_NEWTON, tolerance: float = TOLERANCE
+        self,
+        z: Array,
+        F_0: float,
+        row: Array | None = None,
+        value: float = 0.0,
+        *,
+        border: int | None = None,
+        most: int = MOST_NEWTON,
+        tolerance: float = TOLERANCE,
     ) -> tuple[Array, Equations] | None:
         """Newton's iteration; None where it does not converge or integration fails.
 
-        Omega is kept unless `extra` gives one more equation.
+        Omega is kept unless there is one more equation: row @ z = value, or that the margin of a border vanishes.
         """
         z = np.array(z)
         k = len(self.signature)
         n = k + 4
         numbers, along = np.empty((k + 2) * (k + 5) + (2 * k + 1) * n), np.zeros(z.size)
-        more: tuple[Any, ...] = ExtraKind.NO_MORE, z, 0.0, 0
-        if isinstance(extra, Row):
-            more = ExtraKind.ROW, np.ascontiguousarray(extra.row), extra.value, 0
-        elif extra is not None:
-            more = ExtraKind.BORDER, z, 0.0, extra.border
+        kind = ExtraKind.ROW if row is not None else ExtraKind.NO_MORE if border is None else ExtraKind.BORDER
+        more = kind, z if row is None else np.ascontiguousarray(row), value, border or 0
         system, steps = compiled.of_system(self.system), steps_left()
         outcome, spent, A, monodromy, borders = EXACT.newton(
             system, self.packed, self.half_turns, z, F_0, *more, most, tolerance, steps, numbers, along
@@ -280,7 +269,7 @@ class Cycle:
             for i, (phase, rest, margin) in enumerate(borders)
         )
         jacobian, monodromy = jacobian.reshape(k + 2, n), np.array(monodromy).reshape(2, 2)
-        return z, Equations(residual, jacobian, monodromy, A, of_A, borders_at, None if extra is None else along)
+        return z, Equations(residual, jacobian, monodromy, A, of_A, borders_at, along if kind else None)
 
     @functools.cached_property
     def packed(self) -> bytes:

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slowflow.answer import Drawn, Table
-from slowflow.exact.continuation import FOLDS, STEP, LostCurve, Path, Point, has_turned, is_same
+from slowflow.exact.continuation import FOLDS, STEP, LostCurve, Path, Point, is_same
 from slowflow.exact.cycle import Array
 from slowflow.exact.motion import Forced, check_forcing
 from slowflow.exact.shooting import Settled, SteadyState, describe, lengths, settle, steady_state
@@ -177,17 +177,11 @@ def first_fold(start: SteadyState, towards: float, Omega_range: tuple[float, flo
 
     None where it leaves the range of Omega before, or cannot be followed.
     """
-    path = Path(start.F_0, *Omega_range, STEP, start)
-    points: list[Point] = []
-    try:
-        for point in path.follow(path.begin(start, towards)):
-            points.append(point)
-            if has_turned(points):
-                fold = points[-2]
-                return ResponsePoint(float(fold.z[-1]), fold.A, False, fold.cycle.stops)
-    except ArithmeticError:
-        pass
-    return None
+    points, turned = Path(start.F_0, *Omega_range, STEP, start).up_to_fold(start, towards)
+    if not turned:
+        return None
+    fold = points[-2]
+    return ResponsePoint(float(fold.z[-1]), fold.A, False, fold.cycle.stops)
 
 
 def without_a_motion(F_0: float, message: str) -> Response:
@@ -236,12 +230,8 @@ def _stable_at(Omega: float, points: list[Point]) -> Iterator[float]:
     """Amplitudes of the stable motions of a curve at a frequency, between its points."""
     for one, other in itertools.pairwise(points):
         here, there = float(one.z[-1]) - Omega, float(other.z[-1]) - Omega
-        if here * there < 0.0 and all(_is_stable(point) for point in (one, other) if point.role not in FOLDS):
+        if here * there < 0.0 and all(point.stable for point in (one, other) if point.role not in FOLDS):
             yield (here * other.A - there * one.A) / (here - there)
-
-
-def _is_stable(point: Point) -> bool:
-    return bool(np.all(np.abs(point.multipliers) < 1.0))
 
 
 def _settles_higher(F_0: float, fold: Point, Omega: float) -> bool:

@@ -10,7 +10,7 @@ import itertools
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -75,14 +75,8 @@ class Sweep(Drawn, Table):
     picture: ClassVar[str] = "sweep"
 
 
-class Visited(NamedTuple):
-    """What a sweep shows at each frequency, as `Sweep` has it, and the periodic motions that it settled to."""
-
-    A: Array
-    stops: NDArray[np.int64]
-    turns: NDArray[np.int64]
-    settled: NDArray[np.bool_]
-    motions: list[SteadyState | None]
+#: A, stops, turns and settled of a `Sweep`; the periodic motions that it settled to, None where that is none
+Visited = tuple[Any, Sequence[SteadyState | None]]
 
 
 def sweep(
@@ -115,25 +109,24 @@ def sweep(
 
     def through(Omega: Array, u: float, v: float) -> Visited:
         """The motion from (u, v) through frequencies."""
-        A, rests, spent = np.empty(Omega.size), np.empty(Omega.size, int), np.empty(Omega.size, int)
-        settled = np.zeros(Omega.size, bool)
-        motions: list[SteadyState | None] = [None] * Omega.size
-        for i, at in enumerate(Omega.tolist()):
+        visited = []
+        for at in Omega.tolist():
             with limited():
                 forced = Forced(system, at, F_0)
                 end = settle(forced, 0.0, u, v, tries, most_turns)
                 if end.adrift is not None:
                     end = calmed(forced, 0.0, end, most_turns)
+            u, v, found = end.u, end.v, end.found
             drifts = end.adrift is not None and end.turns < most_turns
-            u, v, spent[i], motions[i] = end.u, end.v, end.turns, end.found
-            settled[i] = end.found is not None or end.repeats or at_rest(end.phases) or drifts
-            A[i] = largest(end.phases) if end.found is None else end.found.A
-            rests[i] = stops(end.phases) if end.found is None else end.found.stops
-        return Visited(A, rests, spent, settled, motions)
+            settled = found is not None or end.repeats or at_rest(end.phases) or drifts
+            seen = (largest(end.phases), stops(end.phases)) if found is None else (found.A, found.stops)
+            visited.append((*seen, end.turns, settled, found))
+        *columns, motions = zip(*visited, strict=True)
+        return list(map(np.array, columns)), motions
 
-    found = through(frequencies, u_0, v_0)
-    jumps = Branches(frequencies, F_0, found.motions, through).jumps()
-    return Sweep(F_0, frequencies, found.A, found.stops, found.turns, found.settled, jumps)
+    (A, rests, turns, settled), motions = through(frequencies, u_0, v_0)
+    jumps = Branches(frequencies, F_0, motions, through).jumps()
+    return Sweep(F_0, frequencies, A, rests, turns, settled, jumps)
 
 
 class Branches:
@@ -187,7 +180,7 @@ class Branches:
             return True
         Omega = np.linspace(self.Omega[j - 1], self.Omega[j], FINER + 1)
         try:
-            motions = [before, *self.through(Omega[1:], *before._state(0.0)).motions]
+            motions = [before, *self.through(Omega[1:], *before._state(0.0))[1]]
         except ArithmeticError:
             return True
         last = motions[-1]
@@ -235,11 +228,11 @@ class Branches:
 
         there -- the branch at that frequency, None where it does not come so far
         """
-        if there is not None and bool(np.all(np.abs(there.multipliers) < 1.0)):
+        if there is not None and there.stable:
             return True
         if self.motions[j] is None:  # chaotic, say: where it comes from is not known
             return False
-        back, turned = self._back_from(j, float(self.Omega[j - 1]))
+        back, turned = self._back_from(j)
         if turned:
             return not self._meet(points, back[-2])
         motion, last = self.motions[j - 1], back[-1]
@@ -253,22 +246,14 @@ class Branches:
         """
         if self.motions[j] is None:
             return True
-        back, turned = self._back_from(j, float(self.Omega[j - 1]))
+        back, turned = self._back_from(j)
         return not self._meet(back[:-1] if turned else back, turn)
 
-    def _back_from(self, j: int, Omega: float) -> tuple[list[Point], bool]:
-        """The branch of the motion at number j back to a frequency; whether it turns before, at the last but one."""
-        motion, back = self.motions[j], list[Point]()
+    def _back_from(self, j: int) -> tuple[list[Point], bool]:
+        """The branch of the motion at number j back to the frequency before; whether it turns, at the last but one."""
+        motion, Omega, before = self.motions[j], self.Omega[j], self.Omega[j - 1]
         assert motion is not None
-        path = self._path(motion, self.Omega[j], Omega)
-        try:
-            for point in path.follow(path.begin(motion, math.copysign(1.0, Omega - self.Omega[j]))):
-                back.append(point)
-                if has_turned(back):
-                    return back, True
-        except ArithmeticError:
-            pass
-        return back, False
+        return self._path(motion, Omega, before).up_to_fold(motion, math.copysign(1.0, before - Omega))
 
     def _meet(self, points: list[Point], turn: Point) -> bool:
         """Whether the branch through the points passes the one at which another turns."""
@@ -282,7 +267,7 @@ class Branches:
 
 def _is_stable(points: list[Point]) -> bool:
     """Whether a branch is stable as far as its points say."""
-    return all(bool(np.all(np.abs(point.multipliers) < 1.0)) for point in points if not point.role)
+    return all(point.stable for point in points if not point.role)
 
 
 def _between(before: Point, after: Point, F_0: float, Omega: float) -> Point | None:
