@@ -9,7 +9,6 @@ import mpmath as mp
 import numpy as np
 import pytest
 import sympy as sp
-from scipy.integrate import solve_ivp
 
 from slowflow import Duffing, Isolator, derive
 from slowflow.exact import (
@@ -28,7 +27,7 @@ from slowflow.exact import (
 from slowflow.exact.motion import Forced, follow
 from slowflow.example import TABLE_1
 from slowflow_kernels import den_hartog
-from tests.oracles import exact_brute, exact_linear, exact_reference
+from tests.oracles import by_time, exact_brute, exact_linear, exact_reference
 from tests.oracles.exact_cases import isolator, random_cases, table_1
 from tests.sampling import part
 
@@ -294,6 +293,17 @@ def test_a_wall_within_reach():
         steady_state(system, Omega=0.5, F_0=1e9)
 
 
+def passes(level, force, push, zeta, end, **given):
+    """When |u| first reaches a level, by SciPy from rest at u = 0."""
+
+    def arrives(_, y):
+        return abs(y[0]) - level
+
+    arrives.terminal = True
+    (at,) = by_time.motion(force, push, zeta, (0, end), (0.0, 0.0), events=arrives, **given).t_events[0]
+    return at
+
+
 #: tan(u), u/(1 - u^2), and u - u/(2 (1 - u^2)), which draws the mass towards |u| = 1: force, slope, place of the pole
 POLES = {
     "tangent": (np.tan, lambda u: 1 / np.cos(u) ** 2, math.pi / 2),
@@ -308,15 +318,7 @@ def test_a_force_without_bound_is_named_where_an_integration_stalls(name):
     force, slope, pole = POLES[name]
     system = EquationOfMotion(Force((Piece(Law(force, slope), ()),), ()), 0.0, 0.05)
 
-    def arrives(_, y):
-        return abs(y[0]) - pole * (1 - 1e-6)
-
-    arrives.terminal = True
-
-    def pushed(tau, y):
-        return [y[1], -50 * math.sin(math.pi / 2 * tau) - 0.1 * y[1] - force(y[0])]
-
-    (at,) = solve_ivp(pushed, (0, 2), [0.0, 0.0], rtol=1e-9, atol=1e-12, events=arrives).t_events[0]
+    at = passes(pole * (1 - 1e-6), force, lambda tau: -50 * math.sin(math.pi / 2 * tau), 0.05, 2, rtol=1e-9)
     with pytest.raises(ArithmeticError, match="the restoring force grows without bound; at tau = ") as stalled:
         transient(system, half_sine(50.0, 2.0))
     near, tau = re.search(
@@ -337,15 +339,7 @@ def test_a_shock_or_a_release_that_escapes_is_told_with_its_time():
     assert float(re.search(r"tau = (\S+),", str(lost.value))[1]) == pytest.approx(float(whole), rel=1e-5)
     times = np.linspace(0.0, 5.0, 26)
     samples = 3.0 * np.sin(times) * np.exp(-0.1 * times)
-
-    def pushed(tau, y):
-        return [y[1], -np.interp(tau, times, samples) - y[0] + 0.5 * y[0] ** 3]
-
-    def passes(_, y):
-        return abs(y[0]) - 1e6
-
-    passes.terminal = True
-    (at,) = solve_ivp(pushed, (0, 5), [0.0, 0.0], rtol=1e-10, atol=1e-12, events=passes, max_step=0.05).t_events[0]
+    at = passes(1e6, lambda u: u - 0.5 * u**3, lambda tau: -np.interp(tau, times, samples), 0.0, 5, max_step=0.05)
     with pytest.raises(ArithmeticError, match=r"the motion escapes.*, while the base is accelerated$") as lost:
         transient(duffing.equation_of_motion(), record(times, samples))
     assert float(re.search(r"tau = (\S+),", str(lost.value))[1]) == pytest.approx(float(at), rel=1e-5)
@@ -377,13 +371,9 @@ def test_errors_in_words():
 
 def of_duffing(alpha, beta, zeta, Omega, F_0, turns, state=(0.0, 0.0)):
     """States of u'' + 2 zeta u' + alpha u + beta u^3 = F_0 cos(Omega tau) at the start of each turn, by SciPy."""
-    period = 2.0 * math.pi / Omega
-
-    def rates(tau, y):
-        return y[1], F_0 * math.cos(Omega * tau) - 2.0 * zeta * y[1] - (alpha + beta * y[0] ** 2) * y[0]
-
-    tau = period * np.arange(turns + 1)
-    return solve_ivp(rates, (0.0, tau[-1]), state, "DOP853", t_eval=tau, rtol=1e-10, atol=1e-11).y.T
+    tau = 2.0 * math.pi / Omega * np.arange(turns + 1)
+    force = lambda u: (alpha + beta * u**2) * u, lambda tau: F_0 * math.cos(Omega * tau)
+    return by_time.motion(*force, zeta, (0.0, tau[-1]), state, t_eval=tau, atol=1e-11).y.T
 
 
 #: oscillators whose mass at rest comes to a motion of that many turns, though one of the forcing's period is stable
@@ -429,21 +419,14 @@ def test_a_motion_that_turns_downwards_once_in_two_turns_is_closed(Omega):
     found = made(al=0.25, b=4.0, zeta=0.02, load=1.2).steady_state(Omega=Omega, F_0=1.0)
     period, tau = 2.0 * math.pi / Omega, found.series(2)[0]
 
-    def rates(tau, y):
-        spring = 0.25 * y[0] if abs(y[0]) <= 4.0 else y[0] - math.copysign(3.0, y[0])
-        return y[1], math.cos(Omega * tau) + 1.2 - 0.04 * y[1] - spring
+    def turns(span, state, share, **given):
+        spring = lambda u: 0.25 * u if abs(u) <= 4.0 else u - math.copysign(3.0, u)  # noqa: E731
+        push = lambda tau: math.cos(Omega * tau) + 1.2  # noqa: E731
+        near = {"rtol": 1e-9, "atol": 1e-9, "max_step": share * period}
+        return by_time.motion(spring, push, 0.02, (0.0, span * period), state, **near, **given)
 
-    last = solve_ivp(rates, (0.0, 160.0 * period), (4.2, 0.0), "DOP853", rtol=1e-9, atol=1e-9, max_step=0.1 * period)
-    (turned,) = solve_ivp(
-        rates,
-        (0.0, 2.0 * period),
-        last.y[:, -1],
-        "DOP853",
-        rtol=1e-9,
-        atol=1e-9,
-        max_step=0.02 * period,
-        events=lambda _, y: y[1],
-    ).y_events
+    last = turns(160.0, (4.2, 0.0), 0.1)
+    (turned,) = turns(2.0, last.y[:, -1], 0.02, events=lambda _, y: y[1]).y_events
     assert turned[:, 0].max() == pytest.approx(found.A, rel=1e-5)
     assert tau[1] == pytest.approx(period)
     if Omega == 1.5:

@@ -16,7 +16,7 @@ from slowflow.example import isolator
 from slowflow_kernels import duffing as duffing_kernels
 from slowflow_support.errors import NotSettled
 from tests.interrupts import ENDING, interrupted
-from tests.oracles import exact_brute
+from tests.oracles import by_time, exact_brute
 
 
 def test_each_averaged_state_leads_to_a_motion_beside_it():
@@ -34,15 +34,8 @@ def test_each_averaged_state_leads_to_a_motion_beside_it():
 
 def from_place(force, *, load, zeta, Omega, F_0, u, periods=200):
     """Largest |u| that u'' + 2 zeta u' + f(u) = load + F_0 cos(Omega tau) comes to from rest at u, by SciPy."""
-
-    def rates(tau, y):
-        return y[1], load + F_0 * np.cos(Omega * tau) - 2 * zeta * y[1] - force(y[0])
-
-    turn = 2 * np.pi / Omega
-    settled = solve_ivp(rates, (0, periods * turn), (u, 0.0), "DOP853", rtol=1e-10, atol=1e-12)
-    times = np.linspace(0, 4 * turn, 4001)
-    last = solve_ivp(rates, (0, 4 * turn), settled.y[:, -1], "DOP853", rtol=1e-10, atol=1e-12, t_eval=times)
-    return np.abs(last.y[0]).max()
+    push = lambda tau: load + F_0 * np.cos(Omega * tau)  # noqa: E731
+    return np.abs(by_time.settled(force, push, zeta, Omega, (u, 0.0), periods, last=4)[1]).max()
 
 
 def test_a_mass_at_rest_begins_where_load_and_spring_balance():

@@ -4,7 +4,6 @@ import math
 
 import numpy as np
 import pytest
-from scipy.integrate import solve_ivp
 from scipy.optimize import minimize_scalar, root
 
 from slowflow import Duffing, Isolator
@@ -12,6 +11,7 @@ from slowflow.exact import EquationOfMotion, exact_response, linear, response, s
 from slowflow.exact.continuation import FOLDS
 from slowflow.exact.sweep import _is_stable as is_stable_branch
 from slowflow.example import TABLE_1
+from tests.oracles import by_time
 from tests.oracles.exact_cases import isolator, random_cases, table_1
 from tests.oracles.exact_reference import ScipyIntegrator, again
 from tests.oracles.exact_scipy import half_turn
@@ -257,16 +257,10 @@ def settled_by_scipy(F_0, zeta, frequencies, state=(0.0, 0.0), turns=60):
     """Largest |u| of u'' + 2 zeta u' + u + u^3 = F_0 cos(Omega tau), each from where the one before ends."""
     found = []
     for Omega in frequencies:
-
-        def rates(tau, y, Omega=Omega):
-            return y[1], F_0 * np.cos(Omega * tau) - 2 * zeta * y[1] - y[0] - y[0] ** 3
-
-        turn = 2 * np.pi / Omega
-        state = solve_ivp(rates, (0, turns * turn), state, "DOP853", rtol=1e-9, atol=1e-10).y[:, -1]
-        times = np.linspace(0, turn, 2001)
-        found.append(
-            np.abs(solve_ivp(rates, (0, turn), state, "DOP853", rtol=1e-9, atol=1e-10, t_eval=times).y[0]).max()
-        )
+        push = lambda tau, Omega=Omega: F_0 * np.cos(Omega * tau)  # noqa: E731
+        _, u, v = by_time.settled(lambda u: u + u**3, push, zeta, Omega, state, turns, rtol=1e-9, atol=1e-10)
+        state = u[-1], v[-1]
+        found.append(np.abs(u).max())
     return found
 
 

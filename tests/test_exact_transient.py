@@ -15,6 +15,7 @@ from slowflow.exact import EquationOfMotion, half_sine, linear, record, transien
 from slowflow.example import isolator
 from slowflow.results import Remark
 from slowflow_kernels.conventions import Status
+from tests.oracles import by_time
 
 MOUNT = {"m": 12, "k_v": 2500, "k_h": 1700, "n": 3, "L": 0.080, "preload": 0.009, "friction": 0.4, "zeta": 0.02}
 
@@ -61,6 +62,17 @@ def test_after_a_shock_friction_takes_off_4_mu_over_k_in_each_cycle_until_it_hol
     np.testing.assert_allclose(free[2:] - free[:-2], -4 * mu / k, rtol=0, atol=1e-13)
     # it is held at the first turn that the spring cannot leave
     assert found.rests and abs(found.u_end) <= mu / k < free[-2] and abs(found.u_end) == free[-1]
+
+
+def pulsed(force, acceleration, duration, zeta, end, state):
+    """u and v of a mass without friction from a state on, under a half sine and after it, by SciPy."""
+    found = []
+    for span, a in ((np.linspace(0, duration, 20_001), acceleration), (np.linspace(duration, end, 80_001), 0.0)):
+        push = lambda tau, a=a: -a * math.sin(math.pi * tau / duration)  # noqa: E731
+        way = by_time.motion(force, push, zeta, span[[0, -1]], state, t_eval=span, rtol=1e-11, atol=1e-13).y
+        found.append(way)
+        state = way[:, -1]
+    return np.concatenate(found, axis=1)
 
 
 def by_scipy(iso, acceleration, duration, end):
@@ -154,16 +166,7 @@ def test_a_record_goes_through_its_samples():
 def test_a_mass_that_is_damped_so_much_that_it_creeps_back_is_followed_until_it_has(zeta):
     """A linear one: against another integrator; without friction it never rests, and turns once."""
     found = Duffing(1.0, 0.0, zeta=zeta).transient(acceleration=0.3, duration=2.0)
-    tau, u, v = np.linspace(0.0, 20.0, 100_001), [], []
-    state = (0.0, 0.0)
-    for span, a in ((tau[tau <= 2], 0.3), (tau[tau >= 2], 0.0)):
-
-        def rates(t, y, a=a):
-            return y[1], -a * math.sin(math.pi * t / 2) - 2 * zeta * y[1] - y[0]
-
-        way = solve_ivp(rates, span[[0, -1]], state, t_eval=span, method="DOP853", rtol=1e-11, atol=1e-13).y
-        u, v, state = [*u, *way[0]], [*v, *way[1]], way[:, -1]
-    u, v = np.array(u), np.array(v)
+    u, v = pulsed(lambda u: u, 0.3, 2.0, zeta, 20.0, (0.0, 0.0))
     assert found.A == pytest.approx(np.abs(u).max(), rel=1e-6)
     assert found.a_max == pytest.approx(np.abs(u + 2 * zeta * v).max(), rel=1e-6)
     assert not found.rests and abs(found.u_end) < 1e-8
@@ -277,13 +280,8 @@ def test_a_shock_under_a_load_is_that_of_another_integrator_and_upside_down_its_
     mount = isolator(mu=0.0, load=0.03)
     found = mount.transient(acceleration=0.5, duration=3.0)
     force, begins = mount.restoring_force(), mount.rest().u[0]
-
-    def moves(tau, state):
-        pulse = 0.5 * math.sin(math.pi * tau / 3.0) if tau < 3.0 else 0.0
-        return state[1], mount.load - force.value(state[0]) - pulse - 2 * mount.zeta * state[1]
-
-    other = solve_ivp(moves, (0.0, 12.0), (begins, 0.0), method="DOP853", rtol=1e-10, atol=1e-12, max_step=0.02)
-    assert found.detaches and found.A == pytest.approx(np.abs(other.y[0]).max(), rel=1e-4)
+    u, _ = pulsed(lambda u: force.value(u) - mount.load, 0.5, 3.0, mount.zeta, 12.0, (begins, 0.0))
+    assert found.detaches and found.A == pytest.approx(np.abs(u).max(), rel=1e-4)
     mirrored = mount.replace(load=-0.03).transient(acceleration=-0.5, duration=3.0)
     assert mirrored.series().u == pytest.approx(-found.series().u, abs=1e-12)
 
@@ -350,13 +348,8 @@ def test_a_shock_between_two_wells_begins_in_one_and_is_the_same_in_a_batch():
     pulse = {"acceleration": 0.3, "duration": 2.0}
     found = Duffing(-1.0, 1.0, zeta=0.1).transient(**pulse)
     assert "at u = -1, 1: the mass begins at u = 1" in found.message
-
-    def rates(tau, y):
-        base = 0.3 * math.sin(math.pi * tau / 2.0) if tau < 2.0 else 0.0
-        return y[1], -base - 0.2 * y[1] - (y[0] ** 3 - y[0])
-
-    by_scipy = solve_ivp(rates, (0, 20), (1.0, 0.0), "DOP853", rtol=1e-10, atol=1e-12, max_step=0.01)
-    assert found.A == pytest.approx(np.abs(by_scipy.y[0]).max(), rel=1e-5)
+    u, _ = pulsed(lambda u: u**3 - u, 0.3, 2.0, 0.1, 20.0, (1.0, 0.0))
+    assert found.A == pytest.approx(np.abs(u).max(), rel=1e-5)
     many = Duffing.many([-1.0, 1.0], 1.0, zeta=0.1).transient(**pulse)
     assert many.A[0] == found.A and many.u_end[0] == found.u_end
     spectrum = Duffing.many([-1.0, 1.0], 1.0, zeta=0.1).shock_spectrum(**pulse)

@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 from slowflow import Duffing, Isolator, isolating, scenes
 from slowflow_kernels.conventions import Status
 from slowflow_support.errors import Refused
+from tests.oracles import by_time
 from tests.sampling import fewer
 
 #: some designs have a negative stiffness at rest
@@ -230,15 +230,9 @@ def test_a_scene_asks_at_several_levels(tmp_path):
 
 def transmitted(alpha: float, beta: float, zeta: float, F_0: float, Omega: float) -> tuple[float, float]:
     """Peak and fundamental harmonic of what spring and damper pass on, over F_0, by SciPy."""
-    period = 2 * math.pi / Omega
-
-    def slopes(tau, x):
-        return x[1], F_0 * math.cos(Omega * tau) - 2 * zeta * x[1] - alpha * x[0] - beta * x[0] ** 3
-
-    periods = math.ceil(30 / zeta / period)
-    end = solve_ivp(slopes, (0, periods * period), (0.0, 0.0), rtol=1e-10, atol=1e-12, method="DOP853").y[:, -1]
-    at = np.linspace(0, period, 4097)[:-1]
-    u, v = solve_ivp(slopes, (0, period), end, t_eval=at, rtol=1e-12, atol=1e-14, method="DOP853").y
+    turns, push = math.ceil(30 / zeta * Omega / (2 * math.pi)), lambda tau: F_0 * math.cos(Omega * tau)
+    settled = by_time.settled(lambda u: alpha * u + beta * u**3, push, zeta, Omega, (0.0, 0.0), turns)
+    at, u, v = (column[:-1] for column in settled)
     force = alpha * u + beta * u**3 + 2 * zeta * v
     return float(np.abs(force).max() / F_0), float(2 * abs((force * np.exp(-1j * Omega * at)).mean()) / F_0)
 

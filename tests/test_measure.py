@@ -4,7 +4,6 @@ import pickle
 
 import numpy as np
 import pytest
-from scipy.integrate import solve_ivp
 
 from slowflow import Duffing, Isolator, derive
 from slowflow.averaged.questions import Averaged
@@ -13,7 +12,7 @@ from slowflow.exact.measure import AT_REST, BORN, NO_MOTION, TAKEN, states
 from slowflow.example import isolator
 from slowflow.results import NOT_ASKED, SteadyStates
 from slowflow_kernels import den_hartog
-from tests.oracles.by_time import last_turn
+from tests.oracles.by_time import last_turn, settled
 from tests.oracles.exact_reference import ScipyIntegrator, again
 
 
@@ -228,13 +227,8 @@ def test_a_fold_leads_to_the_exact_one_that_is_nearest():
     # SciPy's motion, stepped down in frequency on the lower branch, goes up between the last two
     state, heights = (centre, 0.0), {}
     for Omega in (0.95, 0.92, 0.911, 0.908):
-        period = 2 * np.pi / Omega
-
-        def motion(t, y, Omega=Omega):
-            return y[1], load + 0.1 * np.cos(Omega * t) - 0.1 * y[1] - linear * y[0] - y[0] ** 3
-
-        times = np.linspace(99 * period, 100 * period, 200)
-        done = solve_ivp(motion, (0.0, 100 * period), state, "DOP853", t_eval=times, rtol=1e-9, atol=1e-10)
-        state, heights[Omega] = tuple(done.y[:, -1]), np.ptp(done.y[0]) / 2
+        push = lambda tau, Omega=Omega: load + 0.1 * np.cos(Omega * tau)  # noqa: E731
+        _, u, v = settled(lambda u: linear * u + u**3, push, 0.05, Omega, state, 99, rtol=1e-9, atol=1e-10)
+        state, heights[Omega] = (u[-1], v[-1]), np.ptp(u) / 2
     assert 1.3 * heights[0.911] < heights[0.908]
     assert 0.908 < measured.Omega[2] < 0.911

@@ -1,7 +1,7 @@
 """The equation of motion (3) by SciPy, the spring typed by hand: in go its pull and an oscillator's damping, F_0.
 
-Out come settled motions: means over a turn of the forcing, or the largest |u|. Shares no integrator and no switching
-with the package.
+Out come motions, or settled ones: means over a turn of the forcing, or the largest |u|. Shares no integrator and no
+switching with the package.
 """
 
 from __future__ import annotations
@@ -13,6 +13,25 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 Pull = Callable[[float], float]
+
+
+def motion(pull: Pull, push: Pull, zeta: float, span: tuple[float, float], state: Any, **given: Any) -> Any:
+    """u'' + 2 zeta u' + pull(u) = push(tau) over a span of tau from a state (u, u'), as SciPy has it."""
+
+    def rates(tau: float, y: Any) -> Any:
+        return y[1], push(tau) - 2 * zeta * y[1] - pull(y[0])
+
+    return solve_ivp(rates, span, state, **{"method": "DOP853", "rtol": 1e-10, "atol": 1e-12, **given})
+
+
+def settled(
+    pull: Pull, push: Pull, zeta: float, Omega: float, state: Any, turns: float, last: int = 1, **given: Any
+) -> Any:
+    """Times, u and u' over the last turns, `turns` after a state, with which the forcing begins anew."""
+    turn = 2 * np.pi / Omega
+    begun = motion(pull, push, zeta, (0, turns * turn), state, **given).y[:, -1]
+    grid = np.linspace(0, last * turn, 2000 * last + 1)
+    return grid, *motion(pull, push, zeta, (0, last * turn), begun, t_eval=grid, **given).y
 
 
 def _force(osc: Any, Omega: float, F_0: float) -> float:
