@@ -233,7 +233,7 @@ def lines_of(path):
 
 @pytest.mark.slow
 def test_what_is_undecided_of_isolation_is_said_in_short_too(monkeypatch):
-    plain, ask = " ".join(report._in_short(scenes.read(MOUNT), 5.0)), Isolator.isolation
+    plain, ask = " ".join(report.Report(scenes.read(MOUNT)).in_short(5.0)), Isolator.isolation
 
     @functools.wraps(ask)
     def undecided(*at, **given):
@@ -241,7 +241,7 @@ def test_what_is_undecided_of_isolation_is_said_in_short_too(monkeypatch):
 
     monkeypatch.setattr(Isolator, "isolation", undecided)
     said = plain.replace("less than what drives it.", "less than what drives it, as far as is decided.")
-    assert " ".join(report._in_short(scenes.read(MOUNT), 5.0)) == said != plain
+    assert " ".join(report.Report(scenes.read(MOUNT)).in_short(5.0)) == said != plain
 
 
 @pytest.mark.parametrize("name", [pytest.param("mount", marks=pytest.mark.slow), "table_1"])

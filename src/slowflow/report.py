@@ -7,6 +7,7 @@ oscillator has no answer to, as one under a load or with another law of damping,
 
 from __future__ import annotations
 
+import contextlib
 import json
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from html import escape
@@ -21,7 +22,7 @@ from slowflow.answer import Answer, head, shown
 from slowflow.isolator import Isolator
 from slowflow.measured.validity import IN_PYTHON
 from slowflow.physical import Physical
-from slowflow.quantities import SHEET, SHOWN, UNITS, Quantities, in_shown
+from slowflow.quantities import SHEET, SHOWN, UNITS, in_shown
 from slowflow.results import Remark
 from slowflow.scenes import FORCINGS, Scene
 from slowflow.sizing.subject import Load, Subject
@@ -44,13 +45,22 @@ OF_INERTIA = ("f_sticks", "Omega_sticks")
 NAMES = ("answer", "parameter")
 #: bands that need no picture
 FEW = 2
-#: what else a scene may ask for that is a table
+#: tables of what is asked at each forcing, and of what else a scene may ask for
+AT_EACH = {
+    "margins": "Margins to jumps and to detachment: above 1 is safe",
+    "peak": "The highest peak",
+    "isolation": "Less is transmitted from this frequency on than what drives it",
+    "saddle_nodes": "Where a sweep jumps",
+    "hysteresis": "Bands with several stable motions",
+}
 ALSO = {
     "isolation": "From this frequency on less than a level is transmitted",
     "amplitudes": "Motions at the frequencies asked for",
     "cusps": "Where two folds come into being or meet",
     "isola_points": "Where isolated curves are born or merge",
 }
+#: heads of the columns that compare with the equation of motion
+BY_MOTION = ("equation of motion", "error of averaging")
 #: numbers of the map, of a mount and of an isolator without dimensions
 OF_MOUNT, OF_ISOLATOR = ("k_h", "preload"), ("r", "delta_h")
 NUMBERS = {"k_h": "the stiffness of the springs", "preload": "their preload", "r": "the stiffness ratio"}
@@ -92,35 +102,27 @@ BESIDE = (0.8, 1.2)
 
 def html(scene: Scene) -> str:
     """The page. Raises ValueError where the scene has no forcing and no shock, or its oscillator is no isolator."""
-    forcings = scene.forcings()
-    shocks = any(one.question in SHOCKS for one in scene.asked)
-    if not forcings and not shocks:
+    if not scene.forcings() and not any(one.question in SHOCKS for one in scene.asked):
         raise Refused(f"{scene.path}: a report needs forcings in [ask], or a shock")
-    of = scene.oscillator
-    if not isinstance(_plain(of), Isolator):
+    report = Report(scene)
+    if not isinstance(report.plain, Isolator):
         raise Refused(f"{scene.path}: a report is of an isolator: the scene must hold [mount] or [isolator]")
-    title = f"Vibration isolator: {scene.path.stem.replace('_', ' ')}"
     sections = {
-        "In short": _summary(forcings, scene),
-        "The design": _design(of, scene),
-        "What it does": _answers(of, forcings, scene),
-        "Curves": _curves(of, forcings, scene),
-        "Folds": _locus(scene),
-        "Load spectrum": _spectrum(scene),
-        "Shocks": _shocks(scene),
-        "Tolerances": _tolerances(scene),
-        "Designs beside it": _map(of),
-        "How far to trust it": _trust(of, forcings, scene),
-        "Equations": _equations(of),
-        "Data": _data(of, forcings, scene),
+        "In short": report.summary(),
+        "The design": report.design(),
+        "What it does": report.answers(),
+        "Curves": report.curves(),
+        "Folds": report.locus(),
+        "Load spectrum": report.spectrum(),
+        "Shocks": report.shocks(),
+        "Tolerances": report.tolerances(),
+        "Designs beside it": report.map(),
+        "How far to trust it": report.trust(),
+        "Equations": report.equations(),
+        "Data": report.data(),
     }
     told = {name: parts for name, section in sections.items() if (parts := list(_available(section)))}
-    return page.whole(title, told)
-
-
-def _plain(of: Any) -> Any:
-    """The oscillator without dimensions."""
-    return of.oscillator if isinstance(of, Physical) else of
+    return page.whole(f"Vibration isolator: {scene.path.stem.replace('_', ' ')}", told)
 
 
 def _available(section: Iterator[str]) -> Iterator[str]:
@@ -136,111 +138,412 @@ def _left_out(reasons: Sequence[str]) -> str:
     return "".join(f"<p>Left out: {page.inline(reason)}.</p>" for reason in reasons)
 
 
-def _forced_by(scene: Scene, F: float) -> dict[str, float]:
-    """The amplitude of the excitation as an argument of a question."""
-    return {"F" if isinstance(scene.oscillator, Physical) else "F_0": F}
+class Report:
+    """The sections of a scene's report, each the HTML of its parts.
 
+    of       -- the oscillator; plain -- without dimensions
+    mount    -- the same where it has dimensions, else None
+    forcings -- amplitudes of the excitation that the scene asks at
+    F, f     -- names of the arguments that are amplitude and frequency; letter -- what answers call the amplitude
+    """
 
-def _at_each(scene: Scene, question: str, forcings: Sequence[float], left_out: list[str]) -> list[Any]:
-    """The answers at each forcing; none where such an oscillator has none, and why is added to `left_out`."""
-    try:
-        return [shown(scene.ask(question, **_forced_by(scene, F))) for F in forcings]
-    except NotAvailable as error:
-        said = str(error)
-        left_out.append(said if question in said else f"{question}: {said}")
-        return []
+    def __init__(self, scene: Scene) -> None:
+        self.scene, self.forcings = scene, scene.forcings()
+        self.of: Any = scene.oscillator
+        self.mount = self.of if isinstance(self.of, Physical) else None
+        self.plain: Any = self.mount.oscillator if self.mount else self.of
+        self.F, self.f = ("F", "f") if self.mount else ("F_0", "Omega")
+        self.letter, self.unit, self.size = self._called("F_0")
 
+    def _ask(self, question: str, F: float | None = None, **given: Any) -> Any:
+        """An answer, at an amplitude of the excitation if it is asked at one."""
+        return self.scene.ask(question, **given, **({} if F is None else {self.F: F}))
 
-def _called(of: Any, name: str = "F_0") -> tuple[str, str, float]:
-    """What a number is called, in which unit it is shown, and that one's size; none and 1 without dimensions."""
-    if not isinstance(of, Physical):
-        return name, "", 1.0
-    symbol, kind = of.scales.kind(name)
-    return symbol, SHOWN[kind], UNITS[kind][SHOWN[kind]]
+    def _shown(self, question: str, F: float | None = None, **given: Any) -> Any:
+        """The same in the units in which answers are shown."""
+        return shown(self._ask(question, F, **given))
 
+    def _plainly(self, question: str, F: float) -> Any:
+        """The same without dimensions."""
+        found = self._ask(question, F)
+        return found.answer if self.mount else found
 
-def _told(of: Any, F: float) -> str:
-    """An amplitude of the excitation in its unit."""
-    return f"{F / _called(of)[2]:.4g}"
+    def _at_each(self, question: str, forcings: Sequence[float], left_out: list[str]) -> list[Any]:
+        """The answers at each forcing; none where such an oscillator has none, and why is added to `left_out`."""
+        try:
+            return [self._shown(question, F) for F in forcings]
+        except NotAvailable as error:
+            said = str(error)
+            left_out.append(said if question in said else f"{question}: {said}")
+            return []
 
+    def _called(self, name: str) -> tuple[str, str, float]:
+        """What a number is called, in which unit it is shown, and that one's size; none and 1 without dimensions."""
+        if not self.mount:
+            return name, "", 1.0
+        symbol, kind = self.mount.scales.kind(name)
+        return symbol, SHOWN[kind], UNITS[kind][SHOWN[kind]]
 
-# ---- sections
+    def _told(self, F: float) -> str:
+        """An amplitude of the excitation in its unit."""
+        return f"{F / self.size:.4g}"
 
+    def _heads(self, *names: str) -> list[str]:
+        """Heads of columns of these numbers."""
+        return [page.term(*self._called(name)[:2]) for name in names]
 
-def _summary(forcings: Sequence[float], scene: Scene) -> Iterator[str]:
-    """A few sentences for each force, and for the shocks."""
-    lines = [" ".join([*_in_short(scene, F), *_transmitted(scene, F)]) for F in forcings]
-    lines += _of_shocks(scene)
-    if lines:
-        yield f"<ul>{''.join(f'<li>{page.inline(line)}</li>' for line in lines)}</ul>"
+    def _frequencies(self) -> Sequence[float]:
+        """Those at which the scene asks for motions."""
+        return next((one.arguments[self.f] for one in self.scene.of("amplitudes")), ())
 
+    # ---- sections
 
-def _frequencies(scene: Scene) -> Sequence[float]:
-    """Those at which the scene asks for motions."""
-    asked = (one.arguments for one in scene.of("amplitudes"))
-    return next((given.get("f", given.get("Omega")) for given in asked), ())
+    def summary(self) -> Iterator[str]:
+        """A few sentences for each force, and for the shocks."""
+        lines = [" ".join([*self.in_short(F), *self._transmitted(F)]) for F in self.forcings]
+        lines += self._of_shocks()
+        if lines:
+            yield f"<ul>{''.join(f'<li>{page.inline(line)}</li>' for line in lines)}</ul>"
 
+    def _transmitted(self, F: float) -> Iterator[str]:
+        """What stable motions transmit at the frequencies asked for."""
+        for at in self._frequencies():
+            states = self._shown("amplitudes", F, **{self.f: at})
+            if found := [f"{one:.4g}" for one in states.transmissibility_dB[states.stable].tolist()]:
+                yield f"At {_number(states, at, self.f)} it transmits {' or '.join(found)} dB."
 
-def _transmitted(scene: Scene, F: float) -> Iterator[str]:
-    """What stable motions transmit at the frequencies asked for."""
-    name, *_ = _called(scene.oscillator, "Omega")
-    for at in _frequencies(scene):
-        states = shown(scene.ask("amplitudes", **{name: at}, **_forced_by(scene, F)))
-        if found := [f"{one:.4g}" for one in states.transmissibility_dB[states.stable].tolist()]:
-            yield f"At {_number(states, at, name)} it transmits {' or '.join(found)} dB."
+    def _of_shocks(self) -> Iterator[str]:
+        """How many of the half sines lift the springs, and the worst of them."""
+        answers = [(one, self.scene.answer(one)) for one in self.scene.of("transient")]
+        if not answers:
+            return
+        for name, most in (("A", "deflects it most, by"), ("a_max", "accelerates it most, to")):
+            one, found = max(answers, key=lambda pair: float(pair[1].columns()[name][0]))
+            shock = str(one).partition(" at ")[2]
+            yield f"The shock that {most} {_one(found, name)}{f', has {shock}' if shock else ''}."
+        leave, count = sum(bool(found.columns()["detaches"][0]) for _, found in answers), len(answers)
+        yield f"In {leave} of {count} shocks the springs leave." if count > 1 else "Its springs leave." if leave else ""
 
-
-def _of_shocks(scene: Scene) -> Iterator[str]:
-    """How many of the half sines lift the springs, and the worst of them."""
-    answers = [(one, scene.answer(one)) for one in scene.of("transient")]
-    if not answers:
-        return
-    for name, most in (("A", "deflects it most, by"), ("a_max", "accelerates it most, to")):
-        one, found = max(answers, key=lambda pair: float(pair[1].columns()[name][0]))
-        shock = str(one).partition(" at ")[2]
-        yield f"The shock that {most} {_one(found, name)}{f', has {shock}' if shock else ''}."
-    leave, count = sum(bool(found.columns()["detaches"][0]) for _, found in answers), len(answers)
-    yield f"In {leave} of {count} shocks the springs leave." if count > 1 else "Its springs leave." if leave else ""
-
-
-def _in_short(scene: Scene, F: float) -> Iterator[str]:
-    folds = shown(scene.ask("saddle_nodes", **_forced_by(scene, F)))
-    onset, leaving = shown(scene.ask("saddle_node_onset")), shown(scene.ask("detachment"))
-    # without these the sentence is shorter; what is left out is said further down
-    margins, peak, isolation = (_at_each(scene, one, [F], []) for one in ("margins", "peak", "isolation"))
-    yield f"At {_one(folds, *pictures.AMPLITUDES)}"
-    if _plain(scene.oscillator).model.sticks(folds.answer.F_0 if isinstance(folds, Quantities) else folds.F_0):
-        yield "friction holds the mass: it does not move."
-        return
-    if len(folds):
-        jumps = zip(folds.kind.tolist(), getattr(folds, _called(scene.oscillator, "Omega")[0]).tolist(), strict=True)
-        at = ", ".join(f"{kind.replace('-', 's ')} at {_number(folds, x, 'f', 'Omega')}" for kind, x in jumps)
-        yield f"it {at};"
-    elif (lowest := _one(onset, *(f"{letter[0]}_SN" for letter in pictures.AMPLITUDES))) is None:
-        yield "it does not jump, nor at any other amplitude of the excitation;"
-    else:
-        yield f"it does not jump: it would from {lowest} on;"
-    least = [f"{letter[0]}_cr" for letter in pictures.AMPLITUDES]
-    if not margins:
-        name = next(name for name in least if hasattr(leaving, name))
-        if (most := _one(leaving, name)) is None:
+    def in_short(self, F: float) -> Iterator[str]:
+        """Of a force: jumps, detachment, the highest motion, isolation."""
+        folds = self._shown("saddle_nodes", F)
+        onset, leaving = self._shown("saddle_node_onset"), self._shown("detachment")
+        # without these the sentence is shorter; what is left out is said further down
+        margins, peak, isolation = (self._at_each(one, [F], []) for one in ("margins", "peak", "isolation"))
+        yield f"At {_one(folds, self.letter)}"
+        if self.plain.model.sticks(self._plainly("saddle_nodes", F).F_0):
+            yield "friction holds the mass: it does not move."
+            return
+        if len(folds):
+            jumps = zip(folds.kind.tolist(), getattr(folds, self.f).tolist(), strict=True)
+            at = ", ".join(f"{kind.replace('-', 's ')} at {_number(folds, x, self.f)}" for kind, x in jumps)
+            yield f"it {at};"
+        elif (lowest := _one(onset, f"{self.letter[0]}_SN")) is None:
+            yield "it does not jump, nor at any other amplitude of the excitation;"
+        else:
+            yield f"it does not jump: it would from {lowest} on;"
+        least = f"{self.letter[0]}_cr"
+        most = _one((margins or [leaving])[0], least)
+        if margins:
+            stay = f"stay up to {most}" if most else "stay"
+            yield f"its springs {'leave' if margins[0].detaches else stay}."
+        elif most is None:
             yield f"{leaving.message}."
         else:
-            yield f"its springs {f'leave from {most} on' if F >= getattr(leaving, name) else f'stay up to {most}'}."
-    elif margins[0].detaches:
-        yield "its springs leave."
-    else:
-        most = _one(margins[0], *least)
-        yield "its springs stay" + (f" up to {most}." if most is not None else ".")
-    if peak and peak[0].A is not None:
-        yield f"Its highest motion is {_one(peak[0], 'A')}, at {_one(peak[0], 'f', 'Omega')}."
-    if isolation and (begin := _one(isolation[0], "f", "Omega")) is not None:
-        open_ = ", as far as is decided" if isolation[0].remarks & Remark.UNDECIDED else ""
-        yield f"From {begin} on it transmits less than what drives it{open_}."
-    for one in scene.asked:
-        level = one.arguments.get("level_dB", 0.0) if one.question == "isolation" and one.forcing == F else 0.0
-        if level and (begin := _one(scene.answer(one), "f", "Omega")) is not None:
-            yield f"From {begin} on it transmits less than {level:g} dB."
+            yield f"its springs {f'leave from {most} on' if F >= getattr(leaving, least) else f'stay up to {most}'}."
+        if peak and peak[0].A is not None:
+            yield f"Its highest motion is {_one(peak[0], 'A')}, at {_one(peak[0], self.f)}."
+        if isolation and (begin := _one(isolation[0], self.f)) is not None:
+            open_ = ", as far as is decided" if isolation[0].remarks & Remark.UNDECIDED else ""
+            yield f"From {begin} on it transmits less than what drives it{open_}."
+        for one in self.scene.of("isolation"):
+            level = one.arguments.get("level_dB", 0.0) if one.forcing == F else 0.0
+            if level and (begin := _one(self.scene.answer(one), self.f)) is not None:
+                yield f"From {begin} on it transmits less than {level:g} dB."
+
+    def design(self) -> Iterator[str]:
+        """The numbers that were given, and what they mean at rest."""
+        heads: tuple[str, ...] = ("number", "value")
+        given = self.mount.scales.sheet if self.mount else self.of.given
+        rows: list[Any] = [(page.inline(name), page.cell(value)) for name, value in given.items()]
+        if self.mount:
+            heads = (*heads, "unit", "what it is")
+            rows = [(*row, SHEET[name], page.words(GIVEN[name])) for row, name in zip(rows, given, strict=True)]
+        yield page.table("As it was given", heads, rows)
+        for text in self.scene.warnings:
+            yield f"<p>Note: {page.inline(text)}</p>"
+        if self.plain.load != 0:
+            yield _table("Where it stands under its load", self._shown("rest"))
+        elif self.mount:
+            found = self._shown("at_rest")
+            units = found.units_of_columns()
+            at_rest = [
+                (page.inline(name), page.cell(value), escape(units.get(name, "")), page.words(MEANING[name]))
+                for name, (value,) in found.columns().items()
+                if not np.isnan(value)
+            ]
+            yield page.table("At rest", heads, at_rest)
+
+    def answers(self) -> Iterator[str]:
+        """What was asked at each force, and the forces from which on it jumps and its springs leave."""
+        what, of_force = EXCITATION[self.plain.excitation], self.plain.excitation == "force"
+        left_out: list[str] = []
+        yield _table(f"It jumps from this {what} on", self._shown("saddle_node_onset"))
+        yield _table(f"Its springs leave from this {what} on", self._shown("detachment"))
+        for question, caption in AT_EACH.items():
+            if found := self._at_each(question, self.forcings, left_out):
+                # a force moves the mass at all frequencies, or at none, which `sticks` says
+                yield _table(caption, *found, left_out=(*UNSHOWN, *OF_INERTIA) if of_force else UNSHOWN)
+        for question, caption in ALSO.items():
+            asked = self.scene.of(question)
+            if question == "isolation":  # that of 0 dB has its table
+                asked = [one for one in asked if one.arguments.get("level_dB")]
+            if also := [self.scene.answer(one) for one in asked]:
+                yield _table(caption, *also)
+        yield _left_out(left_out)
+
+    def curves(self) -> Iterator[str]:
+        """Amplitude and transmissibility over frequency, of all forces."""
+        if not self.forcings:
+            return
+        asked = (one.arguments for one in self.scene.of("frequency_response"))
+        own = {name: value for name, value in next(asked, {}).items() if name not in FORCINGS}  # the scene's window
+        curves = [self._shown("frequency_response", F, **own) for F in self.forcings]
+        folds = [self._shown("saddle_nodes", F) for F in self.forcings]
+        letter, _, size = self._called("u")
+        length = self.mount.scales.sizes["length"] / size if self.mount else 1.0
+        # off the centre springs leave on one side first, where the largest displacement passes the stroke
+        largest, what = ("A", "Amplitude") if self.plain.load == 0 else (f"{letter}_max", "Largest displacement")
+        for y, said in ((largest, what), ("transmissibility_dB", "Transmissibility in decibels")):
+            ax = pictures.responses(page.axes(), list(zip(curves, folds, strict=True)), y)
+            if y == largest:
+                pictures.breakpoints(ax, [length * end for end in self.plain.breakpoints], letter)
+            pictures.legend(ax, pictures.axis(curves[0], self.letter), place="below")
+            yield page.figure(
+                ax, f"{said} over frequency, a curve for each amplitude of the excitation; unstable motions dashed."
+            )
+
+    def locus(self) -> Iterator[str]:
+        """The folds of every forcing, if the scene asks for them."""
+        for one in self.scene.of("fold_locus"):
+            ax = pictures.locus(page.axes(), self.scene.answer(one))
+            yield page.figure(ax, "The amplitudes of the excitation that have a fold, over its frequency.")
+
+    def spectrum(self) -> Iterator[str]:
+        """A load spectrum, row by row."""
+        for one in self.scene.of("spectrum"):
+            yield _table("Each tone by itself, in the order of the table", self.scene.answer(one))
+
+    def shocks(self) -> Iterator[str]:
+        """What the scene asks of shocks, by the equation of motion."""
+        asked = self.scene.of("transient")
+        found = [self.scene.answer(one) for one in asked]
+        if found:
+            pulses = [{head(name, one.units()): value for name, value in one.numbers().items()} for one in asked]
+            more = (*UNSHOWN, "x_cr", "u_cr", "t_A", "tau_A", "t_a", "tau_a", "t_detaches", "tau_detaches")
+            stroke = _one(found[0], "x_cr", "u_cr")
+            leaves = f'; beyond the stroke, {stroke}, "detaches" says yes' if stroke else ""
+            yield _table(f"Shocks of the base, by the equation of motion{leaves}", *found, beside=pulses, left_out=more)
+            worst = max(range(len(found)), key=lambda k: float(found[k].columns()["A"][0]))
+            ax = pictures.history(page.axes(), found[worst], "below")
+            _, _, shock = str(asked[worst]).partition(" at ")  # nothing of a record
+            said = "The motion of the mass, seen from its base, in the shock that deflects it most"
+            yield page.figure(ax, f"{said}{shock and ': ' + shock}.")
+        for one in self.scene.of("shock_spectrum"):
+            answer: Any = self.scene.answer(one)
+            if not found:
+                yield _table("Shocks of the base, by the equation of motion", answer)
+            ax = pictures.shocks(page.axes(), answer, "below")
+            yield page.figure(
+                ax, "The largest acceleration of the mass over the pulse's, over the duration of the pulse."
+            )
+
+    def tolerances(self) -> Iterator[str]:
+        """What the scene asks of tolerances."""
+        asked = self.scene.of("tolerances")
+        if asked:
+            shares = asked[0].arguments["within"].items()
+            within = ", ".join(f"{page.inline(name)} within {100 * share:g} %" for name, share in shares)
+            yield f"<p>{within}; 95 of 100 lie between low and high.</p>"
+        for one in asked:
+            found: Any = self.scene.answer(one)
+            yield _table(f"T{str(one)[1:]}", found)
+            if len(found) > FEW:
+                ax = pictures.bands(page.axes(), found)
+                yield page.figure(
+                    ax, f"Where 95 of 100 designs lie, over the nominal value, as far as twice that: {one}."
+                )
+
+    def map(self) -> Iterator[str]:
+        """From which force on designs beside it jump."""
+        subject = Subject(self.of)
+        if subject.loaded or subject.laws:
+            which = "under a load" if subject.loaded else "with other laws of damping than friction and viscous damping"
+            raise NotAvailable(f"a map of designs {which}, as each of its points takes tenths of a second")
+        x, y = OF_MOUNT if subject.mount else OF_ISOLATOR
+        if not subject.nominal[y]:
+            return
+        share = np.linspace(1 - REACH, 1 + REACH, MAPPED)
+        columns, rows = subject.nominal[x] * share, subject.nominal[y] * share
+        onset = next(name for name, plain in subject.answers.items() if plain == "F_SN")
+        values = subject.ask({x: columns[None, :], y: rows[:, None]}, [onset], Load(None, None, None))[onset]
+        if not np.isfinite(values).any():
+            raise NotAvailable("a map of designs, none of which has a lowest amplitude of the excitation with a jump")
+        given = (SHEET[x], SHEET[y]) if subject.mount else ("", "")
+        units, (of_x, of_y, of_onset) = zip(*map(in_shown, (*given, subject.unit(onset))), strict=True)
+        name_x, name_y, name = map(pictures.measured, (x, y, onset), units)
+        found = (name, np.where(np.isfinite(values), values / of_onset, np.nan))
+        ax = pictures.design_map(page.axes(), (name_x, columns / of_x), (name_y, rows / of_y), found)
+        ax.plot(subject.nominal[x] / of_x, subject.nominal[y] / of_y, "o", color="white", markeredgecolor="black")
+        what, over = EXCITATION[subject.excitation], f"{NUMBERS[x]} and {NUMBERS[y]}"
+        yield page.figure(ax, f"The {what} from which on it jumps, over {over}; the circle is the design at hand.")
+
+    def trust(self) -> Iterator[str]:
+        """Jumps by averaging, the second approximation and the equation of motion; amplitudes; curves."""
+        if not self.forcings:
+            return
+        yield from _available(self._jumps_by_depths())
+        # measurements are of isolators under a force, about the centre, with viscous damping and dry friction
+        plain = self.plain
+        is_measured = plain.excitation == "force" and plain.load == 0 and not plain.model.laws.told()
+        yield from self._expected() if is_measured else self._checked()
+        yield from self._depths(max(self.forcings))
+
+    def _jumps_by_depths(self) -> Iterator[str]:
+        """Each jump by averaging, with higher harmonics, and by the equation of motion."""
+        unit = self.mount.scales.sizes["frequency"] if self.mount else 1.0
+        rows = []
+        for F in self.forcings:
+            found, plain = self._ask("saddle_nodes", F), self._plainly("saddle_nodes", F)
+            if not len(plain):
+                continue
+            better = getattr(self.of.second_approximation.saddle_nodes(F), self.f)
+            for k, (fold, exact) in enumerate(zip(found, plain.measure(), strict=True)):
+                second = f"{better[k]:.5g}" if len(better) == len(found) else "another number of folds"
+                last = (f"{exact.Omega * unit:.5g}", _error(exact.error))
+                last = (escape(exact.reason), "") if exact.reason else last
+                rows.append((self._told(F), fold.kind, f"{getattr(fold, self.f):.5g}", second, *last))
+        if not rows:
+            yield "<p>There is no jump at these amplitudes of the excitation.</p>"
+            return
+        of_F, of_f = self._heads("F_0", "Omega")
+        heads = (of_F, "kind", f"{of_f}, averaged", "second approximation", *BY_MOTION)
+        caption = "Each jump by averaging, with higher harmonics, and by the equation of motion itself"
+        yield page.table(caption, heads, rows)
+
+    def _checked(self) -> Iterator[str]:
+        """The largest displacement by averaging and by the equation of motion, at the frequencies asked for."""
+        _, of_A, size = self._called("A")
+        rows = []
+        for F in self.forcings:
+            for at in self._frequencies():
+                asked = {self.f: at, self.F: F}
+                states = self.scene.ask("amplitudes", **asked)
+                if states.stable.any():
+                    # off the centre A is about the mean
+                    A = float(getattr(states, pictures.height(states))[states.stable].max())
+                    try:
+                        exact = self.of.steady_state(**asked, A=A).A
+                        compared = (f"{exact / size:.5g}", _error(A / exact - 1))
+                    except ArithmeticError as error:
+                        compared = (escape(str(error)), "")
+                    rows.append((self._told(F), f"{at:.4g}", f"{A / size:.5g}", *compared))
+        heads = [*self._heads("F_0", "Omega"), f"averaged / {of_A}" if of_A else "averaged", *BY_MOTION]
+        if rows:
+            yield page.table("The largest displacement by averaging and by the equation of motion itself", heads, rows)
+        else:
+            yield "<p>Not compared with the equation of motion: the scene asks for amplitudes at no frequency.</p>"
+
+    def _expected(self) -> Iterator[str]:
+        """What measurements say of the error of the highest motion, and of the curve's other points."""
+        rows, remarks = [], []
+        for F in self.forcings:
+            curve = self._plainly("frequency_response", F)
+            stable = np.flatnonzero(curve.stable)
+            if stable.size:
+                top, known = stable[curve.A[stable].argmax()], curve.validity
+                shares = (
+                    "" if np.isnan(one[top]) else f"{100 * one[top]:.2g} %" for one in (known.typical, known.error)
+                )
+                rows.append((self._told(F), f"{known.ratio[top]:.3g}", *shares))
+                if said := in_units(known.message, self.mount.scales if self.mount else None):
+                    at = f"{self._told(F)} {self.unit}".rstrip()
+                    remarks.append(f"<p>At {at} elsewhere on the curve: {page.inline(said)}.</p>")
+        if rows:
+            heads = (*self._heads("F_0"), "friction over force", "half of them within", "95 of 100 within")
+            yield page.table("Error of the highest stable amplitude, as measured for such isolators", heads, rows)
+        yield from remarks
+
+    def _depths(self, F: float) -> Iterator[str]:
+        """The curve about its peak by averaging, with higher harmonics, and of the equation of motion."""
+        left_out: list[str] = []
+        peaks = self._at_each("peak", [F], left_out)
+        yield _left_out(left_out)
+        at = getattr(peaks[0], self.f) if peaks else None
+        if not at:
+            return
+        window = {self.f: (BESIDE[0] * at, BESIDE[1] * at)}
+        curves: dict[str, Callable[[], Any]] = {
+            "averaging": lambda: self.of.frequency_response(F, **window),
+            "second approximation": lambda: self.of.second_approximation.frequency_response(F, **window),
+            "equation of motion": lambda: self.of.exact_response(F, **window),
+        }
+        found, missing = {}, []
+        for depth, ask in curves.items():
+            try:
+                curve = ask()
+            except (ValueError, ArithmeticError) as error:
+                missing.append(f"<p>No {depth} here: {page.inline(str(error))}.</p>")
+                continue
+            found[depth] = shown(curve)
+            if not getattr(curve, "complete", True):
+                missing.append(f"<p>By the {depth} {page.inline(curve.message)}.</p>")
+        if len(found) > 1:
+            ax = pictures.depths(page.axes(), found)
+            at_F = f"{self._told(F)} {self.unit}" if self.unit else f"{self.letter} = {F:g}"
+            said = f"by {'two' if len(found) == 2 else 'three'} depths: they lie the closer the better."
+            yield page.figure(ax, f"The response at {at_F} about its peak, {said}")
+        yield from missing
+
+    def equations(self) -> Iterator[str]:
+        """Those of the paper, with their verdicts."""
+        ledger = read_ledger()
+        rows = [
+            (
+                row["where"],
+                page.words(row["quantity"]),
+                page.words(row["verdict"]),
+                page.formula(row["mathml"], row["published"]),
+            )
+            for row in ledger["rows"]
+            if row["kind"] == "formula" and row["where"] in EQUATIONS
+        ]
+        yield f"<p>Equations of {escape(ledger['paper'])}, each held against the derivation:</p>"
+        if self.plain.load != 0:
+            beside = "with its balance beside them, which the paper has not"
+            yield f"<p>Under a load these hold about a mean B, {beside}.</p>"
+        heads = ("equation", "what", "verdict", "as published; what vanishes, or the value")
+        yield page.table("Verdicts", heads, rows)
+
+    def data(self) -> Iterator[str]:
+        """Answers as files, and the scene."""
+        texts = {}
+        for question in ("saddle_nodes", "frequency_response") if self.forcings else ():
+            found = [({self.letter: F / self.size}, self._shown(question, F)) for F in self.forcings]
+            texts[question] = files.in_csv(found, {self.letter: self.unit})
+        for question in ("spectrum", "tolerances", "transient", "shock_spectrum"):
+            if alike := self.scene.of(question):
+                with contextlib.suppress(NotAvailable):  # its own section says so
+                    answers = [(one.numbers(), self.scene.answer(one)) for one in alike]
+                    texts[question] = files.in_csv(answers, alike[0].units())
+        links = [page.download(f"{question}.csv", "text/csv", text) for question, text in texts.items()]
+        links.append(page.download(self.scene.path.name, "application/toml", self.scene.text))
+        yield from ("<ul>", *(f"<li>{link}</li>" for link in links), "</ul>")
+        made_from = f"scene {escape(self.scene.path.name)}, sha256 {self.scene.sha256}"
+        yield f"<p>slowflow {slowflow.__version__}; {made_from}</p>"
+
+
+# ---- pieces
 
 
 def _one(answer: Any, *names: str) -> str | None:
@@ -250,328 +553,10 @@ def _one(answer: Any, *names: str) -> str | None:
     return None if value is None else _number(answer, value, name)
 
 
-def _number(answer: Any, value: float, *names: str) -> str:
-    """A number with the unit that the first of these names has in the answer; without dimensions with its name."""
+def _number(answer: Any, value: float, name: str) -> str:
+    """A number with the unit that a name has in the answer; without dimensions with that name."""
     units = answer.units_of_columns()
-    name = next(name for name in names if hasattr(answer, name))
     return f"{value:.4g}{page.TIED}{units[name]}" if name in units else f"{name} = {value:.4g}"
-
-
-def _design(of: Any, scene: Scene) -> Iterator[str]:
-    mount = isinstance(of, Physical)
-    given = of.scales.sheet if mount else of.given
-    if mount:
-        rows = [
-            (page.inline(name), page.cell(value), SHEET[name], page.words(GIVEN[name])) for name, value in given.items()
-        ]
-        yield page.table("As it was given", ("number", "value", "unit", "what it is"), rows)
-    else:
-        numbers = [(page.inline(name), page.cell(value)) for name, value in given.items()]
-        yield page.table("As it was given", ("number", "value"), numbers)
-    for text in scene.warnings:
-        yield f"<p>Note: {page.inline(text)}</p>"
-    if mount and _plain(of).load == 0:
-        centred = shown(scene.ask("at_rest"))
-        units = centred.units_of_columns()
-        found = {name: column[0] for name, column in centred.columns().items()}
-        at_rest = [
-            (page.inline(name), page.cell(value), escape(units.get(name, "")), page.words(MEANING[name]))
-            for name, value in found.items()
-            if not np.isnan(value)
-        ]
-        yield page.table("At rest", ("number", "value", "unit", "what it is"), at_rest)
-    elif _plain(of).load != 0:
-        yield _table("Where it stands under its load", shown(scene.ask("rest")))
-
-
-def _answers(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
-    what, of_force = EXCITATION[_plain(of).excitation], _plain(of).excitation == "force"
-    left_out: list[str] = []
-    yield _table(f"It jumps from this {what} on", shown(scene.ask("saddle_node_onset")))
-    yield _table(f"Its springs leave from this {what} on", shown(scene.ask("detachment")))
-    for caption, question in (
-        ("Margins to jumps and to detachment: above 1 is safe", "margins"),
-        ("The highest peak", "peak"),
-        ("Less is transmitted from this frequency on than what drives it", "isolation"),
-        ("Where a sweep jumps", "saddle_nodes"),
-        ("Bands with several stable motions", "hysteresis"),
-    ):
-        if found := _at_each(scene, question, forcings, left_out):
-            # a force moves the mass at all frequencies, or at none, which `sticks` says
-            yield _table(caption, *found, left_out=(*UNSHOWN, *OF_INERTIA) if of_force else UNSHOWN)
-    for question, caption in ALSO.items():
-        asked = scene.of(question)
-        if question == "isolation":  # that of 0 dB has its table
-            asked = [one for one in asked if one.arguments.get("level_dB")]
-        if also := [scene.answer(one) for one in asked]:
-            yield _table(caption, *also)
-    yield _left_out(left_out)
-
-
-def _curves(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
-    if not forcings:
-        return
-    asked = (one.arguments for one in scene.of("frequency_response"))
-    own = {name: value for name, value in next(asked, {}).items() if name not in FORCINGS}  # the scene's window
-    curves = [shown(scene.ask("frequency_response", **_forced_by(scene, F), **own)) for F in forcings]
-    folds = [shown(scene.ask("saddle_nodes", **_forced_by(scene, F))) for F in forcings]
-    force, *_ = _called(of)
-    oscillator = _plain(of)
-    letter, _, size = _called(of, "u")
-    length = of.scales.sizes["length"] / size if isinstance(of, Physical) else 1.0
-    # off the centre springs leave on one side first, where the largest displacement passes the stroke
-    largest = "A" if oscillator.load == 0 else f"{letter}_max"
-    what = "Amplitude" if oscillator.load == 0 else "Largest displacement"
-    for y, said in ((largest, what), ("transmissibility_dB", "Transmissibility in decibels")):
-        ax = pictures.responses(page.axes(), list(zip(curves, folds, strict=True)), y)
-        if y == largest:
-            pictures.breakpoints(ax, [length * end for end in oscillator.breakpoints], letter)
-        pictures.legend(ax, pictures.axis(curves[0], force), place="below")
-        yield page.figure(
-            ax, f"{said} over frequency, a curve for each amplitude of the excitation; unstable motions dashed."
-        )
-
-
-def _locus(scene: Scene) -> Iterator[str]:
-    """The folds of every forcing, if the scene asks for them."""
-    for one in scene.of("fold_locus"):
-        ax = pictures.locus(page.axes(), scene.answer(one))
-        yield page.figure(ax, "The amplitudes of the excitation that have a fold, over its frequency.")
-
-
-def _spectrum(scene: Scene) -> Iterator[str]:
-    for one in scene.of("spectrum"):
-        yield _table("Each tone by itself, in the order of the table", scene.answer(one))
-
-
-def _shocks(scene: Scene) -> Iterator[str]:
-    """What the scene asks of shocks, by the equation of motion."""
-    asked = scene.of("transient")
-    found = [scene.answer(one) for one in asked]
-    if found:
-        pulses = [{head(name, one.units()): value for name, value in one.numbers().items()} for one in asked]
-        more = (*UNSHOWN, "x_cr", "u_cr", "t_A", "tau_A", "t_a", "tau_a", "t_detaches", "tau_detaches")
-        stroke = _one(found[0], "x_cr", "u_cr")
-        leaves = f'; beyond the stroke, {stroke}, "detaches" says yes' if stroke else ""
-        yield _table(f"Shocks of the base, by the equation of motion{leaves}", *found, beside=pulses, left_out=more)
-        worst = max(range(len(found)), key=lambda k: float(found[k].columns()["A"][0]))
-        ax = pictures.history(page.axes(), found[worst], "below")
-        _, _, shock = str(asked[worst]).partition(" at ")  # nothing of a record
-        said = "The motion of the mass, seen from its base, in the shock that deflects it most"
-        yield page.figure(ax, f"{said}{shock and ': ' + shock}.")
-    for one in scene.of("shock_spectrum"):
-        answer: Any = scene.answer(one)
-        if not found:
-            yield _table("Shocks of the base, by the equation of motion", answer)
-        ax = pictures.shocks(page.axes(), answer, "below")
-        yield page.figure(ax, "The largest acceleration of the mass over the pulse's, over the duration of the pulse.")
-
-
-def _tolerances(scene: Scene) -> Iterator[str]:
-    """What the scene asks of tolerances."""
-    asked = scene.of("tolerances")
-    if asked:
-        shares = asked[0].arguments["within"].items()
-        within = ", ".join(f"{page.inline(name)} within {100 * share:g} %" for name, share in shares)
-        yield f"<p>{within}; 95 of 100 lie between low and high.</p>"
-    for one in asked:
-        found: Any = scene.answer(one)
-        yield _table(f"T{str(one)[1:]}", found)
-        if len(found) > FEW:
-            ax = pictures.bands(page.axes(), found)
-            yield page.figure(ax, f"Where 95 of 100 designs lie, over the nominal value, as far as twice that: {one}.")
-
-
-def _map(of: Any) -> Iterator[str]:
-    subject = Subject(of)
-    if subject.loaded or subject.laws:
-        which = "under a load" if subject.loaded else "with other laws of damping than friction and viscous damping"
-        raise NotAvailable(f"a map of designs {which}, as each of its points takes tenths of a second")
-    x, y = OF_MOUNT if subject.mount else OF_ISOLATOR
-    if not subject.nominal[y]:
-        return
-    share = np.linspace(1 - REACH, 1 + REACH, MAPPED)
-    columns, rows = subject.nominal[x] * share, subject.nominal[y] * share
-    onset = next(name for name, plain in subject.answers.items() if plain == "F_SN")
-    values = subject.ask({x: columns[None, :], y: rows[:, None]}, [onset], Load(None, None, None))[onset]
-    if not np.isfinite(values).any():
-        raise NotAvailable("a map of designs, none of which has a lowest amplitude of the excitation with a jump")
-    given = (SHEET[x], SHEET[y]) if subject.mount else ("", "")
-    units, (of_x, of_y, of_onset) = zip(*map(in_shown, (*given, subject.unit(onset))), strict=True)
-    name_x, name_y, name = map(pictures.measured, (x, y, onset), units)
-    found = (name, np.where(np.isfinite(values), values / of_onset, np.nan))
-    ax = pictures.design_map(page.axes(), (name_x, columns / of_x), (name_y, rows / of_y), found)
-    ax.plot(subject.nominal[x] / of_x, subject.nominal[y] / of_y, "o", color="white", markeredgecolor="black")
-    what = EXCITATION[subject.excitation]
-    yield page.figure(
-        ax, f"The {what} from which on it jumps, over {NUMBERS[x]} and {NUMBERS[y]}; the circle is the design at hand."
-    )
-
-
-def _trust(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
-    """Jumps by averaging, the second approximation and the equation of motion; amplitudes; curves."""
-    if not forcings:
-        return
-    yield from _available(_jumps_by_depths(of, forcings, scene))
-    plain = _plain(of)
-    # measurements are of isolators under a force, about the centre, with viscous damping and dry friction
-    is_measured = plain.excitation == "force" and plain.load == 0 and not plain.model.laws.told()
-    yield from _expected(of, forcings, scene) if is_measured else _checked(of, forcings, scene)
-    yield from _depths(of, max(forcings), scene)
-
-
-def _jumps_by_depths(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
-    """Each jump by averaging, with higher harmonics, and by the equation of motion."""
-    name, of_f, _ = _called(of, "Omega")
-    rows = []
-    for F in forcings:
-        found = scene.ask("saddle_nodes", **_forced_by(scene, F))
-        plain = found.answer if isinstance(found, Quantities) else found
-        unit = of.scales.sizes["frequency"] if isinstance(of, Physical) else 1.0
-        if not len(plain):
-            continue
-        exact = [(one.Omega * unit, one.error, one.reason) for one in plain.measure()]
-        better = getattr(of.second_approximation.saddle_nodes(F), name)
-        for k, fold in enumerate(found):
-            second = f"{better[k]:.5g}" if len(better) == len(found) else "another number of folds"
-            Omega, error, reason = exact[k]
-            last = (f"{Omega:.5g}", _error(error)) if not reason else (escape(reason), "")
-            rows.append((_told(of, F), fold.kind, f"{getattr(fold, name):.5g}", second, *last))
-    if not rows:
-        yield "<p>There is no jump at these amplitudes of the excitation.</p>"
-        return
-    heads = (
-        page.term(*_called(of)[:2]),
-        "kind",
-        f"{page.term(name, of_f)}, averaged",
-        "second approximation",
-        "equation of motion",
-        "error of averaging",
-    )
-    yield page.table("Each jump by averaging, with higher harmonics, and by the equation of motion itself", heads, rows)
-
-
-def _checked(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
-    """The largest displacement by averaging and by the equation of motion, at the frequencies asked for."""
-    (name, unit, _), (_, of_A, size) = _called(of, "Omega"), _called(of, "A")
-    rows = []
-    for F in forcings:
-        for at in _frequencies(scene):
-            states = scene.ask("amplitudes", **{name: at}, **_forced_by(scene, F))
-            if states.stable.any():
-                # off the centre A is about the mean
-                largest = getattr(states, next(one for one in ("x_max", "u_max", "A") if hasattr(states, one)))
-                A = float(largest[states.stable].max())
-                try:
-                    exact = of.steady_state(**{name: at, "A": A}, **_forced_by(scene, F)).A
-                    compared = (f"{exact / size:.5g}", _error(A / exact - 1))
-                except ArithmeticError as error:
-                    compared = (escape(str(error)), "")
-                rows.append((_told(of, F), f"{at:.4g}", f"{A / size:.5g}", *compared))
-    averaged = f"averaged / {of_A}" if of_A else "averaged"
-    heads = (page.term(*_called(of)[:2]), page.term(name, unit), averaged, "equation of motion", "error of averaging")
-    if rows:
-        yield page.table("The largest displacement by averaging and by the equation of motion itself", heads, rows)
-    else:
-        yield "<p>Not compared with the equation of motion: the scene asks for amplitudes at no frequency.</p>"
-
-
-def _expected(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
-    """What measurements say of the error of the highest motion, and of the curve's other points."""
-    rows, remarks = [], []
-    force, unit, _ = _called(of)
-    for F in forcings:
-        found = scene.ask("frequency_response", **_forced_by(scene, F))
-        curve = found.answer if isinstance(found, Quantities) else found
-        stable = np.flatnonzero(curve.stable)
-        if stable.size:
-            top, known = stable[curve.A[stable].argmax()], curve.validity
-            shares = ("" if np.isnan(one[top]) else f"{100 * one[top]:.2g} %" for one in (known.typical, known.error))
-            rows.append((_told(of, F), f"{known.ratio[top]:.3g}", *shares))
-            said = in_units(known.message, of.scales if isinstance(of, Physical) else None)
-            remarks += (
-                [f"<p>At {_told(of, F)}{unit and ' ' + unit} elsewhere on the curve: {page.inline(said)}.</p>"]
-                if said
-                else []
-            )
-    if rows:
-        heads = (page.term(force, unit), "friction over force", "half of them within", "95 of 100 within")
-        yield page.table("Error of the highest stable amplitude, as measured for such isolators", heads, rows)
-    yield from remarks
-
-
-def _depths(of: Any, F: float, scene: Scene) -> Iterator[str]:
-    """The curve about its peak by averaging, with higher harmonics, and of the equation of motion."""
-    name, *_ = _called(of, "Omega")
-    left_out: list[str] = []
-    peaks = _at_each(scene, "peak", [F], left_out)
-    yield _left_out(left_out)
-    at = getattr(peaks[0], name) if peaks else None
-    if not at:
-        return
-    window = {name: (BESIDE[0] * at, BESIDE[1] * at)}
-    curves: dict[str, Callable[[], Any]] = {"averaging": lambda: of.frequency_response(F, **window)}
-    curves["second approximation"] = lambda: of.second_approximation.frequency_response(F, **window)
-    curves["equation of motion"] = lambda: of.exact_response(F, **window)
-    found, missing = {}, []
-    for depth, ask in curves.items():
-        try:
-            curve = ask()
-        except (ValueError, ArithmeticError) as error:
-            missing.append(f"<p>No {depth} here: {page.inline(str(error))}.</p>")
-            continue
-        found[depth] = shown(curve)
-        if not getattr(curve, "complete", True):
-            missing.append(f"<p>By the {depth} {page.inline(curve.message)}.</p>")
-    if len(found) > 1:
-        ax = pictures.depths(page.axes(), found)
-        force, unit, _ = _called(of)
-        at_F = f"{_told(of, F)} {unit}" if unit else f"{force} = {F:g}"
-        said = f"by {'two' if len(found) == 2 else 'three'} depths: they lie the closer the better."
-        yield page.figure(ax, f"The response at {at_F} about its peak, {said}")
-    yield from missing
-
-
-def _equations(of: Any) -> Iterator[str]:
-    ledger = read_ledger()
-    rows = [
-        (
-            row["where"],
-            f"{page.WORDS}{page.inline(row['quantity'])}",
-            page.words(row["verdict"]),
-            page.formula(row["mathml"], row["published"]),
-        )
-        for row in ledger["rows"]
-        if row["kind"] == "formula" and row["where"] in EQUATIONS
-    ]
-    yield f"<p>Equations of {escape(ledger['paper'])}, each held against the derivation:</p>"
-    if _plain(of).load != 0:
-        yield "<p>Under a load these hold about a mean B, with its balance beside them, which the paper has not.</p>"
-    yield page.table("Verdicts", ("equation", "what", "verdict", "as published; what vanishes, or the value"), rows)
-
-
-def _data(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
-    force, unit, size = _called(of)
-    yield "<ul>"
-    for question in ("saddle_nodes", "frequency_response") if forcings else ():
-        found = [(F, shown(scene.ask(question, **_forced_by(scene, F)))) for F in forcings]
-        text = files.in_csv([({force: F / size}, answer) for F, answer in found], {force: unit})
-        yield f"<li>{page.download(f'{question}.csv', 'text/csv', text)}</li>"
-    for question in ("spectrum", "tolerances", "transient", "shock_spectrum"):
-        alike = scene.of(question)
-        try:
-            answers = [(one.numbers(), scene.answer(one)) for one in alike]
-        except NotAvailable:  # its own section says so
-            continue
-        if alike:
-            text = files.in_csv(answers, alike[0].units())
-            yield f"<li>{page.download(f'{question}.csv', 'text/csv', text)}</li>"
-    yield f"<li>{page.download(scene.path.name, 'application/toml', scene.text)}</li>"
-    yield "</ul>"
-    yield f"<p>slowflow {slowflow.__version__}; scene {escape(scene.path.name)}, sha256 {scene.sha256}</p>"
-
-
-# ---- pieces
 
 
 def _error(share: float) -> str:
