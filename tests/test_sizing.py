@@ -13,7 +13,6 @@ from scipy.stats import t as student
 from slowflow import Duffing, Isolator, progress
 from slowflow.example import isolator
 from slowflow.sizing import fit, front, meet, sobol, tolerances
-from slowflow.sizing.slopes import slopes
 from slowflow.sizing.subject import Subject
 from slowflow_support.errors import NotSettled
 
@@ -308,33 +307,6 @@ def test_of_two_free_numbers_the_nearest_design_lies_where_the_answer_moves_as_t
         away = (found.numbers[name] - start[name]) / (high - low) ** 2
         ratio[name] = (ends[1] - ends[0]) / (2 * step) / away
     assert ratio["k_h"] == pytest.approx(ratio["zeta"], rel=1e-6)
-
-
-@pytest.mark.parametrize(
-    ("of", "F", "F_0"),
-    [(MOUNT, 5.0, None), (isolator(), None, 0.04), (SHAKEN, 0.004, None), (UNBALANCED, 0.048, None)],
-    ids=("in_units", "without", "shaken", "unbalanced"),
-)
-def test_slopes_of_answers_are_those_of_their_differences(of, F, F_0):
-    subject = Subject(of)
-    load = subject.load(F, F_0, None, None, None, None)
-    known = 0
-    for answer in subject.answered(None, load):
-        found = slopes(subject, {}, answer, load)
-        if found is None:
-            continue
-        known += 1
-        assert found.keys() == subject.nominal.keys() - {
-            "eta",
-            "c_2",
-        }  # slopes by a law are those of a design that has it
-        for name in found:
-            at = subject.nominal[name]
-            far = at * (1 + 1e-4 * np.array([-2, -1, 1, 2]))
-            ends = subject.ask({name: far}, [answer], load)[answer]
-            difference = ends @ np.array([1, -8, 8, -1]) / (12e-4 * at)
-            assert found[name] == pytest.approx(difference, rel=1e-7, abs=1e-9 * abs(ends[0] / at))
-    assert known == 9
 
 
 def test_a_design_that_meets_all_already_is_left_as_it_is():

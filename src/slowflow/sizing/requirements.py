@@ -2,7 +2,7 @@
 
 Where two answers pull apart: the designs of which none is better in one without being worse in the other. By SciPy's
 differential evolution over the batch questions, from a seed: each generation is one batch. The nearest design that it
-finds is finished by sequential quadratic programming where all answers that are asked for have gradients.
+finds is finished by sequential quadratic programming, whose slopes are differences.
 """
 
 from __future__ import annotations
@@ -21,7 +21,6 @@ from slowflow.answer import Answer, Table, entry, frozen, head
 from slowflow.mechanism import Floats
 from slowflow.physical import Physical
 from slowflow.quantities import SHEET, in_shown
-from slowflow.sizing.slopes import slopes
 from slowflow.sizing.subject import Load, Subject
 from slowflow_support.errors import Refused
 
@@ -273,7 +272,7 @@ class _Search:
         return self.tried[int(np.argmin(whole(np.array(self.tried).T)))]
 
     def nearest(self) -> Floats:
-        """The free numbers nearest to the start that meet all: the search's, finished by gradients if there are any."""
+        """The free numbers nearest to the start that meet all: the search's, finished by steps along slopes."""
         span = self.high - self.low
 
         def away(values: Floats) -> Floats:
@@ -289,29 +288,19 @@ class _Search:
             signs = np.array([sign for _, _, sign in self.wanted])
             return np.where(np.isnan(shares), -1.0, signs * (shares - 1))
 
-        def by_numbers(y: Floats) -> Floats:
-            numbers = dict(zip(self.free, (self.low + span * y).tolist(), strict=True))
-            rows = []
-            for name, limit, sign in self.wanted:
-                found = slopes(self.subject, numbers, name, self.load)
-                if found is None:
-                    raise LookupError(name)
-                rows.append(
-                    [sign / limit * found[number] * width for number, width in zip(self.free, span, strict=True)]
-                )
-            return np.array(rows)
-
+        # of designs that are asked one by one fewer
+        difference = "2-point" if self.subject.one_by_one else "3-point"
         try:
             found = minimize(
-                lambda y: away(self.low + span * y),
+                lambda y: float(away(self.low + span * y)),
                 np.clip((x - self.low + BACK * (x - self.start)) / span, 0.0, 1.0),
-                jac=lambda y: 2 * (y - (self.start - self.low) / span),
+                jac=difference,
                 bounds=[(0.0, 1.0)] * len(x),
-                constraints={"type": "ineq", "fun": margins} | ({} if self.subject.loaded else {"jac": by_numbers}),
+                constraints={"type": "ineq", "fun": margins},
                 method="SLSQP",
                 options={"ftol": 1e-16},
             )
-        except (LookupError, ValueError, ArithmeticError):  # an answer without a gradient, or a design that is none
+        except (ValueError, ArithmeticError):  # a design that is none
             return x
         finished = np.clip(self.low + span * found.x, self.low, self.high)
         meets = self.short(finished.reshape(-1, 1)).max() <= MET
