@@ -31,6 +31,8 @@ FLOOR = Sentence(
 )
 #: frequencies looked at, over the highest one at which anything can be transmitted in full
 BEYOND = 1.1
+#: amplitudes looked at of each of many designs, and the lowest of them over that of the peak
+AMPLITUDES, LEAST = 64, 1e-6
 #: of Brent's method, as SciPy's
 MOST_STEPS = 100
 
@@ -60,12 +62,12 @@ def as_level(level_dB: Any) -> Level:
     return Level.of(validate.number("level_dB", level_dB, most=0.0))
 
 
-def told(made: Callable[..., Begins], curve: Any, level: Level, at_fold: bool, *at: float) -> Begins:
-    """An answer from a row of columns: whether it is at a fold, and its numbers, the frequency first."""
-    Omega, *_ = numbers = [None if math.isnan(one) else one for one in at]
+def told(made: Callable[..., Begins], curve: Any, level: Level, at_fold: Any, *at: Any) -> Begins:
+    """An answer from what `begins` gives of a curve."""
+    Omega, *_ = numbers = [None if math.isnan(one) else float(one) for one in at]
     none = NEVER if Omega is None else ISOLATES if Omega == 0 else None
     message = joined(curve.message, none.format(str(level))) if none else curve.message
-    return made(*numbers, at_fold, curve.F_0, message, curve.remarks)
+    return made(*numbers, bool(at_fold), curve.F_0, message, curve.remarks)
 
 
 def passes_on(model: Model, floor: float, level: Level) -> str:
@@ -76,101 +78,128 @@ def passes_on(model: Model, floor: float, level: Level) -> str:
     return FLOOR.format(what, 20 * math.log10(floor), level.dB)
 
 
-class Curves(NamedTuple):
-    """Response curves, a row each: what their points have along the last axis, with branch -1 behind the last one.
-
-    at -- Omega, A and what else an answer has of a point
-    """
-
-    at: tuple[Floats, ...]
-    stable: Flags
-    branch: Ints
-    isola: Flags
-
-    @classmethod
-    def of(cls, curve: Any, *at: Floats) -> Curves:
-        """The only row of a single curve."""
-        isola = np.array(curve.isola, dtype=bool)[curve.branch]
-        flags = (one[np.newaxis] for one in (curve.stable, curve.branch, isola))
-        return cls(tuple(one[np.newaxis] for one in (curve.Omega, curve.A, *at)), *flags)
-
-
-def isolated(of: Callable[[Any], Any], curves: Curves, F_0: Floats, level: Level) -> tuple[Any, ...]:
+def isolated(model: Model, curve: Any, F_0: float, level: Level) -> tuple[Any, ...]:
     """`begins` of motions about the centre: whether at a fold, Omega and A.
-
-    of -- the slow flows of the designs in some rows; F_0, level -- with an axis of one for the points
 
     A state has R^2 + I^2 = F_0^2 and transmits the square root of h^2 + I^2: the share kappa of F_0 where
     R^2 - h^2 = (1 - kappa^2) F_0^2, for kappa = 1 at sqrt(2) times the frequency of the backbone, as for a linear
     spring. That is explicit in A (`slow_flow.isolation`). Of an excitation by inertia F_0 Omega^2 takes the place of
     F_0 in this (`inertia.isolation`), and the frequency has an error of some u/kappa^2, as A is next to F_0 there.
     """
-    (Omega, A), flow = curves.at, of(slice(None))
-    transmits = np.asarray(level.dB < 0)
-    if not transmits.all():  # each state transmits the whole force at Omega = 0, where rounding would decide
-        transmits = transmits | (Omega <= _up_to(flow, A, F_0, level))
-    if np.any(level.dB):
-        transmits = transmits & ((level.dB == 0) | (in_motion(A, _passed(flow, Omega, A, F_0)) >= level.ratio))
+    Omega, A, stable = curve.Omega, curve.A, curve.stable
 
-    def passes(rows: Ints, one: Ints, other: Ints) -> tuple[Floats, ...]:
-        some, forcing, levels = of(rows), F_0[rows], Level(*(column[rows] for column in level))
-        root = _between(some, forcing, A[rows, one][:, np.newaxis], A[rows, other][:, np.newaxis], levels)
-        at_root, sure = _up_to(some, root, forcing, levels), curves.stable[rows, one] & curves.stable[rows, other]
-        with np.errstate(all="ignore"):
-            keeps = sure | (some.F_A(at_root, root)[:, 0] > 0)
-        return np.where(keeps, at_root[:, 0], -math.inf), root[:, 0]
+    def crossing(one: Ints, other: Ints) -> tuple[Floats, ...]:
+        return _crossing(model, F_0, A[one], A[other], level, stable[one] & stable[other])
 
-    at_fold, Omega, A = begins(curves, transmits, passes)
-    if flow.inertial:  # up to there a mass at rest passes on all that drives it
-        moves_from = np.broadcast_to(inertia.moves_from(F_0, flow.held), (Omega.size, 1))[:, 0]
-        rests = Omega < moves_from
-        Omega, A, at_fold = np.where(rests, moves_from, Omega), np.where(rests, 0.0, A), at_fold & ~rests
-    return at_fold, Omega, A
+    found = begins(curve, (Omega, A), _transmits(model, Omega, A, F_0, level), crossing)
+    return _from_rest_on(rests_up_to(model, F_0), *found)
+
+
+def isolated_each(
+    of: Callable[[Any], Any], folds: tuple[Floats, Floats], A_max: Floats, F_0: Floats, level: Level
+) -> tuple[Any, ...]:
+    """`isolated` of designs in rows, from all their folds; and where a zero may lie below the amplitudes looked at.
+
+    of    -- the slow flows of the designs in some rows; A_max, F_0, level have an axis of one for the amplitudes
+    folds -- Omega and A of those that end a stable motion, NaN for none
+
+    At the frequency of a level an amplitude takes one forcing: the motions at F_0 are its zeros in A less F_0, on
+    isolas, too, without a response curve. The last that is stable, or the last fold that transmits more.
+    """
+    flow, (Omega, A) = of(slice(None)), folds
+    lowest = _lowest(flow, F_0, level)
+    grid = lowest + (A_max - lowest) * np.geomspace(LEAST, 1.0, AMPLITUDES)
+    above = _excess(flow, grid, F_0, level) > 0
+    rows, k = np.nonzero(above[:, 1:] != above[:, :-1])
+    levels = Level(*(column[rows] for column in level))
+    at, of_A = _crossing(of(rows), F_0[rows], grid[rows, k, np.newaxis], grid[rows, k + 1, np.newaxis], levels)
+    last, last_A = _last(len(F_0), rows, at[:, 0], of_A[:, 0])
+    ends = np.where(_transmits(flow, Omega, A, F_0, level), Omega, -math.inf)
+    at_end = ends.argmax(axis=1)[:, np.newaxis]
+    end, end_A = (np.take_along_axis(one, at_end, axis=1)[:, 0] for one in (ends, A))
+    at_fold = end > last
+    last, last_A = np.where(at_fold, end, last), np.where(at_fold, end_A, last_A)
+    found = at_fold, np.maximum(last, 0.0), np.where(last > 0, last_A, np.nan)
+    return above[:, 0], *_from_rest_on(rests_up_to(flow, F_0)[:, 0], *found)
+
+
+def _last(n: int, rows: Ints, Omega: Floats, *others: Floats) -> tuple[Floats, ...]:
+    """Of n rows the highest Omega, -inf where there is none, and what else belongs to it."""
+    order = np.argsort(Omega)  # the last that is put in is the highest
+    found = [np.full(n, -math.inf) for _ in (Omega, *others)]
+    for column, values in zip(found, (Omega, *others), strict=True):
+        column[rows[order]] = values[order]
+    return tuple(found)
+
+
+def _transmits(of: Any, Omega: Floats, A: Floats, F_0: Any, level: Level) -> Any:
+    """Whether motions transmit that much; none does where one of them is NaN."""
+    whole = np.asarray(level.dB == 0)
+    with np.errstate(invalid="ignore"):
+        # each state transmits the whole force at Omega = 0, where rounding would decide
+        transmits = ~whole | (Omega <= _up_to(of, A, F_0, level))
+        if not whole.all():
+            transmits = transmits & (whole | (in_motion(A, _passed(of, Omega, A, F_0)) >= level.ratio))
+    return transmits & (Omega >= 0)
+
+
+def _crossing(of: Any, F_0: Any, A: Floats, other: Floats, level: Level, sure: Any = False) -> tuple[Floats, Floats]:
+    """Omega and A of motions at F_0 that transmit that, between two amplitudes; -inf where none is stable."""
+    root = _between(of, F_0, A, other, level)
+    at_root = _up_to(of, root, F_0, level)
+    with np.errstate(all="ignore"):
+        return np.where(sure | (of.F_A(at_root, root) > 0), at_root, -math.inf), root
+
+
+def _from_rest_on(rests_up_to: Any, at_fold: Any, Omega: Any, A: Any) -> tuple[Any, ...]:
+    """The same, where the mass rests up to a frequency: there it passes on all that drives it."""
+    rests = Omega < rests_up_to
+    return at_fold & ~rests, np.where(rests, rests_up_to, Omega), np.where(rests, 0.0, A)
+
+
+def rests_up_to(of: Any, F_0: Any) -> Any:
+    """The frequency up to which friction holds a mass that is excited by inertia, 0 of others."""
+    return inertia.moves_from(F_0, of.held) if of.inertial else 0.0 * F_0
 
 
 def begins(
-    curves: Curves, transmits: Flags, passes: Callable[[Ints, Ints, Ints], tuple[Floats, ...]]
+    curve: Any, at: tuple[Floats, ...], transmits: Flags, crossing: Callable[[Ints, Ints], tuple[Floats, ...]]
 ) -> tuple[Any, ...]:
-    """Where isolation begins, of each response curve: whether at a fold, Omega, and what else its points have.
+    """Where isolation begins on a response curve: whether at a fold, Omega, and what else its points have.
 
+    at        -- Omega, A and what else an answer has of a point
     transmits -- which of its points transmit that much
-    passes    -- Omega and so on, in some rows, between two neighbours of which the first does so and the other does
-                 not; Omega is -inf where no stable motion does: one of them may be a fold
+    crossing  -- Omega and so on, between two neighbours of which the first does so and the other does not; Omega is
+                 -inf where no stable motion does: one of them may be a fold
 
     Omega is 0 where no stable motion transmits that much, NaN where one that does has no end; then the others are NaN.
     """
-    (Omega, *_), stable, branch, isola = curves
-    full, ends, k = stable & transmits, stable & transmits, np.arange(Omega.shape[1])
-    neighbours, steady, beyond, pairs = np.zeros(Omega.shape, int), stable.copy(), np.zeros_like(stable), []
+    Omega, stable, branch = curve.Omega, curve.stable, curve.branch
+    isola = np.asarray(curve.isola, dtype=bool)[branch]
+    none = (False, 0.0, *(math.nan for _ in at[1:]))
+    full, ends, k = stable & transmits, stable & transmits, np.arange(Omega.size)
+    neighbours, steady, beyond, pairs = np.zeros(Omega.size, int), stable.copy(), np.zeros_like(stable), []
     for step in (-1, 1):
         there = np.clip(k + step, 0, k.size - 1)
-        own = (there == k + step) & (branch[:, there] == branch) & (branch >= 0)
-        higher = own & (Omega[:, there] > Omega)
-        rows, one = np.nonzero((stable | stable[:, there]) & higher & transmits & ~transmits[:, there])
-        pairs.append((rows, one, one + step))
+        own = (there == k + step) & (branch[there] == branch)
+        higher = own & (Omega[there] > Omega)
+        one = np.flatnonzero((stable | stable[there]) & higher & transmits & ~transmits[there])
+        pairs.append((one, one + step))
         ends &= ~higher
         neighbours += own
-        steady &= ~own | stable[:, there]
-        beyond |= own & full[:, there] & (Omega[:, there] < Omega)
+        steady &= ~own | stable[there]
+        beyond |= own & full[there] & (Omega[there] < Omega)
     ends |= transmits & ~stable & beyond  # a fold, which rounding may leave on either side of stability
-    each = np.arange(len(Omega))
-    last = np.where(ends, Omega, -math.inf).argmax(axis=1)
-    at_end, endless = ends[each, last], (steady & (neighbours < 2) & ~isola)[each, last]
-    rows, *between = map(np.concatenate, zip(*pairs, strict=True))
-    found = passes(rows, *between)
-    order = np.argsort(found[0])  # the last that is put in is the highest
-    order = order[found[0][order] > -math.inf]
-    best = [np.full(each.size, np.nan) for _ in found]
-    for column, values in zip(best, found, strict=True):
-        column[rows[order]] = values[order]
-    at_end &= ~(best[0] >= Omega[each, last])
-    nowhere = at_end & endless
-    best = [
-        np.where(nowhere, np.nan, np.where(at_end, column[each, last], one))
-        for column, one in zip(curves.at, best, strict=True)
-    ]
-    best[0] = np.where(np.isnan(best[0]) & ~nowhere, 0.0, best[0])
-    return at_end & ~nowhere, *best
+    crossings = crossing(*map(np.concatenate, zip(*pairs, strict=True)))
+    last = crossings[0].argmax() if crossings[0].size else None
+    end = np.where(ends, Omega, -math.inf).argmax()
+    if last is not None and crossings[0][last] >= (Omega[end] if ends[end] else 0.0):
+        return False, *(column[last] for column in crossings)
+    if not ends[end]:
+        return none
+    if steady[end] and neighbours[end] < 2 and not isola[end]:
+        return False, *(math.nan for _ in at)
+    return True, *(column[end] for column in at)
 
 
 def _up_to(of: Any, A: Floats, F_0: Any, level: Level) -> Floats:
@@ -198,11 +227,15 @@ def _passed(of: Any, Omega: Floats, A: Floats, F_0: Any) -> Floats:
     return np.asarray(slow_flow.transmissibility(Omega, A, of.force(F_0, Omega), m, zeta, h))
 
 
+def _lowest(of: Any, F_0: Any, level: Level) -> Any:
+    """An amplitude below which motions that an excitation by inertia drives transmit that at any frequency, or 0."""
+    return F_0 * np.sqrt(level.reduction) * (1 + 4 * np.finfo(float).eps) if of.inertial else 0.0
+
+
 def _between(of: Any, F_0: Floats, A: Floats, other: Floats, level: Level) -> Floats:
     """The amplitudes between two at which motions at F_0 transmit that."""
-    if of.inertial:  # smaller ones transmit it at any frequency
-        least = F_0 * np.sqrt(level.reduction) * (1 + 4 * np.finfo(float).eps)
-        A, other = np.maximum(A, least), np.maximum(other, least)
+    least = _lowest(of, F_0, level)
+    A, other = np.maximum(A, least), np.maximum(other, least)
     return zeros(partial(_excess, of, F_0=F_0, level=level), A, other)
 
 
@@ -247,16 +280,14 @@ def zeros(function: Callable[[Floats], Floats], low: Floats, high: Floats) -> Fl
     return found
 
 
-def highest(of: Any, A_max: Floats, F_0: Any, level: Level, samples: int) -> Floats:
-    """A frequency beyond which no motion up to an amplitude transmits that; of one row, or each row."""
+def highest(of: Any, A_max: float, F_0: float, level: Level, samples: int) -> float:
+    """A frequency beyond which no motion up to an amplitude transmits that."""
     A = A_max * np.arange(1, samples + 1) / samples
-    last = BEYOND * np.maximum(1.0, _up_to(of, A, F_0, WHOLE).max(axis=1, keepdims=True))
-    if np.any(level.dB):
-        with np.errstate(all="ignore"):
-            steepest = ((np.abs(of.averaged(A)[0]) - of.preload) / A).max(axis=1, keepdims=True)
-            passed = last_passed(of, F_0, level, np.maximum(steepest, 1.0), of.preload)
-        last = np.where(level.dB, passed, last)
-    return np.asarray(np.minimum(last, float(HIGHEST_OMEGA)))
+    if not level.dB:
+        return min(BEYOND * max(1.0, float(_up_to(of, A, F_0, level).max())), float(HIGHEST_OMEGA))
+    with np.errstate(all="ignore"):
+        steepest = ((np.abs(of.averaged(A)[0]) - of.preload) / A).max()
+    return min(float(last_passed(of, F_0, level, max(steepest, 1.0), of.preload)), float(HIGHEST_OMEGA))
 
 
 def last_passed(of: Any, F_0: Any, level: Level, steepest: Any, preload: Any = 0.0) -> Floats:

@@ -18,12 +18,11 @@ from slowflow import moves, validate
 from slowflow.answer import LOADED, Single, Table, Words, entry, joined, sentences
 from slowflow.averaged import remarks, solvers, words
 from slowflow.gradient import NO_GRADIENT, Gradient
-from slowflow.isolating import NEVER, WHOLE, Curves, Level, as_level, highest, isolated, passes_on, told
+from slowflow.isolating import NEVER, WHOLE, Level, as_level, highest, isolated, passes_on, rests_up_to, told
 from slowflow.mechanism import Flags, Floats, Ints, Law, Mechanism
 from slowflow.model import THROUGHOUT
 from slowflow.results import MeasuredPoint, OfPoint, Remark
 from slowflow.text import Sentence, text
-from slowflow_kernels import inertia
 from slowflow_kernels.conventions import ENDLESS, HIGHEST_OMEGA
 
 ISOLA = text("at {F_SN} an isolated curve is born: a sweep from rest does not meet it, and does not jump there")
@@ -351,13 +350,11 @@ def isolation(oscillator: Any, F_0: float, level_dB: float = 0.0) -> Isolation:
         return made(None, None, False, F_0, why, Remark(0))
     curve = oscillator.frequency_response(F_0, samples=SAMPLES, Omega=(0.0, _highest(oscillator, F_0, level)))
     if not len(curve):  # up to there a mass at rest passes on all that drives it
-        moves_from = float(inertia.moves_from(F_0, model.held)) if model.inertial else 0.0
+        moves_from = float(rests_up_to(model, F_0))
         if 0 < moves_from < math.inf:
             return made(moves_from, 0.0, False, F_0, "", curve.remarks)
         return made(None, None, False, F_0, curve.message, curve.remarks)
-    of_row = Level.of(np.array([[level.dB]]))
-    found = isolated(lambda rows: model, Curves.of(curve), np.array([[F_0]]), of_row)
-    return told(made, curve, level, *(column.item() for column in found))
+    return told(made, curve, level, *isolated(model, curve, F_0, level))
 
 
 def _highest(oscillator: Any, F_0: float, level: Level = WHOLE) -> float:
@@ -371,7 +368,7 @@ def _highest(oscillator: Any, F_0: float, level: Level = WHOLE) -> float:
     A_max = peak if peak is not None else oscillator.model.reach
     if not math.isfinite(A_max):
         A_max = words.cut(oscillator.model, F_0)[0]
-    return float(highest(oscillator.model, np.array([[A_max]]), F_0, level, SAMPLES).item())
+    return highest(oscillator.model, A_max, F_0, level, SAMPLES)
 
 
 def spectrum(oscillator: Any, Omega: Any, F_0: Any) -> Spectrum:

@@ -26,8 +26,8 @@ from slowflow.table import AVERAGING, QUESTIONS
 from slowflow_kernels import dissipation, inertia, slow_flow
 from slowflow_kernels.conventions import Status
 
-#: points of a response curve where motions stay centred, and where they may not; designs at once
-SAMPLES, AT_ONCE = (64, loads.SAMPLES), 1024
+#: designs at once
+AT_ONCE = 1024
 
 #: bands of this share of their frequency may be rounding
 NARROW = 1e-12
@@ -158,10 +158,10 @@ def hysteresis(designs: Designs, F_0: Any, places: int = 3, workers: int = 1) ->
 def isolation(designs: Designs, F_0: Any, level_dB: Any = None, workers: int = 1) -> Batch:
     """See `slowflow.designs.Designs.isolation`.
 
-    `isolating.isolated` of response curves; designs with other damping than mu and zeta, and those without a peak, are
-    asked singly.
+    `isolating.isolated_each` by peaks and folds. Designs with other damping than mu and zeta, whose motions may leave
+    the centre, or whose peak or folds are not all known, are asked singly.
     """
-    peaks = designs.peak(F_0, workers=workers)
+    peaks, folds = designs.peak(F_0, workers=workers), designs.saddle_nodes(F_0, workers=workers)
     given = validate.real_array("level_dB", 0.0 if level_dB is None else level_dB)
     shape = validate.common_shape({**designs.values, "F_0": np.asarray(F_0), "level_dB": given})
     dB, forcing = (np.broadcast_to(np.asarray(one, dtype=float), shape) for one in (given, F_0))
@@ -172,32 +172,31 @@ def isolation(designs: Designs, F_0: Any, level_dB: Any = None, workers: int = 1
         # friction alone passes on more, at any frequency
         floor = (dB < 0) & (m >= levels.ratio * forcing) & (status == Status.OK) & (not inertial)
         parameters = tuple(np.asarray(value) for value in designs.mechanism.coefficients(*designs.design))
-        # where motions may leave the centre between two points, more of these tell where
-        samples = np.broadcast_to(np.where(stay_centred(designs.mechanism, parameters), *SAMPLES), shape)
-        known = ((zeta > 0) | (not inertial)) & (not designs.laws)
+        known = stay_centred(designs.mechanism, parameters) & ((zeta > 0) | (not inertial)) & (not designs.laws)
     status[floor] = Status.NONE
+    said = (peaks.remarks | folds.remarks) & ~np.uint16(Remark.OF_TRUNCATION)  # which a fold is of, not the response
+    known = known & np.isin(status, (Status.OK, Status.NONE) if inertial else Status.OK) & ~floor
+    known &= (folds.status == Status.OK) & (said & (Remark.UNDECIDED | Remark.BY_BALLS) == 0)
+    said = np.broadcast_to(np.where(known | (status == Status.STICKS), said, np.uint16(0)), shape).copy()
+    found = {**QUESTIONS["isolation"].blank(AVERAGING, shape), "status": status}
+    asked = np.array(np.isin(status, (Status.OK, Status.UNBOUNDED, Status.NONE)) & ~floor & ~known)
     # without a peak no motion on a base that shakes exceeds F_0
     highest = np.broadcast_to(np.where(peaks.status == Status.NONE, F_0, peaks.A), shape)
-    known = known & np.isin(status, (Status.OK, Status.NONE) if inertial else Status.OK) & ~floor
-    found = {**QUESTIONS["isolation"].blank(AVERAGING, shape), "status": status}
-    said = np.where(status == Status.STICKS, peaks.remarks, np.uint16(0))
-    asked = np.array(np.isin(status, (Status.OK, Status.UNBOUNDED, Status.NONE)) & ~floor & ~known)
-    for points in SAMPLES:
-        rows = np.argwhere(known & (samples == points))
-        for part in progress.parts(len(rows), AT_ONCE, "isolation"):
-            at = tuple(rows[part].T) or (np.newaxis,)  # a single design has no axis
-            values = {name: np.broadcast_to(value, shape)[at] for name, value in designs.values.items()}
-            few = Designs(designs.mechanism, values, designs.excitation, designs.rubs)
-            level = isolating.Level(*(one[at][:, np.newaxis] for one in levels))
-            numbers = forcing[at][:, np.newaxis], level, highest[at][:, np.newaxis]
-            curves, *columns = _isolated(few, *numbers, points, workers)
-            for name, column in zip(("at_fold", "Omega", "A"), columns, strict=True):
-                found[name][at] = column
-            status[at] = np.where(np.isnan(found["Omega"][at]), Status.NONE, Status.OK)
-            said[at], asked[at] = curves.remarks, curves.status != Status.OK
-            if inertial:  # at low frequencies friction all but holds the mass
-                moves = (values["mu"] > 0) & (curves.points > 0)
-                said[at] |= np.where(moves, np.uint16(Remark.NEAR_STICKING), np.uint16(0))
+    of_folds = [np.broadcast_to(one, (*shape, one.shape[-1])) for one in (folds.Omega, folds.A)]
+    rows = np.argwhere(known)
+    for part in progress.parts(len(rows), AT_ONCE, "isolation"):
+        at = tuple(rows[part].T) or (np.newaxis,)  # a single design has no axis
+        values = {name: np.broadcast_to(value, shape)[at] for name, value in designs.values.items()}
+        flows = _Flows.of(Designs(designs.mechanism, values, designs.excitation, designs.rubs))
+        A_max, F = (one[at][:, np.newaxis] for one in (highest, forcing))
+        level = isolating.Level(*(one[at][:, np.newaxis] for one in levels))
+        with np.errstate(all="ignore"):  # an amplitude may have no frequency of that level
+            unsure, *columns = isolating.isolated_each(flows.take, tuple(one[at] for one in of_folds), A_max, F, level)
+        for name, column in zip(("at_fold", "Omega", "A"), columns, strict=True):
+            found[name][at] = column
+        status[at], asked[at] = Status.OK, unsure
+        if inertial:  # at low frequencies friction all but holds the mass
+            said[at] |= np.where(values["mu"] > 0, np.uint16(Remark.NEAR_STICKING), np.uint16(0))
     for at, one in _singly(designs, F_0, asked, loads.isolation, dB):
         status[at] = Status.UNRESOLVED if one is None else Status.NONE if one.Omega is None else Status.OK
         said[at] = 0 if one is None else one.remarks
@@ -331,20 +330,6 @@ class _Flows:
     def level(self, Omega: Floats, A: Floats) -> Floats:
         kernels: Any = inertia if self.inertial else slow_flow
         return np.asarray(kernels.level(Omega, A, *self.damping, self.averaged(A)[0]))
-
-
-def _isolated(
-    few: Designs, F_0: Floats, level: isolating.Level, A_max: Floats, samples: int, workers: int
-) -> tuple[Any, ...]:
-    """Response curves, and `isolating.isolated` of them."""
-    with np.errstate(all="ignore"):  # amplitudes behind the last point
-        of = _Flows.of(few)
-        last = isolating.highest(of, A_max, F_0, level, samples)[:, 0]
-        found = few._response_up_to(F_0[:, 0], Omega=last, samples=samples, workers=workers)
-        points = slice(max(1, int(found.points.max())))
-        columns: Any = found.Omega, found.A, found.stable == 1, found.branch, found.isola == 1
-        Omega, A, *flags = (one[:, points] for one in columns)
-        return found, *isolating.isolated(of.take, isolating.Curves((Omega, A), *flags), F_0, level)
 
 
 def _singly(designs: Designs, F_0: Any, wanted: Flags, ask: Callable[..., Any], *beside: Floats) -> Any:

@@ -139,19 +139,17 @@ def _peak(oscillator: Any, _: Allowance, F_0: float) -> Any:
     return replace(found, _status=Status.NONE) if found._escapes else found
 
 
-def curves(samples: int, window: tuple[float, float] | None = None) -> Question:
-    """The question about response curves of so many samples in a window of Omega; without, up to an Omega of each."""
+def curves(samples: int, window: tuple[float, float]) -> Question:
+    """The question about response curves of so many samples in a window of Omega."""
     n = samples + MORE_POINTS[AVERAGING]
 
-    def one(oscillator: Any, allowance: Allowance, F_0: float, *up_to: float) -> Any:
-        found = oscillator.curve(F_0, samples=samples, Omega=window or (0.0, *up_to), allowance=allowance)
+    def one(oscillator: Any, allowance: Allowance, F_0: float) -> Any:
+        found = oscillator.curve(F_0, samples=samples, Omega=window, allowance=allowance)
         return found, _saddle_nodes(oscillator, Allowance(0), F_0)
 
     def batch(native: ModuleType) -> Callable[[Any], Callable[..., Any]]:
         def of_record(record: Any) -> Callable[..., Any]:
             solve = native.many_frequency_response(record)
-            if window is None:
-                return lambda *given, out: solve(*given[:-1], float(samples), 0.0, given[-1], out=out)
             return lambda *given, out: solve(*given, float(samples), *window, out=out)
 
         return of_record

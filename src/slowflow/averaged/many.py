@@ -217,19 +217,9 @@ class Designs(Unchanging, ManyQuestions[Batch]):
     def _frequency_response(
         self, F_0: Any, *, samples: int, Omega: tuple[float, float], places: int, workers: int
     ) -> Batch:
-        samples, window = validate.curve(samples, Omega)
-        return self._curves(samples, window, F_0, places, workers)
-
-    def _response_up_to(self, F_0: Any, *, Omega: Any, samples: int, places: int = 16, workers: int = 1) -> Batch:
-        """`frequency_response` up to an Omega of each design."""
-        return self._curves(samples, None, F_0, places, workers, Omega)
-
-    def _curves(
-        self, samples: int, window: tuple[float, float] | None, F_0: Any, places: int, workers: int, *up_to: Any
-    ) -> Batch:
-        question = curves(samples, window)
-        columns = self.ask(question, workers, F_0, places, *up_to)
-        by_balls = self._decide(question, columns, places, F_0, *up_to)
+        question = curves(*validate.curve(samples, Omega))
+        columns = self.ask(question, workers, F_0, places)
+        by_balls = self._decide(question, columns, places, F_0)
         found, A, stable, *_ = columns
         self._leave_out_what_drifts(found, A, stable)
         return self._batch("frequency_response", columns, {"by_balls": by_balls}, F_0=F_0)

@@ -478,7 +478,7 @@ class OffCentre(Unchanging, ComposedQuestions):
         curve = self._frequency_response(F_0, loads.SAMPLES, (low, high))
         slow, ratio = Slow(self._steps, self._flow, F_0), float(level.ratio)
 
-        def passes(_: Ints, *between: Ints) -> tuple[Floats, ...]:
+        def passes(*between: Ints) -> tuple[Floats, ...]:
             (low, start), (high, end) = ((curve.Omega[k], np.stack((curve.A[k], curve.mean[k]))) for k in between)
 
             def at(Omega: Floats) -> Floats:
@@ -492,9 +492,9 @@ class OffCentre(Unchanging, ComposedQuestions):
             Omega = isolating.zeros(excess, low, high)
             return np.where(curve.stable[between[0]], Omega, -math.inf), *at(Omega)
 
-        transmits = curve.transmissibility[np.newaxis] >= level.ratio
-        found = isolating.begins(isolating.Curves.of(curve, curve.mean), transmits, passes)
-        return isolating.told(partial(self._isolation_at, level), curve, level, *(column.item() for column in found))
+        at_points = curve.Omega, curve.A, curve.mean
+        found = isolating.begins(curve, at_points, curve.transmissibility >= level.ratio, passes)
+        return isolating.told(partial(self._isolation_at, level), curve, level, *found)
 
     def A_max(self, F_0: float) -> float:
         """Up to which amplitude folds at F_0 are looked for: 2^8 times what the problem is as large as.
