@@ -210,6 +210,17 @@ def test_motion_with_stops_in_closed_form(Omega, mu):
     assert abs(float(tau - start) - 2 * math.pi / Omega) <= 1e-10
 
 
+@pytest.mark.parametrize("share", [0.5, 0.95, 0.999])
+def test_friction_holds_a_mass_where_the_spring_pulls_with_less(share):
+    """At once, or after each turn that takes 2 mu off a free mass."""
+    mu, Omega = 0.01, 0.37
+    forced = Forced(EquationOfMotion(linear(), mu, 0.0), Omega, 1e-300)
+    for turns in range(3):
+        phases = follow(forced, 0.0, (share + 2 * turns) * mu, 0.0, 20 * Omega)
+        assert [phase.slip for phase in phases] == [*(-1, 1)[:turns], 0]
+        assert abs(phases[-1].u_end) == pytest.approx(share * mu, rel=1e-13)
+
+
 def test_multipliers_against_finite_differences(states):
     """The monodromy matrix with saltation against differences of the motion followed over a turn."""
     seen = set()
