@@ -100,6 +100,19 @@ def test_of_three_motions_at_a_frequency_the_middle_one_is_not_stable(curves):
     assert seen
 
 
+def unlike_mirrored(A, theta, Omega, F_0, exact):
+    """By what a motion of Table 1's isolator misses its mirror image half a turn later: SciPy, the force typed in."""
+    by_hand, (u_cr,) = isolator(**TABLE_1, exact=exact)[1]
+    u, v = half_turn(A, theta, Omega, F_0, TABLE_1["mu"], TABLE_1["zeta"], by_hand, u_cr)
+    return u + A, v
+
+
+def frequency_of(point, F_0, exact, off):
+    """Of the motion with the amplitude of a curve's point, solved for from beside that."""
+    A, theta, Omega = float(point.z[0]), point.z[1] + off, point.z[-1] + off
+    return root(lambda x: unlike_mirrored(A, *x, F_0, exact), (theta, Omega), tol=1e-13).x[1]
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize(("exact", "F_0"), [(False, 0.0301), (False, 0.04), (True, 0.04)])
 def test_curve_by_amplitude(curves, exact, F_0):
@@ -107,8 +120,6 @@ def test_curve_by_amplitude(curves, exact, F_0):
 
     Independent of continuation, switching and integrator; as many turns of Omega(A) as there are folds.
     """
-    mu, zeta = TABLE_1["mu"], TABLE_1["zeta"]
-    by_hand, (u_cr,) = isolator(**TABLE_1, exact=exact)[1]
     curve = curves[exact, F_0]
     top = int(np.argmax(curve.A))
     turns = 0
@@ -117,15 +128,8 @@ def test_curve_by_amplitude(curves, exact, F_0):
         points = [p for p in curve.states[branch] if 0.15 < p.A < 0.6][::3]
         frequencies = []
         for point in points:
-            A = float(point.z[0])
-
-            def mirrored(x, A=A):
-                u, v = half_turn(A, x[0], x[1], F_0, mu, zeta, by_hand, u_cr)
-                return u + A, v
-
-            solution = root(mirrored, (point.z[1] + 1e-3, point.z[-1] + 1e-3), tol=1e-12)
-            assert abs(solution.x[1] - point.z[-1]) <= 1e-9
-            frequencies.append(solution.x[1])
+            frequencies.append(frequency_of(point, F_0, exact, 1e-3))
+            assert abs(frequencies[-1] - point.z[-1]) <= 1e-9
         turns += np.flatnonzero(np.diff(np.sign(np.diff(frequencies)))).size
     assert turns == len(curve.folds)
 
@@ -137,17 +141,11 @@ def test_peak_by_amplitude(curves, exact, F_0):
 
     The curves' own points miss it by up to 7e-5.
     """
-    mu, zeta = TABLE_1["mu"], TABLE_1["zeta"]
-    by_hand, (u_cr,) = isolator(**TABLE_1, exact=exact)[1]
     peak = curves[exact, F_0].peak
     near = [peak.A, float(peak.unknowns[1])]
 
     def lowered(Omega):
-        def mirrored(x):
-            u, v = half_turn(x[0], x[1], Omega, F_0, mu, zeta, by_hand, u_cr)
-            return u + x[0], v
-
-        solution = root(mirrored, near, tol=1e-13)
+        solution = root(lambda x: unlike_mirrored(*x, Omega, F_0, exact), near, tol=1e-13)
         assert np.max(np.abs(solution.fun)) <= 1e-11
         return -float(solution.x[0])
 
@@ -390,8 +388,7 @@ def test_corner_fold_of_the_truncated_force():
 
     The same count and frequencies when solved amplitude by amplitude, independently.
     """
-    F_0, mu, zeta = 0.03006, TABLE_1["mu"], TABLE_1["zeta"]
-    by_hand, (u_cr,) = isolator(**TABLE_1, exact=False)[1]
+    F_0, (_, (u_cr,)) = 0.03006, isolator(**TABLE_1, exact=False)[1]
     curve = exact_response(table_1(exact=False), F_0, Omega=(0.8, 1.0), step=0.002)
     assert [fold.corner for fold in curve.folds] == [False, True, False, False]
     corner = curve.folds[1]
@@ -400,15 +397,9 @@ def test_corner_fold_of_the_truncated_force():
     past = [p for p in near if p.z[1] > near[int(np.argmax([q.A for q in near]))].z[1] + 1e-3]
     frequencies = []
     for point in past:
-        A = float(point.z[0])
-
-        def mirrored(x, A=A):
-            u, v = half_turn(A, x[0], x[1], F_0, mu, zeta, by_hand, u_cr)
-            return u + A, v
-
-        frequencies.append(root(mirrored, (point.z[1] + 1e-6, point.z[-1] + 1e-6), tol=1e-13).x[1])
+        frequencies.append(frequency_of(point, F_0, False, 1e-6))
         # touching the jump, a rounding of u is worth its square root
-        assert abs(frequencies[-1] - point.z[-1]) <= (1e-6 if abs(A - u_cr) < 1e-9 else 1e-9)
+        assert abs(frequencies[-1] - point.z[-1]) <= (1e-6 if abs(point.z[0] - u_cr) < 1e-9 else 1e-9)
     turns = np.flatnonzero(np.diff(np.sign(np.diff(frequencies))))
     assert turns.size == 3
 
