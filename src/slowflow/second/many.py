@@ -47,36 +47,26 @@ class SecondBatch(Batch):
     def transmissibility(self) -> Floats:
         """As of single `SecondStates`; NaN in an empty place. Computed when first asked for."""
         self._has("transmissibility", *OF_STATES)
-        return _transmissibility(self, self._frequency)
+        with np.errstate(all="ignore"):  # empty places
+            passed = motion.transmissibility(self._frequency, self.A_1, self._force_at(self._frequency), self.phi)
+            return frozen(in_motion(self.A, passed))
 
     def transmitted(self, of: str = "force") -> Transmitted:
-        """As of single `SecondStates`, NaN in an empty place; some 0.1 ms for each state."""
+        """As of single `SecondStates`, NaN in an empty place; some 0.1 ms for each state, one design after another."""
+        from slowflow.second.wave import Waves
+
         self._has("transmitted", *OF_STATES)
-        return _transmitted(self, of, np.broadcast_to(self._frequency, self.A.shape))
-
-
-def _transmissibility(found: Any, Omega: Floats) -> Floats:
-    """Of states with the first harmonic's amplitude and phase."""
-    with np.errstate(all="ignore"):  # empty places
-        passed = motion.transmissibility(Omega, found.A_1, found._force_at(Omega), found.phi)
-        return frozen(in_motion(found.A, passed))
-
-
-def _transmitted(found: Any, of: str, Omega: Floats) -> Transmitted:
-    """Of states of each design, one design after the other."""
-    from slowflow.second.wave import Waves
-
-    designs = found._designs
-    asked_of(of, inertial=designs.excitation != "force")
-    columns = Transmitted(*(np.full(found.A.shape, np.nan) for _ in Transmitted._fields))
-    here = ~np.isnan(found.A)
-    for at, numbers, (F_0,) in designs._each(here.any(axis=-1), found._F_0):
-        model, rows = designs._model(numbers), (*at, here[at])
-        forcing = np.full(np.count_nonzero(here[at]), F_0)
-        passed = Waves(model, Omega[rows], found.A[rows], found.phi[rows], forcing).transmitted(of)
-        for column, value in zip(columns, passed, strict=True):
-            column[rows] = value
-    return Transmitted(*map(frozen, columns))
+        designs, Omega = self._designs, np.broadcast_to(self._frequency, self.A.shape)
+        asked_of(of, inertial=designs.excitation != "force")
+        columns = Transmitted(*(np.full(self.A.shape, np.nan) for _ in Transmitted._fields))
+        here = ~np.isnan(self.A)
+        for at, numbers, (F_0,) in designs._each(here.any(axis=-1), self._F_0):
+            model, rows = designs._model(numbers), (*at, here[at])
+            forcing = np.full(np.count_nonzero(here[at]), F_0)
+            passed = Waves(model, Omega[rows], self.A[rows], self.phi[rows], forcing).transmitted(of)
+            for column, value in zip(columns, passed, strict=True):
+                column[rows] = value
+        return Transmitted(*map(frozen, columns))
 
 
 @dataclass(frozen=True)
