@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import inspect
 import io
+import sys
 import tempfile
 import time
 import warnings
@@ -53,8 +54,7 @@ LONG = ("measure", "plot", "plot_map")
 #: processor time within which a question is promised to end
 AT_MOST = 60.0
 
-often = settings(max_examples=fewer(300, 5), suppress_health_check=[HealthCheck.too_slow])
-seldom = settings(often, max_examples=fewer(60, 5))
+often = settings(suppress_health_check=[HealthCheck.too_slow])
 
 
 def undefined(value):
@@ -128,69 +128,40 @@ def test_every_public_question_is_asked_here(kind):
 
 oscillators = st.tuples(st.just(Isolator), st.fixed_dictionaries(ISOLATORS))
 oscillators |= st.tuples(st.just(Duffing), st.fixed_dictionaries(DUFFINGS))
+batches = st.tuples(st.just(Isolator.many), st.fixed_dictionaries(BATCHES))
+loaded = st.tuples(st.just(Isolator.many), st.fixed_dictionaries({**BATCHES, "load": columns}))
+sheets = st.tuples(st.just(Isolator.physical), st.fixed_dictionaries(SHEETS))
+#: what is made, what is asked of that or of its attribute, how many questions at most, examples, what is read besides
+ASKED = {
+    "an oscillator": (oscillators, "", AVERAGED, 3, fewer(300, 5), ()),
+    "the second approximation": (oscillators, "second_approximation", SECOND, 2, fewer(150, 5), ()),
+    "motions off the centre": (oscillators, "off_centre", OFF_CENTRE, 2, fewer(60, 5), ()),
+    "exact motions": (oscillators, "", MOTIONS, 2, fewer(60, 5), ()),
+    "pictures and measured errors": (oscillators, "", {**PICTURES, **AT}, 1, 12, ("measure", "plot")),
+    "a batch": (batches, "", OF_BATCHES, 2, fewer(150, 5), ()),
+    "a batch in the second approximation": (batches, "second_approximation", OF_SECOND_BATCHES, 2, fewer(100, 5), ()),
+    "a batch off the centre": (loaded, "", OF_LOADED_BATCHES, 1, fewer(60, 5), ()),
+    "a data sheet": (sheets, "", IN_UNITS, 3, fewer(300, 5), ()),
+    "motions of a data sheet": (sheets, "", MOTIONS_IN_UNITS, 1, fewer(30, 5), ()),
+}
 
 
 @pytest.mark.slow
-@often
-@given(oscillators, st.lists(any_of(AVERAGED), min_size=1, max_size=3))
-def test_an_answer_or_a_refusal_in_words(made, asked):
-    kind, parameters = made
-    asked_all(lambda: kind(**parameters), asked)
+@pytest.mark.parametrize("name", ASKED)
+def test_there_is_an_answer_a_status_or_a_refusal_in_words(name):
+    made, part, questions, most, examples, beside = ASKED[name]
+    if "plot" in beside:
+        pytest.importorskip("matplotlib")
 
+    @settings(often, max_examples=examples)
+    @given(made, st.lists(any_of(questions), min_size=1, max_size=most))
+    def ask(made, asked):
+        make, numbers = made
+        asked_all(lambda: getattr(make(**numbers), part) if part else make(**numbers), asked, beside)
+        if "plot" in beside:
+            sys.modules["matplotlib.pyplot"].close("all")
 
-@pytest.mark.slow
-@settings(often, max_examples=fewer(150, 5))
-@given(oscillators, st.lists(any_of(SECOND), min_size=1, max_size=2))
-def test_the_second_approximation_answers_or_refuses_in_words(made, asked):
-    kind, parameters = made
-    asked_all(lambda: kind(**parameters).second_approximation, asked)
-
-
-@pytest.mark.slow
-@seldom
-@given(oscillators, st.lists(any_of(OFF_CENTRE), min_size=1, max_size=2))
-def test_motions_off_the_centre_are_answered_or_refused_in_words(made, asked):
-    kind, parameters = made
-    asked_all(lambda: kind(**parameters).off_centre, asked)
-
-
-@pytest.mark.slow
-@seldom
-@given(oscillators, st.lists(any_of(MOTIONS), min_size=1, max_size=2))
-def test_an_exact_motion_is_answered_or_refused_in_words(made, asked):
-    kind, parameters = made
-    asked_all(lambda: kind(**parameters), asked)
-
-
-@pytest.mark.slow
-@settings(often, max_examples=12)
-@given(oscillators, any_of({**PICTURES, **AT}))
-def test_a_picture_and_a_measured_error_are_answered_or_refused_in_words(made, asked):
-    pyplot = pytest.importorskip("matplotlib.pyplot")
-    kind, parameters = made
-    asked_all(lambda: kind(**parameters), [asked], beside=("measure", "plot"))
-    pyplot.close("all")
-
-
-@pytest.mark.slow
-@settings(often, max_examples=fewer(150, 5))
-@given(st.fixed_dictionaries(BATCHES), st.lists(any_of(OF_BATCHES), min_size=1, max_size=2))
-def test_a_batch_has_numbers_or_a_status(given_numbers, asked):
-    asked_all(lambda: Isolator.many(**given_numbers), asked)
-
-
-@pytest.mark.slow
-@settings(often, max_examples=fewer(100, 5))
-@given(st.fixed_dictionaries(BATCHES), st.lists(any_of(OF_SECOND_BATCHES), min_size=1, max_size=2))
-def test_a_batch_of_the_second_approximation_has_numbers_or_a_status(given_numbers, asked):
-    asked_all(lambda: Isolator.many(**given_numbers).second_approximation, asked)
-
-
-@pytest.mark.slow
-@seldom
-@given(st.fixed_dictionaries({**BATCHES, "load": columns}), any_of(OF_LOADED_BATCHES))
-def test_a_batch_off_the_centre_has_numbers_or_a_status(given_numbers, asked):
-    asked_all(lambda: Isolator.many(**given_numbers), [asked])
+    ask()
 
 
 SCENE = (Path(__file__).parents[1] / "scenes" / "table_1.toml").read_text(encoding="utf-8")
@@ -244,17 +215,3 @@ def test_sizing_is_answered_or_refused_in_words(part, F_0, bound, name):
                 assert str(refusal)
             else:
                 assert answer is not None
-
-
-@pytest.mark.slow
-@often
-@given(st.fixed_dictionaries(SHEETS), st.lists(any_of(IN_UNITS), min_size=1, max_size=3))
-def test_a_data_sheet_is_answered_or_refused_in_words(sheet, asked):
-    asked_all(lambda: Isolator.physical(**sheet), asked)
-
-
-@pytest.mark.slow
-@settings(often, max_examples=fewer(30, 5))
-@given(st.fixed_dictionaries(SHEETS), any_of(MOTIONS_IN_UNITS))
-def test_a_motion_of_a_data_sheet_is_answered_or_refused_in_words(sheet, asked):
-    asked_all(lambda: Isolator.physical(**sheet), [asked])

@@ -19,7 +19,7 @@ from slowflow.sizing import tolerances
 from slowflow_kernels import duffing
 from slowflow_kernels.conventions import MovesStatus
 from tests.oracles.by_time import largest
-from tests.sampling import directions
+from tests.slopes import assert_slopes_are_differences
 
 RUBBING = Isolator(lam=3.0, r=2.0, delta_h=0.08, mu=0.012, zeta=0.04, rubs="attached", force="untruncated")
 
@@ -192,26 +192,6 @@ def test_friction_that_ends_at_u_cr_leaves_an_isolated_curve_below_the_forcing_t
     assert np.unique(curve.branch).size == 2 and curve.isola == (False, True)
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    ("osc", "Omega", "F_0", "within"),
-    [
-        (Duffing(1.0, 0.5, eta=0.15), 1.0, 0.04, 0.005),
-        (Duffing(1.0, 0.5, c_2=1.0), 1.1, 0.06, 0.005),
-        (RUBBING.replace(zeta=0.08), 0.95, 0.1, 0.02),
-    ],
-    ids=repr,
-)
-def test_exact_motions_are_those_of_an_independent_integration_and_near_the_averaged_ones(osc, Omega, F_0, within):
-    state = osc.steady_state(Omega=Omega, F_0=F_0)
-    assert state.stops == 0 and state.stable
-    assert state.A == pytest.approx(largest(osc.restoring_force().value, osc, Omega, F_0, 40), rel=1e-6)
-    (A,) = osc.amplitudes(Omega=Omega, F_0=F_0).A
-    assert pytest.approx(A, rel=within) == state.A
-    if osc.rubs == "attached":
-        assert state.A > osc.breakpoints[0]
-
-
 STRUCTURAL = [
     Duffing(1.0, 0.5, eta=0.04),
     Duffing(1.0, 0.5, mu=0.004, zeta=0.005, eta=0.02, c_2=0.05, excitation="base"),
@@ -259,7 +239,12 @@ def test_sweeps_and_measurements_with_structural_damping_are_those_of_single_mot
     assert osc.saddle_nodes(F_0).measure().Omega == pytest.approx([fold.Omega for fold in folds], rel=1e-9)
 
 
-#: damping laws alone and together, each with a frequency, an amplitude of the base, and how near averages are
+#: damping laws alone and together, each with a frequency, an amplitude, and how near averages are
+FORCED = [
+    (Duffing(1.0, 0.5, eta=0.15), 1.0, 0.04, 0.005),
+    (Duffing(1.0, 0.5, c_2=1.0), 1.1, 0.06, 0.005),
+    (RUBBING.replace(zeta=0.08), 0.95, 0.1, 0.02),
+]
 SHAKEN = [
     (Duffing(1.0, 0.5, eta=0.15, excitation="base"), 1.0, 0.04, 0.005),
     (Duffing(1.0, 0.5, mu=0.01, eta=0.03, c_2=0.5, excitation="unbalance"), 1.1, 0.06, 0.005),
@@ -268,14 +253,14 @@ SHAKEN = [
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("osc", "Omega", "F_0", "within"), SHAKEN, ids=repr)
-def test_exact_motions_under_inertia_are_those_of_an_independent_integration(osc, Omega, F_0, within):
+@pytest.mark.parametrize(("osc", "Omega", "F_0", "within"), [*FORCED, *SHAKEN], ids=repr)
+def test_exact_motions_are_those_of_an_independent_integration_and_near_the_averaged_ones(osc, Omega, F_0, within):
     state = osc.steady_state(Omega=Omega, F_0=F_0)
     assert state.stops == 0 and state.stable
-    expected = largest(osc.restoring_force().value, osc, Omega, F_0, 40)
-    assert state.A == pytest.approx(expected, rel=1e-6)
+    assert state.A == pytest.approx(largest(osc.restoring_force().value, osc, Omega, F_0, 40), rel=1e-6)
     (A,) = osc.amplitudes(Omega=Omega, F_0=F_0).A
     assert pytest.approx(A, rel=within) == state.A
+    assert osc.rubs != "attached" or state.A > osc.breakpoints[0]
 
 
 @pytest.mark.slow
@@ -332,14 +317,6 @@ def test_laws_are_columns_of_a_batch_and_of_a_map():
         Isolator.many(**{**given, "rubs": "never"})
 
 
-def moved_by(osc, ask, names, step):
-    """Half of what each number changes by between steps of parameters to either side."""
-    ends = [ask(osc.replace(**{by: getattr(osc, by) + sign * by_how_much for by, by_how_much in step.items()}))
-            for sign in (1, -1)]  # fmt: skip
-    one, other = (np.array([np.atleast_1d(getattr(end, name)) for name in names]) for end in ends)
-    return (one - other) / 2
-
-
 #: numbers of answers whose gradients are asked for: how they are got, and what they are called
 NUMBERS = {
     "folds": (lambda osc: osc.saddle_nodes(0.0502), ("Omega", "A")),
@@ -370,13 +347,8 @@ def test_slopes_are_those_of_differences_by_every_parameter(osc, questions):
         ask, names = NUMBERS[question]
         moves = ask(osc).gradient()
         assert moves.of == names and {"eta", "c_2"} < set(moves.by)
-        for way in directions(by for by in set(moves.by) - {"F_0", "Omega"} if getattr(osc, by) != 0):
-            step = {by: 1e-5 * getattr(osc, by) * weight for by, weight in way.items()}
-            for name, expected in zip(names, moved_by(osc, ask, names, step), strict=True):
-                terms = np.array([np.atleast_1d(moves[name, by]) * far for by, far in step.items()])
-                size = max(1.0, np.abs(moves[name]).max()) * sum(map(abs, step.values()))
-                doubt = 1e-6 * np.abs(terms).sum(axis=0) + 1e-7 * size
-                assert (np.abs(expected - terms.sum(axis=0)) <= doubt).all(), (question, name, way)
+        numbers = {by: getattr(osc, by) for by in set(moves.by) - {"F_0", "Omega"} if getattr(osc, by) != 0}
+        assert assert_slopes_are_differences(osc.replace, numbers, {question: ask}, numbers) == {question}
 
 
 @pytest.mark.slow
@@ -400,15 +372,10 @@ def test_a_law_that_is_not_there_has_a_slope_too():
 @pytest.mark.slow
 def test_a_mount_has_the_same_gradients():
     mount = Isolator.physical(m=12, k_v=2500, k_h=600, n=2, L=0.08, preload=0.002, c=8.0, eta=0.01, c_2=5.0)
-    moves = mount.peak(F=5).gradient()
-    assert moves.by == ("n", "k_h", "preload", "friction", "c", "eta", "c_2", "F", "k_v", "L", "m")
-    for by in ("eta", "c_2", "k_v", "L", "m"):
-        at = mount.given[by]
-        ends = [mount.replace(**{by: at * (1 + step)}).peak(F=5) for step in (1e-5, -1e-5)]
-        for name in ("A", "f"):
-            assert moves[name, by] == pytest.approx(
-                (getattr(ends[0], name) - getattr(ends[1], name)) / (2e-5 * at), rel=1e-6
-            )
+    by = ("eta", "c_2", "k_v", "L", "m")
+    assert mount.peak(F=5).gradient().by == ("n", "k_h", "preload", "friction", "c", "eta", "c_2", "F", "k_v", "L", "m")
+    numbers = {name: mount.given[name] for name in by}
+    assert assert_slopes_are_differences(mount.replace, numbers, {"peak": lambda one: one.peak(F=5)}, by)
 
 
 # ---- static friction above the kinetic one

@@ -17,6 +17,7 @@ from slowflow.results import Remark
 from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import Status
 from tests.native.records import bent
+from tests.slopes import assert_slopes_are_differences
 
 u, k, c, p, gap, end = sp.symbols("u k c p gap end")
 ABOVE_0 = {"above": 0}
@@ -321,13 +322,8 @@ def test_gradients_are_what_neighbours_differ_by(derived, name, numbers):
     """Of folds, also where the force jumps at a breakpoint that moves; against differences of answers."""
     numbers = numbers or FORCES[name][1]
     one = derived(name)(**numbers, **DAMPING)
-    moves = one.saddle_nodes(0.1).gradient()
-    for by, value in numbers.items():
-        step = 1e-6 * value
-        above, below = (one.replace(**{by: value + side * step}).saddle_nodes(0.1) for side in (1, -1))
-        for x in ("Omega", "A"):
-            expected = (getattr(above, x) - getattr(below, x)) / (2 * step)
-            np.testing.assert_allclose(moves[x, by], expected, rtol=1e-5, atol=1e-7)
+    folds = {"folds": lambda one: one.saddle_nodes(0.1)}
+    assert assert_slopes_are_differences(one.replace, numbers, folds, numbers)
 
 
 def test_stiffnesses_that_cancel_leave_what_rounding_allows():

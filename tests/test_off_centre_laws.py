@@ -12,7 +12,7 @@ from slowflow.off_centre.flow import Flow
 from slowflow.sizing import tolerances
 from slowflow.validate import NotAvailable
 from tests.oracles.by_time import mean_and_first
-from tests.sampling import directions
+from tests.slopes import assert_slopes_are_differences
 
 u, k, g, a, b = sp.symbols("u k g a b", real=True)
 ABOVE = {"above": 0}
@@ -204,8 +204,6 @@ def test_what_is_not_answered_off_the_centre_is_refused_in_words():
         Isolator(**TABLE_1, load=0.05, rubs="attached")
 
 
-#: a central difference's share of its step, whose square its error is
-STEP = 1e-5
 ASKED = {
     "onset": lambda of: of.saddle_node_onset(),
     "folds": lambda of: of.saddle_nodes(0.1),
@@ -220,28 +218,9 @@ ASKED = {
 @pytest.mark.parametrize("ask", ASKED)
 def test_gradients_are_differences_of_answers(law, ask):
     plain = ask in ("onset", "folds", "peak")  # of an isolator these take seconds
-    given = {**({"alpha": 1.0, "beta": 1.0, "mu": 0.01, "zeta": 0.03} if plain else TABLE_1), "load": 0.1, **law}
-    made = Duffing if plain else Isolator
-
-    def found(**changes):
-        return of_answer(ASKED[ask](made(**{**given, **changes})))
-
-    def of_answer(answer):
-        return np.array([np.atleast_1d(getattr(answer, name))[-1] for name in gradient.of])
-
-    answer = ASKED[ask](made(**given))
-    gradient = answer.gradient()
-    here = of_answer(answer)
-    slopes = gradient.slopes.reshape(-1, *gradient.slopes.shape[-2:])[-1]
-    moving = [name for name in gradient.by if isinstance(given.get(name), float)]
-    assert {*given} - {"excitation"} == {*moving}
-    for way in directions(moving):
-        step = {name: STEP * given[name] * weight for name, weight in way.items()}
-        ends = [found(**{name: given[name] + sign * far for name, far in step.items()}) for sign in (1, -1)]
-        expected = (ends[0] - ends[1]) / 2
-        terms = np.array([slopes[:, gradient.by.index(name)] * far for name, far in step.items()])
-        size = sum(np.abs((STEP * weight * here, term)).max() for weight, term in zip(way.values(), terms, strict=True))
-        np.testing.assert_allclose(terms.sum(axis=0), expected, rtol=0, atol=1e-8 * size)
+    numbers = {**({"alpha": 1.0, "beta": 1.0, "mu": 0.01, "zeta": 0.03} if plain else TABLE_1), "load": 0.1, **law}
+    make, by = Duffing if plain else Isolator, {*numbers} - {"excitation"}
+    assert assert_slopes_are_differences(make, numbers, {ask: ASKED[ask]}, by) == {ask}
 
 
 @pytest.mark.slow

@@ -23,7 +23,7 @@ from slowflow.table import COLUMNS
 from slowflow.text import Sentence
 from slowflow_kernels.scaling import SCALES
 from slowflow_support.errors import OutOfRange, SlowflowError
-from tests.sampling import directions
+from tests.slopes import assert_slopes_are_differences
 
 #: a mount that was sized by hand: 12 kg on 2500 N/m, three springs of 1700 N/m on rods of 80 mm
 MOUNT = {"m": 12, "k_v": 2500, "k_h": 1700, "n": 3, "L": 0.080, "preload": 0.009, "friction": 0.4, "zeta": 0.02}
@@ -647,22 +647,8 @@ def test_numbers_are_shown_over_the_size_of_the_usual_unit(unit, shown):
 )
 def test_gradients_of_a_loaded_mount_are_the_differences_of_mounts(ask, of):
     sheet = {**MOUNT, "load": 1.01 * MOUNT["m"]}
-    mount = ask(Isolator.physical(**sheet))
-    found = mount.gradient()
-    assert set(of) <= set(found.of)
-
-    def values(mount):
-        return [np.atleast_1d(getattr(mount, answer)) for answer in of]
-
-    ends = np.cumsum([value.size for value in values(mount)])[:-1]
-    for way in directions(("m", "k_v", "k_h", "L", "preload", "load", "friction", "zeta")):
-        step = {name: 1e-4 * sheet[name] * weight for name, weight in way.items()}
-        # each mount is asked once for all of its answers
-        moved = differences(lambda given: np.concatenate(values(ask(Isolator.physical(**given)))), sheet, step)
-        for answer, value, expected in zip(of, values(mount), np.split(moved, ends), strict=True):
-            terms = np.array([np.atleast_1d(found[answer, name]) * far for name, far in step.items()])
-            doubt = 1e-6 * np.abs(terms).sum(axis=0) + 1e-12 * np.abs(value).max() * sum(map(abs, way.values()))
-            assert (np.abs(terms.sum(axis=0) - expected) <= doubt).all(), (answer, way)
+    assert set(of) <= set(ask(Isolator.physical(**sheet)).gradient().of)
+    assert assert_slopes_are_differences(Isolator.physical, sheet, {"": ask}, {*sheet} - {"n"})
 
 
 def test_what_has_no_gradient_in_si_units_says_why(mount):

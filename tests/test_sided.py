@@ -18,7 +18,7 @@ from slowflow.validate import NotAvailable
 from slowflow_kernels.conventions import Status
 from tests.oracles import exact_reference
 from tests.oracles.by_time import mean_and_first
-from tests.sampling import directions
+from tests.slopes import assert_slopes_are_differences
 from tests.test_off_centre import mean
 
 u, k, g, p, q, a, b = sp.symbols("u k g p q a b")
@@ -201,24 +201,8 @@ def test_gradients_of_a_force_that_is_not_odd_are_differences_of_its_answers(nam
         "states": lambda one: one.amplitudes(Omega=1.2, F_0=F_0),
         "peak": lambda one: one.peak(F_0),
     }
-    moving = set()
-    steps = {by: 1e-5 * max(abs(getattr(one, by)), 0.01) for by in (*numbers, "mu", "zeta", "load")}
-    gradients = {question: ask(one).gradient() for question, ask in asked.items()}
-    for way in directions(steps):
-        moved = {by: weight * steps[by] for by, weight in way.items()}
-        # each once: they keep what several questions ask
-        beside = [one.replace(**{by: getattr(one, by) + sign * step for by, step in moved.items()}) for sign in (1, -1)]
-        for question, ask in asked.items():
-            found, ends = gradients[question], [ask(other) for other in beside]
-            for of in found.of:
-                terms = np.array([np.atleast_1d(found[of, by]) * step for by, step in moved.items()])
-                known = np.isfinite(terms).all(axis=0)
-                if not known.any():
-                    continue
-                high, low = (np.atleast_1d(np.asarray(getattr(end, of), dtype=float)) for end in ends)
-                moving.add(question)
-                doubt = 1e-6 * (np.abs(terms).sum(axis=0) + sum(map(abs, moved.values())))
-                assert (np.abs((high - low) / 2 - terms.sum(axis=0)) <= doubt)[known].all(), (question, of, way)
+    given = {by: getattr(one, by) for by in (*numbers, "mu", "zeta", "load")}
+    moving = assert_slopes_are_differences(one.replace, given, asked, given)
     assert moving >= {"states", "peak"} | ({"onset"} if name != "jump" else set())
     assert ("detachment" in moving) == (name != "even")
     assert ("folds" in moving) == (name != "within")
