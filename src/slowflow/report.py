@@ -377,9 +377,8 @@ class Report:
     def map(self) -> Iterator[str]:
         """From which force on designs beside it jump."""
         subject = Subject(self.of)
-        if subject.loaded or subject.laws:
-            which = "under a load" if subject.loaded else "with other laws of damping than friction and viscous damping"
-            raise NotAvailable(f"a map of designs {which}, as each of its points takes tenths of a second")
+        if subject.loaded:
+            raise NotAvailable("a map of designs under a load, as each of its points takes tenths of a second")
         x, y = OF_MOUNT if subject.mount else OF_ISOLATOR
         if not subject.nominal[y]:
             return

@@ -86,8 +86,8 @@ class Subject:
     nominal -- the numbers that can be varied, by name, as they are
     answers -- names of what can be asked of it, and what they are among `COLUMN`
     loaded  -- whether it is under a load
-    one_by_one -- whether designs are asked one by one, up to some tenths of a second each: under a load, or with other
-               laws of damping than mu and zeta
+    one_by_one -- whether few designs are asked: under a load, where each takes up to some tenths of a second, or with
+               other laws of damping than mu and zeta
     excitation -- what the forcing is the amplitude of
 
     Raises ValueError for what is no isolator, and for a number that cannot be varied.

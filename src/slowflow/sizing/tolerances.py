@@ -151,7 +151,8 @@ def tolerances(
     spectrum -- a load spectrum, (f, F) of a mount, (Omega, F_0) of an isolator: as many numbers of each
     answers -- which of those that `slowflow.sizing` lists; by default all that forcing, frequency and shock allow
     samples, seed -- how many designs are tried, by default 10,000, and which. Under a load each takes up
-               to tenths of a second: by default there are 100 then, and the ends of bands accordingly rough
+               to tenths of a second: by default there are 100 then, as with other laws of damping, and the ends of
+               bands accordingly rough
 
     Raises ValueError for what is not allowed.
     """
