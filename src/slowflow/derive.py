@@ -250,16 +250,13 @@ def _sampled(
             ends.append(end)
         elif end is not None:
             ends.append(float(given.exact(f"the end of piece {number}", end)))
-    bounds = [
-        {key: float(bound) for key in given.BOUNDS if (bound := getattr(parameter, key)) is not None}
-        for parameter in design
-    ]
-    of_record = tuple(
-        Parameter(one.symbol.name, one.doc, one.unit, **bound) for one, bound in zip(design, bounds, strict=True)
-    )
+    of_record = []
+    for one in design:
+        bounds = {key: float(bound) for key in given.BOUNDS if (bound := getattr(one, key)) is not None}
+        of_record.append(Parameter(one.symbol.name, one.doc, one.unit, **bounds))
     stated = sampled.Stated(name, tuple(functions), tuple(ends), tuple(names), float(given.reach(reach)))
     titled = title or f"{name}, stated by Python functions"
-    record = sampled.record(stated, titled[0].upper() + titled[1:], of_record, reach_reason)
+    record = sampled.record(stated, titled[0].upper() + titled[1:], tuple(of_record), reach_reason)
     backend.check_room(record)
     return Sampled(record)
 

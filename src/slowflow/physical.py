@@ -382,7 +382,7 @@ class Physical:
         if validate.is_single(value) or not several:
             number: Any = validate.number(name, value, above=above)
         else:
-            number = validate.finite_array(name, value) if above < 0 else validate.positive_array(name, value)
+            number = validate.finite_array(name, value, positive=above == 0)
         with np.errstate(over="ignore"):
             found = number / size
         if not np.isfinite(found).all():

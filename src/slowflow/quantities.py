@@ -382,8 +382,7 @@ class Scales:
     def over(self, name: str, value: Any, domain: Parameter, scale: Scale) -> float:
         """A given number over what it is measured in. Raises ValueError, in its terms, outside the domain."""
         size = self.of(scale)
-        bounds = {b: getattr(domain, b) for b in ("above", "least", "below", "most") if getattr(domain, b) is not None}
-        allowed = {bound: limit * size for bound, limit in bounds.items()}
+        allowed = {bound: limit * size for bound, limit in domain.bounds.items()}
         return validate.number(name, value, **allowed) / size
 
     def quantities(self, answer: Answer) -> Quantities:

@@ -69,9 +69,7 @@ class Sentence:
         """The sentence with values in the order of its places, or by name."""
         if named:
             values += tuple(named[name] for name in self.names[len(values) :])
-        made = Text.__new__(Text, self.told(values, None))
-        made.sentence, made.values = self, values
-        return made
+        return _made(self.told(values, None), self, values)
 
     def told(self, values: tuple[Any, ...], units: Units | None) -> str:
         """The sentence with these values in these units, or dimensionless."""

@@ -115,14 +115,7 @@ def within(domain: Parameter, value: Any) -> float:
     """A finite real number in a parameter's domain, as a float."""
     if type(value) is float and domain.holds(value):
         return value
-    return number(
-        domain.name,
-        value,
-        above=-math.inf if domain.above is None else domain.above,
-        least=-math.inf if domain.least is None else domain.least,
-        below=math.inf if domain.below is None else domain.below,
-        most=math.inf if domain.most is None else domain.most,
-    )
+    return number(domain.name, value, **domain.bounds)
 
 
 def count(name: str, value: Any, *, least: int, most: int | None = None) -> int:
@@ -217,23 +210,19 @@ def _array(name: str, value: Any, allowed: str) -> npt.NDArray[Any]:
     return array
 
 
-def positive_array(name: str, value: Any) -> Floats:
-    """Finite real numbers > 0, of any shape."""
-    allowed = "a finite real number > 0, or an array of such"
+def finite_array(name: str, value: Any, *, positive: bool = False) -> Floats:
+    """Finite real numbers, of any shape, as floats."""
+    allowed = f"a finite real number{' > 0' if positive else ''}, or an array of such"
     array = _array(name, value, allowed).astype(float)
-    bad = ~(np.isfinite(array) & (array > 0))
+    bad = ~np.isfinite(array) | (positive & (array <= 0))
     if bad.any():
         raise _refuse(name, array[bad].flat[0] if array.ndim else value, allowed)
     return array
 
 
-def finite_array(name: str, value: Any) -> Floats:
-    """Finite real numbers, of any shape, as floats."""
-    allowed = "a finite real number, or an array of such"
-    array = _array(name, value, allowed).astype(float)
-    if not np.isfinite(array).all():
-        raise _refuse(name, float(array[~np.isfinite(array)].flat[0]), allowed)
-    return array
+def positive_array(name: str, value: Any) -> Floats:
+    """Finite real numbers > 0, of any shape."""
+    return finite_array(name, value, positive=True)
 
 
 def real_array(name: str, value: Any) -> npt.NDArray[Any]:

@@ -49,6 +49,12 @@ class Parameter:
     below: float | None = None
     most: float | None = None
 
+    @property
+    def bounds(self) -> dict[str, float]:
+        """Those that it has, by name."""
+        found = {"above": self.above, "least": self.least, "below": self.below, "most": self.most}
+        return {name: bound for name, bound in found.items() if bound is not None}
+
     def holds(self, value: float) -> bool:
         """Whether a number is one of those allowed."""
         return (
