@@ -1,6 +1,7 @@
 """The exact motion against brute force, against closed forms, and one integrator against the other."""
 
 import collections
+import itertools
 import math
 import pickle
 import re
@@ -245,6 +246,24 @@ def test_multipliers_against_finite_differences(states):
         assert abs(np.trace(matrix) - np.sum(state.multipliers).real) <= 1e-6
         assert abs(np.linalg.det(matrix) - np.prod(state.multipliers).real) <= 1e-6
     assert len(seen) >= 4
+
+
+def test_a_cycle_starts_at_any_of_its_turning_points(states):
+    """The same motion, followed through its switches from there; upside down from where it turns upwards."""
+    slips = collections.Counter()
+    for case, state in zip(CASES, states, strict=True):
+        cycle = state.cycle
+        for i, (before, phase) in enumerate(itertools.pairwise(state.phases), 1):
+            if phase.v or before.region != phase.region or phase.slip not in (-1, -cycle.sign):
+                continue
+            turned, z = cycle.started_at(state.unknowns, case.F_0, i)
+            assert turned.holds(z, case.F_0), case
+            found = turned.equations(z, case.F_0)
+            assert found.A == pytest.approx(state.A, rel=1e-12) and np.max(np.abs(found.residual)) <= 1e-12
+            multipliers = turned.multipliers(found.monodromy) ** (1 if cycle.sign == 1 else 2)
+            assert np.sort_complex(multipliers) == pytest.approx(np.sort_complex(state.multipliers), abs=1e-9)
+            slips[phase.slip] += 1
+    assert slips[-1] >= 5 and slips[1]
 
 
 def test_stops_make_a_multiplier_vanish():
