@@ -256,20 +256,17 @@ def _response(F_0: float, points: list[Point], closed: bool) -> Response:
     # at a fold one multiplier is 1 up to rounding
     at_fold = np.array([point.role in FOLDS for point in points])
     stable = np.all(np.abs(multipliers) < 1.0, axis=1) & ~at_fold
-    A = np.array([point.A for point in points])
-    folds: list[Point] = []
-    found: list[Fold] = []
-    for i, point in enumerate(points):
-        if point.role in FOLDS and 0 < i < len(points) - 1:
-            if folds and is_same(folds[-1], point):
-                del folds[-1], found[-1]  # there and back: none
-                continue
-            folds.append(point)
-            found.append(_fold_at(F_0, i, points))
+    folds: list[int] = []
+    for i in (np.flatnonzero(at_fold[1:-1]) + 1).tolist():
+        if folds and is_same(points[folds[-1]], points[i]):
+            folds.pop()  # there and back: none
+        else:
+            folds.append(i)
+    found = (_fold_at(F_0, i, points) for i in folds)
     return Response(
         F_0=F_0,
         Omega=np.array([float(point.z[-1]) for point in points]),
-        A=A,
+        A=np.array([point.A for point in points]),
         stable=stable,
         multipliers=multipliers,
         stops=np.array([point.cycle.stops for point in points]),
