@@ -1,7 +1,7 @@
 """What runs for a question and what does not: in go an oscillator's models and the question, out comes the plan.
 
-It is made in one place and obeyed: an oscillator hands its solvers what `solved` says, and so does the plan, which has
-the reasons, step by step, and is made where one is asked for.
+It is made in one place and obeyed: an oscillator searches for folds where `may_have_folds` says so, and so does the
+plan, which has the reasons, step by step, and is made where one is asked for.
 """
 
 from __future__ import annotations
@@ -196,13 +196,13 @@ def forcing(question: str, F_0: float | None) -> float | None:
     return None
 
 
-def solved(question: str, F_0: float, whole: Model, onset: SaddleNodeOnset | None) -> tuple[Model | None, bool]:
-    """What the solvers get, None where the mass stays at rest, and whether folds are searched for; as `plan`."""
-    if whole.sticks(F_0):
-        return None, False
-    if question != "saddle_nodes":
-        return whole, question != "peak"
-    return whole, not (whole.linear or (onset is not None and _is_below(F_0, onset)))
+def may_have_folds(F_0: float, whole: Model, onset: SaddleNodeOnset | None) -> bool:
+    """Whether folds are searched for: not of a linear oscillator, nor below the onset, however F_SN is rounded."""
+    if whole.linear:
+        return False
+    if onset is None or onset.F_SN is None or Remark.FOLDS_AT_REST in onset.remarks:
+        return True
+    return bool(onset.F_SN * (1 - CLOSE) <= F_0)
 
 
 def needs_no_solver(question: str, whole: Model) -> bool:
@@ -219,15 +219,14 @@ def plan(question: str, F_0: float | None, whole: Model, onset: SaddleNodeOnset 
     """
     if question in COMPOSED:
         return Plan(question, F_0, whole, COMPOSED[question])
-    model, searched = (whole, True) if F_0 is None else solved(question, F_0, whole, onset)
-    if F_0 is not None and model is None:
+    if F_0 is not None and whole.sticks(F_0):
         skipped = ("force", "slow flow", "curve", "folds")
         return Plan(question, F_0, None, tuple(Step(name, False, words.sticks(whole, F_0)) for name in skipped))
     if needs_no_solver(question, whole):
         none = Step(question, False, words.NO_DETACHMENT) if question == "detachment" else NO_FOLDS
         return Plan(question, None, None, (none,))
     steps = SOLVED[question]
-    if question == "saddle_nodes" and not searched:
+    if F_0 is not None and question == "saddle_nodes" and not may_have_folds(F_0, whole, onset):
         steps = (NO_FOLDS if onset is None or whole.linear else Step("folds", False, BELOW.format(onset.F_SN)),)
     elif question == "saddle_node_onset" and whole.zeta == 0 and not whole.laws.any:
         steps = (UNDAMPED,)
@@ -248,10 +247,3 @@ def _force(question: str, F_0: float | None, whole: Model) -> Step:
     if not whole.breakpoints:
         return Step("force", True, ONE_PIECE[whole.linear])
     return Step("force", True, PIECES if F_0 is not None else "all its pieces")
-
-
-def _is_below(F_0: float, onset: SaddleNodeOnset) -> bool:
-    """Whether there is no fold at F_0, however F_SN is rounded."""
-    if onset.F_SN is None or Remark.FOLDS_AT_REST in onset.remarks:
-        return False
-    return bool(onset.F_SN * (1 - CLOSE) > F_0)

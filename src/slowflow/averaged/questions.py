@@ -103,10 +103,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         """`frequency_response` without the remarks on averaging: what another approximation starts from."""
         F_0 = validate.number("F_0", F_0, above=0.0)
         samples, shown = validate.curve(samples, Omega)
-        solved, _ = self._solved("frequency_response", F_0)
-        if solved is None:
-            return FrequencyResponse._made(**self._no_state(F_0), branch=np.empty(0, np.intp), isola=())
-        found = solvers.frequency_response(solved, F_0, samples, shown)
+        found = solvers.frequency_response(self.model, F_0, samples, shown)
         return self._centred(proofs.decided_curve(found, self.model, shown, allowance or proofs.Allowance()))
 
     def _amplitudes(self, at: Floats, F_0: float, allowance: proofs.Allowance | None = None) -> SteadyStates:
@@ -136,7 +133,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         at = validate.frequencies("Omega", Omega).ravel()
         allowance = allowance or proofs.Allowance()
         try:
-            found = self._states(at, F_0)
+            found = solvers.states(self.model, at, validate.number("F_0", F_0, above=0.0))
         except OverflowError:
             raise
         except ArithmeticError:  # branches coincide within rounding
@@ -145,17 +142,6 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
                 raise
             return self._centred(by_balls)
         return self._centred(proofs.decided_states(found, self.model, at, float(F_0), allowance))
-
-    def _states(self, at: Floats, F_0: float) -> SteadyStates:
-        F_0 = validate.number("F_0", F_0, above=0.0)
-        solved, _ = self._solved("amplitudes", F_0)
-        return SteadyStates._made(**self._no_state(F_0)) if solved is None else solvers.states(solved, at, F_0)
-
-    def _no_state(self, F_0: float) -> dict[str, Any]:
-        """Of a mass that friction holds at any frequency."""
-        message = functools.partial(words.sticks, self.model, F_0)
-        said: dict[str, Any] = {"F_0": F_0, "message": message, "remarks": NOTHING, "_model": self.model}
-        return {"Omega": NONE, "A": NONE, "stable": np.empty(0, bool), "Omega_undecided": NONE, **said}
 
     def _check_proof(self) -> None:
         """Raises ValueError where no proof of the averaged equations is derived."""
@@ -196,11 +182,10 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
 
     def _folds(self, F_0: float) -> SaddleNodes:
         F_0 = validate.number("F_0", F_0, above=0.0)
-        solved, searched = self._solved("saddle_nodes", F_0)
-        if solved is not None and searched:
-            return solvers.folds(solved, F_0)
-        sticks = functools.partial(words.sticks, self.model, F_0)
-        message = sticks if solved is None else functools.partial(words.NO_FOLD.format, F_0)
+        # finding the onset costs time too: it serves only where it has been asked for already
+        if plan.may_have_folds(F_0, self.model, self.__dict__.get("_onset")):
+            return solvers.folds(self.model, F_0)
+        message, _ = words.of_folds(self.model, F_0, False, "")
         none: dict[str, Any] = {"Omega": NONE, "A": NONE, "kind": np.empty(0, "U9"), "corner": np.empty(0, bool)}
         return SaddleNodes._made(**none, F_0=F_0, message=message, remarks=NOTHING, _model=self.model)
 
@@ -221,16 +206,12 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         return known
 
     def _peak(self, F_0: float) -> Peak:
-        solved, _ = self._solved("peak", F_0)
-        if solved is None:
-            message = functools.partial(words.sticks, self.model, F_0)
-            return Peak._made(A=None, Omega=None, F_0=F_0, message=message, remarks=NOTHING, _model=self.model)
-        found = solvers.peak(solved, F_0)
+        found = solvers.peak(self.model, F_0)
         while found.A is not None and not self.model.stays_centred:
             if not remarks.turns_beyond(self.model.mechanism, self.model.parameters, found.A):
                 break
-            found = solvers.peak(solved, F_0, JUST_BELOW * found.A)
-        if remarks.of_one_gives_way(self.model) or found._escapes:
+            found = solvers.peak(self.model, F_0, JUST_BELOW * found.A)
+        if not self.model.sticks(F_0) and (remarks.of_one_gives_way(self.model) or found._escapes):
             found = dataclasses.replace(found, remarks=Remark.BEYOND_WELL)
         return self._remarked(found, F_0)
 
@@ -385,10 +366,6 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
             if (by_balls := proofs.decided_onset(self.model, allowance or proofs.Allowance())) is None:
                 raise
             return by_balls
-
-    def _solved(self, question: str, F_0: float) -> tuple[Model | None, bool]:
-        # finding the onset costs time too: it serves only where it has been asked for already
-        return plan.solved(question, F_0, self.model, self.__dict__.get("_onset"))
 
     def _up_to(self, A_max: float | None) -> float:
         """The amplitude up to which the fold locus is wanted."""

@@ -9,7 +9,6 @@ from operator import add
 import numpy as np
 
 from slowflow import backend
-from slowflow.answer import joined
 from slowflow.averaged import words
 from slowflow.model import Floats, Model
 from slowflow.results import (
@@ -36,7 +35,7 @@ ONSET_KINDS = {kind.value: kind.name.lower() for kind in OnsetKind}
 
 
 def check(status: int, model: Model, F_0: float | None = None) -> None:
-    """Raises what there is to raise where there is no answer."""
+    """Raises what there is to raise where there is no answer; a mass that sticks is one, without an entry."""
     if status == Status.OK:
         return
     if status == Status.NO_MEMORY:
@@ -56,6 +55,8 @@ def check(status: int, model: Model, F_0: float | None = None) -> None:
 
 def remark_of(model: Model, F_0: float, lowest: float = 0.0) -> str:
     """Where a response is cut, in words; lowest: the lowest Omega that is asked for."""
+    if model.sticks(F_0):
+        return ""
     if model.zeta == 0 and not model.laws.any:
         return words.cut(model, F_0)[1]
     goes = not model.inertial and model.spring != "holds"
@@ -137,12 +138,14 @@ def detachment(model: Model) -> Detachment:
 
 def peak(model: Model, F_0: float, most: float = math.inf) -> Peak:
     """The highest peak at F_0 > m with an amplitude up to `most`."""
-    status, A, Omega = backend.SOLVER.peak(model.native, F_0, most)
+    known = Status.STICKS, math.nan, math.nan
+    status, A, Omega = known if model.sticks(F_0) else backend.SOLVER.peak(model.native, F_0, most)
+    if status == Status.STICKS:
+        told = partial(words.sticks, model, F_0)
+        return Peak._made(A=None, Omega=None, F_0=F_0, message=told, remarks=NOTHING, _status=Status.STICKS)
     if status == Status.UNRESOLVED and A > 0:
         raise NotSettled(words.PEAK_AT.format(F_0, A))
     check(status, model, F_0)
-    if status == Status.STICKS:
-        return Peak(None, None, F_0, words.sticks(model, F_0), _status=Status.STICKS)
     if status == Status.UNBOUNDED:
         said = remark_of(model, F_0) if model.zeta > 0 or model.laws.any else words.NO_PEAK
         return Peak(None, None, F_0, said, _status=Status.UNBOUNDED)
@@ -179,7 +182,7 @@ def frequency_response(model: Model, F_0: float, samples: int, window: tuple[flo
     status, Omega, A, stable, branch, isola, undecided = answer
     check(status, model, F_0)
     remark = remark_of(model, F_0, window[0])
-    message = remark if A.size else joined(remark, words.empty_window(model, F_0, window))
+    message = remark if A.size else partial(words.empty_window, model, F_0, window, remark)
     columns = {"Omega": Omega, "A": A, "stable": stable, "branch": branch, "isola": tuple(isola.tolist())}
     columns |= {"Omega_undecided": NO_NUMBER}
     codes = words.beside(undecided, remark)

@@ -119,6 +119,8 @@ def of_states(model: Model, F_0: float, cut: str, Omega: Floats, found: Floats, 
     found     -- frequencies of the states
     undecided -- those of the frequencies asked for at which their number is
     """
+    if model.sticks(F_0):
+        return sticks(model, F_0)
     missing = np.setdiff1d(np.setdiff1d(Omega[~model.rests(F_0, Omega)], undecided), found)
     none = NO_STATE.format(missing) if missing.size else ""
     more = ", ..." * (undecided.size > MOST_NAMED)
@@ -151,6 +153,8 @@ def of_folds(model: Model, F_0: float, told: bool, cut: str) -> tuple[str | Call
     told -- whether there are folds, or may be. Where there are none, cutting an undamped response leaves none out: it
         ends where what is beyond has no fold
     """
+    if model.sticks(F_0):
+        return partial(sticks, model, F_0), ""
     leaves_out = model.inertial or (model.zeta > 0 and model.spring == "levels off")
     kept = cut if told or leaves_out else ""
     return kept if told or kept else partial(NO_FOLD.format, F_0), kept
@@ -321,8 +325,10 @@ def at_several(messages: Iterable[str]) -> str:
     return joined(*told[:SAID], f"and {len(told) - SAID} remarks more" if len(told) > SAID else "")
 
 
-def empty_window(model: Model, F_0: float, window: tuple[float, float]) -> str:
+def empty_window(model: Model, F_0: float, window: tuple[float, float], cut: str = "") -> str:
     """That a curve has no point in the window, as where friction holds the mass throughout."""
+    if model.sticks(F_0):
+        return sticks(model, F_0)
     if model.inertial and model.rests(F_0, window[1]):
-        return sticks_below(model, F_0, np.array(window[1]))
-    return EMPTY_WINDOW.format(window)
+        return joined(cut, sticks_below(model, F_0, np.array(window[1])))
+    return joined(cut, EMPTY_WINDOW.format(window))
