@@ -6,11 +6,9 @@
 F_0 Omega^2, taken exactly.
 """
 
-import json
 import random
 from fractions import Fraction
 from functools import cached_property
-from pathlib import Path
 from typing import Any
 
 from flint import arb
@@ -118,11 +116,5 @@ def case(mechanism: str, index: int) -> dict:
     }
 
 
-def main() -> None:
-    cases = [case(mechanism, index) for mechanism in ("duffing", "rod_spring") for index in range(EACH)]
-    write(Path(__file__).parents[1] / "data" / "inertia.json", cases)
-    print(json.dumps({"cases": len(cases), "folds": sum(len(one["folds"]) for one in cases)}))
-
-
 if __name__ == "__main__":
-    main()
+    write("inertia", [case(name, index) for name in ("duffing", "rod_spring") for index in range(EACH)])

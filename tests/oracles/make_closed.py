@@ -13,9 +13,7 @@ stiffness there: with p = -h/A and q = -h_A, p < q, folds have Omega^2 between t
 
 from __future__ import annotations
 
-import json
 from itertools import count
-from pathlib import Path
 
 from flint import arb
 
@@ -24,7 +22,6 @@ from tests.oracles.certified_roots import precision
 from tests.oracles.make_random_isolators import write
 from tests.oracles.make_stated import Force, Piece, Stated, _uniform, case
 
-OUT = Path(__file__).parents[1] / "data" / "closed.json"
 #: of each force
 EACH = 30
 
@@ -121,11 +118,5 @@ def cases(name: str) -> list[dict]:
     raise AssertionError
 
 
-def main() -> None:
-    found = [one for name in FORCES for one in cases(name)]
-    write(OUT, found)
-    print(json.dumps({"cases": len(found), "folds": sum(len(one["folds"]) for one in found)}))
-
-
 if __name__ == "__main__":
-    main()
+    write("closed", [one for name in FORCES for one in cases(name)])

@@ -16,10 +16,8 @@ the bounds of `make_sided`: K is the least slope of the force, k or k + q/d.
 
 from __future__ import annotations
 
-import json
 import math
 import random
-from pathlib import Path
 from typing import Any
 
 from flint import arb, arb_series, ctx
@@ -29,7 +27,6 @@ from tests.oracles.certified_roots import precision
 from tests.oracles.make_random_isolators import SEED, given, log_uniform, write
 from tests.oracles.make_sided import Along, asked
 
-OUT = Path(__file__).parents[1] / "data" / "curved.json"
 #: cases of each force
 EACH = {"exponential": 17, "hyperbolic": 13}
 #: terms of Bessel's series at most
@@ -280,11 +277,5 @@ def case(force: str, index: int) -> dict:
     return {"force": force, "parameters": parameters, **asked(rng, oscillator, base, (1.0, 1.4))}
 
 
-def main() -> None:
-    cases = [case(force, index) for force, count in EACH.items() for index in range(count)]
-    write(OUT, cases)
-    print(json.dumps({"cases": len(cases), "folds": sum(len(one["folds"]) for one in cases)}))
-
-
 if __name__ == "__main__":
-    main()
+    write("curved", [case(force, index) for force, count in EACH.items() for index in range(count)])

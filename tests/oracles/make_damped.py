@@ -7,10 +7,8 @@ The number of folds at each forcing is found twice, by isolating them and by the
 locus; where the two differ the run stops.
 """
 
-import json
 import random
 from collections.abc import Sequence
-from pathlib import Path
 from typing import Any
 
 from tests.oracles.averaged import (
@@ -37,7 +35,6 @@ LAWS = ("eta", "c_2", "rubs")
 EACH = 30
 #: on a base that shakes, of four combinations of laws
 SHAKEN = 40
-DATA = Path(__file__).parents[1] / "data"
 Coefficients = Sequence[Any]
 
 
@@ -158,15 +155,7 @@ def shaken(index: int) -> dict:
     }
 
 
-def main() -> None:
-    for law in LAWS:
-        cases = [case(law, index) for index in range(EACH)]
-        write(DATA / f"damped_{law}.json", cases)
-        print(json.dumps({"law": law, "cases": len(cases), "folds": sum(len(one["folds"]) for one in cases)}))
-    cases = [shaken(index) for index in range(SHAKEN)]
-    write(DATA / "damped_base.json", cases)
-    print(json.dumps({"base": len(cases), "folds": sum(len(one["folds"]) for one in cases)}))
-
-
 if __name__ == "__main__":
-    main()
+    for law in LAWS:
+        write(f"damped_{law}", [case(law, index) for index in range(EACH)])
+    write("damped_base", [shaken(index) for index in range(SHAKEN)])

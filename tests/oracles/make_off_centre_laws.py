@@ -11,10 +11,8 @@ the forces on a base are those whose slope has a bound.
 
 from __future__ import annotations
 
-import json
 import random
 from fractions import Fraction
-from pathlib import Path
 from typing import Any
 
 from flint import arb
@@ -25,7 +23,6 @@ from tests.oracles.inertia import ByInertia
 from tests.oracles.make_random_isolators import SEED, answered, given, log_uniform, write
 from tests.oracles.make_sided import Along, Even, Stop, drawn
 
-OUT = Path(__file__).parents[1] / "data" / "off_centre_laws.json"
 #: excitation, laws, force, and how many of these
 ASKED = (
     ("base", (), "stop", 8),
@@ -108,11 +105,5 @@ def case(excitation: str, laws: tuple[str, ...], force: str, index: int) -> dict
     }
 
 
-def main() -> None:
-    cases = [case(*rest, index) for *rest, count in ASKED for index in range(count)]
-    write(OUT, cases)
-    print(json.dumps({"cases": len(cases), "folds": sum(len(one["folds"]) for one in cases)}))
-
-
 if __name__ == "__main__":
-    main()
+    write("off_centre_laws", [case(*rest, index) for *rest, count in ASKED for index in range(count)])

@@ -26,6 +26,7 @@ from tests.oracles.certified_roots import precision
 from tests.oracles.conditioning import Condition, Conditioning
 
 SEED = "slowflow 2025"
+DATA = Path(__file__).parents[1] / "data"
 ISOLATORS, DUFFINGS, NEGATIVE = 200, 20, 10
 MECHANISMS: dict[str, type[Oscillator]] = {"rod_spring": RodSpring, "duffing": Duffing}
 
@@ -263,26 +264,28 @@ def table_1_cases() -> list[dict]:
     return cases
 
 
-def write(path: Path, cases: list[dict]) -> None:
-    """One case to a line."""
+def write(name: str, cases: list[dict], folder: Path = DATA) -> None:
+    """One case to a line of name.json; how many there are is printed."""
     lines = ",\n".join(json.dumps(case, separators=(",", ":")) for case in cases)
-    path.write_text(f"[\n{lines}\n]\n", encoding="utf-8")
+    (folder / f"{name}.json").write_text(f"[\n{lines}\n]\n", encoding="utf-8")
+    folds = sum(len(one["folds"]) for case in cases for one in case.get("forcings", [case]))
+    print(f"{name}: {len(cases)} cases, {folds} folds")
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
-    parser.add_argument("--out", type=Path, default=Path(__file__).parents[1] / "data")
+    parser.add_argument("--out", type=Path, default=DATA)
     parser.add_argument("--processes", type=int, default=2)
     arguments = parser.parse_args()
     arguments.out.mkdir(parents=True, exist_ok=True)
-    write(arguments.out / "table_1.json", table_1_cases())
+    write("table_1", table_1_cases(), arguments.out)
     with Pool(arguments.processes) as pool:
         for name, make, count in (
             ("random_duffing", duffing_case, DUFFINGS),
             ("negative_stiffness", negative_case, NEGATIVE),
             ("random_isolators", isolator_case, ISOLATORS),
         ):
-            write(arguments.out / f"{name}.json", pool.map(make, range(count), chunksize=1))
+            write(name, pool.map(make, range(count), chunksize=1), arguments.out)
 
 
 if __name__ == "__main__":

@@ -21,11 +21,9 @@ along their locus.
 
 from __future__ import annotations
 
-import json
 import math
 import random
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
 from flint import arb, arb_series, ctx
@@ -44,7 +42,6 @@ from tests.oracles.conditioning import Conditioning
 from tests.oracles.make_random_isolators import SEED, answered, given, log_uniform, row, write
 from tests.oracles.make_stated import Bent, Stated
 
-OUT = Path(__file__).parents[1] / "data" / "sided.json"
 #: cases of each force
 EACH = {"stop": 12, "springs": 12, "even": 12}
 #: above 4 mu/pi: up to there onsets are looked for
@@ -316,11 +313,5 @@ def case(force: str, index: int) -> dict:
     return {"force": force, "parameters": parameters, **asked(rng, oscillator, base, (0.9, 1.3), sign)}
 
 
-def main() -> None:
-    cases = [case(force, index) for force, count in EACH.items() for index in range(count)]
-    write(OUT, cases)
-    print(json.dumps({"cases": len(cases), "folds": sum(len(one["folds"]) for one in cases)}))
-
-
 if __name__ == "__main__":
-    main()
+    write("sided", [case(force, index) for force, count in EACH.items() for index in range(count)])

@@ -25,14 +25,12 @@ does not begin at rest.
 
 from __future__ import annotations
 
-import json
 import math
 import random
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cache, cached_property
 from itertools import product
-from pathlib import Path
 from typing import Any
 
 from flint import acb, acb_series, arb, arb_series, ctx
@@ -53,7 +51,6 @@ from tests.oracles.conditioning import Conditioning
 from tests.oracles.forces import arctangent, root, tanh
 from tests.oracles.make_random_isolators import SEED, answered, given, log_uniform, row, write
 
-OUT = Path(__file__).parents[1] / "data" / "stated.json"
 #: of each force
 EACH = 3
 MORE = {
@@ -549,11 +546,5 @@ def case(name: str, force: Force, index: int, kind: type[Stated] = Stated) -> di
     }
 
 
-def main() -> None:
-    cases = [case(name, force, index) for name, force in FORCES.items() for index in range(MORE.get(name, EACH))]
-    write(OUT, cases)
-    print(json.dumps({"cases": len(cases), "folds": sum(len(one["folds"]) for one in cases)}))
-
-
 if __name__ == "__main__":
-    main()
+    write("stated", [case(n, force, index) for n, force in FORCES.items() for index in range(MORE.get(n, EACH))])
