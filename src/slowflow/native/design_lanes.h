@@ -20,10 +20,12 @@
 
 enum { SF_LANE_CELLS = 264, SF_LANE_VECTOR = 8 };
 
-/* What is known of an amplitude, as rows: A, h, h_A, h_AA, h_AAA, and for folds k = h - A h_A */
+/* What is known of an amplitude, as rows: A, h, h_A, h_AA, h_AAA, and for folds and cusps k = h - A h_A */
 enum { SF_PROBE_ROWS = 6 };
 
-/* What a design is to these loops, as rows: Omega, of which peaks and folds have none, zeta, m, F_0 */
+/* What a design is to these loops, as rows: Omega, of which peaks and folds have none, zeta, m, F_0. Of cusps the first
+ * is the channel (along.h), 1 for the larger Omega^2 and -1 for the other one; the last is the forcing above which they
+ * may be left out */
 enum { SF_ASKED_ROWS = 4, SF_LAST_ROWS = 3 };
 
 typedef enum { SF_HAS_NONE, SF_HAS_ONE, SF_IS_OPEN, SF_IS_DOUBTFUL } sf_verdict;
@@ -38,63 +40,29 @@ typedef struct {
 } sf_lane_cells;
 
 /* Brackets with what is known of an amplitude inside. next: where F vanishes as far as that tells; moved: how far that
- * is from there; base: where the piece of the force begins; last: of folds x, x^2 = A^2 - base^2, the function and its
- * slope along x where it was asked before */
+ * is from there; base: where the piece of the force begins; last: of folds x, x^2 = A^2 - base^2, and of cusps A, the
+ * function and its slope along that where it was asked before */
 typedef struct {
     int n, of[SF_LANE_CELLS];
     double at[SF_PROBE_ROWS][SF_LANE_CELLS], asked[SF_ASKED_ROWS][SF_LANE_CELLS];
     double lo[SF_LANE_CELLS], hi[SF_LANE_CELLS], rises[SF_LANE_CELLS], next[SF_LANE_CELLS], moved[SF_LANE_CELLS];
-    double Omega[SF_LANE_CELLS]; /* of peaks and folds */
+    double Omega[SF_LANE_CELLS]; /* but of states */
     double base[SF_LANE_CELLS], last[SF_LAST_ROWS][SF_LANE_CELLS];
 } sf_lane_zeros;
 
-/* What is known of an amplitude where cusps are looked for, as rows: what is known of any, then the
- * function of each channel (along.h) and its slope, NaN where it is not defined. Asked are m, zeta, and of cells the
- * forcing above which cusps may be left out */
-enum { SF_CUSP_PROBE_ROWS = SF_PROBE_ROWS, SF_CUSP_ROWS = SF_CUSP_PROBE_ROWS + 4, SF_CUSP_ASKED_ROWS = 3 };
-typedef struct {
-    int n;
-    double at[SF_CUSP_ROWS][SF_LANE_CELLS], asked[2][SF_LANE_CELLS];
-} sf_cusp_probes;
-
-/* Cells of a first piece in which cusps are looked for; the verdict on each channel; whether h_A < 0 on all of the
- * cell */
-typedef struct {
-    int n, of[SF_LANE_CELLS];
-    double low[SF_CUSP_ROWS][SF_LANE_CELLS], high[SF_CUSP_ROWS][SF_LANE_CELLS],
-        asked[SF_CUSP_ASKED_ROWS][SF_LANE_CELLS];
-    double open[2][SF_LANE_CELLS], verdict[2][SF_LANE_CELLS], falls[SF_LANE_CELLS];
-} sf_cusp_cells;
-
-/* Cusps between amplitudes with a channel's function on either side of zero. sign: 1 for the larger Omega^2, -1 for
- * the other one; lo, hi, last: A, the function, its slope, at the ends and where it was asked last; next: where it is
- * likely to vanish. What is asked at an amplitude: its function is 0 but for a change of A by `left`, relatively; and
- * what a cusp has there */
-typedef struct {
-    int n, of[SF_LANE_CELLS];
-    double at[SF_CUSP_PROBE_ROWS][SF_LANE_CELLS], asked[2][SF_LANE_CELLS], sign[SF_LANE_CELLS];
-    double lo[3][SF_LANE_CELLS], hi[3][SF_LANE_CELLS], last[3][SF_LANE_CELLS], next[SF_LANE_CELLS], left[SF_LANE_CELLS];
-    double Omega[SF_LANE_CELLS], level[SF_LANE_CELLS];
-} sf_cusp_zeros;
-
-/* The functions of all channels. */
-void sf_ask_cusps(sf_cusp_probes *probes);
-/* The verdicts on the channels that are open. */
-void sf_judge_cusps(sf_cusp_cells *cells);
-/* Where cusps are likely to be by the ends of their brackets. */
-void sf_start_cusps(sf_cusp_zeros *zeros);
-/* The same, once they are asked at an amplitude inside. */
-void sf_approach_cusps(sf_cusp_zeros *zeros);
 /* The verdicts of all cells; places that are left over of a vector are overwritten. */
 void sf_judge_states(sf_lane_cells *cells);
 /* The same of the highest peak, SF_HAS_ONE only of one at which F rises with A. */
 void sf_judge_peaks(sf_lane_cells *cells);
 /* The same of folds, zeta > 0. */
 void sf_judge_folds(sf_lane_cells *cells);
+/* The same of the cusps of a first piece on one channel, doubtful where h_A < 0 is not sure on all of the cell. */
+void sf_judge_cusps(sf_lane_cells *cells);
 /* The next amplitudes of all brackets. */
 void sf_approach_states(sf_lane_zeros *zeros);
 void sf_approach_peaks(sf_lane_zeros *zeros);
 void sf_approach_folds(sf_lane_zeros *zeros);
+void sf_approach_cusps(sf_lane_zeros *zeros);
 
 #define SF_LESSER(a, b) ((a) < (b) ? (a) : (b))
 #define SF_GREATER(a, b) ((a) > (b) ? (a) : (b))

@@ -226,21 +226,25 @@ static void sf_answer_onset(const sf_mechanism *mechanism, char **args, const pt
 static int sf_enter_onset(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k,
                           const sf_exact_block *exact, sf_onset_block *block, int d)
 {
-    sf_lane_onset *of = &block->at[d];
-    if (!sf_design_at(mechanism, args, steps, k, 0, &of->model) || !sf_take_jumps(exact, d, &of->model))
+    sf_model *model = &block->lanes.at[d].model;
+    if (!sf_design_at(mechanism, args, steps, k, 0, model) || !sf_take_jumps(exact, d, model))
         return 0;
-    sf_end_pieces(&of->model, &of->ends);
-    sf_begin_onset(&of->model, &of->ends, &of->best);
+    sf_end_pieces(model, &block->ends[d]);
+    sf_begin_onset(model, &block->ends[d], &block->best[d]);
     return sf_begin_cusps(block, d);
 }
 
 /* Whether the onset of a member, which is design k, settles, and is written. */
 static int sf_leave_onset(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k,
-                          const sf_exact_block *exact, ptrdiff_t d, sf_lane_onset *of, sf_work *work)
+                          const sf_exact_block *exact, sf_onset_block *block, ptrdiff_t d, sf_work *work)
 {
-    sf_onset *found = &of->best;
+    const sf_lane_design *of = &block->lanes.at[d];
+    sf_onset *found = &block->best[d];
     sf_exactly exactly;
-    if (!of->ok || sf_end_onset(&of->model, &of->ends, 1, work, found) != SF_OK)
+    if (!of->ok)
+        return 0;
+    sf_consider_cusps(of, found);
+    if (sf_end_onset(&of->model, &block->ends[d], 1, work, found) != SF_OK)
         return 0;
     sf_exactly_of(mechanism, args, steps, k, exact, d, &exactly);
     if (!sf_settle_onset(&of->model, &exactly, found))
@@ -261,15 +265,15 @@ static void sf_loop_onsets(char **args, const ptrdiff_t *dimensions, const ptrdi
         const ptrdiff_t end = first + SF_ONSET_BLOCK < dimensions[0] ? first + SF_ONSET_BLOCK : dimensions[0];
         if (block != NULL) {
             sf_make_exact_block(mechanism, args, steps, first, end, &exact);
-            block->probes.n = block->zeros[0].n = 0;
-            for (k = 0; k < SF_ONSET_BLOCK; k++)
-                block->at[k].ok =
-                    first + k < end && sf_enter_onset(mechanism, args, steps, first + k, &exact, block, (int)k);
-            sf_search_cusps(block);
-            sf_approach_block_cusps(block);
+            block->lanes.cells[0].n = 0;
+            for (k = first; k < end; k++)
+                block->lanes.at[k - first].ok =
+                    sf_enter_onset(mechanism, args, steps, k, &exact, block, (int)(k - first));
+            sf_search_block(&sf_cusps_in_lanes, &block->lanes);
+            sf_approach_block(&sf_cusps_in_lanes, &block->lanes);
         }
         for (k = first; k < end; k++)
-            if (block == NULL || !sf_leave_onset(mechanism, args, steps, k, &exact, k - first, &block->at[k - first], work))
+            if (block == NULL || !sf_leave_onset(mechanism, args, steps, k, &exact, block, k - first, work))
                 sf_answer_onset(mechanism, args, steps, k, work);
     }
     free(block);

@@ -1,4 +1,5 @@
-/* Designs that go through a search together: what many_states.h, many_peaks.h and many_folds.h share.
+/* Designs that go through a search together: what many_states.h, many_peaks.h, many_folds.h and
+ * many_onsets.h share.
  *
  * Cells of all designs of a block are judged at once, and all zeros are approached at once (design_lanes.h). Cells that
  * stay open are cut, those of all designs at once. A design that is doubtful anywhere is left to the solvers of one.

@@ -16,10 +16,10 @@ static inline double root_at(double a, double b, double root, double sign)
     return sign * (turned > 0 ? quotient : sum);
 }
 
-/* The function of a channel at an amplitude, its slope, and what a cusp there has, as sf_ask_cusp has it; least:
- * positive where it is defined */
+/* The function of a channel at an amplitude, its slope, and Omega of a cusp there, as sf_ask_cusp has it; least:
+ * positive where it is defined. sign: 1 of the channel of the larger Omega^2, -1 of the other one */
 typedef struct {
-    double y, dy, Omega, level, least;
+    double y, dy, Omega, least;
 } value;
 
 static inline value value_at(double A, double h, double h_A, double h_AA, double h_AAA, double k, double m, double zeta,
@@ -32,31 +32,16 @@ static inline value value_at(double A, double h, double h_A, double h_AA, double
     slow_flow_cusp_R(A, zeta, h_AA, k, X, T, R);
     const double of_R = fabs(R[0]) < SF_CANCELLED * fabs(k) ? R[1] : R[0];
     slow_flow_cusp(A, m, zeta, h_AA, h_AAA, k, X, T, of_R, sign * root, cusp);
-    const value found = {cusp[0], cusp[2], sqrt(X), cusp[3], SF_LESSER(X, q[4] >= 0 ? 1.0 : -1.0)};
+    const value found = {cusp[0], cusp[2], sqrt(X), SF_LESSER(X, q[4] >= 0 ? 1.0 : -1.0)};
     return found;
-}
-
-SF_WIDE static void ask(ptrdiff_t n, sf_cusp_probes *probes)
-{
-    n &= ~(ptrdiff_t)(SF_LANE_VECTOR - 1);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        const double A = probes->at[0][i], h = probes->at[1][i], h_A = probes->at[2][i], h_AA = probes->at[3][i];
-        const double h_AAA = probes->at[4][i], k = probes->at[5][i], m = probes->asked[0][i],
-                     zeta = probes->asked[1][i];
-        const value upper = value_at(A, h, h_A, h_AA, h_AAA, k, m, zeta, 1.0);
-        const value lower = value_at(A, h, h_A, h_AA, h_AAA, k, m, zeta, -1.0);
-        probes->at[6][i] = upper.least > 0 ? upper.y : NAN, probes->at[7][i] = lower.least > 0 ? lower.y : NAN;
-        probes->at[8][i] = upper.dy, probes->at[9][i] = lower.dy;
-    }
 }
 
 /* x times any number of a range from lo to hi, x > 0 from x_lo to x_hi: the least, or with the ends in turn the most */
 #define LEAST(lo, x_lo, x_hi) ((lo) * ((lo) >= 0 ? (x_lo) : (x_hi)))
 #define MOST(hi, x_lo, x_hi) ((hi) * ((hi) >= 0 ? (x_hi) : (x_lo)))
 
-/* What both channels share on a cell, with B = A |h_AA|: tau = dR/dA / B is a root of tau^2 + 2 a tau + b, and then
- * Omega^2 = B tau - h_A (`cusps_scaled`, `cusp_X`) */
+/* What is known of both channels on a cell, with B = A |h_AA|: tau = dR/dA / B is a root of tau^2 + 2 a tau + b, and
+ * then Omega^2 = B tau - h_A (`cusps_scaled`, `cusp_X`) */
 typedef struct {
     double a, b, m, zeta, most, sign, B_lo, B_hi, P_lo, P_hi, h_A_lo, h_A_hi, kappa_lo, kappa_hi, rho_lo, rho_hi;
 } shared;
@@ -104,22 +89,7 @@ static inline channel channel_on(shared of, double tau_lo, double tau_hi)
     return found;
 }
 
-/* Whether a channel has no zero, or one, given also its values at the ends: stated once, as gcc vectorises no loop in a
- * loop.
- * Channel 0 is the larger Omega^2. */
-#define JUDGE(CHANNEL, LO, HI) \
-    { \
-        const channel on = channel_on(of, LO, HI); \
-        const double product = \
-            cells->low[SF_CUSP_PROBE_ROWS + (CHANNEL)][i] * cells->high[SF_CUSP_PROBE_ROWS + (CHANNEL)][i]; \
-        const int is_settled = is_scaled & on.throughout & on.monotone & (disc_lo > 0); \
-        const int has_none = \
-            (is_scaled & ((kappa_lo >= 0) | (disc_hi < 0) | on.none)) | is_free | (is_settled & (product > 0)); \
-        const int has_one = is_settled & (product < 0); \
-        cells->verdict[CHANNEL][i] = has_none ? SF_HAS_NONE : has_one ? SF_HAS_ONE : (double)SF_IS_OPEN; \
-    }
-
-SF_WIDE static void judge(ptrdiff_t n, sf_cusp_cells *cells)
+SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
 {
     n &= ~(ptrdiff_t)(SF_LANE_VECTOR - 1);
     SF_INDEPENDENT
@@ -127,10 +97,11 @@ SF_WIDE static void judge(ptrdiff_t n, sf_cusp_cells *cells)
         const double a = cells->low[0][i], h_a = cells->low[1][i], h1_a = cells->low[2][i], h2_a = cells->low[3][i];
         const double b = cells->high[0][i], h_b = cells->high[1][i], h1_b = cells->high[2][i], h2_b = cells->high[3][i];
         const double h3_a = cells->low[4][i], k_a = cells->low[5][i], h3_b = cells->high[4][i], k_b = cells->high[5][i];
-        const double m = cells->asked[0][i], zeta = cells->asked[1][i], most = cells->asked[2][i], width = b - a;
+        const double which = cells->asked[0][i], zeta = cells->asked[1][i], m = cells->asked[2][i],
+                     most = cells->asked[3][i], width = b - a;
         const sf_lane_slopes on = sf_slopes_on(a, h_a, h1_a, h2_a, h3_a, b, h_b, h1_b, h2_b, h3_b, 0);
-
-        cells->falls[i] = on.h1_hi < 0;
+        const value at_a = value_at(a, h_a, h1_a, h2_a, h3_a, k_a, m, zeta, which);
+        const value at_b = value_at(b, h_b, h1_b, h2_b, h3_b, k_b, m, zeta, which);
 
         /* next to A = 0: sf_is_free_of_folds */
         const double square = zeta * zeta, apart = on.h1_hi - on.h1_lo, of_slope = 16 * square * (on.h1_hi + square);
@@ -177,87 +148,49 @@ SF_WIDE static void judge(ptrdiff_t n, sf_cusp_cells *cells)
         const double b_lo = c_lo - doubt_c, b_hi = c_hi + doubt_c,
                      doubt_d = SF_DOUBT * (far * far + fabs(b_lo) + fabs(b_hi));
         const double disc_lo = near * near - b_hi - doubt_d, disc_hi = far * far - b_lo + doubt_d;
-        /* the larger root falls with a and b where b <= 0, and so does the other one, less itself, but that it rises
-         * with a */
+        /* the root's size, that of the lower channel with -p in place of p; it rises with that, and falls with b, where
+         * b <= 0 */
         const int corners = b_hi <= 0;
+        const double turned_lo = which > 0 ? -p_hi : p_lo, turned_hi = which > 0 ? -p_lo : p_hi;
         const double root_lo = sqrt(SF_GREATER(disc_lo, 0.0)), root_hi = sqrt(SF_GREATER(disc_hi, 0.0));
-        const double of_lo_lo = sqrt(SF_GREATER(p_lo * p_lo - b_lo, 0.0)),
-                     of_lo_hi = sqrt(SF_GREATER(p_lo * p_lo - b_hi, 0.0));
-        const double of_hi_lo = sqrt(SF_GREATER(p_hi * p_hi - b_lo, 0.0)),
-                     of_hi_hi = sqrt(SF_GREATER(p_hi * p_hi - b_hi, 0.0));
+        const double corner_lo = sqrt(SF_GREATER(turned_lo * turned_lo - b_hi, 0.0)),
+                     corner_hi = sqrt(SF_GREATER(turned_hi * turned_hi - b_lo, 0.0));
         const double doubt_t = 4 * SF_DOUBT * (far + root_hi);
-        JUDGE(0, (corners ? of_hi_hi : root_lo) - p_hi - doubt_t, (corners ? of_lo_lo : root_hi) - p_lo + doubt_t)
-        JUDGE(1, -p_hi - (corners ? of_hi_lo : root_hi) - doubt_t, -p_lo - (corners ? of_lo_hi : root_lo) + doubt_t)
+        const double size_lo = turned_lo + (corners ? corner_lo : root_lo) - doubt_t,
+                     size_hi = turned_hi + (corners ? corner_hi : root_hi) + doubt_t;
+        const channel found = channel_on(of, which > 0 ? size_lo : -size_hi, which > 0 ? size_hi : -size_lo);
+
+        const double product = (at_a.least > 0 ? at_a.y : NAN) * (at_b.least > 0 ? at_b.y : NAN);
+        const int is_settled = is_scaled & found.throughout & found.monotone & (disc_lo > 0);
+        const int has_none = (is_scaled & ((kappa_lo >= 0) | (disc_hi < 0) | found.none)) | is_free |
+                             (is_settled & (product > 0));
+        const int has_one = is_settled & (product < 0);
+        const double inside = a > 0 ? 0.5 * (a + b) : 0.125 * b;
+        cells->verdict[i] = !(on.h1_hi < 0) ? SF_IS_DOUBTFUL
+                            : has_none      ? SF_HAS_NONE
+                            : has_one       ? SF_HAS_ONE
+                                            : (double)SF_IS_OPEN;
+        cells->cut[i] = has_one ? sf_lane_zero(a, at_a.y, at_a.dy, b, at_b.y, at_b.dy, inside) : inside;
+        cells->rises[i] = at_a.y < 0;
     }
 }
 
-SF_WIDE static void start(ptrdiff_t n, sf_cusp_zeros *zeros)
-{
-    n &= ~(ptrdiff_t)(SF_LANE_VECTOR - 1);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        const double a = zeros->lo[0][i], y_a = zeros->lo[1][i], slope_a = zeros->lo[2][i];
-        const double b = zeros->hi[0][i], y_b = zeros->hi[1][i], slope_b = zeros->hi[2][i];
-        const int is_low = fabs(y_a) < fabs(y_b);
-        zeros->next[i] = is_low ? sf_next_from(a, y_a, slope_a, b, y_b, slope_b, a, b)
-                                : sf_next_from(b, y_b, slope_b, a, y_a, slope_a, a, b);
-        zeros->last[0][i] = is_low ? a : b, zeros->last[1][i] = is_low ? y_a : y_b,
-        zeros->last[2][i] = is_low ? slope_a : slope_b;
-    }
-}
-
-SF_WIDE static void approach(ptrdiff_t n, sf_cusp_zeros *zeros)
+SF_WIDE static void approach(ptrdiff_t n, sf_lane_zeros *zeros)
 {
     n &= ~(ptrdiff_t)(SF_LANE_VECTOR - 1);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = zeros->at[0][i], h = zeros->at[1][i], h_A = zeros->at[2][i], h_AA = zeros->at[3][i];
-        const double h_AAA = zeros->at[4][i], k = zeros->at[5][i], m = zeros->asked[0][i], zeta = zeros->asked[1][i];
-        const value at = value_at(A, h, h_A, h_AA, h_AAA, k, m, zeta, zeros->sign[i]);
-        const int is_low = (at.y < 0) == (zeros->lo[1][i] < 0);
-        const double lo = is_low ? A : zeros->lo[0][i], hi = is_low ? zeros->hi[0][i] : A;
-        zeros->lo[0][i] = lo, zeros->hi[0][i] = hi;
+        const double h_AAA = zeros->at[4][i], k = zeros->at[5][i], zeta = zeros->asked[1][i], m = zeros->asked[2][i];
+        const value at = value_at(A, h, h_A, h_AA, h_AAA, k, m, zeta, zeros->asked[0][i]);
+        const int is_low = (at.y < 0) == (zeros->rises[i] != 0);
+        const double lo = is_low ? A : zeros->lo[i], hi = is_low ? zeros->hi[i] : A;
+        zeros->lo[i] = lo, zeros->hi[i] = hi;
         zeros->next[i] = sf_next_from(A, at.y, at.dy, zeros->last[0][i], zeros->last[1][i], zeros->last[2][i], lo, hi);
         zeros->last[0][i] = A, zeros->last[1][i] = at.y, zeros->last[2][i] = at.dy;
-        zeros->left[i] = at.least > 0 ? fabs(at.y) / (fabs(at.dy) * A) : HUGE_VAL;
-        zeros->Omega[i] = at.Omega, zeros->level[i] = at.level;
+        zeros->moved[i] = at.least > 0 ? fabs(at.y / at.dy) : HUGE_VAL;
+        zeros->Omega[i] = at.Omega;
     }
 }
 
-void sf_ask_cusps(sf_cusp_probes *probes)
-{
-    for (int k = 0; k < SF_CUSP_PROBE_ROWS; k++)
-        sf_fill(probes->at[k], probes->n);
-    sf_fill(probes->asked[0], probes->n), sf_fill(probes->asked[1], probes->n);
-    ask(sf_filled(probes->n), probes);
-}
-
-void sf_judge_cusps(sf_cusp_cells *cells)
-{
-    for (int k = 0; k < SF_CUSP_PROBE_ROWS + 2; k++)
-        sf_fill(cells->low[k], cells->n), sf_fill(cells->high[k], cells->n);
-    for (int k = 0; k < SF_CUSP_ASKED_ROWS; k++)
-        sf_fill(cells->asked[k], cells->n);
-    judge(sf_filled(cells->n), cells);
-}
-
-static void fill_brackets(sf_cusp_zeros *zeros)
-{
-    for (int k = 0; k < 3; k++)
-        sf_fill(zeros->lo[k], zeros->n), sf_fill(zeros->hi[k], zeros->n), sf_fill(zeros->last[k], zeros->n);
-}
-
-void sf_start_cusps(sf_cusp_zeros *zeros)
-{
-    fill_brackets(zeros);
-    start(sf_filled(zeros->n), zeros);
-}
-
-void sf_approach_cusps(sf_cusp_zeros *zeros)
-{
-    fill_brackets(zeros);
-    for (int k = 0; k < SF_CUSP_PROBE_ROWS; k++)
-        sf_fill(zeros->at[k], zeros->n);
-    sf_fill(zeros->asked[0], zeros->n), sf_fill(zeros->asked[1], zeros->n), sf_fill(zeros->sign, zeros->n);
-    approach(sf_filled(zeros->n), zeros);
-}
+SF_DEFINE_QUESTION(sf_judge_cusps, sf_approach_cusps)
