@@ -282,12 +282,6 @@ class _Search:
         if self.short(x.reshape(-1, 1)).max() > MET:
             return x
 
-        def margins(y: Floats) -> Floats:
-            found = self.answers((self.low + span * y).reshape(-1, 1), self.names)
-            shares = np.array([min(float(found[name][0]) / limit, 1e6) for name, limit, _ in self.wanted])
-            signs = np.array([sign for _, _, sign in self.wanted])
-            return np.where(np.isnan(shares), -1.0, signs * (shares - 1))
-
         # of designs that are asked one by one fewer
         difference = "2-point" if self.subject.one_by_one else "3-point"
         try:
@@ -296,7 +290,10 @@ class _Search:
                 np.clip((x - self.low + BACK * (x - self.start)) / span, 0.0, 1.0),
                 jac=difference,
                 bounds=[(0.0, 1.0)] * len(x),
-                constraints={"type": "ineq", "fun": margins},
+                constraints={
+                    "type": "ineq",
+                    "fun": lambda y: -self.missing((self.low + span * y)[:, np.newaxis])[:, 0],
+                },
                 method="SLSQP",
                 options={"ftol": 1e-16},
             )
