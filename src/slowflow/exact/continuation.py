@@ -381,25 +381,22 @@ class Path:
         there = self._corrected(point, size)
         if there is None:
             return None
-        vanishing: list[tuple[float, Callable[[Point], float]]] = []
+        spans = point.z.size - 3
 
-        def consider(value: Callable[[Point], float], here: float, beyond: float) -> None:
-            if beyond < 0.0 < here:
-                vanishing.append((here / (here - beyond), value))
+        def values(at: Point) -> list[float]:
+            """Its spans and margins."""
+            return [*at.z[2:-1].tolist(), *(one.margin for one in at.cycle.equations(at.z, self.F_0).borders)]
 
-        for i in range(2, there.z.size - 1):
-            consider(lambda at, i=i: float(at.z[i]), float(point.z[i]), float(there.z[i]))  # type: ignore[misc]
-        borders = [at.cycle.equations(at.z, self.F_0).borders for at in (point, there)]
-        for i, (one, other) in enumerate(zip(*borders, strict=True)):
-            consider(
-                lambda at, i=i: at.cycle.equations(at.z, self.F_0).borders[i].margin,  # type: ignore[misc]
-                one.margin,
-                other.margin,
-            )
+        pairs = enumerate(zip(values(point), values(there), strict=True))
+        vanishing = [(here / (here - beyond), i) for i, (here, beyond) in pairs if beyond < 0.0 < here]
         if not vanishing:
             return None
-        _, first = min(vanishing, key=lambda found: found[0])
-        found = self._zero(first, point, there, size, within=AT_BORDER)
+        _, first = min(vanishing)
+
+        def value(at: Point) -> float:
+            return float(at.z[2 + first]) if first < spans else values(at)[first]
+
+        found = self._zero(value, point, there, size, within=AT_BORDER)
         return float((self._weights(point.z) * point.tangent) @ (found.z - point.z))
 
     def _halved(self, point: Point, size: float) -> float:
