@@ -18,14 +18,15 @@ from .codegen.prose import in_markdown
 from .forces.of_mechanism import OfMechanism
 from .forces.quadrature import Quadrature, sums
 from .given import in_decimals, in_text
+from .kernels import Formulas
 from .mechanisms import DAMPING, FORCING, Mechanism, Parameter
 from .paper import critical_forcings
 from .paper.averaging import Averaged
 from .paper.critical_forcings import Elimination
 from .paper.restoring_force import ORDERS, Regime
-from .paper.slow_flow import SlowFlow
+from .paper.slow_flow import coefficients
 from .paper.slow_flow import m as friction
-from .symbols import A, Omega, sigma, u
+from .symbols import F_0, A, Omega, sigma, u
 
 #: a number with a decimal point, and what is said where there is one
 DECIMAL = re.compile(r"\d\.\d")
@@ -34,7 +35,7 @@ DECIMALS = "\nA decimal number of up to 17 digits is the double that it names, o
 LESS = r"\le"
 
 
-def document(derived: OfMechanism, equations: Averaged, flow: SlowFlow) -> str:
+def document(derived: OfMechanism, equations: Averaged, flow: Formulas) -> str:
     """All of it, in the order in which it is derived."""
     whole = derived.whole
     return in_sections(
@@ -48,7 +49,7 @@ def document(derived: OfMechanism, equations: Averaged, flow: SlowFlow) -> str:
     )
 
 
-def document_of_quadrature(mechanism: Mechanism, average: Quadrature, equations: Averaged, flow: SlowFlow) -> str:
+def document_of_quadrature(mechanism: Mechanism, average: Quadrature, equations: Averaged, flow: Formulas) -> str:
     """The same for a force whose average is a quadrature."""
     return in_sections(
         mechanism,
@@ -60,7 +61,7 @@ def document_of_quadrature(mechanism: Mechanism, average: Quadrature, equations:
     )
 
 
-def document_of_sided(force: Sided, equations: Averaged, flow: SlowFlow) -> str:
+def document_of_sided(force: Sided, equations: Averaged, flow: Formulas) -> str:
     """The same for a force that is not odd."""
     own = motion_of_sided(force), parameters(force, {}), balance(force)
     return in_sections(force, *own, equations, flow, displacement=r"B + A \cos\psi")
@@ -103,7 +104,7 @@ def in_sections(
     of_parameters: Iterator[str],
     of_average: Iterator[str],
     equations: Averaged,
-    flow: SlowFlow,
+    flow: Formulas,
     displacement: str = r"A \cos\psi",
     of_resultants: Iterable[str] = (),
 ) -> str:
@@ -185,7 +186,7 @@ def allowed(parameter: Parameter) -> str:
     )
 
 
-def slow(equations: Averaged, flow: SlowFlow, displacement: str) -> Iterator[str]:
+def slow(equations: Averaged, flow: Formulas, displacement: str) -> Iterator[str]:
     """(11), (19), (23)."""
     yield rf"With $u = {displacement}$, $u' = -A \Omega \sin\psi$, $\psi = \Omega\tau + \phi$, averaged:"
     yield ""
@@ -194,7 +195,7 @@ def slow(equations: Averaged, flow: SlowFlow, displacement: str) -> Iterator[str
     yield "Steady states, with $h = H - A$ the negative average of the whole force:"
     yield ""
     yield from display(
-        (latex(friction), flow.m),
+        (latex(friction), flow.friction),
         ("R", flow.R),
         ("I", flow.I),
         ("0", "R^2 + I^2 - F_0^2"),
@@ -282,14 +283,16 @@ def averages(derived: OfMechanism) -> Iterator[str]:
         yield from display(*lets, ("h", regime.derivatives[0]), ("h_A", regime.derivatives[1]))
 
 
-def response(flow: SlowFlow) -> Iterator[str]:
+def response(flow: Formulas) -> Iterator[str]:
     """(24), (30), and the polynomials in Omega."""
     yield from display(("F", flow.F), ("F_A", flow.F_A), number="24, 30")
     yield r"A state is stable where $F_A > 0$; folds are where $F = F_A = 0$. Both are quartics in $\Omega$:"
     yield ""
-    quartics = (("F + F_0^2", flow.response_quartic), ("F_A/2", flow.fold_quartic))
+    quartics = (("F + F_0^2", flow.F + F_0**2), ("F_A/2", flow.F_A / 2))
+    by_power = [(name, coefficients(value.subs(flow.lets), 4)) for name, value in quartics]
+    powers = (0, 1, 2, 4)
     yield from display(
-        *((name, sp.Add(*(c * Omega**power for power, c in enumerate(quartic)))) for name, quartic in quartics)
+        *((name, sp.Add(*(c * Omega**n for n, c in zip(powers, values, strict=True)))) for name, values in by_power)
     )
 
 
@@ -297,7 +300,7 @@ def response(flow: SlowFlow) -> Iterator[str]:
 MOST_ELIMINATED = 7
 
 
-def eliminated(derived: OfMechanism, flow: SlowFlow) -> Iterator[str]:
+def eliminated(derived: OfMechanism, flow: Formulas) -> Iterator[str]:
     """(33), (34) and folds at a forcing by elimination of Omega, where h is a polynomial."""
     whole = derived.whole
     first = whole.regimes[0].derivatives[0]

@@ -164,7 +164,7 @@ class Formulas:
         single = isinstance(outputs, sp.Expr)
         several = (outputs,) if single else tuple(outputs)
         if isinstance(several[0], Branch):
-            branches = several
+            branches, single = several, len(several[0].outputs) == 1
         else:
             if lets is None:
                 numbers = {symbol: whole for symbol, whole in self.lets.items() if whole.is_number}
@@ -176,7 +176,7 @@ class Formulas:
             if unknown := needed.difference(self.order):
                 raise ArithmeticError(f"{name} has {unknown}, which no order of arguments knows")
             arguments = [symbol for symbol in self.order if symbol in needed]
-        keywords.setdefault("returns", "tuple" if len(branches[0].outputs) > 1 or not single else "scalar")
+        keywords.setdefault("returns", "scalar" if single else "tuple")
         kernel = Kernel(name, tuple(arguments), branches, doc, equation, domain or self.domain, **keywords)
         self.kernels[name] = kernel
         setattr(self, name, outputs)

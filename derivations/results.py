@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from .asymmetric.off_centre import off_centre
+from .asymmetric.offset import offset
 from .extensions.dissipation import dissipation
 from .extensions.inertia import inertia
 from .extensions.motion import motion
@@ -20,17 +21,15 @@ from .forces.of_mechanism import OfMechanism, of_mechanism
 from .forces.sampled import sampled
 from .kernels import Formulas
 from .mechanisms import Mechanism, all_mechanisms
-from .paper import critical_forcings
 from .paper.averaging import Averaged, averaged
-from .paper.critical_forcings import Elimination
+from .paper.critical_forcings import detached
 from .paper.den_hartog import DenHartog, den_hartog
-from .paper.slow_flow import SCENES, SlowFlow, slow_flow
-from .systems.along import Along, along
-from .systems.bounds import Bounds, bounds
+from .paper.slow_flow import SCENES, slow_flow
+from .systems.along import along
 from .systems.frequencies import Frequencies, frequencies
 from .systems.gradients import Gradients, gradients
-from .systems.newton import Step, steps
-from .systems.slopes import Slopes, slopes
+from .systems.newton import steps
+from .systems.slopes import slopes
 
 
 @dataclass(frozen=True)
@@ -46,8 +45,8 @@ class Results:
     dissipation -- what other laws of damping have in place of viscous damping and dry friction
     along      -- what vanishes along the amplitude, by scene
     slopes     -- along the response and the fold locus
-    bounds     -- what no state at a forcing exceeds
     gradients  -- how answers move with the parameters
+    offset     -- whether a motion about the centre stays there
     off_centre -- motions about another place than the centre, and the means that these are made of
     sampled    -- the average of a force that is known by its values
     steps      -- of Newton's method on the equations of each answer
@@ -61,18 +60,18 @@ class Results:
     motion: Formulas
     switching: Formulas
     averaged: Averaged
-    flows: dict[str, SlowFlow]
+    flows: dict[str, Formulas]
     frequencies: Frequencies
     inertia: Formulas
     dissipation: Formulas
-    along: dict[str, Along]
-    slopes: Slopes
-    bounds: Bounds
+    along: dict[str, Formulas]
+    slopes: Formulas
     gradients: Gradients
+    offset: Formulas
     off_centre: Formulas
     sampled: Formulas
-    steps: dict[str, Step]
-    detachment: dict[str, Elimination]
+    steps: Formulas
+    detachment: dict[str, Formulas]
     second: SecondApproximation
     wave: Wave
     den_hartog: DenHartog
@@ -87,8 +86,6 @@ def derive(mechanisms: Sequence[Mechanism] | None = None) -> Results:
     of_slopes = slopes(flows[""])
     by_laws = dissipation(equations, flows[""], of_slopes)
     of_scenes = {scene: along(flow) for scene, flow in flows.items()}
-    damped = of_scenes[""].damped
-    assert damped is not None
     return Results(
         motion(),
         switching(),
@@ -99,12 +96,12 @@ def derive(mechanisms: Sequence[Mechanism] | None = None) -> Results:
         by_laws,
         of_scenes,
         of_slopes,
-        bounds(flows[""]),
         gradients(by_laws.curve, by_inertia.force),
+        offset(),
         off_centre(equations, flows[""], by_laws),
         sampled(),
-        steps(flows[""], damped),
-        {scene: critical_forcings.detachment(flow) for scene, flow in flows.items()},
+        steps(flows[""], of_scenes[""]),
+        {scene: detached(flow) for scene, flow in flows.items()},
         second_approximation(equations, flows[""]),
         wave(),
         den_hartog(),

@@ -53,7 +53,7 @@ from ..claims import claim
 from ..extensions.dissipation import I_0, I_A, d
 from ..kernels import Formulas, Let, Lets
 from ..paper.averaging import Averaged, F_k, cycle_integral, psi
-from ..paper.slow_flow import I, R, SlowFlow, m, turn
+from ..paper.slow_flow import I, R, m, turn
 from ..symbols import F_0, A, Omega, eta, h, mu, sigma, u, zeta
 
 B, load = sp.symbols("B load", real=True)
@@ -134,7 +134,7 @@ def check_balance(averaged: Averaged) -> None:
     claim("the mean of forcing, damping and friction", others)
 
 
-def off_centre(averaged: Averaged, flow: SlowFlow, laws: Formulas) -> Formulas:
+def off_centre(averaged: Averaged, flow: Formulas, laws: Formulas) -> Formulas:
     """In the means c_n of f^(n) and s_n of f^(n) cos psi over a cycle, and what gives these of a step of the force."""
     check_means()
     check_balance(averaged)

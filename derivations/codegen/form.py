@@ -16,7 +16,7 @@ import sympy as sp
 
 from ..kernels import Branch as Branch
 from ..kernels import Kernel, Let
-from ..paper.slow_flow import SCENES, m
+from ..paper.slow_flow import SCENES
 from ..symbols import h, h_A, h_AA, h_AAA
 from .prose import Prose
 
@@ -24,7 +24,6 @@ if TYPE_CHECKING:
     from ..asymmetric.sided import Sided
     from ..extensions.scaling import Scale
     from ..mechanisms import Mechanism, Parameter
-    from ..paper.critical_forcings import Elimination
 
 AVERAGED = (h, h_A, h_AA, h_AAA)
 
@@ -303,27 +302,6 @@ class Module:
     def in_balls(self) -> tuple[Kernel, ...]:
         """What is printed in balls."""
         return (*(one for one in (*self.kernels, *self.cells) if one.paired), *self.balls)
-
-
-def by_even_power(elimination: Elimination) -> tuple[sp.Expr, ...]:
-    """Coefficients of the reduced resultant by even power of its unknown, constant first, zeros included."""
-    odd = [power for power in elimination.reduced if power % 2]
-    if odd:
-        raise ArithmeticError(f"odd powers {odd} of {elimination.unknown} in a resultant that should be even")
-    top = max(elimination.reduced)
-    return tuple(in_factors(elimination.reduced.get(power, sp.Integer(0))) for power in range(0, top + 1, 2))
-
-
-def in_factors(value: sp.Expr) -> sp.Expr:
-    """A polynomial by its factors, and these by powers of m, each with a coefficient that is factored in turn.
-
-    Expanded powers of a small difference lose its digits.
-    """
-    factors = []
-    for factor in sp.Mul.make_args(sp.factor(value)):
-        base, exponent = factor.as_base_exp()
-        factors.append((sp.collect(sp.expand(base), m, sp.factor) if base.is_Add else base) ** exponent)
-    return sp.Mul(*factors)
 
 
 def suffix(scene: str) -> str:

@@ -10,6 +10,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from ..kernels import Kernel
+from ..systems.newton import EQUATIONS
 
 #: systems of functions that vanish together, which the search in boxes takes on numbers and on intervals
 _SYSTEMS = " ".join(
@@ -18,12 +19,33 @@ _SYSTEMS = " ".join(
     for unknowns in ("by_R", "by_Omega", *(("far_by_R", "far_by_x") if system != "turns" else ()))
 )
 
-#: by module, with names of kernels, or * for all that are not in cells:
+#: what the solvers of slow flow and their proofs ask on whole intervals, and there alone
+_HELD = """F_A F_AA fold_quartic peak_cubic fold isola cusps cusp_R cusp turn peak intercept R F F_Omega F_OmegaOmega
+    F_AOmega level backbone least_restoring most_restoring isola_Omega level_rise cusp_bend isola_bend"""
+_STATES = "F_Omega_reduced state_R state fold_least"
+
+#: by module, with names of kernels, or * for all that are in neither of the first two:
 #:     cells    -- on intervals, and nowhere on doubles
+#:     settled  -- in double-double only
 #:     in_c     -- in C these alone; all where nothing is said
 #:     unlooped -- asked once an answer: Python has them as no loop over arrays
 #:     others   -- as in `Kernel`
 REQUESTS = {
+    "slow_flow": {
+        "enclosed": f"friction {_HELD}",
+        # friction's number is no double: balls have it
+        "searched": f"{_HELD} {_STATES}",
+        "paired": "friction",
+        "unlooped": "held",
+        "cells": f"{_STATES} cusps_scaled cusp_X cusp_scaled cusp_scaled_level cusp_scaled_slope",
+        "settled": " ".join(f"{kind}_step" for kind in EQUATIONS),
+    },
+    "slow_flow_mu0": {"enclosed": "isola", "searched": "isola F_Omega_reduced", "cells": "F_Omega_reduced"},
+    "slow_flow_zeta0": {
+        "enclosed": "fold undamped_Omega undamped_rises",
+        "searched": "fold undamped_Omega undamped_rises F_Omega_reduced",
+        "cells": "F_Omega_reduced",
+    },
     "inertia": {"enclosed": "terms peak isola isola_apart", "unlooped": "amplitude moves_from"},
     "dissipation": {
         "generic": "*",
@@ -59,16 +81,17 @@ def requested(module: str, kernels: Iterable[Kernel]) -> dict[str, tuple[Kernel,
     """The kernels of a module with what is wanted of each; an error where a name is no kernel's."""
     by_name = {kernel.name: kernel for kernel in kernels}
     wanted = {flag: names.split() for flag, names in REQUESTS.get(module, {}).items()}
-    apart = wanted.pop("cells", [])
+    apart = {form: wanted.pop(form, []) for form in ("cells", "settled")}
+    only = [name for names in apart.values() for name in names]
+    if unknown := {name for names in (*wanted.values(), only) for name in names} - {"*", *by_name}:
+        raise ArithmeticError(f"{module} has no kernels {sorted(unknown)}")
     flags: dict[str, dict[str, bool]] = {name: {} for name in by_name}
     for flag, names in wanted.items():
-        for name in (one for one in by_name if one not in apart):
-            given = names == ["*"] or name in names
+        for name in by_name:
+            given = name in names or (names == ["*"] and name not in only)
             flags[name] |= {"looped": not given} if flag == "unlooped" else {flag: given}
-    if unknown := {name for names in (*wanted.values(), apart) for name in names} - {"*", *by_name}:
-        raise ArithmeticError(f"{module} has no kernels {sorted(unknown)}")
     stated = {name: replace(kernel, **flags[name]) for name, kernel in by_name.items()}
     return {
-        "kernels": tuple(kernel for name, kernel in stated.items() if name not in apart),
-        "cells": tuple(stated[name] for name in apart),
+        "kernels": tuple(kernel for name, kernel in stated.items() if name not in only),
+        **{form: tuple(stated[name] for name in names) for form, names in apart.items()},
     }

@@ -35,7 +35,7 @@ def manifest(files: dict[str, str], results: Results) -> str:
             for name in results.mechanisms
         },
         "resultants": {
-            **{f"detachment{suffix(scene)}": facts(found) for scene, found in results.detachment.items()},
+            **{f"detachment{suffix(scene)}": facts(found.resultant) for scene, found in results.detachment.items()},
             **{
                 f"{name} {which}": facts(getattr(derived, which))
                 for name, derived in results.mechanisms.items()

@@ -1,6 +1,6 @@
 """Steps 2 and 4 once more: dissipation by other laws beside viscous damping and dry friction on all of the cycle.
 
-In:  the equation of motion (3), the averaged equations, `SlowFlow` with all damping; the mechanism stays an open h(A).
+In:  the equation of motion (3), the averaged equations, the slow flow with all damping; the mechanism is an open h(A).
 Out: `Formulas`: with the sine balance (23) of any of these laws together, in I_0, its part that knows no frequency,
 
     I = I_0 + 2 zeta A Omega + d A^2 Omega^2
@@ -27,11 +27,11 @@ from ..claims import claim
 from ..kernels import Formulas, Lets
 from ..paper.averaging import VELOCITY, Averaged, cycle_integral
 from ..paper.averaging import H as averaged_force
-from ..paper.slow_flow import I, R, SlowFlow, m, slope
+from ..paper.slow_flow import I, R, m, slope
 from ..symbols import F_0, A, Omega, c_2, eta, h, h_A, h_AA, h_AAA, mu, phi, psi, sigma, zeta
 from ..systems.along import k
 from ..systems.gradients import Curve, I_0AAp, I_0Ap, I_0p, d_p, h_AAp, h_Ap, h_p, zeta_p
-from ..systems.slopes import DERIVATIVES, Slopes, hessian
+from ..systems.slopes import DERIVATIVES, hessian
 
 #: the |u| up to which something is attached
 u_cr = sp.Symbol("u_cr", positive=True)
@@ -84,7 +84,7 @@ def by_A(expression: sp.Expr, slopes: dict[sp.Symbol, sp.Expr] | None = None) ->
     return slope(expression, {I_0: I_0A, I_0A: I_0AA, I_0AA: I_0AAA, **(slopes or {})})
 
 
-def dissipation(averaged: Averaged, flow: SlowFlow, slopes: Slopes) -> Formulas:
+def dissipation(averaged: Averaged, flow: Formulas, slopes: Formulas) -> Formulas:
     """Of any mechanism, in I_0 and its derivatives; R, and what contains I as a number, are those of the slow flow."""
     viscous = share(lambda _: 2 * zeta * VELOCITY)
     friction = share(lambda sign: mu * sp.Integer(sign))
@@ -93,7 +93,7 @@ def dissipation(averaged: Averaged, flow: SlowFlow, slopes: Slopes) -> Formulas:
     attached = share(lambda sign: mu * sp.Integer(sign), psi_0).subs(sp.cos(psi_0), u_cr / A)
     if attached.has(psi_0):
         raise ArithmeticError(f"the share of friction on one piece: {attached}")
-    of_friction = {mu: sp.solve(flow.m - m, mu)[0]}
+    of_friction = {mu: sp.solve(flow.friction - m, mu)[0]}
     value = I_0 + viscous + d * A**2 * Omega**2
     slope_of_R, R_Omega = by_A(flow.R), sp.diff(flow.R, Omega)
     along_A = {R: slope_of_R, I: by_A(value)}
@@ -183,7 +183,7 @@ def dissipation(averaged: Averaged, flow: SlowFlow, slopes: Slopes) -> Formulas:
 
     both = "from (24), (30)"
     text = "Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum."
-    of.add("cusp_bend", in_derivatives(slopes.cusp), text, both)
+    of.add("cusp_bend", in_derivatives(slopes.cusp_bend), text, both)
 
     @of.kernel(both)
     def isola_bend() -> Lets:
@@ -498,7 +498,7 @@ def _coefficients(expression: sp.Expr) -> tuple[sp.Expr, ...]:
     return tuple(sp.collect(one, (h, h_A, A)) for one in found)
 
 
-def _trace(averaged: Averaged, flow: SlowFlow, value: sp.Expr) -> sp.Expr:
+def _trace(averaged: Averaged, flow: Formulas, value: sp.Expr) -> sp.Expr:
     """(A I)_A, from the trace of the slow flow's Jacobian at a fixed point."""
     A_rate, A_phi_rate = (
         sp.expand(rate.subs({sigma: Omega**2 - 1, averaged_force: h + A, mu: sp.pi * m / 4}))

@@ -4,7 +4,7 @@ A base that moves by Y cos(omega t) pushes the mass, seen from the base, with m 
 turns at the radius e with m_u e omega^2 cos(omega t). With u measured from the base and made dimensionless both are
 F_0 Omega^2 cos(Omega tau), where F_0 is Y/L or m_u e/(m L).
 
-In:  the dimensionless groups (4) and `SlowFlow` with all damping; the mechanism stays an open h(A).
+In:  the dimensionless groups (4) and the slow flow with all damping; the mechanism stays an open h(A).
 Out: `Formulas`: what differs from a force. F is R^2 + I^2 - F_0^2 Omega^4, so
 
     level        R^2 + I^2 = level^2 Omega^4; F_A does not contain it: folds and cusps lie where they lie for a force
@@ -22,7 +22,7 @@ from ..claims import claim
 from ..kernels import Branch, Formulas, Lets
 from ..mechanisms import EXCITATIONS as stated
 from ..paper.equation_of_motion import F, groups, m, omega, omega_n
-from ..paper.slow_flow import I, R, SlowFlow, reduction, removed, slope
+from ..paper.slow_flow import I, R, reduction, removed, slope
 from ..paper.slow_flow import m as friction
 from ..symbols import F_0, A, Omega, h, h_A, h_AA, h_AAA, zeta
 from ..systems.along import T, k
@@ -70,7 +70,7 @@ def amplitude_of(name: str) -> sp.Expr:
     return amplitude
 
 
-def inertia(flow: SlowFlow) -> Formulas:
+def inertia(flow: Formulas) -> Formulas:
     """Of any mechanism: what differs from a force."""
     if {"force", *EXCITATIONS} != set(stated):
         raise ValueError(f"the excitations stated are {list(stated)}, those derived {list(EXCITATIONS)} beside a force")
@@ -223,7 +223,7 @@ def _least(of: Formulas, quadratic: sp.Poly) -> None:
         return value
 
 
-def _peak(of: Formulas, flow: SlowFlow, slope_of_level: sp.Expr, of_level: sp.Expr) -> None:
+def _peak(of: Formulas, flow: Formulas, slope_of_level: sp.Expr, of_level: sp.Expr) -> None:
     """R = -I drag/(h x) where the level is least: then level = I x root, and F_A/2 = I (2 zeta - share (...))/x."""
     at_x = {Omega: 1 / x}
     of_drag = {drag: friction * x + zeta * A}
@@ -279,7 +279,7 @@ def _peak(of: Formulas, flow: SlowFlow, slope_of_level: sp.Expr, of_level: sp.Ex
         return Lets(of_drag.items(), apart / A)
 
 
-def _fold(of: Formulas, flow: SlowFlow) -> None:
+def _fold(of: Formulas, flow: Formulas) -> None:
     """F_A/2 is R T + I dI/dA, and R = k + A T: a quadratic in T, whose roots are T and -R/A, for a force as well."""
     of_T = {R: k + A * T, h_A: T - Omega**2}
     quadratic = sp.Poly(sp.expand((flow.F_A / 2).subs(of_T)), T)
@@ -306,7 +306,7 @@ def _fold(of: Formulas, flow: SlowFlow) -> None:
     of.add("fold_level", level / Omega**2, f"The F_0 of a fold, {by_other}", "from (24), (30)")
 
 
-def _of_share(of: Formulas, flow: SlowFlow, slope_of_level: sp.Expr) -> None:
+def _of_share(of: Formulas, flow: Formulas, slope_of_level: sp.Expr) -> None:
     """h is R - A Omega^2: the level is least where a quadratic in R vanishes; of its roots that which is 0 with I."""
 
     @of.kernel("from (24)", "Omega > 0, A > 0, zeta > 0")

@@ -40,10 +40,11 @@ from sympy.codegen.cfunctions import hypot
 from ..claims import claim
 from ..forces.elliptic import DIGITS, Let, digits
 from ..forces.harmonics import HARMONICS
+from ..kernels import Formulas
 from ..paper.averaging import Averaged, F_k, psi
 from ..paper.slow_flow import I as I_1
 from ..paper.slow_flow import R as R_1
-from ..paper.slow_flow import SlowFlow, m
+from ..paper.slow_flow import m
 from ..symbols import F_0, A, Omega, h, h_A, h_AA, h_AAA, mu, sigma, zeta
 
 #: h_n and its derivatives with respect to A
@@ -150,7 +151,7 @@ def friction_harmonic(averaged: Averaged, n: sp.Symbol) -> sp.Expr:
     return sp.simplify(sum(over_halves) / sp.pi)
 
 
-def second_approximation(averaged: Averaged, flow: SlowFlow) -> SecondApproximation:
+def second_approximation(averaged: Averaged, flow: Formulas) -> SecondApproximation:
     """All of step 5."""
     # (23) calls 4 mu/pi m: friction's harmonics are m/n, and n b_n = -m/(n^2 Omega^2 - K)
     n = sp.Symbol("n", odd=True, positive=True)

@@ -9,12 +9,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 
+from ..kernels import Formulas
 from ..mechanisms import Mechanism
 from ..paper import critical_forcings
 from ..paper.critical_forcings import Elimination
 from ..paper.equation_of_motion import Dimensionless, oscillator
 from ..paper.restoring_force import Case, Restoring, restoring
-from ..paper.slow_flow import SlowFlow
 from ..symbols import u
 from . import elliptic
 from .by_parameter import by_parameter
@@ -59,7 +59,7 @@ class OfMechanism:
         return by_parameter(self.whole, self.oscillator.breakpoints, self.oscillator.mechanism.parameters)
 
 
-def of_mechanism(mechanism: Mechanism, flow: SlowFlow | None = None, *, enclosed: bool = False) -> OfMechanism:
+def of_mechanism(mechanism: Mechanism, flow: Formulas | None = None, *, enclosed: bool = False) -> OfMechanism:
     """Steps that need the mechanism; resultants, which no solver asks, only with the slow flow.
 
     Raises ArithmeticError where it is not proved how h goes between two amplitudes, unless that is `enclosed`.

@@ -194,12 +194,12 @@ def _stiffness_at(preload: str) -> Callable[[Facts], sp.Expr]:
 
 
 def _ratio(facts: Facts) -> sp.Expr:
-    return facts.results.flows[""].m / mu
+    return facts.results.flows[""].friction / mu
 
 
 def _degree(which: str) -> Callable[[Facts], sp.Expr]:
     return lambda facts: sp.Integer(
-        facts.rod.saddle_node_onset.degree if which == "A_s" else facts.results.detachment[""].degree
+        facts.rod.saddle_node_onset.degree if which == "A_s" else facts.results.detachment[""].resultant.degree
     )
 
 
@@ -225,7 +225,9 @@ NUMBERS: dict[str, Callable] = {
     "sticking_threshold": _exact(lambda facts: 1 / _ratio(facts)),
     "sticking_exceeded": _exact(lambda facts: 1 / _ratio(facts)),
     "conclusion_threshold": _exact(lambda facts: 1 / _ratio(facts)),
-    "F_cr_limit": _exact(lambda facts: facts.results.flows[""].m, "See the formula row: the fraction is upside down."),
+    "F_cr_limit": _exact(
+        lambda facts: facts.results.flows[""].friction, "See the formula row: the fraction is upside down."
+    ),
     "u_cr": _measured(lambda facts: facts.example.u_cr),
     "F_cr": _measured(lambda facts: facts.example.detachment.F_0),
     "Omega_cr": _measured(lambda facts: facts.example.detachment.Omega, _omega_cr),

@@ -71,7 +71,7 @@ def system(results: Results) -> System:
         by_power(response, 4),
         by_power(fold, 4),
         by_power(bend, 4),
-        flow.peak_cubic,
+        by_power(sp.cancel(flow.F_Omega.subs(whole) / (4 * A)), 3),
         by_power(sp.expand(A * fold - response), 2),
     )
 
@@ -104,7 +104,7 @@ class Example:
         self._seen: dict[Any, tuple[dict[sp.Symbol, Any], Any]] = {}
         self.onset_polynomial = derived.saddle_node_onset.reduced
         self.folds_polynomial = derived.saddle_nodes.reduced
-        self.detachment_polynomial = results.detachment[""].reduced
+        self.detachment_polynomial = results.detachment[""].resultant.reduced
 
     # ---- the averaged force ---------------------------------------------------------------------------------------
 

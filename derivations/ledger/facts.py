@@ -317,7 +317,7 @@ class Facts:
         basis = [sp.expand(definitions[end] ** 2), *(value for symbol, value in definitions.items() if symbol != end)]
         even = all(
             k % 2 == 0
-            for form in self.results.detachment[""].reduced.values()
+            for form in self.results.detachment[""].resultant.reduced.values()
             for (k,) in sp.Poly(form.subs({A: end, h: force}), end).monoms()
         )
         return even and all(value.is_polynomial(delta_h) for value in basis)

@@ -313,7 +313,7 @@ def _slow_flow(results: Results) -> dict[str, Subject]:
     s = shared_symbols()
     flow = results.flows[""]
     whole = {R: flow.R, I: flow.I}
-    friction = {m: flow.m}
+    friction = {m: flow.friction}
     rates = results.averaged.slow_flow
     slope = {"H_i": h + A, "dH_i_dA": h_A + 1}
     jacobian = flow.jacobian.subs(friction)
@@ -359,8 +359,8 @@ def _slow_flow(results: Results) -> dict[str, Subject]:
 
 def _critical(results: Results) -> dict[str, Subject]:
     onset = results.mechanisms[MECHANISM].saddle_node_onset
-    detachment = results.detachment[""]
-    friction = results.flows[""].m
+    detachment = results.detachment[""].resultant
+    friction = results.flows[""].friction
     quasi_zero = sp.solve(stiffness(results), delta_h)[0]
     return {
         "saddle_node_resultant": same(

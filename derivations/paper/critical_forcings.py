@@ -15,9 +15,11 @@ from dataclasses import dataclass
 import sympy as sp
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
-from ..symbols import F_0, A, Omega, h, h_A, h_AA
+from ..claims import claim
+from ..kernels import Formulas
+from ..symbols import F_0, A, Omega, h, h_A, h_AA, zeta
 from .restoring_force import Restoring
-from .slow_flow import I, R, SlowFlow
+from .slow_flow import I, R, m
 
 
 @dataclass(frozen=True)
@@ -43,9 +45,29 @@ class Elimination:
     def degree(self) -> int:
         return max(self.coefficients)
 
+    @property
+    def by_even_power(self) -> tuple[sp.Expr, ...]:
+        """Coefficients of the reduced resultant by even power of its unknown, constant first, zeros included."""
+        odd = [power for power in self.reduced if power % 2]
+        claim(f"no odd powers of {self.unknown} in a resultant", not odd)
+        top = max(self.reduced)
+        return tuple(in_factors(self.reduced.get(power, sp.Integer(0))) for power in range(0, top + 1, 2))
+
     def whole(self) -> sp.Expr:
         """The polynomial without its content."""
         return sum(value * self.unknown**power for power, value in self.coefficients.items())
+
+
+def in_factors(value: sp.Expr) -> sp.Expr:
+    """A polynomial by its factors, and these by powers of m, each with a coefficient that is factored in turn.
+
+    Expanded powers of a small difference lose its digits.
+    """
+    factors = []
+    for factor in sp.Mul.make_args(sp.factor(value)):
+        base, exponent = factor.as_base_exp()
+        factors.append((sp.collect(sp.expand(base), m, sp.factor) if base.is_Add else base) ** exponent)
+    return sp.Mul(*factors)
 
 
 def _to_flint(expression: sp.Expr, symbols: Sequence[sp.Symbol], ring: fmpq_mpoly_ctx) -> fmpq_mpoly:
@@ -86,24 +108,33 @@ def _by_power(polynomial: sp.Expr, unknown: sp.Symbol) -> dict[int, sp.Expr]:
     return {power: value for (power,), value in sorted(sp.Poly(polynomial, unknown).terms())}
 
 
-def _expanded(flow: SlowFlow, expression: sp.Expr) -> sp.Expr:
+def _expanded(flow: Formulas, expression: sp.Expr) -> sp.Expr:
     return sp.expand(expression.subs({R: flow.R, I: flow.I}))
 
 
-def saddle_node_onset(flow: SlowFlow, restoring: Restoring) -> Elimination:
+def saddle_node_onset(flow: Formulas, restoring: Restoring) -> Elimination:
     """(33): Res_Omega(F_A, F_AA) with the first regime's averaged force; its roots A_s are candidates for the onset."""
     derivatives = restoring.regimes[0].derivatives
     in_A = {h: derivatives[0], h_A: derivatives[1], h_AA: derivatives[2]}
     return eliminate(*(_expanded(flow, F).subs(in_A).expand() for F in (flow.F_A, flow.F_AA)), Omega, A)
 
 
-def saddle_nodes(flow: SlowFlow, restoring: Restoring) -> Elimination:
+def saddle_nodes(flow: Formulas, restoring: Restoring) -> Elimination:
     """Res_Omega(F, F_A) with the averaged force of the first regime: every fold at one F_0 is among its roots in A."""
     derivatives = restoring.regimes[0].derivatives
     in_A = {h: derivatives[0], h_A: derivatives[1]}
     return eliminate(*(_expanded(flow, F).subs(in_A).expand() for F in (flow.F, flow.F_A)), Omega, A)
 
 
-def detachment(flow: SlowFlow) -> Elimination:
+def detachment(flow: Formulas) -> Elimination:
     """(34): Res_Omega(F, F_Omega) as a polynomial in F_0, for A = u_cr and its h; its roots are candidates for F_cr."""
     return eliminate(_expanded(flow, flow.F), _expanded(flow, flow.F_Omega), Omega, F_0)
+
+
+def detached(flow: Formulas) -> Formulas:
+    """The kernel of that, and the `Elimination` itself as `resultant`."""
+    of = Formulas((A, m, zeta, h), domain="A > 0")
+    of.resultant = detachment(flow)
+    text = "Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr."
+    of.add("detachment", of.resultant.by_even_power, text, "(34)", arguments=of.order, returns="stack")
+    return of

@@ -1,7 +1,8 @@
 """Step 4, equations (23)-(30) and (38): fixed points of the slow flow and what follows from them, for any mechanism.
 
 In:  the averaged equations; the mechanism stays an open h(A) = H(A) - A.
-Out: `SlowFlow`: expressions in A, Omega, F_0, zeta, m = 4 mu/pi, h, h_A, h_AA, h_AAA, in structured (unexpanded) form:
+Out: `Formulas` in A, Omega, F_0, zeta, m = 4 mu/pi, h, h_A, h_AA, h_AAA, structured (unexpanded), F and its derivatives
+     in R and I:
 
     R = A Omega^2 + h        I = 2 zeta A Omega + m        F = R^2 + I^2 - F_0^2
 
@@ -10,12 +11,11 @@ Out: `SlowFlow`: expressions in A, Omega, F_0, zeta, m = 4 mu/pi, h, h_A, h_AA, 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import sympy as sp
 from sympy.codegen.cfunctions import hypot
 
 from ..claims import claim
+from ..kernels import Branch, Formulas, Lets
 from ..symbols import F_0, A, Omega, h, h_A, h_AA, h_AAA, mu, phi, sigma, zeta
 from .averaging import Averaged, H
 
@@ -23,6 +23,8 @@ R, I = sp.symbols("R I", real=True)
 m = sp.Symbol("m", nonnegative=True)
 #: -h as A tends to 0, where it pulls inwards; Omega^2
 preload, turn = sp.symbols("preload turn", nonnegative=True)
+#: of a frequency
+square = sp.Symbol("square", real=True)
 #: 1 less the square of a transmissibility; the root of it times F_0; sqrt(h^2 + removed^2)
 reduction, removed, whole = sp.symbols("reduction removed whole", nonnegative=True)
 
@@ -33,55 +35,8 @@ SCENES: dict[str, dict[sp.Symbol, sp.Expr]] = {
     "zeta0": {zeta: sp.Integer(0)},
     "mu0_zeta0": {mu: sp.Integer(0), zeta: sp.Integer(0)},
 }
-
-
-@dataclass(frozen=True)
-class SlowFlow:
-    """Fixed points, response, stability; the equation each belongs to in brackets.
-
-    m             -- (23): friction's share of I, 4 mu/pi; everything else is in the symbol m
-    R, I          -- (23): R = A Omega^2 + h = -F_0 cos phi, I = 2 zeta A Omega + m = -F_0 sin phi
-    F             -- (24): response, R^2 + (I - F_0)(I + F_0) = 0, in R and I
-    F_A, F_AA, F_AAA, F_Omega, F_AOmega, F_AAOmega, F_OmegaOmega -- its derivatives, in R, I, h and
-        the derivatives of h
-    phase         -- (25): tan phi = I/R, phi in its quadrant
-    backbone      -- (26): R = 0, Omega^2 = -h/A
-    limit_envelope -- (27): I = F_0, A_L = (F_0 - m)/(2 zeta Omega)
-    jacobian      -- (28): D_q Gamma = [-zeta, R/(2 Omega); -(Omega^2 + h_A)/(2 A Omega), -I/(2 A Omega)]
-    stability     -- (30): 4 Omega^2 det(D_q Gamma) = F_A/(2 A); stable where positive
-    equivalent_damping -- (38): zeta + m/(2 A Omega)
-    transmissibility -- amplitude of the transmitted force's fundamental harmonic over F_0
-    isolation      -- the frequency at which the square of that is 1 - reduction though the mass moves, by its lets:
-        where h pulls inwards, and where it pushes outwards
-    held           -- the level where A tends to 0 under a preload, below which a mass stays at rest
-    response_quartic, fold_quartic, peak_cubic -- coefficients by power of Omega, constant first, of F + F_0^2,
-        of F_A/2 and of F_Omega/(4 A); all three lack their second-highest power
-    """
-
-    m: sp.Expr
-    R: sp.Expr
-    I: sp.Expr
-    F: sp.Expr
-    F_A: sp.Expr
-    F_AA: sp.Expr
-    F_AAA: sp.Expr
-    F_Omega: sp.Expr
-    F_AOmega: sp.Expr
-    F_AAOmega: sp.Expr
-    F_OmegaOmega: sp.Expr
-    phase: sp.Expr
-    backbone: sp.Expr
-    limit_envelope: sp.Expr
-    jacobian: sp.Matrix
-    stability: sp.Expr
-    equivalent_damping: sp.Expr
-    transmissibility: sp.Expr
-    isolation_lets: tuple[tuple[tuple[sp.Symbol, sp.Expr], ...], ...]
-    isolation: sp.Expr
-    held: sp.Expr
-    response_quartic: tuple[sp.Expr, ...]
-    fold_quartic: tuple[sp.Expr, ...]
-    peak_cubic: tuple[sp.Expr, ...]
+#: of arguments
+ORDER = (Omega, A, F_0, mu, m, reduction, zeta, h, h_A, h_AA, h_AAA, preload)
 
 
 def slope(expression: sp.Expr, slopes: dict[sp.Symbol, sp.Expr] | None = None) -> sp.Expr:
@@ -90,12 +45,12 @@ def slope(expression: sp.Expr, slopes: dict[sp.Symbol, sp.Expr] | None = None) -
     return sp.diff(expression, A) + sum(sp.diff(expression, symbol) * value for symbol, value in chain.items())
 
 
-def _coefficients(expression: sp.Expr, degree: int) -> tuple[sp.Expr, ...]:
-    """Coefficients by power of Omega, constant first; an error unless the second-highest one vanishes."""
+def coefficients(expression: sp.Expr, degree: int) -> tuple[sp.Expr, ...]:
+    """Coefficients by power of Omega, constant first, without the second-highest: an error unless that vanishes."""
     polynomial = sp.Poly(expression, Omega)
     claim(f"a polynomial of degree {degree} in Omega", polynomial.degree() == degree, eq="(24)")
     claim("without its second-highest power", polynomial.coeff_monomial(Omega ** (degree - 1)), eq="(24)")
-    return tuple(sp.collect(polynomial.coeff_monomial(Omega**k), (h, A)) for k in range(degree + 1))
+    return tuple(sp.collect(polynomial.coeff_monomial(Omega**k), (h, A)) for k in (*range(degree - 1), degree))
 
 
 def _isolation(R_value: sp.Expr) -> tuple[tuple[tuple[sp.Symbol, sp.Expr], ...], ...]:
@@ -122,7 +77,7 @@ def _isolation(R_value: sp.Expr) -> tuple[tuple[tuple[sp.Symbol, sp.Expr], ...],
     return tuple((*of_lets, (turn, found)) for found in (inwards, outwards))
 
 
-def slow_flow(averaged: Averaged, scene: str = "") -> SlowFlow:
+def slow_flow(averaged: Averaged, scene: str = "") -> Formulas:
     """All of step 4, in one scene of `SCENES`."""
     vanishing = SCENES[scene]
     friction = sp.expand(-2 * Omega * averaged.slow_flow[0]).coeff(mu) * mu
@@ -137,62 +92,112 @@ def slow_flow(averaged: Averaged, scene: str = "") -> SlowFlow:
     cosine = sp.expand(-2 * Omega * A_phi_rate)
     I_value = sp.collect(sp.expand(sine - F_0 * sp.sin(phi)), A)
     R_value = sp.collect(sp.expand(cosine - F_0 * sp.cos(phi)), A)
+    whole = {R: R_value, I: I_value}
+    of = Formulas(ORDER, whole)
+    of.add("friction", friction.subs(vanishing), "Dry friction's share of I.", "(23)", "mu >= 0")
+    of.add("R", R_value, "Cosine balance, -F_0 cos phi at a fixed point.", "(23)")
+    of.add("I", I_value, "Sine balance, -F_0 sin phi at a fixed point.", "(23)")
 
     # (24): square and add; the products keep the digits that an expansion would cancel
     F = R**2 + (I - F_0) * (I + F_0)
-    R_A, I_A = sp.diff(R_value, A) + sp.diff(R_value, h) * h_A, sp.diff(I_value, A)
-    R_Omega, I_Omega = sp.diff(R_value, Omega), sp.diff(I_value, Omega)
-    along_A = {R: R_A, I: I_A}
-    F_A = slope(F, along_A)
-    F_AA = slope(F_A, along_A)
-    F_AAA = slope(F_AA, along_A)
+    along_A = {R: slope(R_value), I: slope(I_value)}
 
     def by_Omega(expression: sp.Expr) -> sp.Expr:
-        return sp.diff(expression, Omega) + sp.diff(expression, R) * R_Omega + sp.diff(expression, I) * I_Omega
+        return sp.diff(expression, Omega) + sum(
+            sp.diff(expression, symbol) * sp.diff(value, Omega) for symbol, value in whole.items()
+        )
 
+    F_A = slope(F, along_A)
+    F_AA = slope(F_A, along_A)
     F_Omega = by_Omega(F)
+    of.add("F", F, "Frequency response; zero at a steady state.", "(24)")
+    of.add("F_A", sp.factor_terms(F_A), "dF/dA; positive where stable.", "(24), (30)")
+    every = (Omega, A, m, zeta, h, h_A, h_AA)
+    of.add("F_AA", sp.factor_terms(F_AA), "d2F/dA2.", "(24), (33)", arguments=every)
+    of.F_AAA = sp.factor_terms(slope(F_AA, along_A))
+    of.add("F_Omega", sp.factor_terms(F_Omega), "dF/dOmega.", "(24), (34)")
+    of.add("F_AOmega", sp.factor_terms(by_Omega(F_A)), "d2F/dA dOmega.", "(24)")
+    of.F_AAOmega = sp.factor_terms(by_Omega(F_AA))
+    of.add("F_OmegaOmega", sp.factor_terms(by_Omega(F_Omega)), "d2F/dOmega2.", "(24)")
+    # (25): tan phi = I/R. I stays a name even where it is zero: the sign of that zero keeps phi in [-pi, 0]
+    phase = Lets([*whole.items()], sp.atan2(-I, -R))
+    of.add("phase", phase, "Phase phi of a steady state, from -pi to 0.", "(25)")
 
-    whole = {R: R_value, I: I_value}
-    jacobian = sp.Matrix([A_rate, phi_rate]).jacobian([A, phi])
-    jacobian[0, 0] = jacobian[0, 0] + sp.diff(A_rate, h) * h_A
-    jacobian[1, 0] = jacobian[1, 0] + sp.diff(phi_rate, h) * h_A
+    # (26): cos phi = 0 leaves R = 0, Omega^2 = -h/A: the root of a quotient, which SymPy would take apart
+    backbone = sp.sqrt(sp.solve(R_value.subs(Omega**2, R), R)[0])
+    root = Lets([(square, backbone**2)], sp.sqrt(square))
+    of.add("backbone", root, "Frequency on the backbone.", "(26)", "A > 0, h <= 0")
+    of.backbone = backbone
+
+    @of.kernel("(27)", "Omega > 0, F_0 > m; sticks otherwise", arguments=(Omega, F_0, m, zeta))
+    def limit_envelope() -> sp.Expr:
+        """Largest amplitude that the forcing can hold at this frequency.
+
+        sin phi = -1 leaves I = F_0, A_L = (F_0 - m)/(2 zeta Omega).
+        """
+        return (*sp.solve(I_value - F_0, A), sp.oo)[0]
+
+    @of.kernel("(38)")
+    def equivalent_damping() -> sp.Expr:
+        """Viscous damping ratio that dissipates as much as zeta and friction together.
+
+        The one whose term in (23) equals both, zeta + m/(2 A Omega).
+        """
+        viscous = sp.Symbol("viscous")
+        return sp.expand(sp.solve(2 * viscous * Omega * A - I_value, viscous)[0])
+
+    # the base feels F_0 cos(Omega tau) - u'': at a fixed point its harmonics are h and I
+    text = "Fundamental harmonic of the force on the base over F_0, at a steady state."
+    of.add("transmissibility", hypot(h, I) / F_0, text, "from (23)", "Omega > 0, A > 0, F_0 > 0")
+    inwards, outwards = _isolation(R_value)
+    of.add(
+        "isolation",
+        (
+            Branch("inwards", ((h, sp.S.Zero),), inwards, (sp.sqrt(turn),)),
+            Branch("outwards", (), outwards, (sp.sqrt(turn),)),
+        ),
+        "Frequency of a state that transmits sqrt(1 - reduction) of what drives it, though it moves.",
+        "from (23)",
+        "A > 0, F_0 > 0, 0 <= reduction < 1",
+    )
+
+    @of.kernel("(24)", "preload >= 0, -h as A tends to 0")
+    def held() -> sp.Expr:
+        """The forcing up to which a mass at rest stays there: that of a state as A tends to 0."""
+        return hypot(I_value.subs(A, 0), -R_value.subs({A: 0, h: -preload}))
+
+    # (28): D_q Gamma = [-zeta, R/(2 Omega); -(Omega^2 + h_A)/(2 A Omega), -I/(2 A Omega)]
+    jacobian = sp.Matrix([[slope(rate), sp.diff(rate, phi)] for rate in (A_rate, phi_rate)])
     at_fixed_point = {F_0 * sp.cos(phi): -R_value, F_0 * sp.sin(phi): -I_value}
     jacobian = jacobian.applyfunc(lambda entry: sp.cancel(sp.expand(entry).subs(at_fixed_point)))
+    text = "Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22."
+    of.add("jacobian", jacobian, text, "(28)")
+    # (30): 2 A det = F_A / (4 Omega^2): the boundary of stability is the fold locus
     determinant = sp.expand(4 * Omega**2 * jacobian.det())
-    # 2 A det = F_A / (4 Omega^2): the boundary of stability is the fold locus
     claim("F_A = 8 A Omega^2 det(D_q Gamma)", determinant, F_A.subs(whole) / (2 * A), eq="(30)")
+    text = "4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive."
+    of.add("stability", sp.factor_terms(F_A / (2 * A)), text, "(30)")
 
-    # (27): sin phi = -1 leaves I = F_0
-    envelope = sp.solve(I_value - F_0, A)
-    # (26): cos phi = 0 leaves R = 0
-    backbone = sp.sqrt(sp.solve(R_value.subs(Omega**2, R), R)[0])
-    # (38): the viscous damping whose term in (23) equals both
-    viscous = sp.Symbol("viscous")
-    equivalent = sp.expand(sp.solve(2 * viscous * Omega * A - I_value, viscous)[0])
-    return SlowFlow(
-        m=friction.subs(vanishing),
-        R=R_value,
-        I=I_value,
-        F=F,
-        F_A=sp.factor_terms(F_A),
-        F_AA=sp.factor_terms(F_AA),
-        F_AAA=sp.factor_terms(F_AAA),
-        F_Omega=sp.factor_terms(F_Omega),
-        F_AOmega=sp.factor_terms(by_Omega(F_A)),
-        F_AAOmega=sp.factor_terms(by_Omega(F_AA)),
-        F_OmegaOmega=sp.factor_terms(by_Omega(F_Omega)),
-        phase=sp.atan2(-I, -R),
-        backbone=backbone,
-        limit_envelope=envelope[0] if envelope else sp.oo,
-        jacobian=jacobian,
-        stability=sp.factor_terms(F_A / (2 * A)),
-        equivalent_damping=equivalent,
-        # the base feels F_0 cos(Omega tau) - u'': at a fixed point its harmonics are h and I
-        transmissibility=hypot(h, I) / F_0,
-        isolation_lets=_isolation(R_value),
-        isolation=sp.sqrt(turn),
-        held=hypot(I_value.subs(A, 0), -R_value.subs({A: 0, h: -preload})),
-        response_quartic=_coefficients((F + F_0**2).subs(whole), 4),
-        fold_quartic=_coefficients((F_A / 2).subs(whole), 4),
-        peak_cubic=_coefficients(sp.cancel(F_Omega.subs(whole) / (4 * A)), 3),
-    )
+    @of.kernel("(24)", "A > 0", arguments=(A, F_0, m, zeta, h))
+    def response_quartic() -> tuple[sp.Expr, ...]:
+        """F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
+
+        h^2 + (m - F_0)(m + F_0) loses no digits where m is near F_0.
+        """
+        constant, *others = coefficients((F + F_0**2).subs(whole), 4)
+        rest = constant.coeff(h, 0)
+        moving, root = constant - rest, sp.sqrt(rest)
+        products = (h - F_0) * (h + F_0) if rest == 0 else moving + (root - F_0) * (root + F_0)
+        return products, *others
+
+    @of.kernel("(24), (30)", "A > 0")
+    def fold_quartic() -> tuple[sp.Expr, ...]:
+        """F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4."""
+        return coefficients((F_A / 2).subs(whole), 4)
+
+    @of.kernel("(34)", "A > 0")
+    def peak_cubic() -> tuple[sp.Expr, ...]:
+        """F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3."""
+        return coefficients(sp.cancel(F_Omega.subs(whole) / (4 * A)), 3)
+
+    return of

@@ -1,7 +1,7 @@
 """Beside (24)-(34): what vanishes along the amplitude where the response curve or its fold locus changes.
 
-In:  `SlowFlow` of one scene; the mechanism stays an open h(A).
-Out: `Along`: functions of A, h and its derivatives, with their slopes along A; `Damped` for zeta > 0, `Undamped` for 0.
+In:  the slow flow of one scene; the mechanism stays an open h(A).
+Out: `Formulas`: functions of A, h and its derivatives, with their slopes along A; for zeta = 0 other ones.
 
 The eliminations, each proved on the way:
 
@@ -14,20 +14,18 @@ The eliminations, each proved on the way:
     peak         F = F_Omega = 0     R from F_Omega, which leaves F_A = -2 R (Omega^2 - h_A)
     rest         F = Omega = 0       h^2 = c^2, one smooth function for each sign of h
     zeta = 0                         F_A has the factor R and another, on which F_AA is a product too
+    bound                            R^2 + I^2 = F_0^2: I <= F_0 bounds A Omega, and then |h| <= |R| + A Omega^2
 """
 
 from __future__ import annotations
-
-from dataclasses import dataclass
 
 import sympy as sp
 from sympy.codegen.cfunctions import hypot
 
 from ..claims import claim
-from ..paper.slow_flow import I, R, SlowFlow, m, slope
+from ..kernels import Formulas, Let, Lets
+from ..paper.slow_flow import I, R, m, slope
 from ..symbols import F_0, A, Omega, h, h_A, h_AA, h_AAA, zeta
-
-Let = tuple[sp.Symbol, sp.Expr]
 
 #: Omega^2, R and dR/dA where F_AA = 0, and the root of the discriminant that gives them, with its sign
 X_ = sp.Symbol("X", nonnegative=True)
@@ -48,203 +46,92 @@ _c, _X, _p = sp.symbols("c X p", real=True)
 lacks = sp.Symbol("lacks", real=True)
 _half_e, _drawn = sp.symbols("half_e drawn", real=True)
 _excess, _least, _share, _J, _lag = sp.symbols("excess least share J lag", nonnegative=True)
+#: the largest A Omega, and the highest Omega by it
+_most, _fastest = sp.symbols("c fastest", nonnegative=True)
+
+#: of arguments
+ORDER = (
+    *(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA),
+    *(k, k_A, kappa, rho, X_, T, t, R_, root, over_A, apart, lacks),
+)
 
 
-@dataclass(frozen=True)
-class Damped:
-    """For zeta > 0; outputs beside lets are in these.
-
-    fold      -- at a forcing: (23) less the R of F = F_A = 0, its slope along A, and Omega
-    fold_square -- Omega^2 of the R that `fold` has of F = F_A = 0, by Omega and what `fold` is
-    fold_least -- F_A/(2 A) at zero friction as X^2 + b X + c in X = Omega^2: b, and the discriminant b^2 - 4 c; both by
-                 h/A and, where these cancel, by h/A - h_A. Friction only adds to F_A
-    fold_moves -- by how much F and F_A change with that, at the amplitude and the Omega of `fold`
-    isola_Omega -- Omega where F_A = F_Omega = 0
-    isola_turns -- what vanishes there with it: F_A over 2 R with I from F_Omega = 0
-    isola_excess -- and F with R from F_Omega = 0
-    isola_level -- the forcing by that: of R from h rounding leaves nothing where damping is weak
-    isola     -- F_Omega/(4 A) there and its slope; for m = 0 without the factor Omega, which then is common
-    cusps     -- F_AA/2 as T^2 + 2 a T + b and as X^2 + 2 c X + d: a, b, c, d, and the discriminant a^2 - b of both
-    cusp_R    -- R where F_AA = 0, by its tangent and from F_AA = 0 itself, where nothing cancels if h_AA has its sign
-    cusp      -- where F_AA = 0: F_A/2, the same less A F_AA/2, its slope along A, and the forcing if it is 0
-    cusp_balance -- Omega^2 and the forcing's square with R from F_A = 0
-    cusps_scaled -- F_AA/2 over (A h_AA)^2 as t^2 + 2 a t + b: a, b, and the discriminant a^2 - b
-    cusp_X    -- Omega^2 by t
-    cusp_scaled -- as `cusp` in numbers without scale: F_A/2 less A F_AA/2, its slope along A, the forcing if it is 0
-    turn      -- F_A/2 where F_AOmega = 0, an extremum of F_A over Omega, and its slope along A
-    peak      -- F where F_Omega = 0, an extremum of F over Omega, and its slope along A
-    peak_Omega_A -- dOmega/dA along F_Omega = 0
-    """
-
-    fold_lets: tuple[Let, ...]
-    fold: tuple[sp.Expr, ...]
-    fold_moves: tuple[sp.Expr, ...]
-    fold_square: sp.Expr
-    fold_least: tuple[sp.Expr, ...]
-    isola_Omega: sp.Expr
-    isola_turns: sp.Expr
-    isola_excess: sp.Expr
-    isola_level_lets: tuple[Let, ...]
-    isola_level: sp.Expr
-    isola_lets: tuple[Let, ...]
-    isola: tuple[sp.Expr, ...]
-    cusps_lets: tuple[Let, ...]
-    cusps: tuple[sp.Expr, ...]
-    cusp_R: tuple[sp.Expr, ...]
-    cusp_lets: tuple[Let, ...]
-    cusp: tuple[sp.Expr, ...]
-    cusp_balance_lets: tuple[Let, ...]
-    cusp_balance: tuple[sp.Expr, ...]
-    cusps_scaled_lets: tuple[Let, ...]
-    cusps_scaled: tuple[sp.Expr, ...]
-    cusp_X: sp.Expr
-    cusp_scaled_lets: tuple[Let, ...]
-    cusp_scaled: tuple[sp.Expr, ...]
-    turn_lets: tuple[Let, ...]
-    turn: tuple[sp.Expr, ...]
-    peak_lets: tuple[Let, ...]
-    peak: tuple[sp.Expr, ...]
-    peak_Omega_A: sp.Expr
-
-
-@dataclass(frozen=True)
-class Undamped:
-    """For zeta = 0.
-
-    Omega   -- where F_A = 0 off the backbone R = 0
-    fold    -- at a forcing: R^2 + I^2 - F_0^2 there, and its slope along A
-    level   -- the forcing of a fold
-    rises   -- has the sign of the level's slope along A; and, where that vanishes, of the slope's own
-    factors -- the two of F_AA/2 there, h_AA and R, each with its slope
-    """
-
-    Omega: sp.Expr
-    fold_lets: tuple[Let, ...]
-    fold: tuple[sp.Expr, ...]
-    level: sp.Expr
-    rises: tuple[sp.Expr, ...]
-    factors: tuple[sp.Expr, ...]
-
-
-@dataclass(frozen=True)
-class Along:
-    """Of one scene.
-
-    level -- (24): the forcing for which (Omega, A) is a steady state, in R and I
-    rest  -- F at Omega = 0 by its two halves h - c and h + c, and the slope of both
-    least -- the size of h at Omega = 0, and the least size of k at a fold
-    intercept -- k = h - A h_A, where R meets A = 0 along its tangent, and its slope
-    F_Omega_reduced -- F_Omega/(4 A), without the factor Omega if it has that, and its slope along Omega
-    state_R -- R by its definition, and by its tangent's intercept
-    state -- F with two derivatives along A, in R
-    damped, undamped -- of its own: one of them
-    """
-
-    level: sp.Expr
-    rest_lets: tuple[Let, ...]
-    rest: tuple[sp.Expr, ...]
-    least: sp.Expr
-    intercept: tuple[sp.Expr, ...]
-    F_Omega_reduced_lets: tuple[Let, ...]
-    F_Omega_reduced: tuple[sp.Expr, ...]
-    state_R: tuple[sp.Expr, ...]
-    state_lets: tuple[Let, ...]
-    state: tuple[sp.Expr, ...]
-    damped: Damped | None
-    undamped: Undamped | None
-
-
-def along(flow: SlowFlow) -> Along:
+def along(flow: Formulas) -> Formulas:
     """All of it, in the scene of the flow."""
-    level = sp.sqrt(sp.expand(flow.F + F_0**2))
-    claim("(24) at the forcing of a steady state", flow.F.subs(F_0, level))
-    at_rest = flow.F.subs({R: flow.R, I: flow.I}).subs(Omega, 0)
+    of = Formulas(ORDER, {R: flow.R, I: flow.I})
+
+    @of.kernel("(24)", "Omega >= 0, A > 0")
+    def level() -> sp.Expr:
+        """The forcing F_0 for which (Omega, A) is a steady state."""
+        value = sp.sqrt(sp.expand(flow.F + F_0**2))
+        claim("(24) at the forcing of a steady state", flow.F.subs(F_0, value))
+        return value
+
+    at_rest = flow.F.subs(of.lets).subs(Omega, 0)
     product = sp.factor(h**2 - at_rest)
-    halves = (h - _c, h + _c)
-    claim("the halves of F at Omega = 0", sp.Mul(*halves).expand().subs(_c**2, product) - at_rest)
-    # factor by factor: the product may be too large for a double
-    friction = flow.I.subs(Omega, 0)
-    least = sp.sqrt(F_0 - friction) * sp.sqrt(F_0 + friction)
-    claim("h^2 at Omega = 0", least**2 - product)
-    slopes = {slope(half) for half in halves}
-    if len(slopes) != 1:
-        raise ArithmeticError(f"the halves of F at Omega = 0 have different slopes: {slopes}")
-    reduced_lets, reduced = _F_Omega_reduced(flow)
-    has_zeta = zeta in flow.I.free_symbols
-    return Along(
-        level=level,
-        rest_lets=((_product, product), (_c, sp.sqrt(_product))),
-        rest=(*halves, slopes.pop()),
-        least=least,
-        intercept=tuple(map(sp.expand, (of_tangent := _intercept(flow.R), slope(of_tangent)))),
-        F_Omega_reduced_lets=reduced_lets,
-        F_Omega_reduced=reduced,
-        state_R=_state_R(flow),
-        state_lets=((I, flow.I),),
-        state=(flow.F, flow.F_A, flow.F_AA),
-        damped=_damped(flow) if has_zeta else None,
-        undamped=None if has_zeta else _undamped(flow),
-    )
 
+    @of.kernel("from (24)", "F_0 >= m")
+    def rest() -> Lets:
+        """F at Omega = 0 as a product: h - c, h + c, and the slope of both along A."""
+        halves = (h - _c, h + _c)
+        claim("the halves of F at Omega = 0", sp.Mul(*halves).expand().subs(_c**2, product) - at_rest)
+        slopes = {slope(half) for half in halves}
+        claim("the slope of both halves is one", len(slopes) == 1)
+        return Lets([(_product, product), (_c, sp.sqrt(_product))], (*halves, slopes.pop()))
 
-def _F_Omega_reduced(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...]]:
-    """Omega (A Omega^2 + p) + q, or the bracket where q vanishes."""
-    q_value, p_value, _, leading = flow.peak_cubic
-    bracket = leading * Omega**2 + _p
-    value = bracket if q_value == 0 else Omega * bracket + q_value
-    whole = value.subs(_p, p_value) * (Omega if q_value == 0 else 1)
-    claim("F_Omega/(4 A)", whole - flow.F_Omega.subs({R: flow.R, I: flow.I}) / (4 * A))
-    return ((_p, p_value),), (value, sp.expand(sp.diff(value, Omega)))
+    @of.kernel("from (24), (30)", "F_0 >= m")
+    def least_restoring() -> sp.Expr:
+        """The |h| of a state at Omega = 0, and the least |h - A h_A| of a fold.
 
+        Factor by factor: the product may be too large for a double.
+        """
+        friction = flow.I.subs(Omega, 0)
+        value = sp.sqrt(F_0 - friction) * sp.sqrt(F_0 + friction)
+        claim("h^2 at Omega = 0", value**2 - product)
+        return value
 
-def _state_R(flow: SlowFlow) -> tuple[sp.Expr, ...]:
-    """R, and the same by the intercept of its tangent, which is k at any Omega."""
-    by_tangent = k + A * slope(flow.R)
-    claim("R by its tangent", by_tangent.subs(k, _intercept(flow.R)) - flow.R)
-    return flow.R, by_tangent
+    @of.kernel("from (24), (30)", "A >= 0")
+    def intercept() -> tuple[sp.Expr, ...]:
+        """k = h - A h_A, where the tangent of h meets A = 0, and its slope along A."""
+        of_tangent = _intercept(flow.R)
+        return of_tangent, sp.expand(slope(of_tangent))
 
+    @of.kernel("(34)", arguments=(Omega, A, m, zeta, h))
+    def F_Omega_reduced() -> Lets:
+        """F_Omega/(4 A), without the factor Omega if it has that, and its slope along Omega.
 
-def _damped(flow: SlowFlow) -> Damped:
-    fold_lets, fold, fold_moves = _fold(flow)
-    isola_turns, isola_Omega = _isola_Omega(flow)
-    isola_excess, isola_level = _isola_level(flow)
-    isola_lets, isola = _isola(flow, isola_Omega)
-    cusps_lets, cusps, cusp_R, cusp_lets, cusp = _cusps(flow)
-    cusp_balance_lets, cusp_balance = _cusp_balance(flow, cusp_lets, cusp)
-    cusps_scaled_lets, cusps_scaled, cusp_X, cusp_scaled_lets, cusp_scaled = _scaled(flow, cusps_lets, cusps, cusp)
-    turn_lets, turn = _turn(flow)
-    peak_lets, peak = _peak(flow)
-    return Damped(
-        fold_lets=fold_lets,
-        fold=fold,
-        fold_square=_fold_square(flow),
-        fold_least=_fold_least(flow),
-        fold_moves=fold_moves,
-        isola_Omega=isola_Omega,
-        isola_turns=isola_turns,
-        isola_excess=isola_excess,
-        isola_level_lets=((I, flow.I),),
-        isola_level=isola_level,
-        isola_lets=isola_lets,
-        isola=isola,
-        cusps_lets=cusps_lets,
-        cusps=cusps,
-        cusp_R=cusp_R,
-        cusp_lets=cusp_lets,
-        cusp=cusp,
-        cusp_balance_lets=cusp_balance_lets,
-        cusp_balance=cusp_balance,
-        cusps_scaled_lets=cusps_scaled_lets,
-        cusps_scaled=cusps_scaled,
-        cusp_X=cusp_X,
-        cusp_scaled_lets=cusp_scaled_lets,
-        cusp_scaled=cusp_scaled,
-        turn_lets=turn_lets,
-        turn=turn,
-        peak_lets=peak_lets,
-        peak=peak,
-        peak_Omega_A=_peak_Omega_A(flow, peak_lets),
-    )
+        Omega (A Omega^2 + p) + q, or the bracket where q vanishes.
+        """
+        q_value, p_value, leading = flow.peak_cubic
+        bracket = leading * Omega**2 + _p
+        value = bracket if q_value == 0 else Omega * bracket + q_value
+        whole = value.subs(_p, p_value) * (Omega if q_value == 0 else 1)
+        claim("F_Omega/(4 A)", whole - flow.F_Omega.subs(of.lets) / (4 * A))
+        return Lets([(_p, p_value)], (value, sp.expand(sp.diff(value, Omega))))
+
+    @of.kernel("(24)")
+    def state_R() -> tuple[sp.Expr, ...]:
+        """R by its definition, and by its tangent along A, which meets A = 0 at k = h - A h_A.
+
+        That is k at any Omega.
+        """
+        by_tangent = k + A * slope(flow.R)
+        claim("R by its tangent", by_tangent.subs(k, _intercept(flow.R)) - flow.R)
+        return flow.R, by_tangent
+
+    # of R both forms are taken first, and what both hold
+    state = Lets([(I, flow.I)], (flow.F, flow.F_A, flow.F_AA))
+    of.add("state", state, "F and its first two derivatives along A, by R (`state_R`).", "(24), (30), (33)")
+    if zeta in flow.I.free_symbols:
+        _bound(of, flow)
+        _fold(of, flow)
+        _isola(of, flow)
+        _cusps(of, flow)
+        _turn(of, flow)
+        _peak(of, flow)
+    else:
+        _undamped(of, flow)
+    return of
 
 
 def _intercept(value: sp.Expr) -> sp.Expr:
@@ -252,26 +139,23 @@ def _intercept(value: sp.Expr) -> sp.Expr:
     return sp.expand(value - A * slope(value))
 
 
-def _fold_square(flow: SlowFlow) -> sp.Expr:
-    """R is linear in Omega^2."""
-    square = sp.Symbol("square", positive=True)
-    lacking = flow.R.subs(Omega, sp.sqrt(square)) - (flow.R - lacks)
-    return sp.expand(sp.solve(lacking, square)[0])
+def _bound(of: Formulas, flow: Formulas) -> None:
+    """A Omega <= c, |h| <= F_0 + c^2/A."""
+
+    @of.kernel("from (23)", "A > 0, F_0 >= m, zeta > 0")
+    def most_restoring() -> Lets:
+        """The largest |h| of a state with this amplitude: F_0 + (A Omega)^2/A at the highest Omega.
+
+        That is c/A; c^2 may be too large for a double.
+        """
+        (highest,) = sp.solve(flow.I - F_0, Omega)
+        c = sp.factor(A * highest)
+        claim("the bound of A Omega knows no A", not c.has(A))
+        claim("R less h", flow.R - h, A * Omega**2)
+        return Lets([(_most, c), (_fastest, _most / A)], F_0 + _most * _fastest)
 
 
-def _fold_least(flow: SlowFlow) -> tuple[sp.Expr, ...]:
-    """Of the fold quartic over its leading coefficient, without the odd term, which is not negative."""
-    constant, odd, square, cubic, leading = flow.fold_quartic
-    if cubic != 0 or not sp.cancel(odd / (m * zeta)).is_nonnegative:
-        raise ArithmeticError(f"friction may lower F_A: {odd}")
-    b, c = (sp.expand(sp.expand(value / leading).subs(h, A * over_A)) for value in (square, constant))
-    discriminant = sp.factor(sp.expand(b**2 - 4 * c - (over_A - h_A) ** 2)) + apart**2
-    whole = discriminant.subs(apart, over_A - h_A) - (b**2 - 4 * c)
-    claim("the discriminant of the least F_A", whole)
-    return b, discriminant
-
-
-def _fold(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
+def _fold(of: Formulas, flow: Formulas) -> None:
     """The circle R^2 + I^2 = F_0^2 and the line k R + m I = F_0^2.
 
     They meet where |k| >= e = sqrt(F_0^2 - m^2), once with I >= m. With share = sqrt(1 - (e/k)^2) that is where
@@ -279,9 +163,8 @@ def _fold(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...], tuple[s
     """
     friction = _intercept(flow.I)
     line = k * R + friction * I - F_0**2
-    of_flow = {R: flow.R, I: flow.I}
     off_line = A * flow.F_A / 2 - flow.F + line
-    claim("A F_A/2 - F against the line", off_line.subs(k, _intercept(flow.R)).subs(of_flow))
+    claim("A F_A/2 - F against the line", off_line.subs(k, _intercept(flow.R)).subs(of.lets))
     excess = (F_0 - friction) * (F_0 + friction)
     J = _excess / (F_0 + friction * _share)
     at_fold = {R: F_0 * J / k, I: friction + _share * J}
@@ -310,57 +193,87 @@ def _fold(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...], tuple[s
         (_J, J),
         (_lag, lag),
     )
-    # beside the fold, at its Omega and I, what is zero there is what R exceeds its own by: A F_A/2 is F less the line
-    moves = sp.diff(flow.F, R), sp.factor(2 * (sp.diff(flow.F, R) - sp.diff(line, R)) / A)
-    return lets, (value, along, w), moves
+    of.add(
+        "fold",
+        Lets(lets, (value, along, w)),
+        "Zero at a fold at F_0: R of (23) less the R of F = F_A = 0; its slope along A, and Omega.",
+        "from (24), (30)",
+        "A > 0, F_0 > m, k^2 >= F_0^2 - m^2",
+        arguments=(A, F_0, m, zeta, h, h_A, k, k_A),
+    )
+
+    @of.kernel("from (23)", "A > 0")
+    def fold_square() -> sp.Expr:
+        """Omega^2 beside a fold by the R of F = F_A = 0, from the Omega by I and what R lacks of agreeing (`fold`).
+
+        R is linear in Omega^2.
+        """
+        square = sp.Symbol("square", positive=True)
+        lacking = flow.R.subs(Omega, sp.sqrt(square)) - (flow.R - lacks)
+        return sp.expand(sp.solve(lacking, square)[0])
+
+    @of.kernel("from (24), (30)", "A > 0")
+    def fold_moves() -> Lets:
+        """What F and F_A change by beside a fold, per what vanishes there (`fold`), at its A, Omega and I.
+
+        What is zero there is what R exceeds its own by: A F_A/2 is F less the line.
+        """
+        by_R = sp.diff(flow.F, R)
+        return Lets((), (by_R, sp.factor(2 * (by_R - sp.diff(line, R)) / A)))
+
+    @of.kernel("from (30)", "A > 0")
+    def fold_least() -> tuple[sp.Expr, ...]:
+        """F_A/(2 A) without friction as X^2 + b X + c in X = Omega^2, by h/A and h/A - h_A: b, and b^2 - 4 c.
+
+        Of the fold quartic over its leading coefficient, without the odd term: friction only adds to F_A.
+        """
+        constant, odd, square, leading = flow.fold_quartic
+        claim("friction does not lower F_A", bool(sp.cancel(odd / (m * zeta)).is_nonnegative))
+        b, c = (sp.expand(sp.expand(value / leading).subs(h, A * over_A)) for value in (square, constant))
+        discriminant = sp.factor(sp.expand(b**2 - 4 * c - (over_A - h_A) ** 2)) + apart**2
+        claim("the discriminant of the least F_A", discriminant.subs(apart, over_A - h_A) - (b**2 - 4 * c))
+        return b, discriminant
 
 
-def _isola_Omega(flow: SlowFlow) -> tuple[sp.Expr, sp.Expr]:
+def _isola(of: Formulas, flow: Formulas) -> None:
     """With I from F_Omega = 0, F_A has the factors R and h_A - Omega^2; R = 0 would need I = 0: there is damping."""
     eliminated = sp.expand(flow.F_A.subs(I, sp.solve(flow.F_Omega, I)[0]))
-    factor, remainder = sp.div(eliminated, 2 * R, R)
-    if remainder != 0 or factor.has(R):
-        raise ArithmeticError(f"F_A without I is not R times a function of Omega and h_A: {eliminated}")
-    return factor, sp.sqrt(sp.solve(factor.subs(Omega, sp.sqrt(_X)), _X)[0])
-
-
-def _isola_level(flow: SlowFlow) -> tuple[sp.Expr, sp.Expr]:
-    """F with R from F_Omega = 0, and the F_0 for which it vanishes."""
+    # what vanishes at an isola point, F_A over 2 R; and F with R from F_Omega = 0
+    of.isola_turns, remainder = sp.div(eliminated, 2 * R, R)
+    claim("F_A without I is R times a function of Omega and h_A", remainder == 0 and not of.isola_turns.has(R))
+    w = sp.sqrt(sp.solve(of.isola_turns.subs(Omega, sp.sqrt(_X)), _X)[0])
+    of.add("isola_Omega", w, "Omega at an isola point.", "from (30), (34)", "h_A >= 0")
     R_value = sp.solve(flow.F_Omega, R)[0]
-    excess = flow.F.subs(R, R_value)
-    claim("F at the forcing of an isola point", excess.subs(F_0, sp.sqrt(I**2 + R_value**2)))
-    return excess, hypot(I, R_value)
+    of.isola_excess = flow.F.subs(R, R_value)
+    claim("F at the forcing of an isola point", of.isola_excess.subs(F_0, sp.sqrt(I**2 + R_value**2)))
+    text = "The forcing at an isola point: of R from h rounding leaves nothing where damping is weak."
+    of.add("isola_level", Lets([(I, flow.I)], hypot(I, R_value)), text, "from (24), (30)", "Omega > 0")
+
+    @of.kernel("from (30), (34)", "A > 0, h_A > 0; for m = 0 any h_A", arguments=(A, m, zeta, h, h_A, h_AA))
+    def isola() -> Lets:
+        """Zero at an isola point: F_Omega/(4 A) at its Omega, for m = 0 without the factor Omega; slope along A.
+
+        F_Omega/(4 A) = Omega (A Omega^2 + p) + q at Omega = w.
+        """
+        q_value, p_value, leading = flow.peak_cubic
+        bracket = sp.collect(sp.expand(leading * w**2 + p_value), A)
+        lets = ((_bracket, bracket), (_bracket_A, slope(bracket)))
+        value = _w * _bracket + q_value
+        at_w = flow.F_Omega.subs(of.lets).subs(Omega, w) / (4 * A)
+        claim("F_Omega/(4 A) at an isola point", value.subs(_bracket, bracket).subs(_w, w) - at_w)
+        if q_value == 0:
+            return Lets(lets, (_bracket, _bracket_A))
+        along = slope(value, {_bracket: _bracket_A, _w: slope(w).subs(w, _w)})
+        return Lets([(_w, w), *lets], (value, along))
 
 
-def _isola(flow: SlowFlow, w: sp.Expr) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...]]:
-    """F_Omega/(4 A) = Omega (A Omega^2 + p) + q at Omega = w."""
-    q_value, p_value, _, leading = flow.peak_cubic
-    bracket = sp.collect(sp.expand(leading * w**2 + p_value), A)
-    lets = ((_bracket, bracket), (_bracket_A, slope(bracket)))
-    value = _w * _bracket + q_value
-    claim(
-        "F_Omega/(4 A) at an isola point",
-        value.subs(_bracket, bracket).subs(_w, w) - flow.F_Omega.subs({R: flow.R, I: flow.I}).subs(Omega, w) / (4 * A),
-    )
-    if q_value == 0:
-        return lets, (_bracket, _bracket_A)
-    return ((_w, w), *lets), (value, slope(value, {_bracket: _bracket_A, _w: slope(w).subs(w, _w)}))
-
-
-def _square_of(flow: SlowFlow) -> sp.Expr:
-    """Omega^2 by T."""
-    return sp.solve(slope(flow.R).subs(Omega, sp.sqrt(X_)) - T, X_)[0]
-
-
-def _cusps(
-    flow: SlowFlow,
-) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...], tuple[sp.Expr, ...], tuple[Let, ...], tuple[sp.Expr, ...]]:
+def _cusps(of: Formulas, flow: Formulas) -> None:
     """F_AA/2 is a quadratic in X = Omega^2, and one in T = dR/dA, which is X + h_A; R is k + A T.
 
     Both have the same discriminant. In T the square of h_A, which cancels there, never enters it. Where F_AA vanishes
     F_A/2 may be taken less A F_AA/2, and its slope is -F_AOmega F_AAA/(2 F_AAOmega).
     """
-    X = _square_of(flow)
+    (X,) = sp.solve(slope(flow.R).subs(Omega, sp.sqrt(X_)) - T, X_)
     of_T = {R: R_, h_A: T - _w**2, Omega: _w, I: flow.I.subs(Omega, _w)}
     of_flow = {R_: flow.R, k: _intercept(flow.R), T: slope(flow.R), X_: Omega**2, _w: Omega}
     half_F_AA, half_F_A, half_F_AAA = (sp.expand((f / 2).subs(of_T)) for f in (flow.F_AA, flow.F_A, flow.F_AAA))
@@ -372,18 +285,26 @@ def _cusps(
         for R_value, square, unknown, variable in ((k + A * T, X, T, T), (h + A * X_, X_, X_ + h_A, X_))
     )
     for quadratic in (in_T, in_X):
-        if quadratic.degree() != 2 or quadratic.LC() != 1:
-            raise ArithmeticError(f"F_AA/2 is not a monic quadratic: {quadratic}")
+        claim(f"F_AA/2 is a monic quadratic in {quadratic.gen}", quadratic.degree() == 2 and quadratic.LC() == 1)
     half_e, half_c_1 = (quadratic.coeff_monomial(quadratic.gen) / 2 for quadratic in (in_T, in_X))
     discriminant = _half_e**2 - in_T.coeff_monomial(1)
     other = half_c_1**2 - in_X.coeff_monomial(1)
     claim("the discriminant of F_AA/2", discriminant.subs(_half_e, half_e).subs(k, _intercept(flow.R)) - other)
-    quadratics = (_half_e, in_T.coeff_monomial(1), h_A + _half_e, in_X.coeff_monomial(1), discriminant)
     claim("the linear coefficients of F_AA/2", half_c_1 - h_A - half_e)
+    quadratics = Lets(
+        [(_half_e, half_e)],
+        (_half_e, in_T.coeff_monomial(1), h_A + _half_e, in_X.coeff_monomial(1), discriminant),
+    )
+    text = "F_AA/2 = T^2 + 2 a T + b = X^2 + 2 c X + d, T = dR/dA, X = Omega^2: a, b, c, d, and a^2 - b = c^2 - d."
+    of.add("cusps", quadratics, text, "from (33)", "A > 0")
+    # where h_AA has the sign of R nothing cancels in the second
+    (of_R,) = sp.solve(half_F_AA, R_)
+    text = "R where F_AA = 0 (`cusps`), in two forms: by its tangent, and from F_AA itself."
+    of.add("cusp_R", (k + A * T, of_R.subs(_w**2, X_)), text, "from (33)", "A > 0, X >= 0")
 
     # F_AAOmega is 8 Omega times the root of the discriminant, with its sign
     F_AAOmega = 8 * Omega * (slope(flow.R) + half_e)
-    claim("F_AAOmega where F_AA = 0", (flow.F_AAOmega - F_AAOmega).subs({R: flow.R, I: flow.I}))
+    claim("F_AAOmega where F_AA = 0", (flow.F_AAOmega - F_AAOmega).subs(of.lets))
     less = sp.collect(sp.expand((half_F_A - A * half_F_AA).subs(R_, k + A * T)), T)
     along = -by_Omega * half_F_AAA / (2 * root)
     expected = -flow.F_AOmega * flow.F_AAA / (2 * F_AAOmega)
@@ -394,33 +315,34 @@ def _cusps(
         (along.subs(root, T + half_e), expected, "the slope of F_A"),
         (level**2, flow.F + F_0**2 - A * flow.F_A / 2, "the forcing at a cusp"),
     ):
-        claim(words, (one.subs(of_flow) - whole).subs({R: flow.R, I: flow.I}))
-    of_R = sp.solve(half_F_AA, R_)[0].subs(_w**2, X_)
-    return (
-        ((_half_e, half_e),),
-        quadratics,
-        (k + A * T, of_R),
-        ((_w, sp.sqrt(X_)),),
-        (half_F_A.subs(_w**2, X_), less, along, level),
+        claim(words, (one.subs(of_flow) - whole).subs(of.lets))
+    half_F_A = half_F_A.subs(_w**2, X_)
+    of_X = [(_w, sp.sqrt(X_))]
+    of.add(
+        "cusp",
+        Lets(of_X, (half_F_A, less, along, level)),
+        "Where F_AA = 0 (`cusps`; root = a + T): F_A/2, the same less A F_AA/2, its slope along A, F_0 if it is 0.",
+        "from (33)",
+        "A > 0, X > 0",
     )
 
+    @of.kernel("from (30)", "A > 0, X > 0, T not 0")
+    def cusp_balance() -> Lets:
+        """Omega^2 and F_0^2 at a cusp with R from F_A = 0, by an X = Omega^2 that is nearly right, and T (`cusps`).
 
-def _cusp_balance(
-    flow: SlowFlow, cusp_lets: tuple[Let, ...], cusp: tuple[sp.Expr, ...]
-) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...]]:
-    """Omega^2 and the forcing's square at a fold with R from F_A = 0: no h_AA, which may be steep along A."""
-    half_F_A, _, _, level = cusp
-    (balanced,) = sp.solve(half_F_A.subs(X_, _w**2), R_)
-    (square,) = sp.solve((flow.R - R_).subs(Omega, sp.sqrt(_X)), _X)
-    of_flow = {T: slope(flow.R), _w: Omega}
-    claim("R where F_A = 0", ((R - balanced) * T).subs(of_flow) - flow.F_A.subs(I, flow.I) / 2)
-    return (*cusp_lets, (R_, balanced)), (square, level**2)
+        No h_AA, which may be steep along A.
+        """
+        (balanced,) = sp.solve(half_F_A.subs(X_, _w**2), R_)
+        (square,) = sp.solve((flow.R - R_).subs(Omega, sp.sqrt(_X)), _X)
+        of_flow = {T: slope(flow.R), _w: Omega}
+        claim("R where F_A = 0", ((R - balanced) * T).subs(of_flow) - flow.F_A.subs(I, flow.I) / 2)
+        return Lets([*of_X, (R_, balanced)], (square, level**2))
+
+    _scaled(of, quadratics, X, of_X)
 
 
-def _scaled(
-    flow: SlowFlow, cusps_lets: tuple[Let, ...], cusps: tuple[sp.Expr, ...], cusp: tuple[sp.Expr, ...]
-) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...], sp.Expr, tuple[Let, ...], tuple[sp.Expr, ...]]:
-    """The same as at cusps by kappa, rho and t, for h_AA other than 0.
+def _scaled(of: Formulas, quadratics: Lets, X: sp.Expr, of_X: list[Let]) -> None:
+    """The same as at cusps by kappa, rho and t, for h_AA other than 0: on a cell of amplitudes these vary by less.
 
     kappa stays between its value at one amplitude and -1/(2 + rho) as A rises from there, as A dkappa/dA = -1 -
     kappa (2 + rho).
@@ -430,11 +352,11 @@ def _scaled(
     claim("the slope of kappa", A * along_A + 1 + kappa * (2 + rho))
     by_scale = {k: kappa * A * unit, T: t * unit, R_: sum_ * A * unit, h_AAA: rho * h_AA / A, root: scaled_root * unit}
     half, constant, discriminant = (
-        sp.expand(value.subs(cusps_lets).subs(by_scale) / unit**power)
-        for value, power in ((cusps[0], 1), (cusps[1], 2), (cusps[4], 2))
+        sp.expand(quadratics.value[number].subs(quadratics.lets).subs(by_scale) / unit**power)
+        for number, power in ((0, 1), (1, 2), (4, 2))
     )
     claim("the discriminant without scale", half**2 - constant - discriminant)
-    _, less, along, level = (value.subs(by_scale) for value in cusp)
+    _, less, along, level = (value.subs(by_scale) for value in of.cusp)
     # on a cell that is wide in A, t and kappa vary by little: what they stand in is put beside the rest over A h_AA
     rest = sp.expand(less.coeff(_w)) * _w
     scaled_half_F_A = A * unit**2 * (sp.expand((less - rest) / (A * unit**2)) + rest / (A * unit**2))
@@ -448,24 +370,31 @@ def _scaled(
     scaled_bracket = leading + rest / unit
     scaled_along = A * unit * scaled_bracket * sp.Mul(*(factor for factor in factors if factor != bracket)) * _w
     claim("the slope of F_A without scale", scaled_along - along)
-    return (
-        ((_half_e, half),),
-        (_half_e, constant, _half_e**2 - constant),
-        _square_of(flow).subs(by_scale),
-        ((_w, sp.sqrt(X_)), (sum_, kappa + t)),
-        (scaled_half_F_A, scaled_along, level),
+    of.add(
+        "cusps_scaled",
+        Lets([(_half_e, half)], (_half_e, constant, _half_e**2 - constant)),
+        "F_AA/2 over (A h_AA)^2 as t^2 + 2 a t + b, t = dR/dA over A h_AA, kappa = k/(A^2 h_AA): a, b, a^2 - b.",
+        "from (33)",
+        "A > 0, h_AA other than 0",
     )
+    of.add("cusp_X", X.subs(by_scale), "Omega^2 by t (`cusps_scaled`).", "from (33)", "A > 0")
+    lets = [*of_X, (sum_, kappa + t)]
+    for name, value, text in (
+        ("", scaled_half_F_A, "Where F_AA = 0 (`cusps_scaled`): F_A/2, in the form that t and kappa leave narrowest."),
+        ("_level", level, "F_0 if the F_A/2 of `cusp_scaled` is 0."),
+        ("_slope", scaled_along, "Slope along A of the F_A/2 of `cusp_scaled`, root = a + t, rho = A h_AAA/h_AA."),
+    ):
+        of.add("cusp_scaled" + name, Lets(lets, value), text, "from (33)", "A > 0, X > 0, h_AA other than 0")
 
 
-def _turn(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...]]:
+def _turn(of: Formulas, flow: Formulas) -> None:
     """R = k/2 - drawn and A T = -k/2 - drawn: of the two factors h + A Omega^2 and h_A + Omega^2, which nearly cancel
     where damping is weak, only their difference k is left.
     """
     of_T = {R: k + A * T, h_A: T - Omega**2, I: flow.I}
     (balanced,) = sp.solve(flow.F_AOmega.subs(of_T), T)
     drawn = sp.factor(sp.expand(-A * balanced - k / 2))
-    if drawn.has(k):
-        raise ArithmeticError(f"what damping adds where F_AOmega = 0 depends on the spring: {drawn}")
+    claim("what damping adds where F_AOmega = 0 does not depend on the spring", not drawn.has(k))
     of_R, of_slope = k / 2 - _drawn, -(k / 2 + _drawn) / A
     damped = sp.factor((flow.F_A / 2).subs(R, 0))
     value = of_R * of_slope + damped
@@ -473,43 +402,64 @@ def _turn(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...]]:
     for one, whole in ((value, flow.F_A), (along, flow.F_AA)):
         left = one.subs(_drawn, drawn) - (whole / 2).subs(of_T).subs(T, balanced)
         claim("F_A and its slope where F_AOmega = 0", left.subs(I, flow.I))
-    return ((I, flow.I), (_drawn, drawn)), (value, along)
+    turn = Lets([(I, flow.I), (_drawn, drawn)], (value, along))
+    text = "F_A/2 where F_AOmega = 0, an extremum of F_A over Omega, and its slope along A."
+    of.add("turn", turn, text, "from (30)", "Omega > 0, A > 0")
 
 
-def _peak(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...]]:
-    """F, and F_A, which is -2 R (Omega^2 - h_A), with R from F_Omega = 0: R is negative."""
+def _peak(of: Formulas, flow: Formulas) -> None:
+    """With R from F_Omega = 0, which is negative, F_A is -2 R (Omega^2 - h_A)."""
     balanced = sp.expand(sp.solve(flow.F_Omega, R)[0].subs(I, flow.I))
     along = -2 * R * (Omega**2 - h_A)
     claim("F_A at an extremum of F over Omega", (flow.F_A - along).subs(R, balanced).subs(I, flow.I))
-    return ((R, balanced), (I, flow.I)), (flow.F, along)
+    peak = Lets([(R, balanced), (I, flow.I)], (flow.F, along))
+    text = "F where F_Omega = 0: an extremum of F over Omega, and its slope along A."
+    of.add("peak", peak, text, "from (24), (34)")
+
+    @of.kernel("from (34)")
+    def peak_Omega_A() -> sp.Expr:
+        """dOmega/dA along F_Omega = 0: what a rounding of A does to Omega at a peak.
+
+        -F_AOmega/F_OmegaOmega, in which m zeta cancels once R is the one of F_Omega = 0.
+        """
+        quotient = -flow.F_AOmega / flow.F_OmegaOmega
+        numerator, denominator = sp.fraction(sp.cancel(quotient.subs(R, balanced).subs(I, flow.I)))
+        return sp.factor(numerator) / denominator
 
 
-def _peak_Omega_A(flow: SlowFlow, lets: tuple[Let, ...]) -> sp.Expr:
-    """-F_AOmega/F_OmegaOmega, in which m zeta cancels once R is the one of F_Omega = 0."""
-    numerator, denominator = sp.fraction(sp.cancel((-flow.F_AOmega / flow.F_OmegaOmega).subs(lets[:1]).subs(lets[1:])))
-    return sp.factor(numerator) / denominator
-
-
-def _undamped(flow: SlowFlow) -> Undamped:
+def _undamped(of: Formulas, flow: Formulas) -> None:
     """F_A = 2 R (Omega^2 + h_A); on the second factor F_AA/2 = R h_AA."""
     factor, remainder = sp.div(sp.expand(flow.F_A), 2 * R, R)
-    if remainder != 0 or factor.has(R):
-        raise ArithmeticError(f"F_A has no factor R: {flow.F_A}")
-    square = sp.solve(factor.subs(Omega, sp.sqrt(_X)), _X)[0]
+    claim("F_A has the factor R", remainder == 0 and not factor.has(R))
+    (square,) = sp.solve(factor.subs(Omega, sp.sqrt(_X)), _X)
     first, remainder = sp.div(sp.expand(flow.F_AA.subs(Omega, sp.sqrt(square)) / 2), R, R)
-    if remainder != 0 or first.has(R):
-        raise ArithmeticError(f"F_AA has no factor R where F_A = 0: {flow.F_AA}")
+    claim("F_AA has the factor R where F_A = 0", remainder == 0 and not first.has(R))
     second = flow.R.subs(Omega**2, square)
+    at_fold = flow.F.subs({R: second, I: flow.I})
+    both = "from (24), (30)"
+    of.add("undamped_Omega", sp.sqrt(square), "Omega of the folds.", "from (30)", "h_A <= 0")
+
+    @of.kernel(both, "F_0 > m")
+    def fold() -> Lets:
+        """Zero at a fold at F_0, where h_A < 0: R^2 + I^2 - F_0^2 on the undamped folds, and its slope along A."""
+        lets = [(_excess, (F_0 - flow.I) * (F_0 + flow.I)), (_least, sp.sqrt(_excess))]
+        value = (k - _least) * (k + _least)
+        claim("F on the undamped folds", value.subs(reversed(lets)).subs(k, second) - at_fold)
+        return Lets(lets, (value, slope(value, {k: k_A})))
+
     # the level is stationary along the locus just where F_AA vanishes
     level = sp.sqrt(k**2 + flow.I**2)
-    claim("the undamped folds' level", level.subs(k, second) ** 2 - flow.F.subs({R: second, I: flow.I}) - F_0**2)
-    rises = -first * k
-    along_A = slope(level**2, {k: -A * h_AA})
-    claim("the level's slope along the undamped folds", along_A - 2 * A * rises)
-    bends = slope(along_A, {k: -A * h_AA}).subs(h_AA, 0) / (2 * A)
-    value = (k - _least) * (k + _least)
-    lets = ((_excess, (F_0 - flow.I) * (F_0 + flow.I)), (_least, sp.sqrt(_excess)))
-    at_fold = flow.F.subs({R: second, I: flow.I})
-    claim("F on the undamped folds", value.subs(reversed(lets)).subs(k, second) - at_fold)
-    fold = (value, slope(value, {k: k_A}))
-    return Undamped(sp.sqrt(square), lets, fold, level, (rises, bends), (first, slope(first), second, slope(second)))
+    claim("the undamped folds' level", level.subs(k, second) ** 2 - at_fold - F_0**2)
+    of.add("undamped_level", level, "The forcing of a fold, whose R is k.", both, "h_A <= 0")
+
+    @of.kernel(both, "h_A <= 0")
+    def undamped_rises() -> tuple[sp.Expr, ...]:
+        """The sign of the level's slope along A on the undamped folds; and, where that is 0, of the slope's own."""
+        rises = -first * k
+        along_A = slope(level**2, {k: -A * h_AA})
+        claim("the level's slope along the undamped folds", along_A - 2 * A * rises)
+        return rises, slope(along_A, {k: -A * h_AA}).subs(h_AA, 0) / (2 * A)
+
+    factors = (first, slope(first), second, slope(second))
+    text = "The factors of F_AA/2 at the folds, each with its slope along A: h_AA, R."
+    of.add("undamped", factors, text, "from (30), (33)", "A > 0")

@@ -1,6 +1,6 @@
 """Step 4 once more: the frequencies at an amplitude, as roots of two quartics that share the form of their derivative.
 
-In:  `SlowFlow` with all damping; the mechanism stays an open h(A).
+In:  the slow flow with all damping; the mechanism stays an open h(A).
 Out: `Frequencies`: both quartics in Omega with what a solver needs to count and to refine their positive roots.
 
 F = 0 and F_A/2 = 0 are depressed quartics, and so their derivatives are k times a depressed cubic A w^3 + p w + q in
@@ -14,7 +14,8 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..paper.slow_flow import I, R, SlowFlow
+from ..kernels import Formulas
+from ..paper.slow_flow import I, R
 from ..symbols import A, Omega, h
 
 #: factor of the cubic in a quartic's derivative
@@ -60,7 +61,7 @@ class Frequencies:
     discriminant: sp.Expr
 
 
-def frequencies(flow: SlowFlow) -> Frequencies:
+def frequencies(flow: Formulas) -> Frequencies:
     """All of it."""
     cubic = A * Omega**3 + p * Omega + q
     primitive = sp.integrate(cubic, (Omega, 0, Omega)).subs(q, sp.solve(cubic, q)[0])
@@ -76,7 +77,7 @@ def frequencies(flow: SlowFlow) -> Frequencies:
     )
 
 
-def _quartic(flow: SlowFlow, value: sp.Expr) -> Quartic:
+def _quartic(flow: Formulas, value: sp.Expr) -> Quartic:
     def whole(expression: sp.Expr) -> sp.Expr:
         return expression.subs({R: flow.R, I: flow.I})
 

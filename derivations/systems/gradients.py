@@ -95,7 +95,7 @@ SYSTEMS = tuple(_system(beside) for beside, _ in KINDS.values())
 class Curve:
     """The response (24), and by what it moves.
 
-    R, ..., transmissibility -- as in `SlowFlow`
+    R, ..., transmissibility -- as in `slow_flow`
     moved -- what a parameter does at a fixed A to each symbol of these
     rises -- derivatives by A of their symbols, beside those of h
     """

@@ -1,9 +1,9 @@
 """Steps 4 and on: Newton's method on the equations that define an answer, one step in closed form.
 
-In:  `SlowFlow`, and the isola points of `Damped`; the mechanism stays an open h(A).
-Out: `steps`, by the kind of answer what its unknowns change by, in R, I and the derivatives of h: J step = -f, where f
-     is what should vanish and J its Jacobian. Beside it `turn`, the share by which the slope of one of the equations
-     changes along the step: where that is no small number the step is not the last.
+In:  the slow flow, and isola points (`along`); the mechanism stays an open h(A).
+Out: `Formulas`, by the kind of answer what its unknowns change by, in R, I and the derivatives of h: J step = -f, where
+     f is what should vanish and J its Jacobian. Beside it `turn`, the share by which the slope of one of the equations
+     changes along the step: where that is no small number the step is not the last; 0 where it is no equation's.
 
     state        F = 0               A at Omega and F_0
     fold         F = F_A = 0         Omega and A at F_0
@@ -21,30 +21,14 @@ few digits are enough.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import sympy as sp
 
-from ..paper.slow_flow import I, SlowFlow, slope
-from ..symbols import F_0, A, Omega
-from .along import Damped
+from ..kernels import Formulas, Lets
+from ..paper.slow_flow import I, R, m, slope
+from ..symbols import F_0, A, Omega, h, h_A, h_AA, h_AAA, zeta
 
-
-@dataclass(frozen=True)
-class Step:
-    """In the derivatives of F.
-
-    lets    -- these derivatives, and those of what stands for them, in R, I, h and the derivatives of h
-    values  -- those of them that should vanish
-    changes -- of the unknowns, in the order of `EQUATIONS`
-    turn    -- as above; 0 where the slope is no equation of any answer
-    """
-
-    lets: tuple[tuple[sp.Symbol, sp.Expr], ...]
-    values: tuple[sp.Symbol, ...]
-    changes: tuple[sp.Expr, ...]
-    turn: sp.Expr
-
+#: of every step, of which most need few
+ARGUMENTS = (Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA)
 
 #: by the answer: what vanishes, that from which F_0 is had last; in which unknowns; which of it turns first
 EQUATIONS = {
@@ -68,29 +52,37 @@ ALONG = {
 }
 
 
-def steps(flow: SlowFlow, damped: Damped) -> dict[str, Step]:
-    """By the kind of answer."""
-    known = _known(flow, damped)
-    return {kind: _step(known, *stated) for kind, stated in EQUATIONS.items()}
+def steps(flow: Formulas, along: Formulas) -> Formulas:
+    """All of them."""
+    of, known = Formulas(ARGUMENTS, {R: flow.R, I: flow.I}), _known(flow, along)
+    for kind, (_, unknowns, _) in EQUATIONS.items():
+        changed = ", ".join(str(unknown) for unknown in unknowns)
+        text = f"By what {changed} change at a {kind}, and how far that is from linear."
+        values, step = _step(known, *EQUATIONS[kind])
+        step = Lets([*of.lets.items(), *step.lets], step.value)
+        of.add(f"{kind}_step", step, text, "from (24)", arguments=ARGUMENTS, to_pairs=values)
+    return of
 
 
-def _known(flow: SlowFlow, damped: Damped) -> dict[str, sp.Expr]:
+def _known(flow: Formulas, along: Formulas) -> dict[str, sp.Expr]:
     """F, what stands for it and for F_A at an isola point, which are free of R, and their derivatives, by name."""
 
-    def along(expression: sp.Expr, unknown: sp.Symbol) -> sp.Expr:
+    def moved(expression: sp.Expr, unknown: sp.Symbol) -> sp.Expr:
         if unknown == A:
             return slope(expression, {I: sp.diff(flow.I, A)})
         return sp.diff(expression, Omega) + sp.diff(expression, I) * sp.diff(flow.I, Omega)
 
-    known = {"turns": damped.isola_turns, "excess": damped.isola_excess}
+    known = {"turns": along.isola_turns, "excess": along.isola_excess}
     for name, expression in list(known.items()):
         for unknown, slope_of_it in zip((A, Omega), ALONG[name], strict=True):
-            known[slope_of_it] = sp.factor_terms(along(expression, unknown))
+            known[slope_of_it] = sp.factor_terms(moved(expression, unknown))
     return {**vars(flow), **known}
 
 
-def _step(known: dict[str, sp.Expr], equations: tuple[str, ...], unknowns: tuple[sp.Symbol, ...], turning: str) -> Step:
-    """By Cramer's rule, the derivatives being names; F_0, which is in one equation alone, from the others."""
+def _step(
+    known: dict[str, sp.Expr], equations: tuple[str, ...], unknowns: tuple[sp.Symbol, ...], turning: str
+) -> tuple[tuple[sp.Symbol, ...], Lets]:
+    """What should vanish; and the step by Cramer's rule, the derivatives being names. F_0 is in one equation alone."""
 
     def slope_of(equation: str, unknown: sp.Symbol) -> str:
         return ALONG[equation][unknown == Omega]
@@ -120,5 +112,4 @@ def _step(known: dict[str, sp.Expr], equations: tuple[str, ...], unknowns: tuple
     if first in ALONG:
         turned = sum(named(slope_of(first, x)) * change for x, change in zip(moved, changes, strict=False))
         turn = turned / named(first)
-    lets = tuple((symbol, known[name]) for name, symbol in names.items())
-    return Step(lets, tuple(vanish), tuple(changes), turn)
+    return tuple(vanish), Lets([(symbol, known[name]) for name, symbol in names.items()], (*changes, turn))

@@ -1,7 +1,7 @@
 """Beside (24), (30): how frequency and forcing change along the response and along the fold locus.
 
-In:  `SlowFlow`; the mechanism stays an open h(A).
-Out: `Slopes`, in R, I and the derivatives of F, whose values are `lets`.
+In:  the slow flow; the mechanism stays an open h(A).
+Out: `Formulas` in R, I and the derivatives of F, whose values are lets.
 
 By implicit differentiation of an open F(A, Omega), with the level L^2 = F + F_0^2 of a state:
 
@@ -13,17 +13,15 @@ By implicit differentiation of an open F(A, Omega), with the level L^2 = F + F_0
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
 
 import sympy as sp
 
 from ..claims import claim
-from ..paper.slow_flow import I, R, SlowFlow, m, slope
+from ..kernels import Formulas, Let, Lets
+from ..paper.slow_flow import ORDER, I, R, m, slope
 from ..symbols import F_0, A, Omega, h, h_A
 from .along import T
-
-Let = tuple[sp.Symbol, sp.Expr]
 
 _F = sp.Function("F")(A, Omega)
 _square = sp.Symbol("square", real=True)
@@ -38,88 +36,71 @@ def _named(a: int, w: int) -> sp.Symbol:
 DERIVATIVES = {(a, w): _named(a, w) for a in range(4) for w in range(4 - a)}
 
 
-@dataclass(frozen=True)
-class Slopes:
-    """In the derivatives of F.
-
-    values  -- of these derivatives, in R, I, h and the derivatives of h
-    Omega_A -- slope of the response
-    level   -- d L^2/dA along the fold locus, times F_AOmega^2
-    cusp, isola -- d^2 L^2/dA^2 along the fold locus at a cusp and at an isola point, times F_AOmega^2 (and over A)
-    determinant, isola_by_it -- of F's second derivatives, negative at a saddle; and `isola` by these
-    hessian -- the determinant at an isola point, where it has the factors R and I
-    at_isola -- what R and h_A are there: if damping is weak h and Omega have few digits of R
-    at_cusp -- what R, I and h_A are at a cusp, by T = dR/dA, for the same reason
-    tail    -- an amplitude on the branch that comes from A = 0, in its lets
-    """
-
-    values: dict[sp.Symbol, sp.Expr]
-    Omega_A: sp.Expr
-    level: sp.Expr
-    cusp: sp.Expr
-    isola: sp.Expr
-    determinant: sp.Expr
-    isola_by_it: sp.Expr
-    hessian: sp.Expr
-    at_isola: dict[sp.Symbol, sp.Expr]
-    at_cusp: dict[sp.Symbol, sp.Expr]
-    tail_lets: tuple[Let, ...]
-    tail: sp.Expr
-
-
-def slopes(flow: SlowFlow) -> Slopes:
+def slopes(flow: Formulas) -> Formulas:
     """All of it."""
     F_A, F_AA, F_AAA = (DERIVATIVES[a, 0] for a in range(1, 4))
     F_Omega, F_OmegaOmega, F_AOmega = DERIVATIVES[0, 1], DERIVATIVES[0, 2], DERIVATIVES[1, 1]
-    on_response = -sp.diff(_F, A) / sp.diff(_F, Omega)
     on_locus = -sp.diff(_F, A, 2) / sp.diff(_F, A, Omega)
+    of, both = Formulas((*ORDER, T)), "from (24), (30)"
 
     def along_locus(expression: sp.Expr) -> sp.Expr:
         return sp.diff(expression, A) + sp.diff(expression, Omega) * on_locus
 
+    def in_derivatives(value: sp.Expr, there: Mapping[sp.Symbol, sp.Expr] = {}) -> Lets:
+        """there: what R, I and h_A are at the points where it is asked, as far as it is more than anywhere else"""
+        known = {symbol: whole for symbol, whole in there.items() if symbol != R}
+        of_flow = {one: getattr(flow, one.name) for one in (F_A, F_AA, F_AAA, F_Omega, F_AOmega, F_OmegaOmega)}
+        values = {symbol: whole for symbol, whole in of_flow.items() if value.has(symbol)}
+        if known:
+            values = {symbol: sp.factor(whole.subs(h_A, known[h_A]).subs(known)) for symbol, whole in values.items()}
+        anywhere = {R: flow.R, I: flow.I} if R not in there else {I: flow.I, R: there[R]}
+        lets = {symbol: whole for symbol, whole in anywhere.items() if symbol not in known} | values
+        return Lets([*lets.items()], value)
+
+    on_response = _in_symbols(-sp.diff(_F, A) / sp.diff(_F, Omega))
+    of.add("Omega_A", in_derivatives(on_response), "dOmega/dA along the response.", "from (24)")
+
+    # of L^2 along the fold locus: first and second derivative, times F_AOmega^2 (and over A)
     rise, bend = (_in_symbols(value).subs(F_A, 0) for value in (along_locus(_F), along_locus(along_locus(_F))))
-    hessian_lets, of_flow = hessian(flow.F_AA * flow.F_OmegaOmega - flow.F_AOmega**2, flow.R, flow.I)
-    determinant = _in_symbols(sp.hessian(_F, (A, Omega)).det())
+    text = "Positive where the level rises with A along the fold locus, negative where it falls."
+    of.add("level_rise", in_derivatives(rise * F_AOmega**2), text, both)
+    of_cusp = in_derivatives(sp.factor(bend.subs(F_AA, 0) * F_AOmega**2 / A), _at_cusp(flow))
+    text = "Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum; T = dR/dA."
+    of.add("cusp_bend", of_cusp, text, both)
+
+    # F's second derivatives, negative at a saddle; at an isola point this has the factors R and I
+    of.determinant = _in_symbols(sp.hessian(_F, (A, Omega)).det())
+    lets, value = hessian(flow.F_AA * flow.F_OmegaOmega - flow.F_AOmega**2, flow.R, flow.I)
     at_isola = _at_isola(flow)
-    of_flow = sp.factor(of_flow.subs(hessian_lets).subs(at_isola).subs(I, flow.I))
+    value = sp.factor(value.subs(lets).subs(at_isola).subs(I, flow.I))
     isola = sp.factor(bend.subs(F_Omega, 0) * F_AOmega**2)
-    of_hessian, remainder = sp.div(isola, determinant, F_AA)
+    of_hessian, remainder = sp.div(isola, of.determinant, F_AA)
     claim("the bend at an isola point is a multiple of the determinant", remainder, eq="from (24)")
-    amplitude = sp.Symbol("amplitude", nonnegative=True)
-    (tail,) = sp.solve(flow.R.subs(h, A).subs(A, amplitude) - R, amplitude)
-    return Slopes(
-        values={
-            F_A: flow.F_A,
-            F_AA: flow.F_AA,
-            F_AAA: flow.F_AAA,
-            F_Omega: flow.F_Omega,
-            F_AOmega: flow.F_AOmega,
-            F_OmegaOmega: flow.F_OmegaOmega,
-        },
-        Omega_A=_in_symbols(on_response),
-        level=rise * F_AOmega**2,
-        cusp=sp.factor(bend.subs(F_AA, 0) * F_AOmega**2 / A),
-        isola=of_hessian * of_flow,
-        determinant=determinant,
-        isola_by_it=of_hessian * determinant,
-        hessian=of_flow,
-        at_isola=at_isola,
-        at_cusp=_at_cusp(flow),
+    of.isola_by_it = of_hessian * of.determinant
+    of.add("isola_bend", in_derivatives(of_hessian * value, at_isola), "The same at an isola point.", both)
+    text = "F_AA F_OmegaOmega - F_AOmega^2 at an isola point: negative at a saddle."
+    of.add("isola_hessian", value, text, both)
+
+    @of.kernel("from (24)", "Omega > 0, F_0 >= m")
+    def tail() -> Lets:
+        """An amplitude of the size of that far above resonance."""
+        amplitude = sp.Symbol("amplitude", nonnegative=True)
+        (value,) = sp.solve(flow.R.subs(h, A).subs(A, amplitude) - R, amplitude)
         # the root of a product, which SymPy would take apart
-        tail_lets=((_square, (F_0 - m) * (F_0 + m)),),
-        tail=tail.subs(R, sp.sqrt(_square)),
-    )
+        return Lets([(_square, (F_0 - m) * (F_0 + m))], value.subs(R, sp.sqrt(_square)))
+
+    return of
 
 
-def _at_isola(flow: SlowFlow) -> dict[sp.Symbol, sp.Expr]:
-    """R from F_Omega = 0, and h_A with it from F_A = 0."""
+def _at_isola(flow: Formulas) -> dict[sp.Symbol, sp.Expr]:
+    """R from F_Omega = 0, and h_A with it from F_A = 0: if damping is weak h and Omega have few digits of R."""
     (of_R,) = sp.solve(flow.F_Omega, R)
     (of_h_A,) = sp.solve(flow.F_A.subs(R, of_R), h_A)
     return {R: of_R, h_A: sp.cancel(of_h_A)}
 
 
-def _at_cusp(flow: SlowFlow) -> dict[sp.Symbol, sp.Expr]:
-    """R from F_AA = 0, I with it from F_A = 0, and h_A from T."""
+def _at_cusp(flow: Formulas) -> dict[sp.Symbol, sp.Expr]:
+    """R from F_AA = 0, I with it from F_A = 0, and h_A from T, for the same reason."""
     (of_T,) = sp.solve(slope(flow.R) - T, h_A)
     (of_R,) = sp.solve(flow.F_AA.subs(h_A, of_T), R)
     (of_I,) = sp.solve(flow.F_A.subs(h_A, of_T), I)

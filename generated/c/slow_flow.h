@@ -1,7 +1,7 @@
 /* Slow flow of any mechanism, in h = H - A and its derivatives.
 
    Written by `make derive`; never edit.
-   Input: none but the equation of motion in derivations/paper/averaging.py, derivations/paper/slow_flow.py, derivations/asymmetric/offset.py, derivations/systems/along.py, derivations/systems/slopes.py, derivations/systems/bounds.py, derivations/systems/newton.py, derivations/paper/critical_forcings.py
+   Input: none but the equation of motion in derivations/paper/averaging.py, derivations/paper/slow_flow.py, derivations/asymmetric/offset.py, derivations/systems/along.py, derivations/systems/slopes.py, derivations/systems/newton.py, derivations/paper/critical_forcings.py
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
@@ -113,6 +113,16 @@ SF_KERNEL double slow_flow_F_AOmega(double Omega, double A, double m, double zet
     return 4.0 * (I_ * zeta + Omega * R + t1 * (h_A + t0) + t2 * zeta * zeta);
 }
 
+/* d2F/dOmega2.
+   Equation (24). Domain: Omega > 0, A > 0. Operations: 11.
+   Proved, error / u (1 + kappa): 2.67 */
+SF_KERNEL double slow_flow_F_OmegaOmega(double Omega, double A, double zeta, double h)
+{
+    const double t0 = A * Omega * Omega;
+    const double R = h + t0;
+    return 4.0 * A * (2.0 * A * zeta * zeta + R + 2.0 * t0);
+}
+
 /* Phase phi of a steady state, from -pi to 0.
    Equation (25). Domain: Omega > 0, A > 0. Operations: 8.
    Measured, error / u (1 + kappa): 0.87 */
@@ -207,43 +217,6 @@ SF_KERNEL void slow_flow_jacobian(double Omega, double A, double m, double zeta,
     out[3] = t2 * (-2.0 * A * Omega * zeta - m);
 }
 
-/* Mean of the stiffness over a cycle of a motion about u = 0, which stays about it where this is positive.
-   Equation beside (30). Domain: A > 0. Operations: 4.
-   Proved, error / u (1 + kappa): 1.01 */
-SF_KERNEL double slow_flow_mean_stiffness(double A, double h, double h_A)
-{
-    return -0.5 * h_A - 0.5 * h / A;
-}
-
-/* What carries a small mean offset back; where the mean stiffness is negative this decides.
-   Equation beside (30). Domain: Omega > 0, A > 0.
-   over: 18 operations.
-   apart: 14 operations.
-   Measured, error / u (1 + kappa): 2 */
-SF_KERNEL double slow_flow_offset_stiffness_over(double Omega, double A, double h, double h_A)
-{
-    const double t0 = Omega * Omega;
-    const double t1 = 1.0 / A;
-    const double t2 = h * t1;
-    const double t3 = 4.0 * t0;
-    return (h_A * (0.5 * h_A - 3.0 * t2 - t3) + t2 * (0.5 * h * t1 - t3)) / (h_A + 8.0 * t0 + t2);
-}
-
-SF_KERNEL double slow_flow_offset_stiffness_apart(double Omega, double A, double h, double h_A)
-{
-    const double t0 = 1.0 / A;
-    const double t1 = h * t0;
-    const double t2 = h * t0 - h_A;
-    return -0.5 * h_A - 0.5 * t1 + t2 * t2 / (8.0 * Omega * Omega + h_A + t1);
-}
-
-SF_KERNEL double slow_flow_offset_stiffness(double Omega, double A, double h, double h_A)
-{
-    if (0.5 * fabs(h_A) + 0.5 * fabs(h) / A <= fabs(8.0 * Omega * Omega + h_A + h / A))
-        return slow_flow_offset_stiffness_over(Omega, A, h, h_A);
-    return slow_flow_offset_stiffness_apart(Omega, A, h, h_A);
-}
-
 /* 4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
    Equation (30). Domain: Omega > 0, A > 0. Operations: 12.
    Measured, error / u (1 + kappa): 1.1 */
@@ -314,16 +287,6 @@ SF_KERNEL void slow_flow_detachment(double A, double m, double zeta, double h, d
     out[3] = 1.0;
 }
 
-/* d2F/dOmega2.
-   Equation (24). Domain: Omega > 0, A > 0. Operations: 11.
-   Proved, error / u (1 + kappa): 2.67 */
-SF_KERNEL double slow_flow_F_OmegaOmega(double Omega, double A, double zeta, double h)
-{
-    const double t0 = A * Omega * Omega;
-    const double R = h + t0;
-    return 4.0 * A * (2.0 * A * zeta * zeta + R + 2.0 * t0);
-}
-
 /* The forcing F_0 for which (Omega, A) is a steady state.
    Equation (24). Domain: Omega >= 0, A > 0. Operations: 11.
    Measured, error / u (1 + kappa): 1.4 */
@@ -346,6 +309,14 @@ SF_KERNEL void slow_flow_rest(double F_0, double m, double h, double h_A, double
     out[2] = h_A;
 }
 
+/* The |h| of a state at Omega = 0, and the least |h - A h_A| of a fold.
+   Equation from (24), (30). Domain: F_0 >= m. Operations: 5.
+   Measured, error / u (1 + kappa): 1.1 */
+SF_KERNEL double slow_flow_least_restoring(double F_0, double m)
+{
+    return sqrt(F_0 - m) * sqrt(F_0 + m);
+}
+
 /* k = h - A h_A, where the tangent of h meets A = 0, and its slope along A.
    Equation from (24), (30). Domain: A >= 0. Operations: 3.
    Proved, error / u (1 + kappa): 1.01, 0.34 */
@@ -353,6 +324,16 @@ SF_KERNEL void slow_flow_intercept(double A, double h, double h_A, double h_AA, 
 {
     out[0] = -A * h_A + h;
     out[1] = -A * h_AA;
+}
+
+/* The largest |h| of a state with this amplitude: F_0 + (A Omega)^2/A at the highest Omega.
+   Equation from (23). Domain: A > 0, F_0 >= m, zeta > 0. Operations: 6.
+   Measured, error / u (1 + kappa): 0.85 */
+SF_KERNEL double slow_flow_most_restoring(double A, double F_0, double m, double zeta)
+{
+    const double c = -0.5 * (-F_0 + m) / zeta;
+    const double fastest = c / A;
+    return F_0 + c * fastest;
 }
 
 /* Zero at a fold at F_0: R of (23) less the R of F = F_A = 0; its slope along A, and Omega.
@@ -517,6 +498,43 @@ SF_KERNEL double slow_flow_peak_Omega_A(double Omega, double A, double m, double
     return Omega2 * (Omega2 + h_A + 2.0 * zeta * zeta) / (-2.0 * A * Omega3 + m * zeta);
 }
 
+/* Mean of the stiffness over a cycle of a motion about u = 0, which stays about it where this is positive.
+   Equation beside (30). Domain: A > 0. Operations: 4.
+   Proved, error / u (1 + kappa): 1.01 */
+SF_KERNEL double slow_flow_mean_stiffness(double A, double h, double h_A)
+{
+    return -0.5 * h_A - 0.5 * h / A;
+}
+
+/* What carries a small mean offset back; where the mean stiffness is negative this decides.
+   Equation beside (30). Domain: Omega > 0, A > 0.
+   over: 18 operations.
+   apart: 14 operations.
+   Measured, error / u (1 + kappa): 2 */
+SF_KERNEL double slow_flow_offset_stiffness_over(double Omega, double A, double h, double h_A)
+{
+    const double t0 = Omega * Omega;
+    const double t1 = 1.0 / A;
+    const double t2 = h * t1;
+    const double t3 = 4.0 * t0;
+    return (h_A * (0.5 * h_A - 3.0 * t2 - t3) + t2 * (0.5 * h * t1 - t3)) / (h_A + 8.0 * t0 + t2);
+}
+
+SF_KERNEL double slow_flow_offset_stiffness_apart(double Omega, double A, double h, double h_A)
+{
+    const double t0 = 1.0 / A;
+    const double t1 = h * t0;
+    const double t2 = h * t0 - h_A;
+    return -0.5 * h_A - 0.5 * t1 + t2 * t2 / (8.0 * Omega * Omega + h_A + t1);
+}
+
+SF_KERNEL double slow_flow_offset_stiffness(double Omega, double A, double h, double h_A)
+{
+    if (0.5 * fabs(h_A) + 0.5 * fabs(h) / A <= fabs(8.0 * Omega * Omega + h_A + h / A))
+        return slow_flow_offset_stiffness_over(Omega, A, h, h_A);
+    return slow_flow_offset_stiffness_apart(Omega, A, h, h_A);
+}
+
 /* dOmega/dA along the response.
    Equation from (24). Domain: Omega > 0, A > 0. Operations: 18.
    Measured, error / u (1 + kappa): 1.9 */
@@ -606,24 +624,6 @@ SF_KERNEL double slow_flow_tail(double Omega, double F_0, double m)
 {
     const double square = (F_0 - m) * (F_0 + m);
     return sqrt(square) / (Omega * Omega + 1.0);
-}
-
-/* The largest |h| of a state with this amplitude: F_0 + (A Omega)^2/A at the highest Omega.
-   Equation from (23). Domain: A > 0, F_0 >= m, zeta > 0. Operations: 6.
-   Measured, error / u (1 + kappa): 0.85 */
-SF_KERNEL double slow_flow_most_restoring(double A, double F_0, double m, double zeta)
-{
-    const double c = -0.5 * (-F_0 + m) / zeta;
-    const double fastest = c / A;
-    return F_0 + c * fastest;
-}
-
-/* The |h| of a state at Omega = 0, and the least |h - A h_A| of a fold.
-   Equation from (24), (30). Domain: F_0 >= m. Operations: 5.
-   Measured, error / u (1 + kappa): 1.1 */
-SF_KERNEL double slow_flow_least_restoring(double F_0, double m)
-{
-    return sqrt(F_0 - m) * sqrt(F_0 + m);
 }
 
 #if defined(__GNUC__)

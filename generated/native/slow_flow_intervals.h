@@ -1,7 +1,7 @@
 /* Slow flow of any mechanism, in h = H - A and its derivatives: on whole intervals.
 
    Written by `make derive`; never edit.
-   Input: none but the equation of motion in derivations/paper/averaging.py, derivations/paper/slow_flow.py, derivations/asymmetric/offset.py, derivations/systems/along.py, derivations/systems/slopes.py, derivations/systems/bounds.py, derivations/systems/newton.py, derivations/paper/critical_forcings.py
+   Input: none but the equation of motion in derivations/paper/averaging.py, derivations/paper/slow_flow.py, derivations/asymmetric/offset.py, derivations/systems/along.py, derivations/systems/slopes.py, derivations/systems/newton.py, derivations/paper/critical_forcings.py
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
    Each output holds every value that the function of the same name takes on the arguments; `out` takes the outputs. */
@@ -84,6 +84,16 @@ static inline sf_interval slow_flow_intervals_F_AOmega(sf_interval Omega, sf_int
         sfi_add(h_A, t0))), sfi_mul(t2, sfi_square(zeta))));
 }
 
+/* d2F/dOmega2.
+   Equation (24). Domain: Omega > 0, A > 0. */
+static inline sf_interval slow_flow_intervals_F_OmegaOmega(sf_interval Omega, sf_interval A, sf_interval zeta, sf_interval h)
+{
+    const sf_interval t0 = sfi_mul(A, sfi_square(Omega));
+    const sf_interval R = sfi_add(h, t0);
+    return sfi_times(4.0, sfi_mul(A, sfi_add(sfi_add(sfi_times(2.0, sfi_mul(A, sfi_square(zeta))), R),
+        sfi_times(2.0, t0))));
+}
+
 /* Frequency on the backbone.
    Equation (26). Domain: A > 0, h <= 0. */
 static inline sf_interval slow_flow_intervals_backbone(sf_interval A, sf_interval h)
@@ -111,16 +121,6 @@ static inline void slow_flow_intervals_peak_cubic(sf_interval A, sf_interval m, 
     out[2] = A;
 }
 
-/* d2F/dOmega2.
-   Equation (24). Domain: Omega > 0, A > 0. */
-static inline sf_interval slow_flow_intervals_F_OmegaOmega(sf_interval Omega, sf_interval A, sf_interval zeta, sf_interval h)
-{
-    const sf_interval t0 = sfi_mul(A, sfi_square(Omega));
-    const sf_interval R = sfi_add(h, t0);
-    return sfi_times(4.0, sfi_mul(A, sfi_add(sfi_add(sfi_times(2.0, sfi_mul(A, sfi_square(zeta))), R),
-        sfi_times(2.0, t0))));
-}
-
 /* The forcing F_0 for which (Omega, A) is a steady state.
    Equation (24). Domain: Omega >= 0, A > 0. */
 static inline sf_interval slow_flow_intervals_level(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h)
@@ -130,12 +130,28 @@ static inline sf_interval slow_flow_intervals_level(sf_interval Omega, sf_interv
     return sfi_sqrt(sfi_add(sfi_square(I_), sfi_square(R)));
 }
 
+/* The |h| of a state at Omega = 0, and the least |h - A h_A| of a fold.
+   Equation from (24), (30). Domain: F_0 >= m. */
+static inline sf_interval slow_flow_intervals_least_restoring(sf_interval F_0, sf_interval m)
+{
+    return sfi_mul(sfi_sqrt(sfi_sub(F_0, m)), sfi_sqrt(sfi_add(F_0, m)));
+}
+
 /* k = h - A h_A, where the tangent of h meets A = 0, and its slope along A.
    Equation from (24), (30). Domain: A >= 0. */
 static inline void slow_flow_intervals_intercept(sf_interval A, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval *out)
 {
     out[0] = sfi_add(sfi_neg(sfi_mul(A, h_A)), h);
     out[1] = sfi_neg(sfi_mul(A, h_AA));
+}
+
+/* The largest |h| of a state with this amplitude: F_0 + (A Omega)^2/A at the highest Omega.
+   Equation from (23). Domain: A > 0, F_0 >= m, zeta > 0. */
+static inline sf_interval slow_flow_intervals_most_restoring(sf_interval A, sf_interval F_0, sf_interval m, sf_interval zeta)
+{
+    const sf_interval c = sfi_neg(sfi_div(sfi_times(0.5, sfi_add(sfi_neg(F_0), m)), zeta));
+    const sf_interval fastest = sfi_div(c, A);
+    return sfi_add(F_0, sfi_mul(c, fastest));
 }
 
 /* Zero at a fold at F_0: R of (23) less the R of F = F_A = 0; its slope along A, and Omega.
@@ -297,22 +313,6 @@ static inline sf_interval slow_flow_intervals_isola_bend(sf_interval Omega, sf_i
     return sfi_div(sfi_times(8.0, sfi_mul(sfi_mul(sfi_mul(sfi_mul(A, F_AA), t1), zeta),
         sfi_add(sfi_sub(sfi_sub(sfi_neg(sfi_mul(sfi_mul(Omega3, h_AA), t0)), sfi_mul(Omega3, t2)), sfi_times(4.0,
         Omega5)), sfi_mul(sfi_mul(h_AA, m), zeta)))), Omega2);
-}
-
-/* The largest |h| of a state with this amplitude: F_0 + (A Omega)^2/A at the highest Omega.
-   Equation from (23). Domain: A > 0, F_0 >= m, zeta > 0. */
-static inline sf_interval slow_flow_intervals_most_restoring(sf_interval A, sf_interval F_0, sf_interval m, sf_interval zeta)
-{
-    const sf_interval c = sfi_neg(sfi_div(sfi_times(0.5, sfi_add(sfi_neg(F_0), m)), zeta));
-    const sf_interval fastest = sfi_div(c, A);
-    return sfi_add(F_0, sfi_mul(c, fastest));
-}
-
-/* The |h| of a state at Omega = 0, and the least |h - A h_A| of a fold.
-   Equation from (24), (30). Domain: F_0 >= m. */
-static inline sf_interval slow_flow_intervals_least_restoring(sf_interval F_0, sf_interval m)
-{
-    return sfi_mul(sfi_sqrt(sfi_sub(F_0, m)), sfi_sqrt(sfi_add(F_0, m)));
 }
 
 /* F_Omega/(4 A), without the factor Omega if it has that, and its slope along Omega.

@@ -1,7 +1,7 @@
 """Slow flow of any mechanism, in h = H - A and its derivatives.
 
 Written by `make derive`; never edit.
-Input: none but the equation of motion in derivations/paper/averaging.py, derivations/paper/slow_flow.py, derivations/asymmetric/offset.py, derivations/systems/along.py, derivations/systems/slopes.py, derivations/systems/bounds.py, derivations/systems/newton.py, derivations/paper/critical_forcings.py
+Input: none but the equation of motion in derivations/paper/averaging.py, derivations/paper/slow_flow.py, derivations/asymmetric/offset.py, derivations/systems/along.py, derivations/systems/slopes.py, derivations/systems/newton.py, derivations/paper/critical_forcings.py
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each
@@ -140,6 +140,18 @@ def F_AOmega(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: A
     return 4.0 * (I * zeta + Omega * R + t1 * (h_A + t0) + t2 * zeta * zeta)
 
 
+def F_OmegaOmega(Omega: ArrayLike, A: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> Any:
+    """d2F/dOmega2.
+
+    Equation (24). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast. Operations: 11.
+    Proved, error / u (1 + kappa): 2.67
+    """
+    Omega, A, zeta, h = floats(Omega, A, zeta, h)
+    t0 = A * Omega * Omega
+    R = h + t0
+    return 4.0 * A * (2.0 * A * zeta * zeta + R + 2.0 * t0)
+
+
 def phase(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> Any:
     """Phase phi of a steady state, from -pi to 0.
 
@@ -252,46 +264,6 @@ def jacobian(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: A
     )
 
 
-def mean_stiffness(A: ArrayLike, h: ArrayLike, h_A: ArrayLike) -> Any:
-    """Mean of the stiffness over a cycle of a motion about u = 0, which stays about it where this is positive.
-
-    Equation beside (30). Domain: A > 0. Shape: as the arguments broadcast. Operations: 4.
-    Proved, error / u (1 + kappa): 1.01
-    """
-    A, h, h_A = floats(A, h, h_A)
-    return -0.5 * h_A - 0.5 * h / A
-
-
-def _offset_stiffness_over(Omega, A, h, h_A):
-    # 18 operations
-    t0 = Omega * Omega
-    t1 = 1.0 / A
-    t2 = h * t1
-    t3 = 4.0 * t0
-    return (h_A * (0.5 * h_A - 3.0 * t2 - t3) + t2 * (0.5 * h * t1 - t3)) / (h_A + 8.0 * t0 + t2)
-
-
-def _offset_stiffness_apart(Omega, A, h, h_A):
-    # 14 operations
-    t0 = 1.0 / A
-    t1 = h * t0
-    t2 = h * t0 - h_A
-    return -0.5 * h_A - 0.5 * t1 + t2 * t2 / (8.0 * Omega * Omega + h_A + t1)
-
-
-def offset_stiffness(Omega: ArrayLike, A: ArrayLike, h: ArrayLike, h_A: ArrayLike) -> Any:
-    """What carries a small mean offset back; where the mean stiffness is negative this decides.
-
-    Equation beside (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
-    Measured, error / u (1 + kappa): 2
-    """
-    arguments = floats(Omega, A, h, h_A)
-    Omega, A, h, h_A = arguments
-    guards = (0.5 * np.abs(h_A) + 0.5 * np.abs(h) / A <= np.abs(8.0 * Omega * Omega + h_A + h / A),)
-    bodies = (_offset_stiffness_over, _offset_stiffness_apart)
-    return number_by_regime(guards, bodies, arguments)
-
-
 def stability(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike) -> Any:
     """4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
 
@@ -386,18 +358,6 @@ def detachment(A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> Flo
     )
 
 
-def F_OmegaOmega(Omega: ArrayLike, A: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> Any:
-    """d2F/dOmega2.
-
-    Equation (24). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast. Operations: 11.
-    Proved, error / u (1 + kappa): 2.67
-    """
-    Omega, A, zeta, h = floats(Omega, A, zeta, h)
-    t0 = A * Omega * Omega
-    R = h + t0
-    return 4.0 * A * (2.0 * A * zeta * zeta + R + 2.0 * t0)
-
-
 def level(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> Any:
     """The forcing F_0 for which (Omega, A) is a steady state.
 
@@ -427,6 +387,16 @@ def rest(F_0: ArrayLike, m: ArrayLike, h: ArrayLike, h_A: ArrayLike) -> tuple[An
     )
 
 
+def least_restoring(F_0: ArrayLike, m: ArrayLike) -> Any:
+    """The |h| of a state at Omega = 0, and the least |h - A h_A| of a fold.
+
+    Equation from (24), (30). Domain: F_0 >= m. Shape: as the arguments broadcast. Operations: 5.
+    Measured, error / u (1 + kappa): 1.1
+    """
+    F_0, m = floats(F_0, m)
+    return np.sqrt(F_0 - m) * np.sqrt(F_0 + m)
+
+
 def intercept(A: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike) -> tuple[Any, Any]:
     """k = h - A h_A, where the tangent of h meets A = 0, and its slope along A.
 
@@ -439,6 +409,18 @@ def intercept(A: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike) -> tu
         full(-A * h_A + h, shape),
         full(-A * h_AA, shape),
     )
+
+
+def most_restoring(A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike) -> Any:
+    """The largest |h| of a state with this amplitude: F_0 + (A Omega)^2/A at the highest Omega.
+
+    Equation from (23). Domain: A > 0, F_0 >= m, zeta > 0. Shape: as the arguments broadcast. Operations: 6.
+    Measured, error / u (1 + kappa): 0.85
+    """
+    A, F_0, m, zeta = floats(A, F_0, m, zeta)
+    c = -0.5 * (-F_0 + m) / zeta
+    fastest = c / A
+    return F_0 + c * fastest
 
 
 def fold(A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, k: ArrayLike, k_A: ArrayLike) -> tuple[Any, Any, Any]:
@@ -660,6 +642,46 @@ def peak_Omega_A(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, 
     return Omega2 * (Omega2 + h_A + 2.0 * zeta * zeta) / (-2.0 * A * Omega3 + m * zeta)
 
 
+def mean_stiffness(A: ArrayLike, h: ArrayLike, h_A: ArrayLike) -> Any:
+    """Mean of the stiffness over a cycle of a motion about u = 0, which stays about it where this is positive.
+
+    Equation beside (30). Domain: A > 0. Shape: as the arguments broadcast. Operations: 4.
+    Proved, error / u (1 + kappa): 1.01
+    """
+    A, h, h_A = floats(A, h, h_A)
+    return -0.5 * h_A - 0.5 * h / A
+
+
+def _offset_stiffness_over(Omega, A, h, h_A):
+    # 18 operations
+    t0 = Omega * Omega
+    t1 = 1.0 / A
+    t2 = h * t1
+    t3 = 4.0 * t0
+    return (h_A * (0.5 * h_A - 3.0 * t2 - t3) + t2 * (0.5 * h * t1 - t3)) / (h_A + 8.0 * t0 + t2)
+
+
+def _offset_stiffness_apart(Omega, A, h, h_A):
+    # 14 operations
+    t0 = 1.0 / A
+    t1 = h * t0
+    t2 = h * t0 - h_A
+    return -0.5 * h_A - 0.5 * t1 + t2 * t2 / (8.0 * Omega * Omega + h_A + t1)
+
+
+def offset_stiffness(Omega: ArrayLike, A: ArrayLike, h: ArrayLike, h_A: ArrayLike) -> Any:
+    """What carries a small mean offset back; where the mean stiffness is negative this decides.
+
+    Equation beside (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 2
+    """
+    arguments = floats(Omega, A, h, h_A)
+    Omega, A, h, h_A = arguments
+    guards = (0.5 * np.abs(h_A) + 0.5 * np.abs(h) / A <= np.abs(8.0 * Omega * Omega + h_A + h / A),)
+    bodies = (_offset_stiffness_over, _offset_stiffness_apart)
+    return number_by_regime(guards, bodies, arguments)
+
+
 def Omega_A(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike) -> Any:
     """dOmega/dA along the response.
 
@@ -764,28 +786,6 @@ def tail(Omega: ArrayLike, F_0: ArrayLike, m: ArrayLike) -> Any:
     Omega, F_0, m = floats(Omega, F_0, m)
     square = (F_0 - m) * (F_0 + m)
     return np.sqrt(square) / (Omega * Omega + 1.0)
-
-
-def most_restoring(A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike) -> Any:
-    """The largest |h| of a state with this amplitude: F_0 + (A Omega)^2/A at the highest Omega.
-
-    Equation from (23). Domain: A > 0, F_0 >= m, zeta > 0. Shape: as the arguments broadcast. Operations: 6.
-    Measured, error / u (1 + kappa): 0.85
-    """
-    A, F_0, m, zeta = floats(A, F_0, m, zeta)
-    c = -0.5 * (-F_0 + m) / zeta
-    fastest = c / A
-    return F_0 + c * fastest
-
-
-def least_restoring(F_0: ArrayLike, m: ArrayLike) -> Any:
-    """The |h| of a state at Omega = 0, and the least |h - A h_A| of a fold.
-
-    Equation from (24), (30). Domain: F_0 >= m. Shape: as the arguments broadcast. Operations: 5.
-    Measured, error / u (1 + kappa): 1.1
-    """
-    F_0, m = floats(F_0, m)
-    return np.sqrt(F_0 - m) * np.sqrt(F_0 + m)
 
 
 if NATIVE is not None:

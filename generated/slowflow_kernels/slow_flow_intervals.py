@@ -1,7 +1,7 @@
 """Slow flow of any mechanism, in h = H - A and its derivatives: on whole intervals.
 
 Written by `make derive`; never edit.
-Input: none but the equation of motion in derivations/paper/averaging.py, derivations/paper/slow_flow.py, derivations/asymmetric/offset.py, derivations/systems/along.py, derivations/systems/slopes.py, derivations/systems/bounds.py, derivations/systems/newton.py, derivations/paper/critical_forcings.py
+Input: none but the equation of motion in derivations/paper/averaging.py, derivations/paper/slow_flow.py, derivations/asymmetric/offset.py, derivations/systems/along.py, derivations/systems/slopes.py, derivations/systems/newton.py, derivations/paper/critical_forcings.py
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Each output holds every value that the function of the same name takes on the arguments: objects with operators and
@@ -120,6 +120,18 @@ def F_AOmega(Omega, A, m, zeta, h, h_A):
     )
 
 
+def F_OmegaOmega(Omega, A, zeta, h):
+    """d2F/dOmega2.
+
+    Equation (24). Domain: Omega > 0, A > 0.
+    """
+    t0 = A * Omega.square()
+    R = h + t0
+    return (
+        4.0 * A * (2.0 * A * zeta.square() + R + 2.0 * t0)
+    )
+
+
 def backbone(A, h):
     """Frequency on the backbone.
 
@@ -156,18 +168,6 @@ def peak_cubic(A, m, zeta, h):
     )
 
 
-def F_OmegaOmega(Omega, A, zeta, h):
-    """d2F/dOmega2.
-
-    Equation (24). Domain: Omega > 0, A > 0.
-    """
-    t0 = A * Omega.square()
-    R = h + t0
-    return (
-        4.0 * A * (2.0 * A * zeta.square() + R + 2.0 * t0)
-    )
-
-
 def level(Omega, A, m, zeta, h):
     """The forcing F_0 for which (Omega, A) is a steady state.
 
@@ -180,6 +180,16 @@ def level(Omega, A, m, zeta, h):
     )
 
 
+def least_restoring(F_0, m):
+    """The |h| of a state at Omega = 0, and the least |h - A h_A| of a fold.
+
+    Equation from (24), (30). Domain: F_0 >= m.
+    """
+    return (
+        (F_0 - m).sqrt() * (F_0 + m).sqrt()
+    )
+
+
 def intercept(A, h, h_A, h_AA):
     """k = h - A h_A, where the tangent of h meets A = 0, and its slope along A.
 
@@ -188,6 +198,18 @@ def intercept(A, h, h_A, h_AA):
     return (
         -A * h_A + h,
         -A * h_AA,
+    )
+
+
+def most_restoring(A, F_0, m, zeta):
+    """The largest |h| of a state with this amplitude: F_0 + (A Omega)^2/A at the highest Omega.
+
+    Equation from (23). Domain: A > 0, F_0 >= m, zeta > 0.
+    """
+    c = -0.5 * (-F_0 + m) / zeta
+    fastest = c / A
+    return (
+        F_0 + c * fastest
     )
 
 
@@ -373,28 +395,6 @@ def isola_bend(Omega, A, m, zeta, h_AA):
     Omega5 = Omega * Omega4
     return (
         8.0 * A * F_AA * t1 * zeta * (-Omega3 * h_AA * t0 - Omega3 * t2 - 4.0 * Omega5 + h_AA * m * zeta) / Omega2
-    )
-
-
-def most_restoring(A, F_0, m, zeta):
-    """The largest |h| of a state with this amplitude: F_0 + (A Omega)^2/A at the highest Omega.
-
-    Equation from (23). Domain: A > 0, F_0 >= m, zeta > 0.
-    """
-    c = -0.5 * (-F_0 + m) / zeta
-    fastest = c / A
-    return (
-        F_0 + c * fastest
-    )
-
-
-def least_restoring(F_0, m):
-    """The |h| of a state at Omega = 0, and the least |h - A h_A| of a fold.
-
-    Equation from (24), (30). Domain: F_0 >= m.
-    """
-    return (
-        (F_0 - m).sqrt() * (F_0 + m).sqrt()
     )
 
 

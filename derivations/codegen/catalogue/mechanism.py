@@ -24,7 +24,7 @@ from ...paper.restoring_force import Case, Restoring, average, forms
 from ...paper.slow_flow import m
 from ...symbols import F_0, A, mu, u, zeta
 from ..compensated import copysign
-from ..form import AVERAGED, NAMES, Composition, Law, Module, Record, Selection, by_even_power
+from ..form import AVERAGED, NAMES, Composition, Law, Module, Record, Selection
 
 if TYPE_CHECKING:
     from ...extensions.scaling import Scale
@@ -677,7 +677,7 @@ def resultant_kernels(derived: OfMechanism) -> list[Kernel]:
         plain(
             "saddle_node_onset",
             (m, zeta, *parameters),
-            by_even_power(derived.saddle_node_onset),
+            derived.saddle_node_onset.by_even_power,
             "Reduced resultant of F_A and F_AA: coefficients of A^0, A^2, ...; its roots are candidates for the onset.",
             "(33)",
             domain,
@@ -687,7 +687,7 @@ def resultant_kernels(derived: OfMechanism) -> list[Kernel]:
         plain(
             "saddle_nodes",
             (F_0, m, zeta, *parameters),
-            by_even_power(replace(derived.saddle_nodes, reduced=by_excess)),
+            replace(derived.saddle_nodes, reduced=by_excess).by_even_power,
             "Reduced resultant of F and F_A: coefficients of A^0, A^2, ...; its roots are candidates for folds.",
             "from (24), (30)",
             domain,

@@ -20,10 +20,11 @@ from typing import Any
 import sympy as sp
 
 from ...forces.of_mechanism import OfMechanism, of_mechanism
+from ...kernels import Formulas
 from ...library import stated
 from ...mechanisms import duffing
 from ...paper.averaging import Averaged, averaged
-from ...paper.slow_flow import SlowFlow, slow_flow
+from ...paper.slow_flow import slow_flow
 from ..formulas import DIFFERENCE, Reading, Subject
 from ..judging import judge
 from ..literature import Publication
@@ -68,14 +69,14 @@ class Derived:
         return averaged()
 
     @functools.cached_property
-    def flow(self) -> SlowFlow:
+    def flow(self) -> Formulas:
         """(23)-(30), without friction."""
         return slow_flow(self.averaged, "mu0")
 
     @functools.cached_property
     def friction(self) -> sp.Expr:
         """m (23), friction's share of I."""
-        return slow_flow(self.averaged).m
+        return slow_flow(self.averaged).friction
 
     @functools.cached_property
     def duffing(self) -> OfMechanism:
