@@ -14,20 +14,20 @@ from .asymmetric.offset import offset
 from .extensions.dissipation import dissipation
 from .extensions.inertia import inertia
 from .extensions.motion import motion
-from .extensions.second_approximation import SecondApproximation, second_approximation
+from .extensions.second_approximation import second_approximation
 from .extensions.switching import switching
-from .extensions.wave import Wave, wave
+from .extensions.wave import wave
 from .forces.of_mechanism import OfMechanism, of_mechanism
 from .forces.sampled import sampled
 from .kernels import Formulas
 from .mechanisms import Mechanism, all_mechanisms
 from .paper.averaging import Averaged, averaged
 from .paper.critical_forcings import detached
-from .paper.den_hartog import DenHartog, den_hartog
+from .paper.den_hartog import den_hartog, without_cancellation
 from .paper.slow_flow import SCENES, slow_flow
 from .systems.along import along
 from .systems.frequencies import Frequencies, frequencies
-from .systems.gradients import Gradients, gradients
+from .systems.gradients import gradients
 from .systems.newton import steps
 from .systems.slopes import slopes
 
@@ -66,15 +66,15 @@ class Results:
     dissipation: Formulas
     along: dict[str, Formulas]
     slopes: Formulas
-    gradients: Gradients
+    gradients: Formulas
     offset: Formulas
     off_centre: Formulas
     sampled: Formulas
     steps: Formulas
     detachment: dict[str, Formulas]
-    second: SecondApproximation
-    wave: Wave
-    den_hartog: DenHartog
+    second: Formulas
+    wave: Formulas
+    den_hartog: Formulas
     mechanisms: dict[str, OfMechanism]
 
 
@@ -96,7 +96,7 @@ def derive(mechanisms: Sequence[Mechanism] | None = None) -> Results:
         by_laws,
         of_scenes,
         of_slopes,
-        gradients(by_laws.curve, by_inertia.force),
+        gradients(by_laws, by_inertia.force),
         offset(),
         off_centre(equations, flows[""], by_laws),
         sampled(),
@@ -104,6 +104,6 @@ def derive(mechanisms: Sequence[Mechanism] | None = None) -> Results:
         {scene: detached(flow) for scene, flow in flows.items()},
         second_approximation(equations, flows[""]),
         wave(),
-        den_hartog(),
+        without_cancellation(den_hartog()),
         {mechanism.name: of_mechanism(mechanism, flows[""]) for mechanism in mechanisms or all_mechanisms()},
     )

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import functools
 import itertools
 
@@ -200,9 +199,10 @@ def test_without_cancellation_is_the_same():
     exact = den_hartog()
     rewritten = without_cancellation(exact)
     at = {Omega: "0.7", tau: "0.9", A: "0.4", mu: "0.01", F_0: "0.2", V: "1.9", U: "-1.3", S: "1.2"}
-    for field in dataclasses.fields(exact):
-        forms = [getattr(form, field.name) for form in (exact, rewritten)]
+    renamed = {"response": "V", "damping": "U", "slope_ratio": "S_ratio"}
+    for name in ("response", "damping", "motion", "amplitude", "slope_ratio", "bound"):
+        forms = [getattr(exact, name), getattr(rewritten, renamed.get(name, name))]
         for frequency in ("0.45", "0.7", "1.4"):
             known = {symbol: mpf(value) for symbol, value in (at | {Omega: frequency}).items()}
             one, other = evaluated([], forms, known)
-            assert abs(one - other) < mpf(10) ** -DIGITS, field.name
+            assert abs(one - other) < mpf(10) ** -DIGITS, name

@@ -63,6 +63,7 @@ REQUESTS = {
         "searched": "ended_state ended_along ended_fold beside",
         "enclosed": "ended_slopes begin down",
     },
+    "sensitivities": {"generic": "*"},
     "sampled": {
         "generic": "*",
         "in_c": """at_rest averaged_terms averaged_end intercept_terms intercept_end harmonics_terms harmonics_end""",

@@ -30,7 +30,7 @@ from ..paper.averaging import H as averaged_force
 from ..paper.slow_flow import I, R, m, slope
 from ..symbols import F_0, A, Omega, c_2, eta, h, h_A, h_AA, h_AAA, mu, phi, psi, sigma, zeta
 from ..systems.along import k
-from ..systems.gradients import Curve, I_0AAp, I_0Ap, I_0p, d_p, h_AAp, h_Ap, h_p, zeta_p
+from ..systems.gradients import I_0AAp, I_0Ap, I_0p, d_p, h_AAp, h_Ap, h_p, zeta_p
 from ..systems.slopes import DERIVATIVES, hessian
 
 #: the |u| up to which something is attached
@@ -315,22 +315,11 @@ def dissipation(averaged: Averaged, flow: Formulas, slopes: Formulas) -> Formula
         claim("the velocity by I", balance.as_expr().subs(v, found))
         return Lets((), sp.simplify(found))
 
-    of.curve = Curve(
-        R=flow.R,
-        I=value,
-        F=F,
-        F_A=F_A,
-        F_AA=F_AA,
-        F_AAA=derivatives[DERIVATIVES[3, 0]],
-        F_Omega=of.F_Omega,
-        F_AOmega=of.F_AOmega,
-        F_AAOmega=sp.factor_terms(by_amplitude(F_AOmega)),
-        F_OmegaOmega=of.F_OmegaOmega,
-        phase=flow.phase,
-        transmissibility=flow.transmissibility,
-        moved={h: h_p, h_A: h_Ap, h_AA: h_AAp, I_0: I_0p, I_0A: I_0Ap, I_0AA: I_0AAp, zeta: zeta_p, d: d_p},
-        rises={I_0: I_0A, I_0A: I_0AA, I_0AA: I_0AAA},
-    )
+    # how answers move with the parameters is had from these too
+    of.R, of.phase, of.transmissibility = flow.R, flow.phase, flow.transmissibility
+    of.F_AAA, of.F_AAOmega = derivatives[DERIVATIVES[3, 0]], sp.factor_terms(by_amplitude(F_AOmega))
+    of.moved = {h: h_p, h_A: h_Ap, h_AA: h_AAp, I_0: I_0p, I_0A: I_0Ap, I_0AA: I_0AAp, zeta: zeta_p, d: d_p}
+    of.rises = {I_0: I_0A, I_0A: I_0AA, I_0AA: I_0AAA}
     return of
 
 

@@ -1,7 +1,7 @@
 """Step 5, beyond the paper: the second approximation, what the higher harmonics do to the first one.
 
 In:  the averaged equations; the slow flow's R, I and backbone; the mechanism stays an open h(A), h_3(A), h_5(A).
-Out: `SecondApproximation`: R, I and F with the first-order effect of the harmonics, in A = A_1 + sum a_n.
+Out: `Formulas`: R, I and F with the first-order effect of the harmonics, in A = A_1 + sum a_n.
 
 The first approximation u = A cos psi leaves the harmonics of the spring, -h_n cos(n psi), and of friction,
 -(m/n) sin(n psi), n = 3, 5, ..., unbalanced. The second lets them drive the linear oscillator that averaging has put in
@@ -30,7 +30,6 @@ printed with its poles at the resonances of the first harmonics and the rest as 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 
 import sympy as sp
@@ -40,7 +39,7 @@ from sympy.codegen.cfunctions import hypot
 from ..claims import claim
 from ..forces.elliptic import DIGITS, Let, digits
 from ..forces.harmonics import HARMONICS
-from ..kernels import Formulas
+from ..kernels import Formulas, Lets
 from ..paper.averaging import Averaged, F_k, psi
 from ..paper.slow_flow import I as I_1
 from ..paper.slow_flow import R as R_1
@@ -59,30 +58,6 @@ RESONANCE = 9
 POLES = (3, 5, 7)
 # share of the sum that the series may leave out
 NEGLIGIBLE = sp.Rational(1, 2**56)
-
-
-@dataclass(frozen=True)
-class SecondApproximation:
-    """The second approximation in Omega, A, F_0, m, zeta, h, h_3, h_5 and their derivatives with respect to A.
-
-    lets -- intermediate quantities (symbol, expression) in order, each with its derivatives
-    outputs -- by name, in these:
-        R, I  -- -F_0 cos phi and -F_0 sin phi at a steady state, as in (23)
-        u_max -- largest displacement
-        A_1   -- amplitude of the first harmonic
-        phi   -- its phase, in its quadrant (25)
-        sine, cosine -- of the angle delta by which the mass turns after the first harmonic does
-        a_3, a_5 -- amplitudes of the spring's harmonics
-        kappa -- stiffness of the linear oscillator over Omega^2
-        F     -- response, R^2 + (I - F_0)(I + F_0); zero at a steady state
-        level -- the forcing for which this is a steady state, and of an excitation by inertia level_by_inertia
-        turning -- zero where the forcing that reaches a given u_max is least
-        turning_by_inertia -- the same of an excitation by inertia, whose force is F_0 Omega^2
-        and derivatives, as F_A
-    """
-
-    lets: tuple[Let, ...]
-    outputs: dict[str, sp.Expr]
 
 
 class _Chain:
@@ -151,7 +126,7 @@ def friction_harmonic(averaged: Averaged, n: sp.Symbol) -> sp.Expr:
     return sp.simplify(sum(over_halves) / sp.pi)
 
 
-def second_approximation(averaged: Averaged, flow: Formulas) -> SecondApproximation:
+def second_approximation(averaged: Averaged, flow: Formulas) -> Formulas:
     """All of step 5."""
     # (23) calls 4 mu/pi m: friction's harmonics are m/n, and n b_n = -m/(n^2 Omega^2 - K)
     n = sp.Symbol("n", odd=True, positive=True)
@@ -192,28 +167,28 @@ def second_approximation(averaged: Averaged, flow: Formulas) -> SecondApproximat
         response.subs(F_0, sp.sqrt(sum(part**2 for part in level.args))),
         eq="(24)",
     )
-    return SecondApproximation(
-        tuple(chain.lets),
-        {
-            "R": R,
-            "I": I,
-            "u_max": u_max,
-            "A_1": A_1,
-            "sine": sine,
-            "cosine": cosine,
-            **{f"a_{n}": amplitude for n, amplitude in a.items()},
-            "kappa": kappa,
-            "phi": flow.phase.subs({R_1: R, I_1: I}),
-            "F": response,
-            "level": level,
-            "level_by_inertia": level / Omega**2,
-            "R_A": chain.by_A[R],
-            "R_Omega": chain.by_Omega[R],
-            "F_A": F_A,
-            "F_AA": chain.slope(F_A, chain.by_A),
-            "F_Omega": F_Omega,
-            # dF_0/dOmega = 0 along u_max = const
-            "turning": F_Omega * chain.by_A[u_max] - F_A * chain.by_Omega[u_max],
-            "turning_by_inertia": level_slope / Omega * chain.by_A[u_max] - F_A * chain.by_Omega[u_max],
-        },
-    )
+    # dF_0/dOmega = 0 along u_max = const
+    turning = F_Omega * chain.by_A[u_max] - F_A * chain.by_Omega[u_max]
+    of_inertia = level_slope / Omega * chain.by_A[u_max] - F_A * chain.by_Omega[u_max]
+    of = Formulas((), domain=f"Omega > 0, A > 0, |h| < {RESONANCE} A Omega^2")
+    families = (OF_FIRST, *OF_HARMONIC.values())
+
+    def state(name: str, outputs: tuple[sp.Expr, ...], text: str, *forcing: sp.Symbol, derivatives: int = 2) -> None:
+        averages = (symbol for family in families for symbol in family[: derivatives + 1])
+        arguments = (Omega, A, *forcing, m, zeta, *averages)
+        of.add(name, Lets(chain.lets, outputs), text, "beyond (23)", arguments=arguments)
+
+    slopes = (F_A, F_Omega, chain.by_A[R], chain.by_Omega[R])
+    text = "Largest displacement, A_1 and phase, R, F, and dF/dA, dF/dOmega, dR/dA, dR/dOmega."
+    state("response", (u_max, A_1, flow.phase.subs({R_1: R, I_1: I}), R, response, *slopes), text, F_0)
+    text = "The forcing (24), largest displacement, and what vanishes where the forcing that reaches it is least."
+    state("detachment", (level, u_max, turning), text)
+    text = "The same of an excitation by inertia."
+    state("detachment_by_inertia", (level / Omega**2, u_max, of_inertia), text)
+    text = "F and its derivatives: a fold has F = F_A = 0, a cusp all three."
+    state("folds", (response, F_A, chain.slope(F_A, chain.by_A)), text, F_0, derivatives=3)
+    components = Lets(chain.lets, (u_max, A_1, sine, cosine, *a.values(), kappa))
+    arguments = (Omega, A, m, h, *(family[0] for family in OF_HARMONIC.values()))
+    text = "Largest displacement and what `wave` takes."
+    of.add("components", components, text, "beyond (23)", arguments=arguments)
+    return of

@@ -1,7 +1,7 @@
 """Step 5, its motion over half a cycle: displacement and velocity of the second approximation, every harmonic of it.
 
 In:  the amplitudes of the second approximation: A_1, the turn delta by its sine and cosine, a_3, a_5, and kappa.
-Out: `Wave`: u and u' at an angle `turned` after the mass turned at its largest displacement.
+Out: `Formulas`: u and u' at an angle `turned` after the mass turned at its largest displacement.
 
 Friction changes its sign where the mass turns, at psi = delta: the harmonics count from there, turned = psi - delta,
 
@@ -22,15 +22,15 @@ polynomials as a power series, by which their coefficients become small, and not
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import sympy as sp
 
 from ..claims import claim
 from ..forces.elliptic import DIGITS, Let
 from ..forces.harmonics import HARMONICS
+from ..kernels import Formulas, Lets
 from ..paper.slow_flow import m
 from ..symbols import Omega
+from .second_approximation import RESONANCE
 
 #: angle from where the mass turned at its largest displacement
 turned = sp.Symbol("turned", nonnegative=True)
@@ -43,18 +43,6 @@ CLOSED = 8
 LAST = 15
 #: the power series of sine and cosine over a quarter cycle, to 1e-18
 DEGREE = 24
-
-
-@dataclass(frozen=True)
-class Wave:
-    """The motion in `turned`, Omega, m, A_1, sine, cosine, a_3, a_5 and kappa, for 0 <= turned <= pi.
-
-    lets    -- cosines and sines of the harmonics, the closed sums, and what is left
-    outputs -- u, and u' by tau
-    """
-
-    lets: tuple[Let, ...]
-    outputs: tuple[sp.Expr, sp.Expr]
 
 
 def closed_sums() -> list[tuple[sp.Expr, sp.Expr]]:
@@ -87,7 +75,7 @@ def _without_first(total: sp.Expr, x: sp.Symbol, x2: sp.Symbol, *, odd: bool) ->
     return sp.horner(sp.Poly(coefficients, x2).as_expr())
 
 
-def wave() -> Wave:
+def wave() -> Formulas:
     """All of it."""
     c, s, double = sp.symbols("c_1 s_1 twice", real=True)
     lets: list[Let] = [(c, sp.cos(turned)), (s, sp.sin(turned)), (double, 2 * (c - s) * (c + s))]
@@ -125,4 +113,8 @@ def wave() -> Wave:
         expression = expression.subs({sp.cos(turned): c, sp.sin(turned): s})
         return expression.subs({sp.diff(friction, turned): of_velocity}).subs(friction, of_displacement)
 
-    return Wave(tuple(lets), (told(u), told(v)))
+    of = Formulas((turned, Omega, m, A_1, sine, cosine, *of_spring.values(), kappa))
+    text = "u and u' at an angle after the mass turned at its largest displacement."
+    domain = f"Omega > 0, 0 <= turned <= pi, |kappa| < {RESONANCE}"
+    of.add("wave", Lets(lets, (told(u), told(v))), text, "beyond (23)", domain)
+    return of

@@ -326,7 +326,7 @@ class Facts:
 
     def S_at_least(self, frequency: str) -> arb:
         """The largest of 99 values of the maximand of (37): a lower bound of S."""
-        exact = self.results.den_hartog
+        exact = self.results.den_hartog.exact
         form = exact.slope_ratio.subs(U, exact.damping)
         w = arb(rational(Fraction(frequency)))
         values = [evaluate(form, {Omega: w, tau: arb.pi() / w * k / 100}) for k in range(1, 100)]
@@ -335,7 +335,7 @@ class Facts:
     @functools.cached_property
     def S_is_one(self) -> bool:
         """The identities behind S = 1 for Omega > 1/2; see the finding on (37)."""
-        exact = self.results.den_hartog
+        exact = self.results.den_hartog.exact
         x = sp.Symbol("x", real=True)
         b = sp.pi / (2 * Omega)
         ratio = sp.expand(exact.slope_ratio.subs(tau, b - x)).subs(U, exact.damping)
@@ -354,7 +354,7 @@ class Facts:
 
     def amplitudes_without_stiffening(self, frequency: str, ratio: str) -> tuple[arb, arb]:
         """A/F_0 of the linear oscillator with friction mu/F_0 = ratio: averaged (24) and exact (35)."""
-        exact = self.results.den_hartog
+        exact = self.results.den_hartog.exact
         w, friction = arb(rational(Fraction(frequency))), arb(rational(Fraction(ratio)))
         at = {Omega: w, F_0: arb(1), mu: friction}
         response = evaluate(exact.response, at)

@@ -394,7 +394,7 @@ def _critical(results: Results) -> dict[str, Subject]:
 
 
 def _den_hartog(results: Results) -> dict[str, Subject]:
-    exact = results.den_hartog
+    exact = results.den_hartog.exact
     mirrored = sp.expand(exact.slope_ratio.subs(tau, sp.pi / Omega - tau)).subs(U, exact.damping)
     maximand = Subject(
         (

@@ -1,7 +1,8 @@
 """Step 6, equations (35)-(37): the linear oscillator with dry friction alone, exactly over half a cycle (Den Hartog).
 
 In:  the equation of motion at zeta = 0 with F_k = 0.
-Out: `DenHartog`: the motion, the amplitude, and the condition that the mass does not stop within the half-cycle.
+Out: `DenHartog`: the motion, the amplitude, and the condition that the mass does not stop within the half-cycle;
+     `Formulas` of the same for numbers.
 
 Put the time origin at a maximum u = A, u' = 0. Until the next minimum the velocity is negative and friction a constant:
 
@@ -12,13 +13,13 @@ Four conditions, linear in the two constants of the free motion and in F_0 cos p
 
 from __future__ import annotations
 
-import dataclasses
 from dataclasses import dataclass
 
 import sympy as sp
 from sympy.simplify.fu import TR9
 
 from ..claims import claim
+from ..kernels import Formulas
 from ..symbols import F_0, A, Omega, mu, tau
 
 V, U, S = sp.symbols("V U S", real=True)
@@ -96,8 +97,8 @@ def den_hartog() -> DenHartog:
     )
 
 
-def without_cancellation(exact: DenHartog) -> DenHartog:
-    """The same functions in forms that keep their digits near resonance and near tau = 0.
+def without_cancellation(exact: DenHartog) -> Formulas:
+    """The same functions in forms that keep their digits near resonance and near tau = 0; `exact` is there too.
 
     There V and U grow as 1/(Omega - 1), and what they multiply vanishes as a difference of nearly equal terms.
     """
@@ -106,14 +107,20 @@ def without_cancellation(exact: DenHartog) -> DenHartog:
     double, tangent = sp.symbols("double tangent", real=True)
     turned = exact.damping.subs(sp.pi / Omega, sp.pi - double)
     halved = {sp.sin(double): 2 * tangent / (1 + tangent**2), sp.cos(double): (1 - tangent**2) / (1 + tangent**2)}
-    return dataclasses.replace(
-        exact,
-        response=sp.factor(exact.response),
-        damping=sp.cancel(turned.subs(halved)).subs(tangent, sp.tan(theta)),
-        motion=_by_detuning(exact.motion),
-        amplitude=sp.sqrt(sp.factor(exact.amplitude**2)),
-        slope_ratio=_by_detuning(exact.slope_ratio),
-    )
+    response, damping = sp.factor(exact.response), sp.cancel(turned.subs(halved)).subs(tangent, sp.tan(theta))
+    away = "Omega > 0, Omega not 1, 1/3, 1/5 and so on"
+    of = Formulas((tau, Omega, A, F_0, mu, S), {V: response, U: damping}, away)
+    of.exact = exact
+    of.add("V", response, "Response function.", "(37)", "Omega > 0, Omega != 1")
+    of.add("U", damping, "Damping function.", "(37)")
+    text = "S is the maximum of this over 0 < tau < pi/Omega."
+    of.add("S_ratio", _by_detuning(exact.slope_ratio), text, "(37)", f"0 < tau < pi/Omega, {away}")
+    amplitude = sp.sqrt(sp.factor(exact.amplitude**2))
+    of.add("amplitude", amplitude, "Amplitude of the motion.", "(35)", f"F_0 |V| > mu |U|, {away}")
+    of.add("bound", exact.bound, "The motion has no stops while its amplitude exceeds this.", "(36)")
+    motion = _by_detuning(exact.motion)
+    of.add("motion", motion, "Displacement tau after a maximum.", "from (37)", f"0 <= tau <= pi/Omega, {away}")
+    return of
 
 
 def _by_detuning(expression: sp.Expr) -> sp.Expr:

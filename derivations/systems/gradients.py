@@ -1,7 +1,7 @@
 """Beside (23)-(34): how answers move with the parameters, by the implicit function theorem.
 
-In:  a `Curve`, the response by what dissipates; the mechanism stays an open h(A).
-Out: `Gradients`: the slopes of what may vanish at an answer, and what one parameter p does to it; `SYSTEMS`, by the
+In:  the response by what dissipates; the mechanism stays an open h(A).
+Out: `Formulas`: the slopes of what may vanish at an answer, and what one parameter p does to it; `SYSTEMS`, by the
      kind of answer which of these conditions hold, and in which order they are solved for its moves A_p, Omega_p and
      F_0_p.
 
@@ -15,15 +15,13 @@ as it meets another.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from itertools import permutations
 
 import sympy as sp
 
+from ..kernels import Formulas, Lets
 from ..paper.slow_flow import I, R, slope
-from ..symbols import F_0, Omega, h, h_A
-
-Let = tuple[sp.Symbol, sp.Expr]
+from ..symbols import F_0, A, Omega, h, h_A
 
 #: what the parameter does: to h, h_A, h_AA at a fixed A; to what dissipates, see `dissipation`; to the forcing and the
 #: frequency that are given, and to the breakpoint that the answer lies on
@@ -91,63 +89,18 @@ def _system(beside: tuple[str, str]) -> tuple[int, ...]:
 SYSTEMS = tuple(_system(beside) for beside, _ in KINDS.values())
 
 
-@dataclass(frozen=True)
-class Curve:
-    """The response (24), and by what it moves.
+def gradients(curve: Formulas, inertial: sp.Expr) -> Formulas:
+    """All of it, for a force and for an excitation by inertia, whose force is given in F_0 and Omega.
 
-    R, ..., transmissibility -- as in `slow_flow`
-    moved -- what a parameter does at a fixed A to each symbol of these
-    rises -- derivatives by A of their symbols, beside those of h
+    curve -- the response (24) with its derivatives; `moved`, what a parameter does at a fixed A to each symbol of
+             these; `rises`, derivatives by A of their symbols, beside those of h
     """
-
-    R: sp.Expr
-    I: sp.Expr
-    F: sp.Expr
-    F_A: sp.Expr
-    F_AA: sp.Expr
-    F_AAA: sp.Expr
-    F_Omega: sp.Expr
-    F_AOmega: sp.Expr
-    F_AAOmega: sp.Expr
-    F_OmegaOmega: sp.Expr
-    phase: sp.Expr
-    transmissibility: sp.Expr
-    moved: dict[sp.Symbol, sp.Symbol]
-    rises: dict[sp.Symbol, sp.Symbol]
-
-
-@dataclass(frozen=True)
-class Gradients:
-    """All of it.
-
-    lets      -- I
-    slopes    -- of what vanishes, by `CONDITIONS`: rows of three, by A, Omega and F_0
-    sizes     -- of these
-    right     -- what the parameter does to each, with the sign that the right side of a system has
-    of_state_lets, of_state -- how the phase and the transmissibility of a moving state change
-    by_force, by_inertia -- the force's amplitude, its slopes by Omega and F_0, and those of its square
-    """
-
-    lets: tuple[Let, ...]
-    slopes: tuple[sp.Expr, ...]
-    sizes: tuple[sp.Expr, ...]
-    right: tuple[sp.Expr, ...]
-    of_state_lets: tuple[Let, ...]
-    of_state: tuple[sp.Expr, sp.Expr]
-    by_force: tuple[sp.Expr, ...]
-    by_inertia: tuple[sp.Expr, ...]
-
-
-def gradients(curve: Curve, inertial: sp.Expr) -> Gradients:
-    """All of it, for a force and for an excitation by inertia, whose force is given in F_0 and Omega."""
+    excited = (*OF_SQUARE, force, force_Omega, force_F)
+    of = Formulas([*dict.fromkeys((Omega, A, R, *curve.order, *excited, *OF_PARAMETER, *MOVES))])
     known = {
         "": sp.Integer(0),
         "1": sp.Integer(1),
-        "F_A": curve.F_A,
-        "F_AA": curve.F_AA,
-        "F_AAA": curve.F_AAA,
-        "F_AOmega": curve.F_AOmega,
-        "F_AAOmega": curve.F_AAOmega,
+        **{name: getattr(curve, name) for name in ("F_A", "F_AA", "F_AAA", "F_AOmega", "F_AAOmega")},
         "F_Omega": curve.F_Omega - S_Omega,
         "F_OmegaOmega": curve.F_OmegaOmega - S_OmegaOmega,
         "S_F": -S_F,
@@ -155,21 +108,27 @@ def gradients(curve: Curve, inertial: sp.Expr) -> Gradients:
         "R_A": slope(curve.R),
         "R_Omega": sp.diff(curve.R, Omega),
     }
-    vanishing = {"F": curve.F, "F_A": curve.F_A, "F_AA": curve.F_AA, "F_Omega": curve.F_Omega, "R": curve.R}
     given = {"forcing": forcing_p, "frequency": frequency_p, "breakpoint": end_p}
     slopes = [known[name] for _, names in CONDITIONS.values() for name in names]
-    whole = {R: curve.R, I: curve.I}
-    return Gradients(
-        lets=((I, curve.I),),
-        slopes=tuple(slopes),
-        sizes=tuple(size(value, whole) for value in slopes),
-        right=tuple(
-            -_moved(curve, vanishing[name]) if name else given[condition] for condition, (name, _) in CONDITIONS.items()
-        ),
-        **_of_state(curve),
-        by_force=_excited(F_0),
-        by_inertia=_excited(inertial),
-    )
+    sizes = [size(value, {R: curve.R, I: curve.I}) for value in slopes]
+    lets, equation = [(I, curve.I)], "from (23)-(34)"
+    text = "By A, Omega and F_0, of what vanishes by `conventions.SYSTEMS`; then the sizes of these."
+    of.add("slopes", Lets(lets, (*slopes, *sizes)), text, equation)
+    right = [
+        -_moved(curve, getattr(curve, name)) if name else given[condition]
+        for condition, (name, _) in CONDITIONS.items()
+    ]
+    text = "What a parameter does to what vanishes, with the opposite sign."
+    of.add("right", Lets(lets, right), text, equation)
+    text = "d/dp of the phase (25) and of the transmissibility of a state that moves by A_p, Omega_p, F_0_p."
+    of.add("of_state", _of_state(curve), text, equation)
+    text = "Force, its slopes by Omega and F_0; of its square S_Omega, S_OmegaOmega, S_F, S_FOmega: {}."
+    for name, by, what, where in (
+        ("by_force", F_0, "a force", "(3)"),
+        ("by_inertia", inertial, "an excitation by inertia", "beside (3)"),
+    ):
+        of.add(name, _excited(by), text.format(what), where, "Omega >= 0", arguments=(Omega, F_0))
+    return of
 
 
 def _excited(by: sp.Expr) -> tuple[sp.Expr, ...]:
@@ -179,7 +138,7 @@ def _excited(by: sp.Expr) -> tuple[sp.Expr, ...]:
     return (by, sp.diff(by, Omega), sp.diff(by, F_0), *of_square)
 
 
-def _moved(curve: Curve, expression: sp.Expr) -> sp.Expr:
+def _moved(curve: Formulas, expression: sp.Expr) -> sp.Expr:
     """d/dp of an expression in R, I and what they are made of, at fixed A, Omega and F_0."""
     direct = curve.moved
     of_R_and_I = {
@@ -190,7 +149,7 @@ def _moved(curve: Curve, expression: sp.Expr) -> sp.Expr:
     return sp.factor_terms(sum(sp.diff(expression, symbol) * move for symbol, move in chain.items()))
 
 
-def _of_state(curve: Curve) -> dict[str, tuple]:
+def _of_state(curve: Formulas) -> Lets:
     """d phi/dp and d transmissibility/dp of a state, from its own moves."""
     R_moved, I_moved = sp.symbols("R_moved I_moved", real=True)
 
@@ -202,7 +161,7 @@ def _of_state(curve: Curve) -> dict[str, tuple]:
     moves = {h: h_p + h_A * A_p, I: I_moved, force: force_Omega * Omega_p + force_F * F_0_p}
     transmitted = sum(sp.diff(value, symbol) * move for symbol, move in moves.items())
     lets = ((R, curve.R), (I, curve.I), (R_moved, along(curve.R)), (I_moved, along(curve.I)))
-    return {"of_state_lets": lets, "of_state": (sp.factor_terms(sp.simplify(phase)), sp.factor_terms(transmitted))}
+    return Lets(lets, (sp.factor_terms(sp.simplify(phase)), sp.factor_terms(transmitted)))
 
 
 def size(expression: sp.Expr, of: dict[sp.Symbol, sp.Expr]) -> sp.Expr:

@@ -8,12 +8,10 @@ from __future__ import annotations
 
 from ...results import Results
 from ..form import Module
-from .beyond import den_hartog_module, second_approximation_module
 from .flow import slow_flow_modules
 from .frequencies import frequencies_module
 from .mechanism import mechanism_module, with_proofs
-from .sensitivities import sensitivities_module
-from .stated import stated_module
+from .stated import MODULES, stated_module
 
 
 def all_modules(results: Results) -> list[Module]:
@@ -22,14 +20,7 @@ def all_modules(results: Results) -> list[Module]:
     return [
         *flows,
         frequencies_module(results),
-        stated_module("inertia", results),
-        stated_module("off_centre", results),
-        stated_module("dissipation", results),
-        sensitivities_module(results),
-        stated_module("sampled", results),
-        stated_module("motion", results),
-        second_approximation_module(results),
-        den_hartog_module(results),
+        *(stated_module(name, results) for name in MODULES),
         *(
             with_proofs(mechanism_module(results.mechanisms, name, flows[0]), derived)
             for name, derived in results.mechanisms.items()

@@ -6,6 +6,9 @@ Out: `stated_module`, by name.
 
 from __future__ import annotations
 
+import sympy as sp
+
+from ...extensions.second_approximation import RESONANCE
 from ...results import Results
 from ..form import Module
 from ..requests import requested
@@ -27,6 +30,14 @@ MODULES = {
         "Structural and quadratic damping, and dry friction of what is attached",
         ("paper/averaging.py", "paper/slow_flow.py", "extensions/dissipation.py"),
     ),
+    "sensitivities": (
+        ("gradients",),
+        "How answers move with the parameters: what the implicit function theorem asks for",
+        (
+            *("paper/averaging.py", "paper/slow_flow.py", "extensions/dissipation.py"),
+            *("extensions/inertia.py", "systems/gradients.py"),
+        ),
+    ),
     "sampled": (
         ("sampled",),
         "The average of a force that is known by its values and those of its derivatives, u = A sine",
@@ -37,11 +48,24 @@ MODULES = {
         "The equation of motion of any mechanism, in the values of its force",
         ("paper/equation_of_motion.py", "extensions/motion.py", "extensions/switching.py"),
     ),
+    "second_approximation": (
+        ("second", "wave"),
+        "Second approximation of any mechanism, with higher harmonics, in A = A_1 + a_3 + a_5",
+        ("paper/averaging.py", "paper/slow_flow.py", "extensions/second_approximation.py", "extensions/wave.py"),
+    ),
+    "den_hartog": (
+        ("den_hartog",),
+        "Den Hartog's exact solution of the linear oscillator with dry friction, without stops",
+        ("paper/den_hartog.py",),
+    ),
 }
+#: constants that go with their kernels
+CONSTANTS = {"second_approximation": {"RESONANCE": sp.Integer(RESONANCE)}}
 
 
 def stated_module(name: str, results: Results) -> Module:
     """All kernels of its steps, as `requests` has them; what contains R and I as numbers is of `slow_flow`."""
     steps, title, inputs = MODULES[name]
     kernels = [kernel for step in steps for kernel in getattr(results, step).kernels.values()]
-    return Module(name=name, title=title, inputs=inputs, **requested(name, kernels))
+    constants = CONSTANTS.get(name, {})
+    return Module(name=name, title=title, inputs=inputs, constants=constants, **requested(name, kernels))
