@@ -27,17 +27,43 @@
 #include "rod_spring_untruncated_held.h"
 
 /* Functions of a record that pass a function of a header on. */
-#define OF_PARAMETERS(member, number, function) \
-    static void member(const sf_mechanism *self, const number *p, number *out) \
-    { \
-        (void)self; \
-        function(p, out); \
-    }
-#define OF_DESIGN(member, number, call) \
-    static void member(const sf_mechanism *self, const double *design, number *out) \
+#define PASSES_ON(result, member, arguments, call) \
+    static result member arguments \
     { \
         (void)self; \
         call; \
+    }
+#define OF_PARAMETERS(member, number, function) \
+    PASSES_ON(void, member, (const sf_mechanism *self, const number *p, number *out), function(p, out))
+#define OF_DESIGN(member, number, call) \
+    PASSES_ON(void, member, (const sf_mechanism *self, const double *design, number *out), call)
+#define INTERCEPT(member, call) \
+    PASSES_ON(double, member, (const sf_mechanism *self, double A, const double *p), return call)
+/* d/dp of h, h_A, h_AA, which are given, for each parameter p in turn */
+#define BY_PARAMETER(member, function) \
+    PASSES_ON(void, member, (const sf_mechanism *self, double A, const double *h, const double *p, double *out), \
+              function(A, h[0], h[1], h[2], p, out))
+/* h, h_A, h_AA, h_AAA and h - A h_A */
+#define AVERAGED_WITHIN(member, call) \
+    PASSES_ON(void, member, \
+              (const sf_mechanism *self, int passed, sf_interval A, sf_interval beyond, const sf_interval *p, \
+               sf_interval *out), \
+              (void)passed; (void)beyond; call)
+/* h, h_A, h_AA, h_AAA, as many as are wanted: fewer take less time */
+#define AVERAGED_IN_PAIRS(member, call) \
+    static void member(const sf_mechanism *self, int passed, int wanted, sf_pair A, sf_pair beyond, const sf_pair *p, \
+                       sf_pair *out) \
+    { \
+        sf_pair all[5]; \
+        (void)self, (void)passed, (void)beyond; \
+        if (wanted <= 2) { \
+            call; \
+            out[0] = all[0], out[1] = all[1]; \
+            return; \
+        } \
+        call; \
+        for (int i = 0; i < 4; i++) \
+            out[i] = all[i]; \
     }
 
 /* Sums over the force, `width` of them in one regime, at n amplitudes: each sum into a row of its own. */
@@ -125,6 +151,16 @@ static double records_centred(double A, const double *p)
     return 0.0;
 }
 
+/* What every record has: functions of these names, and what no mechanism changes. */
+#define IN_EVERY_RECORD(mechanism) \
+    .form = SF_FORM, .name = #mechanism, .damping_size = 2, \
+    .parameters_of = mechanism##_record_parameters_of, .damping_of = records_damping_of, \
+    .is_forcing = records_is_forcing, .averaged = mechanism##_record_averaged, \
+    .averaged_2 = mechanism##_record_averaged_2, .intercept = mechanism##_record_intercept, \
+    .harmonics = mechanism##_record_harmonics, .by_parameter = mechanism##_record_by_parameter, \
+    .by_design = mechanism##_record_by_design, .dissipation = records_dissipation, .level = records_level, \
+    .mean_offset = records_centred
+
 /* For a force of one piece. */
 static void records_no_breakpoint(const sf_mechanism *self, const double *p, double *out)
 {
@@ -182,47 +218,10 @@ SUMS(duffing_record_averaged_2, duffing_averaged_2, duffing_record_averaged_2_lo
 ROWS(duffing_record_harmonics_loop, duffing_harmonics, 8)
 SUMS(duffing_record_harmonics, duffing_harmonics, duffing_record_harmonics_loop(n, n, A, p, out))
 
-static double duffing_record_intercept(const sf_mechanism *self, double A, const double *p)
-{
-    (void)self;
-    return duffing_intercept(A, p[0], p[1]);
-}
-
-/* d/dp of h, h_A, h_AA, which are given, for each parameter p in turn */
-static void duffing_record_by_parameter(const sf_mechanism *self, double A, const double *h, const double *p, double *out)
-{
-    (void)self;
-    duffing_by_parameter(A, h[0], h[1], h[2], p, out);
-}
-
-/* h, h_A, h_AA, h_AAA and h - A h_A */
-static void duffing_record_averaged_within(const sf_mechanism *self, int passed, sf_interval A, sf_interval beyond,
-                                                           const sf_interval *p, sf_interval *out)
-{
-    (void)self;
-    (void)(passed);
-    (void)(beyond);
-    duffing_intervals_known(A, p, out);
-}
-
-/* h, h_A, h_AA, h_AAA, as many as are wanted: fewer take less time */
-static void duffing_record_averaged_in_pairs(const sf_mechanism *self, int passed, int wanted, sf_pair A, sf_pair beyond,
-                                                    const sf_pair *p, sf_pair *out)
-{
-    sf_pair all[5];
-    int i;
-    (void)self;
-    (void)(passed);
-    (void)(beyond);
-    if (wanted <= 2) {
-        duffing_pairs_known(A, p, all);
-        out[0] = all[0], out[1] = all[1];
-        return;
-    }
-    duffing_pairs_known(A, p, all);
-    for (i = 0; i < 4; i++)
-        out[i] = all[i];
-}
+INTERCEPT(duffing_record_intercept, duffing_intercept(A, p[0], p[1]))
+BY_PARAMETER(duffing_record_by_parameter, duffing_by_parameter)
+AVERAGED_WITHIN(duffing_record_averaged_within, duffing_intervals_known(A, p, out))
+AVERAGED_IN_PAIRS(duffing_record_averaged_in_pairs, duffing_pairs_known(A, p, all))
 
 /* Parameters and jumps of n designs */
 IN_PAIRS(duffing_record_many_in_pairs, duffing_pairs_given(NUMBER(0), NUMBER(1), p),
@@ -231,28 +230,14 @@ IN_PAIRS(duffing_record_many_in_pairs, duffing_pairs_given(NUMBER(0), NUMBER(1),
 _Static_assert(2 <= SF_MOST_DESIGN && 2 <= SF_MOST_PARAMETERS && 0 <= SF_MOST_BREAKS,
                "duffing needs higher limits in mechanism.h");
 static const sf_mechanism duffing_record = {
-    .form = SF_FORM,
-    .name = "duffing",
+    IN_EVERY_RECORD(duffing),
     .design_size = 2,
-    .damping_size = 2,
     .parameters = 2,
     .breakpoints = 0,
     .reach = INFINITY,
-    .parameters_of = duffing_record_parameters_of,
-    .damping_of = records_damping_of,
-    .is_forcing = records_is_forcing,
     .ends = records_no_breakpoint,
     .jumps = records_no_breakpoint,
-    .averaged = duffing_record_averaged,
-    .averaged_2 = duffing_record_averaged_2,
-    .intercept = duffing_record_intercept,
-    .harmonics = duffing_record_harmonics,
     .harmonics_up_to = INFINITY,
-    .by_parameter = duffing_record_by_parameter,
-    .by_design = duffing_record_by_design,
-    .dissipation = records_dissipation,
-    .level = records_level,
-    .mean_offset = records_centred,
     .parameters_within = duffing_record_parameters_within,
     .averaged_within = duffing_record_averaged_within,
     .parameters_in_pairs = duffing_record_parameters_in_pairs,
@@ -289,45 +274,10 @@ ROWS(rod_spring_record_harmonics_loop_2, rod_spring_harmonics_passed_1_far_1, 8)
 static const rows rod_spring_record_harmonics_loops[] = {rod_spring_record_harmonics_loop_0, rod_spring_record_harmonics_loop_1, rod_spring_record_harmonics_loop_2};
 SUMS(rod_spring_record_harmonics, rod_spring_harmonics, records_by_regime(rod_spring_record_harmonics_loops, rod_spring_record_averaged_regime, n, A, p, out))
 
-static double rod_spring_record_intercept(const sf_mechanism *self, double A, const double *p)
-{
-    (void)self;
-    return rod_spring_intercept(A, p[0], p[1], p[2], p[3]);
-}
-
-/* d/dp of h, h_A, h_AA, which are given, for each parameter p in turn */
-static void rod_spring_record_by_parameter(const sf_mechanism *self, double A, const double *h, const double *p, double *out)
-{
-    (void)self;
-    rod_spring_by_parameter(A, h[0], h[1], h[2], p, out);
-}
-
-/* h, h_A, h_AA, h_AAA and h - A h_A */
-static void rod_spring_record_averaged_within(const sf_mechanism *self, int passed, sf_interval A, sf_interval beyond,
-                                                           const sf_interval *p, sf_interval *out)
-{
-    (void)self;
-    rod_spring_intervals_known(passed, A, beyond, p, out);
-}
-
-/* h, h_A, h_AA, h_AAA, as many as are wanted: fewer take less time */
-static void rod_spring_record_averaged_in_pairs(const sf_mechanism *self, int passed, int wanted, sf_pair A, sf_pair beyond,
-                                                    const sf_pair *p, sf_pair *out)
-{
-    sf_pair all[5];
-    int i;
-    (void)self;
-    (void)(passed);
-    (void)(beyond);
-    if (wanted <= 2) {
-        rod_spring_pairs_known(passed, A, beyond, p, all);
-        out[0] = all[0], out[1] = all[1];
-        return;
-    }
-    rod_spring_pairs_known(passed, A, beyond, p, all);
-    for (i = 0; i < 4; i++)
-        out[i] = all[i];
-}
+INTERCEPT(rod_spring_record_intercept, rod_spring_intercept(A, p[0], p[1], p[2], p[3]))
+BY_PARAMETER(rod_spring_record_by_parameter, rod_spring_by_parameter)
+AVERAGED_WITHIN(rod_spring_record_averaged_within, rod_spring_intervals_known(passed, A, beyond, p, out))
+AVERAGED_IN_PAIRS(rod_spring_record_averaged_in_pairs, rod_spring_pairs_known(passed, A, beyond, p, all))
 
 /* Parameters and jumps of n designs */
 IN_PAIRS(rod_spring_record_many_in_pairs, rod_spring_pairs_given(NUMBER(0), NUMBER(1), NUMBER(2), p),
@@ -343,28 +293,14 @@ IN_PAIRS(rod_spring_record_on_first_end_in_pairs, rod_spring_pairs_given(NUMBER(
 _Static_assert(3 <= SF_MOST_DESIGN && 4 <= SF_MOST_PARAMETERS && 1 <= SF_MOST_BREAKS,
                "rod_spring needs higher limits in mechanism.h");
 static const sf_mechanism rod_spring_record = {
-    .form = SF_FORM,
-    .name = "rod_spring",
+    IN_EVERY_RECORD(rod_spring),
     .design_size = 3,
-    .damping_size = 2,
     .parameters = 4,
     .breakpoints = 1,
     .reach = 1.0,
-    .parameters_of = rod_spring_record_parameters_of,
-    .damping_of = records_damping_of,
-    .is_forcing = records_is_forcing,
     .ends = rod_spring_record_ends,
     .jumps = rod_spring_record_jumps,
-    .averaged = rod_spring_record_averaged,
-    .averaged_2 = rod_spring_record_averaged_2,
-    .intercept = rod_spring_record_intercept,
-    .harmonics = rod_spring_record_harmonics,
     .harmonics_up_to = INFINITY,
-    .by_parameter = rod_spring_record_by_parameter,
-    .by_design = rod_spring_record_by_design,
-    .dissipation = records_dissipation,
-    .level = records_level,
-    .mean_offset = records_centred,
     .parameters_within = rod_spring_record_parameters_within,
     .averaged_within = rod_spring_record_averaged_within,
     .ends_within = rod_spring_record_ends_within,
@@ -398,18 +334,8 @@ ROWS(rod_spring_untruncated_record_harmonics_loop_1, rod_spring_untruncated_harm
 static const rows rod_spring_untruncated_record_harmonics_loops[] = {rod_spring_untruncated_record_harmonics_loop_0, rod_spring_untruncated_record_harmonics_loop_1};
 SUMS(rod_spring_untruncated_record_harmonics, rod_spring_untruncated_harmonics, records_by_regime(rod_spring_untruncated_record_harmonics_loops, rod_spring_untruncated_record_harmonics_regime, n, A, p, out))
 
-static double rod_spring_untruncated_record_intercept(const sf_mechanism *self, double A, const double *p)
-{
-    (void)self;
-    return rod_spring_untruncated_intercept(A, p[0], p[1], p[2]);
-}
-
-/* d/dp of h, h_A, h_AA, which are given, for each parameter p in turn */
-static void rod_spring_untruncated_record_by_parameter(const sf_mechanism *self, double A, const double *h, const double *p, double *out)
-{
-    (void)self;
-    rod_spring_untruncated_by_parameter(A, h[0], h[1], h[2], p, out);
-}
+INTERCEPT(rod_spring_untruncated_record_intercept, rod_spring_untruncated_intercept(A, p[0], p[1], p[2]))
+BY_PARAMETER(rod_spring_untruncated_record_by_parameter, rod_spring_untruncated_by_parameter)
 
 /* What stands for its average where A exceeds the breakpoint, by so much, `parts` of them. */
 static void rod_spring_untruncated_record_parts(sf_held beyond, const sf_held *p, sf_held *out)
@@ -444,15 +370,13 @@ static void rod_spring_untruncated_record_averaged_within(const sf_mechanism *se
     rod_spring_untruncated_intervals_detached(A, part[0], part[1], part[2], part[3], part[4], p, out);
 }
 
-
-/* h, h_A, h_AA, h_AAA, as many as are wanted: fewer take less time */
+/* h, h_A, h_AA, h_AAA */
 static void rod_spring_untruncated_record_averaged_in_pairs(const sf_mechanism *self, int passed, int wanted, sf_pair A, sf_pair beyond,
                                                     const sf_pair *p, sf_pair *out)
 {
     sf_pair all[5];
     int i;
-    (void)self;
-    (void)(wanted);
+    (void)self, (void)wanted;
     if (passed == 0 && A.high < 0.69999999999999996) {
         rod_spring_untruncated_pairs_attached(A, p, all);
     } else if (passed == 0) {
@@ -483,28 +407,14 @@ IN_PAIRS(rod_spring_untruncated_record_on_first_end_in_pairs, rod_spring_untrunc
 _Static_assert(3 <= SF_MOST_DESIGN && 3 <= SF_MOST_PARAMETERS && 1 <= SF_MOST_BREAKS,
                "rod_spring_untruncated needs higher limits in mechanism.h");
 static const sf_mechanism rod_spring_untruncated_record = {
-    .form = SF_FORM,
-    .name = "rod_spring_untruncated",
+    IN_EVERY_RECORD(rod_spring_untruncated),
     .design_size = 3,
-    .damping_size = 2,
     .parameters = 3,
     .breakpoints = 1,
     .reach = 1.0,
-    .parameters_of = rod_spring_untruncated_record_parameters_of,
-    .damping_of = records_damping_of,
-    .is_forcing = records_is_forcing,
     .ends = rod_spring_untruncated_record_ends,
     .jumps = rod_spring_untruncated_record_jumps,
-    .averaged = rod_spring_untruncated_record_averaged,
-    .averaged_2 = rod_spring_untruncated_record_averaged_2,
-    .intercept = rod_spring_untruncated_record_intercept,
-    .harmonics = rod_spring_untruncated_record_harmonics,
     .harmonics_up_to = 0.75,
-    .by_parameter = rod_spring_untruncated_record_by_parameter,
-    .by_design = rod_spring_untruncated_record_by_design,
-    .dissipation = records_dissipation,
-    .level = records_level,
-    .mean_offset = records_centred,
     .parameters_within = rod_spring_untruncated_record_parameters_within,
     .averaged_within = rod_spring_untruncated_record_averaged_within,
     .ends_within = rod_spring_untruncated_record_ends_within,
