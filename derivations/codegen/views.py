@@ -17,7 +17,7 @@ from pathlib import Path
 import jinja2
 import sympy as sp
 
-from ..forces.repeated import Output
+from ..forces.repeated import Output, Repeated
 from ..paper.restoring_force import FAR
 from ..paper.slow_flow import m
 from .bytecode import kept_beside
@@ -363,15 +363,17 @@ def _loop(calls: Sequence[Sequence[Let]], sums: Sequence[Let], language: Languag
 
 def repeated_views(code: Code, language: Language) -> list[RepeatedView]:
     """What the kernels of a module repeat, printed, by name."""
-    found = {
-        value.repeated.name: value.repeated
-        for programs_ in code.values()
-        for program in programs_
-        for _, value in program.lets
-        if isinstance(value, Output)
-    }
+    found: dict[str, Repeated] = {}
+
+    def gather(lets: Iterable[Let]) -> None:
+        # what calls others stands behind them
+        for one in sorted({value.repeated for _, value in lets if isinstance(value, Output)}, key=lambda one: one.name):
+            gather(program_of(one).lets)
+            found.setdefault(one.name, one)
+
+    gather(let for programs_ in code.values() for program in programs_ for let in program.lets)
     views = []
-    for name, one in sorted(found.items()):
+    for name, one in found.items():
         program = program_of(one)
         outputs = zip((symbol.name for symbol, _ in one.outputs), program.outputs, strict=True)
         views.append(

@@ -415,18 +415,9 @@ class _Taylor:
         Y = self.named("Y", [y]) + (varied if by_second else zeros)
         # in the first duplication most coefficients are 0 or 1
         X, Y, Z, share = self.once_duplicated(X, Y, [sp.Integer(1), *zeros], "0")
-        shares = [share]
-        for n in range(1, DUPLICATIONS):
-            *following, share = (_series(f"{name}{n}") for name in ("X", "Y", "Z", "term"))
-            self.lets += _duplication().at((*X, *Y, *Z), [one for f in (*following, share) for one in f])
-            X, Y, Z = following
-            shares.append(share)
-        last = _series("last")
-        self.lets += _remainder().at((*X, *Y, *Z), last)
-        total = [value / 4**DUPLICATIONS for value in last]
-        for n, share in reversed(list(enumerate(shares))):
-            total = _plus(total, [3 * value / 4**n for value in share])
-        return self.named("R", total)
+        R = _series("R")
+        self.lets += _duplications().at((*X, *Y, *Z, *share), R)
+        return R
 
     def once_duplicated(
         self, X: Sequence[sp.Expr], Y: Sequence[sp.Expr], Z: Sequence[sp.Expr], n: str = ""
@@ -478,6 +469,30 @@ def _duplication() -> Repeated:
         tuple(one for f in given for one in f),
         tuple(lets),
         tuple(let for name, f in named for let in zip(_series(name), f, strict=True)),
+    )
+
+
+@functools.cache
+def _duplications() -> Repeated:
+    lets: list[Let] = []
+    given = [_series(name) for name in ("X0", "Y0", "Z0", "term0")]
+    (X, Y, Z, share), shares = given, [given[-1]]
+    for n in range(1, DUPLICATIONS):
+        X_, Y_, Z_, share = (_series(f"{name}{n}") for name in ("X", "Y", "Z", "term"))
+        lets += _duplication().at((*X, *Y, *Z), (*X_, *Y_, *Z_, *share))
+        X, Y, Z = X_, Y_, Z_
+        shares.append(share)
+    last = _series("last")
+    lets += _remainder().at((*X, *Y, *Z), last)
+    total = [value / 4**DUPLICATIONS for value in last]
+    for n, share in reversed(list(enumerate(shares))):
+        total = _plus(total, [3 * value / 4**n for value in share])
+    return Repeated(
+        "duplications",
+        "R_D by what one duplication has made of its arguments and has taken off, as a Taylor series.",
+        tuple(one for f in given for one in f),
+        tuple(lets),
+        tuple(zip(_series("R"), total, strict=True)),
     )
 
 

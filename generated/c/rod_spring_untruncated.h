@@ -239,6 +239,135 @@ SF_KERNEL void rod_spring_untruncated_duplication(double x_0, double x_1, double
     *share_3 = term3_0;
 }
 
+/* R_D of arguments that are nearly equal, as a Taylor series. */
+SF_KERNEL void rod_spring_untruncated_remainder(double x_0, double x_1, double x_2, double x_3, double y_0,
+    double y_1, double y_2, double y_3, double z_0, double z_1, double z_2, double z_3, double *last_0,
+    double *last_1, double *last_2, double *last_3)
+{
+    const double mean_0 = 0.20000000000000001 * x_0 + 0.20000000000000001 * y_0 + 0.59999999999999998 * z_0;
+    const double mean_1 = 0.20000000000000001 * x_1 + 0.20000000000000001 * y_1 + 0.59999999999999998 * z_1;
+    const double mean_2 = 0.20000000000000001 * x_2 + 0.20000000000000001 * y_2 + 0.59999999999999998 * z_2;
+    const double mean_3 = 0.20000000000000001 * x_3 + 0.20000000000000001 * y_3 + 0.59999999999999998 * z_3;
+    const double over_0 = 1.0 / mean_0;
+    const double over1_0 = -mean_1 * over_0 * over_0;
+    const double over2_0 = -over_0 * (mean_1 * over1_0 + mean_2 * over_0);
+    const double over3_0 = -over_0 * (mean_1 * over2_0 + mean_2 * over1_0 + mean_3 * over_0);
+    const double dx_0 = over_0 * (mean_0 - x_0);
+    const double dx_1 = over1_0 * (mean_0 - x_0) + over_0 * (mean_1 - x_1);
+    const double dx_2 = over1_0 * (mean_1 - x_1) + over2_0 * (mean_0 - x_0) + over_0 * (mean_2 - x_2);
+    const double dx_3 = over1_0 * (mean_2 - x_2) + over2_0 * (mean_1 - x_1) + over3_0 * (mean_0 - x_0) + over_0 *
+        (mean_3 - x_3);
+    const double dy_0 = over_0 * (mean_0 - y_0);
+    const double dy_1 = over1_0 * (mean_0 - y_0) + over_0 * (mean_1 - y_1);
+    const double dy_2 = over1_0 * (mean_1 - y_1) + over2_0 * (mean_0 - y_0) + over_0 * (mean_2 - y_2);
+    const double dy_3 = over1_0 * (mean_2 - y_2) + over2_0 * (mean_1 - y_1) + over3_0 * (mean_0 - y_0) + over_0 *
+        (mean_3 - y_3);
+    const double dz_0 = -0.33333333333333331 * dx_0 - 0.33333333333333331 * dy_0;
+    const double dz_1 = -0.33333333333333331 * dx_1 - 0.33333333333333331 * dy_1;
+    const double dz_2 = -0.33333333333333331 * dx_2 - 0.33333333333333331 * dy_2;
+    const double dz_3 = -0.33333333333333331 * dx_3 - 0.33333333333333331 * dy_3;
+    const double xy_0 = dx_0 * dy_0;
+    const double xy_1 = dx_0 * dy_1 + dx_1 * dy_0;
+    const double xy_2 = dx_0 * dy_2 + dx_1 * dy_1 + dx_2 * dy_0;
+    const double xy_3 = dx_0 * dy_3 + dx_1 * dy_2 + dx_2 * dy_1 + dx_3 * dy_0;
+    const double zz_0 = dz_0 * dz_0;
+    const double zz_1 = 2.0 * dz_0 * dz_1;
+    const double zz_2 = 2.0 * dz_0 * dz_2 + dz_1 * dz_1;
+    const double zz_3 = 2.0 * dz_0 * dz_3 + 2.0 * dz_1 * dz_2;
+    const double E2_0 = xy_0 - 6.0 * zz_0;
+    const double E2_1 = xy_1 - 6.0 * zz_1;
+    const double E2_2 = xy_2 - 6.0 * zz_2;
+    const double E2_3 = xy_3 - 6.0 * zz_3;
+    const double E3_0 = dz_0 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E3_1 = dz_0 * (3.0 * xy_1 - 8.0 * zz_1) + dz_1 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E3_2 = dz_0 * (3.0 * xy_2 - 8.0 * zz_2) + dz_1 * (3.0 * xy_1 - 8.0 * zz_1) + dz_2 * (3.0 * xy_0 -
+        8.0 * zz_0);
+    const double E3_3 = dz_0 * (3.0 * xy_3 - 8.0 * zz_3) + dz_1 * (3.0 * xy_2 - 8.0 * zz_2) + dz_2 * (3.0 * xy_1 -
+        8.0 * zz_1) + dz_3 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E4_0 = zz_0 * (3.0 * xy_0 - 3.0 * zz_0);
+    const double E4_1 = zz_0 * (3.0 * xy_1 - 3.0 * zz_1) + zz_1 * (3.0 * xy_0 - 3.0 * zz_0);
+    const double E4_2 = zz_0 * (3.0 * xy_2 - 3.0 * zz_2) + zz_1 * (3.0 * xy_1 - 3.0 * zz_1) + zz_2 * (3.0 * xy_0 -
+        3.0 * zz_0);
+    const double E4_3 = zz_0 * (3.0 * xy_3 - 3.0 * zz_3) + zz_1 * (3.0 * xy_2 - 3.0 * zz_2) + zz_2 * (3.0 * xy_1 -
+        3.0 * zz_1) + zz_3 * (3.0 * xy_0 - 3.0 * zz_0);
+    const double E5_0 = dz_0 * xy_0 * zz_0;
+    const double E5_1 = dz_0 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_1 * xy_0 * zz_0;
+    const double E5_2 = dz_0 * (xy_0 * zz_2 + xy_1 * zz_1 + xy_2 * zz_0) + dz_1 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_2
+        * xy_0 * zz_0;
+    const double E5_3 = dz_0 * (xy_0 * zz_3 + xy_1 * zz_2 + xy_2 * zz_1 + xy_3 * zz_0) + dz_1 * (xy_0 * zz_2 + xy_1
+        * zz_1 + xy_2 * zz_0) + dz_2 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_3 * xy_0 * zz_0;
+    const double series_0 = 0.10227272727272728 * E2_0 * E2_0 - 0.17307692307692307 * E2_0 * E3_0 -
+        0.21428571428571427 * E2_0 + 0.16666666666666666 * E3_0 - 0.13636363636363635 * E4_0 + 0.11538461538461539 *
+        E5_0 + 1.0;
+    const double series_1 = 0.20454545454545456 * E2_0 * E2_1 - 0.17307692307692307 * E2_0 * E3_1 -
+        0.17307692307692307 * E2_1 * E3_0 - 0.21428571428571427 * E2_1 + 0.16666666666666666 * E3_1 -
+        0.13636363636363635 * E4_1 + 0.11538461538461539 * E5_1;
+    const double series_2 = 0.20454545454545456 * E2_0 * E2_2 - 0.17307692307692307 * E2_0 * E3_2 +
+        0.10227272727272728 * E2_1 * E2_1 - 0.17307692307692307 * E2_1 * E3_1 - 0.17307692307692307 * E2_2 * E3_0 -
+        0.21428571428571427 * E2_2 + 0.16666666666666666 * E3_2 - 0.13636363636363635 * E4_2 + 0.11538461538461539 *
+        E5_2;
+    const double series_3 = 0.20454545454545456 * E2_0 * E2_3 - 0.17307692307692307 * E2_0 * E3_3 +
+        0.20454545454545456 * E2_1 * E2_2 - 0.17307692307692307 * E2_1 * E3_2 - 0.17307692307692307 * E2_2 * E3_1 -
+        0.17307692307692307 * E2_3 * E3_0 - 0.21428571428571427 * E2_3 + 0.16666666666666666 * E3_3 -
+        0.13636363636363635 * E4_3 + 0.11538461538461539 * E5_3;
+    const double sq_0 = sqrt(over_0);
+    const double sq_half_0 = 0.5 / sq_0;
+    const double sq1_0 = over1_0 * sq_half_0;
+    const double sq2_0 = sq_half_0 * (over2_0 - sq1_0 * sq1_0);
+    const double sq3_0 = sq_half_0 * (over3_0 - 2.0 * sq1_0 * sq2_0);
+    const double power_0 = over_0 * sq_0;
+    const double power_1 = over1_0 * sq_0 + over_0 * sq1_0;
+    const double power_2 = over1_0 * sq1_0 + over2_0 * sq_0 + over_0 * sq2_0;
+    const double power_3 = over1_0 * sq2_0 + over2_0 * sq1_0 + over3_0 * sq_0 + over_0 * sq3_0;
+    *last_0 = power_0 * series_0;
+    *last_1 = power_0 * series_1 + power_1 * series_0;
+    *last_2 = power_0 * series_2 + power_1 * series_1 + power_2 * series_0;
+    *last_3 = power_0 * series_3 + power_1 * series_2 + power_2 * series_1 + power_3 * series_0;
+}
+
+/* R_D by what one duplication has made of its arguments and has taken off, as a Taylor series. */
+SF_KERNEL void rod_spring_untruncated_duplications(double X0_0, double X0_1, double X0_2, double X0_3, double Y0_0,
+    double Y0_1, double Y0_2, double Y0_3, double Z0_0, double Z0_1, double Z0_2, double Z0_3, double term0_0,
+    double term0_1, double term0_2, double term0_3, double *R_0, double *R_1, double *R_2, double *R_3)
+{
+    double X1_0, X1_1, X1_2, X1_3, Y1_0, Y1_1, Y1_2, Y1_3, Z1_0, Z1_1, Z1_2, Z1_3, term1_0, term1_1, term1_2,
+        term1_3;
+    rod_spring_untruncated_duplication(X0_0, X0_1, X0_2, X0_3, Y0_0, Y0_1, Y0_2, Y0_3, Z0_0, Z0_1, Z0_2, Z0_3,
+        &X1_0, &X1_1, &X1_2, &X1_3, &Y1_0, &Y1_1, &Y1_2, &Y1_3, &Z1_0, &Z1_1, &Z1_2, &Z1_3, &term1_0, &term1_1,
+        &term1_2, &term1_3);
+    double X2_0, X2_1, X2_2, X2_3, Y2_0, Y2_1, Y2_2, Y2_3, Z2_0, Z2_1, Z2_2, Z2_3, term2_0, term2_1, term2_2,
+        term2_3;
+    rod_spring_untruncated_duplication(X1_0, X1_1, X1_2, X1_3, Y1_0, Y1_1, Y1_2, Y1_3, Z1_0, Z1_1, Z1_2, Z1_3,
+        &X2_0, &X2_1, &X2_2, &X2_3, &Y2_0, &Y2_1, &Y2_2, &Y2_3, &Z2_0, &Z2_1, &Z2_2, &Z2_3, &term2_0, &term2_1,
+        &term2_2, &term2_3);
+    double X3_0, X3_1, X3_2, X3_3, Y3_0, Y3_1, Y3_2, Y3_3, Z3_0, Z3_1, Z3_2, Z3_3, term3_0, term3_1, term3_2,
+        term3_3;
+    rod_spring_untruncated_duplication(X2_0, X2_1, X2_2, X2_3, Y2_0, Y2_1, Y2_2, Y2_3, Z2_0, Z2_1, Z2_2, Z2_3,
+        &X3_0, &X3_1, &X3_2, &X3_3, &Y3_0, &Y3_1, &Y3_2, &Y3_3, &Z3_0, &Z3_1, &Z3_2, &Z3_3, &term3_0, &term3_1,
+        &term3_2, &term3_3);
+    double X4_0, X4_1, X4_2, X4_3, Y4_0, Y4_1, Y4_2, Y4_3, Z4_0, Z4_1, Z4_2, Z4_3, term4_0, term4_1, term4_2,
+        term4_3;
+    rod_spring_untruncated_duplication(X3_0, X3_1, X3_2, X3_3, Y3_0, Y3_1, Y3_2, Y3_3, Z3_0, Z3_1, Z3_2, Z3_3,
+        &X4_0, &X4_1, &X4_2, &X4_3, &Y4_0, &Y4_1, &Y4_2, &Y4_3, &Z4_0, &Z4_1, &Z4_2, &Z4_3, &term4_0, &term4_1,
+        &term4_2, &term4_3);
+    double X5_0, X5_1, X5_2, X5_3, Y5_0, Y5_1, Y5_2, Y5_3, Z5_0, Z5_1, Z5_2, Z5_3, term5_0, term5_1, term5_2,
+        term5_3;
+    rod_spring_untruncated_duplication(X4_0, X4_1, X4_2, X4_3, Y4_0, Y4_1, Y4_2, Y4_3, Z4_0, Z4_1, Z4_2, Z4_3,
+        &X5_0, &X5_1, &X5_2, &X5_3, &Y5_0, &Y5_1, &Y5_2, &Y5_3, &Z5_0, &Z5_1, &Z5_2, &Z5_3, &term5_0, &term5_1,
+        &term5_2, &term5_3);
+    double last_0, last_1, last_2, last_3;
+    rod_spring_untruncated_remainder(X5_0, X5_1, X5_2, X5_3, Y5_0, Y5_1, Y5_2, Y5_3, Z5_0, Z5_1, Z5_2, Z5_3,
+        &last_0, &last_1, &last_2, &last_3);
+    *R_0 = 0.000244140625 * last_0 + 3.0 * term0_0 + 0.75 * term1_0 + 0.1875 * term2_0 + 0.046875 * term3_0 +
+        0.01171875 * term4_0 + 0.0029296875 * term5_0;
+    *R_1 = 0.000244140625 * last_1 + 3.0 * term0_1 + 0.75 * term1_1 + 0.1875 * term2_1 + 0.046875 * term3_1 +
+        0.01171875 * term4_1 + 0.0029296875 * term5_1;
+    *R_2 = 0.000244140625 * last_2 + 3.0 * term0_2 + 0.75 * term1_2 + 0.1875 * term2_2 + 0.046875 * term3_2 +
+        0.01171875 * term4_2 + 0.0029296875 * term5_2;
+    *R_3 = 0.000244140625 * last_3 + 3.0 * term0_3 + 0.75 * term1_3 + 0.1875 * term2_3 + 0.046875 * term3_3 +
+        0.01171875 * term4_3 + 0.0029296875 * term5_3;
+}
+
 /* Terms of int sin^2 tan^(2n) (1/c - 1/Delta) at a node, by n. */
 SF_KERNEL void rod_spring_untruncated_far_node(double x, double X2, double less, double both, double K, double c,
     double T2, double U2, double *W, double *Wq, double *Wq_2, double *Wq_3)
@@ -345,92 +474,6 @@ SF_KERNEL void rod_spring_untruncated_near_node(double x, double X2, double less
     *V3 = fall;
     *V5 = fall / square;
     *V7 = fall * (4.0 * U2 * v2 + 1.0) / (square * square);
-}
-
-/* R_D of arguments that are nearly equal, as a Taylor series. */
-SF_KERNEL void rod_spring_untruncated_remainder(double x_0, double x_1, double x_2, double x_3, double y_0,
-    double y_1, double y_2, double y_3, double z_0, double z_1, double z_2, double z_3, double *last_0,
-    double *last_1, double *last_2, double *last_3)
-{
-    const double mean_0 = 0.20000000000000001 * x_0 + 0.20000000000000001 * y_0 + 0.59999999999999998 * z_0;
-    const double mean_1 = 0.20000000000000001 * x_1 + 0.20000000000000001 * y_1 + 0.59999999999999998 * z_1;
-    const double mean_2 = 0.20000000000000001 * x_2 + 0.20000000000000001 * y_2 + 0.59999999999999998 * z_2;
-    const double mean_3 = 0.20000000000000001 * x_3 + 0.20000000000000001 * y_3 + 0.59999999999999998 * z_3;
-    const double over_0 = 1.0 / mean_0;
-    const double over1_0 = -mean_1 * over_0 * over_0;
-    const double over2_0 = -over_0 * (mean_1 * over1_0 + mean_2 * over_0);
-    const double over3_0 = -over_0 * (mean_1 * over2_0 + mean_2 * over1_0 + mean_3 * over_0);
-    const double dx_0 = over_0 * (mean_0 - x_0);
-    const double dx_1 = over1_0 * (mean_0 - x_0) + over_0 * (mean_1 - x_1);
-    const double dx_2 = over1_0 * (mean_1 - x_1) + over2_0 * (mean_0 - x_0) + over_0 * (mean_2 - x_2);
-    const double dx_3 = over1_0 * (mean_2 - x_2) + over2_0 * (mean_1 - x_1) + over3_0 * (mean_0 - x_0) + over_0 *
-        (mean_3 - x_3);
-    const double dy_0 = over_0 * (mean_0 - y_0);
-    const double dy_1 = over1_0 * (mean_0 - y_0) + over_0 * (mean_1 - y_1);
-    const double dy_2 = over1_0 * (mean_1 - y_1) + over2_0 * (mean_0 - y_0) + over_0 * (mean_2 - y_2);
-    const double dy_3 = over1_0 * (mean_2 - y_2) + over2_0 * (mean_1 - y_1) + over3_0 * (mean_0 - y_0) + over_0 *
-        (mean_3 - y_3);
-    const double dz_0 = -0.33333333333333331 * dx_0 - 0.33333333333333331 * dy_0;
-    const double dz_1 = -0.33333333333333331 * dx_1 - 0.33333333333333331 * dy_1;
-    const double dz_2 = -0.33333333333333331 * dx_2 - 0.33333333333333331 * dy_2;
-    const double dz_3 = -0.33333333333333331 * dx_3 - 0.33333333333333331 * dy_3;
-    const double xy_0 = dx_0 * dy_0;
-    const double xy_1 = dx_0 * dy_1 + dx_1 * dy_0;
-    const double xy_2 = dx_0 * dy_2 + dx_1 * dy_1 + dx_2 * dy_0;
-    const double xy_3 = dx_0 * dy_3 + dx_1 * dy_2 + dx_2 * dy_1 + dx_3 * dy_0;
-    const double zz_0 = dz_0 * dz_0;
-    const double zz_1 = 2.0 * dz_0 * dz_1;
-    const double zz_2 = 2.0 * dz_0 * dz_2 + dz_1 * dz_1;
-    const double zz_3 = 2.0 * dz_0 * dz_3 + 2.0 * dz_1 * dz_2;
-    const double E2_0 = xy_0 - 6.0 * zz_0;
-    const double E2_1 = xy_1 - 6.0 * zz_1;
-    const double E2_2 = xy_2 - 6.0 * zz_2;
-    const double E2_3 = xy_3 - 6.0 * zz_3;
-    const double E3_0 = dz_0 * (3.0 * xy_0 - 8.0 * zz_0);
-    const double E3_1 = dz_0 * (3.0 * xy_1 - 8.0 * zz_1) + dz_1 * (3.0 * xy_0 - 8.0 * zz_0);
-    const double E3_2 = dz_0 * (3.0 * xy_2 - 8.0 * zz_2) + dz_1 * (3.0 * xy_1 - 8.0 * zz_1) + dz_2 * (3.0 * xy_0 -
-        8.0 * zz_0);
-    const double E3_3 = dz_0 * (3.0 * xy_3 - 8.0 * zz_3) + dz_1 * (3.0 * xy_2 - 8.0 * zz_2) + dz_2 * (3.0 * xy_1 -
-        8.0 * zz_1) + dz_3 * (3.0 * xy_0 - 8.0 * zz_0);
-    const double E4_0 = zz_0 * (3.0 * xy_0 - 3.0 * zz_0);
-    const double E4_1 = zz_0 * (3.0 * xy_1 - 3.0 * zz_1) + zz_1 * (3.0 * xy_0 - 3.0 * zz_0);
-    const double E4_2 = zz_0 * (3.0 * xy_2 - 3.0 * zz_2) + zz_1 * (3.0 * xy_1 - 3.0 * zz_1) + zz_2 * (3.0 * xy_0 -
-        3.0 * zz_0);
-    const double E4_3 = zz_0 * (3.0 * xy_3 - 3.0 * zz_3) + zz_1 * (3.0 * xy_2 - 3.0 * zz_2) + zz_2 * (3.0 * xy_1 -
-        3.0 * zz_1) + zz_3 * (3.0 * xy_0 - 3.0 * zz_0);
-    const double E5_0 = dz_0 * xy_0 * zz_0;
-    const double E5_1 = dz_0 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_1 * xy_0 * zz_0;
-    const double E5_2 = dz_0 * (xy_0 * zz_2 + xy_1 * zz_1 + xy_2 * zz_0) + dz_1 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_2
-        * xy_0 * zz_0;
-    const double E5_3 = dz_0 * (xy_0 * zz_3 + xy_1 * zz_2 + xy_2 * zz_1 + xy_3 * zz_0) + dz_1 * (xy_0 * zz_2 + xy_1
-        * zz_1 + xy_2 * zz_0) + dz_2 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_3 * xy_0 * zz_0;
-    const double series_0 = 0.10227272727272728 * E2_0 * E2_0 - 0.17307692307692307 * E2_0 * E3_0 -
-        0.21428571428571427 * E2_0 + 0.16666666666666666 * E3_0 - 0.13636363636363635 * E4_0 + 0.11538461538461539 *
-        E5_0 + 1.0;
-    const double series_1 = 0.20454545454545456 * E2_0 * E2_1 - 0.17307692307692307 * E2_0 * E3_1 -
-        0.17307692307692307 * E2_1 * E3_0 - 0.21428571428571427 * E2_1 + 0.16666666666666666 * E3_1 -
-        0.13636363636363635 * E4_1 + 0.11538461538461539 * E5_1;
-    const double series_2 = 0.20454545454545456 * E2_0 * E2_2 - 0.17307692307692307 * E2_0 * E3_2 +
-        0.10227272727272728 * E2_1 * E2_1 - 0.17307692307692307 * E2_1 * E3_1 - 0.17307692307692307 * E2_2 * E3_0 -
-        0.21428571428571427 * E2_2 + 0.16666666666666666 * E3_2 - 0.13636363636363635 * E4_2 + 0.11538461538461539 *
-        E5_2;
-    const double series_3 = 0.20454545454545456 * E2_0 * E2_3 - 0.17307692307692307 * E2_0 * E3_3 +
-        0.20454545454545456 * E2_1 * E2_2 - 0.17307692307692307 * E2_1 * E3_2 - 0.17307692307692307 * E2_2 * E3_1 -
-        0.17307692307692307 * E2_3 * E3_0 - 0.21428571428571427 * E2_3 + 0.16666666666666666 * E3_3 -
-        0.13636363636363635 * E4_3 + 0.11538461538461539 * E5_3;
-    const double sq_0 = sqrt(over_0);
-    const double sq_half_0 = 0.5 / sq_0;
-    const double sq1_0 = over1_0 * sq_half_0;
-    const double sq2_0 = sq_half_0 * (over2_0 - sq1_0 * sq1_0);
-    const double sq3_0 = sq_half_0 * (over3_0 - 2.0 * sq1_0 * sq2_0);
-    const double power_0 = over_0 * sq_0;
-    const double power_1 = over1_0 * sq_0 + over_0 * sq1_0;
-    const double power_2 = over1_0 * sq1_0 + over2_0 * sq_0 + over_0 * sq2_0;
-    const double power_3 = over1_0 * sq2_0 + over2_0 * sq1_0 + over3_0 * sq_0 + over_0 * sq3_0;
-    *last_0 = power_0 * series_0;
-    *last_1 = power_0 * series_1 + power_1 * series_0;
-    *last_2 = power_0 * series_2 + power_1 * series_1 + power_2 * series_0;
-    *last_3 = power_0 * series_3 + power_1 * series_2 + power_2 * series_1 + power_3 * series_0;
 }
 
 /* Terms of int sin^2 tan^(2n) at a node, by n. */
@@ -870,42 +913,9 @@ SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steep_far(double A, 
     const double Z0_1 = 0.25 * lam0_1;
     const double Z0_2 = 0.25 * lam0_2;
     const double Z0_3 = 0.25 * lam0_3;
-    double X1_0, X1_1, X1_2, X1_3, Y1_0, Y1_1, Y1_2, Y1_3, Z1_0, Z1_1, Z1_2, Z1_3, term1_0, term1_1, term1_2,
-        term1_3;
-    rod_spring_untruncated_duplication(X0_0, X0_1, X0_2, X0_3, Y0_0, Y0_1, Y0_2, Y0_3, Z0_0, Z0_1, Z0_2, Z0_3,
-        &X1_0, &X1_1, &X1_2, &X1_3, &Y1_0, &Y1_1, &Y1_2, &Y1_3, &Z1_0, &Z1_1, &Z1_2, &Z1_3, &term1_0, &term1_1,
-        &term1_2, &term1_3);
-    double X2_0, X2_1, X2_2, X2_3, Y2_0, Y2_1, Y2_2, Y2_3, Z2_0, Z2_1, Z2_2, Z2_3, term2_0, term2_1, term2_2,
-        term2_3;
-    rod_spring_untruncated_duplication(X1_0, X1_1, X1_2, X1_3, Y1_0, Y1_1, Y1_2, Y1_3, Z1_0, Z1_1, Z1_2, Z1_3,
-        &X2_0, &X2_1, &X2_2, &X2_3, &Y2_0, &Y2_1, &Y2_2, &Y2_3, &Z2_0, &Z2_1, &Z2_2, &Z2_3, &term2_0, &term2_1,
-        &term2_2, &term2_3);
-    double X3_0, X3_1, X3_2, X3_3, Y3_0, Y3_1, Y3_2, Y3_3, Z3_0, Z3_1, Z3_2, Z3_3, term3_0, term3_1, term3_2,
-        term3_3;
-    rod_spring_untruncated_duplication(X2_0, X2_1, X2_2, X2_3, Y2_0, Y2_1, Y2_2, Y2_3, Z2_0, Z2_1, Z2_2, Z2_3,
-        &X3_0, &X3_1, &X3_2, &X3_3, &Y3_0, &Y3_1, &Y3_2, &Y3_3, &Z3_0, &Z3_1, &Z3_2, &Z3_3, &term3_0, &term3_1,
-        &term3_2, &term3_3);
-    double X4_0, X4_1, X4_2, X4_3, Y4_0, Y4_1, Y4_2, Y4_3, Z4_0, Z4_1, Z4_2, Z4_3, term4_0, term4_1, term4_2,
-        term4_3;
-    rod_spring_untruncated_duplication(X3_0, X3_1, X3_2, X3_3, Y3_0, Y3_1, Y3_2, Y3_3, Z3_0, Z3_1, Z3_2, Z3_3,
-        &X4_0, &X4_1, &X4_2, &X4_3, &Y4_0, &Y4_1, &Y4_2, &Y4_3, &Z4_0, &Z4_1, &Z4_2, &Z4_3, &term4_0, &term4_1,
-        &term4_2, &term4_3);
-    double X5_0, X5_1, X5_2, X5_3, Y5_0, Y5_1, Y5_2, Y5_3, Z5_0, Z5_1, Z5_2, Z5_3, term5_0, term5_1, term5_2,
-        term5_3;
-    rod_spring_untruncated_duplication(X4_0, X4_1, X4_2, X4_3, Y4_0, Y4_1, Y4_2, Y4_3, Z4_0, Z4_1, Z4_2, Z4_3,
-        &X5_0, &X5_1, &X5_2, &X5_3, &Y5_0, &Y5_1, &Y5_2, &Y5_3, &Z5_0, &Z5_1, &Z5_2, &Z5_3, &term5_0, &term5_1,
-        &term5_2, &term5_3);
-    double last_0, last_1, last_2, last_3;
-    rod_spring_untruncated_remainder(X5_0, X5_1, X5_2, X5_3, Y5_0, Y5_1, Y5_2, Y5_3, Z5_0, Z5_1, Z5_2, Z5_3,
-        &last_0, &last_1, &last_2, &last_3);
-    const double R_0 = 0.000244140625 * last_0 + 3.0 * term0_0 + 0.75 * term1_0 + 0.1875 * term2_0 + 0.046875 *
-        term3_0 + 0.01171875 * term4_0 + 0.0029296875 * term5_0;
-    const double R_1 = 0.000244140625 * last_1 + 3.0 * term01_0 + 0.75 * term1_1 + 0.1875 * term2_1 + 0.046875 *
-        term3_1 + 0.01171875 * term4_1 + 0.0029296875 * term5_1;
-    const double R_2 = 0.000244140625 * last_2 + 3.0 * term02_0 + 0.75 * term1_2 + 0.1875 * term2_2 + 0.046875 *
-        term3_2 + 0.01171875 * term4_2 + 0.0029296875 * term5_2;
-    const double R_3 = 0.000244140625 * last_3 + 3.0 * term03_0 + 0.75 * term1_3 + 0.1875 * term2_3 + 0.046875 *
-        term3_3 + 0.01171875 * term4_3 + 0.0029296875 * term5_3;
+    double R_0, R_1, R_2, R_3;
+    rod_spring_untruncated_duplications(X0_0, X0_1, X0_2, X0_3, Y0_0, Y0_1, Y0_2, Y0_3, Z0_0, Z0_1, Z0_2, Z0_3,
+        term0_0, term01_0, term02_0, term03_0, &R_0, &R_1, &R_2, &R_3);
     const double V2 = R_0 * third;
     const double V4 = -2.0 * R_1 * third * x2;
     const double x2_2 = x2 * x2;
@@ -978,42 +988,9 @@ SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steep_away(double A,
     const double Z0_1 = 0.25 * lam0_1;
     const double Z0_2 = 0.25 * lam0_2;
     const double Z0_3 = 0.25 * lam0_3;
-    double X1_0, X1_1, X1_2, X1_3, Y1_0, Y1_1, Y1_2, Y1_3, Z1_0, Z1_1, Z1_2, Z1_3, term1_0, term1_1, term1_2,
-        term1_3;
-    rod_spring_untruncated_duplication(X0_0, X0_1, X0_2, X0_3, Y0_0, Y0_1, Y0_2, Y0_3, Z0_0, Z0_1, Z0_2, Z0_3,
-        &X1_0, &X1_1, &X1_2, &X1_3, &Y1_0, &Y1_1, &Y1_2, &Y1_3, &Z1_0, &Z1_1, &Z1_2, &Z1_3, &term1_0, &term1_1,
-        &term1_2, &term1_3);
-    double X2_0, X2_1, X2_2, X2_3, Y2_0, Y2_1, Y2_2, Y2_3, Z2_0, Z2_1, Z2_2, Z2_3, term2_0, term2_1, term2_2,
-        term2_3;
-    rod_spring_untruncated_duplication(X1_0, X1_1, X1_2, X1_3, Y1_0, Y1_1, Y1_2, Y1_3, Z1_0, Z1_1, Z1_2, Z1_3,
-        &X2_0, &X2_1, &X2_2, &X2_3, &Y2_0, &Y2_1, &Y2_2, &Y2_3, &Z2_0, &Z2_1, &Z2_2, &Z2_3, &term2_0, &term2_1,
-        &term2_2, &term2_3);
-    double X3_0, X3_1, X3_2, X3_3, Y3_0, Y3_1, Y3_2, Y3_3, Z3_0, Z3_1, Z3_2, Z3_3, term3_0, term3_1, term3_2,
-        term3_3;
-    rod_spring_untruncated_duplication(X2_0, X2_1, X2_2, X2_3, Y2_0, Y2_1, Y2_2, Y2_3, Z2_0, Z2_1, Z2_2, Z2_3,
-        &X3_0, &X3_1, &X3_2, &X3_3, &Y3_0, &Y3_1, &Y3_2, &Y3_3, &Z3_0, &Z3_1, &Z3_2, &Z3_3, &term3_0, &term3_1,
-        &term3_2, &term3_3);
-    double X4_0, X4_1, X4_2, X4_3, Y4_0, Y4_1, Y4_2, Y4_3, Z4_0, Z4_1, Z4_2, Z4_3, term4_0, term4_1, term4_2,
-        term4_3;
-    rod_spring_untruncated_duplication(X3_0, X3_1, X3_2, X3_3, Y3_0, Y3_1, Y3_2, Y3_3, Z3_0, Z3_1, Z3_2, Z3_3,
-        &X4_0, &X4_1, &X4_2, &X4_3, &Y4_0, &Y4_1, &Y4_2, &Y4_3, &Z4_0, &Z4_1, &Z4_2, &Z4_3, &term4_0, &term4_1,
-        &term4_2, &term4_3);
-    double X5_0, X5_1, X5_2, X5_3, Y5_0, Y5_1, Y5_2, Y5_3, Z5_0, Z5_1, Z5_2, Z5_3, term5_0, term5_1, term5_2,
-        term5_3;
-    rod_spring_untruncated_duplication(X4_0, X4_1, X4_2, X4_3, Y4_0, Y4_1, Y4_2, Y4_3, Z4_0, Z4_1, Z4_2, Z4_3,
-        &X5_0, &X5_1, &X5_2, &X5_3, &Y5_0, &Y5_1, &Y5_2, &Y5_3, &Z5_0, &Z5_1, &Z5_2, &Z5_3, &term5_0, &term5_1,
-        &term5_2, &term5_3);
-    double last_0, last_1, last_2, last_3;
-    rod_spring_untruncated_remainder(X5_0, X5_1, X5_2, X5_3, Y5_0, Y5_1, Y5_2, Y5_3, Z5_0, Z5_1, Z5_2, Z5_3,
-        &last_0, &last_1, &last_2, &last_3);
-    const double R_0 = 0.000244140625 * last_0 + 3.0 * term0_0 + 0.75 * term1_0 + 0.1875 * term2_0 + 0.046875 *
-        term3_0 + 0.01171875 * term4_0 + 0.0029296875 * term5_0;
-    const double R_1 = 0.000244140625 * last_1 + 3.0 * term01_0 + 0.75 * term1_1 + 0.1875 * term2_1 + 0.046875 *
-        term3_1 + 0.01171875 * term4_1 + 0.0029296875 * term5_1;
-    const double R_2 = 0.000244140625 * last_2 + 3.0 * term02_0 + 0.75 * term1_2 + 0.1875 * term2_2 + 0.046875 *
-        term3_2 + 0.01171875 * term4_2 + 0.0029296875 * term5_2;
-    const double R_3 = 0.000244140625 * last_3 + 3.0 * term03_0 + 0.75 * term1_3 + 0.1875 * term2_3 + 0.046875 *
-        term3_3 + 0.01171875 * term4_3 + 0.0029296875 * term5_3;
+    double R_0, R_1, R_2, R_3;
+    rod_spring_untruncated_duplications(X0_0, X0_1, X0_2, X0_3, Y0_0, Y0_1, Y0_2, Y0_3, Z0_0, Z0_1, Z0_2, Z0_3,
+        term0_0, term01_0, term02_0, term03_0, &R_0, &R_1, &R_2, &R_3);
     const double V2 = R_0 * third;
     const double V4 = -2.0 * R_1 * third * x2;
     const double x2_2 = x2 * x2;
@@ -1090,42 +1067,9 @@ SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steep(double A, cons
     const double Z0_1 = 0.25 * lam0_1;
     const double Z0_2 = 0.25 * lam0_2;
     const double Z0_3 = 0.25 * lam0_3;
-    double X1_0, X1_1, X1_2, X1_3, Y1_0, Y1_1, Y1_2, Y1_3, Z1_0, Z1_1, Z1_2, Z1_3, term1_0, term1_1, term1_2,
-        term1_3;
-    rod_spring_untruncated_duplication(X0_0, X0_1, X0_2, X0_3, Y0_0, Y0_1, Y0_2, Y0_3, Z0_0, Z0_1, Z0_2, Z0_3,
-        &X1_0, &X1_1, &X1_2, &X1_3, &Y1_0, &Y1_1, &Y1_2, &Y1_3, &Z1_0, &Z1_1, &Z1_2, &Z1_3, &term1_0, &term1_1,
-        &term1_2, &term1_3);
-    double X2_0, X2_1, X2_2, X2_3, Y2_0, Y2_1, Y2_2, Y2_3, Z2_0, Z2_1, Z2_2, Z2_3, term2_0, term2_1, term2_2,
-        term2_3;
-    rod_spring_untruncated_duplication(X1_0, X1_1, X1_2, X1_3, Y1_0, Y1_1, Y1_2, Y1_3, Z1_0, Z1_1, Z1_2, Z1_3,
-        &X2_0, &X2_1, &X2_2, &X2_3, &Y2_0, &Y2_1, &Y2_2, &Y2_3, &Z2_0, &Z2_1, &Z2_2, &Z2_3, &term2_0, &term2_1,
-        &term2_2, &term2_3);
-    double X3_0, X3_1, X3_2, X3_3, Y3_0, Y3_1, Y3_2, Y3_3, Z3_0, Z3_1, Z3_2, Z3_3, term3_0, term3_1, term3_2,
-        term3_3;
-    rod_spring_untruncated_duplication(X2_0, X2_1, X2_2, X2_3, Y2_0, Y2_1, Y2_2, Y2_3, Z2_0, Z2_1, Z2_2, Z2_3,
-        &X3_0, &X3_1, &X3_2, &X3_3, &Y3_0, &Y3_1, &Y3_2, &Y3_3, &Z3_0, &Z3_1, &Z3_2, &Z3_3, &term3_0, &term3_1,
-        &term3_2, &term3_3);
-    double X4_0, X4_1, X4_2, X4_3, Y4_0, Y4_1, Y4_2, Y4_3, Z4_0, Z4_1, Z4_2, Z4_3, term4_0, term4_1, term4_2,
-        term4_3;
-    rod_spring_untruncated_duplication(X3_0, X3_1, X3_2, X3_3, Y3_0, Y3_1, Y3_2, Y3_3, Z3_0, Z3_1, Z3_2, Z3_3,
-        &X4_0, &X4_1, &X4_2, &X4_3, &Y4_0, &Y4_1, &Y4_2, &Y4_3, &Z4_0, &Z4_1, &Z4_2, &Z4_3, &term4_0, &term4_1,
-        &term4_2, &term4_3);
-    double X5_0, X5_1, X5_2, X5_3, Y5_0, Y5_1, Y5_2, Y5_3, Z5_0, Z5_1, Z5_2, Z5_3, term5_0, term5_1, term5_2,
-        term5_3;
-    rod_spring_untruncated_duplication(X4_0, X4_1, X4_2, X4_3, Y4_0, Y4_1, Y4_2, Y4_3, Z4_0, Z4_1, Z4_2, Z4_3,
-        &X5_0, &X5_1, &X5_2, &X5_3, &Y5_0, &Y5_1, &Y5_2, &Y5_3, &Z5_0, &Z5_1, &Z5_2, &Z5_3, &term5_0, &term5_1,
-        &term5_2, &term5_3);
-    double last_0, last_1, last_2, last_3;
-    rod_spring_untruncated_remainder(X5_0, X5_1, X5_2, X5_3, Y5_0, Y5_1, Y5_2, Y5_3, Z5_0, Z5_1, Z5_2, Z5_3,
-        &last_0, &last_1, &last_2, &last_3);
-    const double R_0 = 0.000244140625 * last_0 + 3.0 * term0_0 + 0.75 * term1_0 + 0.1875 * term2_0 + 0.046875 *
-        term3_0 + 0.01171875 * term4_0 + 0.0029296875 * term5_0;
-    const double R_1 = 0.000244140625 * last_1 + 3.0 * term01_0 + 0.75 * term1_1 + 0.1875 * term2_1 + 0.046875 *
-        term3_1 + 0.01171875 * term4_1 + 0.0029296875 * term5_1;
-    const double R_2 = 0.000244140625 * last_2 + 3.0 * term02_0 + 0.75 * term1_2 + 0.1875 * term2_2 + 0.046875 *
-        term3_2 + 0.01171875 * term4_2 + 0.0029296875 * term5_2;
-    const double R_3 = 0.000244140625 * last_3 + 3.0 * term03_0 + 0.75 * term1_3 + 0.1875 * term2_3 + 0.046875 *
-        term3_3 + 0.01171875 * term4_3 + 0.0029296875 * term5_3;
+    double R_0, R_1, R_2, R_3;
+    rod_spring_untruncated_duplications(X0_0, X0_1, X0_2, X0_3, Y0_0, Y0_1, Y0_2, Y0_3, Z0_0, Z0_1, Z0_2, Z0_3,
+        term0_0, term01_0, term02_0, term03_0, &R_0, &R_1, &R_2, &R_3);
     const double V2 = R_0 * third;
     const double V4 = -2.0 * R_1 * third * x2;
     const double x2_2 = x2 * x2;
