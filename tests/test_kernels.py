@@ -20,7 +20,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from derivations.codegen.conventions import C_ALONE, CONVENTIONS
 from tests import backends
 from tests.native import headers
 
@@ -128,10 +127,6 @@ def test_what_python_never_calls_is_listed():
         own = {name for node in tree.body for name in defined_by(node) if not name.startswith("_")}
         inside = {one.id for one in ast.walk(tree) if isinstance(one, ast.Name) and is_load(one)}
         assert own <= named | inside | listed, path.stem
-
-
-def test_what_c_alone_has_is_a_convention():
-    assert {number.name for one in CONVENTIONS for number in one.numbers} >= C_ALONE
 
 
 def is_load(node: ast.Name) -> bool:

@@ -51,7 +51,7 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     """Every file of this language."""
     # here, not above: one module does without
     from ....extensions.scaling import of_every_excitation, of_every_law, of_every_oscillator
-    from ...conventions import C_ALONE, CONVENTIONS
+    from ...conventions import CONVENTIONS
 
     environment = _environment()
     result = {f"slowflow_kernels/{module.name}.py": text(module, code[module.name]) for module in modules}
@@ -67,7 +67,7 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     for conventions in CONVENTIONS:
         width = max((len(word.name) for table in conventions.tables for word in table.words), default=0)
         result[f"slowflow_kernels/{conventions.name}.py"] = environment.get_template("conventions.py.jinja").render(
-            conventions=conventions, c_alone=C_ALONE, width=width, show=stated
+            conventions=conventions, width=width, show=stated
         )
     result["slowflow_kernels/scenes.py"] = environment.get_template("scenes.py.jinja").render(
         scenes=[(GENERAL + suffix(scene), vanishing) for scene, vanishing in most_first(SCENES)], general=GENERAL
