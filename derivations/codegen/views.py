@@ -161,6 +161,7 @@ def programs(module: Module, asked: Iterable[Kernel] | None = None) -> Code:
 
 
 @functools.cache
+@functools.cache
 def templates(folder: Path) -> jinja2.Environment:
     """The templates below `folder`, which is a target's, each compiled once; what they use undefined is an error."""
     environment = jinja2.Environment(

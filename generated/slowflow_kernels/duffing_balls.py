@@ -4,8 +4,9 @@ Written by `make derive`; never edit.
 Input: derivations/mechanisms/duffing.py, sha256 9373efd0233ac344ef6400339d5e07249f2a69044c1e5b0f62a31ba5e650a7a3
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
-Arguments are `flint.arb`, or numbers that are exact; each output holds the value of the function of the same name, to the
-digits of `flint.ctx`. passed_n is meant where A exceeds n breakpoints; beyond: by how much it exceeds the last of these.
+Arguments are `flint.arb`, or numbers that are exact; each output holds the value of the function of the same name,
+to the digits of `flint.ctx`. passed_n is meant where A exceeds n breakpoints; beyond: by how much it exceeds the
+last of these.
 """
 
 # a formatter would spread each polynomial over a page
@@ -14,8 +15,7 @@ digits of `flint.ctx`. passed_n is meant where A exceeds n breakpoints; beyond: 
 from flint import arb
 
 __all__ = [
-    "given",
-    "known",
+    "given", "known",
 ]
 
 

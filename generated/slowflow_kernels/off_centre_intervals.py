@@ -12,10 +12,7 @@ the methods `square` and `sqrt`.
 # fmt: off
 
 __all__ = [
-    "beside",
-    "ended_along",
-    "ended_fold",
-    "ended_state",
+    "beside", "ended_along", "ended_fold", "ended_state",
 ]
 
 
@@ -123,6 +120,4 @@ def beside(B, c_3, s_2):
 
     Equation the mean of (3). Domain: c_3 other than 0.
     """
-    return (
-        0.33333333333333331 * B.square() * c_3 - 3.0 * s_2.square() / c_3
-    )
+    return 0.33333333333333331 * B.square() * c_3 - 3.0 * s_2.square() / c_3

@@ -4,8 +4,9 @@ Written by `make derive`; never edit.
 Input: derivations/mechanisms/rod_spring.py, sha256 32547d193395cd270acc3f273e70058733ff16eb3be789ea57ebc28fff75f083
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
-Arguments are `flint.arb`, or numbers that are exact; each output holds the value of the function of the same name, to the
-digits of `flint.ctx`. passed_n is meant where A exceeds n breakpoints; beyond: by how much it exceeds the last of these.
+Arguments are `flint.arb`, or numbers that are exact; each output holds the value of the function of the same name,
+to the digits of `flint.ctx`. passed_n is meant where A exceeds n breakpoints; beyond: by how much it exceeds the
+last of these.
 """
 
 # a formatter would spread each polynomial over a page
@@ -14,9 +15,7 @@ digits of `flint.ctx`. passed_n is meant where A exceeds n breakpoints; beyond: 
 from flint import arb
 
 __all__ = [
-    "breakpoints",
-    "given",
-    "known",
+    "breakpoints", "given", "known",
 ]
 
 

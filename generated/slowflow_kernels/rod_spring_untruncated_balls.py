@@ -5,8 +5,9 @@ Written by `make derive`; never edit.
 Input: derivations/mechanisms/rod_spring_untruncated.py, sha256 fcc795df716f7e2f9f892242cfe193b7bb6d648ba5e980491479e0dbe8cfd9fa
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
-Arguments are `flint.arb`, or numbers that are exact; each output holds the value of the function of the same name, to the
-digits of `flint.ctx`. passed_n is meant where A exceeds n breakpoints; beyond: by how much it exceeds the last of these.
+Arguments are `flint.arb`, or numbers that are exact; each output holds the value of the function of the same name,
+to the digits of `flint.ctx`. passed_n is meant where A exceeds n breakpoints; beyond: by how much it exceeds the
+last of these.
 """
 
 # a formatter would spread each polynomial over a page
@@ -17,11 +18,7 @@ from flint import arb
 from slowflow_support.balls import R_D, R_F
 
 __all__ = [
-    "at_rest",
-    "breakpoints",
-    "given",
-    "kinks",
-    "known",
+    "at_rest", "breakpoints", "given", "kinks", "known",
 ]
 
 

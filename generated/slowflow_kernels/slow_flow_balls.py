@@ -4,8 +4,9 @@ Written by `make derive`; never edit.
 Input: none but the equation of motion in derivations/paper/averaging.py, derivations/paper/slow_flow.py, derivations/asymmetric/offset.py, derivations/systems/along.py, derivations/systems/slopes.py, derivations/systems/newton.py, derivations/paper/critical_forcings.py
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
-Arguments are `flint.arb`, or numbers that are exact; each output holds the value of the function of the same name, to the
-digits of `flint.ctx`. passed_n is meant where A exceeds n breakpoints; beyond: by how much it exceeds the last of these.
+Arguments are `flint.arb`, or numbers that are exact; each output holds the value of the function of the same name,
+to the digits of `flint.ctx`. passed_n is meant where A exceeds n breakpoints; beyond: by how much it exceeds the
+last of these.
 """
 
 # a formatter would spread each polynomial over a page
@@ -23,6 +24,4 @@ def friction(mu):
 
     Equation (23). Domain: mu >= 0.
     """
-    return (
-        (4 / arb.pi()) * mu
-    )
+    return (4 / arb.pi()) * mu

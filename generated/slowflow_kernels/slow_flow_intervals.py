@@ -12,35 +12,10 @@ the methods `square` and `sqrt`.
 # fmt: off
 
 __all__ = [
-    "backbone",
-    "cusp",
-    "cusp_bend",
-    "cusp_R",
-    "cusps",
-    "F",
-    "F_A",
-    "F_AA",
-    "F_AOmega",
-    "F_Omega",
-    "F_Omega_reduced",
-    "F_OmegaOmega",
-    "fold",
-    "fold_least",
-    "fold_quartic",
-    "intercept",
-    "isola",
-    "isola_bend",
-    "isola_Omega",
-    "least_restoring",
-    "level",
-    "level_rise",
-    "most_restoring",
-    "peak",
-    "peak_cubic",
-    "R",
-    "state",
-    "state_R",
-    "turn",
+    "backbone", "cusp", "cusp_bend", "cusp_R", "cusps", "F", "F_A", "F_AA", "F_AOmega", "F_Omega",
+    "F_Omega_reduced", "F_OmegaOmega", "fold", "fold_least", "fold_quartic", "intercept", "isola", "isola_bend",
+    "isola_Omega", "least_restoring", "level", "level_rise", "most_restoring", "peak", "peak_cubic", "R", "state",
+    "state_R", "turn",
 ]
 
 
@@ -49,9 +24,7 @@ def R(Omega, A, h):
 
     Equation (23). Domain: Omega > 0, A > 0.
     """
-    return (
-        A * Omega.square() + h
-    )
+    return A * Omega.square() + h
 
 
 def F(Omega, A, F_0, m, zeta, h):
@@ -61,9 +34,7 @@ def F(Omega, A, F_0, m, zeta, h):
     """
     R = A * Omega.square() + h
     I = 2.0 * A * Omega * zeta + m
-    return (
-        R.square() + (-F_0 + I) * (F_0 + I)
-    )
+    return R.square() + (-F_0 + I) * (F_0 + I)
 
 
 def F_A(Omega, A, m, zeta, h, h_A):
@@ -75,9 +46,7 @@ def F_A(Omega, A, m, zeta, h, h_A):
     R = A * t0 + h
     t1 = 2.0 * Omega * zeta
     I = A * t1 + m
-    return (
-        2.0 * (I * t1 + R * (h_A + t0))
-    )
+    return 2.0 * (I * t1 + R * (h_A + t0))
 
 
 def F_AA(Omega, A, m, zeta, h, h_A, h_AA):
@@ -88,9 +57,7 @@ def F_AA(Omega, A, m, zeta, h, h_A, h_AA):
     t0 = Omega.square()
     R = A * t0 + h
     t1 = h_A + t0
-    return (
-        2.0 * (R * h_AA + 4.0 * t0 * zeta.square() + t1.square())
-    )
+    return 2.0 * (R * h_AA + 4.0 * t0 * zeta.square() + t1.square())
 
 
 def F_Omega(Omega, A, m, zeta, h):
@@ -100,9 +67,7 @@ def F_Omega(Omega, A, m, zeta, h):
     """
     R = A * Omega.square() + h
     I = 2.0 * A * Omega * zeta + m
-    return (
-        4.0 * A * (I * zeta + Omega * R)
-    )
+    return 4.0 * A * (I * zeta + Omega * R)
 
 
 def F_AOmega(Omega, A, m, zeta, h, h_A):
@@ -115,9 +80,7 @@ def F_AOmega(Omega, A, m, zeta, h, h_A):
     t1 = A * Omega
     t2 = 2.0 * t1
     I = m + t2 * zeta
-    return (
-        4.0 * (I * zeta + Omega * R + t1 * (h_A + t0) + t2 * zeta.square())
-    )
+    return 4.0 * (I * zeta + Omega * R + t1 * (h_A + t0) + t2 * zeta.square())
 
 
 def F_OmegaOmega(Omega, A, zeta, h):
@@ -127,9 +90,7 @@ def F_OmegaOmega(Omega, A, zeta, h):
     """
     t0 = A * Omega.square()
     R = h + t0
-    return (
-        4.0 * A * (2.0 * A * zeta.square() + R + 2.0 * t0)
-    )
+    return 4.0 * A * (2.0 * A * zeta.square() + R + 2.0 * t0)
 
 
 def backbone(A, h):
@@ -138,9 +99,7 @@ def backbone(A, h):
     Equation (26). Domain: A > 0, h <= 0.
     """
     square = -h / A
-    return (
-        square.sqrt()
-    )
+    return square.sqrt()
 
 
 def fold_quartic(A, m, zeta, h, h_A):
@@ -175,9 +134,7 @@ def level(Omega, A, m, zeta, h):
     """
     R = A * Omega.square() + h
     I = 2.0 * A * Omega * zeta + m
-    return (
-        (I.square() + R.square()).sqrt()
-    )
+    return (I.square() + R.square()).sqrt()
 
 
 def least_restoring(F_0, m):
@@ -185,9 +142,7 @@ def least_restoring(F_0, m):
 
     Equation from (24), (30). Domain: F_0 >= m.
     """
-    return (
-        (F_0 - m).sqrt() * (F_0 + m).sqrt()
-    )
+    return (F_0 - m).sqrt() * (F_0 + m).sqrt()
 
 
 def intercept(A, h, h_A, h_AA):
@@ -208,9 +163,7 @@ def most_restoring(A, F_0, m, zeta):
     """
     c = -0.5 * (-F_0 + m) / zeta
     fastest = c / A
-    return (
-        F_0 + c * fastest
-    )
+    return F_0 + c * fastest
 
 
 def fold(A, F_0, m, zeta, h, h_A, k, k_A):
@@ -244,9 +197,7 @@ def isola_Omega(h_A):
 
     Equation from (30), (34). Domain: h_A >= 0.
     """
-    return (
-        h_A.sqrt()
-    )
+    return h_A.sqrt()
 
 
 def isola(A, m, zeta, h, h_A, h_AA):
@@ -356,9 +307,7 @@ def level_rise(Omega, A, m, zeta, h, h_A, h_AA):
     t5 = I * zeta + Omega * R
     F_Omega = 4.0 * A * t5
     F_AOmega = 4.0 * (t1 * t3 + t2 * t4 + t5)
-    return (
-        -F_AA * F_AOmega * F_Omega
-    )
+    return -F_AA * F_AOmega * F_Omega
 
 
 def cusp_bend(Omega, A, zeta, h_AA, h_AAA, T):
@@ -374,9 +323,7 @@ def cusp_bend(Omega, A, zeta, h_AA, h_AAA, T):
     t3 = 2.0 / Omega
     F_Omega = A * R * t3 * (-T + t2)
     F_AOmega = t3 * (A * T * t2 + A * t1 - R * T + R * t2)
-    return (
-        -F_AAA * F_AOmega * F_Omega / A
-    )
+    return -F_AAA * F_AOmega * F_Omega / A
 
 
 def isola_bend(Omega, A, m, zeta, h_AA):

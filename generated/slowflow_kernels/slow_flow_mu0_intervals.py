@@ -12,8 +12,7 @@ the methods `square` and `sqrt`.
 # fmt: off
 
 __all__ = [
-    "F_Omega_reduced",
-    "isola",
+    "F_Omega_reduced", "isola",
 ]
 
 

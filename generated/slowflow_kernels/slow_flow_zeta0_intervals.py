@@ -12,10 +12,7 @@ the methods `square` and `sqrt`.
 # fmt: off
 
 __all__ = [
-    "F_Omega_reduced",
-    "fold",
-    "undamped_Omega",
-    "undamped_rises",
+    "F_Omega_reduced", "fold", "undamped_Omega", "undamped_rises",
 ]
 
 
@@ -24,9 +21,7 @@ def undamped_Omega(h_A):
 
     Equation from (30). Domain: h_A <= 0.
     """
-    return (
-        (-h_A).sqrt()
-    )
+    return (-h_A).sqrt()
 
 
 def fold(F_0, m, k, k_A):

@@ -10,27 +10,33 @@ double is left out, as with pairs; so is the choice between regimes, which a cal
 from __future__ import annotations
 
 from collections.abc import Sequence
-from pathlib import Path
 
 from ...form import Module
-from ...provenance import tools
-from ...views import Code, Language, sources, templates, view
+from ...views import Code, Language, view
+from .. import interval
 from ..pair import closed
 from .printer import BallPrinter
 
+#: what the template, which is that of intervals, says of balls
+ABOUT = {
+    "how": "in balls",
+    "meaning": "Arguments are `flint.arb`, or numbers that are exact; each output holds the value of the function of "
+    "the same name, to the digits of `flint.ctx`. passed_n is meant where A exceeds n breakpoints; beyond: by how much "
+    "it exceeds the last of these.",
+}
 PYTHON = Language(BallPrinter(), conjunction=" and ", wrap_in_parentheses=True, names={})
 
 
 def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     """Every file."""
-    template = templates(Path(__file__).parent).get_template("module.py.jinja")
-    result = {}
-    for module in modules:
-        if module.in_balls:
-            result[f"slowflow_kernels/{module.name}_balls.py"] = template.render(
-                kernels=[view(*closed(kernel, code[module.name]), PYTHON) for kernel in module.in_balls],
-                module=module,
-                tools=tools(),
-                **sources(module),
-            )
-    return result
+    integrals = "from slowflow_support.balls import R_D, R_F"
+    return {
+        f"slowflow_kernels/{module.name}_balls.py": interval.module_of(
+            module,
+            [view(*closed(kernel, code[module.name]), PYTHON) for kernel in module.in_balls],
+            imports=["from flint import arb", *([integrals] if module.balls else [])],
+            **ABOUT,
+        )
+        for module in modules
+        if module.in_balls
+    }

@@ -18,7 +18,7 @@ from ....forces.elliptic import Series, carlson
 from ...form import Module
 from ...passes import straight_line
 from ...provenance import tools
-from ...views import Code, Language, Line, sources, templates, view
+from ...views import Code, Language, Line, templates, view
 from .. import interval
 from ..c.printer import CPrinter
 from .printer import HeldPrinter
@@ -38,18 +38,11 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     """Every file."""
     integrals = templates(Path(__file__).parent).get_template("carlson.h.jinja")
     result = {"native/held_carlson.h": integrals.render(tools=tools(), series=[printed(one) for one in carlson()])}
-    header = templates(Path(interval.__file__).parent).get_template("header.h.jinja")
     for module in modules:
         if module.held:
-            result[f"native/{name_of(module)}.h"] = header.render(
-                prefix=name_of(module),
-                module=module,
-                kernels=[view(kernel, code[module.name][kernel.name], C) for kernel in module.held],
-                choices={},
-                tools=tools(),
-                **ABOUT,
-                **sources(module),
-            )
+            kernels = [view(kernel, code[module.name][kernel.name], C) for kernel in module.held]
+            name = name_of(module)
+            result[f"native/{name}.h"] = interval.header_of(module, name, kernels, {}, **ABOUT)
     return result
 
 

@@ -13,7 +13,7 @@ rounding only.
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import sympy as sp
@@ -38,6 +38,12 @@ ABOUT = {
     "meaning": "Each output holds every value that the function of the same name takes on the arguments; `out` takes "
     "the outputs.",
 }
+#: the same of the Python
+IN_PYTHON = {
+    "how": "on whole intervals",
+    "meaning": "Each output holds every value that the function of the same name takes on the arguments: objects with "
+    "operators and the methods `square` and `sqrt`.",
+}
 #: of forces of any kind
 ENCLOSED = Language(CEnclosurePrinter(), conjunction=" && ", wrap_in_parentheses=False, names={"I": "I_"})
 PYTHON = Language(PythonIntervalPrinter(), conjunction=" & ", wrap_in_parentheses=True, names={})
@@ -45,34 +51,42 @@ PYTHON = Language(PythonIntervalPrinter(), conjunction=" & ", wrap_in_parenthese
 
 def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     """Every file of both languages."""
-    environment = templates(Path(__file__).parent)
     result = {}
     for module in modules:
         # a proof takes h_AAA to be monotone
         enclosed = [] if module.enclosed else [*(one for one in module.kernels if one.enclosed), *module.cells]
-        known = {"module": module, "tools": tools(), **sources(module)}
+        name = name_of(module)
         if module.enclosed:
-            result[f"native/{name_of(module)}.h"] = environment.get_template("header.h.jinja").render(
-                prefix=name_of(module),
-                kernels=[view(kernel, code[module.name][kernel.name], ENCLOSED) for kernel in module.enclosed.kernels],
-                choices={},
-                **{**ABOUT, "arithmetic": "elementary"},
-                **known,
-            )
+            kernels = [view(kernel, code[module.name][kernel.name], ENCLOSED) for kernel in module.enclosed.kernels]
+            result[f"native/{name}.h"] = header_of(module, name, kernels, {}, **{**ABOUT, "arithmetic": "elementary"})
         if enclosed:
-            result[f"native/{name_of(module)}.h"] = environment.get_template("header.h.jinja").render(
-                prefix=name_of(module),
-                kernels=[widened(kernel, code[module.name][kernel.name]) for kernel in enclosed],
-                choices={kernel.name: choice(kernel) for kernel in enclosed if len(kernel.branches) > 1},
-                **ABOUT,
-                **known,
-            )
+            kernels = [widened(kernel, code[module.name][kernel.name]) for kernel in enclosed]
+            choices = {kernel.name: choice(kernel) for kernel in enclosed if len(kernel.branches) > 1}
+            result[f"native/{name}.h"] = header_of(module, name, kernels, choices, **ABOUT)
         searched = [kernel for kernel in (*module.kernels, *module.cells) if kernel.searched]
         if searched:
-            result[f"slowflow_kernels/{name_of(module)}.py"] = environment.get_template("module.py.jinja").render(
-                kernels=[view(kernel, code[module.name][kernel.name], PYTHON) for kernel in searched], **known
-            )
+            kernels = [view(kernel, code[module.name][kernel.name], PYTHON) for kernel in searched]
+            result[f"slowflow_kernels/{name}.py"] = module_of(module, kernels, imports=[], **IN_PYTHON)
     return result
+
+
+def header_of(
+    module: Module,
+    name: str,
+    kernels: Sequence[KernelView],
+    choices: Mapping[str, Sequence[tuple[str, str]]],
+    **about: str,
+) -> str:
+    """A header of kernels on numbers of one kind, whose names begin with `name`."""
+    template = templates(Path(__file__).parent).get_template("header.h.jinja")
+    known = {"tools": tools(), **sources(module), **about}
+    return template.render(module=module, prefix=name, kernels=kernels, choices=choices, **known)
+
+
+def module_of(module: Module, kernels: Sequence[KernelView], imports: Sequence[str], **about: str) -> str:
+    """A Python module of such kernels."""
+    template = templates(Path(__file__).parent).get_template("module.py.jinja")
+    return template.render(module=module, kernels=kernels, imports=imports, tools=tools(), **sources(module), **about)
 
 
 def name_of(module: Module) -> str:

@@ -22,7 +22,7 @@ from ...arctangent import PAIRS_CUT, in_pairs
 from ...form import Kernel, Module
 from ...passes import Program
 from ...provenance import tools
-from ...views import BranchView, Code, KernelView, Language, Line, sources, templates, view, wrapped
+from ...views import BranchView, Code, KernelView, Language, Line, templates, view, wrapped
 from .. import interval
 from ..c.printer import CPrinter
 from ..printing import literal
@@ -50,20 +50,13 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
 def headers(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     """The header of each module."""
     result = {}
-    header = templates(Path(interval.__file__).parent).get_template("header.h.jinja")
     for module in modules:
         paired = [*(one for one in (*module.kernels, *module.cells) if one.paired), *module.settled]
         if paired:
             kernels = [near(kernel, code[module.name]) for kernel in paired]
-            result[f"native/{name_of(module)}.h"] = header.render(
-                prefix=name_of(module),
-                module=module,
-                kernels=kernels,
-                choices={one.kernel.name: choice(one) for one in kernels if len(one.branches) > 1},
-                tools=tools(),
-                **ABOUT,
-                **sources(module),
-            )
+            choices = {one.kernel.name: choice(one) for one in kernels if len(one.branches) > 1}
+            name = name_of(module)
+            result[f"native/{name}.h"] = interval.header_of(module, name, kernels, choices, **ABOUT)
     return result
 
 
