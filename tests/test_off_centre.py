@@ -474,6 +474,23 @@ def test_which_way_a_motion_jumps_at_a_fold_is_as_the_states_beside_it_have_it_o
         assert folds.kind[fold] == ("jump-up", "jump-down")[np.diff(states.A).argmin()]
 
 
+@pytest.mark.filterwarnings("ignore:delta_h")
+def test_folds_on_corners_near_the_centre_are_there_without_a_load():
+    """All its lengths are below 0.1. On a corner and 1e-8 beside it two states begin and end, in each well."""
+    wells = Isolator(lam=3.0, r=400.0, delta_h=0.004, zeta=0.05).off_centre
+    folds = wells.saddle_nodes(0.00824)
+    on = folds.Omega[folds.corner]
+    assert (
+        on.size == 2 and on[0] == on[1] and folds.B[folds.corner].sum() == 0 < np.abs(folds.B[folds.corner]).max() < 0.1
+    )
+    beside = folds.Omega[folds.Omega > on[0]]
+    counts = [
+        len(wells.amplitudes(Omega=Omega, F_0=0.00824))
+        for Omega in (on[0] - 1e-4, (on[0] + beside[0]) / 2, on[0] + 1e-4)
+    ]
+    assert counts == [3, 7, 3]
+
+
 @pytest.mark.parametrize("F_0", [0.1, 0.15, 0.2, 0.5])
 def test_folds_in_two_wells_are_all_of_those_by_hand(F_0):
     """Off the centre B^2 = (1 - 3 A^2)/2 and F = 0 is quadratic in Omega^2: folds are where its roots turn."""
