@@ -1,1 +1,1 @@
-"""Plausible errors in `edits.toml`; `python -m tests.mutants` makes them, to see which the tests notice."""
+"""Plausible errors in `edits.txt`; `python -m tests.mutants` makes them, to see which the tests notice."""

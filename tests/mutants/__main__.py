@@ -1,4 +1,4 @@
-"""`make mutate`: each edit of `edits.toml` in a copy of the project, one at a time; what no test notices is printed.
+"""`make mutate`: each edit of `edits.txt` in a copy of the project, one at a time; what no test notices is printed.
 
 The tests that an edit names run first, and where they pass all that a push runs. --quick leaves it at those named,
 --only WORD takes the edits of files with that in their path, --sample N so many at random. Exit code 1: some survive,
@@ -11,18 +11,18 @@ import argparse
 import os
 import queue
 import random
+import re
 import shutil
 import subprocess
 import sys
 import tempfile
-import tomllib
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
-EDITS = Path(__file__).parent / "edits.toml"
+EDITS = Path(__file__).parent / "edits.txt"
 NOT_COPIED = shutil.ignore_patterns(".git", ".venv*", "build", "output", "__pycache__", "*.egg-info", ".*_cache")
 #: what pytest ends with where none is selected
 NO_TESTS = 5
@@ -52,7 +52,14 @@ class Edit:
 
 def edits() -> list[Edit]:
     """All of them."""
-    return [Edit(**{**one, "tests": tuple(one["tests"])}) for one in tomllib.loads(EDITS.read_text("utf-8"))["edit"]]
+    found = []
+    for section in EDITS.read_text(encoding="utf-8").split("\n\n")[1:]:
+        file, *of_file = re.split(r"\n@ ", section.rstrip("\n"))
+        for one in of_file:
+            tests, *lines = one.split("\n")
+            old, new = ("\n".join(line[2:] for line in lines if line[0] == mark) for mark in "-+")
+            found.append(Edit(file, old, new, tuple(tests.split())))
+    return found
 
 
 @dataclass
