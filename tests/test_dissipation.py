@@ -17,7 +17,7 @@ from slowflow import Duffing, Isolator, Oscillator, derive, exact
 from slowflow.results import Remark
 from slowflow.sizing import tolerances
 from slowflow_kernels import duffing
-from slowflow_kernels.conventions import MovesStatus
+from slowflow_kernels.conventions import MovesStatus, Status
 from tests.oracles.by_time import largest
 from tests.slopes import assert_slopes_are_differences
 
@@ -315,6 +315,16 @@ def test_laws_are_columns_of_a_batch_and_of_a_map():
             ask()
     with pytest.raises(ValueError, match="rubs = 'never'"):
         Isolator.many(**{**given, "rubs": "never"})
+
+
+@pytest.mark.filterwarnings("ignore:delta_h")
+def test_a_batch_has_no_peak_where_the_mass_sticks():
+    """At 4 mu/pi itself too, where rounding had it move."""
+    given = {"lam": 3.0, "r": 3.833158131781064, "delta_h": 0.5880373677813387, "mu": 2.32847268521091e-06}
+    laws = {"zeta": 0.11603366976781844, "c_2": 0.07764606232400618}
+    F_0 = Isolator(**given, **laws).sticking_forcing
+    assert Isolator.many(**given, **laws).peak([F_0, 0.5 * F_0]).status.tolist() == [Status.STICKS] * 2
+    assert Isolator(**given, **laws).peak(F_0).message.startswith("sticks")
 
 
 #: numbers of answers whose gradients are asked for: how they are got, and what they are called

@@ -138,8 +138,7 @@ def detachment(model: Model) -> Detachment:
 
 def peak(model: Model, F_0: float, most: float = math.inf) -> Peak:
     """The highest peak at F_0 > m with an amplitude up to `most`."""
-    known = Status.STICKS, math.nan, math.nan
-    status, A, Omega = known if model.sticks(F_0) else backend.SOLVER.peak(model.native, F_0, most)
+    status, A, Omega = backend.SOLVER.peak(model.native, F_0, most)
     if status == Status.STICKS:
         told = partial(words.sticks, model, F_0)
         return Peak._made(A=None, Omega=None, F_0=F_0, message=told, remarks=NOTHING, _status=Status.STICKS)

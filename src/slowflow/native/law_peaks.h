@@ -92,9 +92,12 @@ static int sf_is_static_top(const sf_model *model, double F_0, const sf_sample *
  * highest amplitude at which doubles do not tell whether there is one, if it is known. */
 static sf_status sf_law_peak(const sf_model *model, double F_0, double most, sf_work *work, double *A, double *Omega) {
     const sf_law_points *peaks = &work->points.found;
-    sf_status status = sf_range_at(model, F_0, &work->A_max);
+    sf_status status;
     double highest = 0, doubt = 0;
     int i, k;
+    if (!sf_inertial(model) && !(F_0 > sf_friction_throughout(model)) && !model->released)
+        return SF_STICKS;
+    status = sf_range_at(model, F_0, &work->A_max);
     if (status != SF_OK)
         return status;
     sf_stretches_up_to(model, fmin(work->A_max, most), &work->pieces);
