@@ -4,7 +4,7 @@
 #ifndef SF_BOUNDS_H
 #define SF_BOUNDS_H
 
-#include "laws.h"
+#include "arc_links.h"
 #include "scan.h"
 
 /* The last Omega > 0 at which the level is stationary, its minimum over Omega > 0; 0 if there is none. */
@@ -31,20 +31,38 @@ static double sf_least_forcing(const sf_model *model, const sf_sample *at, doubl
     return level < at_rest ? level : at_rest;
 }
 
-/* Whether no amplitude from A on is that of a steady state at F_0 or less: |h| is too large. Beyond the last breakpoint
- * h is followed to where it has no bound in doubles: there |h| must rise. */
-static int sf_bounds(const sf_model *model, double F_0, double A) {
-    sf_sample at, far;
+/* What |h| is at most at a state of an amplitude: the frequencies that damping leaves to it fall as the amplitude
+ * rises. */
+static double sf_most_restoring(const sf_model *model, double F_0, double A) {
+    double most = HUGE_VAL;
+    if (model->zeta > 0)
+        most = fmin(most, slow_flow_most_restoring(A, F_0, sf_friction_throughout(model), model->zeta));
+    if (model->d > 0)
+        most = fmin(most, dissipation_restoring(A, F_0, model->d));
+    return most;
+}
+
+/* h_A from A on: beyond the last breakpoint h is followed to where it has no bound in doubles. */
+static sf_interval sf_slope_from(const sf_model *model, const sf_sample *at) {
+    sf_sample far;
     sf_known here, there;
     sf_cell cell;
-    sf_sample_without_k_at(model, A, &at);
-    if (!(fabs(at.h) > slow_flow_most_restoring(A, F_0, model->m, model->zeta)))
-        return 0;
-    sf_sample_without_k_at(model, SF_ENDLESS * fmax(A, 1), &far);
-    sf_know(&at, &here);
+    sf_sample_without_k_at(model, SF_ENDLESS * fmax(at->A, 1), &far);
+    sf_know(at, &here);
     sf_know(&far, &there);
-    sf_make_slopes(model, &at, &far, &here, &there, &cell);
-    return at.h > 0 ? cell.h_A.lo >= 0 : cell.h_A.hi <= 0;
+    sf_make_slopes(model, at, &far, &here, &there, &cell);
+    return cell.h_A;
+}
+
+/* Whether no amplitude from A on is that of a steady state at F_0 or less: |h| is too large, and rises. */
+static int sf_bounds(const sf_model *model, double F_0, double A) {
+    sf_sample at;
+    sf_interval h_A;
+    sf_sample_without_k_at(model, A, &at);
+    if (!(fabs(at.h) > sf_most_restoring(model, F_0, A)))
+        return 0;
+    h_A = sf_slope_from(model, &at);
+    return at.h > 0 ? h_A.lo >= 0 : h_A.hi <= 0;
 }
 
 /* Whether h lies, on amplitudes from A on, where no state at F_0 can have it. most: what |h| is at most in one at A */
@@ -54,17 +72,16 @@ static int sf_excludes(const sf_model *model, double F_0, double most, double A,
         return h.lo > most || h.hi < -most;
     /* of all states above F_0 zeta^2 A is half of |h| at most */
     inertia_bound(A, F_0, model->zeta, h.lo, 0, 0, 0, 0.5, values);
-    return A > F_0 && values[0] > 0;
+    if (A > F_0 && (h.lo >= 0 || (model->zeta > 0 && values[0] > 0)))
+        return 1;
+    dissipation_structural_bound(A, F_0, model->eta, fmax(fabs(h.lo), fabs(h.hi)), 0, values);
+    return model->eta > 0 && values[0] > 0;
 }
-
-typedef int (*sf_excluding)(const sf_model *, double, double, double, sf_interval);
 
 /* The same where it is h that is known between two amplitudes: up to the reach, or an endless amplitude.
  *
- * excludes -- whether no state is where h lies within these bounds; most -- what |h| is at most at a state; step -- from
- * each of these amplitudes to the next */
-static int sf_bounds_bent_by(const sf_model *model, double F_0, double A, double most, sf_excluding excludes,
-                             double step) {
+ * most -- what |h| is at most at a state; step -- from each of these amplitudes to the next */
+static int sf_bounds_bent_by(const sf_model *model, double F_0, double A, double most, double step) {
     const double end = fmin(model->reach, SF_ENDLESS * fmax(A, 1));
     double next;
     int i;
@@ -77,19 +94,20 @@ static int sf_bounds_bent_by(const sf_model *model, double F_0, double A, double
             if (A < model->b[i] && model->b[i] < next)
                 next = model->b[i];
         model->mechanism->bent(model->mechanism, sfi_of(A, next), model->p, bent);
-        if (!excludes(model, F_0, most, A, bent[0]))
+        if (!sf_excludes(model, F_0, most, A, bent[0]))
             return 0;
     }
     return 1;
 }
 
 static int sf_bounds_bent(const sf_model *model, double F_0, double A) {
-    return sf_bounds_bent_by(model, F_0, A, slow_flow_most_restoring(A, F_0, model->m, model->zeta), sf_excludes, 2);
+    return sf_bounds_bent_by(model, F_0, A, sf_most_restoring(model, F_0, A), 2);
 }
 
-/* Whether an excitation by inertia has no state above F_0 from A on: what excludes states at an amplitude is positive
- * on all that follow if its slopes are; the third is a sum of h_AAA, which is monotone, and of a number. */
-static int sf_inertial_bounds(const sf_model *model, double F_0, double A) {
+/* Whether an excitation by inertia has no state above F_0 from A on by viscous damping: what excludes states at an
+ * amplitude is positive on all that follow if its slopes are; the third is a sum of h_AAA, which is monotone, and of a
+ * number. */
+static int sf_viscous_bounds(const sf_model *model, double F_0, double A) {
     sf_sample at, far;
     double lost[2] = {0.5, 0.5}, values[4];
     int i;
@@ -106,6 +124,24 @@ static int sf_inertial_bounds(const sf_model *model, double F_0, double A) {
     return 0;
 }
 
+/* The same by any law: also whether nothing pulls back, where R >= A Omega^2 exceeds F_0 Omega^2, or structural damping
+ * bounds states. */
+static int sf_inertial_bounds(const sf_model *model, double F_0, double A) {
+    sf_sample at;
+    sf_interval h_A;
+    double values[2];
+    if (model->zeta > 0 && sf_viscous_bounds(model, F_0, A))
+        return 1;
+    if (!sf_has_laws(model))
+        return 0;
+    sf_sample_without_k_at(model, A, &at);
+    h_A = sf_slope_from(model, &at);
+    if (A > F_0 && at.h >= 0 && h_A.lo >= 0)
+        return 1;
+    dissipation_structural_bound(A, F_0, model->eta, at.h, fmax(fabs(h_A.lo), fabs(h_A.hi)), values);
+    return model->eta > 0 && values[0] > 0 && values[1] > 0;
+}
+
 /* Whether the spring is far from its slope at rest, and an amplitude that is much less is reached: where a response is
  * cut that does not close. */
 static int sf_is_far(const sf_model *model, double F_0, double A) {
@@ -115,18 +151,7 @@ static int sf_is_far(const sf_model *model, double F_0, double A) {
     sf_sample_at(model, A / SF_STATIC_MULTIPLE, &less);
     /* the slope at rest and what zeta^2 A is of |h|, as shares of |h|/A */
     const double shares = at.h < 0 ? -fabs(rest.h_A) * A / at.h + inertia_share(A, model->zeta, at.h) : HUGE_VAL;
-    return SF_STATIC_MULTIPLE * shares <= 1 && less.A > F_0 &&
-           sf_inertial_count(model, &less, F_0) == 2;
-}
-
-/* The reach of a mechanism, where nothing bounds the response below it: SF_UNBOUNDED if it goes beyond. */
-static sf_status sf_cut_at_reach(const sf_model *model, double F_0, double *A_max) {
-    sf_isolated q;
-    sf_sample at;
-    *A_max = model->reach;
-    sf_sample_at(model, *A_max, &at);
-    sf_isolate_response(&q, at.A, at.h, model->m, model->zeta, F_0);
-    return sf_count(&q) > 0 ? SF_UNBOUNDED : SF_OK;
+    return SF_STATIC_MULTIPLE * shares <= 1 && less.A > F_0 && sf_response_count(model, &less, F_0) == 2;
 }
 
 /* from amplitude to amplitude: a cube of A, as h may grow, changes by less than the half that is left of zeta^2 A */
@@ -134,44 +159,13 @@ static sf_status sf_cut_at_reach(const sf_model *model, double F_0, double *A_ma
 
 /* Under an excitation by inertia an amplitude from which on h on finer intervals excludes states; infinite where none
  * is found. */
-static double sf_bent_by_inertia(const sf_model *model, double F_0, sf_excluding excludes) {
+static double sf_bent_by_inertia(const sf_model *model, double F_0) {
     double A = model->breaks > 0 ? fmax(F_0, 2 * model->b[model->breaks - 1]) : F_0;
     int i;
     for (i = 0; i < SF_RUNGS && A < HUGE_VAL; i++, A *= 2)
-        if (sf_bounds_bent_by(model, F_0, A, HUGE_VAL, excludes, SF_FINE_STEP))
+        if (sf_bounds_bent_by(model, F_0, A, HUGE_VAL, SF_FINE_STEP))
             return A;
     return HUGE_VAL;
-}
-
-/* An amplitude above that of every steady state at F_0 or less, for zeta > 0, in steps that grow; SF_UNBOUNDED where a
- * response does not close, with an amplitude at which to cut it. */
-static sf_status sf_amplitude_bound(const sf_model *model, double F_0, double *A_max) {
-    const int bent = model->mechanism->bent != NULL;
-    int (*const bounds)(const sf_model *, double, double) =
-        bent ? sf_bounds_bent : sf_inertial(model) ? sf_inertial_bounds : sf_bounds;
-    double A = F_0, step = 2, cut = model->reach;
-    int i;
-    if (model->breaks > 0)
-        A = fmax(A, 2 * model->b[model->breaks - 1]);
-    for (i = 0; i < SF_RUNGS; i++) {
-        if (A < HUGE_VAL && bounds(model, F_0, A)) {
-            *A_max = A;
-            return SF_OK;
-        }
-        if (sf_inertial(model) && !(cut < HUGE_VAL) && (sf_is_far(model, F_0, A) || i + 1 == SF_RUNGS))
-            cut = A;
-        A *= step;
-        if (i >= SF_FINE_RUNGS && step < SF_COARSEST)
-            step *= 2;
-    }
-    if (bent && !sf_inertial(model) && cut < HUGE_VAL)
-        return sf_cut_at_reach(model, F_0, A_max);
-    if (bent && sf_inertial(model) && (A = sf_bent_by_inertia(model, F_0, sf_excludes)) < HUGE_VAL) {
-        *A_max = A;
-        return SF_OK;
-    }
-    *A_max = cut;
-    return sf_inertial(model) ? SF_UNBOUNDED : SF_NO_BOUND;
 }
 
 /* The averaged force of a mass that no spring holds is proportional to A, and 0. */
@@ -216,135 +210,55 @@ static sf_status sf_bound_by_damping(const sf_model *model, double F_0, double *
     return SF_OK;
 }
 
-/* ==== Other laws of damping ===================================================================================== */
-
-/* What |h| is at most at a state of an amplitude: the frequencies that damping leaves to it fall as the amplitude
- * rises. */
-static double sf_most_by_laws(const sf_model *model, double F_0, double A) {
-    double most = HUGE_VAL;
-    if (model->zeta > 0)
-        most = fmin(most, slow_flow_most_restoring(A, F_0, sf_friction_throughout(model), model->zeta));
-    if (model->d > 0)
-        most = fmin(most, dissipation_restoring(A, F_0, model->d));
-    return most;
+/* What other laws of damping alone bound amplitudes by. */
+static double sf_bound_of_laws(const sf_model *model, double F_0) {
+    if (sf_inertial(model))
+        return model->d > 0 ? 2 * dissipation_quadratic_bound(F_0, model->d) : HUGE_VAL;
+    /* I is not less than its structural part */
+    return model->eta > 0 ? 2 * (F_0 - sf_friction_throughout(model)) / model->eta : HUGE_VAL;
 }
 
-/* Whether |h| is more than that from A on. */
-static int sf_law_force_bounds(const sf_model *model, double F_0, double A) {
-    const double most = sf_most_by_laws(model, F_0, A);
-    sf_sample at, far;
-    sf_known here, there;
-    sf_cell cell;
-    sf_sample_without_k_at(model, A, &at);
-    if (!(fabs(at.h) > most))
-        return 0;
-    sf_sample_without_k_at(model, SF_ENDLESS * fmax(A, 1), &far);
-    sf_know(&at, &here);
-    sf_know(&far, &there);
-    sf_make_slopes(model, &at, &far, &here, &there, &cell);
-    return at.h > 0 ? cell.h_A.lo >= 0 : cell.h_A.hi <= 0;
-}
-
-/* Whether nothing pulls back from A > F_0 on, where R >= A Omega^2 exceeds F_0 Omega^2, or structural damping bounds
- * states. */
-static int sf_law_inertial_bounds(const sf_model *model, double F_0, double A) {
-    sf_sample at, far;
-    sf_known here, there;
-    sf_cell cell;
-    double values[2];
-    if (model->zeta > 0 && sf_inertial_bounds(model, F_0, A))
-        return 1;
-    sf_sample_without_k_at(model, A, &at);
-    sf_sample_without_k_at(model, SF_ENDLESS * fmax(A, 1), &far);
-    sf_know(&at, &here);
-    sf_know(&far, &there);
-    sf_make_slopes(model, &at, &far, &here, &there, &cell);
-    if (A > F_0 && at.h >= 0 && cell.h_A.lo >= 0)
-        return 1;
-    dissipation_structural_bound(A, F_0, model->eta, at.h, fmax(fabs(cell.h_A.lo), fabs(cell.h_A.hi)), values);
-    return model->eta > 0 && values[0] > 0 && values[1] > 0;
-}
-
-/* The same where it is h that is known between two amplitudes. */
-static int sf_law_excludes(const sf_model *model, double F_0, double most, double A, sf_interval h) {
-    double values[4];
-    if (!sf_inertial(model))
-        return h.lo > most || h.hi < -most;
-    inertia_bound(A, F_0, model->zeta, h.lo, 0, 0, 0, 0.5, values);
-    if (A > F_0 && (h.lo >= 0 || (model->zeta > 0 && values[0] > 0)))
-        return 1;
-    dissipation_structural_bound(A, F_0, model->eta, fmax(fabs(h.lo), fabs(h.hi)), 0, values);
-    return model->eta > 0 && values[0] > 0;
-}
-
-static int sf_law_bounds_bent(const sf_model *model, double F_0, double A) {
-    return sf_bounds_bent_by(model, F_0, A, sf_most_by_laws(model, F_0, A), sf_law_excludes, 2);
-}
-
-/* How many frequencies an amplitude has. */
-static int sf_law_count(const sf_model *model, const sf_sample *at, double F_0) {
-    double Omega[3];
-    return sf_law_frequencies(model, at, SF_OF_RESPONSE, F_0, sf_is_beyond(model, at->A), Omega);
-}
-
-/* As sf_is_far. */
-static int sf_law_is_far(const sf_model *model, double F_0, double A) {
-    sf_sample at, rest, less;
-    double shares;
-    sf_sample_at(model, A, &at);
-    sf_sample_at(model, 0, &rest);
-    sf_sample_at(model, A / SF_STATIC_MULTIPLE, &less);
-    shares = at.h < 0 ? -fabs(rest.h_A) * A / at.h + inertia_share(A, model->zeta, at.h) : HUGE_VAL;
-    return SF_STATIC_MULTIPLE * shares <= 1 && less.A > F_0 && sf_law_count(model, &less, F_0) == 2;
-}
-
-/* An amplitude above that of every steady state at F_0, as sf_amplitude_bound; SF_NO_BOUND also where numbers up to it
- * leave the range of doubles. */
-static sf_status sf_bound_by_laws(const sf_model *model, double F_0, double *A_max) {
-    const int bent = model->mechanism->bent != NULL, inertial = sf_inertial(model);
+/* An amplitude above that of every steady state at F_0 or less, where something damps, in steps that grow; SF_UNBOUNDED
+ * where a response does not close, with an amplitude at which to cut it; by other laws SF_NO_BOUND also where numbers
+ * up to it leave the range of doubles. */
+static sf_status sf_amplitude_bound(const sf_model *model, double F_0, double *A_max) {
+    const int bent = model->mechanism->bent != NULL, inertial = sf_inertial(model), laws = sf_has_laws(model);
     int (*const bounds)(const sf_model *, double, double) =
-        bent ? sf_law_bounds_bent : inertial ? sf_law_inertial_bounds : sf_law_force_bounds;
-    double A = F_0, step = 2, cut = model->reach, by_damping = HUGE_VAL;
-    sf_status status = SF_NO_BOUND;
+        bent ? sf_bounds_bent : inertial ? sf_inertial_bounds : sf_bounds;
+    double A = F_0, step = 2, cut = model->reach, bound = sf_bound_of_laws(model, F_0);
+    sf_status status = SF_OK;
     int i;
-    const int is_free = sf_is_free(model) && model->eta == 0;
+    const int is_free = laws && sf_is_free(model) && model->eta == 0;
     if (is_free && inertial && model->zeta == 0 && model->m == 0)
         return SF_NO_BOUND;
-    if (inertial && model->d > 0)
-        by_damping = 2 * dissipation_quadratic_bound(F_0, model->d);
-    if (!inertial && model->eta > 0) /* I is not less than its structural part */
-        by_damping = 2 * (F_0 - sf_friction_throughout(model)) / model->eta;
     if (model->breaks > 0)
         A = fmax(A, 2 * model->b[model->breaks - 1]);
-    for (i = 0; i < SF_RUNGS && A < by_damping && !(is_free && !inertial); i++) {
+    for (i = 0; i < SF_RUNGS && A < bound && !(is_free && !inertial); i++) {
         if (A < HUGE_VAL && bounds(model, F_0, A)) {
-            by_damping = A;
+            bound = A;
             break;
         }
-        if (inertial && !(cut < HUGE_VAL) && (sf_law_is_far(model, F_0, A) || i + 1 == SF_RUNGS))
+        if (inertial && !(cut < HUGE_VAL) && (sf_is_far(model, F_0, A) || i + 1 == SF_RUNGS))
             cut = A;
         A *= step;
         if (i >= SF_FINE_RUNGS && step < SF_COARSEST)
             step *= 2;
     }
-    if (bent && inertial && !(by_damping < HUGE_VAL))
-        by_damping = sf_bent_by_inertia(model, F_0, sf_law_excludes);
-    *A_max = by_damping;
-    if (by_damping < HUGE_VAL) {
-        status = SF_OK;
-        if (bent && !inertial && model->reach < by_damping) {
-            sf_sample at;
-            *A_max = model->reach;
-            sf_sample_at(model, *A_max, &at);
-            status = sf_law_count(model, &at, F_0) > 0 ? SF_UNBOUNDED : SF_OK;
-        }
-    } else if (cut < HUGE_VAL) {
+    if (bent && inertial && !(bound < HUGE_VAL))
+        bound = sf_bent_by_inertia(model, F_0);
+    *A_max = cut;
+    if (bound < HUGE_VAL && !(bent && !inertial && model->reach < bound)) {
+        *A_max = bound;
+    } else if (inertial) {
+        status = SF_UNBOUNDED;
+    } else if ((bent || laws) && cut < HUGE_VAL) {
         sf_sample at;
-        *A_max = cut;
         sf_sample_at(model, cut, &at);
-        status = inertial || sf_law_count(model, &at, F_0) > 0 ? SF_UNBOUNDED : SF_OK;
+        status = sf_response_count(model, &at, F_0) > 0 ? SF_UNBOUNDED : SF_OK;
+    } else {
+        status = SF_NO_BOUND;
     }
-    return status != SF_NO_BOUND && !sf_laws_are_in_range(model, F_0, *A_max) ? SF_NO_BOUND : status;
+    return laws && status != SF_NO_BOUND && !sf_laws_are_in_range(model, F_0, *A_max) ? SF_NO_BOUND : status;
 }
 
 /* Where a response is cut that is unbounded without viscous damping: at the mechanism's reach, or at a multiple of the
@@ -371,9 +285,7 @@ static double sf_undamped_cut(const sf_model *model, double F_0) {
 /* Where to stop at F_0: above every steady state, or, with SF_UNBOUNDED, where a response is cut that does not close;
  * undamped ones are cut too. */
 static sf_status sf_range_by_spring(const sf_model *model, double F_0, double *A_max) {
-    if (sf_has_laws(model))
-        return sf_bound_by_laws(model, F_0, A_max);
-    if (model->zeta > 0)
+    if (sf_has_laws(model) || model->zeta > 0)
         return sf_amplitude_bound(model, F_0, A_max);
     *A_max = sf_undamped_cut(model, F_0);
     return SF_OK;
