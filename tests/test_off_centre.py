@@ -21,11 +21,10 @@ from scipy.spatial import cKDTree
 
 from slowflow import Duffing, Isolator, Oscillator, derive
 from slowflow.example import TABLE_1, isolator
-from slowflow.intervals import Interval
 from slowflow.isolator import ROD_SPRING
 from slowflow.model import Model
 from slowflow.off_centre import answers
-from slowflow.off_centre.ends import Charts
+from slowflow.off_centre.ends import Charts, Local
 from slowflow.off_centre.means import ORDERS, Steps
 from slowflow.off_centre.questions import OffCentre
 from slowflow.results import Remark, SteadyStates
@@ -204,7 +203,7 @@ def test_by_the_ends_of_the_motion_boxes_hold_the_means_of_every_point_and_their
             least, most = np.maximum(charts.low[:, number], -1.5), np.minimum(charts.high[:, number], 1.5)
             low = least[:, np.newaxis] + (most - least)[:, np.newaxis] * rng.uniform(0, 1, (2, n)) ** 2
             high = np.minimum(low + 10 ** rng.uniform(-8, -0.5, n), most[:, np.newaxis])
-            held = charts.on(*(Interval(np.stack(pair)) for pair in zip(low, high, strict=True)), chart)
+            held = Local.of(charts.on(low, 0.5 * (low + high), high, chart)[0])
             if charts.upper[number] - charts.lower[number] > 1:
                 assert all(np.isfinite(getattr(held, name).ends).all() for name in ("c_0", "s_0", "c_x", "c_y"))
             for share in (0.25, 0.5, 0.8):
@@ -251,7 +250,8 @@ def test_by_the_ends_of_the_motion_far_and_next_to_a_step_means_are_those_of_exa
     places = [(x, y) for x in (1e-9, 0.4, 6.0, 20.4, 130.0) for y in (1e-9, 1e-3, 0.7, 90.0)]
     with mpmath.workdps(40):
         for x, y in places:
-            found = charts.on(*(Interval(np.full((2, 1), at)) for at in (x, y)), np.array([chart]))
+            at = np.array([[x], [y]])
+            found = Local.of(charts.on(at, at, at, np.array([chart]))[0])
             top = mpmath.mpf(x) ** 2 + mpmath.mpf(float(charts.place[0, chart]))
             bottom = mpmath.mpf(float(charts.place[1, chart])) - mpmath.mpf(y) ** 2
             A, B = (top - bottom) / 2, (top + bottom) / 2
@@ -292,7 +292,7 @@ def test_next_to_the_centre_folds_are_those_about_it_in_few_boxes(monkeypatch):
     """Corners on both sides are 1e-9 apart: there were 282 000 boxes, and at other forcings too many."""
     boxes = []
     on = Charts.on
-    monkeypatch.setattr(Charts, "on", lambda self, x, y, chart: boxes.append(chart.size) or on(self, x, y, chart))
+    monkeypatch.setattr(Charts, "on", lambda *given: boxes.append(given[4].size) or on(*given))
     exact, found = Isolator(**TABLE_1).saddle_nodes(0.04), Isolator(**TABLE_1, load=1e-7).saddle_nodes(0.04)
     assert found.A == pytest.approx(exact.A, rel=1e-9) and found.Omega == pytest.approx(exact.Omega, rel=1e-9)
     assert sum(boxes) < 10_000
@@ -303,8 +303,9 @@ def test_motions_that_are_large_beside_the_breakpoints_are_told_as_narrowly_as_t
     charts = Charts(Steps(loaded.model.mechanism, loaded.model.parameters, 0.0))
     (chart,) = np.flatnonzero(charts.upper - charts.lower == 2)
     ends = (np.array([1400.0 + B, 1400.0 - B]) - charts.place[0, chart] for B in (-2.0, 2.0))
-    low, high = (np.sqrt(end) for end in ends)
-    on = charts.on(Interval.of([low[0]], [high[0]]), Interval.of([high[1]], [low[1]]), np.array([chart]))
+    (x, y), (x_high, y_low) = (np.sqrt(end) for end in ends)
+    low, high = np.array([[x], [y_low]]), np.array([[x_high], [y]])
+    on = Local.of(charts.on(low, 0.5 * (low + high), high, np.array([chart]))[0])
     assert -2.5 < on.c_0.lo[0] and on.c_0.hi[0] < 2.5
 
 

@@ -59,9 +59,8 @@ REQUESTS = {
     },
     "off_centre": {
         "generic": "*",
-        "in_c": "begin up down",
-        "searched": "ended_state ended_along ended_fold beside",
-        "enclosed": "ended_slopes begin down",
+        "in_c": "begin up down ended_along",
+        "enclosed": "ended_slopes ended_state ended_along ended_fold beside begin down",
     },
     "sensitivities": {"generic": "*"},
     "sampled": {

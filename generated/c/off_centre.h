@@ -36,6 +36,16 @@
 #define SF_KERNEL static inline
 #endif
 
+/* Along the balance, by coordinates of the motion's ends: A's slope, and what F_A gains there by R.
+   Equation (30) and the mean of (3). Domain: A > 0. Operations: 7.
+   Proved, error / u (1 + kappa): 1.01, 2.01 */
+SF_KERNEL void off_centre_ended_along(double A, double s_0, double c_x, double c_y, double X, double Y, double *out)
+{
+    const double t0 = -X * c_y + Y * c_x;
+    out[0] = t0;
+    out[1] = A * c_x * c_y + s_0 * t0;
+}
+
 /* L_-1, L_0, M_-1, M_0 of a step at B + a that the motion passes at psi = angle.
    Equation the mean of (3). Domain: root = sqrt(A^2 - a^2). Operations: 7.
    Measured, error / u (1 + kappa): 0.99 */

@@ -128,7 +128,8 @@ def main():
     off.rest(), off.detachment(), off.amplitudes(Omega=0.9, F_0=0.05)
     few = Isolator(lam=3, r=2, delta_h=0.08, mu=0.01, zeta=0.05, load=0.03)
     few.saddle_nodes(0.05), few.saddle_node_onset(), few.peak(0.05), few.frequency_response(0.05)
-    backend.SOLVER.ends(np.zeros(7), 0.0, 1.0, 0.0, 1.0, 0), backend.SOLVER.step_means(1.0, 0.0, 0, 3, np.empty(200))
+    edge = np.zeros(2)
+    backend.SOLVER.ends(np.zeros(7), edge, edge, edge, 0.0, 0), backend.SOLVER.step_means(1.0, 0.0, 0, 3, np.empty(200))
     for alpha, beta, mu, zeta in itertools.product((-0.5, 0.0, 1.0), (-0.3, 0.0, 2.0, 1e200), (0.0, 0.02), (0.0, 0.05)):
         for question in asked(Duffing(alpha, beta, mu, zeta)):
             tried(question)

@@ -418,16 +418,18 @@ static void sf_tighten(const sf_ended *middle, sf_interval r_x, sf_interval r_y,
     out->s_0 = sf_both(out->s_0, sf_from_middle(middle->s_0, slopes[0], r_x, slopes[1], r_y));
 }
 
-/* On a box within the limits of its chart: of one that touches A = 0 the part in which A is not negative. */
-static void sf_on_ends(const sf_charts *of, sf_interval x, sf_interval y, int chart, sf_ended *out) {
-    const double at_x = 0.5 * (x.lo + x.hi), at_y = 0.5 * (y.lo + y.hi);
-    sf_ended middle;
+/* On a box within the limits of its chart, and at a point of it: of a box that touches A = 0 the part in which A is not
+ * negative. Where `load` is a number that <f> is not, nothing else is made tighter. */
+static void sf_on_ends(const sf_charts *of, const double *low, const double *at, const double *high, int chart, double load,
+                       sf_ended *out, sf_ended *middle) {
+    const sf_interval x = {low[0], high[0]}, y = {low[1], high[1]};
     sf_on_all(of, x, y, chart, out);
-    if (x.lo == x.hi && y.lo == y.hi)
+    *middle = *out;
+    if ((x.lo == x.hi && y.lo == y.hi) || sfi_has_sign(sfi_sub(out->c_0, sfi_point(load))))
         return;
-    sf_on_all(of, sfi_point(at_x), sfi_point(at_y), chart, &middle);
-    if (middle.A.lo > 0)
-        sf_tighten(&middle, sfi_sub(x, sfi_point(at_x)), sfi_sub(y, sfi_point(at_y)), out);
+    sf_on_all(of, sfi_point(at[0]), sfi_point(at[1]), chart, middle);
+    if (middle->A.lo > 0)
+        sf_tighten(middle, sfi_sub(x, sfi_point(at[0])), sfi_sub(y, sfi_point(at[1])), out);
 }
 
 #endif

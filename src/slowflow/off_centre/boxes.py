@@ -12,12 +12,11 @@ from __future__ import annotations
 
 import itertools
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from slowflow.intervals import Interval
 from slowflow.model import Floats
 from slowflow_support.errors import NotSettled
 
@@ -35,29 +34,24 @@ MOST_BOXES, MOST_EACH = 150_000, 4_000
 TOO_MANY = "the states are unresolved: too many boxes stay undecided"
 
 
-class Equations(Protocol):
+class Equations:
     """As many equations as unknowns; `of` tells which of several systems each box or point belongs to."""
 
     def limits(self, of: Ints) -> tuple[Any, Any]:
         """Lower and upper ends of all that there is, which broadcast to (d, n): no box is made larger beyond."""
-        ...
+        raise NotImplementedError
 
-    def on(self, x: Floats, r: Floats, of: Ints) -> tuple[Floats, ...]:
-        """Values (2, d, n) and slopes (2, d, d, n), lower and upper ends, on boxes x +- r of shape (d, n).
+    def on(self, low: Floats, x: Floats, high: Floats, of: Ints) -> tuple[Floats, ...]:
+        """Values at points x of boxes, and on the boxes, (2, d, n), and slopes on these, (2, d, d, n), by their ends.
 
-        Further rows of values may follow, of what vanishes at a solution too. A third array (2, d, n) may follow:
-        between which ends the solutions of each box are.
+        A fourth array (2, d, n) may follow: between which ends the solutions of each box are.
         """
-        ...
+        raise NotImplementedError
 
     def at(self, x: Floats, of: Ints) -> tuple[Floats, Floats]:
-        """Values (d, n) and slopes (d, d, n) at points (d, n)."""
-        ...
-
-
-def interval_of(x: Floats, r: Floats) -> Interval:
-    """x +- r; not rounded outwards: neighbouring boxes are made of the same ends."""
-    return Interval(np.array((x - r, x + r)))
+        """Values (d, n) and slopes (d, d, n) at points (d, n): the middles of what is known of these."""
+        _, values, slopes, *_ = self.on(x, x, x, of)
+        return 0.5 * (values[0] + values[1]), 0.5 * (slopes[0] + slopes[1])
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,13 +88,7 @@ def _solve(equations: Equations, low: Floats, high: Floats, of: Ints) -> Solutio
         ends = np.maximum(low - around, least), np.minimum(high + around, most_)
         x_wide = 0.5 * (ends[0] + ends[1])
         wide = np.maximum(ends[1] - x_wide, x_wide - ends[0])
-        # on all of it and in its middle, at once
-        values, slopes, *held = equations.on(
-            np.concatenate((x_wide, x_wide), axis=1),
-            np.concatenate((wide, np.zeros_like(wide)), axis=1),
-            np.concatenate((of, of)),
-        )
-        middle, values, slopes = values[:, :d, of.size :], values[..., : of.size], slopes[..., : of.size]
+        middle, values, slopes, *held = equations.on(ends[0], x_wide, ends[1], of)
         none = ((values[0] > 0) | (values[1] < 0)).any(axis=0)
         # by how much slopes can move the value in the middle
         reach = np.einsum("ijn,jn->in", np.max(np.abs(slopes), axis=0), wide) * (1 + 2.0**-48)
@@ -110,7 +98,7 @@ def _solve(equations: Equations, low: Floats, high: Floats, of: Ints) -> Solutio
         inside = (np.abs(centre - x_wide) + radius < wide).all(axis=0) & ~none
         held.append(_alone(middle, x_wide, wide, slopes))
         for holds in held:
-            low, high = np.fmax(low, holds[0, :, : of.size]), np.fmin(high, holds[1, :, : of.size])
+            low, high = np.fmax(low, holds[0]), np.fmin(high, holds[1])
             none |= (low > high).any(axis=0)
             inside &= ~none
         narrow = (r <= NARROW * np.maximum(np.abs(x), 1.0)).all(axis=0)

@@ -13,39 +13,26 @@ from typing import Any
 
 import numpy as np
 
-from slowflow.intervals import Interval
+from slowflow.backend import SOLVER
+from slowflow.intervals import Bools, Interval
 from slowflow.model import Floats
-from slowflow.off_centre.boxes import Ints, interval_of
+from slowflow.off_centre.boxes import Equations, Ints
 from slowflow.off_centre.ends import Charts, Local
 from slowflow.off_centre.flow import Flow, Slow
 from slowflow.off_centre.means import ALL
-from slowflow_kernels import off_centre, off_centre_intervals
+from slowflow_kernels import off_centre
 
 #: x or y next to an edge of its chart
 NEAR = 2.0**-8
 
 
-def _square(rows: Any, d: int) -> tuple[Any, Any]:
-    """Values and slopes from a kernel's outputs."""
-    values, slopes = rows[:d], rows[d:]
-    return values, [slopes[d * i : d * (i + 1)] for i in range(d)]
-
-
-def ends_of(rows: Any, d: int, n: int) -> tuple[Floats, Floats]:
-    """Values (2, d, n) and slopes (d, d, 2, n) from a kernel's outputs on intervals."""
-    values, slopes = _square(
-        [row.ends + np.zeros((2, n)) if isinstance(row, Interval) else np.full((2, n), row) for row in rows], d
-    )
-    return np.stack(values, axis=1), np.stack([np.stack(row, axis=1) for row in slopes], axis=1)
-
-
 def numbers_of(rows: Any, d: int, n: int) -> tuple[Floats, Floats]:
     """Values (d, n) and slopes (d, d, n) from a kernel's outputs."""
-    values, slopes = _square([row + np.zeros(n) for row in rows], d)
-    return np.stack(values), np.stack([np.stack(row) for row in slopes])
+    found = np.array([row + np.zeros(n) for row in rows])
+    return found[:d], found[d:].reshape(d, d, n)
 
 
-class ByEnds:
+class ByEnds(Equations):
     """What both share.
 
     given -- the frequencies or the forcings
@@ -70,15 +57,6 @@ class ByEnds:
         free = np.full((self.unknowns - 2, of.size), np.inf)
         return np.concatenate((self.charts.low[:, chart], -free)), np.concatenate((self.charts.high[:, chart], free))
 
-    def at(self, x: Floats, of: Ints) -> tuple[Floats, Floats]:
-        """See `boxes.Equations`; the middles of what is known of points."""
-        values, slopes, *_ = self.on(x, np.zeros_like(x), of)
-        return 0.5 * (values[0] + values[1])[: self.unknowns], 0.5 * (slopes[0] + slopes[1])
-
-    def on(self, x: Floats, r: Floats, of: Ints) -> tuple[Floats, ...]:
-        """See `boxes.Equations`."""
-        raise NotImplementedError
-
     def by_motion(self, z: Floats, of: Ints) -> tuple[Floats, Floats]:
         """As `at`, by A and B in the place of x and y."""
         raise NotImplementedError
@@ -96,15 +74,18 @@ class ByEnds:
                 z = np.where(known & (np.abs(change) < 2.0**-30 * size).all(axis=0), z - change, z)
         return z
 
-    @property
-    def _load(self) -> Interval:
-        return Interval.point(self.charts.steps.load)
+    def _on(self, low: Floats, x: Floats, high: Floats, of: Ints) -> tuple[Floats, Bools]:
+        """Rows of boxes and of their middles, (2, n, 28); which of the boxes lie beyond A = 0, with no motion."""
+        both = np.array(self.charts.on(low[:2], x[:2], high[:2], self.chart(of), self.charts.steps.load))
+        return both, (both[0, :, 1] <= 0) & (high > low).all(axis=0)
 
-
-def _of_motions(values: Floats, slopes: Floats, here: Local, r: Floats) -> tuple[Floats, Floats]:
-    """Values and slopes, with no zero in boxes without any motion: those beyond A = 0."""
-    values[:, 0, (here.A.hi <= 0) & (r > 0).all(axis=0)] = 1.0
-    return values, slopes
+    def _found(self, rows: Floats, nowhere: Bools) -> tuple[Floats, Floats, Floats]:
+        """As `on` gives them, from a kernel's rows (2, n, outputs): with no zero where no motion is."""
+        d, n = self.unknowns, nowhere.size
+        values = rows[..., : 2 * d].reshape(2, n, d, 2).transpose(0, 3, 2, 1)
+        values[0][:, 0, nowhere] = 1.0
+        slopes = rows[0, :, 2 * d : 2 * d * (d + 1)].reshape(n, d, d, 2).transpose(3, 1, 2, 0)
+        return values[1], values[0], slopes
 
 
 class EndedState(ByEnds):
@@ -114,14 +95,11 @@ class EndedState(ByEnds):
         super().__init__(charts, flow, Omega)
         self.F_0, self.force = F_0, flow.force(F_0, Omega)
 
-    def on(self, x: Floats, r: Floats, of: Ints) -> tuple[Floats, ...]:
+    def on(self, low: Floats, x: Floats, high: Floats, of: Ints) -> tuple[Floats, ...]:
         """See `boxes.Equations`."""
-        here = self.charts.on(interval_of(x[0], r[0]), interval_of(x[1], r[1]), self.chart(of))
-        Omega, force = (Interval.point(one[self.number(of)]) for one in (self.given, self.force))
-        known = force, *self.flow.balances(Omega, here.A), self._load
-        of_means = here.c_0, here.s_0, here.c_x, here.c_y, here.X, here.Y
-        found = off_centre_intervals.ended_state(Omega, here.A, *known, *of_means)
-        return _of_motions(*ends_of(found, 2, of.size), here, r)
+        both, nowhere = self._on(low, x, high, of)
+        number, known = self.number(of), (self.flow.damping, self.charts.steps.load)
+        return self._found(SOLVER.ended_state(both, self.given[number], self.force[number], *known), nowhere)
 
     def by_motion(self, z: Floats, of: Ints) -> tuple[Floats, Floats]:
         """See `ByEnds`."""
@@ -137,46 +115,25 @@ class EndedFold(ByEnds):
 
     unknowns = 3
 
-    def on(self, x: Floats, r: Floats, of: Ints) -> tuple[Floats, ...]:
+    def on(self, low: Floats, x: Floats, high: Floats, of: Ints) -> tuple[Floats, ...]:
         """See `boxes.Equations`."""
-        xy = [interval_of(*pair) for pair in zip(x, r, strict=True)]
-        here = self.charts.on(xy[0], xy[1], self.chart(of))
-        forcing = [Interval.point(one) for one in self.flow.forcing(self.given[self.number(of)])]
-        known = [Interval.point(one) for one in self._damping]
-        of_means = (here.c_0, here.s_0, here.c_x, here.c_y, here.c_xx, here.c_yy, here.X, here.Y, here.X_x, here.Y_y)
-        given = (xy[2], here.A, *forcing, *known, self._load, *of_means)
-        found = off_centre_intervals.ended_fold(*given)
+        both, nowhere = self._on(low, x, high, of)
+        R = np.stack((np.stack((low[2], high[2]), axis=1), np.stack((x[2], x[2]), axis=1)))
+        known = *self.flow.forcing(self.given[self.number(of)]), self.flow.damping, self.charts.steps.load
+        rows = SOLVER.ended_fold(both, R, *known, self.charts.has_centre)
         holds = np.stack((np.full_like(x, -np.inf), np.full_like(x, np.inf)))
-        # R (h - A h_A) = G^2 + I (A I_A - I)
-        along = resists(here)[0]
-        if self.charts.has_centre:
-            about, single, beside = beside_centre(here)
-            along = along.where(single, beside)
-        intercept = (here.A * along - here.s_0) * 4.0
-        square = Interval(np.maximum((xy[2] + here.s_0 * 2.0).ends, 0.0))
-        of_speed = square * here.A
-        force, speed = forcing[0] + forcing[1] * (square / here.A), of_speed.sqrt()
-        moves = here.A * self.flow.eta + speed * (2 * self.flow.zeta) + of_speed * self.flow.d + self.flow.m
-        by_line = (force.square() + moves * (of_speed * self.flow.d - self.flow.m)) / intercept
-        most = (force.square() - moves.square()).sqrt().hi
-        holds[0, 2], holds[1, 2] = np.fmax(by_line.lo, -most), np.fmin(by_line.hi, most)
-        values, slopes = _of_motions(*ends_of(found, 3, of.size), here, r)
-        if self.charts.has_centre:
-            values[:, 0, about & single] = 1.0
-        return values, slopes, holds
+        holds[:, 2] = rows[0, :, -2:].T
+        return *self._found(rows, nowhere), holds
 
     def by_motion(self, z: Floats, of: Ints) -> tuple[Floats, Floats]:
         """See `ByEnds`."""
         means = self.charts.steps.at(z[0], z[1], 2)
-        known = *self.flow.forcing(self.given[self.number(of)]), *self._damping, self.charts.steps.load
+        flow = self.flow
+        known = *flow.forcing(self.given[self.number(of)]), flow.m, flow.eta, flow.zeta, flow.d, self.charts.steps.load
         return numbers_of(off_centre.fold(z[2], z[0], *known, *means.c, *means.s), 3, of.size)
 
-    @property
-    def _damping(self) -> tuple[float, ...]:
-        return self.flow.m, self.flow.eta, self.flow.zeta, self.flow.d
 
-
-class Resting:
+class Resting(Equations):
     """Where the mass stands when nothing moves it."""
 
     def __init__(self, charts: Charts) -> None:
@@ -186,19 +143,20 @@ class Resting:
         """See `boxes.Equations`."""
         return -np.inf, np.inf
 
-    def on(self, x: Floats, r: Floats, of: Ints) -> tuple[Floats, Floats]:
+    def on(self, low: Floats, x: Floats, high: Floats, of: Ints) -> tuple[Floats, ...]:
         """See `boxes.Equations`: on each piece of the force of all motions in a box, those at rest among them."""
-        u, nowhere = interval_of(x[0], r[0]), np.array([[np.inf], [-np.inf]])
-        f, slope = (np.tile(nowhere, (1, of.size)) for _ in range(2))
+        u, nowhere = np.stack((np.append(low, x), np.append(high, x))), np.array([[np.inf], [-np.inf]])
+        f, slope = (np.tile(nowhere, (1, 2 * of.size)) for _ in range(2))
         for chart in np.flatnonzero(~self.charts.passes):
-            part = np.stack((np.maximum(u.lo, self.charts.low[0, chart]), np.minimum(u.hi, self.charts.high[0, chart])))
+            part = np.stack((np.maximum(u[0], self.charts.low[0, chart]), np.minimum(u[1], self.charts.high[0, chart])))
             some = np.flatnonzero(part[0] <= part[1])
-            here = self.charts.on(Interval(part[:, some]), -Interval(part[:, some]), np.full(some.size, chart))
+            here = self.charts.on_piece(part[:, some], np.full(some.size, chart))
             for whole, one in ((f, here.c_0), (slope, here.c_x - here.c_y)):
                 whole[:, some] = np.minimum(whole[0, some], one.lo), np.maximum(whole[1, some], one.hi)
         for jump in self.charts.jumps.tolist():
-            slope[:, (u.lo <= jump) & (jump <= u.hi)] = ALL
-        return (Interval(f) - self.steps.load).ends[:, np.newaxis], slope[:, np.newaxis, np.newaxis]
+            slope[:, (u[0] <= jump) & (jump <= u[1])] = ALL
+        values = (Interval(f) - self.steps.load).ends[:, np.newaxis]
+        return values[..., of.size :], values[..., : of.size], slope[:, np.newaxis, np.newaxis, : of.size]
 
     def at(self, x: Floats, of: Ints) -> tuple[Floats, Floats]:
         """See `boxes.Equations`."""
@@ -206,7 +164,7 @@ class Resting:
         return (means.c[0] - self.steps.load)[np.newaxis], means.c[1][np.newaxis, np.newaxis]
 
 
-class EndedEdge:
+class EndedEdge(Equations):
     """On one edge of charts, which is a system: x = 0, or y = 0.
 
     edge -- 0 for x = 0, 1 for y = 0
@@ -220,60 +178,9 @@ class EndedEdge:
         along = 1 - self.edge
         return self.charts.low[along, of][np.newaxis], self.charts.high[along, of][np.newaxis]
 
-    def on(self, x: Floats, r: Floats, of: Ints) -> tuple[Floats, ...]:
+    def on(self, low: Floats, x: Floats, high: Floats, of: Ints) -> tuple[Floats, ...]:
         """See `boxes.Equations`."""
-        none, along = Interval(np.zeros((2, of.size))), interval_of(x[0], r[0])
-        x_, y_ = (along, none) if self.edge else (none, along)
-        here = self.charts.on(x_, y_, of)
-        slope = here.c_x if self.edge else here.c_y
-        return (here.c_0 - self.charts.steps.load).ends[:, np.newaxis], slope.ends[:, np.newaxis, np.newaxis]
-
-    def at(self, x: Floats, of: Ints) -> tuple[Floats, Floats]:
-        """See `boxes.Equations`."""
-        values, slopes = self.on(x, np.zeros_like(x), of)
-        return 0.5 * (values[0] + values[1]), 0.5 * (slopes[0] + slopes[1])
-
-
-def along_balance(charts: Charts, here: Local) -> tuple[Interval, Interval]:
-    """`resists` and A's slope; of an odd force without a load next to where motions leave the centre, of both kinds."""
-    found, A_t = resists(here)
-    if charts.has_centre:
-        _, single, beside = beside_centre(here)
-        c_1 = _stiffness(here) * 0.5
-        hull = np.array((np.minimum(beside.lo, c_1.lo), np.maximum(beside.hi, c_1.hi)))
-        found = found.where(single, Interval(np.where(np.isfinite(hull).all(axis=0), hull, ALL)))
-    return found, A_t
-
-
-def beside_centre(here: Local) -> tuple[Any, Any, Interval]:
-    """Which boxes touch B = 0, in which c_1 has a sign, and `resists` of motions off the centre in the others.
-
-    Of an odd force without a load. Where f_0/B vanishes, c_1 between 0 and B has no sign: where it has one next to the
-    centre, no motion is off it.
-    """
-    touches = (here.B.lo <= 0) & (here.B.hi >= 0)
-    single = ~touches | _stiffness(here).has_sign
-    beside = off_centre_intervals.beside(here.B, here.c_3, here.s_2) * 0.5
-    return touches, single, Interval(np.where(here.c_3.has_sign, beside.ends, ALL))
-
-
-def _stiffness(here: Local) -> Interval:
-    """c_1"""
-    return (here.c_x / here.X - here.c_y / here.Y) * 0.5
-
-
-def resists(here: Local) -> tuple[Interval, Interval]:
-    """(c_1^2 - s_1^2)/(2 c_1) on boxes, as h_A = 2 s_0/A - 4 of it along the balance; and A's slope, of c_1's sign.
-
-    With p = c_x and q = -c_y it is p q/(X q + Y p), which rises with p and with q as long as c_1 has a sign.
-    """
-    A_t, _ = off_centre_intervals.ended_along(here.A, here.s_0, here.c_x, here.c_y, here.X, here.Y)
-    found = []
-    for outwards, p, q in ((-1.0, here.c_x.lo, here.c_y.hi), (1.0, here.c_x.hi, here.c_y.lo)):
-        X = np.where((p < 0) == (outwards < 0), here.X.lo, here.X.hi)
-        Y = np.where((q > 0) == (outwards < 0), here.Y.lo, here.Y.hi)
-        slope, gain = off_centre.ended_along(1.0, 0.0, p, q, X, Y)
-        value = -gain / slope
-        found.append(value + outwards * 2.0**-48 * np.abs(value))
-    known = A_t.has_sign & np.isfinite(found).all(axis=0)
-    return Interval(np.where(known, np.stack(found), ALL)), A_t
+        low, x, high = (np.insert(one, self.edge, 0.0, axis=0) for one in (low, x, high))
+        here, middle = map(Local.of, self.charts.on(low, x, high, of))
+        values = [(one.c_0 - self.charts.steps.load).ends[:, np.newaxis] for one in (middle, here)]
+        return *values, (here.c_x if self.edge else here.c_y).ends[:, np.newaxis, np.newaxis]

@@ -135,9 +135,10 @@ class Complete:
         """The same of a piece that is no polynomial: beyond it the mean of the force is never the load."""
         edges = self._steps.size * 2.0 ** np.arange(0, OCTAVES + 0.25, 0.5)
         along = 2 * edges if not self.sheets.charts.rooted[1 - edge, charts[0]] else np.sqrt(2 * edges)
-        middle, half = 0.5 * (along[:-1] + along[1:])[np.newaxis], 0.5 * np.diff(along)[np.newaxis]
+        low, high = along[np.newaxis, :-1], along[np.newaxis, 1:]
         with np.errstate(all="ignore"):
-            found, _ = EndedEdge(self.sheets.charts, edge).on(middle, half, np.repeat(charts, half.size))
+            of = np.repeat(charts, low.size)
+            _, found, _ = EndedEdge(self.sheets.charts, edge).on(low, 0.5 * (low + high), high, of)
         may = ~((found[0, 0] > 0) | (found[1, 0] < 0))
         if may[-1]:
             raise Refused(UNBOUNDED)

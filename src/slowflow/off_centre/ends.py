@@ -16,8 +16,7 @@ motion, so that the values at two corners hold them.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
-from typing import Any
+from typing import NamedTuple
 
 import numpy as np
 
@@ -39,9 +38,11 @@ TOO_LARGE = Sentence(
 )
 
 
-@dataclass(frozen=True, eq=False)
-class Local:
-    """On boxes: X and Y are A_x and A_y, X_x and Y_y their slopes; c_x ... those of c_0; c_3 and s_2 next to B = 0."""
+class Local(NamedTuple):
+    """On boxes: X and Y are A_x and A_y, X_x and Y_y their slopes; c_x ... those of c_0; c_3 and s_2 next to B = 0.
+
+    The order is that of native/ends.h, which has them as rows (n, 28).
+    """
 
     A: Interval
     B: Interval
@@ -58,9 +59,10 @@ class Local:
     c_3: Interval
     s_2: Interval
 
-    def take(self, which: Any) -> Local:
-        """Some of the boxes."""
-        return Local(*(one.take(which) for one in vars(self).values()))
+    @classmethod
+    def of(cls, rows: Floats) -> Local:
+        """From rows."""
+        return cls(*map(Interval, rows.T.reshape(len(cls._fields), 2, len(rows))))
 
 
 class Charts:
@@ -121,26 +123,43 @@ class Charts:
         sizes = (self._at.size, steps.highest, self.passes.size, self._large)
         return np.concatenate([sizes, *(np.ravel(row) for row in rows)]).astype(float)
 
-    def on(self, x: Interval, y: Interval, chart: Ints) -> Local:
-        """On boxes within the limits of their charts."""
-        ends = np.stack([one.T for one in SOLVER.ends(self._packed, *x.ends, *y.ends, chart)], axis=1)
-        found = Local(*map(Interval, ends))
-        if self.steps.curved is None:
-            return found
-        both, (upper, lower) = above_diagonal(x, y, self.passes[chart]), self.place[:, chart]
-        past_x, past_y = (one.square().where(root, one) for one, root in zip(both, self.rooted[:, chart], strict=True))
-        r, X, Y = self.steps.curved.by_ends(past_x + upper, -past_y + lower), found.X, found.Y
-        gained = {
-            "c_0": r.c_0,
-            "s_0": r.s_0,
-            "c_x": X * r.P_1,
-            "c_y": -(Y * r.Q_1),
-            "c_xx": found.X_x * r.P_1 + X.square() * r.P_P,
-            "c_yy": Y.square() * r.Q_Q - found.Y_y * r.Q_1,
-            "c_3": r.c_3,
-            "s_2": r.s_2,
-        }
-        return replace(found, **{name: getattr(found, name) + value for name, value in gained.items()})
+    def on(self, low: Floats, at: Floats, high: Floats, chart: Ints, load: float = math.nan) -> tuple[Floats, Floats]:
+        """On boxes within the limits of their charts, and at a point of each, all (2, n): rows of `Local`, (n, 28).
+
+        Where it is seen at once that <f> is not the load, a number, on a box, nothing else is made tight.
+        """
+        curved, n = self.steps.curved, chart.size
+        found = SOLVER.ends(self._packed, low.T, at.T, high.T, load if curved is None else math.nan, chart)
+        both = found.reshape(n, 2, 28).swapaxes(0, 1)
+        if curved is not None:
+            both, chart = both.reshape(2 * n, 28), np.append(chart, chart)
+            ends = (np.concatenate((one, at), axis=1) for one in (low, high))
+            x, y = map(Interval, np.stack(tuple(ends), axis=1))
+            xy, (upper, lower) = above_diagonal(x, y, self.passes[chart]), self.place[:, chart]
+            past_x, past_y = (
+                one.square().where(root, one) for one, root in zip(xy, self.rooted[:, chart], strict=True)
+            )
+            r, here = curved.by_ends(past_x + upper, -past_y + lower), Local.of(both)
+            gained = {
+                "c_0": r.c_0,
+                "s_0": r.s_0,
+                "c_x": here.X * r.P_1,
+                "c_y": -(here.Y * r.Q_1),
+                "c_xx": here.X_x * r.P_1 + here.X.square() * r.P_P,
+                "c_yy": here.Y.square() * r.Q_Q - here.Y_y * r.Q_1,
+                "c_3": r.c_3,
+                "s_2": r.s_2,
+            }
+            for name, value in gained.items():
+                one = getattr(here, name)
+                one.ends[:] = (one + value).ends
+            both = both.reshape(2, n, 28)
+        return both[0], both[1]
+
+    def on_piece(self, u: Floats, chart: Ints) -> Local:
+        """Of all motions on one piece within intervals of u, (2, n), those at rest among them."""
+        low, high = np.stack((u[0], -u[1])), np.stack((u[1], -u[0]))
+        return Local.of(self.on(low, 0.5 * (low + high), high, chart)[0])
 
     def motion(self, x: Floats, y: Floats, chart: Ints) -> tuple[Floats, Floats]:
         """A and B at points."""
@@ -178,11 +197,11 @@ class Charts:
         passes, rooted = self.passes[chart], self.rooted[:, chart]
         past_x, past_y = (np.where(root, one.hi**2, one.hi) for root, one in zip(rooted, (x, y), strict=True))
         upper, lower = self.place[:, chart]
-        u = Interval(np.stack((lower - past_y, upper + past_x)))
+        u = np.stack((lower - past_y, upper + past_x))
         # of motions on one piece, those at rest among them
-        of_pieces = [self.on(u, -u, self._own[of[chart]]) for of in (self.upper, self.lower)]
-        ends = [(one.c_x - one.c_y).ends for one in of_pieces]
-        hull = np.stack((np.minimum(ends[0][0], ends[1][0]), np.maximum(ends[0][1], ends[1][1])))
+        here = self.on_piece(np.tile(u, 2), self._own[np.append(self.upper[chart], self.lower[chart])])
+        low, high = (here.c_x - here.c_y).ends.reshape(2, 2, chart.size)
+        hull = np.array((low.min(axis=0), high.max(axis=0)))
         known = ~rooted.any(axis=0) & (~passes | (self.upper[chart] == self.lower[chart] + 1))
         return Interval(np.where(known, hull, ALL))
 

@@ -20,11 +20,6 @@ from slowflow_kernels import dissipation, inertia, off_centre, slow_flow
 
 #: what rounding does to a bound
 ROUNDED = 2.0**-40
-#: parts of the range of y, and how often what is left of it is cut into parts again: folds that are about to meet, next
-#: to a cusp, leave no less than half of it each time, and their level has to be known better than `onset.GAP`
-PARTS, ROUNDS = 8, 10
-#: of a bracket
-HALVINGS = 60
 
 
 @dataclass(frozen=True)
@@ -122,7 +117,8 @@ class Flow:
     # ==== Frequencies =================================================================================================
 
     @property
-    def _damping(self) -> tuple[float, ...]:
+    def damping(self) -> tuple[float, ...]:
+        """The coefficients of I."""
         return self.m, self.zeta, self.eta, self.d
 
     def frequencies(self, A: Floats, h: Floats, F_0: float) -> Floats:
@@ -130,7 +126,7 @@ class Flow:
         if self.plain:
             found: Floats = SOLVER.response_roots(A, h, self.m, self.zeta, np.array([F_0]))[0]
         else:
-            found = SOLVER.law_roots(A, h, 0.0, *self._damping, F_0, self.inertial)
+            found = SOLVER.law_roots(A, h, 0.0, *self.damping, F_0, self.inertial)
         return found
 
     def fold_frequencies(self, A: Floats, h: Floats, h_A: Floats) -> Floats:
@@ -138,7 +134,7 @@ class Flow:
         if not (self.eta or self.d):
             found: Floats = SOLVER.fold_roots(A, h, h_A, self.m, self.zeta)[0]
         else:
-            found = SOLVER.law_roots(A, h, h_A, *self._damping, -1.0, self.inertial)
+            found = SOLVER.law_roots(A, h, h_A, *self.damping, -1.0, self.inertial)
         return found
 
     def stationary(self, A: Floats, h: Floats) -> Floats:
@@ -146,7 +142,7 @@ class Flow:
         if self.plain:
             found = SOLVER.peak_roots(A, h, self.m, self.zeta)[0]
         else:
-            found = SOLVER.law_peak_roots(A, h, *self._damping, self.inertial)
+            found = SOLVER.law_peak_roots(A, h, *self.damping, self.inertial)
         end = np.full((A.size, 1), np.inf if self.inertial else 0.0)
         return np.concatenate((end, found), axis=1)
 
@@ -193,93 +189,16 @@ class Flow:
         return needed
 
     def folds_between(
-        self, A: Interval, p: Interval, e: Interval, sign: float, forcing: tuple[float, float]
-    ) -> tuple[Floats, Floats, Bools]:
-        """Between which |y| there may be folds with y of that sign at forcings between two, and whether there may be.
+        self, A: Interval, p: Interval, e: Interval, sign: float, lowest: float, highest: float
+    ) -> tuple[Floats, Bools]:
+        """Between which |R| there may be folds with R of that sign at the highest of forcings, (2, n).
 
+        And whether there may be some at forcings between the two.
         e -- of that sign, NaN or inf where it is not known
         """
-        lowest, highest = forcing
-        e = e if sign > 0 else -e
-        least_e, most_e = np.fmax(e.lo, 0.0), np.where(np.isnan(e.hi), np.inf, e.hi) * (1 + ROUNDED)
-        most = most_e
-        if not self.inertial:
-            most = np.fmin(most, np.sqrt(max(highest**2 - self.m**2, 0.0)) / A.lo * (1 + ROUNDED))
-        if sign < 0:
-            most = np.minimum(most, np.maximum(p.hi, 0.0))
-        start, end = np.maximum(0.0, -p.hi if sign > 0 else 0.0), most
-        left = (end >= start) & (end >= 0)
-        unknown = ~np.isfinite(end) | ~np.isfinite(p.ends).all(axis=0)
-        shares = np.arange(PARTS + 1)[:, np.newaxis] / PARTS
-        for _ in range(ROUNDS):
-            edges = start + shares * (end - start)
-            y = edges[:-1] * (1 - ROUNDED), edges[1:] * (1 + ROUNDED)
-            turns = (p.lo + y[0], p.hi + y[1]) if sign > 0 else (p.lo - y[1], p.hi - y[0])
-            x = [np.maximum(one, 0.0) for one in turns]
-            low, high = (np.sqrt(one) for one in x)
-            middle = np.clip(0.5 * most_e, *y)
-            # y (e - y) and I I_A/A
-            resists = self._resists(low, A.lo, A.hi), self._resists(high, A.hi, A.lo)
-            fold = np.isinf(most_e) | (middle * (most_e - middle) * (1 + ROUNDED) >= resists[0] * (1 - ROUNDED))
-            slowest = np.fmin(*(one * (least_e - one) for one in y))
-            fold &= ~(slowest * (1 - ROUNDED) > resists[1] * (1 + ROUNDED))
-            least, largest = self._levels(A, p, y, x, (low, high), sign)
-            holds = fold & (least * (1 - ROUNDED) <= highest**2) & ~(largest * (1 + ROUNDED) < lowest**2)
-            left &= holds.any(axis=0)
-            first, last = np.argmax(holds, axis=0), PARTS - 1 - np.argmax(holds[::-1], axis=0)
-            n = np.arange(first.size)
-            start, end = np.where(left, edges[first, n], start), np.where(left, edges[last + 1, n], end)
-        return start, end, np.asarray(left | unknown)
-
-    def between(self, A: Interval, p: Interval, start: Floats, end: Floats, F_0: float) -> Floats:
-        """Between which |R| = A |y| of folds is, from that of y, and what |R| of states is not more than."""
-        most = self._most(A, p, F_0) if self.inertial else np.sqrt(max(F_0**2 - self.m**2, 0.0))
-        # 0 times what is not known is not known
-        ends = np.fmax(A.lo * start, 0.0), np.where(np.isnan(A.hi * end), np.inf, A.hi * end)
-        return np.asarray(np.minimum(np.stack(ends), most) * np.array([[1 - ROUNDED], [1 + ROUNDED]]))
-
-    def _most(self, A: Interval, p: Interval, F_0: float) -> Floats:
-        """What |R| <= F_0 Omega^2 is not more than; inf next to the amplitude that is tended to as Omega rises.
-
-        Above it A Omega^2 = R + A p. Below it 1/Omega^2 has to be so large that F over Omega^4 is not negative.
-        """
-        size = np.maximum(np.abs(p.lo), np.abs(p.hi))
-        beyond = np.where(A.lo > F_0, F_0 * size / (1 - F_0 / A.lo), np.inf)
-        low, high = np.zeros_like(size), np.where(A.hi < F_0, 1.0, 0.0)
-
-        def level(z: Floats) -> Floats:
-            I = (self.m + self.eta * A.hi) * z + 2 * self.zeta * A.hi * np.sqrt(z) + self.d * A.hi**2
-            return np.asarray((A.hi * (1 + size * z)) ** 2 + I**2)
-
-        for _ in range(HALVINGS):
-            middle = 0.5 * (low + high)
-            under = level(middle) * (1 + ROUNDED) < F_0**2
-            low, high = np.where(under, middle, low), np.where(under, high, middle)
-        return np.fmin(beyond, np.where(low > 0, F_0 / low, np.inf))
-
-    def _resists(self, Omega: Floats, A: Floats, of_friction: Floats) -> Floats:
-        """I I_A/A, with friction's share at another amplitude."""
-        # I/A has half of the slope that quadratic damping gives to I, whose share of I_A/A knows no amplitude
-        over = dissipation.I_A(Omega, A, self.eta, self.zeta, 0.5 * self.d)
-        at_rest, rising = (
-            dissipation.I_A(Omega, *one) for one in ((0.0, self.eta, self.zeta, 0.0), (1.0, 0.0, 0.0, self.d))
-        )
-        return np.asarray(self.m * (at_rest / of_friction + rising) + self.sine_A(Omega, A) * over)
-
-    def _levels(self, A: Interval, p: Interval, y: Any, x: Any, Omega: Any, sign: float) -> tuple[Floats, Floats]:
-        """Between which the square of the forcing is of folds with |y|, Omega^2 = x and Omega between ends."""
-        if not self.inertial:
-            ends = zip((A.lo, A.hi), y, Omega, strict=True)
-            least, largest = ((one * far) ** 2 + self.sine(at, one) ** 2 for one, far, at in ends)
-            return least, largest
-        # of y/Omega^2 = y/(p + y) either way, and I/Omega^2, which falls with Omega
-        each = ((y[0], x[1]), (y[1], x[0]), *((far, end + sign * far) for end in (p.hi, p.lo) for far in y))
-        shares = [np.where(square > 0, far / square, np.inf) for far, square in each]
-        low = np.fmax(shares[0], np.fmin(shares[2], shares[3]))
-        high = np.fmin(shares[1], np.fmax(shares[4], shares[5]))
-        of_I = zip(Omega[::-1], (A.lo, A.hi), strict=True)
-        I = [np.where(at > 0, self.sine(at, one) / at**2, np.inf) for at, one in of_I]
-        return (A.lo * low) ** 2 + I[0] ** 2, (A.hi * high) ** 2 + I[1] ** 2
+        known = A.ends.T, p.ends.T, e.ends.T, self.damping, self.inertial
+        R, may = SOLVER.folds_between(*known, sign, lowest, highest)
+        return R.T, may != 0
 
 
 class Slow(NamedTuple):

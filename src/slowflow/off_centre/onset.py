@@ -198,5 +198,5 @@ class Search:
 
     def _may_be_lower(self, cells: Cells, below: float) -> Bools:
         """Which cells may hold a fold with a level below."""
-        found = (self.flow.folds_between(cells.A, cells.p, cells.e, sign, (0.0, below))[2] for sign in (1.0, -1.0))
+        found = (self.flow.folds_between(cells.A, cells.p, cells.e, sign, 0.0, below)[1] for sign in (1.0, -1.0))
         return np.asarray((cells.rising.hi > 0) & np.logical_or(*found))

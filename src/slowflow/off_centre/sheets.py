@@ -15,13 +15,14 @@ from typing import NamedTuple
 
 import numpy as np
 
+from slowflow.backend import SOLVER
 from slowflow.intervals import Bools, Interval
 from slowflow.model import Floats
 from slowflow.off_centre.boxes import MOST_BOXES, TOO_MANY, Ints, solve
-from slowflow.off_centre.by_ends import EndedEdge, along_balance, resists
-from slowflow.off_centre.ends import Charts, above_diagonal
+from slowflow.off_centre.by_ends import EndedEdge
+from slowflow.off_centre.ends import Charts, Local, above_diagonal
 from slowflow.off_centre.flow import ROUNDED, Flow
-from slowflow.off_centre.means import ALL, Steps
+from slowflow.off_centre.means import Steps
 from slowflow.text import Sentence
 from slowflow_support.errors import NotSettled, OutOfRange
 
@@ -29,8 +30,8 @@ from slowflow_support.errors import NotSettled, OutOfRange
 BELOW, PARTS = 5, 4
 #: how small cells are beside their amplitude, which amplitude is small beside the problem, rounds of cuts
 FINE, SMALL, ROUNDS = 2.0**-4, 2.0**-8, 16
-#: amplitudes beyond it are not followed, and less than it is rest, as their squares are beyond the range of doubles
-FARTHEST, LEAST = 2.0**500, 2.0**-500
+#: amplitudes beyond it are not followed, as their squares are beyond the range of doubles
+FARTHEST = 2.0**500
 TOO_FAR = Sentence(
     "motions off the centre are unresolved: amplitudes may be as large as {A:.3g}, beyond the range of doubles"
 )
@@ -106,9 +107,7 @@ class Sheets:
 
     def cut(self, cells: Cells) -> Cells:
         """Each in two, less what the balance leaves out."""
-        low, high = halved(cells.low, cells.high, self._wide(cells))
-        empty, found = self.looked_at(low, high, np.append(cells.chart, cells.chart))
-        return found.take(~empty)
+        return self.looked_at(*halved(cells.low, cells.high, self._wide(cells)), np.tile(cells.chart, 2))
 
     def _wide(self, cells: Cells) -> Floats:
         """By how much either end of the motion changes over cells."""
@@ -144,9 +143,9 @@ class Sheets:
         other, *inside = self.charts.inside(edge, along, chart)
         places = np.array((inside, (0.0, along) if edge == 0 else (along, 0.0))).T
         with np.errstate(all="ignore"):
-            x, y = map(Interval.point, places)
-            here = self.charts.on(x, y, np.array((other, chart)))
-            bent, A_t = resists(here)
+            rows, middle = self.charts.on(places, places, places, np.array((other, chart)))
+            found, _ = SOLVER.on_balance(rows, middle, places.T, places.T, self.steps.load, False)
+            here, bent, A_t = Local.of(rows), Interval(found[:, 6:8].T), Interval(found[:, 8:].T)
             e = (bent - here.s_0 / here.A) * 4.0
             # without ends, what is not known, they add to NaN
             A_t, e, A, B, s_0 = (one.ends.sum(axis=0) for one in (A_t, e, here.A, here.B, here.s_0))
@@ -155,76 +154,42 @@ class Sheets:
         stiff, rises = (A_t > 0).tolist(), (A_t * ahead > 0).tolist()
         return Corner(0.5 * A[1], 0.5 * B[1], 0.5 * s_0[1], tuple((0.5 * e).tolist()), tuple(stiff), tuple(rises))
 
-    def looked_at(self, low: Floats, high: Floats, chart: Ints) -> tuple[Bools, Cells]:
-        """Boxes less what the balance leaves out, and which of them may hold it."""
-        x, y = (Interval(np.stack(pair)) for pair in zip(low, high, strict=True))
-        x, y = above_diagonal(x, y, self.charts.passes[chart])
-        low, high = np.stack((x.lo, y.lo)), np.stack((x.hi, y.hi))
-        n, centre = chart.size, 0.5 * (low + high)
-        # on all of each and in its middle, at once
-        x_all, y_all = (Interval(np.append(one.ends, [at, at], axis=1)) for one, at in zip((x, y), centre, strict=True))
-        both = self.charts.on(x_all, y_all, np.append(chart, chart))
-        here, middle = both.take(slice(n)), both.take(slice(n, None))
-        r = [Interval(np.stack((-one, one))) for one in np.maximum(high - centre, centre - low) * (1 + ROUNDED)]
-        load = self.steps.load
-        f, f_0 = middle.c_0 - load, here.c_0 - load
-        moved = here.c_x * r[0], here.c_y * r[1]
-        empty = f_0.has_sign | (f + moved[0] + moved[1]).has_sign | (here.A.hi <= LEAST)
-        found = []
-        for i, slope in enumerate((here.c_x, here.c_y)):
-            at = Interval.point(centre[i])
-            left = at - (f + moved[1 - i]) / slope
-            signed = slope.has_sign
-            found.append(
-                (
-                    np.where(signed, np.fmax(low[i], left.lo), low[i]),
-                    np.where(signed, np.fmin(high[i], left.hi), high[i]),
-                )
-            )
-        low, high = (np.stack(ends) for ends in zip(*found, strict=True))
-        empty |= (low > high).any(axis=0)
-        # p = 2 s_0/A, with its slopes 2 (c_x - X p)/A and -2 (c_y + Y p)/A
-        p = here.s_0 * 2.0 / here.A
-        nearer = middle.s_0 * 2.0 / middle.A
-        for slope, rise, one in ((here.c_x, here.X, r[0]), (-here.c_y, here.Y, r[1])):
-            nearer = nearer + (slope - rise * p) * 2.0 / here.A * one
-        p = p.both(nearer)
-        small = here.A.lo <= np.where(self.charts.passes[chart], 0.0, SMALL * self._size)
-        resting = np.flatnonzero(small)
-        if resting.size:
-            ends = p.ends.copy()
-            # where A may be 0 nothing else is known
-            known = Interval(np.where(here.A.lo[resting] <= 0, ALL, ends[:, resting]))
-            beside = self.charts.stiffness(x.take(resting), y.take(resting), chart[resting])
-            ends[:, resting] = known.both(beside).ends
-            p = Interval(ends)
-        bent, A_t = along_balance(self.charts, here)
-        return empty, Cells(chart, low, high, here.A, here.B, p, bent * 4.0 - p * 2.0, A_t)
+    def looked_at(self, low: Floats, high: Floats, chart: Ints, A_max: float = math.inf) -> Cells:
+        """What the balance leaves of boxes that may hold it, up to an amplitude."""
+        charts, load = self.charts, self.steps.load
+        x, y = (Interval(np.array(pair)) for pair in zip(low, high, strict=True))
+        x, y = above_diagonal(x, y, charts.passes[chart])
+        low, high = np.array((x.lo, y.lo)), np.array((x.hi, y.hi))
+        here, middle = charts.on(low, 0.5 * (low + high), high, chart, load)
+        found, some = SOLVER.on_balance(here, middle, low.T, high.T, load, charts.has_centre)
+        left = np.flatnonzero((some != 0) & (here[:, 0] <= A_max))
+        chart, rows = chart[left], np.concatenate((found[left], here[left, :4]), axis=1).T
+        low, high = rows[:2], rows[2:4]
+        p, bent, rising, A, B = (Interval(rows[k : k + 2]) for k in range(4, 14, 2))
+        small = np.flatnonzero(A.lo <= np.where(charts.passes[chart], 0.0, SMALL * self._size))
+        if small.size:
+            stiffness = charts.stiffness(x.take(left[small]), y.take(left[small]), chart[small])
+            p.ends[:, small] = p.take(small).both(stiffness).ends
+        return Cells(chart, low, high, A, B, p, bent * 4.0 - p * 2.0, rising)
 
     def _covered(self, A_max: float) -> Cells:
         low, high, chart = self._first(A_max)
-        done: list[Cells] = []
+        done = []
         for number in range(ROUNDS):
             if chart.size > MOST_BOXES:
                 raise NotSettled(TOO_MANY)
-            empty, cells = self.looked_at(low, high, chart)
-            empty |= cells.A.lo > A_max
-            cells = cells.take(~empty)
+            cells = self.looked_at(low, high, chart, A_max)
             wide = self._wide(cells)
             fine = (wide.max(axis=0) <= FINE * cells.A.hi) | (cells.A.hi <= SMALL * self._size)
-            if number == ROUNDS - 1:
-                fine[:] = True
-            done.append(cells.take(fine))
-            low, high, chart = cells.low[:, ~fine], cells.high[:, ~fine], cells.chart[~fine]
-            if not chart.size:
+            fine |= number == ROUNDS - 1
+            done.append((cells.low[:, fine], cells.high[:, fine], cells.chart[fine]))
+            if fine.all():
                 break
-            low, high = halved(low, high, wide[:, ~fine])
-            chart = np.append(chart, chart)
+            low, high = halved(cells.low[:, ~fine], cells.high[:, ~fine], wide[:, ~fine])
+            chart = np.tile(cells.chart[~fine], 2)
         # what is known of the smaller boxes
-        chart = np.concatenate([part.chart for part in done])
-        low, high = (np.concatenate([getattr(part, name) for part in done], axis=1) for name in ("low", "high"))
-        empty, cells = self.looked_at(low, high, chart)
-        return cells.take(~empty)
+        low, high, chart = (np.concatenate(parts, axis=-1) for parts in zip(*done, strict=True))
+        return self.looked_at(low, high, chart)
 
     def _first(self, A_max: float) -> tuple[Floats, Floats, Ints]:
         """Boxes of all charts: motions up to an amplitude."""
@@ -232,7 +197,7 @@ class Sheets:
         if not bound < FARTHEST:
             raise OutOfRange(TOO_FAR.format(bound))
         octaves = self._size * 0.5 ** np.arange(BELOW, -math.ceil(math.log2(bound / self._size)) - 1, -1)
-        boxes, number = [], []
+        lows, highs, number = [], [], []
         for chart in range(charts.passes.size):
             edges = []
             for low, high, rooted in zip(
@@ -249,13 +214,13 @@ class Sheets:
                     edges.append(np.unique(np.concatenate(([max(low, both[0])], inside, [min(high, both[-1])]))))
             if len(edges[0]) * len(edges[1]) > MOST_BOXES:  # an amplitude of hundreds of octaves
                 raise NotSettled(TOO_MANY)
-            for a, b in zip(edges[0], edges[0][1:], strict=False):
-                for c, d in zip(edges[1], edges[1][1:], strict=False):
-                    if charts.passes[chart] or b + d > 0:
-                        boxes.append((a, c, b, d))
-                        number.append(chart)
-        low, high = np.array(boxes).T.reshape(2, 2, -1)
-        return low, high, np.array(number, dtype=np.intp)
+            ends = (np.meshgrid(*(one[part] for one in edges), indexing="ij") for part in (slice(-1), slice(1, None)))
+            low, high = (np.reshape(one, (2, -1)) for one in ends)
+            some = charts.passes[chart] | (high.sum(axis=0) > 0)
+            lows.append(low[:, some])
+            highs.append(high[:, some])
+            number.append(np.full(some.sum(), chart))
+        return np.concatenate(lows, axis=1), np.concatenate(highs, axis=1), np.concatenate(number)
 
     def folds(self, A_max: float, F_0: Floats, flow: Flow) -> tuple[Floats, Floats, Ints]:
         """Boxes of x, y and R in which folds may be, and of which system each is (`by_ends`)."""
@@ -273,8 +238,7 @@ class Sheets:
         """Cells that may hold a fold with R of that sign, and the ends of R: those without are cut further."""
         for _ in range(ROUNDS):
             with np.errstate(all="ignore"):
-                start, end, may = flow.folds_between(cells.A, cells.p, cells.e, sign, (F_0, F_0))
-                R = flow.between(cells.A, cells.p, start, end, F_0)
+                R, may = flow.folds_between(cells.A, cells.p, cells.e, sign, F_0, F_0)
                 ends = R if sign > 0 else -R[::-1]
                 known = np.asarray(np.isfinite(ends).all(axis=0))
                 whole, open_ = cells.take(may & known), cells.take(may & ~known)

@@ -1,6 +1,8 @@
 /* Means over a cycle over NumPy's operands: of steps at numbers, and by the motion's ends on boxes in charts that are
- * packed into an array (ends.h). */
-#include "ends.h"
+ * packed into an array (ends.h); what vanishes there (balance.h). */
+#include <string.h>
+
+#include "balance.h"
 
 #include "solver.h"
 
@@ -53,7 +55,7 @@ void sf_step_means_loop(char **operands, const ptrdiff_t *dimensions, const ptrd
     }
 }
 
-/* charts, lo and hi of x, of y, number of the chart -> lower ends, upper ends; NaN where there are no such charts. */
+/* charts, low, a point, high, load, number of the chart -> on the box, at the point; NaN where there are no such charts. */
 void sf_ends_loop(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data)
 {
     const double *known = NULL;
@@ -62,21 +64,112 @@ void sf_ends_loop(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t 
     (void)data;
     for (ptrdiff_t i = 0; i < dimensions[0]; i++) {
         const double *packed = (const double *)(const void *)(operands[0] + i * steps[0]), chart = IN(5);
-        sf_ended found;
-        const sf_interval *of = &found.A;
+        double box[3][2];
+        sf_ended found[2];
         if (packed != known) {
-            is_known = steps[8] == (ptrdiff_t)sizeof *packed && sf_read_charts(packed, dimensions[1], &charts);
+            is_known = steps[7] == (ptrdiff_t)sizeof *packed && sf_read_charts(packed, dimensions[1], &charts);
             known = packed;
         }
-        const int is_chart = is_known && chart >= 0 && chart < charts.charts;
-        if (is_chart)
-            sf_on_ends(&charts, sfi_of(IN(1), IN(2)), sfi_of(IN(3), IN(4)), (int)chart, &found);
-        for (int j = 0; j < SF_OF_MOTION; j++) {
-            *(double *)(void *)(operands[6] + i * steps[6] + j * steps[9]) = is_chart ? of[j].lo : NAN;
-            *(double *)(void *)(operands[7] + i * steps[7] + j * steps[10]) = is_chart ? of[j].hi : NAN;
+        for (int k = 0; k < 6; k++)
+            box[k / 2][k % 2] = *(const double *)(operands[1 + k / 2] + i * steps[1 + k / 2] + k % 2 * steps[8 + k / 2]);
+        if (is_known && chart >= 0 && chart < charts.charts)
+            sf_on_ends(&charts, box[0], box[1], box[2], (int)chart, IN(4), &found[0], &found[1]);
+        else
+            for (int k = 0; k < 4 * SF_OF_MOTION; k++)
+                ((double *)found)[k] = NAN;
+        for (int k = 0; k < 4 * SF_OF_MOTION; k++)
+            *(double *)(void *)(operands[6] + i * steps[6] + k * steps[11]) = ((const double *)found)[k];
+    }
+}
+
+/* A function of numbers in a row, for each element: inputs one after the other, then outputs.
+ * sizes -- of the operands, 0 behind the last; core axes, of those above 1, have their strides behind all others */
+static void by_rows(void (*call)(const double *in, double *out), int inputs, const int *sizes, char **operands,
+                    const ptrdiff_t *dimensions, const ptrdiff_t *steps)
+{
+    int all = 0;
+    while (sizes[all] > 0)
+        all++;
+    for (ptrdiff_t i = 0; i < dimensions[0]; i++) {
+        double in[4 * SF_OF_MOTION + 8], out[2 * SF_OF_MOTION], *next = in;
+        const ptrdiff_t *core = steps + all;
+        for (int operand = 0; operand < all; operand++) {
+            char *at = operands[operand] + i * steps[operand];
+            const ptrdiff_t step = sizes[operand] > 1 ? *core++ : 0;
+            if (operand == inputs)
+                call(in, out), next = out;
+            for (int k = 0; k < sizes[operand]; k++, at += step, next++)
+                if (operand < inputs)
+                    *next = *(const double *)(const void *)at;
+                else
+                    *(double *)(void *)at = *next;
         }
     }
 }
+
+#define ROWS_LOOP(name, call, inputs, ...)                                                                    \
+    void name(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data)               \
+    {                                                                                                         \
+        static const int sizes[] = {__VA_ARGS__, 0};                                                          \
+        (void)data;                                                                                           \
+        by_rows(call, inputs, sizes, operands, dimensions, steps);                                            \
+    }
+
+static void on_balance(const double *in, double *out)
+{
+    const struct {
+        sf_ended here, middle;
+        double low[2], high[2], load, centred;
+    } *of = (const void *)in;
+    struct {
+        double low[2], high[2];
+        sf_interval p, resists, rising;
+        double some;
+    } *found = (void *)out;
+    memcpy(out, of->low, sizeof of->low + sizeof of->high);
+    found->some = sf_on_balance(&of->here, &of->middle, of->load, of->centred != 0, found->low, found->high, &found->p,
+                                &found->resists, &found->rising);
+}
+
+static void ended_state(const double *in, double *out)
+{
+    const struct {
+        sf_ended here;
+        double Omega, force;
+        sf_damping damping;
+        double load;
+    } *of = (const void *)in;
+    sf_ended_state(&of->here, of->Omega, of->force, &of->damping, of->load, (void *)out);
+}
+
+static void ended_fold(const double *in, double *out)
+{
+    const struct {
+        sf_ended here;
+        sf_interval R;
+        double F_0, F_2;
+        sf_damping damping;
+        double load, centred;
+    } *of = (const void *)in;
+    sf_ended_fold(&of->here, of->R, of->F_0, of->F_2, &of->damping, of->load, of->centred != 0, (void *)out);
+}
+
+static void folds_between(const double *in, double *out)
+{
+    const struct {
+        sf_interval A, p, e;
+        sf_damping damping;
+        double inertial, sign, lowest, highest;
+    } *of = (const void *)in;
+    out[2] = sf_folds_between(&of->damping, of->inertial != 0, of->sign, of->A, of->p, of->e, of->lowest, of->highest,
+                              (void *)out);
+}
+
+/* as their signatures in _native.c */
+ROWS_LOOP(sf_on_balance_loop, on_balance, 6, 28, 28, 2, 2, 1, 1, 10, 1)
+ROWS_LOOP(sf_ended_state_loop, ended_state, 5, 28, 1, 1, 4, 1, 12)
+ROWS_LOOP(sf_ended_fold_loop, ended_fold, 7, 28, 2, 1, 1, 4, 1, 1, 26)
+ROWS_LOOP(sf_folds_between_loop, folds_between, 8, 2, 2, 2, 4, 1, 1, 1, 1, 2, 1)
 
 /* How answers move that are told by what is known there (gradient.h). */
 void sf_moved_loop(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data)
