@@ -10,7 +10,7 @@
 #include <string.h>
 #include <time.h>
 
-#include "ranges.h"
+#include "enclosures.h"
 
 enum { KEPT = 4096, ROUNDS = 20, MOST_INPUTS = SF_MOST_DESIGN + SF_MOST_DAMPING + 2 };
 
@@ -110,7 +110,7 @@ static int counted_fold_roots(double A, double h, double h_A, double m, double z
 /* of a design they are asked on its breakpoints, and where Newton's method does not find them */
 #define sf_response_roots counted_response_roots
 #define sf_fold_roots counted_fold_roots
-#include "settle.h"
+#include "refine.h"
 #undef sf_response_roots
 #undef sf_fold_roots
 #include "design_lanes.h"

@@ -18,7 +18,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from derivations import live
+from derivations import runtime
 from derivations.asymmetric.sided import Sided
 from derivations.library import stated
 from explorer import one_end
@@ -84,7 +84,7 @@ def mechanisms() -> tuple[list[str], dict[str, str], dict[str, str]]:
         if isinstance(mechanism, Sided):
             on_one_side.append((name, one_end.text(name, mechanism)))
             continue
-        derived = live.sources(mechanism)
+        derived = runtime.sources(mechanism)
         source, printed = f"{derived.module.name}.c", derived.compiled
         ((kernels, count),) = records(printed[source])
         table.append((name, kernels, count, f"&{name}_of_library"))

@@ -11,8 +11,8 @@ from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 from slowflow import Duffing, Isolator, derive
-from slowflow.averaged import words
-from slowflow.averaged.remarks import NEAR_STICKING_BELOW, WORDS
+from slowflow.averaged.diagnostics import NEAR_STICKING_BELOW, WORDS
+from slowflow.averaged.messages import STICKS, STICKS_BELOW
 from slowflow.example import TABLE_1
 from slowflow.isolator import ROD_SPRING
 from slowflow.measured import table, validity
@@ -141,8 +141,8 @@ def messages() -> dict[str, Any]:
             else said
             for remark, said in WORDS.items()
         },
-        "STICKS": words.STICKS.format("{:g}", "{:g}"),
-        "STICKS_BELOW": words.STICKS_BELOW.format("{:g}", "{:g}"),
+        "STICKS": STICKS.format("{:g}", "{:g}"),
+        "STICKS_BELOW": STICKS_BELOW.format("{:g}", "{:g}"),
         "NEAR_STICKING": validity.NEAR_STICKING.format("{:.3g}"),
         "NEAR_STICKING_BELOW": NEAR_STICKING_BELOW,
         "OFF_BY": validity.OFF_BY.removesuffix(validity.IN_PYTHON),

@@ -95,7 +95,7 @@ static void add_what_follows(long i, double F_0)
     out[4][i] = model.mechanism->mean_offset(out[1][i], model.p);
 }
 
-/* As `slowflow.averaged.remarks.turns_beyond`. */
+/* As `slowflow.averaged.diagnostics.turns_beyond`. */
 static int turns_beyond(const sf_sample *at)
 {
     sf_sample rest;
@@ -107,7 +107,7 @@ static int turns_beyond(const sf_sample *at)
            slopes[chosen](at->A, model.p, passed) < 0;
 }
 
-/* As `slowflow.averaged.remarks.keeps_centre`; whether the motion turns beyond the well; and whether it is stable. A
+/* As `slowflow.averaged.diagnostics.keeps_centre`; whether the motion turns beyond the well; and whether it is stable. A
  * force with one end rises, so that its mean stiffness is positive and it has no well. */
 static void look_at(long i)
 {

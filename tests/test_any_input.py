@@ -19,7 +19,7 @@ from hypothesis import strategies as st
 from slowflow import Duffing, Isolator, cli, sizing
 from slowflow.answer import Answer
 from slowflow.averaged.batches import Batch
-from slowflow.plausible import Implausible
+from slowflow.range_checks import Implausible
 from slowflow_kernels.conventions import Status
 from slowflow_support.errors import SlowflowError
 from tests.public_questions import (

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from slowflow import Duffing, Isolator, example
-from slowflow.averaged import proofs, solvers, words
+from slowflow.averaged import messages, proofs, solvers
 from slowflow.averaged.balls import questions as answers
 from slowflow.averaged.balls.search import AT_0, Enclosure, Given, averages_of
 from slowflow.certificate import DOUBLES
@@ -226,7 +226,7 @@ def test_a_double_state_that_is_exact_stays_undecided_in_words():
     # R = A (Omega^2 - 5/2) + 3 A^3 = -F_0 at Omega = 1/2: R is least where 9 A^2 = 9/4, at A = 1/2, and is -3/4 there
     proof = proofs.states(iso.model, 0.5, 0.75)
     assert not proof.proved
-    assert words.BALLS_IN_DOUBT.format(512, "") in proof.message
+    assert messages.BALLS_IN_DOUBT.format(512, "") in proof.message
     assert proof.doubt[0, 0] < 0.5 < proof.doubt[0, 1]
     for F_0, count in ((math.nextafter(0.75, 0), 3), (math.nextafter(0.75, 1), 1)):
         found = proofs.states(iso.model, 0.5, F_0)
@@ -239,7 +239,7 @@ def test_without_flint_the_answer_says_how_to_have_it(monkeypatch):
     iso = untruncated(UNTRUNCATED[0])
     proof = proofs.folds(iso.model, float(np.nextafter(iso.saddle_node_onset().F_SN, 1)), np.empty(0))
     assert not proof.proved
-    assert words.NO_BALLS in proof.message
+    assert messages.NO_BALLS in proof.message
 
 
 def test_proofs_in_balls_are_the_same_in_threads():
@@ -259,10 +259,10 @@ def test_proofs_in_balls_are_the_same_in_threads():
 @pytest.mark.parametrize(
     ("alpha", "beta", "said"),
     [
-        (-0.5, 1.0, words.OF_NO_ONSET),  # k = 3 beta A^3/2 rises along the locus, which begins at Omega = 0
-        (-0.5, -1.0, words.OF_NO_ONSET),  # h_A > 0: no locus
-        (0.0, -1.0, words.OF_NO_ONSET),
-        (0.0, 1.0, words.OF_NO_LOWEST),  # the locus begins at A = 0, at 4 mu/pi
+        (-0.5, 1.0, messages.OF_NO_ONSET),  # k = 3 beta A^3/2 rises along the locus, which begins at Omega = 0
+        (-0.5, -1.0, messages.OF_NO_ONSET),  # h_A > 0: no locus
+        (0.0, -1.0, messages.OF_NO_ONSET),
+        (0.0, 1.0, messages.OF_NO_LOWEST),  # the locus begins at A = 0, at 4 mu/pi
     ],
 )
 def test_without_viscous_damping_what_is_born_is_proved_for_any_stiffness_at_rest(alpha, beta, said):

@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 from slowflow import Duffing, Isolator, cli, example
-from slowflow.averaged import proofs, solvers, words
+from slowflow.averaged import messages, proofs, solvers
 from slowflow.averaged.balls.search import Given, averages_of
 from tests.native.intervals import ELEMENTARY, HELD, OPERATIONS, Intervals, build
 from tests.oracles import averaged
@@ -203,9 +203,9 @@ def test_a_random_isolators_folds_are_proved_and_as_many_as_the_solvers_find():
 def test_where_there_is_no_proof_the_answer_says_why():
     iso = example.isolator()
     on_a_base = iso.replace(excitation="base").model
-    assert proofs.folds_in_doubles(on_a_base, 0.04, NOWHERE).message == words.NO_INTERVALS
+    assert proofs.folds_in_doubles(on_a_base, 0.04, NOWHERE).message == messages.NO_INTERVALS
     undamped = iso.replace(zeta=0.0).certify(0.04)
-    assert undamped.saddle_node_onset.message == words.OF_NO_LOWEST[True]
+    assert undamped.saddle_node_onset.message == messages.OF_NO_LOWEST[True]
     assert not undamped.saddle_nodes.bounded
     stuck = iso.certify(0.9 * iso.sticking_forcing).saddle_nodes
     assert stuck.proved
@@ -213,7 +213,7 @@ def test_where_there_is_no_proof_the_answer_says_why():
     linear = iso.replace(delta_h=0.0).certify(0.04)
     assert linear.saddle_nodes.proved
     assert len(linear.saddle_nodes.A) == 0
-    assert linear.saddle_node_onset.message == words.OF_NO_ONSET[True]
+    assert linear.saddle_node_onset.message == messages.OF_NO_ONSET[True]
     assert str(iso.certify(0.04, Omega=0.9)).count("proved") == 4
 
 

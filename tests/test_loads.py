@@ -12,8 +12,8 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from slowflow import Duffing, Isolator, derive
+from slowflow.checks import APART, ISOLA
 from slowflow.example import isolator
-from slowflow.loads import APART, ISOLA
 from slowflow_kernels.conventions import Status
 
 MOUNT = {"m": 12, "k_v": 2500, "k_h": 1700, "n": 3, "L": 0.080, "preload": 0.009, "friction": 0.4, "zeta": 0.02}

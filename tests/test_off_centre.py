@@ -24,9 +24,9 @@ from slowflow.example import TABLE_1, isolator
 from slowflow.isolator import ROD_SPRING
 from slowflow.model import Model
 from slowflow.off_centre import answers
-from slowflow.off_centre.ends import Charts, Local
 from slowflow.off_centre.means import ORDERS, Steps
 from slowflow.off_centre.questions import OffCentre
+from slowflow.off_centre.turning_points import Charts, Local
 from slowflow.results import Remark, SteadyStates
 from slowflow_kernels import duffing, rod_spring
 from slowflow_kernels.conventions import Status

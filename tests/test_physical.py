@@ -14,10 +14,10 @@ import numpy as np
 import pytest
 from scipy.integrate import quad, solve_ivp
 
-from slowflow import Duffing, Isolator, loads, results
+from slowflow import Duffing, Isolator, checks, results
 from slowflow.answer import SHOWN
-from slowflow.plausible import Implausible
 from slowflow.quantities import UNITS, Scales, in_shown
+from slowflow.range_checks import Implausible
 from slowflow.sizing import fit, meet, tolerances
 from slowflow.table import COLUMNS
 from slowflow.text import Sentence
@@ -489,7 +489,7 @@ def test_a_linear_oscillator_can_be_physical_too():
 def test_every_number_of_an_answer_has_a_unit_or_is_known_to_have_none():
     """A field that is added has to be entered here or among the kinds."""
     without = {"phi", "error", "error_of_A", "error_of_Omega", "of_SN", "of_cr", "transmissibility_dB", "level_dB"}
-    for module in (results, loads):
+    for module in (results, checks):
         for kind in vars(module).values():
             if dataclasses.is_dataclass(kind) and kind.__module__ == module.__name__:
                 numbers = [one.name for one in dataclasses.fields(kind) if "loat" in str(one.type) and one.repr]

@@ -14,7 +14,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from slowflow import Duffing, Isolator
-from slowflow.averaged import words
+from slowflow.averaged import messages
 from slowflow_kernels import duffing, duffing_balls, rod_spring, rod_spring_balls
 from slowflow_kernels import rod_spring_untruncated as untruncated
 from slowflow_kernels import rod_spring_untruncated_balls as untruncated_balls
@@ -162,7 +162,7 @@ def test_a_scene_without_a_damper_is_the_general_one_with_next_to_none(numbers, 
     assert flows[0] is not flows[1]
     states = [one.amplitudes(Omega=Omega, F_0=F_0) for one in (scene, general)]
     # without viscous damping, which alone bounds motions at resonance, an answer is cut, and says where
-    A_max = words.cut(scene.model, F_0)[0] if without == "zeta" else math.inf
+    A_max = messages.cut(scene.model, F_0)[0] if without == "zeta" else math.inf
     assert_alike(*(Numbers(one.A[one.A < A_max], one.stable[one.A < A_max]) for one in states), ("A", "stable"), NEARLY)
 
 

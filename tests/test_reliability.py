@@ -15,7 +15,7 @@ import mpmath
 import pytest
 
 from slowflow import Duffing, Isolator
-from slowflow.averaged import parts
+from slowflow.averaged import chunks
 from slowflow.example import isolator
 from slowflow_kernels.conventions import Status
 from slowflow_support.errors import NotSettled
@@ -97,9 +97,9 @@ def test_ctrl_c_ends_a_batch_whose_designs_take_far_longer_than_others():
 def test_designs_that_take_50_ms_each_are_asked_few_at_a_time(monkeypatch):
     """By a clock of its own: every design once, in order, and less than a second between two times to hear Ctrl-C."""
     clock = [0.0]
-    monkeypatch.setattr(parts.time, "perf_counter", lambda: clock[0])
+    monkeypatch.setattr(chunks.time, "perf_counter", lambda: clock[0])
     asked = 0
-    for (part,) in parts.blocks((1000,), 2**14):
+    for (part,) in chunks.blocks((1000,), 2**14):
         here = range(1000)[part]
         assert here.start == asked and 0.05 * len(here) < 1
         asked = here.stop

@@ -12,7 +12,7 @@ import pytest
 
 from slowflow import Isolator, SlowflowError
 from slowflow.answer import joined, sentences
-from slowflow.averaged import words
+from slowflow.averaged import messages
 from slowflow.quantities import Scales
 from slowflow.table import QUANTITIES
 from slowflow.text import Sentence, Text, in_units, text, together
@@ -150,12 +150,12 @@ def test_frequencies_that_are_left_out_are_in_hertz():
 
 def test_a_base_has_its_own_letter_in_a_plan_and_where_an_onset_is_one_of_an_isola():
     mount = Isolator.physical(**MOUNT, excitation="base")
-    assert "Y_SN, found once" in str(mount.explain("margins", 0.004)) and "F_SN" not in words.NO_ONSET
+    assert "Y_SN, found once" in str(mount.explain("margins", 0.004)) and "F_SN" not in messages.NO_ONSET
 
 
 def test_intervals_and_amplitudes_that_a_proof_looked_at_are_lengths():
-    assert words.intervals([(0.5, 1.0)]).in_units(SCALES) == "[50, 100 mm]"
-    assert words.NOT_BOUNDED.format(0.5).in_units(SCALES) == "only amplitudes up to 50 mm are looked at"
+    assert messages.intervals([(0.5, 1.0)]).in_units(SCALES) == "[50, 100 mm]"
+    assert messages.NOT_BOUNDED.format(0.5).in_units(SCALES) == "only amplitudes up to 50 mm are looked at"
 
 
 def test_bounds_of_what_is_allowed_are_in_units_too():

@@ -87,8 +87,8 @@ def inside(app: Any, name: str, source: list[str]) -> None:
 def derivation(folder: Path) -> None:
     """The paper equation by equation, and a page for each mechanism."""
     from derivations import claims, library, walkthrough
-    from derivations.live import told
     from derivations.mechanisms import all_mechanisms
+    from derivations.runtime import told
 
     (folder / "walkthrough.md").write_text(walkthrough.derived(), encoding="utf-8")
     names = ["walkthrough"]

@@ -8,7 +8,7 @@ from slowflow.questions import Questions
 from slowflow.results import FrequencyResponse, SaddleNodes, SteadyStates
 
 if TYPE_CHECKING:
-    from slowflow import loads
+    from slowflow import checks
     from slowflow.mechanism import Reals
 
 
@@ -20,35 +20,35 @@ class ComposedQuestions(Questions[SteadyStates, FrequencyResponse, SaddleNodes])
 
     def _detaches(self, F_0: float) -> bool:
         """Whether a stable motion passes the first breakpoint."""
-        from slowflow import loads
+        from slowflow import checks
 
-        return loads.passes_first_end(self, F_0)
+        return checks.passes_first_end(self, F_0)
 
-    def _isolation(self, F_0: float, level_dB: float) -> loads.Isolation:
-        from slowflow import loads
+    def _isolation(self, F_0: float, level_dB: float) -> checks.Isolation:
+        from slowflow import checks
 
-        return loads.isolation(self, F_0, level_dB)
+        return checks.isolation(self, F_0, level_dB)
 
-    def margins(self, F_0: float) -> loads.Margins:
+    def margins(self, F_0: float) -> checks.Margins:
         """How far F_0 is from the lowest forcing that has a fold, F_SN, and from that which lifts the springs, F_cr.
 
         `.of_SN` and `.of_cr` are these over F_0. Raises ValueError for F_0 <= 0.
         """
-        from slowflow import loads
+        from slowflow import checks
 
-        return loads.margins(self._system, F_0)
+        return checks.margins(self._system, F_0)
 
-    def hysteresis(self, F_0: float) -> loads.Hysteresis:
+    def hysteresis(self, F_0: float) -> checks.Hysteresis:
         """The bands of frequencies at F_0 with several stable motions: .Omega_low .Omega_high .motions.
 
         A sweep jumps at their ends, see `saddle_nodes`. Under a load a motion of a negative mean stiffness may lose its
         stability within a band too, and the message says where one takes part. Raises ValueError for F_0 <= 0.
         """
-        from slowflow import loads
+        from slowflow import checks
 
-        return loads.hysteresis(self._system, F_0)
+        return checks.hysteresis(self._system, F_0)
 
-    def isolation(self, F_0: float, level_dB: float = 0.0) -> loads.Isolation:
+    def isolation(self, F_0: float, level_dB: float = 0.0) -> checks.Isolation:
         """The frequency from which on every stable motion at F_0 transmits less than F_0, .Omega, and .A there.
 
         level_dB -- the transmissibility below which it stays, in decibels: -20 for a tenth of F_0, 0 for all of it
@@ -64,17 +64,17 @@ class ComposedQuestions(Questions[SteadyStates, FrequencyResponse, SaddleNodes])
         Raises ValueError for F_0 <= 0 and level_dB > 0, and under a load where motions go beyond the amplitude `A_max`
         of `off_centre`, as on a base that shakes too much for a hardening spring.
         """
-        found: loads.Isolation = self._system._isolation(F_0, level_dB)
+        found: checks.Isolation = self._system._isolation(F_0, level_dB)
         return found
 
-    def spectrum(self, *, Omega: Reals, F_0: Reals) -> loads.Spectrum:
+    def spectrum(self, *, Omega: Reals, F_0: Reals) -> checks.Spectrum:
         """A load spectrum, one tone at a time: what the motion at each pair (Omega, F_0) does, in their order.
 
-        Which have several motions, cross a fold from the one before, detach, stick; see `slowflow.loads.Spectrum`.
+        Which have several motions, cross a fold from the one before, detach, stick; see `slowflow.checks.Spectrum`.
         Under a load rows with several forcings take some tenths of a second each, few rows two seconds: folds of
         forcings between are found, which rows share.
         Raises ValueError for numbers <= 0 and for shapes that do not broadcast.
         """
-        from slowflow import loads
+        from slowflow import checks
 
-        return loads.spectrum(self._system, Omega, F_0)
+        return checks.spectrum(self._system, Omega, F_0)

@@ -41,9 +41,9 @@ class Designs(many.Designs):
             return ask(self, **given, workers=workers, off_centre=OffCentre)
         if question not in LOADS:
             return super()._ask(question, workers=workers, **given)
-        from slowflow import loads_many
+        from slowflow import batch_checks
 
         if "places" in given:
             given["places"] = validate.count("places", given["places"], least=1)
-        found: Batch = getattr(loads_many, question)(self, **given, workers=workers)
+        found: Batch = getattr(batch_checks, question)(self, **given, workers=workers)
         return found

@@ -18,7 +18,7 @@ from slowflow.answer import joined
 from slowflow.mechanism import Flags, Floats, Ints
 from slowflow.model import Model
 from slowflow.text import Sentence
-from slowflow.transmitted import in_motion
+from slowflow.transmissibility import in_motion
 from slowflow_kernels import inertia, slow_flow
 from slowflow_kernels.conventions import HIGHEST_OMEGA
 

@@ -9,7 +9,7 @@ import dataclasses
 import warnings
 from typing import Any
 
-from slowflow import plausible, validate
+from slowflow import range_checks, validate
 from slowflow.mechanism import LINEAR, Force, Mechanism, told
 from slowflow.model import THROUGHOUT, Laws, Model
 from slowflow.oscillator import FORCES, Oscillator
@@ -188,7 +188,7 @@ class Isolator(Oscillator):
             isolator = cls(force=force, excitation=excitation, rubs=laws.rubs, mu_s=mu_s, load=weight, **numbers)
         sheet = {"k_v": scales.k_v, "L": scales.L, **{name: float(known[name]) for name in ("k_h", "n", "preload")}}
         beside = {"m": max(scales.m, scales.m - beyond), "friction": mu * scales.sizes["force"], "zeta": isolator.zeta}
-        plausible.warn(plausible.of_mount(**sheet, **beside, g=g), stacklevel=3)
+        range_checks.warn(range_checks.of_mount(**sheet, **beside, g=g), stacklevel=3)
         told = {"m": m, "k_v": k_v, "k_h": k_h, "n": n, "L": L, "preload": preload, "friction": friction}
         told |= {"c": c} if c is not None else {"zeta": isolator.zeta}
         told |= {name: {"c_2": c_2}.get(name, value) for name, value in laws.said.items()}

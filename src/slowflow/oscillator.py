@@ -17,18 +17,18 @@ from slowflow.answer import joined, sentences
 from slowflow.averaged.questions import Averaged
 from slowflow.certificate import Certificate
 from slowflow.composed import ComposedQuestions
+from slowflow.immutable import Unchanging
 from slowflow.loaded import CENTRED, Loaded, off_centre_by
 from slowflow.mechanism import EquationOfMotion, Floats, Force, Mechanism, followed
 from slowflow.model import THROUGHOUT, Laws, Model
 from slowflow.results import Remark, SaddleNodeOnset
 from slowflow.table import SHOCKS
 from slowflow.text import Sentence, text
-from slowflow.unchanging import Unchanging
 from slowflow_kernels.domains import EXCITATIONS
 from slowflow_support.errors import Refused
 
 if TYPE_CHECKING:
-    from slowflow import exact, loads
+    from slowflow import checks, exact
     from slowflow.averaged.plan import Plan
     from slowflow.mechanism import Reals
     from slowflow.off_centre.answers import RestPositions
@@ -397,15 +397,15 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
 
         return questions.shocks(self, self._in_time(force), acceleration, duration)
 
-    def at_rest(self) -> loads.AtRest:
+    def at_rest(self) -> checks.AtRest:
         """What holds whatever the forcing: .Omega_0 .k_0 .u_cr, and by friction .break_loose .rests_within .sticking.
 
         Raises ValueError under a load, and for a force that is not odd: `rest` tells where that stands.
         """
-        from slowflow import loads
+        from slowflow import checks
 
         self.at_centre("at_rest")
-        return loads.at_rest(self)
+        return checks.at_rest(self)
 
     @property
     def _equation(self) -> Self:

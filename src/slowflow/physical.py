@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
-from slowflow import plausible, validate
+from slowflow import range_checks, validate
 from slowflow.answer import joined
 from slowflow.averaged.plan import Plan
 from slowflow.mechanism import Floats
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 #: dimensionless names of what is called otherwise here
 PLAIN = {"F": "F_0", **{column.si: column.name for column in QUANTITIES.values() if column.si}}
 #: what is said of numbers that look as if they were in another unit
-REMARKS = {"f": plausible.of_frequency, "duration": plausible.of_duration}
+REMARKS = {"f": range_checks.of_frequency, "duration": range_checks.of_duration}
 #: what A is of a motion that is not about the centre
 LARGEST = "A is the largest |x|, the mean displacement included: x_max of an averaged motion"
 
@@ -388,7 +388,7 @@ class Physical:
         if not np.isfinite(found).all():
             raise OutOfRange(f"{name} = {value!r} is too large: over {size:.6g} it leaves the range of doubles")
         if name in REMARKS and np.size(found):
-            plausible.warn(REMARKS[name](float(np.max(found)) * size, self.scales.sizes["frequency"]), stacklevel=5)
+            range_checks.warn(REMARKS[name](float(np.max(found)) * size, self.scales.sizes["frequency"]), stacklevel=5)
         return found
 
     def _window(self, f: Any) -> tuple[float, float]:

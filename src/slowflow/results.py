@@ -15,14 +15,14 @@ from typing import TYPE_CHECKING, Any, ClassVar
 import numpy as np
 import numpy.typing as npt
 
-from slowflow import moves, validate
+from slowflow import sensitivities, validate
 from slowflow.answer import LOADED, UNLOADED, Drawn, Single, Table, entry, frozen
 from slowflow.certificate import ProvedFolds
 from slowflow.gradient import Gradient
 from slowflow.measured.validity import Validity, of_states, off_centre
 from slowflow.model import Floats, Model
 from slowflow.text import text
-from slowflow.transmitted import in_motion
+from slowflow.transmissibility import in_motion
 from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import OnsetKind, Pinned, Status
 from slowflow_support.errors import Refused
@@ -236,14 +236,14 @@ class Point(OfPoint, Single):
         return self._measured(force)
 
 
-def of_model(model: Model | None) -> moves.Given:
+def of_model(model: Model | None) -> sensitivities.Given:
     """Whose answer it is. Raises ValueError where nothing says it."""
     if model is None or not model.has_design:
         raise Refused(NOT_AVERAGED)
     laws, numbers = model.laws, (*model.design, model.mu, model.zeta)
     if not laws.any:
-        return moves.Given(model.mechanism, numbers, model.excitation)
-    return moves.Given(model.mechanism, (*numbers, laws.eta, laws.c_2), model.excitation, laws.rubs)
+        return sensitivities.Given(model.mechanism, numbers, model.excitation)
+    return sensitivities.Given(model.mechanism, (*numbers, laws.eta, laws.c_2), model.excitation, laws.rubs)
 
 
 class WithMean:
@@ -381,7 +381,7 @@ class SteadyStates(Moving, WithMean, InDecibels, Table):
         `.message` say so. Under a load B and the load take part; raises NotAvailable where it is not known how the
         force moves with the design.
         """
-        return self._moved(moves.of_states, self.Omega, self.A, self.F_0, self.phi, self.transmissibility)
+        return self._moved(sensitivities.of_states, self.Omega, self.A, self.F_0, self.phi, self.transmissibility)
 
     def measure(self, force: str | None = None) -> Measured:
         """How far each state is from the equation of motion (3): measured here and now, some 0.2 ms for each.
@@ -459,7 +459,7 @@ class SaddleNodes(Moving, WithMean, Drawn, Table):
         Where a fold meets another, at a cusp or an isola point, or comes to a breakpoint or leaves it, it has no
         gradient, and `.status` and `.message` say so. Under a load as `SteadyStates.gradient`.
         """
-        return self._moved(moves.of_folds, self.Omega, self.A, self.F_0, self.corner)
+        return self._moved(sensitivities.of_folds, self.Omega, self.A, self.F_0, self.corner)
 
     def measure(self, force: str | None = None) -> MeasuredFolds:
         """How far each fold is from one of the equation of motion (3): measured here and now, some ms for each.
@@ -506,7 +506,7 @@ class SaddleNodeOnset(Point):
         load take part, and on a corner that a jump of the force makes there is none.
         """
         kind = OnsetKind[self.kind.upper() or "NO"]
-        return self._moved(moves.of_onset, self.F_SN, self.Omega, self.A, kind)
+        return self._moved(sensitivities.of_onset, self.F_SN, self.Omega, self.A, kind)
 
 
 @dataclass(frozen=True, eq=False)
@@ -547,7 +547,7 @@ class Cusps(Table):
 
     def gradient(self) -> Gradient:
         """How F_0, Omega and A of each cusp move with the parameters, exactly."""
-        return moves.of_extrema(of_model(self._model), Pinned.CUSP, self.F_0, self.Omega, self.A)
+        return sensitivities.of_extrema(of_model(self._model), Pinned.CUSP, self.F_0, self.Omega, self.A)
 
 
 @dataclass(frozen=True, eq=False)
@@ -571,7 +571,7 @@ class IsolaPoints(Table):
 
     def gradient(self) -> Gradient:
         """How F_0, Omega and A of each isola point move with the parameters, exactly."""
-        return moves.of_extrema(of_model(self._model), Pinned.ISOLA, self.F_0, self.Omega, self.A)
+        return sensitivities.of_extrema(of_model(self._model), Pinned.ISOLA, self.F_0, self.Omega, self.A)
 
 
 @dataclass(frozen=True, eq=False)
@@ -611,7 +611,7 @@ class Peak(Point):
         and the load take part, and u_max if it is that motion's; where the mean turns back there, NotAvailable is
         raised.
         """
-        return self._moved(moves.of_peak, self.A, self.Omega, self.F_0)
+        return self._moved(sensitivities.of_peak, self.A, self.Omega, self.F_0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -635,4 +635,4 @@ class Detachment(Point):
 
     def gradient(self) -> Gradient:
         """How F_cr, Omega_cr and u_cr move with the parameters, exactly; under a load A and B instead of u_cr."""
-        return self._moved(moves.of_detachment, self.F_cr, self.Omega_cr, self.u_cr)
+        return self._moved(sensitivities.of_detachment, self.F_cr, self.Omega_cr, self.u_cr)

@@ -46,7 +46,7 @@ from operator import attrgetter
 from pathlib import Path
 from typing import Any
 
-from slowflow import plausible, validate
+from slowflow import range_checks, validate
 from slowflow.answer import Answer, shown
 from slowflow.averaged import plan
 from slowflow.averaged.plan import Plan
@@ -261,7 +261,7 @@ class Scene:
         """What the oscillator answers, of a mount in SI units; computed when it is first asked for."""
         if (key := (question, repr(sorted(arguments.items())))) not in self.answers:
             with warnings.catch_warnings():
-                warnings.simplefilter("ignore", plausible.Implausible)  # among `warnings` already
+                warnings.simplefilter("ignore", range_checks.Implausible)  # among `warnings` already
                 self.answers[key] = QUESTIONS[question].of(self.oscillator)(**arguments)
         return self.answers[key]
 
@@ -543,7 +543,7 @@ def _implausible(of: Any, asked: Iterable[Asked]) -> Iterator[str]:
         told += [("duration", one.arguments.get("duration")), ("duration", one.arguments.get("shock", [None])[-1])]
         for name, value in told:
             if value is not None:
-                remark = plausible.of_frequency if name == "f" else plausible.of_duration
+                remark = range_checks.of_frequency if name == "f" else range_checks.of_duration
                 yield from remark(max(value) if isinstance(value, (list, tuple)) else value, f_n)
 
 

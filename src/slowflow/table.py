@@ -378,7 +378,7 @@ class ManyQuestions(Generic[Found]):
         """How far F_0 is from F_SN and F_cr: .of_SN .of_cr .folds .detaches .sticks .Omega_sticks .onset.
 
         F_SN, F_cr, of_SN, of_cr -- inf where there is no such forcing, and F_SN NaN where none is the lowest, or which
-                    is not known: `onset` tells; F_cr as in `slowflow.loads.Margins`
+                    is not known: `onset` tells; F_cr as in `slowflow.checks.Margins`
         kind     -- of the onset, a number of `OnsetKind`: no sweep jumps at an isola's birth
         detaches, sticks -- 1 where a stable motion passes u_cr, isolated curves included, which may be there below
                     F_cr, and where a mass at rest stays there, whatever the frequency

@@ -1,6 +1,6 @@
 /* Interval arithmetic and the averages on intervals, for a test to call. */
 #include "elementary.h"
-#include "given.h"
+#include "exact_inputs.h"
 #include "records.h"
 
 static sf_interval elementary(int function, sf_interval a, sf_interval b)

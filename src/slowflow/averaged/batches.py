@@ -17,14 +17,14 @@ import numpy.typing as npt
 
 from slowflow import validate
 from slowflow.answer import Answer, frozen, optional
-from slowflow.averaged import remarks
+from slowflow.averaged import diagnostics
 from slowflow.gradient import NO_GRADIENT, Gradient
 from slowflow.mechanism import Flags, Mechanism
 from slowflow.model import THROUGHOUT, Floats, at_rest
-from slowflow.moves import Given, of_detachment, of_folds, of_isolation, of_onset, of_peak, of_states
 from slowflow.results import NOT_AVERAGED, Remark
+from slowflow.sensitivities import Given, of_detachment, of_folds, of_isolation, of_onset, of_peak, of_states
 from slowflow.table import AVERAGING, QUESTIONS, Question
-from slowflow.transmitted import in_motion
+from slowflow.transmissibility import in_motion
 from slowflow_kernels import dissipation, inertia, slow_flow
 from slowflow_kernels.conventions import FoldKind, OnsetKind, Status
 from slowflow_kernels.domains import DAMPING, DISSIPATION
@@ -257,7 +257,7 @@ class Batch(Answer):
         return self.Omega
 
     @cached_property
-    def remarks(self) -> remarks.Codes:
+    def remarks(self) -> diagnostics.Codes:
         """What to bear in mind with each design's answer, sums of `slowflow.results.Remark`, as a single one has it."""
         if (known := self._beside.get("remarks")) is not None:
             return frozen(known)

@@ -17,8 +17,11 @@ import numpy as np
 import numpy.typing as npt
 
 from slowflow import backend, progress, validate
-from slowflow.averaged import proofs, remarks, words
-from slowflow.averaged.asked import (
+from slowflow.averaged import diagnostics, messages, proofs
+from slowflow.averaged.batches import Batch, Codes
+from slowflow.averaged.chunks import blocks, share
+from slowflow.averaged.defined import check_defined, may_be_undefined
+from slowflow.averaged.queries import (
     AMPLITUDES,
     DETACHMENT,
     ONSET,
@@ -30,18 +33,15 @@ from slowflow.averaged.asked import (
     curves,
     failed,
 )
-from slowflow.averaged.batches import Batch, Codes
-from slowflow.averaged.defined import check_defined, may_be_undefined
-from slowflow.averaged.parts import blocks, share
 from slowflow.averaged.questions import Averaged
 from slowflow.averaged.sustained import Damping
 from slowflow.certificate import DOUBLES
+from slowflow.immutable import Unchanging
 from slowflow.mechanism import Mechanism
 from slowflow.model import THROUGHOUT, Floats, Laws, Model, check_names, held
 from slowflow.results import Remark
 from slowflow.table import AVERAGING, QUESTIONS, ManyQuestions, Unanswered
 from slowflow.text import text
-from slowflow.unchanging import Unchanging
 from slowflow_kernels import inertia, slow_flow
 from slowflow_kernels.conventions import Status
 from slowflow_kernels.domains import DAMPING, DISSIPATION
@@ -211,7 +211,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         """States, along one more axis, are stable only if they stay about u = 0, and within its well, as well."""
         with np.errstate(all="ignore"):  # a number outside its domain has a status, and no amplitude
             parameters = self._parameters
-            kept, beyond = remarks.look_at(self.mechanism, parameters, Omega, A)
+            kept, beyond = diagnostics.look_at(self.mechanism, parameters, Omega, A)
             stable &= kept & ~beyond
 
     def _frequency_response(
@@ -229,7 +229,9 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         escapes = np.array((status == Status.NONE) & (self.excitation == "force"))
         status[escapes] = Status.UNBOUNDED
         with np.errstate(all="ignore"):  # a number outside its domain has a status, and no amplitude
-            beyond = remarks.look_at(self.mechanism, self._parameters, Omega[..., np.newaxis], A[..., np.newaxis])[1]
+            beyond = diagnostics.look_at(self.mechanism, self._parameters, Omega[..., np.newaxis], A[..., np.newaxis])[
+                1
+            ]
         for at, numbers, (F,) in self._each(beyond[..., 0], F_0):
             found = Averaged(self._model(numbers)).peak(F)
             escapes[at] = found._escapes
@@ -267,7 +269,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
                 status[at] = Status.INVALID
                 continue
             if found.bits > DOUBLES:
-                sticks = found.proved and found.message == words.sticks(model, F)
+                sticks = found.proved and found.message == messages.sticks(model, F)
                 count[at], proved[at], bits[at] = len(found.A), found.proved, found.bits
                 status[at] = Status.STICKS if sticks else Status.OK
 
@@ -287,10 +289,10 @@ class Designs(Unchanging, ManyQuestions[Batch]):
             return np.zeros(self.shape, dtype=bool)
         with np.errstate(all="ignore"):  # a number outside its domain has a status
             parameters = self._parameters
-            may = ~remarks.stay_centred(self.mechanism, parameters)
-            return np.asarray(may & remarks.gives_way(self.mechanism, parameters) if may.any() else may)
+            may = ~diagnostics.stay_centred(self.mechanism, parameters)
+            return np.asarray(may & diagnostics.gives_way(self.mechanism, parameters) if may.any() else may)
 
-    def remarks(self, F_0: Any, Omega: Any, A: Any, corner: Any) -> remarks.Codes:
+    def remarks(self, F_0: Any, Omega: Any, A: Any, corner: Any) -> diagnostics.Codes:
         """What to bear in mind with states of each design, along one more axis; see `remarks.of_designs`."""
         numbers = (np.asarray(self.values.get(name, 0.0), dtype=float) for name in Damping._fields[:4])
         mu, zeta, eta, c_2 = numbers
@@ -300,7 +302,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
             force = np.asarray(F_0)[..., np.newaxis]
             if self.excitation != "force":
                 force = inertia.force(np.where(np.asarray(A) > 0, Omega, np.inf), force)
-            return remarks.of_designs(self.mechanism, parameters, damping, force, Omega, A, corner)
+            return diagnostics.of_designs(self.mechanism, parameters, damping, force, Omega, A, corner)
 
     def spanned(
         self, x: str, y: str, of: str, values: Floats, beside: dict[str, Any]

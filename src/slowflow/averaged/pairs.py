@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slowflow import validate
-from slowflow.averaged import words
+from slowflow.averaged import messages
 from slowflow.mechanism import Floats
 from slowflow.results import NOTHING
 
@@ -40,7 +40,7 @@ class Pairs(NamedTuple):
 
     def message(self) -> str:
         """What the parts say, and that the pairs are not combined."""
-        return words.at_pairs(self.Omega, (part.message for part in self.parts))
+        return messages.at_pairs(self.Omega, (part.message for part in self.parts))
 
 
 def with_rests(at: Floats, rests: Any, Omega: Floats, columns: Mapping[str, tuple[Any, Any]]) -> dict[str, Any]:

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 
 from slowflow import validate
-from slowflow.averaged import proofs, words
+from slowflow.averaged import messages, proofs
 from slowflow.model import Model
 from slowflow.results import Remark, SaddleNodeOnset
 from slowflow.text import Sentence, text
@@ -221,9 +221,9 @@ def plan(question: str, F_0: float | None, whole: Model, onset: SaddleNodeOnset 
         return Plan(question, F_0, whole, COMPOSED[question])
     if F_0 is not None and whole.sticks(F_0):
         skipped = ("force", "slow flow", "curve", "folds")
-        return Plan(question, F_0, None, tuple(Step(name, False, words.sticks(whole, F_0)) for name in skipped))
+        return Plan(question, F_0, None, tuple(Step(name, False, messages.sticks(whole, F_0)) for name in skipped))
     if needs_no_solver(question, whole):
-        none = Step(question, False, words.NO_DETACHMENT) if question == "detachment" else NO_FOLDS
+        none = Step(question, False, messages.NO_DETACHMENT) if question == "detachment" else NO_FOLDS
         return Plan(question, None, None, (none,))
     steps = SOLVED[question]
     if F_0 is not None and question == "saddle_nodes" and not may_have_folds(F_0, whole, onset):

@@ -16,7 +16,7 @@ import numpy as np
 
 from slowflow import backend
 from slowflow.answer import joined
-from slowflow.averaged import solvers, words
+from slowflow.averaged import messages, solvers
 from slowflow.certificate import DOUBLES, Proved, ProvedFolds, ProvedForcing, ProvedStates
 from slowflow.mechanism import Flags
 from slowflow.model import Floats, Model
@@ -56,7 +56,7 @@ def _asked(proof: Callable[..., Any], model: Model, *numbers: Any) -> Any:
 
 
 def _why_not(model: Model) -> str:
-    return words.NO_INTERVALS if model.has_design else words.NO_DESIGN
+    return messages.NO_INTERVALS if model.has_design else messages.NO_DESIGN
 
 
 def _asked_at(
@@ -67,14 +67,14 @@ def _asked_at(
         return (False, _why_not(model), DOUBLES), (_NONE, _NONE, _NO_FLAG, np.empty(0, int)), (0.0, False, _NONE)
     status, *columns, doubt, A_max, bounded, room = answer
     if status == Status.STICKS:
-        proved, message = bounded, words.sticks(model, F_0) if bounded else words.NEAR_STICKING
+        proved, message = bounded, messages.sticks(model, F_0) if bounded else messages.NEAR_STICKING
     elif status != Status.OK:
-        proved, message = False, words.FAILED
+        proved, message = False, messages.FAILED
     else:
         proved = not len(doubt) and room
-        in_doubt = words.IN_DOUBT.format(words.intervals(doubt)) if len(doubt) else ""
-        limit = "" if bounded else words.NOT_BOUNDED.format(A_max)
-        message = joined(in_doubt, "" if room else words.NO_ROOM, limit)
+        in_doubt = messages.IN_DOUBT.format(messages.intervals(doubt)) if len(doubt) else ""
+        limit = "" if bounded else messages.NOT_BOUNDED.format(A_max)
+        message = joined(in_doubt, "" if room else messages.NO_ROOM, limit)
     return (proved, message, DOUBLES), tuple(columns), (A_max, bounded, doubt)
 
 
@@ -93,7 +93,7 @@ def _decided(found: Answer, model: Model, ask: Callable[[Any], Answer | None]) -
         return found
     balls = in_balls()
     if balls is None:
-        return dataclasses.replace(found, message=joined(found.message, words.NO_BALLS))
+        return dataclasses.replace(found, message=joined(found.message, messages.NO_BALLS))
     decided = ask(balls)
     return found if decided is None else decided
 
@@ -128,8 +128,8 @@ def decided(found: SaddleNodes, model: Model, allowance: Allowance) -> SaddleNod
     kind, corner = np.where(proof.kind == "", told, proof.kind), proof.corner
     order = np.lexsort((~corner, A, Omega))
     Omega, A, kind, corner = Omega[order], A[order], kind[order], corner[order]
-    message, cut = words.of_folds(model, found.F_0, A.size > 0, found.message if Remark.CUT in found.remarks else "")
-    codes = words.beside(False, cut) | Remark.BY_BALLS
+    message, cut = messages.of_folds(model, found.F_0, A.size > 0, found.message if Remark.CUT in found.remarks else "")
+    codes = messages.beside(False, cut) | Remark.BY_BALLS
     columns = {"Omega": Omega, "A": A, "kind": kind, "corner": corner}
     return SaddleNodes._made(**columns, F_0=found.F_0, message=message, remarks=codes, _model=model)
 
@@ -153,12 +153,12 @@ def decided_states(found: SteadyStates, model: Model, asked: Floats, F_0: float,
     Omega, A, stable = _with_proved(found, asked, proved)
     undecided = found.Omega_undecided[~np.isin(found.Omega_undecided, list(proved))]
     cut = solvers.remark_of(model, F_0) if Remark.CUT in found.remarks else ""
-    message = words.of_states(model, F_0, cut, asked, Omega, undecided)
-    if words.sticks(model, F_0) in (proof.message for proof in proved.values()):
-        message = words.sticks(model, F_0)
+    message = messages.of_states(model, F_0, cut, asked, Omega, undecided)
+    if messages.sticks(model, F_0) in (proof.message for proof in proved.values()):
+        message = messages.sticks(model, F_0)
     if allowance.left < 0:
-        message = joined(message, words.ASKED_ENOUGH.format(MOST_IN_BALLS))
-    codes = words.beside(undecided.size > 0, cut) | Remark.BY_BALLS
+        message = joined(message, messages.ASKED_ENOUGH.format(MOST_IN_BALLS))
+    codes = messages.beside(undecided.size > 0, cut) | Remark.BY_BALLS
     return SteadyStates(Omega, A, stable, F_0, message, model, Omega_undecided=undecided, remarks=codes)
 
 
@@ -214,7 +214,7 @@ def decided_onset(model: Model, allowance: Allowance) -> SaddleNodeOnset | None:
     if (low <= proof.F_0[1] and proof.F_0[0] <= high) or np.isnan((F_SN, Omega, A)).any():
         return None
     found = SaddleNodeOnset(F_SN, Omega, A, proof.kind, "")
-    found = words.with_folds_at_rest(model, found, 0.5 * (low + high))
+    found = messages.with_folds_at_rest(model, found, 0.5 * (low + high))
     return dataclasses.replace(found, remarks=found.remarks | Remark.BY_BALLS)
 
 
@@ -227,15 +227,15 @@ def decided_cusps(found: Cusps, model: Model, A_max: float) -> Cusps:
     F_0, Omega, A = (_middle(enclosed, None) for enclosed in (proof.F_0, proof.Omega, proof.A))
     if np.isnan((F_0, Omega, A)).any():
         return found
-    message = words.CUSPS_BY_BALLS if A.size else words.NO_CUSP.format(A_max)
+    message = messages.CUSPS_BY_BALLS if A.size else messages.NO_CUSP.format(A_max)
     return Cusps(F_0, Omega, A, proof.minimum, message, remarks=Remark.BY_BALLS)
 
 
 def nothing_decided(model: Model, asked: Floats, F_0: float) -> SteadyStates:
     """States of which doubles tell nothing."""
     none, cut = np.empty(0), solvers.remark_of(model, F_0)
-    at, codes = np.unique(asked), words.beside(True, cut)
-    message = words.of_states(model, F_0, cut, asked, none, at)
+    at, codes = np.unique(asked), messages.beside(True, cut)
+    message = messages.of_states(model, F_0, cut, asked, none, at)
     return SteadyStates(none, none, _NO_FLAG, F_0, message, model, Omega_undecided=at, remarks=codes)
 
 
@@ -299,10 +299,10 @@ def onset_in_doubles(model: Model) -> ProvedForcing:
         return _no_forcing(_why_not(model))
     status, F_SN, Omega, A, kind, proved = answer
     if status != Status.OK:
-        said = {Status.UNBOUNDED: words.OF_NO_LOWEST, Status.NONE: words.OF_NO_ONSET}
-        return _no_forcing(said.get(status, (words.FAILED, words.FAILED))[proved], proved=proved)
+        said = {Status.UNBOUNDED: messages.OF_NO_LOWEST, Status.NONE: messages.OF_NO_ONSET}
+        return _no_forcing(said.get(status, (messages.FAILED, messages.FAILED))[proved], proved=proved)
     word = OnsetKind(kind).name.lower() if kind != OnsetKind.NO else ""
-    return ProvedForcing(proved, "" if proved else words.ONSET_IN_DOUBT, DOUBLES, F_SN, Omega, A, word)
+    return ProvedForcing(proved, "" if proved else messages.ONSET_IN_DOUBT, DOUBLES, F_SN, Omega, A, word)
 
 
 def detachment_in_doubles(model: Model) -> ProvedForcing:
@@ -310,9 +310,9 @@ def detachment_in_doubles(model: Model) -> ProvedForcing:
     if (answer := _asked(backend.SOLVER.certify_detachment, model)) is None:
         return _no_forcing(_why_not(model))
     if answer[0] == Status.NONE:
-        return _no_forcing(words.NO_DETACHMENT, proved=True)
+        return _no_forcing(messages.NO_DETACHMENT, proved=True)
     if answer[0] != Status.OK:
-        return _no_forcing(words.FAILED)
+        return _no_forcing(messages.FAILED)
     _, F_cr, Omega_cr, u_cr = answer
     return ProvedForcing(True, "", DOUBLES, F_cr, Omega_cr, u_cr, "")
 

@@ -15,7 +15,7 @@ import numpy as np
 
 from slowflow import validate
 from slowflow.answer import joined
-from slowflow.averaged import pairs, plan, proofs, remarks, solvers, words
+from slowflow.averaged import diagnostics, messages, pairs, plan, proofs, solvers
 from slowflow.averaged.defined import check_defined
 from slowflow.certificate import Certificate, ProvedFolds
 from slowflow.model import THROUGHOUT, Floats, Model
@@ -124,7 +124,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         if not rests.any():
             return found
         columns = {"Omega": (found.Omega, at[rests]), "A": (found.A, 0.0), "stable": (found.stable, True)}
-        moves = words.moves_exactly(self.model, self.model.force(found.F_0, at))
+        moves = messages.moves_exactly(self.model, self.model.force(found.F_0, at))
         told: dict[str, Any] = pairs.with_rests(at, rests, found.Omega, columns)
         return dataclasses.replace(found, **told, message=joined(found.message, moves))
 
@@ -185,7 +185,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         # finding the onset costs time too: it serves only where it has been asked for already
         if plan.may_have_folds(F_0, self.model, self.__dict__.get("_onset")):
             return solvers.folds(self.model, F_0)
-        message, _ = words.of_folds(self.model, F_0, False, "")
+        message, _ = messages.of_folds(self.model, F_0, False, "")
         none: dict[str, Any] = {"Omega": NONE, "A": NONE, "kind": np.empty(0, "U9"), "corner": np.empty(0, bool)}
         return SaddleNodes._made(**none, F_0=F_0, message=message, remarks=NOTHING, _model=self.model)
 
@@ -201,17 +201,17 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
     def _detachment(self) -> Detachment:
         if (known := self.__dict__.get("_detached")) is None:
             solves = not plan.needs_no_solver("detachment", self.model)
-            found = solvers.detachment(self.model) if solves else Detachment(None, None, None, words.NO_DETACHMENT)
+            found = solvers.detachment(self.model) if solves else Detachment(None, None, None, messages.NO_DETACHMENT)
             known = self.__dict__["_detached"] = self._remarked(found, math.nan)
         return known
 
     def _peak(self, F_0: float) -> Peak:
         found = solvers.peak(self.model, F_0)
         while found.A is not None and not self.model.stays_centred:
-            if not remarks.turns_beyond(self.model.mechanism, self.model.parameters, found.A):
+            if not diagnostics.turns_beyond(self.model.mechanism, self.model.parameters, found.A):
                 break
             found = solvers.peak(self.model, F_0, JUST_BELOW * found.A)
-        if not self.model.sticks(F_0) and (remarks.of_one_gives_way(self.model) or found._escapes):
+        if not self.model.sticks(F_0) and (diagnostics.of_one_gives_way(self.model) or found._escapes):
             found = dataclasses.replace(found, remarks=Remark.BEYOND_WELL)
         return self._remarked(found, F_0)
 
@@ -357,7 +357,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
     def onset(self, allowance: proofs.Allowance | None = None) -> SaddleNodeOnset:
         """`saddle_node_onset` without the remarks on averaging: what another approximation starts from."""
         if plan.needs_no_solver("saddle_node_onset", self.model):
-            return SaddleNodeOnset(None, None, None, "", words.NO_ONSET)
+            return SaddleNodeOnset(None, None, None, "", messages.NO_ONSET)
         try:
             return solvers.onset(self.model)
         except OverflowError:
@@ -381,8 +381,8 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         if self.model.stays_centred:
             return found
         mechanism, parameters = self.model.mechanism, self.model.parameters
-        kept = remarks.keeps_centre(mechanism, parameters, found.Omega, found.A)
-        beyond = remarks.turns_beyond(mechanism, parameters, found.A)
+        kept = diagnostics.keeps_centre(mechanism, parameters, found.Omega, found.A)
+        beyond = diagnostics.turns_beyond(mechanism, parameters, found.A)
         leaves = NOTHING if kept.all() else Remark.LEAVES_CENTRE
         swings = Remark.BEYOND_WELL if beyond.any() else NOTHING
         stable = found.stable & kept & ~beyond
@@ -406,9 +406,9 @@ def _said(
 ) -> dict[str, str | Remark]:
     """What there is to say beside an answer, made when it is read; `makes` makes the message where there is none."""
     centred = isinstance(found, SteadyStates)  # `_centred` has looked at these
-    beside = remarks.of_one(model, F_0, *_states(found), centred=centred) | codes
+    beside = diagnostics.of_one(model, F_0, *_states(found), centred=centred) | codes
     said = makes(found)["message"] if message is None else message
-    return {"message": joined(said, *remarks.in_words(beside, model, F_0)), "remarks": beside}
+    return {"message": joined(said, *diagnostics.in_words(beside, model, F_0)), "remarks": beside}
 
 
 def _in_range(what: str, values: Any) -> Floats:

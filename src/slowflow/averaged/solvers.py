@@ -9,7 +9,7 @@ from operator import add
 import numpy as np
 
 from slowflow import backend
-from slowflow.averaged import words
+from slowflow.averaged import messages
 from slowflow.model import Floats, Model
 from slowflow.results import (
     NOTHING,
@@ -43,14 +43,14 @@ def check(status: int, model: Model, F_0: float | None = None) -> None:
     if status == Status.NO_BOUND:
         alone = model.inertial and model.zeta == model.m == model.laws.eta == 0
         if alone and model.spring == "none" and F_0 is not None:
-            raise NotSettled(words.EVERYWHERE.format(float(dissipation.full_by_inertia(F_0, model.d))))
+            raise NotSettled(messages.EVERYWHERE.format(float(dissipation.full_by_inertia(F_0, model.d))))
         # where there is a bound, up to it squares leave the range of doubles
         if model.laws.any and F_0 is not None and backend.SOLVER.amplitude_bound(model.native, F_0)[1] < math.inf:
             laws = " with " + model.laws.told()
-            raise OutOfRange(words.SQUARES.format(F_0, laws))
-        raise OutOfRange(words.unbounded(model, F_0))
+            raise OutOfRange(messages.SQUARES.format(F_0, laws))
+        raise OutOfRange(messages.unbounded(model, F_0))
     if status in (Status.TOO_MANY, Status.UNRESOLVED):
-        raise NotSettled("the response is unresolved" if F_0 is None else words.unresolved(model, F_0))
+        raise NotSettled("the response is unresolved" if F_0 is None else messages.unresolved(model, F_0))
 
 
 def remark_of(model: Model, F_0: float, lowest: float = 0.0) -> str:
@@ -58,7 +58,7 @@ def remark_of(model: Model, F_0: float, lowest: float = 0.0) -> str:
     if model.sticks(F_0):
         return ""
     if model.zeta == 0 and not model.laws.any:
-        return words.cut(model, F_0)[1]
+        return messages.cut(model, F_0)[1]
     goes = not model.inertial and model.spring != "holds"
     if (lowest > 0 and goes) or not (goes or model.inertial or model.mechanism.enclosed is not None):
         return ""
@@ -66,12 +66,12 @@ def remark_of(model: Model, F_0: float, lowest: float = 0.0) -> str:
     if status != Status.UNBOUNDED:
         return ""
     if goes:
-        why = "no spring holds the mass" if model.spring == "none" else words.LEVELS_OFF
-        return words.CUT_TOWARDS_REST.format(why, float(STATIC_MULTIPLE * max(F_0, *model.breakpoints, 0.0)))
+        why = "no spring holds the mass" if model.spring == "none" else messages.LEVELS_OFF
+        return messages.CUT_TOWARDS_REST.format(why, float(STATIC_MULTIPLE * max(F_0, *model.breakpoints, 0.0)))
     if model.inertial:
-        return words.NOT_CLOSED.format(A_max)
+        return messages.NOT_CLOSED.format(A_max)
     reason = model.mechanism.reach_reason
-    return words.CUT_AT_REACH.format(model.reach, f", {reason}" if reason else "")
+    return messages.CUT_AT_REACH.format(model.reach, f", {reason}" if reason else "")
 
 
 def amplitude_bound(model: Model, F_0: float) -> float:
@@ -101,8 +101,8 @@ def folds(model: Model, F_0: float) -> SaddleNodes:
     """Every fold at F_0 > m, in every regime, by rising Omega."""
     status, Omega, A, up, corner, undecided = backend.SOLVER.saddle_nodes(model.native, F_0)
     check(status, model, F_0)
-    message, cut = words.of_folds(model, F_0, A.size > 0 or undecided, remark_of(model, F_0))
-    codes = words.beside(undecided, cut)
+    message, cut = messages.of_folds(model, F_0, A.size > 0 or undecided, remark_of(model, F_0))
+    codes = messages.beside(undecided, cut)
     columns = {"Omega": Omega, "A": A, "kind": FOLD_KINDS.take(up), "corner": corner}
     return SaddleNodes._made(**columns, F_0=F_0, message=message, remarks=codes, _model=model)
 
@@ -113,25 +113,25 @@ def onset(model: Model) -> SaddleNodeOnset:
     if status == Status.OK:
         onset = {"F_SN": F_SN, "Omega": Omega, "A": A, "kind": ONSET_KINDS[kind], "untruncated": None}
         found = SaddleNodeOnset._made(**onset, message="", remarks=NOTHING)
-        return words.with_folds_at_rest(model, found, at_rest)
+        return messages.with_folds_at_rest(model, found, at_rest)
     if status == Status.UNRESOLVED:
-        raise NotSettled(words.unresolved_onset(model))
+        raise NotSettled(messages.unresolved_onset(model))
     check(status, model, at_rest if model.laws.any else None)  # the forcing that no amplitude bounds
     if status == Status.UNBOUNDED:  # at_rest is what the level comes down to
-        no_lowest = words.STIFF_AT_REST if model.zeta > 0 else words.NO_LOWEST
-        said = no_lowest.format(model.m) if at_rest < math.inf else words.OPEN
+        no_lowest = messages.STIFF_AT_REST if model.zeta > 0 else messages.NO_LOWEST
+        said = no_lowest.format(model.m) if at_rest < math.inf else messages.OPEN
         return SaddleNodeOnset(None, None, None, "", said, _status=Status.UNBOUNDED)
-    return words.with_folds_at_rest(model, SaddleNodeOnset(None, None, None, "", words.NO_ONSET), at_rest)
+    return messages.with_folds_at_rest(model, SaddleNodeOnset(None, None, None, "", messages.NO_ONSET), at_rest)
 
 
 def detachment(model: Model) -> Detachment:
     """The lowest forcing for which the first breakpoint is a steady state (34)."""
     status, F_cr, Omega_cr, u_cr = backend.SOLVER.detachment(model.native)
     if status == Status.NO_BOUND:
-        raise OutOfRange(words.BEYOND_RANGE.format(model.breakpoints[0]))
+        raise OutOfRange(messages.BEYOND_RANGE.format(model.breakpoints[0]))
     if status == Status.NONE:
         ends = model.breakpoints
-        said = words.NOT_REACHED.format(ends[0], model.full_level(ends[0])) if ends else words.NO_DETACHMENT
+        said = messages.NOT_REACHED.format(ends[0], model.full_level(ends[0])) if ends else messages.NO_DETACHMENT
         return Detachment(None, None, None, said)
     return Detachment._made(F_cr=F_cr, Omega_cr=Omega_cr, u_cr=u_cr, message="", remarks=NOTHING)
 
@@ -140,16 +140,16 @@ def peak(model: Model, F_0: float, most: float = math.inf) -> Peak:
     """The highest peak at F_0 > m with an amplitude up to `most`."""
     status, A, Omega = backend.SOLVER.peak(model.native, F_0, most)
     if status == Status.STICKS:
-        told = partial(words.sticks, model, F_0)
+        told = partial(messages.sticks, model, F_0)
         return Peak._made(A=None, Omega=None, F_0=F_0, message=told, remarks=NOTHING, _status=Status.STICKS)
     if status == Status.UNRESOLVED and A > 0:
-        raise NotSettled(words.PEAK_AT.format(F_0, A))
+        raise NotSettled(messages.PEAK_AT.format(F_0, A))
     check(status, model, F_0)
     if status == Status.UNBOUNDED:
-        said = remark_of(model, F_0) if model.zeta > 0 or model.laws.any else words.NO_PEAK
+        said = remark_of(model, F_0) if model.zeta > 0 or model.laws.any else messages.NO_PEAK
         return Peak(None, None, F_0, said, _status=Status.UNBOUNDED)
     if status == Status.NONE:
-        return words.no_top(model, F_0, most)
+        return messages.no_top(model, F_0, most)
     return Peak._made(A=A, Omega=Omega, F_0=F_0, message="", remarks=NOTHING)
 
 
@@ -159,7 +159,7 @@ def fold_locus(model: Model, A_max: float, samples: int) -> FoldLocus:
     check(status, model)
     # next to a breakpoint a force that hardly jumps has folds too
     ends = [b for b in model.breakpoints if b < A_max and model.mechanism.truncated]
-    none = reduce(add, map(words.AT_JUMP.format, ends), words.NO_LOCUS.format(A_max))
+    none = reduce(add, map(messages.AT_JUMP.format, ends), messages.NO_LOCUS.format(A_max))
     return FoldLocus(Omega, A, F_0, branch, "" if A.size else none)
 
 
@@ -169,10 +169,10 @@ def extrema(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
     check(status, model)
     isola = columns[3]
     F_0, Omega, A, _, minimum, _, few = (column[~isola] for column in columns)
-    cusps = Cusps(F_0, Omega, A, minimum, **words.of_points(A, few, words.NO_CUSP.format(A_max)))
+    cusps = Cusps(F_0, Omega, A, minimum, **messages.of_points(A, few, messages.NO_CUSP.format(A_max)))
     F_0, Omega, A, _, minimum, saddle, few = (column[isola] for column in columns)
     kind = np.where(saddle, "merger", np.where(minimum, "birth", "death"))
-    return cusps, IsolaPoints(F_0, Omega, A, kind, **words.of_points(A, few, words.NO_ISOLA.format(A_max)))
+    return cusps, IsolaPoints(F_0, Omega, A, kind, **messages.of_points(A, few, messages.NO_ISOLA.format(A_max)))
 
 
 def frequency_response(model: Model, F_0: float, samples: int, window: tuple[float, float]) -> FrequencyResponse:
@@ -181,10 +181,10 @@ def frequency_response(model: Model, F_0: float, samples: int, window: tuple[flo
     status, Omega, A, stable, branch, isola, undecided = answer
     check(status, model, F_0)
     remark = remark_of(model, F_0, window[0])
-    message = remark if A.size else partial(words.empty_window, model, F_0, window, remark)
+    message = remark if A.size else partial(messages.empty_window, model, F_0, window, remark)
     columns = {"Omega": Omega, "A": A, "stable": stable, "branch": branch, "isola": tuple(isola.tolist())}
     columns |= {"Omega_undecided": NO_NUMBER}
-    codes = words.beside(undecided, remark)
+    codes = messages.beside(undecided, remark)
     return FrequencyResponse._made(**columns, F_0=F_0, message=message, remarks=codes, _model=model)
 
 
@@ -193,7 +193,7 @@ def states(model: Model, Omega: Floats, F_0: float) -> SteadyStates:
     status, at, A, stable, undecided = backend.SOLVER.steady_states(model.native, F_0, Omega)
     check(status, model, F_0)
     remark = remark_of(model, F_0, float(np.min(Omega, initial=np.inf)))
-    message = partial(words.of_states, model, F_0, remark, Omega, at, undecided)
+    message = partial(messages.of_states, model, F_0, remark, Omega, at, undecided)
     columns = {"Omega": at, "A": A, "stable": stable, "Omega_undecided": undecided}
-    codes = words.beside(undecided.size > 0, remark)
+    codes = messages.beside(undecided.size > 0, remark)
     return SteadyStates._made(**columns, F_0=F_0, message=message, remarks=codes, _model=model)

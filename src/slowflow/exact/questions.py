@@ -14,7 +14,7 @@ import numpy as np
 
 from slowflow import validate
 from slowflow.answer import joined
-from slowflow.averaged.remarks import WORDS
+from slowflow.averaged.diagnostics import WORDS
 from slowflow.exact import response, shooting
 from slowflow.exact.motion import check_forcing, only_rests, stays_at_rest, why_at_rest
 from slowflow.exact.sweep import Sweep

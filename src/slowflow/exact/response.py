@@ -25,7 +25,7 @@ from slowflow.exact.shooting import Settled, SteadyState, describe, lengths, set
 from slowflow.exact.work import OutOfWork, limited
 from slowflow.mechanism import EquationOfMotion
 from slowflow.text import text
-from slowflow.transmitted import Transmitted
+from slowflow.transmissibility import Transmitted
 from slowflow_support.errors import NotSettled, Refused
 
 NEAR_TOP = 0.9  # share of the highest point's amplitude from which on a stretch of the curve may hold its peak

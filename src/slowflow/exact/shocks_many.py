@@ -9,8 +9,8 @@ import numpy as np
 
 from slowflow import progress, validate
 from slowflow.averaged.batches import Batch
+from slowflow.averaged.chunks import share
 from slowflow.averaged.many import Designs
-from slowflow.averaged.parts import share
 from slowflow.backend import EXACT
 from slowflow.exact import questions
 from slowflow.exact.compiled import recurrences

@@ -24,7 +24,7 @@ from slowflow.exact.motion import TURN, Forced, Phase, check_forcing, check_numb
 from slowflow.exact.work import limited
 from slowflow.mechanism import EquationOfMotion
 from slowflow.text import Sentence
-from slowflow.transmitted import Transmitted, asked
+from slowflow.transmissibility import Transmitted, asked
 from slowflow_support.errors import NotSettled, Refused
 
 Array = NDArray[np.float64]

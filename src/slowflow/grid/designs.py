@@ -18,6 +18,7 @@ from slowflow.answer import optional
 from slowflow.exact.transient import NO_PULSE
 from slowflow.grid import meaning
 from slowflow.grid.block import INNER, Ask, lengths, made_by
+from slowflow.immutable import Unchanging
 from slowflow.loaded import AT_CENTRE, off_centre_by
 from slowflow.mechanism import Mechanism
 from slowflow.model import THROUGHOUT, check_names
@@ -25,7 +26,6 @@ from slowflow.off_centre.many import check_polynomial
 from slowflow.second.many import UNANSWERED
 from slowflow.table import AVERAGING, OFFSET, QUESTIONS, SECOND, ManyQuestions, Question
 from slowflow.text import text
-from slowflow.unchanging import Unchanging
 from slowflow_kernels.domains import DISSIPATION
 from slowflow_support.errors import Refused, WrongType
 

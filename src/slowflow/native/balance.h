@@ -1,4 +1,4 @@
-/* States and folds of motions with a mean on boxes of both ends of the motion: in go what ends.h knows of a box, out
+/* States and folds of motions with a mean on boxes of both ends of the motion: in go what turning_points.h knows of a box, out
  * come intervals that hold what vanishes there, what the balance of the mean f_0 = c_0 - load = 0 leaves of the box, and
  * p = -h/A and e = -h_A - p along the balance.
  *
@@ -9,7 +9,7 @@
 #define SF_BALANCE_H
 
 #include "dissipation.h"
-#include "ends.h"
+#include "turning_points.h"
 
 /* less than it is rest, as its square is beyond the range of doubles */
 #define SF_LEAST_AMPLITUDE 0x1p-500

@@ -2,7 +2,7 @@
 #ifndef SF_CERTIFICATE_H
 #define SF_CERTIFICATE_H
 
-#include "given.h"
+#include "exact_inputs.h"
 #include "points_work.h"
 #include "work.h"
 

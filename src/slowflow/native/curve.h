@@ -6,7 +6,7 @@
 #ifndef SF_CURVE_H
 #define SF_CURVE_H
 
-#include "decide.h"
+#include "resolve.h"
 #include "root_lanes.h"
 
 static void sf_add_response_event(const sf_zero *zero, int biquadratic, sf_graph *graph) {

@@ -6,7 +6,7 @@
 #ifndef SF_LAW_FOLDS_H
 #define SF_LAW_FOLDS_H
 
-#include "given.h"
+#include "exact_inputs.h"
 #include "locus.h"
 #include "points.h"
 

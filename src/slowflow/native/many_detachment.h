@@ -10,7 +10,7 @@
 #include "clones.h"
 #include "design_lanes.h"
 #include "many_lanes.h"
-#include "settle.h"
+#include "refine.h"
 
 enum { SF_DETACHING = 64 };
 

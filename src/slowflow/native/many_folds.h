@@ -1,12 +1,12 @@
 /* Folds of batches of designs: in go designs, out come their folds, by blocks that go through the search together.
  *
  * Each fold is settled to its last digit as a single one is, so that it is the same double. A design at which rounding
- * may decide anything, or that is not settled by so many rounds, is left to decide.h.
+ * may decide anything, or that is not settled by so many rounds, is left to resolve.h.
  */
 #ifndef SF_MANY_FOLDS_H
 #define SF_MANY_FOLDS_H
 
-#include "decide.h"
+#include "resolve.h"
 #include "many_lanes.h"
 
 /* designs that go together: they begin with more cells than states do */
@@ -41,7 +41,7 @@ static void sf_begin_first_piece(sf_lane_block *block, int d, const sf_sample *r
     sf_add_cell(block, d, 0, &low, end);
 }
 
-/* The cells with which the search for the folds of design d begins; 0 where it is left to decide.h. */
+/* The cells with which the search for the folds of design d begins; 0 where it is left to resolve.h. */
 static int sf_begin_folds(sf_lane_block *block, int d) {
     sf_lane_design *of = &block->at[d];
     const sf_model *model = &of->model;
@@ -104,7 +104,7 @@ static int sf_settle_block_fold(const sf_lane_design *of, int i, const sf_exactl
     return 1;
 }
 
-/* All folds of a member of a block, each to its last digit; 0 where that is left to decide.h. */
+/* All folds of a member of a block, each to its last digit; 0 where that is left to resolve.h. */
 static int sf_settle_block_folds(const sf_lane_design *of, const sf_exactly *exactly, sf_work *work, sf_folds *folds) {
     const sf_model *model = &of->model;
     int i;

@@ -8,7 +8,7 @@
 #define SF_MANY_LANES_H
 
 #include "design_lanes.h"
-#include "settle.h"
+#include "refine.h"
 
 enum {
     SF_LANE_BLOCK = 128, /* designs that go together */

@@ -4,7 +4,7 @@
 #ifndef SF_PROVED_ROOTS_H
 #define SF_PROVED_ROOTS_H
 
-#include "given.h"
+#include "exact_inputs.h"
 
 enum { SF_MOST_ROOTS = 8, SF_MOST_ROOT_CELLS = 1000 };
 

@@ -2,7 +2,7 @@
 #ifndef SF_ZEROS_H
 #define SF_ZEROS_H
 
-#include "ranges.h"
+#include "enclosures.h"
 
 #define SF_MOST_ZEROS 96
 

@@ -17,8 +17,8 @@ from slowflow.answer import Table, entry
 from slowflow.gradient import Gradient
 from slowflow.isolating import Level
 from slowflow.model import Floats, Model
-from slowflow.off_centre import moves
-from slowflow.off_centre.moves import Given
+from slowflow.off_centre import sensitivities
+from slowflow.off_centre.sensitivities import Given
 from slowflow.results import NOT_MEASURED, Remark
 from slowflow_kernels.conventions import Pinned
 
@@ -70,7 +70,7 @@ class RestPositions(Table):
         Where two places meet, and where one is a breakpoint of the force, there is none, and `.status` and `.message`
         say so. Raises NotAvailable where it is not known how the force moves with the design.
         """
-        return moves.of_rest(Given.of(self._model, self.load), self.u)
+        return sensitivities.of_rest(Given.of(self._model, self.load), self.u)
 
 
 class _Moved(NamedTuple):
@@ -122,7 +122,7 @@ def gradient(found: Any) -> Gradient:
     given, called = Given.of(found._model, found.load), {CALLED.get(name, name): name for name in names}
     point = tuple(getattr(found, called.get(one, one)) for one in ("A", "B", "Omega", "F_0"))
     if question == "isolation" and not found.at_fold:
-        return moves.of_isolation(given, point, Level.of(found.level_dB).ratio)
+        return sensitivities.of_isolation(given, point, Level.of(found.level_dB).ratio)
     if question == "detachment":  # of the piece alone to whose end it comes
         given = given.first()
-    return moves.gradient(given, kinds(found), point, {name: one for one, name in called.items()}, asked)
+    return sensitivities.gradient(given, kinds(found), point, {name: one for one, name in called.items()}, asked)

@@ -13,11 +13,11 @@ import numpy as np
 
 from slowflow.model import Floats
 from slowflow.off_centre.boxes import Ints, Solutions, solve
-from slowflow.off_centre.by_ends import EndedEdge, EndedFold, EndedState
+from slowflow.off_centre.by_turning_points import EndedEdge, EndedFold, EndedState
 from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import Steps
 from slowflow.off_centre.onset import Lowest, Search
-from slowflow.off_centre.sheets import FARTHEST, TOO_FAR, Corner, Sheets
+from slowflow.off_centre.solution_sheets import FARTHEST, TOO_FAR, Corner, Sheets
 from slowflow.text import text
 from slowflow_kernels import off_centre
 from slowflow_support.errors import NotSettled, OutOfRange, Refused

@@ -15,16 +15,16 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from slowflow import loads, loads_many, progress, validate
+from slowflow import batch_checks, checks, progress, validate
 from slowflow.averaged import many
-from slowflow.averaged.asked import CODED, failed
 from slowflow.averaged.batches import Batch
+from slowflow.averaged.queries import CODED, failed
 from slowflow.averaged.questions import Averaged
+from slowflow.checks import Spectrum
 from slowflow.exact import questions, shocks_many
 from slowflow.exact.transient import NO_PULSE
 from slowflow.gradient import Gradient
 from slowflow.loaded import AT_CENTRE, off_centre_by
-from slowflow.loads import Spectrum
 from slowflow.mechanism import EquationOfMotion, Force, Mechanism, followed
 from slowflow.model import Floats, Model
 from slowflow.off_centre.answers import NUMBERS
@@ -178,7 +178,7 @@ class OffCentreDesigns(many.Designs):
                 single = Averaged(self._model(numbers))
             elif not Flow.of((single := self._single(numbers)).model.unloaded).damps:
                 return None, Status.UNBOUNDED
-            found = loads.spectrum(single, Omega, F_0)
+            found = checks.spectrum(single, Omega, F_0)
         except (ValueError, ArithmeticError) as error:
             return None, failed(error)
         return found, np.where(found.sticks, Status.STICKS, np.where(found.motions > 0, Status.OK, Status.NONE))
@@ -266,7 +266,7 @@ class OffCentreDesigns(many.Designs):
         del own["load"]
         designs = many.Designs(self.mechanism, own, self.excitation)
         if question in COMPOSED:
-            answer = getattr(loads_many, question)(designs, **asked, **options, workers=workers)
+            answer = getattr(batch_checks, question)(designs, **asked, **options, workers=workers)
         else:
             answer = designs._ask(question, **asked, **options, workers=workers)
         for name, column in columns.items():

@@ -25,7 +25,7 @@ from slowflow.intervals import Bools
 from slowflow.model import Floats
 from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import ORDERS
-from slowflow.off_centre.sheets import Cells, Corner, Sheets
+from slowflow.off_centre.solution_sheets import Cells, Corner, Sheets
 from slowflow_kernels import off_centre
 from slowflow_support.errors import NotSettled
 

@@ -5,7 +5,7 @@ There is one way to each answer; what depends on numbers is whether the mass sti
 
 from __future__ import annotations
 
-from slowflow.averaged import words
+from slowflow.averaged import messages
 from slowflow.averaged.plan import COMPOSED, Plan, Step, forcing
 from slowflow.model import Model
 from slowflow.text import text
@@ -58,5 +58,5 @@ def plan(question: str, F_0: float | None, model: Model) -> Plan:
     at = forcing(question, F_0)
     may_stick = question in ("amplitudes", "saddle_nodes", "frequency_response", "isolation")
     if at is not None and may_stick and model.sticks(at):
-        return Plan(question, at, None, (Step("boxes", False, words.sticks(model, at)),))
+        return Plan(question, at, None, (Step("boxes", False, messages.sticks(model, at)),))
     return Plan(question, at, model, STEPS[question])

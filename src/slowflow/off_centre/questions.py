@@ -13,18 +13,19 @@ from typing import Any, NamedTuple, TypeVar, cast
 
 import numpy as np
 
-from slowflow import isolating, loads, validate
+from slowflow import checks, isolating, validate
 from slowflow.answer import joined
-from slowflow.averaged import remarks, words
+from slowflow.averaged import diagnostics, messages
 from slowflow.averaged.pairs import at_pairs
 from slowflow.averaged.questions import Averaged
 from slowflow.composed import ComposedQuestions
+from slowflow.immutable import Unchanging
 from slowflow.loaded import CENTRED, Loaded, off_centre_by
 from slowflow.model import Floats, Model
 from slowflow.off_centre import answers
 from slowflow.off_centre.answers import RestPositions
 from slowflow.off_centre.boxes import Ints, Solutions, solve
-from slowflow.off_centre.by_ends import Resting
+from slowflow.off_centre.by_turning_points import Resting
 from slowflow.off_centre.complete import AT_CENTRE, PARTS, Complete
 from slowflow.off_centre.curve import Curves, curves, on_curve
 from slowflow.off_centre.flow import Flow, Slow
@@ -41,7 +42,6 @@ from slowflow.results import (
     SteadyStates,
 )
 from slowflow.text import Sentence, together
-from slowflow.unchanging import Unchanging
 from slowflow_kernels import dissipation, off_centre
 from slowflow_support.errors import NotSettled, OutOfRange, Refused
 
@@ -231,7 +231,7 @@ class OffCentre(Unchanging, ComposedQuestions):
         places = self._rest_places() if rests.size else of
         held = np.stack((np.zeros(rests.size * places.size), np.tile(places, rests.size)))
         if self._flow.sticks(F_0) or not at.size:
-            said = _Said(words.STICKS.format(F_0, self._m)) if self._flow.sticks(F_0) else _Said()
+            said = _Said(messages.STICKS.format(F_0, self._m)) if self._flow.sticks(F_0) else _Said()
             said = said.beside(_Said(self._moves_exactly(F_0, at)))
             return self._states(at, held[0], held[1], F_0, said, np.empty(0), np.repeat(rests, places.size))
         moves = np.flatnonzero(self._flow.force(F_0, at) > self._m)
@@ -249,7 +249,7 @@ class OffCentre(Unchanging, ComposedQuestions):
         order = np.lexsort((x[1], x[0], of))
         missing = np.unique(at[undecided])
         said = _Said(_listed(UNDECIDED, missing), Remark.UNDECIDED) if missing.size else _Said()
-        said = said.beside(_Said(words.sticks_below(self._model, F_0, at)))
+        said = said.beside(_Said(messages.sticks_below(self._model, F_0, at)))
         said = said.beside(_Said(self._moves_exactly(F_0, at)))
         return self._states(at, x[0, order], x[1, order], F_0, said, missing, of[order])
 
@@ -263,7 +263,7 @@ class OffCentre(Unchanging, ComposedQuestions):
 
     def _moves_exactly(self, F_0: float, at: Floats) -> str:
         """What is said of a mass at rest in averaging only."""
-        return words.moves_exactly(self._model, self._flow.force(F_0, at))
+        return messages.moves_exactly(self._model, self._flow.force(F_0, at))
 
     @property
     def _keeps_centre(self) -> bool:
@@ -280,13 +280,13 @@ class OffCentre(Unchanging, ComposedQuestions):
         self._check_answered("frequency_response")
         low, high = window
         if self._flow.sticks(F_0):
-            return self._response(Curves.none(), F_0, _Said(words.STICKS.format(F_0, self._m)))
+            return self._response(Curves.none(), F_0, _Said(messages.STICKS.format(F_0, self._m)))
         found, said = Curves.none(), _Said()
         if self._flow.inertial:
             # at rest it begins, with no amplitude: there all states meet
             begin = max(low, self._flow.moves_from(F_0) * (1 + BEGINS), high * BEGINS)
             if begin >= high:
-                return self._response(found, F_0, _Said(words.empty_window(self._model, F_0, (low, high))))
+                return self._response(found, F_0, _Said(messages.empty_window(self._model, F_0, (low, high))))
             low = begin
         if not self._keeps_centre:
             folds = self.saddle_nodes(F_0)
@@ -316,7 +316,9 @@ class OffCentre(Unchanging, ComposedQuestions):
     def _saddle_nodes(self, F_0: float) -> SaddleNodes:
         self._check_answered("saddle_nodes")
         if self._flow.sticks(F_0):
-            return self._folds(np.empty((3, 0)), np.empty(0, dtype=str), F_0, _Said(words.STICKS.format(F_0, self._m)))
+            return self._folds(
+                np.empty((3, 0)), np.empty(0, dtype=str), F_0, _Said(messages.STICKS.format(F_0, self._m))
+            )
         centred = Averaged(self._model).saddle_nodes(F_0) if self._complete.has_centre else None
         if centred is not None and self._keeps_centre:
             said = _Said(centred.message, centred.remarks)
@@ -341,7 +343,7 @@ class OffCentre(Unchanging, ComposedQuestions):
         x, open_ = (np.concatenate(pair, axis=1) for pair in ((found.x, corners), (found.undecided, undecided)))
         kind = np.array([""] * found.x.shape[1] + kinds)
         some = x.size or open_.size or (centred is not None and len(centred))
-        said = _Said("" if some else words.NO_FOLD.format(F_0))
+        said = _Said("" if some else messages.NO_FOLD.format(F_0))
         if open_.size:
             folds = _listed(UNDECIDED_FOLDS, np.unique(np.round(open_[0], 12)))
             said = said.beside(_Said(folds, Remark.UNDECIDED))
@@ -374,7 +376,7 @@ class OffCentre(Unchanging, ComposedQuestions):
     def _peak(self, F_0: float) -> Peak:
         self._check_answered("peak")
         if self._flow.sticks(F_0):
-            return self._no_peak(F_0, words.STICKS.format(F_0, self._m))
+            return self._no_peak(F_0, messages.STICKS.format(F_0, self._m))
         if self._keeps_centre:
             centred = Averaged(self._model).peak(F_0)
             B = None if centred.A is None else 0.0
@@ -397,7 +399,7 @@ class OffCentre(Unchanging, ComposedQuestions):
         """Why an excitation by inertia has no motion that goes farthest, "" where it has one."""
         highest, full = self._farthest(F_0, AMPLITUDE), float(dissipation.full_by_inertia(F_0, self._flow.d))
         if highest is None or highest.A <= full * (1 + BEGINS):
-            return words.NO_TOP_BELOW.format(full)
+            return messages.NO_TOP_BELOW.format(full)
         return CUT.format(self.A_max(F_0)) if self._is_cut(F_0) else ""
 
     def _is_cut(self, F_0: float) -> bool:
@@ -439,10 +441,10 @@ class OffCentre(Unchanging, ComposedQuestions):
         lower, upper = self._steps.inner
         return (states.mean + states.A > upper) | (states.mean - states.A < lower)
 
-    def _isolation(self, F_0: float, level_dB: float) -> loads.Isolation:
+    def _isolation(self, F_0: float, level_dB: float) -> checks.Isolation:
         F_0, level = validate.number("F_0", F_0, above=0.0), isolating.as_level(level_dB)
         self._check_answered("isolation")
-        sticks = words.STICKS.format(F_0, self._m) if self._flow.sticks(F_0) else ""
+        sticks = messages.STICKS.format(F_0, self._m) if self._flow.sticks(F_0) else ""
         floor = Averaged(self._model).transmissibility_floor(F_0)
         if why := sticks or isolating.passes_on(self._model, floor, level):
             return self._isolation_at(level, None, None, None, False, F_0, why, Remark(0))
@@ -469,13 +471,13 @@ class OffCentre(Unchanging, ComposedQuestions):
 
     def _isolation_at(
         self, level: isolating.Level, Omega: float | None, A: float | None, B: float | None, *others: Any
-    ) -> loads.Isolation:
+    ) -> checks.Isolation:
         beside: dict[str, Any] = {"B": B, "load": self.load, "_model": self._model, "_moves": answers.gradient}
-        return loads.Isolation(Omega, A, *others, level_dB=level.dB, **beside)
+        return checks.Isolation(Omega, A, *others, level_dB=level.dB, **beside)
 
-    def _begins(self, F_0: float, low: float, high: float, level: isolating.Level) -> loads.Isolation:
+    def _begins(self, F_0: float, low: float, high: float, level: isolating.Level) -> checks.Isolation:
         """Where isolation begins on points of the response between two frequencies."""
-        curve = self._frequency_response(F_0, loads.SAMPLES, (low, high))
+        curve = self._frequency_response(F_0, checks.SAMPLES, (low, high))
         slow, ratio = Slow(self._steps, self._flow, F_0), float(level.ratio)
 
         def passes(*between: Ints) -> tuple[Floats, ...]:
@@ -559,7 +561,7 @@ class OffCentre(Unchanging, ComposedQuestions):
         reach, reason = self._model.reach, self._model.mechanism.reach_reason
         if not (np.abs(B) + A > reach).any():
             return _Said()
-        return _Said(remarks.WORDS[Remark.BEYOND_REACH].format(reach=reach, reason=reason), Remark.BEYOND_REACH)
+        return _Said(diagnostics.WORDS[Remark.BEYOND_REACH].format(reach=reach, reason=reason), Remark.BEYOND_REACH)
 
     def _stability(self, Omega: Floats, A: Floats, B: Floats) -> tuple[Any, Floats]:
         """Where states are stable, and h there."""

@@ -28,7 +28,7 @@ import numpy as np
 from slowflow.intervals import Bools, Interval
 from slowflow.model import Floats
 from slowflow.off_centre.flow import ROUNDED, Flow, Slow
-from slowflow.off_centre.sheets import Cells, Sheets
+from slowflow.off_centre.solution_sheets import Cells, Sheets
 from slowflow.text import Sentence
 from slowflow_kernels.conventions import HIGHEST_OMEGA
 from slowflow_support.errors import NotSettled

@@ -11,7 +11,7 @@ import numpy.typing as npt
 from slowflow.answer import Drawn, Table, entry, frozen
 from slowflow.model import Floats, Model
 from slowflow.results import DRAWN, InDecibels
-from slowflow.transmitted import Transmitted, asked, in_motion
+from slowflow.transmissibility import Transmitted, asked, in_motion
 from slowflow_kernels import motion
 
 SecondState = entry(

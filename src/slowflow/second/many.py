@@ -19,15 +19,15 @@ import numpy.typing as npt
 
 from slowflow import validate
 from slowflow.answer import frozen
-from slowflow.averaged import asked
+from slowflow.averaged import queries
 from slowflow.averaged.batches import OF_STATES, Batch
 from slowflow.averaged.many import Designs
 from slowflow.averaged.questions import Averaged
 from slowflow.mechanism import Floats
 from slowflow.second.questions import SecondApproximation
 from slowflow.table import MORE_POINTS, QUESTIONS, SECOND, ManyQuestions, Unanswered
-from slowflow.transmitted import Transmitted, in_motion
-from slowflow.transmitted import asked as asked_of
+from slowflow.transmissibility import Transmitted, in_motion
+from slowflow.transmissibility import asked as asked_of
 from slowflow_kernels import motion
 from slowflow_kernels.conventions import Status
 
@@ -131,20 +131,20 @@ def _amplitudes(oscillator: Averaged, _: Any, F_0: float, Omega: float) -> Any:
     return replace(found, **{name: getattr(found, name)[moves] for name in ("Omega", "A", "A_1", "phi", "stable")})
 
 
-def _curves(samples: int, window: tuple[float, float]) -> asked.Question:
+def _curves(samples: int, window: tuple[float, float]) -> queries.Question:
     """The question about response curves of so many samples in a window of Omega."""
 
     def one(oscillator: Averaged, _: Any, F_0: float) -> Any:
         return SecondApproximation(oscillator).frequency_response(F_0, samples=samples, Omega=window)
 
-    return asked.Question("frequency_response", one, None, 1, SECOND, samples + MORE_POINTS[SECOND], Status.NONE)
+    return queries.Question("frequency_response", one, None, 1, SECOND, samples + MORE_POINTS[SECOND], Status.NONE)
 
 
 #: by name
-ASKED: Mapping[str, asked.Question] = {
-    "amplitudes": asked.Question("amplitudes", _amplitudes, None, 1, SECOND, empty=Status.NONE),
+ASKED: Mapping[str, queries.Question] = {
+    "amplitudes": queries.Question("amplitudes", _amplitudes, None, 1, SECOND, empty=Status.NONE),
     **{
-        name: asked.Question(name, one, attrgetter(f"many_second_{of}"), at_once, SECOND)
+        name: queries.Question(name, one, attrgetter(f"many_second_{of}"), at_once, SECOND)
         for name, one, of, at_once in (
             ("detachment", _second("detachment"), "detachment", 2**13),
             ("saddle_node_onset", _onset, "onset", 2**13),

@@ -15,7 +15,7 @@ import numpy as np
 
 from slowflow import validate
 from slowflow.answer import joined
-from slowflow.averaged import remarks, solvers, words
+from slowflow.averaged import diagnostics, messages, solvers
 from slowflow.averaged.pairs import at_pairs, with_rests
 from slowflow.averaged.plan import Plan, Step
 from slowflow.backend import SOLVER
@@ -135,7 +135,7 @@ class SecondApproximation(Questions[SecondStates, SecondResponse, SecondFolds]):
         if model.sticks(F_0):
             none = np.empty(0)
             columns = (none, none, none, none, np.empty(0, bool))
-            said, rest = self._remarked(words.sticks(model, F_0), none, none), (np.empty(0, np.intp), ())
+            said, rest = self._remarked(messages.sticks(model, F_0), none, none), (np.empty(0, np.intp), ())
             return SecondResponse(*columns, said, *rest, F_0=F_0, force=none, _model=model)
         answer = SOLVER.second_curve(model.native, F_0, Wanted.EVERY_POINT, samples, *window)
         status, *columns, _, branch, closed, lost, of, low, high = answer
@@ -186,7 +186,7 @@ class SecondApproximation(Questions[SecondStates, SecondResponse, SecondFolds]):
         at_rest = (averaged.Omega[rest], 0.0, 0.0, averaged.phi[rest], True)
         pairs = zip(("Omega", "A", "A_1", "phi", "stable"), zip(moving, at_rest, strict=True), strict=True)
         columns = with_rests(wanted, model.rests(first.F_0, wanted), moving[0], dict(pairs))
-        return columns, joined(message, words.moves_exactly(model, model.force(first.F_0, wanted)))
+        return columns, joined(message, messages.moves_exactly(model, model.force(first.F_0, wanted)))
 
     def _saddle_nodes(self, F_0: float) -> SecondFolds:
         """Every fold between two points of the curve.
@@ -283,7 +283,7 @@ class SecondApproximation(Questions[SecondStates, SecondResponse, SecondFolds]):
         """What is to be said of a curve in a window: how many of how many points are left out, and between where."""
         lost, of, low, high = left
         message = solvers.remark_of(self.first.model, F_0)
-        empty = "" if of else words.empty_window(self.first.model, F_0, window)
+        empty = "" if of else messages.empty_window(self.first.model, F_0, window)
         return joined(message, empty, LOST.format(lost, of, (low, high)) if lost else "")
 
     def _stay(self, Omega: Floats, A: Floats) -> Flags:
@@ -291,13 +291,13 @@ class SecondApproximation(Questions[SecondStates, SecondResponse, SecondFolds]):
         model = self.first.model
         if model.stays_centred:
             return np.ones(A.size, dtype=bool)
-        return remarks.keeps_centre(model.mechanism, model.parameters, Omega, A)
+        return diagnostics.keeps_centre(model.mechanism, model.parameters, Omega, A)
 
     def _remarked(self, message: str, Omega: Floats, A: Floats) -> str:
         """The message with what there is to say of amplitudes beyond the reach, and of motions that stop."""
         model = self.first.model
-        beside = remarks.of_one(model, math.nan, Omega, A) & ~Remark.OF_TRUNCATION
-        return joined(message, *remarks.in_words(beside, model, math.nan), validity.of_second(model, Omega, A))
+        beside = diagnostics.of_one(model, math.nan, Omega, A) & ~Remark.OF_TRUNCATION
+        return joined(message, *diagnostics.in_words(beside, model, math.nan), validity.of_second(model, Omega, A))
 
     def _force(self, F_0: float, Omega: Floats) -> Floats:
         """The amplitude of the force at each frequency."""

@@ -15,7 +15,7 @@ import numpy as np
 
 from slowflow.mechanism import Force, Ints
 from slowflow.model import Floats, Model
-from slowflow.transmitted import Transmitted
+from slowflow.transmissibility import Transmitted
 from slowflow_kernels import motion
 from slowflow_kernels import second_approximation as kernels
 from slowflow_kernels.second_conventions import ROUNDING, STEPS

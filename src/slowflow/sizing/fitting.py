@@ -19,10 +19,10 @@ from scipy.stats import t as student
 
 from slowflow import validate
 from slowflow.answer import Table, entry, joined
-from slowflow.averaged.asked import AMPLITUDES, SADDLE_NODES
+from slowflow.averaged.queries import AMPLITUDES, SADDLE_NODES
 from slowflow.mechanism import Floats
-from slowflow.plausible import Implausible
 from slowflow.quantities import EXCITED, SHEET, SI, in_shown, si, turns
+from slowflow.range_checks import Implausible
 from slowflow.sizing.subject import Subject, first_jump
 from slowflow_support.errors import NotSettled, Refused
 

@@ -16,9 +16,9 @@ import numpy as np
 from slowflow import validate
 from slowflow.answer import frozen
 from slowflow.averaged.batches import Batch, first_end
+from slowflow.batch_checks import full, lifting
 from slowflow.designs import Designs
 from slowflow.isolator import Isolator
-from slowflow.loads_many import full, lifting
 from slowflow.mechanism import Floats
 from slowflow.off_centre.many import OffCentreDesigns
 from slowflow.oscillator import Oscillator

@@ -18,7 +18,7 @@ import numpy.typing as npt
 from flint import arb, ctx
 
 from slowflow.answer import joined
-from slowflow.averaged import solvers, words
+from slowflow.averaged import messages, solvers
 from slowflow.averaged.balls.search import (
     ALL,
     AT_0,
@@ -376,7 +376,7 @@ def _is_sharp(found: Proved) -> bool:
 
 
 def _in_doubt(where: str = "") -> str:
-    return words.BALLS_IN_DOUBT.format(ctx.prec, where)
+    return messages.BALLS_IN_DOUBT.format(ctx.prec, where)
 
 
 def _decided(model: Model, ask: Callable[[Given], Answer | None]) -> Answer | None:
@@ -408,7 +408,7 @@ def _at_forcing(
     def ask(given: Given) -> Answer | None:
         if not F_0 > given.m.hi:
             sticks = bool(F_0 <= given.m.lo)
-            message = words.sticks(model, F_0) if sticks else _in_doubt(" whether the mass moves")
+            message = messages.sticks(model, F_0) if sticks else _in_doubt(" whether the mass moves")
             return make([], proved=sticks, message=message, A_max=0.0, bounded=sticks, doubt=_pairs([]))
         try:
             A_max = solvers.amplitude_bound(model, F_0)
@@ -416,8 +416,8 @@ def _at_forcing(
             return None
         points, doubts = find(Asked(given, F_0), A_max)
         bounded = given.is_bounded(arb(F_0), A_max)
-        where = _in_doubt(" for A in " + words.intervals(_pairs(doubts))) if doubts else ""
-        message = joined(where, "" if bounded else words.NOT_BOUNDED.format(A_max))
+        where = _in_doubt(" for A in " + messages.intervals(_pairs(doubts))) if doubts else ""
+        message = joined(where, "" if bounded else messages.NOT_BOUNDED.format(A_max))
         others = {"A_max": A_max, "bounded": bounded, "doubt": _pairs(doubts)}
         return make(points, proved=not doubts, message=message, **others)
 
@@ -470,12 +470,12 @@ def onset(model: Model) -> ProvedForcing | None:
 
     def ask(given: Given) -> ProvedForcing:
         if model.zeta == 0 and tends_to_friction(given):
-            return _forcing(True, words.OF_NO_LOWEST[True])
+            return _forcing(True, messages.OF_NO_LOWEST[True])
         best, proved = Asked(given, F_0).lowest(A_max)
         if F_0 < math.inf:
             proved = proved and best is not None and best.level.hi < F_0 and given.is_bounded(arb(F_0), A_max)
         if best is None:
-            said = words.OF_NO_ONSET if proved or model.zeta > 0 else words.OF_NO_LOWEST
+            said = messages.OF_NO_ONSET if proved or model.zeta > 0 else messages.OF_NO_LOWEST
             return _forcing(proved, said[proved])
         return _forcing(proved, "" if proved else _in_doubt(), best)
 
@@ -490,7 +490,7 @@ def detachment(model: Model) -> ProvedForcing | None:
 
     def ask(given: Given) -> ProvedForcing | None:
         if not given.count:
-            return _forcing(True, words.NO_DETACHMENT)
+            return _forcing(True, messages.NO_DETACHMENT)
         asked, on = Asked(given), given.on(0)
         found = frequencies_of(partial(asked.F_Omega, on), ZERO, 2 * flow.backbone(on.A, on.h).hi).places()
         levels = [(asked.level(w, on), w) for w in (*(w for w, _ in found), AT_0)]

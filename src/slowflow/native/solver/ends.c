@@ -1,5 +1,5 @@
 /* Means over a cycle over NumPy's operands: of steps at numbers, and by the motion's ends on boxes in charts that are
- * packed into an array (ends.h); what vanishes there (balance.h). */
+ * packed into an array (turning_points.h); what vanishes there (balance.h). */
 #include <string.h>
 
 #include "balance.h"

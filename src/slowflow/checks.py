@@ -14,9 +14,9 @@ from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 
-from slowflow import moves, validate
+from slowflow import sensitivities, validate
 from slowflow.answer import LOADED, Single, Table, Words, entry, joined, sentences
-from slowflow.averaged import remarks, solvers, words
+from slowflow.averaged import diagnostics, messages, solvers
 from slowflow.gradient import NO_GRADIENT, Gradient
 from slowflow.isolating import NEVER, WHOLE, Level, as_level, highest, isolated, passes_on, rests_up_to, told
 from slowflow.mechanism import Flags, Floats, Ints, Law, Mechanism
@@ -174,7 +174,7 @@ class Isolation(OfPoint, Single):
         Where isolation begins at no frequency that moves there is none, and `.status` and `.message` say so.
         """
         at = self.Omega, self.A, self.F_0, self.at_fold, Level.of(self.level_dB).ratio
-        return self._moved(moves.of_isolation, *at)
+        return self._moved(sensitivities.of_isolation, *at)
 
 
 class Load(NamedTuple):
@@ -214,7 +214,7 @@ class Spectrum(Composed, Table):
     detaches: Flags
     sticks: Flags
     message: str
-    _remarks: remarks.Codes = field(repr=False)  # of the states of each row
+    _remarks: diagnostics.Codes = field(repr=False)  # of the states of each row
 
 
 def at_rest(oscillator: Any) -> AtRest:
@@ -284,7 +284,7 @@ def margins(oscillator: Any, F_0: float) -> Margins:
         onset.message,
         detachment.message if model.inertial else "",
         APART if leaves and F_cr is not None and folds.F_0 < F_cr else "",
-        *remarks.in_words(beside, model, folds.F_0),
+        *diagnostics.in_words(beside, model, folds.F_0),
     )
     return Margins(
         folds.F_0,
@@ -367,7 +367,7 @@ def _highest(oscillator: Any, F_0: float, level: Level = WHOLE) -> float:
         peak = F_0 if peak is None else peak
     A_max = peak if peak is not None else oscillator.model.reach
     if not math.isfinite(A_max):
-        A_max = words.cut(oscillator.model, F_0)[0]
+        A_max = messages.cut(oscillator.model, F_0)[0]
     return highest(oscillator.model, A_max, F_0, level, SAMPLES)
 
 
@@ -411,7 +411,7 @@ def spectrum(oscillator: Any, Omega: Any, F_0: Any) -> Spectrum:
     typed: dict[str, Any] = {
         name: column.astype(kinds.get(name, float)) for name, column in zip(Load._fields, columns, strict=True)
     }
-    return Spectrum(**typed, message=words.at_pairs(at, said), _remarks=np.array(codes, dtype=np.uint16))
+    return Spectrum(**typed, message=messages.at_pairs(at, said), _remarks=np.array(codes, dtype=np.uint16))
 
 
 def on_both_sides(folds: Floats, Omega: Any) -> Ints:

@@ -1,12 +1,12 @@
 /* Means over a cycle by the motion's ends, B + A and B - A, on boxes: in go charts of a force and a box of x and y in
  * one, out come intervals that hold A, B, c_0 = <f>, s_0 = <f cos psi> and their slopes on all of it.
  *
- * The charts are those of slowflow/off_centre/ends.py, the mathematics derivations/asymmetric/off_centre.py's. U_k and
+ * The charts are those of slowflow/off_centre/turning_points.py, the mathematics derivations/asymmetric/off_centre.py's. U_k and
  * V_k are the means of (A cos psi - a)^k/k! above a step with 1 + cos psi and 1 - cos psi. Both rise with either end of
  * the motion, so that the values at two corners of a box hold them, as tightly as can be.
  */
-#ifndef SF_ENDS_H
-#define SF_ENDS_H
+#ifndef SF_TURNING_POINTS_H
+#define SF_TURNING_POINTS_H
 
 #include <stddef.h>
 

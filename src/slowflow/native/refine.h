@@ -5,8 +5,8 @@
  * their slopes in doubles: one step, but next to a double root or a breakpoint. An answer is left alone where the
  * first step is not small beside it, or the slopes change along it by too much: there it may lead to another answer.
  */
-#ifndef SF_SETTLE_H
-#define SF_SETTLE_H
+#ifndef SF_REFINE_H
+#define SF_REFINE_H
 
 #include "exactly.h"
 #include "onset.h"

@@ -3,8 +3,8 @@
  *
  * A proof is about this oscillator, not about its parameters rounded to doubles.
  */
-#ifndef SF_GIVEN_H
-#define SF_GIVEN_H
+#ifndef SF_EXACT_INPUTS_H
+#define SF_EXACT_INPUTS_H
 
 #include "cells.h"
 #include "exactly.h"

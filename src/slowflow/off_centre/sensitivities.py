@@ -2,7 +2,7 @@
 
 By the implicit function theorem. What a number of the design does to the force, piece by piece, makes the means over a
 cycle move (`Steps.moved`), these move the balance and h along it (`off_centre.moved`), and from there on the answers
-move as those about the centre do (`slowflow.moves`).
+move as those about the centre do (`slowflow.sensitivities`).
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from slowflow import moves
+from slowflow import sensitivities
 from slowflow.backend import SOLVER
 from slowflow.gradient import Gradient
 from slowflow.model import Floats, Model, at_rest
@@ -150,7 +150,7 @@ def of_isolation(given: Given, point: tuple[Any, Any, Any, Any], ratio: Any) -> 
     of = {name: name for name in ("A", "B", "transmissibility")}
     state = gradient(given, Pinned.STATE, point, of, ("F_0", "Omega"))
     A, B, Omega = (np.asarray(one, dtype=float) for one in point[:3])
-    slopes, status = moves.along_frequency(state.slopes, state.status, Omega, A, ratio)
+    slopes, status = sensitivities.along_frequency(state.slopes, state.status, Omega, A, ratio)
     return Gradient(("Omega", "A", "B"), state.by[:-1], slopes, status, (Omega, A, B), state._at[:-1])
 
 

@@ -5,12 +5,12 @@
  * level at which folds are born or meet or next to 4 mu/pi, and beside a breakpoint at which the force hardly jumps.
  * There the proof, which takes some ten times as long, has the last word; elsewhere it is not asked.
  */
-#ifndef SF_DECIDE_H
-#define SF_DECIDE_H
+#ifndef SF_RESOLVE_H
+#define SF_RESOLVE_H
 
 #include "certify.h"
 #include "law_folds.h"
-#include "settle.h"
+#include "refine.h"
 
 /* Whether rounding may decide which folds there are on a breakpoint, or between it and the next double. */
 static int sf_is_corner_close(const sf_model *model, double F_0, double b, double J, const sf_corner *corner) {

@@ -14,11 +14,11 @@ from typing import Any
 
 import numpy as np
 
-from slowflow import isolating, loads, progress, validate
+from slowflow import checks, isolating, progress, validate
 from slowflow.averaged.batches import Batch, Codes, first_end
+from slowflow.averaged.diagnostics import gives_way, stay_centred
 from slowflow.averaged.many import Designs
 from slowflow.averaged.questions import Averaged
-from slowflow.averaged.remarks import gives_way, stay_centred
 from slowflow.mechanism import Flags, Floats, Ints, Mechanism
 from slowflow.model import THROUGHOUT, held
 from slowflow.results import Remark
@@ -46,7 +46,7 @@ def at_rest(designs: Designs, workers: int = 1) -> Batch:
         untruncated = designs.mechanism.load_untruncated
         law = designs.mechanism if untruncated is None else untruncated()
         of_law = law.coefficients(*designs.design)
-        within = loads.rests_within(law.pieces, of_law, law.breakpoints(*of_law), mu)
+        within = checks.rests_within(law.pieces, of_law, law.breakpoints(*of_law), mu)
         end = first_end(designs.mechanism, parameters)
         if designs.rubs != THROUGHOUT:
             within = np.minimum(within, end)
@@ -74,8 +74,8 @@ def margins(designs: Designs, F_0: Any, workers: int = 1) -> Batch:
     endless = peaks.status == Status.UNBOUNDED
     passes = endless | (peaks.A > ends)
     if designs.excitation == "force":
-        unsure = endless & np.isfinite(F_cr) & ~loads.resonates(designs.mechanism, parameters)
-        for at, found in _singly(designs, F_0, unsure, loads.passes_first_end):
+        unsure = endless & np.isfinite(F_cr) & ~checks.resonates(designs.mechanism, parameters)
+        for at, found in _singly(designs, F_0, unsure, checks.passes_first_end):
             passes[at] = bool(found)
     forcing, sticks_below = np.asarray(F_0, dtype=float), np.zeros(())
     if designs.excitation != "force":  # an amplitude that only rises tends to F_0
@@ -144,7 +144,7 @@ def hysteresis(designs: Designs, F_0: Any, places: int = 3, workers: int = 1) ->
         plain &= designs.peak(F_0, workers=workers).status != Status.UNBOUNDED
     low[plain, 0], high[plain, 0] = low_end[plain], high_end[plain]
     motions[plain, 0], count[plain] = 2, 1
-    for at, found in _singly(designs, F_0, (status == Status.OK) & (folds.count > 0) & ~plain, loads.hysteresis):
+    for at, found in _singly(designs, F_0, (status == Status.OK) & (folds.count > 0) & ~plain, checks.hysteresis):
         if found is None:
             status[at] = Status.UNRESOLVED
             continue
@@ -197,7 +197,7 @@ def isolation(designs: Designs, F_0: Any, level_dB: Any = None, workers: int = 1
         status[at], asked[at] = Status.OK, unsure
         if inertial:  # at low frequencies friction all but holds the mass
             said[at] |= np.where(values["mu"] > 0, np.uint16(Remark.NEAR_STICKING), np.uint16(0))
-    for at, one in _singly(designs, F_0, asked, loads.isolation, dB):
+    for at, one in _singly(designs, F_0, asked, checks.isolation, dB):
         status[at] = Status.UNRESOLVED if one is None else Status.NONE if one.Omega is None else Status.OK
         said[at] = 0 if one is None else one.remarks
         found["at_fold"][at] = one is not None and one.at_fold
@@ -257,7 +257,7 @@ def _crossed(rows: Designs, Omega: Floats, F_0: Floats, status: Codes, workers: 
         def sides(which: Ints, at: Floats, forcing: Floats, part: Ints = part) -> Ints:
             return _sides(rows, spread, fares, part[which], at, forcing, workers)
 
-        found[part] = loads.crossed(sides, before[:, part], here[:, part])
+        found[part] = checks.crossed(sides, before[:, part], here[:, part])
     crosses[..., 1:] = found.reshape(crosses[..., 1:].shape)
     later = status[..., 1:]
     later[...] = np.where(np.isin(later, (Status.OK, Status.STICKS)), fares.reshape(later.shape), later)
@@ -278,7 +278,7 @@ def _sides(
     of = np.cumsum(new) - 1
     failed = np.isin(folds.status[of], FAILED)
     fares[which[failed]] = folds.status[of][failed]
-    return loads.on_both_sides(folds.Omega[of], Omega)
+    return checks.on_both_sides(folds.Omega[of], Omega)
 
 
 @dataclass(frozen=True)

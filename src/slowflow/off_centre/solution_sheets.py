@@ -19,10 +19,10 @@ from slowflow.backend import SOLVER
 from slowflow.intervals import Bools, Interval
 from slowflow.model import Floats
 from slowflow.off_centre.boxes import MOST_BOXES, TOO_MANY, Ints, solve
-from slowflow.off_centre.by_ends import EndedEdge
-from slowflow.off_centre.ends import Charts, Local, above_diagonal
+from slowflow.off_centre.by_turning_points import EndedEdge
 from slowflow.off_centre.flow import ROUNDED, Flow
 from slowflow.off_centre.means import Steps
+from slowflow.off_centre.turning_points import Charts, Local, above_diagonal
 from slowflow.text import Sentence
 from slowflow_support.errors import NotSettled, OutOfRange
 

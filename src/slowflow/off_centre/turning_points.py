@@ -30,7 +30,7 @@ from slowflow_support.errors import Refused
 
 #: times the farthest step, the amplitude from which on motions are large beside all steps
 LARGE = 4.0
-#: steps on both sides and powers of u in a piece, at most: as native/ends.h has room
+#: steps on both sides and powers of u in a piece, at most: as native/turning_points.h has room
 MOST_LINES, MOST_POWERS = 32, 64
 TOO_LARGE = Sentence(
     "motions off the centre are not derived for a force of {lines:d} breakpoints and powers up to {highest:d}: at most "
@@ -41,7 +41,7 @@ TOO_LARGE = Sentence(
 class Local(NamedTuple):
     """On boxes: X and Y are A_x and A_y, X_x and Y_y their slopes; c_x ... those of c_0; c_3 and s_2 next to B = 0.
 
-    The order is that of native/ends.h, which has them as rows (n, 28).
+    The order is that of native/turning_points.h, which has them as rows (n, 28).
     """
 
     A: Interval
@@ -114,7 +114,7 @@ class Charts:
         self._packed = self._pack()
 
     def _pack(self) -> Floats:
-        """What native/ends.h reads: sizes, and rows of the force, and of the charts."""
+        """What native/turning_points.h reads: sizes, and rows of the force, and of the charts."""
         steps, n = self.steps, self.steps.highest + 1
         bounded = (np.zeros(n), np.zeros(n), np.zeros(n), np.zeros(3))
         if math.isfinite(self._large):

@@ -17,9 +17,9 @@ from slowflow.backend import SOLVER
 from slowflow.intervals import Bools, Interval
 from slowflow.model import Floats
 from slowflow.off_centre.boxes import Equations, Ints
-from slowflow.off_centre.ends import Charts, Local
 from slowflow.off_centre.flow import Flow, Slow
 from slowflow.off_centre.means import ALL
+from slowflow.off_centre.turning_points import Charts, Local
 from slowflow_kernels import off_centre
 
 #: x or y next to an edge of its chart
