@@ -1,4 +1,4 @@
-"""The compiled part of the package: in go the C sources, out come extension modules; and README.md for an index.
+"""The compiled part of the package. Takes the C sources; returns extension modules, and README.md for an index.
 
 All else says pyproject.toml.
 

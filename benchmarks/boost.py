@@ -1,6 +1,6 @@
 """Boost.Math's quartic_roots as a method of `bench_roots`, where a C++ compiler and its headers are at hand.
 
-In go rows of A, h, m, zeta, F_0, out come four roots of (24) each, NaN for those that are not real; (24) is expanded in
+Takes rows of A, h, m, zeta, F_0; returns four roots of (24) each, NaN for those that are not real; (24) is expanded in
 C++ too. The headers are the system's, or those of the package boost-headers.
 """
 

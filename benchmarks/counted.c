@@ -1,4 +1,4 @@
-/* How often a batch does what its time goes into, and what each of that costs here: in go designs, out come counts and
+/* How often a batch does what its time goes into, and what each of that costs here. Takes designs; returns counts and
  * seconds.
  *
  * The solvers are included as they are; the names that are counted are macros while they are read. Some of the calls

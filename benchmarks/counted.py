@@ -1,4 +1,4 @@
-"""Why a batch is no faster: in go the kinds of a question, out come sentences that add up what an answer is made of.
+"""Why a batch is no faster. Takes the kinds of a question; returns sentences that add up what an answer is made of.
 
 Counts and costs are measured by `counted.c`, which gcc builds around the solvers as they are: evaluations of the
 averages, these in double-double, values of the function that is searched, its ranges on cells, of loops over many

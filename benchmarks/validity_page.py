@@ -1,4 +1,4 @@
-"""The figures and the page docs/validity.md: in go the numbers that `benchmarks.validity` measured, out come files."""
+"""The figures and the page docs/validity.md. Takes the numbers that `benchmarks.validity` measured; returns files."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a user states of a mechanism, checked: in go the arguments as they come, out what the derivation takes of them.
+"""What a user states of a mechanism, checked. Takes arguments as they come; returns what the derivation takes of them.
 
 Each refusal names the argument, what it was, and what is allowed: TypeError for another kind of thing, ValueError for
 one that is not allowed.

@@ -1,4 +1,4 @@
-"""Sphinx: in goes docs/, out comes the site; `make docs`. Pages that are derived are written first, into docs/_made."""
+"""Sphinx. Takes docs/; returns the site; `make docs`. Pages that are derived are written first, into docs/_made."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the page knows of the mechanisms, units and measured errors: in go the package's records, out comes plain data.
+"""What the page knows of the mechanisms, units and measured errors. Takes the package's records; returns plain data.
 
 Nothing here is typed that a record has: names, domains, scales and words come from the derivation, errors from the
 measurements. Only the designs that the page opens with are chosen.

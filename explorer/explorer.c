@@ -1,4 +1,4 @@
-/* The solvers as WebAssembly: in go numbers in `in`, out come numbers in arrays that the page reads from memory.
+/* The solvers as WebAssembly. Takes numbers in `in`; returns numbers in arrays that the page reads from memory.
  *
  * A thin interface: it keeps one oscillator and one workspace, calls the solvers and the generated kernels, and
  * computes nothing itself. Everything is dimensionless. `python -m explorer` writes mechanisms.h: records and restoring

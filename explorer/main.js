@@ -1,4 +1,4 @@
-/* The page: in go moves of sliders, fields, pointers and keys, out come pictures and words. */
+/* The page. Takes moves of sliders, fields, pointers and keys; returns pictures and words. */
 
 const SAMPLES = 800;
 const ROWS = 160;

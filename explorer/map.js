@@ -1,4 +1,4 @@
-/* The design map: in go a design and two of its parameters, out comes a picture that a worker paints and that can be
+/* The design map. Takes a design and two of its parameters; returns a picture that a worker paints and that can be
 clicked. */
 
 const CELLS = 128;

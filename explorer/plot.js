@@ -1,4 +1,4 @@
-/* Pictures as SVG: in go numbers, out come axes and paths. Signs are those of `slowflow.pictures`. */
+/* Pictures as SVG. Takes numbers; returns axes and paths. Signs are those of `slowflow.pictures`. */
 
 const SVG = "http://www.w3.org/2000/svg";
 

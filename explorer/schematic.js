@@ -1,4 +1,4 @@
-/* The mechanism as it moves: in go a displacement and where pieces end, out comes an SVG picture.
+/* The mechanism as it moves. Takes a displacement and where pieces end; returns an SVG picture.
 
 A mechanism with a push-rod is drawn to scale, L being 84 units; any other as a mass on a spring. */
 

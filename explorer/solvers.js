@@ -1,5 +1,5 @@
 "use strict";
-/* The compiled solvers: in go numbers without dimensions, out come plain objects of arrays. Page and worker share this. */
+/* The compiled solvers. Takes numbers without dimensions; returns plain objects of arrays. Page and worker share this. */
 
 /** WebAssembly from base64. */
 function compileSolvers(text) {

@@ -1,4 +1,4 @@
-/* The design and what is shown of it: in goes an address, out comes a state, and back. */
+/* The design and what is shown of it. Takes an address; returns a state, and back. */
 
 const PHYSICAL = DATA.physical_names;
 

@@ -1,4 +1,4 @@
-/* Numbers with and without dimensions: in goes what a user gives, out come numbers for the solvers, and back. */
+/* Numbers with and without dimensions. Takes what a user gives; returns numbers for the solvers, and back. */
 
 const DATA = JSON.parse(document.getElementById("data").textContent);
 const GREEK = { lam: "λ", mu: "μ", zeta: "ζ", Omega: "Ω", alpha: "α", beta: "β", gamma: "γ", delta: "δ", Delta: "Δ", kappa: "κ", rho: "ρ", ell: "ℓ", pi: "π", omega: "ω" };

@@ -1,4 +1,4 @@
-/* What is to be said beside an answer, and how far averaging is off: in go states, out come words and measured errors.
+/* What is to be said beside an answer, and how far averaging is off. Takes states; returns words and measured errors.
 
 The errors are those that `slowflow.measured` has, looked up as it looks them up. */
 

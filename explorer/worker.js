@@ -1,4 +1,4 @@
-/* Paints a design map: in goes a request, out come cells, coarse ones first. A newer request ends an older one. */
+/* Paints a design map. Takes a request; returns cells, coarse ones first. A newer request ends an older one. */
 let solvers = null;
 let latest = 0;
 

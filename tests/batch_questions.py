@@ -1,4 +1,4 @@
-"""Every question about many designs: its name out, and how it is asked; in go designs or one of them, and a forcing."""
+"""Every question about many designs, by name, as a function of designs or one of them and a forcing."""
 
 from __future__ import annotations
 

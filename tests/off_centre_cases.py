@@ -1,4 +1,4 @@
-"""Certified cases off the centre: in go an oscillator and its case; AssertionError where an answer is another."""
+"""Certified cases off the centre. Takes an oscillator and its case; AssertionError where an answer is another."""
 
 from __future__ import annotations
 

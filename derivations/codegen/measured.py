@@ -1,4 +1,4 @@
-"""Worst rounding errors that a search found, as data: in goes a module, out come k of its kernels, and where they hold.
+"""Worst rounding errors that a search found, as data. Takes a module; returns k of its kernels, and where they hold.
 
 `make stress` stores them, of the kernels in `generated/`: what is derived live has none. They stand in the headers of
 kernels for which `proved` has no bound.

@@ -1,4 +1,4 @@
-"""Proved bounds of rounding errors, as data: in goes a program, out comes k of each output if it is proved.
+"""Proved bounds of rounding errors, as data. Takes a program; returns k of each output if it is proved.
 
 They are found by `rounding`, which takes longer than printing a kernel. Each is stored under the digest of the program
 that it holds for: a program that changes has none until it is proved anew.

@@ -1,4 +1,4 @@
-"""Equations as MathML, which browsers draw without a script or a network: in goes LaTeX, out comes HTML.
+"""Equations as MathML, which browsers draw without a script or a network. Takes LaTeX; returns HTML.
 
 `latex2mathml` converts a formula; the rows and columns of `aligned` are put together here.
 """

@@ -1,4 +1,4 @@
-"""Pages that follow from the project, and links that lead out of the site: in goes the project, out comes docs/_made.
+"""Pages that follow from the project, and links that lead out of the site. Takes the project; returns docs/_made.
 
 The derivation runs: `derivations.walkthrough` is the paper's, `derivations.document` that of each mechanism.
 """

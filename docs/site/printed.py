@@ -1,4 +1,4 @@
-"""What the code of a page prints, beneath it: in goes the text of a page, out comes the same with its output."""
+"""What the code of a page prints, beneath it. Takes the text of a page; returns the same with its output."""
 
 from __future__ import annotations
 

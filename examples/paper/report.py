@@ -1,4 +1,4 @@
-"""The paper's example beside slowflow's: in goes the ledger, out comes Table 2 with verdicts.
+"""The paper's example beside slowflow's. Takes the ledger; returns Table 2 with verdicts.
 
 The numbers are the runtime's; the verdicts are the ledger's, which has the same numbers certified. Where the two
 disagree the report fails.

@@ -1,4 +1,4 @@
-"""The slow flow of an oscillator, by which of its damping terms vanish: in go mu and zeta, out comes a module.
+"""The slow flow of an oscillator, by which of its damping terms vanish. Takes mu and zeta; returns a module.
 
 Written by `make derive`; never edit.
 Input: derivations/paper/slow_flow.py

@@ -1,4 +1,4 @@
-"""What all answers share: in go dataclasses of numbers, words and arrays, out come records that do not change.
+"""What all answers share. Takes dataclasses of numbers, words and arrays; returns records that do not change.
 
 They equal each other by content, can be copied and pickled, and give themselves as plain Python, as pandas' or as
 xarray's tables. The two packages are optional: `pip install 'slowflow[tables]'`.

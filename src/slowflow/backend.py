@@ -1,4 +1,4 @@
-"""The compiled code, and what it takes: in go mechanisms and numbers, out come records and oscillators.
+"""The compiled code, and what it takes. Takes mechanisms and numbers; returns records and oscillators.
 
 KERNELS   compiled kernels (slowflow_kernels._native)
 SOLVER    compiled solvers (slowflow._native)

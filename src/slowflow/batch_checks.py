@@ -1,4 +1,4 @@
-"""What an engineer asks of many designs under a load: in go designs and forcings, out come columns, a row a design.
+"""What an engineer asks of many designs under a load. Takes designs and forcings; returns columns, a row a design.
 
 The same answers as of `loads`, from the batch questions. What these do not tell, as of designs with more than two folds
 or with other damping than viscous damping and dry friction, is asked design by design.

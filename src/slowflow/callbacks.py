@@ -1,4 +1,4 @@
-"""Records of forces whose averages are Python functions: in goes a mechanism, out comes a record that calls them.
+"""Records of forces whose averages are Python functions. Takes a mechanism; returns a record that calls them.
 
 Such a mechanism is typed by hand, or a generated one with something replaced: what is compiled is not its own. The
 compiled solvers search all the same; what they ask of the force they ask Python for, some microseconds each time.

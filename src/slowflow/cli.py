@@ -1,4 +1,4 @@
-"""The command line: scenes and proofs. In go arguments, out come text, files and an exit code (`main`)."""
+"""The command line: scenes and proofs. Takes arguments; returns text, files and an exit code (`main`)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Mechanisms of one's own, derived in the running program: in go pieces of a force, out comes what answers for it.
+"""Mechanisms of one's own, derived in the running program. Takes pieces of a force; returns what answers for it.
 
 The door to the derivation, which comes with slowflow as `slowflow_derivation` and needs the extra
 `slowflow[derive]`; nothing else here needs it, and it is opened by the first call.

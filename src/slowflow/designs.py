@@ -1,4 +1,4 @@
-"""Many oscillators, asked at three depths: in go arrays of numbers, out come averaged to exact answers of each design.
+"""Many oscillators, asked at three depths. Takes arrays of numbers; returns averaged to exact answers of each design.
 
 The averaged questions come from `slowflow.averaged.many`; the others are loaded when asked for, as are maps.
 """

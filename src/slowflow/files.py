@@ -1,4 +1,4 @@
-"""Answers as files: in go answers with what they were asked, out come CSV and JSON, complete or not at all.
+"""Answers as files. Takes answers with what they were asked; returns CSV and JSON, complete or not at all.
 
 A file is written under a temporary name beside its own and renamed when it is whole. A folder of answers has a record,
 answers.json, which lists the other files with the hash of each: by it what an earlier scene left is told from what

@@ -1,4 +1,4 @@
-"""What does not change: in go a name and a value that somebody would set, out comes the reason why not."""
+"""What does not change. Takes a name and a value that somebody would set; returns the reason why not."""
 
 from __future__ import annotations
 

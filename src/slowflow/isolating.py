@@ -1,4 +1,4 @@
-"""From which frequency on less than a level is transmitted: in go response curves, out come where that begins on each.
+"""From which frequency on less than a level is transmitted. Takes response curves; returns where that begins on each.
 
 A state has R^2 + I^2 = F_0^2 and transmits the square root of h^2 + I^2: the frequency of a level is explicit in A
 (`slow_flow.isolation`). Of one curve, of many, about the centre and off it the last crossing or end is what is asked.

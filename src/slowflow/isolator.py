@@ -1,4 +1,4 @@
-"""The shipped oscillators by name: in go their parameters, out come oscillators that answer every question.
+"""The shipped oscillators by name. Takes their parameters; returns oscillators that answer every question.
 
 `Isolator` is the paper's mechanism, `Duffing` one cubic piece. Names, domains and one-line docs are the records'.
 """

@@ -1,4 +1,4 @@
-"""One oscillator as numbers: in go a mechanism's record and parameters, out come the functions that solvers call.
+"""One oscillator as numbers. Takes a mechanism's record and parameters; returns the functions that solvers call.
 
 Its scene (which damping terms vanish) is settled here, once: a scene has slow-flow kernels of its own, derived with the
 zeros put in.

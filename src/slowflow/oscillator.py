@@ -1,4 +1,4 @@
-"""One oscillator, asked at three depths: in goes a mechanism with its numbers, out come averaged to exact answers.
+"""One oscillator, asked at three depths. Takes a mechanism with its numbers; returns averaged to exact answers.
 
 The averaged questions come from `Averaged`; the second approximation and the exact motions are loaded when asked for.
 """

@@ -1,4 +1,4 @@
-"""HTML of a page that needs nothing else: in go captions, cells and Matplotlib's axes, out come tables and figures.
+"""HTML of a page that needs nothing else. Takes captions, cells and Matplotlib's axes; returns tables and figures.
 
 Cells, heads and parts are HTML already; captions are not. Names are set by `term`, words with names by `inline`.
 Everything can be read aloud and reached by keys.

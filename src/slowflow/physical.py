@@ -1,4 +1,4 @@
-"""Oscillators in newtons, metres and hertz: in go a dimensionless one and its `Scales`, out come `Quantities`.
+"""Oscillators in newtons, metres and hertz. Takes a dimensionless one and its `Scales`; returns `Quantities`.
 
 Questions take SI units, or quantities of pint, and are asked of the dimensionless oscillator: the table of columns has
 the dimensionless name and the kind of each number, `slowflow.quantities` what it is measured in.

@@ -1,4 +1,4 @@
-"""Pictures: in go the arrays of an answer and a Matplotlib axes, or None for one of a new figure; out comes the axes.
+"""Pictures. Takes the arrays of an answer and a Matplotlib axes, or None for one of a new figure; returns the axes.
 
 The same signs everywhere: stable is solid and unstable dashed; triangles point where a sweep jumps; a bar across a
 curve says that the mass stops within the cycle; beyond a breakpoint the plane is tinted. Matplotlib is imported here

@@ -1,4 +1,4 @@
-"""Progress: in go the parts of a work, out comes every second a word on how far it is, where somebody wants to read it.
+"""Progress. Takes the parts of a work; returns every second a word on how far it is, where somebody wants to read it.
 
 In a file or a pipe, where lines stay, it is one in ten seconds. Nobody reads it unless `shown`: a program that asks is
 not talked into.

@@ -1,4 +1,4 @@
-"""Numbers with units: in go dimensionless answers and m, k_v, L, out come `Quantities`, the answers in SI units.
+"""Numbers with units. Takes dimensionless answers and m, k_v, L; returns `Quantities`, the answers in SI units.
 
 What each number is measured in is derived (4): `slowflow_kernels.scaling`. Arguments are plain SI numbers (kg, N, N/m,
 m, s; frequencies in Hz), or quantities of pint. Answers are plain SI numbers again, and printed, or `in_units()`, in N,

@@ -1,4 +1,4 @@
-"""What an engineer would look at twice: in go numbers of a mount in SI units, out come remarks in words.
+"""What an engineer would look at twice. Takes numbers of a mount in SI units; returns remarks in words.
 
 Nothing is refused for it: these are numbers that are allowed, but that a slip of units makes, as 80 for a rod of 80 mm.
 """

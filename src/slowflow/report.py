@@ -1,4 +1,4 @@
-"""The report of a scene: in goes a scene with forcings, out comes one HTML page that needs no network.
+"""The report of a scene. Takes a scene with forcings; returns one HTML page that needs no network.
 
 The answers with their margins, curves, transmissibility, a map of designs with the one at hand, how far to trust each
 jump, the equations with their verdicts, and the data. Pictures are drawn by Matplotlib into the page. What an

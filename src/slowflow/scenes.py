@@ -1,4 +1,4 @@
-"""Scenes: in goes a TOML file with an oscillator, forcings and the questions wanted, out come their answers.
+"""Scenes. Takes a TOML file with an oscillator, forcings and the questions wanted; returns their answers.
 
     [mount]                     # as Isolator.physical, in SI units; or [isolator], or [duffing], dimensionless
     m = 12

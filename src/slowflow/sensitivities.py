@@ -1,4 +1,4 @@
-"""How answers move with their parameters: in go answers and what they are, out come their gradients.
+"""How answers move with their parameters. Takes answers and what they are; returns their gradients.
 
 By the implicit function theorem, compiled (native/gradient.h): what a number does to h and to what dissipates, and what
 that does to the answer, in one loop over all answers.

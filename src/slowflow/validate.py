@@ -1,4 +1,4 @@
-"""The boundary: in go a user's values, out come floats or arrays of floats, or a ValueError that names what is wrong.
+"""The boundary. Takes a user's values; returns floats or arrays of floats, or a ValueError that names what is wrong.
 
 Nothing a user gives is parsed or evaluated: numbers are taken as numbers, anything else is refused.
 """

@@ -1,4 +1,4 @@
-"""Averages that are integrals over the quarter cycle: in go amplitudes and parameters, out come what C sums.
+"""Averages that are integrals over the quarter cycle. Takes amplitudes and parameters; returns what C sums.
 
 They are summed by Gauss's rule, piece by piece (src/slowflow/native/quarter.h), by a record that was compiled for the
 force, or that interprets the program beside the module that asks.

@@ -1,4 +1,4 @@
-"""Every compiled question once and again: in go a folder with extension modules built for it, out come answers unread.
+"""Every compiled question once and again. Takes a folder with extension modules built for it; returns answers unread.
 
 Run by `tests/test_sanitized.py` with modules that report what C must not do: python -m tests.native.asked FOLDER
 """

@@ -1,4 +1,4 @@
-"""The balance of the second approximation: in go a slow flow, Omega and A, out come the generated kernels' values.
+"""The balance of the second approximation. Takes a slow flow, Omega and A; returns the generated kernels' values.
 
 A is A_1 + a_3 + a_5 here, as in `slowflow_kernels.second_approximation`; friction's harmonics take a little off it.
 """

@@ -1,4 +1,4 @@
-"""The equation of motion (3) by SciPy, the spring typed by hand: in go its pull and an oscillator's damping, F_0.
+"""The equation of motion (3) by SciPy, the spring typed by hand. Takes its pull, an oscillator's damping and F_0.
 
 Out come motions, or settled ones: means over a turn of the forcing, or the largest |u|. Shares no integrator and no
 switching with the package.

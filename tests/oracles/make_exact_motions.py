@@ -54,7 +54,7 @@ CASES: tuple[tuple[str, dict[str, float], float, float | None, tuple[float, ...]
     ("duffing", HARDENING_SHAKEN, 0.1, None, (0.9574, 2.686, 1.0860)),
 )
 
-#: in goes n and the coefficients of u up to n, out comes coefficient n of f(u); it keeps what it needs of earlier ones
+# . Takes n and the coefficients of u up to n; returns coefficient n of f(u); it keeps what it needs of earlier ones
 Piece = Callable[[int, list[arb]], arb]
 
 

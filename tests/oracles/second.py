@@ -1,4 +1,4 @@
-"""The second approximation at 30 digits: in go a force and an oscillator's numbers, out come states and folds.
+"""The second approximation at 30 digits. Takes a force and an oscillator's numbers; returns states and folds.
 
 Typed from what it is, the harmonics of spring and friction driving the linear oscillator that averaging has put in the
 spring's place; h_n by quadrature. Nothing is taken from the derivation or from what it generates.

@@ -1,1 +1,1 @@
-"""Averaged motions: in go oscillators and questions, out come answers; `questions` for one, `many` for many."""
+"""Averaged motions. Takes oscillators and questions; returns answers; `questions` for one, `many` for many."""

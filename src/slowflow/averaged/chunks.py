@@ -1,4 +1,4 @@
-"""Designs in parts: in goes the shape of their arrays, out come indices of parts, and the work on them by threads."""
+"""Designs in parts. Takes the shape of their arrays; returns indices of parts, and the work on them by threads."""
 
 from __future__ import annotations
 

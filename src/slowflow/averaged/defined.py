@@ -1,4 +1,4 @@
-"""Whether a force of any kind is finite within its reach: in go its pieces on intervals, out comes a refusal.
+"""Whether a force of any kind is finite within its reach. Takes its pieces on intervals; returns a refusal.
 
 At a pole within the reach no average settles, and beyond a function's domain there is no force: a fault of the numbers
 given, which is told by its place before anything is asked.

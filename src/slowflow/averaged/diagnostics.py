@@ -1,4 +1,4 @@
-"""What is said beside averaged answers: in go the numbers of one oscillator or of many, out come codes and their words.
+"""What is said beside averaged answers. Takes the numbers of one oscillator or of many; returns codes and their words.
 
 A single answer has both, a batch the codes. Both are made here, so that they cannot disagree.
 """

@@ -1,4 +1,4 @@
-"""Many designs at once: in go arrays of parameters that broadcast, out come critical forcings, folds, states and peaks.
+"""Many designs at once. Takes arrays of parameters that broadcast; returns critical forcings, folds, states and peaks.
 
 Made by `Isolator.many(...)` and `Duffing.many(...)`. Nothing but the answers is allocated: inputs stay as they are,
 broadcast views included. `workers` threads share the designs (-1: one for each processor) and give the same digits; the

@@ -1,4 +1,4 @@
-"""What is said beside an averaged answer, or in its place: in go numbers, out come words."""
+"""What is said beside an averaged answer, or in its place. Takes numbers; returns words."""
 
 from __future__ import annotations
 

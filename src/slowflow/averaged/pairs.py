@@ -1,4 +1,4 @@
-"""A question at pairs of a frequency and a forcing: in go arrays that broadcast, out come columns in the pairs' order.
+"""A question at pairs of a frequency and a forcing. Takes arrays that broadcast; returns columns in the pairs' order.
 
 It is asked once for each forcing, at all of its frequencies.
 """

@@ -1,4 +1,4 @@
-"""What runs for a question and what does not: in go an oscillator's models and the question, out comes the plan.
+"""What runs for a question and what does not. Takes an oscillator's models and the question; returns the plan.
 
 It is made in one place and obeyed: an oscillator searches for folds where `may_have_folds` says so, and so does the
 plan, which has the reasons, step by step, and is made where one is asked for.

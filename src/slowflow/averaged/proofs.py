@@ -1,4 +1,4 @@
-"""Proofs: in goes a model with the numbers that it was made from, out come enclosures, and what is proved of them.
+"""Proofs. Takes a model with the numbers that it was made from; returns enclosures, and what is proved of them.
 
 The compiled solvers compute in intervals of doubles (native/proof.h). What is certified is the oscillator whose numbers
 are the given doubles, exactly: parameters that follow from them, as alpha, u_cr and m, are intervals. Where these do

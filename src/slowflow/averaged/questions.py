@@ -1,4 +1,4 @@
-"""The averaged questions about one oscillator: in goes its slow flow as numbers, out come curves, folds, forcings.
+"""The averaged questions about one oscillator. Takes its slow flow as numbers; returns curves, folds, forcings.
 
 Everything is dimensionless, as in (4): displacement in rod lengths, force in k_v L, frequency in sqrt(k_v/m). What runs
 for a question, and what is skipped, `plan` decides; `solvers` has the compiled solvers.

@@ -1,4 +1,4 @@
-"""The questions about one oscillator: in go a model and numbers, out come answers of the compiled solvers."""
+"""The questions about one oscillator. Takes a model and numbers; returns answers of the compiled solvers."""
 
 from __future__ import annotations
 

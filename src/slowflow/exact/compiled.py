@@ -1,4 +1,4 @@
-"""The compiled integrator: in go questions about smooth motion, whole motions and cycles, out come C's answers.
+"""The compiled integrator. Takes questions about smooth motion, whole motions and cycles; returns C's answers.
 
 In:  pieces of a force whose recurrences are compiled or interpreted, or that are known by values, states, orders of
      switches.

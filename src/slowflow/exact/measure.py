@@ -1,4 +1,4 @@
-"""Averaged answers held against the equation of motion, here and now: in go answers, out come their errors.
+"""Averaged answers held against the equation of motion, here and now. Takes answers; returns their errors.
 
 In:  an averaged oscillator and the equation of motion, steady states or folds at one forcing; off the centre their mean
      displacements B, and |B| + A is what the largest |u| of a motion is held against. Or a peak, onset or detachment.

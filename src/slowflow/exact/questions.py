@@ -1,4 +1,4 @@
-"""A user's questions put to the equation of motion: in go an averaged oscillator and numbers, out come exact answers.
+"""A user's questions put to the equation of motion. Takes an averaged oscillator and numbers; returns exact answers.
 
 `Isolator` and `Duffing` delegate here. The averaged solution, which costs microseconds, gives the guesses.
 """

@@ -1,4 +1,4 @@
-"""Shocks of many designs: in go pulses of the base and designs, out come the answers of `shocks` as arrays."""
+"""Shocks of many designs. Takes pulses of the base and designs; returns the answers of `shocks` as arrays."""
 
 from __future__ import annotations
 

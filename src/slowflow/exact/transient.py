@@ -1,4 +1,4 @@
-"""Shocks: in go an oscillator at rest and the acceleration of its base over time, out comes what the mass does then.
+"""Shocks. Takes an oscillator at rest and the acceleration of its base over time; returns what the mass does then.
 
 Seen from the base the mass moves by (3) with minus the base's acceleration as its forcing. A half sine is an arc of a
 cosine, which the integrator has as it is. Between samples of a record the acceleration is an arc of `ARC`, which

@@ -1,4 +1,4 @@
-"""How long a question about motions may take: in go steps of integration, out comes a refusal of too many."""
+"""How long a question about motions may take. Takes steps of integration; returns a refusal of too many."""
 
 from __future__ import annotations
 

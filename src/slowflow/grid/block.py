@@ -1,4 +1,4 @@
-"""What runs for one block of a map, anywhere: in go a question and a block's numbers, out come its columns.
+"""What runs for one block of a map, anywhere. Takes a question and a block's numbers; returns its columns.
 
 It pickles, and refuses to run where slowflow is another than where the map was asked for: a map is of one version.
 """

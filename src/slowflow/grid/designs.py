@@ -1,4 +1,4 @@
-"""Designs in arrays with named axes, or in blocks: in go arrays of xarray or dask, out come Datasets of answers.
+"""Designs in arrays with named axes, or in blocks. Takes arrays of xarray or dask; returns Datasets of answers.
 
 Numbers of dask stay where they are until an answer is computed, block by block; `store` writes the blocks into Zarr.
 """

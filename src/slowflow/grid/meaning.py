@@ -1,4 +1,4 @@
-"""What the columns of a map mean: in go a question and a column's name, out come attributes, as CF has them.
+"""What the columns of a map mean. Takes a question and a column's name; returns attributes, as CF has them.
 
 A file outlives the program that wrote it: units, codes with their words, and which slowflow it was stand in it.
 """

@@ -1,4 +1,4 @@
-"""A map in a Zarr store, block by block: in go a question and its numbers, out comes the store, complete at last.
+"""A map in a Zarr store, block by block. Takes a question and its numbers; returns the store, complete at last.
 
 A block is computed and written by one task of dask, and ticked off in the array `done` when all of it is written. What
 is not ticked off is computed, or computed again, with the same bits. Nothing else is remembered, so that any process

@@ -1,1 +1,1 @@
-"""What averaging was measured to be worth: in goes an answer, out comes how far to trust it."""
+"""What averaging was measured to be worth. Takes an answer; returns how far to trust it."""

@@ -1,4 +1,4 @@
-"""How far averaged answers are from the equation of motion: in go amplitudes and frequencies, out come sizes, words.
+"""How far averaged answers are from the equation of motion. Takes amplitudes and frequencies; returns sizes, words.
 
 The sizes were measured on exact motions of the paper's isolator, see docs/validity.md; `table` holds them, and names
 the mechanisms that they hold for. Of any other mechanism this says that nothing was measured.

@@ -1,4 +1,4 @@
-/* What is asked along the amplitude: in goes one sample of the averaged force, out come functions of A whose zeros
+/* What is asked along the amplitude. Takes one sample of the averaged force; returns functions of A whose zeros
  * count.
  *
  * Everything that can change along a locus changes at a zero of a function that is explicit in A:

@@ -1,5 +1,4 @@
-/* Arcs and how they go on: in go a model and the events along the amplitude, of its response or of its fold locus, out
- * come the roots Omega of each interval between them, counted, and which arcs meet at each event.
+/* Arcs and how they go on. Takes a model and the events along the amplitude, of its response or of its fold locus; returns the roots Omega of each interval between them, counted, and which arcs meet at each event.
  */
 #ifndef SF_ARC_LINKS_H
 #define SF_ARC_LINKS_H

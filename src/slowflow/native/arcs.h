@@ -1,4 +1,4 @@
-/* Curves from roots: in go events along the amplitude, out come arcs, which of their ends meet, and curves through
+/* Curves from roots. Takes events along the amplitude; returns arcs, which of their ends meet, and curves through
  * them.
  *
  * Between neighbouring events the number of roots Omega is constant and each root is an arc, continuous in A. At an

@@ -1,4 +1,4 @@
-/* Averages of forces of any kind between two amplitudes: in goes an interval of A, out comes what h and h_AAAA are
+/* Averages of forces of any kind between two amplitudes. Takes an interval of A; returns what h and h_AAAA are
  * there.
  *
  * The quarter cycle is divided at displacements, each piece of the force for itself: at fixed ones where the amplitude

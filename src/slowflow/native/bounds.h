@@ -1,4 +1,4 @@
-/* How far amplitudes go: in go a model and a forcing, out comes an amplitude above that of every steady state there, or
+/* How far amplitudes go. Takes a model and a forcing; returns an amplitude above that of every steady state there, or
  * why there is none.
  */
 #ifndef SF_BOUNDS_H

@@ -1,4 +1,4 @@
-/* Cells: in goes what is known at two amplitudes of one piece of the force, out comes what h and its derivatives are on
+/* Cells. Takes what is known at two amplitudes of one piece of the force; returns what h and its derivatives are on
  * all of the interval between.
  *
  * On each piece h_AAA is monotone: the derivation proves it (derivations/forces/monotone.py). So its values at the ends bound

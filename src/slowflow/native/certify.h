@@ -1,4 +1,4 @@
-/* Answers with their proof: in goes an oscillator as it was given, and a forcing, out come enclosures of its folds or
+/* Answers with their proof. Takes an oscillator as it was given, and a forcing; returns enclosures of its folds or
  * states, of F_SN and of F_cr, and where doubles do not decide.
  *
  * A fold inside a piece is a zero of SF_FOLD_AT; on a breakpoint where the force jumps, it is a root of F = 0 at which

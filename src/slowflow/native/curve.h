@@ -1,4 +1,4 @@
-/* The response curve at one forcing: in goes a model, out come its segments, points along them, states at a frequency.
+/* The response curve at one forcing. Takes a model; returns its segments, points along them, states at a frequency.
  *
  * Its events are zeros of SF_PEAK and SF_REST; between them each root is an arc, and the folds cut an arc into segments
  * along which Omega is monotone too. So a segment holds at most one state at any frequency, and one stability.

@@ -1,5 +1,5 @@
-/* What the two functions of a search demand of R and of the frequency w on a cell of amplitudes: in go the system, what
- * is known on the cell, and intervals of both; out come narrower ones, or that there is none. See points.h.
+/* What the two functions of a search demand of R and of the frequency w on a cell of amplitudes. Takes the system, what
+ * is known on the cell, and intervals of both; returns narrower ones, or that there is none. See points.h.
  */
 #ifndef SF_DEMANDS_H
 #define SF_DEMANDS_H

@@ -1,4 +1,4 @@
-/* Many designs at once: in go blocks of cells of amplitudes and of brackets, out comes which cells hold a zero, and the
+/* Many designs at once. Takes blocks of cells of amplitudes and of brackets; returns which cells hold a zero, and the
  * zeros, by loops that vectorise.
  *
  * What h_A and h_AA are on a cell follows from their values at its ends, as h_AAA is monotone on a piece of the force

@@ -1,4 +1,4 @@
-/* Elementary functions of closed intervals of doubles: in go intervals, out comes one that holds every value.
+/* Elementary functions of closed intervals of doubles. Takes intervals; returns one that holds every value.
  *
  * Where an argument leaves a function's domain nothing is known: NaN. As slowflow/intervals.py.
  */

@@ -1,4 +1,4 @@
-/* The oscillator as it was given: in go its numbers, taken exactly, out come intervals that hold what follows from
+/* The oscillator as it was given. Takes its numbers, taken exactly; returns intervals that hold what follows from
  * them.
  *
  * A proof is about this oscillator, not about its parameters rounded to doubles.

@@ -1,4 +1,4 @@
-/* The oscillator as it was given, in double-double: in go its numbers, out come its parameters and h with its
+/* The oscillator as it was given, in double-double. Takes its numbers; returns its parameters and h with its
  * derivatives to some thirty digits.
  */
 #ifndef SF_EXACTLY_H

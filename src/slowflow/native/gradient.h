@@ -1,4 +1,4 @@
-/* Gradients: in goes an answer with what it is, out come its moves with each number that a user gives.
+/* Gradients. Takes an answer with what it is; returns its moves with each number that a user gives.
  *
  * By the implicit function theorem: an answer holds three conditions (SF_SYSTEMS), whose slopes and right sides are
  * generated (sensitivities_...); by the chain rule from the design to the force's parameters to the average. What every

@@ -1,5 +1,5 @@
-/* Arithmetic on pairs that know how far they may be off: in go numbers of some thirty digits with a bound of their
- * error, out come such numbers. And Carlson's integrals of them, which closed forms of averages are made of: these
+/* Arithmetic on pairs that know how far they may be off. Takes numbers of some thirty digits with a bound of their
+ * error; returns such numbers. And Carlson's integrals of them, which closed forms of averages are made of: these
  * divide by what may be small, and lose digits that doubles do not have.
  *
  * An operation on pairs errs by less than SFH_ERROR of its result, a sum by that of its terms (pair.h). Bounds are

@@ -1,4 +1,4 @@
-/* Excitation by inertia, F_0 Omega^2: in go a sample and an amplitude of the excitation, out come the frequencies
+/* Excitation by inertia, F_0 Omega^2. Takes a sample and an amplitude of the excitation; returns the frequencies
  * there.
  *
  * The level of an amplitude, the F_0 for which it is a steady state at Omega, falls from inf at Omega = 0 to its least

@@ -1,4 +1,4 @@
-/* Arithmetic on closed intervals of doubles, rounded outwards: in go intervals, out comes one that holds every result.
+/* Arithmetic on closed intervals of doubles, rounded outwards. Takes intervals; returns one that holds every result.
  *
  * What is not known is NaN, or reaches to infinity: a test that asks whether something is proved fails there. 0 times
  * infinity is 0, as infinity stands for arbitrarily large numbers.

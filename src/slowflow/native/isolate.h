@@ -1,4 +1,4 @@
-/* One root at a time: in go a quartic of roots.h, out come its signs, and the root that is wanted of those they count.
+/* One root at a time. Takes a quartic of roots.h; returns its signs, and the root that is wanted of those they count.
  *
  * Along a curve the number of roots is known from both sides. Where rounding hides a pair that is about to meet, or
  * shows one that has met already, the known number decides, and the place where the pair meets stands for the root.

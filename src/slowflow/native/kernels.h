@@ -1,4 +1,4 @@
-/* From a loop over contiguous arrays to the inner loop of a NumPy ufunc: in go tables of kernels, out comes `sf_run`.
+/* From a loop over contiguous arrays to the inner loop of a NumPy ufunc. Takes tables of kernels; returns `sf_run`.
  *
  * A kernel has one loop for each regime of the force and a function that says which regime holds where. NumPy's strides
  * are dealt with here, in blocks that stay in the cache: strided arguments are copied, constant ones (stride 0) spread

@@ -1,4 +1,4 @@
-/* Folds by other laws of damping: in go a model and a forcing, out come all of them, by rising Omega.
+/* Folds by other laws of damping. Takes a model and a forcing; returns all of them, by rising Omega.
  *
  * Those inside of pieces are points of a system (points.h). On a breakpoint at which the force jumps, or beyond which
  * nothing rubs, F_A may change its sign without passing 0: there are corners.

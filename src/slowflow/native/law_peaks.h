@@ -1,4 +1,4 @@
-/* Peaks by other laws of damping: in go a model and a forcing, out come the points at which the level of an amplitude is
+/* Peaks by other laws of damping. Takes a model and a forcing; returns the points at which the level of an amplitude is
  * stationary, what happens there, and the highest one at which stable motions end.
  */
 #ifndef SF_LAW_PEAKS_H

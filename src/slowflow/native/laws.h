@@ -1,4 +1,4 @@
-/* Other laws of damping beside viscous damping and dry friction on all of the way: in goes an amplitude, out come I and
+/* Other laws of damping beside viscous damping and dry friction on all of the way. Takes an amplitude; returns I and
  * its slopes there, and the frequencies of states and folds.
  *
  *   I = I_0 + 2 zeta A Omega + d (A Omega)^2

@@ -1,4 +1,4 @@
-/* The fold locus and its level crossings: in go a model and a range of A, out come arcs, folds, cusps, isola points.
+/* The fold locus and its level crossings. Takes a model and a range of A; returns arcs, folds, cusps, isola points.
  *
  * Between neighbouring stations (cusps, isola points, turning points, ends at Omega = 0, breakpoints) the number of
  * branches is constant, and along each branch Omega and the level F_0 are monotone. So a branch has a fold at F_0 there

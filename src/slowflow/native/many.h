@@ -1,4 +1,4 @@
-/* Batches of designs: in go a record and strided arrays, out come strided arrays.
+/* Batches of designs. Takes a record and strided arrays; returns strided arrays.
  *
  * The loops have the form of NumPy's ufuncs: args[i] + k * steps[i] is argument i of design k, and `data` is the
  * record.

@@ -1,4 +1,4 @@
-/* Batches of response curves: in go a record and strided arrays, out come the points of each curve, and its folds.
+/* Batches of response curves. Takes a record and strided arrays; returns the points of each curve, and its folds.
  *
  * Points and folds are those of a single answer. A curve that has more points than there are places is not drawn.
  */

@@ -1,4 +1,4 @@
-/* Detachment in batches of designs: in go designs by blocks, out come Omega_cr and F_cr, settled.
+/* Detachment in batches of designs. Takes designs by blocks; returns Omega_cr and F_cr, settled.
  *
  * What sf_settled_detachment does for one design, by loops that vectorise: a root in doubles and what corrects the
  * level in pairs are long chains in which each operation waits for the one before, and designs do not wait for each

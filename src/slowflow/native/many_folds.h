@@ -1,4 +1,4 @@
-/* Folds of batches of designs: in go designs, out come their folds, by blocks that go through the search together.
+/* Folds of batches of designs. Takes designs; returns their folds, by blocks that go through the search together.
  *
  * Each fold is settled to its last digit as a single one is, so that it is the same double. A design at which rounding
  * may decide anything, or that is not settled by so many rounds, is left to resolve.h.

@@ -1,4 +1,4 @@
-/* Onsets of batches of designs: in go designs, out come the cusps below their first breakpoints, by blocks that go
+/* Onsets of batches of designs. Takes designs; returns the cusps below their first breakpoints, by blocks that go
  * through the search together.
  *
  * Most of an onset's time is this search. What is not settled is left to onset.h, as is all else.

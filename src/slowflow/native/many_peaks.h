@@ -1,4 +1,4 @@
-/* Peaks of batches of designs: in go designs, out come their highest peaks, by blocks that go through the search
+/* Peaks of batches of designs. Takes designs; returns their highest peaks, by blocks that go through the search
  * together.
  *
  * Most peaks lie on the last piece of the force, or high on the one before, and one look at these proves that there is

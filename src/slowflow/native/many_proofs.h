@@ -1,4 +1,4 @@
-/* Proofs about many designs: in go a record and strided arrays as in many.h, out come numbers of folds or states that
+/* Proofs about many designs. Takes a record and strided arrays as in many.h; returns numbers of folds or states that
  * are proved, and whether they are.
  */
 #ifndef SF_MANY_PROOFS_H

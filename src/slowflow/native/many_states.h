@@ -1,4 +1,4 @@
-/* States of batches of designs: in go designs, out come their states, by blocks that go through the search together.
+/* States of batches of designs. Takes designs; returns their states, by blocks that go through the search together.
  *
  * Each state is settled to its last digit as a single one is, so that it is the same double. A design that is doubtful
  * anywhere, or not settled by so many rounds, is left to states.h.

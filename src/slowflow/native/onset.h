@@ -1,4 +1,4 @@
-/* Critical forcings: in goes a model, out come detachment, the onset of folds, and the peak at a forcing.
+/* Critical forcings. Takes a model; returns detachment, the onset of folds, and the peak at a forcing.
  *
  * Cusps and isola points are explicit in A (along.h), so the onset needs no locus. The pieces of the force are
  * looked through from below; the last, which has no end, as far as a state at the best forcing found so far can lie.

@@ -1,6 +1,6 @@
 /* Arithmetic on pairs: a number is the sum of a double and of what its rounding left, which makes some 32 digits.
  *
- * In go pairs whose low part is below an ulp of the high one, out come such pairs, right to a few times 2^-104 of the
+ * Takes pairs whose low part is below an ulp of the high one; returns such pairs, right to a few times 2^-104 of the
  * result; a sum to as much of its terms. Overflow and underflow of a part are not looked for: what is computed in pairs
  * corrects a number that is known, and is used only where it is small beside that.
  */

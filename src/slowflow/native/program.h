@@ -1,5 +1,5 @@
-/* The record of a force from data, without a compiler: in go words and numbers that the derivation writes
- * (derivations/codegen/targets/program), out comes a record whose functions interpret them.
+/* The record of a force from data, without a compiler. Takes words and numbers that the derivation writes
+ * (derivations/codegen/targets/program); returns a record whose functions interpret them.
  *
  * A program is straight lines (straight.h), in doubles for SF_LANES amplitudes or nodes side by side. `sf_read_program`
  * refuses beside what these do other sizes than the record's functions take and give, and words or numbers too many or

@@ -1,4 +1,4 @@
-/* Zeros along the amplitude, proved: in goes an oscillator as it was given and a question, out come intervals each of
+/* Zeros along the amplitude, proved. Takes an oscillator as it was given and a question; returns intervals each of
  * which holds exactly one zero, and amplitudes between which doubles do not decide; elsewhere there is none.
  *
  * The search is that of scan.h, on intervals that hold the values: an interval of A is left when the function is proved

@@ -1,4 +1,4 @@
-/* Positive frequencies at one amplitude, proved: in go intervals that hold A and h, out come intervals of Omega each of
+/* Positive frequencies at one amplitude, proved. Takes intervals that hold A and h; returns intervals of Omega each of
  * which holds exactly one root, and some that may hold any; elsewhere there is none.
  */
 #ifndef SF_PROVED_ROOTS_H

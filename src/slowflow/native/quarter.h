@@ -1,4 +1,4 @@
-/* Integrals over the quarter cycle by Gauss's rule, piece by piece: in go integrands of a generated header, out come
+/* Integrals over the quarter cycle by Gauss's rule, piece by piece. Takes integrands of a generated header; returns
  * sums.
  *
  * A piece that ends at |u| = b ends at t = asin(b/A), 0 <= t <= pi/2. Its part of the quarter is divided into 1, 2, 4, ...

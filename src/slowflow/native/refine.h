@@ -1,4 +1,4 @@
-/* Answers to their last digit: in goes an answer as the solvers found it, out comes the double next to the exact one
+/* Answers to their last digit. Takes an answer as the solvers found it; returns the double next to the exact one
  * of the oscillator as it was given.
  *
  * Newton's method on the equations that define the answer (derivations/systems/newton.py), their values in double-double,

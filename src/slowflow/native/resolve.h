@@ -1,5 +1,5 @@
-/* Folds that a proof decides where doubles are in doubt: in go a model and the oscillator as it was given, or NULL
- * where no proof is possible, out come its folds at a forcing and whether their number stays undecided.
+/* Folds that a proof decides where doubles are in doubt. Takes a model and the oscillator as it was given, or NULL
+ * where no proof is possible; returns its folds at a forcing and whether their number stays undecided.
  *
  * Doubles are in doubt where a value whose sign decides is as small as rounding may make it: where F_0 is next to a
  * level at which folds are born or meet or next to 4 mu/pi, and beside a breakpoint at which the force hardly jumps.

@@ -1,4 +1,4 @@
-/* Frequencies at many amplitudes: in go blocks of quartics, out come their roots, by loops that vectorise.
+/* Frequencies at many amplitudes. Takes blocks of quartics; returns their roots, by loops that vectorise.
  *
  * The method is that of roots.h, without its branches: signs at three points, the start of each root, Halley's steps in
  * double, as many for each, and a Newton step with the residual in double-double. Where that step is not small enough

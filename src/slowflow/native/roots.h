@@ -1,4 +1,4 @@
-/* Positive frequencies at a given amplitude: in go A, h, h_A, m, zeta, F_0, out come sorted Omega and their number.
+/* Positive frequencies at a given amplitude. Takes A, h, h_A, m, zeta, F_0; returns sorted Omega and their number.
  *
  *   sf_response_roots   F = R^2 + I^2 - F_0^2 = 0                  up to 3   the response curve
  *   sf_fold_roots       F_A/2 = R (w^2 + h_A) + 2 zeta w I = 0     up to 3   the fold locus

@@ -1,5 +1,5 @@
-/* The record of a force that is known by its values: in go the Chebyshev polynomials of its pieces
- * (slowflow/sampled/polynomial.py), out comes a record whose averages are sums over them.
+/* The record of a force that is known by its values. Takes the Chebyshev polynomials of its pieces
+ * (slowflow/sampled/polynomial.py); returns a record whose averages are sums over them.
  *
  * A piece is v^power q(v), v = |u| - begin. Its averages are integrals over the quarter cycle (quarter.h), its bounds
  * those of the polynomial on parts of the piece. From the reach on the force is a straight line, which no answer is

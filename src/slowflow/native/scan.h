@@ -1,4 +1,4 @@
-/* Zeros along the amplitude: in go a piece of the force and a question, out come all its zeros.
+/* Zeros along the amplitude. Takes a piece of the force and a question; returns all its zeros.
  *
  * None is missed: an interval of A is left only when it is proved to hold no zero of a channel, because the function
  * has one sign on all of it, or exactly one, because it is monotone and its ends lie on both sides of zero. Otherwise

@@ -1,4 +1,4 @@
-/* The second approximation's curve: in go points of the first one's, out come those that they move to.
+/* The second approximation's curve. Takes points of the first one's; returns those that they move to.
  *
  * Each point takes the shortest way. The distance counts ln A, R/F_0, in which the curve keeps away from itself however
  * sharp its peak is over Omega, and ln Omega, for where R hardly depends on that. What is no small correction is left

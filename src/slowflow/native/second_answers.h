@@ -1,4 +1,4 @@
-/* The second approximation's answers: in goes its curve, or a critical forcing of the first one, out come folds, states
+/* The second approximation's answers. Takes its curve, or a critical forcing of the first one; returns folds, states
  * and the peak, which lie between the curve's points, and critical forcings.
  */
 #ifndef SF_SECOND_ANSWERS_H

@@ -1,4 +1,4 @@
-/* The second approximation of many designs: in go a record and strided arrays, out come strided arrays, as in
+/* The second approximation of many designs. Takes a record and strided arrays; returns strided arrays, as in
  * many.h. */
 #ifndef SF_SECOND_MANY_H
 #define SF_SECOND_MANY_H

@@ -1,4 +1,4 @@
-/* The second approximation's balance, and Newton's iteration in lanes: in go points near its curve, out come those to
+/* The second approximation's balance, and Newton's iteration in lanes. Takes points near its curve; returns those to
  * which each moves.
  */
 #ifndef SF_SECOND_NEWTON_H

@@ -1,4 +1,4 @@
-/* The second approximation's questions at one forcing: in goes a model, out come its curve in a window, its folds and
+/* The second approximation's questions at one forcing. Takes a model; returns its curve in a window, its folds and
  * its peak. Averaging's curve, which they begin with, is drawn on the way.
  *
  * given: the oscillator as it was given, NULL where its numbers are not known; room: a workspace.

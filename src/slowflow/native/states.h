@@ -1,4 +1,4 @@
-/* Steady states at a frequency: in goes a model, out come the amplitudes.
+/* Steady states at a frequency. Takes a model; returns the amplitudes.
  *
  * They are the zeros of F along the amplitude, each in an interval that is proved to hold no other one, and where none
  * is doubtful that is all. Else the response curve in segments gives the amplitudes on them, and a proof's in their

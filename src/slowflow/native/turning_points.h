@@ -1,5 +1,5 @@
-/* Means over a cycle by the motion's ends, B + A and B - A, on boxes: in go charts of a force and a box of x and y in
- * one, out come intervals that hold A, B, c_0 = <f>, s_0 = <f cos psi> and their slopes on all of it.
+/* Means over a cycle by the motion's ends, B + A and B - A, on boxes. Takes charts of a force and a box of x and y in
+ * one; returns intervals that hold A, B, c_0 = <f>, s_0 = <f cos psi> and their slopes on all of it.
  *
  * The charts are those of slowflow/off_centre/turning_points.py, the mathematics derivations/asymmetric/off_centre.py's. U_k and
  * V_k are the means of (A cos psi - a)^k/k! above a step with 1 + cos psi and 1 - cos psi. Both rise with either end of

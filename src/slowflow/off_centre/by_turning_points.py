@@ -1,4 +1,4 @@
-"""States and folds by the motion's ends, as `boxes` takes them: in go charts and a forcing, out come equations.
+"""States and folds by the motion's ends, as `boxes` takes them. Takes charts and a forcing; returns equations.
 
 EndedState  f_0 = F = 0                  in x and y, at frequencies and a forcing
 EndedFold   f_0 = F = 0, F stationary    in x, y and R, at forcings; Omega follows

@@ -1,4 +1,4 @@
-"""All that there is off the centre: in go steps with damping, out come every state and every fold as points of (A, B).
+"""All that there is off the centre. Takes steps with damping; returns every state and every fold as points of (A, B).
 
 No part of the plane is left unless it is proved to hold nothing (see `boxes`), whatever the balance's sheets do,
 wherever they turn. What could not be decided comes out beside what was found.

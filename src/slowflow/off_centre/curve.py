@@ -1,4 +1,4 @@
-"""The response curve off the centre: in go all states at any frequency and all folds, out come the curves of these.
+"""The response curve off the centre. Takes all states at any frequency and all folds; returns the curves of these.
 
 Between the frequencies of folds no state arises or ends: as many arcs as there are states lead from one to the next.
 States are on one arc where their tangents lead from both to one place, and to no other one's; where that is not

@@ -1,4 +1,4 @@
-"""What excites and what dissipates off the centre: in goes a model, out comes what the slow flow has beside f_0 and h.
+"""What excites and what dissipates off the centre. Takes a model; returns what the slow flow has beside f_0 and h.
 
 The mean displacement has no part in it: with h and h_A along the balance of the mean, frequencies, levels and stability
 are those about the centre, whatever the damping and the excitation (native/roots.h and native/laws.h). With

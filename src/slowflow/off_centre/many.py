@@ -1,4 +1,4 @@
-"""Many designs off the centre: in go arrays of designs and loads that broadcast, out come the questions of `OffCentre`.
+"""Many designs off the centre. Takes arrays of designs and loads that broadcast; returns the questions of `OffCentre`.
 
 Each design is answered as a single one is, with the same digits: some hundredths of a second each.
 One that has no answer, or is none, gets NaN and a status, as in `slowflow.averaged.many`.

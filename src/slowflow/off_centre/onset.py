@@ -1,4 +1,4 @@
-"""The lowest forcing with a fold off the centre: in go a force as steps and damping, out come F_SN, Omega, A and B.
+"""The lowest forcing with a fold off the centre. Takes a force as steps and damping; returns F_SN, Omega, A and B.
 
 A point of the balance and F_A = 0 along it give Omega, and the two with it the forcing, `slow_flow.level`. So folds of
 all forcings lie on curves in the plane of A and B, and the onset is the lowest level on them. The search has two parts.

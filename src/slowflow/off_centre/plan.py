@@ -1,4 +1,4 @@
-"""What runs for a question off the centre: in go the question and a forcing, out comes the plan, in words.
+"""What runs for a question off the centre. Takes the question and a forcing; returns the plan, in words.
 
 There is one way to each answer; what depends on numbers is whether the mass sticks.
 """

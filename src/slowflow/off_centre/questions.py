@@ -1,4 +1,4 @@
-"""The averaged questions off the centre: in goes a force as steps with damping and load, out come states with B.
+"""The averaged questions off the centre. Takes a force as steps with damping and load; returns states with B.
 
 u = B + A cos psi with the balance of the mean f_0(A, B) = 0. Every answer holds all there is (see `complete`).
 """

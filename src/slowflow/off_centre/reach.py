@@ -1,4 +1,4 @@
-"""How far motions go at a forcing: in go a force as steps and damping, out comes the farthest, and that none is beyond.
+"""How far motions go at a forcing. Takes a force as steps and damping; returns the farthest, and that none is beyond.
 
 A point of the balance is a steady state at F_0 if its least forcing, over all Omega, does not exceed F_0. With p = -h/A
 that is the least of A^2 (Omega^2 - p)^2 + (4 mu/pi + 2 zeta A Omega)^2, whose root is L(A, p). Both squares rise with

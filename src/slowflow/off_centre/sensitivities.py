@@ -1,4 +1,4 @@
-"""How answers off the centre move: in go answers and what they are, out come their gradients, exact.
+"""How answers off the centre move. Takes answers and what they are; returns their gradients, exact.
 
 By the implicit function theorem. What a number of the design does to the force, piece by piece, makes the means over a
 cycle move (`Steps.moved`), these move the balance and h along it (`off_centre.moved`), and from there on the answers

@@ -1,4 +1,4 @@
-"""Where a force of any kind ends: in go its pieces on intervals, out come walls and how far the mean may go.
+"""Where a force of any kind ends. Takes its pieces on intervals; returns walls and how far the mean may go.
 
 A piece has to be smooth on all of it. Where the outermost one grows beyond all bounds at some u, as a magnet's force
 does, no motion passes: that is a wall.

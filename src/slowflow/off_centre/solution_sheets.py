@@ -1,4 +1,4 @@
-"""The balance of the mean as boxes that hold all of it: in go a force as steps, out come cells of its sheets.
+"""The balance of the mean as boxes that hold all of it. Takes a force as steps; returns cells of its sheets.
 
 Where the mean is balanced is asked by every question alike, whatever the forcing and the frequency: so it is looked for
 once for an oscillator. Charts of the plane of a motion's ends (`ends`) are cut into boxes, and each is made smaller as

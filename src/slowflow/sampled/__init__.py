@@ -1,4 +1,4 @@
-"""Forces that are Python functions: in go functions of u, out comes a mechanism's record, with averages by quadrature.
+"""Forces that are Python functions. Takes functions of u; returns a mechanism's record, with averages by quadrature.
 
 Such a function has no derivatives, and nothing encloses it. On each of its pieces it is replaced by the polynomial
 through its values (`polynomial`); all else is of this (`force`), and stands in a record as of any mechanism (`record`).

@@ -1,4 +1,4 @@
-"""The force of a design of stated functions: in go functions of u with numbers, out come values, averages and bounds.
+"""The force of a design of stated functions. Takes functions of u with numbers; returns values, averages and bounds.
 
 All is of the pieces' polynomials: sums over the quarter cycle, what ends of pieces add to them, and the bounds by which
 no fold is missed. In averages the force goes on as a straight line from the reach on, which no answer is about. Motions

@@ -1,4 +1,4 @@
-"""A function known by its values: in goes what can be called with u, out comes a polynomial, its slopes and bounds.
+"""A function known by its values. Takes what can be called with u; returns a polynomial, its slopes and bounds.
 
 It goes through the values at Chebyshev's points, as many as it takes, and has an error that is measured.
 """

@@ -1,4 +1,4 @@
-"""The record of a mechanism whose force is stated by functions: in goes a `Stated`, out comes a `Mechanism`.
+"""The record of a mechanism whose force is stated by functions. Takes a `Stated`; returns a `Mechanism`.
 
 What a record has as functions of arrays of designs is asked here of the force of each.
 """

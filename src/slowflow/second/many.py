@@ -1,4 +1,4 @@
-"""Many designs in the second approximation: in go arrays of designs, out come critical forcings, folds and peaks.
+"""Many designs in the second approximation. Takes arrays of designs; returns critical forcings, folds and peaks.
 
 The answers are those of `slowflow.averaged.batches`, with the largest displacement as A. A design has the status
 `Status.NONE` where the second approximation has no answer though averaging may have one, as where its harmonics are not

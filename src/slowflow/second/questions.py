@@ -1,4 +1,4 @@
-"""The second approximation: in goes an averaged oscillator, out come its answers with what the higher harmonics change.
+"""The second approximation. Takes an averaged oscillator; returns its answers with what the higher harmonics change.
 
 The first approximation is complete and certain; the second starts from it and follows its points by Newton's iteration
 on the generated balance of `slowflow_kernels.second_approximation`. It holds where the change is small. What does not

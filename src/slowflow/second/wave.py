@@ -1,4 +1,4 @@
-"""The whole wave of a steady state in the second approximation: in go states, out comes what they pass on.
+"""The whole wave of a steady state in the second approximation. Takes states; returns what they pass on.
 
 The motion over half a cycle is the generated `wave`, with every harmonic of friction; what is passed on is spring,
 damper and friction of it, as of exact motions. Over the other half it is the same with the other sign.

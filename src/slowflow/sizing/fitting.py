@@ -1,4 +1,4 @@
-"""A fit: in go a measured response curve or jump frequencies, out come an isolator's numbers with confidence intervals.
+"""A fit. Takes a measured response curve or jump frequencies; returns an isolator's numbers with confidence intervals.
 
 By SciPy's least squares on the averaged states; of several motions at a frequency the one nearest to the measured one
 counts.

@@ -1,4 +1,4 @@
-"""Inverse design: in go a design, free numbers and what is required, out comes the nearest design that has it.
+"""Inverse design. Takes a design, free numbers and what is required; returns the nearest design that has it.
 
 Where two answers pull apart: the designs of which none is better in one without being worse in the other. By SciPy's
 differential evolution over the batch questions, from a seed: each generation is one batch. The nearest design that it

@@ -1,4 +1,4 @@
-"""What is sized: in go an isolator or a mount and values of its numbers, out come the answers of all these designs.
+"""What is sized. Takes an isolator or a mount and values of its numbers; returns the answers of all these designs.
 
 A number of a mount is varied in its own terms, and may change what the answers are measured in, as m or k_v do.
 """

@@ -1,4 +1,4 @@
-"""Tolerances: in go a design and how far its numbers may be off, out come bands of its answers, and which matters.
+"""Tolerances. Takes a design and how far its numbers may be off; returns bands of its answers, and which matters.
 
 Samples are drawn by Latin hypercubes from a seed, the same on every machine; Sobol' indices are SALib's, an optional
 package: `pip install 'slowflow[sizing]'`.

@@ -1,4 +1,4 @@
-"""Where curves change along the amplitude: in go h and its derivatives, out come functions that vanish there."""
+"""Where curves change along the amplitude. Takes h and its derivatives; returns functions that vanish there."""
 
 from __future__ import annotations
 

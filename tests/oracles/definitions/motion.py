@@ -1,4 +1,4 @@
-"""The equation of motion: in goes a motion, out come its rates and their derivatives by state and parameters."""
+"""The equation of motion. Takes a motion; returns its rates and their derivatives by state and parameters."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where kernels are held, and one row of the table: in goes a definition, out come its values and their scale."""
+"""Where kernels are held, and one row of the table. Takes a definition; returns its values and their scale."""
 
 from __future__ import annotations
 

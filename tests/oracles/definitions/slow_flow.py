@@ -1,4 +1,4 @@
-"""The slow flow by its definition: in go Omega, A, F_0, damping and h, out come what its kernels are to give."""
+"""The slow flow by its definition. Takes Omega, A, F_0, damping and h; returns what its kernels are to give."""
 
 from __future__ import annotations
 

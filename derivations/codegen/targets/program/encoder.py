@@ -1,4 +1,4 @@
-"""Programs as two flat lists: in go `Program`s, out come integers and doubles in the order in which C reads them."""
+"""Programs as two flat lists. Takes `Program`s; returns integers and doubles in the order in which C reads them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What native/certify.h asks, in balls: in go a model with its numbers, out come enclosures, and what is proved.
+"""What native/certify.h asks, in balls. Takes a model with its numbers; returns enclosures, and what is proved.
 
 For what intervals of doubles leave undecided: with twice as many bits and more, until all is decided or `BITS` are used
 up. None where a force has no form in balls.

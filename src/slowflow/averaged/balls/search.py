@@ -1,4 +1,4 @@
-"""Zeros of functions of one unknown, proved in balls: in go numbers of an oscillator, out come intervals and doubts.
+"""Zeros of functions of one unknown, proved in balls. Takes numbers of an oscillator; returns intervals and doubts.
 
 The search of native/proof.h on intervals between exact numbers of FLINT with as many digits as it takes: a cell is left
 when a function is proved to have one sign on it, or to be monotone with proved signs at its ends; else it is cut. The

@@ -1,5 +1,5 @@
-/* The pieces of a force from data, without a compiler: in go words and numbers that the derivation writes
- * (derivations/codegen/targets/program), out come laws whose functions interpret them, to the bits of the printed ones. */
+/* The pieces of a force from data, without a compiler. Takes words and numbers that the derivation writes
+ * (derivations/codegen/targets/program); returns laws whose functions interpret them, to the bits of the printed ones. */
 #ifndef SF_INTERPRETED_H
 #define SF_INTERPRETED_H
 

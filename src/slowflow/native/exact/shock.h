@@ -1,4 +1,4 @@
-/* A shock: in go an oscillator and the acceleration of its base, arc by arc, out comes what the mass does then.
+/* A shock. Takes an oscillator and the acceleration of its base, arc by arc; returns what the mass does then.
  *
  * Seen from the base the mass moves by the equation of motion with minus the base's acceleration as its forcing. */
 #ifndef SF_SHOCK_H

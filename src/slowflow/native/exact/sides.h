@@ -1,5 +1,5 @@
 /* Steps in a piece of a force whose sides meet at u = 0, as those of u |u| and |u|^(3/2) do, or that begins behind a
- * gap without a series: in goes a state in it, out come the series of step.h from there on, on the side that the motion
+ * gap without a series. Takes a state in it; returns the series of step.h from there on, on the side that the motion
  * is on or comes to. */
 #ifndef SF_SIDES_H
 #define SF_SIDES_H

@@ -1,4 +1,4 @@
-/* One step of the equation of motion (3) by its Taylor series: in goes a state in a piece of the force, out come series
+/* One step of the equation of motion (3) by its Taylor series. Takes a state in a piece of the force; returns series
  * of u and v = du/dtau in time, and of their derivatives by (u, v, Omega, F_0), with the step over which they hold. */
 #ifndef SF_STEP_H
 #define SF_STEP_H

@@ -1,5 +1,5 @@
-/* The response curve within one order of switches, as slowflow.exact.continuation follows it point by point: in goes a
- * point, out come the points after it, up to the first step with which anything is to be decided. */
+/* The response curve within one order of switches, as slowflow.exact.continuation follows it point by point. Takes a
+ * point; returns the points after it, up to the first step with which anything is to be decided. */
 #ifndef SF_TRACE_H
 #define SF_TRACE_H
 

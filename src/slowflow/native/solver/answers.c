@@ -1,5 +1,5 @@
-/* The questions about one oscillator as Python functions, one for each row: in go a model (records.c) and what the row
- * takes, out comes a tuple of the answer's items, or the only one; the words are slowflow's. The solvers run without
+/* The questions about one oscillator as Python functions, one for each row. Takes a model (records.c) and what the row
+ * takes; returns a tuple of the answer's items, or the only one; the words are slowflow's. The solvers run without
  * the GIL, in a workspace of their own.
  */
 #define PY_SSIZE_T_CLEAN

@@ -1,4 +1,4 @@
-/* The questions about many oscillators as Python functions, one for each row: in goes a record, out comes its
+/* The questions about many oscillators as Python functions, one for each row. Takes a record; returns its
  * generalised ufunc.
  *
  * A ufunc's loop is the same for all records and its data is the record. What is made once is kept.

@@ -1,4 +1,4 @@
-/* Records and models as capsules: in go a mechanism's name or a capsule and numbers, out comes a capsule.
+/* Records and models as capsules. Takes a mechanism's name or a capsule and numbers; returns a capsule.
  *
  *   RECORDS                                     name -> record, of the mechanisms that were compiled in
  *   MOST                                        the most numbers of a design, parameters and breakpoints of a record
