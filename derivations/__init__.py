@@ -15,7 +15,7 @@ Each room needs only rooms above it:
     library/      equations of motion that are derived on request
     results       all of it, run once
     codegen/      from expressions to NumPy and C
-    document      the derivation of one mechanism as a document; `live`, of one that a program states
+    document      the derivation of one mechanism as a document; `runtime`, of one that a program states
     ledger/       the published formulas, their proofs and verdicts
 
 `python -m derivations.walkthrough` prints the paper, equation by equation, with its proofs: begin there.

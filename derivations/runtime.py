@@ -33,7 +33,7 @@ from .codegen.catalogue.mechanism import mechanism_module, with_proofs
 from .codegen.catalogue.quadrature import quadrature_module
 from .codegen.catalogue.sided import sided_module
 from .codegen.form import Module
-from .codegen.measured import LIVE
+from .codegen.measured import AT_RUNTIME
 from .codegen.provenance import tools, versions
 from .codegen.targets import numpy, program
 from .codegen.views import programs
@@ -250,7 +250,7 @@ def sources(mechanism: Mechanism | Sided) -> Sources:
     derived = of_mechanism(replace(mechanism, name=name), enclosed=True)
     # not composed with the slow flow and without resultants: solvers ask neither
     module = mechanism_module({name: derived}, name, None)
-    module = replace(module, inputs=(LIVE,), native=False)
+    module = replace(module, inputs=(AT_RUNTIME,), native=False)
     return Sources(with_bends(module, derived) if not_shown(derived.oscillator) else module, derived)
 
 

@@ -64,7 +64,7 @@ def digest() -> str:
 def records(text: str) -> list[tuple[str, int]]:
     """Name and number of parameters of each mechanism in a generated table of records, in its order."""
     (table,) = re.findall(r"records\[\] = \{(.*?)\};", text, re.DOTALL)
-    counts = dict(re.findall(r'\.name = "(\w+)",.*?\.parameters = (\d+),', text, re.DOTALL))
+    counts = dict(re.findall(r"IN_EVERY_RECORD\((\w+)\),.*?\.parameters = (\d+),", text, re.DOTALL))
     return [(name, int(counts[name])) for name in re.findall(r"&(\w+)_record", table)]
 
 

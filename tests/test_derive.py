@@ -370,9 +370,9 @@ def test_an_end_below_0_and_an_acceleration_are_refused_with_what_is_allowed(sto
 
 
 def test_what_is_derived_once_is_not_derived_again(stop, monkeypatch):
-    import slowflow_derivation.live
+    import slowflow_derivation.runtime
 
-    monkeypatch.setattr(slowflow_derivation.live, "sources", lambda _: pytest.fail("derived again"))
+    monkeypatch.setattr(slowflow_derivation.runtime, "sources", lambda _: pytest.fail("derived again"))
     again = derive.mechanism(**STOP)
     assert again.record is stop.record
     with pytest.raises(pytest.fail.Exception):
@@ -595,7 +595,7 @@ def test_a_library_is_compiled_anew_where_the_headers_have_changed(tmp_path, mon
 
 
 def test_without_the_extra_its_name_is_said(monkeypatch):
-    monkeypatch.setitem(sys.modules, "slowflow_derivation.live", None)
+    monkeypatch.setitem(sys.modules, "slowflow_derivation.runtime", None)
     with pytest.raises(ImportError, match=r"slowflow\[derive\]"):
         derive.mechanism(**STOP)
 

@@ -17,7 +17,7 @@ import pytest
 import sympy as sp
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
-from slowflow_derivation import live
+from slowflow_derivation import runtime
 from slowflow_derivation.codegen.bytecode import kept_beside
 from slowflow_derivation.codegen.prose import in_markdown
 from slowflow_derivation.codegen.targets import numpy
@@ -51,7 +51,7 @@ TEXTS = st.lists(st.sampled_from([*"\"'\\*/?|$#{}\n\r\t ", '"""', "*/", "/*", "\
 @functools.cache
 def sources():
     """Of an ordinary force: its texts are changed after the derivation, which does not read them."""
-    return live.sources(live.stated("stop", [(k * u, 1), (u, None)], {"k": {"above": 0}}))
+    return runtime.sources(runtime.stated("stop", [(k * u, 1), (u, None)], {"k": {"above": 0}}))
 
 
 def written(text):

@@ -111,7 +111,7 @@ def test_every_kernel_has_a_bound_that_is_proved_or_measured(modules, of_kernels
 def test_an_oscillator_that_is_derived_live_has_no_measured_bounds(modules):
     (module,) = (module for module in modules if module.name == "duffing")
     assert measured.of(module).kernels
-    assert not measured.of(dataclasses.replace(module, inputs=(measured.LIVE,))).kernels
+    assert not measured.of(dataclasses.replace(module, inputs=(measured.AT_RUNTIME,))).kernels
 
 
 @pytest.mark.parametrize(("error", "shown"), [(0.0, "0"), (1.01, "1.1"), (1.1, "1.1"), (0.0123, "0.013"), (18.2, "19")])

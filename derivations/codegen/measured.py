@@ -1,7 +1,7 @@
 """Worst rounding errors that a search found, as data. Takes a module; returns k of its kernels, and where they hold.
 
-`make stress` stores them, of the kernels in `generated/`: what is derived live has none. They stand in the headers of
-kernels for which `proved` has no bound.
+`make stress` stores them, of the kernels in `generated/`: what is derived at run time has none. They stand in the
+headers of kernels for which `proved` has no bound.
 """
 
 from __future__ import annotations
@@ -14,8 +14,8 @@ from pathlib import Path
 from .form import Module
 
 DATA = Path(__file__).with_name("measured.json")
-#: what an oscillator is from that is derived live
-LIVE = "live.py"
+#: what an oscillator is from that is derived at run time
+AT_RUNTIME = "runtime.py"
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ def stored() -> dict[str, Measured]:
 
 def of(module: Module) -> Measured:
     """What was measured of a module's kernels, if it is one of those in `generated/`."""
-    return NOTHING if LIVE in module.inputs else stored().get(module.name, NOTHING)
+    return NOTHING if AT_RUNTIME in module.inputs else stored().get(module.name, NOTHING)
 
 
 def write(found: dict[str, Measured]) -> None:

@@ -226,7 +226,7 @@ def _sampled(
     compile: bool,
 ) -> Sampled:
     """A mechanism whose pieces are Python functions, whose arguments are those of `mechanism`."""
-    given, live = _derivation("slowflow_derivation.given"), _derivation()
+    given, runtime = _derivation("slowflow_derivation.given"), _derivation()
     name, title = given.module_name(name), given.text("title", title)
     reach_reason = given.text("reach_reason", reach_reason)
     if given.flag("compile", compile):
@@ -235,7 +235,7 @@ def _sampled(
         raise Refused("odd = False is not allowed: a force that is not odd is stated as polynomials")
     if reach is None:
         raise Refused("reach = None is not allowed: a Python function is asked for its values up to there, say how far")
-    design = live.designed(given.parameters(parameters))
+    design = runtime.designed(given.parameters(parameters))
     _check_names(design)
     names = [parameter.symbol.name for parameter in design]
     functions, ends = [], []
@@ -276,13 +276,13 @@ def _derived(stated: Any, compile: bool, beside: str = "") -> Derived:
     """Derived and printed, if it was not, and compiled if that is wanted."""
     if not isinstance(compile, bool):
         raise WrongType(f"compile = {compile!r} is not allowed: it must be True or False")
-    live = _derivation()
+    runtime = _derivation()
     folder = _folder()
-    module = live.name_of(stated)
+    module = runtime.name_of(stated)
     in_c, in_python = (not (folder / f"{module}{last}").exists() for last in (LAST_OF_C, ".py"))
     if in_python or (compile and in_c):
         with _uncollected():
-            sources = live.sources(stated)
+            sources = runtime.sources(stated)
             if compile and in_c:
                 _write(folder, sources.compiled)
             if in_python:
@@ -308,7 +308,7 @@ def _uncollected() -> Iterator[None]:
             gc.enable()
 
 
-def _derivation(module: str = "slowflow_derivation.live") -> ModuleType:
+def _derivation(module: str = "slowflow_derivation.runtime") -> ModuleType:
     try:
         return importlib.import_module(module)
     except ImportError as error:

@@ -45,7 +45,7 @@ def quadrature_module(name: str, mechanism: Mechanism, average: Quadrature) -> M
     return Module(
         name=name,
         title=stated.title[0].upper() + stated.title[1:],
-        inputs=("live.py", "forces/quadrature.py", *(["asymmetric/curved.py"] if terms else [])),
+        inputs=("runtime.py", "forces/quadrature.py", *(["asymmetric/curved.py"] if terms else [])),
         kernels=(
             *data_kernels(mechanism, average),
             *step_kernels(

@@ -32,7 +32,7 @@ def sided_module(name: str, force: Sided) -> Module:
     return Module(
         name=name,
         title=stated.title[0].upper() + stated.title[1:],
-        inputs=("live.py", "asymmetric/sided.py", *(["asymmetric/curved.py"] if terms else [])),
+        inputs=("runtime.py", "asymmetric/sided.py", *(["asymmetric/curved.py"] if terms else [])),
         kernels=(*data_kernels(force), *pieces, *(terms.kernels if terms else ())),
         record=Record(stated, stated.design, laws, sp.oo, False, "", (), stepped=force.is_polynomial, odd=False),
         native=False,
