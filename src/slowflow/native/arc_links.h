@@ -1,4 +1,5 @@
-/* Arcs and how they go on. Takes a model and the events along the amplitude, of its response or of its fold locus; returns the roots Omega of each interval between them, counted, and which arcs meet at each event.
+/* Arcs and how they go on. Takes a model and the events along the amplitude, of its response or of its fold locus;
+ * returns the roots Omega of each interval between them, counted, and which arcs meet at each event.
  */
 #ifndef SF_ARC_LINKS_H
 #define SF_ARC_LINKS_H

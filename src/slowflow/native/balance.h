@@ -1,5 +1,6 @@
-/* States and folds of motions with a mean on boxes of both ends of the motion. Takes what turning_points.h knows of a box; returns intervals that hold what vanishes there, what the balance of the mean f_0 = c_0 - load = 0 leaves of the box, and
- * p = -h/A and e = -h_A - p along the balance.
+/* States and folds of motions with a mean on boxes of both ends of the motion. Takes what turning_points.h knows of a
+ * box; returns intervals that hold what vanishes there, what the balance of the mean f_0 = c_0 - load = 0 leaves of
+ * the box, and p = -h/A and e = -h_A - p along the balance.
  *
  * The mathematics is derivations/asymmetric/off_centre.py's. An odd force without a load has motions about the centre,
  * B = 0, which have solvers of their own: `centred`.

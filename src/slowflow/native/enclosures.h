@@ -1,4 +1,5 @@
-/* What is asked along the amplitude, on a cell. Takes a question of along.h and what is known at a cell's ends; returns ranges that hold each function, and its slope, for every amplitude of the cell.
+/* What is asked along the amplitude, on a cell. Takes a question of along.h and what is known at a cell's ends;
+ * returns ranges that hold each function, and its slope, for every amplitude of the cell.
  */
 #ifndef SF_ENCLOSURES_H
 #define SF_ENCLOSURES_H
