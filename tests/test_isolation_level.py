@@ -46,6 +46,12 @@ def test_isolation_of_a_linear_mount_is_the_closed_form(excitation, zeta, level_
     assert found.level_dB == level_dB and not found.at_fold
 
 
+def test_a_crossing_far_below_the_peak_is_found_in_batches():
+    """At -140 dB A is 1e-11 of that of the peak, below all amplitudes at which a batch looks: it is asked singly."""
+    many = Duffing.many(alpha=1.0, beta=0.0, zeta=[0.001]).isolation(0.3, level_dB=-140.0)
+    assert many.Omega[0] == pytest.approx(linear(0.001, -140.0), rel=64 * EPS)
+
+
 def test_zeros_of_many_functions_are_those_of_scipy_to_the_bit():
     rng = np.random.default_rng(2)
     a, b, c = rng.uniform(-3, 3, (3, 200))

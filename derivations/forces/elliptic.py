@@ -457,19 +457,21 @@ def _series(name: str) -> list[sp.Symbol]:
     return [sp.Symbol(f"{name}_{k}", real=True) for k in range(ORDERS + 1)]
 
 
+def _repeated(
+    name: str, doc: str, given: Sequence[Sequence[sp.Expr]], lets: list[Let], **out: Sequence[sp.Expr]
+) -> Repeated:
+    """What is computed from series of these names, and which series that gives, by their names."""
+    named = (let for series, value in out.items() for let in zip(_series(series), value, strict=True))
+    return Repeated(name, doc, tuple(one for f in given for one in f), tuple(lets), tuple(named))
+
+
 @functools.cache
 def _duplication() -> Repeated:
     lets: list[Let] = []
     given = tuple(map(_series, "xyz"))
-    *following, share = _Taylor(lets).once_duplicated(*given)
-    named = zip(("next_X", "next_Y", "next_Z", "share"), (*following, share), strict=True)
-    return Repeated(
-        "duplication",
-        "One duplication of the arguments of R_D, and what it takes off over 3, as Taylor series.",
-        tuple(one for f in given for one in f),
-        tuple(lets),
-        tuple(let for name, f in named for let in zip(_series(name), f, strict=True)),
-    )
+    X, Y, Z, share = _Taylor(lets).once_duplicated(*given)
+    doc = "One duplication of the arguments of R_D, and what it takes off over 3, as Taylor series."
+    return _repeated("duplication", doc, given, lets, next_X=X, next_Y=Y, next_Z=Z, share=share)
 
 
 @functools.cache
@@ -487,13 +489,8 @@ def _duplications() -> Repeated:
     total = [value / 4**DUPLICATIONS for value in last]
     for n, share in reversed(list(enumerate(shares))):
         total = _plus(total, [3 * value / 4**n for value in share])
-    return Repeated(
-        "duplications",
-        "R_D by what one duplication has made of its arguments and has taken off, as a Taylor series.",
-        tuple(one for f in given for one in f),
-        tuple(lets),
-        tuple(zip(_series("R"), total, strict=True)),
-    )
+    doc = "R_D by what one duplication has made of its arguments and has taken off, as a Taylor series."
+    return _repeated("duplications", doc, given, lets, R=total)
 
 
 @functools.cache
@@ -501,13 +498,8 @@ def _remainder() -> Repeated:
     lets: list[Let] = []
     given = tuple(map(_series, "xyz"))
     value = _Taylor(lets).remainder(*given)
-    return Repeated(
-        "remainder",
-        "R_D of arguments that are nearly equal, as a Taylor series.",
-        tuple(one for f in given for one in f),
-        tuple(lets),
-        tuple(zip(_series("last"), value, strict=True)),
-    )
+    doc = "R_D of arguments that are nearly equal, as a Taylor series."
+    return _repeated("remainder", doc, given, lets, last=value)
 
 
 def _times(f: Sequence[sp.Expr], g: Sequence[sp.Expr]) -> list[sp.Expr]:

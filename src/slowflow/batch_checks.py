@@ -1,7 +1,7 @@
 """What an engineer asks of many designs under a load. Takes designs and forcings; returns columns, a row a design.
 
-The same answers as of `loads`, from the batch questions. What these do not tell, as of designs with more than two folds
-or with other damping than viscous damping and dry friction, is asked design by design.
+The same answers as of `checks`, from the batch questions. What these do not tell, as of designs with more than two
+folds or with other damping than viscous damping and dry friction, is asked design by design.
 """
 
 from __future__ import annotations
@@ -267,7 +267,7 @@ def _crossed(rows: Designs, Omega: Floats, F_0: Floats, status: Codes, workers: 
 def _sides(
     rows: Designs, spread: dict[str, Floats], fares: Codes, which: Ints, Omega: Floats, F_0: Floats, workers: int
 ) -> Ints:
-    """`loads.on_both_sides` of ways by their number; `fares` takes the status of those whose folds are not known."""
+    """`checks.on_both_sides` of ways by their number; `fares` takes the status of those whose folds are not known."""
     # in their order ways of one design share forcings: each begins where the last one ends
     own = [F_0, *(value[which] for value in spread.values())]
     new = np.ones(which.size, dtype=bool)

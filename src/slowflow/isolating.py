@@ -1,4 +1,4 @@
-"""From which frequency on less than a level is transmitted. Takes response curves; returns where that begins on each.
+"""From which frequency on less than a level is transmitted. Takes a response curve, or the folds of many designs.
 
 A state has R^2 + I^2 = F_0^2 and transmits the square root of h^2 + I^2: the frequency of a level is explicit in A
 (`slow_flow.isolation`). Of one curve, of many, about the centre and off it the last crossing or end is what is asked.
@@ -136,11 +136,12 @@ def _transmits(of: Any, Omega: Floats, A: Floats, F_0: Any, level: Level) -> Any
     """Whether motions transmit that much; none does where one of them is NaN."""
     whole = np.asarray(level.dB == 0)
     with np.errstate(invalid="ignore"):
-        # each state transmits the whole force at Omega = 0, where rounding would decide
-        transmits = ~whole | (Omega <= _up_to(of, A, F_0, level))
+        transmits = Omega >= 0
+        if whole.any():  # each state transmits the whole force at Omega = 0, where rounding would decide
+            transmits = transmits & (~whole | (Omega <= _up_to(of, A, F_0, level)))
         if not whole.all():
             transmits = transmits & (whole | (in_motion(A, _passed(of, Omega, A, F_0)) >= level.ratio))
-    return transmits & (Omega >= 0)
+    return transmits
 
 
 def _crossing(of: Any, F_0: Any, A: Floats, other: Floats, level: Level, sure: Any = False) -> tuple[Floats, Floats]:
@@ -151,10 +152,10 @@ def _crossing(of: Any, F_0: Any, A: Floats, other: Floats, level: Level, sure: A
         return np.where(sure | (of.F_A(at_root, root) > 0), at_root, -math.inf), root
 
 
-def _from_rest_on(rests_up_to: Any, at_fold: Any, Omega: Any, A: Any) -> tuple[Any, ...]:
-    """The same, where the mass rests up to a frequency: there it passes on all that drives it."""
-    rests = Omega < rests_up_to
-    return at_fold & ~rests, np.where(rests, rests_up_to, Omega), np.where(rests, 0.0, A)
+def _from_rest_on(end: Any, at_fold: Any, Omega: Any, A: Any) -> tuple[Any, ...]:
+    """The same, where the mass rests up to a frequency, `end`: there it passes on all that drives it."""
+    rests = Omega < end
+    return at_fold & ~rests, np.where(rests, end, Omega), np.where(rests, 0.0, A)
 
 
 def rests_up_to(of: Any, F_0: Any) -> Any:
@@ -176,8 +177,8 @@ def begins(
     """
     Omega, stable, branch = curve.Omega, curve.stable, curve.branch
     isola = np.asarray(curve.isola, dtype=bool)[branch]
-    none = (False, 0.0, *(math.nan for _ in at[1:]))
-    full, ends, k = stable & transmits, stable & transmits, np.arange(Omega.size)
+    full, k = stable & transmits, np.arange(Omega.size)
+    ends = full.copy()
     neighbours, steady, beyond, pairs = np.zeros(Omega.size, int), stable.copy(), np.zeros_like(stable), []
     for step in (-1, 1):
         there = np.clip(k + step, 0, k.size - 1)
@@ -196,7 +197,7 @@ def begins(
     if last is not None and crossings[0][last] >= (Omega[end] if ends[end] else 0.0):
         return False, *(column[last] for column in crossings)
     if not ends[end]:
-        return none
+        return False, 0.0, *(math.nan for _ in at[1:])
     if steady[end] and neighbours[end] < 2 and not isola[end]:
         return False, *(math.nan for _ in at)
     return True, *(column[end] for column in at)

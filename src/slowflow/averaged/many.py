@@ -229,9 +229,8 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         escapes = np.array((status == Status.NONE) & (self.excitation == "force"))
         status[escapes] = Status.UNBOUNDED
         with np.errstate(all="ignore"):  # a number outside its domain has a status, and no amplitude
-            beyond = diagnostics.look_at(self.mechanism, self._parameters, Omega[..., np.newaxis], A[..., np.newaxis])[
-                1
-            ]
+            state = Omega[..., np.newaxis], A[..., np.newaxis]
+            _, beyond = diagnostics.look_at(self.mechanism, self._parameters, *state)
         for at, numbers, (F,) in self._each(beyond[..., 0], F_0):
             found = Averaged(self._model(numbers)).peak(F)
             escapes[at] = found._escapes
@@ -293,7 +292,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
             return np.asarray(may & diagnostics.gives_way(self.mechanism, parameters) if may.any() else may)
 
     def remarks(self, F_0: Any, Omega: Any, A: Any, corner: Any) -> diagnostics.Codes:
-        """What to bear in mind with states of each design, along one more axis; see `remarks.of_designs`."""
+        """What to bear in mind with states of each design, along one more axis; see `diagnostics.of_designs`."""
         numbers = (np.asarray(self.values.get(name, 0.0), dtype=float) for name in Damping._fields[:4])
         mu, zeta, eta, c_2 = numbers
         damping = Damping(mu, zeta, eta, c_2, self.rubs, self.excitation != "force")

@@ -1,7 +1,7 @@
 """Means over a cycle of a force and its derivatives, c_n = <f^(n)> and s_n = <f^(n) cos psi>, along u = B + A cos psi.
 
 In:  the force as a sum of steps (derivations/asymmetric/off_centre.py), A and B.
-Out: c_n and s_n. Every step adds D_k L_(k-n) to c_n, and D_k M_(k-n) to s_n. On boxes `ends` holds them.
+Out: c_n and s_n. Every step adds D_k L_(k-n) to c_n, and D_k M_(k-n) to s_n. On boxes `turning_points` holds them.
 """
 
 from __future__ import annotations

@@ -6,7 +6,7 @@ A, and so does L. Where p > 0 the least is at Omega^2 <= p, as a higher Omega ma
 does; there, and at Omega = 0 where p < 0, the first square rises with |p|, and so does L. So L at the least A and the
 least |p| of a box is below that of all its motions, and no frequency has to be looked for.
 
-`farthest` cuts the cells of the balance (`sheets`) and leaves those in which it does not hold, those that need
+`farthest` cuts the cells of the balance (`solution_sheets`) and leaves those in which it does not hold, those that need
 more than F_0, and those that are nearer than a motion that is known. Motions with c_1 = df_0/dB > 0 are looked at, as
 those are of which stable ones are.
 

@@ -1,9 +1,9 @@
 """The balance of the mean as boxes that hold all of it. Takes a force as steps; returns cells of its sheets.
 
 Where the mean is balanced is asked by every question alike, whatever the forcing and the frequency: so it is looked for
-once for an oscillator. Charts of the plane of a motion's ends (`ends`) are cut into boxes, and each is made smaller as
-far as f_0 = 0 leaves it; those without are left. What is known on a cell tells at once whether it may hold a state, a
-fold or a peak: `Sheets.states` and `Sheets.folds` are the boxes that may, from which `boxes.solve` goes on.
+once for an oscillator. Charts of the plane of a motion's ends (`turning_points`) are cut into boxes, and each is made
+smaller as far as f_0 = 0 leaves it; those without are left. What is known on a cell tells at once whether it may hold a
+state, a fold or a peak: `Sheets.states` and `Sheets.folds` are the boxes that may, from which `boxes.solve` goes on.
 """
 
 from __future__ import annotations
@@ -223,7 +223,7 @@ class Sheets:
         return np.concatenate(lows, axis=1), np.concatenate(highs, axis=1), np.concatenate(number)
 
     def folds(self, A_max: float, F_0: Floats, flow: Flow) -> tuple[Floats, Floats, Ints]:
-        """Boxes of x, y and R in which folds may be, and of which system each is (`by_ends`)."""
+        """Boxes of x, y and R in which folds may be, and of which system each is (`by_turning_points`)."""
         cells, size = self.cells(A_max), self.charts.passes.size
         lows, highs, systems = [], [], []
         for i, forcing in enumerate(F_0.tolist()):
