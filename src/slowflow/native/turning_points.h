@@ -83,61 +83,54 @@ typedef struct {
     sf_interval L[SF_MOST_POWERS], U[SF_MOST_POWERS], V[SF_MOST_POWERS];
 } sf_ladder;
 
-/* At one corner, into the lower ends or, for sign = 1, the upper ones.
+/* At one corner, into the lower ends, the upper ones, or both.
  * over, under: how far the upper end of the motion is above the step, and its lower end below it */
-static inline void sf_climb(double over, double under, int highest, double sign, double *L, double *U, double *V) {
+static inline void sf_climb(double over, double under, int highest, int lower, int upper, sf_ladder *out) {
     int exponent;
     /* in a unit of length in which nothing underflows */
     const double size = frexp(sfi_most(over, fabs(under)), &exponent), unit = ldexp(1, exponent);
     const double o = ldexp(over, -exponent), u = ldexp(under, -exponent);
     const double A = 0.5 * (o + u), a = 0.5 * (u - o), span = o * u;
-    const int above = over > 0, passed = above && under > 0;
-    double begin[4] = {0, above, 0, 0}, of_L[SF_MOST_POWERS], of_M[SF_MOST_POWERS];
-    double e_L[SF_MOST_POWERS], e_M[SF_MOST_POWERS], scale = 1;
+    const int above = over > 0 && size > 0, passed = above && under > 0;
+    /* L_(k-1), L_k, M_(k-1) and M_k, and what they may be off by */
+    double at[4] = {0, above, 0, 0}, doubt[4], scale = 1;
     int k;
-    if (!(above && size > 0)) {
-        for (k = 0; k <= highest; k++)
-            L[k] = U[k] = V[k] = 0;
-        return;
-    }
     if (passed) {
         const double root = sqrt(span);
-        off_centre_begin(A, a, root > SF_TINY_ROOT ? root : SF_TINY_ROOT, atan2(root, a), begin);
+        off_centre_begin(A, a, root > SF_TINY_ROOT ? root : SF_TINY_ROOT, atan2(root, a), at);
     }
-    of_L[0] = begin[1], of_M[0] = begin[3];
-    e_L[0] = passed ? SF_STEP_DOUBT * begin[1] : 0, e_M[0] = SF_STEP_DOUBT * begin[3];
+    for (k = 0; k < 4; k++)
+        doubt[k] = passed ? SF_STEP_DOUBT * fabs(at[k]) : 0;
     for (k = 0; k <= highest; k++) {
-        double doubt;
-        if (k > 0) {
-            const double L_2 = k > 1 ? of_L[k - 2] : begin[0], M_2 = k > 1 ? of_M[k - 2] : begin[2];
-            const double e_L_2 = k > 1 ? e_L[k - 2] : SF_STEP_DOUBT * L_2, e_M_2 = k > 1 ? e_M[k - 2] : SF_STEP_DOUBT * fabs(M_2);
-            double next[2], most[2], apart[2];
-            off_centre_up(k, A, a, span, L_2, of_L[k - 1], M_2, of_M[k - 1], next);
-            /* the same sums of what their terms are at most, and of what these may be off by: nothing cancels */
-            off_centre_up(k, A, -fabs(a), fabs(span), L_2, of_L[k - 1], fabs(M_2), of_M[k - 1], most);
-            off_centre_up(k, A, -fabs(a), fabs(span), e_L_2, e_L[k - 1], e_M_2, e_M[k - 1], apart);
-            of_L[k] = sfi_most(next[0], 0), of_M[k] = sfi_most(next[1], 0);
-            e_L[k] = apart[0] + SF_STEP_DOUBT * most[0], e_M[k] = apart[1] + SF_STEP_DOUBT * most[1];
+        int side;
+        if (k > 0 && above) {
+            double next[2], error[2];
+            off_centre_up(k, A, a, span, at[0], at[1], at[2], at[3], next);
+            /* the same sums of what their terms may be off by, these terms' own roundings too: nothing cancels */
+            off_centre_up(k, A, -fabs(a), fabs(span), doubt[0] + SF_STEP_DOUBT * at[0], doubt[1] + SF_STEP_DOUBT * at[1],
+                          doubt[2] + SF_STEP_DOUBT * fabs(at[2]), doubt[3] + SF_STEP_DOUBT * at[3], error);
+            at[0] = at[1], at[1] = sfi_most(next[0], 0), doubt[0] = doubt[1], doubt[1] = error[0];
+            at[2] = at[3], at[3] = sfi_most(next[1], 0), doubt[2] = doubt[3], doubt[3] = error[1];
         }
-        doubt = sign * (e_L[k] + e_M[k]) * (1 + 0x1p-40);
-        U[k] = scale * sfi_most(of_L[k] + of_M[k] + doubt, 0);
-        V[k] = scale * sfi_most(of_L[k] - of_M[k] + doubt, 0);
-        L[k] = scale * sfi_most(of_L[k] + doubt, 0);
+        for (side = 0; side < 2; side++) {
+            const double off = (side ? 1 : -1) * (doubt[1] + doubt[3]) * (1 + 0x1p-40);
+            const double L = scale * sfi_most(at[1] + off, 0), U = scale * sfi_most(at[1] + at[3] + off, 0),
+                         V = scale * sfi_most(at[1] - at[3] + off, 0);
+            if (side && upper)
+                out->L[k].hi = L, out->U[k].hi = U, out->V[k].hi = V;
+            if (!side && lower)
+                out->L[k].lo = L, out->U[k].lo = U, out->V[k].lo = V;
+        }
         scale *= unit;
     }
 }
 
 /* On a box: at both of its corners, the lesser with the least of either end. */
 static void sf_make_ladder(sf_interval over, sf_interval under, int highest, sf_ladder *out) {
-    double L[2][SF_MOST_POWERS], U[2][SF_MOST_POWERS], V[2][SF_MOST_POWERS];
-    int k;
-    sf_climb(over.lo, under.hi, highest, -1, L[0], U[0], V[0]);
-    sf_climb(over.hi, under.lo, highest, 1, L[1], U[1], V[1]);
-    for (k = 0; k <= highest; k++) {
-        out->L[k] = sfi_of(L[0][k], L[1][k]);
-        out->U[k] = sfi_of(U[0][k], U[1][k]);
-        out->V[k] = sfi_of(V[0][k], V[1][k]);
-    }
+    const int point = over.lo == over.hi && under.lo == under.hi;
+    sf_climb(over.lo, under.hi, highest, 1, point, out);
+    if (!point)
+        sf_climb(over.hi, under.lo, highest, 0, 1, out);
 }
 
 /* A weighted sum of intervals, and the size of its terms. */
@@ -180,16 +173,26 @@ static void sf_add_step(const double *D, int from, int right, double turn, const
     }
 }
 
+/* The highest power that a polynomial with these derivatives has. */
+static int sf_degree(const double *D, int highest) {
+    while (highest > 0 && D[highest] == 0)
+        highest--;
+    return highest;
+}
+
 /* Adds a polynomial: what it has beside a straight line is a step on either side of u = 0, with powers of one sign. */
 static void sf_add_piece(const double *D, sf_interval top, sf_interval bottom, sf_interval A, int highest,
                          sf_weighted *sums, sf_interval *straight)
 {
     const sf_interval down = sfi_neg(bottom), slope = sfi_point(highest > 0 ? D[1] : 0);
-    sf_ladder ladder;
-    sf_make_ladder(top, down, highest, &ladder);
-    sf_add_step(D, 2, 1, 1, &ladder, highest, sums);
-    sf_make_ladder(down, top, highest, &ladder);
-    sf_add_step(D, 2, 0, -1, &ladder, highest, sums);
+    const int degree = sf_degree(D, highest);
+    if (degree > 1) {
+        sf_ladder ladder;
+        sf_make_ladder(top, down, degree, &ladder);
+        sf_add_step(D, 2, 1, 1, &ladder, degree, sums);
+        sf_make_ladder(down, top, degree, &ladder);
+        sf_add_step(D, 2, 0, -1, &ladder, degree, sums);
+    }
     straight[SF_C_0] = sfi_add(sfi_mul(sfi_times(0.5, sfi_add(top, bottom)), slope), sfi_point(D[0]));
     straight[SF_S_0] = sfi_mul(sfi_times(0.5, A), slope);
     straight[SF_P_1] = straight[SF_Q_1] = slope;
