@@ -634,6 +634,12 @@ def test_a_fit_without_dimensions_and_without_noise_is_exact():
     assert np.diag(found.correlation) == pytest.approx(1.0)
 
 
+def test_an_isolator_without_preload_is_sized():
+    iso = Isolator(lam=3, r=2.0, delta_h=0, mu=0.03, zeta=0.01)
+    (row,) = tolerances(iso, {"zeta": 0.1}, F_0=0.1, answers=["A_peak"], samples=100)
+    assert row.nominal == iso.peak(0.1).A and row.low < row.nominal < row.high
+
+
 @pytest.mark.slow
 def test_designs_under_a_load_have_the_answers_of_each_by_itself():
     mount = MOUNT.replace(load=12.36)

@@ -18,7 +18,7 @@ from slowflow.answer import frozen
 from slowflow.averaged.batches import Batch, first_end
 from slowflow.batch_checks import full, lifting
 from slowflow.designs import Designs
-from slowflow.isolator import Isolator
+from slowflow.isolator import Isolator, _averaged
 from slowflow.mechanism import Floats
 from slowflow.off_centre.many import OffCentreDesigns
 from slowflow.oscillator import Oscillator
@@ -99,7 +99,8 @@ class Subject:
         isolator = of.oscillator if isinstance(of, Physical) else of
         if not isinstance(isolator, Isolator):
             raise Refused(f"{of!r} is not allowed: it must be an Isolator, or one made by Isolator.physical")
-        self.mechanism, self.excitation = isolator.model.mechanism, isolator.excitation
+        # a single one without preload is answered as a linear spring, which has none of its numbers
+        self.mechanism, self.excitation = _averaged(isolator.given["force"]), isolator.excitation
         self.loaded, self.rubs = isolator.load != 0, isolator.rubs
         known = (UNSCALED if self.mount is None else self.mount.scales).measures
         #: names and sizes here of the numbers of a design, by their names there; under a load without other laws
