@@ -262,7 +262,9 @@ def test_what_is_not_allowed_is_refused_in_words(monkeypatch):
         (lambda: tolerances(MOUNT, {"k_h": 0.1}, seed=1.5), "seed = 1.5 is not allowed: seed must be an integer >= 0"),
         (lambda: meet(MOUNT, {"k_h": (1, 2)}, at_least={"F_SN": 1}, seed=-1), "seed = -1 is not allowed"),
         (lambda: fit(MOUNT, A=[0.1] * 9), "f and F are needed"),
-        (lambda: fit(MOUNT, F=[4, 5]), "either measured amplitudes A, or jump_up or jump_down"),
+        (lambda: fit(MOUNT, F=[4, 5]), "either measured amplitudes A, or phases phi, or jump_up or jump_down"),
+        (lambda: fit(MOUNT, F=5, f=2, A=[0.1] * 9, phi=[-1.0] * 9), "either measured amplitudes A, or phases phi"),
+        (lambda: fit(MOUNT, F=5, f=2, phi=[-1.0] * 8 + [np.nan]), "phi = nan is not allowed"),
         (lambda: fit(MOUNT, F=[4, 5], jump_up=[2.1]), "jump_up is not allowed: it must have a frequency"),
         (lambda: fit(MOUNT, jump_up=[2.1]), "F is needed"),
         (lambda: tolerances(MOUNT, {"k_h": 0.1}, answers=["A_shock"]), "A_shock needs a shock of the base: give shock"),
@@ -634,10 +636,31 @@ def test_a_fit_without_dimensions_and_without_noise_is_exact():
     assert np.diag(found.correlation) == pytest.approx(1.0)
 
 
+def test_a_fit_to_phases_without_noise_is_exact_and_does_not_count_whole_cycles():
+    iso = isolator()
+    Omega = np.linspace(0.3, 2.0, 40)
+    phi = np.array([iso.amplitudes(Omega=x, F_0=0.021).phi[0] for x in Omega])
+    start = iso.replace(mu=0.01, zeta=0.025, r=1.9)
+    found = fit(start, Omega=Omega, F_0=0.021, phi=phi + 2 * np.pi * (np.arange(40) % 3 - 1))
+    assert found.value.tolist() == pytest.approx([iso.mu, iso.zeta, iso.r, iso.delta_h], rel=1e-6)
+    assert found.names == ("Omega", "measured less fitted phi") and np.abs(found.residuals).max() < 1e-7
+
+
 def test_an_isolator_without_preload_is_sized():
     iso = Isolator(lam=3, r=2.0, delta_h=0, mu=0.03, zeta=0.01)
     (row,) = tolerances(iso, {"zeta": 0.1}, F_0=0.1, answers=["A_peak"], samples=100)
     assert row.nominal == iso.peak(0.1).A and row.low < row.nominal < row.high
+
+
+def test_a_fit_to_the_phases_of_a_linear_spring_finds_friction_and_damping():
+    """(1 - Omega^2)^2 A^2 + I^2 = F_0^2 with I = 2 zeta A Omega + 4 mu/pi, and sin phi = -I/F_0."""
+    Omega, F_0, m = np.array([0.6, 0.9, 1.1, 1.5]), 0.1, 0.12 / np.pi
+    viscous, square = 0.02 * Omega, (1 - Omega**2) ** 2 + (0.02 * Omega) ** 2
+    A = (np.sqrt((viscous * m) ** 2 + square * (F_0**2 - m**2)) - viscous * m) / square
+    lag = np.arcsin((viscous * A + m) / F_0)
+    start = Isolator(lam=3, r=2.0, delta_h=0, mu=0.02, zeta=0.02)
+    found = fit(start, Omega=Omega, F_0=F_0, phi=-np.where(Omega < 1, lag, np.pi - lag), free=["mu", "zeta"])
+    assert found.value.tolist() == pytest.approx([0.03, 0.01], rel=1e-9)
 
 
 @pytest.mark.slow

@@ -1,4 +1,4 @@
-"""A fit. Takes a measured response curve or jump frequencies; returns an isolator's numbers with confidence intervals.
+"""A fit. Takes measured amplitudes, phases or jump frequencies; returns numbers with confidence intervals.
 
 By SciPy's least squares on the averaged states; of several motions at a frequency the one nearest to the measured one
 counts.
@@ -73,7 +73,8 @@ class Fit(Table):
     error     -- its standard error, of the equations made linear; low, high -- its 95 % confidence interval by the
                  profile likelihood, with 0 or inf where the points do not bound it
     design    -- the isolator or the mount that has these numbers
-    residuals -- measured less fitted amplitude, or jump frequency, at each point, in the order of the points; up first
+    residuals -- measured less fitted amplitude, phase or jump frequency at each point, in the order of the points; up
+                 first
     at        -- the frequency, or the forcing, of each point; names -- of `at` and `residuals`, with their units
     deviation -- standard deviation of the residuals, with as many degrees of freedom as points less numbers
     correlation -- of the numbers, shape (n, n)
@@ -116,6 +117,7 @@ def fit(
     of: Any,
     *,
     A: Any = None,
+    phi: Any = None,
     F: Any = None,
     f: Any = None,
     F_0: Any = None,
@@ -124,12 +126,14 @@ def fit(
     jump_down: Any = None,
     free: Sequence[str] | None = None,
 ) -> Fit:
-    """Numbers of an isolator from measured amplitudes, or from the frequencies at which it jumps.
+    """Numbers of an isolator from measured amplitudes, phases, or the frequencies at which it jumps.
 
     of       -- an `Isolator`, or a mount in SI units: where the search begins, and what is not free
     A        -- measured amplitudes, in m of a mount
+    phi      -- instead of A: measured phases of the first harmonic, in radians, as `amplitudes` has them: a motion that
+                lags the forcing by a quarter of a cycle has -pi/2. Whole cycles make no difference
     F, f     -- the forcings and frequencies at which they were measured, of a mount, in N and Hz; they broadcast with
-                A. On a base that shakes F is its amplitude, in m, with an unbalance mass times radius, in kg m
+                A or phi. On a base that shakes F is its amplitude, in m, with an unbalance mass times radius, in kg m
     F_0, Omega -- the same of an isolator
     jump_up, jump_down -- instead of A: the frequency at which it jumped at each force, up and down, in Hz of a mount;
                 one or both, NaN where it was not seen
@@ -149,15 +153,16 @@ def fit(
     subject = Subject(of, () if free is None else free)
     with contextlib.nullcontext() if subject.mount is None else subject.mount.scales.in_these_terms():
         (of if subject.mount is None else of.oscillator).at_centre("fit")
-    if (A is None) == (jump_up is None and jump_down is None):
-        raise Refused("a fit needs either measured amplitudes A, or jump_up or jump_down")
+    if [A is None, phi is None, jump_up is None and jump_down is None].count(False) != 1:
+        raise Refused("a fit needs either measured amplitudes A, or phases phi, or jump_up or jump_down")
     if subject.mount:
         F, f, A = si("F", F, SI[subject.amplitude]), turns("f", f), si("A", A, "m")
         jump_up, jump_down = turns("jump_up", jump_up), turns("jump_down", jump_down)
-    if A is None:
+    if A is None and phi is None:
         measured = _jumps(subject, F if subject.mount else F_0, jump_up, jump_down)
     else:
-        measured = _amplitudes(subject, {"f": f, "F": F} if subject.mount else {"Omega": Omega, "F_0": F_0}, A)
+        given = {"f": f, "F": F} if subject.mount else {"Omega": Omega, "F_0": F_0}
+        measured = _states(subject, given, "phi" if A is None else "A", phi if A is None else A)
     damping = "c" if "c" in subject.nominal else "zeta"
     default = ["friction", damping, "k_h", "preload"] if subject.mount else ["mu", "zeta", "r", "delta_h"]
     with np.errstate(
@@ -337,15 +342,17 @@ def _mixed(random: np.random.Generator, x: Floats) -> Floats:
     return np.asarray(np.where(by_ratio, flat[base] * ratio, flat[base] + difference))
 
 
-def _amplitudes(subject: Subject, given: Mapping[str, Any], A: Any) -> _Measured:
-    """Amplitudes at frequencies and forcings."""
+def _states(subject: Subject, given: Mapping[str, Any], name: str, values: Any) -> _Measured:
+    """Amplitudes A or phases phi, as `name` says, at frequencies and forcings."""
     if any(value is None for value in given.values()):
-        raise Refused(f"{' and '.join(given)} are needed: where the amplitudes were measured")
-    points = {name: validate.positive_array(name, value) for name, value in {**given, "A": A}.items()}
+        raise Refused(f"{' and '.join(given)} are needed: where the {name} were measured")
+    points = {word: validate.positive_array(word, value) for word, value in given.items()}
+    points[name] = validate.finite_array(name, values, positive=name == "A")
     shape = validate.common_shape(points)
-    at, forcing, measured = (np.broadcast_to(values, shape).ravel() for values in points.values())
-    names = ("f/Hz", "measured less fitted A/m") if subject.mount else (next(iter(given)), "measured less fitted A")
-    return _Measured(measured, at, lambda values: _nearest(subject, values, at, forcing, measured), names)
+    at, forcing, measured = (np.broadcast_to(array, shape).ravel() for array in points.values())
+    what = f"measured less fitted {name}"
+    names = ("f/Hz", f"{what}/m" if name == "A" else what) if subject.mount else (next(iter(given)), what)
+    return _Measured(measured, at, lambda numbers: _nearest(subject, numbers, at, forcing, name, measured), names)
 
 
 def _jumps(subject: Subject, forcing: Any, up: Any, down: Any) -> _Measured:
@@ -377,13 +384,21 @@ def _jumps(subject: Subject, forcing: Any, up: Any, down: Any) -> _Measured:
     return _Measured(measured[there], np.broadcast_to(forces, there.shape)[there], of_designs, names)
 
 
-def _nearest(subject: Subject, values: Mapping[str, Any], at: Floats, forcing: Floats, measured: Floats) -> Floats:
-    """The stable amplitude of designs nearest to each measured one, 0 where there is none or the mass is at rest."""
+def _nearest(
+    subject: Subject, values: Mapping[str, Any], at: Floats, forcing: Floats, name: str, measured: Floats
+) -> Floats:
+    """A or phi of the stable state of designs nearest to each measured one, 0 where there is none or the mass rests."""
     designs, _, units = subject.designs(values)
     Omega, F_0 = at / units["frequency"], forcing / units[subject.amplitude]
-    A, stable, *_ = designs.ask(AMPLITUDES, 1, F_0, PLACES, Omega=Omega)
+    A, stable, *_ = columns = designs.ask(AMPLITUDES, 1, F_0, PLACES, Omega=Omega)
     designs._leave_out_what_drifts(Omega[..., np.newaxis], A, stable)
-    A = np.where(stable == 1, A * np.asarray(units["length"])[..., np.newaxis], np.inf)
-    nearest = np.argmin(np.abs(A - measured[:, np.newaxis]), axis=-1)[..., np.newaxis]
-    found = np.take_along_axis(A, nearest, -1)[..., 0]
+    if name == "A":
+        there = A * np.asarray(units["length"])[..., np.newaxis]
+    else:
+        phi = designs._batch("amplitudes", columns, {}, F_0=F_0, Omega=Omega).phi
+        # as many whole cycles away as the measured one
+        there = phi + 2 * np.pi * np.round((measured[:, np.newaxis] - phi) / (2 * np.pi))
+    there = np.where(stable == 1, there, np.inf)
+    nearest = np.argmin(np.abs(there - measured[:, np.newaxis]), axis=-1)[..., np.newaxis]
+    found = np.take_along_axis(there, nearest, -1)[..., 0]
     return np.where(np.isfinite(found), found, 0.0)
