@@ -205,13 +205,10 @@ def test_sizing_is_answered_or_refused_in_words(part, F_0, bound, name):
         lambda: sizing.meet(isolator, {name: (part, bound)}, at_least={"F_SN": bound}, F_0=F_0),
         lambda: sizing.fit(isolator, Omega=[0.8, 0.9, bound], A=[0.1, part, 0.2], F_0=F_0, free=[name]),
     )
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
-        warnings.filterwarnings("ignore", message=".*negative stiffness at rest")
-        for ask in asked:
-            try:
-                answer = ask()
-            except REFUSED as refusal:
-                assert str(refusal)
-            else:
-                assert answer is not None
+    for ask in asked:
+        try:
+            answer = ask()
+        except REFUSED as refusal:
+            assert str(refusal)
+        else:
+            assert answer is not None

@@ -5,7 +5,6 @@ import importlib.util
 import json
 import math
 import shutil
-import warnings
 from fractions import Fraction
 from pathlib import Path
 
@@ -190,9 +189,7 @@ def test_a_random_isolators_folds_are_proved_and_as_many_as_the_solvers_find():
             "r": 10 ** rng.uniform(-1, 1),
             "delta_h": 10 ** rng.uniform(-2.5, -0.05),
         }
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            iso = Isolator(**design, mu=mu, zeta=zeta)
+        iso = Isolator(**design, mu=mu, zeta=zeta)
         found = iso.saddle_nodes(iso.sticking_forcing * (1 + 10 ** rng.uniform(-2, 2)), certify=True)
         if found.proof.proved:
             proved += 1
@@ -391,9 +388,7 @@ def test_averages_of_the_force_that_is_not_truncated_on_intervals_hold_their_bal
     for k in range(80):
         delta_h = 10 ** rng.uniform(-5, -0.005) if k % 2 else 1 - 10 ** rng.uniform(-9, -1)
         design = {"lam": float(rng.integers(1, 5)), "r": 10 ** rng.uniform(-1, 1), "delta_h": delta_h}
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            model = Isolator(**design, mu=0.0, zeta=0.01, force="untruncated").model
+        model = Isolator(**design, mu=0.0, zeta=0.01, force="untruncated").model
         u_cr = math.sqrt(delta_h * (2 - delta_h))
         shares = [(0, share) for share in (1e-4, 0.3, 0.699 / u_cr, 0.9, 1 - 1e-12) if share < 1]
         shares += [(1, share) for share in (1e-60, 1e-18, 1e-9, 1e-3, 0.2, abs(1.001 / u_cr - 1) + 1e-6, 9.0, 1e3)]

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import functools
 import json
-import warnings
 from collections import Counter
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -111,11 +110,9 @@ def of_closed(case: Case, compiled: bool) -> Any:
 
 def of_record(case: Case, **more: Any) -> Any:
     """Of an isolator's or a Duffing oscillator's."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        if case["mechanism"] == "duffing":
-            return Duffing(**numbers(case), **more)
-        return Isolator(**numbers(case), rubs=case.get("rubs", "throughout"), **more)
+    if case["mechanism"] == "duffing":
+        return Duffing(**numbers(case), **more)
+    return Isolator(**numbers(case), rubs=case.get("rubs", "throughout"), **more)
 
 
 def on_a_base(case: Case, _: bool) -> Any:

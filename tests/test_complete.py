@@ -2,7 +2,6 @@
 
 import itertools
 import math
-import warnings
 from fractions import Fraction
 
 import mpmath
@@ -36,9 +35,7 @@ def samples(model, A):
 
 def oscillators(rows, force="truncated"):
     for lam, r, delta_h, mu, zeta, F_0 in rows:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            yield Isolator(lam=lam, r=r, delta_h=delta_h, mu=mu, zeta=zeta, force=force), F_0
+        yield Isolator(lam=lam, r=r, delta_h=delta_h, mu=mu, zeta=zeta, force=force), F_0
 
 
 def assert_folds_of_samples(oscillator, F_0):
@@ -223,9 +220,7 @@ def test_no_fold_of_a_softening_spring_is_missed():
     for _ in range(MANY):
         alpha, beta = rng.uniform(-1, 3), rng.uniform(-1, 1)
         mu, zeta = rng.choice([0.0, 10 ** rng.uniform(-4, -1)]), 10 ** rng.uniform(-2, 0.2)
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            oscillator = Duffing(alpha, beta, mu, zeta)
+        oscillator = Duffing(alpha, beta, mu, zeta)
         assert_folds_of_samples(oscillator, oscillator.sticking_forcing + 10 ** rng.uniform(-2, 0.5))
 
 
@@ -257,7 +252,6 @@ def undamped():
 
 
 @pytest.mark.slow
-@pytest.mark.filterwarnings("ignore:.*negative stiffness")
 def test_without_viscous_damping_folds_begin_where_the_onset_says():
     """Next to 4 mu/pi, if only at ever larger amplitudes, at F_SN, or where they end at Omega = 0; below is none."""
     seen = set()
@@ -283,7 +277,6 @@ def test_without_viscous_damping_folds_begin_where_the_onset_says():
     assert {"none is lowest", "none beyond reach", "at rest"} <= seen
 
 
-@pytest.mark.filterwarnings("ignore:.*negative stiffness")
 def test_a_softening_spring_without_viscous_damping_has_folds_from_friction_on():
     """By hand: Omega^2 = 1 - 9/8 A^2 and R = 3/4 A^3 in size, so that A^6 = (F_0^2 - m^2) 16/9, up to F_0 = 0.63."""
     spring = Duffing(1.0, -0.5, 0.01, 0.0)

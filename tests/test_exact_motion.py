@@ -274,8 +274,7 @@ def test_stops_make_a_multiplier_vanish():
 
 def test_released_asymmetric_motion():
     """Negative stiffness at the centre: the motion about one side is not half-wave symmetric, and is found."""
-    with pytest.warns(UserWarning, match="negative stiffness"):
-        system = isolator(2, 2.0, 0.3, 0.0, 0.05, exact=False)[0]
+    system = isolator(2, 2.0, 0.3, 0.0, 0.05, exact=False)[0]
     state = steady_state(system, Omega=1.3, F_0=0.01, half_turns=2)
     assert not state.symmetric
     assert state.half_multipliers is None

@@ -144,7 +144,6 @@ def test_the_page_is_made_again_byte_for_byte() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.filterwarnings("ignore:delta_h")
 def test_its_numbers_are_those_of_the_package(browser: Any) -> None:
     hold(browser, [(one.model.mechanism.name, one, F_0) for one, F_0 in cases()])
 

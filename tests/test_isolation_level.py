@@ -18,9 +18,6 @@ from tests.oracles import by_time
 from tests.sampling import fewer
 from tests.slopes import assert_slopes_are_differences
 
-#: some designs have a negative stiffness at rest
-pytestmark = pytest.mark.filterwarnings("ignore:delta_h")
-
 LEVELS = (0.0, -3.0, -20.0, -40.0)
 EPS = np.finfo(float).eps
 

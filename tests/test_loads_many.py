@@ -87,7 +87,6 @@ def test_margins_of_a_design_whose_onset_is_unresolved_have_its_status():
         ({"lam": 3, "r": 0.93, "delta_h": 0.99, "mu": 0.0, "zeta": 0.0}, 10.0),
     ],
 )
-@pytest.mark.filterwarnings("ignore:.*negative stiffness")
 def test_motions_detach_that_are_stable_beyond_the_stroke_of_many_and_of_one(given, F_0):
     assert Isolator(**given).margins(F_0).detaches and Isolator.many(**given).margins(F_0).detaches
     # with some damping it is seen

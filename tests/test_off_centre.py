@@ -363,7 +363,6 @@ def test_at_each_fold_two_states_more_or_less_begin_however_near_to_a_jump_of_th
     check_counts(oscillator, F_0)
 
 
-@pytest.mark.filterwarnings("ignore:delta_h")
 @pytest.mark.parametrize(
     ("lam", "r", "delta_h", "zeta", "load", "F_0"),
     [
@@ -422,7 +421,6 @@ def check_counts(oscillator, F_0):
         ),
     ],
 )
-@pytest.mark.filterwarnings("ignore:delta_h")
 def test_a_fold_on_a_corner_under_a_load_has_all_digits(lam, r, delta_h, mu, zeta, F_0):
     """A and B, rounded, pass the jump by an ulp: h, and Omega with it, was off by 1e-8 to 1e-7."""
     one = Isolator(lam=lam, r=r, delta_h=delta_h, mu=mu, zeta=zeta, load=0.02)
@@ -475,7 +473,6 @@ def test_which_way_a_motion_jumps_at_a_fold_is_as_the_states_beside_it_have_it_o
         assert folds.kind[fold] == ("jump-up", "jump-down")[np.diff(states.A).argmin()]
 
 
-@pytest.mark.filterwarnings("ignore:delta_h")
 def test_folds_on_corners_near_the_centre_are_there_without_a_load():
     """All its lengths are below 0.1. On a corner and 1e-8 beside it two states begin and end, in each well."""
     wells = Isolator(lam=3.0, r=400.0, delta_h=0.004, zeta=0.05).off_centre

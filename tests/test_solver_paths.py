@@ -6,7 +6,6 @@ The same tests run on both backends; those that compare the backends, or need on
 import json
 import math
 import tracemalloc
-import warnings
 from fractions import Fraction
 from pathlib import Path
 
@@ -28,9 +27,7 @@ def cases():
         for number, record in enumerate(json.loads((DATA / f"{file}.json").read_text())):
             parameters = {name: given(value) for name, value in record["parameters"].items()}
             make = Isolator if record["mechanism"] == "rod_spring" else Duffing
-            with warnings.catch_warnings():
-                warnings.simplefilter("ignore")
-                yield f"{file} {number}", make(**parameters), record
+            yield f"{file} {number}", make(**parameters), record
 
 
 def given(value):
@@ -197,9 +194,7 @@ def neighbours(value):
 @pytest.mark.parametrize("mu", [0.0, 0.012])
 @pytest.mark.parametrize("share", [0.5, 1.0, 1.2])
 def test_a_curve_at_a_critical_forcing_is_whole(share, mu, zeta):
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        oscillator = Isolator(lam=3, r=2, delta_h=share / 6, mu=mu, zeta=zeta)
+    oscillator = Isolator(lam=3, r=2, delta_h=share / 6, mu=mu, zeta=zeta)
     forcings = [oscillator.detachment().F_cr, oscillator.saddle_node_onset().F_SN]
     for forcing in forcings:
         for F_0 in neighbours(forcing):
@@ -249,11 +244,9 @@ def test_softening_has_folds_down_to_the_friction_limit():
 
 def test_a_small_loop_of_the_fold_locus_keeps_its_cusp():
     # alpha slightly below 0: the locus leaves Omega = 0 where h_A = 0, turns at a cusp and comes back where h = 0
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        oscillator = Isolator(
-            lam=1.6172314899701874, r=2.002654154370871, delta_h=0.31049204594233715, zeta=0.0922908151530438
-        )
+    oscillator = Isolator(
+        lam=1.6172314899701874, r=2.002654154370871, delta_h=0.31049204594233715, zeta=0.0922908151530438
+    )
     cusps = oscillator.cusps()
     assert cusps.minimum.tolist() == [False, True]
     for share, count in ((0.9, 2), (0.999, 2), (1.001, 0)):
@@ -272,9 +265,7 @@ def test_without_damping_the_folds_are_those_of_the_closed_form():
 
 def test_the_fold_locus_goes_by_an_amplitude_at_which_nothing_pulls():
     """Where h = 0 a fold at Omega = 0 is born beside the one that the locus follows, which is not there."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # of the negative stiffness at rest
-        one = Isolator(lam=2, r=1.9814162218754052, delta_h=0.2722727716275526, mu=0.001944368707139919)
+    one = Isolator(lam=2, r=1.9814162218754052, delta_h=0.2722727716275526, mu=0.001944368707139919)
     locus = one.fold_locus(samples=400)
     for branch in np.unique(locus.branch):
         Omega = locus.Omega[(locus.branch == branch) & (locus.A < 0.6)]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import warnings
 
 import numpy as np
 import pytest
@@ -100,9 +99,7 @@ def test_sustained_states_below_a_top_at_the_reach_are_told():
 
 def test_sustained_motions_across_two_wells_have_no_top():
     """The remark was made of a stable state of two wells, near which Newton finds an exact motion, stable too."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        one = Duffing(-1.0, 1.0, mu=0.0102, zeta=0.1901)
+    one = Duffing(-1.0, 1.0, mu=0.0102, zeta=0.1901)
     states = one.amplitudes(Omega=0.5379, F_0=0.3492)
     measured = states.measure()
     assert states.stable[-1] and measured.found[-1] and measured.stable[-1]

@@ -4,7 +4,6 @@ import re
 import subprocess
 import sys
 import typing
-import warnings
 from pathlib import Path
 
 import numpy as np
@@ -108,17 +107,15 @@ def test_every_answer_in_si_units_has_a_type():
 @pytest.mark.parametrize("excitation, F", [("force", 20.0), ("base", 0.003), ("unbalance", 0.05)])
 def test_what_an_answer_has_its_type_declares(load, excitation, F):
     """Each of its numbers, whatever the mount: of any excitation, without a load and with one."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        mount = Isolator.physical(**SHEET, load=load, excitation=excitation)
-        for name, arguments in ASKED.items():
-            if (load is not None and name in ABOUT_THE_CENTRE) or (excitation != "force" and name == "certify"):
-                continue
-            kind = getattr(physical_answers, getattr(Physical, name).__annotations__["return"].removeprefix("answers."))
-            found = getattr(mount, name)(**arguments | ({"F": F} if "F" in arguments else {}))
-            for column, value in found.values.items():
-                # a proof is asked for of the dimensionless oscillator only
-                assert column == "proof" or is_of(value, declared(kind)[column]), (name, column, value)
+    mount = Isolator.physical(**SHEET, load=load, excitation=excitation)
+    for name, arguments in ASKED.items():
+        if (load is not None and name in ABOUT_THE_CENTRE) or (excitation != "force" and name == "certify"):
+            continue
+        kind = getattr(physical_answers, getattr(Physical, name).__annotations__["return"].removeprefix("answers."))
+        found = getattr(mount, name)(**arguments | ({"F": F} if "F" in arguments else {}))
+        for column, value in found.values.items():
+            # a proof is asked for of the dimensionless oscillator only
+            assert column == "proof" or is_of(value, declared(kind)[column]), (name, column, value)
 
 
 @pytest.mark.slow

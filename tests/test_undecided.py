@@ -222,7 +222,6 @@ NEARLY_ZERO = (
 )
 
 
-@pytest.mark.filterwarnings("ignore:.*negative stiffness at rest")
 @pytest.mark.parametrize("at", NEARLY_ZERO)
 def test_an_onset_next_to_quasi_zero_stiffness_has_its_digits(at):
     """Off by up to 5e-3 without a word: a corner where R = 0, or the cusp of a cubic that is damped ever so weakly."""
