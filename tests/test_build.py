@@ -23,7 +23,10 @@ MODULES = {
 }
 STAMP = ".venv/compiled"
 
-pytestmark = pytest.mark.skipif(COMPILER is None or not shutil.which("make"), reason="no C compiler, or no make")
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(COMPILER is None or not shutil.which("make"), reason="no C compiler, or no make"),
+]
 
 
 @pytest.fixture

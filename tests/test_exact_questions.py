@@ -38,6 +38,7 @@ def from_place(force, *, load, zeta, Omega, F_0, u, periods=200):
     return np.abs(by_time.settled(force, push, zeta, Omega, (u, 0.0), periods, last=4)[1]).max()
 
 
+@pytest.mark.slow
 def test_a_mass_at_rest_begins_where_load_and_spring_balance():
     """Under a load, on a force that is not odd, and between two wells; by SciPy from the place that is a root of f."""
     cubic = {"load": 0.3, "zeta": 0.05, "Omega": 0.9, "F_0": 0.25}
@@ -79,6 +80,7 @@ def test_a_loaded_isolator_comes_to_the_motion_that_integration_from_its_place_o
     assert iso.steady_state(Omega=0.9261, F_0=0.0434, u_0=0.0).A == pytest.approx(0.2485, abs=1e-4)
 
 
+@pytest.mark.slow
 def test_a_curve_begins_in_the_well_that_is_chosen():
     """With a load the two wells differ: their motions do, and the curve says which of them it is."""
     oscillator = Duffing(-1.0, 1.0, zeta=0.1, load=0.1)
@@ -346,6 +348,7 @@ def test_a_chaotic_motion_is_called_so_with_its_exponent():
     assert np.log(factor) / (2 * np.pi) == pytest.approx(0.10, rel=0.25)  # of 30 turns only
 
 
+@pytest.mark.slow
 def test_ctrl_c_interrupts():
     """A question of hours stops when it is interrupted."""
     program = (

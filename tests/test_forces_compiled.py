@@ -143,6 +143,7 @@ def test_an_average_that_does_not_settle_is_no_answer():
         step(k=1e9, c=0.3, **DAMPING).saddle_nodes(1.5)
 
 
+@pytest.mark.slow
 def test_what_is_written_for_other_programs_compiles_alone(derived, tmp_path):
     """The headers, and a table of what is there: C only."""
     names = derived("wave", compile=False).write(tmp_path)

@@ -51,6 +51,7 @@ def random_oscillators(count):
 # ---- certified
 
 
+@pytest.mark.slow
 def test_condition_numbers_are_those_of_every_reference_case():
     """Those of the reference are rounded to three digits."""
     asked, kinds = 0, set()

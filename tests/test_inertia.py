@@ -257,6 +257,7 @@ def test_a_point_of_the_exact_curve_is_a_motion_under_the_force_that_there_is_at
     assert np.abs(iso.saddle_nodes(Y).measure().error).max() < 0.01
 
 
+@pytest.mark.slow
 def test_a_sweep_jumps_at_the_exact_folds_and_rests_where_friction_holds_the_mass():
     iso, Y = Isolator(**example.TABLE_1, excitation="base"), 0.05
     up, down = (fold.Omega for fold in iso.exact_response(Y).folds)

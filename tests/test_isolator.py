@@ -240,6 +240,7 @@ def test_states_alternate_in_stability_and_their_number_is_odd(values, multiple,
     assert (states.A <= oscillator.limit_envelope(Omega=states.Omega, F_0=F_0) * (1 + 1e-12)).all()
 
 
+@pytest.mark.slow
 @settings(max_examples=15, deadline=None, phases=[Phase.generate])
 @given(parameters, st.floats(1.05, 8))
 def test_a_jump_lands_on_a_stable_state_on_the_side_that_its_kind_says(values, multiple):

@@ -77,6 +77,7 @@ def test_each_part_of_a_batch_is_counted_once(workers, always, monkeypatch):
         assert counts == [4, 8, 10, 14, 18, 20, 24, 28]
 
 
+@pytest.mark.slow
 def test_a_store_says_how_many_blocks_are_written(always, tmp_path):
     da = pytest.importorskip("dask.array")
     pytest.importorskip("zarr")

@@ -103,6 +103,7 @@ def test_python_reads_every_text_as_it_was_written(text):
     assert re.sub(r"\s", "", ast.get_docstring(tree)).startswith(re.sub(r"\s", "", text))
 
 
+@pytest.mark.slow
 @each
 @given(TEXTS.map("".join))
 @settings(max_examples=10, deadline=None)

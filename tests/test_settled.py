@@ -128,6 +128,7 @@ def test_peaks_and_folds_next_to_a_breakpoint_are_right_to_one_rounding_of_their
     assert asked > 60
 
 
+@pytest.mark.slow
 def test_a_fold_does_not_leave_its_piece_of_the_force():
     """Next to F_SN at the corner, zeta all but 0: by the formula below u_cr a fold would lie above it."""
     oscillator = Isolator(lam=3, r=2, delta_h=0.2, mu=0.012, zeta=1e-9)

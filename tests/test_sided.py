@@ -333,6 +333,7 @@ def test_a_force_that_is_not_odd_is_refused_what_is_about_the_centre(stop):
     assert pickle.loads(pickle.dumps(oscillator)) == oscillator
 
 
+@pytest.mark.slow
 def test_a_force_that_is_not_odd_cannot_be_stated_as_anything():
     with pytest.raises(ArithmeticError, match="each side is a piece of its own"):
         derive.mechanism("sizes", [(sp.Abs(u), None)], {"k": ABOVE}, odd=False)

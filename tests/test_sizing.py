@@ -593,6 +593,7 @@ def test_a_fit_leaves_a_local_minimum_and_says_so():
     assert said
 
 
+@pytest.mark.slow
 def test_a_fit_to_jumps_recovers_the_numbers_behind_those_of_the_equation_of_motion():
     """Folds of the exact curve, which no averaging is in; and of averaging itself, without noise, exactly."""
     forces = [3.0, 3.5, 4.0, 5.0, 7.0]

@@ -227,6 +227,7 @@ def test_a_curve_is_decided_where_balls_prove_the_folds_that_it_has(design, F_0,
     assert decided.A.tolist() == found.A.tolist()
 
 
+@pytest.mark.slow
 def test_a_curve_whose_fold_has_few_digits_says_so():
     """F_0 exceeds 4 mu/pi by two ulps: the fold lies at Omega = 5.93e-17, as balls say, and not at 4.42e-17."""
     one = Duffing(0.0018877757998804665, -135.1962285773889, 1.3170412018428775e-05, 0.017745655026123557)

@@ -82,6 +82,7 @@ def test_off_the_centre_too():
     assert "gap" not in of.by and set(of.by) == set(to.by) - {"gap"}
 
 
+@pytest.mark.slow
 def test_off_the_centre_a_force_that_is_no_polynomial_too():
     """Odd under a load, and a sided one with an end."""
     pieces = [(u, STOP), (u + sp.sinh(u - STOP), None)]
