@@ -1,6 +1,7 @@
 """What others published, one file a publication, typed by hand from a text that is named there, errors included.
 
-In:  published texts, typed by hand; a file here imports this one and nothing else of the project.
+In:  published texts, typed by hand; a file here imports this one and nothing else of the project. What was measured is
+     a table of the same name, whose head has its source.
 Out: `Publication`, `Formula` and `Claim`, its form; `all_publications()`, every one of this folder.
 
 A formula is a function over a namespace `xp` with integer literals only, as in published.py: a relation returns
