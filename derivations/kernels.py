@@ -97,24 +97,6 @@ class Kernel:
         return self.width > 0 and self.looped and not self.generic
 
 
-def plain(
-    name: str,
-    arguments: Sequence[sp.Symbol],
-    outputs: Outputs,
-    doc: str,
-    equation: str,
-    domain: str = "Omega > 0, A > 0",
-    lets: Sequence[Let] = (),
-    **keywords: object,
-) -> Kernel:
-    """A kernel with one branch."""
-    single = isinstance(outputs, sp.Expr)
-    if not single:
-        keywords.setdefault("returns", "tuple")
-    branch = Branch("", (), tuple(lets), (outputs,) if single else tuple(outputs))
-    return Kernel(name, tuple(arguments), (branch,), doc, equation, domain, **keywords)
-
-
 class Lets(NamedTuple):
     """A formula with the intermediate quantities that it is in."""
 
@@ -128,14 +110,20 @@ class Formulas:
     order  -- of the symbols: a kernel takes those that its formula has, in this order
     lets   -- intermediate quantities: a formula without lets of its own has those of them that are in it
     domain -- of the kernels for which no other is given
+    parameters -- of a mechanism: the last arguments of its kernels, whether these have them or not
     """
 
     def __init__(
-        self, order: Sequence[sp.Symbol], lets: Mapping[sp.Symbol, sp.Expr] = {}, domain: str = "Omega > 0, A > 0"
+        self,
+        order: Sequence[sp.Symbol],
+        lets: Mapping[sp.Symbol, sp.Expr] = {},
+        domain: str = "Omega > 0, A > 0",
+        parameters: Sequence[sp.Symbol] = (),
     ) -> None:
         self.order = tuple(order)
         self.lets = dict(lets)
         self.domain = domain
+        self.parameters = tuple(parameters)
         self.kernels: dict[str, Kernel] = {}
 
     def __getattr__(self, name: str) -> Any:
@@ -150,20 +138,22 @@ class Formulas:
         equation: str,
         domain: str = "",
         *,
-        arguments: Sequence[sp.Symbol] = (),
+        arguments: Sequence[sp.Symbol] | None = None,
+        packed: bool = True,
         **keywords: object,
     ) -> Any:
         """State a kernel, and return its formula without lets.
 
         value     -- its output or outputs, with lets of their own or without; or branches
         arguments -- where the order is another, or it takes more than it has
+        packed    -- whether the mechanism's parameters follow them: an array in C
         """
         if name in self.kernels:
             raise ArithmeticError(f"two formulas {name}")
         lets, outputs = value if isinstance(value, Lets) else (None, value)
         single = isinstance(outputs, sp.Expr)
         several = (outputs,) if single else tuple(outputs)
-        if isinstance(several[0], Branch):
+        if several and isinstance(several[0], Branch):
             branches, single = several, len(several[0].outputs) == 1
         else:
             if lets is None:
@@ -171,14 +161,16 @@ class Formulas:
                 several = tuple(one.subs(numbers) for one in several) if numbers else several
                 lets = [let for let in self.lets.items() if any(one.has(let[0]) for one in several)]
             branches = (Branch("", (), tuple(lets), several),)
-        if not arguments:
-            needed = set().union(*(branch.free_symbols for branch in branches))
+        parameters = self.parameters if packed else ()
+        if arguments is None:
+            needed = set().union(*(branch.free_symbols for branch in branches)).difference(parameters)
             if unknown := needed.difference(self.order):
                 raise ArithmeticError(f"{name} has {unknown}, which no order of arguments knows")
             arguments = [symbol for symbol in self.order if symbol in needed]
         keywords.setdefault("returns", "scalar" if single else "tuple")
-        kernel = Kernel(name, tuple(arguments), branches, doc, equation, domain or self.domain, **keywords)
-        self.kernels[name] = kernel
+        keywords |= {"parameters": len(parameters)}
+        arguments = (*arguments, *parameters)
+        self.kernels[name] = Kernel(name, arguments, branches, doc, equation, domain or self.domain, **keywords)
         setattr(self, name, outputs)
         return outputs
 

@@ -237,11 +237,6 @@ class OffCentreTerms:
     gained_by: Kernel
     moved: tuple[tuple[Kernel, ...], ...]
 
-    @property
-    def kernels(self) -> tuple[Kernel, ...]:
-        """All that are of numbers."""
-        return self.gained, *self.pieces, self.gained_by, *(one for piece in self.moved for one in piece)
-
 
 @dataclass(frozen=True)
 class Module:

@@ -11,12 +11,15 @@ from dataclasses import replace
 from ...forces.of_mechanism import OfMechanism
 from ...forces.quadrature import Quadrature
 from ..form import Module
-from .quadrature import enclosed, kink_kernel
+from .force import formulas
+from .quadrature import enclosed, state_kinks
 
 
 def with_bends(module: Module, derived: OfMechanism) -> Module:
     """The same, searched by enclosures; the average is the closed one."""
     mechanism = derived.oscillator.mechanism
     average = Quadrature(tuple(derived.oscillator.polynomials), {end: end for end in mechanism.breakpoints})
-    kernels = (*module.kernels, kink_kernel(mechanism.parameters, average))
+    of = formulas(mechanism.parameters)
+    state_kinks(of, average)
+    kernels = (*module.kernels, *of.kernels.values())
     return replace(module, kernels=kernels, enclosed=enclosed(mechanism, average))

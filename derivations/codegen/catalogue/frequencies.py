@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from ...kernels import Kernel, Let, plain
+from ...kernels import Formulas, Let, Lets
 from ...paper.slow_flow import I, R, m
 from ...results import Results
 from ...symbols import F_0, A, Omega, h, h_A, zeta
@@ -25,60 +25,40 @@ tail, p_low, q_low = sp.symbols("tail p_low q_low", real=True)
 
 def frequencies_module(results: Results) -> Module:
     """The quartics F and F_A/2, their derivative's cubic, and its discriminant."""
-    of = results.frequencies
-    lets = ((R, of.R), (I, of.I))
-    kernels: list[Kernel] = []
+    found = results.frequencies
+    lets = ((R, found.R), (I, found.I))
+    of = Formulas((Omega, A, F_0, m, zeta, h, h_A, p, q, k), domain="Omega >= 0, A > 0")
     twofolds: list[TwofoldKernel] = []
     for name, quartic, arguments, equation in (
-        ("response", of.response, (F_0, m, zeta, h), "(24)"),
-        ("fold", of.fold, (m, zeta, h, h_A), "(30)"),
+        ("response", found.response, (F_0, m, zeta, h), "(24)"),
+        ("fold", found.fold, (m, zeta, h, h_A), "(30)"),
     ):
-        some_kernels, some_twofolds = of_quartic(name, quartic, arguments, lets, equation)
-        kernels += some_kernels
-        twofolds += some_twofolds
-    kernels += shared(of)
-    twofolds += shared_twofolds(of)
+        twofolds += of_quartic(of, name, quartic, arguments, lets, equation)
+    state_shared(of, found)
+    twofolds += shared_twofolds(found)
     return Module(
         name="frequencies",
         title="The quartics whose roots are the frequencies at an amplitude: F of the response, F_A/2 of the folds",
         inputs=("paper/averaging.py", "paper/slow_flow.py", "systems/frequencies.py"),
-        kernels=tuple(kernels),
+        kernels=tuple(of.kernels.values()),
         twofolds=tuple(twofolds),
         constants={"ROUGH": ROUGH, "FINE": FINE},
     )
 
 
 def of_quartic(
-    name: str, quartic: Quartic, given: tuple[sp.Symbol, ...], lets: tuple[Let, ...], equation: str
-) -> tuple[list[Kernel], list[TwofoldKernel]]:
+    of: Formulas, name: str, quartic: Quartic, given: tuple[sp.Symbol, ...], lets: tuple[Let, ...], equation: str
+) -> list[TwofoldKernel]:
     """One quartic: its value, at 0 too, and the coefficients of its derivative."""
-    arguments = (Omega, A, *given)
     size, fine_size = (magnitude(lets, quartic.value, epsilon) for epsilon in (ROUGH, FINE))
-    constant = [argument for argument in given if quartic.at_0.has(argument)]
     what = {"response": "F", "fold": "F_A/2"}[name]
-    domain = "Omega >= 0, A > 0"
-    outputs = [quartic.at_0] if quartic.at_0.is_Mul else [quartic.at_0, magnitude((), quartic.at_0, ROUGH)]
-    kernels = [
-        plain(
-            name,
-            arguments,
-            (quartic.value, size),
-            f"{what}, and what its rounding error is below ROUGH times of.",
-            equation,
-            domain,
-            lets=lets,
-            generic=True,
-        ),
-        plain(
-            f"{name}_at_0",
-            constant,
-            outputs if len(outputs) > 1 else outputs[0],
-            f"{what} at Omega = 0" + (", and what its rounding error is below ROUGH times of." if outputs[1:] else "."),
-            equation,
-            "any",
-            generic=True,
-        ),
-    ]
+    bounded = "and what its rounding error is below ROUGH times of"
+    of.add(name, Lets(lets, (quartic.value, size)), f"{what}, {bounded}.", equation, generic=True)
+    if quartic.at_0.is_Mul:
+        at_0, text = quartic.at_0, f"{what} at Omega = 0."
+    else:
+        at_0, text = (quartic.at_0, magnitude((), quartic.at_0, ROUGH)), f"{what} at Omega = 0, {bounded}."
+    of.add(f"{name}_at_0", at_0, text, equation, "any", generic=True)
     squared = sp.expand(quartic.value) if name == "response" else quartic.value
 
     def fine(suffix: str, more: tuple[sp.Symbol, ...], lows: dict[sp.Symbol, sp.Symbol], where: str) -> TwofoldKernel:
@@ -89,7 +69,7 @@ def of_quartic(
             (squared,),
             f"{what}{where} in double-double, and what its error is below FINE times of.",
             equation,
-            domain,
+            of.domain,
             lows,
             beside=(fine_size,),
         )
@@ -114,7 +94,7 @@ def of_quartic(
         twofolds.append(
             TwofoldKernel(
                 f"{name}_exactly_at_0",
-                tuple(constant),
+                of.kernels[f"{name}_at_0"].arguments,
                 (),
                 (sp.expand(quartic.at_0),),
                 f"{what} at Omega = 0, with a certain sign.",
@@ -123,24 +103,19 @@ def of_quartic(
                 returns="distilled",
             )
         )
-    return kernels, twofolds
+    return twofolds
 
 
-def shared(of: Frequencies) -> list[Kernel]:
+def state_shared(of: Formulas, found: Frequencies) -> None:
     """The cubic A w^3 + p w + q and the rise of a quartic to where it vanishes."""
-    texts = ("from (24), (30)", "Omega >= 0, A > 0")
-    return [
-        plain("cubic", (Omega, A, p, q), of.cubic, "A Omega^3 + p Omega + q.", *texts, generic=True),
-        plain("cubic_slope", (Omega, A, p), of.slope, "Its derivative by Omega.", *texts, generic=True),
-        plain(
-            "rise",
-            (Omega, A, p, k),
-            (of.rise, magnitude((), of.rise, ROUGH)),
-            "Of a quartic from 0 to a critical point, and its magnitude.",
-            *texts,
-            generic=True,
-        ),
-    ]
+    equation = "from (24), (30)"
+    of.add("cubic", found.cubic, "A Omega^3 + p Omega + q.", equation, generic=True)
+    of.add("cubic_slope", found.slope, "Its derivative by Omega.", equation, generic=True)
+    rise, text = (
+        (found.rise, magnitude((), found.rise, ROUGH)),
+        "Of a quartic from 0 to a critical point, and its magnitude.",
+    )
+    of.add("rise", rise, text, equation, generic=True)
 
 
 def shared_twofolds(of: Frequencies) -> list[TwofoldKernel]:

@@ -6,18 +6,18 @@ Out: `mechanism_module`; `with_proofs`, the module with what proofs and compiled
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from ...asymmetric.off_centre import steps, steps_by
+from ...asymmetric.off_centre import steps
 from ...extensions.second_approximation import OF_HARMONIC
 from ...forces import elliptic
 from ...forces.elliptic import evaluable, parts
 from ...forces.of_mechanism import OfMechanism
-from ...kernels import Branch, Kernel, Let, plain
+from ...kernels import Branch, Formulas, Kernel, Let, Lets
 from ...mechanisms import Mechanism, Parameter
 from ...paper.equation_of_motion import Dimensionless
 from ...paper.restoring_force import Case, Restoring, average, forms
@@ -25,6 +25,7 @@ from ...paper.slow_flow import m
 from ...symbols import F_0, A, mu, u, zeta
 from ..compensated import copysign
 from ..form import AVERAGED, NAMES, Composition, Law, Module, Record, Selection
+from .force import Printed, formulas, state_data, state_pieces, state_steps
 
 if TYPE_CHECKING:
     from ...extensions.scaling import Scale
@@ -50,27 +51,25 @@ def mechanism_module(mechanisms: Mapping[str, OfMechanism], name: str, flow: Mod
     mechanism = derived.oscillator.mechanism
     if not mechanism.reach.is_extended_real or mechanism.reach.free_symbols:
         raise ArithmeticError(f"{name}: the reach has to be a number in the dimensionless displacement")
-    pieces, table = piece_kernels(derived, name)
-    averages = together(derived) if is_spelled_out(derived) else one_by_one(derived, alone=flow is None)
+    of = formulas(mechanism.parameters)
+    averages = together(of, derived) if is_spelled_out(derived) else one_by_one(of, derived, alone=flow is None)
+    state_harmonics(of, derived)
+    state_by_parameter(of, derived)
+    state_numbers(of, derived)
+    laws = state_pieces(of, name, printed_pieces(derived), of_pieces(derived))
+    state_force(of, derived)
+    state_resultants(of, derived)
     return Module(
         name=name,
         title=mechanism.title[0].upper() + mechanism.title[1:],
         inputs=(f"mechanisms/{name}.py",),
-        kernels=(
-            *averages.kernels,
-            harmonics_kernel(derived),
-            *gradient_kernels(derived),
-            *data_kernels(derived),
-            *pieces,
-            force_kernel(derived, pieces[::2]),
-            *resultant_kernels(derived),
-        ),
+        kernels=tuple(of.kernels.values()),
         selections=(*averages.selections, *selections(averages, compiled=not is_spelled_out(derived))),
         compositions=tuple(compositions(flow, mechanism, averages.pair, compiled=not is_spelled_out(derived)))
         if flow
         else (),
         flow=flow.name if flow else "",
-        record=record(mechanisms, derived, table, alone=flow is None),
+        record=record(mechanisms, derived, laws, alone=flow is None),
     )
 
 
@@ -95,17 +94,9 @@ class Averages:
     intercept: Kernel | Selection
 
     @property
-    def kernels(self) -> list[Kernel]:
-        own = [one.source if isinstance(one, Selection) else one for one in self._named]
-        return list(dict.fromkeys(own))
-
-    @property
     def selections(self) -> list[Selection]:
-        return [one for one in self._named if isinstance(one, Selection)]
-
-    @property
-    def _named(self) -> tuple[Kernel | Selection, ...]:
-        return self.whole, self.pair, *([] if self.beside is None else [self.beside]), self.intercept
+        named = (self.whole, self.pair, self.beside, self.intercept)
+        return [one for one in named if isinstance(one, Selection)]
 
 
 def is_spelled_out(derived: OfMechanism) -> bool:
@@ -145,41 +136,39 @@ def branches(cases: Sequence[Case], count: int | None = None) -> tuple[Branch, .
     )
 
 
-def averaged_kernel(derived: OfMechanism, name: str, outputs: Sequence[str], cases: tuple[Branch, ...]) -> Kernel:
-    """Some of h, H and their derivatives together."""
-    parameters = derived.oscillator.mechanism.parameters
-    return Kernel(
-        name,
-        (A, *parameters),
-        cases,
-        f"{', '.join(outputs)} together.",
-        "(20)-(22), (31)",
-        "A >= 0",
-        parameters=len(parameters),
-        returns="tuple",
-    )
+def state_averaged(
+    of: Formulas, name: str, outputs: Sequence[str], cases: Sequence[Branch], doc: str = "", **keywords: object
+) -> Kernel:
+    """Some of h, H and their derivatives together, or what else `doc` says."""
+    doc = doc or f"{', '.join(outputs)} together."
+    of.add(name, cases, doc, "(20)-(22), (31)", "A >= 0", arguments=(A,), **keywords)
+    return of.kernels[name]
 
 
 #: names of h and of H with its derivatives; the further ones of H are those of h
 OF_H, OF_BESIDE = tuple("h" + name for name in NAMES), ("H", "H_A")
+#: what proofs ask for together
+KNOWN = (*OF_H, "h - A h_A")
 
 
-def one_by_one(derived: OfMechanism, *, alone: bool = False) -> Averages:
+def one_by_one(of: Formulas, derived: OfMechanism, *, alone: bool = False) -> Averages:
     """A kernel for each: what is not asked for is not computed. H by itself, because h + A loses a small H's digits.
 
     alone -- for solvers, which do not ask for H
     """
 
     def named(name: str, outputs: tuple[str, ...], restoring: Restoring) -> Kernel:
-        return averaged_kernel(derived, name, outputs, regime_branches(restoring, len(outputs)))
+        return state_averaged(of, name, outputs, regime_branches(restoring, len(outputs)))
 
-    whole, pair = named("averaged", OF_H, derived.whole), named("averaged_2", OF_H[:2], derived.whole)
-    beside = None if alone else named("averaged_H", OF_BESIDE, derived.beside_vertical)
-    intercept = averaged_kernel(derived, "intercept", (), intercept_branches(derived))
-    return Averages(whole, pair, beside, replace(intercept, doc=INTERCEPT, returns="scalar"))
+    return Averages(
+        named("averaged", OF_H, derived.whole),
+        named("averaged_2", OF_H[:2], derived.whole),
+        None if alone else named("averaged_H", OF_BESIDE, derived.beside_vertical),
+        state_averaged(of, "intercept", (), intercept_branches(derived), INTERCEPT),
+    )
 
 
-def together(derived: OfMechanism) -> Averages:
+def together(of: Formulas, derived: OfMechanism) -> Averages:
     """One kernel for all: h and H are ends of the same steps."""
     whole, beside = (
         regime_branches(restoring, count)
@@ -192,7 +181,7 @@ def together(derived: OfMechanism) -> Averages:
         for one, other, last in zip(whole, beside, intercept_branches(derived), strict=True)
     )
     names = (*OF_H, *OF_BESIDE, "h - A h_A")
-    kernel = averaged_kernel(derived, "averaged_all", names, cases)
+    kernel = state_averaged(of, "averaged_all", names, cases)
 
     def some(name: str, outputs: Sequence[str]) -> Selection:
         chosen = tuple(names.index(output) for output in outputs)
@@ -227,18 +216,21 @@ def cell_kernels(derived: OfMechanism) -> tuple[Kernel, ...]:
         for end, jump in zip(whole.breakpoints, whole.jumps, strict=True)
     ]
     parameters = mechanism.parameters
-    given = plain(
+    of = formulas(parameters)
+    of.add(
         "given",
-        design,
-        (*(name if name in whole.breakpoints else values[name] for name in parameters), *lost),
+        Lets(ends, (*(name if name in whole.breakpoints else values[name] for name in parameters), *lost)),
         "The parameters from the design, and what the force loses at each breakpoint.",
         "(5)-(7)",
         "any design",
-        lets=ends,
+        arguments=design,
+        packed=False,
         paired=True,
     )
     if is_spelled_out(derived):
-        return given, kink_kernel(derived), *closely(derived)
+        state_kinks(of, derived)
+        return (*of.kernels.values(), *closely(derived))
+    of.parameters = (*parameters, *named)
     regimes = [(form, average(whole.pieces, whole.breakpoints, *form[2:], named)) for form in forms(whole.breakpoints)]
     cases = tuple(
         Branch(
@@ -251,15 +243,8 @@ def cell_kernels(derived: OfMechanism) -> tuple[Kernel, ...]:
         )
         for (name, guards, passed, _), regime in regimes
     )
-    return (
-        given,
-        replace(
-            averaged_kernel(derived, "known", (*OF_H, "h - A h_A"), cases),
-            arguments=(A, *parameters, *named),
-            parameters=len(parameters) + len(named),
-            paired=True,
-        ),
-    )
+    state_averaged(of, "known", KNOWN, cases, paired=True)
+    return tuple(of.kernels.values())
 
 
 def pieces_of(derived: OfMechanism) -> tuple[sp.Expr, sp.Expr, sp.Expr, elliptic.Corner]:
@@ -275,25 +260,18 @@ def closely(derived: OfMechanism) -> tuple[Kernel, ...]:
         return ()
     a, b, rest, end = pieces_of(derived)
     of_parts = elliptic.detached_closely(b, rest, end)
-    known = averaged_kernel(derived, "attached", (*OF_H, "h - A h_A"), ())
-    below = f"{known.doc} Where A does not exceed the breakpoint"
+    of = formulas(derived.oscillator.mechanism.parameters)
+    text = f"{', '.join(KNOWN)} together."
     few, steep = (
         Branch("", (), regime.lets, (*regime.derivatives, regime.intercept), remainders=regime.remainders)
         for regime in elliptic.attached_closely(a, b)
     )
-    return (
-        replace(known, branches=(few,), doc=f"{below}, nor {elliptic.FEW}."),
-        replace(known, name="attached_steep", branches=(steep,), doc=f"{below}."),
-        plain(
-            "detached",
-            (A, *of_parts.names, *derived.oscillator.mechanism.parameters),
-            of_parts.whole,
-            "The same where it does, from the parts.",
-            known.equation,
-            known.domain,
-            parameters=known.parameters,
-        ),
-    )
+    below = f"{text} Where A does not exceed the breakpoint"
+    state_averaged(of, "attached", (), [few], f"{below}, nor {elliptic.FEW}.")
+    steep = state_averaged(of, "attached_steep", (), [steep], f"{below}.")
+    text = "The same where it does, from the parts."
+    of.add("detached", of_parts.whole, text, steep.equation, steep.domain, arguments=(A, *of_parts.names))
+    return tuple(of.kernels.values())
 
 
 def held_kernels(derived: OfMechanism) -> tuple[Kernel, ...]:
@@ -302,73 +280,54 @@ def held_kernels(derived: OfMechanism) -> tuple[Kernel, ...]:
         return ()
     _, b, rest, end = pieces_of(derived)
     of_parts = elliptic.detached_closely(b, rest, end)
-    parameters = derived.oscillator.mechanism.parameters
-    return (
-        plain(
-            "ends",
-            (of_parts.beyond, *parameters),
-            of_parts.ends,
-            "A; sqrt(1 - u_cr^2); sine, cosine and angle of where the first piece ends.",
-            "(5)",
-            "beyond > 0",
-            lets=of_parts.lets,
-            parameters=len(parameters),
-        ),
-        plain(
-            "parts",
-            (*of_parts.ends, *of_parts.carlson),
-            of_parts.integral,
-            "The average without the last piece, over b: h, h_A, h_AA, h_AAA, h - A h_A by Carlson's integrals.",
-            "(20)-(22), (31)",
-            "A > u_cr",
-            lets=of_parts.integral_lets,
-        ),
+    of = formulas(derived.oscillator.mechanism.parameters)
+    of.add(
+        "ends",
+        Lets(of_parts.lets, of_parts.ends),
+        "A; sqrt(1 - u_cr^2); sine, cosine and angle of where the first piece ends.",
+        "(5)",
+        "beyond > 0",
+        arguments=(of_parts.beyond,),
     )
+    of.add(
+        "parts",
+        Lets(of_parts.integral_lets, of_parts.integral),
+        "The average without the last piece, over b: h, h_A, h_AA, h_AAA, h - A h_A by Carlson's integrals.",
+        "(20)-(22), (31)",
+        "A > u_cr",
+        arguments=(*of_parts.ends, *of_parts.carlson),
+        packed=False,
+    )
+    return tuple(of.kernels.values())
 
 
-def kink_kernel(derived: OfMechanism) -> Kernel:
+def state_kinks(of: Formulas, derived: OfMechanism) -> None:
     """What the slope of a force that is not truncated loses where its springs leave."""
     *_, end = pieces_of(derived)
     height = sp.Symbol("c", positive=True)
     below, above = (sp.diff(piece, u).subs(elliptic.ROOT, height).subs(u, end.name) for piece in derived.whole.pieces)
-    parameters = derived.oscillator.mechanism.parameters
-    return plain(
-        "kinks",
-        parameters,
-        (below - above,),
-        "What the slope of the force loses at each breakpoint.",
-        "(5)",
-        "any parameters",
-        lets=((end.name, end.value), (height, end.height)),
-        parameters=len(parameters),
-        paired=True,
-    )
+    lets = ((end.name, end.value), (height, end.height))
+    text = "What the slope of the force loses at each breakpoint."
+    of.add("kinks", Lets(lets, (below - above,)), text, "(5)", paired=True)
 
 
 def ball_kernels(derived: OfMechanism) -> tuple[Kernel, ...]:
     """What a proof asks for where an average is an algorithm that only approaches it: closed forms, for balls."""
     if not is_spelled_out(derived):
         return ()
-    whole, parameters = derived.whole, derived.oscillator.mechanism.parameters
     a, b, rest, end = pieces_of(derived)
     regimes = elliptic.in_balls(a, b, rest, end)
-    cases = tuple(
+    cases = [
         Branch(
             f"passed_{passed}", ((A, end.name),), regime.lets, (*regime.derivatives, regime.intercept), passed=passed
         )
         for passed, regime in enumerate(regimes)
-    )
-    return (
-        plain(
-            "at_rest",
-            parameters,
-            elliptic.at_rest(whole.pieces[0]),
-            f"{', '.join(map(str, AVERAGED))}, h - A h_A at A = 0.",
-            "(20)-(22), (31)",
-            "any parameters",
-        ),
-        replace(averaged_kernel(derived, "known", (*OF_H, "h - A h_A"), cases), arguments=(A, *parameters)),
-    )
+    ]
+    of = formulas(derived.oscillator.mechanism.parameters)
+    text = f"{', '.join(map(str, AVERAGED))}, h - A h_A at A = 0."
+    of.add("at_rest", elliptic.at_rest(derived.whole.pieces[0]), text, "(20)-(22), (31)")
+    state_averaged(of, "known", KNOWN, cases)
+    return tuple(of.kernels.values())
 
 
 def definitions_of(derived: OfMechanism) -> dict[sp.Symbol, sp.Expr]:
@@ -398,53 +357,35 @@ def selections(averages: Averages, *, compiled: bool) -> list[Selection]:
     return result
 
 
-def harmonics_kernel(derived: OfMechanism) -> Kernel:
+def state_harmonics(of: Formulas, derived: OfMechanism) -> None:
     """The higher harmonics of the force and their derivatives, together."""
-    parameters = derived.oscillator.mechanism.parameters
     listed = ", ".join(str(symbol) for family in OF_HARMONIC.values() for symbol in family)
-    return Kernel(
+    text = f"Higher harmonics of the force, as h is its first: {listed}."
+    of.add(
         "harmonics",
-        (A, *parameters),
         branches(derived.harmonics.cases),
-        f"Higher harmonics of the force, as h is its first: {listed}.",
+        text,
         "beyond (20)",
         derived.harmonics.domain,
-        parameters=len(parameters),
-        returns="tuple",
+        arguments=(A,),
     )
 
 
-def gradient_kernels(derived: OfMechanism) -> tuple[Kernel, Kernel]:
-    """How the average changes with the parameters of the force, and these with the design."""
-    mechanism = derived.oscillator.mechanism
-    parameters, design = mechanism.parameters, tuple(parameter.symbol for parameter in mechanism.design)
-    definitions = definitions_of(derived)
-    followed = [definitions[name] for name in (*parameters, *mechanism.breakpoints)]
-    return (
-        Kernel(
-            "by_parameter",
-            (A, *AVERAGED[:3], *parameters),
-            branches(derived.by_parameter),
-            "d/dp of h, h_A and h_AA at a fixed A, for each parameter p in turn.",
-            "from (20)-(22), (31)",
-            "A > 0",
-            parameters=len(parameters),
-            returns="tuple",
-            looped=False,
-        ),
-        plain(
-            "by_design",
-            design,
-            [sp.factor(sp.diff(value, number)) for value in followed for number in design],
-            "d/d of each number of the design: of each parameter in turn, then of each breakpoint.",
-            "(5), (7)",
-            "any design that has a breakpoint" if mechanism.breakpoints else "any design",
-            looped=False,
-        ),
+def state_by_parameter(of: Formulas, derived: OfMechanism) -> None:
+    """How the average changes with the parameters of the force."""
+    text = "d/dp of h, h_A and h_AA at a fixed A, for each parameter p in turn."
+    of.add(
+        "by_parameter",
+        branches(derived.by_parameter),
+        text,
+        "from (20)-(22), (31)",
+        "A > 0",
+        arguments=(A, *AVERAGED[:3]),
+        looped=False,
     )
 
 
-def force_kernel(derived: OfMechanism, pieces: Sequence[Kernel]) -> Kernel:
+def state_force(of: Formulas, derived: OfMechanism) -> None:
     """The piecewise force out of its pieces; at a breakpoint the lower piece holds.
 
     Where that is steep beside the next, which it meets there, the next: a double next to the breakpoint is not at it.
@@ -452,22 +393,27 @@ def force_kernel(derived: OfMechanism, pieces: Sequence[Kernel]) -> Kernel:
     mechanism = derived.oscillator.mechanism
     ends = derived.oscillator.breakpoints.values()
     guards = [*(((sp.Abs(u), end),) for end in ends), ()]
+    pieces = [of.kernels[f"force_{k}"] for k in range(1, len(guards) + 1)]
     if is_spelled_out(derived):
         guards, pieces = [*(((end, sp.Abs(u)),) for end in ends), ()], pieces[::-1]
-    branches = tuple(
-        Branch(piece.name, guard, piece.branches[0].lets, piece.branches[0].outputs, kernel=piece.name)
+    cases = [
+        replace(piece.branches[0], name=piece.name, guards=guard, kernel=piece.name)
         for guard, piece in zip(guards, pieces, strict=True)
-    )
+    ]
     stands_for = ", truncated" if is_truncated(derived) else ", untruncated" if is_spelled_out(derived) else ""
-    return Kernel(
+    of.add(
         "force",
-        (u, *mechanism.parameters),
-        branches,
+        cases,
         f"Whole dimensionless restoring force u + F_k(u){stands_for}.",
-        "(3), (6)" if stands_for == ", truncated" else "(3), (5)",
+        of_pieces(derived),
         f"|u| < {mechanism.reach}" if is_spelled_out(derived) else "any u",
-        parameters=len(mechanism.parameters),
+        arguments=(u,),
     )
+
+
+def of_pieces(derived: OfMechanism) -> str:
+    """The equations that the force is from."""
+    return "(3), (6)" if is_truncated(derived) else "(3), (5)"
 
 
 def odd(piece: sp.Expr) -> tuple[list[Let], sp.Expr]:
@@ -495,57 +441,24 @@ def force_slope(force: sp.Expr) -> tuple[list[Let], sp.Expr]:
     return [(root, sp.sqrt(base)) for base, root in roots.items()], slope
 
 
-def data_kernels(derived: OfMechanism) -> list[Kernel]:
-    """Parameters from ratios, breakpoints, jumps, and the force itself."""
-    dimensionless = derived.oscillator
-    mechanism = dimensionless.mechanism
-    parameters = mechanism.parameters
-    count = len(parameters)
-    whole = derived.whole
-    design = tuple(parameter.symbol for parameter in mechanism.design)
-    definitions = definitions_of(derived)
-    kernels = [
-        plain(
-            "coefficients",
-            design,
-            tuple(definitions[name] for name in parameters),
-            f"The parameters {', '.join(map(str, parameters))} from the design.",
-            "(5), (7)",
-            "any design",
-        )
-    ]
-    for name, values, doc, equation in (
-        (
-            "breakpoints",
-            tuple(dimensionless.breakpoints.values()),
-            "The |u| at which a piece of the force ends.",
-            "(5)",
-        ),
-        (
-            "jumps",
-            whole.jumps,
-            "What the force loses at each breakpoint: f below less f above.",
-            "(6)" if is_truncated(derived) else "(5)",
-        ),
-        (
-            "hardening",
-            hardening(whole),
-            "The force over the displacement, f(u)/u, rises with |u| where none of these is negative.",
-            "from (3)",
-        ),
-    ):
-        kernel = plain(name, parameters, values, doc, equation, "any parameters", parameters=count)
-        exact = name == "breakpoints" and bool(values)
-        kernels.append(replace(kernel, enclosed=exact, paired=exact))
-    return [*kernels, *step_kernels(whole.pieces, whole.breakpoints, whole.jumps, parameters)]
-
-
-DOC_OF_STEPS = (
-    "f and its derivatives just above 0, their gains at each breakpoint, and the last piece's by its formula at 0."
-)
-DOC_OF_STEPS_BY = (
-    "What each parameter does to derivatives of each piece at u = 0, then to their gains at each breakpoint."
-)
+def state_numbers(of: Formulas, derived: OfMechanism) -> None:
+    """Parameters from the design, breakpoints, jumps, whether the force hardens, and its steps."""
+    whole, ends, definitions = derived.whole, derived.oscillator.breakpoints, definitions_of(derived)
+    state_data(
+        of,
+        tuple(parameter.symbol for parameter in derived.oscillator.mechanism.design),
+        tuple(definitions[name] for name in of.parameters),
+        tuple(ends.values()),
+        whole.jumps,
+        ends_by_design=[definitions[name] for name in derived.oscillator.mechanism.breakpoints],
+        equations=("(5), (7)", "(5)", "(6)" if is_truncated(derived) else "(5)"),
+    )
+    if ends:
+        of.kernels["breakpoints"] = replace(of.kernels["breakpoints"], enclosed=True, paired=True)
+    text = "The force over the displacement, f(u)/u, rises with |u| where none of these is negative."
+    of.add("hardening", hardening(whole), text, "from (3)")
+    if is_stepped(whole.pieces):
+        state_steps(of, steps(whole.pieces, whole.breakpoints, whole.jumps), whole.pieces, whole.breakpoints)
 
 
 def is_stepped(pieces: Sequence[sp.Expr]) -> bool:
@@ -553,40 +466,12 @@ def is_stepped(pieces: Sequence[sp.Expr]) -> bool:
     return all(piece.is_polynomial(u) for piece in pieces) and pieces[0].subs(u, 0) == 0
 
 
-def step_kernels(
-    pieces: Sequence[sp.Expr], ends: Sequence[sp.Symbol], jumps: Sequence[sp.Expr], parameters: tuple[sp.Symbol, ...]
-) -> list[Kernel]:
-    """An odd force as a sum of steps and its derivatives by the parameters, where its pieces are polynomials."""
-    if not is_stepped(pieces):
-        return []
-    values = tuple(value for row in steps(pieces, ends, jumps) for value in row)
-    return [
-        replace(plain(name, parameters, of, doc, equation, "any parameters", parameters=len(parameters)), looped=False)
-        for name, of, doc, equation in (
-            ("steps", values, DOC_OF_STEPS, "(3), (5)"),
-            ("steps_by", steps_by(pieces, ends, parameters), DOC_OF_STEPS_BY, "(3)"),
-        )
-    ]
-
-
-def piece_kernels(derived: OfMechanism, module: str) -> tuple[list[Kernel], tuple[Law, ...]]:
-    """The pieces of the force and their slopes, one by one, for the equation of motion; and the laws of a module."""
-    parameters = derived.oscillator.mechanism.parameters
-    equation = "(3), (6)" if is_truncated(derived) else "(3), (5)"
-    kernels, table = [], []
-    for k, piece in enumerate(derived.whole.pieces, start=1):
-        lets, printed = ([], evaluable(piece)) if is_spelled_out(derived) else odd(piece)
-        name, name_of_slope = f"force_{k}", f"force_{k}_u"
-        what = f"iece {k} of the whole restoring force u + F_k(u)."
-        texts = (equation, "where it holds")
-        roots, slope = force_slope(printed)
-        arguments = (u, *parameters)
-        kernels.append(plain(name, arguments, printed, "P" + what, *texts, lets=lets, generic=True))
-        kernels.append(
-            plain(name_of_slope, arguments, slope, "d/du of p" + what, *texts, lets=[*lets, *roots], generic=True)
-        )
-        table.append(Law(name, name_of_slope, f"{module}.{name}"))
-    return kernels, tuple(table)
+def printed_pieces(derived: OfMechanism) -> Iterator[Printed]:
+    """The pieces of the force and their slopes on both sides of u = 0."""
+    for piece in derived.whole.pieces:
+        lets, value = ([], evaluable(piece)) if is_spelled_out(derived) else odd(piece)
+        roots, slope = force_slope(value)
+        yield Printed(value, slope, (*lets, *roots))
 
 
 def hardening(whole: Restoring) -> tuple[sp.Expr, ...]:
@@ -663,39 +548,33 @@ def is_truncated(derived: OfMechanism) -> bool:
     return order != sp.oo and not all(force.is_polynomial(u) and sp.degree(force, u) <= order for force in forces)
 
 
-def resultant_kernels(derived: OfMechanism) -> list[Kernel]:
+def state_resultants(of: Formulas, derived: OfMechanism) -> None:
     """Coefficients of the resultants, where there are any."""
     if not derived.saddle_nodes:
-        return []
-    parameters = derived.oscillator.mechanism.parameters
+        return
     first = derived.whole.breakpoints[:1]
     # the resultants hold for the first regime: its breakpoint does not enter
     domain = f"roots with 0 < A <= {first[0]}" if first else "roots with A > 0"
     excess = sp.Symbol("excess", real=True)
     by_excess = {power: in_excess(value, excess) for power, value in derived.saddle_nodes.reduced.items()}
-    return [
-        plain(
-            "saddle_node_onset",
-            (m, zeta, *parameters),
-            derived.saddle_node_onset.by_even_power,
-            "Reduced resultant of F_A and F_AA: coefficients of A^0, A^2, ...; its roots are candidates for the onset.",
-            "(33)",
-            domain,
-            parameters=len(parameters),
-            returns="stack",
-        ),
-        plain(
-            "saddle_nodes",
-            (F_0, m, zeta, *parameters),
-            replace(derived.saddle_nodes, reduced=by_excess).by_even_power,
-            "Reduced resultant of F and F_A: coefficients of A^0, A^2, ...; its roots are candidates for folds.",
-            "from (24), (30)",
-            domain,
-            lets=((excess, (F_0 - m) * (F_0 + m)),),
-            parameters=len(parameters),
-            returns="stack",
-        ),
-    ]
+    of.add(
+        "saddle_node_onset",
+        derived.saddle_node_onset.by_even_power,
+        "Reduced resultant of F_A and F_AA: coefficients of A^0, A^2, ...; its roots are candidates for the onset.",
+        "(33)",
+        domain,
+        arguments=(m, zeta),
+        returns="stack",
+    )
+    of.add(
+        "saddle_nodes",
+        Lets([(excess, (F_0 - m) * (F_0 + m))], replace(derived.saddle_nodes, reduced=by_excess).by_even_power),
+        "Reduced resultant of F and F_A: coefficients of A^0, A^2, ...; its roots are candidates for folds.",
+        "from (24), (30)",
+        domain,
+        arguments=(F_0, m, zeta),
+        returns="stack",
+    )
 
 
 def in_excess(value: sp.Expr, excess: sp.Symbol) -> sp.Expr:

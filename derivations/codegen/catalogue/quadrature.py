@@ -9,55 +9,46 @@ names are users', so kernels have them with a line behind them, which nothing el
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import sympy as sp
 
 from ...asymmetric.curved import of_odd
+from ...asymmetric.off_centre import steps
 from ...extensions.second_approximation import OF_HARMONIC
 from ...forces.contact import Contact, y
 from ...forces.quadrature import BROKEN, DENSE, Quadrature, c, s, sums, v
-from ...kernels import Branch, Kernel, Let, plain
+from ...kernels import Branch, Formulas, Kernel, Let, Lets
 from ...mechanisms import UNIT, Mechanism
 from ...paper.restoring_force import ORDERS
 from ...symbols import A, u
 from ..compensated import copysign
-from ..form import AVERAGED, Enclosed, Law, Module, Record, Sums
-from .mechanism import INTERCEPT, is_stepped, step_kernels
-from .sided import curved_kernels
+from ..form import AVERAGED, Enclosed, Module, Record, Sums
+from .force import Printed, formulas, state_data, state_pieces, state_steps
+from .mechanism import INTERCEPT, is_stepped
+from .sided import state_curved
 
 #: of an odd force that is stated for u > 0
 SIDE, SIZE = sp.Symbol("side", real=True), sp.Symbol("size", nonnegative=True)
 SIDES = ((SIDE, copysign(1, u)), (SIZE, sp.Abs(u)))
-#: sums are named by the terms under their integrals
-ANY = "any parameters"
 
 
 def quadrature_module(name: str, mechanism: Mechanism, average: Quadrature) -> Module:
     """The module of one mechanism that is stated in a program."""
     stated = mechanism
     mechanism, average = renamed(mechanism, average)
-    pieces, laws = piece_kernels(mechanism, average, name)
-    averages = (*average_sums(mechanism, average), parameter_sums(mechanism, average))
+    of = formulas(mechanism.parameters)
+    state_numbers(of, mechanism, average)
+    laws = state_pieces(of, name, printed_pieces(average), "(3), (5)")
     beside = of_odd(average, mechanism.parameters)
-    terms = None if beside is None else curved_kernels(beside, mechanism.parameters)
+    terms = None if beside is None else state_curved(of, beside)
+    averages = (*average_sums(of, average), parameter_sums(of, average))
     return Module(
         name=name,
         title=stated.title[0].upper() + stated.title[1:],
         inputs=("runtime.py", "forces/quadrature.py", *(["asymmetric/curved.py"] if terms else [])),
-        kernels=(
-            *data_kernels(mechanism, average),
-            *step_kernels(
-                average.pieces,
-                tuple(average.breakpoints.values()),
-                tuple(lost[0] for lost in average.losses),
-                mechanism.parameters,
-            ),
-            *pieces,
-            *(terms.kernels if terms else ()),
-            *(kernel for one in averages for kernel in (*one.terms, one.closing)),
-        ),
+        kernels=tuple(of.kernels.values()),
         record=Record(stated, stated.design or (UNIT,), laws, sp.oo, False, "", (), stepped=is_stepped(average.pieces)),
         native=False,
         sums=averages,
@@ -75,9 +66,8 @@ def renamed(mechanism: Mechanism, average: Quadrature) -> tuple[Mechanism, Quadr
     return replace(mechanism, design=design, instead=tuple(names.values())), Quadrature(pieces, ends)
 
 
-def average_sums(mechanism: Mechanism, average: Quadrature) -> tuple[Sums, ...]:
+def average_sums(of: Formulas, average: Quadrature) -> tuple[Sums, ...]:
     """`averaged`, `intercept` and `harmonics`."""
-    parameters = mechanism.parameters
     regimes = [average.regime(count) for count in range(len(average.pieces))]
     listed = ", ".join(str(symbol) for family in OF_HARMONIC.values() for symbol in family)
     found = []
@@ -90,29 +80,20 @@ def average_sums(mechanism: Mechanism, average: Quadrature) -> tuple[Sums, ...]:
     ):
         of_pieces = [average.integrands(piece)[number] for piece in average.from_begin]
         of_contacts = [average.of_contact(contact)[number] for contact in average.contacts]
-        terms = under_the_integrals(name, equation, average, parameters, of_pieces, of_contacts)
+        terms = under_the_integrals(of, name, equation, average, of_pieces, of_contacts)
         outputs = [(one.averaged, (one.intercept,), one.harmonics)[number] for one in regimes]
-        given = tuple(sums(terms[0].width))
-        closing = Kernel(
-            f"{name}_of",
-            (A, *given, *parameters),
-            branches(average, [(one.lets, values) for one, values in zip(regimes, outputs, strict=True)]),
-            f"`{name}` in the sums of its integrals over the pieces.",
-            equation,
-            "A >= 0",
-            parameters=len(parameters),
-            returns="tuple",
-        )
+        cases = branches(average, [(one.lets, values) for one, values in zip(regimes, outputs, strict=True)])
+        closing = closed(of, name, terms, cases, equation, "A >= 0")
         scalar = name == "intercept"
         found.append(Sums(name, terms, closing, doc, equation, graded(average), begins(average), scalar))
     return tuple(found)
 
 
 def under_the_integrals(
+    of: Formulas,
     name: str,
     equation: str,
     average: Quadrature,
-    parameters: tuple[sp.Symbol, ...],
     of_pieces: Sequence[tuple[sp.Expr, ...]],
     of_contacts: Sequence[tuple[sp.Expr, ...]],
 ) -> tuple[Kernel, ...]:
@@ -129,20 +110,26 @@ def under_the_integrals(
         what = f"what begins with piece {contact.begins + 1} as a power {contact.power}"
         listed.append((f"{name}_contact_{k}", what, values, own, contact.lets))
         own += len(values)
-    return tuple(
-        plain(
+    for called, what, values, first, lets in listed:
+        of.add(
             called,
-            (v, s, c, *parameters),
-            (*(sp.Integer(0),) * first, *values, *(sp.Integer(0),) * (width - first - len(values))),
+            Lets(lets, (*(sp.Integer(0),) * first, *values, *(sp.Integer(0),) * (width - first - len(values)))),
             f"Under the integrals of `{name}` on {what}, which u = A sine is beyond the begin of.",
             equation,
             "where the piece holds",
-            lets=lets,
-            parameters=len(parameters),
+            arguments=(v, s, c),
             generic=True,
         )
-        for called, what, values, first, lets in listed
-    )
+    return tuple(of.kernels[called] for called, *_ in listed)
+
+
+def closed(
+    of: Formulas, name: str, terms: Sequence[Kernel], cases: Sequence[Branch], equation: str, domain: str
+) -> Kernel:
+    """The kernel that closes these integrals."""
+    text, given = f"`{name}` in the sums of its integrals over the pieces.", sums(terms[0].width)
+    of.add(f"{name}_of", cases, text, equation, domain, arguments=(A, *given), returns="tuple")
+    return of.kernels[f"{name}_of"]
 
 
 def graded(average: Quadrature) -> tuple[int, ...]:
@@ -156,9 +143,9 @@ def begins(average: Quadrature) -> tuple[int, ...]:
     return tuple(contact.begins - 1 for contact in average.contacts)
 
 
-def parameter_sums(mechanism: Mechanism, average: Quadrature) -> Sums:
+def parameter_sums(of: Formulas, average: Quadrature) -> Sums:
     """How h, h_A and h_AA change with each parameter."""
-    parameters = mechanism.parameters
+    parameters = of.parameters
     doc, equation = "d/dp of h, h_A and h_AA at a fixed A, for each parameter p in turn.", "from (20)-(22), (31)"
     of_pieces = [
         tuple(value for parameter in parameters for value in average.changes(k, parameter))
@@ -168,7 +155,7 @@ def parameter_sums(mechanism: Mechanism, average: Quadrature) -> Sums:
         tuple(value for parameter in parameters for value in average.changes_of(contact, parameter))
         for contact in average.contacts
     ]
-    terms = under_the_integrals("by_parameter", equation, average, parameters, of_pieces, of_contacts)
+    terms = under_the_integrals(of, "by_parameter", equation, average, of_pieces, of_contacts)
     cases, wide = [], 3 * len(parameters)
     places = [wide * k for k in range(1, len(average.contacts) + 1)]
     for count in range(len(average.pieces)):
@@ -177,16 +164,7 @@ def parameter_sums(mechanism: Mechanism, average: Quadrature) -> Sums:
             for place, parameter in enumerate(parameters)
         ]
         cases.append((average.regime(count).lets, tuple(value for one in values for value in one)))
-    closing = Kernel(
-        "by_parameter_of",
-        (A, *sums(terms[0].width), *parameters),
-        branches(average, cases),
-        "`by_parameter` in the sums of its integrals over the pieces.",
-        equation,
-        "A > 0",
-        parameters=len(parameters),
-        returns="tuple",
-    )
+    closing = closed(of, "by_parameter", terms, branches(average, cases), equation, "A > 0")
     return Sums("by_parameter", terms, closing, doc, equation, graded(average), begins(average), beside=AVERAGED[:3])
 
 
@@ -205,140 +183,82 @@ def branches(average: Quadrature, cases: list[tuple[tuple[Let, ...], tuple[sp.Ex
     )
 
 
-def data_kernels(mechanism: Mechanism, average: Quadrature) -> list[Kernel]:
-    """Parameters from the design, breakpoints, jumps, kinks."""
-    parameters = mechanism.parameters
-    losses = average.losses
-    followed = (*parameters, *average.breakpoints.values())
+def state_numbers(of: Formulas, mechanism: Mechanism, average: Quadrature) -> None:
+    """Parameters from the design, breakpoints, jumps, kinks, and of polynomials the steps."""
     given = tuple(parameter.symbol for parameter in mechanism.design)
-    return [
-        plain(
-            "by_design",
-            given,
-            tuple(sp.diff(value, number) for value in followed for number in given),
-            "d/d of each number of the design: of each parameter in turn, then of each breakpoint.",
-            "(5)",
-            "any design",
-        ),
-        plain("coefficients", given, given or (sp.Integer(1),), "The parameters are the design.", "(4)", "any design"),
-        *(
-            plain(name, parameters, values, doc, equation, ANY, parameters=len(parameters))
-            for name, values, doc, equation in (
-                (
-                    "breakpoints",
-                    tuple(average.breakpoints.values()),
-                    "The |u| at which a piece of the force ends.",
-                    "(5)",
-                ),
-                (
-                    "jumps",
-                    tuple(lost[0] for lost in losses),
-                    "What the force loses at each breakpoint: f below less f above.",
-                    "(5)",
-                ),
-                (
-                    "hardening",
-                    (sp.Integer(-1),),
-                    "The force over the displacement, f(u)/u, is not known to rise.",
-                    "from (3)",
-                ),
-            )
-        ),
-        kink_kernel(parameters, average),
-    ]
+    ends, jumps = tuple(average.breakpoints.values()), tuple(lost[0] for lost in average.losses)
+    state_data(of, given, given or (sp.Integer(1),), ends, jumps, equations=("(4)", "(5)", "(5)"))
+    of.add("hardening", (sp.Integer(-1),), "The force over the displacement, f(u)/u, is not known to rise.", "from (3)")
+    state_kinks(of, average)
+    if is_stepped(average.pieces):
+        state_steps(of, steps(average.pieces, ends, jumps), average.pieces, ends)
 
 
-def kink_kernel(parameters: tuple[sp.Symbol, ...], average: Quadrature) -> Kernel:
+def state_kinks(of: Formulas, average: Quadrature) -> None:
     """What tells where derivatives of h are infinite above a breakpoint."""
-    doc = "What its slope and its curvature lose at each breakpoint, as broken powers about them do too."
-    values = tuple(value for lost in average.kinks for value in lost)
-    return plain("kinks", parameters, values, doc, "(5)", ANY, parameters=len(parameters))
+    text = "What its slope and its curvature lose at each breakpoint, as broken powers about them do too."
+    of.add("kinks", tuple(value for lost in average.kinks for value in lost), text, "(5)")
 
 
-def piece_kernels(mechanism: Mechanism, average: Quadrature, module: str) -> tuple[list[Kernel], tuple[Law, ...]]:
-    """The pieces of the force and their slopes on both sides of u = 0, for the equation of motion; laws of a module."""
-    parameters = mechanism.parameters
-    kernels, laws = [], []
-    for k, piece in enumerate(average.pieces, start=1):
-        name, slope = f"force_{k}", f"force_{k}_u"
-        contacts = [contact for contact in average.contacts if contact.begins == k - 1]
-        if contacts:
-            lets, printed, inclined = from_contact(average.smooth[k - 1], contacts)
-        else:
-            lets, printed, inclined = on_both_sides(piece)
-        what = f"iece {k} of the whole restoring force u + F_k(u)."
-        for one, value, text in ((name, printed, "P" + what), (slope, inclined, "d/du of p" + what)):
-            kernels.append(
-                plain(one, (u, *parameters), value, text, "(3), (5)", "where it holds", lets=lets, generic=True)
-            )
-        laws.append(Law(name, slope, f"{module}.{name}", contacts[0].begin if contacts else None))
-    return kernels, tuple(laws)
+def printed_pieces(average: Quadrature) -> Iterator[Printed]:
+    """The pieces of the force and their slopes on both sides of u = 0."""
+    for k, piece in enumerate(average.pieces):
+        contacts = [contact for contact in average.contacts if contact.begins == k]
+        yield from_contact(average.smooth[k], contacts) if contacts else on_both_sides(piece)
 
 
-def on_both_sides(piece: sp.Expr) -> tuple[list[Let], sp.Expr, sp.Expr]:
+def on_both_sides(piece: sp.Expr) -> Printed:
     """A piece and its slope, stated for u > 0: as it is where it is odd, by the size of u and its side elsewhere."""
     inclined = sp.powsimp(sp.diff(piece, u))
     if sp.expand(piece.subs(u, -u) + piece) == 0:
-        return [], piece, inclined
-    return list(SIDES), SIDE * piece.subs(u, SIZE), inclined.subs(u, SIZE)
+        return Printed(piece, inclined)
+    return Printed(SIDE * piece.subs(u, SIZE), inclined.subs(u, SIZE), SIDES)
 
 
-def from_contact(smooth: sp.Expr, contacts: Sequence[Contact]) -> tuple[list[Let], sp.Expr, sp.Expr]:
+def from_contact(smooth: sp.Expr, contacts: Sequence[Contact]) -> Printed:
     """The same of a piece with contacts, which are 0 below where they begin: integrators step there."""
     (begin,) = {contact.begin for contact in contacts}
     excess = SIZE - begin
     touching = sp.Add(*(v**contact.power * contact.factor for contact in contacts))
     inclined = sp.diff(smooth, u).subs(u, SIZE) + sp.powsimp(sp.expand(sp.diff(touching, v)))
-    lets = [*SIDES, (v, (excess + sp.Abs(excess, evaluate=False)) / 2)]
-    return lets, SIDE * (smooth.subs(u, SIZE) + touching), inclined
+    lets = (*SIDES, (v, (excess + sp.Abs(excess, evaluate=False)) / 2))
+    return Printed(SIDE * (smooth.subs(u, SIZE) + touching), inclined, lets, begin)
 
 
 def enclosed(mechanism: Mechanism, average: Quadrature) -> Enclosed:
     """What holds h and h_AAAA on an interval of amplitudes."""
-    parameters = mechanism.parameters
+    of = formulas(mechanism.parameters)
     about = ("(20), (31)", "on intervals")
-    terms = tuple(
-        plain(
-            f"enclosed_terms_{k}",
-            (A, v, s, *parameters),
-            average.bent(piece),
-            f"Under the integrals of h and h_AAAA on piece {k} of the force, which u = A sine is beyond the begin of.",
-            *about,
-            parameters=len(parameters),
-            generic=True,
+    for k, piece in enumerate(average.from_begin, start=1):
+        text = (
+            f"Under the integrals of h and h_AAAA on piece {k} of the force, which u = A sine is beyond the begin of."
         )
-        for k, piece in enumerate(average.from_begin, start=1)
-    )
-    contacts = tuple(
-        plain(
+        of.add(f"enclosed_terms_{k}", average.bent(piece), text, *about, arguments=(A, v, s), generic=True)
+    terms = tuple(of.kernels.values())
+    for k, contact in enumerate(average.contacts, start=1):
+        of.add(
             f"enclosed_contact_{k}",
-            (A, y, *parameters),
-            contact.between,
+            Lets(contact.lets_between, contact.between),
             f"Over dy/sqrt(1 - y), what begins with piece {contact.begins + 1} as a power {contact.power}, and four "
             "derivatives; y is the share of what A exceeds its begin by.",
             *about,
-            lets=contact.lets_between,
-            parameters=len(parameters),
+            arguments=(A, y),
             generic=True,
         )
-        for k, contact in enumerate(average.contacts, start=1)
-    )
+    contacts = tuple(of.kernels.values())[len(terms) :]
     given = sums(2 + sum(contact.width for contact in contacts))
-    closing = []
     for count in range(len(average.pieces)):
         known = dict(list(average.breakpoints.items())[:count])
         numbers = {b: value for b, value in known.items() if value.is_number}
-        roots = tuple(sp.Symbol(f"root_{k}", nonnegative=True) for k in range(1, count + 1))
-        closing.append(
-            plain(
-                f"enclosed_of_{count}",
-                (A, *roots, *given, *parameters),
-                tuple(value.xreplace(numbers) for value in average.bends(count)),
-                f"h and h_A{'A' * ORDERS} in the integrals and sqrt(A^2 - b^2), beyond {count} breakpoints.",
-                *about,
-                lets=[(b, value) for b, value in known.items() if b not in numbers and b != value],
-                parameters=len(parameters),
-                generic=True,
-            )
+        lets = [(b, value) for b, value in known.items() if b not in numbers and b != value]
+        roots = (sp.Symbol(f"root_{k}", nonnegative=True) for k in range(1, count + 1))
+        of.add(
+            f"enclosed_of_{count}",
+            Lets(lets, tuple(value.xreplace(numbers) for value in average.bends(count))),
+            f"h and h_A{'A' * ORDERS} in the integrals and sqrt(A^2 - b^2), beyond {count} breakpoints.",
+            *about,
+            arguments=(A, *roots, *given),
+            generic=True,
         )
-    return Enclosed(terms, tuple(closing), contacts, begins(average))
+    closing = tuple(of.kernels.values())[len(terms) + len(contacts) :]
+    return Enclosed(terms, closing, contacts, begins(average))
