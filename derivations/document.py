@@ -88,10 +88,16 @@ def balance(force: Sided) -> Iterator[str]:
         ("f_0", rf"{of_motion} \rangle - p = 0"),
         ("h", rf"-2 {of_motion} \cos\psi \rangle"),
     )
-    yield "In $F_A$ below $h_A$ is that along $f_0 = 0$. Beyond the end $b$ of a piece the force has beside that piece"
-    yield r"$\sum D_k (u - b)^k/k!$, which adds to the means over the $\psi$ for which $u$ is beyond:"
+    yield "In $F_A$ below $h_A$ is that along $f_0 = 0$."
+    if force.is_polynomial:
+        yield "Beyond the end $b$ of a piece the force has beside that piece"
+        yield r"$\sum D_k (u - b)^k/k!$, which adds to the means over the $\psi$ for which $u$ is beyond:"
+        gains = force.steps[len(force.pieces) :]
+    else:
+        yield "At the end $b$ of a piece the force gains $D_0$, its slope $D_1$: the means of steps $D_0 + D_1 (u - b)$"
+        yield r"over the $\psi$ for which $u$ is beyond are closed. What is left has a continuous slope, and is summed:"
+        gains = tuple(row[:2] for row in force.curved.gains)
     yield ""
-    gains = force.steps[len(force.pieces) :]
     for end, row in zip(force.ends, gains, strict=True):
         yield from display(
             *((rf"D_{order}\big|_{{u = {latex(end)}}}", value) for order, value in enumerate(row) if value != 0)

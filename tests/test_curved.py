@@ -167,6 +167,11 @@ def test_an_odd_force_under_a_load_is_the_same_stated_for_all_u():
 
 
 @pytest.mark.slow
+def test_its_derivation_is_told(cushion):
+    """It asked for the degree of each piece, which only a polynomial has."""
+    assert r"D_1\big|_{u = g} &= \frac{q}{d}" in cushion.document()
+
+
 def test_no_motion_passes_a_wall(magnet):
     oscillator = magnet(q=0.01, d=0.5, load=0.05, **DAMPED)
     model = oscillator.model.unloaded
