@@ -119,18 +119,19 @@ def test_a_lower_level_never_begins_earlier(seed, levels):
     assert all(before <= after * (1 + 1e-12) for before, after in pairwise(numbers))
 
 
+@pytest.mark.parametrize("laws", [{}, {"eta": 0.04, "c_2": 0.2}])
 @pytest.mark.parametrize("excitation", ["force", "base"])
-def test_many_designs_at_many_levels_are_those_of_each(excitation):
+def test_many_designs_at_many_levels_are_those_of_each(excitation, laws):
     rng = np.random.default_rng(5)
     n = fewer(40, 4)
     given = {"alpha": rng.uniform(0.1, 2, n), "beta": rng.uniform(-0.3, 2, n), "mu": 10 ** rng.uniform(-5, -2, n)}
     given["zeta"] = 10 ** rng.uniform(-2, 0, n)
     F_0, levels = 10 ** rng.uniform(-2, -0.5, n), np.array([[0.0], [-7.0], [-21.0], [-70.0]])
-    many = Duffing.many(**given, excitation=excitation).isolation(F_0, level_dB=levels)
+    many = Duffing.many(**given, **laws, excitation=excitation).isolation(F_0, level_dB=levels)
     assert many.Omega.shape == (4, n) and many.asked["level_dB"] is levels
     for row, level_dB in enumerate(levels[:, 0].tolist()):
         for k in range(n):
-            one = Duffing(**{name: float(value[k]) for name, value in given.items()}, excitation=excitation)
+            one = Duffing(**{name: float(value[k]) for name, value in given.items()}, **laws, excitation=excitation)
             try:
                 single = one.isolation(float(F_0[k]), level_dB)
             except ArithmeticError:
@@ -157,10 +158,13 @@ def test_what_friction_passes_on_at_any_frequency_is_told():
 
 
 def test_quadratic_damping_takes_a_share_of_the_motion_of_a_base_to_the_mass_at_any_frequency():
-    shaken = Duffing(1.0, 0.0, zeta=0.05, c_2=0.5, excitation="base")
+    given = {"alpha": 1.0, "beta": 0.0, "zeta": 0.05, "c_2": 0.5, "excitation": "base"}
+    shaken = Duffing(**given)
     floor = 20 * math.log10(shaken.transmissibility_floor(0.2))
     assert "quadratic damping passes on" in shaken.isolation(0.2, floor - 0.1).message
     assert shaken.isolation(0.2, floor + 1.0).Omega > shaken.isolation(0.2).Omega
+    many = Duffing.many(**given).isolation(0.2, level_dB=[floor - 0.1, floor + 1.0])
+    assert many.status.tolist() == [Status.NONE, Status.OK]
 
 
 @pytest.mark.parametrize("level_dB", [1e-9, 3, math.nan, "-20"])

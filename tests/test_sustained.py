@@ -10,10 +10,10 @@ import sympy as sp
 from scipy.integrate import quad
 
 from slowflow import Duffing, derive
-from slowflow.averaged.sustained import Damping, free_motions, unsustained
+from slowflow.averaged.sustained import free_motions, unsustained
 from slowflow.exact import shooting
 from slowflow.isolator import DUFFING
-from slowflow.model import THROUGHOUT
+from slowflow.model import SlowFlow
 from slowflow.results import Remark
 
 SOFTENING = Duffing(1.0, -0.1, zeta=0.022)
@@ -69,8 +69,8 @@ def test_sustained_states_beside_resonance_take_and_get_what_is_there(zeta, iner
         given = 2 * zeta * Omega * A * ((beside / Omega) ** 2 if inertial else 1)
         shares.append(np.hypot(a * (beside**2 - omega**2), taken) / given)
     assert 0.95 < min(shares) < 0.99
-    damping = Damping(0.0, zeta, 0.0, 0.0, THROUGHOUT, inertial)
-    assert unsustained(DUFFING, (1.0, -0.1), damping, np.array([Omega]), np.array([A])).tolist() == [False]
+    flow = SlowFlow(DUFFING, (1.0, -0.1), 0.0, zeta, "base" if inertial else "force")
+    assert unsustained(flow, np.array([Omega]), np.array([A])).tolist() == [False]
 
 
 @pytest.mark.parametrize("more", [{}, {"excitation": "unbalance"}, {"c_2": 0.02}, {"mu": 0.005}])

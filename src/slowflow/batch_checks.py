@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, replace
 from functools import partial
+from operator import itemgetter
 from typing import Any
 
 import numpy as np
@@ -19,8 +19,8 @@ from slowflow.averaged.batches import Batch, Codes, first_end
 from slowflow.averaged.diagnostics import gives_way, stay_centred
 from slowflow.averaged.many import Designs
 from slowflow.averaged.questions import Averaged
-from slowflow.mechanism import Flags, Floats, Ints, Mechanism
-from slowflow.model import THROUGHOUT, held
+from slowflow.mechanism import Flags, Floats, Ints
+from slowflow.model import THROUGHOUT
 from slowflow.results import Remark
 from slowflow.table import AVERAGING, QUESTIONS
 from slowflow_kernels import dissipation, inertia, slow_flow
@@ -158,24 +158,22 @@ def hysteresis(designs: Designs, F_0: Any, places: int = 3, workers: int = 1) ->
 def isolation(designs: Designs, F_0: Any, level_dB: Any = None, workers: int = 1) -> Batch:
     """See `slowflow.designs.Designs.isolation`.
 
-    `isolating.isolated_each` by peaks and folds. Designs with other damping than mu and zeta, whose motions may leave
-    the centre, or whose peak or folds are not all known, are asked singly.
+    `isolating.isolated_each` by peaks and folds. Designs whose motions may leave the centre, or whose peak or folds are
+    not all known, are asked singly.
     """
     peaks, folds = designs.peak(F_0, workers=workers), designs.saddle_nodes(F_0, workers=workers)
     given = validate.real_array("level_dB", 0.0 if level_dB is None else level_dB)
     shape = validate.common_shape({**designs.values, "F_0": np.asarray(F_0), "level_dB": given})
     dB, forcing = (np.broadcast_to(np.asarray(one, dtype=float), shape) for one in (given, F_0))
-    inertial, mu, zeta = designs.excitation != "force", *(np.asarray(designs.values[one]) for one in ("mu", "zeta"))
     with np.errstate(all="ignore"):  # a number outside its domain has a status
-        levels, m = isolating.Level.of(dB), np.asarray(slow_flow.friction(mu))
+        flow, levels = designs._flow, isolating.Level.of(dB)
         status = np.where(np.isfinite(dB) & (dB <= 0), peaks.status, Status.INVALID).astype(np.int8)
+        answered = np.isin(status, (Status.OK, Status.NONE) if flow.inertial else Status.OK)
         # friction alone passes on more, at any frequency
-        floor = (dB < 0) & (m >= levels.ratio * forcing) & (status == Status.OK) & (not inertial)
-        parameters = tuple(np.asarray(value) for value in designs.mechanism.coefficients(*designs.design))
-        known = stay_centred(designs.mechanism, parameters) & ((zeta > 0) | (not inertial)) & (not designs.laws)
+        floor = (dB < 0) & (flow.floor(forcing) >= levels.ratio) & answered
+        known = stay_centred(flow.mechanism, flow.parameters) & answered & ~floor
     status[floor] = Status.NONE
     said = (peaks.remarks | folds.remarks) & ~np.uint16(Remark.OF_TRUNCATION)  # which a fold is of, not the response
-    known = known & np.isin(status, (Status.OK, Status.NONE) if inertial else Status.OK) & ~floor
     known &= (folds.status == Status.OK) & (said & (Remark.UNDECIDED | Remark.BY_BALLS) == 0)
     said = np.broadcast_to(np.where(known | (status == Status.STICKS), said, np.uint16(0)), shape).copy()
     found = {**QUESTIONS["isolation"].blank(AVERAGING, shape), "status": status}
@@ -183,20 +181,21 @@ def isolation(designs: Designs, F_0: Any, level_dB: Any = None, workers: int = 1
     # without a peak no motion on a base that shakes exceeds F_0
     highest = np.broadcast_to(np.where(peaks.status == Status.NONE, F_0, peaks.A), shape)
     of_folds = [np.broadcast_to(one, (*shape, one.shape[-1])) for one in (folds.Omega, folds.A)]
-    rows = np.argwhere(known)
+    spread, rows = flow.each(lambda number: np.broadcast_to(number, shape)), np.argwhere(known)
     for part in progress.parts(len(rows), AT_ONCE, "isolation"):
         at = tuple(rows[part].T) or (np.newaxis,)  # a single design has no axis
-        values = {name: np.broadcast_to(value, shape)[at] for name, value in designs.values.items()}
-        flows = _Flows.of(Designs(designs.mechanism, values, designs.excitation, designs.rubs))
-        A_max, F = (one[at][:, np.newaxis] for one in (highest, forcing))
-        level = isolating.Level(*(one[at][:, np.newaxis] for one in levels))
+        column = (*at, np.newaxis)
+        own = spread.each(itemgetter(column))
+        A_max, F, *of_level = (one[column] for one in (highest, forcing, *levels))
         with np.errstate(all="ignore"):  # an amplitude may have no frequency of that level
-            unsure, *columns = isolating.isolated_each(flows.take, tuple(one[at] for one in of_folds), A_max, F, level)
+            unsure, *columns = isolating.isolated_each(
+                own, tuple(one[at] for one in of_folds), A_max, F, isolating.Level(*of_level)
+            )
         for name, column in zip(("at_fold", "Omega", "A"), columns, strict=True):
             found[name][at] = column
         status[at], asked[at] = Status.OK, unsure
-        if inertial:  # at low frequencies friction all but holds the mass
-            said[at] |= np.where(values["mu"] > 0, np.uint16(Remark.NEAR_STICKING), np.uint16(0))
+        if flow.inertial:  # at low frequencies friction all but holds the mass
+            said[at] |= np.where(own.mu[:, 0] > 0, np.uint16(Remark.NEAR_STICKING), np.uint16(0))
     for at, one in _singly(designs, F_0, asked, checks.isolation, dB):
         status[at] = Status.UNRESOLVED if one is None else Status.NONE if one.Omega is None else Status.OK
         said[at] = 0 if one is None else one.remarks
@@ -279,57 +278,6 @@ def _sides(
     failed = np.isin(folds.status[of], FAILED)
     fares[which[failed]] = folds.status[of][failed]
     return checks.on_both_sides(folds.Omega[of], Omega)
-
-
-@dataclass(frozen=True)
-class _Flows:
-    """The slow flows of designs with mu and zeta, in columns with an axis of one: what `Model` has of one design."""
-
-    mechanism: Mechanism
-    parameters: tuple[Floats, ...]
-    damping: tuple[Floats, ...]
-    inertial: bool
-
-    @classmethod
-    def of(cls, designs: Designs) -> _Flows:
-        damping = np.asarray(slow_flow.friction(designs.values["mu"])), designs.values["zeta"]
-        every = (*damping, *designs.mechanism.coefficients(*designs.design))
-        m, zeta, *parameters = (np.broadcast_to(value, designs.shape)[:, np.newaxis] for value in every)
-        return cls(designs.mechanism, tuple(parameters), (m, zeta), designs.excitation != "force")
-
-    def take(self, rows: Any) -> _Flows:
-        """Those of some designs."""
-        parameters, damping = (tuple(one[rows] for one in columns) for columns in (self.parameters, self.damping))
-        return replace(self, parameters=parameters, damping=damping)
-
-    @property
-    def preload(self) -> Floats:
-        return -np.asarray(self.mechanism.at_rest(*self.parameters)[0]) * self.mechanism.odd
-
-    @property
-    def held(self) -> Floats:
-        return held(self.damping[0], self.preload)
-
-    def averaged(self, A: Floats) -> tuple[Floats, ...]:
-        h, *slopes = self.mechanism.averaged(A, *self.parameters)
-        return np.asarray(h), *slopes
-
-    def alike(self, Omega: Floats, A: Floats) -> tuple[Floats, ...]:
-        return self.damping
-
-    def force(self, F_0: Floats, Omega: Floats) -> Floats:
-        return np.asarray(inertia.force(Omega, F_0)) if self.inertial else F_0
-
-    def sine(self, Omega: Floats, A: Floats) -> Floats:
-        return np.asarray(slow_flow.I(Omega, A, *self.damping))
-
-    def F_A(self, Omega: Floats, A: Floats) -> Floats:
-        (h, h_A, *_), (m, zeta) = self.averaged(A), self.damping
-        return np.asarray(slow_flow.F_A(Omega, A, m, zeta, h, h_A))
-
-    def level(self, Omega: Floats, A: Floats) -> Floats:
-        kernels: Any = inertia if self.inertial else slow_flow
-        return np.asarray(kernels.level(Omega, A, *self.damping, self.averaged(A)[0]))
 
 
 def _singly(designs: Designs, F_0: Any, wanted: Flags, ask: Callable[..., Any], *beside: Floats) -> Any:

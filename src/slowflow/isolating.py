@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from functools import partial
+from operator import itemgetter
 from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
@@ -16,7 +17,7 @@ import numpy as np
 from slowflow import validate
 from slowflow.answer import joined
 from slowflow.mechanism import Flags, Floats, Ints
-from slowflow.model import Model
+from slowflow.model import Model, SlowFlow
 from slowflow.text import Sentence
 from slowflow.transmissibility import in_motion
 from slowflow_kernels import inertia, slow_flow
@@ -96,23 +97,24 @@ def isolated(model: Model, curve: Any, F_0: float, level: Level) -> tuple[Any, .
 
 
 def isolated_each(
-    of: Callable[[Any], Any], folds: tuple[Floats, Floats], A_max: Floats, F_0: Floats, level: Level
+    flow: SlowFlow, folds: tuple[Floats, Floats], A_max: Floats, F_0: Floats, level: Level
 ) -> tuple[Any, ...]:
     """`isolated` of designs in rows, from all their folds; and where a zero may lie below the amplitudes looked at.
 
-    of    -- the slow flows of the designs in some rows; A_max, F_0, level have an axis of one for the amplitudes
+    flow, A_max, F_0, level -- have an axis of one for the amplitudes
     folds -- Omega and A of those that end a stable motion, NaN for none
 
     At the frequency of a level an amplitude takes one forcing: the motions at F_0 are its zeros in A less F_0, on
     isolas, too, without a response curve. The last that is stable, or the last fold that transmits more.
     """
-    flow, (Omega, A) = of(slice(None)), folds
+    Omega, A = folds
     lowest = _lowest(flow, F_0, level)
     grid = lowest + (A_max - lowest) * np.geomspace(LEAST, 1.0, AMPLITUDES)
     above = _excess(flow, grid, F_0, level) > 0
     rows, k = np.nonzero(above[:, 1:] != above[:, :-1])
     levels = Level(*(column[rows] for column in level))
-    at, of_A = _crossing(of(rows), F_0[rows], grid[rows, k, np.newaxis], grid[rows, k + 1, np.newaxis], levels)
+    low, high = grid[rows, k, np.newaxis], grid[rows, k + 1, np.newaxis]
+    at, of_A = _crossing(flow.each(itemgetter(rows)), F_0[rows], low, high, levels)
     last, last_A = _last(len(F_0), rows, at[:, 0], of_A[:, 0])
     ends = np.where(_transmits(flow, Omega, A, F_0, level), Omega, -math.inf)
     at_end = ends.argmax(axis=1)[:, np.newaxis]

@@ -7,12 +7,12 @@ zeros put in.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, fields
 from functools import cached_property
 from itertools import pairwise
 from types import ModuleType
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -93,7 +93,7 @@ class Laws:
         return {
             field.name: getattr(self, field.name)
             for field in fields(self)
-            if getattr(self, field.name) != field.default
+            if np.any(getattr(self, field.name) != field.default)
         }
 
     @cached_property
@@ -131,30 +131,152 @@ def held(m: Any, preload: Any) -> Floats:
 
 
 @dataclass(frozen=True)
-class Model:
-    """The slow flow of one oscillator, dimensionless.
+class SlowFlow:
+    """The slow flow of one oscillator, or of many, whose numbers are arrays that broadcast: functions of (Omega, A).
 
-    mechanism  -- record of its restoring force
+    mechanism  -- record of the restoring force
     parameters -- the force's parameters, in the order of `mechanism.parameters`
     mu, zeta   -- dry friction and viscous damping ratio
-    design     -- the numbers that the parameters follow from, as they were given; () where these are not known
     excitation -- what the amplitude F_0 is of, a key of `EXCITATIONS`
     laws       -- what dissipates beside mu and zeta
-    m          -- 4 mu/pi, friction's share of I (23)
+    """
+
+    mechanism: Mechanism
+    parameters: tuple[Any, ...]
+    mu: Any
+    zeta: Any
+    excitation: str = "force"
+    laws: Laws = NO_LAWS
+
+    flow: ClassVar[Any] = general_flow
+    _begins_beyond: ClassVar[Any] = False
+
+    def each(self, function: Callable[[Any], Any]) -> SlowFlow:
+        """That of others, by a function of each number."""
+        parameters = tuple(map(function, self.parameters))
+        laws = Laws(function(self.laws.eta), function(self.laws.c_2), self.laws.rubs)
+        return SlowFlow(self.mechanism, parameters, function(self.mu), function(self.zeta), self.excitation, laws)
+
+    @cached_property
+    def m(self) -> Any:
+        """4 mu/pi, friction's share of I (23)."""
+        return general_flow.friction(self.mu)
+
+    @cached_property
+    def breakpoints(self) -> tuple[Any, ...]:
+        """Where the pieces of the force end."""
+        return tuple(self.mechanism.breakpoints(*self.parameters))
+
+    @cached_property
+    def preload(self) -> Any:
+        """-h as A tends to 0: 4/pi times what an odd force jumps to at u = 0, which all but a few forces do not."""
+        return -np.asarray(self.mechanism.at_rest(*self.parameters)[0]) * self.mechanism.odd
+
+    @cached_property
+    def held(self) -> Any:
+        """The forcing up to which a mass at rest stays there, whatever the frequency: `held`."""
+        return held(self.m, self.preload)
+
+    @property
+    def inertial(self) -> bool:
+        """Whether the force is the amplitude of the excitation times Omega^2."""
+        return self.excitation != "force"
+
+    def force(self, F_0: Any, Omega: Any) -> Any:
+        """Amplitude of the force at an amplitude F_0 of the excitation; shapes that broadcast."""
+        return inertia.force(Omega, F_0) if self.inertial else F_0
+
+    @cached_property
+    def d(self) -> Any:
+        """8 c_2/(3 pi), the factor of A^2 Omega^2 in I."""
+        return dissipation.quadratic(self.laws.c_2)
+
+    def at_rest(self, A: Any) -> tuple[Floats, Floats, Floats, Floats]:
+        """See `at_rest`; friction ends at the first breakpoint."""
+        u_cr = None if self.laws.rubs == THROUGHOUT else self.breakpoints[0]
+        return at_rest(A, self.m, self.laws.eta, u_cr)
+
+    def sine(self, Omega: Any, A: Any) -> Floats:
+        """I, the sine balance (23), -F_0 sin phi at a steady state; shapes that broadcast."""
+        if not self.laws.any:
+            return np.asarray(self.flow.I(Omega, A, self.m, self.zeta))
+        return np.asarray(dissipation.I(Omega, A, self.at_rest(A)[0], self.zeta, self.d))
+
+    def alike(self, Omega: Any, A: Any) -> tuple[Any, Any]:
+        """m and zeta of the slow flow's kernels that have the same I at (Omega, A); only its slopes are others."""
+        return (self.sine(Omega, A), 0.0) if self.laws.any else (self.m, self.zeta)
+
+    @property
+    def curve(self) -> Any:
+        """The kernels of the response's slopes, by what dissipates; they take what `_damping` gives."""
+        return dissipation if self.laws.any else self.flow
+
+    def _damping(self, A: Any, orders: int) -> tuple[Any, ...]:
+        """What kernels of `curve` take between A and h: m, zeta, or derivatives of I_0 below `orders`, zeta, d."""
+        if not self.laws.any:
+            return self.m, self.zeta
+        return *self.at_rest(A)[:orders], self.zeta, self.d
+
+    def F_A(self, Omega: Any, A: Any) -> Floats:
+        """dF/dA (24), positive where a steady state is stable (30), at (Omega, A), shapes that broadcast."""
+        h, h_A, _, _ = self.averaged(A)
+        return np.asarray(self.curve.F_A(Omega, A, *self._damping(A, 2), h, h_A))
+
+    def stability(self, Omega: Any, A: Any) -> Floats:
+        """The left side of (30), likewise."""
+        h, h_A, _, _ = self.averaged(A)
+        return np.asarray(self.curve.stability(Omega, A, *self._damping(A, 2), h, h_A))
+
+    def F_AA(self, Omega: Any, A: Any) -> Floats:
+        """d2F/dA2 (24), likewise."""
+        h, h_A, h_AA, _ = self.averaged(A)
+        return np.asarray(self.curve.F_AA(Omega, A, *self._damping(A, 3), h, h_A, h_AA))
+
+    def level(self, Omega: Any, A: Any) -> Floats:
+        """The amplitude F_0 of the excitation for which (Omega, A), shapes that broadcast, is a steady state (24)."""
+        kernels: Any = inertia if self.inertial else self.flow
+        return np.asarray(kernels.level(Omega, A, *self.alike(Omega, A), self.averaged(A)[0]))
+
+    def rests(self, F_0: Any, Omega: Any) -> Any:
+        """Whether a mass at rest stays there at an excitation F_0 of frequency Omega; numbers, or arrays.
+
+        Then A = 0 is a steady state: the force on the mass does not exceed what (24) takes as A tends to 0.
+        """
+        return self.force(F_0, Omega) + 0.0 * np.asarray(Omega) <= self.held
+
+    def floor(self, F_0: Any) -> Any:
+        """What transmissibility tends to as Omega tends to inf, see `Averaged.transmissibility_floor`."""
+        if self.inertial:
+            return dissipation.I(1.0, dissipation.full_by_inertia(F_0, self.d), 0.0, 0.0, self.d) / F_0
+        with np.errstate(over="ignore"):  # a share of next to no force
+            return np.minimum(1.0, general_flow.transmissibility(1.0, 0.0, F_0, self.m, self.zeta, self.preload))
+
+    def averaged(self, A: Any) -> tuple[Floats, Floats, Floats, Floats]:
+        """h, h_A, h_AA, h_AAA at the amplitudes A (any shape)."""
+        found = self.mechanism.averaged(A, *self.parameters)
+        if self._begins_beyond:
+            at_rest = self.mechanism.at_rest(*self.parameters)
+            found = tuple(np.where(np.asarray(A) == 0, rest, one) for one, rest in zip(found, at_rest, strict=True))
+        h, h_A, h_AA, h_AAA = found
+        return h, h_A, h_AA, h_AAA
+
+
+@dataclass(frozen=True)
+class Model(SlowFlow):
+    """The slow flow of one oscillator, dimensionless, its numbers checked.
+
+    design     -- the numbers that the parameters follow from, as they were given; () where these are not known
     flow       -- generated slow flow of the scene; `flow.SCENE` tells it in words
     breakpoints, jumps -- where the pieces of the force end, and the force just below less the force just above
     native     -- the same as the compiled solvers take it; None of a force that is not odd
     """
 
-    mechanism: Mechanism
     parameters: tuple[float, ...]
     mu: float
     zeta: float
     design: tuple[float, ...] = ()
-    excitation: str = "force"
-    laws: Laws = NO_LAWS
     m: float = field(init=False)
-    flow: ModuleType = field(init=False, compare=False, repr=False)
+    flow: ModuleType = field(init=False, compare=False, repr=False)  # type: ignore[misc]
     breakpoints: tuple[float, ...] = field(init=False)
     jumps: tuple[float, ...] = field(init=False)
     native: Any = field(init=False, compare=False, repr=False)
@@ -230,7 +352,7 @@ class Model:
         return m, tuple(end for end, _ in kept), tuple(jump for _, jump in kept)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        given = (self.mechanism, self.parameters, self.mu, self.zeta, self.design, self.excitation, self.laws)
+        given = (self.mechanism, self.parameters, self.mu, self.zeta, self.excitation, self.laws, self.design)
         return Model, given
 
     @classmethod
@@ -245,7 +367,7 @@ class Model:
         domains = (*mechanism.design, *DAMPING)
         *own, mu, zeta = [validate.within(domain, values[domain.name]) for domain in domains]
         design = tuple(own)
-        return cls(mechanism, backend.parameters_of(mechanism, design), mu, zeta, design, excitation, laws)
+        return cls(mechanism, backend.parameters_of(mechanism, design), mu, zeta, excitation, laws, design)
 
     @cached_property
     def linear(self) -> bool:
@@ -264,7 +386,7 @@ class Model:
 
     @cached_property
     def preload(self) -> float:
-        """-h as A tends to 0: 4/pi times what an odd force jumps to at u = 0, which all but a few forces do not."""
+        """The same, a number."""
         return -float(self._rest[0]) if self.mechanism.odd else 0.0
 
     @cached_property
@@ -290,70 +412,10 @@ class Model:
         """
         return self.hardens and not self.negative_stiffness
 
-    @property
-    def inertial(self) -> bool:
-        """Whether the force is the amplitude of the excitation times Omega^2."""
-        return self.excitation != "force"
-
-    def force(self, F_0: Any, Omega: Any) -> Any:
-        """Amplitude of the force at an amplitude F_0 of the excitation; shapes that broadcast."""
-        return inertia.force(Omega, F_0) if self.inertial else F_0
-
-    @cached_property
-    def d(self) -> float:
-        """8 c_2/(3 pi), the factor of A^2 Omega^2 in I."""
-        return float(dissipation.quadratic(self.laws.c_2))
-
-    def at_rest(self, A: Any) -> tuple[Floats, Floats, Floats, Floats]:
-        """See `at_rest`; friction ends at the first breakpoint."""
-        u_cr = None if self.laws.rubs == THROUGHOUT else self.breakpoints[0]
-        return at_rest(A, self.m, self.laws.eta, u_cr)
-
-    def sine(self, Omega: Any, A: Any) -> Floats:
-        """I, the sine balance (23), -F_0 sin phi at a steady state; shapes that broadcast."""
-        if not self.laws.any:
-            return np.asarray(self.flow.I(Omega, A, self.m, self.zeta))
-        return np.asarray(dissipation.I(Omega, A, self.at_rest(A)[0], self.zeta, self.d))
-
-    def alike(self, Omega: Any, A: Any) -> tuple[Any, Any]:
-        """m and zeta of the slow flow's kernels that have the same I at (Omega, A); only its slopes are others."""
-        return (self.sine(Omega, A), 0.0) if self.laws.any else (self.m, self.zeta)
-
-    @property
-    def curve(self) -> Any:
-        """The kernels of the response's slopes, by what dissipates; they take what `_damping` gives."""
-        return dissipation if self.laws.any else self.flow
-
-    def _damping(self, A: Any, orders: int) -> tuple[Any, ...]:
-        """What kernels of `curve` take between A and h: m, zeta, or derivatives of I_0 below `orders`, zeta, d."""
-        if not self.laws.any:
-            return self.m, self.zeta
-        return *self.at_rest(A)[:orders], self.zeta, self.d
-
-    def F_A(self, Omega: Any, A: Any) -> Floats:
-        """dF/dA (24), positive where a steady state is stable (30), at (Omega, A), shapes that broadcast."""
-        h, h_A, _, _ = self.averaged(A)
-        return np.asarray(self.curve.F_A(Omega, A, *self._damping(A, 2), h, h_A))
-
-    def stability(self, Omega: Any, A: Any) -> Floats:
-        """The left side of (30), likewise."""
-        h, h_A, _, _ = self.averaged(A)
-        return np.asarray(self.curve.stability(Omega, A, *self._damping(A, 2), h, h_A))
-
-    def F_AA(self, Omega: Any, A: Any) -> Floats:
-        """d2F/dA2 (24), likewise."""
-        h, h_A, h_AA, _ = self.averaged(A)
-        return np.asarray(self.curve.F_AA(Omega, A, *self._damping(A, 3), h, h_A, h_AA))
-
     def full_level(self, A: float) -> float:
         """The amplitude of an excitation by inertia under which A is what the response tends to as Omega grows."""
         I_0, h = self.at_rest(A)[0], self.averaged(A)[0]
         return math.sqrt(dissipation.far_by_inertia(0.0, A, 0.0, I_0, self.zeta, self.d, h)[0])
-
-    def level(self, Omega: Any, A: Any) -> Floats:
-        """The amplitude F_0 of the excitation for which (Omega, A), shapes that broadcast, is a steady state (24)."""
-        kernels: Any = inertia if self.inertial else self.flow
-        return np.asarray(kernels.level(Omega, A, *self.alike(Omega, A), self.averaged(A)[0]))
 
     def sticks(self, F_0: float) -> bool:
         """Whether friction leaves no motion at any frequency (27)."""
@@ -361,15 +423,8 @@ class Model:
 
     @cached_property
     def held(self) -> float:
-        """The forcing up to which a mass at rest stays there, whatever the frequency: `held`."""
+        """The same, a number."""
         return float(held(self.m, self.preload))
-
-    def rests(self, F_0: Any, Omega: Any) -> Any:
-        """Whether a mass at rest stays there at an excitation F_0 of frequency Omega; numbers, or arrays.
-
-        Then A = 0 is a steady state: the force on the mass does not exceed what (24) takes as A tends to 0.
-        """
-        return self.force(F_0, Omega) + 0.0 * np.asarray(Omega) <= self.held
 
     def holds(self, F_0: float) -> bool:
         """Whether a mass at rest stays there while there are motions as well.
@@ -405,15 +460,6 @@ class Model:
         of_force = zip(self.mechanism.parameter_names, self.parameters, strict=True)
         of_design = zip(self.mechanism.design_names, self.design, strict=False)
         return dict(of_design) if self.has_design else dict(of_force)
-
-    def averaged(self, A: Any) -> tuple[Floats, Floats, Floats, Floats]:
-        """h, h_A, h_AA, h_AAA at the amplitudes A (any shape)."""
-        found = self.mechanism.averaged(A, *self.parameters)
-        if self._begins_beyond:
-            at_rest = self.mechanism.at_rest(*self.parameters)
-            found = tuple(np.where(np.asarray(A) == 0, rest, one) for one, rest in zip(found, at_rest, strict=True))
-        h, h_A, h_AA, h_AAA = found
-        return h, h_A, h_AA, h_AAA
 
     @cached_property
     def _begins_beyond(self) -> bool:

@@ -20,12 +20,12 @@ from slowflow.answer import Answer, frozen, optional
 from slowflow.averaged import diagnostics
 from slowflow.gradient import NO_GRADIENT, Gradient
 from slowflow.mechanism import Flags, Mechanism
-from slowflow.model import THROUGHOUT, Floats, at_rest
+from slowflow.model import THROUGHOUT, Floats
 from slowflow.results import NOT_AVERAGED, Remark
 from slowflow.sensitivities import Given, of_detachment, of_folds, of_isolation, of_onset, of_peak, of_states
 from slowflow.table import AVERAGING, QUESTIONS, Question
 from slowflow.transmissibility import in_motion
-from slowflow_kernels import dissipation, inertia, slow_flow
+from slowflow_kernels import inertia, slow_flow
 from slowflow_kernels.conventions import FoldKind, OnsetKind, Status
 from slowflow_kernels.domains import DAMPING, DISSIPATION
 from slowflow_support.errors import Refused
@@ -380,21 +380,10 @@ class Batch(Answer):
 
     @cached_property
     def _of_designs(self) -> tuple[Floats, Floats, Floats]:
-        """m, zeta and h at each place; for other laws of damping the m that alone has the same I, as `Model.alike`."""
-        mechanism, numbers, _, rubs = self._whose().with_places()
-        n = len(mechanism.design)
-        design, (mu, zeta, *laws) = numbers[:n], numbers[n:]
+        """m, zeta and h at each place; for other laws of damping the m that alone has the same I."""
         with np.errstate(all="ignore"):
-            m, parameters = slow_flow.friction(mu), mechanism.coefficients(*design)
-            h = mechanism.averaged(self.A, *parameters)[0]
-            if not laws:
-                return m, zeta, h
-            eta, c_2 = laws
-            u_cr = None
-            if rubs != THROUGHOUT:
-                u_cr = first_end(mechanism, parameters)
-            I_0 = at_rest(self.A, m, eta, u_cr)[0]
-            return dissipation.I(self._frequency, self.A, I_0, zeta, dissipation.quadratic(c_2)), np.zeros(()), h
+            flow = self._designs._flow.each(lambda number: number[..., np.newaxis])
+            return *flow.alike(self._frequency, self.A), flow.averaged(self.A)[0]
 
 
 #: questions about states

@@ -15,8 +15,7 @@ import numpy.typing as npt
 from slowflow.averaged import sustained
 from slowflow.measured import validity
 from slowflow.mechanism import Flags, Floats, Mechanism
-from slowflow.model import THROUGHOUT, Model
-from slowflow.model import held as held_up_to
+from slowflow.model import THROUGHOUT, Model, SlowFlow
 from slowflow.results import NOTHING, Remark
 from slowflow.text import Sentence, text
 from slowflow_kernels import slow_flow
@@ -114,22 +113,13 @@ def of_one_gives_way(model: Model) -> bool:
     return not (model.inertial or model.stays_centred) and bool(gives_way(model.mechanism, model.parameters))
 
 
-def of_designs(
-    mechanism: Mechanism,
-    parameters: tuple[Any, ...],
-    damping: sustained.Damping,
-    force: Any,
-    Omega: Any,
-    A: Any,
-    corner: Any,
-) -> Codes:
+def of_designs(flow: SlowFlow, force: Any, Omega: Any, A: Any, corner: Any) -> Codes:
     """What `Remark` has for states (Omega, A); NaN is no state.
 
-    Omega, A, corner    -- of each design, along one more, last axis; corner: of folds, which are on one, None of others
-    parameters, damping -- of the designs, shapes that broadcast
-    force               -- on each state, of a shape that broadcasts with Omega; NaN where the question has none
+    Omega, A, corner -- of each design, along one more, last axis; corner: of folds, which are on one, None of others
+    force            -- on each state, of a shape that broadcasts with Omega; NaN where the question has none
     """
-    mu = damping.mu
+    mechanism, parameters = flow.mechanism, flow.parameters
     A = np.asarray(A, dtype=float)
     there = A > 0
     beside = tuple(np.asarray(value, dtype=float)[..., np.newaxis] for value in parameters)
@@ -137,19 +127,19 @@ def of_designs(
     # at rest h_A is the stiffness with its sign turned, and h is 4/pi times a preload
     pull, at_rest = (np.asarray(value) for value in mechanism.at_rest(*parameters)[:2])
     # what is excited by inertia nothing holds at every frequency, see `Model.holds`
-    may_hold = ((pull < 0) | (damping.rubs != THROUGHOUT)) & (not damping.inertial)
-    held = np.where(may_hold, held_up_to(slow_flow.friction(mu), -pull), -np.inf)
+    may_hold = ((pull < 0) | (flow.laws.rubs != THROUGHOUT)) & (not flow.inertial)
+    held = np.where(may_hold, flow.held, -np.inf)
     on_jump = np.zeros(A.shape[:-1], dtype=bool)
     if mechanism.truncated and corner is not None:
         jumps = zip(mechanism.breakpoints(*beside), mechanism.jumps(*beside), strict=True)
         on_jump = (there & (corner | _next_to_jump(mechanism, beside, jumps, A))).any(axis=-1)
     codes = {
-        Remark.NEAR_STICKING: validity.is_near_sticking(np.asarray(mu)[..., np.newaxis], force).any(axis=-1),
+        Remark.NEAR_STICKING: validity.is_near_sticking(flow.mu[..., np.newaxis], force).any(axis=-1),
         Remark.BEYOND_REACH: (there & (np.asarray(mechanism.reach_at(*parameters))[..., np.newaxis] < A)).any(axis=-1),
         Remark.NEGATIVE_STIFFNESS: (at_rest > 0) | (pull > 0),
         Remark.LEAVES_CENTRE: (there & ~kept).any(axis=-1),
         Remark.BEYOND_WELL: (there & beyond).any(axis=-1),
-        Remark.UNSUSTAINED: _unsustained(mechanism, parameters, damping, Omega, A),
+        Remark.UNSUSTAINED: _unsustained(flow, Omega, A),
         Remark.OF_TRUNCATION: on_jump,
         Remark.MIRRORED: np.full(A.shape[:-1], bool(mechanism.mirrored)),
         Remark.HELD_AT_REST: (force <= held[..., np.newaxis]).any(axis=-1),
@@ -185,7 +175,7 @@ def of_one(model: Model, F_0: float, Omega: Any, A: Any, corner: Any = None, *, 
             if turns_beyond(model.mechanism, model.parameters, A).any():
                 said.append(Remark.BEYOND_WELL)
         states = np.atleast_1d(Omega, A)
-        if _unsustained(model.mechanism, model.parameters, sustained.Damping.of(model), *states):
+        if _unsustained(model, *states):
             said.append(Remark.UNSUSTAINED)
     if model.mechanism.truncated and corner is not None and highest > 0:
         if (corner.any() if many else corner) or _is_next_to_jump(model, A):
@@ -234,19 +224,14 @@ def look_at(mechanism: Mechanism, parameters: tuple[Any, ...], Omega: Any, A: An
     return kept, beyond
 
 
-def _unsustained(
-    mechanism: Mechanism, parameters: tuple[Any, ...], damping: sustained.Damping, Omega: Any, A: Floats
-) -> Flags:
+def _unsustained(flow: SlowFlow, Omega: Any, A: Floats) -> Flags:
     """Whether any state of each of many designs is `sustained.unsustained`, looked at where one may be."""
-    found = np.array((A > 0).any(axis=-1) & ~stay_centred(mechanism, parameters))
+    found = np.array((A > 0).any(axis=-1) & ~stay_centred(flow.mechanism, flow.parameters))
     if found.any():
-        chosen = tuple(np.broadcast_to(value, found.shape)[found] for value in parameters)
-        own = damping.each(lambda value: np.broadcast_to(value, found.shape)[found])
-        at = np.broadcast_to(Omega, A.shape)[found]
-        states = sustained.unsustained(mechanism, chosen, own, at, A[found])
+        chosen = flow.each(lambda value: np.broadcast_to(value, found.shape)[found][..., np.newaxis])
+        states = sustained.unsustained(chosen, np.broadcast_to(Omega, A.shape)[found], A[found])
         # of those beyond the top of the well another remark tells
-        columns = tuple(value[..., np.newaxis] for value in chosen)
-        found[found] = (states & ~turns_beyond(mechanism, columns, A[found])).any(axis=-1)
+        found[found] = (states & ~turns_beyond(flow.mechanism, chosen.parameters, A[found])).any(axis=-1)
     return found
 
 

@@ -34,15 +34,14 @@ from slowflow.averaged.queries import (
     failed,
 )
 from slowflow.averaged.questions import Averaged
-from slowflow.averaged.sustained import Damping
 from slowflow.certificate import DOUBLES
 from slowflow.immutable import Unchanging
 from slowflow.mechanism import Mechanism
-from slowflow.model import THROUGHOUT, Floats, Laws, Model, check_names, held
+from slowflow.model import THROUGHOUT, Floats, Laws, Model, SlowFlow, check_names
 from slowflow.results import Remark
 from slowflow.table import AVERAGING, QUESTIONS, ManyQuestions, Unanswered
 from slowflow.text import text
-from slowflow_kernels import inertia, slow_flow
+from slowflow_kernels import inertia
 from slowflow_kernels.conventions import Status
 from slowflow_kernels.domains import DAMPING, DISSIPATION
 from slowflow_support.errors import Refused
@@ -96,6 +95,14 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         given = ((one.name, self.values[one.name]) for one in DISSIPATION if one.name in self.values)
         told = [f"{name} = {value}" if value.ndim == 0 else f"an array of {name}" for name, value in given]
         return ", ".join(told if self.rubs == THROUGHOUT else [*told, f"rubs = {self.rubs!r}"])
+
+    @property
+    def _flow(self) -> SlowFlow:
+        """The slow flow of all designs; a number outside its domain, which has a status, may warn."""
+        names = (one.name for one in (*DAMPING, *DISSIPATION))
+        mu, zeta, eta, c_2 = (np.asarray(self.values.get(name, 0.0), dtype=float) for name in names)
+        laws = Laws(eta, c_2, self.rubs)  # type: ignore[arg-type]
+        return SlowFlow(self.mechanism, self._parameters, mu, zeta, self.excitation, laws)
 
     def model(self, numbers: dict[str, float]) -> Model:
         """One design, from its numbers by name. Raises ValueError for one outside its domain."""
@@ -196,9 +203,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         columns -- what states have, with one more axis of places, and what one at rest has: a number, or one a design
         """
         with np.errstate(all="ignore"):  # a number outside its domain has a status
-            preload = -np.asarray(self.mechanism.at_rest(*self._parameters)[0]) * self.mechanism.odd
-            force = F_0 if self.excitation == "force" else inertia.force(Omega, F_0)
-            rests = np.asarray(force) + 0.0 * np.asarray(Omega) <= held(slow_flow.friction(self.values["mu"]), preload)
+            rests = self._flow.rests(np.asarray(F_0), np.asarray(Omega))
         rests = rests & np.isin(status, (Status.OK, Status.STICKS, Status.NONE, Status.TOO_MANY))
         alone, full = rests & (count == 0), rests & (count >= columns[0][0].shape[-1])
         for column, value in columns:
@@ -293,15 +298,11 @@ class Designs(Unchanging, ManyQuestions[Batch]):
 
     def remarks(self, F_0: Any, Omega: Any, A: Any, corner: Any) -> diagnostics.Codes:
         """What to bear in mind with states of each design, along one more axis; see `diagnostics.of_designs`."""
-        numbers = (np.asarray(self.values.get(name, 0.0), dtype=float) for name in Damping._fields[:4])
-        mu, zeta, eta, c_2 = numbers
-        damping = Damping(mu, zeta, eta, c_2, self.rubs, self.excitation != "force")
         with np.errstate(all="ignore"):  # a number outside its domain has a status, and no amplitude
-            parameters = self._parameters
             force = np.asarray(F_0)[..., np.newaxis]
             if self.excitation != "force":
                 force = inertia.force(np.where(np.asarray(A) > 0, Omega, np.inf), force)
-            return diagnostics.of_designs(self.mechanism, parameters, damping, force, Omega, A, corner)
+            return diagnostics.of_designs(self._flow, force, Omega, A, corner)
 
     def spanned(
         self, x: str, y: str, of: str, values: Floats, beside: dict[str, Any]

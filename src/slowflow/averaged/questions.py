@@ -34,7 +34,7 @@ from slowflow.results import (
     SaddleNodes,
     SteadyStates,
 )
-from slowflow_kernels import dissipation, slow_flow
+from slowflow_kernels import dissipation
 from slowflow_support.errors import OutOfRange, Refused
 
 if TYPE_CHECKING:
@@ -226,13 +226,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         constant force leaves. Quadratic damping grows with Omega^2 too: under inertia 8 c_2 A^2/(3 pi F_0) is left, at
         the amplitude A that the response tends to. Raises ValueError for F_0 <= 0.
         """
-        F_0 = validate.number("F_0", F_0, above=0.0)
-        if self.model.inertial:
-            A = float(dissipation.full_by_inertia(F_0, self.model.d))
-            return float(dissipation.I(1.0, A, 0.0, 0.0, self.model.d)) / F_0
-        with np.errstate(over="ignore"):  # a share of next to no force
-            share = slow_flow.transmissibility(1.0, 0.0, F_0, self.model.m, self.zeta, self.model.preload)
-        return min(1.0, float(share))
+        return float(self.model.floor(validate.number("F_0", F_0, above=0.0)))
 
     def closes(self, F_0: float) -> bool:
         """Whether the response at F_0 is known to have a highest amplitude. Raises ValueError for F_0 <= 0.

@@ -1,6 +1,6 @@
 """Whether the equation of motion has anything near a resonant averaged state, by the energy of exact free motions.
 
-In:  a mechanism, its parameters, what dissipates, and steady states (Omega, A) of first-order averaging.
+In:  slow flows, and steady states (Omega, A) of first-order averaging.
 Out: which states are unsustained: no free motion nearby loses as little energy per cycle as the excitation can supply.
 
 Averaging takes a motion for harmonic. Next to the top of a well, where the force vanishes and turns, it is not: the
@@ -13,14 +13,14 @@ with I the sine balance (23) at that frequency; away from omega the cosine balan
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any, NamedTuple
+from operator import itemgetter
+from typing import Any
 
 import numpy as np
 
 from slowflow.mechanism import Flags, Floats, Mechanism
-from slowflow.model import THROUGHOUT, Model, at_rest
-from slowflow_kernels import dissipation, slow_flow
+from slowflow.model import SlowFlow
+from slowflow_kernels import slow_flow
 
 #: how far from a state, relative in amplitude and in frequency, a motion that is sustained counts as near it; the
 #: averaged folds of wells that are right to this are no artefacts (`tests/test_sustained.py` has what it detects)
@@ -39,37 +39,6 @@ SIGNS, MOTIONS, CELLS = 32, 96, 48
 AT_ONCE = 64
 
 
-class Damping(NamedTuple):
-    """What dissipates, numbers or arrays of designs with one more axis behind; and what F_0 is the amplitude of."""
-
-    mu: Any
-    zeta: Any
-    eta: Any
-    c_2: Any
-    rubs: str = THROUGHOUT
-    inertial: bool = False
-
-    @classmethod
-    def of(cls, model: Model) -> Damping:
-        """Of one oscillator."""
-        return cls(model.mu, model.zeta, model.laws.eta, model.laws.c_2, model.laws.rubs, model.inertial)
-
-    def each(self, function: Callable[[Any], Any]) -> Damping:
-        """The same with a function of each number in its place."""
-        mu, zeta, eta, c_2 = (function(value) for value in (self.mu, self.zeta, self.eta, self.c_2))
-        return Damping(mu, zeta, eta, c_2, self.rubs, self.inertial)
-
-    def of_designs(self, chosen: Any, size: int) -> Damping:
-        """Of some designs, one each on the first axis, of so many."""
-        return self.each(lambda value: of_each(value, size)[chosen])
-
-    def sine(self, mechanism: Mechanism, parameters: tuple[Any, ...], Omega: Any, A: Any) -> Floats:
-        """I, the sine balance (23); shapes that broadcast."""
-        u_cr = None if self.rubs == THROUGHOUT else next(end for end in mechanism.breakpoints(*parameters))
-        I_0 = at_rest(A, slow_flow.friction(self.mu), self.eta, u_cr)[0]
-        return np.asarray(dissipation.I(Omega, A, I_0, self.zeta, dissipation.quadratic(self.c_2)))
-
-
 def force_at(mechanism: Mechanism, parameters: tuple[Any, ...], u: Any) -> Floats:
     """The force of an odd mechanism at u > 0; shapes that broadcast."""
     value = np.asarray(mechanism.pieces[0].force(u, *parameters))
@@ -84,13 +53,13 @@ def of_each(value: Any, size: int) -> Floats:
     return rows if len(rows) == size else np.broadcast_to(rows, (size, 1))
 
 
-def unsustained(mechanism: Mechanism, parameters: tuple[Any, ...], damping: Damping, Omega: Any, A: Any) -> Flags:
+def unsustained(flow: SlowFlow, Omega: Any, A: Any) -> Flags:
     """Which states (Omega, A) about u = 0 are resonant in averaging, and have no sustained motion near them.
 
-    Omega, A   -- of each design along the last axis; NaN is no state
-    parameters, damping -- of the designs, with a last axis of length 1; or numbers
+    Omega, A -- of each design along the last axis; NaN is no state
+    flow     -- of the designs, numbers with a last axis of length 1; or of one
     """
-    shape = np.shape(A)
+    mechanism, shape = flow.mechanism, np.shape(A)
     if not np.size(A):
         return np.zeros(shape, dtype=bool)
     A, Omega = (np.broadcast_to(value, shape).reshape(-1, shape[-1]) for value in (A, Omega))
@@ -98,7 +67,8 @@ def unsustained(mechanism: Mechanism, parameters: tuple[Any, ...], damping: Damp
     if not mechanism.odd:
         return found.reshape(shape)
     size = len(A)
-    parameters = tuple(of_each(value, size) for value in parameters)
+    flow = flow.each(lambda value: of_each(value, size))
+    parameters = flow.parameters
     with np.errstate(all="ignore"):  # amplitudes of any size, and none
         places = WITHIN * np.fmax.reduce(A, axis=-1, keepdims=True) * (np.arange(1, SIGNS + 1) / SIGNS)
         # a state is looked at from half the amplitude on at which the force has changed its sign: beyond the reach too,
@@ -107,10 +77,8 @@ def unsustained(mechanism: Mechanism, parameters: tuple[Any, ...], damping: Damp
         first = np.where(turned, places, np.inf).min(axis=-1, keepdims=True) / WITHIN
         may = np.flatnonzero((A >= first).any(axis=-1))
         for some in (may[begin : begin + AT_ONCE] for begin in range(0, len(may), AT_ONCE)):
-            own = tuple(value[some] for value in parameters)
             near = A[some] >= first[some]
-            damps = damping.of_designs(some, size)
-            found[some] = _unsustained(mechanism, own, damps, Omega[some], A[some], near)
+            found[some] = _unsustained(flow.each(itemgetter(some)), Omega[some], A[some], near)
     return found.reshape(shape)
 
 
@@ -120,12 +88,10 @@ def _pulls_back(mechanism: Mechanism, parameters: tuple[Any, ...]) -> Flags:
     return np.asarray((np.asarray(h) <= 0) & (np.asarray(h_A) < 0))
 
 
-def _unsustained(
-    mechanism: Mechanism, parameters: tuple[Any, ...], damping: Damping, Omega: Floats, A: Floats, wanted: Flags
-) -> Flags:
+def _unsustained(flow: SlowFlow, Omega: Floats, A: Floats, wanted: Flags) -> Flags:
     """The same of some designs, along the first axis, and of the states that are wanted."""
-    takes = damping.sine(mechanism, parameters, Omega, A)
-    level = slow_flow.level(Omega, A, takes, 0.0, mechanism.averaged(A, *parameters)[0])
+    takes = flow.sine(Omega, A)
+    level = slow_flow.level(Omega, A, takes, 0.0, flow.averaged(A)[0])
     wanted = wanted & (takes >= RESONANT * level)
     found = np.zeros(A.shape, dtype=bool)
     if not wanted.any():
@@ -133,17 +99,15 @@ def _unsustained(
     own = np.where(wanted, A, np.nan)
     low, high = np.fmin.reduce(own, axis=-1), np.fmax.reduce(own, axis=-1)
     a = np.geomspace((1 - AMPLITUDES) * low, (1 + AMPLITUDES) * high, MOTIONS, axis=-1)
-    omega, J, A_1 = free_motions(mechanism, parameters, a)
+    omega, J, A_1 = free_motions(flow.mechanism, flow.parameters, a)
     row, place = np.nonzero(wanted)
     A, Omega, level = (values[row, place][:, np.newaxis] for values in (A, Omega, level))
     a, omega, J, A_1 = (values[row] for values in (a, omega, J, A_1))
     beside = np.clip(omega, (1 - FREQUENCIES) * Omega, (1 + FREQUENCIES) * Omega)
     mean = J / (np.pi * a * a) * beside / omega
-    sine = damping.each(lambda value: of_each(value, len(found))[row]).sine(
-        mechanism, tuple(value[row] for value in parameters), mean, a
-    )
+    sine = flow.each(itemgetter(row)).sine(mean, a)
     needed = np.hypot(a * (beside**2 - omega**2), a / A_1 * sine)
-    given = level * (beside / Omega) ** 2 if damping.inertial else level
+    given = level * (beside / Omega) ** 2 if flow.inertial else level
     found[row, place] = ~((needed <= given) & (np.abs(a / A - 1) <= AMPLITUDES)).any(axis=-1)
     return found
 

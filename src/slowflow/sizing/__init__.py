@@ -29,7 +29,8 @@ Answers that can be asked for, of a mount; frequencies of an isolator without di
 Numbers that can be varied are those that a design is made from, static friction where it is given. It changes no
 averaged answer, but break_loose, rests_within and those in a shock; a design with less of it than of the kinetic one is
 none. With eta, c_2 or rubs="attached", or where eta or c_2 is varied, answers take tens of microseconds a design,
-f_isolation milliseconds. Structural damping is stated at one frequency: with it there is no answer in a shock.
+f_isolation some tenths of a millisecond. Structural damping is stated at one frequency: with it there is no answer in a
+shock.
 
 F_SN does not tell of folds below it that end at Omega = 0, where a design has such: it has no F_SN here then.
 
