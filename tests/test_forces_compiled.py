@@ -7,7 +7,6 @@ import math
 import subprocess
 from itertools import pairwise
 
-import mpmath as mp
 import numpy as np
 import pytest
 import sympy as sp
@@ -17,50 +16,14 @@ from slowflow_kernels.conventions import Status
 from tests.native.headers import COMPILER
 from tests.native.records import bent
 from tests.oracles import exact_reference
-from tests.test_forces import ABOVE_0, CASES, DAMPING, FORCES, MORE, c, k, u
-
-
-@pytest.fixture(scope="module")
-def derived():
-    """Each mechanism, derived once: compiled, and interpreted under another name."""
-    made = {}
-
-    def get(name, compile=True):
-        if (name, compile) not in made:
-            pieces, numbers = {**FORCES, **MORE}[name]
-            reach = {"reach": 3.1} if name == "pendulum" else {}
-            full = f"{name}_in_C" if compile else name
-            one = derive.mechanism(full, pieces, dict.fromkeys(numbers, ABOVE_0), compile=compile, **reach)
-            made[name, compile] = one
-        return made[name, compile]
-
-    return get
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("name", sorted({case["force"] for case in CASES}))
-@pytest.mark.part(4)
-def test_a_compiled_average_and_its_slopes_are_right_to_rounding(derived, name):
-    """Error over u (1 + kappa)."""
-    record = derived(name).record
-    for case in CASES:
-        if case["force"] != name:
-            continue
-        parameters = record.coefficients(*(case["numbers"][name] for name in record.design_names))
-        found = record.averaged(case["A"], *parameters)
-        with mp.workdps(45):
-            for one, text, condition in zip(found, case["h"], case["condition"], strict=True):
-                if text == "0":
-                    assert one == 0
-                    continue
-                assert abs(mp.mpf(float(one)) / mp.mpf(text) - 1) < 4 * 2.0**-53 * (1 + condition), (case, float(one))
+from tests.test_forces import ABOVE_0, CASES, DAMPING, FORCES, c, derived, k, u
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", FORCES)
 @pytest.mark.part(4)
-def test_a_curve_lies_where_the_average_has_it(derived, name):
-    one = derived(name)(**FORCES[name][1], **DAMPING)
+def test_a_curve_lies_where_the_average_has_it(name):
+    one = derived(name, True)(**FORCES[name][1], **DAMPING)
     curve = one.frequency_response(0.3)
     assert len(curve) > 900
     H = -one.model.averaged(curve.A)[0]
@@ -69,23 +32,21 @@ def test_a_curve_lies_where_the_average_has_it(derived, name):
 
 
 @pytest.mark.slow
-def test_gradients_are_those_of_the_force_that_is_not_compiled(derived):
-    one = derived("soft_stop", compile=False)(**FORCES["soft_stop"][1], **DAMPING)
-    folds = one.saddle_nodes(0.3)
-    moves, other = (
-        folds.gradient(),
-        derived("soft_stop")(**FORCES["soft_stop"][1], **DAMPING).saddle_nodes(0.3).gradient(),
+def test_gradients_are_those_of_the_force_that_is_not_compiled():
+    numbers = FORCES["soft_stop"][1]
+    plain, compiled = (
+        derived("soft_stop", how)(**numbers, **DAMPING).saddle_nodes(0.3).gradient() for how in (False, True)
     )
-    for by in FORCES["soft_stop"][1]:
-        np.testing.assert_allclose(other["Omega", by], moves["Omega", by], rtol=1e-10)
+    for by in numbers:
+        np.testing.assert_allclose(compiled["Omega", by], plain["Omega", by], rtol=1e-10)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", FORCES)
-def test_in_C_an_interval_of_amplitudes_encloses_the_average_and_what_bends_it(derived, name):
+def test_in_C_an_interval_of_amplitudes_encloses_the_average_and_what_bends_it(name):
     """Between any two amplitudes of a piece; h_AAAA by differences of h_AAA."""
-    one = derived(name)(**FORCES[name][1], **DAMPING)
-    record = backend.record_of(derived(name).record)
+    one = derived(name, True)(**FORCES[name][1], **DAMPING)
+    record = backend.record_of(derived(name, True).record)
     edges = sorted({1e-3, *one.model.breakpoints, 0.1, 0.3, 0.31, 0.8, 1.5, 3.0})
     for low, high in pairwise(edges):
         of_h, bend = bent(record, one.model, low, high)
@@ -101,7 +62,7 @@ def test_in_C_an_interval_of_amplitudes_encloses_the_average_and_what_bends_it(d
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", sorted(FORCES))
-def test_exact_motions_are_those_of_another_integrator(derived, name):
+def test_exact_motions_are_those_of_another_integrator(name):
     """Below resonance and above: switches, amplitude, multipliers; interpreted, with the same bits."""
     numbers = FORCES[name][1]
     system, plain = (derived(name, how)(**numbers, **DAMPING).equation_of_motion() for how in (True, False))
@@ -115,9 +76,9 @@ def test_exact_motions_are_those_of_another_integrator(derived, name):
 
 
 @pytest.mark.slow
-def test_a_curve_goes_on_where_the_mass_first_touches_a_contact(derived):
+def test_a_curve_goes_on_where_the_mass_first_touches_a_contact():
     """The order of switches changes there; between the folds motions are unstable by SciPy too."""
-    one = derived("hertz")(k=5.0, gap=0.2, mu=0.0, zeta=0.03)
+    one = derived("hertz", True)(k=5.0, gap=0.2, mu=0.0, zeta=0.03)
     curve = one.exact_response(F_0=0.05, Omega=(0.5, 1.8))
     touches = [place for place in curve.borders if place[1] == pytest.approx(0.2, abs=1e-12)]
     assert len(touches) == 2 and [fold.kind for fold in curve.folds] == ["jump-up", "jump-down"]
@@ -144,9 +105,9 @@ def test_an_average_that_does_not_settle_is_no_answer():
 
 
 @pytest.mark.slow
-def test_what_is_written_for_other_programs_compiles_alone(derived, tmp_path):
+def test_what_is_written_for_other_programs_compiles_alone(tmp_path):
     """The headers, and a table of what is there: C only."""
-    names = derived("wave", compile=False).write(tmp_path)
+    names = derived("wave").write(tmp_path)
     header = next(name for name in names if name.endswith(".h") and "intervals" not in name)
     prefix = header.removesuffix(".h")
     (tmp_path / "user.c").write_text(
