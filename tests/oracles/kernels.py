@@ -31,21 +31,13 @@ from tests.oracles.definitions import (
     sensitivities,
     slow_flow,
 )
-from tests.oracles.definitions.forces import rod_coefficients, untruncated_coefficients
-from tests.oracles.definitions.points import SCENES, zeroed
+from tests.oracles.definitions.points import SCENES, measured, zeroed
 
 DIGITS = 60
-STEP = mpf(10) ** -20
 RELATIVE = 2.0**-50
-EXACT_STEP = fmpq(1, 2**70)
 ORDERS = ("", "_A", "_AA", "_AAA")
 #: kernels that give the averages themselves
 AVERAGES = {**averaged_force.TOGETHER, **{name: (name,) for name in (l + order for l in "hH" for order in ORDERS)}}
-COMPOSED = {
-    **slow_flow.SLOW_FLOW,
-    "level": along.LOCI["level"][:2],
-    "detachment": ("A m zeta h", resultants.detachment_of_reals),
-}
 RESULTANTS = {"saddle_nodes": resultants.saddle_nodes, "saddle_node_onset": resultants.saddle_node_onset}
 #: definitions that are quadratures or searches for a root, which need numbers of moderate size
 BY_QUADRATURE = {
@@ -151,9 +143,10 @@ def _of_mechanism(name: str, kernel: str, names: Sequence[str], at: Sequence[flo
         used = last + 1 + (2 if name == "duffing" else 3)
         leading = resultants.LEADING[name, kernel]
         return lambda *x: RESULTANTS[kernel](leading(*x[last:used]), *x[:used]), True
-    if kernel in COMPOSED:
-        return _composed(name, kernel, names, inner, passed), False
-    return _of_force(name, kernel, passed), False
+    if kernel in averaged_force.COMPOSED:
+        own = [one for one in names if one not in inner]
+        return averaged_force.composed(kernel, own, functools.partial(averages, name, passed)), False
+    return averaged_force.of_force(name, kernel, passed), False
 
 
 def _corner(given: dict[str, float]) -> float:
@@ -173,51 +166,6 @@ def _outputs(wanted: Sequence[str], name: str, passed: int, *x: Any) -> list[Any
     if "intercept" in wanted:
         values["intercept"] = values["h"] - x[0] * values["h_A"]
     return [values[output] for output in wanted]
-
-
-def _composed(name: str, kernel: str, names: Sequence[str], inner: Sequence[str], passed: int) -> Definition:
-    """A function of the slow flow with the mechanism put in."""
-    arguments, f = COMPOSED[kernel]
-
-    def of(*x: Any) -> list[Any]:
-        given = dict(zip(names, x, strict=True))
-        given["m"] = 4 * given.get("mu", mpf(0)) / mp.pi
-        if "h" in arguments.split():
-            found = averages(name, passed, given["A"], *(given[p] for p in inner))
-            given |= zip(("h", "h_A", "h_AA", "h_AAA"), found, strict=True)
-        return f(*(given[argument] for argument in arguments.split()))
-
-    return of
-
-
-def _of_force(name: str, kernel: str, passed: int) -> Definition:
-    """What a mechanism says of its force, from the pieces as defined."""
-
-    def jumps(*q: Any) -> list[Any]:
-        forces, ends = averaged_force.joined(name, q)
-        return [below(b) - above(b) for below, above, b in zip(forces, forces[1:], ends, strict=False)]
-
-    def hardening(*q: Any) -> list[Any]:
-        # f(u)/u rises where no coefficient of its slope is negative: all but the first, or the steep part's
-        if name == "rod_spring_untruncated":
-            return [2 * q[1]]
-        return [*q[1 : 2 if name == "duffing" else 3], *(-x for x in jumps(*q) if name == "rod_spring")]
-
-    table: dict[str, Definition] = {
-        "coefficients": {
-            "rod_spring": rod_coefficients,
-            "rod_spring_untruncated": untruncated_coefficients,
-        }.get(name, lambda *design: list(design)),
-        "breakpoints": lambda *q: list(averaged_force.pieces(name, q)[1]),
-        "jumps": jumps,
-        "hardening": hardening,
-        "steps": lambda *q: averaged_force.steps(name, *q),
-        "force": lambda u, *q: [averaged_force.pieces(name, q)[0][passed](u)],
-    }
-    for k in range(2):
-        table[f"force_{k + 1}"] = lambda u, *q, k=k: [averaged_force.pieces(name, q)[0][k](u)]
-        table[f"force_{k + 1}_u"] = lambda u, *q, k=k: [mp.diff(averaged_force.pieces(name, q)[0][k], u)]
-    return table[kernel]
 
 
 # --- the averaged forces ----------------------------------------------------------------------------------------------
@@ -318,16 +266,7 @@ def values(module: str, kernel: str, names: Sequence[str], at: Sequence[float]) 
     f, rational = define(module, kernel, names, at)
     digits = digits_for(at)
     with workdps(digits):
-        step = EXACT_STEP if rational else STEP
-        x = [fmpq(*value.as_integer_ratio()) if rational else mpf(value) for value in at]
-        found = f(*x)
-        scales = [abs(value) for value in found]
-        for k, value in enumerate(x):
-            if value != 0:
-                moved = f(*x[:k], value * (1 + step), *x[k + 1 :])
-                if len(moved) != len(found):
-                    raise ValueError("the number of coefficients changes here")
-                scales = [s + abs(b - a) / step for s, a, b in zip(scales, found, moved, strict=True)]
+        found, scales = measured(f, at, rational)
         if rational:
             found, scales = ([mpf(int(v.p)) / int(v.q) for v in column] for column in (found, scales))
         if any(isinstance(value, mp.mpc) for value in found):
@@ -338,16 +277,7 @@ def values(module: str, kernel: str, names: Sequence[str], at: Sequence[float]) 
             [mpf(0) if s < noise else mpf(v) for v, s in zip(column, scales, strict=True)] for column in (found, scales)
         )
         if kernel.endswith("_derivative"):  # p and q as doubles with what they lack
-            found, scales = _in_pairs(found, scales)
+            found, scales = frequencies.in_pairs(found, scales)
         if kernel == "harmonics":  # they act together: the fifth is measured by the third's scale
             scales = [max(pair) for pair in zip(scales[:4], scales[4:], strict=True)] * 2
         return found, scales
-
-
-def _in_pairs(found: list[Any], scales: list[Any]) -> tuple[list[Any], list[Any]]:
-    pairs, of_pairs = [], []
-    for value, scale in zip(found[:2], scales[:2], strict=True):
-        high = mpf(float(value))
-        pairs += [high, value - high]
-        of_pairs += [scale, mp.ldexp(scale, -53)]
-    return [*pairs, found[2]], [*of_pairs, scales[2]]

@@ -29,24 +29,23 @@ from mpmath import mp, mpf
 from derivations.codegen.catalogue.flow import OWN
 from derivations.mechanisms import all_mechanisms
 from tests.oracles.definitions.along import BESIDE_FOLDS, DAMPED, LOCI, SLOPES, UNDAMPED
+from tests.oracles.definitions.averaged_force import COMPOSED as KNOWN
 from tests.oracles.definitions.averaged_force import (
     TOGETHER,
     TYPED,
     changes_table,
+    composed,
     family,
     harmonics_table,
-    joined,
+    of_force,
     passed_by,
     pieces,
     scale_of,
     second_approximation_table,
     stated,
-    steps,
-    steps_by,
 )
 from tests.oracles.definitions.damping import dissipation_table
 from tests.oracles.definitions.den_hartog import DEN_HARTOG, exact_U, exact_V
-from tests.oracles.definitions.forces import rod_coefficients, untruncated_coefficients
 from tests.oracles.definitions.frequencies import frequencies_table
 from tests.oracles.definitions.inertia import inertia_table
 from tests.oracles.definitions.motion import motion_table
@@ -68,7 +67,6 @@ from tests.oracles.definitions.points import (
 from tests.oracles.definitions.resultants import (
     LEADING,
     detachment,
-    detachment_of_reals,
     saddle_node_onset,
     saddle_nodes,
 )
@@ -183,29 +181,18 @@ BARE = (
 def composed_table(rng: random.Random, name: str, amplitudes: Amplitudes) -> dict:
     """The slow flow's functions with the mechanism put in."""
     table: dict[str, list] = {}
-    known = {**SLOW_FLOW, "level": LOCI["level"][:2], "detachment": ("A m zeta h", detachment_of_reals)}
     for kernel in (*COMPOSED, *BARE):
-        names, f = known[kernel]
-        inner = names.split()
+        inner = KNOWN[kernel][0].split()
         outer = [x for x in ("Omega", "A", "F_0", "mu", "zeta") if x != "F_0" or "F_0" in inner]
         if kernel in BARE:
             outer = ["mu" if x == "m" else x for x in inner if x[0] != "h"]
-        of_mechanism = "h" in inner
         for A, p in amplitudes:
-            passed = passed_by(name, A, p)
-
-            def composed(*x, inner=inner, outer=outer, f=f, passed=passed):
-                given = dict(zip(outer, x, strict=False))
-                given["m"] = 4 * given.get("mu", mpf(0)) / mp.pi
-                if "h" in inner:
-                    averages = family(name, passed, False, given["A"], *x[len(outer) :])
-                    given |= zip(("h", "h_A", "h_AA", "h_AAA"), averages, strict=True)
-                return f(*(given[argument] for argument in inner))
-
+            average = functools.partial(family, name, passed_by(name, A, p), False)
             x = [A if argument == "A" else rng.uniform(*RANGES[argument]) for argument in outer]
-            if kernel == "backbone" and family(name, passed, False, mpf(A), *map(mpf, p))[0] > 0:
+            if kernel == "backbone" and average(mpf(A), *map(mpf, p))[0] > 0:
                 continue
-            table.setdefault(kernel, []).append(entry(composed, [*x, *(p if of_mechanism else ())]))
+            f = composed(kernel, outer, average)
+            table.setdefault(kernel, []).append(entry(f, [*x, *(p if "h" in inner else ())]))
     return table
 
 
@@ -235,13 +222,6 @@ def resultant_table(rng: random.Random, name: str, parameters: list[tuple[float,
     return table
 
 
-COEFFICIENTS = {
-    "rod_spring": rod_coefficients,
-    "rod_spring_untruncated": untruncated_coefficients,
-    "duffing": lambda alpha, beta: [alpha, beta],
-}
-
-
 def by_design(name: str, coefficients: Callable, *design) -> list:
     """Derivatives of each parameter, then of each breakpoint, by each number of a design."""
 
@@ -259,56 +239,27 @@ def by_design(name: str, coefficients: Callable, *design) -> list:
 
 
 def data_table(name: str, designs: Sequence, parameters: list[tuple[float, ...]]) -> dict:
-    """Parameters, breakpoints, jumps and the force itself."""
-    other = stated(name)
-    coefficients = other.coefficients if other else COEFFICIENTS[name]
+    """Parameters, breakpoints, jumps and the force itself, whole and by its pieces, with their slopes."""
+    coefficients = of_force(name, "coefficients")
     # the Duffing's design is its parameters
     given = parameters if name == "duffing" else designs
     table: dict[str, list] = {"coefficients": [entry(lambda *x: coefficients(*x), x) for x in given]}
     table["by_design"] = [entry(functools.partial(by_design, name, coefficients), x) for x in given]
-    table["breakpoints"] = [entry(lambda *q: list(pieces(name, q)[1]), p) for p in parameters]
-
-    def jumps(*q):
-        forces, ends = joined(name, q)
-        return [below(b) - above(b) for below, above, b in zip(forces, forces[1:], ends, strict=False)]
-
-    table["jumps"] = [entry(jumps, p) for p in parameters]
-    if name != "rod_spring_untruncated":
-        table["steps"] = [entry(functools.partial(steps, name), p) for p in parameters]
-        table["steps_by"] = [entry(functools.partial(steps_by, name), p) for p in parameters]
-    # f(u)/u rises where no coefficient of its slope is negative: all but the first, or what multiplies 1/sqrt(1 - u^2)
-    rising = {
-        "duffing": lambda *q: q[1:],
-        "rod_spring": lambda *q: [*q[1:3], *(-jump for jump in jumps(*q))],
-        "rod_spring_untruncated": lambda *q: [2 * q[1]],
-    }
-    table["hardening"] = [
-        entry(lambda *q: [*(other.hardening(q) if other else rising[name](*q))], p) for p in parameters
-    ]
-    table["force"] = []
+    polynomial = ("steps", "steps_by") if name != "rod_spring_untruncated" else ()
+    for kernel in ("breakpoints", "jumps", *polynomial, "hardening"):
+        table[kernel] = [entry(of_force(name, kernel), p) for p in parameters]
     for p in parameters:
         for factor in (-0.9, 1e-6, 0.7, 0.999, -1.2):
             u = factor * scale_of(name, p)
-            k = passed_by(name, abs(u), p)
-            table["force"].append(entry(lambda v, *q, k=k: [pieces(name, q)[0][k](v)], [u, *p]))
-    return table | pieces_table(name, parameters)
-
-
-def pieces_table(name: str, parameters: list[tuple[float, ...]]) -> dict:
-    """Each piece of the force by itself, and its slope."""
-    table: dict[str, list] = {}
-
-    def add(kernel: str, f: Callable, u: float, p: Sequence[float]) -> None:
-        table.setdefault(kernel, []).append(entry(lambda v, *q: [f(v, q)], [u, *p]))
-        slope = entry(lambda v, *q: [mp.diff(lambda x: f(x, q), v)], [u, *p])
-        table.setdefault(f"{kernel}_u", []).append(slope)
-
+            row = entry(of_force(name, "force", passed_by(name, abs(u), p)), [u, *p])
+            table.setdefault("force", []).append(row)
     for p in parameters:
         count = len(pieces(name, p)[0])
-        for k, factors in enumerate([(-0.9, 1e-6, 0.7, 0.999), *[(-1.2, 30.0)] * (count - 1)]):
+        for k, factors in enumerate([(-0.9, 1e-6, 0.7, 0.999), *[(-1.2, 30.0)] * (count - 1)], start=1):
             for factor in factors:
-                u = factor * scale_of(name, p)
-                add(f"force_{k + 1}", lambda v, q, k=k: pieces(name, q)[0][k](v), u, p)
+                for kernel in (f"force_{k}", f"force_{k}_u"):
+                    row = entry(of_force(name, kernel), [factor * scale_of(name, p), *p])
+                    table.setdefault(kernel, []).append(row)
     return table
 
 

@@ -12,8 +12,11 @@ from flint import arb, arb_series, ctx
 from mpmath import mp, mpf
 
 from derivations.mechanisms import all_mechanisms
-from tests.oracles.definitions.points import RANGES, Amplitudes, entry
-from tests.oracles.definitions.slow_flow import second_kernel
+from tests.oracles.definitions.along import LOCI
+from tests.oracles.definitions.forces import rod_coefficients, untruncated_coefficients
+from tests.oracles.definitions.points import RANGES, Amplitudes, Function, entry
+from tests.oracles.definitions.resultants import detachment_of_reals
+from tests.oracles.definitions.slow_flow import SLOW_FLOW, second_kernel
 from tests.oracles.stated import Stated
 
 #: mechanisms whose definitions are typed here
@@ -309,6 +312,67 @@ def slopes_at(name: str, q: Sequence, polynomial, at) -> list:
     return [mpf(0) if abs(value) < mpf(10) ** -45 else value for value in found]
 
 
+def jumps(name: str, *q) -> list:
+    """f below each breakpoint less f above."""
+    forces, ends = joined(name, q)
+    return [below(b) - above(b) for below, above, b in zip(forces, forces[1:], ends, strict=False)]
+
+
+def hardening(name: str, *q) -> list:
+    """f(u)/u rises where none is negative: coefficients of its slope, but the first, or the steep part's."""
+    if other := stated(name):
+        return other.hardening(q)
+    if name == "rod_spring_untruncated":
+        return [2 * q[1]]
+    return [*q[1 : 2 if name == "duffing" else 3], *(-jump for jump in jumps(name, *q))]
+
+
+def of_force(name: str, kernel: str, passed: int = 0) -> Function:
+    """What a mechanism says of its force, from the pieces as defined; `force` with so many ends exceeded."""
+    if kernel == "coefficients":
+        other = stated(name)
+        return other.coefficients if other else COEFFICIENTS[name]
+    if kernel == "breakpoints":
+        return lambda *q: list(pieces(name, q)[1])
+    if kernel in BY_PARAMETERS:
+        return functools.partial(BY_PARAMETERS[kernel], name)
+    _, piece, *slope = (f"force_{passed + 1}" if kernel == "force" else kernel).split("_")
+
+    def f(u, *q):
+        return pieces(name, q)[0][int(piece) - 1](u)
+
+    return (lambda u, *q: [mp.diff(lambda x: f(x, *q), u)]) if slope else (lambda *x: [f(*x)])
+
+
+BY_PARAMETERS = {"jumps": jumps, "hardening": hardening, "steps": steps, "steps_by": steps_by}
+COEFFICIENTS = {
+    "rod_spring": rod_coefficients,
+    "rod_spring_untruncated": untruncated_coefficients,
+    "duffing": lambda alpha, beta: [alpha, beta],
+}
+
+
+def composed(kernel: str, names: Sequence[str], averages: Callable) -> Function:
+    """A function of the slow flow with the mechanism put in: its averages at an amplitude and the parameters."""
+    arguments, f = COMPOSED[kernel]
+
+    def of(*x):
+        given = dict(zip(names, x, strict=False))
+        given["m"] = 4 * given.get("mu", mpf(0)) / mp.pi
+        if "h" in arguments.split():
+            found = averages(given["A"], *x[len(names) :])
+            given |= zip(("h", "h_A", "h_AA", "h_AAA"), found, strict=True)
+        return f(*(given[argument] for argument in arguments.split()))
+
+    return of
+
+
+#: functions of the slow flow that mechanisms have
+COMPOSED: dict[str, tuple[str, Function]] = {
+    **SLOW_FLOW,
+    "level": LOCI["level"][:2],
+    "detachment": ("A m zeta h", detachment_of_reals),
+}
 #: several averages at once, by mechanism where not all have the kernel; and where they hold
 TOGETHER = {
     "averaged": ("h", "h_A", "h_AA", "h_AAA"),

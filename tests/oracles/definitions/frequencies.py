@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from collections.abc import Sequence
 
 from mpmath import mp, mpf
 
@@ -49,17 +50,14 @@ def derivative(kind):
     return of
 
 
-def in_pairs(row: dict) -> dict:
+def in_pairs(values: Sequence, scales: Sequence) -> tuple[list, list]:
     """p and q as doubles with what they lack; k. The error of what they lack is measured by theirs."""
-    values, scales = [], []
-    for value, scale in zip(map(mpf, row["is"][:2]), map(mpf, row["scale"][:2]), strict=True):
+    pairs, of_pairs = [], []
+    for value, scale in zip(values[:2], scales[:2], strict=True):
         high = mpf(float(value))
-        values += [high, value - high]
-        scales += [scale, mp.ldexp(scale, -53)]
-    return row | {
-        "is": [*(shown(value) for value in values), row["is"][2]],
-        "scale": [*(shown(scale, 6) for scale in scales), row["scale"][2]],
-    }
+        pairs += [high, value - high]
+        of_pairs += [scale, mp.ldexp(scale, -53)]
+    return [*pairs, values[2]], [*of_pairs, scales[2]]
 
 
 def rise(Omega, A, p, k):
@@ -99,6 +97,7 @@ FREQUENCIES: dict[str, tuple[str, Function]] = {
 
 def frequencies_table(rng: random.Random) -> dict:
     table = {kernel: [entry(f, x) for x in points(rng, names, 6)] for kernel, (names, f) in FREQUENCIES.items()}
-    for kind in ("response", "fold"):
-        table[f"{kind}_derivative"] = [in_pairs(row) for row in table[f"{kind}_derivative"]]
+    for row in (row for kind in ("response", "fold") for row in table[f"{kind}_derivative"]):
+        values, scales = in_pairs(*(list(map(mpf, row[name])) for name in ("is", "scale")))
+        row |= {"is": [shown(one) for one in values], "scale": [shown(one, 6) for one in scales]}
     return table

@@ -145,16 +145,24 @@ def points(rng: random.Random, names: str, count: int) -> list[list[float]]:
     return [[rng.uniform(*RANGES[name]) for name in names.split()] for _ in range(count)]
 
 
-def entry(f: Function, at: Sequence[float], exact: bool = False) -> dict:
-    """One row: values, and their scale by a difference quotient in each argument."""
-    x = [fmpq(*value.as_integer_ratio()) for value in at] if exact else [mpf(value) for value in at]
+def measured(f: Function, at: Sequence[float], exact: bool = False) -> tuple[list, list]:
+    """Values, and |f| + sum |x df/dx| over the arguments, by a difference quotient in each."""
+    x = [fmpq(*value.as_integer_ratio()) if exact else mpf(value) for value in at]
     step = EXACT_STEP if exact else STEP
     values = f(*x)
     scales = [abs(value) for value in values]
     for k, value in enumerate(x):
         if value != 0:
             shifted = f(*x[:k], value * (1 + step), *x[k + 1 :])
+            if len(shifted) != len(values):
+                raise ValueError("the number of coefficients changes here")
             scales = [s + abs(b - a) / step for s, a, b in zip(scales, values, shifted, strict=True)]
+    return values, scales
+
+
+def entry(f: Function, at: Sequence[float], exact: bool = False) -> dict:
+    """One row: values, and their scale."""
+    values, scales = measured(f, at, exact)
     return {"at": list(at), "is": [shown(v) for v in values], "scale": [shown(s, 6) for s in scales]}
 
 
