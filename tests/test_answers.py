@@ -247,7 +247,7 @@ def test_an_answer_asked_again_is_equal_and_another_is_not(name):
     }
 
 
-def test_what_is_computed_when_first_asked_for_does_not_change_either():
+def test_cached_answer_does_not_change():
     states, folds = ANSWERS["amplitudes"], BATCHES["folds"]
     for values in (states.phi, states.transmissibility, folds.remarks, BATCHES["onsets"].untruncated):
         with pytest.raises(ValueError, match="read-only"):
@@ -399,7 +399,7 @@ def test_remarks_are_printed_in_words():
     assert near.remarks and str(near).endswith(f"message       {near.message}")
 
 
-def test_arrays_of_an_answer_are_columns_and_intervals_have_two_ends():
+def test_answer_arrays_are_columns_and_intervals_have_two_ends():
     state = ANSWERS["steady_state"]
     lines = [line.split() for line in str(state).splitlines()]
     assert ["A", f"{state.A:.4g}"] in lines and ["stable", "True"] in lines

@@ -43,7 +43,7 @@ OPERATIONS = {
 
 
 @pytest.mark.parametrize("name", OPERATIONS)
-def test_an_operation_on_enclosures_holds_what_exact_arithmetic_gives(name):
+def test_ball_operation_encloses_exact_arithmetic(name):
     rng = np.random.default_rng(5)
     ends = np.sort(rng.choice([-1, 1, 1], (300, 2, 2)) * 10.0 ** rng.uniform(-3, 3, (300, 2, 2)), axis=2)
     ends[::7, 0, 0], ends[::11, 1, 1] = -math.inf, math.inf
@@ -62,7 +62,7 @@ def test_an_operation_on_enclosures_holds_what_exact_arithmetic_gives(name):
 
 
 @pytest.mark.slow
-def test_what_doubles_leave_undecided_beside_a_double_fold_is_decided_and_right():
+def test_undecided_counts_beside_a_double_fold_are_resolved():
     """At F_SN, to an ulp of it: two folds above, none below."""
     by_balls = 0
     for _, _, case in CASES[::45]:
@@ -79,7 +79,7 @@ def test_what_doubles_leave_undecided_beside_a_double_fold_is_decided_and_right(
 
 
 @pytest.mark.slow
-def test_balls_hold_the_certified_folds_states_onsets_and_detachments():
+def test_balls_enclose_certified_answers():
     """Of the truncated force and of Duffing's, from doubles' own reference: not to fill gaps but throughout."""
     for _, _, case in CASES[::25]:
         model = of_record(case).model
@@ -154,7 +154,7 @@ def roots_of_F(design, A, F_0):
 
 
 @pytest.mark.parametrize("design", UNTRUNCATED)
-def test_folds_of_the_force_that_is_not_truncated_are_proved_and_are_those_of_a_scan(design):
+def test_untruncated_folds_are_proved_and_those_of_a_scan(design):
     iso = untruncated(design)
     F_0 = 1.3 * iso.saddle_node_onset().F_SN
     proof = iso.saddle_nodes(F_0, certify=True).proof
@@ -173,7 +173,7 @@ def test_folds_of_the_force_that_is_not_truncated_are_proved_and_are_those_of_a_
 
 
 @pytest.mark.parametrize("design", UNTRUNCATED)
-def test_a_certificate_of_the_force_that_is_not_truncated_holds_what_the_solvers_find(design):
+def test_untruncated_certificate_encloses_what_solvers_find(design):
     iso = untruncated(design)
     onset, detachment = iso.saddle_node_onset(), iso.detachment()
     found = iso.certify(1.5 * onset.F_SN, Omega=onset.Omega)
@@ -206,7 +206,7 @@ def test_an_onset_that_doubles_refuse_is_proved():
         assert abs(mpmath.hypot(*level) / found.F_0.mean() - 1) < 1e-9
 
 
-def test_one_ulp_from_friction_it_is_decided_whether_the_mass_moves():
+def test_whether_a_mass_moves_is_decided_one_ulp_from_friction():
     iso = Duffing(1.0, 2.0, mu=0.01, zeta=0.02)
     with mpmath.workdps(40):
         m = 4 * mpmath.mpf(iso.mu) / mpmath.pi
@@ -260,7 +260,7 @@ def test_proofs_in_balls_are_the_same_in_threads():
         (0.0, 1.0, messages.OF_NO_LOWEST),  # the locus begins at A = 0, at 4 mu/pi
     ],
 )
-def test_without_viscous_damping_what_is_born_is_proved_for_any_stiffness_at_rest(alpha, beta, said):
+def test_undamped_birth_is_proved_for_any_stiffness_at_rest(alpha, beta, said):
     iso = Duffing(alpha, beta, mu=0.05, zeta=0.0)
     found = proofs.onset(iso.model)
     assert found.proved

@@ -153,7 +153,7 @@ def test_arrays_of_any_kind_are_taken_as_their_numbers(kind):
 
 
 @pytest.mark.parametrize("force", ["truncated", "untruncated"])
-def test_a_batch_with_a_design_whose_breakpoint_is_at_rest_is_asked_for_proofs_without_an_exception(force):
+def test_proofs_of_a_batch_survive_a_breakpoint_at_rest(force):
     """delta_h = 0: it has no folds, or nothing is proved of it; balls took its force for one of one piece."""
     found = Isolator.many(lam=5e-324, r=0.01, delta_h=[0.0, 0.1], mu=1e-300, zeta=0.3, force=force).certify(2.0)
     assert found.count[0] == 0 and found.proved[0] == (force == "truncated") and found.status[1] == Status.OK
@@ -182,7 +182,7 @@ def test_curves_of_many_say_where_there_are_none():
     np.testing.assert_array_equal(columns["A"], one.frequency_response(0.04, samples=30).A)
 
 
-def test_a_response_whose_amplitudes_are_beyond_doubles_is_refused_and_in_a_batch_has_a_status():
+def test_response_beyond_doubles_is_refused_or_has_a_status():
     """Its spring and damper are so weak that the first amplitude to bound it is infinite: once that passed for one."""
     alpha, beta, zeta, F_0 = 5.606793145963986e-165, 8.671754066100369e-116, 6.603238163424822e-186, 1.6766505645178e122
     one, many = Duffing(alpha, beta, 0.0, zeta), Duffing.many([alpha, 1.0], [beta, 0.1], 0.0, [zeta, 0.02])
@@ -226,7 +226,7 @@ def test_designs_that_go_together_are_answered_as_each_alone(force):
         )
 
 
-def test_onsets_of_a_batch_are_those_of_each_alone_where_damping_is_weak():
+def test_batch_onsets_at_weak_damping_are_those_of_each_alone():
     """To the last bit: the slopes of Newton's method have few digits there, and its end depends on its beginning."""
     designs = {
         "lam": [34.923373761186475, 8.182419049017573, 49.466564841656314, 618.0433851778122, 1.4649991649637566],
@@ -275,7 +275,7 @@ def test_detachment_of_a_block_is_that_of_each_alone(force):
 
 
 @pytest.mark.parametrize("force", ["truncated", "untruncated"])
-def test_springs_that_never_touch_leave_a_linear_mount_without_an_end(force):
+def test_springs_that_never_touch_leave_a_linear_mount(force):
     """delta_h = 0 among others: closed forms, also where a rod with springs would stand vertical."""
     given = {"lam": 4, "r": 1.6, "mu": 0.0, "force": force}
     designs = Isolator.many(**given, delta_h=[0.0, 0.1], zeta=[[0.0], [0.01]])
@@ -306,7 +306,7 @@ BEYOND_DOUBLES = {
 @pytest.mark.parametrize("zeta", [0.0, 0.02])
 @pytest.mark.parametrize("case", BEYOND_DOUBLES)
 @pytest.mark.parametrize("question", batch_questions.ALL)
-def test_a_design_beyond_doubles_has_that_status_and_the_others_their_answers(question, case, zeta):
+def test_design_beyond_doubles_has_a_status_and_spoils_no_other(question, case, zeta):
     kind, given = BEYOND_DOUBLES[case]
     given = {**given, "zeta": zeta}
     numbers = {name: np.broadcast_to(value, 3) for name, value in given.items()}
@@ -320,6 +320,6 @@ def test_a_design_beyond_doubles_has_that_status_and_the_others_their_answers(qu
         np.testing.assert_array_equal(found[name][::2], value, strict=True)
 
 
-def test_friction_beyond_doubles_has_a_status_and_remarks_without_a_warning():
+def test_friction_beyond_doubles_has_a_status_without_a_warning():
     onset = Isolator.many(lam=1.0, r=1.0, delta_h=0.5, mu=[0.01, 1.7e308], zeta=0.02).saddle_node_onset()
     assert (onset.status[1] != Status.OK) and onset.remarks.shape == (2,)

@@ -75,7 +75,7 @@ def test_quantities_in_words() -> None:
     assert document.quantity(float(np.float64(0)), "MB") == "0 MB"
 
 
-def test_a_peer_that_cannot_be_installed_keeps_its_last_measured_rows() -> None:
+def test_peer_that_cannot_be_installed_keeps_its_rows() -> None:
     """And says so; one that ran and failed has no time, whatever it had before."""
     measured = {"peer": "AUTO", "what": "continuation", "variant": "large steps", "seconds": 1.0}
     before = {"environment": {"processor": "another"}, "rows": [measured, {**measured, "peer": "ran"}]}
@@ -89,7 +89,7 @@ def test_a_peer_that_cannot_be_installed_keeps_its_last_measured_rows() -> None:
     assert again["earlier"] == note
 
 
-def test_others_that_are_not_at_hand_keep_their_last_measured_figures() -> None:
+def test_peers_not_at_hand_keep_their_figures() -> None:
     """And say so once, however often they are missed; what was never measured stays missing."""
     before = {"environment": {"processor": "another"}, "rows": [{"job": "quartic", "others": {"Boost.Math": "90 ns"}}]}
     for _ in range(2):
@@ -111,7 +111,7 @@ def test_the_pages_are_those_of_the_results(tmp_path: Path) -> None:
         assert (tmp_path / page.name).read_text(encoding="utf-8") == page.read_text(encoding="utf-8")
 
 
-def test_a_method_that_cannot_be_run_keeps_its_place_in_the_diagram() -> None:
+def test_method_that_cannot_run_keeps_its_place_in_the_diagram() -> None:
     row = {"method": "AUTO", "variant": "5 intervals", "seconds": 1.0}
     before = {"environment": {"processor": "another"}, "scenes": [{"scene": "motion", "rows": [row]}]}
     ours = {"method": "ours", "variant": "", "seconds": 2.0}
@@ -159,7 +159,7 @@ def test_what_stops_cost_is_measured_from_motions_that_stop() -> None:
     assert len(stops) > 3 and stops == sorted(set(stops))
 
 
-def test_what_is_missed_by_less_than_the_machine_is_slower_says_so_and_what_is_not_explained_too() -> None:
+def test_missed_target_is_explained_by_the_machine_or_said() -> None:
     """Boost.Math takes twice as long here as where the targets were set."""
 
     def row(job, target, measured, unit, at_most, limit=""):
@@ -184,7 +184,7 @@ def test_what_is_missed_by_less_than_the_machine_is_slower_says_so_and_what_is_n
 
 
 @pytest.mark.parametrize("kind", limits.WORK)
-def test_work_whose_instructions_are_counted_where_a_target_is_missed_can_be_done(kind, monkeypatch):
+def test_work_for_counted_instructions_can_be_done(kind, monkeypatch):
     """One asked by arguments that a question no longer takes, and `make bench` ended there."""
     monkeypatch.setattr(sys, "argv", ["", "1"])
     exec(limits.COUNTED.format(limits.WORK[kind][1]), {})

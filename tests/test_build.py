@@ -67,7 +67,7 @@ def test_what_compiles_replaces_what_was_there(checkout: Path) -> None:
 
 
 @pytest.mark.parametrize("source", MODULES)
-def test_what_does_not_compile_fails_and_leaves_nothing_to_import(checkout: Path, source: str) -> None:
+def test_broken_build_fails_and_leaves_nothing_to_import(checkout: Path, source: str) -> None:
     (checkout / source).write_text("this is no C\n")
     done = make(checkout)
     assert done.returncode != 0

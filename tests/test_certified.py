@@ -46,7 +46,7 @@ def check_folds(proof, folds):
         assert (kind, corner) == (fold["kind"], fold["corner"])
 
 
-def test_enclosures_hold_the_certified_folds_and_states_of_every_reference_case():
+def test_enclosures_hold_certified_folds_and_states():
     asked = doubtful = 0
     for _, _, case in CASES:
         model = of_record(case).model
@@ -149,7 +149,7 @@ def test_a_tampered_enclosure_is_noticed():
 
 
 @pytest.mark.parametrize("steps", [0, 1, -1, 7, -100])
-def test_the_numbers_that_were_given_are_certified_not_parameters_that_were_rounded(steps):
+def test_given_numbers_are_certified_not_rounded_parameters(steps):
     """alpha = 1 - lam r delta_h next to 0: doubles lose most digits on the way, the enclosure holds the exact fold."""
     lam, r = 3.0, 2.7
     delta_h = 1 / (lam * r) * (1 - 1e-13)
@@ -179,7 +179,7 @@ def test_the_numbers_that_were_given_are_certified_not_parameters_that_were_roun
             assert mpmath.mpf(A[0]) <= a <= mpmath.mpf(A[1])
 
 
-def test_a_random_isolators_folds_are_proved_and_as_many_as_the_solvers_find():
+def test_random_isolator_folds_are_proved_and_complete():
     rng = np.random.default_rng(20260725)
     proved = 0
     for _ in range(300):
@@ -276,7 +276,7 @@ def sizes(rng, count):
 @pytest.mark.slow
 @pytest.mark.parametrize("name", OPERATIONS)
 @pytest.mark.part(2)
-def test_an_operation_on_intervals_holds_what_exact_arithmetic_gives(intervals, name):
+def test_interval_operation_encloses_exact_arithmetic(intervals, name):
     rng = np.random.default_rng(7)
     a, b = (np.sort(np.stack([sizes(rng, 3000), sizes(rng, 3000)], axis=1), axis=1) for _ in range(2))
     narrow = rng.random(3000) < 0.5
@@ -334,7 +334,7 @@ def test_averages_on_intervals_hold_their_balls(intervals):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", HELD)
-def test_a_number_that_knows_how_far_it_is_off_holds_the_exact_result(intervals, name):
+def test_bounded_number_encloses_the_exact_result(intervals, name):
     """Of exact pairs, and of some that are off, at both ends; exact ones lose no more than a few units in 2^-100."""
     rng, count = np.random.default_rng(5), 1500
     positive = name in ("sqrt", "atan2", "R_F", "R_D")
@@ -382,7 +382,7 @@ def test_a_number_that_knows_how_far_it_is_off_holds_the_exact_result(intervals,
 
 
 @pytest.mark.slow
-def test_averages_of_the_force_that_is_not_truncated_on_intervals_hold_their_balls(intervals):
+def test_untruncated_averages_on_intervals_enclose_their_balls(intervals):
     """Against closed forms in balls; narrow at both ends, and next to A = 1, where the forms divide by 0."""
     rng, widest = np.random.default_rng(13), 0.0
     for k in range(80):

@@ -193,7 +193,7 @@ def items() -> Iterator[Any]:
 
 
 @pytest.mark.parametrize(("name", "of_it", "compiled"), list(items()))
-def test_folds_states_and_onsets_are_the_certified_ones_and_no_others(name, of_it, compiled):
+def test_folds_states_and_onsets_are_the_certified_ones(name, of_it, compiled):
     family = FAMILIES[name]
     for number in of_it:
         case = cases(name)[number]
@@ -284,7 +284,7 @@ def check_centred_onset(one: Any, sure: Case, family: Family) -> None:
             assert moves.condition(name) == pytest.approx(known, rel=ROUNDED)
 
 
-def test_there_are_cases_of_each_force_with_folds_on_both_sides_of_an_edge():
+def test_certified_cases_have_folds_on_both_sides_of_an_edge():
     each = Counter(case["force"] for case in cases("stated"))
     stops = {"soft_stop": 10, "hard_stop": 7, "root_stop": 13}
     preloaded = dict.fromkeys(("preload", "preload_power", "preloaded_stop"), 10)
@@ -300,7 +300,7 @@ def test_there_are_cases_of_each_force_with_folds_on_both_sides_of_an_edge():
     assert sum(case["onset"] is not None for case in cases("curved")) >= 25
 
 
-def test_there_are_cases_of_each_law_with_many_folds_on_both_sides_of_u_cr():
+def test_certified_cases_of_each_law_have_folds_on_both_sides():
     for law in ("eta", "c_2", "rubs", "base"):
         of_it = cases(f"damped_{law}")
         assert len(of_it) == (40 if law == "base" else 30) and sum(len(case["folds"]) for case in of_it) > 50

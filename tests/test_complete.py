@@ -53,7 +53,7 @@ def assert_folds_of_samples(oscillator, F_0):
 
 
 @pytest.mark.parametrize("Omega", [1.0305899882311778, 1.0305899882312535])
-def test_a_state_next_to_a_breakpoint_at_which_the_force_hardly_jumps_is_not_missed(Omega):
+def test_state_next_to_a_small_jump_of_the_force_is_not_missed(Omega):
     """F passes 0 at 4e-11 above u_cr: what rounded parameters gain there moves h_A by 5e-12, k has the gain itself."""
     numbers = {"lam": 1.0, "r": 0.15290344015313845, "delta_h": 6.879315729709914e-08}
     iso = Isolator(**numbers, mu=4.3076596092135015e-05, zeta=0.019529834764510277)
@@ -89,7 +89,7 @@ def test_no_fold_is_missed_that_dense_samples_show():
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("force", "share"), [("truncated", 1), ("untruncated", 10)])
-def test_the_onset_is_the_lowest_minimum_that_dense_samples_show_and_two_folds_are_born_there(force, share):
+def test_onset_is_the_lowest_minimum_of_dense_samples(force, share):
     """A seventh of them have negative stiffness at rest."""
     for oscillator, _ in oscillators(random_designs(1, MANY // share), force):
         onset = oscillator.saddle_node_onset()
@@ -143,7 +143,7 @@ def named_by_33(isolator):
 
 
 @pytest.mark.slow
-def test_the_onset_is_that_of_33_under_the_two_conditions_of_the_ledger_and_no_other():
+def test_onset_is_that_of_33_under_the_conditions_of_the_ledger():
     rng, seen = np.random.default_rng(33), set()
     for _ in range(MANY):
         stiffness, mu = 10 ** rng.uniform(-1, 1), rng.choice([0.0, 10 ** rng.uniform(-5, -1.3)])
@@ -159,7 +159,7 @@ def test_the_onset_is_that_of_33_under_the_two_conditions_of_the_ledger_and_no_o
     assert seen == {(False, False), (True, False), (True, True)}
 
 
-def test_the_least_preload_for_which_33_names_the_onset_is_the_ledgers():
+def test_least_preload_for_which_33_holds_is_the_ledgers():
     """Shares of 1/(lam r) in LEDGER.md, four digits each, Table 1 otherwise."""
     lam_r = TABLE_1["lam"] * TABLE_1["r"]
     for share, attached, named in ((0.1106, 0, False), (0.1108, 1, False), (0.14395, 1, False), (0.14405, 1, True)):
@@ -252,7 +252,7 @@ def undamped():
 
 
 @pytest.mark.slow
-def test_without_viscous_damping_folds_begin_where_the_onset_says():
+def test_undamped_folds_begin_where_the_onset_says():
     """Next to 4 mu/pi, if only at ever larger amplitudes, at F_SN, or where they end at Omega = 0; below is none."""
     seen = set()
     for oscillator in undamped():
@@ -277,7 +277,7 @@ def test_without_viscous_damping_folds_begin_where_the_onset_says():
     assert {"none is lowest", "none beyond reach", "at rest"} <= seen
 
 
-def test_a_softening_spring_without_viscous_damping_has_folds_from_friction_on():
+def test_undamped_softening_spring_has_folds_from_friction_on():
     """By hand: Omega^2 = 1 - 9/8 A^2 and R = 3/4 A^3 in size, so that A^6 = (F_0^2 - m^2) 16/9, up to F_0 = 0.63."""
     spring = Duffing(1.0, -0.5, 0.01, 0.0)
     onset, F_0 = spring.saddle_node_onset(), 0.1
@@ -335,7 +335,7 @@ def _off_the_curve(alpha, gamma, mu, zeta, F_0, Omega, A):
         (0.0, -2.38, 0.0, 1.1e-11, 1.06e20, (0.0038, 0.103)),
     ],
 )
-def test_a_curve_keeps_to_its_window_where_doubles_of_A_do_not_tell_Omega(alpha, gamma, mu, zeta, F_0, window):
+def test_curve_keeps_to_its_window_at_degenerate_frequencies(alpha, gamma, mu, zeta, F_0, window):
     curve = Duffing(alpha, gamma, mu, zeta).frequency_response(F_0, samples=60, Omega=window)
     assert curve.Omega.min() == window[0] and curve.Omega.max() == window[1]
     for at, A in zip(curve.Omega, curve.A, strict=True):
@@ -416,7 +416,7 @@ def test_next_to_no_preload_the_oscillator_is_linear(delta_h):
     assert oscillator.peak(0.1).A == pytest.approx(linear.peak(0.1).A, rel=1e-12)
 
 
-def test_an_undamped_isolator_has_the_fold_on_u_cr_where_that_rounds_to_the_reach():
+def test_undamped_fold_lies_on_u_cr_that_rounds_to_the_reach():
     """1 - u_cr is 1.3e-24: amplitudes were looked at up to 1 and the breakpoint passed over, "no saddle node"."""
     iso = Isolator(lam=3, r=0.08375893991500209, delta_h=0.9999999999983609, mu=0.0008087995494863725, zeta=0)
     F_0 = 0.0012489827592250076
@@ -432,7 +432,7 @@ def test_an_undamped_isolator_has_the_fold_on_u_cr_where_that_rounds_to_the_reac
 
 
 @pytest.mark.parametrize("zeta", [1e-9, 1e-11, 1e-12, 1e-14])
-def test_no_fold_on_the_corner_is_made_up_where_there_is_all_but_no_damping(zeta):
+def test_next_to_no_damping_no_corner_fold_is_made_up(zeta):
     """The folds tend to those at zeta = 0, off the peak, which goes to infinity and is none."""
     values = {"lam": 3, "r": 2, "delta_h": 0.08, "mu": 0.012}
     folds = Isolator(**values, zeta=zeta).saddle_nodes(0.04)
@@ -455,7 +455,7 @@ def test_the_peak_at_the_detachment_is_the_higher_static_state(delta_h, zeta):
     assert len(oscillator.second_approximation.saddle_nodes(F_cr)) == 0
 
 
-def test_motions_beyond_the_well_of_a_softening_force_are_higher_than_its_peak():
+def test_motions_beyond_a_softening_well_are_above_its_peak():
     # at Omega = 0: A (1 - 3/4 A^2) = -F_0 beyond A = sqrt(4/3); at the top 2 zeta Omega A = F_0 but for R^2 ~ zeta^4
     F_0, zeta = 0.008, 0.01
     soft = Duffing(1.0, -1.0, 0.0, zeta)

@@ -123,7 +123,7 @@ POLYNOMIALS = {
 @pytest.mark.slow
 @pytest.mark.parametrize("name", sorted(POLYNOMIALS))
 @pytest.mark.part(2)
-def test_a_polynomial_that_is_stated_as_another_force_has_the_same_answers(name):
+def test_polynomial_stated_as_another_force_has_the_same_answers(name):
     """z exp(u) beside it, with z = 0: summed, not steps."""
     pieces, F_0 = POLYNOMIALS[name]
     numbers = {"k": 3.0, "p": 15.0, "g": 0.1}

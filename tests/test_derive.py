@@ -289,7 +289,7 @@ def test_a_program_that_derives_nothing_is_told_why(tmp_path, capsys, program, w
 HARD = (0.1414213562373095, 0.30000000000000004, 2 / 3)
 
 
-def test_a_double_in_a_force_is_its_exact_value_wherever_it_stands(folder):
+def test_double_in_a_force_is_its_exact_value(folder):
     """Expected from the fraction that the bits are; each is off in its last digits where it goes by text."""
     from slowflow_derivation import given
 
@@ -348,7 +348,7 @@ def test_what_depends_on_time_is_refused_with_the_reason(folder):
     ],
     ids=str,
 )
-def test_a_force_that_was_not_written_odd_says_what_stands_for_it(folder, force, told):
+def test_force_not_written_odd_says_what_stands_for_it(folder, force, told):
     made = derive.mechanism("even", [(force, None)], {"beta": ABOVE_0})
     how = "interpreted"
     assert repr(made).endswith(f"{how}; {told}" if told else how)
@@ -361,7 +361,7 @@ def test_a_load_on_a_preload_is_refused_for_the_jump_that_it_is(folder):
         held(beta=0.1, zeta=0.02, load=0.3)
 
 
-def test_an_end_below_0_and_an_acceleration_are_refused_with_what_is_allowed(stop):
+def test_end_below_0_and_acceleration_are_refused(stop):
     below = derive.mechanism(**{**STOP, "parameters": {"k_1": ABOVE_0, "k_2": ABOVE_0, "gap": {}}})
     with pytest.raises(ValueError, match=r"end at \|u\| = -0\.2, which must rise from 0"):
         below(**{**NUMBERS, "gap": -0.2})
@@ -579,7 +579,7 @@ def test_a_compiler_that_fails_says_so(folder, monkeypatch):
     assert not list(folder.glob("not_compiled*.so"))
 
 
-def test_a_library_is_compiled_anew_where_the_headers_have_changed(tmp_path, monkeypatch):
+def test_library_is_recompiled_where_headers_have_changed(tmp_path, monkeypatch):
     """An older library would hand the solvers a record of another form."""
     compiler = tmp_path / "cc"
     compiler.write_text('#!/bin/sh\nwhile [ "$1" != -o ]; do shift; done\ntouch "$2"\n')

@@ -43,7 +43,7 @@ def made(case: dict[str, Any], excitation: str) -> tuple[Any, Any, Nearby]:
         for excitation in case.get("excitations", ["force"])
     ],
 )
-def test_at_hard_places_answers_are_as_many_as_there_are_with_their_last_digits(case, excitation):
+def test_answers_at_hard_places_are_complete_to_the_last_digit(case, excitation):
     question, given = case["question"], case["given"]
     one, many, nearby = made(case, excitation)
     found = getattr(one, question)(**given)
@@ -66,7 +66,7 @@ def test_at_hard_places_answers_are_as_many_as_there_are_with_their_last_digits(
 
 
 @pytest.mark.parametrize("zeta", [1e-14, 1e-12, 1e-10, 1e-8])
-def test_an_isola_point_next_to_no_damping_is_off_by_its_rounding(zeta):
+def test_isola_next_to_no_damping_is_off_by_its_rounding(zeta):
     """Newton's method in Omega and A divided by a difference of which nothing was left: A was off by 13 u."""
     rng = np.random.default_rng(1)
     designs = [(rng.uniform(0.1, 3), -(10 ** rng.uniform(-3, 1)), 10 ** rng.uniform(-6, -1)) for _ in range(12)]
@@ -121,7 +121,7 @@ def test_the_fold_locus_of_a_force_has_the_digits_of_its_level(zeta, mu):
 
 @pytest.mark.parametrize("mu", [0.0, 0.0625])
 @pytest.mark.parametrize("zeta", [1e-16, 1e-17, 1e-18, 1e-20, 1e-25])
-def test_a_softening_fold_next_to_no_damping_has_its_frequency_and_the_curve_all_its_branches(mu, zeta):
+def test_softening_fold_next_to_no_damping_has_all_branches(mu, zeta):
     """Neither I nor R gave the fold's frequency a digit: it was that of another state, and two states were missing.
 
     What such damping changes of the undamped closed forms is less than a rounding: 1.5 A^3 = k at the fold, where
@@ -145,7 +145,7 @@ def test_a_softening_fold_next_to_no_damping_has_its_frequency_and_the_curve_all
 
 
 @pytest.mark.parametrize("zeta", [1e-7, 1e-9, 1e-12])
-def test_all_of_a_resonance_so_sharp_that_rounding_leaves_nothing_of_R_is_stable(zeta):
+def test_all_of_a_resonance_without_digits_of_R_is_stable(zeta):
     """A linear mount has one motion at each frequency, which is stable, and the closed form's height."""
     found = Duffing(1.0, 0.0, zeta=zeta).frequency_response(1e-2, samples=400, Omega=(0.5, 1.5))
     assert found.stable.all() and len(found) > 400

@@ -47,7 +47,7 @@ def drawn(rng):
     return Isolator(lam=3.0, r=r, delta_h=min(rng.uniform(0.05, 0.9) / (3 * r), 0.9), rubs=rubs, force=force, **damping)
 
 
-def test_a_linear_spring_with_structural_damping_has_its_closed_form():
+def test_linear_structural_damping_has_its_closed_form():
     eta, F_0 = 0.05, 0.04
     found = Duffing(1.0, 0.0, eta=eta).amplitudes(Omega=[0.3, 0.999, 1.0, 1.7], F_0=F_0)
     passes = 1 - found.Omega**2
@@ -59,7 +59,7 @@ def test_a_linear_spring_with_structural_damping_has_its_closed_form():
     assert (peak.A, peak.Omega) == pytest.approx((F_0 / eta, 1.0), rel=1e-12)
 
 
-def test_a_linear_spring_with_quadratic_damping_alone_is_a_quadratic_in_the_squared_amplitude():
+def test_linear_quadratic_damping_is_a_quadratic_in_A_squared():
     c_2, F_0 = 0.7, 0.04
     osc, d = Duffing(1.0, 0.0, c_2=c_2), 8 * c_2 / (3 * math.pi)
     found = osc.amplitudes(Omega=[0.3, 0.999, 1.0, 1.7], F_0=F_0)
@@ -86,7 +86,7 @@ def test_laws_that_are_not_there_change_nothing():
 
 
 @pytest.mark.slow
-def test_every_state_is_one_and_none_is_missed_that_a_fine_grid_shows():
+def test_states_are_those_of_a_fine_grid():
     rng, A = np.random.default_rng(11), np.geomspace(1e-5, 30, 60001)
     for _ in range(16):
         osc = drawn(rng)
@@ -105,7 +105,7 @@ def test_every_state_is_one_and_none_is_missed_that_a_fine_grid_shows():
 
 
 @pytest.mark.slow
-def test_a_state_is_stable_where_both_eigenvalues_of_the_slow_flow_say_so():
+def test_state_is_stable_where_both_eigenvalues_are():
     """(29) too: numerically, of the slow flow with the work of each law; the trace is negative everywhere."""
     rng, seen = np.random.default_rng(3), set()
     for _ in range(12):
@@ -145,7 +145,7 @@ def test_a_state_is_stable_where_both_eigenvalues_of_the_slow_flow_say_so():
     ],
     ids=repr,
 )
-def test_an_onset_is_where_folds_come_and_the_locus_has_its_level(osc):
+def test_onset_is_where_folds_come_with_the_level_of_the_locus(osc):
     onset = osc.saddle_node_onset()
     assert len(osc.saddle_nodes(onset.F_SN * (1 - 1e-6))) == 0
     above = osc.saddle_nodes(onset.F_SN * (1 + 1e-4))
@@ -161,7 +161,7 @@ def test_an_onset_is_where_folds_come_and_the_locus_has_its_level(osc):
             assert np.hypot((locus.Omega - Omega) / Omega, (locus.A - A) / A).min() < 0.01
 
 
-def test_what_rubs_no_more_beyond_u_cr_makes_a_corner_though_the_force_does_not_jump():
+def test_friction_that_ends_at_u_cr_makes_a_corner():
     """F_A falls by I m/u_cr: folds sit on u_cr where that turns its sign."""
     osc = Isolator(lam=3.0, r=0.5, delta_h=0.02, mu=0.03, zeta=0.03, rubs="attached", force="untruncated")
     assert osc.model.jumps == (0.0,)
@@ -174,7 +174,7 @@ def test_what_rubs_no_more_beyond_u_cr_makes_a_corner_though_the_force_does_not_
     assert osc.replace(rubs="throughout").saddle_nodes(0.0502).A.size == 0
 
 
-def test_friction_that_ends_at_u_cr_leaves_an_isolated_curve_below_the_forcing_that_detaches():
+def test_friction_that_ends_at_u_cr_leaves_an_isola():
     """On the backbone I = m u_cr/A + 2 zeta A Omega is least beyond u_cr: there a curve is born."""
     osc = Isolator(lam=3.0, r=0.5, delta_h=0.02, mu=0.03, zeta=0.03, rubs="attached", force="untruncated")
     onset = osc.saddle_node_onset()
@@ -199,7 +199,7 @@ def viscous(osc, Omega):
 
 
 @pytest.mark.parametrize("osc", STRUCTURAL, ids=repr)
-def test_each_point_of_a_curve_with_structural_damping_has_the_motion_of_its_own_frequency(osc):
+def test_structural_curve_points_have_motions_of_their_frequency(osc):
     """At a frequency it is one of a viscous damper, whose own curves are tested, and a fold is one of that damper's."""
     F_0, window = 0.06, (0.8, 1.5)
     curve = exact.exact_response(osc.equation_of_motion(), F_0, Omega=window)
@@ -220,7 +220,7 @@ def test_each_point_of_a_curve_with_structural_damping_has_the_motion_of_its_own
 
 @pytest.mark.slow
 @pytest.mark.parametrize("osc", STRUCTURAL, ids=repr)
-def test_sweeps_and_measurements_with_structural_damping_are_those_of_single_motions(osc):
+def test_structural_sweeps_and_measurements_are_single_motions(osc):
     F_0, up = 0.06, [1.0, 1.2, 1.4]
     swept, states = osc.sweep(Omega=up, F_0=F_0), osc.amplitudes(Omega=up, F_0=F_0)
     measured = states.measure()
@@ -249,7 +249,7 @@ SHAKEN = [
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("osc", "Omega", "F_0", "within"), [*FORCED, *SHAKEN], ids=repr)
-def test_exact_motions_are_those_of_an_independent_integration_and_near_the_averaged_ones(osc, Omega, F_0, within):
+def test_exact_motions_are_those_of_independent_integration(osc, Omega, F_0, within):
     state = osc.steady_state(Omega=Omega, F_0=F_0)
     assert state.stops == 0 and state.stable
     assert state.A == pytest.approx(largest(osc.restoring_force().value, osc, Omega, F_0, 40), rel=1e-6)
@@ -260,7 +260,7 @@ def test_exact_motions_are_those_of_an_independent_integration_and_near_the_aver
 
 @pytest.mark.slow
 @pytest.mark.parametrize("osc", [one[0] for one in SHAKEN], ids=repr)
-def test_states_under_inertia_are_those_under_the_force_that_it_is_at_their_frequency(osc):
+def test_states_under_inertia_are_those_under_the_same_force(osc):
     """And the curve ends, at its highest peak and as Omega grows, where it has to."""
     F_0 = 0.08
     for Omega in (0.4, 0.8, 0.95, 1.0, 1.1, 1.3, 3.0):
@@ -426,7 +426,7 @@ def rests_of(osc, Omega, F_0, turns):
     ],
     ids=repr,
 )
-def test_a_mass_that_static_friction_holds_moves_as_an_independent_integration_has_it(osc):
+def test_static_friction_motion_is_that_of_independent_steps(osc):
     Omega, F_0 = 0.3, 0.05
     state = osc.steady_state(Omega=Omega, F_0=F_0)
     rests, A = rests_of(osc, Omega, F_0, 28)
@@ -441,7 +441,7 @@ def test_a_mass_that_static_friction_holds_moves_as_an_independent_integration_h
 
 
 @pytest.mark.slow
-def test_motions_beyond_u_cr_go_on_beside_a_mass_that_friction_holds():
+def test_motions_beyond_u_cr_exist_beside_a_held_mass():
     """Up to 4 mu/pi friction holds a mass at rest, but beyond u_cr its share falls: an isolated curve from F_SN on."""
     osc = LOOSE.replace(zeta=0.002)
     onset, F_0 = osc.saddle_node_onset(), 0.03
@@ -468,7 +468,7 @@ def test_motions_beyond_u_cr_go_on_beside_a_mass_that_friction_holds():
 
 
 @pytest.mark.slow
-def test_friction_that_holds_a_mass_at_rest_does_not_deny_exact_motions_beside_that():
+def test_held_mass_does_not_deny_exact_motions_beside_it():
     """Where the springs turn a mass round that static friction could not hold it is the motion without that."""
     grips = Duffing(1.0, 0.5, mu=0.02, zeta=0.02, mu_s=0.06)
     A = grips.replace(mu_s=0.0).steady_state(Omega=0.9, F_0=0.05, A=0.2).A
@@ -488,7 +488,7 @@ def test_friction_that_holds_a_mass_at_rest_does_not_deny_exact_motions_beside_t
     assert end == pytest.approx((u[0], v[0]), abs=1e-4)
 
 
-def test_static_friction_is_part_of_exact_motions_and_of_nothing_else():
+def test_static_friction_affects_exact_motions_only():
     osc = Duffing(1.0, 0.5, 0.02, 0.02, mu_s=0.045)
     same = osc.replace(mu_s=0.0)
     assert osc != same and osc.mu_s == 0.045 and same.mu_s == 0.02 and pickle.loads(pickle.dumps(osc)) == osc
@@ -512,7 +512,7 @@ def test_static_friction_is_part_of_exact_motions_and_of_nothing_else():
 
 
 @pytest.mark.slow
-def test_a_curve_with_static_friction_goes_through_the_motions_and_a_shock_rests_where_it_holds():
+def test_static_friction_curve_has_its_motions_and_shock_rests():
     osc = Duffing(1.0, 0.5, 0.02, 0.02, mu_s=0.03)
     curve = osc.exact_response(0.05, Omega=(0.3, 0.5), step=0.05)
     for k in (3, len(curve.Omega) // 2):
@@ -525,7 +525,7 @@ def test_a_curve_with_static_friction_goes_through_the_motions_and_a_shock_rests
 
 
 @pytest.mark.slow
-def test_onsets_that_boxes_cannot_tell_are_refused_with_the_reason():
+def test_onsets_that_boxes_cannot_tell_are_refused():
     """Folds that come down to rest, a level that does not change with Omega; with a law that decides they are there."""
     play = derive.library("dead_zone")
     with pytest.raises(ArithmeticError, match=r"up to \|u\| = 0\.2 there is no spring"):
@@ -567,7 +567,7 @@ def test_the_onset_of_a_play_with_quadratic_damping(damping, c_2):
     assert onset.F_SN == pytest.approx(least.fun, rel=1e-7)
 
 
-def test_a_play_with_quadratic_damping_alone_has_folds_at_any_forcing():
+def test_play_with_quadratic_damping_alone_always_has_folds():
     mount = derive.library("dead_zone")(delta=0.2, c_2=0.1)
     onset = mount.saddle_node_onset()
     assert onset.kind == "" and "no lowest forcing" in onset.message
@@ -576,7 +576,7 @@ def test_a_play_with_quadratic_damping_alone_has_folds_at_any_forcing():
 
 
 @pytest.mark.parametrize("excitation", ["force", "base", "unbalance"])
-def test_a_mount_without_stiffness_at_rest_has_folds_at_any_forcing_by_quadratic_damping_alone(excitation):
+def test_no_stiffness_at_rest_always_has_folds_by_c_2(excitation):
     """On the locus (Omega^2 - k A^2) (Omega^2 - 3 k A^2) + 2 (d A Omega^2)^2 = 0, which comes down to rest."""
     mount, k, d = Duffing(0.0, 2.0, c_2=0.1, excitation=excitation), 1.5, 0.8 / (3 * math.pi)
     onset = mount.saddle_node_onset()
@@ -628,7 +628,7 @@ def test_what_has_no_answer_is_refused_in_words():
 
 @pytest.mark.slow
 @pytest.mark.parametrize("F_0", [0.1, 0.3])
-def test_structural_damping_alone_on_a_stop_that_is_averaged_by_sums(F_0):
+def test_structural_damping_alone_on_a_stop_averaged_by_sums(F_0):
     """Without zeta Omega^2 is explicit in A, with h by quadrature of the force as typed: it turns at the folds."""
     sp = pytest.importorskip("sympy")
     from slowflow import derive
@@ -691,7 +691,7 @@ def of_play(A):
 @pytest.mark.parametrize("Y", [0.05, 0.3, 0.8, 1.2, 2.0])
 @pytest.mark.parametrize("c_2", [0.1, 0.02])
 @pytest.mark.part(3)
-def test_a_play_on_a_shaking_base_has_all_folds_under_quadratic_damping(c_2, Y):
+def test_play_on_a_base_has_all_folds_under_quadratic_damping(c_2, Y):
     """Down to Omega = 0 nothing pulls within the play, and no box was small enough: every force was unresolved.
 
     Between the folds, and beside them, as many amplitudes as the balance changes its sign at on a fine grid.
@@ -727,7 +727,7 @@ def test_a_play_on_a_shaking_base_has_all_folds_under_quadratic_damping(c_2, Y):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("excitation", ["base", "unbalance"])
-def test_an_isola_point_far_above_does_not_hide_the_onset_by_inertia(excitation):
+def test_isola_far_above_does_not_hide_the_onset_by_inertia(excitation):
     """Doubles do not isolate the one at A = 10.7; the cusp below is that of a force, at F_0 Omega^2."""
     forced = Duffing(1.0, 0.55, zeta=0.08, eta=0.024)
     of_force = forced.saddle_node_onset()
@@ -760,7 +760,7 @@ def test_an_isola_point_far_above_does_not_hide_the_onset_by_inertia(excitation)
     ],
 )
 @pytest.mark.part(4)
-def test_every_state_by_inertia_is_there_by_laws_other_than_viscous_damping(excitation, alpha, beta, damping, F_0):
+def test_states_by_inertia_are_complete_under_other_laws(excitation, alpha, beta, damping, F_0):
     """As many at each frequency as the balance changes its sign at on a fine grid of long doubles."""
     one = Duffing(alpha, beta, excitation=excitation, **damping)
     zeta, eta, c_2 = (damping.get(name, 0.0) for name in ("zeta", "eta", "c_2"))
@@ -788,7 +788,7 @@ def test_every_state_by_inertia_is_there_by_laws_other_than_viscous_damping(exci
     ("beta", "zeta", "c_2", "F_0"), [(1.0, 0.05, 0.1, 0.3), (0.3, 0.015, 0.02, 0.9), (6.0, 0.02, 0.9, 0.15)]
 )
 @pytest.mark.part(3)
-def test_a_mount_without_stiffness_at_rest_has_all_answers_under_quadratic_damping(excitation, beta, zeta, c_2, F_0):
+def test_no_stiffness_at_rest_has_all_answers_with_c_2(excitation, beta, zeta, c_2, F_0):
     """Next to rest no box told which term is the largest. Against roots of polynomials in A, or in Omega, as typed."""
     one, k, d = Duffing(0.0, beta, zeta=zeta, c_2=c_2, excitation=excitation), 0.75 * beta, 8 * c_2 / (3 * np.pi)
     power = 0 if excitation == "force" else 2
@@ -863,7 +863,7 @@ def test_a_linear_spring_has_one_motion_at_each_frequency(excitation, damping, a
         (-0.5, 0.001, 0.02, 0.015),
     ],
 )
-def test_the_peak_by_structural_damping_alone_is_where_the_backbone_meets_its_limit(beta, mu, eta, F_0):
+def test_structural_peak_is_where_the_backbone_meets_its_limit(beta, mu, eta, F_0):
     """Boxes were cut down to what rounding leaves of R, and on an edge of two it was in neither."""
     one, A = Duffing(1.0, beta, mu=mu, eta=eta), (F_0 - 4 / math.pi * mu) / eta
     peak = one.peak(F_0)
@@ -871,7 +871,7 @@ def test_the_peak_by_structural_damping_alone_is_where_the_backbone_meets_its_li
     assert peak.remarks == (Remark.BEYOND_WELL if beta < 0 else Remark(0))
 
 
-def test_a_softening_spring_that_gives_way_below_the_limit_of_structural_damping_has_no_top():
+def test_softening_spring_below_the_structural_limit_has_no_top():
     """At the limit, A = 0.05/0.02, the average pushes away: no frequency is left. The highest state is the static one
     of 1.65, beyond the top of the well at sqrt(2), and no peak.
     """
@@ -882,7 +882,7 @@ def test_a_softening_spring_that_gives_way_below_the_limit_of_structural_damping
 
 
 @pytest.mark.slow
-def test_a_peak_within_rounding_of_where_the_force_jumps_is_undecided_and_what_is_not_there_is_answered():
+def test_peak_within_rounding_of_a_jump_is_undecided():
     """By structural damping alone A is F_0/eta at a peak: 0.6, where the cams leave, but for a rounding."""
     cam = derive.library("cam_roller")(r=0.8, rho=0.8, c=0.1, eta=0.05)
     assert cam.breakpoints[0] == pytest.approx(0.03 / 0.05, rel=1e-15)
@@ -900,7 +900,7 @@ def test_a_peak_within_rounding_of_where_the_force_jumps_is_undecided_and_what_i
     assert [cam.peak(0.03 * (1 + share)).A for share in (-1e-7, 1e-7)] == pytest.approx([0.6, 0.6], rel=1e-6)
 
 
-def test_a_mass_without_a_spring_on_a_shaken_base_follows_it_by_structural_damping():
+def test_springless_mass_follows_a_base_by_structural_damping():
     """A^2 Omega^4 + (eta A)^2 = (F_0 Omega^2)^2, which was refused next to Omega = inf."""
     one, Omega = Duffing(0.0, 0.0, eta=0.05, excitation="base"), np.array([0.1, 0.3, 1.0])
     assert one.amplitudes(Omega=Omega, F_0=0.5).A == pytest.approx(0.5 * Omega**2 / np.hypot(Omega**2, 0.05), rel=1e-14)
@@ -910,7 +910,7 @@ def test_a_mass_without_a_spring_on_a_shaken_base_follows_it_by_structural_dampi
 
 
 @pytest.mark.parametrize("force", ["truncated", "untruncated"])
-def test_a_shaken_mass_that_quadratic_damping_alone_holds_has_its_states_wherever_friction_of_no_size_ends(force):
+def test_quadratic_damping_holds_states_where_no_friction_ends(force):
     """Where h = 0 two frequencies come from 0: it was said that two go there."""
     mount = {"lam": 3.532657672855806, "r": 3.4573848332310257, "delta_h": 0.23163298586429906, "force": force}
     other, one = (Isolator(**mount, excitation="base", c_2=0.13, rubs=rubs) for rubs in ("throughout", "attached"))
@@ -938,7 +938,7 @@ def test_states_by_inertia_born_next_to_rest_are_all_there(excitation):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("rubs", ["throughout", "attached"])
-def test_the_onset_by_inertia_is_the_least_level_where_that_is_below_all_cusps(rubs):
+def test_onset_by_inertia_is_the_least_level_below_all_cusps(rubs):
     """An isola point of weak damping: the least level of all amplitudes beyond the stop, on a grid and beside it."""
     osc = derive.library("elastic_stop")(
         kappa=5.6,
@@ -966,7 +966,7 @@ def test_the_onset_by_inertia_is_the_least_level_where_that_is_below_all_cusps(r
 
 
 @pytest.mark.parametrize("excitation", ["force", "base"])
-def test_the_fold_locus_holds_points_at_which_the_level_is_stationary_along_the_amplitude(excitation):
+def test_fold_locus_points_have_a_stationary_level_along_A(excitation):
     """By the work over a cycle. With alpha < 0 it begins where h_A = 0, and a second branch where h = 0."""
     osc = Duffing(-0.5, 1.0, mu=0.01, c_2=0.3, excitation=excitation)
     locus = osc.fold_locus(A_max=1.0, samples=100)

@@ -110,7 +110,7 @@ def test_the_example_of_ones_own_force_averages_that_force(A: float) -> None:
         assert (above[order] - below[order]) / (2 * step) == pytest.approx(found[order + 1], rel=1e-5, abs=1e-8)
 
 
-def test_every_extra_of_a_user_stands_on_the_page_that_tells_how_to_install() -> None:
+def test_extras_stand_on_the_installation_page() -> None:
     extras = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["optional-dependencies"]
     told = re.findall(
         r"^\| `(\w+)` \|", (ROOT / "docs" / "howto" / "install.md").read_text(encoding="utf-8"), re.MULTILINE
@@ -191,7 +191,7 @@ def test_the_words_of_a_newcomer_stand_on_the_page_that_answers(words: str) -> N
     assert [word for word in words.split() if word.casefold() not in text] == []
 
 
-def test_the_codes_of_answers_stand_among_the_words_with_their_numbers() -> None:
+def test_codes_of_answers_are_explained_with_their_numbers() -> None:
     section = (ROOT / "docs" / "glossary.md").read_text(encoding="utf-8").split("## Codes")[1]
     rows = [line.split("|")[1:-1] for line in section.splitlines() if re.match(r"\| \d", line)]
     told = [(name, int(number)) for number, *cells in rows for name in re.findall(r"`([A-Z_]+)`", "".join(cells))]
@@ -223,7 +223,7 @@ def test_on_the_page_of_an_index_the_readme_has_no_path(monkeypatch: pytest.Monk
     assert re.sub(r"https://example.org/sources/(raw|blob)/HEAD/", "", there) == text
 
 
-def test_every_address_of_the_metadata_follows_from_that_of_the_sources(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_addresses_of_the_metadata_follow_from_the_sources(monkeypatch: pytest.MonkeyPatch) -> None:
     setuptools = pytest.importorskip("setuptools")
     stated: dict[str, Any] = {}
     monkeypatch.setattr(setuptools, "setup", stated.update)
@@ -243,7 +243,7 @@ def test_every_address_of_the_metadata_follows_from_that_of_the_sources(monkeypa
     assert f"\nversion: {version}\n" in citation and f"doi: {paper.partition('org/')[2]}" in citation
 
 
-def test_workflows_run_what_the_makefile_has_on_every_python_that_the_classifiers_name() -> None:
+def test_workflows_run_the_makefile_on_every_python_listed() -> None:
     workflows = [path.read_text(encoding="utf-8") for path in (ROOT / ".github" / "workflows").glob("*.yml")]
     targets = re.findall(r"^([\w-]+):", (ROOT / "Makefile").read_text(encoding="utf-8"), re.MULTILINE)
     run = {target for text in workflows for target in re.findall(r"run: make ([\w-]+)", text)}
@@ -354,7 +354,7 @@ def test_each_section_of_the_gallery_has_a_picture() -> None:
         assert (page.parent / picture).stat().st_size > 5000
 
 
-def test_every_decision_has_a_date_and_a_status_and_says_why_and_what_it_costs() -> None:
+def test_decisions_have_date_status_reason_and_cost() -> None:
     index = (DECISIONS / "README.md").read_text(encoding="utf-8")
     pages = [page for page in sorted(DECISIONS.glob("*.md")) if page.name != "README.md"]
     records = []
@@ -423,7 +423,7 @@ def test_fields_of_a_named_tuple_are_not_said_by_their_number() -> None:
 
 
 @pytest.mark.slow
-def test_letters_of_the_site_stand_below_the_line_but_not_in_code() -> None:
+def test_letters_of_the_site_have_subscripts_but_not_in_code() -> None:
     """In a browser, where a developer has one: Chromium by Playwright."""
     chromium = shutil.which("chromium") or shutil.which("google-chrome")
     if chromium is None or importlib.util.find_spec("playwright") is None:

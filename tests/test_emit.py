@@ -320,7 +320,7 @@ def test_what_is_repeated_is_a_call_that_stands_for_its_lets():
     assert evaluated(program.lets, program.outputs, {x: mpf(5), y: mpf(7)}) == [-3 + 5, -7]
 
 
-def test_what_is_repeated_is_refused_where_a_language_could_not_print_it():
+def test_repeats_are_refused_where_a_language_cannot_print_them():
     a, b = sp.symbols("a b", real=True)
     with pytest.raises(ArithmeticError, match="symbols or numbers"):
         beside().at((x + 1, y), (a, b))
@@ -330,7 +330,7 @@ def test_what_is_repeated_is_refused_where_a_language_could_not_print_it():
         Repeated("twice", "", (x,), ((x, x + 1),), ((y, x),))
 
 
-def test_bytecode_of_templates_is_kept_where_python_keeps_its_own(tmp_path, monkeypatch):
+def test_template_bytecode_is_kept_where_python_keeps_its_own(tmp_path, monkeypatch):
     monkeypatch.setattr(sys, "pycache_prefix", None)
     monkeypatch.setattr(sys, "dont_write_bytecode", False)
     assert kept_beside(tmp_path, Path(__file__)) is not None

@@ -117,7 +117,7 @@ def test_data_that_is_no_program_is_refused():
 @pytest.mark.slow
 @pytest.mark.parametrize(("name", "Omega"), [("sinh", 0.9), ("three_springs", 0.9)])
 @pytest.mark.part(2)
-def test_a_periodic_motion_and_its_variations_against_thirty_digits(pieces, name, Omega):
+def test_periodic_motion_and_variations_have_thirty_digits(pieces, name, Omega):
     """From its turning point mpmath comes to the mirror image half a period later, and deviations to ours."""
     F_0, zeta = 0.2, 0.03
     system = EquationOfMotion(Force((pieces(name, A, B),), ()), 0.0, zeta)
@@ -181,7 +181,7 @@ def test_a_curve_at_a_contact(pieces):
 
 
 @pytest.mark.slow
-def test_motions_through_a_contact_behind_a_gap_are_seen_to_the_ends_of_their_phases():
+def test_motions_through_a_contact_behind_a_gap_are_complete():
     """What they pass on, and shocks, against SciPy: at the gap itself there is no series, and nothing was answered."""
     k, gap = sp.symbols("k gap")
     pieces = [(u, gap), (u + k * (u - gap) ** sp.Rational(3, 2), None)]

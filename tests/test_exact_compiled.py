@@ -86,7 +86,7 @@ def test_states_and_derivatives_against_twenty_five_digits(name, end):
 
 
 @pytest.mark.parametrize("integrator", [OURS, ScipyIntegrator()], ids=lambda one: one.name)
-def test_structural_damping_goes_with_the_frequency_by_which_a_state_is_differentiated(integrator):
+def test_structural_damping_goes_with_the_frequency_in_gradients(integrator):
     """The derivative by Omega against a difference: zeta + eta/(2 Omega) is that of either frequency."""
     piece = PIECES["duffing"][0]
 
@@ -195,7 +195,7 @@ def condition(found):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("integrator", integrators(), ids=lambda one: one.name)
-def test_motions_of_every_kind_of_oscillator_are_those_of_independent_integrators(motions, integrator):
+def test_motions_of_every_oscillator_are_independent_integrators(motions, integrator):
     """Amplitude, multipliers and switches: to 1e-10 times the motion's condition; they close to 1e-14."""
     for one, found in motions:
         assert found.residual <= 1e-14, one
@@ -285,7 +285,7 @@ def test_derivatives_of_a_cycle_are_those_of_its_equations(oscillator, Omega, F_
     assert np.allclose(derivatives, np.array(differences).T, rtol=0, atol=1e-6)
 
 
-def test_a_curve_traced_in_c_has_the_points_of_the_one_followed_in_python(monkeypatch):
+def test_curve_traced_in_c_is_the_one_followed_in_python(monkeypatch):
     """Folds, borders and a closed curve among them; the same steps, so the same points to what Newton leaves."""
     cases = [(case.system, case.F_0, (0.3, 1.8), None) for case in random_cases(6, seed=11)]
     for system, F_0, window, start in [*cases, isola()]:
@@ -304,7 +304,7 @@ def test_a_curve_traced_in_c_has_the_points_of_the_one_followed_in_python(monkey
             assert one.rise == pytest.approx(other.rise, abs=1e-5 if one.role == "border" else 1e-9)
 
 
-def test_an_edge_and_a_stop_within_one_rounding_are_one_turn_or_a_way_beyond():
+def test_edge_and_stop_within_one_rounding_are_one_turn():
     """u'' = -u from rest at the top, by the cosine alone: it turns at -1, and the next piece begins next to there.
 
     An edge that the mass does not reach is a stop; one that it passes, however little, an edge with the velocity that
@@ -326,7 +326,7 @@ def test_an_edge_and_a_stop_within_one_rounding_are_one_turn_or_a_way_beyond():
 
 
 @pytest.mark.parametrize("jump", [0.0, 0.2])
-def test_a_motion_that_turns_at_a_breakpoint_within_rounding_goes_on(jump):
+def test_motion_that_turns_at_a_breakpoint_goes_on(jump):
     """A free mass under friction: each turn is 2 mu lower, and the force's bend or jump lies at a turn to 8 places.
 
     Beyond the breakpoint it would be held or pushed back: a way as short as rounding there changes next to nothing.

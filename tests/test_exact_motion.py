@@ -85,7 +85,7 @@ def test_random_isolators_by_scipy(states):
         assert np.max(np.abs(turned)) <= 1e-9
 
 
-def test_own_functions_of_u_are_followed_by_polynomials_of_their_values():
+def test_own_functions_are_followed_by_their_polynomials():
     """To the digits of the series of the same force."""
     law = Law(lambda u: u + u**3, lambda u: 1 + 3 * u**2)
     own = EquationOfMotion(Force((Piece(law, ()),), ()), 0.01, 0.02)
@@ -342,7 +342,7 @@ POLES = {
 
 
 @pytest.mark.parametrize("name", POLES)
-def test_a_force_without_bound_is_named_where_an_integration_stalls(name):
+def test_force_without_bound_is_named_where_integration_stalls(name):
     """The place is the pole, not the angle at which a phase began; the time is that of an integration up to it."""
     force, slope, pole = POLES[name]
     system = EquationOfMotion(Force((Piece(Law(force, slope), ()),), ()), 0.0, 0.05)
@@ -418,7 +418,7 @@ SUBHARMONICS = [
     "turns, alpha, beta, zeta, Omega, F_0",
     [SUBHARMONICS[0], *(pytest.param(*one, marks=pytest.mark.slow) for one in SUBHARMONICS[1:])],
 )
-def test_the_motion_that_the_mass_comes_to_not_one_that_it_goes_round(turns, alpha, beta, zeta, Omega, F_0):
+def test_motion_is_the_one_the_mass_comes_to(turns, alpha, beta, zeta, Omega, F_0):
     followed = of_duffing(alpha, beta, zeta, Omega, F_0, math.ceil(12.0 * Omega / (2.0 * math.pi * zeta)))
     found = Duffing(alpha, beta, zeta=zeta).steady_state(Omega=Omega, F_0=F_0)
     assert found.period * Omega / (2.0 * math.pi) == pytest.approx(turns)
@@ -432,7 +432,7 @@ def test_the_motion_that_the_mass_comes_to_not_one_that_it_goes_round(turns, alp
     assert min(shorter) > 0.01 * found.A
 
 
-def test_a_motion_that_is_not_what_the_mass_was_seen_to_come_to_says_so(monkeypatch):
+def test_motion_other_than_the_one_seen_says_so(monkeypatch):
     monkeypatch.setattr("slowflow.exact.shooting.MOST_TURNS", 12)
     found = Duffing(1.0, 0.1, zeta=0.001).steady_state(Omega=0.8, F_0=0.1)
     assert "not one that the mass was seen to come to" in found.message and "after 12 turns" in found.message
@@ -441,7 +441,7 @@ def test_a_motion_that_is_not_what_the_mass_was_seen_to_come_to_says_so(monkeypa
 
 
 @pytest.mark.parametrize("Omega", [1.5, *(pytest.param(one, marks=pytest.mark.slow) for one in (1.495, 1.52))])
-def test_a_motion_that_turns_downwards_once_in_two_turns_is_closed(Omega):
+def test_motion_that_turns_once_in_two_turns_is_closed(Omega):
     """Two springs of which one leaves at u = 4, under a load: by SciPy, from a mass at rest where it rests."""
     u, al, b = sp.Symbol("u", real=True), sp.Symbol("al", positive=True), sp.Symbol("b", positive=True)
     made = derive.mechanism("two_springs", [(al * u, b), (u - (1 - al) * b, None)], {"al": {}, "b": {}})
@@ -463,7 +463,7 @@ def test_a_motion_that_turns_downwards_once_in_two_turns_is_closed(Omega):
         assert np.abs(found.multipliers) == pytest.approx(0.846, abs=1e-3)
 
 
-def test_a_motion_is_stable_where_both_of_its_multipliers_are_small():
+def test_motion_is_stable_where_both_multipliers_are_small():
     """Of three motions at one frequency what begins beside the middle one leaves it, by SciPy, and not the others.
 
     The product of the multipliers is exp(-2 zeta times the period), whatever the motion: one alone is always small.

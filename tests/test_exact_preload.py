@@ -66,7 +66,7 @@ def multipliers_at(Omega, F_0, here, step=1e-5):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("Omega", [0.8, 1.3])
-def test_a_motion_and_its_multipliers_are_those_of_integration_from_event_to_event(spring, Omega):
+def test_multipliers_are_those_of_integration_between_events(spring, Omega):
     F_0 = 0.15
     found = spring.steady_state(Omega=Omega, F_0=F_0)
     assert found.stops == 0 and found.symmetric and len(found.phases) == 2
@@ -97,7 +97,7 @@ def test_a_curve_passes_from_motions_with_stops_to_such_without(spring):
 
 @pytest.mark.slow
 @pytest.mark.part(2)
-def test_a_mass_that_comes_to_rest_where_the_force_jumps_is_followed_and_that_is_said(spring):
+def test_rest_on_a_jump_of_the_force_is_followed_and_said(spring):
     """It moves off where F_0 cos(theta) = mu + c, and how far it gets is known from there on."""
     Omega, F_0 = 0.2, 0.065
     swept = spring.sweep(Omega=[Omega], F_0=F_0)
@@ -109,7 +109,7 @@ def test_a_mass_that_comes_to_rest_where_the_force_jumps_is_followed_and_that_is
 
 
 @pytest.mark.slow
-def test_a_force_that_does_not_exceed_friction_and_preload_leaves_a_mass_at_rest(spring):
+def test_force_below_friction_and_preload_leaves_a_mass_at_rest(spring):
     held = spring.steady_state(Omega=0.6, F_0=0.0599)  # mu and what the force jumps to at u = 0 are 0.06
     assert held.A == 0 and held.stable
     assert spring.transient(acceleration=0.0599, duration=3.0).A == 0
@@ -119,7 +119,7 @@ def test_a_force_that_does_not_exceed_friction_and_preload_leaves_a_mass_at_rest
 
 
 @pytest.mark.slow
-def test_a_broken_power_behind_a_preload_has_motions_that_scipy_confirms():
+def test_broken_power_behind_a_preload_has_scipys_motions():
     pieces = [(c + k * u ** sp.Rational(3, 2), None)]
     one = derive.mechanism("broken", pieces, {"c": ABOVE_0, "k": ABOVE_0})(c=C, k=K, mu=MU, zeta=ZETA)
     for Omega in (0.5, 0.8, 1.2):
@@ -131,7 +131,7 @@ def test_a_broken_power_behind_a_preload_has_motions_that_scipy_confirms():
         )
 
 
-def test_a_detachment_behind_a_preload_is_where_the_first_piece_alone_has_such_a_peak(spring):
+def test_detachment_behind_a_preload_is_the_first_pieces_peak(spring):
     force = c + k * u
     pieces = [(force, gap), (force + hard * (u - gap), None)]
     stop = derive.mechanism("sprung_stop", pieces, dict.fromkeys(("c", "k", "hard", "gap"), ABOVE_0))

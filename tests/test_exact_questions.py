@@ -63,7 +63,7 @@ def test_a_mass_at_rest_begins_where_load_and_spring_balance():
 
 
 @pytest.mark.slow
-def test_a_loaded_isolator_comes_to_the_motion_that_integration_from_its_place_of_rest_comes_to():
+def test_loaded_isolator_comes_to_the_motion_from_its_rest():
     """From u = 0, where it does not rest, it comes to one of A = 0.2485."""
     iso = Isolator(lam=3, r=2.03, delta_h=0.082, mu=0.0, zeta=0.02, load=0.0455)
     force = iso.restoring_force()
@@ -115,7 +115,7 @@ def test_a_motion_shows_its_series_and_harmonics():
     assert state.stops == 0 and np.all(np.abs(state.multipliers) < 1)
 
 
-def test_the_force_is_the_one_that_is_averaged_or_the_one_asked_for():
+def test_force_is_the_averaged_one_or_the_one_requested():
     truncated = isolator().steady_state(Omega=0.95, F_0=0.04, A=0.5, force="truncated").A
     untruncated = isolator().steady_state(Omega=0.95, F_0=0.04, A=0.5, force="untruncated").A
     assert isolator().steady_state(Omega=0.95, F_0=0.04, A=0.5).A == truncated
@@ -200,7 +200,7 @@ def test_near_a_fold_of_averaging_the_branch_asked_for_is_found():
     assert oscillator.steady_state(Omega=1.2687, F_0=0.18).A == pytest.approx(0.297, rel=0.01)
 
 
-def test_of_two_motions_beside_a_fold_each_is_the_one_that_scipy_finds():
+def test_motions_beside_a_fold_are_those_scipy_finds():
     """Half a turn by SciPy, force and variations typed in, closed by SciPy's root: the lower one is not stable."""
     oscillator = Duffing(1.0, 0.1, 0.0, 0.025)
 
@@ -227,7 +227,7 @@ def test_of_two_motions_beside_a_fold_each_is_the_one_that_scipy_finds():
 
 
 @pytest.mark.parametrize("ratio", [0.8, 0.95, 0.99])
-def test_slow_drift_near_sticking_ends_where_an_independent_integration_stays(ratio):
+def test_drift_near_sticking_ends_where_integration_stays(ratio):
     """No stiffness at u = 0 and friction near the forcing: from rest the motion drifts for 10^5 turns and more.
 
     It is found nevertheless, small fixed steps come back to it, and a sweep says the same amplitude.
@@ -262,7 +262,7 @@ def slips_without_a_spring(mu, zeta, Omega, F_0):
     "oscillator", [Duffing(0.0, 1.0, 0.0, 0.05), Isolator(lam=3, r=1, delta_h=1 / 3, zeta=0.05, mu=0)]
 )
 @pytest.mark.parametrize("ratio", [0.98, 0.99, 0.995, 0.999])
-def test_where_no_spring_is_felt_motion_and_sweep_have_the_closed_form(oscillator, ratio):
+def test_without_a_spring_motion_and_sweep_have_closed_forms(oscillator, ratio):
     """Quasi-zero stiffness next to sticking: the mean drifts by 1e-18 and less in a turn, and was never seen to settle.
 
     The spring adds a share (A^2 over the part of F_0 that exceeds friction) to the amplitude: 1e-11 at most.
@@ -277,7 +277,7 @@ def test_where_no_spring_is_felt_motion_and_sweep_have_the_closed_form(oscillato
 
 
 @pytest.mark.slow
-def test_a_neutral_mean_that_a_falling_force_drives_off_is_not_settled_on():
+def test_neutral_mean_that_is_driven_off_is_not_settled_on():
     """The same with negative stiffness too small to be felt in a turn: the motion about u = 0 is not stable."""
     oscillator = Duffing(-1e-9, 1.0, 0.0495, 0.05)
     about_zero = oscillator.steady_state(Omega=1.5, F_0=0.05, A=4.95e-6)
@@ -448,7 +448,7 @@ def test_the_answers_are_public():
     assert {"SteadyState", "Response", "Sweep"} <= set(exact.__all__)
 
 
-def test_a_motion_that_static_friction_holds_for_a_while_is_found_by_its_amplitude():
+def test_motion_with_static_friction_is_found_by_its_amplitude():
     """Averaging leads to another one, which is not stable; a long run from elsewhere comes to this one."""
     numbers = {"lam": 4, "r": 0.3642999918575798, "delta_h": 0.1218203045967167, "mu": 0.006930182403527397}
     grips = Isolator(**numbers, zeta=0.023715239224332777, mu_s=0.01677457063343336)
@@ -463,7 +463,7 @@ def test_a_motion_that_static_friction_holds_for_a_while_is_found_by_its_amplitu
 
 
 @pytest.mark.slow
-def test_off_centre_a_state_settles_where_newton_leads_to_no_motion_from_it():
+def test_asymmetric_state_settles_where_newton_fails():
     numbers = {"lam": 4, "r": 0.5567583726242005, "delta_h": 0.24291497227695394, "mu": 0.0035586068196308378}
     loaded = Isolator(**numbers, zeta=0.030883306833416314, load=0.017411128934160736)
     F_0, Omega = 0.10123289194313603, 0.820731195984093
@@ -472,7 +472,7 @@ def test_off_centre_a_state_settles_where_newton_leads_to_no_motion_from_it():
     assert found.stable and found.A == pytest.approx(loaded.steady_state(Omega=Omega, F_0=F_0).A, rel=1e-9)
 
 
-def test_a_curve_goes_on_where_the_highest_place_of_a_motion_passes_the_centre():
+def test_curve_goes_on_where_the_highest_place_passes_the_centre():
     """Under a load, which pulls the whole motion to one side where its amplitude is little."""
     numbers = {"lam": 2, "r": 0.8555935232516407, "delta_h": 0.11116695737395142, "mu": 0.0033268222931048283}
     loaded, F_0 = Isolator(**numbers, zeta=0.052619698513897945, load=-0.03684908305690246), 0.06544331813808045

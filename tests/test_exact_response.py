@@ -79,7 +79,7 @@ def test_points_are_motions_and_stability_is_theirs(curves):
             assert state.A == pytest.approx(curve.A[index], abs=1e-12)
 
 
-def test_of_three_motions_at_a_frequency_the_middle_one_is_not_stable(curves):
+def test_middle_one_of_three_motions_is_unstable(curves):
     """As the averaged balance has it; a saddle has one multiplier inside the unit circle, which is not enough."""
     seen = 0
     for (exact, F_0), curve in curves.items():
@@ -181,7 +181,7 @@ def test_a_peak_does_not_depend_on_the_step(ratio):
 
 
 @pytest.mark.parametrize("zeta", [0.001, 0.05, 0.4])
-def test_a_linear_oscillator_never_jumps_however_far_apart_the_frequencies_are(zeta):
+def test_linear_oscillator_never_jumps_at_any_spacing(zeta):
     linear_one = Duffing(1.0, 0.0, zeta=zeta)
     for Omega in ([0.8, 0.9], [0.5, 0.99, 1.0, 1.01, 2.0], [1.4, 0.999, 0.3]):
         assert linear_one.sweep(Omega=Omega, F_0=0.1).jumps == ()
@@ -191,7 +191,7 @@ def test_a_linear_oscillator_never_jumps_however_far_apart_the_frequencies_are(z
 BESIDE = {(0.3784, 0.3786): (1.7559427, 1.7266846)}
 
 
-def test_a_jump_is_a_change_of_branch_however_small_it_is_and_a_pitchfork_is_none():
+def test_jump_is_a_change_of_branch_and_a_pitchfork_is_none():
     """u'' + 0.04 u' + u + u^3 = 3 cos: at 0.325 and 0.499 a motion becomes symmetric, at others it ceases to be."""
     swept = Duffing(1.0, 1.0, zeta=0.02).sweep(Omega=np.arange(300, 500) / 1000, F_0=3.0)
     assert swept.jumps == ((0.378, 0.379), (0.477, 0.478))
@@ -200,7 +200,7 @@ def test_a_jump_is_a_change_of_branch_however_small_it_is_and_a_pitchfork_is_non
     assert finer.A[-2:] == pytest.approx(BESIDE[0.3784, 0.3786], rel=2e-5)
 
 
-def test_in_coarse_steps_a_jump_is_told_where_the_fold_is_and_nowhere_else(curves):
+def test_jump_in_coarse_steps_is_where_the_fold_is(curves):
     """The frequencies of docs/howto/exact_motions.md."""
     down = curves[False, 0.04].folds[1]
     assert 0.95 < down.Omega < 1.0
@@ -231,7 +231,7 @@ def test_a_fold_is_of_the_kind_that_a_sweep_sees_there():
         assert fold.kind == "jump-down" and after < before
 
 
-def test_a_fold_is_of_that_kind_too_where_the_part_that_is_followed_has_no_motion_beyond_it():
+def test_fold_kind_is_told_without_a_motion_beyond_its_part():
     """As an isola has none: what the mass comes to is followed in time."""
     oscillator = Duffing(1.0, 1.0, zeta=0.005)
     start = oscillator.steady_state(Omega=0.48, F_0=1.0, A=1.45)
@@ -241,7 +241,7 @@ def test_a_fold_is_of_that_kind_too_where_the_part_that_is_followed_has_no_motio
 
 @pytest.mark.slow
 @pytest.mark.night
-def test_the_motion_that_scipy_follows_falls_beyond_both_folds_of_the_second_resonance():
+def test_scipys_motion_falls_beyond_the_second_resonance():
     curve = Duffing(1.0, 1.0, zeta=0.005).exact_response(1.0, Omega=(0.3, 1.0))
     for (Omega, (before, after)), side in zip(SECOND.items(), (-1, 1), strict=True):
         away = np.abs(curve.Omega / Omega - 1) + np.abs(curve.A / before - 1)
@@ -401,7 +401,7 @@ def test_corner_fold_of_the_truncated_force():
     assert turns.size == 3
 
 
-def test_multipliers_along_a_curve_have_the_product_of_a_whole_period():
+def test_multipliers_have_the_product_of_a_whole_period():
     """exp(-2 zeta T) without friction, by Liouville's formula, however many half turns a cycle is followed for."""
     curve = Duffing(1.0, 0.5, 0.0, 0.05).exact_response(0.1, Omega=(0.6, 0.9))
     expected = np.exp(-2 * 0.05 * 2 * np.pi / curve.Omega)
@@ -409,7 +409,7 @@ def test_multipliers_along_a_curve_have_the_product_of_a_whole_period():
 
 
 @pytest.mark.slow
-def test_a_curve_is_followed_across_a_border_that_its_cycle_begins_at():
+def test_curve_is_followed_across_a_border_of_its_cycle():
     """Restarted at the highest turning point it was given up there, after 16 points; the other end leads through it."""
     mount = Isolator(lam=2.372, r=1.75, delta_h=0.1458, mu=0.0, zeta=0.0371, load=-0.0715)
     curve = mount.exact_response(0.05, Omega=(0.4, 1.6), step=0.05)

@@ -149,7 +149,7 @@ def test_its_numbers_are_those_of_the_package(browser: Any) -> None:
 
 
 @pytest.mark.slow
-def test_its_numbers_of_the_library_are_those_of_what_is_derived_and_compiled(browser: Any) -> None:
+def test_library_numbers_are_those_derived_and_compiled(browser: Any) -> None:
     pytest.importorskip("flint", reason="what derives is not installed")
     found = [one for one in designs() if one.oscillator.model.mechanism.name != one.mechanism]
     stated = importlib.import_module("slowflow_derivation.library")
@@ -172,7 +172,7 @@ STOPS = (
 
 @pytest.mark.slow
 @pytest.mark.filterwarnings("ignore:overflow encountered")
-def test_a_stop_on_one_side_has_the_answers_of_the_search_in_amplitude_and_mean(browser: Any) -> None:
+def test_one_sided_stop_has_the_answers_of_the_search(browser: Any) -> None:
     """Two methods: along the balance by the compiled solvers here, boxes in A and B there."""
     pytest.importorskip("flint", reason="what derives is not installed")
     stop = derive.library("one_sided_stop")
@@ -309,7 +309,7 @@ FILL = """() => {
 
 
 @pytest.mark.slow
-def test_extreme_numbers_every_mechanism_and_both_units_are_shown_without_a_complaint(browser: Any) -> None:
+def test_extreme_numbers_are_shown_without_a_complaint(browser: Any) -> None:
     kinds = [(one.model.mechanism.name, one.excitation) for _, one, _, _ in PRESETS]
     with opened(browser) as page:
         for preset in (*sorted(map(kinds.index, set(kinds))), *range(len(PRESETS), LAST + 1)):
@@ -358,7 +358,7 @@ AT = "#mechanism=rod_spring&lam=3&r=1700&delta_h=0.009&mu=0.4&zeta=0.02&m=12&k_v
     ("excitation", "letter", "within", "beyond"),
     [("force", "F", 5.0, 40.0), ("base", "Y", 0.002, 0.005), ("unbalance", "U", 0.024, 0.08)],
 )
-def test_in_si_units_it_speaks_of_what_excites_and_of_no_peak_beyond_the_rod(
+def test_si_units_name_the_excitation_and_no_peak_beyond_the_rod(
     browser: Any, excitation: str, letter: str, within: float, beyond: float, width: int
 ) -> None:
     mount = Isolator.physical(**MOUNT.given | {"excitation": excitation})
@@ -403,7 +403,7 @@ def peak_of(page: Any, address: str) -> str:
 
 
 @pytest.mark.slow
-def test_a_peak_beyond_the_well_or_the_reach_of_a_force_is_said_in_words(browser: Any) -> None:
+def test_peak_beyond_the_well_or_the_reach_is_said(browser: Any) -> None:
     three = next(i for i, (_, name, *_) in enumerate(LIBRARY) if name == "three_spring")
     with opened(browser) as page:
         # softening: the force gives way at A^2 = alpha/|beta| = 2, the average at 4/3 of that

@@ -119,7 +119,7 @@ CASES = {
 
 
 @pytest.mark.parametrize("name", CASES)
-def test_each_point_of_a_response_is_a_state_by_the_published_formula(drawn, name):
+def test_response_points_are_states_by_the_published_formula(drawn, name):
     ramp = pictures.ramp(5 if name == "4a" else 4)
     for case, colour in zip(CASES[name], ramp, strict=False):
         curve = of_colour(drawn(name), colour)
@@ -281,7 +281,7 @@ def test_stable_is_solid_and_unstable_dashed():
     assert {"stable", "unstable"} <= {text.get_text() for text in ax.get_legend().get_texts()}
 
 
-def test_an_oscillator_draws_its_responses_with_folds_and_regions():
+def test_oscillator_draws_responses_with_folds_and_regions():
     one = isolator()
     ax = one.plot([0.03, 0.04], Omega=(0.5, 1.3))
     folds = one.saddle_nodes(0.04)
@@ -296,7 +296,7 @@ def test_an_oscillator_draws_its_responses_with_folds_and_regions():
         one.plot(0.04, of="B")
 
 
-def test_curves_and_folds_of_the_second_approximation_and_sweeps_are_drawn():
+def test_second_approximation_and_sweeps_are_drawn():
     second = isolator().second_approximation
     curve, folds = second.frequency_response(0.04), second.saddle_nodes(0.04)
     drawn = np.concatenate([line.get_xydata() for line in lines(curve.plot())])
@@ -343,7 +343,7 @@ def test_a_mount_draws_the_same_in_its_units():
         mount.detachment().plot()
 
 
-def test_under_a_load_the_largest_displacement_is_drawn_as_springs_leave_by_it():
+def test_largest_displacement_is_drawn_under_a_load():
     """By the amplitude a mount would seem to stay within its stroke where it leaves it."""
     numbers = {"m": 12, "k_v": 2500, "k_h": 1700, "L": 0.080, "preload": 0.009, "friction": 0.4, "zeta": 0.02}
     mount = Isolator.physical(**numbers, load=12.2)
@@ -427,7 +427,7 @@ def test_colours_are_told_apart_with_deuteranopia():
 
 
 @pytest.mark.slow
-def test_depths_off_the_centre_are_compared_by_the_largest_displacement():
+def test_asymmetric_depths_are_compared_by_largest_displacement():
     """Averaging's A is about the mean there, that of the equation of motion is not."""
     loaded = isolator(load=0.05, mu=0.0, zeta=0.05)
     curve = loaded.frequency_response(0.03, Omega=(0.9, 1.1), samples=50)

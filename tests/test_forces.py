@@ -140,7 +140,7 @@ def test_harmonics_are_those_of_a_closed_form():
 
 
 @pytest.mark.parametrize("name", slow_beside(FORCES, FEW))
-def test_h_less_its_tangent_at_rest_is_the_difference_that_it_stands_for(name):
+def test_intercept_is_the_difference_it_stands_for(name):
     model = oscillator(name).model
     A = np.array([0.15, 0.7, 2.0])
     h, h_A, *_ = model.averaged(A)
@@ -195,7 +195,7 @@ def test_under_a_power_below_1_folds_come_down_to_rest(power, mu, compile):
 @pytest.mark.parametrize(
     ("slope", "power", "mu"), [(0.0, 0.5, 0.01), (1.0, 0.5, 0.2), (0.0, 0.8, 0.01), (1.0, 0.8, 0.001)]
 )
-def test_with_friction_there_is_an_onset_under_a_power_above_a_third(slope, power, mu, compile):
+def test_friction_gives_an_onset_under_a_power_above_a_third(slope, power, mu, compile):
     """The lowest level of all folds on a fine grid of amplitudes, by the roots of F_A and h in closed form."""
     made, zeta = stiff_at_rest(compile), 0.03
     one = made(c=slope, k=1.0, p=power, mu=mu, zeta=zeta)
@@ -220,7 +220,7 @@ def test_with_friction_there_is_an_onset_under_a_power_above_a_third(slope, powe
 @pytest.mark.slow
 @pytest.mark.parametrize("compile", STIFF)
 @pytest.mark.parametrize("zeta", [0.03, 0.1])
-def test_a_preload_alone_before_a_spring_has_the_onset_of_ever_softer_springs_before_it(zeta, compile):
+def test_preload_alone_has_the_onset_of_ever_softer_springs(zeta, compile):
     """h is constant up to the gap, where F_A vanishes at Omega = 0 whatever A is: the onset was unresolved."""
     pieces = [(c + p * u, gap), (c + p * u + k * (u - gap), None)]
     parameters = {"c": ABOVE_0, "p": {}, "k": ABOVE_0, "gap": ABOVE_0}
@@ -237,7 +237,7 @@ def test_a_preload_alone_before_a_spring_has_the_onset_of_ever_softer_springs_be
 
 @pytest.mark.slow
 @pytest.mark.parametrize("compile", STIFF)
-def test_a_peak_does_not_ask_for_an_average_that_does_not_settle_far_out(compile):
+def test_peak_does_not_need_an_average_that_does_not_settle(compile):
     """A rod behind a gap, whose root is u but for what is lost in u^2 from |u| = 1e9 on."""
     rod = u + k * (u - gap) * (1 - c / sp.sqrt(c**2 + (u - gap) ** 2))
     made = derive.mechanism(
@@ -330,14 +330,14 @@ def test_what_it_is_and_how_it_is_derived_is_said():
 
 
 @pytest.mark.slow
-def test_the_derivation_of_a_contact_tells_all_that_it_is_made_of():
+def test_derivation_of_a_contact_is_complete():
     told = derived("hertz").document()
     assert "sum_" not in told and r"\frac{(A - u_{1})^{2}}{\sqrt{A + u_{1}}} \int_0^1" in told
     assert told.count(r"\Gamma_{1,3} &=") == 1 and r"without what begins at $u_{1}$" in told
 
 
 @pytest.mark.slow
-def test_a_parameter_may_be_called_as_something_in_the_derivation_or_in_printed_code():
+def test_parameter_names_may_be_those_of_printed_code():
     """Each name stands for the same number: what else is called so is kept apart."""
     as_k = derive.mechanism("named", [(k * sp.sin(u), None)], {"k": ABOVE_0}).record.averaged(0.7, 1.3)
     for name in ("L", "k_v", "sine", "np", "sum_0", "t0"):
@@ -430,7 +430,7 @@ def preloaded():
 @pytest.mark.slow
 @pytest.mark.parametrize("share", [0.3, 0.8, 0.99])
 @pytest.mark.parametrize("mu", [0.0, 0.01])
-def test_a_preload_on_a_linear_spring_has_the_fold_of_its_closed_form(preloaded, mu, share):
+def test_preloaded_linear_spring_has_the_fold_of_closed_form(preloaded, mu, share):
     """With p = 4c/pi, a = Omega^2 - 1, b = 2 zeta Omega F is quadratic in A; with tan t = b/a its discriminant vanishes
     where m cos t + p sin t = F_0, for which m < F_0 < sqrt(m^2 + p^2) have one t with a positive double root.
     """
@@ -448,7 +448,7 @@ def test_a_preload_on_a_linear_spring_has_the_fold_of_its_closed_form(preloaded,
     assert one.saddle_node_onset().F_SN is None and "no lowest forcing" in one.saddle_node_onset().message
 
 
-def test_what_holds_a_mass_at_rest_is_the_derived_level_at_no_amplitude():
+def test_holding_force_is_the_derived_level_at_no_amplitude():
     """Of any frequency, and of numbers whose squares are beyond doubles too."""
     m, preload, Omega = np.random.default_rng(1).uniform(0.001, 1.0, (3, 1000))
     found = held(m, preload)
@@ -459,7 +459,7 @@ def test_what_holds_a_mass_at_rest_is_the_derived_level_at_no_amplitude():
 
 
 @pytest.mark.slow
-def test_a_mass_that_a_preload_holds_at_rest_is_said_beside_the_motions(preloaded):
+def test_mass_held_by_a_preload_is_said_beside_the_motions(preloaded):
     """Next to rest a state has R = -4c/pi and I = 4 mu/pi: up to the level of that no state comes out of rest."""
     one = preloaded(c=0.05, k=1.0, mu=0.01, zeta=0.02)
     held = 4 / np.pi * np.hypot(0.05, 0.01)
@@ -535,7 +535,7 @@ def test_without_a_spring_no_mean_is_singled_out_either(excitation):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("compiled", [False, True])
-def test_ends_that_do_not_rise_with_the_numbers_given_are_refused(compiled):
+def test_ends_that_do_not_rise_are_refused(compiled):
     """The second stop inside the first, both at one place, and a gap below 0: no piece lies there."""
     stops = derive.mechanism(
         f"two_stops_{compiled}", [(u, gap - k), (2 * u, c), (3 * u, None)], dict.fromkeys(("gap", "k", "c"), ABOVE_0),
@@ -556,7 +556,7 @@ def test_ends_that_do_not_rise_with_the_numbers_given_are_refused(compiled):
     assert stops(gap=1.0, k=1.0, c=1.0, zeta=0.02).breakpoints == (1.0,)
 
 
-def test_a_breakpoint_that_is_not_there_for_these_numbers_is_refused_by_its_piece():
+def test_missing_breakpoint_is_refused_by_its_piece():
     end = sp.sqrt(gap - c)
     made = derive.mechanism(
         "lost_end", [(u, end), (u + k * (u - end), None)], dict.fromkeys(("gap", "k", "c"), ABOVE_0)
@@ -569,7 +569,7 @@ def test_a_breakpoint_that_is_not_there_for_these_numbers_is_refused_by_its_piec
 
 
 @pytest.mark.slow
-def test_the_compiled_solvers_know_what_a_preload_does_to_the_onset(preloaded):
+def test_compiled_solvers_know_the_onset_of_a_preload(preloaded):
     """Of a linear spring folds come down to 4 mu/pi; of a hardening one too, beside a cusp; without zeta k passes 0."""
     numbers = {"c": ABOVE_0, "k": ABOVE_0}
     for pieces in ([(c + k * u, None)], [(c + u + k * u**3, None)]):
@@ -612,7 +612,7 @@ def test_where_a_hyperbolic_tangent_saturates_nothing_cancels():
     ],
     ids=["exp(u) - 1", "log(1 + u)", "sqrt(1 + u) - 1", "cosh(u) - 1"],
 )
-def test_a_force_whose_terms_cancel_at_rest_keeps_its_digits_there(force, value):
+def test_force_that_cancels_at_rest_keeps_its_digits(force, value):
     """exp(u) - 1 for u > 0, and the like: as a difference no sum settled next to rest, and no question was answered."""
     made = derive.mechanism("cancels", [(k * force, None)], {"k": ABOVE_0}, reach=5, reach_reason="it is no longer")
     one = made(k=1.0, mu=0.01, zeta=0.05)
@@ -643,7 +643,7 @@ def test_a_logarithmic_spring_holds_motions_of_any_size(compile):
 
 
 @pytest.mark.parametrize("force", [sp.sin(u), sp.tan(u)], ids=str)
-def test_a_force_that_does_not_hold_motions_of_any_size_asks_for_its_reach(force):
+def test_force_that_cannot_hold_any_motion_needs_a_reach(force):
     stated = "endless", [(k * force, None)], {"k": ABOVE_0}
     with pytest.raises(OverflowError, match=r"does not hold motions of any size.*`reach`, a number > 0"):
         derive.mechanism(*stated)(k=1.0, zeta=0.05).saddle_nodes(0.05)
@@ -661,7 +661,7 @@ def test_a_force_that_does_not_hold_motions_of_any_size_asks_for_its_reach(force
     ],
     ids=["tan", "asin", "root", "magnets"],
 )
-def test_a_force_that_is_not_finite_within_its_reach_is_refused_by_its_place(force, fits, reaches, place):
+def test_force_not_finite_within_its_reach_is_refused(force, fits, reaches, place):
     """It was built, and every question ended in a sum that does not settle."""
     made = derive.mechanism("ends_early", [(force, None)], {"k": ABOVE_0}, reach=1)
     assert made(k=fits, **DAMPING).saddle_nodes(0.05).F_0 == 0.05
@@ -677,7 +677,7 @@ def test_nothing_is_asked_beyond_the_reach():
     assert made(k=1.0, mu=0.01, zeta=0.05).saddle_node_onset().kind == "cusp"
 
 
-def test_motions_of_a_force_with_no_finite_stiffness_at_rest_are_refused():
+def test_motions_without_finite_stiffness_at_rest_are_refused():
     root = derive.mechanism("root", [(k * sp.sqrt(u), None)], {"k": ABOVE_0})(k=1.0, zeta=0.05)
     with pytest.raises(ValueError, match="its stiffness is infinite at u = 0"):
         root.steady_state(Omega=0.6, F_0=0.05)

@@ -43,7 +43,7 @@ def test_gradients_are_those_of_the_force_that_is_not_compiled():
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", FORCES)
-def test_in_C_an_interval_of_amplitudes_encloses_the_average_and_what_bends_it(name):
+def test_compiled_interval_encloses_the_average_and_its_bend(name):
     """Between any two amplitudes of a piece; h_AAAA by differences of h_AAA."""
     one = derived(name, True)(**FORCES[name][1], **DAMPING)
     record = backend.record_of(derived(name, True).record)
@@ -126,7 +126,7 @@ def test_what_is_written_for_other_programs_compiles_alone(tmp_path):
 
 
 @pytest.mark.slow
-def test_batches_refuse_a_pole_within_the_reach_as_single_designs_do():
+def test_batches_refuse_a_pole_within_the_reach():
     """Magnets that are nearer than the reach: compiled batches summed over the pole, and said OK."""
     pieces = [(u + k * (1 / (c - u) ** 2 - 1 / (c + u) ** 2), None)]
     magnets = derive.mechanism("near_magnets", pieces, {"k": {"above": 0}, "c": {"above": 0}}, reach=3.9, compile=True)

@@ -46,7 +46,7 @@ def test_states_are_the_roots(law):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("law", LAWS)
-def test_the_curve_begins_where_the_window_does_or_says_where_it_is_cut(law):
+def test_curve_begins_at_its_window_or_says_where_it_is_cut(law):
     free = Duffing(0, 0, **LAWS[law])
     curve = free.frequency_response(F_0, samples=50, Omega=(0.01, 2.0))
     assert not curve.message and curve.Omega.min() == 0.01
@@ -75,7 +75,7 @@ def test_its_amplitude_only_falls_with_the_frequency(law):
     assert len(free.saddle_nodes(F_0)) == 0 and free.saddle_node_onset().F_SN is None
 
 
-def test_on_a_shaking_base_by_quadratic_damping_alone_it_has_one_amplitude_at_all_frequencies():
+def test_quadratic_damping_alone_on_a_base_has_one_amplitude():
     """A^2 + (8 c_2/(3 pi) A^2)^2 = F_0^2."""
     free = Duffing(0, 0, c_2=0.05, excitation="base")
     d = 8 * 0.05 / (3 * np.pi)
@@ -86,7 +86,7 @@ def test_on_a_shaking_base_by_quadratic_damping_alone_it_has_one_amplitude_at_al
         assert float(str(told.value).split("A = ")[1].split()[0]) == pytest.approx(A, rel=1e-9)
 
 
-def test_play_with_structural_damping_alone_has_a_static_state_within_the_play():
+def test_play_with_structural_damping_has_a_static_state():
     """It was undecided: next to Omega = 0 F is flat to the fourth power where there is no spring."""
     from slowflow import derive
 
@@ -130,7 +130,7 @@ def states_at(Omega, F, mu):
 
 
 @pytest.mark.parametrize("mu", [0.0, 0.02, 0.03, 0.05])
-def test_the_onset_is_found_below_the_forcing_that_the_spring_does_not_hold(yielding, mu):
+def test_onset_lies_below_the_forcing_the_spring_does_not_hold(yielding, mu):
     """F = F_A = F_AA = 0 there, by 40 digits; a hundredth lower there is one state at each frequency, higher three."""
     mount = yielding(k=K, g=G, mu=mu, **DAMPED)
     found = mount.saddle_node_onset()
@@ -156,7 +156,7 @@ def test_the_onset_is_found_below_the_forcing_that_the_spring_does_not_hold(yiel
     assert yielding.many(k=K, g=G, mu=[mu], **DAMPED).saddle_node_onset().F_SN[0] == found.F_SN
 
 
-def test_beyond_it_curves_are_drawn_in_a_window_and_the_rest_says_where_it_is_cut(yielding):
+def test_curves_beyond_it_are_drawn_in_a_window_and_cut(yielding):
     mount = yielding(k=K, g=G, mu=0.0, **DAMPED)
     curve = mount.frequency_response(0.2, Omega=(0.3, 1.5), samples=100)
     assert not curve.message and curve.Omega.min() == 0.3 and curve.Omega.max() == 1.5

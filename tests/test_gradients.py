@@ -83,7 +83,7 @@ def test_condition_numbers_are_those_of_every_reference_case():
     assert {"cusp", "corner", True} <= kinds
 
 
-def test_condition_numbers_on_a_base_that_shakes_are_those_of_every_reference_case():
+def test_condition_numbers_on_a_base_are_the_references():
     found = []
     for case in json.loads((DATA / "inertia.json").read_text())[::2]:
         of, at = of_record(case).replace(excitation="base"), case["F_0"][1]
@@ -118,7 +118,7 @@ def beside(mechanism, kind, at, numbers):
 
 @pytest.mark.parametrize("force", ["force", "inertia"])
 @pytest.mark.parametrize("kind", sensitivities.ANSWERS)
-def test_the_one_rule_solves_the_conditions_of_every_kind_of_answer(kind, force):
+def test_one_rule_solves_the_conditions_of_every_answer(kind, force):
     """At points drawn, which are no answers: what vanishes at one is taken away."""
     names, pinned = f"{sensitivities.AT} {sensitivities.CAUSES}", Pinned[kind.upper()]
     at = drawn.points(random.Random(kind + force), names, 6)
@@ -297,7 +297,7 @@ def test_gradients_hold_what_other_units_of_length_and_time_say(excitation, coun
     assert tried > 60 * count
 
 
-def test_springs_that_share_their_stiffness_move_an_answer_by_its_product():
+def test_shared_stiffness_moves_an_answer_by_its_product():
     """The force holds lam r alone."""
     for of in random_oscillators(2):
         if isinstance(of, Isolator):
@@ -327,7 +327,7 @@ def test_what_meets_another_answer_has_no_gradient_and_says_so():
     assert np.all(moves.status[at_folds] == MovesStatus.MEETS)
 
 
-def test_what_comes_to_a_breakpoint_turns_there_where_the_force_jumps():
+def test_answer_at_a_breakpoint_turns_where_the_force_jumps():
     """Only then: h_A of the untruncated force goes on."""
     for force, status in (("truncated", MovesStatus.TURNS), ("untruncated", MovesStatus.OK)):
         iso = Isolator(lam=3, r=2, delta_h=0.1, mu=0.012, zeta=0.02, force=force)
@@ -344,13 +344,13 @@ def test_no_answer_has_no_gradient_and_says_so():
     assert np.isnan(moves["A", "zeta"])
 
 
-def test_at_the_end_of_a_domain_a_number_that_is_not_finite_is_said():
+def test_infinite_slope_at_the_end_of_a_domain_is_said():
     """u_cr grows like the root of the preload."""
     moves = Isolator.many(lam=3, r=[2.0], delta_h=0.0, mu=0.012, zeta=0.02).peak(F_0).gradient()
     assert moves.status == [MovesStatus.BOUNDLESS]
 
 
-def test_answers_that_are_put_together_have_no_gradient_and_say_of_what():
+def test_composed_answers_have_no_gradient_and_say_of_what():
     iso, many = example.isolator(), Isolator.many(lam=3, r=[2.0], delta_h=0.1, mu=0.012, zeta=0.02)
     for of in (iso, many):
         spectrum = of.spectrum(Omega=[0.8, 0.9], F_0=F_0)
@@ -366,14 +366,14 @@ def test_a_forcing_of_zero_has_no_gradient_and_says_so():
     assert "a forcing is 0" in moves.message
 
 
-def test_a_fold_that_is_next_to_a_breakpoint_keeps_no_gradient_that_rounding_has_spoilt():
+def test_fold_next_to_a_breakpoint_keeps_no_spoilt_gradient():
     """Of two folds so near to each other that A - u_cr has two digits."""
     numbers = {"lam": 3.0, "r": 3.005406622627307, "delta_h": 0.0017304662034615412, "mu": 0.001032537769234336}
     corner, smooth = Isolator(**numbers).saddle_nodes(0.04869972786923327).gradient().status
     assert (corner, smooth) == (MovesStatus.OK, MovesStatus.TURNS)
 
 
-def test_answers_of_another_approximation_have_no_gradient_of_averaging():
+def test_other_approximations_have_no_gradient_of_averaging():
     iso = example.isolator()
     with pytest.raises(ValueError, match="averaged answers"):
         iso.second_approximation.peak(F_0).gradient()

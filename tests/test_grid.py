@@ -138,7 +138,7 @@ def test_the_second_approximation_has_maps_too(question, tmp_path):
         over().store(tmp_path / "map.zarr", question, **ASK[question])
 
 
-def test_numbers_of_dask_without_names_broadcast_as_those_of_numpy(tmp_path):
+def test_unnamed_dask_numbers_broadcast_as_numpys(tmp_path):
     r, share = R[:, np.newaxis], SHARE
     given = {"r": lazy.from_array(r, chunks=(2, 1)), "delta_h": lazy.from_array(share / (3 * r), chunks=2)}
     designs = Isolator.many(lam=3, **given, mu=0.012, zeta=0.02)
@@ -152,7 +152,7 @@ def test_numbers_of_dask_without_names_broadcast_as_those_of_numpy(tmp_path):
         assert found["A"].transpose("design_0", "design_1", "design_2").values.tobytes() == expected.A.tobytes()
 
 
-def test_parameters_too_many_to_be_read_at_once_are_written_block_by_block(tmp_path, monkeypatch):
+def test_parameters_too_many_to_read_are_written_by_blocks(tmp_path, monkeypatch):
     monkeypatch.setattr(store, "READ", 10)
     found = over({"r": 3}).store(tmp_path / "map.zarr", "detachment")
     assert_same_bits(found, batch("detachment"), "detachment")
@@ -176,7 +176,7 @@ def test_one_design_is_a_map_without_axes(tmp_path):
     assert float(one.store(tmp_path / "map.zarr", "peak", F_0=0.05)["A"]) == float(one.peak(0.05)["A"])
 
 
-def test_axes_that_nothing_cuts_are_cut_into_blocks_of_ordinary_size(tmp_path, monkeypatch):
+def test_uncut_axes_are_cut_into_ordinary_blocks(tmp_path, monkeypatch):
     monkeypatch.setattr("slowflow.grid.designs.AT_ONCE", 12)
     over().store(tmp_path / "map.zarr", "detachment")
     group = zarr.open_group(tmp_path / "map.zarr", mode="r")
@@ -221,7 +221,7 @@ def test_tables_and_records_may_differ_from_design_to_design(tmp_path):
 
 
 @pytest.mark.slow
-def test_maps_of_designs_under_a_load_have_the_answers_of_the_batch(tmp_path):
+def test_maps_under_a_load_have_the_answers_of_the_batch(tmp_path):
     load = axis("load", np.array([0.3, 0.2, -0.1]))
     designs = Duffing.many(alpha=1.0, beta=0.5, mu=0.01, zeta=0.05, load=load.chunk(load=2))
     plain = Duffing.many(1.0, 0.5, 0.01, 0.05, load=load.values)
@@ -302,7 +302,7 @@ def test_a_map_that_was_stopped_is_continued_with_the_same_bits(written, tmp_pat
     assert len(asked) == 12 - written
 
 
-def test_a_store_that_was_stopped_before_it_was_prepared_is_prepared_anew(tmp_path, monkeypatch):
+def test_store_stopped_before_preparation_is_prepared_anew(tmp_path, monkeypatch):
     path = tmp_path / "map.zarr"
 
     def stopped(*args, **more):
@@ -319,7 +319,7 @@ def test_a_store_that_was_stopped_before_it_was_prepared_is_prepared_anew(tmp_pa
 
 
 @pytest.mark.parametrize("written", [1, *(pytest.param(k, marks=pytest.mark.slow) for k in (4, 6, 13))])
-def test_a_block_that_was_stopped_while_it_was_written_is_written_again(written, tmp_path, monkeypatch):
+def test_block_stopped_while_written_is_written_again(written, tmp_path, monkeypatch):
     """Of the six arrays of a block some are written: it is not ticked off."""
     over({"r": 3}).store(tmp_path / "whole.zarr", "detachment")
     path, put, puts = tmp_path / "map.zarr", zarr.Array.__setitem__, []
@@ -341,7 +341,7 @@ def test_a_block_that_was_stopped_while_it_was_written_is_written_again(written,
 
 
 @pytest.mark.filterwarnings("ignore:Object at zarr.*partial")  # Zarr sees what the other one is about to write
-def test_two_that_fill_one_store_at_the_same_time_do_each_other_no_harm(tmp_path):
+def test_two_writers_of_one_store_do_no_harm(tmp_path):
     over({"r": 2}).store(tmp_path / "whole.zarr", "saddle_node_onset")
     path = tmp_path / "map.zarr"
     with dask.config.set(scheduler="synchronous"), pytest.MonkeyPatch.context() as patched:
@@ -424,7 +424,7 @@ def test_a_process_that_was_killed_is_continued_by_another(tmp_path):
 @pytest.mark.skipif(sys.platform == "win32", reason="no SIGKILL")
 @pytest.mark.slow
 @pytest.mark.night
-def test_a_cluster_of_which_a_worker_is_killed_gives_the_same_bits(tmp_path):
+def test_cluster_with_a_killed_worker_gives_the_same_bits(tmp_path):
     distributed = pytest.importorskip("distributed", reason="the extra `grid` is not installed: distributed")
     path = tmp_path / "map.zarr"
     r = np.linspace(0.5, 3, 60)

@@ -43,7 +43,7 @@ def slips(force: float, Omega: float, mu: float, alpha: float, zeta: float, *, t
 
 
 @pytest.mark.parametrize("excitation", ["force", "base", "unbalance"])
-def test_friction_holds_the_mass_up_to_the_force_at_which_it_breaks_away(excitation):
+def test_friction_holds_the_mass_up_to_the_break_loose_force(excitation):
     mu, zeta, alpha, Omega = 0.01, 0.05, 1.0, 0.8
     iso = Duffing(alpha, 0.0, mu=mu, zeta=zeta, excitation=excitation)
     for share in (0.5, 0.999, 1.02, 1.2, 1.5):
@@ -104,7 +104,7 @@ def test_a_softly_thrown_mass_comes_to_rest_elsewhere():
 
 @pytest.mark.parametrize("excitation", ["force", "base"])
 @pytest.mark.parametrize("load", [0.0, 0.1])
-def test_a_curve_of_a_mass_that_is_held_throughout_has_no_point_and_says_why(excitation, load):
+def test_curve_of_a_held_mass_has_no_point_and_says_why(excitation, load):
     """Up to Omega = 0.2 a base of 0.1 asks for a force of 0.004, mu being 0.02."""
     iso = Duffing(1.0, 0.3, mu=0.02, zeta=0.02, load=load, excitation=excitation)
     F_0 = 0.01 if excitation == "force" else 0.1
@@ -117,7 +117,7 @@ def test_a_curve_of_a_mass_that_is_held_throughout_has_no_point_and_says_why(exc
     assert curves[1].transmitted().first.size == 0
 
 
-def test_a_curve_that_begins_held_by_static_friction_has_no_point_and_says_why():
+def test_curve_begun_in_static_friction_has_no_point():
     """At 0.03 kinetic friction of 0.02 would let a mass move that static friction of 0.05 holds."""
     iso = Duffing(1.0, 0.3, mu=0.02, mu_s=0.05, zeta=0.02)
     held, moving = iso.steady_state(Omega=0.9, F_0=0.03), iso.steady_state(Omega=0.9, F_0=0.03, A=0.3)
@@ -129,7 +129,7 @@ def test_a_curve_that_begins_held_by_static_friction_has_no_point_and_says_why()
 
 
 @pytest.mark.parametrize(("excitation", "F_0", "low"), [("force", 0.02, 0.79), ("base", 0.03, 0.6)])
-def test_the_second_approximation_has_masses_at_rest_as_averaging_has_them(excitation, F_0, low):
+def test_second_approximation_has_the_masses_at_rest(excitation, F_0, low):
     """At rest there are no harmonics: what is passed on is what drives the mass."""
     Omega = np.array([0.9, low, 1.1])
     rests = 0

@@ -47,7 +47,7 @@ def held(interval, k, value):
     return Fraction(float(interval.lo[k])) <= value <= Fraction(float(interval.hi[k]))
 
 
-def test_operations_hold_the_exact_results_at_the_ends_and_inside():
+def test_operations_enclose_the_exact_results():
     rng, n = np.random.default_rng(1), 2000
     a, b = random_intervals(rng, n), random_intervals(rng, n)
     apart = b.has_sign

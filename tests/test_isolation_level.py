@@ -66,7 +66,7 @@ def test_zeros_of_many_functions_are_those_of_scipy_to_the_bit():
     assert (np.abs(f(found)) == np.minimum(np.abs(f(low)), np.abs(f(high))))[same].all()
 
 
-def test_a_fold_just_below_the_frequency_hides_no_crossing_between_two_points_of_a_sparse_curve():
+def test_fold_below_the_frequency_hides_no_crossing():
     """The truncation makes it: the branch goes on, from a fold that is not stable to a point that transmits less."""
     given = {"lam": 1, "r": 3.429915195234352, "delta_h": 0.007162401664523088}
     given |= {"mu": 0.001103126706865959, "zeta": 0.004221581988793708}
@@ -96,7 +96,7 @@ def passed(one, Omega: float, F_0: float) -> float:
 
 @pytest.mark.parametrize("excitation", ["force", "base"])
 @pytest.mark.parametrize("seed", range(fewer(12, 4)))
-def test_beyond_it_no_stable_motion_at_any_frequency_transmits_more_and_before_it_one_does(seed, excitation):
+def test_isolation_frequency_is_the_last_that_transmits_more(seed, excitation):
     one, F_0 = random_design(np.random.default_rng(seed), excitation)
     for level_dB in (-3.0, -12.0, -25.0):
         found = one.isolation(F_0, level_dB)
@@ -157,7 +157,7 @@ def test_what_friction_passes_on_at_any_frequency_is_told():
     assert stuck.Omega is None and "sticks" in stuck.message
 
 
-def test_quadratic_damping_takes_a_share_of_the_motion_of_a_base_to_the_mass_at_any_frequency():
+def test_quadratic_damping_transmits_a_share_at_any_frequency():
     given = {"alpha": 1.0, "beta": 0.0, "zeta": 0.05, "c_2": 0.5, "excitation": "base"}
     shaken = Duffing(**given)
     floor = 20 * math.log10(shaken.transmissibility_floor(0.2))
@@ -252,7 +252,7 @@ def test_measured_it_is_where_an_integrator_finds_that_level(level_dB):
         found.measure("rms")
 
 
-def test_a_grid_and_a_store_take_levels_along_an_axis_of_their_own(tmp_path):
+def test_grid_and_store_take_levels_along_their_own_axis(tmp_path):
     xarray = pytest.importorskip("xarray")
     pytest.importorskip("zarr")
     levels = xarray.DataArray([0.0, -10.0], dims="level")

@@ -139,7 +139,7 @@ def test_every_mutant_differs(name: str, against: dict[str, Subject]) -> None:
     assert seen
 
 
-def test_mutants_are_as_many_as_the_places_and_reach_every_formula() -> None:
+def test_mutants_reach_every_place_of_every_formula() -> None:
     assert set(NAMES) == set(FUNCTIONS)
     total = sum(len(places(FUNCTIONS[name])) for name in NAMES)
     assert total == 456
@@ -182,9 +182,7 @@ def mistaken(results: Results, change: Callable[[Any], Any]) -> Results:
     [lambda found: tuple(-value for value in found), lambda found: found[:0]],
     ids=["a wrong sign", "nothing derived"],
 )
-def test_an_error_of_the_derivation_is_told_by_its_equation_with_both_sides(
-    results: Results, change: Callable[[Any], Any]
-) -> None:
+def test_error_of_the_derivation_is_told_by_its_equation(results: Results, change: Callable[[Any], Any]) -> None:
     with balls.precision(), pytest.raises(Contradiction) as raised:
         ledger.all_rows(Facts(mistaken(results, change), PUBLISHED))
     told = str(raised.value)
@@ -194,7 +192,7 @@ def test_an_error_of_the_derivation_is_told_by_its_equation_with_both_sides(
 
 
 @pytest.mark.parametrize("regime", [0, 1])
-def test_an_average_that_formulas_do_not_show_is_told_with_both_sides(results: Results, regime: int) -> None:
+def test_average_that_formulas_do_not_show_is_told(results: Results, regime: int) -> None:
     """A sign in the rest of the force, which F_k has nothing of: all published formulas agree."""
     rod = copy.copy(results.mechanisms["rod_spring"])
     regimes = list(rod.whole.regimes)
@@ -209,7 +207,7 @@ def test_an_average_that_formulas_do_not_show_is_told_with_both_sides(results: R
     assert "by H_i" in told and "derived" in told
 
 
-def test_a_formula_that_agrees_where_a_finding_says_it_differs_is_told() -> None:
+def test_agreement_against_a_finding_is_told() -> None:
     row = Row("F_cr_limit_literal", "formula", "4.2", "limit", "x", "x", IDENTICAL)
     with pytest.raises(Contradiction, match="they agree, where a finding says they differ"):
         check_formulas([row])

@@ -60,7 +60,7 @@ SIDED = {"one_sided_stop": ({"kappa": 8, "delta": "0.2"}, lambda u: u + 8 * max(
 BEYOND_THE_BEND = {"bilinear": 0.3, "cam_roller": 0.7, "dead_zone": 0.3, "elastic_stop": 0.3, "one_sided_stop": 0.3}
 
 
-def test_every_mechanism_of_the_library_is_tried_here_and_shown_on_its_page():
+def test_library_mechanisms_are_tested_and_documented():
     assert sorted({**CASES, **SIDED}) == library.names()
     shown = PAGE.read_text(encoding="utf-8")
     assert all(f'picture("{name}"' in shown for name in library.names())
@@ -84,7 +84,7 @@ def test_its_average_is_that_of_its_force(name):
 
 
 @pytest.mark.parametrize("name", SIDED)
-def test_states_on_both_sides_of_the_bend_have_the_mean_and_the_first_harmonic_of_their_force(name):
+def test_states_on_both_sides_have_their_forces_harmonics(name):
     numbers, force, bend = SIDED[name]
     one = derive.library(name)(**{key: float(value) for key, value in numbers.items()}, zeta=0.03)
     states = one.amplitudes(Omega=1.15, F_0=0.04)
@@ -104,7 +104,7 @@ def test_states_on_both_sides_of_the_bend_have_the_mean_and_the_first_harmonic_o
 
 @pytest.mark.slow
 @pytest.mark.parametrize("by", ["scipy", "heyoka"])
-def test_their_exact_motions_are_those_of_independent_integrators_at_one_thread_and_at_sixteen(by):
+def test_library_motions_are_independent_and_the_same_in_threads(by):
     """On both sides of the bend: to 1e-10 times the motion's condition, and of all threads the same digits.
 
     A sweep to that frequency alone settles to them.
@@ -135,7 +135,7 @@ def test_their_exact_motions_are_those_of_independent_integrators_at_one_thread_
         assert np.max(np.abs(other.multipliers - found.multipliers)) <= 1e-10 * condition, name
 
 
-def test_a_name_that_the_library_has_not_is_refused_with_those_that_it_has(tmp_path, capsys):
+def test_unknown_library_name_is_refused_with_those_known(tmp_path, capsys):
     with pytest.raises(ValueError, match="'stop' is not in the library: it has bilinear, "):
         derive.library("stop")
     assert main(["derive", "stop", "-o", str(tmp_path / "out")]) == 2

@@ -72,7 +72,7 @@ def test_every_mutant_of_a_formula_is_judged_otherwise(publication: Publication)
 
 
 @pytest.mark.slow
-def test_measured_phases_are_those_of_exact_motions_within_their_scatter() -> None:
+def test_measured_phases_are_exact_ones_within_scatter() -> None:
     rig = np.genfromtxt(marino_cicirello_2020.MEASURED, delimiter=",", names=True, skip_header=3)
     exact, averaged, _ = (
         sp.lambdify((F_0, mu, Omega), lag)(1.0, rig["beta"], rig["Omega"])
@@ -97,7 +97,7 @@ def test_nine_measured_phases_tell_friction() -> None:
 
 
 @pytest.mark.parametrize("zeta", [0.001, 0.03, 0.4])
-def test_the_onset_of_a_cubic_spring_is_where_its_closed_form_has_it(zeta: float) -> None:
+def test_onset_of_a_cubic_spring_has_its_closed_form(zeta: float) -> None:
     """Omega^2 - 1 = 2 sqrt(3) zeta Omega, A^2 = 8 (Omega^2 - 1)/(9 beta), F_SN^2 = 32 (Omega^2 - 1)^3/(81 beta)."""
     beta = 2.5
     Omega = np.sqrt(3) * zeta + np.sqrt(1 + 3 * zeta**2)

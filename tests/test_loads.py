@@ -43,7 +43,7 @@ def test_margins_are_the_critical_forcings_over_the_load():
     assert linear.F_cr is None and linear.of_SN is None and not linear.detaches and "no saddle node" in linear.message
 
 
-def test_a_motion_detaches_just_above_the_lowest_forcing_that_lifts_the_springs():
+def test_motion_detaches_just_above_the_lowest_forcing():
     for iso, _ in some_isolators(20):
         F_cr = iso.detachment().F_cr
         assert iso.margins(1.01 * F_cr).detaches and not iso.margins(0.99 * F_cr).detaches
@@ -56,7 +56,7 @@ def test_the_birth_of_an_isola_is_said_to_be_no_jump():
     assert ISOLA not in isolator().margins(0.04).message
 
 
-def test_motions_that_detach_below_F_cr_are_said_to_be_on_curves_of_their_own():
+def test_motions_detached_below_F_cr_are_on_their_own_curves():
     iso = Isolator(lam=1, r=3.3935433280050518, delta_h=0.21463966757944564, mu=0.0148, zeta=0.2972, excitation="base")
     found, curve = iso.margins(0.41694), iso.frequency_response(0.41694, Omega=(0.0, 20.0))
     assert found.of_cr > 1 and found.detaches and APART in found.message
@@ -76,7 +76,7 @@ def test_unstable_motions_beyond_the_first_end_detach_nothing():
 # ---- at rest -------------------------------------------------------------------------------------------------------
 
 
-def test_at_rest_friction_holds_the_mass_as_far_as_the_spring_pushes_less_than_it():
+def test_friction_holds_as_far_as_the_spring_pushes_less():
     for iso, _ in some_isolators(20):
         found, force = iso.at_rest(), iso.restoring_force("untruncated")
         u = found.rests_within * np.linspace(0, 1, 2000)
@@ -94,7 +94,7 @@ def test_at_rest_friction_holds_the_mass_as_far_as_the_spring_pushes_less_than_i
         Duffing(1.0, 0.5, 0.01, 0.05, load=0.1).at_rest()
 
 
-def test_up_to_which_frequency_an_unbalance_leaves_the_mass_at_rest():
+def test_frequency_up_to_which_an_unbalance_leaves_rest():
     iso = Isolator(lam=3, r=2.0, delta_h=0.08, mu=0.012, zeta=0.02, excitation="unbalance")
     Omega = iso.margins(0.03).Omega_sticks
     below, above = iso.amplitudes(Omega=Omega * (1 - 1e-9), F_0=0.03), iso.amplitudes(Omega=Omega * 1.0001, F_0=0.03)
@@ -106,7 +106,7 @@ def test_up_to_which_frequency_an_unbalance_leaves_the_mass_at_rest():
 # ---- hysteresis ----------------------------------------------------------------------------------------------------
 
 
-def test_bands_of_hysteresis_hold_several_stable_motions_and_others_do_not():
+def test_hysteresis_bands_hold_several_stable_motions():
     several = 0
     for iso, F_0 in some_isolators(60):
         bands = iso.hysteresis(F_0)
@@ -132,12 +132,12 @@ def test_the_band_of_a_mount_lies_between_its_jumps():
 
 
 @pytest.mark.parametrize("zeta", [0.01, 0.5])
-def test_a_linear_mount_isolates_from_sqrt_2_times_its_natural_frequency_on(zeta):
+def test_linear_mount_isolates_from_sqrt_2_on(zeta):
     found = Duffing(2.0, 0.0, zeta=zeta).isolation(0.3)
     assert found.Omega == pytest.approx(2.0, rel=1e-14) and not found.at_fold
 
 
-def test_a_small_amplitude_where_isolation_begins_has_all_its_digits():
+def test_small_amplitude_where_isolation_begins_has_all_digits():
     """It is that of the state there, which falls with the fourth power of its frequency."""
     of = Duffing(1.0, 7.0, 1e-5, 0.004)
     for F_0 in (5e-4, 7e-4, 8e-4, 9e-4):
@@ -147,7 +147,7 @@ def test_a_small_amplitude_where_isolation_begins_has_all_its_digits():
         assert states.A[0] == pytest.approx(found.A, rel=1e-14)
 
 
-def test_beyond_the_frequency_of_isolation_every_stable_motion_transmits_less_than_the_force():
+def test_stable_motions_beyond_isolation_transmit_less():
     for iso, F_0 in some_isolators(60):
         found = iso.isolation(F_0)
         beyond = iso.amplitudes(Omega=found.Omega + np.geomspace(1e-9, 20, 200), F_0=F_0)
@@ -161,7 +161,7 @@ def test_beyond_the_frequency_of_isolation_every_stable_motion_transmits_less_th
         assert (below.transmissibility[below.stable] > 1 - 1e-12).any()
 
 
-def test_isolation_may_begin_where_a_motion_that_transmits_more_ends_in_a_fold():
+def test_isolation_may_begin_at_a_fold():
     """Quasi-zero stiffness: small motions would isolate from far below on."""
     iso = Isolator(lam=2, r=1.0, delta_h=0.5, mu=0.001, zeta=0.04)
     found, (up, down) = iso.isolation(0.05), iso.saddle_nodes(0.05)
@@ -170,7 +170,7 @@ def test_isolation_may_begin_where_a_motion_that_transmits_more_ends_in_a_fold()
     assert low.stable.tolist() == [True, False, True] and low.transmissibility[0] < 1 < low.transmissibility[-1]
 
 
-def test_a_motion_without_end_leaves_no_frequency_of_isolation_and_a_band_without_end():
+def test_endless_motion_leaves_no_isolation_frequency():
     """A hardening spring without viscous damping: its resonance goes on to any frequency."""
     hardening = Duffing(1.0, 1.0, mu=0.01)
     found = hardening.isolation(0.1)
@@ -199,7 +199,7 @@ def test_a_load_spectrum_says_of_each_row_what_its_states_say():
     assert found.motions.tolist() == [1, 2, 1, 2, 0] and found.transmissibility_dB[-1] == 0
 
 
-def test_a_row_crosses_a_fold_where_one_lies_between_it_and_the_row_before():
+def test_row_crosses_a_fold_between_it_and_the_row_before():
     iso = isolator()
     low, high = iso.saddle_nodes(0.04).Omega.tolist()
     Omega = [0.5, 0.8, 0.5 * (low + high), 0.95, 1.2, 1.3, 0.6]
@@ -208,7 +208,7 @@ def test_a_row_crosses_a_fold_where_one_lies_between_it_and_the_row_before():
     assert found.crosses.tolist() == [False, *between]
 
 
-def test_a_fold_is_crossed_however_narrow_the_band_of_several_motions():
+def test_fold_of_a_narrow_band_is_crossed():
     iso = isolator()
     F_0 = 1.05 * iso.saddle_node_onset().F_SN
     assert iso.spectrum(Omega=[0.5, 1.5], F_0=F_0).crosses.tolist() == [False, True]
@@ -218,7 +218,7 @@ def test_a_fold_is_crossed_however_narrow_the_band_of_several_motions():
         assert (crossed == bool(((folds > 0.5) & (folds < 1.5)).any())).all()
 
 
-def test_on_a_way_across_forcings_a_fold_is_crossed_where_the_number_of_states_changes():
+def test_fold_is_crossed_where_the_number_of_states_changes():
     draw, seen = random.Random(11), set()
     for iso, F_0 in some_isolators(40):
         ends = [(draw.uniform(0.6, 1.4), F_0 * draw.uniform(0.5, 1.5)) for _ in range(2)]
@@ -237,7 +237,7 @@ def test_on_a_way_across_forcings_a_fold_is_crossed_where_the_number_of_states_c
 
 
 @pytest.mark.parametrize("load", [0.0, 0.05])
-def test_pairs_are_said_to_be_single_tones_where_they_could_be_taken_for_several(load):
+def test_pairs_are_said_to_be_single_tones(load):
     """What two tones do together, by integration, is neither motion nor their sum: so it is not left to be thought."""
     duffing = Duffing(1.0, 0.3, mu=0.01, zeta=0.05, load=load)
     pairs, several = {"Omega": [0.8, 1.2], "F_0": [0.2, 0.3]}, "tones that act together are not covered"
@@ -273,7 +273,7 @@ def test_a_spectrum_of_a_mount_is_in_its_units():
     assert len(isolator().spectrum(Omega=[], F_0=[])) == 0
 
 
-def test_isolation_begins_where_an_isolated_curve_that_is_just_born_ends():
+def test_isolation_begins_where_a_new_isola_ends():
     """It has two folds, 2e-8 apart, and points of one stability beside either; it has no end at high frequencies."""
     numbers = {"lam": 5, "r": 0.5152307809931513, "delta_h": 0.2813440740415054, "mu": 0.0457149750553505}
     shaken = Isolator(**numbers, zeta=0.026253034237872036, excitation="base", force="untruncated")
@@ -282,7 +282,7 @@ def test_isolation_begins_where_an_isolated_curve_that_is_just_born_ends():
     assert found.at_fold and found.Omega == pytest.approx(folds.Omega.max(), rel=1e-8)
 
 
-def test_what_lies_beyond_the_frequencies_that_are_answered_is_left_out():
+def test_isolation_beyond_answered_frequencies_is_left_out():
     """A number that nobody gave is not refused; and what has no answer is one of a batch."""
     stiff = Duffing(1.0, 0.06, mu=0.0, zeta=0.0)
     designs = Duffing.many(alpha=1.0, beta=0.06, mu=0.0, zeta=0.0)
@@ -292,6 +292,6 @@ def test_what_lies_beyond_the_frequencies_that_are_answered_is_left_out():
         assert getattr(designs, question)(5.5e62).status in (Status.OK, Status.NONE, Status.UNRESOLVED)
 
 
-def test_a_spectrum_without_lines_has_no_rows_off_the_centre_either():
+def test_spectrum_without_lines_has_no_rows_under_a_load():
     for load in (0.0, 0.3):
         assert len(Duffing(1.0, 0.5, 0.01, 0.02, load=load).spectrum(Omega=[], F_0=0.1).Omega) == 0

@@ -12,7 +12,7 @@ from slowflow.results import Remark
 from slowflow_kernels.conventions import Status
 
 
-def test_where_folds_end_at_rest_margins_of_many_say_so_as_single_ones_do():
+def test_margins_of_many_say_where_folds_end_at_rest():
     """There are folds below F_SN then, so that of_SN alone would promise too much."""
     numbers = {"alpha": 1.0, "beta": -1.0, "mu": 0.01, "zeta": [0.05, 0.2]}
     found = Duffing.many(**numbers).margins(0.3)
@@ -33,7 +33,7 @@ def test_at_rest_many_have_a_stroke_that_no_base_motion_reaches(force):
 
 
 @pytest.mark.slow
-def test_a_rod_that_rubs_does_not_hold_a_mass_on_a_shaking_base_at_every_frequency():
+def test_friction_of_the_rod_does_not_always_hold_on_a_base():
     """Many designs were said to stick, as under a force; with so much acceleration each base moves the mass."""
     given = {"lam": 1.0, "r": 1.0, "delta_h": 0.1, "mu": 0.07, "zeta": 0.3, "excitation": "base", "rubs": "attached"}
     many, single = Isolator.many(**given), Isolator(**given)
@@ -47,7 +47,7 @@ def test_a_rod_that_rubs_does_not_hold_a_mass_on_a_shaking_base_at_every_frequen
 
 
 @pytest.mark.slow
-def test_a_spectrum_of_many_says_of_a_row_without_a_stable_motion_that_there_is_none():
+def test_spectrum_row_without_a_stable_motion_says_so():
     """Beside a row that is none, and after it: what crosses on the way there is not known either."""
     softens = Duffing.many(alpha=1.0, beta=-1.0, mu=0.0, zeta=0.05)
     found = softens.spectrum(Omega=[2.0, 0.1, 0.1, 2.0], F_0=[0.01, 5.0, -1.0, 0.01])
@@ -62,13 +62,13 @@ def test_a_spectrum_of_many_says_of_a_row_without_a_stable_motion_that_there_is_
     )
 
 
-def test_a_linear_mount_isolates_from_the_root_of_two_on_whatever_its_damping():
+def test_batch_of_linear_mounts_isolates_from_root_two_on():
     zeta = np.geomspace(1e-4, 3, 50)
     found = Duffing.many(alpha=2.0, beta=0.0, zeta=zeta).isolation(0.3)
     np.testing.assert_allclose(found.Omega, 2.0, rtol=1e-13)
 
 
-def test_margins_of_a_design_whose_onset_is_unresolved_have_its_status():
+def test_margins_have_the_status_of_an_unresolved_onset():
     """A single one raises; a number that is not known is no margin without an end."""
     numbers = {"lam": 3, "r": 1.4571468416058473, "delta_h": 0.0019600418551609547, "zeta": 0.028892122141866906}
     with pytest.raises(ArithmeticError, match="unresolved"):
@@ -87,7 +87,7 @@ def test_margins_of_a_design_whose_onset_is_unresolved_have_its_status():
         ({"lam": 3, "r": 0.93, "delta_h": 0.99, "mu": 0.0, "zeta": 0.0}, 10.0),
     ],
 )
-def test_motions_detach_that_are_stable_beyond_the_stroke_of_many_and_of_one(given, F_0):
+def test_stable_motions_beyond_the_stroke_are_detached(given, F_0):
     assert Isolator(**given).margins(F_0).detaches and Isolator.many(**given).margins(F_0).detaches
     # with some damping it is seen
     damped = Isolator(**{**given, "zeta": max(given["zeta"], 1e-6)})
@@ -95,7 +95,7 @@ def test_motions_detach_that_are_stable_beyond_the_stroke_of_many_and_of_one(giv
     assert (states.A[states.stable] > damped.u_cr).any()
 
 
-def test_between_two_folds_that_differ_by_rounding_there_is_no_band():
+def test_folds_that_differ_by_rounding_have_no_band():
     """Both on the corner, one and two ulps apart."""
     for given, F_0 in (
         (
@@ -126,7 +126,7 @@ def test_what_is_unresolved_has_that_status_in_every_batch():
     assert designs.spectrum(Omega=[0.5, 1.2], F_0=F_0).status.tolist() == [Status.UNRESOLVED] * 2
 
 
-def test_a_linear_mount_has_no_forcing_with_a_jump_whatever_the_load():
+def test_linear_mount_has_no_forcing_with_a_jump():
     """Its spring is one line: the lowest such forcing is beyond all numbers, and the load no part of it."""
     found = Duffing.many(alpha=[1.0, 2.0], beta=[0.0, 0.3], zeta=0.05).margins(0.1)
     assert found.F_SN.tolist() == [math.inf, pytest.approx(Duffing(2.0, 0.3, zeta=0.05).margins(0.1).F_SN)]

@@ -267,7 +267,7 @@ def test_many_are_answered_as_each_alone(kind, question):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", ["isolators", "isolators on a base", "loaded Duffing's"])
-def test_many_cross_folds_on_ways_across_forcings_where_each_does(kind):
+def test_many_cross_folds_where_each_does(kind):
     make, given, same, F_0 = drawn(kind)
     ways = np.random.default_rng(3).uniform(0.5, 2, (F_0.size, 5)) * F_0[:, np.newaxis]
     found = make.many(**given, **same).spectrum(Omega=OVER, F_0=ways)

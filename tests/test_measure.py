@@ -16,7 +16,7 @@ from tests.oracles.by_time import last_turn, settled
 from tests.oracles.exact_reference import ScipyIntegrator, again
 
 
-def test_the_error_of_a_linear_oscillator_is_that_beside_den_hartogs_amplitude():
+def test_linear_error_is_that_beside_den_hartogs_amplitude():
     """(35) is the exact amplitude where the mass does not stop."""
     asked = Duffing(1.0, 0.0, 0.2, 0.0).amplitudes(Omega=np.array([0.7, 0.85, 1.2, 1.4]), F_0=1.0)
     exact = den_hartog.amplitude(asked.Omega, 1.0, 0.2)
@@ -27,7 +27,7 @@ def test_the_error_of_a_linear_oscillator_is_that_beside_den_hartogs_amplitude()
 
 
 @pytest.mark.slow
-def test_every_state_is_measured_by_the_motion_that_scipy_finds_too():
+def test_states_are_measured_by_the_motion_scipy_finds():
     """Two stable states and the unstable one between them."""
     iso = isolator()
     asked = iso.amplitudes(Omega=0.9, F_0=0.04)
@@ -53,7 +53,7 @@ def test_folds_are_measured_by_those_of_the_exact_curve():
             assert entry.error_of_A == averaged.A / entry.A - 1.0
 
 
-def test_peaks_are_measured_by_that_of_a_linear_oscillator_and_of_the_exact_curve():
+def test_peaks_are_measured_by_linear_and_exact_ones():
     """F_0/(2 zeta sqrt(1 - zeta^2)) at sqrt(1 - 2 zeta^2); and within 10^-12 along the curve's top."""
     zeta, F_0 = 0.05, 0.3
     linear = Duffing(1.0, 0.0, 0.0, zeta).peak(F_0).measure()
@@ -68,7 +68,7 @@ def test_peaks_are_measured_by_that_of_a_linear_oscillator_and_of_the_exact_curv
 
 
 @pytest.mark.slow
-def test_a_detachment_is_measured_by_that_of_a_linear_first_piece():
+def test_detachment_is_measured_by_that_of_the_first_piece():
     """The stop is reached where the linear peak is the gap; one that is not linear by the exact curve's peak."""
     zeta, gap = 0.03, 0.2
     stop = derive.library("elastic_stop", compile=True)(kappa=5.0, delta=gap, zeta=zeta)
@@ -86,7 +86,7 @@ def test_a_detachment_is_measured_by_that_of_a_linear_first_piece():
 
 
 @pytest.mark.parametrize("oscillator", [isolator(), Duffing(1.0, 0.1, 0.0, 0.025), Duffing(1.0, -0.05, 0.0, 0.05)])
-def test_an_onset_is_measured_by_where_the_exact_curve_begins_to_fold(oscillator):
+def test_onset_is_measured_by_the_first_fold_of_exact_curves(oscillator):
     """By finer steps, to 10^-4; and the second approximation is nearer to it than averaging."""
     asked = oscillator.saddle_node_onset()
     measured = asked.measure()
@@ -99,7 +99,7 @@ def test_an_onset_is_measured_by_where_the_exact_curve_begins_to_fold(oscillator
     assert abs(second) < 0.05 * abs(measured.error)
 
 
-def test_what_has_no_peak_onset_or_detachment_is_not_measured_and_says_so():
+def test_missing_peak_onset_or_detachment_is_not_measured():
     plain = Duffing(1.0, 0.1, 0.0, 0.025)
     assert "one piece only" in plain.detachment().measure().message
     assert "nothing moves" in Duffing(1.0, 0.0, 0.0, 0.8).peak(0.1).measure().message
@@ -159,7 +159,7 @@ def test_what_cannot_be_measured_is_refused_or_empty():
     assert len(iso.saddle_nodes(0.02).measure()) == len(iso.saddle_nodes(0.02)) == 0
 
 
-def test_an_answer_that_knows_whom_it_was_asked_of_is_what_it_was():
+def test_answer_that_knows_its_oscillator_is_unchanged():
     iso = isolator()
     asked, alone = iso.amplitudes(Omega=0.9, F_0=0.04), Averaged(iso.model).amplitudes(Omega=0.9, F_0=0.04)
     assert asked == alone and hash(asked) == hash(alone) and asked.to_dict() == alone.to_dict()
@@ -175,7 +175,7 @@ OFF_CENTRE = [
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("osc", "F_0"), OFF_CENTRE, ids=repr)
-def test_states_under_a_load_are_measured_by_the_motion_that_an_integration_settles_to(osc, F_0):
+def test_states_under_a_load_are_measured_by_settled_motions(osc, F_0):
     asked = osc.amplitudes(Omega=[0.8, 1.5, 1.8], F_0=F_0)
     measured = asked.measure()
     assert len(asked) == 3 and asked.stable.all() and measured.found.all() and measured.stable.all()
@@ -187,7 +187,7 @@ def test_states_under_a_load_are_measured_by_the_motion_that_an_integration_sett
     assert 1e-4 < np.abs(measured.error).max() < 0.1
 
 
-def test_folds_under_a_load_are_measured_by_those_of_the_exact_curve():
+def test_folds_under_a_load_are_measured_by_exact_folds():
     osc, F_0 = Duffing(1.0, 0.6, 0.0, 0.03, load=0.3), 0.16
     asked = osc.saddle_nodes(F_0)
     measured, exact = asked.measure(), osc.exact_response(F_0, Omega=(0.9, 1.8)).folds
@@ -208,7 +208,7 @@ def test_motions_in_either_well_are_two():
     assert measured.A[1] == pytest.approx(measured.A[2], rel=1e-12)
 
 
-def test_what_is_no_state_and_no_fold_off_the_centre_is_not_measured():
+def test_what_is_no_asymmetric_state_or_fold_is_not_measured():
     osc = Duffing(1.0, 0.6, 0.0, 0.03, load=0.3)
     for answer in (osc.peak(0.1), osc.rest(), osc.saddle_node_onset()):
         with pytest.raises(ValueError, match="states and folds are measured"):

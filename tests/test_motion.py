@@ -56,7 +56,7 @@ def test_derivatives_are_those_of_the_rates(piece):
         np.testing.assert_allclose(by_parameter[:, 4] * piece.slope(u), columns[0], **EXACT)
 
 
-def test_the_push_at_rest_is_what_the_acceleration_is_without_friction_and_its_slopes_are_its_derivatives():
+def test_push_at_rest_is_the_acceleration_without_friction():
     random = np.random.default_rng(4)
     for _ in range(50):
         _, F_0, zeta, friction, theta, f, f_u = given(random)
@@ -90,7 +90,7 @@ def test_an_integrators_symbols_pass_through():
     np.testing.assert_allclose(evaluate(values), motion.rates(*values), rtol=1e-15)
 
 
-def test_the_smoothed_equation_has_its_own_derivatives_and_becomes_the_sharp_one():
+def test_smoothed_equation_has_derivatives_and_becomes_sharp():
     random = np.random.default_rng(7)
     inner, outer = FORCES[1].pieces
     u_cr, nu = 0.4, 50.0

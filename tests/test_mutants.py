@@ -18,7 +18,7 @@ def test_every_edit_is_of_a_file_and_changes_it():
 
 @pytest.mark.slow
 @pytest.mark.night
-def test_twenty_plausible_errors_are_noticed_by_the_tests_that_they_name():
+def test_twenty_plausible_errors_are_noticed():
     """Others in each run; one whose text is gone from its file has to be replaced."""
     found = judged(random.SystemRandom().sample(edits(), SAMPLE), quick=True)
     assert [(edit.file, edit.new, verdict) for edit, verdict in found if verdict != NOTICED] == []

@@ -444,7 +444,7 @@ def error_in_ulps(value: float, y: float, x: float) -> float:
 
 
 @pytest.mark.slow
-def test_the_arctangent_of_an_exact_quotient_is_right_to_one_unit(atan2):
+def test_arctangent_of_an_exact_quotient_is_within_one_unit(atan2):
     """x = 1: the quotient is exact, and what is left is the polynomial's error and four roundings."""
     rng = np.random.default_rng(3)
     points = [*rng.uniform(0, 1, 1500), *(1 - 10.0 ** rng.uniform(-16, -1, 300)), *(10.0 ** rng.uniform(-300, 0, 300))]

@@ -87,7 +87,7 @@ def changed(**changes):
     return bilinear.MECHANISM.__class__(**{**vars(bilinear.MECHANISM), **changes})
 
 
-def test_a_constant_that_makes_the_force_continuous_needs_no_name_and_leaves_no_jump():
+def test_constant_for_continuity_needs_no_name_and_no_jump():
     stated = oscillator(bilinear.MECHANISM)
     assert restoring(stated.polynomials, bilinear.MECHANISM.breakpoints).jumps == (0,)
 
@@ -102,7 +102,7 @@ def test_a_force_that_jumps_needs_a_name_for_its_constant():
     assert jump != 0
 
 
-def test_a_first_piece_with_even_powers_is_refused_where_nothing_encloses_its_average():
+def test_even_powers_in_the_first_piece_are_refused():
     x, d = bilinear.x, bilinear.d
     pieces = (Piece(bilinear.k_v * d, until=x - d), bilinear.MECHANISM.pieces[1])
     named = ({0: sp.Symbol("c"), 1: sp.Symbol("alpha_1")}, {0: sp.Symbol("e"), 1: bilinear.alpha_2})

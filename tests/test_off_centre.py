@@ -44,7 +44,7 @@ def loaded():
 
 
 @pytest.mark.parametrize("name", ["duffing", "rod_spring"])
-def test_what_parameters_do_to_steps_is_their_derivative_at_a_fixed_place(name):
+def test_steps_by_parameter_are_derivatives_at_a_fixed_place(name):
     """Of each piece at 0, then of their gains at each end, by differences of the pieces in 60 digits."""
     numbers = (0.7, 0.4, 0.3, 0.35)[: 2 if name == "duffing" else 4]
     found, (_, ends) = MECHANISMS[name].steps_by(*numbers), averaged_force.pieces(name, numbers)
@@ -69,7 +69,7 @@ def test_what_parameters_do_to_steps_is_their_derivative_at_a_fixed_place(name):
     assert found == pytest.approx(sure, rel=1e-14, abs=1e-14)
 
 
-def test_a_linear_spring_gives_way_by_its_load_and_moves_as_without():
+def test_linear_spring_moves_under_a_load_as_without():
     linear = Duffing(1.0, 0.0, 0.01, 0.05)
     off, centred = (linear.replace(load=load).amplitudes(Omega=[0.8, 1.0, 1.1], F_0=0.2) for load in (0.3, 0.0))
     assert np.array_equal(off.B, [0.3] * 3) and off.stable.all()
@@ -93,7 +93,7 @@ def test_a_cubic_spring_is_balanced_as_it_is_by_hand(alpha, beta, load):
 
 
 @pytest.mark.slow
-def test_states_detachments_and_onsets_are_all_those_that_are_certified():
+def test_states_detachments_and_onsets_are_the_certified_ones():
     """24 cubic springs, 12 truncated isolators, the onsets of 8 cubic springs, to 40 digits."""
     assert len(CERTIFIED) >= 40
     for case in CERTIFIED:
@@ -117,7 +117,7 @@ def test_states_detachments_and_onsets_are_all_those_that_are_certified():
                 assert getattr(detached, name) == pytest.approx(float(value), rel=4e-15)
 
 
-def test_a_load_of_nothing_leaves_the_centred_answers_to_the_digit():
+def test_zero_load_leaves_the_centred_answers_to_the_digit():
     isolator = Isolator(**TABLE_1)
     states, off = (of.amplitudes(Omega=[0.7, 0.9, 1.1], F_0=0.04) for of in (isolator, isolator.off_centre))
     assert np.array_equal(states.A, off.A) and np.array_equal(states.stable, off.stable) and not off.B.any()
@@ -193,7 +193,7 @@ def ended_forces():
 
 
 @pytest.mark.slow
-def test_by_the_ends_of_the_motion_boxes_hold_the_means_of_every_point_and_their_slopes():
+def test_boxes_by_ends_enclose_means_and_slopes():
     """In every chart, up to its edges, where c_1 has no bound: the slopes by x and y have."""
     rng, n = np.random.default_rng(5), 400
     for steps in ended_forces():
@@ -234,7 +234,7 @@ def test_by_the_ends_of_the_motion_boxes_hold_the_means_of_every_point_and_their
 
 
 @pytest.mark.slow
-def test_by_the_ends_of_the_motion_far_and_next_to_a_step_means_are_those_of_exact_integrals():
+def test_means_far_out_and_next_to_a_step_are_exact_integrals():
     """Where a motion hardly passes a step, or is hundreds of times as large as all, differences keep no digits."""
     one = Isolator(lam=3.0, r=2.0, delta_h=0.08, mu=0.01, zeta=0.05, load=0.05)
     steps = Steps(one.model.mechanism, one.model.parameters, 0.05)
@@ -288,7 +288,7 @@ def test_off_the_centre_validity_says_that_nothing_was_measured(loaded):
     assert rest == pytest.approx(loaded.mu / (answers[2].A * answers[2].Omega_cr ** 2), rel=1e-15)
 
 
-def test_next_to_the_centre_folds_are_those_about_it_in_few_boxes(monkeypatch):
+def test_next_to_the_centre_folds_take_few_boxes(monkeypatch):
     """Corners on both sides are 1e-9 apart: there were 282 000 boxes, and at other forcings too many."""
     boxes = []
     on = Charts.on
@@ -298,7 +298,7 @@ def test_next_to_the_centre_folds_are_those_about_it_in_few_boxes(monkeypatch):
     assert sum(boxes) < 10_000
 
 
-def test_motions_that_are_large_beside_the_breakpoints_are_told_as_narrowly_as_the_outer_spring(loaded):
+def test_large_motions_are_enclosed_as_by_the_outer_spring(loaded):
     """Beyond u_cr the force is that of the vertical spring: <f> = B but for less than what it lacks within u_cr."""
     charts = Charts(Steps(loaded.model.mechanism, loaded.model.parameters, 0.0))
     (chart,) = np.flatnonzero(charts.upper - charts.lower == 2)
@@ -317,7 +317,7 @@ def test_motions_that_are_large_beside_the_breakpoints_are_told_as_narrowly_as_t
         (Duffing(1.0, 0.5, 0.01, 0.05, load=0.3), 1.3, 0.2),
     ],
 )
-def test_every_state_is_beside_a_motion_of_its_own_with_its_stability(oscillator, Omega, F_0):
+def test_state_lies_beside_a_motion_with_its_stability(oscillator, Omega, F_0):
     states = oscillator.amplitudes(Omega=Omega, F_0=F_0)
     assert len(states) == 3
     for state in states:
@@ -359,7 +359,7 @@ def test_folds_are_where_two_states_meet_and_no_others_are(loaded):
         (Isolator(lam=2, r=1.5, delta_h=0.2, mu=0.01, zeta=0.03, load=-0.1), 0.05),
     ],
 )
-def test_at_each_fold_two_states_more_or_less_begin_however_near_to_a_jump_of_the_force(oscillator, F_0):
+def test_counts_change_by_two_at_folds_next_to_a_jump(oscillator, F_0):
     check_counts(oscillator, F_0)
 
 
@@ -371,7 +371,7 @@ def test_at_each_fold_two_states_more_or_less_begin_however_near_to_a_jump_of_th
         (1.745709, 1.375007, 0.524823, 0.0147, 0.025736, 0.157066),
     ],
 )
-def test_folds_of_a_negative_stiffness_under_a_load_are_all_there(lam, r, delta_h, zeta, load, F_0):
+def test_folds_of_negative_stiffness_under_a_load_are_complete(lam, r, delta_h, zeta, load, F_0):
     """Of motions that are large beside u_cr steps cancel: too many boxes stayed undecided for 17 of 60 such mounts."""
     check_counts(Isolator(lam=lam, r=r, delta_h=delta_h, mu=0.002, zeta=zeta, load=load), F_0)
 
@@ -461,7 +461,7 @@ def test_a_fold_on_a_corner_under_a_load_has_all_digits(lam, r, delta_h, mu, zet
         (dict(lam=3, r=0.51456149, delta_h=0.059873995, mu=0.00842378, zeta=0.06654385, load=-0.03587272), 0.074191256),
     ],
 )
-def test_which_way_a_motion_jumps_at_a_fold_is_as_the_states_beside_it_have_it_on_a_corner_too(design, F_0):
+def test_jump_direction_on_a_corner_is_that_of_the_states(design, F_0):
     folds = Isolator(**design).saddle_nodes(F_0)
     assert folds.corner.tolist() == [True, False, True, False]
     # three states are between two folds; next to a fold the two that meet there are nearest to each other, and where a
@@ -473,7 +473,7 @@ def test_which_way_a_motion_jumps_at_a_fold_is_as_the_states_beside_it_have_it_o
         assert folds.kind[fold] == ("jump-up", "jump-down")[np.diff(states.A).argmin()]
 
 
-def test_folds_on_corners_near_the_centre_are_there_without_a_load():
+def test_folds_on_corners_near_the_centre_need_no_load():
     """All its lengths are below 0.1. On a corner and 1e-8 beside it two states begin and end, in each well."""
     wells = Isolator(lam=3.0, r=400.0, delta_h=0.004, zeta=0.05).off_centre
     folds = wells.saddle_nodes(0.00824)
@@ -553,7 +553,7 @@ def test_the_response_off_the_centre_is_all_of_that_by_hand(alpha, beta, load, F
 
 
 @pytest.mark.slow
-def test_a_response_off_the_centre_has_the_states_and_folds_that_are_asked_for_one_by_one(loaded):
+def test_asymmetric_response_has_its_states_and_folds(loaded):
     found, folds = loaded.frequency_response(0.04, Omega=(0.5, 1.4)), loaded.saddle_nodes(0.04)
     points = list(zip(found.Omega, found.A, found.B, strict=True))
     assert all((fold.Omega, fold.A, fold.B) in points for fold in folds)
@@ -573,7 +573,7 @@ def test_a_response_off_the_centre_has_the_states_and_folds_that_are_asked_for_o
 
 
 @pytest.mark.slow
-def test_a_response_turns_at_the_corner_that_a_jump_makes_as_the_balance_does():
+def test_response_turns_at_a_corner_as_the_balance_does():
     """On a grid of amplitudes that crowd about the corner: B by bisection of f_0, and where F has other signs.
 
     The folds are 8e-8 apart. Motions that just pass the jump were undecided: 12 of 30 random mounts had no response.
@@ -615,7 +615,7 @@ def test_a_response_turns_at_the_corner_that_a_jump_makes_as_the_balance_does():
         ((1.100, 3.499, 0.009474, 0.009012, 0.05908, 0.001816), 0.09667),
     ],
 )
-def test_a_response_goes_through_the_kink_of_a_force_that_jumps_by_little(numbers, F_0):
+def test_response_goes_through_the_kink_of_a_small_jump(numbers, F_0):
     """Its two folds are 1e-12 to 1e-9 apart; between other frequencies it has as many points as there are states."""
     lam, r, delta_h, mu, zeta, load = numbers
     one = Isolator(lam=lam, r=r, delta_h=delta_h, mu=mu, zeta=zeta, load=load)
@@ -630,7 +630,7 @@ def test_a_response_goes_through_the_kink_of_a_force_that_jumps_by_little(number
         assert int((crossed & same).sum()) == len(one.amplitudes(Omega=float(Omega), F_0=F_0))
 
 
-def test_two_wells_have_their_responses_beside_that_about_the_centre():
+def test_two_wells_have_responses_beside_the_centred_one():
     well = Duffing(-0.5, 1.0, 0.0, 0.05)
     found, centred = (of.frequency_response(0.05, Omega=(0.1, 1.8)) for of in (well.off_centre, well))
     assert np.array_equal(found.A[found.B == 0], centred.A)
@@ -688,7 +688,7 @@ def test_two_folds_are_born_at_the_onset_and_none_is_below(oscillator):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("centred", [Isolator(**TABLE_1), Duffing(1.0, 0.5, 0.01, 0.05)])
-def test_the_onset_tends_to_that_about_the_centre_as_the_square_of_the_load(centred):
+def test_onset_tends_to_the_centred_one_as_the_load_squared(centred):
     at_centre = centred.saddle_node_onset()
     moved = [centred.replace(load=load).saddle_node_onset().F_SN / at_centre.F_SN - 1 for load in (1e-3, 1e-4)]
     assert moved[0] == pytest.approx(100 * moved[1], rel=1e-3) and 0 < moved[0] < 1e-3
@@ -805,7 +805,7 @@ def test_a_force_that_only_bends_has_no_fold_where_it_does():
     assert len(stop.saddle_nodes(F_0=0.0155)) == 0
 
 
-def test_a_mount_under_a_load_says_which_amplitude_its_answers_mean():
+def test_mount_under_a_load_says_which_amplitude_it_means():
     """The first harmonic about the mean, by averaging; the largest |x|, of the equation of motion."""
     data = {"m": 12, "k_v": 2500, "k_h": 1700, "L": 0.08, "preload": 0.009, "friction": 0.4, "zeta": 0.02}
     mount = Isolator.physical(**data, load=12.36)
@@ -842,7 +842,7 @@ def test_the_peak_is_where_the_response_by_hand_is_highest(alpha, beta, load, F_
     assert found.u_max == pytest.approx(found.A + abs(found.B), rel=1e-15)  # one motion has both here
 
 
-def test_without_a_load_the_peak_is_that_about_the_centre_where_it_is_the_highest():
+def test_peak_without_a_load_is_the_centred_one():
     well = Duffing(-0.5, 1.0, 0.0, 0.05)
     off, centred = well.off_centre.peak(0.2), well.peak(0.2)
     assert (off.A, off.B, off.Omega, off.u_max) == (centred.A, 0.0, centred.Omega, centred.A)
@@ -851,7 +851,7 @@ def test_without_a_load_the_peak_is_that_about_the_centre_where_it_is_the_highes
 
 
 @pytest.mark.slow
-def test_margins_and_bands_and_isolation_tend_to_those_about_the_centre(loaded):
+def test_margins_bands_and_isolation_tend_to_centred_ones(loaded):
     centred, near = Isolator(**TABLE_1), Isolator(**TABLE_1, load=1e-5)
     for question, names in {
         "peak": ("A", "Omega"),
@@ -867,7 +867,7 @@ def test_margins_and_bands_and_isolation_tend_to_those_about_the_centre(loaded):
 
 
 @pytest.mark.slow
-def test_the_springs_detach_from_the_detaching_force_on_and_a_mass_that_sticks_does_not_move(loaded):
+def test_springs_detach_from_the_detaching_force_on(loaded):
     F_cr = loaded.detachment().F_cr
     below, above = (loaded.margins(share * F_cr) for share in (0.97, 1.03))
     assert (below.detaches, above.detaches) == (False, True) and below.of_cr == pytest.approx(1 / 0.97, rel=1e-15)
@@ -877,7 +877,7 @@ def test_the_springs_detach_from_the_detaching_force_on_and_a_mass_that_sticks_d
     assert loaded.replace(load=0.45).margins(0.02).detaches
 
 
-def test_in_a_band_under_a_load_two_motions_are_stable_and_outside_one_is(loaded):
+def test_band_under_a_load_has_two_stable_motions(loaded):
     ((low, high, motions),) = loaded.hysteresis(0.04)
     states = loaded.amplitudes(Omega=np.linspace(0.8, 1.1, 16), F_0=0.04)
     for Omega in np.unique(states.Omega):
@@ -904,14 +904,14 @@ def test_folds_under_a_load_are_drawn_where_they_are(loaded):
     assert {tuple(point) for point in drawn} == set(zip(folds.Omega, folds.A, strict=True)) and len(folds) == 2
 
 
-def test_isolation_that_begins_at_a_fold_begins_there_and_not_at_a_point_beside_it():
+def test_isolation_that_begins_at_a_fold_begins_exactly_there():
     duffing = Duffing(alpha=0.3174721, beta=9.8818251, zeta=0.02781846, load=0.0262015738)
     folds, found = duffing.saddle_nodes(0.0172011016), duffing.isolation(0.0172011016)
     assert found.at_fold and (found.Omega, found.A) == (folds.Omega[-1], folds.A[-1])
 
 
 @pytest.mark.slow
-def test_rows_of_many_forcings_under_a_load_cross_a_fold_where_the_same_two_rows_do():
+def test_rows_of_many_forcings_cross_folds_as_pairs_do():
     """Ways share forcings; two rows by themselves share others."""
     loaded = isolator(load=0.03)
     Omega, F_0 = np.array([0.9, 0.95, 1.2, 0.76, 0.8]), np.array([0.03, 0.04, 0.02, 0.025, 0.035])
@@ -920,7 +920,7 @@ def test_rows_of_many_forcings_under_a_load_cross_a_fold_where_the_same_two_rows
     assert crosses.tolist() == pairs and any(pairs) and not all(pairs)
 
 
-def test_a_load_spectrum_off_the_centre_says_of_each_row_what_its_states_and_folds_say(loaded):
+def test_spectrum_under_a_load_says_what_states_and_folds_say(loaded):
     Omega = [0.5, 0.7, 0.95, 1.2, 0.6]
     found, folds = loaded.spectrum(Omega=Omega, F_0=0.04), loaded.saddle_nodes(0.04).Omega
     for row, at in zip(found, Omega, strict=True):
@@ -936,7 +936,7 @@ def test_a_load_spectrum_off_the_centre_says_of_each_row_what_its_states_and_fol
 
 
 @pytest.mark.slow
-def test_across_forcings_a_fold_off_the_centre_is_crossed_where_the_number_of_motions_changes():
+def test_crossed_fold_under_a_load_changes_the_number_of_motions():
     spring = Duffing(1.0, 0.5, zeta=0.05, load=0.3)
     Omega, F_0 = np.linspace((1.0, 0.05), (1.3, 0.2), 30).T
     states = spring.amplitudes(Omega=Omega, F_0=F_0)
@@ -945,7 +945,7 @@ def test_across_forcings_a_fold_off_the_centre_is_crossed_where_the_number_of_mo
     assert found.crosses.tolist() == [False, changes] == [False, True]
 
 
-def test_from_the_isolation_frequency_on_less_than_the_force_is_transmitted(loaded):
+def test_less_force_is_transmitted_from_the_isolation_on(loaded):
     begins = loaded.isolation(0.04)
     (at,) = loaded.amplitudes(Omega=begins.Omega, F_0=0.04)
     assert at.A == pytest.approx(begins.A, rel=1e-9) and not begins.at_fold
@@ -955,7 +955,7 @@ def test_from_the_isolation_frequency_on_less_than_the_force_is_transmitted(load
 
 
 @pytest.mark.slow
-def test_what_transmits_the_force_beyond_the_isolation_found_is_seen_by_the_proof(loaded, monkeypatch):
+def test_transmission_beyond_a_wrong_isolation_is_noticed(loaded, monkeypatch):
     """Points of the response that pass over its last stretch do not make the answer: more are taken, or it says so."""
     true, begins = loaded.isolation(0.04), OffCentre._begins
     assert Remark.UNDECIDED not in true.remarks and not true.message
@@ -975,7 +975,7 @@ def test_what_transmits_the_force_beyond_the_isolation_found_is_seen_by_the_proo
     assert (many.remarks[0] & Remark.UNDECIDED) and many.status[0] == Status.OK
 
 
-def test_so_does_the_equation_of_motion_where_it_is_nearly_linear():
+def test_nearly_linear_motion_isolates_there_too():
     mild = Duffing(1.0, 0.2, 0.0, 0.05, load=0.2)
     begins = mild.isolation(0.02)
     first = mild.steady_state(Omega=begins.Omega, F_0=0.02).harmonics(1)[1]
@@ -983,7 +983,7 @@ def test_so_does_the_equation_of_motion_where_it_is_nearly_linear():
     assert abs(1 + begins.Omega**2 * first / 0.02) == pytest.approx(1.0, abs=1e-5)
 
 
-def test_a_curve_without_folds_climbs_a_resonance_that_is_narrow_in_its_window():
+def test_curve_without_folds_climbs_a_narrow_resonance():
     """Its points are not nearer to one another than its ends are: they were left out, and the resonance with them."""
     osc = Duffing(1.0, 0.577, mu=0.006, zeta=0.052, load=0.22)
     peak, curve = osc.peak(0.0206), osc.frequency_response(0.0206, Omega=(0.02, 4.0))
@@ -1052,7 +1052,7 @@ def test_gradients_are_those_of_the_balance_by_hand(vanish, ask, by):
                     assert value == pytest.approx(float(slopes[one]), rel=1e-11, abs=1e-12)
 
 
-def test_where_there_is_no_gradient_off_the_centre_the_reason_is_said(loaded):
+def test_missing_gradient_under_a_load_is_explained(loaded):
     heavy = loaded.replace(load=0.1).saddle_node_onset()
     assert heavy.kind == "corner" and "comes to a breakpoint" in heavy.gradient().message
     none = loaded.replace(load=0.45).detachment()
@@ -1073,7 +1073,7 @@ def test_an_onset_whose_search_begins_at_it_is_answered():
     assert beside.F_SN == pytest.approx(expected, rel=(1e-5 / 0.03) ** 2)
 
 
-def test_a_motion_under_a_load_that_averaging_does_not_know_is_found_from_its_amplitude():
+def test_motion_unknown_to_averaging_is_found_by_amplitude():
     """Averaging has one at A = 0.1275 there, of which the exact one is unstable; what a sweep sees is larger."""
     design = {"lam": 4, "r": 1.7557163929700856, "delta_h": 0.1196097311753126, "zeta": 0.013149868738899468}
     loaded, at = Isolator(**design, load=0.012862148104504246), {"Omega": 0.95482, "F_0": 0.04221152153801278}
@@ -1086,7 +1086,7 @@ def test_a_motion_under_a_load_that_averaging_does_not_know_is_found_from_its_am
 @pytest.mark.slow
 @pytest.mark.parametrize("mu", [0.0, 0.01])
 @pytest.mark.parametrize(("softer", "harder"), [(1.0, 1.5), (0.3, 4.0)])
-def test_springs_that_differ_on_both_sides_isolate_from_where_twice_their_backbone_is(mu, softer, harder):
+def test_bilinear_spring_isolates_at_twice_its_backbone(mu, softer, harder):
     """Without a size h = -p A and B = -q A at any amplitude, by the mean of the force; as much as F_0 is transmitted
     where R = -h, at Omega^2 = 2 p. Boxes next to rest did not end, and it was unresolved.
     """
@@ -1105,13 +1105,13 @@ def test_springs_that_differ_on_both_sides_isolate_from_where_twice_their_backbo
     assert found.Omega == pytest.approx(math.sqrt(2 * p), rel=1e-7) and not found.message
 
 
-def test_a_forcing_beyond_all_sizes_is_refused_before_it_takes_the_memory():
+def test_forcing_beyond_all_sizes_is_refused_before_memory():
     """Its motions span a thousand octaves, and boxes of all of them tens of gigabytes."""
     with pytest.raises(ArithmeticError, match=r"amplitudes may be as large as .* beyond the range of doubles"):
         Isolator(lam=3, r=2.03, delta_h=0.082, mu=0.012, zeta=0.02, load=0.03).saddle_nodes(1e290)
 
 
-def test_how_far_folds_are_looked_for_is_not_said_where_nothing_damps():
+def test_undamped_range_of_folds_is_refused():
     """It divided by the damping, with a warning."""
     with pytest.raises(ValueError, match="A_max needs zeta > 0, eta > 0 or c_2 > 0 off the centre"):
         Isolator(lam=2, r=0.3, delta_h=0.3).off_centre.A_max(1.3)
@@ -1120,7 +1120,7 @@ def test_how_far_folds_are_looked_for_is_not_said_where_nothing_damps():
 
 
 @pytest.mark.slow
-def test_a_load_of_any_size_is_answered_or_refused_without_a_warning():
+def test_load_of_any_size_is_answered_or_refused():
     """Bounds on the mean are products that leave the range of doubles: they did with a warning."""
     for load in part((1e60, 1e150, 1.7e308), 3):
         loaded = Isolator(lam=3, r=2, delta_h=0.08, zeta=0.1, load=load)
@@ -1133,7 +1133,7 @@ def test_a_load_of_any_size_is_answered_or_refused_without_a_warning():
     assert many.status.tolist() == [Status.NO_BOUND, Status.OK]
 
 
-def test_a_farthest_motion_whose_frequency_doubles_do_not_tell_is_refused():
+def test_peak_of_undetermined_frequency_is_refused():
     """Its Omega was NaN, beside A = 7e15, with a warning: damping is next to none, and the spring at rest too."""
     spring = Duffing(0.0, 0.003, zeta=3e-15, eta=0.085, excitation="unbalance", load=0.003)
     for F_0 in (1e-6, 1e-3, 0.1):
@@ -1146,7 +1146,7 @@ def test_a_farthest_motion_whose_frequency_doubles_do_not_tell_is_refused():
 
 
 @pytest.mark.parametrize("octaves", [-150, -100, -45, -20, -10, 60, 150])
-def test_off_the_centre_answers_go_with_the_unit_of_length_or_it_is_too_small(octaves):
+def test_answers_scale_with_the_unit_of_length_or_are_refused(octaves):
     """On a base lengths of 1e-30 gave a peak at Omega = 1e32 without a word."""
 
     def mount(s):

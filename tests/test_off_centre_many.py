@@ -82,7 +82,7 @@ def test_shocks_of_many_designs_begin_where_each_rests():
     assert {"load", "acceleration", "duration", "ratio"} <= spectrum.columns().keys()
 
 
-def test_what_batches_have_no_answer_to_off_the_centre_is_refused_in_words():
+def test_batch_questions_without_asymmetric_answer_are_refused():
     designs = Isolator.many(**TABLE_1, load=[0.03, 0.1])
     for name in ("at_rest", "certify", "second_approximation"):
         with pytest.raises(ValueError, match="motions about the centre"):
@@ -103,7 +103,7 @@ def test_what_batches_have_no_answer_to_off_the_centre_is_refused_in_words():
     [{"beta": 1e-310, "load": -0.09}, {"beta": 0.0, "load": 1.7e308}, {"beta": 0.1, "load": 1.7e308}],
     ids=["hardly a spring", "linear", "Duffing"],
 )
-def test_motions_beyond_the_range_of_doubles_are_refused_in_words(given):
+def test_motions_beyond_doubles_are_refused(given):
     """In a batch by a status; words of Python about its integers were passed on."""
     given = {"alpha": 1.0, **given, "mu": 0.01, "zeta": 0.05}
     one, many = Duffing(**given), Duffing.many(**given)
@@ -118,7 +118,7 @@ def test_motions_beyond_the_range_of_doubles_are_refused_in_words(given):
     assert "beyond the range of doubles" in one.saddle_node_onset().message
 
 
-def test_a_question_about_the_centre_is_no_attribute_and_says_why():
+def test_centred_question_is_no_attribute_and_says_why():
     """`hasattr` and `getattr` with a default are how a program finds out, and raised instead."""
     designs = Isolator.many(**TABLE_1, load=[0.01])
     for name in ("certify", "at_rest", "second_approximation", "cusps", "what"):

@@ -70,7 +70,7 @@ def assert_is_scanned(peak, expected):
 
 
 @pytest.mark.parametrize("mu", [0.0, 1e-6, 0.005, 0.01, 0.02])
-def test_the_peak_of_a_softening_spring_moves_with_friction_without_a_jump(mu):
+def test_softening_peak_moves_with_friction_without_a_jump(mu):
     """It was 0.313, 1.123, 1.125 and 0.176 at mu of 0, 1e-6, 0.01 and 0.02: a top of the curve that is not stable."""
     one = Duffing(1.0, -1.0, mu=mu, zeta=0.1)
     peak, expected = one.peak(0.06), scanned(cubic, 1.0, 0.06, mu, 0.1)

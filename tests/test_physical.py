@@ -34,7 +34,7 @@ def mount():
     return Isolator.physical(**MOUNT)
 
 
-def test_the_mount_jumps_detaches_and_transmits_as_worked_out_by_hand(mount):
+def test_mount_jumps_detaches_and_transmits_as_by_hand(mount):
     onset, detachment, folds = mount.saddle_node_onset(), mount.detachment(), mount.saddle_nodes(F=5)
     assert (round(onset.F_SN, 2), round(onset.f, 2), round(detachment.F_cr, 2)) == (2.67, 2.11, 4.07)
     assert [(fold.kind, round(fold.f, 2)) for fold in folds] == [("jump-up", 2.18), ("jump-down", 2.27)]
@@ -136,7 +136,7 @@ def test_laws_of_damping_are_those_of_the_mount(mount):
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("excitation", "amplitude"), [("base", 0.015), ("unbalance", 0.18)])
-def test_a_shaking_base_and_an_unbalance_move_the_mass_as_in_si_units(excitation, amplitude):
+def test_base_and_unbalance_move_the_mass_as_in_si_units(excitation, amplitude):
     """Absolute motion over a floor that moves; a mass that turns at a radius, by the force that it takes: by SciPy."""
     m, k_v, k_h, n, L, preload, c, f = 12.0, 2500.0, 1700.0, 3, 0.080, 0.009, 60.0, 2.2
     given = {"m": m, "k_v": k_v, "k_h": k_h, "n": n, "L": L, "preload": preload, "c": c, "force": "untruncated"}
@@ -186,7 +186,7 @@ def test_an_amplitude_is_called_and_measured_by_what_is_excited():
         Isolator.physical(**{**MOUNT, "excitation": "floor"})
 
 
-def test_every_question_in_physical_units_is_the_dimensionless_one(mount):
+def test_questions_in_si_units_are_the_dimensionless_ones(mount):
     iso, size = mount.oscillator, mount.scales.sizes
     F, L, f = (size[kind] for kind in ("force", "length", "frequency"))
     F_0 = 5 / F
@@ -240,7 +240,7 @@ def test_exact_answers_are_physical_too(mount):
     assert np.array_equal(sweep.f, sweep.answer.Omega * f)
 
 
-def test_an_array_that_leaves_the_doubles_in_natural_units_is_refused_in_words(mount):
+def test_array_beyond_doubles_in_natural_units_is_refused(mount):
     with pytest.raises(OutOfRange, match=r"duration = \[1\.7e\+308\] is too large"):
         mount.shock_spectrum(acceleration=[1.0], duration=[1.7e308])
 
@@ -453,21 +453,21 @@ def test_a_load_that_is_refused_is_the_mass_that_was_given(mount):
             mount.replace(load=10, **change)
 
 
-def test_what_sticks_and_what_a_high_frequency_transmits_are_known_of_mounts(mount):
+def test_mounts_know_sticking_and_the_transmissibility_floor(mount):
     """By the formulas of the slow flow (27), in newtons; on a base that shakes each amplitude moves the mass."""
     assert mount.sticking_forcing == pytest.approx(4 * 0.4 / math.pi)
     assert mount.transmissibility_floor(5) == pytest.approx(4 * 0.4 / (math.pi * 5))
     assert mount.replace(excitation="base").sticking_forcing == 0
 
 
-def test_up_to_which_frequency_it_sticks_is_said_in_words_where_that_is_none_or_all(mount):
+def test_sticking_up_to_no_or_any_frequency_is_said(mount):
 
     assert "f_sticks      at no frequency" in str(mount.margins(5))
     assert "f_sticks      at every frequency" in str(mount.margins(0.3))
     assert re.search(r"f_sticks +0\.\d+ Hz", str(mount.replace(excitation="base").margins(0.004)))
 
 
-def test_what_an_answer_in_units_has_not_is_said_as_by_the_dimensionless_one(mount):
+def test_missing_answer_in_units_is_said_as_without_units(mount):
     with pytest.raises(AttributeError, match="second approximation has no validity: its errors are no table"):
         mount.second_approximation.saddle_nodes(5).validity  # noqa: B018
     with pytest.raises(AttributeError, match=r"\.answer\.validity is dimensionless"):
@@ -485,7 +485,7 @@ def test_a_linear_oscillator_can_be_physical_too():
     assert peak.f == pytest.approx(math.sqrt(400 * (1 - 0.02)) / math.tau)
 
 
-def test_every_number_of_an_answer_has_a_unit_or_is_known_to_have_none():
+def test_numbers_of_an_answer_have_a_unit_or_none_by_list():
     """A field that is added has to be entered here or among the kinds."""
     without = {"phi", "error", "error_of_A", "error_of_Omega", "of_SN", "of_cr", "transmissibility_dB", "level_dB"}
     for module in (results, checks):
@@ -525,7 +525,7 @@ def test_words_about_a_mount_are_in_its_letters_and_units(changes):
         assert not re.search(r"F_0|Omega|\bmu\b|u_cr|\btau\b", told), text
 
 
-def test_numbers_in_words_about_a_mount_are_those_that_were_given():
+def test_numbers_in_messages_about_a_mount_are_those_given():
     mount = Isolator.physical(**MOUNT)
     assert mount.peak(0.3).message == f"sticks: F = 0.3 N does not exceed 4 friction/pi = {1.6 / math.pi:.6g} N"
     assert mount.saddle_nodes(2).message == "no saddle node at F = 2 N: the response is single-valued"
@@ -564,13 +564,13 @@ def test_numbers_in_words_about_a_mount_are_those_that_were_given():
         (lambda mount: mount.plot("5 N"), "F = '5 N' is not allowed"),
     ],
 )
-def test_what_is_refused_of_a_mount_is_in_its_letters_and_units_too(ask, said):
+def test_refusals_of_a_mount_use_its_letters_and_units(ask, said):
     with pytest.raises(SlowflowError) as refused:
         ask(Isolator.physical(**MOUNT))
     assert said in str(refused.value)
 
 
-def test_a_curve_of_the_equation_of_motion_begins_at_a_motion_of_the_mount():
+def test_exact_curve_begins_at_a_motion_of_the_mount():
     mount = Isolator.physical(**MOUNT)
     state = mount.steady_state(f=2.2, F=5.0, A=0.040)
     curve = mount.exact_response(5.0, f=(2.15, 2.3), start=state)
@@ -642,7 +642,7 @@ def test_numbers_are_shown_over_the_size_of_the_usual_unit(unit, shown):
     ],
     ids=("rest", "isolation", "peak", "detachment", "onset", "folds"),
 )
-def test_gradients_of_a_loaded_mount_are_the_differences_of_mounts(ask, of):
+def test_gradients_of_a_loaded_mount_are_differences(ask, of):
     sheet = {**MOUNT, "load": 1.01 * MOUNT["m"]}
     assert set(of) <= set(ask(Isolator.physical(**sheet)).gradient().of)
     assert assert_slopes_are_differences(Isolator.physical, sheet, {"": ask}, {*sheet} - {"n"})

@@ -33,7 +33,7 @@ def test_nothing_runs_where_the_mass_sticks():
     assert "sticks" in str(plan)
 
 
-def test_the_fold_search_is_skipped_where_the_onset_is_known_to_lie_above():
+def test_fold_search_is_skipped_below_a_known_onset():
     oscillator = isolator()
     assert runs(oscillator.explain("saddle_nodes", 0.02))["folds"]
     oscillator.saddle_node_onset()
@@ -66,7 +66,7 @@ def test_a_phase_nobody_reads_is_not_computed():
     assert states.phi.shape == states.A.shape and "phi" in states.__dict__
 
 
-def test_where_doubles_do_not_tell_how_many_folds_there_are_balls_are_planned():
+def test_undecided_fold_counts_plan_balls():
     assert "balls" in str(isolator().explain("saddle_nodes", 0.04))
     assert "balls" not in str(isolator(excitation="base").explain("saddle_nodes", 0.04))
 
@@ -116,14 +116,14 @@ def test_a_damping_scene_is_the_limit_of_the_general_one(mu, zeta):
     assert np.allclose([scene.A[scene.Omega == w].min() for w in Omega], lower, rtol=1e-13, atol=0)
 
 
-def test_a_mechanism_that_is_derived_but_not_compiled_is_solved_all_the_same():
+def test_derived_but_not_compiled_mechanism_is_solved():
     mechanism = dataclasses.replace(duffing.MECHANISM, name="fresh")
     fresh, known = Model(mechanism, (1.0, 0.5), 0.01, 0.02), Model(duffing.MECHANISM, (1.0, 0.5), 0.01, 0.02)
     same_folds(solvers.folds(fresh, 0.1), solvers.folds(known, 0.1))
     assert solvers.onset(fresh).F_SN == pytest.approx(solvers.onset(known).F_SN, rel=1e-13)
 
 
-def test_an_error_inside_the_compiled_path_is_not_taken_for_a_missing_mechanism(monkeypatch):
+def test_error_in_the_compiled_path_is_no_missing_mechanism(monkeypatch):
     def broken(*_):
         return [][0]
 
@@ -193,7 +193,7 @@ def test_every_question_off_the_centre_has_a_plan():
         isolator(excitation="base").explain("certify", 0.04)
 
 
-def test_the_second_approximation_says_what_it_makes_of_averaging():
+def test_second_approximation_says_how_it_uses_averaging():
     second = isolator().second_approximation
     for question, F_0 in (("saddle_nodes", 0.04), ("peak", 0.04), ("saddle_node_onset", None)):
         *before, last = second.explain(question, F_0).steps

@@ -111,7 +111,7 @@ def test_folds_are_where_the_number_of_states_changes(oscillator):
 
 @pytest.mark.slow
 @pytest.mark.part(3)
-def test_the_onset_is_where_two_folds_come_or_there_are_folds_down_to_rest(oscillator):
+def test_onset_is_where_two_folds_come_or_they_end_at_rest(oscillator):
     onset = oscillator.saddle_node_onset()
     if oscillator.model.inertial:
         # R next to 0 at A Omega^2 = 4c/pi: with A its level m/Omega^2 tends to 0, too
@@ -136,7 +136,7 @@ def test_a_curve_has_states_of_its_own_frequencies(oscillator):
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("law", "Omega", "F_0"), [("both", 1.1, 0.12), ("base and structural", 1.0, 0.1)])
-def test_exact_motions_are_those_of_an_independent_integration_and_near_the_averaged_ones(springs, law, Omega, F_0):
+def test_exact_motions_are_independent_and_near_averaged_ones(springs, law, Omega, F_0):
     one = springs["cubic"](c=0.01, k=0.5, **LAWS[law])
     state = one.steady_state(Omega=Omega, F_0=F_0)
     assert state.stable and state.stops == 0
@@ -163,7 +163,7 @@ def test_a_force_that_falls_at_a_breakpoint_does_not_harden():
 
 
 @pytest.mark.slow
-def test_at_low_frequencies_an_excitation_by_inertia_leaves_the_mass_at_rest(springs):
+def test_inertia_at_low_frequencies_leaves_the_mass_at_rest(springs):
     one = springs["cubic"](c=0.03, k=1.2, **LAWS["base"])
     begin = math.sqrt(one.model.held / 0.08)
     found = one.amplitudes(Omega=[0.5 * begin, 1.5], F_0=0.08)

@@ -122,7 +122,7 @@ def test_words_or_numbers_too_few_or_too_many_are_refused(valid, data):
 @pytest.mark.slow
 @given(st.data())
 @settings(max_examples=200, deadline=None)
-def test_an_operation_that_is_none_or_a_register_that_is_not_there_is_refused(valid, data):
+def test_unknown_operation_or_register_is_refused(valid, data):
     words, numbers, _, codes, outputs = valid
     place, program = data.draw(st.sampled_from(codes))
     none = NO_WORDS | st.integers(len(Operation), 300)

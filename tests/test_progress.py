@@ -35,7 +35,7 @@ def assert_counts(said, total=None):
 
 
 @pytest.mark.parametrize("question", ALL)
-def test_every_question_about_many_designs_says_how_many_are_done(question, always):
+def test_batch_questions_report_progress(question, always):
     r = np.linspace(0.5, 2.0, 40)
     designs = Isolator.many(lam=3, r=r, delta_h=0.1, mu=0.01, zeta=0.05)
     more = {} if re.match(r"second_approximation\.(amplitudes|frequency_response)", question) else {"workers": 2}
@@ -92,7 +92,7 @@ def test_nothing_is_said_within_a_second():
     assert told(lambda: designs.saddle_nodes(0.04)) == []
 
 
-def test_a_file_gets_a_line_in_ten_seconds_at_most_and_a_terminal_one_a_second(monkeypatch, capsys):
+def test_file_gets_a_line_in_ten_seconds_and_terminal_in_one(monkeypatch, capsys):
     now = [0.0]
     monkeypatch.setattr(progress.time, "monotonic", lambda: now[0])
     for terminal, lines in ((False, 7), (True, 74)):

@@ -101,7 +101,7 @@ def test_the_number_of_states_changes_by_two_at_each_fold(numbers, F_0):
 
 @settings(drawn, max_examples=20)
 @given(st.floats(1.0, 5.0), st.floats(0.5, 3.0), st.floats(0.1, 0.9), st.floats(0.002, 0.05), st.floats(0.01, 0.1))
-def test_nothing_jumps_at_the_detachment_of_the_untruncated_force(lam, r, share, mu, zeta):
+def test_nothing_jumps_at_the_untruncated_detachment(lam, r, share, mu, zeta):
     """The lowest forcing, its frequency and the backbone on either side of u_cr: a float apart, a rounding apart."""
     oscillator = Isolator(lam=lam, r=r, delta_h=min(share / (lam * r), 0.9), mu=mu, zeta=zeta, force="untruncated")
     end = oscillator.detachment().u_cr
@@ -151,7 +151,7 @@ def test_a_batch_of_one_is_the_single_answer(numbers, F_0, question):
 
 @drawn
 @given(duffings | isolators, st.floats(1e-3, 1.0), st.floats(0.2, 2.5), st.sampled_from(["mu", "zeta"]))
-def test_a_scene_without_a_damper_is_the_general_one_with_next_to_none(numbers, above, Omega, without):
+def test_case_without_a_damper_is_the_limit_of_the_general_one(numbers, above, Omega, without):
     """Kernels of their own serve each such scene; so little friction or damping changes far less than a rounding."""
     scene, general = (made({**numbers, without: value}) for value in (0.0, 1e-20))
     F_0 = general.model.m + above
@@ -225,6 +225,6 @@ def test_what_is_too_small_or_too_large_for_doubles_is_refused():
             question()
 
 
-def test_a_forcing_next_to_the_largest_double_is_answered_in_words():
+def test_forcing_next_to_the_largest_double_is_answered():
     """By NumPy it is refused, in words too."""
     assert "unbounded" in Duffing(0.0, 1.0).amplitudes(Omega=1.0, F_0=1.7e308).message

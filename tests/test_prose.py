@@ -162,7 +162,7 @@ def test_text_that_no_file_can_hold_is_refused():
         derive.mechanism("half", [(u, None)], {}, title="\ud800")
 
 
-def test_templates_are_compiled_anew_where_their_environment_has_changed(tmp_path):
+def test_templates_are_recompiled_after_environment_changes(tmp_path):
     """Bytecode of an environment that calls its filters otherwise would print their arguments in place of the text."""
     (tmp_path / "template.jinja").write_text("{{ 'text' | shown(8) }}")
     for k, shown in enumerate((lambda text, width: text, jinja2.pass_context(lambda context, text, width: text))):

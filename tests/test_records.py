@@ -65,7 +65,7 @@ def test_every_mechanism_of_the_derivation_has_its_record():
 
 
 @pytest.mark.parametrize("name", MECHANISMS)
-def test_a_record_refuses_what_lies_outside_the_stated_domains_and_nothing_else(name):
+def test_record_refuses_only_what_lies_outside_its_domains(name):
     mechanism = MECHANISMS[name]
     given = (*mechanism.design, *DAMPING)
     inside = [INSIDE[parameter.symbol.name] for parameter in given]
@@ -81,7 +81,7 @@ def test_a_record_refuses_what_lies_outside_the_stated_domains_and_nothing_else(
 
 
 @pytest.mark.parametrize("name", MECHANISMS)
-def test_a_record_averages_any_number_of_amplitudes_as_the_kernels_do(name):
+def test_record_averages_many_amplitudes_as_the_kernels_do(name):
     kernels = importlib.import_module(f"slowflow_kernels.{name}")
     record = records.opened(NATIVE.RECORDS[name])
     mechanism = MECHANISMS[name]
@@ -104,7 +104,7 @@ def test_a_record_averages_any_number_of_amplitudes_as_the_kernels_do(name):
 
 
 @pytest.mark.parametrize("name", MECHANISMS)
-def test_a_record_knows_damping_excitation_and_that_an_odd_force_is_centred(name):
+def test_record_knows_damping_excitation_and_odd_forces(name):
     record = records.opened(NATIVE.RECORDS[name])
     damping, p = records.doubles([0.0] * 2), records.doubles([0.5] * 16)
     assert record.damping_of(records.doubles([0.012, 0.02]), damping)

@@ -84,7 +84,7 @@ def test_ctrl_c_ends_a_long_answer():
 
 
 @pytest.mark.slow
-def test_ctrl_c_ends_a_batch_whose_designs_take_far_longer_than_others():
+def test_ctrl_c_ends_a_batch_of_very_slow_designs():
     """Minutes of the second approximation: half a millisecond a design, where an onset takes some microseconds."""
     program = (
         "import numpy as np; from slowflow import Isolator\n"
@@ -305,7 +305,7 @@ def test_a_detachment_beyond_the_range_of_doubles_is_refused(r):
 
 
 @pytest.mark.parametrize("F_0", [1e60, 1e120])
-def test_a_force_whose_powers_leave_the_range_of_doubles_is_said_to_be_one(F_0):
+def test_force_whose_powers_leave_the_doubles_is_said_to(F_0):
     """It is answered, or refused in these words: branches were said to coincide, which are far apart."""
     spring = Duffing(1.0, 0.5, mu=0.01, zeta=0.1)
     with mpmath.workdps(30):  # where R = 0: 2 zeta A Omega + m = F_0, Omega^2 = 1 + 3/8 A^2, for A as large as that
@@ -323,7 +323,7 @@ def test_a_force_whose_powers_leave_the_range_of_doubles_is_said_to_be_one(F_0):
 
 @pytest.mark.parametrize("force", ["truncated", "untruncated"])
 @pytest.mark.parametrize("gap", [1e-2, 1e-4, 1e-8, 2.0**-52])
-def test_a_motion_next_to_the_largest_preload_is_within_its_residual_or_refused(force, gap):
+def test_motion_next_to_the_largest_preload_is_right_or_refused(force, gap):
     """delta_h next to 1: where the springs detach the force as geometry gives it is as steep as 1/(1 - delta_h)."""
     oscillator = Isolator(lam=3, r=0.25, delta_h=1 - gap, mu=0.005, zeta=0.02, force=force)
     answered = 0

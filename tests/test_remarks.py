@@ -45,7 +45,7 @@ def test_an_onset_that_only_the_truncation_makes_says_so():
     assert np.isnan(together.untruncated[0]) and together.remarks[0] & Remark.OF_TRUNCATION
 
 
-def test_an_isola_that_the_jump_makes_by_inertia_is_said_to_be_of_the_truncation():
+def test_isola_by_a_jump_under_inertia_is_the_truncations():
     """It is born 4e-11 above u_cr, where the slope of h is the jump's; the untruncated force has no onset at all."""
     numbers = {"lam": 3, "r": 0.5376586722829231, "delta_h": 0.015073899136995528, "mu": 0.0, "zeta": 0.01}
     base = Isolator(**numbers, excitation="base")
@@ -93,7 +93,7 @@ def test_the_corner_leaves_no_fold_undecided():
             assert Remark.UNDECIDED not in iso.saddle_nodes(F_0).remarks
 
 
-def test_folds_at_rest_are_said_beside_an_onset_and_where_none_is_born():
+def test_folds_at_rest_are_said_beside_any_onset():
     """Folds that end at Omega = 0 there are at a tenth of the forcing that is named, or at any."""
     spring = Duffing(-0.5, 10, 0.3, 0.1)
     for oscillator, F_SN in ((spring, None), (single(1), None), (single(4), 0.1052)):
@@ -151,7 +151,7 @@ def escapes(oscillator, Omega, F_0, A, phi):
 @pytest.mark.parametrize(
     ("zeta", "Omega", "F_0"), [(0.01, 0.01, 0.008), (0.01, 0.1, 0.3), (0.1, 0.3, 0.5), (0.1, 0.1, 1.0)]
 )
-def test_states_beyond_the_well_are_not_stable_and_beside_a_peak_they_are_said(zeta, Omega, F_0):
+def test_states_beyond_the_well_are_not_stable_and_said(zeta, Omega, F_0):
     """The spring of alpha u + beta u^3 pushes on beyond |u| = 1: averaging held states of A = 1.16 for stable."""
     oscillator = Duffing(1.0, -1.0, 0.0, zeta)
     states = oscillator.amplitudes(Omega=Omega, F_0=F_0)
@@ -174,7 +174,7 @@ def test_states_beyond_the_well_are_not_stable_and_beside_a_peak_they_are_said(z
 
 
 @pytest.mark.slow
-def test_of_states_beyond_the_well_the_equation_of_motion_has_none_but_next_to_its_top():
+def test_states_beyond_the_well_have_no_exact_motion():
     """Of more than 1,000 that (30) holds for stable; next to the top averaging errs by 5 %."""
     rng = np.random.default_rng(5)
     beyond = found = 0
@@ -204,12 +204,12 @@ def test_a_well_is_not_said_of_springs_that_have_none():
         assert Remark.BEYOND_WELL not in isolator.peak(0.1).remarks
 
 
-def test_an_amplitude_beyond_the_range_of_doubles_raises_no_warning():
+def test_amplitude_beyond_doubles_raises_no_warning():
     oscillator = Duffing(0.09130112224602271, -0.4507260127299224, 0.6117298112265566, 8.781850915463343e-06)
     assert oscillator.peak(1e300).A is None  # its states of 1e100 are all beyond the well
 
 
-def test_a_softening_spring_may_hold_a_motion_whose_mean_stiffness_is_negative():
+def test_softening_motion_may_have_negative_mean_stiffness():
     """The exact motion is stable: the stiffness that changes twice in a cycle makes up for its mean."""
     oscillator, Omega, F_0 = Duffing(1.916546773924, -0.8374511645265, 0.0, 0.0558), 0.93856559, 0.16
     states = oscillator.amplitudes(Omega=Omega, F_0=F_0)
@@ -273,7 +273,7 @@ def test_whatever_is_asked_about_cannot_be_changed(what, name):
     assert copied == asked and copy.copy(asked) == asked
 
 
-def test_equal_oscillators_are_one_key_in_whatever_order_their_numbers_are_given():
+def test_equal_oscillators_are_one_key_in_any_order():
     one = Oscillator(duffing.MECHANISM, alpha=1.0, beta=0.5, zeta=0.05)
     assert {one, Oscillator(duffing.MECHANISM, zeta=0.05, beta=0.5, alpha=1.0)} == {one}
 
@@ -316,7 +316,7 @@ def test_the_force_and_its_stiffness_at_any_displacement():
 
 @pytest.mark.slow
 @pytest.mark.parametrize("above", [1e-7, 1e-8, 1e-12])
-def test_an_onset_is_not_refused_for_the_other_force_whose_onset_is_unresolved(above):
+def test_onset_is_not_refused_for_the_other_force(above):
     """Next to delta_h = 1: the corner of the truncated force was refused singly, and given in batches."""
     design = {"lam": 1.0, "r": 0.3, "delta_h": 1 - above, "mu": 0.01, "zeta": 0.05}
     found, many = Isolator(**design).saddle_node_onset(), Isolator.many(**design).saddle_node_onset()
@@ -333,7 +333,7 @@ def test_an_onset_is_not_refused_for_the_other_force_whose_onset_is_unresolved(a
     assert found.F_SN == pytest.approx(4 * 0.01 / math.pi + 2 * 0.05 * u_cr * Omega, rel=max(above, 1e-14))
 
 
-def test_where_a_response_is_cut_is_said_in_codes_by_the_batch_too():
+def test_cut_responses_have_codes_in_the_batch_too():
     """It was said in words only: a batch has none, and eight bits held eight codes."""
     undamped, ends_open = {"mu": 0.01, "zeta": 0.0}, {"mu": 0.0, "zeta": 0.05, "excitation": "unbalance"}
     asked = (
@@ -356,7 +356,7 @@ def test_where_a_response_is_cut_is_said_in_codes_by_the_batch_too():
 
 
 @pytest.mark.slow
-def test_a_force_that_was_not_written_odd_says_at_each_answer_what_stands_for_it():
+def test_answers_of_a_force_not_written_odd_say_what_stands():
     """A preload, |u| and powers that are none for u < 0 can be meant in one way only."""
     u, a, p = sp.symbols("u a p")
     given = {"a": {"above": 0}}
@@ -374,7 +374,7 @@ def test_a_force_that_was_not_written_odd_says_at_each_answer_what_stands_for_it
     assert Remark.MIRRORED not in power(a=0.5, p=2.5, mu=0.01, zeta=0.03).peak(0.1).remarks
 
 
-def test_a_motion_turns_beyond_a_well_only_where_the_spring_pushes_on_the_more_the_farther():
+def test_motion_turns_beyond_a_well_if_the_spring_pushes_more():
     """u - 5/2 u^3 + u^5 pulls up to 1/sqrt(2), pushes up to sqrt(2), and the most at u^2 = (15 + sqrt(145))/20."""
     u, b, c = sp.symbols("u b c")
     made = derive.mechanism("pushes_between", [(u - b * u**3 + c * u**5, None)], {"b": {"above": 0}, "c": {"above": 0}})
@@ -393,7 +393,7 @@ def test_a_force_that_drops_at_a_breakpoint_does_not_harden():
     assert not one.model.hardens and not one.model.stays_centred
 
 
-def test_a_motion_turns_beyond_a_well_whose_top_lies_on_the_second_piece():
+def test_motion_turns_beyond_a_well_with_top_on_second_piece():
     """The force rises to gap at u = gap, and falls from there: it pushes on beyond 2 gap."""
     u, gap = sp.symbols("u gap")
     tent = derive.mechanism("tent", [(u, gap), (2 * gap - u, None)], {"gap": {"above": 0}})

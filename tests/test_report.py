@@ -131,7 +131,7 @@ def test_numbers_are_those_of_the_questions(page):
 
 
 @pytest.mark.slow
-def test_names_and_equations_are_set_and_none_is_shown_as_it_is_typed(text, page):
+def test_names_and_equations_are_typeset(text, page):
     """Letters with what stands below them, in words and in MathML; nothing has an underscore, or a power of Python."""
     read = re.sub(r"<(style|svg|title|a)\b.*?</\1>|<[^>]+>", " ", text, flags=re.DOTALL)
     assert not re.search(r"\w_\w|\*\*|\b(Omega|delta|zeta|lam)\b", html.unescape(read))
@@ -166,7 +166,7 @@ def test_lengths_with_tolerances_are_in_millimetres(text):
 
 
 @pytest.mark.slow
-def test_jumps_of_three_depths_stand_in_the_same_unit_with_the_error_that_they_show(text):
+def test_jumps_of_three_depths_share_a_unit_and_show_the_error(text):
     table = text.partition("<caption>Each jump by averaging")[2].partition("</table>")[0]
     rows = [re.findall(r"<td>(.*?)</td>", row) for row in table.split("<tr>")[2:]]
     assert len(rows) == 4
@@ -191,7 +191,7 @@ def test_the_page_says_in_short_what_happens_at_each_force(text):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("scene", sorted((ROOT / "scenes").glob("*.toml")), ids=lambda path: path.stem)
-def test_axe_finds_nothing_on_the_page_light_and_dark_on_a_desk_and_on_a_phone(scene, tmp_path):
+def test_axe_finds_nothing_on_the_page(scene, tmp_path):
     """Deque's checker in a headless browser; both are found where a developer has them: `npm install axe-core`."""
     axe, browser = ROOT / "node_modules" / "axe-core" / "axe.min.js", shutil.which("chromium") or shutil.which("chrome")
     if not axe.exists() or browser is None:
@@ -267,7 +267,7 @@ def test_a_report_asks_each_question_once_and_none_that_was_run(name, monkeypatc
 
 
 @pytest.mark.slow
-def test_under_a_load_the_report_leaves_out_what_is_about_the_centre_and_says_so(tmp_path):
+def test_report_under_a_load_leaves_out_centred_questions(tmp_path):
     path = tmp_path / "scene.toml"
     text = (ROOT / "scenes" / "off_centre.toml").read_text().replace("[3.0, 5.0]", "[3.0]").replace("[2.2, 5.0]", "2.2")
     files.write(path, text)
@@ -291,7 +291,7 @@ def test_under_a_load_the_report_leaves_out_what_is_about_the_centre_and_says_so
 
 
 @pytest.mark.slow
-def test_with_other_laws_of_damping_the_report_leaves_out_what_needs_plain_ones(tmp_path):
+def test_report_with_other_laws_leaves_out_plain_questions(tmp_path):
     lines = lines_of(ROOT / "scenes" / "rubber.toml")
     assert any(line.startswith("The force from which on it jumps, over the stiffness of the springs") for line in lines)
     assert any(
@@ -322,7 +322,7 @@ def test_shocks_say_which_are_beyond_the_stroke_and_are_in_short():
     assert remark.startswith("At acceleration = 30 m/s² and duration = 100 ms, ")
 
 
-def test_letters_units_and_minus_signs_are_set_as_a_book_sets_them():
+def test_letters_units_and_minus_signs_are_typeset():
     assert pieces.inline("friction is near pi/4, of dF/dOmega") == "friction is near π/4, of dF/dΩ"
     assert pieces.inline("43.9 m/s^2, k u^3, (friction/(m A omega^2) >= 0.7)") == (
         "43.9 m/s², k u³, (friction/(m A ω²) ≥ 0.7)"
@@ -334,7 +334,7 @@ def test_letters_units_and_minus_signs_are_set_as_a_book_sets_them():
 
 
 @pytest.mark.slow
-def test_the_report_of_a_machine_has_no_raw_letters_units_or_powers_of_ten():
+def test_report_of_a_machine_has_no_raw_letters_or_powers():
     path = ROOT / "scenes" / "machine.toml"
     lines = lines_of(path)
     assert not [line for line in lines if re.search(r"\bpi\b|dOmega|\de-\d", line)]

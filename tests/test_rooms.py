@@ -132,7 +132,7 @@ def test_what_derives_is_not_imported_by_what_runs():
         assert lazily or not [module for module in imported(path) if ".balls" in module], path.name
 
 
-def test_what_the_kernels_stand_on_imports_nothing_of_ours_but_tables():
+def test_foundations_of_the_kernels_import_only_tables():
     """Numbers that C has too, from modules that import nothing themselves."""
     for path in (SOURCE / "slowflow_support").glob("*.py"):
         ours = [m for m in imported(path) if m.startswith(("slowflow.", "slowflow_kernels."))]
@@ -141,7 +141,7 @@ def test_what_the_kernels_stand_on_imports_nothing_of_ours_but_tables():
     assert not [m for m in imported(tables) if m.partition(".")[0] not in {"enum"}]
 
 
-def test_a_wheel_has_every_package_with_its_templates_but_the_ledger():
+def test_wheel_has_every_package_and_template_but_the_ledger():
     """The ledger is proved where it is written."""
     stated = tomllib.loads((SOURCE.parent / "pyproject.toml").read_text())["tool"]["setuptools"]
     for name, folder in stated["package-dir"].items():
@@ -151,3 +151,9 @@ def test_a_wheel_has_every_package_with_its_templates_but_the_ledger():
             assert package in stated["packages"] or "ledger" in parts, package
             if (init.parent / "templates").is_dir():
                 assert stated["package-data"][package] == ["templates/*.jinja"], package
+
+
+def test_names_of_tests_have_at_most_60_characters():
+    trees = [ast.parse(path.read_text()) for path in Path(__file__).parent.glob("test_*.py")]
+    names = {node.name for tree in trees for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)}
+    assert not [name for name in names if name.startswith("test_") and len(name) > 60]

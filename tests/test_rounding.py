@@ -108,7 +108,7 @@ def test_every_kernel_has_a_bound_that_is_proved_or_measured(modules, of_kernels
 
 
 @pytest.mark.slow
-def test_an_oscillator_that_is_derived_live_has_no_measured_bounds(modules):
+def test_oscillator_derived_at_run_time_has_no_measured_bounds(modules):
     (module,) = (module for module in modules if module.name == "duffing")
     assert measured.of(module).kernels
     assert not measured.of(dataclasses.replace(module, inputs=(measured.AT_RUNTIME,))).kernels

@@ -77,7 +77,7 @@ def relative(found, text):
         for name in sorted({case["force"] for case in CASES} & set(FORCES))
     ],
 )
-def test_folds_states_and_onsets_are_the_certified_ones_and_no_others(name):
+def test_folds_states_and_onsets_are_the_certified_ones(name):
     """Of the formula, which these functions are to rounding; a fold's A moves most, by the root of an error of h."""
     for case in [case for case in CASES if case["force"] == name][:3]:
         numbers = {key: value[1] for key, value in case["parameters"].items()}
@@ -116,7 +116,7 @@ def test_averages_are_those_of_a_closed_form(name, numbers, closed):
             assert float(found) == pytest.approx(one, rel=4 * digits, abs=4 * digits)
 
 
-def test_a_cubic_force_has_no_stiffness_at_rest_and_a_play_none_up_to_its_gap():
+def test_cubic_and_play_have_no_stiffness_at_rest():
     """Rounding would make folds at rest of either."""
     cubic = mechanism("cubic")(k=2.0, **DAMPING)
     assert cubic.model.averaged(0.0)[1] == 0
@@ -127,7 +127,7 @@ def test_a_cubic_force_has_no_stiffness_at_rest_and_a_play_none_up_to_its_gap():
     assert mechanism("quadratic")(k=1e-300, **DAMPING).saddle_node_onset().F_SN is None
 
 
-def test_an_interval_of_amplitudes_encloses_the_average_and_what_bends_it():
+def test_amplitude_interval_encloses_the_average_and_its_bend():
     for name, numbers in (("soft_stop", {"c": 3.0, "k": 6.0, "gap": 0.2}), ("wave", {"k": 0.2, "c": 3.0})):
         model = mechanism(name)(**numbers, **DAMPING).model
         samples = model.mechanism.samples(*model.parameters)
@@ -155,7 +155,7 @@ def test_a_piece_is_within_its_bounds():
 
 
 @pytest.mark.slow
-def test_second_approximation_and_exact_motion_are_those_of_the_same_force():
+def test_second_approximation_and_exact_motion_are_the_forces():
     """The one against the derived force's, the other against SciPy's integration of the function itself."""
     numbers = {"c": 3.0, "k": 2.0, "gap": 0.2}
     u, c, k, gap = sp.symbols("u c k gap")
@@ -236,7 +236,7 @@ def test_it_can_be_pickled_where_its_functions_can():
         ([(linear, 4), (linear, None)], "must rise up to the reach"),
     ],
 )
-def test_a_function_that_is_no_such_force_is_refused_before_any_work(pieces, told):
+def test_function_that_is_no_force_is_refused_before_work(pieces, told):
     made = derive.mechanism("bad", pieces, {}, reach=3.0)
     with pytest.raises(ValueError, match=told):
         made(**DAMPING)

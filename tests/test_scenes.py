@@ -63,7 +63,7 @@ def test_a_shipped_scene_runs(path, tmp_path, capsys):
     assert {file.name for file in (tmp_path / "out").iterdir()} == expected
 
 
-def test_tolerances_are_asked_at_each_amplitude_and_frequency_in_the_spectrum_and_in_each_shock(scene, monkeypatch):
+def test_tolerances_cover_each_row_of_spectrum_and_shocks(scene, monkeypatch):
     text = (ROOT / "scenes" / "shaking_floor.toml").read_text().replace('"at_rest", ', '"tolerances", ')
     shock = "[shock]\nacceleration = 20.0\nduration = [0.011, 0.02]\n"
     read = scenes.read(scene(f"{text}\n[tolerances]\nk_h = 0.05\n\n{shock}"))
@@ -83,7 +83,7 @@ def test_tolerances_are_asked_at_each_amplitude_and_frequency_in_the_spectrum_an
 
 
 @pytest.mark.slow
-def test_tolerances_over_a_spectrum_and_shocks_are_those_of_python(scene, tmp_path, capsys):
+def test_tolerances_over_spectrum_and_shocks_are_pythons(scene, tmp_path, capsys):
     ask = '[ask]\nquestions = ["tolerances"]\n[tolerances]\nzeta = 0.2\n'
     spectrum, shock = "[spectrum]\nf = [2.2, 5.0]\nF = [5, 3]\n", "[shock]\nacceleration = 20\nduration = 0.011\n"
     path = scene(MOUNT.partition("[ask]")[0] + ask + spectrum + shock)
@@ -127,7 +127,7 @@ ASKED = {
 
 
 @pytest.mark.parametrize("asked", ASKED, ids=" ".join)
-def test_what_was_asked_comes_first_in_the_unit_that_the_head_names(asked, tmp_path, capsys):
+def test_result_comes_first_in_the_unit_of_the_head(asked, tmp_path, capsys):
     (name, question), (column, value) = asked, ASKED[asked]
     text = (ROOT / "scenes" / f"{name}.toml").read_text()
     path = tmp_path / "scene.toml"
@@ -149,7 +149,7 @@ def test_what_was_asked_comes_first_in_the_unit_that_the_head_names(asked, tmp_p
     )
 
 
-def test_written_numbers_have_all_digits_and_json_says_where_they_are_from(tmp_path, capsys):
+def test_written_numbers_have_all_digits_and_their_origin(tmp_path, capsys):
     path = ROOT / "scenes" / "table_1.toml"
     run("run", path, "-o", tmp_path, "--quiet", capsys=capsys)
     folds = [row for row in rows_of(tmp_path / "saddle_nodes.csv") if row["F_0"] == "0.04"]
@@ -179,7 +179,7 @@ def test_only_what_is_asked_for_is_computed(scene, monkeypatch, capsys):
     assert code == 0 and "F_cr          4.071 N" in out
 
 
-def test_explain_tells_what_runs_what_is_skipped_and_an_estimate_and_solves_nothing(scene, monkeypatch, capsys):
+def test_explain_lists_the_plan_and_solves_nothing(scene, monkeypatch, capsys):
     asked_of = [name for name in dir(solvers) if callable(getattr(solvers, name)) and not name.startswith("_")]
     for name in asked_of:
         monkeypatch.setattr(solvers, name, lambda *_, name=name: pytest.fail(f"{name} was computed"))
@@ -247,7 +247,7 @@ def test_numbers_of_any_size_are_taken_or_refused_in_words(scene):
                 scenes.read(scene(MOUNT.replace(f"{name} = {right}", f"{name} = {size!r}")))
 
 
-def test_answers_of_an_earlier_scene_go_and_files_of_others_are_refused(scene, tmp_path, capsys):
+def test_answers_of_an_earlier_scene_go_and_others_are_refused(scene, tmp_path, capsys):
     out, ask = tmp_path / "out", MOUNT.partition("questions")[0]
     first, second = '["detachment", "saddle_nodes"]', '["detachment"]'
     assert run("run", scene(f"{ask}questions = {first}\n"), "-o", out, "--quiet", capsys=capsys)[0] == 0
@@ -272,7 +272,7 @@ def test_a_reader_who_stops_is_no_error():
         assert running.wait() == cli.NOBODY_READS == 128 + 13 and said == b""
 
 
-def test_scenes_are_checked_one_after_the_other_and_nothing_is_computed(scene, monkeypatch, capsys):
+def test_scenes_are_checked_in_turn_without_computing(scene, monkeypatch, capsys):
     monkeypatch.setattr(scenes.Scene, "answer", lambda *_: pytest.fail("it was answered"))
     right = sorted((ROOT / "scenes").glob("*.toml"))
     code, out, err = run("check", *right, capsys=capsys)
@@ -420,7 +420,7 @@ WRONG = {
 
 
 @pytest.mark.parametrize("what", WRONG)
-def test_a_wrong_scene_is_refused_with_file_line_key_value_and_what_is_allowed(what, scene, capsys):
+def test_wrong_scene_is_refused_with_line_key_and_value(what, scene, capsys):
     right, wrong, said = WRONG[what]
     assert right in MOUNT
     path = scene(MOUNT.replace(right, wrong))
@@ -451,7 +451,7 @@ def test_text_of_a_scene_is_never_evaluated(scene, capsys, monkeypatch):
     assert forced != MOUNT and run("run", scene(forced), capsys=capsys)[0] == 2
 
 
-def test_a_question_without_an_answer_is_said_and_the_others_are_written(scene, tmp_path, capsys):
+def test_question_without_an_answer_is_said_and_others_written(scene, tmp_path, capsys):
     """Without damping no exact motion settles: the exit code is 1."""
     text = MOUNT.replace("friction = 0.4\nzeta = 0.02\n", "").partition("questions")[0]
     path = scene(text + 'questions = ["exact_response", "detachment"]\n')
@@ -494,7 +494,7 @@ def test_tolerances_are_a_table_of_shares(scene, tmp_path, capsys):
         assert code == 2 and said in err
 
 
-def test_a_shock_is_every_pair_of_peaks_and_durations_or_a_record(scene, tmp_path, capsys):
+def test_shock_is_peaks_by_durations_or_a_record(scene, tmp_path, capsys):
     head = MOUNT.partition("[ask]")[0] + '[ask]\nquestions = ["transient", "shock_spectrum"]\n\n[shock]\n'
     path = scene(head + "acceleration = [10.0, 30]\nduration = [0.011, 0.05, 0.1]\n")
     assert run("run", path, "-o", tmp_path / "out", "--quiet", capsys=capsys) == (0, "", "")

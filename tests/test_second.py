@@ -294,7 +294,7 @@ def test_what_is_not_there_is_told_in_words():
     assert joined(linear.saddle_nodes(0.04).message)
 
 
-def test_a_question_that_it_does_not_answer_is_refused_with_the_reason():
+def test_question_it_does_not_answer_is_refused():
     second = isolator().second_approximation
     unanswered = [name for name in dir(Averaged) if not name.startswith("_") and not hasattr(second, name)]
     facts = {
@@ -347,7 +347,7 @@ def test_a_breakpoint_that_is_too_large_is_refused():
     assert Isolator(**design).second_approximation.frequency_response(0.04, Omega=(0.5, 1.5)).A.size > 900
 
 
-def test_the_corner_of_the_truncated_force_keeps_its_pair_of_folds():
+def test_corner_of_the_truncated_force_keeps_its_two_folds():
     """Just above F_cr the first approximation has a fold on the corner, and one close above it."""
     iso = isolator(zeta=0.1, delta_h=0.03)
     F_0 = 1.4 * iso.detachment().F_cr
@@ -371,7 +371,7 @@ def test_a_peak_as_sharp_as_a_needle_makes_no_folds(oscillator, F_0):
         assert abs(below - above) == 2
 
 
-def test_folds_as_close_as_the_corner_makes_them_are_of_two_kinds():
+def test_folds_as_close_as_the_corner_are_of_two_kinds():
     """4e-8 apart, and by rising Omega, then by rising A."""
     design = {"lam": 4, "r": 1.0300431, "delta_h": 0.020223232, "mu": 0.0207183129, "zeta": 0.0885677}
     folds = Isolator(**design).second_approximation.saddle_nodes(0.09701705)
@@ -441,7 +441,7 @@ def test_repeated_frequencies_are_asked_for_once_each():
 
 
 @pytest.mark.parametrize("mu", [0.0, 0.012])
-def test_states_next_to_a_fold_are_found_where_points_are_far_apart(mu):
+def test_states_next_to_a_fold_are_found_between_far_points(mu):
     """Most points of a curve that reaches A = 200 lie above u_cr."""
     iso = isolator(mu=mu, zeta=1e-4)
     for Omega in (0.888, 0.89, 0.9):
@@ -496,7 +496,7 @@ def test_curves_folds_states_and_peaks_meet_the_balance(excitation):
     assert seen > 20
 
 
-def test_folds_asked_for_at_once_are_those_of_averagings_folds_and_peak_step_by_step():
+def test_folds_at_once_are_those_found_step_by_step():
     """Their numbers, what is lost and what is said; where doubles do not tell averaging's there is no short way."""
     seen = 0
     for oscillator, F_0 in random_oscillators(20):
@@ -575,7 +575,7 @@ def test_critical_forcings_meet_the_balance(excitation):
 
 
 @pytest.mark.parametrize("name", ["table 1", "duffing"])
-def test_states_and_folds_have_the_digits_of_an_independent_solution(name):
+def test_states_and_folds_have_independent_digits(name):
     """Of tests/oracles/second.py, which knows no derivation: h_n by quadrature, friction's sum in closed form."""
     case = json.loads(DATA.read_text())[name]
     oscillator = isolator() if name == "table 1" else Duffing(1.0, 0.5, 0.01, 0.02)
@@ -629,7 +629,7 @@ def test_states_at_pairs_are_those_of_each_pair(of):
         asked.amplitudes(Omega=Omega, F_0=[0.03, 0.04])
 
 
-def test_what_batches_of_the_second_approximation_do_not_answer_is_said():
+def test_batches_of_the_second_approximation_say_what_lacks():
     second = Isolator.many(lam=3, r=2.0, delta_h=[0.05, 0.08], mu=0.01, zeta=0.02).second_approximation
     for name in ("certify", "margins", "spectrum", "transient"):
         with pytest.raises(AttributeError, match=f"has no {name}: "):
@@ -641,7 +641,7 @@ def test_what_batches_of_the_second_approximation_do_not_answer_is_said():
     assert len(curves.columns()["A_1"]) == curves.points.sum()
 
 
-def test_states_that_it_lacks_beside_the_first_approximation_are_told():
+def test_states_missing_beside_the_first_approximation_are_told():
     """Beside a fold of averaging its own may lie on the other side: there it has two states less."""
     iso = Isolator(lam=1.0394108387827414, r=1.1845, delta_h=0.2713, mu=0.0085, zeta=0.0136)
     folds = iso.saddle_nodes(0.10874)

@@ -107,7 +107,7 @@ def test_answers_are_right_to_one_rounding_of_their_condition(mechanism):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("mechanism", ["rod_spring", "rod_spring_untruncated"])
-def test_peaks_and_folds_next_to_a_breakpoint_are_right_to_one_rounding_of_their_condition(mechanism):
+def test_peaks_and_folds_next_to_a_breakpoint_are_rounded_once(mechanism):
     """From an ulp above F_cr on, where slopes are as steep as 1/sqrt(A - u_cr); seen 45,134 u (1 + kappa) off."""
     rng, asked = np.random.default_rng(5), 0
     known = [
@@ -141,7 +141,7 @@ def test_a_fold_does_not_leave_its_piece_of_the_force():
                 assert np.isclose(Omega, fold.Omega, rtol=1e-13).any()
 
 
-def test_folds_of_a_curve_of_states_and_of_a_batch_are_those_of_the_question():
+def test_folds_of_curve_states_and_batch_are_the_questions():
     for oscillator, F_0 in (
         (Isolator(lam=3, r=2, delta_h=0.1, mu=0.01, zeta=0.02), 0.04),
         (Duffing(1, 0.5, 0.01, 0.02), 0.1),
@@ -154,7 +154,7 @@ def test_folds_of_a_curve_of_states_and_of_a_batch_are_those_of_the_question():
             assert A in solvers.states(oscillator.model, np.array([Omega]), F_0).A
 
 
-def test_states_at_the_frequency_of_a_peak_lie_between_the_doubles_beside_them():
+def test_states_at_a_peak_lie_between_the_doubles_beside_them():
     """There the curve's segments end, whose ends are not states at that very frequency; exact where mu = 0."""
     rng = np.random.default_rng(7)
     alpha, beta, zeta, F_0 = rng.uniform((0.2, 0.1, 0.01, 0.01), (2, 3, 0.3, 1), (300, 4)).T
@@ -174,7 +174,7 @@ def test_states_at_the_frequency_of_a_peak_lie_between_the_doubles_beside_them()
     assert checked > 300
 
 
-def test_a_peak_without_preload_is_the_exact_one_rounded_in_batches_too():
+def test_unpreloaded_peak_is_the_exact_one_rounded():
     """A piece that ends at u = 0 is none: in batches pairs were not asked then, every other peak was a double off."""
     rng = np.random.default_rng(2)
     numbers = {"lam": rng.uniform(1, 4, 20), "r": rng.uniform(0.5, 3, 20)}
@@ -193,7 +193,7 @@ def test_a_peak_without_preload_is_the_exact_one_rounded_in_batches_too():
             assert (found.A[i], found.Omega[i]) == (float(A), float(Omega))
 
 
-def test_states_without_preload_are_the_exact_ones_rounded_in_batches_too():
+def test_unpreloaded_states_are_the_exact_ones_rounded():
     """A breakpoint at 0 was taken for one that can't be told from 0: 29 of 300 states of a batch were a double off."""
     rng = np.random.default_rng(5)
     numbers = {"lam": rng.uniform(1, 4, 300), "r": rng.uniform(0.5, 3, 300)}

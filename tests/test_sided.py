@@ -46,7 +46,7 @@ def patched():
 
 
 @pytest.mark.parametrize(("A", "B"), [(0.05, 0.1), (0.3, 0.0), (0.6, 0.1), (0.2, -0.5), (0.1, 0.6), (0.3, -0.25)])
-def test_means_of_a_force_of_any_kind_are_those_of_exact_integrals(patched, A, B):
+def test_means_of_any_force_are_exact_integrals(patched, A, B):
     """The mean, the first harmonic, and their slopes as differences of these integrals at 40 digits."""
     oscillator = patched(p=0.1, q=0.7, **DAMPED)
     steps = Steps(oscillator.model.mechanism, oscillator.model.parameters, 0.0)
@@ -71,7 +71,7 @@ def test_means_of_a_force_of_any_kind_are_those_of_exact_integrals(patched, A, B
 
 
 @pytest.mark.slow
-def test_an_odd_force_that_is_stated_as_one_that_is_not_has_the_same_answers():
+def test_odd_force_stated_as_asymmetric_has_the_same_answers():
     pieces = [(u + k * (u + g), -g), (u, g), (u + k * (u - g), None)]
     both = derive.mechanism("two_stops", pieces, {"k": ABOVE, "g": ABOVE}, odd=False)
     given = {"mu": 0.005, "zeta": 0.03, "load": 0.05}
@@ -102,7 +102,7 @@ def snap():
 
 
 @pytest.mark.slow
-def test_an_odd_polynomial_that_is_searched_by_enclosures_has_answers_under_a_load(snap):
+def test_odd_polynomial_by_enclosures_has_answers_under_a_load(snap):
     """As where all five of its pieces are stated."""
     low = 0.3 - 0.4 * k
     pieces = [(2 * (u + 0.7) - low, -0.7), (-0.3 - k * (u + 0.3), -0.3), (u, 0.3), (0.3 - k * (u - 0.3), 0.7)]
@@ -132,7 +132,7 @@ def test_isolated_responses_off_the_centre_are_closed(snap):
         assert crossed.sum() == len(oscillator.amplitudes(Omega=Omega, F_0=F_0))
 
 
-def test_the_mirror_image_of_a_stop_has_the_mirror_images_of_its_answers(stop):
+def test_mirrored_stop_has_mirrored_answers(stop):
     left = derive.mechanism("left_stop", [(u + k * (u + g), -g), (u, None)], {"k": ABOVE, "g": {}}, odd=False)
     one, other = stop(k=8.0, g=0.2, load=0.02, **DAMPED), left(k=8.0, g=0.2, load=-0.02, **DAMPED)
     folds, mirrored = one.saddle_nodes(0.03), other.saddle_nodes(0.03)
@@ -190,7 +190,7 @@ MOVING = {
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", sorted(MOVING))
-def test_gradients_of_a_force_that_is_not_odd_are_differences_of_its_answers(name):
+def test_gradients_of_an_asymmetric_force_are_differences(name):
     pieces, numbers, F_0 = MOVING[name]
     made = derive.mechanism(f"moving_{name}", pieces, {one: {} for one in numbers}, odd=False)
     one = made(**numbers, mu=0.004, zeta=0.03)
@@ -209,7 +209,7 @@ def test_gradients_of_a_force_that_is_not_odd_are_differences_of_its_answers(nam
 
 
 @pytest.mark.slow
-def test_a_linear_or_bilinear_force_without_a_load_rests_at_the_centre():
+def test_linear_and_bilinear_force_rest_at_the_centre():
     """Whose bound of a place of rest is 0 itself."""
     two = derive.mechanism("two_springs", [(k * u, 0), (u, None)], {"k": ABOVE}, odd=False)(k=3.0, **DAMPED)
     for rest in (two.rest(), Duffing(1.0, 0.0, **DAMPED).off_centre.rest()):
@@ -231,7 +231,7 @@ def test_a_stop_is_reached_by_the_linear_motion_that_just_does(stop):
 
 
 @pytest.mark.slow
-def test_folds_and_the_onset_against_a_stop_are_where_states_become_three(stop):
+def test_folds_and_onset_against_a_stop_bound_three_states(stop):
     oscillator = stop(k=8.0, g=0.2, **DAMPED)
     onset = oscillator.saddle_node_onset()
     near = onset.Omega * np.linspace(0.99, 1.02, 61)
@@ -247,7 +247,7 @@ def test_folds_and_the_onset_against_a_stop_are_where_states_become_three(stop):
     assert (np.diff(curve.stable.astype(int)) != 0).sum() == 2 and curve.B.min() < -0.05
 
 
-def test_exact_motions_against_a_stop_are_those_of_integration_by_time_and_averages_near_them(stop):
+def test_exact_motions_against_a_stop_are_integration_by_time(stop):
     soft = stop(k=0.3, g=0.1, mu=0.0, zeta=0.05)
     (state,) = soft.amplitudes(Omega=1.05, F_0=0.03)
     motion = soft.steady_state(Omega=1.05, F_0=0.03)
@@ -292,7 +292,7 @@ def test_compiled_motions_off_the_centre_are_scipys(stop, patched):
 
 
 @pytest.mark.slow
-def test_an_exact_curve_off_the_centre_jumps_where_a_sweep_does_and_is_that_of_the_mirror_image(stop):
+def test_exact_asymmetric_curve_jumps_as_sweeps_and_mirrors(stop):
     """The stop on the other side too, whose pieces are numbered the other way; near the averaged folds."""
     pieces = [(u + k * (u + g), -g), (u, None)]
     left = derive.mechanism("stop_on_the_left", pieces, {"k": ABOVE, "g": {}}, odd=False, compile=True)
@@ -308,12 +308,12 @@ def test_an_exact_curve_off_the_centre_jumps_where_a_sweep_does_and_is_that_of_t
         assert min(before, after) < at < max(before, after)
 
 
-def test_an_exact_curve_off_the_centre_says_that_averaging_does_not_know_of_others(stop):
+def test_exact_asymmetric_curve_says_averaging_knows_no_other(stop):
     found = stop(k=8.0, g=0.5, mu=0.005, zeta=0.0).exact_response(0.05, Omega=(0.4, 0.42), step=0.2)
     assert found.stable.all() and "averaging does not say: frequency_response needs zeta > 0" in found.message
 
 
-def test_a_force_that_is_not_odd_is_refused_what_is_about_the_centre(stop):
+def test_asymmetric_force_is_refused_centred_questions(stop):
     oscillator = stop(k=8.0, g=0.2, **DAMPED)
     for ask in (lambda: oscillator.cusps(A_max=1.0), lambda: oscillator.backbone([0.1])):
         with pytest.raises(ValueError, match="a force that is not odd"):
@@ -353,7 +353,7 @@ def test_its_derivation_is_told(stop, tmp_path):
     assert "derivation.md" in stop.write(tmp_path)
 
 
-def test_in_a_play_that_is_not_symmetric_a_mean_is_not_singled_out():
+def test_asymmetric_play_does_not_single_out_a_mean():
     """Boxes of places, each as good as another, were cut for up to 16 s; a load that leaves the play has an answer."""
     pieces = [(k * (u + g), -g), (0, 2 * g), (k * (u - 2 * g), None)]
     play = derive.mechanism("sided_play", pieces, {"k": ABOVE, "g": ABOVE}, odd=False)(k=1.0, g=0.2, **DAMPED)
@@ -363,7 +363,7 @@ def test_in_a_play_that_is_not_symmetric_a_mean_is_not_singled_out():
     assert play.replace(load=0.05).rest().u == pytest.approx([0.45])
 
 
-def test_larger_motions_of_a_play_that_is_not_symmetric_are_refused_too():
+def test_larger_motions_of_an_asymmetric_play_are_refused():
     """Beside them the mass may rest anywhere: there is no mean that a motion belongs to."""
     pieces = [(u + g, -g), (0 * u, 2 * g), (k * (u - 2 * g), None)]
     play = derive.mechanism("wide_play", pieces, {"k": ABOVE, "g": ABOVE}, odd=False)(k=1.0, g=0.2, **DAMPED)
@@ -374,7 +374,7 @@ def test_larger_motions_of_a_play_that_is_not_symmetric_are_refused_too():
 
 
 @pytest.mark.slow
-def test_a_preload_that_is_not_stated_as_odd_has_the_motions_of_one_that_is():
+def test_preload_stated_as_asymmetric_has_the_odd_ones_motions():
     """What it does to a mass at rest, which stands where the force jumps, is undecided in words."""
     sided = derive.mechanism("sided_preload", [(u - g, 0), (u + g, None)], {"g": ABOVE}, odd=False)
     odd = derive.mechanism("odd_preload", [(u + g, None)], {"g": ABOVE})

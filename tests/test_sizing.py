@@ -107,7 +107,7 @@ def test_shocks_and_spectra_have_bands_under_a_load_too():
     assert "rests_within" not in Subject(mount).answers and "f_sticks" not in Subject(mount).answers
 
 
-def test_up_to_which_frequency_a_base_leaves_the_mass_at_rest_has_a_band():
+def test_frequency_up_to_which_a_base_leaves_rest_has_a_band():
     found = tolerances(SHAKEN, {"friction": 0.3}, F=0.004, answers=["f_sticks"], samples=20)
     for friction, f in zip(found.drawn["friction"], found.samples["f_sticks"], strict=True):
         assert f == pytest.approx(SHAKEN.replace(friction=friction).margins(0.004).f_sticks, rel=1e-12)
@@ -118,7 +118,7 @@ def test_up_to_which_frequency_a_base_leaves_the_mass_at_rest_has_a_band():
 
 
 @pytest.mark.parametrize(("mount", "letter", "forcing"), [(SHAKEN, "Y", 0.004), (UNBALANCED, "U", 0.048)])
-def test_a_mount_that_is_excited_by_inertia_is_sized_in_its_own_terms(mount, letter, forcing):
+def test_mount_excited_by_inertia_is_sized_in_its_own_terms(mount, letter, forcing):
     single = {
         f"{letter}_SN": lambda one: getattr(one.saddle_node_onset(), f"{letter}_SN"),
         f"{letter}_cr": lambda one: getattr(one.detachment(), f"{letter}_cr"),
@@ -141,7 +141,7 @@ def test_a_mount_that_is_excited_by_inertia_is_sized_in_its_own_terms(mount, let
 
 
 @pytest.mark.slow
-def test_damping_and_friction_are_found_from_motions_on_a_base_that_shakes():
+def test_fit_finds_damping_and_friction_on_a_base():
     f = np.linspace(2.0, 4.0, 14)  # the force is ten times friction and more: averaging errs little
     motions = [SHAKEN.steady_state(f=one, F=0.002) for one in f]
     found = fit(
@@ -156,7 +156,7 @@ def test_damping_and_friction_are_found_from_motions_on_a_base_that_shakes():
     assert again.names[0] == "Y/m"
 
 
-def test_what_is_transmitted_at_a_frequency_has_a_band_and_can_be_required():
+def test_transmission_at_a_frequency_has_a_band_or_requirement():
     found = tolerances(MOUNT, {"k_h": 0.05, "zeta": 0.2}, F=5, f=2.25, answers=["A", "transmissibility"], samples=40)
     for k in range(40):
         states = MOUNT.replace(k_h=found.drawn["k_h"][k], zeta=found.drawn["zeta"][k]).amplitudes(f=2.25, F=5)
@@ -202,7 +202,7 @@ def test_a_name_that_is_none_has_its_nearest_beside_it():
             wrong()
 
 
-def test_samples_follow_from_the_seed_and_a_distribution_is_taken_as_it_is():
+def test_samples_follow_from_the_seed_and_the_distribution():
     within = {"friction": norm(0.4, 0.02), "zeta": 0.1}
     one, same, other = (tolerances(MOUNT, within, samples=4000, seed=seed) for seed in (1, 1, 2))
     assert one == same and one != other
@@ -294,7 +294,7 @@ def test_the_nearest_design_with_one_free_number_is_a_root():
     assert found.design == MOUNT.replace(**found.numbers) and found.message == found.binding == ""
 
 
-def test_of_two_free_numbers_the_nearest_design_lies_where_the_answer_moves_as_the_distance_does():
+def test_nearest_of_two_free_numbers_lies_along_the_gradient():
     """A condition of the least distance along the edge of what is allowed, by differences of single answers."""
     free, start = {"k_h": (500.0, 2500.0), "zeta": (0.005, 0.1)}, {"k_h": 1700.0, "zeta": 0.02}
     found = meet(MOUNT, free, at_least={"F_SN": 4.0})
@@ -319,13 +319,13 @@ def test_a_design_that_meets_all_already_is_left_as_it_is():
 
 
 @pytest.mark.parametrize("lowest", [0.02, 0.05])
-def test_the_present_design_may_be_an_end_of_what_is_allowed_or_lie_outside(lowest):
+def test_present_design_may_be_a_bound_or_outside(lowest):
     found = meet(MOUNT, {"zeta": (lowest, 0.1)}, at_least={"F_SN": 4.0})
     least = brentq(lambda zeta: MOUNT.replace(zeta=zeta).saddle_node_onset().F_SN - 4.0, 0.02, 0.05)
     assert found.feasible and found.numbers["zeta"] == pytest.approx(max(least, lowest), rel=1e-9)
 
 
-def test_several_requirements_are_met_as_single_questions_see_them():
+def test_several_requirements_are_met_as_single_ones_see_them():
     found = meet(
         MOUNT,
         {"k_h": (500, 2500), "preload": (0.002, 0.02), "zeta": (0.01, 0.1)},
@@ -359,12 +359,12 @@ def test_what_cannot_be_met_names_the_binding_requirement():
 
 
 @pytest.mark.parametrize("asked", [5.0, 4e3, 1e300])
-def test_a_design_that_cannot_meet_a_requirement_comes_as_near_as_is_allowed(asked):
+def test_unmeetable_requirement_is_approached_as_far_as_allowed(asked):
     found = meet(MOUNT, {"zeta": (0.01, 0.03)}, at_least={"F_SN": asked})  # the more damping the higher
     assert not found.feasible and found.numbers["zeta"] == pytest.approx(0.03, rel=1e-6)
 
 
-def test_what_is_met_is_printed_in_millimetres_and_so_is_what_binds():
+def test_requirements_met_and_binding_print_in_millimetres():
     found = meet(MOUNT, {"preload": (0.001, 0.01)}, at_most={"A_peak": 0.03}, F=5)
     shown = found.in_units()
     assert found.binding == "A_peak <= 30 mm" and found.units == {"A_peak": "m", "preload": "m"}
@@ -378,7 +378,7 @@ def test_what_is_met_is_printed_in_millimetres_and_so_is_what_binds():
 
 
 @pytest.mark.slow
-def test_no_design_is_better_than_one_of_the_front_in_both_answers():
+def test_no_design_is_better_than_one_of_the_front():
     """Against designs drawn at random between the same ends."""
     free = {"k_h": (500.0, 2500.0), "preload": (0.002, 0.02)}
     found = front(MOUNT, free, high=["F_SN"], low=["f_rest"], at_least={"F_cr": 3.0}, points=5)
@@ -427,7 +427,7 @@ class OneByOne(Subject):
 
 
 @pytest.mark.slow
-def test_designs_that_take_long_are_found_by_steps_along_slopes_and_are_the_same(monkeypatch):
+def test_slow_designs_are_found_by_gradient_steps(monkeypatch):
     """A front on NumPy took minutes, of tens of thousands of designs."""
     free = {"k_h": (500.0, 2500.0), "preload": (0.002, 0.02)}
     asked = {"high": ["F_SN"], "low": ["f_rest"], "at_least": {"F_cr": 3.0}, "points": 4}
@@ -444,13 +444,13 @@ def test_designs_that_take_long_are_found_by_steps_along_slopes_and_are_the_same
     assert "the binding requirement is F_cr >= 80 N" in nothing.message
 
 
-def test_a_front_that_no_design_allows_names_the_binding_requirement():
+def test_impossible_front_names_the_binding_requirement():
     found = front(MOUNT, {"k_h": (500, 2500)}, high=["F_SN"], low=["f_rest"], at_least={"F_cr": 80.0})
     assert len(found) == 0 and "the binding requirement is F_cr >= 80 N" in found.message
 
 
 @pytest.mark.slow
-def test_where_nothing_is_traded_off_one_design_is_the_front_and_it_says_so():
+def test_front_without_a_trade_off_is_one_design():
     """Damping and friction raise F_SN and lower the peak: the most of both is the best in both."""
     free = {"zeta": (0.01, 0.1), "friction": (0.1, 1.0)}
     found = front(MOUNT, free, high=["F_SN"], low=["A_peak"], F=5, points=5)
@@ -459,7 +459,7 @@ def test_where_nothing_is_traded_off_one_design_is_the_front_and_it_says_so():
 
 
 @pytest.mark.slow
-def test_a_number_that_one_answer_does_not_know_is_the_best_for_the_other_along_a_front():
+def test_number_unknown_to_one_answer_is_best_for_the_other():
     """f_rest does not know the damping, which the peak is the lower for."""
     found = front(MOUNT, {"zeta": (0.01, 0.1), "k_h": (500, 2500)}, low=["A_peak", "f_rest"], F=5, points=5)
     shown = found.in_units()  # millimetres, and of these again millimetres
@@ -514,7 +514,7 @@ def test_intervals_hold_the_true_numbers_in_95_of_100_fits():
     assert 0.87 < np.mean(held) <= 1.0
 
 
-def test_an_interval_ends_where_the_sum_of_squares_exceeds_the_least_by_students_t():
+def test_interval_ends_by_students_t():
     """Of one number, with the sums of squares of this test's own residuals."""
     iso, Omega = isolator(), np.linspace(0.5, 1.5, 12)
     A = np.array([iso.amplitudes(Omega=x, F_0=0.021).A[0] for x in Omega])
@@ -562,7 +562,7 @@ def test_intervals_hold_every_design_that_the_points_allow(share, noise, seed):
     assert (np.abs(allowed - middle) <= 1.03 * half).all()
 
 
-def test_numbers_that_the_points_do_not_determine_have_an_interval_without_an_end():
+def test_undetermined_numbers_have_endless_intervals():
     """At one point friction and damping stand for each other: F_0^2 = R^2 + (2 zeta A Omega + 4 mu/pi)^2."""
     iso = isolator()
     (A,) = iso.amplitudes(Omega=0.6, F_0=0.021).A
@@ -594,7 +594,7 @@ def test_a_fit_leaves_a_local_minimum_and_says_so():
 
 
 @pytest.mark.slow
-def test_a_fit_to_jumps_recovers_the_numbers_behind_those_of_the_equation_of_motion():
+def test_fit_to_exact_jumps_recovers_the_numbers():
     """Folds of the exact curve, which no averaging is in; and of averaging itself, without noise, exactly."""
     forces = [3.0, 3.5, 4.0, 5.0, 7.0]
     rate = MOUNT.scales.sizes["frequency"]
@@ -637,7 +637,7 @@ def test_a_fit_without_dimensions_and_without_noise_is_exact():
     assert np.diag(found.correlation) == pytest.approx(1.0)
 
 
-def test_a_fit_to_phases_without_noise_is_exact_and_does_not_count_whole_cycles():
+def test_fit_to_exact_phases_does_not_count_whole_cycles():
     iso = isolator()
     Omega = np.linspace(0.3, 2.0, 40)
     phi = np.array([iso.amplitudes(Omega=x, F_0=0.021).phi[0] for x in Omega])
@@ -653,7 +653,7 @@ def test_an_isolator_without_preload_is_sized():
     assert row.nominal == iso.peak(0.1).A and row.low < row.nominal < row.high
 
 
-def test_a_fit_to_the_phases_of_a_linear_spring_finds_friction_and_damping():
+def test_fit_to_linear_phases_finds_friction_and_damping():
     """(1 - Omega^2)^2 A^2 + I^2 = F_0^2 with I = 2 zeta A Omega + 4 mu/pi, and sin phi = -I/F_0."""
     Omega, F_0, m = np.array([0.6, 0.9, 1.1, 1.5]), 0.1, 0.12 / np.pi
     viscous, square = 0.02 * Omega, (1 - Omega**2) ** 2 + (0.02 * Omega) ** 2
@@ -697,7 +697,7 @@ def test_what_is_not_sized_under_a_load_is_refused():
         fit(MOUNT.replace(load=13.0), A=[0.01], F=5, f=[2.0], free=["k_h"])
 
 
-def test_static_friction_changes_no_averaged_answer_and_is_a_number_like_others():
+def test_static_friction_is_sized_and_changes_no_average():
     grips = MOUNT.replace(static_friction=0.6)
     one, other = (tolerances(mount, {"k_h": 0.05, "friction": 0.2}, F=5, samples=200) for mount in (grips, MOUNT))
     averaged = [name not in ("break_loose", "rests_within") for name in other.answer]
@@ -731,7 +731,7 @@ def test_less_static_than_kinetic_friction_is_no_design(static):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("laws", [{"eta": 0.01}, {"c_2": 8.0}, {"rubs": "attached"}])
-def test_other_laws_of_damping_are_sized_as_single_questions_see_them(laws):
+def test_other_laws_are_sized_as_single_questions_see_them(laws):
     mount = MOUNT.replace(**laws)
     asked = {name: single for name, single in SINGLE.items() if "shock" not in name or "eta" not in laws}
     within = {name: 0.1 for name in ("k_h", "friction", *laws) if name != "rubs"}
@@ -768,7 +768,7 @@ def test_what_laws_of_damping_leave_without_an_answer_is_refused():
 
 
 @pytest.mark.parametrize("laws", [{"eta": 0.5}, {"c_2": 0.5}])
-def test_laws_of_damping_are_sized_on_a_base_that_shakes_where_the_amplitude_only_rises(laws):
+def test_other_laws_are_sized_on_a_base_with_rising_amplitude(laws):
     """Over-damped: what lifts the springs, and the amplitude, are only tended to, with quadratic damping more slowly.
 
     What is tended to has inertia and quadratic damping, with 8/(3 pi) of its amplitude, against the base's.
@@ -784,7 +784,7 @@ def test_laws_of_damping_are_sized_on_a_base_that_shakes_where_the_amplitude_onl
 
 
 @pytest.mark.slow
-def test_laws_of_damping_are_sized_on_a_base_that_shakes_as_single_questions_see_them():
+def test_other_laws_are_sized_on_a_base_as_single_questions():
     laws = {"eta": 0.02, "c_2": 8.0, "rubs": "attached"}
     shaken = SHAKEN.replace(**laws)
     within = {name: 0.1 for name in ("k_h", "friction", *laws) if name != "rubs"}

@@ -39,7 +39,7 @@ def at_an_isola_point() -> list:
 
 
 @pytest.mark.parametrize(("point", "kernel"), [(at_a_cusp, "cusp"), (at_an_isola_point, "isola")])
-def test_the_second_derivative_of_the_level_along_the_fold_locus_is_the_derived_one(point, kernel):
+def test_second_level_derivative_along_the_fold_locus(point, kernel):
     with mp.workdps(60):
         values = point()
         h = taylor(values)
@@ -58,7 +58,7 @@ def test_the_second_derivative_of_the_level_along_the_fold_locus_is_the_derived_
     assert found == pytest.approx(float(expected), rel=1e-12)
 
 
-def test_the_slope_of_the_level_along_the_fold_locus_is_the_derived_one():
+def test_level_slope_along_the_fold_locus():
     """At a fold that is neither a cusp nor an isola point."""
     with mp.workdps(60):
         h, h_AA = mpf(-0.3), mpf(0.7)
@@ -78,7 +78,7 @@ def test_the_slope_of_the_level_along_the_fold_locus_is_the_derived_one():
 
 
 @pytest.mark.parametrize(("h", "h_AA"), [(-0.3, -0.4), (-0.9, 0.4)])
-def test_the_terms_by_which_lanes_bound_a_cusp_are_the_derived_ones(h, h_AA):
+def test_lane_bounds_of_a_cusp_are_the_derived_terms(h, h_AA):
     """The forms that solver/cusp_lanes.c states of F_A/2, of its slope's factors and of the forcing, where F_AA = 0."""
     a, m, zeta, h_A, h_AAA = 0.625, 0.015625, 0.0625, -0.9, 1.3
     k = h - a * h_A
@@ -103,7 +103,7 @@ def test_the_terms_by_which_lanes_bound_a_cusp_are_the_derived_ones(h, h_AA):
 
 @pytest.mark.parametrize("m", [0.0, 0.015625])
 @pytest.mark.parametrize("k", [-0.25, 0.25])
-def test_the_terms_by_which_lanes_bound_a_fold_are_the_derived_ones(m, k):
+def test_lane_bounds_of_a_fold_are_the_derived_terms(m, k):
     """The forms that solver/fold_lanes.c states of the function whose zeros are folds and of its slope; k at a fold."""
     a, F_0, zeta, h, h_A, k_A = 0.625, 0.1875, 0.0625, -0.3, -0.9, 1.3
     value, slope, Omega = slow_flow.fold(a, F_0, m, zeta, h, h_A, k, k_A)

@@ -133,7 +133,7 @@ def random_designs(seed, n):
 # ---- many designs --------------------------------------------------------------------------------------------------
 
 
-def test_states_of_many_that_leave_the_centre_or_have_no_place_say_so():
+def test_states_of_many_that_leave_the_centre_say_so():
     """Negative stiffness at rest: a small motion about u = 0 does not last, though the averaged equations hold it."""
     alpha, Omega = np.array([-0.2, 1.0]), np.array([[0.3], [1.2], [-1.0]])
     many = Duffing.many(alpha, 1.0, 0.0, 0.05).amplitudes(Omega=Omega, F_0=0.05)
@@ -263,7 +263,7 @@ def test_without_damping_the_folds_are_those_of_the_closed_form():
     assert found.Omega.tolist() == pytest.approx([math.sqrt(1 + 9 / 8 * A * A)], rel=1e-14)
 
 
-def test_the_fold_locus_goes_by_an_amplitude_at_which_nothing_pulls():
+def test_fold_locus_passes_an_amplitude_without_force():
     """Where h = 0 a fold at Omega = 0 is born beside the one that the locus follows, which is not there."""
     one = Isolator(lam=2, r=1.9814162218754052, delta_h=0.2722727716275526, mu=0.001944368707139919)
     locus = one.fold_locus(samples=400)
@@ -289,7 +289,7 @@ def test_the_fold_locus_passes_the_folds_of_every_forcing():
     assert oscillator.cusps().F_0.min() == pytest.approx(oscillator.saddle_node_onset().F_SN, rel=1e-13)
 
 
-def test_without_viscous_damping_the_fold_locus_is_that_of_the_closed_form():
+def test_undamped_fold_locus_is_that_of_the_closed_form():
     """Omega^2 = -h_A = 1 + 9/8 A^2 from A = 0 on, at the forcing R = h - A h_A = 3/4 A^3."""
     locus = Duffing(1.0, 0.5).fold_locus(samples=20, A_max=1.0)
     assert len(locus) >= 20 and locus.A[0] == 0 and locus.A[-1] == 1

@@ -51,7 +51,7 @@ def test_states_of_an_isola_between_two_doubles_are_found(share):
     assert many.count == 3 and many.A[:3].tolist() == found.A[:3].tolist() and not many.undecided
 
 
-def test_a_curve_without_an_isola_between_two_doubles_says_that_it_is_undecided():
+def test_undecided_isola_of_a_curve_is_said():
     one = Duffing(**BETWEEN_DOUBLES)
     assert Remark.UNDECIDED in one.frequency_response(F_BETWEEN, samples=20).remarks
     many = batch(one).frequency_response(F_BETWEEN, samples=20)
@@ -85,7 +85,7 @@ def beside_folds(one, F_0):
 @pytest.mark.slow
 @flint
 @pytest.mark.parametrize("name", BESIDE)
-def test_states_next_to_a_fold_are_as_many_as_the_oracle_proves_in_the_order_asked_for(name):
+def test_states_next_to_a_fold_are_as_many_as_proved(name):
     one, F_0 = BESIDE[name]
     asked = beside_folds(one, F_0)
     number = [counts.States(exact(one), w).count(F_0) for w in asked]
@@ -118,7 +118,7 @@ def test_folds_that_balls_decided_say_so_in_batches_too():
 
 
 @flint
-def test_a_mass_that_a_forcing_moves_to_rounding_only_is_said_to_stick_or_to_move():
+def test_mass_moved_to_rounding_only_sticks_or_moves():
     one = Duffing(1.0, 0.5, 1e-9, 0.01)
     for F_0 in (math.nextafter(one.sticking_forcing, 1), one.sticking_forcing * (1 + 1e-14)):
         found = one.amplitudes(Omega=[0.62, 0.9], F_0=F_0)
@@ -128,7 +128,7 @@ def test_a_mass_that_a_forcing_moves_to_rounding_only_is_said_to_stick_or_to_mov
 
 
 @flint
-def test_balls_are_asked_so_often_and_what_is_left_is_said_to_be_undecided(monkeypatch):
+def test_balls_are_bounded_and_the_rest_is_undecided(monkeypatch):
     one, F_0 = BESIDE["hardening"]
     asked = sorted(set(beside_folds(one, F_0)[:-1]))
     model = one.model
@@ -193,7 +193,7 @@ def test_states_that_balls_prove_are_those_of_exact_algebra(name):
     assert many.remarks.tolist() == [int(found.remarks)] * 2 and not many.status.any()
 
 
-def test_without_flint_states_whose_branches_coincide_are_refused(monkeypatch):
+def test_coinciding_branches_are_refused_without_flint(monkeypatch):
     monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
     design, (F_0, Omega), _ = EXACTLY["next to a static load"]
     with pytest.raises(ArithmeticError, match="branches coincide"):
@@ -211,7 +211,7 @@ NEXT_TO_LEVELS = (
 
 
 @pytest.mark.parametrize(("design", "F_0", "number"), NEXT_TO_LEVELS)
-def test_a_curve_is_decided_where_balls_prove_the_folds_that_it_has(design, F_0, number, monkeypatch):
+def test_curve_is_decided_where_balls_prove_its_folds(design, F_0, number, monkeypatch):
     one = Duffing(*design)
     assert averaged.Duffing(**dict(zip(("alpha", "beta", "mu", "zeta"), design, strict=True))).fold_count(F_0) == number
     decided, many = (ask.frequency_response(F_0, samples=50) for ask in (one, batch(one)))

@@ -58,7 +58,7 @@ def test_sustained_states_beside_the_top_of_a_well_are_told():
 
 
 @pytest.mark.parametrize(("zeta", "inertial"), [(0.3, False), (0.01, True)])
-def test_sustained_states_beside_resonance_take_and_get_what_is_there(zeta, inertial):
+def test_sustained_states_beside_resonance_balance(zeta, inertial):
     """A motion hurried to another frequency is as much faster, and what an unbalance supplies grows with its square."""
     A, Omega = 2.9, np.sqrt(1 - 0.075 * 2.9**2)  # on the backbone: all that is supplied is taken by damping
     shares = []
@@ -107,7 +107,7 @@ def test_sustained_motions_across_two_wells_have_no_top():
 
 
 @pytest.mark.slow
-def test_sustained_states_have_exact_motions_and_others_have_none():
+def test_sustained_states_alone_have_exact_motions():
     """Random softening springs: motions by shooting from many phases; few are told that have one nearby."""
     rng = np.random.default_rng(35)
     outcome = {(told, exists): 0 for told in (False, True) for exists in (False, True)}

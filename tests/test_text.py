@@ -148,12 +148,12 @@ def test_frequencies_that_are_left_out_are_in_hertz():
     assert (float(low), float(high)) == pytest.approx([float(one) * size for one in first], rel=1e-2)
 
 
-def test_a_base_has_its_own_letter_in_a_plan_and_where_an_onset_is_one_of_an_isola():
+def test_base_has_its_own_letter_in_plans_and_isola_onsets():
     mount = Isolator.physical(**MOUNT, excitation="base")
     assert "Y_SN, found once" in str(mount.explain("margins", 0.004)) and "F_SN" not in messages.NO_ONSET
 
 
-def test_intervals_and_amplitudes_that_a_proof_looked_at_are_lengths():
+def test_intervals_a_proof_looked_at_are_lengths():
     assert messages.intervals([(0.5, 1.0)]).in_units(SCALES) == "[50, 100 mm]"
     assert messages.NOT_BOUNDED.format(0.5).in_units(SCALES) == "only amplitudes up to 50 mm are looked at"
 

@@ -86,7 +86,7 @@ def test_the_error_of_the_wave_falls_by_orders(of):
 
 
 @pytest.mark.parametrize("excitation", EXCITATIONS)
-def test_with_springs_and_friction_the_wave_is_near_that_of_exact_motions(excitation):
+def test_wave_with_springs_and_friction_is_near_exact_ones(excitation):
     """Friction's jump is a fifth of the largest value: of the first harmonic alone a tenth and more is missing."""
     iso = Isolator(**example.TABLE_1, force="untruncated", excitation=excitation)
     for Omega in (1.2, 1.6, 3.0):
@@ -98,7 +98,7 @@ def test_with_springs_and_friction_the_wave_is_near_that_of_exact_motions(excita
         assert abs(pure / passed.peak - 1) > 0.05
 
 
-def test_a_whole_curve_passes_on_what_its_states_do_and_many_what_each_does():
+def test_curve_and_batch_transmit_what_their_states_do():
     delta_h, F_0 = np.array([0.08, 0.1, -1.0]), 0.04
     design = {"lam": 3.0, "r": 2.0, "mu": 0.012, "zeta": 0.02, "excitation": "base"}
     many = Isolator.many(**design, delta_h=delta_h).second_approximation
@@ -166,7 +166,7 @@ def test_curves_of_many_designs_have_what_single_ones_pass_on(excitation, laws):
             assert np.isnan(column[n:]).all()
 
 
-def test_curves_of_many_designs_off_the_centre_have_what_single_ones_pass_on():
+def test_asymmetric_batch_curves_transmit_as_single_ones():
     given = {"lam": 3, "r": 2.0, "delta_h": 0.08, "mu": 0.012, "zeta": 0.03}
     curves = Isolator.many(**given, load=[0.02]).frequency_response(0.04, samples=30)
     single = Isolator(**given, load=0.02).frequency_response(0.04, samples=30)

@@ -100,7 +100,7 @@ def test_the_discriminant_tells_double_roots_apart():
             assert moved * sign < 0
 
 
-def test_the_value_at_rest_has_its_sign_where_it_all_but_vanishes():
+def test_value_at_rest_has_its_sign_where_it_all_but_vanishes():
     random = np.random.default_rng(11)
     for _ in range(500):
         h, m = random.uniform(-1, 1), random.uniform(0, 1)

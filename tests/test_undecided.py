@@ -46,7 +46,7 @@ def number_at(states, Omega):
 # ---- cases that were wrong without a word ----------------------------------------------------------------------------
 
 
-def test_a_state_that_is_proved_keeps_the_digits_that_it_was_found_with():
+def test_proved_state_keeps_its_digits():
     """Two were found next to the folds on u_cr, one is proved: it was the middle of its enclosure, 1.3e-7 off."""
     lam, r, delta_h, zeta = 0.0003136947803582985, 1.5466986139745077e-06, 4.688433273630378e-09, 3.04952793752383e-17
     Omega, F_0 = 1.0000000000065519, 1.5306356051987228e-18
@@ -56,7 +56,7 @@ def test_a_state_that_is_proved_keeps_the_digits_that_it_was_found_with():
         assert found.A.tolist() == pytest.approx([float(F_0 / (mpmath.mpf(Omega) ** 2 - alpha))], rel=1e-11)
 
 
-def test_a_state_next_to_a_fold_is_counted_or_said_to_be_undecided():
+def test_state_next_to_a_fold_is_counted_or_undecided():
     """4 u (1 + kappa) from a level, delta_h an ulp or so from 1: 2 were given of 3."""
     iso = oscillator(
         Isolator, 2.0, 0.3826468676681486, 0.999999992613948, mu=0.010288595466119472, zeta=0.012760485593729996
@@ -72,7 +72,7 @@ def test_a_state_next_to_a_fold_is_counted_or_said_to_be_undecided():
 
 
 @pytest.mark.parametrize("delta_h", [1e-3, 3e-6, 1e-7, 1e-9, 1e-20, 1e-60])
-def test_the_onset_of_a_force_that_hardly_jumps_is_the_corner_on_the_backbone(delta_h):
+def test_onset_of_a_small_jump_is_the_corner_on_the_backbone(delta_h):
     """It jumps up at u_cr by 1.5 lam r delta_h^3 of itself: there folds are born where R = 0, from F_0 = I on (24)."""
     iso = Isolator(lam=3, r=0.5, delta_h=delta_h, mu=0.012, zeta=0.02)
     many = Isolator.many(lam=3, r=0.5, delta_h=[delta_h], mu=0.012, zeta=0.02).saddle_node_onset()
@@ -89,7 +89,7 @@ def test_the_onset_of_a_force_that_hardly_jumps_is_the_corner_on_the_backbone(de
     assert len(iso.saddle_nodes(1.1 * found.F_SN)) == 2 and len(iso.saddle_nodes(0.999999 * found.F_SN)) == 0
 
 
-def test_folds_within_rounding_of_the_corner_are_not_denied_by_an_empty_locus():
+def test_folds_within_rounding_of_the_corner_are_not_denied():
     """None of its amplitudes is a double, and yet there are folds, as balls say."""
     iso = Isolator(lam=3, r=2, delta_h=1e-5, mu=0.012, zeta=0.02)
     locus = iso.fold_locus()
@@ -97,7 +97,7 @@ def test_folds_within_rounding_of_the_corner_are_not_denied_by_an_empty_locus():
     assert len(locus) > 0 or f"within rounding of A = {iso.breakpoints[0]:g}, where the force jumps" in locus.message
 
 
-def test_states_where_the_forcing_exceeds_friction_by_little_are_proved_or_said_to_be_undecided():
+def test_states_just_above_friction_are_proved_or_undecided():
     """Where I exceeds F_0 there is no state: F_0 - 4 mu/pi says up to where, and has six digits here."""
     iso = Duffing(0.30726528991668056, -0.3658785478804152, mu=2.701549008849204e-06, zeta=4.6374909032157274e-05)
     F_0, Omega = 3.4397190306415187e-06, 5.44729375421581e-12
@@ -115,7 +115,7 @@ def test_two_states_of_one_amplitude_are_two():
     assert len(iso.amplitudes(Omega=Omega, F_0=F_0)) == 3
 
 
-def test_a_forcing_that_exceeds_4_mu_over_pi_by_a_rounding_is_named():
+def test_forcing_a_rounding_above_4_mu_over_pi_is_named():
     """A softening spring next to its static load: branches coincide; a hardening one: states, but not how many."""
     softening = Duffing(0.38995370142405467, -0.01719156821217771, 1e-12, 0.001066590401249237)
     hardening = Duffing(1.0, 0.5, 1e-9, 0.01)
@@ -197,7 +197,7 @@ CUSPS_NEXT_TO_U_CR = (
 
 @pytest.mark.slow
 @pytest.mark.parametrize("design", CUSPS_NEXT_TO_U_CR)
-def test_cusps_next_to_u_cr_are_those_of_balls_or_are_said_to_have_few_digits(design, monkeypatch):
+def test_cusps_next_to_u_cr_are_those_of_balls_or_said(design, monkeypatch):
     pytest.importorskip("flint")
     given = dict(zip(("lam", "r", "delta_h", "mu", "zeta"), design, strict=True))
     iso, nearby = Isolator(**given, force="untruncated"), Nearby("rod_spring_untruncated", **given)
@@ -254,7 +254,7 @@ def test_what_is_quasi_zero_stiffness_to_rounding_stays_so():
 
 @pytest.mark.parametrize(("kind", "draw"), [(Isolator, drawn_isolators), (Duffing, drawn_springs)])
 @pytest.mark.slow
-def test_folds_plain_in_a_batch_and_proved_do_not_differ_without_a_word(kind, draw):
+def test_folds_single_batched_and_proved_agree_or_say_so(kind, draw):
     rng = np.random.default_rng(2026)
     numbers = draw(rng, DRAWN)
     designs = batch(kind, numbers)
@@ -382,7 +382,7 @@ def test_a_batch_of_proofs_is_that_of_single_ones():
     assert (Isolator.many(**numbers).certify(0.04, Omega=np.array([0.0, np.inf])).status == Status.INVALID).all()
 
 
-def test_a_batch_says_of_what_doubles_leave_undecided_what_balls_prove():
+def test_batch_says_what_balls_prove_of_undecided_folds():
     """At F_SN, to an ulp of it, and where F_0 exceeds 4 mu/pi by a rounding: a single answer has it proved."""
     iso = Duffing(1.0, 2.0, mu=0.01, zeta=0.02)
     F_SN, m = iso.saddle_node_onset().F_SN, iso.sticking_forcing
@@ -407,7 +407,7 @@ def test_a_batch_without_flint_is_that_of_doubles(monkeypatch):
 
 
 @pytest.mark.parametrize("delta_h", [1e-85, 1e-200, 5e-324])
-def test_without_flint_an_onset_on_a_jump_below_the_range_of_doubles_is_refused_and_not_denied(delta_h, monkeypatch):
+def test_onset_on_a_tiny_jump_is_refused_without_flint(delta_h, monkeypatch):
     """The force jumps at u_cr by some r u_cr^7: it was 0 in doubles, and "no saddle node" was said."""
     monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
     design = {"lam": 2.0, "r": 3.43e-83, "delta_h": delta_h, "mu": 1e-12, "zeta": 0.02}
@@ -419,7 +419,7 @@ def test_without_flint_an_onset_on_a_jump_below_the_range_of_doubles_is_refused_
 
 @pytest.mark.slow
 @pytest.mark.parametrize("delta_h", [1e-85, 5e-324])
-def test_balls_give_the_onset_on_a_jump_below_the_range_of_doubles(delta_h):
+def test_balls_give_the_onset_on_a_tiny_jump(delta_h):
     """There it jumps up, and folds are born where R = 0, from F_0 = I on (24); single and in a batch."""
     pytest.importorskip("flint")
     design = {"lam": 2.0, "r": 3.43e-83, "delta_h": delta_h, "mu": 1e-12, "zeta": 0.02}
@@ -446,7 +446,7 @@ def test_an_onset_by_balls_says_that_lower_folds_end_at_rest(mu):
 
 
 @pytest.mark.parametrize("zeta", [1e-6, 1e-7, 1.3e-8, 1e-10])
-def test_folds_that_end_at_rest_are_there_whatever_was_asked_before(zeta):
+def test_folds_at_rest_do_not_depend_on_earlier_questions(zeta):
     """Where a softening spring's h is 0 beside the centre: rounding hid them, and below F_SN none were said to be."""
     numbers = {"alpha": 678.8564034128265, "beta": -0.0005845965970001937, "mu": 0.0, "zeta": zeta}
     fresh, asked = Duffing(**numbers), Duffing(**numbers)
@@ -490,7 +490,7 @@ def test_folds_at_the_onset_are_there_whatever_was_asked_before(lam, r, delta_h,
         assert not proof.proved or len(proof.A) == len(asked.saddle_nodes(F))
 
 
-def test_folds_that_end_at_rest_are_there_under_quadratic_damping_alone_too():
+def test_quadratic_damping_alone_has_folds_that_end_at_rest():
     numbers = {"alpha": 2.1, "beta": -0.7, "zeta": 0.0, "mu": 0.0, "c_2": 0.1}
     fresh, asked = (Oscillator(duffing.MECHANISM, **numbers) for _ in range(2))
     onset = asked.saddle_node_onset()

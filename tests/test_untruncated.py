@@ -249,7 +249,7 @@ def amplitudes_about(u_cr: float, c: float) -> list[float]:
 
 
 @pytest.mark.parametrize("delta_h", STEEP_FEW)
-def test_averages_keep_their_digits_as_the_preload_nears_the_length_of_the_rod(delta_h):
+def test_averages_keep_digits_as_preload_nears_the_rods_length(delta_h):
     """h to 13 places at amplitudes that are not next to u_cr; with its derivatives to the target of all kernels."""
     p = tuple(float(value) for value in rod_spring_untruncated.coefficients(1.0, 1.25, delta_h))
     (u_cr,) = map(float, rod_spring_untruncated.breakpoints(*p))
@@ -282,7 +282,7 @@ def steep_isolator(delta_h: float) -> Isolator:
 
 
 @pytest.mark.parametrize("delta_h", STEEP_FEW)
-def test_answers_keep_their_digits_as_the_preload_nears_the_length_of_the_rod(delta_h):
+def test_answers_keep_digits_as_preload_nears_the_rods_length(delta_h):
     """F_cr, folds and states against solutions in 420 bits; nothing is said of lost digits."""
     iso = steep_isolator(delta_h)
     nearby = Nearby("rod_spring_untruncated", lam=1.0, r=0.3, delta_h=delta_h, mu=0.01, zeta=0.02)
@@ -307,7 +307,7 @@ def test_an_onset_next_to_a_steep_corner(delta_h, r):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("delta_h", [1 - 1e-9, 1 - 2.0**-52])
-def test_an_onset_at_an_amplitude_that_no_double_is_is_proved_in_balls_or_refused(delta_h, monkeypatch):
+def test_onset_between_doubles_is_proved_in_balls_or_refused(delta_h, monkeypatch):
     """About 20 (1 - delta_h)^2 below 1: neither a wrong onset nor none.
 
     Its level is the least along the fold locus, which goes through A = u_cr = 1 but for that: bisecting F_A there.

@@ -159,7 +159,7 @@ def test_no_state_no_remark():
     assert isolator().saddle_nodes(0.02).validity.error.size == 0
 
 
-def test_without_friction_there_is_nothing_to_stop_the_mass_at_omega_0() -> None:
+def test_without_friction_nothing_stops_the_mass_at_omega_0() -> None:
     curve = Isolator(lam=3, r=2.0, delta_h=0.08, mu=0.0, zeta=0.02).frequency_response(F_0=0.03)
     assert curve.Omega[0] == 0
     assert np.all(curve.validity.rest == 0)

@@ -84,7 +84,7 @@ def test_a_name_is_set_as_the_paper_has_it() -> None:
     assert walkthrough.symbols(sp.Symbol("u_ddot") + sp.Symbol("lam")) == r"\lambda + u''"
 
 
-def test_a_claim_that_fails_names_its_equation_both_sides_and_the_difference() -> None:
+def test_failed_claim_names_equation_sides_and_difference() -> None:
     x = sp.Symbol("x")
     with pytest.raises(
         Unproved, match=r"\(30\): not shown: a square\n +left +x\*\*2\n +right +x\n +difference x\*\(x - 1\)"

@@ -239,7 +239,7 @@ def test_a_stranger_derives_a_mechanism_in_an_empty_folder(stranger: Path, tmp_p
 
 
 @pytest.mark.night
-def test_a_stranger_puts_a_stop_on_one_side_and_has_its_derivation_written(stranger: Path, tmp_path: Path) -> None:
+def test_stranger_derives_and_writes_a_one_sided_stop(stranger: Path, tmp_path: Path) -> None:
     (tmp_path / "sided.py").write_text(SIDED)
     kept = str(tmp_path / "kept")
     done = run([stranger / "python", "-W", "ignore", "sided.py"], tmp_path, SLOWFLOW_DERIVED=kept)
