@@ -316,13 +316,10 @@ def _derivation(module: str = "slowflow_derivation.runtime") -> ModuleType:
 
 
 def _folder() -> Path:
-    try:
-        from slowflow_derived import FOLDER
-    except ImportError as error:
-        raise ImportError(f"{NEEDED} ({error})") from error
-    check_own(FOLDER)
-    FOLDER.mkdir(mode=0o700, parents=True, exist_ok=True)
-    return FOLDER
+    folder: Path = _derivation("slowflow_derived").FOLDER
+    check_own(folder)
+    folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+    return folder
 
 
 def _write(folder: Path, sources: Mapping[str, str]) -> None:

@@ -62,27 +62,28 @@ SI = MappingProxyType({kind: next(iter(units)) for kind, units in UNITS.items()}
 KIND_OF = {unit: kind for kind, units in UNITS.items() for unit in units}
 #: the unit of each kind in which answers are shown
 SHOWN = MappingProxyType({KIND_OF[unit]: unit for unit in USUAL})
-#: the numbers of a data sheet and their units, "" for what has none
-SHEET: Mapping[str, str] = MappingProxyType(
+#: the numbers of a data sheet: their units, "" for what has none, and what they are
+DATA_SHEET: Mapping[str, tuple[str, str]] = MappingProxyType(
     {
-        "m": "kg",
-        "load": "kg",
-        "k_v": "N/m",
-        "k_h": "N/m",
-        "n": "",
-        "L": "m",
-        "preload": "m",
-        "friction": "N",
-        "static_friction": "N",
-        "c": "N s/m",
-        "zeta": "",
-        "eta": "",
-        "c_2": "N s^2/m^2",
-        "rubs": "",
-        "force": "",
-        "excitation": "",
+        "m": ("kg", "mass for which the vertical spring is preset"),
+        "load": ("kg", "mass that sits on it, where that is another one"),
+        "k_v": ("N/m", "stiffness of the vertical spring"),
+        "k_h": ("N/m", "stiffness of each horizontal spring"),
+        "n": ("", "number of horizontal springs"),
+        "L": ("m", "length of a push-rod"),
+        "preload": ("m", "compression of a horizontal spring at the centre"),
+        "friction": ("N", "dry friction"),
+        "static_friction": ("N", "dry friction that holds a mass at rest"),
+        "c": ("N s/m", "viscous damping"),
+        "zeta": ("", "viscous damping ratio, c over 2 √(k_v m)"),
+        "eta": ("", "loss factor of the vertical spring"),
+        "c_2": ("N s^2/m^2", "quadratic damping"),
+        "rubs": ("", "where friction acts"),
+        "force": ("", "the springs' force that is averaged: truncated (6), or untruncated (5)"),
+        "excitation": ("", "what shakes it"),
     }
 )
+SHEET: Mapping[str, str] = MappingProxyType({name: unit for name, (unit, _) in DATA_SHEET.items()})
 #: a mount's words for the letters of the scales of its design and its damping
 WORDS = {"lam": "n", "k_h": "k_h", "Delta_h": "preload", "F_c": "friction", "c": "c", "c_q": "c_2"}
 #: what all scales are powers of, in their order

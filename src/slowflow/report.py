@@ -22,7 +22,7 @@ from slowflow.answer import Answer, head, shown
 from slowflow.isolator import Isolator
 from slowflow.measured.validity import IN_PYTHON
 from slowflow.physical import Physical
-from slowflow.quantities import SHEET, SHOWN, UNITS, in_shown
+from slowflow.quantities import DATA_SHEET, SHEET, SHOWN, UNITS, in_shown
 from slowflow.results import Remark
 from slowflow.scenes import FORCINGS, Scene
 from slowflow.sizing.subject import Load, Subject
@@ -66,25 +66,7 @@ OF_MOUNT, OF_ISOLATOR = ("k_h", "preload"), ("r", "delta_h")
 NUMBERS = {"k_h": "the stiffness of the springs", "preload": "their preload", "r": "the stiffness ratio"}
 NUMBERS |= {"delta_h": "the preload"}
 
-#: what the numbers of a mount are; then what a data sheet's mean
-GIVEN = {
-    "m": "mass for which the vertical spring is preset",
-    "load": "mass that sits on it, where that is another one",
-    "k_v": "stiffness of the vertical spring",
-    "k_h": "stiffness of each horizontal spring",
-    "n": "number of horizontal springs",
-    "L": "length of a push-rod",
-    "preload": "compression of a horizontal spring at the centre",
-    "friction": "dry friction",
-    "static_friction": "dry friction that holds a mass at rest",
-    "c": "viscous damping",
-    "zeta": "viscous damping ratio, c over 2 √(k_v m)",
-    "eta": "loss factor of the vertical spring",
-    "c_2": "quadratic damping",
-    "rubs": "where friction acts",
-    "force": "the springs' force that is averaged: truncated (6), or untruncated (5)",
-    "excitation": "what shakes it",
-}
+#: what the numbers of a mount at rest are
 MEANING = {one.si or one.name: one.text for one in COLUMNS.values()} | {
     "f_n": "natural frequency of the mass on the vertical spring alone",
     "x_cr": "stroke, at which the horizontal springs leave",
@@ -268,7 +250,8 @@ class Report:
         rows: list[Any] = [(page.inline(name), page.cell(value)) for name, value in given.items()]
         if self.mount:
             heads = (*heads, "unit", "what it is")
-            rows = [(*row, SHEET[name], page.words(GIVEN[name])) for row, name in zip(rows, given, strict=True)]
+            known = [DATA_SHEET[name] for name in given]
+            rows = [(*row, unit, page.words(said)) for row, (unit, said) in zip(rows, known, strict=True)]
         yield page.table("As it was given", heads, rows)
         for text in self.scene.warnings:
             yield f"<p>Note: {page.inline(text)}</p>"

@@ -321,9 +321,8 @@ class _Reader:
         self._known("", self.content, (*KINDS, "ask", "spectrum", "tolerances", "shock"))
         stated = [name for name in KINDS if name in self.content]
         if len(stated) != 1:
-            raise self._error(
-                stated[-1] if stated else "", "", f"needs one of {_listed(KINDS, '[{}]')}, has {len(stated)}"
-            )
+            one_of = ", ".join(f"[{name}]" for name in KINDS)
+            raise self._error(stated[-1] if stated else "", "", f"needs one of {one_of}, has {len(stated)}")
         (name,) = stated
         kind, given = KINDS[name], self._table(name)
         self._known(name, given, kind.keys)
@@ -553,7 +552,3 @@ def _quoted(value: Any) -> str:
         return f". Remove the quotes: {float(value):g} is a number" if isinstance(value, str) else ""
     except ValueError:
         return ""
-
-
-def _listed(names: Any, form: str) -> str:
-    return ", ".join(form.format(name) for name in names)
