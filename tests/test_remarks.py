@@ -380,7 +380,7 @@ def test_motion_turns_beyond_a_well_if_the_spring_pushes_more():
     made = derive.mechanism("pushes_between", [(u - b * u**3 + c * u**5, None)], {"b": {"above": 0}, "c": {"above": 0}})
     A = np.array([0.5, 0.7, 0.72, 1.0, 1.2, 1.4, 1.5])
     force, slope = A - 2.5 * A**3 + A**5, 1 - 7.5 * A**2 + 5 * A**4
-    found = diagnostics.turns_beyond(made.record, made(b=2.5, c=1.0, mu=0.0, zeta=0.1).model.parameters, A)
+    found = diagnostics.turns_beyond(made(b=2.5, c=1.0, mu=0.0, zeta=0.1).model, A)
     assert found.tolist() == ((force < 0) & (slope < 0)).tolist() == [False, False, True, True, False, False, False]
 
 
@@ -398,5 +398,5 @@ def test_motion_turns_beyond_a_well_with_top_on_second_piece():
     u, gap = sp.symbols("u gap")
     tent = derive.mechanism("tent", [(u, gap), (2 * gap - u, None)], {"gap": {"above": 0}})
     model = tent(gap=0.3, zeta=0.05).model
-    found = diagnostics.turns_beyond(model.mechanism, model.parameters, np.array([0.1, 0.29, 0.31, 0.59, 0.61, 1.0]))
+    found = diagnostics.turns_beyond(model, np.array([0.1, 0.29, 0.31, 0.59, 0.61, 1.0]))
     assert found.tolist() == [False, False, False, False, True, True]

@@ -95,7 +95,7 @@ def check_peak(oscillator, found, exact):
 
     def ends_stable_motions(top):
         A, Omega = float(top["A"]), float(top["Omega"])
-        beyond = diagnostics.turns_beyond(model.mechanism, model.parameters, A)
+        beyond = diagnostics.turns_beyond(model, A)
         return top["sense"] == "max" and float(model.F_A(Omega, A)) > 0 and not beyond
 
     tops = [peak for peak in exact if ends_stable_motions(peak)]
@@ -107,8 +107,8 @@ def check_peak(oscillator, found, exact):
 
 def check_states(oscillator, found, exact):
     """The reference knows (30) alone: what leaves the centre or its well is not stable, and the answer says so."""
-    kept = diagnostics.keeps_centre(oscillator.model.mechanism, oscillator.model.parameters, found.Omega, found.A)
-    beyond = diagnostics.turns_beyond(oscillator.model.mechanism, oscillator.model.parameters, found.A)
+    kept = diagnostics.keeps_centre(oscillator.model, found.Omega, found.A)
+    beyond = diagnostics.turns_beyond(oscillator.model, found.A)
     stays = kept & ~beyond
     assert found.stable.tolist() == [bool(state["stable"] and held) for state, held in zip(exact, stays, strict=True)]
     assert (Remark.LEAVES_CENTRE in found.remarks) == (not kept.all())

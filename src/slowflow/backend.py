@@ -117,9 +117,3 @@ def compiled_model(
         check_room(mechanism)
         return None
     return SOLVER.model(record, parameters, damping, design)
-
-
-def prepared(native: Any) -> tuple[float, tuple[float, ...], tuple[float, ...]]:
-    """4 mu/pi, the breakpoints and the jumps at these of an oscillator as the compiled solvers take it."""
-    found: tuple[float, tuple[float, ...], tuple[float, ...]] = SOLVER.prepared(native)
-    return found

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from slowflow import checks, isolating, progress, validate
-from slowflow.averaged.batches import Batch, Codes, first_end
+from slowflow.averaged.batches import Batch, Codes
 from slowflow.averaged.diagnostics import gives_way, stay_centred
 from slowflow.averaged.many import Designs
 from slowflow.averaged.questions import Averaged
@@ -41,13 +41,13 @@ def at_rest(designs: Designs, workers: int = 1) -> Batch:
     allowed, shape = designs.detachment(workers=workers).status != Status.INVALID, designs.shape
     mu = np.asarray(designs.values["mu"], dtype=float)
     with np.errstate(all="ignore"):  # what is no design has no stiffness
-        parameters = designs.mechanism.coefficients(*designs.design)
-        k_0 = -np.asarray(designs.mechanism.at_rest(*parameters)[1])
+        flow = designs._flow
+        k_0 = -np.asarray(flow.mechanism.at_rest(*flow.parameters)[1])
         untruncated = designs.mechanism.load_untruncated
         law = designs.mechanism if untruncated is None else untruncated()
         of_law = law.coefficients(*designs.design)
         within = checks.rests_within(law.pieces, of_law, law.breakpoints(*of_law), mu)
-        end = first_end(designs.mechanism, parameters)
+        end = flow.first_end
         if designs.rubs != THROUGHOUT:
             within = np.minimum(within, end)
         Omega_0 = np.sqrt(k_0)
@@ -69,12 +69,12 @@ def margins(designs: Designs, F_0: Any, workers: int = 1) -> Batch:
     sticks = (folds.status == Status.STICKS) | ((folds.remarks & Remark.HELD_AT_REST) != 0)
     # the highest motion is stable: beyond it there is none
     with np.errstate(all="ignore"):  # what is no design has no pieces
-        parameters = designs.mechanism.coefficients(*designs.design)
-        ends = first_end(designs.mechanism, parameters)
+        flow = designs._flow
+        ends = flow.first_end
     endless = peaks.status == Status.UNBOUNDED
     passes = endless | (peaks.A > ends)
     if designs.excitation == "force":
-        unsure = endless & np.isfinite(F_cr) & ~checks.resonates(designs.mechanism, parameters)
+        unsure = endless & np.isfinite(F_cr) & ~checks.resonates(flow)
         for at, found in _singly(designs, F_0, unsure, checks.passes_first_end):
             passes[at] = bool(found)
     forcing, sticks_below = np.asarray(F_0, dtype=float), np.zeros(())
@@ -106,21 +106,17 @@ def lifting(designs: Designs, detachments: Batch) -> Floats:
     """
     none: Any = math.inf
     if designs.excitation != "force":
-        u_cr = first_end(designs.mechanism, designs.mechanism.coefficients(*designs.design))
         with np.errstate(all="ignore"):  # what is no design, or is in one piece, has no limit
-            squared, *_ = dissipation.far_by_inertia(0.0, u_cr, 0.0, 0.0, 0.0, _quadratic(designs), 0.0)
+            flow = designs._flow
+            u_cr = flow.first_end
+            squared, *_ = dissipation.far_by_inertia(0.0, u_cr, 0.0, 0.0, 0.0, flow.d, 0.0)
             none = np.where(np.isfinite(u_cr), np.sqrt(squared), u_cr)
     return np.where(detachments.status == Status.NONE, none, detachments.F_cr)
 
 
 def full(designs: Designs, F_0: Any) -> Floats:
     """The amplitude that the response to an excitation by inertia tends to as Omega rises: F_0 without c_2."""
-    return np.asarray(dissipation.full_by_inertia(np.asarray(F_0, dtype=float), _quadratic(designs)))
-
-
-def _quadratic(designs: Designs) -> Floats:
-    """Of quadratic damping, what of it averaging has."""
-    return np.asarray(dissipation.quadratic(np.asarray(designs.values.get("c_2", 0.0), dtype=float)))
+    return np.asarray(dissipation.full_by_inertia(np.asarray(F_0, dtype=float), designs._flow.d))
 
 
 def hysteresis(designs: Designs, F_0: Any, places: int = 3, workers: int = 1) -> Batch:
@@ -137,9 +133,9 @@ def hysteresis(designs: Designs, F_0: Any, places: int = 3, workers: int = 1) ->
     low_end, high_end = folds.Omega[..., 0], folds.Omega[..., 1]
     plain = (folds.count == 2) & (zeta > 0) & ~said & (high_end - low_end > NARROW * high_end)
     with np.errstate(all="ignore"):  # a number outside its domain has a status
-        parameters = designs.mechanism.coefficients(*designs.design)
+        flow = designs._flow
         # of two motions one may be beyond the well, and none then
-        plain &= stay_centred(designs.mechanism, parameters) | ~gives_way(designs.mechanism, parameters)
+        plain &= stay_centred(flow) | ~gives_way(flow)
     if designs.excitation != "force":  # a response that does not close has more
         plain &= designs.peak(F_0, workers=workers).status != Status.UNBOUNDED
     low[plain, 0], high[plain, 0] = low_end[plain], high_end[plain]
@@ -171,7 +167,7 @@ def isolation(designs: Designs, F_0: Any, level_dB: Any = None, workers: int = 1
         answered = np.isin(status, (Status.OK, Status.NONE) if flow.inertial else Status.OK)
         # friction alone passes on more, at any frequency
         floor = (dB < 0) & (flow.floor(forcing) >= levels.ratio) & answered
-        known = stay_centred(flow.mechanism, flow.parameters) & answered & ~floor
+        known = stay_centred(flow) & answered & ~floor
     status[floor] = Status.NONE
     said = (peaks.remarks | folds.remarks) & ~np.uint16(Remark.OF_TRUNCATION)  # which a fold is of, not the response
     known &= (folds.status == Status.OK) & (said & (Remark.UNDECIDED | Remark.BY_BALLS) == 0)
@@ -225,8 +221,7 @@ def spectrum(designs: Designs, Omega: Any, F_0: Any, workers: int = 1) -> Batch:
     A, passes = (np.take_along_axis(one, top, -1)[..., 0] for one in (amplitudes, states.transmissibility))
     moves, sticks = A > 0, A == 0
     with np.errstate(all="ignore"):  # a number outside its domain has a status, and no amplitude
-        parameters = designs.mechanism.coefficients(*rows.design)
-        detaches = moves & (first_end(designs.mechanism, parameters) < A)
+        detaches = moves & (rows._flow.first_end < A)
         dB = np.where(A >= 0, 20 * np.log10(passes), np.nan)
     # of a way that is not known a row has the status
     known = np.isin(status, (Status.OK, Status.STICKS, Status.NONE))

@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from itertools import pairwise
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -19,8 +19,8 @@ from slowflow.answer import LOADED, Single, Table, Words, entry, joined, sentenc
 from slowflow.averaged import diagnostics, messages, solvers
 from slowflow.gradient import NO_GRADIENT, Gradient
 from slowflow.isolating import NEVER, WHOLE, Level, as_level, highest, isolated, passes_on, rests_up_to, told
-from slowflow.mechanism import Flags, Floats, Ints, Law, Mechanism
-from slowflow.model import THROUGHOUT
+from slowflow.mechanism import Flags, Floats, Ints, Law
+from slowflow.model import THROUGHOUT, SlowFlow
 from slowflow.results import MeasuredPoint, OfPoint, Remark
 from slowflow.text import Sentence, text
 from slowflow_kernels.conventions import ENDLESS, HIGHEST_OMEGA
@@ -177,17 +177,7 @@ class Isolation(OfPoint, Single):
         return self._moved(sensitivities.of_isolation, *at)
 
 
-class Load(NamedTuple):
-    """A row of `Spectrum`."""
-
-    Omega: float
-    F_0: float
-    A: float
-    transmissibility_dB: float
-    motions: int
-    crosses: bool
-    detaches: bool
-    sticks: bool
+Load = entry("Load", "Omega F_0 A transmissibility_dB motions crosses detaches sticks", "A row of `Spectrum`.")
 
 
 @dataclass(frozen=True, eq=False)
@@ -310,16 +300,16 @@ def passes_first_end(oscillator: Any, F_0: float) -> bool:
     if model.inertial and (peak := oscillator.peak(F_0)).A is None and not peak._escapes:
         # it does not close, or only rises, towards F_0
         return not oscillator.closes(F_0) or F_0 > oscillator.breakpoints[0]
-    if model.zeta == 0 and not oscillator.closes(F_0) and resonates(model.mechanism, model.parameters):
+    if model.zeta == 0 and not oscillator.closes(F_0) and resonates(model):
         return True
     curve = oscillator.frequency_response(F_0, samples=SAMPLES, Omega=(0.0, _highest(oscillator, F_0)))
     return bool((curve.A[curve.stable] > oscillator.breakpoints[0]).any())
 
 
-def resonates(mechanism: Mechanism, parameters: tuple[Any, ...]) -> Any:
+def resonates(flow: SlowFlow) -> Any:
     """Whether motions of any amplitude have a frequency of their own: those without viscous damping are stable then."""
     with np.errstate(all="ignore"):  # a force of one's own may go beyond the range of doubles
-        return np.asarray(mechanism.averaged(ENDLESS, *parameters)[1]) < 0
+        return np.asarray(flow.averaged(ENDLESS)[1]) < 0
 
 
 def hysteresis(oscillator: Any, F_0: float) -> Hysteresis:
@@ -474,7 +464,7 @@ def crossed(
     return found
 
 
-def _row(oscillator: Any, Omega: float, F_0: float, crosses: bool) -> tuple[Load, str, Remark]:
+def _row(oscillator: Any, Omega: float, F_0: float, crosses: bool) -> tuple[Any, str, Remark]:
     """One row, and what is said beside it, in words and as codes."""
     states = oscillator.amplitudes(Omega=Omega, F_0=F_0)
     stable = np.flatnonzero(states.stable)

@@ -226,8 +226,7 @@ def _excess(of: Any, A: Floats, F_0: Any, level: Level) -> Floats:
 
 def _passed(of: Any, Omega: Floats, A: Floats, F_0: Any) -> Floats:
     """Transmissibility of motions."""
-    (m, zeta), h = of.alike(Omega, A), of.averaged(A)[0]
-    return np.asarray(slow_flow.transmissibility(Omega, A, of.force(F_0, Omega), m, zeta, h))
+    return np.asarray(of.transmissibility(Omega, A, F_0, of.averaged(A)[0]))
 
 
 def _lowest(of: Any, F_0: Any, level: Level) -> Any:

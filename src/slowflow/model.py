@@ -167,6 +167,14 @@ class SlowFlow:
         """Where the pieces of the force end."""
         return tuple(self.mechanism.breakpoints(*self.parameters))
 
+    @property
+    def first_end(self) -> Floats:
+        """The lowest |u| at which a piece of the force ends; inf where there is one piece only."""
+        found = np.full(np.broadcast_shapes(*map(np.shape, self.parameters)), math.inf)
+        for end in reversed(self.breakpoints):
+            found = np.where(np.asarray(end) > 0, end, found)
+        return found
+
     @cached_property
     def preload(self) -> Any:
         """-h as A tends to 0: 4/pi times what an odd force jumps to at u = 0, which all but a few forces do not."""
@@ -205,6 +213,14 @@ class SlowFlow:
     def alike(self, Omega: Any, A: Any) -> tuple[Any, Any]:
         """m and zeta of the slow flow's kernels that have the same I at (Omega, A); only its slopes are others."""
         return (self.sine(Omega, A), 0.0) if self.laws.any else (self.m, self.zeta)
+
+    def phase(self, Omega: Any, A: Any, h: Any) -> Any:
+        """phi (25) at steady states."""
+        return self.flow.phase(Omega, A, *self.alike(Omega, A), h)
+
+    def transmissibility(self, Omega: Any, A: Any, F_0: Any, h: Any) -> Any:
+        """What spring, damper and friction pass on at steady states, over the force."""
+        return general_flow.transmissibility(Omega, A, self.force(F_0, Omega), *self.alike(Omega, A), h)
 
     @property
     def curve(self) -> Any:
@@ -291,7 +307,7 @@ class Model(SlowFlow):
             laws = self.laws.eta, self.laws.c_2, float(self.laws.rubs != THROUGHOUT)
         damping = self.mu, self.zeta, *laws
         native = backend.compiled_model(self.mechanism, self.parameters, damping, self.design, self.inertial)
-        m, breakpoints, jumps = self._prepared() if native is None else backend.prepared(native)
+        m, breakpoints, jumps = self._prepared() if native is None else backend.SOLVER.prepared(native)
         flow = general_flow if self.laws.any else flow_of(self.mu, self.zeta)
         self.__dict__.update(flow=flow, m=m, breakpoints=breakpoints, jumps=jumps, native=native)
         if not self.mechanism.is_generated:

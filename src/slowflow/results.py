@@ -23,7 +23,6 @@ from slowflow.measured.validity import Validity, of_states, off_centre
 from slowflow.model import Floats, Model
 from slowflow.text import text
 from slowflow.transmissibility import in_motion
-from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import OnsetKind, Pinned, Status
 from slowflow_support.errors import Refused
 
@@ -324,17 +323,19 @@ class SteadyStates(Moving, WithMean, InDecibels, Table):
             raise validate.NoAttribute(text(ONLY_OFFSET))
         return np.asarray(np.abs(self.B) + self.A)
 
+    @property
+    def _balance(self) -> tuple[Any, Any]:
+        """The slow flow whose states these are, and h at each."""
+        return (self._model, self._model.averaged(self.A)[0]) if self._flow is None else (self._flow, self._h)
+
     @cached_property
     def phi(self) -> Floats:
         """Phase of u = A cos(Omega tau + phi) in radians, in [-pi, 0] (25); computed when first asked for.
 
         Of a mass at rest it is the one with which it begins to move, -pi/2 without a preload.
         """
-        if self._flow is not None:
-            return frozen(np.asarray(self._flow.phase(self.Omega, self.A, self._h)) + 0 * self.A)
-        h = self._model.averaged(self.A)[0]
-        phase = self._model.flow.phase(self.Omega, self.A, *self._model.alike(self.Omega, self.A), h)
-        return frozen(np.asarray(phase) + 0 * self.A)
+        flow, h = self._balance
+        return frozen(np.asarray(flow.phase(self.Omega, self.A, h)) + 0 * self.A)
 
     @property
     def force(self) -> float | Floats:
@@ -350,13 +351,8 @@ class SteadyStates(Moving, WithMean, InDecibels, Table):
         passes on all of it: 1.
         """
         with np.errstate(divide="ignore", invalid="ignore"):  # of a mass at rest on a base that hardly shakes
-            if self._flow is not None:
-                passed = self._flow.transmissibility(self.Omega, self.A, self.F_0, self._h)
-            else:
-                h = self._model.averaged(self.A)[0]
-                m, zeta = self._model.alike(self.Omega, self.A)
-                passed = slow_flow.transmissibility(self.Omega, self.A, self.force, m, zeta, h)
-        return frozen(in_motion(self.A, passed))
+            flow, h = self._balance
+            return frozen(in_motion(self.A, flow.transmissibility(self.Omega, self.A, self.F_0, h)))
 
     @property
     def relative(self) -> Floats:

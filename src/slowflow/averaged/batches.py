@@ -6,7 +6,6 @@ A design that has no answer, or is none, has NaN and nothing was raised for it: 
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Mapping
 from functools import cached_property
 from types import MappingProxyType
@@ -19,13 +18,13 @@ from slowflow import validate
 from slowflow.answer import Answer, frozen, optional
 from slowflow.averaged import diagnostics
 from slowflow.gradient import NO_GRADIENT, Gradient
-from slowflow.mechanism import Flags, Mechanism
-from slowflow.model import THROUGHOUT, Floats
+from slowflow.mechanism import Flags
+from slowflow.model import THROUGHOUT, Floats, SlowFlow
 from slowflow.results import NOT_AVERAGED, Remark
 from slowflow.sensitivities import Given, of_detachment, of_folds, of_isolation, of_onset, of_peak, of_states
 from slowflow.table import AVERAGING, QUESTIONS, Question
 from slowflow.transmissibility import in_motion
-from slowflow_kernels import inertia, slow_flow
+from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import FoldKind, OnsetKind, Status
 from slowflow_kernels.domains import DAMPING, DISSIPATION
 from slowflow_support.errors import Refused
@@ -245,10 +244,6 @@ class Batch(Answer):
         """Along the axis of places."""
         return np.asarray(self._F_0, dtype=float)[..., np.newaxis]
 
-    def _force_at(self, Omega: Any) -> Any:
-        """Amplitude of the force at these frequencies, which have the axis of places."""
-        return self._forcing if self._designs.excitation == "force" else inertia.force(Omega, self._forcing)
-
     @property
     def _frequency(self) -> Floats:
         """Of each state or point."""
@@ -342,7 +337,8 @@ class Batch(Answer):
             return known
         self._has("phi", *OF_STATES)
         with np.errstate(all="ignore"):  # empty places
-            return frozen(slow_flow.phase(self._frequency, self.A, *self._of_designs))
+            flow, h = self._balance
+            return frozen(flow.phase(self._frequency, self.A, h))
 
     @cached_property
     def transmissibility(self) -> Floats:
@@ -351,9 +347,8 @@ class Batch(Answer):
             return known
         self._has("transmissibility", *OF_STATES)
         with np.errstate(all="ignore"):  # empty places
-            force = self._force_at(self._frequency)
-            passed = slow_flow.transmissibility(self._frequency, self.A, force, *self._of_designs)
-            return frozen(in_motion(self.A, passed))
+            flow, h = self._balance
+            return frozen(in_motion(self.A, flow.transmissibility(self._frequency, self.A, self._forcing, h)))
 
     @property
     def transmissibility_dB(self) -> Floats:
@@ -379,11 +374,11 @@ class Batch(Answer):
         return frozen(self._designs.untruncated_onset((self.remarks & Remark.OF_TRUNCATION) != 0))
 
     @cached_property
-    def _of_designs(self) -> tuple[Floats, Floats, Floats]:
-        """m, zeta and h at each place; for other laws of damping the m that alone has the same I."""
-        with np.errstate(all="ignore"):
+    def _balance(self) -> tuple[SlowFlow, Floats]:
+        """The slow flows of the designs, and h at each place."""
+        with np.errstate(all="ignore"):  # empty places
             flow = self._designs._flow.each(lambda number: number[..., np.newaxis])
-            return *flow.alike(self._frequency, self.A), flow.averaged(self.A)[0]
+            return flow, flow.averaged(self.A)[0]
 
 
 #: questions about states
@@ -430,11 +425,3 @@ GRADIENTS: Mapping[str, Callable[[Batch, Given], Gradient]] = MappingProxyType(
         ),
     }
 )
-
-
-def first_end(mechanism: Mechanism, parameters: tuple[Any, ...]) -> Floats:
-    """The lowest |u| at which a piece of the force ends, of each of many designs; inf where there is one piece only."""
-    found = np.full(np.broadcast_shapes(*(np.shape(value) for value in parameters)), math.inf)
-    for end in reversed(mechanism.breakpoints(*parameters)):
-        found = np.where(np.asarray(end) > 0, end, found)
-    return found

@@ -14,7 +14,7 @@ import numpy.typing as npt
 
 from slowflow.averaged import sustained
 from slowflow.measured import validity
-from slowflow.mechanism import Flags, Floats, Mechanism
+from slowflow.mechanism import Flags, Floats
 from slowflow.model import THROUGHOUT, Model, SlowFlow
 from slowflow.results import NOTHING, Remark
 from slowflow.text import Sentence, text
@@ -57,27 +57,28 @@ WORDS: Mapping[Remark, str | Sentence] = {
 }
 
 
-def keeps_centre(mechanism: Mechanism, parameters: tuple[Any, ...], Omega: Any, A: Any) -> Flags:
+def keeps_centre(flow: SlowFlow, Omega: Any, A: Any) -> Flags:
     """Whether a motion about u = 0 of amplitude A > 0 stays about it; shapes that broadcast.
 
     It does where the mean stiffness over its cycle is positive, or 0 as within a play, where nothing moves it off; and
     else where the stiffness that changes twice in a cycle makes up for it.
     """
     with np.errstate(all="ignore"):  # amplitudes of any size; where the mean is not negative the other is not asked for
-        h, h_A, *_ = mechanism.averaged(A, *parameters)
+        h, h_A, *_ = flow.mechanism.averaged(A, *flow.parameters)
         kept = np.asarray(slow_flow.mean_stiffness(A, h, h_A) >= 0)
         if kept.all():
             return kept
         return np.asarray(kept | (slow_flow.offset_stiffness(Omega, A, h, h_A) > 0))
 
 
-def turns_beyond(mechanism: Mechanism, parameters: tuple[Any, ...], A: Any) -> Flags:
+def turns_beyond(flow: SlowFlow, A: Any) -> Flags:
     """Whether a motion about u = 0 of amplitude A > 0 turns beyond the top of a well; shapes that broadcast.
 
     The spring pushes on there, the more the farther, and pulls back at rest or, as the average does, in between. What
     averaging has there the equation of motion has not, but where averaging errs by so much that the exact motion turns
     within the well (`tests/test_remarks.py`).
     """
+    mechanism, parameters = flow.mechanism, flow.parameters
     if not mechanism.odd:
         return np.zeros(np.shape(A), dtype=bool)
     with np.errstate(all="ignore"):  # amplitudes of any size
@@ -92,12 +93,13 @@ def turns_beyond(mechanism: Mechanism, parameters: tuple[Any, ...], A: Any) -> F
         return np.asarray(pulls & (pull < 0) & (slope < 0))
 
 
-def gives_way(mechanism: Mechanism, parameters: tuple[Any, ...]) -> Flags:
-    """Whether states beyond the well there are at any force that moves the mass; parameters of shapes that broadcast.
+def gives_way(flow: SlowFlow) -> Flags:
+    """Whether states beyond the well there are at any force that moves the mass.
 
     At rest the spring pulls back, and of the largest motions the average pushes: in between it vanishes, where a force
     is a state's at rest and above.
     """
+    mechanism, parameters = flow.mechanism, flow.parameters
     with np.errstate(all="ignore"):
         push, at_rest = (np.asarray(value) for value in mechanism.at_rest(*parameters)[:2])
         far = np.minimum(mechanism.reach_at(*parameters), ENDLESS)
@@ -110,7 +112,7 @@ def gives_way(mechanism: Mechanism, parameters: tuple[Any, ...]) -> Flags:
 
 def of_one_gives_way(model: Model) -> bool:
     """The same of one oscillator; of an excitation by inertia, no."""
-    return not (model.inertial or model.stays_centred) and bool(gives_way(model.mechanism, model.parameters))
+    return not (model.inertial or model.stays_centred) and bool(gives_way(model))
 
 
 def of_designs(flow: SlowFlow, force: Any, Omega: Any, A: Any, corner: Any) -> Codes:
@@ -122,8 +124,8 @@ def of_designs(flow: SlowFlow, force: Any, Omega: Any, A: Any, corner: Any) -> C
     mechanism, parameters = flow.mechanism, flow.parameters
     A = np.asarray(A, dtype=float)
     there = A > 0
-    beside = tuple(np.asarray(value, dtype=float)[..., np.newaxis] for value in parameters)
-    kept, beyond = look_at(mechanism, parameters, np.asarray(Omega), A)
+    beside = flow.each(lambda number: np.asarray(number, dtype=float)[..., np.newaxis])
+    kept, beyond = look_at(flow, np.asarray(Omega), A)
     # at rest h_A is the stiffness with its sign turned, and h is 4/pi times a preload
     pull, at_rest = (np.asarray(value) for value in mechanism.at_rest(*parameters)[:2])
     # what is excited by inertia nothing holds at every frequency, see `Model.holds`
@@ -131,10 +133,10 @@ def of_designs(flow: SlowFlow, force: Any, Omega: Any, A: Any, corner: Any) -> C
     held = np.where(may_hold, flow.held, -np.inf)
     on_jump = np.zeros(A.shape[:-1], dtype=bool)
     if mechanism.truncated and corner is not None:
-        jumps = zip(mechanism.breakpoints(*beside), mechanism.jumps(*beside), strict=True)
-        on_jump = (there & (corner | _next_to_jump(mechanism, beside, jumps, A))).any(axis=-1)
+        jumps = zip(beside.breakpoints, mechanism.jumps(*beside.parameters), strict=True)
+        on_jump = (there & (corner | _next_to_jump(beside, jumps, A))).any(axis=-1)
     codes = {
-        Remark.NEAR_STICKING: validity.is_near_sticking(flow.mu[..., np.newaxis], force).any(axis=-1),
+        Remark.NEAR_STICKING: validity.is_near_sticking(beside.mu, force).any(axis=-1),
         Remark.BEYOND_REACH: (there & (np.asarray(mechanism.reach_at(*parameters))[..., np.newaxis] < A)).any(axis=-1),
         Remark.NEGATIVE_STIFFNESS: (at_rest > 0) | (pull > 0),
         Remark.LEAVES_CENTRE: (there & ~kept).any(axis=-1),
@@ -170,9 +172,9 @@ def of_one(model: Model, F_0: float, Omega: Any, A: Any, corner: Any = None, *, 
         said.append(Remark.BEYOND_REACH)
     if highest > 0 and not model.stays_centred:
         if not centred:
-            if not keeps_centre(model.mechanism, model.parameters, Omega, A).all():
+            if not keeps_centre(model, Omega, A).all():
                 said.append(Remark.LEAVES_CENTRE)
-            if turns_beyond(model.mechanism, model.parameters, A).any():
+            if turns_beyond(model, A).any():
                 said.append(Remark.BEYOND_WELL)
         states = np.atleast_1d(Omega, A)
         if _unsustained(model, *states):
@@ -190,11 +192,11 @@ def _is_next_to_jump(model: Model, A: Any) -> bool:
         for one in few:
             if 0 < one - end <= NEXT_TO_JUMP * end:
                 jumps = zip(model.breakpoints, model.jumps, strict=True)
-                return bool(_next_to_jump(model.mechanism, model.parameters, jumps, A).any())
+                return bool(_next_to_jump(model, jumps, A).any())
     return False
 
 
-def _next_to_jump(mechanism: Mechanism, parameters: tuple[Any, ...], jumps: Iterable[tuple[Any, Any]], A: Any) -> Flags:
+def _next_to_jump(flow: SlowFlow, jumps: Iterable[tuple[Any, Any]], A: Any) -> Flags:
     """Which amplitudes lie so near above a jump of the force that it makes the slope of h, which is infinite there.
 
     jumps -- breakpoints, and what the force loses at them
@@ -204,43 +206,42 @@ def _next_to_jump(mechanism: Mechanism, parameters: tuple[Any, ...], jumps: Iter
         beyond = A - end
         near = np.asarray((beyond > 0) & (beyond <= NEXT_TO_JUMP * end) & (jump != 0))
         if near.any():
-            _, h_A, h_AA, _ = mechanism.averaged(A, *parameters)
+            _, h_A, h_AA, _ = flow.mechanism.averaged(A, *flow.parameters)
             found |= near & (2 * beyond * np.abs(h_AA) > OF_SLOPE * np.abs(h_A))
     return found
 
 
-def look_at(mechanism: Mechanism, parameters: tuple[Any, ...], Omega: Any, A: Any) -> tuple[Flags, Flags]:
+def look_at(flow: SlowFlow, Omega: Any, A: Any) -> tuple[Flags, Flags]:
     """`keeps_centre` and `turns_beyond` of states of each of many designs, along one more axis.
 
     They are looked at where a design may do otherwise.
     """
-    may = np.broadcast_to(~stay_centred(mechanism, parameters), A.shape[:-1])
+    may = np.broadcast_to(~stay_centred(flow), A.shape[:-1])
     kept, beyond = np.ones(A.shape, dtype=bool), np.zeros(A.shape, dtype=bool)
     if may.any():
-        chosen = tuple(np.broadcast_to(value, may.shape)[may][:, np.newaxis] for value in parameters)
+        chosen = flow.each(lambda number: np.broadcast_to(number, may.shape)[may][:, np.newaxis])
         at = np.broadcast_to(Omega, (*may.shape, Omega.shape[-1]))[may]
-        kept[may] = keeps_centre(mechanism, chosen, at, A[may])
-        beyond[may] = turns_beyond(mechanism, chosen, A[may])
+        kept[may] = keeps_centre(chosen, at, A[may])
+        beyond[may] = turns_beyond(chosen, A[may])
     return kept, beyond
 
 
 def _unsustained(flow: SlowFlow, Omega: Any, A: Floats) -> Flags:
     """Whether any state of each of many designs is `sustained.unsustained`, looked at where one may be."""
-    found = np.array((A > 0).any(axis=-1) & ~stay_centred(flow.mechanism, flow.parameters))
+    found = np.array((A > 0).any(axis=-1) & ~stay_centred(flow))
     if found.any():
         chosen = flow.each(lambda value: np.broadcast_to(value, found.shape)[found][..., np.newaxis])
         states = sustained.unsustained(chosen, np.broadcast_to(Omega, A.shape)[found], A[found])
         # of those beyond the top of the well another remark tells
-        found[found] = (states & ~turns_beyond(flow.mechanism, chosen.parameters, A[found])).any(axis=-1)
+        found[found] = (states & ~turns_beyond(chosen, A[found])).any(axis=-1)
     return found
 
 
-def stay_centred(mechanism: Mechanism, parameters: tuple[Any, ...]) -> Flags:
-    """`Model.stays_centred` of each of many designs; parameters of shapes that broadcast."""
-    hardens = np.all(
-        [np.asarray(value) >= 0 for value in np.broadcast_arrays(*mechanism.hardening(*parameters))], axis=0
-    )
-    pull, at_rest = (np.asarray(value) for value in mechanism.at_rest(*parameters)[:2])
+def stay_centred(flow: SlowFlow) -> Flags:
+    """`Model.stays_centred` of each of many designs."""
+    hardening = np.broadcast_arrays(*flow.mechanism.hardening(*flow.parameters))
+    hardens = np.all([np.asarray(value) >= 0 for value in hardening], axis=0)
+    pull, at_rest = (np.asarray(value) for value in flow.mechanism.at_rest(*flow.parameters)[:2])
     return np.asarray(hardens & ~(at_rest > 0) & ~(pull > 0))
 
 

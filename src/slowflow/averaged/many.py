@@ -215,8 +215,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
     def _leave_out_what_drifts(self, Omega: Floats, A: Floats, stable: Codes) -> None:
         """States, along one more axis, are stable only if they stay about u = 0, and within its well, as well."""
         with np.errstate(all="ignore"):  # a number outside its domain has a status, and no amplitude
-            parameters = self._parameters
-            kept, beyond = diagnostics.look_at(self.mechanism, parameters, Omega, A)
+            kept, beyond = diagnostics.look_at(self._flow, Omega, A)
             stable &= kept & ~beyond
 
     def _frequency_response(
@@ -235,7 +234,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         status[escapes] = Status.UNBOUNDED
         with np.errstate(all="ignore"):  # a number outside its domain has a status, and no amplitude
             state = Omega[..., np.newaxis], A[..., np.newaxis]
-            _, beyond = diagnostics.look_at(self.mechanism, self._parameters, *state)
+            _, beyond = diagnostics.look_at(self._flow, *state)
         for at, numbers, (F,) in self._each(beyond[..., 0], F_0):
             found = Averaged(self._model(numbers)).peak(F)
             escapes[at] = found._escapes
@@ -292,9 +291,8 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         if self.excitation != "force":
             return np.zeros(self.shape, dtype=bool)
         with np.errstate(all="ignore"):  # a number outside its domain has a status
-            parameters = self._parameters
-            may = ~diagnostics.stay_centred(self.mechanism, parameters)
-            return np.asarray(may & diagnostics.gives_way(self.mechanism, parameters) if may.any() else may)
+            may = ~diagnostics.stay_centred(flow := self._flow)
+            return np.asarray(may & diagnostics.gives_way(flow) if may.any() else may)
 
     def remarks(self, F_0: Any, Omega: Any, A: Any, corner: Any) -> diagnostics.Codes:
         """What to bear in mind with states of each design, along one more axis; see `diagnostics.of_designs`."""

@@ -178,13 +178,10 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
 
     def folds(self, F_0: float, *, allowance: proofs.Allowance | None = None) -> SaddleNodes:
         """`saddle_nodes` without the remarks on averaging: what another approximation starts from."""
-        return proofs.decided(self._folds(F_0), self.model, allowance or proofs.Allowance())
-
-    def _folds(self, F_0: float) -> SaddleNodes:
         F_0 = validate.number("F_0", F_0, above=0.0)
         # finding the onset costs time too: it serves only where it has been asked for already
         if plan.may_have_folds(F_0, self.model, self.__dict__.get("_onset")):
-            return solvers.folds(self.model, F_0)
+            return proofs.decided(solvers.folds(self.model, F_0), self.model, allowance or proofs.Allowance())
         message, _ = messages.of_folds(self.model, F_0, False, "")
         none: dict[str, Any] = {"Omega": NONE, "A": NONE, "kind": np.empty(0, "U9"), "corner": np.empty(0, bool)}
         return SaddleNodes._made(**none, F_0=F_0, message=message, remarks=NOTHING, _model=self.model)
@@ -208,7 +205,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
     def _peak(self, F_0: float) -> Peak:
         found = solvers.peak(self.model, F_0)
         while found.A is not None and not self.model.stays_centred:
-            if not diagnostics.turns_beyond(self.model.mechanism, self.model.parameters, found.A):
+            if not diagnostics.turns_beyond(self.model, found.A):
                 break
             found = solvers.peak(self.model, F_0, JUST_BELOW * found.A)
         if not self.model.sticks(F_0) and (diagnostics.of_one_gives_way(self.model) or found._escapes):
@@ -374,9 +371,8 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         """
         if self.model.stays_centred:
             return found
-        mechanism, parameters = self.model.mechanism, self.model.parameters
-        kept = diagnostics.keeps_centre(mechanism, parameters, found.Omega, found.A)
-        beyond = diagnostics.turns_beyond(mechanism, parameters, found.A)
+        kept = diagnostics.keeps_centre(self.model, found.Omega, found.A)
+        beyond = diagnostics.turns_beyond(self.model, found.A)
         leaves = NOTHING if kept.all() else Remark.LEAVES_CENTRE
         swings = Remark.BEYOND_WELL if beyond.any() else NOTHING
         stable = found.stable & kept & ~beyond

@@ -48,7 +48,8 @@ class SecondBatch(Batch):
         """As of single `SecondStates`; NaN in an empty place. Computed when first asked for."""
         self._has("transmissibility", *OF_STATES)
         with np.errstate(all="ignore"):  # empty places
-            passed = motion.transmissibility(self._frequency, self.A_1, self._force_at(self._frequency), self.phi)
+            force = self._designs._flow.force(self._forcing, self._frequency)
+            passed = motion.transmissibility(self._frequency, self.A_1, force, self.phi)
             return frozen(in_motion(self.A, passed))
 
     def transmitted(self, of: str = "force") -> Transmitted:

@@ -291,7 +291,7 @@ class SecondApproximation(Questions[SecondStates, SecondResponse, SecondFolds]):
         model = self.first.model
         if model.stays_centred:
             return np.ones(A.size, dtype=bool)
-        return diagnostics.keeps_centre(model.mechanism, model.parameters, Omega, A)
+        return diagnostics.keeps_centre(model, Omega, A)
 
     def _remarked(self, message: str, Omega: Floats, A: Floats) -> str:
         """The message with what there is to say of amplitudes beyond the reach, and of motions that stop."""

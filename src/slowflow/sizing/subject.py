@@ -15,7 +15,7 @@ import numpy as np
 
 from slowflow import validate
 from slowflow.answer import frozen
-from slowflow.averaged.batches import Batch, first_end
+from slowflow.averaged.batches import Batch
 from slowflow.batch_checks import full, lifting
 from slowflow.designs import Designs
 from slowflow.isolator import Isolator, _averaged
@@ -316,9 +316,9 @@ class _Batch:
             largest = np.where(peaks.status == Status.UNBOUNDED, math.inf, peaks.u_max)
             return np.where(peaks.status == Status.STICKS, np.abs(self._where_it_rests("u")), largest)
         if name == "rest":
-            mechanism = self.designs.mechanism
             with np.errstate(all="ignore"):  # what is no design has no frequency
-                stiffness = -np.asarray(mechanism.at_rest(*mechanism.coefficients(*self.designs.design))[1])
+                flow = self.designs._flow
+                stiffness = -np.asarray(flow.mechanism.at_rest(*flow.parameters)[1])
                 return np.sqrt(np.where(stiffness > 0, stiffness, np.nan))
         if name == "isolation":
             return np.asarray(self._ask(self.designs.isolation, self.F_0).Omega)
@@ -333,9 +333,7 @@ class _Batch:
             shock = self._ask(self._shock)
             if name == "of_cr_shock":
                 with np.errstate(all="ignore"):
-                    own = [self._of_designs(domain.name) for domain in self.designs.mechanism.design]
-                    end = first_end(self.designs.mechanism, self.designs.mechanism.coefficients(*own))
-                    return np.asarray(end / shock.A)
+                    return np.asarray(self.designs._flow.first_end / shock.A)
             return np.asarray(shock.A if name == "A_shock" else shock.a_max)
         if name in ("A_peak", "peak"):
             peaks = self._ask(self.designs.peak, self.F_0)
