@@ -217,9 +217,8 @@ NO_QUESTIONS = {
     "physical",
     "measured",
     "at_centre",
-    "only_for_a_force",
 }
-NO_QUESTIONS |= {"only_for_plain_damping", "ask", "model", "remarks", "spanned", "untruncated_onset"}
+NO_QUESTIONS |= {"ask", "model", "remarks", "spanned", "untruncated_onset"}
 
 
 def any_of(questions):

@@ -161,9 +161,8 @@ def test_every_question_has_a_plan():
         "folds",
         "onset",
         "closes",
-        "only_for_a_force",
+        "at_centre",
     }
-    beside |= {"only_for_plain_damping", "at_centre"}
     public = {name for name in dir(type(iso)) if not name.startswith("_") and callable(getattr(type(iso), name))}
     assert public - beside - {"physical"} == set(asked)
 

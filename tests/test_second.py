@@ -308,8 +308,6 @@ def test_question_it_does_not_answer_is_refused():
         "folds",
         "onset",
         "closes",
-        "only_for_a_force",
-        "only_for_plain_damping",
     }
     for name in set(unanswered) - facts:
         with pytest.raises(AttributeError, match=f"no {name}: "):

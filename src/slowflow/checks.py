@@ -390,12 +390,8 @@ def spectrum(oscillator: Any, Omega: Any, F_0: Any) -> Spectrum:
 
         ways = crossed(on_shared, points[:, :-1], points[:, 1:], AT_ONCE, shared)
     crosses = np.concatenate(([False], ways))[: at.size]
-    rows, said, codes = [], [], []
-    for here in zip(at.tolist(), F.tolist(), crosses.tolist(), strict=True):
-        row, message, code = _row(oscillator, *here)
-        rows.append(row)
-        said.append(message)
-        codes.append(code)
+    found = [_row(oscillator, *here) for here in zip(at.tolist(), F.tolist(), crosses.tolist(), strict=True)]
+    rows, said, codes = zip(*found, strict=True) if found else ((), (), ())
     columns = np.array(rows, dtype=float).reshape(-1, len(Load._fields)).T
     kinds = {"motions": np.intp, "crosses": np.bool_, "detaches": np.bool_, "sticks": np.bool_}
     typed: dict[str, Any] = {

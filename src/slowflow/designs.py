@@ -28,7 +28,7 @@ class Designs(many.Designs):
         """The same questions with the higher harmonics of force and friction."""
         from slowflow.second.many import SecondDesigns
 
-        self.only_for_plain_damping("second_approximation")
+        validate.is_plain("second_approximation", self.laws)
         return SecondDesigns(self)
 
     def _ask(self, question: str, /, *, workers: int = 1, **given: Any) -> Batch:

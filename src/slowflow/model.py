@@ -351,7 +351,7 @@ class Model(SlowFlow):
         for name, value in numbers.items():
             # of an end that is no number it is said below which piece has it
             if not abs(value) <= LARGEST and not (math.isnan(value) and any(map(math.isnan, ends))):
-                given = told({**self._numbers(), "mu": self.mu, "zeta": self.zeta})
+                given = told({**self.numbers, "mu": self.mu, "zeta": self.zeta})
                 raise Refused(BEYOND.format(given, name, LARGEST))
         jumps = map(float, self.mechanism.jumps(*self.parameters))
         # A piece of no width (u_cr = 0 for a null preload) is no piece.
@@ -359,7 +359,7 @@ class Model(SlowFlow):
         kept = [(end, jump) for end, jump in zip(ends, jumps, strict=True) if end != 0 or not odd]
         first = 0.0 if odd else -np.inf
         if not all(above > below for (below, _), (above, _) in pairwise([(first, 0.0), *kept])):
-            given = told(self._numbers())
+            given = told(self.numbers)
             if not all(math.isfinite(end) for end in ends):
                 lost = 1 + next(i for i, end in enumerate(ends) if not math.isfinite(end))
                 raise Refused(NO_END.format(given, lost))
@@ -469,9 +469,10 @@ class Model(SlowFlow):
         """Names of mechanism and excitation, and the numbers that make the oscillator, its design if that is known."""
         damping = {"mu": self.mu, "zeta": self.zeta}
         said = {"excitation": self.excitation, **self.laws.said}
-        return {"mechanism": self.mechanism.name, **self._numbers(), **damping, **said}
+        return {"mechanism": self.mechanism.name, **self.numbers, **damping, **said}
 
-    def _numbers(self) -> dict[str, float]:
+    @property
+    def numbers(self) -> dict[str, float]:
         """The numbers of the force by name: its design if that is known, else its parameters."""
         of_force = zip(self.mechanism.parameter_names, self.parameters, strict=True)
         of_design = zip(self.mechanism.design_names, self.design, strict=False)

@@ -427,7 +427,7 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         from slowflow.second import SecondApproximation
 
         self.at_centre("second_approximation")
-        self.only_for_plain_damping("second_approximation")
+        validate.is_plain("second_approximation", self.model.laws.told())
         return SecondApproximation(self)
 
     @classmethod

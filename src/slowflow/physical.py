@@ -20,7 +20,7 @@ from slowflow import range_checks, validate
 from slowflow.answer import joined
 from slowflow.averaged.plan import Plan
 from slowflow.mechanism import Floats
-from slowflow.quantities import DRAWN, SI, UNITS, Quantities, Scales, g, si, turns
+from slowflow.quantities import DRAWN, SI, UNITS, Quantities, Scales, g, si
 from slowflow.table import QUANTITIES
 from slowflow.text import in_units
 from slowflow_support.errors import OutOfRange, Refused
@@ -397,5 +397,5 @@ class Physical:
             low, high = f
         except (TypeError, ValueError):
             raise Refused(f"f = {f!r} is not allowed: f must be a pair of frequencies (low, high)") from None
-        low, high = validate.window("f", (turns("f[0]", low), turns("f[1]", high)))
+        low, high = validate.window("f", (si("f[0]", low, "Hz"), si("f[1]", high, "Hz")))
         return low / self.scales.sizes["frequency"], high / self.scales.sizes["frequency"]

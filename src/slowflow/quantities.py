@@ -287,7 +287,7 @@ def si(name: str, value: Any, unit: str) -> Any:
     if not (hasattr(value, "magnitude") and hasattr(value, "to")):
         return value
     if unit == SI["frequency"]:
-        return turns(name, value)
+        return _turns(name, value)
     try:
         return value.to(unit).magnitude  # pint reads them as they are written here
     except TypeError:  # what pint raises for another dimension
@@ -303,13 +303,11 @@ def in_shown(unit: str) -> tuple[str, float]:
     return SHOWN[kind], UNITS[kind][SHOWN[kind]] / UNITS[kind][unit]
 
 
-def turns(name: str, value: Any) -> Any:
-    """A frequency in turns per second: a plain number is in Hz.
+def _turns(name: str, value: Any) -> Any:
+    """A frequency in Hz: it has to say whether it counts turns or radians, which pint takes for the same.
 
-    A quantity of pint has to say whether it counts turns or radians, which pint takes for the same: 1/s does not.
+    1/s does not.
     """
-    if not (hasattr(value, "magnitude") and hasattr(value, "to")):
-        return value
     if "hertz" in str(value.units):
         return value.to("hertz").magnitude
     if "radian" not in str(value.to_base_units().units):

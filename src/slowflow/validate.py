@@ -64,12 +64,10 @@ def number(
 ) -> float:
     """A finite real number in the given range, as a float."""
     _is_not_masked(name, value)
-    if not _is_number(value):
-        raise _refuse(name, value, _range(name, above, least, below, most))
     try:
-        result = float(value)
+        result = float(value) if _is_number(value) else math.nan
     except OverflowError:
-        raise _refuse(name, value, _range(name, above, least, below, most)) from None
+        result = math.inf
     if not (math.isfinite(result) and above < result < below and least <= result <= most):
         raise _refuse(name, value, _range(name, above, least, below, most))
     return result
@@ -157,11 +155,10 @@ def choice(name: str, value: Any, allowed: tuple[str, ...]) -> str:
 
 def excitation(value: Any, allowed: tuple[str, ...]) -> str:
     """What F_0 is the amplitude of, one of the words allowed; of an acceleration it is said what stands for it."""
-    if isinstance(value, str) and "acceleration" in value.lower() and value not in allowed:
-        raise _refuse("excitation", value, " or ".join(map(repr, allowed)) + "; " + text(OF_CONSTANT))
     if isinstance(value, str) and value not in allowed:  # no nearest word: "floor" is not "force"
         meaning = "'base' is a floor or support that moves, 'unbalance' a rotating mass"
-        raise _refuse("excitation", value, f"{' or '.join(map(repr, allowed))}; {meaning}")
+        said = text(OF_CONSTANT) if "acceleration" in value.lower() else meaning
+        raise _refuse("excitation", value, " or ".join(map(repr, allowed)) + "; " + said)
     return choice("excitation", value, allowed)
 
 

@@ -54,8 +54,7 @@ def check_defined(model: Model) -> None:
         with np.errstate(all="ignore"):
             place = _infinite_at(are_known, at, begin, end, reach)
         if place is not None:
-            own = told({name: value for name, value in model.given().items() if name in _own(model)})
-            raise Refused(INFINITE.format(own or "reach", model.mechanism.name, place, reach))
+            raise Refused(INFINITE.format(told(model.numbers) or "reach", model.mechanism.name, place, reach))
 
 
 def may_be_undefined(mechanism: Mechanism, parameters: tuple[Any, ...]) -> Bools:
@@ -95,10 +94,6 @@ def interval_like(value: Any, like: Interval) -> Interval:
     if not isinstance(value, Interval):
         value = Interval.point(float(value))
     return Interval(np.broadcast_to(value.ends, like.ends.shape))
-
-
-def _own(model: Model) -> tuple[str, ...]:
-    return (*model.mechanism.design_names, *model.mechanism.parameter_names)
 
 
 def _infinite_at(

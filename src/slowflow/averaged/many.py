@@ -111,14 +111,6 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         laws = Laws.of(eta, c_2, self.rubs)
         return Model.of(self.mechanism, own, self.excitation, laws)
 
-    def only_for_a_force(self, question: str) -> None:
-        """Raises ValueError where the question is asked of another excitation, for which it has no answer yet."""
-        validate.is_force(question, self.excitation)
-
-    def only_for_plain_damping(self, question: str) -> None:
-        """Raises ValueError where other laws of damping than mu and zeta leave the question without an answer yet."""
-        validate.is_plain(question, self.laws)
-
     def _ask(self, question: str, /, *, workers: int = 1, **given: Any) -> Batch:
         """The answer to a question by its name, from what its method takes."""
         if "places" in given:
@@ -245,8 +237,8 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         return self._batch("peak", columns, {"escapes": escapes}, F_0=F_0)
 
     def _certify(self, F_0: Any, *, Omega: Any, workers: int) -> Batch:
-        self.only_for_a_force("certify")
-        self.only_for_plain_damping("certify")
+        validate.is_force("certify", self.excitation)
+        validate.is_plain("certify", self.laws)
         columns = self.ask(PROVED_FOLDS if Omega is None else PROVED_STATES, workers, F_0, Omega=Omega)
         self._decide_in_balls(F_0, Omega, *columns)
         return self._batch("certify", columns, {}, F_0=F_0)

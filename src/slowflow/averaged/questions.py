@@ -81,14 +81,6 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         """
         return 0.0 if self.model.inertial else self.model.held
 
-    def only_for_a_force(self, question: str) -> None:
-        """Raises ValueError where the question is asked of another excitation, for which it has no answer yet."""
-        validate.is_force(question, self.model.excitation)
-
-    def only_for_plain_damping(self, question: str) -> None:
-        """Raises ValueError where other laws of damping than mu and zeta leave the question without an answer yet."""
-        validate.is_plain(question, self.model.laws.told())
-
     @property
     def breakpoints(self) -> tuple[float, ...]:
         """Amplitudes at which the force passes from one piece to the next: (u_cr,), or none."""
@@ -145,8 +137,8 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
 
     def _check_proof(self) -> None:
         """Raises ValueError where no proof of the averaged equations is derived."""
-        self.only_for_a_force("certify")
-        self.only_for_plain_damping("certify")
+        validate.is_force("certify", self.model.excitation)
+        validate.is_plain("certify", self.model.laws.told())
 
     def _saddle_nodes(self, F_0: float) -> SaddleNodes:
         return self._remarked(self.folds(F_0), F_0)
@@ -274,7 +266,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         Raises ValueError for rubs="attached": beyond u_cr friction's share falls, and I = F_0 has no closed form.
         """
         if self.model.laws.rubs != THROUGHOUT:
-            self.only_for_plain_damping("limit_envelope")
+            validate.is_plain("limit_envelope", self.model.laws.told())
         Omega, F_0 = validate.positive_array("Omega", Omega), validate.positive_array("F_0", F_0)
         shape = validate.common_shape({"Omega": Omega, "F_0": F_0})
         force = self.model.force(F_0, Omega)
@@ -342,7 +334,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         if question == "certify":
             self._check_proof()
         if question == "limit_envelope" and self.model.laws.rubs != THROUGHOUT:
-            self.only_for_plain_damping(question)
+            validate.is_plain(question, self.model.laws.told())
         return plan.plan(question, plan.forcing(question, F_0), self.model, self.__dict__.get("_onset"))
 
     def onset(self, allowance: proofs.Allowance | None = None) -> SaddleNodeOnset:

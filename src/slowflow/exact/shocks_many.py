@@ -115,7 +115,7 @@ def _followed(
 ) -> dict[str, Any]:
     """The columns of "transient" for arcs of shape (..., n, 4), which before that broadcast with the designs."""
     if "eta" in designs.values:
-        designs.only_for_plain_damping("a shock")
+        validate.is_plain("a shock", designs.laws)
     threads = validate.workers(workers)
     pulses = {"begin": begin, "pulse": arcs[..., 0, 0]}
     shape = validate.common_shape({**designs.values, **pulses})

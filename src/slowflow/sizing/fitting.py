@@ -21,7 +21,7 @@ from slowflow import validate
 from slowflow.answer import Table, entry, joined
 from slowflow.averaged.queries import AMPLITUDES, SADDLE_NODES
 from slowflow.mechanism import Floats
-from slowflow.quantities import EXCITED, SHEET, SI, in_shown, si, turns
+from slowflow.quantities import EXCITED, SHEET, SI, in_shown, si
 from slowflow.range_checks import Implausible
 from slowflow.sizing.subject import Subject, first_jump
 from slowflow_support.errors import NotSettled, Refused
@@ -156,8 +156,8 @@ def fit(
     if [A is None, phi is None, jump_up is None and jump_down is None].count(False) != 1:
         raise Refused("a fit needs either measured amplitudes A, or phases phi, or jump_up or jump_down")
     if subject.mount:
-        F, f, A = si("F", F, SI[subject.amplitude]), turns("f", f), si("A", A, "m")
-        jump_up, jump_down = turns("jump_up", jump_up), turns("jump_down", jump_down)
+        F, f, A = si("F", F, SI[subject.amplitude]), si("f", f, "Hz"), si("A", A, "m")
+        jump_up, jump_down = si("jump_up", jump_up, "Hz"), si("jump_down", jump_down, "Hz")
     if A is None and phi is None:
         measured = _jumps(subject, F if subject.mount else F_0, jump_up, jump_down)
     else:

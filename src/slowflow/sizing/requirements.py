@@ -395,6 +395,7 @@ def front(
         raise Refused("front needs two answers, in high or in low, and at least one free number")
     names = one, other = (pair[0][0], pair[1][0])
     subject.answered(names, search.load)
+    units = subject.unit(one), subject.unit(other)
     points = validate.count("points", points, least=2)
     nominal = subject.ask({}, names, search.load)
     size = {name: v if np.isfinite(v := float(nominal[name])) and v > 0 else 1.0 for name in names}
@@ -404,23 +405,19 @@ def front(
     def worth(values: Floats) -> Floats:
         """From 0, the best, to 1: rising functions of what is to be low, bounded as no force may be high enough."""
         if last[0] != (key := values.tobytes()):
-            last[:] = key, rated(values)
+            found, rows = search.answers(values, names), []
+            for name, sign in pair:
+                with np.errstate(invalid="ignore"):
+                    share = np.where(np.isinf(found[name]), 1.0, found[name] / (found[name] + size[name]))
+                rows.append(np.where(np.isnan(share), 1.0, 1 - share if sign > 0 else share))
+            last[:] = key, np.array(rows)
         return np.asarray(last[1])
-
-    def rated(values: Floats) -> Floats:
-        found = search.answers(values, names)
-        rows = []
-        for name, sign in pair:
-            with np.errstate(invalid="ignore"):
-                share = np.where(np.isinf(found[name]), 1.0, found[name] / (found[name] + size[name]))
-            rows.append(np.where(np.isnan(share), 1.0, 1 - share if sign > 0 else share))
-        return np.array(rows)
 
     best = search.least(lambda values: worth(values)[0])
     _, message = search.binding(best)
     if message:
         none = np.empty(0)
-        return Front(none, none.copy(), (one, other), _units(subject, names), dict.fromkeys(free, none), message, of)
+        return Front(none, none.copy(), names, units, dict.fromkeys(free, none), message, of)
     end = search.least(lambda values: worth(values)[1])
     # of all that are the best of the other answer, that with the best of the first
     level = float(worth(end.reshape(-1, 1))[1, 0]) + SLACK
@@ -437,7 +434,7 @@ def front(
     numbers = {name: row[kept][order] for name, row in zip(free, values, strict=True)}
     columns = (answers[one][order], answers[other][order])
     said = NO_TRADE if len(kept) == 1 else ""
-    return Front(*columns, (one, other), _units(subject, names), numbers, said, of)
+    return Front(*columns, names, units, numbers, said, of)
 
 
 def _ends(subject: Subject, name: str, pair: Any) -> Any:
@@ -470,8 +467,3 @@ def _undominated(worth: Floats) -> list[int]:
 def _sheet(of: Any, free: Iterable[str]) -> dict[str, str]:
     """The units of free numbers, where they are those of a data sheet."""
     return {name: SHEET[name] for name in free} if isinstance(of, Physical) else {}
-
-
-def _units(subject: Subject, names: Iterable[str]) -> tuple[str, str]:
-    one, other = (subject.unit(name) for name in names)
-    return one, other

@@ -23,7 +23,7 @@ from slowflow.mechanism import Floats
 from slowflow.off_centre.many import OffCentreDesigns
 from slowflow.oscillator import Oscillator
 from slowflow.physical import Physical
-from slowflow.quantities import EXCITED, PURE, SHEET, SI, UNITS, Scales, g, si, size, sizes, turns
+from slowflow.quantities import EXCITED, PURE, SHEET, SI, UNITS, Scales, g, si, size, sizes
 from slowflow.table import COLUMNS
 from slowflow_kernels import inertia, slow_flow
 from slowflow_kernels.conventions import FoldKind, Status
@@ -171,7 +171,7 @@ class Subject:
         """
         of, names = ("a mount", ("F", "f")) if self.mount else ("an isolator", ("F_0", "Omega"))
         unit = SI[self.amplitude]
-        F, f = si("F", F, unit), turns("f", f)
+        F, f = si("F", F, unit), si("f", f, "Hz")
         (forcing, frequency), others = ((F, f), (F_0, Omega)) if self.mount else ((F_0, Omega), (F, f))
         for what, name, other in zip(("forcing", "frequency"), names, others, strict=True):
             if other is not None:
@@ -186,7 +186,7 @@ class Subject:
         )
         if self.mount:
             pulse = pulse and (si("shock[0]", pulse[0], "m/s^2"), si("shock[1]", pulse[1], "s"))
-            table = table and (turns("spectrum[0]", table[0]), si("spectrum[1]", table[1], unit))
+            table = table and (si("spectrum[0]", table[0], "Hz"), si("spectrum[1]", table[1], unit))
         if pulse is not None:
             pulse = tuple(validate.number(f"shock[{k}]", value, above=0.0) for k, value in enumerate(pulse))
         if table is not None:
