@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.native.headers import COMPILER
+from tests.native.compiler import COMPILER
 
 ROOT = Path(__file__).parents[1]
 MODULES = {

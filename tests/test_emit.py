@@ -25,7 +25,7 @@ from derivations.forces.repeated import Output, Repeated
 from derivations.paper.averaging import averaged
 from derivations.paper.slow_flow import slow_flow
 from derivations.symbols import A
-from tests.native import headers
+from tests.native.compiler import COMPILER, WARNINGS, compiled
 from tests.sampling import part
 
 x, y = sp.symbols("x y", positive=True)
@@ -140,12 +140,11 @@ def test_numpy_survives(expected, tmp_path):
         np.testing.assert_allclose(found, value, rtol=2e-15, err_msg=str(SURVIVES[k]))
 
 
-@pytest.mark.skipif(headers.COMPILER is None, reason="no C compiler (cc) on the path")
+@pytest.mark.skipif(COMPILER is None, reason="no C compiler (cc) on the path")
 def test_c_survives(expected, tmp_path):
-    source, program = tmp_path / "survives.c", tmp_path / "survives"
+    source = tmp_path / "survives.c"
     source.write_text(c_source([program_of(expression) for expression in SURVIVES]))
-    command = [headers.COMPILER, *headers.WARNINGS, f"-I{headers.HEADERS}", str(source), "-o", str(program)]
-    subprocess.run([*command, "-lm"], check=True)
+    program = compiled(tmp_path / "survives", source, options=WARNINGS, compiler=COMPILER)
     printed = subprocess.run([str(program)], check=True, capture_output=True, text=True).stdout.split()
     for expression, text, value in zip(SURVIVES, printed, expected, strict=True):
         np.testing.assert_allclose(float(text), value, rtol=2e-15, err_msg=str(expression))

@@ -2,7 +2,6 @@
 
 import ctypes
 import json
-import subprocess
 from array import array
 
 import mpmath as mp
@@ -21,13 +20,13 @@ from slowflow.backend import EXACT
 from slowflow.exact import EquationOfMotion, exact_response, steady_state
 from slowflow.mechanism import Force, Law, Piece
 from slowflow_kernels.exact_conventions import Event
-from tests.native import headers
+from tests.native.compiler import COMPILER, ROOT, compiled
 from tests.oracles.exact_reference import Compiled, Drive, ScipyIntegrator, again
 from tests.test_taylor import CONSTANTS, a, b, fake_module, slope_of
 from tests.test_taylor import FORCES as EVERY
 
 pytestmark = [
-    pytest.mark.skipif(headers.COMPILER is None, reason="no C compiler (cc) on the path"),
+    pytest.mark.skipif(COMPILER is None, reason="no C compiler (cc) on the path"),
 ]
 
 #: a hardening spring, three springs of which two lie flat at rest, a contact: in u, a, b
@@ -45,23 +44,13 @@ STATES = [(0.4, 0.35, -0.2, 1.9), (1.0, 0.8, 0.4, 0.3), (0.2, 0.1, 0.0, 2.2), (0
 def pieces(tmp_path_factory):
     """(a, b) -> a piece of each force, by name."""
     folder = tmp_path_factory.mktemp("laws")
-    environment = templates(headers.HEADERS.parents[1] / "derivations" / "codegen" / "targets" / "c")
+    environment = templates(ROOT / "derivations" / "codegen" / "targets" / "c")
     modules = [fake_module(name, force) for name, force in {**EVERY, **FORCES}.items()]
     text = taylor.text(modules, environment)
     (folder / "laws.c").write_text(f"{text}\nconst sf_law *const slowflow_laws = sf_laws;\n")
-    places = [f"-I{place}" for place in include()]
-    command = [
-        headers.COMPILER,
-        *derive.FLAGS,
-        "-shared",
-        *places,
-        str(folder / "laws.c"),
-        "-o",
-        str(folder / "laws.so"),
-        "-lm",
-    ]
-    subprocess.run(command, check=True)
-    table = derive._capsule(ctypes.CDLL(str(folder / "laws.so")), "slowflow_laws", derive.LAWS)
+    options = [*derive.FLAGS, *(f"-I{place}" for place in include())]
+    library = compiled(folder / "laws.so", folder / "laws.c", options=options, compiler=COMPILER)
+    table = derive._capsule(ctypes.CDLL(str(library)), "slowflow_laws", derive.LAWS)
     with pytest.MonkeyPatch.context() as patched:
         for name, law in EXACT.laws(table).items():
             patched.setitem(EXACT.LAWS, name, law)

@@ -13,7 +13,7 @@ import sympy as sp
 
 from slowflow import backend, derive, exact, include
 from slowflow_kernels.conventions import Status
-from tests.native.headers import COMPILER
+from tests.native.compiler import COMPILER
 from tests.native.records import bent
 from tests.oracles import exact_reference
 from tests.test_forces import ABOVE_0, CASES, DAMPING, FORCES, c, derived, k, u

@@ -18,7 +18,7 @@ from hypothesis import strategies as st
 
 from slowflow import backend, derive
 from slowflow_kernels.program_conventions import MOST_REGISTERS, Operation
-from tests.native.headers import COMPILER
+from tests.native.compiler import COMPILER
 from tests.native.records import Doubles, Interval, Self, doubles, opened
 from tests.test_forces import FORCES
 

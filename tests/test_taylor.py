@@ -14,7 +14,7 @@ from derivations.codegen.form import Law
 from derivations.codegen.targets.c import taylor
 from derivations.codegen.views import templates
 from derivations.symbols import u
-from tests.native import headers
+from tests.native import compiler
 
 a, b = sp.symbols("a b", real=True)
 CONSTANTS = {a: 0.7, b: 0.45}
@@ -87,10 +87,10 @@ def fake_module(name, force):
 @pytest.fixture(scope="module")
 def stepped(tmp_path_factory):
     """u, v and their derivatives by (u, v, Omega, F_0) after a step, by name: by both expansions."""
-    if headers.COMPILER is None:
+    if compiler.COMPILER is None:
         pytest.skip("no C compiler (cc) on the path")
     folder = tmp_path_factory.mktemp("taylor")
-    environment = templates(headers.HEADERS.parents[1] / "derivations" / "codegen" / "targets" / "c")
+    environment = templates(compiler.ROOT / "derivations" / "codegen" / "targets" / "c")
     modules = [fake_module(name, force) for name, force in FORCES.items()]
     (folder / "taylor.h").write_text(taylor.text(modules, environment))
     drive = ", ".join(repr(STATE[key]) for key in ("Omega", "F_0", "zeta", "friction", "quadratic"))
@@ -119,18 +119,9 @@ int main(void)
 }}
 """
     )
-    source, generated = headers.HEADERS.parents[1] / "src" / "slowflow" / "native", headers.HEADERS
-    command = [
-        headers.COMPILER,
-        "-std=c11",
-        "-O2",
-        f"-I{source}",
-        f"-I{source / 'exact'}",
-        f"-I{folder}",
-        f"-I{generated}",
-    ]
-    subprocess.run([*command, str(folder / "main.c"), "-o", str(folder / "main"), "-lm"], check=True)
-    lines = subprocess.run([str(folder / "main")], check=True, capture_output=True, text=True).stdout.splitlines()
+    options = ["-std=c11", "-O2", f"-I{compiler.NATIVE / 'exact'}", f"-I{folder}"]
+    main = compiler.compiled(folder / "main", folder / "main.c", options=options, compiler=compiler.COMPILER)
+    lines = subprocess.run([str(main)], check=True, capture_output=True, text=True).stdout.splitlines()
     return {name: np.array(line.split(), dtype=float) for name, line in zip(FORCES, lines, strict=True)}
 
 

@@ -6,16 +6,12 @@ The extension module holds all clones of a loop and chooses by processor; here e
 from __future__ import annotations
 
 import ctypes
-import subprocess
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import numpy as np
 
-ROOT = Path(__file__).parents[2]
-NATIVE, GENERATED = ROOT / "src" / "slowflow" / "native", ROOT / "generated"
-# as in setup.py, but for visibility
-FLAGS = ["-std=c11", "-O3", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off"]
+from tests.native.compiler import FLAGS, GENERATED, NATIVE, compiled
 
 
 class Kernel(ctypes.Structure):
@@ -40,12 +36,10 @@ class Module(ctypes.Structure):
 def build(directory: Path, target: str, module: str = "rod_spring") -> Callable[[str, Sequence], tuple]:
     """Compile a module's loops for one target; the function returned takes a kernel's name and its arguments."""
     library = directory / f"{module}_{target}.so"
-    sources = [str(path) for path in (NATIVE / "kernels.c", GENERATED / "native" / f"{module}.c")]
-    command = ["gcc", *FLAGS, "-DSF_NO_CLONES", f"-march={target}", f"-I{NATIVE}", f"-I{GENERATED / 'c'}", "-fPIC"]
-    done = subprocess.run([*command, "-shared", *sources, "-o", str(library), "-lm"], capture_output=True, text=True)
-    if done.returncode:
-        raise RuntimeError(done.stderr)
-    loaded = ctypes.CDLL(str(library))
+    sources = NATIVE / "kernels.c", GENERATED / "native" / f"{module}.c"
+    # as in setup.py, but for visibility
+    options = ["-std=c11", *FLAGS, "-DSF_NO_CLONES", f"-march={target}"]
+    loaded = ctypes.CDLL(str(compiled(library, *sources, options=options)))
     table = Module.in_dll(loaded, f"sf_module_{module}")
     kernels = {table.kernels[k].name.decode(): table.kernels[k] for k in range(table.count)}
 

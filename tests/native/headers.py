@@ -7,25 +7,20 @@ from __future__ import annotations
 
 import ctypes
 import re
-import shutil
 import subprocess
 from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 
-ROOT = Path(__file__).parents[2]
-HEADERS = ROOT / "generated" / "c"
-# what generated headers stand on is written by hand
-INCLUDES = [f"-I{HEADERS}", f"-I{ROOT / 'src' / 'slowflow' / 'native'}"]
-WARNINGS = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic"]
-FLAGS = ["-O3", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off"]
+from tests.native.compiler import COMPILER, FLAGS, GENERATED, INCLUDES, NATIVE, ROOT, WARNINGS, compiled, pointer
+
+HEADERS = GENERATED / "c"
 PROTOTYPE = re.compile(r"^(?:static inline|SF_KERNEL|SF_TWOFOLD) (double|void) (\w+)\(([^)]*)\)", re.MULTILINE)
 COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
 WORD = re.compile(r"\b[A-Za-z_]\w*\b")
 #: names that a macro of the solvers puts together begin so
 PASTED = re.compile(r"\b(\w+)##")
-COMPILER = shutil.which("cc")
 WIDEST = 128
 LIBRARY = "kernels.so"
 
@@ -47,7 +42,7 @@ def called() -> set[str]:
         starts = [*PROTOTYPE.finditer(text)]
         for one, following in zip(starts, [*(start.start() for start in starts[1:]), len(text)], strict=True):
             bodies[one[2]] = set(WORD.findall(text[one.end() : following]))
-    folders = (ROOT / "src" / "slowflow" / "native", ROOT / "explorer", ROOT / "generated" / "native")
+    folders = (NATIVE, ROOT / "explorer", GENERATED / "native")
     texts = [COMMENT.sub("", path.read_text()) for folder in folders for path in folder.rglob("*.[ch]")]
     found = {word for text in texts for word in WORD.findall(text)}
     pasted = {prefix for text in texts for prefix in PASTED.findall(text)}
@@ -92,10 +87,7 @@ def build(directory: Path) -> None:
         )
     source, library = directory / "kernels.c", directory / LIBRARY
     source.write_text("\n".join([*includes, *wrappers]) + "\n")
-    command = [COMPILER, *WARNINGS, *FLAGS, *INCLUDES, "-shared", "-fPIC", str(source), "-o", str(library), "-lm"]
-    done = subprocess.run(command, capture_output=True, text=True)
-    if done.returncode:
-        raise RuntimeError(done.stderr)
+    compiled(library, source, options=[*WARNINGS, *FLAGS], compiler=COMPILER)
 
 
 def load(directory: Path) -> Callable[..., np.ndarray]:
@@ -104,7 +96,7 @@ def load(directory: Path) -> Callable[..., np.ndarray]:
 
     def call(name: str, arguments: list[float], width: int) -> np.ndarray:
         given, out = np.array([*arguments, 0.0]), np.full(WIDEST, np.nan)
-        getattr(loaded, f"wrap_{name}")(given.ctypes.data_as(ctypes.c_void_p), out.ctypes.data_as(ctypes.c_void_p))
+        getattr(loaded, f"wrap_{name}")(pointer(given), pointer(out))
         assert np.isnan(out[width:]).all()
         return out[:width]
 

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import ctypes
 import re
-import subprocess
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from tests.native.roots import FLAGS, HERE, INCLUDES, ROOT
+from tests.native.compiler import HERE, ROOT, STRICT, compiled, pointer
 
 ELEMENTARY = (
     *("exp", "log", "root", "cbrt", "sin", "cos", "tan", "sinh", "cosh", "tanh"),
@@ -20,22 +19,12 @@ ELEMENTARY = (
 OPERATIONS = ("add", "sub", "mul", "div", "square", "sqrt", "atan2", "tenth")
 #: on pairs that know how far they may be off
 HELD = (*OPERATIONS, "R_F", "R_D")
-
-
 LIBRARY = "intervals.so"
 
 
 def build(directory: Path) -> None:
     """The shared library, for one worker of a test run or several."""
-    _compiled([str(HERE / "intervals_driver.c")], directory / LIBRARY)
-
-
-def _compiled(sources: Sequence[str], library: Path) -> None:
-    # arithmetic is strict: -O1 gives the same digits as -O3, which takes twice the time
-    command = ["gcc", "-std=c11", *FLAGS, "-O1", *INCLUDES, "-shared", "-fPIC", *sources, "-o", str(library), "-lm"]
-    done = subprocess.run(command, capture_output=True, text=True)
-    if done.returncode:
-        raise RuntimeError(done.stderr)
+    compiled(directory / LIBRARY, HERE / "intervals_driver.c", options=STRICT)
 
 
 class Intervals:
@@ -48,7 +37,7 @@ class Intervals:
         pairs = np.ascontiguousarray(pairs, dtype=np.float64)
         out = np.empty((len(pairs), 2))
         self.loaded.operate(
-            (*OPERATIONS, *ELEMENTARY).index(name), ctypes.c_long(len(pairs)), _pointer(pairs), _pointer(out)
+            (*OPERATIONS, *ELEMENTARY).index(name), ctypes.c_long(len(pairs)), pointer(pairs), pointer(out)
         )
         return out
 
@@ -56,18 +45,14 @@ class Intervals:
         """Three numbers (n, 9), each a pair and what it may be off, to one with the doubles around it (n, 5)."""
         numbers = np.ascontiguousarray(numbers, dtype=np.float64)
         out = np.empty((len(numbers), 5))
-        self.loaded.operate_held(HELD.index(name), ctypes.c_long(len(numbers)), _pointer(numbers), _pointer(out))
+        self.loaded.operate_held(HELD.index(name), ctypes.c_long(len(numbers)), pointer(numbers), pointer(out))
         return out
 
     def known(self, mechanism: str, design: Sequence[float], piece: int, beyond: float) -> np.ndarray:
         out, numbers = np.empty((6, 2)), np.array(design, dtype=np.float64)
-        if not self.loaded.known(mechanism.encode(), _pointer(numbers), piece, ctypes.c_double(beyond), _pointer(out)):
+        if not self.loaded.known(mechanism.encode(), pointer(numbers), piece, ctypes.c_double(beyond), pointer(out)):
             raise ValueError(f"no intervals for {mechanism}")
         return out
-
-
-def _pointer(array: np.ndarray) -> Any:
-    return array.ctypes.data_as(ctypes.c_void_p)
 
 
 #: generated functions on intervals: what they return, the module, their names, arguments
@@ -97,7 +82,7 @@ def build_generated(directory: Path, modules: Sequence[str]) -> None:
         lines.append(f"void called_{module}_{name}(const sf_interval *in, sf_interval *out) {{ {body} }}")
     source = directory / "generated_intervals.c"
     source.write_text("\n".join(lines) + "\n", encoding="utf-8")
-    _compiled([str(source)], directory / "generated_intervals.so")
+    compiled(directory / "generated_intervals.so", source, options=STRICT)
 
 
 def generated(directory: Path) -> Any:
@@ -107,7 +92,7 @@ def generated(directory: Path) -> Any:
     def called(module: str, name: str, boxes: Any) -> np.ndarray:
         given = np.ascontiguousarray(boxes, dtype=np.float64)
         out = np.full((MOST_OUTPUTS, 2), np.nan)
-        getattr(loaded, f"called_{module}_{name}")(_pointer(given), _pointer(out))
+        getattr(loaded, f"called_{module}_{name}")(pointer(given), pointer(out))
         return out
 
     return called

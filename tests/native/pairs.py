@@ -3,31 +3,21 @@
 from __future__ import annotations
 
 import ctypes
-import subprocess
 from collections.abc import Sequence
 from fractions import Fraction
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
-from tests.native.roots import FLAGS, HERE, INCLUDES
+from tests.native.compiler import HERE, STRICT, compiled, pointer
 
 OPERATIONS = ("add", "sub", "mul", "div", "square", "sqrt", "atan2", "tenth")
-
-
 LIBRARY = "pairs.so"
 
 
 def build(directory: Path) -> None:
     """The shared library, for one worker of a test run or several."""
-    # arithmetic is strict: -O1 gives the same digits as -O3, which takes twice the time
-    command = ["gcc", "-std=c11", *FLAGS, "-O1", *INCLUDES, "-shared", "-fPIC"]
-    done = subprocess.run(
-        [*command, str(HERE / "pairs_driver.c"), "-o", str(directory / LIBRARY), "-lm"], capture_output=True, text=True
-    )
-    if done.returncode:
-        raise RuntimeError(done.stderr)
+    compiled(directory / LIBRARY, HERE / "pairs_driver.c", options=STRICT)
 
 
 class Pairs:
@@ -39,15 +29,11 @@ class Pairs:
     def operate(self, name: str, pairs: np.ndarray) -> list[Fraction]:
         pairs = np.ascontiguousarray(pairs, dtype=np.float64)
         out = np.empty((len(pairs), 2))
-        self.loaded.operate(OPERATIONS.index(name), ctypes.c_long(len(pairs)), _pointer(pairs), _pointer(out))
+        self.loaded.operate(OPERATIONS.index(name), ctypes.c_long(len(pairs)), pointer(pairs), pointer(out))
         return [Fraction(high) + Fraction(low) for high, low in out.tolist()]
 
     def known(self, mechanism: str, design: Sequence[float], piece: int, A: float) -> list[Fraction]:
         out, numbers = np.empty((4, 2)), np.array(design, dtype=np.float64)
-        if not self.loaded.known(mechanism.encode(), _pointer(numbers), piece, ctypes.c_double(A), _pointer(out)):
+        if not self.loaded.known(mechanism.encode(), pointer(numbers), piece, ctypes.c_double(A), pointer(out)):
             raise ValueError(f"no pairs for {mechanism}")
         return [Fraction(high) + Fraction(low) for high, low in out.tolist()]
-
-
-def _pointer(array: np.ndarray) -> Any:
-    return array.ctypes.data_as(ctypes.c_void_p)

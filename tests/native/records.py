@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 import ctypes
-import subprocess
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from tests.native.roots import FLAGS, HEADERS, HERE, ROOT, WARNINGS
+from tests.native.compiler import FLAGS, HERE, WARNINGS, compiled
 
-INCLUDES = [f"-I{folder}" for folder in (HEADERS, ROOT / "generated" / "c", ROOT / "generated" / "native")]
 Doubles = ctypes.POINTER(ctypes.c_double)
 #: functions of the force take the record first
 Self = ctypes.c_void_p
@@ -70,13 +68,8 @@ class Mechanism(ctypes.Structure):
 def build(directory: Path, options: Sequence[str] = ()) -> Any:
     """The record of own_record.c as a capsule, and the library that it lives in."""
     library = directory / f"own{len(list(directory.iterdir()))}.so"
-    command = ["gcc", *WARNINGS, "-std=c11", *FLAGS, *options, *INCLUDES, "-shared", "-fPIC"]
-    done = subprocess.run(
-        [*command, str(HERE / "own_record.c"), "-o", str(library), "-lm"], capture_output=True, text=True
-    )
-    if done.returncode:
-        raise RuntimeError(done.stderr)
-    loaded = ctypes.CDLL(str(library))
+    options = [*WARNINGS, "-std=c11", *FLAGS, *options]
+    loaded = ctypes.CDLL(str(compiled(library, HERE / "own_record.c", options=options)))
     return capsule(ctypes.addressof(Mechanism.in_dll(loaded, "own_record")))
 
 
