@@ -42,6 +42,21 @@ def test_a_design_without_an_answer_has_a_status_that_says_why():
     assert last == Duffing(1.0, 0.5, 0.01, 0.05).saddle_node_onset().F_SN
 
 
+def test_a_piece_without_extent_says_nothing_under_a_load():
+    """Without preload the horizontal springs never touch the rod: a linear design, with its mean where it rests."""
+    designs = Isolator.many(lam=3.0, r=2.0, delta_h=[0.0, 0.05], mu=0.01, zeta=0.05, load=0.05)
+    linear = Duffing(1.0, 0.0, 0.01, 0.05)
+    for found, expected in (
+        (designs.amplitudes(Omega=0.9, F_0=0.1), linear.amplitudes(Omega=0.9, F_0=0.1)),
+        (designs.peak(0.1), linear.peak(0.1)),
+    ):
+        assert found.status.tolist() == [Status.OK, Status.OK]
+        assert np.ravel(found.A[0])[0] == pytest.approx(np.ravel(expected.A)[0], rel=1e-14)
+        assert np.ravel(found.B[0])[0] == pytest.approx(0.05, rel=1e-13)
+    assert designs.saddle_node_onset().status.tolist() == [Status.NONE, Status.OK]
+    assert designs.rest().u[0, 0] == pytest.approx(0.05, rel=1e-13)
+
+
 @pytest.mark.slow
 def test_what_the_message_of_a_single_answer_says_is_a_remark():
     designs = Isolator.many(**TABLE_1, load=[0.03, 0.1])
