@@ -21,6 +21,7 @@ from tests.oracles.by_time import largest
 from tests.slopes import assert_slopes_are_differences
 
 RUBBING = Isolator(lam=3.0, r=2.0, delta_h=0.08, mu=0.012, zeta=0.04, rubs="attached", force="untruncated")
+LOOSE = Isolator(lam=3.0, r=0.5, delta_h=0.02, mu=0.03, zeta=0.03, rubs="attached", force="untruncated")
 
 
 def balances(osc, Omega, A):
@@ -141,7 +142,7 @@ def test_state_is_stable_where_both_eigenvalues_are():
         Duffing(1.0, 2.0, 0.003, 0.01, c_2=0.05),
         RUBBING,
         RUBBING.replace(force="truncated", eta=0.01),
-        Isolator(lam=3.0, r=0.5, delta_h=0.02, mu=0.03, zeta=0.03, rubs="attached", force="untruncated"),
+        LOOSE,
     ],
     ids=repr,
 )
@@ -163,7 +164,7 @@ def test_onset_is_where_folds_come_with_the_level_of_the_locus(osc):
 
 def test_friction_that_ends_at_u_cr_makes_a_corner():
     """F_A falls by I m/u_cr: folds sit on u_cr where that turns its sign."""
-    osc = Isolator(lam=3.0, r=0.5, delta_h=0.02, mu=0.03, zeta=0.03, rubs="attached", force="untruncated")
+    osc = LOOSE
     assert osc.model.jumps == (0.0,)
     found = osc.saddle_nodes(0.0502)
     at = found.Omega[found.corner]
@@ -176,7 +177,7 @@ def test_friction_that_ends_at_u_cr_makes_a_corner():
 
 def test_friction_that_ends_at_u_cr_leaves_an_isola():
     """On the backbone I = m u_cr/A + 2 zeta A Omega is least beyond u_cr: there a curve is born."""
-    osc = Isolator(lam=3.0, r=0.5, delta_h=0.02, mu=0.03, zeta=0.03, rubs="attached", force="untruncated")
+    osc = LOOSE
     onset = osc.saddle_node_onset()
     assert onset.kind == "isola" and osc.breakpoints[0] < onset.A and onset.F_SN < osc.detachment().F_cr
     A = np.linspace(onset.A - 0.01, onset.A + 0.01, 2001)
@@ -329,7 +330,6 @@ NUMBERS = {
     "onset": (lambda osc: osc.saddle_node_onset(), ("F_SN", "Omega", "A")),
     "detachment": (lambda osc: osc.detachment(), ("F_cr", "Omega_cr", "u_cr")),
 }
-LOOSE = Isolator(lam=3.0, r=0.5, delta_h=0.02, mu=0.03, zeta=0.03, rubs="attached", force="untruncated")
 
 
 @pytest.mark.slow
@@ -449,6 +449,7 @@ def test_motions_beyond_u_cr_exist_beside_a_held_mass():
     folds, A = osc.saddle_nodes(F_0), np.geomspace(0.1, 20.0, 20001)
     assert len(folds) == 2 and not len(osc.saddle_nodes(0.999 * onset.F_SN))
     assert Remark.HELD_AT_REST in folds.remarks and Remark.UNDECIDED not in folds.remarks
+    assert Remark.HELD_AT_REST not in osc.saddle_nodes(1.001 * osc.sticking_forcing).remarks
     for Omega, count in ((0.99 * folds.Omega[0], 0), (1.0, 2), (folds.Omega[1] - 1e-3, 2), (1.01 * folds.Omega[1], 0)):
         level = np.hypot(*balances(osc, Omega, A)) - F_0
         places = A[:-1][level[:-1] * level[1:] < 0]
@@ -630,9 +631,6 @@ def test_what_has_no_answer_is_refused_in_words():
 @pytest.mark.parametrize("F_0", [0.1, 0.3])
 def test_structural_damping_alone_on_a_stop_averaged_by_sums(F_0):
     """Without zeta Omega^2 is explicit in A, with h by quadrature of the force as typed: it turns at the folds."""
-    sp = pytest.importorskip("sympy")
-    from slowflow import derive
-
     u, k, c, gap = sp.symbols("u k c gap")
     pieces = [(u, gap), (u + c * sp.tanh(k * (u - gap)), None)]
     made = derive.mechanism("stop_of_rubber", pieces, {name: {"above": 0} for name in ("k", "c", "gap")})
