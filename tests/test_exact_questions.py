@@ -15,7 +15,6 @@ from slowflow.exact import work
 from slowflow.example import isolator
 from slowflow_kernels import duffing as duffing_kernels
 from slowflow_support.errors import NotSettled
-from tests.interrupts import ENDING, interrupted
 from tests.oracles import by_time, exact_brute
 
 
@@ -349,18 +348,6 @@ def test_a_chaotic_motion_is_called_so_with_its_exponent():
 
 
 @pytest.mark.slow
-def test_ctrl_c_interrupts():
-    """A question of hours stops when it is interrupted."""
-    program = (
-        "import numpy as np; from slowflow import Duffing\n"
-        "oscillator = Duffing(1.0, 0.1, 0.01, 0.01)\n"
-        "oscillator.steady_state(Omega=0.5, F_0=0.1)\n"  # all is imported then
-        "print('asked', flush=True); oscillator.sweep(Omega=np.linspace(0.01, 0.02, 10**6), F_0=0.1); print('answered')"
-    )
-    assert interrupted(program) == ENDING
-
-
-@pytest.mark.slow
 @pytest.mark.parametrize("threads", [2, 16])
 def test_threads_answer_as_one_thread_does(threads):
     """Oscillators of their own and shared ones: the same digits as one after the other, and no crash."""
@@ -428,11 +415,6 @@ def test_refusals_name_parameter_value_and_range(question, words, oscillator):
 def test_no_damping_at_all_is_refused():
     with pytest.raises(ValueError, match="without any damping"):
         isolator(mu=0, zeta=0).steady_state(Omega=0.9, F_0=0.04)
-
-
-def test_importing_slowflow_imports_no_integrator():
-    code = "import sys, slowflow; print([m for m in ('scipy', 'heyoka', 'slowflow.exact') if m in sys.modules])"
-    assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout == "[]\n"
 
 
 def test_a_first_exact_motion_is_found_without_scipy():

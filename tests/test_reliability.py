@@ -73,27 +73,6 @@ with multiprocessing.get_context("fork").Pool(2) as pool:
     subprocess.run([sys.executable, "-c", program], check=True, timeout=120)
 
 
-@pytest.mark.slow
-def test_ctrl_c_ends_a_long_answer():
-    program = (
-        "import numpy as np; from slowflow.example import isolator\n"
-        "grid = np.linspace(0.1, 2.0, 3 * 10**7); print('asked', flush=True)\n"
-        "isolator().amplitudes(Omega=grid, F_0=0.04); print('answered', flush=True)"
-    )
-    assert interrupted(program) == ENDING
-
-
-@pytest.mark.slow
-def test_ctrl_c_ends_a_batch_of_very_slow_designs():
-    """Minutes of the second approximation: half a millisecond a design, where an onset takes some microseconds."""
-    program = (
-        "import numpy as np; from slowflow import Isolator\n"
-        "many = Isolator.many(lam=1.0, r=2.0, delta_h=np.linspace(0.1, 0.9, 10**6), mu=0.01, zeta=0.02)\n"
-        "print('asked', flush=True); many.second_approximation.saddle_nodes(0.04); print('answered', flush=True)"
-    )
-    assert interrupted(program) == ENDING
-
-
 def test_designs_that_take_50_ms_each_are_asked_few_at_a_time(monkeypatch):
     """By a clock of its own: every design once, in order, and less than a second between two times to hear Ctrl-C."""
     clock = [0.0]
@@ -107,8 +86,11 @@ def test_designs_that_take_50_ms_each_are_asked_few_at_a_time(monkeypatch):
     assert asked == 1000
 
 
-#: minutes, each
+#: minutes, each; a design of the second approximation takes half a millisecond, where an onset takes some microseconds
 LONG = {
+    "an answer": "isolator().amplitudes(Omega=np.linspace(0.1, 2.0, 3 * 10**7), F_0=0.04)",
+    "slow designs": "Isolator.many(**batch | {'zeta': np.full(10**6, 0.02)}).second_approximation.saddle_nodes(0.04)",
+    "a slow sweep": "Duffing(1.0, 0.1, 0.01, 0.01).sweep(Omega=np.linspace(0.01, 0.02, 10**6), F_0=0.1)",
     "an exact curve": "isolator().exact_response(0.04, step=1e-6)",
     "a sweep": "isolator().sweep(Omega=np.linspace(0.5, 1.5, 10**6), F_0=0.04)",
     "a record": "isolator().transient(acceleration=np.sin(np.arange(2e6)), tau=np.arange(2e6))",
@@ -126,7 +108,7 @@ LONG = {
 def test_ctrl_c_ends_what_takes_minutes(what):
     # SciPy, which some ask for first, is not what is interrupted: its modules say so in words of their own
     program = (
-        "import numpy as np, scipy.optimize; from slowflow import Isolator\n"
+        "import numpy as np, scipy.optimize; from slowflow import Duffing, Isolator\n"
         "from slowflow.example import isolator\n"
         "batch = dict(lam=3, r=2, delta_h=0.08, mu=0.01, zeta=np.linspace(0.02, 0.1, 10**5))\n"
         f"print('asked', flush=True); {LONG[what]}; print('answered', flush=True)"
