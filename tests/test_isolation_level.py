@@ -30,12 +30,14 @@ def linear(zeta: float, level_dB: float) -> float:
 
 
 @pytest.mark.parametrize("level_dB", LEVELS)
-@pytest.mark.parametrize("zeta", [0.001, 0.05, 0.4, 1.5])
+@pytest.mark.parametrize("zeta", [1e-4, 0.001, 0.05, 0.4, 1.5, 3.0])
 @pytest.mark.parametrize("excitation", ["force", "base", "unbalance"])
 def test_isolation_of_a_linear_mount_is_the_closed_form(excitation, zeta, level_dB):
-    expected = linear(zeta, level_dB)
-    found = Duffing(1.0, 0.0, zeta=zeta, excitation=excitation).isolation(0.3, level_dB)
-    many = Duffing.many(alpha=1.0, beta=0.0, zeta=[zeta], excitation=excitation).isolation(0.3, level_dB=level_dB)
+    """Of any damping from sqrt(2) times its natural frequency on, where the level is 0 dB; singly and in a batch."""
+    omega_n = math.sqrt(2.0)
+    expected = omega_n * linear(zeta / omega_n, level_dB)
+    found = Duffing(2.0, 0.0, zeta=zeta, excitation=excitation).isolation(0.3, level_dB)
+    many = Duffing.many(alpha=2.0, beta=0.0, zeta=[zeta], excitation=excitation).isolation(0.3, level_dB=level_dB)
     # an amplitude next to that of the base has the frequency in its last digits
     near = 64 * EPS * (1 if excitation == "force" else 10 ** (-level_dB / 10))
     assert found.Omega == pytest.approx(expected, rel=near)

@@ -131,12 +131,6 @@ def test_the_band_of_a_mount_lies_between_its_jumps():
 # ---- isolation -----------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("zeta", [0.01, 0.5])
-def test_linear_mount_isolates_from_sqrt_2_on(zeta):
-    found = Duffing(2.0, 0.0, zeta=zeta).isolation(0.3)
-    assert found.Omega == pytest.approx(2.0, rel=1e-14) and not found.at_fold
-
-
 def test_small_amplitude_where_isolation_begins_has_all_digits():
     """It is that of the state there, which falls with the fourth power of its frequency."""
     of = Duffing(1.0, 7.0, 1e-5, 0.004)

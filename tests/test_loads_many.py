@@ -62,12 +62,6 @@ def test_spectrum_row_without_a_stable_motion_says_so():
     )
 
 
-def test_batch_of_linear_mounts_isolates_from_root_two_on():
-    zeta = np.geomspace(1e-4, 3, 50)
-    found = Duffing.many(alpha=2.0, beta=0.0, zeta=zeta).isolation(0.3)
-    np.testing.assert_allclose(found.Omega, 2.0, rtol=1e-13)
-
-
 def test_margins_have_the_status_of_an_unresolved_onset():
     """A single one raises; a number that is not known is no margin without an end."""
     numbers = {"lam": 3, "r": 1.4571468416058473, "delta_h": 0.0019600418551609547, "zeta": 0.028892122141866906}
