@@ -23,24 +23,20 @@ class Pairs(NamedTuple):
 
     columns -- by name, with the entries of each pair after those of the pair before
     F_0     -- the forcing of each entry
-    Omega   -- the frequencies that were asked for
+    message -- what the parts say, and that the pairs are not combined
     parts   -- the answers at single forcings that these are from
     """
 
     columns: dict[str, Any]
     F_0: Floats
-    Omega: Floats
+    message: str
     parts: list[Any]
 
     def notes(self) -> dict[str, Any]:
-        """Message, that the pairs are not combined among it, remarks and undecided frequencies of all parts."""
+        """Message, remarks and undecided frequencies of all parts."""
         undecided = np.unique(np.concatenate([np.empty(0), *(part.Omega_undecided for part in self.parts)]))
         remarks = functools.reduce(operator.or_, (part.remarks for part in self.parts), NOTHING)
-        return {"message": self.message(), "Omega_undecided": undecided, "remarks": remarks}
-
-    def message(self) -> str:
-        """What the parts say, and that the pairs are not combined."""
-        return messages.at_pairs(self.Omega, (part.message for part in self.parts))
+        return {"message": self.message, "Omega_undecided": undecided, "remarks": remarks}
 
 
 def with_rests(at: Floats, rests: Any, Omega: Floats, columns: Mapping[str, tuple[Any, Any]]) -> dict[str, Any]:
@@ -81,4 +77,6 @@ def at_pairs(ask: Callable[[Floats, float], Any], Omega: Any, F_0: Any, names: I
         name: np.concatenate([getattr(part, name)[row] for part, row in zip(parts, rows, strict=True)])[order]
         for name in names
     }
-    return Pairs(columns, forcing[pairs[order]], at, parts if forcings else [])
+    parts = parts if forcings else []
+    message = messages.at_pairs(at, (part.message for part in parts))
+    return Pairs(columns, forcing[pairs[order]], message, parts)

@@ -21,7 +21,7 @@ from slowflow.certificate import DOUBLES, Proved, ProvedFolds, ProvedForcing, Pr
 from slowflow.mechanism import Flags
 from slowflow.model import Floats, Model
 from slowflow.results import Cusps, FrequencyResponse, Remark, SaddleNodeOnset, SaddleNodes, SteadyStates
-from slowflow_kernels.conventions import SAME, OnsetKind, Status
+from slowflow_kernels.conventions import SAME, Status
 
 Answer = TypeVar("Answer", bound=Proved)
 
@@ -301,8 +301,8 @@ def onset_in_doubles(model: Model) -> ProvedForcing:
     if status != Status.OK:
         said = {Status.UNBOUNDED: messages.OF_NO_LOWEST, Status.NONE: messages.OF_NO_ONSET}
         return _no_forcing(said.get(status, (messages.FAILED, messages.FAILED))[proved], proved=proved)
-    word = OnsetKind(kind).name.lower() if kind != OnsetKind.NO else ""
-    return ProvedForcing(proved, "" if proved else messages.ONSET_IN_DOUBT, DOUBLES, F_SN, Omega, A, word)
+    doubt = "" if proved else messages.ONSET_IN_DOUBT
+    return ProvedForcing(proved, doubt, DOUBLES, F_SN, Omega, A, solvers.ONSET_KINDS[kind])
 
 
 def detachment_in_doubles(model: Model) -> ProvedForcing:

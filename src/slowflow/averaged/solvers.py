@@ -30,8 +30,8 @@ from slowflow_support.errors import NotSettled, OutOfRange
 #: the words for kinds of folds, by whether a sweep leaves them upwards
 FOLD_KINDS = np.array(["jump-down", "jump-up"])
 NO_NUMBER = np.empty(0)
-#: the words for its kinds
-ONSET_KINDS = {kind.value: kind.name.lower() for kind in OnsetKind}
+#: the words for kinds of onsets
+ONSET_KINDS = {kind.value: kind.name.lower() if kind else "" for kind in OnsetKind}
 
 
 def check(status: int, model: Model, F_0: float | None = None) -> None:

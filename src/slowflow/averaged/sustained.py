@@ -47,12 +47,6 @@ def force_at(mechanism: Mechanism, parameters: tuple[Any, ...], u: Any) -> Float
     return value
 
 
-def of_each(value: Any, size: int) -> Floats:
-    """Numbers of designs whose last axis has length 1 as a column with a row for each of so many; or one number so."""
-    rows = np.reshape(value, (-1, 1))
-    return rows if len(rows) == size else np.broadcast_to(rows, (size, 1))
-
-
 def unsustained(flow: SlowFlow, Omega: Any, A: Any) -> Flags:
     """Which states (Omega, A) about u = 0 are resonant in averaging, and have no sustained motion near them.
 
@@ -66,8 +60,7 @@ def unsustained(flow: SlowFlow, Omega: Any, A: Any) -> Flags:
     found = np.zeros(A.shape, dtype=bool)
     if not mechanism.odd:
         return found.reshape(shape)
-    size = len(A)
-    flow = flow.each(lambda value: of_each(value, size))
+    flow = flow.each(lambda number: np.broadcast_to(np.reshape(number, (-1, 1)), (len(A), 1)))
     parameters = flow.parameters
     with np.errstate(all="ignore"):  # amplitudes of any size, and none
         places = WITHIN * np.fmax.reduce(A, axis=-1, keepdims=True) * (np.arange(1, SIGNS + 1) / SIGNS)

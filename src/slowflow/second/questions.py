@@ -155,7 +155,7 @@ class SecondApproximation(Questions[SecondStates, SecondResponse, SecondFolds]):
 
     def _at_pairs(self, Omega: Any, F_0: Any) -> SecondStates:
         found = at_pairs(self._amplitudes, Omega, F_0, ("Omega", "A", "A_1", "phi", "stable", "force"))
-        return SecondStates(**found.columns, F_0=found.F_0, message=found.message(), _model=self.first.model)
+        return SecondStates(**found.columns, F_0=found.F_0, message=found.message, _model=self.first.model)
 
     def _amplitudes(self, wanted: Floats, F_0: float) -> SecondStates:
         first = self.first.states(Omega=wanted, F_0=F_0)

@@ -450,7 +450,7 @@ def states(model: Model, Omega: float, F_0: float) -> ProvedStates | None:
 
 def _forcing(proved: bool, message: str, best: Point | None = None) -> ProvedForcing:
     ends = (np.empty(0),) * 3 if best is None else _pairs((best.level, best.Omega, best.on.A))
-    kind = "" if best is None or best.kind is OnsetKind.NO else best.kind.name.lower()
+    kind = "" if best is None else solvers.ONSET_KINDS[best.kind]
     return ProvedForcing(proved, message, ctx.prec, ends[0], ends[1], ends[2], kind)
 
 
