@@ -247,18 +247,13 @@ def test_what_is_undecided_of_isolation_is_said_in_short_too(monkeypatch):
 @pytest.mark.parametrize("name", [pytest.param("mount", marks=pytest.mark.slow), "table_1"])
 def test_a_report_asks_each_question_once_and_none_that_was_run(name, monkeypatch, tmp_path):
     """Counted where the oscillator is asked, whoever asks; what is put together from other questions asks it too."""
-    asked, made = [], scenes.QUESTIONS
+    asked, method = [], scenes.Scene._method
 
-    def counted(question):
-        def of(oscillator):
-            ask = question.of(oscillator)
-            return lambda **given: asked.append((ask.__name__, repr(sorted(given.items())))) or ask(**given)
+    def counted(scene, question):
+        ask = method(scene, question)
+        return lambda **given: asked.append((question, repr(sorted(given.items())))) or ask(**given)
 
-        return replace(question, of=of)
-
-    # tolerances are no method: they have no name
-    known = {key: one if key == "tolerances" else counted(one) for key, one in made.items()}
-    monkeypatch.setattr(scenes, "QUESTIONS", known)
+    monkeypatch.setattr(scenes.Scene, "_method", counted)
     path, out = ROOT / "scenes" / f"{name}.toml", tmp_path / "report.html"
     given = ["run", str(path), "--quiet", "-o", str(tmp_path / "out"), "--report", str(out)]
     assert cli.main(given) == 0 and not Page(out.read_text()).open

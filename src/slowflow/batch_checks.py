@@ -109,8 +109,7 @@ def lifting(designs: Designs, detachments: Batch) -> Floats:
         with np.errstate(all="ignore"):  # what is no design, or is in one piece, has no limit
             flow = designs._flow
             u_cr = flow.first_end
-            squared, *_ = dissipation.far_by_inertia(0.0, u_cr, 0.0, 0.0, 0.0, flow.d, 0.0)
-            none = np.where(np.isfinite(u_cr), np.sqrt(squared), u_cr)
+            none = np.where(np.isfinite(u_cr), flow.full_level(u_cr), u_cr)
     return np.where(detachments.status == Status.NONE, none, detachments.F_cr)
 
 

@@ -263,7 +263,7 @@ def margins(oscillator: Any, F_0: float) -> Margins:
     model, F_cr = oscillator.model, detachment.F_cr
     if F_cr is None and model.inertial and oscillator.breakpoints:
         # as no amplitude is lower at a higher frequency
-        F_cr = model.full_level(oscillator.breakpoints[0]) if model.laws.any else oscillator.breakpoints[0]
+        F_cr = float(model.full_level(oscillator.breakpoints[0])) if model.laws.any else oscillator.breakpoints[0]
     # beside a mass at rest that stays there motions may be that detach
     sticks, moves = folds.F_0 <= oscillator.sticking_forcing, not model.sticks(folds.F_0)
     leaves = moves and oscillator._detaches(folds.F_0)

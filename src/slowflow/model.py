@@ -260,6 +260,10 @@ class SlowFlow:
         """
         return self.force(F_0, Omega) + 0.0 * np.asarray(Omega) <= self.held
 
+    def full_level(self, A: Any) -> Any:
+        """The amplitude of an excitation by inertia under which A is what the response tends to as Omega grows."""
+        return np.sqrt(dissipation.far_by_inertia(0.0, A, 0.0, 0.0, 0.0, self.d, 0.0)[0])
+
     def floor(self, F_0: Any) -> Any:
         """What transmissibility tends to as Omega tends to inf, see `Averaged.transmissibility_floor`."""
         if self.inertial:
@@ -427,11 +431,6 @@ class Model(SlowFlow):
         Where f(u)/u is positive and rises with |u| so does -h/A with A, and -h_A is positive with it: so is their mean.
         """
         return self.hardens and not self.negative_stiffness
-
-    def full_level(self, A: float) -> float:
-        """The amplitude of an excitation by inertia under which A is what the response tends to as Omega grows."""
-        I_0, h = self.at_rest(A)[0], self.averaged(A)[0]
-        return math.sqrt(dissipation.far_by_inertia(0.0, A, 0.0, I_0, self.zeta, self.d, h)[0])
 
     def sticks(self, F_0: float) -> bool:
         """Whether friction leaves no motion at any frequency (27)."""

@@ -42,7 +42,6 @@ import warnings
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import partial
-from operator import attrgetter
 from pathlib import Path
 from typing import Any
 
@@ -93,37 +92,18 @@ questions = [
 """
 
 
-@dataclass(frozen=True)
-class Question:
-    """What a scene may ask.
-
-    of    -- the method of an oscillator that answers it
-    takes -- the names of what it takes without dimensions, but of a frequency that it need not be given "window"
-    """
-
-    of: Callable[[Isolator | Duffing | Physical], Callable[..., Answer]]
-    takes: frozenset[str] = frozenset()
+def _takes(question: str) -> frozenset[str]:
+    """What the method of this name takes without dimensions, but of a frequency that it need not be given "window"."""
+    given = inspect.signature(getattr(Isolator, question)).parameters.values()
+    return frozenset("window" if one.name == "Omega" and one.default is not one.empty else one.name for one in given)
 
 
-def _named(name: str) -> Question:
-    """The question that the method of this name answers."""
-    given = inspect.signature(getattr(Isolator, name)).parameters.values()
-    takes = ("window" if one.name == "Omega" and one.default is not one.empty else one.name for one in given)
-    return Question(attrgetter(name), frozenset(takes))
-
-
-def _tolerances(of: Isolator | Duffing | Physical) -> Callable[..., Answer]:
-    """Here, not above: it imports SciPy's statistics."""
-    from slowflow.sizing import tolerances
-
-    return partial(tolerances, of)
-
-
-#: those of the table but proofs, which a certificate has, tolerances, and what many designs are not asked
-QUESTIONS: Mapping[str, Question] = {
-    **{name: _named(name) for name in ROWS if name != "certify"},
-    "tolerances": Question(_tolerances),
-    **{name: _named(name) for name in ("exact_response", "fold_locus", "cusps", "isola_points")},
+#: what a scene may ask, and what that takes: those of the table but proofs, which a certificate has, tolerances, and
+#: what many designs are not asked
+QUESTIONS: Mapping[str, frozenset[str]] = {
+    **{name: _takes(name) for name in ROWS if name != "certify"},
+    "tolerances": frozenset(),
+    **{name: _takes(name) for name in ("exact_response", "fold_locus", "cusps", "isola_points")},
 }
 
 
@@ -262,8 +242,16 @@ class Scene:
         if (key := (question, repr(sorted(arguments.items())))) not in self.answers:
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore", range_checks.Implausible)  # among `warnings` already
-                self.answers[key] = QUESTIONS[question].of(self.oscillator)(**arguments)
+                self.answers[key] = self._method(question)(**arguments)
         return self.answers[key]
+
+    def _method(self, question: str) -> Callable[..., Any]:
+        """What answers a question."""
+        if question != "tolerances":
+            return getattr(self.oscillator, question)  # type: ignore[no-any-return]
+        from slowflow.sizing import tolerances  # here, not above: it imports SciPy's statistics
+
+        return partial(tolerances, self.oscillator)
 
     def explain(self, asked: Asked) -> Plan | None:
         """What runs for it and what is skipped; None for what is a formula, or put together from other questions."""
@@ -364,7 +352,7 @@ class _Reader:
 
     def _plain(self, name: str, kind: Kind, ask: Mapping[str, Any]) -> Iterator[Asked]:
         """A question at what [ask] has of that which it takes."""
-        takes = QUESTIONS[name].takes
+        takes = QUESTIONS[name]
         for key, wanted in ((kind.forcing, "F_0"), (kind.frequency, "Omega")):
             if wanted in takes and key not in ask:
                 raise self._error("ask", "", f"{key} is missing: {name} needs it")
