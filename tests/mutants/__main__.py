@@ -24,8 +24,8 @@ from pathlib import Path
 ROOT = Path(__file__).parents[2]
 EDITS = Path(__file__).parent / "edits.txt"
 NOT_COPIED = shutil.ignore_patterns(".git", ".venv*", "build", "output", "__pycache__", "*.egg-info", ".*_cache")
-#: what pytest ends with where none is selected
-NO_TESTS = 5
+#: what pytest ends with where none is selected; seconds after which a command is stopped: an error may search for ever
+NO_TESTS, LONGEST = 5, 1800
 PYTEST = ("-m", "pytest", "-x", "-q", "-p", "no:cacheprovider")
 NOTICED, SURVIVES, STALE, BROKEN = "noticed", "SURVIVES", "STALE", "BROKEN: its tests fail without it"
 
@@ -75,13 +75,16 @@ class Copy:
         (self.folder / "src" / "slowflow_derivation").symlink_to(self.folder / "derivations")
 
     def run(self, *command: str) -> bool:
-        """Whether a command of Python's ends well there."""
+        """Whether a command of Python's ends well there, in time."""
         outside = {name: value for name, value in os.environ.items() if not name.startswith("PYTEST_")}
         paths = os.pathsep.join(str(self.folder / part) for part in ("src", "generated", "."))
         # what it answers is asked, not how fast
         here = {"PYTHONPATH": paths, "CFLAGS": "-O0"}
-        done = subprocess.run([sys.executable, *command], cwd=self.folder, env={**outside, **here}, capture_output=True)
-        return done.returncode in (0, NO_TESTS)
+        given = {"cwd": self.folder, "env": {**outside, **here}, "capture_output": True, "timeout": LONGEST}
+        try:
+            return subprocess.run([sys.executable, *command], **given).returncode in (0, NO_TESTS)
+        except subprocess.TimeoutExpired:
+            return False
 
     def build(self) -> bool:
         """The solvers, of the sources as they are."""
