@@ -938,16 +938,8 @@ def test_states_by_inertia_born_next_to_rest_are_all_there(excitation):
 @pytest.mark.parametrize("rubs", ["throughout", "attached"])
 def test_onset_by_inertia_is_the_least_level_below_all_cusps(rubs):
     """An isola point of weak damping: the least level of all amplitudes beyond the stop, on a grid and beside it."""
-    osc = derive.library("elastic_stop")(
-        kappa=5.6,
-        delta=0.58,
-        mu=0.0,
-        zeta=0.0028,
-        eta=0.0,
-        c_2=0.0 if rubs == "attached" else 1e-9,
-        rubs=rubs,
-        excitation="base",
-    )
+    laws = {"mu": 0.0, "zeta": 0.0028, "c_2": 0.0 if rubs == "attached" else 1e-9, "rubs": rubs}
+    osc = derive.library("elastic_stop")(kappa=5.6, delta=0.58, **laws, excitation="base")
 
     def level(Omega, A):
         return np.hypot(*balances(osc, Omega, A)) / Omega**2
