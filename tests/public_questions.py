@@ -212,12 +212,7 @@ OF_CLASS = {
     SecondDesigns: OF_SECOND_BATCHES,
 }
 #: public, and asked by other methods: what makes oscillators, what measures answers, what refuses, what draws maps
-NO_QUESTIONS = {
-    "many",
-    "physical",
-    "measured",
-    "at_centre",
-}
+NO_QUESTIONS = {"many", "physical", "measured", "at_centre"}
 NO_QUESTIONS |= {"ask", "model", "remarks", "spanned", "untruncated_onset"}
 
 

@@ -120,18 +120,7 @@ def test_same_numbers_as_numpy(on_numpy, name):
         for k, (x, y) in enumerate(zip(new, old, strict=True)):
             assert x.shape == y.shape
             assert np.array_equal(x[..., exact], y[..., exact], equal_nan=True), (kernel, k)
-            if kernel in (
-                "averaged",
-                "averaged_2",
-                "averaged_H",
-                "h",
-                "h_A",
-                "h_AA",
-                "h_AAA",
-                "H",
-                "H_A",
-                "H_AA",
-            ):
+            if kernel in ("averaged", "averaged_2", "averaged_H", "h", "h_A", "h_AA", "h_AAA", "H", "H_A", "H_AA"):
                 order = k + kernel.count("A")
                 A, alpha, beta, gamma = (np.abs(given.get(n, 0.0)) for n in ("A", "alpha", "beta", "gamma"))
                 # what the moments multiply, over A^order; a moment is at most pi/2

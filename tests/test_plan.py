@@ -154,15 +154,7 @@ def test_every_question_has_a_plan():
         assert len(iso.explain(name, F_0).steps) >= 2 and iso.explain(name, F_0).question == name
     # the rest proves, draws and says
     beside = {"explain", "plot", "replace", "many", "restoring_force", "equation_of_motion"}
-    beside |= {
-        "measured",
-        "states",
-        "curve",
-        "folds",
-        "onset",
-        "closes",
-        "at_centre",
-    }
+    beside |= {"measured", "states", "curve", "folds", "onset", "closes", "at_centre"}
     public = {name for name in dir(type(iso)) if not name.startswith("_") and callable(getattr(type(iso), name))}
     assert public - beside - {"physical"} == set(asked)
 

@@ -297,18 +297,7 @@ def test_what_is_not_there_is_told_in_words():
 def test_question_it_does_not_answer_is_refused():
     second = isolator().second_approximation
     unanswered = [name for name in dir(Averaged) if not name.startswith("_") and not hasattr(second, name)]
-    facts = {
-        "model",
-        "mu",
-        "zeta",
-        "sticking_forcing",
-        "breakpoints",
-        "curve",
-        "states",
-        "folds",
-        "onset",
-        "closes",
-    }
+    facts = {"model", "mu", "zeta", "sticking_forcing", "breakpoints", "curve", "states", "folds", "onset", "closes"}
     for name in set(unanswered) - facts:
         with pytest.raises(AttributeError, match=f"no {name}: "):
             getattr(second, name)

@@ -33,13 +33,7 @@ def test_every_equation_stands_on_the_page_once_and_in_order(page: str) -> None:
     steps = [where for section in walkthrough.SECTIONS for where in section.steps]
     stated = [formula.equation for formula in published.FORMULAS]
     assert set(steps) <= set(stated)
-    assert set(stated) - set(steps) == {
-        "(A1)",
-        "(A2)",
-        "Table 1",
-        "captions of Figures 2, 3, 4",
-        "text of Section 4.3",
-    }
+    assert set(stated) - set(steps) == {"(A1)", "(A2)", "Table 1", "captions of Figures 2, 3, 4", "text of Section 4.3"}
 
 
 def test_each_verdict_is_the_ledgers(page: str, facts: Facts) -> None:

@@ -40,14 +40,7 @@ ORDERS = ("", "_A", "_AA", "_AAA")
 AVERAGES = {**averaged_force.TOGETHER, **{name: (name,) for name in (l + order for l in "hH" for order in ORDERS)}}
 RESULTANTS = {"saddle_nodes": resultants.saddle_nodes, "saddle_node_onset": resultants.saddle_node_onset}
 #: definitions that are quadratures or searches for a root, which need numbers of moderate size
-BY_QUADRATURE = {
-    "equivalent_damping",
-    "transmissibility",
-    "mean_stiffness",
-    "offset_stiffness",
-    "rise",
-    "harmonics",
-}
+BY_QUADRATURE = {"equivalent_damping", "transmissibility", "mean_stiffness", "offset_stiffness", "rise", "harmonics"}
 #: in place of a search for roots
 SLOPE = {"Omega_A": ("Omega A m zeta h h_A", lambda *x: [_slope_of_frequency(*x)])}
 #: modules whose definitions name their arguments
