@@ -21,7 +21,7 @@
 PYTHON ?= python3
 BIN := .venv/bin
 # pip and what it and setup.py import run a few times in all: their bytecode would be 11 MB
-PIP := PYTHONDONTWRITEBYTECODE=1 $(BIN)/python -m pip --quiet --disable-pip-version-check install
+PIP := PYTHONDONTWRITEBYTECODE=1 $(BIN)/python -m pip --quiet --disable-pip-version-check install --constraint derivations/constraints.txt
 # stamps: the package with what derives and draws; compiled from the C as it is now; what tests and benchmarks need besides
 INSTALLED := .venv/installed
 COMPILED := .venv/compiled
@@ -126,7 +126,7 @@ dist: $(INSTALLED)
 
 # What is imported is compiled to bytecode then; all of SymPy would take longer than the derivation. The C is left to the
 # next rule, which pip need not be waited for, and which leaves the processors to it and to the derivation.
-$(INSTALLED): .venv/pyvenv.cfg pyproject.toml setup.py
+$(INSTALLED): .venv/pyvenv.cfg pyproject.toml setup.py derivations/constraints.txt
 	SLOWFLOW_COMPILE=later $(PIP) --no-compile --no-build-isolation --editable ".[paper]"
 	@touch $@
 
