@@ -268,7 +268,7 @@ def _of_motion(library: Any) -> str:
         _pointer(out),
     ):
         raise RuntimeError("the motion of Table 1 is not followed")
-    asked = compiled.of_system(system), bench_exact.OMEGA, certified.F_0, 0.0, 0.0, 0.0, end, False, 0, 0, 10**6
+    asked = compiled.handle(system), bench_exact.OMEGA, certified.F_0, 0.0, 0.0, 0.0, end, False, 0, 0, 10**6
     whole, in_c = _in_turn(
         job.run,
         lambda: backend.EXACT.follow(*asked),

@@ -139,7 +139,7 @@ def test_what_a_limit_leaves_unexplained_is_told() -> None:
     for sentence in (states, motion):
         assert re.search(r"together [\d.]+ .?s; unexplained -?[\d.]+ .?s, -?\d+ %", sentence)
     steps = int(re.search(r"by (\d+) steps", motion)[1])
-    asked = compiled.of_system(bench_exact.table_1(True)), bench_exact.OMEGA, 0.04, 0.0, 0.0, 0.0, 200 * TURN
+    asked = compiled.handle(bench_exact.table_1(True)), bench_exact.OMEGA, 0.04, 0.0, 0.0, 0.0, 200 * TURN
     _, taken, phases = compiled.EXACT.follow(*asked, False, 0, 0, 10**6)
     assert steps == taken
     assert f" {len(phases) // PHASE.size} phases" in motion

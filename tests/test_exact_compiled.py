@@ -15,7 +15,7 @@ from slowflow.exact import EquationOfMotion, exact_response, linear, steady_stat
 from slowflow.exact.compiled import recurrences
 from slowflow.exact.continuation import Path
 from slowflow.exact.motion import Forced, follow
-from slowflow.exact.shooting import lengths, settle
+from slowflow.exact.shooting import converge, lengths
 from slowflow.example import TABLE_1
 from slowflow.mechanism import Force
 from slowflow_kernels import rod_spring
@@ -231,8 +231,8 @@ def test_sweeps_settle_to_motions_of_independent_integrators(motions, integrator
         forced = Forced(system, Omega, F_0)
         swept = sweep(system, Omega=[1.1 * Omega, Omega], F_0=F_0)
         assert swept.settled.all(), (system, Omega, F_0)
-        before = settle(forced._replace(Omega=1.1 * Omega), 0.0, 0.0, 0.0, lengths(system), 2000)
-        found = settle(forced, 0.0, before.u, before.v, lengths(system), 2000).found
+        before = converge(forced._replace(Omega=1.1 * Omega), 0.0, 0.0, 0.0, lengths(system), 2000)
+        found = converge(forced, 0.0, before.u, before.v, lengths(system), 2000).found
         assert found.A == swept.A[1]
         other = again(found, integrator)
         assert abs(other.A - swept.A[1]) <= 1e-10 * condition(found) * swept.A[1], (system, Omega, F_0)
@@ -291,7 +291,7 @@ def test_curve_traced_in_c_is_the_one_followed_in_python(monkeypatch):
     for system, F_0, window, start in [*cases, isola()]:
         traced = exact_response(system, F_0, Omega=window, start=start)
         with monkeypatch.context() as patched:
-            patched.setattr(Path, "_traced", lambda self, point, first, size, travelled: ([], size, travelled))
+            patched.setattr(Path, "_trace", lambda self, point, first, size, travelled: ([], size, travelled))
             followed = exact_response(system, F_0, Omega=window, start=start)
         assert traced.closed == followed.closed == (start is not None)
         assert len(traced.folds) == len(followed.folds) and len(traced.borders) == len(followed.borders)

@@ -256,7 +256,7 @@ def test_a_cycle_starts_at_any_of_its_turning_points(states):
         for i, (before, phase) in enumerate(itertools.pairwise(state.phases), 1):
             if phase.v or before.region != phase.region or phase.slip not in (-1, -cycle.sign):
                 continue
-            turned, z = cycle.started_at(state.unknowns, case.F_0, i)
+            turned, z = cycle.restart(state.unknowns, case.F_0, i)
             assert turned.holds(z, case.F_0), case
             found = turned.equations(z, case.F_0)
             assert found.A == pytest.approx(state.A, rel=1e-12) and np.max(np.abs(found.residual)) <= 1e-12

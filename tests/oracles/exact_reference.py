@@ -80,7 +80,7 @@ class Compiled:
         *state, end = way
         forced = alone(piece, drive, edge)
         at = forced.system.force.region_of(state[1])
-        of, given = compiled.of_system(forced.system), (True, slip, at, MOST_CALLS)
+        of, given = compiled.handle(forced.system), (True, slip, at, MOST_CALLS)
         outcome, _, phases = compiled.EXACT.follow(of, *forced[1:], *state, end, *given)
         first = Phase(*next(PHASE.iter_unpack(phases)))
         if outcome:
@@ -412,7 +412,7 @@ def again(found: Any, integrator: Any) -> Any:
         if np.max(np.abs(at.residual)) <= 100 * TOLERANCE:
             break
     assert np.max(np.abs(at.residual)) <= 100 * TOLERANCE
-    start = cycle.signature[0] if cycle.starts_from_rest else None
+    start = cycle.signature[0] if cycle.starts_sticking else None
     forced, theta = Forced(cycle.system, found.Omega, F_0), float(z[1])
     phases = follow(forced, integrator, theta, float(z[0]), 0.0, theta + math.pi * cycle.half_turns + 1e-6, start)
     phases = phases[: len(cycle.signature)]

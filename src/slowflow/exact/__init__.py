@@ -1,8 +1,7 @@
 """The equation of motion (3) itself, solved without averaging: periodic motions, response curves, sweeps.
 
-In:  an `EquationOfMotion` (restoring force in pieces, dry friction, viscous damping), a forcing, a frequency.
-Out: `steady_state`, `exact_response`, `sweep`, `transient`; motions switch exactly between slip and stick, attached and
-     detached.
+`steady_state`, `exact_response`, `sweep` and `transient` take an `EquationOfMotion` (restoring force in pieces, dry
+friction, viscous damping) and its excitation. Switches between slip and stick, attached and detached, are exact.
 """
 
 from slowflow.exact.response import Fold, Response, exact_response

@@ -1,11 +1,7 @@
-"""The compiled integrator. Takes questions about smooth motion, whole motions and cycles; returns C's answers.
+"""The compiled integrator: smooth motion by Taylor series of order 24, one rounding of error per step, without the GIL.
 
-In:  pieces of a force whose recurrences are compiled or interpreted, or that are known by values, states, orders of
-     switches.
-Out: what Taylor series of order 24 give, with an error per step of one rounding, without the GIL.
-
-The oscillator that the C functions take is made once for each and never changes; they share nothing else, so any thread
-may call them.
+The pieces of a force have recurrences, compiled or interpreted, or are approximated by polynomials. The oscillator that
+the C functions take is immutable and made once; they have no other state in common, so any thread may call them.
 """
 
 from __future__ import annotations
@@ -30,10 +26,10 @@ from slowflow_support.errors import NotSettled
 
 EXACT = backend.EXACT
 Array = npt.NDArray[np.float64]
-KEPT = 64  # oscillators in C, of which a curve asks one again and again
+CACHE_SIZE = 64  # oscillators in C
 
 
-#: the oscillator that was asked for last, and what it is for C; set as a whole, so that threads may share it
+#: the last oscillator and its handle, set as one tuple for thread safety
 _last: tuple[EquationOfMotion | None, Any] = None, None
 
 
@@ -47,20 +43,20 @@ def recurrences(law: Law) -> Any:
 
 
 def _interpret(force: Any) -> None:
-    """Makes laws of the programs beside a force's module, if there are any."""
+    """Makes laws of the programs in the folder of a force's module, if there are any."""
     module = sys.modules[force.__module__]
-    place = Path(module.__file__ or "")
-    place = place.with_name(f"{place.stem}_motion.json")
-    for name, program in json.loads(place.read_text()).items() if place.exists() else ():
+    path = Path(module.__file__ or "")
+    path = path.with_name(f"{path.stem}_motion.json")
+    for name, program in json.loads(path.read_text()).items() if path.exists() else ():
         lists = array("i", program["words"]).tobytes(), array("d", program["numbers"]).tobytes()
         EXACT.LAWS[name] = EXACT.interpreted(name, *lists)
 
 
 def _law(piece: Piece, low: float, high: float) -> tuple[Any, tuple[float, ...]]:
     """The law for C of a piece that holds from low to high, and its constants: polynomials where it has no series."""
-    found = recurrences(piece.law)
-    if found is not None:
-        return found, piece.constants
+    series = recurrences(piece.law)
+    if series is not None:
+        return series, piece.constants
     sides = []
     for side in (-1.0, 1.0):
         begin, end = sorted((side * low, side * high))
@@ -76,10 +72,10 @@ def _values(piece: Piece, u: Array) -> Array:
     """A force at several displacements, NaN where it has none."""
     force = functools.partial(_value, piece)
     try:
-        found = np.asarray(piece.law.force(u, *piece.constants), dtype=float)
+        values = np.asarray(piece.law.force(u, *piece.constants), dtype=float)
     except Exception:
-        found = np.empty(0)
-    return found if found.shape == u.shape else np.array([force(one) for one in u.tolist()])
+        values = np.empty(0)
+    return values if values.shape == u.shape else np.array([force(one) for one in u.tolist()])
 
 
 def _value(piece: Piece, u: float) -> float:
@@ -89,29 +85,29 @@ def _value(piece: Piece, u: float) -> float:
         return math.nan
 
 
-def of_system(system: EquationOfMotion) -> Any:
-    """The oscillator for C: of the one that was asked for last at once, as its hash takes longer than a step."""
+def handle(system: EquationOfMotion) -> Any:
+    """The oscillator for C. The last one is compared by identity, as its hash takes longer than a step."""
     global _last
     known, compiled = _last
     if known is not system:
-        compiled = _made(system)
+        compiled = _compile(system)
         _last = system, compiled
     return compiled
 
 
-@functools.lru_cache(maxsize=KEPT)
-def _made(system: EquationOfMotion) -> Any:
+@functools.lru_cache(maxsize=CACHE_SIZE)
+def _compile(system: EquationOfMotion) -> Any:
     force = system.force
-    about = -force.region_of(-math.inf)
+    centre = -force.region_of(-math.inf)
     ends = (-FAR, *force.edges, FAR)
     if force.odd:  # each holds on both sides of u = 0
-        of = [_law(piece, *ends[about + i : about + i + 2]) for i, piece in enumerate(force.pieces)]
-        made = of[:0:-1] + of
+        positive = [_law(piece, *ends[centre + i : centre + i + 2]) for i, piece in enumerate(force.pieces)]
+        laws_of = positive[:0:-1] + positive
     else:
-        made = [_law(piece, *ends[i : i + 2]) for i, piece in enumerate(force.pieces)]
-    laws, constants = zip(*made, strict=True)
+        laws_of = [_law(piece, *ends[i : i + 2]) for i, piece in enumerate(force.pieces)]
+    laws, constants = zip(*laws_of, strict=True)
     damping = system.mu, system.zeta, system.inertial, system.load, system.c_2, system.released, system.mu_s, system.eta
-    return EXACT.system(laws, constants, force.edges, about, force.odd, *damping, force.jump)
+    return EXACT.system(laws, constants, force.edges, centre, force.odd, *damping, force.jump)
 
 
 def advance(
@@ -120,9 +116,7 @@ def advance(
     """State (u, v) at `end`, also before theta, and its derivatives by (u, v, Omega, F_0): shape (2, 4)."""
     system, Omega, F_0 = forced
     flow = np.empty((2, 4))
-    outcome, steps, u, v = EXACT.advance(
-        of_system(system), Omega, F_0, slip, region, theta, u, v, end, steps_left(), flow
-    )
+    outcome, steps, u, v = EXACT.advance(handle(system), Omega, F_0, slip, region, theta, u, v, end, steps_left(), flow)
     spend(steps)
     if outcome:
         raise NotSettled(f"the integration from theta = {theta} to {end} failed")
@@ -130,14 +124,14 @@ def advance(
 
 
 def sample(forced: Any, phase: Any, grid: Array) -> Array:
-    """u, v and the acceleration of the mass, as seen by who stands still, within a phase: shape (grid.size, 3).
+    """u, v and the absolute acceleration of the mass within a phase: shape (grid.size, 3).
 
     grid -- does not fall, and lies at or after where the phase begins
     """
     system, Omega, F_0 = forced
     states = np.empty((grid.size, 3))
     outcome, steps = EXACT.sample(
-        of_system(system), Omega, F_0, *phase[:5], steps_left(), np.ascontiguousarray(grid), states
+        handle(system), Omega, F_0, *phase[:5], steps_left(), np.ascontiguousarray(grid), states
     )
     spend(steps)
     if outcome:

@@ -1,7 +1,4 @@
-"""The path over Omega, through folds and through every change in the order of switches.
-
-In:  a steady state to start from, F_0, a range of Omega, a step.
-Out: points in the order of the curve, folds and borders between orders among them; between two points the summit.
+"""Continuation of periodic motions over Omega, through folds and through every change in the order of switches.
 
 Within one order of switches the curve is smooth (see `cycle`) and followed by pseudo-arclength; every point is then
 followed through its switches. Where the order changes the border is solved for, and the curve is taken up on the other
@@ -20,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slowflow.backend import EXACT
-from slowflow.exact.compiled import of_system
+from slowflow.exact.compiled import handle
 from slowflow.exact.cycle import Array, Cycle, Equations, closed_cycle
 from slowflow.exact.motion import Forced, follow
 from slowflow.exact.shooting import SteadyState
@@ -32,16 +29,16 @@ from slowflow_support.errors import NotSettled
 STEP = 0.02  # largest step: relative in u_0, radians in theta_0, half of it in Omega
 SMALLEST_STEP = 1e-9
 STRAIGHT = 0.98  # cosine of the largest angle between neighbouring tangents
-LARGEST = 1e3  # amplitude, in rod lengths, beyond which a curve is taken to go on for ever
+LARGEST = 1e3  # amplitude, in rod lengths, beyond which a curve counts as unbounded
 NEAR = 2e-3  # largest distance, in Omega and relative in u_0, of the first point beyond a border
 COINCIDE = 1e-8  # neighbouring folds closer than this, in Omega and A, are one turn there and back by rounding
-LEVEL = 1e-5  # Omega component of a tangent that is none: where phases vanish like a square root, Omega stands still
-#: share of the way to a border, that much before which the order of switches is seen to hold: nearer, where motions
-#: touch a jump of the force, rounding decides
+LEVEL = 1e-5  # Omega component of a tangent that counts as zero, as where phases vanish like a square root
+#: relative distance before a border at which the order of switches is tested: nearer, where motions touch a jump of
+#: the force, rounding decides
 BEFORE = 1e-3
-AT_BORDER = 1e-10  # a span, or a margin, that is taken to vanish
+AT_BORDER = 1e-10  # a span, or a margin, that counts as zero
 MOST_POINTS = 20_000
-TRACED = 50  # points at a time: some milliseconds, after which Ctrl-C is heard
+TRACE_POINTS = 50  # points at a time: some milliseconds, after which Ctrl-C is heard
 PASSES = "the response curve at {F_0 = :} passes {A = :g} at {Omega = :.9g}: {why:s}choose a range on one side of it"
 ENDS = "the response curve at {F_0 = :} cannot be followed beyond {Omega = :.9g}, {A = :.9g}"
 FOLDS = ("fold", "corner")  # roles of points
@@ -63,22 +60,22 @@ class Point(NamedTuple):
     monodromy: Array
     role: str = ""  # "fold", "border", "corner"
     #: the point before, in the same order of switches: its unknowns, its tangent, and the row by which it measured
-    came_from: tuple[Array, Array, Array] | None = None
+    previous: tuple[Array, Array, Array] | None = None
 
     @classmethod
     def of(cls, cycle: Cycle, z: Array, equations: Equations, tangent: Array) -> Point:
         """The point where Newton's iteration ended."""
         return cls(cycle, z, tangent, equations.A, float(equations.of_A[:-1] @ tangent), equations.monodromy)
 
-    def turned(self) -> Point:
+    def flip(self) -> Point:
         """The point with the curve run through the other way."""
-        return self._replace(tangent=-self.tangent, rise=-self.rise, came_from=None)
+        return self._replace(tangent=-self.tangent, rise=-self.rise, previous=None)
 
-    def ahead(self, row: Array, size: float) -> Array:
-        """Where the curve is thought to be at a distance by that row: along its tangent, bent as it was before."""
-        if self.came_from is None:
+    def predict(self, row: Array, size: float) -> Array:
+        """Predict the unknowns at a distance measured by that row: cubic Hermite extrapolation, or the tangent."""
+        if self.previous is None:
             return self.z + size * self.tangent
-        z, tangent, before = self.came_from
+        z, tangent, before = self.previous
         # the cubic through both points along both tangents, over the distance as measured at the first
         chord, rate = self.z - z, float(before @ self.tangent)
         far = float(before @ chord)
@@ -103,7 +100,7 @@ def is_same(fold: Point, other: Point) -> bool:
     return abs(float(fold.z[-1] - other.z[-1])) < COINCIDE and abs(fold.A - other.A) < COINCIDE
 
 
-def has_turned(points: list[Point]) -> bool:
+def passed_fold(points: list[Point]) -> bool:
     """Whether a branch has a fold at the last point but one; one there and back by rounding is none."""
     if len(points) < 2 or points[-2].role not in FOLDS:
         return False
@@ -116,7 +113,7 @@ def has_turned(points: list[Point]) -> bool:
 class Path:
     """Follows a curve of cycles point by point.
 
-    start -- a motion of the curve: off the centre, where u_0 may pass 0, steps are shares of its amplitude at least
+    start -- a motion of the curve; steps of asymmetric motions, whose u_0 may pass 0, are relative to its amplitude
     """
 
     def __init__(self, F_0: float, low: float, high: float, step: float, start: SteadyState | Point) -> None:
@@ -139,12 +136,12 @@ class Path:
         size = 0.1 * self.step
         travelled = 0.0
         for _ in range(MOST_POINTS):
-            plain, size, travelled = self._traced(point, first, size, travelled)
-            yield from plain
-            point = plain[-1] if plain else point
-            if len(plain) == TRACED:
+            traced, size, travelled = self._trace(point, first, size, travelled)
+            yield from traced
+            point = traced[-1] if traced else point
+            if len(traced) == TRACE_POINTS:
                 continue
-            new = self._corrected(point, size)
+            new = self._correct(point, size)
             usable = new is not None and self._cosine(point, new) > STRAIGHT and self._distance(point, new) < 2 * size
             if usable and new is not None and not self._inside(new):
                 yield self._at_end(point, new)
@@ -175,7 +172,7 @@ class Path:
             if size < SMALLEST_STEP:
                 if not self.restarts or point.cycle.system.centred:
                     break
-                # once more: off the centre a cycle that starts elsewhere may have its start at the border
+                # once more: an asymmetric cycle that starts elsewhere may have its start at the border
                 self.restarts, size = False, 0.1 * self.step
         raise LostCurve(text(ENDS, self.F_0, point.z[-1], point.A))
 
@@ -185,22 +182,22 @@ class Path:
         with contextlib.suppress(ArithmeticError):
             for point in self.follow(self.begin(start, direction)):
                 points.append(point)
-                if has_turned(points):
+                if passed_fold(points):
                     return points, True
         return points, False
 
-    def _traced(self, point: Point, first: Point, size: float, travelled: float) -> tuple[list[Point], float, float]:
+    def _trace(self, point: Point, first: Point, size: float, travelled: float) -> tuple[list[Point], float, float]:
         """Points after one as long as nothing is to be decided, in C; the next step and the way from the first."""
         cycle, n = point.cycle, point.z.size
         here = np.zeros(5 * n)  # unknowns and tangent, and those of the point before with its row, which C brings along
-        parts = (point.z, point.tangent, *(point.came_from or ()))
-        here[: len(parts) * n] = np.concatenate(parts)
-        begun = (first.z, first.tangent) if first.cycle.signature == cycle.signature else (np.empty(0),)
-        rows = np.empty((TRACED, 2 * n + 6))
-        course = (self.low, self.high, self.step, STRAIGHT, LARGEST, self.least)
+        arrays = (point.z, point.tangent, *(point.previous or ()))
+        here[: len(arrays) * n] = np.concatenate(arrays)
+        start = (first.z, first.tangent) if first.cycle.signature == cycle.signature else (np.empty(0),)
+        rows = np.empty((TRACE_POINTS, 2 * n + 6))
+        limits = (self.low, self.high, self.step, STRAIGHT, LARGEST, self.least)
         count, steps, size, travelled = EXACT.trace(
-            *(of_system(cycle.system), cycle.packed, cycle.half_turns, cycle.starts_from_rest, self.F_0, course, here),
-            *(point.came_from is not None, size, travelled, np.concatenate(begun), steps_left(), rows),
+            *(handle(cycle.system), cycle.packed, cycle.half_turns, cycle.starts_sticking, self.F_0, limits, here),
+            *(point.previous is not None, size, travelled, np.concatenate(start), steps_left(), rows),
         )
         spend(steps, keep=count > 0)
         points = [
@@ -208,7 +205,7 @@ class Path:
             for row in rows[:count]
         ]
         if points:
-            points[-1] = points[-1]._replace(came_from=(here[2 * n : 3 * n], here[3 * n : 4 * n], here[4 * n :]))
+            points[-1] = points[-1]._replace(previous=(here[2 * n : 3 * n], here[3 * n : 4 * n], here[4 * n :]))
         return points, size, travelled
 
     def _weights(self, z: Array) -> Array:
@@ -222,8 +219,8 @@ class Path:
     def _tangent(self, z: Array, equations: Equations, sense: Array) -> Array:
         """Unit tangent, in the sense of another."""
         tangent = np.linalg.svd(equations.jacobian[:, :-1])[2][-1]
-        against = float(tangent @ (self._weights(z) * sense)) < 0
-        return self._unit(z, -tangent if against else tangent)
+        opposite = float(tangent @ (self._weights(z) * sense)) < 0
+        return self._unit(z, -tangent if opposite else tangent)
 
     def _unit(self, z: Array, tangent: Array | None) -> Array:
         """The tangent at z, of unit length."""
@@ -231,18 +228,18 @@ class Path:
         unit: Array = tangent / math.sqrt(float(tangent @ (self._weights(z) * tangent)))
         return unit
 
-    def _corrected(self, point: Point, size: float) -> Point | None:
+    def _correct(self, point: Point, size: float) -> Point | None:
         """The point of the curve at arclength `size` from `point`, whether or not its order of switches holds."""
         if size == 0.0:
             return point
         row = self._weights(point.z) * point.tangent
         # tangents are of unit length: the weighted distance along this one is the size
         value = float(row @ point.z) + size
-        found = point.cycle.newton(point.ahead(row, size), self.F_0, row, value, most=ALONG)
+        found = point.cycle.newton(point.predict(row, size), self.F_0, row, value, most=ALONG)
         if found is None:
             return None
-        tangent = self._unit(found[0], found[1].along)
-        return Point.of(point.cycle, *found, tangent)._replace(came_from=(point.z, point.tangent, row))
+        tangent = self._unit(found[0], found[1].direction)
+        return Point.of(point.cycle, *found, tangent)._replace(previous=(point.z, point.tangent, row))
 
     def _cosine(self, a: Point, b: Point) -> float:
         return float(a.tangent @ (self._weights(a.z) * b.tangent))
@@ -257,8 +254,8 @@ class Path:
     def _at_end(self, point: Point, beyond: Point) -> Point:
         """The point where the curve leaves the range of Omega."""
         target = self.high if beyond.z[-1] >= self.high else self.low
-        share = (target - point.z[-1]) / (beyond.z[-1] - point.z[-1])
-        z = point.z + share * (beyond.z - point.z)
+        fraction = (target - point.z[-1]) / (beyond.z[-1] - point.z[-1])
+        z = point.z + fraction * (beyond.z - point.z)
         z[-1] = target
         found = point.cycle.newton(z, self.F_0)
         if found is None:
@@ -278,7 +275,7 @@ class Path:
         middle = new
         for _ in range(60):
             c = (a * at_b - b * at_a) / (at_b - at_a)
-            corrected = self._corrected(point, c)
+            corrected = self._correct(point, c)
             if corrected is None:
                 break
             middle = corrected
@@ -296,10 +293,10 @@ class Path:
 
     def summit(self, base: Point, other: Point) -> Point | None:
         """Where A, which rises from `base` along its tangent, turns before `other`; None if it does not."""
-        # no more than their distance along the curve, which the phases take part in
+        # a lower bound of their distance along the curve, to which the phases contribute
         size = math.hypot(other.A / base.A - 1.0, 2.0 * float(other.z[-1] - base.z[-1]))
         for _ in range(8):
-            there = self._corrected(base, size)
+            there = self._correct(base, size)
             if there is None:
                 return None
             if there.rise < 0.0:
@@ -312,15 +309,15 @@ class Path:
 
     def _fold_behind(self, new: Point) -> Point | None:
         """A fold between a border and the first point beyond it, found going back."""
-        back = new.turned()
+        back = new.flip()
         size = SMALLEST_STEP
         while size < self.step:
-            there = self._corrected(back, size)
+            there = self._correct(back, size)
             if there is None or not there.cycle.holds(there.z, self.F_0):
                 return None
             if there.tangent[-1] * back.tangent[-1] < 0:
                 fold = self._fold(back, there, size)
-                return fold.turned()
+                return fold.flip()
             size *= 1.5
         return None
 
@@ -335,12 +332,12 @@ class Path:
 
     def _cross(self, point: Point, size: float) -> list[Point] | None:
         """The border beyond `point`, and a first point with the new order of switches; a fold before it, if any."""
-        held = self._held_up_to(point, size)
-        last = self._corrected(point, held)
+        limit = self._order_limit(point, size)
+        last = self._correct(point, limit)
         if last is None:
             return None
         for beyond in (1e-4, 1e-3, 1e-5, 1e-2, 1e-6):
-            trial = self._corrected(point, held + beyond * self.step * 10)
+            trial = self._correct(point, limit + beyond * self.step * 10)
             if trial is None:
                 continue
             new = self._other_side(last, trial)
@@ -348,23 +345,23 @@ class Path:
                 sense = point.tangent[-1]
                 found = []
                 if sense * last.tangent[-1] < 0 and abs(last.tangent[-1]) > LEVEL:
-                    found.append(self._fold(point, last, held))
+                    found.append(self._fold(point, last, limit))
                     sense = last.tangent[-1]
                 border, after = self._border(last, new), [new]
-                leaving = new.tangent[-1]
-                if (new.z[-1] - border.z[-1]) * leaving < 0 and abs(new.z[-1] - border.z[-1]) > COINCIDE:
+                outgoing = new.tangent[-1]
+                if (new.z[-1] - border.z[-1]) * outgoing < 0 and abs(new.z[-1] - border.z[-1]) > COINCIDE:
                     fold = self._fold_behind(new)
                     if fold is not None:
-                        after, leaving = [fold, new], -leaving
-                found.append(border._replace(role="corner") if sense * leaving < 0 else border)
+                        after, outgoing = [fold, new], -outgoing
+                found.append(border._replace(role="corner") if sense * outgoing < 0 else border)
                 return found + after
         return None
 
-    def _held_up_to(self, point: Point, size: float) -> float:
+    def _order_limit(self, point: Point, size: float) -> float:
         """The arclength up to which the order of switches holds that is lost at `size`.
 
-        Where a span or a margin vanishes, the equations tell to rounding; it is enough that the order holds just
-        before. Else, as where the mass stops within a slip, it is halved.
+        A zero of a span or a margin is found to rounding, and the order is tested just before it. Otherwise, as where
+        the mass stops within a slip, the interval is bisected.
         """
         border = self._border_ahead(point, size)
         if border is None:
@@ -375,10 +372,9 @@ class Path:
     def _border_ahead(self, point: Point, size: float) -> float | None:
         """The arclength at which the first of the spans and margins vanishes that are lost at `size`; None if none is.
 
-        It is looked for along the curve: at no span the equations have other solutions, too, and Newton's iteration no
-        single one.
+        The search runs along the curve: with a span of zero the equations have other solutions as well.
         """
-        there = self._corrected(point, size)
+        there = self._correct(point, size)
         if there is None:
             return None
         spans = point.z.size - 3
@@ -401,24 +397,24 @@ class Path:
 
     def _halved(self, point: Point, size: float) -> float:
         """The arclength up to which the order of switches holds, by bisection."""
-        held, lost = 0.0, size
+        low, high = 0.0, size
         for _ in range(24):
-            middle = 0.5 * (held + lost)
+            middle = 0.5 * (low + high)
             if self._holds_at(point, middle):
-                held = middle
+                low = middle
             else:
-                lost = middle
-        return held
+                high = middle
+        return low
 
     def _holds_at(self, point: Point, size: float) -> bool:
         """Whether the order of switches holds at an arclength."""
-        at = self._corrected(point, size)
+        at = self._correct(point, size)
         return at is not None and at.cycle.holds(at.z, self.F_0)
 
     def _other_side(self, last: Point, trial: Point) -> Point | None:
         """A point near the border with the new order of switches."""
         start = last.cycle.highest(last.z, self.F_0) if self.restarts else 0
-        last, trial = (self._started_at(point, start) for point in (last, trial))
+        last, trial = (self._restart(point, start) for point in (last, trial))
         nearest, best = None, NEAR
         for cycle, z in self._orders(trial):
             if cycle.order == last.cycle.order or not cycle.consistent:
@@ -429,7 +425,7 @@ class Path:
                 for offset in (0.0, 1e-6, -1e-6, 1e-5, -1e-5, 1e-4, -1e-4):
                     at = z.copy()
                     at[index] = z[index] * (1.0 + offset)
-                    new = self._with_fixed(cycle, at, row)
+                    new = self._solve_fixed(cycle, at, row)
                     if new is None:
                         continue
                     size = max(abs(float(last.z[0])), self.least)
@@ -437,15 +433,15 @@ class Path:
                     if distance < best:
                         nearest, best = new, distance
                     if best < 1e-5:
-                        return self._leaving(new, last)
-        return None if nearest is None else self._leaving(nearest, last)
+                        return self._orient(new, last)
+        return None if nearest is None else self._orient(nearest, last)
 
-    def _started_at(self, point: Point, phase: int) -> Point:
+    def _restart(self, point: Point, phase: int) -> Point:
         if phase == 0:
             return point
-        cycle, z = point.cycle.started_at(point.z, self.F_0, phase)
-        # only its cycle and unknowns are asked for: the tangent is that of the other start
-        return point._replace(cycle=cycle, z=z, came_from=None)
+        cycle, z = point.cycle.restart(point.z, self.F_0, phase)
+        # only its cycle and unknowns are valid: the tangent is that of the other start
+        return point._replace(cycle=cycle, z=z, previous=None)
 
     def _orders(self, trial: Point) -> Iterator[tuple[Cycle, Array]]:
         """Orders of switches that may hold beyond a border, with trial unknowns; `trial` has the order that is lost."""
@@ -457,18 +453,18 @@ class Path:
                 if found is not None:
                     yield found
         for border in cycle.equations(z, self.F_0).borders:
-            if border.margin < 0.0 and not border.rest:
+            if border.margin < 0.0 and not border.sticking:
                 found = cycle.with_excursion(z, self.F_0, border.phase)
                 if found is not None:
                     yield found
-        found = self._as_followed(trial)
+        found = self._simulated_order(trial)
         if found is not None:
             yield found
 
-    def _as_followed(self, trial: Point) -> tuple[Cycle, Array] | None:
+    def _simulated_order(self, trial: Point) -> tuple[Cycle, Array] | None:
         cycle, z = trial.cycle, trial.z
         forced = Forced(cycle.system, float(z[-1]), self.F_0)
-        start = cycle.signature[0] if cycle.starts_from_rest else None
+        start = cycle.signature[0] if cycle.starts_sticking else None
         theta = float(z[1])
         try:
             motion = follow(forced, theta, float(z[0]), 0.0, theta + (cycle.half_turns + 3) * math.pi, start)
@@ -476,24 +472,24 @@ class Path:
             return None
         return closed_cycle(cycle.system, cycle.half_turns, motion, forced.Omega)
 
-    def _with_fixed(self, cycle: Cycle, z: Array, row: Array) -> Point | None:
+    def _solve_fixed(self, cycle: Cycle, z: Array, row: Array) -> Point | None:
         """The solution with one unknown kept, if its order of switches holds."""
         found = cycle.newton(z, self.F_0, row, float(row @ z))
         if found is None or not cycle.holds(found[0], self.F_0):
             return None
-        return Point.of(cycle, *found, self._unit(found[0], found[1].along))
+        return Point.of(cycle, *found, self._unit(found[0], found[1].direction))
 
-    def _leaving(self, new: Point, last: Point) -> Point:
+    def _orient(self, new: Point, last: Point) -> Point:
         """The first point beyond a border with its tangent turned away from the border."""
-        senses = [new, new.turned()]
+        senses = [new, new.flip()]
         for size in (1e-4, 1e-3, 1e-2):
-            there = [self._corrected(point, size) for point in senses]
-            held = [point is not None and point.cycle.holds(point.z, self.F_0) for point in there]
-            if held[0] != held[1]:  # only one sense leads back across the border
-                return senses[0] if held[0] else senses[1]
+            there = [self._correct(point, size) for point in senses]
+            valid = [point is not None and point.cycle.holds(point.z, self.F_0) for point in there]
+            if valid[0] != valid[1]:  # only one sense leads back across the border
+                return senses[0] if valid[0] else senses[1]
         offset = new.z[[0, -1]] - last.z[[0, -1]]
-        along = float(new.tangent[[0, -1]] @ (self._weights(new.z)[[0, -1]] * offset))
-        return senses[0] if along > 0 else senses[1]
+        component = float(new.tangent[[0, -1]] @ (self._weights(new.z)[[0, -1]] * offset))
+        return senses[0] if component > 0 else senses[1]
 
     def _border(self, last: Point, new: Point) -> Point:
         """The border between two orders of switches, solved for on the side with fewer phases."""
@@ -505,7 +501,7 @@ class Path:
 
             # to rounding: beyond a touching point everything grows like the square root of its error
             found = simple.cycle.newton(simple.z, self.F_0, border=index, tolerance=1e-16)
-            # the border may also be a stop in mid-slip, of which no margin tells: then `last` is as good as it gets
+            # the border may also be a stop in mid-slip, which has no margin: then `last` is the best estimate
             if found is not None and abs(found[0][-1] - last.z[-1]) < 1e-5 and abs(found[1].A / last.A - 1) < 1e-5:
                 return Point.of(simple.cycle, *found, simple.tangent)._replace(role="border")
         return last._replace(role="border")

@@ -1,7 +1,4 @@
-"""The equations of a periodic motion with a given order of switches, and their Jacobian; Floquet multipliers.
-
-In:  an oscillator, the signature (slip, region) of the phases, a trial solution.
-Out: residual, Jacobian, monodromy.
+"""The equations of a periodic motion with fixed order of switches, and their Jacobian; Floquet multipliers.
 
 A cycle starts when the mass begins to slip downwards, at (theta_0, u_0) with v = 0, and ends n half turns of the
 forcing later in (-1)^n times the same state; n = 1 holds for the half-wave symmetric motions, n = 2 for any motion with
@@ -48,15 +45,14 @@ WHOLE = 0.3
 
 
 class Border(NamedTuple):
-    """A margin that is positive while no phase has to be put in at a turning point, and its gradient, as a row.
+    """A margin that is positive while no phase has to be inserted at a turning point, and its gradient, as a row.
 
-    phase   -- index of the phase that ends there
-    rest    -- False: distance of the turning point from the breakpoint ahead; True: excess of the push over what
-               friction holds
+    phase    -- index of the phase that ends there
+    sticking -- False: distance of the turning point from the breakpoint ahead; True: excess of the force over friction
     """
 
     phase: int
-    rest: bool
+    sticking: bool
     margin: float
     gradient: Array
 
@@ -65,8 +61,8 @@ class Equations(NamedTuple):
     """residual (k+2), jacobian (k+2, k+4): columns u_0, theta_0, k spans, Omega, F_0; monodromy over the cycle (2, 2).
 
     A is the largest |u| at a switch, of_A its derivatives by the same unknowns; borders lists the margins within which
-    the order of switches holds. `along`, after Newton's iteration with one more equation: the change of the unknowns
-    that keeps all others and raises the value of that one at rate 1, shape (k+3,).
+    the order of switches holds. `direction`, after Newton's iteration with one more equation: the change of the
+    unknowns that keeps all others and raises the value of that one at rate 1, shape (k+3,).
     """
 
     residual: Array
@@ -75,7 +71,7 @@ class Equations(NamedTuple):
     A: float
     of_A: Array
     borders: tuple[Border, ...]
-    along: Array | None = None
+    direction: Array | None = None
 
 
 @dataclass(frozen=True)
@@ -92,12 +88,12 @@ class Cycle:
         return -1 if self.half_turns % 2 else 1
 
     @property
-    def stays(self) -> bool:
+    def sticks(self) -> bool:
         """Whether the mass stays at rest all the time."""
-        return len(self.signature) == 1 and self.starts_from_rest
+        return len(self.signature) == 1 and self.starts_sticking
 
     @property
-    def starts_from_rest(self) -> bool:
+    def starts_sticking(self) -> bool:
         """Whether the mass breaks away at the start of the cycle, rather than turns round."""
         return self.signature[-1][0] == 0
 
@@ -124,15 +120,15 @@ class Cycle:
     def consistent(self) -> bool:
         """Whether every phase begins in the region where the one before it ended."""
         first = (self.sign * self.signature[0][0], self.sign * self.signature[0][1])
-        following = [*self.signature[1:], first]
+        successors = [*self.signature[1:], first]
         return all(
             after[1] == region or (slip != 0 and after == (slip, self.system.force.beyond(slip, region)))
-            for (slip, region), after in zip(self.signature, following, strict=True)
+            for (slip, region), after in zip(self.signature, successors, strict=True)
         )
 
     def highest(self, z: Array, F_0: float) -> int:
-        """Index of the phase that starts from the farthest turning point or rest at which a cycle can start."""
-        best, found = abs(float(z[0])), 0
+        """Index of the phase that starts from the farthest turning point or stop at which a cycle can start."""
+        best, farthest = abs(float(z[0])), 0
         starts = []
         for i, (before, (slip, region)) in enumerate(pairwise(self.signature), 1):
             if slip == 0 or before == (slip, region) or before[1] != region or (slip == 1 and self.sign == 1):
@@ -143,10 +139,10 @@ class Cycle:
         for i in starts:
             u = abs(ends[i - 1][1])
             if u > best * (1.0 + 1e-9):
-                best, found = u, i
-        return found
+                best, farthest = u, i
+        return farthest
 
-    def started_at(self, z: Array, F_0: float, phase: int) -> tuple[Cycle, Array]:
+    def restart(self, z: Array, F_0: float, phase: int) -> tuple[Cycle, Array]:
         """The same motion as a cycle that starts with that phase, mirrored if the phase slips upwards."""
         if phase == 0:
             return self, z
@@ -160,9 +156,9 @@ class Cycle:
         return replace(self, signature=tuple(phases)), np.array([u, theta, *spans, z[-1]])
 
     def with_excursion(self, z: Array, F_0: float, phase: int) -> tuple[Cycle, Array] | None:
-        """The cycle with a way beyond the breakpoint and back put in where a phase turns, and trial unknowns.
+        """The cycle with an excursion beyond the breakpoint inserted where a phase turns, and trial unknowns.
 
-        None where the mass would be pushed on there, or rests.
+        None where the mass would be accelerated outwards there, or sticks.
         """
         forced = Forced(self.system, float(z[-1]), F_0)
         phases, spans = list(self.signature), z[2:-1].tolist()
@@ -171,13 +167,13 @@ class Cycle:
         if phases[after][0] == 0:
             return None
         theta, u = self._end(z, F_0, phase)
-        beyond = max(slip * (u - edge_ahead(self.system, slip, region)), 0.0)
+        excess = max(slip * (u - edge_ahead(self.system, slip, region)), 0.0)
         # constant deceleration on the way out, constant acceleration on the way back
         other = self.system.force.beyond(slip, region)
-        pulls = [-slip * forced.starts(s, other, theta, u) for s in (slip, -slip)]
-        if min(pulls) <= 0.0:
+        decelerations = [-slip * forced.acceleration(s, other, theta, u) for s in (slip, -slip)]
+        if min(decelerations) <= 0.0:
             return None
-        out, back = (float(motion.out(beyond, pull)) * forced.Omega for pull in pulls)
+        out, back = (float(motion.out(excess, a)) * forced.Omega for a in decelerations)
         spans[phase] -= out
         spans[after] -= back
         if after == 0:  # the cycle begins on the way back
@@ -205,7 +201,7 @@ class Cycle:
     def phases(self, z: Array, F_0: float) -> list[Phase]:
         """The motion that really starts at z's (theta_0, u_0), one phase beyond what the signature lists."""
         forced = Forced(self.system, float(z[-1]), F_0)
-        start = self.signature[0] if self.starts_from_rest else None
+        start = self.signature[0] if self.starts_sticking else None
         theta = float(z[1])
         end = theta + math.pi * self.half_turns
         # the last switch falls on the end of the cycle, up to rounding: a little longer, to have it counted
@@ -213,9 +209,9 @@ class Cycle:
 
     def holds(self, z: Array, F_0: float) -> bool:
         """Whether the motion from z's start really switches in the order of the signature."""
-        return self.followed(z, F_0) is not None
+        return self.verified_phases(z, F_0) is not None
 
-    def followed(self, z: Array, F_0: float) -> list[Phase] | None:
+    def verified_phases(self, z: Array, F_0: float) -> list[Phase] | None:
         """The phases of the motion from z's start, if it switches in the order of the signature; None if not."""
         spans = z[2:-1].tolist()
         if not self.consistent or min(spans) <= 0.0:
@@ -252,24 +248,24 @@ class Cycle:
         z = np.array(z)
         k = len(self.signature)
         n = k + 4
-        numbers, along = np.empty((k + 2) * (k + 5) + (2 * k + 1) * n), np.zeros(z.size)
+        numbers, direction = np.empty((k + 2) * (k + 5) + (2 * k + 1) * n), np.zeros(z.size)
         kind = ExtraKind.ROW if row is not None else ExtraKind.NO_MORE if border is None else ExtraKind.BORDER
         more = kind, z if row is None else np.ascontiguousarray(row), value, border or 0
-        system, steps = compiled.of_system(self.system), steps_left()
-        outcome, spent, A, monodromy, borders = EXACT.newton(
-            system, self.packed, self.half_turns, z, F_0, *more, most, tolerance, steps, numbers, along
+        system, steps = compiled.handle(self.system), steps_left()
+        outcome, used, A, monodromy, borders = EXACT.newton(
+            system, self.packed, self.half_turns, z, F_0, *more, most, tolerance, steps, numbers, direction
         )
-        spend(spent)
+        spend(used)
         if outcome:
             return None
         ends = np.cumsum((k + 2, (k + 2) * n, n, 2 * k * n))
         residual, jacobian, of_A, gradients = (numbers[a:b] for a, b in pairwise((0, *ends)))
         borders_at = tuple(
-            Border(phase, bool(rest), margin, gradients[i * n : (i + 1) * n])
-            for i, (phase, rest, margin) in enumerate(borders)
+            Border(phase, bool(sticking), margin, gradients[i * n : (i + 1) * n])
+            for i, (phase, sticking, margin) in enumerate(borders)
         )
         jacobian, monodromy = jacobian.reshape(k + 2, n), np.array(monodromy).reshape(2, 2)
-        return z, Equations(residual, jacobian, monodromy, A, of_A, borders_at, along if kind else None)
+        return z, Equations(residual, jacobian, monodromy, A, of_A, borders_at, direction if kind else None)
 
     @functools.cached_property
     def packed(self) -> bytes:
@@ -292,15 +288,15 @@ class Cycle:
         return sum(slip == 0 for slip, _ in self.signature) * (2 if self.sign == -1 else 1)
 
 
-def rests_at_jump(system: EquationOfMotion, phases: list[Phase]) -> bool:
-    """Whether the mass rests at u = 0 on the way, where the force jumps."""
+def sticks_at_jump(system: EquationOfMotion, phases: list[Phase]) -> bool:
+    """Whether the mass sticks at u = 0, where the force jumps."""
     return system.force.jump != 0.0 and any(phase.slip == phase.region == 0 for phase in phases)
 
 
-def shown_in(half_turns: int) -> int:
-    """Half turns in which a motion shows a cycle of so many, wherever it begins: a period may hold one downward slip.
+def required_half_turns(half_turns: int) -> int:
+    """Half turns of a motion that contain a cycle of that length, wherever it begins.
 
-    A period is twice the cycle of which the motion is the mirror image.
+    A period may have only one downward slip; it is two cycles if the second one mirrors the first.
     """
     return (3 if half_turns % 2 else 2) * half_turns + 1
 
@@ -310,9 +306,8 @@ def closed_cycle(
 ) -> tuple[Cycle, Array] | None:
     """The cycle and trial unknowns that a followed motion suggests: from its highest beginning of a downward slip.
 
-    `phases` must span `shown_in(half_turns)` half turns, or half_turns + 2 from such a slip on; None where no downward
-    slip is followed by its image, or the mass comes to rest where the force jumps: it passes that place ever more often
-    before.
+    `phases` must span `required_half_turns(half_turns)`, or half_turns + 2 from such a slip on; None where no downward
+    slip is followed by its image, or the mass sticks where the force jumps, after passing that point ever more often.
     """
     span = math.pi * half_turns
     sign = -1 if half_turns % 2 else 1
@@ -329,9 +324,9 @@ def closed_cycle(
     if not images:
         return None
     last = min(images, key=lambda i: abs(phases[i].theta - theta - span))
-    chosen = phases[first:last]
-    if rests_at_jump(system, chosen):
+    cycle_phases = phases[first:last]
+    if sticks_at_jump(system, cycle_phases):
         return None
-    spans = [phase.end - phase.theta for phase in chosen]
+    spans = [phase.end - phase.theta for phase in cycle_phases]
     z = np.array([phases[first].u, theta % (2.0 * math.pi), *spans, Omega])
-    return Cycle(system, signature(chosen), half_turns), z
+    return Cycle(system, signature(cycle_phases), half_turns), z

@@ -1,7 +1,4 @@
-"""Motion from switch to switch: slip in one direction over one piece of the force, or rest.
-
-In:  an oscillator, the forcing, a state at rest or in motion.
-Out: its phases in order, each with its start, its end and what ended it.
+"""Motion from switch to switch, in phases: slip in one direction over one piece of the force, or stick.
 
 Switches, all exact: the velocity reaches zero; |u| reaches a breakpoint; at rest |force cos theta - f(u)| <= mu holds
 the mass, or mu_s in its place if that is more, and it breaks away when that bound is met, at an angle known in closed
@@ -18,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from slowflow.backend import EXACT
-from slowflow.exact.compiled import of_system
+from slowflow.exact.compiled import handle
 from slowflow.exact.work import spend, steps_left
 from slowflow.mechanism import EquationOfMotion, Piece
 from slowflow.text import Sentence, text
@@ -48,7 +45,7 @@ FORCE = Sentence("{F_0 = :g}")
 INERTIA = Sentence("the inertia force {force:g} at {Omega = :g}")
 PUSH = Sentence(" and the push {force:g} of the spring at {u = :g}, together,")
 NEVER_MOVES = Sentence("{what:s} does not exceed {mu = :g}: friction holds the mass for ever, it never moves")
-HELD = Sentence(
+STUCK = Sentence(
     "{what:s} does not exceed {holds:s} = {force:g}: friction holds a mass at rest for ever; of motions beside that, "
     "if there are any, steady_state has the one next to A="
 )
@@ -95,10 +92,10 @@ class Forced(NamedTuple):
         return self.system.force.piece(region)
 
     def push(self, region: int, theta: float, u: float) -> float:
-        """The force less f(u): what friction has to hold at rest."""
+        """The force less f(u), which friction balances at rest."""
         return float(motion.push(math.cos(theta), self.force, self.piece(region).value(u) - self.system.load))
 
-    def starts(self, slip: int, region: int, theta: float, u: float) -> float:
+    def acceleration(self, slip: int, region: int, theta: float, u: float) -> float:
         """u'' where a slip begins, or ends."""
         return self.push(region, theta, u) - slip * self.system.friction(region)
 
@@ -118,8 +115,8 @@ def follow(
     comes to where the integration stalls.
     """
     system, Omega, F_0 = forced
-    of, given = of_system(system), (start is not None, *(start or (0, 0)))
-    outcome, steps, found = EXACT.follow(of, Omega, F_0, theta, u, v, end, *given, steps_left())
+    oscillator, override = handle(system), (start is not None, *(start or (0, 0)))
+    outcome, steps, found = EXACT.follow(oscillator, Omega, F_0, theta, u, v, end, *override, steps_left())
     spend(steps)
     phases = list(map(_phase, PHASE.iter_unpack(found)))
     if outcome:
@@ -130,7 +127,7 @@ def follow(
 
 
 def lost(outcome: int, system: EquationOfMotion, u: float) -> str:
-    """In words why a motion is given up at u. Raises MemoryError where there is no room for its phases."""
+    """The message why the integration failed at u. Raises MemoryError where memory for its phases ran out."""
     if outcome == Outcome.NO_MEMORY:
         raise MemoryError("no memory for the phases of the motion")
     if outcome == Outcome.CHATTERS:
@@ -143,7 +140,7 @@ def lost(outcome: int, system: EquationOfMotion, u: float) -> str:
 def _grows_without_bound(system: EquationOfMotion, u: float) -> bool:
     """Whether the restoring force is beyond all measure at u, where an integration has stalled."""
     with np.errstate(all="ignore"):  # it may have no value there
-        at, nearer = (abs(system.force.value(spot)) for spot in (u, NEARER * u))
+        at, nearer = (abs(system.force.value(position)) for position in (u, NEARER * u))
     return bool(np.isinf(at) or at > GROWS * nearer)
 
 
@@ -153,54 +150,54 @@ def signature(phases: list[Phase]) -> tuple[tuple[int, int], ...]:
 
 
 def stops(phases: list[Phase]) -> int:
-    """How many of the phases are rests."""
+    """The number of stick phases."""
     return sum(phase.slip == 0 for phase in phases)
 
 
 def stays_at_rest(system: EquationOfMotion, Omega: float, F_0: float, u: float = 0.0) -> bool:
-    """Whether friction holds a mass at rest at u for ever, as spring, load and forcing together do not exceed it."""
+    """Whether a mass at rest at u sticks: spring, load and forcing together do not exceed friction."""
     region = system.force.region_of(u)
-    return system.forcing(Omega=Omega, F_0=F_0) + _pull(system, u) <= system.holds(region)
+    return system.forcing(Omega=Omega, F_0=F_0) + _net_force(system, u) <= system.holds(region)
 
 
-def only_rests(system: EquationOfMotion, Omega: float, F_0: float) -> bool:
-    """Whether every motion comes to rest: kinetic friction on all of the way takes more than such a force gives."""
+def must_stick(system: EquationOfMotion, Omega: float, F_0: float) -> bool:
+    """Whether every motion ends in sticking: kinetic friction dissipates more than such a force can supply."""
     return system.forcing(Omega=Omega, F_0=F_0) <= system.mu and not system.released
 
 
-def _pull(system: EquationOfMotion, u: float) -> float:
+def _net_force(system: EquationOfMotion, u: float) -> float:
     """What spring and load together push with at u; 0 where they balance but for rounding."""
-    at = system.force.value(u)
-    pull = abs(at - system.load)
-    return 0.0 if pull <= BALANCED * abs(system.load) else pull
+    spring = system.force.value(u)
+    force = abs(spring - system.load)
+    return 0.0 if force <= BALANCED * abs(system.load) else force
 
 
 def check_forcing(
-    system: EquationOfMotion, Omega: float, F_0: float, *, begins: tuple[float, float] | None = None
+    system: EquationOfMotion, Omega: float, F_0: float, *, initial: tuple[float, float] | None = None
 ) -> None:
     """Raises ValueError unless Omega > 0, F_0 > 0 are finite, damping settles a motion, and the forcing keeps one up.
 
-    Kinetic friction that acts throughout takes more than a force that does not exceed it can give. Static friction, and
-    one that ends at a breakpoint, holds a mass that `begins` with such (u, v), beside which there may be motions.
+    Kinetic friction that acts throughout dissipates more than a force up to its size can supply. Static friction, or
+    one that ends at a breakpoint, may hold a mass with the `initial` (u, v) although there are other motions.
     """
     check_numbers(system, Omega, F_0)
-    if only_rests(system, Omega, F_0) or (
-        begins is not None and begins[1] == 0 and stays_at_rest(system, Omega, F_0, begins[0])
+    if must_stick(system, Omega, F_0) or (
+        initial is not None and initial[1] == 0 and stays_at_rest(system, Omega, F_0, initial[0])
     ):
-        raise Refused(why_at_rest(system, Omega, F_0, 0.0 if begins is None else begins[0]))
+        raise Refused(sticking_message(system, Omega, F_0, 0.0 if initial is None else initial[0]))
 
 
-def why_at_rest(system: EquationOfMotion, Omega: float, F_0: float, u: float) -> str:
-    """In words that friction holds a mass at rest at u for ever."""
+def sticking_message(system: EquationOfMotion, Omega: float, F_0: float, u: float) -> str:
+    """The message that a mass at rest at u sticks."""
     force = system.forcing(Omega=Omega, F_0=F_0)
-    told = INERTIA.format(force, Omega) if system.inertial else FORCE.format(F_0)
-    if only_rests(system, Omega, F_0):
-        return NEVER_MOVES.format(told, system.mu)
-    region, pull = system.force.region_of(u), _pull(system, u)
-    both = told + PUSH.format(pull, u) if pull else told
+    excitation = INERTIA.format(force, Omega) if system.inertial else FORCE.format(F_0)
+    if must_stick(system, Omega, F_0):
+        return NEVER_MOVES.format(excitation, system.mu)
+    region, push = system.force.region_of(u), _net_force(system, u)
+    total = excitation + PUSH.format(push, u) if push else excitation
     name = text("{mu_s}" if system.mu_s > system.mu else "{mu}")
     jump = text(" and what the force jumps to at {u} = 0, together") if system.force.jump else ""
-    return HELD.format(both, name + jump, system.holds(region))
+    return STUCK.format(total, name + jump, system.holds(region))
 
 
 def check_numbers(system: EquationOfMotion, Omega: float, F_0: float) -> None:

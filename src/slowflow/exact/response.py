@@ -1,8 +1,4 @@
-"""The response curve over Omega, through its folds, as an answer; how its points are followed is `continuation`'s.
-
-In:  an oscillator, F_0, a range of Omega; perhaps a steady state to start from.
-Out: `Response`: points in the order of the curve with amplitude, stability and stops; folds; borders between orders.
-"""
+"""Response curves over Omega through all folds, by `continuation`: amplitude, stability, stops, folds and borders."""
 
 from __future__ import annotations
 
@@ -21,17 +17,17 @@ from slowflow.answer import Drawn, Table
 from slowflow.exact.continuation import FOLDS, STEP, LostCurve, Path, Point, is_same
 from slowflow.exact.cycle import Array
 from slowflow.exact.motion import Forced, check_forcing
-from slowflow.exact.shooting import Settled, SteadyState, describe, lengths, settle, steady_state
+from slowflow.exact.shooting import Limit, SteadyState, converge, describe, lengths, steady_state
 from slowflow.exact.work import OutOfWork, limited
 from slowflow.mechanism import EquationOfMotion
 from slowflow.text import text
 from slowflow.transmissibility import Transmitted
 from slowflow_support.errors import NotSettled, Refused
 
-NEAR_TOP = 0.9  # share of the highest point's amplitude from which on a stretch of the curve may hold its peak
+NEAR_TOP = 0.9  # fraction of the highest point's amplitude above which a segment of the curve may contain its peak
 PARTLY = "a part of the curve only: "
-#: how far beyond a fold it is looked at what a sweep falls to, and turns of the forcing that it is given for that
-PAST, FALLS, MOST_FALL = 1e-5, 1e-3, 2000
+#: relative distances beyond a fold at which the motion that a sweep jumps to is determined, and its turns at most
+FOLD_OFFSET, JUMP_OFFSET, JUMP_TURNS = 1e-5, 1e-3, 2000
 
 
 @dataclass(frozen=True)
@@ -99,8 +95,8 @@ class Response(Drawn, Table):
 
         See `SteadyState.transmitted`; about a millisecond for each point.
         """
-        passed = [self.steady_state(k).transmitted(of) for k in range(len(self))]
-        return Transmitted(*np.array(passed).reshape(-1, 3).T)
+        values = [self.steady_state(k).transmitted(of) for k in range(len(self))]
+        return Transmitted(*np.array(values).reshape(-1, 3).T)
 
     @functools.cached_property
     def peak(self) -> SteadyState:
@@ -145,20 +141,20 @@ def exact_response(
     if not low <= start.Omega <= high:
         raise Refused(text("start.{Omega} = {Omega_0:r} lies outside {Omega = :r}", float(start.Omega), Omega))
     path = Path(F_0, low, high, step, start)
-    forward, lost = _reached(path, path.begin(start, 1.0))
+    forward, lost = _collect(path, path.begin(start, 1.0))
     closed = path.closed
     backward: list[Point] = []
     if not closed and start.Omega > low:
-        backward, before = _reached(path, path.begin(start, -1.0))
+        backward, before = _collect(path, path.begin(start, -1.0))
         lost = lost or before
-    points = [point.turned() for point in reversed(backward[1:])] + forward
+    points = [point.flip() for point in reversed(backward[1:])] + forward
     if lost is not None and len(points) == 1:
         raise lost
     found = _response(F_0, points, closed)
     return found if lost is None else replace(found, message=PARTLY + lost.args[0], complete=False)
 
 
-def _reached(path: Path, first: Point) -> tuple[list[Point], ArithmeticError | None]:
+def _collect(path: Path, first: Point) -> tuple[list[Point], ArithmeticError | None]:
     """The points of a curve from the first on, and why there are no more of them; None where it came to its end."""
     points = [first]
     try:
@@ -184,7 +180,7 @@ def first_fold(start: SteadyState, towards: float, Omega_range: tuple[float, flo
     return ResponsePoint(float(fold.z[-1]), fold.A, False, fold.cycle.stops)
 
 
-def without_a_motion(F_0: float, message: str) -> Response:
+def empty_response(F_0: float, message: str) -> Response:
     """The curve of a mass that stays at rest: no point, and why."""
     none = np.empty(0)
     multipliers, stops = np.empty((0, 2), dtype=np.complex128), np.empty(0, dtype=np.int64)
@@ -199,9 +195,9 @@ def _highest(F_0: float, points: tuple[Point, ...]) -> Point:
     for a, b in itertools.pairwise(points):
         if max(a.A, b.A) < least:
             continue
-        back = [point.turned() for point in (b, a)]
+        back = [point.flip() for point in (b, a)]
         for base, other in ((a, b), back):
-            # in another order of switches the slope beyond the border says nothing of that before it
+            # in another order of switches the slope beyond the border is unrelated to that before it
             if base.rise > 0.0 and (other.rise <= 0.0 or other.cycle.order != base.cycle.order):
                 found = path.summit(base, other)
                 if found is not None and found.A > best.A:
@@ -213,16 +209,16 @@ def _highest(F_0: float, points: tuple[Point, ...]) -> Point:
 def _fold_at(F_0: float, i: int, points: list[Point]) -> Fold:
     """A fold of a curve through points, and whether a sweep goes to a larger amplitude there or to a smaller one.
 
-    Of the stable motions of the curve beyond it, if they are all larger or all smaller; else, as where a sweep leaves
-    this curve for another, what a mass comes to that is let go there in the motion of the fold.
+    It is read off the stable motions of the curve beyond the fold if all are larger or all smaller; otherwise, as where
+    a sweep jumps to another curve, the motion of the fold is followed in time from there.
     """
     fold = points[i]
     at, A = float(fold.z[-1]), fold.A
     # the curve lies on one side of a fold: a neighbour farther off may have turned again
     ends = max((float(points[k].z[-1]) - at for k in (i - 1, i + 1)), key=abs)
-    larger = {motion > A for motion in _stable_at(at * (1.0 - math.copysign(PAST, ends)), points)}
+    larger = {motion > A for motion in _stable_at(at * (1.0 - math.copysign(FOLD_OFFSET, ends)), points)}
     # nearer to the fold a motion lingers for thousands of turns before it falls
-    up = larger.pop() if len(larger) == 1 else _settles_higher(F_0, fold, at * (1.0 - math.copysign(FALLS, ends)))
+    up = larger.pop() if len(larger) == 1 else _jumps_up(F_0, fold, at * (1.0 - math.copysign(JUMP_OFFSET, ends)))
     return Fold(at, A, "jump-up" if up else "jump-down", fold.role == "corner")
 
 
@@ -234,17 +230,17 @@ def _stable_at(Omega: float, points: list[Point]) -> Iterator[float]:
             yield (here * other.A - there * one.A) / (here - there)
 
 
-def _settles_higher(F_0: float, fold: Point, Omega: float) -> bool:
-    """Whether the motion of a fold, at a frequency just beyond it, comes to a larger one; also if it escapes."""
+def _jumps_up(F_0: float, fold: Point, Omega: float) -> bool:
+    """Whether the motion of a fold, followed just beyond it, converges to a larger one, or escapes."""
     system = fold.cycle.system
 
-    def settled() -> Settled:
+    def final() -> Limit:
         state = describe(fold.cycle, fold.z, F_0, fold.monodromy)._state(0.0)
-        return settle(Forced(system, Omega, F_0), 0.0, *state, lengths(system), MOST_FALL)
+        return converge(Forced(system, Omega, F_0), 0.0, *state, lengths(system), JUMP_TURNS)
 
     try:
-        # with steps of its own: a curve that has used up all is given as far as it was reached, its folds named
-        end = Context().run(limited()(settled))
+        # with steps of its own: the folds of an incomplete curve are classified as well
+        end = Context().run(limited()(final))
     except ArithmeticError:
         return True
     A = max(abs(phase.u_end) for phase in end.phases) if end.found is None else end.found.A

@@ -1,4 +1,4 @@
-"""Shocks of many designs. Takes pulses of the base and designs; returns the answers of `shocks` as arrays."""
+"""Shock response of many designs, as arrays."""
 
 from __future__ import annotations
 
@@ -24,20 +24,20 @@ from slowflow_kernels.conventions import Status
 from slowflow_kernels.exact_conventions import Outcome
 from slowflow_support.errors import Refused
 
-#: arcs that take no more than some tenths of a second, as many as a shock takes beside those of its pulse
-AT_ONCE, ALONE = 2**14, 16
-#: what says of a model under a load where it rests: `slowflow.off_centre.OffCentre`, of a room above this
+#: arcs in a chunk, which take some tenths of a second; arcs that a shock costs in addition to those of its pulse
+CHUNK_ARCS, OVERHEAD = 2**14, 16
+#: asymmetric states of a model under a load, with its equilibria: `slowflow.off_centre.OffCentre`, of a room above this
 OffCentres = Callable[[Model, float], Any]
 
 SAMPLES = "{tau} and acceleration must have as many samples, not {shapes:s}"
 
 
 def _batch(question: str, columns: dict[str, Any], designs: Designs, pulse: Mapping[str, Any]) -> Batch:
-    """An answer whose remarks say where A is beyond what the mechanism reaches."""
+    """An answer with diagnostics where A is beyond the mechanism's reach."""
     with np.errstate(all="ignore"):  # what is no design has no pieces
         beyond = designs.mechanism.reach_at(*designs.mechanism.coefficients(*designs.design)) < columns["A"]
-    said = np.where(beyond, np.uint16(Remark.BEYOND_REACH), np.uint16(0))
-    return Batch(question, columns, designs, pulse, remarks=said)
+    codes = np.where(beyond, np.uint16(Remark.BEYOND_REACH), np.uint16(0))
+    return Batch(question, columns, designs, pulse, remarks=codes)
 
 
 def of_designs(
@@ -48,7 +48,7 @@ def of_designs(
     validate.common_shape(pulse)
     peak, span = pulse.values()
     allowed = (peak > 0) & (span > 0)
-    found = _followed(designs, off_centre, *_half_sine(peak, span), allowed, 0.0, workers)
+    found = _solve(designs, off_centre, *_half_sine(peak, span), allowed, 0.0, workers)
     return _batch("shock_spectrum", {**found, "ratio": found["a_max"] / peak}, designs, pulse)
 
 
@@ -70,13 +70,13 @@ def transients(
         pulse = numbers(acceleration=acceleration, duration=duration)
         validate.common_shape(pulse)
         peak, span = pulse.values()
-        found = _followed(designs, off_centre, *_half_sine(peak, span), span > 0, last, workers)
+        found = _solve(designs, off_centre, *_half_sine(peak, span), span > 0, last, workers)
         return _batch("transient", found, designs, pulse)
     times, accelerations = samples(tau, acceleration)
     rises = (np.diff(times) > 0).all(axis=-1)
     with np.errstate(all="ignore"):  # what is no pulse has a status
         arcs = record(times, accelerations)
-    found = _followed(designs, off_centre, arcs, times[..., 0], rises, last, workers)
+    found = _solve(designs, off_centre, arcs, times[..., 0], rises, last, workers)
     return _batch("transient", found, designs, {})
 
 
@@ -104,7 +104,7 @@ def _half_sine(peak: Floats, span: Floats) -> tuple[Floats, Floats]:
     return arcs, np.zeros(arcs.shape[:-2])
 
 
-def _followed(
+def _solve(
     designs: Designs,
     off_centre: OffCentres,
     arcs: Floats,
@@ -120,42 +120,42 @@ def _followed(
     pulses = {"begin": begin, "pulse": arcs[..., 0, 0]}
     shape = validate.common_shape({**designs.values, **pulses})
     values = {name: np.broadcast_to(value, shape).ravel() for name, value in designs.values.items()}
-    pulses_of = arcs.reshape(-1, *arcs.shape[-2:])  # not spread: designs share pulses, of which a record is long
-    which = np.broadcast_to(np.arange(len(pulses_of)).reshape(arcs.shape[:-2]), shape).ravel()
+    pulses_of = arcs.reshape(-1, *arcs.shape[-2:])  # not broadcast: a record is long
+    index = np.broadcast_to(np.arange(len(pulses_of)).reshape(arcs.shape[:-2]), shape).ravel()
     begins = np.broadcast_to(begin, shape).ravel()
     finite = allowed & np.isfinite(arcs).all(axis=(-1, -2)) & np.isfinite(begin)
     known = np.broadcast_to(designs.detachment(workers=workers).status != Status.INVALID, shape)
-    asked = np.flatnonzero(np.broadcast_to(finite, shape) & known)
+    valid = np.flatnonzero(np.broadcast_to(finite, shape) & known)
     status, numbers = np.full(begins.size, Status.INVALID, np.int8), np.full((begins.size, 7), np.nan)
     laws = tuple(recurrences(law) for law in designs.mechanism.pieces)
     with np.errstate(all="ignore"):
-        at_rest = designs.mechanism.at_rest(*designs.mechanism.coefficients(*designs.design))[:2]
-    # a force that jumps at rest, or that may push away from there, is followed one by one; one that has no finite
-    # stiffness there is refused by that
-    smooth = np.broadcast_to((at_rest[0] == 0) & np.isfinite(at_rest[1]) & (at_rest[1] < 0), shape).ravel()
-    singly = asked if designs.laws or None in laws else asked[~smooth[asked]]
-    for k in progress.each(singly.tolist(), singly.size, "designs followed singly"):
+        centre = designs.mechanism.at_rest(*designs.mechanism.coefficients(*designs.design))[:2]
+    # a force that jumps at u = 0, or whose equilibrium there may be unstable, is followed singly, which refuses one
+    # without finite stiffness
+    smooth = np.broadcast_to((centre[0] == 0) & np.isfinite(centre[1]) & (centre[1] < 0), shape).ravel()
+    individual = valid if designs.laws or None in laws else valid[~smooth[valid]]
+    for k in progress.each(individual.tolist(), individual.size, "designs followed singly"):
         one = {name: float(value[k]) for name, value in values.items()}
-        status[k], numbers[k] = _alone(designs, off_centre, one, pulses_of[which[k]], float(begins[k]), after)
-    together = np.setdiff1d(asked, singly, assume_unique=True)
+        status[k], numbers[k] = _single(designs, off_centre, one, pulses_of[index[k]], float(begins[k]), after)
+    batched = np.setdiff1d(valid, individual, assume_unique=True)
 
-    def part(where: Any) -> None:
-        here = together[where]
-        own = {name: value[here] for name, value in values.items()}
+    def solve(part: Any) -> None:
+        chunk = batched[part]
+        own = {name: value[chunk] for name, value in values.items()}
         parameters = designs.mechanism.coefficients(*(own[domain.name] for domain in designs.mechanism.design))
         ends = designs.mechanism.breakpoints(*parameters)
-        columns = [_columns(of, here.size) for of in (parameters, ends, (own["mu"], own["zeta"]))]
-        outcomes, found = np.empty(here.size, np.int8), np.empty((here.size, 7))
-        rows = (np.ascontiguousarray(of) for of in (*columns, pulses_of[which[here]], begins[here]))
+        columns = [_columns(group, chunk.size) for group in (parameters, ends, (own["mu"], own["zeta"]))]
+        outcomes, found = np.empty(chunk.size, np.int8), np.empty((chunk.size, 7))
+        rows = (np.ascontiguousarray(group) for group in (*columns, pulses_of[index[chunk]], begins[chunk]))
         EXACT.shocks(laws, *rows, after, MOST_STEPS, MOST_WORK, outcomes, found)
-        numbers[here] = found
-        status[here] = np.where(outcomes == Outcome.GOOD, Status.OK, Status.UNRESOLVED)
+        numbers[chunk] = found
+        status[chunk] = np.where(outcomes == Outcome.GOOD, Status.OK, Status.UNRESOLVED)
 
-    at_once = max(1, AT_ONCE // (ALONE + arcs.shape[-2]))
-    parts = (slice(first, first + at_once) for first in range(0, together.size, at_once))
-    share(part, parts, threads, lambda where: together[where].size, together.size)
-    A, tau_A, a_max, tau_a, tau_detaches, rests, u_end = np.moveaxis(numbers.reshape(*shape, 7), -1, 0).copy()
-    flags = {"detaches": ~np.isnan(tau_detaches), "rests": rests == 1, "status": status.reshape(shape)}
+    size = max(1, CHUNK_ARCS // (OVERHEAD + arcs.shape[-2]))
+    chunks = (slice(first, first + size) for first in range(0, batched.size, size))
+    share(solve, chunks, threads, lambda part: batched[part].size, batched.size)
+    A, tau_A, a_max, tau_a, tau_detaches, sticks, u_end = np.moveaxis(numbers.reshape(*shape, 7), -1, 0).copy()
+    flags = {"detaches": ~np.isnan(tau_detaches), "rests": sticks == 1, "status": status.reshape(shape)}
     found = {"A": A, "tau_A": tau_A, "a_max": a_max, "tau_a": tau_a, "tau_detaches": tau_detaches, "u_end": u_end}
     return {**found, **{name: values.astype(np.int8) for name, values in flags.items()}}
 
@@ -165,7 +165,7 @@ def _columns(values: Sequence[Any], count: int) -> Floats:
     return np.array([np.broadcast_to(value, count) for value in values], dtype=float).reshape(-1, count).T
 
 
-def _alone(
+def _single(
     designs: Designs,
     off_centre: OffCentres,
     values: dict[str, float],
@@ -180,13 +180,13 @@ def _alone(
         force = followed(Force.of(designs.mechanism, model.parameters), designs.mechanism.name)
         laws: dict[str, Any] = {"c_2": model.laws.c_2, "released": model.laws.rubs != THROUGHOUT}
         system = EquationOfMotion(force, model.mu, model.zeta, **laws)
-        # off the centre nothing is averaged of some forces, of which nothing is asked where the mass rests at u = 0
-        centred = system.centred and questions.rests_at_centre(system)
-        at = 0.0 if centred else questions.at_rest(off_centre(model, 0.0), system)[0]
+        # averages about a mean do not exist for some forces: not needed where the mass rests at u = 0
+        centred = system.centred and questions.stable_at_centre(system)
+        at = 0.0 if centred else questions.equilibrium(off_centre(model, 0.0), system)[0]
         found = transient(system, arcs, begin=begin, after=after, at=at)
     except ValueError:
         return Status.INVALID, none
     except ArithmeticError:
         return Status.UNRESOLVED, none
-    left = np.nan if found.tau_detaches is None else found.tau_detaches
-    return Status.OK, (found.A, found.tau_A, found.a_max, found.tau_a, left, float(found.rests), found.u_end)
+    tau_detaches = np.nan if found.tau_detaches is None else found.tau_detaches
+    return Status.OK, (found.A, found.tau_A, found.a_max, found.tau_a, tau_detaches, float(found.rests), found.u_end)

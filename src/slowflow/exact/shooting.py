@@ -1,7 +1,4 @@
-"""One steady state at one frequency: Newton's iteration on the periodic motion, from a guess or from time stepping.
-
-In:  an oscillator, Omega, F_0, perhaps a guess.
-Out: `SteadyState`: one period, its harmonics, stops, Floquet multipliers and the residual of its periodicity.
+"""Shooting: the steady state at one frequency by Newton's iteration, from a guess or from time stepping.
 
 Time stepping ends where it is shown that the motion approaches the one that Newton's iteration found (`_approaches`).
 """
@@ -19,8 +16,8 @@ from numpy.typing import NDArray
 
 from slowflow.answer import Answer, in_values
 from slowflow.exact import compiled
-from slowflow.exact.cycle import Cycle, closed_cycle, rests_at_jump, shown_in
-from slowflow.exact.motion import TURN, Forced, Phase, check_forcing, check_numbers, follow, only_rests, stays_at_rest
+from slowflow.exact.cycle import Cycle, closed_cycle, required_half_turns, sticks_at_jump
+from slowflow.exact.motion import TURN, Forced, Phase, check_forcing, check_numbers, follow, must_stick, stays_at_rest
 from slowflow.exact.work import limited
 from slowflow.mechanism import EquationOfMotion
 from slowflow.text import Sentence
@@ -30,47 +27,47 @@ from slowflow_support.errors import NotSettled, Refused
 Array = NDArray[np.float64]
 
 MOST_TURNS = 3000  # of the forcing, before time stepping gives up
-PARTING_TURNS = 30  # over which motions that begin next to each other are compared
-#: by what they part in these turns at least where it is chaotic; else they do so in proportion to time at most
-PARTED = 1e3
+DIVERGENCE_TURNS = 30  # over which motions that begin next to each other are compared
+#: the least factor by which they diverge in these turns if chaotic; otherwise they diverge at most linearly in time
+DIVERGENCE = 1e3
 LONGEST = 16  # turns of the forcing that a motion may take, as subharmonics do
 #: lengths of a cycle that are tried, by turns of the forcing: a motion of an odd number may be its own mirror image
 HALF_TURNS = tuple(n for turns in range(1, LONGEST + 1) for n in ((turns, 2 * turns) if turns % 2 else (2 * turns,)))
-SHORT = 3  # turns of those that are asked for wherever the motion comes back
-#: how much nearer a motion comes back after more turns than after fewer, where it is asked for a longer subharmonic
+SHORT = 3  # periods, in turns, that are always tried where the motion returns
+#: ratio of the distances at the return after more and after fewer turns below which a longer subharmonic is tried
 NEARER_BACK = 0.1
-#: of the largest |u|, to which a motion comes back that may settle; turns at most from one look to the next
-COMES_BACK, ASKED_AGAIN = 0.01, 8
-#: distance from a stable motion, over A, that needs no proof of going there; by how much a state is nearer by which the
-#: map is seen to be linear, and by how much of each other two ways differ at most where it is
+#: distance, over the largest |u|, of a return at which Newton's iteration is tried; turns at most between two tests
+COMES_BACK, CHECK_INTERVAL = 0.01, 8
+#: distance from a stable motion, over A, that counts as convergence; the smaller of two deviations by which the period
+#: map is tested for linearity, and how much their changes may differ
 ARRIVED, NEARER, UNLIKE = 1e-8, 0.1, 0.5
 
 
 def lengths(system: EquationOfMotion) -> tuple[int, ...]:
-    """Of these those that a motion may have: off the centre none is the mirror image of itself half a turn later."""
+    """`HALF_TURNS` that a motion may have: an asymmetric one is never its own mirror image half a turn later."""
     return HALF_TURNS if system.centred else tuple(n for n in HALF_TURNS if n % 2 == 0)
 
 
 def _turns(half_turns: int) -> int:
-    """Turns of the forcing after which a motion of a cycle of so many half turns is where it was."""
+    """The period, in turns of the forcing, of a motion whose cycle has that many half turns."""
     return half_turns if half_turns % 2 else half_turns // 2
 
 
-AGAIN = 1e-9  # of its amplitude, within which a motion is where it was before
+CLOSURE = 1e-9  # distance, over the amplitude, at which a motion counts as closed
 GAUSS_NODES = 40  # per phase of the motion, for its harmonics
-PEAK_SAMPLES = 65  # per phase, between which the largest force that is passed on is looked for
-#: shares of the amplitude at which it is asked whether the force has any stiffness there
-WITHIN = (0.25, 0.5, 0.9)
-#: of its amplitude, what a motion that is adrift may still change in a turn of the forcing
-CALM = 1e-10
-#: distance of a multiplier from 1, from which on it says by itself whether a motion is stable
+PEAK_SAMPLES = 65  # per phase, between which the largest transmitted force is refined
+#: fractions of the amplitude at which the stiffness is tested for zero
+FRACTIONS = (0.25, 0.5, 0.9)
+#: change in a turn of the forcing, over the amplitude, at which a motion with a free mean counts as steady
+UNCHANGED = 1e-10
+#: distance of a multiplier from 1 beyond which it decides stability by itself
 NEUTRAL = 1e-6
-#: doublings of the distance from a neutral motion, and how much more than rounding a way is that is seen
+#: doublings of the distance from a neutral motion; ratio of a drift to rounding that is significant
 FARTHER, SEEN = 60, 100.0
-#: places on each side at which it is asked whether the force rises
+#: positions on each side at which the slope of the force is tested
 SLOPES = 16
 
-ADRIFT = Sentence(
+FREE_MEAN = Sentence(
     "no steady state is singled out at {Omega = :g}, {F_0 = :g}: a motion of amplitude {A:.6g} stays {where:s} no "
     "force brings its mean back, and each such mean is as good as another; {A = :.6g} gives the one about {u} = 0"
 )
@@ -81,7 +78,7 @@ CHAOTIC = Sentence(
     "forcing tell: motions that begin beside each other part by a factor of {rate:.2g} in each; A= gives the periodic "
     "motion, stable or not, next to an amplitude"
 )
-RESTS_AT_JUMP = Sentence(
+STICKS_AT_JUMP = Sentence(
     "the motion at {Omega = :g}, {F_0 = :g} repeats itself with {A = :.6g}, but the mass rests at {u} = 0 in each "
     "turn, where the force jumps, after passing it ever more often: that is followed in time, by sweep, and has no "
     "multipliers"
@@ -148,7 +145,7 @@ class SteadyState(Answer):
         slip, region = self.cycle.signature[0]
         theta, span = float(self.unknowns[1]), float(self.unknowns[2])
         middle = theta + 0.5 * span
-        ((u, v, _),) = self._within(self.phases[0], np.array([middle])).tolist()
+        ((u, v, _),) = self._sample_phase(self.phases[0], np.array([middle])).tolist()
         last = follow(forced, middle, u, v, middle + self.Omega * self.period, (slip, region))[-1]
         return float(max(abs(last.u_end - u), abs(last.v_end - v)))
 
@@ -182,7 +179,7 @@ class SteadyState(Answer):
         base = TURN / whole
         total = np.zeros(most + 1, dtype=np.complex128)
         for phase, at, weights in self._on_nodes():
-            total += np.exp(-1j * base * np.outer(orders, at)) @ (weights * self._within(phase, at)[:, 0])
+            total += np.exp(-1j * base * np.outer(orders, at)) @ (weights * self._sample_phase(phase, at)[:, 0])
         if whole > span * 1.5:  # the second half of a symmetric motion mirrors the first
             total *= 1.0 - (-1.0) ** orders
         total *= 2.0 / whole
@@ -203,12 +200,12 @@ class SteadyState(Answer):
         whole = self.cycle.half_turns * math.pi
         square, first, peak = 0.0, 0j, 0.0
         for phase, at, weights in self._on_nodes():
-            passed = self._wave(of, phase, at)
-            square += float(weights @ passed**2)
-            first += complex((weights * passed) @ np.exp(-1j * at))
+            wave = self._wave(of, phase, at)
+            square += float(weights @ wave**2)
+            first += complex((weights * wave) @ np.exp(-1j * at))
             peak = max(peak, self._highest(of, phase))
-        drives = self.force if of == "force" else self.F_0
-        return Transmitted(2.0 * abs(first) / whole / drives, peak / drives, math.sqrt(square / whole) / drives)
+        scale = self.force if of == "force" else self.F_0
+        return Transmitted(2.0 * abs(first) / whole / scale, peak / scale, math.sqrt(square / whole) / scale)
 
     def _on_nodes(self) -> Iterator[tuple[Phase, Array, Array]]:
         """Each phase with angles in it and their weights, by Gauss's rule."""
@@ -218,9 +215,9 @@ class SteadyState(Answer):
             yield phase, phase.theta + half * (1.0 + nodes), half * weights
 
     def _wave(self, of: str, phase: Phase, theta: Array) -> Array:
-        """What is asked for of the motion within a phase."""
-        u, _, a = self._within(phase, theta).T
-        # spring, damper and friction: what accelerates the mass, and at rest holds against all of the force
+        """The wave `of` the motion within a phase."""
+        u, _, a = self._sample_phase(phase, theta).T
+        # spring, damper and friction accelerate the mass, and balance all of the force at rest
         return -a if of == "force" else np.asarray(u + self.F_0 * np.cos(theta)) if of == "absolute" else u
 
     def _highest(self, of: str, phase: Phase) -> float:
@@ -241,17 +238,17 @@ class SteadyState(Answer):
         )
         return max(float(sizes[top]), -float(found.fun))
 
-    def _within(self, phase: Phase, theta: Array) -> Array:
+    def _sample_phase(self, phase: Phase, theta: Array) -> Array:
         """u, v and acceleration at angles within a phase, as `compiled.sample` has them."""
         return compiled.sample(Forced(self.cycle.system, self.Omega, self.F_0), phase, theta)
 
     def _state(self, theta: float) -> tuple[float, float]:
-        """(u, v) at one angle of the forcing: as `_at`, in a third of the time, as time stepping asks often."""
+        """(u, v) at one angle of the forcing: as `_at`, in a third of the time, for time stepping."""
         start, span = float(self.unknowns[1]), self.cycle.half_turns * math.pi
         turns = math.floor((theta - start) / span)
         local = theta - turns * span
         phase = next((one for one in reversed(self.phases) if one.theta <= local), self.phases[0])
-        ((u, v, _),) = self._within(phase, np.array([local])).tolist()
+        ((u, v, _),) = self._sample_phase(phase, np.array([local])).tolist()
         sign = self.cycle.sign if turns % 2 else 1
         return sign * u, sign * v
 
@@ -267,7 +264,7 @@ class SteadyState(Answer):
         for i, phase in enumerate(phases):
             chosen = order[which == i]
             if chosen.size:
-                out[chosen] = self._within(phase, local[chosen])
+                out[chosen] = self._sample_phase(phase, local[chosen])
         return sign * out[:, 0], sign * out[:, 1]
 
 
@@ -296,7 +293,7 @@ def steady_state(
     Raises ValueError for parameters out of range or where friction holds the mass for ever, ArithmeticError if nothing
     periodic is found.
     """
-    check_forcing(system, Omega, F_0, begins=(u_0, v_0) if guess is None else None)
+    check_forcing(system, Omega, F_0, initial=(u_0, v_0) if guess is None else None)
     forced = Forced(system, float(Omega), float(F_0))
     tries = lengths(system) if half_turns is None else (half_turns,)
     theta, u, v = 0.0, u_0, v_0
@@ -306,9 +303,9 @@ def steady_state(
             cycle = replace(cycle, system=system)
         z = guess.unknowns.copy()
         z[-1] = Omega
-        found = _settle_signature(cycle, z, forced, tries)
+        found = _converge_signature(cycle, z, forced, tries)
         if found is not None:
-            return _once(found, forced, tries)
+            return _minimal_period(found, forced, tries)
         theta, u, v = float(z[1]), float(z[0]), 0.0
     elif guess is not None:
         (theta, u), v = _start(guess), 0.0
@@ -354,15 +351,15 @@ def _near(forced: Forced, theta: float, u: float, tries: tuple[int, ...], A: flo
     for n in tries[:2]:
         found = from_start(forced, theta, u, n)
         if found is not None and abs(found.A - A) <= 0.5 * A:
-            return _once(found, forced, tries)
+            return _minimal_period(found, forced, tries)
     return None
 
 
-def _once(found: SteadyState, forced: Forced, tries: tuple[int, ...]) -> SteadyState:
-    """The motion over its own period, where what was found goes through it several times.
+def _minimal_period(found: SteadyState, forced: Forced, tries: tuple[int, ...]) -> SteadyState:
+    """The motion over its minimal period, of which the cycle found may be a multiple.
 
-    Turns that are looked at by chance may come nearer to each other three apart than one: where a motion settles by
-    a third of a turn in each, a longer cycle is closed first.
+    Where a motion converges by a rotation of a third of a turn per turn, states three turns apart are nearest, and a
+    longer cycle is closed first.
     """
     theta, u = float(found.unknowns[1]), float(found.unknowns[0])
     for n in sorted(tries):
@@ -370,28 +367,28 @@ def _once(found: SteadyState, forced: Forced, tries: tuple[int, ...]) -> SteadyS
             break
         there = found._state(theta + math.pi * n)
         sign = -1 if n % 2 else 1
-        if found.cycle.half_turns % n == 0 and max(abs(there[0] - sign * u), abs(there[1])) <= AGAIN * found.A:
+        if found.cycle.half_turns % n == 0 and max(abs(there[0] - sign * u), abs(there[1])) <= CLOSURE * found.A:
             shorter = from_start(forced, theta, u, n)
-            if shorter is not None and abs(shorter.A - found.A) <= AGAIN * found.A:
+            if shorter is not None and abs(shorter.A - found.A) <= CLOSURE * found.A:
                 return shorter
     return found
 
 
-def comes_to_rest(system: EquationOfMotion, Omega: float, F_0: float, u: float, v: float) -> SteadyState | None:
-    """The place at which a motion from (u, v) stays at rest for ever, as a steady state; None where it moves on."""
+def static_state_from(system: EquationOfMotion, Omega: float, F_0: float, u: float, v: float) -> SteadyState | None:
+    """The position at which a motion from (u, v) sticks for good, as a steady state; None where it keeps moving."""
     check_numbers(system, Omega, F_0)
     if v == 0 and stays_at_rest(system, Omega, F_0, u):
-        return held(system, Omega, F_0, u)
-    if not only_rests(system, Omega, F_0):
+        return static_state(system, Omega, F_0, u)
+    if not must_stick(system, Omega, F_0):
         return None
-    end = settle(Forced(system, Omega, F_0), 0.0, u, v, lengths(system), MOST_TURNS)
-    return held(system, Omega, F_0, end.u) if at_rest(end.phases) else None
+    end = converge(Forced(system, Omega, F_0), 0.0, u, v, lengths(system), MOST_TURNS)
+    return static_state(system, Omega, F_0, end.u) if at_rest(end.phases) else None
 
 
-def held(system: EquationOfMotion, Omega: float, F_0: float, u: float) -> SteadyState:
-    """A mass that friction holds at u for ever, as a steady state: about any place nearby it would as well.
+def static_state(system: EquationOfMotion, Omega: float, F_0: float, u: float) -> SteadyState:
+    """A mass that friction holds at u, as a steady state: any position nearby is one as well.
 
-    A deviation of u stays, and one of the velocity ends: the multipliers are 1 and 0, and it is stable.
+    A deviation of u persists, and one of the velocity ends: the multipliers are 1 and 0, and it is stable.
     """
     check_numbers(system, Omega, F_0)
     region = system.force.region_of(u)
@@ -414,7 +411,7 @@ def held(system: EquationOfMotion, Omega: float, F_0: float, u: float) -> Steady
 def describe(cycle: Cycle, z: Array, F_0: float, monodromy: Array, phases: list[Phase] | None = None) -> SteadyState:
     """The `SteadyState` of a converged cycle.
 
-    phases -- of one cycle; they are followed where they are not at hand
+    phases -- of one cycle; by default integrated anew
     """
     multipliers = cycle.multipliers(monodromy)
     symmetric = cycle.sign == -1
@@ -439,7 +436,7 @@ def describe(cycle: Cycle, z: Array, F_0: float, monodromy: Array, phases: list[
 
 
 def at_rest(phases: list[Phase]) -> bool:
-    """Whether the mass rests all the time."""
+    """Whether the mass sticks in all phases."""
     return all(phase.slip == 0 for phase in phases)
 
 
@@ -450,12 +447,12 @@ def largest(phases: list[Phase]) -> float:
 
 def from_start(forced: Forced, theta: float, u: float, half_turns: int, v: float = 0.0) -> SteadyState | None:
     """Newton's iteration with the order of switches that the motion from (theta, u, v) shows."""
-    end = theta + shown_in(half_turns) * math.pi
+    end = theta + required_half_turns(half_turns) * math.pi
     closed = closed_cycle(forced.system, half_turns, follow(forced, theta, u, v, end), forced.Omega)
-    return None if closed is None else _settle_signature(*closed, forced, (half_turns,))
+    return None if closed is None else _converge_signature(*closed, forced, (half_turns,))
 
 
-def _settle_signature(cycle: Cycle, z: Array, forced: Forced, tries: tuple[int, ...]) -> SteadyState | None:
+def _converge_signature(cycle: Cycle, z: Array, forced: Forced, tries: tuple[int, ...]) -> SteadyState | None:
     """Newton's iteration, repeated with the order of switches of what it found until that order holds."""
     if cycle.half_turns not in tries:
         return None
@@ -466,11 +463,11 @@ def _settle_signature(cycle: Cycle, z: Array, forced: Forced, tries: tuple[int, 
         if solved is None:
             return None
         z, equations = solved
-        phases = cycle.followed(z, forced.F_0)
+        phases = cycle.verified_phases(z, forced.F_0)
         if phases is not None:
             return describe(cycle, z, forced.F_0, equations.monodromy, phases)
         theta, u = float(z[1]), float(z[0])
-        end = theta + shown_in(cycle.half_turns) * math.pi
+        end = theta + required_half_turns(cycle.half_turns) * math.pi
         try:
             motion = follow(forced, theta, u, 0.0, end)
         except ArithmeticError:
@@ -482,14 +479,14 @@ def _settle_signature(cycle: Cycle, z: Array, forced: Forced, tries: tuple[int, 
     return None
 
 
-class Settled(NamedTuple):
-    """Where time stepping ends: the motion that is approached, None if none was found; the turns that were followed.
+class Limit(NamedTuple):
+    """Where time stepping ends: the motion that is approached, None if none was found; the number of turns.
 
-    u, v   -- the state at the start of a turn: that of the motion found, else the last one
-    phases -- the last turn followed
-    change -- of (u, v), over the last turn or the last turns of a subharmonic
-    adrift -- the motion about u = 0 that is approached but for its mean, which no force brings back; else None
-    repeats -- whether the last turn is as the one before, as the mass rests at u = 0 in both, where the force jumps
+    u, v      -- the state at the start of a turn: that of the motion found, else the last one
+    phases    -- the last turn
+    change    -- of (u, v), over the last turn or the last turns of a subharmonic
+    free_mean -- the motion about u = 0 that is approached up to its mean, which no force restores; else None
+    repeats   -- whether the last two turns agree, with the mass sticking at u = 0, where the force jumps
     """
 
     found: SteadyState | None
@@ -498,34 +495,34 @@ class Settled(NamedTuple):
     v: float
     phases: list[Phase]
     change: float
-    adrift: SteadyState | None = None
+    free_mean: SteadyState | None = None
     repeats: bool = False
 
 
-def settle(forced: Forced, theta: float, u: float, v: float, tries: tuple[int, ...], most_turns: int) -> Settled:
+def converge(forced: Forced, theta: float, u: float, v: float, tries: tuple[int, ...], most_turns: int) -> Limit:
     """Follows the motion from (theta, u, v) until it is shown to approach a stable periodic one, or has ended.
 
-    tries -- half turns of the cycles that are looked for, see `steady_state`
+    tries -- half turns of the cycles that are tried, see `steady_state`
     Raises ArithmeticError if the motion escapes or chatters.
     """
     history = [(u, v)]
     phases: list[Phase] = []
     change = math.inf
-    ask = 1
+    next_check = 1
     known: dict[int, SteadyState] = {}
     while len(history) <= most_turns:
         phases = follow(forced, theta, u, v, theta + TURN)
         u, v = phases[-1].u_end, phases[-1].v_end
         history.append((u, v))
         if at_rest(phases):
-            return Settled(None, len(history) - 1, u, v, phases, 0.0)
-        if rests_at_jump(forced.system, phases):
+            return Limit(None, len(history) - 1, u, v, phases, 0.0)
+        if sticks_at_jump(forced.system, phases):
             change = max(abs(u - history[-2][0]), abs(v - history[-2][1]))
-            if change <= AGAIN * largest(phases):
-                return Settled(None, len(history) - 1, u, v, phases, change, repeats=True)
-        if len(history) <= ask:
+            if change <= CLOSURE * largest(phases):
+                return Limit(None, len(history) - 1, u, v, phases, change, repeats=True)
+        if len(history) <= next_check:
             continue
-        ask += min(ask, ASKED_AGAIN)
+        next_check += min(next_check, CHECK_INTERVAL)
         scale = COMES_BACK * largest(phases)
         change = sooner = math.inf  # after any number of turns, and after fewer
         last = 0
@@ -541,135 +538,135 @@ def settle(forced: Forced, theta: float, u: float, v: float, tries: tuple[int, .
             if back >= scale or (turns > SHORT and back > NEARER_BACK * sooner):
                 continue
             found = known.get(n) or from_start(forced, theta, u, n, v)
-            if found is not None and _is_adrift(found):
-                return Settled(None, len(history) - 1, u, v, phases, change, found)
+            if found is not None and _has_free_mean(found):
+                return Limit(None, len(history) - 1, u, v, phases, change, found)
             if found is not None and (found.stable or _is_neutral(found)):
-                found = known.get(n) or _once(found, forced, tries)
-                there = _passed(found, theta, u, v)
+                found = known.get(n) or _minimal_period(found, forced, tries)
+                there = _nearest_state(found, theta, u, v)
                 if found.stable and _approaches(forced, found, theta, (u, v), there):
-                    return Settled(found, len(history) - 1, *there, phases, change)
+                    return Limit(found, len(history) - 1, *there, phases, change)
                 if _drifts_to(forced, found, theta, u, there):
-                    return Settled(replace(found, stable=True), len(history) - 1, *there, phases, change)
-                # it is nearer the next time, or this is not the one
+                    return Limit(replace(found, stable=True), len(history) - 1, *there, phases, change)
+                # keep it for the next test only if it is near
                 known = {n: found} if max(abs(u - there[0]), abs(v - there[1])) < scale else {}
-    return Settled(None, len(history) - 1, u, v, phases, change)
+    return Limit(None, len(history) - 1, u, v, phases, change)
 
 
 def _by_time_stepping(forced: Forced, theta: float, state: tuple[float, float], tries: tuple[int, ...]) -> SteadyState:
-    """The motion that the one from (theta, u, v) settles to."""
-    settled = settle(forced, theta, *state, tries, MOST_TURNS)
-    parted = _parted(forced, theta, settled)
-    if settled.found is not None:
-        return settled.found
-    if settled.adrift is not None:
-        ends = forced.system.force.breakpoints
-        where = WITHIN_END.format(ends[0]) if ends else "where"
-        raise NotSettled(ADRIFT.format(Omega=forced.Omega, F_0=forced.F_0, A=settled.adrift.A, where=where))
-    if settled.repeats:
-        raise NotPeriodic(RESTS_AT_JUMP.format(Omega=forced.Omega, F_0=forced.F_0, A=largest(settled.phases)))
-    if at_rest(settled.phases):
+    """The motion that the one from (theta, u, v) converges to."""
+    end = converge(forced, theta, *state, tries, MOST_TURNS)
+    divergence = _divergence(forced, theta, end)
+    if end.found is not None:
+        return end.found
+    if end.free_mean is not None:
+        breakpoints = forced.system.force.breakpoints
+        where = WITHIN_END.format(breakpoints[0]) if breakpoints else "where"
+        raise NotSettled(FREE_MEAN.format(Omega=forced.Omega, F_0=forced.F_0, A=end.free_mean.A, where=where))
+    if end.repeats:
+        raise NotPeriodic(STICKS_AT_JUMP.format(Omega=forced.Omega, F_0=forced.F_0, A=largest(end.phases)))
+    if at_rest(end.phases):
         raise NotPeriodic(COMES_TO_REST.format(Omega=forced.Omega, F_0=forced.F_0, u=state[0]))
-    if parted >= PARTED:
-        rate = parted ** (1.0 / PARTING_TURNS)
+    if divergence >= DIVERGENCE:
+        rate = divergence ** (1.0 / DIVERGENCE_TURNS)
         raise NotPeriodic(
-            CHAOTIC.format(Omega=forced.Omega, F_0=forced.F_0, turns=settled.turns + PARTING_TURNS, rate=rate)
+            CHAOTIC.format(Omega=forced.Omega, F_0=forced.F_0, turns=end.turns + DIVERGENCE_TURNS, rate=rate)
         )
-    share, longest = settled.change / largest(settled.phases), max(map(_turns, tries))
+    change, longest = end.change / largest(end.phases), max(map(_turns, tries))
     why = (
         "it repeats itself, but Newton's iteration does not find it: sweep follows it in time"
-        if share <= AGAIN
+        if change <= CLOSURE
         else "it still drifts, too slowly to be followed to where it settles"
-        if share < 1e-3
+        if change < 1e-3
         else f"it may be on its way still, or chaotic, or a subharmonic of more than {longest} turns"
     )
-    raise NotPeriodic(NOT_FOUND.format(forced.Omega, forced.F_0, settled.turns, settled.change, why))
+    raise NotPeriodic(NOT_FOUND.format(forced.Omega, forced.F_0, end.turns, end.change, why))
 
 
-def _parted(forced: Forced, theta: float, settled: Settled) -> float:
-    """By what a motion that has not settled and one beside it part within `PARTING_TURNS` turns, on average of these.
+def _divergence(forced: Forced, theta: float, end: Limit) -> float:
+    """The factor by which neighbouring motions diverge in `DIVERGENCE_TURNS` turns; 1 if time stepping converged.
 
-    The one beside is brought near again after each turn; 1 of a motion that has an end.
+    The neighbour is rescaled to its first distance after each turn, as for the largest Lyapunov exponent.
     """
-    ends = settled.found is not None or settled.adrift is not None or settled.repeats
-    if ends or at_rest(settled.phases):
+    final = end.found is not None or end.free_mean is not None or end.repeats
+    if final or at_rest(end.phases):
         return 1.0
-    parted, near = 1.0, 1e-7 * largest(settled.phases)
-    here, beside = (settled.u, settled.v), (settled.u + near, settled.v)
-    for _ in range(PARTING_TURNS):
+    divergence, near = 1.0, 1e-7 * largest(end.phases)
+    here, neighbour = (end.u, end.v), (end.u + near, end.v)
+    for _ in range(DIVERGENCE_TURNS):
         here, there = (
             (last.u_end, last.v_end)
-            for last in (follow(forced, theta, *state, theta + TURN)[-1] for state in (here, beside))
+            for last in (follow(forced, theta, *state, theta + TURN)[-1] for state in (here, neighbour))
         )
-        way = there[0] - here[0], there[1] - here[1]
-        share = near / max(math.hypot(*way), 1e-6 * near)
-        parted /= share
-        beside = here[0] + share * way[0], here[1] + share * way[1]
-    return parted
+        difference = there[0] - here[0], there[1] - here[1]
+        scale = near / max(math.hypot(*difference), 1e-6 * near)
+        divergence /= scale
+        neighbour = here[0] + scale * difference[0], here[1] + scale * difference[1]
+    return divergence
 
 
-def calmed(forced: Forced, theta: float, end: Settled, most_turns: int) -> Settled:
-    """A motion that is adrift, followed on until it does not change any more from turn to turn, or for `most_turns`."""
+def continue_stepping(forced: Forced, theta: float, end: Limit, most_turns: int) -> Limit:
+    """Follow a motion with a free mean on until it does not change from turn to turn, or for `most_turns`."""
     turns, u, v, phases, change = end.turns, end.u, end.v, end.phases, end.change
-    while turns < most_turns and change > CALM * largest(phases):
+    while turns < most_turns and change > UNCHANGED * largest(phases):
         before = u, v
         phases = follow(forced, theta, u, v, theta + TURN)
         u, v = phases[-1].u_end, phases[-1].v_end
         turns, change = turns + 1, max(abs(u - before[0]), abs(v - before[1]))
-    return Settled(None, turns, u, v, phases, change, end.adrift)
+    return Limit(None, turns, u, v, phases, change, end.free_mean)
 
 
-def _is_adrift(found: SteadyState) -> bool:
-    """Whether a motion stays where the force is 0, as within a play: then it may as well be about any other place."""
+def _has_free_mean(found: SteadyState) -> bool:
+    """Whether a motion stays where the force is 0, as in a dead zone: then its mean is arbitrary."""
     inner = found.cycle.system.force.pieces[0]
-    within = all(region == 0 for _, region in found.cycle.signature)
-    return within and all(inner.slope(share * found.A) == 0 for share in WITHIN)
+    inner_only = all(region == 0 for _, region in found.cycle.signature)
+    return inner_only and all(inner.slope(fraction * found.A) == 0 for fraction in FRACTIONS)
 
 
 def _is_neutral(found: SteadyState) -> bool:
-    """Whether rounding may hide how a symmetric motion's mean is brought back: a multiplier of half of it is -1."""
+    """Whether rounding may hide the restoring of a symmetric motion's mean: a multiplier over half a period is -1."""
     half = found.half_multipliers
     return half is not None and bool(np.min(np.abs(half + 1.0)) < NEUTRAL)
 
 
 def _drifts_to(forced: Forced, found: SteadyState, theta: float, u: float, there: tuple[float, float]) -> bool:
-    """Whether a motion at u tends to the neutral one found, which passes `there`, though rounding hides how it moves.
+    """Whether a motion at u tends to the neutral one found, which passes `there`, though rounding hides its drift.
 
-    The mean is brought back by the spring alone, and the more the farther off it is, where the force rises all the way:
-    so what moves farther off tells of the way between, from the nearest place on at which it is seen to move.
+    The spring alone restores the mean, and the more the farther off it is, where the force is monotone: so the sign of
+    the drift between is that at the smallest offset whose drift exceeds rounding.
     """
     if not _is_neutral(found):
         return False
     end = theta + found.Omega * found.period
 
-    def way(off: float) -> float:
-        return follow(forced, theta, there[0] + off, there[1], end)[-1].u_end - (there[0] + off)
+    def drift(offset: float) -> float:
+        return follow(forced, theta, there[0] + offset, there[1], end)[-1].u_end - (there[0] + offset)
 
-    away, still = abs(u - there[0]), abs(way(0.0))
-    off = math.copysign(AGAIN * found.A, u - there[0])
+    distance, noise = abs(u - there[0]), abs(drift(0.0))
+    offset = math.copysign(CLOSURE * found.A, u - there[0])
     for _ in range(FARTHER):
-        largest = found.A + abs(off)
-        if not _rises(forced.system, largest):
+        largest = found.A + abs(offset)
+        if not _is_monotone(forced.system, largest):
             return False
-        moved = way(off)
-        if abs(moved) > SEEN * max(still, 2.0**-53 * largest):
-            if not (moved * off < 0.0 and abs(moved) < abs(off)):
+        change = drift(offset)
+        if abs(change) > SEEN * max(noise, 2.0**-53 * largest):
+            if not (change * offset < 0.0 and abs(change) < abs(offset)):
                 return False
-            if abs(off) >= away:
+            if abs(offset) >= distance:
                 return True
-        off *= 2.0
+        offset *= 2.0
     return False
 
 
-def _rises(system: EquationOfMotion, A: float) -> bool:
-    """Whether the force nowhere falls up to |u| = A; at SLOPES places."""
-    places = (A * i / SLOPES for i in range(-SLOPES, SLOPES + 1))
-    return all(system.force.piece(system.force.region_of(u)).slope(u) >= 0.0 for u in places)
+def _is_monotone(system: EquationOfMotion, A: float) -> bool:
+    """Whether the force nowhere falls up to |u| = A, tested at SLOPES positions on each side."""
+    positions = (A * i / SLOPES for i in range(-SLOPES, SLOPES + 1))
+    return all(system.force.piece(system.force.region_of(u)).slope(u) >= 0.0 for u in positions)
 
 
-def _passed(found: SteadyState, theta: float, u: float, v: float) -> tuple[float, float]:
+def _nearest_state(found: SteadyState, theta: float, u: float, v: float) -> tuple[float, float]:
     """The state of the motion found at theta that lies nearest to (u, v): a subharmonic passes in any of its turns."""
-    passed = (found._state(theta + TURN * turn) for turn in range(found.cycle.half_turns))
-    return min(passed, key=lambda there: max(abs(there[0] - u), abs(there[1] - v)))
+    states = (found._state(theta + TURN * turn) for turn in range(found.cycle.half_turns))
+    return min(states, key=lambda there: max(abs(there[0] - u), abs(there[1] - v)))
 
 
 def _approaches(
@@ -677,22 +674,21 @@ def _approaches(
 ) -> bool:
     """Whether the motion through `state` tends to the stable one found, which passes `there`.
 
-    It does where the map over a period is near its linear part, so that the multipliers' rate of approach holds: the
-    way that `state` makes in a period differs from ten times the way of a state ten times as near by less than half of
-    what the larger multiplier brings it nearer. Of the way itself that may be next to nothing: lightly damped, a motion
-    goes round and round the one found, or round one that it does not come to.
-    A motion that merely lingers, or drifts too slowly to be seen, fails this whatever its distance.
+    It does where the map over a period is nearly linear, so that the multipliers give the rate of approach: the change
+    of `state` in a period differs from ten times that of a state ten times as near by less than half of the decay by
+    the larger multiplier. The change itself would not do: lightly damped, a motion circles the one found, or another
+    that it does not converge to. A motion that merely lingers, or drifts slowly, fails this at any distance.
     """
-    away = state[0] - there[0], state[1] - there[1]
-    distance = max(map(abs, away))
+    deviation = state[0] - there[0], state[1] - there[1]
+    distance = max(map(abs, deviation))
     if distance <= ARRIVED * found.A:
         return True
-    nears = (1.0 - max(map(abs, found.multipliers.tolist()))) * distance
+    decay = (1.0 - max(map(abs, found.multipliers.tolist()))) * distance
     end = theta + found.Omega * found.period
-    ways = []
-    for share in (1.0, NEARER):
-        u, v = there[0] + share * away[0], there[1] + share * away[1]
+    changes = []
+    for scale in (1.0, NEARER):
+        u, v = there[0] + scale * deviation[0], there[1] + scale * deviation[1]
         last = follow(forced, theta, u, v, end)[-1]
-        ways.append(((last.u_end - u) / share, (last.v_end - v) / share))
-    (of_u, of_v), (nearer_of_u, nearer_of_v) = ways
-    return bool(max(abs(of_u - nearer_of_u), abs(of_v - nearer_of_v)) <= UNLIKE * nears)
+        changes.append(((last.u_end - u) / scale, (last.v_end - v) / scale))
+    (du, dv), (du_near, dv_near) = changes
+    return bool(max(abs(du - du_near), abs(dv - dv_near)) <= UNLIKE * decay)

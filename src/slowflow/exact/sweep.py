@@ -1,8 +1,4 @@
-"""A frequency sweep as an experiment sees it: the motion is simply followed while the frequency is stepped.
-
-In:  an oscillator, F_0, the frequencies in the order they are visited.
-Out: `Sweep`: the amplitude that settles at each, and the jumps between branches.
-"""
+"""Stepped-sine sweeps: the motion is followed in time while the frequency is stepped; amplitudes and jumps."""
 
 from __future__ import annotations
 
@@ -16,15 +12,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slowflow.answer import Drawn, Table, entry
-from slowflow.exact.continuation import Path, Point, has_turned
+from slowflow.exact.continuation import Path, Point, passed_fold
 from slowflow.exact.motion import Forced, check_numbers, stops
 from slowflow.exact.shooting import (
     SteadyState,
     at_rest,
-    calmed,
+    continue_stepping,
+    converge,
     largest,
     lengths,
-    settle,
 )
 from slowflow.exact.work import limited
 from slowflow.mechanism import EquationOfMotion
@@ -37,10 +33,9 @@ Array = NDArray[np.float64]
 STEP = 0.1
 #: of its amplitude, by which a motion that Newton's iteration found twice may differ
 SAME = 1e-6
-#: steps in place of one between whose frequencies the motion may have changed its branch several times, and how often
-#: these are taken in place of one again
+#: substeps of a step in which the motion may have changed its branch several times, and the depth of such subdivision
 FINER, OFTEN = 8, 3
-#: likewise where two branches meet: next to that one of them grows like the square root of the distance
+#: the same where two branches meet: near that point one of them grows like the square root of the distance
 MEETS = 1e-4
 
 
@@ -53,8 +48,8 @@ class Sweep(Drawn, Table):
 
     Omega   -- the frequencies
     A       -- largest |u| of the stable motion that is settled to; where none is, over the last turn of the forcing;
-               where friction holds the mass, as at low frequencies of an excitation by inertia, how far off it rests;
-               within a play, where no force brings the mean back, it is about the place that the sweep left it at
+               where friction holds the mass, as at low frequencies of an excitation by inertia, its offset;
+               in a dead zone, where no force restores the mean, it is about the last mean
     stops   -- rests in one period of it, or in that turn
     turns   -- turns of the forcing followed before it was shown that the motion tends there
     settled -- whether it was, within the turns that are followed at most
@@ -75,7 +70,7 @@ class Sweep(Drawn, Table):
     picture: ClassVar[str] = "sweep"
 
 
-#: A, stops, turns and settled of a `Sweep`; the periodic motions that it settled to, None where that is none
+#: A, stops, turns and settled of a `Sweep`; the periodic motions that it converged to, None where it did not
 Visited = tuple[Any, Sequence[SteadyState | None]]
 
 
@@ -113,20 +108,20 @@ def sweep(
         for at in Omega.tolist():
             with limited():
                 forced = Forced(system, at, F_0)
-                end = settle(forced, 0.0, u, v, tries, most_turns)
-                if end.adrift is not None:
-                    end = calmed(forced, 0.0, end, most_turns)
+                end = converge(forced, 0.0, u, v, tries, most_turns)
+                if end.free_mean is not None:
+                    end = continue_stepping(forced, 0.0, end, most_turns)
             u, v, found = end.u, end.v, end.found
-            drifts = end.adrift is not None and end.turns < most_turns
-            settled = found is not None or end.repeats or at_rest(end.phases) or drifts
+            drifts = end.free_mean is not None and end.turns < most_turns
+            steady = found is not None or end.repeats or at_rest(end.phases) or drifts
             seen = (largest(end.phases), stops(end.phases)) if found is None else (found.A, found.stops)
-            visited.append((*seen, end.turns, settled, found))
+            visited.append((*seen, end.turns, steady, found))
         *columns, motions = zip(*visited, strict=True)
         return list(map(np.array, columns)), motions
 
-    (A, rests, turns, settled), motions = through(frequencies, u_0, v_0)
+    (A, stops_at, turns, steady), motions = through(frequencies, u_0, v_0)
     jumps = Branches(frequencies, F_0, motions, through).jumps()
-    return Sweep(F_0, frequencies, A, rests, turns, settled, jumps)
+    return Sweep(F_0, frequencies, A, stops_at, turns, steady, jumps)
 
 
 class Branches:
@@ -141,7 +136,7 @@ class Branches:
     is made once more in `FINER` ones, and these likewise; there is a jump if there is one in them, or if they lead to
     another motion. A branch that is stable up to its fold needs no finer steps.
 
-    motions -- what the sweep settled to, None where that is no periodic motion: then nothing is told of its branch
+    motions -- the periodic motions that the sweep converged to; None, with an unknown branch, where it did not
     through -- follows the motion from a state through other frequencies
     finer   -- how often steps may be made finer
     """
@@ -166,7 +161,7 @@ class Branches:
                 continue
             try:
                 with limited():
-                    i, jumps, certain = self._followed(i, motion)
+                    i, jumps, certain = self._follow_branch(i, motion)
             except ArithmeticError:  # it cannot be followed in reasonable time
                 i, jumps, certain = i + 1, False, True
             if jumps and (certain or self._jumps_finer(i)):
@@ -188,7 +183,7 @@ class Branches:
             return True
         return bool(Branches(Omega, self.F_0, motions, self.through, self.finer - 1).jumps())
 
-    def _followed(self, i: int, motion: SteadyState) -> tuple[int, bool, bool]:
+    def _follow_branch(self, i: int, motion: SteadyState) -> tuple[int, bool, bool]:
         """At which frequency the motion is none of the branch any more, whether it jumps there, and if that is certain.
 
         That at which the frequency turns, or the last, where it is one up to there.
@@ -203,27 +198,27 @@ class Branches:
                 points.append(point)
                 while j <= end and len(points) > 1 and sense * (self.Omega[j] - point.z[-1]) <= 0.0:
                     there = _between(points[-2], point, self.F_0, float(self.Omega[j]))
-                    if there is None or not self._is_there(j, there):
-                        return j, self._leaves(j, there, points), _is_stable(points[:-1])
+                    if there is None or not self._on_branch(j, there):
+                        return j, self._jumps_off(j, there, points), _is_stable(points[:-1])
                     j += 1
                 if j > end:
                     return end, False, True
-                if has_turned(points):
-                    return j, self._falls(j, points[-2]), _is_stable(points[:-2])
+                if passed_fold(points):
+                    return j, self._jumps_at_fold(j, points[-2]), _is_stable(points[:-2])
         except ArithmeticError:
             pass
-        return j, self._leaves(j, None, points), False
+        return j, self._jumps_off(j, None, points), False
 
     def _path(self, motion: SteadyState, one: float, other: float) -> Path:
         low, high = sorted((float(one), float(other)))
         return Path(self.F_0, low, high, STEP, motion)
 
-    def _is_there(self, j: int, point: Point) -> bool:
+    def _on_branch(self, j: int, point: Point) -> bool:
         """Whether the motion at a frequency is that of the branch."""
         motion = self.motions[j]
         return motion is not None and abs(motion.A - point.A) <= SAME * point.A
 
-    def _leaves(self, j: int, there: Point | None, points: list[Point]) -> bool:
+    def _jumps_off(self, j: int, there: Point | None, points: list[Point]) -> bool:
         """Whether a motion jumps that is not on the branch through the points at number j, which has no fold before.
 
         there -- the branch at that frequency, None where it does not come so far
@@ -236,10 +231,10 @@ class Branches:
         if turned:
             return not self._meet(points, back[-2])
         motion, last = self.motions[j - 1], back[-1]
-        comes_back = float(last.z[-1]) == float(self.Omega[j - 1])
-        return comes_back and not (motion is not None and abs(motion.A - last.A) <= SAME * last.A)
+        returns = float(last.z[-1]) == float(self.Omega[j - 1])
+        return returns and not (motion is not None and abs(motion.A - last.A) <= SAME * last.A)
 
-    def _falls(self, j: int, turn: Point) -> bool:
+    def _jumps_at_fold(self, j: int, turn: Point) -> bool:
         """Whether the motion at number j is not on a branch through the point where the one before it turns.
 
         Where it is, that is no fold: a branch without symmetry, or of a longer period, ends there on the other.
@@ -266,7 +261,7 @@ class Branches:
 
 
 def _is_stable(points: list[Point]) -> bool:
-    """Whether a branch is stable as far as its points say."""
+    """Whether a branch is stable at all of its points but folds and borders."""
     return all(point.stable for point in points if not point.role)
 
 
@@ -275,8 +270,8 @@ def _between(before: Point, after: Point, F_0: float, Omega: float) -> Point | N
     for base, other in ((before, after), (after, before)):
         z = base.z.copy()
         if base.cycle.signature == other.cycle.signature:
-            way = float(other.z[-1] - base.z[-1])
-            z += (0.0 if way == 0.0 else (Omega - float(base.z[-1])) / way) * (other.z - base.z)
+            step = float(other.z[-1] - base.z[-1])
+            z += (0.0 if step == 0.0 else (Omega - float(base.z[-1])) / step) * (other.z - base.z)
         z[-1] = Omega
         found = base.cycle.newton(z, F_0)
         if found is not None and base.cycle.holds(found[0], F_0):

@@ -1,8 +1,8 @@
-"""Shocks. Takes an oscillator at rest and the acceleration of its base over time; returns what the mass does then.
+"""Shock response: the motion under an acceleration of the base over time.
 
-Seen from the base the mass moves by (3) with minus the base's acceleration as its forcing. A half sine is an arc of a
-cosine, which the integrator has as it is. Between samples of a record the acceleration is an arc of `ARC`, which
-differs from a straight line by less than ARC^2/8 of the samples: one integrator serves all, and switches stay exact.
+Relative to the base the mass moves by (3) with minus the base's acceleration as its forcing. A half sine is an arc of a
+cosine, the integrator's own forcing. Between samples of a record the acceleration is an arc of `ARC`, which differs
+from a straight line by less than ARC^2/8 of the samples: one integrator serves all, and switches stay exact.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ Array = NDArray[np.float64]
 NO_PULSE = text("a pulse needs either its duration, of a half sine, or {tau}, the times of a record")
 #: angle between two samples of a record
 ARC = 1e-3
-#: what the place of rest is off by may be this share of a pulse
+#: largest rounding error of the equilibrium, relative to the pulse
 WEAK = 2.0**-10
 TOO_WEAK = Sentence(
     "a pulse of {acceleration:g} is too weak to be followed beside {u = :g}, where the mass rests: rounding of that "
@@ -69,7 +69,7 @@ class Stretch(NamedTuple):
 
 
 class Series(NamedTuple):
-    """A motion over time: place and speed of the mass as seen from the base, accelerations of mass and base."""
+    """A motion over time: displacement and velocity relative to the base, absolute accelerations of mass and base."""
 
     tau: Array
     u: Array
@@ -135,9 +135,9 @@ def record(tau: Array, acceleration: Array) -> Array:
     """The acceleration through samples, as arcs: shape (..., n - 1, 4) of those of shape (..., n), tau rising."""
     before, after = -acceleration[..., :-1], -acceleration[..., 1:]
     # F cos theta at both ends of the arc
-    across = (before * math.cos(ARC) - after) / math.sin(ARC)
+    quadrature = (before * math.cos(ARC) - after) / math.sin(ARC)
     spans = np.diff(tau)
-    columns = (spans, ARC / spans, np.hypot(before, across), np.arctan2(across, before))
+    columns = (spans, ARC / spans, np.hypot(before, quadrature), np.arctan2(quadrature, before))
     return np.stack(np.broadcast_arrays(*columns), axis=-1)
 
 
@@ -161,23 +161,23 @@ def transient(
     chatters where the force jumps, or does not turn, and off the centre where a pulse is lost beside the load.
     """
     rest = at if rest is None else rest
-    peak, off_by = float(arcs[:, 2].max(initial=0.0)), BACK * max(abs(at), abs(system.load))
-    held = peak + off_by <= system.holds(system.force.region_of(at))
-    if 0 < peak < off_by / WEAK and not held and at == rest and v == 0.0:
-        raise NotSettled(TOO_WEAK.format(peak, at, off_by / peak))
+    peak, rounding = float(arcs[:, 2].max(initial=0.0)), BACK * max(abs(at), abs(system.load))
+    sticks = peak + rounding <= system.holds(system.force.region_of(at))
+    if 0 < peak < rounding / WEAK and not sticks and at == rest and v == 0.0:
+        raise NotSettled(TOO_WEAK.format(peak, at, rounding / peak))
     system = replace(system, inertial=False)  # an acceleration is a force, whatever else the oscillator is excited by
-    of, how = compiled.of_system(system), (begin, after, at, v, rest)
-    outcome, steps, numbers, found = EXACT.shock(of, np.ascontiguousarray(arcs), *how, MOST_STEPS, MOST_WORK)
+    arguments = np.ascontiguousarray(arcs), begin, after, at, v, rest, MOST_STEPS, MOST_WORK
+    outcome, steps, numbers, packed = EXACT.shock(compiled.handle(system), *arguments)
     spend(steps)
     if outcome == Outcome.DIVERGES:
         raise NotSettled(f"within {MOST_TURNS} turns after the pulse the mass does not turn twice, and does not rest")
-    if outcome:  # of the arc, whose frequency and force are none that anybody gave, it says the time
+    if outcome:  # the message has the time: an arc's frequency and force are not the user's
         tau, u, F = numbers
         raise NotSettled(LOST.format(lost(outcome, system, u), tau, ACCELERATED if F else FREE))
     A, tau_A, a_max, tau_a, left, rests, u_end = numbers
     off = not math.isnan(left)
     u_cr = next(iter(system.force.breakpoints[system.force.innermost :]), None) if system.force.odd else None
-    stretches = tuple(Stretch(since, Arc(*by[:4]), Phase(*by[4:14])) for since, *by in STRETCH.iter_unpack(found))
+    stretches = tuple(Stretch(since, Arc(*by[:4]), Phase(*by[4:14])) for since, *by in STRETCH.iter_unpack(packed))
     return Transient(A, tau_A, a_max, tau_a, u_cr, off, left if off else None, rests == 1, u_end, "", stretches, system)
 
 
@@ -208,7 +208,7 @@ class ShockSpectrum(Drawn, Table):
 
 
 def shock_spectrum(system: EquationOfMotion, acceleration: Floats, duration: Floats, at: float = 0.0) -> ShockSpectrum:
-    """Pulse by pulse, from rest at u = `at`; shapes (n,)."""
+    """The spectrum pulse by pulse, from rest at u = `at`; shapes (n,)."""
     found = [transient(system, arcs, after=0.0, at=at) for arcs in half_sine(acceleration, duration)]
     A, a_max, detaches = (np.array([getattr(one, name) for one in found]) for name in ("A", "a_max", "detaches"))
     return ShockSpectrum(acceleration, duration, A, a_max, a_max / acceleration, detaches.astype(np.bool_), "")

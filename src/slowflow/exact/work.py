@@ -21,28 +21,28 @@ class OutOfWork(Exception):
         super().__init__(GIVEN_UP.format(most))
 
 
-_left: ContextVar[list[int] | None] = ContextVar("steps that the question has left", default=None)
+_remaining: ContextVar[list[int] | None] = ContextVar("steps that the question has left", default=None)
 
 
 @contextlib.contextmanager
 def limited(most: int = MOST_WORK) -> Iterator[None]:
     """Bounds the steps of one question, inner questions included. Raises ArithmeticError where they do not suffice."""
-    if _left.get() is not None:
+    if _remaining.get() is not None:
         yield
         return
-    token = _left.set([most, most])
+    token = _remaining.set([most, most])
     try:
         yield
     except OutOfWork as used_up:
         raise NotSettled(str(used_up)) from None
     finally:
-        _left.reset(token)
+        _remaining.reset(token)
 
 
 def steps_left() -> int:
     """The steps that one integration may take now."""
-    left = _left.get()
-    return MOST_STEPS if left is None else max(0, min(MOST_STEPS, left[0] + 1))
+    remaining = _remaining.get()
+    return MOST_STEPS if remaining is None else max(0, min(MOST_STEPS, remaining[0] + 1))
 
 
 def spend(steps: int, *, keep: bool = False) -> None:
@@ -50,8 +50,8 @@ def spend(steps: int, *, keep: bool = False) -> None:
 
     keep -- what was found with them is good: not this call is refused but the next
     """
-    left = _left.get()
-    if left is not None:
-        left[0] -= steps
-        if left[0] < 0 and not keep:
-            raise OutOfWork(left[1])
+    remaining = _remaining.get()
+    if remaining is not None:
+        remaining[0] -= steps
+        if remaining[0] < 0 and not keep:
+            raise OutOfWork(remaining[1])

@@ -387,7 +387,7 @@ def _shock(
     model = single.model
     force = followed(Force.of(model.mechanism, model.parameters), model.mechanism.name)
     system = EquationOfMotion(force, model.mu, model.zeta, load=single.load, c_2=model.laws.c_2)
-    begins_at_centre = system.centred and questions.rests_at_centre(system)
+    begins_at_centre = system.centred and questions.stable_at_centre(system)
     stands = 1 if begins_at_centre else int(single.rest().stable.sum())
     found: Any
     if question == "shock_spectrum":

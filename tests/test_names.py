@@ -1,0 +1,55 @@
+"""Names by the field's language: identifiers that are not defined again, each with the term in its place."""
+
+import ast
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+#: folders whose names are done
+ROOMS = ("src/slowflow/exact",)
+#: whole identifiers, without leading underscores and in lower case
+GONE = {
+    "alike": "no noun: the same, or what is equal",
+    "alone": "no noun: single, isolated",
+    "along": "no noun: a direction, a component, or what varies",
+    "asked": "a query, arguments, or indices of valid cases",
+    "beside": "a neighbour, an offset, or further columns",
+    "given": "parameters, arguments or known values",
+    "held": "a bound, an enclosure, a static state or what is valid",
+    "leaves": "a predicate says what: detaches, jumps",
+    "moved": "a sensitivity, an offset or a change",
+    "moves": "sensitivities, or the gradient",
+    "parts": "chunks, pieces or terms",
+    "places": "positions, equilibria or a count",
+    "play": "a dead zone",
+    "rests": "equilibria, or stick phases",
+    "said": "a message or diagnostics",
+    "settle": "converge",
+    "share": "a ratio, a fraction or a step",
+    "stands": "a predicate says what: is stable, is at rest",
+    "told": "a message, or what is known",
+    "wanted": "a target or a request",
+    "words": "messages",
+}
+#: columns of public answers
+PUBLIC = {"rests", "settled"}
+
+
+def defined(tree):
+    """Names that a module defines: functions, classes, arguments, variables, attributes and aliases."""
+    for node in ast.walk(tree):
+        match node:
+            case ast.FunctionDef(name=name) | ast.ClassDef(name=name) | ast.arg(arg=name):
+                yield name
+            case ast.Name(id=name, ctx=ast.Store()) | ast.Attribute(attr=name, ctx=ast.Store()):
+                yield name
+            case ast.alias(asname=str(name)):
+                yield name
+
+
+@pytest.mark.parametrize("room", ROOMS)
+def test_names_that_are_gone_do_not_return(room):
+    for path in sorted((ROOT / room).rglob("*.py")):
+        names = {name.strip("_").lower() for name in defined(ast.parse(path.read_text(encoding="utf-8")))}
+        assert not {name: GONE[name] for name in names & GONE.keys() - PUBLIC}, path
