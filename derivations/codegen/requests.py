@@ -19,10 +19,10 @@ _SYSTEMS = " ".join(
     for unknowns in ("by_R", "by_Omega", *(("far_by_R", "far_by_x") if system != "turns" else ()))
 )
 
-#: what the solvers of slow flow and their proofs ask on whole intervals, and there alone
-_HELD = """F_A F_AA fold_quartic peak_cubic fold isola cusps cusp_R cusp turn peak intercept R F F_Omega F_OmegaOmega
-    F_AOmega level backbone least_restoring most_restoring isola_Omega level_rise cusp_bend isola_bend"""
-_STATES = "F_Omega_reduced state_R state fold_least"
+#: what the solvers of slow flow and their proofs ask on whole intervals, and there alone; in Python proofs in balls do
+_HELD = """F_A F_AA fold isola cusps cusp_R cusp intercept R F F_Omega F_OmegaOmega F_AOmega level backbone
+    least_restoring most_restoring isola_Omega level_rise cusp_bend isola_bend"""
+_STATES = "F_Omega_reduced state_R state"
 
 #: by module, with names of kernels, or * for all that are in neither of the first two:
 #:     cells    -- on intervals, and nowhere on doubles
@@ -32,12 +32,12 @@ _STATES = "F_Omega_reduced state_R state fold_least"
 #:     others   -- as in `Kernel`
 REQUESTS = {
     "slow_flow": {
-        "enclosed": f"friction {_HELD}",
+        "enclosed": f"friction fold_quartic peak_cubic turn peak {_HELD}",
         # friction's number is no double: balls have it
         "searched": f"{_HELD} {_STATES}",
         "paired": "friction",
         "unlooped": "held",
-        "cells": f"{_STATES} cusps_scaled cusp_X cusp_scaled cusp_scaled_level cusp_scaled_slope",
+        "cells": f"{_STATES} fold_least cusps_scaled cusp_X cusp_scaled cusp_scaled_level cusp_scaled_slope",
         "settled": " ".join(f"{kind}_step" for kind in EQUATIONS),
     },
     "slow_flow_mu0": {"enclosed": "isola", "searched": "isola F_Omega_reduced", "cells": "F_Omega_reduced"},

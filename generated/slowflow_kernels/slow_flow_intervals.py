@@ -13,9 +13,8 @@ the methods `square` and `sqrt`.
 
 __all__ = [
     "backbone", "cusp", "cusp_bend", "cusp_R", "cusps", "F", "F_A", "F_AA", "F_AOmega", "F_Omega",
-    "F_Omega_reduced", "F_OmegaOmega", "fold", "fold_least", "fold_quartic", "intercept", "isola", "isola_bend",
-    "isola_Omega", "least_restoring", "level", "level_rise", "most_restoring", "peak", "peak_cubic", "R", "state",
-    "state_R", "turn",
+    "F_Omega_reduced", "F_OmegaOmega", "fold", "intercept", "isola", "isola_bend", "isola_Omega", "least_restoring",
+    "level", "level_rise", "most_restoring", "R", "state", "state_R",
 ]
 
 
@@ -100,31 +99,6 @@ def backbone(A, h):
     """
     square = -h / A
     return square.sqrt()
-
-
-def fold_quartic(A, m, zeta, h, h_A):
-    """F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
-
-    Equation (24), (30). Domain: A > 0.
-    """
-    return (
-        h * h_A,
-        2.0 * m * zeta,
-        A * (h_A + 4.0 * zeta.square()) + h,
-        A,
-    )
-
-
-def peak_cubic(A, m, zeta, h):
-    """F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3.
-
-    Equation (34). Domain: A > 0.
-    """
-    return (
-        m * zeta,
-        2.0 * A * zeta.square() + h,
-        A,
-    )
 
 
 def level(Omega, A, m, zeta, h):
@@ -260,37 +234,6 @@ def cusp(A, m, zeta, h_AA, h_AAA, k, X, T, R, root):
     )
 
 
-def turn(Omega, A, m, zeta, h_AA, k):
-    """F_A/2 where F_AOmega = 0, an extremum of F_A over Omega, and its slope along A.
-
-    Equation from (30). Domain: Omega > 0, A > 0.
-    """
-    t0 = A * Omega * zeta
-    I = m + 2.0 * t0
-    drawn = 0.5 * zeta * (m + 4.0 * t0) / Omega
-    t1 = 0.5 * k
-    t2 = -drawn - t1
-    t3 = -drawn + t1
-    return (
-        2.0 * I * Omega * zeta + t2 * t3 / A,
-        4.0 * Omega.square() * zeta.square() + h_AA * t3 + t2.square() / (A.square()),
-    )
-
-
-def peak(Omega, A, F_0, m, zeta, h_A):
-    """F where F_Omega = 0: an extremum of F over Omega, and its slope along A.
-
-    Equation from (24), (34). Domain: Omega > 0, A > 0.
-    """
-    t0 = 2.0 * A
-    R = -t0 * zeta.square() - m * zeta / Omega
-    I = Omega * t0 * zeta + m
-    return (
-        R.square() + (-F_0 + I) * (F_0 + I),
-        -2.0 * R * (Omega.square() - h_A),
-    )
-
-
 def level_rise(Omega, A, m, zeta, h, h_A, h_AA):
     """Positive where the level rises with A along the fold locus, negative where it falls.
 
@@ -383,17 +326,4 @@ def state(Omega, A, F_0, m, zeta, h_A, h_AA, R):
         R.square() + (-F_0 + I) * (F_0 + I),
         2.0 * (I * t0 + R * t2),
         2.0 * (R * h_AA + 4.0 * t1 * zeta.square() + t2.square()),
-    )
-
-
-def fold_least(zeta, h_A, over_A, apart):
-    """F_A/(2 A) without friction as X^2 + b X + c in X = Omega^2, by h/A and h/A - h_A: b, and b^2 - 4 c.
-
-    Equation from (30). Domain: A > 0.
-    """
-    t0 = zeta.square()
-    t1 = h_A + over_A
-    return (
-        4.0 * t0 + t1,
-        apart.square() + 8.0 * t0 * (2.0 * t0 + t1),
     )
