@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -177,7 +178,7 @@ def of_one(model: Model, F_0: float, Omega: Any, A: Any, corner: Any = None, *, 
             if turns_beyond(model, A).any():
                 said.append(Remark.BEYOND_WELL)
         states = np.atleast_1d(Omega, A)
-        if _unsustained(model, *states):
+        if (sustained.unsustained(model, *states) & ~turns_beyond(model, states[1])).any():
             said.append(Remark.UNSUSTAINED)
     if model.mechanism.truncated and corner is not None and highest > 0:
         if (corner.any() if many else corner) or _is_next_to_jump(model, A):
@@ -219,7 +220,8 @@ def look_at(flow: SlowFlow, Omega: Any, A: Any) -> tuple[Flags, Flags]:
     may = np.broadcast_to(~stay_centred(flow), A.shape[:-1])
     kept, beyond = np.ones(A.shape, dtype=bool), np.zeros(A.shape, dtype=bool)
     if may.any():
-        chosen = flow.each(lambda number: np.broadcast_to(number, may.shape)[may][:, np.newaxis])
+        own = tuple(np.broadcast_to(value, may.shape)[may][:, np.newaxis] for value in flow.parameters)
+        chosen = replace(flow, parameters=own)
         at = np.broadcast_to(Omega, (*may.shape, Omega.shape[-1]))[may]
         kept[may] = keeps_centre(chosen, at, A[may])
         beyond[may] = turns_beyond(chosen, A[may])

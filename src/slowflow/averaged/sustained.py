@@ -13,6 +13,7 @@ with I the sine balance (23) at that frequency; away from omega the cosine balan
 
 from __future__ import annotations
 
+from functools import partial
 from operator import itemgetter
 from typing import Any
 
@@ -47,6 +48,12 @@ def force_at(mechanism: Mechanism, parameters: tuple[Any, ...], u: Any) -> Float
     return value
 
 
+def _column(number: Any, size: int) -> Floats:
+    """A number of designs with a row for each of so many; what is one for all is spread."""
+    rows = np.reshape(number, (-1, 1))
+    return rows if len(rows) == size else np.broadcast_to(rows, (size, 1))
+
+
 def unsustained(flow: SlowFlow, Omega: Any, A: Any) -> Flags:
     """Which states (Omega, A) about u = 0 are resonant in averaging, and have no sustained motion near them.
 
@@ -60,8 +67,8 @@ def unsustained(flow: SlowFlow, Omega: Any, A: Any) -> Flags:
     found = np.zeros(A.shape, dtype=bool)
     if not mechanism.odd:
         return found.reshape(shape)
-    flow = flow.each(lambda number: np.broadcast_to(np.reshape(number, (-1, 1)), (len(A), 1)))
-    parameters = flow.parameters
+    column = partial(_column, size=len(A))
+    parameters = tuple(map(column, flow.parameters))
     with np.errstate(all="ignore"):  # amplitudes of any size, and none
         places = WITHIN * np.fmax.reduce(A, axis=-1, keepdims=True) * (np.arange(1, SIGNS + 1) / SIGNS)
         # a state is looked at from half the amplitude on at which the force has changed its sign: beyond the reach too,
@@ -71,7 +78,7 @@ def unsustained(flow: SlowFlow, Omega: Any, A: Any) -> Flags:
         may = np.flatnonzero((A >= first).any(axis=-1))
         for some in (may[begin : begin + AT_ONCE] for begin in range(0, len(may), AT_ONCE)):
             near = A[some] >= first[some]
-            found[some] = _unsustained(flow.each(itemgetter(some)), Omega[some], A[some], near)
+            found[some] = _unsustained(flow.each(column).each(itemgetter(some)), Omega[some], A[some], near)
     return found.reshape(shape)
 
 

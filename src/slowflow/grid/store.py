@@ -11,7 +11,7 @@ import hashlib
 import json
 import os
 import pickle
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -108,35 +108,24 @@ def _missing(
     dims = list(sizes)
     unread = {name: tuple(map(dims.index, _dims(value, sizes))) for name, value in values.items() if _unread(value)}
     task = dask.delayed(Fill(path, ask, unread), pure=False, traverse=False)
-    spread = [_spread(value, sizes, blocks) for value in values.values()]
+    parts = [_part_of(value, sizes, blocks) for value in values.values()]
     for block in np.argwhere(~np.asarray(group[DONE][...])).tolist():
         steps = list(zip(dims, block, strict=True))
         region = tuple(slice(k * blocks[dim], min((k + 1) * blocks[dim], sizes[dim])) for dim, k in steps)
-        yield task(tuple(block), region, *(value.part(tuple(block), region) for value in spread))
+        yield task(tuple(block), region, *(part(tuple(block), region) for part in parts))
 
 
-@dataclass(frozen=True)
-class _Spread:
-    """A parameter with all axes of the map, of length 1 where it does not vary: an array, or dask's tasks by block."""
-
-    array: Any
-    tasks: Any
-
-    def part(self, block: Block, region: tuple[slice, ...]) -> Any:
-        """Of one block."""
-        if self.tasks is not None:
-            return self.tasks[tuple(k if n > 1 else 0 for k, n in zip(block, self.tasks.shape, strict=True))]
-        varies = (length > 1 for length in self.array.shape)  # a table's rows come last
-        return self.array[tuple(part if one else slice(None) for part, one in zip(region, varies, strict=False))]
-
-
-def _spread(value: Any, sizes: Mapping[str, int], blocks: Mapping[str, int]) -> _Spread:
+def _part_of(
+    value: Any, sizes: Mapping[str, int], blocks: Mapping[str, int]
+) -> Callable[[Block, tuple[slice, ...]], Any]:
+    """What a block has of a parameter, with all axes of the map, of length 1 where it does not vary: array or task."""
     plain = value.drop_vars(list(value.coords))
     whole = plain.expand_dims([dim for dim in sizes if dim not in value.dims]).transpose(*sizes, ...)
-    if not _unread(value):
-        return _Spread(whole.values, None)
-    cut = whole.chunk({dim: blocks[dim] for dim in value.dims})
-    return _Spread(None, np.asarray(cut.data.to_delayed()))
+    if _unread(value):
+        tasks = np.asarray(whole.chunk({dim: blocks[dim] for dim in value.dims}).data.to_delayed())
+        return lambda block, _: tasks[tuple(k if n > 1 else 0 for k, n in zip(block, tasks.shape, strict=True))]
+    array, varies = whole.values, [length > 1 for length in whole.shape]  # a table's rows come last
+    return lambda _, region: array[tuple(k if one else slice(None) for k, one in zip(region, varies, strict=False))]
 
 
 def _unread(value: Any) -> bool:
