@@ -91,15 +91,6 @@ def closed(name, A, n=1):
     return -2 / mp.sqrt(mp.pi) * A**power * mp.gamma(power / 2 + 1) / mp.gamma(power / 2 + 1.5)
 
 
-#: what fast tests ask of: a smooth force, one with a breakpoint, one in numbers
-FEW = {"pendulum", "let_go"}
-
-
-def slow_beside(names, few):
-    """Parameters of which all but a few are slow: each is a mechanism that is derived."""
-    return [name if name in few else pytest.param(name, marks=pytest.mark.slow) for name in names]
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("compile", [False, True])
 @pytest.mark.parametrize("name", sorted({case["force"] for case in CASES}))
@@ -139,7 +130,9 @@ def test_harmonics_are_those_of_a_closed_form():
             np.testing.assert_allclose(values, [float(one) for one in expected], rtol=1e-14, atol=1e-15)
 
 
-@pytest.mark.parametrize("name", slow_beside(FORCES, FEW))
+@pytest.mark.parametrize(
+    "name", ["pendulum", *(pytest.param(name, marks=pytest.mark.slow) for name in list(FORCES)[1:])]
+)
 def test_intercept_is_the_difference_it_stands_for(name):
     model = oscillator(name).model
     A = np.array([0.15, 0.7, 2.0])
