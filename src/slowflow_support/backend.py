@@ -1,6 +1,6 @@
-"""The compiled kernels, in the place of NumPy's: loaded once, at the first import.
+"""The compiled kernels, in place of NumPy's, loaded at the first import.
 
-Out: `NATIVE`, the extension module, and wrappers that give its ufuncs the names and forms of the kernels.
+`NATIVE` is the extension module; wrappers give its ufuncs the names and forms of the kernels.
 """
 
 from __future__ import annotations
@@ -70,27 +70,27 @@ def in_tuple(kernel: Callable[..., Any]) -> Callable[..., tuple[Any]]:
 
 
 def _called(kernel: Callable[..., Any], ufunc: np.ufunc) -> Callable[..., Any]:
-    """A ufunc knows its arguments by place only."""
+    """A ufunc, which takes positional arguments only, with the kernel's keywords."""
     names = kernel.__code__.co_varnames[: kernel.__code__.co_argcount]
 
     @functools.wraps(kernel)
     def called(*arguments: Any, **named: Any) -> Any:
         if named:
             # what is no argument of the kernel is NumPy's: out, where, ...
-            given = {name: named.pop(name) for name in names if name in named}
-            if given:
-                arguments = (*arguments, *_in_order(kernel.__name__, names[len(arguments) :], given))
+            by_name = {name: named.pop(name) for name in names if name in named}
+            if by_name:
+                arguments = (*arguments, *_in_order(kernel.__name__, names[len(arguments) :], by_name))
         return ufunc(*arguments, **named)
 
     return called
 
 
-def _in_order(kernel: str, names: Sequence[str], given: Mapping[str, Any]) -> Iterator[Any]:
+def _in_order(kernel: str, names: Sequence[str], by_name: Mapping[str, Any]) -> Iterator[Any]:
     """The arguments given by name, in the order of the names that are left; TypeError as a function raises it."""
-    for name in given:
+    for name in by_name:
         if name not in names:
             raise WrongType(f"{kernel}() got multiple values for argument {name!r}")
     for name in names:
-        if name not in given:
+        if name not in by_name:
             raise WrongType(f"{kernel}() missing 1 required positional argument: {name!r}")
-        yield given[name]
+        yield by_name[name]

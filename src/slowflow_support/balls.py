@@ -1,7 +1,6 @@
-"""Carlson's symmetric elliptic integrals of balls: what the averages of a force that is not truncated hold.
+"""Carlson's symmetric elliptic integrals in ball arithmetic, for averages of an untruncated force.
 
-In:  `flint.arb` that are not negative, or numbers that are exact.
-Out: `flint.arb` that holds the integral, to the digits of `flint.ctx`.
+They take non-negative `flint.arb` or exact numbers, and enclose the integral to the digits of `flint.ctx`.
 """
 
 from __future__ import annotations

@@ -48,26 +48,26 @@ def by_regime(
     A NaN fails every guard and reaches the last body, which hands it on.
     """
     shape = common_shape(arguments)
-    left = np.ones(shape, dtype=bool)
+    remaining = np.ones(shape, dtype=bool)
     results = np.empty((outputs, 0))
     for guard, body in zip((*guards, True), bodies, strict=True):
-        mask = left & guard
-        held = np.count_nonzero(mask)
-        if held == left.size:
+        mask = remaining & guard
+        count = np.count_nonzero(mask)
+        if count == remaining.size:
             return tuple([full(value, shape) for value in body(*arguments)])
-        if held:
+        if count:
             results = results if results.size else np.empty((outputs, *shape))
             which = mask.nonzero()
-            chosen = [
+            selected = [
                 a if a.ndim == 0 else (a if a.shape == shape else np.broadcast_to(a, shape))[which] for a in arguments
             ]
-            for result, value in zip(results, body(*chosen), strict=True):
+            for result, value in zip(results, body(*selected), strict=True):
                 result[which] = value
-            left = left ^ mask
+            remaining = remaining ^ mask
     return tuple(results)
 
 
 def number_by_regime(guards: Sequence[Any], bodies: Sequence[Callable[..., Any]], arguments: Sequence[Floats]) -> Any:
     """The same for bodies that give one number."""
-    tuples = [lambda *chosen, body=body: (body(*chosen),) for body in bodies]
+    tuples = [lambda *selected, body=body: (body(*selected),) for body in bodies]
     return by_regime(guards, tuples, arguments, 1)[0]

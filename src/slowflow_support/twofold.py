@@ -1,7 +1,6 @@
-"""Sums and products with their rounding errors: double-double arithmetic by Dekker and Knuth, on floats and arrays.
+"""Sums and products with their rounding errors: error-free transforms by Dekker and Knuth, on floats and arrays.
 
-In:  doubles.
-Out: a double and what rounding took from it. native/twofold.h is the same for C.
+native/twofold.h is the same for C.
 """
 
 from __future__ import annotations
@@ -31,10 +30,10 @@ def two_product(a: Any, b: Any) -> tuple[Any, Any]:
     return p, ((a_high * b_high - p) + a_high * b_low + a_low * b_high) + a_low * b_low
 
 
-def distilled(parts: Sequence[Any]) -> Any:
+def distilled(terms: Sequence[Any]) -> Any:
     """The sum of some doubles, distilled until they no longer overlap: its sign is certain."""
-    left = list(parts)
-    for _ in left:
-        for i in range(1, len(left)):
-            left[i], left[i - 1] = two_sum(left[i], left[i - 1])
-    return sum(left)
+    sums = list(terms)
+    for _ in sums:
+        for i in range(1, len(sums)):
+            sums[i], sums[i - 1] = two_sum(sums[i], sums[i - 1])
+    return sum(sums)

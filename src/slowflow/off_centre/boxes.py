@@ -96,7 +96,7 @@ def _solve(equations: Equations, low: Floats, high: Floats, of: Ints) -> Solutio
         centre, radius, floor = _krawczyk(middle, x_wide, wide, slopes)
         none |= ((centre - radius > high) | (centre + radius < low)).any(axis=0)
         inside = (np.abs(centre - x_wide) + radius < wide).all(axis=0) & ~none
-        held.append(_alone(middle, x_wide, wide, slopes))
+        held.append(_each_equation(middle, x_wide, wide, slopes))
         for holds in held:
             low, high = np.fmax(low, holds[0]), np.fmin(high, holds[1])
             none |= (low > high).any(axis=0)
@@ -121,8 +121,8 @@ def _solve(equations: Equations, low: Floats, high: Floats, of: Ints) -> Solutio
     if of.size:
         x = _refined(equations, x, of, wide)
     kept = _once(x, middle, wide, of)
-    beside = _beside(undecided, undecided_of, middle[:, kept], wide[:, kept], of[kept])
-    return Solutions(x[:, kept], of[kept], undecided[:, ~beside], undecided_of[~beside])
+    covered = _covered(undecided, undecided_of, middle[:, kept], wide[:, kept], of[kept])
+    return Solutions(x[:, kept], of[kept], undecided[:, ~covered], undecided_of[~covered])
 
 
 def _krawczyk(values: Floats, x: Floats, r: Floats, slopes: Floats) -> tuple[Floats, Floats, Floats]:
@@ -151,11 +151,11 @@ def _krawczyk(values: Floats, x: Floats, r: Floats, slopes: Floats) -> tuple[Flo
     return centre, np.where(lost | np.isnan(radius), np.inf, radius), np.where(lost, np.inf, floor)
 
 
-def _alone(values: Floats, x: Floats, r: Floats, slopes: Floats) -> Floats:
+def _each_equation(values: Floats, x: Floats, r: Floats, slopes: Floats) -> Floats:
     """Between which ends each equation by itself has its zeros in each unknown by which its slope has a sign."""
-    moves = np.max(np.abs(slopes), axis=0) * r * (1 + 2.0**-40)
+    variation = np.max(np.abs(slopes), axis=0) * r * (1 + 2.0**-40)
     low, high = np.full_like(x, -np.inf), np.full_like(x, np.inf)
-    for i, by in enumerate(moves):
+    for i, by in enumerate(variation):
         for j in range(len(x)):
             others = by.sum(axis=0) - by[j] + 2.0**-40 * by.sum(axis=0)
             flat = np.where(
@@ -195,9 +195,9 @@ def _refined(equations: Equations, x: Floats, of: Ints, scale: Floats) -> Floats
         values, slopes = equations.at(x, of)
         J = slopes.transpose(2, 0, 1)
         # of numbers that underflow nothing is left to solve
-        told = np.linalg.det(J / np.maximum(np.abs(J).max(axis=(1, 2), keepdims=True), 2.0**-1000)) != 0
-        J = np.where(told[:, np.newaxis, np.newaxis], J, np.eye(len(x)))
-        step = np.where(told, np.linalg.solve(J, values.T[..., np.newaxis])[..., 0].T, 0.0)
+        regular = np.linalg.det(J / np.maximum(np.abs(J).max(axis=(1, 2), keepdims=True), 2.0**-1000)) != 0
+        J = np.where(regular[:, np.newaxis, np.newaxis], J, np.eye(len(x)))
+        step = np.where(regular, np.linalg.solve(J, values.T[..., np.newaxis])[..., 0].T, 0.0)
         length = np.max(np.abs(step) / scale, axis=0)
         goes = (length < last) & (length > 0)
         if not goes.any():
@@ -217,10 +217,10 @@ def _once(x: Floats, middle: Floats, wide: Floats, of: Ints) -> list[int]:
     return kept
 
 
-def _beside(undecided: Floats, undecided_of: Ints, middle: Floats, wide: Floats, of: Ints) -> NDArray[np.bool_]:
+def _covered(undecided: Floats, undecided_of: Ints, middle: Floats, wide: Floats, of: Ints) -> NDArray[np.bool_]:
     """Which undecided boxes lie where a solution is proved to be the only one."""
-    beside = np.zeros(undecided_of.size, dtype=bool)
+    covered = np.zeros(undecided_of.size, dtype=bool)
     for i, one in enumerate(undecided_of):
         inside = np.abs(undecided[:, i : i + 1] - middle) < (1 - AROUND) * wide
-        beside[i] = bool((inside.all(axis=0) & (of == one)).any())
-    return beside
+        covered[i] = bool((inside.all(axis=0) & (of == one)).any())
+    return covered

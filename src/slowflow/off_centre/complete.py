@@ -29,7 +29,7 @@ FIRST = 2
 #: octaves of an amplitude beside the size of the problem, where what is beyond is not bounded by a polynomial
 OCTAVES = 40
 #: parts of the range of B that are looked at first
-PARTS = 8
+SUBDIVISIONS = 8
 #: frequencies that are looked at together
 TOGETHER = 64
 #: the amplitude of an onset beside the size of the problem below which folds tend to rest, as next to a preload
@@ -59,12 +59,12 @@ class Complete:
 
     def states(self, Omega: Floats, F_0: float) -> tuple[Floats, Ints, Ints]:
         """All states at any number of frequencies, by A and B, the number of each, those that may have others."""
-        parts = [self._at(Omega[first : first + TOGETHER], F_0) for first in range(0, Omega.size, TOGETHER)]
+        chunks = [self._at(Omega[first : first + TOGETHER], F_0) for first in range(0, Omega.size, TOGETHER)]
         of, undecided = (
-            np.concatenate([TOGETHER * k + getattr(part, name) for k, part in enumerate(parts)])
+            np.concatenate([TOGETHER * k + getattr(part, name) for k, part in enumerate(chunks)])
             for name in ("of", "undecided_of")
         )
-        return np.concatenate([part.x for part in parts], axis=1), of, undecided
+        return np.concatenate([part.x for part in chunks], axis=1), of, undecided
 
     def folds(self, F_0: Floats) -> Solutions:
         """All folds at some forcings but those on corners, by A, B and R."""
@@ -72,8 +72,8 @@ class Complete:
         found = self._solved(EndedFold(self.sheets.charts, self._flow, F_0), *boxes)
         # the equations go on to negative squares of Omega, as if it were 0 there
         A, B, R = found.x
-        moves = R + 2 * self._steps.at(A, B, 0).s[0] > 0
-        return replace(found, x=found.x[:, moves], of=found.of[moves])
+        moving = R + 2 * self._steps.at(A, B, 0).s[0] > 0
+        return replace(found, x=found.x[:, moving], of=found.of[moving])
 
     def corners(self, F_0: float) -> tuple[Floats, list[str], Floats]:
         """The folds where a motion just touches a jump of the force, their kinds, and where there may be others.
@@ -107,9 +107,9 @@ class Complete:
                 polynomial = self._steps.curved is None
                 most = 2 * (self._highest_at(edge) if polynomial else self._highest_by_octaves(edge, of))
                 high = np.minimum(high, np.where(charts.rooted[1 - edge, of], np.sqrt(most), most))
-            edges = np.linspace(0.0, high, PARTS + 1)
+            edges = np.linspace(0.0, high, SUBDIVISIONS + 1)
             low, high = (ends.reshape(1, -1) for ends in (edges[:-1], edges[1:]))
-            solved = solve(EndedEdge(charts, edge), low, high, np.tile(of, PARTS))
+            solved = solve(EndedEdge(charts, edge), low, high, np.tile(of, SUBDIVISIONS))
             found.append(np.stack(charts.on_edge(edge, solved.x[0], solved.of)))
         motions = np.concatenate(found, axis=1)
         return motions[:, motions[0] > 0]

@@ -125,17 +125,17 @@ class _Skeleton:
         """Links all states between two frequencies."""
         groups = _groups(self.folds)
         ends = [low, *(float(self.folds[0, group].mean()) for group in groups), high]
-        parts: list[_Part] = []
+        segments: list[_Part] = []
         last = None
         for k, (a, b) in enumerate(pairwise(ends)):
             numbers = self._ask(_first(a, b, k > 0, k < len(groups)))
             if last is not None:
-                parts.append(_Part(last, numbers[0], tuple(groups[k - 1])))
-            parts += [_Part(one, two, ()) for one, two in pairwise(numbers)]
+                segments.append(_Part(last, numbers[0], tuple(groups[k - 1])))
+            segments += [_Part(one, two, ()) for one, two in pairwise(numbers)]
             last = numbers[-1]
         self.size = max((float(np.abs(x).max()) for x in self.x if x.size), default=0.0)
-        while parts:
-            parts = self._cut([part for part in parts if not self._link(part)])
+        while segments:
+            segments = self._cut([part for part in segments if not self._link(part)])
 
     def _ask(self, Omega: Sequence[float]) -> list[int]:
         """States at new frequencies; the numbers of these."""
@@ -145,10 +145,10 @@ class _Skeleton:
         self.x += [x[:, of == k] for k in range(len(Omega))]
         return numbers
 
-    def _cut(self, parts: list[_Part]) -> list[_Part]:
+    def _cut(self, segments: list[_Part]) -> list[_Part]:
         """Each in two, or, with a fold inside, a narrower one and what is beside it."""
         new: list[float] = []
-        for part in parts:
+        for part in segments:
             a, b = self.Omega[part.a], self.Omega[part.b]
             if part.cuts > CUTS:
                 raise NotSettled(UNRESOLVED.format((a, b)))
@@ -161,7 +161,7 @@ class _Skeleton:
                 new.append(0.5 * (a + b))
         numbers = iter(self._ask(new) if new else [])
         found: list[_Part] = []
-        for part in parts:
+        for part in segments:
             cuts = part.cuts + 1
             if part.folds:
                 left, right = next(numbers), next(numbers)
@@ -225,8 +225,8 @@ class _Skeleton:
         """The n states that are nearer to a fold than all others; none where these are near too."""
         apart = np.abs(x - self.folds[1:, fold, np.newaxis]).max(axis=0)
         order = np.argsort(apart)
-        told = apart.size == n or (apart.size > n and apart[order[n - 1]] < MEET * apart[order[n]])
-        return [int(i) for i in order[:n]] if told else []
+        distinct = apart.size == n or (apart.size > n and apart[order[n - 1]] < MEET * apart[order[n]])
+        return [int(i) for i in order[:n]] if distinct else []
 
     def _join(self, one: Node, two: Node) -> None:
         self.links.setdefault(one, []).append(two)
@@ -298,23 +298,23 @@ def _groups(folds: Floats) -> list[list[int]]:
     return found
 
 
-def _is_near(one: Floats, other: Floats, share: float) -> bool:
+def _is_near(one: Floats, other: Floats, fraction: float) -> bool:
     """Whether two folds are near beside Omega, and beside A."""
-    return bool((np.abs(one - other) <= share * one[[0, 1, 1]]).all())
+    return bool((np.abs(one - other) <= fraction * one[[0, 1, 1]]).all())
 
 
 def _first(low: float, high: float, after_fold: bool, before_fold: bool) -> list[float]:
     """Frequencies of a cell: they crowd towards a fold, without it; an edge of the window is one of them."""
-    share = (np.arange(FIRST) + 0.5) / FIRST
+    fraction = (np.arange(FIRST) + 0.5) / FIRST
     if after_fold and before_fold:
-        share = np.sin(0.5 * np.pi * share) ** 2
+        fraction = np.sin(0.5 * np.pi * fraction) ** 2
     elif after_fold:
-        share = np.append(share**2, 1.0)
+        fraction = np.append(fraction**2, 1.0)
     elif before_fold:
-        share = np.append(0.0, 1 - (1 - share) ** 2)
+        fraction = np.append(0.0, 1 - (1 - fraction) ** 2)
     else:
-        share = np.linspace(0.0, 1.0, FIRST + 1)
-    found: list[float] = (low + (high - low) * share).tolist()
+        fraction = np.linspace(0.0, 1.0, FIRST + 1)
+    found: list[float] = (low + (high - low) * fraction).tolist()
     if not before_fold:
         found[-1] = high
     return found
@@ -372,10 +372,10 @@ def _between(of: Slow, place: Floats, is_fold: Bools, inner: Ints) -> tuple[Floa
     """
     step = np.repeat(np.arange(inner.size), np.maximum(inner, 0))
     first = np.cumsum(np.maximum(inner, 0)) - np.maximum(inner, 0)
-    share = (np.arange(step.size) - first[step] + 1) / (inner[step] + 1)
+    fraction = (np.arange(step.size) - first[step] + 1) / (inner[step] + 1)
     # next to a fold A and B go as the root of the frequency
-    along = np.where(is_fold[step], share**2, np.where(is_fold[step + 1], 1 - (1 - share) ** 2, share))
-    Omega, order = place[0, step] + (place[0, step + 1] - place[0, step]) * along, step + share
+    along = np.where(is_fold[step], fraction**2, np.where(is_fold[step + 1], 1 - (1 - fraction) ** 2, fraction))
+    Omega, order = place[0, step] + (place[0, step + 1] - place[0, step]) * along, step + fraction
     known, key, folded = place, np.arange(place.shape[1], dtype=float), is_fold
     for _ in range(PASSES):
         if not order.size:
@@ -399,13 +399,13 @@ def _near(of: Slow, Omega: Floats, ends: tuple[Floats, Floats], folds: tuple[Boo
     (start, end), (from_fold, to_fold) = ends, folds
     span = end[0] - start[0]
     part = np.clip((Omega - start[0]) / span, 0.0, 1.0)
-    share = np.where(from_fold, np.sqrt(part), np.where(to_fold, 1 - np.sqrt(1 - part), part))
-    guess = start[1:] + (end[1:] - start[1:]) * share
+    fraction = np.where(from_fold, np.sqrt(part), np.where(to_fold, 1 - np.sqrt(1 - part), part))
+    guess = start[1:] + (end[1:] - start[1:]) * fraction
     apart = np.abs(end[1:] - start[1:]).max(axis=0)
     smooth = ~(from_fold | to_fold)
     if smooth.any():
         slopes = [_tangents(of, one[0, smooth], one[1:, smooth]) * span[smooth] for one in ends]
-        guess[:, smooth] = _cubic(share[smooth], start[1:, smooth], end[1:, smooth], *slopes)
+        guess[:, smooth] = _cubic(fraction[smooth], start[1:, smooth], end[1:, smooth], *slopes)
         apart[smooth] = 0.5 * (apart[smooth] + np.maximum(*(np.abs(slope).max(axis=0) for slope in slopes)))
     x, change = _newton(of, Omega, guess)
     beside = np.minimum(np.abs(x - start[1:]).max(axis=0), np.abs(x - end[1:]).max(axis=0))
@@ -430,11 +430,11 @@ def _newton(of: Slow, Omega: Floats, guess: Floats) -> tuple[Floats, Floats]:
     return x, change
 
 
-def _cubic(share: Floats, start: Floats, end: Floats, slope: Floats, slope_at_end: Floats) -> Floats:
+def _cubic(fraction: Floats, start: Floats, end: Floats, slope: Floats, slope_at_end: Floats) -> Floats:
     """Hermite's cubic between values with these slopes by the share."""
-    rest = 1 - share
+    rest = 1 - fraction
     return np.asarray(
-        start * rest**2 * (1 + 2 * share)
-        + end * share**2 * (1 + 2 * rest)
-        + share * rest * (rest * slope - share * slope_at_end)
+        start * rest**2 * (1 + 2 * fraction)
+        + end * fraction**2 * (1 + 2 * rest)
+        + fraction * rest * (rest * slope - fraction * slope_at_end)
     )

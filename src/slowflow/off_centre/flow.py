@@ -211,8 +211,8 @@ class Slow(NamedTuple):
     def state(self, Omega: Any, x: Floats, means: Means | None = None) -> Any:
         """f_0 and F, and their slopes by A and B, at states x (2, n) or beside them; by their means, if known."""
         flow, means = self.flow, means or self.steps.at(x[0], x[1], 1)
-        given = flow.force(self.F_0, Omega), flow.sine(Omega, x[0]), flow.sine_A(Omega, x[0]), self.steps.load
-        return off_centre.state(Omega, x[0], *given, *means.c, *means.s)
+        arguments = flow.force(self.F_0, Omega), flow.sine(Omega, x[0]), flow.sine_A(Omega, x[0]), self.steps.load
+        return off_centre.state(Omega, x[0], *arguments, *means.c, *means.s)
 
     def step(self, state: Any) -> Floats:
         """Newton's to f_0 = F = 0."""

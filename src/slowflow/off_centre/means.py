@@ -49,7 +49,7 @@ class Means:
     s: tuple[Any, ...]
 
 
-IN_PLAY = Sentence(
+IN_DEAD_ZONE = Sentence(
     "in a play a mean is not singled out: the force is the load, {load:g}, on all of {u[0]:g} < {u} < {u[1]:g}, where "
     "the mass rests, and moves, about one place as well as about another"
 )
@@ -126,13 +126,13 @@ class Steps:
         return self.pieces[-1], _turned(self.pieces[0])
 
     def check_balanced(self) -> None:
-        """Raises ArithmeticError where the force is the load on a whole interval of u, as in a play."""
+        """Raises ArithmeticError where the force is the load on a whole interval of u, as in a dead zone."""
         if self.curved is not None or self.odd:
             return
         edges = [-math.inf, *self.breakpoints.tolist(), math.inf]
         for row, low, high in zip(self.pieces, edges, edges[1:], strict=False):
             if row[0] == self.load and not row[1:].any():
-                raise NotSettled(IN_PLAY.format(self.load, (low, high)))
+                raise NotSettled(IN_DEAD_ZONE.format(self.load, (low, high)))
 
     @property
     def of_first(self) -> Any:

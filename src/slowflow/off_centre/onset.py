@@ -76,11 +76,11 @@ class Search:
             if not any(corner.stiff):
                 continue
             A, s_0 = np.array([corner.A]), np.array([corner.s_0])
-            beside = [-2 * s_0 / A - e for e in corner.e]
-            candidates = [self.flow.least_fold(A, -2 * s_0, h_A) for h_A in beside]
+            slopes = [-2 * s_0 / A - e for e in corner.e]
+            candidates = [self.flow.least_fold(A, -2 * s_0, h_A) for h_A in slopes]
             Omega = self.flow.stationary(A, -2 * s_0)[0]
             Omega = Omega[(Omega > 0) & np.isfinite(Omega)]
-            turns = [self.flow.F_A(Omega, corner.A, -2 * s_0, h_A) for h_A in beside]
+            turns = [self.flow.F_A(Omega, corner.A, -2 * s_0, h_A) for h_A in slopes]
             Omega = Omega[turns[0] * turns[1] < 0]
             candidates.append((self.flow.level(Omega, corner.A, -2 * s_0), Omega))
             level, Omega = (np.concatenate(column) for column in zip(*candidates, strict=True))
@@ -96,7 +96,7 @@ class Search:
         """From a point of the balance with a fold along it to the least level near by."""
         width = 0.05 * (A + abs(B))
         for _ in range(200):
-            at = self._beside(A, B)
+            at = self._tangent_points(A, B)
             found = minimize_scalar(
                 lambda along, at=at: min(self._level(*at(along)), 1e300),
                 bounds=(-width, width),
@@ -112,7 +112,7 @@ class Search:
                 break
         return self._stationary(A, B)
 
-    def _beside(self, A: float, B: float) -> Callable[[float], tuple[float, float]]:
+    def _tangent_points(self, A: float, B: float) -> Callable[[float], tuple[float, float]]:
         """Points of the balance by their distance along its tangent."""
         means = self.steps.at(np.array([A]), np.array([B]), 1)
         slope = np.array((means.s[1][0], means.c[1][0]))
@@ -135,9 +135,9 @@ class Search:
 
     def _stationary(self, A: float, B: float) -> Lowest:
         """The nearest root of F_AA along the balance, or of F_Omega, beside a least level."""
-        at, (level, Omega) = self._beside(A, B), self.folds(np.array([A]), np.array([B]))
+        at, (level, Omega) = self._tangent_points(A, B), self.folds(np.array([A]), np.array([B]))
         near = 2.0**-36 * (A + abs(B))
-        beside = near * np.linspace(-1.0, 1.0, VALUES)
+        offsets = near * np.linspace(-1.0, 1.0, VALUES)
         for width in (1e-6, 1e-5, 1e-4, 1e-3):
             width *= A + abs(B)
             for name in ("cusp", "isola"):
@@ -149,9 +149,9 @@ class Search:
                     continue
                 root = float(brentq(vanishes, -width, width, xtol=near / 16))
                 # by many values, each of which has its roundings: their line, and the mean of what is stationary
-                values = np.array([vanishes(root + one) for one in beside.tolist()])
-                root -= float(values.mean() * (beside @ beside) / (beside @ values))
-                levels = self.folds(*np.array([at(root + one) for one in beside.tolist()]).T)
+                values = np.array([vanishes(root + one) for one in offsets.tolist()])
+                root -= float(values.mean() * (offsets @ offsets) / (offsets @ values))
+                levels = self.folds(*np.array([at(root + one) for one in offsets.tolist()]).T)
                 if levels[0].mean() <= level[0] * (1 + 1e-9):
                     return Lowest(float(levels[0].mean()), float(levels[1].mean()), *at(root), name)
         return Lowest(float(level[0]), float(Omega[0]), A, B, "")

@@ -26,7 +26,7 @@ from slowflow.off_centre import answers
 from slowflow.off_centre.answers import RestPositions
 from slowflow.off_centre.boxes import Ints, Solutions, solve
 from slowflow.off_centre.by_turning_points import Resting
-from slowflow.off_centre.complete import AT_CENTRE, PARTS, Complete
+from slowflow.off_centre.complete import AT_CENTRE, SUBDIVISIONS, Complete
 from slowflow.off_centre.curve import Curves, curves, on_curve
 from slowflow.off_centre.flow import Flow, Slow
 from slowflow.off_centre.means import ORDERS, Means, Steps
@@ -86,25 +86,25 @@ _Answered = TypeVar("_Answered")
 Method = TypeVar("Method", bound=Callable[..., Any])
 
 
-class _Said(NamedTuple):
-    """What there is to say beside an answer, in words and as codes."""
+class _Notes(NamedTuple):
+    """Message and diagnostics of an answer."""
 
     message: str = ""
     remarks: Remark = Remark(0)
 
-    def beside(self, other: _Said) -> _Said:
+    def combine(self, other: _Notes) -> _Notes:
         """Both, this first."""
-        return _Said(joined(self.message, other.message), self.remarks | other.remarks)
+        return _Notes(joined(self.message, other.message), self.remarks | other.remarks)
 
 
 def _kept(answer: Method) -> Method:
     """Keep what a method answers for a while, by what it takes."""
 
     @wraps(answer)
-    def known(self: OffCentre, *given: Any) -> Any:
-        key = (answer.__name__, *given)
+    def known(self: OffCentre, *arguments: Any) -> Any:
+        key = (answer.__name__, *arguments)
         if (found := self._known.get(key)) is None:
-            found = self._known[key] = answer(self, *given)
+            found = self._known[key] = answer(self, *arguments)
             if len(self._known) > KEPT:
                 self._known.pop(next(iter(self._known)), None)
         return found
@@ -155,10 +155,10 @@ class OffCentre(Unchanging, ComposedQuestions):
     def __hash__(self) -> int:
         return hash((self._model, self.load))
 
-    def _made(self, kind: Callable[..., _Answered], *columns: Any, **beside: Any) -> _Answered:
+    def _made(self, kind: Callable[..., _Answered], *columns: Any, **extra: Any) -> _Answered:
         """An answer with the load, that knows whom it was asked of, and how its numbers move."""
-        beside |= {"load": self.load, "_model": self._model, "_moves": answers.gradient}
-        return kind(*columns, **beside, _asked=self._asked)
+        extra |= {"load": self.load, "_model": self._model, "_moves": answers.gradient}
+        return kind(*columns, **extra, _asked=self._asked)
 
     @property
     def load(self) -> float:
@@ -177,21 +177,21 @@ class OffCentre(Unchanging, ComposedQuestions):
 
     @_kept
     def rest(self) -> RestPositions:
-        """Every place of rest, f(u) = load. Raises ArithmeticError in a play, where each is one."""
+        """Every place of rest, f(u) = load. Raises ArithmeticError in a dead zone, where each is one."""
         # a bound of 0, as of a linear force without a load, leaves u = 0: it is looked for in a box around it
         bound = self._complete.offset_bound(0.0) or 1.0
         self._steps.check_balanced()
-        edges = np.concatenate((np.linspace(-bound, bound, PARTS + 1), self._steps.places * self._steps.sides))
+        edges = np.concatenate((np.linspace(-bound, bound, SUBDIVISIONS + 1), self._steps.places * self._steps.sides))
         edges = np.unique(edges[(edges >= -bound) & (edges <= bound)])
         resting = Resting(self._complete.sheets.charts)
         found = solve(resting, edges[np.newaxis, :-1], edges[np.newaxis, 1:], np.zeros(edges.size - 1, int))
         (u,) = found.x
         u = np.sort(u)
         stiffness = self._steps.at(np.zeros(u.size), u, 1).c[1]
-        said = self._beyond_reach(0.0, u)
+        notes = self._beyond_reach(0.0, u)
         if found.undecided_of.size:
-            said = _Said(_listed(UNDECIDED_REST, found.undecided[0]), Remark.UNDECIDED).beside(said)
-        return RestPositions(u, stiffness, stiffness > 0, self.load, **said._asdict(), _model=self._model)
+            notes = _Notes(_listed(UNDECIDED_REST, found.undecided[0]), Remark.UNDECIDED).combine(notes)
+        return RestPositions(u, stiffness, stiffness > 0, self.load, **notes._asdict(), _model=self._model)
 
     @_kept
     def _detachment(self) -> Detachment:
@@ -228,16 +228,16 @@ class OffCentre(Unchanging, ComposedQuestions):
         self._check_answered("amplitudes")
         x, of, undecided = np.empty((2, 0)), np.empty(0, dtype=np.intp), np.empty(0, dtype=np.intp)
         rests = np.flatnonzero(self._flow.force(F_0, at) <= self._m)
-        places = self._rest_places() if rests.size else of
-        held = np.stack((np.zeros(rests.size * places.size), np.tile(places, rests.size)))
+        equilibria = self._stable_equilibria() if rests.size else of
+        static = np.stack((np.zeros(rests.size * equilibria.size), np.tile(equilibria, rests.size)))
         if self._flow.sticks(F_0) or not at.size:
-            said = _Said(messages.STICKS.format(F_0, self._m)) if self._flow.sticks(F_0) else _Said()
-            said = said.beside(_Said(self._moves_exactly(F_0, at)))
-            return self._states(at, held[0], held[1], F_0, said, np.empty(0), np.repeat(rests, places.size))
-        moves = np.flatnonzero(self._flow.force(F_0, at) > self._m)
-        if moves.size and not self._keeps_centre:
-            x, of, undecided = self._complete.states(at[moves], F_0)
-            of, undecided = moves[of], moves[undecided]
+            notes = _Notes(messages.STICKS.format(F_0, self._m)) if self._flow.sticks(F_0) else _Notes()
+            notes = notes.combine(_Notes(self._moves_exactly(F_0, at)))
+            return self._states(at, static[0], static[1], F_0, notes, np.empty(0), np.repeat(rests, equilibria.size))
+        moving = np.flatnonzero(self._flow.force(F_0, at) > self._m)
+        if moving.size and not self._keeps_centre:
+            x, of, undecided = self._complete.states(at[moving], F_0)
+            of, undecided = moving[of], moving[undecided]
         if self._complete.has_centre:
             centred = Averaged(self._model).states(Omega=at, F_0=F_0)
             of_centred = np.concatenate([np.flatnonzero(at == Omega) for Omega in np.unique(centred.Omega)] or [of])
@@ -245,16 +245,16 @@ class OffCentre(Unchanging, ComposedQuestions):
             x = np.concatenate((x, (centred.A, 0 * centred.A)), axis=1)
             of = np.concatenate((of, of_centred))
             undecided = np.concatenate((undecided, np.flatnonzero(np.isin(at, centred.Omega_undecided))))
-        x, of = np.concatenate((x, held), axis=1), np.concatenate((of, np.repeat(rests, places.size)))
+        x, of = np.concatenate((x, static), axis=1), np.concatenate((of, np.repeat(rests, equilibria.size)))
         order = np.lexsort((x[1], x[0], of))
         missing = np.unique(at[undecided])
-        said = _Said(_listed(UNDECIDED, missing), Remark.UNDECIDED) if missing.size else _Said()
-        said = said.beside(_Said(messages.sticks_below(self._model, F_0, at)))
-        said = said.beside(_Said(self._moves_exactly(F_0, at)))
-        return self._states(at, x[0, order], x[1, order], F_0, said, missing, of[order])
+        notes = _Notes(_listed(UNDECIDED, missing), Remark.UNDECIDED) if missing.size else _Notes()
+        notes = notes.combine(_Notes(messages.sticks_below(self._model, F_0, at)))
+        notes = notes.combine(_Notes(self._moves_exactly(F_0, at)))
+        return self._states(at, x[0, order], x[1, order], F_0, notes, missing, of[order])
 
-    def _rest_places(self) -> Floats:
-        """The stable places of rest; in a play, where each is one, u = 0."""
+    def _stable_equilibria(self) -> Floats:
+        """The stable equilibria; in a dead zone, where each is one, u = 0."""
         try:
             at_rest = self.rest()
         except ArithmeticError:
@@ -280,13 +280,13 @@ class OffCentre(Unchanging, ComposedQuestions):
         self._check_answered("frequency_response")
         low, high = window
         if self._flow.sticks(F_0):
-            return self._response(Curves.none(), F_0, _Said(messages.STICKS.format(F_0, self._m)))
-        found, said = Curves.none(), _Said()
+            return self._response(Curves.none(), F_0, _Notes(messages.STICKS.format(F_0, self._m)))
+        found, notes = Curves.none(), _Notes()
         if self._flow.inertial:
             # at rest it begins, with no amplitude: there all states meet
             begin = max(low, self._flow.moves_from(F_0) * (1 + BEGINS), high * BEGINS)
             if begin >= high:
-                return self._response(found, F_0, _Said(messages.empty_window(self._model, F_0, (low, high))))
+                return self._response(found, F_0, _Notes(messages.empty_window(self._model, F_0, (low, high))))
             low = begin
         if not self._keeps_centre:
             folds = self.saddle_nodes(F_0)
@@ -294,11 +294,11 @@ class OffCentre(Unchanging, ComposedQuestions):
             places = np.stack((folds.Omega, folds.A, folds.mean))[:, off]
             slow = Slow(self._steps, self._flow, F_0)
             found = curves(slow, places, partial(self._off, F_0=F_0), (low, high), samples)
-            said = _Said(folds.message, folds.remarks) if len(folds) else said
+            notes = _Notes(folds.message, folds.remarks) if len(folds) else notes
         if self._complete.has_centre:
             centred = Averaged(self._model).frequency_response(F_0, samples=samples, Omega=(low, high))
             found = found.behind(Curves(centred.Omega, centred.A, 0 * centred.A, centred.branch, centred.isola))
-        return self._response(found, F_0, said)
+        return self._response(found, F_0, notes)
 
     def _off(self, Omega: Floats, F_0: float) -> tuple[Floats, Ints]:
         """Every state at some frequencies, without a load those off the centre, and the number of its frequency."""
@@ -317,12 +317,12 @@ class OffCentre(Unchanging, ComposedQuestions):
         self._check_answered("saddle_nodes")
         if self._flow.sticks(F_0):
             return self._folds(
-                np.empty((3, 0)), np.empty(0, dtype=str), F_0, _Said(messages.STICKS.format(F_0, self._m))
+                np.empty((3, 0)), np.empty(0, dtype=str), F_0, _Notes(messages.STICKS.format(F_0, self._m))
             )
         centred = Averaged(self._model).saddle_nodes(F_0) if self._complete.has_centre else None
         if centred is not None and self._keeps_centre:
-            said = _Said(centred.message, centred.remarks)
-            return self._folds(np.empty((3, 0)), np.empty(0, dtype=str), F_0, said, centred)
+            notes = _Notes(centred.message, centred.remarks)
+            return self._folds(np.empty((3, 0)), np.empty(0, dtype=str), F_0, notes, centred)
         return self._folds_of(self._complete.folds(np.array([F_0])), centred, F_0)
 
     def _folds_at(self, F_0: list[float]) -> list[SaddleNodes]:
@@ -343,20 +343,20 @@ class OffCentre(Unchanging, ComposedQuestions):
         x, open_ = (np.concatenate(pair, axis=1) for pair in ((found.x, corners), (found.undecided, undecided)))
         kind = np.array([""] * found.x.shape[1] + kinds)
         some = x.size or open_.size or (centred is not None and len(centred))
-        said = _Said("" if some else messages.NO_FOLD.format(F_0))
+        notes = _Notes("" if some else messages.NO_FOLD.format(F_0))
         if open_.size:
             folds = _listed(UNDECIDED_FOLDS, np.unique(np.round(open_[0], 12)))
-            said = said.beside(_Said(folds, Remark.UNDECIDED))
-        return self._folds(x, kind, F_0, said, centred)
+            notes = notes.combine(_Notes(folds, Remark.UNDECIDED))
+        return self._folds(x, kind, F_0, notes, centred)
 
     @_kept
     def _saddle_node_onset(self) -> SaddleNodeOnset:
         self._check_answered("saddle_node_onset")
         if self._keeps_centre:
             centred = Averaged(self._model).saddle_node_onset()
-            B, said = None if centred.F_SN is None else 0.0, _Said(centred.message, centred.remarks)
+            B, notes = None if centred.F_SN is None else 0.0, _Notes(centred.message, centred.remarks)
             columns = centred.F_SN, centred.Omega, centred.A, centred.kind
-            return self._made(SaddleNodeOnset, *columns, B=B, **said._asdict())
+            return self._made(SaddleNodeOnset, *columns, B=B, **notes._asdict())
         try:
             with np.errstate(over="ignore"):  # it is looked for up to amplitudes of any size
                 found = self._complete.lowest()
@@ -365,12 +365,12 @@ class OffCentre(Unchanging, ComposedQuestions):
         if found is None:
             return self._no_onset(NO_ONSET, Remark(0))
         truncated = Remark.OF_TRUNCATION if self._model.mechanism.truncated else Remark(0)
-        said = _Said(ON_CORNER, truncated) if found.kind == "corner" else _Said()
+        notes = _Notes(ON_CORNER, truncated) if found.kind == "corner" else _Notes()
         columns = found.F_0, found.Omega, found.A, found.kind
-        return self._made(SaddleNodeOnset, *columns, B=found.B, **said._asdict())
+        return self._made(SaddleNodeOnset, *columns, B=found.B, **notes._asdict())
 
-    def _no_onset(self, message: str, said: Remark) -> SaddleNodeOnset:
-        return self._made(SaddleNodeOnset, None, None, None, "", message, remarks=said)
+    def _no_onset(self, message: str, remarks: Remark) -> SaddleNodeOnset:
+        return self._made(SaddleNodeOnset, None, None, None, "", message, remarks=remarks)
 
     @_kept
     def _peak(self, F_0: float) -> Peak:
@@ -387,10 +387,10 @@ class OffCentre(Unchanging, ComposedQuestions):
         highest, widest = (self._farthest(F_0, measure) for measure in (AMPLITUDE, LARGEST))
         if highest is None or widest is None:
             raise NotSettled("the farthest motion is unresolved: none is found")
-        said = _Said(TURNS) if highest.turns or widest.turns else _Said()
-        said = said.beside(self._beyond_reach(highest.A, widest.value - highest.A))
+        notes = _Notes(TURNS) if highest.turns or widest.turns else _Notes()
+        notes = notes.combine(self._beyond_reach(highest.A, widest.value - highest.A))
         far = {"B": highest.B, "u_max": widest.value, "Omega_max": widest.Omega, "_turns": highest.turns}
-        return self._made(Peak, highest.A, highest.Omega, F_0, **said._asdict(), **far)
+        return self._made(Peak, highest.A, highest.Omega, F_0, **notes._asdict(), **far)
 
     def _no_peak(self, F_0: float, message: str) -> Peak:
         return self._made(Peak, None, None, F_0, message)
@@ -453,18 +453,18 @@ class OffCentre(Unchanging, ComposedQuestions):
         # what is transmitted has the square h^2 + I^2, as much as F_0 where R = -h, at Omega^2 = 2 p with p = -h/A
         backbone = self._reach.highest_backbone(F_0, COARSE)
         highest = isolating.BEYOND * math.sqrt(2 * (1 + COARSE) * backbone)
-        share = None
+        fraction = None
         if level.dB:
             steepest = (1 + COARSE) * backbone
             highest = float(isolating.last_passed(self._flow, F_0, level, steepest))
-            share = Share(float(level.ratio), highest, steepest)
+            fraction = Share(float(level.ratio), highest, steepest)
         found = self._begins(F_0, 0.0, highest, level)
-        if found.Omega is None or not (left := self._reach.transmits_beyond(F_0, found.Omega, share)):
+        if found.Omega is None or not (left := self._reach.transmits_beyond(F_0, found.Omega, fraction)):
             return found
         # between points of the response a motion may come to transmit F_0 and leave that again: more points there
         if math.isfinite(left[1]):
             higher = self._begins(F_0, left[0] * (1 + BEYOND_IT), isolating.BEYOND * left[1], level)
-            if higher.Omega and not self._reach.transmits_beyond(F_0, higher.Omega, share):
+            if higher.Omega and not self._reach.transmits_beyond(F_0, higher.Omega, fraction):
                 return higher
         message = joined(found.message, UNDECIDED_BEYOND.format(str(level)))
         return replace(found, message=message, remarks=found.remarks | Remark.UNDECIDED)
@@ -472,8 +472,8 @@ class OffCentre(Unchanging, ComposedQuestions):
     def _isolation_at(
         self, level: isolating.Level, Omega: float | None, A: float | None, B: float | None, *others: Any
     ) -> checks.Isolation:
-        beside: dict[str, Any] = {"B": B, "load": self.load, "_model": self._model, "_moves": answers.gradient}
-        return checks.Isolation(Omega, A, *others, level_dB=level.dB, **beside)
+        extra: dict[str, Any] = {"B": B, "load": self.load, "_model": self._model, "_moves": answers.gradient}
+        return checks.Isolation(Omega, A, *others, level_dB=level.dB, **extra)
 
     def _begins(self, F_0: float, low: float, high: float, level: isolating.Level) -> checks.Isolation:
         """Where isolation begins on points of the response between two frequencies."""
@@ -507,7 +507,7 @@ class OffCentre(Unchanging, ComposedQuestions):
         return self._complete.A_max(validate.number("F_0", F_0, above=0.0))
 
     def _folds(
-        self, x: Floats, on_corner: Any, F_0: float, said: _Said, centred: SaddleNodes | None = None
+        self, x: Floats, on_corner: Any, F_0: float, notes: _Notes, centred: SaddleNodes | None = None
     ) -> SaddleNodes:
         """Folds in A, B and R, or Omega on a corner; of which kind those are, "" for others.
 
@@ -523,7 +523,7 @@ class OffCentre(Unchanging, ComposedQuestions):
         kind, corner = np.where(means.c[1] > 0, kind, "unstable"), on_corner != ""
         kind = np.where(corner, on_corner, kind)
         if centred is None:
-            said = said.beside(self._beyond_reach(A, B))
+            notes = notes.combine(self._beyond_reach(A, B))
         else:
             rises = self._steps.at(centred.A, 0 * centred.A, 1).c[1] > 0
             about = centred.Omega, centred.A, 0 * centred.A, np.where(rises, centred.kind, "unstable"), centred.corner
@@ -531,7 +531,7 @@ class OffCentre(Unchanging, ComposedQuestions):
             Omega, A, B, kind, corner = (np.concatenate(pair) for pair in pairs)
         order = np.argsort(Omega, kind="stable")
         Omega, A, B = Omega[order], A[order], B[order]
-        return self._made(SaddleNodes, Omega, A, kind[order], corner[order], F_0, B=B, **said._asdict())
+        return self._made(SaddleNodes, Omega, A, kind[order], corner[order], F_0, B=B, **notes._asdict())
 
     def _frequency(self, A: Floats, R: Floats, F_0: Any, h: Any) -> Floats:
         """Omega of a fold from R = A Omega^2 + h, or from I = m + 2 zeta A Omega where that moves it less."""
@@ -548,20 +548,20 @@ class OffCentre(Unchanging, ComposedQuestions):
         return tuple(off_centre.averaged(A, *means.c[1:], *means.s))
 
     def _states(
-        self, at: Floats, A: Floats, B: Floats, F_0: float, said: _Said, undecided: Floats, of: Ints
+        self, at: Floats, A: Floats, B: Floats, F_0: float, notes: _Notes, undecided: Floats, of: Ints
     ) -> SteadyStates:
         Omega = at[of]
         stable, h = self._stability(Omega, A, B)
-        said = said.beside(self._beyond_reach(A, B))
-        beside = {"Omega_undecided": undecided, "_h": h, "_flow": self._flow, **said._asdict()}
-        return self._made(SteadyStates, Omega, A, stable, F_0, B=B, **beside)
+        notes = notes.combine(self._beyond_reach(A, B))
+        extra = {"Omega_undecided": undecided, "_h": h, "_flow": self._flow, **notes._asdict()}
+        return self._made(SteadyStates, Omega, A, stable, F_0, B=B, **extra)
 
-    def _beyond_reach(self, A: Any, B: Any) -> _Said:
+    def _beyond_reach(self, A: Any, B: Any) -> _Notes:
         """That displacements |B| + A are beyond what the mechanism reaches, and why; nothing where none is."""
         reach, reason = self._model.reach, self._model.mechanism.reach_reason
         if not (np.abs(B) + A > reach).any():
-            return _Said()
-        return _Said(diagnostics.WORDS[Remark.BEYOND_REACH].format(reach=reach, reason=reason), Remark.BEYOND_REACH)
+            return _Notes()
+        return _Notes(diagnostics.WORDS[Remark.BEYOND_REACH].format(reach=reach, reason=reason), Remark.BEYOND_REACH)
 
     def _stability(self, Omega: Floats, A: Floats, B: Floats) -> tuple[Any, Floats]:
         """Where states are stable, and h there."""
@@ -571,11 +571,11 @@ class OffCentre(Unchanging, ComposedQuestions):
             turns = np.asarray(self._flow.F_A(Omega, A, h, h_A))
         return ((turns > 0) | (A == 0)) & (means.c[1] > 0), np.asarray(h)
 
-    def _response(self, found: Curves, F_0: float, said: _Said) -> FrequencyResponse:
+    def _response(self, found: Curves, F_0: float, notes: _Notes) -> FrequencyResponse:
         stable, h = self._stability(found.Omega, found.A, found.B)
-        said = said.beside(self._beyond_reach(found.A, found.B))
-        beside = {"branch": found.branch, "isola": found.closed, "_h": h, "_flow": self._flow, **said._asdict()}
-        return self._made(FrequencyResponse, found.Omega, found.A, stable, F_0, B=found.B, **beside)
+        notes = notes.combine(self._beyond_reach(found.A, found.B))
+        extra = {"branch": found.branch, "isola": found.closed, "_h": h, "_flow": self._flow, **notes._asdict()}
+        return self._made(FrequencyResponse, found.Omega, found.A, stable, F_0, B=found.B, **extra)
 
     def _check_answered(self, question: str) -> None:
         """Raises where a question has no answer: what is too small, without damping, or leaves the centre by itself."""
@@ -584,11 +584,11 @@ class OffCentre(Unchanging, ComposedQuestions):
         if not self._flow.damps:
             raise Refused(UNDAMPED.format(question))
         if self._complete.has_centre and not self._flow.plain and not self._keeps_centre:
-            beside = [f"excitation = {self._model.excitation!r}"] * self._model.inertial
-            told = together(", ", (*beside, *([self._model.laws.told()] if self._model.laws.any else [])))
-            raise validate.NotAvailable(BY_ITSELF.format(question, told))
+            extra = [f"excitation = {self._model.excitation!r}"] * self._model.inertial
+            causes = together(", ", (*extra, *([self._model.laws.told()] if self._model.laws.any else [])))
+            raise validate.NotAvailable(BY_ITSELF.format(question, causes))
 
 
-def _listed(said: Sentence, values: Floats) -> str:
+def _listed(sentence: Sentence, values: Floats) -> str:
     """A sentence with the first few of some numbers."""
-    return said.format(values[:3], ", ..." * (len(values) > 3))
+    return sentence.format(values[:3], ", ..." * (len(values) > 3))

@@ -95,7 +95,7 @@ class Sheets:
     def cells(self, A_max: float) -> Cells:
         """All of the balance up to an amplitude, and somewhat beyond.
 
-        Raises ArithmeticError for too many boxes, and in a play.
+        Raises ArithmeticError for too many boxes, and in a dead zone.
         """
         octave = self._octave(A_max)
         found = self._known.get(octave)
