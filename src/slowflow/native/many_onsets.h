@@ -31,8 +31,8 @@ typedef struct {
     sf_onset best[SF_ONSET_BLOCK];
 } sf_onset_block;
 
-/* The cells with which the search for the cusps of design d begins, the parts of its first piece for each channel; 0
- * where it is left to onset.h, as where h_A is not negative: there may be more than cusps. */
+/* The cells with which the search for the cusps of design d begins, parts of its first piece for each channel; 0 where
+ * it is left to onset.h, as where h_A is not negative: there may be more than cusps. */
 static int sf_begin_cusps(sf_onset_block *block, int d) {
     sf_lane_design *of = &block->lanes.at[d];
     const sf_model *model = &of->model;
@@ -48,9 +48,12 @@ static int sf_begin_cusps(sf_onset_block *block, int d) {
     for (k = 1; k < SF_ONSET_PARTS; k++)
         sf_sample_at(model, sf_onset_parts[k] * model->b[0], &at[k]);
     of->asked[1] = model->zeta, of->asked[2] = model->m, of->asked[3] = block->best[d].F_SN;
-    for (of->asked[0] = 1; of->asked[0] >= -1; of->asked[0] -= 2)
-        for (k = 0; k < SF_ONSET_PARTS; k++)
-            sf_add_cell(&block->lanes, d, 0, &at[k], &at[k + 1]);
+    of->asked[0] = 1; /* nearly always without cusps */
+    sf_add_cell(&block->lanes, d, 0, &at[0], &at[1]);
+    sf_add_cell(&block->lanes, d, 0, &at[1], &at[SF_ONSET_PARTS]);
+    of->asked[0] = -1;
+    for (k = 0; k < SF_ONSET_PARTS; k++)
+        sf_add_cell(&block->lanes, d, 0, &at[k], &at[k + 1]);
     return 1;
 }
 
