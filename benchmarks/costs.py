@@ -21,8 +21,8 @@ from slowflow.scenes import QUESTIONS, Asked, Scene, read
 from slowflow.sizing import tolerances
 from slowflow.sizing.subject import Subject
 from slowflow.sizing.tolerances import FEW_SAMPLES
+from slowflow.support.errors import SlowflowError
 from slowflow.table import SHOCKS
-from slowflow_support.errors import SlowflowError
 
 #: designs of each kind; seconds after which no further design is asked
 DESIGNS, SEED, PATIENCE = 15, 35, 6.0

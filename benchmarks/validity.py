@@ -24,8 +24,8 @@ from slowflow.exact import Response, SteadyState, exact_response
 from slowflow.example import TABLE_1
 from slowflow.mechanism import EquationOfMotion, Force
 from slowflow.second import SecondApproximation
+from slowflow.support.errors import NotSettled
 from slowflow_kernels import slow_flow
-from slowflow_support.errors import NotSettled
 
 ROOT = Path(__file__).resolve().parents[1]
 RESULTS = ROOT / "benchmarks/results/validity.json"

@@ -14,7 +14,7 @@ from typing import Any
 
 import sympy as sp
 
-from slowflow_support.errors import Refused, WrongType
+from slowflow.support.errors import Refused, WrongType
 
 #: what is said of a parameter, and which of that are bounds
 WORDS, BOUNDS = ("doc", "unit"), ("above", "least", "below", "most")

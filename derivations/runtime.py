@@ -23,7 +23,7 @@ from typing import Any
 
 import sympy as sp
 
-from slowflow_support.errors import NotSettled, Refused
+from slowflow.support.errors import NotSettled, Refused
 
 from . import given as given_by
 from .asymmetric.sided import Sided

@@ -19,6 +19,7 @@ from slowflow.measured import table, validity
 from slowflow.oscillator import Oscillator
 from slowflow.physical import Physical
 from slowflow.quantities import Scales
+from slowflow.support.record import Parameter
 from slowflow.table import COLUMNS
 from slowflow.text import Sentence, in_units, text
 from slowflow.validate import WINDOW
@@ -26,7 +27,6 @@ from slowflow.version import __version__
 from slowflow_kernels.conventions import OnsetKind, Status
 from slowflow_kernels.domains import DAMPING, EXCITATIONS
 from slowflow_kernels.scaling import AMPLITUDES, SCALES
-from slowflow_support.record import Parameter
 
 #: designs to begin with: a title, an oscillator, F_0, and the highest frequency that is shown
 PRESETS: tuple[tuple[str, Oscillator, float, float], ...] = (

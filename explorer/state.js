@@ -25,7 +25,7 @@ function dampingOf(state) {
   return DATA.damping.map((one) => (byInertia(state) && one.name === "zeta" ? { ...one, above: 0 } : one));
 }
 
-/** Whether a dimensionless number is allowed, as `slowflow_support.record.Parameter.holds`. */
+/** Whether a dimensionless number is allowed, as `slowflow.support.record.Parameter.holds`. */
 function holds(domain, value) {
   return (
     Number.isFinite(value) &&

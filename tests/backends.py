@@ -7,7 +7,7 @@ import sys
 from types import ModuleType
 
 #: what depends on the backend
-RELOADED = ("slowflow_kernels", "slowflow_support.backend")
+RELOADED = ("slowflow_kernels", "slowflow.support.backend")
 
 
 def _forget() -> dict[str, ModuleType]:
@@ -19,7 +19,7 @@ def load(how: str) -> dict[str, ModuleType]:
     """Import all kernels once more, on "numpy" or "native"."""
     before = _forget()
     try:
-        support = importlib.import_module("slowflow_support.backend")
+        support = importlib.import_module("slowflow.support.backend")
         if how == "numpy":
             support.NATIVE = None
         names = importlib.import_module("slowflow_kernels").MODULES

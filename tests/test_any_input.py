@@ -20,8 +20,8 @@ from slowflow import Duffing, Isolator, cli, sizing
 from slowflow.answer import Answer
 from slowflow.averaged.batches import Batch
 from slowflow.range_checks import Implausible
+from slowflow.support.errors import SlowflowError
 from slowflow_kernels.conventions import Status
-from slowflow_support.errors import SlowflowError
 from tests.public_questions import (
     AT,
     AVERAGED,

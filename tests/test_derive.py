@@ -43,12 +43,12 @@ pytestmark = pytest.mark.usefixtures("folder")
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
     """A folder of a module's own for what is derived in it."""
-    import slowflow_derived
+    import slowflow.derived
 
     with pytest.MonkeyPatch.context() as patch:
         made = tmp_path_factory.mktemp("derived")
-        patch.setattr(slowflow_derived, "FOLDER", made)
-        patch.setattr(slowflow_derived, "__path__", [str(made)])
+        patch.setattr(slowflow.derived, "FOLDER", made)
+        patch.setattr(slowflow.derived, "__path__", [str(made)])
         yield made
 
 
@@ -291,7 +291,7 @@ HARD = (0.1414213562373095, 0.30000000000000004, 2 / 3)
 
 def test_double_in_a_force_is_its_exact_value(folder):
     """Expected from the fraction that the bits are; each is off in its last digits where it goes by text."""
-    from slowflow_derivation import given
+    from slowflow.derivation import given
 
     for number in HARD:
         long = sp.Float(sp.Rational(*number.as_integer_ratio()) / 3, 60)
@@ -370,9 +370,9 @@ def test_end_below_0_and_acceleration_are_refused(stop):
 
 
 def test_what_is_derived_once_is_not_derived_again(stop, monkeypatch):
-    import slowflow_derivation.runtime
+    import slowflow.derivation.runtime
 
-    monkeypatch.setattr(slowflow_derivation.runtime, "sources", lambda _: pytest.fail("derived again"))
+    monkeypatch.setattr(slowflow.derivation.runtime, "sources", lambda _: pytest.fail("derived again"))
     again = derive.mechanism(**STOP)
     assert again.record is stop.record
     with pytest.raises(pytest.fail.Exception):
@@ -405,7 +405,7 @@ stops = derive.mechanism("stops", pieces, {"k": above, "gap": above, "further": 
 assert stops(k=3.0, gap=0.2, further=0.1, mu=0.01, zeta=0.03).saddle_nodes(0.1).Omega.size == 2
 print([name for name in sys.modules if name.partition(".")[0] == "scipy" or name in UNASKED])
 """
-UNASKED = ("sympy.physics", "slowflow_derivation.document")
+UNASKED = ("sympy.physics", "slowflow.derivation.document")
 
 
 @pytest.mark.slow
@@ -454,7 +454,7 @@ def test_an_oscillator_is_pickled_into_another_process(stop, folder):
 @pytest.mark.parametrize("how", ["open", "group", "above", "planted while it was open", "of another user"])
 def test_a_module_that_others_could_have_planted_does_not_run(tmp_path, how):
     """In a process of its own; beside it the same in a folder that is the user's, which is imported."""
-    import slowflow_derived
+    import slowflow.derived
 
     folder = tmp_path / "above" / "derived"
     folder.mkdir(parents=True)
@@ -463,7 +463,7 @@ def test_a_module_that_others_could_have_planted_does_not_run(tmp_path, how):
     planted = folder / "planted_0123456789ab.py"
     planted.write_text("print('EXECUTED')")
     planted.chmod(0o644)
-    program = [sys.executable, "-c", "import slowflow_derived.planted_0123456789ab"]
+    program = [sys.executable, "-c", "import slowflow.derived.planted_0123456789ab"]
     env = {**os.environ, "SLOWFLOW_DERIVED": str(folder), "PYTHONPATH": os.pathsep.join(sys.path)}
     done = subprocess.run(program, env=env, capture_output=True, text=True)
     assert (done.returncode, done.stdout) == (0, "EXECUTED\n"), done.stderr
@@ -490,17 +490,17 @@ def test_a_module_that_others_could_have_planted_does_not_run(tmp_path, how):
     assert words.get(how, str(planted)) in done.stderr and "SLOWFLOW_DERIVED" in done.stderr
     # nor where the folder was good when it was first looked at
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(slowflow_derived, "FOLDER", folder)
+        patch.setattr(slowflow.derived, "FOLDER", folder)
         with pytest.raises(SlowflowError, match="SLOWFLOW_DERIVED"):
             derive.mechanism(**STOP)
 
 
 @pytest.mark.skipif(os.name != "posix", reason="owners and modes are looked at on POSIX only")
 def test_a_folder_that_is_made_is_for_the_user_alone(tmp_path):
-    import slowflow_derived
+    import slowflow.derived
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(slowflow_derived, "FOLDER", tmp_path / "made")
+        patch.setattr(slowflow.derived, "FOLDER", tmp_path / "made")
         assert derive._folder().stat().st_mode & 0o777 == 0o700
 
 
@@ -595,7 +595,7 @@ def test_library_is_recompiled_where_headers_have_changed(tmp_path, monkeypatch)
 
 
 def test_without_the_extra_its_name_is_said(monkeypatch):
-    monkeypatch.setitem(sys.modules, "slowflow_derivation.runtime", None)
+    monkeypatch.setitem(sys.modules, "slowflow.derivation.runtime", None)
     with pytest.raises(ImportError, match=r"slowflow\[derive\]"):
         derive.mechanism(**STOP)
 

@@ -13,8 +13,8 @@ from scipy.optimize import root
 from slowflow import Duffing, Isolator, exact
 from slowflow.exact import work
 from slowflow.example import isolator
+from slowflow.support.errors import NotSettled
 from slowflow_kernels import duffing as duffing_kernels
-from slowflow_support.errors import NotSettled
 from tests.oracles import by_time, exact_brute
 
 

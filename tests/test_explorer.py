@@ -152,7 +152,7 @@ def test_its_numbers_are_those_of_the_package(browser: Any) -> None:
 def test_library_numbers_are_those_derived_and_compiled(browser: Any) -> None:
     pytest.importorskip("flint", reason="what derives is not installed")
     found = [one for one in designs() if one.oscillator.model.mechanism.name != one.mechanism]
-    stated = importlib.import_module("slowflow_derivation.library")
+    stated = importlib.import_module("slowflow.derivation.library")
     assert {one.mechanism for one in found} == set(stated.names())
     found = [one for one in found if one.oscillator.model.mechanism.odd]
     hold(browser, [(one.mechanism, one.oscillator, part * one.F_0) for one in found for part in (1, 0.5, 10)])

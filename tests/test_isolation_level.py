@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 from scipy.optimize import brentq
 
 from slowflow import Duffing, Isolator, isolating, scenes
+from slowflow.support.errors import Refused
 from slowflow_kernels.conventions import Status
-from slowflow_support.errors import Refused
 from tests.oracles import by_time
 from tests.sampling import fewer
 from tests.slopes import assert_slopes_are_differences

@@ -13,8 +13,8 @@ import pytest
 import sympy as sp
 
 from slowflow import Duffing, Isolator, derive
+from slowflow.support.errors import Refused, SlowflowError
 from slowflow_kernels.conventions import FoldKind, MovesStatus, OnsetKind, Status
-from slowflow_support.errors import Refused, SlowflowError
 from tests.batch_questions import ALL, OFF_CENTRE, ROWS, ask, columns
 
 #: of an answer's status: there is one, also where it has no number

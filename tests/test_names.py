@@ -7,7 +7,7 @@ import pytest
 
 ROOT = Path(__file__).parents[1]
 #: folders whose names are done, each with fields of public answers and records, which stay
-ROOMS = {"src/slowflow/exact": {"rests"}, "src/slowflow_support": {"held", "moved", "told"}}
+ROOMS = {"src/slowflow/exact": {"rests"}, "src/slowflow/support": {"held", "moved", "told"}}
 #: whole identifiers, without leading underscores and in lower case
 GONE = {
     "alike": "no noun: the same, or what is equal",

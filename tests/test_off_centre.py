@@ -28,9 +28,9 @@ from slowflow.off_centre.means import ORDERS, Steps
 from slowflow.off_centre.questions import OffCentre
 from slowflow.off_centre.turning_points import Charts, Local
 from slowflow.results import Remark, SteadyStates
+from slowflow.support.errors import NotSettled
 from slowflow_kernels import duffing, rod_spring
 from slowflow_kernels.conventions import Status
-from slowflow_support.errors import NotSettled
 from tests.oracles.definitions import averaged_force
 from tests.sampling import part
 

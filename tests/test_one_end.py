@@ -12,8 +12,8 @@ mp: Any = pytest.importorskip("mpmath").mp.clone()
 sp: Any = pytest.importorskip("sympy")
 mp.dps = 40
 
-stated = pytest.importorskip("slowflow_derivation.library").stated
-one_end = pytest.importorskip("slowflow_derivation.asymmetric.one_end")
+stated = pytest.importorskip("slowflow.derivation.library").stated
+one_end = pytest.importorskip("slowflow.derivation.asymmetric.one_end")
 
 
 @cache

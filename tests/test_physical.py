@@ -18,10 +18,10 @@ from slowflow.answer import SHOWN
 from slowflow.quantities import UNITS, Scales, in_shown
 from slowflow.range_checks import Implausible
 from slowflow.sizing import fit, meet, tolerances
+from slowflow.support.errors import OutOfRange, SlowflowError
 from slowflow.table import COLUMNS
 from slowflow.text import Sentence
 from slowflow_kernels.scaling import SCALES
-from slowflow_support.errors import OutOfRange, SlowflowError
 from tests.slopes import assert_slopes_are_differences
 
 #: a mount that was sized by hand: 12 kg on 2500 N/m, three springs of 1700 N/m on rods of 80 mm

@@ -79,8 +79,8 @@ def refused(words, numbers):
 @pytest.fixture(scope="module", params=("two_stops", "summed_hertz", "jump"))
 def valid(request):
     """A program, and where in its words each operation, and each list of outputs, begins."""
-    from slowflow_derivation.codegen.targets.program import Recorder
-    from slowflow_derivation.codegen.views import programs
+    from slowflow.derivation.codegen.targets.program import Recorder
+    from slowflow.derivation.codegen.views import programs
 
     class Located(Recorder):
         def program(self, one):

@@ -14,10 +14,10 @@ from hypothesis import strategies as st
 
 from slowflow import Duffing, Isolator
 from slowflow.averaged import messages
+from slowflow.support.errors import SlowflowError
 from slowflow_kernels import duffing, duffing_balls, rod_spring, rod_spring_balls
 from slowflow_kernels import rod_spring_untruncated as untruncated
 from slowflow_kernels import rod_spring_untruncated_balls as untruncated_balls
-from slowflow_support.errors import SlowflowError
 from tests.batch_questions import AVERAGED, ask
 from tests.test_many_as_each import assert_is_that_of_each
 

@@ -17,12 +17,12 @@ import pytest
 import sympy as sp
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
-from slowflow_derivation import runtime
-from slowflow_derivation.codegen.bytecode import kept_beside
-from slowflow_derivation.codegen.prose import in_markdown
-from slowflow_derivation.codegen.targets import numpy
-from slowflow_derivation.codegen.views import programs
-from slowflow_derivation.document import parameters
+from slowflow.derivation import runtime
+from slowflow.derivation.codegen.bytecode import kept_beside
+from slowflow.derivation.codegen.prose import in_markdown
+from slowflow.derivation.codegen.targets import numpy
+from slowflow.derivation.codegen.views import programs
+from slowflow.derivation.document import parameters
 
 from slowflow import derive, include
 
@@ -141,10 +141,10 @@ def test_markdown_shows_every_text(text):
 @pytest.mark.parametrize("odd", [True, False])
 def test_what_a_text_says_is_not_run(tmp_path, monkeypatch, capsys, odd):
     """From the statement to the module that is imported; the manifest is JSON, the heading one line."""
-    import slowflow_derived
+    import slowflow.derived
 
-    monkeypatch.setattr(slowflow_derived, "FOLDER", tmp_path / "derived")
-    monkeypatch.setattr(slowflow_derived, "__path__", [str(tmp_path / "derived")])
+    monkeypatch.setattr(slowflow.derived, "FOLDER", tmp_path / "derived")
+    monkeypatch.setattr(slowflow.derived, "__path__", [str(tmp_path / "derived")])
     text = "".join(HOSTILE)
     about = {"k": {"doc": text, "unit": text}}
     made = derive.mechanism("hostile", [(k * u, None)], about, title=text, reach=1.0, reach_reason=text, odd=odd)

@@ -17,8 +17,8 @@ import pytest
 from slowflow import Duffing, Isolator
 from slowflow.averaged import chunks
 from slowflow.example import isolator
+from slowflow.support.errors import NotSettled
 from slowflow_kernels.conventions import Status
-from slowflow_support.errors import NotSettled
 from tests.interrupts import ENDING, interrupted
 
 EVERYTHING = """
@@ -128,7 +128,7 @@ def test_no_memory_is_kept():
 import numpy as np
 from slowflow import Duffing, Isolator
 from slowflow.example import TABLE_1
-from slowflow_support.errors import Refused
+from slowflow.support.errors import Refused
 def resident():
     with open("/proc/self/statm") as file:
         return int(file.read().split()[1])

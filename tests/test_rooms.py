@@ -37,7 +37,8 @@ FLOORS = (
     ("model", "table", "transmissibility"),
     ("validate", "page", "intervals"),
     ("mechanism", "sampled", "backend", "pictures", "progress", "range_checks", "immutable", "version"),
-    ("text", "callbacks"),
+    ("text", "callbacks", "derived"),
+    ("support",),
 )
 FLOOR = {room: number for number, rooms in enumerate(reversed(FLOORS)) for room in rooms}
 #: the same of the derivation: the paper needs mechanisms and symbols, and nothing that comes after it
@@ -124,20 +125,22 @@ def test_no_import_goes_round():
 
 def test_what_derives_is_not_imported_by_what_runs():
     """Not even by `slowflow.derive`, the door that a program opens by asking; FLINT is imported by proofs in balls."""
-    heavy = {"sympy", "jinja2", "derivations", "slowflow_derivation"}
-    for path in (*FILES, *(SOURCE / "slowflow_support").glob("*.py")):
+    heavy = {"sympy", "jinja2", "derivations"}
+    for path in FILES:
         in_balls = "balls" in (path.stem, path.parent.name)
         for module in imported(path):
             assert module.split(".")[0] not in (heavy if in_balls else {*heavy, "flint"}), f"{path.name}: {module}"
+            assert not module.startswith("slowflow.derivation"), f"{path.name}: {module}"
         lazily = path.name == "proofs.py" or in_balls
         assert lazily or not [module for module in imported(path) if ".balls" in module], path.name
 
 
 def test_foundations_of_the_kernels_import_only_tables():
     """Numbers that C has too, from modules that import nothing themselves."""
-    for path in (SOURCE / "slowflow_support").glob("*.py"):
+    for path in (SOURCE / "slowflow" / "support").glob("*.py"):
         ours = [m for m in imported(path) if m.startswith(("slowflow.", "slowflow_kernels."))]
-        assert all(m.startswith("slowflow_kernels.quadrature_conventions") for m in ours), path.name
+        allowed = ("slowflow.support.", "slowflow_kernels.quadrature_conventions")
+        assert all(m.startswith(allowed) for m in ours), path.name
     tables = SOURCE.parent / "generated" / "slowflow_kernels" / "quadrature_conventions.py"
     assert not [m for m in imported(tables) if m.partition(".")[0] not in {"enum"}]
 

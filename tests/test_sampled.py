@@ -15,8 +15,8 @@ import sympy as sp
 from scipy.integrate import solve_ivp
 
 from slowflow import backend, derive
+from slowflow.support.errors import NotSettled
 from slowflow.validate import NotAvailable
-from slowflow_support.errors import NotSettled
 from tests.native.records import bent
 
 CASES = json.loads((Path(__file__).parent / "data" / "stated.json").read_text())

@@ -14,8 +14,8 @@ import pytest
 from benchmarks.stress import answers
 from slowflow import Duffing, Isolator
 from slowflow.averaged import solvers
+from slowflow.support.errors import NotSettled
 from slowflow_kernels.conventions import Status
-from slowflow_support.errors import NotSettled
 from tests.native.pairs import OPERATIONS, Pairs, build
 from tests.oracles import averaged
 

@@ -14,7 +14,7 @@ from slowflow import Duffing, Isolator, progress
 from slowflow.example import isolator
 from slowflow.sizing import fit, front, meet, sobol, tolerances
 from slowflow.sizing.subject import Subject
-from slowflow_support.errors import NotSettled
+from slowflow.support.errors import NotSettled
 
 MOUNT = Isolator.physical(m=12, k_v=2500, k_h=1700, n=3, L=0.080, preload=0.009, friction=0.4, zeta=0.02)
 #: of a mount, by single questions

@@ -11,8 +11,8 @@ import sympy as sp
 from derivations.codegen import compensated
 from derivations.codegen.compensated import Exact, magnitude
 from slowflow.backend import SOLVER as roots
+from slowflow.support import twofold
 from slowflow_kernels import frequencies
-from slowflow_support import twofold
 
 a, b, c = sp.symbols("a b c", real=True)
 x = sp.Symbol("x", positive=True)

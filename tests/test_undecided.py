@@ -18,9 +18,9 @@ from slowflow.averaged.queries import PROVED_FOLDS, PROVED_STATES, SADDLE_NODES
 from slowflow.certificate import DOUBLES
 from slowflow.oscillator import Oscillator
 from slowflow.results import Remark
+from slowflow.support.errors import NotSettled
 from slowflow_kernels import duffing
 from slowflow_kernels.conventions import Status
-from slowflow_support.errors import NotSettled
 from tests.oracles import averaged, counts
 from tests.oracles.answers import Nearby
 from tests.oracles.draws import batch, drawn_isolators, drawn_springs, forcings, oscillator

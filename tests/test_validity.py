@@ -10,7 +10,7 @@ from slowflow import Duffing, Isolator
 from slowflow.example import isolator
 from slowflow.measured import table as validity_table
 from slowflow.measured.validity import near_sticking
-from slowflow_support.errors import NotSettled
+from slowflow.support.errors import NotSettled
 
 
 def test_the_table_has_a_size_for_every_bin():

@@ -306,4 +306,4 @@ def test_the_wheel_is_compiled_and_typed(installed: Path, tmp_path: Path) -> Non
     folder, *typed = done.stdout.split()
     assert Path(folder).is_relative_to(installed.parent)
     marked = {Path(path).parent.name for path in typed if path.endswith("py.typed")}
-    assert marked == {"slowflow", "slowflow_kernels", "slowflow_support"}
+    assert marked == {"slowflow", "slowflow_kernels"}

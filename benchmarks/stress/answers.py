@@ -20,7 +20,7 @@ from benchmarks.stress import search
 from benchmarks.stress.domains import few, ulps
 from benchmarks.stress.search import Found, Point
 from slowflow import Duffing, Isolator
-from slowflow_support.errors import NotSettled, SlowflowError
+from slowflow.support.errors import NotSettled, SlowflowError
 from tests.oracles.answers import Nearby
 from tests.oracles.averaged import exact
 from tests.oracles.certified_roots import precision

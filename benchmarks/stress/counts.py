@@ -23,7 +23,7 @@ from benchmarks.stress.domains import ulps
 from benchmarks.stress.search import Point
 from slowflow.averaged.proofs import Allowance
 from slowflow.results import Remark
-from slowflow_support.errors import NotSettled, SlowflowError
+from slowflow.support.errors import NotSettled, SlowflowError
 from tests.oracles import counts as proved
 from tests.oracles.averaged import Duffing, RodSpring
 

@@ -20,8 +20,8 @@ import numpy.typing as npt
 from slowflow import Duffing, Isolator
 from slowflow.averaged.proofs import Allowance
 from slowflow.averaged.queries import PROVED_FOLDS, PROVED_STATES, SADDLE_NODES
+from slowflow.support.errors import NotSettled
 from slowflow_kernels.conventions import Status
-from slowflow_support.errors import NotSettled
 from tests.oracles import draws
 
 SEED = 41

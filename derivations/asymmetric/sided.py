@@ -17,7 +17,7 @@ from itertools import pairwise
 
 import sympy as sp
 
-from slowflow_support.errors import NotSettled
+from slowflow.support.errors import NotSettled
 
 from ..forces.quadrature import FUNCTIONS, lost_at, singular_at
 from ..given import in_text

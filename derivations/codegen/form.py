@@ -173,7 +173,7 @@ class TwofoldKernel:
 
 @dataclass(frozen=True)
 class Sums:
-    """A function of A that closes integrals over the quarter cycle, summed by `slowflow_support.quadrature`.
+    """A function of A that closes integrals over the quarter cycle, summed by `slowflow.support.quadrature`.
 
     terms   -- of each piece of the force, the generic kernel of what stands under the integrals
                then of each contact, from where it begins up to A

@@ -26,7 +26,7 @@ from dataclasses import dataclass
 import sympy as sp
 from sympy.codegen.cfunctions import log1p
 
-from slowflow_support.errors import NotSettled
+from slowflow.support.errors import NotSettled
 
 from ..given import in_text
 from ..paper.restoring_force import ORDERS

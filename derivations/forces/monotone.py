@@ -25,7 +25,7 @@ from collections.abc import Iterator
 
 import sympy as sp
 
-from slowflow_support.errors import NotSettled
+from slowflow.support.errors import NotSettled
 
 from ..mechanisms import Parameter
 from ..paper.equation_of_motion import Dimensionless

@@ -11,7 +11,7 @@ from __future__ import annotations
 import importlib
 import pkgutil
 
-from slowflow_support.errors import Refused
+from slowflow.support.errors import Refused
 
 from ..asymmetric.sided import Sided
 from ..mechanisms import Mechanism

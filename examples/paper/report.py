@@ -14,7 +14,7 @@ from typing import Any
 from slowflow import example
 from slowflow.isolator import Isolator
 from slowflow.results import SaddleNodes
-from slowflow_support.errors import NotSettled
+from slowflow.support.errors import NotSettled
 
 #: the ledger prints 12 significant digits
 LEDGER_DIGITS = 12

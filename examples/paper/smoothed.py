@@ -19,8 +19,8 @@ from scipy.special import expit
 
 from slowflow.exact.motion import check_forcing
 from slowflow.mechanism import EquationOfMotion
+from slowflow.support.errors import NotSettled, Refused
 from slowflow_kernels import motion
-from slowflow_support.errors import NotSettled, Refused
 
 Array = NDArray[np.float64]
 

@@ -20,8 +20,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from slowflow_support.backend import NATIVE, compiled
-from slowflow_support.broadcast import floats
+from slowflow.support.backend import NATIVE, compiled
+from slowflow.support.broadcast import floats
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

@@ -4,7 +4,7 @@ Written by `make derive`; never edit.
 Input: derivations/mechanisms/__init__.py
 """
 
-from slowflow_support.record import Parameter
+from slowflow.support.record import Parameter
 
 # dry friction and viscous damping (4)
 DAMPING = (

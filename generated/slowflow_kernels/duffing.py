@@ -20,14 +20,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from slowflow_kernels import slow_flow as flow
-from slowflow_support.backend import NATIVE, compiled
-from slowflow_support.broadcast import common_shape, floats, full, number_by_regime, stacked
-from slowflow_support.record import Law, Mechanism, Parameter
+from slowflow.support.backend import NATIVE, compiled
+from slowflow.support.broadcast import common_shape, floats, full, number_by_regime, stacked
+from slowflow.support.record import Law, Mechanism, Parameter
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-    from slowflow_support.broadcast import Floats
+    from slowflow.support.broadcast import Floats
 
 __all__ = [
     "F_A", "H_A", "H_AA", "MECHANISM", "F", "H", "averaged", "averaged_2", "averaged_H", "backbone", "breakpoints",

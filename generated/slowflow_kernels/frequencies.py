@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from slowflow_support.twofold import distilled, two_product, two_sum
+from slowflow.support.twofold import distilled, two_product, two_sum
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

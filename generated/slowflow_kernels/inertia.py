@@ -23,8 +23,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from slowflow_support.backend import NATIVE, compiled
-from slowflow_support.broadcast import by_regime, common_shape, floats, full
+from slowflow.support.backend import NATIVE, compiled
+from slowflow.support.broadcast import by_regime, common_shape, floats, full
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

@@ -24,14 +24,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from slowflow_kernels import slow_flow as flow
-from slowflow_support.backend import NATIVE, compiled
-from slowflow_support.broadcast import by_regime, common_shape, floats, full, number_by_regime
-from slowflow_support.record import Law, Mechanism, Parameter, Scale
+from slowflow.support.backend import NATIVE, compiled
+from slowflow.support.broadcast import by_regime, common_shape, floats, full, number_by_regime
+from slowflow.support.record import Law, Mechanism, Parameter, Scale
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-    from slowflow_support.broadcast import Floats
+    from slowflow.support.broadcast import Floats
 
 __all__ = [
     "F_A", "H_A", "H_AA", "MECHANISM", "F", "H", "averaged", "averaged_2", "averaged_H", "averaged_all", "backbone",

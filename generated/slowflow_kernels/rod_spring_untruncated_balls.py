@@ -15,7 +15,7 @@ last of these.
 
 from flint import arb
 
-from slowflow_support.balls import R_D, R_F
+from slowflow.support.balls import R_D, R_F
 
 __all__ = [
     "at_rest", "breakpoints", "given", "kinks", "known",

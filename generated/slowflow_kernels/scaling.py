@@ -4,7 +4,7 @@ Written by `make derive`; never edit.
 Input: derivations/paper/equation_of_motion.py, derivations/extensions/inertia.py, derivations/extensions/scaling.py
 """
 
-from slowflow_support.record import Scale
+from slowflow.support.record import Scale
 
 SCALES = {
     "u": Scale("x", 1.0, (0.0, 1.0, 0.0)),

@@ -25,8 +25,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from slowflow_support.backend import NATIVE, compiled
-from slowflow_support.broadcast import common_shape, floats, full
+from slowflow.support.backend import NATIVE, compiled
+from slowflow.support.broadcast import common_shape, floats, full
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

@@ -24,13 +24,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from slowflow_support.backend import NATIVE, compiled
-from slowflow_support.broadcast import common_shape, floats, full, number_by_regime, stacked
+from slowflow.support.backend import NATIVE, compiled
+from slowflow.support.broadcast import common_shape, floats, full, number_by_regime, stacked
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-    from slowflow_support.broadcast import Floats
+    from slowflow.support.broadcast import Floats
 
 SCENE = "mu > 0, zeta > 0: F is a quartic in Omega"
 

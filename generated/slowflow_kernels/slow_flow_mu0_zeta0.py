@@ -26,13 +26,13 @@ from slowflow_kernels.slow_flow_mu0 import response_quartic
 from slowflow_kernels.slow_flow_zeta0 import (
     fold, limit_envelope, undamped, undamped_Omega, undamped_level, undamped_rises,
 )
-from slowflow_support.backend import NATIVE, compiled
-from slowflow_support.broadcast import common_shape, floats, stacked
+from slowflow.support.backend import NATIVE, compiled
+from slowflow.support.broadcast import common_shape, floats, stacked
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-    from slowflow_support.broadcast import Floats
+    from slowflow.support.broadcast import Floats
 
 SCENE = "mu = zeta = 0: F is a quadratic in Omega^2, roots in closed form"
 

@@ -26,13 +26,13 @@ from slowflow_kernels.slow_flow import (
     F_A, F_AA, F, F_AOmega, F_Omega, I, R, backbone, equivalent_damping, fold_quartic, level, peak_cubic, phase,
     response_quartic, stability,
 )
-from slowflow_support.backend import NATIVE, compiled
-from slowflow_support.broadcast import common_shape, floats, full, stacked
+from slowflow.support.backend import NATIVE, compiled
+from slowflow.support.broadcast import common_shape, floats, full, stacked
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-    from slowflow_support.broadcast import Floats
+    from slowflow.support.broadcast import Floats
 
 SCENE = "zeta = 0: F is a quadratic in Omega^2, roots in closed form"
 

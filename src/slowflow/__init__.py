@@ -4,26 +4,38 @@ In:  an oscillator's parameters. Out: `Isolator`, `Duffing`, `Oscillator` of any
      the classes of `slowflow.results`, in units `Quantities`.
 """
 
-from slowflow.certificate import Certificate
-from slowflow.gradient import Gradient
-from slowflow.isolator import Duffing, Isolator
-from slowflow.oscillator import Oscillator
-from slowflow.physical import Physical
-from slowflow.quantities import Quantities
-from slowflow.results import (
-    Cusps,
-    Detachment,
-    FoldLocus,
-    FrequencyResponse,
-    IsolaPoints,
-    Peak,
-    Remark,
-    SaddleNodeOnset,
-    SaddleNodes,
-    SteadyStates,
-)
-from slowflow.version import __version__, include
-from slowflow_support.errors import BuildFailed, NotSettled, OutOfRange, Refused, SceneError, SlowflowError, WrongType
+import importlib
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from slowflow.certificate import Certificate
+    from slowflow.gradient import Gradient
+    from slowflow.isolator import Duffing, Isolator
+    from slowflow.oscillator import Oscillator
+    from slowflow.physical import Physical
+    from slowflow.quantities import Quantities
+    from slowflow.results import (
+        Cusps,
+        Detachment,
+        FoldLocus,
+        FrequencyResponse,
+        IsolaPoints,
+        Peak,
+        Remark,
+        SaddleNodeOnset,
+        SaddleNodes,
+        SteadyStates,
+    )
+    from slowflow.support.errors import (
+        BuildFailed,
+        NotSettled,
+        OutOfRange,
+        Refused,
+        SceneError,
+        SlowflowError,
+        WrongType,
+    )
+    from slowflow.version import __version__, include
 
 __all__ = [
     "BuildFailed",
@@ -53,3 +65,18 @@ __all__ = [
     "__version__",
     "include",
 ]
+
+#: where they are defined; nothing is imported, and nothing has to be compiled, before it is used
+_HOMES = ("version", "support.errors", "isolator", "physical", "quantities", "results", "certificate", "gradient")
+
+
+def __getattr__(name: str) -> Any:
+    for home in _HOMES if name in __all__ else ():
+        module = importlib.import_module(f"slowflow.{home}")
+        if hasattr(module, name):
+            return globals().setdefault(name, getattr(module, name))
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return __all__

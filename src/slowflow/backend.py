@@ -15,10 +15,10 @@ from typing import Any
 import numpy as np
 
 from slowflow import callbacks
-from slowflow_support.backend import NATIVE, loaded
-from slowflow_support.errors import Refused
-from slowflow_support.quadrature import RECORDS, interpreted
-from slowflow_support.record import Mechanism, stated_by_module
+from slowflow.support.backend import NATIVE, loaded
+from slowflow.support.errors import Refused
+from slowflow.support.quadrature import RECORDS, interpreted
+from slowflow.support.record import Mechanism, stated_by_module
 
 ENCLOSED = "{}: enclosed is not allowed in a record that is typed: only what is derived is known on intervals"
 NO_ROOM = (

@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from slowflow_support.record import Mechanism
+from slowflow.support.record import Mechanism
 
 _Doubles = ctypes.POINTER(ctypes.c_double)
 #: of the record, the parameters and what is filled

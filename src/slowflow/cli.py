@@ -21,8 +21,8 @@ from slowflow.answer import Answer, in_text
 from slowflow.isolator import ROD_SPRING
 from slowflow.measured import costs
 from slowflow.scenes import QUESTIONS, STARTER, Asked, Scene, read
+from slowflow.support.errors import SlowflowError
 from slowflow_kernels.domains import DAMPING
-from slowflow_support.errors import SlowflowError
 
 #: the exit code of a program that writes to a pipe that nobody reads any more: 128 and the number of that signal
 NOBODY_READS = 141

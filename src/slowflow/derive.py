@@ -1,6 +1,6 @@
 """Mechanisms of one's own, derived in the running program. Takes pieces of a force; returns what answers for it.
 
-The door to the derivation, which comes with slowflow as `slowflow_derivation` and needs the extra
+The door to the derivation, which comes with slowflow as `slowflow.derivation` and needs the extra
 `slowflow[derive]`; nothing else here needs it, and it is opened by the first call.
 
     import sympy as sp
@@ -35,9 +35,9 @@ from slowflow import backend, files, sampled
 from slowflow.mechanism import Mechanism, Parameter
 from slowflow.model import THROUGHOUT
 from slowflow.oscillator import Oscillator
+from slowflow.support.errors import BuildFailed, Refused, WrongType
+from slowflow.support.ownership import check_own
 from slowflow.version import include
-from slowflow_support.errors import BuildFailed, Refused, WrongType
-from slowflow_support.ownership import check_own
 
 NEEDED = "deriving needs SymPy, python-flint, Jinja2 and platformdirs: pip install 'slowflow[derive]'"
 #: IEEE arithmetic, as the package itself is compiled; -O3 takes a third longer, and answers are no sooner there
@@ -171,7 +171,7 @@ def mechanism(
     where slowflow itself is not compiled.
     """
     furthest = () if reach is None else (reach, reach_reason)
-    given = _derivation("slowflow_derivation.given")
+    given = _derivation("slowflow.derivation.given")
     functions = [_is_function(force) for force, _ in given.pieces(pieces)]
     if any(functions):
         if not all(functions):
@@ -187,11 +187,11 @@ def mechanism(
 def library(name: str, *, compile: bool = False) -> Derived:
     """A mechanism of the library, derived: `library("elastic_stop")`, and those that docs/mechanisms.md shows.
 
-    Each is a file of `slowflow_derivation.library`, which states it; printed, it names its numbers. `compile` as above.
+    Each is a file of `slowflow.derivation.library`, which states it; printed, it names its numbers. `compile` as above.
 
     Raises ValueError for a name that is not in the library, with those that are; else as `mechanism` does.
     """
-    return _derived(_derivation("slowflow_derivation.library").stated(name), compile)
+    return _derived(_derivation("slowflow.derivation.library").stated(name), compile)
 
 
 @functools.cache
@@ -226,7 +226,7 @@ def _sampled(
     compile: bool,
 ) -> Sampled:
     """A mechanism whose pieces are Python functions, whose arguments are those of `mechanism`."""
-    given, runtime = _derivation("slowflow_derivation.given"), _derivation()
+    given, runtime = _derivation("slowflow.derivation.given"), _derivation()
     name, title = given.module_name(name), given.text("title", title)
     reach_reason = given.text("reach_reason", reach_reason)
     if given.flag("compile", compile):
@@ -267,7 +267,7 @@ def _made_odd(force: Any) -> str:
     preload, mirrored = (force, force) if u is None else (force.subs(u, 0), force.subs(u, -u))
     if (force + mirrored).expand() == 0:
         return ""
-    shown = _derivation("slowflow_derivation.given").in_text
+    shown = _derivation("slowflow.derivation.given").in_text
     jumps = f", a preload of {shown(preload)}" if preload != 0 else ""
     return f"; {shown(force)} is not odd: for u < 0 the force is that of |u| with the other sign{jumps}"
 
@@ -288,7 +288,7 @@ def _derived(stated: Any, compile: bool, beside: str = "") -> Derived:
             if in_python:
                 _write(folder, sources.python)
     importlib.invalidate_caches()
-    printed = importlib.import_module(f"slowflow_derived.{module}")
+    printed = importlib.import_module(f"slowflow.derived.{module}")
     record: Mechanism = printed.MECHANISM
     backend.check_room(record, interpreted=not compile)
     if compile and record.name not in _attached:
@@ -308,7 +308,7 @@ def _uncollected() -> Iterator[None]:
             gc.enable()
 
 
-def _derivation(module: str = "slowflow_derivation.runtime") -> ModuleType:
+def _derivation(module: str = "slowflow.derivation.runtime") -> ModuleType:
     try:
         return importlib.import_module(module)
     except ImportError as error:
@@ -316,7 +316,7 @@ def _derivation(module: str = "slowflow_derivation.runtime") -> ModuleType:
 
 
 def _folder() -> Path:
-    folder: Path = _derivation("slowflow_derived").FOLDER
+    folder: Path = _derivation("slowflow.derived").FOLDER
     check_own(folder)
     folder.mkdir(mode=0o700, parents=True, exist_ok=True)
     return folder

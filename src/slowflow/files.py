@@ -21,7 +21,7 @@ from typing import Any
 import numpy as np
 
 from slowflow.answer import Answer, head
-from slowflow_support.errors import Refused
+from slowflow.support.errors import Refused
 
 #: the record of a folder
 RECORD = "answers.json"

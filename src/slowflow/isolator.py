@@ -15,11 +15,11 @@ from slowflow.model import THROUGHOUT, Laws, Model
 from slowflow.oscillator import FORCES, Oscillator
 from slowflow.physical import Physical
 from slowflow.quantities import SHEET, Scales, g, si
+from slowflow.support.errors import Refused
 from slowflow.text import text
 from slowflow_kernels import duffing, rod_spring
 from slowflow_kernels.domains import DAMPING, DISSIPATION, EXCITATIONS
 from slowflow_kernels.scaling import SCALES
-from slowflow_support.errors import Refused
 
 ROD_SPRING: Mechanism = rod_spring.MECHANISM
 DUFFING: Mechanism = duffing.MECHANISM

@@ -18,10 +18,10 @@ from typing import Any, Protocol
 import numpy as np
 import numpy.typing as npt
 
+from slowflow.support.errors import Refused
+from slowflow.support.record import Law, Mechanism, Parameter
 from slowflow.text import text
 from slowflow_kernels import duffing, inertia, motion, slow_flow
-from slowflow_support.errors import Refused
-from slowflow_support.record import Law, Mechanism, Parameter
 
 __all__ = [
     "LINEAR",

@@ -18,13 +18,13 @@ import numpy as np
 
 from slowflow import backend, validate
 from slowflow.mechanism import Floats, Mechanism, Parameter, check_at_rest
+from slowflow.support.errors import Refused, WrongType
 from slowflow.text import Sentence, text, told
 from slowflow_kernels import dissipation, inertia
 from slowflow_kernels import slow_flow as general_flow
 from slowflow_kernels.conventions import LARGEST
 from slowflow_kernels.domains import DAMPING, DISSIPATION, RUBS
 from slowflow_kernels.scenes import flow_of
-from slowflow_support.errors import Refused, WrongType
 
 __all__ = ["Floats", "Laws", "Model", "check_names"]
 

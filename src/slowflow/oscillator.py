@@ -22,10 +22,10 @@ from slowflow.loaded import CENTRED, Loaded, off_centre_by
 from slowflow.mechanism import EquationOfMotion, Floats, Force, Mechanism, followed
 from slowflow.model import THROUGHOUT, Laws, Model
 from slowflow.results import Remark, SaddleNodeOnset
+from slowflow.support.errors import Refused
 from slowflow.table import SHOCKS
 from slowflow.text import Sentence, text
 from slowflow_kernels.domains import EXCITATIONS
-from slowflow_support.errors import Refused
 
 if TYPE_CHECKING:
     from slowflow import checks, exact

@@ -21,9 +21,9 @@ from slowflow.answer import joined
 from slowflow.averaged.plan import Plan
 from slowflow.mechanism import Floats
 from slowflow.quantities import DRAWN, SI, UNITS, Quantities, Scales, g, si
+from slowflow.support.errors import OutOfRange, Refused
 from slowflow.table import QUANTITIES
 from slowflow.text import in_units
-from slowflow_support.errors import OutOfRange, Refused
 
 if TYPE_CHECKING:
     from slowflow import physical_answers as answers

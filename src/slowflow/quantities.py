@@ -23,14 +23,14 @@ from slowflow import validate
 from slowflow.answer import PLAIN, Answer, Table, in_text, plain
 from slowflow.gradient import Gradient
 from slowflow.mechanism import Floats
+from slowflow.support.errors import Refused, WrongType
+from slowflow.support.record import Parameter, Scale
 from slowflow.table import QUANTITIES
 from slowflow.text import in_units
 from slowflow_kernels.domains import DAMPING, DISSIPATION
 from slowflow_kernels.rod_spring import MECHANISM as ROD_SPRING
 from slowflow_kernels.scaling import AMPLITUDES as AMPLITUDE_SCALES
 from slowflow_kernels.scaling import SCALES
-from slowflow_support.errors import Refused, WrongType
-from slowflow_support.record import Parameter, Scale
 
 #: standard gravity, m/s^2
 g = 9.80665

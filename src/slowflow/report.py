@@ -26,10 +26,10 @@ from slowflow.quantities import DATA_SHEET, SHEET, SHOWN, UNITS, in_shown
 from slowflow.results import Remark
 from slowflow.scenes import FORCINGS, Scene
 from slowflow.sizing.subject import Load, Subject
+from slowflow.support.errors import Refused
 from slowflow.table import COLUMNS, SHOCKS
 from slowflow.text import in_units
 from slowflow.validate import NotAvailable
-from slowflow_support.errors import Refused
 
 #: equations of the paper that the answers rest on
 EQUATIONS = ("(3)", "(4)", "(5)", "(6)", "(7)", "(21)", "(22)", "(24)", "(25)", "(27)", "(30)", "(33)", "(34)")

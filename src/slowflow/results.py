@@ -21,10 +21,10 @@ from slowflow.certificate import ProvedFolds
 from slowflow.gradient import Gradient
 from slowflow.measured.validity import Validity, of_states, off_centre
 from slowflow.model import Floats, Model
+from slowflow.support.errors import Refused
 from slowflow.text import text
 from slowflow.transmissibility import in_motion
 from slowflow_kernels.conventions import OnsetKind, Pinned, Status
-from slowflow_support.errors import Refused
 
 ONLY_OFFSET = "{u_max} is that of motions with a mean B: without a load A is the largest |{u}|"
 

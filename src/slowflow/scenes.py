@@ -53,9 +53,9 @@ from slowflow.isolator import Duffing, Isolator
 from slowflow.measured import costs
 from slowflow.physical import Physical
 from slowflow.quantities import EXCITED, SHOWN, SI, UNITS
+from slowflow.support.errors import SceneError
 from slowflow.table import COLUMNS, SHOCKS
 from slowflow.table import QUESTIONS as ROWS
-from slowflow_support.errors import SceneError
 
 #: a scene to begin with
 STARTER = """\

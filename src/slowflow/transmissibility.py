@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slowflow import validate
-from slowflow_support.errors import Refused
+from slowflow.support.errors import Refused
 
 #: what may be asked for: the force that is passed on; the displacement, from the base and in space
 OF = ("force", "relative", "absolute")

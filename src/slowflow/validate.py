@@ -18,9 +18,9 @@ import numpy as np
 import numpy.typing as npt
 
 from slowflow.mechanism import Floats, Parameter
+from slowflow.support.errors import Refused, WrongType
 from slowflow.text import text, together
 from slowflow_kernels.conventions import HIGHEST_OMEGA
-from slowflow_support.errors import Refused, WrongType
 
 P = ParamSpec("P")
 R = TypeVar("R")

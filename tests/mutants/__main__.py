@@ -72,7 +72,7 @@ class Copy:
 
     def __post_init__(self) -> None:
         shutil.copytree(ROOT, self.folder, ignore=NOT_COPIED, symlinks=True, dirs_exist_ok=True)
-        (self.folder / "src" / "slowflow_derivation").symlink_to(self.folder / "derivations")
+        (self.folder / "src" / "slowflow.derivation").symlink_to(self.folder / "derivations")
 
     def run(self, *command: str) -> bool:
         """Whether a command of Python's ends well there, in time."""

@@ -31,7 +31,7 @@ sys.modules["flint"] = None  # what balls are asked takes minutes, and nothing o
 warnings.simplefilter("ignore")
 
 from slowflow import Duffing, Isolator, backend  # noqa: E402
-from slowflow_support.errors import SlowflowError  # noqa: E402
+from slowflow.support.errors import SlowflowError  # noqa: E402
 
 assert Path(backend.SOLVER.__file__).parent == Path(backend.EXACT.__file__).parent == FOLDER
 

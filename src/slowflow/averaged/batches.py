@@ -22,12 +22,12 @@ from slowflow.mechanism import Flags
 from slowflow.model import THROUGHOUT, Floats, SlowFlow
 from slowflow.results import NOT_AVERAGED, Remark
 from slowflow.sensitivities import Given, of_detachment, of_folds, of_isolation, of_onset, of_peak, of_states
+from slowflow.support.errors import Refused
 from slowflow.table import AVERAGING, QUESTIONS, Question
 from slowflow.transmissibility import in_motion
 from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import FoldKind, OnsetKind, Status
 from slowflow_kernels.domains import DAMPING, DISSIPATION
-from slowflow_support.errors import Refused
 
 Codes = npt.NDArray[np.int8]
 

@@ -16,8 +16,8 @@ import numpy as np
 from slowflow.intervals import Bools, Elementary, Interval
 from slowflow.mechanism import Mechanism
 from slowflow.model import Floats, Model
+from slowflow.support.errors import Refused
 from slowflow.text import Sentence, told
-from slowflow_support.errors import Refused
 
 INFINITE = Sentence(
     "{numbers:s}: not allowed for {name:s}, whose force is infinite or no number at |{u}| = {u:.6g}, within its reach "

@@ -39,12 +39,12 @@ from slowflow.immutable import Unchanging
 from slowflow.mechanism import Mechanism
 from slowflow.model import THROUGHOUT, Floats, Laws, Model, SlowFlow, check_names
 from slowflow.results import Remark
+from slowflow.support.errors import Refused
 from slowflow.table import AVERAGING, QUESTIONS, ManyQuestions, Unanswered
 from slowflow.text import text
 from slowflow_kernels import inertia
 from slowflow_kernels.conventions import Status
 from slowflow_kernels.domains import DAMPING, DISSIPATION
-from slowflow_support.errors import Refused
 
 
 class Designs(Unchanging, ManyQuestions[Batch]):

@@ -14,9 +14,9 @@ from slowflow import validate
 from slowflow.averaged import messages, proofs
 from slowflow.model import Model
 from slowflow.results import Remark, SaddleNodeOnset
+from slowflow.support.errors import Refused
 from slowflow.text import Sentence, text
 from slowflow_kernels.conventions import CLOSE
-from slowflow_support.errors import Refused
 
 
 @dataclass(frozen=True)

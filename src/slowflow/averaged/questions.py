@@ -34,8 +34,8 @@ from slowflow.results import (
     SaddleNodes,
     SteadyStates,
 )
+from slowflow.support.errors import OutOfRange, Refused
 from slowflow_kernels import dissipation
-from slowflow_support.errors import OutOfRange, Refused
 
 if TYPE_CHECKING:
     from slowflow.mechanism import Reals

@@ -23,9 +23,9 @@ from slowflow.results import (
     SaddleNodes,
     SteadyStates,
 )
+from slowflow.support.errors import NotSettled, OutOfRange
 from slowflow_kernels import dissipation
 from slowflow_kernels.conventions import STATIC_MULTIPLE, OnsetKind, Status
-from slowflow_support.errors import NotSettled, OutOfRange
 
 #: the words for kinds of folds, by whether a sweep leaves them upwards
 FOLD_KINDS = np.array(["jump-down", "jump-up"])

@@ -21,8 +21,8 @@ from slowflow import backend
 from slowflow.exact.work import spend, steps_left
 from slowflow.mechanism import EquationOfMotion, Law, Piece
 from slowflow.sampled import rows
+from slowflow.support.errors import NotSettled
 from slowflow_kernels.exact_conventions import FAR
-from slowflow_support.errors import NotSettled
 
 EXACT = backend.EXACT
 Array = npt.NDArray[np.float64]

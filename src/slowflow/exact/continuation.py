@@ -22,9 +22,9 @@ from slowflow.exact.cycle import Array, Cycle, Equations, closed_cycle
 from slowflow.exact.motion import Forced, follow
 from slowflow.exact.shooting import SteadyState
 from slowflow.exact.work import spend, steps_left
+from slowflow.support.errors import NotSettled
 from slowflow.text import text
 from slowflow_kernels.exact_conventions import ALONG
-from slowflow_support.errors import NotSettled
 
 STEP = 0.02  # largest step: relative in u_0, radians in theta_0, half of it in Omega
 SMALLEST_STEP = 1e-9

@@ -26,6 +26,7 @@ from slowflow.exact import compiled
 from slowflow.exact.motion import Forced, Phase, edge_ahead, follow, signature
 from slowflow.exact.work import spend, steps_left
 from slowflow.mechanism import EquationOfMotion
+from slowflow.support.errors import NotSettled
 from slowflow.text import text
 from slowflow_kernels import motion
 from slowflow_kernels.exact_conventions import (
@@ -35,7 +36,6 @@ from slowflow_kernels.exact_conventions import (
     TOLERANCE,
     ExtraKind,
 )
-from slowflow_support.errors import NotSettled
 
 Array = NDArray[np.float64]
 

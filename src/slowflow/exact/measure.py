@@ -27,8 +27,8 @@ from slowflow.results import (
     SaddleNodes,
     SteadyStates,
 )
+from slowflow.support.errors import NotSettled
 from slowflow.text import text
-from slowflow_support.errors import NotSettled
 
 #: motions nearer to each other than this, relative in amplitude, are one
 MATCHES = 1e-8

@@ -18,10 +18,10 @@ from slowflow.backend import EXACT
 from slowflow.exact.compiled import handle
 from slowflow.exact.work import spend, steps_left
 from slowflow.mechanism import EquationOfMotion, Piece
+from slowflow.support.errors import NotSettled, Refused
 from slowflow.text import Sentence, text
 from slowflow_kernels import motion
 from slowflow_kernels.exact_conventions import FAR, MOST_PHASES, Outcome
-from slowflow_support.errors import NotSettled, Refused
 
 TURN = 2.0 * math.pi
 PHASE = struct.Struct("@iiddddddi?0d")  # a phase as C has it, in the order of `Phase`

@@ -21,9 +21,9 @@ from slowflow.exact.transient import transient as exact_transient
 from slowflow.loaded import Loaded
 from slowflow.mechanism import EquationOfMotion
 from slowflow.results import Remark
+from slowflow.support.errors import NotSettled, Refused
 from slowflow.text import Sentence, text
 from slowflow_kernels import inertia
-from slowflow_support.errors import NotSettled, Refused
 
 if TYPE_CHECKING:
     from slowflow.averaged.questions import Averaged

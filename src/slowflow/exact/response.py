@@ -20,9 +20,9 @@ from slowflow.exact.motion import Forced, check_forcing
 from slowflow.exact.shooting import Limit, SteadyState, converge, describe, lengths, steady_state
 from slowflow.exact.work import OutOfWork, limited
 from slowflow.mechanism import EquationOfMotion
+from slowflow.support.errors import NotSettled, Refused
 from slowflow.text import text
 from slowflow.transmissibility import Transmitted
-from slowflow_support.errors import NotSettled, Refused
 
 NEAR_TOP = 0.9  # fraction of the highest point's amplitude above which a segment of the curve may contain its peak
 PARTLY = "a part of the curve only: "

@@ -19,10 +19,10 @@ from slowflow.exact.work import MOST_STEPS, MOST_WORK
 from slowflow.mechanism import EquationOfMotion, Floats, Force, followed
 from slowflow.model import THROUGHOUT, Model
 from slowflow.results import Remark
+from slowflow.support.errors import Refused
 from slowflow.text import text
 from slowflow_kernels.conventions import Status
 from slowflow_kernels.exact_conventions import Outcome
-from slowflow_support.errors import Refused
 
 #: arcs in a chunk, which take some tenths of a second; arcs that a shock costs in addition to those of its pulse
 CHUNK_ARCS, OVERHEAD = 2**14, 16

@@ -20,9 +20,9 @@ from slowflow.exact.cycle import Cycle, closed_cycle, required_half_turns, stick
 from slowflow.exact.motion import TURN, Forced, Phase, check_forcing, check_numbers, follow, must_stick, stays_at_rest
 from slowflow.exact.work import limited
 from slowflow.mechanism import EquationOfMotion
+from slowflow.support.errors import NotSettled, Refused
 from slowflow.text import Sentence
 from slowflow.transmissibility import Transmitted, asked
-from slowflow_support.errors import NotSettled, Refused
 
 Array = NDArray[np.float64]
 

@@ -24,8 +24,8 @@ from slowflow.exact.shooting import (
 )
 from slowflow.exact.work import limited
 from slowflow.mechanism import EquationOfMotion
+from slowflow.support.errors import Refused
 from slowflow.text import text
-from slowflow_support.errors import Refused
 
 Array = NDArray[np.float64]
 

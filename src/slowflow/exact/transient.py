@@ -21,9 +21,9 @@ from slowflow.exact import compiled
 from slowflow.exact.motion import TURN, Forced, Phase, lost
 from slowflow.exact.work import MOST_STEPS, MOST_WORK, limited, spend
 from slowflow.mechanism import EquationOfMotion, Floats
+from slowflow.support.errors import NotSettled
 from slowflow.text import Sentence, text
 from slowflow_kernels.exact_conventions import BACK, MOST_TURNS, Outcome
-from slowflow_support.errors import NotSettled
 
 Array = NDArray[np.float64]
 

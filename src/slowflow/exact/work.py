@@ -6,7 +6,7 @@ import contextlib
 from collections.abc import Iterator
 from contextvars import ContextVar
 
-from slowflow_support.errors import NotSettled
+from slowflow.support.errors import NotSettled
 
 MOST_STEPS = 200_000  # of one integration: a slip takes some tens, hundreds at low frequency
 #: steps of one question, 240 times what a curve of 390 points takes: ten to twenty seconds

@@ -24,10 +24,10 @@ from slowflow.mechanism import Mechanism
 from slowflow.model import THROUGHOUT, check_names
 from slowflow.off_centre.many import check_polynomial
 from slowflow.second.many import UNANSWERED
+from slowflow.support.errors import Refused, WrongType
 from slowflow.table import AVERAGING, OFFSET, QUESTIONS, SECOND, ManyQuestions, Question
 from slowflow.text import text
 from slowflow_kernels.domains import DISSIPATION
-from slowflow_support.errors import Refused, WrongType
 
 __all__ = ["Grid"]
 

@@ -26,7 +26,7 @@ from slowflow import progress
 from slowflow.grid import meaning
 from slowflow.grid.block import INNER, Ask
 from slowflow.model import THROUGHOUT
-from slowflow_support.errors import Refused
+from slowflow.support.errors import Refused
 
 #: which blocks are written; it is made last, so that a store which has it is prepared
 DONE = "done"

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slowflow.model import Floats
-from slowflow_support.errors import NotSettled
+from slowflow.support.errors import NotSettled
 
 Ints = NDArray[np.intp]
 

@@ -18,9 +18,9 @@ from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import Steps
 from slowflow.off_centre.onset import Lowest, Search
 from slowflow.off_centre.solution_sheets import FARTHEST, TOO_FAR, Corner, Sheets
+from slowflow.support.errors import NotSettled, OutOfRange, Refused
 from slowflow.text import text
 from slowflow_kernels import off_centre
-from slowflow_support.errors import NotSettled, OutOfRange, Refused
 
 #: octaves of the amplitude that are looked at above the size of the problem
 ABOVE = 8

@@ -19,8 +19,8 @@ from slowflow.intervals import Bools
 from slowflow.model import Floats
 from slowflow.off_centre.boxes import Ints
 from slowflow.off_centre.flow import Slow
+from slowflow.support.errors import NotSettled
 from slowflow.text import Sentence
-from slowflow_support.errors import NotSettled
 
 #: frequencies of a cell that are asked for at first, and how often a stretch is cut where its arcs are not told apart
 FIRST, CUTS = 6, 12

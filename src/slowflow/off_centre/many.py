@@ -32,11 +32,11 @@ from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import NO_MEANS, NOT_SMOOTH
 from slowflow.off_centre.questions import OffCentre
 from slowflow.results import Remark
+from slowflow.support.errors import Refused
 from slowflow.table import AVERAGING, MORE_POINTS, OFFSET, QUESTIONS, SHOCKS, ManyQuestions, Unanswered
 from slowflow.validate import NotAvailable
 from slowflow_kernels.conventions import MovesStatus, OnsetKind, Status
 from slowflow_kernels.domains import DAMPING, DISSIPATION
-from slowflow_support.errors import Refused
 
 NO_GRADIENT = (
     "off the centre states, folds, onsets, detachments, peaks, isolation and places of rest have gradients: this "

@@ -23,8 +23,8 @@ from slowflow.mechanism import Mechanism
 from slowflow.model import Floats
 from slowflow.off_centre.curved import Curved, Part
 from slowflow.off_centre.smooth import SINGULAR, Beyond, check, outwards
+from slowflow.support.errors import NotSettled
 from slowflow.text import Sentence, text
-from slowflow_support.errors import NotSettled
 
 NO_MEANS = Sentence("{name:s}: motions off the centre are not derived for a force {what:s}")
 NEXT_TO_REST = text("a force that may jump at {u} = 0 and does not has no gradients off the centre")

@@ -26,8 +26,8 @@ from slowflow.model import Floats
 from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import ORDERS
 from slowflow.off_centre.solution_sheets import Cells, Corner, Sheets
+from slowflow.support.errors import NotSettled
 from slowflow_kernels import off_centre
-from slowflow_support.errors import NotSettled
 
 #: relative distance below F_SN within which no fold is proved to be absent
 GAP = 2.0**-16

@@ -41,9 +41,9 @@ from slowflow.results import (
     SaddleNodes,
     SteadyStates,
 )
+from slowflow.support.errors import NotSettled, OutOfRange, Refused
 from slowflow.text import Sentence, together
 from slowflow_kernels import dissipation, off_centre
-from slowflow_support.errors import NotSettled, OutOfRange, Refused
 
 #: a force that has shorter lengths is small beside what is rounded, as the size of a problem is taken to be 1 at least
 SHORTEST = 2.0**-40

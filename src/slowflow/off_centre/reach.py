@@ -29,9 +29,9 @@ from slowflow.intervals import Bools, Interval
 from slowflow.model import Floats
 from slowflow.off_centre.flow import ROUNDED, Flow, Slow
 from slowflow.off_centre.solution_sheets import Cells, Sheets
+from slowflow.support.errors import NotSettled
 from slowflow.text import Sentence
 from slowflow_kernels.conventions import HIGHEST_OMEGA
-from slowflow_support.errors import NotSettled
 
 #: share of the farthest beyond which it is proved that no motion goes
 GAP = 2.0**-24

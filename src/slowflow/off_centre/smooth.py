@@ -14,8 +14,8 @@ import numpy as np
 from slowflow.intervals import Interval
 from slowflow.model import Floats
 from slowflow.off_centre.curved import Part
+from slowflow.support.errors import Refused
 from slowflow.text import Sentence
-from slowflow_support.errors import Refused
 
 #: parts of an octave, octaves from the least to the most that is looked at, beside the size of the problem
 PARTS, LEAST, MOST = 8, -20, 40

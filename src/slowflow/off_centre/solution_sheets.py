@@ -23,8 +23,8 @@ from slowflow.off_centre.by_turning_points import EndedEdge
 from slowflow.off_centre.flow import ROUNDED, Flow
 from slowflow.off_centre.means import Steps
 from slowflow.off_centre.turning_points import Charts, Local, above_diagonal
+from slowflow.support.errors import NotSettled, OutOfRange
 from slowflow.text import Sentence
-from slowflow_support.errors import NotSettled, OutOfRange
 
 #: octaves of the ends' distance from a chart's edge that are cut apart at first, and parts of a chart between two edges
 BELOW, PARTS = 5, 4

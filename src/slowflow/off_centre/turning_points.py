@@ -25,8 +25,8 @@ from slowflow.intervals import Bools, Interval
 from slowflow.model import Floats
 from slowflow.off_centre.boxes import Ints
 from slowflow.off_centre.means import ALL, Steps
+from slowflow.support.errors import Refused
 from slowflow.text import Sentence
-from slowflow_support.errors import Refused
 
 #: times the farthest step, the amplitude from which on motions are large beside all steps
 LARGE = 4.0

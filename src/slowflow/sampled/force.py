@@ -21,10 +21,10 @@ import numpy as np
 from numpy.polynomial.legendre import leggauss
 
 from slowflow.sampled.polynomial import CELLS, ORDERS, Floats, Smooth
+from slowflow.support.backend import loaded
+from slowflow.support.errors import Refused, WrongType
+from slowflow.support.quadrature import averages
 from slowflow_kernels.quadrature_conventions import NODES
-from slowflow_support.backend import loaded
-from slowflow_support.errors import Refused, WrongType
-from slowflow_support.quadrature import averages
 
 #: a function stated for u > 0 and u < 0 is odd within this share of itself
 ODD = 1e-9

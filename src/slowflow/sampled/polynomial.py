@@ -13,8 +13,8 @@ import numpy as np
 from numpy.polynomial import chebyshev
 from numpy.typing import NDArray
 
+from slowflow.support.errors import Refused
 from slowflow_kernels.exact_conventions import MOST_DEGREE
-from slowflow_support.errors import Refused
 
 Floats = NDArray[np.float64]
 

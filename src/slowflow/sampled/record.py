@@ -14,7 +14,7 @@ import numpy as np
 
 from slowflow.sampled.force import Force, Stated
 from slowflow.sampled.polynomial import Floats
-from slowflow_support.record import Law, Mechanism, Parameter
+from slowflow.support.record import Law, Mechanism, Parameter
 
 REACHED = "averaging does not ask the function for what lies beyond"
 

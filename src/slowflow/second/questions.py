@@ -25,10 +25,10 @@ from slowflow.model import Floats
 from slowflow.questions import Questions
 from slowflow.results import Detachment, Peak, Remark, SaddleNodeOnset, SteadyStates
 from slowflow.second.answers import SecondFolds, SecondResponse, SecondStates
+from slowflow.support.errors import Refused
 from slowflow.text import Sentence, text
 from slowflow_kernels.conventions import Status
 from slowflow_kernels.second_conventions import BEYOND, SAMPLES, Wanted
-from slowflow_support.errors import Refused
 
 if TYPE_CHECKING:
     from slowflow.averaged.questions import Averaged

@@ -24,7 +24,7 @@ from slowflow.mechanism import Floats
 from slowflow.quantities import EXCITED, SHEET, SI, in_shown, si
 from slowflow.range_checks import Implausible
 from slowflow.sizing.subject import Subject, first_jump
-from slowflow_support.errors import NotSettled, Refused
+from slowflow.support.errors import NotSettled, Refused
 
 #: share of all fits whose interval holds the number, if the noise is normal and the equations are right
 CONFIDENCE = 0.95

@@ -22,7 +22,7 @@ from slowflow.mechanism import Floats
 from slowflow.physical import Physical
 from slowflow.quantities import SHEET, in_shown
 from slowflow.sizing.subject import Load, Subject
-from slowflow_support.errors import Refused
+from slowflow.support.errors import Refused
 
 #: what is missing of an answer that a design does not have: more than any two doubles differ, as the log of their ratio
 ABSENT = 2e3

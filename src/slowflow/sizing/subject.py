@@ -24,11 +24,11 @@ from slowflow.off_centre.many import OffCentreDesigns
 from slowflow.oscillator import Oscillator
 from slowflow.physical import Physical
 from slowflow.quantities import EXCITED, PURE, SHEET, SI, UNITS, Scales, g, si, size, sizes
+from slowflow.support.errors import Refused
 from slowflow.table import COLUMNS
 from slowflow_kernels import inertia, slow_flow
 from slowflow_kernels.conventions import FoldKind, Status
 from slowflow_kernels.domains import DISSIPATION
-from slowflow_support.errors import Refused
 
 #: what can be asked of designs, and which column of `table` that is one of; a frequency is called with an f of a mount,
 #: with an Omega of an isolator

@@ -19,7 +19,7 @@ from slowflow.answer import Table, entry, frozen, optional
 from slowflow.mechanism import Floats
 from slowflow.quantities import in_shown, si
 from slowflow.sizing.subject import Load, Subject
-from slowflow_support.errors import Refused
+from slowflow.support.errors import Refused
 
 #: ends of a band: 95 of 100 samples lie within
 LOW, HIGH = 0.025, 0.975

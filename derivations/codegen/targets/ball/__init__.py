@@ -29,7 +29,7 @@ PYTHON = Language(BallPrinter(), conjunction=" and ", wrap_in_parentheses=True, 
 
 def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     """Every file."""
-    integrals = "from slowflow_support.balls import R_D, R_F"
+    integrals = "from slowflow.support.balls import R_D, R_F"
     return {
         f"slowflow_kernels/{module.name}_balls.py": interval.module_of(
             module,

@@ -13,7 +13,7 @@ from ..printing import Unprintable, literal
 
 
 class BallPrinter(EnclosurePrinter):
-    """With the methods of `flint.arb`, and Carlson's integrals from slowflow_support/balls.py."""
+    """With the methods of `flint.arb`, and Carlson's integrals from slowflow.support/balls.py."""
 
     functions: ClassVar = {sp.sqrt: "sqrt", sp.atan2: "arb.atan2", R_F: "R_F", R_D: "R_D"}
 

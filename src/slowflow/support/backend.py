@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from slowflow_support.errors import WrongType
+from slowflow.support.errors import WrongType
 
 #: the compiled kernels: an extension module, which imports nothing but NumPy
 EXTENSION = "slowflow_kernels._native"

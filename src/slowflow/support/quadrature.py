@@ -17,8 +17,8 @@ from typing import Any
 
 import numpy as np
 
-from slowflow_support.backend import loaded
-from slowflow_support.errors import NotSettled, Refused
+from slowflow.support.backend import loaded
+from slowflow.support.errors import NotSettled, Refused
 
 UNSETTLED = (
     "the average at A = {:.17g} does not settle: the force is all but singular there, or a difference in which its "

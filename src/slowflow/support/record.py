@@ -19,10 +19,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slowflow_support.errors import Refused
+from slowflow.support.errors import Refused
 
 #: where generated modules are, those that come with the package and those that were derived on this machine
-GENERATED = ("slowflow_kernels", "slowflow_derived")
+GENERATED = ("slowflow_kernels", "slowflow.derived")
 #: an amplitude that stands for 0 where a piece ends there, and the share of h by which it is rounded where it is
 #: proportional to A
 NEXT_TO_REST, LINEAR = 2.0**-100, 2.0**-50
