@@ -13,7 +13,7 @@ import time
 start = time.perf_counter()
 import numpy
 between = time.perf_counter()
-import slowflow
+from slowflow import Isolator
 print(between - start, time.perf_counter() - between)
 """
 
@@ -28,7 +28,7 @@ def timed(name, package=None):
     return module
 importlib.import_module = timed
 start = time.perf_counter()
-import slowflow
+from slowflow import Isolator
 print("all", time.perf_counter() - start)
 """
 
@@ -39,7 +39,7 @@ import importlib.machinery, marshal, sys, time
 import numpy
 before = set(sys.modules)
 start = time.perf_counter()
-import slowflow
+from slowflow import Isolator
 whole = time.perf_counter() - start
 modules = [module for name, module in sys.modules.items() if name not in before]
 kept = {module.__cached__ for module in modules if getattr(module, "__cached__", None)}
@@ -99,7 +99,7 @@ def fresh(code: str, *arguments: str) -> str:
 
 
 def importing(times: int = 15) -> tuple[float, float]:
-    """Median seconds of `import slowflow` after NumPy, and of NumPy itself, in the same fresh processes."""
+    """Median seconds of importing `slowflow.Isolator` after NumPy, and of NumPy itself, in the same fresh processes."""
     run(IMPORTING)  # bytecode written, files in the cache
     numpy, slowflow = zip(*(run(IMPORTING) for _ in range(times)), strict=True)
     return statistics.median(slowflow), statistics.median(numpy)

@@ -20,6 +20,7 @@ from scipy.optimize import brentq
 from scipy.spatial import cKDTree
 
 from slowflow import Duffing, Isolator, Oscillator, derive
+from slowflow.backend import SOLVER
 from slowflow.example import TABLE_1, isolator
 from slowflow.isolator import ROD_SPRING
 from slowflow.model import Model
@@ -190,6 +191,13 @@ def ended_forces():
     rows = (0.1, 1.0, 0.0, 3.0, 0.1 - 0.9, 4.0)
     record = SimpleNamespace(name="", odd=True, steps=lambda: rows, breakpoints=lambda: (0.3,), jumps=lambda: (0.0,))
     return [*(one.off_centre._steps for one in (*others, stop)), Steps(record, (), 0.0)]
+
+
+def test_charts_that_cannot_be_read_hold_any_number():
+    """They held NaN once, which has no zero: nothing was found, without a word."""
+    edge = np.zeros(2)
+    found = SOLVER.ends(np.zeros(7), edge, edge, edge, 0.0, 0)
+    assert (found.reshape(-1, 2) == (-np.inf, np.inf)).all()
 
 
 @pytest.mark.slow

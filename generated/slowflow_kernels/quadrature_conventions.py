@@ -7,5 +7,3 @@ Input: derivations/codegen/conventions.py
 
 # of Gauss's rule on a panel
 NODES = 16
-# of the quarter cycle, of each piece, in which an average by quadrature is enclosed
-PARTS = 24

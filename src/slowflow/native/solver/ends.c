@@ -55,7 +55,8 @@ void sf_step_means_loop(char **operands, const ptrdiff_t *dimensions, const ptrd
     }
 }
 
-/* charts, low, a point, high, load, number of the chart -> on the box, at the point; NaN where there are no such charts. */
+/* charts, low, a point, high, load, number of the chart -> on the box, at the point; any number where there are no such
+ * charts, so that nothing is taken to be absent there. */
 void sf_ends_loop(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data)
 {
     const double *known = NULL;
@@ -76,7 +77,7 @@ void sf_ends_loop(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t 
             sf_on_ends(&charts, box[0], box[1], box[2], (int)chart, IN(4), &found[0], &found[1]);
         else
             for (int k = 0; k < 4 * SF_OF_MOTION; k++)
-                ((double *)found)[k] = NAN;
+                ((double *)found)[k] = k % 2 ? HUGE_VAL : -HUGE_VAL;
         for (int k = 0; k < 4 * SF_OF_MOTION; k++)
             *(double *)(void *)(operands[6] + i * steps[6] + k * steps[11]) = ((const double *)found)[k];
     }
