@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from slowflow import Duffing, Isolator
+from slowflow import Duffing, Isolator, Oscillator
 from slowflow.example import TABLE_1
+from slowflow.isolator import ROD_SPRING
 from slowflow.results import Remark
 from slowflow_kernels.conventions import Status
 
@@ -54,6 +55,8 @@ def test_a_piece_without_extent_says_nothing_under_a_load():
         assert np.ravel(found.A[0])[0] == pytest.approx(np.ravel(expected.A)[0], rel=1e-14)
         assert np.ravel(found.B[0])[0] == pytest.approx(0.05, rel=1e-13)
     assert designs.saddle_node_onset().status.tolist() == [Status.NONE, Status.OK]
+    one = Oscillator(ROD_SPRING, lam=3.0, r=2.0, delta_h=0.0, zeta=0.05, load=0.05)
+    assert "one piece only" in one.detachment().message
     assert designs.rest().u[0, 0] == pytest.approx(0.05, rel=1e-13)
 
 

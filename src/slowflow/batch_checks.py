@@ -179,9 +179,9 @@ def isolation(designs: Designs, F_0: Any, level_dB: Any = None, workers: int = 1
     spread, rows = flow.each(lambda number: np.broadcast_to(number, shape)), np.argwhere(known)
     for part in progress.parts(len(rows), AT_ONCE, "isolation"):
         at = tuple(rows[part].T) or (np.newaxis,)  # a single design has no axis
-        column = (*at, np.newaxis)
-        own = spread.each(itemgetter(column))
-        A_max, F, *of_level = (one[column] for one in (highest, forcing, *levels))
+        place = (*at, np.newaxis)
+        own = spread.each(itemgetter(place))
+        A_max, F, *of_level = (one[place] for one in (highest, forcing, *levels))
         with np.errstate(all="ignore"):  # an amplitude may have no frequency of that level
             unsure, *columns = isolating.isolated_each(
                 own, tuple(one[at] for one in of_folds), A_max, F, isolating.Level(*of_level)

@@ -83,9 +83,9 @@ typedef struct {
     sf_interval L[SF_MOST_POWERS], U[SF_MOST_POWERS], V[SF_MOST_POWERS];
 } sf_ladder;
 
-/* At one corner, into the lower ends, the upper ones, or both.
+/* At one corner, into the ends from the first to the last: 0 is the lower one, 1 the upper.
  * over, under: how far the upper end of the motion is above the step, and its lower end below it */
-static inline void sf_climb(double over, double under, int highest, int lower, int upper, sf_ladder *out) {
+static inline void sf_climb(double over, double under, int highest, int first, int last, sf_ladder *out) {
     int exponent;
     /* in a unit of length in which nothing underflows */
     const double size = frexp(sfi_most(over, fabs(under)), &exponent), unit = ldexp(1, exponent);
@@ -112,13 +112,13 @@ static inline void sf_climb(double over, double under, int highest, int lower, i
             at[0] = at[1], at[1] = sfi_most(next[0], 0), doubt[0] = doubt[1], doubt[1] = error[0];
             at[2] = at[3], at[3] = sfi_most(next[1], 0), doubt[2] = doubt[3], doubt[3] = error[1];
         }
-        for (side = 0; side < 2; side++) {
+        for (side = first; side <= last; side++) {
             const double off = (side ? 1 : -1) * (doubt[1] + doubt[3]) * (1 + 0x1p-40);
             const double L = scale * sfi_most(at[1] + off, 0), U = scale * sfi_most(at[1] + at[3] + off, 0),
                          V = scale * sfi_most(at[1] - at[3] + off, 0);
-            if (side && upper)
+            if (side)
                 out->L[k].hi = L, out->U[k].hi = U, out->V[k].hi = V;
-            if (!side && lower)
+            else
                 out->L[k].lo = L, out->U[k].lo = U, out->V[k].lo = V;
         }
         scale *= unit;
@@ -128,9 +128,9 @@ static inline void sf_climb(double over, double under, int highest, int lower, i
 /* On a box: at both of its corners, the lesser with the least of either end. */
 static void sf_make_ladder(sf_interval over, sf_interval under, int highest, sf_ladder *out) {
     const int point = over.lo == over.hi && under.lo == under.hi;
-    sf_climb(over.lo, under.hi, highest, 1, point, out);
+    sf_climb(over.lo, under.hi, highest, 0, point, out);
     if (!point)
-        sf_climb(over.hi, under.lo, highest, 0, 1, out);
+        sf_climb(over.hi, under.lo, highest, 1, 1, out);
 }
 
 /* A weighted sum of intervals, and the size of its terms. */

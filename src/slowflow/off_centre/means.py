@@ -29,6 +29,7 @@ from slowflow.text import Sentence, text
 NO_MEANS = Sentence("{name:s}: motions off the centre are not derived for a force {what:s}")
 NEXT_TO_REST = text("a force that may jump at {u} = 0 and does not has no gradients off the centre")
 JUMPS = text("that jumps at {u} = 0, as a preload does")
+NO_EXTENT = text("of which the first piece ends at {u} = 0, and another is no polynomial")
 NOT_SMOOTH = "of which a piece is no polynomial, nor known to be smooth up to its ends"
 
 #: derivatives of the force that are asked for at most, as `off_centre.averaged` does
@@ -66,7 +67,7 @@ class Steps:
     breakpoints -- the ends, as they are stated
     places, sides, gains -- where steps are, outwards from u = 0, on which side, and what derivatives gain there; the
                    first is that of all u, then come those on the right
-    pieces -- by rising u, the derivatives of each by its formula at u = 0
+    pieces -- by rising u, the derivatives of each that has an extent by its formula at u = 0
     inner, about -- between which u the piece about u = 0 holds, and its number as they are stated
     """
 
@@ -192,7 +193,9 @@ class Steps:
             sum(most[j] * far ** (j - k) / math.factorial(j - k) for j in range(k, most.size)) for k in range(most.size)
         ]
         self._sizes = np.array(sizes)
-        return np.array([*map(_turned, right[: None if rows[0, ::2].any() else 0 : -1]), *right])
+        empty = bool(self.breakpoints.size and self.breakpoints[0] == 0)
+        right = right[empty:]  # a first piece that ends at 0 is none
+        return np.array([*map(_turned, right[: None if empty or rows[0, ::2].any() else 0 : -1]), *right])
 
     def _state_curved(self, mechanism: Mechanism, parameters: tuple[float, ...]) -> Floats:
         """Of a force that is no polynomial all but its steps, and what it and its slope gain at its ends."""
@@ -200,6 +203,8 @@ class Steps:
         if stated is None:
             jumps = mechanism.odd and float(mechanism.pieces[0].force(0.0, *parameters)) != 0
             raise validate.NotAvailable(NO_MEANS.format(mechanism.name, JUMPS if jumps else NOT_SMOOTH))
+        if mechanism.odd and ends.size and ends[0] == 0:
+            raise validate.NotAvailable(NO_MEANS.format(mechanism.name, NO_EXTENT))
         gains = own = np.array([float(one) for one in stated.gained(*parameters)]).reshape(-1, 3)
         laws = [
             (partial(_law, one, parameters), partial(_held, other, parameters), False)

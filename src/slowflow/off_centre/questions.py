@@ -173,7 +173,7 @@ class OffCentre(Unchanging, ComposedQuestions):
     @property
     def breakpoints(self) -> tuple[float, ...]:
         """The |u| at which the force passes from one piece to the next; u where the force is not odd."""
-        return tuple(map(float, self._steps.breakpoints))
+        return self._model.breakpoints
 
     @_kept
     def rest(self) -> RestPositions:

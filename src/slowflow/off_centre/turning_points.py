@@ -114,16 +114,12 @@ class Charts:
         self._packed = self._pack()
 
     def _pack(self) -> Floats:
-        """What native/turning_points.h reads: sizes, the force, of its pieces those with an extent, and the charts."""
+        """What native/turning_points.h reads: sizes, and rows of the force, and of the charts."""
         steps, n = self.steps, self.steps.highest + 1
-        at = np.sort(steps.sides[1:] * steps.places[1:])
-        # a jump of an odd force at 0 is a step on either side, with no piece between
-        at = np.delete(at, np.flatnonzero(at == 0)[: at.size + 1 - len(steps.pieces)])
-        pieces = steps.pieces[np.diff(np.concatenate(([-np.inf], at, [np.inf]))) > 0]
         bounded = (np.zeros(n), np.zeros(n), np.zeros(n), np.zeros(3))
         if math.isfinite(self._large):
             bounded = steps._last - steps._even, steps._even, steps._sizes, np.array(steps._beside)
-        rows = (self._at, self._gains, pieces, *bounded, self.upper, self.lower, self.place, self.rooted)
+        rows = (self._at, self._gains, steps.pieces, *bounded, self.upper, self.lower, self.place, self.rooted)
         sizes = (self._at.size, steps.highest, self.passes.size, self._large)
         return np.concatenate([sizes, *(np.ravel(row) for row in rows)]).astype(float)
 
