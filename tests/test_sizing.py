@@ -6,9 +6,8 @@ import sys
 
 import numpy as np
 import pytest
+import scipy
 from scipy.optimize import brentq
-from scipy.stats import norm, uniform
-from scipy.stats import t as student
 
 from slowflow import Duffing, Isolator, progress
 from slowflow.example import isolator
@@ -203,7 +202,7 @@ def test_a_name_that_is_none_has_its_nearest_beside_it():
 
 
 def test_samples_follow_from_the_seed_and_the_distribution():
-    within = {"friction": norm(0.4, 0.02), "zeta": 0.1}
+    within = {"friction": scipy.stats.norm(0.4, 0.02), "zeta": 0.1}
     one, same, other = (tolerances(MOUNT, within, samples=4000, seed=seed) for seed in (1, 1, 2))
     assert one == same and one != other
     assert {row.answer for row in one} == {"F_SN", "F_cr", "f_rest", "break_loose", "sticking", "rests_within"}
@@ -212,7 +211,9 @@ def test_samples_follow_from_the_seed_and_the_distribution():
 
 
 def test_an_answer_that_some_samples_have_not_says_so():
-    found = tolerances(isolator(), {"mu": norm(0.03, 0.01)}, F_0=0.04, answers=["Omega_jump_up"], samples=400)
+    found = tolerances(
+        isolator(), {"mu": scipy.stats.norm(0.03, 0.01)}, F_0=0.04, answers=["Omega_jump_up"], samples=400
+    )
     (row,) = found
     assert 0.05 < row.share < 0.95 and "Omega_jump_up has no answer for" in found.message and row.unit == ""
     assert np.isnan(found.samples["Omega_jump_up"]).mean() == pytest.approx(1 - row.share)
@@ -234,7 +235,9 @@ def test_indices_say_which_tolerance_matters_as_gradients_do():
 
 def test_an_index_that_is_not_defined_is_nan_and_said():
     pytest.importorskip("SALib")
-    found = sobol(isolator(), {"mu": norm(0.03, 0.01), "zeta": 0.1}, F_0=0.04, answers=["Omega_jump_up"], samples=64)
+    found = sobol(
+        isolator(), {"mu": scipy.stats.norm(0.03, 0.01), "zeta": 0.1}, F_0=0.04, answers=["Omega_jump_up"], samples=64
+    )
     assert np.isnan(found.total).all() and "Omega_jump_up is not finite" in found.message
 
 
@@ -527,7 +530,7 @@ def test_interval_ends_by_students_t():
 
     least = square(found.value[0])
     for end in (found.low[0], found.high[0]):
-        assert (square(end) / least - 1) * 11 == pytest.approx(student.ppf(0.975, 11) ** 2, rel=0.05)
+        assert (square(end) / least - 1) * 11 == pytest.approx(scipy.stats.t.ppf(0.975, 11) ** 2, rel=0.05)
     assert found.message == ""
 
 
@@ -556,7 +559,7 @@ def test_intervals_hold_every_design_that_the_points_allow(share, noise, seed):
     steps[:2000, 2:] *= np.exp(random.uniform(-1.0, 1.0, (2000, 1))) ** [1, -1]
     designs = np.concatenate((true[np.newaxis], true * steps, found.value * steps))
     square = np.nansum(np.nanmin((amplitudes(designs) - noisy[:, np.newaxis]) ** 2, axis=-1), axis=-1)
-    allowed = designs[square <= np.sum(found.residuals**2) * (1 + student.ppf(0.975, 26) ** 2 / 26)]
+    allowed = designs[square <= np.sum(found.residuals**2) * (1 + scipy.stats.t.ppf(0.975, 26) ** 2 / 26)]
     assert len(allowed) > 20
     middle, half = 0.5 * (found.low + found.high), 0.5 * (found.high - found.low)
     assert (np.abs(allowed - middle) <= 1.03 * half).all()
@@ -720,7 +723,7 @@ def test_static_friction_is_sized_and_changes_no_average():
 @pytest.mark.parametrize("static", [0.5, 0.0])
 def test_less_static_than_kinetic_friction_is_no_design(static):
     mount = MOUNT.replace(friction=min(static, 0.4), static_friction=static)
-    found = tolerances(mount, {"friction": uniform(0.3, 0.4)}, answers=["F_SN", "break_loose"], samples=100)
+    found = tolerances(mount, {"friction": scipy.stats.uniform(0.3, 0.4)}, answers=["F_SN", "break_loose"], samples=100)
     for name in found.answer:
         assert np.array_equal(np.isnan(found.samples[name]), found.drawn["friction"] > static)
     if static:  # with as much friction as that it is not met

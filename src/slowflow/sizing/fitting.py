@@ -15,7 +15,7 @@ from typing import Any, ClassVar
 import numpy as np
 import numpy.typing as npt
 from scipy.optimize import least_squares
-from scipy.stats import t as student
+from scipy.special import stdtrit
 
 from slowflow import validate
 from slowflow.answer import Table, entry, joined
@@ -197,7 +197,7 @@ def _fitted(subject: Subject, measured: _Measured, names: list[str]) -> Fit:
 
     found, own = _best(residuals, len(names))
     left = size - len(names)
-    half = float(student.ppf(0.5 * (1 + CONFIDENCE), left))
+    half = float(stdtrit(left, 0.5 * (1 + CONFIDENCE)))
     ends = None
     for _ in range(AGAIN):
         ran_out = (found.x < LEAST * (1 + AT_AN_END)) | (found.x > MOST * (1 - AT_AN_END))

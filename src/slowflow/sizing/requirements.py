@@ -13,8 +13,8 @@ from functools import partial
 from typing import Any, ClassVar
 
 import numpy as np
+import scipy  # its `stats`, half a second, when it is used
 from scipy.optimize import differential_evolution, minimize
-from scipy.stats import qmc
 
 from slowflow import progress, validate
 from slowflow.answer import Answer, Table, entry, frozen, head
@@ -242,7 +242,7 @@ class _Search:
         """
         size = len(self.free)
         if not self.tried:
-            self.tried += list(qmc.LatinHypercube(d=size, rng=self.seed).random(FEW * size))
+            self.tried += list(scipy.stats.qmc.LatinHypercube(d=size, rng=self.seed).random(FEW * size))
         self.tried.append(begin)
         seen: dict[bytes, Floats] = {}
 

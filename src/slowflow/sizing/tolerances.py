@@ -12,7 +12,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 import numpy.typing as npt
-from scipy.stats import qmc
+import scipy  # its `stats`, half a second, when it is used
 
 from slowflow import progress, validate
 from slowflow.answer import Table, entry, frozen, optional
@@ -163,7 +163,7 @@ def tolerances(
         samples = FEW_SAMPLES if subject.one_by_one else SAMPLES
     samples = validate.count("samples", samples, least=2, most=MOST_SAMPLES)
     seed = validate.count("seed", seed, least=0)
-    drawn = _drawn(subject, within, qmc.LatinHypercube(d=len(within), rng=seed).random(samples))
+    drawn = _drawn(subject, within, scipy.stats.qmc.LatinHypercube(d=len(within), rng=seed).random(samples))
     found, nominal = _asked(subject, drawn, names, load, "tolerances"), subject.ask({}, names, load)
     rows = []
     for name in names:
