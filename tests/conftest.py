@@ -12,19 +12,21 @@ import sys
 import tempfile
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
 from filelock import FileLock
 from hypothesis import settings
 
-from derivations.codegen.catalogue.every_module import all_modules
-from derivations.codegen.form import Module
-from derivations.codegen.views import Code, programs
-from derivations.results import Results, derive
 from tests import sampling
 from tests.native import headers
 from tests.sampling import part
+
+if TYPE_CHECKING:
+    from derivations.codegen.form import Module
+    from derivations.codegen.views import Code
+    from derivations.results import Results
 
 # what is derived in tests and examples: once for all workers, which have it from the process that starts them
 if "PYTEST_XDIST_WORKER" not in os.environ:
@@ -112,18 +114,24 @@ def once(tmp_path_factory: pytest.TempPathFactory) -> Once:
 @pytest.fixture(scope="session")
 def results() -> Results:
     """What the derivation gives: expressions, which are not kept in files, so once for each worker."""
+    from derivations.results import derive
+
     return derive()
 
 
 @pytest.fixture(scope="session")
 def modules(results: Results) -> list[Module]:
     """Modules of kernels as the derivation states them."""
+    from derivations.codegen.catalogue.every_module import all_modules
+
     return all_modules(results)
 
 
 @pytest.fixture(scope="session")
 def code(modules: list[Module]) -> dict[str, Code]:
     """The programs of each kernel, by module and kernel."""
+    from derivations.codegen.views import programs
+
     return {module.name: programs(module) for module in modules}
 
 

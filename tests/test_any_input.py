@@ -22,6 +22,7 @@ from slowflow.averaged.batches import Batch
 from slowflow.range_checks import Implausible
 from slowflow.support.errors import SlowflowError
 from slowflow_kernels.conventions import Status
+from tests.files import ROOT
 from tests.public_questions import (
     AT,
     AVERAGED,
@@ -164,7 +165,7 @@ def test_there_is_an_answer_a_status_or_a_refusal_in_words(name):
     ask()
 
 
-SCENE = (Path(__file__).parents[1] / "scenes" / "table_1.toml").read_text(encoding="utf-8")
+SCENE = (ROOT / "scenes" / "table_1.toml").read_text(encoding="utf-8")
 VALUES = st.one_of(
     numbers.map(repr),
     st.sampled_from(["nan", "inf", "-1", "'x'", "[]", "{}", "true", "1e400", "1979-05-27", "[1, 'a']", "1e-400", ""]),

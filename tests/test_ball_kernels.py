@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 import importlib
-import json
 from collections.abc import Callable, Iterator
-from pathlib import Path
 from typing import NamedTuple
 
 import pytest
 from flint import arb, arb_series, ctx
 
 from slowflow.averaged.balls.search import bits_lost
+from tests.files import ROOT, stored
 
-HERE = Path(__file__).parent
-ORACLE = json.loads((HERE / "data" / "kernel_oracle.json").read_text())
-MODULES = sorted(path.stem for path in (HERE.parent / "generated" / "slowflow_kernels").glob("*_balls.py"))
+ORACLE = stored("kernel_oracle")
+MODULES = sorted(path.stem for path in (ROOT / "generated" / "slowflow_kernels").glob("*_balls.py"))
 FUNCTIONS = [(name, one) for name in MODULES for one in importlib.import_module(f"slowflow_kernels.{name}").__all__]
 #: of the arithmetic here
 EXACTLY = 400

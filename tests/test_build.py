@@ -13,9 +13,9 @@ from pathlib import Path
 
 import pytest
 
+from tests.files import ROOT
 from tests.native.compiler import COMPILER
 
-ROOT = Path(__file__).parents[1]
 MODULES = {
     "src/slowflow/native/kernels.c": "generated/slowflow_kernels/_native",
     "src/slowflow/native/solver/_native.c": "src/slowflow/_native",

@@ -6,7 +6,6 @@ import json
 import math
 import shutil
 from fractions import Fraction
-from pathlib import Path
 
 import flint
 import mpmath
@@ -16,16 +15,16 @@ import pytest
 from slowflow import Duffing, Isolator, cli, example
 from slowflow.averaged import messages, proofs, solvers
 from slowflow.averaged.balls.search import Given, averages_of
+from tests.files import stored
 from tests.native.intervals import ELEMENTARY, HELD, OPERATIONS, Intervals, build
 from tests.oracles import averaged
 from tests.test_certified_cases import of_record
 
-DATA = Path(__file__).parent / "data"
 FILES = ("random_isolators", "random_duffing", "negative_stiffness", "table_1")
 CASES = [
     (name, number, case)
     for name in FILES
-    for number, case in enumerate(json.loads((DATA / f"{name}.json").read_text()))
+    for number, case in enumerate(stored(name))
     if not any(isinstance(value, str) for value in case["parameters"].values())
 ]
 #: no fold is expected anywhere: proofs do not rest on what the solvers find

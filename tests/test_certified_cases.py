@@ -7,11 +7,9 @@ force; a part of the items runs per push, all in `make test-all`.
 from __future__ import annotations
 
 import functools
-import json
 from collections import Counter
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -21,12 +19,12 @@ import sympy as sp
 from slowflow import Duffing, Isolator, derive
 from slowflow.results import Remark
 from slowflow_kernels.conventions import MovesStatus
+from tests.files import stored
 from tests.off_centre_cases import check_folds_and_states, check_onset
 from tests.off_centre_cases import made as made_off_centre
 from tests.oracles.errors import U, error
 
 Case = dict[str, Any]
-DATA = Path(__file__).parent / "data"
 #: of the reference's condition numbers, which have three digits
 ROUNDED = 5.01e-3
 #: relative distance of a fold from u_cr below which counts may be said to be undecided
@@ -171,7 +169,7 @@ FAMILIES = {
 @functools.cache
 def cases(name: str) -> list[Case]:
     """Those of a file."""
-    return json.loads((DATA / f"{name}.json").read_text())
+    return stored(name)
 
 
 #: by the fast tests: of each family whose force need not be derived, and one that is

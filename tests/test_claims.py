@@ -2,7 +2,6 @@
 
 import copy
 import json
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -12,10 +11,10 @@ from derivations.ledger import figures, measured
 from derivations.ledger.rows import FALSE, LOOSE, TRUE
 from slowflow import Isolator, example
 from slowflow.exact import EquationOfMotion, exact_response, linear, steady_state
+from tests.files import ROOT
 from tests.oracles.exact_reference import ScipyIntegrator, again
 
 NUMBERS = measured.load()
-ROOT = Path(__file__).parents[1]
 LINEAR = {row["ratio"]: row for row in NUMBERS["figure_2a"]["rows"]}
 TABLE_2 = {row["forcing"]: row for row in NUMBERS["figure_7a"]["rows"]}
 

@@ -6,8 +6,6 @@ scans in 60 digits; exact are the solutions next to the answers, by Newton's met
 
 from __future__ import annotations
 
-import json
-from pathlib import Path
 from typing import Any
 
 import mpmath
@@ -16,10 +14,11 @@ import pytest
 
 from slowflow import Duffing, Isolator
 from slowflow.averaged import solvers
+from tests.files import stored
 from tests.oracles.answers import VALUES, Nearby, errors
 from tests.oracles.errors import U
 
-PLACES = json.loads((Path(__file__).parent / "data" / "hard_places.json").read_text())
+PLACES = stored("hard_places")
 #: relative error of any number; under a force it is no more than a rounding of its condition, too
 WITHIN = 1e-15
 

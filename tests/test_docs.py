@@ -26,8 +26,8 @@ from slowflow import Remark, cli, scenes
 from slowflow.averaged.questions import Averaged
 from slowflow.results import State
 from slowflow_kernels.conventions import FoldKind, OnsetKind, Status
+from tests.files import ROOT, stored
 
-ROOT = Path(__file__).parents[1]
 EXAMPLES = sorted((ROOT / "examples").glob("*.py"))
 #: packages of extras, by example
 NEEDED = {"stored_map": ("xarray", "dask", "zarr")}
@@ -75,7 +75,7 @@ def test_an_example_runs(example: Path, capsys: pytest.CaptureFixture[str]) -> N
 def test_the_example_of_table_1_prints_the_certified_folds(capsys: pytest.CaptureFixture[str]) -> None:
     runpy.run_path(str(ROOT / "examples" / "table_1.py"))
     printed = capsys.readouterr().out
-    case = json.loads((ROOT / "tests" / "data" / "table_1.json").read_text())[1]
+    case = stored("table_1")[1]
     (forcing,) = (record for record in case["forcings"] if record["F_0"][1] == 0.04)
     assert len(forcing["folds"]) == 2
     for fold in forcing["folds"]:

@@ -1,15 +1,13 @@
 """Motions and folds of the equation of motion against 40 digits that were found by other means, and their residuals."""
 
-import json
-from pathlib import Path
-
 import pytest
 
 from slowflow import Duffing, Isolator
 from slowflow.exact import exact_response, steady_state
+from tests.files import stored
 from tests.oracles.exact_cases import table_1
 
-CASES = json.loads((Path(__file__).parent / "data" / "exact_motions.json").read_text())
+CASES = stored("exact_motions")
 
 
 def system_of(case):

@@ -9,7 +9,6 @@ import shlex
 import shutil
 import subprocess
 import sysconfig
-from pathlib import Path
 
 import mpmath as mp
 import numpy as np
@@ -17,8 +16,9 @@ import pytest
 import sympy as sp
 
 from slowflow import derive, include
+from tests.files import ROOT
 
-FOLDER = Path(__file__).parents[1] / "generated" / "c"
+FOLDER = ROOT / "generated" / "c"
 COMPILER = shlex.split(sysconfig.get_config_var("CC") or "cc")
 pytestmark = pytest.mark.skipif(not shutil.which(COMPILER[0]), reason="there is no C compiler")
 

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import functools
-import json
 import math
-from pathlib import Path
 
 import mpmath as mp
 import numpy as np
@@ -17,6 +15,7 @@ from slowflow.model import held
 from slowflow.results import Remark
 from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import Status
+from tests.files import stored
 from tests.native.records import bent
 from tests.slopes import assert_slopes_are_differences
 
@@ -66,7 +65,7 @@ MORE = {
     ),
 }
 
-CASES = json.loads((Path(__file__).parent / "data" / "forces.json").read_text())
+CASES = stored("forces")
 
 
 @functools.cache

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 import json
 import shutil
-from pathlib import Path
 
 import pytest
 
 from derivations import __main__ as pipeline
 from derivations.codegen.write import MANIFEST, differences, on_disk, write
 from tests import sampling
+from tests.files import ROOT
 
-ROOT = Path(__file__).parents[1]
 GENERATED = ROOT / "generated"
 
 

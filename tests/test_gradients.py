@@ -1,10 +1,8 @@
 """Gradients of answers: against certified differences and condition numbers, and by what scaling says of them."""
 
-import json
 import pickle
 import random
 from fractions import Fraction
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -13,17 +11,17 @@ from mpmath import mp
 from slowflow import Duffing, Isolator, example
 from slowflow.backend import SOLVER
 from slowflow_kernels.conventions import MovesStatus, Pinned
+from tests.files import stored
 from tests.oracles.answers import Nearby
 from tests.oracles.definitions import points as drawn
 from tests.oracles.definitions import sensitivities
 from tests.test_certified_cases import of_record
 
-DATA = Path(__file__).parent / "data"
 FILES = ("random_isolators", "random_duffing", "negative_stiffness", "table_1")
 CASES = [
     case
     for name in FILES
-    for case in json.loads((DATA / f"{name}.json").read_text())
+    for case in stored(name)
     if not any(isinstance(value, str) for value in case["parameters"].values())
 ]
 F_0 = 0.04
@@ -85,7 +83,7 @@ def test_condition_numbers_are_those_of_every_reference_case():
 
 def test_condition_numbers_on_a_base_are_the_references():
     found = []
-    for case in json.loads((DATA / "inertia.json").read_text())[::2]:
+    for case in stored("inertia")[::2]:
         of, at = of_record(case).replace(excitation="base"), case["F_0"][1]
         moves = of.saddle_nodes(at).gradient()
         for x in moves.of:

@@ -16,8 +16,9 @@ import pytest
 from docs.site import docstrings, printed
 from slowflow import cli, example
 from slowflow_kernels import rod_spring
+from tests.files import ROOT
 
-DOCS = Path(__file__).parents[1] / "docs"
+DOCS = ROOT / "docs"
 PAGES = [
     *(DOCS / f"{name}.md" for name in ("index", "tutorial", "gallery")),
     DOCS / "mechanisms.md",

@@ -1,9 +1,7 @@
 """Excitation by inertia: certified cusps, closed forms, the linear mount, exact motions, refusals."""
 
-import json
 import math
 import pickle
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -13,9 +11,10 @@ from slowflow.averaged import solvers
 from slowflow.results import Remark
 from slowflow_kernels import den_hartog
 from slowflow_kernels.conventions import Status
+from tests.files import stored
 from tests.test_certified_cases import on_a_base
 
-CASES = json.loads((Path(__file__).parent / "data" / "inertia.json").read_text())
+CASES = stored("inertia")
 #: relative errors
 CUSP = 16 * 2.0**-53
 
@@ -289,7 +288,7 @@ def test_shock_does_not_depend_on_the_other_excitation():
 
 
 def test_second_approximation_folds_are_nearer_to_exact_ones():
-    cases = json.loads((Path(__file__).parent / "data" / "exact_motions.json").read_text())
+    cases = stored("exact_motions")
     folds = [case for case in cases if case["fold"] and "excitation" in case["numbers"] and case["force"] != "duffing"]
     assert len(folds) == 3
     for case in folds:

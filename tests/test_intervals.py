@@ -2,16 +2,15 @@
 
 import importlib
 import inspect
-import json
 import shutil
 from fractions import Fraction
-from pathlib import Path
 
 import mpmath
 import numpy as np
 import pytest
 
 from slowflow.intervals import Elementary, Interval
+from tests.files import stored
 from tests.native import intervals
 
 #: in Python, where balls go by them, and in C
@@ -20,7 +19,7 @@ IN_C = (*MODULES, "inertia_intervals", "dissipation_intervals", "sampled_interva
 FUNCTIONS = [
     (module, name) for module in MODULES for name in importlib.import_module(f"slowflow_kernels.{module}").__all__
 ]
-ORACLE = json.loads((Path(__file__).parent / "data" / "kernel_oracle.json").read_text())
+ORACLE = stored("kernel_oracle")
 #: those that are evaluated at points too; the rest is there on intervals only
 AT_POINTS = [
     (how, module, name)

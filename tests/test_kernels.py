@@ -8,23 +8,21 @@ from __future__ import annotations
 
 import ast
 import inspect
-import json
 import os
 import re
 import subprocess
 import sys
 from fractions import Fraction
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 from tests import backends
+from tests.files import ROOT, stored
 from tests.native import headers
 
-HERE = Path(__file__).parent
-PACKAGE = HERE.parent / "generated" / "slowflow_kernels"
-ORACLE = json.loads((HERE / "data" / "kernel_oracle.json").read_text())
+PACKAGE = ROOT / "generated" / "slowflow_kernels"
+ORACLE = stored("kernel_oracle")
 #: generated modules without kernels
 TABLES = {
     "domains",
@@ -86,7 +84,7 @@ def test_no_kernel_without_an_oracle(module):
 
 
 PROTOTYPES = headers.prototypes()
-MECHANISMS = {path.stem for path in (HERE.parent / "derivations" / "mechanisms").glob("[!_]*.py")}
+MECHANISMS = {path.stem for path in (ROOT / "derivations" / "mechanisms").glob("[!_]*.py")}
 IN_C = [one for one in KERNELS if "_".join(one) in PROTOTYPES]
 
 
@@ -117,9 +115,9 @@ def test_what_c_never_calls_is_not_printed_in_c():
 @pytest.mark.slow
 def test_what_python_never_calls_is_listed():
     """Whether a name is called is told by its being an attribute, an import or a word of another generated function."""
-    page = (HERE.parent / "docs" / "kernels.md").read_text()
+    page = (ROOT / "docs" / "kernels.md").read_text()
     listed = set(re.findall(r"`([A-Za-z_0-9]+)(?:\([^`]*\))?`", page))
-    trees = [ast.parse(path.read_text()) for part in ("src", "examples") for path in (HERE.parent / part).rglob("*.py")]
+    trees = [ast.parse(path.read_text()) for part in ("src", "examples") for path in (ROOT / part).rglob("*.py")]
     named = {one for tree in trees for node in ast.walk(tree) for one in names_of(node)}
     for path in PACKAGE.glob("[!_]*.py"):
         tree = ast.parse(path.read_text())

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import importlib
 from concurrent.futures import ThreadPoolExecutor
-from pathlib import Path
 
 import mpmath as mp
 import numpy as np
@@ -18,9 +17,10 @@ from derivations.symbols import A
 from slowflow import derive
 from slowflow.cli import main
 from slowflow.exact import steady_state, sweep
+from tests.files import ROOT
 from tests.oracles.exact_reference import ScipyIntegrator, again
 
-PAGE = Path(__file__).parents[1] / "docs" / "mechanisms.md"
+PAGE = ROOT / "docs" / "mechanisms.md"
 F = mp.mpf
 
 

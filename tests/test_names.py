@@ -1,11 +1,11 @@
 """Names by the field's language: identifiers that are not defined again, each with the term in its place."""
 
 import ast
-from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).parents[1]
+from tests.files import ROOT
+
 #: folders whose names are done, each with fields of public answers and records, which stay
 ROOMS = {"src/slowflow/exact": {"rests"}, "src/slowflow/support": {"held", "moved", "told"}}
 #: whole identifiers, without leading underscores and in lower case

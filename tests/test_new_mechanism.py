@@ -20,8 +20,8 @@ from derivations.paper.critical_forcings import saddle_node_onset
 from derivations.paper.equation_of_motion import oscillator
 from derivations.paper.restoring_force import restoring
 from derivations.paper.slow_flow import SCENES, slow_flow
+from tests.files import ROOT
 
-ROOT = Path(__file__).parents[1]
 NOT_COPIED = shutil.ignore_patterns(".*", "build", "output", "*.egg-info", "__pycache__", "*.so")
 PARTS = ["benchmarks", "derivations", "generated", "src", "tests", "README.md", "pyproject.toml", "setup.py"]
 

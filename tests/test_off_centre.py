@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import itertools
-import json
 import math
 import pickle
 import re
 import time
 from dataclasses import replace
-from pathlib import Path
 from types import SimpleNamespace
 
 import mpmath
@@ -32,11 +30,12 @@ from slowflow.results import Remark, SteadyStates
 from slowflow.support.errors import NotSettled
 from slowflow_kernels import duffing, rod_spring
 from slowflow_kernels.conventions import Status
+from tests.files import ROOT, stored
 from tests.oracles.definitions import averaged_force
 from tests.sampling import part
 
 MECHANISMS = {"duffing": duffing.MECHANISM, "rod_spring": rod_spring.MECHANISM}
-CERTIFIED = json.loads((Path(__file__).parent / "data" / "off_centre.json").read_text())
+CERTIFIED = stored("off_centre")
 
 
 @pytest.fixture(scope="module")
@@ -751,7 +750,7 @@ def test_what_has_no_answer_off_the_centre_is_refused_in_words(loaded):
     with pytest.raises(ValueError, match=r"load = 0\.03"):
         _ = loaded.second_approximation
     # and the page that tells of it has just these
-    page = (Path(__file__).parents[1] / "docs" / "limits.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs" / "limits.md").read_text(encoding="utf-8")
     (told,) = [line for line in page.splitlines() if line.startswith("| a static load")]
     refused = {*questions, *pairs, "second_approximation", "fit"}
     assert set(re.findall(r"`(\w+)`", told)) == refused

@@ -5,7 +5,6 @@ import random
 from fractions import Fraction
 from functools import cache
 from itertools import pairwise
-from pathlib import Path
 
 import contourpy
 import numpy as np
@@ -13,6 +12,7 @@ import pytest
 from flint import arb, fmpq, fmpq_poly
 from mpmath import mp, mpf
 
+from tests.files import stored
 from tests.oracles import make_random_isolators as generator
 from tests.oracles.averaged import (
     BITS,
@@ -26,13 +26,12 @@ from tests.oracles.averaged import (
 from tests.oracles.certified_roots import isolate, polynomial_roots, precision
 from tests.oracles.kernels import Truncated
 
-DATA = Path(__file__).parent / "data"
 FILES = ("table_1", "random_isolators", "random_duffing", "negative_stiffness")
 
 
 @cache
 def cases(name: str) -> list[dict]:
-    return json.loads((DATA / f"{name}.json").read_text(encoding="utf-8"))
+    return stored(name)
 
 
 def value(x: list | str) -> float | Fraction:

@@ -7,7 +7,6 @@ import dataclasses
 import math
 import pickle
 import re
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -22,11 +21,11 @@ from slowflow.support.errors import OutOfRange, SlowflowError
 from slowflow.table import COLUMNS
 from slowflow.text import Sentence
 from slowflow_kernels.scaling import SCALES
+from tests.files import ROOT
 from tests.slopes import assert_slopes_are_differences
 
 #: a mount that was sized by hand: 12 kg on 2500 N/m, three springs of 1700 N/m on rods of 80 mm
 MOUNT = {"m": 12, "k_v": 2500, "k_h": 1700, "n": 3, "L": 0.080, "preload": 0.009, "friction": 0.4, "zeta": 0.02}
-HERE = Path(__file__).parent
 
 
 @pytest.fixture(scope="module")
@@ -43,7 +42,7 @@ def test_mount_jumps_detaches_and_transmits_as_by_hand(mount):
 
 
 def test_the_readme_says_the_same_of_it():
-    text = (HERE.parent / "README.md").read_text(encoding="utf-8")
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
     (lines,) = re.findall(r"mount = Isolator\.physical.*?```", text, re.DOTALL)
     for number in ("2.67 N", "2.11 Hz", "4.07 N", "2.18", "2.27 Hz", "-12.8 dB"):
         assert number in lines, number

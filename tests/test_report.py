@@ -11,18 +11,17 @@ import shutil
 import subprocess
 from dataclasses import replace
 from html.parser import HTMLParser
-from pathlib import Path
 
 import pytest
 
 from slowflow import Isolator, cli, files, scenes
+from tests.files import ROOT
 
 pytest.importorskip("matplotlib")
 from slowflow import page as pieces
 from slowflow import report
 from slowflow.results import Remark
 
-ROOT = Path(__file__).parents[1]
 MOUNT = ROOT / "scenes" / "mount.toml"
 
 

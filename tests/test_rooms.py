@@ -9,7 +9,9 @@ from pathlib import Path
 
 import pytest
 
-SOURCE = Path(__file__).parents[1] / "src"
+from tests.files import ROOT
+
+SOURCE = ROOT / "src"
 #: from the top floor down; a room imports only from floors below its own, or from itself
 FLOORS = (
     ("__main__",),

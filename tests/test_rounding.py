@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import json
-from pathlib import Path
 
 import pytest
 import sympy as sp
@@ -12,9 +10,9 @@ import sympy as sp
 from benchmarks.stress import headers
 from derivations.codegen import measured, proved, rounding
 from derivations.codegen.passes import straight_line
+from tests.files import stored
 from tests.oracles import kernels as exact
 
-DATA = Path(__file__).parent / "data"
 A, B = sp.symbols("A B", real=True)
 
 
@@ -49,16 +47,16 @@ def test_stored_bounds_are_what_is_proved(modules, name):
     (module,) = (module for module in modules if module.name == name)
     for key, value in rounding.proved_of(module).items():
         kept = proved.stored()[key]
-        for k, stored in zip(value["k"], kept["k"], strict=True):
-            assert (k is None) == (stored is None), kept["kernel"]
+        for k, known in zip(value["k"], kept["k"], strict=True):
+            assert (k is None) == (known is None), kept["kernel"]
             # another version of the linear program's solver may end a hundredth away
-            assert k is None or float(k) <= float(stored) + 0.02, kept["kernel"]
+            assert k is None or float(k) <= float(known) + 0.02, kept["kernel"]
 
 
 @pytest.mark.slow
 def test_no_error_that_was_found_exceeds_a_proved_bound(of_kernels):
     """The worst points of `make stress`, compiled and NumPy, against another oracle and by another way."""
-    rows = json.loads((DATA / "stability.json").read_text())["kernels"]
+    rows = stored("stability")["kernels"]
     compared = 0
     for row in rows:
         if (row["module"], row["kernel"]) not in of_kernels:
@@ -91,7 +89,7 @@ def test_a_quotient_counts_its_division():
 
 
 def test_no_error_that_was_found_exceeds_what_a_header_says():
-    for row in json.loads((DATA / "stability.json").read_text())["kernels"]:
+    for row in stored("stability")["kernels"]:
         stated = float(measured.stored()[row["module"]].kernels[row["kernel"]])
         assert all(error is None or float(error) <= stated for error in row["errors"].values()), row
 

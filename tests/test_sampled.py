@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import json
 import math
 import pickle
 from itertools import pairwise
-from pathlib import Path
 
 import mpmath as mp
 import numpy as np
@@ -17,9 +15,10 @@ from scipy.integrate import solve_ivp
 from slowflow import backend, derive
 from slowflow.support.errors import NotSettled
 from slowflow.validate import NotAvailable
+from tests.files import stored
 from tests.native.records import bent
 
-CASES = json.loads((Path(__file__).parent / "data" / "stated.json").read_text())
+CASES = stored("stated")
 DAMPING = {"mu": 0.01, "zeta": 0.03}
 ABOVE_0 = {"above": 0}
 

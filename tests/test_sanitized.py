@@ -13,8 +13,8 @@ import numpy as np
 import pytest
 
 from slowflow import backend
+from tests.files import ROOT
 
-ROOT = Path(__file__).parents[1]
 NATIVE = ROOT / "src" / "slowflow" / "native"
 FLAGS = ["-std=c11", "-O1", "-g1", "-fno-omit-frame-pointer", "-ffp-contract=off", "-fPIC", "-shared"]
 SANITIZED = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"]

@@ -20,8 +20,8 @@ from slowflow.averaged import solvers
 from slowflow.example import isolator
 from slowflow.sizing import tolerances
 from slowflow.sizing.subject import IN_A_SHOCK, IN_A_SPECTRUM
+from tests.files import ROOT
 
-ROOT = Path(__file__).parents[1]
 SHIPPED = sorted((ROOT / "scenes").glob("*.toml"))
 MOUNT = (ROOT / "scenes" / "mount.toml").read_text().partition("\n[tolerances]")[0].replace(', "tolerances"', "")
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import copy
 import itertools
-import json
 import os
 import pickle
 import platform
@@ -25,8 +24,8 @@ from slowflow.example import isolator
 from slowflow_kernels import den_hartog, second_approximation
 from slowflow_kernels.conventions import Status
 from slowflow_kernels.second_conventions import BEYOND, Wanted
+from tests.files import stored
 from tests.oracles.balance import Balance
-from tests.oracles.second import DATA
 
 FORCES = ("truncated", "untruncated")
 SOLVER = backend.SOLVER
@@ -564,7 +563,7 @@ def test_critical_forcings_meet_the_balance(excitation):
 @pytest.mark.parametrize("name", ["table 1", "duffing"])
 def test_states_and_folds_have_independent_digits(name):
     """Of tests/oracles/second.py, which knows no derivation: h_n by quadrature, friction's sum in closed form."""
-    case = json.loads(DATA.read_text())[name]
+    case = stored("second")[name]
     oscillator = isolator() if name == "table 1" else Duffing(1.0, 0.5, 0.01, 0.02)
     second = oscillator.second_approximation
     states = second.amplitudes(Omega=case["Omega"], F_0=case["F_0"])

@@ -3,11 +3,9 @@
 The same tests run on both backends; those that compare the backends, or need one, say so.
 """
 
-import json
 import math
 import tracemalloc
 from fractions import Fraction
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -16,15 +14,14 @@ from slowflow import Duffing, Isolator
 from slowflow.averaged import diagnostics
 from slowflow.example import TABLE_1, isolator
 from slowflow.results import Remark
+from tests.files import stored
 from tests.oracles.errors import error
-
-DATA = Path(__file__).parent / "data"
 
 
 def cases():
     """All cases of the reference files: name, the oscillator, and the record."""
     for file in ("table_1", "random_isolators", "random_duffing", "negative_stiffness"):
-        for number, record in enumerate(json.loads((DATA / f"{file}.json").read_text())):
+        for number, record in enumerate(stored(file)):
             parameters = {name: given(value) for name, value in record["parameters"].items()}
             make = Isolator if record["mechanism"] == "rod_spring" else Duffing
             yield f"{file} {number}", make(**parameters), record

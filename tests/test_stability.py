@@ -6,10 +6,8 @@ bits; numbers of states and folds against proved ones, at the stored wrong cases
 
 from __future__ import annotations
 
-import json
 import math
 import warnings
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -17,12 +15,13 @@ import pytest
 from benchmarks.stress import __main__ as stress
 from benchmarks.stress import answers, counts, kernels, roots
 from tests import backends
+from tests.files import stored
 from tests.oracles import kernels as exact
 from tests.oracles.frequencies import KINDS
 from tests.sampling import fewer
 from tests.test_kernels import worst
 
-BASELINE = json.loads((Path(__file__).parent / "data" / "stability.json").read_text())
+BASELINE = stored("stability")
 # the last digit of a stored error, and of a stored scale
 ROUNDED = 1 + 1e-4
 
@@ -120,7 +119,7 @@ def test_seeded_counts_are_proved(mechanism, oscillators, states):
 @pytest.mark.slow
 def test_the_oracle_of_kernels_agrees_with_the_quadratures():
     """Two routes to the averaged forces: balls and elliptic integrals, and quadrature of the force."""
-    table = json.loads((Path(__file__).parent / "data" / "kernel_oracle.json").read_text())
+    table = stored("kernel_oracle")
     names = {
         "rod_spring": "A alpha beta gamma u_cr",
         "rod_spring_untruncated": "A alpha beta delta_h",

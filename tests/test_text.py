@@ -5,7 +5,6 @@ import copy
 import math
 import pickle
 import re
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -16,8 +15,9 @@ from slowflow.averaged import messages
 from slowflow.quantities import Scales
 from slowflow.table import QUANTITIES
 from slowflow.text import Sentence, Text, in_units, text, together
+from tests.files import ROOT
 
-SOURCE = Path(__file__).parents[1] / "src" / "slowflow"
+SOURCE = ROOT / "src" / "slowflow"
 #: m such that Omega = 1 is 1 Hz, F_0 = 1 is 100 N, A = 1 is 100 mm
 SCALES = Scales(m=1000 / math.tau**2, k_v=1000.0, L=0.1)
 #: what a mount has other symbols for

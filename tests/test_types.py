@@ -4,15 +4,14 @@ import re
 import subprocess
 import sys
 import typing
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 from slowflow import Isolator, physical_answers
 from slowflow.physical import Physical
+from tests.files import ROOT
 
-ROOT = Path(__file__).parents[1]
 SHEET = dict(m=25, k_v=9000, k_h=4000, n=3, L=0.08, preload=0.006, friction=3.6, zeta=0.03)
 #: a question of each kind, in SI units; a load takes the motion off the centre
 ASKED = {

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import importlib.util
-import json
 import math
-from pathlib import Path
 
 import flint
 import mpmath
@@ -21,6 +19,7 @@ from slowflow.results import Remark
 from slowflow.support.errors import NotSettled
 from slowflow_kernels import duffing
 from slowflow_kernels.conventions import Status
+from tests.files import stored
 from tests.oracles import averaged, counts
 from tests.oracles.answers import Nearby
 from tests.oracles.draws import batch, drawn_isolators, drawn_springs, forcings, oscillator
@@ -142,7 +141,7 @@ def test_a_curve_of_undecided_folds_says_so():
 
 # ---- what doubles leave undecided balls decide -----------------------------------------------------------------------
 
-PLACES = json.loads((Path(__file__).parent / "data" / "hard_counts.json").read_text())
+PLACES = stored("hard_counts")
 
 
 @pytest.mark.parametrize(

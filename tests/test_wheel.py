@@ -20,9 +20,9 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from tests.conftest import Once
+from tests.files import ROOT
 
 pytestmark = pytest.mark.slow
-ROOT = Path(__file__).parents[1]
 SOURCES = ("pyproject.toml", "setup.py", "README.md", "LICENSE")
 NEEDED = ("numpy", "scipy")
 #: Matplotlib and what it imports

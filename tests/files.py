@@ -1,0 +1,17 @@
+"""Where the project's files are, and the reference values that `tests/data` stores."""
+
+from __future__ import annotations
+
+import functools
+import json
+from pathlib import Path
+from typing import Any
+
+ROOT = Path(__file__).parents[1]
+DATA = ROOT / "tests" / "data"
+
+
+@functools.cache
+def stored(name: str) -> Any:
+    """The values of a file of `tests/data`, read once."""
+    return json.loads((DATA / f"{name}.json").read_text(encoding="utf-8"))
