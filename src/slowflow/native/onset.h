@@ -212,6 +212,8 @@ static void sf_consider_jump(const sf_model *model, const sf_sample *at, double 
         /* R is 0 there, and its rounding may exceed a weak damping's I */
         const double level = model->mechanism->dissipation(Omega, at->A, model->damping);
         sf_consider(level, Omega, at->A, SF_CORNER_KIND, best);
+        if (at->k >= 0) /* h_A <= h/A < 0: up to Omega R and R_A are not positive, so F_A is; beyond, I is larger */
+            return;
     }
     n = sf_fold_roots(at->A, at->h, at->h_A, model->m, model->zeta, w);
     for (i = 0; i < n; i++) {
