@@ -55,7 +55,7 @@ class Answer:
             return self.__getattribute__(name)  # of a property that is not there in its own words
 
     def __dir__(self) -> list[str]:
-        return [*super().__dir__(), *(one.name for one in dataclasses.fields(self))]  # type: ignore[arg-type]
+        return [*super().__dir__(), *self._content()]
 
     @classmethod
     def _made(cls, *, message: str | Callable[[], str], **found: Any) -> Self:

@@ -139,9 +139,6 @@ class Batch(Answer):
             raise validate.NoAttribute(f"{name!r} is no column of this answer: it has {', '.join(values)}")
         return values[name]
 
-    def __dir__(self) -> list[str]:
-        return [*super().__dir__(), *self._values]
-
     def __repr__(self) -> str:
         columns = ", ".join(f"{name}={value!r}" for name, value in self._values.items())
         return f"{type(self).__name__}({self.question.name!r}, {columns})"
