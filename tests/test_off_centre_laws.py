@@ -8,9 +8,11 @@ from scipy.optimize import brentq
 
 from slowflow import Duffing, Isolator
 from slowflow.example import TABLE_1
+from slowflow.model import Laws
 from slowflow.off_centre.flow import Flow
 from slowflow.sizing import tolerances
 from slowflow.validate import NotAvailable
+from slowflow_kernels.duffing import MECHANISM
 from tests.oracles.by_time import mean_and_first
 from tests.slopes import assert_slopes_are_differences
 
@@ -253,8 +255,9 @@ def test_onset_on_a_base_tends_to_the_centred_one_with_the_load(load):
 @pytest.mark.parametrize("inertial", [False, True])
 def test_the_level_rises_with_the_frequency_as_its_square_does(inertial):
     """F_Omega at a state is d(level^2)/dOmega, of an excitation by inertia times Omega^4, with each law of damping."""
-    m, zeta, eta, d = 0.03, 0.04, 0.05, 0.06
-    flow = Flow(m, zeta, eta, d, inertial)
+    zeta, eta = 0.04, 0.05
+    flow = Flow(MECHANISM, (1.0, 0.0), 0.03, zeta, "base" if inertial else "force", Laws(eta, 0.06))
+    m, d = flow.m, flow.d
     A, h, at = 0.4, -0.3, 0.9
 
     def squared(w):

@@ -233,9 +233,12 @@ class SlowFlow:
             return self.m, self.zeta
         return *self.at_rest(A)[:orders], self.zeta, self.d
 
-    def F_A(self, Omega: Any, A: Any) -> Floats:
-        """dF/dA (24), positive where a steady state is stable (30), at (Omega, A), shapes that broadcast."""
-        h, h_A, _, _ = self.averaged(A)
+    def F_A(self, Omega: Any, A: Any, averages: Any = None) -> Floats:
+        """dF/dA (24), positive where a steady state is stable (30), at (Omega, A), shapes that broadcast.
+
+        averages -- h and its derivatives, by default those at A
+        """
+        h, h_A, *_ = averages or self.averaged(A)
         return np.asarray(self.curve.F_A(Omega, A, *self._damping(A, 2), h, h_A))
 
     def stability(self, Omega: Any, A: Any) -> Floats:
@@ -243,15 +246,16 @@ class SlowFlow:
         h, h_A, _, _ = self.averaged(A)
         return np.asarray(self.curve.stability(Omega, A, *self._damping(A, 2), h, h_A))
 
-    def F_AA(self, Omega: Any, A: Any) -> Floats:
+    def F_AA(self, Omega: Any, A: Any, averages: Any = None) -> Floats:
         """d2F/dA2 (24), likewise."""
-        h, h_A, h_AA, _ = self.averaged(A)
+        h, h_A, h_AA, *_ = averages or self.averaged(A)
         return np.asarray(self.curve.F_AA(Omega, A, *self._damping(A, 3), h, h_A, h_AA))
 
-    def level(self, Omega: Any, A: Any) -> Floats:
-        """The amplitude F_0 of the excitation for which (Omega, A), shapes that broadcast, is a steady state (24)."""
+    def level(self, Omega: Any, A: Any, averages: Any = None) -> Floats:
+        """The amplitude F_0 of the excitation for which (Omega, A) is a steady state (24), likewise."""
         kernels: Any = inertia if self.inertial else self.flow
-        return np.asarray(kernels.level(Omega, A, *self.alike(Omega, A), self.averaged(A)[0]))
+        h, *_ = averages or self.averaged(A)
+        return np.asarray(kernels.level(Omega, A, *self.alike(Omega, A), h))
 
     def rests(self, F_0: Any, Omega: Any) -> Any:
         """Whether a mass at rest stays there at an excitation F_0 of frequency Omega; numbers, or arrays.

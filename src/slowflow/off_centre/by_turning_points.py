@@ -128,8 +128,8 @@ class EndedFold(ByEnds):
     def by_motion(self, z: Floats, of: Ints) -> tuple[Floats, Floats]:
         """See `ByEnds`."""
         means = self.charts.steps.at(z[0], z[1], 2)
-        flow = self.flow
-        known = *flow.forcing(self.given[self.number(of)]), flow.m, flow.eta, flow.zeta, flow.d, self.charts.steps.load
+        m, zeta, eta, d = self.flow.damping
+        known = *self.flow.forcing(self.given[self.number(of)]), m, eta, zeta, d, self.charts.steps.load
         return numbers_of(off_centre.fold(z[2], z[0], *known, *means.c, *means.s), 3, of.size)
 
 

@@ -175,7 +175,7 @@ class Complete:
         if flow.zeta > 0 or F_0 == 0:
             damped = F_0 / flow.zeta if F_0 > 0 else 0.0
         else:
-            damped = 2 * float(replace(flow, m=0.0).bound(1.0, F_0))
+            damped = 2 * float(replace(flow, mu=0.0).bound(1.0, F_0))
         return min(2.0**ABOVE * max(self._steps.size, F_0, damped), self._grown)
 
     @property
@@ -252,7 +252,7 @@ class Complete:
     def _kind_at_corner(self, corner: Corner, Omega: float) -> str:
         """The kind of a fold there, "" for none: F_A has other signs where a motion reaches no jump and beyond it."""
         h = -2 * corner.s_0
-        turns = [float(self._flow.F_A(Omega, corner.A, h, h / corner.A - e)) for e in corner.e]
+        turns = [float(self._flow.F_A(Omega, corner.A, (h, h / corner.A - e))) for e in corner.e]
         if turns[0] * turns[1] >= 0:
             return ""
         side = int(turns[1] > 0)

@@ -1,4 +1,4 @@
-"""What excites and what dissipates off the centre. Takes a model; returns what the slow flow has beside f_0 and h.
+"""What excites and what dissipates off the centre. Takes a slow flow; returns what it has beside f_0 and h.
 
 The mean displacement has no part in it: with h and h_A along the balance of the mean, frequencies, levels and stability
 are those about the centre, whatever the damping and the excitation (native/roots.h and native/laws.h). With
@@ -7,14 +7,14 @@ p = -h/A, e = -h_A - p and y = Omega^2 - p a fold has y (e - y) A = I I_A, with 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from slowflow.backend import SOLVER
 from slowflow.intervals import Bools, Interval
-from slowflow.model import Floats, Model
+from slowflow.model import THROUGHOUT, Floats, SlowFlow
 from slowflow.off_centre.means import Means, Steps
 from slowflow_kernels import dissipation, inertia, off_centre, slow_flow
 
@@ -22,43 +22,35 @@ from slowflow_kernels import dissipation, inertia, off_centre, slow_flow
 ROUNDED = 2.0**-40
 
 
-@dataclass(frozen=True)
-class Flow:
-    """Of one oscillator.
+class Flow(SlowFlow):
+    """Of one oscillator whose friction acts throughout; h and its slopes are those along the balance of the mean."""
 
-    m, zeta, eta, d -- I = m + eta A + 2 zeta A Omega + d (A Omega)^2
-    inertial -- whether the force is the amplitude of the excitation times Omega^2
-    """
-
-    m: float
-    zeta: float
-    eta: float = 0.0
-    d: float = 0.0
-    inertial: bool = False
+    curve = dissipation
 
     @classmethod
-    def of(cls, model: Model) -> Flow:
-        """Of an oscillator whose dry friction acts throughout."""
-        return cls(model.m, model.zeta, model.laws.eta, model.d, model.inertial)
+    def of(cls, flow: SlowFlow) -> Flow:
+        """Of an oscillator, wherever its friction acts."""
+        laws = replace(flow.laws, rubs=THROUGHOUT)
+        return cls(flow.mechanism, flow.parameters, flow.mu, flow.zeta, flow.excitation, laws)
 
     @property
     def plain(self) -> bool:
         """Whether it is a force, with friction and viscous damping only."""
-        return not (self.eta or self.d or self.inertial)
+        return not (self.laws.any or self.inertial)
 
     # ==== At points ===================================================================================================
 
-    def sine(self, Omega: Any, A: Any) -> Any:
-        """The sine balance (23)."""
-        return dissipation.I(Omega, A, self.m + self.eta * A, self.zeta, self.d)
+    def _damping(self, A: Any, orders: int) -> tuple[Any, ...]:
+        """See `SlowFlow`."""
+        return *(self.m + self.laws.eta * A, self.laws.eta, 0.0)[:orders], self.zeta, self.d
 
     def sine_A(self, Omega: Any, A: Any) -> Any:
-        """Its slope by A."""
-        return dissipation.I_A(Omega, A, self.eta, self.zeta, self.d)
+        """The slope of the sine balance (23) by A."""
+        return dissipation.I_A(Omega, A, self.laws.eta, self.zeta, self.d)
 
     def force(self, F_0: Any, Omega: Any) -> Any:
-        """Amplitude of the force on the mass."""
-        return inertia.force(Omega, F_0) if self.inertial else F_0 + 0.0 * Omega
+        """Amplitude of the force on the mass, of the shape of both."""
+        return super().force(F_0, Omega) + 0.0 * Omega
 
     def forcing(self, F_0: Any) -> tuple[Any, Any]:
         """F_0 and F_2 of the force F_0 + F_2 Omega^2."""
@@ -67,51 +59,34 @@ class Flow:
     @property
     def damps(self) -> bool:
         """Whether what is dissipated grows with the amplitude, so that a state is bounded by the force."""
-        return self.zeta + self.eta + self.d > 0
+        return bool(self.zeta + self.laws.eta + self.d > 0)
 
     def bound(self, Omega: Any, force: Any) -> Any:
         """The amplitude at which I alone would take all of the force, with friction or, for m = 0, without."""
-        if not (self.eta or self.d):
+        if not self.laws.any:
             return slow_flow.limit_envelope(Omega, force, self.m, self.zeta)
-        return dissipation.limit_envelope(Omega, force, self.m, self.zeta, self.eta, self.d)
+        return dissipation.limit_envelope(Omega, force, self.m, self.zeta, self.laws.eta, self.d)
 
     def sticks(self, F_0: float) -> bool:
         """Whether the mass rests at every frequency (27)."""
-        return F_0 <= self.m and not self.inertial
+        return bool(F_0 <= self.m and not self.inertial)
 
     def moves_from(self, F_0: float) -> float:
         """The frequency from which on friction does not hold the mass."""
         return float(inertia.moves_from(F_0, self.m)) if self.inertial else 0.0
 
-    def level(self, Omega: Any, A: Any, h: Any) -> Any:
+    def level(self, Omega: Any, A: Any, averages: Any = None) -> Any:
         """The F_0 for which (Omega, A) is a steady state (24); that of an excitation by inertia at Omega = inf too."""
         with np.errstate(all="ignore"):
-            if not self.inertial:
-                return slow_flow.level(Omega, A, self.sine(Omega, A), 0.0, h)
-            full = np.sqrt(dissipation.far_by_inertia(0.0, A, 0.0, 0.0, self.zeta, self.d, 0.0)[0])
-            return np.where(np.isinf(Omega), full, inertia.level(Omega, A, self.sine(Omega, A), 0.0, h))
-
-    def phase(self, Omega: Any, A: Any, h: Any) -> Any:
-        """phi (25)."""
-        return slow_flow.phase(Omega, A, self.sine(Omega, A), 0.0, h)
-
-    def transmissibility(self, Omega: Any, A: Any, F_0: Any, h: Any) -> Any:
-        """What spring and dampers pass on, over the force."""
-        return slow_flow.transmissibility(Omega, A, self.force(F_0, Omega), self.sine(Omega, A), 0.0, h)
-
-    def F_A(self, Omega: Any, A: Any, h: Any, h_A: Any) -> Any:
-        """Slope of F along the balance, (30)."""
-        return dissipation.F_A(Omega, A, self.m + self.eta * A, self.eta, self.zeta, self.d, h, h_A)
-
-    def F_AA(self, Omega: Any, A: Any, h: Any, h_A: Any, h_AA: Any) -> Any:
-        """Its slope."""
-        return dissipation.F_AA(Omega, A, self.m + self.eta * A, self.eta, 0.0, self.zeta, self.d, h, h_A, h_AA)
+            found = super().level(Omega, A, averages)
+            return np.where(np.isinf(Omega), self.full_level(A), found) if self.inertial else found
 
     def F_Omega(self, Omega: Any, A: Any, h: Any) -> Any:
         """Slope of F by Omega at a state: that of the squared level, times Omega^4 under an excitation by inertia."""
+        I_0, zeta, d = self._damping(A, 1)
         if not self.inertial:
-            return dissipation.F_Omega(Omega, A, self.m + self.eta * A, self.zeta, self.d, h)
-        _, stays, grows = dissipation.far_by_inertia(1 / Omega, A, 0.0, self.m + self.eta * A, self.zeta, self.d, h)
+            return dissipation.F_Omega(Omega, A, I_0, zeta, d, h)
+        _, stays, grows = dissipation.far_by_inertia(1 / Omega, A, 0.0, I_0, zeta, d, h)
         return -4.0 * Omega * (stays + Omega * grows)
 
     # ==== Frequencies =================================================================================================
@@ -119,7 +94,7 @@ class Flow:
     @property
     def damping(self) -> tuple[float, ...]:
         """The coefficients of I."""
-        return self.m, self.zeta, self.eta, self.d
+        return self.m, self.zeta, self.laws.eta, self.d
 
     def frequencies(self, A: Floats, h: Floats, F_0: float) -> Floats:
         """Every Omega at which these are steady states at F_0, (n, k) with NaN where there are less."""
@@ -131,7 +106,7 @@ class Flow:
 
     def fold_frequencies(self, A: Floats, h: Floats, h_A: Floats) -> Floats:
         """Every Omega at which F_A vanishes, likewise."""
-        if not (self.eta or self.d):
+        if not self.laws.any:
             found: Floats = SOLVER.fold_roots(A, h, h_A, self.m, self.zeta)[0]
         else:
             found = SOLVER.law_roots(A, h, h_A, *self.damping, -1.0, self.inertial)
@@ -150,7 +125,7 @@ class Flow:
         """The lowest F_0 for which each amplitude is a steady state, and its Omega; inf where it is only tended to."""
         with np.errstate(all="ignore"):
             Omega = self.stationary(A, h)
-            level = np.asarray(self.level(Omega, A[:, np.newaxis], h[:, np.newaxis]))
+            level = self.level(Omega, A[:, np.newaxis], (h[:, np.newaxis],))
         return _lowest(np.where(np.isnan(level), np.inf, level), Omega)
 
     def least_fold(self, A: Floats, h: Floats, h_A: Floats) -> tuple[Floats, Floats]:
@@ -161,7 +136,7 @@ class Flow:
             if known.any():
                 found = self.fold_frequencies(A[known], h[known], h_A[known])
                 Omega[np.flatnonzero(known)[:, np.newaxis], np.arange(found.shape[1])] = found
-            level = np.asarray(self.level(Omega, A[:, np.newaxis], h[:, np.newaxis]))
+            level = self.level(Omega, A[:, np.newaxis], (h[:, np.newaxis],))
         return _lowest(np.where(Omega > 0, level, np.inf), Omega)
 
     # ==== On boxes ====================================================================================================

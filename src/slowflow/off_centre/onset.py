@@ -80,9 +80,9 @@ class Search:
             candidates = [self.flow.least_fold(A, -2 * s_0, h_A) for h_A in slopes]
             Omega = self.flow.stationary(A, -2 * s_0)[0]
             Omega = Omega[(Omega > 0) & np.isfinite(Omega)]
-            turns = [self.flow.F_A(Omega, corner.A, -2 * s_0, h_A) for h_A in slopes]
+            turns = [self.flow.F_A(Omega, corner.A, (-2 * s_0, h_A)) for h_A in slopes]
             Omega = Omega[turns[0] * turns[1] < 0]
-            candidates.append((self.flow.level(Omega, corner.A, -2 * s_0), Omega))
+            candidates.append((self.flow.level(Omega, corner.A, (-2 * s_0,)), Omega))
             level, Omega = (np.concatenate(column) for column in zip(*candidates, strict=True))
             i = int(np.argmin(level))
             if np.isfinite(level[i]):
@@ -159,10 +159,10 @@ class Search:
     def _slopes(self, A: float, B: float) -> dict[str, float]:
         at = np.array([A]), np.array([B])
         means, Omega = self.steps.at(*at, ORDERS), self.folds(*at)[1]
-        h, h_A, h_AA, _ = off_centre.averaged(at[0], *means.c[1:], *means.s)
+        averages = off_centre.averaged(at[0], *means.c[1:], *means.s)
         return {
-            "cusp": float(np.asarray(self.flow.F_AA(Omega, at[0], h, h_A, h_AA))[0]),
-            "isola": float(np.asarray(self.flow.F_Omega(Omega, at[0], h))[0]),
+            "cusp": float(self.flow.F_AA(Omega, at[0], averages)[0]),
+            "isola": float(np.asarray(self.flow.F_Omega(Omega, at[0], averages[0]))[0]),
         }
 
     # ==== No fold is lower ============================================================================================

@@ -516,9 +516,9 @@ class OffCentre(Unchanging, ComposedQuestions):
         A, B, R = x
         means = self._steps.at(A, B, ORDERS)
         with np.errstate(all="ignore"):
-            h, h_A, h_AA, _ = self._along(A, means)
-            Omega = np.where(on_corner == "", self._frequency(A, R, F_0, h), R)
-            bends = np.asarray(self._flow.F_AA(Omega, A, h, h_A, h_AA))
+            averages = self._along(A, means)
+            Omega = np.where(on_corner == "", self._frequency(A, R, F_0, averages[0]), R)
+            bends = self._flow.F_AA(Omega, A, averages)
         kind = np.where(bends < 0, "jump-up", "jump-down")
         kind, corner = np.where(means.c[1] > 0, kind, "unstable"), on_corner != ""
         kind = np.where(corner, on_corner, kind)
@@ -567,9 +567,9 @@ class OffCentre(Unchanging, ComposedQuestions):
         """Where states are stable, and h there."""
         means = self._steps.at(A, B, ORDERS)
         with np.errstate(all="ignore"):
-            h, h_A, *_ = self._along(A, means)
-            turns = np.asarray(self._flow.F_A(Omega, A, h, h_A))
-        return ((turns > 0) | (A == 0)) & (means.c[1] > 0), np.asarray(h)
+            averages = self._along(A, means)
+            turns = self._flow.F_A(Omega, A, averages)
+        return ((turns > 0) | (A == 0)) & (means.c[1] > 0), np.asarray(averages[0])
 
     def _response(self, found: Curves, F_0: float, notes: _Notes) -> FrequencyResponse:
         stable, h = self._stability(found.Omega, found.A, found.B)
