@@ -37,8 +37,10 @@ class Designs(many.Designs):
             from slowflow.exact import shocks_many
             from slowflow.off_centre.questions import OffCentre
 
-            ask = shocks_many.of_designs if question == "shock_spectrum" else shocks_many.transients
-            return ask(self, **given, workers=workers, off_centre=OffCentre)
+            def at_rest(one: dict[str, float]) -> OffCentre:
+                return OffCentre(self.model(one), 0.0)
+
+            return shocks_many.answer(self, question, **given, workers=workers, at_rest=at_rest)
         if question not in LOADS:
             return super()._ask(question, workers=workers, **given)
         from slowflow import batch_checks

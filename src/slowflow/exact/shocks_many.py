@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -11,13 +11,14 @@ from slowflow import progress, validate
 from slowflow.averaged.batches import Batch
 from slowflow.averaged.chunks import share
 from slowflow.averaged.many import Designs
+from slowflow.averaged.queries import failed
 from slowflow.backend import EXACT
 from slowflow.exact import questions
 from slowflow.exact.compiled import recurrences
 from slowflow.exact.transient import AFTER, NO_PULSE, half_sine, record, transient
 from slowflow.exact.work import MOST_STEPS, MOST_WORK
 from slowflow.mechanism import EquationOfMotion, Floats, Force, followed
-from slowflow.model import THROUGHOUT, Model
+from slowflow.model import THROUGHOUT
 from slowflow.results import Remark
 from slowflow.support.errors import Refused
 from slowflow.text import text
@@ -26,61 +27,60 @@ from slowflow_kernels.exact_conventions import Outcome
 
 #: arcs in a chunk, which take some tenths of a second; arcs that a shock costs in addition to those of its pulse
 CHUNK_ARCS, OVERHEAD = 2**14, 16
-#: asymmetric states of a model under a load, with its equilibria: `slowflow.off_centre.OffCentre`, of a room above this
-OffCentres = Callable[[Model, float], Any]
+#: of a design's numbers by name, what has its equilibria: `slowflow.off_centre.OffCentre`, of a room above this
+AtRest = Callable[[dict[str, float]], Any]
 
 SAMPLES = "{tau} and acceleration must have as many samples, not {shapes:s}"
 
 
-def _batch(question: str, columns: dict[str, Any], designs: Designs, pulse: Mapping[str, Any]) -> Batch:
-    """An answer with diagnostics where A is beyond the mechanism's reach."""
+def answer(
+    designs: Designs,
+    question: str,
+    acceleration: Any,
+    duration: Any = None,
+    tau: Any = None,
+    after: float | None = None,
+    workers: int = 1,
+    *,
+    at_rest: AtRest,
+    batch: Callable[..., Batch] = Batch,
+) -> Batch:
+    """See `shock_spectrum` and `transient` of `slowflow.table.ManyQuestions`.
+
+    at_rest -- of one design, from its numbers by name, what has its equilibria
+    batch   -- what an answer is
+    """
+    if "eta" in designs.values:
+        raise validate.NotAvailable(
+            f"{question} is not available with eta: structural damping is stated at one frequency"
+        )
+    if (duration is None) == (tau is None):
+        raise Refused(NO_PULSE)
+    last = AFTER if after is None else validate.number("after", after, least=0.0)
+    pulse: dict[str, Any] = {}
+    allowed: Any
+    with np.errstate(all="ignore"):  # what is no pulse has a status
+        if tau is None:
+            pulse = _numbers(acceleration=acceleration, duration=duration)
+            validate.common_shape(pulse)
+            peak, span = pulse.values()
+            arcs, allowed = half_sine(peak, span), span > 0
+            begin = np.zeros(arcs.shape[:-2])
+        else:
+            times, accelerations = _samples(tau, acceleration)
+            arcs, begin, allowed = record(times, accelerations), times[..., 0], (np.diff(times) > 0).all(axis=-1)
+    if question == "shock_spectrum":
+        allowed, last = allowed & (peak > 0), 0.0
+    columns = _solve(designs, at_rest, arcs, begin, allowed, last, workers)
+    if question == "shock_spectrum":
+        columns["ratio"] = columns["a_max"] / peak
     with np.errstate(all="ignore"):  # what is no design has no pieces
         beyond = designs.mechanism.reach_at(*designs.mechanism.coefficients(*designs.design)) < columns["A"]
     codes = np.where(beyond, np.uint16(Remark.BEYOND_REACH), np.uint16(0))
-    return Batch(question, columns, designs, pulse, remarks=codes)
+    return batch(question, columns, designs, pulse, remarks=codes)
 
 
-def of_designs(
-    designs: Designs, acceleration: Any, duration: Any, workers: int = 1, *, off_centre: OffCentres
-) -> Batch:
-    """See `slowflow.designs.Designs.shock_spectrum`."""
-    pulse = numbers(acceleration=acceleration, duration=duration)
-    validate.common_shape(pulse)
-    peak, span = pulse.values()
-    allowed = (peak > 0) & (span > 0)
-    found = _solve(designs, off_centre, *_half_sine(peak, span), allowed, 0.0, workers)
-    return _batch("shock_spectrum", {**found, "ratio": found["a_max"] / peak}, designs, pulse)
-
-
-def transients(
-    designs: Designs,
-    acceleration: Any,
-    duration: Any,
-    tau: Any,
-    after: Any,
-    workers: int = 1,
-    *,
-    off_centre: OffCentres,
-) -> Batch:
-    """See `slowflow.designs.Designs.transient`."""
-    last = AFTER if after is None else validate.number("after", after, least=0.0)
-    if (duration is None) == (tau is None):
-        raise Refused(NO_PULSE)
-    if tau is None:
-        pulse = numbers(acceleration=acceleration, duration=duration)
-        validate.common_shape(pulse)
-        peak, span = pulse.values()
-        found = _solve(designs, off_centre, *_half_sine(peak, span), span > 0, last, workers)
-        return _batch("transient", found, designs, pulse)
-    times, accelerations = samples(tau, acceleration)
-    rises = (np.diff(times) > 0).all(axis=-1)
-    with np.errstate(all="ignore"):  # what is no pulse has a status
-        arcs = record(times, accelerations)
-    found = _solve(designs, off_centre, arcs, times[..., 0], rises, last, workers)
-    return _batch("transient", found, designs, {})
-
-
-def numbers(**values: Any) -> dict[str, Floats]:
+def _numbers(**values: Any) -> dict[str, Floats]:
     """Numbers of pulses, in doubles. Raises Refused for what is no plain array."""
     for name, value in values.items():
         if validate.is_labelled(value):
@@ -88,34 +88,19 @@ def numbers(**values: Any) -> dict[str, Floats]:
     return {name: validate.real_array(name, value).astype(float) for name, value in values.items()}
 
 
-def samples(tau: Any, acceleration: Any) -> tuple[Floats, Floats]:
+def _samples(tau: Any, acceleration: Any) -> tuple[Floats, Floats]:
     """Records in doubles, samples along the last axis. Raises ValueError for other arrays than of as many samples."""
-    times, values = numbers(tau=tau, acceleration=acceleration).values()
+    times, values = _numbers(tau=tau, acceleration=acceleration).values()
     if not (times.ndim and values.ndim and times.shape[-1] == values.shape[-1] >= 2):
         raise Refused(text(SAMPLES, f"{times.shape} and {values.shape}"))
     validate.common_shape({"tau": times, "acceleration": values})
     return times, values
 
 
-def _half_sine(peak: Floats, span: Floats) -> tuple[Floats, Floats]:
-    """Its arcs, and when they begin."""
-    with np.errstate(all="ignore"):  # what is no pulse has a status
-        arcs = half_sine(peak, span)
-    return arcs, np.zeros(arcs.shape[:-2])
-
-
 def _solve(
-    designs: Designs,
-    off_centre: OffCentres,
-    arcs: Floats,
-    begin: Floats,
-    allowed: Any,
-    after: float,
-    workers: int,
+    designs: Designs, at_rest: AtRest, arcs: Floats, begin: Floats, allowed: Any, after: float, workers: int
 ) -> dict[str, Any]:
     """The columns of "transient" for arcs of shape (..., n, 4), which before that broadcast with the designs."""
-    if "eta" in designs.values:
-        validate.is_plain("a shock", designs.laws)
     threads = validate.workers(workers)
     pulses = {"begin": begin, "pulse": arcs[..., 0, 0]}
     shape = validate.common_shape({**designs.values, **pulses})
@@ -124,19 +109,21 @@ def _solve(
     index = np.broadcast_to(np.arange(len(pulses_of)).reshape(arcs.shape[:-2]), shape).ravel()
     begins = np.broadcast_to(begin, shape).ravel()
     finite = allowed & np.isfinite(arcs).all(axis=(-1, -2)) & np.isfinite(begin)
-    known = np.broadcast_to(designs.detachment(workers=workers).status != Status.INVALID, shape)
-    valid = np.flatnonzero(np.broadcast_to(finite, shape) & known)
-    status, numbers = np.full(begins.size, Status.INVALID, np.int8), np.full((begins.size, 7), np.nan)
+    loaded = "load" in designs.values
+    known = loaded or np.broadcast_to(designs.detachment(workers=workers).status != Status.INVALID, shape)
+    valid = individual = np.flatnonzero(np.broadcast_to(finite, shape) & known)
+    status, numbers = np.full(begins.size, Status.INVALID, np.int8), np.full((begins.size, 8), np.nan)
     laws = tuple(recurrences(law) for law in designs.mechanism.pieces)
-    with np.errstate(all="ignore"):
-        centre = designs.mechanism.at_rest(*designs.mechanism.coefficients(*designs.design))[:2]
-    # a force that jumps at u = 0, or whose equilibrium there may be unstable, is followed singly, which refuses one
-    # without finite stiffness
-    smooth = np.broadcast_to((centre[0] == 0) & np.isfinite(centre[1]) & (centre[1] < 0), shape).ravel()
-    individual = valid if designs.laws or None in laws else valid[~smooth[valid]]
+    if not (loaded or designs.laws or None in laws):
+        with np.errstate(all="ignore"):
+            centre = designs.mechanism.at_rest(*designs.mechanism.coefficients(*designs.design))[:2]
+        # a force that jumps at u = 0, or whose equilibrium there may be unstable, is followed singly, which refuses one
+        # without finite stiffness
+        smooth = np.broadcast_to((centre[0] == 0) & np.isfinite(centre[1]) & (centre[1] < 0), shape).ravel()
+        individual = valid[~smooth[valid]]
     for k in progress.each(individual.tolist(), individual.size, "designs followed singly"):
         one = {name: float(value[k]) for name, value in values.items()}
-        status[k], numbers[k] = _single(designs, off_centre, one, pulses_of[index[k]], float(begins[k]), after)
+        status[k], numbers[k] = _single(designs, at_rest, one, pulses_of[index[k]], float(begins[k]), after)
     batched = np.setdiff1d(valid, individual, assume_unique=True)
 
     def solve(part: Any) -> None:
@@ -148,14 +135,15 @@ def _solve(
         outcomes, found = np.empty(chunk.size, np.int8), np.empty((chunk.size, 7))
         rows = (np.ascontiguousarray(group) for group in (*columns, pulses_of[index[chunk]], begins[chunk]))
         EXACT.shocks(laws, *rows, after, MOST_STEPS, MOST_WORK, outcomes, found)
-        numbers[chunk] = found
+        numbers[chunk, :7] = found
         status[chunk] = np.where(outcomes == Outcome.GOOD, Status.OK, Status.UNRESOLVED)
 
     size = max(1, CHUNK_ARCS // (OVERHEAD + arcs.shape[-2]))
     chunks = (slice(first, first + size) for first in range(0, batched.size, size))
     share(solve, chunks, threads, lambda part: batched[part].size, batched.size)
-    A, tau_A, a_max, tau_a, tau_detaches, sticks, u_end = np.moveaxis(numbers.reshape(*shape, 7), -1, 0).copy()
+    A, tau_A, a_max, tau_a, tau_detaches, sticks, u_end, stands = np.moveaxis(numbers.reshape(*shape, 8), -1, 0).copy()
     flags = {"detaches": ~np.isnan(tau_detaches), "rests": sticks == 1, "status": status.reshape(shape)}
+    flags["stands"] = np.nan_to_num(stands)
     found = {"A": A, "tau_A": tau_A, "a_max": a_max, "tau_a": tau_a, "tau_detaches": tau_detaches, "u_end": u_end}
     return {**found, **{name: values.astype(np.int8) for name, values in flags.items()}}
 
@@ -166,27 +154,22 @@ def _columns(values: Sequence[Any], count: int) -> Floats:
 
 
 def _single(
-    designs: Designs,
-    off_centre: OffCentres,
-    values: dict[str, float],
-    arcs: Floats,
-    begin: float,
-    after: float,
+    designs: Designs, at_rest: AtRest, values: dict[str, float], arcs: Floats, begin: float, after: float
 ) -> tuple[Status, tuple[float, ...]]:
-    """The status and the numbers of one design, by `transient`."""
-    none = (np.nan,) * 7
+    """The status and the numbers of one design, by `transient`, and how many stable equilibria it has."""
     try:
-        model = designs.model(values)
+        model, load = designs.model(values), validate.number("load", values.get("load", 0.0))
         force = followed(Force.of(designs.mechanism, model.parameters), designs.mechanism.name)
         laws: dict[str, Any] = {"c_2": model.laws.c_2, "released": model.laws.rubs != THROUGHOUT}
-        system = EquationOfMotion(force, model.mu, model.zeta, **laws)
+        system = EquationOfMotion(force, model.mu, model.zeta, load=load, **laws)
+        at, stands = 0.0, 1
         # averages about a mean do not exist for some forces: not needed where the mass rests at u = 0
-        centred = system.centred and questions.stable_at_centre(system)
-        at = 0.0 if centred else questions.equilibrium(off_centre(model, 0.0), system)[0]
+        if not (system.centred and questions.stable_at_centre(system)):
+            equilibria = at_rest(values)
+            at, stands = questions.equilibrium(equilibria, system)[0], int(equilibria.rest().stable.sum())
         found = transient(system, arcs, begin=begin, after=after, at=at)
-    except ValueError:
-        return Status.INVALID, none
-    except ArithmeticError:
-        return Status.UNRESOLVED, none
+    except (ValueError, ArithmeticError) as error:
+        return failed(error), (np.nan,) * 8
     tau_detaches = np.nan if found.tau_detaches is None else found.tau_detaches
-    return Status.OK, (found.A, found.tau_A, found.a_max, found.tau_a, tau_detaches, float(found.rests), found.u_end)
+    motion = found.A, found.tau_A, found.a_max, found.tau_a, tau_detaches, float(found.rests), found.u_end
+    return Status.OK, (*motion, stands)

@@ -21,18 +21,16 @@ from slowflow.averaged.batches import Batch
 from slowflow.averaged.queries import CODED, failed
 from slowflow.averaged.questions import Averaged
 from slowflow.checks import Spectrum
-from slowflow.exact import questions, shocks_many
-from slowflow.exact.transient import NO_PULSE
+from slowflow.exact import shocks_many
 from slowflow.gradient import Gradient
 from slowflow.loaded import AT_CENTRE, off_centre_by
-from slowflow.mechanism import EquationOfMotion, Force, Mechanism, followed
+from slowflow.mechanism import Mechanism
 from slowflow.model import Floats, Model
 from slowflow.off_centre.answers import NUMBERS
 from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import NO_MEANS, NOT_SMOOTH
 from slowflow.off_centre.questions import OffCentre
 from slowflow.results import Remark
-from slowflow.support.errors import Refused
 from slowflow.table import AVERAGING, MORE_POINTS, OFFSET, QUESTIONS, SHOCKS, ManyQuestions, Unanswered
 from slowflow.validate import NotAvailable
 from slowflow_kernels.conventions import MovesStatus, OnsetKind, Status
@@ -134,7 +132,10 @@ class OffCentreDesigns(many.Designs):
         if question == "spectrum":
             return self._spectrum(**given)
         if question in SHOCKS:
-            return self._of_shocks(question, **given)
+            batch = partial(OffCentreBatch, system=OFFSET)
+            return shocks_many.answer(
+                self, question, **given, at_rest=lambda one: self._single(tuple(one.values())), batch=batch
+            )
         row = QUESTIONS[question]
         asked = {name: given.pop(name) for name in (*row.takes, *row.may) if given[name] is not None}
         options = {name: value for name, value in given.items() if name not in row.may}
@@ -182,30 +183,6 @@ class OffCentreDesigns(many.Designs):
         except (ValueError, ArithmeticError) as error:
             return None, failed(error)
         return found, np.where(found.sticks, Status.STICKS, np.where(found.motions > 0, Status.OK, Status.NONE))
-
-    def _of_shocks(
-        self, question: str, acceleration: Any, duration: Any = None, tau: Any = None, after: float | None = None
-    ) -> Batch:
-        """From where each design rests; some hundredths of a second a design."""
-        if "eta" in self.values:
-            raise NotAvailable(f"{question} is not available with eta: structural damping is stated at one frequency")
-        if (duration is None) == (tau is None):
-            raise Refused(NO_PULSE)
-        if after is not None:
-            after = validate.number("after", after, least=0.0)
-        if tau is None:
-            pulse = shocks_many.numbers(acceleration=acceleration, duration=duration)
-            return self._answered(question, partial(_shock, question, after), pulse)
-        times, samples = np.broadcast_arrays(*shocks_many.samples(tau, acceleration))
-        shape, records = times.shape[:-1], [one.reshape(-1, times.shape[-1]) for one in (samples, times)]
-        which = np.arange(math.prod(shape), dtype=float).reshape(shape)
-
-        def one(single: OffCentre, row: float) -> Found:
-            acceleration, tau = (record[int(row)] for record in records)
-            return _shock(question, after, single, acceleration, None, tau)
-
-        found = self._answered(question, one, {"which": which})
-        return OffCentreBatch(question, found._values, self, {}, OFFSET, remarks=found.remarks)
 
     def _answered(
         self,
@@ -378,26 +355,6 @@ def _margins(_: str, single: OffCentre, F_0: float) -> Found:
     columns["kind"] = OnsetKind[found.kind.upper()] if found.kind else OnsetKind.NO
     columns["onset"] = _single("saddle_node_onset", single)[1]
     return columns, Status.OK, found.remarks
-
-
-def _shock(
-    question: str, after: float | None, single: OffCentre, acceleration: Any, duration: Any, tau: Any = None
-) -> Found:
-    """What follows a pulse, and how many stable places of rest the design has."""
-    model = single.model
-    force = followed(Force.of(model.mechanism, model.parameters), model.mechanism.name)
-    system = EquationOfMotion(force, model.mu, model.zeta, load=single.load, c_2=model.laws.c_2)
-    begins_at_centre = system.centred and questions.stable_at_centre(system)
-    stands = 1 if begins_at_centre else int(single.rest().stable.sum())
-    found: Any
-    if question == "shock_spectrum":
-        (found,) = questions.shocks(single, system, acceleration, duration)
-    else:
-        found = questions.transient(single, system, acceleration, duration, tau, after)
-    names = [name for name in QUESTIONS[question].columns[AVERAGING] if name != "status"]
-    columns = {name: np.nan if (value := getattr(found, name)) is None else value for name in names}
-    beyond = found.A > model.reach
-    return {**columns, "stands": stands}, Status.OK, Remark.BEYOND_REACH if beyond else Remark(0)
 
 
 #: questions that are answered otherwise than by what a single answer has
