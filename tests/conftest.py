@@ -6,11 +6,12 @@ each run, and prints the seed that --hypothesis-seed repeats it by.
 
 from __future__ import annotations
 
+import gc
 import os
 import secrets
 import sys
 import tempfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -57,6 +58,17 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: p
     seed = f"--hypothesis-seed={config.getoption('--hypothesis-seed')}"
     turn = f"part of the cases: SLOWFLOW_TESTS={sampling.TURN} repeats it, SLOWFLOW_TESTS=all runs all"
     terminalreporter.write_line(f"again: {seed}" if sampling.ALL else turn)
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_collection() -> Generator[None, object, object]:
+    """A fifth of the time went into searching for garbage among modules and items, which stay to the end."""
+    gc.disable()
+    try:
+        return (yield)
+    finally:
+        gc.enable()
+        gc.freeze()
 
 
 def pytest_itemcollected(item: pytest.Item) -> None:
