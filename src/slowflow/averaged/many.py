@@ -164,7 +164,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
             except ArithmeticError:  # what single answers refuse stays refused
                 continue
             by_balls[at] = Remark.BY_BALLS in (found[0] if isinstance(found, tuple) else found).remarks
-            _put(columns, at, question.columns(found, places))
+            put(columns, at, question.columns(found, places))
         return by_balls
 
     def _model(self, numbers: Sequence[float]) -> Model:
@@ -355,7 +355,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
             # single answers know of masses that no spring holds, and of what boxes leave unresolved
             left = np.isin(outputs[-1], (Status.NO_BOUND, Status.UNRESOLVED))
             for index, design, own in self._each(left, *(values[name] for name in at)):
-                _put(outputs, index, self._one(question, design, own, places))
+                put(outputs, index, self._one(question, design, own, places))
         return outputs
 
     def _with_all_laws(self, values: dict[str, npt.NDArray[Any]]) -> list[npt.NDArray[Any]]:
@@ -378,7 +378,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
             try:
                 check_defined(self._model(numbers))
             except ValueError:
-                _put(outputs, index, question.blank(places, Status.INVALID))
+                put(outputs, index, question.blank(places, Status.INVALID))
 
     def _one(self, question: Question, given: list[float], asked: list[float], places: int) -> dict[str, Any]:
         """One design's answer, with a status in place of an exception."""
@@ -394,7 +394,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
             return question.blank(places, failed(error))
 
 
-def _put(columns: list[npt.NDArray[Any]], at: tuple[int, ...], found: dict[str, Any]) -> None:
+def put(columns: list[npt.NDArray[Any]], at: tuple[int, ...], found: dict[str, Any]) -> None:
     """Put one design's columns into those of all."""
     for column, value in zip(columns, found.values(), strict=True):
         column[at] = value

@@ -9,7 +9,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from functools import partial
-from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -18,7 +17,7 @@ import numpy.typing as npt
 from slowflow import batch_checks, checks, progress, validate
 from slowflow.averaged import many
 from slowflow.averaged.batches import Batch
-from slowflow.averaged.queries import CODED, failed
+from slowflow.averaged.queries import Question, failed, kinds
 from slowflow.averaged.questions import Averaged
 from slowflow.checks import Spectrum
 from slowflow.exact import shocks_many
@@ -33,7 +32,7 @@ from slowflow.off_centre.questions import OffCentre
 from slowflow.results import Remark
 from slowflow.table import AVERAGING, MORE_POINTS, OFFSET, QUESTIONS, SHOCKS, ManyQuestions, Unanswered
 from slowflow.validate import NotAvailable
-from slowflow_kernels.conventions import MovesStatus, OnsetKind, Status
+from slowflow_kernels.conventions import MovesStatus, Status
 from slowflow_kernels.domains import DAMPING, DISSIPATION
 
 NO_GRADIENT = (
@@ -42,9 +41,8 @@ NO_GRADIENT = (
 )
 #: designs that are kept with what is known of them, some 0.2 MB each
 KEPT = 256
-#: one design's answer by column, how it fared, and what to bear in mind with it
-Found = tuple[dict[str, Any], Status, Remark]
-One = Callable[..., Found]
+#: one design's answer by column, and what to bear in mind with it
+Found = tuple[dict[str, Any], Remark]
 
 
 class OffCentreBatch(Batch):
@@ -136,15 +134,14 @@ class OffCentreDesigns(many.Designs):
             return shocks_many.answer(
                 self, question, **given, at_rest=lambda one: self._single(tuple(one.values())), batch=batch
             )
-        row = QUESTIONS[question]
+        row, points = QUESTIONS[question], 0
+        one: Callable[..., Found] = _margins if question == "margins" else _columns
         asked = {name: given.pop(name) for name in (*row.takes, *row.may) if given[name] is not None}
         options = {name: value for name, value in given.items() if name not in row.may}
         if question == "frequency_response":
-            samples, window = validate.curve(given["samples"], given["Omega"])
-            options["samples"], options["Omega"] = samples, window
-            points = samples + MORE_POINTS[OFFSET]
-            return self._answered(question, partial(_curve, samples, window, points), asked, workers, options, points)
-        return self._answered(question, partial(ONE.get(question, _single), question), asked, workers, options)
+            options["samples"], options["Omega"] = window = validate.curve(given["samples"], given["Omega"])
+            one, points = partial(_curve, *window), options["samples"] + MORE_POINTS[OFFSET]
+        return self._answered(Question(question, one, None, 1, OFFSET, points), asked, workers, options)
 
     def _spectrum(self, Omega: Any, F_0: Any) -> Batch:
         """Rows with several forcings take some tenths of a second each."""
@@ -184,43 +181,25 @@ class OffCentreDesigns(many.Designs):
             return None, failed(error)
         return found, np.where(found.sticks, Status.STICKS, np.where(found.motions > 0, Status.OK, Status.NONE))
 
-    def _answered(
-        self,
-        question: str,
-        one: One,
-        at: dict[str, Any],
-        workers: int = 1,
-        options: Mapping[str, Any] = MappingProxyType({}),
-        points: int = 0,
-    ) -> Batch:
+    def _answered(self, question: Question, at: dict[str, Any], workers: int, options: Mapping[str, Any]) -> Batch:
         """Columns by the table, design by design; the solvers off the centre use one thread.
 
         options -- what the question takes that is the same for all designs
-        points  -- length of the axis of points
         """
-        several = validate.count("places", options["places"], least=1) if "places" in options else 0
+        places = validate.count("places", options["places"], least=1) if "places" in options else 0
         asked = {name: validate.real_array(name, value) for name, value in at.items()}
         values = {**self.values, **asked}
         shape = validate.common_shape(values)
-        lengths = {"place": several, "point": points}
-        inner = QUESTIONS[question].columns[OFFSET]
-        columns = QUESTIONS[question].blank(OFFSET, shape, **lengths)
-        said = np.zeros(shape, np.uint16)
-        given = np.broadcast_arrays(*values.values())
+        columns, said = question.blank(places, Status.INVALID, shape), np.zeros(shape, np.uint16)
         at_centre = np.zeros(shape, dtype=bool)
-        if self.mechanism.odd and AVERAGING in QUESTIONS[question].columns and question not in SHOCKS:
+        if self.mechanism.odd and AVERAGING in QUESTIONS[question.name].columns:
             at_centre = np.broadcast_to(self.values["load"] == 0, shape)
-            self._at_centre(question, at_centre, dict(zip(values, given, strict=True)), workers, options, columns, said)
+            given = dict(zip(values, np.broadcast_arrays(*values.values()), strict=True))
+            self._at_centre(question.name, at_centre, given, workers, options, columns, said)
         for place, own, numbers in self._each(~at_centre, *asked.values()):
-            there = dict(zip(at, numbers, strict=True))
-            found, columns["status"][place], said[place] = self._status(question, one, tuple(own), there, several)
-            for name, value in found.items():
-                if inner[name]:
-                    length = lengths[inner[name]]
-                    columns[name][place][: min(length, len(value))] = value[:length]
-                else:
-                    columns[name][place] = value
-        return OffCentreBatch(question, columns, self, at, OFFSET, remarks=said)
+            found, said[place] = self._of_one(question, tuple(own), dict(zip(at, numbers, strict=True)), places)
+            many.put(list(columns.values()), place, found)
+        return OffCentreBatch(question.name, columns, self, at, OFFSET, remarks=said)
 
     def _at_centre(
         self,
@@ -255,25 +234,26 @@ class OffCentreDesigns(many.Designs):
                 column[where] = getattr(answer, told)
         said[where] = answer.remarks
 
-    def _status(self, question: str, one: One, numbers: tuple[float, ...], at: dict[str, float], places: int) -> Found:
-        """One design's answer by column, how it fared, and what to bear in mind with it."""
-        none: dict[str, Any] = {}
+    def _of_one(self, question: Question, numbers: tuple[float, ...], at: dict[str, float], places: int) -> Found:
+        """One design's answer, with a status in place of an exception."""
+        assert question.one is not None
+        name, F_0 = question.name, at.get("F_0")
         try:
             single = self._single(numbers)
-            if "F_0" in at:
-                validate.number("F_0", at["F_0"], above=0.0)
+            if F_0 is not None:
+                validate.number("F_0", F_0, above=0.0)
                 if "Omega" in at:
                     validate.frequencies("Omega", at["Omega"])
-            moves = "F_0" in at or question == "saddle_node_onset"
+            moves = F_0 is not None or name == "saddle_node_onset"
             damps = not moves or Flow.of(single.model.unloaded).damps
-            if "F_0" in at and single.model.sticks(at["F_0"]) and not (damps and question in ("margins", "amplitudes")):
-                return none, Status.STICKS, Remark(0)
+            if F_0 is not None and single.model.sticks(F_0) and not (damps and name in ("margins", "amplitudes")):
+                return question.blank(places, Status.STICKS), Remark(0)
             if not damps:
-                return none, Status.UNBOUNDED, Remark(0)
-            found, status, said = one(single, *at.values())
-            return found, Status.TOO_MANY if places and found["count"] > places else status, said
+                return question.blank(places, Status.UNBOUNDED), Remark(0)
+            found: Found = question.one(question, places, single, *at.values())
+            return found
         except (ValueError, ArithmeticError) as error:
-            return none, failed(error), Remark(0)
+            return question.blank(places, failed(error)), Remark(0)
 
     def _single(self, numbers: tuple[float, ...]) -> OffCentre:
         """One design, which keeps for a while what it has been asked already. Raises ValueError for what is none."""
@@ -306,56 +286,33 @@ def _runs(Omega: Floats, F_0: Floats) -> list[slice]:
     return [slice(*pair) for pair in ends.tolist()]
 
 
-def _columns(found: Any, *names: str) -> dict[str, Any]:
-    return {name: getattr(found, name) for name in names}
+def _columns(question: Question, places: int, single: OffCentre, *at: float) -> Found:
+    """A single answer in the columns of a batch."""
+    name, row = question.name, QUESTIONS[question.name]
+    found = getattr(single, name)(**dict(zip((*row.takes, *row.may), at, strict=False)))
+    columns = question.columns(found, places)
+    status = columns["status"]
+    if name in ("detachment", "saddle_node_onset") and status == Status.NONE and Remark.UNDECIDED in found.remarks:
+        status[...] = Status.UNRESOLVED
+    if name == "amplitudes" and status == Status.OK and len(found) and not found.A.any():
+        status[...] = Status.STICKS
+    return columns, found.remarks
 
 
-def _single(question: str, single: OffCentre, *at: float) -> Found:
-    """A single answer in the columns of a batch: what it has of that name, and its number and kinds as codes."""
-    row = QUESTIONS[question]
-    found = getattr(single, question)(**dict(zip((*row.takes, *row.may), at, strict=False)))
-    names = [name for name in row.columns[OFFSET] if name != "status"]
-    undecided = Remark.UNDECIDED in found.remarks
-    if getattr(found, names[0]) is None:
-        unknown = undecided and question in ("detachment", "saddle_node_onset")
-        return {}, Status.UNRESOLVED if unknown else Status.NONE, found.remarks
-    columns = {name: CODED[name](found) if name in CODED else getattr(found, name) for name in names}
-    known = {name: math.nan if value is None else value for name, value in columns.items()}
-    return known, Status.OK, found.remarks
+def _curve(
+    samples: int, window: tuple[float, float], question: Question, places: int, single: OffCentre, F_0: float
+) -> Found:
+    found, folds = single.frequency_response(F_0, samples=samples, Omega=window), single.saddle_nodes(F_0)
+    return question.columns((found, folds), places), folds.remarks | found.remarks
 
 
-def _curve(samples: int, window: tuple[float, float], most: int, single: OffCentre, F_0: float) -> Found:
-    """A curve with more points than that has none."""
-    folds, status, said = _single("saddle_nodes", single, F_0)
-    columns = {name if name in ("count", "undecided") else f"fold_{name}": value for name, value in folds.items()}
-    del columns["fold_B"]
-    found = single.frequency_response(F_0, samples=samples, Omega=window)
-    columns["points"] = len(found)
-    if len(found) > most:
-        return columns, Status.TOO_MANY, said
-    columns |= _columns(found, "Omega", "A", "B", "phi", "transmissibility", "stable", "branch")
-    columns["isola"] = np.asarray(found.isola, dtype=np.int8)[found.branch]
-    return columns, status, said | found.remarks
-
-
-def _states(question: str, single: OffCentre, F_0: float, Omega: float) -> Found:
-    columns, status, said = _single(question, single, F_0, Omega)
-    return columns, status if np.any(columns["A"]) or not columns["count"] else Status.STICKS, said
-
-
-def _margins(_: str, single: OffCentre, F_0: float) -> Found:
-    found, onset = single.margins(F_0), single.saddle_node_onset()
-    missing = {
-        "F_SN": math.nan if Remark.UNDECIDED in onset.remarks else math.inf,
-        "F_cr": math.inf,
-    }
-    missing |= {f"of_{name[2:]}": value for name, value in missing.items()}
-    columns = {name: known if (known := getattr(found, name)) is not None else one for name, one in missing.items()}
-    columns |= _columns(found, "folds", "detaches", "sticks", "Omega_sticks")
-    columns["kind"] = OnsetKind[found.kind.upper()] if found.kind else OnsetKind.NO
-    columns["onset"] = _single("saddle_node_onset", single)[1]
-    return columns, Status.OK, found.remarks
-
-
-#: questions that are answered otherwise than by what a single answer has
-ONE: Mapping[str, Callable[..., Found]] = {"amplitudes": _states, "margins": _margins}
+def _margins(question: Question, places: int, single: OffCentre, F_0: float) -> Found:
+    found, onset, columns = single.margins(F_0), single.saddle_node_onset(), question.blank(places, Status.OK)
+    unknown = Remark.UNDECIDED in onset.remarks
+    for name in ("F_SN", "of_SN", "F_cr", "of_cr", "folds", "detaches", "sticks", "Omega_sticks"):
+        missing = math.nan if unknown and name.endswith("_SN") else math.inf
+        columns[name][...] = missing if (value := getattr(found, name)) is None else value
+    columns["kind"][...] = kinds(found)
+    if onset.F_SN is None:
+        columns["onset"][...] = Status.UNRESOLVED if unknown else Status.NONE
+    return columns, found.remarks
