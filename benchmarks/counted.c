@@ -255,47 +255,51 @@ static double seconds_of_quartics(long n) {
 }
 
 /* What the numbers of a design take to become what the solvers take: as doubles, as intervals. */
-static void seconds_of_designs(char **args, const ptrdiff_t *steps, long n, double out[2]) {
+static void seconds_of_designs(sf_call *at, double out[2]) {
+    const double n = (double)at->dimensions[0];
     out[0] = out[1] = HUGE_VAL;
     for (int round = 0; round < ROUNDS; round++) {
         sf_interval within[SF_MOST_PARAMETERS + SF_MOST_BREAKS];
         sf_numbers given;
         sf_model model;
         double start = now(), reading;
-        for (long k = 0; k < n; k++)
-            sf_read_numbers_at(record, args, steps, k, &given), sink = given.design[0];
+        for (at->k = 0; at->k < at->dimensions[0]; at->k++)
+            sf_read_numbers_at(at, &given), sink = given.design[0];
         reading = now() - start, start = now();
-        for (long k = 0; k < n; k++)
-            sink = sf_design_at(record, args, steps, k, 0, &model) + model.p[0];
-        out[0] = least(out[0], (now() - start) / (double)n), start = now();
-        for (long k = 0; k < n; k++) {
-            sf_read_numbers_at(record, args, steps, k, &given);
+        for (at->k = 0; at->k < at->dimensions[0]; at->k++)
+            sink = sf_design_at(at, 0, &given, &model) + model.p[0];
+        out[0] = least(out[0], (now() - start) / n), start = now();
+        for (at->k = 0; at->k < at->dimensions[0]; at->k++) {
+            sf_read_numbers_at(at, &given);
             record->parameters_within(record, given.design, within), sink = within[0].lo;
         }
-        out[1] = least(out[1], (now() - start - reading) / (double)n);
+        out[1] = least(out[1], (now() - start - reading) / n);
     }
 }
 
-/* What an answer takes to be written. */
-static double seconds_of_writing(int asked, char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, int out) {
-    static const double A[1] = {1};
-    static const unsigned char stable[1] = {1};
-    static const sf_onset onset;
-    static const sf_folds two = {.n = 2};
+/* What an answer takes to be written, of states and folds two. */
+static double seconds_of_writing(sf_call *at) {
+    static const double A[2] = {1, 2};
+    static const int flags[2];
     double best = HUGE_VAL;
     for (int round = 0; round < ROUNDS; round++) {
         const double start = now();
-        for (ptrdiff_t k = 0; k < dimensions[0]; k++) {
-            if (asked == 0)
-                sf_write_states(args, dimensions, steps, out, k, 1, A, stable, 0, SF_OK);
-            if (asked == 1)
-                sf_write_folds(args, dimensions, steps, out, k, &two, SF_OK);
-            if (asked == 2)
-                sf_write_peak(args, steps, out, k, 1, 1, SF_OK);
-            if (asked == 3)
-                sf_write_onset(args, steps, out, k, &onset, 0, SF_OK);
+        for (at->k = 0; at->k < at->dimensions[0]; at->k++) {
+            sf_query q = {.items = 0};
+            sf_put(&q, SF_INTEGER, SF_OK);
+            for (const char *type = at->row->types; type[1] != 0; type++) {
+                if (*type == 'D')
+                    sf_put_column(&q, SF_NUMBERS, 2, A, sizeof *A);
+                else if (*type == 'B' || *type == 'K')
+                    sf_put_column(&q, SF_FLAGS, 2, flags, 0);
+                else if (*type != 'n')
+                    sf_put(&q, SF_NUMBER, 1);
+                if (*type == 'K')
+                    sf_put_column(&q, SF_FLAGS, 2, flags, 0);
+            }
+            sf_write_answer(at, &q);
         }
-        best = least(best, (now() - start) / (double)dimensions[0]);
+        best = least(best, (now() - start) / (double)at->dimensions[0]);
     }
     return best;
 }
@@ -344,21 +348,25 @@ enum {
  * designs a cell and an amplitude, a quartic solved by itself, its parameters made, on intervals and in pairs too, and
  * its answer written; then the seconds of one of each. Returns 0 where there is no such record. */
 int count(int asked, const char *name, long n, double *inputs, double *out) {
-    const sf_many loops[] = {sf_loop_states, sf_loop_folds, sf_loop_peaks, sf_loop_onsets};
-    const int at[] = {2, 1, 1, 0}, outputs[] = {5, 6, 3, 6};
+    void (*const loops[])(sf_call *) = {sf_loop_states, sf_loop_folds, sf_loop_peaks, sf_loop_onsets};
+    const sf_batch *row = sf_rows_of_many;
     double *taken = out + PARTS;
     static unsigned char answers[4096];
     char *args[MOST_INPUTS + 6];
     ptrdiff_t steps[2 * (MOST_INPUTS + 6)] = {0}, dimensions[2] = {n, 6};
     sf_mechanism counting;
+    sf_call call;
     int i, given;
     if (!find_record(name))
         return 0;
-    given = record->design_size + record->damping_size + at[asked];
+    while (row->loop != loops[asked])
+        row++;
+    given = record->design_size + record->damping_size + row->at;
     for (i = 0; i < given; i++)
         args[i] = (char *)(inputs + i * n), steps[i] = sizeof *inputs;
-    for (i = 0; i < outputs[asked]; i++)
+    for (i = 0; row->types[i] != 0; i++)
         args[given + i] = (char *)answers + 64 * i;
+    call = (sf_call){&counting, row, given, args, dimensions, steps, steps + given + i, 0};
     counting = *record;
     counting.averaged = counted_average, counting.averaged_in_pairs = counted_in_pairs;
     counting.parameters_of = counted_parameters, counting.parameters_within = counted_within;
@@ -366,7 +374,8 @@ int count(int asked, const char *name, long n, double *inputs, double *out) {
     ranges = values = averages = in_pairs = in_intervals = made = quartics_solved = 0;
     memset(&cells_in_lanes, 0, sizeof cells_in_lanes), memset(&amplitudes_in_lanes, 0, sizeof amplitudes_in_lanes);
     memset(&made_in_lanes, 0, sizeof made_in_lanes);
-    loops[asked](args, dimensions, steps, &counting);
+    row->loop(&call);
+    call.mechanism = record;
     out[AVERAGES] = (double)averages, out[IN_PAIRS] = (double)in_pairs, out[VALUES] = (double)values;
     out[RANGES] = (double)ranges, out[QUARTICS] = (double)quartics_solved, out[MADE] = (double)made;
     out[IN_INTERVALS] = (double)in_intervals, out[MADE_IN_PAIRS] = (double)made_in_lanes.places, out[WRITTEN] = (double)n;
@@ -380,9 +389,9 @@ int count(int asked, const char *name, long n, double *inputs, double *out) {
     taken[RANGES] = ranges > 0 ? seconds_of_ranges(ranges < KEPT ? ranges : KEPT) : 0;
     taken[CELLS] = seconds_in_lanes(&cells_in_lanes), taken[AMPLITUDES] = seconds_in_lanes(&amplitudes_in_lanes);
     taken[QUARTICS] = quartics_solved > 0 ? seconds_of_quartics(quartics_solved < KEPT ? quartics_solved : KEPT) : 0;
-    seconds_of_designs(args, steps, n, taken + MADE);
+    seconds_of_designs(&call, taken + MADE);
     taken[MADE_IN_PAIRS] = seconds_in_lanes(&made_in_lanes);
-    taken[WRITTEN] = seconds_of_writing(asked, args, dimensions, steps, given);
+    taken[WRITTEN] = seconds_of_writing(&call);
     return 1;
 }
 

@@ -199,7 +199,7 @@ def _of_second(library: Any) -> str:
             "its folds",
             Wanted.FOLDS_ONLY,
             first.frequency_response(certified.F_0, samples=FEWER, Omega=around),
-            lambda: solver.second_saddle_nodes(*asked, np.inf, 0.0),
+            lambda: solver.second_saddle_nodes(*asked, np.inf, np.inf),
         ),
     ):
         out, columns = np.zeros(4), (drawn.Omega, drawn.A, drawn.branch.astype(np.int64))

@@ -51,10 +51,12 @@ def curve_of(model, F_0, samples, window, wanted=Wanted.EVERY_POINT):
     return Curve(*columns)
 
 
-def folds_about(model, F_0, low=np.inf, high=0.0):
+def folds_about(model, F_0, low=np.inf, high=np.inf):
     """Omega, u_max, A_1, up and corner of each; how many are lost, of how many; points of averaging's that are lost."""
-    status, undecided, *columns, of, _, _ = SOLVER.second_saddle_nodes(model.native, F_0, low, high)
-    return None if status != Status.OK or undecided or not of else (*map(np.ndarray.tolist, columns[:5]), *columns[5:])
+    found = SOLVER.second_saddle_nodes(model.native, F_0, low, high)
+    status, Omega, u_max, up, corner, _, A_1, undecided, *lost, of, _, _ = found
+    columns = Omega, u_max, A_1, up, corner
+    return None if status != Status.OK or undecided or not of else (*map(np.ndarray.tolist, columns), *lost)
 
 
 def test_a_motion_that_leaves_the_centre_is_not_stable():
@@ -545,15 +547,15 @@ def test_critical_forcings_meet_the_balance(excitation):
         model, balance = oscillator.model, Balance(oscillator.model)
         onset, lift = oscillator.saddle_node_onset(), oscillator.detachment()
         given = (onset.F_SN, onset.Omega, onset.A) if onset.kind == "cusp" else (np.nan, np.nan, np.nan)
-        is_near, F_SN, Omega, u_max = SOLVER.second_onset(model.native, *given)
-        if is_near:
+        status, F_SN, Omega, u_max, *_ = SOLVER.second_onset(model.native, *given)
+        if status == Status.OK:
             A, scale = at_displacement(balance, Omega, u_max), model.force(F_SN, Omega) ** 2
             F, F_A, F_AA = balance.folds(Omega, A, F_SN)
             assert max(abs(F), A * abs(F_A), A * A * abs(F_AA)) < 1e-6 * scale
             found += 1
         given = (lift.F_cr, lift.Omega_cr, lift.u_cr) if lift.F_cr else (np.nan, np.nan, np.nan)
-        is_near, F_cr, Omega = SOLVER.second_detachment(model.native, *given)
-        if is_near:
+        status, F_cr, Omega, _ = SOLVER.second_detachment(model.native, *given)
+        if status == Status.OK:
             level, _, turning = balance.detachment(Omega, at_displacement(balance, Omega, lift.u_cr))
             assert level == pytest.approx(F_cr, rel=1e-10) and abs(turning) < 1e-8
             found += 1

@@ -109,7 +109,7 @@ def folds(model: Model, F_0: float) -> SaddleNodes:
 
 def onset(model: Model) -> SaddleNodeOnset:
     """The lowest forcing that has a fold, in whatever regime it lies."""
-    status, F_SN, Omega, A, kind, at_rest = backend.SOLVER.onset(model.native)
+    status, F_SN, Omega, A, kind, _, at_rest = backend.SOLVER.onset(model.native)
     if status == Status.OK:
         onset = {"F_SN": F_SN, "Omega": Omega, "A": A, "kind": ONSET_KINDS[kind], "untruncated": None}
         found = SaddleNodeOnset._made(**onset, message="", remarks=NOTHING)

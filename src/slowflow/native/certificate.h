@@ -54,13 +54,15 @@ typedef struct {
     int proved;
 } sf_proved_onset;
 
-/* Where answers are made that a proof decides if they are in doubt. doubt: whether the folds were, undecided: whether
- * they still are; proofs: how many have been tried of states; followed: whether the segments of the response are in
- * work, or, as `status` says, cannot be */
+/* Where answers are made that a proof decides if they are in doubt. A, stable: states at a frequency; doubt: whether
+ * the folds were, undecided: whether they still are; proofs: how many have been tried of states; followed: whether the
+ * segments of the response are in work, or, as `status` says, cannot be */
 typedef struct {
     sf_work work;
     sf_proof proof;
     sf_certificate found;
+    double A[SF_MOST_SEGMENTS];
+    unsigned char stable[SF_MOST_SEGMENTS];
     int doubt, undecided, followed;
     sf_status status;
     long proofs;

@@ -679,4 +679,34 @@ static void sf_draw(const sf_model *model, double F_0, double samples, const sf_
     }
 }
 
+/* The points of one curve as they are drawn. */
+typedef struct {
+    double *Omega, *A;
+    long long *branch;
+    unsigned char *stable;
+} sf_points;
+
+/* 0 where there is no memory. */
+static int sf_new_points(ptrdiff_t places, sf_points *out) {
+    const size_t n = places > 0 ? (size_t)places : 1;
+    out->Omega = malloc(n * sizeof *out->Omega), out->A = malloc(n * sizeof *out->A);
+    out->branch = malloc(n * sizeof *out->branch), out->stable = malloc(n);
+    return out->Omega != NULL && out->A != NULL && out->branch != NULL && out->stable != NULL;
+}
+
+static void sf_free_points(sf_points *points) {
+    free(points->Omega), free(points->A), free(points->branch), free(points->stable);
+}
+
+/* Leaves out those at rest, at which the response to an excitation by inertia begins; returns how many are left. */
+static long sf_leave_rest_out(long n, sf_points *points) {
+    long i, kept = 0;
+    for (i = 0; i < n; i++)
+        if (points->A[i] > 0) {
+            points->Omega[kept] = points->Omega[i], points->A[kept] = points->A[i];
+            points->branch[kept] = points->branch[i], points->stable[kept++] = points->stable[i];
+        }
+    return kept;
+}
+
 #endif

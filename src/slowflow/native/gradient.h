@@ -365,32 +365,28 @@ static void sf_loop_told(char **args, const ptrdiff_t *dimensions, const ptrdiff
 
 /* design, damping, F_0, Omega, A, what it is (a number of sf_pinned) -> moves (rows, columns), status; see
  * sf_gradient */
-static void sf_loop_gradients(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps,
-                              const sf_mechanism *mechanism, int inertial) {
-    const int first = mechanism->design_size + mechanism->damping_size, moves = first + 4;
-    const int rows = (int)dimensions[1], columns = (int)dimensions[2];
-    const ptrdiff_t *inner = steps + moves + 2;
+static void sf_loop_gradients(sf_call *at, int inertial) {
+    const sf_mechanism *mechanism = at->mechanism;
+    const int rows = (int)at->dimensions[1], columns = (int)at->dimensions[2];
     double of_design[SF_MOST_DESIGN * (SF_MOST_PARAMETERS + SF_MOST_BREAKS)];
     sf_rows out;
     sf_causes of;
     sf_numbers before;
     sf_model model;
     int known = 0, valid = 0, i, j;
-    ptrdiff_t k;
     sf_begin_causes(mechanism, &of);
-    for (k = 0; k < dimensions[0]; k++) {
-        const double A = sf_input(args, steps, first + 2, k);
-        sf_pinned_answer answer = {(sf_pinned)sf_input(args, steps, first + 3, k), inertial,
-                                   sf_input(args, steps, first + 1, k), sf_input(args, steps, first, k), {0}, 0,
+    for (at->k = 0; at->k < at->dimensions[0]; at->k++) {
+        const double A = sf_number(at, 2);
+        sf_pinned_answer answer = {(sf_pinned)sf_number(at, 3), inertial, sf_number(at, 1), sf_number(at, 0), {0}, 0,
                                    {0}, 0, {0}};
         sf_moves_status status = SF_NOTHING_MOVES;
         if (mechanism->by_parameter != NULL && A > 0 && A < HUGE_VAL && answer.Omega >= 0 && answer.Omega < HUGE_VAL &&
             answer.F_0 >= 0 && answer.F_0 < HUGE_VAL) {
             sf_numbers given;
-            sf_read_numbers_at(mechanism, args, steps, k, &given);
+            sf_read_numbers_at(at, &given);
             /* answers of one oscillator come one after the other */
             if (!known || !sf_are_same(mechanism, &given, &before)) {
-                valid = sf_design_at(mechanism, args, steps, k, 1, &model);
+                valid = sf_design_at(at, 1, &given, &model);
                 if (valid)
                     mechanism->by_design(mechanism, given.design, of_design);
                 before = given, known = 1;
@@ -399,20 +395,15 @@ static void sf_loop_gradients(char **args, const ptrdiff_t *dimensions, const pt
                 status = sf_gradient(&model, of_design, &of, &answer, A, rows, columns, out);
         }
         for (i = 0; i < rows; i++) {
-            char *row = args[moves] + k * steps[moves] + i * inner[0];
+            char *row = sf_output(at, 0) + i * at->inner[0];
             for (j = 0; j < columns; j++)
-                *(double *)(void *)(row + j * inner[1]) = status == SF_OK_MOVES ? out[i][j] : NAN;
+                *(double *)(void *)(row + j * at->inner[1]) = status == SF_OK_MOVES ? out[i][j] : NAN;
         }
-        sf_output_code(args, steps, moves + 1, k, status);
+        *sf_output(at, 1) = (char)status;
     }
 }
 
-static void sf_loop_forced_gradients(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
-    sf_loop_gradients(args, dimensions, steps, data, 0);
-}
-
-static void sf_loop_inertial_gradients(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
-    sf_loop_gradients(args, dimensions, steps, data, 1);
-}
+static void sf_loop_forced_gradients(sf_call *at) { sf_loop_gradients(at, 0); }
+static void sf_loop_inertial_gradients(sf_call *at) { sf_loop_gradients(at, 1); }
 
 #endif

@@ -6,8 +6,6 @@
 
 #include "certificate.h"
 
-typedef void (*sf_many)(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data);
-
 /* Makes a record of words and numbers, with the damping and the excitation of another one. */
 typedef sf_status (*sf_record_of)(const sf_mechanism *like, const char *name, const int *words, ptrdiff_t count,
                                 const double *numbers, ptrdiff_t length, sf_mechanism **record);
@@ -77,21 +75,53 @@ typedef struct {
     void (*answer)(sf_query *);
 } sf_row;
 
+static inline void sf_put(sf_query *q, sf_item_kind kind, double value) {
+    q->item[q->items++] = (sf_item){kind, value, 0, NULL, 0};
+}
+
+/* A column of n values that lie `step` bytes apart. */
+static inline void sf_put_column(sf_query *q, sf_item_kind kind, long n, const void *first, size_t step) {
+    q->item[q->items++] = (sf_item){kind, 0, n, first, (ptrdiff_t)step};
+}
+
 /* ==== Questions about many ======================================================================================== */
 
-/* shape, types: of the outputs, behind the design, the damping and `at` numbers more, F_0 and Omega or others; by `d`,
- * `b`, `h` and `i` for double, int8, short and int. */
+typedef struct sf_call sf_call;
+
+/* shape, types: of the outputs, behind the design, the damping and `at` numbers more, F_0 and Omega or others; by `d`
+ * and `i` for double and int, `b` for int8, `n` for how many places are taken, as int8 too; with places by `D`, `B`,
+ * `H` for short, and `K` for the kinds of folds, which are made of two columns.
+ *
+ * loop      -- over its designs
+ * answer    -- of one design: its status, which is the last output, then an item for each of the others but `n`; no
+ *              items where it is no design to be asked about
+ * of_given  -- whether that needs the oscillator as it was given, not only in pairs
+ */
 typedef struct {
     const char *name, *shape, *types, *doc;
     int at;
-    sf_many loop;
+    void (*loop)(sf_call *);
+    void (*answer)(sf_query *);
+    int of_given;
 } sf_batch;
+
+/* A batch, at design k: args[i] + k * steps[i] is operand i of a ufunc, `out` the first of the outputs; inner: the
+ * steps of outputs along their places */
+struct sf_call {
+    const sf_mechanism *mechanism;
+    const sf_batch *row;
+    int out;
+    char **args;
+    const ptrdiff_t *dimensions, *steps, *inner;
+    ptrdiff_t k;
+};
 
 typedef struct {
     const sf_row *of_one;
     const sf_batch *of_many;
     int count_of_one, count_of_many;
-    sf_many told; /* of answers by what is known there, not of a record */
+    /* a ufunc's, of answers by what is known there, not of a record */
+    void (*told)(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data);
     const sf_records *records;
 } sf_solvers;
 

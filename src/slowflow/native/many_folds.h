@@ -26,6 +26,11 @@ enum { SF_FOLD_BLOCK = 64 };
 static const sf_lane_question sf_folds_in_lanes = {sf_judge_folds, sf_approach_folds, sf_sample_at, 1,
                                                    SF_LAST_BY_SQUARES};
 
+static void sf_search_folds(sf_lane_block *block) {
+    sf_search_block(&sf_folds_in_lanes, block);
+    sf_approach_block(&sf_folds_in_lanes, block);
+}
+
 /* The cells of a first piece: what lies below where folds begin, nearly a cube of A, next to that, and the rest. */
 static void sf_begin_first_piece(sf_lane_block *block, int d, const sf_sample *rest, const sf_sample *end) {
     const sf_lane_design *of = &block->at[d];

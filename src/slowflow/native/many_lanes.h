@@ -50,7 +50,8 @@ static inline int sf_take_jumps(const sf_exact_block *block, ptrdiff_t d, sf_mod
 typedef struct {
     double F_0, Omega, A_max, asked[SF_ASKED_ROWS];
     sf_model model;
-    int ok, n, rises[SF_LANE_ZEROS];
+    int ok, n;
+    unsigned char rises[SF_LANE_ZEROS];
     double A[SF_LANE_ZEROS], w[SF_LANE_ZEROS], lo[SF_LANE_ZEROS], hi[SF_LANE_ZEROS];
     sf_sample near[SF_LANE_ZEROS];
 } sf_lane_design;

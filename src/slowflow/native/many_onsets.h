@@ -24,6 +24,11 @@ static const double sf_onset_parts[SF_ONSET_PARTS + 1] = {0, 0.125, 0.25, 0.5, 1
 
 static const sf_lane_question sf_cusps_in_lanes = {sf_judge_cusps, sf_approach_cusps, sf_sample_at, 1, SF_LAST_OF_CUSP};
 
+static void sf_search_cusps(sf_lane_block *block) {
+    sf_search_block(&sf_cusps_in_lanes, block);
+    sf_approach_block(&sf_cusps_in_lanes, block);
+}
+
 /* lanes: of its designs the cusps on their first pieces */
 typedef struct {
     sf_lane_block lanes;

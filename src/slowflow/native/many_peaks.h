@@ -51,7 +51,7 @@ static void sf_begin_below(sf_lane_block *block, int d, int part) {
     sf_add_cell(block, d, 0, &low, &high);
 }
 
-/* Which cells of a block hold a peak; designs without are left to sf_settled_peak. */
+/* The peaks in the cells of a block; designs without are left to sf_settled_peak. */
 static void sf_search_peaks(sf_lane_block *block) {
     sf_lane_cells *cells = &block->cells[0];
     int with_one[SF_LANE_CELLS], without[SF_LANE_CELLS], others[SF_LANE_CELLS], round, i;
@@ -73,6 +73,7 @@ static void sf_search_peaks(sf_lane_block *block) {
         for (i = 0; i < n_none; i++)
             sf_begin_below(block, without[i], round);
     }
+    sf_approach_block(&sf_peaks_in_lanes, block);
 }
 
 /* The peak that the block has found of a design, to its last digit; 0 where it does not settle. */

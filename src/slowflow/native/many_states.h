@@ -12,6 +12,11 @@
 static const sf_lane_question sf_states_in_lanes = {sf_judge_states, sf_approach_states, sf_average_at,
                                                     0, SF_LAST_BY_CUBES};
 
+static void sf_search_states(sf_lane_block *block) {
+    sf_search_block(&sf_states_in_lanes, block);
+    sf_approach_block(&sf_states_in_lanes, block);
+}
+
 /* The cells with which the search for the states of design d begins, one for each piece of the force; 0 where it is
  * left to states.h, see sf_clear_states. */
 static int sf_begin_states(sf_lane_block *block, int d, const sf_exact_block *exact) {

@@ -10,15 +10,6 @@
 
 /* ==== Items of an answer ========================================================================================== */
 
-static void sf_put(sf_query *q, sf_item_kind kind, double value) {
-    q->item[q->items++] = (sf_item){kind, value, 0, NULL, 0};
-}
-
-/* A column of n values that lie `step` bytes apart. */
-static void sf_put_column(sf_query *q, sf_item_kind kind, long n, const void *first, size_t step) {
-    q->item[q->items++] = (sf_item){kind, 0, n, first, (ptrdiff_t)step};
-}
-
 /* Lowest and highest of what is enclosed. */
 static void sf_put_interval(sf_query *q, const sf_interval *of) { sf_put_column(q, SF_NUMBERS, 2, of, sizeof of->lo); }
 
@@ -29,41 +20,64 @@ static void *sf_reserve(sf_query *q, long n, size_t size) {
 
 /* ==== Averaging =================================================================================================== */
 
-static void sf_answer_folds_of(sf_query *q)
+static void sf_put_folds(sf_query *q, sf_status status, const sf_folds *found, int undecided)
 {
-    sf_folds *found = &q->room->work.folds;
     const sf_fold *at = found->at;
-    const sf_status status = sf_settled_folds(q->model, q->given, q->number[0], q->room, found);
     const long n = status == SF_OK ? found->n : 0;
     sf_put(q, SF_INTEGER, status);
     sf_put_column(q, SF_NUMBERS, n, &at->Omega, sizeof *at);
     sf_put_column(q, SF_NUMBERS, n, &at->A, sizeof *at);
     sf_put_column(q, SF_FLAGS, n, &at->up, sizeof *at);
     sf_put_column(q, SF_FLAGS, n, &at->corner, sizeof *at);
-    sf_put(q, SF_FLAG, status == SF_OK && found->undecided);
+    sf_put(q, SF_FLAG, undecided);
 }
 
-static void sf_answer_onset_of(sf_query *q)
+static void sf_answer_folds(sf_query *q)
+{
+    sf_folds *found = &q->room->work.folds;
+    const sf_status status = sf_settled_folds(q->model, q->given, q->number[0], q->room, found);
+    sf_put_folds(q, status, found, found->undecided);
+}
+
+/* at_rest: whether folds that end at Omega = 0 are below it */
+static void sf_put_onset(sf_query *q, sf_status status, const sf_onset *found, int at_rest)
+{
+    sf_put(q, SF_INTEGER, status);
+    sf_put(q, SF_NUMBER, found->F_SN), sf_put(q, SF_NUMBER, found->Omega), sf_put(q, SF_NUMBER, found->A);
+    sf_put(q, SF_INTEGER, found->kind), sf_put(q, SF_FLAG, at_rest), sf_put(q, SF_NUMBER, found->rest);
+}
+
+static void sf_answer_onset(sf_query *q)
 {
     sf_onset found;
-    sf_put(q, SF_INTEGER, sf_settled_onset(q->model, q->exactly, &q->room->work, &found));
-    sf_put(q, SF_NUMBER, found.F_SN), sf_put(q, SF_NUMBER, found.Omega), sf_put(q, SF_NUMBER, found.A);
-    sf_put(q, SF_INTEGER, found.kind), sf_put(q, SF_NUMBER, found.rest);
+    const sf_status status = sf_settled_onset(q->model, q->exactly, &q->room->work, &found);
+    sf_put_onset(q, status, &found, status != SF_UNBOUNDED && sf_is_rest_below(&found));
 }
 
-static void sf_answer_detachment_of(sf_query *q)
+static void sf_put_detachment(sf_query *q, sf_status status, double F_cr, double Omega_cr, double u_cr)
 {
-    double F_cr, Omega_cr, u_cr;
-    sf_put(q, SF_INTEGER, sf_settled_detachment(q->model, q->exactly, &F_cr, &Omega_cr, &u_cr));
+    sf_put(q, SF_INTEGER, status);
     sf_put(q, SF_NUMBER, F_cr), sf_put(q, SF_NUMBER, Omega_cr), sf_put(q, SF_NUMBER, u_cr);
 }
 
-static void sf_answer_peak_of(sf_query *q)
+static void sf_answer_detachment(sf_query *q)
+{
+    double F_cr, Omega_cr, u_cr;
+    const sf_status status = sf_settled_detachment(q->model, q->exactly, &F_cr, &Omega_cr, &u_cr);
+    sf_put_detachment(q, status, F_cr, Omega_cr, u_cr);
+}
+
+static void sf_put_peak(sf_query *q, sf_status status, double A, double Omega)
+{
+    sf_put(q, SF_INTEGER, status), sf_put(q, SF_NUMBER, A), sf_put(q, SF_NUMBER, Omega);
+}
+
+static void sf_answer_peak(sf_query *q)
 {
     double A, Omega;
-    sf_put(q, SF_INTEGER,
-           sf_settled_peak(q->model, q->exactly, q->number[0], q->number[1], &q->room->work, &A, &Omega));
-    sf_put(q, SF_NUMBER, A), sf_put(q, SF_NUMBER, Omega);
+    const sf_status status =
+        sf_settled_peak(q->model, q->exactly, q->number[0], q->number[1], &q->room->work, &A, &Omega);
+    sf_put_peak(q, status, A, Omega);
 }
 
 static void sf_answer_bound(sf_query *q)
@@ -153,6 +167,25 @@ static void sf_answer_response(sf_query *q)
     sf_put(q, SF_FLAG, status == SF_OK && q->room->undecided);
 }
 
+static int sf_has_states(double Omega) { return Omega > 0 && Omega <= SF_HIGHEST_OMEGA; }
+
+/* Every state at one frequency. */
+static void sf_answer_states_at(sf_query *q)
+{
+    sf_room *room = q->room;
+    sf_model model = *q->model;
+    int n, undecided;
+    sf_status status;
+    if (!sf_has_states(q->number[1]))
+        return;
+    model.lowest = q->number[1], room->followed = 0;
+    status = sf_states(&model, q->given, q->number[0], room, q->number[1], &n, room->A, room->stable, &undecided);
+    sf_put(q, SF_INTEGER, status);
+    sf_put_column(q, SF_NUMBERS, n, room->A, sizeof *room->A);
+    sf_put_column(q, SF_BYTE_FLAGS, n, room->stable, sizeof *room->stable);
+    sf_put(q, SF_FLAG, undecided);
+}
+
 /* A state, as its columns have it. */
 typedef struct {
     double Omega, A;
@@ -179,8 +212,6 @@ static void sf_answer_states_of(sf_query *q)
     room->followed = 0, room->proofs = 0;
     for (i = 0; i < q->length && status == SF_OK; i++) {
         const double Omega = q->values[i];
-        double A[SF_MOST_STATES];
-        unsigned char stable[SF_MOST_STATES];
         int here, undecided, k;
         if (n + SF_MOST_STATES > places) {
             void *more = realloc(at, (size_t)(places *= 2) * sizeof *at);
@@ -188,9 +219,9 @@ static void sf_answer_states_of(sf_query *q)
                 return;
             *of_states = at = more;
         }
-        status = sf_states(&model, q->given, q->number[0], room, Omega, &here, A, stable, &undecided);
+        status = sf_states(&model, q->given, q->number[0], room, Omega, &here, room->A, room->stable, &undecided);
         for (k = 0; k < here; k++)
-            at[n++] = (sf_state){Omega, A[k], stable[k]};
+            at[n++] = (sf_state){Omega, room->A[k], room->stable[k]};
         if (undecided)
             doubt[doubts++] = Omega;
         since += 1 + PROOF * room->proofs, room->proofs = 0;
@@ -254,6 +285,30 @@ static void sf_answer_certified_detachment(sf_query *q)
     sf_put_interval(q, &found[0]), sf_put_interval(q, &found[1]), sf_put_interval(q, &q->given->b[0]);
 }
 
+/* Of how many only, and whether it is proved that these are all. */
+static void sf_put_number_proved(sf_query *q, sf_status status)
+{
+    const sf_certificate *found = &q->room->found;
+    sf_put(q, SF_INTEGER, status);
+    sf_put(q, SF_INTEGER, status == SF_OK ? found->n : 0);
+    sf_put(q, SF_FLAG, status == SF_OK ? sf_is_proved(found) : status == SF_STICKS && found->bounded);
+}
+
+static void sf_answer_proved_folds(sf_query *q)
+{
+    sf_put_number_proved(q, q->given == NULL ? SF_UNRESOLVED
+                                             : sf_certify_folds(q->model, q->given, q->number[0], NULL, 0,
+                                                                &q->room->proof, &q->room->found));
+}
+
+static void sf_answer_proved_states(sf_query *q)
+{
+    if (q->number[1] > 0 && q->number[1] < HUGE_VAL)
+        sf_put_number_proved(q, q->given == NULL ? SF_UNRESOLVED
+                                                 : sf_certify_states(q->model, q->given, q->number[0], q->number[1],
+                                                                     &q->room->proof, &q->room->found));
+}
+
 /* ==== The second approximation ==================================================================================== */
 
 static void sf_put_left_out(sf_query *q, const sf_left_out *left)
@@ -296,22 +351,29 @@ static void sf_answer_second_curve(sf_query *q)
     sf_put_left_out(q, &curve->left);
 }
 
+/* Whether the spring's harmonics are known for this model. */
+static int sf_has_second(const sf_model *model)
+{
+    return model->mechanism->harmonics != NULL &&
+           !(model->breaks > 0 && model->b[model->breaks - 1] > model->mechanism->harmonics_up_to);
+}
+
 static void sf_answer_second_folds(sf_query *q)
 {
     sf_second_folds *found = sf_reserve(q, 1, sizeof *found);
     const sf_second_fold *at;
-    if (found == NULL)
+    if (found == NULL || !sf_has_second(q->model))
         return;
     at = found->at, q->room->undecided = 0;
     sf_put(q, SF_INTEGER, sf_second_saddle_nodes(q->model, q->given, q->number[0], q->number[1], q->number[2], q->room,
                                                  found));
-    sf_put(q, SF_FLAG, q->room->undecided);
     sf_put_column(q, SF_NUMBERS, found->n, &at->Omega, sizeof *at);
     sf_put_column(q, SF_NUMBERS, found->n, &at->u_max, sizeof *at);
-    sf_put_column(q, SF_NUMBERS, found->n, &at->A_1, sizeof *at);
     sf_put_column(q, SF_FLAGS, found->n, &at->up, sizeof *at);
     sf_put_column(q, SF_FLAGS, found->n, &at->corner, sizeof *at);
-    sf_put(q, SF_INTEGER, found->lost), sf_put(q, SF_INTEGER, found->tried);
+    sf_put(q, SF_FLAG, found->lost > 0);
+    sf_put_column(q, SF_NUMBERS, found->n, &at->A_1, sizeof *at);
+    sf_put(q, SF_FLAG, q->room->undecided), sf_put(q, SF_INTEGER, found->lost), sf_put(q, SF_INTEGER, found->tried);
     sf_put_left_out(q, &found->left);
 }
 
@@ -359,29 +421,59 @@ static void sf_answer_second_peak(sf_query *q)
     sf_put_left_out(q, &curve->left);
 }
 
+/* The highest point alone, about averaging's peak. */
+static void sf_answer_second_top(sf_query *q)
+{
+    sf_second_curve *curve = NULL;
+    sf_second_point top = {0};
+    double A, Omega;
+    sf_status status;
+    if (!sf_has_second(q->model))
+        return;
+    status = sf_settled_peak(q->model, q->exactly, q->number[0], HUGE_VAL, &q->room->work, &A, &Omega);
+    if (status == SF_OK)
+        status = Omega == 0 ? SF_NONE : sf_second_peak(q->model, q->given, q->number[0], Omega, q->room, &curve, &top);
+    if (curve != NULL)
+        sf_second_free(curve);
+    sf_put_peak(q, status, status == SF_OK ? top.at.u_max : NAN, status == SF_OK ? top.Omega : NAN);
+}
+
 static void sf_answer_second_onset(sf_query *q)
 {
-    const sf_onset first = {q->number[0], q->number[1], q->number[2], SF_CUSP_KIND, HUGE_VAL, 0};
+    sf_onset first = {q->number[0], q->number[1], q->number[2], SF_CUSP_KIND, HUGE_VAL, 0};
     sf_onset found = {NAN, NAN, NAN, SF_NO_KIND, HUGE_VAL, 0};
     double u_max = NAN;
-    sf_put(q, SF_FLAG, sf_second_cusp(q->model, &first, &found, &u_max));
-    sf_put(q, SF_NUMBER, found.F_SN), sf_put(q, SF_NUMBER, found.Omega), sf_put(q, SF_NUMBER, u_max);
+    sf_status status = SF_OK;
+    if (!sf_has_second(q->model))
+        return;
+    if (first.A == HUGE_VAL)
+        status = sf_settled_onset(q->model, q->exactly, &q->room->work, &first);
+    if (status == SF_OK && (first.kind != SF_CUSP_KIND || !sf_second_cusp(q->model, &first, &found, &u_max)))
+        status = SF_NONE;
+    found.A = u_max;
+    sf_put_onset(q, status, &found, sf_is_rest_below(&first));
 }
 
 static void sf_answer_second_detachment(sf_query *q)
 {
-    double F_cr = NAN, Omega_cr = NAN;
-    sf_put(q, SF_FLAG, sf_second_detach(q->model, q->number[0], q->number[1], q->number[2], &F_cr, &Omega_cr));
-    sf_put(q, SF_NUMBER, F_cr), sf_put(q, SF_NUMBER, Omega_cr);
+    double *first = q->number, F_cr = NAN, Omega_cr = NAN;
+    sf_status status = SF_OK;
+    if (!sf_has_second(q->model))
+        return;
+    if (first[2] == HUGE_VAL)
+        status = sf_detachment(q->model, &first[0], &first[1], &first[2]);
+    if (status == SF_OK && !sf_second_detach(q->model, first[0], first[1], first[2], &F_cr, &Omega_cr))
+        status = SF_NONE, F_cr = Omega_cr = NAN;
+    sf_put_detachment(q, status, F_cr, Omega_cr, first[2]);
 }
 
 /* ==== The rows ==================================================================================================== */
 
 static const sf_row sf_rows_of_one[] = {
-    {"saddle_nodes", "F_0 -> status, Omega, A, up, corner, undecided", 1, 0, 0, sf_answer_folds_of},
-    {"onset", "status, F_SN, Omega, A, kind, lowest level at rest", 0, 0, 0, sf_answer_onset_of},
-    {"detachment", "status, F_cr, Omega_cr, u_cr", 0, 0, 0, sf_answer_detachment_of},
-    {"peak", "F_0, most -> status, A, Omega", 2, 0, 0, sf_answer_peak_of},
+    {"saddle_nodes", "F_0 -> status, Omega, A, up, corner, undecided", 1, 0, 0, sf_answer_folds},
+    {"onset", "status, F_SN, Omega, A, kind, folds at rest, lowest level there", 0, 0, 0, sf_answer_onset},
+    {"detachment", "status, F_cr, Omega_cr, u_cr", 0, 0, 0, sf_answer_detachment},
+    {"peak", "F_0, most -> status, A, Omega", 2, 0, 0, sf_answer_peak},
     {"amplitude_bound", "F_0 -> status, A_max", 1, 0, 0, sf_answer_bound},
     {"undamped_cut", "F_0 -> A_max", 1, 0, 0, sf_answer_cut},
     {"spring", "whether a spring holds the mass, none does, or one that levels off", 0, 0, 0, sf_answer_spring},
@@ -404,18 +496,19 @@ static const sf_row sf_rows_of_one[] = {
      "from, to",
      5, 0, 0, sf_answer_second_curve},
     {"second_saddle_nodes",
-     "F_0, low, high of averaging's folds and peak, infinite and 0 where these are not known -> status, whether doubles "
-     "leave them undecided, Omega, u_max, A_1, up, corner, folds lost, tried; points lost, of, from, to",
+     "F_0, low, high of averaging's folds and peak, infinite where these are not known -> status, Omega, u_max, up, "
+     "corner, whether some are lost, A_1, whether doubles leave averaging's undecided, folds lost, tried; points lost, "
+     "of, from, to",
      3, 0, 0, sf_answer_second_folds},
     {"second_states", "F_0, [Omega] -> status, Omega, u_max, A_1, phi, stable", 1, 1, 0, sf_answer_second_states},
     {"second_peak",
      "F_0, Omega of averaging's -> status, u_max, Omega; of the states there Omega, u_max, A_1, phi, stable; points "
      "lost, of, from, to",
      2, 0, 0, sf_answer_second_peak},
-    {"second_onset", "F_SN, Omega, A of a cusp -> whether there is one, F_SN, Omega, u_max", 3, 0, 0,
+    {"second_onset", "F_SN, Omega, A of a cusp, infinite where it is not known -> as onset, with u_max for A", 3, 0, 0,
      sf_answer_second_onset},
-    {"second_detachment", "F_cr, Omega_cr, u_cr -> whether there is one, F_cr, Omega_cr", 3, 0, 0,
-     sf_answer_second_detachment},
+    {"second_detachment", "F_cr, Omega_cr, u_cr, infinite where these are not known -> status, F_cr, Omega_cr, u_cr", 3,
+     0, 0, sf_answer_second_detachment},
 };
 
 #endif

@@ -149,22 +149,6 @@ static double sf_settle_or_prove(const sf_model *model, const sf_given *given, d
     return off;
 }
 
-/* The same to their last digit where doubles alone tell them, as nearly everywhere; 0 where a proof may have to, or has to
- * say whether the force jumps at a breakpoint. */
-static int sf_told_folds(const sf_model *model, const sf_exactly *exactly, double F_0, sf_room *room, sf_folds *folds,
-                         sf_status *status)
-{
-    int k;
-    if (sf_is_linear(model))
-        return 0;
-    for (k = 0; k < model->breaks; k++)
-        if (model->jump[k] == 0)
-            return 0;
-    *status = sf_decided_folds(model, NULL, F_0, room, folds);
-    return !room->doubt && (*status != SF_OK || (sf_settle_folds(exactly, model, F_0, folds) <= SF_FEW_ROUNDINGS &&
-                                                 !sf_is_sharp(folds, F_0)));
-}
-
 /* The same to their last digit. */
 static sf_status sf_settled_folds(const sf_model *model, const sf_given *given, double F_0, sf_room *room,
                                   sf_folds *folds)

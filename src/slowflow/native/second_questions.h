@@ -6,7 +6,7 @@
 #ifndef SF_SECOND_QUESTIONS_H
 #define SF_SECOND_QUESTIONS_H
 
-#include "many_curves.h"
+#include "states.h"
 #include "second_answers.h"
 
 /* The curve in a window, of about so many samples, from the skeleton of room; NULL if there is no memory, or beyond the
@@ -44,20 +44,22 @@ static sf_second_curve *sf_second_around(const sf_model *model, const sf_given *
 /* Every fold at F_0; `left` says what of averaging's curve is left out, and how much of it was followed: 0 where there
  * is nothing to start from. Whether doubles tell averaging's folds says the room.
  *
- * low, high: frequencies between which averaging's folds and its peak lie; infinite and 0 where these are not known */
+ * low, high: frequencies between which averaging's folds and its peak lie; infinite where these are not known */
 static sf_status sf_second_saddle_nodes(const sf_model *model, const sf_given *given, double F_0, double low,
                                         double high, sf_room *room, sf_second_folds *out)
 {
     const sf_folds *first = &room->work.folds;
-    const int known = high > 0;
+    const int known = high < HUGE_VAL;
     sf_second_curve *curve;
     sf_status status = SF_NONE;
     double A, Omega;
     int i;
     memset(&out->left, 0, sizeof out->left);
     out->n = out->lost = out->tried = 0, out->status = SF_OK;
-    if (!known)
+    if (!known) {
+        high = 0;
         status = sf_settled_peak(model, given == NULL ? NULL : &given->exactly, F_0, HUGE_VAL, &room->work, &A, &Omega);
+    }
     if (status != SF_OK && status != SF_UNBOUNDED && status != SF_NONE)
         return status;
     if (status == SF_OK && Omega > 0)

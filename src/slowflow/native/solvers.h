@@ -2,39 +2,38 @@
  * records. */
 #include "gradient.h"
 #include "many_curves.h"
-#include "many_proofs.h"
-#include "questions.h"
-#include "second_many.h"
 
 static const sf_batch sf_rows_of_many[] = {
-    {"many_detachment", "(),(),(),()", "dddb", "F_cr, Omega_cr, u_cr, status", 0, sf_loop_detachment},
-    {"many_onset", "(),(),(),(),(),()", "dddbbb", "F_SN, Omega, A, kind, folds at rest, status", 0, sf_loop_onsets},
-    {"many_saddle_nodes", "(k),(k),(k),(),(),()", "ddbbbb",
-     "F_0 -> Omega, A, kind, count, undecided, status", 1, sf_loop_folds},
-    {"many_amplitudes", "(k),(k),(),(),()", "dbbbb", "F_0, Omega -> A, stable, count, undecided, status", 2,
-     sf_loop_states},
-    {"many_peak", "(),(),()", "ddb", "F_0 -> A, Omega, status", 1, sf_loop_peaks},
-    {"many_frequency_response", "(n),(n),(n),(n),(n),(),(k),(k),(k),(),(),()", "ddbhbiddbbbb",
+    {"many_detachment", "(),(),(),()", "dddb", "F_cr, Omega_cr, u_cr, status", 0, sf_loop_detachment, NULL, 0},
+    {"many_onset", "(),(),(),(),(),()", "dddbbb", "F_SN, Omega, A, kind, folds at rest, status", 0, sf_loop_onsets,
+     sf_answer_onset, 0},
+    {"many_saddle_nodes", "(k),(k),(k),(),(),()", "DDKnbb", "F_0 -> Omega, A, kind, count, undecided, status", 1,
+     sf_loop_folds, sf_answer_folds, 1},
+    {"many_amplitudes", "(k),(k),(),(),()", "DBnbb", "F_0, Omega -> A, stable, count, undecided, status", 2,
+     sf_loop_states, sf_answer_states_at, 1},
+    {"many_peak", "(),(),()", "ddb", "F_0 -> A, Omega, status", 1, sf_loop_peaks, sf_answer_peak, 0},
+    {"many_frequency_response", "(n),(n),(n),(n),(n),(),(k),(k),(k),(),(),()", "DDBHBiDDBbbb",
      "F_0, samples, low, high -> Omega, A, stable, branch, whether it is closed, points; Omega, A, kind of folds, "
      "count, undecided, status",
-     4, sf_loop_curves},
+     4, sf_loop_curves, NULL, 1},
     {"many_second_detachment", "(),(),(),()", "dddb", "as many_detachment, in the second approximation", 0,
-     sf_loop_second_detachment},
+     sf_loop_singly, sf_answer_second_detachment, 0},
     {"many_second_onset", "(),(),(),(),(),()", "dddbbb", "as many_onset, in the second approximation", 0,
-     sf_loop_second_onsets},
-    {"many_second_saddle_nodes", "(k),(k),(k),(),(),()", "ddbbbb",
-     "as many_saddle_nodes, in the second approximation, with whether some are lost for undecided", 1,
-     sf_loop_second_folds},
-    {"many_second_peak", "(),(),()", "ddb", "as many_peak, in the second approximation", 1, sf_loop_second_peaks},
-    {"many_proved_saddle_nodes", "(),(),()", "bbb", "F_0 -> count, whether it is proved, status", 1,
-     sf_loop_proved_folds},
+     sf_loop_singly, sf_answer_second_onset, 0},
+    {"many_second_saddle_nodes", "(k),(k),(k),(),(),()", "DDKnbb",
+     "as many_saddle_nodes, in the second approximation, with whether some are lost for undecided", 1, sf_loop_singly,
+     sf_answer_second_folds, 1},
+    {"many_second_peak", "(),(),()", "ddb", "as many_peak, in the second approximation", 1, sf_loop_singly,
+     sf_answer_second_top, 1},
+    {"many_proved_saddle_nodes", "(),(),()", "bbb", "F_0 -> count, whether it is proved, status", 1, sf_loop_singly,
+     sf_answer_proved_folds, 1},
     {"many_proved_amplitudes", "(),(),()", "bbb", "F_0, Omega -> count, whether it is proved, status", 2,
-     sf_loop_proved_states},
-    {"many_gradients", "(r,n),()", "db", "F_0, Omega, A, what it is -> moves (rows, columns), status", 4,
-     sf_loop_forced_gradients},
-    {"many_inertial_gradients", "(r,n),()", "db",
+     sf_loop_singly, sf_answer_proved_states, 1},
+    {"many_gradients", "(r,n),()", "Db", "F_0, Omega, A, what it is -> moves (rows, columns), status", 4,
+     sf_loop_forced_gradients, NULL, 0},
+    {"many_inertial_gradients", "(r,n),()", "Db",
      "amplitude of the excitation, Omega, A, what it is -> moves (rows, columns), status", 4,
-     sf_loop_inertial_gradients},
+     sf_loop_inertial_gradients, NULL, 0},
 };
 
 const sf_solvers SF_SOLVERS = {sf_rows_of_one, sf_rows_of_many, sizeof sf_rows_of_one / sizeof *sf_rows_of_one,

@@ -195,8 +195,8 @@ class SecondApproximation(Questions[SecondStates, SecondResponse, SecondFolds]):
         them, in 600 points, not proved. What lies where the harmonics are not small is left out, in words.
         """
         model, ask, window = self.first.model, SOLVER.second_saddle_nodes, (0.0, math.inf)
-        answer: Any = (Status.STICKS,) if model.sticks(F_0) else ask(model.native, F_0, math.inf, 0.0)
-        if answer[0] != Status.OK or answer[1] or not answer[-3]:
+        answer: Any = (Status.STICKS,) if model.sticks(F_0) else ask(model.native, F_0, math.inf, math.inf)
+        if answer[0] != Status.OK or answer[7] or not answer[-3]:
             # balls may have to tell averaging's folds and its peak
             first, peak = self.first.folds(F_0), self.first.peak(F_0)
             marks = [*first.Omega.tolist(), *([peak.Omega] if peak.Omega else [])]
@@ -207,7 +207,7 @@ class SecondApproximation(Questions[SecondStates, SecondResponse, SecondFolds]):
             window = _around(min(marks), max(marks))
             answer = ask(model.native, F_0, min(marks), max(marks))
             solvers.check(answer[0], model, F_0)
-        Omega, u_max, A_1, up, corner, lost, tried, *left = answer[2:]
+        Omega, u_max, up, corner, _, A_1, _, lost, tried, *left = answer[1:]
         message = joined("" if Omega.size else NO_FOLD.format(F_0), self._of_curve(F_0, left, window))
         message = self._remarked(joined(message, UNSOLVED.format(lost, tried) if lost else ""), Omega, u_max)
         return SecondFolds(Omega, u_max, A_1, solvers.FOLD_KINDS.take(up), corner, F_0, message, _lost=lost)
@@ -232,8 +232,9 @@ class SecondApproximation(Questions[SecondStates, SecondResponse, SecondFolds]):
             return first
         if first.kind != "cusp":
             return SaddleNodeOnset(None, None, None, "", NO_CUSP.format(first.kind))
-        is_near, F_SN, Omega, u_max = SOLVER.second_onset(self.first.model.native, first.F_SN, first.Omega, first.A)
-        if not is_near:
+        at = first.F_SN, first.Omega, first.A
+        status, F_SN, Omega, u_max, *_ = SOLVER.second_onset(self.first.model.native, *at)
+        if status != Status.OK:
             return SaddleNodeOnset(None, None, None, "", FAR)
         return SaddleNodeOnset(F_SN, Omega, u_max, first.kind, first.message)
 
@@ -245,8 +246,8 @@ class SecondApproximation(Questions[SecondStates, SecondResponse, SecondFolds]):
         if first.Omega_cr == 0:
             return Detachment(None, None, first.u_cr, STATIC)
         at = first.F_cr, first.Omega_cr, first.u_cr
-        is_near, F_cr, Omega_cr = SOLVER.second_detachment(self.first.model.native, *at)
-        if not is_near:
+        status, F_cr, Omega_cr, _ = SOLVER.second_detachment(self.first.model.native, *at)
+        if status != Status.OK:
             return Detachment(None, None, first.u_cr, FAR)
         return Detachment(F_cr, Omega_cr, first.u_cr, first.message)
 

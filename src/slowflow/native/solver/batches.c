@@ -46,7 +46,10 @@ PyObject *sf_new_ufunc(const char *name, const char *doc, const char *signature,
         return PyErr_NoMemory();
     *own = (kept){quietly, own, loop, data, {0}};
     for (int i = 0; i < operands; i++)
-        own->types[i] = types[i] == 'd' ? NPY_DOUBLE : types[i] == 'b' ? NPY_INT8 : types[i] == 'h' ? NPY_SHORT : NPY_INT;
+        own->types[i] = strchr("dD", types[i]) != NULL ? NPY_DOUBLE
+                        : types[i] == 'H'              ? NPY_SHORT
+                        : types[i] == 'i'              ? NPY_INT
+                                                       : NPY_INT8;
     for (const char *at = signature; *at != '-'; at++)
         inputs += *at == '(';
     PyObject *ufunc = PyUFunc_FromFuncAndDataAndSignature(&own->quiet, &own->data, own->types, 1, inputs,
@@ -56,15 +59,30 @@ PyObject *sf_new_ufunc(const char *name, const char *doc, const char *signature,
     return ufunc;
 }
 
+static void run_batch(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data)
+{
+    sf_call call = *(const sf_call *)data;
+    call.args = args, call.dimensions = dimensions, call.steps = steps;
+    call.inner = steps + call.out + strlen(call.row->types);
+    call.row->loop(&call);
+}
+
 static PyObject *new_batch(const sf_mechanism *record, const void *of_row)
 {
     const sf_batch *row = of_row;
     const int inputs = record->design_size + record->damping_size + row->at;
+    sf_call *call = malloc(sizeof *call);
+    if (call == NULL)
+        return PyErr_NoMemory();
+    *call = (sf_call){.mechanism = record, .row = row, .out = inputs};
     char signature[4 * MOST_OPERANDS] = "()", types[MOST_OPERANDS + 1] = "d";
     for (int i = 1; i < inputs; i++)
         strcat(signature, ",()"), strcat(types, "d");
     strcat(strcat(signature, "->"), row->shape);
-    return sf_new_ufunc(row->name, row->doc, signature, strcat(types, row->types), row->loop, (void *)record);
+    PyObject *ufunc = sf_new_ufunc(row->name, row->doc, signature, strcat(types, row->types), run_batch, call);
+    if (ufunc == NULL)
+        free(call);
+    return ufunc;
 }
 
 int sf_add_batches(PyObject *module)
