@@ -256,16 +256,16 @@ static void sf_corner_folds(const sf_model *model, double F_0, sf_work *work, sf
     for (k = 0; k < model->breaks; k++) {
         sf_corner *corner = &work->corner[k];
         const double *w = corner->Omega;
-        sf_sample at;
+        const sf_sample *at = &corner->at;
         if (model->jump[k] == 0 || !(model->b[k] < work->A_max))
             continue;
-        sf_sample_at(model, model->b[k], &at);
-        corner->n = sf_frequencies(model, &at, F_0, corner->Omega);
+        sf_sample_at(model, model->b[k], &corner->at);
+        corner->n = sf_frequencies(model, at, F_0, corner->Omega);
         for (i = 0; i < corner->n && w[i] < HUGE_VAL; i++) {
-            const double R = slow_flow_R(w[i], at.A, at.h);
-            const int stable_below = sf_is_stable_below(model, F_0, &at, w[i]), stable_above = R * model->jump[k] > 0;
+            const double R = slow_flow_R(w[i], at->A, at->h);
+            const int stable_below = sf_is_stable_below(model, F_0, at, w[i]), stable_above = R * model->jump[k] > 0;
             if (stable_below != stable_above)
-                sf_add_fold(folds, w[i], at.A, stable_below, 1);
+                sf_add_fold(folds, w[i], at->A, stable_below, 1);
         }
     }
 }

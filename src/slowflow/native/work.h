@@ -13,8 +13,9 @@ typedef struct {
     int up, corner;
 } sf_fold;
 
-/* The frequencies at which the response passes a breakpoint at which the force jumps */
+/* What is known on a breakpoint at which the force jumps, and the frequencies at which the response passes it */
 typedef struct {
+    sf_sample at;
     int n;
     double Omega[3];
 } sf_corner;
