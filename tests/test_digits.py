@@ -94,6 +94,7 @@ def test_a_peak_by_inertia_beside_a_zero_of_h_is_found():
 @pytest.mark.slow
 @pytest.mark.parametrize("mu", [0.0, 1e-9])
 @pytest.mark.parametrize("zeta", [1e-6, 1e-12, 1e-20, 1e-30, 1e-50])
+@pytest.mark.part(3)
 def test_the_fold_locus_of_a_force_has_the_digits_of_its_level(zeta, mu):
     """F_A = 0 as a polynomial in Omega by mpmath, at each A: on one branch R is far below rounding of A Omega^2."""
     alpha, beta = 2.0, 0.5

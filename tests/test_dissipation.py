@@ -544,6 +544,7 @@ def test_onsets_that_boxes_cannot_tell_are_refused():
 @pytest.mark.slow
 @pytest.mark.parametrize("damping", [{"zeta": 0.02}, {"mu": 0.01}, {"mu": 0.005, "zeta": 0.02}])
 @pytest.mark.parametrize("c_2", [0.1, 5.0])
+@pytest.mark.part(3)
 def test_the_onset_of_a_play_with_quadratic_damping(damping, c_2):
     """Against levels of folds along the amplitude, from the play's describing function as typed here."""
     delta, m, zeta, d = 0.2, 4 / math.pi * damping.get("mu", 0.0), damping.get("zeta", 0.0), 8 / (3 * math.pi) * c_2

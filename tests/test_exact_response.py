@@ -115,6 +115,7 @@ def frequency_of(point, F_0, exact, off):
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("exact", "F_0"), [(False, 0.0301), (False, 0.04), (True, 0.04)])
+@pytest.mark.part(3)
 def test_curve_by_amplitude(curves, exact, F_0):
     """Solved for (Omega, theta) at given amplitudes instead of followed: the same curve, the same folds.
 
@@ -136,6 +137,7 @@ def test_curve_by_amplitude(curves, exact, F_0):
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("exact", "F_0"), CURVES)
+@pytest.mark.part(3)
 def test_peak_by_amplitude(curves, exact, F_0):
     """The highest motion maximised over Omega by SciPy, the force typed in: independent of everything but the start.
 

@@ -43,6 +43,7 @@ def test_gradients_are_those_of_the_force_that_is_not_compiled():
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", FORCES)
+@pytest.mark.part(3)
 def test_compiled_interval_encloses_the_average_and_its_bend(name):
     """Between any two amplitudes of a piece; h_AAAA by differences of h_AAA."""
     one = derived(name, True)(**FORCES[name][1], **DAMPING)

@@ -16,13 +16,14 @@ from slowflow import Duffing, Isolator, derive
 from slowflow.support.errors import Refused, SlowflowError
 from slowflow_kernels.conventions import FoldKind, MovesStatus, OnsetKind, Status
 from tests.batch_questions import ALL, OFF_CENTRE, ROWS, ask, columns
+from tests.sampling import fewer
 
 #: of an answer's status: there is one, also where it has no number
 ANSWERED = (Status.OK, Status.NONE, Status.UNBOUNDED)
 #: frequencies of rows of a load spectrum
 OVER = (0.7, 1.2, 0.9, 0.9, 0.6)
 #: designs of each kind, few enough to be asked alone; of those that take long
-COUNT, FEW = 40, 5
+COUNT, FEW = fewer(40, 2), 5
 
 
 def isolators(draw, count):

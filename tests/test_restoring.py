@@ -98,6 +98,7 @@ def by_quadrature_with_intercept(pieces, amplitude, count):
 
 
 @pytest.mark.parametrize(("count", "amplitude"), [(0, "0.2"), (1, "0.31"), (1, "0.49"), (2, "0.501"), (2, "2")])
+@pytest.mark.part(3)
 def test_closed_form(pieces, average, count, amplitude):
     exact = by_quadrature_with_intercept(pieces, mpf(amplitude), count)
     for one, other in zip(values(average.regimes[count], mpf(amplitude)), exact, strict=True):
@@ -108,6 +109,7 @@ FAR_POINTS = [(1, 1, "0.376"), (2, 1, "0.55"), (2, 2, "0.626"), (2, 2, "40")]
 
 
 @pytest.mark.parametrize(("count", "far", "amplitude"), FAR_POINTS)
+@pytest.mark.part(3)
 def test_far_form_to_working_precision(pieces, average, count, far, amplitude):
     exact = by_quadrature_with_intercept(pieces, mpf(amplitude), count)
     for one, other in zip(values(average.far_regimes[count, far], mpf(amplitude)), exact, strict=True):

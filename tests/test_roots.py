@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from slowflow.backend import SOLVER
 from tests.native.roots import Solver, build, why_not
 from tests.oracles.frequencies import KINDS, U, relative_error, roots, stress_cases
+from tests.sampling import fewer
 
 # Less than the promised u (1 + kappa), so that a correction that has become useless is seen.  Rounding the exact root
 # costs up to u, which is 2/3 u (1 + kappa), as kappa >= 1/2 (change the unit of frequency); sqrt(-h/A), with kappa = 1,
@@ -40,7 +41,7 @@ def solver(request, tmp_path_factory) -> Solver:
 @functools.cache
 def certified(kind, name):
     """Stress rows of a family and their certified roots, found once for all solvers."""
-    rows = stress_cases(kind, 300, 20240)[name]
+    rows = stress_cases(kind, fewer(300, 4), 20240)[name]
     return rows, [roots(kind, tuple(map(float, row))) for row in rows]
 
 
@@ -50,7 +51,7 @@ def test_every_root_and_no_other(solver, kind, name):
     Omega, count = solver(kind, rows)
     np.testing.assert_array_equal(count, [len(e) for e in expected])
     np.testing.assert_array_equal(np.isnan(Omega), np.arange(Omega.shape[1]) >= count[:, None])
-    assert sum(len(e) for e in expected) > 20
+    assert sum(len(e) for e in expected) > fewer(20, 4)
     for values, exact in zip(Omega, expected, strict=True):
         for value, (root, kappa) in zip(values, exact, strict=False):
             assert relative_error(float(value), root) <= BOUND * (1 + kappa)
@@ -66,7 +67,7 @@ def test_a_quartic_has_the_same_roots_alone_and_among_others():
 
 def test_the_stress_cases_reach_three_roots():
     for kind, name in (("response", "three roots"), ("fold", "three roots")):
-        assert sum(len(e) == 3 for e in certified(kind, name)[1]) > 30
+        assert sum(len(e) == 3 for e in certified(kind, name)[1]) > fewer(30, 4)
 
 
 # Exactly representable tangencies.  With F_Omega = 0 at w: R = -zeta I/w, so zeta/w = 3/4 makes F_0 = 5/4 I.
@@ -154,7 +155,7 @@ ANY = st.one_of(*(st.tuples(st.just(kind), row) for kind, row in ROWS.items()))
 
 
 @pytest.mark.slow
-@settings(max_examples=400)
+@settings(max_examples=fewer(400, 4))
 @given(ANY)
 @example(("response", (1.0, -3.0, 4.0, 2.0**-60, 5.0)))  # F(0) = 0, and F hardly rises to its maximum
 def test_any_case_agrees_with_the_certified_roots(case):
@@ -168,7 +169,7 @@ def test_any_case_agrees_with_the_certified_roots(case):
 
 
 @pytest.mark.slow
-@settings(max_examples=200)
+@settings(max_examples=fewer(200, 4))
 @given(ANY, st.integers(-8, 8), st.integers(-8, 8))
 def test_units_of_frequency_and_of_force_do_not_matter(case, i, j):
     # w -> w/s with A -> A s^2, zeta -> zeta/s, h_A -> h_A/s^2, and A, h, m, F_0 in a common unit: exact in powers of 2

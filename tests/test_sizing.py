@@ -14,6 +14,7 @@ from slowflow.example import isolator
 from slowflow.sizing import fit, front, meet, sobol, tolerances
 from slowflow.sizing.subject import Subject
 from slowflow.support.errors import NotSettled
+from tests.sampling import fewer
 
 MOUNT = Isolator.physical(m=12, k_v=2500, k_h=1700, n=3, L=0.080, preload=0.009, friction=0.4, zeta=0.02)
 #: of a mount, by single questions
@@ -511,7 +512,7 @@ def test_intervals_hold_the_true_numbers_in_95_of_100_fits():
     f = np.linspace(1.2, 4.0, 40)
     A = np.array([MOUNT.amplitudes(f=x, F=2.5).A[0] for x in f])
     random, held = np.random.default_rng(0), []
-    for _ in range(20):
+    for _ in range(fewer(20, 4)):
         found = fit(MOUNT, f=f, F=2.5, A=A + 2e-5 * random.standard_normal(f.size))
         held += [row.low < TRUE[row.parameter] < row.high for row in found]
     assert 0.87 < np.mean(held) <= 1.0

@@ -107,10 +107,10 @@ def test_counts_of_both_kinds_are_stored_by_doubles_and_by_balls():
 def test_seeded_counts_are_proved(mechanism, oscillators, states):
     """Cases that `make stress` does not ask: no number of states or folds is wrong; 10^5 would take minutes.
 
-    Of a quarter of the oscillators per push.
+    Of an eighth of the oscillators per push.
     """
-    found = counts.stress(mechanism, part=1000, oscillators=fewer(oscillators, 4), compared=False)
-    assert found["states"]["cases"] > fewer(states, 8)
+    found = counts.stress(mechanism, part=1000, oscillators=fewer(oscillators, 8), compared=False)
+    assert found["states"]["cases"] > fewer(states, 16)
     for kind in ("states", "folds"):
         assert found[kind]["wrong"] == []
         assert found[kind]["wrong beside"] == found[kind]["wrong by balls"] == 0

@@ -95,6 +95,7 @@ def forcing(F_cr: float, F_SN: float | None, m: float) -> list[float]:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("k", range(len(DESIGNS)))
+@pytest.mark.part(3)
 def test_against_quadrature(k):
     design = DESIGNS[k]
     with pytest.MonkeyPatch.context() as patch, mp.workdps(DIGITS):
