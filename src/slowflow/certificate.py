@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from slowflow.answer import Answer, joined
+from slowflow.mechanism import Flags
 from slowflow.model import Floats
 from slowflow.text import text
 
@@ -42,7 +43,7 @@ class ProvedStates(Proved):
     """
 
     A: Floats
-    stable: npt.NDArray[np.bool_]
+    stable: Flags
     A_max: float
     bounded: bool
     doubt: Floats
@@ -61,7 +62,7 @@ class ProvedFolds(Proved):
     Omega: Floats
     A: Floats
     kind: npt.NDArray[np.str_]
-    corner: npt.NDArray[np.bool_]
+    corner: Flags
     A_max: float
     bounded: bool
     doubt: Floats

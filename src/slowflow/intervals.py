@@ -14,13 +14,12 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from slowflow.backend import SOLVER
+from slowflow.mechanism import Flags, Floats
 
-Floats = NDArray[np.float64]
-Bools = NDArray[np.bool_]
-
+#: ends of an interval that holds all numbers
+ALL = np.array([[-np.inf], [np.inf]])
 #: an ulp outwards of the lower and of the upper end, and what a product that is no double may have lost
 _ULP = np.array([[-(2.0**-52)], [2.0**-52]])
 _LEAST = np.array([[-(2.0**-1022)], [2.0**-1022]])
@@ -53,6 +52,12 @@ class Interval:
         """A number, for any number of elements; or an array of them, one for each."""
         return cls(np.array((x, x), dtype=float).reshape(2, -1))
 
+    @classmethod
+    def like(cls, value: Any, other: Interval) -> Interval:
+        """An interval or a number, for as many elements as another has."""
+        ends = value.ends if isinstance(value, Interval) else cls.point(float(value)).ends
+        return cls(np.broadcast_to(ends, other.ends.shape))
+
     @property
     def lo(self) -> Floats:
         """Lower ends."""
@@ -64,7 +69,7 @@ class Interval:
         return np.asarray(self.ends[1])
 
     @property
-    def has_sign(self) -> Bools:
+    def has_sign(self) -> Flags:
         """Whether all of it lies on one side of 0."""
         return np.asarray((self.ends[0] > 0) | (self.ends[1] < 0))
 
@@ -111,7 +116,7 @@ class Interval:
         """What both hold, each being known to hold the value."""
         return type(self)(np.array((np.fmax(self.ends[0], other.ends[0]), np.fmin(self.ends[1], other.ends[1]))))
 
-    def where(self, condition: Bools, other: Interval) -> Interval:
+    def where(self, condition: Flags, other: Interval) -> Interval:
         """These where the condition holds, others elsewhere."""
         return type(self)(np.where(condition, self.ends, other.ends))
 
@@ -187,7 +192,7 @@ class Elementary(Interval):
         wider = _wider(self.ends)
         at = function(wider)
 
-        def holds(place: float) -> Bools:
+        def holds(place: float) -> Flags:
             turns = (wider - place) / (2 * np.pi)
             # a rounding more of a turn than there is
             doubt = 2.0**-50 * (1 + np.abs(turns))

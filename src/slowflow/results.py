@@ -20,6 +20,7 @@ from slowflow.answer import LOADED, UNLOADED, Drawn, Single, Table, entry, froze
 from slowflow.certificate import ProvedFolds
 from slowflow.gradient import Gradient
 from slowflow.measured.validity import Validity, of_states, off_centre
+from slowflow.mechanism import Flags, Ints
 from slowflow.model import Floats, Model
 from slowflow.support.errors import Refused
 from slowflow.text import text
@@ -108,9 +109,9 @@ class Measured(Table):
     Omega: Floats
     A: Floats
     error: Floats
-    stable: npt.NDArray[np.bool_]
-    stops: npt.NDArray[np.intp]
-    found: npt.NDArray[np.bool_]
+    stable: Flags
+    stops: Ints
+    found: Flags
     reason: npt.NDArray[np.str_]
     message: str
 
@@ -133,7 +134,7 @@ class MeasuredFolds(Table):
     A: Floats
     error: Floats
     error_of_A: Floats
-    found: npt.NDArray[np.bool_]
+    found: Flags
     reason: npt.NDArray[np.str_]
     message: str
 
@@ -301,7 +302,7 @@ class SteadyStates(Moving, WithMean, InDecibels, Table):
     Omega: Floats
     A: Floats
     B: Floats | None = field(default=None, kw_only=True, metadata=LOADED)
-    stable: npt.NDArray[np.bool_]
+    stable: Flags
     F_0: float | Floats
     load: float | None = field(default=None, kw_only=True, metadata=LOADED)
     message: str
@@ -405,7 +406,7 @@ class FrequencyResponse(Drawn, SteadyStates):
     with_mean: ClassVar[Any] = OffsetPoint
 
     F_0: float
-    branch: npt.NDArray[np.intp]
+    branch: Ints
     isola: tuple[bool, ...]
     picture: ClassVar[str] = "response"
 
@@ -433,7 +434,7 @@ class SaddleNodes(Moving, WithMean, Drawn, Table):
     A: Floats
     B: Floats | None = field(default=None, kw_only=True, metadata=LOADED)
     kind: npt.NDArray[np.str_]
-    corner: npt.NDArray[np.bool_]
+    corner: Flags
     F_0: float
     load: float | None = field(default=None, kw_only=True, metadata=LOADED)
     message: str
@@ -518,7 +519,7 @@ class FoldLocus(Drawn, Table):
     Omega: Floats
     A: Floats
     F_0: Floats
-    branch: npt.NDArray[np.intp]
+    branch: Ints
     message: str
     picture: ClassVar[str] = "locus"
 
@@ -536,7 +537,7 @@ class Cusps(Table):
     F_0: Floats
     Omega: Floats
     A: Floats
-    minimum: npt.NDArray[np.bool_]
+    minimum: Flags
     message: str
     remarks: Remark = field(default_factory=_nothing, kw_only=True)
     _model: Model | None = field(default=None, kw_only=True, repr=False)

@@ -13,8 +13,8 @@ from typing import Any
 
 import numpy as np
 
-from slowflow.intervals import Bools, Elementary, Interval
-from slowflow.mechanism import Mechanism
+from slowflow.intervals import Elementary, Interval
+from slowflow.mechanism import Flags, Mechanism
 from slowflow.model import Floats, Model
 from slowflow.support.errors import Refused
 from slowflow.text import Sentence, told
@@ -43,10 +43,10 @@ def check_defined(model: Model) -> None:
     one = Elementary.point(1.0)
     for number, (begin, end) in enumerate(pairwise(ends)):
 
-        def are_known(edges: Floats, number: int = number, begin: float = begin) -> Bools:
+        def are_known(edges: Floats, number: int = number, begin: float = begin) -> Flags:
             beyond = Elementary(np.array([edges[:-1] - begin, edges[1:] - begin]))
             found = record[number](Elementary.point, one, beyond, one, *given)[0]
-            return np.asarray(np.isfinite(interval_like(found, beyond).ends).all(axis=0))
+            return np.asarray(np.isfinite(Interval.like(found, beyond).ends).all(axis=0))
 
         def at(u: float, number: int = number) -> float:
             return float(model.mechanism.pieces[number].force(u, *model.parameters))
@@ -57,7 +57,7 @@ def check_defined(model: Model) -> None:
             raise Refused(INFINITE.format(told(model.numbers) or "reach", model.mechanism.name, place, reach))
 
 
-def may_be_undefined(mechanism: Mechanism, parameters: tuple[Any, ...]) -> Bools:
+def may_be_undefined(mechanism: Mechanism, parameters: tuple[Any, ...]) -> Flags:
     """Of which of many designs, parameters of shapes that broadcast, intervals do not tell that the force is finite.
 
     By as many of them as are tried at first: `check_defined` tells of each of these whether it is.
@@ -84,20 +84,13 @@ def may_be_undefined(mechanism: Mechanism, parameters: tuple[Any, ...]) -> Bools
                 at = (end - begin) * shares
                 beyond = Elementary(np.array([at[:, :-1].ravel(), at[:, 1:].ravel()]))
                 force = mechanism.enclosed[number](Elementary.point, one, beyond, one, *of)[0]
-                known = np.isfinite(interval_like(force, beyond).ends).all(axis=0).reshape(-1, PARTS)
+                known = np.isfinite(Interval.like(force, beyond).ends).all(axis=0).reshape(-1, PARTS)
                 found[part] |= (~known & (end > begin)).any(axis=1) & np.isfinite(last[:, 0])
     return found.reshape(shape)
 
 
-def interval_like(value: Any, like: Interval) -> Interval:
-    """A value that may be a number."""
-    if not isinstance(value, Interval):
-        value = Interval.point(float(value))
-    return Interval(np.broadcast_to(value.ends, like.ends.shape))
-
-
 def _infinite_at(
-    are_known: Callable[[Floats], Bools], at: Callable[[float], float], begin: float, end: float, reach: float
+    are_known: Callable[[Floats], Flags], at: Callable[[float], float], begin: float, end: float, reach: float
 ) -> float | None:
     """The least u of a piece where its force is not finite; None where it is so on all of it, or that is not seen soon.
 

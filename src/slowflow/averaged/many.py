@@ -36,7 +36,7 @@ from slowflow.averaged.queries import (
 from slowflow.averaged.questions import Averaged
 from slowflow.certificate import DOUBLES
 from slowflow.immutable import Unchanging
-from slowflow.mechanism import Mechanism
+from slowflow.mechanism import Flags, Mechanism
 from slowflow.model import THROUGHOUT, Floats, Laws, Model, SlowFlow, check_names
 from slowflow.results import Remark
 from slowflow.support.errors import Refused
@@ -147,7 +147,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         places: int = 0,
         *asked: Any,
         most: int | None = None,
-    ) -> npt.NDArray[np.bool_]:
+    ) -> Flags:
         """Change the columns to those of single answers where balls decide what doubles do not; where that is.
 
         most -- how many of these balls are asked for, `MOST_IN_BALLS` by default
@@ -164,14 +164,14 @@ class Designs(Unchanging, ManyQuestions[Batch]):
             except ArithmeticError:  # what single answers refuse stays refused
                 continue
             by_balls[at] = Remark.BY_BALLS in (found[0] if isinstance(found, tuple) else found).remarks
-            put(columns, at, question.columns(found, places))
+            _put(columns, at, question.columns(found, places))
         return by_balls
 
     def _model(self, numbers: Sequence[float]) -> Model:
         """One design, from its numbers in their order."""
         return self.model(dict(zip(self.values, numbers, strict=True)))
 
-    def _each(self, wanted: npt.NDArray[np.bool_], *asked: Any) -> Iterator[tuple[Any, list[float], list[float]]]:
+    def _each(self, wanted: Flags, *asked: Any) -> Iterator[tuple[Any, list[float], list[float]]]:
         """Where a design is wanted, its numbers, and what is asked of it, one by one."""
         values = [np.broadcast_to(value, wanted.shape) for value in (*self.values.values(), *asked)]
         chosen = np.argwhere(wanted)
@@ -268,7 +268,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
                 count[at], proved[at], bits[at] = len(found.A), found.proved, found.bits
                 status[at] = Status.STICKS if sticks else Status.OK
 
-    def untruncated_onset(self, wanted: npt.NDArray[np.bool_]) -> Floats:
+    def untruncated_onset(self, wanted: Flags) -> Floats:
         """F_SN of the force that the truncated one stands for, for the designs that are wanted; NaN for others."""
         F_SN = np.full(self.shape, np.nan)
         load = self.mechanism.load_untruncated
@@ -278,7 +278,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         return F_SN
 
     @property
-    def give_way(self) -> npt.NDArray[np.bool_]:
+    def give_way(self) -> Flags:
         """Whether there are states beyond the well at any force that moves the mass, of each."""
         if self.excitation != "force":
             return np.zeros(self.shape, dtype=bool)
@@ -355,7 +355,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
             # single answers know of masses that no spring holds, and of what boxes leave unresolved
             left = np.isin(outputs[-1], (Status.NO_BOUND, Status.UNRESOLVED))
             for index, design, own in self._each(left, *(values[name] for name in at)):
-                put(outputs, index, self._one(question, design, own, places))
+                _put(outputs, index, self._one(question, design, own, places))
         return outputs
 
     def _with_all_laws(self, values: dict[str, npt.NDArray[Any]]) -> list[npt.NDArray[Any]]:
@@ -378,7 +378,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
             try:
                 check_defined(self._model(numbers))
             except ValueError:
-                put(outputs, index, question.blank(places, Status.INVALID))
+                _put(outputs, index, question.blank(places, Status.INVALID))
 
     def _one(self, question: Question, given: list[float], asked: list[float], places: int) -> dict[str, Any]:
         """One design's answer, with a status in place of an exception."""
@@ -394,7 +394,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
             return question.blank(places, failed(error))
 
 
-def put(columns: list[npt.NDArray[Any]], at: tuple[int, ...], found: dict[str, Any]) -> None:
+def _put(columns: list[npt.NDArray[Any]], at: tuple[int, ...], found: dict[str, Any]) -> None:
     """Put one design's columns into those of all."""
     for column, value in zip(columns, found.values(), strict=True):
         column[at] = value

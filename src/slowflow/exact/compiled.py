@@ -15,17 +15,15 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
 from slowflow import backend
 from slowflow.exact.work import spend, steps_left
-from slowflow.mechanism import EquationOfMotion, Law, Piece
+from slowflow.mechanism import EquationOfMotion, Floats, Law, Piece
 from slowflow.sampled import rows
 from slowflow.support.errors import NotSettled
 from slowflow_kernels.exact_conventions import FAR
 
 EXACT = backend.EXACT
-Array = npt.NDArray[np.float64]
 CACHE_SIZE = 64  # oscillators in C
 
 
@@ -68,7 +66,7 @@ def _law(piece: Piece, low: float, high: float) -> tuple[Any, tuple[float, ...]]
     return EXACT.polynomials(*sides), ()
 
 
-def _values(piece: Piece, u: Array) -> Array:
+def _values(piece: Piece, u: Floats) -> Floats:
     """A force at several displacements, NaN where it has none."""
     force = functools.partial(_value, piece)
     try:
@@ -112,7 +110,7 @@ def _compile(system: EquationOfMotion) -> Any:
 
 def advance(
     forced: Any, slip: int, region: int, theta: float, u: float, v: float, end: float
-) -> tuple[float, float, Array]:
+) -> tuple[float, float, Floats]:
     """State (u, v) at `end`, also before theta, and its derivatives by (u, v, Omega, F_0): shape (2, 4)."""
     system, Omega, F_0 = forced
     flow = np.empty((2, 4))
@@ -123,7 +121,7 @@ def advance(
     return u, v, flow
 
 
-def sample(forced: Any, phase: Any, grid: Array) -> Array:
+def sample(forced: Any, phase: Any, grid: Floats) -> Floats:
     """u, v and the absolute acceleration of the mass within a phase: shape (grid.size, 3).
 
     grid -- does not fall, and lies at or after where the phase begins

@@ -18,10 +18,11 @@ from numpy.typing import NDArray
 
 from slowflow.backend import EXACT
 from slowflow.exact.compiled import handle
-from slowflow.exact.cycle import Array, Cycle, Equations, closed_cycle
+from slowflow.exact.cycle import Cycle, Equations, closed_cycle
 from slowflow.exact.motion import Forced, follow
 from slowflow.exact.shooting import SteadyState
 from slowflow.exact.work import spend, steps_left
+from slowflow.mechanism import Floats
 from slowflow.support.errors import NotSettled
 from slowflow.text import text
 from slowflow_kernels.exact_conventions import ALONG
@@ -52,18 +53,18 @@ class Point(NamedTuple):
     """A motion on the curve, and how the curve goes on there."""
 
     cycle: Cycle
-    z: Array
-    tangent: Array
+    z: Floats
+    tangent: Floats
     #: largest |u| at a switch, and its derivative along the curve
     A: float
     rise: float
-    monodromy: Array
+    monodromy: Floats
     role: str = ""  # "fold", "border", "corner"
     #: the point before, in the same order of switches: its unknowns, its tangent, and the row by which it measured
-    previous: tuple[Array, Array, Array] | None = None
+    previous: tuple[Floats, Floats, Floats] | None = None
 
     @classmethod
-    def of(cls, cycle: Cycle, z: Array, equations: Equations, tangent: Array) -> Point:
+    def of(cls, cycle: Cycle, z: Floats, equations: Equations, tangent: Floats) -> Point:
         """The point where Newton's iteration ended."""
         return cls(cycle, z, tangent, equations.A, float(equations.of_A[:-1] @ tangent), equations.monodromy)
 
@@ -71,7 +72,7 @@ class Point(NamedTuple):
         """The point with the curve run through the other way."""
         return self._replace(tangent=-self.tangent, rise=-self.rise, previous=None)
 
-    def predict(self, row: Array, size: float) -> Array:
+    def predict(self, row: Floats, size: float) -> Floats:
         """Predict the unknowns at a distance measured by that row: cubic Hermite extrapolation, or the tangent."""
         if self.previous is None:
             return self.z + size * self.tangent
@@ -208,7 +209,7 @@ class Path:
             points[-1] = points[-1]._replace(previous=(here[2 * n : 3 * n], here[3 * n : 4 * n], here[4 * n :]))
         return points, size, travelled
 
-    def _weights(self, z: Array) -> Array:
+    def _weights(self, z: Floats) -> Floats:
         # spans count too: where phases are about to vanish, the curve is smooth in them and in nothing else
         weights = np.full(z.size, 0.1)
         weights[0] = 1.0 / max(abs(float(z[0])), self.least) ** 2
@@ -216,16 +217,16 @@ class Path:
         weights[-1] = 4.0
         return weights
 
-    def _tangent(self, z: Array, equations: Equations, sense: Array) -> Array:
+    def _tangent(self, z: Floats, equations: Equations, sense: Floats) -> Floats:
         """Unit tangent, in the sense of another."""
         tangent = np.linalg.svd(equations.jacobian[:, :-1])[2][-1]
         opposite = float(tangent @ (self._weights(z) * sense)) < 0
         return self._unit(z, -tangent if opposite else tangent)
 
-    def _unit(self, z: Array, tangent: Array | None) -> Array:
+    def _unit(self, z: Floats, tangent: Floats | None) -> Floats:
         """The tangent at z, of unit length."""
         assert tangent is not None
-        unit: Array = tangent / math.sqrt(float(tangent @ (self._weights(z) * tangent)))
+        unit: Floats = tangent / math.sqrt(float(tangent @ (self._weights(z) * tangent)))
         return unit
 
     def _correct(self, point: Point, size: float) -> Point | None:
@@ -443,7 +444,7 @@ class Path:
         # only its cycle and unknowns are valid: the tangent is that of the other start
         return point._replace(cycle=cycle, z=z, previous=None)
 
-    def _orders(self, trial: Point) -> Iterator[tuple[Cycle, Array]]:
+    def _orders(self, trial: Point) -> Iterator[tuple[Cycle, Floats]]:
         """Orders of switches that may hold beyond a border, with trial unknowns; `trial` has the order that is lost."""
         cycle, z = trial.cycle, trial.z
         if np.min(z[2:-1]) < 1e-2:
@@ -461,7 +462,7 @@ class Path:
         if found is not None:
             yield found
 
-    def _simulated_order(self, trial: Point) -> tuple[Cycle, Array] | None:
+    def _simulated_order(self, trial: Point) -> tuple[Cycle, Floats] | None:
         cycle, z = trial.cycle, trial.z
         forced = Forced(cycle.system, float(z[-1]), self.F_0)
         start = cycle.signature[0] if cycle.starts_sticking else None
@@ -472,7 +473,7 @@ class Path:
             return None
         return closed_cycle(cycle.system, cycle.half_turns, motion, forced.Omega)
 
-    def _solve_fixed(self, cycle: Cycle, z: Array, row: Array) -> Point | None:
+    def _solve_fixed(self, cycle: Cycle, z: Floats, row: Floats) -> Point | None:
         """The solution with one unknown kept, if its order of switches holds."""
         found = cycle.newton(z, self.F_0, row, float(row @ z))
         if found is None or not cycle.holds(found[0], self.F_0):
@@ -507,7 +508,7 @@ class Path:
         return last._replace(role="border")
 
 
-def _without_short(trial: Point, short: float) -> tuple[Cycle, Array] | None:
+def _without_short(trial: Point, short: float) -> tuple[Cycle, Floats] | None:
     """The cycle without the phases of at most that span; a slip that one of them cut in two is one again."""
     phases: list[tuple[int, int]] = []
     spans: list[float] = []

@@ -25,7 +25,7 @@ from slowflow.backend import EXACT
 from slowflow.exact import compiled
 from slowflow.exact.motion import Forced, Phase, edge_ahead, follow, signature
 from slowflow.exact.work import spend, steps_left
-from slowflow.mechanism import EquationOfMotion
+from slowflow.mechanism import EquationOfMotion, Floats
 from slowflow.support.errors import NotSettled
 from slowflow.text import text
 from slowflow_kernels import motion
@@ -36,8 +36,6 @@ from slowflow_kernels.exact_conventions import (
     TOLERANCE,
     ExtraKind,
 )
-
-Array = NDArray[np.float64]
 
 Signature = tuple[tuple[int, int], ...]
 #: phase that has to follow a cycle by which a motion shows it
@@ -54,7 +52,7 @@ class Border(NamedTuple):
     phase: int
     sticking: bool
     margin: float
-    gradient: Array
+    gradient: Floats
 
 
 class Equations(NamedTuple):
@@ -65,13 +63,13 @@ class Equations(NamedTuple):
     unknowns that keeps all others and raises the value of that one at rate 1, shape (k+3,).
     """
 
-    residual: Array
-    jacobian: Array
-    monodromy: Array
+    residual: Floats
+    jacobian: Floats
+    monodromy: Floats
     A: float
-    of_A: Array
+    of_A: Floats
     borders: tuple[Border, ...]
-    direction: Array | None = None
+    direction: Floats | None = None
 
 
 @dataclass(frozen=True)
@@ -97,7 +95,7 @@ class Cycle:
         """Whether the mass breaks away at the start of the cycle, rather than turns round."""
         return self.signature[-1][0] == 0
 
-    def equations(self, z: Array, F_0: float) -> Equations:
+    def equations(self, z: Floats, F_0: float) -> Equations:
         """Residual and derivatives at z, and the monodromy matrix with saltation at every switch.
 
         The monodromy matrix takes a deviation of (u, v) at the start, times `sign`, to one after the cycle; the start's
@@ -126,7 +124,7 @@ class Cycle:
             for (slip, region), after in zip(self.signature, successors, strict=True)
         )
 
-    def highest(self, z: Array, F_0: float) -> int:
+    def highest(self, z: Floats, F_0: float) -> int:
         """Index of the phase that starts from the farthest turning point or stop at which a cycle can start."""
         best, farthest = abs(float(z[0])), 0
         starts = []
@@ -142,7 +140,7 @@ class Cycle:
                 best, farthest = u, i
         return farthest
 
-    def restart(self, z: Array, F_0: float, phase: int) -> tuple[Cycle, Array]:
+    def restart(self, z: Floats, F_0: float, phase: int) -> tuple[Cycle, Floats]:
         """The same motion as a cycle that starts with that phase, mirrored if the phase slips upwards."""
         if phase == 0:
             return self, z
@@ -155,7 +153,7 @@ class Cycle:
             theta, u = theta + math.pi * self.half_turns, -u
         return replace(self, signature=tuple(phases)), np.array([u, theta, *spans, z[-1]])
 
-    def with_excursion(self, z: Array, F_0: float, phase: int) -> tuple[Cycle, Array] | None:
+    def with_excursion(self, z: Floats, F_0: float, phase: int) -> tuple[Cycle, Floats] | None:
         """The cycle with an excursion beyond the breakpoint inserted where a phase turns, and trial unknowns.
 
         None where the mass would be accelerated outwards there, or sticks.
@@ -183,11 +181,11 @@ class Cycle:
             phases[after:after], spans[after:after] = [(slip, other), (-slip, other)], [out, back]
         return replace(self, signature=tuple(phases)), np.array([z[0], z[1], *spans, z[-1]])
 
-    def _end(self, z: Array, F_0: float, phase: int) -> tuple[float, float]:
+    def _end(self, z: Floats, F_0: float, phase: int) -> tuple[float, float]:
         """theta and u at the end of a phase, integrated over the spans."""
         return next(itertools.islice(self._ends(z, F_0), phase, None))
 
-    def _ends(self, z: Array, F_0: float) -> Iterator[tuple[float, float]]:
+    def _ends(self, z: Floats, F_0: float) -> Iterator[tuple[float, float]]:
         """theta and u at the end of each phase, one after the other."""
         forced = Forced(self.system, float(z[-1]), F_0)
         theta, u, v = float(z[1]), float(z[0]), 0.0
@@ -198,7 +196,7 @@ class Cycle:
             theta = end
             yield theta, u
 
-    def phases(self, z: Array, F_0: float) -> list[Phase]:
+    def phases(self, z: Floats, F_0: float) -> list[Phase]:
         """The motion that really starts at z's (theta_0, u_0), one phase beyond what the signature lists."""
         forced = Forced(self.system, float(z[-1]), F_0)
         start = self.signature[0] if self.starts_sticking else None
@@ -207,11 +205,11 @@ class Cycle:
         # the last switch falls on the end of the cycle, up to rounding: a little longer, to have it counted
         return follow(forced, theta, float(z[0]), 0.0, end + OVER_END, start)[: len(self.signature) + 1]
 
-    def holds(self, z: Array, F_0: float) -> bool:
+    def holds(self, z: Floats, F_0: float) -> bool:
         """Whether the motion from z's start really switches in the order of the signature."""
         return self.verified_phases(z, F_0) is not None
 
-    def verified_phases(self, z: Array, F_0: float) -> list[Phase] | None:
+    def verified_phases(self, z: Floats, F_0: float) -> list[Phase] | None:
         """The phases of the motion from z's start, if it switches in the order of the signature; None if not."""
         spans = z[2:-1].tolist()
         if not self.consistent or min(spans) <= 0.0:
@@ -232,15 +230,15 @@ class Cycle:
 
     def newton(
         self,
-        z: Array,
+        z: Floats,
         F_0: float,
-        row: Array | None = None,
+        row: Floats | None = None,
         value: float = 0.0,
         *,
         border: int | None = None,
         most: int = MOST_NEWTON,
         tolerance: float = TOLERANCE,
-    ) -> tuple[Array, Equations] | None:
+    ) -> tuple[Floats, Equations] | None:
         """Newton's iteration; None where it does not converge or integration fails.
 
         Omega is kept unless there is one more equation: row @ z = value, or that the margin of a border vanishes.
@@ -272,7 +270,7 @@ class Cycle:
         """The signature as C takes it."""
         return np.array(self.signature, dtype=np.intc).tobytes()
 
-    def multipliers(self, monodromy: Array) -> NDArray[np.complex128]:
+    def multipliers(self, monodromy: Floats) -> NDArray[np.complex128]:
         """Floquet multipliers over the cycle of `half_turns`: their squares hold for a period if `sign` is -1."""
         a, b, c, d = monodromy.ravel().tolist()
         half_trace, determinant = 0.5 * (a + d), a * d - b * c
@@ -303,7 +301,7 @@ def required_half_turns(half_turns: int) -> int:
 
 def closed_cycle(
     system: EquationOfMotion, half_turns: int, phases: list[Phase], Omega: float
-) -> tuple[Cycle, Array] | None:
+) -> tuple[Cycle, Floats] | None:
     """The cycle and trial unknowns that a followed motion suggests: from its highest beginning of a downward slip.
 
     `phases` must span `required_half_turns(half_turns)`, or half_turns + 2 from such a slip on; None where no downward

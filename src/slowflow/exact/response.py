@@ -15,11 +15,10 @@ from numpy.typing import NDArray
 
 from slowflow.answer import Drawn, Table
 from slowflow.exact.continuation import FOLDS, STEP, LostCurve, Path, Point, is_same
-from slowflow.exact.cycle import Array
 from slowflow.exact.motion import Forced, check_forcing
 from slowflow.exact.shooting import Limit, SteadyState, converge, describe, lengths, steady_state
 from slowflow.exact.work import OutOfWork, limited
-from slowflow.mechanism import EquationOfMotion
+from slowflow.mechanism import EquationOfMotion, Flags, Floats
 from slowflow.support.errors import NotSettled, Refused
 from slowflow.text import text
 from slowflow.transmissibility import Transmitted
@@ -72,9 +71,9 @@ class Response(Drawn, Table):
     entry: ClassVar[Any] = ResponsePoint
 
     F_0: float
-    Omega: Array
-    A: Array
-    stable: NDArray[np.bool_]
+    Omega: Floats
+    A: Floats
+    stable: Flags
     multipliers: NDArray[np.complex128]
     stops: NDArray[np.int64]
     folds: tuple[Fold, ...]

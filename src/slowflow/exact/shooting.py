@@ -19,12 +19,10 @@ from slowflow.exact import compiled
 from slowflow.exact.cycle import Cycle, closed_cycle, required_half_turns, sticks_at_jump
 from slowflow.exact.motion import TURN, Forced, Phase, check_forcing, check_numbers, follow, must_stick, stays_at_rest
 from slowflow.exact.work import limited
-from slowflow.mechanism import EquationOfMotion
+from slowflow.mechanism import EquationOfMotion, Floats
 from slowflow.support.errors import NotSettled, Refused
 from slowflow.text import Sentence
 from slowflow.transmissibility import Transmitted, asked
-
-Array = NDArray[np.float64]
 
 MOST_TURNS = 3000  # of the forcing, before time stepping gives up
 DIVERGENCE_TURNS = 30  # over which motions that begin next to each other are compared
@@ -124,7 +122,7 @@ class SteadyState(Answer):
     stable: bool
     symmetric: bool
     cycle: Cycle = field(repr=False)
-    unknowns: Array = field(repr=False)
+    unknowns: Floats = field(repr=False)
     phases: list[Phase] = field(repr=False)
     message: str = ""
 
@@ -154,13 +152,13 @@ class SteadyState(Answer):
         """Whether rounding hides if the mass stops once more: its velocity touches zero within a slip."""
         return any(phase.undecided for phase in self.phases)
 
-    def series(self, samples: int = 400) -> tuple[Array, Array, Array]:
+    def series(self, samples: int = 400) -> tuple[Floats, Floats, Floats]:
         """tau, u, v = du/dtau at `samples` equal steps of one period from tau = 0, where the forcing is largest."""
         theta = self.Omega * self.period * np.arange(samples) / samples
         u, v = self._at(theta)
         return theta / self.Omega, u, v
 
-    def columns(self, samples: int = 400) -> dict[str, Array]:
+    def columns(self, samples: int = 400) -> dict[str, Floats]:
         """tau, u and v, as `series` gives them: what `to_pandas` and `to_xarray` have."""
         return dict(zip(("tau", "u", "v"), self.series(samples), strict=True))
 
@@ -207,14 +205,14 @@ class SteadyState(Answer):
         scale = self.force if of == "force" else self.F_0
         return Transmitted(2.0 * abs(first) / whole / scale, peak / scale, math.sqrt(square / whole) / scale)
 
-    def _on_nodes(self) -> Iterator[tuple[Phase, Array, Array]]:
+    def _on_nodes(self) -> Iterator[tuple[Phase, Floats, Floats]]:
         """Each phase with angles in it and their weights, by Gauss's rule."""
         nodes, weights = np.polynomial.legendre.leggauss(GAUSS_NODES)
         for phase in self.phases:
             half = 0.5 * (phase.end - phase.theta)
             yield phase, phase.theta + half * (1.0 + nodes), half * weights
 
-    def _wave(self, of: str, phase: Phase, theta: Array) -> Array:
+    def _wave(self, of: str, phase: Phase, theta: Floats) -> Floats:
         """The wave `of` the motion within a phase."""
         u, _, a = self._sample_phase(phase, theta).T
         # spring, damper and friction accelerate the mass, and balance all of the force at rest
@@ -238,7 +236,7 @@ class SteadyState(Answer):
         )
         return max(float(sizes[top]), -float(found.fun))
 
-    def _sample_phase(self, phase: Phase, theta: Array) -> Array:
+    def _sample_phase(self, phase: Phase, theta: Floats) -> Floats:
         """u, v and acceleration at angles within a phase, as `compiled.sample` has them."""
         return compiled.sample(Forced(self.cycle.system, self.Omega, self.F_0), phase, theta)
 
@@ -252,7 +250,7 @@ class SteadyState(Answer):
         sign = self.cycle.sign if turns % 2 else 1
         return sign * u, sign * v
 
-    def _at(self, theta: Array) -> tuple[Array, Array]:
+    def _at(self, theta: Floats) -> tuple[Floats, Floats]:
         start, span = float(self.unknowns[1]), self.cycle.half_turns * math.pi
         turns = np.floor((theta - start) / span)
         local = theta - turns * span
@@ -408,7 +406,7 @@ def static_state(system: EquationOfMotion, Omega: float, F_0: float, u: float) -
     )
 
 
-def describe(cycle: Cycle, z: Array, F_0: float, monodromy: Array, phases: list[Phase] | None = None) -> SteadyState:
+def describe(cycle: Cycle, z: Floats, F_0: float, monodromy: Floats, phases: list[Phase] | None = None) -> SteadyState:
     """The `SteadyState` of a converged cycle.
 
     phases -- of one cycle; by default integrated anew
@@ -452,7 +450,7 @@ def from_start(forced: Forced, theta: float, u: float, half_turns: int, v: float
     return None if closed is None else _converge_signature(*closed, forced, (half_turns,))
 
 
-def _converge_signature(cycle: Cycle, z: Array, forced: Forced, tries: tuple[int, ...]) -> SteadyState | None:
+def _converge_signature(cycle: Cycle, z: Floats, forced: Forced, tries: tuple[int, ...]) -> SteadyState | None:
     """Newton's iteration, repeated with the order of switches of what it found until that order holds."""
     if cycle.half_turns not in tries:
         return None

@@ -23,11 +23,9 @@ from slowflow.exact.shooting import (
     lengths,
 )
 from slowflow.exact.work import limited
-from slowflow.mechanism import EquationOfMotion
+from slowflow.mechanism import EquationOfMotion, Flags, Floats
 from slowflow.support.errors import Refused
 from slowflow.text import text
-
-Array = NDArray[np.float64]
 
 #: largest step along a branch that is followed from frequency to frequency: it is bent as its tangents say
 STEP = 0.1
@@ -60,11 +58,11 @@ class Sweep(Drawn, Table):
     entry: ClassVar[Any] = SweepPoint
 
     F_0: float
-    Omega: Array
-    A: Array
+    Omega: Floats
+    A: Floats
     stops: NDArray[np.int64]
     turns: NDArray[np.int64]
-    settled: NDArray[np.bool_]
+    settled: Flags
     jumps: tuple[tuple[float, float], ...]
     message: str = ""
     picture: ClassVar[str] = "sweep"
@@ -77,7 +75,7 @@ Visited = tuple[Any, Sequence[SteadyState | None]]
 def sweep(
     system: EquationOfMotion,
     *,
-    Omega: Sequence[float] | Array,
+    Omega: Sequence[float] | Floats,
     F_0: float,
     most_turns: int = 2000,
     u_0: float = 0.0,
@@ -102,7 +100,7 @@ def sweep(
 
     tries = lengths(system)
 
-    def through(Omega: Array, u: float, v: float) -> Visited:
+    def through(Omega: Floats, u: float, v: float) -> Visited:
         """The motion from (u, v) through frequencies."""
         visited = []
         for at in Omega.tolist():
@@ -143,10 +141,10 @@ class Branches:
 
     def __init__(
         self,
-        Omega: Array,
+        Omega: Floats,
         F_0: float,
         motions: Sequence[SteadyState | None],
-        through: Callable[[Array, float, float], Visited],
+        through: Callable[[Floats, float, float], Visited],
         finer: int = OFTEN,
     ) -> None:
         self.Omega, self.F_0, self.motions, self.through, self.finer = Omega, F_0, motions, through, finer

@@ -13,19 +13,16 @@ from dataclasses import dataclass, field, replace
 from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from slowflow.answer import Drawn, Table, entry
 from slowflow.backend import EXACT
 from slowflow.exact import compiled
 from slowflow.exact.motion import TURN, Forced, Phase, lost
 from slowflow.exact.work import MOST_STEPS, MOST_WORK, limited, spend
-from slowflow.mechanism import EquationOfMotion, Floats
+from slowflow.mechanism import EquationOfMotion, Flags, Floats
 from slowflow.support.errors import NotSettled
 from slowflow.text import Sentence, text
 from slowflow_kernels.exact_conventions import BACK, MOST_TURNS, Outcome
-
-Array = NDArray[np.float64]
 
 NO_PULSE = text("a pulse needs either its duration, of a half sine, or {tau}, the times of a record")
 #: angle between two samples of a record
@@ -71,11 +68,11 @@ class Stretch(NamedTuple):
 class Series(NamedTuple):
     """A motion over time: displacement and velocity relative to the base, absolute accelerations of mass and base."""
 
-    tau: Array
-    u: Array
-    v: Array
-    a: Array
-    base: Array
+    tau: Floats
+    u: Floats
+    v: Floats
+    a: Floats
+    base: Floats
 
 
 @dataclass(frozen=True, eq=False)
@@ -124,14 +121,14 @@ class Transient(Drawn):
         return Series(tau, *out)
 
 
-def half_sine(acceleration: Any, duration: Any) -> Array:
+def half_sine(acceleration: Any, duration: Any) -> Floats:
     """acceleration sin(pi tau/duration) up to the duration, as arcs: shape (..., 1, 4) of numbers that broadcast."""
     a, span = np.broadcast_arrays(np.asarray(acceleration, dtype=float), np.asarray(duration, dtype=float))
     columns = span, math.pi / span, np.abs(a), np.copysign(0.5 * math.pi, a)
     return np.stack(columns, axis=-1)[..., np.newaxis, :]
 
 
-def record(tau: Array, acceleration: Array) -> Array:
+def record(tau: Floats, acceleration: Floats) -> Floats:
     """The acceleration through samples, as arcs: shape (..., n - 1, 4) of those of shape (..., n), tau rising."""
     before, after = -acceleration[..., :-1], -acceleration[..., 1:]
     # F cos theta at both ends of the arc
@@ -144,7 +141,7 @@ def record(tau: Array, acceleration: Array) -> Array:
 @limited()
 def transient(
     system: EquationOfMotion,
-    arcs: Array,
+    arcs: Floats,
     *,
     begin: float = 0.0,
     after: float = AFTER,
@@ -202,7 +199,7 @@ class ShockSpectrum(Drawn, Table):
     A: Floats
     a_max: Floats
     ratio: Floats
-    detaches: NDArray[np.bool_]
+    detaches: Flags
     message: str
     picture: ClassVar[str] = "shocks"
 

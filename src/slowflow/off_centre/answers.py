@@ -10,12 +10,12 @@ from dataclasses import dataclass, field
 from typing import Any, ClassVar, NamedTuple, NoReturn
 
 import numpy as np
-import numpy.typing as npt
 
 from slowflow import validate
 from slowflow.answer import Table, entry
 from slowflow.gradient import Gradient
 from slowflow.isolating import Level
+from slowflow.mechanism import Flags
 from slowflow.model import Floats, Model
 from slowflow.off_centre import sensitivities
 from slowflow.off_centre.sensitivities import Given
@@ -54,7 +54,7 @@ class RestPositions(Table):
 
     u: Floats
     stiffness: Floats
-    stable: npt.NDArray[np.bool_]
+    stable: Flags
     load: float
     message: str
     remarks: Remark = field(default=Remark(0), kw_only=True)

@@ -15,12 +15,10 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from slowflow.mechanism import Flags, Ints
 from slowflow.model import Floats
 from slowflow.support.errors import NotSettled
-
-Ints = NDArray[np.intp]
 
 #: by how much of its half width a box is enlarged for the proof, so that a solution on an edge is inside of one
 AROUND = 0.125
@@ -217,7 +215,7 @@ def _once(x: Floats, middle: Floats, wide: Floats, of: Ints) -> list[int]:
     return kept
 
 
-def _covered(undecided: Floats, undecided_of: Ints, middle: Floats, wide: Floats, of: Ints) -> NDArray[np.bool_]:
+def _covered(undecided: Floats, undecided_of: Ints, middle: Floats, wide: Floats, of: Ints) -> Flags:
     """Which undecided boxes lie where a solution is proved to be the only one."""
     covered = np.zeros(undecided_of.size, dtype=bool)
     for i, one in enumerate(undecided_of):

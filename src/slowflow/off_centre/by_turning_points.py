@@ -14,11 +14,11 @@ from typing import Any
 import numpy as np
 
 from slowflow.backend import SOLVER
-from slowflow.intervals import Bools, Interval
+from slowflow.intervals import ALL, Interval
+from slowflow.mechanism import Flags, Ints
 from slowflow.model import Floats
-from slowflow.off_centre.boxes import Equations, Ints
+from slowflow.off_centre.boxes import Equations
 from slowflow.off_centre.flow import Flow, Slow
-from slowflow.off_centre.means import ALL
 from slowflow.off_centre.turning_points import Charts, Local
 from slowflow_kernels import off_centre
 
@@ -74,12 +74,12 @@ class ByEnds(Equations):
                 z = np.where(known & (np.abs(change) < 2.0**-30 * size).all(axis=0), z - change, z)
         return z
 
-    def _on(self, low: Floats, x: Floats, high: Floats, of: Ints) -> tuple[Floats, Bools]:
+    def _on(self, low: Floats, x: Floats, high: Floats, of: Ints) -> tuple[Floats, Flags]:
         """Rows of boxes and of their middles, (2, n, 28); which of the boxes lie beyond A = 0, with no motion."""
         both = np.array(self.charts.on(low[:2], x[:2], high[:2], self.chart(of), self.charts.steps.load))
         return both, (both[0, :, 1] <= 0) & (high > low).all(axis=0)
 
-    def _found(self, rows: Floats, nowhere: Bools) -> tuple[Floats, Floats, Floats]:
+    def _found(self, rows: Floats, nowhere: Flags) -> tuple[Floats, Floats, Floats]:
         """As `on` gives them, from a kernel's rows (2, n, outputs): with no zero where no motion is."""
         d, n = self.unknowns, nowhere.size
         values = rows[..., : 2 * d].reshape(2, n, d, 2).transpose(0, 3, 2, 1)

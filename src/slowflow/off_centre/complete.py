@@ -11,8 +11,9 @@ from dataclasses import replace
 
 import numpy as np
 
+from slowflow.mechanism import Ints
 from slowflow.model import Floats
-from slowflow.off_centre.boxes import Ints, Solutions, solve
+from slowflow.off_centre.boxes import Solutions, solve
 from slowflow.off_centre.by_turning_points import EndedEdge, EndedFold, EndedState
 from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import Steps

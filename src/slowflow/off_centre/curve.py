@@ -15,9 +15,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slowflow.intervals import Bools
+from slowflow.mechanism import Flags, Ints
 from slowflow.model import Floats
-from slowflow.off_centre.boxes import Ints
 from slowflow.off_centre.flow import Slow
 from slowflow.support.errors import NotSettled
 from slowflow.text import Sentence
@@ -364,7 +363,7 @@ def _weights(place: Floats) -> Floats:
     return np.asarray(np.abs(np.diff(place, axis=1)).sum(axis=0) + 1e-6)
 
 
-def _between(of: Slow, place: Floats, is_fold: Bools, inner: Ints) -> tuple[Floats, Floats]:
+def _between(of: Slow, place: Floats, is_fold: Flags, inner: Ints) -> tuple[Floats, Floats]:
     """Omega, A, B of points between neighbours, and where in the order each stands.
 
     What Newton's method does not bring near enough to what its neighbours tell is asked again once there are nearer
@@ -394,7 +393,7 @@ def _between(of: Slow, place: Floats, is_fold: Bools, inner: Ints) -> tuple[Floa
     return known[:, new], key[new]
 
 
-def _near(of: Slow, Omega: Floats, ends: tuple[Floats, Floats], folds: tuple[Bools, Bools]) -> tuple[Floats, Bools]:
+def _near(of: Slow, Omega: Floats, ends: tuple[Floats, Floats], folds: tuple[Flags, Flags]) -> tuple[Floats, Flags]:
     """States (2, n) at frequencies between neighbours, and which of them are as near as these tell."""
     (start, end), (from_fold, to_fold) = ends, folds
     span = end[0] - start[0]

@@ -21,7 +21,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slowflow.intervals import Bools, Elementary, Interval
+from slowflow.intervals import ALL, Elementary, Interval
+from slowflow.mechanism import Flags
 from slowflow.model import Floats
 
 #: nodes of Gauss's rule on each panel, and its most panels between two ends
@@ -34,8 +35,6 @@ PANELS = 40
 TOGETHER = 1 << 20
 #: roundings outwards
 _OUT = np.array([[-(2.0**-48)], [2.0**-48]])
-#: ends of an interval that holds all numbers
-_ANY = np.array([[-np.inf], [np.inf]])
 
 _AT, _WEIGHTS = np.polynomial.legendre.leggauss(NODES)
 _SHARE = np.linspace(0.0, 1.0, PANELS + 1)
@@ -94,7 +93,7 @@ class Part(NamedTuple):
     def force(self, u: Interval) -> list[Interval]:
         """f and three derivatives on intervals."""
         at = Elementary(-u.ends[::-1] if self.mirrored else u.ends)
-        values = [_interval(one, at) for one in self.held(at)]
+        values = [Interval.like(one, at) for one in self.held(at)]
         return [one if n % 2 else -one for n, one in enumerate(values)] if self.mirrored else values
 
     def on(self, u: Interval) -> list[Interval]:
@@ -102,12 +101,6 @@ class Part(NamedTuple):
         f, slope, *others = self.force(u)
         a, b = self.line
         return [f - (u * b + a), slope - b, *others]
-
-
-def _interval(value: Any, like: Interval) -> Interval:
-    if not isinstance(value, Interval):
-        value = Interval.point(float(value))
-    return Interval(np.broadcast_to(value.ends, like.ends.shape))
 
 
 class Ended(NamedTuple):
@@ -251,7 +244,7 @@ class Curved:
         near = [c_0, s_0, c_1 + s_1, c_1 - s_1, c_2 + 2 * s_2 + q_2, c_2 - q_2, c_2 - 2 * s_2 + q_2]
         doubt = DOUBT * np.stack([sizes[0], sizes[0], *[2 * sizes[2]] * 2, *[4 * sizes[4]] * 3])
         at = [Interval(np.stack((one - off, one + off))) for one, off in zip(near, doubt, strict=True)]
-        at += [Interval(np.tile(_ANY, (1, c_0.size))) for _ in range(2)]
+        at += [Interval(np.tile(ALL, (1, c_0.size))) for _ in range(2)]
         wide = np.flatnonzero((radius[0] > 0) | (radius[1] > 0))
         if wide.size:
             some = [one.take(wide) for one in at]
@@ -292,7 +285,7 @@ class Curved:
         bent = np.zeros(c_0.lo.size, dtype=bool)
         for end in self.ends[self.bends != 0].tolist():
             bent |= (bottom.lo <= end) & (end <= top.hi)
-        c_3 = Interval(np.where(bent, _ANY, _mean(third, _OF_COSINE[0]).ends))
+        c_3 = Interval(np.where(bent, ALL, _mean(third, _OF_COSINE[0]).ends))
         return [c_0, s_0, P_1, Q_1, *squares.values(), c_3, _mean(second, _OF_COSINE[1])]
 
     def _jumps(self, top: Interval, bottom: Interval, centre: list[Floats], i: int, j: int) -> Interval:
@@ -314,7 +307,7 @@ class Curved:
         low, high = low - 2.0**-50 * np.abs(low), high + 2.0**-50 * np.abs(high)
         found = [np.stack((np.full(low.shape, np.inf), np.full(low.shape, -np.inf))) for _ in range(4)]
         for part, (start, end) in zip(self.parts, pairwise(self._edges.tolist()), strict=True):
-            there: Bools = (low <= end) & (high >= start)
+            there: Flags = (low <= end) & (high >= start)
             if not there.any():
                 continue
             u = Interval(np.stack((np.maximum(low[there], start), np.minimum(high[there], end))))

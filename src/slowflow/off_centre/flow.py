@@ -13,7 +13,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slowflow.backend import SOLVER
-from slowflow.intervals import Bools, Interval
+from slowflow.intervals import Interval
+from slowflow.mechanism import Flags
 from slowflow.model import THROUGHOUT, Floats, SlowFlow
 from slowflow.off_centre.means import Means, Steps
 from slowflow_kernels import dissipation, inertia, off_centre, slow_flow
@@ -165,7 +166,7 @@ class Flow(SlowFlow):
 
     def folds_between(
         self, A: Interval, p: Interval, e: Interval, sign: float, lowest: float, highest: float
-    ) -> tuple[Floats, Bools]:
+    ) -> tuple[Floats, Flags]:
         """Between which |R| there may be folds with R of that sign at the highest of forcings, (2, n).
 
         And whether there may be some at forcings between the two.

@@ -23,7 +23,7 @@ from slowflow.checks import Spectrum
 from slowflow.exact import shocks_many
 from slowflow.gradient import Gradient
 from slowflow.loaded import AT_CENTRE, off_centre_by
-from slowflow.mechanism import Mechanism
+from slowflow.mechanism import Flags, Mechanism
 from slowflow.model import Floats, Model
 from slowflow.off_centre.answers import NUMBERS
 from slowflow.off_centre.flow import Flow
@@ -198,13 +198,13 @@ class OffCentreDesigns(many.Designs):
             self._at_centre(question.name, at_centre, given, workers, options, columns, said)
         for place, own, numbers in self._each(~at_centre, *asked.values()):
             found, said[place] = self._of_one(question, tuple(own), dict(zip(at, numbers, strict=True)), places)
-            many.put(list(columns.values()), place, found)
+            many._put(list(columns.values()), place, found)
         return OffCentreBatch(question.name, columns, self, at, OFFSET, remarks=said)
 
     def _at_centre(
         self,
         question: str,
-        where: npt.NDArray[np.bool_],
+        where: Flags,
         given: dict[str, Any],
         workers: int,
         options: Mapping[str, Any],

@@ -34,8 +34,6 @@ NOT_SMOOTH = "of which a piece is no polynomial, nor known to be smooth up to it
 
 #: derivatives of the force that are asked for at most, as `off_centre.averaged` does
 ORDERS = 3
-#: of an interval that holds all numbers
-ALL = np.array([[-np.inf], [np.inf]])
 #: places at which a piece is looked at to bound it
 GRID = 64
 #: by how much a problem is taken to be larger than the longest length of its force

@@ -21,7 +21,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.optimize import brentq, minimize_scalar
 
-from slowflow.intervals import Bools
+from slowflow.mechanism import Flags
 from slowflow.model import Floats
 from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import ORDERS
@@ -196,7 +196,7 @@ class Search:
                 cells = self.sheets.cut(cells)
         return None
 
-    def _may_be_lower(self, cells: Cells, below: float) -> Bools:
+    def _may_be_lower(self, cells: Cells, below: float) -> Flags:
         """Which cells may hold a fold with a level below."""
         found = (self.flow.folds_between(cells.A, cells.p, cells.e, sign, 0.0, below)[1] for sign in (1.0, -1.0))
         return np.asarray((cells.rising.hi > 0) & np.logical_or(*found))

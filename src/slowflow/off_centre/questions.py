@@ -21,10 +21,11 @@ from slowflow.averaged.questions import Averaged
 from slowflow.composed import ComposedQuestions
 from slowflow.immutable import Unchanging
 from slowflow.loaded import CENTRED, Loaded, off_centre_by
+from slowflow.mechanism import Ints
 from slowflow.model import Floats, Model
 from slowflow.off_centre import answers
 from slowflow.off_centre.answers import RestPositions
-from slowflow.off_centre.boxes import Ints, Solutions, solve
+from slowflow.off_centre.boxes import Solutions, solve
 from slowflow.off_centre.by_turning_points import Resting
 from slowflow.off_centre.complete import AT_CENTRE, SUBDIVISIONS, Complete
 from slowflow.off_centre.curve import Curves, curves, on_curve

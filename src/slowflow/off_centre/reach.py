@@ -25,7 +25,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from slowflow.intervals import Bools, Interval
+from slowflow.intervals import Interval
+from slowflow.mechanism import Flags
 from slowflow.model import Floats
 from slowflow.off_centre.flow import ROUNDED, Flow, Slow
 from slowflow.off_centre.solution_sheets import Cells, Sheets
@@ -158,7 +159,7 @@ class Reach:
                 cells = self.sheets.cut(cells)
         return Omega, math.sqrt(2 * max(float(cells.p.hi.max()), 0.0)) if share is None else share.last
 
-    def _may_transmit(self, cells: Cells, F_0: float, least: float, share: Share | None) -> Bools:
+    def _may_transmit(self, cells: Cells, F_0: float, least: float, share: Share | None) -> Flags:
         """Which cells may hold a stable motion at F_0 with least <= Omega^2 <= 2 p, or that transmits that share."""
         with np.errstate(all="ignore"):
             highest = 2 * cells.p.hi * (1 + ROUNDED)
@@ -179,7 +180,7 @@ class Reach:
                 start, end = np.where(none, start, edges[first, n]), np.where(none, end, edges[last, n])
         return ~none
 
-    def _may_at(self, cells: Cells, F_0: float, low: Floats, high: Floats, share: Share | None) -> Bools:
+    def _may_at(self, cells: Cells, F_0: float, low: Floats, high: Floats, share: Share | None) -> Flags:
         """Which of them may have Omega^2 between two numbers each."""
         square = Interval.of(low * (1 - ROUNDED), high * (1 + ROUNDED))
         at = square.sqrt()
@@ -215,7 +216,7 @@ class Reach:
         at = float(Omega[k]) if not turns[k] else self._highest(A[k : k + 1], -2 * means.s[0][k : k + 1], F_0)
         return [Farthest(float(value[k]), at, float(A[k]), float(B[k]), bool(turns[k]))]
 
-    def _step(self, x: Floats, F_0: float, turns: Bools) -> Floats:
+    def _step(self, x: Floats, F_0: float, turns: Flags) -> Floats:
         """Newton's, for f_0 = 0 and the least forcing F_0, or for f_0 = 0 at an amplitude where it `turns`.
 
         Where it is the least, F does not change with Omega.

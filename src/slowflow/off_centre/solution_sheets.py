@@ -16,9 +16,10 @@ from typing import NamedTuple
 import numpy as np
 
 from slowflow.backend import SOLVER
-from slowflow.intervals import Bools, Interval
+from slowflow.intervals import Interval
+from slowflow.mechanism import Flags, Ints
 from slowflow.model import Floats
-from slowflow.off_centre.boxes import MOST_BOXES, TOO_MANY, Ints, solve
+from slowflow.off_centre.boxes import MOST_BOXES, TOO_MANY, solve
 from slowflow.off_centre.by_turning_points import EndedEdge
 from slowflow.off_centre.flow import ROUNDED, Flow
 from slowflow.off_centre.means import Steps
@@ -56,7 +57,7 @@ class Cells:
     e: Interval
     rising: Interval
 
-    def take(self, which: Bools) -> Cells:
+    def take(self, which: Flags) -> Cells:
         """Some of them."""
         some = np.flatnonzero(which)
         of = (one.take(some) for one in (self.A, self.B, self.p, self.e, self.rising))

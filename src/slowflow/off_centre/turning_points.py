@@ -21,10 +21,10 @@ from typing import NamedTuple
 import numpy as np
 
 from slowflow.backend import SOLVER
-from slowflow.intervals import Bools, Interval
+from slowflow.intervals import ALL, Interval
+from slowflow.mechanism import Flags, Ints
 from slowflow.model import Floats
-from slowflow.off_centre.boxes import Ints
-from slowflow.off_centre.means import ALL, Steps
+from slowflow.off_centre.means import Steps
 from slowflow.support.errors import Refused
 from slowflow.text import Sentence
 
@@ -206,7 +206,7 @@ class Charts:
         return Interval(np.where(known, hull, ALL))
 
 
-def above_diagonal(x: Interval, y: Interval, passes: Bools) -> tuple[Interval, Interval]:
+def above_diagonal(x: Interval, y: Interval, passes: Flags) -> tuple[Interval, Interval]:
     """Where motions pass no step, x = B + A and y = A - B the part of boxes in which A is not negative."""
     low = (
         np.where(passes, one.lo, np.minimum(np.maximum(one.lo, -other.hi), one.hi)) for one, other in ((x, y), (y, x))

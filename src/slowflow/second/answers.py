@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from slowflow.answer import Drawn, Table, entry, frozen
+from slowflow.mechanism import Flags, Ints
 from slowflow.model import Floats, Model
 from slowflow.results import DRAWN, InDecibels
 from slowflow.transmissibility import Transmitted, asked, in_motion
@@ -61,7 +62,7 @@ class SecondStates(InDecibels, SecondTable):
     A: Floats
     A_1: Floats
     phi: Floats
-    stable: npt.NDArray[np.bool_]
+    stable: Flags
     message: str
     F_0: float | Floats = field(kw_only=True)
     force: Floats = field(kw_only=True, repr=False)
@@ -102,7 +103,7 @@ class SecondResponse(Drawn, SecondStates):
     entry: ClassVar[Any] = SecondCurvePoint
 
     F_0: float = field(kw_only=True)
-    branch: npt.NDArray[np.intp]
+    branch: Ints
     isola: tuple[bool, ...]
     picture: ClassVar[str] = "response"
     can_draw: ClassVar[tuple[str, ...]] = ("A_1", *DRAWN)
@@ -121,7 +122,7 @@ class SecondFolds(Drawn, SecondTable):
     A: Floats
     A_1: Floats
     kind: npt.NDArray[np.str_]
-    corner: npt.NDArray[np.bool_]
+    corner: Flags
     F_0: float
     message: str
     #: folds that the message says are left out

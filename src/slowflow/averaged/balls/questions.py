@@ -14,7 +14,6 @@ from functools import partial
 from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
-import numpy.typing as npt
 from flint import arb, ctx
 
 from slowflow.answer import joined
@@ -39,6 +38,7 @@ from slowflow.averaged.balls.search import (
     hull,
 )
 from slowflow.certificate import Proved, ProvedFolds, ProvedForcing, ProvedStates
+from slowflow.mechanism import Flags
 from slowflow.model import Floats, Model
 from slowflow_kernels import slow_flow_intervals as flow
 from slowflow_kernels import slow_flow_mu0_intervals as of_mu_0
@@ -513,7 +513,7 @@ class ProvedCusps(Proved):
     F_0: Floats
     Omega: Floats
     A: Floats
-    minimum: npt.NDArray[np.bool_]
+    minimum: Flags
 
 
 def cusps(model: Model, A_max: float) -> ProvedCusps | None:
