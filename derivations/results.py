@@ -13,6 +13,7 @@ from .asymmetric.off_centre import off_centre
 from .asymmetric.offset import offset
 from .extensions.dissipation import dissipation
 from .extensions.inertia import inertia
+from .extensions.linearization import linearization
 from .extensions.motion import motion
 from .extensions.second_approximation import second_approximation
 from .extensions.switching import switching
@@ -43,6 +44,7 @@ class Results:
     frequencies -- the quartics whose roots are the frequencies at an amplitude
     inertia    -- what an excitation by inertia has in place of a force
     dissipation -- what other laws of damping have in place of viscous damping and dry friction
+    linearization -- stationary random vibration
     along      -- what vanishes along the amplitude, by scene
     slopes     -- along the response and the fold locus
     gradients  -- how answers move with the parameters
@@ -64,6 +66,7 @@ class Results:
     frequencies: Frequencies
     inertia: Formulas
     dissipation: Formulas
+    linearization: Formulas
     along: dict[str, Formulas]
     slopes: Formulas
     gradients: Formulas
@@ -94,6 +97,7 @@ def derive(mechanisms: Sequence[Mechanism] | None = None) -> Results:
         frequencies(flows[""]),
         by_inertia,
         by_laws,
+        linearization(),
         of_scenes,
         of_slopes,
         gradients(by_laws, by_inertia.force),

@@ -16,6 +16,7 @@ MODULES = (
     "inertia",
     "off_centre",
     "dissipation",
+    "linearization",
     "sensitivities",
     "sampled",
     "motion",

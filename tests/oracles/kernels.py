@@ -24,6 +24,7 @@ from tests.oracles.definitions import (
     den_hartog,
     frequencies,
     inertia,
+    linearization,
     motion,
     off_centre,
     resultants,
@@ -47,6 +48,7 @@ SLOPE = {"Omega_A": ("Omega A m zeta h h_A", lambda *x: [_slope_of_frequency(*x)
 BY_NAMES: dict[str, Any] = {
     "inertia": inertia.INERTIA,
     "off_centre": off_centre.OFF_CENTRE,
+    "linearization": linearization.LINEARIZATION,
     "sampled": sampled.SAMPLED,
     "dissipation": damping.DISSIPATION,
     "sensitivities": sensitivities.SENSITIVITIES,

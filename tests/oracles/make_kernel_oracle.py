@@ -48,6 +48,7 @@ from tests.oracles.definitions.damping import dissipation_table
 from tests.oracles.definitions.den_hartog import DEN_HARTOG, exact_U, exact_V
 from tests.oracles.definitions.frequencies import frequencies_table
 from tests.oracles.definitions.inertia import inertia_table
+from tests.oracles.definitions.linearization import linearization_table
 from tests.oracles.definitions.motion import motion_table
 from tests.oracles.definitions.off_centre import off_centre_table
 from tests.oracles.definitions.points import (
@@ -270,6 +271,7 @@ def tables() -> dict[str, Callable[[random.Random], dict]]:
         made["slow_flow" + scene] = functools.partial(slow_flow_table, scene=scene)
     made["inertia"] = inertia_table
     made["dissipation"] = dissipation_table
+    made["linearization"] = linearization_table
     made["sensitivities"] = sensitivities_table
     made["second_approximation"] = second_approximation_table
     made["frequencies"] = frequencies_table

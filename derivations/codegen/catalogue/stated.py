@@ -30,6 +30,11 @@ MODULES = {
         "Structural and quadratic damping, and dry friction of what is attached",
         ("paper/averaging.py", "paper/slow_flow.py", "extensions/dissipation.py"),
     ),
+    "linearization": (
+        ("linearization",),
+        "Stationary random vibration by statistical linearization",
+        ("paper/equation_of_motion.py", "extensions/linearization.py"),
+    ),
     "sensitivities": (
         ("gradients",),
         "How answers move with the parameters: what the implicit function theorem asks for",
@@ -68,4 +73,6 @@ def stated_module(name: str, results: Results) -> Module:
     steps, title, inputs = MODULES[name]
     kernels = [kernel for step in steps for kernel in getattr(results, step).kernels.values()]
     constants = CONSTANTS.get(name, {})
-    return Module(name=name, title=title, inputs=inputs, constants=constants, **requested(name, kernels))
+    wanted = requested(name, kernels)
+    in_c = any(kernel.in_c for kernel in wanted["kernels"])
+    return Module(name=name, title=title, inputs=inputs, constants=constants, in_c=in_c, **wanted)

@@ -115,6 +115,9 @@ RANGES = {
     **dict.fromkeys(("I_0p", "I_0Ap", "d_p", "A_p", "Omega_p", "F_0_p"), (-1.0, 1.0)),
     "I_0AAp": (-5.0, 5.0),
     "h_AAp": (-5.0, 5.0),
+    # random vibration
+    **dict.fromkeys(("sigma_u", "sigma_v", "end"), (0.05, 0.5)),
+    **{"S_0": (1e-4, 1e-2), "c": (0.1, 1.0), "ratio": (0.02, 0.45)},
 }
 
 TABLE_1 = tuple(float(published.TABLE_1[name]) for name in ("lam", "r", "delta_h"))

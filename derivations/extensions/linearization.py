@@ -1,0 +1,146 @@
+"""Beside (3): stationary random vibration by statistical linearization.
+
+In:  the equation of motion (3) with a stationary Gaussian excitation w(tau) in the place of F_0 cos.
+Out: `Formulas`: equivalent damping, mean square of the damping force, the response of the linear oscillator that takes
+     the place of (3), and how fast it moves with that oscillator's stiffness and damping.
+
+The linear oscillator u'' + c u' + k u = w is the one whose force misses that of (3) least in the mean square (Caughey):
+
+    k = E[u f(u)]/sigma_u^2        c = E[v r(v)]/sigma_v^2,   r(v) = mu sign(v) + 2 zeta v + c_2 |v| v
+
+as displacement u and velocity v = u' of a stationary Gaussian motion are independent. A narrow-band motion has an
+amplitude A of the Rayleigh distribution, so that k is a mean of what (20) gives at each amplitude: E[u f] = -E[A h]/2.
+
+Of an excitation with the one-sided power spectral density G(Omega)
+
+    sigma_u^2 = I_0,  sigma_v^2 = I_2,    I_j = int G Omega^j/Z dOmega,    Z = (k - Omega^2)^2 + c^2 Omega^2
+
+With p = ln k, q = ln c and x = 1 - Omega^2/k the slopes of -ln Z, of which those of ln I_j are weighted means, are
+
+    by p  -2 x/z,   z = x^2 + 4 r^2 (1 - x),   r = c/(2 sqrt(k))        by q  -2 c^2 Omega^2/Z, between -2 and 0
+
+White noise has a constant two-sided density S_0 (G = 2 S_0): its I_j follow from the moments of the linear oscillator.
+"""
+
+from __future__ import annotations
+
+import functools
+
+import sympy as sp
+
+from ..claims import claim
+from ..kernels import Formulas, Lets
+from ..symbols import A, Omega, c_2, mu, psi, zeta
+
+#: root mean squares of displacement and velocity; two-sided density of white noise
+sigma_u, sigma_v, S_0 = sp.symbols("sigma_u sigma_v S_0", positive=True)
+#: stiffness and damping of the linear oscillator; its damping ratio
+k, c, ratio = sp.symbols("k c ratio", positive=True)
+#: a displacement, as the end of the first piece
+end = sp.Symbol("end", positive=True)
+#: 1 - Omega^2/k, and Z/k^2
+x, z = sp.symbols("x z", real=True)
+
+_v = sp.Symbol("v", positive=True)
+
+#: of arguments
+ORDER = (Omega, end, sigma_u, sigma_v, S_0, k, c, ratio, mu, zeta, c_2)
+
+
+def _mean(of_v: sp.Expr, sigma: sp.Symbol) -> sp.Expr:
+    """E of an even function of a Gaussian number, written for positive ones."""
+    powers = sp.Poly(of_v, _v).terms()
+    return sp.expand(sum(factor * sigma**n * _moment(n) for (n,), factor in powers))
+
+
+@functools.cache
+def _moment(power: int) -> sp.Expr:
+    """E[|v|^power] of a Gaussian number with the root mean square 1."""
+    density = sp.exp(-(_v**2) / 2) / sp.sqrt(2 * sp.pi)
+    return 2 * sp.integrate(_v**power * density, (_v, 0, sp.oo))
+
+
+def linearization() -> Formulas:
+    """Statistical linearization of (3)."""
+    of = Formulas(ORDER, domain="sigma_v > 0")
+    _check_least_squares()
+    _check_cycles()
+    force = mu + 2 * zeta * _v + c_2 * _v**2
+
+    @of.kernel("(3)")
+    def equivalent_damping() -> tuple[sp.Expr, ...]:
+        """Damping of the linear oscillator, its slope by ln(sigma_v), and what of it is dry friction's.
+
+        The slope of its logarithm rises with sigma_v: that slope's own has no negative term over the square of it.
+        """
+        found = sp.collect(sp.expand(_mean(_v * force, sigma_v) / sigma_v**2), sigma_v)
+        slope = sp.expand(sigma_v * sp.diff(found, sigma_v))
+        rises = sp.Add.make_args(sp.expand(found * sigma_v * sp.diff(slope, sigma_v) - slope**2))
+        claim("the slope of ln(c) by ln(sigma_v) rises", not any(one.could_extract_minus_sign() for one in rises))
+        return found, slope, found.coeff(sigma_v, -1) / sigma_v
+
+    text = "Mean square of the damping force of (3)."
+    of.add("damping_force", sp.collect(_mean(force**2, sigma_v), sigma_v), text, "(3)")
+    _response(of)
+
+    @of.kernel("(3)", "k > 0, c > 0")
+    def white() -> tuple[sp.Expr, sp.Expr]:
+        """Mean squares of displacement and velocity of the linear oscillator under white noise.
+
+        Moments of u' = v, v' = -c v - k u + w: the noise adds 2 pi S_0 to E[v^2] in a unit of time.
+        """
+        uu, uv, vv = sp.symbols("uu uv vv")
+        stays = (2 * uv, vv - c * uv - k * uu, -2 * c * vv - 2 * k * uv + 2 * sp.pi * S_0)
+        found = sp.solve(stays, (uu, uv, vv), dict=True)[0]
+        return found[uu], found[vv]
+
+    @of.kernel("Rice", "sigma_u > 0, sigma_v > 0", arguments=(end, sigma_u, sigma_v))
+    def crossings() -> sp.Expr:
+        """How often in a unit of tau a Gaussian motion passes u = end or u = -end outwards."""
+        density = sp.exp(-(end**2) / (2 * sigma_u**2)) / (sp.sqrt(2 * sp.pi) * sigma_u)
+        return sp.simplify(2 * density * _mean(_v, sigma_v) / 2)
+
+    return of
+
+
+def _check_least_squares() -> None:
+    """What misses a force least in the mean square, by the moments of the force and of what it is linear in."""
+    misses, of_force, product, square = sp.symbols("factor force product square", positive=True)
+    error = of_force - 2 * misses * product + misses**2 * square
+    claim("k = E[u f]/E[u^2] misses f least", sp.solve(sp.diff(error, misses), misses)[0] - product / square)
+
+
+def _check_cycles() -> None:
+    """Each power of u over a cycle, then over the Rayleigh distribution of the amplitude."""
+    rayleigh = A / sigma_u**2 * sp.exp(-(A**2) / (2 * sigma_u**2))
+    for power in (1, 3, 5, 7):
+        over_cycle = sp.integrate((A * sp.cos(psi)) ** (power + 1), (psi, 0, 2 * sp.pi)) / (2 * sp.pi)
+        both = sp.integrate(over_cycle * rayleigh, (A, 0, sp.oo))
+        claim(f"E[u f] is a mean of those over a cycle, f = u^{power}", both - _mean(_v ** (power + 1), sigma_u))
+
+
+def _response(of: Formulas) -> None:
+    """-ln Z and its slopes, with bounds of these that hold at every frequency."""
+    Z = (k - Omega**2) ** 2 + c**2 * Omega**2
+    square = sp.Symbol("Z", positive=True)
+    by_k = -2 * k * (k - Omega**2) / square
+    by_c = -2 * c**2 * Omega**2 / square
+    for slope, by in ((by_k, k), (by_c, c)):
+        claim(f"the slope of -ln Z by ln {by}", slope.subs(square, Z) + by * sp.diff(sp.log(Z), by))
+    text = "Z, and the slopes of -ln Z by ln k and ln c."
+    of.add("response", Lets([(square, Z)], (square, by_k, by_c)), text, "(3)", "Omega > 0, k > 0, c > 0")
+
+    scaled = x**2 + 4 * ratio**2 * (1 - x)
+    claim("Z by its scaled form", (Z - k**2 * scaled.subs({ratio: c / (2 * sp.sqrt(k)), x: 1 - Omega**2 / k})))
+    slope = -2 * x / scaled
+    # it is stationary at x = 2 ratio and -2 ratio, and x does not exceed 1
+    at = sp.solve(sp.numer(sp.together(sp.diff(slope, x))), x)
+    claim("where the slope by ln k is stationary", sp.prod([1 - one / (2 * ratio) for one in at]).equals(0) is True)
+    steep, flat = (sp.factor(slope.subs(x, sign * 2 * ratio)) for sign in (1, -1))
+    least = sp.solve(sp.diff(scaled, x), x)[0]
+    # by p once more: x rises with p by 1 - x
+    again = sp.factor(sp.diff(slope, x) * (1 - x) + sp.diff(slope, ratio) * (-ratio / 2))
+    claim("the second slope by ln k", again - sp.factor(slope**2 + slope - 2 / scaled))
+    text = "Of the slope of -ln Z by ln k the least and the largest, and the largest k^2/Z, at any frequency."
+    bounds = (steep, flat, sp.factor(1 / scaled.subs(x, least)))
+    of.add("steepest", bounds, text, "(3)", "0 < ratio < 1/2")

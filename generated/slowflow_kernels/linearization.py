@@ -1,0 +1,110 @@
+"""Stationary random vibration by statistical linearization.
+
+Written by `make derive`; never edit.
+Input: none but the equation of motion in derivations/paper/equation_of_motion.py, derivations/extensions/linearization.py
+Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+
+Everything is dimensionless, for any kind of number that has arithmetic: floats, complex numbers, arrays, an integrator's
+symbols. Each docstring gives equation number, domain and floating-point operations.
+"""
+
+# a formatter would spread each polynomial over a page
+# fmt: off
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+
+__all__ = [
+    "crossings", "damping_force", "equivalent_damping", "response", "steepest", "white",
+]
+
+
+def equivalent_damping(sigma_v: Any, mu: Any, zeta: Any, c_2: Any) -> tuple[Any, Any, Any]:
+    """Damping of the linear oscillator, its slope by ln(sigma_v), and what of it is dry friction's.
+
+    Equation (3). Domain: sigma_v > 0. Shape: 3 results, each the arguments that it depends on, broadcast.
+    Operations: 8.
+    """
+    t0 = 1.5957691216057308 * c_2 * sigma_v
+    t1 = 0.79788456080286541 * mu / sigma_v
+    return (
+        t0 + t1 + 2.0 * zeta,
+        t0 - t1,
+        t1,
+    )
+
+
+def damping_force(sigma_v: Any, mu: Any, zeta: Any, c_2: Any) -> Any:
+    """Mean square of the damping force of (3).
+
+    Equation (3). Domain: sigma_v > 0. Shape: the arguments that it depends on, broadcast. Operations: 24.
+    """
+    t0 = 0.79788456080286541 * zeta
+    sigma_v2 = sigma_v * sigma_v
+    sigma_v4 = sigma_v2 * sigma_v2
+    sigma_v3 = sigma_v * sigma_v2
+    return (
+        3.0 * c_2 * c_2 * sigma_v4 + 8.0 * c_2 * sigma_v3 * t0 + mu * mu + 4.0 * mu * sigma_v * t0 + sigma_v2 * (2.0
+        * c_2 * mu + 4.0 * zeta * zeta)
+    )
+
+
+def response(Omega: Any, k: Any, c: Any) -> tuple[Any, Any, Any]:
+    """Z, and the slopes of -ln Z by ln k and ln c.
+
+    Equation (3). Domain: Omega > 0, k > 0, c > 0. Shape: 3 results, each the arguments that it depends on,
+    broadcast. Operations: 10.
+    """
+    t0 = Omega * Omega
+    t1 = c * c * t0
+    t2 = k - t0
+    Z = t1 + t2 * t2
+    t3 = 2.0 / Z
+    return (
+        Z,
+        -k * t2 * t3,
+        -t1 * t3,
+    )
+
+
+def steepest(ratio: Any) -> tuple[Any, Any, Any]:
+    """Of the slope of -ln Z by ln k the least and the largest, and the largest k^2/Z, at any frequency.
+
+    Equation (3). Domain: 0 < ratio < 1/2. Shape: 3 results, each the arguments that it depends on, broadcast.
+    Operations: 11.
+    """
+    t0 = 1.0 / (ratio - 1.0)
+    t1 = 0.5 / ratio
+    t2 = 1.0 / (ratio + 1.0)
+    return (
+        t0 * t1,
+        t1 * t2,
+        -0.25 * t0 * t2 / (ratio * ratio),
+    )
+
+
+def white(S_0: Any, k: Any, c: Any) -> tuple[Any, Any]:
+    """Mean squares of displacement and velocity of the linear oscillator under white noise.
+
+    Equation (3). Domain: k > 0, c > 0. Shape: 2 results, each the arguments that it depends on, broadcast.
+    Operations: 3.
+    """
+    t0 = 3.1415926535897931 * S_0 / c
+    return (
+        t0 / k,
+        t0,
+    )
+
+
+def crossings(end: Any, sigma_u: Any, sigma_v: Any) -> Any:
+    """How often in a unit of tau a Gaussian motion passes u = end or u = -end outwards.
+
+    Equation Rice. Domain: sigma_u > 0, sigma_v > 0. Shape: the arguments that it depends on, broadcast. Operations:
+    8.
+    """
+    return 0.31830988618379069 * sigma_v * np.exp(-0.5 * end * end / (sigma_u * sigma_u)) / sigma_u
+

@@ -1,0 +1,84 @@
+"""Statistical linearization by quadrature of Gaussian densities and spectra, and by numerical differentiation."""
+
+from __future__ import annotations
+
+import random
+
+from mpmath import mp, mpf
+
+from tests.oracles.definitions.points import entry, points
+
+FAR = 20
+
+
+def gaussian(v, sigma):
+    return mp.exp(-((v / sigma) ** 2) / 2) / (sigma * mp.sqrt(2 * mp.pi))
+
+
+def mean(f, sigma):
+    """E f(v) of an even function."""
+    return 2 * mp.quad(lambda v: f(v) * gaussian(v, sigma), [n * sigma for n in range(FAR)])
+
+
+def resistance(v, mu, zeta, c_2):
+    return mu * mp.sign(v) + 2 * zeta * v + c_2 * abs(v) * v
+
+
+def damping(sigma_v, mu, zeta, c_2):
+    return mean(lambda v: v * resistance(v, mu, zeta, c_2), sigma_v) / mean(lambda v: v * v, sigma_v)
+
+
+def equivalent_damping(sigma_v, mu, zeta, c_2):
+    slope = mp.diff(lambda x: damping(sigma_v * mp.exp(x), mu, zeta, c_2), 0)
+    return [damping(sigma_v, mu, zeta, c_2), slope, damping(sigma_v, mu, mpf(0), mpf(0))]
+
+
+def modulus(Omega, k, c):
+    return abs(mp.mpc(k - Omega**2, c * Omega)) ** 2
+
+
+def response(Omega, k, c):
+    slopes = (
+        mp.diff(lambda x: -mp.log(modulus(Omega, k * mp.exp(x), c)), 0),
+        mp.diff(lambda x: -mp.log(modulus(Omega, k, c * mp.exp(x))), 0),
+    )
+    return [modulus(Omega, k, c), *slopes]
+
+
+def steepest(ratio):
+    """The extrema over the frequency, from a point near each."""
+
+    def slope(Omega):
+        return response(Omega, mpf(1), 2 * ratio)[1]
+
+    low, high = (mp.findroot(lambda w: mp.diff(slope, w), mp.sqrt(1 + sign * 2 * ratio)) for sign in (-1, 1))
+    peak = mp.findroot(lambda w: mp.diff(lambda w: modulus(w, mpf(1), 2 * ratio), w), mp.sqrt(1 - 2 * ratio**2))
+    return [slope(low), slope(high), 1 / modulus(peak, mpf(1), 2 * ratio)]
+
+
+def white(S_0, k, c):
+    parts = [0, mp.sqrt(k) / 2, mp.sqrt(k), 2 * mp.sqrt(k), mp.inf]
+    return [mp.quad(lambda w, j=j: 2 * S_0 * w**j / modulus(w, k, c), parts) for j in (0, 2)]
+
+
+def crossings(end, sigma_u, sigma_v):
+    """Both ends, outwards: the mean of a velocity that is positive, where the displacement is there."""
+    return [2 * gaussian(end, sigma_u) * mean(lambda v: v, sigma_v) / 2]
+
+
+LINEARIZATION = {
+    "equivalent_damping": ("sigma_v mu zeta c_2", equivalent_damping),
+    "damping_force": (
+        "sigma_v mu zeta c_2",
+        lambda s, *laws: [mean(lambda v: resistance(v, *laws) ** 2, s)],
+    ),
+    "response": ("Omega k c", response),
+    "steepest": ("ratio", steepest),
+    "white": ("S_0 k c", white),
+    "crossings": ("end sigma_u sigma_v", crossings),
+}
+
+
+def linearization_table(rng: random.Random) -> dict:
+    """Six points of each kernel."""
+    return {kernel: [entry(f, x) for x in points(rng, names, 6)] for kernel, (names, f) in LINEARIZATION.items()}
