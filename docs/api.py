@@ -57,6 +57,7 @@ MODULES = (
     "slowflow.scenes",
     "slowflow_kernels.conventions",
     "slowflow.averaged.plan",
+    "slowflow.random_vibration.answers",
     "slowflow.second",
     "slowflow.second.answers",
     "slowflow.second.many",

@@ -25,7 +25,7 @@ FLOORS = (
     ("physical_answers",),
     ("oscillator",),
     ("grid",),
-    ("designs",),
+    ("designs", "random_vibration"),
     ("off_centre",),
     ("batch_checks",),
     ("composed",),

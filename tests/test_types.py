@@ -27,6 +27,7 @@ ASKED = {
     "cusps": {},
     "isola_points": {},
     "certify": {"F": 20.0},
+    "random": {"psd": ([1.0, 50.0], [1e-4, 1e-6])},
     "steady_state": {"f": 3.0, "F": 20.0},
     "exact_response": {"F": 20.0, "f": (2.9, 3.0)},
     "sweep": {"f": [2.9, 3.0], "F": 20.0},
@@ -37,7 +38,7 @@ ASKED = {
     "isolation": {"F": 20.0},
     "spectrum": {"f": [3.0, 4.0], "F": 20.0},
 }
-ABOUT_THE_CENTRE = {"at_rest", "fold_locus", "cusps", "isola_points", "certify"}
+ABOUT_THE_CENTRE = {"at_rest", "fold_locus", "cusps", "isola_points", "certify", "random"}
 SCRIPT = """
 import numpy as np
 from slowflow import Duffing, Isolator

@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from slowflow.mechanism import Reals
     from slowflow.off_centre.answers import RestPositions
     from slowflow.off_centre.questions import OffCentre
+    from slowflow.random_vibration.answers import RandomResponse
     from slowflow.second import SecondApproximation
 
 #: frequencies shown of the equation of motion, whose cycle has ever more stops as Omega tends to 0
@@ -396,6 +397,27 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         from slowflow.exact import questions
 
         return questions.shocks(self, self._in_time(force), acceleration, duration)
+
+    def random(self, *, S_0: float | None = None, psd: tuple[Reals, Reals] | None = None) -> RandomResponse:
+        """Stationary motions under a Gaussian excitation w in the place of F_0 cos, by statistical linearization.
+
+        Of a base w is minus its acceleration, over k_v L/m; else a force, over k_v L.
+
+        S_0 -- constant two-sided spectral density of white noise, E[w(t) w(t + s)] = 2 pi S_0 delta(s)
+        psd -- one-sided density instead: frequencies and densities, straight in log-log between these, 0 outside; its
+               integral over Omega is the mean square of w
+
+        Gives .u_rms .v_rms .a_rms, .stiffness and .damping of the equivalent linear oscillator, .beyond and
+        .crossing_rate of the first breakpoint: every such oscillator, as is proved, by rising u_rms. Where there are
+        several, or dry friction is most of the damping, `.message` says so; `.measure()` follows the motion in time.
+
+        Raises ValueError for both or none of S_0 and psd, without mu and zeta, for eta > 0, rubs="attached", under a
+        load and for a force that is not odd; ArithmeticError where there is no stationary motion.
+        """
+        from slowflow.random_vibration.questions import random
+
+        self.at_centre("random")
+        return random(self, self._in_time(None), S_0, psd)
 
     def at_rest(self) -> checks.AtRest:
         """What holds whatever the forcing: .Omega_0 .k_0 .u_cr, and by friction .break_loose .rests_within .sticking.

@@ -31,6 +31,8 @@ if TYPE_CHECKING:
 
 #: dimensionless names of what is called otherwise here
 PLAIN = {"F": "F_0", **{column.si: column.name for column in QUANTITIES.values() if column.si}}
+#: units of spectral densities: the root of each over its SI unit, and of which kind that is
+DENSITIES = {"g^2/Hz": (g, "acceleration"), "(m/s^2)^2/Hz": (1.0, "acceleration"), "N^2/Hz": (1.0, "force")}
 #: what is said of numbers that look as if they were in another unit
 REMARKS = {"f": range_checks.of_frequency, "duration": range_checks.of_duration}
 #: what A is of a motion that is not about the centre
@@ -287,6 +289,24 @@ class Physical:
         In m/s^2 and s, numbers or arrays that broadcast; see `Oscillator.shock_spectrum`.
         """
         return self._answer("shock_spectrum", acceleration=acceleration, duration=duration)
+
+    def random(self, *, psd: tuple[Numbers, Numbers], unit: str = "g^2/Hz") -> answers.Random:
+        """Stationary random vibration: .x_rms .v_rms .a_rms, .f_e .damping, .beyond, see `Oscillator.random`.
+
+        psd  -- frequencies in Hz and one-sided densities, straight in log-log between these, 0 outside
+        unit -- of the densities: "g^2/Hz" or "(m/s^2)^2/Hz" of the base's acceleration, "N^2/Hz" of a force
+        """
+        of_unit, kind = DENSITIES[validate.choice("unit", unit, tuple(DENSITIES))]
+        try:
+            f, G = psd
+        except (TypeError, ValueError):
+            raise Refused("psd must be two rows: frequencies in Hz and densities") from None
+        sizes = self.scales.sizes
+        at = validate.positive_array("f", si("f", f, "Hz")) / sizes["frequency"]
+        density = validate.positive_array("G", G) * (of_unit / sizes[kind]) ** 2 * sizes["frequency"]
+        with self.scales.in_these_terms():
+            found = self.oscillator.random(psd=(at, density))
+        return cast("answers.Random", self.scales.quantities(found))
 
     def margins(self, F: Number) -> answers.One:
         """How far a force amplitude is from F_SN and F_cr: .of_SN .of_cr, see `Oscillator.margins`."""

@@ -134,6 +134,21 @@ class One(Explained):
     untruncated: Quantities | None
 
 
+class Random(Explained):
+    """Of `random`."""
+
+    x_rms: Floats
+    v_rms: Floats
+    a_rms: Floats
+    stiffness: Floats
+    damping: Floats
+    f_e: Floats
+    ratio_e: Floats
+    beyond: Floats
+    crossing_rate: Floats
+    dry: Floats
+
+
 class AtRest(Quantities):
     """Of `at_rest`."""
 

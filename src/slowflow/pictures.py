@@ -373,6 +373,25 @@ def shocks(ax: Any, found: Any, place: str = "beside") -> Any:
     return ax
 
 
+def psd(ax: Any, found: Any, place: str = "beside") -> Any:
+    """The spectral density of the displacement, a curve for each stationary motion; in SI units in mm^2/Hz over Hz."""
+    ax = axes(ax)
+    rms, scales = _has(found, "u_rms", "x_rms"), getattr(found, "scales", None)
+    low, high = (found if scales is None else found.answer).window
+    turns = 1.0 if scales is None else scales.sizes["frequency"]
+    at = np.geomspace(low * turns, high * turns, HISTORY)
+    density = found.response_psd(at) * (1.0 if scales is None else 1e6)
+    values = getattr(found, rms)
+    for one, value, colour in zip(density, values, ramp(len(values)), strict=True):
+        ax.plot(at, one, color=colour, linewidth=1.6, label=f"{value:.3g}")
+    xlabel, unit = (label("Omega"), "") if scales is None else (label("f / Hz"), " / (mm² / Hz)")
+    ylabel = f"spectral density of {label(rms[0])}{unit}"
+    ax.set(xscale="log", yscale="log", xlabel=xlabel, ylabel=ylabel, xlim=(at[0], at[-1]))
+    if len(values) > 1:
+        legend(ax, axis(found, rms), place=place)
+    return ax
+
+
 #: what draws an answer, by its `picture`
 PICTURES: Mapping[str, Callable[[Any, Any], Any]] = {
     "response": response,
@@ -382,6 +401,7 @@ PICTURES: Mapping[str, Callable[[Any, Any], Any]] = {
     "sweep": sweep,
     "history": history,
     "shocks": shocks,
+    "psd": psd,
 }
 
 

@@ -48,10 +48,12 @@ UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
         "angle": {"rad": 1.0, "deg": math.tau / 360},
         "mass": {"kg": 1.0},
         "quadratic damping": {"N s^2/m^2": 1.0},
+        "damping": {"N s/m": 1.0},
+        "rate": {"1/s": 1.0},
     }
 )
 #: those in which answers are shown, one of each kind
-USUAL = ("N", "mm", "Hz", "ms", "mm/s", "m/s^2", "N/m", "rad", "kg", "kg m", "N s^2/m^2")
+USUAL = ("N", "mm", "Hz", "ms", "mm/s", "m/s^2", "N/m", "rad", "kg", "kg m", "N s^2/m^2", "N s/m", "1/s")
 #: amplitudes of the excitation: what is called F_0 without dimensions is F, Y or U, of this kind
 EXCITED: Mapping[str, tuple[str, str]] = MappingProxyType(
     {"force": ("F", "force"), "base": ("Y", "length"), "unbalance": ("U", "unbalance")}
@@ -102,6 +104,8 @@ OF_KIND: Mapping[str, Scale] = MappingProxyType(
         "unbalance": AMPLITUDE_SCALES["unbalance"],
         "quadratic damping": SCALES["c_2"],
         "stiffness": Scale("k", 1.0, (1.0, 0.0, 0.0)),
+        "damping": Scale("c", 1.0, (0.5, 0.0, 0.5)),
+        "rate": Scale("omega_n", 1.0, (0.5, 0.0, -0.5)),
     }
 )
 WITHOUT_PRELOAD = "without preload the springs never touch the push-rod: no number of theirs moves an answer"
@@ -240,10 +244,10 @@ class Quantities(Answer):
             raise Refused("gradients are known of averaged answers: this is none")
         return self.scales.gradient(self.answer.gradient())
 
-    def measure(self, force: str | None = None, *, of: str | None = None) -> Quantities:
+    def measure(self, force: str | None = None, **given: Any) -> Quantities:
         """How far averaged states, folds, a peak, an onset, a detachment are from the equation of motion, in SI units.
 
-        of -- of isolation: "first" or "peak"
+        given -- of isolation of="first" or "peak", of random vibration samples, records and seed
 
         As `measure` of the dimensionless answer, which says what is raised too. Raises ValueError for what is no
         averaged answer.
@@ -251,7 +255,23 @@ class Quantities(Answer):
         if self.scales is None or not hasattr(self.answer, "measure"):
             raise Refused("averaged answers are measured against the equation of motion: this is none")
         with self.scales.in_these_terms():
-            return self.scales.quantities(self.answer.measure(force=force, **({} if of is None else {"of": of})))
+            return self.scales.quantities(self.answer.measure(force=force, **given))
+
+    def largest(self, duration: Any) -> Floats:
+        """Of random vibration the mean of the largest |x| in m within a duration in s, see `RandomResponse.largest`."""
+        answer, sizes = self._random()
+        return np.asarray(answer.largest(si("duration", duration, "s") / sizes["time"]) * sizes["length"])
+
+    def response_psd(self, f: Any) -> Floats:
+        """One-sided density of x in m^2/Hz at frequencies in Hz, of random vibration, (motions, n)."""
+        answer, sizes = self._random()
+        density = answer.response_psd(np.asarray(si("f", f, "Hz"), dtype=float) / sizes["frequency"])
+        return np.asarray(density * sizes["length"] ** 2 / sizes["frequency"])
+
+    def _random(self) -> tuple[Any, dict[str, float]]:
+        if self.scales is None or not hasattr(self.answer, "response_psd"):
+            raise Refused("random vibration has this: this is another answer")
+        return self.answer, self.scales.sizes
 
     def __str__(self) -> str:
         return "\n".join(in_text(self if self.chosen else self.in_units()))

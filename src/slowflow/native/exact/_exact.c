@@ -256,6 +256,35 @@ static PyObject *shock(PyObject *self, PyObject *arguments)
                                               n[4], n[5], n[6], phases);
 }
 
+/* (outcome, steps, u where the motion is lost, u and v at the end of each arc as bytes) */
+static PyObject *record(PyObject *self, PyObject *arguments)
+{
+    (void)self;
+    PyObject *capsule;
+    sf_shocked shock = {0};
+    Py_buffer arcs;
+    if (!PyArg_ParseTuple(arguments, "Oy*ddll", &capsule, &arcs, &shock.u, &shock.v, &shock.most, &shock.left))
+        return NULL;
+    const long all = shock.left, count = (long)(arcs.len / (Py_ssize_t)sizeof(sf_arc));
+    shock.system = PyCapsule_GetPointer(capsule, NAME);
+    PyObject *const states = PyBytes_FromStringAndSize(NULL, count * (Py_ssize_t)sizeof(double[2]));
+    sf_outcome outcome = SF_GOOD;
+    if (shock.system != NULL && states != NULL) {
+        double(*const out)[2] = (double(*)[2])(void *)PyBytes_AsString(states);
+        Py_BEGIN_ALLOW_THREADS
+        outcome = sf_recorded(&shock, arcs.buf, count, out);
+        Py_END_ALLOW_THREADS
+    }
+    PyBuffer_Release(&arcs);
+    free(shock.phases.at);
+    free(shock.at);
+    if (shock.system == NULL || states == NULL) {
+        Py_XDECREF(states);
+        return NULL;
+    }
+    return Py_BuildValue("ildN", (int)outcome, all - shock.left, shock.lost[1], states);
+}
+
 /* (outcome, steps, phases as bytes, each an sf_phase) */
 static PyObject *follow(PyObject *self, PyObject *arguments)
 {
@@ -490,6 +519,8 @@ static PyMethodDef methods[] = {
     {"trace", trace, METH_VARARGS,
      "system, phases, half_turns, starts_from_rest, F_0, course, point, has_before, step, travelled, first, steps, "
      "rows -> points, spent, step, travelled."},
+    {"record", record, METH_VARARGS,
+     "system, arcs, u, v, steps of one integration, of all -> outcome, steps, u, states."},
     {"shocks", shocks, METH_VARARGS,
      "laws, constants, ends, damping, arcs, begin, after, steps of one integration, of all, outcomes, numbers -> "
      "None."},

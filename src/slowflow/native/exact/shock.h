@@ -94,6 +94,20 @@ static sf_outcome sf_under(sf_shocked *shock, double since, const sf_arc *arc)
     return SF_GOOD;
 }
 
+/* u and v at the end of each arc; phases are not kept. */
+static sf_outcome sf_recorded(sf_shocked *shock, const sf_arc *arcs, long count, double (*out)[2])
+{
+    double since = 0.0;
+    for (long i = 0; i < count; since += arcs[i++].span) {
+        shock->count = 0;
+        const sf_outcome outcome = sf_under(shock, since, &arcs[i]);
+        if (outcome != SF_GOOD)
+            return outcome;
+        out[i][0] = shock->u, out[i][1] = shock->v;
+    }
+    return SF_GOOD;
+}
+
 /* All phases: under the arcs, then freely until the mass has turned twice or is held, for `after` at least: a free
  * motion only loses energy. SF_DIVERGES where that does not come. */
 static sf_outcome sf_all_phases(sf_shocked *shock, const sf_arc *arcs, long count, double tau, double after)

@@ -1,0 +1,113 @@
+"""Records of random vibration. Takes an equation of motion and an excitation; returns averages over motions in time.
+
+A record is a Gaussian process by its spectrum, straight between samples, whose motion is followed with every switch
+between slip and stick and every change of piece.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from slowflow import validate
+from slowflow.backend import EXACT
+from slowflow.exact import compiled
+from slowflow.exact.motion import lost
+from slowflow.exact.transient import record as arcs_of
+from slowflow.exact.work import MOST_STEPS
+from slowflow.mechanism import EquationOfMotion, Floats
+from slowflow.random_vibration.excitation import Excitation, White
+from slowflow.support.errors import NotSettled
+from slowflow_kernels import linearization
+
+#: steps of time: of the slowest of natural periods over a turn, of the times in which damping acts on white noise, and
+#: of the period over a turn of the highest frequency of a table that counts
+SHARE, DAMPED, SAMPLED = 0.1, 0.01, 0.7
+#: what may be left out of the mean square of the velocity above the highest frequency
+LEFT_OUT, GRID = 1e-5, 4001
+#: times over that of the linear oscillator's decay that a record is followed before it counts
+BEFORE = 12.0
+#: steps of integration that a sample may take on the average
+STEPS = 50
+#: samples of a record that are followed at once, between which it can be interrupted
+AT_ONCE = 20_000
+
+
+def measured(
+    system: EquationOfMotion, excitation: Excitation, k: Floats, c: Floats, samples: int, records: int, seed: int
+) -> tuple[float, ...]:
+    """Columns of `MeasuredRandom`; k, c: of the equivalent linear oscillators."""
+    records = validate.count("records", records, least=2)
+    each = validate.count("samples", samples, least=100 * records) // records
+    step, top = steps(excitation, float(k.max()), c)
+    before = math.ceil(BEFORE / (step * float(c.min())))
+    system = replace(system, inertial=False)
+    end = next(iter(system.force.breakpoints[system.force.innermost :]), math.nan)
+    random = np.random.default_rng(seed)
+    sums = []
+    for _ in range(records):
+        w = process(excitation, step, top, each + before, random)
+        u, v = followed(system, w, step)[:, before:]
+        a = accelerations(system, u, v, w[before + 1 :])
+        sums.append([np.mean(u**2), np.mean(v**2), np.mean(a**2), np.mean(np.abs(u) > end), np.mean(u**4)])
+    means = np.mean(sums, axis=0)
+    # the distribution of a mean of few numbers (Student): SciPy's special functions are quick to load
+    from scipy.special import stdtrit
+
+    off = float(stdtrit(records - 1, 0.975)) * np.std(sums, axis=0, ddof=1) / math.sqrt(records)
+    u, v, a = rms = np.sqrt(means[:3])
+    u_margin, v_margin, a_margin = off[:3] / (2 * rms)
+    beyond, kurtosis = float(means[3]) if math.isfinite(end) else math.nan, float(means[4] / means[0] ** 2)
+    return tuple(map(float, (u, v, a, u_margin, v_margin, a_margin, beyond, kurtosis, records * each * step)))
+
+
+def steps(excitation: Excitation, k: float, c: Floats) -> tuple[float, float]:
+    """The time between samples, and the highest frequency of the record, infinite of white noise."""
+    if isinstance(excitation, White):
+        return min(SHARE / math.sqrt(k), DAMPED / float(c.max())), math.inf
+    Omega = np.geomspace(excitation.Omega[0], excitation.Omega[-1], GRID)
+    Z, _, _ = linearization.response(Omega, k, float(c[-1]))
+    power = np.gradient(Omega) * excitation.density(Omega) * Omega**2 / Z
+    passed = np.cumsum(power[::-1])[::-1]
+    top = float(Omega[passed >= LEFT_OUT * passed[0]][-1])
+    return min(SHARE / math.sqrt(k), SAMPLED / top), top
+
+
+def process(excitation: Excitation, step: float, top: float, count: int, random: np.random.Generator) -> Floats:
+    """Samples of the excitation, (count + 1,): straight between these it has its spectrum up to the frequency `top`."""
+    if isinstance(excitation, White):
+        return random.normal(0.0, math.sqrt(2 * math.pi * excitation.S_0 / step), count + 1)
+    size = 2 ** math.ceil(math.log2(count + 1))
+    Omega = 2 * math.pi * np.arange(1, size // 2 + 1) / (size * step)
+    density = np.where(Omega <= top, excitation.density(Omega), 0.0)
+    # the straight lines between samples have sinc^2 of it
+    amplitude = np.sqrt(density * Omega[0]) / np.sinc(0.5 * Omega * step / math.pi) ** 2
+    terms = np.zeros(size // 2 + 1, dtype=complex)
+    terms[1:] = 0.5 * size * amplitude * (random.normal(size=Omega.size) + 1j * random.normal(size=Omega.size))
+    return np.fft.irfft(terms, size)[: count + 1]
+
+
+def followed(system: EquationOfMotion, w: Floats, step: float) -> Floats:
+    """u and v at the end of each step, from rest at the centre, (2, n). Raises ArithmeticError where it is lost."""
+    handle, u, v, parts = compiled.handle(system), 0.0, 0.0, []
+    for first in range(0, w.size - 1, AT_ONCE):
+        some = w[first : first + AT_ONCE + 1]
+        arcs = arcs_of(
+            step * np.arange(float(some.size)), -some
+        )  # the base is accelerated by less than nothing: w pushes
+        arguments = np.ascontiguousarray(arcs), u, v, MOST_STEPS, STEPS * some.size
+        outcome, _, at, states = EXACT.record(handle, *arguments)
+        if outcome:
+            raise NotSettled(lost(outcome, system, at))
+        parts.append(np.frombuffer(states).reshape(-1, 2))
+        u, v = parts[-1][-1].tolist()
+    return np.concatenate(parts).T
+
+
+def accelerations(system: EquationOfMotion, u: Floats, v: Floats, w: Floats) -> Any:
+    """Of the mass as seen by who stands still, where the base is what pushes: it goes with the base where it sticks."""
+    damped = 2 * system.zeta * v + (system.mu + system.c_2 * v**2) * np.sign(v)
+    return np.where(v == 0, w, damped + system.force(u))

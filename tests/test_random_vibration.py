@@ -1,0 +1,328 @@
+"""Random vibration by statistical linearization, against closed forms, other integrals, and motions in time."""
+
+import functools
+import itertools
+import math
+
+import numpy as np
+import pytest
+from mpmath import mp, mpf
+from scipy.integrate import quad
+from scipy.optimize import brentq
+
+from slowflow import Duffing, Isolator, Refused
+from slowflow.random_vibration.excitation import Tabulated, White
+from slowflow.random_vibration.gaussian import averages, on_ranges
+from slowflow_kernels.table_1 import TABLE_1
+
+DESIGN = {name: TABLE_1[name] for name in ("lam", "r", "delta_h")}
+#: ten points over three decades, with all of a resonance within
+FLOOR = (
+    [0.05, 0.2, 0.45, 0.9, 1.4, 2.0, 3.3, 6.0, 15.0, 45.0],
+    [1e-3, 3e-3, 3e-3, 8e-3, 8e-3, 2e-3, 2.5e-3, 1e-4, 4e-5, 1e-7],
+)
+MOUNT = {"m": 12, "k_v": 2500, "k_h": 1700, "n": 3, "L": 0.080, "preload": 0.009, "friction": 0.4, "zeta": 0.02}
+ROAD = ([1.0, 5.0, 100.0], [1e-4, 1e-4, 1e-4 * (5 / 100) ** 2])
+
+
+def spread(g):
+    """Flat up to 2, then falling."""
+    return [0.4, 2.0, 40.0], [g, g, g / 400]
+
+
+# ---- other routes
+
+
+def tail(n, x):
+    """T_n(x), the integral of t^n phi(t) from x on."""
+    return mp.quad(lambda t: t**n * mp.npdf(t), [x, x + 2, x + 6, x + 14, x + 40])
+
+
+@mp.workdps(40)
+def stiffness_of_truncated(iso, sigma):
+    """E[u f]/sigma^2 of alpha u + beta u^3 + gamma u^5 within u_cr, u beyond, by tails of the Gaussian density."""
+    alpha, beta, gamma, u_cr = (mpf(float(value)) for value in iso.model.parameters)
+    x = u_cr / mpf(sigma)
+    powers = ((alpha, 1), (beta, 3), (gamma, 5))
+    inner = sum(c * mpf(sigma) ** (n - 1) * (mp.fac2(n) - 2 * tail(n + 1, x)) for c, n in powers)
+    return inner + 2 * tail(2, x)
+
+
+def moment(psd, k, c, power):
+    """I_j by the phase of the linear oscillator, tan theta = (Omega^2 - k)/(c Omega), interval by interval."""
+    total, (Omega, G) = 0.0, psd
+
+    def at(theta):
+        t = c * math.tan(theta)
+        return 0.5 * (t + math.sqrt(t * t + 4 * k)) if t > 0 else 2 * k / (math.sqrt(t * t + 4 * k) - t)
+
+    for a, b, g, other in zip(Omega, Omega[1:], G, G[1:], strict=False):
+        slope = math.log(other / g) / math.log(b / a)
+        ends = [math.atan2(w * w - k, c * w) for w in (a, b)]
+
+        def integrand(w, a=a, g=g, s=slope):
+            return g * (w / a) ** s * w**power / (c * (k + w * w))
+
+        total += quad(lambda theta, f=integrand: f(at(theta)), *ends, epsabs=0, epsrel=1e-12, limit=200)[0]
+    return total
+
+
+def scanned(system, psd, low, high, count=160):
+    """All k that a scan finds: for each k the one c, then the zeros of what the stiffness differs from k by."""
+
+    def damping(sigma_v):
+        def resists(v):
+            return v * (system.mu + 2 * system.zeta * v + system.c_2 * v * v)
+
+        def density(v):
+            return math.exp(-0.5 * (v / sigma_v) ** 2) / (sigma_v * math.sqrt(2 * math.pi))
+
+        return 2 * quad(lambda v: resists(v) * density(v), 0, 12 * sigma_v)[0] / sigma_v**2
+
+    def stiffness(sigma):
+        ends = [end for end in system.force.breakpoints if end < 10 * sigma]
+
+        def density(u):
+            return math.exp(-0.5 * (u / sigma) ** 2) / (sigma * math.sqrt(2 * math.pi))
+
+        return 2 * quad(lambda u: u * system.force.value(u) * density(u), 0, 10 * sigma, points=ends)[0] / sigma**2
+
+    @functools.cache
+    def excess(k):
+        def own(q):
+            return math.log(damping(math.sqrt(moment(psd, k, math.exp(q), 2)))) - q
+
+        c = math.exp(brentq(own, math.log(1e-3), math.log(1e3), xtol=1e-13))
+        return stiffness(math.sqrt(moment(psd, k, c, 0))) - k
+
+    grid = np.geomspace(low, high, count).tolist()
+    return [brentq(excess, a, b, xtol=1e-13) for a, b in itertools.pairwise(grid) if (excess(a) > 0) != (excess(b) > 0)]
+
+
+# ---- averages and integrals
+
+
+@pytest.mark.parametrize("sigma", (0.02, 0.15, 0.2, 0.3, 0.4, 3.0, 100.0))
+def test_stiffness_of_the_truncated_force_is_the_closed_form(sigma):
+    iso = Isolator(**DESIGN, zeta=0.02)
+    found = averages(iso.restoring_force(), np.array([sigma])).stiffness[0]
+    assert found == pytest.approx(float(stiffness_of_truncated(iso, sigma)), rel=4e-15, abs=0)
+
+
+def test_stiffness_of_powers_is_a_double_factorial():
+    """Of alpha u + beta u^3 it is alpha + 3 beta sigma^2, and E[f^2] has 1, 3 and 15."""
+    sigma = np.geomspace(1e-3, 1e3, 13)
+    found = averages(Duffing(0.7, 0.4, zeta=0.1).restoring_force(), sigma)
+    np.testing.assert_allclose(found.stiffness, 0.7 + 1.2 * sigma**2, rtol=4e-15)
+    square = 0.49 * sigma**2 + 2 * 0.7 * 0.4 * 3 * sigma**4 + 0.16 * 15 * sigma**6
+    np.testing.assert_allclose(found.square, square, rtol=4e-15)
+
+
+@pytest.mark.parametrize("force", ("truncated", "untruncated"))
+def test_stiffness_on_a_range_holds_what_it_is_within(force):
+    law = Isolator(**DESIGN, zeta=0.02).restoring_force(force)
+    low, high = np.array([0.1, 0.18, 0.3]), np.array([0.11, 0.24, 0.31])
+    K, T = on_ranges(law, low, high)
+    for share in np.linspace(0, 1, 11):
+        at = low + share * (high - low)
+        inside = averages(law, at)
+        assert ((K.lo <= inside.stiffness) & (inside.stiffness <= K.hi)).all()
+        slope = (averages(law, at * (1 + 1e-6)).stiffness - averages(law, at * (1 - 1e-6)).stiffness) / 2e-6
+        assert ((T.lo <= slope + 1e-7) & (slope - 1e-7 <= T.hi)).all()
+
+
+@pytest.mark.parametrize(
+    ("k", "c"), ((1.0, 0.04), (1.0, 1e-4), (0.3, 0.02), (4.0, 0.5), (1.0, 2.5), (900.0, 0.1), (1e-4, 0.01))
+)
+def test_moments_of_a_table_are_those_by_phase(k, c):
+    found = Tabulated(*FLOOR).moments(*np.log([[k], [c]]))
+    for power, value in zip((0, 2), np.exp(found.value[:, 0]), strict=True):
+        assert value == pytest.approx(moment(FLOOR, k, c, power), rel=1e-11)
+    step = 1e-5
+    for i, by in enumerate(((step, 0.0), (0.0, step))):
+        ends = [Tabulated(*FLOOR).moments(*np.log([[k], [c]]) + sign * np.array(by)[:, None]).value for sign in (1, -1)]
+        np.testing.assert_allclose(found.slopes[:, i, 0], (ends[0] - ends[1])[:, 0] / (2 * step), rtol=1e-6, atol=1e-8)
+
+
+def test_moments_have_their_reference_values():
+    found = np.exp(Tabulated(*FLOOR).moments(np.zeros(1), np.log([0.04])).value)
+    np.testing.assert_allclose(found[:, 0], [0.306535818895922, 0.30638426685095], rtol=3e-15)
+
+
+@pytest.mark.parametrize("excitation", (White(0.01), Tabulated(*FLOOR), Tabulated(*spread(0.01))))
+def test_slopes_on_boxes_hold_those_within(excitation):
+    random = np.random.default_rng(3)
+    z = np.stack((random.uniform(-3, 3, 40), random.uniform(-5, 1, 40)))
+    size = 10 ** random.uniform(-5, 0.3, (2, 40))
+    low, high = z - size, z + size * random.uniform(0.5, 2, (2, 40))
+    held = excitation.slopes_on(excitation.moments(*z), low, z, high)
+    for share in random.uniform(0, 1, (20, 2, 1)):
+        inside = excitation.moments(*(low + share * (high - low))).slopes
+        assert (held[0] - 1e-9 <= inside).all()
+        assert (inside <= held[1] + 1e-9).all()
+
+
+# ---- stationary motions
+
+
+def test_linear_oscillator_under_white_noise_is_closed():
+    found = Duffing(2.0, 0.0, zeta=0.05).random(S_0=0.01)
+    assert len(found) == 1
+    assert found.u_rms[0] == pytest.approx(math.sqrt(math.pi * 0.01 / (2 * 0.1)), rel=1e-13)
+    assert found.v_rms[0] == pytest.approx(math.sqrt(math.pi * 0.01 / 0.1), rel=1e-13)
+    assert found.damping[0] == pytest.approx(0.1, rel=1e-13)
+    assert found.a_rms[0] ** 2 == pytest.approx((2 * found.u_rms[0]) ** 2 + (0.1 * found.v_rms[0]) ** 2, rel=1e-13)
+
+
+def test_weak_damping_comes_to_miles_equation():
+    """The acceleration of a mount on a flat base spectrum is sqrt(pi/2 f_n Q G), Q = 1/(2 zeta)."""
+    mount = Isolator.physical(**{**MOUNT, "preload": 0.0, "friction": 0.0, "zeta": 0.005})
+    f_n = math.sqrt(2500 / 12) / math.tau
+    found = mount.random(psd=([f_n / 1e3, f_n * 1e3], [1e-4, 1e-4]))
+    miles = math.sqrt(math.pi / 2 * f_n * 100 * 1e-4) * 9.80665
+    assert found.a_rms[0] == pytest.approx(miles, rel=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("mu", "asked", "u_rms", "v_rms"),
+    (
+        (0.0, {"S_0": 4e-4}, 0.1992365560, 0.1772453851),
+        (0.012, {"S_0": 1e-3}, 0.2064306205, 0.1850528754),
+        (0.05, {"S_0": 1e-3}, 0.0962921331, 0.0733531058),
+        (0.0102469508, {"psd": spread(3e-3)}, 0.2683272788, 0.2528667329),
+        (0.0354964787, {"psd": spread(1e-3)}, 0.0508043065, 0.0420121160),
+    ),
+)
+def test_linearization_has_its_reference_values(mu, asked, u_rms, v_rms):
+    found = Isolator(**DESIGN, mu=mu, zeta=0.02).random(**asked)
+    np.testing.assert_allclose(np.array([found.u_rms, found.v_rms])[:, 0], [u_rms, v_rms], rtol=0, atol=6e-11)
+
+
+def test_three_linear_oscillators_are_all_found_and_named():
+    found = Duffing(1.0, 1.0, zeta=0.03).random(psd=([1.15, 1.2], [0.05, 0.05]))
+    np.testing.assert_allclose(found.u_rms, [0.1661962993, 0.2476242744, 0.4045105451], rtol=0, atol=6e-11)
+    assert "3 linear oscillators are equivalent" in found.message
+
+
+@pytest.mark.parametrize("case", range(6))
+def test_stationary_motions_are_those_of_a_scan(case):
+    random = np.random.default_rng(100 + case)
+    laws = {"zeta": random.uniform(0.01, 0.1), "mu": random.choice([0.0, 0.01]), "c_2": random.choice([0.0, 0.1])}
+    one = Isolator(**DESIGN, **laws) if case % 2 else Duffing(1.0, random.uniform(-0.01, 1.0), **laws)
+    low = random.uniform(0.6, 1.2)
+    psd = spread(random.uniform(5e-4, 5e-3)) if case % 3 == 0 else ([low, 1.3 * low], [0.03, 0.01])
+    found = one.random(psd=psd)
+    expected = scanned(one.equation_of_motion(), psd, 0.2 * found.stiffness[0], 5 * found.stiffness[-1])
+    np.testing.assert_allclose(np.sort(found.stiffness), expected, rtol=1e-8)
+
+
+def test_the_mean_of_the_largest_is_that_of_rare_passages():
+    """For many passages sigma (sqrt(2 ln n) + 0.5772/sqrt(2 ln n)) is near (Davenport)."""
+    found = Duffing(1.0, 0.0, zeta=0.05).random(S_0=0.01)
+    tau = 1e6
+    root = math.sqrt(2 * math.log(2 * tau / math.tau))
+    assert found.largest(tau)[0] / found.u_rms[0] == pytest.approx(root + 0.5772 / root, rel=2e-3)
+
+
+def test_the_response_spectrum_integrates_to_the_mean_square():
+    found = Isolator(**DESIGN, mu=0.005, zeta=0.02).random(psd=FLOOR)
+    Omega = np.geomspace(FLOOR[0][0], FLOOR[0][-1], 200_001)
+    for density, u_rms in zip(found.response_psd(Omega), found.u_rms, strict=True):
+        assert np.trapezoid(density, Omega) == pytest.approx(u_rms**2, rel=1e-6)
+
+
+def test_a_mount_is_answered_in_si_units():
+    found = Isolator.physical(**MOUNT).random(psd=ROAD)
+    assert found.x_rms[0] == pytest.approx(3.50161569e-3, rel=1e-8)
+    assert found.a_rms[0] / 9.80665 == pytest.approx(0.05799115, rel=1e-7)
+    plain = found.answer
+    assert found.largest(60.0)[0] == pytest.approx(0.080 * plain.largest(60.0 * math.sqrt(2500 / 12))[0])
+    f = np.geomspace(1.0, 100.0, 20_001)
+    assert np.trapezoid(found.response_psd(f)[0], f) == pytest.approx(found.x_rms[0] ** 2, rel=1e-5)
+    other = Isolator.physical(**MOUNT).random(psd=(ROAD[0], np.array(ROAD[1]) * 9.80665**2), unit="(m/s^2)^2/Hz")
+    assert other.x_rms[0] == pytest.approx(found.x_rms[0], rel=1e-12)
+    pushed = Isolator.physical(**MOUNT).random(psd=(ROAD[0], np.array(ROAD[1]) * (9.80665 * 12) ** 2), unit="N^2/Hz")
+    assert pushed.x_rms[0] == pytest.approx(found.x_rms[0], rel=1e-12)
+    assert found.units["damping"] == "N s/m"
+
+
+# ---- motions in time
+
+
+def exact_rms(force, c, S_0):
+    """Of the stationary density exp(-c/(pi S_0) V(u)) without dry friction (Fokker-Planck)."""
+
+    def potential(u):
+        return quad(force.value, 0, u, points=[end for end in force.breakpoints if end < u])[0]
+
+    grid = np.linspace(0, 3.0, 3001)
+    weight = np.exp(-c / (math.pi * S_0) * np.array([potential(float(u)) for u in grid]))
+    return math.sqrt(np.trapezoid(grid**2 * weight, grid) / np.trapezoid(weight, grid))
+
+
+@pytest.mark.parametrize(
+    ("one", "S_0", "u_rms"),
+    (
+        (Duffing(1.0, 1.0, zeta=0.05), 0.05, 0.79266256937),
+        (Isolator(**DESIGN, zeta=0.02), 4e-4, 0.20072557404),
+    ),
+)
+def test_records_have_the_exact_stationary_density(one, S_0, u_rms):
+    found = one.random(S_0=S_0)
+    assert exact_rms(one.restoring_force(), 2 * one.zeta, S_0) == pytest.approx(u_rms, rel=1e-5)
+    record = found.measure(samples=400_000, records=8, seed=1)
+    assert abs(record.u_rms - u_rms) < 1.5 * record.u_margin < 0.1 * u_rms
+    assert abs(record.v_rms - math.sqrt(math.pi * S_0 / (2 * one.zeta))) < 1.5 * record.v_margin
+    assert found.u_rms[0] == pytest.approx(u_rms, rel=0.05)
+
+
+def test_records_of_a_linear_oscillator_are_its_answer():
+    """The spectrum of what is followed is the table's; friction has a share that linearization is right with."""
+    found = Duffing(1.0, 0.0, zeta=0.05).random(psd=FLOOR)
+    record = found.measure(samples=400_000, records=8, seed=2)
+    for name in "uva":
+        assert abs(getattr(record, f"{name}_rms") - getattr(found, f"{name}_rms")[0]) < 1.5 * getattr(
+            record, f"{name}_margin"
+        )
+    assert record.kurtosis == pytest.approx(3.0, abs=0.4)
+
+
+def test_friction_of_most_of_the_damping_is_named():
+    assert Isolator(**DESIGN, mu=0.012, zeta=0.02).random(S_0=1e-3).message == ""
+    found = Isolator(**DESIGN, mu=0.05, zeta=0.02).random(S_0=1e-3)
+    assert found.dry[0] > 0.8
+    assert "dry friction is 0.93 of the equivalent damping" in found.message
+
+
+# ---- what is refused
+
+
+@pytest.mark.parametrize(
+    ("given", "asked", "said"),
+    (
+        ({}, {}, "either S_0"),
+        ({}, {"S_0": 1.0, "psd": FLOOR}, "either S_0"),
+        ({}, {"S_0": -1.0}, "S_0"),
+        ({}, {"psd": 3.0}, "two rows"),
+        ({}, {"psd": ([1.0, 2.0], [1.0])}, "two rows"),
+        ({}, {"psd": ([2.0, 1.0], [1.0, 1.0])}, "rise"),
+        ({}, {"psd": ([1.0, 2.0], [1.0, 0.0])}, "G"),
+        ({"zeta": 0.0}, {"S_0": 1.0}, "friction or viscous"),
+        ({"eta": 0.1}, {"S_0": 1.0}, "eta"),
+        ({"load": 0.1}, {"S_0": 1.0}, "load"),
+    ),
+)
+def test_what_has_no_stationary_answer_is_refused(given, asked, said):
+    with pytest.raises((Refused, ValueError), match=said):
+        Duffing(**{"alpha": 1.0, "beta": 1.0, "zeta": 0.05, **given}).random(**asked)
+
+
+def test_a_mass_that_friction_holds_has_no_equivalent_damping():
+    one = Duffing(1.0, 1.0, mu=0.5, zeta=0.02)
+    with pytest.raises(ArithmeticError, match="friction holds"):
+        one.random(psd=spread(1e-3))
+
+
+def test_a_spring_that_gives_way_has_no_stationary_motion():
+    with pytest.raises(ArithmeticError, match="gives way"):
+        Duffing(-1.0, 0.0, zeta=0.02).random(S_0=1e-3)
