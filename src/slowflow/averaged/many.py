@@ -21,18 +21,7 @@ from slowflow.averaged import diagnostics, messages, proofs
 from slowflow.averaged.batches import Batch, Codes
 from slowflow.averaged.chunks import blocks, share
 from slowflow.averaged.defined import check_defined, may_be_undefined
-from slowflow.averaged.queries import (
-    AMPLITUDES,
-    DETACHMENT,
-    ONSET,
-    PEAK,
-    PROVED_FOLDS,
-    PROVED_STATES,
-    SADDLE_NODES,
-    Question,
-    curves,
-    failed,
-)
+from slowflow.averaged.queries import ASKED, PROVED_FOLDS, PROVED_STATES, Question, curves, failed
 from slowflow.averaged.questions import Averaged
 from slowflow.certificate import DOUBLES
 from slowflow.immutable import Unchanging
@@ -113,10 +102,24 @@ class Designs(Unchanging, ManyQuestions[Batch]):
 
     def _ask(self, question: str, /, *, workers: int = 1, **given: Any) -> Batch:
         """The answer to a question by its name, from what its method takes."""
-        if "places" in given:
-            given["places"] = validate.count("places", given["places"], least=1)
-        found: Batch = getattr(self, f"_{question}")(workers=workers, **given)
-        return found
+        if question == "certify":
+            return self._certify(**given, workers=workers)
+        at = {name: given[name] for name in QUESTIONS[question].takes}
+        places = validate.count("places", given["places"], least=1) if "places" in given else 0
+        own = curves(*validate.curve(given["samples"], given["Omega"])) if "samples" in given else ASKED[question]
+        columns = self.ask(own, workers, places=places, **at)
+        beside = {}
+        if question == "peak":
+            beside["escapes"] = self._leave_out_what_escapes(*columns, **at)
+        elif question != "detachment":
+            beside["by_balls"] = self._decide(own, columns, places, *at.values())
+        if question == "frequency_response":
+            self._leave_out_what_drifts(*columns[:3])
+        elif question == "amplitudes":
+            A, stable, count, _, status = columns
+            self._leave_out_what_drifts(np.asarray(at["Omega"], dtype=float)[..., np.newaxis], A, stable)
+            self._put_in_what_rests(at["Omega"], at["F_0"], ((A, 0.0), (stable, 1)), count, status)
+        return self._batch(question, columns, beside, **at)
 
     rest = Unanswered(
         text("many designs without a load have no rest: they rest at {u} = 0, or a single .off_centre tells")
@@ -127,38 +130,16 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         values = dict(zip(QUESTIONS[question].columns[AVERAGING], columns, strict=True))
         return Batch(question, values, self, asked, **beside)
 
-    def _detachment(self, *, workers: int) -> Batch:
-        return self._batch("detachment", self.ask(DETACHMENT, workers), {})
-
-    def _saddle_node_onset(self, *, workers: int) -> Batch:
-        columns = self.ask(ONSET, workers)
-        by_balls = self._decide(ONSET, columns, most=proofs.MOST_ONSETS_IN_BALLS)
-        return self._batch("saddle_node_onset", columns, {"by_balls": by_balls})
-
-    def _saddle_nodes(self, F_0: Any, *, places: int, workers: int) -> Batch:
-        columns = self.ask(SADDLE_NODES, workers, F_0, places)
-        by_balls = self._decide(SADDLE_NODES, columns, places, F_0)
-        return self._batch("saddle_nodes", columns, {"by_balls": by_balls}, F_0=F_0)
-
-    def _decide(
-        self,
-        question: Question,
-        columns: list[npt.NDArray[Any]],
-        places: int = 0,
-        *asked: Any,
-        most: int | None = None,
-    ) -> Flags:
-        """Change the columns to those of single answers where balls decide what doubles do not; where that is.
-
-        most -- how many of these balls are asked for, `MOST_IN_BALLS` by default
-        """
+    def _decide(self, question: Question, columns: list[npt.NDArray[Any]], places: int, *asked: Any) -> Flags:
+        """Change the columns to those of single answers where balls decide what doubles do not; where that is."""
         named = dict(zip(QUESTIONS[question.name].columns[AVERAGING], columns, strict=True))
         left = (named["status"] == Status.UNRESOLVED) | np.asarray(named.get("undecided", 0) != 0)
         by_balls = np.zeros(left.shape, dtype=bool)
         if self.excitation != "force" or self.laws or not left.any() or proofs.in_balls() is None:
             return by_balls
         assert question.one is not None  # of a proof `_certify` asks balls
-        for at, numbers, own in islice(self._each(left, *asked), proofs.MOST_IN_BALLS if most is None else most):
+        most = proofs.MOST_ONSETS_IN_BALLS if question.name == "saddle_node_onset" else proofs.MOST_IN_BALLS
+        for at, numbers, own in islice(self._each(left, *asked), most):
             try:
                 found = question.one(Averaged(self._model(numbers)), proofs.Allowance(), *own)
             except ArithmeticError:  # what single answers refuse stays refused
@@ -178,14 +159,6 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         for at in progress.each(map(tuple, chosen), len(chosen), "designs asked singly"):
             numbers = [float(value[at]) for value in values]
             yield at, numbers[: len(self.values)], numbers[len(self.values) :]
-
-    def _amplitudes(self, *, Omega: Any, F_0: Any, places: int, workers: int) -> Batch:
-        columns = self.ask(AMPLITUDES, workers, F_0, places, Omega=Omega)
-        by_balls = self._decide(AMPLITUDES, columns, places, F_0, Omega)
-        A, stable, *_ = columns
-        self._leave_out_what_drifts(np.asarray(Omega, dtype=float)[..., np.newaxis], A, stable)
-        self._put_in_what_rests(Omega, F_0, ((A, 0.0), (stable, 1)), columns[2], columns[-1])
-        return self._batch("amplitudes", columns, {"by_balls": by_balls}, F_0=F_0, Omega=Omega)
 
     def _put_in_what_rests(
         self, Omega: Any, F_0: Any, columns: Sequence[tuple[npt.NDArray[Any], Any]], count: Codes, status: Codes
@@ -210,18 +183,8 @@ class Designs(Unchanging, ManyQuestions[Batch]):
             kept, beyond = diagnostics.look_at(self._flow, Omega, A)
             stable &= kept & ~beyond
 
-    def _frequency_response(
-        self, F_0: Any, *, samples: int, Omega: tuple[float, float], places: int, workers: int
-    ) -> Batch:
-        question = curves(*validate.curve(samples, Omega))
-        columns = self.ask(question, workers, F_0, places)
-        by_balls = self._decide(question, columns, places, F_0)
-        found, A, stable, *_ = columns
-        self._leave_out_what_drifts(found, A, stable)
-        return self._batch("frequency_response", columns, {"by_balls": by_balls}, F_0=F_0)
-
-    def _peak(self, F_0: Any, *, workers: int) -> Batch:
-        A, Omega, status = columns = self.ask(PEAK, workers, F_0)
+    def _leave_out_what_escapes(self, A: Floats, Omega: Floats, status: Codes, *, F_0: Any) -> Flags:
+        """Peaks are those within a well; of which designs the response goes on beyond it."""
         escapes = np.array((status == Status.NONE) & (self.excitation == "force"))
         status[escapes] = Status.UNBOUNDED
         with np.errstate(all="ignore"):  # a number outside its domain has a status, and no amplitude
@@ -234,7 +197,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
             A[at], Omega[at], status[at] = (
                 (np.nan, np.nan, found._status) if none else (found.A, found.Omega, Status.OK)
             )
-        return self._batch("peak", columns, {"escapes": escapes}, F_0=F_0)
+        return escapes
 
     def _certify(self, F_0: Any, *, Omega: Any, workers: int) -> Batch:
         validate.is_force("certify", self.excitation)

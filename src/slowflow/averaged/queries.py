@@ -165,3 +165,5 @@ AMPLITUDES = Question("amplitudes", _amplitudes, lambda native: native.many_ampl
 PEAK = Question("peak", _peak, lambda native: native.many_peak, 2**13)
 PROVED_FOLDS = Question("certify", None, lambda native: native.many_proved_saddle_nodes, 2**10)
 PROVED_STATES = Question("certify", None, lambda native: native.many_proved_amplitudes, 2**10)
+#: by name
+ASKED = {one.name: one for one in (DETACHMENT, ONSET, SADDLE_NODES, AMPLITUDES, PEAK)}
