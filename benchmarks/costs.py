@@ -48,6 +48,7 @@ preload = 0.05
 """
 SPECTRUM = "[spectrum]\nf = [{f:.3f}, 2.2, 5.0]\nF = [{F:.3f}, {F:.3f}, 2.0]\n"
 SHOCK = "[shock]\nacceleration = [{a:.2f}]\nduration = [{duration:.4f}]\n"
+PSD = "[psd]\nf = [1.0, 5.0, 100.0]\nG = [{G:.2e}, {G:.2e}, {G_end:.2e}]\n"
 DOCUMENT = '''"""Seconds that questions take: of a plain oscillator, with more laws of damping, loaded.
 
 Written by `python -m benchmarks.costs`; never edit. Medians of random mounts; nine of ten answers took between
@@ -79,11 +80,13 @@ def scene(question: str, kind: str, drawn: random.Random) -> Scene:
         "load": 12.0 + drawn.uniform(-1.0, 1.0),
         "a": drawn.uniform(5, 40),
         "duration": drawn.uniform(0.005, 0.1),
+        "G": 1e-4,
+        "G_end": 2.5e-7,
     }
     more = KINDS[kind].format(**numbers)
-    if question in SHOCKS:
-        more = more.replace("eta = 0.02\n", "")  # which no shock has
-    text = (MOUNT + SPECTRUM + SHOCK).format(more=more, question=question, **numbers)
+    if question in (*SHOCKS, "random"):
+        more = more.replace("eta = 0.02\n", "")  # which neither has
+    text = (MOUNT + SPECTRUM + SHOCK + PSD).format(more=more, question=question, **numbers)
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder, "scene.toml")
         path.write_text(text)

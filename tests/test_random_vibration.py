@@ -13,6 +13,9 @@ from scipy.optimize import brentq
 from slowflow import Duffing, Isolator, Refused
 from slowflow.random_vibration.excitation import Tabulated, White
 from slowflow.random_vibration.gaussian import averages, on_ranges
+from slowflow.report import html
+from slowflow.scenes import read
+from slowflow.support.errors import SceneError
 from slowflow_kernels.table_1 import TABLE_1
 
 DESIGN = {name: TABLE_1[name] for name in ("lam", "r", "delta_h")}
@@ -244,6 +247,49 @@ def test_a_mount_is_answered_in_si_units():
     pushed = Isolator.physical(**MOUNT).random(psd=(ROAD[0], np.array(ROAD[1]) * (9.80665 * 12) ** 2), unit="N^2/Hz")
     assert pushed.x_rms[0] == pytest.approx(found.x_rms[0], rel=1e-12)
     assert found.units["damping"] == "N s/m"
+
+
+SCENE = """[{kind}]
+{numbers}
+[ask]
+questions = ["random"]
+[psd]
+{frequency} = [1.0, 5.0, 100.0]
+G = [1e-4, 1e-4, 2.5e-7]
+{unit}
+"""
+
+
+def scene(tmp_path, kind="mount", given=MOUNT, frequency="f", unit='unit = "g^2/Hz"'):
+    numbers = "\n".join(f"{name} = {value!r}" for name, value in given.items())
+    path = tmp_path / "scene.toml"
+    path.write_text(SCENE.format(kind=kind, numbers=numbers, frequency=frequency, unit=unit))
+    return read(path)
+
+
+def test_a_scene_has_random_vibration_by_its_psd(tmp_path):
+    one = scene(tmp_path)
+    (asked,) = one.asked
+    assert one.answer(asked).x_rms[0] == pytest.approx(3.50161569, rel=1e-8)
+    page = html(one)
+    assert "Random vibration" in page
+    assert "3.502" in page
+    plain = scene(tmp_path, "isolator", {**DESIGN, "mu": 0.01, "zeta": 0.02}, "Omega", "")
+    expected = Isolator(**DESIGN, mu=0.01, zeta=0.02).random(psd=([1.0, 5.0, 100.0], [1e-4, 1e-4, 2.5e-7]))
+    assert plain.answer(plain.asked[0]).u_rms[0] == expected.u_rms[0]
+
+
+@pytest.mark.parametrize(
+    ("changed", "said"),
+    (
+        ({"frequency": "Omega"}, "Omega is no key"),
+        ({"unit": 'unit = "V^2/Hz"'}, "unit = .V.2.Hz. is not allowed"),
+        ({"unit": "H = 3"}, "H is no key"),
+    ),
+)
+def test_what_a_psd_of_a_scene_must_be_is_told(tmp_path, changed, said):
+    with pytest.raises(SceneError, match=said):
+        scene(tmp_path, **changed)
 
 
 # ---- motions in time

@@ -188,8 +188,8 @@ def test_explain_lists_the_plan_and_solves_nothing(scene, monkeypatch, capsys):
     code, out, _ = run("explain", path, capsys=capsys)
     assert code == 0 and "saddle_nodes at F = 0.3 N\n  force         skipped  sticks" in out
     assert out.count("  takes         ") == len(scenes.read(path).asked) and "\ntogether " in out
-    left = "rest, margins, hysteresis, isolation, spectrum, transient, shock_spectrum, tolerances, exact_response, "
-    left += "fold_locus, cusps, isola_points"
+    left = "rest, margins, hysteresis, isolation, spectrum, transient, shock_spectrum, tolerances, random, "
+    left += "exact_response, fold_locus, cusps, isola_points"
     assert out.endswith(f"not asked for, and not computed: {left}\n")
 
 
@@ -329,8 +329,8 @@ WRONG = {
         '"saddle_node"',
         "17: questions = 'saddle_node' is not allowed: it must be one of detachment, "
         "saddle_node_onset, saddle_nodes, amplitudes, frequency_response, peak, rest, at_rest, margins, hysteresis, "
-        "isolation, spectrum, transient, shock_spectrum, tolerances, exact_response, fold_locus, cusps, isola_points. "
-        "Did you mean 'saddle_nodes'?",
+        "isolation, spectrum, transient, shock_spectrum, tolerances, random, exact_response, fold_locus, cusps, "
+        "isola_points. Did you mean 'saddle_nodes'?",
     ),
     "a decimal comma": (
         "L = 0.080",
@@ -381,7 +381,7 @@ WRONG = {
         "[ask]",
         "[aks]",
         "13: [aks] is no table of a scene: it must be one of mount, isolator, duffing, ask, spectrum, tolerances, "
-        "shock. Did you mean 'ask'?",
+        "shock, psd. Did you mean 'ask'?",
     ),
     "a force that is not positive": (
         "F = [3.0, 5.0]",

@@ -84,8 +84,8 @@ BESIDE = (0.8, 1.2)
 
 def html(scene: Scene) -> str:
     """The page. Raises ValueError where the scene has no forcing and no shock, or its oscillator is no isolator."""
-    if not scene.forcings() and not any(one.question in SHOCKS for one in scene.asked):
-        raise Refused(f"{scene.path}: a report needs forcings in [ask], or a shock")
+    if not scene.forcings() and not any(one.question in (*SHOCKS, "random") for one in scene.asked):
+        raise Refused(f"{scene.path}: a report needs forcings in [ask], a shock, or a spectral density")
     report = Report(scene)
     if not isinstance(report.plain, Isolator):
         raise Refused(f"{scene.path}: a report is of an isolator: the scene must hold [mount] or [isolator]")
@@ -97,6 +97,7 @@ def html(scene: Scene) -> str:
         "Folds": report.locus(),
         "Load spectrum": report.spectrum(),
         "Shocks": report.shocks(),
+        "Random vibration": report.random(),
         "Tolerances": report.tolerances(),
         "Designs beside it": report.map(),
         "How far to trust it": report.trust(),
@@ -340,6 +341,14 @@ class Report:
             yield page.figure(
                 ax, "The largest acceleration of the mass over the pulse's, over the duration of the pulse."
             )
+
+    def random(self) -> Iterator[str]:
+        """What the scene asks of random vibration, by statistical linearization."""
+        for one in self.scene.of("random"):
+            found: Any = self.scene.answer(one)
+            yield _table("Stationary motions under the spectral density, by statistical linearization", found)
+            ax = pictures.psd(page.axes(), found, "below")
+            yield page.figure(ax, "The one-sided spectral density of the displacement of the mass, seen from its base.")
 
     def tolerances(self) -> Iterator[str]:
         """What the scene asks of tolerances."""

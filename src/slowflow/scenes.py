@@ -27,6 +27,11 @@
     acceleration = [20.0]       # m/s^2
     duration = [0.011, 0.02]    # s; or, of one record, its times t (tau without dimensions)
 
+    [psd]                       # for "random": a one-sided power spectral density, straight in log-log
+    f = [1, 5, 100]             # Hz; Omega without dimensions, where there is no unit
+    G = [1e-4, 1e-4, 2.5e-7]
+    unit = "g^2/Hz"             # or "(m/s^2)^2/Hz", of the base; "N^2/Hz", of a force
+
 Only what is asked for is computed. A scene names no code and no expression: numbers, words, lists of these. What is
 wrong in it raises `SceneError`, which says where, what is allowed, and which known word is nearest.
 """
@@ -51,7 +56,7 @@ from slowflow.averaged import plan
 from slowflow.averaged.plan import Plan
 from slowflow.isolator import Duffing, Isolator
 from slowflow.measured import costs
-from slowflow.physical import Physical
+from slowflow.physical import DENSITIES, Physical
 from slowflow.quantities import EXCITED, SHOWN, SI, UNITS
 from slowflow.support.errors import SceneError
 from slowflow.table import COLUMNS, SHOCKS
@@ -103,7 +108,7 @@ def _takes(question: str) -> frozenset[str]:
 QUESTIONS: Mapping[str, frozenset[str]] = {
     **{name: _takes(name) for name in ROWS if name != "certify"},
     "tolerances": frozenset(),
-    **{name: _takes(name) for name in ("exact_response", "fold_locus", "cusps", "isola_points")},
+    **{name: _takes(name) for name in ("random", "exact_response", "fold_locus", "cusps", "isola_points")},
 }
 
 
@@ -306,7 +311,7 @@ class _Reader:
     content: dict[str, Any]
 
     def scene(self) -> Scene:
-        self._known("", self.content, (*KINDS, "ask", "spectrum", "tolerances", "shock"))
+        self._known("", self.content, (*KINDS, "ask", "spectrum", "tolerances", "shock", "psd"))
         stated = [name for name in KINDS if name in self.content]
         if len(stated) != 1:
             one_of = ", ".join(f"[{name}]" for name in KINDS)
@@ -347,6 +352,8 @@ class _Reader:
                 yield Asked(name, self._spectrum(name, kind))
             elif name in SHOCKS:
                 yield from self._shocks(name, kind)
+            elif name == "random":
+                yield Asked(name, self._psd(name, kind, "mount" in self.content))
             else:
                 yield from self._plain(name, kind, ask)
 
@@ -399,6 +406,17 @@ class _Reader:
             return
         for peak, duration in itertools.product(peaks, durations):
             yield Asked(name, {"acceleration": peak, "duration": duration})
+
+    def _psd(self, question: str, kind: Kind, has_unit: bool) -> dict[str, Any]:
+        """A spectral density, of a mount in a unit."""
+        table = self._table("psd", question)
+        self._known("psd", table, (kind.frequency, "G", *["unit"] * has_unit))
+        self._complete("psd", table, (kind.frequency, "G"))
+        rows = tuple(self._positive(key, "psd") for key in (kind.frequency, "G"))
+        if "unit" not in table:
+            return {"psd": rows}
+        allowed = tuple(DENSITIES)
+        return {"psd": rows, "unit": self._tried("psd", table, lambda: validate.choice("unit", table["unit"], allowed))}
 
     def _tolerances(self, name: str, kind: Kind) -> Iterator[Asked]:
         """Shares by which numbers may be off: at each forcing, then with each frequency, in the spectrum, in shocks."""

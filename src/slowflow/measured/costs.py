@@ -30,6 +30,7 @@ COSTS: Mapping[str, tuple[float, float, float]] = {
     "tolerances in a shock": (0.19, 0, 0.37),
     "transient": (0.0014, 0.0014, 0.0036),
     "shock_spectrum": (0.00053, 0.00056, 0.0028),
+    "random": (0.027, 0.037, 0),
     "exact_response": (0.011, 0.0082, 0.21),
     "fold_locus": (0.00027, 0.00048, 0),
     "cusps": (0.00015, 0.00015, 0),
