@@ -19,7 +19,7 @@ from slowflow.answer import LOADED, Single, Table, Words, entry, joined, sentenc
 from slowflow.averaged import diagnostics, messages, solvers
 from slowflow.gradient import NO_GRADIENT, Gradient
 from slowflow.isolating import NEVER, WHOLE, Level, as_level, highest, isolated, passes_on, rests_up_to, told
-from slowflow.mechanism import Flags, Floats, Ints, Law
+from slowflow.mechanism import Flags, Floats, Ints, Law, by_piece
 from slowflow.model import THROUGHOUT, SlowFlow
 from slowflow.results import MeasuredPoint, OfPoint, Remark
 from slowflow.text import Sentence, text
@@ -236,10 +236,7 @@ def rests_within(laws: Sequence[Law], parameters: Sequence[Any], ends: Sequence[
     parameters, ends = values[: len(parameters)], values[len(parameters) :]
 
     def holds(u: Floats) -> Flags:
-        f = laws[-1].force(u, *parameters)
-        for end, law in zip(reversed(ends), reversed(laws[:-1]), strict=True):
-            f = np.where(u <= end, law.force(u, *parameters), f)
-        return np.asarray(np.abs(f) <= held)
+        return np.asarray(np.abs(by_piece(laws, ends, u, parameters)) <= held)
 
     with np.errstate(all="ignore"):  # what is no design has none
         far = held + 1.0 + (ends[-1] if ends else 0.0)

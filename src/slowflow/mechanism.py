@@ -254,6 +254,14 @@ class EquationOfMotion:
         return float(inertia.force(Omega, F_0)) if self.inertial else F_0
 
 
+def by_piece(laws: Sequence[Any], ends: Sequence[Any], u: Any, parameters: Sequence[Any], order: int = 0) -> Floats:
+    """A force whose laws hold up to these ends, or its slope, order 1, at u > 0; shapes that broadcast."""
+    value = np.asarray(laws[0][order](u, *parameters))
+    for end, law in zip(ends, laws[1:], strict=True):
+        value = np.where(u > end, law[order](u, *parameters), value)
+    return value
+
+
 def followed(force: Force, name: str) -> Force:
     """A force as its motions are followed, by laws that hold wherever these go.
 

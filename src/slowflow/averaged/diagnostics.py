@@ -15,7 +15,7 @@ import numpy.typing as npt
 
 from slowflow.averaged import sustained
 from slowflow.measured import validity
-from slowflow.mechanism import Flags, Floats
+from slowflow.mechanism import Flags, Floats, by_piece
 from slowflow.model import THROUGHOUT, Model, SlowFlow
 from slowflow.results import NOTHING, Remark
 from slowflow.text import Sentence, text
@@ -85,12 +85,8 @@ def turns_beyond(flow: SlowFlow, A: Any) -> Flags:
     with np.errstate(all="ignore"):  # amplitudes of any size
         at_rest = mechanism.at_rest(*parameters)
         pulls = ((at_rest[0] <= 0) & (at_rest[1] < 0)) | (mechanism.averaged(A, *parameters)[0] < 0)
-        pull, slope = (np.asarray(part(A, *parameters)) for part in mechanism.pieces[0][:2])
-        for end, law in zip(mechanism.breakpoints(*parameters), mechanism.pieces[1:], strict=True):
-            pull, slope = (
-                np.where(A > end, part(A, *parameters), below)
-                for part, below in zip(law[:2], (pull, slope), strict=True)
-            )
+        ends = mechanism.breakpoints(*parameters)
+        pull, slope = (by_piece(mechanism.pieces, ends, A, parameters, order) for order in (0, 1))
         return np.asarray(pulls & (pull < 0) & (slope < 0))
 
 

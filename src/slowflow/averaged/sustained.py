@@ -19,7 +19,7 @@ from typing import Any
 
 import numpy as np
 
-from slowflow.mechanism import Flags, Floats, Mechanism
+from slowflow.mechanism import Flags, Floats, Mechanism, by_piece
 from slowflow.model import SlowFlow
 from slowflow_kernels import slow_flow
 
@@ -38,14 +38,6 @@ SIGNS, MOTIONS, CELLS = 32, 96, 48
 
 #: designs whose free motions are computed at once, some megabytes
 AT_ONCE = 64
-
-
-def force_at(mechanism: Mechanism, parameters: tuple[Any, ...], u: Any) -> Floats:
-    """The force of an odd mechanism at u > 0; shapes that broadcast."""
-    value = np.asarray(mechanism.pieces[0].force(u, *parameters))
-    for end, law in zip(mechanism.breakpoints(*parameters), mechanism.pieces[1:], strict=True):
-        value = np.where(u > end, law.force(u, *parameters), value)
-    return value
 
 
 def _column(number: Any, size: int) -> Floats:
@@ -73,7 +65,8 @@ def unsustained(flow: SlowFlow, Omega: Any, A: Any) -> Flags:
         places = WITHIN * np.fmax.reduce(A, axis=-1, keepdims=True) * (np.arange(1, SIGNS + 1) / SIGNS)
         # a state is looked at from half the amplitude on at which the force has changed its sign: beyond the reach too,
         # which may be the very top of the well
-        turned = (force_at(mechanism, parameters, places) < 0) & _pulls_back(mechanism, parameters)
+        force = by_piece(mechanism.pieces, mechanism.breakpoints(*parameters), places, parameters)
+        turned = (force < 0) & _pulls_back(mechanism, parameters)
         first = np.where(turned, places, np.inf).min(axis=-1, keepdims=True) / WITHIN
         may = np.flatnonzero((A >= first).any(axis=-1))
         for some in (may[begin : begin + AT_ONCE] for begin in range(0, len(may), AT_ONCE)):
@@ -123,7 +116,8 @@ def free_motions(mechanism: Mechanism, parameters: tuple[Any, ...], a: Floats) -
     middles = (edges[1:] + edges[:-1]) / 2
     a = a[..., np.newaxis]
     u, ends = a * np.sin(middles), a * np.sin(edges[1:])
-    f = force_at(mechanism, tuple(np.asarray(value)[..., np.newaxis] for value in parameters), u)
+    own = tuple(np.asarray(value)[..., np.newaxis] for value in parameters)
+    f = by_piece(mechanism.pieces, mechanism.breakpoints(*own), u, own)
     cells = f * np.diff(a * np.sin(edges), axis=-1)
     # u'^2/2 is the work of the force from u to a: that of the cells beyond, and of the rest of its own
     work = np.cumsum(cells[..., ::-1], axis=-1)[..., ::-1] - cells + f * (ends - u)
