@@ -52,7 +52,7 @@ def answer(
     """
     if "eta" in designs.values:
         raise validate.NotAvailable(
-            f"{question} is not available with eta: structural damping is stated at one frequency"
+            f"{question} is not available with {designs.laws}: structural damping is stated at one frequency"
         )
     if (duration is None) == (tau is None):
         raise Refused(NO_PULSE)
