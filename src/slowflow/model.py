@@ -109,18 +109,6 @@ class Laws:
 NO_LAWS = Laws()
 
 
-def at_rest(A: Any, m: Any, eta: Any, u_cr: Any = None) -> tuple[Floats, Floats, Floats, Floats]:
-    """The part of I (23) that knows no frequency, and three derivatives by A; shapes that broadcast.
-
-    u_cr -- where dry friction ends, None where it acts throughout
-    """
-    within: tuple[Floats, ...] = dissipation.at_rest(A, m, eta)
-    if u_cr is None:
-        return within  # type: ignore[return-value]
-    released = dissipation.released(np.maximum(A, u_cr), m, eta, u_cr)
-    return tuple(np.where(np.asarray(A) > u_cr, two, one) for one, two in zip(within, released, strict=True))  # type: ignore[return-value]
-
-
 def held(m: Any, preload: Any) -> Floats:
     """The forcing up to which a mass at rest stays there, whatever the frequency: sqrt(R^2 + I^2) (24) at A = 0.
 
@@ -199,10 +187,14 @@ class SlowFlow:
         """8 c_2/(3 pi), the factor of A^2 Omega^2 in I."""
         return dissipation.quadratic(self.laws.c_2)
 
-    def at_rest(self, A: Any) -> tuple[Floats, Floats, Floats, Floats]:
-        """See `at_rest`; friction ends at the first breakpoint."""
-        u_cr = None if self.laws.rubs == THROUGHOUT else self.breakpoints[0]
-        return at_rest(A, self.m, self.laws.eta, u_cr)
+    def at_rest(self, A: Any) -> tuple[Floats, ...]:
+        """The part of I (23) that knows no frequency, and three derivatives by A; shapes that broadcast."""
+        within: tuple[Floats, ...] = dissipation.at_rest(A, self.m, self.laws.eta)
+        if self.laws.rubs == THROUGHOUT:
+            return within
+        u_cr = self.breakpoints[0]
+        released = dissipation.released(np.maximum(A, u_cr), self.m, self.laws.eta, u_cr)
+        return tuple(np.where(np.asarray(A) > u_cr, two, one) for one, two in zip(within, released, strict=True))
 
     def sine(self, Omega: Any, A: Any) -> Floats:
         """I, the sine balance (23), -F_0 sin phi at a steady state; shapes that broadcast."""

@@ -16,7 +16,7 @@ import numpy as np
 from slowflow import sensitivities
 from slowflow.backend import SOLVER
 from slowflow.gradient import Gradient
-from slowflow.model import Floats, Model, at_rest
+from slowflow.model import Floats, Model
 from slowflow.off_centre.curved import Curved
 from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import ORDERS, Steps
@@ -195,7 +195,7 @@ def _of_kind(
     causes[:3, place], causes[3, place + 1] = slow_flow.friction(1.0) * of_m, 1.0
     if model.laws.any:
         causes[:3, place + 2], causes[4, place + 3] = of_eta, dissipation.quadratic(1.0)
-    at = A, Omega, F_0, kind, model.inertial, h, h_A, h_AA, h_AAA, *at_rest(A, flow.m, flow.laws.eta), flow.zeta, flow.d
+    at = A, Omega, F_0, kind, model.inertial, h, h_A, h_AA, h_AAA, *flow.at_rest(A), flow.zeta, flow.d
     told = np.broadcast_arrays(*at, *of_h, *causes, of_F_0, of_Omega, ends)
     A_p, phi_p, passed_p, Omega_p, F_0_p, alone = np.moveaxis(SOLVER.moved(np.stack(told, axis=-1)), -1, 0)
     found = {"A": A_p, "B": B_p - means.s[1] / means.c[1] * A_p, "Omega": Omega_p, "F_0": F_0_p}

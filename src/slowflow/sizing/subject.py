@@ -273,7 +273,8 @@ class _Batch:
 
     def __init__(self, designs: Any, mu_s: Any, F_0: Any, Omega: Any, pulse: Any, table: Any) -> None:
         self.designs, self.F_0, self.Omega, self.pulse, self.table = designs, F_0, Omega, pulse, table
-        self.holds = self._of_designs("mu") if mu_s is None else mu_s
+        self.mu = np.asarray(designs.values["mu"], dtype=float)
+        self.holds = self.mu if mu_s is None else mu_s
         self.sticks_more = mu_s is not None
         self.asked: dict[Callable[..., Any], Any] = {}
 
@@ -290,7 +291,7 @@ class _Batch:
         if name in IN_A_SPECTRUM:
             return self._in_a_spectrum(name)
         if name == "sticking":
-            return np.asarray(slow_flow.friction(self._of_designs("mu")))
+            return np.asarray(slow_flow.friction(self.mu))
         if name == "break_loose":
             return self.holds
         if name == "rests_within":
@@ -298,7 +299,7 @@ class _Batch:
             return np.asarray(held.at_rest().rests_within)
         if name == "sticks":
             with np.errstate(all="ignore"):  # what is no design does not stick
-                return np.asarray(inertia.moves_from(self.F_0, slow_flow.friction(self._of_designs("mu"))))
+                return np.asarray(inertia.moves_from(self.F_0, slow_flow.friction(self.mu)))
         if name == "F_SN":
             onsets = self._ask(self.designs.saddle_node_onset)
             lowest = np.where(onsets.status == Status.NONE, math.inf, onsets.F_SN)
@@ -365,10 +366,6 @@ class _Batch:
         except (ValueError, ArithmeticError):
             return math.nan, math.nan
         return float(shock.A[0]), float(shock.a_max[0])
-
-    def _of_designs(self, name: str) -> Floats:
-        """One of the numbers of each design."""
-        return np.asarray(self.designs.values[name], dtype=float)
 
     def _in_a_spectrum(self, name: str) -> Floats:
         """One of `IN_A_SPECTRUM`: the largest of all rows, or how many; NaN where one of these is not known."""
