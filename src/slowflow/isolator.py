@@ -101,10 +101,7 @@ class Isolator(Oscillator):
                 raise validate.NotAvailable(text(NO_LOAD, load))
             self._put(load)
         if self.alpha < 0:
-            warnings.warn(
-                text(NEGATIVE, self.delta_h, 1 / (self.lam * self.r), self.alpha),
-                stacklevel=3,
-            )
+            warnings.warn(text(NEGATIVE, self.delta_h, 1 / (self.lam * self.r), self.alpha), stacklevel=3)
 
     def __repr__(self) -> str:
         return f"Isolator({', '.join(self._told())})"

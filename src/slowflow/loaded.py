@@ -15,19 +15,8 @@ from slowflow.validate import NoAttribute
 
 #: what a load leaves as it is
 KNOWN = (
-    "mechanism",
-    "parameters",
-    "mu",
-    "zeta",
-    "design",
-    "excitation",
-    "inertial",
-    "laws",
-    "m",
-    "breakpoints",
-    "reach",
-    "sticks",
-    "force",
+    *("mechanism", "parameters", "design", "mu", "zeta", "laws", "m"),
+    *("excitation", "inertial", "force", "sticks", "breakpoints", "reach"),
 )
 
 #: questions that look at motions about the centre, or begin there

@@ -236,13 +236,7 @@ def legend(ax: Any, title: str = "", *, place: str = "beside", more: Sequence[tu
         ax.legend(handles, labels, title=title or None, frameon=False, handlelength=2.6, **where)
 
 
-def responses(
-    ax: Any,
-    found: Sequence[tuple[Any, Any]],
-    of: str = "A",
-    *,
-    names: Sequence[str] = (),
-) -> Any:
+def responses(ax: Any, found: Sequence[tuple[Any, Any]], of: str = "A", *, names: Sequence[str] = ()) -> Any:
     """Response curves, each with its folds: `of` over frequency; `of` is "A", "phi", "transmissibility_dB", ...
 
     found -- for each the curve and its folds or None: records of `results`, or the same in units
@@ -497,9 +491,6 @@ def _signs(ax: Any) -> Iterator[tuple[Any, str]]:
     for text in sorted(beyond):
         yield Patch(color=DETACHED), text
     tints = {mpl.colors.to_hex(one) for drawn in ax.collections for one in drawn.get_facecolor()}
-    for tint, text in (
-        (STOPPING, r"$A\,\Omega^2 < \mu$: stops"),
-        (UNSTABLE_REGION, "would be unstable"),
-    ):
+    for tint, text in ((STOPPING, r"$A\,\Omega^2 < \mu$: stops"), (UNSTABLE_REGION, "would be unstable")):
         if tint.lower() in tints:
             yield Patch(color=tint), text

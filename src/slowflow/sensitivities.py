@@ -47,11 +47,7 @@ class Given(NamedTuple):
 
 
 def gradient(
-    given: Given,
-    kind: Any,
-    point: tuple[Any, Any, Any],
-    of: Mapping[str, int],
-    asked: tuple[str, ...] = (),
+    given: Given, kind: Any, point: tuple[Any, Any, Any], of: Mapping[str, int], asked: tuple[str, ...] = ()
 ) -> Gradient:
     """The gradient of answers.
 

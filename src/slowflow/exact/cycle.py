@@ -29,13 +29,7 @@ from slowflow.mechanism import EquationOfMotion, Floats
 from slowflow.support.errors import NotSettled
 from slowflow.text import text
 from slowflow_kernels import motion
-from slowflow_kernels.exact_conventions import (
-    MOST_NEWTON,
-    ON_TIME,
-    OVER_END,
-    TOLERANCE,
-    ExtraKind,
-)
+from slowflow_kernels.exact_conventions import MOST_NEWTON, ON_TIME, OVER_END, TOLERANCE, ExtraKind
 
 Signature = tuple[tuple[int, int], ...]
 #: phase that has to follow a cycle by which a motion shows it

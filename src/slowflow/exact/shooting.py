@@ -315,12 +315,7 @@ def steady_state(
 
 @limited()
 def near(
-    system: EquationOfMotion,
-    Omega: float,
-    F_0: float,
-    guess: tuple[float, float],
-    *,
-    B: float = 0.0,
+    system: EquationOfMotion, Omega: float, F_0: float, guess: tuple[float, float], *, B: float = 0.0
 ) -> SteadyState | None:
     """The motion, stable or not, that Newton's iteration finds near u = B + A cos(Omega tau + phi), guess = (A, phi).
 

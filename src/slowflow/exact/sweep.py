@@ -14,14 +14,7 @@ from numpy.typing import NDArray
 from slowflow.answer import Drawn, Table, entry
 from slowflow.exact.continuation import Path, Point, passed_fold
 from slowflow.exact.motion import Forced, check_numbers, stops
-from slowflow.exact.shooting import (
-    SteadyState,
-    at_rest,
-    continue_stepping,
-    converge,
-    largest,
-    lengths,
-)
+from slowflow.exact.shooting import SteadyState, at_rest, continue_stepping, converge, largest, lengths
 from slowflow.exact.work import limited
 from slowflow.mechanism import EquationOfMotion, Flags, Floats
 from slowflow.support.errors import Refused
