@@ -315,14 +315,10 @@ TONES = text(
 
 
 def at_pairs(Omega: Floats, messages: Iterable[str]) -> str:
-    """What is said at pairs of frequencies and forcings: as `at_several`, and that the tones do not act together."""
-    return joined(at_several(messages), TONES if np.unique(Omega).size > 1 else "")
-
-
-def at_several(messages: Iterable[str]) -> str:
-    """What is said at several forcings: each message once, the first `SAID` of them."""
+    """Each message at pairs of frequencies and forcings once, the first `SAID`; and that tones do not act together."""
     told = list(dict.fromkeys(message for message in messages if message))
-    return joined(*told[:SAID], f"and {len(told) - SAID} remarks more" if len(told) > SAID else "")
+    more = f"and {len(told) - SAID} remarks more" if len(told) > SAID else ""
+    return joined(*told[:SAID], more, TONES if np.unique(Omega).size > 1 else "")
 
 
 def empty_window(model: Model, F_0: float, window: tuple[float, float], cut: str = "") -> str:

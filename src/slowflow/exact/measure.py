@@ -232,11 +232,8 @@ def _folds_near(
 
 def _summary(reasons: list[str], noun: str) -> str:
     """How many states or folds have no exact counterpart, and why."""
-    lines = []
-    for reason in dict.fromkeys(reasons):
-        if reason:
-            lines.append(f"{reasons.count(reason)} of {len(reasons)} {noun}: {reason}")
-    return "; ".join(lines)
+    said = (f"{reasons.count(one)} of {len(reasons)} {noun}: {one}" for one in dict.fromkeys(reasons) if one)
+    return "; ".join(said)
 
 
 @limited()

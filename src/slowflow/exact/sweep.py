@@ -115,6 +115,7 @@ def sweep(
     return Sweep(F_0, frequencies, A, stops_at, turns, steady, jumps)
 
 
+@dataclass(frozen=True)
 class Branches:
     """Whether the motions of a sweep continue each other along a branch of periodic motions.
 
@@ -132,15 +133,11 @@ class Branches:
     finer   -- how often steps may be made finer
     """
 
-    def __init__(
-        self,
-        Omega: Floats,
-        F_0: float,
-        motions: Sequence[SteadyState | None],
-        through: Callable[[Floats, float, float], Visited],
-        finer: int = OFTEN,
-    ) -> None:
-        self.Omega, self.F_0, self.motions, self.through, self.finer = Omega, F_0, motions, through, finer
+    Omega: Floats
+    F_0: float
+    motions: Sequence[SteadyState | None]
+    through: Callable[[Floats, float, float], Visited]
+    finer: int = OFTEN
 
     def jumps(self) -> tuple[tuple[float, float], ...]:
         """Pairs of neighbouring frequencies."""

@@ -100,18 +100,14 @@ class Flow(SlowFlow):
     def frequencies(self, A: Floats, h: Floats, F_0: float) -> Floats:
         """Every Omega at which these are steady states at F_0, (n, k) with NaN where there are less."""
         if self.plain:
-            found: Floats = SOLVER.response_roots(A, h, self.m, self.zeta, np.array([F_0]))[0]
-        else:
-            found = SOLVER.law_roots(A, h, 0.0, *self.damping, F_0, self.inertial)
-        return found
+            return np.asarray(SOLVER.response_roots(A, h, self.m, self.zeta, np.array([F_0]))[0])
+        return np.asarray(SOLVER.law_roots(A, h, 0.0, *self.damping, F_0, self.inertial))
 
     def fold_frequencies(self, A: Floats, h: Floats, h_A: Floats) -> Floats:
         """Every Omega at which F_A vanishes, likewise."""
         if not self.laws.any:
-            found: Floats = SOLVER.fold_roots(A, h, h_A, self.m, self.zeta)[0]
-        else:
-            found = SOLVER.law_roots(A, h, h_A, *self.damping, -1.0, self.inertial)
-        return found
+            return np.asarray(SOLVER.fold_roots(A, h, h_A, self.m, self.zeta)[0])
+        return np.asarray(SOLVER.law_roots(A, h, h_A, *self.damping, -1.0, self.inertial))
 
     def stationary(self, A: Floats, h: Floats) -> Floats:
         """Every Omega at which the level is stationary, likewise, and the end at which it may be least: 0 or inf."""

@@ -133,8 +133,6 @@ class OffCentre(Unchanging, ComposedQuestions):
     _asked: Any
     _steps: Steps
     _flow: Flow
-    _m: float
-    _zeta: float
     _reach: Reach
     _complete: Complete
     _known: dict[tuple[Any, ...], Any]
@@ -143,8 +141,7 @@ class OffCentre(Unchanging, ComposedQuestions):
         steps, flow = Steps(model.mechanism, model.parameters, load), Flow.of(model)
         # not by attribute: these cannot be set
         self.__dict__.update(model=Loaded(model, load), _model=model, _asked=asked)
-        self.__dict__.update(_steps=steps, _flow=flow)
-        self.__dict__.update(_m=model.m, _zeta=model.zeta, _known={})
+        self.__dict__.update(_steps=steps, _flow=flow, _known={})
         complete = Complete(steps, flow)
         self.__dict__.update(_complete=complete, _reach=Reach(complete.sheets, flow, complete.A_max))
 
@@ -169,7 +166,7 @@ class OffCentre(Unchanging, ComposedQuestions):
     @property
     def sticking_forcing(self) -> float:
         """4 mu/pi: a forcing that does not exceed it leaves a mass at rest, wherever that is (27); 0 under inertia."""
-        return 0.0 if self._flow.inertial else self._m
+        return 0.0 if self._flow.inertial else self._model.m
 
     @property
     def breakpoints(self) -> tuple[float, ...]:
@@ -228,14 +225,14 @@ class OffCentre(Unchanging, ComposedQuestions):
     def _amplitudes(self, at: Floats, F_0: float) -> SteadyStates:
         self._check_answered("amplitudes")
         x, of, undecided = np.empty((2, 0)), np.empty(0, dtype=np.intp), np.empty(0, dtype=np.intp)
-        rests = np.flatnonzero(self._flow.force(F_0, at) <= self._m)
+        rests = np.flatnonzero(self._flow.force(F_0, at) <= self._model.m)
         equilibria = self._stable_equilibria() if rests.size else of
         static = np.stack((np.zeros(rests.size * equilibria.size), np.tile(equilibria, rests.size)))
         if self._flow.sticks(F_0) or not at.size:
-            notes = _Notes(messages.STICKS.format(F_0, self._m)) if self._flow.sticks(F_0) else _Notes()
+            notes = _Notes(messages.STICKS.format(F_0, self._model.m)) if self._flow.sticks(F_0) else _Notes()
             notes = notes.combine(_Notes(self._moves_exactly(F_0, at)))
             return self._states(at, static[0], static[1], F_0, notes, np.empty(0), np.repeat(rests, equilibria.size))
-        moving = np.flatnonzero(self._flow.force(F_0, at) > self._m)
+        moving = np.flatnonzero(self._flow.force(F_0, at) > self._model.m)
         if moving.size and not self._keeps_centre:
             x, of, undecided = self._complete.states(at[moving], F_0)
             of, undecided = moving[of], moving[undecided]
@@ -281,7 +278,7 @@ class OffCentre(Unchanging, ComposedQuestions):
         self._check_answered("frequency_response")
         low, high = window
         if self._flow.sticks(F_0):
-            return self._response(Curves.none(), F_0, _Notes(messages.STICKS.format(F_0, self._m)))
+            return self._response(Curves.none(), F_0, _Notes(messages.STICKS.format(F_0, self._model.m)))
         found, notes = Curves.none(), _Notes()
         if self._flow.inertial:
             # at rest it begins, with no amplitude: there all states meet
@@ -318,7 +315,7 @@ class OffCentre(Unchanging, ComposedQuestions):
         self._check_answered("saddle_nodes")
         if self._flow.sticks(F_0):
             return self._folds(
-                np.empty((3, 0)), np.empty(0, dtype=str), F_0, _Notes(messages.STICKS.format(F_0, self._m))
+                np.empty((3, 0)), np.empty(0, dtype=str), F_0, _Notes(messages.STICKS.format(F_0, self._model.m))
             )
         centred = Averaged(self._model).saddle_nodes(F_0) if self._complete.has_centre else None
         if centred is not None and self._keeps_centre:
@@ -377,7 +374,7 @@ class OffCentre(Unchanging, ComposedQuestions):
     def _peak(self, F_0: float) -> Peak:
         self._check_answered("peak")
         if self._flow.sticks(F_0):
-            return self._no_peak(F_0, messages.STICKS.format(F_0, self._m))
+            return self._no_peak(F_0, messages.STICKS.format(F_0, self._model.m))
         if self._keeps_centre:
             centred = Averaged(self._model).peak(F_0)
             B = None if centred.A is None else 0.0
@@ -445,7 +442,7 @@ class OffCentre(Unchanging, ComposedQuestions):
     def _isolation(self, F_0: float, level_dB: float) -> checks.Isolation:
         F_0, level = validate.number("F_0", F_0, above=0.0), isolating.as_level(level_dB)
         self._check_answered("isolation")
-        sticks = messages.STICKS.format(F_0, self._m) if self._flow.sticks(F_0) else ""
+        sticks = messages.STICKS.format(F_0, self._model.m) if self._flow.sticks(F_0) else ""
         floor = Averaged(self._model).transmissibility_floor(F_0)
         if why := sticks or isolating.passes_on(self._model, floor, level):
             return self._isolation_at(level, None, None, None, False, F_0, why, Remark(0))
@@ -538,10 +535,10 @@ class OffCentre(Unchanging, ComposedQuestions):
         """Omega of a fold from R = A Omega^2 + h, or from I = m + 2 zeta A Omega where that moves it less."""
         with np.errstate(all="ignore"):
             I = np.sqrt((F_0 - R) * (F_0 + R))
-            lag, square = off_centre.frequency_by_phase(A, R, I, self._m, self._zeta, h)
+            lag, square = off_centre.frequency_by_phase(A, R, I, self._model.m, self._model.zeta, h)
             if not self._flow.plain:
                 return np.asarray(np.sqrt(np.maximum(square, 0.0)))
-            by_R = (np.abs(R) + np.abs(h)) * (I - self._m) < 2 * A * square * (I + self._m)
+            by_R = (np.abs(R) + np.abs(h)) * (I - self._model.m) < 2 * A * square * (I + self._model.m)
             return np.asarray(np.where((square > 0) & by_R, np.sqrt(np.maximum(square, 0.0)), lag))
 
     def _along(self, A: Floats, means: Means) -> tuple[Any, ...]:
