@@ -13,8 +13,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slowflow.exact.compiled import Array
-from slowflow.mechanism import Law, Piece
+from slowflow.mechanism import Floats, Law, Piece
 from slowflow_kernels.exact_conventions import FAR, Event
 
 MOST_STEPS, CHUNK = 200_000, 20_000  # steps between two looks at Ctrl-C: some hundredths of a second
@@ -124,7 +123,7 @@ class HeyokaIntegrator(threading.local):
 
     def advance(
         self, piece: Piece, drive: Any, theta: float, u: float, v: float, end: float
-    ) -> tuple[float, float, Array]:
+    ) -> tuple[float, float, Floats]:
         """As of `exact_reference.Compiled`."""
         integrator = self._for(piece).variations
         self._set(integrator, piece, drive, 0.0, FAR, theta)
