@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import Any, ClassVar, NamedTuple, NoReturn
+from typing import Any, ClassVar, NoReturn
 
 import numpy as np
 
@@ -20,6 +20,7 @@ from slowflow.model import Floats, Model
 from slowflow.off_centre import sensitivities
 from slowflow.off_centre.sensitivities import Given
 from slowflow.results import NOT_MEASURED, Remark
+from slowflow.table import QUESTIONS
 from slowflow_kernels.conventions import Pinned
 
 #: the numbers of an answer that move with the parameters, by question
@@ -73,36 +74,23 @@ class RestPositions(Table):
         return sensitivities.of_rest(Given.of(self._model, self.load), self.u)
 
 
-class _Moved(NamedTuple):
-    """Which numbers of an answer move with the parameters.
-
-    question -- a key of `NUMBERS`
-    asked    -- what was asked at beside the design
-    kinds    -- what its points are, of `Pinned`
-    """
-
-    question: str
-    asked: tuple[str, ...]
-    kinds: Callable[[Any], Any]
-
-
-_STATES = _Moved("amplitudes", ("F_0", "Omega"), lambda _: Pinned.STATE)
-#: a detachment at rest stays there, as a peak at Omega = 0 does; of an onset at which more than two folds are born, and
-#: of what is on a jump of the force there is no gradient
-_MOVED: Mapping[str, _Moved] = {
-    "SteadyStates": _STATES,
-    "FrequencyResponse": _STATES,
-    "SaddleNodes": _Moved(
-        "saddle_nodes", ("F_0",), lambda one: np.where(one.corner, int(Pinned.CORNER_FOLD), int(Pinned.FOLD))
+#: of each answer the question that it is to, and what its points are, of `Pinned`. A detachment at rest stays there, as
+#: a peak at Omega = 0 does; of an onset at which more than two folds are born, and of what is on a jump of the force
+#: there is no gradient
+_POINTS: Mapping[str, tuple[str, Callable[[Any], Any]]] = {
+    "SteadyStates": ("amplitudes", lambda _: Pinned.STATE),
+    "FrequencyResponse": ("amplitudes", lambda _: Pinned.STATE),
+    "SaddleNodes": (
+        "saddle_nodes",
+        lambda one: np.where(one.corner, int(Pinned.CORNER_FOLD), int(Pinned.FOLD)),
     ),
-    "Detachment": _Moved("detachment", (), lambda one: Pinned.CORNER_REST if one.Omega_cr == 0 else Pinned.CORNER_TOP),
-    "Peak": _Moved("peak", ("F_0",), lambda one: Pinned.STATE if one.Omega == 0 else Pinned.PEAK),
-    "SaddleNodeOnset": _Moved(
+    "Detachment": ("detachment", lambda one: Pinned.CORNER_REST if one.Omega_cr == 0 else Pinned.CORNER_TOP),
+    "Peak": ("peak", lambda one: Pinned.STATE if one.Omega == 0 else Pinned.PEAK),
+    "SaddleNodeOnset": (
         "saddle_node_onset",
-        (),
         lambda one: {"cusp": Pinned.CUSP, "isola": Pinned.ISOLA}.get(one.kind, Pinned.CORNER_END),
     ),
-    "Isolation": _Moved("isolation", ("F_0",), lambda _: Pinned.FOLD),
+    "Isolation": ("isolation", lambda _: Pinned.FOLD),
 }
 
 
@@ -112,7 +100,7 @@ def gradient(found: Any) -> Gradient:
     Raises NotAvailable where it is not known how the force moves with the design, and of a peak at which the mean turns
     back.
     """
-    question, asked, kinds = _MOVED[type(found).__name__]
+    question, kinds = _POINTS[type(found).__name__]
     names = NUMBERS[question]
     if question == "peak":
         if found._turns:
@@ -125,4 +113,5 @@ def gradient(found: Any) -> Gradient:
         return sensitivities.of_isolation(given, point, Level.of(found.level_dB).ratio)
     if question == "detachment":  # of the piece alone to whose end it comes
         given = given.first()
-    return sensitivities.gradient(given, kinds(found), point, {name: one for one, name in called.items()}, asked)
+    of = {name: one for one, name in called.items()}
+    return sensitivities.gradient(given, kinds(found), point, of, QUESTIONS[question].takes)
