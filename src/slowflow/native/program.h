@@ -43,97 +43,7 @@ struct sf_program {
     sf_function given_in_pairs, ends_in_pairs, in_pairs, given_within, ends_within, within;
 };
 
-/* ---- doubles */
-
-static SF_FLAT void sf_run_abreast(const sf_straight *of, double *x) { sf_run_lanes(of, x, SF_LANES); }
-
-/* The number of the branch that holds at some arguments. */
-static inline int sf_branch_at(const sf_function *of, const double *arguments) {
-    double x[SF_MOST_REGISTERS];
-    int i, j, side = 0;
-    if (of->branches == 1)
-        return 0;
-    memcpy(x, arguments, (size_t)of->sides.arguments * sizeof *x);
-    sf_fill(&of->sides, x), sf_run(&of->sides, x);
-    for (i = 0; i < of->branches - 1; i++) {
-        int holds = 1;
-        for (j = 0; j < of->guards[i]; j++, side += 2)
-            holds &= x[of->sides.output[side]] <= x[of->sides.output[side + 1]];
-        if (holds)
-            return i;
-    }
-    return i;
-}
-
-/* A function's outputs at its arguments. */
-static inline void sf_at(const sf_function *of, const double *arguments, double *out) {
-    const sf_straight *here = &of->branch[sf_branch_at(of, arguments)];
-    double x[SF_MOST_REGISTERS];
-    int i;
-    memcpy(x, arguments, (size_t)here->arguments * sizeof *x);
-    sf_fill(here, x), sf_run(here, x);
-    for (i = 0; i < here->outputs; i++)
-        out[i] = x[here->output[i]];
-}
-
-/* The registers of several lanes, and the line of which they hold the constants and the parameters. */
-typedef struct {
-    const sf_straight *holds;
-    double x[SF_MOST_REGISTERS * SF_LANES];
-} sf_lanes;
-
-/* One line at n <= SF_LANES places: of the arguments the first vary, argument i at place k being at[i][k]; the others
- * are p. Output i of place k goes to out[i*apart + k*step]. */
-static inline void sf_abreast(sf_lanes *lanes, const sf_straight *of, int varying, int n, const double *const *at,
-                              const double *p, double *out, ptrdiff_t apart, ptrdiff_t step)
-{
-    int i, k;
-    for (i = 0; i < varying; i++)
-        for (k = 0; k < SF_LANES; k++)
-            lanes->x[i * SF_LANES + k] = at[i][k < n ? k : 0];
-    if (lanes->holds != of) {
-        for (i = varying; i < of->arguments; i++)
-            for (k = 0; k < SF_LANES; k++)
-                lanes->x[i * SF_LANES + k] = p[i - varying];
-        for (i = 0; i < of->constants; i++)
-            for (k = 0; k < SF_LANES; k++)
-                lanes->x[(of->arguments + i) * SF_LANES + k] = of->constant[i][0];
-        lanes->holds = of;
-    }
-    sf_run_abreast(of, lanes->x);
-    for (i = 0; i < of->outputs; i++)
-        for (k = 0; k < n; k++)
-            out[i * apart + k * step] = lanes->x[of->output[i] * SF_LANES + k];
-}
-
-/* A function of A and the parameters at n amplitudes; output k at amplitude i goes to out[k*n + i]. */
-static inline void sf_at_amplitudes(const sf_function *of, int parameters, ptrdiff_t n, const double *A, const double *p,
-                            double *out)
-{
-    double arguments[1 + SF_MOST_PARAMETERS];
-    sf_lanes lanes;
-    ptrdiff_t first, end;
-    memcpy(arguments + 1, p, (size_t)parameters * sizeof *p);
-    if (n == 1) {
-        arguments[0] = A[0];
-        sf_at(of, arguments, out);
-        return;
-    }
-    lanes.holds = NULL;
-    for (first = 0; first < n; first = end) {
-        const double *const at[] = {A + first};
-        int branch;
-        arguments[0] = A[first], branch = sf_branch_at(of, arguments);
-        for (end = first + 1; end < n && end < first + SF_LANES; end++) {
-            arguments[0] = A[end];
-            if (sf_branch_at(of, arguments) != branch)
-                break;
-        }
-        sf_abreast(&lanes, &of->branch[branch], 1, (int)(end - first), at, p, out + first, n, 1);
-    }
-}
-
-/* ---- pairs and intervals: one number at a time */
+/* ---- one number at a time */
 
 #define SF_ONE(x, value)                                                                                               \
     case SF_##x##_OPERATION:                                                                                           \
@@ -207,36 +117,108 @@ static SF_FLAT void sf_run_on_intervals(const sf_straight *of, sf_interval *x)
 }
 #undef SF_ONE
 
-/* The same of all arithmetics that C has no generic functions for: the branch, then its outputs. */
-#define SF_FUNCTION_OF(number, at_name, run, compare)                                                                  \
-    static inline void at_name(const sf_function *of, int passed, const number *arguments, number *out)               \
+/* Constants of pairs and intervals. */
+static inline void sf_fill_both(const sf_straight *of, void *x) {
+    memcpy((double(*)[2])x + of->arguments, of->constant, (size_t)of->constants * sizeof *of->constant);
+}
+
+/* What C has no generic functions for: the number of the branch that holds at some arguments, and the outputs there. */
+#define SF_FUNCTION_OF(number, branch_name, at_name, fill, run, compare)                                               \
+    static inline int branch_name(const sf_function *of, int passed, const number *arguments)                          \
     {                                                                                                                  \
         number x[SF_MOST_REGISTERS];                                                                                   \
-        const sf_straight *here = &of->sides;                                                                          \
+        const sf_straight *sides = &of->sides;                                                                         \
         int i, j, side = 0, holds = 0;                                                                                 \
-        if (of->branches > 1) {                                                                                        \
-            memcpy(x, arguments, (size_t)here->arguments * sizeof *x);                                                 \
-            memcpy(x + here->arguments, here->constant, (size_t)here->constants * sizeof *x);                          \
-            run(here, x);                                                                                              \
-        }                                                                                                              \
+        if (of->branches == 1)                                                                                         \
+            return 0;                                                                                                  \
+        memcpy(x, arguments, (size_t)sides->arguments * sizeof *x);                                                    \
+        fill(sides, x), run(sides, x);                                                                                 \
         for (i = 0; i < of->branches - 1 && !holds; i += !holds) {                                                     \
             holds = of->passed[i] < 0 || of->passed[i] == passed;                                                      \
             for (j = 0; j < of->guards[i]; j++, side += 2) {                                                           \
-                const number one = x[here->output[side]], other = x[here->output[side + 1]];                           \
+                const number one = x[sides->output[side]], other = x[sides->output[side + 1]];                         \
                 holds &= (compare);                                                                                    \
             }                                                                                                          \
         }                                                                                                              \
-        here = &of->branch[i];                                                                                         \
+        return i;                                                                                                      \
+    }                                                                                                                  \
+    static inline void at_name(const sf_function *of, int passed, const number *arguments, number *out)                \
+    {                                                                                                                  \
+        number x[SF_MOST_REGISTERS];                                                                                   \
+        const sf_straight *here = &of->branch[branch_name(of, passed, arguments)];                                     \
+        int i;                                                                                                         \
         memcpy(x, arguments, (size_t)here->arguments * sizeof *x);                                                     \
-        memcpy(x + here->arguments, here->constant, (size_t)here->constants * sizeof *x);                              \
-        run(here, x);                                                                                                  \
+        fill(here, x), run(here, x);                                                                                   \
         for (i = 0; i < here->outputs; i++)                                                                            \
             out[i] = x[here->output[i]];                                                                               \
     }
 
-SF_FUNCTION_OF(sf_pair, sf_at_in_pairs, sf_run_in_pairs, other.high > one.high)
-SF_FUNCTION_OF(sf_interval, sf_at_on_intervals, sf_run_on_intervals, one.lo <= other.hi)
+SF_FUNCTION_OF(double, sf_branch_at, sf_at, sf_fill, sf_run, one <= other)
+SF_FUNCTION_OF(sf_pair, sf_branch_in_pairs, sf_at_in_pairs, sf_fill_both, sf_run_in_pairs, other.high > one.high)
+SF_FUNCTION_OF(sf_interval, sf_branch_on_intervals, sf_at_on_intervals, sf_fill_both, sf_run_on_intervals,
+               one.lo <= other.hi)
 #undef SF_FUNCTION_OF
+
+/* ---- doubles at many amplitudes, or nodes, side by side */
+
+static SF_FLAT void sf_run_abreast(const sf_straight *of, double *x) { sf_run_lanes(of, x, SF_LANES); }
+
+/* The registers of several lanes, and the line of which they hold the constants and the parameters. */
+typedef struct {
+    const sf_straight *holds;
+    double x[SF_MOST_REGISTERS * SF_LANES];
+} sf_lanes;
+
+/* One line at n <= SF_LANES places: of the arguments the first vary, argument i at place k being at[i][k]; the others
+ * are p. Output i of place k goes to out[i*apart + k*step]. */
+static inline void sf_abreast(sf_lanes *lanes, const sf_straight *of, int varying, int n, const double *const *at,
+                              const double *p, double *out, ptrdiff_t apart, ptrdiff_t step)
+{
+    int i, k;
+    for (i = 0; i < varying; i++)
+        for (k = 0; k < SF_LANES; k++)
+            lanes->x[i * SF_LANES + k] = at[i][k < n ? k : 0];
+    if (lanes->holds != of) {
+        for (i = varying; i < of->arguments; i++)
+            for (k = 0; k < SF_LANES; k++)
+                lanes->x[i * SF_LANES + k] = p[i - varying];
+        for (i = 0; i < of->constants; i++)
+            for (k = 0; k < SF_LANES; k++)
+                lanes->x[(of->arguments + i) * SF_LANES + k] = of->constant[i][0];
+        lanes->holds = of;
+    }
+    sf_run_abreast(of, lanes->x);
+    for (i = 0; i < of->outputs; i++)
+        for (k = 0; k < n; k++)
+            out[i * apart + k * step] = lanes->x[of->output[i] * SF_LANES + k];
+}
+
+/* A function of A and the parameters at n amplitudes; output k at amplitude i goes to out[k*n + i]. */
+static inline void sf_at_amplitudes(const sf_function *of, int parameters, ptrdiff_t n, const double *A, const double *p,
+                            double *out)
+{
+    double arguments[1 + SF_MOST_PARAMETERS];
+    sf_lanes lanes;
+    ptrdiff_t first, end;
+    memcpy(arguments + 1, p, (size_t)parameters * sizeof *p);
+    if (n == 1) {
+        arguments[0] = A[0];
+        sf_at(of, -1, arguments, out);
+        return;
+    }
+    lanes.holds = NULL;
+    for (first = 0; first < n; first = end) {
+        const double *const at[] = {A + first};
+        int branch;
+        arguments[0] = A[first], branch = sf_branch_at(of, -1, arguments);
+        for (end = first + 1; end < n && end < first + SF_LANES; end++) {
+            arguments[0] = A[end];
+            if (sf_branch_at(of, -1, arguments) != branch)
+                break;
+        }
+        sf_abreast(&lanes, &of->branch[branch], 1, (int)(end - first), at, p, out + first, n, 1);
+    }
+}
 
 /* ---- the record's functions */
 
@@ -253,7 +235,7 @@ static int sf_program_parameters_of(const sf_mechanism *self, const double *desi
                                       : value <= bound))
             return 0;
     }
-    sf_at(&of->coefficients, design, p);
+    sf_at(&of->coefficients, -1, design, p);
     if (self->parameters_in_pairs != NULL) {
         self->parameters_in_pairs(self, design, pairs);
         sf_keep_digits(self->parameters, pairs, p);
@@ -262,18 +244,14 @@ static int sf_program_parameters_of(const sf_mechanism *self, const double *desi
 }
 
 #define SF_PROGRAM_OF(name, number, at, of)                                                                            \
-    static void name(const sf_mechanism *self, const number *p, number *out) { at(&self->program->of, p, out); }
-#define SF_PAIRS_AT(of, p, out) sf_at_in_pairs(of, -1, p, out)
-#define SF_INTERVALS_AT(of, p, out) sf_at_on_intervals(of, -1, p, out)
+    static void name(const sf_mechanism *self, const number *p, number *out) { at(&self->program->of, -1, p, out); }
 SF_PROGRAM_OF(sf_program_ends, double, sf_at, ends)
 SF_PROGRAM_OF(sf_program_jumps, double, sf_at, jumps)
 SF_PROGRAM_OF(sf_program_kinks, double, sf_at, kinks)
 SF_PROGRAM_OF(sf_program_by_design, double, sf_at, by_design)
-SF_PROGRAM_OF(sf_program_ends_in_pairs, sf_pair, SF_PAIRS_AT, ends_in_pairs)
-SF_PROGRAM_OF(sf_program_ends_within, sf_interval, SF_INTERVALS_AT, ends_within)
+SF_PROGRAM_OF(sf_program_ends_in_pairs, sf_pair, sf_at_in_pairs, ends_in_pairs)
+SF_PROGRAM_OF(sf_program_ends_within, sf_interval, sf_at_on_intervals, ends_within)
 #undef SF_PROGRAM_OF
-#undef SF_PAIRS_AT
-#undef SF_INTERVALS_AT
 
 /* An average by quadrature at one amplitude: the first integrals, so many as are wanted, and what closes them. */
 static void sf_program_closed(const sf_mechanism *self, int which, int wanted, double A, const double *p, double *out)
@@ -281,10 +259,10 @@ static void sf_program_closed(const sf_mechanism *self, int which, int wanted, d
     const sf_program *of = self->program;
     double arguments[1 + SF_MOST_SUMS + SF_MOST_PARAMETERS] = {A}, ends[SF_MOST_BREAKS] = {0};
     const int width = of->sums[which].width;
-    sf_at(&of->ends, p, ends);
+    sf_at(&of->ends, -1, p, ends);
     sf_over_quarter(&of->sums[which], wanted, A, p, ends, arguments + 1);
     memcpy(arguments + 1 + width, p, (size_t)self->parameters * sizeof *p);
-    sf_at(&of->averages[which], arguments, out);
+    sf_at(&of->averages[which], -1, arguments, out);
 }
 
 /* The first outputs of an average: by a quadrature from so many integrals, or as it is printed in a function of A. */
@@ -342,13 +320,13 @@ static void sf_program_by_parameter(const sf_mechanism *self, double A, const do
         return;
     }
     memcpy(arguments + 4, p, (size_t)self->parameters * sizeof *p);
-    sf_at(&of->averages[SF_BY_PARAMETER], arguments, out);
+    sf_at(&of->averages[SF_BY_PARAMETER], -1, arguments, out);
 }
 
 static void sf_program_bent(const sf_mechanism *self, sf_interval A, const double *p, sf_interval *out)
 {
     double ends[SF_MOST_BREAKS] = {0};
-    sf_at(&self->program->ends, p, ends);
+    sf_at(&self->program->ends, -1, p, ends);
     sf_enclose(&self->program->bent, ends, A, p, out);
 }
 
