@@ -22,49 +22,21 @@ static int sf_has_law_corner(const sf_model *model, int i) {
     return model->jump[i] != 0 || (i == 0 && model->released);
 }
 
-/* What rounding may make of F at a sample, and whether F is no more. */
-static int sf_is_law_F_close(const sf_model *model, const sf_sample *at, double F_0, double w) {
-    const double I = sf_law_I(model, at->A, w), force = sf_force(model, F_0, w), R = slow_flow_R(w, at->A, at->h);
-    const double of_R = SF_CLOSE * (sf_size_at(at, 0) + at->A * w * w);
-    const double doubt = of_R * (2 * fabs(R) + of_R) + SF_CLOSE * (I * I + force * force);
-    return fabs(slow_flow_F(w, at->A, force, I, 0, at->h)) <= doubt;
-}
-
-/* Whether rounding may decide which folds are on a breakpoint, or between it and the next double. */
-static int sf_is_law_corner_close(const sf_model *model, double F_0, double J, const sf_sample *at) {
-    double w[4];
-    int i, n;
-    if (fabs(J) <= SF_CLOSE * at->A * (1 + fabs(at->h_A)))
-        return 1;
-    n = sf_law_stationary(model, at, w);
-    w[n++] = 0;
-    for (i = 0; i < n; i++)
-        if (sf_is_law_F_close(model, at, F_0, w[i]))
-            return 1;
-    n = sf_law_frequencies(model, at, SF_OF_RESPONSE, F_0, 0, w);
-    for (i = 0; i < n && w[i] < HUGE_VAL; i++) {
-        const double R = fabs(slow_flow_R(w[i], at->A, at->h)), slope = at->A * fabs(sf_law_F_A(model, at, w[i], 0)) / 2;
-        const double size = sf_size_at(at, sf_force(model, F_0, w[i]));
-        if (R <= SF_CLOSE * size || slope <= SF_CLOSE * size * size || R * fabs(J) * SF_STEEP <= slope)
-            return 1;
-    }
-    return 0;
-}
-
 /* given: NULL where the oscillator as it was given is not known, by which a jump that is 0 by rounding is told */
 static void sf_add_law_corners(const sf_model *model, const sf_given *given, double F_0, double A_max, sf_folds *folds) {
     int i, k;
     for (k = 0; k < model->breaks && model->b[k] < A_max; k++) {
         const int is_none = model->jump[k] == 0 && (given == NULL || sf_is_continuous_at(given, k));
+        const int is_corner = sf_has_law_corner(model, k);
         double w[3];
         sf_sample at;
         int n;
-        sf_sample_at(model, model->b[k], &at);
-        folds->undecided |= !is_none && sf_is_law_corner_close(model, F_0, model->jump[k], &at);
-        if (!sf_has_law_corner(model, k))
+        if (is_none && !is_corner)
             continue;
+        sf_sample_at(model, model->b[k], &at);
         n = sf_law_frequencies(model, &at, SF_OF_RESPONSE, F_0, 0, w);
-        for (i = 0; i < n && w[i] < HUGE_VAL; i++) {
+        folds->undecided |= !is_none && sf_is_corner_close(model, F_0, model->jump[k], &at, n, w);
+        for (i = 0; is_corner && i < n && w[i] < HUGE_VAL; i++) {
             const int below = sf_law_F_A(model, &at, w[i], 0) > 0;
             if (below != sf_law_is_stable_above(model, k, &at, w[i]))
                 sf_add_fold(folds, w[i], at.A, below, 1);

@@ -250,6 +250,47 @@ static int sf_is_stable_below(const sf_model *model, double F_0, const sf_sample
     return sf_half_F_A(model, at, w) > 0;
 }
 
+/* As sf_is_F_close, by any law of damping. */
+static int sf_is_law_F_close(const sf_model *model, const sf_sample *at, double F_0, double w) {
+    const double force = sf_force(model, F_0, w), I = sf_law_I(model, at->A, w);
+    if (!sf_has_laws(model))
+        return sf_is_F_close(model, at, F_0, w);
+    return fabs(slow_flow_F(w, at->A, force, I, 0, at->h)) <= sf_doubt_of_F(at, I, force, w);
+}
+
+/* Whether rounding may decide which folds there are on a breakpoint at which the force jumps by J, or between it and
+ * the next double. Omega: the n frequencies of the response there */
+static int sf_is_corner_close(const sf_model *model, double F_0, double J, const sf_sample *at, int n,
+                              const double *Omega)
+{
+    const int laws = sf_has_laws(model);
+    sf_quartic cubic;
+    double w[3];
+    int i, places;
+    if (J == 0 || fabs(J) <= SF_CLOSE * at->A * (1 + fabs(at->h_A)))
+        return 1;
+    if (laws) {
+        places = sf_law_stationary(model, at, w);
+    } else if (sf_inertial(model)) {
+        w[0] = sf_last_stationary(model, at);
+        places = w[0] > 0;
+    } else { /* F is stationary there: their last digits change nothing */
+        places = sf_unpolished_peak_roots(&cubic, at->A, at->h, model->m, model->zeta, w);
+    }
+    w[places++] = 0;
+    for (i = 0; i < places; i++)
+        if (sf_is_law_F_close(model, at, F_0, w[i]))
+            return 1;
+    for (i = 0; i < n && Omega[i] < HUGE_VAL; i++) {
+        const double R = slow_flow_R(Omega[i], at->A, at->h), size = sf_size_at(at, sf_force(model, F_0, Omega[i]));
+        const double half_F_A = laws ? sf_law_F_A(model, at, Omega[i], 0) / 2 : sf_half_F_A(model, at, Omega[i]);
+        const double slope = at->A * fabs(half_F_A);
+        if (fabs(R) <= SF_CLOSE * size || slope <= SF_CLOSE * size * size || fabs(R * J) * SF_STEEP <= slope)
+            return 1;
+    }
+    return 0;
+}
+
 /* Folds on a breakpoint where the force jumps by J: next to it F_A = 2 R h_A + ... has the sign of R J. */
 static void sf_corner_folds(const sf_model *model, double F_0, sf_work *work, sf_folds *folds) {
     int k, i;

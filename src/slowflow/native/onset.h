@@ -201,9 +201,22 @@ static void sf_consider_inertial(const sf_model *model, const sf_sample *at, dou
     }
 }
 
-/* The least forcing on breakpoint i, where the force jumps by J. Folds sit on it where F_A has there the other sign
- * than R J, which it has next to it (sf_corner_folds): from where the locus below ends, and, for J < 0, from R = 0 on,
- * where the locus above comes in; both lead to a higher Omega and level. Between, the level may be stationary. */
+/* The least forcing on a breakpoint where only the force's slope jumps: the locus goes on, but its level may turn, as
+ * F_AA above is infinite, with the sign of `turn`. */
+static void sf_consider_bend(const sf_model *model, const sf_sample *at, double turn, sf_onset *best) {
+    double w[3];
+    const int n = sf_fold_roots(at->A, at->h, at->h_A, model->m, model->zeta, w);
+    int i;
+    for (i = 0; i < n; i++) {
+        const double R = slow_flow_R(w[i], at->A, at->h), F_Omega = sf_F_Omega(model, at, w[i]);
+        if (sf_falls_from_below(model, at, w[i]) && F_Omega * sf_quarter_F_AOmega(model, at, w[i]) * R * turn < 0)
+            sf_consider(sf_level(model, at, w[i]), w[i], at->A, SF_CORNER_KIND, best);
+    }
+}
+
+/* The same where the force jumps by J. Folds sit on it where F_A has there the other sign than R J, which it has next
+ * to it (sf_corner_folds): from where the locus below ends, and, for J < 0, from R = 0 on, where the locus above comes
+ * in; both lead to a higher Omega and level. Between, the level may be stationary. */
 static void sf_consider_jump(const sf_model *model, const sf_sample *at, double J, sf_onset *best) {
     double w[3];
     int i, n;
@@ -215,12 +228,7 @@ static void sf_consider_jump(const sf_model *model, const sf_sample *at, double 
         if (at->k >= 0) /* h_A <= h/A < 0: up to Omega R and R_A are not positive, so F_A is; beyond, I is larger */
             return;
     }
-    n = sf_fold_roots(at->A, at->h, at->h_A, model->m, model->zeta, w);
-    for (i = 0; i < n; i++) {
-        const double R = slow_flow_R(w[i], at->A, at->h), F_Omega = sf_F_Omega(model, at, w[i]);
-        if (sf_falls_from_below(model, at, w[i]) && F_Omega * sf_quarter_F_AOmega(model, at, w[i]) * R * J < 0)
-            sf_consider(sf_level(model, at, w[i]), w[i], at->A, SF_CORNER_KIND, best);
-    }
+    sf_consider_bend(model, at, J, best);
     n = sf_peak_roots(at->A, at->h, model->m, model->zeta, w);
     for (i = 0; i < n; i++)
         if (sf_half_F_A(model, at, w[i]) * slow_flow_R(w[i], at->A, at->h) * J < 0 &&
@@ -228,19 +236,6 @@ static void sf_consider_jump(const sf_model *model, const sf_sample *at, double 
             sf_consider(sf_level(model, at, w[i]), w[i], at->A, SF_CORNER_KIND, best);
     if (at->h_A * J < 0)
         sf_consider_end(model, at, sf_level(model, at, 0), best);
-}
-
-/* The same where only the force's slope jumps: the locus goes on, but its level may turn, as F_AA above is infinite. */
-static void sf_consider_bend(const sf_model *model, const sf_sample *at, const sf_sample *above, sf_onset *best) {
-    double w[3];
-    const int n = sf_fold_roots(at->A, at->h, at->h_A, model->m, model->zeta, w);
-    int i;
-    for (i = 0; i < n; i++) {
-        const double R = slow_flow_R(w[i], at->A, at->h), F_Omega = sf_F_Omega(model, at, w[i]);
-        if (sf_falls_from_below(model, at, w[i]) &&
-            F_Omega * sf_quarter_F_AOmega(model, at, w[i]) * R * copysign(1, above->h_AA) < 0)
-            sf_consider(sf_level(model, at, w[i]), w[i], at->A, SF_CORNER_KIND, best);
-    }
 }
 
 /* The same by other laws of damping. Folds sit on it where the sign of F_A changes across it: that begins and ends where
@@ -508,7 +503,7 @@ static void sf_begin_onset(const sf_model *model, const sf_piece_ends *ends, sf_
         else if (model->jump[k] != 0)
             sf_consider_jump(model, &ends->on[k], model->jump[k], best);
         else
-            sf_consider_bend(model, &ends->on[k], &ends->above[k], best);
+            sf_consider_bend(model, &ends->on[k], copysign(1, ends->above[k].h_AA), best);
     }
 }
 
@@ -652,8 +647,8 @@ static sf_status sf_highest(const sf_model *model, sf_question question, double 
 static int sf_goes_on_above_rest(const sf_model *model, double F_0, double A) {
     sf_sample at;
     sf_sample_without_k_at(model, A, &at);
-    const double w = sf_last_stationary(model, &at);
-    return w > 0 && slow_flow_F(w, A, F_0, model->m, model->zeta, at.h) < -sf_doubt_of_F(model, &at, F_0, w);
+    const double w = sf_last_stationary(model, &at), I = slow_flow_I(w, A, model->m, model->zeta);
+    return w > 0 && slow_flow_F(w, A, F_0, model->m, model->zeta, at.h) < -sf_doubt_of_F(&at, I, F_0, w);
 }
 
 /* The highest peak of the response at F_0 up to `most`, isolas included, and its frequency: one at which F

@@ -12,34 +12,6 @@
 #include "law_folds.h"
 #include "refine.h"
 
-/* Whether rounding may decide which folds there are on a breakpoint, or between it and the next double. */
-static int sf_is_corner_close(const sf_model *model, double F_0, double J, const sf_corner *corner) {
-    const sf_sample *at = &corner->at;
-    sf_quartic cubic;
-    double w[3], size;
-    int i, n;
-    if (J == 0 || fabs(J) <= SF_CLOSE * at->A * (1 + fabs(at->h_A)))
-        return 1;
-    if (sf_inertial(model)) {
-        w[0] = sf_last_stationary(model, at);
-        n = w[0] > 0;
-    } else { /* F is stationary there: their last digits change nothing */
-        n = sf_unpolished_peak_roots(&cubic, at->A, at->h, model->m, model->zeta, w);
-    }
-    w[n++] = 0;
-    for (i = 0; i < n; i++)
-        if (sf_is_F_close(model, at, F_0, w[i]))
-            return 1;
-    for (i = 0; i < corner->n && corner->Omega[i] < HUGE_VAL; i++) {
-        const double Omega = corner->Omega[i];
-        const double R = slow_flow_R(Omega, at->A, at->h), slope = at->A * fabs(sf_half_F_A(model, at, Omega));
-        size = sf_size_at(at, sf_force(model, F_0, Omega));
-        if (fabs(R) <= SF_CLOSE * size || slope <= SF_CLOSE * size * size || fabs(R * J) * SF_STEEP <= slope)
-            return 1;
-    }
-    return 0;
-}
-
 /* Needs the corners of work. */
 static int sf_are_corners_close(const sf_model *model, const sf_given *given, double F_0, const sf_work *work) {
     int k;
@@ -47,7 +19,8 @@ static int sf_are_corners_close(const sf_model *model, const sf_given *given, do
         const double J = model->jump[k];
         /* a jump that is 0 by rounding is none only if the force as it was given has none */
         const int is_none = J == 0 && (given == NULL || sf_is_continuous_at(given, k));
-        if (!is_none && sf_is_corner_close(model, F_0, J, &work->corner[k]))
+        const sf_corner *corner = &work->corner[k];
+        if (!is_none && sf_is_corner_close(model, F_0, J, &corner->at, corner->n, corner->Omega))
             return 1;
     }
     return 0;

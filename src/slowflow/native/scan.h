@@ -10,6 +10,7 @@
 #ifndef SF_SCAN_H
 #define SF_SCAN_H
 
+#include "design_lanes.h"
 #include "zeros.h"
 
 /* of a cell in which cusps are looked for: the ratio of its ends up to which it is worth a look before it is cut, and
@@ -60,15 +61,14 @@ static double sf_size_at(const sf_sample *at, double F_0) {
 }
 
 /* What rounding may make of F = R^2 + I^2 - F_0^2 at a sample. */
-static double sf_doubt_of_F(const sf_model *model, const sf_sample *at, double F_0, double w) {
-    const double R = slow_flow_R(w, at->A, at->h), I = slow_flow_I(w, at->A, model->m, model->zeta);
-    const double of_R = SF_CLOSE * (sf_size_at(at, 0) + at->A * w * w);
+static double sf_doubt_of_F(const sf_sample *at, double I, double F_0, double w) {
+    const double R = slow_flow_R(w, at->A, at->h), of_R = SF_CLOSE * (sf_size_at(at, 0) + at->A * w * w);
     return of_R * (2 * fabs(R) + of_R) + SF_CLOSE * (I * I + F_0 * F_0);
 }
 
 static int sf_is_F_close(const sf_model *model, const sf_sample *at, double F_0, double w) {
-    const double force = sf_force(model, F_0, w);
-    return fabs(slow_flow_F(w, at->A, force, model->m, model->zeta, at->h)) <= sf_doubt_of_F(model, at, force, w);
+    const double force = sf_force(model, F_0, w), I = slow_flow_I(w, at->A, model->m, model->zeta);
+    return fabs(slow_flow_F(w, at->A, force, model->m, model->zeta, at->h)) <= sf_doubt_of_F(at, I, force, w);
 }
 
 /* Whether the function whose zeros are folds, or states, is as near to 0 as rounding may bring it. Two of its zeros
@@ -114,14 +114,6 @@ static double sf_between_values(const sf_probe *near, const sf_probe *far, int c
     return near->at.A - 2 * y * width / (rise + copysign(sqrt(rise * rise - 4 * bend * y), -y));
 }
 
-/* Where the cubic vanishes that gives A from two values and has both slopes. */
-static double sf_beside_values(const sf_probe *near, const sf_probe *far, int c) {
-    const double y = near->answer.y[c], z = far->answer.y[c], slope = 1 / near->answer.dy[c], over = 1 / (z - y);
-    const double chord = (far->at.A - near->at.A) * over, bend = (chord - slope) * over;
-    const double turn = ((1 / far->answer.dy[c] - chord) * over - bend) * over;
-    return near->at.A - y * slope + y * y * (bend - z * turn);
-}
-
 /* Where a function may vanish next to a probe: by the probe before it too, or by Newton's step. first: whether the two
  * lie on either side */
 static double sf_next_to(const sf_probe *probe, const sf_probe *before, int c, int first) {
@@ -129,7 +121,8 @@ static double sf_next_to(const sf_probe *probe, const sf_probe *before, int c, i
     if (first)
         next = sf_between_values(probe, before, c);
     else if (fabs(probe->answer.y[c]) < 0.5 * fabs(before->answer.y[c]))
-        next = sf_beside_values(probe, before, c);
+        next = sf_zero_beside(probe->at.A, probe->answer.y[c], probe->answer.dy[c], before->at.A, before->answer.y[c],
+                              before->answer.dy[c]);
     return fabs(next) < HUGE_VAL ? next : probe->at.A - probe->answer.y[c] / probe->answer.dy[c];
 }
 
