@@ -88,18 +88,23 @@ static const double *sf_lost_at(const sf_mechanism *self, int i, double A) {
     return end > 0 && A > end ? self->sampled->lost[i] : NULL;
 }
 
-static void sf_sampled_averages(const sf_mechanism *self, int outputs, ptrdiff_t n, const double *A, double *out) {
-    double at[SF_SLOPES], more[SF_SLOPES - 1];
+/* Outputs are h, or a harmonic, and three derivatives, to which ends add. */
+static void sf_sampled_averages(const sf_mechanism *self, int which, int outputs, ptrdiff_t n, const double *A,
+                                double *out)
+{
+    double at[2 * SF_SLOPES], more[2 * (SF_SLOPES - 1)];
     const double *lost;
     ptrdiff_t j;
     int i, k;
     for (j = 0; j < n; j++) {
-        sf_sampled_sums(self, SF_AVERAGED, outputs, A[j], at);
+        sf_sampled_sums(self, which, outputs, A[j], at);
         for (i = 0; i <= self->breakpoints; i++)
             if ((lost = sf_lost_at(self, i, A[j])) != NULL) {
-                sampled_averaged_end(A[j], self->sampled->ends[i], lost[0], lost[1], lost[2], more);
-                for (k = 1; k < outputs; k++)
-                    at[k] += more[k - 1];
+                (which == SF_HIGHER ? sampled_harmonics_end : sampled_averaged_end)(
+                    A[j], self->sampled->ends[i], lost[0], lost[1], lost[2], more);
+                for (k = 0; k < outputs; k++)
+                    if (k % SF_SLOPES > 0)
+                        at[k] += more[k - 1 - k / SF_SLOPES];
             }
         for (k = 0; k < outputs; k++)
             out[k * n + j] = at[k];
@@ -108,32 +113,18 @@ static void sf_sampled_averages(const sf_mechanism *self, int outputs, ptrdiff_t
 
 static void sf_sampled_averaged(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out) {
     (void)p;
-    sf_sampled_averages(self, SF_SLOPES, n, A, out);
+    sf_sampled_averages(self, SF_AVERAGED, SF_SLOPES, n, A, out);
 }
 
 static void sf_sampled_averaged_2(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out)
 {
     (void)p;
-    sf_sampled_averages(self, 2, n, A, out);
+    sf_sampled_averages(self, SF_AVERAGED, 2, n, A, out);
 }
 
 static void sf_sampled_harmonics(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out) {
-    double at[2 * SF_SLOPES], more[2 * (SF_SLOPES - 1)];
-    const double *lost;
-    ptrdiff_t j;
-    int i, k;
     (void)p;
-    for (j = 0; j < n; j++) {
-        sf_sampled_sums(self, SF_HIGHER, 2 * SF_SLOPES, A[j], at);
-        for (i = 0; i <= self->breakpoints; i++)
-            if ((lost = sf_lost_at(self, i, A[j])) != NULL) {
-                sampled_harmonics_end(A[j], self->sampled->ends[i], lost[0], lost[1], lost[2], more);
-                for (k = 1; k < SF_SLOPES; k++)
-                    at[k] += more[k - 1], at[SF_SLOPES + k] += more[SF_SLOPES - 2 + k];
-            }
-        for (k = 0; k < 2 * SF_SLOPES; k++)
-            out[k * n + j] = at[k];
-    }
+    sf_sampled_averages(self, SF_HIGHER, 2 * SF_SLOPES, n, A, out);
 }
 
 static double sf_sampled_intercept(const sf_mechanism *self, double A, const double *p) {
