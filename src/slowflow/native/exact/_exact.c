@@ -30,6 +30,13 @@ static void numbers(PyObject *tuple, double *out, Py_ssize_t count)
         out[i] = PyFloat_AsDouble(PyTuple_GetItem(tuple, i));
 }
 
+static void release(Py_buffer *const *buffers)
+{
+    for (; *buffers != NULL; buffers++)
+        PyBuffer_Release(*buffers);
+}
+#define RELEASE(...) release((Py_buffer *const[]){__VA_ARGS__, NULL})
+
 /* (laws, constants, edges, about, odd, mu, zeta, inertial, load, c_2, released, mu_s, eta): pieces by rising u;
  * constants
  * less the side of u = 0 */
@@ -119,8 +126,7 @@ static PyObject *interpreted(PyObject *self, PyObject *arguments)
     sf_reading status;
     const sf_law *const law = sf_read_law(name, words.buf, (size_t)words.len / sizeof(int), numbers.buf,
                                           (size_t)numbers.len / sizeof(double), &status);
-    PyBuffer_Release(&words);
-    PyBuffer_Release(&numbers);
+    RELEASE(&words, &numbers);
     if (status == SF_NO_PROGRAM)
         return PyErr_Format(PyExc_ValueError, "%s: what stands for its force is no program", name);
     return status == SF_NO_ROOM   ? PyErr_NoMemory()
@@ -150,8 +156,7 @@ static PyObject *polynomials(PyObject *self, PyObject *arguments)
                    row[k][3] <= SF_MOST_DEGREE && (k == 0 || row[k][0] > row[k - 1][0]);
     }
     sf_law *const law = fits ? sf_polynomial_law((const double(*const *)[ROW])rows, count) : NULL;
-    PyBuffer_Release(&below);
-    PyBuffer_Release(&above);
+    RELEASE(&below, &above);
     if (law == NULL)
         return fits ? PyErr_NoMemory() : PyErr_Format(PyExc_ValueError, "rows that are no polynomials of a force");
     PyObject *const capsule = PyCapsule_New(law, LAW, free_law);
@@ -218,8 +223,7 @@ static PyObject *sample(PyObject *self, PyObject *arguments)
     }
     else if (forced.system != NULL)
         PyErr_SetString(PyExc_ValueError, "room for too few states");
-    PyBuffer_Release(&grid);
-    PyBuffer_Release(&out);
+    RELEASE(&grid, &out);
     return PyErr_Occurred() ? NULL : Py_BuildValue("il", (int)outcome, most - forced.left);
 }
 
@@ -357,11 +361,7 @@ static PyObject *newton(PyObject *self, PyObject *arguments)
     }
     free(work);
     free(at);
-    PyBuffer_Release(&signature);
-    PyBuffer_Release(&z);
-    PyBuffer_Release(&row);
-    PyBuffer_Release(&out);
-    PyBuffer_Release(&along);
+    RELEASE(&signature, &z, &row, &out, &along);
     return result;
 }
 
@@ -410,10 +410,7 @@ static PyObject *trace(PyObject *self, PyObject *arguments)
     }
     free(work);
     free(at);
-    PyBuffer_Release(&signature);
-    PyBuffer_Release(&point);
-    PyBuffer_Release(&first);
-    PyBuffer_Release(&rows);
+    RELEASE(&signature, &point, &first, &rows);
     return result;
 }
 
@@ -493,9 +490,7 @@ static PyObject *shocks(PyObject *self, PyObject *arguments)
     PyMem_Free(law);
     PyMem_Free(piece);
     PyMem_Free(edge);
-    Py_buffer *const buffers[] = {&constants, &ends, &damping, &arcs, &begin, &outcomes, &out};
-    for (size_t i = 0; i < sizeof buffers / sizeof *buffers; i++)
-        PyBuffer_Release(buffers[i]);
+    RELEASE(&constants, &ends, &damping, &arcs, &begin, &outcomes, &out);
     return PyErr_Occurred() ? NULL : Py_NewRef(Py_None);
 }
 

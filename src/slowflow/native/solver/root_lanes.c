@@ -78,23 +78,15 @@ SF_WIDE static void refine(ptrdiff_t n, sf_jobs *jobs)
 
 void sf_isolate_lanes(ptrdiff_t n, sf_quartics *block)
 {
-    const ptrdiff_t all = sf_filled(n);
-    for (ptrdiff_t i = n; i < all; i++) {
-        block->A[i] = block->A[n - 1], block->h[i] = block->h[n - 1], block->m[i] = block->m[n - 1];
-        block->zeta[i] = block->zeta[n - 1], block->F_0[i] = block->F_0[n - 1];
-    }
-    isolate(all, block);
+    sf_fill(block->A, n), sf_fill(block->h, n), sf_fill(block->m, n), sf_fill(block->zeta, n), sf_fill(block->F_0, n);
+    isolate(sf_filled(n), block);
 }
 
 void sf_refine_lanes(sf_jobs *jobs)
 {
-    const ptrdiff_t n = jobs->n, all = sf_filled(n); /* none, if there are no jobs */
-    for (ptrdiff_t i = n; i < all; i++) {
-        jobs->A[i] = jobs->A[n - 1], jobs->h[i] = jobs->h[n - 1], jobs->m[i] = jobs->m[n - 1];
-        jobs->zeta[i] = jobs->zeta[n - 1], jobs->F_0[i] = jobs->F_0[n - 1], jobs->p[i] = jobs->p[n - 1];
-        jobs->q[i] = jobs->q[n - 1], jobs->w1[i] = jobs->w1[n - 1], jobs->w2[i] = jobs->w2[n - 1];
-        jobs->f0[i] = jobs->f0[n - 1], jobs->f1[i] = jobs->f1[n - 1], jobs->f2[i] = jobs->f2[n - 1];
-        jobs->place[i] = jobs->place[n - 1];
-    }
-    refine(all, jobs);
+    const ptrdiff_t n = jobs->n; /* none are filled, if there are no jobs */
+    sf_fill(jobs->A, n), sf_fill(jobs->h, n), sf_fill(jobs->m, n), sf_fill(jobs->zeta, n), sf_fill(jobs->F_0, n);
+    sf_fill(jobs->p, n), sf_fill(jobs->q, n), sf_fill(jobs->w1, n), sf_fill(jobs->w2, n);
+    sf_fill(jobs->f0, n), sf_fill(jobs->f1, n), sf_fill(jobs->f2, n), sf_fill(jobs->place, n);
+    refine(sf_filled(n), jobs);
 }
