@@ -18,7 +18,7 @@ FLOORS = (
     ("cli",),
     ("report",),
     ("scenes",),
-    ("sizing",),
+    ("sizing", "verdict"),
     ("__init__", "example"),
     ("isolator", "derive"),
     ("physical",),

@@ -381,7 +381,7 @@ WRONG = {
         "[ask]",
         "[aks]",
         "13: [aks] is no table of a scene: it must be one of mount, isolator, duffing, ask, spectrum, tolerances, "
-        "shock, psd. Did you mean 'ask'?",
+        "shock, psd, require. Did you mean 'ask'?",
     ),
     "a force that is not positive": (
         "F = [3.0, 5.0]",

@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 import slowflow
-from slowflow import backend, files, progress
+from slowflow import backend, files, progress, verdict
 from slowflow.answer import Answer, in_text
 from slowflow.isolator import ROD_SPRING
 from slowflow.measured import costs
@@ -27,6 +27,8 @@ from slowflow_kernels.domains import DAMPING
 #: the exit code of a program that writes to a pipe that nobody reads any more: 128 and the number of that signal
 NOBODY_READS = 141
 
+#: the exit code where all was answered and a requirement is not met
+NOT_MET = 3
 #: seconds below which no estimate is told
 SHORT = 0.01
 #: numbers of an isolator, which are options of `certify`
@@ -67,7 +69,10 @@ def certify(given: argparse.Namespace) -> int:
 
 
 def run_scene(given: argparse.Namespace) -> int:
-    """Answers what a scene asks for, and computes nothing else; 1 where a question could not be answered."""
+    """Answers what a scene asks for, and computes nothing else; 1 where a question could not be answered.
+
+    3 where all could and a requirement is not met.
+    """
     if given.report is not None and not _can_draw():
         return 2
     scene = _read(given.scene)
@@ -84,9 +89,14 @@ def run_scene(given: argparse.Namespace) -> int:
                 failed.append({"question": asked.question, **asked.arguments, "error": str(error)})
                 print(f"{asked}: {error}", file=sys.stderr)
     content = {**provenance(scene), "answers": [told(*one) for one in answers], "failed": failed}
+    held = verdict.verdict(scene) if scene.requirements else None
+    if held is not None:
+        content["verdict"] = held.to_dict()
     if given.json:
         print(files.in_json(content), end="")
     if given.out is None and not given.json:
+        if held is not None:
+            print(f"# {verdict.in_words(held)}", *in_text(held), "", sep="\n")
         for asked, answer in answers:
             print(f"# {asked}", *in_text(answer), "", sep="\n")
     if given.out is not None:
@@ -104,9 +114,11 @@ def run_scene(given: argparse.Namespace) -> int:
         content["files"] = {name: files.digest(text.encode()) for name, text in tables.items()}
         files.write(given.out / files.RECORD, files.in_json(content))
         if not given.quiet:
+            if held is not None:
+                print(verdict.in_words(held), file=sys.stderr)
             print(f"{len(answers)} answers are written to the folder {given.out}", file=sys.stderr)
     made = 0 if given.report is None else _report(scene, given.report, given.quiet)
-    return made or (1 if failed else 0)
+    return made or (1 if failed else 0 if held is None or held.all_met else NOT_MET)
 
 
 def told(asked: Asked, answer: Answer) -> dict[str, Any]:
@@ -137,7 +149,9 @@ def check_scenes(given: argparse.Namespace) -> int:
             print(error, file=sys.stderr)
             wrong = True
         else:
-            print(f"{path}: {scene.oscillator}; to answer: {', '.join(map(str, scene.asked))}")
+            required = [one.name for one in scene.requirements]
+            more = f"; to meet: {', '.join(required)}" if required else ""
+            print(f"{path}: {scene.oscillator}; to answer: {', '.join(map(str, scene.asked))}{more}")
     return 2 if wrong else 0
 
 
@@ -159,6 +173,8 @@ def explain_scene(given: argparse.Namespace) -> int:
         f"together {_some(total)}: estimates, medians of random mounts on {costs.MACHINE}; there nine of ten took at "
         f"most {costs.SPREAD:g} times as long, or as short"
     )
+    if scene.requirements:
+        print(f"then what must hold: {', '.join(one.name for one in scene.requirements)}")
     skipped = [question for question in QUESTIONS if not scene.of(question)]
     print(f"not asked for, and not computed: {', '.join(skipped)}" if skipped else "all questions are asked")
     return 0

@@ -30,6 +30,7 @@ from slowflow.support.errors import Refused
 from slowflow.table import COLUMNS, SHOCKS
 from slowflow.text import in_units
 from slowflow.validate import NotAvailable
+from slowflow.verdict import in_words, verdict
 
 #: equations of the paper that the answers rest on
 EQUATIONS = ("(3)", "(4)", "(5)", "(6)", "(7)", "(21)", "(22)", "(24)", "(25)", "(27)", "(30)", "(33)", "(34)")
@@ -84,12 +85,17 @@ BESIDE = (0.8, 1.2)
 
 def html(scene: Scene) -> str:
     """The page. Raises ValueError where the scene has no forcing and no shock, or its oscillator is no isolator."""
-    if not scene.forcings() and not any(one.question in (*SHOCKS, "random") for one in scene.asked):
+    if (
+        not scene.forcings()
+        and not scene.requirements
+        and not any(one.question in (*SHOCKS, "random") for one in scene.asked)
+    ):
         raise Refused(f"{scene.path}: a report needs forcings in [ask], a shock, or a spectral density")
     report = Report(scene)
     if not isinstance(report.plain, Isolator):
         raise Refused(f"{scene.path}: a report is of an isolator: the scene must hold [mount] or [isolator]")
     sections = {
+        "Verdict": report.verdict(),
         "In short": report.summary(),
         "The design": report.design(),
         "What it does": report.answers(),
@@ -180,6 +186,13 @@ class Report:
         return next((one.arguments[self.f] for one in self.scene.of("amplitudes")), ())
 
     # ---- sections
+
+    def verdict(self) -> Iterator[str]:
+        """Which requirements are met, and by which margin."""
+        if self.scene.requirements:
+            found = verdict(self.scene)
+            yield f"<p>{page.inline(in_words(found))}.</p>"
+            yield _table("Requirements", found)
 
     def summary(self) -> Iterator[str]:
         """A few sentences for each force, and for the shocks."""

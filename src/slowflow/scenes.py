@@ -32,6 +32,12 @@
     G = [1e-4, 1e-4, 2.5e-7]
     unit = "g^2/Hz"             # or "(m/s^2)^2/Hz", of the base; "N^2/Hz", of a force
 
+    [require]                   # what must hold: `run` and `report` say whether it does, and by which margin
+    # jumps = "none"            # at each F of [ask]; detachment = "none" as well
+    transmissibility_dB = { below = -10, from_f = 8 }
+    relative_displacement = { below = "60 mm", under = ["peak", "shock", "random"], duration = 3600 }
+    absolute_acceleration = { below = "0.5 g", under = "random", rms = true }
+
 Only what is asked for is computed. A scene names no code and no expression: numbers, words, lists of these. What is
 wrong in it raises `SceneError`, which says where, what is allowed, and which known word is nearest.
 """
@@ -58,9 +64,10 @@ from slowflow.isolator import Duffing, Isolator
 from slowflow.measured import costs
 from slowflow.physical import DENSITIES, Physical
 from slowflow.quantities import EXCITED, SHOWN, SI, UNITS
-from slowflow.support.errors import SceneError
+from slowflow.support.errors import Refused, SceneError
 from slowflow.table import COLUMNS, SHOCKS
 from slowflow.table import QUESTIONS as ROWS
+from slowflow.verdict import AMOUNTS, NONE, REQUIREMENTS, TRANSMISSIBILITY, Requirement, amount
 
 #: a scene to begin with
 STARTER = """\
@@ -221,6 +228,7 @@ class Scene:
     oscillator -- an `Isolator`, `Duffing` or, in physical units, `Physical`
     asked      -- the questions, in order
     warnings   -- what looks implausible
+    requirements -- what must hold, at the forcings of [ask], `given_forcings`, and in shocks and spectra, `cases`
     answers    -- those that have been computed, by question and arguments, whoever has asked
     """
 
@@ -230,6 +238,9 @@ class Scene:
     oscillator: Isolator | Duffing | Physical
     asked: tuple[Asked, ...]
     warnings: tuple[str, ...] = ()
+    requirements: tuple[Requirement, ...] = ()
+    given_forcings: tuple[float, ...] = ()
+    cases: tuple[Asked, ...] = ()
     answers: dict[tuple[str, str], Any] = field(default_factory=dict, compare=False, repr=False)
 
     @staticmethod
@@ -311,7 +322,7 @@ class _Reader:
     content: dict[str, Any]
 
     def scene(self) -> Scene:
-        self._known("", self.content, (*KINDS, "ask", "spectrum", "tolerances", "shock", "psd"))
+        self._known("", self.content, (*KINDS, "ask", "spectrum", "tolerances", "shock", "psd", "require"))
         stated = [name for name in KINDS if name in self.content]
         if len(stated) != 1:
             one_of = ", ".join(f"[{name}]" for name in KINDS)
@@ -328,7 +339,8 @@ class _Reader:
             oscillator = self._tried(name, given, lambda: kind.make(**given))
         ask = self._table("ask")
         self._asks("ask", ask, kind, ("window", "samples", "level_dB", "questions"))
-        self._complete("ask", ask, ("questions",))
+        if "require" not in self.content:
+            self._complete("ask", ask, ("questions",))
         if "samples" in ask:
             self._tried(
                 "ask", ask, lambda: validate.count("samples", ask["samples"], least=2, most=validate.MOST_SAMPLES)
@@ -337,11 +349,63 @@ class _Reader:
         kinds = {key: OF_MOUNT[key] for key in (kind.forcing, kind.frequency, *OF_A_PULSE, kind.time) if mount}
         asked = tuple(replace(one, kinds=kinds) for one in self._asked(kind, ask))
         remarks = dict.fromkeys((*(str(one.message) for one in caught), *_implausible(oscillator, asked)))
-        return Scene(self.path, self.text, self.content, oscillator, asked, tuple(remarks))
+        cases = [one for name in ("shock", "psd") if name in self.content for one in self._case(name, kind)]
+        required = tuple(self._required(kind, mount)) if "require" in self.content else ()
+        forcings = tuple(self._positive(kind.forcing)) if kind.forcing in ask else ()
+        of_cases = tuple(replace(one, kinds=kinds) for one in cases)
+        return Scene(
+            *(self.path, self.text, self.content, oscillator, asked, tuple(remarks)), required, forcings, of_cases
+        )
+
+    def _case(self, name: str, kind: Kind) -> Iterator[Asked]:
+        """A load case of requirements beside forcings."""
+        if name == "shock":
+            return self._shocks("transient", kind)
+        return iter([Asked("random", self._psd("random", kind, "mount" in self.content))])
+
+    def _required(self, kind: Kind, mount: bool) -> Iterator[Requirement]:
+        """What must hold."""
+        table = self._table("require")
+        self._known("require", table, REQUIREMENTS)
+        for name, given in table.items():
+            yield self._tried("require", table, partial(self._requirement, kind, mount, name, given))
+
+    def _requirement(self, kind: Kind, mount: bool, name: str, given: Any) -> Requirement:
+        """One of them. Raises ValueError for what it must not be, or where its load case is missing."""
+        asked = ("ask", kind.forcing) if kind.forcing in self.content.get("ask", {}) else ()
+        if name in NONE:
+            validate.choice(name, given, ("none",))
+        needs = {"peak": "ask", "shock": "shock", "random": "psd"}
+        if name not in AMOUNTS and not asked:
+            raise Refused(f"{name} is required at forcings: {kind.forcing} is missing in [ask]")
+        if name in NONE:
+            return Requirement(name)
+        start = f"from_{kind.frequency}"
+        keys = ("below", start) if name == TRANSMISSIBILITY else ("below", "under", "rms", "duration")
+        if not isinstance(given, dict) or not set(keys[:2]) <= set(given) <= set(keys):
+            raise Refused(f"{name} must be a table with {' and '.join(keys[:2])}; it may have {', '.join(keys)}")
+        if name == TRANSMISSIBILITY:
+            start_at = validate.number(start, given[start], above=0.0)
+            return Requirement(name, validate.number("below", given["below"], most=0.0), {"from": start_at})
+        quantity, columns = AMOUNTS[name]
+        under = given["under"] if isinstance(given["under"], list) else [given["under"]]
+        for one in under:
+            validate.choice("under", one, tuple(columns))
+            if needs[one] not in self.content or (one == "peak" and not asked):
+                raise Refused(f"{name} under {one!r} needs [{needs[one]}], with {kind.forcing} for a peak")
+        rms = given.get("rms", False) is True
+        if "random" in under and not rms and (name != "relative_displacement" or "duration" not in given):
+            raise Refused(
+                f"{name} under 'random' needs rms = true, or of a displacement the duration that it is largest in"
+            )
+        more = {"under": under, "rms": rms}
+        if "duration" in given:
+            more["duration"] = validate.number("duration", given["duration"], above=0.0)
+        return Requirement(name, amount("below", given["below"], quantity, mount=mount), more)
 
     def _asked(self, kind: Kind, ask: Mapping[str, Any]) -> Iterator[Asked]:
         """The questions with their arguments."""
-        questions = self._list("ask", "questions", str)
+        questions = self._list("ask", "questions", str) if "questions" in ask else []
         for name in questions:
             if name not in QUESTIONS:
                 said = f"= {name!r} is not allowed: it must be one of {', '.join(QUESTIONS)}"

@@ -1,0 +1,167 @@
+"""What a specification requires. Takes a scene with a table [require]; returns what is met, and by which margin."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar, NamedTuple
+
+import numpy as np
+
+from slowflow import validate
+from slowflow.answer import Table, entry, joined, plain
+from slowflow.mechanism import Flags, Floats
+from slowflow.physical import Physical
+from slowflow.quantities import KIND_OF, SHOWN, SI, UNITS
+from slowflow.support.errors import Refused, SlowflowError
+
+#: what must not be: a jump, or springs that leave, at each forcing of [ask]
+NONE = ("jumps", "detachment")
+#: of what the largest is limited: of which kind it is, its columns in the answers about peaks, shocks, and in the mean
+AMOUNTS: Mapping[str, tuple[str, Mapping[str, str]]] = {
+    "relative_displacement": ("length", {"peak": "A", "shock": "A", "random": "u_rms"}),
+    "absolute_acceleration": ("acceleration", {"shock": "a_max", "random": "a_rms"}),
+}
+TRANSMISSIBILITY = "transmissibility_dB"
+REQUIREMENTS = (*NONE, TRANSMISSIBILITY, *AMOUNTS)
+#: what an answer in SI units calls these columns
+IN_SI = {"u_rms": "x_rms"}
+
+Required = entry("Required", "requirement case limit value unit margin met", "One requirement in one load case.")
+
+
+class Requirement(NamedTuple):
+    """A requirement.
+
+    name  -- one of `REQUIREMENTS`
+    below -- its limit, in SI units or without dimensions; NaN of what must not be
+    given -- the rest: from which frequency, in which cases, whether in the mean, and for how long
+    """
+
+    name: str
+    below: float = math.nan
+    given: Mapping[str, Any] = {}
+
+
+@dataclass(frozen=True, eq=False)
+class Verdict(Table):
+    """What a scene requires, a row for each requirement in each load case.
+
+    limit, value -- of jumps and detachment the forcing from which on there are any, and the forcing; of
+                    transmissibility the frequency from which on it stays below, required and reached
+    margin  -- limit over value: above 1 it is met
+    met     -- whether it is; a question without an answer meets nothing
+    message -- what to bear in mind
+    """
+
+    entry: ClassVar[Any] = Required
+
+    requirement: Any
+    case: Any
+    limit: Floats
+    value: Floats
+    unit: Any
+    margin: Floats
+    met: Flags
+    message: str
+
+    @property
+    def all_met(self) -> bool:
+        """Whether every requirement is met in every load case."""
+        return bool(self.met.all())
+
+
+def amount(name: str, value: Any, kind: str, *, mount: bool) -> float:
+    """A limit as a number > 0, of a mount in SI units, also of words as "20 mm"."""
+    if isinstance(value, str) and mount:
+        number, _, unit = value.strip().partition(" ")
+        try:
+            value = float(number) * UNITS[kind][unit] if KIND_OF.get(unit) == kind else value
+        except ValueError:
+            pass
+        if isinstance(value, str):
+            must = f"{name} must be a number in {SI[kind]}, or one with a unit, as '20 mm'"
+            raise Refused(f"{name} = {value!r} is not allowed: {must}")
+    return validate.number(name, value, above=0.0)
+
+
+def verdict(scene: Any) -> Verdict:
+    """Of a scene, by the answers to its questions and others."""
+    rows, said = [], []
+    for one in scene.requirements:
+        for case, ask in _cases(scene, one):
+            try:
+                *row, message = ask()
+            except SlowflowError as error:
+                row, message = [math.nan, math.nan, "", math.nan, False], f"{one.name}, {case}: {error}"
+            rows.append((one.name, case, *row))
+            said.append(message)
+    columns = dict(zip(Required._fields, map(np.array, zip(*rows, strict=True)), strict=True))
+    return Verdict(**columns, message=joined(*dict.fromkeys(said)))
+
+
+def _cases(scene: Any, one: Requirement) -> Iterator[tuple[str, Any]]:
+    """The load cases of a requirement, and what gives limit, value, unit, margin, whether it is met, a message."""
+    mount = isinstance(scene.oscillator, Physical)
+    name, forcing = ("F", scene.oscillator.scales.amplitude) if mount else ("F_0", "")
+    for F in scene.given_forcings if one.name not in AMOUNTS or "peak" in one.given["under"] else ():
+        size, unit = _shown(forcing)
+        case = f"{name} = {F / size:.4g} {unit}".rstrip()
+        yield case, lambda F=F: _at_forcing(scene, one, {name: F}, forcing, mount)
+    for asked in scene.cases if one.name in AMOUNTS else ():
+        under = "random" if asked.question == "random" else "shock"
+        if under in one.given["under"]:
+            yield str(asked), lambda asked=asked, under=under: _under(scene, one, asked, under, mount)
+
+
+def _shown(kind: str) -> tuple[float, str]:
+    """The size and the name of the unit in which numbers of a kind are shown; 1 and none without dimensions."""
+    return (UNITS[kind][SHOWN[kind]], SHOWN[kind]) if kind else (1.0, "")
+
+
+def _at_forcing(scene: Any, one: Requirement, at: dict[str, float], forcing: str, mount: bool) -> tuple[Any, ...]:
+    (F,) = at.values()
+    if one.name in NONE:
+        found, size = scene.ask("margins", **at), _shown(forcing)
+        ratio, met = (found.of_SN, found.folds == 0) if one.name == "jumps" else (found.of_cr, not found.detaches)
+        ratio = math.inf if ratio is None else ratio
+        return ratio * F / size[0], F / size[0], size[1], ratio, bool(met), str(found.message)
+    if one.name == TRANSMISSIBILITY:
+        found = scene.ask("isolation", **at, level_dB=one.below)
+        begins, limit = found.f if mount else found.Omega, one.given["from"]
+        value = math.inf if begins is None else begins
+        return limit, value, "Hz" if mount else "", _over(limit, value), value <= limit, str(found.message)
+    found = scene.ask("peak", **at)
+    return _amount(one, math.inf if found.A is None else found.A, mount, str(found.message))
+
+
+def _under(scene: Any, one: Requirement, asked: Any, under: str, mount: bool) -> tuple[Any, ...]:
+    """In a shock, or under a spectral density: the largest of its stationary motions, in the mean or within a time."""
+    found = scene.ask(asked.question, **scene.arguments(asked))
+    name = AMOUNTS[one.name][1][under]
+    if under == "random" and not one.given["rms"]:
+        values = found.largest(one.given["duration"])
+    else:
+        values = getattr(found, IN_SI.get(name, name) if mount else name)
+    return _amount(one, float(np.max(values)), mount, str(found.message))
+
+
+def _amount(one: Requirement, value: float, mount: bool, message: str) -> tuple[Any, ...]:
+    size, unit = _shown(AMOUNTS[one.name][0] if mount else "")
+    return one.below / size, value / size, unit, _over(one.below, value), value < one.below, message
+
+
+def _over(limit: float, value: float) -> float:
+    return limit / value if value else math.inf
+
+
+def in_words(found: Verdict) -> str:
+    """Met or not, with the least margin."""
+    k = int(np.argmin(np.where(found.met, found.margin, -1.0)))
+    margin = "" if math.isnan(found.margin[k]) else f", margin {plain(found.margin[k]):.3g}"
+    least = f"{found.requirement[k]}, {found.case[k]}{margin}"
+    count = int(found.met.sum())
+    if found.all_met:
+        return f"requirements met: {count} of {count}; the least margin: {least}"
+    return f"requirements not met: {len(found) - count} of {len(found)}; the first: {least}"

@@ -1,0 +1,135 @@
+"""What a scene requires: limits, values and margins against closed forms and other answers, exit codes, refusals."""
+
+import json
+import math
+
+import pytest
+
+from slowflow import Isolator, cli
+from slowflow.report import html
+from slowflow.scenes import read
+from slowflow.support.errors import SceneError
+from slowflow.verdict import in_words, verdict
+
+#: a linear mount: without a preload the springs never touch
+LINEAR = {"m": 10.0, "k_v": 4000.0, "k_h": 1000.0, "L": 0.1, "preload": 0.0, "zeta": 0.1}
+MOUNT = {"m": 12, "k_v": 2500, "k_h": 1700, "n": 3, "L": 0.080, "preload": 0.009, "friction": 0.4, "zeta": 0.02}
+f_n = 20.0 / math.tau
+SHOCK = "[shock]\nacceleration = [10, 30]\nduration = [0.011]\n"
+PSD = "[psd]\nf = [1.0, 5.0, 100.0]\nG = [1e-4, 1e-4, 2.5e-7]\n"
+
+
+def scene(tmp_path, required, more="", given=LINEAR, F="F = [5.0]\n", kind="mount"):
+    numbers = "\n".join(f"{name} = {value!r}" for name, value in given.items())
+    path = tmp_path / "scene.toml"
+    path.write_text(f"[{kind}]\n{numbers}\n[ask]\n{F}\n{more}\n[require]\n{required}\n")
+    return path
+
+
+def test_a_linear_mount_has_margins_in_closed_form(tmp_path):
+    """Transmissibility of a viscous mount over r = f/f_n; its peak is F/(2 zeta sqrt(1 - zeta^2) k_v)."""
+    required = 'jumps = "none"\ndetachment = "none"\ntransmissibility_dB = { below = -20, from_f = 14 }\n'
+    required += 'relative_displacement = { below = "7 mm", under = "peak" }'
+    found = verdict(read(scene(tmp_path, required)))
+    assert found.met.tolist() == [True, True, True, True]
+    assert found.margin[:2].tolist() == [math.inf, math.inf]
+    r2 = (found.value[2] / f_n) ** 2
+    assert (1 + 0.04 * r2) / ((1 - r2) ** 2 + 0.04 * r2) == pytest.approx(0.01, rel=1e-10)
+    assert found.margin[2] == pytest.approx(14 / found.value[2])
+    peak = 5.0 / (0.2 * math.sqrt(0.99) * 4000)
+    assert found.value[3] == pytest.approx(1e3 * peak, rel=1e-12)
+    assert found.limit[3] == 7.0 and found.unit[3] == "mm"
+    assert found.margin[3] == pytest.approx(7e-3 / peak, rel=1e-12)
+    assert in_words(found) == "requirements met: 4 of 4; the least margin: relative_displacement, F = 5 N, margin 1.11"
+
+
+def test_margins_and_shocks_are_those_of_their_questions(tmp_path):
+    required = 'jumps = "none"\ndetachment = "none"\nrelative_displacement = { below = 0.006, under = "shock" }\n'
+    required += 'absolute_acceleration = { below = "0.2 g", under = "shock" }'
+    found = verdict(read(scene(tmp_path, required, SHOCK, MOUNT, "F = [3.0]\n")))
+    mount = Isolator.physical(**MOUNT)
+    margins = mount.margins(3.0)
+    assert found.margin[:2].tolist() == [margins.of_SN, margins.of_cr]
+    assert found.met[:2].tolist() == [False, True]
+    shocks = [mount.transient(acceleration=a, duration=0.011) for a in (10.0, 30.0)]
+    assert found.value[2:4].tolist() == pytest.approx([1e3 * one.A for one in shocks], rel=1e-12)
+    assert found.value[4:].tolist() == pytest.approx([one.a_max for one in shocks], rel=1e-12)
+    assert found.met[2:].tolist() == [True, False, True, False]
+    assert in_words(found).startswith("requirements not met: 3 of 6; the first: jumps, F = 3 N, margin 0.89")
+
+
+def test_requirements_under_a_spectrum_are_of_random_vibration(tmp_path):
+    required = 'relative_displacement = { below = 0.02, under = "random", duration = 3600 }\n'
+    required += 'absolute_acceleration = { below = "0.05 g", under = "random", rms = true }'
+    found = verdict(read(scene(tmp_path, required, PSD, MOUNT, "")))
+    random = Isolator.physical(**MOUNT).random(psd=([1.0, 5.0, 100.0], [1e-4, 1e-4, 2.5e-7]))
+    assert found.value[0] == pytest.approx(1e3 * random.largest(3600)[0])
+    assert found.value[1] == pytest.approx(random.a_rms[0])
+    assert found.limit[1] == pytest.approx(0.05 * 9.80665)
+    assert found.met.tolist() == [True, False]
+
+
+def test_without_dimensions_limits_are_plain_numbers(tmp_path):
+    given = {"lam": 3.0, "r": 2.0, "delta_h": 0.08, "mu": 0.001, "zeta": 0.1}
+    required = (
+        "transmissibility_dB = { below = -6, from_Omega = 3 }\nrelative_displacement = { below = 0.5, under = 'peak' }"
+    )
+    path = scene(tmp_path, required, given=given, F="F_0 = 0.05\n", kind="isolator")
+    found = verdict(read(path))
+    iso = Isolator(**given)
+    assert found.value.tolist() == [iso.isolation(0.05, -6.0).Omega, iso.peak(0.05).A]
+    assert found.unit.tolist() == ["", ""]
+
+
+def test_what_has_no_answer_is_not_met_and_says_why(tmp_path):
+    """Without damping nothing bounds the resonance."""
+    given = {**LINEAR, "zeta": 0.0}
+    found = verdict(
+        read(scene(tmp_path, "relative_displacement = { below = 1, under = 'random', rms = true }", PSD, given))
+    )
+    assert found.met.tolist() == [False]
+    assert "needs dry friction or viscous damping" in found.message
+
+
+def test_the_exit_code_says_whether_all_is_met(tmp_path, capsys):
+    path = scene(tmp_path, 'jumps = "none"')
+    assert cli.main(["run", str(path)]) == 0
+    assert capsys.readouterr().out.startswith("# requirements met: 1 of 1")
+    path = scene(tmp_path, 'jumps = "none"', given=MOUNT)
+    assert cli.main(["run", "--json", str(path)]) == 3
+    assert json.loads(capsys.readouterr().out)["verdict"]["met"] == [False]
+    assert cli.main(["check", str(path)]) == 0
+    assert "to meet: jumps" in capsys.readouterr().out
+    assert cli.main(["explain", str(path)]) == 0
+    assert "then what must hold: jumps" in capsys.readouterr().out
+    page = html(read(path))
+    assert page.index("requirements not met: 1 of 1") < page.index("k_h")
+
+
+@pytest.mark.parametrize(
+    ("required", "said"),
+    (
+        ("jump = 'none'", "jump is no key of .require."),
+        ("jumps = 'few'", "jumps"),
+        ("transmissibility_dB = -20", "must be a table with below and from_f"),
+        ("transmissibility_dB = { below = 3, from_f = 8 }", "below"),
+        ("relative_displacement = { below = '20 kg', under = 'peak' }", "below = '20 kg' is not allowed"),
+        ("relative_displacement = { below = '20', under = 'peak' }", "below = '20' is not allowed"),
+        ("relative_displacement = { below = 1, under = 'flood' }", "under"),
+        ("relative_displacement = { below = 1, under = 'shock' }", "needs .shock."),
+        ("absolute_acceleration = { below = 1, under = 'peak' }", "under"),
+    ),
+)
+def test_what_a_requirement_must_be_is_told_with_its_line(tmp_path, required, said):
+    with pytest.raises(SceneError, match=f"scene.toml:1[0-9]: .*{said}"):
+        read(scene(tmp_path, required))
+
+
+def test_a_spectrum_needs_to_say_what_is_limited(tmp_path):
+    with pytest.raises(SceneError, match="rms = true, or of a displacement the duration"):
+        read(scene(tmp_path, "relative_displacement = { below = 1, under = 'random' }", PSD))
+
+
+def test_requirements_at_forcings_need_forcings(tmp_path):
+    with pytest.raises(SceneError, match=r"F is missing in .ask."):
+        read(scene(tmp_path, "jumps = 'none'", F=""))
