@@ -135,9 +135,7 @@ class Quantities(Answer):
     chosen: bool = dataclasses.field(default=False, repr=False)
 
     def __post_init__(self) -> None:
-        for value in self.values.values():
-            if isinstance(value, np.ndarray):
-                value.flags.writeable = False
+        super().__post_init__()
         for name in ("values", "units"):
             self.__dict__[name] = MappingProxyType(dict(getattr(self, name)))
         self.__dict__["has_rows"] = bool(self.entry)

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from slowflow import batch_checks, checks, progress, validate
+from slowflow import batch_checks, checks, validate
 from slowflow.averaged import many
 from slowflow.averaged.batches import Batch
 from slowflow.averaged.queries import Question, failed, kinds
@@ -69,11 +69,10 @@ class OffCentreBatch(Batch):
         several = columns[0].ndim > self.status.ndim
         slopes = np.full((*columns[0].shape, len(moves), len(by)), np.nan)
         status = np.full(columns[0].shape, MovesStatus.NOTHING, np.int8)
-        for place in progress.each(np.ndindex(self.status.shape), self.status.size):
-            if self.status[place] not in (Status.OK, Status.TOO_MANY):
-                continue
-            single = self._designs._single(tuple(float(given[name][place]) for name in self._designs.values))
-            answer = getattr(single, self.question.name)(**{name: float(given[name][place]) for name in asked})
+        answered = np.isin(self.status, (Status.OK, Status.TOO_MANY))
+        for place, own_numbers, at in self._designs._each(answered, *asked.values()):
+            single = self._designs._single(tuple(own_numbers))
+            answer = getattr(single, self.question.name)(**dict(zip(asked, at, strict=True)))
             if getattr(answer, "_turns", False):  # the peak is on the balance of another mean, too
                 status[place] = MovesStatus.MEETS
                 continue
@@ -149,15 +148,13 @@ class OffCentreDesigns(many.Designs):
         by_rows = {name: value[..., np.newaxis] for name, value in self.values.items()}
         rows = OffCentreDesigns(self.mechanism, by_rows, self.excitation)
         shape = validate.common_shape({**rows.values, **asked})
-        numbers = [np.broadcast_to(value, shape[:-1]) for value in self.values.values()]
         tones = [np.broadcast_to(value, shape).astype(float) for value in asked.values()]
         columns = QUESTIONS["spectrum"].blank(OFFSET, shape[:-1], row=shape[-1])
         said = np.zeros(shape, np.uint16)
         (status := columns.pop("status"))[...] = Status.INVALID
-        for place in progress.each(np.ndindex(shape[:-1]), math.prod(shape[:-1])):
-            own = tuple(float(value[place]) for value in numbers)
+        for place, own, _ in self._each(np.ones(shape[:-1], dtype=bool)):
             for run in _runs(*(tone[place] for tone in tones)):
-                found, status[place][run] = self._tones(own, *(tone[place][run] for tone in tones))
+                found, status[place][run] = self._tones(tuple(own), *(tone[place][run] for tone in tones))
                 if found is None:
                     continue
                 for name, column in columns.items():
