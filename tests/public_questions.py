@@ -1,6 +1,6 @@
 """Every public question, with what it may be asked: strategies of bad and extreme values out, by class and by name.
 
-A question that is not among them fails `tests/test_any_input.py`.
+A question that is not among them fails `tests/oscillator/test_any_input.py`.
 """
 
 from __future__ import annotations

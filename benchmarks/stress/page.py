@@ -42,7 +42,7 @@ WHY = {
 HEAD = """# Rounding errors: worst cases found by search
 
 Written by `make stress`. Numbers and exact points, of every kernel: `benchmarks/results/stability.json`. The worst
-points are replayed by `tests/test_stability.py`, where no error may grow.
+points are replayed by `tests/averaged/test_stability.py`, where no error may grow.
 
 Errors are in u (1 + κ), u = 2^-53. κ is the relative condition number of a result in all its arguments: rounding each
 argument once, and the result once, costs up to that. A search starts from the worst of the points drawn and moves
@@ -227,7 +227,8 @@ def scale_lines(found: list[Numbers]) -> list[str]:
         "",
         "Double precision alone. Many decades of damping, with and without friction; some frequencies lie next to",
         "folds. *Differ* are cases of which another number is proved and which are not marked as undecided.",
-        "Where only the proof fails, ball arithmetic agrees wherever it was tried (`tests/test_undecided.py`).",
+        "Where only the proof fails, ball arithmetic agrees wherever it was tried",
+        "(`tests/averaged/test_undecided.py`).",
         "",
         *table(SCALE, rows),
         "",

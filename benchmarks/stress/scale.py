@@ -1,8 +1,8 @@
 """Numbers of folds and states against proofs, by the million: a share of seeded cases in, what is counted out.
 
 Answers are those of doubles alone, compiled or on NumPy: balls, which a public answer asks where these do not decide,
-would take hours. Proofs are those of `Isolator.many(...).certify` in doubles; `tests/test_undecided.py` has balls judge
-some of the same kind.
+would take hours. Proofs are those of `Isolator.many(...).certify` in doubles; `tests/averaged/test_undecided.py` has
+balls judge some of the same kind.
 Counted are answers that differ from a proof without saying that they are undecided, answers that say so, and answers
 that claim a number where doubles prove none.
 """

@@ -1,7 +1,7 @@
 """The paper's figures. Takes Matplotlib axes; returns Figs. 1b to 7b with the parameters of their captions.
 
 `FIGURES` has them by number, each with what was chosen where its caption leaves a value open; `draw` writes files.
-Numbers come from the solvers and the equation of motion; what they are held against stands in tests/test_figures.py.
+Numbers come from the solvers and the equation of motion; tests/app/test_figures.py has what they are compared with.
 """
 
 from __future__ import annotations

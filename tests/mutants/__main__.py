@@ -52,13 +52,14 @@ class Edit:
 
 def edits() -> list[Edit]:
     """All of them."""
+    files = {path.stem: str(path.relative_to(ROOT)) for path in (ROOT / "tests").rglob("test_*.py")}
     found = []
     for section in EDITS.read_text(encoding="utf-8").split("\n\n")[1:]:
         file, *of_file = re.split(r"\n@ ", section.rstrip("\n"))
         for one in of_file:
             tests, *lines = one.split("\n")
             old, new = ("\n".join(line[2:] for line in lines if line[0] == mark) for mark in "-+")
-            found.append(Edit(file, old, new, tuple(tests.split())))
+            found.append(Edit(file, old, new, tuple(files[f"test_{name}"] for name in tests.split())))
     return found
 
 
@@ -117,9 +118,8 @@ class Copy:
 
 def _rounds(edit: Edit, quick: bool) -> Iterator[tuple[str, ...]]:
     """Fast tests of the files that it names, the slow ones, and all tests."""
-    named = tuple(f"tests/test_{name}.py" for name in edit.tests)
-    yield (*PYTEST, "-n", "0", "-m", "not slow and not night", *named)
-    yield (*PYTEST, "-n", "0", "-m", "slow and not night", *named)
+    yield (*PYTEST, "-n", "0", "-m", "not slow and not night", *edit.tests)
+    yield (*PYTEST, "-n", "0", "-m", "slow and not night", *edit.tests)
     if not quick:
         yield (*PYTEST, "-n", "auto", "-m", "not night")
 

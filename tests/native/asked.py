@@ -1,6 +1,6 @@
 """Every compiled question once and again. Takes a folder with extension modules built for it; returns answers unread.
 
-Run by `tests/test_sanitized.py` with modules that report what C must not do: python -m tests.native.asked FOLDER
+Run by `tests/native/test_sanitized.py` with modules that report what C must not do: python -m tests.native.asked FOLDER
 """
 
 from __future__ import annotations

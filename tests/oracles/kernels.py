@@ -111,7 +111,7 @@ def _slope_of_frequency(*x: Any) -> Any:
 
 
 def is_of_gradients(kernel: str) -> bool:
-    """Whether a kernel is one of the gradients', which differences of answers judge (`tests/test_gradients.py`)."""
+    """Whether a kernel is one of the gradients', judged by differences in tests/averaged/test_gradients.py."""
     return kernel in ("by_parameter", "by_design", "steps_by", "fold_moves", "right", "of_state")
 
 

@@ -77,7 +77,7 @@ def turns_beyond(flow: SlowFlow, A: Any) -> Flags:
 
     The spring pushes on there, the more the farther, and pulls back at rest or, as the average does, in between. What
     averaging has there the equation of motion has not, but where averaging errs by so much that the exact motion turns
-    within the well (`tests/test_remarks.py`).
+    within the well (`tests/averaged/test_remarks.py`).
     """
     mechanism, parameters = flow.mechanism, flow.parameters
     if not mechanism.odd:

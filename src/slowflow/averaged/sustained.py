@@ -24,7 +24,7 @@ from slowflow.model import SlowFlow
 from slowflow_kernels import slow_flow
 
 #: how far from a state, relative in amplitude and in frequency, a motion that is sustained counts as near it; the
-#: averaged folds of wells that are right to this are no artefacts (`tests/test_sustained.py` has what it detects)
+#: averaged folds of wells that are right to this are no artefacts (tests/averaged/test_sustained.py: what it detects)
 AMPLITUDES, FREQUENCIES = 0.2, 0.05
 
 #: of the excitation, what damping takes at least where a state is resonant; the free motion says nothing of others

@@ -75,7 +75,7 @@ def test_its_kernels_and_its_record_pass_the_tests_of_all_others(project):
     run(
         project,
         *("-m", "pytest", "-q", "-p", "no:cacheprovider", "-k", "bilinear"),
-        *("tests/test_kernels.py", "tests/test_native_kernels.py", "tests/test_records.py"),
+        *("tests/kernels/test_kernels.py", "tests/native/test_native_kernels.py", "tests/native/test_records.py"),
     )
 
 

@@ -18,8 +18,8 @@ from slowflow.support.errors import SlowflowError
 from slowflow_kernels import duffing, duffing_balls, rod_spring, rod_spring_balls
 from slowflow_kernels import rod_spring_untruncated as untruncated
 from slowflow_kernels import rod_spring_untruncated_balls as untruncated_balls
+from tests.averaged.test_many_as_each import assert_is_that_of_each
 from tests.batch_questions import AVERAGED, ask
-from tests.test_many_as_each import assert_is_that_of_each
 
 #: averages of an oscillator by its force, and the same in balls
 AVERAGES = {

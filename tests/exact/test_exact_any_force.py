@@ -20,10 +20,10 @@ from slowflow.backend import EXACT
 from slowflow.exact import EquationOfMotion, exact_response, steady_state
 from slowflow.mechanism import Force, Law, Piece
 from slowflow_kernels.exact_conventions import Event
+from tests.derivations.test_taylor import CONSTANTS, a, b, fake_module, slope_of
+from tests.derivations.test_taylor import FORCES as EVERY
 from tests.native.compiler import COMPILER, ROOT, compiled
 from tests.oracles.exact_reference import Compiled, Drive, ScipyIntegrator, again
-from tests.test_taylor import CONSTANTS, a, b, fake_module, slope_of
-from tests.test_taylor import FORCES as EVERY
 
 pytestmark = [
     pytest.mark.skipif(COMPILER is None, reason="no C compiler (cc) on the path"),

@@ -16,10 +16,10 @@ from benchmarks.stress import __main__ as stress
 from benchmarks.stress import answers, counts, kernels, roots
 from tests import backends
 from tests.files import stored
+from tests.kernels.test_kernels import worst
 from tests.oracles import kernels as exact
 from tests.oracles.frequencies import KINDS
 from tests.sampling import fewer
-from tests.test_kernels import worst
 
 BASELINE = stored("stability")
 # the last digit of a stored error, and of a stored scale

@@ -5,7 +5,6 @@ import functools
 import graphlib
 import re
 import tomllib
-from pathlib import Path
 
 import pytest
 
@@ -160,5 +159,5 @@ def test_wheel_has_every_package_and_template_but_the_ledger():
 
 
 def test_names_of_tests_have_at_most_60_characters():
-    texts = (path.read_text() for path in Path(__file__).parent.glob("test_*.py"))
+    texts = (path.read_text() for path in (ROOT / "tests").rglob("test_*.py"))
     assert not [name for text in texts for name in re.findall(r"def (test_\w{56,})\(", text)]

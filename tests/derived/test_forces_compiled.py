@@ -13,10 +13,10 @@ import sympy as sp
 
 from slowflow import backend, derive, exact, include
 from slowflow_kernels.conventions import Status
+from tests.derived.test_forces import ABOVE_0, CASES, DAMPING, FORCES, c, derived, k, u
 from tests.native.compiler import COMPILER
 from tests.native.records import bent
 from tests.oracles import exact_reference
-from tests.test_forces import ABOVE_0, CASES, DAMPING, FORCES, c, derived, k, u
 
 
 @pytest.mark.slow

@@ -16,10 +16,10 @@ from slowflow.off_centre.means import ORDERS, Steps
 from slowflow.results import Remark
 from slowflow.validate import NotAvailable
 from slowflow_kernels.conventions import Status
+from tests.off_centre.test_off_centre import mean
 from tests.oracles import exact_reference
 from tests.oracles.by_time import mean_and_first
 from tests.slopes import assert_slopes_are_differences
-from tests.test_off_centre import mean
 
 u, k, g, p, q, a, b = sp.symbols("u k g p q a b")
 ABOVE = {"above": 0}

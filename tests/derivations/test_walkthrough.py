@@ -13,7 +13,7 @@ from derivations.ledger import balls, entries, published
 from derivations.ledger.facts import Facts
 from derivations.ledger.findings import Contradiction
 from derivations.results import Results
-from tests.test_ledger import mistaken
+from tests.derivations.test_ledger import mistaken
 
 
 @pytest.fixture(scope="module")

@@ -11,12 +11,12 @@ from mpmath import mp
 from slowflow import Duffing, Isolator, example
 from slowflow.backend import SOLVER
 from slowflow_kernels.conventions import MovesStatus, Pinned
+from tests.averaged.test_certified_cases import of_record
 from tests.files import stored
 from tests.oracles.answers import Nearby
 from tests.oracles.definitions import points as drawn
 from tests.oracles.definitions import sensitivities
 from tests.sampling import fewer
-from tests.test_certified_cases import of_record
 
 FILES = ("random_isolators", "random_duffing", "negative_stiffness", "table_1")
 CASES = [

@@ -13,7 +13,7 @@ from slowflow.averaged import solvers
 from slowflow.backend import SOLVER
 from slowflow.example import TABLE_1
 from slowflow.results import Remark
-from tests.test_solver_paths import random_designs
+from tests.averaged.test_solver_paths import random_designs
 
 #: designs; NumPy takes a hundred times as long for each
 MANY = 1000

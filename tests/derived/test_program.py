@@ -18,10 +18,10 @@ from hypothesis import strategies as st
 
 from slowflow import backend, derive
 from slowflow_kernels.program_conventions import MOST_REGISTERS, Operation
+from tests.derived.test_forces import FORCES
 from tests.native.compiler import COMPILER
 from tests.native.records import Doubles, Interval, Self, doubles, opened
 from tests.sampling import fewer
-from tests.test_forces import FORCES
 
 u, k, c, gap = sp.symbols("u k c gap")
 ABOVE_0 = {"above": 0}

@@ -7,7 +7,7 @@ import pytest
 import sympy as sp
 
 from slowflow import Isolator, derive
-from tests.test_certified_cases import (
+from tests.averaged.test_certified_cases import (
     FAMILIES,
     cases,
     check_centred_onset,

@@ -11,8 +11,8 @@ from slowflow.averaged import solvers
 from slowflow.results import Remark
 from slowflow_kernels import den_hartog
 from slowflow_kernels.conventions import Status
+from tests.averaged.test_certified_cases import on_a_base
 from tests.files import stored
-from tests.test_certified_cases import on_a_base
 
 CASES = stored("inertia")
 #: relative errors

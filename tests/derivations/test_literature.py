@@ -19,8 +19,8 @@ from derivations.ledger.literature import Publication, all_publications
 from derivations.symbols import F_0, Omega, mu
 from slowflow import Duffing, Isolator
 from slowflow.sizing import fit
+from tests.derivations.test_ledger import change, places
 from tests.sampling import part
-from tests.test_ledger import change, places
 
 #: mutants of a formula beyond which a push makes a part of them
 MANY = 40

@@ -16,8 +16,8 @@ from slowflow.averaged.balls import questions as answers
 from slowflow.averaged.balls.search import AT_0, Enclosure, Given, averages_of
 from slowflow.certificate import DOUBLES
 from slowflow.results import Remark
-from tests.test_certified import CASES, check_folds, holds, level_ulps
-from tests.test_certified_cases import of_record
+from tests.averaged.test_certified import CASES, check_folds, holds, level_ulps
+from tests.averaged.test_certified_cases import of_record
 
 #: designs of the force that is not truncated: as in Table 1, nearly quasi-zero stiffness, negative stiffness, steep
 UNTRUNCATED = (

@@ -14,7 +14,7 @@ from derivations.paper.den_hartog import S, U, V, den_hartog, without_cancellati
 from derivations.paper.restoring_force import FAR, moment_parts, moment_series, odd_moment, quarter_moment, restoring
 from derivations.paper.restoring_force import average as average_of
 from derivations.symbols import F_0, A, Omega, mu, tau, u
-from tests.test_emit import evaluated
+from tests.derivations.test_emit import evaluated
 
 b_1, b_2 = sp.symbols("b_1 b_2", real=True)
 #: three pieces, two breakpoints, jumps at both; even powers and constants, in the last force from rest on

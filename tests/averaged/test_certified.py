@@ -15,10 +15,10 @@ import pytest
 from slowflow import Duffing, Isolator, cli, example
 from slowflow.averaged import messages, proofs, solvers
 from slowflow.averaged.balls.search import Given, averages_of
+from tests.averaged.test_certified_cases import of_record
 from tests.files import stored
 from tests.native.intervals import ELEMENTARY, HELD, OPERATIONS, Intervals, build
 from tests.oracles import averaged
-from tests.test_certified_cases import of_record
 
 FILES = ("random_isolators", "random_duffing", "negative_stiffness", "table_1")
 CASES = [

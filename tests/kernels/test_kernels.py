@@ -35,7 +35,7 @@ TABLES = {
     "scenes",
     "table_1",
 }
-# kernels on intervals and in balls hold these values: tests/test_intervals.py, tests/test_ball_kernels.py
+# kernels on intervals and in balls hold these values: test_intervals.py and test_ball_kernels.py
 MODULES = sorted({path.stem for path in PACKAGE.glob("*.py") if not path.stem.startswith("_")} - TABLES)
 MODULES = [module for module in MODULES if not module.endswith(("_intervals", "_balls"))]
 KERNELS = [(module, kernel) for module, kernels in ORACLE.items() for kernel in kernels]
