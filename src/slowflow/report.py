@@ -24,7 +24,7 @@ from slowflow.measured.validity import IN_PYTHON
 from slowflow.physical import Physical
 from slowflow.quantities import DATA_SHEET, SHEET, SHOWN, UNITS, in_shown
 from slowflow.results import Remark
-from slowflow.scenes import FORCINGS, Scene
+from slowflow.scenes import FORCINGS, Asked, Scene
 from slowflow.sizing.subject import Load, Subject
 from slowflow.support.errors import Refused
 from slowflow.table import COLUMNS, SHOCKS
@@ -181,6 +181,10 @@ class Report:
         """Heads of columns of these numbers."""
         return [page.term(*self._called(name)[:2]) for name in names]
 
+    def _cases(self, question: str) -> list[Asked]:
+        """What the scene asks by a question of shocks or spectra, or requires there."""
+        return self.scene.of(question) or [one for one in self.scene.cases if one.question == question]
+
     def _frequencies(self) -> Sequence[float]:
         """Those at which the scene asks for motions."""
         return next((one.arguments[self.f] for one in self.scene.of("amplitudes")), ())
@@ -210,7 +214,7 @@ class Report:
 
     def _of_shocks(self) -> Iterator[str]:
         """How many of the half sines lift the springs, and the worst of them."""
-        answers = [(one, self.scene.answer(one)) for one in self.scene.of("transient")]
+        answers = [(one, self.scene.answer(one)) for one in self._cases("transient")]
         if not answers:
             return
         for name, most in (("A", "deflects it most, by"), ("a_max", "accelerates it most, to")):
@@ -333,7 +337,7 @@ class Report:
 
     def shocks(self) -> Iterator[str]:
         """What the scene asks of shocks, by the equation of motion."""
-        asked = self.scene.of("transient")
+        asked = self._cases("transient")
         found = [self.scene.answer(one) for one in asked]
         if found:
             pulses = [{head(name, one.units()): value for name, value in one.numbers().items()} for one in asked]
@@ -357,7 +361,7 @@ class Report:
 
     def random(self) -> Iterator[str]:
         """What the scene asks of random vibration, by statistical linearization."""
-        for one in self.scene.of("random"):
+        for one in self._cases("random"):
             found: Any = self.scene.answer(one)
             yield _table("Stationary motions under the spectral density, by statistical linearization", found)
             ax = pictures.psd(page.axes(), found, "below")

@@ -285,8 +285,9 @@ class Scene:
         return (each or max(plain, laws, load)) * asked.count()
 
     def forcings(self) -> list[float]:
-        """The forcings of its questions, each once, in their order."""
-        return list(dict.fromkeys(asked.forcing for asked in self.asked if asked.forcing is not None))
+        """The forcings of its questions, and those at which something is required, each once, in their order."""
+        asked = (one.forcing for one in self.asked if one.forcing is not None)
+        return list(dict.fromkeys((*asked, *self.given_forcings)))
 
     def of(self, question: str) -> list[Asked]:
         """What it asks by one question."""
@@ -349,13 +350,13 @@ class _Reader:
         kinds = {key: OF_MOUNT[key] for key in (kind.forcing, kind.frequency, *OF_A_PULSE, kind.time) if mount}
         asked = tuple(replace(one, kinds=kinds) for one in self._asked(kind, ask))
         remarks = dict.fromkeys((*(str(one.message) for one in caught), *_implausible(oscillator, asked)))
-        cases = [one for name in ("shock", "psd") if name in self.content for one in self._case(name, kind)]
-        required = tuple(self._required(kind, mount)) if "require" in self.content else ()
-        forcings = tuple(self._positive(kind.forcing)) if kind.forcing in ask else ()
-        of_cases = tuple(replace(one, kinds=kinds) for one in cases)
-        return Scene(
-            *(self.path, self.text, self.content, oscillator, asked, tuple(remarks)), required, forcings, of_cases
-        )
+        required: dict[str, Any] = {}
+        if "require" in self.content:
+            cases = [one for name in ("shock", "psd") if name in self.content for one in self._case(name, kind)]
+            required["requirements"] = tuple(self._required(kind, mount))
+            required["given_forcings"] = tuple(self._positive(kind.forcing)) if kind.forcing in ask else ()
+            required["cases"] = tuple(replace(one, kinds=kinds) for one in cases)
+        return Scene(self.path, self.text, self.content, oscillator, asked, tuple(remarks), **required)
 
     def _case(self, name: str, kind: Kind) -> Iterator[Asked]:
         """A load case of requirements beside forcings."""
