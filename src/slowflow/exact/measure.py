@@ -232,8 +232,8 @@ def _folds_near(
 
 def _summary(reasons: list[str], noun: str) -> str:
     """How many states or folds have no exact counterpart, and why."""
-    said = (f"{reasons.count(one)} of {len(reasons)} {noun}: {one}" for one in dict.fromkeys(reasons) if one)
-    return "; ".join(said)
+    messages = (f"{reasons.count(one)} of {len(reasons)} {noun}: {one}" for one in dict.fromkeys(reasons) if one)
+    return "; ".join(messages)
 
 
 @limited()
