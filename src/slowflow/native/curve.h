@@ -19,11 +19,18 @@ static void sf_add_response_event(const sf_zero *zero, int biquadratic, sf_graph
         sf_add_event(graph, zero->A, zero->Omega, SF_PAIR_HIGH, -2 * up);
 }
 
-/* Whether F is biquadratic in Omega with a minimum inside: then it is a second root that comes from Omega = 0. */
+/* Whether a force's F has no term in Omega and a minimum inside: then it is a second root that comes from Omega = 0. */
 static int sf_is_biquadratic(const sf_model *model, double F_0, double A) {
     sf_sample at;
     sf_isolated q;
+    sf_law_quartic by_laws;
+    if (sf_inertial(model))
+        return 0;
     sf_sample_at(model, A, &at);
+    if (sf_has_laws(model)) {
+        sf_make_law_quartic(model, &at, SF_OF_RESPONSE, F_0, sf_is_beyond(model, A), &by_laws);
+        return by_laws.c[1] == 0 && by_laws.c[2] < 0;
+    }
     sf_isolate_response(&q, A, at.h, model->m, model->zeta, F_0);
     return q.exist && q.w1 == 0;
 }
@@ -48,42 +55,6 @@ static int sf_is_zero_close(const sf_zero *at, int k) {
     return 0;
 }
 
-/* Needs the pieces of work. */
-static void sf_response_graph(const sf_model *model, double F_0, sf_work *work) {
-    const sf_curve curve = {model, F_0};
-    sf_graph *graph = &work->response;
-    sf_zeros *zeros = &work->zeros;
-    int i, k, passed = !sf_inertial(model);
-    graph->events = graph->close = 0, graph->status = SF_OK;
-    sf_add_event(graph, 0, sf_inertial(model) ? inertia_moves_from(F_0, model->m) : HUGE_VAL, SF_CUT, 0);
-    for (i = 0; i < work->pieces.n; i++) {
-        sf_clear_zeros(zeros);
-        sf_ask_all(model, SF_PEAK, F_0, &work->pieces.at[i], zeros);
-        sf_ask_all(model, SF_REST, F_0, &work->pieces.at[i], zeros);
-        sf_sort_zeros(zeros);
-        graph->close |= zeros->undecided;
-        for (k = 0; k < zeros->n; k++) {
-            graph->close |= sf_is_zero_close(zeros->at, k);
-            if (sf_inertial(model)) /* no level of an amplitude is above it: a peak is below F_0 by rounding alone */
-                zeros->at[k].A = fmax(zeros->at[k].A, F_0);
-            sf_add_infinity(model, F_0, zeros->at[k].A, &passed, graph);
-            sf_add_response_event(&zeros->at[k], !sf_inertial(model) && sf_is_biquadratic(model, F_0, zeros->at[k].A),
-                                  graph);
-        }
-        if (zeros->status != SF_OK)
-            graph->status = zeros->status;
-        if (i + 1 < work->pieces.n) {
-            sf_add_infinity(model, F_0, model->b[i], &passed, graph);
-            sf_add_event(graph, model->b[i], 0, SF_THROUGH, 0);
-        }
-    }
-    sf_add_infinity(model, F_0, work->A_max, &passed, graph);
-    sf_add_event(graph, work->A_max, 0, SF_CUT, 0);
-    sf_merge_events(graph);
-    if (graph->status == SF_OK)
-        sf_trace_arcs(&curve, graph);
-}
-
 /* By rising A, those from number `first` on. */
 static void sf_sort_events(sf_graph *graph, int first) {
     int i, j;
@@ -92,6 +63,21 @@ static void sf_sort_events(sf_graph *graph, int first) {
         for (j = i; j > first && graph->event[j - 1].A > event.A; j--)
             graph->event[j] = graph->event[j - 1];
         graph->event[j] = event;
+    }
+}
+
+/* Those of the peaks by other laws of damping that are on a piece; part: its number, or -1 for all */
+static void sf_add_law_peaks(const sf_model *model, const sf_law_points *peaks, int part, sf_graph *graph) {
+    int k;
+    for (k = 0; k < peaks->n; k++) {
+        const double w = peaks->at[k].Omega;
+        sf_sample at;
+        int up, low;
+        if (part >= 0 && peaks->at[k].part != part)
+            continue;
+        sf_sample_at(model, peaks->at[k].A, &at);
+        up = sf_rises_at_peak(model, &at, w), low = sf_bends_at_peak(model, &at, w);
+        sf_add_event(graph, at.A, w, low != sf_inertial(model) ? SF_PAIR_LOW : SF_PAIR_HIGH, up == low ? 2 : -2);
     }
 }
 
@@ -150,7 +136,8 @@ static void sf_add_where_nothing_pulls(const sf_model *model, double F_0, const 
     zeros->undecided = 0;
 }
 
-/* The same for an excitation by inertia, which leaves none at rest: a frequency comes from inf, or goes there. */
+/* The events of other laws of damping under an excitation by inertia, which leaves none at rest: a frequency comes from
+ * inf, or goes there. */
 static void sf_inertial_law_graph(const sf_model *model, double F_0, sf_work *work) {
     sf_law_points *peaks = &work->points.found;
     const sf_far_end end = sf_far_end_of(model, F_0, peaks);
@@ -163,13 +150,7 @@ static void sf_inertial_law_graph(const sf_model *model, double F_0, sf_work *wo
         graph->close |= fabs(peaks->doubt[k] - end.A) > (end.falls ? SF_HARDLY * end.A : 0);
     sf_add_event(graph, 0, inertia_moves_from(F_0, slow_flow_held(model->m, fmax(-at.h, 0))), SF_CUT, 0);
     sf_add_event(graph, end.A, HUGE_VAL, SF_TO_INFINITY, end.falls ? 1 : -1);
-    for (k = 0; k < peaks->n; k++) {
-        const double w = peaks->at[k].Omega;
-        int up, low;
-        sf_sample_at(model, peaks->at[k].A, &at);
-        up = sf_rises_at_peak(model, &at, w), low = sf_bends_at_peak(model, &at, w);
-        sf_add_event(graph, at.A, w, low ? SF_PAIR_HIGH : SF_PAIR_LOW, up == low ? 2 : -2);
-    }
+    sf_add_law_peaks(model, peaks, -1, graph);
     for (i = 0; i < work->pieces.n; i++) {
         if (i + 1 < work->pieces.n)
             sf_add_event(graph, model->b[i], 0, SF_THROUGH, 0);
@@ -180,48 +161,48 @@ static void sf_inertial_law_graph(const sf_model *model, double F_0, sf_work *wo
     sf_sort_events(graph, 1);
 }
 
-/* The same by other laws of damping: its events are peaks, static states and breakpoints. */
-static void sf_law_response_graph(const sf_model *model, double F_0, sf_work *work) {
+/* The arcs between its events: peaks, static states and breakpoints. Needs the pieces of work. */
+static void sf_response_graph(const sf_model *model, double F_0, sf_work *work) {
     const sf_curve curve = {model, F_0};
-    const sf_law_points *peaks = &work->points.found;
+    const int laws = sf_has_laws(model), inertial = sf_inertial(model), is_apart = laws && inertial;
     sf_graph *graph = &work->response;
     sf_zeros *zeros = &work->zeros;
-    sf_law_quartic q;
-    sf_sample at;
-    int i, k;
-    graph->events = 0, graph->status = sf_find_law_peaks(model, F_0, work);
-    if (sf_inertial(model)) {
+    int i, k, passed = laws || !inertial;
+    graph->events = 0, graph->status = laws ? sf_find_law_peaks(model, F_0, work) : SF_OK;
+    if (is_apart) {
         sf_inertial_law_graph(model, F_0, work);
     } else {
-        graph->close = peaks->undecided > 0;
-        sf_add_event(graph, 0, HUGE_VAL, SF_CUT, 0);
+        graph->close = laws && work->points.found.undecided > 0;
+        sf_add_event(graph, 0, inertial ? inertia_moves_from(F_0, model->m) : HUGE_VAL, SF_CUT, 0);
     }
-    for (i = 0; i < work->pieces.n && graph->status == SF_OK && !sf_inertial(model); i++) {
+    for (i = 0; !is_apart && i < work->pieces.n && graph->status == SF_OK; i++) {
         const int first = graph->events;
-        for (k = 0; k < peaks->n; k++) {
-            const double w = peaks->at[k].Omega;
-            sf_sample_at(model, peaks->at[k].A, &at);
-            if (peaks->at[k].part == i) {
-                const int up = sf_rises_at_peak(model, &at, w) ? 1 : -1, low = sf_bends_at_peak(model, &at, w);
-                sf_add_event(graph, at.A, w, low ? SF_PAIR_LOW : SF_PAIR_HIGH, low ? 2 * up : -2 * up);
-            }
-        }
         sf_clear_zeros(zeros);
+        if (laws)
+            sf_add_law_peaks(model, &work->points.found, i, graph);
+        else
+            sf_ask_all(model, SF_PEAK, F_0, &work->pieces.at[i], zeros);
         sf_ask_all(model, SF_REST, F_0, &work->pieces.at[i], zeros);
-        for (k = 0; k < zeros->n; k++) { /* where F falls from Omega = 0 on a second root comes from there */
-            sf_sample_at(model, zeros->at[k].A, &at);
-            sf_make_law_quartic(model, &at, SF_OF_RESPONSE, F_0, sf_is_beyond(model, at.A), &q);
-            sf_add_response_event(&zeros->at[k], q.c[1] == 0 && q.c[2] < 0, graph);
+        sf_sort_zeros(zeros);
+        graph->close |= zeros->undecided;
+        for (k = 0; k < zeros->n; k++) {
+            graph->close |= !laws && sf_is_zero_close(zeros->at, k);
+            if (inertial) /* no level of an amplitude is above it: a peak is below F_0 by rounding alone */
+                zeros->at[k].A = fmax(zeros->at[k].A, F_0);
+            sf_add_infinity(model, F_0, zeros->at[k].A, &passed, graph);
+            sf_add_response_event(&zeros->at[k], sf_is_biquadratic(model, F_0, zeros->at[k].A), graph);
         }
         sf_sort_events(graph, first);
-        graph->close |= zeros->undecided;
         if (zeros->status != SF_OK)
             graph->status = zeros->status;
-        if (i + 1 < work->pieces.n)
+        if (i + 1 < work->pieces.n) {
+            sf_add_infinity(model, F_0, model->b[i], &passed, graph);
             sf_add_event(graph, model->b[i], 0, SF_THROUGH, 0);
+        }
     }
+    sf_add_infinity(model, F_0, work->A_max, &passed, graph);
     sf_add_event(graph, work->A_max, 0, SF_CUT, 0);
-    if (!sf_inertial(model))
+    if (!is_apart)
         sf_merge_events(graph);
     if (graph->status == SF_OK)
         sf_trace_arcs(&curve, graph);
@@ -319,7 +300,7 @@ static sf_status sf_make_skeleton(const sf_model *model, const sf_given *given, 
         return status;
     if (laws)
         room->doubt = room->undecided = work->folds.undecided, room->proofs = 0;
-    (laws ? sf_law_response_graph : sf_response_graph)(model, F_0, work);
+    sf_response_graph(model, F_0, work);
     if (work->response.status != SF_OK)
         return work->response.status;
     sf_make_tour(&work->response, &work->tour);
