@@ -12,7 +12,7 @@ from scipy.optimize import brentq
 
 from slowflow import Duffing, Isolator, Refused
 from slowflow.random_vibration.excitation import Tabulated, White
-from slowflow.random_vibration.gaussian import averages, on_ranges
+from slowflow.random_vibration.gaussian import Secants, averages, on_ranges
 from slowflow.report import html
 from slowflow.scenes import read
 from slowflow.support.errors import SceneError
@@ -125,7 +125,7 @@ def test_stiffness_of_powers_is_a_double_factorial():
 def test_stiffness_on_a_range_holds_what_it_is_within(force):
     law = Isolator(**DESIGN, zeta=0.02).restoring_force(force)
     low, high = np.array([0.1, 0.18, 0.3]), np.array([0.11, 0.24, 0.31])
-    K, T = on_ranges(law, low, high)
+    K, T = on_ranges(law, Secants(law), low, high)
     for share in np.linspace(0, 1, 11):
         at = low + share * (high - low)
         inside = averages(law, at)
@@ -370,5 +370,17 @@ def test_a_mass_that_friction_holds_has_no_equivalent_damping():
 
 
 def test_a_spring_that_gives_way_has_no_stationary_motion():
-    with pytest.raises(ArithmeticError, match="gives way"):
-        Duffing(-1.0, 0.0, zeta=0.02).random(S_0=1e-3)
+    for one, asked in (
+        (Duffing(-1.0, 0.0, zeta=0.02), {"S_0": 1e-3}),
+        (Duffing(1.75, -317.0, mu=0.3, zeta=0.01), {"psd": ([0.012, 0.04, 1.37, 61.0], [1e-3, 0.014, 0.12, 8e-4])}),
+    ):
+        with pytest.raises(ArithmeticError, match="gives way"):
+            one.random(**asked)
+
+
+def test_weakly_damped_linear_motions_take_few_boxes():
+    """The stiffness of a linear spring is known on every box, however narrow its resonance."""
+    psd = ([0.014, 0.17, 2.4, 3.7, 95.0], [0.06, 2e-5, 0.07, 1.5e-4, 1.0])
+    found = Duffing(1.37, 0.0, mu=2e-4, zeta=1e-4).random(psd=psd)
+    assert found.stiffness[0] == pytest.approx(1.37, rel=1e-12)
+    assert found.u_rms[0] ** 2 == pytest.approx(moment(psd, 1.37, float(found.damping[0]), 0), rel=1e-9)

@@ -22,19 +22,19 @@ from slowflow.intervals import Interval
 from slowflow.mechanism import EquationOfMotion, Floats, Ints
 from slowflow.off_centre.boxes import Equations, Solutions, solve
 from slowflow.random_vibration.excitation import Excitation
-from slowflow.random_vibration.gaussian import averages, on_ranges
+from slowflow.random_vibration.gaussian import WIDE, Secants, averages, on_ranges
 from slowflow.support.errors import NotSettled
 from slowflow_kernels import linearization
 
 #: relative error of an average or an integral, by far
 DOUBT = Interval(np.array([[-(2.0**-42)], [2.0**-42]]))
-#: root mean squares at which the range of the stiffness is looked for, beside the size of the force, and how many
-WIDE, SAMPLES = 1e8, 600
+#: root mean squares at which the range of the stiffness is looked for
+SAMPLES = 160
 #: by how much ranges are taken to be larger
 MARGIN = 1.5
 #: parts of both ranges that are looked at first; doublings of damping in search of its range
 PARTS, MOST_DOUBLINGS = 8, 200
-GIVES_WAY = "the spring gives way: at no amplitude does it pull back in the mean"
+GIVES_WAY = "no linear oscillator is equivalent: in the mean the spring pushes away from the centre, or gives way"
 HELD = "friction holds the mass nearly all of the time: no linear damping is equivalent to it"
 
 
@@ -42,7 +42,7 @@ class Linearized(Equations):
     """In p and q."""
 
     def __init__(self, system: EquationOfMotion, excitation: Excitation) -> None:
-        self.force, self.excitation = system.force, excitation
+        self.force, self.excitation, self.secants = system.force, excitation, Secants(system.force)
         self.laws = system.mu, system.zeta, system.c_2
 
     def limits(self, of: Ints) -> tuple[Any, Any]:
@@ -66,7 +66,7 @@ class Linearized(Equations):
         # by how much ln I_0 and ln I_2 differ on the box from what they are at x
         of_u, of_v = (by_p * move[0] + by_q * move[1] + DOUBT for by_p, by_q in ((p_0, q_0), (p_2, q_2)))
         sigma = np.exp(0.5 * (at.value[0] + of_u.ends))
-        K_on, T = on_ranges(self.force, *sigma)
+        K_on, T = on_ranges(self.force, self.secants, *sigma)
         middle = averages(self.force, np.exp(0.5 * at.value[0]))
         K = Interval.point(middle.stiffness) + DOUBT * Interval.point(middle.first.sum(axis=0))
         K_on = K_on.both(K + 0.5 * (T * of_u))

@@ -17,6 +17,8 @@ from slowflow.mechanism import Floats, Force
 FAR = 10.0
 #: parts of each piece of the force, and nodes in each: a part is at most 1.25 sigma wide
 PARTS, NODES = 8, 12
+#: where f/u is sampled, beside the size of the force, how often, and by how much of its range it may be off between
+WIDE, SAMPLES, APART = 1e8, 2000, 0.01
 _AT, _WEIGHTS = np.polynomial.legendre.leggauss(NODES)
 _SHARES = ((np.arange(PARTS)[:, np.newaxis] + 0.5 * (1 + _AT)) / PARTS).ravel()
 _SUMMED = np.tile(_WEIGHTS, PARTS) / (2 * PARTS)
@@ -56,11 +58,28 @@ def averages(force: Force, sigma: Floats) -> Averages:
     return Averages(found[0], found[1], square)
 
 
-def on_ranges(force: Force, low: Floats, high: Floats) -> tuple[Interval, Interval]:
+class Secants:
+    """Between which numbers f/u is from 0 on, by samples: stiffness is a mean of it, whatever sigma is."""
+
+    def __init__(self, force: Force) -> None:
+        self.size = max([1.0, *force.breakpoints])
+        self._u = self.size * np.geomspace(1 / WIDE, WIDE, SAMPLES)
+        secants = force(self._u) / self._u
+        self._least, self._most = np.minimum.accumulate(secants), np.maximum.accumulate(secants)
+
+    def up_to(self, u: Floats) -> Interval:
+        """Up to some u, a little wider than samples have it."""
+        at = np.minimum(np.searchsorted(self._u, u), SAMPLES - 1)
+        more = APART * (self._most[at] - self._least[at])
+        return Interval.of(self._least[at] - more, self._most[at] + more)
+
+
+def on_ranges(force: Force, secants: Secants, low: Floats, high: Floats) -> tuple[Interval, Interval]:
     """The stiffness where sigma is between two, and its slope by ln(sigma).
 
     The density of u times u^n/sigma^n is at most (high/low)^(n + 1) times that at the upper end, and at least that
-    share of that at the lower end. The slope is E[u^3 f]/sigma^4 less three times the stiffness.
+    share of that at the lower end. The slope is E[u^3 f]/sigma^4 less three times the stiffness, three times the
+    difference of two means of f/u.
     """
     at_low, at_high = averages(force, low), averages(force, high)
     first, third = (
@@ -70,4 +89,5 @@ def on_ranges(force: Force, low: Floats, high: Floats) -> tuple[Interval, Interv
             (at_low.third, at_high.third, (high / low) ** 5),
         )
     )
-    return first, third - 3.0 * first
+    held = secants.up_to(FAR * high)
+    return first.both(held), (third - 3.0 * first).both(3.0 * (held - held))

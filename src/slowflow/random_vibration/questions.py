@@ -12,7 +12,7 @@ from slowflow.answer import joined
 from slowflow.mechanism import EquationOfMotion, Floats
 from slowflow.random_vibration.answers import RandomResponse
 from slowflow.random_vibration.excitation import Excitation, Tabulated, White
-from slowflow.random_vibration.fixed_points import fixed_points
+from slowflow.random_vibration.fixed_points import GIVES_WAY, fixed_points
 from slowflow.random_vibration.gaussian import averages
 from slowflow.support.errors import NotSettled, Refused
 from slowflow.text import Sentence, text
@@ -45,6 +45,8 @@ def random(oscillator: Any, system: EquationOfMotion, S_0: Any, psd: Any) -> Ran
     k, c = np.exp(found.x)
     if found.undecided.size:
         raise NotSettled(UNDECIDED.format(*np.exp(found.undecided[:, 0])))
+    if not k.size:
+        raise NotSettled(GIVES_WAY)
     return _answer(system, excitation, k, c, oscillator)
 
 
