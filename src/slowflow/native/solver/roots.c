@@ -4,7 +4,6 @@
 #include "root_lanes.h"
 
 #include <stdint.h>
-#include <string.h>
 
 #include "clones.h"
 #include "solver.h"
@@ -77,45 +76,25 @@ void sf_response_roots_loop(char **operands, const ptrdiff_t *dimensions, const 
 ROOTS_LOOP(sf_fold_roots_loop, 5, 3, sf_fold_roots(IN(0), IN(1), IN(2), IN(3), IN(4), Omega))
 ROOTS_LOOP(sf_peak_roots_loop, 4, 2, sf_peak_roots(IN(0), IN(1), IN(2), IN(3), Omega))
 
-/* An oscillator of which its damping is known, and how it is excited, from operand k on: m, zeta, eta, d. */
-static void damped_by(char **operands, const ptrdiff_t *steps, ptrdiff_t i, int k, int inertial, sf_mechanism *record,
-                      sf_model *model)
-{
-    memset(record, 0, sizeof *record), memset(model, 0, sizeof *model);
-    record->inertial = inertial, model->mechanism = record;
-    model->m = IN(k), model->zeta = IN(k + 1), model->eta = IN(k + 2), model->d = IN(k + 3);
-}
-
-/* Places of roots, NaN behind the last. */
-static void put_roots(const double *Omega, int n, int places, char *to, ptrdiff_t step)
-{
-    for (int j = 0; j < places; j++)
-        *(double *)(to + j * step) = j < n ? Omega[j] : NAN;
-}
-
-void sf_law_roots_loop(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data)
-{
-    (void)data;
-    for (ptrdiff_t i = 0; i < dimensions[0]; i++) {
-        const sf_sample at = {.A = IN(0), .h = IN(1), .h_A = IN(2)};
-        const sf_law_quartic_kind kind = IN(7) < 0 ? SF_OF_FOLDS : SF_OF_RESPONSE;
-        sf_mechanism record;
-        sf_model model;
-        double Omega[3];
-        damped_by(operands, steps, i, 3, IN(8) != 0, &record, &model);
-        put_roots(Omega, sf_law_frequencies(&model, &at, kind, IN(7), 0, Omega), 3, operands[9] + i * steps[9], steps[10]);
+/* Roots by other laws of damping of element i, places behind the last NaN. Operands are A, h and maybe h_A, from `k` on
+   m, zeta, eta and d, and last whether inertia excites. */
+#define LAW_ROOTS_LOOP(name, k, inputs, places, solve)                                                        \
+    void name(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data)               \
+    {                                                                                                         \
+        (void)data;                                                                                           \
+        for (ptrdiff_t i = 0; i < dimensions[0]; i++) {                                                       \
+            const sf_sample at = {.A = IN(0), .h = IN(1), .h_A = (k) > 2 ? IN(2) : 0};                        \
+            const sf_mechanism record = {.inertial = IN((inputs) - 1) != 0};                                  \
+            sf_model model = {.mechanism = &record};                                                          \
+            double Omega[places];                                                                             \
+            model.m = IN(k), model.zeta = IN((k) + 1), model.eta = IN((k) + 2), model.d = IN((k) + 3);        \
+            const int n = solve;                                                                              \
+            char *to = operands[inputs] + i * steps[inputs];                                                  \
+            for (int j = 0; j < places; j++, to += steps[(inputs) + 1])                                       \
+                *(double *)to = j < n ? Omega[j] : NAN;                                                       \
+        }                                                                                                     \
     }
-}
 
-void sf_law_peak_roots_loop(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data)
-{
-    (void)data;
-    for (ptrdiff_t i = 0; i < dimensions[0]; i++) {
-        const sf_sample at = {.A = IN(0), .h = IN(1)};
-        sf_mechanism record;
-        sf_model model;
-        double Omega[2];
-        damped_by(operands, steps, i, 2, IN(6) != 0, &record, &model);
-        put_roots(Omega, sf_law_stationary(&model, &at, Omega), 2, operands[7] + i * steps[7], steps[8]);
-    }
-}
+LAW_ROOTS_LOOP(sf_law_roots_loop, 3, 9, 3,
+               sf_law_frequencies(&model, &at, IN(7) < 0 ? SF_OF_FOLDS : SF_OF_RESPONSE, IN(7), 0, Omega))
+LAW_ROOTS_LOOP(sf_law_peak_roots_loop, 2, 7, 2, sf_law_stationary(&model, &at, Omega))
