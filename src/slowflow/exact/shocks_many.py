@@ -141,9 +141,9 @@ def _solve(
     size = max(1, CHUNK_ARCS // (OVERHEAD + arcs.shape[-2]))
     chunks = (slice(first, first + size) for first in range(0, batched.size, size))
     share(solve, chunks, threads, lambda part: batched[part].size, batched.size)
-    A, tau_A, a_max, tau_a, tau_detaches, sticks, u_end, stands = np.moveaxis(numbers.reshape(*shape, 8), -1, 0).copy()
+    A, tau_A, a_max, tau_a, tau_detaches, sticks, u_end, stable = np.moveaxis(numbers.reshape(*shape, 8), -1, 0).copy()
     flags = {"detaches": ~np.isnan(tau_detaches), "rests": sticks == 1, "status": status.reshape(shape)}
-    flags["stands"] = np.nan_to_num(stands)
+    flags["stands"] = np.nan_to_num(stable)
     found = {"A": A, "tau_A": tau_A, "a_max": a_max, "tau_a": tau_a, "tau_detaches": tau_detaches, "u_end": u_end}
     return {**found, **{name: values.astype(np.int8) for name, values in flags.items()}}
 
@@ -162,14 +162,14 @@ def _single(
         force = followed(Force.of(designs.mechanism, model.parameters), designs.mechanism.name)
         laws: dict[str, Any] = {"c_2": model.laws.c_2, "released": model.laws.rubs != THROUGHOUT}
         system = EquationOfMotion(force, model.mu, model.zeta, load=load, **laws)
-        at, stands = 0.0, 1
+        at, stable = 0.0, 1
         # averages about a mean do not exist for some forces: not needed where the mass rests at u = 0
         if not (system.centred and questions.stable_at_centre(system)):
             equilibria = at_rest(values)
-            at, stands = questions.equilibrium(equilibria, system)[0], int(equilibria.rest().stable.sum())
+            at, stable = questions.equilibrium(equilibria, system)[0], int(equilibria.rest().stable.sum())
         found = transient(system, arcs, begin=begin, after=after, at=at)
     except (ValueError, ArithmeticError) as error:
         return failed(error), (np.nan,) * 8
     tau_detaches = np.nan if found.tau_detaches is None else found.tau_detaches
     motion = found.A, found.tau_A, found.a_max, found.tau_a, tau_detaches, float(found.rests), found.u_end
-    return Status.OK, (*motion, stands)
+    return Status.OK, (*motion, stable)
