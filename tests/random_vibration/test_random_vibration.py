@@ -13,6 +13,7 @@ from scipy.optimize import brentq
 from slowflow import Duffing, Isolator, Refused
 from slowflow.random_vibration.excitation import Tabulated, White
 from slowflow.random_vibration.gaussian import Secants, averages, on_ranges
+from slowflow.random_vibration.record import process
 from slowflow.report import html
 from slowflow.scenes import read
 from slowflow.support.errors import SceneError
@@ -338,6 +339,15 @@ def test_friction_of_most_of_the_damping_is_named():
     found = Isolator(**DESIGN, mu=0.05, zeta=0.02).random(S_0=1e-3)
     assert found.dry[0] > 0.8
     assert "dry friction is 0.93 of the equivalent damping" in found.message
+
+
+def test_straight_lines_between_samples_have_the_spectrum():
+    """Their mean square is that of the excitation; samples alone, sinc^4 over the spectrum, would have more."""
+    excitation, step = Tabulated([0.5, 2.0], [0.1, 0.1]), 0.35
+    w = process(excitation, step, 2.0, 2**18 - 1, np.random.default_rng(5))
+    of_lines = np.mean(w[1:] ** 2 + w[1:] * w[:-1] + w[:-1] ** 2) / 3
+    assert math.sqrt(of_lines) == pytest.approx(excitation.rms, rel=0.01)
+    assert np.mean(w**2) > 1.03 * excitation.rms**2
 
 
 # ---- what is refused
