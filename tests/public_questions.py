@@ -100,6 +100,11 @@ steps = mostly(st.sampled_from([0.1, 0.3]))
 #: a row of frequencies, of times or of accelerations
 rows = mostly(st.lists(st.floats(0.5, 1.5), max_size=3), st.lists(numbers, max_size=3) | anything, among=4)
 
+#: a table of a spectral density
+spectra = mostly(
+    st.sampled_from([([0.5, 2.0], [1e-3, 1e-4]), ([0.1, 1.0, 9.0], [1e-4] * 3)]), st.tuples(rows, rows), among=4
+)
+
 
 def asked(*arguments, **named):
     """How a question is asked: strategies of its arguments in, one of both kinds of arguments out."""
@@ -156,6 +161,7 @@ MOTIONS = {
     "sweep": asked(Omega=rows, F_0=anything, force=FORCES),
     "transient": shocks("tau"),
     "shock_spectrum": asked(acceleration=rows, duration=rows, force=FORCES),
+    "random": asked(S_0=anything) | asked(psd=spectra),
 }
 PICTURES = {"plot": asked(anything, Omega=windows, of=st.sampled_from(["A", "phi", "transmissibility_dB", "B"]))}
 OFF_CENTRE = {**FOLDS, **LOADS, **CURVE, **AT, **SPECTRUM, "rest": asked(), "A_max": asked(anything)}
@@ -183,6 +189,7 @@ MOTIONS_IN_UNITS = {
     "sweep": asked(f=rows, F=anything),
     "transient": shocks("t"),
     "shock_spectrum": asked(acceleration=rows, duration=rows),
+    "random": asked(psd=spectra, unit=mostly(st.just("g^2/Hz"), st.just("V^2/Hz"))),
 }
 PICTURES_IN_UNITS = {"plot": asked(anything, f=windows, of=st.sampled_from(["A", "phi", "B"]))}
 PARTS = {"places": st.sampled_from([1, 6, 0, "all"]), "workers": st.sampled_from([1, 2, 0, None])}

@@ -47,7 +47,10 @@ def loaded() -> dict[str, dict[str, Any]]:
 
 @functools.cache
 def named() -> dict[tuple[str, str], tuple[str, ...]]:
-    """Every kernel by module and name, with its arguments' names; those of most gradients are judged elsewhere."""
+    """Every kernel by module and name, with its arguments' names; those of most gradients are judged elsewhere.
+
+    Those that are defined by integrals over densities are held at the points of the kernels' oracle alone.
+    """
     found = {}
     for module, functions in loaded()["numpy"].items():
         for name in functions.__all__:
@@ -55,7 +58,7 @@ def named() -> dict[tuple[str, str], tuple[str, ...]]:
             # what a scene has from another module is that one's
             own = getattr(function, "__module__", "").endswith(f".{module}")
             elsewhere = exact.is_of_gradients(name) and module not in domains.OF_MODULE
-            if own and hasattr(function, "__code__") and not elsewhere:
+            if own and hasattr(function, "__code__") and not elsewhere and module != "linearization":
                 found[module, name] = tuple(inspect.signature(function).parameters)
     return found
 

@@ -36,7 +36,7 @@ from tests.oracles.kernels import is_of_gradients
 
 U = 2.0**-53
 #: modules without compiled loops: they serve any kind of number, or arrays as they are, or NumPy's solvers alone
-GENERIC = ("frequencies", "motion", "off_centre", "dissipation", "sensitivities", "sampled")
+GENERIC = ("frequencies", "motion", "off_centre", "dissipation", "sensitivities", "sampled", "linearization")
 #: of a mechanism: its own averages one by one, and the slow flow's functions with these put in
 CALLS_ONLY = (
     *("h", "h_A", "h_AA", "h_AAA", "H", "H_A", "H_AA"),

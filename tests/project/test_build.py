@@ -34,6 +34,8 @@ def checkout(tmp_path: Path) -> Path:
     """A checkout whose extension modules have nothing in them, with those of an earlier build and its stamp."""
     for name in ("Makefile", "setup.py", "pyproject.toml", "README.md", "LICENSE"):
         shutil.copy(ROOT / name, tmp_path)
+    (tmp_path / "derivations").mkdir()
+    shutil.copy(ROOT / "derivations" / "constraints.txt", tmp_path / "derivations")
     for source, module in MODULES.items():
         for path in (tmp_path / source, tmp_path / module):
             path.parent.mkdir(parents=True, exist_ok=True)

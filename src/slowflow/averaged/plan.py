@@ -150,6 +150,10 @@ COMPOSED: Mapping[str, tuple[Step, ...]] = MappingProxyType(
             _NO_STEADY_STATE,
         ),
         "shock_spectrum": (Step("motion", True, f"of each pulse: {_MOTION.why}"), _NO_STEADY_STATE),
+        "random": (
+            Step("linearization", True, "Gaussian averages of force and damping; every fixed point, in boxes"),
+            _NO_STEADY_STATE,
+        ),
     }
 )
 #: every question of an oscillator about the centre
