@@ -254,6 +254,7 @@ EVALUATED = {
     sp.sin: mp.sin,
     sp.cos: mp.cos,
     sp.tan: mp.tan,
+    sp.exp: mp.exp,
     # at the numbers that are drawn a root may be imaginary, which mp.hypot and mp.atan2 do not take
     sp.atan2: lambda y, x: -1j * mp.log((x + 1j * y) / mp.sqrt(x**2 + y**2)),
     hypot: lambda x, y: mp.sqrt(x**2 + y**2),
