@@ -140,6 +140,11 @@ class Force:
         return int(isinstance(self.pieces[0], OneSided))
 
     @property
+    def first_end(self) -> float | None:
+        """Where the first piece ends that a mass may move in; None where there is one piece only. Of an odd force."""
+        return next(iter(self.breakpoints[self.innermost :]), None)
+
+    @property
     def jump(self) -> float:
         """f(0+), what it jumps to at u = 0: it holds a mass there that friction alone would not."""
         return self.pieces[1].value(0.0) if self.innermost else 0.0

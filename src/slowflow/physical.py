@@ -297,10 +297,7 @@ class Physical:
         unit -- of the densities: "g^2/Hz" or "(m/s^2)^2/Hz" of the base's acceleration, "N^2/Hz" of a force
         """
         of_unit, kind = DENSITIES[validate.choice("unit", unit, tuple(DENSITIES))]
-        try:
-            f, G = psd
-        except (TypeError, ValueError):
-            raise Refused("psd must be two rows: frequencies in Hz and densities") from None
+        f, G = validate.two_rows("psd", psd, "frequencies in Hz and densities")
         sizes = self.scales.sizes
         at = validate.positive_array("f", si("f", f, "Hz")) / sizes["frequency"]
         density = validate.positive_array("G", G) * (of_unit / sizes[kind]) ** 2 * sizes["frequency"]

@@ -251,6 +251,15 @@ def mapping(name: str, value: Any, meant: str) -> Mapping[str, Any]:
     return value
 
 
+def two_rows(name: str, value: Any, of: str) -> tuple[Any, Any]:
+    """A pair of rows, each as it is given; of: what they are."""
+    try:
+        first, second = value
+    except (TypeError, ValueError):
+        raise Refused(f"{name} must be two rows: {of}") from None
+    return first, second
+
+
 def window(name: str, value: Any) -> tuple[float, float]:
     """A pair of frequencies 0 <= low < high <= `HIGHEST_OMEGA`."""
     try:

@@ -173,7 +173,7 @@ def transient(
         raise NotSettled(LOST.format(lost(outcome, system, u), tau, ACCELERATED if F else FREE))
     A, tau_A, a_max, tau_a, left, rests, u_end = numbers
     off = not math.isnan(left)
-    u_cr = next(iter(system.force.breakpoints[system.force.innermost :]), None) if system.force.odd else None
+    u_cr = system.force.first_end if system.force.odd else None
     stretches = tuple(Stretch(since, Arc(*by[:4]), Phase(*by[4:14])) for since, *by in STRETCH.iter_unpack(packed))
     return Transient(A, tau_A, a_max, tau_a, u_cr, off, left if off else None, rests == 1, u_end, "", stretches, system)
 

@@ -22,7 +22,7 @@ from slowflow.intervals import Interval
 from slowflow.mechanism import EquationOfMotion, Floats, Ints
 from slowflow.off_centre.boxes import Equations, Solutions, solve
 from slowflow.random_vibration.excitation import Excitation
-from slowflow.random_vibration.gaussian import WIDE, Secants, averages, on_ranges
+from slowflow.random_vibration.gaussian import WIDE, Secants, averages, on_ranges, sizes
 from slowflow.support.errors import NotSettled
 from slowflow_kernels import linearization
 
@@ -104,7 +104,7 @@ def ranges(system: EquationOfMotion, excitation: Excitation) -> tuple[Floats, Fl
         raise NotSettled(HELD)
     strength = math.pi * excitation.most  # c I_2 is at most that
     least = max(2 * system.zeta, dry**2 / strength)
-    sigma = max([1.0, *system.force.breakpoints]) * np.geomspace(1 / WIDE, WIDE, SAMPLES)
+    sigma = sizes(system.force, SAMPLES)
     K = averages(system.force, sigma).stiffness
     # k I_0, which at a fixed point is E[u f], is at most that
     K = K[K * sigma**2 <= (strength + excitation.swept) / least]

@@ -58,12 +58,16 @@ def averages(force: Force, sigma: Floats) -> Averages:
     return Averages(found[0], found[1], square)
 
 
+def sizes(force: Force, count: int) -> Floats:
+    """Displacements from far below what the force is as large as to far beyond."""
+    return np.asarray(max([1.0, *force.breakpoints]) * np.geomspace(1 / WIDE, WIDE, count))
+
+
 class Secants:
     """Between which numbers f/u is from 0 on, by samples: stiffness is a mean of it, whatever sigma is."""
 
     def __init__(self, force: Force) -> None:
-        self.size = max([1.0, *force.breakpoints])
-        self._u = self.size * np.geomspace(1 / WIDE, WIDE, SAMPLES)
+        self._u = sizes(force, SAMPLES)
         secants = force(self._u) / self._u
         self._least, self._most = np.minimum.accumulate(secants), np.maximum.accumulate(secants)
 

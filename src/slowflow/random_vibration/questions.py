@@ -40,7 +40,11 @@ def random(oscillator: Any, system: EquationOfMotion, S_0: Any, psd: Any) -> Ran
     validate.is_plain("random", f"rubs = {oscillator.rubs!r}" if system.released else "")
     if system.mu == system.zeta == 0:
         raise validate.NotAvailable(UNDAMPED)
-    excitation: Excitation = White(validate.number("S_0", S_0, above=0.0)) if psd is None else Tabulated(*_rows(psd))
+    excitation: Excitation
+    if psd is None:
+        excitation = White(validate.number("S_0", S_0, above=0.0))
+    else:
+        excitation = Tabulated(*validate.two_rows("psd", psd, "frequencies and densities"))
     found = fixed_points(system, excitation)
     k, c = np.exp(found.x)
     if found.undecided.size:
@@ -48,14 +52,6 @@ def random(oscillator: Any, system: EquationOfMotion, S_0: Any, psd: Any) -> Ran
     if not k.size:
         raise NotSettled(GIVES_WAY)
     return _answer(system, excitation, k, c, oscillator)
-
-
-def _rows(psd: Any) -> tuple[Any, Any]:
-    try:
-        Omega, G = psd
-    except (TypeError, ValueError):
-        raise Refused("psd must be two rows: frequencies and densities") from None
-    return Omega, G
 
 
 def _answer(system: EquationOfMotion, excitation: Excitation, k: Floats, c: Floats, asked: Any) -> RandomResponse:
@@ -66,7 +62,7 @@ def _answer(system: EquationOfMotion, excitation: Excitation, k: Floats, c: Floa
     laws = system.mu, system.zeta, system.c_2
     dry = linearization.equivalent_damping(v, *laws)[2] / c
     a = np.sqrt(averages(system.force, u).square + linearization.damping_force(v, *laws))
-    end = next(iter(system.force.breakpoints[system.force.innermost :]), math.nan)
+    end = math.nan if (first := system.force.first_end) is None else first
     beyond = np.array([math.erfc(end / (math.sqrt(2) * one)) for one in u.tolist()])
     rate = linearization.crossings(end, u, v)
     said = joined(

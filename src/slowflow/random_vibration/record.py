@@ -21,7 +21,7 @@ from slowflow.exact.work import MOST_STEPS
 from slowflow.mechanism import EquationOfMotion, Floats
 from slowflow.random_vibration.excitation import Excitation, White
 from slowflow.support.errors import NotSettled
-from slowflow_kernels import linearization
+from slowflow_kernels import linearization, motion
 
 #: steps of time: of the slowest of natural periods over a turn, of the times in which damping acts on white noise, and
 #: of the period over a turn of the highest frequency of a table that counts
@@ -45,14 +45,22 @@ def measured(
     step, top = steps(excitation, float(k.max()), c)
     before = math.ceil(BEFORE / (step * float(c.min())))
     system = replace(system, inertial=False)
-    end = next(iter(system.force.breakpoints[system.force.innermost :]), math.nan)
+    end = system.force.first_end
     random = np.random.default_rng(seed)
     sums = []
     for _ in range(records):
         w = process(excitation, step, top, each + before, random)
         u, v = followed(system, w, step)[:, before:]
         a = accelerations(system, u, v, w[before + 1 :])
-        sums.append([np.mean(u**2), np.mean(v**2), np.mean(a**2), np.mean(np.abs(u) > end), np.mean(u**4)])
+        sums.append(
+            [
+                np.mean(u**2),
+                np.mean(v**2),
+                np.mean(a**2),
+                math.nan if end is None else np.mean(np.abs(u) > end),
+                np.mean(u**4),
+            ]
+        )
     means = np.mean(sums, axis=0)
     # the distribution of a mean of few numbers (Student): SciPy's special functions are quick to load
     from scipy.special import stdtrit
@@ -60,8 +68,8 @@ def measured(
     off = float(stdtrit(records - 1, 0.975)) * np.std(sums, axis=0, ddof=1) / math.sqrt(records)
     u, v, a = rms = np.sqrt(means[:3])
     u_margin, v_margin, a_margin = off[:3] / (2 * rms)
-    beyond, kurtosis = float(means[3]) if math.isfinite(end) else math.nan, float(means[4] / means[0] ** 2)
-    return tuple(map(float, (u, v, a, u_margin, v_margin, a_margin, beyond, kurtosis, records * each * step)))
+    averaged = means[3], means[4] / means[0] ** 2
+    return tuple(map(float, (u, v, a, u_margin, v_margin, a_margin, *averaged, records * each * step)))
 
 
 def steps(excitation: Excitation, k: float, c: Floats) -> tuple[float, float]:
@@ -95,9 +103,8 @@ def followed(system: EquationOfMotion, w: Floats, step: float) -> Floats:
     handle, u, v, parts = compiled.handle(system), 0.0, 0.0, []
     for first in range(0, w.size - 1, AT_ONCE):
         some = w[first : first + AT_ONCE + 1]
-        arcs = arcs_of(
-            step * np.arange(float(some.size)), -some
-        )  # the base is accelerated by less than nothing: w pushes
+        # w pushes as a base does that is accelerated by -w
+        arcs = arcs_of(step * np.arange(float(some.size)), -some)
         arguments = np.ascontiguousarray(arcs), u, v, MOST_STEPS, STEPS * some.size
         outcome, _, at, states = EXACT.record(handle, *arguments)
         if outcome:
@@ -109,5 +116,6 @@ def followed(system: EquationOfMotion, w: Floats, step: float) -> Floats:
 
 def accelerations(system: EquationOfMotion, u: Floats, v: Floats, w: Floats) -> Any:
     """Of the mass as seen by who stands still, where the base is what pushes: it goes with the base where it sticks."""
-    damped = 2 * system.zeta * v + (system.mu + system.c_2 * v**2) * np.sign(v)
-    return np.where(v == 0, w, damped + system.force(u))
+    sign, f = np.sign(v), system.force(u)
+    resists, _ = motion.resistance(v, system.zeta, system.mu * sign, system.c_2 * sign)
+    return np.where(v == 0, w, -motion.acceleration(0.0, v, 0.0, system.zeta, resists, f))
