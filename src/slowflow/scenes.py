@@ -67,7 +67,7 @@ from slowflow.quantities import EXCITED, SHOWN, SI, UNITS
 from slowflow.support.errors import Refused, SceneError
 from slowflow.table import COLUMNS, SHOCKS
 from slowflow.table import QUESTIONS as ROWS
-from slowflow.verdict import AMOUNTS, NONE, REQUIREMENTS, TRANSMISSIBILITY, Requirement, amount
+from slowflow.verdict import AMOUNTS, NONE, REQUIREMENTS, TRANSMISSIBILITY, Requirement, kind_of, limit_of
 
 #: a scene to begin with
 STARTER = """\
@@ -388,10 +388,9 @@ class _Reader:
         if name == TRANSMISSIBILITY:
             start_at = validate.number(start, given[start], above=0.0)
             return Requirement(name, validate.number("below", given["below"], most=0.0), {"from": start_at})
-        quantity, columns = AMOUNTS[name]
         under = given["under"] if isinstance(given["under"], list) else [given["under"]]
         for one in under:
-            validate.choice("under", one, tuple(columns))
+            validate.choice("under", one, tuple(AMOUNTS[name]))
             if needs[one] not in self.content or (one == "peak" and not asked):
                 raise Refused(f"{name} under {one!r} needs [{needs[one]}], with {kind.forcing} for a peak")
         rms = given.get("rms", False) is True
@@ -402,7 +401,7 @@ class _Reader:
         more = {"under": under, "rms": rms}
         if "duration" in given:
             more["duration"] = validate.number("duration", given["duration"], above=0.0)
-        return Requirement(name, amount("below", given["below"], quantity, mount=mount), more)
+        return Requirement(name, limit_of("below", given["below"], kind_of(name), mount=mount), more)
 
     def _asked(self, kind: Kind, ask: Mapping[str, Any]) -> Iterator[Asked]:
         """The questions with their arguments."""

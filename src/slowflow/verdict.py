@@ -13,20 +13,19 @@ from slowflow import validate
 from slowflow.answer import Table, entry, joined, plain
 from slowflow.mechanism import Flags, Floats
 from slowflow.physical import Physical
-from slowflow.quantities import KIND_OF, SHOWN, SI, UNITS
+from slowflow.quantities import KIND_OF, SI, UNITS, in_shown
 from slowflow.support.errors import Refused, SlowflowError
+from slowflow.table import COLUMNS
 
 #: what must not be: a jump, or springs that leave, at each forcing of [ask]
 NONE = ("jumps", "detachment")
-#: of what the largest is limited: of which kind it is, its columns in the answers about peaks, shocks, and in the mean
-AMOUNTS: Mapping[str, tuple[str, Mapping[str, str]]] = {
-    "relative_displacement": ("length", {"peak": "A", "shock": "A", "random": "u_rms"}),
-    "absolute_acceleration": ("acceleration", {"shock": "a_max", "random": "a_rms"}),
+#: of what the largest is limited: its columns in the answers about peaks, shocks, and in the mean
+AMOUNTS: Mapping[str, Mapping[str, str]] = {
+    "relative_displacement": {"peak": "A", "shock": "A", "random": "u_rms"},
+    "absolute_acceleration": {"shock": "a_max", "random": "a_rms"},
 }
 TRANSMISSIBILITY = "transmissibility_dB"
 REQUIREMENTS = (*NONE, TRANSMISSIBILITY, *AMOUNTS)
-#: what an answer in SI units calls these columns
-IN_SI = {"u_rms": "x_rms"}
 
 Required = entry("Required", "requirement case limit value unit margin met", "One requirement in one load case.")
 
@@ -72,7 +71,12 @@ class Verdict(Table):
         return bool(self.met.all())
 
 
-def amount(name: str, value: Any, kind: str, *, mount: bool) -> float:
+def kind_of(amount: str) -> str:
+    """Of which kind of unit one of `AMOUNTS` is."""
+    return COLUMNS[AMOUNTS[amount]["shock"]].kind
+
+
+def limit_of(name: str, value: Any, kind: str, *, mount: bool) -> float:
     """A limit as a number > 0, of a mount in SI units, also of words as "20 mm"."""
     if isinstance(value, str) and mount:
         number, _, unit = value.strip().partition(" ")
@@ -105,9 +109,10 @@ def _cases(scene: Any, one: Requirement) -> Iterator[tuple[str, Any]]:
     """The load cases of a requirement, and what gives limit, value, unit, margin, whether it is met, a message."""
     mount = isinstance(scene.oscillator, Physical)
     name, forcing = ("F", scene.oscillator.scales.amplitude) if mount else ("F_0", "")
+    letter = scene.oscillator.scales.symbol("F_0") if mount else name
     for F in scene.given_forcings if one.name not in AMOUNTS or "peak" in one.given["under"] else ():
-        size, unit = _shown(forcing)
-        case = f"{name} = {F / size:.4g} {unit}".rstrip()
+        unit, size = in_shown(SI.get(forcing, ""))
+        case = f"{letter} = {F / size:.4g} {unit}".rstrip()
         yield case, lambda F=F: _at_forcing(scene, one, {name: F}, forcing, mount)
     for asked in scene.cases if one.name in AMOUNTS else ():
         under = "random" if asked.question == "random" else "shock"
@@ -115,21 +120,21 @@ def _cases(scene: Any, one: Requirement) -> Iterator[tuple[str, Any]]:
             yield str(asked), lambda asked=asked, under=under: _under(scene, one, asked, under, mount)
 
 
-def _shown(kind: str) -> tuple[float, str]:
-    """The size and the name of the unit in which numbers of a kind are shown; 1 and none without dimensions."""
-    return (UNITS[kind][SHOWN[kind]], SHOWN[kind]) if kind else (1.0, "")
+def _column(found: Any, name: str, mount: bool) -> Any:
+    """A column of an answer by its name without dimensions."""
+    return getattr(found, (COLUMNS[name].si or name) if mount else name)
 
 
 def _at_forcing(scene: Any, one: Requirement, at: dict[str, float], forcing: str, mount: bool) -> tuple[Any, ...]:
     (F,) = at.values()
     if one.name in NONE:
-        found, size = scene.ask("margins", **at), _shown(forcing)
+        found, (unit, size) = scene.ask("margins", **at), in_shown(SI.get(forcing, ""))
         ratio, met = (found.of_SN, found.folds == 0) if one.name == "jumps" else (found.of_cr, not found.detaches)
         ratio = math.inf if ratio is None else ratio
-        return ratio * F / size[0], F / size[0], size[1], ratio, bool(met), str(found.message)
+        return ratio * F / size, F / size, unit, ratio, bool(met), str(found.message)
     if one.name == TRANSMISSIBILITY:
         found = scene.ask("isolation", **at, level_dB=one.below)
-        begins, limit = found.f if mount else found.Omega, one.given["from"]
+        begins, limit = _column(found, "Omega", mount), one.given["from"]
         value = math.inf if begins is None else begins
         return limit, value, "Hz" if mount else "", _over(limit, value), value <= limit, str(found.message)
     found = scene.ask("peak", **at)
@@ -139,16 +144,15 @@ def _at_forcing(scene: Any, one: Requirement, at: dict[str, float], forcing: str
 def _under(scene: Any, one: Requirement, asked: Any, under: str, mount: bool) -> tuple[Any, ...]:
     """In a shock, or under a spectral density: the largest of its stationary motions, in the mean or within a time."""
     found = scene.ask(asked.question, **scene.arguments(asked))
-    name = AMOUNTS[one.name][1][under]
     if under == "random" and not one.given["rms"]:
         values = found.largest(one.given["duration"])
     else:
-        values = getattr(found, IN_SI.get(name, name) if mount else name)
+        values = _column(found, AMOUNTS[one.name][under], mount)
     return _amount(one, float(np.max(values)), mount, str(found.message))
 
 
 def _amount(one: Requirement, value: float, mount: bool, message: str) -> tuple[Any, ...]:
-    size, unit = _shown(AMOUNTS[one.name][0] if mount else "")
+    unit, size = in_shown(SI[kind_of(one.name)] if mount else "")
     return one.below / size, value / size, unit, _over(one.below, value), value < one.below, message
 
 

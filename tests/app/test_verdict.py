@@ -133,3 +133,9 @@ def test_a_spectrum_needs_to_say_what_is_limited(tmp_path):
 def test_requirements_at_forcings_need_forcings(tmp_path):
     with pytest.raises(SceneError, match=r"F is missing in .ask."):
         read(scene(tmp_path, "jumps = 'none'", F=""))
+
+
+def test_a_load_case_is_named_by_its_excitation(tmp_path):
+    given, letter = {**LINEAR, "excitation": "base"}, "Y = [0.002]\n"
+    found = verdict(read(scene(tmp_path, "jumps = 'none'", given=given, F=letter)))
+    assert found.case.tolist() == ["Y = 2 mm"]
