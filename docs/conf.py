@@ -19,8 +19,7 @@ version = release = __version__
 extensions = ["myst_parser", "sphinx.ext.autodoc"]
 myst_enable_extensions = ["dollarmath", "amsmath", "colon_fence", "attrs_inline"]
 myst_heading_anchors = 3
-# the reference has all signatures, a page a class
-exclude_patterns = ["site", "api.md"]
+exclude_patterns = ["site"]
 html_theme = "furo"
 html_title = "slowflow"
 html_static_path = ["site/static"]
