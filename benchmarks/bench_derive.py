@@ -56,11 +56,11 @@ def one(name: str, compiled: bool) -> dict[str, float]:
     """Seconds of each step, in a process that has done nothing else."""
     from slowflow import derive
 
-    parts = pieces(name)
-    used = {str(symbol) for piece in parts for part in piece if part is not None for symbol in part.free_symbols}
+    force = pieces(name)
+    used = {str(symbol) for piece in force for part in piece if part is not None for symbol in part.free_symbols}
     names = [number for number in NUMBERS if number in used]
     start = clock()
-    made = derive.mechanism(name, parts, {number: {"above": 0} for number in names}, compile=compiled)
+    made = derive.mechanism(name, force, {number: {"above": 0} for number in names}, compile=compiled)
     derived = clock()
     mount = made(**{number: NUMBERS[number] for number in names}, mu=0.01, zeta=0.03)
     mount.saddle_nodes(0.1)
@@ -105,8 +105,8 @@ def main() -> None:
     found = rows()
     print("\n".join(document.derive_table(found)))
     busy = {"earlier": document.BUSY} if options.busy else {}
-    told = {"environment": environment.describe(), "bytecode": True, **busy}
-    document.save(document.RESULTS / "derive.json", {**told, "rows": found})
+    conditions = {"environment": environment.describe(), "bytecode": True, **busy}
+    document.save(document.RESULTS / "derive.json", {**conditions, "rows": found})
     document.write()
 
 

@@ -142,14 +142,14 @@ def jobs() -> list[Job]:
 def by_stops(repeats: int) -> list[dict[str, float]]:
     """Seconds of one periodic motion with multipliers by its stops a turn: linear, mu = 0.2, F_0 = 1, and ever slower.
 
-    Each is asked at the middle of the frequencies that have so many, from the motion beside it.
+    Each is taken at the middle of the frequencies that have so many, from the neighbouring motion.
     """
     system = EquationOfMotion(linear(), 0.2, 0.0)
     curve = exact_response(system, 1.0, Omega=(0.03, 0.5))
     out = []
     for count in np.unique(curve.stops):
-        places = np.flatnonzero(curve.stops == count)
-        middle = int(places[len(places) // 2])
+        positions = np.flatnonzero(curve.stops == count)
+        middle = int(positions[len(positions) // 2])
         Omega, near = float(curve.Omega[middle]), curve.steady_state(middle - 1)
         seconds = best(partial(steady_state, system, near, Omega=Omega, F_0=1.0), repeats)
         out.append({"stops": int(count), "Omega": Omega, "seconds": seconds})
@@ -186,9 +186,11 @@ def beside_heyoka() -> list[Row]:
 
 
 def measured() -> list[Row]:
-    """`answer.measure()`: a state's averaged amplitude held against the motion that it leads to."""
-    asked = example.isolator(force="untruncated").amplitudes(Omega=np.linspace(0.5, 1.5, 300), F_0=0.04)
-    return [Row("an averaged answer's error, measured, a state", 1e3 * best(asked.measure, 3) / len(asked), "ms", 0.2)]
+    """`answer.measure()`: a state's averaged amplitude compared with the motion that it leads to."""
+    states = example.isolator(force="untruncated").amplitudes(Omega=np.linspace(0.5, 1.5, 300), F_0=0.04)
+    return [
+        Row("an averaged answer's error, measured, a state", 1e3 * best(states.measure, 3) / len(states), "ms", 0.2)
+    ]
 
 
 def first_answer() -> list[Row]:
@@ -259,9 +261,9 @@ def approximations(exact: bool, curve: Response) -> list[Row]:
     name = NAMES[exact]
     iso = example.isolator(force="untruncated" if exact else "truncated")
     out = []
-    for title, asked in (("averaging", iso), ("second approximation", iso.second_approximation)):
-        job = lambda asked=asked: (asked.frequency_response(0.04), asked.saddle_nodes(0.04))  # noqa: E731
-        folds = asked.saddle_nodes(0.04)
+    for title, approximation in (("averaging", iso), ("second approximation", iso.second_approximation)):
+        job = lambda a=approximation: (a.frequency_response(0.04), a.saddle_nodes(0.04))  # noqa: E731
+        folds = approximation.saddle_nodes(0.04)
         pairs = zip(folds.Omega, sorted(fold.Omega for fold in curve.folds), strict=True)
         out += [
             Row(f"{name}: {title}, curve of 1000 points with both folds", 1e3 * best(job), "ms"),

@@ -52,12 +52,12 @@ def one(question: str, designs: int) -> dict[str, Any]:
     import zarr
 
     lengths = MAPS[designs]
-    r, share, mu = (
+    r, fraction, mu = (
         axis("r", 0.5, 3.0, lengths[0]),
         axis("share", 0.05, 0.95, lengths[1]),
         axis("mu", 0, 0.02, lengths[2]),
     )
-    grid = Isolator.many(lam=3, r=r, delta_h=share / (3 * r), mu=mu, zeta=0.02)
+    grid = Isolator.many(lam=3, r=r, delta_h=fraction / (3 * r), mu=mu, zeta=0.02)
     with tempfile.TemporaryDirectory() as folder, dask.config.set(scheduler="threads", num_workers=1):
         start, worked, before = time.perf_counter(), time.process_time(), peak_memory()
         found = grid.store(folder, question, **QUESTIONS[question])

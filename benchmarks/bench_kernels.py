@@ -62,8 +62,8 @@ def condition(exact: Callable[..., Any], point: tuple[float, ...]) -> list[tuple
         scales = [abs(value) for value in values]
         for k, x in enumerate(point):
             step = mpmath.mpf(x) * mpmath.mpf(10) ** -20
-            moved = exact(*(mpmath.mpf(y) + (step if j == k else 0) for j, y in enumerate(point)))
-            scales = [s + abs((b - a) * x / step) for s, a, b in zip(scales, values, moved, strict=True)]
+            neighbour = exact(*(mpmath.mpf(y) + (step if j == k else 0) for j, y in enumerate(point)))
+            scales = [s + abs((b - a) * x / step) for s, a, b in zip(scales, values, neighbour, strict=True)]
         return list(zip(values, scales, strict=True))
 
 

@@ -46,8 +46,8 @@ def rows(repeats: int | None = None) -> list[dict[str, Any]]:
     mu, zeta = whole.mu, whole.zeta
     no_preload = Model(rod_spring.MECHANISM, rod_spring.coefficients(TABLE_1["lam"], TABLE_1["r"], 0.0), mu, zeta)
     linear = Model(duffing.MECHANISM, (1.0, 0.0), mu, zeta)
-    asked, knows = isolator(), isolator()
-    knows.saddle_node_onset()
+    uninformed, informed = isolator(), isolator()
+    informed.saddle_node_onset()
     Omega = np.array([0.8])
 
     def curve(model: Model, F_0: float) -> Callable[[], Any]:
@@ -62,12 +62,17 @@ def rows(repeats: int | None = None) -> list[dict[str, Any]]:
     pairs = [
         ("delta_h = 0: linear", "frequency_response", curve(no_preload, 0.04), curve(linear, 0.04)),
         ("delta_h = 0: linear", "amplitudes", states(no_preload, 0.04), states(linear, 0.04)),
-        ("F_0 < F_SN, known", "saddle_nodes", lambda: asked.saddle_nodes(0.02), lambda: knows.saddle_nodes(0.02)),
+        (
+            "F_0 < F_SN, known",
+            "saddle_nodes",
+            lambda: uninformed.saddle_nodes(0.02),
+            lambda: informed.saddle_nodes(0.02),
+        ),
         (
             "F_0 < 4 mu/pi: sticks",
             "frequency_response",
-            lambda: knows.frequency_response(0.0153),
-            lambda: knows.frequency_response(0.0152),
+            lambda: informed.frequency_response(0.0153),
+            lambda: informed.frequency_response(0.0152),
         ),
         (
             "phase not asked for",

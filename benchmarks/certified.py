@@ -145,8 +145,8 @@ class Table1:
             step = mpmath.mpf(10) ** (-DIGITS // 2)
             roots = self.fold(A)
             nearest = min(range(len(roots)), key=lambda i: abs(roots[i] - Omega))
-            exact, moved = roots[nearest], self.fold(mpmath.mpf(A) * (1 + step))[nearest]
-            kappa = abs(moved / exact - 1) / step
+            exact, neighbour = roots[nearest], self.fold(mpmath.mpf(A) * (1 + step))[nearest]
+            kappa = abs(neighbour / exact - 1) / step
             return float(abs(Omega / exact - 1) / (1 + kappa) / U)
 
     @staticmethod
@@ -161,5 +161,5 @@ def _digits(text: str) -> Number:
         return mpmath.mpf(text)
 
 
-def _exact(given: Any) -> Fraction:
-    return Fraction(float.fromhex(given[0])) if isinstance(given, list) else Fraction(given)
+def _exact(number: Any) -> Fraction:
+    return Fraction(float.fromhex(number[0])) if isinstance(number, list) else Fraction(number)

@@ -27,7 +27,7 @@ RESULTS = Path(__file__).with_name("results") / "claims.json"
 
 WINDOW = (0.5, 1.5)  # Appendix A
 STEPS = 300  # Appendix A
-BEYOND = (0.49, 1.52)  # exact curves reach further than what is held against them
+BEYOND = (0.49, 1.52)  # exact curves reach further than what is compared with them
 # the text does not have the ratios of Figs. 2a and 2b, nor r, mu and F_0 of Fig. 2b: ratios up to pi/4 are tried, with
 # Table 1's r, the forcings of Table 2, and forcings that hold A = 0.8 and 1.4 u_cr on the backbone whatever mu, without
 # which there would be no folds to compare at high ratios
@@ -129,7 +129,7 @@ def averaged_side(averaged: Isolator, F_0: float) -> dict[str, Any]:
     }
 
 
-def held(averaged: Isolator, F_0: float) -> dict[str, Any]:
+def compared(averaged: Isolator, F_0: float) -> dict[str, Any]:
     """One averaged curve against the exact one with the untruncated force, which is what the paper integrates."""
     exact = averaged.exact_response(F_0, Omega=BEYOND, step=STEP, force="untruncated")
     states = averaged.amplitudes(Omega=np.linspace(*WINDOW, STEPS + 1), F_0=F_0)
@@ -157,7 +157,7 @@ def figure_2b() -> list[dict[str, Any]]:
         for F_0 in (*FORCINGS_2B, *resonant):
             averaged = isolator(mu=ratio * F_0)
             if averaged_side(averaged, F_0)["A"] < 1:
-                found.append({**held(averaged, F_0), "ratio": ratio})
+                found.append({**compared(averaged, F_0), "ratio": ratio})
     return found
 
 
@@ -169,7 +169,7 @@ def figure_7a() -> dict[str, Any]:
     off = validity.onset(averaged, F_SN)["exact"]
     return {
         "F_SN": {"averaged": F_SN, "off": off},
-        "rows": [{"forcing": label, **held(averaged, F_0)} for label, F_0 in forcings.items()],
+        "rows": [{"forcing": label, **compared(averaged, F_0)} for label, F_0 in forcings.items()],
     }
 
 

@@ -93,15 +93,15 @@ def scene(question: str, kind: str, drawn: random.Random) -> Scene:
         return read(path)
 
 
-def once(of: Scene, asked: Asked) -> float:
+def once(of: Scene, request: Asked) -> float:
     """Seconds of one answer over what it is counted by; of tolerances design by design, those of a tenth of them."""
     begun = time.process_time()
-    few = asked.question == "tolerances" and Subject(of.oscillator, asked.arguments["within"]).one_by_one
+    few = request.question == "tolerances" and Subject(of.oscillator, request.arguments["within"]).one_by_one
     if few:
-        tolerances(of.oscillator, **of.arguments(asked), samples=FEW_SAMPLES // 10)
+        tolerances(of.oscillator, **of.arguments(request), samples=FEW_SAMPLES // 10)
     else:
-        of.answer(asked)
-    return (time.process_time() - begun) * (10 if few else 1) / asked.count()
+        of.answer(request)
+    return (time.process_time() - begun) * (10 if few else 1) / request.count()
 
 
 def entries() -> Iterator[tuple[str, str, list[float]]]:
@@ -111,12 +111,12 @@ def entries() -> Iterator[tuple[str, str, list[float]]]:
             drawn, times, begun = random.Random(SEED), {}, time.monotonic()
             for _ in range(DESIGNS):
                 of = scene(question, kind, drawn)
-                for asked in of.asked:
+                for request in of.asked:
                     try:
-                        took = once(of, asked)
+                        took = once(of, request)
                     except SlowflowError:
                         continue
-                    times.setdefault(asked.cost, []).append(took)
+                    times.setdefault(request.cost, []).append(took)
                 if time.monotonic() - begun > PATIENCE:
                     break
             for entry, found in times.items():

@@ -50,15 +50,15 @@ SOURCES = {
     ),
     "counted_motion": ("benchmarks/counted_motion.c",),
 }
-#: by kind: its number in counted.c, the seconds that are asked of a design, its name, the compiled loop
+#: by kind: its number in counted.c, the target in seconds for a design, its name, the compiled loop
 KINDS = {
     "amplitudes": (0, 0.5e-6, "the states of one design", AMPLITUDES),
     "saddle_nodes": (1, 1e-6 / 0.3, "all folds of one design", SADDLE_NODES),
     "peak": (2, 1e-6, "one peak", PEAK),
     "saddle_node_onset": (3, 1e-6, "one F_SN", ONSET),
 }
-#: what is asked of a curve of so many points with its folds, in seconds
-CURVE, SAMPLES, PLACES = 1 / 15e3, 1000, 4096
+#: target for a curve of so many points with its folds, in seconds
+CURVE, SAMPLES, MAX_POINTS = 1 / 15e3, 1000, 4096
 #: the same of the second approximation's, and of the roots of one quartic
 SECOND, QUARTIC = 0.4e-3, 40e-9
 #: blocks of 64 quartics of each of the scenes that the target is measured on
@@ -67,13 +67,13 @@ QUARTICS = 4096
 SERIES = 2 * 25
 #: of a design's folds or states, as by default
 PLACES_OF_ONE = 6
-PARTS = (
+OPERATIONS = (
     "averages h to h_AAA",
     "of these in double-double",
     "values of what is searched",
     "ranges of it on cells",
     "cells judged in lanes",
-    "amplitudes asked in lanes",
+    "amplitudes solved in lanes",
     "quartics by themselves",
     "designs' parameters and pieces",
     "the same on intervals, for jumps of the force",
@@ -84,16 +84,16 @@ PARTS = (
 
 def of(kinds: Iterable[str]) -> list[str]:
     """One sentence for each kind that is known here."""
-    wanted = set(kinds)
-    known = [kind for kind in (*KINDS, "curve", *OTHERS) if kind in wanted]
+    requests = set(kinds)
+    known = [kind for kind in (*KINDS, "curve", *OTHERS) if kind in requests]
     if not known or shutil.which("gcc") is None:
         return ["what batches are made of was not counted: there is no gcc"] if known else []
     designs = jobs.FAMILIES["random"](DESIGNS)
-    given = list(designs.values.values())
+    parameters = list(designs.values.values())
     F_0 = slow_flow.friction(designs.values["mu"]) + 0.03
     Omega = np.random.default_rng(DESIGNS).uniform(0.3, 1.5, DESIGNS)
-    inputs = np.array([*given, F_0, Omega])
-    asked: dict[str, Callable[[], Any]] = {
+    inputs = np.array([*parameters, F_0, Omega])
+    calls: dict[str, Callable[[], Any]] = {
         "amplitudes": lambda: designs.amplitudes(Omega=Omega, F_0=F_0),
         "saddle_nodes": lambda: designs.saddle_nodes(F_0),
         "peak": lambda: designs.peak(F_0),
@@ -105,7 +105,7 @@ def of(kinds: Iterable[str]) -> list[str]:
         return [
             others[kind](built["counted_motion" if kind == "motion" else "counted"])
             if kind in others
-            else _sentence(kind, built["counted"].count, inputs, designs, asked[kind])
+            else _sentence(kind, built["counted"].count, inputs, designs, calls[kind])
             for kind in known
         ]
 
@@ -120,26 +120,28 @@ def _built(folder: Path, name: str) -> ctypes.CDLL:
 
 
 def _sentence(kind: str, count: Any, inputs: np.ndarray, designs: Any, ask: Callable[[], Any]) -> str:
-    number, wanted, name, question = KINDS[kind]
-    out = np.zeros(2 * len(PARTS))
+    number, target, name, question = KINDS[kind]
+    out = np.zeros(2 * len(OPERATIONS))
     pointers = (array.ctypes.data_as(ctypes.POINTER(ctypes.c_double)) for array in (inputs, out))
     if not count(number, b"rod_spring", ctypes.c_long(inputs.shape[1]), *pointers):
         raise RuntimeError("the record of the isolator is not compiled in")
     times, costs = np.split(out, 2)
     whole, in_c = np.array(_in_turn(ask, _loop(question, inputs, designs))) / inputs.shape[1]
-    parts = [f"{n:.3g} {part} of {quantity(cost, 's')}" for n, part, cost in zip(times, PARTS, costs, strict=True) if n]
+    terms = [
+        f"{n:.3g} {part} of {quantity(cost, 's')}" for n, part, cost in zip(times, OPERATIONS, costs, strict=True) if n
+    ]
     each = [n * cost for n, cost in zip(times, costs, strict=True) if n]
     return (
-        f"{name} takes {quantity(whole, 's')}, asked {quantity(wanted, 's')}: {', '.join(parts)}, Python and NumPy "
+        f"{name} takes {quantity(whole, 's')}, target {quantity(target, 's')}: {', '.join(terms)}, Python and NumPy "
         f"{quantity(whole - in_c, 's')}: {_added(whole, [*each, whole - in_c])}"
     )
 
 
-def _added(whole: float, parts: list[float]) -> str:
-    """The parts of a time, their sum, and what of it is left."""
-    left = whole - sum(parts)
+def _added(whole: float, terms: list[float]) -> str:
+    """The terms of a time, their sum, and what they leave unexplained."""
+    left = whole - sum(terms)
     return (
-        f"{', '.join(quantity(part, 's') for part in parts)}, together {quantity(sum(parts), 's')}; unexplained "
+        f"{', '.join(quantity(part, 's') for part in terms)}, together {quantity(sum(terms), 's')}; unexplained "
         f"{quantity(left, 's')}, {100 * left / whole:.0f} %"
     )
 
@@ -149,13 +151,13 @@ def _loop(question: Question, inputs: np.ndarray, designs: Any) -> Callable[[], 
     assert question.batch is not None  # all of these are compiled
     solve = question.batch(backend.SOLVER)(backend.record_of(designs.mechanism, inertial=False))
     size = inputs.shape[1]
-    given = inputs[: solve.nin]
+    rows = inputs[: solve.nin]
     out = tuple(QUESTIONS[question.name].blank(question.system, (size,), place=PLACES_OF_ONE).values())
 
     def blocks() -> None:
         for start in range(0, size, question.at_once):
             part = slice(start, start + question.at_once)
-            solve(*given[:, part], out=tuple(column[part] for column in out))
+            solve(*rows[:, part], out=tuple(column[part] for column in out))
 
     return blocks
 
@@ -164,18 +166,18 @@ def _of_curve(library: Any) -> str:
     """A curve of Table 1 with its folds: what compiled code does of it, and what is left to Python."""
     ask, _ = jobs.prepare()["curve"]
     design, window, out = np.array(list(TABLE_1.values())), np.array(WINDOW), np.zeros(6)
-    given, shown, found = (array.ctypes.data_as(ctypes.POINTER(ctypes.c_double)) for array in (design, window, out))
-    F_0, samples, places = ctypes.c_double(certified.F_0), ctypes.c_double(SAMPLES), ctypes.c_long(PLACES)
-    if not library.curve(b"rod_spring", given, F_0, shown, samples, places, found):
+    numbers, shown, found = (array.ctypes.data_as(ctypes.POINTER(ctypes.c_double)) for array in (design, window, out))
+    F_0, samples, max_count = ctypes.c_double(certified.F_0), ctypes.c_double(SAMPLES), ctypes.c_long(MAX_POINTS)
+    if not library.curve(b"rod_spring", numbers, F_0, shown, samples, max_count, found):
         raise RuntimeError("the curve of Table 1 is not drawn")
     points, averages, ranges, *seconds = out
     whole = _seconds(lambda: [ask() for _ in range(100)]) / 100
     made = _seconds(lambda: [example.isolator() for _ in range(100)]) / 100
-    segments, along, folds, each = (quantity(part, "s") for part in (*seconds, seconds[1] / points))
+    segments, on_segments, folds, each = (quantity(part, "s") for part in (*seconds, seconds[1] / points))
     return (
-        f"one curve of {points:.0f} points with its folds takes {quantity(whole, 's')}, asked {quantity(CURVE, 's')}: "
+        f"one curve of {points:.0f} points with its folds takes {quantity(whole, 's')}, target {quantity(CURVE, 's')}: "
         f"its segments by {averages:.0f} averages and {ranges:.0f} ranges on cells {segments}, the points on them "
-        f"{along}, of each {each}, its folds {folds}, an isolator made {quantity(made, 's')}: "
+        f"{on_segments}, of each {each}, its folds {folds}, an isolator made {quantity(made, 's')}: "
         f"{_added(whole, [*seconds, made])}, Python's: arrays copied, remarks, answers named"
     )
 
@@ -186,32 +188,32 @@ def _of_second(library: Any) -> str:
     first = example.isolator()
     marks = [*first.saddle_nodes(certified.F_0).Omega, first.peak(certified.F_0).Omega]
     around = (min(marks) / BEYOND, max(marks) * BEYOND)
-    design, compiled, told = np.array(list(TABLE_1.values())), 0.0, []
-    solver, asked = backend.SOLVER, (first.model.native, certified.F_0)
-    for name, wanted, drawn, ask_compiled in (
+    design, compiled, sentences = np.array(list(TABLE_1.values())), 0.0, []
+    solver, arguments = backend.SOLVER, (first.model.native, certified.F_0)
+    for name, request, drawn, ask_compiled in (
         (
             "its points",
             Wanted.EVERY_POINT,
             first.frequency_response(certified.F_0, samples=SAMPLES),
-            lambda: solver.second_curve(*asked, Wanted.EVERY_POINT, SAMPLES, *WINDOW),
+            lambda: solver.second_curve(*arguments, Wanted.EVERY_POINT, SAMPLES, *WINDOW),
         ),
         (
             "its folds",
             Wanted.FOLDS_ONLY,
             first.frequency_response(certified.F_0, samples=FEWER, Omega=around),
-            lambda: solver.second_saddle_nodes(*asked, np.inf, np.inf),
+            lambda: solver.second_saddle_nodes(*arguments, np.inf, np.inf),
         ),
     ):
         out, columns = np.zeros(4), (drawn.Omega, drawn.A, drawn.branch.astype(np.int64))
-        given, Omega, A, branch, found = (_pointer(array) for array in (design, *columns, out))
-        places = ctypes.c_long(len(drawn))
+        parameters, Omega, A, branch, found = (_pointer(array) for array in (design, *columns, out))
+        count = ctypes.c_long(len(drawn))
         if not library.second(
-            *(b"rod_spring", given, ctypes.c_double(certified.F_0), int(wanted), places, Omega, A, branch, found)
+            *(b"rod_spring", parameters, ctypes.c_double(certified.F_0), int(request), count, Omega, A, branch, found)
         ):
             raise RuntimeError("the second approximation of Table 1 is not drawn")
         averages, balances, average, balance = out
         whole = _seconds(lambda ask=ask_compiled: [ask() for _ in range(100)]) / 100
-        told.append(
+        sentences.append(
             f"{name} by {averages:.0f} averages with their harmonics of {quantity(average, 's')} and {balances:.0f} "
             f"balances of {quantity(balance, 's')}, {quantity(averages * average + balances * balance, 's')} of "
             f"{quantity(whole, 's')}, averaging's curve that they begin with among it"
@@ -219,19 +221,19 @@ def _of_second(library: Any) -> str:
         compiled += whole
     better = first.second_approximation
     curve, folds = better.frequency_response(certified.F_0, samples=SAMPLES), better.saddle_nodes(certified.F_0)
-    beside: dict[str, Callable[[], Any]] = {
+    extras: dict[str, Callable[[], Any]] = {
         "an isolator made": example.isolator,
         "what is to be said of validity": lambda: [better._remarked("", x.Omega, x.A) for x in (curve, folds)],
         "answers as records that do not change": lambda: [replace(x, message="") for x in (curve, folds)],
     }
     whole, *others = (
         seconds / 100
-        for seconds in _in_turn(*(lambda of=of: [of() for _ in range(100)] for of in (ask, *beside.values())))
+        for seconds in _in_turn(*(lambda of=of: [of() for _ in range(100)] for of in (ask, *extras.values())))
     )
-    each = ", ".join(f"{name} {quantity(taken, 's')}" for name, taken in zip(beside, others, strict=True))
+    each = ", ".join(f"{name} {quantity(taken, 's')}" for name, taken in zip(extras, others, strict=True))
     return (
-        f"one curve of the second approximation with its folds takes {quantity(whole, 's')}, asked "
-        f"{quantity(SECOND, 's')}: {', '.join(told)}, {each}: {_added(whole, [compiled, *others])}"
+        f"one curve of the second approximation with its folds takes {quantity(whole, 's')}, target "
+        f"{quantity(SECOND, 's')}: {', '.join(sentences)}, {each}: {_added(whole, [compiled, *others])}"
     )
 
 
@@ -242,14 +244,14 @@ def _of_quartics(library: Any) -> str:
     slowest = max(SCENES, key=took.__getitem__)
     out = np.zeros(7)
     library.quartics(ctypes.c_long(QUARTICS), *(_pointer(array) for array in (blocks[slowest], out)))
-    roots, on, unsure, signs, root, further, alone = out
-    parts = signs, roots * root, on * further, unsure * alone
-    signs, root, further, alone = (quantity(cost, "s") for cost in (signs, root, further, alone))
+    roots, on, unsure, signs, root, further, single = out
+    terms = signs, roots * root, on * further, unsure * single
+    signs, root, further, single = (quantity(cost, "s") for cost in (signs, root, further, single))
     return (
-        f"one quartic of the scene {slowest} takes {quantity(took[slowest], 's')}, asked {quantity(QUARTIC, 's')}: "
+        f"one quartic of the scene {slowest} takes {quantity(took[slowest], 's')}, target {quantity(QUARTIC, 's')}: "
         f"its signs in lanes {signs}, {roots:.3g} roots in lanes of {root}, {on:.3g} of them that go on in "
-        f"double-double of {further}, {unsure:.3g} quartics whose signs are unsure in double of {alone}: "
-        f"{_added(took[slowest], list(parts))}"
+        f"double-double of {further}, {unsure:.3g} quartics whose signs are unsure in double of {single}: "
+        f"{_added(took[slowest], list(terms))}"
     )
 
 
@@ -268,14 +270,14 @@ def _of_motion(library: Any) -> str:
         _pointer(out),
     ):
         raise RuntimeError("the motion of Table 1 is not followed")
-    asked = compiled.handle(system), bench_exact.OMEGA, certified.F_0, 0.0, 0.0, 0.0, end, False, 0, 0, 10**6
+    arguments = compiled.handle(system), bench_exact.OMEGA, certified.F_0, 0.0, 0.0, 0.0, end, False, 0, 0, 10**6
     whole, in_c = _in_turn(
         job.run,
-        lambda: backend.EXACT.follow(*asked),
+        lambda: backend.EXACT.follow(*arguments),
     )
     phases, steps, searches, step, search = out
     return (
-        f"{job.name} take {quantity(whole, 's')}, asked {quantity(1e-3 * (job.bound or 0), 's')}: {phases:.0f} phases "
+        f"{job.name} take {quantity(whole, 's')}, target {quantity(1e-3 * (job.bound or 0), 's')}: {phases:.0f} phases "
         f"by {steps:.0f} steps of {SERIES} coefficients, of which none is known before the one below it, of "
         f"{quantity(step, 's')}, {searches:.0f} searches for a stop on a step of {quantity(search, 's')}, Python, a "
         f"record of each phase, {quantity(whole - in_c, 's')}: "
@@ -295,13 +297,13 @@ def _seconds(ask: Callable[[], Any]) -> float:
     return _in_turn(ask)[0]
 
 
-def _in_turn(*asked: Callable[[], Any]) -> list[float]:
-    """The least seconds of each, all asked in every round."""
-    best = [np.inf] * len(asked)
-    for ask in asked:
+def _in_turn(*calls: Callable[[], Any]) -> list[float]:
+    """The least seconds of each call; every round runs all of them."""
+    best = [np.inf] * len(calls)
+    for ask in calls:
         ask()
     for _ in range(ROUNDS):
-        for i, ask in enumerate(asked):
+        for i, ask in enumerate(calls):
             start = time.process_time()
             ask()
             best[i] = min(best[i], time.process_time() - start)

@@ -42,16 +42,16 @@ def measured(random: np.random.Generator, noise: float, low: float, high: float)
 
 
 def coverage(free: tuple[str, ...], case: str, fits: int, seed: int = 5) -> tuple[int, int, float]:
-    """Intervals that held their number, how many there are, and the median time of a fit in seconds of a processor."""
-    random, held, times = np.random.default_rng(seed), [], []
+    """Intervals that cover their number, how many there are, and the median time of a fit in seconds of a processor."""
+    random, covered, times = np.random.default_rng(seed), [], []
     for _ in range(fits):
         one, points = measured(random, *CASES[case])
         start = one.replace(**{name: one.given[name] * np.exp(random.uniform(-0.3, 0.3)) for name in free})
         begin = time.process_time()
         found = fit(start, **points, free=free)
         times.append(time.process_time() - begin)
-        held += [row.low < one.given[row.parameter] < row.high for row in found]
-    return sum(held), len(held), float(np.median(times))
+        covered += [row.low < one.given[row.parameter] < row.high for row in found]
+    return sum(covered), len(covered), float(np.median(times))
 
 
 def main(fits: int = 100) -> None:
@@ -59,8 +59,10 @@ def main(fits: int = 100) -> None:
     warnings.simplefilter("ignore")  # of what a fit ends with the message tells
     for n in range(1, len(NAMES) + 1):
         for case in CASES:
-            held, of, seconds = coverage(NAMES[:n], case, fits)
-            print(f"{n} free, {case:8}: {held} of {of} intervals held, {seconds:.2f} s a fit", flush=True)
+            covered, of, seconds = coverage(NAMES[:n], case, fits)
+            print(
+                f"{n} free, {case:8}: {covered} of {of} intervals cover the number, {seconds:.2f} s a fit", flush=True
+            )
 
 
 if __name__ == "__main__":

@@ -29,8 +29,8 @@ MARKERS = dict(zip(COLOURS, "oo^DvPsdX", strict=True))
 #: offset of a text in points, and which of its ends is there
 BELOW, ABOVE = ((0, -7), "center", "top"), ((0, 7), "center", "bottom")
 LEFT, RIGHT = ((-8, 0), "right", "center"), ((9, 0), "left", "center")
-#: where a method's name stands beside its most accurate point, if not below it
-PLACES = {
+#: position of a method's name at its most accurate point, if not below it
+NAME_POSITIONS = {
     ("response", "numpy.roots"): ((-28, -3), "right", "top"),
     ("folds", "numpy.roots"): LEFT,
     ("onset", "numpy.roots"): RIGHT,
@@ -87,28 +87,28 @@ def _scene(ax: Axes, scene: dict[str, Any]) -> None:
     for method in dict.fromkeys(row["method"] for row in scene["rows"]):
         rows = [row for row in scene["rows"] if row["method"] == method]
         colour, marker = COLOURS[method], MARKERS[method]
-        leftmost, said = rows[0]["variant"].split(",")[0], list[str]()
+        leftmost, labelled = rows[0]["variant"].split(",")[0], list[str]()
         for row in rows:
             if row["error"] is None:
                 # nothing right was found: there is no error to show
                 ax.plot(row["seconds"], 1, "x", color=colour, ms=8, mew=2)
-                _beside(ax, row["seconds"], 1, f"{row['variant'].split(',')[0]}: wrong", colour, RIGHT)
+                _label(ax, row["seconds"], 1, f"{row['variant'].split(',')[0]}: wrong", colour, RIGHT)
                 continue
             low, high = _shown(row["error"]), _shown(row["error_max"])
             ax.plot([row["seconds"]] * 2, [low, high], color=colour, lw=1.2)
             whole, setting = row["missed"] == 0, row["variant"].split(",")[0]
             ax.plot(row["seconds"], high, marker, color=colour, mfc=colour if whole else "white", ms=6.5)
-            if not whole and setting not in said:
-                said.append(setting)
+            if not whole and setting not in labelled:
+                labelled.append(setting)
                 side = ABOVE if len(rows) == 1 else LEFT if setting == leftmost else RIGHT
-                _beside(ax, row["seconds"], high, f"{setting}: {row['missed']} missed", colour, side)
+                _label(ax, row["seconds"], high, f"{setting}: {row['missed']} missed", colour, side)
         found = sorted((row for row in rows if row["error"] is not None), key=lambda row: row["error_max"])
         if method in ON_TOP:
             row, place = found[-1], ABOVE
         else:
-            row, place = found[0], PLACES.get((scene["scene"], method), BELOW)
+            row, place = found[0], NAME_POSITIONS.get((scene["scene"], method), BELOW)
         y = row["error"] if place is BELOW else row["error_max"]
-        _beside(ax, row["seconds"], _shown(y), method.replace(", ", ",\n"), colour, place, weight="bold", size=9)
+        _label(ax, row["seconds"], _shown(y), method.replace(", ", ",\n"), colour, place, weight="bold", size=9)
     low, high = ax.get_xlim()
     ax.set_xlim(low / 3, high * 12)
 
@@ -118,7 +118,7 @@ def _shown(error: float) -> float:
     return max(error, 2e-17)
 
 
-def _beside(ax: Axes, x: float, y: float, text: str, colour: str, place: Any, **font: Any) -> None:
+def _label(ax: Axes, x: float, y: float, text: str, colour: str, place: Any, **font: Any) -> None:
     offset, ha, va = place
     font = {"size": 7.5, **font}
     ax.annotate(text, (x, y), xytext=offset, textcoords="offset points", color=colour, ha=ha, va=va, **font)
@@ -134,7 +134,7 @@ def _sizes(ax: Axes, rows: list[dict[str, Any]], unit: str, title: str) -> None:
         ax.plot(size, seconds, "--" if dashed else "-", marker=MARKERS[method], color=COLOURS[method], ms=4, lw=1.3)
         text = f"{name.replace('slowflow, ', '')}, {quantity(seconds[-1] / size[-1], 's')} each"
         place = SIDES.get(name, ((7, 3), "left", "center"))
-        _beside(ax, size[-1], seconds[-1], text.replace(", ", "\n").replace(": ", "\n"), COLOURS[method], place, size=8)
+        _label(ax, size[-1], seconds[-1], text.replace(", ", "\n").replace(": ", "\n"), COLOURS[method], place, size=8)
     low, high = ax.get_xlim()
     ax.set_xlim(low, high * 30)
     low, high = ax.get_ylim()

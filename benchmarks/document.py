@@ -25,7 +25,7 @@ Written by `make bench`, from the JSON files in this folder. [For users](../../d
 #: of rows that are not from a quiet machine
 BUSY = "measured in another run, while other work kept the machine busy"
 #: parts of a second
-PARTS = ((1e-3, "ms"), (1e-6, "µs"), (1e-9, "ns"))
+SUBUNITS = ((1e-3, "ms"), (1e-6, "µs"), (1e-9, "ns"))
 
 
 def save(path: Path, content: Any) -> None:
@@ -37,7 +37,7 @@ def save(path: Path, content: Any) -> None:
 def quantity(value: float, unit: str) -> str:
     """A number with three digits and its unit; seconds in a unit that fits."""
     if unit == "s" and abs(value) < 1:
-        scale, unit = next((pair for pair in PARTS if abs(value) >= pair[0]), PARTS[-1])
+        scale, unit = next((pair for pair in SUBUNITS if abs(value) >= pair[0]), SUBUNITS[-1])
         value /= scale
     if value and abs(value) >= 1e5:
         power = math.floor(math.log10(abs(value)))
@@ -56,7 +56,7 @@ def bench_table(rows: list[dict[str, Any]], targets: bool = True) -> list[str]:
     """Job, measured median, comparison, error; with targets these and whether they are reached."""
     cells = []
     for row in rows:
-        others = [told or f"{name} is not at hand here" for name, told in row.get("others", {}).items()]
+        others = [text or f"{name} is not at hand here" for name, text in row.get("others", {}).items()]
         measured = (
             row["job"],
             quantity(row["measured"], row["unit"]),

@@ -140,8 +140,8 @@ def prepare() -> dict[str, Job]:
                 of_batch,
             )
             for question in ("saddle_nodes", "peak"):
-                asked = batch(question, "random", count, above=0.03, workers=workers)
-                jobs[f"cores {question} {count} {workers}"] = asked, of_batch
+                job = batch(question, "random", count, above=0.03, workers=workers)
+                jobs[f"cores {question} {count} {workers}"] = job, of_batch
             jobs[f"cores amplitudes {count} {workers}"] = states(count, workers), of_batch
         for question in ("saddle_nodes", "peak"):
             jobs[f"random {question} {count}"] = batch(question, "random", count, above=0.03), of_batch
@@ -169,11 +169,11 @@ def states(count: int, workers: int = 1) -> Callable[[], Any]:
 
 
 def batch(
-    question: str, family: str, count: int, *, above: float | None = None, second: bool = False, **given: Any
+    question: str, family: str, count: int, *, above: float | None = None, second: bool = False, **arguments: Any
 ) -> Callable[[], Any]:
-    """A question to so many designs, which are made when it is first asked; its forcing is so much above sticking.
+    """A question to so many designs, which are made at the first call; its forcing is so much above sticking.
 
-    given -- further arguments of the question
+    arguments -- further arguments of the question
     """
     made: list[Any] = []
 
@@ -183,6 +183,6 @@ def batch(
             made.append(designs.second_approximation if second else designs)
             if above is not None:
                 made.append(4 / np.pi * designs.values["mu"] + above)
-        return getattr(made[0], question)(*made[1:], **given)
+        return getattr(made[0], question)(*made[1:], **arguments)
 
     return ask

@@ -120,10 +120,10 @@ def machine(cores: bool) -> list[str]:
         flags = ["-O3", "-march=native", "-ffp-contract=fast", "-shared", "-fPIC"]
         subprocess.run(["gcc", *flags, str(source), "-o", str(library)], check=True)
         loaded = ctypes.CDLL(str(library))
-        asked = {"triad": (loaded.triad, 1 << 25), "fused": (loaded.fused, CALLS)}
-        for function, _ in asked.values():
+        calls = {"triad": (loaded.triad, 1 << 25), "fused": (loaded.fused, CALLS)}
+        for function, _ in calls.values():
             function.restype = ctypes.c_double
-        rates = {name: max(function(ctypes.c_long(n)) for _ in range(3)) for name, (function, n) in asked.items()}
+        rates = {name: max(function(ctypes.c_long(n)) for _ in range(3)) for name, (function, n) in calls.items()}
         out = [
             f"one core of this machine: triad {rates['triad'] / 1e9:.3g} GB/s, "
             f"{rates['fused'] / 1e9:.3g} fused multiply-adds of doubles a ns in vectors"
@@ -134,9 +134,9 @@ def machine(cores: bool) -> list[str]:
                 both = {
                     # calls long enough that all of them are under way together for most of the time
                     name: max(sum(pool.map(function, [ctypes.c_long(4 * n)] * threads)) for _ in range(3))
-                    for name, (function, n) in asked.items()
+                    for name, (function, n) in calls.items()
                 }
-            times = ", ".join(f"{name} {both[name] / rates[name]:.3g} times" for name in asked)
+            times = ", ".join(f"{name} {both[name] / rates[name]:.3g} times" for name in calls)
             out.append(f"{threads} threads that share nothing over one of them, by the clock on the wall: {times}")
     return out
 
@@ -210,16 +210,16 @@ def pace(rows: list[dict[str, Any]]) -> list[str]:
     here = next((row["known"] for row in rows if row["known"]), None)
     slower = sum(here) / sum(BOOST) if here else 1.0
     missed = [(row["job"], _missed_by(row), row["limit"]) for row in rows if not row["reached"]]
-    by_less = [f"{job} (by {share:.2g})" for job, share, _ in missed if share <= slower]
-    silent = [job for job, share, limit in missed if share > slower and not limit]
-    told = "what this machine does beside the one of the targets was not measured: Boost.Math is not at hand"
+    by_less = [f"{job} (by {factor:.2g})" for job, factor, _ in missed if factor <= slower]
+    silent = [job for job, factor, limit in missed if factor > slower and not limit]
+    message = "what this machine does beside the one of the targets was not measured: Boost.Math is not at hand"
     if here:
-        told = (
+        message = (
             f"where the targets were set Boost.Math took {BOOST[0]:g} to {BOOST[1]:g} ns a quartic, and "
             f"{here[0]:.3g} to {here[1]:.3g} ns here, {slower:.2g} times as long"
         )
     return [
-        f"{told}; missed by less than that: {', '.join(by_less)}" if by_less else told,
+        f"{message}; missed by less than that: {', '.join(by_less)}" if by_less else message,
         *([f"missed, and not known why: {', '.join(silent)}"] if silent else []),
     ]
 

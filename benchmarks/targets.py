@@ -75,7 +75,7 @@ class Target:
 def measure(size: Size) -> list[dict[str, Any]]:
     """All targets."""
     found: list[Target] = []
-    for part in PARTS:
+    for part in GROUPS:
         print(f"{part.__name__} ...", file=sys.stderr, flush=True)
         found += part(size)
     return [{**asdict(row), "reached": row.reached} for row in found]
@@ -85,9 +85,9 @@ def with_earlier(rows: list[dict[str, Any]], before: dict[str, Any]) -> list[dic
     """The rows, in which others that are not at hand have what was last measured of them, which says so."""
     known = {row["job"]: row.get("others", {}) for row in before.get("rows", ())}
     for row in rows:
-        for name, told in row["others"].items():
+        for name, text in row["others"].items():
             old = known.get(row["job"], {}).get(name)
-            if told is None and old is not None:
+            if text is None and old is not None:
                 note = "" if EARLIER in old else f" ({EARLIER} {before['environment']['processor']})"
                 row["others"][name] = old + note
     return rows
@@ -129,8 +129,8 @@ def quartics(size: Size) -> list[Target]:
         )
     for name in (bench_roots.BOOST, bench_roots.ACM):
         rows_of = [of[scene, name] for scene in bench_roots.SCENES if (scene, name) in of]
-        told = _of_peer(name, rows_of, size) if rows_of else None
-        out[0] = replace(out[0], others={**out[0].others, name: told})
+        text = _of_peer(name, rows_of, size) if rows_of else None
+        out[0] = replace(out[0], others={**out[0].others, name: text})
         if name == bench_roots.BOOST and rows_of:
             out[0] = replace(out[0], known=[pick(row["ns"] for row in rows_of) for pick in (min, max)])
     return out
@@ -194,8 +194,8 @@ def curves(size: Size) -> list[Target]:
     curve, locus = answers["curve"], answers["locus"]
     folds = [
         certified.relative_error(value, exact)
-        for found, wanted in zip(curve["folds"], certified.folds(), strict=True)
-        for value, exact in zip(found, wanted, strict=True)
+        for found, expected in zip(curve["folds"], certified.folds(), strict=True)
+        for value, exact in zip(found, expected, strict=True)
     ]
     table_1 = certified.Table1()
     on_locus = [table_1.fold_error(Omega, A) for Omega, A in locus["some"]]
@@ -257,12 +257,12 @@ def batches(size: Size) -> list[Target]:
 def cores(size: Size) -> list[Target]:
     """How much more so many workers do than one, question by question, by the clock on the wall, at their best."""
     there = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    asked = {"saddle_node_onset": "F_SN", "saddle_nodes": "folds", "peak": "peaks", "amplitudes": "states"}
+    titles = {"saddle_node_onset": "F_SN", "saddle_nodes": "folds", "peak": "peaks", "amplitudes": "states"}
     workers = sorted({1, *(2**power for power in range(there.bit_length())), there})
-    names = {(question, n): f"cores {question} {size.onsets} {n}" for question in asked for n in workers}
+    names = {(question, n): f"cores {question} {size.onsets} {n}" for question in titles for n in workers}
     answers = answered(names.values(), min(size.rounds, 5))
     out = []
-    for question, title in asked.items():
+    for question, title in titles.items():
         taken = {n: answers[names[question, n]]["least"] for n in workers}
         each = ", ".join(f"{n}: {quantity(size.onsets / seconds, 'a second')}" for n, seconds in taken.items())
         out.append(
@@ -278,17 +278,17 @@ def cores(size: Size) -> list[Target]:
 
 def rates(size: Size) -> list[Target]:
     """Answers a second on one core, of random designs: folds, peaks, states, whole curves."""
-    wanted = {
+    targets = {
         "saddle_nodes": ("every fold at F_0", 3e5),
         "peak": ("highest peak at F_0", 1e6),
         "amplitudes": ("states at (Ω, F_0)", 2e6),
     }
-    names = [f"random {name} {size.onsets}" for name in wanted]
+    names = [f"random {name} {size.onsets}" for name in targets]
     drawn = min(size.onsets, CURVES)
     drawing = f"random frequency_response {drawn}"
     answers = answered([*names, drawing, "curve"], min(size.rounds, 3))
     out = []
-    for name, (title, least) in wanted.items():
+    for name, (title, least) in targets.items():
         answer = answers[f"random {name} {size.onsets}"]
         out.append(
             Target(
@@ -329,7 +329,7 @@ def gradients(size: Size) -> list[Target]:
         *((f"Table 1, {excited}", partial(isolator, excitation=excited)) for excited in ("force", "base")),
         (f"{count} random designs", lambda: designs),
     ):
-        shares = {}
+        ratios = {}
         for question, at in ANSWERS.items():
             if made() is designs and question == "frequency_response":
                 continue  # curves of many designs have no gradient of each point
@@ -341,17 +341,17 @@ def gradients(size: Size) -> list[Target]:
                 answer.gradient()
                 answering.append(answered - start)
                 moving.append(time.perf_counter() - answered)
-            shares[question] = float(np.median(moving) / np.median(answering))
-        worst = max(shares, key=lambda question: shares[question])
-        each = ", ".join(f"{question} {share:.2g} ×" for question, share in shares.items())
-        out.append(Target(f"gradient over its answer, {where}, worst", *(2.0, shares[worst], "×", True), each, "", ""))
+            ratios[question] = float(np.median(moving) / np.median(answering))
+        worst = max(ratios, key=lambda question: ratios[question])
+        each = ", ".join(f"{question} {ratio:.2g} ×" for question, ratio in ratios.items())
+        out.append(Target(f"gradient over its answer, {where}, worst", *(2.0, ratios[worst], "×", True), each, "", ""))
     return out
 
 
 def second(size: Size) -> list[Target]:
     """The second approximation: a curve with its folds, and batches."""
-    shares = {"saddle_node_onset": 1.0, "detachment": 1.0, "saddle_nodes": 0.01, "peak": 0.01}
-    counts = {name: 10 ** round(np.log10(size.onsets * share)) for name, share in shares.items()}
+    fractions = {"saddle_node_onset": 1.0, "detachment": 1.0, "saddle_nodes": 0.01, "peak": 0.01}
+    counts = {name: 10 ** round(np.log10(size.onsets * fraction)) for name, fraction in fractions.items()}
     names = [f"second {name} {count}" for name, count in counts.items()]
     answers = answered(["second curve", "curve", *names], min(size.rounds, 3))
     curve, first = answers["second curve"], answers["curve"]
@@ -359,8 +359,8 @@ def second(size: Size) -> list[Target]:
     with workdps(certified.DIGITS):
         errors = [
             certified.relative_error(value, mpf(digits))
-            for found, wanted in zip(curve["folds"], known, strict=True)
-            for value, digits in zip(found, wanted, strict=True)
+            for found, expected in zip(curve["folds"], known, strict=True)
+            for value, digits in zip(found, expected, strict=True)
         ]
     many = ", ".join(
         f"{name} {quantity(count / answers[f'second {name} {count}']['seconds'], 'a second')}"
@@ -383,11 +383,11 @@ def motions(size: Size) -> list[Target]:
     for job, seconds, by_heyoka in bench_exact.in_turn(5 * size.rounds):
         if job.bound is None:
             continue
-        told = (
+        comparison = (
             f"heyoka {quantity(by_heyoka, 's')}, {by_heyoka / seconds:.3g} ×" if by_heyoka else "heyoka has no wheels"
         )
         limit = "motion" if job.name == bench_exact.TURNS else ""
-        out.append(Target(f"exact: {job.name}", *(1e-3 * job.bound, seconds, "s", True), told, "", limit))
+        out.append(Target(f"exact: {job.name}", *(1e-3 * job.bound, seconds, "s", True), comparison, "", limit))
     for row in (*bench_exact.measured(), *bench_exact.first_answer()):
         scale = 1e-3 if row.unit == "ms" else 1.0
         out.append(Target(f"exact: {row.job}", *(scale * row.bound, scale * row.measured, "s", True), "", *("", "")))
@@ -428,4 +428,4 @@ def remembering(size: Size) -> list[Target]:
     ]
 
 
-PARTS = (quartics, kernels, curves, batches, rates, cores, gradients, second, motions, starting, remembering)
+GROUPS = (quartics, kernels, curves, batches, rates, cores, gradients, second, motions, starting, remembering)

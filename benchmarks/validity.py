@@ -45,7 +45,7 @@ TRUNCATION_LEVELS = (0.4, 0.6, 0.8, 0.9, 0.97, 1.05, 1.2, 1.5, 2.0)
 TRUNCATION_PRELOADS = (0.03, 0.06, 0.1, 0.15, 0.2, 0.3, 0.4)  # lam r delta_h = 1/2 throughout: alpha as in Table 1
 # bins of the table: edges of mu/F_0 and of mu/(A Omega^2)
 BINS = (0.0, 0.25, 0.35, 0.45, 0.525, 0.575, 0.625, 0.675, 0.72)
-RESTS = (0.0, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.5, 3.0)
+REST_BINS = (0.0, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.5, 3.0)
 SHIFT = 0.01  # relative change of frequency that a misfit leaves free
 FEW = 25  # points, below which a bin is not its own
 STEP = 0.05
@@ -95,8 +95,8 @@ def misfit(points: np.ndarray, line: np.ndarray) -> np.ndarray:
 
     At one frequency alone it would tell of the steepness of the curve beside a resonance, not of averaging.
     """
-    share = np.linspace(0, 1, 20, endpoint=False)[:, None]
-    fine = np.concatenate([a + share * (b - a) for a, b in pairwise(line)])
+    fraction = np.linspace(0, 1, 20, endpoint=False)[:, None]
+    fine = np.concatenate([a + fraction * (b - a) for a, b in pairwise(line)])
     near = np.abs(points[:, None, 0] - fine[:, 0]) <= SHIFT
     off = np.abs(np.expm1(fine[:, 1] - points[:, None, 1]))
     return np.where(near, off, np.inf).min(axis=1)
@@ -109,15 +109,15 @@ def second_approximation(averaged: Isolator) -> SecondApproximation:
 
 
 def approximate(
-    asked: Isolator | SecondApproximation, mu: float, F_0: float, low_high: tuple[float, float], samples: int
+    iso: Isolator | SecondApproximation, mu: float, F_0: float, low_high: tuple[float, float], samples: int
 ) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
     """What an approximation says: largest amplitude and folds; and some points of its curve."""
-    curve, folds = asked.frequency_response(F_0, samples=samples, Omega=low_high), asked.saddle_nodes(F_0)
+    curve, folds = iso.frequency_response(F_0, samples=samples, Omega=low_high), iso.saddle_nodes(F_0)
     inside = (curve.Omega > 1.02 * low_high[0]) & (curve.Omega < 0.98 * low_high[1])
     some = np.flatnonzero(inside)[:: max(1, int(inside.sum()) // POINTS)]
     Omega, A = curve.Omega[some], curve.A[some]
-    said = {"A": float(curve.A.max(initial=0.0)), "kinds": folds.kind.tolist(), "Omega": folds.Omega.tolist()}
-    return said, {"Omega": Omega, "A": A, "stable": curve.stable[some], "rest": mu / (A * Omega**2)}
+    summary = {"A": float(curve.A.max(initial=0.0)), "kinds": folds.kind.tolist(), "Omega": folds.Omega.tolist()}
+    return summary, {"Omega": Omega, "A": A, "stable": curve.stable[some], "rest": mu / (A * Omega**2)}
 
 
 def compared(
@@ -150,8 +150,8 @@ def compared(
         points[force] = misfit(at, line)
         points["stops"] = exact.stops[nearest]
         if second is not None and force == "exact":
-            moved = out["second points"]
-            moved["exact"] = misfit(logs(moved["Omega"], moved["A"]), line)
+            improved = out["second points"]
+            improved["exact"] = misfit(logs(improved["Omega"], improved["A"]), line)
     return out
 
 
@@ -332,11 +332,11 @@ def plane() -> list[dict[str, Any]]:
             continue
         error, stops = [], []
         for at in Omega:
-            highest, rests = upper(curve, float(at))
+            highest, stop_count = upper(curve, float(at))
             states = averaged.amplitudes(Omega=at, F_0=PLANE_FORCING)
             A = states.A[states.stable]
             error.append(float(A.max()) / highest - 1 if A.size else math.nan)
-            stops.append(rests)
+            stops.append(stop_count)
         out.append({**row, "Omega": Omega.tolist(), "error": error, "stops": stops})
     return out
 
@@ -347,8 +347,8 @@ def upper(curve: Response, Omega: float) -> tuple[float, int]:
     rising = curve.Omega
     for i in np.flatnonzero((rising[:-1] - Omega) * (rising[1:] - Omega) <= 0):
         if curve.stable[i] or curve.stable[i + 1]:
-            share = (Omega - rising[i]) / (rising[i + 1] - rising[i]) if rising[i + 1] != rising[i] else 0.0
-            A = float(curve.A[i] + share * (curve.A[i + 1] - curve.A[i]))
+            fraction = (Omega - rising[i]) / (rising[i + 1] - rising[i]) if rising[i + 1] != rising[i] else 0.0
+            A = float(curve.A[i] + fraction * (curve.A[i + 1] - curve.A[i]))
             if not A <= best[0]:
                 best = (A, int(curve.stops[i]))
     return best
@@ -388,15 +388,15 @@ def table_2() -> list[dict[str, Any]]:
     averaged = Isolator(**design)
     ways = {"averaged (6)": averaged, "averaged (5)": Isolator(**design, force="untruncated")}
     ways["second (5)"] = second_approximation(averaged)
-    onsets = {way: asked.saddle_node_onset().F_SN for way, asked in ways.items()}
-    reached = {way: asked.detachment().F_cr for way, asked in ways.items()}
+    onsets = {way: iso.saddle_node_onset().F_SN for way, iso in ways.items()}
+    reached = {way: iso.detachment().F_cr for way, iso in ways.items()}
     out: list[dict[str, Any]] = []
     for name, values, measure in (("F_SN", onsets, onset), ("F_cr", reached, detachment)):
         first = values["averaged (6)"]
         off = measure(averaged, first)["exact"]
         out.append({"what": name, **values, "exact (5)": None if off is None else first / (1 + off)})
     for printed, F_0 in (("0.025", 0.025), ("0.030", 0.03), ("0.040", 0.04), ("0.050", 0.05)):
-        found: dict[str, Any] = {way: asked.saddle_nodes(F_0) for way, asked in ways.items()}
+        found: dict[str, Any] = {way: iso.saddle_nodes(F_0) for way, iso in ways.items()}
         curve = averaged.exact_response(F_0, force="untruncated")
         for kind in ("jump-up", "jump-down"):
             for quantity in ("Omega", "A"):
@@ -417,24 +417,26 @@ def pooled(pool: list[dict[str, Any]]) -> dict[str, Any]:
 
     ratio, rest, stops = flat("ratio"), flat("rest"), flat("stops") > 0
     size = {force: flat(force) for force in FORCES}
-    row, column = (np.searchsorted(edges, values, side="right") - 1 for edges, values in ((BINS, ratio), (RESTS, rest)))
+    row, column = (
+        np.searchsorted(edges, values, side="right") - 1 for edges, values in ((BINS, ratio), (REST_BINS, rest))
+    )
 
     def quantiles(chosen: np.ndarray, force: str = "exact") -> dict[str, Any]:
         return spread(size[force][chosen])
 
-    moved = [p["second points"] for p in pool if "exact" in p["second points"]]
-    again, sizes = (np.concatenate([points[name] for points in moved]) for name in ("rest", "exact"))
-    again = np.searchsorted(RESTS, again, side="right") - 1
+    followed = [p["second points"] for p in pool if "exact" in p["second points"]]
+    again, sizes = (np.concatenate([points[name] for points in followed]) for name in ("rest", "exact"))
+    again = np.searchsorted(REST_BINS, again, side="right") - 1
 
     return {
         "ratios": list(BINS),
-        "rests": list(RESTS),
-        "both": [[quantiles((row == i) & (column == j)) for j in range(len(RESTS))] for i in range(len(BINS))],
+        "rests": list(REST_BINS),
+        "both": [[quantiles((row == i) & (column == j)) for j in range(len(REST_BINS))] for i in range(len(BINS))],
         "by ratio": [quantiles(row == i) for i in range(len(BINS))],
         "by rest": [
-            {**quantiles(column == j), "stopping": float(stops[column == j].mean())} for j in range(len(RESTS))
+            {**quantiles(column == j), "stopping": float(stops[column == j].mean())} for j in range(len(REST_BINS))
         ],
-        "second by rest": [spread(sizes[again == j]) for j in range(len(RESTS))],
+        "second by rest": [spread(sizes[again == j]) for j in range(len(REST_BINS))],
         "moving": {force: quantiles(~stops, force) for force in FORCES},
         "stopping": {force: quantiles(stops, force) for force in FORCES},
         "least rest with stops": float(rest[stops].min()),
@@ -451,7 +453,7 @@ def table(numbers: dict[str, Any]) -> str:
     """What `slowflow.measured.validity` looks up, as a Python module."""
     pool = numbers["pool"]
     errors = {
-        name: [[_filled(row, j, pool["by rest"][j], name) for j in range(len(RESTS))] for row in pool["both"]]
+        name: [[_filled(row, j, pool["by rest"][j], name) for j in range(len(REST_BINS))] for row in pool["both"]]
         for name in ("median", "q95")
     }
     by_ratio = [cell["q95"] for cell in pool["by ratio"]]
@@ -481,14 +483,14 @@ def table(numbers: dict[str, Any]) -> str:
             f"MECHANISMS = ({', '.join(measured)})",
             "# edges of mu/F_0 and of mu/(A Omega^2)",
             line("RATIOS", BINS),
-            line("RESTS", RESTS),
+            line("RESTS", REST_BINS),
             "# the exact amplitude of half and of 95 in 100 points lies within this; rows: RATIOS, columns: RESTS",
             *lines("TYPICAL", errors["median"]),
             *lines("ERROR", errors["q95"]),
             "# the same whatever mu/(A Omega^2)",
             line("BY_RATIO", by_ratio),
             "# the same whatever mu/F_0, in the second approximation",
-            line("SECOND_BY_REST", [_known(pool["second by rest"], j) for j in range(len(RESTS))]),
+            line("SECOND_BY_REST", [_known(pool["second by rest"], j) for j in range(len(REST_BINS))]),
             "# mu/F_0 from which on every answer is remarked on; mu/(A Omega^2) from which on stops were found",
             f"NEAR = {validity_page.remarked_from(pool):g}",
             f"STOPS_FROM = {math.floor(10 * pool['least rest with stops']) / 10:g}",

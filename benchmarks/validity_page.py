@@ -77,9 +77,9 @@ def _axis(found: list[dict[str, Any]], name: str) -> list[float]:
     return sorted({cell[name] for cell in found})
 
 
-def _lookup(found: list[dict[str, Any]], **wanted: float) -> dict[str, Any]:
+def _lookup(found: list[dict[str, Any]], **values: float) -> dict[str, Any]:
     for cell in found:
-        if all(cell[name] == value for name, value in wanted.items()):
+        if all(cell[name] == value for name, value in values.items()):
             return cell
     return {}
 
@@ -126,9 +126,9 @@ def second(numbers: dict[str, Any]) -> Any:
                 ]
                 for ratio in ratios
             ]
-            for share, style in ((0.5, "-"), (1.0, ":")):
-                values = [100 * float(np.quantile(some, share)) if some else np.nan for some in sizes]
-                label = f"{name}, {'half' if share < 1 else 'all'} of the designs within"
+            for quantile, style in ((0.5, "-"), (1.0, ":")):
+                values = [100 * float(np.quantile(some, quantile)) if some else np.nan for some in sizes]
+                label = f"{name}, {'half' if quantile < 1 else 'all'} of the designs within"
                 ax.plot(ratios, values, style, marker="o", markersize=3, color=colour, label=label)
         ax.set(yscale="log", xlabel="mu/F_0", title=title)
         ax.grid(alpha=0.3)
@@ -371,11 +371,11 @@ def page(numbers: dict[str, Any]) -> str:
             f"{_percent(cell['q95'])} |"
         )
     shares = ["| motion | points | force of the exact curve | median | 95 of 100 within |", "|---|---|---|---|---|"]
-    for kind, words in (("moving", "without stops"), ("stopping", "with stops")):
+    for kind, description in (("moving", "without stops"), ("stopping", "with stops")):
         for force, meant in (("truncated", "(6): first harmonic alone"), ("exact", "(5): and truncation")):
             cell = pool[kind][force]
             shares.append(
-                f"| {words} | {cell['points']} | {meant} | {_percent(cell['median'])} | {_percent(cell['q95'])} |"
+                f"| {description} | {cell['points']} | {meant} | {_percent(cell['median'])} | {_percent(cell['q95'])} |"
             )
     truncated = _largest(cell.get("A") for cell in numbers["truncation"])
     at_table_1 = _largest(

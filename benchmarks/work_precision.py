@@ -2,7 +2,7 @@
 
 Out: scenes with one row for each method and variant, and times by size. Errors are relative, to
 values certified at 40 digits; the error of a fold is the larger of its Omega's and its A's, that of the onset the
-largest of F_SN, Omega and A. A value that is not found to 1 % counts as missed, one that is not wanted as false.
+largest of F_SN, Omega and A. A value that is not found to 1 % counts as missed, one that matches none as false.
 """
 
 from __future__ import annotations
@@ -47,10 +47,10 @@ class Processes:
             remote.stop()
 
 
-def judge(found: Sequence[Sequence[float]], wanted: Sequence[Sequence[Any]]) -> tuple[list[float], int, int]:
+def judge(found: Sequence[Sequence[float]], expected: Sequence[Sequence[Any]]) -> tuple[list[float], int, int]:
     """Errors of the vectors found, how many were missed, how many are false."""
     errors, left = [], list(found)
-    for exact in wanted:
+    for exact in expected:
         distances = [
             max(certified.relative_error(value, digits) for value, digits in zip(vector, exact, strict=True))
             for vector in left
@@ -58,10 +58,10 @@ def judge(found: Sequence[Sequence[float]], wanted: Sequence[Sequence[Any]]) -> 
         if distances and min(distances) < MISSED:
             errors.append(min(distances))
             left.pop(int(np.argmin(distances)))
-    return errors, len(wanted) - len(errors), len(left)
+    return errors, len(expected) - len(errors), len(left)
 
 
-def wanted(samples: int) -> dict[str, list[list[list[Any]]]]:
+def reference(samples: int) -> dict[str, list[list[list[Any]]]]:
     """By scene: lists of certified vectors, one list for each amplitude of the response."""
     table_1 = certified.Table1()
     return {
@@ -83,12 +83,12 @@ def measure(rounds: int, before: dict[str, Any]) -> dict[str, Any]:
 
 def precision(processes: Processes, rounds: int) -> list[dict[str, Any]]:
     """One dictionary for each scene."""
-    asked = {f"{scene} | {OURS} | ": (processes.ours, scene) for scene in TITLES}
-    asked |= {job: (processes.others, job) for job in processes.others.jobs if job.split(" | ")[0] in TITLES}
-    answers, failures = in_turn(asked, rounds)
+    requests = {f"{scene} | {OURS} | ": (processes.ours, scene) for scene in TITLES}
+    requests |= {job: (processes.others, job) for job in processes.others.jobs if job.split(" | ")[0] in TITLES}
+    answers, failures = in_turn(requests, rounds)
     if failures:
         raise RuntimeError(f"jobs failed: {failures}")
-    certain = wanted(jobs.SAMPLES)
+    certain = reference(jobs.SAMPLES)
     scenes = []
     for scene, title in TITLES.items():
         rows = []
@@ -153,17 +153,17 @@ def with_earlier(scene: dict[str, Any], before: dict[str, Any]) -> dict[str, Any
 
 def scaling(processes: Processes, rounds: int) -> dict[str, list[dict[str, Any]]]:
     """Seconds by number of amplitudes (the response at them), and by number of designs (F_cr, F_SN)."""
-    asked: dict[str, tuple[Remote, str]] = {}
+    requests: dict[str, tuple[Remote, str]] = {}
     for power in range(AMPLITUDES[OURS] + 1):
-        asked[f"amplitudes | {OURS} | {10**power}"] = processes.ours, f"response {10**power}"
+        requests[f"amplitudes | {OURS} | {10**power}"] = processes.ours, f"response {10**power}"
     for question, last in DESIGNS.items():
         for power in range(last + 1):
             job = f"designs | {QUESTIONS[question]}: {OURS} | {10**power}"
-            asked[job] = processes.ours, f"random {question} {10**power}"
+            requests[job] = processes.ours, f"random {question} {10**power}"
     for method in METHODS[:2]:
         for power in range(AMPLITUDES[method] + 1):
-            asked[f"amplitudes | {method} | {10**power}"] = processes.others, f"response {10**power} | {method}"
-    answers, failures = in_turn(asked, rounds)
+            requests[f"amplitudes | {method} | {10**power}"] = processes.others, f"response {10**power} | {method}"
+    answers, failures = in_turn(requests, rounds)
     if failures:
         raise RuntimeError(f"jobs failed: {failures}")
     out: dict[str, list[dict[str, Any]]] = {"amplitudes": [], "designs": []}

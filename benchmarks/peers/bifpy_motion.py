@@ -15,10 +15,10 @@ HALF_A_TURN = math.pi / OMEGA
 
 
 def flow(state, parameters):
-    """Rates by the share of the half turn, the third unknown, on the way down."""
-    u, v, share = state
+    """Rates by the phase, a fraction of the half turn and the third unknown, on the way down."""
+    u, v, phase = state
     force = u * (ALPHA + 2 * BETA * (1 / math.sqrt(1 - u * u) - 1))
-    push = parameters[0] * math.cos(math.pi * share + parameters[1])
+    push = parameters[0] * math.cos(math.pi * phase + parameters[1])
     return [HALF_A_TURN * v, HALF_A_TURN * (push - force - 2 * ZETA * v + MU), 1.0]
 
 
@@ -27,10 +27,10 @@ def ends(left, right, _):
     return [left[1], right[1], left[0] + right[0], left[2]]
 
 
-def start(state, parameters, share):
+def start(state, parameters, phase):
     """The guess."""
-    angle = math.pi * share
-    state[:3] = GUESSED_A * math.cos(angle), -GUESSED_A * OMEGA * math.sin(angle), share
+    angle = math.pi * phase
+    state[:3] = GUESSED_A * math.cos(angle), -GUESSED_A * OMEGA * math.sin(angle), phase
     parameters[:2] = FROM_F_0, GUESSED_PHASE
 
 
@@ -47,8 +47,8 @@ def amplitude(intervals):
     }
     found = auto.run(flow, start, settings, icu=[1, 2], bcnd=ends, uzstop={1: F_0})
     points = [point for branch in found.branches for point in branch.points]
-    (asked,) = (point for point in points if point.point_type.name == "USER_SPECIFIED_VALUE")
-    return asked.boundary_value_solution.state[0][0]
+    (point_at_F_0,) = (point for point in points if point.point_type.name == "USER_SPECIFIED_VALUE")
+    return point_at_F_0.boundary_value_solution.state[0][0]
 
 
 def of_amplitude(found):

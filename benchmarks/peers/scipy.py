@@ -25,11 +25,11 @@ def prepare():
                     fold = root(lambda x: response(x[0], x[1]), (Omega, state[0]), tol=1e-12)
                     if fold.success and abs(fold.x[0] - Omega) < 2 * step:
                         folds.append(tuple(fold.x))
-                    new = settle(Omega, state)
+                    new = steady_state(Omega, state)
                 state, points = new, points + 1
         return points, folds
 
-    def settle(Omega, state):
+    def steady_state(Omega, state):
         """The steady state reached in time after a jump."""
         state = solve_ivp(lambda _, x: slow_flow(x[0], x[1], Omega), (0, 1000), state, method="LSODA", rtol=1e-8)
         return state.y[:, -1]

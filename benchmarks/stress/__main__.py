@@ -25,11 +25,11 @@ from benchmarks.document import DOCS, RESULTS
 from benchmarks.stress import answers, baseline, counts, headers, instead, kernels, page, proofs, roots, scale
 from tests.oracles.kernels import scene_of
 
-#: what can be measured apart
+#: what can be measured separately
 OF_COUNTS = ("counts", "counts against proofs")
 #: of shares that are summed
 AGAINST_PROOFS = ("counts against proofs",)
-PARTS = ("answers", *OF_COUNTS, "proofs", "roots", "instead", "kernels", "extremes")
+GROUPS = ("answers", *OF_COUNTS, "proofs", "roots", "instead", "kernels", "extremes")
 #: shares into which answers and counts are cut
 SHARES = 8
 #: oscillators of each share of the counts against proofs: with one forcing, and with many frequencies
@@ -136,7 +136,7 @@ def main() -> None:
     """Measure and write."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--size", type=float, default=1.0, help="factor on all numbers of points")
-    parser.add_argument("--only", nargs="*", choices=PARTS, default=PARTS, help="what to measure; the rest is kept")
+    parser.add_argument("--only", nargs="*", choices=GROUPS, default=GROUPS, help="what to measure; the rest is kept")
     parser.add_argument("--draw", action="store_true", help="measure nothing")
     parser.add_argument("--docs", type=Path, default=DOCS, help="folder for stability.md and its pictures")
     options = parser.parse_args()

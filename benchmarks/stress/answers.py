@@ -48,12 +48,12 @@ class Unjudged(str):
 
 def oscillator(mechanism: str, at: Point) -> Any:
     """The oscillator at a point."""
-    given = dict(zip(NAMES[mechanism][:-2], at, strict=False))
+    parameters = dict(zip(NAMES[mechanism][:-2], at, strict=False))
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         if mechanism == "duffing":
-            return Duffing(**given)
-        return Isolator(**given, force="untruncated" if mechanism.endswith("untruncated") else "truncated")
+            return Duffing(**parameters)
+        return Isolator(**parameters, force="untruncated" if mechanism.endswith("untruncated") else "truncated")
 
 
 def design(mechanism: str, rng: np.random.Generator) -> tuple[str, list[float]]:
@@ -98,13 +98,13 @@ def answers(mechanism: str, at: Point, only: str | None = None) -> Iterator[tupl
                 kappa = condition.inputs.get(key, 0.0) + condition.kernel.get(key, 0.0)
                 yield f"{kind}, {name}", (value, getattr(point, key), kappa)
 
-    def wanted(kind: str) -> bool:
+    def selected(kind: str) -> bool:
         return only is None or only.startswith(kind)
 
-    if wanted("state"):
+    if selected("state"):
         for state in iso.amplitudes(Omega=Omega, F_0=F_0):
             yield from of(functools.partial(exactly.state, Omega, state.A, F_0), {"A": state.A}, "state at Omega")
-    if wanted("fold"):
+    if selected("fold"):
         for fold in iso.saddle_nodes(F_0):
             if fold.corner:
                 found = functools.partial(exactly.on_corner, "fold", fold.Omega, F_0)
@@ -112,28 +112,28 @@ def answers(mechanism: str, at: Point, only: str | None = None) -> Iterator[tupl
             else:
                 found = functools.partial(exactly.two, "fold", fold.Omega, fold.A, F_0)
                 yield from of(found, {"Omega": fold.Omega, "A": fold.A}, "fold at F_0")
-    if wanted("peak"):
+    if selected("peak"):
         peak = iso.peak(F_0)
         if peak.A is not None and peak.Omega:
             found = functools.partial(exactly.two, "peak", peak.Omega, peak.A, F_0)
             yield from of(found, {"Omega": peak.Omega, "A": peak.A}, "peak")
-    if wanted("critical") and mechanism != "duffing":
+    if selected("critical") and mechanism != "duffing":
         left = iso.detachment()
         if left.Omega_cr:
             found = functools.partial(exactly.on_corner, "detachment", left.Omega_cr, 1.0)
             yield from of(found, {"F_cr": left.F_cr}, "critical forcing")
-    if wanted("onset"):
+    if selected("onset"):
         onset = iso.saddle_node_onset()
         if onset.F_SN is not None and onset.kind in ("cusp", "isola") and onset.Omega:
             found = functools.partial(exactly.two, onset.kind, onset.Omega, onset.A, onset.F_SN)
             article = "an" if onset.kind == "isola" else "a"
             yield from of(found, {"F_SN": onset.F_SN}, f"onset at {article} {onset.kind}")
     A_max = {} if math.isfinite(iso.model.reach) else {"A_max": 5.0}
-    if wanted("cusp"):
+    if selected("cusp"):
         for cusp in iso.cusps(**A_max):
             found = functools.partial(exactly.two, "cusp", cusp.Omega, cusp.A, cusp.F_0)
             yield from of(found, {"F_0": cusp.F_0, "Omega": cusp.Omega, "A": cusp.A}, "cusp")
-    if wanted("isola"):
+    if selected("isola"):
         for point in iso.isola_points(**A_max):
             found = functools.partial(exactly.two, "isola", point.Omega, point.A, point.F_0)
             yield from of(found, {"F_0": point.F_0, "Omega": point.Omega, "A": point.A}, "isola point")
@@ -171,8 +171,8 @@ def points(mechanism: str, rng: np.random.Generator) -> Iterator[tuple[str, Poin
             with contextlib.suppress(NotSettled):  # a refusal, which the questions themselves meet again
                 folds, peak = iso.saddle_nodes(F_0), iso.peak(F_0)
                 if len(folds) and rng.random() < 0.6:
-                    beside = 1 + float(rng.choice([-1, 1])) * 10 ** rng.uniform(-15, -3)
-                    Omega, where = float(rng.choice(folds.Omega)) * beside, "next to a fold"
+                    factor = 1 + float(rng.choice([-1, 1])) * 10 ** rng.uniform(-15, -3)
+                    Omega, where = float(rng.choice(folds.Omega)) * factor, "next to a fold"
                 elif peak.Omega:
                     Omega, where = ulps(peak.Omega, few(rng)), "at the peak"
         if inside(mechanism, (*own, F_0, Omega)):
@@ -203,20 +203,20 @@ def stress(mechanism: str, part: int, count: int, restarts: int, steps: int) -> 
     """A share of the oscillators of a mechanism: by kind the errors, what nothing exact lies next to, the worst."""
     rng = np.random.default_rng([SEED, part, len(mechanism)])
     seen: dict[str, list[Found]] = {}
-    alone: dict[str, list[Point]] = {}
+    unmatched: dict[str, list[Point]] = {}
     unjudged: dict[str, list[tuple[str, Point]]] = {}
     failed: list[tuple[str, Point]] = []
     for _ in range(count):
         try:
-            asked = list(points(mechanism, rng))
+            cases = list(points(mechanism, rng))
         except NotSettled as failure:
             failed.append((str(failure), ()))
             continue
-        for place, at in asked:
+        for place, at in cases:
             try:
                 for kind, answer in answers(mechanism, at):
                     if answer is None:
-                        alone.setdefault(kind, []).append(at)
+                        unmatched.setdefault(kind, []).append(at)
                     elif isinstance(answer, Unjudged):
                         unjudged.setdefault(kind, []).append((answer, at))
                     else:
@@ -232,7 +232,7 @@ def stress(mechanism: str, part: int, count: int, restarts: int, steps: int) -> 
                 "kind": kind,
                 "names": NAMES[mechanism],
                 "answers": len(found),
-                "alone": alone.get(kind, []),
+                "alone": unmatched.get(kind, []),
                 "unjudged": unjudged.get(kind, []),
                 "failed": failed,
                 "drawn": [(f.condition, f.error) for f in found],

@@ -48,10 +48,10 @@ def write(found: dict[str, Any]) -> None:
 
 def save(path: Path, content: dict[str, Any]) -> None:
     """JSON, each row of a list on a line of its own."""
-    parts = []
+    entries = []
     for name, value in content.items():
         text = json.dumps(value, ensure_ascii=False)
         if isinstance(value, list):
             text = "[\n" + ",\n".join("  " + json.dumps(row, ensure_ascii=False) for row in value) + "\n ]"
-        parts.append(f' "{name}": {text}')
-    path.write_text("{\n" + ",\n".join(parts) + "\n}\n", encoding="utf-8")
+        entries.append(f' "{name}": {text}')
+    path.write_text("{\n" + ",\n".join(entries) + "\n}\n", encoding="utf-8")

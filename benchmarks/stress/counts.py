@@ -68,8 +68,8 @@ def cases(mechanism: str, rng: np.random.Generator) -> Iterator[tuple[str, Any, 
     _, own = design(mechanism, rng)
     own[-1] = min(max(own[-1], 1e-4), 0.5)  # the oracle's bounds need some damping
     iso = oscillator(mechanism, (*own, 1.0, 1.0))
-    given = dict(zip(NAMES[mechanism][:-2], own, strict=True))
-    exact = ORACLES[mechanism](**given)
+    parameters = dict(zip(NAMES[mechanism][:-2], own, strict=True))
+    exact = ORACLES[mechanism](**parameters)
     near = [c.Omega for c in iso.cusps(**({} if math.isfinite(iso.model.reach) else {"A_max": 5.0}))]
     for _ in range(FREQUENCIES):
         Omega = float(10 ** rng.uniform(-0.7, 0.5))
@@ -107,10 +107,10 @@ def stress(
     }
     for _ in range(oscillators):
         try:
-            asked = list(cases(mechanism, rng))
+            drawn = list(cases(mechanism, rng))
         except SlowflowError:
             continue
-        for kind, iso, own, Omega, make in asked:
+        for kind, iso, own, Omega, make in drawn:
             row = table[kind]
             try:
                 truth = make()
@@ -136,25 +136,25 @@ def _one(row: dict[str, Any], kind: str, iso: Any, at: Point, truth: Any, again:
         return
     row["cases"] += 1
     distance = proved.distance(truth, F_0)
-    beside = distance[0] < UNDECIDED
-    row["beside"] += beside
+    close = distance[0] < UNDECIDED
+    row["beside"] += close
     try:
-        given, said = by_doubles(kind, iso, at)
+        number_found, undecided = by_doubles(kind, iso, at)
     except NotSettled as refusal:
         row["refused"].append((str(refusal), at))
         return
-    row["said"] += said
-    row["said beside"] += said and beside
-    if said and again:
+    row["said"] += undecided
+    row["said beside"] += undecided and close
+    if undecided and again:
         _asked_again(row, kind, iso, at, number, distance[0])
-    if not said and given != number:
-        if beside:
+    if not undecided and number_found != number:
+        if close:
             row["wrong beside"] += 1
         else:
-            row["wrong"].append((at, given, number, *distance))
-    if not said and given == number and math.isfinite(distance[0]):
+            row["wrong"].append((at, number_found, number, *distance))
+    if not undecided and number_found == number and math.isfinite(distance[0]):
         row["hard"].append((distance[0], "doubles", at, number))
-    if compared and not beside:
+    if compared and not close:
         for name, count in instead.counts(kind, iso, Omega, F_0).items():
             tally = row["instead"].setdefault(name, [0, 0])
             tally[0] += 1
@@ -162,9 +162,9 @@ def _one(row: dict[str, Any], kind: str, iso: Any, at: Point, truth: Any, again:
 
 
 def _asked_again(row: dict[str, Any], kind: str, iso: Any, at: Point, number: int, units: float) -> None:
-    given, still = by_balls(kind, iso, at)
+    count, undecided = by_balls(kind, iso, at)
     row["balls"] += 1
-    row["open"] += still
-    row["wrong by balls"] += not still and given != number
-    if not still and given == number and math.isfinite(units):
+    row["open"] += undecided
+    row["wrong by balls"] += not undecided and count != number
+    if not undecided and count == number and math.isfinite(units):
         row["hard"].append((units, "balls", at, number))

@@ -108,19 +108,19 @@ def limits(module: str, name: str) -> Limits:
 
 def in_words(module: str, names: Iterable[str]) -> str:
     """The box of some arguments."""
-    told = []
+    ranges = []
     for name in names:
         low, high, negative, zero = limits(module, name)
         sizes = f"up to {high:.4g}" if low == 0 else f"{low:.4g} to {high:.4g}"
-        told.append(f"{name} {sizes}" + " of either sign" * negative + " or 0" * (zero and low > 0))
-    return ", ".join(told)
+        ranges.append(f"{name} {sizes}" + " of either sign" * negative + " or 0" * (zero and low > 0))
+    return ", ".join(ranges)
 
 
 def inside(module: str, names: Sequence[str], at: Sequence[float]) -> bool:
     """Whether a point lies in the box, and what doubles lack is less than they hold."""
-    given = dict(zip(names, at, strict=True))
-    for name, x in given.items():
-        if name.endswith("_low") and abs(x) > math.ulp(given[name.removesuffix("_low")]):
+    arguments = dict(zip(names, at, strict=True))
+    for name, x in arguments.items():
+        if name.endswith("_low") and abs(x) > math.ulp(arguments[name.removesuffix("_low")]):
             return False
         low, high, negative, zero = limits(module, name)
         if not math.isfinite(x) or (x < 0 and not negative) or (x == 0 and not zero) or abs(x) > high:
@@ -203,11 +203,11 @@ def point(module: str, names: Sequence[str], coefficients: Mapping[str, Callable
     if "k" in x and module == "off_centre":
         x["k"] = float(rng.integers(-1, 1) if "L_k" in x else rng.integers(0 if len(x) == 1 else 1, 40))
     known = {*x, "u_cr"} - {"delta_h"} if "alpha" in x and "delta_h" in x else x.keys()
-    fitting = [place for place, (needed, _) in PLACES.items() if needed <= known]
+    fitting = [place for place, (needed, _) in LOCATIONS.items() if needed <= known]
     if module.startswith(PLAIN) or not fitting or rng.random() < 0.25:
         return "anywhere", tuple(x.values())
     place = str(rng.choice(fitting))
-    PLACES[place][1](x, rng)
+    LOCATIONS[place][1](x, rng)
     return place, tuple(x.values())
 
 
@@ -359,8 +359,8 @@ def _all_taken(x: Point, rng: np.random.Generator) -> None:
 
 
 def _bends_at_end(x: Point, rng: np.random.Generator) -> None:
-    share = ulps(1.0, -int(rng.integers(1, 4))) if rng.random() < 0.5 else 1 - float(10 ** rng.uniform(-15, -1))
-    x["b"] = x["A"] * share
+    ratio = ulps(1.0, -int(rng.integers(1, 4))) if rng.random() < 0.5 else 1 - float(10 ** rng.uniform(-15, -1))
+    x["b"] = x["A"] * ratio
 
 
 def _bends_at_rest(x: Point, rng: np.random.Generator) -> None:
@@ -383,7 +383,7 @@ def _backbone_of_mean(x: Point, rng: np.random.Generator) -> None:
     x["s_0"] = ulps(x["A"] * x["Omega"] ** 2 / 2, few(rng))
 
 
-PLACES: dict[str, tuple[set[str], Callable[[Point, np.random.Generator], None]]] = {
+LOCATIONS: dict[str, tuple[set[str], Callable[[Point, np.random.Generator], None]]] = {
     "A an ulp from u_cr": ({"A", "u_cr"}, _above_corner),
     "A near u_cr": ({"A", "u_cr"}, _near_corner),
     f"A = {float(FAR):g} u_cr": ({"A", "u_cr"}, _regimes_meet),

@@ -363,7 +363,7 @@ def in_short(numbers: Numbers) -> list[str]:
     of_answers = merged(numbers["answers"])
     missed = [row for row in of_answers if value(worst_of(row)["error"]) > answers.TARGET]  # type: ignore[index]
     totals = [t for kind in ("states", "folds") for t in summed(numbers["counts"], kind).values()]
-    cases, said, balls, open_, wrong_balls = (
+    cases, marked, balls, open_, wrong_balls = (
         sum(t[name] for t in totals) for name in ("cases", "said", "balls", "open", "wrong by balls")
     )
     wrong = sum(len(t["wrong"]) + t["wrong beside"] for t in totals)
@@ -378,13 +378,13 @@ def in_short(numbers: Numbers) -> list[str]:
         f"- **Answers, target {answers.TARGET:g} u (1 + κ)**: {len(of_answers) - len(missed)} of {len(of_answers)} "
         f"kinds keep to it{'; the others are marked below' if missed else ''}.",
         f"- **Counts, target none wrong of 10^7**: of {cases:,} next to levels at which numbers change, {wrong:,} are "
-        f"wrong without being marked; {said:,} ({said / cases:.1%}) are marked as undecided in double precision. Of "
-        f"{balls:,} of these ball arithmetic leaves {open_:,} undecided and has {wrong_balls:,} wrong. Of {many:,} "
+        f"wrong without being marked; {marked:,} ({marked / cases:.1%}) are marked as undecided in double precision. "
+        f"Of {balls:,} of these ball arithmetic leaves {open_:,} undecided and has {wrong_balls:,} wrong. Of {many:,} "
         f"more, {differ:,} differ from a proof without being marked, {of_many:,} ({of_many / many:.1%}) are marked, "
         f"{unproved:,} have no proof.",
         f"- **Proofs, target 99 % of folds by doubles alone, at most twice the time**: "
-        f"{share(numbers['proofs'][0], 'folds', 'alone')} at {numbers['proofs'][0]['ratio']:.2f} times the time of "
-        f"`saddle_nodes`, median; with balls {balls_share(numbers['proofs'][0])}.",
+        f"{fraction(numbers['proofs'][0], 'folds', 'alone')} at {numbers['proofs'][0]['ratio']:.2f} times the time of "
+        f"`saddle_nodes`, median; with balls {balls_fraction(numbers['proofs'][0])}.",
     ]
     return lines
 
@@ -417,7 +417,7 @@ def page(numbers: Numbers) -> str:
         *(f"- {row[0]}: {WHY.get(row[0], 'why is not known')}." for row in misses),
         "",
         "Arguments lie within the sizes of `benchmarks/stress/domains.py`, and where the formula is defined. Hard",
-        "places are drawn on purpose: " + "; ".join(domains.PLACES) + ". Kernels of gradients with",
+        "places are drawn on purpose: " + "; ".join(domains.LOCATIONS) + ". Kernels of gradients with",
         "viscous damping and dry friction alone are not searched.",
         "",
         "### At 1e±150 and subnormal numbers",
@@ -486,25 +486,25 @@ def page(numbers: Numbers) -> str:
 
 
 def refused_lines(numbers: Numbers) -> list[str]:
-    """What was refused in words instead of answered, of each mechanism and kind of words."""
+    """Refusals, by mechanism and kind of message."""
     refused: dict[tuple[str, str], list[Any]] = {}
     for group in numbers["answers"]:
         for row in group[:1]:
-            for words, at in row["failed"]:
-                plain = words.split(" at ")[0]
+            for message, at in row["failed"]:
+                plain = message.split(" at ")[0]
                 refused.setdefault((row["mechanism"], plain), []).append(where(row["names"], at) if at else "its onset")
     if not refused:
         return []
-    rows = [(mechanism, words, str(len(all_)), all_[0]) for (mechanism, words), all_ in refused.items()]
+    rows = [(mechanism, message, str(len(all_)), all_[0]) for (mechanism, message), all_ in refused.items()]
     return ["Refused in words:", "", *table(("force", "words", "times", "for one"), rows), ""]
 
 
 def unjudged_lines(found: list[Numbers]) -> list[str]:
     """Answers of which the exact solution's condition could not be had: nothing is known of these."""
     rows = [
-        (row["mechanism"], row["kind"], words, where(row["names"], at))
+        (row["mechanism"], row["kind"], message, where(row["names"], at))
         for row in found
-        for words, at in row["unjudged"]
+        for message, at in row["unjudged"]
     ]
     if not rows:
         return []
@@ -526,34 +526,35 @@ def wrong_lines(numbers: Numbers) -> list[str]:
     ]
 
 
-def share(numbers: Numbers, what: str, proved: str = "proved") -> str:
+def fraction(numbers: Numbers, what: str, proved: str = "proved") -> str:
     """How much of it is proved, or by doubles alone."""
-    known, asked = numbers[proved][what], numbers["asked"][what]
-    return f"{known:,} of {asked:,} ({known / asked:.1%})"
+    known, total = numbers[proved][what], numbers["asked"][what]
+    return f"{known:,} of {total:,} ({known / total:.1%})"
 
 
-def balls_share(numbers: Numbers) -> str:
+def balls_fraction(numbers: Numbers) -> str:
     """How much is proved of all questions of the families that are hard."""
-    asked, proved = (
+    total, proved = (
         sum(sum(found[name].values()) for found in numbers["families"].values()) for name in ("asked", "proved")
     )
-    return f"{proved:,} of {asked:,} of families that are hard for doubles or that they have no proof of"
+    return f"{proved:,} of {total:,} of families that are hard for doubles or that they have no proof of"
 
 
 def proof_lines(numbers: Numbers) -> list[str]:
     """What `certify` proves of random isolators, and what it does not."""
     drawn = ", ".join(f"{name} 10^{low:g} to 10^{high:g}" for name, (low, high) in proofs.DRAWN.items())
     families = {"as above": numbers, **numbers["families"]}
-    asked = [
+    by_family = [
         (
             name,
-            *(f"{found['alone'][what]:,} of {found['asked'][what]:,}" for what in proofs.ASKED),
-            f"{sum(found['proved'][what] for what in proofs.ASKED):,} of {sum(found['asked'].values()):,}",
+            *(f"{found['alone'][what]:,} of {found['asked'][what]:,}" for what in proofs.QUESTIONS),
+            f"{sum(found['proved'][what] for what in proofs.QUESTIONS):,} of {sum(found['asked'].values()):,}",
         )
         for name, found in families.items()
     ]
-    beside = [
-        (name, f"{alone:,} of {tried:,}", f"{proved:,}") for name, (tried, proved, alone) in numbers["beside"].items()
+    by_distance = [
+        (name, f"{by_doubles:,} of {tried:,}", f"{proved:,}")
+        for name, (tried, proved, by_doubles) in numbers["beside"].items()
     ]
     unproved = [row for found in families.values() for row in found["unproved"]]
     slowest = max(found["slowest"] for found in numbers["families"].values())
@@ -565,11 +566,11 @@ def proof_lines(numbers: Numbers) -> list[str]:
         f"python-flint, in {slowest:.2g} s at most. Hard families are drawn otherwise in one number: delta_h to",
         "1 - 10^-16 and to 10^-12, alpha to 10^-16, excess from 10^-16 to 10^-6; and the force that is not truncated.",
         "",
-        *table(("drawn", *(f"{what}, by doubles" for what in proofs.ASKED), "all, with balls"), asked),
+        *table(("drawn", *(f"{what}, by doubles" for what in proofs.QUESTIONS), "all, with balls"), by_family),
         "",
         "Folds next to F_SN, where two of them are one to within rounding:",
         "",
-        *table(("relative distance of F_0 from F_SN", "proved by doubles alone", "proved"), beside),
+        *table(("relative distance of F_0 from F_SN", "proved by doubles alone", "proved"), by_distance),
         "",
     ]
     if numbers["others"]:

@@ -34,12 +34,12 @@ DRAWN = {
 #: horizontal springs
 MOST_SPRINGS = 4
 #: how far from F_SN, relatively, on either side
-BESIDE = (1e-3, 1e-6, 1e-9, 1e-12, 1e-14)
-ASKED = ("folds", "states", "F_SN", "F_cr")
+DISTANCES = (1e-3, 1e-6, 1e-9, 1e-12, 1e-14)
+QUESTIONS = ("folds", "states", "F_SN", "F_cr")
 #: families, by what is drawn otherwise; the first is that of the targets
 FAMILIES = ("anywhere", "delta_h to 1", "delta_h to 0", "alpha to 0", "F_0 to 4 mu/pi", "not truncated")
 #: of the others, for each isolator of the first
-SHARE = 0.2
+FAMILY_FRACTION = 0.2
 #: repetitions of what is timed
 REPEATS = 5
 
@@ -67,7 +67,7 @@ def drawn(rng: np.random.Generator, family: str) -> tuple[Isolator, float, float
 
 def of_family(rng: np.random.Generator, family: str, isolators: int) -> dict[str, Any]:
     """What is proved of some of a family, by doubles alone and with balls, the slowest proof in balls in seconds."""
-    asked, proved, alone = dict.fromkeys(ASKED, 0), dict.fromkeys(ASKED, 0), dict.fromkeys(ASKED, 0)
+    total, proved, by_doubles = dict.fromkeys(QUESTIONS, 0), dict.fromkeys(QUESTIONS, 0), dict.fromkeys(QUESTIONS, 0)
     unproved: list[tuple[str, ...]] = []
     slowest = 0.0
     for _ in range(isolators):
@@ -83,12 +83,12 @@ def of_family(rng: np.random.Generator, family: str, isolators: int) -> dict[str
             start = time.process_time()
             proof = ask()
             slowest = max(slowest, time.process_time() - start)
-            asked[what] += 1
+            total[what] += 1
             proved[what] += proof.proved
-            alone[what] += proof.proved and proof.bits == DOUBLES
+            by_doubles[what] += proof.proved and proof.bits == DOUBLES
             if not proof.proved:
-                unproved.append(told(isolator, None if what.startswith("F_") else F_0, what, proof))
-    return {"asked": asked, "proved": proved, "alone": alone, "unproved": unproved, "slowest": slowest}
+                unproved.append(described(isolator, None if what.startswith("F_") else F_0, what, proof))
+    return {"asked": total, "proved": proved, "alone": by_doubles, "unproved": unproved, "slowest": slowest}
 
 
 def best(ask: Callable[[], Any]) -> float:
@@ -101,7 +101,7 @@ def best(ask: Callable[[], Any]) -> float:
     return min(times)
 
 
-def told(isolator: Isolator, F_0: float | None, what: str, proof: Proved) -> tuple[str, ...]:
+def described(isolator: Isolator, F_0: float | None, what: str, proof: Proved) -> tuple[str, ...]:
     """What is not proved, of which isolator, and why."""
     return what, repr(isolator), "" if F_0 is None else repr(F_0), proof.message
 
@@ -109,8 +109,8 @@ def told(isolator: Isolator, F_0: float | None, what: str, proof: Proved) -> tup
 def stress(part: int, isolators: int) -> dict[str, Any]:
     """One share of the isolators."""
     rng = np.random.default_rng((SEED, part))
-    asked, proved, alone = dict.fromkeys(ASKED, 0), dict.fromkeys(ASKED, 0), dict.fromkeys(ASKED, 0)
-    beside = {f"{distance:g}": [0, 0, 0] for distance in BESIDE}
+    total, proved, by_doubles = dict.fromkeys(QUESTIONS, 0), dict.fromkeys(QUESTIONS, 0), dict.fromkeys(QUESTIONS, 0)
+    near_onset = {f"{distance:g}": [0, 0, 0] for distance in DISTANCES}
     unproved: list[tuple[str, ...]] = []
     others: list[tuple[str, ...]] = []
     widths: list[float] = []
@@ -125,13 +125,13 @@ def stress(part: int, isolators: int) -> dict[str, Any]:
             certificate.saddle_node_onset,
             certificate.detachment,
         )
-        for what, proof in zip(ASKED, answers, strict=True):
+        for what, proof in zip(QUESTIONS, answers, strict=True):
             assert proof is not None
-            asked[what] += 1
+            total[what] += 1
             proved[what] += proof.proved
-            alone[what] += proof.proved and proof.bits == DOUBLES
+            by_doubles[what] += proof.proved and proof.bits == DOUBLES
             if not proof.proved:
-                unproved.append(told(isolator, None if what.startswith("F_") else F_0, what, proof))
+                unproved.append(described(isolator, None if what.startswith("F_") else F_0, what, proof))
         folds = certificate.saddle_nodes
         if folds.proved and len(folds.A) != len(found):
             others.append((repr(isolator), repr(F_0), str(len(found)), str(len(folds.A))))
@@ -140,22 +140,22 @@ def stress(part: int, isolators: int) -> dict[str, Any]:
         ratios.append(best(partial(plain, certify=True)) / best(plain))
         if certificate.saddle_node_onset.F_0.size and certificate.saddle_node_onset.proved:
             level = float(certificate.saddle_node_onset.F_0.mean())
-            for distance in BESIDE:
+            for distance in DISTANCES:
                 for side in (-1, 1):
                     near = isolator.saddle_nodes(level * (1 + side * distance), certify=True).proof
                     assert near is not None
-                    beside[f"{distance:g}"][0] += 1
-                    beside[f"{distance:g}"][1] += near.proved
-                    beside[f"{distance:g}"][2] += near.proved and near.bits == DOUBLES
+                    near_onset[f"{distance:g}"][0] += 1
+                    near_onset[f"{distance:g}"][1] += near.proved
+                    near_onset[f"{distance:g}"][2] += near.proved and near.bits == DOUBLES
     return {
         "isolators": isolators,
-        "asked": asked,
+        "asked": total,
         "proved": proved,
-        "alone": alone,
-        "families": {name: of_family(rng, name, round(SHARE * isolators)) for name in FAMILIES[1:]},
+        "alone": by_doubles,
+        "families": {name: of_family(rng, name, round(FAMILY_FRACTION * isolators)) for name in FAMILIES[1:]},
         "unproved": unproved,
         "others": others,
-        "beside": beside,
+        "beside": near_onset,
         "widths": widths,
         "ratios": ratios,
     }
@@ -168,34 +168,34 @@ def table_2() -> float:
     return best(lambda: [isolator.certify(F_0) for F_0 in forcings])
 
 
-def counted(parts: list[dict[str, Any]], name: str) -> dict[str, int]:
-    """One count of all shares, by what was asked."""
-    return {what: sum(part[name][what] for part in parts) for what in ASKED}
+def counted(chunks: list[dict[str, Any]], name: str) -> dict[str, int]:
+    """One count of all shares, by question."""
+    return {what: sum(part[name][what] for part in chunks) for what in QUESTIONS}
 
 
-def of_all(parts: list[dict[str, Any]]) -> dict[str, Any]:
+def of_all(chunks: list[dict[str, Any]]) -> dict[str, Any]:
     """All shares of a family as one."""
     return {
-        **{name: counted(parts, name) for name in ("asked", "proved", "alone")},
-        "unproved": [one for part in parts for one in part["unproved"]],
-        "slowest": max(part["slowest"] for part in parts),
+        **{name: counted(chunks, name) for name in ("asked", "proved", "alone")},
+        "unproved": [one for part in chunks for one in part["unproved"]],
+        "slowest": max(part["slowest"] for part in chunks),
     }
 
 
-def summed(parts: list[dict[str, Any]]) -> dict[str, Any]:
+def summed(chunks: list[dict[str, Any]]) -> dict[str, Any]:
     """All shares as one."""
     return {
-        "isolators": sum(part["isolators"] for part in parts),
-        **{name: counted(parts, name) for name in ("asked", "proved", "alone")},
-        "families": {name: of_all([part["families"][name] for part in parts]) for name in FAMILIES[1:]},
-        "unproved": [one for part in parts for one in part["unproved"]],
-        "others": [one for part in parts for one in part["others"]],
+        "isolators": sum(part["isolators"] for part in chunks),
+        **{name: counted(chunks, name) for name in ("asked", "proved", "alone")},
+        "families": {name: of_all([part["families"][name] for part in chunks]) for name in FAMILIES[1:]},
+        "unproved": [one for part in chunks for one in part["unproved"]],
+        "others": [one for part in chunks for one in part["others"]],
         "beside": {
-            name: [sum(part["beside"][name][k] for part in parts) for k in range(3)] for name in parts[0]["beside"]
+            name: [sum(part["beside"][name][k] for part in chunks) for k in range(3)] for name in chunks[0]["beside"]
         },
-        "width": median([float(x) for part in parts for x in part["widths"]]),
-        "widest": max(float(x) for part in parts for x in part["widths"]),
-        "ratio": median([float(x) for part in parts for x in part["ratios"]]),
+        "width": median([float(x) for part in chunks for x in part["widths"]]),
+        "widest": max(float(x) for part in chunks for x in part["widths"]),
+        "ratio": median([float(x) for part in chunks for x in part["ratios"]]),
         "table_2": table_2(),
     }
 

@@ -26,8 +26,8 @@ from tests.oracles import draws
 
 SEED = 41
 AT_ONCE = 20_000
-#: frequencies beside each fold, and anywhere
-BESIDE, ANYWHERE = 15, 225
+#: frequencies near each fold, and anywhere
+NEAR_FOLDS, ANYWHERE = 15, 225
 COUNTED = ("asked", "differ", "undecided", "unproved", "refused")
 #: cases named of each kind that differ or that nothing proves
 NAMED = 3
@@ -38,26 +38,26 @@ Numbers = tuple[draws.Floats, ...]
 
 @dataclasses.dataclass(frozen=True)
 class Kind:
-    """Oscillators of one force: what makes them, their numbers drawn, and what is set beside these."""
+    """Oscillators of one force: what makes them, their numbers drawn, and further arguments."""
 
     made: type
     draw: Callable[[np.random.Generator, int], Numbers]
     also: dict[str, str] = dataclasses.field(default_factory=dict)
 
-    def given(self, numbers: Any) -> dict[str, Any]:
+    def parameters(self, numbers: Any) -> dict[str, Any]:
         """By name."""
         names = ("lam", "r", "delta_h", "mu", "zeta") if self.made is Isolator else ("alpha", "beta", "mu", "zeta")
         return {**dict(zip(names, numbers, strict=True)), **self.also}
 
     def batch(self, numbers: Any) -> Any:
         """All of them."""
-        return self.made.many(**self.given(numbers))  # type: ignore[attr-defined]
+        return self.made.many(**self.parameters(numbers))  # type: ignore[attr-defined]
 
     def one(self, numbers: Any) -> Any:
         """One of them, without the warning of negative stiffness."""
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            return self.made(**self.given(numbers))
+            return self.made(**self.parameters(numbers))
 
 
 def undamped_isolators(rng: np.random.Generator, count: int) -> Numbers:
@@ -104,8 +104,8 @@ def folds(kind: str, part: int, number: int) -> Tally:
 
 def in_use(kind: str, numbers: Numbers, F_0: draws.Floats) -> list[npt.NDArray[Any]]:
     """Number of folds, whether it is said to be undecided, status: by the solvers that are in use."""
-    *_, given, undecided, status = KINDS[kind].batch(numbers).ask(SADDLE_NODES, 1, F_0, 12)
-    return [given, undecided, status]
+    *_, count, undecided, status = KINDS[kind].batch(numbers).ask(SADDLE_NODES, 1, F_0, 12)
+    return [count, undecided, status]
 
 
 def _folds(kind: str, what: str, seed: list[int], number: int, answers: Callable[..., list[npt.NDArray[Any]]]) -> Tally:
@@ -114,17 +114,17 @@ def _folds(kind: str, what: str, seed: list[int], number: int, answers: Callable
         numbers = KINDS[kind].draw(rng, min(AT_ONCE, number - first))
         designs = KINDS[kind].batch(numbers)
         F_0 = draws.forcings(rng, designs, numbers[-2])
-        given, undecided, status = answers(kind, numbers, F_0)
+        count, undecided, status = answers(kind, numbers, F_0)
         counted, proved, *_ = designs.ask(PROVED_FOLDS, 1, F_0)
         there = status == Status.OK
-        said, other = undecided != 0, given != counted
-        enter(tally, np.stack([*numbers, F_0], axis=-1)[there], said[there], proved[there] == 1, other[there])
+        marked, other = undecided != 0, count != counted
+        enter(tally, np.stack([*numbers, F_0], axis=-1)[there], marked[there], proved[there] == 1, other[there])
         tally["refused"] += int((~there & (status != Status.STICKS)).sum())
     return tally
 
 
 def states(kind: str, part: int, number: int) -> Tally:
-    """The same of states at frequencies, some of them beside folds, of so many oscillators."""
+    """The same of states at frequencies, some of them near folds, of so many oscillators."""
     rng, made = np.random.default_rng([SEED, part, len(kind), 1]), KINDS[kind]
     numbers, tally = made.draw(rng, number), empty(kind, "states")
     with warnings.catch_warnings():
@@ -134,16 +134,16 @@ def states(kind: str, part: int, number: int) -> Tally:
             iso = made.one(own)
             try:
                 at = iso.folds(F_0, allowance=Allowance(0)).Omega[:, np.newaxis]
-                beside = at * (1 + rng.choice([-1, 1], BESIDE) * 10 ** rng.uniform(-16.3, -2, BESIDE))
-                Omega = np.unique(np.concatenate((10 ** rng.uniform(-1, 0.5, ANYWHERE), beside[beside > 0])))
+                near = at * (1 + rng.choice([-1, 1], NEAR_FOLDS) * 10 ** rng.uniform(-16.3, -2, NEAR_FOLDS))
+                Omega = np.unique(np.concatenate((10 ** rng.uniform(-1, 0.5, ANYWHERE), near[near > 0])))
                 found = iso.states(Omega=Omega, F_0=F_0, allowance=Allowance(0))
             except NotSettled:
                 tally["refused"] += 1
                 continue
             count = np.searchsorted(found.Omega, Omega, "right") - np.searchsorted(found.Omega, Omega)
             counted, proved, *_ = made.batch(own).ask(PROVED_STATES, 1, F_0, Omega=Omega)
-            asked = np.stack(np.broadcast_arrays(*own, F_0, Omega), axis=-1)
-            enter(tally, asked, np.isin(Omega, found.Omega_undecided), proved == 1, count != counted)
+            points = np.stack(np.broadcast_arrays(*own, F_0, Omega), axis=-1)
+            enter(tally, points, np.isin(Omega, found.Omega_undecided), proved == 1, count != counted)
     return tally
 
 
@@ -152,11 +152,11 @@ def empty(kind: str, what: str) -> Tally:
     return {"mechanism": kind, "kind": what, **dict.fromkeys(COUNTED, 0), "named": []}
 
 
-def enter(tally: Tally, at: npt.NDArray[np.float64], said: Flags, proved: Flags, other: Flags) -> None:
-    """More cases: where they are, whether they are said to be undecided, proved, and another number is proved."""
-    differ, unproved = proved & ~said & other, ~said & ~proved
+def enter(tally: Tally, at: npt.NDArray[np.float64], marked: Flags, proved: Flags, other: Flags) -> None:
+    """More cases: where they are, whether they are marked as undecided, proved, and another number is proved."""
+    differ, unproved = proved & ~marked & other, ~marked & ~proved
     tally["asked"] += len(at)
-    for name, which in (("differ", differ), ("undecided", said), ("unproved", unproved)):
+    for name, which in (("differ", differ), ("undecided", marked), ("unproved", unproved)):
         tally[name] += int(which.sum())
     for name, which in (("differ", differ), ("unproved", unproved)):
         room = NAMED - sum(one == name for one, _ in tally["named"])
@@ -166,11 +166,11 @@ def enter(tally: Tally, at: npt.NDArray[np.float64], said: Flags, proved: Flags,
 def summed(found: list[Tally]) -> list[Tally]:
     """The shares of each mechanism and question together."""
     totals: dict[tuple[str, str], Tally] = {}
-    for share in found:
-        total = totals.setdefault((share["mechanism"], share["kind"]), empty(share["mechanism"], share["kind"]))
+    for tally in found:
+        total = totals.setdefault((tally["mechanism"], tally["kind"]), empty(tally["mechanism"], tally["kind"]))
         for name in COUNTED:
-            total[name] += share[name]
-        total["named"] += share["named"]
+            total[name] += tally[name]
+        total["named"] += tally["named"]
     for total in totals.values():
         kinds = dict.fromkeys(name for name, _ in total["named"])
         total["named"] = [one for kind in kinds for one in [n for n in total["named"] if n[0] == kind][:NAMED]]

@@ -27,7 +27,7 @@ class Found:
     place: str
 
 
-def moved(x: Point, rng: np.random.Generator) -> Point:
+def neighbour(x: Point, rng: np.random.Generator) -> Point:
     """One coordinate a little elsewhere."""
     k = int(rng.integers(len(x)))
     value, kind = x[k], rng.integers(4)
@@ -49,7 +49,7 @@ def climb(measure: Measure, start: Found, steps: int, rng: np.random.Generator) 
     for _ in range(steps):
         if not math.isfinite(best.error):
             break
-        at = moved(best.at, rng)
+        at = neighbour(best.at, rng)
         value = measure(at)
         if value is not None and value[0] > best.error:
             best = Found(*value, at, start.place)
