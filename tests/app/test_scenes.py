@@ -319,11 +319,7 @@ WRONG = {
         'F = [3.0, "5.0"]',
         "14: F = [3.0, '5.0'] is not allowed: F must be a list of numbers. Remove the quotes: 5 is a number",
     ),
-    "a key that is missing": (
-        "k_v = 2500.0\n",
-        "",
-        "3: [mount] k_v is missing: [mount] needs m, k_v, k_h, L, preload",
-    ),
+    "a key that is missing": ("k_v = 2500.0\n", "", "3: [mount] k_v is missing: [mount] needs m, k_v, k_h, L, preload"),
     "an unknown question": (
         '"saddle_nodes"',
         '"saddle_node"',

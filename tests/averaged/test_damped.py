@@ -39,10 +39,7 @@ def by_quadrature():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    ("law", "number"),
-    [("rubs", 6), ("eta", 18), ("c_2", 6), ("rubs", 24)],
-)
+@pytest.mark.parametrize(("law", "number"), [("rubs", 6), ("eta", 18), ("c_2", 6), ("rubs", 24)])
 @pytest.mark.part(2)
 def test_force_averaged_by_quadrature_has_certified_answers(by_quadrature, law, number):
     case, family = cases(f"damped_{law}")[number], replace(FAMILIES[f"damped_{law}"], gradients=False, leaves=False)

@@ -96,12 +96,7 @@ def batch(kind: Any, draw: Draw, seed: int, questions: tuple[str, ...] = BATCH, 
 
 
 def single(
-    kind: Any,
-    draw: Draw,
-    seed: int,
-    questions: dict[str, Callable[[Any, float], Any]],
-    unit: float = 1.0,
-    **fixed: Any,
+    kind: Any, draw: Draw, seed: int, questions: dict[str, Callable[[Any, float], Any]], unit: float = 1.0, **fixed: Any
 ) -> Callable[[int], Pairs]:
     """Questions about one design after the other, with gradients where there are some; `unit` is that of F_0."""
 

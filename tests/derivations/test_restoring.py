@@ -25,11 +25,7 @@ FORCES = {
         sp.Rational(1, 5) + 2 * u - u**2,
         u**4 / 3 + u + u**3 / 4 - sp.Rational(2, 7),
     ),
-    "linear, then not": (
-        sp.Rational(3, 4) * u,
-        2 * u - sp.Rational(3, 8) + u**2,
-        u**3 / 4 + 3 * u - sp.Rational(2, 7),
-    ),
+    "linear, then not": (sp.Rational(3, 4) * u, 2 * u - sp.Rational(3, 8) + u**2, u**3 / 4 + 3 * u - sp.Rational(2, 7)),
     "a preload": (
         sp.Rational(1, 5) + u / 2 + 3 * u**2 - u**3,
         sp.Rational(1, 3) + 2 * u - u**2,
@@ -51,8 +47,7 @@ SLOW = ("even powers", "linear, then not", "a preload")
 
 
 @pytest.fixture(
-    scope="module",
-    params=[pytest.param(name, marks=[pytest.mark.slow] * (name in SLOW), id=name) for name in FORCES],
+    scope="module", params=[pytest.param(name, marks=[pytest.mark.slow] * (name in SLOW), id=name) for name in FORCES]
 )
 def pieces(request):
     return FORCES[request.param]

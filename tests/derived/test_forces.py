@@ -33,11 +33,7 @@ FORCES = {
     "dead": ([(sp.Integer(0), gap), (k * (u - gap) ** 2, None)], {"k": 3.0, "gap": 0.1}),
     "soft_stop": ([(u, gap), (u + c * sp.tanh(k * (u - gap)), None)], {"k": 3.0, "c": 5.0, "gap": 0.2}),
     "two_stops": (
-        [
-            (u, gap),
-            (u + c * sp.tanh(k * (u - gap)), end),
-            (u + c * sp.tanh(k * (end - gap)) + p * (u - end), None),
-        ],
+        [(u, gap), (u + c * sp.tanh(k * (u - gap)), end), (u + c * sp.tanh(k * (end - gap)) + p * (u - end), None)],
         {"k": 3.0, "c": 5.0, "gap": 0.1, "end": 0.3, "p": 4.0},
     ),
     "hertz": ([(u, gap), (u + k * (u - gap) ** 1.5, None)], {"k": 3.0, "gap": 0.1}),
@@ -248,10 +244,7 @@ def test_peak_does_not_need_an_average_that_does_not_settle(compile):
 @pytest.mark.slow
 def test_quotients_that_cancel_at_rest_keep_their_digits():
     """Two magnets, as one would type them; and a quotient that is not odd, whose |u| is u."""
-    pieces = {
-        "magnets": u + k * (1 / (c - u) ** 2 - 1 / (c + u) ** 2),
-        "one_sided": u + k / (c - u) - k / c,
-    }
+    pieces = {"magnets": u + k * (1 / (c - u) ** 2 - 1 / (c + u) ** 2), "one_sided": u + k / (c - u) - k / c}
     for name, force in pieces.items():
         one = derive.mechanism(name, [(force, None)], {"k": ABOVE_0, "c": ABOVE_0}, reach=0.9)(k=0.05, c=1.1, **DAMPING)
         exact = sp.lambdify(u, force.subs({k: sp.Rational(0.05), c: sp.Rational(1.1)}), "mpmath")

@@ -25,9 +25,7 @@ from tests.derivations.test_taylor import FORCES as EVERY
 from tests.native.compiler import COMPILER, ROOT, compiled
 from tests.oracles.exact_reference import Compiled, Drive, ScipyIntegrator, again
 
-pytestmark = [
-    pytest.mark.skipif(COMPILER is None, reason="no C compiler (cc) on the path"),
-]
+pytestmark = [pytest.mark.skipif(COMPILER is None, reason="no C compiler (cc) on the path")]
 
 #: a hardening spring, three springs of which two lie flat at rest, a contact: in u, a, b
 FORCES = {

@@ -14,15 +14,7 @@ from mpmath import mp, mpf
 
 from tests.files import stored
 from tests.oracles import make_random_isolators as generator
-from tests.oracles.averaged import (
-    BITS,
-    CORNER,
-    DETACHED,
-    Duffing,
-    Oscillator,
-    RodSpring,
-    bezout,
-)
+from tests.oracles.averaged import BITS, CORNER, DETACHED, Duffing, Oscillator, RodSpring, bezout
 from tests.oracles.certified_roots import isolate, polynomial_roots, precision
 from tests.oracles.kernels import Truncated
 

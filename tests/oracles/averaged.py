@@ -437,10 +437,7 @@ class Oscillator:
     # ---- zeros on both sides of the corner ------------------------------------------------------------------------
 
     def _zeros(
-        self,
-        function: Callable[[Jet], Any],
-        t_max: arb | None,
-        exclude: Callable[[arb], bool] | None = None,
+        self, function: Callable[[Jet], Any], t_max: arb | None, exclude: Callable[[arb], bool] | None = None
     ) -> list[tuple[arb, str]]:
         """All zeros in A of function(jet): attached by exact polynomials, detached up to t_max by enclosure."""
         A = fmpq_poly([0, 1])

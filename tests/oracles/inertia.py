@@ -27,15 +27,7 @@ from tests.oracles.averaged import (
     exact,
 )
 from tests.oracles.certified_roots import precision
-from tests.oracles.make_random_isolators import (
-    SEED,
-    answered,
-    draw_duffing,
-    draw_isolator,
-    given,
-    log_uniform,
-    write,
-)
+from tests.oracles.make_random_isolators import SEED, answered, draw_duffing, draw_isolator, given, log_uniform, write
 
 EACH = 20
 

@@ -11,12 +11,7 @@ import random
 from collections.abc import Sequence
 from typing import Any
 
-from tests.oracles.averaged import (
-    BITS,
-    Duffing,
-    Oscillator,
-    RodSpring,
-)
+from tests.oracles.averaged import BITS, Duffing, Oscillator, RodSpring
 from tests.oracles.certified_roots import precision
 from tests.oracles.conditioning import Conditioning
 from tests.oracles.inertia import ByInertia

@@ -65,12 +65,7 @@ from tests.oracles.definitions.points import (
     points,
     zeroed,
 )
-from tests.oracles.definitions.resultants import (
-    LEADING,
-    detachment,
-    saddle_node_onset,
-    saddle_nodes,
-)
+from tests.oracles.definitions.resultants import LEADING, detachment, saddle_node_onset, saddle_nodes
 from tests.oracles.definitions.sampled import sampled_table
 from tests.oracles.definitions.sensitivities import sensitivities_table
 from tests.oracles.definitions.slow_flow import SLOW_FLOW

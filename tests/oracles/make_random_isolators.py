@@ -152,12 +152,7 @@ def answered(
     return {"folds": shown, "amplitudes": states}
 
 
-def forcing_record(
-    oscillator: Oscillator,
-    F_0: Number,
-    why: str,
-    rng: random.Random,
-) -> dict:
+def forcing_record(oscillator: Oscillator, F_0: Number, why: str, rng: random.Random) -> dict:
     """All that is recorded at one forcing."""
     folds = oscillator.folds(F_0)
     if len(folds) != oscillator.fold_count(F_0):

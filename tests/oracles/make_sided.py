@@ -28,15 +28,7 @@ from typing import Any
 
 from flint import arb, arb_series, ctx
 
-from tests.oracles.averaged import (
-    ATTACHED,
-    BITS,
-    DETACHED,
-    Jet,
-    Point,
-    digits,
-    exact,
-)
+from tests.oracles.averaged import ATTACHED, BITS, DETACHED, Jet, Point, digits, exact
 from tests.oracles.certified_roots import isolate, precision
 from tests.oracles.conditioning import Conditioning
 from tests.oracles.make_random_isolators import SEED, answered, given, log_uniform, row, write

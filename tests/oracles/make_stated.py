@@ -35,17 +35,7 @@ from typing import Any
 
 from flint import acb, acb_series, arb, arb_series, ctx
 
-from tests.oracles.averaged import (
-    ATTACHED,
-    BITS,
-    CORNER,
-    DETACHED,
-    Jet,
-    Oscillator,
-    Point,
-    _sign,
-    exact,
-)
+from tests.oracles.averaged import ATTACHED, BITS, CORNER, DETACHED, Jet, Oscillator, Point, _sign, exact
 from tests.oracles.certified_roots import isolate, precision
 from tests.oracles.conditioning import Conditioning
 from tests.oracles.forces import arctangent, root, tanh

@@ -22,30 +22,9 @@ from slowflow.averaged.batches import Batch
 from slowflow.range_checks import Implausible
 from slowflow.support.errors import SlowflowError
 from slowflow_kernels.conventions import Status
+from tests import public_questions
 from tests.files import ROOT
-from tests.public_questions import (
-    AT,
-    AVERAGED,
-    BATCHES,
-    DUFFINGS,
-    IN_UNITS,
-    ISOLATORS,
-    MOTIONS,
-    MOTIONS_IN_UNITS,
-    NO_QUESTIONS,
-    OF_BATCHES,
-    OF_CLASS,
-    OF_LOADED_BATCHES,
-    OF_SECOND_BATCHES,
-    OFF_CENTRE,
-    PICTURES,
-    SECOND,
-    SHEETS,
-    any_of,
-    anything,
-    columns,
-    numbers,
-)
+from tests.public_questions import any_of, anything, columns, numbers
 from tests.sampling import fewer
 
 #: refusals: each has words; anything else that is raised is a defect
@@ -121,29 +100,43 @@ def asked_all(make, asked, beside=()):
             read(answered(lambda: getattr(oscillator, name)(*arguments, **named)), beside)  # noqa: B023  asked at once
 
 
-@pytest.mark.parametrize("kind", OF_CLASS)
+@pytest.mark.parametrize("kind", public_questions.OF_CLASS)
 def test_every_public_question_is_asked_here(kind):
     public = {name for name in dir(kind) if not name.startswith("_") and callable(getattr(kind, name))}
-    assert public - NO_QUESTIONS - {"instead", "stays", "rubs"} == set(OF_CLASS[kind])
+    assert public - public_questions.NO_QUESTIONS - {"instead", "stays", "rubs"} == set(public_questions.OF_CLASS[kind])
 
 
-oscillators = st.tuples(st.just(Isolator), st.fixed_dictionaries(ISOLATORS))
-oscillators |= st.tuples(st.just(Duffing), st.fixed_dictionaries(DUFFINGS))
-batches = st.tuples(st.just(Isolator.many), st.fixed_dictionaries(BATCHES))
-loaded = st.tuples(st.just(Isolator.many), st.fixed_dictionaries({**BATCHES, "load": columns}))
-sheets = st.tuples(st.just(Isolator.physical), st.fixed_dictionaries(SHEETS))
+oscillators = st.tuples(st.just(Isolator), st.fixed_dictionaries(public_questions.ISOLATORS))
+oscillators |= st.tuples(st.just(Duffing), st.fixed_dictionaries(public_questions.DUFFINGS))
+batches = st.tuples(st.just(Isolator.many), st.fixed_dictionaries(public_questions.BATCHES))
+loaded = st.tuples(st.just(Isolator.many), st.fixed_dictionaries({**public_questions.BATCHES, "load": columns}))
+sheets = st.tuples(st.just(Isolator.physical), st.fixed_dictionaries(public_questions.SHEETS))
 #: what is made, what is asked of that or of its attribute, how many questions at most, examples, what is read besides
 ASKED = {
-    "an oscillator": (oscillators, "", AVERAGED, 3, fewer(300, 5), ()),
-    "the second approximation": (oscillators, "second_approximation", SECOND, 2, fewer(150, 5), ()),
-    "motions off the centre": (oscillators, "off_centre", OFF_CENTRE, 2, fewer(60, 5), ()),
-    "exact motions": (oscillators, "", MOTIONS, 2, fewer(60, 5), ()),
-    "pictures and measured errors": (oscillators, "", {**PICTURES, **AT}, 1, 12, ("measure", "plot")),
-    "a batch": (batches, "", OF_BATCHES, 2, fewer(150, 5), ()),
-    "a batch in the second approximation": (batches, "second_approximation", OF_SECOND_BATCHES, 2, fewer(100, 5), ()),
-    "a batch off the centre": (loaded, "", OF_LOADED_BATCHES, 1, fewer(60, 5), ()),
-    "a data sheet": (sheets, "", IN_UNITS, 3, fewer(300, 5), ()),
-    "motions of a data sheet": (sheets, "", MOTIONS_IN_UNITS, 1, fewer(30, 5), ()),
+    "an oscillator": (oscillators, "", public_questions.AVERAGED, 3, fewer(300, 5), ()),
+    "the second approximation": (oscillators, "second_approximation", public_questions.SECOND, 2, fewer(150, 5), ()),
+    "motions off the centre": (oscillators, "off_centre", public_questions.OFF_CENTRE, 2, fewer(60, 5), ()),
+    "exact motions": (oscillators, "", public_questions.MOTIONS, 2, fewer(60, 5), ()),
+    "pictures and measured errors": (
+        oscillators,
+        "",
+        {**public_questions.PICTURES, **public_questions.AT},
+        1,
+        12,
+        ("measure", "plot"),
+    ),
+    "a batch": (batches, "", public_questions.OF_BATCHES, 2, fewer(150, 5), ()),
+    "a batch in the second approximation": (
+        batches,
+        "second_approximation",
+        public_questions.OF_SECOND_BATCHES,
+        2,
+        fewer(100, 5),
+        (),
+    ),
+    "a batch off the centre": (loaded, "", public_questions.OF_LOADED_BATCHES, 1, fewer(60, 5), ()),
+    "a data sheet": (sheets, "", public_questions.IN_UNITS, 3, fewer(300, 5), ()),
+    "motions of a data sheet": (sheets, "", public_questions.MOTIONS_IN_UNITS, 1, fewer(30, 5), ()),
 }
 
 

@@ -662,10 +662,7 @@ def test_what_has_no_gradient_in_si_units_says_why(mount):
 SLIPS = {
     "L in mm": ({"L": 80, "preload": 9}, r"L = 80 m is a push-rod as long as a house: is it in mm\?"),
     "k_v in N/mm": ({"k_v": 2.5, "k_h": 1.7, "friction": 0.0}, r"k_v = 2.5 N/m is compressed by 47.07 m under 12 kg"),
-    "m in g": (
-        {"m": 12000},
-        r"is compressed by 47.07 m under 12000 kg: is it in N/mm, or the mass in g\?",
-    ),
+    "m in g": ({"m": 12000}, r"is compressed by 47.07 m under 12000 kg: is it in N/mm, or the mass in g\?"),
     "load in g": ({"load": 12360}, r"is compressed by 48.48 m under 12360 kg"),
     "k_h in N/mm": ({"k_h": 1.7}, r"k_h = 1.7 N/m does next to nothing beside k_v = 2500 N/m: is it in N/mm\?"),
     "friction in mN": ({"friction": 400}, r"friction = 400 N is more than the weight, 117.7 N: is it in mN\?"),

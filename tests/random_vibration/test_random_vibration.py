@@ -309,10 +309,7 @@ def exact_rms(force, c, S_0):
 
 @pytest.mark.parametrize(
     ("one", "S_0", "u_rms"),
-    (
-        (Duffing(1.0, 1.0, zeta=0.05), 0.05, 0.79266256937),
-        (Isolator(**DESIGN, zeta=0.02), 4e-4, 0.20072557404),
-    ),
+    ((Duffing(1.0, 1.0, zeta=0.05), 0.05, 0.79266256937), (Isolator(**DESIGN, zeta=0.02), 4e-4, 0.20072557404)),
 )
 def test_records_have_the_exact_stationary_density(one, S_0, u_rms):
     found = one.random(S_0=S_0)

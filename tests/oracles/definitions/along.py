@@ -291,10 +291,7 @@ SLOPES: dict[str, tuple[str, Function]] = {
     "Omega_A": ("Omega A m zeta h h_A", lambda *x: [slope_of_frequency(*x)]),
     "level_rise": ("Omega A m zeta h h_A h_AA", lambda *x: [level_rise(*x)]),
     "cusp_bend": ("Omega A zeta h_AA h_AAA T", lambda *x: [cusp_bend(*x)]),
-    "isola_bend": (
-        "Omega A m zeta h_AA",
-        lambda *x: [partials([(2, 0)], *(at := isola_at(*x)))[0] * hessian(*at)],
-    ),
+    "isola_bend": ("Omega A m zeta h_AA", lambda *x: [partials([(2, 0)], *(at := isola_at(*x)))[0] * hessian(*at)]),
     "isola_hessian": ("Omega A m zeta h_AA", lambda *x: [hessian(*isola_at(*x))]),
     "most_restoring": ("A F_0 m zeta", lambda *x: [most_restoring(*x)]),
     "least_restoring": ("F_0 m", lambda *x: [mp.sqrt(mp.mpf(x[0]) ** 2 - mp.mpf(x[1]) ** 2)]),

@@ -381,10 +381,7 @@ DISSIPATION: dict[str, tuple[str, Function]] = {
     "Omega_A_by_inertia": (names := "Omega A I_0 I_0A zeta d h h_A", slope_where_stays("level", names)),
     "far_by_inertia": ("x A F_0 I_0 zeta d h", far_by_inertia),
     "R_where_stationary": ("x A I_0 zeta d", stationary_R),
-    "cusp_bend_by_inertia": (
-        names := "Omega A I_0 I_0A I_0AA I_0AAA zeta d h h_A h_AA h_AAA",
-        cusp_by_inertia(names),
-    ),
+    "cusp_bend_by_inertia": (names := "Omega A I_0 I_0A I_0AA I_0AAA zeta d h h_A h_AA h_AAA", cusp_by_inertia(names)),
     "isola_bend_by_inertia": (names := "Omega A I_0 I_0A I_0AA zeta d h h_A h_AA", isola_by_inertia(names)),
     "full_by_inertia": (
         "F_0 d",

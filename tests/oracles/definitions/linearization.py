@@ -68,10 +68,7 @@ def crossings(end, sigma_u, sigma_v):
 
 LINEARIZATION = {
     "equivalent_damping": ("sigma_v mu zeta c_2", equivalent_damping),
-    "damping_force": (
-        "sigma_v mu zeta c_2",
-        lambda s, *laws: [mean(lambda v: resistance(v, *laws) ** 2, s)],
-    ),
+    "damping_force": ("sigma_v mu zeta c_2", lambda s, *laws: [mean(lambda v: resistance(v, *laws) ** 2, s)]),
     "response": ("Omega k c", response),
     "steepest": ("ratio", steepest),
     "white": ("S_0 k c", white),
