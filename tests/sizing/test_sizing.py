@@ -45,12 +45,18 @@ WITHIN = {"m": 0.02, "k_v": 0.03, "k_h": 0.05, "L": 0.01, "preload": 0.05, "fric
 # ---- tolerances ----------------------------------------------------------------------------------------------------
 
 
+def assert_samples_are_single_answers(found, mount, asked, near=1e-11):
+    """What each mount that was drawn says by itself, by name: each by a function of it, or all by one."""
+    for k in range(found.drawn[next(iter(found.drawn))].size):
+        one = mount.replace(**{name: float(values[k]) for name, values in found.drawn.items()})
+        single = asked(one) if callable(asked) else {name: ask(one) for name, ask in asked.items()}
+        for name, value in single.items():
+            assert found.samples[name][k] == pytest.approx(np.inf if value is None else value, rel=near), name
+
+
 def test_each_sample_is_the_answer_of_that_mount():
     found = tolerances(MOUNT, WITHIN, F=5, shock=(20, 0.02), answers=SINGLE, samples=12)
-    for k in range(12):
-        one = MOUNT.replace(**{name: values[k] for name, values in found.drawn.items()})
-        for name, single in SINGLE.items():
-            assert found.samples[name][k] == pytest.approx(single(one), rel=1e-11), name
+    assert_samples_are_single_answers(found, MOUNT, SINGLE)
     for row in found:
         assert row.nominal == pytest.approx(SINGLE[row.answer](MOUNT), rel=1e-12) and row.share == 1
     units = {"F_SN": "N", "F_cr": "N", "A_peak": "m", "A_shock": "m", "a_shock": "m/s^2", "rests_within": "m"}
@@ -61,13 +67,14 @@ def test_each_sample_is_the_answer_of_that_mount():
 TABLE = ([2.2, 5.0, 2.0, 2.2, 5.0], [5.0, 5.0, 3.0, 4.0, 0.3])
 
 
-def of_rows(rows, F_SN, F_cr, sticks):
+def of_spectrum(mount, table, sticks):
     """By name what `sizing` says of a load spectrum, from its rows."""
+    rows, margins = mount.spectrum(f=table[0], F=table[1]), mount.margins(5)
     return {
         "A_spectrum": rows.A.max(),
         "transmissibility_spectrum": 10 ** (np.nanmax(rows.transmissibility_dB) / 20),
-        "of_SN_spectrum": F_SN / max(TABLE[1]),
-        "of_cr_spectrum": F_cr / max(TABLE[1]),
+        "of_SN_spectrum": margins.F_SN / max(table[1]),
+        "of_cr_spectrum": margins.F_cr / max(table[1]),
         "rows_several": (rows.motions > 1).sum(),
         "rows_cross": rows.crosses.sum(),
         "rows_detach": rows.detaches.sum(),
@@ -78,11 +85,7 @@ def of_rows(rows, F_SN, F_cr, sticks):
 def test_margins_over_a_load_spectrum_have_bands():
     found = tolerances(MOUNT, WITHIN, spectrum=TABLE, samples=12)
     assert found.unit[found.answer == "rows_cross"] == "" and found.unit[found.answer == "A_spectrum"] == "m"
-    for k in range(12):
-        one = MOUNT.replace(**{name: values[k] for name, values in found.drawn.items()})
-        rows = one.spectrum(f=TABLE[0], F=TABLE[1])
-        for name, expected in of_rows(rows, one.margins(5).F_SN, one.margins(5).F_cr, 1).items():
-            assert found.samples[name][k] == pytest.approx(expected, rel=1e-11), name
+    assert_samples_are_single_answers(found, MOUNT, lambda one: of_spectrum(one, TABLE, 1))
     assert 0 < found.nominal[found.answer == "rows_detach"] < 5
     met = meet(MOUNT, {"zeta": (0.01, 0.2)}, at_least={"of_SN_spectrum": 1.1}, spectrum=TABLE)
     assert met.feasible and met.design.saddle_node_onset().F_SN == pytest.approx(5.5, rel=1e-6)
@@ -93,24 +96,21 @@ def test_margins_over_a_load_spectrum_have_bands():
 @pytest.mark.slow
 def test_shocks_and_spectra_have_bands_under_a_load_too():
     mount = MOUNT.replace(load=12.36)
-    wanted = ["A_shock", "of_cr_shock", "break_loose", *of_rows(mount.spectrum(f=[2.2], F=[5.0]), 1, 1, 1)]
     table = (TABLE[0][:2], [5.0, 5.0])
-    found = tolerances(mount, {"load": 0.01}, shock=(20, 0.02), spectrum=table, answers=wanted, samples=2)
-    for k, load in enumerate(found.drawn["load"]):
-        one = mount.replace(load=load)
+
+    def single(one):
         shock = one.transient(acceleration=20, duration=0.02)
-        assert found.samples["A_shock"][k] == pytest.approx(shock.A, rel=1e-11)
-        assert found.samples["of_cr_shock"][k] == pytest.approx(shock.x_cr / shock.A, rel=1e-11)
-        rows, margins = one.spectrum(f=table[0], F=table[1]), one.margins(5)
-        for name, expected in of_rows(rows, margins.F_SN, margins.F_cr, 0).items():
-            assert found.samples[name][k] == pytest.approx(expected, rel=1e-11), name
+        return {"A_shock": shock.A, "of_cr_shock": shock.x_cr / shock.A, **of_spectrum(one, table, 0)}
+
+    wanted = [*single(mount), "break_loose"]
+    found = tolerances(mount, {"load": 0.01}, shock=(20, 0.02), spectrum=table, answers=wanted, samples=2)
+    assert_samples_are_single_answers(found, mount, single)
     assert "rests_within" not in Subject(mount).answers and "f_sticks" not in Subject(mount).answers
 
 
 def test_frequency_up_to_which_a_base_leaves_rest_has_a_band():
     found = tolerances(SHAKEN, {"friction": 0.3}, F=0.004, answers=["f_sticks"], samples=20)
-    for friction, f in zip(found.drawn["friction"], found.samples["f_sticks"], strict=True):
-        assert f == pytest.approx(SHAKEN.replace(friction=friction).margins(0.004).f_sticks, rel=1e-12)
+    assert_samples_are_single_answers(found, SHAKEN, {"f_sticks": lambda one: one.margins(0.004).f_sticks}, 1e-12)
     with pytest.raises(ValueError, match="rows_cross needs a load spectrum: give spectrum"):
         tolerances(SHAKEN, {"friction": 0.3}, answers=["rows_cross"])
     with pytest.raises(ValueError, match=r"spectrum = 3 is not allowed: it must be a pair \(f, F\)"):
@@ -129,10 +129,7 @@ def test_mount_excited_by_inertia_is_sized_in_its_own_terms(mount, letter, forci
     }
     within = {**WITHIN, "zeta": 0.02}
     found = tolerances(mount, within, F=forcing, shock=(20, 0.02), answers=single, samples=6)
-    for k in range(6):
-        one = mount.replace(**{name: values[k] for name, values in found.drawn.items()})
-        for name, ask in single.items():
-            assert found.samples[name][k] == pytest.approx(ask(one), rel=1e-11), name
+    assert_samples_are_single_answers(found, mount, single)
     unit = {"Y": "m", "U": "kg m"}[letter]
     assert [row.unit for row in found] == [unit, unit, "m", "Hz", "Hz", "m"]
     safe = meet(mount, {"zeta": (0.02, 0.2)}, at_least={f"{letter}_SN": 2 * single[f"{letter}_SN"](mount)})
@@ -158,12 +155,13 @@ def test_fit_finds_damping_and_friction_on_a_base():
 
 def test_transmission_at_a_frequency_has_a_band_or_requirement():
     found = tolerances(MOUNT, {"k_h": 0.05, "zeta": 0.2}, F=5, f=2.25, answers=["A", "transmissibility"], samples=40)
-    for k in range(40):
-        states = MOUNT.replace(k_h=found.drawn["k_h"][k], zeta=found.drawn["zeta"][k]).amplitudes(f=2.25, F=5)
-        largest = np.flatnonzero(states.stable)[-1]
-        assert found.samples["A"][k] == pytest.approx(states.A[largest], rel=1e-13)
-        of_it = 10 ** (states.transmissibility_dB[largest] / 20)
-        assert found.samples["transmissibility"][k] == pytest.approx(of_it, rel=1e-12)
+
+    def largest(one):
+        states = one.amplitudes(f=2.25, F=5)
+        A, dB = (column[states.stable][-1] for column in (states.A, states.transmissibility_dB))
+        return {"A": A, "transmissibility": 10 ** (dB / 20)}
+
+    assert_samples_are_single_answers(found, MOUNT, largest, 1e-13)
     assert MOUNT.amplitudes(f=2.25, F=5).A.size == 3 and found.unit.tolist() == ["m", ""]
     assert tolerances(MOUNT, {"k_h": 0.05}, F=0.3, f=5, answers=["A"], samples=5).samples["A"].tolist() == [0.0] * 5
     met = meet(MOUNT, {"k_h": (1000, 2500)}, at_most={"transmissibility": 0.22}, F=5, f=5)
@@ -673,13 +671,13 @@ def test_designs_under_a_load_have_the_answers_of_each_by_itself():
     mount = MOUNT.replace(load=12.36)
     found = tolerances(mount, {"load": 0.02, "preload": 0.05}, F=3.0, answers=["F_cr", "f_rest", "stroke"], samples=2)
     assert found.nominal[0] == pytest.approx(mount.detachment().F_cr, rel=1e-14)
-    for k in range(2):
-        one = mount.replace(**{name: float(values[k]) for name, values in found.drawn.items()})
-        expected = [one.detachment().F_cr, one.peak(3.0).x_max]
-        assert [found.samples[name][k] for name in ("F_cr", "stroke")] == pytest.approx(expected, rel=1e-12)
+
+    def single(one):
         (rest,) = one.rest()
         frequency = (one.stiffness(rest.x) / one.scales.m) ** 0.5 / (2 * np.pi)
-        assert found.samples["f_rest"][k] == pytest.approx(frequency, rel=1e-12)
+        return {"F_cr": one.detachment().F_cr, "stroke": one.peak(3.0).x_max, "f_rest": frequency}
+
+    assert_samples_are_single_answers(found, mount, single, 1e-12)
     assert 11 < found.drawn["load"].min() < found.drawn["load"].max() < 13
     without = tolerances(isolator(load=0.03), {"load": 0.1}, F_0=0.01, answers=["stroke", "A_peak"], samples=2)
     assert without.samples["A_peak"].tolist() == [0.0, 0.0]  # it sticks where it stands
@@ -713,10 +711,7 @@ def test_static_friction_is_sized_and_changes_no_average():
     asked = {name: SINGLE[name] for name in ("break_loose", "rests_within", "A_shock", "a_shock", "of_cr_shock")}
     within = {"m": 0.02, "friction": 0.2, "static_friction": 0.1}
     found = tolerances(grips, within, shock=(20.0, 0.02), answers=asked, samples=4)
-    for k in range(4):
-        mount = grips.replace(**{name: values[k] for name, values in found.drawn.items()})
-        for name, single in asked.items():
-            assert found.samples[name][k] == pytest.approx(single(mount), rel=1e-11), name
+    assert_samples_are_single_answers(found, grips, asked)
     plain = tolerances(isolator(mu_s=0.02), {"mu_s": 0.1}, answers=["break_loose"], samples=9)
     assert np.array_equal(plain.samples["break_loose"], plain.drawn["mu_s"])
 
@@ -740,10 +735,7 @@ def test_other_laws_are_sized_as_single_questions_see_them(laws):
     asked = {name: single for name, single in SINGLE.items() if "shock" not in name or "eta" not in laws}
     within = {name: 0.1 for name in ("k_h", "friction", *laws) if name != "rubs"}
     found = tolerances(mount, within, F=5, shock=(20, 0.02), answers=asked, samples=2)
-    for k in range(2):
-        one = mount.replace(**{name: values[k] for name, values in found.drawn.items()})
-        for name, single in asked.items():
-            assert found.samples[name][k] == pytest.approx(single(one), rel=1e-11), name
+    assert_samples_are_single_answers(found, mount, asked)
 
 
 @pytest.mark.slow
@@ -793,11 +785,11 @@ def test_other_laws_are_sized_on_a_base_as_single_questions():
     shaken = SHAKEN.replace(**laws)
     within = {name: 0.1 for name in ("k_h", "friction", *laws) if name != "rubs"}
     found = tolerances(shaken, within, F=0.002, f=2.2, samples=2)
-    for k in range(2):
-        one = shaken.replace(**{name: values[k] for name, values in found.drawn.items()})
+
+    def single(one):
         margins, peak, states = one.margins(0.002), one.peak(0.002), one.amplitudes(f=2.2, F=0.002)
         expected = {name: getattr(margins, name) for name in ("Y_SN", "Y_cr", "of_SN", "of_cr", "f_sticks")}
         expected |= {"A_peak": peak.A, "f_peak": peak.f, "f_isolation": one.isolation(0.002).f}
-        expected["A"] = states.A[states.stable].max()
-        for name, value in expected.items():
-            assert found.samples[name][k] == pytest.approx(np.inf if value is None else value, rel=1e-9), name
+        return {**expected, "A": states.A[states.stable].max()}
+
+    assert_samples_are_single_answers(found, shaken, single, 1e-9)
