@@ -287,7 +287,6 @@ def test_laws_are_columns_of_a_batch_and_of_a_map():
     peaks = Duffing.many(1.0, 0.5, eta=[0.02, 0.05], c_2=0.1).peak(0.04)
     columns = peaks.columns()
     assert columns["eta"].tolist() == [0.02, 0.05] and columns["c_2"].tolist() == [0.1, 0.1]
-    assert peaks.A.tolist() == [Duffing(1.0, 0.5, eta=eta, c_2=0.1).peak(0.04).A for eta in (0.02, 0.05)]
     plain = Duffing.many(1.0, 0.5, 0.0, 0.02, eta=0.0)
     assert plain == Duffing.many(1.0, 0.5, 0.0, 0.02) and "eta" not in plain.values
     xarray = pytest.importorskip("xarray")
@@ -298,8 +297,6 @@ def test_laws_are_columns_of_a_batch_and_of_a_map():
     found = grid.peak(0.04).compute()
     assert found.attrs["rubs"] == "attached" and "loss factor" in found.eta.attrs["long_name"]
     assert found.A.values.tolist() == [Isolator(**given, eta=one).peak(0.04).A for one in (0.02, 0.05)]
-    shaken = Isolator.many(**given, eta=[0.02, 0.05], excitation="base").peak(0.04)
-    assert shaken.A.tolist() == [Isolator(**given, eta=one, excitation="base").peak(0.04).A for one in (0.02, 0.05)]
     for ask in (
         lambda: grid.second_approximation,
         lambda: grid.certify(0.04),

@@ -402,10 +402,6 @@ def test_it_is_told_whether_the_response_to_a_force_closes(compiled):
     assert not endless.closes(0.2)
 
 
-def test_a_preload_moves():
-    assert len(oscillator("preload").saddle_nodes(0.1)) == 2
-
-
 @pytest.fixture(scope="module")
 def preloaded():
     """A preload on a linear spring, whose folds have a closed form."""

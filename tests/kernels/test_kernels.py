@@ -219,13 +219,6 @@ def test_empty_arrays(package):
     assert [value.shape for value in values] == [(0, 3)] * 4
 
 
-def test_the_corner_belongs_below(package):
-    """At A = u_cr the attached regime holds: h_A is finite there, and falls to minus infinity just above."""
-    kernels, u_cr = package["rod_spring"], ISOLATOR[-1]
-    assert kernels.h_A(u_cr, *ISOLATOR) == kernels.h_A(u_cr, *ISOLATOR[:-1], 2.0)
-    assert kernels.h_A(np.nextafter(u_cr, 1.0), *ISOLATOR) < -1e4
-
-
 def test_no_piece_without_preload(package):
     """delta_h = 0 leaves a linear oscillator: h = -A, without a warning."""
     A = np.array([0.0, 1e-3, 0.5])
@@ -233,14 +226,6 @@ def test_no_piece_without_preload(package):
     np.testing.assert_allclose(h, -A, rtol=4e-16)
     np.testing.assert_allclose(h_A[1:], -1.0, rtol=4e-16)
     assert not h_AA[1:].any() and not h_AAA[1:].any()
-
-
-def test_averaged_shares_its_parts(package):
-    """The two functions that give several derivatives at once agree to rounding."""
-    kernels = package["rod_spring"]
-    A = np.linspace(0.01, 2.0, 200)
-    for one, other in zip(kernels.averaged_2(A, *ISOLATOR), kernels.averaged(A, *ISOLATOR), strict=False):
-        np.testing.assert_allclose(other, one, rtol=1e-13, atol=1e-13)
 
 
 @pytest.mark.parametrize("module", MODULES)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import copy
-import itertools
 import os
 import pickle
 import platform
@@ -411,23 +410,6 @@ def test_derivatives_are_those_of_the_values(force, A):
     assert np.allclose(found, expected, rtol=1e-6, atol=1e-9)
 
 
-def test_states_at_many_frequencies_are_those_at_each():
-    second = isolator().second_approximation
-    frequencies = [0.95, 0.85, 1.1, 0.9]
-    together = second.amplitudes(Omega=frequencies, F_0=0.04)
-    apart = [second.amplitudes(Omega=Omega, F_0=0.04) for Omega in frequencies]
-    assert np.allclose(together.A, list(itertools.chain(*(one.A for one in apart))), rtol=1e-9)
-    assert together.Omega.tolist() == list(itertools.chain(*(one.Omega for one in apart)))
-
-
-def test_repeated_frequencies_are_asked_for_once_each():
-    second = isolator().second_approximation
-    once, thrice = second.amplitudes(Omega=0.9, F_0=0.04), second.amplitudes(Omega=[[0.9, 0.9], [1.1, 0.9]], F_0=0.04)
-    assert not once.message and not thrice.message
-    assert np.allclose(thrice.A[thrice.Omega == 0.9], np.tile(once.A, 3), rtol=1e-12)
-    assert thrice.Omega.size == 3 * once.Omega.size + 1
-
-
 @pytest.mark.parametrize("mu", [0.0, 0.012])
 def test_states_next_to_a_fold_are_found_between_far_points(mu):
     """Most points of a curve that reaches A = 200 lie above u_cr."""
@@ -599,22 +581,6 @@ def test_the_peak_is_the_highest_point_of_the_curve():
     assert "sticks" in isolator().second_approximation.peak(0.01).message
     unbounded = isolator(zeta=0.0).second_approximation.peak(0.03)
     assert unbounded.A is None and unbounded.message
-
-
-@pytest.mark.parametrize("of", ["second", "load"])
-def test_states_at_pairs_are_those_of_each_pair(of):
-    """Beyond averaging too Omega and F_0 broadcast; states come in the order of the pairs."""
-    asked = isolator().second_approximation if of == "second" else isolator().replace(load=0.01)
-    Omega, F_0 = np.array([0.9, 0.7, 0.9]), np.array([[0.04], [0.01], [0.03]])
-    found = asked.amplitudes(Omega=Omega, F_0=F_0)
-    singles = [asked.amplitudes(Omega=O, F_0=F) for F in F_0.ravel() for O in Omega]
-    for name in ("Omega", "A", "stable", "phi", "transmissibility", "A_1" if of == "second" else "B"):
-        together = np.concatenate([getattr(one, name) for one in singles])
-        np.testing.assert_allclose(getattr(found, name), together, rtol=1e-11, err_msg=name)
-    assert len(found) > 6 and "sticks" in found.message
-    assert len(asked.amplitudes(Omega=0.9, F_0=[])) == 0
-    with pytest.raises(ValueError, match="shapes do not broadcast"):
-        asked.amplitudes(Omega=Omega, F_0=[0.03, 0.04])
 
 
 def test_batches_of_the_second_approximation_say_what_lacks():
