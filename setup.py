@@ -148,10 +148,10 @@ class Build(build_ext):
         """
         command = [*getattr(self.compiler, "compiler", ["false"]), "-march=native", "-dM", "-E", "-x", "c", os.devnull]
         done = subprocess.run(command, capture_output=True, text=True, check=False)
-        told = dict(line.split(" ", 2)[1:] for line in done.stdout.splitlines())
-        if "__x86_64__" not in told or "__clang__" in told or int(told.get("__GNUC__", 0)) < 12:
+        macros = dict(line.split(" ", 2)[1:] for line in done.stdout.splitlines())
+        if "__x86_64__" not in macros or "__clang__" in macros or int(macros.get("__GNUC__", 0)) < 12:
             return None
-        return next((target for target, features in TARGETS.items() if features <= told.keys()), None)
+        return next((target for target, features in TARGETS.items() if features <= macros.keys()), None)
 
 
 def extension(name, sources):
@@ -174,10 +174,10 @@ def readme(text, address=None):
     """
 
     def place(match):
-        picture, words, path, caption = match.groups()
+        picture, label, path, caption = match.groups()
         if address is None:
-            return "" if picture else words + caption
-        return f"{picture}[{words}]({address}/{'raw' if picture else 'blob'}/HEAD/{path}){caption}"
+            return "" if picture else label + caption
+        return f"{picture}[{label}]({address}/{'raw' if picture else 'blob'}/HEAD/{path}){caption}"
 
     picture = r"(!)\[([^]]*)\]\((?!\w+:)([^)]+)\)((?:\n+\*[^*]+\*)?\n+)"
     link = r"()\[([^]]*)\]\((?!\w+:)([^)]+)\)()"

@@ -5,13 +5,13 @@ import numpy as np
 from slowflow import Isolator
 
 r = np.linspace(0.5, 3.0, 6)[:, None]  # stiffness of a horizontal spring over that of the vertical one
-share = np.linspace(0.1, 0.9, 5)  # preload, as a share of that which leaves no stiffness at rest
-designs = Isolator.many(lam=3, r=r, delta_h=share / (3 * r), mu=0.012, zeta=0.02)
+preload = np.linspace(0.1, 0.9, 5)  # as a fraction of the one of quasi-zero stiffness
+designs = Isolator.many(lam=3, r=r, delta_h=preload / (3 * r), mu=0.012, zeta=0.02)
 
 onset, detachment = designs.saddle_node_onset(), designs.detachment()
 
 for name, found in (("F_SN", onset.F_SN), ("F_cr", detachment.F_cr)):
-    print(f"{name:6}" + "".join(f"{x:10.2f}" for x in share))
+    print(f"{name:6}" + "".join(f"{x:10.2f}" for x in preload))
     for k, row in enumerate(found):
         print(f"r={r[k, 0]:4.1f}" + "".join(f"{value:10.4f}" for value in row))
     print()
@@ -23,4 +23,4 @@ print(f"{first} of {np.count_nonzero(answered)} designs jump before their spring
 
 # the same for a million designs takes seconds
 best = np.unravel_index(np.nanargmax(onset.F_SN), onset.F_SN.shape)
-print(f"the highest onset has r = {r[best[0], 0]:.1f}, share = {share[best[1]]:.1f}: F_SN = {onset.F_SN[best]:.4f}")
+print(f"the highest onset has r = {r[best[0], 0]:.1f}, preload = {preload[best[1]]:.1f}: F_SN = {onset.F_SN[best]:.4f}")

@@ -18,9 +18,9 @@ def axis(name, numbers):
 
 
 r = axis("r", np.linspace(0.5, 3.0, 24)).chunk(r=8)  # three blocks along r; a map of 10^9 has some thousand
-share = axis("share", np.linspace(0.1, 0.9, 17))  # preload, as a share of that which leaves no stiffness at rest
+preload = axis("preload", np.linspace(0.1, 0.9, 17))  # as a fraction of the one of quasi-zero stiffness
 mu = axis("mu", np.array([0.0, 0.01, 0.02]))
-designs = Isolator.many(lam=3, r=r, delta_h=share / (3 * r), mu=mu, zeta=0.02)
+designs = Isolator.many(lam=3, r=r, delta_h=preload / (3 * r), mu=mu, zeta=0.02)
 
 with tempfile.TemporaryDirectory() as folder:  # a map that is to last gets a path of its own
     onset = designs.store(Path(folder) / "onset.zarr", "saddle_node_onset")
@@ -30,7 +30,7 @@ with tempfile.TemporaryDirectory() as folder:  # a map that is to last gets a pa
 
     answered = onset["F_SN"].where(onset["status"] == 0)
     for friction in mu.values:
-        best = answered.sel(mu=friction).stack(design=["r", "share"]).compute()
-        r_best, share_best = best["design"][int(best.argmax("design"))].item()
+        best = answered.sel(mu=friction).stack(design=["r", "preload"]).compute()
+        r_best, preload_best = best["design"][int(best.argmax("design"))].item()
         print(f"mu = {friction:4.2f}: F_SN is {float(best.min()):.4f} to {float(best.max()):.4f}, "
-              f"highest at r = {r_best:.2f}, share = {share_best:.2f}")  # fmt: skip
+              f"highest at r = {r_best:.2f}, preload = {preload_best:.2f}")  # fmt: skip

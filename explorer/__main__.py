@@ -38,19 +38,19 @@ MOST = 1_500_000
 
 
 def sources() -> list[Path]:
-    """All that the page is made of but for the package's data and what is derived: its parts, what the library states,
+    """All that the page is made of but for the package's data and what is derived: its files, what the library states,
     and the headers that explorer.c includes."""
-    parts = [path for path in sorted(HERE.iterdir()) if path.suffix in {".c", ".py", ".html", ".css", ".js"}]
-    parts += [ROOT / f"derivations/library/{name}.py" for _, name, *_ in LIBRARY]
-    parts.append(ROOT / "derivations/asymmetric/one_end.py")
+    files = [path for path in sorted(HERE.iterdir()) if path.suffix in {".c", ".py", ".html", ".css", ".js"}]
+    files += [ROOT / f"derivations/library/{name}.py" for _, name, *_ in LIBRARY]
+    files.append(ROOT / "derivations/asymmetric/one_end.py")
     headers: set[Path] = set()
     left = [HERE / "explorer.c"]
     while left:
-        wanted = re.findall(r'#include "([^"]+)"', left.pop().read_text())
-        found = {folder / name for name in wanted for folder in INCLUDED if (folder / name).exists()} - headers
+        names = re.findall(r'#include "([^"]+)"', left.pop().read_text())
+        found = {folder / name for name in names for folder in INCLUDED if (folder / name).exists()} - headers
         headers |= found
         left += found
-    return sorted(headers) + parts
+    return sorted(headers) + files
 
 
 def digest() -> str:
@@ -105,11 +105,11 @@ def mechanisms() -> tuple[list[str], dict[str, str], dict[str, str]]:
         table.append((name, name, 0, f"&{name}_of_library"))
     for kind, column in {
         "char *const names[]": [f'"{name}"' for name, *_ in table],
-        "sf_mechanism *const *const mechanisms[]": [held for *_, held in table],
+        "sf_mechanism *const *const mechanisms[]": [record for *_, record in table],
     }.items():
         header.append(f"static const {kind} = {{{', '.join(column)}}};")
-    places = ["NULL"] * (len(table) - len(on_one_side)) + [f"{name}_place" for name, _ in on_one_side]
-    header.append(f"static double (*const places_of[])(const double *) = {{{', '.join(places)}}};")
+    functions = ["NULL"] * (len(table) - len(on_one_side)) + [f"{name}_place" for name, _ in on_one_side]
+    header.append(f"static double (*const places_of[])(const double *) = {{{', '.join(functions)}}};")
     own = {name for name, _ in on_one_side}
     of_each = ", ".join(f"{name}_force" if name in own else f"{name}_at" for name, *_ in table)
     header.append(f"static double (*const forces[])(double, const double *) = {{{of_each}}};")
@@ -132,8 +132,8 @@ def compiled() -> bytes:
             Path(folder, name).write_text(text)
         included = [f"-I{path.relative_to(ROOT)}" for path in INCLUDED]
         target = Path(folder, "solvers.wasm")
-        given = ["explorer/explorer.c", *(str(Path(folder, name)) for name in sorted(sources))]
-        command = [sys.executable, "-m", "ziglang", "cc", *FLAGS, *LINKED, *included, f"-I{folder}", *given]
+        inputs = ["explorer/explorer.c", *(str(Path(folder, name)) for name in sorted(sources))]
+        command = [sys.executable, "-m", "ziglang", "cc", *FLAGS, *LINKED, *included, f"-I{folder}", *inputs]
         subprocess.run([*command, "-o", str(target)], cwd=ROOT, check=True)
         return target.read_bytes()
 
@@ -157,11 +157,11 @@ def main() -> int:
     """Write the page, or compare it."""
     parser = argparse.ArgumentParser(prog="python -m explorer", description=__doc__.splitlines()[0])
     parser.add_argument("--check", action="store_true", help="compare with what is there, and write nothing")
-    wanted = parser.parse_args()
+    options = parser.parse_args()
     text = page(compiled())
     if len(text.encode()) > MOST:
         sys.exit(f"the page has {len(text.encode())} bytes, more than {MOST}")
-    if wanted.check:
+    if options.check:
         same = PAGE.exists() and PAGE.read_text() == text
         print(f"{PAGE.relative_to(ROOT)} is {'the same' if same else 'another'}")
         return 0 if same else 1

@@ -61,7 +61,7 @@ STOPS = text("friction stops it: {mu/(A Omega^2)|friction/(m A omega^2)} > 1")
 PHYSICAL_NAMES = {"lam": "n", "r": "k_h", "delta_h": "preload", "mu": "friction", "F_0": "F", "Omega": "f"}
 
 #: places of numbers in its words, by name
-PLACES = {"reach": "{reach:g}", "held": "{held:g}"}
+PLACEHOLDERS = {"reach": "{reach:g}", "held": "{held:g}"}
 #: where the page compares itself: points of the curve, and a frequency as a share of the highest that is shown
 REFERENCE_SAMPLES = 200
 REFERENCE_AT = 0.45
@@ -133,13 +133,13 @@ def about() -> dict[str, Any]:
 
 
 def messages() -> dict[str, Any]:
-    """The package's words by name, with places for numbers: "plain", and "si" by what excites, in the terms of that."""
+    """The package's messages by name, with placeholders for numbers: "plain", and "si" by excitation, in its terms."""
     plain = {
         **{
-            remark.name: said.format(**{name: PLACES.get(name, f"{{{name}}}") for name in said.names})
-            if isinstance(said, Sentence)
-            else said
-            for remark, said in WORDS.items()
+            remark.name: text.format(**{name: PLACEHOLDERS.get(name, f"{{{name}}}") for name in text.names})
+            if isinstance(text, Sentence)
+            else text
+            for remark, text in WORDS.items()
         },
         "STICKS": STICKS.format("{:g}", "{:g}"),
         "STICKS_BELOW": STICKS_BELOW.format("{:g}", "{:g}"),
@@ -149,9 +149,9 @@ def messages() -> dict[str, Any]:
         "OFF_UNKNOWN": validity.OFF_UNKNOWN,
         "STOPS": STOPS,
     }
-    # symbols are what is changed here: places have no number yet, so any scales do
+    # symbols are what is changed here: placeholders have no number yet, so any scales do
     scales = {name: Scales(m=1.0, k_v=1.0, L=1.0, excitation=name) for name in EXCITED_BY}
-    si = {name: {key: in_units(said, of) for key, said in plain.items()} for name, of in scales.items()}
+    si = {name: {key: in_units(text, of) for key, text in plain.items()} for name, of in scales.items()}
     return {"plain": plain, "si": si}
 
 
@@ -187,9 +187,9 @@ def _values(one: Oscillator, F_0: float) -> dict[str, float]:
 
 def _mount() -> dict[str, Any]:
     """The mount: m, k_v and L, and its other numbers in SI units, by the names that they have without dimensions."""
-    given, scales = MOUNT.given, MOUNT.scales
+    parameters, scales = MOUNT.given, MOUNT.scales
     names = [number.name for number in (*MOUNT.oscillator.model.mechanism.design, *DAMPING)]
-    values = {name: given[PHYSICAL_NAMES.get(name, name)] for name in names}
+    values = {name: parameters[PHYSICAL_NAMES.get(name, name)] for name in names}
     return {
         "title": "The mount of the README",
         "mechanism": MOUNT.oscillator.model.mechanism.name,

@@ -161,15 +161,15 @@ def text(name: str, force: Sided) -> str:
             domain += [f"{c(one.symbol)} {sign} {c(bound)}"] if bound is not None else []
     inputs = ", ".join(f"{c(one.symbol)} = design[{i}]" for i, one in enumerate(force.design))
 
-    def given(values: tuple[sp.Expr, ...]) -> str:
+    def assignments(values: tuple[sp.Expr, ...]) -> str:
         return ", ".join(f"p[{i}] = {c(value)}" for i, value in enumerate(values))
 
-    parts = {
+    substitutions = {
         "DESIGN": inputs,
         "DOMAIN": " && ".join(domain),
         "RESTS": c(derived.rests),
-        "FIRST": given(derived.given[0]),
-        "SECOND": given(derived.given[1]),
+        "FIRST": assignments(derived.given[0]),
+        "SECOND": assignments(derived.given[1]),
         "M_NEAR_0": c(one_end.in_powers(derived.M).subs(sp.pi, sp.pi.evalf(20))),
         "N_NEAR_0": c(one_end.in_powers(derived.N).subs(sp.pi, sp.pi.evalf(20))),
         "M_OF_A": c(derived.M),
@@ -180,6 +180,6 @@ def text(name: str, force: Sided) -> str:
         "SIZE": str(len(force.design)),
     }
     made = TEMPLATE
-    for word in sorted(parts, key=len, reverse=True):
-        made = made.replace(word, parts[word])
+    for word in sorted(substitutions, key=len, reverse=True):
+        made = made.replace(word, substitutions[word])
     return made.replace("NAME", name)

@@ -17,12 +17,12 @@ FIELD = re.compile(r"^(\s*)([\w., *]+?)\s+-- (.*)$")
 
 def escaped(text: str) -> str:
     """Without what reStructuredText would take for markup; names between backticks stay code."""
-    parts = re.split(r"(`[^`]+`)", text)
+    pieces = re.split(r"(`[^`]+`)", text)
     return "".join(
         f"``{part[1:-1]}``"
         if part.startswith("`") and len(part) > 2
         else re.sub(r"([\\*|`])|(?<=\w)(_)(?!\w)", r"\\\g<0>", part)
-        for part in parts
+        for part in pieces
     )
 
 

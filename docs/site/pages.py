@@ -46,12 +46,12 @@ def write(docs: Path) -> None:
     (made / "reference").mkdir()
     for source, page in ELSEWHERE.items():
         if page.startswith("_made"):
-            (docs / page).write_text(moved(ROOT / source, docs / page), encoding="utf-8")
+            (docs / page).write_text(relinked(ROOT / source, docs / page), encoding="utf-8")
     derivation(made / "derivation")
     reference(made / "reference")
 
 
-def moved(source: Path, page: Path) -> str:
+def relinked(source: Path, page: Path) -> str:
     """A file's text with its relative links as they are from the page."""
 
     def link(match: re.Match[str]) -> str:
@@ -131,12 +131,12 @@ def reference(folder: Path) -> None:
         first = ["Examples here begin with these lines too:", "", *block(begin)] if begin else []
         for name, value in public(module).items():
             there = home.get(id(value), module)
-            alone = inspect.isclass(value) and not issubclass(value, Exception | Enum)
-            target = f"{there}.{name}".replace(".", "_") if alone else there.replace(".", "_")
-            if alone or there != module:
+            own_page = inspect.isclass(value) and not issubclass(value, Exception | Enum)
+            target = f"{there}.{name}".replace(".", "_") if own_page else there.replace(".", "_")
+            if own_page or there != module:
                 links.append(name)
                 shown.append(f"[{name}]({target}.md)")
-            if alone and there == module:
+            if own_page and there == module:
                 lines = [
                     f"# {name}",
                     "",

@@ -32,10 +32,10 @@ def beneath(text: str, name: str) -> str:
     known: dict[str, Any] = {"__name__": name}
 
     def run(match: re.Match[str]) -> str:
-        told = io.StringIO()
-        with contextlib.redirect_stdout(told):
+        output = io.StringIO()
+        with contextlib.redirect_stdout(output):
             exec(compile(match[1], name, "exec"), known)
-        lines = [line.rstrip() for line in told.getvalue().strip("\n").splitlines()]
+        lines = [line.rstrip() for line in output.getvalue().strip("\n").splitlines()]
         if not lines:
             return match[0]
         shown = "printed wraps" if max(map(len, lines)) > WIDE else "printed"

@@ -16,13 +16,13 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("-o", "--out", type=Path, default=Path("output"), help="folder for the figures")
     parser.add_argument("--figures", action="store_true", help="draw Figs. 1b to 7b, all of them")
-    given = parser.parse_args()
-    if not given.figures:
+    options = parser.parse_args()
+    if not options.figures:
         for line in report(read_ledger()):
             print(line)
     with progress.shown():
-        print("Figures:", *draw(given.out, tuple(FIGURES) if given.figures else ("7a", "7b")))
-    for name, figure in FIGURES.items() if given.figures else ():
+        print("Figures:", *draw(options.out, tuple(FIGURES) if options.figures else ("7a", "7b")))
+    for name, figure in FIGURES.items() if options.figures else ():
         print(f"Fig. {name}: {figure.caption}{f'; chosen here: {figure.chosen}' if figure.chosen else ''}")
 
 

@@ -51,7 +51,7 @@ FRICTIONS_5B = (0.0, 0.006, 0.012, 0.024)
 NEAR_RESONANCE = (0.3, 1.6)
 EXAMPLE, A_EXAMPLE = (0.5, 1.3), 0.8
 #: points along the preload, and along either axis of the region that would be unstable
-ALONG, SHADING = 400, 400
+POINTS, SHADING = 400, 400
 
 
 @dataclass(frozen=True)
@@ -134,7 +134,7 @@ def figure_4b(ax: Any) -> None:
     """The response with both, and the limit envelope (27) of each, dotted."""
     these = [(rf"{zeta:g}, {mu:g}", isolator(mu=mu, zeta=zeta)) for zeta, mu in DAMPINGS_4B]
     _responses(ax, these, r"$\zeta$, $\mu$", more=[(_dotted(), "limit envelope (27)")])
-    Omega, top = np.linspace(*NEAR_RESONANCE, ALONG), ax.get_ylim()[1]
+    Omega, top = np.linspace(*NEAR_RESONANCE, POINTS), ax.get_ylim()[1]
     for (_, one), colour in zip(these, ramp(len(these)), strict=True):
         ax.plot(Omega, one.limit_envelope(Omega=Omega, F_0=F_0), color=colour, linewidth=0.8, linestyle=":")
     ax.set_ylim(0.0, top)
@@ -203,8 +203,8 @@ def band(ax: Any, found: Any, colour: Any) -> None:
 
 def isolator(**changes: Any) -> Isolator:
     """That of the captions of Figs. 3 and 4."""
-    given: dict[str, Any] = {"lam": LAM, "r": R_CAPTIONS, "delta_h": PRELOAD, "mu": FRICTION_3, "zeta": ZETA}
-    return Isolator(**{**given, **changes})
+    parameters: dict[str, Any] = {"lam": LAM, "r": R_CAPTIONS, "delta_h": PRELOAD, "mu": FRICTION_3, "zeta": ZETA}
+    return Isolator(**{**parameters, **changes})
 
 
 def forcings() -> list[float]:
@@ -300,7 +300,7 @@ def _responses(
 
 def _preloads(r: float) -> Any:
     """From near 0 to quasi-zero stiffness, more of them where u_cr rises steeply."""
-    return np.linspace(1e-3, 1.0, ALONG) ** 2 / (LAM * r)
+    return np.linspace(1e-3, 1.0, POINTS) ** 2 / (LAM * r)
 
 
 def _detachments(ax: Any, these: Iterable[tuple[str, dict[str, Any]]], title: str) -> None:

@@ -79,8 +79,8 @@ def report(ledger: dict[str, Any]) -> Iterator[str]:
     yield ""
     yield "The ledger: everything published, held against what is derived (sources: generated/LEDGER.md)"
     for kind, counts in ledger["counts"].items():
-        told = ", ".join(f"{number} {verdict}" for verdict, number in counts.items() if number)
-        yield f"  {kind + 's:':10} {told}"
+        numbers = ", ".join(f"{number} {verdict}" for verdict, number in counts.items() if number)
+        yield f"  {kind + 's:':10} {numbers}"
     yield "Findings:"
     for number, finding in enumerate(ledger["findings"], start=1):
         yield f"  {number:2d}. {finding['title']}"

@@ -99,14 +99,14 @@ def _smoothed(system: EquationOfMotion, Omega: float, F_0: float, nu: float):  #
         left, right, slip = steps(u, v)
         # far beyond the breakpoint the inner piece may have no force
         inside = inner if left != right else outer
-        given = (math.cos(Omega * tau), v, F_0, system.mu, system.zeta, left, right, slip)
-        return motion.smoothed(*given, inside.value(u), outer.value(u))
+        arguments = (math.cos(Omega * tau), v, F_0, system.mu, system.zeta, left, right, slip)
+        return motion.smoothed(*arguments, inside.value(u), outer.value(u))
 
     def jacobian(_: float, y: Array) -> Any:
         u, v = float(y[0]), float(y[1])
         left, right, slip = steps(u, v)
         inside = inner if left != right else outer
-        given = (system.mu, system.zeta, nu, left, right, slip, inside.value(u), outer.value(u))
-        return np.reshape(motion.smoothed_by_state(*given, inside.slope(u), outer.slope(u)), (2, 2))
+        arguments = (system.mu, system.zeta, nu, left, right, slip, inside.value(u), outer.value(u))
+        return np.reshape(motion.smoothed_by_state(*arguments, inside.slope(u), outer.slope(u)), (2, 2))
 
     return field, jacobian
