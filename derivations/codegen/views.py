@@ -161,7 +161,6 @@ def programs(module: Module, asked: Iterable[Kernel] | None = None) -> Code:
 
 
 @functools.cache
-@functools.cache
 def templates(folder: Path) -> jinja2.Environment:
     """The templates below `folder`, which is a target's, each compiled once; what they use undefined is an error."""
     environment = jinja2.Environment(
@@ -176,6 +175,7 @@ def templates(folder: Path) -> jinja2.Environment:
         bytecode_cache=kept_beside(folder / "templates", Path(__file__)),
     )
     environment.filters["fill"] = _filled
+    environment.filters["returned"] = returned
     environment.filters["tuple"] = lambda names: f"({', '.join(names)}{',' if len(names) == 1 else ''})"
     return environment
 
@@ -222,6 +222,15 @@ def fill(text: str, indent: int, first: int = 0) -> str:
         break_on_hyphens=False,
     )
     return whole.fill(text)[first:]
+
+
+def returned(outputs: Sequence[str]) -> str:
+    """A tuple as a function in Python returns it: on one line where that holds it, else an output a line."""
+    line = ", ".join(outputs)
+    if len(outputs) > 1 and len(f"    return {line}") <= WIDTH:
+        return line
+    lines = "".join(f"        {fill(output, 8, 8)},\n" for output in outputs)
+    return f"(\n{lines}    )"
 
 
 def view(kernel: Kernel, code: Sequence[Program], language: Language) -> KernelView:

@@ -16,10 +16,7 @@
 
 #include <math.h>
 
-/* what exported.c defines otherwise */
-#ifndef SF_KERNEL
-#define SF_KERNEL static inline
-#endif
+#include "inline.h"
 
 /* Response function.
    Equation (37). Domain: Omega > 0, Omega != 1. Operations: 3.

@@ -22,16 +22,9 @@
 
 #include <math.h>
 
-/* what exported.c defines otherwise */
-#ifndef SF_KERNEL
-#define SF_KERNEL static inline
-#endif
+#include "inline.h"
 
-/* kernels of one family take the same arguments, whether each needs them or not */
-#if defined(__GNUC__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-parameter"
-#endif
+SF_FAMILY_BEGIN
 
 /* Quadratic damping's factor of A^2 Omega^2 in I.
    Equation from (19). Domain: any. Operations: 1.
@@ -936,8 +929,6 @@ SF_KERNEL void dissipation_isolas_far_by_x(double x, double A, double F_0, doubl
     out[5] = 2.0 * I_0 * t9 + 2.0 * h * h * x + t0 * (I_0 - d * t3 / t6);
 }
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic pop
-#endif
+SF_FAMILY_END
 
 #endif

@@ -19,6 +19,7 @@
 
 #include <math.h>
 
+#include "inline.h"
 #include "twofold.h"
 
 /* what exported.c defines otherwise */

@@ -19,10 +19,7 @@
 
 #include <math.h>
 
-/* what exported.c defines otherwise */
-#ifndef SF_KERNEL
-#define SF_KERNEL static inline
-#endif
+#include "inline.h"
 
 /* Amplitude of the force on the mass.
    Equation beside (3). Domain: Omega >= 0. Operations: 2.

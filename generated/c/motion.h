@@ -22,10 +22,7 @@
 
 #include <math.h>
 
-/* what exported.c defines otherwise */
-#ifndef SF_KERNEL
-#define SF_KERNEL static inline
-#endif
+#include "inline.h"
 
 /* What friction has to hold at rest; cosine of theta = Omega tau.
    Equation (3). Domain: any. Operations: 2.

@@ -31,10 +31,7 @@
 
 #include <math.h>
 
-/* what exported.c defines otherwise */
-#ifndef SF_KERNEL
-#define SF_KERNEL static inline
-#endif
+#include "inline.h"
 
 /* Along the balance, by coordinates of the motion's ends: A's slope, and what F_A gains there by R.
    Equation (30) and the mean of (3). Domain: A > 0. Operations: 7.

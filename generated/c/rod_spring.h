@@ -19,19 +19,11 @@
 
 #include <math.h>
 
+#include "inline.h"
 #include "angles.h"
 #include "slow_flow.h"
 
-/* what exported.c defines otherwise */
-#ifndef SF_KERNEL
-#define SF_KERNEL static inline
-#endif
-
-/* kernels of one family take the same arguments, whether each needs them or not */
-#if defined(__GNUC__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-parameter"
-#endif
+SF_FAMILY_BEGIN
 
 /* alpha, beta, gamma, u_cr */
 #define ROD_SPRING_PARAMETERS 4
@@ -1516,8 +1508,6 @@ SF_KERNEL void rod_spring_detachment(double A, double mu, double zeta, const dou
     slow_flow_detachment(A, slow_flow_friction(mu), zeta, average[0], out);
 }
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic pop
-#endif
+SF_FAMILY_END
 
 #endif

@@ -19,25 +19,11 @@
 
 #include <math.h>
 
+#include "inline.h"
 #include "angles.h"
 #include "slow_flow.h"
 
-/* what exported.c defines otherwise */
-#ifndef SF_KERNEL
-#define SF_KERNEL static inline
-#endif
-/* before a loop over a table, which then vectorises with what is around it */
-#if defined(__GNUC__) && !defined(__clang__)
-#define SF_UNROLLED _Pragma("GCC unroll 32")
-#else
-#define SF_UNROLLED
-#endif
-
-/* kernels of one family take the same arguments, whether each needs them or not */
-#if defined(__GNUC__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-parameter"
-#endif
+SF_FAMILY_BEGIN
 
 /* alpha, beta, delta_h */
 #define ROD_SPRING_UNTRUNCATED_PARAMETERS 3
@@ -1738,8 +1724,6 @@ SF_KERNEL void rod_spring_untruncated_detachment(double A, double mu, double zet
     slow_flow_detachment(A, slow_flow_friction(mu), zeta, average[0], out);
 }
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic pop
-#endif
+SF_FAMILY_END
 
 #endif

@@ -19,10 +19,7 @@
 
 #include <math.h>
 
-/* what exported.c defines otherwise */
-#ifndef SF_KERNEL
-#define SF_KERNEL static inline
-#endif
+#include "inline.h"
 
 /* h as A tends to 0.
    Equation (20). Domain: any. Operations: 1.

@@ -21,12 +21,8 @@
 
 #include <math.h>
 
+#include "inline.h"
 #include "angles.h"
-
-/* what exported.c defines otherwise */
-#ifndef SF_KERNEL
-#define SF_KERNEL static inline
-#endif
 
 #define SECOND_APPROXIMATION_RESONANCE 9.0
 

@@ -27,16 +27,9 @@
 
 #include <math.h>
 
-/* what exported.c defines otherwise */
-#ifndef SF_KERNEL
-#define SF_KERNEL static inline
-#endif
+#include "inline.h"
 
-/* kernels of one family take the same arguments, whether each needs them or not */
-#if defined(__GNUC__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-parameter"
-#endif
+SF_FAMILY_BEGIN
 
 /* By A, Omega and F_0, of what vanishes by `conventions.SYSTEMS`; then the sizes of these.
    Equation from (23)-(34). Domain: Omega > 0, A > 0. Operations: 174.
@@ -223,8 +216,6 @@ SF_KERNEL void sensitivities_by_inertia(double Omega, double F_0, double *out)
     out[6] = 8.0 * F_0 * Omega3;
 }
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic pop
-#endif
+SF_FAMILY_END
 
 #endif

@@ -20,18 +20,10 @@
 
 #include <math.h>
 
+#include "inline.h"
 #include "angles.h"
 
-/* what exported.c defines otherwise */
-#ifndef SF_KERNEL
-#define SF_KERNEL static inline
-#endif
-
-/* kernels of one family take the same arguments, whether each needs them or not */
-#if defined(__GNUC__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-parameter"
-#endif
+SF_FAMILY_BEGIN
 
 /* Dry friction's share of I.
    Equation (23). Domain: mu >= 0. Operations: 1.
@@ -626,8 +618,6 @@ SF_KERNEL double slow_flow_tail(double Omega, double F_0, double m)
     return sqrt(square) / (Omega * Omega + 1.0);
 }
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic pop
-#endif
+SF_FAMILY_END
 
 #endif

@@ -18,16 +18,9 @@
 
 #include <math.h>
 
-/* what exported.c defines otherwise */
-#ifndef SF_KERNEL
-#define SF_KERNEL static inline
-#endif
+#include "inline.h"
 
-/* kernels of one family take the same arguments, whether each needs them or not */
-#if defined(__GNUC__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-parameter"
-#endif
+SF_FAMILY_BEGIN
 
 /* F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
    Equation (24). Domain: A > 0. Operations: 10.
@@ -92,8 +85,6 @@ SF_KERNEL void slow_flow_mu0_isola(double A, double m, double zeta, double h, do
     out[1] = bracket_A;
 }
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic pop
-#endif
+SF_FAMILY_END
 
 #endif

@@ -18,16 +18,9 @@
 
 #include <math.h>
 
-/* what exported.c defines otherwise */
-#ifndef SF_KERNEL
-#define SF_KERNEL static inline
-#endif
+#include "inline.h"
 
-/* kernels of one family take the same arguments, whether each needs them or not */
-#if defined(__GNUC__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-parameter"
-#endif
+SF_FAMILY_BEGIN
 
 /* Largest amplitude that the forcing can hold at this frequency.
    Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise. Operations: 0.
@@ -97,8 +90,6 @@ SF_KERNEL void slow_flow_zeta0_undamped(double A, double h, double h_A, double h
     out[3] = -A * h_AA;
 }
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic pop
-#endif
+SF_FAMILY_END
 
 #endif

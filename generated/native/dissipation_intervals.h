@@ -10,12 +10,9 @@
 #define DISSIPATION_INTERVALS_H
 
 #include "interval.h"
+#include "inline.h"
 
-/* kernels of one family take the same arguments, whether each needs them or not */
-#if defined(__GNUC__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-parameter"
-#endif
+SF_FAMILY_BEGIN
 
 /* I_0, I at Omega = 0, and three derivatives by A: friction acts throughout.
    Equation from (19). Domain: A > 0. */
@@ -665,8 +662,6 @@ static inline sf_interval dissipation_intervals_velocity(sf_interval I_, sf_inte
     return sfi_div(t0, sfi_add(zeta, sfi_sqrt(sfi_add(sfi_mul(d, t0), sfi_square(zeta)))));
 }
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic pop
-#endif
+SF_FAMILY_END
 
 #endif

@@ -11,12 +11,9 @@
 #define ROD_SPRING_INTERVALS_H
 
 #include "interval.h"
+#include "inline.h"
 
-/* kernels of one family take the same arguments, whether each needs them or not */
-#if defined(__GNUC__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-parameter"
-#endif
+SF_FAMILY_BEGIN
 
 /* The |u| at which a piece of the force ends.
    Equation (5). Domain: any parameters. */
@@ -230,8 +227,6 @@ static inline void rod_spring_intervals_known(int passed, sf_interval A, sf_inte
     rod_spring_intervals_known_passed_1_far_1(A, beyond, p, out);
 }
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic pop
-#endif
+SF_FAMILY_END
 
 #endif

@@ -11,12 +11,9 @@
 #define ROD_SPRING_PAIRS_H
 
 #include "pair_angles.h"
+#include "inline.h"
 
-/* kernels of one family take the same arguments, whether each needs them or not */
-#if defined(__GNUC__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-parameter"
-#endif
+SF_FAMILY_BEGIN
 
 /* The |u| at which a piece of the force ends.
    Equation (5). Domain: any parameters. */
@@ -238,8 +235,6 @@ TWOFOLD_INLINE void rod_spring_pairs_known(int passed, sf_pair A, sf_pair beyond
     rod_spring_pairs_known_passed_1(A, beyond, p, out);
 }
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic pop
-#endif
+SF_FAMILY_END
 
 #endif

@@ -10,12 +10,9 @@
 #define ROD_SPRING_UNTRUNCATED_HELD_H
 
 #include "held_carlson.h"
+#include "inline.h"
 
-/* kernels of one family take the same arguments, whether each needs them or not */
-#if defined(__GNUC__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-parameter"
-#endif
+SF_FAMILY_BEGIN
 
 /* A; sqrt(1 - u_cr^2); sine, cosine and angle of where the first piece ends.
    Equation (5). Domain: beyond > 0. */
@@ -100,8 +97,6 @@ static inline void rod_spring_untruncated_held_parts(sf_held A, sf_held c, sf_he
     out[4] = sfh_neg(sfh_mul(A2, t11));
 }
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic pop
-#endif
+SF_FAMILY_END
 
 #endif

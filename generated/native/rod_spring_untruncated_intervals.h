@@ -10,12 +10,9 @@
 #define ROD_SPRING_UNTRUNCATED_INTERVALS_H
 
 #include "interval.h"
+#include "inline.h"
 
-/* kernels of one family take the same arguments, whether each needs them or not */
-#if defined(__GNUC__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-parameter"
-#endif
+SF_FAMILY_BEGIN
 
 /* The |u| at which a piece of the force ends.
    Equation (5). Domain: any parameters. */
@@ -195,8 +192,6 @@ static inline void rod_spring_untruncated_intervals_detached(sf_interval A, sf_i
     out[4] = sfi_mul(part_4, t0);
 }
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic pop
-#endif
+SF_FAMILY_END
 
 #endif

@@ -10,12 +10,9 @@
 #define ROD_SPRING_UNTRUNCATED_PAIRS_H
 
 #include "pair_angles.h"
+#include "inline.h"
 
-/* kernels of one family take the same arguments, whether each needs them or not */
-#if defined(__GNUC__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-parameter"
-#endif
+SF_FAMILY_BEGIN
 
 /* The |u| at which a piece of the force ends.
    Equation (5). Domain: any parameters. */
@@ -195,8 +192,6 @@ static inline void rod_spring_untruncated_pairs_detached(sf_pair A, sf_pair part
     out[4] = sfp_mul(part_4, t0);
 }
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic pop
-#endif
+SF_FAMILY_END
 
 #endif

@@ -10,12 +10,9 @@
 #define SLOW_FLOW_INTERVALS_H
 
 #include "interval.h"
+#include "inline.h"
 
-/* kernels of one family take the same arguments, whether each needs them or not */
-#if defined(__GNUC__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-parameter"
-#endif
+SF_FAMILY_BEGIN
 
 /* Dry friction's share of I.
    Equation (23). Domain: mu >= 0. */
@@ -413,8 +410,6 @@ static inline sf_interval slow_flow_intervals_cusp_scaled_slope(sf_interval A, s
         sfi_add(sfi_div(sfi_mul(sfi_mul(m, t0), zeta), w), sfi_times(4.0, sfi_square(zeta)))), h_AA)))), root));
 }
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic pop
-#endif
+SF_FAMILY_END
 
 #endif

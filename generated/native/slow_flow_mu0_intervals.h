@@ -10,12 +10,9 @@
 #define SLOW_FLOW_MU0_INTERVALS_H
 
 #include "interval.h"
+#include "inline.h"
 
-/* kernels of one family take the same arguments, whether each needs them or not */
-#if defined(__GNUC__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-parameter"
-#endif
+SF_FAMILY_BEGIN
 
 /* Zero at an isola point: F_Omega/(4 A) at its Omega, for m = 0 without the factor Omega; slope along A.
    Equation from (30), (34). Domain: A > 0, h_A > 0; for m = 0 any h_A. */
@@ -38,8 +35,6 @@ static inline void slow_flow_mu0_intervals_F_Omega_reduced(sf_interval Omega, sf
     out[1] = sfi_mul(Omega, t0);
 }
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic pop
-#endif
+SF_FAMILY_END
 
 #endif

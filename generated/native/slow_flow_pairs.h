@@ -10,12 +10,9 @@
 #define SLOW_FLOW_PAIRS_H
 
 #include "pair_angles.h"
+#include "inline.h"
 
-/* kernels of one family take the same arguments, whether each needs them or not */
-#if defined(__GNUC__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-parameter"
-#endif
+SF_FAMILY_BEGIN
 
 /* Dry friction's share of I.
    Equation (23). Domain: mu >= 0. */
@@ -211,8 +208,6 @@ static inline void slow_flow_pairs_level_step(sf_pair Omega, sf_pair A, sf_pair 
     out[1] = 0.0;
 }
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic pop
-#endif
+SF_FAMILY_END
 
 #endif

@@ -10,12 +10,9 @@
 #define SLOW_FLOW_ZETA0_INTERVALS_H
 
 #include "interval.h"
+#include "inline.h"
 
-/* kernels of one family take the same arguments, whether each needs them or not */
-#if defined(__GNUC__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-parameter"
-#endif
+SF_FAMILY_BEGIN
 
 /* Omega of the folds.
    Equation from (30). Domain: h_A <= 0. */
@@ -50,8 +47,6 @@ static inline void slow_flow_zeta0_intervals_F_Omega_reduced(sf_interval Omega, 
     out[1] = sfi_times(2.0, sfi_mul(A, Omega));
 }
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic pop
-#endif
+SF_FAMILY_END
 
 #endif

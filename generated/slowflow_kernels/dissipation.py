@@ -65,12 +65,7 @@ def at_rest(A: Any, m: Any, eta: Any) -> tuple[Any, Any, Any, Any]:
     Operations: 2.
     Proved, error / u (1 + kappa): 1.01, 0.0, 0.0, 0.0
     """
-    return (
-        A * eta + m,
-        eta,
-        0.0,
-        0.0,
-    )
+    return A * eta + m, eta, 0.0, 0.0
 
 
 def released(A: Any, m: Any, eta: Any, u_cr: Any) -> tuple[Any, Any, Any, Any]:
@@ -84,12 +79,7 @@ def released(A: Any, m: Any, eta: Any, u_cr: Any) -> tuple[Any, Any, Any, Any]:
     A2 = A * A
     A3 = A * A2
     A4 = A2 * A2
-    return (
-        A * eta + t0 / A,
-        eta - t0 / A2,
-        2.0 * t0 / A3,
-        -6.0 * t0 / A4,
-    )
+    return A * eta + t0 / A, eta - t0 / A2, 2.0 * t0 / A3, -6.0 * t0 / A4
 
 
 def rest_moves(A: Any) -> tuple[Any, Any, Any, Any, Any, Any]:
@@ -99,14 +89,7 @@ def rest_moves(A: Any) -> tuple[Any, Any, Any, Any, Any, Any]:
     Operations: 0.
     Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     """
-    return (
-        1.0,
-        0.0,
-        0.0,
-        A,
-        1.0,
-        0.0,
-    )
+    return 1.0, 0.0, 0.0, A, 1.0, 0.0
 
 
 def released_moves(A: Any, m: Any, u_cr: Any) -> tuple[Any, Any, Any, Any, Any, Any, Any, Any, Any]:
@@ -121,17 +104,7 @@ def released_moves(A: Any, m: Any, u_cr: Any) -> tuple[Any, Any, Any, Any, Any, 
     t1 = 1.0 / A2
     A3 = A * A2
     t2 = 2.0 / A3
-    return (
-        t0 * u_cr,
-        -t1 * u_cr,
-        t2 * u_cr,
-        A,
-        1.0,
-        0.0,
-        m * t0,
-        -m * t1,
-        m * t2,
-    )
+    return t0 * u_cr, -t1 * u_cr, t2 * u_cr, A, 1.0, 0.0, m * t0, -m * t1, m * t2
 
 
 def I(Omega: Any, A: Any, I_0: Any, zeta: Any, d: Any) -> Any:  # noqa: E743
@@ -162,12 +135,7 @@ def far(x: Any, A: Any, I_0: Any, I_0A: Any, zeta: Any, d: Any, h: Any, h_A: Any
     t0 = x * x
     t1 = 2.0 * A
     t2 = x * zeta
-    return (
-        A + h * t0,
-        h_A * t0 + 1.0,
-        A * A * d + I_0 * t0 + t1 * t2,
-        I_0A * t0 + d * t1 + 2.0 * t2,
-    )
+    return A + h * t0, h_A * t0 + 1.0, A * A * d + I_0 * t0 + t1 * t2, I_0A * t0 + d * t1 + 2.0 * t2
 
 
 def F(Omega: Any, A: Any, F_0: Any, I_0: Any, zeta: Any, d: Any, h: Any) -> Any:
@@ -387,10 +355,7 @@ def isola_bend(Omega: Any, A: Any, I_0: Any, I_0A: Any, I_0AA: Any, zeta: Any, d
         -8.0 * G_AOmega * S_AOmega + 4.0 * G_OmegaOmega * S_AA + S_AA * t16 - 4.0 * S_AOmega * S_AOmega + t10 * t16
         + 16.0 * t17 * t17 * t3
     )
-    return (
-        t18,
-        F_AA * t18,
-    )
+    return t18, F_AA * t18
 
 
 def stability(Omega: Any, A: Any, I_0: Any, I_0A: Any, zeta: Any, d: Any, h: Any, h_A: Any) -> Any:
@@ -416,12 +381,7 @@ def static(F_0: Any, I_0: Any, I_0A: Any, h: Any, h_A: Any) -> tuple[Any, Any, A
     """
     c = np.sqrt((F_0 - I_0) * (F_0 + I_0))
     t0 = I_0 * I_0A / c
-    return (
-        -c + h,
-        c + h,
-        h_A + t0,
-        h_A - t0,
-    )
+    return -c + h, c + h, h_A + t0, h_A - t0
 
 
 def response_quartic(A: Any, I_0: Any, zeta: Any, d: Any, h: Any) -> tuple[Any, Any, Any, Any, Any]:
@@ -532,11 +492,7 @@ def R_where_stationary(x: Any, A: Any, I_0: Any, zeta: Any, d: Any) -> tuple[Any
     t2 = x * (I_0 * x + t1) * (I_0 * x * x + d * t0 + 2.0 * t1 * x)
     t3 = t0 - 4.0 * t2
     t4 = 0.5 * A + 0.5 * np.sqrt(t3)
-    return (
-        t3,
-        t2 / t4,
-        t4,
-    )
+    return t3, t2 / t4, t4
 
 
 def I_scaled(Omega: Any, A: Any, I_0_over_A: Any, zeta: Any, d: Any) -> Any:
@@ -569,10 +525,7 @@ def least_scaled(Omega: Any, zeta: Any, eta: Any, d: Any, h_AA: Any) -> tuple[An
     t0 = 2.0 * Omega * zeta + eta
     Omega2 = Omega * Omega
     Omega4 = Omega2 * Omega2
-    return (
-        4.0 * t0 * t0,
-        8.0 * Omega4 * d * d - 0.25 * h_AA * h_AA,
-    )
+    return 4.0 * t0 * t0, 8.0 * Omega4 * d * d - 0.25 * h_AA * h_AA
 
 
 def far_by_inertia(x: Any, A: Any, F_0: Any, I_0: Any, zeta: Any, d: Any, h: Any) -> tuple[Any, Any, Any]:
@@ -650,10 +603,7 @@ def isola_bend_by_inertia(Omega: Any, A: Any, I_0: Any, I_0A: Any, I_0AA: Any, z
         (-4.0 * I * t11 - 8.0 * h * t9 - 4.0 * (A * t2 + I_0) * (Omega * t4 * t7 + 2.0 * t11)) / Omega
     )
     t12 = F_AA * F_OmegaOmega - F_AOmega * F_AOmega
-    return (
-        t12,
-        F_AA * t12,
-    )
+    return t12, F_AA * t12
 
 
 def full_by_inertia(F_0: Any, d: Any) -> Any:
@@ -675,10 +625,7 @@ def structural_bound(A: Any, F_0: Any, eta: Any, h: Any, steepest: Any) -> tuple
     """
     t0 = A - F_0
     t1 = A * eta
-    return (
-        -F_0 * np.abs(h) + t0 * t1,
-        -F_0 * steepest + eta * t0 + t1,
-    )
+    return -F_0 * np.abs(h) + t0 * t1, -F_0 * steepest + eta * t0 + t1
 
 
 def quadratic_bound(F_0: Any, d: Any) -> Any:

@@ -48,12 +48,7 @@ def averaged(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike) -> tuple[Any, Any,
     t0 = A * A * beta
     t1 = 4.5 * beta
     shape = common_shape((A, alpha, beta))
-    return (
-        A * (-alpha - 0.75 * t0),
-        -alpha - 2.25 * t0,
-        full(-A * t1, shape),
-        full(-t1, shape),
-    )
+    return A * (-alpha - 0.75 * t0), -alpha - 2.25 * t0, full(-A * t1, shape), full(-t1, shape)
 
 
 def averaged_2(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike) -> tuple[Any, Any]:
@@ -64,10 +59,7 @@ def averaged_2(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike) -> tuple[Any, An
     """
     A, alpha, beta = floats(A, alpha, beta)
     t0 = A * A * beta
-    return (
-        A * (-alpha - 0.75 * t0),
-        -alpha - 2.25 * t0,
-    )
+    return A * (-alpha - 0.75 * t0), -alpha - 2.25 * t0
 
 
 def averaged_H(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike) -> tuple[Any, Any]:
@@ -79,10 +71,7 @@ def averaged_H(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike) -> tuple[Any, An
     A, alpha, beta = floats(A, alpha, beta)
     t0 = A * A * beta
     t1 = alpha - 1.0
-    return (
-        A * (-0.75 * t0 - t1),
-        -2.25 * t0 - t1,
-    )
+    return A * (-0.75 * t0 - t1), -2.25 * t0 - t1
 
 
 def intercept(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike) -> Any:
@@ -148,12 +137,7 @@ def by_design(alpha: Any, beta: Any) -> tuple[Any, Any, Any, Any]:
     """
     alpha, beta = floats(alpha, beta)
     shape = common_shape((alpha, beta))
-    return (
-        full(1.0, shape),
-        full(0.0, shape),
-        full(0.0, shape),
-        full(1.0, shape),
-    )
+    return full(1.0, shape), full(0.0, shape), full(0.0, shape), full(1.0, shape)
 
 
 def coefficients(alpha: ArrayLike, beta: ArrayLike) -> tuple[Any, Any]:
@@ -164,10 +148,7 @@ def coefficients(alpha: ArrayLike, beta: ArrayLike) -> tuple[Any, Any]:
     """
     alpha, beta = floats(alpha, beta)
     shape = common_shape((alpha, beta))
-    return (
-        full(alpha, shape),
-        full(beta, shape),
-    )
+    return full(alpha, shape), full(beta, shape)
 
 
 def breakpoints(alpha: ArrayLike, beta: ArrayLike) -> tuple[()]:

@@ -24,10 +24,7 @@ def given(alpha, beta):
 
     Equation (5)-(7). Domain: any design.
     """
-    return (
-        alpha,
-        beta,
-    )
+    return alpha, beta
 
 
 def known(A, alpha, beta):
@@ -39,10 +36,4 @@ def known(A, alpha, beta):
     t0 = A2 * beta
     t1 = 4.5 * beta
     A3 = A * A2
-    return (
-        A * (-alpha - 0.75 * t0),
-        -alpha - 2.25 * t0,
-        -A * t1,
-        -t1,
-        1.5 * A3 * beta,
-    )
+    return A * (-alpha - 0.75 * t0), -alpha - 2.25 * t0, -A * t1, -t1, 1.5 * A3 * beta

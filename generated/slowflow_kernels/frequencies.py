@@ -48,10 +48,7 @@ def response(Omega: Any, A: Any, F_0: Any, m: Any, zeta: Any, h: Any) -> tuple[A
     I = 2.0 * A * Omega * zeta + m
     t1 = F_0 + I
     t2 = t0 + np.abs(h)
-    return (
-        R * R + t1 * (-F_0 + I),
-        t1 * t1 + t2 * (8.8817841970012523e-16 * t2 + np.abs(R)),
-    )
+    return R * R + t1 * (-F_0 + I), t1 * t1 + t2 * (8.8817841970012523e-16 * t2 + np.abs(R))
 
 
 def response_at_0(F_0: Any, m: Any, h: Any) -> tuple[Any, Any]:
@@ -63,10 +60,7 @@ def response_at_0(F_0: Any, m: Any, h: Any) -> tuple[Any, Any]:
     """
     t0 = h * h
     t1 = F_0 + m
-    return (
-        t0 + t1 * (-F_0 + m),
-        t0 + t1 * t1,
-    )
+    return t0 + t1 * (-F_0 + m), t0 + t1 * t1
 
 
 def fold(Omega: Any, A: Any, m: Any, zeta: Any, h: Any, h_A: Any) -> tuple[Any, Any]:
@@ -84,10 +78,7 @@ def fold(Omega: Any, A: Any, m: Any, zeta: Any, h: Any, h_A: Any) -> tuple[Any, 
     t3 = I * t2
     t4 = h_A + t0
     t5 = t1 + np.abs(h)
-    return (
-        R * t4 + t3,
-        t3 + t5 * np.abs(t4) + (t0 + np.abs(h_A)) * (8.8817841970012523e-16 * t5 + np.abs(R)),
-    )
+    return R * t4 + t3, t3 + t5 * np.abs(t4) + (t0 + np.abs(h_A)) * (8.8817841970012523e-16 * t5 + np.abs(R))
 
 
 def fold_at_0(h: Any, h_A: Any) -> Any:
@@ -130,10 +121,7 @@ def rise(Omega: Any, A: Any, p: Any, k: Any) -> tuple[Any, Any]:
     t0 = Omega * Omega
     t1 = 0.75 * A * t0
     t2 = k * t0
-    return (
-        t2 * (-0.5 * p - t1),
-        t2 * (t1 + 0.5 * np.abs(p)),
-    )
+    return t2 * (-0.5 * p - t1), t2 * (t1 + 0.5 * np.abs(p))
 
 
 def response_fine(Omega: ArrayLike, A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> tuple[Any, Any]:
@@ -163,10 +151,7 @@ def response_fine(Omega: ArrayLike, A: ArrayLike, F_0: ArrayLike, m: ArrayLike, 
     d17 = d13 + d15 + d16_low
     t0 = A * Omega * Omega + np.abs(h)
     t1 = F_0 + I
-    return (
-        d16 + d17,
-        t0 * (3.1554436208840472e-30 * t0 + np.abs(R)) + t1 * t1,
-    )
+    return d16 + d17, t0 * (3.1554436208840472e-30 * t0 + np.abs(R)) + t1 * t1
 
 
 def response_beside(Omega: ArrayLike, tail: ArrayLike, A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> tuple[Any, Any]:
@@ -200,10 +185,7 @@ def response_beside(Omega: ArrayLike, tail: ArrayLike, A: ArrayLike, F_0: ArrayL
     d21 = d17 + d19 + d20_low
     t0 = A * Omega * Omega + np.abs(h)
     t1 = F_0 + I
-    return (
-        d20 + d21,
-        t0 * (3.1554436208840472e-30 * t0 + np.abs(R)) + t1 * t1,
-    )
+    return d20 + d21, t0 * (3.1554436208840472e-30 * t0 + np.abs(R)) + t1 * t1
 
 
 def response_derivative(A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> tuple[Any, Any, Any, Any, Any]:
@@ -220,13 +202,7 @@ def response_derivative(A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLik
     d4 = d2 + d3_low
     d5, d5_low = two_sum(d3, d4)
     d6, d6_low = two_product(m, zeta)
-    return (
-        d5,
-        d5_low,
-        d6,
-        d6_low,
-        4.0 * A,
-    )
+    return d5, d5_low, d6, d6_low, 4.0 * A
 
 
 def response_exactly_at_0(F_0: ArrayLike, m: ArrayLike, h: ArrayLike) -> Any:
@@ -340,13 +316,7 @@ def fold_derivative(A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h
     d8, d8_low = two_sum(d6, d7)
     d9, d9_low = two_product(m, zeta)
     d10, d10_low = two_sum(0.5 * d9, 0.5 * d9_low)
-    return (
-        d8,
-        d8_low,
-        d10,
-        d10_low,
-        4.0,
-    )
+    return d8, d8_low, d10, d10_low, 4.0
 
 
 def cubic_fine(Omega: ArrayLike, A: ArrayLike, p: ArrayLike, p_low: ArrayLike, q: ArrayLike, q_low: ArrayLike) -> Any:
@@ -391,8 +361,5 @@ def discriminant(A: ArrayLike, p: ArrayLike, p_low: ArrayLike, q: ArrayLike, q_l
     d13 = -4.0 * d11 + d12_low - d6
     p2 = p * p
     p3 = p * p2
-    return (
-        d12 + d13,
-        -4.0 * p3,
-    )
+    return d12 + d13, -4.0 * p3
 

@@ -54,10 +54,7 @@ def force_slopes(Omega: ArrayLike, F_0: ArrayLike) -> tuple[Any, Any]:
     """
     Omega, F_0 = floats(Omega, F_0)
     shape = common_shape((Omega, F_0))
-    return (
-        2.0 * F_0 * Omega,
-        full(Omega * Omega, shape),
-    )
+    return 2.0 * F_0 * Omega, full(Omega * Omega, shape)
 
 
 def amplitude(Omega: Any, force: Any) -> Any:
@@ -162,10 +159,7 @@ def _outer_falling(A, F_0, m, zeta, h):
     inner = -A2 * t2 + 4.0 * A3 * t0 * (h + t1) + F_0 * F_0 * square
     spread = np.sqrt(0.5 * inner + 0.5 * np.abs(inner))
     t3 = falls + spread
-    return (
-        t3 / square,
-        over / t3,
-    )
+    return t3 / square, over / t3
 
 
 def _outer_rising(A, F_0, m, zeta, h):
@@ -181,10 +175,7 @@ def _outer_rising(A, F_0, m, zeta, h):
     inner = -A2 * t2 + 4.0 * A3 * t0 * (h + t1) + F_0 * F_0 * square
     spread = np.sqrt(0.5 * inner + 0.5 * np.abs(inner))
     t3 = falls - spread
-    return (
-        over / t3,
-        t3 / square,
-    )
+    return over / t3, t3 / square
 
 
 def outer(A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> tuple[Any, Any]:
@@ -317,11 +308,7 @@ def fold_slopes(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, k
     t1 = 1.0 / A
     steep = -0.5 * k * t1 * (root + 1.0)
     t2 = t0 / steep
-    return (
-        steep,
-        I * t1 * t2,
-        t2,
-    )
+    return steep, I * t1 * t2, t2
 
 
 def fold_force(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, other: ArrayLike) -> Any:

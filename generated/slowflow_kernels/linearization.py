@@ -31,11 +31,7 @@ def equivalent_damping(sigma_v: Any, mu: Any, zeta: Any, c_2: Any) -> tuple[Any,
     """
     t0 = 1.5957691216057308 * c_2 * sigma_v
     t1 = 0.79788456080286541 * mu / sigma_v
-    return (
-        t0 + t1 + 2.0 * zeta,
-        t0 - t1,
-        t1,
-    )
+    return t0 + t1 + 2.0 * zeta, t0 - t1, t1
 
 
 def damping_force(sigma_v: Any, mu: Any, zeta: Any, c_2: Any) -> Any:
@@ -64,11 +60,7 @@ def response(Omega: Any, k: Any, c: Any) -> tuple[Any, Any, Any]:
     t2 = k - t0
     Z = t1 + t2 * t2
     t3 = 2.0 / Z
-    return (
-        Z,
-        -k * t2 * t3,
-        -t1 * t3,
-    )
+    return Z, -k * t2 * t3, -t1 * t3
 
 
 def steepest(ratio: Any) -> tuple[Any, Any, Any]:
@@ -80,11 +72,7 @@ def steepest(ratio: Any) -> tuple[Any, Any, Any]:
     t0 = 1.0 / (ratio - 1.0)
     t1 = 0.5 / ratio
     t2 = 1.0 / (ratio + 1.0)
-    return (
-        t0 * t1,
-        t1 * t2,
-        -0.25 * t0 * t2 / (ratio * ratio),
-    )
+    return t0 * t1, t1 * t2, -0.25 * t0 * t2 / (ratio * ratio)
 
 
 def white(S_0: Any, k: Any, c: Any) -> tuple[Any, Any]:
@@ -94,10 +82,7 @@ def white(S_0: Any, k: Any, c: Any) -> tuple[Any, Any]:
     Operations: 3.
     """
     t0 = 3.1415926535897931 * S_0 / c
-    return (
-        t0 / k,
-        t0,
-    )
+    return t0 / k, t0
 
 
 def crossings(end: Any, sigma_u: Any, sigma_v: Any) -> Any:

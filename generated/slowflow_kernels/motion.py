@@ -49,11 +49,7 @@ def push_slopes(cosine: Any, sine: Any, F_0: Any, f_u: Any) -> tuple[Any, Any, A
     Equation (3). Domain: any. Shape: 3 results, each the arguments that it depends on, broadcast. Operations: 1.
     Proved, error / u (1 + kappa): 0.34, 0.0, 0.0
     """
-    return (
-        -F_0 * sine,
-        -f_u,
-        cosine,
-    )
+    return -F_0 * sine, -f_u, cosine
 
 
 def breakaway(F_0: Any, friction: Any, f: Any) -> Any:
@@ -80,10 +76,7 @@ def resistance(v: Any, zeta: Any, friction: Any, quadratic: Any) -> tuple[Any, A
     Equation (3). Domain: any. Shape: 2 results, each the arguments that it depends on, broadcast. Operations: 5.
     Proved, error / u (1 + kappa): 1.01, 1.01
     """
-    return (
-        friction + quadratic * v * v,
-        quadratic * v + zeta,
-    )
+    return friction + quadratic * v * v, quadratic * v + zeta
 
 
 def transmissibility(Omega: Any, A_1: Any, F_0: Any, phi: Any) -> Any:
@@ -114,10 +107,7 @@ def structural(Omega: Any, eta: Any) -> tuple[Any, Any]:
     Proved, error / u (1 + kappa): 0.34, 0.51
     """
     t0 = 0.5 * eta
-    return (
-        t0 / Omega,
-        -t0 / (Omega * Omega),
-    )
+    return t0 / Omega, -t0 / (Omega * Omega)
 
 
 def rates(cosine: Any, v: Any, Omega: Any, F_0: Any, zeta: Any, friction: Any, f: Any) -> tuple[Any, Any]:
@@ -128,10 +118,7 @@ def rates(cosine: Any, v: Any, Omega: Any, F_0: Any, zeta: Any, friction: Any, f
     Proved, error / u (1 + kappa): 0.67, 5.01
     """
     t0 = 1.0 / Omega
-    return (
-        t0 * v,
-        t0 * (F_0 * cosine - f - friction - 2.0 * v * zeta),
-    )
+    return t0 * v, t0 * (F_0 * cosine - f - friction - 2.0 * v * zeta)
 
 
 def rates_by_state(Omega: Any, zeta: Any, f_u: Any) -> tuple[Any, Any, Any, Any]:
@@ -142,12 +129,7 @@ def rates_by_state(Omega: Any, zeta: Any, f_u: Any) -> tuple[Any, Any, Any, Any]
     Proved, error / u (1 + kappa): 0.0, 0.51, 0.67, 0.67
     """
     t0 = 1.0 / Omega
-    return (
-        0.0,
-        t0,
-        -f_u * t0,
-        -2.0 * t0 * zeta,
-    )
+    return 0.0, t0, -f_u * t0, -2.0 * t0 * zeta
 
 
 def rates_by_parameter(cosine: Any, v: Any, Omega: Any, F_0: Any, zeta: Any, friction: Any, f: Any) -> tuple[Any, Any, Any, Any, Any, Any, Any, Any, Any, Any]:
@@ -184,10 +166,7 @@ def smoothed(cosine: Any, v: Any, F_0: Any, mu: Any, zeta: Any, left: Any, right
     Measured, error / u (1 + kappa): 1.7
     """
     weight = left - right
-    return (
-        v,
-        F_0 * cosine - mu * slip - outer - 2.0 * v * zeta - weight * (inner - outer),
-    )
+    return v, F_0 * cosine - mu * slip - outer - 2.0 * v * zeta - weight * (inner - outer)
 
 
 def smoothed_by_state(mu: Any, zeta: Any, nu: Any, left: Any, right: Any, slip: Any, inner: Any, outer: Any, inner_u: Any, outer_u: Any) -> tuple[Any, Any, Any, Any]:

@@ -189,10 +189,7 @@ def ended_along(A: Any, s_0: Any, c_x: Any, c_y: Any, X: Any, Y: Any) -> tuple[A
     Proved, error / u (1 + kappa): 1.01, 2.01
     """
     t0 = -X * c_y + Y * c_x
-    return (
-        t0,
-        A * c_x * c_y + s_0 * t0,
-    )
+    return t0, A * c_x * c_y + s_0 * t0
 
 
 def ended_slopes(A: Any, s_0: Any, c_x: Any, c_y: Any, X: Any, Y: Any) -> tuple[Any, Any, Any]:
@@ -204,11 +201,7 @@ def ended_slopes(A: Any, s_0: Any, c_x: Any, c_y: Any, X: Any, Y: Any) -> tuple[
     """
     t0 = 1.0 / A
     t1 = s_0 * t0
-    return (
-        -X * t1 + c_x,
-        -Y * t1 - c_y,
-        0.5 * t0 * (-X * c_y - Y * c_x),
-    )
+    return -X * t1 + c_x, -Y * t1 - c_y, 0.5 * t0 * (-X * c_y - Y * c_x)
 
 
 def ended_fold(R: Any, A: Any, F_0: Any, F_2: Any, m: Any, eta: Any, zeta: Any, d: Any, load: Any, c_0: Any, s_0: Any, c_x: Any, c_y: Any, c_xx: Any, c_yy: Any, X: Any, Y: Any, X_x: Any, Y_y: Any) -> tuple[Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any]:
@@ -287,10 +280,7 @@ def frequency_by_phase(A: Any, R: Any, I: Any, m: Any, zeta: Any, h: Any) -> tup
     Proved, error / u (1 + kappa): 4.01, 3.01
     """
     t0 = 1.0 / A
-    return (
-        0.5 * t0 * (I - m) / zeta,
-        t0 * (R - h),
-    )
+    return 0.5 * t0 * (I - m) / zeta, t0 * (R - h)
 
 
 def versine(k: Any) -> Any:
@@ -377,12 +367,7 @@ def begin(A: Any, a: Any, root: Any, angle: Any) -> tuple[Any, Any, Any, Any]:
     """
     t0 = 0.31830988618379069 / root
     t1 = 1.0 / A
-    return (
-        t0,
-        0.31830988618379069 * angle,
-        a * t0 * t1,
-        0.31830988618379069 * root * t1,
-    )
+    return t0, 0.31830988618379069 * angle, a * t0 * t1, 0.31830988618379069 * root * t1
 
 
 def up(k: Any, A: Any, a: Any, span: Any, L_2: Any, L_1: Any, M_2: Any, M_1: Any) -> tuple[Any, Any]:
@@ -412,8 +397,5 @@ def down(k: Any, A: Any, a: Any, root: Any, L_1: Any, L_k: Any, M_1: Any, M_k: A
     t0 = 1.0 / (root * root)
     t1 = 2.0 * k
     t2 = k + 1.0
-    return (
-        t0 * (L_1 * a * (t1 - 1.0) + L_k * k * k),
-        t0 * (-2.0 * A * L_1 + M_1 * a * (t1 + 1.0) + M_k * t2 * t2),
-    )
+    return t0 * (L_1 * a * (t1 - 1.0) + L_k * k * k), t0 * (-2.0 * A * L_1 + M_1 * a * (t1 + 1.0) + M_k * t2 * t2)
 

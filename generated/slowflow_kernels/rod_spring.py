@@ -180,10 +180,7 @@ def _averaged_2_passed_0(A, alpha, beta, gamma, u_cr):
     t0 = -alpha
     t1 = A * A
     t2 = gamma * t1
-    return (
-        A * (t0 + t1 * (-0.75 * beta - 0.625 * t2)),
-        t0 + t1 * (-2.25 * beta - 3.125 * t2),
-    )
+    return A * (t0 + t1 * (-0.75 * beta - 0.625 * t2)), t0 + t1 * (-2.25 * beta - 3.125 * t2)
 
 
 def _averaged_2_passed_1(A, alpha, beta, gamma, u_cr):
@@ -275,10 +272,7 @@ def _averaged_H_passed_0(A, alpha, beta, gamma, u_cr):
     t0 = A * A
     t1 = gamma * t0
     t2 = 1.0 - alpha
-    return (
-        A * (t0 * (-0.75 * beta - 0.625 * t1) + t2),
-        t0 * (-2.25 * beta - 3.125 * t1) + t2,
-    )
+    return A * (t0 * (-0.75 * beta - 0.625 * t1) + t2), t0 * (-2.25 * beta - 3.125 * t1) + t2
 
 
 def _averaged_H_passed_1(A, alpha, beta, gamma, u_cr):
@@ -696,20 +690,7 @@ def _by_parameter_passed_0(A, h, h_A, h_AA, alpha, beta, gamma, u_cr):
     A3 = A * A2
     A4 = A2 * A2
     A5 = A * A4
-    return (
-        -A,
-        -1.0,
-        0.0,
-        -0.75 * A3,
-        -2.25 * A2,
-        -4.5 * A,
-        -0.625 * A5,
-        -3.125 * A4,
-        -12.5 * A3,
-        0.0,
-        0.0,
-        0.0,
-    )
+    return -A, -1.0, 0.0, -0.75 * A3, -2.25 * A2, -4.5 * A, -0.625 * A5, -3.125 * A4, -12.5 * A3, 0.0, 0.0, 0.0
 
 
 def _by_parameter_passed_1(A, h, h_A, h_AA, alpha, beta, gamma, u_cr):
@@ -882,12 +863,7 @@ def coefficients(lam: ArrayLike, r: ArrayLike, delta_h: ArrayLike) -> tuple[Any,
     t0 = lam * r
     t1 = t0 * (delta_h - 1.0)
     shape = common_shape((lam, r, delta_h))
-    return (
-        -delta_h * t0 + 1.0,
-        -0.5 * t1,
-        -0.375 * t1,
-        full(np.sqrt(delta_h) * np.sqrt(2.0 - delta_h), shape),
-    )
+    return -delta_h * t0 + 1.0, -0.5 * t1, -0.375 * t1, full(np.sqrt(delta_h) * np.sqrt(2.0 - delta_h), shape)
 
 
 def breakpoints(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, u_cr: ArrayLike) -> tuple[Any]:
@@ -925,11 +901,7 @@ def hardening(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike, u_cr: ArrayLi
     alpha, beta, gamma, u_cr = floats(alpha, beta, gamma, u_cr)
     t0 = u_cr * u_cr
     shape = common_shape((alpha, beta, gamma, u_cr))
-    return (
-        full(beta, shape),
-        full(gamma, shape),
-        -u_cr * (alpha + t0 * (beta + gamma * t0) - 1.0),
-    )
+    return full(beta, shape), full(gamma, shape), -u_cr * (alpha + t0 * (beta + gamma * t0) - 1.0)
 
 
 def steps(alpha: Any, beta: Any, gamma: Any, u_cr: Any) -> tuple[Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any]:

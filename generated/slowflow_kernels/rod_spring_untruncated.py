@@ -215,24 +215,7 @@ def _duplication(x_0, x_1, x_2, x_3, y_0, y_1, y_2, y_3, z_0, z_1, z_2, z_3):
     Z_1 = 0.25 * lam_1 + 0.25 * z_1
     Z_2 = 0.25 * lam_2 + 0.25 * z_2
     Z_3 = 0.25 * lam_3 + 0.25 * z_3
-    return (
-        X_0,
-        X_1,
-        X_2,
-        X_3,
-        Y_0,
-        Y_1,
-        Y_2,
-        Y_3,
-        Z_0,
-        Z_1,
-        Z_2,
-        Z_3,
-        term_0,
-        term1_0,
-        term2_0,
-        term3_0,
-    )
+    return X_0, X_1, X_2, X_3, Y_0, Y_1, Y_2, Y_3, Z_0, Z_1, Z_2, Z_3, term_0, term1_0, term2_0, term3_0
 
 
 def _remainder(x_0, x_1, x_2, x_3, y_0, y_1, y_2, y_3, z_0, z_1, z_2, z_3):
@@ -381,12 +364,7 @@ def _far_node(x, X2, less, both, K, c, T2, U2):
     q = 4.0 * T2 * X2 / (t0 * t0)
     q2 = q * q
     q3 = q * q2
-    return (
-        term,
-        q * term,
-        q2 * term,
-        q3 * term,
-    )
+    return term, q * term, q2 * term, q3 * term
 
 
 def _harmonic_node(x, x2, less, weight, T, T2, c, A, u_cr):
@@ -485,12 +463,7 @@ def _tangent_node(X2, K2, T2):
     q = 4.0 * T2 * X2 / (t0 * t0)
     q2 = q * q
     q3 = q * q2
-    return (
-        term,
-        q * term,
-        q2 * term,
-        q3 * term,
-    )
+    return term, q * term, q2 * term, q3 * term
 
 
 def _averaged_all_passed_0_end(A, alpha, beta, delta_h):
@@ -1166,17 +1139,7 @@ def harmonics(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike, delta_h: ArrayLik
 def _by_parameter_passed_0(A, h, h_A, h_AA, alpha, beta, delta_h):
     # 7 operations; proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 2.34, 3.01, 0.67, 0.0, 0.0, 0.0
     t0 = 1.0 / beta
-    return (
-        -A,
-        -1.0,
-        0.0,
-        t0 * (A * alpha + h),
-        t0 * (alpha + h_A),
-        h_AA * t0,
-        0.0,
-        0.0,
-        0.0,
-    )
+    return -A, -1.0, 0.0, t0 * (A * alpha + h), t0 * (alpha + h_A), h_AA * t0, 0.0, 0.0, 0.0
 
 
 def _by_parameter_passed_1(A, h, h_A, h_AA, alpha, beta, delta_h):
@@ -1302,11 +1265,7 @@ def coefficients(lam: ArrayLike, r: ArrayLike, delta_h: ArrayLike) -> tuple[Any,
     lam, r, delta_h = floats(lam, r, delta_h)
     t0 = lam * r
     shape = common_shape((lam, r, delta_h))
-    return (
-        -delta_h * t0 + 1.0,
-        -0.5 * t0 * (delta_h - 1.0),
-        full(delta_h, shape),
-    )
+    return -delta_h * t0 + 1.0, -0.5 * t0 * (delta_h - 1.0), full(delta_h, shape)
 
 
 def breakpoints(alpha: ArrayLike, beta: ArrayLike, delta_h: ArrayLike) -> tuple[Any]:

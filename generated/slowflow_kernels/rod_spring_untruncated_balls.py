@@ -38,12 +38,7 @@ def given(lam, r, delta_h):
     Equation (5)-(7). Domain: any design.
     """
     t0 = lam * r
-    return (
-        -delta_h * t0 + 1.0,
-        -0.5 * t0 * (delta_h - 1.0),
-        delta_h,
-        0.0,
-    )
+    return -delta_h * t0 + 1.0, -0.5 * t0 * (delta_h - 1.0), delta_h, 0.0
 
 
 def kinks(alpha, beta, delta_h):
@@ -66,13 +61,7 @@ def at_rest(alpha, beta, delta_h):
 
     Equation (20)-(22), (31). Domain: any parameters.
     """
-    return (
-        0.0,
-        -alpha,
-        0.0,
-        -4.5 * beta,
-        0.0,
-    )
+    return 0.0, -alpha, 0.0, -4.5 * beta, 0.0
 
 
 def _known_passed_0(A, beyond, alpha, beta, delta_h):

@@ -129,16 +129,7 @@ def harmonics_terms(sine: Any, f: Any, f_u: Any, f_uu: Any, f_uuu: Any) -> tuple
     sine3 = sine * sine2
     t5 = f_uuu * sine3
     t6 = 1.2732395447351628 * T_5
-    return (
-        -T_3 * t1,
-        -t2 * t3,
-        -t2 * t4,
-        -t2 * t5,
-        -T_5 * t1,
-        -t3 * t6,
-        -t4 * t6,
-        -t5 * t6,
-    )
+    return -T_3 * t1, -t2 * t3, -t2 * t4, -t2 * t5, -T_5 * t1, -t3 * t6, -t4 * t6, -t5 * t6
 
 
 def harmonics_end(A: Any, b: Any, lost_0: Any, lost_1: Any, lost_2: Any) -> tuple[Any, Any, Any, Any, Any, Any]:
@@ -210,10 +201,7 @@ def bent_terms(sine: Any, f: Any, f_uuuu: Any) -> tuple[Any, Any]:
     sine2 = sine * sine
     sine4 = sine2 * sine2
     sine5 = sine * sine4
-    return (
-        -1.2732395447351628 * f * sine,
-        -1.2732395447351628 * f_uuuu * sine5,
-    )
+    return -1.2732395447351628 * f * sine, -1.2732395447351628 * f_uuuu * sine5
 
 
 def bent_end_0(A: Any, b: Any, lost_0: Any, lost_1: Any, lost_2: Any, lost_3: Any) -> Any:

@@ -553,15 +553,7 @@ def components(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, h: ArrayLike, h_3: 
     cosine = np.sqrt((1.0 - sine) * (sine + 1.0))
     u_max = A_1 * cosine + share
     shape = common_shape((Omega, A, m, h, h_3, h_5))
-    return (
-        u_max,
-        full(A_1, shape),
-        sine,
-        cosine,
-        full(a_3, shape),
-        full(a_5, shape),
-        full(kappa, shape),
-    )
+    return u_max, full(A_1, shape), sine, cosine, full(a_3, shape), full(a_5, shape), full(kappa, shape)
 
 
 def wave(turned: ArrayLike, Omega: ArrayLike, m: ArrayLike, A_1: ArrayLike, sine: ArrayLike, cosine: ArrayLike, a_3: ArrayLike, a_5: ArrayLike, kappa: ArrayLike) -> tuple[Any, Any]:

@@ -209,15 +209,7 @@ def by_force(Omega: Any, F_0: Any) -> tuple[Any, Any, Any, Any, Any, Any, Any]:
     Operations: 1.
     Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     """
-    return (
-        F_0,
-        0.0,
-        1.0,
-        0.0,
-        0.0,
-        2.0 * F_0,
-        0.0,
-    )
+    return F_0, 0.0, 1.0, 0.0, 0.0, 2.0 * F_0, 0.0
 
 
 def by_inertia(Omega: Any, F_0: Any) -> tuple[Any, Any, Any, Any, Any, Any, Any]:
@@ -232,13 +224,5 @@ def by_inertia(Omega: Any, F_0: Any) -> tuple[Any, Any, Any, Any, Any, Any, Any]
     t1 = F_0 * F_0
     Omega3 = Omega * Omega2
     Omega4 = Omega2 * Omega2
-    return (
-        F_0 * Omega2,
-        Omega * t0,
-        Omega2,
-        4.0 * Omega3 * t1,
-        12.0 * Omega2 * t1,
-        Omega4 * t0,
-        8.0 * F_0 * Omega3,
-    )
+    return F_0 * Omega2, Omega * t0, Omega2, 4.0 * Omega3 * t1, 12.0 * Omega2 * t1, Omega4 * t0, 8.0 * F_0 * Omega3
 

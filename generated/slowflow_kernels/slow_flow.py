@@ -320,11 +320,7 @@ def peak_cubic(A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> tup
     """
     A, m, zeta, h = floats(A, m, zeta, h)
     shape = common_shape((A, m, zeta, h))
-    return (
-        full(m * zeta, shape),
-        full(2.0 * A * zeta * zeta + h, shape),
-        full(A, shape),
-    )
+    return full(m * zeta, shape), full(2.0 * A * zeta * zeta + h, shape), full(A, shape)
 
 
 def detachment(A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> Floats:
@@ -380,11 +376,7 @@ def rest(F_0: ArrayLike, m: ArrayLike, h: ArrayLike, h_A: ArrayLike) -> tuple[An
     product = -(-F_0 + m) * (F_0 + m)
     c = np.sqrt(product)
     shape = common_shape((F_0, m, h, h_A))
-    return (
-        full(-c + h, shape),
-        full(c + h, shape),
-        full(h_A, shape),
-    )
+    return full(-c + h, shape), full(c + h, shape), full(h_A, shape)
 
 
 def least_restoring(F_0: ArrayLike, m: ArrayLike) -> Any:
@@ -405,10 +397,7 @@ def intercept(A: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike) -> tu
     """
     A, h, h_A, h_AA = floats(A, h, h_A, h_AA)
     shape = common_shape((A, h, h_A, h_AA))
-    return (
-        full(-A * h_A + h, shape),
-        full(-A * h_AA, shape),
-    )
+    return full(-A * h_A + h, shape), full(-A * h_AA, shape)
 
 
 def most_restoring(A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike) -> Any:
@@ -447,7 +436,8 @@ def fold(A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLi
     shape = common_shape((A, F_0, m, zeta, h, h_A, k, k_A))
     return (
         full(-F_0 * t3 + h + t6 * t7, shape),
-        full(F_0 * J * J * k_A * (0.5 * t3 * t6 + (F_0 + m * t2) / excess) / (k * k) + h_A - t4 * t7 / (A * A), shape),
+        full(F_0 * J * J * k_A * (0.5 * t3 * t6 + (F_0 + m * t2) / excess) / (k * k) + h_A - t4 * t7 / (A * A),
+        shape),
         full(0.5 * lag * t5 / zeta, shape),
     )
 
@@ -471,10 +461,7 @@ def fold_moves(A: ArrayLike, k: ArrayLike, R: ArrayLike) -> tuple[Any, Any]:
     A, k, R = floats(A, k, R)
     t0 = 2.0 * R
     shape = common_shape((A, k, R))
-    return (
-        full(t0, shape),
-        -2.0 * (k - t0) / A,
-    )
+    return full(t0, shape), -2.0 * (k - t0) / A
 
 
 def isola_Omega(h_A: ArrayLike) -> Any:
@@ -511,10 +498,7 @@ def isola(A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayL
     bracket = A * (h_A + t0) + h
     bracket_A = A * h_AA + 2.0 * h_A + t0
     shape = common_shape((A, m, zeta, h, h_A, h_AA))
-    return (
-        full(bracket * w + m * zeta, shape),
-        full(0.5 * bracket * h_AA / w + bracket_A * w, shape),
-    )
+    return full(bracket * w + m * zeta, shape), full(0.5 * bracket * h_AA / w + bracket_A * w, shape)
 
 
 def cusps(A: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike, k: ArrayLike) -> tuple[Any, Any, Any, Any, Any]:
@@ -546,10 +530,7 @@ def cusp_R(A: ArrayLike, zeta: ArrayLike, h_AA: ArrayLike, k: ArrayLike, X: Arra
     """
     A, zeta, h_AA, k, X, T = floats(A, zeta, h_AA, k, X, T)
     shape = common_shape((A, zeta, h_AA, k, X, T))
-    return (
-        full(A * T + k, shape),
-        full((-T * T - 4.0 * X * zeta * zeta) / h_AA, shape),
-    )
+    return full(A * T + k, shape), full((-T * T - 4.0 * X * zeta * zeta) / h_AA, shape)
 
 
 def cusp(A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h_AA: ArrayLike, h_AAA: ArrayLike, k: ArrayLike, X: ArrayLike, T: ArrayLike, R: ArrayLike, root: ArrayLike) -> tuple[Any, Any, Any, Any]:
@@ -585,10 +566,7 @@ def cusp_balance(A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, k: A
     t1 = A * t0
     R = t0 * (-m - t1) / T
     shape = common_shape((A, m, zeta, h, k, X, T))
-    return (
-        full((R - h) / A, shape),
-        full(R * k + m * m + m * t1, shape),
-    )
+    return full((R - h) / A, shape), full(R * k + m * m + m * t1, shape)
 
 
 def turn(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h_AA: ArrayLike, k: ArrayLike) -> tuple[Any, Any]:
@@ -624,10 +602,7 @@ def peak(Omega: ArrayLike, A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: Arr
     R = -t0 * zeta * zeta - m * zeta / Omega
     I = Omega * t0 * zeta + m
     shape = common_shape((Omega, A, F_0, m, zeta, h_A))
-    return (
-        full(R * R + (-F_0 + I) * (F_0 + I), shape),
-        full(-2.0 * R * (Omega * Omega - h_A), shape),
-    )
+    return full(R * R + (-F_0 + I) * (F_0 + I), shape), full(-2.0 * R * (Omega * Omega - h_A), shape)
 
 
 def peak_Omega_A(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h_A: ArrayLike) -> Any:

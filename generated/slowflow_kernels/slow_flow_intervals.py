@@ -124,10 +124,7 @@ def intercept(A, h, h_A, h_AA):
 
     Equation from (24), (30). Domain: A >= 0.
     """
-    return (
-        -A * h_A + h,
-        -A * h_AA,
-    )
+    return -A * h_A + h, -A * h_AA
 
 
 def most_restoring(A, F_0, m, zeta):
@@ -183,10 +180,7 @@ def isola(A, m, zeta, h, h_A, h_AA):
     t0 = 2.0 * zeta.square()
     bracket = A * (h_A + t0) + h
     bracket_A = A * h_AA + 2.0 * h_A + t0
-    return (
-        bracket * w + m * zeta,
-        0.5 * bracket * h_AA / w + bracket_A * w,
-    )
+    return bracket * w + m * zeta, 0.5 * bracket * h_AA / w + bracket_A * w
 
 
 def cusps(A, zeta, h, h_A, h_AA, k):
@@ -197,13 +191,7 @@ def cusps(A, zeta, h, h_A, h_AA, k):
     t0 = zeta.square()
     half_e = 0.5 * A * h_AA + 2.0 * t0
     t1 = 4.0 * h_A * t0 - h_AA * k
-    return (
-        half_e,
-        -t1,
-        h_A + half_e,
-        h * h_AA + h_A.square(),
-        half_e.square() + t1,
-    )
+    return half_e, -t1, h_A + half_e, h * h_AA + h_A.square(), half_e.square() + t1
 
 
 def cusp_R(A, zeta, h_AA, k, X, T):
@@ -211,10 +199,7 @@ def cusp_R(A, zeta, h_AA, k, X, T):
 
     Equation from (33). Domain: A > 0, X >= 0.
     """
-    return (
-        A * T + k,
-        (-T.square() - 4.0 * X * zeta.square()) / h_AA,
-    )
+    return A * T + k, (-T.square() - 4.0 * X * zeta.square()) / h_AA
 
 
 def cusp(A, m, zeta, h_AA, h_AAA, k, X, T, R, root):
@@ -295,10 +280,7 @@ def F_Omega_reduced(Omega, A, m, zeta, h):
     """
     p = 2.0 * A * zeta.square() + h
     t0 = A * Omega.square()
-    return (
-        Omega * (p + t0) + m * zeta,
-        p + 3.0 * t0,
-    )
+    return Omega * (p + t0) + m * zeta, p + 3.0 * t0
 
 
 def state_R(Omega, A, h, h_A, k):
@@ -307,10 +289,7 @@ def state_R(Omega, A, h, h_A, k):
     Equation (24). Domain: Omega > 0, A > 0.
     """
     t0 = Omega.square()
-    return (
-        A * t0 + h,
-        A * (h_A + t0) + k,
-    )
+    return A * t0 + h, A * (h_A + t0) + k
 
 
 def state(Omega, A, F_0, m, zeta, h_A, h_AA, R):

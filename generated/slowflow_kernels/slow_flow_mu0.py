@@ -123,10 +123,7 @@ def isola(A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayL
     bracket = A * (h_A + t0) + h
     bracket_A = A * h_AA + 2.0 * h_A + t0
     shape = common_shape((A, m, zeta, h, h_A, h_AA))
-    return (
-        full(bracket, shape),
-        full(bracket_A, shape),
-    )
+    return full(bracket, shape), full(bracket_A, shape)
 
 
 if NATIVE is not None:

@@ -24,10 +24,7 @@ def isola(A, m, zeta, h, h_A, h_AA):
     t0 = 2.0 * zeta.square()
     bracket = A * (h_A + t0) + h
     bracket_A = A * h_AA + 2.0 * h_A + t0
-    return (
-        bracket,
-        bracket_A,
-    )
+    return bracket, bracket_A
 
 
 def F_Omega_reduced(Omega, A, m, zeta, h):
@@ -37,7 +34,4 @@ def F_Omega_reduced(Omega, A, m, zeta, h):
     """
     t0 = 2.0 * A
     p = h + t0 * zeta.square()
-    return (
-        A * Omega.square() + p,
-        Omega * t0,
-    )
+    return A * Omega.square() + p, Omega * t0

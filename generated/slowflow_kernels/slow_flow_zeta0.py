@@ -93,10 +93,7 @@ def fold(F_0: ArrayLike, m: ArrayLike, k: ArrayLike, k_A: ArrayLike) -> tuple[An
     excess = (F_0 - m) * (F_0 + m)
     least = np.sqrt(excess)
     shape = common_shape((F_0, m, k, k_A))
-    return (
-        full((k - least) * (k + least), shape),
-        full(2.0 * k * k_A, shape),
-    )
+    return full((k - least) * (k + least), shape), full(2.0 * k * k_A, shape)
 
 
 def undamped_level(m: ArrayLike, k: ArrayLike) -> Any:
@@ -117,10 +114,7 @@ def undamped_rises(h_AA: ArrayLike, h_AAA: ArrayLike, k: ArrayLike) -> tuple[Any
     """
     h_AA, h_AAA, k = floats(h_AA, h_AAA, k)
     shape = common_shape((h_AA, h_AAA, k))
-    return (
-        full(-h_AA * k, shape),
-        full(-h_AAA * k, shape),
-    )
+    return full(-h_AA * k, shape), full(-h_AAA * k, shape)
 
 
 def undamped(A: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike, h_AAA: ArrayLike) -> tuple[Any, Any, Any, Any]:
@@ -131,12 +125,7 @@ def undamped(A: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike, h_AAA:
     """
     A, h, h_A, h_AA, h_AAA = floats(A, h, h_A, h_AA, h_AAA)
     shape = common_shape((A, h, h_A, h_AA, h_AAA))
-    return (
-        full(h_AA, shape),
-        full(h_AAA, shape),
-        full(-A * h_A + h, shape),
-        full(-A * h_AA, shape),
-    )
+    return full(h_AA, shape), full(h_AAA, shape), full(-A * h_A + h, shape), full(-A * h_AA, shape)
 
 
 if NATIVE is not None:

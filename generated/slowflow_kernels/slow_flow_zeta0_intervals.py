@@ -31,10 +31,7 @@ def fold(F_0, m, k, k_A):
     """
     excess = (F_0 - m) * (F_0 + m)
     least = excess.sqrt()
-    return (
-        (k - least) * (k + least),
-        2.0 * k * k_A,
-    )
+    return (k - least) * (k + least), 2.0 * k * k_A
 
 
 def undamped_rises(h_AA, h_AAA, k):
@@ -42,10 +39,7 @@ def undamped_rises(h_AA, h_AAA, k):
 
     Equation from (24), (30). Domain: h_A <= 0.
     """
-    return (
-        -h_AA * k,
-        -h_AAA * k,
-    )
+    return -h_AA * k, -h_AAA * k
 
 
 def F_Omega_reduced(Omega, A, m, zeta, h):
@@ -53,7 +47,4 @@ def F_Omega_reduced(Omega, A, m, zeta, h):
 
     Equation (34). Domain: Omega > 0, A > 0.
     """
-    return (
-        A * Omega.square() + h,
-        2.0 * A * Omega,
-    )
+    return A * Omega.square() + h, 2.0 * A * Omega

@@ -42,7 +42,10 @@ LANGUAGE = Language(CPrinter(), conjunction=" && ", wrap_in_parentheses=False, n
 def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     """Every file of this language."""
     environment = templates(Path(__file__).parent)
-    result = {"c/angles.h": environment.get_template("angles.h.jinja").render(tools=tools(), **angles())}
+    result = {
+        "c/inline.h": environment.get_template("inline.h.jinja").render(tools=tools()),
+        "c/angles.h": environment.get_template("angles.h.jinja").render(tools=tools(), **angles()),
+    }
     with_symbols = headers(modules, code)
     result |= with_symbols | exported(with_symbols)
     for conventions in CONVENTIONS:
@@ -101,7 +104,7 @@ def includes(module: Module, views: Sequence[KernelView]) -> list[str]:
     angles = "angles" if any(view.uses_angles for view in views) else ""
     twofold = "twofold" if module.twofolds else ""
     quarter = "quarter" if module.sums else ""
-    return [name for name in (angles, twofold, quarter, module.flow) if name]
+    return [name for name in ("inline", angles, twofold, quarter, module.flow) if name]
 
 
 def numbers(module: Module) -> dict[str, str]:

@@ -1,0 +1,30 @@
+/* How functions of the generated headers are declared.
+
+   Written by `make derive`; never edit.
+   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6 */
+
+#ifndef INLINE_H
+#define INLINE_H
+
+/* what exported.c defines otherwise */
+#ifndef SF_KERNEL
+#define SF_KERNEL static inline
+#endif
+
+/* before a loop over a table, which then vectorises with what is around it */
+#if defined(__GNUC__) && !defined(__clang__)
+#define SF_UNROLLED _Pragma("GCC unroll 32")
+#else
+#define SF_UNROLLED
+#endif
+
+/* around kernels of one family, which take the same arguments, whether each needs them or not */
+#if defined(__GNUC__)
+#define SF_FAMILY_BEGIN _Pragma("GCC diagnostic push") _Pragma("GCC diagnostic ignored \"-Wunused-parameter\"")
+#define SF_FAMILY_END _Pragma("GCC diagnostic pop")
+#else
+#define SF_FAMILY_BEGIN
+#define SF_FAMILY_END
+#endif
+
+#endif
