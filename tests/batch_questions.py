@@ -27,6 +27,7 @@ def _at(F_0: Any) -> dict[str, dict[str, Any]]:
         "spectrum": {"Omega": ROWS, "F_0": rows},
         "transient": {"acceleration": F_0, "duration": 2.0},
         "shock_spectrum": {"acceleration": F_0, "duration": 2.0},
+        "random": {"S_0": 0.01 * F_0},
     }
 
 
@@ -35,7 +36,7 @@ AVERAGED = tuple(name for name in _at(1.0) if name != "rest")
 #: of these in the second approximation
 SECOND = ("detachment", "saddle_node_onset", "saddle_nodes", "amplitudes", "frequency_response", "peak")
 #: of designs under a load
-OFF_CENTRE = tuple(name for name in _at(1.0) if name not in ("at_rest", "certify"))
+OFF_CENTRE = tuple(name for name in _at(1.0) if name not in ("at_rest", "certify", "random"))
 #: those of designs about the centre, at both depths
 ALL = (*AVERAGED, *(f"second_approximation.{name}" for name in SECOND))
 

@@ -204,6 +204,7 @@ MANY = {
     "spectrum": asked(Omega=columns, F_0=columns),
 }
 OF_BATCHES = {**MANY, "certify": asked(columns, Omega=st.none() | columns), "at_rest": asked()}
+OF_BATCHES["random"] = asked(S_0=columns) | asked(psd=spectra)
 OF_LOADED_BATCHES = {**MANY, "rest": asked()}
 OF_SECOND_BATCHES = {name: MANY[name] for name in ("saddle_node_onset", "detachment", "peak", "saddle_nodes")}
 OF_SECOND_BATCHES |= {name: MANY[name] for name in ("amplitudes", "frequency_response")}

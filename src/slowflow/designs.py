@@ -41,6 +41,10 @@ class Designs(many.Designs):
                 return OffCentre(self.model(one), 0.0)
 
             return shocks_many.answer(self, question, **given, workers=workers, at_rest=at_rest)
+        if question == "random":
+            from slowflow.random_vibration import many as random_many
+
+            return random_many.answer(self, **given, workers=workers)
         if question not in LOADS:
             return super()._ask(question, workers=workers, **given)
         from slowflow import batch_checks

@@ -84,6 +84,7 @@ COLUMNS: Mapping[str, Column] = MappingProxyType(
             Column("u_margin", "half the 95 % confidence interval of u_rms", "length", "x_margin"),
             Column("v_margin", "half the 95 % confidence interval of v_rms", "speed"),
             Column("a_margin", "half the 95 % confidence interval of a_rms", "acceleration"),
+            Column("S_0", "two-sided spectral density of white noise"),
             Column("Omega_e", "natural frequency of the equivalent linear oscillator", "frequency", "f_e"),
             Column("damping", "damping of the equivalent linear oscillator", "damping"),
             Column("ratio_e", "damping ratio of the equivalent linear oscillator"),
@@ -449,6 +450,24 @@ class ManyQuestions(Generic[Found]):
 
         Raises ValueError for structural damping. Designs with other laws of damping are followed one by one, in
         milliseconds each.
+        """
+
+    @asks(
+        {
+            AVERAGING: "u_rms:place v_rms:place a_rms:place stiffness:place damping:place Omega_e:place ratio_e:place "
+            "beyond:place crossing_rate:place dry:place count status"
+        }
+    )
+    def random(
+        self, *, S_0: Any = None, psd: tuple[Any, Any] | None = None, places: int = 3, workers: int = 1
+    ) -> Found:
+        """Stationary random vibration, by rising u_rms: .u_rms .v_rms .a_rms .stiffness .damping .beyond .dry .count.
+
+        S_0 -- of white noise, numbers that broadcast with the designs
+        psd -- frequencies and densities instead, the same for all designs, in hundredths of a second each
+
+        As of a single `random`; of several motions, or where dry is above 0.8, what is said there holds.
+        `Status.UNRESOLVED` also where there is no stationary motion.
         """
 
 

@@ -220,7 +220,11 @@ def assert_is_that_of_each(found, singles, question):
 
 
 #: what is summed in another order in a batch, or found by another iteration; all others have every bit
-NEAR = {"isolation": 1e-10, "at_rest": 1e-13, **dict.fromkeys(("spectrum", "transient", "shock_spectrum"), 1e-12)}
+NEAR = {
+    "isolation": 1e-10,
+    "at_rest": 1e-13,
+    **dict.fromkeys(("spectrum", "transient", "shock_spectrum", "random"), 1e-12),
+}
 
 
 def asked_alone(make, given, same, F_0, question):

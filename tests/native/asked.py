@@ -85,6 +85,8 @@ def asked_moving(oscillator):
     yield lambda: oscillator.sweep(Omega=[0.9, 1.0], F_0=0.05)
     yield lambda: oscillator.transient(acceleration=0.2, duration=2.0, after=1.0)
     yield lambda: oscillator.shock_spectrum(acceleration=0.2, duration=[1.0, 2.0])
+    yield lambda: oscillator.random(S_0=1e-3)
+    yield lambda: oscillator.random(psd=([0.5, 2.0], [1e-3, 1e-3]))
 
 
 def ask_many(many, F_0):
@@ -158,6 +160,7 @@ def main():
     tried(lambda: Duffing(1.0, -1.0, 0.0, 0.01).steady_state(Omega=0.5, F_0=2.0))  # escapes
     Duffing.many(1.0, [-1.0, 0.0], 0.0, 0.05).transient(acceleration=3.0, duration=3.0)  # one does too
     designs = Isolator.many(lam=3, r=2.0, delta_h=np.linspace(0.0, 0.15, 7)[:, None], mu=[0.0, 0.02], zeta=0.02)
+    designs.random(S_0=1e-3), Duffing.many(1.0, [-1.0, 0.0], 0.0, 0.05).random(S_0=[[1e-3], [0.1]], places=1)
     designs.transient(acceleration=[0.0, 0.5, -0.5], tau=[0.0, 1.0, 2.0], workers=2)
 
 

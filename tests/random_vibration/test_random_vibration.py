@@ -11,12 +11,13 @@ from scipy.integrate import quad
 from scipy.optimize import brentq
 
 from slowflow import Duffing, Isolator, Refused
-from slowflow.random_vibration.excitation import Tabulated, White
+from slowflow.random_vibration.excitation import Tabulated
 from slowflow.random_vibration.gaussian import Secants, averages, on_ranges
 from slowflow.random_vibration.record import process
 from slowflow.report import html
 from slowflow.scenes import read
 from slowflow.support.errors import SceneError
+from slowflow_kernels.conventions import Status
 from slowflow_kernels.table_1 import TABLE_1
 
 DESIGN = {name: TABLE_1[name] for name in ("lam", "r", "delta_h")}
@@ -153,7 +154,7 @@ def test_moments_have_their_reference_values():
     np.testing.assert_allclose(found[:, 0], [0.306535818895922, 0.30638426685095], rtol=3e-15)
 
 
-@pytest.mark.parametrize("excitation", (White(0.01), Tabulated(*FLOOR), Tabulated(*spread(0.01))))
+@pytest.mark.parametrize("excitation", (Tabulated(*FLOOR), Tabulated(*spread(0.01))))
 def test_slopes_on_boxes_hold_those_within(excitation):
     random = np.random.default_rng(3)
     z = np.stack((random.uniform(-3, 3, 40), random.uniform(-5, 1, 40)))
@@ -167,6 +168,39 @@ def test_slopes_on_boxes_hold_those_within(excitation):
 
 
 # ---- stationary motions
+
+
+def test_white_noise_has_every_motion_of_a_softening_spring():
+    """E[u f] = alpha sigma^2 + 3 beta sigma^4 is sigma_v^2 = pi S_0/(2 zeta), at two sigma, at none above."""
+    S_0, zeta, beta = np.array([1e-4, 1e-3, 1e-2]), 0.02, np.array([[-1.0], [-0.1], [-1e-4]])
+    found = Duffing.many(1.0, beta, 0.0, zeta).random(S_0=S_0)
+    level = np.pi * S_0 / (2 * zeta)
+    left = 1 + 12 * beta * level
+    assert (left < 0).any()
+    np.testing.assert_array_equal(found.count, np.where(left > 0, 2, 0))
+    np.testing.assert_array_equal(found.status, np.where(left > 0, Status.OK, Status.UNRESOLVED))
+    with np.errstate(invalid="ignore"):
+        squares = level * 2 / (1 + np.sqrt(left)), (1 + np.sqrt(left)) / (-6 * beta)
+    for place, square in enumerate(squares):
+        np.testing.assert_allclose(found.u_rms[..., place] ** 2, square, rtol=2e-14)
+
+
+def test_many_designs_have_a_status_where_one_is_refused():
+    found = Duffing.many(1.0, [-1.0, np.nan, 1.0, 1.0], 0.0, [0.02, 0.02, 0.0, 0.02]).random(
+        S_0=[1e-4, 1e-4, 1e-4, -1.0]
+    )
+    assert found.status.tolist() == [Status.OK, *[Status.INVALID] * 3]
+    few = Duffing.many(1.0, -1.0, 0.0, 0.02).random(S_0=1e-4, places=1)
+    assert (few.status, few.count, few.u_rms.shape) == (Status.TOO_MANY, 2, (1,))
+    assert few.u_rms[0] == found.u_rms[0, 0]
+    one = Duffing(1.0, 0.5, mu=0.01, zeta=0.03)
+    table = Duffing.many([1.0, -1.0], [0.5, 0.0], 0.01, 0.03).random(psd=FLOOR)
+    assert table.status.tolist() == [Status.OK, Status.UNRESOLVED]
+    assert table.u_rms[0, 0] == one.random(psd=FLOOR).u_rms[0]
+    with pytest.raises(Refused, match="either S_0"):
+        Duffing.many(1.0, 0.5, 0.01, 0.03).random()
+    with pytest.raises(Refused, match="only with mu, zeta and c_2"):
+        Duffing.many(1.0, 0.5, 0.01, 0.03, eta=0.1).random(S_0=1.0)
 
 
 def test_linear_oscillator_under_white_noise_is_closed():

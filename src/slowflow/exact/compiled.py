@@ -11,6 +11,7 @@ import json
 import math
 import sys
 from array import array
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -81,6 +82,11 @@ def _value(piece: Piece, u: float) -> float:
         return float(piece.law.force(u, *piece.constants))
     except Exception:
         return math.nan
+
+
+def design_rows(values: Sequence[Any], count: int) -> Floats:
+    """Numbers of so many designs, a row for each."""
+    return np.array([np.broadcast_to(value, count) for value in values], dtype=float).reshape(-1, count).T
 
 
 def handle(system: EquationOfMotion) -> Any:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -14,7 +14,7 @@ from slowflow.averaged.many import Designs
 from slowflow.averaged.queries import failed
 from slowflow.backend import EXACT
 from slowflow.exact import questions
-from slowflow.exact.compiled import recurrences
+from slowflow.exact.compiled import design_rows, recurrences
 from slowflow.exact.transient import AFTER, NO_PULSE, half_sine, record, transient
 from slowflow.exact.work import MOST_STEPS, MOST_WORK
 from slowflow.mechanism import EquationOfMotion, Floats, Force, followed
@@ -131,7 +131,7 @@ def _solve(
         own = {name: value[chunk] for name, value in values.items()}
         parameters = designs.mechanism.coefficients(*(own[domain.name] for domain in designs.mechanism.design))
         ends = designs.mechanism.breakpoints(*parameters)
-        columns = [_columns(group, chunk.size) for group in (parameters, ends, (own["mu"], own["zeta"]))]
+        columns = [design_rows(group, chunk.size) for group in (parameters, ends, (own["mu"], own["zeta"]))]
         outcomes, found = np.empty(chunk.size, np.int8), np.empty((chunk.size, 7))
         rows = (np.ascontiguousarray(group) for group in (*columns, pulses_of[index[chunk]], begins[chunk]))
         EXACT.shocks(laws, *rows, after, MOST_STEPS, MOST_WORK, outcomes, found)
@@ -146,11 +146,6 @@ def _solve(
     flags["stands"] = np.nan_to_num(stable)
     found = {"A": A, "tau_A": tau_A, "a_max": a_max, "tau_a": tau_a, "tau_detaches": tau_detaches, "u_end": u_end}
     return {**found, **{name: values.astype(np.int8) for name, values in flags.items()}}
-
-
-def _columns(values: Sequence[Any], count: int) -> Floats:
-    """Numbers of so many designs, a row for each."""
-    return np.array([np.broadcast_to(value, count) for value in values], dtype=float).reshape(-1, count).T
 
 
 def _single(

@@ -23,6 +23,7 @@ from slowflow.loaded import AT_CENTRE, off_centre_by
 from slowflow.mechanism import Mechanism
 from slowflow.model import THROUGHOUT, check_names
 from slowflow.off_centre.many import check_polynomial
+from slowflow.random_vibration.questions import excited_by
 from slowflow.second.many import UNANSWERED
 from slowflow.support.errors import Refused, WrongType
 from slowflow.table import AVERAGING, OFFSET, QUESTIONS, SECOND, ManyQuestions, Question
@@ -160,6 +161,8 @@ class Grid(Unchanging, ManyQuestions[Any]):
                 raise WrongType(f"{name} is nothing for {question}")
         options = {name: given.pop(name, default) for name, default in asked.options.items()}
         self._check(question, options, given, workers)
+        if options.get("psd") is not None:  # as a store tells it
+            options["psd"] = [np.asarray(row, dtype=float).tolist() for row in options["psd"]]
         values, tables = self._with(asked, given)
         found = Ask(
             self.mechanism,
@@ -196,6 +199,8 @@ class Grid(Unchanging, ManyQuestions[Any]):
             validate.curve(options["samples"], options["Omega"])
         if options.get("after") is not None:
             validate.number("after", options["after"], least=0.0)
+        if question == "random":
+            excited_by(None if given.get("S_0") is None else 1.0, options["psd"])
         if question == "transient" and ("duration" in given) == ("tau" in given):
             raise Refused(NO_PULSE)
         if question == "certify":

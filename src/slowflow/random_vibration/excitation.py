@@ -25,6 +25,8 @@ _AT, _WEIGHTS = np.polynomial.legendre.leggauss(NODES)
 _SHARES = 0.5 * (1 + _AT)
 #: of a damping ratio below that parts do not become narrower towards the resonance
 NARROWEST = 2.0**-40
+#: of Newton's iteration for sigma_v: steps at most, and one after which as many digits come as there are
+MOST_STEPS, LAST = 60, 2.0**-28
 #: boxes whose integrals are formed together
 TOGETHER = 2048
 
@@ -40,35 +42,26 @@ class Moments(NamedTuple):
 class White:
     """White noise with a constant two-sided density S_0: E[w(t) w(t + s)] = 2 pi S_0 delta(s)."""
 
-    S_0: float
-    rms = math.inf
-
-    @property
-    def most(self) -> float:
-        """The one-sided density, 2 S_0."""
-        return 2 * self.S_0
+    S_0: Any
 
     def density(self, Omega: Floats) -> Floats:
-        """One-sided."""
-        return np.full(Omega.shape, self.most)
+        """One-sided, 2 S_0."""
+        return np.full(Omega.shape, 2 * self.S_0)
 
-    def moments(self, p: Floats, q: Floats) -> Moments:
-        """At points."""
-        value = np.log(np.broadcast_arrays(*linearization.white(self.S_0, np.exp(p), np.exp(q))))
-        return Moments(value, np.broadcast_to(np.array([[[-1.0], [-1.0]], [[0.0], [-1.0]]]), (2, 2, p.size)))
+    def velocity(self, mu: Any, zeta: Any, c_2: Any) -> tuple[Floats, Floats]:
+        """Root mean squares of v and dampings c, c sigma_v^2 = pi S_0, of laws that broadcast with S_0.
 
-    def slopes_on(self, at: Moments, low: Floats, z: Floats, high: Floats) -> tuple[Floats, Floats]:
-        """The same everywhere."""
-        return at.slopes, at.slopes
-
-    def least_rate(self, k: Floats, c: float) -> float:
-        """A lower bound of sigma_v^2 for stiffness between two."""
-        return float(linearization.white(self.S_0, 1.0, c)[1])
-
-    @property
-    def swept(self) -> float:
-        """k I_0 - I_2 is at most this over c."""
-        return 0.0
+        The slope of ln(c) by ln(sigma_v) rises from -1 on: from the second step on Newton's iteration comes from above.
+        """
+        power = math.pi * self.S_0
+        v = np.sqrt(power)
+        for _ in range(MOST_STEPS):
+            c, slope, _ = linearization.equivalent_damping(v, mu, zeta, c_2)
+            step = np.log(power / (c * v * v)) / (2 + slope / c)
+            v = v * np.exp(step)
+            if not (np.abs(step) > LAST).any():
+                break
+        return v, linearization.equivalent_damping(v, mu, zeta, c_2)[0]
 
 
 class Tabulated:

@@ -1,6 +1,6 @@
 """All fixed points of statistical linearization: none is missed, and each that is given is proved to be there, once.
 
-In:  an equation of motion (3), and its excitation.
+In:  an equation of motion (3), and the table of its excitation.
 Out: ln k and ln c of each equivalent linear oscillator.
 
 With p = ln k and q = ln c what vanishes is
@@ -21,7 +21,7 @@ import numpy as np
 from slowflow.intervals import Interval
 from slowflow.mechanism import EquationOfMotion, Floats, Ints
 from slowflow.off_centre.boxes import Equations, Solutions, solve
-from slowflow.random_vibration.excitation import Excitation
+from slowflow.random_vibration.excitation import Tabulated
 from slowflow.random_vibration.gaussian import WIDE, Secants, averages, on_ranges, sizes
 from slowflow.support.errors import NotSettled
 from slowflow_kernels import linearization
@@ -41,7 +41,7 @@ HELD = "friction holds the mass nearly all of the time: no linear damping is equ
 class Linearized(Equations):
     """In p and q."""
 
-    def __init__(self, system: EquationOfMotion, excitation: Excitation) -> None:
+    def __init__(self, system: EquationOfMotion, excitation: Tabulated) -> None:
         self.force, self.excitation, self.secants = system.force, excitation, Secants(system.force)
         self.laws = system.mu, system.zeta, system.c_2
 
@@ -84,7 +84,7 @@ class Linearized(Equations):
         return *values, np.stack([np.stack([one.ends for one in row], axis=1) for row in slopes], axis=1)
 
 
-def fixed_points(system: EquationOfMotion, excitation: Excitation) -> Solutions:
+def fixed_points(system: EquationOfMotion, excitation: Tabulated) -> Solutions:
     """All that there are. Raises ArithmeticError where there is no stationary motion, or where they stay undecided."""
     ends = ranges(system, excitation)
     edges = np.linspace(*ends, PARTS + 1, axis=-1)
@@ -92,7 +92,7 @@ def fixed_points(system: EquationOfMotion, excitation: Excitation) -> Solutions:
     return solve(Linearized(system, excitation), low, high, np.zeros(low.shape[1], dtype=np.intp))
 
 
-def ranges(system: EquationOfMotion, excitation: Excitation) -> tuple[Floats, Floats]:
+def ranges(system: EquationOfMotion, excitation: Tabulated) -> tuple[Floats, Floats]:
     """Lowest and highest p and q of a fixed point.
 
     Below the lowest c the damping that it leads to is more at each k, above the highest one less: c sigma_v rises with

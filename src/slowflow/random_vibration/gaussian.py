@@ -1,27 +1,23 @@
 """Gaussian averages of a restoring force. Takes the force and root mean squares of u; returns the equivalent stiffness.
 
-By Gauss's rule on parts of each piece of the force, so that averages are as near as roundings whatever the pieces are.
+By Gauss's rule on parts of each piece of the force, see `native/exact/gaussian.h`.
 """
 
 from __future__ import annotations
 
-import math
 from typing import NamedTuple
 
 import numpy as np
 
+from slowflow.backend import EXACT
+from slowflow.exact import compiled
 from slowflow.intervals import Interval
-from slowflow.mechanism import Floats, Force
+from slowflow.mechanism import EquationOfMotion, Floats, Force
 
-#: |u|/sigma up to which a Gaussian motion is looked at: the rest has a share of 1e-23
+#: |u|/sigma up to which a Gaussian motion is looked at
 FAR = 10.0
-#: parts of each piece of the force, and nodes in each: a part is at most 1.25 sigma wide
-PARTS, NODES = 8, 12
 #: where f/u is sampled, beside the size of the force, how often, and by how much of its range it may be off between
 WIDE, SAMPLES, APART = 1e8, 2000, 0.01
-_AT, _WEIGHTS = np.polynomial.legendre.leggauss(NODES)
-_SHARES = ((np.arange(PARTS)[:, np.newaxis] + 0.5 * (1 + _AT)) / PARTS).ravel()
-_SUMMED = np.tile(_WEIGHTS, PARTS) / (2 * PARTS)
 
 
 class Averages(NamedTuple):
@@ -43,19 +39,9 @@ class Averages(NamedTuple):
 
 def averages(force: Force, sigma: Floats) -> Averages:
     """Of an odd force over u with these root mean squares, (n,)."""
-    found, square = np.zeros((2, 2, sigma.size)), np.zeros(sigma.size)
-    ends = np.array([0.0, *force.breakpoints[force.innermost :], math.inf]) / sigma[:, np.newaxis]
-    low, width = np.minimum(ends[:, :-1], FAR), np.diff(np.minimum(ends, FAR))
-    for number, piece in enumerate(force.pieces[force.innermost :]):
-        some = np.flatnonzero(width[:, number] > 0)
-        x = low[some, number, np.newaxis] + width[some, number, np.newaxis] * _SHARES
-        weights = width[some, number, np.newaxis] * _SUMMED * np.exp(-0.5 * x * x) * math.sqrt(2 / math.pi)
-        f = piece(sigma[some, np.newaxis] * x)
-        of_u = weights * x * f / sigma[some, np.newaxis]
-        parts = np.stack((np.maximum(of_u, 0.0), np.maximum(-of_u, 0.0)))
-        found[:, :, some] += np.stack((parts.sum(axis=2), (parts * x * x).sum(axis=2)))
-        square[some] += (weights * f * f).sum(axis=1)
-    return Averages(found[0], found[1], square)
+    handle = compiled.handle(EquationOfMotion(force, 0.0, 0.0))
+    found = np.frombuffer(EXACT.averages(handle, np.ascontiguousarray(sigma))).reshape(-1, 6).T
+    return Averages(found[1:3] / sigma**2, found[3:5] / sigma**2, found[5])
 
 
 def sizes(force: Force, count: int) -> Floats:

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
 from slowflow import validate
 from slowflow.answer import joined
+from slowflow.backend import EXACT
+from slowflow.exact import compiled
 from slowflow.mechanism import EquationOfMotion, Floats
-from slowflow.random_vibration.answers import RandomResponse
+from slowflow.random_vibration.answers import RandomResponse, Stationary
 from slowflow.random_vibration.excitation import Excitation, Tabulated, White
 from slowflow.random_vibration.fixed_points import GIVES_WAY, fixed_points
 from slowflow.random_vibration.gaussian import averages
@@ -23,6 +26,7 @@ UNDAMPED = text("random vibration needs dry friction or viscous damping: {mu = :
 UNDECIDED = Sentence("there may be another equivalent linear oscillator next to {stiffness = :.4g}, {damping = :.4g}")
 #: share of friction in the damping up to which sigma_u and sigma_v were within 4 % of records of the motion
 MOST_DRY = 0.8
+_erfc = np.frompyfunc(math.erfc, 1, 1)
 SEVERAL = Sentence(
     "{count:d} linear oscillators are equivalent: the motion moves from one to the other, with the averages of none; "
     "measure() follows it in time"
@@ -35,39 +39,60 @@ DRY = Sentence(
 
 def random(oscillator: Any, system: EquationOfMotion, S_0: Any, psd: Any) -> RandomResponse:
     """See `slowflow.oscillator.Oscillator.random`."""
-    if (S_0 is None) == (psd is None):
-        raise Refused(ONE_OF)
+    excitation = excited_by(S_0, psd)
     validate.is_plain("random", f"rubs = {oscillator.rubs!r}" if system.released else "")
-    if system.mu == system.zeta == 0:
-        raise validate.NotAvailable(UNDAMPED)
-    excitation: Excitation
-    if psd is None:
-        excitation = White(validate.number("S_0", S_0, above=0.0))
-    else:
-        excitation = Tabulated(*validate.two_rows("psd", psd, "frequencies and densities"))
-    found = fixed_points(system, excitation)
-    k, c = np.exp(found.x)
-    if found.undecided.size:
-        raise NotSettled(UNDECIDED.format(*np.exp(found.undecided[:, 0])))
-    if not k.size:
-        raise NotSettled(GIVES_WAY)
-    return _answer(system, excitation, k, c, oscillator)
-
-
-def _answer(system: EquationOfMotion, excitation: Excitation, k: Floats, c: Floats, asked: Any) -> RandomResponse:
-    """Of stiffness and damping of each fixed point."""
-    squares = np.exp(excitation.moments(np.log(k), np.log(c)).value)
-    order = np.argsort(squares[0])
-    k, c, (u, v) = k[order], c[order], np.sqrt(squares[:, order])
-    laws = system.mu, system.zeta, system.c_2
-    dry = linearization.equivalent_damping(v, *laws)[2] / c
-    a = np.sqrt(averages(system.force, u).square + linearization.damping_force(v, *laws))
-    end = math.nan if (first := system.force.first_end) is None else first
-    beyond = np.array([math.erfc(end / (math.sqrt(2) * one)) for one in u.tolist()])
-    rate = linearization.crossings(end, u, v)
+    columns = stationary(system, excitation)
+    u, dry = columns["u_rms"], columns["dry"]
     said = joined(
-        SEVERAL.format(k.size) if k.size > 1 else "",
+        SEVERAL.format(u.size) if u.size > 1 else "",
         DRY.format(float(dry.max()), MOST_DRY) if (dry > MOST_DRY).any() else "",
     )
-    found = (u, v, a, k, c, np.sqrt(k), c / (2 * np.sqrt(k)), beyond, rate, dry)
-    return RandomResponse(*found, said, excitation, system, asked)
+    return RandomResponse(**columns, message=said, excitation=excitation, system=system, _asked=oscillator)
+
+
+def excited_by(S_0: Any, psd: Any) -> Excitation:
+    """The excitation of one oscillator. Raises ValueError for both or none of these, and where they are not allowed."""
+    if (S_0 is None) == (psd is None):
+        raise Refused(ONE_OF)
+    if psd is None:
+        return White(validate.number("S_0", S_0, above=0.0))
+    return Tabulated(*validate.two_rows("psd", psd, "frequencies and densities"))
+
+
+def stationary(system: EquationOfMotion, excitation: Excitation) -> dict[str, Floats]:
+    """The columns of `RandomResponse`, by rising u_rms. Raises as `Oscillator.random`."""
+    if system.mu == system.zeta == 0:
+        raise validate.NotAvailable(UNDAMPED)
+    laws = system.mu, system.zeta, system.c_2
+    if isinstance(excitation, White):
+        v, c = excitation.velocity(*laws)
+        undecided, found = EXACT.balances(compiled.handle(system), v * v)
+        u, *_, square = np.frombuffer(found).reshape(-1, 6).T
+        k, left = (v / u) ** 2, [((v / undecided) ** 2, c)] if undecided else []
+    else:
+        points = fixed_points(system, excitation)
+        u, v = np.exp(0.5 * excitation.moments(*points.x).value)
+        k, left = np.exp(points.x[0]), np.exp(points.undecided.T).tolist()
+        u, v, k = (one[np.argsort(u)] for one in (u, v, k))
+        square = averages(system.force, u).square
+    if left:
+        raise NotSettled(UNDECIDED.format(*map(float, left[0])))
+    if not u.size:
+        raise NotSettled(GIVES_WAY)
+    end = math.nan if (first := system.force.first_end) is None else first
+    return columns(u, np.broadcast_to(v, u.shape), square, k, laws, end)
+
+
+def columns(u: Floats, v: Floats, square: Floats, k: Floats, laws: Sequence[Any], end: Any) -> dict[str, Floats]:
+    """Columns of stationary motions, of shapes that broadcast.
+
+    square -- mean square of the force
+    laws   -- mu, zeta and c_2
+    end    -- of its first piece, NaN where there is none
+    """
+    c, _, dry = linearization.equivalent_damping(v, *laws)
+    a = np.sqrt(square + linearization.damping_force(v, *laws))
+    beyond = np.asarray(_erfc(end / (math.sqrt(2) * u)), dtype=float)
+    rate = linearization.crossings(end, u, v)
+    found = u, v, a, k, c, np.sqrt(k), c / (2 * np.sqrt(k)), beyond, rate, dry / c
+    return dict(zip(Stationary._fields, found, strict=True))

@@ -35,7 +35,9 @@ from slowflow_kernels.conventions import Status
 UNANSWERED = {
     "certify": "nothing is proved of the second approximation",
     **dict.fromkeys(("margins", "hysteresis", "isolation", "spectrum"), "it is put together from averaging's answers"),
-    **dict.fromkeys(("at_rest", "transient", "shock_spectrum"), "it is asked of the designs, at each depth the same"),
+    **dict.fromkeys(
+        ("at_rest", "transient", "shock_spectrum", "random"), "it is asked of the designs, at each depth the same"
+    ),
     "rest": "it is asked of designs under a load",
 }
 

@@ -7,6 +7,7 @@
 #include <Python.h>
 
 #include "taylor.h"
+#include "gaussian.h"
 #include "interpreted.h"
 #include "polynomials.h"
 #include "shock.h"
@@ -436,43 +437,79 @@ static sf_system odd_system(const sf_law *const *law, Py_ssize_t pieces, const d
     return (sf_system){2 * about + 1, about, 1, piece, edge, damping[0], damping[1], 0, 0.0};
 }
 
-/* Shocks of many oscillators of one mechanism, whose force is odd: for each its constants, the ends of its pieces, mu
- * and zeta, arcs and when they begin; out come the outcome and the numbers of each. */
+/* Designs of one mechanism whose force is odd: laws of its pieces; for each design constants and the ends of its pieces. */
+typedef struct {
+    Py_buffer constants, ends;
+    Py_ssize_t count, size, pieces;
+    const sf_law **law;
+    sf_piece *piece;
+    double *edge;
+} sf_designs;
+
+/* Room for so many designs, and whether what they are given as is theirs. */
+static int designs_fit(sf_designs *of, PyObject *laws, Py_ssize_t count)
+{
+    const Py_ssize_t one = (Py_ssize_t)sizeof(double);
+    of->count = count, of->pieces = PyTuple_Size(laws), of->size = count ? of->constants.len / count / one : 0;
+    of->law = PyMem_Calloc((size_t)of->pieces + 1, sizeof *of->law);
+    of->piece = PyMem_Calloc(2 * (size_t)of->pieces + 1, sizeof *of->piece);
+    of->edge = PyMem_Calloc(2 * (size_t)(of->pieces + of->size) + 2, sizeof *of->edge);
+    int fits = of->law != NULL && of->piece != NULL && of->edge != NULL && of->pieces >= 1 &&
+               of->constants.len == count * of->size * one && of->ends.len == count * (of->pieces - 1) * one;
+    for (Py_ssize_t i = 0; fits && i < of->pieces; i++) {
+        of->law[i] = PyCapsule_GetPointer(PyTuple_GetItem(laws, i), LAW);
+        fits = of->law[i] != NULL && (count == 0 || of->law[i]->constants == of->size);
+    }
+    return fits;
+}
+
+/* Design k, until the next one is made. */
+static sf_system design(const sf_designs *of, Py_ssize_t k, const double *damping)
+{
+    double *const p[2] = {of->edge + 2 * of->pieces, of->edge + 2 * of->pieces + of->size + 1};
+    const double *const both[2] = {p[0], p[1]};
+    for (int side = 0; side < 2; side++) {
+        memcpy(p[side], (const double *)of->constants.buf + k * of->size, (size_t)of->size * sizeof(double));
+        p[side][of->size] = side ? 1.0 : -1.0;
+    }
+    return odd_system(of->law, of->pieces, (const double *)of->ends.buf + k * (of->pieces - 1), both, damping, of->piece,
+                      of->edge);
+}
+
+/* Of designs that fit, or not: None, or NULL with an error. */
+static PyObject *done_with(sf_designs *of, int fit)
+{
+    if (!fit && !PyErr_Occurred())
+        PyErr_SetString(PyExc_ValueError, "arrays that do not fit the designs");
+    PyMem_Free(of->law);
+    PyMem_Free(of->piece);
+    PyMem_Free(of->edge);
+    RELEASE(&of->constants, &of->ends);
+    return PyErr_Occurred() ? NULL : Py_NewRef(Py_None);
+}
+
+/* Shocks of designs: for each mu and zeta, arcs and when they begin; out come the outcome and the numbers of each. */
 static PyObject *shocks(PyObject *self, PyObject *arguments)
 {
     (void)self;
     PyObject *laws;
-    Py_buffer constants, ends, damping, arcs, begin, outcomes, out;
+    sf_designs of = {0};
+    Py_buffer damping, arcs, begin, outcomes, out;
     double after;
     sf_shocked shock = {0};
     long all;
-    if (!PyArg_ParseTuple(arguments, "O!y*y*y*y*y*dllw*w*", &PyTuple_Type, &laws, &constants, &ends, &damping, &arcs,
-                          &begin, &after, &shock.most, &all, &outcomes, &out))
+    if (!PyArg_ParseTuple(arguments, "O!y*y*y*y*y*dllw*w*", &PyTuple_Type, &laws, &of.constants, &of.ends, &damping,
+                          &arcs, &begin, &after, &shock.most, &all, &outcomes, &out))
         return NULL;
-    const Py_ssize_t one = (Py_ssize_t)sizeof(double), count = outcomes.len, pieces = PyTuple_Size(laws);
-    const Py_ssize_t size = count ? constants.len / count / one : 0;
+    const Py_ssize_t one = (Py_ssize_t)sizeof(double), count = outcomes.len;
     const Py_ssize_t pulses = count ? arcs.len / count / (Py_ssize_t)sizeof(sf_arc) : 0;
-    const sf_law **const law = PyMem_Calloc((size_t)pieces + 1, sizeof *law);
-    sf_piece *const piece = PyMem_Calloc(2 * (size_t)pieces + 1, sizeof *piece);
-    double *const edge = PyMem_Calloc(2 * (size_t)(pieces + size) + 2, sizeof *edge);
-    int fits = law != NULL && piece != NULL && edge != NULL && pieces >= 1 &&
-               constants.len == count * size * one && ends.len == count * (pieces - 1) * one &&
-               damping.len == 2 * count * one && begin.len == count * one &&
-               arcs.len == count * pulses * (Py_ssize_t)sizeof(sf_arc) && out.len == count * SF_SHOCK_NUMBERS * one;
-    for (Py_ssize_t i = 0; fits && i < pieces; i++) {
-        law[i] = PyCapsule_GetPointer(PyTuple_GetItem(laws, i), LAW);
-        fits = law[i] != NULL && (count == 0 || law[i]->constants == size);
-    }
-    if (fits) {
-        double *const p[2] = {edge + 2 * pieces, edge + 2 * pieces + size + 1};
-        p[0][size] = -1.0, p[1][size] = 1.0;
+    const int fit = designs_fit(&of, laws, count) && damping.len == 2 * count * one && begin.len == count * one &&
+                    arcs.len == count * pulses * (Py_ssize_t)sizeof(sf_arc) &&
+                    out.len == count * SF_SHOCK_NUMBERS * one;
+    if (fit) {
         Py_BEGIN_ALLOW_THREADS
         for (Py_ssize_t k = 0; k < count; k++) {
-            for (int side = 0; side < 2; side++)
-                memcpy(p[side], (const double *)constants.buf + k * size, (size_t)(size * one));
-            const double *const both[2] = {p[0], p[1]};
-            const sf_system system = odd_system(law, pieces, (const double *)ends.buf + k * (pieces - 1), both,
-                                                (const double *)damping.buf + 2 * k, piece, edge);
+            const sf_system system = design(&of, k, (const double *)damping.buf + 2 * k);
             double *const found = (double *)out.buf + k * SF_SHOCK_NUMBERS;
             shock.system = &system, shock.left = all, shock.u = shock.v = 0.0;
             const sf_outcome outcome = sf_shock(&shock, (const sf_arc *)arcs.buf + k * pulses, (long)pulses,
@@ -485,13 +522,85 @@ static PyObject *shocks(PyObject *self, PyObject *arguments)
         free(shock.phases.at);
         free(shock.at);
     }
-    else if (!PyErr_Occurred())
-        PyErr_SetString(PyExc_ValueError, "arrays that do not fit the shocks");
-    PyMem_Free(law);
-    PyMem_Free(piece);
-    PyMem_Free(edge);
-    RELEASE(&constants, &ends, &damping, &arcs, &begin, &outcomes, &out);
-    return PyErr_Occurred() ? NULL : Py_NewRef(Py_None);
+    RELEASE(&damping, &arcs, &begin, &outcomes, &out);
+    return done_with(&of, fit);
+}
+
+/* An sf_gaussian at each of several sigma, as bytes */
+static PyObject *averages(PyObject *self, PyObject *arguments)
+{
+    (void)self;
+    PyObject *capsule;
+    Py_buffer sigma;
+    if (!PyArg_ParseTuple(arguments, "Oy*", &capsule, &sigma))
+        return NULL;
+    const Py_ssize_t count = sigma.len / (Py_ssize_t)sizeof(double);
+    const sf_system *const system = PyCapsule_GetPointer(capsule, NAME);
+    PyObject *const found = PyBytes_FromStringAndSize(NULL, count * (Py_ssize_t)sizeof(sf_gaussian));
+    if (system != NULL && found != NULL) {
+        sf_gaussian *const out = (sf_gaussian *)(void *)PyBytes_AsString(found);
+        Py_BEGIN_ALLOW_THREADS
+        const double *const at = sigma.buf;
+        double small = HUGE_VAL, large = 0.0;
+        for (Py_ssize_t i = 0; i < count; i++)
+            small = fmin(small, at[i]), large = fmax(large, at[i]);
+        const sf_positive force = sf_positive_of(system, small, large);
+        for (Py_ssize_t i = 0; i < count; i++)
+            out[i] = sf_averages(&force, at[i]);
+        Py_END_ALLOW_THREADS
+    }
+    RELEASE(&sigma);
+    return system != NULL ? found : NULL;
+}
+
+enum { SF_MOST_BALANCES = 64 };
+
+/* (sigma at which there may be others, or 0; an sf_gaussian where E[u f] is a level, each, as bytes) */
+static PyObject *balances(PyObject *self, PyObject *arguments)
+{
+    (void)self;
+    PyObject *capsule;
+    sf_gaussian at[SF_MOST_BALANCES];
+    sf_balances of = {.places = SF_MOST_BALANCES, .at = at};
+    if (!PyArg_ParseTuple(arguments, "Od", &capsule, &of.level))
+        return NULL;
+    const sf_system *const system = PyCapsule_GetPointer(capsule, NAME);
+    if (system == NULL)
+        return NULL;
+    Py_BEGIN_ALLOW_THREADS
+    sf_balances_of(system, &of);
+    Py_END_ALLOW_THREADS
+    if (of.count > of.places)
+        of.count = of.places, of.undecided = at[of.places - 1].sigma;
+    return Py_BuildValue("dy#", of.undecided, (const char *)at, of.count * (Py_ssize_t)sizeof(sf_gaussian));
+}
+
+/* The same of designs, for each a level; out come how many there are, -1 where that is undecided, and places for these. */
+static PyObject *balanced(PyObject *self, PyObject *arguments)
+{
+    (void)self;
+    PyObject *laws;
+    sf_designs of = {0};
+    Py_buffer level, counts, out;
+    if (!PyArg_ParseTuple(arguments, "O!y*y*y*w*w*", &PyTuple_Type, &laws, &of.constants, &of.ends, &level, &counts, &out))
+        return NULL;
+    const Py_ssize_t count = counts.len, one = (Py_ssize_t)sizeof(sf_gaussian);
+    const Py_ssize_t places = count ? out.len / count / one : 0;
+    const int fit = designs_fit(&of, laws, count) && level.len == count * (Py_ssize_t)sizeof(double) &&
+                    out.len == count * places * one;
+    if (fit) {
+        Py_BEGIN_ALLOW_THREADS
+        for (Py_ssize_t k = 0; k < count; k++) {
+            const sf_system system = design(&of, k, (const double[2]){0.0, 0.0});
+            sf_balances found = {.level = ((const double *)level.buf)[k], .places = (int)places,
+                                 .at = (sf_gaussian *)out.buf + k * places};
+            sf_balances_of(&system, &found);
+            ((signed char *)counts.buf)[k] = (signed char)(found.undecided != 0.0 ? -1 : found.count);
+        }
+        Py_END_ALLOW_THREADS
+    }
+    RELEASE(&level, &counts, &out);
+    return done_with(&of, fit);
 }
 
 static PyMethodDef methods[] = {
@@ -519,6 +628,9 @@ static PyMethodDef methods[] = {
     {"shocks", shocks, METH_VARARGS,
      "laws, constants, ends, damping, arcs, begin, after, steps of one integration, of all, outcomes, numbers -> "
      "None."},
+    {"averages", averages, METH_VARARGS, "system, sigma -> Gaussian averages of the force as bytes."},
+    {"balances", balances, METH_VARARGS, "system, level -> undecided, averages as bytes where E[u f] is the level."},
+    {"balanced", balanced, METH_VARARGS, "laws, constants, ends, levels, counts, places for averages -> None."},
     {NULL, NULL, 0, NULL},
 };
 

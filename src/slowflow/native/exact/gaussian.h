@@ -1,0 +1,195 @@
+/* Gaussian averages of an odd force. Takes an oscillator; returns them, and every root mean square of u at which E[u f]
+ * has a value.
+ *
+ * Under white noise E[u f] is E[v^2] at a stationary motion: of statistical linearization that is an equation for sigma
+ * alone. With sigma from a to b the density of u is at least a/b of that at a, and at most b/a of that at b; times
+ * (u/sigma)^2 at least (a/b)^3 and at most (b/a)^3. So values at both ends of a cell bound E[u f] and its slope by
+ * ln(sigma), E[u^3 f]/sigma^2 - E[u f], on all of it: it holds no root, or one at most, or it is cut. */
+#ifndef SF_GAUSSIAN_H
+#define SF_GAUSSIAN_H
+
+#include "follow.h"
+
+/* |u|/sigma up to which a motion is looked at: the rest has a share of 1e-23; sigma in a part of a piece at most, and
+ * parts of a piece at least: with the rule of sides.h averages are as near as roundings */
+#define SF_FARTHEST 10.0
+#define SF_WIDEST 1.0
+enum { SF_LEAST_PARTS = 6, SF_MOST_FORCE_PARTS = 64, SF_SAMPLED = 128 };
+/* of the averages' sizes: how far they may be off, by far; of the sizes that there are: how far is searched; of sigma: a
+ * cell that is not cut any more */
+#define SF_DOUBT 0x1p-42
+#define SF_SEARCHED 1e8
+#define SF_NARROW 0x1p-40
+enum { SF_MOST_CELLS = 50000, SF_MOST_STEPS = 100 };
+
+/* Of a piece a part without a change of sign: what is summed is smooth there. */
+typedef struct {
+    const sf_piece *piece;
+    double low, high;
+} sf_part_of_force;
+
+/* The force for u > 0; small, large: the sizes that there are. */
+typedef struct {
+    double small, large;
+    int count;
+    sf_part_of_force at[SF_MOST_FORCE_PARTS];
+} sf_positive;
+
+/* A piece from low to high, cut where its force changes its sign between samples. */
+static void sf_add_parts(const sf_piece *piece, double low, double high, sf_positive *to)
+{
+    const double from = fmax(low, 0.01 * to->small / SF_SEARCHED);
+    const double top = fmin(high, 2.0 * SF_FARTHEST * to->large * SF_SEARCHED), grows = pow(top / from, 1.0 / SF_SAMPLED);
+    double u = from, sign = 0.0;
+    for (int i = 0; i < SF_SAMPLED && to->count < SF_MOST_FORCE_PARTS - 1; i++) {
+        const double next = i + 1 < SF_SAMPLED ? u * grows : top, f = sf_value(piece, next);
+        if (f * sign < 0.0) {
+            double a = u, b = next;
+            for (double m = 0.5 * (a + b); m > a && m < b; m = 0.5 * (a + b))
+                *(sf_value(piece, m) * sign > 0.0 ? &a : &b) = m;
+            to->at[to->count++] = (sf_part_of_force){piece, low, b};
+            low = b;
+        }
+        sign = f != 0.0 ? f : sign, u = next;
+    }
+    to->at[to->count++] = (sf_part_of_force){piece, low, high};
+}
+
+static sf_positive sf_positive_of(const sf_system *system, double small, double large)
+{
+    sf_positive found = {small, large, 0, {{0}}};
+    for (int i = system->about + 1; i < system->pieces; i++)
+        if (system->edge[i] > 0.0)
+            found.small = fmin(found.small, system->edge[i]), found.large = fmax(found.large, system->edge[i]);
+    for (int i = system->about + (system->jump != 0.0); i < system->pieces && found.count < SF_MOST_FORCE_PARTS; i++)
+        sf_add_parts(&system->piece[i], fmax(system->edge[i], 0.0), system->edge[i + 1], &found);
+    return found;
+}
+
+/* of where u f is positive and of where it is negative: |E[u f]|, |E[u^3 f]|/sigma^2; square: E[f^2]. Python reads it as
+ * it stands. */
+typedef struct {
+    double sigma, first[2], third[2], square;
+} sf_gaussian;
+
+static inline double sf_first(const sf_gaussian *at) { return at->first[0] - at->first[1]; }
+static inline double sf_third(const sf_gaussian *at) { return at->third[0] - at->third[1]; }
+
+/* What a piece adds from x = low to high, parts 2 h wide: exp(-x^2/2) at x = m + h t is exp(-m^2/2) exp(-m h t)
+ * exp(-h^2 t^2/2), of which the second goes from part to part by products. */
+static void sf_add_piece(const sf_piece *piece, double low, double high, sf_gaussian *to)
+{
+    const int parts = (int)fmax(SF_LEAST_PARTS, ceil((high - low) / SF_WIDEST));
+    const double h = 0.5 * (high - low) / parts, sigma = to->sigma;
+    double near[SF_NODES], grows[SF_NODES], over[SF_NODES], positive[2] = {0.0}, negative[2] = {0.0}, square = 0.0;
+    for (int j = 0; j < SF_NODES; j++) {
+        const double step = h * sf_gauss_node[j];
+        /* sqrt(2/pi), as both sides of u = 0 are alike */
+        near[j] = 0.79788456080286536 * h * sf_gauss_weight[j] * exp(-0.5 * step * step);
+        grows[j] = exp((low + h) * step), over[j] = exp(2.0 * h * step);
+    }
+    for (int k = 0; k < parts; k++) {
+        const double m = low + h * (2 * k + 1), there = exp(-0.5 * m * m);
+        for (int j = 0; j < SF_NODES; j++) {
+            const double x[2] = {m - h * sf_gauss_node[j], m + h * sf_gauss_node[j]};
+            const double weight[2] = {there * near[j] * grows[j], there * near[j] / grows[j]};
+            for (int side = 0; side < 2; side++) {
+                const double u = sigma * x[side], f = sf_value(piece, u), of_f = weight[side] * f, of_u = u * of_f;
+                const double above = of_u > 0.0 ? of_u : 0.0, below = above - of_u, xx = x[side] * x[side];
+                positive[0] += above, positive[1] += xx * above;
+                negative[0] += below, negative[1] += xx * below;
+                square += of_f * f;
+            }
+            grows[j] *= over[j];
+        }
+    }
+    to->first[0] += positive[0], to->first[1] += negative[0];
+    to->third[0] += positive[1], to->third[1] += negative[1];
+    to->square += square;
+}
+
+static sf_gaussian sf_averages(const sf_positive *force, double sigma)
+{
+    sf_gaussian found = {.sigma = sigma};
+    for (int i = 0; i < force->count; i++) {
+        const double low = force->at[i].low / sigma, high = fmin(force->at[i].high / sigma, SF_FARTHEST);
+        if (high > low)
+            sf_add_piece(force->at[i].piece, low, high, &found);
+    }
+    return found;
+}
+
+/* places: room for so many; count: of all that there are; undecided: where there may be others, or 0 */
+typedef struct {
+    const sf_positive *force;
+    double level, undecided;
+    int places, count, cells;
+    sf_gaussian *at;
+} sf_balances;
+
+/* The root in a cell on which E[u f] is monotone, by Newton's iteration between ends that close in. */
+static sf_gaussian sf_balanced(const sf_balances *of, sf_gaussian low, sf_gaussian high)
+{
+    const int rises = sf_first(&low) < of->level;
+    sf_gaussian at = rises ? high : low;
+    for (int i = 0; i < SF_MOST_STEPS; i++) {
+        const double first = sf_first(&at), step = (of->level - first) / (sf_third(&at) - first);
+        if ((first < of->level) == rises)
+            low = at;
+        else
+            high = at;
+        double next = at.sigma * exp(step);
+        if (!(next > low.sigma && next < high.sigma)) {
+            if (fabs(step) <= 0x1p-48 || high.sigma <= low.sigma * (1.0 + 0x1p-51))
+                break;
+            next = sqrt(low.sigma * high.sigma);
+        }
+        const int last = fabs(step) <= 0x1p-30; /* as many digits come as there are */
+        at = sf_averages(of->force, next);
+        if (last)
+            break;
+    }
+    return at;
+}
+
+static void sf_search_balances(sf_balances *of, const sf_gaussian *a, const sf_gaussian *b)
+{
+    const double grows = b->sigma / a->sigma, cube = grows * grows * grows;
+    const double least = a->first[0] / grows - b->first[1] * grows, most = b->first[0] * grows - a->first[1] / grows;
+    const double doubt = SF_DOUBT * (b->first[0] + b->first[1]);
+    if (least - doubt > of->level || most + doubt < of->level)
+        return;
+    const double steep = SF_DOUBT * (b->third[0] + b->third[1]) + doubt;
+    if (a->third[0] / cube - b->third[1] * cube - most > steep ||
+        b->third[0] * cube - a->third[1] / cube - least < -steep) {
+        if ((sf_first(a) < of->level) != (sf_first(b) < of->level)) {
+            if (of->count < of->places)
+                of->at[of->count] = sf_balanced(of, *a, *b);
+            of->count++;
+        }
+        return;
+    }
+    if (grows <= 1.0 + SF_NARROW || of->cells++ >= SF_MOST_CELLS) {
+        if (!isnan(sf_first(a)) && !isnan(sf_first(b))) /* where the force is not known there is no motion */
+            of->undecided = a->sigma;
+        return;
+    }
+    const sf_gaussian middle = sf_averages(of->force, sqrt(a->sigma) * sqrt(b->sigma));
+    if (!(isnan(sf_first(a)) && isnan(sf_first(&middle))))
+        sf_search_balances(of, a, &middle);
+    if (!(isnan(sf_first(&middle)) && isnan(sf_first(b))))
+        sf_search_balances(of, &middle, b);
+}
+
+/* Every sigma at which E[u f] is a level > 0, by rising sigma. */
+static void sf_balances_of(const sf_system *system, sf_balances *of)
+{
+    const double size = sqrt(of->level);
+    const sf_positive force = sf_positive_of(system, size, size);
+    const sf_gaussian a = sf_averages(&force, force.small / SF_SEARCHED);
+    const sf_gaussian b = sf_averages(&force, force.large * SF_SEARCHED);
+    of->force = &force, of->undecided = 0.0, of->count = of->cells = 0;
+    sf_search_balances(of, &a, &b);
+}
+
+#endif

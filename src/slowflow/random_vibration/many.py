@@ -1,0 +1,97 @@
+"""Random vibration of many designs. Takes their arrays and an excitation; returns all stationary motions of each."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from slowflow import progress, validate
+from slowflow.averaged.batches import Batch
+from slowflow.averaged.chunks import blocks, share
+from slowflow.averaged.many import Designs
+from slowflow.averaged.queries import failed
+from slowflow.backend import EXACT
+from slowflow.exact.compiled import design_rows, recurrences
+from slowflow.mechanism import EquationOfMotion, Floats, Force, followed
+from slowflow.model import THROUGHOUT
+from slowflow.random_vibration.excitation import Excitation, White
+from slowflow.random_vibration.questions import columns, excited_by, stationary
+from slowflow.table import AVERAGING, QUESTIONS
+from slowflow_kernels.conventions import Status
+
+#: designs in a chunk, which take some tenths of a second
+CHUNK = 2**13
+
+
+def answer(designs: Designs, S_0: Any, psd: Any, places: int, workers: int = 1) -> Batch:
+    """See `random` of `slowflow.table.ManyQuestions`."""
+    if "eta" in designs.values or designs.rubs != THROUGHOUT:
+        raise validate.NotAvailable(f"random is not available with {designs.laws}, only with mu, zeta and c_2")
+    excitation = excited_by(None if S_0 is None else 1.0, psd)
+    places, threads = validate.count("places", places, least=1), validate.workers(workers)
+    power = {} if S_0 is None else {"S_0": validate.real_array("S_0", S_0)}
+    numbers = {**designs.values, **power}
+    shape = validate.common_shape(numbers)
+    own = {name: np.broadcast_to(value, shape).ravel().astype(float) for name, value in numbers.items()}
+    found = QUESTIONS["random"].blank(AVERAGING, own["mu"].shape, place=places)
+    (status := found["status"])[...] = Status.INVALID
+    valid = np.broadcast_to(designs.detachment(workers=workers).status != Status.INVALID, shape).ravel()
+    valid = valid & ((own["mu"] != 0) | (own["zeta"] != 0))
+    if S_0 is not None:
+        valid &= np.isfinite(own["S_0"]) & (own["S_0"] > 0)
+    laws = tuple(recurrences(law) for law in designs.mechanism.pieces)
+    together = valid & (_stiffness_is_finite(designs.mechanism, own) if S_0 is not None and None not in laws else False)
+
+    def solve(part: tuple[Any, ...]) -> None:
+        chunk = batched[part]
+        averages = np.full((chunk.size, places, 6), np.nan)
+        some = {name: value[chunk] for name, value in own.items()}
+        parameters = designs.mechanism.coefficients(*(some[name] for name in designs.mechanism.design_names))
+        constants, ends = (
+            design_rows(group, chunk.size) for group in (parameters, designs.mechanism.breakpoints(*parameters))
+        )
+        damping = [some.get(name, np.zeros(chunk.size))[:, np.newaxis] for name in ("mu", "zeta", "c_2")]
+        v, _ = White(some["S_0"][:, np.newaxis]).velocity(*damping)
+        count = np.empty(chunk.size, np.int8)
+        EXACT.balanced(laws, *map(np.ascontiguousarray, (constants, ends, v * v)), count, averages)
+        u, square = averages[..., 0], averages[..., 5]
+        first = np.where(ends > 0, ends, np.inf).min(axis=1, initial=np.inf, keepdims=True)
+        end = np.where(np.isfinite(first), first, np.nan)
+        with np.errstate(invalid="ignore"):  # empty places
+            values = columns(u, np.where(np.isnan(u), u, v), square, (v / u) ** 2, damping, end)
+        for name, value in values.items():
+            found[name][chunk] = value
+        found["count"][chunk] = np.maximum(count, 0)
+        status[chunk] = np.where(count > places, Status.TOO_MANY, np.where(count > 0, Status.OK, Status.UNRESOLVED))
+
+    batched = np.flatnonzero(together)
+    share(solve, blocks(batched.shape, CHUNK), threads, lambda part: batched[part].size, batched.size)
+    singly = np.flatnonzero(valid & ~together).tolist()
+    for k in progress.each(singly, len(singly), "designs asked singly"):
+        one = {name: float(own[name][k]) for name in designs.values}
+        try:
+            motions = _single(designs, one, excitation if S_0 is None else White(float(own["S_0"][k])))
+        except (ValueError, ArithmeticError) as error:
+            status[k] = failed(error)
+            continue
+        found["count"][k] = count = motions["u_rms"].size
+        status[k] = Status.TOO_MANY if count > places else Status.OK
+        for name, value in motions.items():
+            found[name][k, :count] = value[:places]
+    found = {name: value.reshape((*shape, *value.shape[1:])) for name, value in found.items()}
+    return Batch("random", found, designs, power, remarks=np.zeros(shape, np.uint16))
+
+
+def _stiffness_is_finite(mechanism: Any, values: dict[str, Floats]) -> Any:
+    """At u = 0, of each design: the others are refused singly."""
+    with np.errstate(all="ignore"):  # what is no design
+        return np.isfinite(
+            mechanism.at_rest(*mechanism.coefficients(*(values[one] for one in mechanism.design_names)))[1]
+        )
+
+
+def _single(designs: Designs, numbers: dict[str, float], excitation: Excitation) -> dict[str, Floats]:
+    model = designs.model(numbers)
+    force = followed(Force.of(designs.mechanism, model.parameters), designs.mechanism.name)
+    return stationary(EquationOfMotion(force, model.mu, model.zeta, c_2=model.laws.c_2), excitation)
