@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 from slowflow import Duffing, Isolator, derive
-from slowflow.averaged.diagnostics import NEAR_STICKING_BELOW, WORDS
+from slowflow.averaged.diagnostics import MESSAGES, NEAR_STICKING_BELOW
 from slowflow.averaged.messages import STICKS, STICKS_BELOW
 from slowflow.example import TABLE_1
 from slowflow.isolator import ROD_SPRING
@@ -139,7 +139,7 @@ def messages() -> dict[str, Any]:
             remark.name: text.format(**{name: PLACEHOLDERS.get(name, f"{{{name}}}") for name in text.names})
             if isinstance(text, Sentence)
             else text
-            for remark, text in WORDS.items()
+            for remark, text in MESSAGES.items()
         },
         "STICKS": STICKS.format("{:g}", "{:g}"),
         "STICKS_BELOW": STICKS_BELOW.format("{:g}", "{:g}"),

@@ -271,7 +271,7 @@ def margins(oscillator: Any, F_0: float) -> Margins:
         onset.message,
         detachment.message if model.inertial else "",
         APART if leaves and F_cr is not None and folds.F_0 < F_cr else "",
-        *diagnostics.in_words(beside, model, folds.F_0),
+        *diagnostics.messages(beside, model, folds.F_0),
     )
     return Margins(
         folds.F_0,
@@ -330,7 +330,7 @@ def hysteresis(oscillator: Any, F_0: float) -> Hysteresis:
 def isolation(oscillator: Any, F_0: float, level_dB: float = 0.0) -> Isolation:
     """See `ComposedQuestions.isolation`: `isolated` of one response curve, in words."""
     F_0, level, model = validate.number("F_0", F_0, above=0.0), as_level(level_dB), oscillator.model
-    made = partial(Isolation, level_dB=level.dB, _model=model, _asked=oscillator._equation)
+    made = partial(Isolation, level_dB=level.dB, _model=model, _equation=oscillator._equation)
     if model.inertial and not oscillator.closes(F_0):
         return made(None, None, False, F_0, NEVER.format(str(level)), Remark(0))
     if not model.sticks(F_0) and (why := passes_on(model, oscillator.transmissibility_floor(F_0), level)):
@@ -466,6 +466,6 @@ def _row(oscillator: Any, Omega: float, F_0: float, crosses: bool) -> tuple[Any,
         return none, joined(states.message, NONE_STABLE.format(Omega, F_0)), states.remarks
     top = stable[np.argmax(states.A[stable])]
     motions = int(np.count_nonzero(states.A[stable]))
-    detaches = motions > 0 and bool(oscillator.breakpoints) and bool(oscillator._leaves(states)[stable].any())
+    detaches = motions > 0 and bool(oscillator.breakpoints) and bool(oscillator._is_detached(states)[stable].any())
     A, dB = float(states.A[top]), float(states.transmissibility_dB[top])
     return Load(Omega, F_0, A, dB, motions, crosses, detaches, motions == 0), states.message, states.remarks

@@ -178,14 +178,14 @@ class Moving:
     """What averaged answers share, about whatever mean: what measures them, and under a load how their numbers move."""
 
     #: the oscillator, whose `measured` holds an answer against the equation of motion
-    _asked: Any = field(default=None, kw_only=True, repr=False)
+    _equation: Any = field(default=None, kw_only=True, repr=False)
     _moves: Moves | None = field(default=None, kw_only=True, repr=False)
 
     def _against_motion(self, force: str | None, of: str = "") -> Any:
         """What measuring it gives."""
-        if self._asked is None:
+        if self._equation is None:
             raise Refused(NOT_ASKED)
-        return self._asked.measured(self, force, of)
+        return self._equation.measured(self, force, of)
 
     def _moved(self: Any, of: Callable[..., Gradient], *numbers: Any) -> Gradient:
         """The gradient, without a load by a function of whose answer it is, and of its numbers."""

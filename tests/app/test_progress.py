@@ -53,7 +53,7 @@ def test_every_question_off_the_centre_says_so(question, always):
 @pytest.mark.parametrize("workers", [1, 3])
 def test_each_part_of_a_batch_is_counted_once(workers, always, monkeypatch):
     """Of two axes, the second of which is cut into four, four and two, in whatever order threads end."""
-    monkeypatch.setitem(batches.ASKED["detachment"].__dict__, "at_once", 4)
+    monkeypatch.setitem(batches.BY_NAME["detachment"].__dict__, "at_once", 4)
     designs = Isolator.many(lam=[[2.0], [3.0], [4.0]], r=np.linspace(0.5, 2.0, 10), delta_h=0.1, zeta=0.05)
     said = told(lambda: designs.detachment(workers=workers))
     counts = sorted({int(one.split()[1]) for one in said})

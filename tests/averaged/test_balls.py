@@ -13,7 +13,7 @@ import pytest
 from slowflow import Duffing, Isolator, example
 from slowflow.averaged import messages, proofs, solvers
 from slowflow.averaged.balls import questions as answers
-from slowflow.averaged.balls.search import AT_0, Enclosure, Given, averages_of
+from slowflow.averaged.balls.search import AT_0, BallModel, Enclosure, averages_of
 from slowflow.certificate import DOUBLES
 from slowflow.results import Remark
 from tests.averaged.test_certified import CASES, check_folds, holds, level_ulps
@@ -121,7 +121,7 @@ def test_averages_in_balls_are_those_of_the_force(A):
     design, step = UNTRUNCATED[0], flint.arb(2) ** -60
     model = untruncated(design).model
     with mpmath.workdps(30), flint.ctx.workprec(300):
-        given = Given(model, averages_of(model.mechanism))
+        given = BallModel(model, averages_of(model.mechanism))
         piece = int(A > model.breakpoints[0])
         beyond = (flint.arb(A) - given.beyond(piece, AT_0).middle).mid()
         low, at, high = (given.at(piece, beyond + shift) for shift in (-step, 0, step))

@@ -36,7 +36,7 @@ def test_threads_and_parts_give_the_same_bits(question, monkeypatch):
         lam=rng.uniform(1, 4, (1, 9)), r=rng.uniform(0.5, 2, (2, 1)), delta_h=0.2, mu=[0.0, 0.01] * 4 + [-1], zeta=0.03
     )
     whole = columns(ASK[question](designs))
-    for record in batches.ASKED.values():
+    for record in batches.BY_NAME.values():
         monkeypatch.setitem(record.__dict__, "at_once", 4)
     asked = batches.curves
     monkeypatch.setattr(batches, "curves", lambda *given: dataclasses.replace(asked(*given), at_once=4))
@@ -113,7 +113,7 @@ def test_few_designs_are_begun_after_ctrl_c(workers):
 
         return of_record
 
-    question = dataclasses.replace(batches.ASKED["saddle_nodes"], batch=counted, at_once=4)
+    question = dataclasses.replace(batches.BY_NAME["saddle_nodes"], batch=counted, at_once=4)
     designs = Isolator.many(lam=3, r=np.linspace(0.5, 2.0, 20_000), delta_h=0.1, mu=0.01, zeta=0.02)
     heard = signal.signal(signal.SIGINT, signal.default_int_handler)
     try:

@@ -14,7 +14,7 @@ import pytest
 
 from slowflow import Duffing, Isolator, cli, example
 from slowflow.averaged import messages, proofs, solvers
-from slowflow.averaged.balls.search import Given, averages_of
+from slowflow.averaged.balls.search import BallModel, averages_of
 from tests.averaged.test_certified_cases import of_record
 from tests.files import stored
 from tests.native.intervals import ELEMENTARY, HELD, OPERATIONS, Intervals, build
@@ -392,7 +392,7 @@ def test_untruncated_averages_on_intervals_enclose_their_balls(intervals):
         shares = [(0, share) for share in (1e-4, 0.3, 0.699 / u_cr, 0.9, 1 - 1e-12) if share < 1]
         shares += [(1, share) for share in (1e-60, 1e-18, 1e-9, 1e-3, 0.2, abs(1.001 / u_cr - 1) + 1e-6, 9.0, 1e3)]
         with flint.ctx.workprec(300):
-            given = Given(model, averages_of(model.mechanism))
+            given = BallModel(model, averages_of(model.mechanism))
             for piece, share in shares:
                 held = given.at(piece, flint.arb(share * u_cr))
                 found = intervals.known("rod_spring_untruncated", tuple(design.values()), piece, share * u_cr)

@@ -246,7 +246,7 @@ def test_means_far_out_and_next_to_a_step_are_exact_integrals():
     one = Isolator(lam=3.0, r=2.0, delta_h=0.08, mu=0.01, zeta=0.05, load=0.05)
     steps = Steps(one.model.mechanism, one.model.parameters, 0.05)
     charts = Charts(steps)
-    lines = [mpmath.mpf(float(line)) for line in np.unique(steps.sides[1:] * steps.places[1:])]
+    lines = [mpmath.mpf(float(line)) for line in np.unique(steps.sides[1:] * steps.positions[1:])]
 
     def slope(u, order):
         piece = steps.pieces[sum(line < u for line in lines)]
@@ -254,9 +254,9 @@ def test_means_far_out_and_next_to_a_step_are_exact_integrals():
         return mpmath.fsum(mpmath.mpf(D) * u**k / mpmath.factorial(k) for k, D in powers)
 
     (chart,) = np.flatnonzero(charts.rooted.all(axis=0) & (charts.upper - charts.lower == 2))
-    places = [(x, y) for x in (1e-9, 0.4, 6.0, 20.4, 130.0) for y in (1e-9, 1e-3, 0.7, 90.0)]
+    positions = [(x, y) for x in (1e-9, 0.4, 6.0, 20.4, 130.0) for y in (1e-9, 1e-3, 0.7, 90.0)]
     with mpmath.workdps(40):
-        for x, y in places:
+        for x, y in positions:
             at = np.array([[x], [y]])
             found = Local.of(charts.on(at, at, at, np.array([chart]))[0])
             top = mpmath.mpf(x) ** 2 + mpmath.mpf(float(charts.place[0, chart]))

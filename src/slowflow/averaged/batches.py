@@ -36,7 +36,7 @@ class Batch(Answer):
     """The answer to one question about many designs: its columns, read by name, each of the designs' shape.
 
     question, system -- the row of the table, and by what it is answered
-    asked            -- what was asked at beside the designs, by name
+    asked            -- the arguments of the query, by name
     remarks          -- sums of `slowflow.results.Remark`, as a single answer has them; computed when first asked for
 
     Columns that have an axis behind those of the designs, of places, points or rows, are NaN and 0 behind the last one.
@@ -102,18 +102,18 @@ class Batch(Answer):
     asked: Mapping[str, Any]
     _values: Mapping[str, npt.NDArray[Any]]
     _designs: Any
-    _beside: Mapping[str, Any]
+    _extra: Mapping[str, Any]
 
     def __init__(
         self,
         question: str,
         values: Mapping[str, npt.NDArray[Any]],
         designs: Any,
-        asked: Mapping[str, Any] = MappingProxyType({}),
+        arguments: Mapping[str, Any] = MappingProxyType({}),
         system: str = AVERAGING,
-        **beside: Any,
+        **extra: Any,
     ) -> None:
-        """An answer from its columns, in any order; `beside` may hold
+        """An answer from its columns, in any order; `extra` may hold
 
         remarks  -- those of answers that are made of others, or of single ones
         by_balls -- which designs balls decided
@@ -121,8 +121,8 @@ class Batch(Answer):
         """
         row = QUESTIONS[question]
         values = {name: values[name] for name in row.columns[system]}
-        self.__dict__.update(question=row, system=system, asked=MappingProxyType(dict(asked)))
-        self.__dict__.update(_values=MappingProxyType(dict(values)), _designs=designs, _beside=beside)
+        self.__dict__.update(question=row, system=system, asked=MappingProxyType(dict(arguments)))
+        self.__dict__.update(_values=MappingProxyType(dict(values)), _designs=designs, _extra=extra)
         for value in values.values():
             value.setflags(write=False)
 
@@ -130,7 +130,7 @@ class Batch(Answer):
         raise AttributeError(f"an answer does not change: {name!r} cannot be set")
 
     def __reduce__(self) -> tuple[Any, ...]:
-        own = self.question.name, dict(self._values), self._designs, dict(self.asked), self.system, self._beside
+        own = self.question.name, dict(self._values), self._designs, dict(self.asked), self.system, self._extra
         return _again, (type(self), *own)
 
     def __getattr__(self, name: str) -> Any:
@@ -186,13 +186,13 @@ class Batch(Answer):
         their folds are columns of `saddle_nodes`.
         """
         shape = self.status.shape
-        given = {**self._designs.values, **self._asked_at()}
+        numbers = {**self._designs.values, **self._asked_at()}
         if "point" in self.inner.values():
             here = ~np.isnan(self.A)
-            several = {name: np.asarray(value)[..., np.newaxis] for name, value in given.items()}
+            several = {name: np.asarray(value)[..., np.newaxis] for name, value in numbers.items()}
             found = {name: np.broadcast_to(value, self.A.shape)[here] for name, value in several.items()}
             return found | {name: self._values[name][here] for name, axis in self.inner.items() if axis == "point"}
-        found = {name: np.broadcast_to(value, shape).ravel() for name, value in given.items()}
+        found = {name: np.broadcast_to(value, shape).ravel() for name, value in numbers.items()}
         for name, value in self._values.items():
             if value.ndim == len(shape):
                 found[name] = value.ravel()
@@ -213,17 +213,17 @@ class Batch(Answer):
             designs = (*designs[:-1], "row")
         numbers = {**self._designs.values, **self._asked_at()}
         units = {"units": "1"}
-        given = {name: (designs, np.broadcast_to(value, shape), units) for name, value in numbers.items()}
+        coordinates = {name: (designs, np.broadcast_to(value, shape), units) for name, value in numbers.items()}
         found = {
             name: ((*designs, self.inner[name]) if value.ndim > len(shape) else designs, value, units)
             for name, value in self._values.items()
         }
-        return xarray.Dataset(found, coords=given, attrs={"mechanism": self._designs.mechanism.name})
+        return xarray.Dataset(found, coords=coordinates, attrs={"mechanism": self._designs.mechanism.name})
 
     def about(self) -> dict[str, Any]:
         """The mechanism, the shape of the designs, and where friction acts if not throughout."""
-        said = {} if self._designs.rubs == THROUGHOUT else {"rubs": self._designs.rubs}
-        return {"mechanism": self._designs.mechanism.name, "shape": self.status.shape, **said}
+        friction = {} if self._designs.rubs == THROUGHOUT else {"rubs": self._designs.rubs}
+        return {"mechanism": self._designs.mechanism.name, "shape": self.status.shape, **friction}
 
     # ---- what follows from the columns
 
@@ -233,7 +233,7 @@ class Batch(Answer):
 
     @property
     def _ratio(self) -> Any:
-        """The transmissibility that was asked about."""
+        """The transmissibility of the query."""
         return 10.0 ** (np.asarray(self.asked.get("level_dB", 0.0), dtype=float) / 20.0)
 
     @property
@@ -251,7 +251,7 @@ class Batch(Answer):
     @cached_property
     def remarks(self) -> diagnostics.Codes:
         """What to bear in mind with each design's answer, sums of `slowflow.results.Remark`, as a single one has it."""
-        if (known := self._beside.get("remarks")) is not None:
+        if (known := self._extra.get("remarks")) is not None:
             return frozen(known)
         found = np.where(self._has_remarks, self._designs.remarks(self._F_0, *_states(self)), np.uint16(0))
         for flags, remark in self._more_remarks():
@@ -259,26 +259,26 @@ class Batch(Answer):
         return frozen(found)
 
     def _more_remarks(self) -> Any:
-        """What is said of the answer to this question beside the states in it."""
-        escapes = self._beside.get("escapes", False)
+        """The remarks on the answer itself, other than on its states."""
+        escapes = self._extra.get("escapes", False)
         if self.question.name == "peak":
             yield (self._has_remarks & self._designs.give_way) | escapes, Remark.BEYOND_WELL
         if "at_rest" in self._values:
             yield self.at_rest, Remark.FOLDS_AT_REST
-        yield self._beside.get("by_balls", False), Remark.BY_BALLS
+        yield self._extra.get("by_balls", False), Remark.BY_BALLS
         if "undecided" in self._values:
             yield self.undecided, Remark.UNDECIDED
             yield self._has_remarks & self._may_be_cut & self._are_cut, Remark.CUT
 
     @property
     def _has_remarks(self) -> Flags:
-        """Of which designs there is anything to say: of a force that does not move the mass there is not."""
+        """Which designs may have remarks: those whose mass moves, or may."""
         designs = self._designs
-        moves = designs.excitation != "force" or getattr(designs, "rubs", THROUGHOUT) != THROUGHOUT
+        always = designs.excitation != "force" or getattr(designs, "rubs", THROUGHOUT) != THROUGHOUT
         # a preload holds a mass up to more than friction does, beside motions of other frequencies
         with np.errstate(over="ignore"):  # infinite friction holds all
-            held = moves | (np.asarray(self._F_0) > slow_flow.friction(np.asarray(designs.values["mu"])))
-        return np.asarray((self.status != Status.INVALID) & ((self.status != Status.STICKS) | held))
+            exceeds = always | (np.asarray(self._F_0) > slow_flow.friction(np.asarray(designs.values["mu"])))
+        return np.asarray((self.status != Status.INVALID) & ((self.status != Status.STICKS) | exceeds))
 
     @property
     def _are_cut(self) -> Any:
@@ -290,7 +290,7 @@ class Batch(Answer):
             return undamped
         # what does not close has no peak, as what passes the top of a well has none
         peaks = designs.peak(self._F_0)
-        return undamped | ((peaks.status == Status.UNBOUNDED) & ~peaks._beside["escapes"])
+        return undamped | ((peaks.status == Status.UNBOUNDED) & ~peaks._extra["escapes"])
 
     @property
     def _may_be_cut(self) -> Any:
@@ -382,9 +382,9 @@ class Batch(Answer):
 OF_STATES = ("amplitudes", "frequency_response")
 
 
-def _again(kind: type[Batch], question: str, values: Any, designs: Any, asked: Any, system: str, beside: Any) -> Batch:
+def _again(kind: type[Batch], question: str, values: Any, designs: Any, at: Any, system: str, extra: Any) -> Batch:
     """For pickle and copy."""
-    return kind(question, values, designs, asked, system, **beside)
+    return kind(question, values, designs, at, system, **extra)
 
 
 def _states(found: Batch) -> tuple[Any, Any, Any]:

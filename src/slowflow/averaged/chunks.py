@@ -40,28 +40,28 @@ def blocks(shape: tuple[int, ...], most: int) -> Iterator[tuple[slice | int, ...
             rows = min(4 * rows, most_rows)
 
 
-def share(
-    work: Callable[[Any], None], parts: Iterator[Any], threads: int, size: Callable[[Any], int], total: int
+def map_chunks(
+    work: Callable[[Any], None], chunks: Iterator[Any], threads: int, size: Callable[[Any], int], total: int
 ) -> None:
-    """The work on each part, which does not hold the interpreter's lock, by so many threads; it says how far it is.
+    """Map `work`, which releases the interpreter's lock, over the chunks by so many threads, with progress.
 
-    size, total -- how many designs a part has, and all of them
+    size, total -- how many designs a chunk has, and all of them
     """
     tally = progress.Tally(total)
 
-    def told(one: Any) -> None:
+    def run(one: Any) -> None:
         work(one)
         tally.add(size(one))
 
     if threads == 1:
-        for one in parts:
-            told(one)
+        for one in chunks:
+            run(one)
         return
     from concurrent.futures import ThreadPoolExecutor  # one thread is what most ask for
 
     with ThreadPoolExecutor(threads) as pool:
         try:
-            for _ in pool.map(told, parts):
+            for _ in pool.map(run, chunks):
                 pass
         except BaseException:
             pool.shutdown(cancel_futures=True)

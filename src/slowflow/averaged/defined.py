@@ -1,7 +1,7 @@
 """Whether a force of any kind is finite within its reach. Takes its pieces on intervals; returns a refusal.
 
-At a pole within the reach no average settles, and beyond a function's domain there is no force: a fault of the numbers
-given, which is told by its place before anything is asked.
+At a pole within the reach no average converges, and beyond a function's domain there is no force: an error of the
+parameters, which is reported with its position before any query.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ INFINITE = Sentence(
     "{reach:g}"
 )
 #: into how many parts a piece is divided first; how short one is, over the reach, that is not cut again
-PARTS, NARROW = 64, 2.0**-40
+DIVISIONS, NARROW = 64, 2.0**-40
 #: how large a force is next to a pole; how often intervals are cut
 AT_POLE = 2.0**16
 MOST_CUTS = 2000
@@ -38,14 +38,14 @@ def check_defined(model: Model) -> None:
     if not record or not model.mechanism.odd or not math.isfinite(model.reach):
         return
     reach = model.reach
-    given = [Elementary.point(value) for value in model.parameters]
+    parameters = [Elementary.point(value) for value in model.parameters]
     ends = [0.0, *(min(float(end), reach) for end in model.mechanism.breakpoints(*model.parameters)), reach]
     one = Elementary.point(1.0)
     for number, (begin, end) in enumerate(pairwise(ends)):
 
         def are_known(edges: Floats, number: int = number, begin: float = begin) -> Flags:
             beyond = Elementary(np.array([edges[:-1] - begin, edges[1:] - begin]))
-            found = record[number](Elementary.point, one, beyond, one, *given)[0]
+            found = record[number](Elementary.point, one, beyond, one, *parameters)[0]
             return np.asarray(np.isfinite(Interval.like(found, beyond).ends).all(axis=0))
 
         def at(u: float, number: int = number) -> float:
@@ -68,23 +68,23 @@ def may_be_undefined(mechanism: Mechanism, parameters: tuple[Any, ...]) -> Flags
     found = np.zeros(math.prod(shape), dtype=bool)
     if not mechanism.enclosed or not mechanism.odd:
         return found.reshape(shape)
-    given, bounds, (most,) = (
+    values, bounds, (most,) = (
         [np.broadcast_to(np.asarray(one, dtype=float), shape).reshape(-1, 1) for one in some]
         for some in (parameters, ends, (reach,))
     )
-    shares = np.linspace(0.0, 1.0, PARTS + 1)
+    shares = np.linspace(0.0, 1.0, DIVISIONS + 1)
     with np.errstate(all="ignore"):
         for first in range(0, found.size, TOGETHER):
             part = slice(first, first + TOGETHER)
             last = most[part]
             edges = [np.zeros_like(last), *(np.minimum(end[part], last) for end in bounds), last]
-            of = [Elementary(np.tile(np.repeat(one[part], PARTS), (2, 1))) for one in given]
+            of = [Elementary(np.tile(np.repeat(one[part], DIVISIONS), (2, 1))) for one in values]
             one = Elementary.point(1.0)
             for number, (begin, end) in enumerate(pairwise(edges)):
                 at = (end - begin) * shares
                 beyond = Elementary(np.array([at[:, :-1].ravel(), at[:, 1:].ravel()]))
                 force = mechanism.enclosed[number](Elementary.point, one, beyond, one, *of)[0]
-                known = np.isfinite(Interval.like(force, beyond).ends).all(axis=0).reshape(-1, PARTS)
+                known = np.isfinite(Interval.like(force, beyond).ends).all(axis=0).reshape(-1, DIVISIONS)
                 found[part] |= (~known & (end > begin)).any(axis=1) & np.isfinite(last[:, 0])
     return found.reshape(shape)
 
@@ -97,12 +97,12 @@ def _infinite_at(
     An interval that holds it is not known, but neither is one where intervals are too wide: numbers next to it decide.
     Where the piece begins, a quotient of zeros may be a number next to it.
     """
-    pending = [(begin, end, PARTS)] if end > begin else []
+    pending = [(begin, end, DIVISIONS)] if end > begin else []
     for _ in range(MOST_CUTS):
         if not pending:
             break
-        low, high, parts = pending.pop()
-        edges = np.linspace(low, high, parts + 1)
+        low, high, divisions = pending.pop()
+        edges = np.linspace(low, high, divisions + 1)
         for k in np.flatnonzero(~are_known(edges))[::-1]:
             a, b = float(edges[k]), float(edges[k + 1])
             if b - a > NARROW * reach:

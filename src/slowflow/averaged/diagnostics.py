@@ -1,4 +1,4 @@
-"""What is said beside averaged answers. Takes the numbers of one oscillator or of many; returns codes and their words.
+"""Diagnostics of averaged answers. Takes the numbers of one oscillator or of many; returns codes and their messages.
 
 A single answer has both, a batch the codes. Both are made here, so that they cannot disagree.
 """
@@ -32,7 +32,7 @@ NEAR_STICKING_BELOW = text(
     "at low frequencies {mu/(F_0 Omega^2)|friction over the force of inertia} is near pi/4, where averaging fails"
 )
 
-WORDS: Mapping[Remark, str | Sentence] = {
+MESSAGES: Mapping[Remark, str | Sentence] = {
     Remark.BEYOND_REACH: Sentence("amplitudes above {reach:g} are not reached: {reason:s}"),
     Remark.NEGATIVE_STIFFNESS: text("negative stiffness at rest: {u} = 0 is no resting place"),
     Remark.LEAVES_CENTRE: "motions that leave the centre: stiffness over their cycle does not bring the mean back to "
@@ -64,7 +64,7 @@ def keeps_centre(flow: SlowFlow, Omega: Any, A: Any) -> Flags:
     It does where the mean stiffness over its cycle is positive, or 0 as within a play, where nothing moves it off; and
     else where the stiffness that changes twice in a cycle makes up for it.
     """
-    with np.errstate(all="ignore"):  # amplitudes of any size; where the mean is not negative the other is not asked for
+    with np.errstate(all="ignore"):  # amplitudes of any size; where the mean is not negative the other is not needed
         h, h_A, *_ = flow.mechanism.averaged(A, *flow.parameters)
         kept = np.asarray(slow_flow.mean_stiffness(A, h, h_A) >= 0)
         if kept.all():
@@ -121,19 +121,19 @@ def of_designs(flow: SlowFlow, force: Any, Omega: Any, A: Any, corner: Any) -> C
     mechanism, parameters = flow.mechanism, flow.parameters
     A = np.asarray(A, dtype=float)
     there = A > 0
-    beside = flow.each(lambda number: np.asarray(number, dtype=float)[..., np.newaxis])
+    per_state = flow.each(lambda number: np.asarray(number, dtype=float)[..., np.newaxis])
     kept, beyond = look_at(flow, np.asarray(Omega), A)
     # at rest h_A is the stiffness with its sign turned, and h is 4/pi times a preload
     pull, at_rest = (np.asarray(value) for value in mechanism.at_rest(*parameters)[:2])
     # what is excited by inertia nothing holds at every frequency, see `Model.holds`
     may_hold = ((pull < 0) | (flow.laws.rubs != THROUGHOUT)) & (not flow.inertial)
-    held = np.where(may_hold, flow.held, -np.inf)
+    break_loose = np.where(may_hold, flow.held, -np.inf)
     on_jump = np.zeros(A.shape[:-1], dtype=bool)
     if mechanism.truncated and corner is not None:
-        jumps = zip(beside.breakpoints, mechanism.jumps(*beside.parameters), strict=True)
-        on_jump = (there & (corner | _next_to_jump(beside, jumps, A))).any(axis=-1)
+        jumps = zip(per_state.breakpoints, mechanism.jumps(*per_state.parameters), strict=True)
+        on_jump = (there & (corner | _next_to_jump(per_state, jumps, A))).any(axis=-1)
     codes = {
-        Remark.NEAR_STICKING: validity.is_near_sticking(beside.mu, force).any(axis=-1),
+        Remark.NEAR_STICKING: validity.is_near_sticking(per_state.mu, force).any(axis=-1),
         Remark.BEYOND_REACH: (there & (np.asarray(mechanism.reach_at(*parameters))[..., np.newaxis] < A)).any(axis=-1),
         Remark.NEGATIVE_STIFFNESS: (at_rest > 0) | (pull > 0),
         Remark.LEAVES_CENTRE: (there & ~kept).any(axis=-1),
@@ -141,7 +141,7 @@ def of_designs(flow: SlowFlow, force: Any, Omega: Any, A: Any, corner: Any) -> C
         Remark.UNSUSTAINED: _unsustained(flow, Omega, A),
         Remark.OF_TRUNCATION: on_jump,
         Remark.MIRRORED: np.full(A.shape[:-1], bool(mechanism.mirrored)),
-        Remark.HELD_AT_REST: (force <= held[..., np.newaxis]).any(axis=-1),
+        Remark.HELD_AT_REST: (force <= break_loose[..., np.newaxis]).any(axis=-1),
     }
     return np.asarray(sum(int(remark) * holds for remark, holds in codes.items()), dtype=np.uint16)
 
@@ -150,36 +150,36 @@ def of_one(model: Model, F_0: float, Omega: Any, A: Any, corner: Any = None, *, 
     """The same for one oscillator; A is an array along one axis, or a number, and nothing is computed that is known.
 
     F_0     -- NaN where the question has none
-    centred -- whether it has been told already which of them leave the centre
+    centred -- whether those that leave the centre are reported already
     """
     many = isinstance(A, np.ndarray)
     highest = A if not many else A.max() if A.size else math.nan
-    said = []  # few have any, and to add up flags takes longer than to look for them
+    codes = []  # few have any, and to add up flags takes longer than to look for them
     if model.mechanism.mirrored:
-        said.append(Remark.MIRRORED)
+        codes.append(Remark.MIRRORED)
     if model.negative_stiffness:
-        said.append(Remark.NEGATIVE_STIFFNESS)
+        codes.append(Remark.NEGATIVE_STIFFNESS)
     if not math.isnan(F_0):
         if model.holds(F_0):
-            said.append(Remark.HELD_AT_REST)
+            codes.append(Remark.HELD_AT_REST)
         near = validity.is_near_sticking(model.mu, model.force(F_0, Omega))
         if near.any() if isinstance(near, np.ndarray) else near:
-            said.append(Remark.NEAR_STICKING)
+            codes.append(Remark.NEAR_STICKING)
     if highest > model.reach:
-        said.append(Remark.BEYOND_REACH)
+        codes.append(Remark.BEYOND_REACH)
     if highest > 0 and not model.stays_centred:
         if not centred:
             if not keeps_centre(model, Omega, A).all():
-                said.append(Remark.LEAVES_CENTRE)
+                codes.append(Remark.LEAVES_CENTRE)
             if turns_beyond(model, A).any():
-                said.append(Remark.BEYOND_WELL)
+                codes.append(Remark.BEYOND_WELL)
         states = np.atleast_1d(Omega, A)
         if (sustained.unsustained(model, *states) & ~turns_beyond(model, states[1])).any():
-            said.append(Remark.UNSUSTAINED)
+            codes.append(Remark.UNSUSTAINED)
     if model.mechanism.truncated and corner is not None and highest > 0:
         if (corner.any() if many else corner) or _is_next_to_jump(model, A):
-            said.append(Remark.OF_TRUNCATION)
-    return Remark(sum(said)) if said else NOTHING
+            codes.append(Remark.OF_TRUNCATION)
+    return Remark(sum(codes)) if codes else NOTHING
 
 
 def _is_next_to_jump(model: Model, A: Any) -> bool:
@@ -243,8 +243,8 @@ def stay_centred(flow: SlowFlow) -> Flags:
     return np.asarray(hardens & ~(at_rest > 0) & ~(pull > 0))
 
 
-def in_words(remarks: Remark, model: Model, F_0: float) -> list[str]:
-    """Each remark as a sentence or less."""
+def messages(remarks: Remark, model: Model, F_0: float) -> list[str]:
+    """The message of each remark."""
     if not remarks:  # what most answers have, and numbers that the sentences name take time
         return []
     near: list[str] = []
@@ -253,5 +253,5 @@ def in_words(remarks: Remark, model: Model, F_0: float) -> list[str]:
     known = {"reach": model.reach, "reason": model.mechanism.reach_reason, "held": model.held}
     known["mirrored"] = model.mechanism.mirrored
     known["holds"] = "preload and friction hold" if model.preload > 0 else "friction holds"
-    said = (words for remark, words in WORDS.items() if remark in remarks)
-    return [words.format(**known) if isinstance(words, Sentence) else words for words in said] + near
+    texts = (message for remark, message in MESSAGES.items() if remark in remarks)
+    return [message.format(**known) if isinstance(message, Sentence) else message for message in texts] + near

@@ -19,9 +19,9 @@ import numpy.typing as npt
 from slowflow import backend, progress, validate
 from slowflow.averaged import diagnostics, messages, proofs
 from slowflow.averaged.batches import Batch, Codes
-from slowflow.averaged.chunks import blocks, share
+from slowflow.averaged.chunks import blocks, map_chunks
 from slowflow.averaged.defined import check_defined, may_be_undefined
-from slowflow.averaged.queries import ASKED, PROVED_FOLDS, PROVED_STATES, Question, curves, failed
+from slowflow.averaged.queries import BY_NAME, PROVED_FOLDS, PROVED_STATES, Question, curves, failed
 from slowflow.averaged.questions import Averaged
 from slowflow.certificate import DOUBLES
 from slowflow.immutable import Unchanging
@@ -80,10 +80,10 @@ class Designs(Unchanging, ManyQuestions[Batch]):
 
     @cached_property
     def laws(self) -> str:
-        """The laws of damping beside mu and zeta, in words; empty without."""
-        given = ((one.name, self.values[one.name]) for one in DISSIPATION if one.name in self.values)
-        told = [f"{name} = {value}" if value.ndim == 0 else f"an array of {name}" for name, value in given]
-        return ", ".join(told if self.rubs == THROUGHOUT else [*told, f"rubs = {self.rubs!r}"])
+        """A description of the damping laws other than mu and zeta; empty without."""
+        values = ((one.name, self.values[one.name]) for one in DISSIPATION if one.name in self.values)
+        texts = [f"{name} = {value}" if value.ndim == 0 else f"an array of {name}" for name, value in values]
+        return ", ".join(texts if self.rubs == THROUGHOUT else [*texts, f"rubs = {self.rubs!r}"])
 
     @property
     def _flow(self) -> SlowFlow:
@@ -100,37 +100,37 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         laws = Laws.of(eta, c_2, self.rubs)
         return Model.of(self.mechanism, own, self.excitation, laws)
 
-    def _ask(self, question: str, /, *, workers: int = 1, **given: Any) -> Batch:
+    def _ask(self, question: str, /, *, workers: int = 1, **kwargs: Any) -> Batch:
         """The answer to a question by its name, from what its method takes."""
         if question == "certify":
-            return self._certify(**given, workers=workers)
-        at = {name: given[name] for name in QUESTIONS[question].takes}
-        places = validate.count("places", given["places"], least=1) if "places" in given else 0
-        own = curves(*validate.curve(given["samples"], given["Omega"])) if "samples" in given else ASKED[question]
+            return self._certify(**kwargs, workers=workers)
+        at = {name: kwargs[name] for name in QUESTIONS[question].takes}
+        places = validate.count("places", kwargs["places"], least=1) if "places" in kwargs else 0
+        own = curves(*validate.curve(kwargs["samples"], kwargs["Omega"])) if "samples" in kwargs else BY_NAME[question]
         columns = self.ask(own, workers, places=places, **at)
-        beside = {}
+        extra = {}
         if question == "peak":
-            beside["escapes"] = self._leave_out_what_escapes(*columns, **at)
+            extra["escapes"] = self._leave_out_what_escapes(*columns, **at)
         elif question != "detachment":
-            beside["by_balls"] = self._decide(own, columns, places, *at.values())
+            extra["by_balls"] = self._decide(own, columns, places, *at.values())
         if question == "frequency_response":
             self._leave_out_what_drifts(*columns[:3])
         elif question == "amplitudes":
             A, stable, count, _, status = columns
             self._leave_out_what_drifts(np.asarray(at["Omega"], dtype=float)[..., np.newaxis], A, stable)
-            self._put_in_what_rests(at["Omega"], at["F_0"], ((A, 0.0), (stable, 1)), count, status)
-        return self._batch(question, columns, beside, **at)
+            self._insert_states_at_rest(at["Omega"], at["F_0"], ((A, 0.0), (stable, 1)), count, status)
+        return self._batch(question, columns, extra, **at)
 
     rest = Unanswered(
         text("many designs without a load have no rest: they rest at {u} = 0, or a single .off_centre tells")
     )
 
-    def _batch(self, question: str, columns: Sequence[npt.NDArray[Any]], beside: dict[str, Any], **asked: Any) -> Batch:
+    def _batch(self, question: str, columns: Sequence[npt.NDArray[Any]], extra: dict[str, Any], **at: Any) -> Batch:
         """An averaged answer from its columns in their order."""
         values = dict(zip(QUESTIONS[question].columns[AVERAGING], columns, strict=True))
-        return Batch(question, values, self, asked, **beside)
+        return Batch(question, values, self, at, **extra)
 
-    def _decide(self, question: Question, columns: list[npt.NDArray[Any]], places: int, *asked: Any) -> Flags:
+    def _decide(self, question: Question, columns: list[npt.NDArray[Any]], places: int, *arguments: Any) -> Flags:
         """Change the columns to those of single answers where balls decide what doubles do not; where that is."""
         named = dict(zip(QUESTIONS[question.name].columns[AVERAGING], columns, strict=True))
         left = (named["status"] == Status.UNRESOLVED) | np.asarray(named.get("undecided", 0) != 0)
@@ -139,7 +139,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
             return by_balls
         assert question.one is not None  # of a proof `_certify` asks balls
         most = proofs.MOST_ONSETS_IN_BALLS if question.name == "saddle_node_onset" else proofs.MOST_IN_BALLS
-        for at, numbers, own in islice(self._each(left, *asked), most):
+        for at, numbers, own in islice(self._each(left, *arguments), most):
             try:
                 found = question.one(Averaged(self._model(numbers)), proofs.Allowance(), *own)
             except ArithmeticError:  # what single answers refuse stays refused
@@ -152,15 +152,15 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         """One design, from its numbers in their order."""
         return self.model(dict(zip(self.values, numbers, strict=True)))
 
-    def _each(self, wanted: Flags, *asked: Any) -> Iterator[tuple[Any, list[float], list[float]]]:
-        """Where a design is wanted, its numbers, and what is asked of it, one by one."""
-        values = [np.broadcast_to(value, wanted.shape) for value in (*self.values.values(), *asked)]
-        chosen = np.argwhere(wanted)
+    def _each(self, selected: Flags, *arguments: Any) -> Iterator[tuple[Any, list[float], list[float]]]:
+        """The index, the numbers and the arguments of each selected design, one by one."""
+        values = [np.broadcast_to(value, selected.shape) for value in (*self.values.values(), *arguments)]
+        chosen = np.argwhere(selected)
         for at in progress.each(map(tuple, chosen), len(chosen), "designs asked singly"):
             numbers = [float(value[at]) for value in values]
             yield at, numbers[: len(self.values)], numbers[len(self.values) :]
 
-    def _put_in_what_rests(
+    def _insert_states_at_rest(
         self, Omega: Any, F_0: Any, columns: Sequence[tuple[npt.NDArray[Any], Any]], count: Codes, status: Codes
     ) -> None:
         """States at rest first, of the designs whose mass friction holds, see `Model.rests`.
@@ -168,14 +168,14 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         columns -- what states have, with one more axis of places, and what one at rest has: a number, or one a design
         """
         with np.errstate(all="ignore"):  # a number outside its domain has a status
-            rests = self._flow.rests(np.asarray(F_0), np.asarray(Omega))
-        rests = rests & np.isin(status, (Status.OK, Status.STICKS, Status.NONE, Status.TOO_MANY))
-        alone, full = rests & (count == 0), rests & (count >= columns[0][0].shape[-1])
+            sticks = self._flow.rests(np.asarray(F_0), np.asarray(Omega))
+        sticks = sticks & np.isin(status, (Status.OK, Status.STICKS, Status.NONE, Status.TOO_MANY))
+        empty, full = sticks & (count == 0), sticks & (count >= columns[0][0].shape[-1])
         for column, value in columns:
-            column[rests, 1:] = column[rests, :-1]
-            column[rests, 0] = np.broadcast_to(value, rests.shape)[rests]
-        count += rests
-        status[alone], status[full] = Status.STICKS, Status.TOO_MANY
+            column[sticks, 1:] = column[sticks, :-1]
+            column[sticks, 0] = np.broadcast_to(value, sticks.shape)[sticks]
+        count += sticks
+        status[empty], status[full] = Status.STICKS, Status.TOO_MANY
 
     def _leave_out_what_drifts(self, Omega: Floats, A: Floats, stable: Codes) -> None:
         """States, along one more axis, are stable only if they stay about u = 0, and within its well, as well."""
@@ -231,13 +231,13 @@ class Designs(Unchanging, ManyQuestions[Batch]):
                 count[at], proved[at], bits[at] = len(found.A), found.proved, found.bits
                 status[at] = Status.STICKS if sticks else Status.OK
 
-    def untruncated_onset(self, wanted: Flags) -> Floats:
-        """F_SN of the force that the truncated one stands for, for the designs that are wanted; NaN for others."""
+    def untruncated_onset(self, selected: Flags) -> Floats:
+        """F_SN of the force that the truncated one stands for, for the selected designs; NaN for others."""
         F_SN = np.full(self.shape, np.nan)
         load = self.mechanism.load_untruncated
-        if load is not None and wanted.any():
-            chosen = {name: np.broadcast_to(value, self.shape)[wanted] for name, value in self.values.items()}
-            F_SN[wanted] = Designs(load(), chosen, self.excitation, self.rubs).saddle_node_onset().F_SN
+        if load is not None and selected.any():
+            chosen = {name: np.broadcast_to(value, self.shape)[selected] for name, value in self.values.items()}
+            F_SN[selected] = Designs(load(), chosen, self.excitation, self.rubs).saddle_node_onset().F_SN
         return F_SN
 
     @property
@@ -258,19 +258,19 @@ class Designs(Unchanging, ManyQuestions[Batch]):
             return diagnostics.of_designs(self._flow, force, Omega, A, corner)
 
     def spanned(
-        self, x: str, y: str, of: str, values: Floats, beside: dict[str, Any]
+        self, x: str, y: str, of: str, values: Floats, extra: dict[str, Any]
     ) -> tuple[tuple[str, Floats], tuple[str, Floats], tuple[str, Floats]]:
         """Two parameters that span the designs and values over these, each with its name, for a map."""
-        given = {**self.values, **beside}
+        known = {**self.values, **extra}
         if values.ndim != 2 or x == y:
             raise Refused(f"{of} over {x!r} and {y!r} is no map: a batch of two axes spanned by them is wanted")
-        spread = {name: np.broadcast_to(np.asarray(value, dtype=float), values.shape) for name, value in given.items()}
+        spread = {name: np.broadcast_to(np.asarray(value, dtype=float), values.shape) for name, value in known.items()}
         lines = {}
         for name in (x, y):
-            along = spread[validate.choice("a parameter of the map", name, tuple(spread))]
-            axis = 1 if np.array_equal(along, np.broadcast_to(along[:1], values.shape), equal_nan=True) else 0
-            line = along[0] if axis == 1 else along[:, 0]
-            if not np.array_equal(along, np.broadcast_to(line if axis else line[:, np.newaxis], values.shape)):
+            array = spread[validate.choice("a parameter of the map", name, tuple(spread))]
+            axis = 1 if np.array_equal(array, np.broadcast_to(array[:1], values.shape), equal_nan=True) else 0
+            line = array[0] if axis == 1 else array[:, 0]
+            if not np.array_equal(array, np.broadcast_to(line if axis else line[:, np.newaxis], values.shape)):
                 raise Refused(f"{name} is no axis of the map: it varies along both axes of the batch")
             lines[name] = axis, np.asarray(line)
         if lines[x][0] == lines[y][0]:
@@ -304,14 +304,14 @@ class Designs(Unchanging, ManyQuestions[Batch]):
             numbers = self._with_all_laws(values) if self.laws else list(values.values())
             # what the solvers do not take as it is, long doubles
             doubles = (value if np.can_cast(value.dtype, float) else value.astype(float) for value in numbers)
-            given = [np.broadcast_to(value, shape) for value in doubles]
+            arguments = [np.broadcast_to(value, shape) for value in doubles]
 
             def part(block: tuple[slice | int, ...]) -> None:
                 out = tuple(output[block] for output in solved)
-                solve(*(value[block] for value in given), out=out)
+                solve(*(value[block] for value in arguments), out=out)
 
             places_of = np.broadcast_to(np.uint8(0), shape)
-            share(part, blocks(shape, question.at_once), threads, lambda one: places_of[one].size, places_of.size)
+            map_chunks(part, blocks(shape, question.at_once), threads, lambda one: places_of[one].size, places_of.size)
             if question.one is not None and self.mechanism.enclosed is not None:
                 self._refuse_undefined(question, places, outputs)
         if question.one is not None and (self.laws or record is None or question.batch is None):
@@ -325,8 +325,8 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         """What a record with laws of damping takes: design, mu, zeta, eta, c_2, whether friction ends; then F_0."""
         names = [domain.name for domain in (*self.mechanism.design, *DAMPING, *DISSIPATION)]
         ends = np.array(float(self.rubs != THROUGHOUT))
-        asked = (value for name, value in values.items() if name not in self.values)
-        return [*(values.get(name, np.zeros(())) for name in names), ends, *asked]
+        arguments = (value for name, value in values.items() if name not in self.values)
+        return [*(values.get(name, np.zeros(())) for name in names), ends, *arguments]
 
     @property
     def _parameters(self) -> tuple[npt.NDArray[Any], ...]:
@@ -343,16 +343,16 @@ class Designs(Unchanging, ManyQuestions[Batch]):
             except ValueError:
                 _put(outputs, index, question.blank(places, Status.INVALID))
 
-    def _one(self, question: Question, given: list[float], asked: list[float], places: int) -> dict[str, Any]:
+    def _one(self, question: Question, numbers: list[float], arguments: list[float], places: int) -> dict[str, Any]:
         """One design's answer, with a status in place of an exception."""
         assert question.one is not None
         try:
-            oscillator = Averaged(model := self._model(given))
-            if len(asked) > 1:
-                validate.frequencies("Omega", asked[1])
-            if asked and model.sticks(validate.number("F_0", asked[0], above=0.0)):
+            oscillator = Averaged(model := self._model(numbers))
+            if len(arguments) > 1:
+                validate.frequencies("Omega", arguments[1])
+            if arguments and model.sticks(validate.number("F_0", arguments[0], above=0.0)):
                 return question.blank(places, Status.STICKS)
-            return question.columns(question.one(oscillator, proofs.Allowance(0), *asked), places)
+            return question.columns(question.one(oscillator, proofs.Allowance(0), *arguments), places)
         except (ValueError, ArithmeticError) as error:
             return question.blank(places, failed(error))
 

@@ -1,4 +1,4 @@
-"""What is said beside an averaged answer, or in its place. Takes numbers; returns words."""
+"""Messages of averaged answers, and of refusals. Takes numbers; returns text."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from slowflow_kernels.conventions import CLOSE, Status
 MOST_NAMED = 3
 
 #: messages of an answer at several forcings
-SAID = 3
+MOST_MESSAGES = 3
 
 STICKS = Sentence("sticks: {F_0 = :g} does not exceed 4 {mu}/pi = {sticking:g}")
 STICKS_BELOW = Sentence("sticks up to {Omega = :g}: the inertia force does not exceed 4 {mu}/pi = {sticking:g} there")
@@ -113,11 +113,11 @@ HIGHEST_FORCING = 2.0 ** (sys.float_info.max_exp // 6)
 
 
 def of_states(model: Model, F_0: float, cut: str, Omega: Floats, found: Floats, undecided: Floats) -> str:
-    """The message of states at the frequencies asked for, `Omega`.
+    """The message of states at the frequencies `Omega` of the query.
 
     cut       -- where the response is cut, in words or empty
     found     -- frequencies of the states
-    undecided -- those of the frequencies asked for at which their number is
+    undecided -- those of these frequencies at which their number is
     """
     if model.sticks(F_0):
         return sticks(model, F_0)
@@ -133,37 +133,37 @@ def intervals(doubt: Iterable[Any]) -> str:
     return together(", ", tuple(map(BETWEEN.format, doubt)))
 
 
-def beside(undecided: bool, cut: str) -> Remark:
-    """What is said in codes of an answer whose number rounding may decide; `cut` in words, empty where it is not."""
+def codes(undecided: bool, cut: str) -> Remark:
+    """The codes of an answer whose count rounding may decide; `cut` is a message, empty if the response is not cut."""
     if not (undecided or cut):  # of most, and to make a code takes longer
         return NOTHING
     return Remark(int(Remark.UNDECIDED) * bool(undecided) + int(Remark.CUT) * bool(cut))
 
 
 def of_points(A: Floats, few: Flags, none: str) -> dict[str, Any]:
-    """What is said of cusps or isola points at A: which of them have few digits; `none` where there are none."""
+    """The message of cusps or isola points at A: which of them have few digits; `none` if there are none."""
     if few.any():
         return {"message": FEW_DIGITS.format(A[few]), "remarks": Remark.UNDECIDED}
     return {"message": "" if A.size else none}
 
 
-def of_folds(model: Model, F_0: float, told: bool, cut: str) -> tuple[str | Callable[[], str], str]:
+def of_folds(model: Model, F_0: float, any_folds: bool, cut: str) -> tuple[str | Callable[[], str], str]:
     """The message of folds, or what makes it, and what it has of where the response is cut, `cut`, in words or empty.
 
-    told -- whether there are folds, or may be. Where there are none, cutting an undamped response leaves none out: it
-        ends where what is beyond has no fold
+    any_folds -- whether there are folds, or may be. Without any, cutting an undamped response leaves none out: it ends
+        where what is beyond has no fold
     """
     if model.sticks(F_0):
         return partial(sticks, model, F_0), ""
     leaves_out = model.inertial or (model.zeta > 0 and model.spring == "levels off")
-    kept = cut if told or leaves_out else ""
-    return kept if told or kept else partial(NO_FOLD.format, F_0), kept
+    kept = cut if any_folds or leaves_out else ""
+    return kept if any_folds or kept else partial(NO_FOLD.format, F_0), kept
 
 
 def sticks(model: Model, F_0: float) -> str:
-    """Why the mass stays at rest (27); where F_0 is the double next to 4 mu/pi, by which it is told."""
-    said = STICKS.format(F_0, model.m)
-    return said + " by more than rounding" if F_0 == model.m else said
+    """Why the mass stays at rest (27); where F_0 is the double next to 4 mu/pi, by how much."""
+    message = STICKS.format(F_0, model.m)
+    return message + " by more than rounding" if F_0 == model.m else message
 
 
 UNRESOLVED = Sentence("the response is unresolved at {F_0 = :.17g}: {why:s}")
@@ -202,10 +202,10 @@ ENDS_BY_REACH = Sentence(
 
 def unbounded(model: Model, F_0: float | None) -> str:
     """That no amplitude was found that bounds the response, and what helps a force that is not known far away."""
-    said = UNBOUNDED if F_0 is None else UNBOUNDED_AT.format(F_0)
+    message = UNBOUNDED if F_0 is None else UNBOUNDED_AT.format(F_0)
     if model.mechanism.enclosed is None or math.isfinite(model.reach):
-        return said
-    return said + ENDS_BY_REACH.format(model.mechanism.name)
+        return message
+    return message + ENDS_BY_REACH.format(model.mechanism.name)
 
 
 SLIDES_FREE = Sentence(
@@ -228,19 +228,19 @@ def unresolved_onset(model: Model) -> str:
     if model.zeta == 0 and model.preload > 0:
         return PRELOAD_UNDAMPED
     if model.laws.c_2 > 0 and model.laws.eta == 0:
-        alone = model.zeta + model.m == 0
+        quadratic_only = model.zeta + model.m == 0
         plays = [b for b in model.breakpoints if model.averaged(b)[0] == model.averaged(b)[1] == 0]
-        if plays and (alone or (model.laws.rubs != THROUGHOUT and not model.inertial)):
+        if plays and (quadratic_only or (model.laws.rubs != THROUGHOUT and not model.inertial)):
             return SLIDES_FREE.format(plays[-1], 0.0)
-        if alone and model.inertial:
+        if quadratic_only and model.inertial:
             return BALANCED
     other = _or_not_known(model)
     if not model.breakpoints:
         return "the onset is unresolved: folds are born within rounding of each other" + other
-    said = NEXT_TO.format(model.breakpoints, other)
+    message = NEXT_TO.format(model.breakpoints, other)
     # `certify` takes a force and plain damping only, and averages that are derived in closed form
     proved = not model.inertial and not model.laws.any and model.mechanism.enclosed is None
-    return said + IN_BALLS if proved else said
+    return message + IN_BALLS if proved else message
 
 
 CUT = Sentence("unbounded without viscous damping: cut at {A = :g}{why:s}")
@@ -280,8 +280,8 @@ def with_folds_at_rest(model: Model, onset: SaddleNodeOnset, rest: float) -> Sad
         return onset
     of_preload = rest == model.m and model.preload > 0
     none, below = (NONE_BUT_OF_PRELOAD, OF_PRELOAD) if of_preload else (NONE_BUT_AT_REST, AT_REST)
-    words = (none if onset.F_SN is None else below).format(Omega=0.0, F_0=rest, sticking=rest)
-    return dataclasses.replace(onset, message=words, remarks=Remark.FOLDS_AT_REST)
+    message = (none if onset.F_SN is None else below).format(Omega=0.0, F_0=rest, sticking=rest)
+    return dataclasses.replace(onset, message=message, remarks=Remark.FOLDS_AT_REST)
 
 
 NO_STATE = Sentence("no steady state at {Omega = :g}")
@@ -316,9 +316,9 @@ TONES = text(
 
 def at_pairs(Omega: Floats, messages: Iterable[str]) -> str:
     """Each message at pairs of frequencies and forcings once, the first `SAID`; and that tones do not act together."""
-    told = list(dict.fromkeys(message for message in messages if message))
-    more = f"and {len(told) - SAID} remarks more" if len(told) > SAID else ""
-    return joined(*told[:SAID], more, TONES if np.unique(Omega).size > 1 else "")
+    distinct = list(dict.fromkeys(message for message in messages if message))
+    more = f"and {len(distinct) - MOST_MESSAGES} remarks more" if len(distinct) > MOST_MESSAGES else ""
+    return joined(*distinct[:MOST_MESSAGES], more, TONES if np.unique(Omega).size > 1 else "")
 
 
 def empty_window(model: Model, F_0: float, window: tuple[float, float], cut: str = "") -> str:

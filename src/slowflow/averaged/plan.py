@@ -1,7 +1,7 @@
 """What runs for a question and what does not. Takes an oscillator's models and the question; returns the plan.
 
 It is made in one place and obeyed: an oscillator searches for folds where `may_have_folds` says so, and so does the
-plan, which has the reasons, step by step, and is made where one is asked for.
+plan, which has the reasons, step by step, and is made on request.
 """
 
 from __future__ import annotations
@@ -219,7 +219,7 @@ def plan(question: str, F_0: float | None, whole: Model, onset: SaddleNodeOnset 
 
     F_0   -- as `forcing` gives it
     whole -- the oscillator
-    onset -- the onset of folds, if it has been asked for already
+    onset -- the onset of folds, if it is known already
     """
     if question in COMPOSED:
         return Plan(question, F_0, whole, COMPOSED[question])
@@ -237,17 +237,17 @@ def plan(question: str, F_0: float | None, whole: Model, onset: SaddleNodeOnset 
     elif not proofs.is_plain(whole):
         kept = (step for step in steps if step.name != "number")
         steps = tuple(replace(step, why=step.why.removesuffix(IN_BALLS)) for step in kept)
-    told = QUARTIC.format(whole.laws.told()) if whole.laws.any else whole.flow.SCENE
-    return Plan(question, F_0, whole, (_force(question, F_0, whole), Step("slow flow", True, told), *steps))
+    equation = QUARTIC.format(whole.laws.told()) if whole.laws.any else whole.flow.SCENE
+    return Plan(question, F_0, whole, (_force(question, F_0, whole), Step("slow flow", True, equation), *steps))
 
 
 def _force(question: str, F_0: float | None, whole: Model) -> Step:
-    """The step of the force: what is asked of it, or what the mechanism itself tells of how it is known."""
-    told = whole.mechanism.told
+    """The step of the force: what is evaluated, or the mechanism's own description of how it is known."""
+    description = whole.mechanism.told
     if question == "detachment":
         return Step("force", True, text("its first piece, at A = {u_cr} only"))
-    if told is not None:
-        return Step("force", True, told(*whole.parameters))
+    if description is not None:
+        return Step("force", True, description(*whole.parameters))
     if not whole.breakpoints:
         return Step("force", True, ONE_PIECE[whole.linear])
     return Step("force", True, PIECES if F_0 is not None else "all its pieces")

@@ -50,8 +50,8 @@ class Allowance:
         return self.left >= 0
 
 
-def _asked(proof: Callable[..., Any], model: Model, *numbers: Any) -> Any:
-    """What one of the compiled solvers' proofs gives, None where they have none: `_why_not` says why."""
+def _prove(proof: Callable[..., Any], model: Model, *numbers: Any) -> Any:
+    """The result of one of the compiled solvers' proofs, None where they have none: `_why_not` says why."""
     return proof(model.native, *numbers) if model.has_design else None
 
 
@@ -59,11 +59,11 @@ def _why_not(model: Model) -> str:
     return messages.NO_INTERVALS if model.has_design else messages.NO_DESIGN
 
 
-def _asked_at(
+def _prove_at(
     proof: Callable[..., Any], model: Model, F_0: float, *more: Any
 ) -> tuple[tuple[bool, str, int], tuple[Any, ...], tuple[Any, ...]]:
-    """What a proof at a forcing gives: whether it is all proved, and what to say beside it; columns; and the rest."""
-    if (answer := _asked(proof, model, F_0, *more)) is None:
+    """The result of a proof at a forcing: whether it is all proved, and a message; columns; and the rest."""
+    if (answer := _prove(proof, model, F_0, *more)) is None:
         return (False, _why_not(model), DOUBLES), (_NONE, _NONE, _NO_FLAG, np.empty(0, int)), (0.0, False, _NONE)
     status, *columns, doubt, A_max, bounded, room = answer
     if status == Status.STICKS:
@@ -104,7 +104,7 @@ def folds(model: Model, F_0: float, expected: Floats) -> ProvedFolds:
 
 
 def is_plain(model: Model) -> bool:
-    """Whether proofs are about what is asked of the model: of a force, mu and zeta alone."""
+    """Whether proofs cover the model: a force, mu and zeta alone."""
     return bool(model.design) and not model.inertial and not model.laws.any
 
 
@@ -124,20 +124,22 @@ def decided(found: SaddleNodes, model: Model, allowance: Allowance) -> SaddleNod
         return found
     # which way a sweep leaves doubles say where the proof does not
     with np.errstate(all="ignore"):  # folds of any size
-        told = np.where(model.F_AA(Omega, A) < 0, "jump-up", "jump-down")
-    kind, corner = np.where(proof.kind == "", told, proof.kind), proof.corner
+        by_doubles = np.where(model.F_AA(Omega, A) < 0, "jump-up", "jump-down")
+    kind, corner = np.where(proof.kind == "", by_doubles, proof.kind), proof.corner
     order = np.lexsort((~corner, A, Omega))
     Omega, A, kind, corner = Omega[order], A[order], kind[order], corner[order]
     message, cut = messages.of_folds(model, found.F_0, A.size > 0, found.message if Remark.CUT in found.remarks else "")
-    codes = messages.beside(False, cut) | Remark.BY_BALLS
+    codes = messages.codes(False, cut) | Remark.BY_BALLS
     columns = {"Omega": Omega, "A": A, "kind": kind, "corner": corner}
     return SaddleNodes._made(**columns, F_0=found.F_0, message=message, remarks=codes, _model=model)
 
 
-def decided_states(found: SteadyStates, model: Model, asked: Floats, F_0: float, allowance: Allowance) -> SteadyStates:
-    """States at the frequencies `asked`, where doubles leave their number undecided as balls prove them.
+def decided_states(
+    found: SteadyStates, model: Model, frequencies: Floats, F_0: float, allowance: Allowance
+) -> SteadyStates:
+    """States at `frequencies`, where doubles leave their number undecided as balls prove them.
 
-    In the order of `asked`, repeated ones too. As they are where balls do not decide either, or have been asked too
+    In the order of `frequencies`, repeated ones too. Unchanged where balls do not decide either, or have been used too
     often already.
     """
     balls = in_balls() if found.Omega_undecided.size and is_plain(model) else None
@@ -150,15 +152,15 @@ def decided_states(found: SteadyStates, model: Model, asked: Floats, F_0: float,
             proved[w] = proof
     if not proved:
         return found
-    Omega, A, stable = _with_proved(found, asked, proved)
+    Omega, A, stable = _with_proved(found, frequencies, proved)
     undecided = found.Omega_undecided[~np.isin(found.Omega_undecided, list(proved))]
     cut = solvers.remark_of(model, F_0) if Remark.CUT in found.remarks else ""
-    message = messages.of_states(model, F_0, cut, asked, Omega, undecided)
+    message = messages.of_states(model, F_0, cut, frequencies, Omega, undecided)
     if messages.sticks(model, F_0) in (proof.message for proof in proved.values()):
         message = messages.sticks(model, F_0)
     if allowance.left < 0:
         message = joined(message, messages.ASKED_ENOUGH.format(MOST_IN_BALLS))
-    codes = messages.beside(undecided.size > 0, cut) | Remark.BY_BALLS
+    codes = messages.codes(undecided.size > 0, cut) | Remark.BY_BALLS
     return SteadyStates(Omega, A, stable, F_0, message, model, Omega_undecided=undecided, remarks=codes)
 
 
@@ -231,31 +233,33 @@ def decided_cusps(found: Cusps, model: Model, A_max: float) -> Cusps:
     return Cusps(F_0, Omega, A, proof.minimum, message, remarks=Remark.BY_BALLS)
 
 
-def nothing_decided(model: Model, asked: Floats, F_0: float) -> SteadyStates:
+def nothing_decided(model: Model, frequencies: Floats, F_0: float) -> SteadyStates:
     """States of which doubles tell nothing."""
     none, cut = np.empty(0), solvers.remark_of(model, F_0)
-    at, codes = np.unique(asked), messages.beside(True, cut)
-    message = messages.of_states(model, F_0, cut, asked, none, at)
+    at, codes = np.unique(frequencies), messages.codes(True, cut)
+    message = messages.of_states(model, F_0, cut, frequencies, none, at)
     return SteadyStates(none, none, _NO_FLAG, F_0, message, model, Omega_undecided=at, remarks=codes)
 
 
-def _with_proved(found: SteadyStates, asked: Floats, proved: dict[float, ProvedStates]) -> tuple[Floats, Floats, Flags]:
-    """Omega, A, stable with proved states in the place of those found, by the order of the frequencies asked for."""
-    Omega, of = np.unique(asked, return_inverse=True)
+def _with_proved(
+    found: SteadyStates, frequencies: Floats, proved: dict[float, ProvedStates]
+) -> tuple[Floats, Floats, Flags]:
+    """Omega, A, stable with proved states in the place of those found, in the order of `frequencies`."""
+    Omega, of = np.unique(frequencies, return_inverse=True)
     # as many at each of repeated frequencies
     count = np.bincount(np.searchsorted(Omega, found.Omega), minlength=Omega.size) // np.bincount(of)
-    place = np.repeat(np.arange(asked.size), count[of])
+    place = np.repeat(np.arange(frequencies.size), count[of])
     kept = ~np.isin(found.Omega, list(proved))
-    places, A, stable = [place[kept]], [found.A[kept]], [found.stable[kept]]
-    for i, w in enumerate(asked.tolist()):
+    positions, A, stable = [place[kept]], [found.A[kept]], [found.stable[kept]]
+    for i, w in enumerate(frequencies.tolist()):
         if (proof := proved.get(w)) is not None:
             known = found.A[place == i]
-            places.append(np.full(len(proof.A), i))
+            positions.append(np.full(len(proof.A), i))
             A.append(_middle(proof.A, known if known.size == len(proof.A) else None))
             stable.append(proof.stable)
-    joint = np.concatenate(places)
+    joint = np.concatenate(positions)
     order = np.argsort(joint, kind="stable")
-    return asked[joint[order]], np.concatenate(A)[order], np.concatenate(stable)[order]
+    return frequencies[joint[order]], np.concatenate(A)[order], np.concatenate(stable)[order]
 
 
 def _middle(enclosed: Floats, known: Floats | None) -> Floats:
@@ -283,31 +287,31 @@ def detachment(model: Model) -> ProvedForcing:
 
 def folds_in_doubles(model: Model, F_0: float, expected: Floats) -> ProvedFolds:
     """`folds` by doubles alone."""
-    said, (Omega, A, corner, sign), others = _asked_at(backend.SOLVER.certify_folds, model, F_0, expected)
-    return ProvedFolds(*said, Omega, A, _KINDS[sign], corner, *others)
+    head, (Omega, A, corner, sign), others = _prove_at(backend.SOLVER.certify_folds, model, F_0, expected)
+    return ProvedFolds(*head, Omega, A, _KINDS[sign], corner, *others)
 
 
 def states_in_doubles(model: Model, Omega: float, F_0: float) -> ProvedStates:
     """`states` by doubles alone."""
-    said, (_, A, _, sign), others = _asked_at(backend.SOLVER.certify_states, model, F_0, Omega)
-    return ProvedStates(*said, A, sign > 0, *others)
+    head, (_, A, _, sign), others = _prove_at(backend.SOLVER.certify_states, model, F_0, Omega)
+    return ProvedStates(*head, A, sign > 0, *others)
 
 
 def onset_in_doubles(model: Model) -> ProvedForcing:
     """`onset` by doubles alone."""
-    if (answer := _asked(backend.SOLVER.certify_onset, model)) is None:
+    if (answer := _prove(backend.SOLVER.certify_onset, model)) is None:
         return _no_forcing(_why_not(model))
     status, F_SN, Omega, A, kind, proved = answer
     if status != Status.OK:
-        said = {Status.UNBOUNDED: messages.OF_NO_LOWEST, Status.NONE: messages.OF_NO_ONSET}
-        return _no_forcing(said.get(status, (messages.FAILED, messages.FAILED))[proved], proved=proved)
+        texts = {Status.UNBOUNDED: messages.OF_NO_LOWEST, Status.NONE: messages.OF_NO_ONSET}
+        return _no_forcing(texts.get(status, (messages.FAILED, messages.FAILED))[proved], proved=proved)
     doubt = "" if proved else messages.ONSET_IN_DOUBT
     return ProvedForcing(proved, doubt, DOUBLES, F_SN, Omega, A, solvers.ONSET_KINDS[kind])
 
 
 def detachment_in_doubles(model: Model) -> ProvedForcing:
     """`detachment` by doubles alone."""
-    if (answer := _asked(backend.SOLVER.certify_detachment, model)) is None:
+    if (answer := _prove(backend.SOLVER.certify_detachment, model)) is None:
         return _no_forcing(_why_not(model))
     if answer[0] == Status.NONE:
         return _no_forcing(messages.NO_DETACHMENT, proved=True)

@@ -1,4 +1,4 @@
-"""The questions about many designs: how one design is asked, and its answer in the columns of the table.
+"""The questions about many designs: the query of one design, and its answer in the columns of the table.
 
 In doubles alone, with an allowance of 0: what these leave undecided a batch asks balls afterwards.
 """
@@ -150,7 +150,7 @@ def curves(samples: int, window: tuple[float, float]) -> Question:
     def batch(native: ModuleType) -> Callable[[Any], Callable[..., Any]]:
         def of_record(record: Any) -> Callable[..., Any]:
             solve = native.many_frequency_response(record)
-            return lambda *given, out: solve(*given, float(samples), *window, out=out)
+            return lambda *columns, out: solve(*columns, float(samples), *window, out=out)
 
         return of_record
 
@@ -166,4 +166,4 @@ PEAK = Question("peak", _peak, lambda native: native.many_peak, 2**13)
 PROVED_FOLDS = Question("certify", None, lambda native: native.many_proved_saddle_nodes, 2**10)
 PROVED_STATES = Question("certify", None, lambda native: native.many_proved_amplitudes, 2**10)
 #: by name
-ASKED = {one.name: one for one in (DETACHMENT, ONSET, SADDLE_NODES, AMPLITUDES, PEAK)}
+BY_NAME = {one.name: one for one in (DETACHMENT, ONSET, SADDLE_NODES, AMPLITUDES, PEAK)}

@@ -76,7 +76,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         """A forcing that does not exceed it leaves a mass at rest, whatever the frequency: 4 mu/pi (27).
 
         With a preload c sign(u) it is 4/pi sqrt(mu^2 + c^2), what F_0 is for a state that tends to rest; from 4 mu/pi
-        on there are motions beside the rest then, and answers say so; with rubs="attached", beyond u_cr, from less on.
+        on the mass may also move then, and answers say so; with rubs="attached", beyond u_cr, from less on.
         0 for an excitation by inertia: however small, it moves the mass from Omega = sqrt(4 mu/(pi F_0)) on.
         """
         return 0.0 if self.model.inertial else self.model.held
@@ -104,21 +104,21 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
     def _at_pairs(self, Omega: Any, F_0: Any) -> SteadyStates:
         ask = functools.partial(self._amplitudes, allowance=proofs.Allowance())
         found = pairs.at_pairs(ask, Omega, F_0, ("Omega", "A", "stable"))
-        asked = found.parts[-1]._asked if found.parts else None
-        return SteadyStates(**found.columns, F_0=found.F_0, **found.notes(), _model=self.model, _asked=asked)
+        equation = found.answers[-1]._equation if found.answers else None
+        return SteadyStates(**found.columns, F_0=found.F_0, **found.notes(), _model=self.model, _equation=equation)
 
     def _with_rests(self, found: SteadyStates, Omega: Any) -> SteadyStates:
         """The states with those at which friction holds the mass."""
         if found.F_0 > self.model.held and not self.model.inertial:
             return found
         at = validate.frequencies("Omega", Omega).ravel()
-        rests = self.model.rests(found.F_0, at)
-        if not rests.any():
+        sticks = self.model.rests(found.F_0, at)
+        if not sticks.any():
             return found
-        columns = {"Omega": (found.Omega, at[rests]), "A": (found.A, 0.0), "stable": (found.stable, True)}
-        moves = messages.moves_exactly(self.model, self.model.force(found.F_0, at))
-        told: dict[str, Any] = pairs.with_rests(at, rests, found.Omega, columns)
-        return dataclasses.replace(found, **told, message=joined(found.message, moves))
+        columns = {"Omega": (found.Omega, at[sticks]), "A": (found.A, 0.0), "stable": (found.stable, True)}
+        message = messages.moves_exactly(self.model, self.model.force(found.F_0, at))
+        merged: dict[str, Any] = pairs.with_rests(at, sticks, found.Omega, columns)
+        return dataclasses.replace(found, **merged, message=joined(found.message, message))
 
     def states(self, *, Omega: Any, F_0: float, allowance: proofs.Allowance | None = None) -> SteadyStates:
         """`amplitudes` of masses that move, without the remarks on averaging: what other approximations start from."""
@@ -165,13 +165,13 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         proof = proofs.folds(self.model, found.F_0, found.A)
         if not proof.proved or len(proof.A) == len(found):
             return proof
-        beside = f"{len(proof.A)} folds are proved, saddle_nodes gives {len(found)}"
-        return dataclasses.replace(proof, message=joined(proof.message, beside))
+        note = f"{len(proof.A)} folds are proved, saddle_nodes gives {len(found)}"
+        return dataclasses.replace(proof, message=joined(proof.message, note))
 
     def folds(self, F_0: float, *, allowance: proofs.Allowance | None = None) -> SaddleNodes:
         """`saddle_nodes` without the remarks on averaging: what another approximation starts from."""
         F_0 = validate.number("F_0", F_0, above=0.0)
-        # finding the onset costs time too: it serves only where it has been asked for already
+        # finding the onset costs time too: it is used only if it is known already
         if plan.may_have_folds(F_0, self.model, self.__dict__.get("_onset")):
             return proofs.decided(solvers.folds(self.model, F_0), self.model, allowance or proofs.Allowance())
         message, _ = messages.of_folds(self.model, F_0, False, "")
@@ -179,7 +179,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         return SaddleNodes._made(**none, F_0=F_0, message=message, remarks=NOTHING, _model=self.model)
 
     def _saddle_node_onset(self) -> SaddleNodeOnset:
-        # not as a cached property: in Python 3.11 its lock takes longer than all that is said beside the answer
+        # not as a cached property: in Python 3.11 its lock takes longer than all diagnostics
         if (known := self.__dict__.get("_onset")) is None:
             known = self.__dict__["_onset"] = self._onset_with_words()
         return known
@@ -204,23 +204,23 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
             found = dataclasses.replace(found, remarks=Remark.BEYOND_WELL)
         return self._remarked(found, F_0)
 
-    def _leaves(self, states: SteadyStates) -> Any:
+    def _is_detached(self, states: SteadyStates) -> Any:
         """Which motions pass the first breakpoint."""
         return states.A > self.breakpoints[0]
 
     def transmissibility_floor(self, F_0: float) -> float:
         """What transmissibility tends to as Omega tends to inf: 4 mu/(pi F_0) for a force, 0 for one of inertia.
 
-        There A Omega vanishes, or does beside a force that grows with Omega^2: friction, and a preload, are all that a
-        constant force leaves. Quadratic damping grows with Omega^2 too: under inertia 8 c_2 A^2/(3 pi F_0) is left, at
-        the amplitude A that the response tends to. Raises ValueError for F_0 <= 0.
+        There A Omega vanishes, or is negligible against a force that grows with Omega^2: friction, and a preload, are
+        all that a constant force leaves. Quadratic damping grows with Omega^2 too: under inertia 8 c_2 A^2/(3 pi F_0)
+        is left, at the amplitude A that the response tends to. Raises ValueError for F_0 <= 0.
         """
         return float(self.model.floor(validate.number("F_0", F_0, above=0.0)))
 
     def closes(self, F_0: float) -> bool:
         """Whether the response at F_0 is known to have a highest amplitude. Raises ValueError for F_0 <= 0.
 
-        Without damping beside friction it has none, nor on a base that shakes by so much that a hardening spring does
+        Without damping other than friction it has none, nor under base excitation so large that a hardening spring does
         not end the resonance, nor where a force of one's own gives way up to its reach. Where F_0 leaves the mass at
         rest there is nothing to close: True.
         """
@@ -351,7 +351,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
             return by_balls
 
     def _up_to(self, A_max: float | None) -> float:
-        """The amplitude up to which the fold locus is wanted."""
+        """The amplitude up to which the fold locus is computed."""
         if A_max is None and math.isfinite(self.model.reach):
             return self.model.reach
         return validate.number("A_max", A_max, above=0.0)
@@ -365,32 +365,32 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
             return found
         kept = diagnostics.keeps_centre(self.model, found.Omega, found.A)
         beyond = diagnostics.turns_beyond(self.model, found.A)
-        leaves = NOTHING if kept.all() else Remark.LEAVES_CENTRE
+        drifts = NOTHING if kept.all() else Remark.LEAVES_CENTRE
         swings = Remark.BEYOND_WELL if beyond.any() else NOTHING
         stable = found.stable & kept & ~beyond
-        return dataclasses.replace(found, stable=stable, remarks=found.remarks | leaves | swings)
+        return dataclasses.replace(found, stable=stable, remarks=found.remarks | drifts | swings)
 
     def _remarked(self, found: Answer, F_0: float) -> Answer:
-        """The answer with what there is to say beside it; F_0 is nan where the question has none."""
+        """The answer with its message and diagnostics; F_0 is NaN where the question has none."""
         # an answer does not change; this one has not been given yet
         own = found.__dict__
-        own["_model"], own["_asked"] = self.model, self._equation
+        own["_model"], own["_equation"] = self.model, self._equation
         if not self.model.sticks(F_0):
             known = own.pop("message", None), own.pop("remarks"), own.get("_later")
-            own["_later"] = functools.partial(_said, self.model, F_0, *known)
+            own["_later"] = functools.partial(_messages, self.model, F_0, *known)
             if self.model.mechanism.enclosed is not None:  # its averages may not settle: that is said here and now
                 getattr(found, "message")  # noqa: B009
         return found
 
 
-def _said(
+def _messages(
     model: Model, F_0: float, message: str | None, codes: Remark, makes: Any, found: Answer
 ) -> dict[str, str | Remark]:
-    """What there is to say beside an answer, made when it is read; `makes` makes the message where there is none."""
+    """The message and diagnostics of an answer, made when they are read; `makes` makes the message if there is none."""
     centred = isinstance(found, SteadyStates)  # `_centred` has looked at these
-    beside = diagnostics.of_one(model, F_0, *_states(found), centred=centred) | codes
-    said = makes(found)["message"] if message is None else message
-    return {"message": joined(said, *diagnostics.in_words(beside, model, F_0)), "remarks": beside}
+    remarks = diagnostics.of_one(model, F_0, *_states(found), centred=centred) | codes
+    text = makes(found)["message"] if message is None else message
+    return {"message": joined(text, *diagnostics.messages(remarks, model, F_0)), "remarks": remarks}
 
 
 def _in_range(what: str, values: Any) -> Floats:

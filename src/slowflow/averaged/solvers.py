@@ -41,8 +41,8 @@ def check(status: int, model: Model, F_0: float | None = None) -> None:
     if status == Status.NO_MEMORY:
         raise MemoryError
     if status == Status.NO_BOUND:
-        alone = model.inertial and model.zeta == model.m == model.laws.eta == 0
-        if alone and model.spring == "none" and F_0 is not None:
+        undamped = model.inertial and model.zeta == model.m == model.laws.eta == 0
+        if undamped and model.spring == "none" and F_0 is not None:
             raise NotSettled(messages.EVERYWHERE.format(float(dissipation.full_by_inertia(F_0, model.d))))
         # where there is a bound, up to it squares leave the range of doubles
         if model.laws.any and F_0 is not None and backend.SOLVER.amplitude_bound(model.native, F_0)[1] < math.inf:
@@ -54,7 +54,7 @@ def check(status: int, model: Model, F_0: float | None = None) -> None:
 
 
 def remark_of(model: Model, F_0: float, lowest: float = 0.0) -> str:
-    """Where a response is cut, in words; lowest: the lowest Omega that is asked for."""
+    """A message on where a response is cut; lowest: the lowest Omega of the query."""
     if model.sticks(F_0):
         return ""
     if model.zeta == 0 and not model.laws.any:
@@ -102,7 +102,7 @@ def folds(model: Model, F_0: float) -> SaddleNodes:
     status, Omega, A, up, corner, undecided = backend.SOLVER.saddle_nodes(model.native, F_0)
     check(status, model, F_0)
     message, cut = messages.of_folds(model, F_0, A.size > 0 or undecided, remark_of(model, F_0))
-    codes = messages.beside(undecided, cut)
+    codes = messages.codes(undecided, cut)
     columns = {"Omega": Omega, "A": A, "kind": FOLD_KINDS.take(up), "corner": corner}
     return SaddleNodes._made(**columns, F_0=F_0, message=message, remarks=codes, _model=model)
 
@@ -119,8 +119,8 @@ def onset(model: Model) -> SaddleNodeOnset:
     check(status, model, at_rest if model.laws.any else None)  # the forcing that no amplitude bounds
     if status == Status.UNBOUNDED:  # at_rest is what the level comes down to
         no_lowest = messages.STIFF_AT_REST if model.zeta > 0 else messages.NO_LOWEST
-        said = no_lowest.format(model.m) if at_rest < math.inf else messages.OPEN
-        return SaddleNodeOnset(None, None, None, "", said, _status=Status.UNBOUNDED)
+        message = no_lowest.format(model.m) if at_rest < math.inf else messages.OPEN
+        return SaddleNodeOnset(None, None, None, "", message, _status=Status.UNBOUNDED)
     return messages.with_folds_at_rest(model, SaddleNodeOnset(None, None, None, "", messages.NO_ONSET), at_rest)
 
 
@@ -131,8 +131,8 @@ def detachment(model: Model) -> Detachment:
         raise OutOfRange(messages.BEYOND_RANGE.format(model.breakpoints[0]))
     if status == Status.NONE:
         ends = model.breakpoints
-        said = messages.NOT_REACHED.format(ends[0], model.full_level(ends[0])) if ends else messages.NO_DETACHMENT
-        return Detachment(None, None, None, said)
+        message = messages.NOT_REACHED.format(ends[0], model.full_level(ends[0])) if ends else messages.NO_DETACHMENT
+        return Detachment(None, None, None, message)
     return Detachment._made(F_cr=F_cr, Omega_cr=Omega_cr, u_cr=u_cr, message="", remarks=NOTHING)
 
 
@@ -140,14 +140,14 @@ def peak(model: Model, F_0: float, most: float = math.inf) -> Peak:
     """The highest peak at F_0 > m with an amplitude up to `most`."""
     status, A, Omega = backend.SOLVER.peak(model.native, F_0, most)
     if status == Status.STICKS:
-        told = partial(messages.sticks, model, F_0)
-        return Peak._made(A=None, Omega=None, F_0=F_0, message=told, remarks=NOTHING, _status=Status.STICKS)
+        message = partial(messages.sticks, model, F_0)
+        return Peak._made(A=None, Omega=None, F_0=F_0, message=message, remarks=NOTHING, _status=Status.STICKS)
     if status == Status.UNRESOLVED and A > 0:
         raise NotSettled(messages.PEAK_AT.format(F_0, A))
     check(status, model, F_0)
     if status == Status.UNBOUNDED:
-        said = remark_of(model, F_0) if model.zeta > 0 or model.laws.any else messages.NO_PEAK
-        return Peak(None, None, F_0, said, _status=Status.UNBOUNDED)
+        reason = remark_of(model, F_0) if model.zeta > 0 or model.laws.any else messages.NO_PEAK
+        return Peak(None, None, F_0, reason, _status=Status.UNBOUNDED)
     if status == Status.NONE:
         return messages.no_top(model, F_0, most)
     return Peak._made(A=A, Omega=Omega, F_0=F_0, message="", remarks=NOTHING)
@@ -184,7 +184,7 @@ def frequency_response(model: Model, F_0: float, samples: int, window: tuple[flo
     message = remark if A.size else partial(messages.empty_window, model, F_0, window, remark)
     columns = {"Omega": Omega, "A": A, "stable": stable, "branch": branch, "isola": tuple(isola.tolist())}
     columns |= {"Omega_undecided": NO_NUMBER}
-    codes = messages.beside(undecided, remark)
+    codes = messages.codes(undecided, remark)
     return FrequencyResponse._made(**columns, F_0=F_0, message=message, remarks=codes, _model=model)
 
 
@@ -195,5 +195,5 @@ def states(model: Model, Omega: Floats, F_0: float) -> SteadyStates:
     remark = remark_of(model, F_0, float(np.min(Omega, initial=np.inf)))
     message = partial(messages.of_states, model, F_0, remark, Omega, at, undecided)
     columns = {"Omega": at, "A": A, "stable": stable, "Omega_undecided": undecided}
-    codes = messages.beside(undecided.size > 0, remark)
+    codes = messages.codes(undecided.size > 0, remark)
     return SteadyStates._made(**columns, F_0=F_0, message=message, remarks=codes, _model=model)

@@ -62,12 +62,12 @@ def unsustained(flow: SlowFlow, Omega: Any, A: Any) -> Flags:
     column = partial(_column, size=len(A))
     parameters = tuple(map(column, flow.parameters))
     with np.errstate(all="ignore"):  # amplitudes of any size, and none
-        places = WITHIN * np.fmax.reduce(A, axis=-1, keepdims=True) * (np.arange(1, SIGNS + 1) / SIGNS)
+        positions = WITHIN * np.fmax.reduce(A, axis=-1, keepdims=True) * (np.arange(1, SIGNS + 1) / SIGNS)
         # a state is looked at from half the amplitude on at which the force has changed its sign: beyond the reach too,
         # which may be the very top of the well
-        force = by_piece(mechanism.pieces, mechanism.breakpoints(*parameters), places, parameters)
+        force = by_piece(mechanism.pieces, mechanism.breakpoints(*parameters), positions, parameters)
         turned = (force < 0) & _pulls_back(mechanism, parameters)
-        first = np.where(turned, places, np.inf).min(axis=-1, keepdims=True) / WITHIN
+        first = np.where(turned, positions, np.inf).min(axis=-1, keepdims=True) / WITHIN
         may = np.flatnonzero((A >= first).any(axis=-1))
         for some in (may[begin : begin + AT_ONCE] for begin in range(0, len(may), AT_ONCE)):
             near = A[some] >= first[some]
@@ -81,27 +81,27 @@ def _pulls_back(mechanism: Mechanism, parameters: tuple[Any, ...]) -> Flags:
     return np.asarray((np.asarray(h) <= 0) & (np.asarray(h_A) < 0))
 
 
-def _unsustained(flow: SlowFlow, Omega: Floats, A: Floats, wanted: Flags) -> Flags:
-    """The same of some designs, along the first axis, and of the states that are wanted."""
+def _unsustained(flow: SlowFlow, Omega: Floats, A: Floats, selected: Flags) -> Flags:
+    """The same of some designs, along the first axis, and of the selected states."""
     takes = flow.sine(Omega, A)
     level = slow_flow.level(Omega, A, takes, 0.0, flow.averaged(A)[0])
-    wanted = wanted & (takes >= RESONANT * level)
+    selected = selected & (takes >= RESONANT * level)
     found = np.zeros(A.shape, dtype=bool)
-    if not wanted.any():
+    if not selected.any():
         return found
-    own = np.where(wanted, A, np.nan)
+    own = np.where(selected, A, np.nan)
     low, high = np.fmin.reduce(own, axis=-1), np.fmax.reduce(own, axis=-1)
     a = np.geomspace((1 - AMPLITUDES) * low, (1 + AMPLITUDES) * high, MOTIONS, axis=-1)
     omega, J, A_1 = free_motions(flow.mechanism, flow.parameters, a)
-    row, place = np.nonzero(wanted)
+    row, place = np.nonzero(selected)
     A, Omega, level = (values[row, place][:, np.newaxis] for values in (A, Omega, level))
     a, omega, J, A_1 = (values[row] for values in (a, omega, J, A_1))
-    beside = np.clip(omega, (1 - FREQUENCIES) * Omega, (1 + FREQUENCIES) * Omega)
-    mean = J / (np.pi * a * a) * beside / omega
+    nearby = np.clip(omega, (1 - FREQUENCIES) * Omega, (1 + FREQUENCIES) * Omega)
+    mean = J / (np.pi * a * a) * nearby / omega
     sine = flow.each(itemgetter(row)).sine(mean, a)
-    needed = np.hypot(a * (beside**2 - omega**2), a / A_1 * sine)
-    given = level * (beside / Omega) ** 2 if flow.inertial else level
-    found[row, place] = ~((needed <= given) & (np.abs(a / A - 1) <= AMPLITUDES)).any(axis=-1)
+    needed = np.hypot(a * (nearby**2 - omega**2), a / A_1 * sine)
+    available = level * (nearby / Omega) ** 2 if flow.inertial else level
+    found[row, place] = ~((needed <= available) & (np.abs(a / A - 1) <= AMPLITUDES)).any(axis=-1)
     return found
 
 

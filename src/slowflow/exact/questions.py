@@ -11,7 +11,7 @@ import numpy as np
 
 from slowflow import validate
 from slowflow.answer import joined
-from slowflow.averaged.diagnostics import WORDS
+from slowflow.averaged.diagnostics import MESSAGES
 from slowflow.exact import response, shooting
 from slowflow.exact.motion import check_forcing, must_stick, stays_at_rest, sticking_message
 from slowflow.exact.sweep import Sweep
@@ -298,7 +298,7 @@ def _beyond_reach(averaged: Any, A: float) -> str:
     model = averaged.model
     if A <= model.reach:
         return ""
-    return WORDS[Remark.BEYOND_REACH].format(reach=model.reach, reason=model.mechanism.reach_reason)
+    return MESSAGES[Remark.BEYOND_REACH].format(reach=model.reach, reason=model.mechanism.reach_reason)
 
 
 def shocks(averaged: Any, system: EquationOfMotion, acceleration: Any, duration: Any) -> ShockSpectrum:

@@ -9,7 +9,7 @@ import numpy as np
 
 from slowflow import progress, validate
 from slowflow.averaged.batches import Batch
-from slowflow.averaged.chunks import share
+from slowflow.averaged.chunks import map_chunks
 from slowflow.averaged.many import Designs
 from slowflow.averaged.queries import failed
 from slowflow.backend import EXACT
@@ -140,7 +140,7 @@ def _solve(
 
     size = max(1, CHUNK_ARCS // (OVERHEAD + arcs.shape[-2]))
     chunks = (slice(first, first + size) for first in range(0, batched.size, size))
-    share(solve, chunks, threads, lambda part: batched[part].size, batched.size)
+    map_chunks(solve, chunks, threads, lambda part: batched[part].size, batched.size)
     A, tau_A, a_max, tau_a, tau_detaches, sticks, u_end, stable = np.moveaxis(numbers.reshape(*shape, 8), -1, 0).copy()
     flags = {"detaches": ~np.isnan(tau_detaches), "rests": sticks == 1, "status": status.reshape(shape)}
     flags["stands"] = np.nan_to_num(stable)

@@ -18,7 +18,7 @@ from slowflow.isolating import Level
 from slowflow.mechanism import Flags
 from slowflow.model import Floats, Model
 from slowflow.off_centre import sensitivities
-from slowflow.off_centre.sensitivities import Given
+from slowflow.off_centre.sensitivities import Design
 from slowflow.results import NOT_MEASURED, Remark
 from slowflow.table import QUESTIONS
 from slowflow_kernels.conventions import Pinned
@@ -71,7 +71,7 @@ class RestPositions(Table):
         Where two places meet, and where one is a breakpoint of the force, there is none, and `.status` and `.message`
         say so. Raises NotAvailable where it is not known how the force moves with the design.
         """
-        return sensitivities.of_rest(Given.of(self._model, self.load), self.u)
+        return sensitivities.of_rest(Design.of(self._model, self.load), self.u)
 
 
 #: of each answer the question that it is to, and what its points are, of `Pinned`. A detachment at rest stays there, as
@@ -95,7 +95,7 @@ _POINTS: Mapping[str, tuple[str, Callable[[Any], Any]]] = {
 
 
 def gradient(found: Any) -> Gradient:
-    """How the numbers of an answer move with the parameters, the load, and what was asked at, exactly.
+    """The exact sensitivities of an answer to the parameters, the load and the arguments of the query.
 
     Raises NotAvailable where it is not known how the force moves with the design, and of a peak at which the mean turns
     back.
@@ -107,11 +107,11 @@ def gradient(found: Any) -> Gradient:
             raise validate.NotAvailable(WITHIN)
         if found.Omega != found.Omega_max:  # u_max is that of another motion
             names = names[:-1]
-    given, called = Given.of(found._model, found.load), {CALLED.get(name, name): name for name in names}
+    design, called = Design.of(found._model, found.load), {CALLED.get(name, name): name for name in names}
     point = tuple(getattr(found, called.get(one, one)) for one in ("A", "B", "Omega", "F_0"))
     if question == "isolation" and not found.at_fold:
-        return sensitivities.of_isolation(given, point, Level.of(found.level_dB).ratio)
+        return sensitivities.of_isolation(design, point, Level.of(found.level_dB).ratio)
     if question == "detachment":  # of the piece alone to whose end it comes
-        given = given.first()
+        design = design.first()
     of = {name: one for one, name in called.items()}
-    return sensitivities.gradient(given, kinds(found), point, of, QUESTIONS[question].takes)
+    return sensitivities.gradient(design, kinds(found), point, of, QUESTIONS[question].takes)

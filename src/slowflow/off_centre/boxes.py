@@ -86,7 +86,7 @@ def _solve(equations: Equations, low: Floats, high: Floats, of: Ints) -> Solutio
         ends = np.maximum(low - around, least), np.minimum(high + around, most_)
         x_wide = 0.5 * (ends[0] + ends[1])
         wide = np.maximum(ends[1] - x_wide, x_wide - ends[0])
-        middle, values, slopes, *held = equations.on(ends[0], x_wide, ends[1], of)
+        middle, values, slopes, *bounds = equations.on(ends[0], x_wide, ends[1], of)
         none = ((values[0] > 0) | (values[1] < 0)).any(axis=0)
         # by how much slopes can move the value in the middle
         reach = np.einsum("ijn,jn->in", np.max(np.abs(slopes), axis=0), wide) * (1 + 2.0**-48)
@@ -94,8 +94,8 @@ def _solve(equations: Equations, low: Floats, high: Floats, of: Ints) -> Solutio
         centre, radius, floor = _krawczyk(middle, x_wide, wide, slopes)
         none |= ((centre - radius > high) | (centre + radius < low)).any(axis=0)
         inside = (np.abs(centre - x_wide) + radius < wide).all(axis=0) & ~none
-        held.append(_each_equation(middle, x_wide, wide, slopes))
-        for holds in held:
+        bounds.append(_each_equation(middle, x_wide, wide, slopes))
+        for holds in bounds:
             low, high = np.fmax(low, holds[0]), np.fmin(high, holds[1])
             none |= (low > high).any(axis=0)
             inside &= ~none
@@ -114,8 +114,8 @@ def _solve(equations: Equations, low: Floats, high: Floats, of: Ints) -> Solutio
         # a proof has to be wider than the roundings that it holds
         doubt = 2 * np.tile(np.where(np.isfinite(floor), floor, 0.0)[:, left], 2)
         low, high, of = _cut(low, high, of[left], slopes[..., left])
-    undecided, undecided_of = (np.concatenate(parts, axis=-1) for parts in zip(*open_, strict=True))
-    x, middle, wide, of = (np.concatenate(parts, axis=-1) for parts in zip(*found, strict=True))
+    undecided, undecided_of = (np.concatenate(pieces, axis=-1) for pieces in zip(*open_, strict=True))
+    x, middle, wide, of = (np.concatenate(pieces, axis=-1) for pieces in zip(*found, strict=True))
     if of.size:
         x = _refined(equations, x, of, wide)
     kept = _once(x, middle, wide, of)

@@ -35,13 +35,13 @@ def numbers_of(rows: Any, d: int, n: int) -> tuple[Floats, Floats]:
 class ByEnds(Equations):
     """What both share.
 
-    given -- the frequencies or the forcings
+    values -- the frequencies or the forcings
     """
 
     unknowns = 2
 
-    def __init__(self, charts: Charts, flow: Flow, given: Floats) -> None:
-        self.charts, self.flow, self.given = charts, flow, given
+    def __init__(self, charts: Charts, flow: Flow, values: Floats) -> None:
+        self.charts, self.flow, self.values = charts, flow, values
 
     def chart(self, of: Ints) -> Ints:
         """Of a system."""
@@ -99,12 +99,12 @@ class EndedState(ByEnds):
         """See `boxes.Equations`."""
         both, nowhere = self._on(low, x, high, of)
         number, known = self.number(of), (self.flow.damping, self.charts.steps.load)
-        return self._found(SOLVER.ended_state(both, self.given[number], self.force[number], *known), nowhere)
+        return self._found(SOLVER.ended_state(both, self.values[number], self.force[number], *known), nowhere)
 
     def by_motion(self, z: Floats, of: Ints) -> tuple[Floats, Floats]:
         """See `ByEnds`."""
         slow = Slow(self.charts.steps, self.flow, self.F_0)
-        return numbers_of(slow.state(self.given[self.number(of)], z), 2, of.size)
+        return numbers_of(slow.state(self.values[self.number(of)], z), 2, of.size)
 
 
 class EndedFold(ByEnds):
@@ -119,7 +119,7 @@ class EndedFold(ByEnds):
         """See `boxes.Equations`."""
         both, nowhere = self._on(low, x, high, of)
         R = np.stack((np.stack((low[2], high[2]), axis=1), np.stack((x[2], x[2]), axis=1)))
-        known = *self.flow.forcing(self.given[self.number(of)]), self.flow.damping, self.charts.steps.load
+        known = *self.flow.forcing(self.values[self.number(of)]), self.flow.damping, self.charts.steps.load
         rows = SOLVER.ended_fold(both, R, *known, self.charts.has_centre)
         holds = np.stack((np.full_like(x, -np.inf), np.full_like(x, np.inf)))
         holds[:, 2] = rows[0, :, -2:].T
@@ -129,7 +129,7 @@ class EndedFold(ByEnds):
         """See `ByEnds`."""
         means = self.charts.steps.at(z[0], z[1], 2)
         m, zeta, eta, d = self.flow.damping
-        known = *self.flow.forcing(self.given[self.number(of)]), m, eta, zeta, d, self.charts.steps.load
+        known = *self.flow.forcing(self.values[self.number(of)]), m, eta, zeta, d, self.charts.steps.load
         return numbers_of(off_centre.fold(z[2], z[0], *known, *means.c, *means.s), 3, of.size)
 
 
@@ -175,8 +175,8 @@ class EndedEdge(Equations):
 
     def limits(self, of: Ints) -> tuple[Any, Any]:
         """See `boxes.Equations`."""
-        along = 1 - self.edge
-        return self.charts.low[along, of][np.newaxis], self.charts.high[along, of][np.newaxis]
+        axis = 1 - self.edge
+        return self.charts.low[axis, of][np.newaxis], self.charts.high[axis, of][np.newaxis]
 
     def on(self, low: Floats, x: Floats, high: Floats, of: Ints) -> tuple[Floats, ...]:
         """See `boxes.Equations`."""

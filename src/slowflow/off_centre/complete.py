@@ -135,8 +135,8 @@ class Complete:
     def _highest_by_octaves(self, edge: int, charts: Ints) -> float:
         """The same of a piece that is no polynomial: beyond it the mean of the force is never the load."""
         edges = self._steps.size * 2.0 ** np.arange(0, OCTAVES + 0.25, 0.5)
-        along = 2 * edges if not self.sheets.charts.rooted[1 - edge, charts[0]] else np.sqrt(2 * edges)
-        low, high = along[np.newaxis, :-1], along[np.newaxis, 1:]
+        distances = 2 * edges if not self.sheets.charts.rooted[1 - edge, charts[0]] else np.sqrt(2 * edges)
+        low, high = distances[np.newaxis, :-1], distances[np.newaxis, 1:]
         with np.errstate(all="ignore"):
             of = np.repeat(charts, low.size)
             _, found, _ = EndedEdge(self.sheets.charts, edge).on(low, 0.5 * (low + high), high, of)

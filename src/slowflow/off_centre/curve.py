@@ -341,11 +341,11 @@ def _arm(of: Slow, Omega: Floats, x: Floats) -> Floats:
 
 def _points(of: Slow, skeleton: _Skeleton, tours: list[tuple[list[Node], bool]], points: int) -> Curves:
     """The nodes, and between two of them points by Newton's method, which has one state to go to there."""
-    places = [np.array([skeleton.place(node) for node in tour]).T for tour, _ in tours]
-    weights = [_weights(place) for place in places]
+    nodes = [np.array([skeleton.place(node) for node in tour]).T for tour, _ in tours]
+    weights = [_weights(place) for place in nodes]
     total = sum(float(weight.sum()) for weight in weights) or 1.0
     columns, branch = [np.empty((3, 0))], [np.empty(0, dtype=np.intp)]
-    for number, ((tour, _), place, weight) in enumerate(zip(tours, places, weights, strict=True)):
+    for number, ((tour, _), place, weight) in enumerate(zip(tours, nodes, weights, strict=True)):
         is_fold = np.array([node.at < 0 for node in tour])
         inner = np.ceil(points * weight / total).astype(int) - 1
         found, order = _between(of, place, is_fold, inner)
@@ -364,17 +364,17 @@ def _weights(place: Floats) -> Floats:
 
 
 def _between(of: Slow, place: Floats, is_fold: Flags, inner: Ints) -> tuple[Floats, Floats]:
-    """Omega, A, B of points between neighbours, and where in the order each stands.
+    """Omega, A, B of points between neighbours, and their positions in the order.
 
-    What Newton's method does not bring near enough to what its neighbours tell is asked again once there are nearer
+    What Newton's method does not bring near enough to what its neighbours predict is repeated once there are nearer
     ones: so the points climb a resonance from both sides.
     """
     step = np.repeat(np.arange(inner.size), np.maximum(inner, 0))
     first = np.cumsum(np.maximum(inner, 0)) - np.maximum(inner, 0)
     fraction = (np.arange(step.size) - first[step] + 1) / (inner[step] + 1)
     # next to a fold A and B go as the root of the frequency
-    along = np.where(is_fold[step], fraction**2, np.where(is_fold[step + 1], 1 - (1 - fraction) ** 2, fraction))
-    Omega, order = place[0, step] + (place[0, step + 1] - place[0, step]) * along, step + fraction
+    position = np.where(is_fold[step], fraction**2, np.where(is_fold[step + 1], 1 - (1 - fraction) ** 2, fraction))
+    Omega, order = place[0, step] + (place[0, step + 1] - place[0, step]) * position, step + fraction
     known, key, folded = place, np.arange(place.shape[1], dtype=float), is_fold
     for _ in range(PASSES):
         if not order.size:
@@ -394,7 +394,7 @@ def _between(of: Slow, place: Floats, is_fold: Flags, inner: Ints) -> tuple[Floa
 
 
 def _near(of: Slow, Omega: Floats, ends: tuple[Floats, Floats], folds: tuple[Flags, Flags]) -> tuple[Floats, Flags]:
-    """States (2, n) at frequencies between neighbours, and which of them are as near as these tell."""
+    """States (2, n) at frequencies between neighbours, and which of them are as near as these predict."""
     (start, end), (from_fold, to_fold) = ends, folds
     span = end[0] - start[0]
     part = np.clip((Omega - start[0]) / span, 0.0, 1.0)
@@ -407,8 +407,8 @@ def _near(of: Slow, Omega: Floats, ends: tuple[Floats, Floats], folds: tuple[Fla
         guess[:, smooth] = _cubic(fraction[smooth], start[1:, smooth], end[1:, smooth], *slopes)
         apart[smooth] = 0.5 * (apart[smooth] + np.maximum(*(np.abs(slope).max(axis=0) for slope in slopes)))
     x, change = _newton(of, Omega, guess)
-    beside = np.minimum(np.abs(x - start[1:]).max(axis=0), np.abs(x - end[1:]).max(axis=0))
-    near = np.where(smooth, np.abs(x - guess).max(axis=0), beside) <= apart
+    nearest = np.minimum(np.abs(x - start[1:]).max(axis=0), np.abs(x - end[1:]).max(axis=0))
+    near = np.where(smooth, np.abs(x - guess).max(axis=0), nearest) <= apart
     inner = np.where(from_fold, end, start)
     near &= (_arm(of, Omega, x) == _arm(of, inner[0], inner[1:])) | (from_fold & to_fold)
     return x, near & (np.abs(change).max(axis=0) <= 1e-9 * np.abs(x).max(axis=0))

@@ -37,9 +37,9 @@ TOGETHER = 1 << 20
 _OUT = np.array([[-(2.0**-48)], [2.0**-48]])
 
 _AT, _WEIGHTS = np.polynomial.legendre.leggauss(NODES)
-_SHARE = np.linspace(0.0, 1.0, PANELS + 1)
+_FRACTIONS = np.linspace(0.0, 1.0, PANELS + 1)
 #: dense where a motion turns, about which a stiff force acts
-_EDGES = np.pi * _SHARE**2 * (3 - 2 * _SHARE)
+_EDGES = np.pi * _FRACTIONS**2 * (3 - 2 * _FRACTIONS)
 _INSIDE = _EDGES[:-1, np.newaxis] + 0.5 * (1 + _AT) * np.diff(_EDGES)[:, np.newaxis]
 #: cosine at the edges of the panels
 _COSINE = np.cos(_EDGES)
@@ -62,20 +62,20 @@ def _rule(panels: int) -> tuple[Floats, Floats]:
     """Nodes (k, 1) on panels of (0, 1), and weights (k,) of means over the cycle, of which it is the half."""
     x = ((np.arange(panels)[:, np.newaxis] + 0.5 * (1 + _AT)) / panels).ravel()
     # dense next to both ends, in the third power
-    share = (x**3 * (10 - 15 * x + 6 * x * x))[:, np.newaxis]
-    return share, np.tile(_WEIGHTS, panels) / (2 * panels * np.pi) * 30 * (x * (1 - x)) ** 2
+    fraction = (x**3 * (10 - 15 * x + 6 * x * x))[:, np.newaxis]
+    return fraction, np.tile(_WEIGHTS, panels) / (2 * panels * np.pi) * 30 * (x * (1 - x)) ** 2
 
 
 class Part(NamedTuple):
     """A piece of the force with its numbers.
 
-    law, held -- f and three derivatives at u, and on intervals of u
-    mirrored  -- whether these are of -f(-u)
-    line      -- what the steps are on it: a + b u
+    law, enclosed -- f and three derivatives at u, and on intervals of u
+    mirrored      -- whether these are of -f(-u)
+    line          -- what the steps are on it: a + b u
     """
 
     law: Any
-    held: Any
+    enclosed: Any
     mirrored: bool
     line: tuple[float, float]
 
@@ -93,7 +93,7 @@ class Part(NamedTuple):
     def force(self, u: Interval) -> list[Interval]:
         """f and three derivatives on intervals."""
         at = Elementary(-u.ends[::-1] if self.mirrored else u.ends)
-        values = [Interval.like(one, at) for one in self.held(at)]
+        values = [Interval.like(one, at) for one in self.enclosed(at)]
         return [one if n % 2 else -one for n, one in enumerate(values)] if self.mirrored else values
 
     def on(self, u: Interval) -> list[Interval]:
@@ -126,10 +126,10 @@ class Curved:
     """
 
     def __init__(
-        self, parts: Sequence[Part], ends: Floats, bends: Floats, walls: tuple[float, float] = (-np.inf, np.inf)
+        self, pieces: Sequence[Part], ends: Floats, bends: Floats, walls: tuple[float, float] = (-np.inf, np.inf)
     ) -> None:
         self.walls = walls
-        self.parts, self.ends, self.bends = tuple(parts), ends, bends
+        self.pieces, self.ends, self.bends = tuple(pieces), ends, bends
         self._edges = np.concatenate(([-np.inf], ends, [np.inf]))
         #: u = 0 too, about which a force acts that is small beside the motion
         self._cuts = np.unique(np.append(ends, 0.0))
@@ -137,15 +137,15 @@ class Curved:
 
     def first(self) -> Curved:
         """The piece about u = 0 alone, as if it held everywhere."""
-        return Curved([self.parts[int((self.ends < 0).sum())]], np.empty(0), np.empty(0))
+        return Curved([self.pieces[int((self.ends < 0).sum())]], np.empty(0), np.empty(0))
 
     # ==== Numbers =====================================================================================================
 
     def at(self, A: Floats, B: Floats, orders: int) -> tuple[list[Floats], list[Floats]]:
-        """c_n and s_n for n up to `orders`, at most 3, of which the last are as near as sums of the others ask for."""
-        asked = [(n, p) for n in range(orders + 1) for p in (0, 1)]
+        """c_n and s_n for n up to `orders`, at most 3, of which the last are as near as sums of the others require."""
+        moments = [(n, p) for n in range(orders + 1) for p in (0, 1)]
         with np.errstate(all="ignore"):
-            found = self._moments(A, B, asked)[0]
+            found = self._moments(A, B, moments)[0]
             if orders >= 3 and self.bends.any():
                 a = self.ends[:, np.newaxis] - B
                 root = np.sqrt((A - a) * (A + a))
@@ -154,27 +154,27 @@ class Curved:
                     found[row] += (self.bends[:, np.newaxis] * np.where(passed, value, 0.0)).sum(axis=0)
         return list(found[0::2]), list(found[1::2])
 
-    def _moments(self, A: Floats, B: Floats, asked: Sequence[tuple[int, int]]) -> tuple[Floats, Floats]:
-        """<r^(n) cos^p> for each (n, p), and the mean of what that is rounded by: (asked, n).
+    def _moments(self, A: Floats, B: Floats, moments: Sequence[tuple[int, int]]) -> tuple[Floats, Floats]:
+        """<r^(n) cos^p> for each (n, p), and the mean of what that is rounded by: (moments, n).
 
         A motion with a negative A is one turned by half.
         """
         turn, A = np.where(A < 0, -1.0, 1.0), np.abs(A)
-        highest = max(n for n, _ in asked)
-        found, size = np.zeros((2, len(asked), A.size))
+        highest = max(n for n, _ in moments)
+        found, size = np.zeros((2, len(moments), A.size))
         angles = self._angles(A, B)
         within = (B - A > self.walls[0]) & (B + A < self.walls[1])
         # a half cycle between two cuts is on the piece that ends at the upper one
         for cut, number in enumerate(self._of_cut.tolist()):
-            part, low, high = self.parts[number], angles[cut + 1], angles[cut]
+            part, low, high = self.pieces[number], angles[cut + 1], angles[cut]
             for first in range(0, A.size, step := max(1, TOGETHER // (NODES * 8 * (highest + 1)))):
                 some = np.arange(first, min(first + step, A.size))
                 some = some[within[some] & (high[some] > low[some])]
                 if some.size:
-                    own = self._settled(part, number, (A[some], B[some], low[some], high[some]), asked)
+                    own = self._settled(part, number, (A[some], B[some], low[some], high[some]), moments)
                     found[:, some] += own[0]
                     size[:, some] += own[1]
-        for row, (_, p) in enumerate(asked):
+        for row, (_, p) in enumerate(moments):
             found[row] *= turn**p
         found[:, ~within] = np.nan
         return found, size
@@ -187,15 +187,15 @@ class Curved:
         return np.concatenate((np.full((1, A.size), np.pi), found, np.zeros((1, A.size))))
 
     def _settled(
-        self, part: Part, number: int, motion: tuple[Floats, ...], asked: Sequence[tuple[int, int]]
+        self, part: Part, number: int, motion: tuple[Floats, ...], moments: Sequence[tuple[int, int]]
     ) -> tuple[Floats, Floats]:
-        """Over the angles at which motions are on one piece; NaN where sums do not settle."""
+        """Over the angles at which motions are on one piece; NaN where sums do not converge."""
         n = motion[0].size
-        sure = np.array([n < 3 for n, _ in asked])
-        value, size, left = np.full((len(asked), n), np.nan), np.full((len(asked), n), np.nan), np.arange(n)
+        sure = np.array([n < 3 for n, _ in moments])
+        value, size, left = np.full((len(moments), n), np.nan), np.full((len(moments), n), np.nan), np.arange(n)
         last, panels = None, 2
         while left.size and panels <= MOST_PANELS:
-            now, wide = self._summed(part, number, tuple(one[left] for one in motion), asked, panels)
+            now, wide = self._summed(part, number, tuple(one[left] for one in motion), moments, panels)
             if last is not None:
                 done = (np.abs(now - last) <= AGREED * wide)[sure].all(axis=0)
                 value[:, left[done]], size[:, left[done]] = now[:, done], wide[:, done]
@@ -210,19 +210,19 @@ class Curved:
         part: Part,
         number: int,
         motion: tuple[Floats, ...],
-        asked: Sequence[tuple[int, int]],
+        moments: Sequence[tuple[int, int]],
         panels: int,
     ) -> tuple[Floats, Floats]:
         A, B, low, high = motion
-        share, weight = _rule(panels)
+        fraction, weight = _rule(panels)
         weight = weight * (high - low)[:, np.newaxis]
-        cosine = np.cos(low + (high - low) * share)
+        cosine = np.cos(low + (high - low) * fraction)
         u = np.clip(B + A * cosine, self._edges[number], self._edges[number + 1])
         values, sizes = part.at(u, np.abs(A) + np.abs(B))
         powers = (cosine, cosine * cosine)
-        found = [np.einsum("kn,nk->n", values[n] * powers[p - 1] if p else values[n], weight) for n, p in asked]
-        size = {n: np.einsum("kn,nk->n", sizes[n], weight) for n in {n for n, _ in asked}}
-        return np.array(found), np.array([size[n] for n, _ in asked])
+        found = [np.einsum("kn,nk->n", values[n] * powers[p - 1] if p else values[n], weight) for n, p in moments]
+        size = {n: np.einsum("kn,nk->n", sizes[n], weight) for n in {n for n, _ in moments}}
+        return np.array(found), np.array([size[n] for n, _ in moments])
 
     # ==== Boxes =======================================================================================================
 
@@ -236,10 +236,10 @@ class Curved:
         radius = [
             np.maximum(one.hi - at, at - one.lo) * (1 + 2.0**-50) for one, at in zip((top, bottom), centre, strict=True)
         ]
-        asked = [(0, 0), (0, 1), (1, 0), (1, 1), (2, 0), (2, 1), (2, 2)]
+        moments = [(0, 0), (0, 1), (1, 0), (1, 1), (2, 0), (2, 1), (2, 2)]
         # boxes and their middles come together
         both, which = np.unique(np.stack((centre[0] - centre[1], centre[0] + centre[1])), axis=1, return_inverse=True)
-        values, sizes = (one[:, which.ravel()] for one in self._moments(0.5 * both[0], 0.5 * both[1], asked))
+        values, sizes = (one[:, which.ravel()] for one in self._moments(0.5 * both[0], 0.5 * both[1], moments))
         c_0, s_0, c_1, s_1, c_2, s_2, q_2 = values
         near = [c_0, s_0, c_1 + s_1, c_1 - s_1, c_2 + 2 * s_2 + q_2, c_2 - q_2, c_2 - 2 * s_2 + q_2]
         doubt = DOUBT * np.stack([sizes[0], sizes[0], *[2 * sizes[2]] * 2, *[4 * sizes[4]] * 3])
@@ -248,10 +248,10 @@ class Curved:
         wide = np.flatnonzero((radius[0] > 0) | (radius[1] > 0))
         if wide.size:
             some = [one.take(wide) for one in at]
-            held = self._around(
+            enclosures = self._around(
                 top.take(wide), bottom.take(wide), [one[wide] for one in centre], [one[wide] for one in radius], some
             )
-            for one, found in zip(at, held, strict=True):
+            for one, found in zip(at, enclosures, strict=True):
                 one.ends[:, wide] = found.ends
         return Ended(*at[:5], *at[6:])
 
@@ -260,23 +260,23 @@ class Curved:
     ) -> list[Interval]:
         """The same as `at`, which is in the middles, on all of boxes."""
         # u rises with both ends: on each panel it is between those of its edges
-        share = 0.5 * (1 + _COSINE)[:, np.newaxis]
-        low, high = (end[0] * share + end[1] * (1 - share) for end in ((top.lo, bottom.lo), (top.hi, bottom.hi)))
+        fraction = 0.5 * (1 + _COSINE)[:, np.newaxis]
+        low, high = (end[0] * fraction + end[1] * (1 - fraction) for end in ((top.lo, bottom.lo), (top.hi, bottom.hi)))
         r, first, second, third = self._on_panels(np.minimum(low[:-1], low[1:]), np.maximum(high[:-1], high[1:]))
 
         def direct(values: Interval, i: int, j: int) -> Interval:
             return _mean(values, _BY_ENDS[i, j])
 
         def near(value: Interval, by_top: Interval, by_bottom: Interval) -> Interval:
-            """Half of what the slopes tell, as A and B move by half as much as an end."""
-            moves = 0.5 * (_size(by_top) * radius[0] + _size(by_bottom) * radius[1]) * (1 + 2.0**-48)
-            return Interval(np.stack((value.lo - moves, value.hi + moves)))
+            """Half of what the slopes bound, as A and B change by half as much as an end."""
+            change = 0.5 * (_size(by_top) * radius[0] + _size(by_bottom) * radius[1]) * (1 + 2.0**-48)
+            return Interval(np.stack((value.lo - change, value.hi + change)))
 
         slopes = {pair: direct(third, *pair) for pair in ((3, 0), (2, 1), (1, 2), (0, 3))}
         squares = {}
         for (i, j), value in zip(((2, 0), (1, 1), (0, 2)), at[4:7], strict=True):
-            moved = near(value, slopes[i + 1, j], slopes[i, j + 1]) + self._jumps(top, bottom, centre, i, j)
-            squares[i, j] = direct(second, i, j).both(moved)
+            expanded = near(value, slopes[i + 1, j], slopes[i, j + 1]) + self._jumps(top, bottom, centre, i, j)
+            squares[i, j] = direct(second, i, j).both(expanded)
         P_1 = direct(first, 1, 0).both(near(at[2], squares[2, 0], squares[1, 1]))
         Q_1 = direct(first, 0, 1).both(near(at[3], squares[1, 1], squares[0, 2]))
         c_0 = direct(r, 0, 0).both(near(at[0], P_1, Q_1))
@@ -306,15 +306,15 @@ class Curved:
         """r and three derivatives on intervals of u, (2, panels, n)."""
         low, high = low - 2.0**-50 * np.abs(low), high + 2.0**-50 * np.abs(high)
         found = [np.stack((np.full(low.shape, np.inf), np.full(low.shape, -np.inf))) for _ in range(4)]
-        for part, (start, end) in zip(self.parts, pairwise(self._edges.tolist()), strict=True):
+        for part, (start, end) in zip(self.pieces, pairwise(self._edges.tolist()), strict=True):
             there: Flags = (low <= end) & (high >= start)
             if not there.any():
                 continue
             u = Interval(np.stack((np.maximum(low[there], start), np.minimum(high[there], end))))
-            for held, value in zip(found, part.on(u), strict=True):
+            for bound, value in zip(found, part.on(u), strict=True):
                 # what is not known of one piece is not known at all
-                held[0][there] = np.where(np.isnan(value.lo), -np.inf, np.minimum(held[0][there], value.lo))
-                held[1][there] = np.where(np.isnan(value.hi), np.inf, np.maximum(held[1][there], value.hi))
+                bound[0][there] = np.where(np.isnan(value.lo), -np.inf, np.minimum(bound[0][there], value.lo))
+                bound[1][there] = np.where(np.isnan(value.hi), np.inf, np.maximum(bound[1][there], value.hi))
         return [Interval(one) for one in found]
 
 

@@ -49,44 +49,44 @@ class OffCentreBatch(Batch):
     """An answer off the centre: `remarks` are those of the single answers, and so are gradients."""
 
     def gradient(self) -> Gradient:
-        """How the numbers of the answer move with the parameters, the load, and what was asked at, for each design.
+        """The sensitivities of the answer to the parameters, the load and the arguments of the query, for each design.
 
         `.slopes` have shape (..., numbers, parameters), behind the shape of the columns; they are those of the single
-        answers, design by design, of which those that are not at hand any more are asked for again. Where there is no
+        answers, design by design, of which those that are not kept are computed again. Where there is no
         answer, and where a single one has no gradient, `.status` and `.message` say so. Of a peak the slopes of `u_max`
         are NaN where another motion has that, and those by eta and c_2 of designs that have neither.
 
         Raises NotAvailable where it is not known how the force moves with the design, and of an answer without one.
         """
-        if (moves := NUMBERS.get(self.question.name)) is None:
+        if (names := NUMBERS.get(self.question.name)) is None:
             raise NotAvailable(NO_GRADIENT)
-        asked = self._asked_at()
-        numbers = {**self._designs.values, **asked}
-        given = dict(zip(numbers, np.broadcast_arrays(*numbers.values()), strict=True))
+        arguments = self._asked_at()
+        numbers = {**self._designs.values, **arguments}
+        known = dict(zip(numbers, np.broadcast_arrays(*numbers.values()), strict=True))
         laws = DISSIPATION if any(one.name in numbers for one in DISSIPATION) else ()
-        by = (*self._designs.mechanism.design_names, *(one.name for one in (*DAMPING, *laws)), "load", *asked)
-        columns = tuple(getattr(self, name) for name in moves)
+        by = (*self._designs.mechanism.design_names, *(one.name for one in (*DAMPING, *laws)), "load", *arguments)
+        columns = tuple(getattr(self, name) for name in names)
         several = columns[0].ndim > self.status.ndim
-        slopes = np.full((*columns[0].shape, len(moves), len(by)), np.nan)
+        slopes = np.full((*columns[0].shape, len(names), len(by)), np.nan)
         status = np.full(columns[0].shape, MovesStatus.NOTHING, np.int8)
         answered = np.isin(self.status, (Status.OK, Status.TOO_MANY))
-        for place, own_numbers, at in self._designs._each(answered, *asked.values()):
+        for place, own_numbers, at in self._designs._each(answered, *arguments.values()):
             single = self._designs._single(tuple(own_numbers))
-            answer = getattr(single, self.question.name)(**dict(zip(asked, at, strict=True)))
+            answer = getattr(single, self.question.name)(**dict(zip(arguments, at, strict=True)))
             if getattr(answer, "_turns", False):  # the peak is on the balance of another mean, too
                 status[place] = MovesStatus.MEETS
                 continue
             found = answer.gradient()
             own = (*place, slice(0, len(found.status))) if several else place
             kept = slice(0, status.shape[-1]) if several else ...
-            for row, name in enumerate(moves):
+            for row, name in enumerate(names):
                 if name in found.of:
-                    told = [by.index(parameter) for parameter in found.by]
-                    slopes[(*own, row)][..., told] = found[name][kept]
+                    indices = [by.index(parameter) for parameter in found.by]
+                    slopes[(*own, row)][..., indices] = found[name][kept]
             status[own] = found.status[kept]
         none = np.zeros(self.status.shape)
-        at = tuple(given.get(name, none)[..., np.newaxis] if several else given.get(name, none) for name in by)
-        return Gradient(moves, by, slopes, status, columns, at)
+        at = tuple(known.get(name, none)[..., np.newaxis] if several else known.get(name, none) for name in by)
+        return Gradient(names, by, slopes, status, columns, at)
 
 
 class OffCentreDesigns(many.Designs):
@@ -123,34 +123,34 @@ class OffCentreDesigns(many.Designs):
         """One design without its load, from its numbers by name. Raises ValueError for one outside its domain."""
         return super().model({name: value for name, value in numbers.items() if name != "load"})
 
-    def _ask(self, question: str, /, *, workers: int = 1, **given: Any) -> Batch:
+    def _ask(self, question: str, /, *, workers: int = 1, **kwargs: Any) -> Batch:
         """The answer to a question by its name, from what its method takes."""
         validate.workers(workers)
         if question == "spectrum":
-            return self._spectrum(**given)
+            return self._spectrum(**kwargs)
         if question in SHOCKS:
             batch = partial(OffCentreBatch, system=OFFSET)
             return shocks_many.answer(
-                self, question, **given, at_rest=lambda one: self._single(tuple(one.values())), batch=batch
+                self, question, **kwargs, at_rest=lambda one: self._single(tuple(one.values())), batch=batch
             )
         row, points = QUESTIONS[question], 0
         one: Callable[..., Found] = _margins if question == "margins" else _columns
-        asked = {name: given.pop(name) for name in (*row.takes, *row.may) if given[name] is not None}
-        options = {name: value for name, value in given.items() if name not in row.may}
+        arguments = {name: kwargs.pop(name) for name in (*row.takes, *row.may) if kwargs[name] is not None}
+        options = {name: value for name, value in kwargs.items() if name not in row.may}
         if question == "frequency_response":
-            options["samples"], options["Omega"] = window = validate.curve(given["samples"], given["Omega"])
+            options["samples"], options["Omega"] = window = validate.curve(kwargs["samples"], kwargs["Omega"])
             one, points = partial(_curve, *window), options["samples"] + MORE_POINTS[OFFSET]
-        return self._answered(Question(question, one, None, 1, OFFSET, points), asked, workers, options)
+        return self._answered(Question(question, one, None, 1, OFFSET, points), arguments, workers, options)
 
     def _spectrum(self, Omega: Any, F_0: Any) -> Batch:
         """Rows with several forcings take some tenths of a second each."""
-        asked = {"Omega": validate.real_array("Omega", Omega), "F_0": validate.real_array("F_0", F_0)}
+        arguments = {"Omega": validate.real_array("Omega", Omega), "F_0": validate.real_array("F_0", F_0)}
         by_rows = {name: value[..., np.newaxis] for name, value in self.values.items()}
         rows = OffCentreDesigns(self.mechanism, by_rows, self.excitation)
-        shape = validate.common_shape({**rows.values, **asked})
-        tones = [np.broadcast_to(value, shape).astype(float) for value in asked.values()]
+        shape = validate.common_shape({**rows.values, **arguments})
+        tones = [np.broadcast_to(value, shape).astype(float) for value in arguments.values()]
         columns = QUESTIONS["spectrum"].blank(OFFSET, shape[:-1], row=shape[-1])
-        said = np.zeros(shape, np.uint16)
+        remarks = np.zeros(shape, np.uint16)
         (status := columns.pop("status"))[...] = Status.INVALID
         for place, own, _ in self._each(np.ones(shape[:-1], dtype=bool)):
             for run in _runs(*(tone[place] for tone in tones)):
@@ -159,11 +159,11 @@ class OffCentreDesigns(many.Designs):
                     continue
                 for name, column in columns.items():
                     column[place][run] = getattr(found, name)
-                said[place][run] = found._remarks
+                remarks[place][run] = found._remarks
                 if run.start:  # what is crossed on the way from a row that is none is not known
                     status[place][run.start] = Status.INVALID
-        given = {"F_0": F_0, "Omega": Omega}
-        return OffCentreBatch("spectrum", {**columns, "status": status}, rows, given, OFFSET, remarks=said)
+        at = {"F_0": F_0, "Omega": Omega}
+        return OffCentreBatch("spectrum", {**columns, "status": status}, rows, at, OFFSET, remarks=remarks)
 
     def _tones(self, numbers: tuple[float, ...], Omega: Floats, F_0: Floats) -> tuple[Spectrum | None, Any]:
         """The rows of one design, and how they fared."""
@@ -179,34 +179,34 @@ class OffCentreDesigns(many.Designs):
         return found, np.where(found.sticks, Status.STICKS, np.where(found.motions > 0, Status.OK, Status.NONE))
 
     def _answered(self, question: Question, at: dict[str, Any], workers: int, options: Mapping[str, Any]) -> Batch:
-        """Columns by the table, design by design; the solvers off the centre use one thread.
+        """Columns by the table, design by design; the solvers of offset motion use one thread.
 
         options -- what the question takes that is the same for all designs
         """
         places = validate.count("places", options["places"], least=1) if "places" in options else 0
-        asked = {name: validate.real_array(name, value) for name, value in at.items()}
-        values = {**self.values, **asked}
+        arguments = {name: validate.real_array(name, value) for name, value in at.items()}
+        values = {**self.values, **arguments}
         shape = validate.common_shape(values)
-        columns, said = question.blank(places, Status.INVALID, shape), np.zeros(shape, np.uint16)
+        columns, remarks = question.blank(places, Status.INVALID, shape), np.zeros(shape, np.uint16)
         at_centre = np.zeros(shape, dtype=bool)
         if self.mechanism.odd and AVERAGING in QUESTIONS[question.name].columns:
             at_centre = np.broadcast_to(self.values["load"] == 0, shape)
-            given = dict(zip(values, np.broadcast_arrays(*values.values()), strict=True))
-            self._at_centre(question.name, at_centre, given, workers, options, columns, said)
-        for place, own, numbers in self._each(~at_centre, *asked.values()):
-            found, said[place] = self._of_one(question, tuple(own), dict(zip(at, numbers, strict=True)), places)
+            known = dict(zip(values, np.broadcast_arrays(*values.values()), strict=True))
+            self._at_centre(question.name, at_centre, known, workers, options, columns, remarks)
+        for place, own, numbers in self._each(~at_centre, *arguments.values()):
+            found, remarks[place] = self._of_one(question, tuple(own), dict(zip(at, numbers, strict=True)), places)
             many._put(list(columns.values()), place, found)
-        return OffCentreBatch(question.name, columns, self, at, OFFSET, remarks=said)
+        return OffCentreBatch(question.name, columns, self, at, OFFSET, remarks=remarks)
 
     def _at_centre(
         self,
         question: str,
         where: Flags,
-        given: dict[str, Any],
+        numbers: dict[str, Any],
         workers: int,
         options: Mapping[str, Any],
         columns: dict[str, Any],
-        said: npt.NDArray[np.uint16],
+        remarks: npt.NDArray[np.uint16],
     ) -> None:
         """Change the columns of designs without a load to their answers about the centre, of mean 0.
 
@@ -214,22 +214,22 @@ class OffCentreDesigns(many.Designs):
         """
         if not where.any():
             return
-        own = {name: value[where] for name, value in given.items()}
-        asked = {name: own.pop(name) for name in tuple(own) if name not in self.values}
+        own = {name: value[where] for name, value in numbers.items()}
+        arguments = {name: own.pop(name) for name in tuple(own) if name not in self.values}
         del own["load"]
         designs = many.Designs(self.mechanism, own, self.excitation)
         if question in COMPOSED:
-            answer = getattr(batch_checks, question)(designs, **asked, **options, workers=workers)
+            answer = getattr(batch_checks, question)(designs, **arguments, **options, workers=workers)
         else:
-            answer = designs._ask(question, **asked, **options, workers=workers)
+            answer = designs._ask(question, **arguments, **options, workers=workers)
         for name, column in columns.items():
-            told = name if hasattr(answer, name) else AS_CENTRED.get(name, "A")
+            source = name if hasattr(answer, name) else AS_CENTRED.get(name, "A")
             if name == "B":  # 0 where there is a motion
-                told = told if hasattr(answer, told) else "u_cr"
-                column[where] = np.where(np.isnan(getattr(answer, told)), np.nan, 0.0)
+                source = source if hasattr(answer, source) else "u_cr"
+                column[where] = np.where(np.isnan(getattr(answer, source)), np.nan, 0.0)
             else:
-                column[where] = getattr(answer, told)
-        said[where] = answer.remarks
+                column[where] = getattr(answer, source)
+        remarks[where] = answer.remarks
 
     def _of_one(self, question: Question, numbers: tuple[float, ...], at: dict[str, float], places: int) -> Found:
         """One design's answer, with a status in place of an exception."""
@@ -241,8 +241,8 @@ class OffCentreDesigns(many.Designs):
                 validate.number("F_0", F_0, above=0.0)
                 if "Omega" in at:
                     validate.frequencies("Omega", at["Omega"])
-            moves = F_0 is not None or name == "saddle_node_onset"
-            damps = not moves or Flow.of(single.model.unloaded).damps
+            dynamic = F_0 is not None or name == "saddle_node_onset"
+            damps = not dynamic or Flow.of(single.model.unloaded).damps
             if F_0 is not None and single.model.sticks(F_0) and not (damps and name in ("margins", "amplitudes")):
                 return question.blank(places, Status.STICKS), Remark(0)
             if not damps:

@@ -92,7 +92,7 @@ class Steps:
         self._end_of = np.array([-1, *at_0, *right, *at_0, *left])
         self.sides = np.array([1.0] * (1 + len(at_0) + right.size) + [-1.0] * (len(at_0) + left.size))
         self.highest = first.size - 1
-        self.places, self.gains = self.by_step(ends), self._gained(first, gains)
+        self.positions, self.gains = self.by_step(ends), self._gained(first, gains)
         self._of_c, self._of_s = self._weights()
 
     @property
@@ -141,7 +141,7 @@ class Steps:
     def first(self) -> Steps:
         """The means of that piece alone, as if it held everywhere."""
         other, own = copy.copy(self), self.of_first
-        other.places, other.sides, other.gains = self.places[own], self.sides[own], self.gains[own]
+        other.positions, other.sides, other.gains = self.positions[own], self.sides[own], self.gains[own]
         other._of_c, other._of_s = other._weights()
         other.curved = None if self.curved is None else self.curved.first()
         return other
@@ -184,7 +184,7 @@ class Steps:
         right = [*right, rows[-1]][: 1 + self.breakpoints.size]
         #: the odd part of the last piece, which holds everywhere but for what is bounded
         self._last, self._even = rows[-1], np.where(np.arange(rows.shape[1]) % 2 == 1, 0.0, rows[-1])
-        self._beside = [self._bound(n, right) for n in range(ORDERS)]
+        self._deviations = [self._bound(n, right) for n in range(ORDERS)]
         #: of derivatives the size of the terms that they are made of, at breakpoints too
         most, far = np.abs(rows).max(axis=0), float(self.breakpoints.max(initial=0.0))
         sizes = [
@@ -205,33 +205,33 @@ class Steps:
             raise validate.NotAvailable(NO_MEANS.format(mechanism.name, NO_EXTENT))
         gains = own = np.array([float(one) for one in stated.gained(*parameters)]).reshape(-1, 3)
         laws = [
-            (partial(_law, one, parameters), partial(_held, other, parameters), False)
+            (partial(_law, one, parameters), partial(_enclosed, other, parameters), False)
             for one, other in zip(stated.pieces, stated.held, strict=True)
         ]
         if mechanism.odd:
-            laws = [*((law, held, True) for law, held, _ in laws[:0:-1]), *laws]
+            laws = [*((law, enclosed, True) for law, enclosed, _ in laws[:0:-1]), *laws]
             ends, gains = np.concatenate((-ends[::-1], ends)), np.concatenate((gains[::-1] * (1, -1, 1), gains))
         about = int((ends < 0).sum())
         self.pieces = lines = _lines(ends, gains)
-        parts = [Part(*law, (float(a), float(b))) for law, (a, b) in zip(laws, lines, strict=True)]
+        pieces = [Part(*law, (float(a), float(b))) for law, (a, b) in zip(laws, lines, strict=True)]
 
         def complain(number: int) -> Callable[[float], str]:
             own = number - about if mechanism.odd else number
             return lambda u: SINGULAR.format(mechanism.name, abs(own) + 1, u)
 
         for number, (low, high) in enumerate(pairwise(ends.tolist()), start=1):
-            check(parts[number], low, high, complain(number))
+            check(pieces[number], low, high, complain(number))
         size = max(1.0, abs(self.load), *map(abs, ends))
         starts = (-ends[0], ends[-1]) if ends.size else (0.0, 0.0)
         self.beyond = (
-            outwards(parts[-1], 1.0, float(starts[1]), size, self.load, complain(len(parts) - 1)),
-            outwards(parts[0], -1.0, float(starts[0]), size, self.load, complain(0)),
+            outwards(pieces[-1], 1.0, float(starts[1]), size, self.load, complain(len(pieces) - 1)),
+            outwards(pieces[0], -1.0, float(starts[0]), size, self.load, complain(0)),
         )
-        self.curved = Curved(parts, ends, gains[:, 2], (-self.beyond[1].wall, self.beyond[0].wall))
+        self.curved = Curved(pieces, ends, gains[:, 2], (-self.beyond[1].wall, self.beyond[0].wall))
         return own[:, :2]
 
     def curved_by(self, mechanism: Mechanism, parameters: tuple[float, ...]) -> list[Curved | None]:
-        """What each number of the design does to the force beside its steps; None for a piecewise polynomial."""
+        """The sensitivity of the rest of the force to each parameter of the design; None for a piecewise polynomial."""
         stated, known = mechanism.curved, self.curved
         found: list[Curved | None] = []
         if stated is None or known is None:
@@ -242,14 +242,14 @@ class Steps:
             gains, laws = gained[:, number], [partial(_law, piece[number], parameters) for piece in stated.moved]
             if mechanism.odd:
                 gains, laws = np.concatenate((gains[::-1] * (1, -1), gains)), [*laws[:0:-1], *laws]
-            lines = zip(laws, known.parts, _lines(known.ends, gains), strict=True)
-            moved = [Part(law, None, part.mirrored, (float(a), float(b))) for law, part, (a, b) in lines]
-            found.append(Curved(moved, known.ends, np.zeros(known.ends.size), known.walls))
+            lines = zip(laws, known.pieces, _lines(known.ends, gains), strict=True)
+            slopes = [Part(law, None, part.mirrored, (float(a), float(b))) for law, part, (a, b) in lines]
+            found.append(Curved(slopes, known.ends, np.zeros(known.ends.size), known.walls))
         return found
 
     def _weights(self) -> tuple[Floats, Floats]:
         """What c_n and s_n take of L_j and M_j of each step, j from -ORDERS on: (ORDERS + 1, steps, j)."""
-        weights = np.zeros((2, ORDERS + 1, self.places.size, ORDERS + self.highest + 1))
+        weights = np.zeros((2, ORDERS + 1, self.positions.size, ORDERS + self.highest + 1))
         for n in range(ORDERS + 1):
             weights[:, n, :, ORDERS - n : ORDERS - n + self.highest + 1] = self.gains
             # on the left it is -f(-u), and -cos psi
@@ -281,12 +281,14 @@ class Steps:
         others = self.curved.at(A, B, orders)
         return Means(*(tuple(map(np.add, *both)) for both in zip((c, s), others, strict=True)))
 
-    def moved(self, A: Floats, B: Floats, gains: Floats, places: Floats, curved: Curved | None = None) -> Means:
-        """What c_n and s_n do as the gains move, u held fixed, and the places of the steps: n below `ORDERS`.
+    def sensitivity(
+        self, A: Floats, B: Floats, gains: Floats, positions: Floats, curved: Curved | None = None
+    ) -> Means:
+        """The change of c_n and s_n with the gains, at constant u, and positions of the steps: n below `ORDERS`.
 
-        curved -- what moves beside the steps, of a force that is no polynomial
+        curved -- the change of the rest of a force that is no polynomial
 
-        A step whose place moves adds what it gains there, and nothing else: -D_0 L_(-n-1) and -D_0 M_(-n-1).
+        A step whose position changes adds what it gains there, and nothing else: -D_0 L_(-n-1) and -D_0 M_(-n-1).
         """
         other = copy.copy(self)
         other.gains = gains
@@ -294,7 +296,7 @@ class Steps:
         found = []
         for ladder, weights, power in zip((L, M), other._weights(), (1, 0), strict=True):
             for n in range(ORDERS):
-                weights[n, :, ORDERS - n - 1] -= self.sides ** (n + power) * places * self.gains[:, 0]
+                weights[n, :, ORDERS - n - 1] -= self.sides ** (n + power) * positions * self.gains[:, 0]
             found.append(tuple(self._summed(weights[n], ladder) for n in range(ORDERS)))
         if curved is None:
             return Means(*found)
@@ -307,8 +309,8 @@ class Steps:
 
     def _ladders(self, A: Floats, B: Floats) -> tuple[Floats, Floats]:
         """L_j and M_j of every step, j from -ORDERS on: (steps, j, n)."""
-        a = self.places[:, np.newaxis] - self.sides[:, np.newaxis] * B
-        whole, room = np.arange(self.places.size)[:, np.newaxis] == 0, np.empty(ORDERS + self.highest + 1)
+        a = self.positions[:, np.newaxis] - self.sides[:, np.newaxis] * B
+        whole, room = np.arange(self.positions.size)[:, np.newaxis] == 0, np.empty(ORDERS + self.highest + 1)
         L, M = SOLVER.step_means(A, a, whole, ORDERS, room)
         return L.transpose(0, 2, 1), M.transpose(0, 2, 1)
 
@@ -327,7 +329,7 @@ def _law(kernel: Any, parameters: tuple[float, ...], u: Floats) -> Any:
     return kernel(u, *parameters)
 
 
-def _held(kernel: Any, parameters: tuple[float, ...], u: Elementary) -> Any:
+def _enclosed(kernel: Any, parameters: tuple[float, ...], u: Elementary) -> Any:
     return kernel(Elementary.point, u, *map(Elementary.point, parameters))
 
 

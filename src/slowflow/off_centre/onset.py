@@ -93,12 +93,12 @@ class Search:
 
     @np.errstate(all="ignore")  # where the force jumps at the mean a slope has no bound
     def descend(self, A: float, B: float) -> Lowest:
-        """From a point of the balance with a fold along it to the least level near by."""
+        """From a point of the balance with a fold on it to the least level nearby."""
         width = 0.05 * (A + abs(B))
         for _ in range(200):
             at = self._tangent_points(A, B)
             found = minimize_scalar(
-                lambda along, at=at: min(self._level(*at(along)), 1e300),
+                lambda distance, at=at: min(self._level(*at(distance)), 1e300),
                 bounds=(-width, width),
                 method="bounded",
                 options={"xatol": 0.02 * width},
@@ -118,8 +118,8 @@ class Search:
         slope = np.array((means.s[1][0], means.c[1][0]))
         slope /= np.hypot(*slope)
 
-        def at(along: float) -> tuple[float, float]:
-            x = np.array((A, B)) + along * np.array((slope[1], -slope[0]))
+        def at(distance: float) -> tuple[float, float]:
+            x = np.array((A, B)) + distance * np.array((slope[1], -slope[0]))
             for _ in range(4):
                 if not x[0] > 0:
                     break
@@ -134,7 +134,7 @@ class Search:
         return float(self.folds(np.array([A]), np.array([B]))[0][0]) if A > 0 else np.inf
 
     def _stationary(self, A: float, B: float) -> Lowest:
-        """The nearest root of F_AA along the balance, or of F_Omega, beside a least level."""
+        """The nearest root of F_AA along the balance, or of F_Omega, near a least level."""
         at, (level, Omega) = self._tangent_points(A, B), self.folds(np.array([A]), np.array([B]))
         near = 2.0**-36 * (A + abs(B))
         offsets = near * np.linspace(-1.0, 1.0, VALUES)
@@ -142,8 +142,8 @@ class Search:
             width *= A + abs(B)
             for name in ("cusp", "isola"):
 
-                def vanishes(along: float, name: str = name) -> float:
-                    return self._slopes(*at(along))[name]
+                def vanishes(distance: float, name: str = name) -> float:
+                    return self._slopes(*at(distance))[name]
 
                 if not vanishes(-width) * vanishes(width) < 0:
                     continue

@@ -31,7 +31,7 @@ from slowflow.off_centre.complete import AT_CENTRE, SUBDIVISIONS, Complete
 from slowflow.off_centre.curve import Curves, curves, on_curve
 from slowflow.off_centre.flow import Flow, Slow
 from slowflow.off_centre.means import ORDERS, Means, Steps
-from slowflow.off_centre.reach import AMPLITUDE, LARGEST, Farthest, Measure, Reach, Share
+from slowflow.off_centre.reach import AMPLITUDE, LARGEST, Farthest, Measure, Reach, Transmissibility
 from slowflow.off_centre.reach import BEYOND as BEYOND_IT
 from slowflow.results import (
     Detachment,
@@ -130,17 +130,17 @@ class OffCentre(Unchanging, ComposedQuestions):
 
     model: Loaded
     _model: Model
-    _asked: Any
+    _equation: Any
     _steps: Steps
     _flow: Flow
     _reach: Reach
     _complete: Complete
     _known: dict[tuple[Any, ...], Any]
 
-    def __init__(self, model: Model, load: float, asked: Any = None) -> None:
+    def __init__(self, model: Model, load: float, equation: Any = None) -> None:
         steps, flow = Steps(model.mechanism, model.parameters, load), Flow.of(model)
         # not by attribute: these cannot be set
-        self.__dict__.update(model=Loaded(model, load), _model=model, _asked=asked)
+        self.__dict__.update(model=Loaded(model, load), _model=model, _equation=equation)
         self.__dict__.update(_steps=steps, _flow=flow, _known={})
         complete = Complete(steps, flow)
         self.__dict__.update(_complete=complete, _reach=Reach(complete.sheets, flow, complete.A_max))
@@ -156,7 +156,7 @@ class OffCentre(Unchanging, ComposedQuestions):
     def _made(self, kind: Callable[..., _Answered], *columns: Any, **extra: Any) -> _Answered:
         """An answer with the load, that knows whom it was asked of, and how its numbers move."""
         extra |= {"load": self.load, "_model": self._model, "_moves": answers.gradient}
-        return kind(*columns, **extra, _asked=self._asked)
+        return kind(*columns, **extra, _equation=self._equation)
 
     @property
     def load(self) -> float:
@@ -179,7 +179,9 @@ class OffCentre(Unchanging, ComposedQuestions):
         # a bound of 0, as of a linear force without a load, leaves u = 0: it is looked for in a box around it
         bound = self._complete.offset_bound(0.0) or 1.0
         self._steps.check_balanced()
-        edges = np.concatenate((np.linspace(-bound, bound, SUBDIVISIONS + 1), self._steps.places * self._steps.sides))
+        edges = np.concatenate(
+            (np.linspace(-bound, bound, SUBDIVISIONS + 1), self._steps.positions * self._steps.sides)
+        )
         edges = np.unique(edges[(edges >= -bound) & (edges <= bound)])
         resting = Resting(self._complete.sheets.charts)
         found = solve(resting, edges[np.newaxis, :-1], edges[np.newaxis, 1:], np.zeros(edges.size - 1, int))
@@ -225,13 +227,13 @@ class OffCentre(Unchanging, ComposedQuestions):
     def _amplitudes(self, at: Floats, F_0: float) -> SteadyStates:
         self._check_answered("amplitudes")
         x, of, undecided = np.empty((2, 0)), np.empty(0, dtype=np.intp), np.empty(0, dtype=np.intp)
-        rests = np.flatnonzero(self._flow.force(F_0, at) <= self._model.m)
-        equilibria = self._stable_equilibria() if rests.size else of
-        static = np.stack((np.zeros(rests.size * equilibria.size), np.tile(equilibria, rests.size)))
+        sticks = np.flatnonzero(self._flow.force(F_0, at) <= self._model.m)
+        equilibria = self._stable_equilibria() if sticks.size else of
+        static = np.stack((np.zeros(sticks.size * equilibria.size), np.tile(equilibria, sticks.size)))
         if self._flow.sticks(F_0) or not at.size:
             notes = _Notes(messages.STICKS.format(F_0, self._model.m)) if self._flow.sticks(F_0) else _Notes()
             notes = notes.combine(_Notes(self._moves_exactly(F_0, at)))
-            return self._states(at, static[0], static[1], F_0, notes, np.empty(0), np.repeat(rests, equilibria.size))
+            return self._states(at, static[0], static[1], F_0, notes, np.empty(0), np.repeat(sticks, equilibria.size))
         moving = np.flatnonzero(self._flow.force(F_0, at) > self._model.m)
         if moving.size and not self._keeps_centre:
             x, of, undecided = self._complete.states(at[moving], F_0)
@@ -243,7 +245,7 @@ class OffCentre(Unchanging, ComposedQuestions):
             x = np.concatenate((x, (centred.A, 0 * centred.A)), axis=1)
             of = np.concatenate((of, of_centred))
             undecided = np.concatenate((undecided, np.flatnonzero(np.isin(at, centred.Omega_undecided))))
-        x, of = np.concatenate((x, static), axis=1), np.concatenate((of, np.repeat(rests, equilibria.size)))
+        x, of = np.concatenate((x, static), axis=1), np.concatenate((of, np.repeat(sticks, equilibria.size)))
         order = np.lexsort((x[1], x[0], of))
         missing = np.unique(at[undecided])
         notes = _Notes(_listed(UNDECIDED, missing), Remark.UNDECIDED) if missing.size else _Notes()
@@ -289,9 +291,9 @@ class OffCentre(Unchanging, ComposedQuestions):
         if not self._keeps_centre:
             folds = self.saddle_nodes(F_0)
             off = np.abs(folds.mean) > AT_CENTRE if self._complete.has_centre else np.ones(len(folds), dtype=bool)
-            places = np.stack((folds.Omega, folds.A, folds.mean))[:, off]
+            positions = np.stack((folds.Omega, folds.A, folds.mean))[:, off]
             slow = Slow(self._steps, self._flow, F_0)
-            found = curves(slow, places, partial(self._off, F_0=F_0), (low, high), samples)
+            found = curves(slow, positions, partial(self._off, F_0=F_0), (low, high), samples)
             notes = _Notes(folds.message, folds.remarks) if len(folds) else notes
         if self._complete.has_centre:
             centred = Averaged(self._model).frequency_response(F_0, samples=samples, Omega=(low, high))
@@ -432,9 +434,9 @@ class OffCentre(Unchanging, ComposedQuestions):
             u_max = self.peak(F_0).u_max
             return u_max is not None and u_max > self._steps.inner[1]
         curve = self.frequency_response(F_0)
-        return bool((self._leaves(curve) & curve.stable).any())
+        return bool((self._is_detached(curve) & curve.stable).any())
 
-    def _leaves(self, states: SteadyStates) -> Any:
+    def _is_detached(self, states: SteadyStates) -> Any:
         """Which motions pass an end of the first piece."""
         lower, upper = self._steps.inner
         return (states.mean + states.A > upper) | (states.mean - states.A < lower)
@@ -455,7 +457,7 @@ class OffCentre(Unchanging, ComposedQuestions):
         if level.dB:
             steepest = (1 + COARSE) * backbone
             highest = float(isolating.last_passed(self._flow, F_0, level, steepest))
-            fraction = Share(float(level.ratio), highest, steepest)
+            fraction = Transmissibility(float(level.ratio), highest, steepest)
         found = self._begins(F_0, 0.0, highest, level)
         if found.Omega is None or not (left := self._reach.transmits_beyond(F_0, found.Omega, fraction)):
             return found
@@ -514,7 +516,7 @@ class OffCentre(Unchanging, ComposedQuestions):
         A, B, R = x
         means = self._steps.at(A, B, ORDERS)
         with np.errstate(all="ignore"):
-            averages = self._along(A, means)
+            averages = self._derivatives(A, means)
             Omega = np.where(on_corner == "", self._frequency(A, R, F_0, averages[0]), R)
             bends = self._flow.F_AA(Omega, A, averages)
         kind = np.where(bends < 0, "jump-up", "jump-down")
@@ -541,7 +543,7 @@ class OffCentre(Unchanging, ComposedQuestions):
             by_R = (np.abs(R) + np.abs(h)) * (I - self._model.m) < 2 * A * square * (I + self._model.m)
             return np.asarray(np.where((square > 0) & by_R, np.sqrt(np.maximum(square, 0.0)), lag))
 
-    def _along(self, A: Floats, means: Means) -> tuple[Any, ...]:
+    def _derivatives(self, A: Floats, means: Means) -> tuple[Any, ...]:
         """h and its derivatives along the balance."""
         return tuple(off_centre.averaged(A, *means.c[1:], *means.s))
 
@@ -559,13 +561,13 @@ class OffCentre(Unchanging, ComposedQuestions):
         reach, reason = self._model.reach, self._model.mechanism.reach_reason
         if not (np.abs(B) + A > reach).any():
             return _Notes()
-        return _Notes(diagnostics.WORDS[Remark.BEYOND_REACH].format(reach=reach, reason=reason), Remark.BEYOND_REACH)
+        return _Notes(diagnostics.MESSAGES[Remark.BEYOND_REACH].format(reach=reach, reason=reason), Remark.BEYOND_REACH)
 
     def _stability(self, Omega: Floats, A: Floats, B: Floats) -> tuple[Any, Floats]:
         """Where states are stable, and h there."""
         means = self._steps.at(A, B, ORDERS)
         with np.errstate(all="ignore"):
-            averages = self._along(A, means)
+            averages = self._derivatives(A, means)
             turns = self._flow.F_A(Omega, A, averages)
         return ((turns > 0) | (A == 0)) & (means.c[1] > 0), np.asarray(averages[0])
 

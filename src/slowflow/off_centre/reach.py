@@ -43,7 +43,7 @@ EVERY = 6
 #: share of a frequency beyond which it is proved that nothing transmits the force; boxes and rounds for that
 BEYOND, MOST_BEYOND, ROUNDS = 2.0**-16, 20_000, 80
 #: parts of a range of frequencies, and how often what is left of it is cut into parts again
-PARTS, NARROWED = 8, 5
+DIVISIONS, NARROWED = 8, 5
 #: share of the forcing that motions are small against
 SMALL = 2.0**-40
 #: by how much a forcing may be off by rounding
@@ -51,8 +51,8 @@ AT = 2.0**-40
 
 
 @dataclass(frozen=True)
-class Share:
-    """A share of F_0 that motions may transmit.
+class Transmissibility:
+    """A transmissibility, and a bound of the frequencies at which motions reach it.
 
     ratio, last -- which, and a frequency beyond which none with |h| <= steepest A transmits it
     """
@@ -108,15 +108,15 @@ class Reach:
     def highest_backbone(self, F_0: float, gap: float) -> float:
         """The square of a frequency, 1 at least, that the backbone does not exceed at any motion at F_0, nearly.
 
-        Next to where two pieces meet at rest p is as its slopes make it down to no size at all: there it is not told
+        Next to where two pieces meet at rest p is as its slopes make it down to no size at all: there it is not known
         which of them it takes.
         """
-        found, beside = self._farthest(F_0, BACKBONE, gap, SMALL * F_0)
-        return max(1.0 if found is None else found.value, beside)
+        found, bound = self._farthest(F_0, BACKBONE, gap, SMALL * F_0)
+        return max(1.0 if found is None else found.value, bound)
 
     def _farthest(self, F_0: float, measure: Measure, gap: float, small: float) -> tuple[Farthest | None, float]:
-        """The same, and what motions do not exceed that are no larger than `small`, which are not told apart."""
-        beside = -np.inf
+        """The same, and a bound for motions that are no larger than `small`, which are not told apart."""
+        bound = -np.inf
         best, looked_at, rounds, cells = None, 0, 0, self.sheets.cells(self._A_max(F_0))
         while cells.chart.size:
             looked_at, rounds = looked_at + cells.chart.size, rounds + 1
@@ -128,7 +128,7 @@ class Reach:
                 # p is not known of what has no size
                 left &= np.isnan(most) | (most > (-np.inf if best is None else best.value * (1 + gap)))
                 aside = left & (LARGEST.most(cells.A, cells.B, cells.p) <= small) & np.isfinite(most)
-                beside = max(beside, float(np.max(most[aside], initial=-np.inf)))
+                bound = max(bound, float(np.max(most[aside], initial=-np.inf)))
                 left &= ~aside
                 cells, most = cells.take(left), most[left]
                 # a motion that is found in one round mostly stays the farthest in the next ones
@@ -139,9 +139,11 @@ class Reach:
                     if best is None or candidate.value > best.value:
                         best = candidate
                 cells = self.sheets.cut(cells)
-        return best, beside
+        return best, bound
 
-    def transmits_beyond(self, F_0: float, Omega: float, share: Share | None = None) -> tuple[float, float] | None:
+    def transmits_beyond(
+        self, F_0: float, Omega: float, limit: Transmissibility | None = None
+    ) -> tuple[float, float] | None:
         """Between which frequencies beyond Omega stable motions at F_0 may transmit it; None: proved, nowhere.
 
         What is nearer to Omega than by `BEYOND` of it is not looked at.
@@ -149,7 +151,7 @@ class Reach:
         least = (Omega * (1 + BEYOND)) ** 2
         cells, looked_at = self.sheets.cells(self._A_max(F_0)), 0
         for _ in range(ROUNDS):
-            cells = cells.take(self._may_transmit(cells, F_0, least, share))
+            cells = cells.take(self._may_transmit(cells, F_0, least, limit))
             looked_at += cells.chart.size
             if not cells.chart.size:
                 return None
@@ -157,30 +159,30 @@ class Reach:
                 break
             with np.errstate(all="ignore"):
                 cells = self.sheets.cut(cells)
-        return Omega, math.sqrt(2 * max(float(cells.p.hi.max()), 0.0)) if share is None else share.last
+        return Omega, math.sqrt(2 * max(float(cells.p.hi.max()), 0.0)) if limit is None else limit.last
 
-    def _may_transmit(self, cells: Cells, F_0: float, least: float, share: Share | None) -> Flags:
-        """Which cells may hold a stable motion at F_0 with least <= Omega^2 <= 2 p, or that transmits that share."""
+    def _may_transmit(self, cells: Cells, F_0: float, least: float, limit: Transmissibility | None) -> Flags:
+        """Which cells may hold a stable motion at F_0 with least <= Omega^2 <= 2 p, or that transmits `limit`."""
         with np.errstate(all="ignore"):
             highest = 2 * cells.p.hi * (1 + ROUNDED)
-            if share is not None:
-                highest = np.where(cells.p.lo >= -share.steepest, share.last**2, float(HIGHEST_OMEGA) ** 2)
+            if limit is not None:
+                highest = np.where(cells.p.lo >= -limit.steepest, limit.last**2, float(HIGHEST_OMEGA) ** 2)
             none = (cells.rising.hi <= 0) | (highest < least)
             none |= self.flow.needed(cells.A, cells.p) * (1 - ROUNDED) > F_0
             start = np.full(none.size, least * (1 - ROUNDED))
             end = np.maximum(highest, start)
-            shares = np.arange(PARTS + 1)[:, np.newaxis] / PARTS
+            shares = np.arange(DIVISIONS + 1)[:, np.newaxis] / DIVISIONS
             # ever less of the range of Omega^2
             for _ in range(NARROWED):
                 edges = start + shares * (end - start)
-                may = np.array([self._may_at(cells, F_0, *ends, share) for ends in pairwise(edges)])
+                may = np.array([self._may_at(cells, F_0, *ends, limit) for ends in pairwise(edges)])
                 none |= ~may.any(axis=0)
-                first, last = np.argmax(may, axis=0), PARTS - np.argmax(may[::-1], axis=0)
+                first, last = np.argmax(may, axis=0), DIVISIONS - np.argmax(may[::-1], axis=0)
                 n = np.arange(none.size)
                 start, end = np.where(none, start, edges[first, n]), np.where(none, end, edges[last, n])
         return ~none
 
-    def _may_at(self, cells: Cells, F_0: float, low: Floats, high: Floats, share: Share | None) -> Flags:
+    def _may_at(self, cells: Cells, F_0: float, low: Floats, high: Floats, limit: Transmissibility | None) -> Flags:
         """Which of them may have Omega^2 between two numbers each."""
         square = Interval.of(low * (1 - ROUNDED), high * (1 + ROUNDED))
         at = square.sqrt()
@@ -189,8 +191,8 @@ class Reach:
         # F_A along the balance
         rises = R * (square - cells.p - cells.e) + I * I_A
         beyond = (level.lo > force[1] * (1 + ROUNDED)) | (level.hi < force[0] * (1 - ROUNDED))
-        if share is not None:
-            beyond |= ((cells.A * cells.p).square() + I.square()).hi < share.ratio**2 * force[0] * (1 - ROUNDED)
+        if limit is not None:
+            beyond |= ((cells.A * cells.p).square() + I.square()).hi < limit.ratio**2 * force[0] * (1 - ROUNDED)
         return np.asarray(~(beyond | (rises.hi < 0)))
 
     def _motions(self, x: Floats, F_0: float, measure: Measure) -> list[Farthest]:

@@ -31,23 +31,23 @@ NO_DESIGN = "gradients are known of an oscillator whose record says how its forc
 
 
 @dataclass(frozen=True)
-class Given:
-    """Whose answers these are: the slow flow, its force as steps, and what the design does to the force.
+class Design:
+    """The oscillator of an answer: the slow flow, its force as steps, and the sensitivity of the force to the design.
 
-    gains, places -- what each number of the design does to those of the steps, (numbers, steps, orders) and
-                     (numbers, steps)
-    curved        -- what it does beside the steps, None where the force is a piecewise polynomial
+    gains, positions -- sensitivities of those of the steps to each parameter, (numbers, steps, orders) and
+                        (numbers, steps)
+    curved           -- that of the rest of the force, None where the force is a piecewise polynomial
     """
 
     model: Model
     steps: Steps
     gains: Floats
-    places: Floats
+    positions: Floats
     curved: tuple[Curved | None, ...]
 
     @classmethod
-    def of(cls, model: Model | None, load: float) -> Given:
-        """Under a load. Raises NotAvailable where it is not known how the force moves with the design."""
+    def of(cls, model: Model | None, load: float) -> Design:
+        """Under a load. Raises NotAvailable where the force's sensitivity to the design is not known."""
         if model is None or not model.has_design or model.mechanism.by_design is None:
             raise NotAvailable(NO_DESIGN)
         steps = Steps(model.mechanism, model.parameters, load)
@@ -56,11 +56,11 @@ class Given:
         gains = np.einsum("psk,pd->dsk", steps.by_parameter(*of_force), of_parameters)
         return cls(model, steps, gains, steps.by_step(of_ends.T), tuple(steps.curved_by(*of_force)))
 
-    def first(self) -> Given:
-        """With the first piece alone, as if it held everywhere; its end moves as before."""
+    def first(self) -> Design:
+        """With the first piece alone, as if it held everywhere; its end depends on the design as before."""
         own = self.steps.of_first
         curved = tuple(None if one is None else one.first() for one in self.curved)
-        return Given(self.model, self.steps.first(), self.gains[:, own], self.places[:, own], curved)
+        return Design(self.model, self.steps.first(), self.gains[:, own], self.positions[:, own], curved)
 
     def end(self, A: Floats, B: Floats) -> tuple[Floats, Floats]:
         """On which side of the mean motions come to an end of the first piece, and what the design does to it.
@@ -75,12 +75,12 @@ class Given:
         is_above = np.abs(upper - B - A) <= np.abs(B - A - lower)
         return np.where(is_above, 1.0, -1.0), np.where(is_above, above, -below)
 
-    def moved(self, A: Floats, B: Floats, numbers: int) -> Floats:
-        """What so many numbers, those of the design first, do to c_n and to s_n: (2, ORDERS, numbers, n)."""
+    def sensitivities(self, A: Floats, B: Floats, numbers: int) -> Floats:
+        """Sensitivities of c_n and s_n to so many parameters, those of the design first: (2, ORDERS, numbers, n)."""
         found = np.zeros((2, ORDERS, numbers, A.size))
-        for k, of in enumerate(zip(self.gains, self.places, self.curved, strict=True)):
-            moved = self.steps.moved(A, B, *of)
-            found[0, :, k], found[1, :, k] = moved.c, moved.s
+        for k, of in enumerate(zip(self.gains, self.positions, self.curved, strict=True)):
+            sensitivity = self.steps.sensitivity(A, B, *of)
+            found[0, :, k], found[1, :, k] = sensitivity.c, sensitivity.s
         return found
 
     @property
@@ -108,23 +108,23 @@ def _by_design(model: Model) -> tuple[Floats, Floats]:
 
 
 def gradient(
-    given: Given,
+    design: Design,
     kinds: Any,
     point: tuple[Any, Any, Any, Any],
     of: Mapping[str, str],
-    asked: tuple[str, ...] = (),
+    arguments: tuple[str, ...] = (),
 ) -> Gradient:
     """The gradient of answers at A, B, Omega and a forcing.
 
     kinds -- what they are, of `Pinned`; of those on a breakpoint CORNER_TOP and CORNER_REST have one, where the motion
-             comes to the end of the first piece, which alone is given then
+             comes to the end of the first piece, whose design that is then
     of    -- which numbers, by name: "A", "B", "Omega", "F_0", "u_max", and of states "phi" and "transmissibility"
-    asked -- what was asked at beside the design: "F_0" and "Omega", or less
+    arguments -- of the query: "F_0" and "Omega", or less
     """
     shape = np.shape(point[0])
     A, B, Omega, F_0 = (np.atleast_1d(np.broadcast_to(np.asarray(one, dtype=float), shape)).ravel() for one in point)
     kinds = np.broadcast_to(np.asarray(kinds), A.shape)
-    names = (*given.names, *asked)
+    names = (*design.names, *arguments)
     slopes, status = np.full((A.size, len(of), len(names)), np.nan), np.full(A.size, MovesStatus.OK, np.int8)
     values = np.full((len(of), A.size), np.nan)
     with np.errstate(all="ignore"):
@@ -133,62 +133,62 @@ def gradient(
             if kind in ON_A_JUMP:
                 status[here] = MovesStatus.TURNS
                 continue
-            found, at, status[here] = _of_kind(given, Pinned(int(kind)), names, *(x[here] for x in (A, B, Omega, F_0)))
+            found, at, status[here] = _of_kind(design, Pinned(int(kind)), names, *(x[here] for x in (A, B, Omega, F_0)))
             for row, name in enumerate(of.values()):
                 slopes[here, row], values[row, here] = found[name].T, at[name]
     status[~np.isfinite(slopes).all(axis=(1, 2)) & (status == MovesStatus.OK)] = MovesStatus.BOUNDLESS
     status[~(np.isfinite(A) & np.isfinite(F_0))] = MovesStatus.NOTHING
     slopes[status != MovesStatus.OK] = np.nan
-    model, known = given.model, {"F_0": point[3], "Omega": point[2]}
-    numbers = (*model.design, *given.damping.values(), given.steps.load, *(known[name] for name in asked))
+    model, known = design.model, {"F_0": point[3], "Omega": point[2]}
+    numbers = (*model.design, *design.damping.values(), design.steps.load, *(known[name] for name in arguments))
     whole = slopes.reshape(*shape, len(of), len(names)), status.reshape(shape)
     return Gradient(tuple(of), names, *whole, tuple(row.reshape(shape) for row in values), numbers)
 
 
-def of_isolation(given: Given, point: tuple[Any, Any, Any, Any], ratio: Any) -> Gradient:
-    """The gradient of the state at A, B, Omega and a forcing that transmits that share of what drives it."""
+def of_isolation(design: Design, point: tuple[Any, Any, Any, Any], ratio: Any) -> Gradient:
+    """The gradient of the state at A, B, Omega and a forcing of this transmissibility."""
     of = {name: name for name in ("A", "B", "transmissibility")}
-    state = gradient(given, Pinned.STATE, point, of, ("F_0", "Omega"))
+    state = gradient(design, Pinned.STATE, point, of, ("F_0", "Omega"))
     A, B, Omega = (np.asarray(one, dtype=float) for one in point[:3])
     slopes, status = sensitivities.along_frequency(state.slopes, state.status, Omega, A, ratio)
     return Gradient(("Omega", "A", "B"), state.by[:-1], slopes, status, (Omega, A, B), state._at[:-1])
 
 
-def of_rest(given: Given, u: Floats) -> Gradient:
-    """The gradient of places of rest, f(u) = load, and of the stiffness there."""
-    none, steps = np.zeros(u.shape), given.steps
+def of_rest(design: Design, u: Floats) -> Gradient:
+    """The gradient of equilibria, f(u) = load, and of the stiffness there."""
+    none, steps = np.zeros(u.shape), design.steps
     _, slope, curvature = steps.at(none, u, ORDERS - 1).c
-    names, size = given.names, np.abs(slope).max(initial=1.0)
-    f_p, slope_p = given.moved(none, u, len(names))[0][:2]
+    names, size = design.names, np.abs(slope).max(initial=1.0)
+    f_p, slope_p = design.sensitivities(none, u, len(names))[0][:2]
     f_p[names.index("load")] -= 1.0
     with np.errstate(all="ignore"):
         u_p = -f_p / slope
         slopes = np.stack((u_p, slope_p + curvature * u_p), axis=-1).transpose(1, 2, 0)
-    ends = steps.places[1:] * steps.sides[1:]
+    ends = steps.positions[1:] * steps.sides[1:]
     comes = np.abs(u[:, np.newaxis] - ends) <= SAME * np.abs(ends)
     status = np.where(np.abs(slope) > MEETING * size, MovesStatus.OK, MovesStatus.MEETS)
     status = np.where(comes.any(axis=1), MovesStatus.TURNS, status)
     status[~np.isfinite(slopes).all(axis=(1, 2)) & (status == MovesStatus.OK)] = MovesStatus.BOUNDLESS
     slopes[status != MovesStatus.OK] = np.nan
-    numbers = (*given.model.design, *given.damping.values(), steps.load)
+    numbers = (*design.model.design, *design.damping.values(), steps.load)
     return Gradient(("u", "stiffness"), names, slopes, status.astype(np.int8), (u, slope), numbers)
 
 
 def _of_kind(
-    given: Given, kind: Pinned, names: tuple[str, ...], A: Floats, B: Floats, Omega: Floats, F_0: Floats
+    design: Design, kind: Pinned, names: tuple[str, ...], A: Floats, B: Floats, Omega: Floats, F_0: Floats
 ) -> tuple[Mapping[str, Floats], Mapping[str, Floats], Any]:
-    """What each number that answers move with does to them, (names, n) each; the answers; their status."""
-    model, steps, flow = given.model, given.steps, Flow.of(given.model)
+    """The sensitivities of the answers to each parameter, (names, n) each; the answers; their status."""
+    model, steps, flow = design.model, design.steps, Flow.of(design.model)
     means = steps.at(A, B, ORDERS)
     h, h_A, h_AA, h_AAA = off_centre.averaged(A, *means.c[1:], *means.s)
     of_load, of_F_0, of_Omega = (
         (np.array(names) == name)[:, np.newaxis] * np.ones(A.size) for name in ("load", "F_0", "Omega")
     )
-    (c_p, s_p), ends = given.moved(A, B, len(names)), np.zeros((len(names), A.size))
+    (c_p, s_p), ends = design.sensitivities(A, B, len(names)), np.zeros((len(names), A.size))
     # mypy takes a starred argument for all that are left
     B_p, *of_h = off_centre.moved(A, *means.c[1:], *means.s[1:], *c_p, *s_p, of_load)  # type: ignore[call-arg]
     if kind in (Pinned.CORNER_TOP, Pinned.CORNER_REST):
-        side, ends[: len(model.design)] = given.end(A, B)
+        side, ends[: len(model.design)] = design.end(A, B)
         (ends,) = off_centre.moved_at_end(side, means.c[1], means.s[1], c_p[0], of_load, ends)
     place, causes = len(model.design), np.zeros((5, len(names), A.size))
     of_m, of_eta = np.reshape([np.broadcast_to(one, A.shape) for one in dissipation.rest_moves(A)], (2, 3, A.size))
@@ -196,8 +196,8 @@ def _of_kind(
     if model.laws.any:
         causes[:3, place + 2], causes[4, place + 3] = of_eta, dissipation.quadratic(1.0)
     at = A, Omega, F_0, kind, model.inertial, h, h_A, h_AA, h_AAA, *flow.at_rest(A), flow.zeta, flow.d
-    told = np.broadcast_arrays(*at, *of_h, *causes, of_F_0, of_Omega, ends)
-    A_p, phi_p, passed_p, Omega_p, F_0_p, alone = np.moveaxis(SOLVER.moved(np.stack(told, axis=-1)), -1, 0)
+    columns = np.broadcast_arrays(*at, *of_h, *causes, of_F_0, of_Omega, ends)
+    A_p, phi_p, passed_p, Omega_p, F_0_p, isolated = np.moveaxis(SOLVER.moved(np.stack(columns, axis=-1)), -1, 0)
     found = {"A": A_p, "B": B_p - means.s[1] / means.c[1] * A_p, "Omega": Omega_p, "F_0": F_0_p}
     found["u_max"] = found["A"] + np.sign(B) * found["B"]
     found |= {"phi": phi_p, "transmissibility": passed_p}
@@ -210,4 +210,4 @@ def _of_kind(
         "phi": flow.phase(Omega, A, h),
         "transmissibility": flow.transmissibility(Omega, A, F_0, h),
     }
-    return found, values, np.where(alone[0] == 1, MovesStatus.OK, MovesStatus.MEETS)
+    return found, values, np.where(isolated[0] == 1, MovesStatus.OK, MovesStatus.MEETS)

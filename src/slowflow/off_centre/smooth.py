@@ -18,7 +18,7 @@ from slowflow.support.errors import Refused
 from slowflow.text import Sentence
 
 #: parts of an octave, octaves from the least to the most that is looked at, beside the size of the problem
-PARTS, LEAST, MOST = 8, -20, 40
+DIVISIONS, LEAST, MOST = 8, -20, 40
 #: what is larger is beyond all numbers; how large a force is at a wall, and how near to it
 GROWN = 2.0**24
 HUGE, AT_WALL, NARROW = 2.0**120, 2.0**16, 2.0**-40
@@ -48,7 +48,7 @@ def outwards(
 
     A wall is beyond u = 0 and all ends: on this side of it the mass is.
     """
-    edges = start + size * 2.0 ** np.arange(LEAST, MOST + 0.5 / PARTS, 1 / PARTS)
+    edges = start + size * 2.0 ** np.arange(LEAST, MOST + 0.5 / DIVISIONS, 1 / DIVISIONS)
 
     def cells(edges: Floats) -> list[tuple[float, float, float, bool]]:
         """Between neighbours, from the last: where it is, the least that pushes back, whether all of it is known."""
@@ -72,8 +72,8 @@ def outwards(
                 continue
             near = low - 4 * (high - low)
             with np.errstate(all="ignore"):
-                held = part.force(Interval(np.full((2, 1), side * near)))[0]
-            if near > max(start, 0.0) and (held if side > 0 else -held).lo[0] > AT_WALL * max(1.0, abs(load)):
+                force = part.force(Interval(np.full((2, 1), side * near)))[0]
+            if near > max(start, 0.0) and (force if side > 0 else -force).lo[0] > AT_WALL * max(1.0, abs(load)):
                 return Beyond(near, settled, min(grown, near))
             raise Refused(complain(side * low))
         if not push > 0:
@@ -88,7 +88,7 @@ def outwards(
 
 def check(part: Part, low: float, high: float, complain: Callable[[float], str]) -> None:
     """Raises ValueError where a piece is not smooth on all of it."""
-    edges = np.linspace(low, high, PARTS + 1)
+    edges = np.linspace(low, high, DIVISIONS + 1)
     pending = list(zip(edges[:-1].tolist(), edges[1:].tolist(), strict=True))
     while pending:
         a, b = pending.pop()

@@ -28,7 +28,7 @@ from slowflow.support.errors import NotSettled, OutOfRange
 from slowflow.text import Sentence
 
 #: octaves of the ends' distance from a chart's edge that are cut apart at first, and parts of a chart between two edges
-BELOW, PARTS = 5, 4
+BELOW, DIVISIONS = 5, 4
 #: how small cells are beside their amplitude, which amplitude is small beside the problem, rounds of cuts
 FINE, SMALL, ROUNDS = 2.0**-4, 2.0**-8, 16
 #: amplitudes beyond it are not followed, as their squares are beyond the range of doubles
@@ -140,12 +140,12 @@ class Sheets:
             self._corners[octave] = found, np.concatenate(open_, axis=1)
         return self._corners[octave]
 
-    def _corner(self, edge: int, along: float, chart: int) -> Corner:
-        other, *inside = self.charts.inside(edge, along, chart)
-        places = np.array((inside, (0.0, along) if edge == 0 else (along, 0.0))).T
+    def _corner(self, edge: int, distance: float, chart: int) -> Corner:
+        other, *inside = self.charts.inside(edge, distance, chart)
+        positions = np.array((inside, (0.0, distance) if edge == 0 else (distance, 0.0))).T
         with np.errstate(all="ignore"):
-            rows, middle = self.charts.on(places, places, places, np.array((other, chart)))
-            found, _ = SOLVER.on_balance(rows, middle, places.T, places.T, self.steps.load, False)
+            rows, middle = self.charts.on(positions, positions, positions, np.array((other, chart)))
+            found, _ = SOLVER.on_balance(rows, middle, positions.T, positions.T, self.steps.load, False)
             here, bent, A_t = Local.of(rows), Interval(found[:, 6:8].T), Interval(found[:, 8:].T)
             e = (bent - here.s_0 / here.A) * 4.0
             # without ends, what is not known, they add to NaN
@@ -189,7 +189,7 @@ class Sheets:
             low, high = halved(cells.low[:, ~fine], cells.high[:, ~fine], wide[:, ~fine])
             chart = np.tile(cells.chart[~fine], 2)
         # what is known of the smaller boxes
-        low, high, chart = (np.concatenate(parts, axis=-1) for parts in zip(*done, strict=True))
+        low, high, chart = (np.concatenate(chunks, axis=-1) for chunks in zip(*done, strict=True))
         return self.looked_at(low, high, chart)
 
     def _first(self, A_max: float) -> tuple[Floats, Floats, Ints]:
@@ -205,7 +205,7 @@ class Sheets:
                 *(of[:, chart] for of in (charts.low, charts.high, charts.rooted)), strict=True
             ):
                 if math.isfinite(low) and math.isfinite(high):
-                    edges.append(np.linspace(low, high, PARTS + 1))
+                    edges.append(np.linspace(low, high, DIVISIONS + 1))
                 elif rooted:
                     edges.append(np.concatenate(([0.0], np.sqrt(octaves))))
                 else:

@@ -77,7 +77,7 @@ class Charts:
 
     def __init__(self, steps: Steps) -> None:
         self.steps = steps
-        at = steps.sides[1:] * steps.places[1:]
+        at = steps.sides[1:] * steps.positions[1:]
         lines = np.unique(at)
         edges = np.concatenate(([-np.inf], lines, [np.inf]))
         if steps.beyond is not None:
@@ -118,7 +118,7 @@ class Charts:
         steps, n = self.steps, self.steps.highest + 1
         bounded = (np.zeros(n), np.zeros(n), np.zeros(n), np.zeros(3))
         if math.isfinite(self._large):
-            bounded = steps._last - steps._even, steps._even, steps._sizes, np.array(steps._beside)
+            bounded = steps._last - steps._even, steps._even, steps._sizes, np.array(steps._deviations)
         rows = (self._at, self._gains, steps.pieces, *bounded, self.upper, self.lower, self.place, self.rooted)
         sizes = (self._at.size, steps.highest, self.passes.size, self._large)
         return np.concatenate([sizes, *(np.ravel(row) for row in rows)]).astype(float)
@@ -167,9 +167,9 @@ class Charts:
         upper, lower = self.place[:, chart]
         return 0.5 * (upper - lower + (past_x + past_y)), 0.5 * (upper + lower + (past_x - past_y))
 
-    def on_edge(self, edge: int, along: Floats, chart: Ints) -> tuple[Floats, Floats]:
+    def on_edge(self, edge: int, distance: Floats, chart: Ints) -> tuple[Floats, Floats]:
         """A and B at points of the edge x = 0 or y = 0."""
-        return self.motion(*((along, 0 * along) if edge else (0 * along, along)), chart)
+        return self.motion(*((distance, 0 * distance) if edge else (0 * distance, distance)), chart)
 
     def about(self, edge: int) -> Ints:
         """Charts on whose edge motions reach the upper or the lower end of the piece about u = 0, which they are in."""
@@ -179,15 +179,15 @@ class Charts:
         found = (one == (first - 1 if edge else last + 1)) & (first <= other) & (other <= last)
         return np.flatnonzero(found)
 
-    def inside(self, edge: int, along: float, chart: int) -> tuple[int, float, float]:
+    def inside(self, edge: int, distance: float, chart: int) -> tuple[int, float, float]:
         """The chart on the other side of the edge x = 0 or y = 0, of motions that are not past it; x and y there."""
         i, k = int(self.upper[chart]) - (edge == 0), int(self.lower[chart]) + (edge == 1)
         (other,) = np.flatnonzero((self.upper == i) & (self.lower == k)).tolist()
         if i == k:  # x and y are the ends there
-            past = along**2 if self.rooted[1 - edge, chart] else along
-            along = past + float(self.place[1 - edge, chart]) * (1 if edge else -1)
+            past = distance**2 if self.rooted[1 - edge, chart] else distance
+            distance = past + float(self.place[1 - edge, chart]) * (1 if edge else -1)
         at = float(self.high[edge, other])
-        return (other, along, at) if edge else (other, at, along)
+        return (other, distance, at) if edge else (other, at, distance)
 
     def stiffness(self, x: Interval, y: Interval, chart: Ints) -> Interval:
         """f' on all that motions may pass next to one place: -h/A is a mean of it; unknown where the force jumps there.

@@ -57,7 +57,7 @@ class RandomResponse(Drawn, Table):
     message: str
     excitation: Excitation = field(repr=False)
     system: EquationOfMotion = field(repr=False)
-    _asked: Any = field(default=None, repr=False)
+    _equation: Any = field(default=None, repr=False)
 
     @property
     def window(self) -> tuple[float, float]:
@@ -95,7 +95,7 @@ class RandomResponse(Drawn, Table):
 
         Raises ArithmeticError where the motion escapes.
         """
-        system = self.system if force is None else self._asked.equation_of_motion(force)
+        system = self.system if force is None else self._equation.equation_of_motion(force)
         linear = self.excitation, self.stiffness, self.damping
         return MeasuredRandom(*measured(system, *linear, samples, records, seed))
 

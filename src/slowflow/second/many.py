@@ -92,13 +92,13 @@ class SecondDesigns(ManyQuestions[SecondBatch]):
             columns = self.first.ask(_curves(*validate.curve(given["samples"], given["Omega"])), 1, **at)
         else:
             threads = 1 if question == "amplitudes" else workers
-            columns = self.first.ask(ASKED[question], threads, places=places, **at)
+            columns = self.first.ask(BY_NAME[question], threads, places=places, **at)
         if question == "amplitudes":
-            self._put_in_what_rests(columns, **at)
+            self._insert_states_at_rest(columns, **at)
         values = dict(zip(row.columns[SECOND], columns, strict=True))
         return SecondBatch(question, values, self.first, at, SECOND)
 
-    def _put_in_what_rests(self, columns: list[npt.NDArray[Any]], F_0: Any, Omega: Any) -> None:
+    def _insert_states_at_rest(self, columns: list[npt.NDArray[Any]], F_0: Any, Omega: Any) -> None:
         """States at rest first, as of averaging, with the phase that these have."""
         A, A_1, phi, stable, count, _, status = columns
         flags: Any = np.zeros(count.shape, np.int8)
@@ -106,7 +106,7 @@ class SecondDesigns(ManyQuestions[SecondBatch]):
         at_rest |= {"count": flags, "undecided": flags, "status": flags}
         own = Batch("amplitudes", at_rest, self.first, {"F_0": F_0, "Omega": Omega})
         moved = ((A, 0.0), (A_1, 0.0), (phi, own.phi[..., 0]), (stable, 1))
-        self.first._put_in_what_rests(Omega, F_0, moved, count, status)
+        self.first._insert_states_at_rest(Omega, F_0, moved, count, status)
 
 
 for _name, _why in UNANSWERED.items():
@@ -144,7 +144,7 @@ def _curves(samples: int, window: tuple[float, float]) -> queries.Question:
 
 
 #: by name
-ASKED: Mapping[str, queries.Question] = {
+BY_NAME: Mapping[str, queries.Question] = {
     "amplitudes": queries.Question("amplitudes", _amplitudes, None, 1, SECOND, empty=Status.NONE),
     **{
         name: queries.Question(name, one, attrgetter(f"many_second_{of}"), at_once, SECOND)

@@ -298,7 +298,7 @@ class SecondApproximation(Questions[SecondStates, SecondResponse, SecondFolds]):
         """The message with what there is to say of amplitudes beyond the reach, and of motions that stop."""
         model = self.first.model
         beside = diagnostics.of_one(model, math.nan, Omega, A) & ~Remark.OF_TRUNCATION
-        return joined(message, *diagnostics.in_words(beside, model, math.nan), validity.of_second(model, Omega, A))
+        return joined(message, *diagnostics.messages(beside, model, math.nan), validity.of_second(model, Omega, A))
 
     def _force(self, F_0: float, Omega: Floats) -> Floats:
         """The amplitude of the force at each frequency."""

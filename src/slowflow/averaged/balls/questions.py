@@ -1,4 +1,4 @@
-"""What native/certify.h asks, in balls. Takes a model with its numbers; returns enclosures, and what is proved.
+"""The questions of native/certify.h, in balls. Takes a model with its numbers; returns enclosures, and what is proved.
 
 For what intervals of doubles leave undecided: with twice as many bits and more, until all is decided or `BITS` are used
 up. None where a force has no form in balls.
@@ -27,9 +27,9 @@ from slowflow.averaged.balls.search import (
     POSITIVE,
     THROUGHOUT,
     ZERO,
+    BallModel,
     Cell,
     Enclosure,
-    Given,
     Range,
     amplitudes_of,
     averages_of,
@@ -72,11 +72,11 @@ class Point(NamedTuple):
 Points = tuple[list[Point], list[Enclosure]]
 
 
-class Asked:
-    """An oscillator at a forcing: functions that are searched for zeros, and what is asked where these are."""
+class Systems:
+    """The systems of an oscillator at a forcing: functions of Omega and A, and the points at their common zeros."""
 
-    def __init__(self, given: Given, F_0: float = math.inf) -> None:
-        self.given, self.m, self.zeta, self.F_0 = given, given.m, given.zeta, Enclosure.of(F_0)
+    def __init__(self, balls: BallModel, F_0: float = math.inf) -> None:
+        self.balls, self.m, self.zeta, self.F_0 = balls, balls.m, balls.zeta, Enclosure.of(F_0)
         self.least = flow.least_restoring(self.F_0, self.m) if F_0 < math.inf else ALL
         #: without friction functions vanish at 0: amplitudes of 1e-60 and less are left out
         self.start = 0.0 if self.m.hi > 0 else FIRST
@@ -123,13 +123,13 @@ class Asked:
 
     def folds(self, A_max: float) -> Points:
         """All of them, with the sign of F_AA."""
-        zeros, doubts = amplitudes_of(self.given, self.fold, A_max)
+        zeros, doubts = amplitudes_of(self.balls, self.fold, A_max)
         points, more = self._folds_on_breakpoints(A_max)
         for on in (zero.on for zero in zeros):
             # from I, which exceeds m by little if damping is weak, or h_A: no bound next to a jump of the force
             w = of_zeta_0.undamped_Omega(on.h_A) if self.zeta.hi == 0 else self._fold(on)[2]
             w = w.both(Enclosure(ZERO, self._highest(on)))
-            found = frequencies_of(partial(self.F, on), w.lo, w.hi).places()
+            found = frequencies_of(partial(self.F, on), w.lo, w.hi).positions()
             # then by F = 0, of which several roots may lie there: R has the sign of k
             Omega = hull([one for one, _ in found if flow.R(one, on.A, on.h).sign != -on.k.sign] or [w])
             points.append(Point(Omega, on, flow.F_AA(Omega, on.A, self.m, self.zeta, on.h, on.h_A, on.h_AA).sign))
@@ -141,13 +141,13 @@ class Asked:
 
     def _folds_on_breakpoints(self, A_max: float) -> Points:
         """Where the force jumps: F_A has one sign below and another above."""
-        points, doubts, given = [], [], self.given
-        for i, b in enumerate(given.b):
-            on = given.on(i)
-            if not given.jumps_at(i) or b.lo > A_max:
+        points, doubts, balls = [], [], self.balls
+        for i, b in enumerate(balls.b):
+            on = balls.on(i)
+            if not balls.jumps_at(i) or b.lo > A_max:
                 continue
-            for Omega, doubtful in frequencies_of(partial(self.F, on), ZERO, 2 * self._highest(on)).places():
-                above = (flow.R(Omega, b, on.h) * given.jumps[i]).sign
+            for Omega, doubtful in frequencies_of(partial(self.F, on), ZERO, 2 * self._highest(on)).positions():
+                above = (flow.R(Omega, b, on.h) * balls.jumps[i]).sign
                 below = self.F_A(on, Omega)[0].sign
                 if above and above == below:
                     continue  # no fold, however many roots there are
@@ -166,7 +166,7 @@ class Asked:
             terms = Omega, cell.A, self.F_0, self.m, self.zeta, cell.h_A, cell.h_AA
             return (Range(THROUGHOUT, *flow.state(*terms, one.both(two))),)
 
-        zeros, doubts = amplitudes_of(self.given, ranges, A_max)
+        zeros, doubts = amplitudes_of(self.balls, ranges, A_max)
         return [Point(Omega, zero.on, 1 if zero.rising else -1) for zero in zeros], doubts
 
     # ---- points of the fold locus: their sign is 1 where the level is least along it, -1 where most ----
@@ -181,7 +181,7 @@ class Asked:
 
     def isolas(self, A_max: float) -> Points:
         """All of them."""
-        zeros, doubts = amplitudes_of(self.given, self.isola, A_max, self.start)
+        zeros, doubts = amplitudes_of(self.balls, self.isola, A_max, self.start)
         points = []
         for on in (zero.on for zero in zeros):
             Omega = flow.isola_Omega(on.h_A)
@@ -209,7 +209,7 @@ class Asked:
             same = (cell.h_AA.lo >= 0 and cell.k.lo >= 0) or (cell.h_AA.hi <= 0 and cell.k.hi <= 0)
             return [Range() if same else self.cusp(cell, larger)[0] for larger in (True, False)]
 
-        zeros, doubts = amplitudes_of(self.given, ranges, A_max, self.start)
+        zeros, doubts = amplitudes_of(self.balls, ranges, A_max, self.start)
         points = []
         for on, channel in ((zero.on, zero.channel) for zero in zeros):
             _, level, X, T = self.cusp(on, channel == 0)
@@ -221,16 +221,16 @@ class Asked:
     def corners(self) -> Points:
         """Where the force jumps, or its slope, where the locus bends and does no more."""
         points: list[Point] = []
-        for i, b in enumerate(self.given.b):
-            on, jumps = self.given.on(i), self.given.jumps_at(i)
-            jump = (self.given.jumps if jumps else self.given.kinks)[i].sign
+        for i, b in enumerate(self.balls.b):
+            on, jumps = self.balls.on(i), self.balls.jumps_at(i)
+            jump = (self.balls.jumps if jumps else self.balls.kinks)[i].sign
             no_R = flow.backbone(b, on.h)
             if jumps and on.h.lo < 0 and jump <= 0:
                 points.append(Point(no_R, on, -jump if on.h.hi < 0 else 0))
             # beyond the last of these R is positive, and Omega^2 + h_A
             highest = 2 * max(of_zeta_0.undamped_Omega(on.h_A).hi, no_R.hi)
             for function in (self.F_A, self.F_Omega)[: 1 + jumps]:
-                for w, doubtful in frequencies_of(partial(function, on), ZERO, highest).places():
+                for w, doubtful in frequencies_of(partial(function, on), ZERO, highest).positions():
                     rises = -flow.R(w, b, on.h).sign * jump
                     if function == self.F_A:
                         one = -flow.level_rise(w, b, self.m, self.zeta, on.h, on.h_A, on.h_AA).sign
@@ -245,24 +245,24 @@ class Asked:
 
     def undamped(self) -> Points:
         """Points at which |k| is least, with it the level; one at infinity is in doubt, as is whether k tends to 0."""
-        given = self.given
-        zeros, doubts = amplitudes_of(given, partial(undamped, 0), ENDLESS, FIRST)
-        _, more = amplitudes_of(given, partial(undamped, 1), ENDLESS, FIRST)
+        balls = self.balls
+        zeros, doubts = amplitudes_of(balls, partial(undamped, 0), ENDLESS, FIRST)
+        _, more = amplitudes_of(balls, partial(undamped, 1), ENDLESS, FIRST)
         points = []
-        far = given.at(given.count, arb(ENDLESS))
+        far = balls.at(balls.count, arb(ENDLESS))
         if not (far.h_A.lo >= 0 or of_zeta_0.undamped_rises(far.h_AA, far.h_AAA, far.k)[0].lo >= 0):
             more.append(ALL)
         for on in (zero.on for zero in zeros):
             sign = of_zeta_0.undamped_rises(on.h_AA, on.h_AAA, on.k)[1].sign
             points.append(Point(of_zeta_0.undamped_Omega(on.h_A), on, sign, kind=OnsetKind.CUSP))
-        for i in range(given.count):
-            on, jump = given.on(i), given.jumps[i].sign
+        for i in range(balls.count):
+            on, jump = balls.on(i), balls.jumps[i].sign
             if on.h_A.lo >= 0:
                 continue
             # |k| falls below; above h_AA is infinite, with the sign of what the slope loses
             falls = -of_zeta_0.undamped_rises(on.h_AA, on.h_AAA, on.k)[0].sign
-            turn = 1 if jump < 0 else -on.k.sign if given.jumps_at(i) else -(on.k * given.kinks[i]).sign
-            known = on.h_A.sign and falls and turn and (jump or not given.jumps_at(i))
+            turn = 1 if jump < 0 else -on.k.sign if balls.jumps_at(i) else -(on.k * balls.kinks[i]).sign
+            known = on.h_A.sign and falls and turn and (jump or not balls.jumps_at(i))
             sign = min(falls, turn) if known else 0
             points.append(Point(of_zeta_0.undamped_Omega(on.h_A), on, sign, kind=OnsetKind.CORNER))
         return points, doubts + more
@@ -273,10 +273,10 @@ class Asked:
         Minima of the level are cusps and isola points, ends of pieces on breakpoints, and ends at Omega = 0, where none
         is born.
         """
-        asked = (self.undamped(),) if self.zeta.hi == 0 else (self.isolas(A_max), self.cusps(A_max), self.corners())
-        every = [one._replace(level=one.level.both(self.level(one.Omega, one.on))) for of in asked for one in of[0]]
+        results = (self.undamped(),) if self.zeta.hi == 0 else (self.isolas(A_max), self.cusps(A_max), self.corners())
+        every = [one._replace(level=one.level.both(self.level(one.Omega, one.on))) for of in results for one in of[0]]
         doubted = min((one.level.lo for one in every if one.sign == 0), default=INFINITE)
-        unknown = any(doubts for _, doubts in asked) or not all(one.Omega.hi < INFINITE for one in every)
+        unknown = any(doubts for _, doubts in results) or not all(one.Omega.hi < INFINITE for one in every)
         minima = [one for one in every if one.sign > 0]
         if not minima:
             return None, bool(not unknown and doubted > 0)
@@ -300,33 +300,33 @@ def undamped(which: int, cell: Cell) -> Sequence[Range]:
     return (Range(defined(-cell.h_A), *((cell.h_AA, cell.h_AAA), (cell.k, cell.k_A))[which]),)
 
 
-def tends_to_friction(given: Given) -> bool:
+def tends_to_friction(balls: BallModel) -> bool:
     """Whether without viscous damping folds come as near to 4 mu/pi as one asks, as k tends to 0 on the locus.
 
     At A = 0, next to which h_A is negative; on a breakpoint, where folds sit at Omega^2 > -h_A if the force jumps down,
     or below; or between.
     """
-    first, A = given.at(0, ZERO), min(float(given.b[0].lo), 1.0) if given.count else 1.0
+    first, A = balls.at(0, ZERO), min(float(balls.b[0].lo), 1.0) if balls.count else 1.0
     while first.k.lo == first.k.hi == 0 and A > FIRST:
-        last = given.at(0, arb(A))
-        cell = given.between(0, first, last)
+        last = balls.at(0, arb(A))
+        cell = balls.between(0, first, last)
         falls = cell.h_AA.hi < 0 or (first.h_AA.hi <= 0 and cell.h_AAA.hi < 0)
         if cell.h_A.hi < 0 or (first.h_A.hi <= 0 and falls):
             if last.k.sign:
                 return True
             break
         A *= 0.125
-    for i in range(given.count):
-        at, jump = given.below(i), given.jumps[i].sign
+    for i in range(balls.count):
+        at, jump = balls.below(i), balls.jumps[i].sign
         falls = at.h_A.hi < 0
         if jump < 0 and ((falls and at.k.hi <= 0) or (at.h_A.lo >= 0 and at.h.hi <= 0)):
             return True
         if jump > 0 and falls and at.h.hi <= 0 and at.k.lo >= 0:
             return True
-    return bool(amplitudes_of(given, partial(undamped, 1), ENDLESS, FIRST)[0])
+    return bool(amplitudes_of(balls, partial(undamped, 1), ENDLESS, FIRST)[0])
 
 
-def lowest_at_rest(given: Given) -> Enclosure | None:
+def lowest_at_rest(balls: BallModel) -> Enclosure | None:
     """What holds the lowest level at which the fold locus ends at Omega = 0, infinite if nowhere; None: not decided.
 
     There h_A vanishes, or h, and so R; from where F_Omega falls below 0 without friction the level does not rise, so
@@ -336,20 +336,20 @@ def lowest_at_rest(given: Given) -> Enclosure | None:
     def ends(cell: Cell) -> Sequence[Range]:
         return Range(THROUGHOUT, cell.h, cell.h_A), Range(THROUGHOUT, cell.h_A, cell.h_AA)
 
-    zeros, doubts = amplitudes_of(given, ends, ENDLESS, FIRST)
+    zeros, doubts = amplitudes_of(balls, ends, ENDLESS, FIRST)
     levels, at, decided = [Enclosure(INFINITE, INFINITE)], [one.on for one in zeros if one.channel], not doubts
-    levels += [given.m for one in zeros if not one.channel]
-    for i in range(given.count):
-        on, jump = given.on(i), given.jumps[i].sign
+    levels += [balls.m for one in zeros if not one.channel]
+    for i in range(balls.count):
+        on, jump = balls.on(i), balls.jumps[i].sign
         # h_A of the other side is infinite there: it passes 0 on the breakpoint
-        if given.jumps_at(i) and jump * on.h_A.sign <= 0:
+        if balls.jumps_at(i) and jump * on.h_A.sign <= 0:
             at.append(on)
             decided = decided and bool(jump and on.h_A.sign)
     for on in at:
-        rises = 1 if given.m.lo > 0 else flow.F_OmegaOmega(AT_0, on.A, given.zeta, on.h).sign
+        rises = 1 if balls.m.lo > 0 else flow.F_OmegaOmega(AT_0, on.A, balls.zeta, on.h).sign
         decided = decided and bool(rises)
         if rises > 0:
-            levels.append(Asked(given).level(AT_0, on))
+            levels.append(Systems(balls).level(AT_0, on))
     return Enclosure(min(one.lo for one in levels), min(one.hi for one in levels)) if decided else None
 
 
@@ -379,7 +379,7 @@ def _in_doubt(where: str = "") -> str:
     return messages.BALLS_IN_DOUBT.format(ctx.prec, where)
 
 
-def _decided(model: Model, ask: Callable[[Given], Answer | None]) -> Answer | None:
+def _decided(model: Model, ask: Callable[[BallModel], Answer | None]) -> Answer | None:
     """An answer that is proved by as few bits as it takes for it to be sharp, or that of the most."""
     averages = averages_of(model.mechanism)
     if averages is None or not model.has_design:
@@ -391,7 +391,7 @@ def _decided(model: Model, ask: Callable[[Given], Answer | None]) -> Answer | No
     with _DIGITS, np.errstate(all="ignore"):
         for bits in BITS:
             with ctx.workprec(bits):
-                more = ask(Given(model, averages))
+                more = ask(BallModel(model, averages))
             if more is None:
                 break
             found = more if found is None or more.proved or not found.proved else found
@@ -401,21 +401,21 @@ def _decided(model: Model, ask: Callable[[Given], Answer | None]) -> Answer | No
 
 
 def _at_forcing(
-    model: Model, F_0: float, find: Callable[[Asked, float], Points], make: Callable[..., Answer]
+    model: Model, F_0: float, find: Callable[[Systems, float], Points], make: Callable[..., Answer]
 ) -> Answer | None:
-    """Folds or states at a forcing; make: of points, and what is said of them and of others."""
+    """Folds or states at a forcing; make: of points, and what is proved of them and of others."""
 
-    def ask(given: Given) -> Answer | None:
-        if not F_0 > given.m.hi:
-            sticks = bool(F_0 <= given.m.lo)
+    def ask(balls: BallModel) -> Answer | None:
+        if not F_0 > balls.m.hi:
+            sticks = bool(F_0 <= balls.m.lo)
             message = messages.sticks(model, F_0) if sticks else _in_doubt(" whether the mass moves")
             return make([], proved=sticks, message=message, A_max=0.0, bounded=sticks, doubt=_pairs([]))
         try:
             A_max = solvers.amplitude_bound(model, F_0)
         except OverflowError:
             return None
-        points, doubts = find(Asked(given, F_0), A_max)
-        bounded = given.is_bounded(arb(F_0), A_max)
+        points, doubts = find(Systems(balls, F_0), A_max)
+        bounded = balls.is_bounded(arb(F_0), A_max)
         where = _in_doubt(" for A in " + messages.intervals(_pairs(doubts))) if doubts else ""
         message = joined(where, "" if bounded else messages.NOT_BOUNDED.format(A_max))
         others = {"A_max": A_max, "bounded": bounded, "doubt": _pairs(doubts)}
@@ -427,25 +427,25 @@ def _at_forcing(
 def folds(model: Model, F_0: float) -> ProvedFolds | None:
     """Every fold at F_0, with what is proved of it."""
 
-    def make(points: list[Point], **said: Any) -> ProvedFolds:
+    def make(points: list[Point], **proof: Any) -> ProvedFolds:
         # by rising frequency, of those that are the same double by rising amplitude, and of one of both the corner
         points.sort(key=lambda one: (float(one.Omega.middle), float(one.on.A.middle), not one.corner))
         kind = np.array([("", "jump-down", "jump-up")[one.sign] for one in points], dtype="U9")
         corner = np.array([one.corner for one in points], dtype=bool)
         Omega, A = _pairs(one.Omega for one in points), _pairs(one.on.A for one in points)
-        return ProvedFolds(bits=ctx.prec, Omega=Omega, A=A, kind=kind, corner=corner, **said)
+        return ProvedFolds(bits=ctx.prec, Omega=Omega, A=A, kind=kind, corner=corner, **proof)
 
-    return _at_forcing(model, F_0, Asked.folds, make)
+    return _at_forcing(model, F_0, Systems.folds, make)
 
 
 def states(model: Model, Omega: float, F_0: float) -> ProvedStates | None:
     """Every state at (Omega, F_0), with what is proved of it."""
 
-    def make(points: list[Point], **said: Any) -> ProvedStates:
+    def make(points: list[Point], **proof: Any) -> ProvedStates:
         stable = np.array([one.sign > 0 for one in points], dtype=bool)
-        return ProvedStates(bits=ctx.prec, A=_pairs(one.on.A for one in points), stable=stable, **said)
+        return ProvedStates(bits=ctx.prec, A=_pairs(one.on.A for one in points), stable=stable, **proof)
 
-    return _at_forcing(model, F_0, lambda asked, A_max: asked.states(Enclosure.of(Omega), A_max), make)
+    return _at_forcing(model, F_0, lambda systems, A_max: systems.states(Enclosure.of(Omega), A_max), make)
 
 
 def _forcing(proved: bool, message: str, best: Point | None = None) -> ProvedForcing:
@@ -468,15 +468,15 @@ def onset(model: Model) -> ProvedForcing | None:
     except ArithmeticError:  # unresolved, or beyond the range of doubles
         F_0 = math.inf
 
-    def ask(given: Given) -> ProvedForcing:
-        if model.zeta == 0 and tends_to_friction(given):
+    def ask(balls: BallModel) -> ProvedForcing:
+        if model.zeta == 0 and tends_to_friction(balls):
             return _forcing(True, messages.OF_NO_LOWEST[True])
-        best, proved = Asked(given, F_0).lowest(A_max)
+        best, proved = Systems(balls, F_0).lowest(A_max)
         if F_0 < math.inf:
-            proved = proved and best is not None and best.level.hi < F_0 and given.is_bounded(arb(F_0), A_max)
+            proved = proved and best is not None and best.level.hi < F_0 and balls.is_bounded(arb(F_0), A_max)
         if best is None:
-            said = messages.OF_NO_ONSET if proved or model.zeta > 0 else messages.OF_NO_LOWEST
-            return _forcing(proved, said[proved])
+            texts = messages.OF_NO_ONSET if proved or model.zeta > 0 else messages.OF_NO_LOWEST
+            return _forcing(proved, texts[proved])
         return _forcing(proved, "" if proved else _in_doubt(), best)
 
     return _decided(model, ask)
@@ -485,15 +485,15 @@ def onset(model: Model) -> ProvedForcing | None:
 def detachment(model: Model) -> ProvedForcing | None:
     """F_cr, the least level on the first breakpoint: at Omega = 0, or where F_Omega vanishes.
 
-    Each place that is tried is a bound from above, and the least lies at one of them: places in doubt do no harm.
+    Each point that is tried is a bound from above, and the least lies at one of them: points in doubt do no harm.
     """
 
-    def ask(given: Given) -> ProvedForcing | None:
-        if not given.count:
+    def ask(balls: BallModel) -> ProvedForcing | None:
+        if not balls.count:
             return _forcing(True, messages.NO_DETACHMENT)
-        asked, on = Asked(given), given.on(0)
-        found = frequencies_of(partial(asked.F_Omega, on), ZERO, 2 * flow.backbone(on.A, on.h).hi).places()
-        levels = [(asked.level(w, on), w) for w in (*(w for w, _ in found), AT_0)]
+        systems, on = Systems(balls), balls.on(0)
+        found = frequencies_of(partial(systems.F_Omega, on), ZERO, 2 * flow.backbone(on.A, on.h).hi).positions()
+        levels = [(systems.level(w, on), w) for w in (*(w for w, _ in found), AT_0)]
         hi = min(level.hi for level, _ in levels)
         F_cr = Enclosure(min(level.lo for level, _ in levels), hi)
         Omega = hull([w for level, w in levels if level.lo <= hi])
@@ -519,8 +519,8 @@ class ProvedCusps(Proved):
 def cusps(model: Model, A_max: float) -> ProvedCusps | None:
     """Every cusp up to A_max, with what is proved of it."""
 
-    def ask(given: Given) -> ProvedCusps:
-        points, doubts = Asked(given).cusps(A_max)
+    def ask(balls: BallModel) -> ProvedCusps:
+        points, doubts = Systems(balls).cusps(A_max)
         points.sort(key=lambda one: float(one.on.A.middle))
         proved = not doubts and all(one.sign for one in points)
         F_0, Omega = _pairs(one.level for one in points), _pairs(one.Omega for one in points)
@@ -539,9 +539,9 @@ def at_rest(model: Model, F_SN: float) -> tuple[float, float]:
     if averages is None:
         return 0.0, math.inf
     with _DIGITS, ctx.workprec(BITS[-1]):
-        given = Given(model, averages)
-        level = lowest_at_rest(given)
-        if level is None or not given.is_bounded(arb(F_SN), ENDLESS):
+        balls = BallModel(model, averages)
+        level = lowest_at_rest(balls)
+        if level is None or not balls.is_bounded(arb(F_SN), ENDLESS):
             return 0.0, math.inf
         low, high = _pairs([level])[0].tolist()
         return low, high

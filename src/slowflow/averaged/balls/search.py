@@ -150,7 +150,7 @@ POSITIVE = Enclosure(ZERO, INFINITE)
 class Cell(NamedTuple):
     """What holds h, its derivatives and k = h - A h_A on all amplitudes between two, A.
 
-    Of one amplitude that exceeds the beginning of its piece by A, exactly, `k_A` is not wanted.
+    Of one amplitude that exceeds the beginning of its piece by A, exactly, `k_A` is not needed.
     """
 
     A: Any
@@ -176,11 +176,11 @@ def bits_lost(A: arb, ends: Sequence[arb]) -> int:
     return min(MOST_LOST, LOST * sum(abs(math.frexp(size)[1]) for size in sizes if 0 < size < math.inf))
 
 
-class Given:
+class BallModel:
     """A model's numbers in balls, to the digits of `flint.ctx` when it was made.
 
-    Amplitudes of a piece are told by how much they exceed where it begins, so that one next to a breakpoint has all its
-    digits.
+    Amplitudes of a piece are given by their distance from where it begins, so that one next to a breakpoint has all
+    its digits.
     """
 
     def __init__(self, model: Model, averages: ModuleType) -> None:
@@ -245,11 +245,11 @@ class Given:
         """On each piece h_AAA is monotone, as the derivation proves: what two amplitudes have bounds it."""
         A, width = self.beyond(piece, Enclosure(a.A, b.A)), (b.A - a.A).upper()
         h_AAA = hull([a.h_AAA, b.h_AAA])
-        h_AA = along(a.h_AA, b.h_AA, h_AAA, width)
-        h_A = along(a.h_A, b.h_A, h_AA, width)
-        h = along(a.h, b.h, h_A, width)
+        h_AA = between_values(a.h_AA, b.h_AA, h_AAA, width)
+        h_A = between_values(a.h_A, b.h_A, h_AA, width)
+        h = between_values(a.h, b.h, h_A, width)
         _, k_A = flow.intercept(A, h, h_A, h_AA)
-        return Cell(A, h, h_A, h_AA, h_AAA, along(a.k, b.k, k_A, width), k_A)
+        return Cell(A, h, h_A, h_AA, h_AAA, between_values(a.k, b.k, k_A, width), k_A)
 
     def on(self, i: int) -> Cell:
         """Breakpoint i as its lower side has it."""
@@ -281,8 +281,8 @@ def _least_between(f_a: arb, f_b: arb, slope: Enclosure, width: arb) -> arb:
     return min((f_b - hi * (width - x)).lower(), (f_a + lo * x).lower())
 
 
-def along(f_a: Enclosure, f_b: Enclosure, slope: Enclosure, width: arb) -> Enclosure:
-    """A function between two values that are known to lie in intervals."""
+def between_values(f_a: Enclosure, f_b: Enclosure, slope: Enclosure, width: arb) -> Enclosure:
+    """An enclosure of a function between two of its values, from enclosures of these and of its slope."""
     low = _least_between(f_a.lo, f_b.lo, slope, width)
     return Enclosure(low, -_least_between(-f_a.hi, -f_b.hi, -slope, width))
 
@@ -330,7 +330,7 @@ class Search:
     at       -- what is known at a value of the unknown
     between  -- what is known between two of these: a cell
     question -- the functions on a cell
-    begins   -- what the unknown is told from
+    begins   -- the origin of the unknown
     zeros, doubts -- what was found, by falling unknown; a doubt: where these digits do not decide
     """
 
@@ -348,7 +348,7 @@ class Search:
         self._search(a, b, range(len(b.ranges)))
         return self
 
-    def places(self) -> list[tuple[Enclosure, bool]]:
+    def positions(self) -> list[tuple[Enclosure, bool]]:
         """Where zeros are, and whether each may be none, or several."""
         return [*((zero.x, False) for zero in self.zeros), *((doubt, True) for doubt in self.doubts)]
 
@@ -356,13 +356,13 @@ class Search:
         known = self.at(x) if known is None else known
         return Place(x, known, self.question(self.between(known, known)))
 
-    def _search(self, a: Place, b: Place, wanted: Iterable[int]) -> None:
+    def _search(self, a: Place, b: Place, indices: Iterable[int]) -> None:
         self.cells += 1
         x = _cut(a.x, b.x)
         end = not a.x < x < b.x or bool(b.x <= NEXT * self.begins) or self.cells > MOST_CELLS
         cell, left = self.between(a.known, b.known), []
         ranges = self.question(cell)
-        for c in wanted:
+        for c in indices:
             last = end or self._is_cut_enough(a, b, c, ranges[c])
             crossing, on = self._crossing(a, b, c, ranges[c], last)
             if crossing:
@@ -381,7 +381,7 @@ class Search:
     def _crossing(self, a: Place, b: Place, c: int, on: Range, last: bool) -> tuple[int | None, Range]:
         """1: one zero, from below; -1: one, from above; 0: none; None: not known. The range with a narrower slope.
 
-        last -- whether it need not be told from the end of what is asked, which smaller cells may do
+        last -- whether it need not be distinguished from the end of the range, which smaller cells may do
         """
         if on.where == NOWHERE or on.y.sign:
             return 0, on
@@ -396,8 +396,8 @@ class Search:
         if not on.where == at_a.where == at_b.where == THROUGHOUT:
             return None, on
         width = (b.x - a.x).upper()
-        on = on._replace(dy=on.dy.both(along(at_a.dy, at_b.dy, on.ddy, width)))
-        if on.y.both(along(at_a.y, at_b.y, on.dy, width)).sign:
+        on = on._replace(dy=on.dy.both(between_values(at_a.dy, at_b.dy, on.ddy, width)))
+        if on.y.both(between_values(at_a.y, at_b.y, on.dy, width)).sign:
             return 0, on
         if not (on.dy.sign and at_a.y.sign and at_b.y.sign):
             return None, on
@@ -405,12 +405,12 @@ class Search:
 
     def _is_cut_enough(self, a: Place, b: Place, c: int, on: Range) -> bool:
         """Whether smaller cells tell no more of a function; one that rises or falls has its zero next to an end."""
-        width, share = b.x - a.x, arb(2) ** -int(NARROW * ctx.prec)
-        if not width <= share * (self.begins + b.x):
+        width, fraction = b.x - a.x, arb(2) ** -int(NARROW * ctx.prec)
+        if not width <= fraction * (self.begins + b.x):
             return False
         at_a, at_b = a.ranges[c], b.ranges[c]
         if on.dy.sign or not on.where == at_a.where == at_b.where == THROUGHOUT:
-            return bool(width <= share * b.x)
+            return bool(width <= fraction * b.x)
         return not (at_a.y.sign or at_b.y.sign or on.y.width > NOISE * min(at_b.y.width, at_a.y.width))
 
     def _enter(self, a: Place, b: Place, c: int, on: Range, cell: Any, rising: bool) -> None:
@@ -443,19 +443,19 @@ def _cut(low: arb, high: arb) -> arb:
 
 
 def amplitudes_of(
-    given: Given, question: Callable[[Cell], Sequence[Range]], A_max: float, start: float = 0.0
+    balls: BallModel, question: Callable[[Cell], Sequence[Range]], A_max: float, start: float = 0.0
 ) -> tuple[list[Zero], list[Enclosure]]:
     """Zeros along the amplitude, by rising amplitude, and amplitudes in doubt."""
     zeros, doubts, limit = [], [], arb(A_max)
-    for piece in range(given.count + 1):
-        begins = given.b[piece - 1].lo if piece else ZERO
-        ends = piece < given.count and bool(given.b[piece].lo < limit)
-        first = given.above(piece - 1) if piece else given.at(0, arb(start))
-        last = given.below(piece) if ends else given.at(piece, (limit - begins).upper())
-        search = Search(partial(given.at, piece), partial(given.between, piece), question, begins)
+    for piece in range(balls.count + 1):
+        begins = balls.b[piece - 1].lo if piece else ZERO
+        ends = piece < balls.count and bool(balls.b[piece].lo < limit)
+        first = balls.above(piece - 1) if piece else balls.at(0, arb(start))
+        last = balls.below(piece) if ends else balls.at(piece, (limit - begins).upper())
+        search = Search(partial(balls.at, piece), partial(balls.between, piece), question, begins)
         search.run(first.A, last.A, (first, last))
         zeros += reversed(search.zeros)
-        doubts += [given.beyond(piece, one) for one in search.doubts]
+        doubts += [balls.beyond(piece, one) for one in search.doubts]
         if not ends:
             break
     return zeros, doubts
