@@ -66,7 +66,7 @@ def answer(designs: Designs, S_0: Any, psd: Any, places: int, workers: int = 1) 
         status[chunk] = np.where(count > places, Status.TOO_MANY, np.where(count > 0, Status.OK, Status.UNRESOLVED))
 
     batched = np.flatnonzero(together)
-    share(solve, blocks(batched.shape, CHUNK), threads, lambda part: batched[part].size, batched.size)
+    map_chunks(solve, blocks(batched.shape, CHUNK), threads, lambda part: batched[part].size, batched.size)
     singly = np.flatnonzero(valid & ~together).tolist()
     for k in progress.each(singly, len(singly), "designs asked singly"):
         one = {name: float(own[name][k]) for name in designs.values}

@@ -47,7 +47,7 @@ def random(oscillator: Any, system: EquationOfMotion, S_0: Any, psd: Any) -> Ran
         SEVERAL.format(u.size) if u.size > 1 else "",
         DRY.format(float(dry.max()), MOST_DRY) if (dry > MOST_DRY).any() else "",
     )
-    return RandomResponse(**columns, message=said, excitation=excitation, system=system, _asked=oscillator)
+    return RandomResponse(**columns, message=said, excitation=excitation, system=system, _equation=oscillator)
 
 
 def excited_by(S_0: Any, psd: Any) -> Excitation:
