@@ -8,7 +8,7 @@ import numpy as np
 
 from slowflow import progress, validate
 from slowflow.averaged.batches import Batch
-from slowflow.averaged.chunks import blocks, share
+from slowflow.averaged.chunks import blocks, map_chunks
 from slowflow.averaged.many import Designs
 from slowflow.averaged.queries import failed
 from slowflow.backend import EXACT
