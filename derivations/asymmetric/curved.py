@@ -18,11 +18,12 @@ what a step adds whose end moves.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import sympy as sp
 
+from ..forces.elliptic import Corner
 from ..forces.quadrature import Quadrature, derivatives, lost_at, v
 from ..symbols import u
 from .off_centre import ORDERS
@@ -70,4 +71,24 @@ def curved(pieces: Sequence[sp.Expr], ends: Sequence[sp.Expr], parameters: Seque
             tuple(tuple(-lost_at(sp.diff(below - above, by), end, order) for order in range(2)) for by in parameters)
             for (below, above), end in met
         ),
+    )
+
+
+def of_untruncated(pieces: Sequence[sp.Expr], end: Corner, parameters: Sequence[sp.Symbol]) -> Curved:
+    """Of the force as the geometry gives it (5), whose first piece ends where the springs detach.
+
+    It has no jump there: the compression is 0. Gains are stated in the height c = sqrt(1 - u_cr^2), of which no digit
+    is lost as u_cr nears 1.
+    """
+    c = sp.Symbol("c", positive=True)
+    force = curved(pieces, (sp.sqrt(1 - c**2),), parameters)
+    ((_, *gains),) = force.gains
+
+    def in_parameters(gain: sp.Expr) -> sp.Expr:
+        return gain.subs(sp.sqrt(1 - c**2), end.value).subs(c, end.height)
+
+    return replace(
+        force,
+        gains=((sp.Integer(0), *map(in_parameters, gains)),),
+        gained_by=tuple(tuple(tuple(map(in_parameters, row)) for row in rows) for rows in force.gained_by),
     )

@@ -3,6 +3,7 @@ truncated.
 
 Written by `make derive`; never edit.
 Input: derivations/mechanisms/rod_spring_untruncated.py, sha256 fcc795df716f7e2f9f892242cfe193b7bb6d648ba5e980491479e0dbe8cfd9fa
+Input: none but the equation of motion in derivations/asymmetric/curved.py
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each
@@ -26,7 +27,7 @@ import numpy as np
 from slowflow_kernels import slow_flow as flow
 from slowflow.support.backend import NATIVE, compiled
 from slowflow.support.broadcast import by_regime, common_shape, floats, full, number_by_regime
-from slowflow.support.record import Law, Mechanism, Parameter, Scale
+from slowflow.support.record import Curved, Law, Mechanism, Parameter, Scale
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -1363,6 +1364,162 @@ def force(u: ArrayLike, alpha: ArrayLike, beta: ArrayLike, delta_h: ArrayLike) -
     return number_by_regime(guards, bodies, arguments)
 
 
+def _gained(alpha: Any, beta: Any, delta_h: Any) -> tuple[Any, Any, Any]:
+    """What the force and two derivatives gain at each breakpoint.
+
+    Equation (3). Domain: any parameters. Shape: 3 results, each the arguments that it depends on, broadcast.
+    Operations: 18.
+    """
+    t0 = 1.0 - delta_h
+    t1 = t0 * t0
+    t2 = t0 * t1
+    t3 = t1 * t1
+    t4 = t0 * t3
+    return (
+        0.0,
+        -alpha + 2.0 * beta - 2.0 * beta / t2 + 1.0,
+        -6.0 * beta * np.sqrt(-delta_h * delta_h + 2.0 * delta_h) / t4,
+    )
+
+
+def _curved_1(beyond: Any, alpha: Any, beta: Any, delta_h: Any) -> tuple[Any, Any, Any, Any]:
+    """Piece 1 of the force at u, and 3 derivatives.
+
+    Equation (3). Domain: where it holds. Shape: 4 results, each the arguments that it depends on, broadcast.
+    Operations: 33.
+    """
+    t0 = 2.0 * beta
+    t1 = beyond * beyond
+    t2 = 1.0 - t1
+    t3 = alpha - t0 + t0 / np.sqrt(t2)
+    t4 = beyond + 1.0
+    t5 = np.power(t4, -2.5)
+    t6 = 6.0 * beta
+    t7 = 1.0 - beyond
+    t8 = beyond / np.power(t7, 2.5)
+    t9 = 15.0 * beta
+    return (
+        beyond * t3,
+        t0 * t1 / np.power(t2, 1.5) + t3,
+        t5 * t6 * t8,
+        beyond * t5 * t9 / np.power(t7, 3.5) - t8 * t9 / np.power(t4, 3.5) + t6 / np.power(t2, 2.5),
+    )
+
+
+def _curved_2(beyond: Any, alpha: Any, beta: Any, delta_h: Any) -> tuple[Any, Any, Any, Any]:
+    """Piece 2 of the force at u, and 3 derivatives.
+
+    Equation (3). Domain: where it holds. Shape: 4 results, each the arguments that it depends on, broadcast.
+    Operations: 0.
+    """
+    return beyond, 1.0, 0.0, 0.0
+
+
+def _gained_by(alpha: Any, beta: Any, delta_h: Any) -> tuple[Any, Any, Any, Any, Any, Any]:
+    """At each breakpoint, by each parameter in turn: what the force and its slope gain more.
+
+    Equation (3). Domain: any parameters. Shape: 6 results, each the arguments that it depends on, broadcast.
+    Operations: 12.
+    """
+    t0 = np.sqrt(-delta_h * delta_h + 2.0 * delta_h)
+    t1 = 1.0 - delta_h
+    t2 = t1 * t1
+    t3 = t1 * t2
+    return -t0, -1.0, -2.0 * delta_h * t0 / t1, 2.0 - 2.0 / t3, 0.0, 0.0
+
+
+def _moved_1_1(beyond: Any, alpha: Any, beta: Any, delta_h: Any) -> tuple[Any, Any, Any]:
+    """Piece 1 by parameter 1 at u, and two derivatives.
+
+    Equation (3). Domain: where it holds. Shape: 3 results, each the arguments that it depends on, broadcast.
+    Operations: 0.
+    """
+    return beyond, 1.0, 0.0
+
+
+def _moved_1_2(beyond: Any, alpha: Any, beta: Any, delta_h: Any) -> tuple[Any, Any, Any]:
+    """Piece 1 by parameter 2 at u, and two derivatives.
+
+    Equation (3). Domain: where it holds. Shape: 3 results, each the arguments that it depends on, broadcast.
+    Operations: 20.
+    """
+    t0 = beyond * beyond
+    t1 = 1.0 - t0
+    t2 = 1.0 / np.sqrt(t1)
+    return (
+        beyond * (2.0 * t2 - 2.0),
+        2.0 * t0 / np.power(t1, 1.5) + 2.0 * t2 - 2.0,
+        6.0 * beyond / (np.power(1.0 - beyond, 2.5) * np.power(beyond + 1.0, 2.5)),
+    )
+
+
+def _moved_1_3(beyond: Any, alpha: Any, beta: Any, delta_h: Any) -> tuple[Any, Any, Any]:
+    """Piece 1 by parameter 3 at u, and two derivatives.
+
+    Equation (3). Domain: where it holds. Shape: 3 results, each the arguments that it depends on, broadcast.
+    Operations: 0.
+    """
+    return 0.0, 0.0, 0.0
+
+
+def _moved_2_1(beyond: Any, alpha: Any, beta: Any, delta_h: Any) -> tuple[Any, Any, Any]:
+    """Piece 2 by parameter 1 at u, and two derivatives.
+
+    Equation (3). Domain: where it holds. Shape: 3 results, each the arguments that it depends on, broadcast.
+    Operations: 0.
+    """
+    return 0.0, 0.0, 0.0
+
+
+def _moved_2_2(beyond: Any, alpha: Any, beta: Any, delta_h: Any) -> tuple[Any, Any, Any]:
+    """Piece 2 by parameter 2 at u, and two derivatives.
+
+    Equation (3). Domain: where it holds. Shape: 3 results, each the arguments that it depends on, broadcast.
+    Operations: 0.
+    """
+    return 0.0, 0.0, 0.0
+
+
+def _moved_2_3(beyond: Any, alpha: Any, beta: Any, delta_h: Any) -> tuple[Any, Any, Any]:
+    """Piece 2 by parameter 3 at u, and two derivatives.
+
+    Equation (3). Domain: where it holds. Shape: 3 results, each the arguments that it depends on, broadcast.
+    Operations: 0.
+    """
+    return 0.0, 0.0, 0.0
+
+
+def _held_1(around, beyond, alpha, beta, delta_h):
+    """Piece 1 of the force at u, and 3 derivatives.
+
+    On intervals; `around` makes one of a number that no double is equal to. Equation (3).
+    """
+    t0 = 2.0 * beta
+    t1 = beyond.square()
+    t2 = 1.0 - t1
+    t3 = alpha - t0 + t0 / t2.root()
+    t4 = beyond + 1.0
+    t5 = 1.0 / t4.power(2.5)
+    t6 = 6.0 * beta
+    t7 = 1.0 - beyond
+    t8 = beyond / t7.power(2.5)
+    t9 = 15.0 * beta
+    return (
+        beyond * t3,
+        t0 * t1 / t2.power(1.5) + t3,
+        t5 * t6 * t8,
+        beyond * t5 * t9 / t7.power(3.5) - t8 * t9 / t4.power(3.5) + t6 / t2.power(2.5),
+    )
+
+
+def _held_2(around, beyond, alpha, beta, delta_h):
+    """Piece 2 of the force at u, and 3 derivatives.
+
+    On intervals; `around` makes one of a number that no double is equal to. Equation (3).
+    """
+    return beyond, 1.0, 0.0, 0.0
+
+
 def averaged(A: ArrayLike, alpha: ArrayLike, beta: ArrayLike, delta_h: ArrayLike) -> tuple[Any, Any, Any, Any]:
     """h, h_A, h_AA, h_AAA together.
 
@@ -1646,6 +1803,16 @@ MECHANISM = Mechanism(
     reach=1.0,
     reach_reason="the push-rod stands vertical",
     truncated=False,
+    curved=Curved(
+        _gained,
+        (_curved_1, _curved_2),
+        (_held_1, _held_2),
+        _gained_by,
+        (
+            (_moved_1_1, _moved_1_2, _moved_1_3),
+            (_moved_2_1, _moved_2_2, _moved_2_3),
+        ),
+    ),
     load_untruncated=None,
     load_balls=_load_balls,
     scales=(

@@ -31,10 +31,6 @@ NEGATIVE = (
     "delta_h = {delta_h:g} exceeds 1/(lam r) = {most:g}: negative stiffness at rest (alpha = {alpha:g}); the averaged "
     "motion is about {u} = 0"
 )
-NO_LOAD = (
-    "{load = :g} is not available with force = 'untruncated', only with 'truncated': a piece of that force is no "
-    "polynomial, and motions off the centre are not derived for such a one"
-)
 
 
 def _averaged(force: Any) -> Mechanism:
@@ -96,9 +92,6 @@ class Isolator(Oscillator):
         del self.given["mechanism"]
         self.given["force"] = force
         if load != 0:
-            if not self.model.mechanism.truncated and self.delta_h > 0:
-                load = validate.number("load", load)
-                raise validate.NotAvailable(text(NO_LOAD, load))
             self._put(load)
         if self.alpha < 0:
             warnings.warn(text(NEGATIVE, self.delta_h, 1 / (self.lam * self.r), self.alpha), stacklevel=3)
@@ -159,8 +152,8 @@ class Isolator(Oscillator):
         vertical spring is preset, by m g/k_v, so that m rests at the centre, where the push-rods lie flat. Another load
         rests off the centre, `rest()` tells where, and moves about there without symmetry: its answers have a mean B.
         Raises ValueError for a number outside its domain, for laws of damping as `Isolator`, and for such a load where
-        motions off the centre are not derived: with the force that is not truncated, or rubs="attached". A number that
-        is allowed, and looks as if it were in another unit, as L = 80, is told in a warning.
+        motions off the centre are not derived: with rubs="attached". A number that is allowed, and looks as if it were
+        in another unit, as L = 80, is told in a warning.
         """
         moving = m if load is None else validate.number("load", si("load", load, "kg"), above=0.0)
         excited = validate.excitation(excitation, tuple(EXCITATIONS))

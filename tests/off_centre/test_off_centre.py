@@ -758,8 +758,6 @@ def test_what_has_no_answer_off_the_centre_is_refused_in_words(loaded):
     assert set(re.findall(r"`(\w+)`", told)) == refused
     with pytest.raises(ValueError, match="put together from others"):
         loaded.margins(0.04).gradient()
-    with pytest.raises(ValueError, match="no polynomial"):
-        loaded.replace(force="untruncated")
     with pytest.raises(ValueError, match="load = nan"):
         Duffing(1.0, 0.5, load=float("nan"))
     with pytest.raises(ValueError, match="needs zeta > 0"):

@@ -109,8 +109,6 @@ def test_batch_questions_without_asymmetric_answer_are_refused():
         Isolator.many(**TABLE_1, load=0.1, rubs="attached")
     with pytest.raises(ValueError, match="stated at one frequency"):
         Isolator.many(**TABLE_1, load=0.1, eta=0.02).shock_spectrum(acceleration=0.1, duration=2.0)
-    with pytest.raises(ValueError, match="no polynomial"):
-        Isolator.many(**TABLE_1, load=0.1, force="untruncated")
     with pytest.raises(ValueError, match="shapes"):
         Isolator.many(**TABLE_1, load=[0.1, 0.2]).saddle_nodes([0.03, 0.04, 0.05])
     assert not hasattr(designs, "nothing_of_the_kind")

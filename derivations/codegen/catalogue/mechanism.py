@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
+from ...asymmetric.curved import of_untruncated
 from ...asymmetric.off_centre import steps
 from ...extensions.second_approximation import OF_HARMONIC
 from ...forces import elliptic
@@ -26,6 +27,7 @@ from ...symbols import F_0, A, mu, u, zeta
 from ..compensated import copysign
 from ..form import AVERAGED, NAMES, Composition, Law, Module, Record, Selection
 from .force import Printed, formulas, state_data, state_pieces, state_steps
+from .sided import state_curved
 
 if TYPE_CHECKING:
     from ...extensions.scaling import Scale
@@ -59,10 +61,14 @@ def mechanism_module(mechanisms: Mapping[str, OfMechanism], name: str, flow: Mod
     laws = state_pieces(of, name, printed_pieces(derived), of_pieces(derived))
     state_force(of, derived)
     state_resultants(of, derived)
+    terms = None
+    if is_spelled_out(derived):
+        *_, end = pieces_of(derived)
+        terms = state_curved(of, of_untruncated(derived.whole.pieces, end, mechanism.parameters))
     return Module(
         name=name,
         title=mechanism.title[0].upper() + mechanism.title[1:],
-        inputs=(f"mechanisms/{name}.py",),
+        inputs=(f"mechanisms/{name}.py", *(["asymmetric/curved.py"] if terms else [])),
         kernels=tuple(of.kernels.values()),
         selections=(*averages.selections, *selections(averages, compiled=not is_spelled_out(derived))),
         compositions=tuple(compositions(flow, mechanism, averages.pair, compiled=not is_spelled_out(derived)))
@@ -70,6 +76,7 @@ def mechanism_module(mechanisms: Mapping[str, OfMechanism], name: str, flow: Mod
         else (),
         flow=flow.name if flow else "",
         record=record(mechanisms, derived, laws, alone=flow is None),
+        off_centre=terms,
     )
 
 

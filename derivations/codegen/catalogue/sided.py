@@ -67,13 +67,13 @@ def state_curved(of: Formulas, curved: Curved) -> OffCentreTerms:
     def terms(of: Formulas, name: str, pieces: Iterable[tuple[sp.Expr, ...]], what: str) -> tuple[Kernel, ...]:
         names = []
         for k, values in enumerate(pieces, start=1):
-            names.append(f"{name}_{k}")
+            names.append(f"_{name}_{k}")
             of.add(names[-1], values, what.format(k), "(3)", "where it holds", **about)
         return tuple(of.kernels[one] for one in names)
 
     def at_ends(name: str, rows: Iterable[tuple[sp.Expr, ...]], doc: str) -> Kernel:
-        of.add(name, tuple(value for row in rows for value in row), doc, "(3)", in_c=False)
-        return of.kernels[name]
+        of.add(f"_{name}", tuple(value for row in rows for value in row), doc, "(3)", generic=True, in_c=False)
+        return of.kernels[f"_{name}"]
 
     what = f"Piece {{}} of the force at u, and {ORDERS} derivatives."
     on_intervals = formulas(of.parameters)

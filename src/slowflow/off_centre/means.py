@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import copy
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
 from itertools import combinations, pairwise
@@ -230,21 +230,27 @@ class Steps:
         self.curved = Curved(pieces, ends, gains[:, 2], (-self.beyond[1].wall, self.beyond[0].wall))
         return own[:, :2]
 
-    def curved_by(self, mechanism: Mechanism, parameters: tuple[float, ...]) -> list[Curved | None]:
-        """The sensitivity of the rest of the force to each parameter of the design; None for a piecewise polynomial."""
+    def curved_by(
+        self, mechanism: Mechanism, parameters: tuple[float, ...], of_parameters: Floats
+    ) -> list[Curved | None]:
+        """The sensitivity of the rest of the force to each number of the design; None for a piecewise polynomial.
+
+        of_parameters -- that of the parameters of the force, (parameters, numbers)
+        """
         stated, known = mechanism.curved, self.curved
         found: list[Curved | None] = []
         if stated is None or known is None:
             return [None] * len(mechanism.design)
         own, count = self.breakpoints.size, len(parameters)
         gained = np.array([float(one) for one in stated.gained_by(*parameters)]).reshape(own, count, 2)
-        for number in range(len(mechanism.design)):
-            gains, laws = gained[:, number], [partial(_law, piece[number], parameters) for piece in stated.moved]
+        for slopes in of_parameters.T:
+            gains = np.einsum("p,epk->ek", slopes, gained)
+            laws = [partial(_combined, piece, slopes, parameters) for piece in stated.moved]
             if mechanism.odd:
                 gains, laws = np.concatenate((gains[::-1] * (1, -1), gains)), [*laws[:0:-1], *laws]
             lines = zip(laws, known.pieces, _lines(known.ends, gains), strict=True)
-            slopes = [Part(law, None, part.mirrored, (float(a), float(b))) for law, part, (a, b) in lines]
-            found.append(Curved(slopes, known.ends, np.zeros(known.ends.size), known.walls))
+            moving = [Part(law, None, part.mirrored, (float(a), float(b))) for law, part, (a, b) in lines]
+            found.append(Curved(moving, known.ends, np.zeros(known.ends.size), known.walls))
         return found
 
     def _weights(self) -> tuple[Floats, Floats]:
@@ -327,6 +333,12 @@ def _lines(ends: Floats, gains: Floats) -> Floats:
 
 def _law(kernel: Any, parameters: tuple[float, ...], u: Floats) -> Any:
     return kernel(u, *parameters)
+
+
+def _combined(kernels: Sequence[Any], slopes: Floats, parameters: tuple[float, ...], u: Floats) -> Any:
+    """The same of several laws, each times a slope."""
+    terms = [(slope, kernel(u, *parameters)) for kernel, slope in zip(kernels, slopes.tolist(), strict=True) if slope]
+    return [sum(slope * values[n] for slope, values in terms) + 0 * u for n in range(ORDERS)]
 
 
 def _enclosed(kernel: Any, parameters: tuple[float, ...], u: Elementary) -> Any:

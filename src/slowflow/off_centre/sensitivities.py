@@ -54,7 +54,7 @@ class Design:
         of_force = model.mechanism, model.parameters
         of_parameters, of_ends = _by_design(model)
         gains = np.einsum("psk,pd->dsk", steps.by_parameter(*of_force), of_parameters)
-        return cls(model, steps, gains, steps.by_step(of_ends.T), tuple(steps.curved_by(*of_force)))
+        return cls(model, steps, gains, steps.by_step(of_ends.T), tuple(steps.curved_by(*of_force, of_parameters)))
 
     def first(self) -> Design:
         """With the first piece alone, as if it held everywhere; its end depends on the design as before."""

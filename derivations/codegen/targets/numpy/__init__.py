@@ -163,7 +163,7 @@ def exported(module: Module) -> list[str]:
         *(name for names in module.borrowed.values() for name in names),
         *(["MECHANISM"] if module.record else []),
     ]
-    return sorted(own, key=in_import)
+    return sorted((name for name in own if not name.startswith("_")), key=in_import)
 
 
 def in_import(name: str) -> tuple[bool, bool, str]:

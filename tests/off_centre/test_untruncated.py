@@ -1,0 +1,85 @@
+"""The isolator under a load with its force as the geometry gives it, against the equations typed here at 30 digits."""
+
+import math
+
+import mpmath as mp
+import numpy as np
+import pytest
+
+from slowflow import Isolator
+
+TABLE_1 = {"lam": 3, "r": 3747 / 1848, "delta_h": 1848 / (6 * 3747), "mu": 0.012, "zeta": 0.02}
+STEEP = {"lam": 2, "r": 0.6, "delta_h": 0.7, "mu": 0.02, "zeta": 0.05}
+CASES = pytest.mark.parametrize(("design", "load", "F_0"), [(TABLE_1, 0.01, 0.04), (STEEP, -0.2, 0.15)])
+
+
+def restoring(lam, r, delta_h, **_):
+    """f(u) of (5): springs at a rod of length 1, hinged 1 from the line of the mass, compressed by delta_h at u = 0."""
+
+    def f(u):
+        compression = mp.mpf(delta_h) - (1 - mp.sqrt(1 - u**2)) if abs(u) < 1 else -1
+        return u - lam * mp.mpf(r) * compression * u / mp.sqrt(1 - u**2) if compression > 0 else u
+
+    return f, mp.sqrt(1 - (1 - mp.mpf(delta_h)) ** 2)
+
+
+def residuals(design, load, F_0, Omega, A, B):
+    """Mean force less the load, and the forcing that balances the first harmonic over F_0, less 1."""
+    f, u_cr = restoring(**design)
+    inside = sorted(mp.acos((end - B) / A) for end in (-u_cr, u_cr) if abs(end - B) < A)
+    turns = [0, *inside, mp.pi]
+    mean, first = (mp.quad(lambda psi, p=p: f(B + A * mp.cos(psi)) * mp.cos(psi) ** p, turns) / mp.pi for p in (0, 1))
+    I = 2 * mp.mpf(design["zeta"]) * A * Omega + 4 * mp.mpf(design["mu"]) / mp.pi
+    return mean - load, mp.hypot(A * Omega**2 - 2 * first, I) / F_0 - 1
+
+
+@CASES
+def test_states_and_folds_satisfy_the_averaged_equations(design, load, F_0):
+    iso = Isolator(**design, load=load, force="untruncated")
+    folds = iso.saddle_nodes(F_0)
+    found = [*zip(folds.Omega, folds.A, folds.B, strict=True)]
+    states = iso.amplitudes(Omega=[0.5, 0.9, 1.3], F_0=F_0)
+    found += zip(states.Omega, states.A, states.B, strict=True)
+    assert len(found) >= 3
+    with mp.workdps(30):
+        for Omega, A, B in found:
+            for one in residuals(design, load, F_0, *map(mp.mpf, (Omega, A, B))):
+                assert abs(one) < 1e-12
+
+
+@CASES
+def test_two_states_come_into_being_at_each_fold(design, load, F_0):
+    iso = Isolator(**design, load=load, force="untruncated")
+    folds = iso.saddle_nodes(F_0)
+    for Omega, A in zip(folds.Omega, folds.A, strict=True):
+        counts, near = [], []
+        for at in Omega * (1 + 1e-7 * np.array([-1, 1])):
+            states = iso.amplitudes(Omega=at, F_0=F_0)
+            counts.append(len(states))
+            near.append(np.sum(np.abs(states.A - A) < 1e-2 * A))
+        assert abs(counts[1] - counts[0]) == 2
+        assert sorted(near) == [0, 2]
+
+
+def test_a_vanishing_load_leaves_the_folds_about_the_centre():
+    centred = Isolator(**TABLE_1, force="untruncated").saddle_nodes(0.04)
+    loaded = Isolator(**TABLE_1, load=1e-9, force="untruncated").saddle_nodes(0.04)
+    np.testing.assert_allclose(loaded.Omega, centred.Omega, rtol=1e-12)
+    np.testing.assert_allclose(loaded.A, centred.A, rtol=1e-10)
+
+
+@CASES
+def test_gradients_are_slopes_in_a_random_direction(design, load, F_0):
+    numbers = {**design, "load": load}
+    rng = np.random.default_rng(5)
+    direction = {name: rng.uniform(-1, 1) * abs(value) for name, value in numbers.items()}
+    direction["lam"] = 0.0  # a number of springs
+    gradient = Isolator(**numbers, force="untruncated").detachment().gradient()
+    ends = [
+        Isolator(**{name: value + h * direction[name] for name, value in numbers.items()}, force="untruncated")
+        for h in (-1e-5, 1e-5)
+    ]
+    for name in ("F_cr", "Omega_cr", "A", "B"):
+        low, high = (getattr(iso.detachment(), name) for iso in ends)
+        told = math.fsum(gradient[name, by] * step for by, step in direction.items())
+        assert (high - low) / 2e-5 == pytest.approx(told, rel=1e-6)
