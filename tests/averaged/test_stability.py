@@ -134,7 +134,7 @@ def test_the_oracle_of_kernels_agrees_with_the_quadratures():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("what", stress.PARTS)
+@pytest.mark.parametrize("what", stress.GROUPS)
 def test_each_part_of_the_search_runs(what):
     """At few points: what the search finds stands above."""
     part, found, seconds = stress.run((what, stress.jobs(1e-4)[what][0]))
