@@ -56,55 +56,11 @@ def joined(name: str, p: Sequence):
     return forces, ends
 
 
-def average(name: str, p: Sequence, passed: int, less_vertical: bool) -> Callable:
-    """-(1/pi) int_0^{2 pi} f(A cos psi) cos psi dpsi by quadrature over a quarter, `passed` ends exceeded."""
-    forces, ends = pieces(name, p)
-
-    def of(A):
-        cuts = [mpf(0), *(mp.asin(b / A) for b in ends[:passed]), mp.pi / 2]
-        total = mpf(0)
-        for f, start, end in zip(forces, cuts, cuts[1:], strict=False):
-
-            def integrand(t, f=f):
-                u = A * mp.sin(t)
-                return (f(u) - u if less_vertical else f(u)) * mp.sin(t)
-
-            total += mp.quad(integrand, [start, end], method="gauss-legendre")
-        return -4 / mp.pi * total
-
-    return of
-
-
 @functools.cache
 def gauss(count: int) -> list[tuple[arb, arb]]:
     """Nodes and weights on [0, 1]."""
     pairs = [arb.legendre_p_root(count, k, weight=True) for k in range(count)]
     return [((1 + x) / 2, w / 2) for x, w in pairs]
-
-
-def untruncated_family(passed: int, less_vertical: bool, A, *p) -> list:
-    """The same by Gauss's rule on Taylor series in A, on panels that get finer towards u_cr, where the force is steep.
-
-    In balls, because mpmath takes seconds for these.
-    """
-    before, ctx.cap = ctx.cap, 4
-    alpha, beta, delta_h = map(ball, p)
-    u_cr = (delta_h * (2 - delta_h)).sqrt()
-    # the double next to u_cr stands for it
-    amplitude = arb_series([u_cr if not passed and ball(A) > u_cr else ball(A), 1])
-    end = (u_cr / amplitude).asin() if passed else arb_series([arb.pi() / 2])
-    # continuous at its end: alpha follows from the rest
-    constant = 1 - 2 * beta / (1 - delta_h) if passed else alpha - 2 * beta
-    total = arb_series([0 if less_vertical else arb.pi() / 4])
-    panels = [*(1 - arb(4) ** -k for k in range(7)), arb(1)]
-    for low, high in itertools.pairwise(panels):
-        for x, w in gauss(64):
-            s = (end * (low + (high - low) * x)).sin()
-            beside_vertical = constant + 2 * beta / (1 - (amplitude * s) ** 2).sqrt() - 1
-            total += end * ((high - low) * w) * beside_vertical * s**2
-    taylor = -4 / arb.pi() * amplitude * total
-    ctx.cap = before
-    return derivatives(taylor)
 
 
 def derivatives(taylor: arb_series) -> list:
@@ -125,17 +81,19 @@ def ball(x) -> arb:
 @functools.cache
 def family(name: str, passed: int, less_vertical: bool, A, *p):
     """The average and its first three derivatives by A."""
-    if name == "rod_spring_untruncated":
-        return untruncated_family(passed, less_vertical, A, *p)
-    if stated(name):
-        value, slope, *rest = harmonic_by_quadrature(name, 1, passed, A, *p)
-        return [value + A * less_vertical, slope + less_vertical, *rest]
-    taylor = mp.taylor(average(name, p, passed, less_vertical), A, 3)
-    return [mp.factorial(k) * c for k, c in enumerate(taylor)]
+    if name == "rod_spring_untruncated" and not passed:  # the double next to u_cr stands for it
+        A = min(A, *pieces(name, p)[1])
+    value, slope, *rest = harmonic_by_quadrature(name, 1, passed, A, *p)
+    vertical = less_vertical - (stated(name) is None)
+    return [value + A * vertical, slope + vertical, *rest]
 
 
 def harmonic_by_quadrature(name: str, n: int, passed: int, A, *p) -> list:
-    """-(1/pi) int_0^{2 pi} f(A cos psi) cos(n psi) dpsi and derivatives, in balls: as `untruncated_family`."""
+    """-(1/pi) int_0^{2 pi} f(A cos psi) cos(n psi) dpsi and derivatives, f less u where it is typed here.
+
+    By Gauss's rule on Taylor series in A, on panels that get finer towards u_cr, where the untruncated force is steep;
+    in balls, because mpmath takes seconds for these.
+    """
     before, ctx.cap = ctx.cap, 4
     amplitude = arb_series([ball(A), 1])
     if other := stated(name):
@@ -159,7 +117,7 @@ def harmonic_by_quadrature(name: str, n: int, passed: int, A, *p) -> list:
         for x, w in gauss(64):
             t = end * (low + (high - low) * x)
             u = amplitude * t.sin()
-            # u itself, which holds beyond the end, has no higher harmonic over the whole cycle
+            # u itself holds beyond the end
             total += end * ((high - low) * w) * (forces[name](u, q) - u) * (n * (arb.pi() / 2 - t)).cos()
     taylor = -4 / arb.pi() * total
     ctx.cap = before
@@ -248,10 +206,7 @@ def second_approximation_table(rng: random.Random) -> dict:
             x["h"] = -x["A"] * x["Omega"] ** 2 * (1 + 1e-6 if number % 2 else rng.uniform(-0.5, 8.0))
             rows.append(entry(second_kernel(kernel), [x[name] for name in names]))
         table[kernel] = rows
-    for name, of in (
-        ("components", "Omega A m h h_3 h_5"),
-        ("wave", "turned Omega m A_1 sine cosine a_3 a_5 kappa"),
-    ):
+    for name, of in (("components", "Omega A m h h_3 h_5"), ("wave", "turned Omega m A_1 sine cosine a_3 a_5 kappa")):
         rows = []
         for number in range(12):
             x = {one: rng.uniform(*RANGES[one]) for one in of.split()}
