@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import importlib
 import json
 from pathlib import Path
 from typing import Any
@@ -15,3 +16,13 @@ DATA = ROOT / "tests" / "data"
 def stored(name: str) -> Any:
     """The values of a file of `tests/data`, read once."""
     return json.loads((DATA / f"{name}.json").read_text(encoding="utf-8"))
+
+
+class Lazily:
+    """A module that is imported when something of it is used first: collecting tests does without."""
+
+    def __init__(self, name: str) -> None:
+        self._name = name
+
+    def __getattr__(self, attribute: str) -> Any:
+        return getattr(importlib.import_module(self._name), attribute)

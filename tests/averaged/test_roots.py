@@ -27,7 +27,9 @@ def installed_solver(kind: str, rows: np.ndarray) -> tuple[np.ndarray, np.ndarra
     return SOLVE[kind](*rows.T)
 
 
-@pytest.fixture(scope="session", params=["installed", "C", "C clones"])
+@pytest.fixture(
+    scope="session", params=["installed", *(pytest.param(one, marks=pytest.mark.slow) for one in ("C", "C clones"))]
+)
 def solver(request, tmp_path_factory) -> Solver:
     if request.param == "installed":
         return installed_solver

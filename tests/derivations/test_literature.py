@@ -88,6 +88,7 @@ def test_measured_phases_are_exact_ones_within_scatter() -> None:
     assert np.abs(off).max(axis=1) == pytest.approx([5.081, 5.476], abs=1e-3)
 
 
+@pytest.mark.slow
 def test_nine_measured_phases_tell_friction() -> None:
     rig = np.genfromtxt(marino_cicirello_2020.MEASURED, delimiter=",", names=True, skip_header=3)
     frame = Isolator.physical(m=1, k_v=400, k_h=1, L=1, preload=0, friction=0.5)

@@ -28,13 +28,8 @@ def h_AAA(force, cuts, A):
         return mpmath.diff(h, mpmath.mpf(A), 3, h=mpmath.mpf(10) ** -12)
 
 
-@pytest.mark.parametrize(
-    "mechanism",
-    [
-        pytest.param(one, id=one.name, marks=[pytest.mark.slow] * (one.name == "rod_spring_untruncated"))
-        for one in all_mechanisms()
-    ],
-)
+@pytest.mark.slow
+@pytest.mark.parametrize("mechanism", all_mechanisms(), ids=lambda one: one.name)
 def test_every_mechanism_is_proved(mechanism):
     prove_monotone(oscillator(mechanism))
 

@@ -112,6 +112,7 @@ def test_a_comment_in_c_holds_every_text(text):
     assert {name: without_comments(one) for name, one in written(text).compiled.items()} == harmless()
 
 
+@pytest.mark.slow
 def test_a_compiler_takes_every_text(tmp_path):
     compiler = shlex.split(sysconfig.get_config_var("CC") or "cc")
     if not shutil.which(compiler[0]):
@@ -126,6 +127,7 @@ def test_a_compiler_takes_every_text(tmp_path):
     assert done.returncode == 0, done.stderr
 
 
+@pytest.mark.slow
 @each
 @given(TEXTS.map("".join))
 @settings(max_examples=25, deadline=None)
@@ -138,6 +140,7 @@ def test_markdown_shows_every_text(text):
     assert len(re.findall(r"(?<!\\)\|", re.sub(r"\\\\", "", row))) == 5
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("odd", [True, False])
 def test_what_a_text_says_is_not_run(tmp_path, monkeypatch, capsys, odd):
     """From the statement to the module that is imported; the manifest is JSON, the heading one line."""

@@ -137,6 +137,7 @@ def test_unknown_operation_or_register_is_refused(valid, data):
     assert refused(changed(words, place, data.draw(NO_WORDS | st.integers(program.registers, MOST_REGISTERS))), numbers)
 
 
+@pytest.mark.slow
 @given(st.data())
 @settings(max_examples=fewer(200, 5))
 def test_what_holds_nothing_yet_is_not_read(valid, data):

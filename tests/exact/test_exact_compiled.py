@@ -285,6 +285,7 @@ def test_derivatives_of_a_cycle_are_those_of_its_equations(oscillator, Omega, F_
     assert np.allclose(derivatives, np.array(differences).T, rtol=0, atol=1e-6)
 
 
+@pytest.mark.slow
 def test_curve_traced_in_c_is_the_one_followed_in_python(monkeypatch):
     """Folds, borders and a closed curve among them; the same steps, so the same points to what Newton leaves."""
     cases = [(case.system, case.F_0, (0.3, 1.8), None) for case in random_cases(6, seed=11)]

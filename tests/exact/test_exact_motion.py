@@ -359,6 +359,7 @@ def test_force_without_bound_is_named_where_integration_stalls(name):
             steady_state(system, Omega=0.9, F_0=2.0)
 
 
+@pytest.mark.slow
 def test_a_shock_or_a_release_that_escapes_is_told_with_its_time():
     """When |u| passes 10^6: of a release without damping by quadrature of du/u', of a record by another integrator."""
     duffing = Duffing(1.0, -0.5)
@@ -414,10 +415,8 @@ SUBHARMONICS = [
 ]
 
 
-@pytest.mark.parametrize(
-    "turns, alpha, beta, zeta, Omega, F_0",
-    [SUBHARMONICS[0], *(pytest.param(*one, marks=pytest.mark.slow) for one in SUBHARMONICS[1:])],
-)
+@pytest.mark.slow
+@pytest.mark.parametrize("turns, alpha, beta, zeta, Omega, F_0", SUBHARMONICS)
 def test_motion_is_the_one_the_mass_comes_to(turns, alpha, beta, zeta, Omega, F_0):
     followed = of_duffing(alpha, beta, zeta, Omega, F_0, math.ceil(12.0 * Omega / (2.0 * math.pi * zeta)))
     found = Duffing(alpha, beta, zeta=zeta).steady_state(Omega=Omega, F_0=F_0)
@@ -440,7 +439,8 @@ def test_motion_other_than_the_one_seen_says_so(monkeypatch):
     assert "not one that the mass was seen" in mount.steady_state(f=3.3, F=2.0).message
 
 
-@pytest.mark.parametrize("Omega", [1.5, *(pytest.param(one, marks=pytest.mark.slow) for one in (1.495, 1.52))])
+@pytest.mark.slow
+@pytest.mark.parametrize("Omega", [1.495, 1.5, 1.52])
 def test_motion_that_turns_once_in_two_turns_is_closed(Omega):
     """Two springs of which one leaves at u = 4, under a load: by SciPy, from a mass at rest where it rests."""
     u, al, b = sp.Symbol("u", real=True), sp.Symbol("al", positive=True), sp.Symbol("b", positive=True)
@@ -463,6 +463,7 @@ def test_motion_that_turns_once_in_two_turns_is_closed(Omega):
         assert np.abs(found.multipliers) == pytest.approx(0.846, abs=1e-3)
 
 
+@pytest.mark.slow
 def test_motion_is_stable_where_both_multipliers_are_small():
     """Of three motions at one frequency what begins beside the middle one leaves it, by SciPy, and not the others.
 

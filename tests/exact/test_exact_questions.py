@@ -199,6 +199,7 @@ def test_near_a_fold_of_averaging_the_branch_asked_for_is_found():
     assert oscillator.steady_state(Omega=1.2687, F_0=0.18).A == pytest.approx(0.297, rel=0.01)
 
 
+@pytest.mark.slow
 def test_motions_beside_a_fold_are_those_scipy_finds():
     """Half a turn by SciPy, force and variations typed in, closed by SciPy's root: the lower one is not stable."""
     oscillator = Duffing(1.0, 0.1, 0.0, 0.025)
@@ -417,6 +418,7 @@ def test_no_damping_at_all_is_refused():
         isolator(mu=0, zeta=0).steady_state(Omega=0.9, F_0=0.04)
 
 
+@pytest.mark.slow
 def test_a_first_exact_motion_is_found_without_scipy():
     asked = "Isolator(lam=3.0, r=2.0, delta_h=0.08, mu=0.012, zeta=0.02).steady_state(Omega=0.9, F_0=0.04)"
     code = (

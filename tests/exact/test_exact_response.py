@@ -193,6 +193,7 @@ def test_linear_oscillator_never_jumps_at_any_spacing(zeta):
 BESIDE = {(0.3784, 0.3786): (1.7559427, 1.7266846)}
 
 
+@pytest.mark.slow
 def test_jump_is_a_change_of_branch_and_a_pitchfork_is_none():
     """u'' + 0.04 u' + u + u^3 = 3 cos: at 0.325 and 0.499 a motion becomes symmetric, at others it ceases to be."""
     swept = Duffing(1.0, 1.0, zeta=0.02).sweep(Omega=np.arange(300, 500) / 1000, F_0=3.0)
@@ -351,6 +352,7 @@ def test_errors_in_words():
         sweep(system, Omega=[], F_0=0.04)
 
 
+@pytest.mark.slow
 def test_random_curves_go_through():
     """Whole curves of random isolators, with stops, detachment and superharmonic loops: folds come in pairs."""
     borders = 0

@@ -20,6 +20,7 @@ def test_bias_falls_with_the_smoothing():
     assert bias[2] < 0.6 * bias[1] < 0.6 * 0.6 * bias[0]
 
 
+@pytest.mark.slow
 def test_as_published():
     """nu = 1000 and the solver's default tolerances, untruncated force: fewer turns, the same reading."""
     system = table_1(exact=True)

@@ -302,6 +302,7 @@ def scene(tmp_path, kind="mount", given=MOUNT, frequency="f", unit='unit = "g^2/
     return read(path)
 
 
+@pytest.mark.slow
 def test_a_scene_has_random_vibration_by_its_psd(tmp_path):
     one = scene(tmp_path)
     (asked,) = one.asked

@@ -500,6 +500,7 @@ def test_points_far_from_folds_and_peak_are_not_needed_for_them():
     assert seen > 100
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="fresh memory is filled by glibc")
 def test_a_curve_does_not_depend_on_what_memory_held():
     """Points still to be sought passed for settled where their places held huge numbers, and were left out."""
