@@ -18,6 +18,7 @@
 #include "inertia.h"
 #include "off_centre.h"
 #include "dissipation.h"
+#include "linearization.h"
 #include "sensitivities.h"
 #include "sampled.h"
 #include "motion.h"

@@ -464,7 +464,7 @@ class ManyQuestions(Generic[Found]):
         """Stationary random vibration, by rising u_rms: .u_rms .v_rms .a_rms .stiffness .damping .beyond .dry .count.
 
         S_0 -- of white noise, numbers that broadcast with the designs
-        psd -- frequencies and densities instead, the same for all designs, in hundredths of a second each
+        psd -- frequencies and densities instead, the same for all designs, in milliseconds each
 
         As of a single `random`; of several motions, or where dry is above 0.8, what is said there holds.
         `Status.UNRESOLVED` also where there is no stationary motion.

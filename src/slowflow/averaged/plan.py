@@ -151,7 +151,7 @@ COMPOSED: Mapping[str, tuple[Step, ...]] = MappingProxyType(
         ),
         "shock_spectrum": (Step("motion", True, f"of each pulse: {_MOTION.why}"), _NO_STEADY_STATE),
         "random": (
-            Step("linearization", True, "Gaussian averages of force and damping; every fixed point, in boxes"),
+            Step("linearization", True, "Gaussian averages of force and damping; every fixed point, in cells"),
             _NO_STEADY_STATE,
         ),
     }

@@ -1,41 +1,27 @@
-"""Stationary Gaussian excitations. Takes spectral densities; returns how far and fast a linear oscillator moves.
-
-    I_j = int_0^inf G(Omega) Omega^j/|k - Omega^2 + i c Omega|^2 dOmega,   sigma_u^2 = I_0,  sigma_v^2 = I_2
-
-over p = ln k and q = ln c (derivations/extensions/linearization.py), with bounds of the slopes of ln I_j on boxes.
-"""
+"""Stationary Gaussian excitations: white noise, and spectral densities by points."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
 from slowflow import validate
 from slowflow.mechanism import Floats
-from slowflow.support.errors import Refused
+from slowflow.support.errors import NotSettled, Refused
 from slowflow_kernels import linearization
 
-#: nodes in each part of a table, which is at most that wide in ln(Omega)
+#: nodes in each part of a table, which is at most that wide in ln(Omega), see `native/exact/linearized.h`
 NODES, WIDEST = 12, 1.0
 _AT, _WEIGHTS = np.polynomial.legendre.leggauss(NODES)
 _SHARES = 0.5 * (1 + _AT)
-#: of a damping ratio below that parts do not become narrower towards the resonance
-NARROWEST = 2.0**-40
+#: by how much less the lowest damping is taken to be
+MARGIN = 1.5
+HELD = "friction holds the mass nearly all of the time: no linear damping is equivalent to it"
 #: of Newton's iteration for sigma_v: steps at most, and one after which as many digits come as there are
 MOST_STEPS, LAST = 60, 2.0**-28
-#: boxes whose integrals are formed together
-TOGETHER = 2048
-
-
-class Moments(NamedTuple):
-    """ln I_0 and ln I_2 (2, n), and their slopes by p and q (2, 2, n); of boxes lower and upper ends of these."""
-
-    value: Floats
-    slopes: Floats
 
 
 @dataclass(frozen=True)
@@ -94,22 +80,24 @@ class Tabulated:
         part = np.clip(np.searchsorted(self._begins, x, side="right") - 1, 0, None)
         return np.asarray(np.exp(self._y_begins[part] + self._slopes[part] * (x - self._begins[part])))
 
-    @property
-    def most(self) -> float:
-        """The largest density."""
-        return float(self.G.max())
+    def rows(self, mu: float, zeta: float, c_2: float) -> Floats:
+        """What C takes for it, with the laws of damping: `sf_table` of `native/exact/linearized.h`.
 
-    @cached_property
-    def rms(self) -> float:
-        """Root mean square of the excitation."""
+        Below the lowest c the damping that it leads to is more at each k: c I_2 is at most pi times the largest
+        density, and k I_0 that over c and what |y|/(y^2 + c^2 Omega^2) adds, which is at most 1/(2 c Omega).
+        """
         Omega, weights = self._nodes(self._edges)
-        return math.sqrt(float((weights * self._within(np.log(Omega))).sum()))
-
-    @cached_property
-    def swept(self) -> float:
-        """k I_0 - I_2 is at most this over c, as |y|/(y^2 + c^2 Omega^2) is at most 1/(2 c Omega)."""
-        Omega, weights = self._nodes(self._edges)
-        return 0.5 * float((weights * self._within(np.log(Omega)) / Omega).sum())
+        of_w = weights * self._within(np.log(Omega))
+        dry = float(linearization.equivalent_damping(1.0, mu, zeta, c_2)[2])
+        if not dry < math.sqrt(of_w.sum()):
+            raise NotSettled(HELD)
+        strength = math.pi * float(self.G.max())
+        least = max(2 * zeta, dry**2 / strength)
+        most = (strength + 0.5 * float((of_w / Omega).sum())) / least
+        part = np.searchsorted(self._begins, self._edges[:-1], side="right") - 1
+        bands = self._edges[:-1], self._edges[1:], self._begins[part], self._y_begins[part], self._slopes[part]
+        half = slice(NODES // 2, None)
+        return np.array([most, least / MARGIN, mu, zeta, c_2, *_AT[half], *_WEIGHTS[half], *np.stack(bands, 1).ravel()])
 
     @staticmethod
     def _nodes(edges: Floats) -> tuple[Floats, Floats]:
@@ -117,55 +105,6 @@ class Tabulated:
         width = np.diff(edges)[..., np.newaxis]
         Omega = np.exp(edges[..., :-1, np.newaxis] + width * _SHARES).reshape(*edges.shape[:-1], -1)
         return Omega, Omega * (width * 0.5 * _WEIGHTS).reshape(Omega.shape)
-
-    def moments(self, p: Floats, q: Floats) -> Moments:
-        """At points: parts shrink towards the resonance, down to its width."""
-        value, slopes = np.empty((2, p.size)), np.empty((2, 2, p.size))
-        ratio = np.clip(0.5 * np.exp(q - 0.5 * p), NARROWEST, 1.0)
-        doublings = np.ceil(np.log2(WIDEST / ratio)).astype(int)
-        for count in np.unique(doublings):
-            for some in np.array_split(alike := np.flatnonzero(doublings == count), 1 + alike.size // TOGETHER):
-                away = ratio[some, np.newaxis] * 2.0 ** np.arange(count + 1)
-                at = 0.5 * p[some, np.newaxis]
-                edges = np.broadcast_to(self._edges, (some.size, self._edges.size))
-                edges = np.sort(np.concatenate((at - away[:, ::-1], at, at + away, edges), axis=1), axis=1)
-                Omega, weights = self._nodes(np.clip(edges, self._x[0], self._x[-1]))
-                weights = weights * self._within(np.log(Omega))
-                k, c = (np.exp(one[some, np.newaxis]) for one in (p, q))
-                Z, *by = linearization.response(Omega, k, c)
-                for j, power in enumerate((np.ones_like(Omega), Omega * Omega)):
-                    terms = weights * power / Z
-                    whole = terms.sum(axis=1)
-                    value[j, some] = np.log(whole)
-                    for i, one in enumerate(by):
-                        slopes[j, i, some] = (terms * one).sum(axis=1) / whole
-        return Moments(value, slopes)
-
-    def slopes_on(self, at: Moments, low: Floats, z: Floats, high: Floats) -> tuple[Floats, Floats]:
-        """Between which ends slopes by p and q are on boxes, each (2, 2, n), from those at points in these.
-
-        Slopes of ln I_j are weighted means of those of -ln Z, and slopes of these have the means of the second ones and
-        covariances beside them.
-        """
-        r = np.maximum(high - z, z - low)
-        ratio = 0.5 * np.exp(low[1] - 0.5 * high[0])
-        with np.errstate(all="ignore"):
-            least, most, peak = linearization.steepest(ratio)
-        down, peak = np.where(ratio < 0.5, -least, 2.0), np.where(ratio < 0.5, peak, np.maximum(peak, 1.0))
-        peak = np.where(ratio < math.sqrt(0.5), peak, 1.0)
-        upper = np.stack((most, np.zeros_like(most)))
-        lower = np.stack((-down, np.full_like(most, -2.0)))
-        both, largest = 0.5 * (down + most), np.maximum(down, most)
-        by_p = np.maximum(0.25 + 2 * peak, np.maximum(down * (down - 1), most * (most + 1)) + both**2)
-        mixed = 2 * largest + both
-        moved = np.stack((by_p * r[0] + mixed * r[1], mixed * r[0] + r[1]))
-        return np.maximum(lower, at.slopes - moved), np.minimum(upper, at.slopes + moved)
-
-    def least_rate(self, k: Floats, c: float) -> float:
-        """A lower bound of sigma_v^2 for stiffness between two."""
-        Omega, weights = self._nodes(self._edges)
-        Z = np.max([linearization.response(Omega, one, c)[0] for one in k], axis=0)
-        return float((weights * self._within(np.log(Omega)) * Omega**2 / Z).sum())
 
 
 Excitation = White | Tabulated

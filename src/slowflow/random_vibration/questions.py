@@ -15,8 +15,6 @@ from slowflow.exact import compiled
 from slowflow.mechanism import EquationOfMotion, Floats
 from slowflow.random_vibration.answers import RandomResponse, Stationary
 from slowflow.random_vibration.excitation import Excitation, Tabulated, White
-from slowflow.random_vibration.fixed_points import GIVES_WAY, fixed_points
-from slowflow.random_vibration.gaussian import averages
 from slowflow.support.errors import NotSettled, Refused
 from slowflow.text import Sentence, text
 from slowflow_kernels import linearization
@@ -27,6 +25,7 @@ UNDECIDED = Sentence("there may be another equivalent linear oscillator next to 
 #: share of friction in the damping up to which sigma_u and sigma_v were within 4 % of records of the motion
 MOST_DRY = 0.8
 _erfc = np.frompyfunc(math.erfc, 1, 1)
+GIVES_WAY = "no linear oscillator is equivalent: in the mean the spring pushes away from the centre, or gives way"
 SEVERAL = Sentence(
     "{count:d} linear oscillators are equivalent: the motion moves from one to the other, with the averages of none; "
     "measure() follows it in time"
@@ -68,15 +67,12 @@ def stationary(system: EquationOfMotion, excitation: Excitation) -> dict[str, Fl
         v, c = excitation.velocity(*laws)
         undecided, found = EXACT.balances(compiled.handle(system), v * v)
         u, *_, square = np.frombuffer(found).reshape(-1, 6).T
-        k, left = (v / u) ** 2, [((v / undecided) ** 2, c)] if undecided else []
+        k, left = (v / u) ** 2, ((v / undecided) ** 2 if undecided else 0.0, c)
     else:
-        points = fixed_points(system, excitation)
-        u, v = np.exp(0.5 * excitation.moments(*points.x).value)
-        k, left = np.exp(points.x[0]), np.exp(points.undecided.T).tolist()
-        u, v, k = (one[np.argsort(u)] for one in (u, v, k))
-        square = averages(system.force, u).square
-    if left:
-        raise NotSettled(UNDECIDED.format(*map(float, left[0])))
+        *left, found = EXACT.linearized(compiled.handle(system), excitation.rows(*laws))
+        u, square, k, v = np.frombuffer(found).reshape(-1, 4).T
+    if left[0]:
+        raise NotSettled(UNDECIDED.format(*map(float, left)))
     if not u.size:
         raise NotSettled(GIVES_WAY)
     end = math.nan if (first := system.force.first_end) is None else first

@@ -9,6 +9,7 @@
 #include "taylor.h"
 #include "gaussian.h"
 #include "interpreted.h"
+#include "linearized.h"
 #include "polynomials.h"
 #include "shock.h"
 #include "trace.h"
@@ -526,6 +527,9 @@ static PyObject *shocks(PyObject *self, PyObject *arguments)
     return done_with(&of, fit);
 }
 
+enum { SF_MOST_BALANCES = 64 };
+#define BANDS(table) ((int)(((table).len - (Py_ssize_t)sizeof(sf_table)) / (Py_ssize_t)sizeof(sf_band)))
+
 /* An sf_gaussian at each of several sigma, as bytes */
 static PyObject *averages(PyObject *self, PyObject *arguments)
 {
@@ -553,7 +557,46 @@ static PyObject *averages(PyObject *self, PyObject *arguments)
     return system != NULL ? found : NULL;
 }
 
-enum { SF_MOST_BALANCES = 64 };
+/* ln I_0 and ln I_2 of a table, and between which ends their slopes are within radii of p and q: ten numbers as bytes */
+static PyObject *moments(PyObject *self, PyObject *arguments)
+{
+    (void)self;
+    Py_buffer table;
+    double p, q, r[2], found[10];
+    if (!PyArg_ParseTuple(arguments, "y*dddd", &table, &p, &q, &r[0], &r[1]))
+        return NULL;
+    const sf_moments at = sf_moments_at(table.buf, BANDS(table), p, q);
+    sf_slopes_within(&at, p, q, r, (double(*)[2])(found + 2), (double(*)[2])(found + 6));
+    memcpy(found, at.value, sizeof at.value);
+    RELEASE(&table);
+    return PyBytes_FromStringAndSize((const char *)found, sizeof found);
+}
+
+/* (k and c next to which there may be others, or 0; an sf_stationary each, as bytes) */
+static PyObject *linearized(PyObject *self, PyObject *arguments)
+{
+    (void)self;
+    PyObject *capsule;
+    Py_buffer table;
+    sf_stationary at[SF_MOST_BALANCES];
+    sf_linearized of = {.places = SF_MOST_BALANCES, .at = at};
+    if (!PyArg_ParseTuple(arguments, "Oy*", &capsule, &table))
+        return NULL;
+    const sf_system *const system = PyCapsule_GetPointer(capsule, NAME);
+    of.table = table.buf, of.bands = BANDS(table);
+    if (system != NULL) {
+        Py_BEGIN_ALLOW_THREADS
+        sf_linearized_of(system, &of);
+        Py_END_ALLOW_THREADS
+    }
+    RELEASE(&table);
+    if (of.count > of.places)
+        of.count = of.places, of.undecided[0] = at[of.places - 1].k;
+    return system == NULL ? NULL
+                          : Py_BuildValue("ddy#", of.undecided[0], of.undecided[1], (const char *)at,
+                                          of.count * (Py_ssize_t)sizeof(sf_stationary));
+}
+
 
 /* (sigma at which there may be others, or 0; an sf_gaussian where E[u f] is a level, each, as bytes) */
 static PyObject *balances(PyObject *self, PyObject *arguments)
@@ -629,6 +672,8 @@ static PyMethodDef methods[] = {
      "laws, constants, ends, damping, arcs, begin, after, steps of one integration, of all, outcomes, numbers -> "
      "None."},
     {"averages", averages, METH_VARARGS, "system, sigma -> Gaussian averages of the force as bytes."},
+    {"moments", moments, METH_VARARGS, "table, p, q, radii -> ln I_0, ln I_2, ends of their slopes as bytes."},
+    {"linearized", linearized, METH_VARARGS, "system, table -> k, c next to others or 0, stationary motions as bytes."},
     {"balances", balances, METH_VARARGS, "system, level -> undecided, averages as bytes where E[u f] is the level."},
     {"balanced", balanced, METH_VARARGS, "laws, constants, ends, levels, counts, places for averages -> None."},
     {NULL, NULL, 0, NULL},

@@ -14,7 +14,9 @@
  * parts of a piece at least: with the rule of sides.h averages are as near as roundings */
 #define SF_FARTHEST 10.0
 #define SF_WIDEST 1.0
-enum { SF_LEAST_PARTS = 6, SF_MOST_FORCE_PARTS = 64, SF_SAMPLED = 128 };
+enum { SF_LEAST_PARTS = 6, SF_MOST_FORCE_PARTS = 64, SF_SAMPLED = 128, SF_MOST_SAMPLES = 1024 };
+/* of the range of f/u: by how much it may be off between samples */
+#define SF_APART 0.01
 /* of the averages' sizes: how far they may be off, by far; of the sizes that there are: how far is searched; of sigma: a
  * cell that is not cut any more */
 #define SF_DOUBT 0x1p-42
@@ -28,11 +30,18 @@ typedef struct {
     double low, high;
 } sf_part_of_force;
 
-/* The force for u > 0; small, large: the sizes that there are. */
+typedef struct {
+    double low, high;
+} sf_ends;
+
+/* The force for u > 0. small, large: the sizes that there are; u, secants: samples by rising u, and between which ends
+ * f/u is up to there */
 typedef struct {
     double small, large;
-    int count;
+    int count, samples;
     sf_part_of_force at[SF_MOST_FORCE_PARTS];
+    double u[SF_MOST_SAMPLES];
+    sf_ends secants[SF_MOST_SAMPLES];
 } sf_positive;
 
 /* A piece from low to high, cut where its force changes its sign between samples. */
@@ -51,18 +60,25 @@ static void sf_add_parts(const sf_piece *piece, double low, double high, sf_posi
             low = b;
         }
         sign = f != 0.0 ? f : sign, u = next;
+        if (to->samples < SF_MOST_SAMPLES) {
+            const sf_ends before = to->samples ? to->secants[to->samples - 1] : (sf_ends){HUGE_VAL, -HUGE_VAL};
+            to->u[to->samples] = u;
+            to->secants[to->samples++] = (sf_ends){fmin(before.low, f / u), fmax(before.high, f / u)};
+        }
     }
     to->at[to->count++] = (sf_part_of_force){piece, low, high};
 }
 
 static sf_positive sf_positive_of(const sf_system *system, double small, double large)
 {
-    sf_positive found = {small, large, 0, {{0}}};
+    sf_positive found;
+    found.small = small, found.large = large, found.count = found.samples = 0;
     for (int i = system->about + 1; i < system->pieces; i++)
         if (system->edge[i] > 0.0)
             found.small = fmin(found.small, system->edge[i]), found.large = fmax(found.large, system->edge[i]);
     for (int i = system->about + (system->jump != 0.0); i < system->pieces && found.count < SF_MOST_FORCE_PARTS; i++)
-        sf_add_parts(&system->piece[i], fmax(system->edge[i], 0.0), system->edge[i + 1], &found);
+        sf_add_parts(&system->piece[i], fmax(system->edge[i], 0.0),
+                     i + 1 < system->pieces ? system->edge[i + 1] : HUGE_VAL, &found);
     return found;
 }
 
@@ -106,6 +122,19 @@ static void sf_add_piece(const sf_piece *piece, double low, double high, sf_gaus
     to->first[0] += positive[0], to->first[1] += negative[0];
     to->third[0] += positive[1], to->third[1] += negative[1];
     to->square += square;
+}
+
+/* Between which ends f/u is up to some u, a little wider than samples have it. */
+static sf_ends sf_secants_up_to(const sf_positive *force, double u)
+{
+    int i = 0;
+    while (i + 1 < force->samples && force->u[i] < u)
+        i++;
+    if (force->samples == SF_MOST_SAMPLES)
+        return (sf_ends){-HUGE_VAL, HUGE_VAL};
+    const sf_ends found = force->secants[i];
+    const double more = SF_APART * (found.high - found.low);
+    return (sf_ends){found.low - more, found.high + more};
 }
 
 static sf_gaussian sf_averages(const sf_positive *force, double sigma)

@@ -1,0 +1,300 @@
+/* Stationary motions under a Gaussian excitation with a spectral density, by statistical linearization. Takes an
+ * oscillator and a table; returns every linear oscillator that is equivalent.
+ *
+ * sigma_u gives the stiffness, k = E[u f]/sigma_u^2, and that the damping: at each k there is at most one c, as
+ * ln C(sigma_v) - ln c falls with c. What is left is one equation for sigma_u,
+ *
+ *     ln I_0(k, c(k)) - 2 ln sigma_u = 0,    I_j = int G Omega^j/|k - Omega^2 + i c Omega|^2 dOmega
+ *
+ * (derivations/extensions/linearization.py has the slopes, by p = ln k and q = ln c, and what bounds them). A cell of
+ * sigma_u bounds k, and that L = ln I_0 by its slope: the cell holds no root, at most one, or is cut. */
+#ifndef SF_LINEARIZED_H
+#define SF_LINEARIZED_H
+
+#include "gaussian.h"
+#include "linearization.h"
+
+/* half of the nodes of Gauss's rule in a part of a table, at most 1 wide in ln(Omega), or of one next to a resonance,
+ * which double from its width on, and of a damping ratio below that not from less */
+enum { SF_HALF = 6, SF_MOST_DOUBLINGS = 40 };
+/* of k over the square of a table's lowest frequency, below which it does not matter; by how much I_0 may change there */
+#define SF_SOFT 1e-6
+
+/* ln G is y + slope (ln Omega - x) on it */
+typedef struct {
+    double low, high, x, y, slope;
+} sf_band;
+
+/* most: k I_0 is at most that; least: so is no damping below; Python writes it as it stands, bands behind */
+typedef struct {
+    double most, least, mu, zeta, c_2, node[SF_HALF], weight[SF_HALF];
+    sf_band band[];
+} sf_table;
+
+/* At (p, q): ln I_0 and ln I_2, by p and q */
+typedef struct {
+    double value[2], by[2][2];
+} sf_moments;
+
+static void sf_add_band(const sf_table *table, const sf_band *band, double a, double b, double k, double c,
+                        double sums[2][3])
+{
+    const double m = 0.5 * (a + b), h = 0.5 * (b - a), Omega = exp(m);
+    const double density = h * Omega * exp(band->y + band->slope * (m - band->x));
+    for (int j = 0; j < SF_HALF; j++) {
+        const double grows = exp(h * table->node[j]), more = exp((band->slope + 1.0) * h * table->node[j]);
+        for (int side = 0; side < 2; side++) {
+            const double at = side ? Omega * grows : Omega / grows;
+            double of[3];
+            linearization_response(at, k, c, of);
+            double term = table->weight[j] * (side ? density * more : density / more) / of[0];
+            for (int i = 0; i < 2; i++, term *= at * at)
+                sums[i][0] += term, sums[i][1] += term * of[1], sums[i][2] += term * of[2];
+        }
+    }
+}
+
+static sf_moments sf_moments_at(const sf_table *table, int bands, double p, double q)
+{
+    const double k = exp(p), c = exp(q), ratio = fmin(fmax(0.5 * exp(q - 0.5 * p), 0x1p-40), 1.0);
+    double edge[2 * SF_MOST_DOUBLINGS + 3], sums[2][3] = {{0.0}};
+    int edges = 0, from = 0;
+    const int doublings = (int)ceil(-log2(ratio));
+    for (int i = -doublings - 1; i <= doublings + 1; i++)
+        edge[edges++] = 0.5 * p + (i > 0 ? ldexp(ratio, i - 1) : i < 0 ? -ldexp(ratio, -i - 1) : 0.0);
+    for (int i = 0; i < bands; i++) {
+        const sf_band *const band = &table->band[i];
+        double low = band->low;
+        for (; from < edges && edge[from] < band->high; from++)
+            if (edge[from] > low) {
+                sf_add_band(table, band, low, edge[from], k, c, sums);
+                low = edge[from];
+            }
+        sf_add_band(table, band, low, band->high, k, c, sums);
+    }
+    sf_moments found;
+    for (int i = 0; i < 2; i++) {
+        found.value[i] = log(sums[i][0]);
+        found.by[i][0] = sums[i][1] / sums[i][0], found.by[i][1] = sums[i][2] / sums[i][0];
+    }
+    return found;
+}
+
+/* Between which ends the slopes are where p and q differ by no more than r, [i][j] as of sf_moments. Slopes of ln I_j are
+ * weighted means of those of -ln Z; their own slopes are means of the second ones and covariances beside them. */
+static void sf_slopes_within(const sf_moments *at, double p, double q, const double r[2], double low[2][2],
+                             double high[2][2])
+{
+    const double ratio = 0.5 * exp(q - r[1] - 0.5 * (p + r[0]));
+    double of[3];
+    linearization_steepest(ratio, of);
+    const double down = ratio < 0.5 ? -of[0] : 2.0, most = of[1];
+    const double peak = ratio < 0.5 ? of[2] : ratio < 0.70710678118654752 ? fmax(of[2], 1.0) : 1.0;
+    const double both = 0.5 * (down + most), mixed = 2.0 * fmax(down, most) + both;
+    const double by_p = fmax(0.25 + 2.0 * peak, fmax(down * (down - 1.0), most * (most + 1.0)) + both * both);
+    const double moved[2] = {by_p * r[0] + mixed * r[1], mixed * r[0] + r[1]};
+    for (int i = 0; i < 2; i++) {
+        low[i][0] = fmax(-down, at->by[i][0] - moved[0]), high[i][0] = fmin(most, at->by[i][0] + moved[0]);
+        low[i][1] = fmax(-2.0, at->by[i][1] - moved[1]), high[i][1] = fmin(0.0, at->by[i][1] + moved[1]);
+    }
+}
+
+/* The damping at a stiffness: by_p and by_q of ln I_0 and ln I_2 there; D: half the slope of ln C by ln(sigma_v). */
+typedef struct {
+    double p, q, D;
+    sf_moments moments;
+} sf_equivalent;
+
+/* D rises with sigma_v. */
+static double sf_damping_at(const sf_table *table, double ln_square, double *ln_c)
+{
+    double c[3];
+    linearization_equivalent_damping(exp(0.5 * ln_square), table->mu, table->zeta, table->c_2, c);
+    *ln_c = log(c[0]);
+    return 0.5 * c[1] / c[0];
+}
+
+/* By Newton's iteration for ln C - q, which falls, between ends that close in; from a q on. NaN where it is lost. */
+static sf_equivalent sf_equivalent_at(const sf_table *table, int bands, double p, double q)
+{
+    double low = log(table->least), high = HUGE_VAL, ln_c;
+    sf_equivalent at = {.p = p, .q = fmax(q, low)};
+    for (int i = 0; i < SF_MOST_STEPS; i++) {
+        at.moments = sf_moments_at(table, bands, p, at.q);
+        at.D = sf_damping_at(table, at.moments.value[1], &ln_c);
+        const double excess = ln_c - at.q, step = excess / (1.0 - at.D * at.moments.by[1][1]);
+        if (excess > 0.0)
+            low = at.q;
+        else
+            high = at.q;
+        const double next = at.q + fmax(fmin(step, 2.0), -2.0);
+        const int inside = next > low && next < high;
+        if (fabs(step) <= 0x1p-28) { /* what is left is of second order */
+            for (int j = 0; j < 2; j++)
+                at.moments.value[j] += step * at.moments.by[j][1];
+            at.q += step;
+            return at;
+        }
+        at.q = inside ? next : high < HUGE_VAL ? 0.5 * (low + high) : low + 1.0;
+    }
+    at.q = NAN;
+    return at;
+}
+
+static inline sf_ends sf_ends_of_product(sf_ends a, sf_ends b)
+{
+    const double each[4] = {a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high};
+    return (sf_ends){fmin(fmin(each[0], each[1]), fmin(each[2], each[3])),
+                     fmax(fmax(each[0], each[1]), fmax(each[2], each[3]))};
+}
+
+/* Between which ends dL/dp is where p differs by no more than r; infinite where that is not known. */
+static sf_ends sf_slope_within(const sf_table *table, const sf_equivalent *at, double r)
+{
+    const double here = at->D * at->moments.by[1][0] / (1.0 - at->D * at->moments.by[1][1]);
+    double apart = 1.5 * fabs(here) * r, low[2][2], high[2][2], ln_c;
+    for (int i = 0; i < 6; i++) {
+        sf_slopes_within(&at->moments, at->p, at->q, (double[2]){r, apart}, low, high);
+        const double moved = fmax(-low[1][0], high[1][0]) * r - low[1][1] * apart;
+        const sf_ends D = {sf_damping_at(table, at->moments.value[1] - moved, &ln_c),
+                           sf_damping_at(table, at->moments.value[1] + moved, &ln_c)};
+        const sf_ends falls = sf_ends_of_product(D, (sf_ends){low[1][1], high[1][1]});
+        const sf_ends over = {1.0 / (1.0 - falls.low), 1.0 / (1.0 - falls.high)};
+        if (!(falls.high < 1.0))
+            break;
+        const sf_ends q = sf_ends_of_product(sf_ends_of_product(D, (sf_ends){low[1][0], high[1][0]}), over);
+        const double leaves = fmax(-q.low, q.high) * r;
+        if (leaves <= apart) { /* q(p) does not leave the box */
+            const sf_ends by_q = sf_ends_of_product(q, (sf_ends){low[0][1], high[0][1]});
+            return (sf_ends){low[0][0] + by_q.low, high[0][0] + by_q.high};
+        }
+        apart = 1.25 * leaves;
+    }
+    return (sf_ends){-HUGE_VAL, HUGE_VAL};
+}
+
+/* A stationary motion. Python reads it as it stands. */
+typedef struct {
+    double u, square, k, v;
+} sf_stationary;
+
+/* near: q where it was found last; undecided: k and c where there may be others, or 0; the others as of sf_balances */
+typedef struct {
+    const sf_table *table;
+    const sf_positive *force;
+    double near, undecided[2];
+    int bands, places, count, cells;
+    sf_stationary *at;
+} sf_linearized;
+
+static sf_equivalent sf_equivalent_by(sf_linearized *of, double p)
+{
+    const sf_equivalent at = sf_equivalent_at(of->table, of->bands, p, of->near);
+    if (at.q == at.q)
+        of->near = at.q;
+    return at;
+}
+
+/* ln I_0 - 2 ln(sigma) */
+static double sf_excess(sf_linearized *of, const sf_gaussian *at, sf_equivalent *damped)
+{
+    *damped = sf_equivalent_by(of, log(sf_first(at)) - 2.0 * log(at->sigma));
+    return damped->moments.value[0] - 2.0 * log(at->sigma);
+}
+
+/* The root in a cell on which the excess is monotone, if it has one: Newton's iteration between ends that close in. */
+static void sf_put_stationary(sf_linearized *of, const sf_gaussian *a, const sf_gaussian *b)
+{
+    sf_equivalent damped;
+    const int below = sf_excess(of, a, &damped) < 0.0;
+    sf_gaussian at = *b;
+    double low = a->sigma, high = b->sigma, excess = sf_excess(of, &at, &damped);
+    if (isnan(excess) || damped.q != damped.q)
+        of->undecided[0] = exp(damped.p), of->undecided[1] = of->table->least;
+    if (below == (excess < 0.0))
+        return;
+    for (int i = 0, last = 0; i < SF_MOST_STEPS && !last; i++) {
+        double(*const by)[2] = damped.moments.by;
+        const double q = damped.D * by[1][0] / (1.0 - damped.D * by[1][1]);
+        const double steep = (by[0][0] + by[0][1] * q) * (sf_third(&at) / sf_first(&at) - 3.0) - 2.0;
+        const double next = at.sigma * exp(-excess / steep);
+        if ((excess < 0.0) == below)
+            low = at.sigma;
+        else
+            high = at.sigma;
+        last = fabs(excess) <= 0x1p-30 * fabs(steep) || high <= low * (1.0 + 0x1p-51);
+        at = sf_averages(of->force, last || (next > low && next < high) ? next : sqrt(low * high));
+        excess = sf_excess(of, &at, &damped);
+    }
+    if (of->count < of->places)
+        of->at[of->count] = (sf_stationary){at.sigma, at.square, sf_first(&at) / (at.sigma * at.sigma),
+                                            exp(0.5 * damped.moments.value[1])};
+    of->count++;
+}
+
+/* The stiffness in a cell, and its slope by ln(sigma): from its averages, and from what f/u is up to there. */
+static sf_ends sf_stiffness_within(const sf_positive *force, const sf_gaussian *a, const sf_gaussian *b, sf_ends *slope)
+{
+    const double grows = b->sigma / a->sigma, cube = grows * grows * grows, fifth = cube * grows * grows;
+    const double aa = a->sigma * a->sigma, bb = b->sigma * b->sigma, width = log(grows);
+    const sf_ends held = sf_secants_up_to(force, SF_FARTHEST * b->sigma);
+    const double most = held.high - held.low;
+    sf_ends K = {fmax(held.low, a->first[0] / aa / cube - b->first[1] / bb * cube),
+                 fmin(held.high, b->first[0] / bb * cube - a->first[1] / aa / cube)};
+    slope->low = fmax(-3.0 * most, a->third[0] / aa / fifth - b->third[1] / bb * fifth - 3.0 * K.high);
+    slope->high = fmin(3.0 * most, b->third[0] / bb * fifth - a->third[1] / aa / fifth - 3.0 * K.low);
+    const double low = fmin(slope->low, 0.0) * width, high = fmax(slope->high, 0.0) * width;
+    const double doubt = SF_DOUBT * (b->first[0] + b->first[1]) / bb;
+    K.low = fmax(K.low, fmax(sf_first(a) / aa + low, sf_first(b) / bb - high)) - doubt;
+    K.high = fmin(K.high, fmin(sf_first(a) / aa + high, sf_first(b) / bb - low)) + doubt;
+    return K;
+}
+
+static void sf_search_stationary(sf_linearized *of, const sf_gaussian *a, const sf_gaussian *b)
+{
+    const double grows = b->sigma / a->sigma, soft = SF_SOFT * exp(2.0 * of->table->band[0].low);
+    if (a->first[0] / grows - b->first[1] * grows > (1.0 + SF_DOUBT) * of->table->most)
+        return;
+    sf_ends slope;
+    const sf_ends K = sf_stiffness_within(of->force, a, b, &slope);
+    if (K.high <= 0.0)
+        return;
+    const double low = log(fmax(K.low, soft)), high = log(fmax(K.high, soft)), r = 0.5 * (high - low);
+    const sf_equivalent at = sf_equivalent_by(of, low + r);
+    const sf_ends by_p = sf_slope_within(of->table, &at, r);
+    const double L = at.moments.value[0], doubt = 0x1p-40 + (K.low < soft ? 4.0 * SF_SOFT : 0.0);
+    const double moved = fmax(-by_p.low, by_p.high) * r + doubt;
+    if (L + moved < 2.0 * log(a->sigma) || L - moved > 2.0 * log(b->sigma))
+        return;
+    if (K.low >= soft) {
+        const sf_ends over = {1.0 / K.high, 1.0 / K.low};
+        const sf_ends excess = sf_ends_of_product(by_p, sf_ends_of_product(slope, over));
+        if (excess.high < 2.0 || excess.low > 2.0) {
+            sf_put_stationary(of, a, b);
+            return;
+        }
+    }
+    if (grows <= 1.0 + SF_NARROW || of->cells++ >= SF_MOST_CELLS) {
+        if (!isnan(sf_first(a)) && !isnan(sf_first(b)))
+            of->undecided[0] = exp(at.p), of->undecided[1] = exp(at.q);
+        return;
+    }
+    const sf_gaussian middle = sf_averages(of->force, sqrt(a->sigma) * sqrt(b->sigma));
+    if (!(isnan(sf_first(a)) && isnan(sf_first(&middle))))
+        sf_search_stationary(of, a, &middle);
+    if (!(isnan(sf_first(&middle)) && isnan(sf_first(b))))
+        sf_search_stationary(of, &middle, b);
+}
+
+/* Every stationary motion, by rising sigma_u. */
+static void sf_linearized_of(const sf_system *system, sf_linearized *of)
+{
+    const double size = sqrt(of->table->most);
+    const sf_positive force = sf_positive_of(system, fmin(size, 1.0), fmax(size, 1.0));
+    const sf_gaussian a = sf_averages(&force, force.small / SF_SEARCHED);
+    const sf_gaussian b = sf_averages(&force, force.large * SF_SEARCHED);
+    of->force = &force, of->near = log(of->table->least), of->undecided[0] = of->undecided[1] = 0.0, of->count = of->cells = 0;
+    sf_search_stationary(of, &a, &b);
+}
+
+#endif
