@@ -24,7 +24,7 @@ from slowflow.text import Text, together
 #: what a table has in one place
 PLAIN = (bool, int, float, str)
 #: a name of an answer, and words for some of its numbers
-Words = Mapping[str, Mapping[float, str]]
+Labels = Mapping[str, Mapping[float, str]]
 #: rows, and columns, that are printed at most
 SHOWN, ACROSS = 30, 16
 #: letters that names of numbers have room for
@@ -38,11 +38,11 @@ WHEN_READ = ("message", "remarks", "untruncated")
 class Answer:
     """What all answers share: read-only arrays, equality by content, plain numbers and lists on demand.
 
-    in_words -- of some names, what is printed for some numbers
+    labels   -- of some names, what is printed for some numbers
     has_rows -- whether `columns` has a row for each of several entries, or the one of a single answer
     """
 
-    in_words: ClassVar[Words] = MappingProxyType({})
+    labels: ClassVar[Labels] = MappingProxyType({})
     has_rows: ClassVar[bool] = False
 
     if not TYPE_CHECKING:
@@ -90,7 +90,7 @@ class Answer:
         Answer.__post_init__(self)
 
     def _content(self) -> dict[str, Any]:
-        """What was found and asked, by name; the slow flow behind it left out."""
+        """The results and the arguments of the query, by name, without the slow flow behind them."""
         shown = [one for one in dataclasses.fields(self) if one.repr]  # type: ignore[arg-type]
         if any(one.metadata for one in shown):
             loaded = getattr(self, "load", None) is not None
@@ -107,13 +107,13 @@ class Answer:
 
     def words_of(self, name: str, value: Any) -> str:
         """What is printed instead of a number; empty for most."""
-        return self.in_words.get(name, {}).get(value, "") if isinstance(value, float) else ""
+        return self.labels.get(name, {}).get(value, "") if isinstance(value, float) else ""
 
     def units_beside(self) -> Mapping[str, str]:
         """The units of what `about` says; by default none is known."""
         return {}
 
-    def _parts(self) -> Mapping[str, Any]:
+    def _members(self) -> Mapping[str, Any]:
         """What it holds by name, answers and arrays of any length among it."""
         return self._content()
 
@@ -204,9 +204,9 @@ class Drawn(Answer):
         """
         from slowflow import pictures
 
-        wanted = validate.choice("of", of, self.can_draw)
+        quantity = validate.choice("of", of, self.can_draw)
         draw = pictures.PICTURES[self.picture]
-        return draw(ax, self) if self.picture != "response" else pictures.response(ax, self, wanted)
+        return draw(ax, self) if self.picture != "response" else pictures.response(ax, self, quantity)
 
 
 #: of a field that only answers under a load have, and that only the others have
@@ -223,11 +223,11 @@ def entry(name: str, columns: str, doc: str) -> Any:
 class Table(Answer):
     """An answer with several entries: arrays of one length, `entry` naming those that make up one of them.
 
-    beside -- what each entry has besides, not among its names
+    extra_columns -- further columns of each entry, not among its names
     """
 
     entry: ClassVar[Any]
-    beside: ClassVar[tuple[str, ...]] = ()
+    extra_columns: ClassVar[tuple[str, ...]] = ()
     has_rows = True
 
     def _entry_of(self) -> Any:
@@ -236,7 +236,7 @@ class Table(Answer):
 
     def _beside_of(self) -> tuple[str, ...]:
         """What each entry has besides."""
-        return self.beside
+        return self.extra_columns
 
     def __len__(self) -> int:
         return int(getattr(self, self._entry_of()._fields[0]).size)
@@ -260,9 +260,9 @@ class Table(Answer):
 
     def about(self) -> dict[str, Any]:
         """Message, forcing, and the parameters of the oscillator where the answer knows them."""
-        said = {name: plain(value) for name, value in self._content().items() if isinstance(value, PLAIN)}
+        known = {name: plain(value) for name, value in self._content().items() if isinstance(value, PLAIN)}
         model = getattr(self, "_model", None)
-        return said if model is None else said | model.given()
+        return known if model is None else known | model.arguments()
 
 
 def _freeze(value: Any) -> None:
@@ -287,30 +287,30 @@ def in_text(answer: Answer) -> Iterator[str]:
             yield str(message)
     else:
         yield from in_values(answer, {name: value for name, (value,) in answer.columns().items()})
-    for name, value in answer._parts().items():
+    for name, value in answer._members().items():
         if isinstance(value, Answer):
             yield from (f"{name}:", *(f"  {line}" for line in in_text(value)))
 
 
 def in_values(answer: Answer, values: Mapping[str, Any]) -> Iterator[str]:
-    """Numbers and words of an answer that are known, then its intervals, then arrays of one length beside each other.
+    """Known numbers and texts of an answer, then its intervals, then arrays of one length as columns of one table.
 
-    Remarks are codes: what they mean stands in the message. Arrays of more than `SHOWN` numbers are none to be read.
+    Remarks are codes: the message explains them. Arrays of more than `SHOWN` numbers are none to be read.
     """
     units = answer.units_of_columns()
     width = max(NAMED, *(len(name) + 2 for name in values))
     for name, value in values.items():
         if name != "remarks" and str(value) not in ("", "nan"):
-            told = answer.words_of(name, value)
-            yield f"{name:{width}}{told}" if told else f"{name:{width}}{_short(value)} {units.get(name, '')}".rstrip()
-    beside: dict[int, dict[str, Any]] = {}
-    for name, value in answer._parts().items():
+            label = answer.words_of(name, value)
+            yield f"{name:{width}}{label}" if label else f"{name:{width}}{_short(value)} {units.get(name, '')}".rstrip()
+    by_length: dict[int, dict[str, Any]] = {}
+    for name, value in answer._members().items():
         if isinstance(value, np.ndarray) and value.dtype.kind == "f" and value.shape[-1:] == (2,):
             for low, high in value.reshape(-1, 2).tolist():
                 yield f"{head(name, units):{width}}{low!r} to {high!r}"
         elif isinstance(value, np.ndarray) and value.ndim == 1 and 0 < value.size <= SHOWN:
-            beside.setdefault(value.size, {})[name] = value
-    for arrays in beside.values():
+            by_length.setdefault(value.size, {})[name] = value
+    for arrays in by_length.values():
         yield from _table(arrays, units)
 
 
@@ -379,8 +379,8 @@ def optional(package: str, wanted_by: str, extra: str = "tables") -> Any:
 
 def joined(*remarks: Any) -> str:
     """Remarks joined into one message."""
-    said = [remark for remark in remarks if remark]
-    return together("; ", said) if said else ""
+    texts = [remark for remark in remarks if remark]
+    return together("; ", texts) if texts else ""
 
 
 def sentences(message: str) -> tuple[str, ...]:

@@ -84,8 +84,8 @@ def margins(designs: Designs, F_0: Any, workers: int = 1) -> Batch:
             sticks_below = inertia.moves_from(forcing, slow_flow.friction(designs.values["mu"]))
     detaches = passes & np.isfinite(F_cr) & ((peaks.remarks & Remark.LEAVES_CENTRE) == 0)
     status = np.where(folds.status == Status.STICKS, Status.OK, folds.status)
-    for one, asked in ((onsets, True), (detachments, True), (peaks, np.isfinite(F_cr))):
-        status = np.where((status == Status.OK) & np.isin(one.status, FAILED) & asked, one.status, status)
+    for one, counts in ((onsets, True), (detachments, True), (peaks, np.isfinite(F_cr))):
+        status = np.where((status == Status.OK) & np.isin(one.status, FAILED) & counts, one.status, status)
     with np.errstate(all="ignore"):  # what is no forcing has no share of one
         columns = {"F_SN": F_SN, "F_cr": F_cr, "of_SN": F_SN / forcing, "of_cr": F_cr / forcing}
     columns["Omega_sticks"] = np.where(sticks, math.inf, sticks_below)
@@ -95,8 +95,8 @@ def margins(designs: Designs, F_0: Any, workers: int = 1) -> Batch:
     }
     known |= {name: np.where(allowed, np.broadcast_to(code, shape), 0).astype(np.int8) for name, code in codes.items()}
     known |= {"folds": folds.count, "onset": np.broadcast_to(onsets.status, shape).copy()}
-    said = np.where(allowed, folds.remarks | onsets.remarks | detachments.remarks, np.uint16(0))
-    return Batch("margins", known | {"status": status.astype(np.int8)}, designs, {"F_0": F_0}, remarks=said)
+    remarks = np.where(allowed, folds.remarks | onsets.remarks | detachments.remarks, np.uint16(0))
+    return Batch("margins", known | {"status": status.astype(np.int8)}, designs, {"F_0": F_0}, remarks=remarks)
 
 
 def lifting(designs: Designs, detachments: Batch) -> Floats:
@@ -127,10 +127,10 @@ def hysteresis(designs: Designs, F_0: Any, places: int = 3, workers: int = 1) ->
     status[...] = np.where(folds.status == Status.TOO_MANY, Status.OK, folds.status)
     zeta = np.broadcast_to(designs.values["zeta"], shape)
     own = Remark.LEAVES_CENTRE | Remark.NEGATIVE_STIFFNESS | Remark.HELD_AT_REST | Remark.UNDECIDED
-    said = (folds.remarks & own) != 0
+    remarked = (folds.remarks & own) != 0
     # below two folds and above them there is one motion, so there are three between them, the middle one unstable
     low_end, high_end = folds.Omega[..., 0], folds.Omega[..., 1]
-    plain = (folds.count == 2) & (zeta > 0) & ~said & (high_end - low_end > NARROW * high_end)
+    plain = (folds.count == 2) & (zeta > 0) & ~remarked & (high_end - low_end > NARROW * high_end)
     with np.errstate(all="ignore"):  # a number outside its domain has a status
         flow = designs._flow
         # of two motions one may be beyond the well, and none then
@@ -154,12 +154,12 @@ def isolation(designs: Designs, F_0: Any, level_dB: Any = None, workers: int = 1
     """See `slowflow.designs.Designs.isolation`.
 
     `isolating.isolated_each` by peaks and folds. Designs whose motions may leave the centre, or whose peak or folds are
-    not all known, are asked singly.
+    not all known, are answered singly.
     """
     peaks, folds = designs.peak(F_0, workers=workers), designs.saddle_nodes(F_0, workers=workers)
-    given = validate.real_array("level_dB", 0.0 if level_dB is None else level_dB)
-    shape = validate.common_shape({**designs.values, "F_0": np.asarray(F_0), "level_dB": given})
-    dB, forcing = (np.broadcast_to(np.asarray(one, dtype=float), shape) for one in (given, F_0))
+    level = validate.real_array("level_dB", 0.0 if level_dB is None else level_dB)
+    shape = validate.common_shape({**designs.values, "F_0": np.asarray(F_0), "level_dB": level})
+    dB, forcing = (np.broadcast_to(np.asarray(one, dtype=float), shape) for one in (level, F_0))
     with np.errstate(all="ignore"):  # a number outside its domain has a status
         flow, levels = designs._flow, isolating.Level.of(dB)
         status = np.where(np.isfinite(dB) & (dB <= 0), peaks.status, Status.INVALID).astype(np.int8)
@@ -168,16 +168,16 @@ def isolation(designs: Designs, F_0: Any, level_dB: Any = None, workers: int = 1
         floor = (dB < 0) & (flow.floor(forcing) >= levels.ratio) & answered
         known = stay_centred(flow) & answered & ~floor
     status[floor] = Status.NONE
-    said = (peaks.remarks | folds.remarks) & ~np.uint16(Remark.OF_TRUNCATION)  # which a fold is of, not the response
-    known &= (folds.status == Status.OK) & (said & (Remark.UNDECIDED | Remark.BY_BALLS) == 0)
-    said = np.broadcast_to(np.where(known | (status == Status.STICKS), said, np.uint16(0)), shape).copy()
+    remarks = (peaks.remarks | folds.remarks) & ~np.uint16(Remark.OF_TRUNCATION)  # which a fold is of, not the response
+    known &= (folds.status == Status.OK) & (remarks & (Remark.UNDECIDED | Remark.BY_BALLS) == 0)
+    remarks = np.broadcast_to(np.where(known | (status == Status.STICKS), remarks, np.uint16(0)), shape).copy()
     found = {**QUESTIONS["isolation"].blank(AVERAGING, shape), "status": status}
-    asked = np.array(np.isin(status, (Status.OK, Status.UNBOUNDED, Status.NONE)) & ~floor & ~known)
+    singly = np.array(np.isin(status, (Status.OK, Status.UNBOUNDED, Status.NONE)) & ~floor & ~known)
     # without a peak no motion on a base that shakes exceeds F_0
     highest = np.broadcast_to(np.where(peaks.status == Status.NONE, F_0, peaks.A), shape)
     of_folds = [np.broadcast_to(one, (*shape, one.shape[-1])) for one in (folds.Omega, folds.A)]
     spread, rows = flow.each(lambda number: np.broadcast_to(number, shape)), np.argwhere(known)
-    for part in progress.parts(len(rows), AT_ONCE, "isolation"):
+    for part in progress.chunks(len(rows), AT_ONCE, "isolation"):
         at = tuple(rows[part].T) or (np.newaxis,)  # a single design has no axis
         place = (*at, np.newaxis)
         own = spread.each(itemgetter(place))
@@ -188,18 +188,18 @@ def isolation(designs: Designs, F_0: Any, level_dB: Any = None, workers: int = 1
             )
         for name, column in zip(("at_fold", "Omega", "A"), columns, strict=True):
             found[name][at] = column
-        status[at], asked[at] = Status.OK, unsure
+        status[at], singly[at] = Status.OK, unsure
         if flow.inertial:  # at low frequencies friction all but holds the mass
-            said[at] |= np.where(own.mu[:, 0] > 0, np.uint16(Remark.NEAR_STICKING), np.uint16(0))
-    for at, one in _singly(designs, F_0, asked, checks.isolation, dB):
+            remarks[at] |= np.where(own.mu[:, 0] > 0, np.uint16(Remark.NEAR_STICKING), np.uint16(0))
+    for at, one in _singly(designs, F_0, singly, checks.isolation, dB):
         status[at] = Status.UNRESOLVED if one is None else Status.NONE if one.Omega is None else Status.OK
-        said[at] = 0 if one is None else one.remarks
+        remarks[at] = 0 if one is None else one.remarks
         found["at_fold"][at] = one is not None and one.at_fold
         for name in ("Omega", "A"):
             value = getattr(one, name, None)
             found[name][at] = np.nan if value is None else value
     at_level = {} if level_dB is None else {"level_dB": level_dB}
-    return Batch("isolation", found, designs, {"F_0": F_0, **at_level}, remarks=said)
+    return Batch("isolation", found, designs, {"F_0": F_0, **at_level}, remarks=remarks)
 
 
 def spectrum(designs: Designs, Omega: Any, F_0: Any, workers: int = 1) -> Batch:
@@ -210,21 +210,21 @@ def spectrum(designs: Designs, Omega: Any, F_0: Any, workers: int = 1) -> Batch:
         designs.excitation,
         designs.rubs,
     )
-    given = {"Omega": Omega, "F_0": F_0}
-    states = _with_all(partial(rows.amplitudes, **given, workers=workers))
+    arguments = {"Omega": Omega, "F_0": F_0}
+    states = _with_all(partial(rows.amplitudes, **arguments, workers=workers))
     shape = states.status.shape
-    at, F = (np.broadcast_to(np.asarray(value, dtype=float), shape) for value in given.values())
+    at, F = (np.broadcast_to(np.asarray(value, dtype=float), shape) for value in arguments.values())
     crosses, status = _crossed(rows, at, F, states.status, workers)
     amplitudes = np.where(states.stable == 1, states.A, -math.inf)
     top = amplitudes.argmax(axis=-1)[..., np.newaxis]
     A, passes = (np.take_along_axis(one, top, -1)[..., 0] for one in (amplitudes, states.transmissibility))
-    moves, sticks = A > 0, A == 0
+    moving, sticks = A > 0, A == 0
     with np.errstate(all="ignore"):  # a number outside its domain has a status, and no amplitude
-        detaches = moves & (rows._flow.first_end < A)
+        detaches = moving & (rows._flow.first_end < A)
         dB = np.where(A >= 0, 20 * np.log10(passes), np.nan)
     # of a way that is not known a row has the status
     known = np.isin(status, (Status.OK, Status.STICKS, Status.NONE))
-    status = np.where(sticks & known, Status.STICKS, np.where((status == Status.OK) & ~moves, Status.NONE, status))
+    status = np.where(sticks & known, Status.STICKS, np.where((status == Status.OK) & ~moving, Status.NONE, status))
     flags = {"motions": ((states.stable == 1) & (states.A > 0)).sum(axis=-1), "crosses": crosses}
     flags |= {"detaches": detaches, "sticks": sticks, "status": status}
     columns = {"A": np.where(A >= 0, A, np.nan), "transmissibility_dB": dB}
@@ -274,11 +274,11 @@ def _sides(
     return checks.on_both_sides(folds.Omega[of], Omega)
 
 
-def _singly(designs: Designs, F_0: Any, wanted: Flags, ask: Callable[..., Any], *beside: Floats) -> Any:
-    """A single question of each wanted design, with its place, and what it takes beside F_0; None where it fails."""
-    for at, numbers, asked in designs._each(wanted, F_0, *beside):
+def _singly(designs: Designs, F_0: Any, selected: Flags, ask: Callable[..., Any], *extra: Floats) -> Any:
+    """A single answer for each selected design, with its index; None where it fails."""
+    for at, numbers, arguments in designs._each(selected, F_0, *extra):
         try:
-            yield at, ask(Averaged(designs._model(numbers)), *asked)
+            yield at, ask(Averaged(designs._model(numbers)), *arguments)
         except ArithmeticError:
             yield at, None
 

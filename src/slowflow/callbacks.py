@@ -21,7 +21,7 @@ _Doubles = ctypes.POINTER(ctypes.c_double)
 #: of the record, the parameters and what is filled
 _OF_FORCE = ctypes.CFUNCTYPE(None, ctypes.c_void_p, _Doubles, _Doubles)
 #: of the record, a number of amplitudes, these, the parameters and what is filled
-_ALONG = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_ssize_t, _Doubles, _Doubles, _Doubles)
+_PER_AMPLITUDE = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_ssize_t, _Doubles, _Doubles, _Doubles)
 #: of the record, an amplitude and the parameters
 _AT = ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_void_p, ctypes.c_double, _Doubles)
 #: mechanisms whose records are kept
@@ -44,7 +44,7 @@ def record(solver: ModuleType, mechanism: Mechanism, inertial: bool, laws: bool,
 
         return _OF_FORCE(fill)
 
-    def along(function: Callable[..., Any], rows: int) -> Any:
+    def per_amplitude(function: Callable[..., Any], rows: int) -> Any:
         def fill(_: Any, n: int, A: Any, p: Any, out: Any) -> None:
             if n > 0:
                 whole = np.ctypeslib.as_array(out, (rows, n))
@@ -54,7 +54,7 @@ def record(solver: ModuleType, mechanism: Mechanism, inertial: bool, laws: bool,
                     for row, values in zip(whole, function(np.array(A[:n]), *p[:size]), strict=False):
                         row[:] = values
 
-        return _ALONG(fill)
+        return _PER_AMPLITUDE(fill)
 
     def intercept(_: Any, A: float, p: Any) -> float:
         with np.errstate(all="ignore"), contextlib.suppress(ArithmeticError):
@@ -65,10 +65,10 @@ def record(solver: ModuleType, mechanism: Mechanism, inertial: bool, laws: bool,
         "ends": of_force(mechanism.breakpoints),
         "jumps": of_force(mechanism.jumps),
         "kinks": None if mechanism.kinks is None else of_force(mechanism.kinks),
-        "averaged": along(mechanism.averaged, 4),
-        "averaged_2": along(mechanism.averaged, 2),
+        "averaged": per_amplitude(mechanism.averaged, 4),
+        "averaged_2": per_amplitude(mechanism.averaged, 2),
         "intercept": _AT(intercept),
-        "harmonics": along(mechanism.harmonics, 8),
+        "harmonics": per_amplitude(mechanism.harmonics, 8),
     }
     addresses = tuple(0 if one is None else ctypes.cast(one, ctypes.c_void_p).value for one in functions.values())
     sizes = len(mechanism.design), size, breakpoints

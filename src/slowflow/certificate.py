@@ -99,8 +99,8 @@ class Certificate(Answer):
     @property
     def proved(self) -> bool:
         """Whether all of it is."""
-        parts = (self.saddle_nodes, self.saddle_node_onset, self.detachment, self.amplitudes)
-        return all(part.proved for part in parts if part is not None)
+        proofs = (self.saddle_nodes, self.saddle_node_onset, self.detachment, self.amplitudes)
+        return all(part.proved for part in proofs if part is not None)
 
     def __str__(self) -> str:
         return "\n".join(_in_words(self))

@@ -15,10 +15,10 @@ from typing import Any, ClassVar
 import numpy as np
 
 from slowflow import sensitivities, validate
-from slowflow.answer import LOADED, Single, Table, Words, entry, joined, sentences
+from slowflow.answer import LOADED, Labels, Single, Table, entry, joined, sentences
 from slowflow.averaged import diagnostics, messages, solvers
 from slowflow.gradient import NO_GRADIENT, Gradient
-from slowflow.isolating import NEVER, WHOLE, Level, as_level, highest, isolated, passes_on, rests_up_to, told
+from slowflow.isolating import NEVER, WHOLE, Level, as_level, begins_of, highest, isolated, passes_on, rests_up_to
 from slowflow.mechanism import Flags, Floats, Ints, Law, by_piece
 from slowflow.model import THROUGHOUT, SlowFlow
 from slowflow.results import MeasuredPoint, OfPoint, Remark
@@ -35,7 +35,7 @@ NONE_STABLE = Sentence("no motion is stable at {Omega = :g}, {F_0 = :g}")
 #: amplitudes at which the highest frequency of the backbone is looked for, and points of a response curve
 SAMPLES = 2000
 #: places up to which friction may hold the mass, between which its force is looked at, and halvings that leave rounding
-PLACES, HALVINGS = 256, 110
+POSITIONS, HALVINGS = 256, 110
 #: steps between two rows of a load spectrum whose forcings differ, and the share of the way that is cut no more
 STEPS = 16
 SHORTEST = 1e-6
@@ -89,7 +89,7 @@ class Margins(Composed, Single):
     remarks     -- those of the onset, the detachment and the folds
     """
 
-    in_words: ClassVar[Words] = {"Omega_sticks": {0.0: "at no frequency", math.inf: "at every frequency"}}
+    labels: ClassVar[Labels] = {"Omega_sticks": {0.0: "at no frequency", math.inf: "at every frequency"}}
 
     F_0: float
     F_SN: float | None
@@ -174,7 +174,7 @@ class Isolation(OfPoint, Single):
         Where isolation begins at no frequency that moves there is none, and `.status` and `.message` say so.
         """
         at = self.Omega, self.A, self.F_0, self.at_fold, Level.of(self.level_dB).ratio
-        return self._moved(sensitivities.of_isolation, *at)
+        return self._gradient_from(sensitivities.of_isolation, *at)
 
 
 Load = entry("Load", "Omega F_0 A transmissibility_dB motions crosses detaches sticks", "A row of `Spectrum`.")
@@ -232,24 +232,24 @@ def rests_within(laws: Sequence[Law], parameters: Sequence[Any], ends: Sequence[
 
     laws, ends -- of the pieces of the force, the last without end; parameters -- of all of them. Shapes that broadcast
     """
-    held, *values = np.broadcast_arrays(*(np.asarray(value, dtype=float) for value in (mu, *parameters, *ends)))
+    friction, *values = np.broadcast_arrays(*(np.asarray(value, dtype=float) for value in (mu, *parameters, *ends)))
     parameters, ends = values[: len(parameters)], values[len(parameters) :]
 
     def holds(u: Floats) -> Flags:
-        return np.asarray(np.abs(by_piece(laws, ends, u, parameters)) <= held)
+        return np.asarray(np.abs(by_piece(laws, ends, u, parameters)) <= friction)
 
     with np.errstate(all="ignore"):  # what is no design has none
-        far = held + 1.0 + (ends[-1] if ends else 0.0)
-        low, high, left = np.zeros(held.shape), np.full(held.shape, math.inf), held > 0
-        for k in range(1, PLACES + 1):
-            at, inside = far * (k / PLACES), holds(far * (k / PLACES))
+        far = friction + 1.0 + (ends[-1] if ends else 0.0)
+        low, high, left = np.zeros(friction.shape), np.full(friction.shape, math.inf), friction > 0
+        for k in range(1, POSITIONS + 1):
+            at, inside = far * (k / POSITIONS), holds(far * (k / POSITIONS))
             high = np.where(left & ~inside, at, high)
             low, left = np.where(left & inside, at, low), left & inside
         for _ in range(HALVINGS):
             middle = 0.5 * (low + high)
             inside = holds(middle) & (high < math.inf)
             low, high = np.where(inside, middle, low), np.where(inside, high, np.minimum(middle, high))
-    return np.where(held > 0, np.where(left, math.inf, low), np.where(held == 0, 0.0, math.nan))
+    return np.where(friction > 0, np.where(left, math.inf, low), np.where(friction == 0, 0.0, math.nan))
 
 
 def margins(oscillator: Any, F_0: float) -> Margins:
@@ -261,17 +261,17 @@ def margins(oscillator: Any, F_0: float) -> Margins:
     if F_cr is None and model.inertial and oscillator.breakpoints:
         # as no amplitude is lower at a higher frequency
         F_cr = float(model.full_level(oscillator.breakpoints[0])) if model.laws.any else oscillator.breakpoints[0]
-    # beside a mass at rest that stays there motions may be that detach
-    sticks, moves = folds.F_0 <= oscillator.sticking_forcing, not model.sticks(folds.F_0)
-    leaves = moves and oscillator._detaches(folds.F_0)
-    beside = (folds.remarks | detachment.remarks) & ~onset.remarks
-    said = (
+    # even if a mass at rest stays there, there may be motions that detach
+    sticks, moving = folds.F_0 <= oscillator.sticking_forcing, not model.sticks(folds.F_0)
+    detaches = moving and oscillator._detaches(folds.F_0)
+    remarks = (folds.remarks | detachment.remarks) & ~onset.remarks
+    texts = (
         folds.message if sticks else "",
         ISOLA if onset.kind == "isola" and Remark.OF_TRUNCATION not in onset.remarks else "",
         onset.message,
         detachment.message if model.inertial else "",
-        APART if leaves and F_cr is not None and folds.F_0 < F_cr else "",
-        *diagnostics.messages(beside, model, folds.F_0),
+        APART if detaches and F_cr is not None and folds.F_0 < F_cr else "",
+        *diagnostics.messages(remarks, model, folds.F_0),
     )
     return Margins(
         folds.F_0,
@@ -281,11 +281,11 @@ def margins(oscillator: Any, F_0: float) -> Margins:
         None if F_cr is None else F_cr / folds.F_0,
         onset.kind,
         len(folds),
-        leaves,
+        detaches,
         sticks,
         math.inf if sticks else math.sqrt(model.m / folds.F_0) if model.inertial else 0.0,
-        joined(*dict.fromkeys(part for words in said if words for part in sentences(words))),  # each once
-        beside | onset.remarks,
+        joined(*dict.fromkeys(part for message in texts if message for part in sentences(message))),  # each once
+        remarks | onset.remarks,
     )
 
 
@@ -328,7 +328,7 @@ def hysteresis(oscillator: Any, F_0: float) -> Hysteresis:
 
 
 def isolation(oscillator: Any, F_0: float, level_dB: float = 0.0) -> Isolation:
-    """See `ComposedQuestions.isolation`: `isolated` of one response curve, in words."""
+    """See `ComposedQuestions.isolation`: `isolated` of one response curve, with its message."""
     F_0, level, model = validate.number("F_0", F_0, above=0.0), as_level(level_dB), oscillator.model
     made = partial(Isolation, level_dB=level.dB, _model=model, _equation=oscillator._equation)
     if model.inertial and not oscillator.closes(F_0):
@@ -341,7 +341,7 @@ def isolation(oscillator: Any, F_0: float, level_dB: float = 0.0) -> Isolation:
         if 0 < moves_from < math.inf:
             return made(moves_from, 0.0, False, F_0, "", curve.remarks)
         return made(None, None, False, F_0, curve.message, curve.remarks)
-    return told(made, curve, level, *isolated(model, curve, F_0, level))
+    return begins_of(made, curve, level, *isolated(model, curve, F_0, level))
 
 
 def _highest(oscillator: Any, F_0: float, level: Level = WHOLE) -> float:
@@ -360,9 +360,9 @@ def _highest(oscillator: Any, F_0: float, level: Level = WHOLE) -> float:
 
 def spectrum(oscillator: Any, Omega: Any, F_0: Any) -> Spectrum:
     """See `ComposedQuestions.spectrum`; of what answers them, which may have the folds of several forcings together."""
-    given = {"Omega": validate.frequencies("Omega", Omega), "F_0": validate.positive_array("F_0", F_0)}
-    shape = validate.common_shape(given)
-    at, F = (np.broadcast_to(values, shape).ravel() for values in given.values())
+    arguments = {"Omega": validate.frequencies("Omega", Omega), "F_0": validate.positive_array("F_0", F_0)}
+    shape = validate.common_shape(arguments)
+    at, F = (np.broadcast_to(values, shape).ravel() for values in arguments.values())
     points = np.array([at, F])
 
     folds: dict[float, Floats] = {}  # rows share forcings
@@ -388,13 +388,13 @@ def spectrum(oscillator: Any, Omega: Any, F_0: Any) -> Spectrum:
         ways = crossed(on_shared, points[:, :-1], points[:, 1:], AT_ONCE, shared)
     crosses = np.concatenate(([False], ways))[: at.size]
     found = [_row(oscillator, *here) for here in zip(at.tolist(), F.tolist(), crosses.tolist(), strict=True)]
-    rows, said, codes = zip(*found, strict=True) if found else ((), (), ())
+    rows, texts, codes = zip(*found, strict=True) if found else ((), (), ())
     columns = np.array(rows, dtype=float).reshape(-1, len(Load._fields)).T
     kinds = {"motions": np.intp, "crosses": np.bool_, "detaches": np.bool_, "sticks": np.bool_}
     typed: dict[str, Any] = {
         name: column.astype(kinds.get(name, float)) for name, column in zip(Load._fields, columns, strict=True)
     }
-    return Spectrum(**typed, message=messages.at_pairs(at, said), _remarks=np.array(codes, dtype=np.uint16))
+    return Spectrum(**typed, message=messages.at_pairs(at, texts), _remarks=np.array(codes, dtype=np.uint16))
 
 
 def on_both_sides(folds: Floats, Omega: Any) -> Ints:
@@ -415,13 +415,13 @@ def crossed(
     sides: Callable[[Ints, Floats, Floats], Ints],
     start: Floats,
     end: Floats,
-    parts: int = HALVES,
+    pieces: int = HALVES,
     forcings: Floats | None = None,
 ) -> Flags:
     """On which of the straight ways from one (Omega, F_0) to another, each of shape (2, n), a fold lies.
 
     sides -- of ways by their number, at (Omega, F_0) on them: `on_both_sides`
-    parts -- into how many the way is cut at once: more where several forcings cost hardly more than one
+    pieces -- into how many the way is cut at once: more where several forcings cost hardly more than one
     forcings -- at which ways are cut first; without at `STEPS` shares of each
 
     As every fold of a forcing is known, one that is met is one that changes sides. Where folds are born or end as well,
@@ -449,16 +449,16 @@ def crossed(
         found[which[as_many & (of_low != of_high).any(axis=0)]] = True
         left = np.flatnonzero(~as_many & (high - low >= SHORTEST) & ~found[which])
         which, low, high, of_low, of_high = which[left], low[left], high[left], of_low[:, left], of_high[:, left]
-        ends = [low + (high - low) * (k / parts) for k in range(1, parts)]
-        between = [*at(np.tile(which, parts - 1), np.concatenate(ends)).reshape(2, parts - 1, -1).transpose(1, 0, 2)]
-        which = np.tile(which, parts)
+        ends = [low + (high - low) * (k / pieces) for k in range(1, pieces)]
+        between = [*at(np.tile(which, pieces - 1), np.concatenate(ends)).reshape(2, pieces - 1, -1).transpose(1, 0, 2)]
+        which = np.tile(which, pieces)
         low, high = np.concatenate((low, *ends)), np.concatenate((*ends, high))
         of_low, of_high = np.hstack((of_low, *between)), np.hstack((*between, of_high))
     return found
 
 
 def _row(oscillator: Any, Omega: float, F_0: float, crosses: bool) -> tuple[Any, str, Remark]:
-    """One row, and what is said beside it, in words and as codes."""
+    """One row, with its message and the codes of its remarks."""
     states = oscillator.amplitudes(Omega=Omega, F_0=F_0)
     stable = np.flatnonzero(states.stable)
     if not stable.size:

@@ -51,15 +51,15 @@ def info() -> dict[str, str]:
     return lines
 
 
-def certify(given: argparse.Namespace) -> int:
+def certify(args: argparse.Namespace) -> int:
     """Print a certificate; 0 if all of it is proved, 2 if a number is not allowed."""
     # here, not above: `slowflow info` needs none of it
     from slowflow import example
 
-    changes = {one.name: value for one in OF_ISOLATOR if (value := getattr(given, one.name)) is not None}
+    changes = {one.name: value for one in OF_ISOLATOR if (value := getattr(args, one.name)) is not None}
     try:
         isolator = example.isolator(**changes)
-        found = isolator.certify(given.F_0, Omega=given.Omega)
+        found = isolator.certify(args.F_0, Omega=args.Omega)
     except SlowflowError as error:
         print(error, file=sys.stderr)
         return 2
@@ -68,62 +68,62 @@ def certify(given: argparse.Namespace) -> int:
     return 0 if found.proved else 1
 
 
-def run_scene(given: argparse.Namespace) -> int:
+def run_scene(args: argparse.Namespace) -> int:
     """Answers what a scene asks for, and computes nothing else; 1 where a question could not be answered.
 
     3 where all could and a requirement is not met.
     """
-    if given.report is not None and not _can_draw():
+    if args.report is not None and not _can_draw():
         return 2
-    scene = _read(given.scene)
+    scene = _read(args.scene)
     # before anything is computed: it refuses
-    earlier = [] if given.out is None else files.written(given.out, [f"{question}.csv" for question in QUESTIONS])
+    earlier = [] if args.out is None else files.written(args.out, [f"{question}.csv" for question in QUESTIONS])
     answers: list[tuple[Asked, Answer]] = []
     failed = []
-    with contextlib.nullcontext() if given.quiet else progress.shown():
-        for asked in scene.asked:
+    with contextlib.nullcontext() if args.quiet else progress.shown():
+        for query in scene.asked:
             try:
-                with progress.named(str(asked)):
-                    answers.append((asked, scene.answer(asked)))
+                with progress.named(str(query)):
+                    answers.append((query, scene.answer(query)))
             except SlowflowError as error:
-                failed.append({"question": asked.question, **asked.arguments, "error": str(error)})
-                print(f"{asked}: {error}", file=sys.stderr)
-    content = {**provenance(scene), "answers": [told(*one) for one in answers], "failed": failed}
-    held = verdict.verdict(scene) if scene.requirements else None
-    if held is not None:
-        content["verdict"] = held.to_dict()
-    if given.json:
+                failed.append({"question": query.question, **query.arguments, "error": str(error)})
+                print(f"{query}: {error}", file=sys.stderr)
+    content = {**provenance(scene), "answers": [content_of(*one) for one in answers], "failed": failed}
+    outcome = verdict.verdict(scene) if scene.requirements else None
+    if outcome is not None:
+        content["verdict"] = outcome.to_dict()
+    if args.json:
         print(files.in_json(content), end="")
-    if given.out is None and not given.json:
-        if held is not None:
-            print(f"# {verdict.in_words(held)}", *in_text(held), "", sep="\n")
-        for asked, answer in answers:
-            print(f"# {asked}", *in_text(answer), "", sep="\n")
-    if given.out is not None:
-        given.out.mkdir(parents=True, exist_ok=True)
+    if args.out is None and not args.json:
+        if outcome is not None:
+            print(f"# {verdict.in_words(outcome)}", *in_text(outcome), "", sep="\n")
+        for query, answer in answers:
+            print(f"# {query}", *in_text(answer), "", sep="\n")
+    if args.out is not None:
+        args.out.mkdir(parents=True, exist_ok=True)
         tables = {}
-        for question in dict.fromkeys(asked.question for asked, _ in answers):
-            alike = [(asked.numbers(), answer) for asked, answer in answers if asked.question == question]
-            units = next(asked.units() for asked, _ in answers)
-            tables[f"{question}.csv"] = files.in_csv(alike, units)
+        for question in dict.fromkeys(query.question for query, _ in answers):
+            same = [(query.numbers(), answer) for query, answer in answers if query.question == question]
+            units = next(query.units() for query, _ in answers)
+            tables[f"{question}.csv"] = files.in_csv(same, units)
         for path in earlier:
             if path.name not in tables:
                 path.unlink()
         for name, text in tables.items():
-            files.write(given.out / name, text)
+            files.write(args.out / name, text)
         content["files"] = {name: files.digest(text.encode()) for name, text in tables.items()}
-        files.write(given.out / files.RECORD, files.in_json(content))
-        if not given.quiet:
-            if held is not None:
-                print(verdict.in_words(held), file=sys.stderr)
-            print(f"{len(answers)} answers are written to the folder {given.out}", file=sys.stderr)
-    made = 0 if given.report is None else _report(scene, given.report, given.quiet)
-    return made or (1 if failed else 0 if held is None or held.all_met else NOT_MET)
+        files.write(args.out / files.RECORD, files.in_json(content))
+        if not args.quiet:
+            if outcome is not None:
+                print(verdict.in_words(outcome), file=sys.stderr)
+            print(f"{len(answers)} answers are written to the folder {args.out}", file=sys.stderr)
+    made = 0 if args.report is None else _report(scene, args.report, args.quiet)
+    return made or (1 if failed else 0 if outcome is None or outcome.all_met else NOT_MET)
 
 
-def told(asked: Asked, answer: Answer) -> dict[str, Any]:
-    """An answer with what it was asked, as plain Python."""
-    what = {"question": asked.question, "asked": dict(asked.arguments), "asked_in": asked.given_in()}
+def content_of(query: Asked, answer: Answer) -> dict[str, Any]:
+    """An answer with its query, as plain Python."""
+    what = {"question": query.question, "asked": dict(query.arguments), "asked_in": query.given_in()}
     return {**what, **answer.to_dict()}
 
 
@@ -139,10 +139,10 @@ def provenance(scene: Scene) -> dict[str, Any]:
     }
 
 
-def check_scenes(given: argparse.Namespace) -> int:
+def check_scenes(args: argparse.Namespace) -> int:
     """Say what scenes ask for, or what is wrong in them; 2 where something is."""
     wrong = False
-    for path in given.scene:
+    for path in args.scene:
         try:
             scene = _read(path)
         except (OSError, SlowflowError) as error:
@@ -155,19 +155,19 @@ def check_scenes(given: argparse.Namespace) -> int:
     return 2 if wrong else 0
 
 
-def explain_scene(given: argparse.Namespace) -> int:
+def explain_scene(args: argparse.Namespace) -> int:
     """Print the plan of each question, and an estimate of how long it takes, from measured times; computes nothing."""
-    scene = _read(given.scene)
+    scene = _read(args.scene)
     print(scene.oscillator)
     total = 0.0
-    for asked in scene.asked:
-        print(asked)
+    for query in scene.asked:
+        print(query)
         try:
-            plan = scene.explain(asked)
+            plan = scene.explain(query)
         except SlowflowError as error:
             print(f"  {'refused':14}{error}")
             continue
-        total += (seconds := scene.seconds(asked))
+        total += (seconds := scene.seconds(query))
         print(*(f"  {step}" for step in (plan.steps if plan else ())), f"  {'takes':14}{_some(seconds)}", sep="\n")
     print(
         f"together {_some(total)}: estimates, medians of random mounts on {costs.MACHINE}; there nine of ten took at "
@@ -185,12 +185,12 @@ def _some(seconds: float) -> str:
     return f"some {float(f'{seconds:.1g}'):g} s" if seconds >= SHORT else f"below {SHORT:g} s"
 
 
-def derive_mechanisms(given: argparse.Namespace) -> int:
+def derive_mechanisms(args: argparse.Namespace) -> int:
     """Write kernels, C, document and manifest of each mechanism that a Python program derives, or of the library's."""
     # here, not above: it opens the door to the derivation
     from slowflow.derive import Derived, library
 
-    program = given.program
+    program = args.program
     try:
         kept = list(runpy.run_path(str(program)).values()) if program.is_file() else [library(str(program))]
     except Exception as error:  # the user's program may raise anything
@@ -204,28 +204,28 @@ def derive_mechanisms(given: argparse.Namespace) -> int:
         print(f"{program} keeps no mechanism: give what slowflow.derive.mechanism returns a name", file=sys.stderr)
         return 2
     for mechanism in dict.fromkeys(found):
-        folder = given.out / mechanism.stated_name
+        folder = args.out / mechanism.stated_name
         print(f"{folder}: {', '.join(mechanism.write(folder))}")
     return 0
 
 
-def new_scene(given: argparse.Namespace) -> int:
+def new_scene(args: argparse.Namespace) -> int:
     """Write the starter; 2 where there is a file of that name."""
     try:
-        with given.scene.open("x", encoding="utf-8") as file:
+        with args.scene.open("x", encoding="utf-8") as file:
             file.write(STARTER)
     except FileExistsError:
-        print(f"{given.scene} is there already: it is left as it is", file=sys.stderr)
+        print(f"{args.scene} is there already: it is left as it is", file=sys.stderr)
         return 2
-    print(f"{given.scene} is written: slowflow run {given.scene}")
+    print(f"{args.scene} is written: slowflow run {args.scene}")
     return 0
 
 
-def write_report(given: argparse.Namespace) -> int:
+def write_report(args: argparse.Namespace) -> int:
     """Write the report of a scene; 2 where it cannot be made."""
     if not _can_draw():
         return 2
-    return _report(_read(given.scene), given.out, given.quiet)
+    return _report(_read(args.scene), args.out, args.quiet)
 
 
 def _can_draw() -> bool:
@@ -296,8 +296,8 @@ def parser() -> argparse.ArgumentParser:
     option("--quiet", **quiet)
     option = command(check_scenes, "check", "whether a scene is allowed; computes nothing")
     option("scene", type=Path, nargs="+")
-    told = "what runs for a scene, what is skipped, and about how long it takes; computes nothing"
-    command(explain_scene, "explain", told)("scene", type=Path)
+    text = "what runs for a scene, what is skipped, and about how long it takes; computes nothing"
+    command(explain_scene, "explain", text)("scene", type=Path)
     option = command(write_report, "report", "a scene's answers, curves and errors on one HTML page")
     option("scene", type=Path)
     option("-o", "--out", type=Path, metavar="FILE", default=Path("report.html"), help="default: %(default)s")
@@ -318,9 +318,9 @@ def parser() -> argparse.ArgumentParser:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one subcommand: 0 if it succeeds, 1 if something is not answered or not proved, 2 for what is not allowed."""
-    given = parser().parse_args(arguments)
+    args = parser().parse_args(arguments)
     try:
-        code: int = given.run(given)
+        code: int = args.run(args)
         sys.stdout.flush()
         return code
     except BrokenPipeError:
@@ -346,7 +346,7 @@ def _say_no_more() -> None:
             os.dup2(nowhere, stream.fileno())
 
 
-def print_info(given: argparse.Namespace) -> int:
+def print_info(args: argparse.Namespace) -> int:
     """Print `info`."""
     for topic, text in info().items():
         print(f"{topic:14}{text}")

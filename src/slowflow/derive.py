@@ -67,7 +67,7 @@ class Stated:
         """Many designs at once: `Oscillator.many(record, ...)`."""
         return Oscillator.many(self.record, excitation=excitation, rubs=rubs, **numbers)
 
-    def _told(self, how: str) -> str:
+    def _described(self, how: str) -> str:
         return f"{self.record.title}: {', '.join((*self.record.design_names, 'mu', 'zeta'))}; {how}"
 
 
@@ -78,7 +78,7 @@ class Sampled(Stated):
     """
 
     def __repr__(self) -> str:
-        return self._told("a Python function: by its values")
+        return self._described("a Python function: by its values")
 
 
 class Derived(Stated):
@@ -92,10 +92,10 @@ class Derived(Stated):
 
     folder: Path
 
-    def __init__(self, record: Mechanism, folder: Path, stated: Any, beside: str = "") -> None:
+    def __init__(self, record: Mechanism, folder: Path, stated: Any, remark: str = "") -> None:
         super().__init__(record)
         self.folder = folder
-        self._stated, self._beside = stated, beside
+        self._stated, self._remark = stated, remark
 
     @property
     def stated_name(self) -> str:
@@ -131,7 +131,7 @@ class Derived(Stated):
             how += ", by quadrature"
         if not self.record.odd:
             how = f"motions {'compiled' if self.compiled else 'interpreted'}, averages on NumPy"
-        return self._told(how + self._beside)
+        return self._described(how + self._remark)
 
 
 def mechanism(
@@ -171,8 +171,8 @@ def mechanism(
     where slowflow itself is not compiled.
     """
     furthest = () if reach is None else (reach, reach_reason)
-    given = _derivation("slowflow.derivation.given")
-    functions = [_is_function(force) for force, _ in given.pieces(pieces)]
+    inputs = _derivation("slowflow.derivation.given")
+    functions = [_is_function(force) for force, _ in inputs.pieces(pieces)]
     if any(functions):
         if not all(functions):
             raise WrongType(
@@ -181,7 +181,7 @@ def mechanism(
         return _sampled(name, pieces, parameters, title, reach, reach_reason, odd, compile)
     stated = _derivation().stated(name, pieces, parameters, title, *furthest, odd=odd)
     _check_names(stated.design)
-    return _derived(stated, compile, _made_odd(given.expression("piece 1", pieces[0][0])) if odd else "")
+    return _derived(stated, compile, _made_odd(inputs.expression("piece 1", pieces[0][0])) if odd else "")
 
 
 def library(name: str, *, compile: bool = False) -> Derived:
@@ -226,35 +226,35 @@ def _sampled(
     compile: bool,
 ) -> Sampled:
     """A mechanism whose pieces are Python functions, whose arguments are those of `mechanism`."""
-    given, runtime = _derivation("slowflow.derivation.given"), _derivation()
-    name, title = given.module_name(name), given.text("title", title)
-    reach_reason = given.text("reach_reason", reach_reason)
-    if given.flag("compile", compile):
+    inputs, runtime = _derivation("slowflow.derivation.given"), _derivation()
+    name, title = inputs.module_name(name), inputs.text("title", title)
+    reach_reason = inputs.text("reach_reason", reach_reason)
+    if inputs.flag("compile", compile):
         raise Refused("compile = True is not allowed: a Python function cannot be compiled, a SymPy expression can")
-    if not given.flag("odd", odd):
+    if not inputs.flag("odd", odd):
         raise Refused("odd = False is not allowed: a force that is not odd is stated as polynomials")
     if reach is None:
         raise Refused("reach = None is not allowed: a Python function is asked for its values up to there, say how far")
-    design = runtime.designed(given.parameters(parameters))
+    design = runtime.designed(inputs.parameters(parameters))
     _check_names(design)
     names = [parameter.symbol.name for parameter in design]
     functions, ends = [], []
     for number, (force, end) in enumerate(pieces, start=1):
         if (end is None) != (number == len(pieces)):
-            said = "have no end, it is the last" if end is not None else "say where it ends"
-            raise Refused(f"piece {number} must {said}")
+            message = "have no end, it is the last" if end is not None else "say where it ends"
+            raise Refused(f"piece {number} must {message}")
         sampled.check_signature(f"piece {number}", force, names, 1)
         functions.append(force)
         if _is_function(end):
             sampled.check_signature(f"the end of piece {number}", end, names, 0)
             ends.append(end)
         elif end is not None:
-            ends.append(float(given.exact(f"the end of piece {number}", end)))
+            ends.append(float(inputs.exact(f"the end of piece {number}", end)))
     of_record = []
     for one in design:
-        bounds = {key: float(bound) for key in given.BOUNDS if (bound := getattr(one, key)) is not None}
+        bounds = {key: float(bound) for key in inputs.BOUNDS if (bound := getattr(one, key)) is not None}
         of_record.append(Parameter(one.symbol.name, one.doc, one.unit, **bounds))
-    stated = sampled.Stated(name, tuple(functions), tuple(ends), tuple(names), float(given.reach(reach)))
+    stated = sampled.Stated(name, tuple(functions), tuple(ends), tuple(names), float(inputs.reach(reach)))
     titled = title or f"{name}, stated by Python functions"
     record = sampled.record(stated, titled[0].upper() + titled[1:], tuple(of_record), reach_reason)
     backend.check_room(record)
@@ -272,8 +272,8 @@ def _made_odd(force: Any) -> str:
     return f"; {shown(force)} is not odd: for u < 0 the force is that of |u| with the other sign{jumps}"
 
 
-def _derived(stated: Any, compile: bool, beside: str = "") -> Derived:
-    """Derived and printed, if it was not, and compiled if that is wanted."""
+def _derived(stated: Any, compile: bool, remark: str = "") -> Derived:
+    """Derived and printed, if it was not, and compiled on request."""
     if not isinstance(compile, bool):
         raise WrongType(f"compile = {compile!r} is not allowed: it must be True or False")
     runtime = _derivation()
@@ -293,7 +293,7 @@ def _derived(stated: Any, compile: bool, beside: str = "") -> Derived:
     backend.check_room(record, interpreted=not compile)
     if compile and record.name not in _attached:
         _attach(printed, _compiled(folder, module))
-    return Derived(record, folder, stated, beside)
+    return Derived(record, folder, stated, remark)
 
 
 @contextlib.contextmanager
@@ -331,8 +331,8 @@ def _write(folder: Path, sources: Mapping[str, str]) -> None:
 def _compiled(folder: Path, module: str) -> Path:
     """The shared library of a mechanism, compiled if it is not there."""
     # one for each state of the headers: the record's form may change
-    told = b"".join(path.read_bytes() for place in include() for path in sorted(place.rglob("*.h")))
-    library = folder / f"{module}-{hashlib.sha256(told).hexdigest()[:12]}.so"
+    content = b"".join(path.read_bytes() for place in include() for path in sorted(place.rglob("*.h")))
+    library = folder / f"{module}-{hashlib.sha256(content).hexdigest()[:12]}.so"
     if library.exists():
         return library
     compiler = shlex.split(os.environ.get("CC") or sysconfig.get_config_var("CC") or "cc")
@@ -350,7 +350,7 @@ def _compiled(folder: Path, module: str) -> Path:
 
 
 def _side_by_side(commands: Iterable[list[str]]) -> None:
-    """Calls of the compiler, each a process of its own. Raises BuildFailed where one fails, with its words."""
+    """Calls of the compiler, each a process of its own. Raises BuildFailed where one fails, with its output."""
     running = {}
     for command in commands:
         try:
@@ -358,10 +358,10 @@ def _side_by_side(commands: Iterable[list[str]]) -> None:
         except OSError as error:
             raise BuildFailed(f"compile=True: the C compiler {command[0]!r} does not run: {error}") from error
         running[process] = command[0]
-    told = {process: process.communicate()[1] for process in running}
-    for process, words in told.items():
+    outputs = {process: process.communicate()[1] for process in running}
+    for process, output in outputs.items():
         if process.returncode:
-            raise BuildFailed(f"compile=True: {running[process]} failed:\n{words}")
+            raise BuildFailed(f"compile=True: {running[process]} failed:\n{output}")
 
 
 def _attach(printed: ModuleType, library: Path) -> None:

@@ -31,7 +31,7 @@ class Designs(many.Designs):
         validate.is_plain("second_approximation", self.laws)
         return SecondDesigns(self)
 
-    def _ask(self, question: str, /, *, workers: int = 1, **given: Any) -> Batch:
+    def _ask(self, question: str, /, *, workers: int = 1, **kwargs: Any) -> Batch:
         """The answer to a question by its name, from what its method takes."""
         if question in SHOCKS:
             from slowflow.exact import shocks_many
@@ -40,16 +40,16 @@ class Designs(many.Designs):
             def at_rest(one: dict[str, float]) -> OffCentre:
                 return OffCentre(self.model(one), 0.0)
 
-            return shocks_many.answer(self, question, **given, workers=workers, at_rest=at_rest)
+            return shocks_many.answer(self, question, **kwargs, workers=workers, at_rest=at_rest)
         if question == "random":
             from slowflow.random_vibration import many as random_many
 
-            return random_many.answer(self, **given, workers=workers)
+            return random_many.answer(self, **kwargs, workers=workers)
         if question not in LOADS:
-            return super()._ask(question, workers=workers, **given)
+            return super()._ask(question, workers=workers, **kwargs)
         from slowflow import batch_checks
 
-        if "places" in given:
-            given["places"] = validate.count("places", given["places"], least=1)
-        found: Batch = getattr(batch_checks, question)(self, **given, workers=workers)
+        if "places" in kwargs:
+            kwargs["places"] = validate.count("places", kwargs["places"], least=1)
+        found: Batch = getattr(batch_checks, question)(self, **kwargs, workers=workers)
         return found

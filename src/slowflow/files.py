@@ -1,4 +1,4 @@
-"""Answers as files. Takes answers with what they were asked; returns CSV and JSON, complete or not at all.
+"""Answers as files. Takes answers with their queries; returns CSV and JSON, complete or not at all.
 
 A file is written under a temporary name beside its own and renamed when it is whole. A folder of answers has a record,
 answers.json, which lists the other files with the hash of each: by it what an earlier scene left is told from what
@@ -63,19 +63,19 @@ def digest(content: bytes) -> str:
 
 
 def in_csv(answers: Sequence[tuple[Mapping[str, float], Answer]], units: Mapping[str, str]) -> str:
-    """The columns of answers to one question, one below the other, each after what it was asked at; units in the head.
+    """The columns of answers to one question, one below the other, each after its arguments; units in the head.
 
-    units -- of what it was asked at
+    units -- of the arguments
 
     Numbers have all their digits, and one that there is not is empty.
     """
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
-    before = dict.fromkeys((name for asked, _ in answers for name in asked), math.nan)
-    for asked, answer in answers:
+    before = dict.fromkeys((name for at, _ in answers for name in at), math.nan)
+    for arguments, answer in answers:
         own = answer.columns()
         length = len(next(iter(own.values())))
-        columns = {name: own.get(name, np.full(length, value)) for name, value in {**before, **asked}.items()} | own
+        columns = {name: own.get(name, np.full(length, value)) for name, value in {**before, **arguments}.items()} | own
         of = {**units, **answer.units_of_columns()}
         if not text.tell():
             writer.writerow([head(name, of) for name in columns])

@@ -97,11 +97,11 @@ class Gradient(Answer):
     def message(self) -> str:
         """Why some answers have no gradient; empty if all have one."""
         codes, counts = np.unique(self.status[self.status != MovesStatus.OK], return_counts=True)
-        said = []
+        texts = []
         for code, count in zip(codes, counts, strict=True):
             of_all = f"{count} of {self.status.size}: " if self.status.ndim else ""
-            said.append(of_all + WITHOUT_GRADIENT[MovesStatus(code)])
-        return f"no gradient: {'; '.join(said)}" if said else ""
+            texts.append(of_all + WITHOUT_GRADIENT[MovesStatus(code)])
+        return f"no gradient: {'; '.join(texts)}" if texts else ""
 
     def condition(self, of: str) -> Any:
         """The condition number of a number: its relative change over the largest relative change of the parameters.
@@ -109,5 +109,5 @@ class Gradient(Answer):
         The sum of |p d(number)/dp|/|number| over the parameters, shape (...); NaN where there is no gradient.
         """
         with np.errstate(all="ignore"):
-            moved = sum(abs(at * self[of, by]) for at, by in zip(self._at, self.by, strict=True))
-            return moved / np.abs(self._values[self.of.index(of)])
+            change = sum(abs(at * self[of, by]) for at, by in zip(self._at, self.by, strict=True))
+            return change / np.abs(self._values[self.of.index(of)])

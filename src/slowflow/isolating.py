@@ -63,8 +63,8 @@ def as_level(level_dB: Any) -> Level:
     return Level.of(validate.number("level_dB", level_dB, most=0.0))
 
 
-def told(made: Callable[..., Begins], curve: Any, level: Level, at_fold: Any, *at: Any) -> Begins:
-    """An answer from what `begins` gives of a curve."""
+def begins_of(made: Callable[..., Begins], curve: Any, level: Level, at_fold: Any, *at: Any) -> Begins:
+    """An answer from the result of `begins` for a curve."""
     Omega, *_ = numbers = [None if math.isnan(one) else float(one) for one in at]
     none = NEVER if Omega is None else ISOLATES if Omega == 0 else None
     message = joined(curve.message, none.format(str(level))) if none else curve.message
@@ -156,13 +156,13 @@ def _crossing(of: Any, F_0: Any, A: Floats, other: Floats, level: Level, sure: A
 
 def _from_rest_on(end: Any, at_fold: Any, Omega: Any, A: Any) -> tuple[Any, ...]:
     """The same, where the mass rests up to a frequency, `end`: there it passes on all that drives it."""
-    rests = Omega < end
-    return at_fold & ~rests, np.where(rests, end, Omega), np.where(rests, 0.0, A)
+    sticks = Omega < end
+    return at_fold & ~sticks, np.where(sticks, end, Omega), np.where(sticks, 0.0, A)
 
 
 def rests_up_to(of: Any, F_0: Any) -> Any:
     """The frequency up to which friction holds a mass that is excited by inertia, 0 of others."""
-    return inertia.moves_from(F_0, of.held) if of.inertial else 0.0 * F_0
+    return inertia.moves_from(F_0, of.break_loose) if of.inertial else 0.0 * F_0
 
 
 def begins(

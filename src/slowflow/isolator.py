@@ -10,7 +10,7 @@ import warnings
 from typing import Any
 
 from slowflow import range_checks, validate
-from slowflow.mechanism import LINEAR, Force, Mechanism, told
+from slowflow.mechanism import LINEAR, Force, Mechanism, described
 from slowflow.model import THROUGHOUT, Laws, Model
 from slowflow.oscillator import FORCES, Oscillator
 from slowflow.physical import Physical
@@ -42,7 +42,7 @@ def _averaged(force: Any) -> Mechanism:
 class Isolator(Oscillator):
     __doc__ = f"""The high-static-low-dynamic-stiffness isolator of (1)-(7), springs leaving the push-rod at u_cr.
 
-{told((*ROD_SPRING.design, *DAMPING, *DISSIPATION))}
+{described((*ROD_SPRING.design, *DAMPING, *DISSIPATION))}
     rubs -- "throughout", or "attached": dry friction acts while the springs touch the push-rod, |u| < u_cr
     mu_s -- static friction, as in `Oscillator`
     force -- what is averaged: "truncated" for the fifth-order polynomial (6), which jumps at u_cr, "untruncated" for
@@ -97,7 +97,7 @@ class Isolator(Oscillator):
             warnings.warn(text(NEGATIVE, self.delta_h, 1 / (self.lam * self.r), self.alpha), stacklevel=3)
 
     def __repr__(self) -> str:
-        return f"Isolator({', '.join(self._told())})"
+        return f"Isolator({', '.join(self._described())})"
 
     def restoring_force(self, which: str | None = None) -> Force:
         """The force of the equation of motion, piece by piece: "truncated" for (6), "untruncated" for (5).
@@ -169,23 +169,23 @@ class Isolator(Oscillator):
         numbers = {name: scales.over(word, known[word], DOMAINS[name], scale) for name, (word, scale) in of_design}
         mu_s, mu = 0.0, numbers["mu"]
         if static_friction is not None:
-            held = si("static_friction", static_friction, "N")
-            static = validate.number("static_friction", held, least=known["friction"])
+            static_force = si("static_friction", static_friction, "N")
+            static = validate.number("static_friction", static_force, least=known["friction"])
             mu_s = max(mu, static / scales.of(SCALES["mu"]))
         laws = Laws.of(numbers["eta"], numbers["c_2"], rubs)
         weight = beyond * g / scales.sizes["force"]
         with scales.in_these_terms():
             isolator = cls(force=force, excitation=excitation, rubs=laws.rubs, mu_s=mu_s, load=weight, **numbers)
         sheet = {"k_v": scales.k_v, "L": scales.L, **{name: float(known[name]) for name in ("k_h", "n", "preload")}}
-        beside = {"m": max(scales.m, scales.m - beyond), "friction": mu * scales.sizes["force"], "zeta": isolator.zeta}
-        range_checks.warn(range_checks.of_mount(**sheet, **beside, g=g), stacklevel=3)
-        told = {"m": m, "k_v": k_v, "k_h": k_h, "n": n, "L": L, "preload": preload, "friction": friction}
-        told |= {"c": c} if c is not None else {"zeta": isolator.zeta}
-        told |= {name: {"c_2": c_2}.get(name, value) for name, value in laws.said.items()}
-        told |= {} if static_friction is None else {"static_friction": static_friction}
-        told |= {"load": load, "force": force, "excitation": excitation}
-        in_si = {name: si(name, value, SHEET[name]) for name, value in told.items() if value is not None}
-        return Physical(isolator, dataclasses.replace(scales, sheet=in_si), told)
+        others = {"m": max(scales.m, scales.m - beyond), "friction": mu * scales.sizes["force"], "zeta": isolator.zeta}
+        range_checks.warn(range_checks.of_mount(**sheet, **others, g=g), stacklevel=3)
+        arguments = {"m": m, "k_v": k_v, "k_h": k_h, "n": n, "L": L, "preload": preload, "friction": friction}
+        arguments |= {"c": c} if c is not None else {"zeta": isolator.zeta}
+        arguments |= {name: {"c_2": c_2}.get(name, value) for name, value in laws.present.items()}
+        arguments |= {} if static_friction is None else {"static_friction": static_friction}
+        arguments |= {"load": load, "force": force, "excitation": excitation}
+        in_si = {name: si(name, value, SHEET[name]) for name, value in arguments.items() if value is not None}
+        return Physical(isolator, dataclasses.replace(scales, sheet=in_si), arguments)
 
     @classmethod
     @validate.asked_by_name
@@ -221,7 +221,7 @@ class Isolator(Oscillator):
 class Duffing(Oscillator):
     __doc__ = f"""u'' + 2 zeta u' + mu sign(u') + alpha u + beta u^3 = F_0 cos(Omega tau), one piece for all u.
 
-{told((*DUFFING.design, *DAMPING, *DISSIPATION))}
+{described((*DUFFING.design, *DAMPING, *DISSIPATION))}
     mu_s -- static friction, as in `Oscillator`
     excitation -- "force", "base" or "unbalance", as in `Oscillator`
     load -- added to the right side, over k_v L, as in `Oscillator`
@@ -252,7 +252,7 @@ class Duffing(Oscillator):
         del self.given["mechanism"]
 
     def __repr__(self) -> str:
-        return f"Duffing({', '.join(self._told())})"
+        return f"Duffing({', '.join(self._described())})"
 
     @classmethod
     @validate.asked_by_name

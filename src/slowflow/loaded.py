@@ -43,15 +43,15 @@ class Loaded:
         for name in KNOWN:
             setattr(self, name, getattr(model, name))
         # off the centre a preload does not change sides next to rest: friction alone holds the mass there
-        self.held, self.preload = model.m, 0.0
+        self.break_loose, self.preload = model.m, 0.0
 
     def holds(self, F_0: float) -> bool:
         """Whether a mass at rest stays there while there are motions as well: none does, as the preload is 0."""
         return False
 
-    def given(self) -> dict[str, Any]:
+    def arguments(self) -> dict[str, Any]:
         """As of `Model`, with the load."""
-        return {**self.unloaded.given(), "load": self.load}
+        return {**self.unloaded.arguments(), "load": self.load}
 
     def __getattr__(self, name: str) -> Any:
         # what copying and pickling ask for is asked before there are any numbers

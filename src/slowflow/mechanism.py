@@ -32,8 +32,8 @@ __all__ = [
     "Mechanism",
     "Parameter",
     "Piece",
+    "described",
     "linear",
-    "told",
 ]
 
 Floats = npt.NDArray[np.float64]
@@ -193,10 +193,10 @@ class Force:
         return self._by_piece(u, lambda piece, u: piece.law.slope(u, *piece.constants))
 
     def _by_piece(self, u: Floats, function: Callable[[Piece, Floats], Floats]) -> Floats:
-        held = np.searchsorted(self.breakpoints, np.abs(u) if self.odd else u, side="left")
+        region = np.searchsorted(self.breakpoints, np.abs(u) if self.odd else u, side="left")
         values = np.empty_like(u)
         for number, piece in enumerate(self.pieces):
-            values[held == number] = function(piece, u[held == number])
+            values[region == number] = function(piece, u[region == number])
         return values
 
 
@@ -239,8 +239,8 @@ class EquationOfMotion:
 
     def holds(self, region: int) -> float:
         """The largest push against which friction holds a mass at rest there."""
-        held = 0.0 if self.released and region != 0 else max(self.mu, self.mu_s)
-        return held + self.force.jump if region == 0 else held
+        bound = 0.0 if self.released and region != 0 else max(self.mu, self.mu_s)
+        return bound + self.force.jump if region == 0 else bound
 
     @property
     def is_damped(self) -> bool:
@@ -305,11 +305,11 @@ def check_at_rest(mechanism: Mechanism, parameters: tuple[float, ...]) -> None:
         found = tuple(float(value) for value in mechanism.at_rest(*parameters)[:2])
         expected = -float(slow_flow.friction(f)), -slope
     near = LOST_AT_REST * max(map(abs, (*parameters, *expected, 1.0)))
-    for name, value, wanted in zip(("h", "h_A"), found, expected, strict=True):
-        if math.isfinite(wanted) and not abs(value - wanted) <= near:
+    for name, value, target in zip(("h", "h_A"), found, expected, strict=True):
+        if math.isfinite(target) and not abs(value - target) <= near:
             raise Refused(
                 f"the record of {mechanism.name} does not hold at A = 0: averaged gives {name} = {value:g} there, "
-                f"while its force has f(0) = {f:g} and df/du = {slope:g}, so that {name} is {wanted:g}"
+                f"while its force has f(0) = {f:g} and df/du = {slope:g}, so that {name} is {target:g}"
             )
 
 
@@ -318,12 +318,12 @@ def linear() -> Force:
     return Force.of(duffing.MECHANISM, LINEAR)
 
 
-def told(domains: Iterable[Parameter]) -> str:
+def described(domains: Iterable[Parameter]) -> str:
     """Parameters and their domains, a line each, as a docstring has them."""
     return "\n".join(f"    {domain.name} -- {domain.doc}, {allowed(domain)}" for domain in domains)
 
 
 def allowed(domain: Parameter) -> str:
-    """Which numbers a domain holds, in words."""
+    """A description of the numbers in a domain."""
     limits = ((">", domain.above), (">=", domain.least), ("<", domain.below), ("<=", domain.most))
     return " and ".join(f"{sign} {limit:g}" for sign, limit in limits if limit is not None) or "any finite number"

@@ -19,7 +19,7 @@ import numpy as np
 from slowflow import backend, validate
 from slowflow.mechanism import Floats, Mechanism, Parameter, check_at_rest
 from slowflow.support.errors import Refused, WrongType
-from slowflow.text import Sentence, text, told
+from slowflow.text import Sentence, listed, text
 from slowflow_kernels import dissipation, inertia
 from slowflow_kernels import slow_flow as general_flow
 from slowflow_kernels.conventions import LARGEST
@@ -49,12 +49,12 @@ STIFF = Sentence("{what:s} is not allowed for {name:s}: its stiffness is infinit
 OF_DAMPING = tuple(domain.name for domain in DAMPING)
 
 
-def check_names(mechanism: Mechanism, values: Mapping[str, Any], beside: tuple[Parameter, ...] = ()) -> list[str]:
+def check_names(mechanism: Mechanism, values: Mapping[str, Any], optional: tuple[Parameter, ...] = ()) -> list[str]:
     """The names of a design's numbers, then mu and zeta, if the values have just these; else a TypeError names one.
 
-    beside -- what the values may have too: these names come last
+    optional -- further names that the values may have: these come last
     """
-    names = [*mechanism.design_names, *OF_DAMPING, *(domain.name for domain in beside if domain.name in values)]
+    names = [*mechanism.design_names, *OF_DAMPING, *(domain.name for domain in optional if domain.name in values)]
     if values.keys() != set(names):
         wrong = next(name for name in (*values, *names) if name not in values or name not in names)
         what = "is missing for" if wrong in names else "is no number of"
@@ -68,7 +68,7 @@ THROUGHOUT = next(iter(RUBS))
 
 @dataclass(frozen=True)
 class Laws:
-    """By what an oscillator dissipates beside viscous damping and dry friction on all of its way.
+    """The damping laws of an oscillator other than viscous damping and dry friction throughout.
 
     eta  -- loss factor of the vertical spring
     c_2  -- quadratic damping, c_2 |u'|u'
@@ -88,8 +88,8 @@ class Laws:
         return cls(eta, c_2, where) if eta or c_2 or where != THROUGHOUT else NO_LAWS
 
     @cached_property
-    def said(self) -> dict[str, Any]:
-        """Those that are there, by name."""
+    def present(self) -> dict[str, Any]:
+        """Those that are present, by name."""
         return {
             field.name: getattr(self, field.name)
             for field in fields(self)
@@ -99,17 +99,17 @@ class Laws:
     @cached_property
     def any(self) -> bool:
         """Whether there are any."""
-        return bool(self.said)
+        return bool(self.present)
 
-    def told(self) -> str:
-        """In words, as they are given."""
-        return told(self.said)
+    def description(self) -> str:
+        """The names and values of those that are present."""
+        return listed(self.present)
 
 
 NO_LAWS = Laws()
 
 
-def held(m: Any, preload: Any) -> Floats:
+def break_loose(m: Any, preload: Any) -> Floats:
     """The forcing up to which a mass at rest stays there, whatever the frequency: sqrt(R^2 + I^2) (24) at A = 0.
 
     That is m = 4 mu/pi, and more where a preload, -h as A tends to 0, pulls inwards: then there are motions beside the
@@ -169,9 +169,9 @@ class SlowFlow:
         return -np.asarray(self.mechanism.at_rest(*self.parameters)[0]) * self.mechanism.odd
 
     @cached_property
-    def held(self) -> Any:
+    def break_loose(self) -> Any:
         """The forcing up to which a mass at rest stays there, whatever the frequency: `held`."""
-        return held(self.m, self.preload)
+        return break_loose(self.m, self.preload)
 
     @property
     def inertial(self) -> bool:
@@ -202,17 +202,17 @@ class SlowFlow:
             return np.asarray(self.flow.I(Omega, A, self.m, self.zeta))
         return np.asarray(dissipation.I(Omega, A, self.at_rest(A)[0], self.zeta, self.d))
 
-    def alike(self, Omega: Any, A: Any) -> tuple[Any, Any]:
+    def equivalent_damping(self, Omega: Any, A: Any) -> tuple[Any, Any]:
         """m and zeta of the slow flow's kernels that have the same I at (Omega, A); only its slopes are others."""
         return (self.sine(Omega, A), 0.0) if self.laws.any else (self.m, self.zeta)
 
     def phase(self, Omega: Any, A: Any, h: Any) -> Any:
         """phi (25) at steady states."""
-        return self.flow.phase(Omega, A, *self.alike(Omega, A), h)
+        return self.flow.phase(Omega, A, *self.equivalent_damping(Omega, A), h)
 
     def transmissibility(self, Omega: Any, A: Any, F_0: Any, h: Any) -> Any:
         """What spring, damper and friction pass on at steady states, over the force."""
-        return general_flow.transmissibility(Omega, A, self.force(F_0, Omega), *self.alike(Omega, A), h)
+        return general_flow.transmissibility(Omega, A, self.force(F_0, Omega), *self.equivalent_damping(Omega, A), h)
 
     @property
     def curve(self) -> Any:
@@ -247,14 +247,14 @@ class SlowFlow:
         """The amplitude F_0 of the excitation for which (Omega, A) is a steady state (24), likewise."""
         kernels: Any = inertia if self.inertial else self.flow
         h, *_ = averages or self.averaged(A)
-        return np.asarray(kernels.level(Omega, A, *self.alike(Omega, A), h))
+        return np.asarray(kernels.level(Omega, A, *self.equivalent_damping(Omega, A), h))
 
-    def rests(self, F_0: Any, Omega: Any) -> Any:
+    def sticks_at(self, F_0: Any, Omega: Any) -> Any:
         """Whether a mass at rest stays there at an excitation F_0 of frequency Omega; numbers, or arrays.
 
         Then A = 0 is a steady state: the force on the mass does not exceed what (24) takes as A tends to 0.
         """
-        return self.force(F_0, Omega) + 0.0 * np.asarray(Omega) <= self.held
+        return self.force(F_0, Omega) + 0.0 * np.asarray(Omega) <= self.break_loose
 
     def full_level(self, A: Any) -> Any:
         """The amplitude of an excitation by inertia under which A is what the response tends to as Omega grows."""
@@ -301,7 +301,9 @@ class Model(SlowFlow):
         if self.inertial:
             self._check_inertia()
         if self.laws.rubs != THROUGHOUT and self.zeta == self.laws.eta == self.laws.c_2 == 0:
-            raise Refused(self.laws.told() + " is not allowed without zeta, eta or c_2: nothing would dissipate beyond")
+            raise Refused(
+                self.laws.description() + " is not allowed without zeta, eta or c_2: nothing would dissipate beyond"
+            )
         laws: tuple[float, ...] = ()
         if self.laws.any:
             laws = self.laws.eta, self.laws.c_2, float(self.laws.rubs != THROUGHOUT)
@@ -324,7 +326,7 @@ class Model(SlowFlow):
         self._check_preload(f"excitation = {self.excitation!r}")
 
     def _check_preload(self, what: str) -> None:
-        """Raises ValueError for a preload that pushes outwards, beside what has no answer with it."""
+        """Raises ValueError for a preload that pushes outwards, together with what has no answer with it."""
         # a force that is not odd has no motions about u = 0
         if self.mechanism.odd and self.preload < 0:
             raise Refused(PUSHES.format(what, self.mechanism.name))
@@ -332,7 +334,7 @@ class Model(SlowFlow):
     @np.errstate(all="ignore")
     def _check_laws(self) -> None:
         """Raises ValueError for laws that have no answer here."""
-        laws, odd = self.laws.told(), self.mechanism.odd
+        laws, odd = self.laws.description(), self.mechanism.odd
         self._check_preload(laws)
         if odd and not math.isfinite(self.mechanism.pieces[0].slope(0.0, *self.parameters)):
             raise Refused(STIFF.format(laws, self.mechanism.name))
@@ -351,25 +353,25 @@ class Model(SlowFlow):
         for name, value in numbers.items():
             # of an end that is no number it is said below which piece has it
             if not abs(value) <= LARGEST and not (math.isnan(value) and any(map(math.isnan, ends))):
-                given = told({**self.numbers, "mu": self.mu, "zeta": self.zeta})
-                raise Refused(BEYOND.format(given, name, LARGEST))
+                listing = listed({**self.numbers, "mu": self.mu, "zeta": self.zeta})
+                raise Refused(BEYOND.format(listing, name, LARGEST))
         jumps = map(float, self.mechanism.jumps(*self.parameters))
         # A piece of no width (u_cr = 0 for a null preload) is no piece.
         odd = self.mechanism.odd
         kept = [(end, jump) for end, jump in zip(ends, jumps, strict=True) if end != 0 or not odd]
         first = 0.0 if odd else -np.inf
         if not all(above > below for (below, _), (above, _) in pairwise([(first, 0.0), *kept])):
-            given = told(self.numbers)
+            listing = listed(self.numbers)
             if not all(math.isfinite(end) for end in ends):
                 lost = 1 + next(i for i, end in enumerate(ends) if not math.isfinite(end))
-                raise Refused(NO_END.format(given, lost))
+                raise Refused(NO_END.format(listing, lost))
             above = " from 0" if odd and min(ends) < 0 else ""
-            raise Refused((DO_NOT_RISE if odd else DO_NOT_RISE_SIDED).format(given, ends, above))
+            raise Refused((DO_NOT_RISE if odd else DO_NOT_RISE_SIDED).format(listing, ends, above))
         return m, tuple(end for end, _ in kept), tuple(jump for _, jump in kept)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        given = (self.mechanism, self.parameters, self.mu, self.zeta, self.excitation, self.laws, self.design)
-        return Model, given
+        arguments = (self.mechanism, self.parameters, self.mu, self.zeta, self.excitation, self.laws, self.design)
+        return Model, arguments
 
     @classmethod
     def of(
@@ -433,17 +435,17 @@ class Model(SlowFlow):
         return F_0 <= self.m and not self.inertial and self.laws.rubs == THROUGHOUT
 
     @cached_property
-    def held(self) -> float:
+    def break_loose(self) -> float:
         """The same, a number."""
-        return float(held(self.m, self.preload))
+        return float(break_loose(self.m, self.preload))
 
     def holds(self, F_0: float) -> bool:
         """Whether a mass at rest stays there while there are motions as well.
 
         A preload makes them, and friction that ends at u_cr: beyond, its share m u_cr/A may be as little as one asks.
         """
-        beside = self.preload > 0 or self.laws.rubs != THROUGHOUT
-        return beside and not self.inertial and F_0 <= self.held
+        has_motions = self.preload > 0 or self.laws.rubs != THROUGHOUT
+        return has_motions and not self.inertial and F_0 <= self.break_loose
 
     @cached_property
     def reach(self) -> float:
@@ -460,11 +462,11 @@ class Model(SlowFlow):
         """Whether the numbers are known that the parameters follow from; a force may have none of its own."""
         return len(self.design) == len(self.mechanism.design)
 
-    def given(self) -> dict[str, Any]:
+    def arguments(self) -> dict[str, Any]:
         """Names of mechanism and excitation, and the numbers that make the oscillator, its design if that is known."""
         damping = {"mu": self.mu, "zeta": self.zeta}
-        said = {"excitation": self.excitation, **self.laws.said}
-        return {"mechanism": self.mechanism.name, **self.numbers, **damping, **said}
+        others = {"excitation": self.excitation, **self.laws.present}
+        return {"mechanism": self.mechanism.name, **self.numbers, **damping, **others}
 
     @property
     def numbers(self) -> dict[str, float]:

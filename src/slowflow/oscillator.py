@@ -1,4 +1,4 @@
-"""One oscillator, asked at three depths. Takes a mechanism with its numbers; returns averaged to exact answers.
+"""One oscillator at three depths of analysis. Takes a mechanism with its numbers; returns averaged to exact answers.
 
 The averaged questions come from `Averaged`; the second approximation and the exact motions are loaded when asked for.
 """
@@ -109,10 +109,12 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         super().__init__(Model.of(mechanism, values, known_as, laws))
         model = self.model
         own = dict(zip(mechanism.design_names, model.design, strict=True))
-        given = {"mechanism": mechanism, **own, "mu": model.mu, "zeta": model.zeta, "excitation": excitation}
+        arguments = {"mechanism": mechanism, **own, "mu": model.mu, "zeta": model.zeta, "excitation": excitation}
         # not by attribute: these cannot be set
         self.__dict__.update(zip(mechanism.parameter_names, model.parameters, strict=True))
-        self.__dict__.update(own, design=model.design, given={**given, **laws.said}, excitation=known_as, load=0.0)
+        self.__dict__.update(
+            own, design=model.design, given={**arguments, **laws.present}, excitation=known_as, load=0.0
+        )
         self.__dict__.update(eta=laws.eta, c_2=laws.c_2, rubs=laws.rubs, mu_s=model.mu)
         if isinstance(mu_s, np.ndarray) or mu_s != 0:
             if not (static := validate.number("mu_s", mu_s, least=0.0)) >= self.mu:
@@ -203,12 +205,12 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         return _remade, (type(self), self.given)
 
     def __repr__(self) -> str:
-        return f"Oscillator({', '.join(self._told(mechanism=self.model.mechanism.name))})"
+        return f"Oscillator({', '.join(self._described(mechanism=self.model.mechanism.name))})"
 
-    def _told(self, **changed: Any) -> list[str]:
+    def _described(self, **changed: Any) -> list[str]:
         """What it was made from, without what is the default."""
-        told = {**self.given, **changed}.items()
-        return [f"{name}={value!r}" for name, value in told if (name, value) not in DEFAULTS]
+        arguments = {**self.given, **changed}.items()
+        return [f"{name}={value!r}" for name, value in arguments if (name, value) not in DEFAULTS]
 
     def force(self, u: Reals) -> Floats:
         """The whole restoring force f(u) that is averaged, at displacements of any shape, both dimensionless (3)."""
@@ -228,10 +230,10 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         return found
 
     def _with_untruncated(self, makes: Callable[[Any], dict[str, Any]], found: SaddleNodeOnset) -> dict[str, Any]:
-        """What there is to say beside an onset, and that of the untruncated force where it is one of truncation."""
-        said, load = makes(found), self.model.mechanism.load_untruncated
-        if load is None or Remark.OF_TRUNCATION not in said["remarks"]:
-            return {**said, "untruncated": None}
+        """The messages of an onset, and that of the untruncated force where it is one of truncation."""
+        notes, load = makes(found), self.model.mechanism.load_untruncated
+        if load is None or Remark.OF_TRUNCATION not in notes["remarks"]:
+            return {**notes, "untruncated": None}
         values = dict(zip(self.model.mechanism.design_names, self.design, strict=True))
         model = Model.of(load(), {**values, "mu": self.mu, "zeta": self.zeta}, self.excitation, self.model.laws)
         try:
@@ -240,10 +242,10 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
             other = SaddleNodeOnset(None, None, None, "", unresolved.args[0])
         if other.F_SN is None:
             why, *more = sentences(other.message)
-            beside = joined("without truncation: " + why, *more)
+            remark = joined("without truncation: " + why, *more)
         else:
-            beside = WITHOUT_TRUNCATION.format(other.F_SN, other.kind)
-        return {**said, "untruncated": other, "message": joined(said["message"], beside)}
+            remark = WITHOUT_TRUNCATION.format(other.F_SN, other.kind)
+        return {**notes, "untruncated": other, "message": joined(notes["message"], remark)}
 
     def restoring_force(self, which: str | None = None) -> Force:
         """The force of the equation of motion, piece by piece: "truncated" for (6), "untruncated" for (5).
@@ -252,8 +254,8 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         """
         mechanism = self.model.mechanism
         own = FORCES[0] if mechanism.truncated else FORCES[1]
-        wanted = own if which is None else validate.choice("force", which, FORCES)
-        if wanted == own:
+        target = own if which is None else validate.choice("force", which, FORCES)
+        if target == own:
             return Force.of(mechanism, self.model.parameters)
         if mechanism.load_untruncated is None:
             raise Refused(f"force = {which!r} is not allowed: the force of {mechanism.name} is {own}, it has no other")
@@ -267,8 +269,8 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         force that has no stiffness at u = 0 that is finite.
         """
         laws, force = self.model.laws, followed(self.restoring_force(which), self.model.mechanism.name)
-        beside = self.model.inertial, self.load, laws.c_2, laws.rubs != THROUGHOUT, self.given.get("mu_s", 0.0)
-        return EquationOfMotion(force, self.mu, self.zeta, *beside, laws.eta)
+        others = self.model.inertial, self.load, laws.c_2, laws.rubs != THROUGHOUT, self.given.get("mu_s", 0.0)
+        return EquationOfMotion(force, self.mu, self.zeta, *others, laws.eta)
 
     def _in_time(self, which: str | None) -> EquationOfMotion:
         """`equation_of_motion` of a motion that has no frequency. Raises ValueError for eta > 0."""
@@ -449,7 +451,7 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         from slowflow.second import SecondApproximation
 
         self.at_centre("second_approximation")
-        validate.is_plain("second_approximation", self.model.laws.told())
+        validate.is_plain("second_approximation", self.model.laws.description())
         return SecondApproximation(self)
 
     @classmethod
@@ -479,8 +481,8 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         return designs_of(mechanism, values, laws, rubs, excitation, load)
 
 
-def _remade(kind: type[Oscillator], given: dict[str, Any]) -> Oscillator:
+def _remade(kind: type[Oscillator], arguments: dict[str, Any]) -> Oscillator:
     """For pickle: its warnings were given when the oscillator was first made."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        return kind(**given)
+        return kind(**arguments)

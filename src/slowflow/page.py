@@ -21,7 +21,7 @@ import numpy as np
 from slowflow.pictures import in_brackets, label
 
 #: what a cell of words begins with until it is written
-WORDS = "\0"
+TEXT = "\0"
 #: how Matplotlib's labels write what is Greek, and what stands below a letter
 LETTERS = ("alpha", "beta", "gamma", "delta", "zeta", "eta", "lambda", "mu", "pi", "tau", "phi", "psi", "omega")
 GREEK = {name: unescape(f"&{name};") for name in (*LETTERS, "Phi", "Omega")}
@@ -66,9 +66,9 @@ def whole(title: str, sections: Mapping[str, Sequence[str]]) -> str:
     links = "".join(f'<li><a href="#{_anchor(name)}">{escape(name)}</a></li>' for name in sections)
     body = "\n".join(
         line
-        for name, parts in sections.items()
+        for name, blocks in sections.items()
         for at in (_anchor(name),)
-        for line in (f'<section aria-labelledby="{at}">', f'<h2 id="{at}">{escape(name)}</h2>', *parts, "</section>")
+        for line in (f'<section aria-labelledby="{at}">', f'<h2 id="{at}">{escape(name)}</h2>', *blocks, "</section>")
     )
     return (
         f'<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n<title>{escape(title)}</title>\n'
@@ -90,30 +90,30 @@ def cell(value: Any) -> str:
     return escape({True: "yes", False: "no"}.get(value, str(value)) if isinstance(value, bool) else str(value))
 
 
-def words(text: str) -> str:
-    """A cell of words, which may break over lines."""
-    return f"{WORDS}{inline(text)}"
+def prose(text: str) -> str:
+    """A cell of text, which may break over lines."""
+    return f"{TEXT}{inline(text)}"
 
 
 def formula(set_: Sequence[str], text: str) -> str:
-    """A cell of formulas in MathML; in words where there are none."""
-    told = "".join(f"<math>{one}</math>" for one in set_).replace("<mo>-</mo>", "<mo>\N{MINUS SIGN}</mo>")
-    return f"{WORDS}{told or inline(text)}"
+    """A cell of formulas in MathML; as text where there are none."""
+    mathml = "".join(f"<math>{one}</math>" for one in set_).replace("<mo>-</mo>", "<mo>\N{MINUS SIGN}</mo>")
+    return f"{TEXT}{mathml or inline(text)}"
 
 
 def inline(text: str) -> str:
     """Words with names in them, these set: Greek letters, powers, and what stands below a letter."""
-    told = re.sub(r"\bd2(\w)/d(\w)2\b", r"d²\1/d\2²", escape(text.replace(">=", "≥").replace("<=", "≤")))
-    told = BELOW.sub(_lowered, told)
-    told = re.sub(r"\b[A-Za-z]+\b(?!&|;)", lambda found: GREEK.get(found[0], found[0]), told)
-    return re.sub(r"\^([2-9])", lambda found: RAISED[found[1]], told)
+    html = re.sub(r"\bd2(\w)/d(\w)2\b", r"d²\1/d\2²", escape(text.replace(">=", "≥").replace("<=", "≤")))
+    html = BELOW.sub(_lowered, html)
+    html = re.sub(r"\b[A-Za-z]+\b(?!&|;)", lambda found: GREEK.get(found[0], found[0]), html)
+    return re.sub(r"\^([2-9])", lambda found: RAISED[found[1]], html)
 
 
 def term(name: str, unit: str = "") -> str:
     """A name of a number as it is read: its words, or its letter with what stands below it; and its unit."""
-    told = re.sub(r"\$([^$]*)\$", lambda found: _math(found[1]), escape(label(name), quote=False))
-    told = told if told != name else inline(name) if _is_symbol(name) else escape(name.replace("_", " "))
-    return f"{told}{TIED}/{TIED}{in_brackets(unit).replace(' ', TIED)}" if unit else told
+    html = re.sub(r"\$([^$]*)\$", lambda found: _math(found[1]), escape(label(name), quote=False))
+    html = html if html != name else inline(name) if _is_symbol(name) else escape(name.replace("_", " "))
+    return f"{html}{TIED}/{TIED}{in_brackets(unit).replace(' ', TIED)}" if unit else html
 
 
 def _is_symbol(name: str) -> bool:
@@ -125,8 +125,8 @@ def _is_symbol(name: str) -> bool:
 def _math(text: str) -> str:
     """Of Matplotlib's mathematics."""
     plain = re.sub(r"\\(?!mathrm)([A-Za-z]+)", lambda found: GREEK.get(found[1], found[1]), text.replace(r"\ ", " "))
-    told = BELOW.sub(_lowered, plain)
-    return told if "<" in told else f"<i>{told}</i>"
+    html = BELOW.sub(_lowered, plain)
+    return html if "<" in html else f"<i>{html}</i>"
 
 
 def _lowered(found: re.Match[str]) -> str:
@@ -144,16 +144,16 @@ def untabled(caption: str, notes: str) -> str:
 
 def table(caption: str, heads: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
     """A table; its cells and heads are HTML already. What is too wide is scrolled, by keys too."""
-    said = escape(caption, quote=True)
-    lines = [f'<div class="wide" role="region" tabindex="0" aria-label="{said}"><table>']
+    summary = escape(caption, quote=True)
+    lines = [f'<div class="wide" role="region" tabindex="0" aria-label="{summary}"><table>']
     lines.append(f"<caption>{inline(caption)}</caption>")
     listed = [list(row) for row in rows]
-    worded = [any(row[k].startswith(WORDS) for row in listed) for k in range(len(heads))]
+    worded = [any(row[k].startswith(TEXT) for row in listed) for k in range(len(heads))]
     kinds = [' class="words"' if one else "" for one in worded]
-    told = (f'<th scope="col"{kind}>{one}</th>' for one, kind in zip(heads, kinds, strict=True))
-    lines.append("<tr>" + "".join(told) + "</tr>")
+    header = (f'<th scope="col"{kind}>{one}</th>' for one, kind in zip(heads, kinds, strict=True))
+    lines.append("<tr>" + "".join(header) + "</tr>")
     for row in listed:
-        cells = (f"<td{kind}>{cell.removeprefix(WORDS)}</td>" for cell, kind in zip(row, kinds, strict=True))
+        cells = (f"<td{kind}>{cell.removeprefix(TEXT)}</td>" for cell, kind in zip(row, kinds, strict=True))
         lines.append("<tr>" + "".join(cells) + "</tr>")
     return "\n".join([*lines, "</table></div>"])
 
@@ -163,7 +163,7 @@ def axes() -> Any:
     return plt.subplots(figsize=(5.4, 4.4), layout="constrained")[1]
 
 
-def figure(ax: Any, said: str) -> str:
+def figure(ax: Any, caption: str) -> str:
     """Axes as SVG within the page, with a text for who does not see it; the figure is closed."""
     text = io.StringIO()
     with mpl.rc_context({"svg.fonttype": "none", "svg.hashsalt": "slowflow"}):
@@ -172,10 +172,10 @@ def figure(ax: Any, said: str) -> str:
     drawn = text.getvalue()
     drawn = drawn[drawn.index("<svg") :]
     # each drawing numbers its parts from 1: on one page they need names of their own
-    own = hashlib.sha256(said.encode()).hexdigest()[:8]
+    own = hashlib.sha256(caption.encode()).hexdigest()[:8]
     drawn = re.sub(r'(\bid="|url\(#|href="#)', rf"\g<1>{own}-", drawn)
-    drawn = drawn.replace("<svg", f'<svg role="img" aria-label="{escape(said, quote=True)}"', 1)
-    return f"<figure>\n{drawn}\n<figcaption>{inline(said)}</figcaption>\n</figure>"
+    drawn = drawn.replace("<svg", f'<svg role="img" aria-label="{escape(caption, quote=True)}"', 1)
+    return f"<figure>\n{drawn}\n<figcaption>{inline(caption)}</figcaption>\n</figure>"
 
 
 def download(name: str, kind: str, text: str) -> str:

@@ -64,8 +64,8 @@ class Physical:
     given: Mapping[str, Any] = dataclasses.field(compare=False)
 
     def __repr__(self) -> str:
-        told = ", ".join(f"{name}={value!r}" for name, value in self.given.items())
-        return f"{type(self.oscillator).__name__}.physical({told})"
+        arguments = ", ".join(f"{name}={value!r}" for name, value in self.given.items())
+        return f"{type(self.oscillator).__name__}.physical({arguments})"
 
     def replace(self, **changes: Any) -> Physical:
         """Another one with some of the numbers changed that this one was made from, by name."""
@@ -214,10 +214,10 @@ class Physical:
         `Oscillator.steady_state`, which `.answer` is from.
         """
         found = self._ask("steady_state", f=f, F=F, A=A, x_0=x_0, v_0=v_0)
-        said = joined("" if self.oscillator.load == 0 else LARGEST, found.message)
+        message = joined("" if self.oscillator.load == 0 else LARGEST, found.message)
         series = dict(zip(("tau", "u", "v"), found.series(samples), strict=True))
         names = ("Omega", "A", "stops", "stable", "period")
-        return cast("answers.SteadyState", self._named(found, (), *names, F_0=found.F_0, message=said, **series))
+        return cast("answers.SteadyState", self._named(found, (), *names, F_0=found.F_0, message=message, **series))
 
     def exact_response(
         self,
@@ -364,22 +364,22 @@ class Physical:
 
     # ---- arguments
 
-    def _answer(self, question: str, /, **given: Any) -> Any:
+    def _answer(self, question: str, /, **arguments: Any) -> Any:
         """The answer in SI units."""
-        return self.scales.quantities(self._ask(question, **given))
+        return self.scales.quantities(self._ask(question, **arguments))
 
     def _named(self, found: Any, entry: tuple[str, ...], *names: str, **more: Any) -> Quantities:
         """Numbers of an answer by name, those of an entry first, in SI units."""
         return self.scales.named({**{name: getattr(found, name) for name in (*entry, *names)}, **more}, found, entry)
 
-    def _ask(self, question: str, /, **given: Any) -> Any:
-        """The dimensionless answer; refusals are in newtons, metres and hertz, as what was asked for is.
+    def _ask(self, question: str, /, **arguments: Any) -> Any:
+        """The dimensionless answer; refusals are in newtons, metres and hertz, as the query is.
 
         What the question takes without dimensions, says its method: one number, an array of them or a window.
         """
-        asked = getattr(self.oscillator, question)
-        takes, at = _takes(getattr(asked, "__func__", asked)), {}
-        for name, value in given.items():
+        method = getattr(self.oscillator, question)
+        takes, at = _takes(getattr(method, "__func__", method)), {}
+        for name, value in arguments.items():
             plain = PLAIN.get(name, name)
             shown, kind = self.scales.kind(plain)
             if value is None and takes[plain].default is not inspect.Parameter.empty:
@@ -390,7 +390,7 @@ class Physical:
                 value = self._number(shown, value, kind, several=not takes[plain].annotation.startswith("float"))
             at[plain] = value
         with self.scales.in_these_terms():
-            return asked(**at)
+            return method(**at)
 
     def _number(self, name: str, value: Any, kind: str, *, several: bool) -> Any:
         """A number, or an array of them, over what it is measured in."""

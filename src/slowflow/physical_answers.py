@@ -17,7 +17,7 @@ from slowflow.mechanism import Array, Flags, Floats, Ints
 from slowflow.quantities import Quantities
 from slowflow.results import Remark
 
-Words = npt.NDArray[np.str_]
+Strings = npt.NDArray[np.str_]
 
 
 class WithUnit(Protocol):
@@ -73,7 +73,7 @@ class Rows(Explained):
     crosses: Flags
     detaches: Flags
     sticks: Flags
-    kind: Words
+    kind: Strings
     branch: Ints
     stops: Ints
     motions: Ints

@@ -31,8 +31,8 @@ STABLE: Any = "-"
 UNSTABLE: Any = (0, (4, 2))
 JUMP_UP, JUMP_DOWN = "^", "v"
 STOPS = "|"
-LEAVES = "D"
-MARKERS = {JUMP_UP: "jump up", JUMP_DOWN: "jump down", STOPS: "the mass stops", LEAVES: "springs leave"}
+DETACHES = "D"
+MARKERS = {JUMP_UP: "jump up", JUMP_DOWN: "jump down", STOPS: "the mass stops", DETACHES: "springs leave"}
 #: what is tinted beyond a breakpoint, where a motion would stop, and where a state would be unstable
 DETACHED, STOPPING, UNSTABLE_REGION = "#E8EEF4", "#F5EBDD", "#E6E6E6"
 NO_ANSWER = "#D0D0D0"
@@ -88,7 +88,7 @@ LABELS = {
 #: letters in front of "_" where `LABELS` has no name
 LETTERS = {"Omega": r"\Omega", **{letter: letter for letter in "aAcfFkuxXYU"}}
 #: where a legend stands: off the curves, but for "in"
-PLACES: Any = {
+LOCATIONS: Any = {
     "beside": {"loc": "center left", "bbox_to_anchor": (1.06, 0.5)},
     "below": {"loc": "upper center", "bbox_to_anchor": (0.5, -0.14)},
     "in": {"loc": "lower right"},
@@ -126,8 +126,8 @@ def label(name: str) -> str:
     name, *unit = (part.strip() for part in name.split("/", 1))
     letter, _, below = name.partition("_")
     if name not in LABELS and below and letter in LETTERS:
-        words = below.replace("_", r"\ ")
-        name = rf"${LETTERS[letter]}_{{\mathrm{{{words}}}}}$"
+        subscript = below.replace("_", r"\ ")
+        name = rf"${LETTERS[letter]}_{{\mathrm{{{subscript}}}}}$"
     return " / ".join([LABELS.get(name, name), *unit])
 
 
@@ -217,22 +217,22 @@ def stopping(ax: Any, mu: float) -> None:
 def legend(ax: Any, title: str = "", *, place: str = "beside", more: Sequence[tuple[Any, str]] = ()) -> None:
     """What was named, and what styles, signs and tints mean that were used; "beside" or "below" the axes, or "in".
 
-    more -- what is to stand in it besides: handles and their words
+    more -- further entries: handles and their labels
     """
     handles, labels = ax.get_legend_handles_labels()
-    beside = [*more, *_signs(ax)]
-    if handles or beside:
-        where = PLACES[place]
+    entries = [*more, *_signs(ax)]
+    if handles or entries:
+        where = LOCATIONS[place]
         if place == "below":
-            columns = 3 if max(map(len, (*labels, *(text for _, text in beside)))) <= SHORT else 2
+            columns = 3 if max(map(len, (*labels, *(text for _, text in entries)))) <= SHORT else 2
             where = {**where, "ncols": columns}
-            rows = math.ceil((len(handles) + len(beside)) / columns)
-            if math.ceil(len(handles) / rows) + math.ceil(len(beside) / rows) <= columns:  # what was named by itself
-                empty = -len(handles) % rows if beside else 0
+            rows = math.ceil((len(handles) + len(entries)) / columns)
+            if math.ceil(len(handles) / rows) + math.ceil(len(entries) / rows) <= columns:  # what was named by itself
+                empty = -len(handles) % rows if entries else 0
                 handles += [Line2D([], [], linestyle="none")] * empty
                 labels += [""] * empty
-        handles += [handle for handle, _ in beside]
-        labels += [text for _, text in beside]
+        handles += [handle for handle, _ in entries]
+        labels += [text for _, text in entries]
         ax.legend(handles, labels, title=title or None, frameon=False, handlelength=2.6, **where)
 
 
@@ -357,7 +357,7 @@ def shocks(ax: Any, found: Any, place: str = "beside") -> Any:
         here = here[np.argsort(found.duration[here])]
         ax.plot(found.duration[here], found.ratio[here], color=colour, linewidth=1.6, label=f"{value:.4g}")
         off = here[found.detaches[here]]
-        some = {"marker": LEAVES, "markersize": 3.5, "markevery": max(1, here.size // 20)}
+        some = {"marker": DETACHES, "markersize": 3.5, "markevery": max(1, here.size // 20)}
         ax.plot(found.duration[off], found.ratio[off], linestyle="none", color=colour, **some)
     ax.set(xscale="log", xlabel=axis(found, "duration"), ylabel=axis(found, "ratio"))
     ax.xaxis.set(major_locator=LogLocator(subs=ROUND), major_formatter=StrMethodFormatter("{x:g}"))  # no powers of ten

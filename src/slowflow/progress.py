@@ -35,14 +35,14 @@ def _to_stderr(text: str) -> None:
 
 def _to_a_file() -> Callable[[str], None]:
     """Says to stderr what comes at least `EVERY_IN_A_FILE` seconds after it was made, and after the line before."""
-    said, lock = time.monotonic(), threading.Lock()
+    last, lock = time.monotonic(), threading.Lock()
 
     def say(text: str) -> None:
-        nonlocal said
+        nonlocal last
         with lock:
-            if (now := time.monotonic()) - said < EVERY_IN_A_FILE:
+            if (now := time.monotonic()) - last < EVERY_IN_A_FILE:
                 return
-            said = now
+            last = now
         _to_stderr(text)
 
     return say
@@ -63,23 +63,23 @@ def shown(say: Callable[[str], None] | None = None) -> Iterator[None]:
         _say.reset(token)
 
 
-def parts(count: int, at_once: int, what: str) -> Iterator[slice]:
+def chunks(count: int, at_once: int, what: str) -> Iterator[slice]:
     """Slices of at most `at_once` that make up `count`; between them, how much of `what` is done."""
-    say, said = _say.get(), time.monotonic()
+    say, last = _say.get(), time.monotonic()
     for start in range(0, count, at_once):
         now = time.monotonic()
-        if say is not None and now - said >= EVERY:
-            said = now
+        if say is not None and now - last >= EVERY:
+            last = now
             say(f"{what}: {100 * start // count} %")
         yield slice(start, start + at_once)
 
 
 class Tally:
-    """How many designs of so many are done; told by any thread, and said every second."""
+    """How many designs of so many are done; counted by any thread, and reported every second."""
 
     def __init__(self, total: int, what: str = "designs") -> None:
         # of who asks: a thread of a pool has no reader of its own
-        self._say, self._said, self._lock = _say.get(), time.monotonic(), threading.Lock()
+        self._say, self._last, self._lock = _say.get(), time.monotonic(), threading.Lock()
         self._total, self._what, self._done = total, what, 0
 
     def add(self, more: int) -> None:
@@ -89,12 +89,12 @@ class Tally:
         self.come_to(lambda: self._done)
 
     def come_to(self, count: Callable[[], int]) -> None:
-        """It is asked how many are done if it is time to say so."""
+        """Count how many are done if it is time to report it."""
         now = time.monotonic()
         with self._lock:
-            if self._say is None or now - self._said < EVERY:
+            if self._say is None or now - self._last < EVERY:
                 return
-            self._said = now
+            self._last = now
         if (done := count()) < self._total:
             self._say(f"{self._what}: {done} of {self._total}")
 

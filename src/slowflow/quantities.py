@@ -87,7 +87,7 @@ DATA_SHEET: Mapping[str, tuple[str, str]] = MappingProxyType(
 )
 SHEET: Mapping[str, str] = MappingProxyType({name: unit for name, (unit, _) in DATA_SHEET.items()})
 #: a mount's words for the letters of the scales of its design and its damping
-WORDS = {"lam": "n", "k_h": "k_h", "Delta_h": "preload", "F_c": "friction", "c": "c", "c_q": "c_2"}
+NAMES = {"lam": "n", "k_h": "k_h", "Delta_h": "preload", "F_c": "friction", "c": "c", "c_q": "c_2"}
 #: what all scales are powers of, in their order
 BASE = ("k_v", "L", "m")
 #: of a number that is none
@@ -176,10 +176,10 @@ class Quantities(Answer):
 
     def about(self) -> dict[str, Any]:
         """What holds for all rows, the numbers of the mount, and the dimensionless parameters."""
-        beside = self.answer.about() if isinstance(self.answer, Answer) else {}
-        said = {name: plain(value) for name, value in self.values.items() if isinstance(value, PLAIN)}
+        extra = self.answer.about() if isinstance(self.answer, Answer) else {}
+        known = {name: plain(value) for name, value in self.values.items() if isinstance(value, PLAIN)}
         sheet = {} if self.scales is None else self.scales.sheet
-        return {**beside, **sheet, **(said if self.entry else {})}
+        return {**extra, **sheet, **(known if self.entry else {})}
 
     def units_beside(self) -> Mapping[str, str]:
         """The units of what `about` says."""
@@ -193,7 +193,7 @@ class Quantities(Answer):
         """As of the dimensionless answer: nothing and what has no end are the same in all units."""
         if self.scales is None or not isinstance(self.answer, Answer):
             return ""
-        plain_name = next((one for one in self.answer.in_words if self.scales.kind(one)[0] == name), name)
+        plain_name = next((one for one in self.answer.labels if self.scales.kind(one)[0] == name), name)
         return self.answer.words_of(plain_name, value)
 
     def _numbers(self) -> set[str]:
@@ -203,8 +203,8 @@ class Quantities(Answer):
     def _content(self) -> dict[str, Any]:
         return {**self.values, "units": tuple(self.units.items())}
 
-    def _parts(self) -> Mapping[str, Any]:
-        """As of any answer: without the units beside them."""
+    def _members(self) -> Mapping[str, Any]:
+        """As of any answer: without their units."""
         return self.values
 
     def to_dict(self) -> dict[str, Any]:
@@ -216,15 +216,15 @@ class Quantities(Answer):
 
         Raises ValueError for a unit that is none of `UNITS`.
         """
-        wanted = {}
+        target = {}
         for unit in (*USUAL, *units):
             validate.choice("unit", unit, tuple(KIND_OF))
-            wanted[KIND_OF[unit]] = unit
+            target[KIND_OF[unit]] = unit
         values, found = dict(self.values), {}
         for name, unit in self.units.items():
             kind = KIND_OF[unit]
-            found[name] = wanted[kind]
-            values[name] = _times(values[name], UNITS[kind][unit] / UNITS[kind][wanted[kind]])
+            found[name] = target[kind]
+            values[name] = _times(values[name], UNITS[kind][unit] / UNITS[kind][target[kind]])
         for name, value in values.items():
             if isinstance(value, Quantities):
                 values[name] = value.in_units(*units)
@@ -242,10 +242,10 @@ class Quantities(Answer):
             raise Refused("gradients are known of averaged answers: this is none")
         return self.scales.gradient(self.answer.gradient())
 
-    def measure(self, force: str | None = None, **given: Any) -> Quantities:
+    def measure(self, force: str | None = None, **options: Any) -> Quantities:
         """How far averaged states, folds, a peak, an onset, a detachment are from the equation of motion, in SI units.
 
-        given -- of isolation of="first" or "peak", of random vibration samples, records and seed
+        options -- of isolation of="first" or "peak", of random vibration samples, records and seed
 
         As `measure` of the dimensionless answer, which says what is raised too. Raises ValueError for what is no
         averaged answer.
@@ -253,7 +253,7 @@ class Quantities(Answer):
         if self.scales is None or not hasattr(self.answer, "measure"):
             raise Refused("averaged answers are measured against the equation of motion: this is none")
         with self.scales.in_these_terms():
-            return self.scales.quantities(self.answer.measure(force=force, **given))
+            return self.scales.quantities(self.answer.measure(force=force, **options))
 
     def largest(self, duration: Any) -> Floats:
         """Of random vibration the mean of the largest |x| in m within a duration in s, see `RandomResponse.largest`."""
@@ -390,7 +390,7 @@ class Scales:
         damping = ((one, SCALES[one.name]) for one in (*DAMPING, *DISSIPATION))
         scales = {one.name: scale for one, scale in (*zip(ROD_SPRING.design, ROD_SPRING.scales, strict=True), *damping)}
         scales |= {"zeta": PURE} if self.damping == "zeta" else {}
-        return {name: (WORDS.get(scale.letter) or self.symbol(name), scale) for name, scale in scales.items()}
+        return {name: (NAMES.get(scale.letter) or self.symbol(name), scale) for name, scale in scales.items()}
 
     def of(self, scale: Scale) -> float:
         """What one of these numbers is measured in."""
@@ -427,11 +427,11 @@ class Scales:
 
     @contextlib.contextmanager
     def in_these_terms(self) -> Iterator[None]:
-        """What the dimensionless oscillator refuses is said in the symbols and units of the mount."""
+        """Refusals of the dimensionless oscillator are reported in the symbols and units of the mount."""
         try:
             yield
         except (ValueError, ArithmeticError) as error:
-            error.args = tuple(in_units(said, self) for said in error.args)
+            error.args = tuple(in_units(message, self) for message in error.args)
             raise
 
     def kind(self, name: str) -> tuple[str, str]:
@@ -466,8 +466,8 @@ class Scales:
         """
         if found.by[: len(ROD_SPRING.design)] != ROD_SPRING.design_names:
             raise Refused(WITHOUT_PRELOAD)
-        asked = {"F_0": AMPLITUDE_SCALES[self.excitation], "Omega": SCALES["Omega"], "load": SCALES["F_0"]}
-        known = self.measures | {name: (self.symbol(name), scale) for name, scale in asked.items()}
+        arguments = {"F_0": AMPLITUDE_SCALES[self.excitation], "Omega": SCALES["Omega"], "load": SCALES["F_0"]}
+        known = self.measures | {name: (self.symbol(name), scale) for name, scale in arguments.items()}
         by, measures = zip(*(known[name] for name in found.by), strict=True)
         of, kinds = zip(*(self.kind(name) for name in found.of), strict=True)
         answers = [OF_KIND[kind] for kind in kinds]
@@ -483,8 +483,8 @@ class Scales:
         )
         base = np.array([getattr(self, name) for name in BASE])
         own, others = (np.array([one.powers for one in measured]) for measured in (answers, measures))
-        moved = (values[..., np.newaxis] * own - (found.slopes * at[..., np.newaxis, :]) @ others) / base
-        slopes = np.concatenate((found.slopes / units, moved), axis=-1) * sizes[:, np.newaxis]
+        by_base = (values[..., np.newaxis] * own - (found.slopes * at[..., np.newaxis, :]) @ others) / base
+        slopes = np.concatenate((found.slopes / units, by_base), axis=-1) * sizes[:, np.newaxis]
         numbers: tuple[Any, ...] = (*np.moveaxis(at * units, -1, 0), *base)
         names = (*by, *BASE)
         if "load" in by:
@@ -498,8 +498,8 @@ def _by_masses(names: tuple[str, ...], slopes: Floats, numbers: tuple[Any, ...])
     Up to here `load` is a weight, g (load - m), and m the mass that moves.
     """
     weight, mass = names.index("load"), names.index("m")
-    found, given = slopes.copy(), list(numbers)
+    found, values = slopes.copy(), list(numbers)
     found[..., weight] = slopes[..., mass] + g * slopes[..., weight]
     found[..., mass] = -g * slopes[..., weight]
-    given[weight], given[mass] = numbers[mass], numbers[mass] - numbers[weight] / g
-    return found, tuple(given)
+    values[weight], values[mass] = numbers[mass], numbers[mass] - numbers[weight] / g
+    return found, tuple(values)

@@ -38,10 +38,10 @@ def of_mount(
         )
     elif (k_v / m) ** 0.5 > math.tau * HIGHEST:
         yield f"k_v = {k_v:g} N/m under {m:g} kg is a natural frequency above {HIGHEST:g} Hz: mass is in kg"
-    share = n * k_h / k_v
-    if preload > 0 and share < WEAKEST:
+    ratio = n * k_h / k_v
+    if preload > 0 and ratio < WEAKEST:
         yield f"k_h = {k_h:g} N/m does next to nothing beside k_v = {k_v:g} N/m: is it in N/mm? Stiffness is in N/m"
-    elif preload > 0 and share > STRONGEST:
+    elif preload > 0 and ratio > STRONGEST:
         yield f"k_h = {k_h:g} N/m leaves k_v = {k_v:g} N/m no say: is that in N/mm? Stiffness is in N/m"
     if friction > m * g:
         yield f"friction = {friction:g} N is more than the weight, {m * g:.4g} N: is it in mN?"
@@ -65,6 +65,6 @@ def of_duration(longest: float, f_n: float) -> Iterator[str]:
 
 
 def warn(remarks: Iterable[str], stacklevel: int) -> None:
-    """Each remark as a warning of what the caller was asked, so many calls up."""
+    """Each remark as a warning at the caller, so many calls up."""
     for remark in remarks:
         warnings.warn(remark, Implausible, stacklevel=stacklevel + 1)

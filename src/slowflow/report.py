@@ -80,7 +80,7 @@ MEANING = {one.si or one.name: one.text for one in COLUMNS.values()} | {
 #: errors that numbers of five digits do not show
 UNSEEN = 1e-5
 #: around the frequency of the peak, in its multiples, where the three depths are drawn
-BESIDE = (0.8, 1.2)
+AROUND = (0.8, 1.2)
 
 
 def html(scene: Scene) -> str:
@@ -110,8 +110,8 @@ def html(scene: Scene) -> str:
         "Equations": report.equations(),
         "Data": report.data(),
     }
-    told = {name: parts for name, section in sections.items() if (parts := list(_available(section)))}
-    return page.whole(f"Vibration isolator: {scene.path.stem.replace('_', ' ')}", told)
+    available = {name: blocks for name, section in sections.items() if (blocks := list(_available(section)))}
+    return page.whole(f"Vibration isolator: {scene.path.stem.replace('_', ' ')}", available)
 
 
 def _available(section: Iterator[str]) -> Iterator[str]:
@@ -144,13 +144,13 @@ class Report:
         self.F, self.f = ("F", "f") if self.mount else ("F_0", "Omega")
         self.letter, self.unit, self.size = self._called("F_0")
 
-    def _ask(self, question: str, F: float | None = None, **given: Any) -> Any:
-        """An answer, at an amplitude of the excitation if it is asked at one."""
-        return self.scene.ask(question, **given, **({} if F is None else {self.F: F}))
+    def _ask(self, question: str, F: float | None = None, **arguments: Any) -> Any:
+        """An answer, at an amplitude of the excitation if one is given."""
+        return self.scene.ask(question, **arguments, **({} if F is None else {self.F: F}))
 
-    def _shown(self, question: str, F: float | None = None, **given: Any) -> Any:
+    def _shown(self, question: str, F: float | None = None, **arguments: Any) -> Any:
         """The same in the units in which answers are shown."""
-        return shown(self._ask(question, F, **given))
+        return shown(self._ask(question, F, **arguments))
 
     def _plainly(self, question: str, F: float) -> Any:
         """The same without dimensions."""
@@ -162,8 +162,8 @@ class Report:
         try:
             return [self._shown(question, F) for F in forcings]
         except NotAvailable as error:
-            said = str(error)
-            left_out.append(said if question in said else f"{question}: {said}")
+            message = str(error)
+            left_out.append(message if question in message else f"{question}: {message}")
             return []
 
     def _called(self, name: str) -> tuple[str, str, float]:
@@ -173,7 +173,7 @@ class Report:
         symbol, kind = self.mount.scales.kind(name)
         return symbol, SHOWN[kind], UNITS[kind][SHOWN[kind]]
 
-    def _told(self, F: float) -> str:
+    def _in_unit(self, F: float) -> str:
         """An amplitude of the excitation in its unit."""
         return f"{F / self.size:.4g}"
 
@@ -264,12 +264,12 @@ class Report:
     def design(self) -> Iterator[str]:
         """The numbers that were given, and what they mean at rest."""
         heads: tuple[str, ...] = ("number", "value")
-        given = self.mount.scales.sheet if self.mount else self.of.given
-        rows: list[Any] = [(page.inline(name), page.cell(value)) for name, value in given.items()]
+        sheet = self.mount.scales.sheet if self.mount else self.of.given
+        rows: list[Any] = [(page.inline(name), page.cell(value)) for name, value in sheet.items()]
         if self.mount:
             heads = (*heads, "unit", "what it is")
-            known = [DATA_SHEET[name] for name in given]
-            rows = [(*row, unit, page.words(said)) for row, (unit, said) in zip(rows, known, strict=True)]
+            known = [DATA_SHEET[name] for name in sheet]
+            rows = [(*row, unit, page.prose(meaning)) for row, (unit, meaning) in zip(rows, known, strict=True)]
         yield page.table("As it was given", heads, rows)
         for text in self.scene.warnings:
             yield f"<p>Note: {page.inline(text)}</p>"
@@ -279,7 +279,7 @@ class Report:
             found = self._shown("at_rest")
             units = found.units_of_columns()
             at_rest = [
-                (page.inline(name), page.cell(value), escape(units.get(name, "")), page.words(MEANING[name]))
+                (page.inline(name), page.cell(value), escape(units.get(name, "")), page.prose(MEANING[name]))
                 for name, (value,) in found.columns().items()
                 if not np.isnan(value)
             ]
@@ -296,10 +296,10 @@ class Report:
                 # a force moves the mass at all frequencies, or at none, which `sticks` says
                 yield _table(caption, *found, left_out=(*UNSHOWN, *OF_INERTIA) if of_force else UNSHOWN)
         for question, caption in ALSO.items():
-            asked = self.scene.of(question)
+            queries = self.scene.of(question)
             if question == "isolation":  # that of 0 dB has its table
-                asked = [one for one in asked if one.arguments.get("level_dB")]
-            if also := [self.scene.answer(one) for one in asked]:
+                queries = [one for one in queries if one.arguments.get("level_dB")]
+            if also := [self.scene.answer(one) for one in queries]:
                 yield _table(caption, *also)
         yield _left_out(left_out)
 
@@ -307,21 +307,21 @@ class Report:
         """Amplitude and transmissibility over frequency, of all forces."""
         if not self.forcings:
             return
-        asked = (one.arguments for one in self.scene.of("frequency_response"))
-        own = {name: value for name, value in next(asked, {}).items() if name not in FORCINGS}  # the scene's window
+        windows = (one.arguments for one in self.scene.of("frequency_response"))
+        own = {name: value for name, value in next(windows, {}).items() if name not in FORCINGS}  # the scene's window
         curves = [self._shown("frequency_response", F, **own) for F in self.forcings]
         folds = [self._shown("saddle_nodes", F) for F in self.forcings]
         letter, _, size = self._called("u")
         length = self.mount.scales.sizes["length"] / size if self.mount else 1.0
         # off the centre springs leave on one side first, where the largest displacement passes the stroke
         largest, what = ("A", "Amplitude") if self.plain.load == 0 else (f"{letter}_max", "Largest displacement")
-        for y, said in ((largest, what), ("transmissibility_dB", "Transmissibility in decibels")):
+        for y, quantity in ((largest, what), ("transmissibility_dB", "Transmissibility in decibels")):
             ax = pictures.responses(page.axes(), list(zip(curves, folds, strict=True)), y)
             if y == largest:
                 pictures.breakpoints(ax, [length * end for end in self.plain.breakpoints], letter)
             pictures.legend(ax, pictures.axis(curves[0], self.letter), place="below")
             yield page.figure(
-                ax, f"{said} over frequency, a curve for each amplitude of the excitation; unstable motions dashed."
+                ax, f"{quantity} over frequency, a curve for each amplitude of the excitation; unstable motions dashed."
             )
 
     def locus(self) -> Iterator[str]:
@@ -337,19 +337,21 @@ class Report:
 
     def shocks(self) -> Iterator[str]:
         """What the scene asks of shocks, by the equation of motion."""
-        asked = self._cases("transient")
-        found = [self.scene.answer(one) for one in asked]
+        queries = self._cases("transient")
+        found = [self.scene.answer(one) for one in queries]
         if found:
-            pulses = [{head(name, one.units()): value for name, value in one.numbers().items()} for one in asked]
+            pulses = [{head(name, one.units()): value for name, value in one.numbers().items()} for one in queries]
             more = (*UNSHOWN, "x_cr", "u_cr", "t_A", "tau_A", "t_a", "tau_a", "t_detaches", "tau_detaches")
             stroke = _one(found[0], "x_cr", "u_cr")
-            leaves = f'; beyond the stroke, {stroke}, "detaches" says yes' if stroke else ""
-            yield _table(f"Shocks of the base, by the equation of motion{leaves}", *found, beside=pulses, left_out=more)
+            remark = f'; beyond the stroke, {stroke}, "detaches" says yes' if stroke else ""
+            yield _table(
+                f"Shocks of the base, by the equation of motion{remark}", *found, leading=pulses, left_out=more
+            )
             worst = max(range(len(found)), key=lambda k: float(found[k].columns()["A"][0]))
             ax = pictures.history(page.axes(), found[worst], "below")
-            _, _, shock = str(asked[worst]).partition(" at ")  # nothing of a record
-            said = "The motion of the mass, seen from its base, in the shock that deflects it most"
-            yield page.figure(ax, f"{said}{shock and ': ' + shock}.")
+            _, _, shock = str(queries[worst]).partition(" at ")  # nothing of a record
+            caption = "The motion of the mass, seen from its base, in the shock that deflects it most"
+            yield page.figure(ax, f"{caption}{shock and ': ' + shock}.")
         for one in self.scene.of("shock_spectrum"):
             answer: Any = self.scene.answer(one)
             if not found:
@@ -369,12 +371,12 @@ class Report:
 
     def tolerances(self) -> Iterator[str]:
         """What the scene asks of tolerances."""
-        asked = self.scene.of("tolerances")
-        if asked:
-            shares = asked[0].arguments["within"].items()
-            within = ", ".join(f"{page.inline(name)} within {100 * share:g} %" for name, share in shares)
+        queries = self.scene.of("tolerances")
+        if queries:
+            shares = queries[0].arguments["within"].items()
+            within = ", ".join(f"{page.inline(name)} within {100 * fraction:g} %" for name, fraction in shares)
             yield f"<p>{within}; 95 of 100 lie between low and high.</p>"
-        for one in asked:
+        for one in queries:
             found: Any = self.scene.answer(one)
             yield _table(f"T{str(one)[1:]}", found)
             if len(found) > FEW:
@@ -384,21 +386,21 @@ class Report:
                 )
 
     def map(self) -> Iterator[str]:
-        """From which force on designs beside it jump."""
+        """From which force on neighbouring designs jump."""
         subject = Subject(self.of)
         if subject.loaded:
             raise NotAvailable("a map of designs under a load, as each of its points takes tenths of a second")
         x, y = OF_MOUNT if subject.mount else OF_ISOLATOR
         if not subject.nominal[y]:
             return
-        share = np.linspace(1 - REACH, 1 + REACH, MAPPED)
-        columns, rows = subject.nominal[x] * share, subject.nominal[y] * share
+        factors = np.linspace(1 - REACH, 1 + REACH, MAPPED)
+        columns, rows = subject.nominal[x] * factors, subject.nominal[y] * factors
         onset = next(name for name, plain in subject.answers.items() if plain == "F_SN")
         values = subject.ask({x: columns[None, :], y: rows[:, None]}, [onset], Load(None, None, None))[onset]
         if not np.isfinite(values).any():
             raise NotAvailable("a map of designs, none of which has a lowest amplitude of the excitation with a jump")
-        given = (SHEET[x], SHEET[y]) if subject.mount else ("", "")
-        units, (of_x, of_y, of_onset) = zip(*map(in_shown, (*given, subject.unit(onset))), strict=True)
+        in_si = (SHEET[x], SHEET[y]) if subject.mount else ("", "")
+        units, (of_x, of_y, of_onset) = zip(*map(in_shown, (*in_si, subject.unit(onset))), strict=True)
         name_x, name_y, name = map(pictures.measured, (x, y, onset), units)
         found = (name, np.where(np.isfinite(values), values / of_onset, np.nan))
         ax = pictures.design_map(page.axes(), (name_x, columns / of_x), (name_y, rows / of_y), found)
@@ -413,7 +415,7 @@ class Report:
         yield from _available(self._jumps_by_depths())
         # measurements are of isolators under a force, about the centre, with viscous damping and dry friction
         plain = self.plain
-        is_measured = plain.excitation == "force" and plain.load == 0 and not plain.model.laws.told()
+        is_measured = plain.excitation == "force" and plain.load == 0 and not plain.model.laws.description()
         yield from self._expected() if is_measured else self._checked()
         yield from self._depths(max(self.forcings))
 
@@ -430,7 +432,7 @@ class Report:
                 second = f"{better[k]:.5g}" if len(better) == len(found) else "another number of folds"
                 last = (f"{exact.Omega * unit:.5g}", _error(exact.error))
                 last = (escape(exact.reason), "") if exact.reason else last
-                rows.append((self._told(F), fold.kind, f"{getattr(fold, self.f):.5g}", second, *last))
+                rows.append((self._in_unit(F), fold.kind, f"{getattr(fold, self.f):.5g}", second, *last))
         if not rows:
             yield "<p>There is no jump at these amplitudes of the excitation.</p>"
             return
@@ -445,17 +447,17 @@ class Report:
         rows = []
         for F in self.forcings:
             for at in self._frequencies():
-                asked = {self.f: at, self.F: F}
-                states = self.scene.ask("amplitudes", **asked)
+                arguments = {self.f: at, self.F: F}
+                states = self.scene.ask("amplitudes", **arguments)
                 if states.stable.any():
                     # off the centre A is about the mean
                     A = float(getattr(states, pictures.height(states))[states.stable].max())
                     try:
-                        exact = self.of.steady_state(**asked, A=A).A
+                        exact = self.of.steady_state(**arguments, A=A).A
                         compared = (f"{exact / size:.5g}", _error(A / exact - 1))
                     except ArithmeticError as error:
                         compared = (escape(str(error)), "")
-                    rows.append((self._told(F), f"{at:.4g}", f"{A / size:.5g}", *compared))
+                    rows.append((self._in_unit(F), f"{at:.4g}", f"{A / size:.5g}", *compared))
         heads = [*self._heads("F_0", "Omega"), f"averaged / {of_A}" if of_A else "averaged", *BY_MOTION]
         if rows:
             yield page.table("The largest displacement by averaging and by the equation of motion itself", heads, rows)
@@ -473,10 +475,10 @@ class Report:
                 shares = (
                     "" if np.isnan(one[top]) else f"{100 * one[top]:.2g} %" for one in (known.typical, known.error)
                 )
-                rows.append((self._told(F), f"{known.ratio[top]:.3g}", *shares))
-                if said := in_units(known.message, self.mount.scales if self.mount else None):
-                    at = f"{self._told(F)} {self.unit}".rstrip()
-                    remarks.append(f"<p>At {at} elsewhere on the curve: {page.inline(said)}.</p>")
+                rows.append((self._in_unit(F), f"{known.ratio[top]:.3g}", *shares))
+                if message := in_units(known.message, self.mount.scales if self.mount else None):
+                    at = f"{self._in_unit(F)} {self.unit}".rstrip()
+                    remarks.append(f"<p>At {at} elsewhere on the curve: {page.inline(message)}.</p>")
         if rows:
             heads = (*self._heads("F_0"), "friction over force", "half of them within", "95 of 100 within")
             yield page.table("Error of the highest stable amplitude, as measured for such isolators", heads, rows)
@@ -490,7 +492,7 @@ class Report:
         at = getattr(peaks[0], self.f) if peaks else None
         if not at:
             return
-        window = {self.f: (BESIDE[0] * at, BESIDE[1] * at)}
+        window = {self.f: (AROUND[0] * at, AROUND[1] * at)}
         curves: dict[str, Callable[[], Any]] = {
             "averaging": lambda: self.of.frequency_response(F, **window),
             "second approximation": lambda: self.of.second_approximation.frequency_response(F, **window),
@@ -508,9 +510,9 @@ class Report:
                 missing.append(f"<p>By the {depth} {page.inline(curve.message)}.</p>")
         if len(found) > 1:
             ax = pictures.depths(page.axes(), found)
-            at_F = f"{self._told(F)} {self.unit}" if self.unit else f"{self.letter} = {F:g}"
-            said = f"by {'two' if len(found) == 2 else 'three'} depths: they lie the closer the better."
-            yield page.figure(ax, f"The response at {at_F} about its peak, {said}")
+            at_F = f"{self._in_unit(F)} {self.unit}" if self.unit else f"{self.letter} = {F:g}"
+            caption = f"by {'two' if len(found) == 2 else 'three'} depths: they lie the closer the better."
+            yield page.figure(ax, f"The response at {at_F} about its peak, {caption}")
         yield from missing
 
     def equations(self) -> Iterator[str]:
@@ -519,8 +521,8 @@ class Report:
         rows = [
             (
                 row["where"],
-                page.words(row["quantity"]),
-                page.words(row["verdict"]),
+                page.prose(row["quantity"]),
+                page.prose(row["verdict"]),
                 page.formula(row["mathml"], row["published"]),
             )
             for row in ledger["rows"]
@@ -528,8 +530,8 @@ class Report:
         ]
         yield f"<p>Equations of {escape(ledger['paper'])}, each held against the derivation:</p>"
         if self.plain.load != 0:
-            beside = "with its balance beside them, which the paper has not"
-            yield f"<p>Under a load these hold about a mean B, {beside}.</p>"
+            remark = "with its balance beside them, which the paper has not"
+            yield f"<p>Under a load these hold about a mean B, {remark}.</p>"
         heads = ("equation", "what", "verdict", "as published; what vanishes, or the value")
         yield page.table("Verdicts", heads, rows)
 
@@ -540,10 +542,10 @@ class Report:
             found = [({self.letter: F / self.size}, self._shown(question, F)) for F in self.forcings]
             texts[question] = files.in_csv(found, {self.letter: self.unit})
         for question in ("spectrum", "tolerances", "transient", "shock_spectrum"):
-            if alike := self.scene.of(question):
+            if queries := self.scene.of(question):
                 with contextlib.suppress(NotAvailable):  # its own section says so
-                    answers = [(one.numbers(), self.scene.answer(one)) for one in alike]
-                    texts[question] = files.in_csv(answers, alike[0].units())
+                    answers = [(one.numbers(), self.scene.answer(one)) for one in queries]
+                    texts[question] = files.in_csv(answers, queries[0].units())
         links = [page.download(f"{question}.csv", "text/csv", text) for question, text in texts.items()]
         links.append(page.download(self.scene.path.name, "application/toml", self.scene.text))
         yield from ("<ul>", *(f"<li>{link}</li>" for link in links), "</ul>")
@@ -567,59 +569,61 @@ def _number(answer: Any, value: float, name: str) -> str:
     return f"{value:.4g}{page.TIED}{units[name]}" if name in units else f"{name} = {value:.4g}"
 
 
-def _error(share: float) -> str:
-    """An error in percent; one that the digits beside it do not show is not told in powers of ten."""
-    return f"{100 * share:+.2g} %" if abs(share) >= UNSEEN else f"below {100 * UNSEEN:g} %"
+def _error(relative: float) -> str:
+    """An error in percent; one that the printed digits do not show is not printed in powers of ten."""
+    return f"{100 * relative:+.2g} %" if abs(relative) >= UNSEEN else f"below {100 * UNSEEN:g} %"
 
 
 def _table(
-    caption: str, *answers: Answer, beside: Sequence[Mapping[str, Any]] = (), left_out: Sequence[str] = UNSHOWN
+    caption: str, *answers: Answer, leading: Sequence[Mapping[str, Any]] = (), left_out: Sequence[str] = UNSHOWN
 ) -> str:
-    """Columns of answers to one question, one below the other, and what is said beside them.
+    """Columns of answers to one question, one below the other, and their messages.
 
-    beside   -- numbers to put before the rows of each, by default its forcing
+    leading  -- numbers to put before the rows of each, by default its forcing
     left_out -- columns that are not shown
     """
     columns = [answer.columns() for answer in answers]
     units = answers[0].units_of_columns()
     kept = [name for name in columns[0] if name not in left_out]
     kept.sort(key=lambda name: name not in pictures.AMPLITUDES or answers[0].has_rows)  # what it is asked at first
-    before = beside or [_beside(answer, kept) for answer in answers]
+    before = leading or [_forcing_of(answer, kept) for answer in answers]
     # what a pulse is has its unit in its name
-    heads = [page.term(*_with_unit(name)) for name in before[0]] if beside else []
+    heads = [page.term(*_with_unit(name)) for name in before[0]] if leading else []
     heads = heads or [page.term(name, units.get(name, "")) for name in before[0]]
     heads += [page.term(name, units.get(name, "")) for name in kept]
-    told = [
-        (asked, [_cell(answers[0], name, value) for name, value in zip(kept, row, strict=True)])
-        for found, asked in zip(columns, before, strict=True)
+    cells = [
+        (at, [_cell(answers[0], name, value) for name, value in zip(kept, row, strict=True)])
+        for found, at in zip(columns, before, strict=True)
         for row in zip(*(found[name].tolist() for name in kept), strict=True)
     ]
-    notes = _notes(answers, beside or [_beside(answer, ()) for answer in answers], units)
+    notes = _notes(answers, leading or [_forcing_of(answer, ()) for answer in answers], units)
     found_any = any(
-        cell and name not in pictures.AMPLITUDES for _, row in told for name, cell in zip(kept, row, strict=True)
+        cell and name not in pictures.AMPLITUDES for _, row in cells for name, cell in zip(kept, row, strict=True)
     )
     if not found_any:
         return page.untabled(caption, notes)
-    rows = [(*map(page.cell, asked.values()), *row) for asked, row in told]
+    rows = [(*map(page.cell, at.values()), *row) for at, row in cells]
     return page.table(caption, heads, rows) + notes
 
 
 def _cell(answer: Answer, name: str, value: Any) -> str:
     """A cell of a column; one that names a number has that as it is read."""
     if name in NAMES:
-        return f"{page.WORDS}{page.term(value)}"
+        return f"{page.TEXT}{page.term(value)}"
     return answer.words_of(name, value) or page.cell(value)
 
 
 def _notes(answers: Sequence[Answer], before: Sequence[Mapping[str, Any]], units: Mapping[str, str]) -> str:
     """What answers have to say, and which ones where these are not all."""
-    told: dict[str, list[str]] = {}
-    for answer, asked in zip(answers, before, strict=True):
+    by_message: dict[str, list[str]] = {}
+    for answer, arguments in zip(answers, before, strict=True):
         if message := str(answer.to_dict().get("message") or "").replace(IN_PYTHON, ""):
-            at = " and ".join(_at(name, value, units) for name, value in asked.items())
+            at = " and ".join(_at(name, value, units) for name, value in arguments.items())
             # some say by themselves at which forcing
-            told.setdefault(message, []).append("" if any(f" {name} = " in message for name in asked) else at)
-    of = {text: f"At {', '.join(at)}: " if len(at) < len(answers) and all(at) else "" for text, at in told.items()}
+            by_message.setdefault(message, []).append("" if any(f" {name} = " in message for name in arguments) else at)
+    of = {
+        text: f"At {', '.join(at)}: " if len(at) < len(answers) and all(at) else "" for text, at in by_message.items()
+    }
     return "".join(f"<p>{page.inline(at + text)}.</p>" for text, at in of.items())
 
 
@@ -630,12 +634,12 @@ def _with_unit(name: str) -> tuple[str, str]:
 
 
 def _at(name: str, value: Any, units: Mapping[str, str]) -> str:
-    """What an answer was asked at, in words."""
+    """A description of an argument of an answer."""
     name, unit = _with_unit(head(name, units))
     return f"{name} = {page.cell(value)} {unit.replace('^2', '²')}".rstrip()
 
 
-def _beside(answer: Answer, kept: Iterable[str]) -> dict[str, Any]:
+def _forcing_of(answer: Answer, kept: Iterable[str]) -> dict[str, Any]:
     """The forcing of an answer, where it is no column of it."""
     known = answer.to_dict()
     return {name: known[name] for name in pictures.AMPLITUDES if name in known and name not in kept}

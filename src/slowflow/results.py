@@ -169,7 +169,7 @@ NOT_AVERAGED = "gradients are known of averaged answers, asked of an oscillator 
 
 
 #: of an answer under a load, which says itself how its numbers move: a function of the answer
-Moves = Callable[[Any], Gradient]
+GradientOf = Callable[[Any], Gradient]
 NOT_MEASURED = "off the centre states and folds are measured, as amplitudes(...).measure(): this answer is neither"
 
 
@@ -179,7 +179,7 @@ class Moving:
 
     #: the oscillator, whose `measured` holds an answer against the equation of motion
     _equation: Any = field(default=None, kw_only=True, repr=False)
-    _moves: Moves | None = field(default=None, kw_only=True, repr=False)
+    _gradient_of: GradientOf | None = field(default=None, kw_only=True, repr=False)
 
     def _against_motion(self, force: str | None, of: str = "") -> Any:
         """What measuring it gives."""
@@ -187,9 +187,9 @@ class Moving:
             raise Refused(NOT_ASKED)
         return self._equation.measured(self, force, of)
 
-    def _moved(self: Any, of: Callable[..., Gradient], *numbers: Any) -> Gradient:
+    def _gradient_from(self: Any, of: Callable[..., Gradient], *numbers: Any) -> Gradient:
         """The gradient, without a load by a function of whose answer it is, and of its numbers."""
-        found: Gradient = self._moves(self) if self._moves else of(of_model(self._model), *numbers)
+        found: Gradient = self._gradient_of(self) if self._gradient_of else of(of_model(self._model), *numbers)
         return found
 
 
@@ -236,14 +236,14 @@ class Point(OfPoint, Single):
         return self._measured(force)
 
 
-def of_model(model: Model | None) -> sensitivities.Given:
+def of_model(model: Model | None) -> sensitivities.Design:
     """Whose answer it is. Raises ValueError where nothing says it."""
     if model is None or not model.has_design:
         raise Refused(NOT_AVERAGED)
     laws, numbers = model.laws, (*model.design, model.mu, model.zeta)
     if not laws.any:
-        return sensitivities.Given(model.mechanism, numbers, model.excitation)
-    return sensitivities.Given(model.mechanism, (*numbers, laws.eta, laws.c_2), model.excitation, laws.rubs)
+        return sensitivities.Design(model.mechanism, numbers, model.excitation)
+    return sensitivities.Design(model.mechanism, (*numbers, laws.eta, laws.c_2), model.excitation, laws.rubs)
 
 
 class WithMean:
@@ -297,7 +297,7 @@ class SteadyStates(Moving, WithMean, InDecibels, Table):
 
     entry: ClassVar[Any] = State
     with_mean: ClassVar[Any] = OffsetState
-    beside: ClassVar[tuple[str, ...]] = ("transmissibility_dB",)
+    extra_columns: ClassVar[tuple[str, ...]] = ("transmissibility_dB",)
 
     Omega: Floats
     A: Floats
@@ -315,7 +315,7 @@ class SteadyStates(Moving, WithMean, InDecibels, Table):
 
     def _beside_of(self) -> tuple[str, ...]:
         """`u_max` too, under a load."""
-        return ("u_max", *self.beside) if self.B is not None else self.beside
+        return ("u_max", *self.extra_columns) if self.B is not None else self.extra_columns
 
     @property
     def u_max(self) -> Floats:
@@ -378,7 +378,9 @@ class SteadyStates(Moving, WithMean, InDecibels, Table):
         `.message` say so. Under a load B and the load take part; raises NotAvailable where it is not known how the
         force moves with the design.
         """
-        return self._moved(sensitivities.of_states, self.Omega, self.A, self.F_0, self.phi, self.transmissibility)
+        return self._gradient_from(
+            sensitivities.of_states, self.Omega, self.A, self.F_0, self.phi, self.transmissibility
+        )
 
     def measure(self, force: str | None = None) -> Measured:
         """How far each state is from the equation of motion (3): measured here and now, some 0.2 ms for each.
@@ -456,7 +458,7 @@ class SaddleNodes(Moving, WithMean, Drawn, Table):
         Where a fold meets another, at a cusp or an isola point, or comes to a breakpoint or leaves it, it has no
         gradient, and `.status` and `.message` say so. Under a load as `SteadyStates.gradient`.
         """
-        return self._moved(sensitivities.of_folds, self.Omega, self.A, self.F_0, self.corner)
+        return self._gradient_from(sensitivities.of_folds, self.Omega, self.A, self.F_0, self.corner)
 
     def measure(self, force: str | None = None) -> MeasuredFolds:
         """How far each fold is from one of the equation of motion (3): measured here and now, some ms for each.
@@ -503,7 +505,7 @@ class SaddleNodeOnset(Point):
         load take part, and on a corner that a jump of the force makes there is none.
         """
         kind = OnsetKind[self.kind.upper() or "NO"]
-        return self._moved(sensitivities.of_onset, self.F_SN, self.Omega, self.A, kind)
+        return self._gradient_from(sensitivities.of_onset, self.F_SN, self.Omega, self.A, kind)
 
 
 @dataclass(frozen=True, eq=False)
@@ -608,7 +610,7 @@ class Peak(Point):
         and the load take part, and u_max if it is that motion's; where the mean turns back there, NotAvailable is
         raised.
         """
-        return self._moved(sensitivities.of_peak, self.A, self.Omega, self.F_0)
+        return self._gradient_from(sensitivities.of_peak, self.A, self.Omega, self.F_0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -632,4 +634,4 @@ class Detachment(Point):
 
     def gradient(self) -> Gradient:
         """How F_cr, Omega_cr and u_cr move with the parameters, exactly; under a load A and B instead of u_cr."""
-        return self._moved(sensitivities.of_detachment, self.F_cr, self.Omega_cr, self.u_cr)
+        return self._gradient_from(sensitivities.of_detachment, self.F_cr, self.Omega_cr, self.u_cr)

@@ -106,8 +106,10 @@ questions = [
 
 def _takes(question: str) -> frozenset[str]:
     """What the method of this name takes without dimensions, but of a frequency that it need not be given "window"."""
-    given = inspect.signature(getattr(Isolator, question)).parameters.values()
-    return frozenset("window" if one.name == "Omega" and one.default is not one.empty else one.name for one in given)
+    parameters = inspect.signature(getattr(Isolator, question)).parameters.values()
+    return frozenset(
+        "window" if one.name == "Omega" and one.default is not one.empty else one.name for one in parameters
+    )
 
 
 #: what a scene may ask, and what that takes: those of the table but proofs, which a certificate has, tolerances, and
@@ -141,8 +143,8 @@ class Kind:
     @property
     def needed(self) -> tuple[str, ...]:
         """Those that it must have."""
-        given = inspect.signature(self.make).parameters
-        return tuple(name for name, one in given.items() if one.default is inspect.Parameter.empty)
+        parameters = inspect.signature(self.make).parameters
+        return tuple(name for name, one in parameters.items() if one.default is inspect.Parameter.empty)
 
 
 KINDS = {"mount": Kind(Isolator.physical, "F", "f", "t"), "isolator": Kind(Isolator), "duffing": Kind(Duffing)}
@@ -173,7 +175,7 @@ class Asked:
 
     @property
     def forcing(self) -> float | None:
-        """The forcing, if it is asked at one."""
+        """The forcing, if it has one."""
         known = (value for name, value in self.arguments.items() if name in FORCINGS and isinstance(value, float))
         return next(known, None)
 
@@ -197,7 +199,7 @@ class Asked:
     def count(self) -> int:
         """How many answers it makes up: one for each frequency, row of a spectrum, pulse of a shock spectrum."""
         if self.question == "amplitudes":
-            return next(len(given) for name, given in self.arguments.items() if name in FREQUENCIES)
+            return next(len(values) for name, values in self.arguments.items() if name in FREQUENCIES)
         if self.question == "shock_spectrum":
             return len(self.arguments["acceleration"]) * len(self.arguments["duration"])
         rows = self.arguments.get("spectrum", self.arguments.values() if self.question == "spectrum" else [[None]])
@@ -209,14 +211,16 @@ class Asked:
         if self.question != "tolerances":
             return self.question
         of = {"spectrum": "in a spectrum", "shock": "in a shock", **dict.fromkeys(FREQUENCIES, "at a frequency")}
-        return next((f"tolerances {said}" for name, said in of.items() if name in self.arguments), "tolerances")
+        return next(
+            (f"tolerances {load_case}" for name, load_case in of.items() if name in self.arguments), "tolerances"
+        )
 
     def __str__(self) -> str:
         units = self.units()
-        said = ", ".join(f"{name} = {value:g} {units.get(name, '')}".rstrip() for name, value in self.numbers().items())
+        text = ", ".join(f"{name} = {value:g} {units.get(name, '')}".rstrip() for name, value in self.numbers().items())
         if "spectrum" in self.arguments:
             return f"{self.question} in the load spectrum"
-        return f"{self.question} at {said}" if said else self.question
+        return f"{self.question} at {text}" if text else self.question
 
 
 @dataclass(frozen=True)
@@ -244,13 +248,13 @@ class Scene:
     answers: dict[tuple[str, str], Any] = field(default_factory=dict, compare=False, repr=False)
 
     @staticmethod
-    def arguments(asked: Asked) -> dict[str, Any]:
+    def arguments(query: Asked) -> dict[str, Any]:
         """Those of the method that answers a question: a mount's call the amplitude F, whatever it is of."""
-        return {"F" if name in LETTERS else name: value for name, value in asked.arguments.items()}
+        return {"F" if name in LETTERS else name: value for name, value in query.arguments.items()}
 
-    def answer(self, asked: Asked) -> Answer:
+    def answer(self, query: Asked) -> Answer:
         """The answer to one of its questions, of a mount in N, mm and Hz; computed when it is first asked for."""
-        found: Answer = shown(self.ask(asked.question, **self.arguments(asked)))
+        found: Answer = shown(self.ask(query.question, **self.arguments(query)))
         return found
 
     def ask(self, question: str, **arguments: Any) -> Any:
@@ -269,29 +273,29 @@ class Scene:
 
         return partial(tolerances, self.oscillator)
 
-    def explain(self, asked: Asked) -> Plan | None:
+    def explain(self, query: Asked) -> Plan | None:
         """What runs for it and what is skipped; None for what is a formula, or put together from other questions."""
-        if asked.question not in plan.QUESTIONS:
+        if query.question not in plan.QUESTIONS:
             return None
-        found: Plan = self.oscillator.explain(asked.question, asked.forcing)
+        found: Plan = self.oscillator.explain(query.question, query.forcing)
         return found
 
-    def seconds(self, asked: Asked) -> float:
+    def seconds(self, query: Asked) -> float:
         """About how long it takes, by what such questions took when they were measured."""
         oscillator: Any = self.oscillator.oscillator if isinstance(self.oscillator, Physical) else self.oscillator
-        plain, laws, load = costs.COSTS[asked.cost]
+        plain, laws, load = costs.COSTS[query.cost]
         each = load if oscillator.load != 0 else laws if oscillator.model.laws.any else plain
         # what was not measured, as a shock with eta, which is refused, takes at most what the others take
-        return (each or max(plain, laws, load)) * asked.count()
+        return (each or max(plain, laws, load)) * query.count()
 
     def forcings(self) -> list[float]:
         """The forcings of its questions, and those at which something is required, each once, in their order."""
-        asked = (one.forcing for one in self.asked if one.forcing is not None)
-        return list(dict.fromkeys((*asked, *self.given_forcings)))
+        own = (one.forcing for one in self.asked if one.forcing is not None)
+        return list(dict.fromkeys((*own, *self.given_forcings)))
 
     def of(self, question: str) -> list[Asked]:
         """What it asks by one question."""
-        return [asked for asked in self.asked if asked.question == question]
+        return [query for query in self.asked if query.question == question]
 
     @property
     def sha256(self) -> str:
@@ -329,15 +333,15 @@ class _Reader:
             one_of = ", ".join(f"[{name}]" for name in KINDS)
             raise self._error(stated[-1] if stated else "", "", f"needs one of {one_of}, has {len(stated)}")
         (name,) = stated
-        kind, given = KINDS[name], self._table(name)
-        self._known(name, given, kind.keys)
-        if name == "mount" and given.get("excitation") in tuple(EXCITED):
-            kind = replace(kind, forcing=EXCITED[given["excitation"]][0])
-        self._complete(name, given, kind.needed)
+        kind, table = KINDS[name], self._table(name)
+        self._known(name, table, kind.keys)
+        if name == "mount" and table.get("excitation") in tuple(EXCITED):
+            kind = replace(kind, forcing=EXCITED[table["excitation"]][0])
+        self._complete(name, table, kind.needed)
         # first: what it refuses, as a word for the excitation, decides which keys [ask] has
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
-            oscillator = self._tried(name, given, lambda: kind.make(**given))
+            oscillator = self._tried(name, table, lambda: kind.make(**table))
         ask = self._table("ask")
         self._asks("ask", ask, kind, ("window", "samples", "level_dB", "questions"))
         if "require" not in self.content:
@@ -348,15 +352,15 @@ class _Reader:
             )
         mount = isinstance(oscillator, Physical)
         kinds = {key: OF_MOUNT[key] for key in (kind.forcing, kind.frequency, *OF_A_PULSE, kind.time) if mount}
-        asked = tuple(replace(one, kinds=kinds) for one in self._asked(kind, ask))
-        remarks = dict.fromkeys((*(str(one.message) for one in caught), *_implausible(oscillator, asked)))
+        queries = tuple(replace(one, kinds=kinds) for one in self._queries(kind, ask))
+        remarks = dict.fromkeys((*(str(one.message) for one in caught), *_implausible(oscillator, queries)))
         required: dict[str, Any] = {}
         if "require" in self.content:
             cases = [one for name in ("shock", "psd") if name in self.content for one in self._case(name, kind)]
             required["requirements"] = tuple(self._required(kind, mount))
             required["given_forcings"] = tuple(self._positive(kind.forcing)) if kind.forcing in ask else ()
             required["cases"] = tuple(replace(one, kinds=kinds) for one in cases)
-        return Scene(self.path, self.text, self.content, oscillator, asked, tuple(remarks), **required)
+        return Scene(self.path, self.text, self.content, oscillator, queries, tuple(remarks), **required)
 
     def _case(self, name: str, kind: Kind) -> Iterator[Asked]:
         """A load case of requirements beside forcings."""
@@ -368,48 +372,48 @@ class _Reader:
         """What must hold."""
         table = self._table("require")
         self._known("require", table, REQUIREMENTS)
-        for name, given in table.items():
-            yield self._tried("require", table, partial(self._requirement, kind, mount, name, given))
+        for name, value in table.items():
+            yield self._tried("require", table, partial(self._requirement, kind, mount, name, value))
 
-    def _requirement(self, kind: Kind, mount: bool, name: str, given: Any) -> Requirement:
+    def _requirement(self, kind: Kind, mount: bool, name: str, value: Any) -> Requirement:
         """One of them. Raises ValueError for what it must not be, or where its load case is missing."""
-        asked = ("ask", kind.forcing) if kind.forcing in self.content.get("ask", {}) else ()
+        at_forcings = ("ask", kind.forcing) if kind.forcing in self.content.get("ask", {}) else ()
         if name in NONE:
-            validate.choice(name, given, ("none",))
+            validate.choice(name, value, ("none",))
         needs = {"peak": "ask", "shock": "shock", "random": "psd"}
-        if name not in AMOUNTS and not asked:
+        if name not in AMOUNTS and not at_forcings:
             raise Refused(f"{name} is required at forcings: {kind.forcing} is missing in [ask]")
         if name in NONE:
             return Requirement(name)
         start = f"from_{kind.frequency}"
         keys = ("below", start) if name == TRANSMISSIBILITY else ("below", "under", "rms", "duration")
-        if not isinstance(given, dict) or not set(keys[:2]) <= set(given) <= set(keys):
+        if not isinstance(value, dict) or not set(keys[:2]) <= set(value) <= set(keys):
             raise Refused(f"{name} must be a table with {' and '.join(keys[:2])}; it may have {', '.join(keys)}")
         if name == TRANSMISSIBILITY:
-            start_at = validate.number(start, given[start], above=0.0)
-            return Requirement(name, validate.number("below", given["below"], most=0.0), {"from": start_at})
-        under = given["under"] if isinstance(given["under"], list) else [given["under"]]
+            start_at = validate.number(start, value[start], above=0.0)
+            return Requirement(name, validate.number("below", value["below"], most=0.0), {"from": start_at})
+        under = value["under"] if isinstance(value["under"], list) else [value["under"]]
         for one in under:
             validate.choice("under", one, tuple(AMOUNTS[name]))
-            if needs[one] not in self.content or (one == "peak" and not asked):
+            if needs[one] not in self.content or (one == "peak" and not at_forcings):
                 raise Refused(f"{name} under {one!r} needs [{needs[one]}], with {kind.forcing} for a peak")
-        rms = given.get("rms", False) is True
-        if "random" in under and not rms and (name != "relative_displacement" or "duration" not in given):
+        rms = value.get("rms", False) is True
+        if "random" in under and not rms and (name != "relative_displacement" or "duration" not in value):
             raise Refused(
                 f"{name} under 'random' needs rms = true, or of a displacement the duration that it is largest in"
             )
         more = {"under": under, "rms": rms}
-        if "duration" in given:
-            more["duration"] = validate.number("duration", given["duration"], above=0.0)
-        return Requirement(name, limit_of("below", given["below"], kind_of(name), mount=mount), more)
+        if "duration" in value:
+            more["duration"] = validate.number("duration", value["duration"], above=0.0)
+        return Requirement(name, limit_of("below", value["below"], kind_of(name), mount=mount), more)
 
-    def _asked(self, kind: Kind, ask: Mapping[str, Any]) -> Iterator[Asked]:
+    def _queries(self, kind: Kind, ask: Mapping[str, Any]) -> Iterator[Asked]:
         """The questions with their arguments."""
         questions = self._list("ask", "questions", str) if "questions" in ask else []
         for name in questions:
             if name not in QUESTIONS:
-                said = f"= {name!r} is not allowed: it must be one of {', '.join(QUESTIONS)}"
-                raise self._error("ask", "questions", said, name, QUESTIONS)
+                message = f"= {name!r} is not allowed: it must be one of {', '.join(QUESTIONS)}"
+                raise self._error("ask", "questions", message, name, QUESTIONS)
             if name == "tolerances":
                 yield from self._tolerances(name, kind)
             elif name == "spectrum":
@@ -424,8 +428,8 @@ class _Reader:
     def _plain(self, name: str, kind: Kind, ask: Mapping[str, Any]) -> Iterator[Asked]:
         """A question at what [ask] has of that which it takes."""
         takes = QUESTIONS[name]
-        for key, wanted in ((kind.forcing, "F_0"), (kind.frequency, "Omega")):
-            if wanted in takes and key not in ask:
+        for key, symbol in ((kind.forcing, "F_0"), (kind.frequency, "Omega")):
+            if symbol in takes and key not in ask:
                 raise self._error("ask", "", f"{key} is missing: {name} needs it")
         arguments: dict[str, Any] = {kind.frequency: self._positive(kind.frequency)} if "Omega" in takes else {}
         if "window" in takes and "window" in ask:
@@ -447,8 +451,8 @@ class _Reader:
         pairs = {name: self._positive(name, "spectrum") for name in names}
         lengths = [len(values) for values in pairs.values()]
         if lengths[0] != lengths[1]:
-            said = f"has {lengths[1]} numbers, and {names[0]} has {lengths[0]}: they are pairs"
-            raise self._error("spectrum", names[1], said)
+            message = f"has {lengths[1]} numbers, and {names[0]} has {lengths[0]}: they are pairs"
+            raise self._error("spectrum", names[1], message)
         return pairs
 
     def _shocks(self, name: str, kind: Kind) -> Iterator[Asked]:
@@ -459,8 +463,8 @@ class _Reader:
             self._complete("shock", table, ("acceleration", kind.time))
             samples = {key: self._list("shock", key, (int, float)) for key in ("acceleration", kind.time)}
             if "duration" in table or len(samples["acceleration"]) != len(samples[kind.time]):
-                said = "must be a time for each sample of acceleration, and there is no duration then"
-                raise self._error("shock", kind.time, said)
+                message = "must be a time for each sample of acceleration, and there is no duration then"
+                raise self._error("shock", kind.time, message)
             yield Asked(name, samples)
             return
         self._complete("shock", table, OF_A_PULSE)
@@ -509,9 +513,9 @@ class _Reader:
         """Shares of its numbers by which these may be off."""
         table = self._table("tolerances", question)
         self._known("tolerances", table, tuple(key for key in kind.keys if key not in NO_NUMBERS))
-        share = {"least": 0.0, "below": 1.0}
+        bounds = {"least": 0.0, "below": 1.0}
         found: dict[str, float] = self._tried(
-            "tolerances", table, lambda: {key: validate.number(key, value, **share) for key, value in table.items()}
+            "tolerances", table, lambda: {key: validate.number(key, value, **bounds) for key, value in table.items()}
         )
         return found
 
@@ -522,16 +526,16 @@ class _Reader:
     def _numbers(self, key: str, table: str = "ask", **bounds: float) -> list[float]:
         """A list of numbers within bounds."""
         values = self._list(table, key, (int, float))
-        given = self.content[table]
-        found: list[float] = self._tried(table, given, lambda: [validate.number(key, v, **bounds) for v in values])
+        content = self.content[table]
+        found: list[float] = self._tried(table, content, lambda: [validate.number(key, v, **bounds) for v in values])
         return found
 
     def _table(self, name: str, question: str = "") -> dict[str, Any]:
         """A table, and which question needs it, if one does."""
         value = self.content.get(name)
         if value is None and question:
-            said = f"= {question!r} needs a table [{name}], which is missing"
-            raise self._error("ask", "questions", said)
+            message = f"= {question!r} needs a table [{name}], which is missing"
+            raise self._error("ask", "questions", message)
         if not isinstance(value, dict):
             raise self._error(name, "", "a table is missing" if value is None else "must be a table")
         return value
@@ -546,18 +550,18 @@ class _Reader:
             raise self._error(table, key, f"= {value!r} is not allowed: {key} must be a list of {what}{quoted}")
         return values
 
-    def _known(self, table: str, given: Mapping[str, Any], known: tuple[str, ...]) -> None:
-        for key in given:
+    def _known(self, table: str, values: Mapping[str, Any], known: tuple[str, ...]) -> None:
+        for key in values:
             if key not in known:
                 where = (table, key) if table else (key, "")
                 what = f"is no key of [{table}]" if table else "is no table of a scene"
                 raise self._error(*where, f"{what}: it must be one of {', '.join(known)}", key, known)
 
-    def _asks(self, table: str, given: Mapping[str, Any], kind: Kind, more: tuple[str, ...] = ()) -> None:
-        """As `_known`; of a forcing or frequency of another oscillator it is told what stands for it here."""
+    def _asks(self, table: str, values: Mapping[str, Any], kind: Kind, more: tuple[str, ...] = ()) -> None:
+        """As `_known`; for a forcing or frequency of another oscillator the message names the one to use here."""
         known = (kind.forcing, kind.frequency, *more)
         mount = kind.forcing in LETTERS
-        for key in given:
+        for key in values:
             if key in (*FORCINGS, *FREQUENCIES) and key not in known:
                 right, of = (kind.forcing, kind.forcing) if key in FORCINGS else (kind.frequency, "f")
                 unit = f", in {SI[OF_MOUNT[of]]}" if mount else ", dimensionless"
@@ -565,27 +569,27 @@ class _Reader:
                 if key in FORCINGS:
                     excited = next((name for name, (letter, *_) in EXCITED.items() if letter == right), "")
                     what = f"the amplitude of the excitation{f' = {excited!r}' if excited else ''}"
-                said = f"is no key of [{table}] here: it must be one of {', '.join(known)}; {what} is {right}{unit}"
-                raise self._error(table, key, said)
-        self._known(table, given, known)
+                message = f"is no key of [{table}] here: it must be one of {', '.join(known)}; {what} is {right}{unit}"
+                raise self._error(table, key, message)
+        self._known(table, values, known)
 
-    def _complete(self, table: str, given: Mapping[str, Any], needed: tuple[str, ...]) -> None:
+    def _complete(self, table: str, values: Mapping[str, Any], needed: tuple[str, ...]) -> None:
         for key in needed:
-            if key not in given:
+            if key not in values:
                 raise self._error(table, "", f"{key} is missing: [{table}] needs {', '.join(needed)}")
 
-    def _tried(self, table: str, given: Mapping[str, Any], make: Callable[[], Any]) -> Any:
+    def _tried(self, table: str, values: Mapping[str, Any], make: Callable[[], Any]) -> Any:
         """What is made of a table; the reason for a refusal begins with the key."""
         try:
             return make()
         except ValueError as error:
             key = re.split(r"[ \[]", str(error), maxsplit=1)[0]
-            line = self._line(table, key if key in given else "")
-            raise SceneError(f"{self.path}:{line}: {error}{_quoted(given.get(key))}") from None
+            line = self._line(table, key if key in values else "")
+            raise SceneError(f"{self.path}:{line}: {error}{_quoted(values.get(key))}") from None
 
-    def _error(self, table: str, key: str, said: str, word: str = "", known: Any = ()) -> SceneError:
+    def _error(self, table: str, key: str, message: str, word: str = "", known: Any = ()) -> SceneError:
         name = key or (f"[{table}]" if table else "the scene")
-        return SceneError(f"{self.path}:{self._line(table, key)}: {name} {said}{validate.meant(word, known or ())}")
+        return SceneError(f"{self.path}:{self._line(table, key)}: {name} {message}{validate.meant(word, known or ())}")
 
     def _line(self, table: str, key: str) -> int:
         """Where a table or a key of it stands; 1 where that cannot be told, as in a table on one line."""
@@ -602,15 +606,15 @@ class _Reader:
         return found
 
 
-def _implausible(of: Any, asked: Iterable[Asked]) -> Iterator[str]:
-    """What looks as if it were in another unit of the frequencies and durations that a mount is asked at."""
+def _implausible(of: Any, queries: Iterable[Asked]) -> Iterator[str]:
+    """Remarks on frequencies and durations of a mount that look as if they were in another unit."""
     if not isinstance(of, Physical):
         return
     f_n = of.scales.sizes["frequency"]
-    for one in asked:
-        told = [("f", one.arguments.get("f")), ("f", one.arguments.get("spectrum", [None])[0])]
-        told += [("duration", one.arguments.get("duration")), ("duration", one.arguments.get("shock", [None])[-1])]
-        for name, value in told:
+    for one in queries:
+        values = [("f", one.arguments.get("f")), ("f", one.arguments.get("spectrum", [None])[0])]
+        values += [("duration", one.arguments.get("duration")), ("duration", one.arguments.get("shock", [None])[-1])]
+        for name, value in values:
             if value is not None:
                 remark = range_checks.of_frequency if name == "f" else range_checks.of_duration
                 yield from remark(max(value) if isinstance(value, (list, tuple)) else value, f_n)

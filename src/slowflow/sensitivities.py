@@ -30,7 +30,7 @@ OF_FUNCTIONS = (
 OF_RECORD = "gradient() is not available for {}: its record does not say how its average moves with the parameters"
 
 
-class Given(NamedTuple):
+class Design(NamedTuple):
     """Whose answers these are: mechanism, numbers of the design and the damping, or arrays of them, and excitation.
 
     rubs -- where dry friction acts, if there are other laws of damping: the numbers then end with eta and c_2
@@ -41,35 +41,35 @@ class Given(NamedTuple):
     excitation: str
     rubs: str | None = None
 
-    def with_places(self) -> Given:
+    def with_places(self) -> Design:
         """The same with one more axis behind those of the designs."""
         return self._replace(numbers=tuple(number[..., np.newaxis] for number in self.numbers))
 
 
 def gradient(
-    given: Given, kind: Any, point: tuple[Any, Any, Any], of: Mapping[str, int], asked: tuple[str, ...] = ()
+    design: Design, kind: Any, point: tuple[Any, Any, Any], of: Mapping[str, int], arguments: tuple[str, ...] = ()
 ) -> Gradient:
     """The gradient of answers.
 
-    given -- whose they are; all arrays here broadcast
-    kind  -- what the answers are, numbers of `Pinned`; CORNER_END for any onset on a breakpoint
-    point -- A, Omega and forcing of each, None or NaN where there is none
-    of    -- the rows of the numbers wanted, by name: 0 for A, 1 Omega, 2 forcing; evenly spaced
-    asked -- what was asked at beside the design: "F_0" and "Omega", or less
+    design    -- whose they are; all arrays here broadcast
+    kind      -- what the answers are, numbers of `Pinned`; CORNER_END for any onset on a breakpoint
+    point     -- A, Omega and forcing of each, None or NaN where there is none
+    of        -- the rows of the numbers, by name: 0 for A, 1 Omega, 2 forcing; evenly spaced
+    arguments -- of the query: "F_0" and "Omega", or less
     """
     A, Omega, F_0 = at = tuple(math.nan if one is None else one for one in point)
-    by = (*_names(given.mechanism, given.rubs is not None), *asked)
-    slopes, status = _moves(given, kind, (A, Omega, F_0), SIMPLE, len(by))
+    by = (*_names(design.mechanism, design.rubs is not None), *arguments)
+    slopes, status = _slopes(design, kind, (A, Omega, F_0), SIMPLE, len(by))
     rows = tuple(of.values())
-    wanted = slopes[..., rows[0] :: -1, :][..., : len(rows), :] if rows[0] else slopes[..., : len(rows), :]
+    selected = slopes[..., rows[0] :: -1, :][..., : len(rows), :] if rows[0] else slopes[..., : len(rows), :]
     known = {"F_0": F_0, "Omega": Omega}
     return Gradient(
         tuple(of),
         by,
-        wanted,
+        selected,
         status,
         tuple(at[row] for row in rows),
-        (*given.numbers, *(known[name] for name in asked)),
+        (*design.numbers, *(known[name] for name in arguments)),
     )
 
 
@@ -83,89 +83,93 @@ def _names(mechanism: Mechanism, laws: bool) -> tuple[str, ...]:
     return tuple(one.name for one in (*mechanism.design, *DAMPING, *(DISSIPATION if laws else ())))
 
 
-def _moves(given: Given, kind: Any, at: tuple[Any, Any, Any], rows: int, columns: int) -> tuple[Floats, Codes]:
+def _slopes(design: Design, kind: Any, at: tuple[Any, Any, Any], rows: int, columns: int) -> tuple[Floats, Codes]:
     """Slopes of shape (..., rows, columns), and their status."""
     A, Omega, F_0 = at
     # compiled code asks where friction acts too
-    leaves = () if given.rubs is None else (float(given.rubs != THROUGHOUT),)
-    arrays = (*given.numbers, *leaves, F_0, Omega, A, kind)
+    ends = () if design.rubs is None else (float(design.rubs != THROUGHOUT),)
+    arrays = (*design.numbers, *ends, F_0, Omega, A, kind)
     shape = np.broadcast(*arrays).shape
     slopes, status = np.empty((*shape, rows, columns)), np.empty(shape, np.int8)
-    record = backend.record_of(given.mechanism, laws=given.rubs is not None)
-    if given.mechanism.by_parameter is None or record is None:
-        raise validate.NotAvailable((OF_FUNCTIONS if given.mechanism.told else OF_RECORD).format(given.mechanism.name))
-    forced = given.excitation == "force"
-    asked = backend.SOLVER.many_gradients if forced else backend.SOLVER.many_inertial_gradients
+    record = backend.record_of(design.mechanism, laws=design.rubs is not None)
+    if design.mechanism.by_parameter is None or record is None:
+        raise validate.NotAvailable(
+            (OF_FUNCTIONS if design.mechanism.told else OF_RECORD).format(design.mechanism.name)
+        )
+    forced = design.excitation == "force"
+    solve = backend.SOLVER.many_gradients if forced else backend.SOLVER.many_inertial_gradients
     # an array without axes would come back as a number
-    asked(record)(*arrays, out=(slopes, status))
+    solve(record)(*arrays, out=(slopes, status))
     return slopes, status
 
 
-def vanishes(value: Any, size: Any, share: float) -> Any:
-    """Whether a value has lost its sign to rounding, as far as a share of its size says."""
-    return ~(np.abs(value) > share * size)
+def vanishes(value: Any, size: Any, fraction: float) -> Any:
+    """Whether a value has lost its sign to rounding, relative to a fraction of its size."""
+    return ~(np.abs(value) > fraction * size)
 
 
 # ---- the answers
 
 
-def of_states(given: Given, Omega: Any, A: Any, F_0: Any, phi: Any, transmissibility: Any) -> Gradient:
+def of_states(design: Design, Omega: Any, A: Any, F_0: Any, phi: Any, transmissibility: Any) -> Gradient:
     """Of steady states at a forcing and a frequency."""
-    by = (*_names(given.mechanism, given.rubs is not None), "F_0", "Omega")
-    values, at = (A, phi, transmissibility), (*given.numbers, F_0, Omega)
-    slopes, status = _of_places(given, (A, Omega, F_0), len(values), len(by))
-    if (rests := np.broadcast_to(np.asarray(A) == 0, status.shape)).any():  # friction holds it there as well nearby
+    by = (*_names(design.mechanism, design.rubs is not None), "F_0", "Omega")
+    values, at = (A, phi, transmissibility), (*design.numbers, F_0, Omega)
+    slopes, status = _of_places(design, (A, Omega, F_0), len(values), len(by))
+    if (sticks := np.broadcast_to(np.asarray(A) == 0, status.shape)).any():  # friction holds it there as well nearby
         slopes, status = np.array(slopes), np.array(status)
-        slopes[rests], status[rests] = 0.0, MovesStatus.OK
+        slopes[sticks], status[sticks] = 0.0, MovesStatus.OK
     return Gradient(("A", "phi", "transmissibility"), by, slopes, status, values, at)
 
 
-def _of_places(given: Given, at: tuple[Any, Any, Any], rows: int, columns: int) -> tuple[Floats, Codes]:
-    """The first rows of what `_moves` gives of states, asked where there is one: a batch's places are mostly empty."""
+def _of_places(design: Design, at: tuple[Any, Any, Any], rows: int, columns: int) -> tuple[Floats, Codes]:
+    """The first rows of `_slopes` of states, computed where there is one: a batch's places are mostly empty."""
     there = np.isfinite(at[0])
     state = float(Pinned.STATE)
     if there.all():
-        slopes, status = _moves(given, state, at, OF_STATES, columns)
+        slopes, status = _slopes(design, state, at, OF_STATES, columns)
         return slopes[..., :rows, :], status
-    arrays = np.broadcast_arrays(there, *given.numbers, *at)
+    arrays = np.broadcast_arrays(there, *design.numbers, *at)
     there, *numbers = arrays[: len(arrays) - len(at)]
-    chosen = given._replace(numbers=tuple(number[there] for number in numbers))
+    chosen = design._replace(numbers=tuple(number[there] for number in numbers))
     A, Omega, F_0 = (one[there] for one in arrays[-len(at) :])
     slopes, status = np.full((*there.shape, rows, columns), np.nan), np.full(there.shape, MovesStatus.NOTHING, np.int8)
-    found, status[there] = _moves(chosen, state, (A, Omega, F_0), OF_STATES, columns)
+    found, status[there] = _slopes(chosen, state, (A, Omega, F_0), OF_STATES, columns)
     slopes[there] = found[..., :rows, :]
     return slopes, status
 
 
-def of_folds(given: Given, Omega: Any, A: Any, F_0: Any, corner: Any) -> Gradient:
+def of_folds(design: Design, Omega: Any, A: Any, F_0: Any, corner: Any) -> Gradient:
     """Of folds at a forcing."""
     kind = _either(corner, Pinned.CORNER_FOLD, Pinned.FOLD)
-    return gradient(given, kind, (A, Omega, F_0), {"Omega": 1, "A": 0}, ("F_0",))
+    return gradient(design, kind, (A, Omega, F_0), {"Omega": 1, "A": 0}, ("F_0",))
 
 
-def of_peak(given: Given, A: Any, Omega: Any, F_0: Any) -> Gradient:
+def of_peak(design: Design, A: Any, Omega: Any, F_0: Any) -> Gradient:
     """Of the highest peak; one at rest stays there."""
     kind = _either(Omega == 0, Pinned.STATE, Pinned.PEAK)
-    return gradient(given, kind, (A, Omega, F_0), {"A": 0, "Omega": 1}, ("F_0",))
+    return gradient(design, kind, (A, Omega, F_0), {"A": 0, "Omega": 1}, ("F_0",))
 
 
-def of_detachment(given: Given, F_cr: Any, Omega_cr: Any, u_cr: Any) -> Gradient:
+def of_detachment(design: Design, F_cr: Any, Omega_cr: Any, u_cr: Any) -> Gradient:
     """Of the lowest forcing that reaches u_cr; one at rest stays there."""
     kind = _either(Omega_cr == 0, Pinned.CORNER_REST, Pinned.CORNER_TOP)
-    return gradient(given, kind, (u_cr, Omega_cr, F_cr), {"F_cr": 2, "Omega_cr": 1, "u_cr": 0})
+    return gradient(design, kind, (u_cr, Omega_cr, F_cr), {"F_cr": 2, "Omega_cr": 1, "u_cr": 0})
 
 
-def of_isolation(given: Given, Omega: Any, A: Any, F_0: Any, at_fold: Any, ratio: Any) -> Gradient:
+def of_isolation(design: Design, Omega: Any, A: Any, F_0: Any, at_fold: Any, ratio: Any) -> Gradient:
     """Of where isolation begins: of the state that transmits that share of what drives it, or of a fold."""
-    shape = np.broadcast(*given.numbers, Omega, A, F_0).shape
+    shape = np.broadcast(*design.numbers, Omega, A, F_0).shape
     Omega, A, on_fold = (np.broadcast_to(np.asarray(one), shape) for one in (_known(Omega), _known(A), at_fold))
-    folds = of_folds(given, Omega, np.where(on_fold, A, np.nan), F_0, np.zeros(shape, bool))
+    folds = of_folds(design, Omega, np.where(on_fold, A, np.nan), F_0, np.zeros(shape, bool))
     by = (*folds.by, "Omega")
-    slopes, status = _moves(given, float(Pinned.STATE), (np.where(on_fold, np.nan, A), Omega, F_0), OF_STATES, len(by))
+    slopes, status = _slopes(
+        design, float(Pinned.STATE), (np.where(on_fold, np.nan, A), Omega, F_0), OF_STATES, len(by)
+    )
     kept, status = along_frequency(slopes[..., 0:3:2, :], status, Omega, A, ratio)
     slopes = np.where(on_fold[..., np.newaxis, np.newaxis], folds.slopes, kept)
     status = np.where(on_fold, folds.status, status).astype(np.int8)
-    return Gradient(("Omega", "A"), folds.by, slopes, status, (Omega, A), (*given.numbers, F_0))
+    return Gradient(("Omega", "A"), folds.by, slopes, status, (Omega, A), (*design.numbers, F_0))
 
 
 def _known(value: Any) -> Any:
@@ -186,16 +190,16 @@ def along_frequency(slopes: Floats, status: Any, Omega: Floats, A: Floats, ratio
         size = ratio * (1 + np.abs(Omega / A * by_Omega[..., 0])) / Omega
         meets = vanishes(by_Omega[..., -1], size, MEETING)
         Omega_p = -fixed[..., -1:, :] / by_Omega[..., -1:, np.newaxis]
-        moved = np.concatenate((Omega_p, fixed[..., :-1, :] + by_Omega[..., :-1, np.newaxis] * Omega_p), axis=-2)
+        found = np.concatenate((Omega_p, fixed[..., :-1, :] + by_Omega[..., :-1, np.newaxis] * Omega_p), axis=-2)
     status = np.where(meets & (status == MovesStatus.OK), np.int8(MovesStatus.MEETS), status)
-    moved[status != MovesStatus.OK] = np.nan
-    return moved, status
+    found[status != MovesStatus.OK] = np.nan
+    return found, status
 
 
-def of_onset(given: Given, F_SN: Any, Omega: Any, A: Any, kind: Any) -> Gradient:
+def of_onset(design: Design, F_SN: Any, Omega: Any, A: Any, kind: Any) -> Gradient:
     """Of the lowest forcing that has a fold; kind a number of `OnsetKind`."""
     pinned = _ONSETS[kind]
-    return gradient(given, pinned, (A, Omega, F_SN), {"F_SN": 2, "Omega": 1, "A": 0})
+    return gradient(design, pinned, (A, Omega, F_SN), {"F_SN": 2, "Omega": 1, "A": 0})
 
 
 #: what an onset is, by the number of its kind; of the first there is none
@@ -203,9 +207,9 @@ _PINNED = {OnsetKind.CUSP: Pinned.CUSP, OnsetKind.ISOLA: Pinned.ISOLA, OnsetKind
 _ONSETS = np.array([float(_PINNED.get(kind, Pinned.CUSP)) for kind in OnsetKind])
 
 
-def of_extrema(given: Given, kind: Pinned, F_0: Any, Omega: Any, A: Any) -> Gradient:
+def of_extrema(design: Design, kind: Pinned, F_0: Any, Omega: Any, A: Any) -> Gradient:
     """Of cusps or isola points of the fold locus."""
-    return gradient(given, float(kind), (A, Omega, F_0), {"F_0": 2, "Omega": 1, "A": 0})
+    return gradient(design, float(kind), (A, Omega, F_0), {"F_0": 2, "Omega": 1, "A": 0})
 
 
 def _either(flag: Any, one: Pinned, other: Pinned) -> Any:

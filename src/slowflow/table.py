@@ -145,7 +145,7 @@ COLUMNS: Mapping[str, Column] = MappingProxyType(
 
 
 #: what sentences tell numbers of beside columns
-TOLD = (
+QUOTED = (
     Column("mu", "dry friction", "force", "friction"),
     Column("mu_s", "static friction", "force", "static_friction"),
     Column("c_2", "quadratic damping", "quadratic damping"),
@@ -156,7 +156,7 @@ TOLD = (
     Column("held", "amplitude up to which a mass at rest is held", "amplitude"),
 )
 #: all that sentences tell numbers of, by name
-QUANTITIES: Mapping[str, Column] = MappingProxyType({**COLUMNS, **{one.name: one for one in TOLD}})
+QUANTITIES: Mapping[str, Column] = MappingProxyType({**COLUMNS, **{one.name: one for one in QUOTED}})
 
 
 class Question(NamedTuple):
@@ -166,7 +166,7 @@ class Question(NamedTuple):
     columns -- of its answer by system, each with the axis that it has behind those of the designs, "" for none
     takes   -- numbers that it takes beside the designs', which broadcast with these; may -- and those that it may
     options -- what else it takes, the same for all designs, with its default
-    along   -- the axis of a table or a record that such a number may have behind those of the designs
+    argument_axes -- the axis of a table or a record that such a number may have behind those of the designs
     kinds   -- what the numbers in `kind` stand for
     """
 
@@ -175,7 +175,7 @@ class Question(NamedTuple):
     takes: tuple[str, ...] = ()
     may: tuple[str, ...] = ()
     options: Mapping[str, Any] = MappingProxyType({})
-    along: Mapping[str, str] = MappingProxyType({})
+    argument_axes: Mapping[str, str] = MappingProxyType({})
     kinds: type[IntEnum] | None = None
 
     def blank(self, system: str, shape: tuple[int, ...], **lengths: int) -> dict[str, npt.NDArray[Any]]:
@@ -208,7 +208,10 @@ Method = TypeVar("Method", bound=Callable[..., Any])
 
 
 def asks(
-    columns: Mapping[str, str], *, along: Mapping[str, str] = MappingProxyType({}), kinds: type[IntEnum] | None = None
+    columns: Mapping[str, str],
+    *,
+    argument_axes: Mapping[str, str] = MappingProxyType({}),
+    kinds: type[IntEnum] | None = None,
 ) -> Callable[[Method], Method]:
     """Make a question's row of columns by system and of the method below, which has its name, arguments and text.
 
@@ -216,17 +219,17 @@ def asks(
     """
 
     def declared(method: Method) -> Method:
-        name, (_, *given) = method.__name__, inspect.signature(method).parameters.values()
-        positional = [one.name for one in given if one.kind is one.POSITIONAL_OR_KEYWORD]
-        defaults = {one.name: one.default for one in given if one.default is not one.empty}
-        takes = tuple(one.name for one in given if one.name not in defaults)
-        may = tuple(one.name for one in given if one.default is None and one.annotation == "Any")
+        name, (_, *parameters) = method.__name__, inspect.signature(method).parameters.values()
+        positional = [one.name for one in parameters if one.kind is one.POSITIONAL_OR_KEYWORD]
+        defaults = {one.name: one.default for one in parameters if one.default is not one.empty}
+        takes = tuple(one.name for one in parameters if one.name not in defaults)
+        may = tuple(one.name for one in parameters if one.default is None and one.annotation == "Any")
         options = {one: value for one, value in defaults.items() if one not in (*may, "workers")}
         axes = {
             system: {one: axis for one, _, axis in (column.partition(":") for column in text.split())}
             for system, text in columns.items()
         }
-        _ROWS[name] = Question(name, axes, takes, may, options, along, kinds)
+        _ROWS[name] = Question(name, axes, takes, may, options, argument_axes, kinds)
 
         @functools.wraps(method)
         def ask(self: Any, /, *arguments: Any, **named: Any) -> Any:
@@ -262,7 +265,7 @@ class ManyQuestions(Generic[Found]):
     and for what is the same for all designs and not allowed.
     """
 
-    def _ask(self, question: str, /, *, workers: int = 1, **given: Any) -> Found:
+    def _ask(self, question: str, /, *, workers: int = 1, **arguments: Any) -> Found:
         """The answer to a question by its name, from what its method takes."""
         raise NotImplementedError
 
@@ -421,7 +424,7 @@ class ManyQuestions(Generic[Found]):
             AVERAGING,
             OFFSET,
         ),
-        along={"Omega": "row", "F_0": "row"},
+        argument_axes={"Omega": "row", "F_0": "row"},
     )
     def spectrum(self, *, Omega: Any, F_0: Any, workers: int = 1) -> Found:
         """A load spectrum, one tone at a time: .A .transmissibility_dB .motions .crosses .detaches .sticks.
@@ -431,7 +434,10 @@ class ManyQuestions(Generic[Found]):
         stable, and of what fails that of the states, or of the folds on the way.
         """
 
-    @asks({AVERAGING: _TRANSIENT, OFFSET: f"{_TRANSIENT} stands"}, along={"tau": "instant", "acceleration": "instant"})
+    @asks(
+        {AVERAGING: _TRANSIENT, OFFSET: f"{_TRANSIENT} stands"},
+        argument_axes={"tau": "instant", "acceleration": "instant"},
+    )
     def transient(
         self, *, acceleration: Any, duration: Any = None, tau: Any = None, after: float | None = None, workers: int = 1
     ) -> Found:

@@ -44,7 +44,7 @@ class _Place(NamedTuple):
     which: int | None
 
 
-def _places(pattern: str) -> Iterator[_Place]:
+def _slots(pattern: str) -> Iterator[_Place]:
     for literal, field, spec, _ in Formatter().parse(pattern):
         if field is None:
             yield _Place(literal, "", "", "", None)
@@ -61,21 +61,21 @@ class Sentence:
 
     def __init__(self, pattern: str) -> None:
         self.pattern = pattern
-        self.places = tuple(_places(pattern))
+        self.slots = tuple(_slots(pattern))
         #: names of the values, in the order in which `format` takes them
-        self.names = tuple(dict.fromkeys(one.name for one in self.places if one.spec or one.joint))
+        self.names = tuple(dict.fromkeys(one.name for one in self.slots if one.spec or one.joint))
 
     def format(self, *values: Any, **named: Any) -> Text:
         """The sentence with values in the order of its places, or by name."""
         if named:
             values += tuple(named[name] for name in self.names[len(values) :])
-        return _made(self.told(values, None), self, values)
+        return _made(self.render(values, None), self, values)
 
-    def told(self, values: tuple[Any, ...], units: Units | None) -> str:
+    def render(self, values: tuple[Any, ...], units: Units | None) -> str:
         """The sentence with these values in these units, or dimensionless."""
-        return "".join(self._told(place, values, units) for place in self.places)
+        return "".join(self._render(place, values, units) for place in self.slots)
 
-    def _told(self, place: _Place, values: tuple[Any, ...], units: Units | None) -> str:
+    def _render(self, place: _Place, values: tuple[Any, ...], units: Units | None) -> str:
         literal, name, joint, spec, which = place
         if not name:
             return literal
@@ -87,13 +87,13 @@ class Sentence:
             value = value[which]
         if spec == "s":
             return literal + in_units(value, units)
-        told = "" if not joint else (name if units is None else units.symbol(name)) + joint
+        head = "" if not joint else (name if units is None else units.symbol(name)) + joint
         several = isinstance(value, (list, tuple)) or (bool(getattr(value, "ndim", 0)) and spec != "r")
         numbers = [self._number(place, one, units) for one in (value if several else (value,))]
         begin, end = BRACKETS.get(type(value), ("", "")) if spec in ("", "r") else ("", "")
         known = units is not None and joint != "=" and (several or _is_number(value))
         unit = units.unit(name) if units is not None and known else ""
-        return f"{literal}{told}{begin}{', '.join(numbers)}{end}{unit and ' ' + unit}"
+        return f"{literal}{head}{begin}{', '.join(numbers)}{end}{unit and ' ' + unit}"
 
     def _number(self, place: _Place, value: Any, units: Units | None) -> str:
         """A number, in units with as many digits as it is written with without."""
@@ -131,10 +131,10 @@ class Text(str):
 
     def in_units(self, units: Units) -> str:
         """The same sentence with the symbols and numbers of a mount."""
-        return self.sentence.told(self.values, units)
+        return self.sentence.render(self.values, units)
 
 
-def told(numbers: Mapping[str, Any]) -> str:
+def listed(numbers: Mapping[str, Any]) -> str:
     """Numbers as they are given, by name."""
     return together(", ", tuple(text(f"{{{name} = :r}}", value) for name, value in numbers.items()))
 
@@ -163,9 +163,9 @@ def text(pattern: str, *values: Any, **named: Any) -> Text:
     return _sentence(pattern).format(*values, **named)
 
 
-def in_units(said: str, units: Units | None) -> str:
+def in_units(message: str, units: Units | None) -> str:
     """Words in these units, or dimensionless; as they are where they know no numbers."""
-    return said.in_units(units) if units is not None and isinstance(said, Text) else said
+    return message.in_units(units) if units is not None and isinstance(message, Text) else message
 
 
 @functools.cache
@@ -173,9 +173,11 @@ def _row(between: str, size: int) -> Sentence:
     return Sentence(between.join(f"{{_{k}:s}}" for k in range(size)))
 
 
-def together(between: str, said: Sequence[str]) -> str:
+def together(between: str, texts: Sequence[str]) -> str:
     """Words one after the other, which know the numbers of each."""
-    if len(said) == 1:
-        return said[0]
-    plain = between.join(said)
-    return _made(plain, _row(between, len(said)), tuple(said)) if any(isinstance(one, Text) for one in said) else plain
+    if len(texts) == 1:
+        return texts[0]
+    plain = between.join(texts)
+    return (
+        _made(plain, _row(between, len(texts)), tuple(texts)) if any(isinstance(one, Text) for one in texts) else plain
+    )

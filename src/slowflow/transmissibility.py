@@ -16,7 +16,9 @@ from slowflow.support.errors import Refused
 #: what may be asked for: the force that is passed on; the displacement, from the base and in space
 OF = ("force", "relative", "absolute")
 
-STANDS = "of = 'absolute' is not allowed with excitation = 'force': the base stands still, and 'relative' is absolute"
+FIXED_BASE = (
+    "of = 'absolute' is not allowed with excitation = 'force': the base stands still, and 'relative' is absolute"
+)
 
 
 class Transmitted(NamedTuple):
@@ -44,9 +46,9 @@ def in_motion(A: Any, ratio: Any) -> Any:
     return np.where(np.asarray(A) == 0, 1.0, ratio)
 
 
-def asked(of: str, *, inertial: bool) -> str:
+def validated(of: str, *, inertial: bool) -> str:
     """`of`, one of `OF`. Raises ValueError for another one, and where the base stands still for "absolute"."""
     validate.choice("of", of, OF)
     if of == "absolute" and not inertial:
-        raise Refused(STANDS)
+        raise Refused(FIXED_BASE)
     return of

@@ -32,7 +32,7 @@ MOST_SAMPLES = 10**6
 
 
 class NotAvailable(Refused):
-    """A question that an oscillator has no answer to yet, though another might: said in words."""
+    """A question that an oscillator has no answer to yet, though another might: with a message."""
 
 
 class NoAttribute(NotAvailable, AttributeError):
@@ -141,7 +141,7 @@ def is_force(question: str, excitation: str) -> None:
 
 
 def is_plain(question: str, laws: str) -> None:
-    """NotAvailable where a question is asked of an oscillator with other laws of damping, told in words."""
+    """NotAvailable where a question is asked of an oscillator with other laws of damping, which are named."""
     if laws:
         raise NotAvailable(text("{question:s} is not available with {laws:s}, only with {mu} and zeta", question, laws))
 
@@ -154,11 +154,11 @@ def choice(name: str, value: Any, allowed: tuple[str, ...]) -> str:
 
 
 def excitation(value: Any, allowed: tuple[str, ...]) -> str:
-    """What F_0 is the amplitude of, one of the words allowed; of an acceleration it is said what stands for it."""
+    """What F_0 is the amplitude of, one of the words allowed; for an acceleration the message names what to use."""
     if isinstance(value, str) and value not in allowed:  # no nearest word: "floor" is not "force"
         meaning = "'base' is a floor or support that moves, 'unbalance' a rotating mass"
-        said = text(OF_CONSTANT) if "acceleration" in value.lower() else meaning
-        raise _refuse("excitation", value, " or ".join(map(repr, allowed)) + "; " + said)
+        advice = text(OF_CONSTANT) if "acceleration" in value.lower() else meaning
+        raise _refuse("excitation", value, " or ".join(map(repr, allowed)) + "; " + advice)
     return choice("excitation", value, allowed)
 
 
@@ -183,16 +183,16 @@ def asked_by_name(function: Callable[P, R]) -> Callable[P, R]:
     known = [name for name in inspect.signature(function).parameters if name not in ("self", "cls")]
 
     @functools.wraps(function)
-    def told(*given: P.args, **named: P.kwargs) -> R:
+    def wrapper(*args: P.args, **named: P.kwargs) -> R:
         for name in named:
             if name not in known:
                 allowed, called = f"{', '.join(known)}{meant(name, known)}", function.__qualname__
                 raise WrongType(
                     f"{called.removesuffix('.__init__')} has no argument {name!r}: it must be one of {allowed}"
                 )
-        return function(*given, **named)
+        return function(*args, **named)
 
-    return told
+    return wrapper
 
 
 def _array(name: str, value: Any, allowed: str) -> npt.NDArray[Any]:

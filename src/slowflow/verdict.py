@@ -40,7 +40,7 @@ class Requirement(NamedTuple):
 
     name: str
     below: float = math.nan
-    given: Mapping[str, Any] = {}
+    options: Mapping[str, Any] = {}
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,7 +92,7 @@ def limit_of(name: str, value: Any, kind: str, *, mount: bool) -> float:
 
 def verdict(scene: Any) -> Verdict:
     """Of a scene, by the answers to its questions and others."""
-    rows, said = [], []
+    rows, texts = [], []
     for one in scene.requirements:
         for case, ask in _cases(scene, one):
             try:
@@ -100,9 +100,9 @@ def verdict(scene: Any) -> Verdict:
             except SlowflowError as error:
                 row, message = [math.nan, math.nan, "", math.nan, False], f"{one.name}, {case}: {error}"
             rows.append((one.name, case, *row))
-            said.append(message)
+            texts.append(message)
     columns = dict(zip(Required._fields, map(np.array, zip(*rows, strict=True)), strict=True))
-    return Verdict(**columns, message=joined(*dict.fromkeys(said)))
+    return Verdict(**columns, message=joined(*dict.fromkeys(texts)))
 
 
 def _cases(scene: Any, one: Requirement) -> Iterator[tuple[str, Any]]:
@@ -110,14 +110,14 @@ def _cases(scene: Any, one: Requirement) -> Iterator[tuple[str, Any]]:
     mount = isinstance(scene.oscillator, Physical)
     name, forcing = ("F", scene.oscillator.scales.amplitude) if mount else ("F_0", "")
     letter = scene.oscillator.scales.symbol("F_0") if mount else name
-    for F in scene.given_forcings if one.name not in AMOUNTS or "peak" in one.given["under"] else ():
+    for F in scene.given_forcings if one.name not in AMOUNTS or "peak" in one.options["under"] else ():
         unit, size = in_shown(SI.get(forcing, ""))
         case = f"{letter} = {F / size:.4g} {unit}".rstrip()
         yield case, lambda F=F: _at_forcing(scene, one, {name: F}, forcing, mount)
-    for asked in scene.cases if one.name in AMOUNTS else ():
-        under = "random" if asked.question == "random" else "shock"
-        if under in one.given["under"]:
-            yield str(asked), lambda asked=asked, under=under: _under(scene, one, asked, under, mount)
+    for query in scene.cases if one.name in AMOUNTS else ():
+        under = "random" if query.question == "random" else "shock"
+        if under in one.options["under"]:
+            yield str(query), lambda query=query, under=under: _under(scene, one, query, under, mount)
 
 
 def _column(found: Any, name: str, mount: bool) -> Any:
@@ -134,18 +134,18 @@ def _at_forcing(scene: Any, one: Requirement, at: dict[str, float], forcing: str
         return ratio * F / size, F / size, unit, ratio, bool(met), str(found.message)
     if one.name == TRANSMISSIBILITY:
         found = scene.ask("isolation", **at, level_dB=one.below)
-        begins, limit = _column(found, "Omega", mount), one.given["from"]
+        begins, limit = _column(found, "Omega", mount), one.options["from"]
         value = math.inf if begins is None else begins
         return limit, value, "Hz" if mount else "", _over(limit, value), value <= limit, str(found.message)
     found = scene.ask("peak", **at)
     return _amount(one, math.inf if found.A is None else found.A, mount, str(found.message))
 
 
-def _under(scene: Any, one: Requirement, asked: Any, under: str, mount: bool) -> tuple[Any, ...]:
+def _under(scene: Any, one: Requirement, query: Any, under: str, mount: bool) -> tuple[Any, ...]:
     """In a shock, or under a spectral density: the largest of its stationary motions, in the mean or within a time."""
-    found = scene.ask(asked.question, **scene.arguments(asked))
-    if under == "random" and not one.given["rms"]:
-        values = found.largest(one.given["duration"])
+    found = scene.ask(query.question, **scene.arguments(query))
+    if under == "random" and not one.options["rms"]:
+        values = found.largest(one.options["duration"])
     else:
         values = _column(found, AMOUNTS[one.name][under], mount)
     return _amount(one, float(np.max(values)), mount, str(found.message))

@@ -71,7 +71,7 @@ def forcings(one):
     """Below and above what holds a mass at rest; of inertia a weak and a strong one."""
     if one.model.inertial:
         return 0.01, 0.08
-    return one.model.m + 0.6 * (one.model.held - one.model.m), 1.5 * one.model.held
+    return one.model.m + 0.6 * (one.model.break_loose - one.model.m), 1.5 * one.model.break_loose
 
 
 @pytest.mark.slow
@@ -165,7 +165,7 @@ def test_a_force_that_falls_at_a_breakpoint_does_not_harden():
 @pytest.mark.slow
 def test_inertia_at_low_frequencies_leaves_the_mass_at_rest(springs):
     one = springs["cubic"](c=0.03, k=1.2, **LAWS["base"])
-    begin = math.sqrt(one.model.held / 0.08)
+    begin = math.sqrt(one.model.break_loose / 0.08)
     found = one.amplitudes(Omega=[0.5 * begin, 1.5], F_0=0.08)
     assert f"a mass at rest stays there up to Omega = {begin:g}" in found.message
     assert found.A[found.Omega == 0.5 * begin].tolist() == [0.0] and found.A[found.Omega == 1.5].all()

@@ -21,7 +21,7 @@ from slowflow.gradient import NO_GRADIENT, Gradient
 from slowflow.mechanism import Flags
 from slowflow.model import THROUGHOUT, Floats, SlowFlow
 from slowflow.results import NOT_AVERAGED, Remark
-from slowflow.sensitivities import Given, of_detachment, of_folds, of_isolation, of_onset, of_peak, of_states
+from slowflow.sensitivities import Design, of_detachment, of_folds, of_isolation, of_onset, of_peak, of_states
 from slowflow.support.errors import Refused
 from slowflow.table import AVERAGING, QUESTIONS, Question
 from slowflow.transmissibility import in_motion
@@ -311,13 +311,13 @@ class Batch(Answer):
             raise Refused(NOT_AVERAGED)
         return of(self, self._whose())
 
-    def _whose(self) -> Given:
+    def _whose(self) -> Design:
         """Whose answers these are."""
         designs = self._designs
         names = [one.name for one in (*DAMPING, *(DISSIPATION if designs.laws else ()))]
         damping = (np.asarray(designs.values.get(name, 0.0), dtype=float) for name in names)
         rubs = designs.rubs if designs.laws else None
-        return Given(designs.mechanism, (*designs.design, *damping), designs.excitation, rubs)
+        return Design(designs.mechanism, (*designs.design, *damping), designs.excitation, rubs)
 
     def _has(self, name: str, *questions: str) -> None:
         """Raises NoAttribute where the answer has nothing of this name."""
@@ -408,7 +408,7 @@ def _corner(folds: Batch) -> Any:
 
 
 #: of averaged answers, by question
-GRADIENTS: Mapping[str, Callable[[Batch, Given], Gradient]] = MappingProxyType(
+GRADIENTS: Mapping[str, Callable[[Batch, Design], Gradient]] = MappingProxyType(
     {
         "detachment": lambda one, of: of_detachment(of, one.F_cr, one.Omega_cr, one.u_cr),
         "saddle_node_onset": lambda one, of: of_onset(of, one.F_SN, one.Omega, one.A, one.kind),

@@ -17,7 +17,7 @@ from slowflow.intervals import Elementary, Interval
 from slowflow.mechanism import Flags, Mechanism
 from slowflow.model import Floats, Model
 from slowflow.support.errors import Refused
-from slowflow.text import Sentence, told
+from slowflow.text import Sentence, listed
 
 INFINITE = Sentence(
     "{numbers:s}: not allowed for {name:s}, whose force is infinite or no number at |{u}| = {u:.6g}, within its reach "
@@ -54,7 +54,7 @@ def check_defined(model: Model) -> None:
         with np.errstate(all="ignore"):
             place = _infinite_at(are_known, at, begin, end, reach)
         if place is not None:
-            raise Refused(INFINITE.format(told(model.numbers) or "reach", model.mechanism.name, place, reach))
+            raise Refused(INFINITE.format(listed(model.numbers) or "reach", model.mechanism.name, place, reach))
 
 
 def may_be_undefined(mechanism: Mechanism, parameters: tuple[Any, ...]) -> Flags:

@@ -127,7 +127,7 @@ def of_designs(flow: SlowFlow, force: Any, Omega: Any, A: Any, corner: Any) -> C
     pull, at_rest = (np.asarray(value) for value in mechanism.at_rest(*parameters)[:2])
     # what is excited by inertia nothing holds at every frequency, see `Model.holds`
     may_hold = ((pull < 0) | (flow.laws.rubs != THROUGHOUT)) & (not flow.inertial)
-    break_loose = np.where(may_hold, flow.held, -np.inf)
+    break_loose = np.where(may_hold, flow.break_loose, -np.inf)
     on_jump = np.zeros(A.shape[:-1], dtype=bool)
     if mechanism.truncated and corner is not None:
         jumps = zip(per_state.breakpoints, mechanism.jumps(*per_state.parameters), strict=True)
@@ -250,7 +250,7 @@ def messages(remarks: Remark, model: Model, F_0: float) -> list[str]:
     near: list[str] = []
     if Remark.NEAR_STICKING in remarks:
         near = [NEAR_STICKING_BELOW] if model.inertial else [validity.near_sticking(model, F_0)]
-    known = {"reach": model.reach, "reason": model.mechanism.reach_reason, "held": model.held}
+    known = {"reach": model.reach, "reason": model.mechanism.reach_reason, "held": model.break_loose}
     known["mirrored"] = model.mechanism.mirrored
     known["holds"] = "preload and friction hold" if model.preload > 0 else "friction holds"
     texts = (message for remark, message in MESSAGES.items() if remark in remarks)

@@ -168,7 +168,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         columns -- what states have, with one more axis of places, and what one at rest has: a number, or one a design
         """
         with np.errstate(all="ignore"):  # a number outside its domain has a status
-            sticks = self._flow.rests(np.asarray(F_0), np.asarray(Omega))
+            sticks = self._flow.sticks_at(np.asarray(F_0), np.asarray(Omega))
         sticks = sticks & np.isin(status, (Status.OK, Status.STICKS, Status.NONE, Status.TOO_MANY))
         empty, full = sticks & (count == 0), sticks & (count >= columns[0][0].shape[-1])
         for column, value in columns:

@@ -121,7 +121,7 @@ def of_states(model: Model, F_0: float, cut: str, Omega: Floats, found: Floats, 
     """
     if model.sticks(F_0):
         return sticks(model, F_0)
-    missing = np.setdiff1d(np.setdiff1d(Omega[~model.rests(F_0, Omega)], undecided), found)
+    missing = np.setdiff1d(np.setdiff1d(Omega[~model.sticks_at(F_0, Omega)], undecided), found)
     none = NO_STATE.format(missing) if missing.size else ""
     more = ", ..." * (undecided.size > MOST_NAMED)
     at = UNDECIDED_AT.format(undecided[:MOST_NAMED], more) if undecided.size else ""
@@ -291,18 +291,18 @@ EMPTY_WINDOW = Sentence("no steady state for {Omega} in [{Omega:g}]")
 
 def sticks_below(model: Model, F_0: float, Omega: Floats) -> str:
     """That the force of an excitation by inertia does not move the mass at the lower ones of the frequencies."""
-    if not model.inertial or not np.any(model.rests(F_0, Omega)):
+    if not model.inertial or not np.any(model.sticks_at(F_0, Omega)):
         return ""
     with np.errstate(over="ignore"):  # beyond any double it is at all
-        begin = inertia.moves_from(F_0, model.held)
+        begin = inertia.moves_from(F_0, model.break_loose)
     if model.preload > 0:
-        return STAYS_BELOW.format(begin, model.held)
+        return STAYS_BELOW.format(begin, model.break_loose)
     return STICKS_BELOW.format(begin, model.m)
 
 
 def moves_exactly(model: Model, force: Floats) -> str:
     """That by the equation of motion a mass that averaging has at rest under forces of these amplitudes moves."""
-    if model.preload > 0 or not np.any((force > model.mu) & (force <= model.held)):
+    if model.preload > 0 or not np.any((force > model.mu) & (force <= model.break_loose)):
         return ""
     return MOVES_EXACTLY.format(model.mu)
 
@@ -325,6 +325,6 @@ def empty_window(model: Model, F_0: float, window: tuple[float, float], cut: str
     """That a curve has no point in the window, as where friction holds the mass throughout."""
     if model.sticks(F_0):
         return sticks(model, F_0)
-    if model.inertial and model.rests(F_0, window[1]):
+    if model.inertial and model.sticks_at(F_0, window[1]):
         return joined(cut, sticks_below(model, F_0, np.array(window[1])))
     return joined(cut, EMPTY_WINDOW.format(window))

@@ -237,7 +237,7 @@ def plan(question: str, F_0: float | None, whole: Model, onset: SaddleNodeOnset 
     elif not proofs.is_plain(whole):
         kept = (step for step in steps if step.name != "number")
         steps = tuple(replace(step, why=step.why.removesuffix(IN_BALLS)) for step in kept)
-    equation = QUARTIC.format(whole.laws.told()) if whole.laws.any else whole.flow.SCENE
+    equation = QUARTIC.format(whole.laws.description()) if whole.laws.any else whole.flow.SCENE
     return Plan(question, F_0, whole, (_force(question, F_0, whole), Step("slow flow", True, equation), *steps))
 
 

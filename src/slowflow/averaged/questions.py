@@ -79,7 +79,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         on the mass may also move then, and answers say so; with rubs="attached", beyond u_cr, from less on.
         0 for an excitation by inertia: however small, it moves the mass from Omega = sqrt(4 mu/(pi F_0)) on.
         """
-        return 0.0 if self.model.inertial else self.model.held
+        return 0.0 if self.model.inertial else self.model.break_loose
 
     @property
     def breakpoints(self) -> tuple[float, ...]:
@@ -109,10 +109,10 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
 
     def _with_rests(self, found: SteadyStates, Omega: Any) -> SteadyStates:
         """The states with those at which friction holds the mass."""
-        if found.F_0 > self.model.held and not self.model.inertial:
+        if found.F_0 > self.model.break_loose and not self.model.inertial:
             return found
         at = validate.frequencies("Omega", Omega).ravel()
-        sticks = self.model.rests(found.F_0, at)
+        sticks = self.model.sticks_at(found.F_0, at)
         if not sticks.any():
             return found
         columns = {"Omega": (found.Omega, at[sticks]), "A": (found.A, 0.0), "stable": (found.stable, True)}
@@ -138,7 +138,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
     def _check_proof(self) -> None:
         """Raises ValueError where no proof of the averaged equations is derived."""
         validate.is_force("certify", self.model.excitation)
-        validate.is_plain("certify", self.model.laws.told())
+        validate.is_plain("certify", self.model.laws.description())
 
     def _saddle_nodes(self, F_0: float) -> SaddleNodes:
         return self._remarked(self.folds(F_0), F_0)
@@ -266,7 +266,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         Raises ValueError for rubs="attached": beyond u_cr friction's share falls, and I = F_0 has no closed form.
         """
         if self.model.laws.rubs != THROUGHOUT:
-            validate.is_plain("limit_envelope", self.model.laws.told())
+            validate.is_plain("limit_envelope", self.model.laws.description())
         Omega, F_0 = validate.positive_array("Omega", Omega), validate.positive_array("F_0", F_0)
         shape = validate.common_shape({"Omega": Omega, "F_0": F_0})
         force = self.model.force(F_0, Omega)
@@ -285,7 +285,9 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         Raises OverflowError where doubles do not hold what it is made of.
         """
         Omega, A = validate.positive_array("Omega", Omega), validate.positive_array("A", A)
-        damping = self.model.flow.equivalent_damping(Omega, A, *self.model.alike(Omega, A)) + 0 * (Omega + A)
+        damping = self.model.flow.equivalent_damping(Omega, A, *self.model.equivalent_damping(Omega, A)) + 0 * (
+            Omega + A
+        )
         return _in_range("the equivalent damping", damping)
 
     @np.errstate(all="ignore")
@@ -334,7 +336,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         if question == "certify":
             self._check_proof()
         if question == "limit_envelope" and self.model.laws.rubs != THROUGHOUT:
-            validate.is_plain(question, self.model.laws.told())
+            validate.is_plain(question, self.model.laws.description())
         return plan.plan(question, plan.forcing(question, F_0), self.model, self.__dict__.get("_onset"))
 
     def onset(self, allowance: proofs.Allowance | None = None) -> SaddleNodeOnset:

@@ -46,7 +46,7 @@ def check(status: int, model: Model, F_0: float | None = None) -> None:
             raise NotSettled(messages.EVERYWHERE.format(float(dissipation.full_by_inertia(F_0, model.d))))
         # where there is a bound, up to it squares leave the range of doubles
         if model.laws.any and F_0 is not None and backend.SOLVER.amplitude_bound(model.native, F_0)[1] < math.inf:
-            laws = " with " + model.laws.told()
+            laws = " with " + model.laws.description()
             raise OutOfRange(messages.SQUARES.format(F_0, laws))
         raise OutOfRange(messages.unbounded(model, F_0))
     if status in (Status.TOO_MANY, Status.UNRESOLVED):

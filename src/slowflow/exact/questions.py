@@ -354,6 +354,6 @@ def _guesses(averaged: Averaged, Omega: float, F_0: float, A: float) -> list[tup
     amplitudes = np.concatenate((folds.A[near], [A]))
     frequencies = np.concatenate((folds.Omega[near], [Omega]))
     h = model.averaged(amplitudes)[0]
-    phases = model.flow.phase(frequencies, amplitudes, *model.alike(frequencies, amplitudes), h)
+    phases = model.flow.phase(frequencies, amplitudes, *model.equivalent_damping(frequencies, amplitudes), h)
     known = sorted(zip(states.A, states.phi, strict=True), key=lambda state: abs(state[0] - A))
     return [(float(a), float(phi)) for a, phi in (*known[:1], *zip(amplitudes, phases, strict=True))]

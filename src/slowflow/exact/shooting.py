@@ -22,7 +22,7 @@ from slowflow.exact.work import limited
 from slowflow.mechanism import EquationOfMotion, Floats
 from slowflow.support.errors import NotSettled, Refused
 from slowflow.text import Sentence
-from slowflow.transmissibility import Transmitted, asked
+from slowflow.transmissibility import Transmitted, validated
 
 MOST_TURNS = 3000  # of the forcing, before time stepping gives up
 DIVERGENCE_TURNS = 30  # over which motions that begin next to each other are compared
@@ -194,7 +194,7 @@ class SteadyState(Answer):
 
         Raises ValueError for another `of`, and for "absolute" where the base stands still.
         """
-        asked(of, inertial=self.cycle.system.inertial)
+        validated(of, inertial=self.cycle.system.inertial)
         whole = self.cycle.half_turns * math.pi
         square, first, peak = 0.0, 0j, 0.0
         for phase, at, weights in self._on_nodes():

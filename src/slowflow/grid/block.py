@@ -73,7 +73,7 @@ class Ask:
         given, asked = dict(zip(self.names, values, strict=True)), self.asked
         beside = {name: given.pop(name) for name in (*asked.takes, *asked.may) if name in given}
         for name in beside:  # a table has a row at least
-            if asked.along.get(name) == "row" and name not in self.tables:
+            if asked.argument_axes.get(name) == "row" and name not in self.tables:
                 beside[name] = np.asarray(beside[name])[..., np.newaxis]
         given_too = {**dict.fromkeys(asked.may), **beside, **dict(self.options)}
         answer = self._designs(given)._ask(self.question, **given_too, workers=self.workers)

@@ -182,7 +182,7 @@ class Grid(Unchanging, ManyQuestions[Any]):
             workers,
             made_by(self.mechanism),
         )
-        axes = {dim for name, value in values.items() for dim in value.dims if dim != asked.along.get(name)}
+        axes = {dim for name, value in values.items() for dim in value.dims if dim != asked.argument_axes.get(name)}
         taken = {*INNER, "done", *found.columns()} & {*axes, *values}
         if taken:
             raise Refused(
@@ -217,7 +217,7 @@ class Grid(Unchanging, ManyQuestions[Any]):
 
     def _with(self, asked: Question, given: Mapping[str, Any]) -> tuple[dict[str, Any], tuple[str, ...]]:
         """All numbers of a question, and the names of those that are tables or records."""
-        along = {name: axis for name, axis in asked.along.items() if axis == "row" or "tau" in given}
+        along = {name: axis for name, axis in asked.argument_axes.items() if axis == "row" or "tau" in given}
         plain = {name: value for name, value in given.items() if name not in along}
         values = labelled({**self._given, **plain}) if plain else dict(self.values)
         for name, axis in along.items():

@@ -91,7 +91,7 @@ class Validity(Answer):
 def of_states(model: Model, Omega: Floats, A: Floats, *, corner: bool = False) -> Validity:
     """The validity of averaged steady states of that model; `corner` tells that a fold on a breakpoint is there."""
     h = model.averaged(A)[0]
-    F_0 = model.flow.level(Omega, A, *model.alike(Omega, A), h)
+    F_0 = model.flow.level(Omega, A, *model.equivalent_damping(Omega, A), h)
     with np.errstate(divide="ignore", invalid="ignore"):  # at Omega = 0
         ratio, rest = model.mu / F_0, np.where(model.mu > 0, motion.stopping(Omega, A, model.mu), 0.0)
     if not _is_measured(model) or model.inertial:

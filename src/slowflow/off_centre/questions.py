@@ -155,7 +155,7 @@ class OffCentre(Unchanging, ComposedQuestions):
 
     def _made(self, kind: Callable[..., _Answered], *columns: Any, **extra: Any) -> _Answered:
         """An answer with the load, that knows whom it was asked of, and how its numbers move."""
-        extra |= {"load": self.load, "_model": self._model, "_moves": answers.gradient}
+        extra |= {"load": self.load, "_model": self._model, "_gradient_of": answers.gradient}
         return kind(*columns, **extra, _equation=self._equation)
 
     @property
@@ -472,7 +472,7 @@ class OffCentre(Unchanging, ComposedQuestions):
     def _isolation_at(
         self, level: isolating.Level, Omega: float | None, A: float | None, B: float | None, *others: Any
     ) -> checks.Isolation:
-        extra: dict[str, Any] = {"B": B, "load": self.load, "_model": self._model, "_moves": answers.gradient}
+        extra: dict[str, Any] = {"B": B, "load": self.load, "_model": self._model, "_gradient_of": answers.gradient}
         return checks.Isolation(Omega, A, *others, level_dB=level.dB, **extra)
 
     def _begins(self, F_0: float, low: float, high: float, level: isolating.Level) -> checks.Isolation:
@@ -496,7 +496,7 @@ class OffCentre(Unchanging, ComposedQuestions):
 
         at_points = curve.Omega, curve.A, curve.mean
         found = isolating.begins(curve, at_points, curve.transmissibility >= level.ratio, passes)
-        return isolating.told(partial(self._isolation_at, level), curve, level, *found)
+        return isolating.begins_of(partial(self._isolation_at, level), curve, level, *found)
 
     def A_max(self, F_0: float) -> float:
         """Up to which amplitude folds at F_0 are looked for: 2^8 times what the problem is as large as.
@@ -585,7 +585,7 @@ class OffCentre(Unchanging, ComposedQuestions):
             raise Refused(UNDAMPED.format(question))
         if self._complete.has_centre and not self._flow.plain and not self._keeps_centre:
             extra = [f"excitation = {self._model.excitation!r}"] * self._model.inertial
-            causes = together(", ", (*extra, *([self._model.laws.told()] if self._model.laws.any else [])))
+            causes = together(", ", (*extra, *([self._model.laws.description()] if self._model.laws.any else [])))
             raise validate.NotAvailable(BY_ITSELF.format(question, causes))
 
 

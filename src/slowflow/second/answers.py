@@ -12,7 +12,7 @@ from slowflow.answer import Drawn, Table, entry, frozen
 from slowflow.mechanism import Flags, Ints
 from slowflow.model import Floats, Model
 from slowflow.results import DRAWN, InDecibels
-from slowflow.transmissibility import Transmitted, asked, in_motion
+from slowflow.transmissibility import Transmitted, in_motion, validated
 from slowflow_kernels import motion
 
 SecondState = entry(
@@ -88,7 +88,7 @@ class SecondStates(InDecibels, SecondTable):
         """
         from slowflow.second.wave import Waves
 
-        asked(of, inertial=self._model.inertial)
+        validated(of, inertial=self._model.inertial)
         F_0 = np.broadcast_to(np.asarray(self.F_0, dtype=float), self.Omega.shape)
         return Waves(self._model, self.Omega, self.A, self.phi, F_0).transmitted(of)
 

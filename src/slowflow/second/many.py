@@ -26,8 +26,7 @@ from slowflow.averaged.questions import Averaged
 from slowflow.mechanism import Floats
 from slowflow.second.questions import SecondApproximation
 from slowflow.table import MORE_POINTS, QUESTIONS, SECOND, ManyQuestions, Unanswered
-from slowflow.transmissibility import Transmitted, in_motion
-from slowflow.transmissibility import asked as asked_of
+from slowflow.transmissibility import Transmitted, in_motion, validated
 from slowflow_kernels import motion
 from slowflow_kernels.conventions import Status
 
@@ -60,7 +59,7 @@ class SecondBatch(Batch):
 
         self._has("transmitted", *OF_STATES)
         designs, Omega = self._designs, np.broadcast_to(self._frequency, self.A.shape)
-        asked_of(of, inertial=designs.excitation != "force")
+        validated(of, inertial=designs.excitation != "force")
         columns = Transmitted(*(np.full(self.A.shape, np.nan) for _ in Transmitted._fields))
         here = ~np.isnan(self.A)
         for at, numbers, (F_0,) in designs._each(here.any(axis=-1), self._F_0):

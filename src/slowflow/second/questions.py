@@ -185,7 +185,7 @@ class SecondApproximation(Questions[SecondStates, SecondResponse, SecondFolds]):
         rest = averaged.A == 0
         at_rest = (averaged.Omega[rest], 0.0, 0.0, averaged.phi[rest], True)
         pairs = zip(("Omega", "A", "A_1", "phi", "stable"), zip(moving, at_rest, strict=True), strict=True)
-        columns = with_rests(wanted, model.rests(first.F_0, wanted), moving[0], dict(pairs))
+        columns = with_rests(wanted, model.sticks_at(first.F_0, wanted), moving[0], dict(pairs))
         return columns, joined(message, messages.moves_exactly(model, model.force(first.F_0, wanted)))
 
     def _saddle_nodes(self, F_0: float) -> SecondFolds:

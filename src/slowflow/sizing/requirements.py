@@ -424,7 +424,7 @@ def front(
     end = search.least(lambda values: worth(values)[0], end, partial(_over, worth, 1, level))
     least, most = (float(worth(x.reshape(-1, 1))[0, 0]) for x in (best, end))
     found = [end]
-    for part in progress.parts(points - 1, 1, "front"):
+    for part in progress.chunks(points - 1, 1, "front"):
         level = least + (most - least) * part.start / (points - 1) + SLACK * (most - least)
         found.append(search.least(lambda values: worth(values)[1], best, partial(_over, worth, 0, level)))
     values = np.array(found).T

@@ -115,7 +115,7 @@ class Subject:
                 allowed = f"{', '.join(self.nominal)}{validate.meant(name, self.nominal)}"
                 raise Refused(f"{name!r} cannot be varied: it must be one of {allowed}")
         # laws of damping beside mu and zeta that some design has
-        self.laws = {*isolator.model.laws.said, *(name for name in LAWS if name in varied)}
+        self.laws = {*isolator.model.laws.present, *(name for name in LAWS if name in varied)}
         self.one_by_one = self.loaded or bool(self.laws)
         letter = "Omega" if self.mount is None else "f"
         others = ABOUT_THE_CENTRE if self.loaded else UNDER_A_LOAD

@@ -120,7 +120,7 @@ def _asked(
     """Answers of all that was drawn, in parts between which progress is shown."""
     count = len(next(iter(drawn.values())))
     found = {name: np.empty(count) for name in names}
-    for part in progress.parts(count, FEW_AT_ONCE if subject.one_by_one else AT_ONCE, what):
+    for part in progress.chunks(count, FEW_AT_ONCE if subject.one_by_one else AT_ONCE, what):
         for name, values in subject.ask({name: value[part] for name, value in drawn.items()}, names, load).items():
             found[name][part] = values
     return {name: frozen(values) for name, values in found.items()}
