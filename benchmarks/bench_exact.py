@@ -22,8 +22,8 @@ from scipy.optimize import minimize_scalar, root
 from benchmarks import document, environment, footprint
 from examples.paper.smoothed import direct_integration
 from slowflow import example
-from slowflow.exact import EquationOfMotion, Response, compiled, exact_response, linear, steady_state, sweep
-from slowflow.exact.motion import TURN, Forced, follow
+from slowflow.exact import EquationOfMotion, Response, exact_response, linear, steady_state, sweep
+from slowflow.exact.motion import TURN, Forced, advance, follow
 from slowflow.example import TABLE_1
 from slowflow_kernels import den_hartog
 from tests.oracles import exact_linear, exact_reference
@@ -101,7 +101,7 @@ def jobs() -> list[Job]:
         Job(
             "half a turn of one piece with derivatives",
             *(None, 101),
-            lambda: compiled.advance(forced, -1, 0, 0.3, -0.25, 0.0, 3.4),
+            lambda: advance(forced, -1, 0, 0.3, -0.25, 0.0, 3.4),
             lambda i: i.advance(system.force.pieces[0], drive, 0.3, -0.25, 0.0, 3.4),
         ),
         Job(

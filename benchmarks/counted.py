@@ -28,8 +28,7 @@ from benchmarks.remote import ROOT
 from slowflow import backend, example
 from slowflow.averaged.queries import AMPLITUDES, ONSET, PEAK, SADDLE_NODES, Question
 from slowflow.backend import SOLVER
-from slowflow.exact import compiled
-from slowflow.exact.motion import TURN
+from slowflow.exact.motion import TURN, handle
 from slowflow.example import TABLE_1
 from slowflow.table import QUESTIONS
 from slowflow.validate import WINDOW
@@ -270,7 +269,7 @@ def _of_motion(library: Any) -> str:
         _pointer(out),
     ):
         raise RuntimeError("the motion of Table 1 is not followed")
-    arguments = compiled.handle(system), bench_exact.OMEGA, certified.F_0, 0.0, 0.0, 0.0, end, False, 0, 0, 10**6
+    arguments = handle(system), bench_exact.OMEGA, certified.F_0, 0.0, 0.0, 0.0, end, False, 0, 0, 10**6
     whole, in_c = _in_turn(
         job.run,
         lambda: backend.EXACT.follow(*arguments),

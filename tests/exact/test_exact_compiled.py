@@ -12,9 +12,8 @@ import pytest
 from slowflow import Duffing, Isolator
 from slowflow.backend import EXACT
 from slowflow.exact import EquationOfMotion, exact_response, linear, steady_state, sweep
-from slowflow.exact.compiled import recurrences
 from slowflow.exact.continuation import Path
-from slowflow.exact.motion import Forced, follow
+from slowflow.exact.motion import Forced, follow, recurrences
 from slowflow.exact.shooting import converge, lengths
 from slowflow.example import TABLE_1
 from slowflow.mechanism import Force

@@ -17,7 +17,6 @@ from slowflow.exact import (
     Force,
     Law,
     Piece,
-    compiled,
     half_sine,
     linear,
     record,
@@ -25,7 +24,7 @@ from slowflow.exact import (
     sweep,
     transient,
 )
-from slowflow.exact.motion import Forced, follow
+from slowflow.exact.motion import Forced, follow, sample
 from slowflow.example import TABLE_1
 from slowflow_kernels import den_hartog
 from tests.oracles import by_time, exact_brute, exact_linear, exact_reference
@@ -233,7 +232,7 @@ def test_multipliers_against_finite_differences(states):
         forced = Forced(case.system, case.Omega, case.F_0)
         phase = max(state.phases, key=lambda p: (p.slip != 0) * (p.end - p.theta))
         theta = 0.5 * (phase.theta + phase.end)
-        u, v, _ = compiled.sample(forced, phase, np.array([theta]))[0]
+        u, v, _ = sample(forced, phase, np.array([theta]))[0]
         end = theta + state.period * case.Omega
         columns = []
         size = 1e-6

@@ -11,7 +11,7 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import root
 
 from slowflow import Duffing, Isolator, exact
-from slowflow.exact import work
+from slowflow.exact.motion import limited
 from slowflow.example import isolator
 from slowflow.support.errors import NotSettled
 from slowflow_kernels import duffing as duffing_kernels
@@ -308,7 +308,7 @@ def test_no_trial_runs_off_to_zero_frequency():
         states, _ = exact_brute.follow(force, 0.0, 0.1, found.Omega, F_0, tau[5], u[5], v[5], 1, 4000)
         assert np.max(np.abs(np.subtract(states[-1], (u[5], v[5])))) <= 1e-9
     # what is given up in between is given as far as it was reached
-    with work.limited(200_000):
+    with limited(200_000):
         part = oscillator.exact_response(F_0, Omega=window, force="truncated")
     last = f"at Omega = {part.Omega[-1]:.9g}, A = {part.A[-1]:.9g}"
     assert not part.complete and "a part of the curve only: given up after 200000 integration" in part.message
@@ -321,11 +321,11 @@ def test_a_curve_that_is_given_up_keeps_its_points():
     whole = isolator().exact_response(0.04)
     for most in (3_000, 9_000):
         start = isolator().steady_state(Omega=0.5, F_0=0.04)
-        with work.limited(most):
+        with limited(most):
             part = isolator().exact_response(0.04, start=start)
         assert not part.complete and f"given up after {most} integration steps" in part.message
         assert 50 < len(part) < len(whole) and part.A == pytest.approx(whole.A[: len(part)], rel=1e-9)
-    with pytest.raises(ArithmeticError, match="given up after 10 integration steps"), work.limited(10):
+    with pytest.raises(ArithmeticError, match="given up after 10 integration steps"), limited(10):
         isolator().exact_response(0.04, start=start)
     assert whole.complete and whole.message == ""
 
@@ -333,7 +333,7 @@ def test_a_curve_that_is_given_up_keeps_its_points():
 def test_work_is_bounded_and_said_so():
     """Each integration, and each question as a whole, is given up after a stated number of steps."""
     slow = exact.EquationOfMotion(isolator().restoring_force(), 0.012, 0.02)
-    with pytest.raises(ArithmeticError, match="given up after 100 integration steps"), work.limited(100):
+    with pytest.raises(ArithmeticError, match="given up after 100 integration steps"), limited(100):
         exact.steady_state(slow, Omega=0.9, F_0=0.04)
     with pytest.raises(ArithmeticError, match=r"the integration stalls near u = .*: its steps become too many"):
         exact.steady_state(slow, Omega=1e-9, F_0=0.04)

@@ -18,9 +18,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from slowflow.exact import EquationOfMotion, Force, compiled
+from slowflow.exact import EquationOfMotion, Force
 from slowflow.exact.cycle import Border, Cycle, Equations
-from slowflow.exact.motion import PHASE, Forced, Phase, edge_ahead, signature
+from slowflow.exact.motion import EXACT, PHASE, Forced, Phase, advance, edge_ahead, handle, signature
 from slowflow_kernels import inertia, motion
 from slowflow_kernels.exact_conventions import FAR, GRAZING, MOST_PHASES, TOLERANCE, Event
 
@@ -73,15 +73,15 @@ class Compiled:
 
     def advance(self, piece: Any, drive: Any, *way: float) -> Any:
         """State (u, v) at the end, also before the start, and its derivatives by (u, v, Omega, F_0): shape (2, 4)."""
-        return compiled.advance(alone(piece, drive), slip_of(drive), 0, *way)
+        return advance(alone(piece, drive), slip_of(drive), 0, *way)
 
     def until(self, piece: Any, drive: Any, slip: int, edge: float, *way: float) -> Any:
         """First stop (slip v falls through 0), arrival at u = edge, or the end: (theta, u, v, `Event`)."""
         *state, end = way
         forced = alone(piece, drive, edge)
         at = forced.system.force.region_of(state[1])
-        of, given = compiled.handle(forced.system), (True, slip, at, MOST_CALLS)
-        outcome, _, phases = compiled.EXACT.follow(of, *forced[1:], *state, end, *given)
+        of, given = handle(forced.system), (True, slip, at, MOST_CALLS)
+        outcome, _, phases = EXACT.follow(of, *forced[1:], *state, end, *given)
         first = Phase(*next(PHASE.iter_unpack(phases)))
         if outcome:
             raise ArithmeticError(f"the integration from theta = {way[0]} failed at theta = {first.end}")
@@ -118,7 +118,7 @@ class ScipyIntegrator:
         return field
 
     def advance(self, piece: Any, drive: Any, theta: float, u: float, v: float, end: float) -> Any:
-        """As of `slowflow.exact.compiled`."""
+        """As of `slowflow.exact.motion`."""
         Omega, F_0, zeta, *_ = drive
 
         def variational(at: float, y: Any) -> Any:
@@ -143,7 +143,7 @@ class ScipyIntegrator:
     def until(
         self, piece: Any, drive: Any, slip: int, edge: float, theta: float, u: float, v: float, end: float
     ) -> Any:
-        """As of `slowflow.exact.compiled`."""
+        """As of `slowflow.exact.motion`."""
 
         def stop(_: float, y: Any) -> float:
             return float(slip * y[1])

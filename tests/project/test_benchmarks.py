@@ -16,8 +16,7 @@ from benchmarks import bench_exact, certified, counted, document, limits, remote
 from benchmarks.peers import problem
 from benchmarks.peers.__main__ import with_earlier
 from benchmarks.remote import Remote, in_turn
-from slowflow.exact import compiled
-from slowflow.exact.motion import PHASE, TURN
+from slowflow.exact.motion import EXACT, PHASE, TURN, handle
 from slowflow.example import DESIGN, TABLE_1
 from slowflow_kernels import rod_spring, slow_flow
 
@@ -139,8 +138,8 @@ def test_what_a_limit_leaves_unexplained_is_told() -> None:
     for sentence in (states, motion):
         assert re.search(r"together [\d.]+ .?s; unexplained -?[\d.]+ .?s, -?\d+ %", sentence)
     steps = int(re.search(r"by (\d+) steps", motion)[1])
-    asked = compiled.handle(bench_exact.table_1(True)), bench_exact.OMEGA, 0.04, 0.0, 0.0, 0.0, 200 * TURN
-    _, taken, phases = compiled.EXACT.follow(*asked, False, 0, 0, 10**6)
+    asked = handle(bench_exact.table_1(True)), bench_exact.OMEGA, 0.04, 0.0, 0.0, 0.0, 200 * TURN
+    _, taken, phases = EXACT.follow(*asked, False, 0, 0, 10**6)
     assert steps == taken
     assert f" {len(phases) // PHASE.size} phases" in motion
 

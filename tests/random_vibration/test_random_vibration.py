@@ -12,7 +12,7 @@ from scipy.optimize import brentq
 
 from slowflow import Duffing, Isolator, Refused
 from slowflow.backend import EXACT
-from slowflow.exact import compiled
+from slowflow.exact import motion
 from slowflow.mechanism import EquationOfMotion
 from slowflow.random_vibration.excitation import Tabulated
 from slowflow.random_vibration.record import process
@@ -111,7 +111,7 @@ def scanned(system, psd, low, high, count=160):
 
 def averages(force, sigma):
     """E[u f]/sigma^2 and E[f^2] of C, at each sigma."""
-    handle = compiled.handle(EquationOfMotion(force, 0.0, 0.0))
+    handle = motion.handle(EquationOfMotion(force, 0.0, 0.0))
     _, positive, negative, *_, square = np.frombuffer(EXACT.averages(handle, sigma)).reshape(-1, 6).T
     return (positive - negative) / sigma**2, square
 

@@ -17,11 +17,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slowflow.backend import EXACT
-from slowflow.exact.compiled import handle
 from slowflow.exact.cycle import Cycle, Equations, closed_cycle
-from slowflow.exact.motion import Forced, follow
+from slowflow.exact.motion import Forced, follow, handle, spend, steps_left
 from slowflow.exact.shooting import SteadyState
-from slowflow.exact.work import spend, steps_left
 from slowflow.mechanism import Floats
 from slowflow.support.errors import NotSettled
 from slowflow.text import text

@@ -22,9 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slowflow.backend import EXACT
-from slowflow.exact import compiled
-from slowflow.exact.motion import Forced, Phase, edge_ahead, follow, signature
-from slowflow.exact.work import spend, steps_left
+from slowflow.exact.motion import Forced, Phase, advance, edge_ahead, follow, handle, signature, spend, steps_left
 from slowflow.mechanism import EquationOfMotion, Floats
 from slowflow.support.errors import NotSettled
 from slowflow.text import text
@@ -186,7 +184,7 @@ class Cycle:
         for (slip, region), span in zip(self.signature, z[2:-1].tolist(), strict=True):
             end = theta + span
             if slip != 0:
-                u, v, _ = compiled.advance(forced, slip, region, theta, u, v, end)
+                u, v, _ = advance(forced, slip, region, theta, u, v, end)
             theta = end
             yield theta, u
 
@@ -243,7 +241,7 @@ class Cycle:
         numbers, direction = np.empty((k + 2) * (k + 5) + (2 * k + 1) * n), np.zeros(z.size)
         kind = ExtraKind.ROW if row is not None else ExtraKind.NO_MORE if border is None else ExtraKind.BORDER
         more = kind, z if row is None else np.ascontiguousarray(row), value, border or 0
-        system, steps = compiled.handle(self.system), steps_left()
+        system, steps = handle(self.system), steps_left()
         outcome, used, A, monodromy, borders = EXACT.newton(
             system, self.packed, self.half_turns, z, F_0, *more, most, tolerance, steps, numbers, direction
         )

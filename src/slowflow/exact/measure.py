@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from slowflow.exact import response, shooting
-from slowflow.exact.work import limited
+from slowflow.exact.motion import limited
 from slowflow.mechanism import EquationOfMotion, Floats, Force
 from slowflow.results import (
     Detachment,

@@ -3,25 +3,208 @@
 Switches, all exact: the velocity reaches zero; |u| reaches a breakpoint; at rest |force cos theta - f(u)| <= mu holds
 the mass, or mu_s in its place if that is more, and it breaks away when that bound is met, at an angle known in closed
 form. theta = Omega tau; v = du/dtau.
+
+Smooth motion is compiled: Taylor series of order 24, one rounding of error per step, without the GIL. The pieces of a
+force have recurrences, compiled or interpreted, or are approximated by polynomials. The oscillator that the C functions
+take is immutable and made once; they have no other state in common, so any thread may call them. How many steps a
+question may take is counted.
 """
 
 from __future__ import annotations
 
+import contextlib
 import functools
+import json
 import math
 import struct
-from typing import NamedTuple
+import sys
+from array import array
+from collections.abc import Iterator, Sequence
+from contextvars import ContextVar
+from pathlib import Path
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from slowflow.backend import EXACT
-from slowflow.exact.compiled import handle
-from slowflow.exact.work import spend, steps_left
-from slowflow.mechanism import EquationOfMotion, Piece
+from slowflow.mechanism import EquationOfMotion, Floats, Law, Piece
+from slowflow.sampled import rows
 from slowflow.support.errors import NotSettled, Refused
 from slowflow.text import Sentence, text
 from slowflow_kernels import motion
 from slowflow_kernels.exact_conventions import FAR, MOST_PHASES, Outcome
+
+# ---- how long a question may take
+
+
+MOST_STEPS = 200_000  # of one integration: a slip takes some tens, hundreds at low frequency
+#: steps of one question, 240 times what a curve of 390 points takes: ten to twenty seconds
+MOST_WORK = 3_000_000
+GIVEN_UP = "given up after {} integration steps, more than an answer should take"
+
+
+class OutOfWork(Exception):
+    """The question has used up its steps. No ArithmeticError: a trial that fails is replaced by another."""
+
+    def __init__(self, most: int) -> None:
+        super().__init__(GIVEN_UP.format(most))
+
+
+_remaining: ContextVar[list[int] | None] = ContextVar("steps that the question has left", default=None)
+
+
+@contextlib.contextmanager
+def limited(most: int = MOST_WORK) -> Iterator[None]:
+    """Bounds the steps of one question, inner questions included. Raises ArithmeticError where they do not suffice."""
+    if _remaining.get() is not None:
+        yield
+        return
+    token = _remaining.set([most, most])
+    try:
+        yield
+    except OutOfWork as used_up:
+        raise NotSettled(str(used_up)) from None
+    finally:
+        _remaining.reset(token)
+
+
+def steps_left() -> int:
+    """The steps that one integration may take now."""
+    remaining = _remaining.get()
+    return MOST_STEPS if remaining is None else max(0, min(MOST_STEPS, remaining[0] + 1))
+
+
+def spend(steps: int, *, keep: bool = False) -> None:
+    """Counts steps of an integrator against what the question has left.
+
+    keep -- what was found with them is good: not this call is refused but the next
+    """
+    remaining = _remaining.get()
+    if remaining is not None:
+        remaining[0] -= steps
+        if remaining[0] < 0 and not keep:
+            raise OutOfWork(remaining[1])
+
+
+# ---- the oscillator in C
+
+CACHE_SIZE = 64  # oscillators in C
+#: the last oscillator and its handle, set as one tuple for thread safety
+_last: tuple[EquationOfMotion | None, Any] = None, None
+
+
+def recurrences(law: Law) -> Any:
+    """A law's recurrences in C, those that are interpreted among them; None for one that has none, or too many."""
+    if not law.name:
+        return None
+    if law.name not in EXACT.LAWS:
+        _interpret(law.force)
+    return EXACT.LAWS.get(law.name)
+
+
+def _interpret(force: Any) -> None:
+    """Makes laws of the programs in the folder of a force's module, if there are any."""
+    module = sys.modules[force.__module__]
+    path = Path(module.__file__ or "")
+    path = path.with_name(f"{path.stem}_motion.json")
+    for name, program in json.loads(path.read_text()).items() if path.exists() else ():
+        lists = array("i", program["words"]).tobytes(), array("d", program["numbers"]).tobytes()
+        EXACT.LAWS[name] = EXACT.interpreted(name, *lists)
+
+
+def _law(piece: Piece, low: float, high: float) -> tuple[Any, tuple[float, ...]]:
+    """The law for C of a piece that holds from low to high, and its constants: polynomials where it has no series."""
+    series = recurrences(piece.law)
+    if series is not None:
+        return series, piece.constants
+    sides = []
+    for side in (-1.0, 1.0):
+        begin, end = sorted((side * low, side * high))
+        begin = max(begin, 0.0)
+        # on a side where it does not hold Newton's iteration may try it
+        end = end if end > begin else begin + 1.0
+        first = end - begin if end < FAR else max(begin, 1.0)
+        sides.append(rows(lambda v, side=side: side * _values(piece, side * v), begin, end, first))  # type: ignore[misc]
+    return EXACT.polynomials(*sides), ()
+
+
+def _values(piece: Piece, u: Floats) -> Floats:
+    """A force at several displacements, NaN where it has none."""
+    force = functools.partial(_value, piece)
+    try:
+        values = np.asarray(piece.law.force(u, *piece.constants), dtype=float)
+    except Exception:
+        values = np.empty(0)
+    return values if values.shape == u.shape else np.array([force(one) for one in u.tolist()])
+
+
+def _value(piece: Piece, u: float) -> float:
+    try:
+        return float(piece.law.force(u, *piece.constants))
+    except Exception:
+        return math.nan
+
+
+def design_rows(values: Sequence[Any], count: int) -> Floats:
+    """Numbers of so many designs, a row for each."""
+    return np.array([np.broadcast_to(value, count) for value in values], dtype=float).reshape(-1, count).T
+
+
+def handle(system: EquationOfMotion) -> Any:
+    """The oscillator for C. The last one is compared by identity, as its hash takes longer than a step."""
+    global _last
+    known, compiled = _last
+    if known is not system:
+        compiled = _compile(system)
+        _last = system, compiled
+    return compiled
+
+
+@functools.lru_cache(maxsize=CACHE_SIZE)
+def _compile(system: EquationOfMotion) -> Any:
+    force = system.force
+    centre = -force.region_of(-math.inf)
+    ends = (-FAR, *force.edges, FAR)
+    if force.odd:  # each holds on both sides of u = 0
+        positive = [_law(piece, *ends[centre + i : centre + i + 2]) for i, piece in enumerate(force.pieces)]
+        laws_of = positive[:0:-1] + positive
+    else:
+        laws_of = [_law(piece, *ends[i : i + 2]) for i, piece in enumerate(force.pieces)]
+    laws, constants = zip(*laws_of, strict=True)
+    damping = system.mu, system.zeta, system.inertial, system.load, system.c_2, system.released, system.mu_s, system.eta
+    return EXACT.system(laws, constants, force.edges, centre, force.odd, *damping, force.jump)
+
+
+def advance(
+    forced: Any, slip: int, region: int, theta: float, u: float, v: float, end: float
+) -> tuple[float, float, Floats]:
+    """State (u, v) at `end`, also before theta, and its derivatives by (u, v, Omega, F_0): shape (2, 4)."""
+    system, Omega, F_0 = forced
+    flow = np.empty((2, 4))
+    outcome, steps, u, v = EXACT.advance(handle(system), Omega, F_0, slip, region, theta, u, v, end, steps_left(), flow)
+    spend(steps)
+    if outcome:
+        raise NotSettled(f"the integration from theta = {theta} to {end} failed")
+    return u, v, flow
+
+
+def sample(forced: Any, phase: Any, grid: Floats) -> Floats:
+    """u, v and the absolute acceleration of the mass within a phase: shape (grid.size, 3).
+
+    grid -- does not fall, and lies at or after where the phase begins
+    """
+    system, Omega, F_0 = forced
+    states = np.empty((grid.size, 3))
+    outcome, steps = EXACT.sample(
+        handle(system), Omega, F_0, *phase[:5], steps_left(), np.ascontiguousarray(grid), states
+    )
+    spend(steps)
+    if outcome:
+        raise NotSettled(f"the integration from theta = {phase.theta} to {grid[-1]} failed")
+    return states
+
+
+# ---- phases
 
 TURN = 2.0 * math.pi
 PHASE = struct.Struct("@iiddddddi?0d")  # a phase as C has it, in the order of `Phase`

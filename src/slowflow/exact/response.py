@@ -15,9 +15,8 @@ from numpy.typing import NDArray
 
 from slowflow.answer import Drawn, Table
 from slowflow.exact.continuation import FOLDS, STEP, LostCurve, Path, Point, is_same
-from slowflow.exact.motion import Forced, check_forcing
+from slowflow.exact.motion import Forced, OutOfWork, check_forcing, limited
 from slowflow.exact.shooting import Limit, SteadyState, converge, describe, lengths, steady_state
-from slowflow.exact.work import OutOfWork, limited
 from slowflow.mechanism import EquationOfMotion, Flags, Floats
 from slowflow.support.errors import NotSettled, Refused
 from slowflow.text import text

@@ -14,9 +14,8 @@ from slowflow.averaged.many import Designs
 from slowflow.averaged.queries import failed
 from slowflow.backend import EXACT
 from slowflow.exact import questions
-from slowflow.exact.compiled import design_rows, recurrences
+from slowflow.exact.motion import MOST_STEPS, MOST_WORK, design_rows, recurrences
 from slowflow.exact.transient import AFTER, NO_PULSE, half_sine, record, transient
-from slowflow.exact.work import MOST_STEPS, MOST_WORK
 from slowflow.mechanism import EquationOfMotion, Floats, Force, followed
 from slowflow.model import THROUGHOUT
 from slowflow.results import Remark

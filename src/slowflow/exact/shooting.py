@@ -15,10 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slowflow.answer import Answer, in_values
-from slowflow.exact import compiled
+from slowflow.exact import motion
 from slowflow.exact.cycle import Cycle, closed_cycle, required_half_turns, sticks_at_jump
-from slowflow.exact.motion import TURN, Forced, Phase, check_forcing, check_numbers, follow, must_stick, stays_at_rest
-from slowflow.exact.work import limited
+from slowflow.exact.motion import TURN, Forced, Phase, check_forcing, check_numbers, follow, limited
 from slowflow.mechanism import EquationOfMotion, Floats
 from slowflow.support.errors import NotSettled, Refused
 from slowflow.text import Sentence
@@ -237,8 +236,8 @@ class SteadyState(Answer):
         return max(float(sizes[top]), -float(found.fun))
 
     def _sample_phase(self, phase: Phase, theta: Floats) -> Floats:
-        """u, v and acceleration at angles within a phase, as `compiled.sample` has them."""
-        return compiled.sample(Forced(self.cycle.system, self.Omega, self.F_0), phase, theta)
+        """u, v and acceleration at angles within a phase, as `motion.sample` has them."""
+        return motion.sample(Forced(self.cycle.system, self.Omega, self.F_0), phase, theta)
 
     def _state(self, theta: float) -> tuple[float, float]:
         """(u, v) at one angle of the forcing: as `_at`, in a third of the time, for time stepping."""
@@ -370,9 +369,9 @@ def _minimal_period(found: SteadyState, forced: Forced, tries: tuple[int, ...]) 
 def static_state_from(system: EquationOfMotion, Omega: float, F_0: float, u: float, v: float) -> SteadyState | None:
     """The position at which a motion from (u, v) sticks for good, as a steady state; None where it keeps moving."""
     check_numbers(system, Omega, F_0)
-    if v == 0 and stays_at_rest(system, Omega, F_0, u):
+    if v == 0 and motion.stays_at_rest(system, Omega, F_0, u):
         return static_state(system, Omega, F_0, u)
-    if not must_stick(system, Omega, F_0):
+    if not motion.must_stick(system, Omega, F_0):
         return None
     end = converge(Forced(system, Omega, F_0), 0.0, u, v, lengths(system), MOST_TURNS)
     return static_state(system, Omega, F_0, end.u) if at_rest(end.phases) else None

@@ -13,9 +13,8 @@ from numpy.typing import NDArray
 
 from slowflow.answer import Drawn, Table, entry
 from slowflow.exact.continuation import Path, Point, passed_fold
-from slowflow.exact.motion import Forced, check_numbers, stops
+from slowflow.exact.motion import Forced, check_numbers, limited, stops
 from slowflow.exact.shooting import SteadyState, at_rest, continue_stepping, converge, largest, lengths
-from slowflow.exact.work import limited
 from slowflow.mechanism import EquationOfMotion, Flags, Floats
 from slowflow.support.errors import Refused
 from slowflow.text import text

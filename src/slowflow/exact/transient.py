@@ -16,9 +16,7 @@ import numpy as np
 
 from slowflow.answer import Drawn, Table, entry
 from slowflow.backend import EXACT
-from slowflow.exact import compiled
-from slowflow.exact.motion import TURN, Forced, Phase, lost
-from slowflow.exact.work import MOST_STEPS, MOST_WORK, limited, spend
+from slowflow.exact.motion import MOST_STEPS, MOST_WORK, TURN, Forced, Phase, handle, limited, lost, sample, spend
 from slowflow.mechanism import EquationOfMotion, Flags, Floats
 from slowflow.support.errors import NotSettled
 from slowflow.text import Sentence, text
@@ -116,7 +114,7 @@ class Transient(Drawn):
             here = np.flatnonzero(which == number)
             if here.size:
                 theta = np.clip(arc.theta + arc.Omega * (tau[here] - since), phase.theta, phase.end)
-                out[:3, here] = compiled.sample(Forced(self.system, arc.Omega, arc.F), phase, theta).T
+                out[:3, here] = sample(Forced(self.system, arc.Omega, arc.F), phase, theta).T
                 out[3, here] = -arc.F * np.cos(theta)
         return Series(tau, *out)
 
@@ -164,7 +162,7 @@ def transient(
         raise NotSettled(TOO_WEAK.format(peak, at, rounding / peak))
     system = replace(system, inertial=False)  # an acceleration is a force, whatever else the oscillator is excited by
     arguments = np.ascontiguousarray(arcs), begin, after, at, v, rest, MOST_STEPS, MOST_WORK
-    outcome, steps, numbers, packed = EXACT.shock(compiled.handle(system), *arguments)
+    outcome, steps, numbers, packed = EXACT.shock(handle(system), *arguments)
     spend(steps)
     if outcome == Outcome.DIVERGES:
         raise NotSettled(f"within {MOST_TURNS} turns after the pulse the mass does not turn twice, and does not rest")

@@ -12,7 +12,7 @@ from slowflow.averaged.chunks import blocks, map_chunks
 from slowflow.averaged.many import Designs
 from slowflow.averaged.queries import failed
 from slowflow.backend import EXACT
-from slowflow.exact.compiled import design_rows, recurrences
+from slowflow.exact.motion import design_rows, recurrences
 from slowflow.mechanism import EquationOfMotion, Floats, Force, followed
 from slowflow.model import THROUGHOUT
 from slowflow.random_vibration.excitation import Excitation, White

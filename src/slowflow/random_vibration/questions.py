@@ -11,7 +11,7 @@ import numpy as np
 from slowflow import validate
 from slowflow.answer import joined
 from slowflow.backend import EXACT
-from slowflow.exact import compiled
+from slowflow.exact.motion import handle
 from slowflow.mechanism import EquationOfMotion, Floats
 from slowflow.random_vibration.answers import RandomResponse, Stationary
 from slowflow.random_vibration.excitation import Excitation, Tabulated, White
@@ -65,11 +65,11 @@ def stationary(system: EquationOfMotion, excitation: Excitation) -> dict[str, Fl
     laws = system.mu, system.zeta, system.c_2
     if isinstance(excitation, White):
         v, c = excitation.velocity(*laws)
-        undecided, found = EXACT.balances(compiled.handle(system), v * v)
+        undecided, found = EXACT.balances(handle(system), v * v)
         u, *_, square = np.frombuffer(found).reshape(-1, 6).T
         k, left = (v / u) ** 2, ((v / undecided) ** 2 if undecided else 0.0, c)
     else:
-        *left, found = EXACT.linearized(compiled.handle(system), excitation.rows(*laws))
+        *left, found = EXACT.linearized(handle(system), excitation.rows(*laws))
         u, square, k, v = np.frombuffer(found).reshape(-1, 4).T
     if left[0]:
         raise NotSettled(UNDECIDED.format(*map(float, left)))

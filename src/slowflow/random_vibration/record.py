@@ -14,10 +14,8 @@ import numpy as np
 
 from slowflow import validate
 from slowflow.backend import EXACT
-from slowflow.exact import compiled
-from slowflow.exact.motion import lost
+from slowflow.exact.motion import MOST_STEPS, handle, lost
 from slowflow.exact.transient import record as arcs_of
-from slowflow.exact.work import MOST_STEPS
 from slowflow.mechanism import EquationOfMotion, Floats
 from slowflow.random_vibration.excitation import Excitation, White
 from slowflow.support.errors import NotSettled
@@ -100,13 +98,13 @@ def process(excitation: Excitation, step: float, top: float, count: int, random:
 
 def followed(system: EquationOfMotion, w: Floats, step: float) -> Floats:
     """u and v at the end of each step, from rest at the centre, (2, n). Raises ArithmeticError where it is lost."""
-    handle, u, v, parts = compiled.handle(system), 0.0, 0.0, []
+    oscillator, u, v, parts = handle(system), 0.0, 0.0, []
     for first in range(0, w.size - 1, AT_ONCE):
         some = w[first : first + AT_ONCE + 1]
         # w pushes as a base does that is accelerated by -w
         arcs = arcs_of(step * np.arange(float(some.size)), -some)
         arguments = np.ascontiguousarray(arcs), u, v, MOST_STEPS, STEPS * some.size
-        outcome, _, at, states = EXACT.record(handle, *arguments)
+        outcome, _, at, states = EXACT.record(oscillator, *arguments)
         if outcome:
             raise NotSettled(lost(outcome, system, at))
         parts.append(np.frombuffer(states).reshape(-1, 2))
