@@ -39,7 +39,7 @@ FLOORS = (
     ("model", "table", "transmissibility"),
     ("validate", "page", "intervals"),
     ("mechanism", "sampled", "backend", "pictures", "progress", "range_checks", "immutable", "version"),
-    ("text", "callbacks", "derived"),
+    ("text", "derived"),
     ("support",),
 )
 FLOOR = {room: number for number, rooms in enumerate(reversed(FLOORS)) for room in rooms}

@@ -1,10 +1,13 @@
 """What runs for one block of a map, anywhere. Takes a question and a block's numbers; returns its columns.
 
-It pickles, and refuses to run where slowflow is another than where the map was asked for: a map is of one version.
+It pickles, and refuses to run where slowflow is another than where the map was asked for: a map is of one version. A
+file outlives the program that wrote it: units, codes with their words, and which slowflow it was stand in it, as
+attributes that CF knows.
 """
 
 from __future__ import annotations
 
+import inspect
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -15,13 +18,22 @@ import numpy.typing as npt
 from slowflow import backend
 from slowflow.designs import Designs
 from slowflow.mechanism import Mechanism
+from slowflow.model import THROUGHOUT
 from slowflow.off_centre.many import OffCentreDesigns
+from slowflow.results import Remark
 from slowflow.second.many import SecondDesigns
-from slowflow.table import AVERAGING, MORE_POINTS, OFFSET, QUESTIONS, ManyQuestions, Question
+from slowflow.table import AVERAGING, COLUMNS, MORE_POINTS, OFFSET, QUESTIONS, ManyQuestions, Question
 from slowflow.version import __version__
+from slowflow_kernels.conventions import FoldKind, Status
+from slowflow_kernels.domains import DAMPING, DISSIPATION
 
 #: axes of places, of tables and of records, which are never cut
 INNER = ("place", "point", "row", "instant")
+#: status of a design in a block that is not computed yet; none of the solvers'
+NOT_YET = -1
+UNITS = "dimensionless"
+#: units of what is not dimensionless
+UNITS_OF = {"phi": "rad", "transmissibility_dB": "dB", "level_dB": "dB"}
 
 
 def made_by(mechanism: Mechanism) -> dict[str, str]:
@@ -92,3 +104,30 @@ def lengths(asked: Question, system: str, options: Mapping[str, Any], rows: int)
     known = {"place": options.get("places", 0), "point": points, "row": rows}
     own = set(asked.columns[system].values())
     return tuple((axis, known[axis]) for axis in INNER if axis in own)
+
+
+# ---- what the columns of a map mean
+
+
+def of_map(ask: Ask) -> dict[str, Any]:
+    """Of a whole map."""
+    about = {"mechanism": ask.mechanism.name, "title": ask.mechanism.title, "excitation": ask.excitation}
+    about |= {"question": ask.question, **({} if ask.rubs == THROUGHOUT else {"rubs": ask.rubs})}
+    return {**about, "depth": ask.depth, **ask.made_by}
+
+
+def of_column(ask: Ask, name: str) -> dict[str, Any]:
+    """Of a column of an answer, or of one of the numbers that it was asked with."""
+    known = {domain.name: domain.doc for domain in (*ask.mechanism.design, *DAMPING, *DISSIPATION)}
+    found: dict[str, Any] = {"long_name": known.get(name) or COLUMNS[name].text}
+    flags = {"remarks": Remark, "status": Status, "onset": Status, "fold_kind": FoldKind, "kind": ask.asked.kinds}
+    kind: Any = flags.get(name)
+    if kind is None:
+        return {**found, "units": UNITS_OF.get(name, UNITS)}
+    values, meanings = list(map(int, kind)), " ".join(code.name for code in kind)
+    if name == "remarks":
+        return {**found, "flag_masks": values, "flag_meanings": meanings}
+    if name == "status":
+        values, meanings = [NOT_YET, *values], f"NOT_YET {meanings}"
+    # what each number stands for, as the derivation states it
+    return {**found, "flag_values": values, "flag_meanings": meanings, "meaning": inspect.cleandoc(kind.__doc__ or "")}

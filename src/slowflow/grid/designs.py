@@ -16,8 +16,7 @@ import numpy as np
 from slowflow import validate
 from slowflow.answer import optional
 from slowflow.exact.transient import NO_PULSE
-from slowflow.grid import meaning
-from slowflow.grid.block import INNER, Ask, lengths, made_by
+from slowflow.grid.block import INNER, Ask, lengths, made_by, of_column, of_map
 from slowflow.immutable import Unchanging
 from slowflow.loaded import AT_CENTRE, off_centre_by
 from slowflow.mechanism import Mechanism
@@ -164,24 +163,10 @@ class Grid(Unchanging, ManyQuestions[Any]):
         if options.get("psd") is not None:  # as a store tells it
             options["psd"] = [np.asarray(row, dtype=float).tolist() for row in options["psd"]]
         values, tables = self._with(asked, given)
-        found = Ask(
-            self.mechanism,
-            self.excitation,
-            self.rubs,
-            question,
-            self._depth,
-            tuple(values),
-            tuple(options.items()),
-            tables,
-            lengths(
-                asked,
-                system,
-                options,
-                rows=max((values[name].sizes["row"] for name in tables if "row" in values[name].dims), default=1),
-            ),
-            workers,
-            made_by(self.mechanism),
-        )
+        rows = max((values[name].sizes["row"] for name in tables if "row" in values[name].dims), default=1)
+        own = self.mechanism, self.excitation, self.rubs, question, self._depth, tuple(values)
+        more = tuple(options.items()), tables, lengths(asked, system, options, rows)
+        found = Ask(*own, *more, workers, made_by(self.mechanism))
         axes = {dim for name, value in values.items() for dim in value.dims if dim != asked.argument_axes.get(name)}
         taken = {*INNER, "done", *found.columns()} & {*axes, *values}
         if taken:
@@ -247,10 +232,10 @@ class Grid(Unchanging, ManyQuestions[Any]):
             output_dtypes=[kind for _, kind in columns.values()],
             dask_gufunc_kwargs={"output_sizes": dict(ask.lengths)},
         )
-        content = xarray.Dataset(dict(zip(columns, found, strict=True)), attrs=meaning.of_map(ask))
+        content = xarray.Dataset(dict(zip(columns, found, strict=True)), attrs=of_map(ask))
         for name in columns:
-            content[name].attrs.update(meaning.of_column(ask, name))
-        told = {name: value.assign_attrs(meaning.of_column(ask, name)) for name, value in values.items()}
+            content[name].attrs.update(of_column(ask, name))
+        told = {name: value.assign_attrs(of_column(ask, name)) for name, value in values.items()}
         return content.assign_coords(told)
 
 

@@ -23,8 +23,7 @@ import zarr
 from dask.callbacks import Callback
 
 from slowflow import progress
-from slowflow.grid import meaning
-from slowflow.grid.block import INNER, Ask
+from slowflow.grid.block import INNER, NOT_YET, Ask, of_column, of_map
 from slowflow.model import THROUGHOUT
 from slowflow.support.errors import Refused
 
@@ -49,7 +48,7 @@ def filled(path: Any, ask: Ask, values: Mapping[str, Any], sizes: dict[str, int]
         path = os.path.abspath(path)  # means the same to every process; a store of Zarr, or an address, does as it is
     values = {name: value if _unread(value) else value.compute() for name, value in values.items()}
     asked = _asked(ask, values, sizes)
-    about = {**meaning.of_map(ask), "asked": json.dumps(asked), "blocks": json.dumps(blocks), "complete": 0}
+    about = {**of_map(ask), "asked": json.dumps(asked), "blocks": json.dumps(blocks), "complete": 0}
     group = _begun(path, asked, about)
     blocks = json.loads(group.attrs["blocks"])
     if DONE not in group:
@@ -167,9 +166,7 @@ def _prepare(
     What is there is left, so that two processes that begin at the same time do each other no harm.
     """
     unread = {name: value for name, value in values.items() if _unread(value)}
-    read = {
-        name: value.assign_attrs(meaning.of_column(ask, name)) for name, value in values.items() if name not in unread
-    }
+    read = {name: value.assign_attrs(of_column(ask, name)) for name, value in values.items() if name not in unread}
     coords = {dim: coord for value in values.values() for dim, coord in value.coords.items()}
     # an encoding is of where they come from, and may round
     about = {name: value for name, value in group.attrs.items() if name != "coordinates"}
@@ -186,13 +183,13 @@ def _prepare(
             dtype=kind,
             fill_value=fill,
             dimension_names=dims,
-            attributes=meaning.of_column(ask, name),
+            attributes=of_column(ask, name),
         )
 
     for name, value in unread.items():
         make(name, _dims(value, sizes), value.dtype, np.nan)
     for name, (axis, kind) in ask.columns().items():
-        fill = meaning.NOT_YET if name == "status" else FILL[kind.kind]
+        fill = NOT_YET if name == "status" else FILL[kind.kind]
         make(name, [*sizes, *([axis] if axis else [])], kind, fill)
     group.require_array(
         DONE,
