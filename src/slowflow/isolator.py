@@ -96,9 +96,6 @@ class Isolator(Oscillator):
         if self.alpha < 0:
             warnings.warn(text(NEGATIVE, self.delta_h, 1 / (self.lam * self.r), self.alpha), stacklevel=3)
 
-    def __repr__(self) -> str:
-        return f"Isolator({', '.join(self._described())})"
-
     def restoring_force(self, which: str | None = None) -> Force:
         """The force of the equation of motion, piece by piece: "truncated" for (6), "untruncated" for (5).
 
@@ -212,10 +209,8 @@ class Isolator(Oscillator):
         Raises ValueError for what is no real array and for shapes that do not broadcast, and nothing for a single
         design: each answer has a status.
         """
-        from slowflow.grid import designs_of
-
-        values = {"lam": lam, "r": r, "delta_h": delta_h, "mu": mu, "zeta": zeta}
-        return designs_of(_averaged(force), values, {"eta": eta, "c_2": c_2}, rubs, excitation, load)
+        numbers = {"lam": lam, "r": r, "delta_h": delta_h, "mu": mu, "zeta": zeta, "eta": eta, "c_2": c_2}
+        return super().many(_averaged(force), rubs=rubs, excitation=excitation, load=load, **numbers)
 
 
 class Duffing(Oscillator):
@@ -251,9 +246,6 @@ class Duffing(Oscillator):
         super().__init__(DUFFING, alpha=alpha, beta=beta, rubs=rubs, excitation=excitation, load=load, **damping)
         del self.given["mechanism"]
 
-    def __repr__(self) -> str:
-        return f"Duffing({', '.join(self._described())})"
-
     @classmethod
     @validate.asked_by_name
     def many(  # type: ignore[override]
@@ -269,7 +261,5 @@ class Duffing(Oscillator):
         load: Any = 0.0,
     ) -> Any:
         """Many Duffing oscillators at once, as `Isolator.many`."""
-        from slowflow.grid import designs_of
-
-        values = {"alpha": alpha, "beta": beta, "mu": mu, "zeta": zeta}
-        return designs_of(DUFFING, values, {"eta": eta, "c_2": c_2}, THROUGHOUT, excitation, load)
+        numbers = {"alpha": alpha, "beta": beta, "mu": mu, "zeta": zeta, "eta": eta, "c_2": c_2}
+        return super().many(DUFFING, excitation=excitation, load=load, **numbers)

@@ -205,12 +205,11 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         return _remade, (type(self), self.given)
 
     def __repr__(self) -> str:
-        return f"Oscillator({', '.join(self._described(mechanism=self.model.mechanism.name))})"
-
-    def _described(self, **changed: Any) -> list[str]:
-        """What it was made from, without what is the default."""
-        arguments = {**self.given, **changed}.items()
-        return [f"{name}={value!r}" for name, value in arguments if (name, value) not in DEFAULTS]
+        arguments = {
+            name: getattr(value, "name", value) for name, value in self.given.items()
+        }  # a mechanism by its name
+        shown = (f"{name}={value!r}" for name, value in arguments.items() if (name, value) not in DEFAULTS)
+        return f"{type(self).__name__}({', '.join(shown)})"
 
     def force(self, u: Reals) -> Floats:
         """The whole restoring force f(u) that is averaged, at displacements of any shape, both dimensionless (3)."""

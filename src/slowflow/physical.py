@@ -410,9 +410,6 @@ class Physical:
 
     def _window(self, f: Any) -> tuple[float, float]:
         """Of frequencies, as the oscillator takes it."""
-        try:
-            low, high = f
-        except (TypeError, ValueError):
-            raise Refused(f"f = {f!r} is not allowed: f must be a pair of frequencies (low, high)") from None
+        low, high = validate.pair("f", f, "of frequencies (low, high)")
         low, high = validate.window("f", (si("f[0]", low, "Hz"), si("f[1]", high, "Hz")))
         return low / self.scales.sizes["frequency"], high / self.scales.sizes["frequency"]

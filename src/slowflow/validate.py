@@ -10,7 +10,7 @@ import inspect
 import math
 import os
 import sys
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Set
 from numbers import Real
 from typing import Any, ParamSpec, TypeGuard, TypeVar
 
@@ -27,6 +27,8 @@ R = TypeVar("R")
 #: frequencies shown unless others are asked for
 WINDOW = (0.0, 2.0)
 OF_CONSTANT = "a base whose acceleration has a constant amplitude a is a force, {F_0 = m a/(k_v L)|F = m a}"
+#: what a window is
+LOW_AND_HIGH = "(low, high) with 0 <= low < high"
 #: the most points that are asked for
 MOST_SAMPLES = 10**6
 
@@ -260,12 +262,19 @@ def two_rows(name: str, value: Any, of: str) -> tuple[Any, Any]:
     return first, second
 
 
+def pair(name: str, value: Any, meant: str) -> tuple[Any, Any]:
+    """Two things that were given as one; the letters of a word, names and what has no order are none."""
+    parts: Any = () if isinstance(value, (str, Mapping, Set)) else value
+    try:
+        one, other = parts
+    except (TypeError, ValueError):
+        raise _refuse(name, value, f"a pair {meant}") from None
+    return one, other
+
+
 def window(name: str, value: Any) -> tuple[float, float]:
     """A pair of frequencies 0 <= low < high <= `HIGHEST_OMEGA`."""
-    try:
-        low, high = value
-    except (TypeError, ValueError):
-        raise _refuse(name, value, "a pair (low, high) with 0 <= low < high") from None
+    low, high = pair(name, value, LOW_AND_HIGH)
     low = number(f"{name}[0]", low, least=0.0)
     return low, number(f"{name}[1]", high, above=low, most=HIGHEST_OMEGA)
 

@@ -114,7 +114,7 @@ def test_frequency_up_to_which_a_base_leaves_rest_has_a_band():
     assert_samples_are_single_answers(found, SHAKEN, {"f_sticks": lambda one: one.margins(0.004).f_sticks}, 1e-12)
     with pytest.raises(ValueError, match="rows_cross needs a load spectrum: give spectrum"):
         tolerances(SHAKEN, {"friction": 0.3}, answers=["rows_cross"])
-    with pytest.raises(ValueError, match=r"spectrum = 3 is not allowed: it must be a pair \(f, F\)"):
+    with pytest.raises(ValueError, match=r"spectrum = 3 is not allowed: spectrum must be a pair \(f, F\)"):
         tolerances(SHAKEN, {"friction": 0.3}, spectrum=3)
 
 
@@ -270,10 +270,10 @@ def test_what_is_not_allowed_is_refused_in_words(monkeypatch):
         (lambda: fit(MOUNT, F=[4, 5], jump_up=[2.1]), "jump_up is not allowed: it must have a frequency"),
         (lambda: fit(MOUNT, jump_up=[2.1]), "F is needed"),
         (lambda: tolerances(MOUNT, {"k_h": 0.1}, answers=["A_shock"]), "A_shock needs a shock of the base: give shock"),
-        (lambda: tolerances(MOUNT, {"k_h": 0.1}, shock=20), "it must be a pair"),
+        (lambda: tolerances(MOUNT, {"k_h": 0.1}, shock=20), "shock must be a pair"),
         (
             lambda: tolerances(MOUNT, {"k_h": 0.1}, shock={"acceleration": 20.0, "duration": 0.011}),
-            r"shock = {'acceleration': 20.0, .* is not allowed: it must be a pair \(acceleration, duration\)",
+            r"shock = {'acceleration': 20.0, .* is not allowed: shock must be a pair \(acceleration, duration\)",
         ),
         (lambda: front(MOUNT, {"k_h": (1, 2)}, high=["F_SN"]), "front needs two answers"),
     ]

@@ -7,7 +7,7 @@ A design that has no answer, or is none, has NaN and nothing was raised for it: 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from functools import cached_property
+from functools import cached_property, partial
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
@@ -130,8 +130,8 @@ class Batch(Answer):
         raise AttributeError(f"an answer does not change: {name!r} cannot be set")
 
     def __reduce__(self) -> tuple[Any, ...]:
-        own = self.question.name, dict(self._values), self._designs, dict(self.asked), self.system, self._extra
-        return _again, (type(self), *own)
+        own = self.question.name, dict(self._values), self._designs, dict(self.asked), self.system
+        return partial(type(self), **self._extra), own
 
     def __getattr__(self, name: str) -> Any:
         values = self.__dict__.get("_values", {})  # not there yet while it is made
@@ -380,11 +380,6 @@ class Batch(Answer):
 
 #: questions about states
 OF_STATES = ("amplitudes", "frequency_response")
-
-
-def _again(kind: type[Batch], question: str, values: Any, designs: Any, at: Any, system: str, extra: Any) -> Batch:
-    """For pickle and copy."""
-    return kind(question, values, designs, at, system, **extra)
 
 
 def _states(found: Batch) -> tuple[Any, Any, Any]:

@@ -438,11 +438,8 @@ def front(
 
 
 def _ends(subject: Subject, name: str, pair: Any) -> Any:
-    """A range of a number, as it was given or with its ends in SI units."""
-    try:
-        low, high = pair
-    except (TypeError, ValueError):  # said where it is told to be a pair
-        return pair
+    """A range of a number, with its ends in SI units."""
+    low, high = validate.pair(name, pair, validate.LOW_AND_HIGH)
     return subject.number(name, low), subject.number(name, high)
 
 

@@ -6,7 +6,7 @@ A number of a mount is varied in its own terms, and may change what the answers 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping, Set
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from types import SimpleNamespace
 from typing import Any
@@ -180,10 +180,8 @@ class Subject:
             None if value is None else validate.number(name, value, above=0.0)
             for name, value in zip(names, (forcing, frequency), strict=True)
         )
-        pulse, table = (
-            _pair("shock", shock, "(acceleration, duration)"),
-            _pair("spectrum", spectrum, PAIR.format(*names)),
-        )
+        pulse: Any = None if shock is None else validate.pair("shock", shock, "(acceleration, duration)")
+        table: Any = None if spectrum is None else validate.pair("spectrum", spectrum, PAIR.format(*names))
         if self.mount:
             pulse = pulse and (si("shock[0]", pulse[0], "m/s^2"), si("shock[1]", pulse[1], "s"))
             table = table and (si("spectrum[0]", table[0], "Hz"), si("spectrum[1]", table[1], unit))
@@ -388,19 +386,6 @@ class _Batch:
         stable = rests.stiffness > 0
         (first,) = np.take_along_axis(getattr(rests, column), stable.argmax(axis=-1)[..., np.newaxis], -1).T
         return np.where(stable.sum(axis=-1) == 1, first.T, np.nan)
-
-
-def _pair(name: str, value: Any, what: str) -> Any:
-    """Two things that were given as one, None where they were not."""
-    if value is None:
-        return None
-    # names, letters and what has no order could be taken apart too
-    parts: Any = () if isinstance(value, (str, Mapping, Set)) else value
-    try:
-        one, other = parts
-    except (TypeError, ValueError):
-        raise Refused(f"{name} = {value!r} is not allowed: it must be a pair {what}") from None
-    return one, other
 
 
 def _of_the_largest(states: Batch, name: str) -> Floats:
