@@ -26,7 +26,7 @@ from benchmarks.bench_roots import SCENES
 from benchmarks.document import quantity
 from benchmarks.remote import ROOT
 from slowflow import backend, example
-from slowflow.averaged.queries import AMPLITUDES, ONSET, PEAK, SADDLE_NODES, Question
+from slowflow.averaged.many import AMPLITUDES, ONSET, PEAK, SADDLE_NODES, Question
 from slowflow.backend import SOLVER
 from slowflow.exact.motion import TURN, handle
 from slowflow.example import TABLE_1

@@ -37,7 +37,6 @@ MODULES = (
     "slowflow.measured.validity",
     "slowflow.averaged.many",
     "slowflow.averaged.batches",
-    "slowflow.averaged.queries",
     "slowflow.grid",
     "slowflow.grid.designs",
     "slowflow.sizing",

@@ -18,8 +18,8 @@ import numpy as np
 import numpy.typing as npt
 
 from slowflow import Duffing, Isolator
+from slowflow.averaged.many import PROVED_FOLDS, PROVED_STATES, SADDLE_NODES
 from slowflow.averaged.proofs import Allowance
-from slowflow.averaged.queries import PROVED_FOLDS, PROVED_STATES, SADDLE_NODES
 from slowflow.support.errors import NotSettled
 from slowflow_kernels.conventions import Status
 from tests.oracles import draws

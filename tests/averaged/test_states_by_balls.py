@@ -10,7 +10,7 @@ import pytest
 
 from slowflow import Duffing, Isolator
 from slowflow.averaged import proofs, solvers
-from slowflow.averaged.queries import AMPLITUDES
+from slowflow.averaged.many import AMPLITUDES
 from slowflow.results import Remark
 from slowflow_kernels.conventions import Status
 from tests.oracles import averaged, counts

@@ -12,7 +12,7 @@ import pytest
 
 from slowflow import Duffing, Isolator
 from slowflow.averaged import proofs, solvers
-from slowflow.averaged.queries import PROVED_FOLDS, PROVED_STATES, SADDLE_NODES
+from slowflow.averaged.many import PROVED_FOLDS, PROVED_STATES, SADDLE_NODES
 from slowflow.certificate import DOUBLES
 from slowflow.oscillator import Oscillator
 from slowflow.results import Remark

@@ -10,8 +10,7 @@ import numpy as np
 from slowflow import progress, validate
 from slowflow.averaged.batches import Batch
 from slowflow.averaged.chunks import map_chunks
-from slowflow.averaged.many import Designs
-from slowflow.averaged.queries import failed
+from slowflow.averaged.many import Designs, failed
 from slowflow.backend import EXACT
 from slowflow.exact import questions
 from slowflow.exact.motion import MOST_STEPS, MOST_WORK, design_rows, recurrences

@@ -17,7 +17,7 @@ import numpy.typing as npt
 from slowflow import batch_checks, checks, validate
 from slowflow.averaged import many
 from slowflow.averaged.batches import Batch
-from slowflow.averaged.queries import Question, failed, kinds
+from slowflow.averaged.many import Question, failed, kinds
 from slowflow.averaged.questions import Averaged
 from slowflow.checks import Spectrum
 from slowflow.exact import shocks_many

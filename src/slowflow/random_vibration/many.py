@@ -9,8 +9,7 @@ import numpy as np
 from slowflow import progress, validate
 from slowflow.averaged.batches import Batch
 from slowflow.averaged.chunks import blocks, map_chunks
-from slowflow.averaged.many import Designs
-from slowflow.averaged.queries import failed
+from slowflow.averaged.many import Designs, failed
 from slowflow.backend import EXACT
 from slowflow.exact.motion import design_rows, recurrences
 from slowflow.mechanism import EquationOfMotion, Floats, Force, followed

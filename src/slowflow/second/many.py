@@ -19,9 +19,8 @@ import numpy.typing as npt
 
 from slowflow import validate
 from slowflow.answer import frozen
-from slowflow.averaged import queries
 from slowflow.averaged.batches import OF_STATES, Batch
-from slowflow.averaged.many import Designs
+from slowflow.averaged.many import Designs, Question
 from slowflow.averaged.questions import Averaged
 from slowflow.mechanism import Floats
 from slowflow.second.questions import SecondApproximation
@@ -133,20 +132,20 @@ def _amplitudes(oscillator: Averaged, _: Any, F_0: float, Omega: float) -> Any:
     return replace(found, **{name: getattr(found, name)[moves] for name in ("Omega", "A", "A_1", "phi", "stable")})
 
 
-def _curves(samples: int, window: tuple[float, float]) -> queries.Question:
+def _curves(samples: int, window: tuple[float, float]) -> Question:
     """The question about response curves of so many samples in a window of Omega."""
 
     def one(oscillator: Averaged, _: Any, F_0: float) -> Any:
         return SecondApproximation(oscillator).frequency_response(F_0, samples=samples, Omega=window)
 
-    return queries.Question("frequency_response", one, None, 1, SECOND, samples + MORE_POINTS[SECOND], Status.NONE)
+    return Question("frequency_response", one, None, 1, SECOND, samples + MORE_POINTS[SECOND], Status.NONE)
 
 
 #: by name
-BY_NAME: Mapping[str, queries.Question] = {
-    "amplitudes": queries.Question("amplitudes", _amplitudes, None, 1, SECOND, empty=Status.NONE),
+BY_NAME: Mapping[str, Question] = {
+    "amplitudes": Question("amplitudes", _amplitudes, None, 1, SECOND, empty=Status.NONE),
     **{
-        name: queries.Question(name, one, attrgetter(f"many_second_{of}"), at_once, SECOND)
+        name: Question(name, one, attrgetter(f"many_second_{of}"), at_once, SECOND)
         for name, one, of, at_once in (
             ("detachment", _second("detachment"), "detachment", 2**13),
             ("saddle_node_onset", _onset, "onset", 2**13),

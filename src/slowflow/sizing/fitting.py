@@ -19,7 +19,7 @@ from scipy.special import stdtrit
 
 from slowflow import validate
 from slowflow.answer import Table, entry, joined
-from slowflow.averaged.queries import AMPLITUDES, SADDLE_NODES
+from slowflow.averaged.many import AMPLITUDES, SADDLE_NODES
 from slowflow.mechanism import Floats
 from slowflow.quantities import EXCITED, SHEET, SI, in_shown, si
 from slowflow.range_checks import Implausible
