@@ -18,9 +18,8 @@ from slowflow.averaged.questions import Averaged
 from slowflow.certificate import Certificate
 from slowflow.composed import ComposedQuestions
 from slowflow.immutable import Unchanging
-from slowflow.loaded import CENTRED, Loaded, off_centre_by
 from slowflow.mechanism import EquationOfMotion, Floats, Force, Mechanism, followed
-from slowflow.model import THROUGHOUT, Laws, Model
+from slowflow.model import CENTRED, THROUGHOUT, Laws, Loaded, Model, off_centre_by
 from slowflow.results import Remark, SaddleNodeOnset
 from slowflow.support.errors import Refused
 from slowflow.table import SHOCKS
@@ -205,9 +204,8 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         return _remade, (type(self), self.given)
 
     def __repr__(self) -> str:
-        arguments = {
-            name: getattr(value, "name", value) for name, value in self.given.items()
-        }  # a mechanism by its name
+        # a mechanism by its name
+        arguments = {name: getattr(value, "name", value) for name, value in self.given.items()}
         shown = (f"{name}={value!r}" for name, value in arguments.items() if (name, value) not in DEFAULTS)
         return f"{type(self).__name__}({', '.join(shown)})"
 

@@ -35,7 +35,7 @@ FLOORS = (
     ("results", "quantities"),
     ("certificate", "measured", "files", "sensitivities"),
     ("gradient",),
-    ("answer", "loaded"),
+    ("answer",),
     ("model", "table", "transmissibility"),
     ("validate", "page", "intervals"),
     ("mechanism", "sampled", "backend", "pictures", "progress", "range_checks", "immutable", "version"),

@@ -18,8 +18,8 @@ from slowflow.exact.sweep import Sweep
 from slowflow.exact.sweep import sweep as exact_sweep
 from slowflow.exact.transient import AFTER, NO_PULSE, Arc, ShockSpectrum, Transient, half_sine, record, shock_spectrum
 from slowflow.exact.transient import transient as exact_transient
-from slowflow.loaded import Loaded
 from slowflow.mechanism import EquationOfMotion
+from slowflow.model import Loaded
 from slowflow.results import Remark
 from slowflow.support.errors import NotSettled, Refused
 from slowflow.text import Sentence, text

@@ -9,9 +9,8 @@ from typing import Any
 
 from slowflow import validate
 from slowflow.designs import Designs
-from slowflow.loaded import off_centre_by
 from slowflow.mechanism import Mechanism
-from slowflow.model import THROUGHOUT
+from slowflow.model import THROUGHOUT, off_centre_by
 from slowflow.table import ManyQuestions
 from slowflow_kernels.domains import EXCITATIONS, RUBS
 

@@ -18,9 +18,8 @@ from slowflow.answer import optional
 from slowflow.exact.transient import NO_PULSE
 from slowflow.grid.block import INNER, Ask, lengths, made_by, of_column, of_map
 from slowflow.immutable import Unchanging
-from slowflow.loaded import AT_CENTRE, off_centre_by
 from slowflow.mechanism import Mechanism
-from slowflow.model import THROUGHOUT, check_names
+from slowflow.model import AT_CENTRE, THROUGHOUT, check_names, off_centre_by
 from slowflow.off_centre.many import check_polynomial
 from slowflow.random_vibration.questions import excited_by
 from slowflow.second.many import UNANSWERED

@@ -22,9 +22,8 @@ from slowflow.averaged.questions import Averaged
 from slowflow.checks import Spectrum
 from slowflow.exact import shocks_many
 from slowflow.gradient import Gradient
-from slowflow.loaded import AT_CENTRE, off_centre_by
 from slowflow.mechanism import Flags, Mechanism
-from slowflow.model import Floats, Model
+from slowflow.model import AT_CENTRE, Floats, Model, off_centre_by
 from slowflow.off_centre.answers import NUMBERS
 from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import NO_MEANS, NOT_SMOOTH

@@ -20,9 +20,8 @@ from slowflow.averaged.pairs import at_pairs
 from slowflow.averaged.questions import Averaged
 from slowflow.composed import ComposedQuestions
 from slowflow.immutable import Unchanging
-from slowflow.loaded import CENTRED, Loaded, off_centre_by
 from slowflow.mechanism import Ints
-from slowflow.model import Floats, Model
+from slowflow.model import CENTRED, Floats, Loaded, Model, off_centre_by
 from slowflow.off_centre import answers
 from slowflow.off_centre.answers import RestPositions
 from slowflow.off_centre.boxes import Solutions, solve

@@ -4,8 +4,7 @@ Such a function has no derivatives, and nothing encloses it. On each of its piec
 through its values (`polynomial`); all else is of this (`force`), and stands in a record as of any mechanism (`record`).
 """
 
-from slowflow.sampled.force import Stated, check_signature
+from slowflow.sampled.force import Stated, check_signature, record
 from slowflow.sampled.polynomial import rows
-from slowflow.sampled.record import record
 
 __all__ = ["Stated", "check_signature", "record", "rows"]
