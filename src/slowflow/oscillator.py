@@ -29,6 +29,7 @@ from slowflow_kernels.domains import EXCITATIONS
 if TYPE_CHECKING:
     from slowflow import checks, exact
     from slowflow.averaged.plan import Plan
+    from slowflow.exact.questions import Motions
     from slowflow.mechanism import Reals
     from slowflow.off_centre.answers import RestPositions
     from slowflow.off_centre.questions import OffCentre
@@ -277,6 +278,12 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
             )
         return self.equation_of_motion(which)
 
+    def _motions(self, system: EquationOfMotion) -> Motions:
+        """Its motions by an equation of motion; what follows them is loaded when it is asked for."""
+        from slowflow.exact.questions import Motions
+
+        return Motions(self, system)
+
     def steady_state(
         self,
         *,
@@ -303,9 +310,7 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         `.force` of the answer is that on the mass: F_0 Omega^2 for an excitation by inertia.
         Raises ValueError for parameters out of range, as a force <= mu, ArithmeticError if nothing periodic is found.
         """
-        from slowflow.exact import questions
-
-        return questions.steady_state(self, self.equation_of_motion(force), Omega, F_0, A, u_0, v_0)
+        return self._motions(self.equation_of_motion(force)).steady_state(Omega, F_0, A, u_0, v_0)
 
     def exact_response(
         self,
@@ -333,10 +338,7 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         Raises ValueError for parameters out of range, ArithmeticError where there is no start or resonance is
         unbounded.
         """
-        from slowflow.exact import questions
-
-        system = self.equation_of_motion(force)
-        return questions.exact_response(self, system, F_0, Omega, start, step, u_0, v_0)
+        return self._motions(self.equation_of_motion(force)).exact_response(F_0, Omega, start, step, u_0, v_0)
 
     def sweep(
         self, *, Omega: Reals, F_0: float, force: str | None = None, u_0: float | None = None, v_0: float = 0.0
@@ -349,9 +351,7 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         Raises ValueError for parameters out of range, as a force <= mu, ArithmeticError where the motion escapes a
         softening spring.
         """
-        from slowflow.exact import questions
-
-        return questions.sweep(self, self.equation_of_motion(force), Omega, F_0, u_0, v_0)
+        return self._motions(self.equation_of_motion(force)).sweep(Omega, F_0, u_0, v_0)
 
     def transient(
         self,
@@ -381,9 +381,7 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         rests, and by `.series()` its way, seen from the base. Raises ValueError for what is not allowed,
         ArithmeticError where the motion escapes a softening spring.
         """
-        from slowflow.exact import questions
-
-        return questions.transient(self, self._in_time(force), acceleration, duration, tau, after, u_0, v_0)
+        return self._motions(self._in_time(force)).transient(acceleration, duration, tau, after, u_0, v_0)
 
     def shock_spectrum(self, *, acceleration: Reals, duration: Reals, force: str | None = None) -> exact.ShockSpectrum:
         """What half sines of the base do to the mass: deflection and acceleration over peak and duration of the pulse.
@@ -393,9 +391,7 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
 
         A row for each pulse: .A .a_max .ratio .detaches. Raises ValueError and ArithmeticError as `transient`.
         """
-        from slowflow.exact import questions
-
-        return questions.shocks(self, self._in_time(force), acceleration, duration)
+        return self._motions(self._in_time(force)).shock_spectrum(acceleration, duration)
 
     def random(self, *, S_0: float | None = None, psd: tuple[Reals, Reals] | None = None) -> RandomResponse:
         """Stationary motions under a Gaussian excitation w in the place of F_0 cos, by statistical linearization.

@@ -5,7 +5,8 @@ from __future__ import annotations
 import dataclasses
 import math
 import sys
-from typing import TYPE_CHECKING, Any
+from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -24,9 +25,6 @@ from slowflow.results import Remark
 from slowflow.support.errors import NotSettled, Refused
 from slowflow.text import Sentence, text
 from slowflow_kernels import inertia
-
-if TYPE_CHECKING:
-    from slowflow.averaged.questions import Averaged
 
 #: distance, relative in amplitude and frequency, from which on the averaged points are those of another curve
 SEPARATION = 0.1
@@ -66,184 +64,238 @@ START = "start = {start:r} is not allowed: start must be a steady state at {F_0 
 ROWS = "{tau} and acceleration must be two rows of as many numbers, {tau} rising: not of {shapes:s}"
 
 
-def steady_state(
-    averaged: Averaged,
-    system: EquationOfMotion,
-    Omega: float,
-    F_0: float,
-    A: float | None,
-    u_0: float | None,
-    v_0: float,
-) -> shooting.SteadyState:
-    """See `slowflow.oscillator.Oscillator.steady_state`."""
-    Omega = validate.number("Omega", Omega, above=0.0)
-    F_0 = validate.number("F_0", F_0, above=0.0)
-    target = None if A is None else validate.number("A", A, above=0.0)
-    if target is None:
-        return _from_rest(averaged, system, Omega, F_0, u_0, v_0)
-    if u_0 is not None or v_0 != 0:
-        raise Refused(BOTH.format("A"))
-    if must_stick(system, Omega, F_0):
-        return _from_rest(averaged, system, Omega, F_0)
-    check_forcing(system, Omega, F_0)
-    if not system.centred:
-        return _asymmetric(averaged, system, Omega, F_0, target)
-    guesses = _guesses(averaged, Omega, F_0, target)
-    found = [motion for motion in (shooting.near(system, Omega, F_0, guess) for guess in guesses) if motion is not None]
-    found += _static(averaged, system, Omega, F_0)
-    if found:
-        return min(found, key=lambda motion: abs(motion.A - target))
-    return shooting.steady_state(system, guesses[0], Omega=Omega, F_0=F_0)
+@dataclass(frozen=True)
+class Motions:
+    """What is asked of an oscillator's motions: `slowflow.oscillator.Oscillator` has each question by its name.
 
-
-def _static(averaged: Averaged, system: EquationOfMotion, Omega: float, F_0: float) -> list[shooting.SteadyState]:
-    """The motion from rest against static friction, which averaging does not have; empty if there is none."""
-    if not system.mu_s > system.mu:
-        return []
-    try:
-        at, _ = equilibrium(averaged, system)
-        if stays_at_rest(system, Omega, F_0, at):
-            return []
-        return [_from_rest(averaged, system, Omega, F_0)]
-    except ArithmeticError:
-        return []
-
-
-def _asymmetric(
-    averaged: Averaged, system: EquationOfMotion, Omega: float, F_0: float, A: float
-) -> shooting.SteadyState:
-    """The motion whose largest |u| is nearest to A, of those that averaged states with a mean B lead to.
-
-    The amplitude itself about each mean, at resonance, is a guess too: averaging does not have all motions.
-    Where Newton's iteration finds none, the nearest state is followed in time.
+    averaged -- the oscillator, or its `OffCentre`: averaged answers, which are guesses
+    system   -- its equation of motion
     """
-    found, states = [], _states(averaged, Omega, F_0)
-    for state in states:
-        own = [(A - abs(state.B), -math.pi / 2)] if abs(state.B) < A else []
-        for guess in ((state.A, state.phi), *own):
-            motion = shooting.near(system, Omega, F_0, guess, B=state.B)
-            found += [] if motion is None else [motion]
-    found += _static(averaged, system, Omega, F_0)
-    if not found and states:
-        nearest = min(states, key=lambda state: abs(state.A + abs(state.B) - A))
-        start = (nearest.A + max(nearest.B, 0.0), nearest.phi)
-        return shooting.steady_state(system, start, Omega=Omega, F_0=F_0)
-    if not found:
-        raise NotSettled(text(NONE_NEAR, Omega))
-    return min(found, key=lambda motion: abs(motion.A - A))
 
+    averaged: Any
+    system: EquationOfMotion
 
-def exact_response(
-    averaged: Averaged,
-    system: EquationOfMotion,
-    F_0: float,
-    Omega: tuple[float, float],
-    start: shooting.SteadyState | None,
-    step: float,
-    u_0: float | None,
-    v_0: float,
-) -> response.Response:
-    """See `slowflow.oscillator.Oscillator.exact_response`."""
-    F_0 = validate.number("F_0", F_0, above=0.0)
-    low, high = validate.window("Omega", Omega)
-    low = validate.number("Omega[0]", low, above=0.0)
-    step = validate.number("step", step, above=0.0, most=0.5)
-    begins = ""
-    if system.inertial and system.forcing(Omega=low, F_0=F_0) < EXCEEDS * system.holds(0):
-        Omega_min = float(inertia.moves_from(F_0, system.holds(0)))
-        low = min(high, math.sqrt(EXCEEDS) * Omega_min)
-        begins = STARTS_ABOVE.format((Omega_min, low))
-    if start is None:
-        start = _from_rest(averaged, system, low, F_0, u_0, v_0)
-    elif u_0 is not None or v_0 != 0:
-        raise Refused(BOTH.format("start"))
-    elif not (isinstance(start, shooting.SteadyState) and low <= start.Omega <= high and start.F_0 == F_0):
-        raise Refused(text(START, start, F_0, Omega))
-    if start.cycle.sticks:
-        message = sticking_message(system, start.Omega, F_0, float(start.unknowns[0]))
-        return response.empty_response(F_0, joined(start.message, message))
-    found = response.exact_response(system, F_0, Omega=(low, high), start=start, step=step)
-    # an incomplete curve cannot be compared with averaged ones
-    message = _other_curves(averaged, found, (low, high)) if found.complete else found.message
-    return dataclasses.replace(found, message=joined(begins, start.message, message))
+    def steady_state(
+        self, Omega: float, F_0: float, A: float | None, u_0: float | None, v_0: float
+    ) -> shooting.SteadyState:
+        """The motion next to A, or that from rest or from (u_0, v_0)."""
+        Omega = validate.number("Omega", Omega, above=0.0)
+        F_0 = validate.number("F_0", F_0, above=0.0)
+        target = None if A is None else validate.number("A", A, above=0.0)
+        if target is None:
+            return self._from_rest(Omega, F_0, u_0, v_0)
+        if u_0 is not None or v_0 != 0:
+            raise Refused(BOTH.format("A"))
+        if must_stick(self.system, Omega, F_0):
+            return self._from_rest(Omega, F_0)
+        check_forcing(self.system, Omega, F_0)
+        if not self.system.centred:
+            return self._asymmetric(Omega, F_0, target)
+        guesses = self._guesses(Omega, F_0, target)
+        near = (shooting.near(self.system, Omega, F_0, guess) for guess in guesses)
+        found = [motion for motion in near if motion is not None] + self._static(Omega, F_0)
+        if found:
+            return min(found, key=lambda motion: abs(motion.A - target))
+        return shooting.steady_state(self.system, guesses[0], Omega=Omega, F_0=F_0)
 
+    def _static(self, Omega: float, F_0: float) -> list[shooting.SteadyState]:
+        """The motion from rest against static friction, which averaging does not have; empty if there is none."""
+        if not self.system.mu_s > self.system.mu:
+            return []
+        try:
+            at, _ = equilibrium(self.averaged, self.system)
+            return [] if stays_at_rest(self.system, Omega, F_0, at) else [self._from_rest(Omega, F_0)]
+        except ArithmeticError:
+            return []
 
-def _other_curves(averaged: Averaged, found: response.Response, window: tuple[float, float]) -> str:
-    """Names a stable point of each averaged curve in the window that the exact one does not come near."""
-    try:
-        curve, A = _averaged(averaged, found.F_0, window)
-    except (ArithmeticError, ValueError) as error:
-        return UNKNOWN.format(error.args[0])
-    points = np.log(np.column_stack((curve.Omega, A)))
-    line = np.log(np.column_stack((found.Omega, found.A)))
-    distances = np.array([np.abs(line - point).max(axis=1).min() for point in points])
-    branches = [np.flatnonzero(curve.branch == branch) for branch in np.unique(curve.branch)]
-    branches.sort(key=lambda members: float(np.median(distances[members])))
-    notes = []
-    for members in branches[1:]:  # the nearest is this curve, however far friction keeps averaging from it
-        stable = members[curve.stable[members]]
-        if stable.size and np.median(distances[members]) > SEPARATION:
-            middle = stable[stable.size // 2]
-            notes.append(OTHER.format(Omega=curve.Omega[middle], A=A[middle], F_0=found.F_0))
-    return joined(*notes)
+    def _asymmetric(self, Omega: float, F_0: float, A: float) -> shooting.SteadyState:
+        """The motion whose largest |u| is nearest to A, of those that averaged states with a mean B lead to.
 
+        The amplitude itself about each mean, at resonance, is a guess too: averaging does not have all motions.
+        Where Newton's iteration finds none, the nearest state is followed in time.
+        """
+        found, states = [], self._states(Omega, F_0)
+        for state in states:
+            own = [(A - abs(state.B), -math.pi / 2)] if abs(state.B) < A else []
+            for guess in ((state.A, state.phi), *own):
+                motion = shooting.near(self.system, Omega, F_0, guess, B=state.B)
+                found += [] if motion is None else [motion]
+        found += self._static(Omega, F_0)
+        if not found and states:
+            nearest = min(states, key=lambda state: abs(state.A + abs(state.B) - A))
+            start = (nearest.A + max(nearest.B, 0.0), nearest.phi)
+            return shooting.steady_state(self.system, start, Omega=Omega, F_0=F_0)
+        if not found:
+            raise NotSettled(text(NONE_NEAR, Omega))
+        return min(found, key=lambda motion: abs(motion.A - A))
 
-def _averaged(averaged: Any, F_0: float, window: tuple[float, float]) -> tuple[Any, Any]:
-    """The averaged curve and the largest |u| of its motions, means included."""
-    if isinstance(averaged.model, Loaded):
-        curve = averaged.frequency_response(F_0, samples=100, Omega=window)
-        return curve, curve.A + np.abs(curve.B)
-    curve = averaged.curve(F_0, samples=100, Omega=window)
-    return curve, curve.A
+    def exact_response(
+        self,
+        F_0: float,
+        Omega: tuple[float, float],
+        start: shooting.SteadyState | None,
+        step: float,
+        u_0: float | None,
+        v_0: float,
+    ) -> response.Response:
+        """The curve in a window of frequencies, through `start` or the motion at its lower end."""
+        system = self.system
+        F_0 = validate.number("F_0", F_0, above=0.0)
+        low, high = validate.window("Omega", Omega)
+        low = validate.number("Omega[0]", low, above=0.0)
+        step = validate.number("step", step, above=0.0, most=0.5)
+        begins = ""
+        if system.inertial and system.forcing(Omega=low, F_0=F_0) < EXCEEDS * system.holds(0):
+            Omega_min = float(inertia.moves_from(F_0, system.holds(0)))
+            low = min(high, math.sqrt(EXCEEDS) * Omega_min)
+            begins = STARTS_ABOVE.format((Omega_min, low))
+        if start is None:
+            start = self._from_rest(low, F_0, u_0, v_0)
+        elif u_0 is not None or v_0 != 0:
+            raise Refused(BOTH.format("start"))
+        elif not (isinstance(start, shooting.SteadyState) and low <= start.Omega <= high and start.F_0 == F_0):
+            raise Refused(text(START, start, F_0, Omega))
+        if start.cycle.sticks:
+            message = sticking_message(system, start.Omega, F_0, float(start.unknowns[0]))
+            return response.empty_response(F_0, joined(start.message, message))
+        found = response.exact_response(system, F_0, Omega=(low, high), start=start, step=step)
+        # an incomplete curve cannot be compared with averaged ones
+        message = self._other_curves(found, (low, high)) if found.complete else found.message
+        return dataclasses.replace(found, message=joined(begins, start.message, message))
 
+    def _other_curves(self, found: response.Response, window: tuple[float, float]) -> str:
+        """Names a stable point of each averaged curve in the window that the exact one does not come near."""
+        try:
+            curve, A = self._averaged_curve(found.F_0, window)
+        except (ArithmeticError, ValueError) as error:
+            return UNKNOWN.format(error.args[0])
+        points = np.log(np.column_stack((curve.Omega, A)))
+        line = np.log(np.column_stack((found.Omega, found.A)))
+        distances = np.array([np.abs(line - point).max(axis=1).min() for point in points])
+        branches = [np.flatnonzero(curve.branch == branch) for branch in np.unique(curve.branch)]
+        branches.sort(key=lambda members: float(np.median(distances[members])))
+        notes = []
+        for members in branches[1:]:  # the nearest is this curve, however far friction keeps averaging from it
+            stable = members[curve.stable[members]]
+            if stable.size and np.median(distances[members]) > SEPARATION:
+                middle = stable[stable.size // 2]
+                notes.append(OTHER.format(Omega=curve.Omega[middle], A=A[middle], F_0=found.F_0))
+        return joined(*notes)
 
-def sweep(averaged: Any, system: EquationOfMotion, Omega: Any, F_0: float, u_0: float | None, v_0: float) -> Sweep:
-    """See `slowflow.oscillator.Oscillator.sweep`."""
-    F_0 = validate.number("F_0", F_0, above=0.0)
-    frequencies = validate.positive_array("Omega", Omega)
-    u, v, message = _initial_state(averaged, system, u_0, v_0)
-    return dataclasses.replace(exact_sweep(system, Omega=frequencies, F_0=F_0, u_0=u, v_0=v), message=message)
+    def _averaged_curve(self, F_0: float, window: tuple[float, float]) -> tuple[Any, Any]:
+        """The averaged curve and the largest |u| of its motions, means included."""
+        if isinstance(self.averaged.model, Loaded):
+            curve = self.averaged.frequency_response(F_0, samples=100, Omega=window)
+            return curve, curve.A + np.abs(curve.B)
+        curve = self.averaged.curve(F_0, samples=100, Omega=window)
+        return curve, curve.A
 
+    def sweep(self, Omega: Any, F_0: float, u_0: float | None, v_0: float) -> Sweep:
+        """The motion through frequencies, from rest or from (u_0, v_0)."""
+        F_0 = validate.number("F_0", F_0, above=0.0)
+        frequencies = validate.positive_array("Omega", Omega)
+        u, v, message = self._initial_state(u_0, v_0)
+        found = exact_sweep(self.system, Omega=frequencies, F_0=F_0, u_0=u, v_0=v)
+        return dataclasses.replace(found, message=message)
 
-def transient(
-    averaged: Any,
-    system: EquationOfMotion,
-    acceleration: Any,
-    duration: Any,
-    tau: Any,
-    after: Any,
-    u_0: float | None = None,
-    v_0: float = 0.0,
-) -> Transient:
-    """See `slowflow.oscillator.Oscillator.transient`; of an `Averaged`, or of an `OffCentre`."""
-    free = acceleration is None and duration is None and tau is None and (u_0 is not None or v_0 != 0)
-    if not free and (duration is None) == (tau is None):
-        raise Refused(NO_PULSE)
-    begin = 0.0
-    if free:
-        arcs = np.empty((0, len(Arc._fields)))
-    elif duration is not None:
-        peak = validate.number("acceleration", acceleration)
-        arcs = half_sine(peak, validate.number("duration", duration, above=SHORTEST))
-    else:
-        times, samples = validate.finite_array("tau", tau), validate.finite_array("acceleration", acceleration)
-        if times.ndim != 1 or times.shape != samples.shape or times.size < 2 or not (np.diff(times) > SHORTEST).all():
-            raise Refused(text(ROWS, f"{times.shape} and {samples.shape}"))
-        arcs, begin = record(times, samples), float(times[0])
-    last = AFTER if after is None else validate.number("after", after, least=0.0)
-    at, v, message = _initial_state(averaged, system, u_0, v_0)
-    rest = at if u_0 is None else equilibrium(averaged, system)[0]
-    found = exact_transient(system, arcs, begin=begin, after=last, at=at, v=v, rest=rest)
-    return dataclasses.replace(found, message=joined(message, _beyond_reach(averaged, found.A)))
+    def transient(
+        self, acceleration: Any, duration: Any, tau: Any, after: Any, u_0: float | None, v_0: float
+    ) -> Transient:
+        """The motion in a pulse or a record of the base, or freely, from rest or from (u_0, v_0)."""
+        free = acceleration is None and duration is None and tau is None and (u_0 is not None or v_0 != 0)
+        if not free and (duration is None) == (tau is None):
+            raise Refused(NO_PULSE)
+        begin = 0.0
+        if free:
+            arcs = np.empty((0, len(Arc._fields)))
+        elif duration is not None:
+            peak = validate.number("acceleration", acceleration)
+            arcs = half_sine(peak, validate.number("duration", duration, above=SHORTEST))
+        else:
+            times, samples = validate.finite_array("tau", tau), validate.finite_array("acceleration", acceleration)
+            if (
+                times.ndim != 1
+                or times.shape != samples.shape
+                or times.size < 2
+                or not (np.diff(times) > SHORTEST).all()
+            ):
+                raise Refused(text(ROWS, f"{times.shape} and {samples.shape}"))
+            arcs, begin = record(times, samples), float(times[0])
+        last = AFTER if after is None else validate.number("after", after, least=0.0)
+        at, v, message = self._initial_state(u_0, v_0)
+        rest = at if u_0 is None else equilibrium(self.averaged, self.system)[0]
+        found = exact_transient(self.system, arcs, begin=begin, after=last, at=at, v=v, rest=rest)
+        return dataclasses.replace(found, message=joined(message, self._beyond_reach(found.A)))
 
+    def shock_spectrum(self, acceleration: Any, duration: Any) -> ShockSpectrum:
+        """What half sines of the base do, from rest."""
+        pulses = {
+            "acceleration": validate.positive_array("acceleration", acceleration),
+            "duration": validate.positive_array("duration", duration),
+        }
+        shape = validate.common_shape(pulses)
+        validate.number("duration", float(pulses["duration"].min(initial=1.0)), above=SHORTEST)
+        at, message = equilibrium(self.averaged, self.system)
+        peaks, spans = (np.broadcast_to(values, shape).ravel() for values in pulses.values())
+        found = shock_spectrum(self.system, peaks, spans, at)
+        beyond = self._beyond_reach(float(found.A.max(initial=0.0)))
+        return dataclasses.replace(found, message=joined(message, beyond))
 
-def _initial_state(averaged: Any, system: EquationOfMotion, u_0: Any, v_0: Any) -> tuple[float, float, str]:
-    """Initial displacement and velocity, by default at equilibrium, and a message."""
-    v = validate.number("v_0", v_0)
-    if u_0 is not None:
-        return validate.number("u_0", u_0), v, ""
-    at, message = equilibrium(averaged, system)
-    return at, v, message
+    def _initial_state(self, u_0: Any, v_0: Any) -> tuple[float, float, str]:
+        """Initial displacement and velocity, by default at equilibrium, and a message."""
+        v = validate.number("v_0", v_0)
+        if u_0 is not None:
+            return validate.number("u_0", u_0), v, ""
+        at, message = equilibrium(self.averaged, self.system)
+        return at, v, message
+
+    def _beyond_reach(self, A: float) -> str:
+        """The diagnostic of a deflection beyond the mechanism's reach; empty within it."""
+        model = self.averaged.model
+        if A <= model.reach:
+            return ""
+        return MESSAGES[Remark.BEYOND_REACH].format(reach=model.reach, reason=model.mechanism.reach_reason)
+
+    def _from_rest(self, Omega: float, F_0: float, u_0: float | None = None, v_0: float = 0.0) -> shooting.SteadyState:
+        """The steady state reached from equilibrium, or from (u_0, v_0), by time stepping.
+
+        If that does not become periodic but averaging has a single state, its motion, with a message.
+        """
+        system = self.system
+        u, v, message = self._initial_state(u_0, v_0)
+        if (found := shooting.static_state_from(system, Omega, F_0, u, v)) is not None:
+            return dataclasses.replace(found, message=message)
+        try:
+            found = shooting.steady_state(system, Omega=Omega, F_0=F_0, u_0=u, v_0=v)
+            return dataclasses.replace(found, message=message)
+        except shooting.NotPeriodic as error:
+            states = list(self.averaged.states(Omega=Omega, F_0=F_0)) if system.centred else self._states(Omega, F_0)
+            if len(states) == 1:
+                B = 0.0 if system.centred else states[0].B
+                found = shooting.near(system, Omega, F_0, (states[0].A, states[0].phi), B=B)
+                if found is not None and found.stable:
+                    return dataclasses.replace(found, message=joined(message, ONLY.format(error.args[0])))
+            raise
+
+    def _states(self, Omega: float, F_0: float) -> list[Any]:
+        """States with a mean in which the mass moves."""
+        return [state for state in self.averaged.amplitudes(Omega=Omega, F_0=F_0) if state.A > 0]
+
+    def _guesses(self, Omega: float, F_0: float, A: float) -> list[tuple[float, float]]:
+        """(A, phi) from which Newton's iteration may come to a motion of amplitude A, the averaged state nearest first.
+
+        Averaged folds are slightly off: the motion may exist where averaging has no such state, so the folds near Omega
+        are tried, and the amplitude itself with its averaged phase.
+        """
+        model = self.averaged.model
+        states, folds = self.averaged.states(Omega=Omega, F_0=F_0), self.averaged.folds(F_0)
+        near = np.abs(folds.Omega / Omega - 1.0) < FOLD_DISTANCE
+        amplitudes = np.concatenate((folds.A[near], [A]))
+        frequencies = np.concatenate((folds.Omega[near], [Omega]))
+        h = model.averaged(amplitudes)[0]
+        phases = model.flow.phase(frequencies, amplitudes, *model.equivalent_damping(frequencies, amplitudes), h)
+        known = sorted(zip(states.A, states.phi, strict=True), key=lambda state: abs(state[0] - A))
+        return [(float(a), float(phi)) for a, phi in (*known[:1], *zip(amplitudes, phases, strict=True))]
 
 
 def stable_at_centre(system: EquationOfMotion) -> bool:
@@ -291,69 +343,3 @@ def equilibrium(averaged: Any, system: EquationOfMotion) -> tuple[float, str]:
     if equilibria.size == 1:
         return u, ""
     return u, SEVERAL.format(equilibria, u)
-
-
-def _beyond_reach(averaged: Any, A: float) -> str:
-    """The diagnostic of a deflection beyond the mechanism's reach; empty within it."""
-    model = averaged.model
-    if A <= model.reach:
-        return ""
-    return MESSAGES[Remark.BEYOND_REACH].format(reach=model.reach, reason=model.mechanism.reach_reason)
-
-
-def shocks(averaged: Any, system: EquationOfMotion, acceleration: Any, duration: Any) -> ShockSpectrum:
-    """See `slowflow.oscillator.Oscillator.shock_spectrum`; of an `Averaged`, or of an `OffCentre`."""
-    pulses = {
-        "acceleration": validate.positive_array("acceleration", acceleration),
-        "duration": validate.positive_array("duration", duration),
-    }
-    shape = validate.common_shape(pulses)
-    validate.number("duration", float(pulses["duration"].min(initial=1.0)), above=SHORTEST)
-    at, message = equilibrium(averaged, system)
-    peaks, spans = (np.broadcast_to(values, shape).ravel() for values in pulses.values())
-    found = shock_spectrum(system, peaks, spans, at)
-    return dataclasses.replace(found, message=joined(message, _beyond_reach(averaged, float(found.A.max(initial=0.0)))))
-
-
-def _from_rest(
-    averaged: Averaged, system: EquationOfMotion, Omega: float, F_0: float, u_0: float | None = None, v_0: float = 0.0
-) -> shooting.SteadyState:
-    """The steady state reached from equilibrium, or from (u_0, v_0), by time stepping.
-
-    If that does not become periodic but averaging has a single state, its motion, with a message.
-    """
-    u, v, message = _initial_state(averaged, system, u_0, v_0)
-    if (static := shooting.static_state_from(system, Omega, F_0, u, v)) is not None:
-        return dataclasses.replace(static, message=message)
-    try:
-        return dataclasses.replace(shooting.steady_state(system, Omega=Omega, F_0=F_0, u_0=u, v_0=v), message=message)
-    except shooting.NotPeriodic as error:
-        states = list(averaged.states(Omega=Omega, F_0=F_0)) if system.centred else _states(averaged, Omega, F_0)
-        if len(states) == 1:
-            B = 0.0 if system.centred else states[0].B
-            found = shooting.near(system, Omega, F_0, (states[0].A, states[0].phi), B=B)
-            if found is not None and found.stable:
-                return dataclasses.replace(found, message=joined(message, ONLY.format(error.args[0])))
-        raise
-
-
-def _states(averaged: Any, Omega: float, F_0: float) -> list[Any]:
-    """States of `OffCentreStates` in which the mass moves."""
-    return [state for state in averaged.amplitudes(Omega=Omega, F_0=F_0) if state.A > 0]
-
-
-def _guesses(averaged: Averaged, Omega: float, F_0: float, A: float) -> list[tuple[float, float]]:
-    """(A, phi) from which Newton's iteration may come to a motion of amplitude A, the averaged state nearest first.
-
-    Averaged folds are slightly off: the motion may exist where averaging has no such state, so the folds near Omega are
-    tried, and the amplitude itself with its averaged phase.
-    """
-    model = averaged.model
-    states, folds = averaged.states(Omega=Omega, F_0=F_0), averaged.folds(F_0)
-    near = np.abs(folds.Omega / Omega - 1.0) < FOLD_DISTANCE
-    amplitudes = np.concatenate((folds.A[near], [A]))
-    frequencies = np.concatenate((folds.Omega[near], [Omega]))
-    h = model.averaged(amplitudes)[0]
-    phases = model.flow.phase(frequencies, amplitudes, *model.equivalent_damping(frequencies, amplitudes), h)
-    known = sorted(zip(states.A, states.phi, strict=True), key=lambda state: abs(state[0] - A))
-    return [(float(a), float(phi)) for a, phi in (*known[:1], *zip(amplitudes, phases, strict=True))]
