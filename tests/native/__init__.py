@@ -7,5 +7,5 @@ roots      the root solvers
 pairs      double-doubles
 intervals  intervals, and what is generated on them
 records    records of mechanisms
-asked      every compiled question, for sanitizers
+asked      a session with modules that are built for it
 """
