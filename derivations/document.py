@@ -174,9 +174,9 @@ def parameters(mechanism: Mechanism | Sided, definitions: Mapping[sp.Symbol, sp.
         unit = "" if parameter.unit == "1" else in_markdown(parameter.unit)
         yield f"| ${latex(parameter.symbol)}$ | {unit} | {in_markdown(parameter.doc)} | {allowed(parameter)} |"
     yield ""
-    given = {name: value for name, value in definitions.items() if name != value}
-    if given:
-        yield from display(*((latex(name), value) for name, value in given.items()))
+    formulas = {name: value for name, value in definitions.items() if name != value}
+    if formulas:
+        yield from display(*((latex(name), value) for name, value in formulas.items()))
 
 
 def allowed(parameter: Parameter) -> str:

@@ -17,7 +17,7 @@ import sympy as sp
 from slowflow.support.errors import Refused, WrongType
 
 #: what is said of a parameter, and which of that are bounds
-WORDS, BOUNDS = ("doc", "unit"), ("above", "least", "below", "most")
+TEXTS, BOUNDS = ("doc", "unit"), ("above", "least", "below", "most")
 #: the largest denominator of a fraction that is shown as one
 LONGEST = 10**9
 
@@ -87,7 +87,7 @@ def reach(value: Any) -> sp.Expr:
 
 def parameters(value: Any) -> Mapping[str, Mapping[str, Any]]:
     """Names with what is said of each, the bounds as exact numbers."""
-    allowed = f"names with what is said of each, some of {', '.join((*WORDS, *BOUNDS))}"
+    allowed = f"names with what is said of each, some of {', '.join((*TEXTS, *BOUNDS))}"
     if not isinstance(value, Mapping):
         raise WrongType(f"parameters = {value!r} is not allowed: it must be a mapping of {allowed}")
     found = {}
@@ -96,14 +96,14 @@ def parameters(value: Any) -> Mapping[str, Mapping[str, Any]]:
         if not isinstance(about, Mapping):
             raise WrongType(f"parameter {name} = {about!r} is not allowed: it must be a mapping of {allowed}")
         for key in about:
-            if key not in (*WORDS, *BOUNDS):
+            if key not in (*TEXTS, *BOUNDS):
                 raise Refused(
-                    f"parameter {name}: {key!r} is not allowed: it must be one of {', '.join((*WORDS, *BOUNDS))}"
+                    f"parameter {name}: {key!r} is not allowed: it must be one of {', '.join((*TEXTS, *BOUNDS))}"
                 )
-        words = {key: text(f"parameter {name}: {key}", about[key]) for key in WORDS if key in about}
+        texts = {key: text(f"parameter {name}: {key}", about[key]) for key in TEXTS if key in about}
         bounds = {key: exact(f"parameter {name}: {key}", about[key]) for key in BOUNDS if about.get(key) is not None}
         _leaves_some(name, bounds)
-        found[name] = words | bounds
+        found[name] = texts | bounds
     return found
 
 

@@ -85,7 +85,7 @@ class Sources:
     @property
     def python(self) -> dict[str, str]:
         """The module by file name, after what is interpreted: its motion, and of an odd force its record."""
-        text = numpy.text(self.module, programs(self.module, numpy.asked(self.module)))
+        text = numpy.text(self.module, programs(self.module, numpy.contained(self.module)))
         data = {program.motion.name_of(self.module.name): program.motion.text(self.module)}
         if self.odd:
             data[program.name_of(self.module.name)] = program.text(self.solved, programs(self.solved))
@@ -155,7 +155,7 @@ def stated(
         return sided
     _check_ends(name, ends)
     dimensional = {symbol: sp.Symbol(f"{symbol.name}_dimensional", positive=True) for symbol in symbols.values()}
-    back = {given: symbol for symbol, given in dimensional.items()}
+    back = {theirs: symbol for symbol, theirs in dimensional.items()}
     closed = all(force.is_polynomial(u) for force in forces)
     to_dimensional = {u: _x / _L, **dimensional}
     made = tuple(
@@ -203,14 +203,14 @@ def _mirrored(force: Any) -> str:
 
 
 def designed(parameters: Mapping[str, Mapping[str, Any]]) -> tuple[Parameter, ...]:
-    """The numbers of a design, from what `given` has checked of them. Raises ValueError for names that are taken."""
+    """The numbers of a design, checked by module `given`. Raises ValueError for names that are taken."""
     found = []
-    for given, about in parameters.items():
-        if not given.isidentifier() or keyword.iskeyword(given) or given in TAKEN:
-            raise Refused(f"parameter {given!r} is not allowed: it must be a name that is none of {sorted(TAKEN)}")
-        if given in WORDS_OF_C:
-            raise Refused(f"parameter {given!r} is not allowed: it is a word of C")
-        found.append(_parameter(_symbol(given, about), about))
+    for key, about in parameters.items():
+        if not key.isidentifier() or keyword.iskeyword(key) or key in TAKEN:
+            raise Refused(f"parameter {key!r} is not allowed: it must be a name that is none of {sorted(TAKEN)}")
+        if key in WORDS_OF_C:
+            raise Refused(f"parameter {key!r} is not allowed: it is a word of C")
+        found.append(_parameter(_symbol(key, about), about))
     return tuple(found)
 
 
@@ -235,8 +235,8 @@ def by_quadrature(mechanism: Mechanism) -> Mechanism | None:
         return None  # it is truncated
     if smooth_end(oscillator(mechanism)) is None:
         return None
-    given = tuple(parameter.symbol for parameter in mechanism.design) or (UNIT.symbol,)
-    return replace(mechanism, order=sp.oo, coefficients=({},) * len(mechanism.pieces), instead=given)
+    design = tuple(parameter.symbol for parameter in mechanism.design) or (UNIT.symbol,)
+    return replace(mechanism, order=sp.oo, coefficients=({},) * len(mechanism.pieces), instead=design)
 
 
 def sources(mechanism: Mechanism | Sided) -> Sources:
@@ -254,9 +254,9 @@ def sources(mechanism: Mechanism | Sided) -> Sources:
     return Sources(with_bends(module, derived) if not_shown(derived.oscillator) else module, derived)
 
 
-def told(mechanism: Mechanism | Sided) -> str:
+def description(mechanism: Mechanism | Sided) -> str:
     """Its derivation as Markdown with LaTeX."""
-    # here, not above: who asks for a mechanism need not ask for its document
+    # here, not above: who derives a mechanism need not print its document
     from .document import document, document_of_quadrature, document_of_sided
 
     equations = averaged()
@@ -273,7 +273,7 @@ def written(mechanism: Mechanism | Sided, folder: Path) -> list[str]:
     """All that is printed and told of it as files in a folder, in which an earlier run's are replaced; their names."""
     printed = sources(mechanism)
     name = printed.module.name
-    files = {**printed.compiled, **printed.exported, **printed.python, DOCUMENT: told(mechanism)}
+    files = {**printed.compiled, **printed.exported, **printed.python, DOCUMENT: description(mechanism)}
     content = {
         "command": "slowflow derive",
         "mechanism": {"name": name, "title": mechanism.title},
@@ -364,12 +364,12 @@ def _parameter(symbol: sp.Symbol, about: Mapping[str, Any]) -> Parameter:
 
 
 def _in_ours(
-    what: str, given: Any, symbols: Mapping[str, sp.Symbol], others: Mapping[str, sp.Symbol], *, odd: bool = True
+    what: str, expression: Any, symbols: Mapping[str, sp.Symbol], others: Mapping[str, sp.Symbol], *, odd: bool = True
 ) -> sp.Expr:
     """A user's expression with our symbols in the place of those of the same names."""
-    given = given_by.expression(what, given)
+    expression = given_by.expression(what, expression)
     known = {**symbols, **others}
-    unknown = sorted({symbol.name for symbol in given.free_symbols} - set(known))
+    unknown = sorted({symbol.name for symbol in expression.free_symbols} - set(known))
     if "t" in unknown:
         raise Refused(
             f"{what} has t: a restoring force may not depend on time, it is a function of u and parameters; what "
@@ -377,7 +377,7 @@ def _in_ours(
         )
     if unknown:
         raise Refused(f"{what} has {', '.join(unknown)}, which {'is' if len(unknown) == 1 else 'are'} no parameter")
-    ours = given.subs({symbol: known[symbol.name] for symbol in given.free_symbols})
+    ours = expression.subs({symbol: known[symbol.name] for symbol in expression.free_symbols})
     # a force is stated for u > 0: |u| is u there
     return ours.subs(u, _above).subs(_above, u) if odd and ours.has(sp.Abs, sp.sign) else ours
 
@@ -389,8 +389,8 @@ def _is_continuous(forces: Sequence[sp.Expr], ends: Sequence[sp.Expr], number: i
 
 def _digest(mechanism: Mechanism | Sided) -> str:
     """Of the mechanism, the tools, and every file of the derivation."""
-    told: Iterable[str] = (repr(mechanism), tools(), _files())
-    return hashlib.sha256("\n".join(told).encode()).hexdigest()[:12]
+    contents: Iterable[str] = (repr(mechanism), tools(), _files())
+    return hashlib.sha256("\n".join(contents).encode()).hexdigest()[:12]
 
 
 @cache

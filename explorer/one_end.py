@@ -167,9 +167,9 @@ def text(name: str, force: Sided) -> str:
     substitutions = {
         "DESIGN": inputs,
         "DOMAIN": " && ".join(domain),
-        "RESTS": c(derived.rests),
-        "FIRST": assignments(derived.given[0]),
-        "SECOND": assignments(derived.given[1]),
+        "RESTS": c(derived.condition),
+        "FIRST": assignments(derived.parameters[0]),
+        "SECOND": assignments(derived.parameters[1]),
         "M_NEAR_0": c(one_end.in_powers(derived.M).subs(sp.pi, sp.pi.evalf(20))),
         "N_NEAR_0": c(one_end.in_powers(derived.N).subs(sp.pi, sp.pi.evalf(20))),
         "M_OF_A": c(derived.M),

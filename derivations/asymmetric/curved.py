@@ -35,13 +35,13 @@ class Curved:
 
     pieces -- f, f', f'', f''' of each by rising u, in `v` for u
     gains  -- of f, f', f'' at each end
-    moved  -- of each piece, by each parameter in turn: the derivative of f by it, and that one's first two by u
+    by_parameter -- of each piece, by each parameter in turn: the derivative of f by it, and its first two by u
     gained_by -- at each end, by each parameter in turn: the gains of that derivative and of its slope
     """
 
     pieces: tuple[tuple[sp.Expr, ...], ...]
     gains: tuple[tuple[sp.Expr, ...], ...]
-    moved: tuple[tuple[tuple[sp.Expr, ...], ...], ...]
+    by_parameter: tuple[tuple[tuple[sp.Expr, ...], ...], ...]
     gained_by: tuple[tuple[tuple[sp.Expr, ...], ...], ...]
 
 

@@ -222,12 +222,12 @@ def off_centre(averaged: Averaged, flow: Formulas, laws: Formulas) -> Formulas:
         the mean of c_1 over the B between, its slope by A that of s_2, and that by B^2 the mean of c_3 with weights
         whose sum is 1/6.
         """
-        share, second = sp.symbols("share second", positive=True)
+        fraction, second = sp.symbols("share second", positive=True)
         # c_1 of B is even: its slope c_2 at B share is the integral of c_3 from 0
-        weight = sp.integrate(share * sp.integrate(1, (second, 0, share)), (share, 0, 1)) / 2
+        weight = sp.integrate(fraction * sp.integrate(1, (second, 0, fraction)), (fraction, 0, 1)) / 2
         return sp.expand(of_means[resists].subs({c[1]: 2 * B**2 * weight * c[3], s[1]: B * s[2]}))
 
-    _moved(of, f_0, of_h[h])
+    _by_parameter(of, f_0, of_h[h])
     _climb(of)
     return of
 
@@ -236,22 +236,22 @@ def _along_balance(f_0: sp.Expr, value: sp.Expr) -> tuple[tuple[Let, ...], tuple
     """B_A, B_AA, B_AAA from f_0 = 0 by implicit differentiation; a value and its derivatives in A with these."""
     slopes = sp.symbols("B_A B_AA B_AAA", real=True)
 
-    def along(expression: sp.Expr) -> sp.Expr:
+    def derivative(expression: sp.Expr) -> sp.Expr:
         chain = pairwise(slopes)
         known = sum(sp.diff(expression, one) * following for one, following in chain)
         return _by_A(expression) + slopes[0] * _by_B(expression) + known
 
     lets, balance, derivatives = [], f_0, [value]
     for slope in slopes:
-        balance = along(balance)
-        derivatives.append(sp.expand(along(derivatives[-1])))
+        balance = derivative(balance)
+        derivatives.append(sp.expand(derivative(derivatives[-1])))
         (solved,) = sp.solve(balance, slope)
         lets.append((slope, solved))
     return tuple(lets), tuple(derivatives)
 
 
-def _moved(of: Formulas, f_0: sp.Expr, value: sp.Expr) -> None:
-    """By implicit differentiation of the balance, once by the parameter and then along it."""
+def _by_parameter(of: Formulas, f_0: sp.Expr, value: sp.Expr) -> None:
+    """By implicit differentiation of the balance, once by the parameter and then in A along the balance."""
 
     def by_p(expression: sp.Expr) -> sp.Expr:
         """At fixed A and B."""
@@ -259,31 +259,31 @@ def _moved(of: Formulas, f_0: sp.Expr, value: sp.Expr) -> None:
         return sum(sp.diff(expression, symbol) * move for symbol, move in direct)
 
     slopes = sp.symbols("B_A B_AA", real=True)
-    moves = sp.symbols("B_p B_Ap B_AAp", real=True)
+    sensitivities = sp.symbols("B_p B_Ap B_AAp", real=True)
 
-    def along(expression: sp.Expr) -> sp.Expr:
-        chain = (*pairwise(slopes), *pairwise(moves))
+    def derivative(expression: sp.Expr) -> sp.Expr:
+        chain = (*pairwise(slopes), *pairwise(sensitivities))
         known = sum(sp.diff(expression, one) * following for one, following in chain)
         return _by_A(expression) + slopes[0] * _by_B(expression) + known
 
     (first, second, _), (_, h_A, _, _) = _along_balance(f_0, value)
     lets = [first, second]
-    balance = by_p(f_0) + moves[0] * _by_B(f_0)
-    values = [by_p(value) + moves[0] * _by_B(value)]
-    for move in moves:
+    balance = by_p(f_0) + sensitivities[0] * _by_B(f_0)
+    values = [by_p(value) + sensitivities[0] * _by_B(value)]
+    for move in sensitivities:
         (solved,) = sp.solve(balance, move)
         lets.append((move, solved))
-        balance = along(balance)
-        if move is not moves[-1]:
-            values.append(sp.expand(along(values[-1])))
+        balance = derivative(balance)
+        if move is not sensitivities[-1]:
+            values.append(sp.expand(derivative(values[-1])))
     # the other way: h_A along the balance, then by the parameter
     explicit = h_A.subs([first])
-    by_parameter = by_p(explicit) + moves[0] * _by_B(explicit)
+    by_parameter = by_p(explicit) + sensitivities[0] * _by_B(explicit)
     claim("h_A by the parameter", (by_parameter - values[1]).subs(reversed(lets)))
     at_end = sp.Symbol("A_p")
     (edge,) = sp.solve(by_p(f_0) + at_end * _by_A(f_0) + side * (end_p - at_end) * _by_B(f_0), at_end)
     text = "B_p, h_p, h_Ap, h_AAp along the balance at a fixed A, by what a parameter does to means and load."
-    of.add("moved", Lets(lets, (moves[0], *values)), text, "(20), (31)", "A > 0, c_1 other than 0")
+    of.add("moved", Lets(lets, (sensitivities[0], *values)), text, "(20), (31)", "A > 0, c_1 other than 0")
     text = "A_p of a motion that comes to an end of a piece: at B + A for side = 1, at B - A for side = -1."
     of.add("moved_at_end", (edge,), text, "the mean of (3)", "side c_1 other than s_1")
 
@@ -314,13 +314,13 @@ def _by_R(laws: Formulas) -> tuple[Let, ...]:
     """What is known at a given R, in order."""
     known = sp.expand(laws.I.subs(I_0, laws.at_rest[0].subs(mu, sp.pi * m / 4)))
     value = sp.expand(known.subs(Omega, speed / A))
-    beside = sp.expand(sp.expand(A * sp.diff(known, A) - known).subs(Omega, speed / A))
+    drift_value = sp.expand(sp.expand(A * sp.diff(known, A) - known).subs(Omega, speed / A))
     return (
         (square, (R + 2 * s[0]) / A),
         (speed, sp.sqrt(A * (R + 2 * s[0]))),
         (force, F_0 + F_2 * square),
         (I, value),
-        (drift, beside),
+        (drift, drift_value),
     )
 
 
@@ -332,7 +332,7 @@ def _along_R(by_R: tuple[Let, ...], by: By) -> By:
     chain = {}
     for one, value in by_R:
         inside = sp.expand(value**2) if one is speed else value
-        slope = by(inside) + sum(sp.diff(inside, known) * moved for known, moved in chain.items())
+        slope = by(inside) + sum(sp.diff(inside, known) * change for known, change in chain.items())
         chain[one] = sp.expand(slope) / (2 * speed) if one is speed else slope
     return lambda expression: by(expression) + sum(sp.diff(expression, one) * slope for one, slope in chain.items())
 
@@ -416,10 +416,10 @@ def steps_by(
     """
     highest, found = _highest(pieces), []
     for parameter in parameters:
-        moved = [sp.diff(piece, parameter) for piece in pieces]
-        for piece in moved:
+        changes = [sp.diff(piece, parameter) for piece in pieces]
+        for piece in changes:
             found += _derivatives(piece, sp.Integer(0), highest)
-        for (below, above), end in zip(pairwise(moved), ends, strict=True):
+        for (below, above), end in zip(pairwise(changes), ends, strict=True):
             found += _derivatives(above - below, end, highest)
     return tuple(found)
 

@@ -36,10 +36,10 @@ def _integral(integrand: sp.Expr, result: sp.Expr, multiple: sp.Expr) -> sp.Expr
     of_h = -_f * sp.cos(psi) / sp.pi
     of_h_A = sp.diff(of_h, A).doit()
     difference = multiple * integrand * slope - result.subs({h: of_h, h_A: of_h_A})
-    share = sp.Symbol("share")
-    apart = sp.expand(sp.expand_trig(difference - share * sp.diff(_f * sp.sin(psi), psi).doit()))
+    fraction = sp.Symbol("share")
+    apart = sp.expand(sp.expand_trig(difference - fraction * sp.diff(_f * sp.sin(psi), psi).doit()))
     apart = sp.expand(apart.subs(sp.sin(psi) ** 2, 1 - sp.cos(psi) ** 2))
-    if not sp.solve(sp.Poly(apart, _f, slope, sp.cos(psi)).coeffs(), share):
+    if not sp.solve(sp.Poly(apart, _f, slope, sp.cos(psi)).coeffs(), fraction):
         raise ArithmeticError(f"{result} is not the integral of {integrand} f'")
     return result
 

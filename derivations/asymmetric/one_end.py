@@ -37,10 +37,10 @@ TERMS = 8
 
 @dataclass(frozen=True)
 class OneEnd:
-    """About the place of rest, and what follows from the angle of contact.
+    """About the static equilibrium, and what follows from the angle of contact.
 
-    given     -- k, g, end, rest and side where the mass rests in the first piece, and where it rests in the second
-    rests     -- what is positive in the former
+    parameters -- k, g, end, rest and side where the mass rests in the first piece, and where it rests in the second
+    condition -- what is positive in the former
     M, N      -- of a
     known     -- h, h_A, h_AA, h_AAA and h - A h_A beyond the end, in k, g, A, S, C, s, E and N
     offset    -- B over -A
@@ -48,8 +48,8 @@ class OneEnd:
     excess    -- 1 - end/A, of a: rises with a, with the slope S s
     """
 
-    given: tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]
-    rests: sp.Expr
+    parameters: tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]
+    condition: sp.Expr
     M: sp.Expr
     N: sp.Expr
     known: tuple[sp.Expr, ...]
@@ -67,7 +67,7 @@ def derive(force: Sided) -> OneEnd:
         raise ArithmeticError(f"{force.name}: it has to be continuous, and 0 at u = 0")
     first, second = sp.diff(low, u), sp.diff(high, u)
     (rest,) = sp.solve(high, u)
-    given = (
+    parameters = (
         (first, sp.factor((second - first) / first), place, sp.Integer(0), sp.Integer(1)),
         (second, sp.factor((first - second) / second), sp.factor(rest - place), rest, sp.Integer(-1)),
     )
@@ -78,7 +78,7 @@ def derive(force: Sided) -> OneEnd:
         "how the end over the amplitude falls with the angle of contact",
         sp.diff(sp.cos(a) - g * M, a) + sp.sin(a) * slope,
     )
-    return OneEnd(given, place, M, N, _known(N), g * M, slope, 1 - sp.cos(a) + g * M)
+    return OneEnd(parameters, place, M, N, _known(N), g * M, slope, 1 - sp.cos(a) + g * M)
 
 
 def _known(N: sp.Expr) -> tuple[sp.Expr, ...]:
@@ -87,13 +87,13 @@ def _known(N: sp.Expr) -> tuple[sp.Expr, ...]:
     by_a = {S: C, C: -S, s: g / sp.pi, E: -S * s, A: rising, mean: sp.diff(N, a).subs(sp.cos(2 * a), 1 - 2 * S**2)}
     by_a[mean] = sp.simplify(by_a[mean].subs({sp.sin(a): S, sp.cos(a): C}).subs(C**2, 1 - S**2))
 
-    def along(f: sp.Expr) -> sp.Expr:
+    def by_angle(f: sp.Expr) -> sp.Expr:
         found = sum(sp.diff(f, variable) * slope for variable, slope in by_a.items()) / rising
         return sp.factor(sp.expand(sp.expand(found).subs(C**2, 1 - S**2)))
 
     rows = [-k * A * (1 + g * mean)]
     for _ in range(3):
-        rows.append(along(rows[-1]))
+        rows.append(by_angle(rows[-1]))
     rows.append(sp.factor(sp.expand(rows[0] - A * rows[1])))
     return tuple(rows)
 

@@ -213,10 +213,10 @@ def normalised(values: Sequence[sp.Expr]) -> Twofold:
 
 
 def exactly(value: sp.Expr) -> Twofold:
-    """A sum of products of two doubles each, with a certain sign: their exact parts, to be distilled."""
+    """A sum of products of two doubles each, with a certain sign: their exact products, to be distilled."""
     code = _Code({})
-    parts = [code.of(term) for term in sp.Add.make_args(value)]
-    return Twofold(tuple(code.lines), (), (*(pair.low for pair in parts), *(pair.high for pair in parts)))
+    products = [code.of(term) for term in sp.Add.make_args(value)]
+    return Twofold(tuple(code.lines), (), (*(pair.low for pair in products), *(pair.high for pair in products)))
 
 
 def twofold(kernel: TwofoldKernel) -> Twofold:

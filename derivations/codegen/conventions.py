@@ -31,13 +31,13 @@ class Table:
 
     name   -- of the type in Python and in C
     doc    -- one line
-    words  -- from number 0 on
+    entries -- from number 0 on
     suffix -- to a word's name in C, where it would be another table's too
     """
 
     name: tuple[str, str]
     doc: str
-    words: tuple[Word, ...]
+    entries: tuple[Word, ...]
     suffix: str = ""
 
 

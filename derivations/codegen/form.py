@@ -156,7 +156,7 @@ class TwofoldKernel:
     lows    -- which arguments come with a low part, and its name
     returns -- "rounded": one value, as a double; "pairs": high, low for each; "distilled": one value, a sum of products
                of two doubles, with a certain sign
-    beside  -- outputs in plain doubles that follow, in the arguments and the lets
+    plain   -- outputs in plain doubles that follow, in the arguments and the lets
     """
 
     name: str
@@ -168,7 +168,7 @@ class TwofoldKernel:
     domain: str
     lows: dict[sp.Symbol, sp.Symbol] = field(default_factory=dict)
     returns: str = "rounded"
-    beside: tuple[sp.Expr, ...] = ()
+    plain: tuple[sp.Expr, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -181,7 +181,7 @@ class Sums:
     graded  -- of each of these the power of what is divided into panels that its angle is
     begins  -- the number of the breakpoint at which each contact begins
     scalar  -- whether it gives a number
-    beside  -- arguments after A that it has no use for
+    unused  -- arguments after A that it has no use for
     """
 
     name: str
@@ -192,7 +192,7 @@ class Sums:
     graded: tuple[int, ...]
     begins: tuple[int, ...] = ()
     scalar: bool = False
-    beside: tuple[sp.Symbol, ...] = ()
+    unused: tuple[sp.Symbol, ...] = ()
 
     @property
     def parameters(self) -> tuple[sp.Symbol, ...]:
@@ -225,17 +225,17 @@ class Enclosed:
 class OffCentreTerms:
     """What the means of a force that is no polynomial are summed from, where motions are off the centre.
 
-    gained -- the kernel of its gains
-    pieces -- of each piece with its derivatives
-    held   -- the same of each piece on intervals
-    gained_by, moved -- of what each parameter does to the gains, and to each piece
+    gained  -- the kernel of its gains
+    pieces  -- of each piece with its derivatives
+    bounded -- the same of each piece on intervals
+    gained_by, by_parameter -- of what each parameter does to the gains, and to each piece
     """
 
     gained: Kernel
     pieces: tuple[Kernel, ...]
-    held: tuple[Kernel, ...]
+    bounded: tuple[Kernel, ...]
     gained_by: Kernel
-    moved: tuple[tuple[Kernel, ...], ...]
+    by_parameter: tuple[tuple[Kernel, ...], ...]
 
 
 @dataclass(frozen=True)
@@ -248,10 +248,10 @@ class Module:
     constants  -- Python constants (name, value)
     twofolds   -- kernels in double-double
     record     -- of a mechanism's own module
-    cells      -- kernels that are wanted on intervals, and nowhere on doubles
-    settled    -- kernels that are wanted in double-double only
-    balls      -- kernels that are wanted in balls only
-    held       -- kernels that are wanted in double-double with a bound of their error, and in no other way
+    cells      -- kernels that are requested on intervals, and nowhere on doubles
+    settled    -- kernels that are requested in double-double only
+    balls      -- kernels that are requested in balls only
+    bounded    -- kernels that are requested in double-double with a bound of their error, and in no other way
     native     -- whether its loops over arrays are compiled into the package
     in_c       -- whether anything in C calls it: loops over arrays, or a solver
     sums       -- averages by quadrature
@@ -273,7 +273,7 @@ class Module:
     cells: tuple[Kernel, ...] = ()
     settled: tuple[Kernel, ...] = ()
     balls: tuple[Kernel, ...] = ()
-    held: tuple[Kernel, ...] = ()
+    bounded: tuple[Kernel, ...] = ()
     native: bool = True
     in_c: bool = True
     sums: tuple[Sums, ...] = ()
@@ -286,7 +286,7 @@ class Module:
     @property
     def on_intervals(self) -> tuple[Kernel, ...]:
         """What Python has on intervals with elementary functions."""
-        return (*(self.enclosed.terms if self.enclosed else ()), *(self.off_centre.held if self.off_centre else ()))
+        return (*(self.enclosed.terms if self.enclosed else ()), *(self.off_centre.bounded if self.off_centre else ()))
 
     @property
     def looped(self) -> tuple[Kernel | Selection | Composition, ...]:

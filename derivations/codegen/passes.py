@@ -75,9 +75,9 @@ def straight_line(
 
     named -- whether the lets are known to name all that is shared
     """
-    held = tuple(_held(output) for output in outputs)
-    needed = _needed([(symbol, _held(value)) for symbol, value in lets], held)
-    return _passed(tuple(needed), held, tuple(symbol.name for symbol in reserved), named)
+    outputs_as_written = tuple(_as_written(output) for output in outputs)
+    needed = _needed([(symbol, _as_written(value)) for symbol, value in lets], outputs_as_written)
+    return _passed(tuple(needed), outputs_as_written, tuple(symbol.name for symbol in reserved), named)
 
 
 @functools.cache
@@ -110,11 +110,11 @@ def _counted(lets: Sequence[Let], outputs: Sequence[sp.Expr]) -> int:
 
 
 @functools.cache
-def _held(expression: sp.Expr) -> sp.Expr:
+def _as_written(expression: sp.Expr) -> sp.Expr:
     """The expression with 2 (a + b) held as it is: rebuilding it, SymPy would multiply it out."""
     if not expression.args or is_constant(expression):
         return expression
-    args = [_held(arg) for arg in expression.args]
+    args = [_as_written(arg) for arg in expression.args]
     if expression.is_Mul and len(args) == 2 and args[0].is_Rational and args[0] != -1 and args[1].is_Add:
         return sp.Mul(sp.UnevaluatedExpr(args[0]), args[1])
     return expression.func(*args)
@@ -122,11 +122,11 @@ def _held(expression: sp.Expr) -> sp.Expr:
 
 def _needed(lets: Sequence[Let], outputs: Sequence[sp.Expr]) -> list[Let]:
     """The lets that the outputs need, directly or through one another."""
-    wanted = set().union(*(output.free_symbols for output in outputs))
+    names = set().union(*(output.free_symbols for output in outputs))
     kept = []
     for symbol, value in reversed(lets):
-        if symbol in wanted:
-            wanted |= value.free_symbols
+        if symbol in names:
+            names |= value.free_symbols
             kept.append((symbol, value))
     return kept[::-1]
 

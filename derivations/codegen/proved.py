@@ -21,17 +21,17 @@ DATA = Path(__file__).with_name("proved.json")
 @functools.cache
 def digest(program: Program, arguments: tuple[sp.Symbol, ...]) -> str:
     """Of what is computed, in which order."""
-    lets = ((symbol, _told(value)) for symbol, value in program.lets)
-    told = (arguments, *lets, *map(_told, program.outputs))
-    return hashlib.sha256(repr(told).encode()).hexdigest()[:16]
+    lets = ((symbol, _text(value)) for symbol, value in program.lets)
+    content = (arguments, *lets, *map(_text, program.outputs))
+    return hashlib.sha256(repr(content).encode()).hexdigest()[:16]
 
 
 @functools.cache
-def _told(expression: sp.Basic) -> str:
+def _text(expression: sp.Basic) -> str:
     """An expression as it is built: SymPy's own text sorts terms, which takes longer than deriving them."""
     if not expression.args:
         return str(expression)
-    return f"{expression.func.__name__}({','.join(map(_told, expression.args))})"
+    return f"{expression.func.__name__}({','.join(map(_text, expression.args))})"
 
 
 @functools.cache

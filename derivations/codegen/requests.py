@@ -1,4 +1,4 @@
-"""Who wants the kernels of mechanism-free modules in which form: one table, by the names of kernels.
+"""In which form the kernels of mechanism-free modules are requested: one table, by the names of kernels.
 
 In:  the kernels that a step of the derivation states.
 Out: `requested`, what `Module` takes of them.
@@ -19,8 +19,8 @@ _SYSTEMS = " ".join(
     for unknowns in ("by_R", "by_Omega", *(("far_by_R", "far_by_x") if system != "turns" else ()))
 )
 
-#: what the solvers of slow flow and their proofs ask on whole intervals, and there alone; in Python proofs in balls do
-_HELD = """F_A F_AA fold isola cusps cusp_R cusp intercept R F F_Omega F_OmegaOmega F_AOmega level backbone
+#: what the solvers of slow flow and their proofs evaluate on whole intervals only; in Python proofs in balls do
+_ON_INTERVALS = """F_A F_AA fold isola cusps cusp_R cusp intercept R F F_Omega F_OmegaOmega F_AOmega level backbone
     least_restoring most_restoring isola_Omega level_rise cusp_bend isola_bend"""
 _STATES = "F_Omega_reduced state_R state"
 
@@ -28,13 +28,13 @@ _STATES = "F_Omega_reduced state_R state"
 #:     cells    -- on intervals, and nowhere on doubles
 #:     settled  -- in double-double only
 #:     in_c     -- in C these alone; all where nothing is said
-#:     unlooped -- asked once an answer: Python has them as no loop over arrays
+#:     unlooped -- evaluated once an answer: Python has them as no loop over arrays
 #:     others   -- as in `Kernel`
 REQUESTS = {
     "slow_flow": {
-        "enclosed": f"friction fold_quartic peak_cubic turn peak {_HELD}",
+        "enclosed": f"friction fold_quartic peak_cubic turn peak {_ON_INTERVALS}",
         # friction's number is no double: balls have it
-        "searched": f"{_HELD} {_STATES}",
+        "searched": f"{_ON_INTERVALS} {_STATES}",
         "paired": "friction",
         "unlooped": "held",
         "cells": f"{_STATES} fold_least cusps_scaled cusp_X cusp_scaled cusp_scaled_level cusp_scaled_slope",
@@ -79,18 +79,18 @@ REQUESTS = {
 
 
 def requested(module: str, kernels: Iterable[Kernel]) -> dict[str, tuple[Kernel, ...]]:
-    """The kernels of a module with what is wanted of each; an error where a name is no kernel's."""
+    """The kernels of a module with the forms requested of each; an error where a name is no kernel's."""
     by_name = {kernel.name: kernel for kernel in kernels}
-    wanted = {flag: names.split() for flag, names in REQUESTS.get(module, {}).items()}
-    apart = {form: wanted.pop(form, []) for form in ("cells", "settled")}
+    requests = {flag: names.split() for flag, names in REQUESTS.get(module, {}).items()}
+    apart = {form: requests.pop(form, []) for form in ("cells", "settled")}
     only = [name for names in apart.values() for name in names]
-    if unknown := {name for names in (*wanted.values(), only) for name in names} - {"*", *by_name}:
+    if unknown := {name for names in (*requests.values(), only) for name in names} - {"*", *by_name}:
         raise ArithmeticError(f"{module} has no kernels {sorted(unknown)}")
     flags: dict[str, dict[str, bool]] = {name: {} for name in by_name}
-    for flag, names in wanted.items():
+    for flag, names in requests.items():
         for name in by_name:
-            given = name in names or (names == ["*"] and name not in only)
-            flags[name] |= {"looped": not given} if flag == "unlooped" else {flag: given}
+            chosen = name in names or (names == ["*"] and name not in only)
+            flags[name] |= {"looped": not chosen} if flag == "unlooped" else {flag: chosen}
     stated = {name: replace(kernel, **flags[name]) for name, kernel in by_name.items()}
     return {
         "kernels": tuple(kernel for name, kernel in stated.items() if name not in only),

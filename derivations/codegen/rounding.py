@@ -143,8 +143,8 @@ def _reciprocal(value: Value) -> Value:
     inverse = tuple(-power for power in monomial)
     if any(other != monomial for other in value.error):
         raise NoBound("a divisor whose error is no share of it")
-    share = value.error.get(monomial, Fraction(0)) / abs(coefficient)
-    return Value({inverse: 1 / coefficient}, {inverse: share / abs(coefficient)} if share else {})
+    ratio = value.error.get(monomial, Fraction(0)) / abs(coefficient)
+    return Value({inverse: 1 / coefficient}, {inverse: ratio / abs(coefficient)} if ratio else {})
 
 
 def _added(polynomials: Sequence[Polynomial]) -> Polynomial:

@@ -150,13 +150,13 @@ class Calls:
     averages: tuple[str, ...]
 
 
-def programs(module: Module, asked: Iterable[Kernel] | None = None) -> Code:
-    """The straight-line code of every branch, by kernel: of all of a module, or of those that are asked for."""
-    every = (*module.kernels, *module.cells, *module.settled, *module.balls, *module.held, *module.on_intervals)
+def programs(module: Module, kernels: Iterable[Kernel] | None = None) -> Code:
+    """The straight-line code of every branch, by kernel: of all of a module, or of those requested."""
+    every = (*module.kernels, *module.cells, *module.settled, *module.balls, *module.bounded, *module.on_intervals)
     every += module.enclosed.contacts + module.enclosed.closing if module.enclosed else ()
     return {
         kernel.name: tuple(straight_line(branch.lets, branch.outputs, kernel.arguments) for branch in kernel.branches)
-        for kernel in (every if asked is None else asked)
+        for kernel in (every if kernels is None else kernels)
     }
 
 
@@ -315,8 +315,8 @@ def printed(lets: Sequence[Let], language: Language) -> tuple[Line, ...]:
         if sums:
             lines.append(_loop(here, sums, language))
             gone = {symbol for call in here for symbol, _ in call}
-            beside = {symbol.name for name, value in lets for symbol in {name, *value.free_symbols} - gone}
-            if taken := beside & {*lines[-1].columns, *lines[-1].name.split(", ")}:
+            others = {symbol.name for name, value in lets for symbol in {name, *value.free_symbols} - gone}
+            if taken := others & {*lines[-1].columns, *lines[-1].name.split(", ")}:
                 raise ArithmeticError(f"{repeated.name} called in a loop hides {sorted(taken)}")
             summed |= {symbol for symbol, _ in sums}
         else:
@@ -344,12 +344,12 @@ def _called(call: Sequence[Let], language: Language) -> Line:
 
 
 def _sums(calls: Sequence[Sequence[Let]], lets: Sequence[Let]) -> list[Let]:
-    """The lets that are the sums of each output over several calls, where nothing else asks for these outputs."""
+    """The lets that are the sums of each output over several calls, where nothing else reads these outputs."""
     columns = [{call[k][0] for call in calls} for k in range(len(calls[0]))]
-    asked = [let for let in lets if any(not column.isdisjoint(let[1].free_symbols) for column in columns)]
-    if len(calls) == 1 or len(asked) != len(columns):
+    readers = [let for let in lets if any(not column.isdisjoint(let[1].free_symbols) for column in columns)]
+    if len(calls) == 1 or len(readers) != len(columns):
         return []
-    found = [next((let for let in asked if let[1].is_Add and set(let[1].args) == column), None) for column in columns]
+    found = [next((let for let in readers if let[1].is_Add and set(let[1].args) == column), None) for column in columns]
     return [] if None in found else found
 
 
@@ -418,7 +418,7 @@ def twofold_view(kernel: TwofoldKernel, language: Language) -> dict[str, object]
     show = language.printer.doprint
     code = twofold(kernel)
     known = {line.high if isinstance(line, Exact) else line[0] for line in code.lines}
-    beside = straight_line((), kernel.beside, {*kernel.arguments, *known})
+    plain_outputs = straight_line((), kernel.plain, {*kernel.arguments, *known})
 
     def plain(symbol: sp.Symbol, value: sp.Expr) -> dict[str, str]:
         name = named(symbol, language)
@@ -440,9 +440,9 @@ def twofold_view(kernel: TwofoldKernel, language: Language) -> dict[str, object]
     return {
         "kernel": kernel,
         "arguments": [named(argument, language) for argument in kernel.arguments],
-        "lines": [*lines, *(plain(symbol, value) for symbol, value in beside.lets)],
+        "lines": [*lines, *(plain(symbol, value) for symbol, value in plain_outputs.lets)],
         "distilled": [show(part) for part in code.distilled],
-        "outputs": [show(output) for output in (*code.outputs, *beside.outputs)],
+        "outputs": [show(output) for output in (*code.outputs, *plain_outputs.outputs)],
         "exact": " and ".join(f"{count} {op}{'s' if count > 1 else ''}" for op, count in sorted(exact.items())),
     }
 
@@ -452,7 +452,7 @@ def composition_view(composition: Composition, calls: Calls) -> dict[str, object
     arguments = [argument.name for argument in composition.arguments]
     split = len(arguments) - composition.parameters
     average = composition.average
-    given = AVERAGED[: average.width] if average else ()
+    outputs = AVERAGED[: average.width] if average else ()
     local = {symbol.name: name for symbol, name in zip(AVERAGED, calls.averages, strict=True)}
     local[m.name] = calls.friction
     return {
@@ -462,7 +462,7 @@ def composition_view(composition: Composition, calls: Calls) -> dict[str, object
         "domain": composition.domain,
         "plain": arguments[:split],
         "packed": arguments[split:],
-        "averages": [local[symbol.name] if symbol in composition.inner.arguments else "_" for symbol in given],
+        "averages": [local[symbol.name] if symbol in composition.inner.arguments else "_" for symbol in outputs],
         "average_function": average.name if average else "",
         "inner": calls.inner(composition.inner.name),
         "passed": [local.get(argument.name, argument.name) for argument in composition.inner.arguments],

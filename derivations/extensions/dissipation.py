@@ -67,14 +67,14 @@ SEARCHED = {
 }
 
 
-def share(force: Callable[[int], sp.Expr], start: sp.Expr = sp.S.Zero) -> sp.Expr:
+def contribution(force: Callable[[int], sp.Expr], start: sp.Expr = sp.S.Zero) -> sp.Expr:
     """The share in I of a force on the left of (3), by the sign of u': -(1/pi) times its sine component over a cycle.
 
     start -- the force acts from this angle of each half of the cycle to as much before its end
     """
     halves = ((-1, start, sp.pi - start), (1, sp.pi + start, 2 * sp.pi - start))
-    beside = sum(cycle_integral(force(sign) * sp.cos(psi), low, high) for sign, low, high in halves)
-    claim("the share in R of a dissipating force", beside)
+    in_phase = sum(cycle_integral(force(sign) * sp.cos(psi), low, high) for sign, low, high in halves)
+    claim("the share in R of a dissipating force", in_phase)
     found = -sum(cycle_integral(force(sign) * sp.sin(psi), low, high) for sign, low, high in halves) / sp.pi
     return sp.factor(sp.expand(found, trig=True))
 
@@ -86,11 +86,11 @@ def by_A(expression: sp.Expr, slopes: dict[sp.Symbol, sp.Expr] | None = None) ->
 
 def dissipation(averaged: Averaged, flow: Formulas, slopes: Formulas) -> Formulas:
     """Of any mechanism, in I_0 and its derivatives; R, and what contains I as a number, are those of the slow flow."""
-    viscous = share(lambda _: 2 * zeta * VELOCITY)
-    friction = share(lambda sign: mu * sp.Integer(sign))
+    viscous = contribution(lambda _: 2 * zeta * VELOCITY)
+    friction = contribution(lambda sign: mu * sp.Integer(sign))
     claim("the shares of viscous damping and dry friction", viscous + friction.subs(mu, sp.pi * m / 4) - flow.I)
-    structural = share(lambda _: eta / Omega * VELOCITY)
-    attached = share(lambda sign: mu * sp.Integer(sign), psi_0).subs(sp.cos(psi_0), u_cr / A)
+    structural = contribution(lambda _: eta / Omega * VELOCITY)
+    attached = contribution(lambda sign: mu * sp.Integer(sign), psi_0).subs(sp.cos(psi_0), u_cr / A)
     if attached.has(psi_0):
         raise ArithmeticError(f"the share of friction on one piece: {attached}")
     of_friction = {mu: sp.solve(flow.friction - m, mu)[0]}
@@ -113,13 +113,13 @@ def dissipation(averaged: Averaged, flow: Formulas, slopes: Formulas) -> Formula
     def chain(of_share: sp.Expr) -> tuple[sp.Expr, ...]:
         return tuple(sp.diff(of_share.subs(of_friction), A, order) for order in range(4))
 
-    def moves(of_share: tuple[sp.Expr, ...], *by: sp.Symbol) -> tuple[sp.Expr, ...]:
+    def sensitivities(of_share: tuple[sp.Expr, ...], *by: sp.Symbol) -> tuple[sp.Expr, ...]:
         return tuple(sp.diff(one, symbol) for symbol in by for one in of_share[:3])
 
     @of.kernel("from (19)", "any")
     def quadratic() -> sp.Expr:
         """Quadratic damping's factor of A^2 Omega^2 in I."""
-        factor = sp.cancel(share(lambda sign: sign * c_2 * VELOCITY**2) / (A * Omega) ** 2)
+        factor = sp.cancel(contribution(lambda sign: sign * c_2 * VELOCITY**2) / (A * Omega) ** 2)
         if sp.diff(factor, c_2) * c_2 != factor:
             raise ArithmeticError("quadratic damping's share of I is not proportional to c_2")
         return factor
@@ -137,9 +137,9 @@ def dissipation(averaged: Averaged, flow: Formulas, slopes: Formulas) -> Formula
     at_rest = of.add("at_rest", chain(friction + structural), text, "from (19)", "A > 0")
     released = of.add("released", chain(attached + structural), f"The same {only}", "from (19)", beyond)
     text = "What m, then eta, does to I_0, I_0A and I_0AA: friction acts throughout."
-    of.add("rest_moves", moves(at_rest, m, eta), text, "from (19)", "A > 0")
+    of.add("rest_moves", sensitivities(at_rest, m, eta), text, "from (19)", "A > 0")
     text = f"What m, then eta, then u_cr does to them {only}"
-    of.add("released_moves", moves(released, m, eta, u_cr), text, "from (19)", beyond)
+    of.add("released_moves", sensitivities(released, m, eta, u_cr), text, "from (19)", beyond)
     of.add("I", value, "Sine balance, -F_0 sin phi at a fixed point.", "(23)")
     of.add("I_A", by_A(value), "dI/dA.", "(23)")
     far = tuple(sp.expand((one / Omega**2).subs(Omega, 1 / x)) for one in (flow.R, slope_of_R, value, by_A(value)))
@@ -318,7 +318,7 @@ def dissipation(averaged: Averaged, flow: Formulas, slopes: Formulas) -> Formula
     # how answers move with the parameters is had from these too
     of.R, of.phase, of.transmissibility = flow.R, flow.phase, flow.transmissibility
     of.F_AAA, of.F_AAOmega = derivatives[DERIVATIVES[3, 0]], sp.factor_terms(by_amplitude(F_AOmega))
-    of.moved = {h: h_p, h_A: h_Ap, h_AA: h_AAp, I_0: I_0p, I_0A: I_0Ap, I_0AA: I_0AAp, zeta: zeta_p, d: d_p}
+    of.by_parameter = {h: h_p, h_A: h_Ap, h_AA: h_AAp, I_0: I_0p, I_0A: I_0Ap, I_0AA: I_0AAp, zeta: zeta_p, d: d_p}
     of.rises = {I_0: I_0A, I_0A: I_0AA, I_0AA: I_0AAA}
     return of
 
@@ -363,16 +363,16 @@ def _searched(of: Formulas, of_R: sp.Expr, value: sp.Expr, F: sp.Expr, halved: s
 
         def slope_of(
             expression: sp.Expr,
-            moved: sp.Expr,
+            of_Omega: sp.Expr,
             of_R: sp.Expr,
             by: sp.Expr,
             known: Sequence[dict[sp.Symbol, sp.Expr]] = (rises, by_frequency),
             w: sp.Symbol = w,
         ) -> sp.Expr:
-            """Where the frequency moves by `moved`, R by `of_R` and A by `by`."""
-            found = sp.diff(expression, w) * moved + sp.diff(expression, R) * of_R + by_A(expression) * by
+            """Where the frequency changes by `of_Omega`, R by `of_R` and A by `by`."""
+            found = sp.diff(expression, w) * of_Omega + sp.diff(expression, R) * of_R + by_A(expression) * by
             for symbol in (I, R_A, I_A):
-                found += sp.diff(expression, symbol) * (known[0][symbol] * by + known[1][symbol] * moved)
+                found += sp.diff(expression, symbol) * (known[0][symbol] * by + known[1][symbol] * of_Omega)
             return sp.factor_terms(found)
 
         by_R, none, one = 1 / by_frequency[R], sp.S.Zero, sp.S.One

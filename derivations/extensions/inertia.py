@@ -36,7 +36,7 @@ EXCITATIONS = {"base": (Y / L, m * omega**2 * Y), "unbalance": (m_u * e / (m * L
 #: 1/Omega
 x = sp.Symbol("x", positive=True)
 #: (m + zeta A Omega)/Omega, which is I/Omega less half of its viscous part; its share of h; the root of x^2 + share^2
-drag, share, root = sp.symbols("drag share root", real=True)
+drag, ratio, root = sp.symbols("drag share root", real=True)
 #: the quadratic 4 rest x^2 + linear x - 4 fall, which the level's slope is Omega^2 times of
 fall, linear, rest = sp.symbols("fall linear rest", real=True)
 #: F over Omega^4 without its cubic term is square X^2 - 2 falls X + over, X = x^2; what its root is of, which rounding
@@ -57,7 +57,7 @@ lost = sp.Symbol("lost", real=True)
 #: of arguments
 ORDER = (
     *(x, Omega, A, F_0, excited, holds, reduction, fall, linear, rest, friction, zeta, h, h_A, h_AA, h_AAA),
-    *(k, cubic, other, share, lost),
+    *(k, cubic, other, ratio, lost),
 )
 
 
@@ -77,14 +77,14 @@ def inertia(flow: Formulas) -> Formulas:
     for name in EXCITATIONS:
         amplitude_of(name)
     of = Formulas(ORDER, {R: flow.R, I: flow.I})
-    beside, by_flow, on_locus = "beside (3)", "from (24)", "from (24), (30)"
-    force = of.add("force", F_0 * Omega**2, "Amplitude of the force on the mass.", beside, "Omega >= 0")
+    equation, by_flow, on_locus = "beside (3)", "from (24)", "from (24), (30)"
+    force = of.add("force", F_0 * Omega**2, "Amplitude of the force on the mass.", equation, "Omega >= 0")
     slopes = (sp.diff(force, Omega), sp.diff(force, F_0))
-    of.add("force_slopes", slopes, "Its slopes by Omega, F_0.", beside, "Omega >= 0")
+    of.add("force_slopes", slopes, "Its slopes by Omega, F_0.", equation, "Omega >= 0")
     (amplitude,) = sp.solve(force - excited, F_0)
-    of.add("amplitude", amplitude, "The F_0 of a force at one frequency.", beside, "Omega > 0")
+    of.add("amplitude", amplitude, "The F_0 of a force at one frequency.", equation, "Omega > 0")
 
-    @of.kernel(beside, "F_0 > 0, holds >= 0")
+    @of.kernel(equation, "F_0 > 0, holds >= 0")
     def moves_from() -> Lets:
         """The Omega from which on the force exceeds what holds a mass at rest, 4 mu/pi on the average."""
         return Lets([(turn, sp.solve(force.subs(Omega**2, turn) - holds, turn)[0])], sp.sqrt(turn))
@@ -251,9 +251,9 @@ def _peak(of: Formulas, flow: Formulas, slope_of_level: sp.Expr, of_level: sp.Ex
             "the least level", squared - (I * x * root).subs(root, sp.sqrt(x**2 + (drag / h) ** 2)).subs(of_drag) ** 2
         )
         half_F_A = (flow.F_A / 2).subs(R, balanced).subs(at_x)
-        rises = 2 * zeta * x**2 - share * (1 + h_A * x**2)
-        claim("F_A where the level is least", half_F_A * x**3 - (I * rises).subs(share, drag / h).subs(of_drag))
-        lets = (*of_drag.items(), (share, drag / h), (root, sp.sqrt(x**2 + share**2)))
+        rises = 2 * zeta * x**2 - ratio * (1 + h_A * x**2)
+        claim("F_A where the level is least", half_F_A * x**3 - (I * rises).subs(ratio, drag / h).subs(of_drag))
+        lets = (*of_drag.items(), (ratio, drag / h), (root, sp.sqrt(x**2 + ratio**2)))
         return Lets(lets, (slow * root - F_0, rises / root))
 
     @of.kernel("from (24), (30)", there)
@@ -312,8 +312,8 @@ def _of_share(of: Formulas, flow: Formulas, slope_of_level: sp.Expr) -> None:
     @of.kernel("from (24)", "Omega > 0, A > 0, zeta > 0")
     def peak_share() -> Lets:
         """-R/I where the level is least and R small beside A Omega^2."""
-        of_R = slope_of_level.subs(h, R - flow.R + h).subs(R, -share * I) / (-4 * I)
-        quadratic = sp.Poly(sp.expand(of_R), share)
+        of_R = slope_of_level.subs(h, R - flow.R + h).subs(R, -ratio * I) / (-4 * I)
+        quadratic = sp.Poly(sp.expand(of_R), ratio)
         leading, middle, constant = (sp.factor(term) for term in quadratic.all_coeffs())
         value = -2 * constant / (middle + root)
         square = (middle**2 - root**2) / (4 * constant)
@@ -330,7 +330,7 @@ def _of_share(of: Formulas, flow: Formulas, slope_of_level: sp.Expr) -> None:
         viscous = zeta * A
         value = (viscous + sp.sqrt(viscous**2 + of_I * friction)) / of_I
         claim("the frequency of a level", (of_I * Omega**2 - flow.I).subs(Omega, value))
-        return Lets([(of_I, F_0 / sp.sqrt(1 + share**2))], value)
+        return Lets([(of_I, F_0 / sp.sqrt(1 + ratio**2))], value)
 
 
 def _bound(of: Formulas, G: sp.Expr) -> None:
@@ -360,5 +360,5 @@ def _bound(of: Formulas, G: sp.Expr) -> None:
 
     twice = sp.Symbol("twice", nonnegative=True)
     taken = sp.cancel(1 - least * -h / (4 * zeta**2 * A**3))
-    share = Lets([(twice, zeta**2)], taken.subs(zeta, sp.sqrt(twice)))
-    of.add("share", share, "What zeta^2 A is of |h|: `lost` of the `bound`.", "from (24)", "h < 0")
+    fraction = Lets([(twice, zeta**2)], taken.subs(zeta, sp.sqrt(twice)))
+    of.add("share", fraction, "What zeta^2 A is of |h|: `lost` of the `bound`.", "from (24)", "h < 0")

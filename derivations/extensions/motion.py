@@ -108,8 +108,8 @@ def motion() -> Formulas:
         if passed.free_symbols != {F_0, cosine, u_ddot}:
             raise ArithmeticError(f"what is passed on depends on more than force and acceleration: {passed}")
         of_inertia = sp.Symbol("of_inertia", real=True)
-        parts = ((1, sp.cos), (0, sp.sin))
-        both = (sp.expand(passed.subs({cosine: a, u_ddot: -F_0 * of_inertia * b(phi)}) / F_0) for a, b in parts)
+        components = ((1, sp.cos), (0, sp.sin))
+        both = (sp.expand(passed.subs({cosine: a, u_ddot: -F_0 * of_inertia * b(phi)}) / F_0) for a, b in components)
         return Lets([(of_inertia, Omega**2 * A_1 / F_0)], hypot(*both))
 
     @of.kernel("(3)", "Omega > 0, A > 0")

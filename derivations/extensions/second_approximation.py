@@ -141,14 +141,14 @@ def second_approximation(averaged: Averaged, flow: Formulas) -> Formulas:
     # stiffness of the linear oscillator of the first approximation, over Omega^2
     kappa = chain.define("kappa", flow.backbone**2 / Omega**2)
     a = {n: chain.define(f"a_{n}", -family[0] / (Omega**2 * (n**2 - kappa))) for n, family in OF_HARMONIC.items()}
-    share = chain.define("share", sum(a.values()))
-    A_1 = chain.define("A_1", A - share)
+    higher = chain.define("share", sum(a.values()))
+    A_1 = chain.define("A_1", A - higher)
     # u' = 0 at psi = delta: -A_1 sin(delta) + sum n b_n = 0
     total = chain.function("total", [friction_sum(kappa, order) for order in range(3)], kappa)
     sine = chain.define("sine", -m * total / (A_1 * Omega**2))
     c = sp.Symbol("cosine", real=True)
     cosine = chain.function("cosine", [sp.sqrt((1 - sine) * (1 + sine)), -sine / c, -1 / c**3], sine)
-    u_max = chain.define("u_max", A_1 * cosine + share)
+    u_max = chain.define("u_max", A_1 * cosine + higher)
     spring = chain.define("spring", h + sum(a[n] * (family[1] - h_A) for n, family in OF_HARMONIC.items()))
     of_R = flow.R.subs({A: A_1, h: spring}, simultaneous=True) - m * sine
     R = chain.define("R", of_R)

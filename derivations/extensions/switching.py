@@ -40,29 +40,29 @@ def switching() -> Formulas:
     """Of states (u, v), from the entries that every such matrix has to have."""
     edge = saltation((v, before), (v, after), (1, 0, 0))
     turn = saltation((sp.S.Zero, before), (sp.S.Zero, after), (0, 1, 0))
-    leaves = saltation((sp.S.Zero, sp.S.Zero), (sp.S.Zero, after), (by_u, 0, Omega * by_theta))
-    for matrix, expected in ((edge, {0: 1, 1: 0, 3: 1}), (turn, {0: 1, 1: 0, 2: 0}), (leaves, {0: 1, 1: 0, 3: 1})):
+    release = saltation((sp.S.Zero, sp.S.Zero), (sp.S.Zero, after), (by_u, 0, Omega * by_theta))
+    for matrix, expected in ((edge, {0: 1, 1: 0, 3: 1}), (turn, {0: 1, 1: 0, 2: 0}), (release, {0: 1, 1: 0, 3: 1})):
         if any(matrix[number] != value for number, value in expected.items()):
             raise ArithmeticError(f"a switch mixes what it should not: {matrix}")
-    of, beside = Formulas(ORDER), "beside (3)"
+    of, equation = Formulas(ORDER), "beside (3)"
     text = "What u' gains of a deviation of u where u'' changes at an edge."
-    of.add("across", sp.factor_terms(edge[2]), text, beside, "v other than 0")
+    of.add("across", sp.factor_terms(edge[2]), text, equation, "v other than 0")
     text = (
         "What is left of a deviation of u' where the velocity changes its sign and u'' with it; 0 where the mass stops."
     )
-    of.add("turned", turn[3], text, beside, "before other than 0")
+    of.add("turned", turn[3], text, equation, "before other than 0")
     # a mass at rest does not feel v: its row is that of u alone
     text = "What u' is of a deviation of u where the push on a mass at rest, with these slopes, breaks it away."
-    of.add("released", leaves[2], text, beside, "Omega > 0, by_theta other than 0")
+    of.add("released", release[2], text, equation, "Omega > 0, by_theta other than 0")
     time = sp.Symbol("time", positive=True)
 
-    @of.kernel(beside, "beyond >= 0, pull > 0")
+    @of.kernel(equation, "beyond >= 0, pull > 0")
     def out() -> Lets:
         """The time of a way beyond an edge, up to where a constant pull turns it."""
         (found,) = sp.solve(sp.integrate(pull, time, time) - beyond, time**2)
         return Lets([(square, found)], sp.sqrt(square))
 
-    @of.kernel(beside, "beyond >= 0, growth > 0")
+    @of.kernel(equation, "beyond >= 0, growth > 0")
     def back() -> Lets:
         """The time of the way back to it from rest, under a push that grows steadily from 0."""
         found = sp.solve(sp.integrate(growth * time, time, time) - beyond, time**3)[0]

@@ -49,8 +49,8 @@ def closed_sums() -> list[tuple[sp.Expr, sp.Expr]]:
     """Sums of cos(n turned)/n^(2k + 2) and of sin(n turned)/n^(2k + 3), n = 1, 3, 5, ...; of `turned` in 0 to pi."""
     n = sp.Symbol("n", odd=True, positive=True)
     square = sp.pi / 4
-    share = sp.integrate(square * sp.sin(n * turned), (turned, 0, sp.pi)) * 2 / sp.pi
-    claim("the harmonics of the square wave are 1/n", share - 1 / n)
+    coefficient = sp.integrate(square * sp.sin(n * turned), (turned, 0, sp.pi)) * 2 / sp.pi
+    claim("the harmonics of the square wave are 1/n", coefficient - 1 / n)
     found, of_sines = [], square
     for _ in range(CLOSED):
         # cosines of odd multiples vanish at pi/2, sines at 0
@@ -106,7 +106,7 @@ def wave() -> Formulas:
     u += sum(a * sp.cos(n * turned) for n, a in of_spring.items())
     v = Omega * sp.diff(u, turned)
 
-    def told(expression: sp.Expr) -> sp.Expr:
+    def in_lets(expression: sp.Expr) -> sp.Expr:
         for n in of_spring:
             expression = expression.subs({sp.cos(n * turned): cosines[n], sp.sin(n * turned): sines[n]})
         expression = sp.expand_trig(expression).subs({sp.sin(delta): sine, sp.cos(delta): cosine})
@@ -116,5 +116,5 @@ def wave() -> Formulas:
     of = Formulas((turned, Omega, m, A_1, sine, cosine, *of_spring.values(), kappa))
     text = "u and u' at an angle after the mass turned at its largest displacement."
     domain = f"Omega > 0, 0 <= turned <= pi, |kappa| < {RESONANCE}"
-    of.add("wave", Lets(lets, (told(u), told(v))), text, "beyond (23)", domain)
+    of.add("wave", Lets(lets, (in_lets(u), in_lets(v))), text, "beyond (23)", domain)
     return of

@@ -32,7 +32,7 @@ from ..paper.restoring_force import (
     forms,
 )
 from ..symbols import A, h, h_A, h_AA, u
-from .elliptic import corner, parts
+from .elliptic import coefficients, corner
 
 #: h and its slopes whose change is given
 OF = (h, h_A, h_AA)
@@ -48,16 +48,18 @@ def by_parameter(
         return _of_untruncated(whole, breakpoints, parameters)
     marks = {p: sp.Symbol(f"mark_{p.name}", real=True) for p in parameters}
     changes = [sp.Add(*(mark * sp.diff(piece, p) for p, mark in marks.items())) for piece in whole.pieces]
-    share = _Shares(marks.values())
+    split = _Shares(marks.values())
     cases = []
     for name, guards, passed, far in forms(whole.breakpoints):
         regime = average(changes, whole.breakpoints, passed, far, orders=len(OF) - 1, bent=False)
         values = []
-        shares = [share(value) for value in regime.derivatives]
+        contributions = [split(value) for value in regime.derivatives]
         for p, mark in marks.items():
             moving = whole.breakpoints.index(p) if p in whole.breakpoints[:passed] else None
             of_end = (0, 0, 0) if moving is None else _of_end(whole, moving, passed)
-            values += [of_mark.get(mark, sp.Integer(0)) + own for of_mark, own in zip(shares, of_end, strict=True)]
+            values += [
+                of_mark.get(mark, sp.Integer(0)) + own for of_mark, own in zip(contributions, of_end, strict=True)
+            ]
         lets = [(symbol, value) for symbol, value in regime.lets if not value.has(*marks.values())]
         cases.append(Case(name, guards, Regime(regime.passed, regime.far, tuple(lets), tuple(values))))
     return tuple(cases)
@@ -102,7 +104,7 @@ def _of_untruncated(
     whole: Restoring, breakpoints: Mapping[sp.Symbol, sp.Expr], parameters: Sequence[sp.Symbol]
 ) -> tuple[Case, ...]:
     """The same by h and its slopes, which are given."""
-    (a, b), (rest, _) = (parts(piece) for piece in whole.pieces)
+    (a, b), (rest, _) = (coefficients(piece) for piece in whole.pieces)
     # u (constant + b/sqrt(1 - u^2))
     constant = a - b
     ((name, value),) = breakpoints.items()
@@ -112,8 +114,8 @@ def _of_untruncated(
     def changed(p: sp.Symbol, of_linear: sp.Expr) -> list[sp.Expr]:
         """h = -(of_linear A + b E): by E, which h says."""
         return [
-            sp.factor(-sp.diff(of_linear, p) * own + sp.diff(b, p) / b * (given + of_linear * own))
-            for given, own in zip(OF, linear, strict=True)
+            sp.factor(-sp.diff(of_linear, p) * own + sp.diff(b, p) / b * (average + of_linear * own))
+            for average, own in zip(OF, linear, strict=True)
         ]
 
     attached = [entry for p in parameters for entry in changed(p, constant)]

@@ -38,7 +38,7 @@ v, y = sp.symbols("beyond share", nonnegative=True)
 s, c = sp.symbols("sine cosine", positive=True)
 #: what the slopes of T_n(u/A) sqrt((A + b)/(A + u)) are made of: b (1 - y)/A^2, 2 b y/((A + b) (A + u)), and the sum of
 #: (1 + y)/(A + u) and 1/(A + b), whose difference that is
-_moved, _falls, _grows, _wide = sp.symbols("moved falls grows wide", nonnegative=True)
+_shift, _falls, _grows, _wide = sp.symbols("moved falls grows wide", nonnegative=True)
 #: below this power, and there, h has no slope where the contact begins
 LEAST = sp.Rational(1, 2)
 
@@ -83,12 +83,12 @@ class Contact:
 
     def changed(self, parameter: sp.Symbol) -> Contact | None:
         """How it changes with a parameter at a fixed u: a contact again; None where it does not."""
-        moves = sp.diff(self.begin, parameter)
+        shift = sp.diff(self.begin, parameter)
         by_factor = sp.diff(self.factor, parameter)
-        if moves == 0:
+        if shift == 0:
             return None if by_factor == 0 else Contact(self.begins, self.begin, self.power, by_factor)
         inclined = self.power * self.factor + v * sp.diff(self.factor, v)
-        factor = sp.expand(v * by_factor - moves * inclined)
+        factor = sp.expand(v * by_factor - shift * inclined)
         return Contact(self.begins, self.begin, self.power - 1, factor)
 
     # --- over the quarter cycle ---
@@ -104,7 +104,7 @@ class Contact:
             (left, amplitude * c**2 / (1 + s)),
             (beyond, v + left),
             (y, v / beyond),
-            (_moved, end * left / (beyond * amplitude**2)),
+            (_shift, end * left / (beyond * amplitude**2)),
             (_grows, (1 + y) / (amplitude + at)),
             (_wide, 1 / (amplitude + end)),
             (_falls, 2 * end * y * _wide / (amplitude + at)),
@@ -117,9 +117,9 @@ class Contact:
 
     def average(self, sums: Sequence[sp.Expr], b: sp.Symbol) -> tuple[sp.Expr, ...]:
         """The integral and its derivatives by A, from those of `integrands`; b is where it begins."""
-        share = b / (A - b)
+        ratio = b / (A - b)
         return tuple(
-            sp.Add(*(sums[order - k] * _slope(self.exponent, order, k, share) / (A + b) ** k for k in range(order + 1)))
+            sp.Add(*(sums[order - k] * _slope(self.exponent, order, k, ratio) / (A + b) ** k for k in range(order + 1)))
             for order in range(len(sums))
         )
 
@@ -133,7 +133,7 @@ class Contact:
             (end, self.begin),
             (at, end * (1 - y) + A * y),
             (s, y + end * (1 - y) / A),
-            (_moved, end * (1 - y) / A**2),
+            (_shift, end * (1 - y) / A**2),
             (_grows, (1 + y) / (A + at)),
             (_wide, 1 / (A + end)),
             (_falls, 2 * end * y * _wide / (A + at)),
@@ -158,7 +158,7 @@ class Contact:
 
 _names = sp.symbols("end at amplitude left exceeds", positive=True)
 #: b/d
-_share = sp.Symbol("share_of", nonnegative=True)
+_ratio = sp.Symbol("share_of", nonnegative=True)
 
 
 def parted(piece: sp.Expr, begins: int, begin: sp.Expr) -> tuple[sp.Expr, list[Contact]]:
@@ -207,7 +207,7 @@ def _shapes(n: int, orders: int) -> list[sp.Expr]:
     found = [sp.expand(sp.chebyshevt(n, s))]
     for _ in range(orders):
         one = found[-1]
-        slopes = {s: -_moved, _moved: -2 * _moved / A, _falls: -_falls * (_grows + _wide)}
+        slopes = {s: -_shift, _shift: -2 * _shift / A, _falls: -_falls * (_grows + _wide)}
         slopes |= {_grows: -(_grows**2), _wide: -(_wide**2), A: 1}
         found.append(sp.expand(sum(rate * sp.diff(one, at) for at, rate in slopes.items()) - one * _falls / 2))
     return found
@@ -223,13 +223,13 @@ def _of_M(factor: sp.Expr, n: int, orders: int) -> list[sp.Expr]:
     ]
 
 
-def _slope(exponent: sp.Rational, order: int, k: int, share: sp.Expr) -> sp.Expr:
+def _slope(exponent: sp.Rational, order: int, k: int, ratio: sp.Expr) -> sp.Expr:
     """Beside the derivative of order - k of M: that of order k of d^exponent/sqrt(A + b), over it and times (A + b)^k.
 
-    share -- b/d, as A + b = d (1 + 2 share)
+    ratio -- b/d, as A + b = d (1 + 2 ratio)
     """
     terms = (
-        sp.binomial(k, i) * sp.ff(exponent, k - i) * sp.ff(-sp.Rational(1, 2), i) * (1 + 2 * _share) ** (k - i)
+        sp.binomial(k, i) * sp.ff(exponent, k - i) * sp.ff(-sp.Rational(1, 2), i) * (1 + 2 * _ratio) ** (k - i)
         for i in range(k + 1)
     )
-    return sp.binomial(order, k) * sp.expand(sum(terms)).subs(_share, share)
+    return sp.binomial(order, k) * sp.expand(sum(terms)).subs(_ratio, ratio)

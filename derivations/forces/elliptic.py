@@ -72,7 +72,7 @@ R_D = sp.Function("R_D")
 ROOT = sp.sqrt(1 - u**2)
 
 
-def parts(piece: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+def coefficients(piece: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     """a and b of a piece u (a + b (1/sqrt(1 - u^2) - 1)); an error if it is none."""
     inverse = sp.Symbol("inverse", positive=True)
     ratio = sp.expand(sp.expand(piece / u).subs(ROOT, 1 / inverse))
@@ -84,7 +84,7 @@ def parts(piece: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
 
 def evaluable(piece: sp.Expr) -> sp.Expr:
     """A piece without the difference 1/sqrt(1 - u^2) - 1."""
-    a, b = parts(piece)
+    a, b = coefficients(piece)
     root = sp.sqrt((1 - u) * (1 + u))
     return u * (a + b * u**2 / (root * (1 + root))) if b != 0 else a * u
 
@@ -127,9 +127,9 @@ def attached(a: sp.Expr, b: sp.Expr, steps: int, end: Corner | None = None) -> R
     B, C, P, e, tau = sp.symbols("B C P e tau", positive=True)
     a_n, b_n, e_n = (sp.symbols(f"{name}_1:{steps + 1}", positive=True) for name in "abe")
     # up to FEW a rounding of m moves 1 - m by less than its own
-    beside = 1 - m if steps == STEPS else (1 - A) * (1 + A)
+    complement = 1 - m if steps == STEPS else (1 - A) * (1 + A)
     lets: list[Let] = [(m, A**2)]
-    lets += [(k_c, end.height), (k, k_c**2)] if end else [(k_c, sp.sqrt(beside)), (k, beside)]
+    lets += [(k_c, end.height), (k, k_c**2)] if end else [(k_c, sp.sqrt(complement)), (k, complement)]
     # e_n = c_n/m
     lets += [(a_n[0], (1 + k_c) / 2), (b_n[0], sp.sqrt(k_c)), (e_n[0], 1 / (4 * a_n[0]))]
     for n in range(1, steps):
@@ -221,10 +221,10 @@ def _by_tangents(first: sp.Expr) -> tuple[tuple[Let, ...], tuple[Let, ...]]:
     return ((term, first),), tuple((sp.Symbol(name), term * _q**n) for n, name in enumerate(names))
 
 
-def _node(name: str, doc: str, given: Sequence[sp.Symbol], lets: Sequence[Let], first: sp.Expr) -> Repeated:
+def _node(name: str, doc: str, arguments: Sequence[sp.Symbol], lets: Sequence[Let], first: sp.Expr) -> Repeated:
     """A term at a node times powers of tan^2 t."""
     term, outputs = _by_tangents(first)
-    return Repeated(name, doc, tuple(given), (*lets, *term, TANGENT), outputs)
+    return Repeated(name, doc, tuple(arguments), (*lets, *term, TANGENT), outputs)
 
 
 NEAR = Repeated(
@@ -414,9 +414,9 @@ class _Taylor:
         X = self.named("X", [x]) + (zeros if by_second else varied)
         Y = self.named("Y", [y]) + (varied if by_second else zeros)
         # in the first duplication most coefficients are 0 or 1
-        X, Y, Z, share = self.once_duplicated(X, Y, [sp.Integer(1), *zeros], "0")
+        X, Y, Z, term = self.once_duplicated(X, Y, [sp.Integer(1), *zeros], "0")
         R = _series("R")
-        self.lets += _duplications().at((*X, *Y, *Z, *share), R)
+        self.lets += _duplications().at((*X, *Y, *Z, *term), R)
         return R
 
     def once_duplicated(
@@ -426,12 +426,12 @@ class _Taylor:
         a, b, c = self.sqrt(f"a{n}", X), self.sqrt(f"b{n}", Y), self.sqrt(f"c{n}", Z)
         lam = self.named(f"lam{n}", _plus(_times(a, b), _times(c, _plus(a, b))))
         below = self.named(f"below{n}", _times(c, self.named(f"q{n}", _plus(Z, lam))))
-        share = self.reciprocal(f"term{n}", below)
+        term = self.reciprocal(f"term{n}", below)
         X, Y, Z = (
             self.named(f"{name}{n}", [(p + q) / 4 for p, q in zip(values, lam, strict=True)])
             for name, values in (("X", X), ("Y", Y), ("Z", Z))
         )
-        return X, Y, Z, share
+        return X, Y, Z, term
 
     def remainder(self, X: Sequence[sp.Expr], Y: Sequence[sp.Expr], Z: Sequence[sp.Expr]) -> list[sp.Expr]:
         """R_D of arguments that are nearly equal, by its Taylor polynomial about their mean."""
@@ -458,48 +458,48 @@ def _series(name: str) -> list[sp.Symbol]:
 
 
 def _repeated(
-    name: str, doc: str, given: Sequence[Sequence[sp.Expr]], lets: list[Let], **out: Sequence[sp.Expr]
+    name: str, doc: str, arguments: Sequence[Sequence[sp.Expr]], lets: list[Let], **out: Sequence[sp.Expr]
 ) -> Repeated:
     """What is computed from series of these names, and which series that gives, by their names."""
     named = (let for series, value in out.items() for let in zip(_series(series), value, strict=True))
-    return Repeated(name, doc, tuple(one for f in given for one in f), tuple(lets), tuple(named))
+    return Repeated(name, doc, tuple(one for f in arguments for one in f), tuple(lets), tuple(named))
 
 
 @functools.cache
 def _duplication() -> Repeated:
     lets: list[Let] = []
-    given = tuple(map(_series, "xyz"))
-    X, Y, Z, share = _Taylor(lets).once_duplicated(*given)
+    arguments = tuple(map(_series, "xyz"))
+    X, Y, Z, term = _Taylor(lets).once_duplicated(*arguments)
     doc = "One duplication of the arguments of R_D, and what it takes off over 3, as Taylor series."
-    return _repeated("duplication", doc, given, lets, next_X=X, next_Y=Y, next_Z=Z, share=share)
+    return _repeated("duplication", doc, arguments, lets, next_X=X, next_Y=Y, next_Z=Z, share=term)
 
 
 @functools.cache
 def _duplications() -> Repeated:
     lets: list[Let] = []
-    given = [_series(name) for name in ("X0", "Y0", "Z0", "term0")]
-    (X, Y, Z, share), shares = given, [given[-1]]
+    arguments = [_series(name) for name in ("X0", "Y0", "Z0", "term0")]
+    (X, Y, Z, term), terms = arguments, [arguments[-1]]
     for n in range(1, DUPLICATIONS):
-        X_, Y_, Z_, share = (_series(f"{name}{n}") for name in ("X", "Y", "Z", "term"))
-        lets += _duplication().at((*X, *Y, *Z), (*X_, *Y_, *Z_, *share))
+        X_, Y_, Z_, term = (_series(f"{name}{n}") for name in ("X", "Y", "Z", "term"))
+        lets += _duplication().at((*X, *Y, *Z), (*X_, *Y_, *Z_, *term))
         X, Y, Z = X_, Y_, Z_
-        shares.append(share)
+        terms.append(term)
     last = _series("last")
     lets += _remainder().at((*X, *Y, *Z), last)
     total = [value / 4**DUPLICATIONS for value in last]
-    for n, share in reversed(list(enumerate(shares))):
-        total = _plus(total, [3 * value / 4**n for value in share])
+    for n, term in reversed(list(enumerate(terms))):
+        total = _plus(total, [3 * value / 4**n for value in term])
     doc = "R_D by what one duplication has made of its arguments and has taken off, as a Taylor series."
-    return _repeated("duplications", doc, given, lets, R=total)
+    return _repeated("duplications", doc, arguments, lets, R=total)
 
 
 @functools.cache
 def _remainder() -> Repeated:
     lets: list[Let] = []
-    given = tuple(map(_series, "xyz"))
-    value = _Taylor(lets).remainder(*given)
+    arguments = tuple(map(_series, "xyz"))
+    value = _Taylor(lets).remainder(*arguments)
     doc = "R_D of arguments that are nearly equal, as a Taylor series."
-    return _repeated("remainder", doc, given, lets, last=value)
+    return _repeated("remainder", doc, arguments, lets, last=value)
 
 
 def _times(f: Sequence[sp.Expr], g: Sequence[sp.Expr]) -> list[sp.Expr]:
@@ -647,12 +647,12 @@ def in_balls(a: sp.Expr, b: sp.Expr, rest: sp.Expr, end: Corner) -> tuple[Regime
             above, below = above.quo(sp.Poly(1 - x**2, x)), below / y**2
         return sp.factor(above.as_expr() / below)
 
-    def regime(inner: sp.Expr, of_linear: sp.Expr, moved: Mapping[sp.Symbol, sp.Expr], lets: Sequence[Let]) -> Regime:
+    def regime(inner: sp.Expr, of_linear: sp.Expr, rates: Mapping[sp.Symbol, sp.Expr], lets: Sequence[Let]) -> Regime:
         """h = A (of_linear + inner) with derivatives, by those of the names in it."""
         slopes = [inner]
         for _ in range(ORDERS):
             last = slopes[-1]
-            value = sp.diff(last, A) + sum(sp.diff(last, name) * slope_ for name, slope_ in moved.items())
+            value = sp.diff(last, A) + sum(sp.diff(last, name) * slope_ for name, slope_ in rates.items())
             value = sp.expand(value)
             gathered = [value.coeff(name, 1) for name in (F, D)]
             none = value.subs({F: 0, D: 0})
@@ -715,8 +715,8 @@ def mean_left_out(steps: int, least: sp.Expr) -> sp.Expr:
         for _ in range(steps):
             c, a, b = (a - b) / 2, (a + b) / 2, (a * b).sqrt()
         following = c**2 / (4 * a)
-        share = 2 * following / first * 2**steps
-        exponent = int(float(share.upper().log() / arb(2).log())) + 1
+        bound = 2 * following / first * 2**steps
+        exponent = int(float(bound.upper().log() / arb(2).log())) + 1
     return sp.Integer(2) ** exponent
 
 
@@ -733,8 +733,8 @@ def attached_closely(a: sp.Expr, b: sp.Expr) -> tuple[Regime, Regime]:
 
 
 @dataclass(frozen=True)
-class Parts:
-    """The average where A > u_cr, in closed form and in parts.
+class SplitAverage:
+    """The average where A > u_cr, in closed form, split at the breakpoint.
 
     ends     -- A, sqrt(1 - u_cr^2), sine, cosine and angle of where the first piece ends, in `beyond`; with their lets
     integral -- h, h_A, h_AA, h_AAA and h - A h_A over b of the first piece, without the last piece, in the ends' names
@@ -752,7 +752,7 @@ class Parts:
     whole: tuple[sp.Expr, ...]
 
 
-def detached_closely(b: sp.Expr, rest: sp.Expr, end: Corner) -> Parts:
+def detached_closely(b: sp.Expr, rest: sp.Expr, end: Corner) -> SplitAverage:
     """As `in_balls` where A > u_cr, with b and the last piece apart: they are no exact numbers."""
     beyond = sp.Symbol("beyond", nonnegative=True)
     first, second = sp.symbols("of_first of_second", positive=True)
@@ -772,8 +772,8 @@ def detached_closely(b: sp.Expr, rest: sp.Expr, end: Corner) -> Parts:
         if name not in (end.name, lets["c"][0])
     ]
     ends = (A, *(lets[name][0] for name in ("c", "x", "y", "theta")))
-    alone = (-rest * A, -rest, sp.Integer(0), sp.Integer(0), sp.Integer(0))
-    return Parts(
+    linear_part = (-rest * A, -rest, sp.Integer(0), sp.Integer(0), sp.Integer(0))
+    return SplitAverage(
         beyond,
         (*before, *after),
         ends,
@@ -781,7 +781,7 @@ def detached_closely(b: sp.Expr, rest: sp.Expr, end: Corner) -> Parts:
         tuple(of_integrals),
         (*regime.derivatives, regime.intercept),
         names,
-        tuple(linear + b * name for linear, name in zip(alone, names, strict=True)),
+        tuple(linear + b * name for linear, name in zip(linear_part, names, strict=True)),
     )
 
 
@@ -847,7 +847,7 @@ def restoring(pieces: Sequence[sp.Expr], breakpoints: Mapping[sp.Symbol, sp.Expr
     """
     if len(pieces) != 2:
         raise ArithmeticError("an untruncated force is averaged for one breakpoint only")
-    (a, b), (rest, none) = (parts(piece) for piece in pieces)
+    (a, b), (rest, none) = (coefficients(piece) for piece in pieces)
     if none != 0:
         raise ArithmeticError("an untruncated force is averaged only if it is linear beyond the breakpoint")
     ((name, value),) = breakpoints.items()

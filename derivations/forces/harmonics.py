@@ -49,7 +49,7 @@ from ..paper.restoring_force import (
     quarter_moment,
 )
 from ..symbols import A, u
-from .elliptic import DIGITS, MODERATE, Corner, Let, corner, digits, gauss, parts
+from .elliptic import DIGITS, MODERATE, Corner, Let, coefficients, corner, digits, gauss
 from .repeated import Repeated
 
 #: the harmonics of the spring that are kept: with the next two as well the largest errors of jumps stayed the same
@@ -91,8 +91,8 @@ def weighted(n: int, degree: int) -> tuple[sp.Rational, sp.Poly]:
     """The rational a and the even polynomial P with int_0^theta s^degree T_n(s) dt = a theta - x y P(x), degree odd."""
     secular, polynomial = sp.Integer(0), sp.Poly(0, sp.Symbol("x", positive=True))
     for power, coefficient in powers_of(n, degree):
-        share, rest = moment_parts(power)
-        secular += coefficient * share
+        factor, rest = moment_parts(power)
+        secular += coefficient * factor
         polynomial += coefficient * rest
     return secular, polynomial
 
@@ -303,8 +303,8 @@ def _under(n: int, order: int) -> sp.Symbol:
 @functools.cache
 def _at_node(end: sp.Symbol) -> Repeated:
     """The terms of all these integrals at a node x of Gauss's rule over 0 < t < theta, in tan(t/2)."""
-    given = sp.symbols("x x2 less weight T T2 c", positive=True)
-    x, x2, less, weight, T, T2, c = given
+    arguments = sp.symbols("x x2 less weight T T2 c", positive=True)
+    x, x2, less, weight, T, T2, c = arguments
     g, s, v, square, delta, below, above, scale = sp.symbols("g s v square delta below above scale", positive=True)
     inverse = sp.Symbol("inverse", real=True)
     lets = (
@@ -328,7 +328,7 @@ def _at_node(end: sp.Symbol) -> Repeated:
     return Repeated(
         "harmonic_node",
         "Terms of int g^(j)(A s) s^j T_n dt at a node, by n, then by j.",
-        (*given, A, end),
+        (*arguments, A, end),
         lets,
         tuple(
             (_under(n, order), scale * value * sp.horner(chebyshev(n, s)))
@@ -372,7 +372,7 @@ def untruncated_detached(b: sp.Expr, corner_: Corner) -> Regime:
 
 def of_untruncated(pieces: Sequence[sp.Expr], breakpoints: Mapping[sp.Symbol, sp.Expr]) -> Harmonics:
     """The harmonics of the force of `elliptic`, by Gauss's rule; its pieces' ends come in a parameter."""
-    _, b = parts(pieces[0])
+    _, b = coefficients(pieces[0])
     ((name, value),) = breakpoints.items()
     cases = (
         Case("passed_0", ((A, value),), untruncated_attached(b)),

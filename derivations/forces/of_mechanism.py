@@ -40,10 +40,10 @@ class OfMechanism:
     @cached_property
     def beside_vertical(self) -> Restoring:
         """H and H_A, untruncated with further derivatives: the average of F_k alone; no solver asks for it."""
-        beside, ends = [piece - u for piece in self.oscillator.polynomials], self.oscillator.breakpoints
-        if all(piece.is_polynomial(u) for piece in beside):
-            return restoring(beside, tuple(ends), orders=1)
-        return elliptic.restoring(beside, ends)
+        pieces, ends = [piece - u for piece in self.oscillator.polynomials], self.oscillator.breakpoints
+        if all(piece.is_polynomial(u) for piece in pieces):
+            return restoring(pieces, tuple(ends), orders=1)
+        return elliptic.restoring(pieces, ends)
 
     @cached_property
     def harmonics(self) -> Harmonics:

@@ -209,23 +209,26 @@ class Quadrature:
 
         of_contacts -- from which sum on those of each contact are
         """
-        terms, moved = [], [sp.Integer(0)] * 3
+        terms, at_breakpoints = [], [sp.Integer(0)] * 3
         for k, (b, end) in enumerate(list(self.breakpoints.items())[:count]):
             root = sp.Symbol(f"root_{k + 1}", nonnegative=True)
             change = sp.diff(self.smooth[k] - self.smooth[k + 1], parameter)
             terms.append((b, root, [lost_at(change, end, order) for order in range(2)]))
             moving = -4 / sp.pi * self.losses[k][0] * sp.diff(end, parameter) * b / (A * root)
             for order in range(3):
-                moved[order] += moving
+                at_breakpoints[order] += moving
                 moving = slope(moving, root)
         for contact, own in zip(self.contacts, of_contacts, strict=True):
             change = contact.changed(parameter)
             if contact.begins <= count and change is not None:
                 b = tuple(self.breakpoints)[contact.begins - 1]
-                moved = [
-                    one - 4 / sp.pi * more for one, more in zip(moved, change.average(sums(3, own), b), strict=True)
+                at_breakpoints = [
+                    one - 4 / sp.pi * more
+                    for one, more in zip(at_breakpoints, change.average(sums(3, own), b), strict=True)
                 ]
-        return tuple(one + other for one, other in zip(derivatives_of(1, sums(3, first), terms), moved, strict=True))
+        return tuple(
+            one + other for one, other in zip(derivatives_of(1, sums(3, first), terms), at_breakpoints, strict=True)
+        )
 
     # --- between two amplitudes ---
 

@@ -44,11 +44,11 @@ class Repeated:
         if len(set(names)) < len(names):
             raise ArithmeticError(f"{self.name} has two things of one name: {sorted(names)}")
 
-    def at(self, given: Sequence[sp.Expr], names: Sequence[sp.Symbol]) -> list[Let]:
+    def at(self, values: Sequence[sp.Expr], names: Sequence[sp.Symbol]) -> list[Let]:
         """The outputs by these names, at arguments in their order."""
-        if len(given) != len(self.arguments) or not all(value.is_Symbol or value.is_number for value in given):
-            raise ArithmeticError(f"{self.name} takes {len(self.arguments)} symbols or numbers, not {given}")
-        return [(name, _output(self, k)(*given)) for k, (name, _) in enumerate(zip(names, self.outputs, strict=True))]
+        if len(values) != len(self.arguments) or not all(value.is_Symbol or value.is_number for value in values):
+            raise ArithmeticError(f"{self.name} takes {len(self.arguments)} symbols or numbers, not {values}")
+        return [(name, _output(self, k)(*values)) for k, (name, _) in enumerate(zip(names, self.outputs, strict=True))]
 
 
 @functools.cache

@@ -49,19 +49,19 @@ def evaluate(expression: sp.Expr, values: Mapping[sp.Symbol, Any]) -> Any:
 
 @cache
 def _steps(expression: sp.Expr, bits: int) -> tuple[tuple[Callable[..., Any] | None, Any], ...]:
-    """What is done in turn, each part of the expression once: a function and the places of what it takes, or a symbol.
+    """Steps in turn, each part of the expression once: a function and the positions of its arguments, or a symbol.
 
-    Kept for an expression, which is asked at thousands of balls, and for the precision that its constants have.
+    Kept for an expression, which is evaluated at thousands of balls, and for the precision that its constants have.
     """
     steps: list[tuple[Callable[..., Any] | None, Any]] = []
-    places: dict[sp.Expr, int] = {}
+    positions: dict[sp.Expr, int] = {}
 
     def place(part: sp.Expr) -> int:
-        if part not in places:
+        if part not in positions:
             act, operands = _step(part)
             steps.append((act, operands if act is None else tuple(place(one) for one in operands)))
-            places[part] = len(steps) - 1
-        return places[part]
+            positions[part] = len(steps) - 1
+        return positions[part]
 
     place(expression)
     return tuple(steps)

@@ -33,8 +33,8 @@ def agree(facts: Facts, *names: str) -> bool:
 
 def by_formula(facts: Facts, where: str, *names: str, remark: str = "") -> Verdict:
     """True or false with the equations that the sentence puts into words."""
-    told = f"Proved: {where}." if agree(facts, *names) else f"{where} does not hold."
-    return (TRUE if agree(facts, *names) else FALSE), f"{told} {remark}".strip()
+    message = f"Proved: {where}." if agree(facts, *names) else f"{where} does not hold."
+    return (TRUE if agree(facts, *names) else FALSE), f"{message} {remark}".strip()
 
 
 def few(x: arb) -> str:
@@ -163,10 +163,10 @@ def section_3_2(facts: Facts) -> dict[str, Verdict]:
             f"{few(larger)}."
     claim("an unstable point", bool(found))
     boundary = flow.stability.subs({R: flow.R, I: flow.I}).subs(m, flow.friction)
-    share = sp.expand(sp.expand(boundary).coeff(mu))
-    claim("friction's term in (30)", sp.expand(share - 8 * zeta * Omega / (sp.pi * A)) == 0)
+    friction_term = sp.expand(sp.expand(boundary).coeff(mu))
+    claim("friction's term in (30)", sp.expand(friction_term - 8 * zeta * Omega / (sp.pi * A)) == 0)
     fold = facts.fold("0.040", "jump-up")
-    size = evaluate(share, {zeta: example.zeta, Omega: fold.Omega, A: fold.A}) * example.m * arb.pi() / 4
+    size = evaluate(friction_term, {zeta: example.zeta, Omega: fold.Omega, A: fold.A}) * example.m * arb.pi() / 4
     return {
         "jacobian": by_formula(facts, "(28)", "D_q_Gamma"),
         "trace_negative": (
@@ -336,19 +336,19 @@ def section_4_2(facts: Facts) -> dict[str, Verdict]:
     shares = {"F_cr": facts.friction_share(detachment.Omega, detachment.A)} | {
         label: facts.friction_share(p.Omega, p.A) for label, p in facts.peaks.items()
     }
-    claim("friction's share at resonance", all(share > arb("0.4") for share in shares.values()))
+    claim("friction's share at resonance", all(fraction > arb("0.4") for fraction in shares.values()))
     far = {w: facts.friction_share(arb(w), facts.smallest_amplitude(w, "0.050")) for w in ("0.5", "1.5")}
-    claim("larger far from resonance", all(share > shares["0.050"] for share in far.values()))
+    claim("larger far from resonance", all(fraction > shares["0.050"] for fraction in far.values()))
     steps = [b - a for a, b in pairwise(facts.F_cr_curve)]
     claim("F_cr rises ever more slowly", all(a > b > 0 for a, b in pairwise(steps)))
     claim("F_cr rises with the preload", facts.rises_with_preload)
     claim("u_cr free of r", all(not value.has(r) for value in [facts.rod.oscillator.exact_ends[0]]))
-    gains = {share: facts.F_cr_gain(share) for share in ("1", "10", "100")}
+    gains = {fraction: facts.F_cr_gain(fraction) for fraction in ("1", "10", "100")}
     envelope = (
         "F_cr² is the least of R² + I² at A = u_cr, and only I = 2ζu_crΩ + 4μ/π > 0 holds ζ and μ: by the envelope "
         "theorem ∂F_cr²/∂ζ = 4u_crΩI > 0, ∂F_cr²/∂μ = 8I/π > 0."
     )
-    gain_text = ", ".join(f"{rounded(100 * gain, 0)} % at {share} %" for share, gain in gains.items())
+    gain_text = ", ".join(f"{rounded(100 * gain, 0)} % at {fraction} %" for fraction, gain in gains.items())
     return {
         "r_only_method": (
             FALSE,
@@ -369,13 +369,13 @@ def section_4_2(facts: Facts) -> dict[str, Verdict]:
         "zeta_eq_near_resonance": (
             FALSE,
             "Friction's part of (38) over ζ at the resonance peaks of the paper's own example is "
-            + ", ".join(f"{few(share)} at {label}" for label, share in shares.items())
+            + ", ".join(f"{few(fraction)} at {label}" for label, fraction in shares.items())
             + ": smaller than elsewhere, not negligible.",
         ),
         "zeta_eq_far": (
             TRUE,
             "At F_0 = 0.050 friction's part of (38) over ζ is "
-            + ", ".join(f"{few(share)} at Ω = {w}" for w, share in far.items())
+            + ", ".join(f"{few(fraction)} at Ω = {w}" for w, fraction in far.items())
             + " on the lowest branch.",
         ),
         "F_cr_damping": (TRUE, envelope),

@@ -75,13 +75,13 @@ def decimals(printed: str) -> int:
     return len(printed.partition(".")[2])
 
 
-def _truncated(value: arb, places: int) -> str:
-    return rounded(value - arb(10) ** -places / 2, places)
+def _truncated(value: arb, digits: int) -> str:
+    return rounded(value - arb(10) ** -digits / 2, digits)
 
 
-def _halfway(value: arb, places: int) -> str:
+def _halfway(value: arb, digits: int) -> str:
     """The middle between the two printable values around a value."""
-    return _truncated(value, places) + "5"
+    return _truncated(value, digits) + "5"
 
 
 def table_2_entry(facts: Facts, row: int, column: str) -> Entry:
@@ -115,24 +115,24 @@ def _explained(facts: Facts, label: str, kind: str, quantity: str, printed: str,
             f"At F_cr the fold lies below u_cr = {significant(facts.example.u_cr)}. The point of the response at u_cr "
             f"is its peak, at Ω = {significant(peak.Omega)}, where F_Ω = 0 and F_A > 0: stable, no saddle node."
         )
-    places = decimals(printed)
+    digits = decimals(printed)
     if label == "F_cr":
         other = facts.fold("0.0300", kind)
-        if rounded(getattr(other, quantity), places) == printed:
+        if rounded(getattr(other, quantity), digits) == printed:
             return (
                 "It is the value at F_0 = 0.0300, the rounded F_cr: there the fold is at Ω = "
                 f"{significant(other.Omega)}, A = {significant(other.A)}."
             )
     mesh = facts.mesh_point(label, kind)
-    if quantity == "A" and rounded(mesh.A, places) == printed:
+    if quantity == "A" and rounded(mesh.A, digits) == printed:
         return (
             f"It is {mesh.k}/{MESH}: of the response read off at A = k/{MESH} (1000 points on [0, 1]), the point with "
             f"the extremal Ω, {significant(mesh.Omega)}. Near a fold Ω depends on A by its square only, so the printed "
             "Ω is right and the printed A is off by up to half a step of the mesh."
         )
-    if _truncated(value, places) == printed:
+    if _truncated(value, digits) == printed:
         return (
-            f"The derived value is {significant(value - arb(_halfway(value, places)), 2)} above the middle between two "
+            f"The derived value is {significant(value - arb(_halfway(value, digits)), 2)} above the middle between two "
             "printed values. The printed one is it cut off, or read off a mesh as the amplitudes are: linear "
             f"interpolation of F between frequencies 1/{MESH} apart lowers this Ω by up to "
             f"{significant(facts.chord_shortfall, 2)}."
@@ -141,7 +141,7 @@ def _explained(facts: Facts, label: str, kind: str, quantity: str, printed: str,
     return (
         f"No parameter or formula tried gives it, while A = {rounded(facts.fold(label, kind).A, 4)} is as printed and "
         f"the response has Ω = {rounded(mesh.Omega, 6)} there. Tried: {tried}; peak: "
-        f"{rounded(facts.peaks[label].Omega, 4)}. The digits suggest a misprint of {_truncated(value, places)}; that "
+        f"{rounded(facts.peaks[label].Omega, 4)}. The digits suggest a misprint of {_truncated(value, digits)}; that "
         "cannot be proved."
     )
 

@@ -104,9 +104,11 @@ class Facts:
         integrand = -force.subs(u, A * sp.cos(psi)) * sp.cos(psi) / sp.pi
         attached = [(angle, sp.pi - angle), (sp.pi + angle, 2 * sp.pi - angle)]
         cycle = cycle_integral(integrand, 0, 2 * sp.pi)
-        parts = sum(cycle_integral(integrand, *ends) for ends in attached)
+        attached_terms = sum(cycle_integral(integrand, *ends) for ends in attached)
         H_1 = self.rod.beside_vertical.regimes[0].derivatives[0]
-        return canonical(cycle - H_1).is_zero and canonical(parts - detached_derivative(self.results, 0)).is_zero
+        return (
+            canonical(cycle - H_1).is_zero and canonical(attached_terms - detached_derivative(self.results, 0)).is_zero
+        )
 
     # ---- the example ----------------------------------------------------------------------------------------------
 
@@ -236,8 +238,8 @@ class Facts:
         begin on the corner.
         """
 
-        def is_attached(share: Fraction) -> bool:
-            isolator = self._preloaded(share)
+        def is_attached(fraction: Fraction) -> bool:
+            isolator = self._preloaded(fraction)
             slope = isolator.slope_at_end
             below = slope is not None and sign(slope) < 0
             regimes = [point.regime for _, points in isolator.onset_candidates for point in points]
@@ -245,16 +247,16 @@ class Facts:
                 raise ArithmeticError("A_s and u_cr lie otherwise than the slope at u_cr says")
             return below
 
-        def is_onset(share: Fraction) -> bool:
-            isolator = self._preloaded(share)
-            return is_attached(share) and sign(isolator.corner - isolator.onset.F_0) > 0
+        def is_onset(fraction: Fraction) -> bool:
+            isolator = self._preloaded(fraction)
+            return is_attached(fraction) and sign(isolator.corner - isolator.onset.F_0) > 0
 
         return _share_from_which_on(is_attached), _share_from_which_on(is_onset)
 
-    def _preloaded(self, share: Fraction) -> Example:
-        """Table 1 but for the preload, at this share of the quasi-zero-stiffness preload."""
+    def _preloaded(self, fraction: Fraction) -> Example:
+        """Table 1 but for the preload, at this fraction of the quasi-zero-stiffness preload."""
         table = self.published.TABLE_1
-        return self.isolator(delta_h=share / (table["lam"] * table["r"]))
+        return self.isolator(delta_h=fraction / (table["lam"] * table["r"]))
 
     @functools.cached_property
     def detachment_roots(self) -> list[arb]:
@@ -270,11 +272,11 @@ class Facts:
 
     # ---- F_cr over the preload ------------------------------------------------------------------------------------
 
-    def F_cr(self, share: Fraction, **changed: Fraction) -> arb:
-        """F_cr at this share of the quasi-zero-stiffness preload, lam = 3, r = 2.03, mu = 0.012, zeta = 0.02."""
+    def F_cr(self, fraction: Fraction, **changed: Fraction) -> arb:
+        """F_cr at this fraction of the quasi-zero-stiffness preload, lam = 3, r = 2.03, mu = 0.012, zeta = 0.02."""
         stiffness = {"lam": Fraction(3), "r": Fraction("2.03")}
         parameters = {**stiffness, "mu": Fraction("0.012"), "zeta": Fraction("0.02"), **changed}
-        return self.isolator(**parameters, delta_h=share / (3 * Fraction("2.03"))).detachment.F_0
+        return self.isolator(**parameters, delta_h=fraction / (3 * Fraction("2.03"))).detachment.F_0
 
     @functools.cached_property
     def F_cr_curve(self) -> list[arb]:

@@ -26,14 +26,14 @@ Rows = list[dict[str, Any]]
 
 
 def decided(numbers: dict[str, Any]) -> dict[str, tuple[str, str]]:
-    """Verdict and evidence by claim. Raises ArithmeticError where a verdict is not the one that the words are for."""
+    """Verdict and evidence by claim. Raises ArithmeticError where a verdict is not that of the evidence."""
     found = measured.verdicts(numbers)
     if found != DECIDED:
         raise ArithmeticError(f"what was measured leads to other verdicts: {sorted(found.items() - DECIDED.items())}")
     two_b = numbers["figure_2b"]
     return {
-        claim: (found[claim], words)
-        for claim, words in {
+        claim: (found[claim], evidence)
+        for claim, evidence in {
             "den_hartog_agreement": _den_hartog(numbers["figure_2a"]),
             "kbm_qualitative": _qualitative(numbers["figure_2a"]["rows"]),
             "kbm_low_friction": _low_friction(two_b),
@@ -47,14 +47,14 @@ def decided(numbers: dict[str, Any]) -> dict[str, tuple[str, str]]:
     }
 
 
-def percent(share: float) -> str:
+def percent(fraction: float) -> str:
     """Two digits."""
-    return f"{100 * share:.0f} %" if share >= 0.1 else f"{100 * share:.2g} %"
+    return f"{100 * fraction:.0f} %" if fraction >= 0.1 else f"{100 * fraction:.2g} %"
 
 
-def listed(words: Iterable[str]) -> str:
+def listed(items: Iterable[str]) -> str:
     """One after the other."""
-    return ", ".join(words)
+    return ", ".join(items)
 
 
 def _den_hartog(figure: dict[str, Any]) -> str:

@@ -40,13 +40,13 @@ def check_formulas(rows: list[Row]) -> None:
 
     Called before any number is computed: from a wrong formula numbers follow that have no folds, or too many.
     """
-    told = [
+    differences = [
         f"{row.where}, {row.quantity} ({row.id}):\n    published  {row.published}\n    derived    {row.derived}\n"
         + (f"    difference {row.difference}" if row.difference else "    they agree, where a finding says they differ")
         for row in rows
         if (row.verdict == DIFFERS) != (row.id in KNOWN_TO_DIFFER)
     ]
-    _raise(told)
+    _raise(differences)
 
 
 def check_averages(facts: Facts) -> None:
@@ -59,19 +59,19 @@ def check_averages(facts: Facts) -> None:
     )
 
 
-def _raise(told: list[str]) -> None:
-    if told:
-        raise Contradiction("\n".join(["the derivation does not give what is published:", *told]))
+def _raise(differences: list[str]) -> None:
+    if differences:
+        raise Contradiction("\n".join(["the derivation does not give what is published:", *differences]))
 
 
 def findings(facts: Facts, rows: list[Row]) -> list[Finding]:
     """Every finding, in the paper's order; an error if a row that differs belongs to none, or to two, or agrees."""
     by_key = {key(row): row for row in rows}
     found = _findings(facts, {name: row.evidence for name, row in by_key.items()})
-    told = [name for finding in found for name in finding.rows]
+    explained = [name for finding in found for name in finding.rows]
     due = [name for name, row in by_key.items() if row.verdict in (DIFFERS, FALSE)]
-    if sorted(told) != sorted(due):
-        raise ArithmeticError(f"findings and rows part at {sorted(set(told) ^ set(due))}")
+    if sorted(explained) != sorted(due):
+        raise ArithmeticError(f"findings and rows part at {sorted(set(explained) ^ set(due))}")
     return found
 
 

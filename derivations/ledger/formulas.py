@@ -39,15 +39,15 @@ class Reading:
 
     derived: Any
     rewriting: str = ""
-    given: dict[str, sp.Expr] = field(default_factory=dict)
+    values: dict[str, sp.Expr] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
 class Subject:
-    """What a published function is held against.
+    """What a published function is compared with.
 
     forms   -- derived forms; the function agrees if it equals one of them
-    given   -- values of its arguments, where they are not the symbols of the same names
+    values  -- values of its arguments, where they are not the symbols of the same names
     how     -- difference: published - derived must vanish;  squares: so must the difference of the squares, both being
                positive at `sample`;  cosines: both are angles in [0, pi], their cosines must agree;  fields: a record
     shown   -- the derived quantity for readers by its name, where the form itself would not tell
@@ -57,7 +57,7 @@ class Subject:
     """
 
     forms: tuple[Reading, ...]
-    given: dict[str, sp.Expr] = field(default_factory=dict)
+    values: dict[str, sp.Expr] = field(default_factory=dict)
     how: str = DIFFERENCE
     shown: dict[str, sp.Expr] = field(default_factory=dict)
     sample: dict[sp.Symbol, sp.Rational] = field(default_factory=dict)
@@ -157,20 +157,20 @@ def _oscillator(results: Results) -> dict[str, Subject]:
     sample = {s["L"]: sp.Integer(2), Delta_h: sp.Rational(1, 2), delta_h: sp.Rational(1, 4)}
     return {
         "equation_of_motion_dimensional": same(
-            dimensional, given={"F_k": averaging.F_k}, remark="The statement that the derivation starts from."
+            dimensional, values={"F_k": averaging.F_k}, remark="The statement that the derivation starts from."
         ),
         "F_k_dimensional": same(tuple(piece.force for piece in mechanism.pieces)),
         "x_cr": same(end, how=SQUARES, sample=sample),
         "equation_of_motion": same(scaled, remark="(1) with x = L u, d/dt = ω_n d/dτ, divided by k_v L."),
         "dimensionless_quantities": same(
             (0,) * 9,
-            given=names,
+            values=names,
             shown=names,
             remark="The groups are the coefficients of (1) after the scaling; each definition, solved, must give zero.",
         ),
         "F_k_scaling": same(
             0,
-            given={"F_k_u": s["F_k_x"] / (k_v * length)},
+            values={"F_k_u": s["F_k_x"] / (k_v * length)},
             shown={"F_k_u": s["F_k_x"] / (k_v * length)},
             remark="The factor that (1) takes on when inertia and vertical stiffness become 1.",
         ),
@@ -199,12 +199,12 @@ def _averaging(results: Results) -> dict[str, Subject]:
     integrand = mean.restoring_integrand.subs(averaging.F_k, s["f_k"])
     return {
         "averaging_form": same(
-            rescaled, given={"G": perturbation}, remark="(3) with the barred parameters and 1 = Ω² − εσ of (10)."
+            rescaled, values={"G": perturbation}, remark="(3) with the barred parameters and 1 = Ω² − εσ of (10)."
         ),
-        "G": same(perturbation, given={"F_k": averaging.F_k}),
+        "G": same(perturbation, values={"F_k": averaging.F_k}),
         "rescaling": same(
             (0,) * 5,
-            given={**bars, "sigma": (Omega**2 - 1) / epsilon},
+            values={**bars, "sigma": (Omega**2 - 1) / epsilon},
             shown={**bars, "sigma": (Omega**2 - 1) / epsilon},
             remark="A choice; with it (3) takes the form (8), (9).",
         ),
@@ -212,22 +212,22 @@ def _averaging(results: Results) -> dict[str, Subject]:
         "first_order_solution": same((DISPLACEMENT, VELOCITY), remark="An assumption, and the start of the averaging."),
         "psi": same(
             psi,
-            given={"phi": psi - Omega * tau + (angle - (psi - phi))},
+            values={"phi": psi - Omega * tau + (angle - (psi - phi))},
             shown={"": Omega * tau + phi},
             remark="The forcing is cos(ψ − φ) in the derivation.",
         ),
-        "velocity_condition": same(0, given={"u_dot": velocity}, shown={"u_dot": velocity}),
+        "velocity_condition": same(0, values={"u_dot": velocity}, shown={"u_dot": velocity}),
         "variation_condition": same(mean.compatibility),
         "acceleration_condition": same(
             0,
-            given={"u": DISPLACEMENT, "u_ddot": acceleration},
+            values={"u": DISPLACEMENT, "u_ddot": acceleration},
             shown={"u_ddot": sp.expand(acceleration)},
         ),
         "forced_condition": same(-mean.motion, remark="Equated to zero; the derivation has it times −1."),
         "linear_system": same((mean.compatibility, sp.expand(-mean.motion / Omega))),
         "modulation": same(mean.unaveraged),
         "averaged_modulation_integrand": same(tuple(rate / (2 * sp.pi) for rate in mean.unaveraged)),
-        "Gamma": same(tuple(epsilon * rate for rate in mean.slow_flow), given={"H_i": H}),
+        "Gamma": same(tuple(epsilon * rate for rate in mean.slow_flow), values={"H_i": H}),
         "H_i_integrand_plus": same(integrand),
         "H_i_integrand_minus": same(integrand),
     }
@@ -295,10 +295,10 @@ def _restoring(results: Results) -> dict[str, Subject]:
     sample = {A: sp.Integer(2), u_cr: sp.Integer(1)}
     return {
         "H_1": same(averages.regimes[0].derivatives[0]),
-        "detachment_angle": same(0, given={"psi_0": psi_0}, shown={"psi_0": psi_0}),
+        "detachment_angle": same(0, values={"psi_0": psi_0}, shown={"psi_0": psi_0}),
         "H_2": same(detached_derivative(results, 0), ANGLE),
-        "dH_2_dA_inverse_A": Subject((slope,), given=on_circle),
-        "dH_2_dA_A": Subject((slope,), given=on_circle),
+        "dH_2_dA_inverse_A": Subject((slope,), values=on_circle),
+        "dH_2_dA_A": Subject((slope,), values=on_circle),
         "p": same(root / A, how=SQUARES, sample=sample, remark="p = sin ψ₀."),
         "q": same(-8 * attached_slope, remark="q = −8 ∂H_1/∂A."),
         "psi_0": same(psi_0, how=COSINES),
@@ -321,18 +321,18 @@ def _slow_flow(results: Results) -> dict[str, Subject]:
     eigenvalue = s["eigenvalue"]
     characteristic = (eigenvalue * sp.eye(2) - flow.jacobian).det()
     return {
-        "fixed_points": same(tuple(sp.expand(-2 * Omega * rate) for rate in rates), given={"H_i": H}),
-        "F": same(flow.F.subs(whole).subs(friction), f"{NOTATION}, {FRICTION}", given={"H_i": h + A}),
+        "fixed_points": same(tuple(sp.expand(-2 * Omega * rate) for rate in rates), values={"H_i": H}),
+        "F": same(flow.F.subs(whole).subs(friction), f"{NOTATION}, {FRICTION}", values={"H_i": h + A}),
         "tan_phi": same(
             sp.tan(phase),
             f"{NOTATION}, {FRICTION}",
-            given={"H_i": h + A},
+            values={"H_i": h + A},
             remark="The tangent leaves φ open by π; the derivation has φ = atan2(−I, −R).",
         ),
         "backbone": same(
             0,
             NOTATION,
-            given={"A_c": A, "H_i": h + A, "Omega": flow.backbone},
+            values={"A_c": A, "H_i": h + A, "Omega": flow.backbone},
             shown={"Omega": flow.backbone},
         ),
         "A_L": same(flow.limit_envelope.subs(friction), FRICTION),
@@ -340,17 +340,17 @@ def _slow_flow(results: Results) -> dict[str, Subject]:
         "D_q_Gamma": same(
             tuple(jacobian),
             f"{NOTATION}, σ = Ω² − 1, {FRICTION}",
-            given={**slope, "sigma": Omega**2 - 1},
+            values={**slope, "sigma": Omega**2 - 1},
         ),
         "characteristic_equation": same(
             sp.expand(characteristic),
-            given={"trace": flow.jacobian.trace(), "determinant": flow.jacobian.det()},
+            values={"trace": flow.jacobian.trace(), "determinant": flow.jacobian.det()},
             shown={"": sp.Symbol("det(eigenvalue*1 - D_q_Gamma)")},
         ),
         "stability_boundary": same(
             flow.stability.subs(whole).subs(friction),
             f"{NOTATION}, {FRICTION}",
-            given=slope,
+            values=slope,
             shown={"": flow.stability, "R": flow.R, "I": flow.I},
         ),
         "zeta_eq": same(flow.equivalent_damping.subs(friction), FRICTION),

@@ -50,9 +50,11 @@ def _flat(value: Any) -> Iterator[sp.Expr]:
         yield sp.sympify(value)
 
 
-def _values(function: Callable[..., Any], given: dict[str, sp.Expr], known: dict[str, sp.Symbol]) -> list[sp.Expr]:
+def _values(function: Callable[..., Any], values: dict[str, sp.Expr], known: dict[str, sp.Symbol]) -> list[sp.Expr]:
     names = [name for name in inspect.signature(function).parameters if name != "xp"]
-    arguments = {name: given[name] if name in given else known.get(name, sp.Symbol(name, real=True)) for name in names}
+    arguments = {
+        name: values[name] if name in values else known.get(name, sp.Symbol(name, real=True)) for name in names
+    }
     return list(_flat(function(**arguments, xp=EXACT)))
 
 
@@ -88,12 +90,12 @@ def _factor(published: list[sp.Expr], derived: list[sp.Expr]) -> str:
 def _judge_form(
     function: Callable[..., Any], subject: Subject, form: Reading, known: dict[str, sp.Symbol]
 ) -> Judgement:
-    published = _values(function, subject.given | form.given, known)
+    published = _values(function, subject.values | form.values, known)
     derived = list(_flat(form.derived))
     printed = _values(function, {}, known)
     found = tuple(subject.shown.items()) or tuple(("", value) for value in derived)
-    told = ", ".join(f"{name} = {value}" if name else sp.sstr(value) for name, value in subject.shown.items())
-    judged = Judgement(DIFFERS, _text(printed), told or _text(derived), printed=tuple(printed), found=found)
+    shown = ", ".join(f"{name} = {value}" if name else sp.sstr(value) for name, value in subject.shown.items())
+    judged = Judgement(DIFFERS, _text(printed), shown or _text(derived), printed=tuple(printed), found=found)
     if len(published) != len(derived):
         return replace(judged, difference=f"{len(published)} entries for {len(derived)}")
     used = {form.rewriting} if form.rewriting else set()

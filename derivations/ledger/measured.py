@@ -70,11 +70,11 @@ def verdicts(numbers: dict[str, Any]) -> dict[str, str]:
         "kbm_low_friction": _verdict(same_up_to(two_b) >= _highest(two_b, LOW), same_up_to(two_b) > 0),
         "agreement_acceptable": acceptable(numbers["figure_7a"]),
     }
-    rests = [out["agreement_acceptable"], out["kbm_low_friction"]]
-    out["reliability"] = _verdict(set(rests) == {TRUE}, FALSE not in rests)
-    rests = [out["den_hartog_agreement"], out["kbm_qualitative"], out["kbm_low_friction"]]
+    premises = [out["agreement_acceptable"], out["kbm_low_friction"]]
+    out["reliability"] = _verdict(set(premises) == {TRUE}, FALSE not in premises)
+    premises = [out["den_hartog_agreement"], out["kbm_qualitative"], out["kbm_low_friction"]]
     everywhere = same_up_to(two_b) >= _highest(two_b, THRESHOLD)
-    out["conclusion_kbm"] = _verdict(everywhere and set(rests) == {TRUE}, FALSE not in rests)
+    out["conclusion_kbm"] = _verdict(everywhere and set(premises) == {TRUE}, FALSE not in premises)
     return out
 
 

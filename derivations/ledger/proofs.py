@@ -103,8 +103,8 @@ class _Ring:
                 numerator, denominator = numerator * n, denominator * d
             return numerator, denominator
         if isinstance(expression, sp.exp):
-            parts = (term.as_coeff_Mul() for term in sp.Add.make_args(sp.expand(expression.exp)))
-            powers = [(sp.exp(monomial), coefficient) for coefficient, monomial in parts]
+            factors = (term.as_coeff_Mul() for term in sp.Add.make_args(sp.expand(expression.exp)))
+            powers = [(sp.exp(monomial), coefficient) for coefficient, monomial in factors]
         elif expression.is_Pow and expression.exp.is_Rational and expression.exp.q == 2:
             powers = [(sp.sqrt(expression.base), 2 * expression.exp)]
         elif expression.is_Pow:
@@ -182,10 +182,10 @@ def _common_angles(expression: sp.Expr) -> tuple[sp.Expr, dict[sp.Symbol, sp.Exp
     expression = expression.replace(sp.tan, lambda x: sp.sin(x) / sp.cos(x))
     circular = {f for f in expression.atoms(sp.sin, sp.cos)}
     terms = [term.as_coeff_Mul() for f in circular for term in sp.Add.make_args(sp.expand(f.args[0]))]
-    parts: dict[sp.Expr, int] = {}
+    denominators: dict[sp.Expr, int] = {}
     for coefficient, monomial in terms:
-        parts[monomial] = sp.ilcm(parts.get(monomial, 1), coefficient.q)
-    halves = {mono: q for mono, q in sorted(parts.items(), key=lambda item: sp.srepr(item[0])) if q > 1}
+        denominators[monomial] = sp.ilcm(denominators.get(monomial, 1), coefficient.q)
+    halves = {mono: q for mono, q in sorted(denominators.items(), key=lambda item: sp.srepr(item[0])) if q > 1}
     units = {sp.Symbol(f"unit{k}", real=True): mono / q for k, (mono, q) in enumerate(halves.items())}
     of_monomial = {mono: unit * q for unit, (mono, q) in zip(units, halves.items(), strict=True)}
 

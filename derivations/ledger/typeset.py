@@ -21,9 +21,9 @@ DERIVATIVES = {"dH_i_dA": (("d", "H", "i"), ("d", "A", ""))}
 class _Printer(MathMLPresentationPrinter):
     """Sets the paper's names: dots over letters, quotients of differentials."""
 
-    def _of(self, kind: str, *parts: Any) -> Element:
+    def _of(self, kind: str, *children: Any) -> Element:
         made: Element = self.dom.createElement(kind)
-        for part in parts:
+        for part in children:
             made.appendChild(self.dom.createTextNode(part) if isinstance(part, str) else part)
         return made
 
@@ -35,8 +35,8 @@ class _Printer(MathMLPresentationPrinter):
         if dots in DOTS:
             return self._of("mover", self._of("mi", letter), self._of("mo", DOTS[dots]))
         if symbol.name in DERIVATIVES:
-            parts = ((d, self._with(one, below)) for d, one, below in DERIVATIVES[symbol.name])
-            return self._of("mfrac", *(self._of("mrow", self._of("mi", d), one) for d, one in parts))
+            derivatives = ((d, self._with(one, below)) for d, one, below in DERIVATIVES[symbol.name])
+            return self._of("mfrac", *(self._of("mrow", self._of("mi", d), one) for d, one in derivatives))
         if symbol.name in WRITTEN:
             name, _, below = WRITTEN[symbol.name][0].partition("_")
             return self._with(name, below.partition("(")[0]) if "(" not in below else self._argument(name, below)

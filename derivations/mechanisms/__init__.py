@@ -119,9 +119,9 @@ class Mechanism:
     mirrored: str = ""
 
     def __post_init__(self) -> None:
-        given = tuple(parameter.symbol for parameter in self.design)
-        if given not in (tuple(self.ratios), self.parameters):
-            raise ValueError(f"{self.name}: the design {given} must be the ratios or the parameters, in their order")
+        symbols = tuple(parameter.symbol for parameter in self.design)
+        if symbols not in (tuple(self.ratios), self.parameters):
+            raise ValueError(f"{self.name}: the design {symbols} must be the ratios or the parameters, in their order")
 
     @property
     def parameters(self) -> tuple[sp.Symbol, ...]:

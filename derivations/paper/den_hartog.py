@@ -127,12 +127,12 @@ def _by_detuning(expression: sp.Expr) -> sp.Expr:
     """What U multiplies, a wave of Omega tau and one of tau, as a product and a remainder of size Omega - 1."""
     numerator, denominator = sp.fraction(expression)
     numerator = sp.expand(numerator)
-    share = numerator.coeff(U)
-    slow, fast = sorted(share.atoms(sp.sin, sp.cos), key=lambda wave: wave.has(Omega))
-    scale = share.coeff(fast)
+    multiplier = numerator.coeff(U)
+    slow, fast = sorted(multiplier.atoms(sp.sin, sp.cos), key=lambda wave: wave.has(Omega))
+    scale = multiplier.coeff(fast)
     product = TR9(fast - slow).replace(sp.sin, lambda x: sp.sin(sp.factor(x)))
-    remainder = sp.factor(share.coeff(slow) / scale + 1) * slow
-    return (numerator - sp.expand(U * share) + U * scale * (product + remainder)) / denominator
+    remainder = sp.factor(multiplier.coeff(slow) / scale + 1) * slow
+    return (numerator - sp.expand(U * multiplier) + U * scale * (product + remainder)) / denominator
 
 
 def _reduce(expression: sp.Expr, sine: sp.Symbol, cosine: sp.Symbol) -> sp.Expr:

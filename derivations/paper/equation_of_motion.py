@@ -144,8 +144,8 @@ def without_poles_that_cancel(force: sp.Expr) -> sp.Expr:
     terms = sp.Add.make_args(force)
     quotients = [one for one in terms if not one.has(u) or (one.is_rational_function(u) and not one.is_polynomial(u))]
     together = sp.Add(*quotients)
-    parts = [part for one in quotients for part in sp.Add.make_args(sp.expand(one))]
-    if together.subs(u, 0).has(sp.zoo, sp.nan) or all(part.subs(u, 0) == 0 for part in parts):
+    expanded = [part for one in quotients for part in sp.Add.make_args(sp.expand(one))]
+    if together.subs(u, 0).has(sp.zoo, sp.nan) or all(part.subs(u, 0) == 0 for part in expanded):
         return force
     over, square = sp.cancel(together / u), sp.Dummy("square")
     if over.subs(u, 0).has(sp.zoo, sp.nan):
@@ -195,8 +195,8 @@ def untruncated(mechanism: Mechanism, force: sp.Expr, names: dict[int, sp.Symbol
     form = u * (constant + inverse / root)
     taylor = taylor_polynomial(form, 3)
     in_names = sp.solve([taylor[power] - name for power, name in names.items()], [constant, inverse])
-    given = {constant: ratio.coeff(inverse, 0), inverse: ratio.coeff(inverse, 1)}
-    definitions = {name: sp.factor(taylor[power].subs(given)) for power, name in names.items()}
+    coefficients = {constant: ratio.coeff(inverse, 0), inverse: ratio.coeff(inverse, 1)}
+    definitions = {name: sp.factor(taylor[power].subs(coefficients)) for power, name in names.items()}
     return form.subs(in_names), definitions
 
 

@@ -123,8 +123,8 @@ def moment_parts(power: int) -> tuple[sp.Rational, sp.Poly]:
     if power == 0:
         return sp.Integer(1), sp.Poly(0, x)
     secular, polynomial = moment_parts(power - 2)
-    share = sp.Rational(power - 1, power)
-    return share * secular, share * polynomial + sp.Poly(x ** (power - 2), x) * sp.Rational(1, power)
+    factor = sp.Rational(power - 1, power)
+    return factor * secular, factor * polynomial + sp.Poly(x ** (power - 2), x) * sp.Rational(1, power)
 
 
 @functools.cache
@@ -469,8 +469,8 @@ def average(
     used = set().union(*(value.free_symbols for value in (*moments.values(), *found)))
     powers = range(1, max((power for piece in pieces for power, _ in _terms(piece)), default=0) + 4)
     of_ends = [(end, [power for power in powers if end.from_zero(power) in used]) for end in ends]
-    lets = [let for end, wanted in of_ends for let in end.lets(wanted)]
-    remainders = tuple(remainder for end, wanted in of_ends for remainder in end.remainders(wanted))
+    lets = [let for end, orders_used in of_ends for let in end.lets(orders_used)]
+    remainders = tuple(remainder for end, orders_used in of_ends for remainder in end.remainders(orders_used))
     if count:
         lets += moments.items()
     passed, passed_far = tuple(breakpoints[:count]), tuple(breakpoints[:far])

@@ -69,8 +69,8 @@ def _isolation(R_value: sp.Expr) -> tuple[tuple[tuple[sp.Symbol, sp.Expr], ...],
     quadratic = balance.degree() == 2 and constant == -(removed**2)
     claim("Omega^2 of a transmissibility solves a quadratic with one positive root", quadratic, eq="from (23)")
     claim("the square of what its root takes is h^2 + removed^2", root**2, h**2 + removed**2, eq="from (23)")
-    share = A / square  # of Omega^2, of a force
-    inwards, outwards = (whole - half / A) * share, removed**2 / ((whole + half / A) * A)
+    scale = A / square  # of Omega^2, of a force
+    inwards, outwards = (whole - half / A) * scale, removed**2 / ((whole + half / A) * A)
     of_lets = ((removed, F_0 * sp.sqrt(reduction)), (whole, hypot(h, removed)))
     for found in (inwards, outwards):
         claim("both forms of it solve that", balance.as_expr().subs(turn, found).subs(whole, root), eq="from (23)")

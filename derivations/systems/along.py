@@ -45,7 +45,7 @@ _c, _X, _p = sp.symbols("c X p", real=True)
 #: R less the R of F = F_A = 0
 lacks = sp.Symbol("lacks", real=True)
 _half_e, _drawn = sp.symbols("half_e drawn", real=True)
-_excess, _least, _share, _J, _lag = sp.symbols("excess least share J lag", nonnegative=True)
+_excess, _least, _ratio, _J, _lag = sp.symbols("excess least share J lag", nonnegative=True)
 #: the largest A Omega, and the highest Omega by it
 _most, _fastest = sp.symbols("c fastest", nonnegative=True)
 
@@ -166,36 +166,36 @@ def _fold(of: Formulas, flow: Formulas) -> None:
     off_line = A * flow.F_A / 2 - flow.F + line
     claim("A F_A/2 - F against the line", off_line.subs(k, _intercept(flow.R)).subs(of.lets))
     excess = (F_0 - friction) * (F_0 + friction)
-    J = _excess / (F_0 + friction * _share)
-    at_fold = {R: F_0 * J / k, I: friction + _share * J}
+    J = _excess / (F_0 + friction * _ratio)
+    at_fold = {R: F_0 * J / k, I: friction + _ratio * J}
     claim("the line at a fold", line.subs(at_fold).subs(_excess, excess))
     # 1 - share^2 is excess/k^2
-    on_circle = flow.F.subs(at_fold).subs(k, sp.sqrt(_excess / (1 - _share**2)))
+    on_circle = flow.F.subs(at_fold).subs(k, sp.sqrt(_excess / (1 - _ratio**2)))
     claim("the circle at a fold", on_circle.subs(_excess, excess))
     # I - m in the form that holds the share once
-    lag = _excess / (F_0 / _share + friction)
-    claim("I - m at a fold", lag - _share * J)
+    lag = _excess / (F_0 / _ratio + friction)
+    claim("I - m at a fold", lag - _ratio * J)
     w = sp.solve(flow.I - friction - _lag, Omega)[0]
     at_w = sp.expand(flow.R.subs(Omega, w))
     value = at_w - F_0 * _J / k
     spring = sp.cancel(sp.diff(at_w, _lag) / _lag)
-    by_k = F_0 * _J**2 / k**2 * (spring * _J / k + (F_0 + friction / _share) / _excess)
-    along = sp.diff(at_w, A) + h_A + by_k * k_A
+    by_k = F_0 * _J**2 / k**2 * (spring * _J / k + (F_0 + friction / _ratio) / _excess)
+    derivative = sp.diff(at_w, A) + h_A + by_k * k_A
     # the slopes of share and J, and 1/k^2 by the share
-    share_A = _excess * k_A / (k**3 * _share)
+    share_A = _excess * k_A / (k**3 * _ratio)
     whole = value.subs({_lag: lag, _J: J})
-    error = slope(whole, {k: k_A, _share: share_A}) - along.subs({_lag: lag, _J: J})
-    claim("the slope along A at a fold", error.subs(_excess, k**2 * (1 - _share**2)))
+    error = slope(whole, {k: k_A, _ratio: share_A}) - derivative.subs({_lag: lag, _J: J})
+    claim("the slope along A at a fold", error.subs(_excess, k**2 * (1 - _ratio**2)))
     lets = (
         (_excess, excess),
         (_least, sp.sqrt(_excess)),
-        (_share, sp.sqrt((1 - _least / k) * (1 + _least / k))),
+        (_ratio, sp.sqrt((1 - _least / k) * (1 + _least / k))),
         (_J, J),
         (_lag, lag),
     )
     of.add(
         "fold",
-        Lets(lets, (value, along, w)),
+        Lets(lets, (value, derivative, w)),
         "Zero at a fold at F_0: R of (23) less the R of F = F_A = 0; its slope along A, and Omega.",
         "from (24), (30)",
         "A > 0, F_0 > m, k^2 >= F_0^2 - m^2",
@@ -263,8 +263,8 @@ def _isola(of: Formulas, flow: Formulas) -> None:
         claim("F_Omega/(4 A) at an isola point", value.subs(_bracket, bracket).subs(_w, w) - at_w)
         if q_value == 0:
             return Lets(lets, (_bracket, _bracket_A))
-        along = slope(value, {_bracket: _bracket_A, _w: slope(w).subs(w, _w)})
-        return Lets([(_w, w), *lets], (value, along))
+        derivative = slope(value, {_bracket: _bracket_A, _w: slope(w).subs(w, _w)})
+        return Lets([(_w, w), *lets], (value, derivative))
 
 
 def _cusps(of: Formulas, flow: Formulas) -> None:
@@ -306,21 +306,21 @@ def _cusps(of: Formulas, flow: Formulas) -> None:
     F_AAOmega = 8 * Omega * (slope(flow.R) + half_e)
     claim("F_AAOmega where F_AA = 0", (flow.F_AAOmega - F_AAOmega).subs(of.lets))
     less = sp.collect(sp.expand((half_F_A - A * half_F_AA).subs(R_, k + A * T)), T)
-    along = -by_Omega * half_F_AAA / (2 * root)
+    derivative = -by_Omega * half_F_AAA / (2 * root)
     expected = -flow.F_AOmega * flow.F_AAA / (2 * F_AAOmega)
     level = sp.sqrt(k * R_ + sp.expand(_intercept(flow.I) * flow.I.subs(Omega, _w)))
-    for one, whole, words in (
+    for one, whole, what in (
         (half_F_A, flow.F_A / 2, "F_A"),
         (less, (flow.F_A - A * flow.F_AA) / 2, "F_A less A F_AA"),
-        (along.subs(root, T + half_e), expected, "the slope of F_A"),
+        (derivative.subs(root, T + half_e), expected, "the slope of F_A"),
         (level**2, flow.F + F_0**2 - A * flow.F_A / 2, "the forcing at a cusp"),
     ):
-        claim(words, (one.subs(of_flow) - whole).subs(of.lets))
+        claim(what, (one.subs(of_flow) - whole).subs(of.lets))
     half_F_A = half_F_A.subs(_w**2, X_)
     of_X = [(_w, sp.sqrt(X_))]
     of.add(
         "cusp",
-        Lets(of_X, (half_F_A, less, along, level)),
+        Lets(of_X, (half_F_A, less, derivative, level)),
         "Where F_AA = 0 (`cusps`; root = a + T): F_A/2, the same less A F_AA/2, its slope along A, F_0 if it is 0.",
         "from (33)",
         "A > 0, X > 0",
@@ -356,12 +356,12 @@ def _scaled(of: Formulas, quadratics: Lets, X: sp.Expr, of_X: list[Let]) -> None
         for number, power in ((0, 1), (1, 2), (4, 2))
     )
     claim("the discriminant without scale", half**2 - constant - discriminant)
-    _, less, along, level = (value.subs(by_scale) for value in of.cusp)
+    _, less, derivative, level = (value.subs(by_scale) for value in of.cusp)
     # on a cell that is wide in A, t and kappa vary by little: what they stand in is put beside the rest over A h_AA
     rest = sp.expand(less.coeff(_w)) * _w
     scaled_half_F_A = A * unit**2 * (sp.expand((less - rest) / (A * unit**2)) + rest / (A * unit**2))
     claim("F_A without scale", scaled_half_F_A - less)
-    factors = sp.Mul.make_args(sp.factor(along))
+    factors = sp.Mul.make_args(sp.factor(derivative))
     bracket = next((factor for factor in factors if factor.is_Add and factor.has(_w)), sp.Integer(1))
     # w once only
     of_bracket = sp.expand(bracket / _w)
@@ -369,7 +369,7 @@ def _scaled(of: Formulas, quadratics: Lets, X: sp.Expr, of_X: list[Let]) -> None
     rest = sp.expand((of_bracket - A * unit * leading) / A)
     scaled_bracket = leading + rest / unit
     scaled_along = A * unit * scaled_bracket * sp.Mul(*(factor for factor in factors if factor != bracket)) * _w
-    claim("the slope of F_A without scale", scaled_along - along)
+    claim("the slope of F_A without scale", scaled_along - derivative)
     of.add(
         "cusps_scaled",
         Lets([(_half_e, half)], (_half_e, constant, _half_e**2 - constant)),
@@ -398,11 +398,11 @@ def _turn(of: Formulas, flow: Formulas) -> None:
     of_R, of_slope = k / 2 - _drawn, -(k / 2 + _drawn) / A
     damped = sp.factor((flow.F_A / 2).subs(R, 0))
     value = of_R * of_slope + damped
-    along = of_slope**2 + h_AA * of_R + sp.expand((flow.F_AA / 2).subs(R, 0) - slope(flow.R) ** 2)
-    for one, whole in ((value, flow.F_A), (along, flow.F_AA)):
+    derivative = of_slope**2 + h_AA * of_R + sp.expand((flow.F_AA / 2).subs(R, 0) - slope(flow.R) ** 2)
+    for one, whole in ((value, flow.F_A), (derivative, flow.F_AA)):
         left = one.subs(_drawn, drawn) - (whole / 2).subs(of_T).subs(T, balanced)
         claim("F_A and its slope where F_AOmega = 0", left.subs(I, flow.I))
-    turn = Lets([(I, flow.I), (_drawn, drawn)], (value, along))
+    turn = Lets([(I, flow.I), (_drawn, drawn)], (value, derivative))
     text = "F_A/2 where F_AOmega = 0, an extremum of F_A over Omega, and its slope along A."
     of.add("turn", turn, text, "from (30)", "Omega > 0, A > 0")
 
@@ -410,9 +410,9 @@ def _turn(of: Formulas, flow: Formulas) -> None:
 def _peak(of: Formulas, flow: Formulas) -> None:
     """With R from F_Omega = 0, which is negative, F_A is -2 R (Omega^2 - h_A)."""
     balanced = sp.expand(sp.solve(flow.F_Omega, R)[0].subs(I, flow.I))
-    along = -2 * R * (Omega**2 - h_A)
-    claim("F_A at an extremum of F over Omega", (flow.F_A - along).subs(R, balanced).subs(I, flow.I))
-    peak = Lets([(R, balanced), (I, flow.I)], (flow.F, along))
+    derivative = -2 * R * (Omega**2 - h_A)
+    claim("F_A at an extremum of F over Omega", (flow.F_A - derivative).subs(R, balanced).subs(I, flow.I))
+    peak = Lets([(R, balanced), (I, flow.I)], (flow.F, derivative))
     text = "F where F_Omega = 0: an extremum of F over Omega, and its slope along A."
     of.add("peak", peak, text, "from (24), (34)")
 

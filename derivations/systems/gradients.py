@@ -29,7 +29,7 @@ h_p, h_Ap, h_AAp, I_0p, I_0Ap, I_0AAp, zeta_p, d_p, forcing_p, frequency_p, end_
     "h_p h_Ap h_AAp I_0p I_0Ap I_0AAp zeta_p d_p forcing_p frequency_p end_p", real=True
 )
 #: what the answer does
-A_p, Omega_p, F_0_p = MOVES = sp.symbols("A_p Omega_p F_0_p", real=True)
+A_p, Omega_p, F_0_p = SENSITIVITIES = sp.symbols("A_p Omega_p F_0_p", real=True)
 #: the force's amplitude and its square, and their derivatives by Omega and F_0
 force, force_Omega, force_F = sp.symbols("force force_Omega force_F", real=True)
 S_Omega, S_OmegaOmega, S_F, S_FOmega = OF_SQUARE = sp.symbols("S_Omega S_OmegaOmega S_F S_FOmega", real=True)
@@ -60,14 +60,14 @@ KINDS: dict[str, tuple[tuple[str, str], str]] = {
 }
 
 
-def _system(beside: tuple[str, str]) -> tuple[int, ...]:
+def _system(conditions: tuple[str, str]) -> tuple[int, ...]:
     """Rows of `CONDITIONS` in the order in which they are solved; of the unknowns A, Omega, F_0 the one that each is
     solved for; whether the last two have to be solved together; and which slopes, by 3 row + unknown, vanish.
 
     Two of these, the same one twice where there are fewer, one that is 0 anyway where there is none.
     """
-    names, vanishing = list(CONDITIONS), {CONDITIONS[name][0] for name in beside} - {""}
-    rows = [names.index(name) for name in ("level", *beside)]
+    names, vanishing = list(CONDITIONS), {CONDITIONS[name][0] for name in conditions} - {""}
+    rows = [names.index(name) for name in ("level", *conditions)]
     slopes = {row: CONDITIONS[names[row]][1] for row in rows}
     gone = [3 * row + k for row in rows for k in range(3) if slopes[row][k] in vanishing]
     left = {row: {k for k in range(3) if slopes[row][k] and 3 * row + k not in gone} for row in rows}
@@ -82,21 +82,21 @@ def _system(beside: tuple[str, str]) -> tuple[int, ...]:
                 if known == own:
                     padded = [*gone, *(gone or [3 * names.index("fold") + 2]) * 2][:2]
                     return (*order, *unknowns, int(together), *padded)
-    raise ArithmeticError(f"the conditions {beside} do not pin an answer")
+    raise ArithmeticError(f"the conditions {conditions} do not pin an answer")
 
 
 #: by the numbers of the kinds
-SYSTEMS = tuple(_system(beside) for beside, _ in KINDS.values())
+SYSTEMS = tuple(_system(conditions) for conditions, _ in KINDS.values())
 
 
 def gradients(curve: Formulas, inertial: sp.Expr) -> Formulas:
     """All of it, for a force and for an excitation by inertia, whose force is given in F_0 and Omega.
 
-    curve -- the response (24) with its derivatives; `moved`, what a parameter does at a fixed A to each symbol of
-             these; `rises`, derivatives by A of their symbols, beside those of h
+    curve -- the response (24) with its derivatives; `by_parameter`, what a parameter does at a fixed A to each symbol
+             of these; `rises`, derivatives by A of their symbols, beside those of h
     """
     excited = (*OF_SQUARE, force, force_Omega, force_F)
-    of = Formulas([*dict.fromkeys((Omega, A, R, *curve.order, *excited, *OF_PARAMETER, *MOVES))])
+    of = Formulas([*dict.fromkeys((Omega, A, R, *curve.order, *excited, *OF_PARAMETER, *SENSITIVITIES))])
     known = {
         "": sp.Integer(0),
         "1": sp.Integer(1),
@@ -108,14 +108,14 @@ def gradients(curve: Formulas, inertial: sp.Expr) -> Formulas:
         "R_A": slope(curve.R),
         "R_Omega": sp.diff(curve.R, Omega),
     }
-    given = {"forcing": forcing_p, "frequency": frequency_p, "breakpoint": end_p}
+    own = {"forcing": forcing_p, "frequency": frequency_p, "breakpoint": end_p}
     slopes = [known[name] for _, names in CONDITIONS.values() for name in names]
     sizes = [size(value, {R: curve.R, I: curve.I}) for value in slopes]
     lets, equation = [(I, curve.I)], "from (23)-(34)"
     text = "By A, Omega and F_0, of what vanishes by `conventions.SYSTEMS`; then the sizes of these."
     of.add("slopes", Lets(lets, (*slopes, *sizes)), text, equation)
     right = [
-        -_moved(curve, getattr(curve, name)) if name else given[condition]
+        -_by_parameter(curve, getattr(curve, name)) if name else own[condition]
         for condition, (name, _) in CONDITIONS.items()
     ]
     text = "What a parameter does to what vanishes, with the opposite sign."
@@ -138,9 +138,9 @@ def _excited(by: sp.Expr) -> tuple[sp.Expr, ...]:
     return (by, sp.diff(by, Omega), sp.diff(by, F_0), *of_square)
 
 
-def _moved(curve: Formulas, expression: sp.Expr) -> sp.Expr:
+def _by_parameter(curve: Formulas, expression: sp.Expr) -> sp.Expr:
     """d/dp of an expression in R, I and what they are made of, at fixed A, Omega and F_0."""
-    direct = curve.moved
+    direct = curve.by_parameter
     of_R_and_I = {
         name: sum(sp.diff(value, symbol) * move for symbol, move in direct.items())
         for name, value in ((R, curve.R), (I, curve.I))
@@ -150,17 +150,19 @@ def _moved(curve: Formulas, expression: sp.Expr) -> sp.Expr:
 
 
 def _of_state(curve: Formulas) -> Lets:
-    """d phi/dp and d transmissibility/dp of a state, from its own moves."""
+    """d phi/dp and d transmissibility/dp of a state, from its own sensitivities."""
     R_moved, I_moved = sp.symbols("R_moved I_moved", real=True)
 
-    def along(value: sp.Expr) -> sp.Expr:
-        return sp.expand(_moved(curve, value) + slope(value, curve.rises) * A_p + sp.diff(value, Omega) * Omega_p)
+    def total(value: sp.Expr) -> sp.Expr:
+        return sp.expand(
+            _by_parameter(curve, value) + slope(value, curve.rises) * A_p + sp.diff(value, Omega) * Omega_p
+        )
 
     phase = sp.diff(curve.phase, R) * R_moved + sp.diff(curve.phase, I) * I_moved
     value = curve.transmissibility.subs(F_0, force)
-    moves = {h: h_p + h_A * A_p, I: I_moved, force: force_Omega * Omega_p + force_F * F_0_p}
-    transmitted = sum(sp.diff(value, symbol) * move for symbol, move in moves.items())
-    lets = ((R, curve.R), (I, curve.I), (R_moved, along(curve.R)), (I_moved, along(curve.I)))
+    changes = {h: h_p + h_A * A_p, I: I_moved, force: force_Omega * Omega_p + force_F * F_0_p}
+    transmitted = sum(sp.diff(value, symbol) * move for symbol, move in changes.items())
+    lets = ((R, curve.R), (I, curve.I), (R_moved, total(curve.R)), (I_moved, total(curve.I)))
     return Lets(lets, (sp.factor_terms(sp.simplify(phase)), sp.factor_terms(transmitted)))
 
 

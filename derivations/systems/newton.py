@@ -42,7 +42,7 @@ EQUATIONS = {
     "level": (("F",), (F_0,), ""),
 }
 #: derivatives of these along A and along Omega
-ALONG = {
+SLOPES = {
     "F": ("F_A", "F_Omega"),
     "F_A": ("F_AA", "F_AOmega"),
     "F_AA": ("F_AAA", "F_AAOmega"),
@@ -52,9 +52,9 @@ ALONG = {
 }
 
 
-def steps(flow: Formulas, along: Formulas) -> Formulas:
+def steps(flow: Formulas, loci: Formulas) -> Formulas:
     """All of them."""
-    of, known = Formulas(ARGUMENTS, {R: flow.R, I: flow.I}), _known(flow, along)
+    of, known = Formulas(ARGUMENTS, {R: flow.R, I: flow.I}), _known(flow, loci)
     for kind, (_, unknowns, _) in EQUATIONS.items():
         changed = ", ".join(str(unknown) for unknown in unknowns)
         text = f"By what {changed} change at a {kind}, and how far that is from linear."
@@ -64,18 +64,18 @@ def steps(flow: Formulas, along: Formulas) -> Formulas:
     return of
 
 
-def _known(flow: Formulas, along: Formulas) -> dict[str, sp.Expr]:
+def _known(flow: Formulas, loci: Formulas) -> dict[str, sp.Expr]:
     """F, what stands for it and for F_A at an isola point, which are free of R, and their derivatives, by name."""
 
-    def moved(expression: sp.Expr, unknown: sp.Symbol) -> sp.Expr:
+    def derivative(expression: sp.Expr, unknown: sp.Symbol) -> sp.Expr:
         if unknown == A:
             return slope(expression, {I: sp.diff(flow.I, A)})
         return sp.diff(expression, Omega) + sp.diff(expression, I) * sp.diff(flow.I, Omega)
 
-    known = {"turns": along.isola_turns, "excess": along.isola_excess}
+    known = {"turns": loci.isola_turns, "excess": loci.isola_excess}
     for name, expression in list(known.items()):
-        for unknown, slope_of_it in zip((A, Omega), ALONG[name], strict=True):
-            known[slope_of_it] = sp.factor_terms(moved(expression, unknown))
+        for unknown, slope_of_it in zip((A, Omega), SLOPES[name], strict=True):
+            known[slope_of_it] = sp.factor_terms(derivative(expression, unknown))
     return {**vars(flow), **known}
 
 
@@ -85,19 +85,19 @@ def _step(
     """What should vanish; and the step by Cramer's rule, the derivatives being names. F_0 is in one equation alone."""
 
     def slope_of(equation: str, unknown: sp.Symbol) -> str:
-        return ALONG[equation][unknown == Omega]
+        return SLOPES[equation][unknown == Omega]
 
     names: dict[str, sp.Symbol] = {}
 
     def named(name: str) -> sp.Symbol:
         return names.setdefault(name, sp.Symbol(name, real=True))
 
-    moved = [unknown for unknown in unknowns if unknown != F_0]
-    values = sp.Matrix([named(name) for name in equations[: len(moved)]])
-    jacobian = sp.Matrix([[named(slope_of(name, unknown)) for unknown in moved] for name in equations[: len(moved)]])
+    varied = [unknown for unknown in unknowns if unknown != F_0]
+    values = sp.Matrix([named(name) for name in equations[: len(varied)]])
+    jacobian = sp.Matrix([[named(slope_of(name, unknown)) for unknown in varied] for name in equations[: len(varied)]])
     determinant = jacobian.det()
     changes = []
-    for column in range(len(moved)):
+    for column in range(len(varied)):
         replaced = jacobian.copy()
         replaced[:, column] = -values
         changes.append(replaced.det() / determinant)
@@ -105,11 +105,11 @@ def _step(
     if F_0 in unknowns:
         last = equations[-1]
         vanish.append(named(last))
-        left = vanish[-1] + sum(named(slope_of(last, x)) * change for x, change in zip(moved, changes, strict=True))
+        left = vanish[-1] + sum(named(slope_of(last, x)) * change for x, change in zip(varied, changes, strict=True))
         changes.append(-left / sp.diff(known[last], F_0))
-    first = slope_of(turning, moved[-1]) if turning else ""
+    first = slope_of(turning, varied[-1]) if turning else ""
     turn = sp.Integer(0)
-    if first in ALONG:
-        turned = sum(named(slope_of(first, x)) * change for x, change in zip(moved, changes, strict=False))
+    if first in SLOPES:
+        turned = sum(named(slope_of(first, x)) * change for x, change in zip(varied, changes, strict=False))
         turn = turned / named(first)
     return tuple(vanish), Lets([(symbol, known[name]) for name, symbol in names.items()], (*changes, turn))

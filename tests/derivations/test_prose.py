@@ -67,7 +67,7 @@ def written(text):
 @functools.cache
 def code():
     module = sources().module
-    return programs(module, numpy.asked(module))
+    return programs(module, numpy.contained(module))
 
 
 def without_comments(text):

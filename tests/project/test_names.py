@@ -11,6 +11,8 @@ ROOMS = {
     "src/slowflow/exact": {"rests"},
     "src/slowflow/support": {"held", "moved", "told"},
     "benchmarks": set(),
+    # a step's and two kernels' names, which generated code has
+    "derivations": {"along", "beside", "held"},
     "docs": set(),
     "examples": set(),
     "explorer": set(),

@@ -62,7 +62,7 @@ def slow_flow_module(kernels: Mapping[str, Mapping[str, Kernel]], scene: str, fl
             "paper/critical_forcings.py",
         ),
         borrowed=borrowed(kernels, scene) if scene else {},
-        constants={"SCENE": told(flow, scene)},
+        constants={"SCENE": description(flow, scene)},
         **requested(name, stated),
     )
 
@@ -101,7 +101,7 @@ def whole(kernel: Kernel) -> list[sp.Expr]:
     return outputs
 
 
-def told(flow: Formulas, scene: str) -> str:
+def description(flow: Formulas, scene: str) -> str:
     """A scene in words: which damping terms vanish, and what F is for it."""
     vanishing = SCENES[scene]
     damping = " = ".join([*(symbol.name for symbol in vanishing), "0"]) if vanishing else "mu > 0, zeta > 0"

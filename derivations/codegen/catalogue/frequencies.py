@@ -47,7 +47,7 @@ def frequencies_module(results: Results) -> Module:
 
 
 def of_quartic(
-    of: Formulas, name: str, quartic: Quartic, given: tuple[sp.Symbol, ...], lets: tuple[Let, ...], equation: str
+    of: Formulas, name: str, quartic: Quartic, parameters: tuple[sp.Symbol, ...], lets: tuple[Let, ...], equation: str
 ) -> list[TwofoldKernel]:
     """One quartic: its value, at 0 too, and the coefficients of its derivative."""
     size, fine_size = (magnitude(lets, quartic.value, epsilon) for epsilon in (ROUGH, FINE))
@@ -64,17 +64,17 @@ def of_quartic(
     def fine(suffix: str, more: tuple[sp.Symbol, ...], lows: dict[sp.Symbol, sp.Symbol], where: str) -> TwofoldKernel:
         return TwofoldKernel(
             name + suffix,
-            (Omega, *more, A, *given),
+            (Omega, *more, A, *parameters),
             lets,
             (squared,),
             f"{what}{where} in double-double, and what its error is below FINE times of.",
             equation,
             of.domain,
             lows,
-            beside=(fine_size,),
+            plain=(fine_size,),
         )
 
-    derivative = [argument for argument in (A, *given) if any(x.has(argument) for x in (quartic.p, quartic.q))]
+    derivative = [argument for argument in (A, *parameters) if any(x.has(argument) for x in (quartic.p, quartic.q))]
     twofolds = [
         fine("_fine", (), {}, ""),
         fine("_beside", (tail,), {Omega: tail}, " at Omega + tail"),
@@ -87,7 +87,7 @@ def of_quartic(
             equation,
             "A > 0",
             returns="pairs",
-            beside=(quartic.k,),
+            plain=(quartic.k,),
         ),
     ]
     if quartic.at_0.is_Add:
@@ -140,6 +140,6 @@ def shared_twofolds(of: Frequencies) -> list[TwofoldKernel]:
             "Of the cubic, over A: for p < 0 < q positive where it has two positive roots; and its first term.",
             *texts,
             lows,
-            beside=(of.discriminant.coeff(p, 3) * p**3,),
+            plain=(of.discriminant.coeff(p, 3) * p**3,),
         ),
     ]

@@ -16,7 +16,7 @@ from ...asymmetric.curved import of_untruncated
 from ...asymmetric.off_centre import steps
 from ...extensions.second_approximation import OF_HARMONIC
 from ...forces import elliptic
-from ...forces.elliptic import evaluable, parts
+from ...forces.elliptic import coefficients, evaluable
 from ...forces.of_mechanism import OfMechanism
 from ...kernels import Branch, Formulas, Kernel, Let, Lets
 from ...mechanisms import Mechanism, Parameter
@@ -54,7 +54,7 @@ def mechanism_module(mechanisms: Mapping[str, OfMechanism], name: str, flow: Mod
     if not mechanism.reach.is_extended_real or mechanism.reach.free_symbols:
         raise ArithmeticError(f"{name}: the reach has to be a number in the dimensionless displacement")
     of = formulas(mechanism.parameters)
-    averages = together(of, derived) if is_spelled_out(derived) else one_by_one(of, derived, alone=flow is None)
+    averages = together(of, derived) if is_spelled_out(derived) else one_by_one(of, derived, for_solvers=flow is None)
     state_harmonics(of, derived)
     state_by_parameter(of, derived)
     state_numbers(of, derived)
@@ -75,7 +75,7 @@ def mechanism_module(mechanisms: Mapping[str, OfMechanism], name: str, flow: Mod
         if flow
         else (),
         flow=flow.name if flow else "",
-        record=record(mechanisms, derived, laws, alone=flow is None),
+        record=record(mechanisms, derived, laws, for_solvers=flow is None),
         off_centre=terms,
     )
 
@@ -86,7 +86,7 @@ def with_proofs(module: Module, derived: OfMechanism) -> Module:
         module,
         cells=cell_kernels(derived),
         settled=closely(derived),
-        held=held_kernels(derived),
+        bounded=held_kernels(derived),
         balls=ball_kernels(derived),
     )
 
@@ -97,12 +97,12 @@ class Averages:
 
     whole: Kernel | Selection
     pair: Kernel | Selection
-    beside: Kernel | Selection | None
+    horizontal: Kernel | Selection | None
     intercept: Kernel | Selection
 
     @property
     def selections(self) -> list[Selection]:
-        named = (self.whole, self.pair, self.beside, self.intercept)
+        named = (self.whole, self.pair, self.horizontal, self.intercept)
         return [one for one in named if isinstance(one, Selection)]
 
 
@@ -158,10 +158,10 @@ OF_H, OF_BESIDE = tuple("h" + name for name in NAMES), ("H", "H_A")
 KNOWN = (*OF_H, "h - A h_A")
 
 
-def one_by_one(of: Formulas, derived: OfMechanism, *, alone: bool = False) -> Averages:
-    """A kernel for each: what is not asked for is not computed. H by itself, because h + A loses a small H's digits.
+def one_by_one(of: Formulas, derived: OfMechanism, *, for_solvers: bool = False) -> Averages:
+    """A kernel for each: what is not requested is not computed. H by itself, because h + A loses a small H's digits.
 
-    alone -- for solvers, which do not ask for H
+    for_solvers -- without H, which no solver evaluates
     """
 
     def named(name: str, outputs: tuple[str, ...], restoring: Restoring) -> Kernel:
@@ -170,22 +170,22 @@ def one_by_one(of: Formulas, derived: OfMechanism, *, alone: bool = False) -> Av
     return Averages(
         named("averaged", OF_H, derived.whole),
         named("averaged_2", OF_H[:2], derived.whole),
-        None if alone else named("averaged_H", OF_BESIDE, derived.beside_vertical),
+        None if for_solvers else named("averaged_H", OF_BESIDE, derived.beside_vertical),
         state_averaged(of, "intercept", (), intercept_branches(derived), INTERCEPT),
     )
 
 
 def together(of: Formulas, derived: OfMechanism) -> Averages:
     """One kernel for all: h and H are ends of the same steps."""
-    whole, beside = (
+    whole, horizontal = (
         regime_branches(restoring, count)
         for restoring, count in ((derived.whole, len(OF_H)), (derived.beside_vertical, len(OF_BESIDE)))
     )
-    if [branch.lets for branch in whole] != [branch.lets for branch in beside]:
+    if [branch.lets for branch in whole] != [branch.lets for branch in horizontal]:
         raise ArithmeticError("h and H are no ends of the same steps")
     cases = tuple(
         replace(one, outputs=(*one.outputs, *other.outputs, *last.outputs))
-        for one, other, last in zip(whole, beside, intercept_branches(derived), strict=True)
+        for one, other, last in zip(whole, horizontal, intercept_branches(derived), strict=True)
     )
     names = (*OF_H, *OF_BESIDE, "h - A h_A")
     kernel = state_averaged(of, "averaged_all", names, cases)
@@ -257,7 +257,7 @@ def cell_kernels(derived: OfMechanism) -> tuple[Kernel, ...]:
 def pieces_of(derived: OfMechanism) -> tuple[sp.Expr, sp.Expr, sp.Expr, elliptic.Corner]:
     """Of a force that is not truncated: a, b of its first piece, its second's slope, and where the first ends."""
     ((name, value),) = derived.oscillator.breakpoints.items()
-    (a, b), (rest, _) = (parts(piece) for piece in derived.whole.pieces)
+    (a, b), (rest, _) = (coefficients(piece) for piece in derived.whole.pieces)
     return a, b, rest, elliptic.corner(name, value)
 
 
@@ -353,7 +353,7 @@ def selections(averages: Averages, *, compiled: bool) -> list[Selection]:
         ("h", len(NAMES), "the averaged restoring force h = H - A"),
         ("H", 3, "the averaged force H beside the vertical spring"),
     ):
-        cheapest = averages.pair if letter == "h" else averages.beside
+        cheapest = averages.pair if letter == "h" else averages.horizontal
         if cheapest is None:
             continue
         for order in range(count):
@@ -491,14 +491,14 @@ def hardening(whole: Restoring) -> tuple[sp.Expr, ...]:
         if piece.is_polynomial(u):
             terms += [c * sp.sign(d - 1) for (d,), c in reversed(sp.Poly(piece, u).terms()) if d != 1]
         else:
-            terms.append(sp.factor(parts(piece)[1]))
+            terms.append(sp.factor(coefficients(piece)[1]))
     return (*(term for term in terms if term != 0), *(-jump for jump in whole.jumps if jump != 0))
 
 
 def described(dimensionless: Dimensionless) -> tuple[Parameter, ...]:
     """The parameters of the kernels, each with one line and the unit of the dimensional quantity."""
     mechanism = dimensionless.mechanism
-    given = {parameter.symbol: parameter for parameter in mechanism.design}
+    known = {parameter.symbol: parameter for parameter in mechanism.design}
     several = len(mechanism.pieces) > 1
     result = []
     for number, names in enumerate(mechanism.coefficients, start=1):
@@ -506,12 +506,12 @@ def described(dimensionless: Dimensionless) -> tuple[Parameter, ...]:
         for power, name in names.items():
             unit = "k_v" if power == 1 else f"k_v/L^{power - 1}"
             doc = f"coefficient of u{f'^{power}' if power > 1 else ''} in the Taylor series {where}"
-            result.append(given.get(name, Parameter(name, doc, unit)))
+            result.append(known.get(name, Parameter(name, doc, unit)))
     ends = (
         Parameter(name, f"|u| at which piece {number} of the force ends", "L")
         for number, name in enumerate(() if mechanism.instead else mechanism.breakpoints, start=1)
     )
-    return (*result, *ends, *(given[ratio] for ratio in mechanism.instead))
+    return (*result, *ends, *(known[ratio] for ratio in mechanism.instead))
 
 
 def scales(mechanism: Mechanism) -> tuple[Scale, ...]:
@@ -524,9 +524,9 @@ def scales(mechanism: Mechanism) -> tuple[Scale, ...]:
 
 
 def record(
-    mechanisms: Mapping[str, OfMechanism], derived: OfMechanism, pieces: tuple[Law, ...], *, alone: bool
+    mechanisms: Mapping[str, OfMechanism], derived: OfMechanism, pieces: tuple[Law, ...], *, for_solvers: bool
 ) -> Record:
-    """What the record says that no kernel does; alone for solvers, which do not ask for scales."""
+    """What the record says that no kernel does; `for_solvers` without scales, which no solver needs."""
     mechanism = derived.oscillator.mechanism
     truncated = is_truncated(derived)
     twins = [
@@ -543,7 +543,7 @@ def record(
         derived.harmonics.most,
         truncated,
         twins[0] if twins else "",
-        () if alone else scales(mechanism),
+        () if for_solvers else scales(mechanism),
         is_stepped(derived.whole.pieces),
     )
 

@@ -41,8 +41,8 @@ def quadrature_module(name: str, mechanism: Mechanism, average: Quadrature) -> M
     of = formulas(mechanism.parameters)
     state_numbers(of, mechanism, average)
     laws = state_pieces(of, name, printed_pieces(average), "(3), (5)")
-    beside = of_odd(average, mechanism.parameters)
-    terms = None if beside is None else state_curved(of, beside)
+    curved = of_odd(average, mechanism.parameters)
+    terms = None if curved is None else state_curved(of, curved)
     averages = (*average_sums(of, average), parameter_sums(of, average))
     return Module(
         name=name,
@@ -59,7 +59,7 @@ def quadrature_module(name: str, mechanism: Mechanism, average: Quadrature) -> M
 
 def renamed(mechanism: Mechanism, average: Quadrature) -> tuple[Mechanism, Quadrature]:
     """The same with the parameters as kernels call them."""
-    names = {given: sp.Symbol(f"{given.name}_", **given.assumptions0) for given in mechanism.parameters}
+    names = {old: sp.Symbol(f"{old.name}_", **old.assumptions0) for old in mechanism.parameters}
     design = tuple(replace(parameter, symbol=names[parameter.symbol]) for parameter in mechanism.design)
     pieces = tuple(piece.xreplace(names) for piece in average.pieces)
     ends = {name: end.xreplace(names) for name, end in average.breakpoints.items()}
@@ -127,8 +127,8 @@ def closed(
     of: Formulas, name: str, terms: Sequence[Kernel], cases: Sequence[Branch], equation: str, domain: str
 ) -> Kernel:
     """The kernel that closes these integrals."""
-    text, given = f"`{name}` in the sums of its integrals over the pieces.", sums(terms[0].width)
-    of.add(f"{name}_of", cases, text, equation, domain, arguments=(A, *given), returns="tuple")
+    text, integrals = f"`{name}` in the sums of its integrals over the pieces.", sums(terms[0].width)
+    of.add(f"{name}_of", cases, text, equation, domain, arguments=(A, *integrals), returns="tuple")
     return of.kernels[f"{name}_of"]
 
 
@@ -157,15 +157,15 @@ def parameter_sums(of: Formulas, average: Quadrature) -> Sums:
     ]
     terms = under_the_integrals(of, "by_parameter", equation, average, of_pieces, of_contacts)
     cases, wide = [], 3 * len(parameters)
-    places = [wide * k for k in range(1, len(average.contacts) + 1)]
+    offsets = [wide * k for k in range(1, len(average.contacts) + 1)]
     for count in range(len(average.pieces)):
         values = [
-            average.changed(count, parameter, 3 * place, [first + 3 * place for first in places])
+            average.changed(count, parameter, 3 * place, [first + 3 * place for first in offsets])
             for place, parameter in enumerate(parameters)
         ]
         cases.append((average.regime(count).lets, tuple(value for one in values for value in one)))
     closing = closed(of, "by_parameter", terms, branches(average, cases), equation, "A > 0")
-    return Sums("by_parameter", terms, closing, doc, equation, graded(average), begins(average), beside=AVERAGED[:3])
+    return Sums("by_parameter", terms, closing, doc, equation, graded(average), begins(average), unused=AVERAGED[:3])
 
 
 def branches(average: Quadrature, cases: list[tuple[tuple[Let, ...], tuple[sp.Expr, ...]]]) -> tuple[Branch, ...]:
@@ -185,9 +185,9 @@ def branches(average: Quadrature, cases: list[tuple[tuple[Let, ...], tuple[sp.Ex
 
 def state_numbers(of: Formulas, mechanism: Mechanism, average: Quadrature) -> None:
     """Parameters from the design, breakpoints, jumps, kinks, and of polynomials the steps."""
-    given = tuple(parameter.symbol for parameter in mechanism.design)
+    design = tuple(parameter.symbol for parameter in mechanism.design)
     ends, jumps = tuple(average.breakpoints.values()), tuple(lost[0] for lost in average.losses)
-    state_data(of, given, given or (sp.Integer(1),), ends, jumps, equations=("(4)", "(5)", "(5)"))
+    state_data(of, design, design or (sp.Integer(1),), ends, jumps, equations=("(4)", "(5)", "(5)"))
     of.add("hardening", (sp.Integer(-1),), "The force over the displacement, f(u)/u, is not known to rise.", "from (3)")
     state_kinks(of, average)
     if is_stepped(average.pieces):
@@ -246,7 +246,7 @@ def enclosed(mechanism: Mechanism, average: Quadrature) -> Enclosed:
             generic=True,
         )
     contacts = tuple(of.kernels.values())[len(terms) :]
-    given = sums(2 + sum(contact.width for contact in contacts))
+    integrals = sums(2 + sum(contact.width for contact in contacts))
     for count in range(len(average.pieces)):
         known = dict(list(average.breakpoints.items())[:count])
         numbers = {b: value for b, value in known.items() if value.is_number}
@@ -257,7 +257,7 @@ def enclosed(mechanism: Mechanism, average: Quadrature) -> Enclosed:
             Lets(lets, tuple(value.xreplace(numbers) for value in average.bends(count))),
             f"h and h_A{'A' * ORDERS} in the integrals and sqrt(A^2 - b^2), beyond {count} breakpoints.",
             *about,
-            arguments=(A, *roots, *given),
+            arguments=(A, *roots, *integrals),
             generic=True,
         )
     closing = tuple(of.kernels.values())[len(terms) + len(contacts) :]

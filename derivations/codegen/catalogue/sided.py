@@ -88,14 +88,14 @@ def state_curved(of: Formulas, curved: Curved) -> OffCentreTerms:
         ),
         tuple(
             terms(of, f"moved_{k}", values, f"Piece {k} by parameter {{}} at u, and two derivatives.")
-            for k, values in enumerate(curved.moved, start=1)
+            for k, values in enumerate(curved.by_parameter, start=1)
         ),
     )
 
 
 def renamed(force: Sided) -> Sided:
     """The same with a line behind the names of parameters, which are users' and may be those that printed code has."""
-    names = {given: sp.Symbol(f"{given.name}_", **given.assumptions0) for given in force.parameters}
+    names = {old: sp.Symbol(f"{old.name}_", **old.assumptions0) for old in force.parameters}
     return replace(
         force,
         pieces=tuple(piece.xreplace(names) for piece in force.pieces),

@@ -89,9 +89,9 @@ class Derived:
         return of_mechanism(stated(name))
 
 
-def value(function: Callable[..., Any], given: Mapping[str, Any]) -> sp.Expr:
+def value(function: Callable[..., Any], arguments: Mapping[str, Any]) -> sp.Expr:
     """A published function at these arguments, exactly."""
-    return sp.sympify(function(**given, xp=EXACT))
+    return sp.sympify(function(**arguments, xp=EXACT))
 
 
 def plain(function: Callable[..., Any]) -> str:
@@ -102,7 +102,7 @@ def plain(function: Callable[..., Any]) -> str:
 
 def equal(
     derived: sp.Expr,
-    given: Mapping[str, Any],
+    arguments: Mapping[str, Any],
     *,
     rewriting: str = "",
     remark: str = "",
@@ -110,7 +110,7 @@ def equal(
     sample: Mapping[sp.Symbol, sp.Rational] | None = None,
 ) -> Judge:
     """The published value with these arguments is the derived one, or the exact difference; `how` as of a `Subject`."""
-    subject = Subject((Reading(derived, rewriting),), given=dict(given), how=how, sample=dict(sample or {}))
+    subject = Subject((Reading(derived, rewriting),), values=dict(arguments), how=how, sample=dict(sample or {}))
 
     def check(function: Callable[..., Any]) -> Judged:
         judgement = judge(function, subject)
@@ -126,12 +126,12 @@ def equal(
     return check
 
 
-def solves(residual: Callable[[sp.Expr], sp.Expr], given: Mapping[str, Any], derived: str) -> Judge:
+def solves(residual: Callable[[sp.Expr], sp.Expr], arguments: Mapping[str, Any], derived: str) -> Judge:
     """The published value, put into a derived equation, solves it, or what is left."""
 
     def check(function: Callable[..., Any]) -> Judged:
         left = equal(sp.Integer(0), {}, rewriting=f"putting it into {derived}")(
-            lambda *, xp: residual(value(function, given))
+            lambda *, xp: residual(value(function, arguments))
         )
         return Judged(left.verdict, plain(function), derived, left.difference, left.evidence)
 

@@ -96,11 +96,11 @@ def formulas(derived: Derived) -> dict[str, Judge]:
         published = value(function, {"y_hat": y_hat, "gamma": gamma})
         exact = force.subs(alpha, of_gamma)
 
-        def error(share: str) -> str:
-            at = {gamma: two_thirds, y_hat: two_thirds * _ball(share)}
-            return f"{significant(evaluate(published, at) / evaluate(exact, at) - 1, 2)} at {share} γ"
+        def error(fraction: str) -> str:
+            at = {gamma: two_thirds, y_hat: two_thirds * _ball(fraction)}
+            return f"{significant(evaluate(published, at) / evaluate(exact, at) - 1, 2)} at {fraction} γ"
 
-        return _told(published - cubic, "cubic of the mechanism", map(error, ("0.1", "0.25", "0.5")))
+        return _summary(published - cubic, "cubic of the mechanism", map(error, ("0.1", "0.25", "0.5")))
 
     def of_stiffness(function: Callable[..., Any]) -> str:
         published = value(function, {"y_hat": y_hat, "gamma": gamma})
@@ -109,7 +109,7 @@ def formulas(derived: Derived) -> dict[str, Judge]:
             at = {gamma: two_thirds, y_hat: _excursion(_ball(K), two_thirds)}
             return f"{significant(evaluate(published, at) / _ball(K) - 1, 2)} where it is {K}"
 
-        return _told(published - sp.diff(cubic, y_hat), "slope of the cubic", map(error, ("0.1", "0.5", "1")))
+        return _summary(published - sp.diff(cubic, y_hat), "slope of the cubic", map(error, ("0.1", "0.5", "1")))
 
     def of_geometry(function: Callable[..., Any]) -> str:
         def error(K: str) -> str:
@@ -137,7 +137,7 @@ def formulas(derived: Derived) -> dict[str, Judge]:
     }
 
 
-def _told(difference: sp.Expr, name: str, errors: Iterable[str]) -> str:
+def _summary(difference: sp.Expr, name: str, errors: Iterable[str]) -> str:
     """Whether the published approximation is the derived one, and how far that goes."""
     same = f"The {name}, proved" if canonical(difference).is_zero else f"Not the {name}"
     return f"{same}. Relative error for γ = 2/3: {', '.join(errors)}."

@@ -24,7 +24,7 @@ omega_0 = sp.Symbol("omega_0", positive=True)
 NAMES = {x.name: x for x in (u, v, u_dot, v_dot, alpha, beta, eta, gamma, lam, F, omega_0)} | {"omega": Omega}
 c, c_bar, c_dot, c_dot_bar, z, turn = sp.symbols("c c_bar c_dot c_dot_bar z turn")  # turn is e^(i phi)
 CONJUGATE = {sp.I: -sp.I, c: c_bar, c_bar: c, c_dot: c_dot_bar, c_dot_bar: c_dot, z: 1 / z}
-PARTS = {c: u - sp.I * v, c_bar: u + sp.I * v, c_dot: u_dot - sp.I * v_dot, c_dot_bar: u_dot + sp.I * v_dot}
+COMPONENTS = {c: u - sp.I * v, c_bar: u + sp.I * v, c_dot: u_dot - sp.I * v_dot, c_dot_bar: u_dot + sp.I * v_dot}
 
 Pair = tuple[sp.Expr, sp.Expr]
 
@@ -34,9 +34,9 @@ def real(amplitude: sp.Expr) -> sp.Expr:
     return (amplitude * z + (amplitude * z).xreplace(CONJUGATE)) / 2
 
 
-def parts(amplitude: sp.Expr) -> Pair:
+def components(amplitude: sp.Expr) -> Pair:
     """x and y of x - i y."""
-    value = sp.expand(amplitude.xreplace(PARTS))
+    value = sp.expand(amplitude.xreplace(COMPONENTS))
     return value.subs(sp.I, 0), sp.expand((value.subs(sp.I, 0) - value) / sp.I)
 
 
@@ -53,7 +53,7 @@ def balances() -> Pair:
     """Cosine and sine of the pumped oscillator's equation of motion."""
     velocity = real(c_dot + sp.I * Omega * c)
     force = gamma * velocity + (omega_0**2 - lam * COSINE_2) * X + alpha * X**3 + eta * X**2 * velocity + F * COSINE
-    return parts(2 * harmonics(real(2 * sp.I * Omega * c_dot - Omega**2 * c) + force)[1])
+    return components(2 * harmonics(real(2 * sp.I * Omega * c_dot - Omega**2 * c) + force)[1])
 
 
 def second_order(derived: Derived, force: sp.Expr, excitation: sp.Expr) -> tuple[Pair, sp.Expr]:
@@ -66,7 +66,7 @@ def second_order(derived: Derived, force: sp.Expr, excitation: sp.Expr) -> tuple
     of = harmonics(rate)
     change = sp.Add(*(value * z**k / (sp.I * k * Omega) for k, value in of.items() if k))
     more = harmonics(sp.diff(rate, c) * change + sp.diff(rate, c_bar) * change.xreplace(CONJUGATE))[0]
-    return parts(of[0] + more), change
+    return components(of[0] + more), change
 
 
 def formulas(derived: Derived) -> dict[str, Judge]:
@@ -94,7 +94,7 @@ def claims(derived: Derived) -> Claims:
     (first,) = sp.solve(order(balance, 1), w_1)
     (second,) = sp.solve(order(balance, 2).subs(w_1, first), w_2)
     # the displacement is largest where z = 1
-    largest = u + epsilon * order(parts(change.subs(z, 1))[0].subs(free), 1).subs(w_1, first)
+    largest = u + epsilon * order(components(change.subs(z, 1))[0].subs(free), 1).subs(w_1, first)
     square = epsilon * alpha * A**2
     elliptic = sum(sp.rf(sp.Rational(1, 2), k) ** 2 / sp.factorial(k) ** 2 * m**k for k in range(3))  # 2 K/pi
     exact = sp.sqrt(omega_0**2 + square) / elliptic.subs(m, square / (2 * (omega_0**2 + square)))

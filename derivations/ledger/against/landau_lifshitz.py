@@ -68,8 +68,8 @@ def formulas(derived: Derived) -> dict[str, Judge]:
         if quotient.has(m, omega_0):
             return f"Not of its dimension: over the exact one it is {sp.sstr(quotient)}."
         limit = sp.limit(quotient.subs(beta, 1), zeta, 0)
-        told = ", ".join(f"{_error(quotient, damping)} at ζ = {damping}" for damping in DAMPING)
-        return f"{'Exact' if limit == 1 else f'Off by a factor {limit}'} as ζ → 0, proved. Relative error: {told}."
+        errors = ", ".join(f"{_error(quotient, damping)} at ζ = {damping}" for damping in DAMPING)
+        return f"{'Exact' if limit == 1 else f'Off by a factor {limit}'} as ζ → 0, proved. Relative error: {errors}."
 
     def detuning(function: Callable[..., Any]) -> str:
         # the positive zero of the relation, its square being linear

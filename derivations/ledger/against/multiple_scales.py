@@ -68,8 +68,8 @@ def formulas(derived: Derived) -> dict[str, Judge]:
     amplitude_rate, phase_rate = _rates(derived)
     names = {"a": A, "gamma": gamma, "mu": mu, "F": F, "omega_0": omega_0, "sigma": sigma, "alpha": alpha}
 
-    def of(*wanted: str) -> dict[str, sp.Expr]:
-        return {name: names[name] for name in wanted}
+    def of(*chosen: str) -> dict[str, sp.Expr]:
+        return {name: names[name] for name in chosen}
 
     # the amplitude's rate is linear in a at the peak: its slope is the rate of decay
     decay = -sp.diff(amplitude_rate, A)
@@ -104,15 +104,15 @@ def _backbone_error(derived: Derived, function: Callable[..., Any]) -> str:
     published = sp.cancel(value(function, at) / omega_0)
     if published.free_symbols != {bend}:
         return f"Not of its dimension: over ω₀ it is {sp.sstr(published)}."
-    told = []
+    each = []
     for at_bend in BENDS:
         b = arb(rational(Fraction(at_bend)))
         exact = arb.pi() * (1 + b).sqrt() / (2 * acb(b / (2 * (1 + b))).elliptic_k().real)
         errors = [significant(evaluate(one, {bend: b}) / exact - 1, 2) for one in (published, averaged)]
-        told.append(f"{errors[0]} at εαa²/ω₀² = {at_bend} (averaged, (26): {errors[1]})")
+        each.append(f"{errors[0]} at εαa²/ω₀² = {at_bend} (averaged, (26): {errors[1]})")
     agrees = sp.diff(published - averaged, bend).subs(bend, 0) == 0
     return (
-        f"{'Equal' if agrees else 'Not equal'} to (26) to first order in ε, proved. Relative error: {', '.join(told)}."
+        f"{'Equal' if agrees else 'Not equal'} to (26) to first order in ε, proved. Relative error: {', '.join(each)}."
     )
 
 

@@ -36,10 +36,10 @@ def formulas(derived: Derived) -> dict[str, Judge]:
     highest, linear, constant = _response(derived).all_coeffs()
     middle = sp.expand(-linear / highest / 2)
     root = sp.sqrt(sp.expand(middle**2 - constant / highest))
-    given, sample = {"a": a, "zeta": zeta, "gamma": gamma, "P": P}, {**NUMBERS, a: sp.Integer(1)}
+    arguments, sample = {"a": a, "zeta": zeta, "gamma": gamma, "P": P}, {**NUMBERS, a: sp.Integer(1)}
     found = {"upper_frequency": sp.sqrt(middle + root), "lower_frequency": sp.sqrt(middle - root)}
     by = "solving F = 0 (24) for Ω², with μ = κ = 1"
-    return {name: equal(one, given, rewriting=by, how=SQUARES, sample=sample) for name, one in found.items()}
+    return {name: equal(one, arguments, rewriting=by, how=SQUARES, sample=sample) for name, one in found.items()}
 
 
 def claims(derived: Derived) -> Claims:

@@ -115,9 +115,9 @@ def numbers(module: Module) -> dict[str, str]:
 def angles() -> dict[str, object]:
     """What the arctangent's template needs."""
     polynomial = series()
-    parts: dict[str, str] = {}
+    constants: dict[str, str] = {}
     for name, value in (("pi", sp.pi), ("half_pi", sp.pi / 2)):
-        parts[name] = literal(value)
-        parts[name + "_low"] = literal(value - sp.Rational(float(parts[name])))
+        constants[name] = literal(value)
+        constants[name + "_low"] = literal(value - sp.Rational(float(constants[name])))
     lines = estrin(tuple(literal(coefficient) for coefficient in polynomial.coefficients), "w")
-    return {"lines": lines, "bound": f"{float(polynomial.bound):.2g}", **parts}
+    return {"lines": lines, "bound": f"{float(polynomial.bound):.2g}", **constants}

@@ -67,7 +67,7 @@ class Spring:
     bent        -- what stands before the names of what holds h and h_AAAA between two amplitudes, or ""
     summed      -- whether the average is a quadrature
     begins      -- of that the number of the breakpoint at which each contact begins
-    held        -- and before those in double-double with a bound of the error, or "": there the average has a form
+    bounded     -- and before those in double-double with a bound of the error, or "": there the average has a form
                    of its own on each side of its breakpoint
     """
 
@@ -83,7 +83,7 @@ class Spring:
     bent: str = ""
     summed: bool = False
     begins: tuple[int, ...] = ()
-    held: str = ""
+    bounded: str = ""
 
 
 def text(modules: Sequence[Module]) -> str:
@@ -126,9 +126,9 @@ def spring_of(module: Module) -> Spring:
     first: dict[object, str] = {}
     sums = tuple(replace(one, chosen_by=first.setdefault(one.guards, one.name)) for one in every)
     begins = module.enclosed.begins if module.enclosed else ()
-    of_held = held.name_of(module) if module.held else ""
+    of_held = held.name_of(module) if module.bounded else ""
     numbers = (module.name, mechanism, len(mechanism.breakpoints), domain, sums, up_to)
-    return Spring(*numbers, *exact, bent=bent, summed=bool(module.sums), begins=begins, held=of_held)
+    return Spring(*numbers, *exact, bent=bent, summed=bool(module.sums), begins=begins, bounded=of_held)
 
 
 def sums_of(name: str, width: int, module: Module) -> Sums:

@@ -125,12 +125,12 @@ RULES = {
 def rules() -> list[tuple[str, list[str], str, str]]:
     """Of each its name, numbers that it takes, C, and what it is."""
     found = []
-    for name, (taken, expression, told) in RULES.items():
+    for name, (taken, expression, doc) in RULES.items():
         numbers = taken.split()
         text = expression.format(**{number: number for number in numbers})
         text = re.sub(r"\b(w|first|second|last|over)\[", r"c->\1[", re.sub(r"\bn\b", "c->n", text))
         text = re.sub(r"\bsum\[([^]]+)\]", r"sf_lane(c->sum, \1)", text.replace("over_n", "sf_over[c->n]"))
-        found.append((name, numbers, text, told))
+        found.append((name, numbers, text, doc))
     return found
 
 
@@ -227,7 +227,7 @@ def laws(modules: Sequence[Module]) -> Iterator[Recurrences]:
             prefix = f"{module.name}_{law.force}"
             (value,), (gradient,) = force.branches, slope.branches
             named = dict.fromkeys((*value.lets, *gradient.lets))
-            lets = given = [(symbol, by_side(stated)) for symbol, stated in named]
+            lets = original = [(symbol, by_side(stated)) for symbol, stated in named]
             outputs = [by_side(value.outputs[0]), by_side(gradient.outputs[0])]
             forms = dict(zip(("value", "slope"), outputs, strict=True))
             both = recurrence(prefix, constants, lets, outputs)
@@ -236,7 +236,7 @@ def laws(modules: Sequence[Module]) -> Iterator[Recurrences]:
                 other = recurrence(prefix, constants, [], short)
                 if len(other.sums) < len(both.sums):
                     lets, outputs, both, forms["secant"] = [], short, other, secant
-            scalars = {kind: scalar(given, form, constants) for kind, form in forms.items()}
+            scalars = {kind: scalar(original, form, constants) for kind, form in forms.items()}
             if law.begins is not None:
                 scalars["begins"] = scalar([], SIDE * law.begins, constants)
             yield Recurrences(
@@ -248,7 +248,7 @@ def laws(modules: Sequence[Module]) -> Iterator[Recurrences]:
                 both=both,
                 linear=not gradient.lets and not gradient.outputs[0].has(u),
                 constants=len(constants),
-                breaks=breaks(given, forms["value"]) if law.begins is None else "SF_BEGINS",
+                breaks=breaks(original, forms["value"]) if law.begins is None else "SF_BEGINS",
             )
 
 
@@ -271,8 +271,8 @@ def in_powers(outputs: Sequence[sp.Expr], lets: Sequence[Let]) -> tuple[sp.Expr 
         return None, []
     secant = sp.Mul(*(factor for factor in value.args if factor != u))
     ratio, gradient = secant, slope
-    for symbol, given in reversed(lets):
-        ratio, gradient = (form.xreplace({symbol: given}) for form in (ratio, gradient))
+    for symbol, of_symbol in reversed(lets):
+        ratio, gradient = (form.xreplace({symbol: of_symbol}) for form in (ratio, gradient))
     ratio, gradient = by_root(ratio), by_root(gradient)
     if ratio is None or gradient is None:
         return None, []
@@ -314,11 +314,11 @@ def by_root(expression: sp.Expr) -> sp.Expr | None:
 def scalar(lets: Sequence[Let], expression: sp.Expr, constants: tuple[sp.Symbol, ...]) -> Body:
     """A function of the constants p and u."""
     program = straight_line(lets, [expression], (u, *constants, SIDE))
-    known = [*places(constants), *((symbol.name, PRINTER.doprint(value)) for symbol, value in program.lets)]
+    known = [*packed(constants), *((symbol.name, PRINTER.doprint(value)) for symbol, value in program.lets)]
     return body(("self", "p", "u"), known, (), PRINTER.doprint(program.outputs[0]))
 
 
-def places(constants: tuple[sp.Symbol, ...]) -> list[tuple[str, str]]:
+def packed(constants: tuple[sp.Symbol, ...]) -> list[tuple[str, str]]:
     """The constants by their names; the last is the side of u = 0 on which the piece holds."""
     return [(PRINTER.doprint(symbol), f"p[{i}]") for i, symbol in enumerate((*constants, SIDE))]
 
@@ -572,10 +572,10 @@ class _Builder:
         if function is sp.exp:
             self._by_rate("exp", of, own)
         elif function in BY_SQUARE:
-            beside, sign = BY_SQUARE[function]
+            partner, sign = BY_SQUARE[function]
             self._by_rate(function.__name__, of, own + 2)
             square = self._times(own, own)
-            root = f"{beside}(first[{of}])"
+            root = f"{partner}(first[{of}])"
             self.add(f"1.0 / ({root} * {root})", _scaled(sign, "w", square))
         elif function in INVERSES:
             argument = sp.Symbol(f"series_{of}", real=True)
@@ -628,7 +628,7 @@ def recurrence(
 ) -> Recurrence:
     """The recurrences of a piece f(u) with its constants; or of it and of df/du."""
     program = straight_line(lets, outputs, (u, *constants, SIDE))
-    known = places(constants)
+    known = packed(constants)
     builder = _Builder(prefix, {u: 0, **{symbol: PRINTER.doprint(symbol) for symbol in (*constants, SIDE)}})
     for symbol, value in program.lets:
         found = builder.of(value)

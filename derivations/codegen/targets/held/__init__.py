@@ -39,8 +39,8 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     integrals = templates(Path(__file__).parent).get_template("carlson.h.jinja")
     result = {"native/held_carlson.h": integrals.render(tools=tools(), series=[printed(one) for one in carlson()])}
     for module in modules:
-        if module.held:
-            kernels = [view(kernel, code[module.name][kernel.name], C) for kernel in module.held]
+        if module.bounded:
+            kernels = [view(kernel, code[module.name][kernel.name], C) for kernel in module.bounded]
             name = name_of(module)
             result[f"native/{name}.h"] = interval.header_of(module, name, kernels, {}, **ABOUT)
     return result

@@ -7,7 +7,7 @@ from typing import ClassVar
 import sympy as sp
 
 from ..interval.printer import CallPrinter, is_double
-from ..pair.printer import parts
+from ..pair.printer import high_and_low
 from ..printing import literal
 
 
@@ -20,4 +20,4 @@ class HeldPrinter(CallPrinter):
 
     def _number(self, expr: sp.Expr) -> str:
         value = expr.doit()
-        return self._of("point", literal(value)) if is_double(value) else self._of("around", *parts(value))
+        return self._of("point", literal(value)) if is_double(value) else self._of("around", *high_and_low(value))

@@ -65,7 +65,7 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
         excited=of_every_excitation(),
     )
     for conventions in CONVENTIONS:
-        width = max((len(word.name) for table in conventions.tables for word in table.words), default=0)
+        width = max((len(word.name) for table in conventions.tables for word in table.entries), default=0)
         result[f"slowflow_kernels/{conventions.name}.py"] = environment.get_template("conventions.py.jinja").render(
             conventions=conventions, width=width, show=stated
         )
@@ -76,7 +76,7 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     return result
 
 
-def asked(module: Module) -> tuple[Kernel, ...]:
+def contained(module: Module) -> tuple[Kernel, ...]:
     """The kernels that a module's text has."""
     return (*module.kernels, *module.on_intervals)
 
@@ -119,7 +119,7 @@ def text(module: Module, code: Code) -> str:
 
 def signature(function: Kernel | TwofoldKernel | Selection | Composition) -> str:
     """What stands behind its name: arguments and result with their types, for type checkers and editors."""
-    return f"({taken(function)}) -> {given(function)}"
+    return f"({taken(function)}) -> {returned(function)}"
 
 
 def taken(function: Kernel | TwofoldKernel | Selection | Composition) -> str:
@@ -128,16 +128,16 @@ def taken(function: Kernel | TwofoldKernel | Selection | Composition) -> str:
     return ", ".join(f"{argument.name}: {what}" for argument in function.arguments)
 
 
-def given(function: Kernel | TwofoldKernel | Selection | Composition) -> str:
+def returned(function: Kernel | TwofoldKernel | Selection | Composition) -> str:
     """What it returns."""
     if isinstance(function, TwofoldKernel):
         shown = twofold_view(function, LANGUAGE)
-        width, alone = len(shown["outputs"]), bool(shown["distilled"]) or len(shown["outputs"]) == 1
+        width, scalar = len(shown["outputs"]), bool(shown["distilled"]) or len(shown["outputs"]) == 1
     else:
-        width, alone = function.width, function.returns == "scalar"
+        width, scalar = function.width, function.returns == "scalar"
     if function.returns == "stack":
         return "Floats"
-    return "Any" if alone else f"tuple[{', '.join(['Any'] * width) or '()'}]"
+    return "Any" if scalar else f"tuple[{', '.join(['Any'] * width) or '()'}]"
 
 
 def _environment() -> jinja2.Environment:

@@ -26,7 +26,7 @@ from ...views import BranchView, Code, KernelView, Language, Line, templates, vi
 from .. import interval
 from ..c.printer import CPrinter
 from ..printing import literal
-from .printer import PairPrinter, parts
+from .printer import PairPrinter, high_and_low
 
 C = Language(PairPrinter(), conjunction=" && ", wrap_in_parentheses=False, names={"I": "I_"})
 DOUBLES = CPrinter()
@@ -134,8 +134,8 @@ def angles() -> dict[str, object]:
     table, first, others = in_pairs()
     return {
         "cut": PAIRS_CUT,
-        "table": [parts(angle) for angle in table],
-        "first": [parts(coefficient) for coefficient in reversed(first)],
-        "others": [parts(coefficient)[0] for coefficient in reversed(others)],
-        "half_pi": parts(sp.pi / 2),
+        "table": [high_and_low(angle) for angle in table],
+        "first": [high_and_low(coefficient) for coefficient in reversed(first)],
+        "others": [high_and_low(coefficient)[0] for coefficient in reversed(others)],
+        "half_pi": high_and_low(sp.pi / 2),
     }

@@ -10,7 +10,7 @@ from ..interval.printer import CallPrinter, is_double
 from ..printing import literal
 
 
-def parts(number: sp.Expr) -> tuple[str, str]:
+def high_and_low(number: sp.Expr) -> tuple[str, str]:
     """An exact number as the double next to it and the double next to what that leaves."""
     high = literal(number)
     return high, literal(number - sp.Rational(float(high)))
@@ -32,4 +32,4 @@ class PairPrinter(CallPrinter):
 
     def _number(self, expr: sp.Expr) -> str:
         value = expr.doit()
-        return self._of("point", literal(value)) if is_double(value) else self._of("of", *parts(value))
+        return self._of("point", literal(value)) if is_double(value) else self._of("of", *high_and_low(value))

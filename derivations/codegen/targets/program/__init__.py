@@ -37,7 +37,7 @@ def text(module: Module, code: Code) -> str:
     """The file."""
     encoder = Recorder(module, code)
     encoder.record()
-    return json.dumps({"words": encoder.words, "numbers": encoder.numbers}, separators=(",", ":")) + "\n"
+    return json.dumps({"words": encoder.integers, "numbers": encoder.numbers}, separators=(",", ":")) + "\n"
 
 
 class Recorder(Encoder):
@@ -53,8 +53,8 @@ class Recorder(Encoder):
         assert module.record is not None
         mechanism = module.record.mechanism
         exact, bent = bool(module.cells), module.enclosed is not None
-        self.words += [PROGRAM_FORM, len(mechanism.design), len(mechanism.parameters), len(mechanism.breakpoints)]
-        self.words += [bool(module.sums), bent, exact, exact and not bent]
+        self.integers += [PROGRAM_FORM, len(mechanism.design), len(mechanism.parameters), len(mechanism.breakpoints)]
+        self.integers += [bool(module.sums), bent, exact, exact and not bent]
         self.numbers += [float(mechanism.reach), float(module.record.harmonics_up_to)]
         self.domains(mechanism.design)
         for name in ("coefficients", "breakpoints", "jumps", *(["kinks"] if bent else []), "by_design"):
@@ -78,32 +78,32 @@ class Recorder(Encoder):
         for place, parameter in enumerate(design):
             bounds = [(parameter.above, parameter.least), (parameter.below, parameter.most)]
             for (strict, weak), first, infinite in zip(bounds, (0, 2), (-math.inf, math.inf), strict=True):
-                given = [
+                stated = [
                     (relation, bound) for relation, bound in ((first, strict), (first + 1, weak)) if bound is not None
                 ]
-                conditions += [(place, relation, float(bound)) for relation, bound in given or [(first, infinite)]]
-        self.words.append(len(conditions))
+                conditions += [(place, relation, float(bound)) for relation, bound in stated or [(first, infinite)]]
+        self.integers.append(len(conditions))
         for place, relation, bound in conditions:
-            self.words += [place, relation]
+            self.integers += [place, relation]
             self.numbers.append(bound)
 
     def function(self, one: Function) -> None:
         """How many branches, what chooses each, and the programs."""
-        self.words.append(len(one.branches))
+        self.integers.append(len(one.branches))
         for passed, guards in zip(one.passed, one.guards, strict=True):
-            self.words += [passed, guards]
+            self.integers += [passed, guards]
         for program in (one.sides, *one.branches):
             self.program(program)
 
     def summed(self, averages: Sequence[Sums]) -> None:
         """The rule; of each average its integrands, how they are graded, and what closes them."""
         nodes = rule()
-        self.words.append(len(nodes))
+        self.integers.append(len(nodes))
         for node, weight in nodes:
             self.numbers += [float(literal(node)), float(literal(weight))]
-        self.words += [len(averages[0].begins), *averages[0].begins, *averages[0].graded]
+        self.integers += [len(averages[0].begins), *averages[0].begins, *averages[0].graded]
         for one in averages:
-            self.words.append(one.terms[0].width)
+            self.integers.append(one.terms[0].width)
             for kernel in (*one.terms, one.closing):
                 self.function(self.in_doubles(kernel.name))
 
@@ -111,7 +111,7 @@ class Recorder(Encoder):
         """What holds the average on an interval of amplitudes."""
         enclosed = self.module.enclosed
         assert enclosed is not None
-        self.words += [len(enclosed.begins), *enclosed.begins]
+        self.integers += [len(enclosed.begins), *enclosed.begins]
         for kernel in (*enclosed.terms, *enclosed.contacts, *enclosed.closing):
             self.function(function(view(kernel, self.code[kernel.name], interval.ENCLOSED), INTERVALS, ONE))
 

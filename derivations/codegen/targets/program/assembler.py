@@ -22,7 +22,7 @@ Constant = tuple[float, float]
 #: what holds a value: an argument by number, a constant, or the operation by number that gives it
 Value = tuple[str, int] | tuple[str, Constant]
 
-OPCODES = {word.name.lower(): number for number, word in enumerate(OPERATION.words)}
+OPCODES = {word.name.lower(): number for number, word in enumerate(OPERATION.entries)}
 OPERATORS = {ast.Add: "add", ast.Sub: "sub", ast.Mult: "mul", ast.Div: "div"}
 ULP = 2.0**-52
 
@@ -140,26 +140,26 @@ class Assembler:
             last |= dict.fromkeys(taken, number)
         last |= dict.fromkeys(outputs, math.inf)
         constants = dict.fromkeys(value for value in last if value[0] == "constant")
-        places: dict[Value, int] = {("argument", k): k for k in range(len(self.arguments))}
-        places |= {value: len(places) + k for k, value in enumerate(constants)}
-        registers, free, code = len(places), [], []
+        positions: dict[Value, int] = {("argument", k): k for k in range(len(self.arguments))}
+        positions |= {value: len(positions) + k for k, value in enumerate(constants)}
+        registers, free, code = len(positions), [], []
         for number, (name, *taken) in enumerate(operations):
             result: Value = ("operation", number)
             if result not in last:
                 continue
-            first, second = (places[value] for value in taken)
-            free += [places[one] for one in dict.fromkeys(taken) if one[0] == "operation" and last[one] == number]
+            first, second = (positions[value] for value in taken)
+            free += [positions[one] for one in dict.fromkeys(taken) if one[0] == "operation" and last[one] == number]
             if free:
-                places[result] = free.pop()
+                positions[result] = free.pop()
             else:
-                places[result], registers = registers, registers + 1
-            code.append((OPCODES[name], places[result], first, second))
+                positions[result], registers = registers, registers + 1
+            code.append((OPCODES[name], positions[result], first, second))
         return Program(
             len(self.arguments),
             registers,
             tuple(value[1] for value in constants),  # type: ignore[misc]
             tuple(code),
-            tuple(places[value] for value in outputs),
+            tuple(positions[value] for value in outputs),
         )
 
 

@@ -9,14 +9,14 @@ class Encoder:
     """The two lists, and what writes to them."""
 
     def __init__(self) -> None:
-        self.words: list[int] = []
+        self.integers: list[int] = []
         self.numbers: list[float] = []
 
     def program(self, one: Program) -> None:
         """Sizes, operations, the registers of outputs; constants."""
-        self.words += [one.arguments, len(one.constants), one.registers, len(one.code), len(one.outputs)]
+        self.integers += [one.arguments, len(one.constants), one.registers, len(one.code), len(one.outputs)]
         for operation in one.code:
-            self.words += operation
-        self.words += one.outputs
+            self.integers += operation
+        self.integers += one.outputs
         for constant in one.constants:
             self.numbers += constant

@@ -31,19 +31,19 @@ def text(module: Module) -> str:
     laws = {}
     for law in taylor.laws([module]):
         encoder = Encoder()
-        encoder.words += [law.constants, BREAKS.index(law.breaks), law.linear]
+        encoder.integers += [law.constants, BREAKS.index(law.breaks), law.linear]
         for name in ("value", "slope", "begins"):
             if name in law.scalars:
                 encoder.program(scalar(law, name))
         for recurrence, takes in ((law.force, 1), (law.both, 2)):
-            encoder.words += [
+            encoder.integers += [
                 len(recurrence.lines) + 1,
                 recurrence.fours,
                 *(recurrence.value, recurrence.slope)[:takes],
             ]
             encoder.program(begin(law, recurrence))
             encoder.program(following(law, recurrence))
-        laws[law.name] = {"words": encoder.words, "numbers": encoder.numbers}
+        laws[law.name] = {"words": encoder.integers, "numbers": encoder.numbers}
     return json.dumps(laws, separators=(",", ":")) + "\n"
 
 
@@ -70,9 +70,9 @@ class Line(Assembler):
     def scalar(self, body: taylor.Body, u: Value) -> Value:
         """What a function of the constants and u gives."""
         outside, self.named = self.named, {**self.named, "u": u}
-        (given,) = body.statements
+        (statement,) = body.statements
         self.lines(body)
-        found = self.value(given.removeprefix("return ").removesuffix(";"))
+        found = self.value(statement.removeprefix("return ").removesuffix(";"))
         self.named = outside
         return found
 

@@ -137,13 +137,15 @@ def of_kernel(kernel: Kernel, module: Module) -> list[str]:
     if kernel.returns == "scalar":  # the headers take the parameters one by one where a single number comes back
         return ["SF_SCALAR", named(kernel, module)[0], *map(element, range(every))]
     split = every - kernel.parameters
-    given = (*map(element, range(split)), *packed(split, every))
-    return ["SF_TUPLE", str(kernel.width), named(kernel, module)[0], *given]
+    arguments = (*map(element, range(split)), *packed(split, every))
+    return ["SF_TUPLE", str(kernel.width), named(kernel, module)[0], *arguments]
 
 
-def through(average: Kernel | Selection, module: Module, outputs: int, given: Sequence[str], *then: str) -> list[str]:
+def through(
+    average: Kernel | Selection, module: Module, outputs: int, arguments: Sequence[str], *then: str
+) -> list[str]:
     """A call of a function whose results, `all`, are taken further."""
-    call = f"({', '.join((*given, 'all'))})"
+    call = f"({', '.join((*arguments, 'all'))})"
     taken = " ".join(f"{one};" for one in then)
     return ["SF_PART", str(outputs), str(average.width), named(average, module)[0], call, taken]
 
@@ -153,8 +155,8 @@ def of_selection(selection: Selection, module: Module) -> list[str]:
     every = len(selection.arguments)
     split = every - selection.parameters
     taken = (f"values[{k}] = all[{number}]" for k, number in enumerate(selection.chosen))
-    given = (*map(element, range(split)), *packed(split, every))
-    return through(selection.source, module, selection.width, given, *taken)
+    arguments = (*map(element, range(split)), *packed(split, every))
+    return through(selection.source, module, selection.width, arguments, *taken)
 
 
 def of_composition(composition: Composition, module: Module) -> list[str]:
@@ -172,5 +174,5 @@ def of_composition(composition: Composition, module: Module) -> list[str]:
         return ["SF_TUPLE", str(composition.width), seen["inner"], *passed]
     inner = f"{seen['inner']}({', '.join(passed)}"
     last = f"values[0] = {inner})" if composition.returns == "scalar" else f"{inner}, values)"
-    given = (number["A"], *packed(every - composition.parameters, every))
-    return through(composition.average, module, composition.width, given, last)
+    arguments = (number["A"], *packed(every - composition.parameters, every))
+    return through(composition.average, module, composition.width, arguments, last)
