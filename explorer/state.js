@@ -85,7 +85,7 @@ function fromAddress(address) {
 /** Lines of Python that give the same curve. */
 function inPython(state) {
   const about = DATA.mechanisms[state.mechanism];
-  const said = { ...about.words, ...(byInertia(state) ? { excitation: state.excitation } : {}) };
+  const said = { ...about.words, ...(state.si && about.truncated ? { force: "truncated" } : {}), ...(byInertia(state) ? { excitation: state.excitation } : {}) };
   const words = Object.entries(said).map(([name, value]) => `${name}="${value}"`);
   const names = [...about.design, ...DATA.damping].map((one) => one.name);
   const python = (value) => (Number.isInteger(value) && Math.abs(value) < 1e15 ? `${value}.0` : String(value));

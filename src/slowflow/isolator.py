@@ -124,7 +124,7 @@ class Isolator(Oscillator):
         rubs: str = THROUGHOUT,
         static_friction: Any = None,
         load: Any = None,
-        force: str = "truncated",
+        force: str = "untruncated",
         excitation: str = "force",
     ) -> Physical:
         """An isolator from its data sheet, whose questions and answers are in newtons, metres and hertz.
@@ -141,7 +141,7 @@ class Isolator(Oscillator):
         rubs     -- where friction acts: "throughout", or "attached", while the springs touch the push-rod
         static_friction -- what holds the mass at rest, N, where that is more than `friction`: for exact motions
         load     -- the mass that sits on it and moves, kg, where that is not the m that k_v is preset for
-        force    -- as in `Isolator`
+        force    -- "untruncated" as the geometry gives it (5), or "truncated" as the paper averages it (6)
         excitation -- "force", in N; "base", a base that shakes, by its displacement in m; "unbalance", a mass that
             turns, times its radius, in kg m: it is part of m
 

@@ -55,7 +55,7 @@ def test_margins_and_shocks_are_those_of_their_questions(tmp_path):
     assert found.value[2:4].tolist() == pytest.approx([1e3 * one.A for one in shocks], rel=1e-12)
     assert found.value[4:].tolist() == pytest.approx([one.a_max for one in shocks], rel=1e-12)
     assert found.met[2:].tolist() == [True, False, True, False]
-    assert in_words(found).startswith("requirements not met: 3 of 6; the first: jumps, F = 3 N, margin 0.89")
+    assert in_words(found).startswith("requirements not met: 3 of 6; the first: jumps, F = 3 N, margin 0.888")
 
 
 def test_requirements_under_a_spectrum_are_of_random_vibration(tmp_path):

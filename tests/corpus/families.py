@@ -119,7 +119,15 @@ def single(
 def mount(lam: int, r: float, delta_h: float, mu: float, zeta: float) -> Any:
     """The same designs as data sheets in SI units."""
     return Isolator.physical(
-        m=12.0, k_v=2500.0, k_h=2500.0 * r, n=lam, L=0.08, preload=0.08 * delta_h, friction=200.0 * mu, zeta=zeta
+        m=12.0,
+        k_v=2500.0,
+        k_h=2500.0 * r,
+        n=lam,
+        L=0.08,
+        preload=0.08 * delta_h,
+        friction=200.0 * mu,
+        zeta=zeta,
+        force="truncated",
     )
 
 

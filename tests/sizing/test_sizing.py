@@ -16,7 +16,9 @@ from slowflow.sizing.subject import Subject
 from slowflow.support.errors import NotSettled
 from tests.sampling import fewer
 
-MOUNT = Isolator.physical(m=12, k_v=2500, k_h=1700, n=3, L=0.080, preload=0.009, friction=0.4, zeta=0.02)
+MOUNT = Isolator.physical(
+    m=12, k_v=2500, k_h=1700, n=3, L=0.080, preload=0.009, friction=0.4, zeta=0.02, force="truncated"
+)
 #: of a mount, by single questions
 SINGLE = {
     "F_SN": lambda mount: mount.saddle_node_onset().F_SN,
