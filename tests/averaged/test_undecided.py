@@ -19,8 +19,9 @@ from slowflow.results import Remark
 from slowflow.support.errors import NotSettled
 from slowflow_kernels import duffing
 from slowflow_kernels.conventions import Status
+from tests.averaged.test_states_by_balls import exact
 from tests.files import stored
-from tests.oracles import averaged, counts
+from tests.oracles import counts
 from tests.oracles.answers import Nearby
 from tests.oracles.draws import batch, drawn_isolators, drawn_springs, forcings, oscillator
 from tests.sampling import fewer
@@ -28,15 +29,6 @@ from tests.sampling import fewer
 #: drawn oscillators and forcings; without compiled code there is nothing to hold them against
 DRAWN = fewer(50_000, 5)
 KINDS = {"duffing": Duffing, "rod_spring": Isolator}
-
-
-def exact(iso):
-    kind = averaged.Duffing if isinstance(iso, Duffing) else averaged.RodSpring
-    return kind(
-        **dict(zip((d.name for d in iso.model.mechanism.design), iso.model.design, strict=True)),
-        mu=iso.mu,
-        zeta=iso.zeta,
-    )
 
 
 def number_at(states, Omega):
