@@ -65,8 +65,8 @@ def main() -> int:
             new[kind][name] = record
             after |= {f"{kind}/{name}/{path}": value for path, value in numbers.items()}
             prefix = f"{kind}/{name}/"
-            beside = {path.removeprefix(prefix): value for path, value in before.items() if path.startswith(prefix)}
-            lines = [] if options.record else differences(old[kind].get(name, {}), record, beside, numbers)
+            previous = {path.removeprefix(prefix): value for path, value in before.items() if path.startswith(prefix)}
+            lines = [] if options.record else differences(old[kind].get(name, {}), record, previous, numbers)
             answers = sum(count["answers"] + count["refusals"] for count in record.values())
             if kind == "full":
                 print(f"{name:20}{size:>10,} designs{answers:>9,} answers{seconds:8.1f} s", flush=True)

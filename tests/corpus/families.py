@@ -169,20 +169,27 @@ def grid(stored: bool) -> Callable[[int], Pairs]:
     def pairs(n: int) -> Pairs:
         import xarray
 
-        r, share = (
+        r, preload = (
             xarray.DataArray(values, dims=name, coords={name: values})
             for name, values in (("r", np.linspace(0.5, 3.0, n)), ("share", np.linspace(0.1, 1.1, n)))
         )
         r = r.chunk({"r": 16}) if stored else r
-        designs = Isolator.many(lam=2, r=r, delta_h=share / (2 * r), mu=0.012, zeta=0.02)
-        asked = {"detachment": {}, "saddle_node_onset": {}, "saddle_nodes": {"F_0": 0.05}, "isolation": {"F_0": 0.05}}
+        designs = Isolator.many(lam=2, r=r, delta_h=preload / (2 * r), mu=0.012, zeta=0.02)
+        questions = {
+            "detachment": {},
+            "saddle_node_onset": {},
+            "saddle_nodes": {"F_0": 0.05},
+            "isolation": {"F_0": 0.05},
+        }
         with tempfile.TemporaryDirectory() as folder:
-            for name, given in asked.items():
+            for name, arguments in questions.items():
                 if stored:
                     store = str(Path(folder) / f"{name}.zarr")
-                    found = answer(lambda name=name, given=given, store=store: designs.store(store, name, **given))
+                    found = answer(
+                        lambda name=name, arguments=arguments, store=store: designs.store(store, name, **arguments)
+                    )
                 else:
-                    found = answer(lambda name=name, given=given: getattr(designs, name)(**given))
+                    found = answer(lambda name=name, arguments=arguments: getattr(designs, name)(**arguments))
                 for column in () if isinstance(found, SlowflowError) else sorted(found.data_vars):
                     yield f"{name}.{column}", found[column].values
                 if isinstance(found, SlowflowError):

@@ -26,7 +26,7 @@ class Column:
     """A hash of all bits, and the first numbers."""
 
     def __init__(self) -> None:
-        self.hash, self.kept, self.held = hashlib.sha256(), [], 0
+        self.hash, self.kept, self.count = hashlib.sha256(), [], 0
 
     def add(self, value: Any) -> int:
         array = np.ascontiguousarray(value)
@@ -38,26 +38,26 @@ class Column:
         self.hash.update(
             np.where(np.isnan(array), np.nan, array).tobytes() if array.dtype.kind in "fc" else array.tobytes()
         )
-        if self.held < KEPT:
-            flat = array.ravel()[: KEPT - self.held]
+        if self.count < KEPT:
+            flat = array.ravel()[: KEPT - self.count]
             self.kept.append(flat.view(float) if flat.dtype.kind == "c" else flat.astype(float))
-            self.held += len(flat)
+            self.count += len(flat)
         return array.size
 
 
-def parts(answer: Any, name: str = "") -> Iterable[tuple[str, Any]]:
+def fields(answer: Any, name: str = "") -> Iterable[tuple[str, Any]]:
     """Every number, array and word in an answer, by dotted name."""
     if isinstance(answer, Answer):
         for part, value in answer._content().items():
-            yield from parts(value, f"{name}.{part}" if name else part)
+            yield from fields(value, f"{name}.{part}" if name else part)
         if isinstance(answer, Batch):
             yield "remarks", answer.remarks
     elif isinstance(answer, dict):
         for part, value in answer.items():
-            yield from parts(value, f"{name}.{part}")
+            yield from fields(value, f"{name}.{part}")
     elif isinstance(answer, tuple | list) and any(isinstance(one, Answer) for one in answer):
         for one in answer:
-            yield from parts(one, name)
+            yield from fields(one, name)
     else:
         yield name or "value", answer
 
@@ -75,7 +75,7 @@ def reduced(pairs: Iterable[tuple[str, Any]]) -> tuple[dict[str, Any], dict[str,
                 columns[f"{question}/refusal"].add(f"{type(answer).__name__}: {answer}")
                 continue
             count["answers"] += 1
-            for name, value in parts(answer):
+            for name, value in fields(answer):
                 count["numbers"] += columns[f"{question}/{name}"].add(value)
             if not isinstance(answer, Batch):
                 columns[f"{question}/text"].add(str(answer))

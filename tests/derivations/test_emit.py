@@ -213,8 +213,8 @@ def test_count_of_operations(expression, count):
 
 
 def test_numbers_are_not_multiplied_out():
-    held = straight_line([], [2 * x * (y + z), sp.Mul(3, y + z, evaluate=False)], (x, y, z))
-    assert not any(operations(output) > 2 for output in held.outputs)
+    program = straight_line([], [2 * x * (y + z), sp.Mul(3, y + z, evaluate=False)], (x, y, z))
+    assert not any(operations(output) > 2 for output in program.outputs)
 
 
 @pytest.mark.slow
@@ -279,8 +279,8 @@ def evaluated(lets, outputs, at):
             return +mp.pi
         if isinstance(expression, Output):
             one = expression.repeated
-            given = dict(zip(one.arguments, map(value_of, expression.args), strict=True))
-            return evaluated(one.lets, [value for _, value in one.outputs], given)[expression.number]
+            arguments = dict(zip(one.arguments, map(value_of, expression.args), strict=True))
+            return evaluated(one.lets, [value for _, value in one.outputs], arguments)[expression.number]
         return EVALUATED[expression.func](*map(value_of, expression.args))
 
     needed = set().union(*(output.free_symbols for output in outputs))
@@ -301,7 +301,7 @@ def test_a_name_that_is_taken_by_an_argument_is_left_to_it():
     assert len(names) == len(set(names)) >= 2
 
 
-def beside():
+def differences():
     """Two numbers less their sum."""
     total, one, other = sp.symbols("total one other", real=True)
     return Repeated("beside", "Less the sum.", (z, w), ((total, z + w),), ((one, z - total), (other, w - total)))
@@ -309,7 +309,7 @@ def beside():
 
 def test_what_is_repeated_is_a_call_that_stands_for_its_lets():
     a, b, c, d = sp.symbols("a b c d", real=True)
-    lets = [*beside().at((x, sp.Integer(3)), (a, b)), *beside().at((b, y), (c, d))]
+    lets = [*differences().at((x, sp.Integer(3)), (a, b)), *differences().at((b, y), (c, d))]
     program = straight_line(lets, [a + d, c], (x, y))
     first, second = printed(program.lets, LANGUAGE)
     assert (first.name, first.value, first.function) == ("a, b", "x, 3.0", "beside")
@@ -323,9 +323,9 @@ def test_what_is_repeated_is_a_call_that_stands_for_its_lets():
 def test_repeats_are_refused_where_a_language_cannot_print_them():
     a, b = sp.symbols("a b", real=True)
     with pytest.raises(ArithmeticError, match="symbols or numbers"):
-        beside().at((x + 1, y), (a, b))
+        differences().at((x + 1, y), (a, b))
     with pytest.raises(ArithmeticError, match="not every output"):
-        printed(straight_line(beside().at((x, y), (a, b)), [a], (x, y)).lets, LANGUAGE)
+        printed(straight_line(differences().at((x, y), (a, b)), [a], (x, y)).lets, LANGUAGE)
     with pytest.raises(ArithmeticError, match="one name"):
         Repeated("twice", "", (x,), ((x, x + 1),), ((y, x),))
 

@@ -73,8 +73,8 @@ def test_check_sees_what_depends_on_the_hash_seed(check):
 
     code, text = check(GENERATED, by_chance)
     assert code == 1
-    told = [line for line in text.splitlines() if line.startswith("hash seed")]
-    assert told == [f"hash seed {seed}:" for seed in pipeline.HASH_SEEDS]
+    reported = [line for line in text.splitlines() if line.startswith("hash seed")]
+    assert reported == [f"hash seed {seed}:" for seed in pipeline.HASH_SEEDS]
 
 
 def test_differences():

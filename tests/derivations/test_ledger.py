@@ -64,7 +64,7 @@ def rows(written: dict[str, Any]) -> list[Row]:
 # ---- mutation -----------------------------------------------------------------------------------------------------
 
 
-def places(function: ast.FunctionDef) -> list[ast.expr]:
+def operands(function: ast.FunctionDef) -> list[ast.expr]:
     """Every sign and every integer of a formula, the docstring apart."""
     return [
         node
@@ -100,11 +100,11 @@ def compiled(function: ast.FunctionDef) -> Callable[..., Any]:
 def mutants(name: str) -> Iterator[tuple[str, Callable[..., Any]]]:
     """Every formula that differs from the published one in one sign or one number; and psi_0 with a product."""
     original = FUNCTIONS[name]
-    for k in range(len(places(original))):
+    for k in range(len(operands(original))):
         mutant = copy.deepcopy(original)
-        change(places(mutant)[k])
+        change(operands(mutant)[k])
         yield ast.unparse(mutant.body[-1]), compiled(mutant)
-    if not places(original):
+    if not operands(original):
         mutant = copy.deepcopy(original)
         (quotient,) = (n for n in ast.walk(mutant) if isinstance(n, ast.BinOp) and isinstance(n.op, ast.Div))
         quotient.op = ast.Mult()
@@ -141,11 +141,11 @@ def test_every_mutant_differs(name: str, against: dict[str, Subject]) -> None:
 
 def test_mutants_reach_every_place_of_every_formula() -> None:
     assert set(NAMES) == set(FUNCTIONS)
-    total = sum(len(places(FUNCTIONS[name])) for name in NAMES)
+    total = sum(len(operands(FUNCTIONS[name])) for name in NAMES)
     assert total == 456
-    without = {name for name in NAMES if not places(FUNCTIONS[name])}
+    without = {name for name in NAMES if not operands(FUNCTIONS[name])}
     assert without == {"psi_0"}
-    signs = sum(is_sign(node) for name in NAMES for node in places(FUNCTIONS[name]))
+    signs = sum(is_sign(node) for name in NAMES for node in operands(FUNCTIONS[name]))
     assert 0 < signs < total
 
 
@@ -185,10 +185,10 @@ def mistaken(results: Results, change: Callable[[Any], Any]) -> Results:
 def test_error_of_the_derivation_is_told_by_its_equation(results: Results, change: Callable[[Any], Any]) -> None:
     with balls.precision(), pytest.raises(Contradiction) as raised:
         ledger.all_rows(Facts(mistaken(results, change), PUBLISHED))
-    told = str(raised.value)
-    assert "(21)" in told and "(H_1)" in told
+    message = str(raised.value)
+    assert "(21)" in message and "(H_1)" in message
     for word in ("published", "derived", "difference"):
-        assert word in told
+        assert word in message
 
 
 @pytest.mark.parametrize("regime", [0, 1])
@@ -202,9 +202,9 @@ def test_average_that_formulas_do_not_show_is_told(results: Results, regime: int
     facts = Facts(replace(results, mechanisms={**results.mechanisms, "rod_spring": rod}), PUBLISHED)
     with pytest.raises(Contradiction) as raised:
         check_averages(facts)
-    told = str(raised.value)
-    assert f"h = H_{regime + 1} - A:" in told and "difference 2*A" in told
-    assert "by H_i" in told and "derived" in told
+    message = str(raised.value)
+    assert f"h = H_{regime + 1} - A:" in message and "difference 2*A" in message
+    assert "by H_i" in message and "derived" in message
 
 
 def test_agreement_against_a_finding_is_told() -> None:
@@ -261,9 +261,9 @@ def test_every_verdict_is_backed(rows: list[Row]) -> None:
 
 @pytest.mark.slow
 def test_findings_hold_everything_that_differs_once(rows: list[Row], written: dict[str, Any]) -> None:
-    told = Counter(name for finding in written["findings"] for name in finding["rows"])
-    assert set(told.values()) == {1}
-    assert set(told) == {key(row) for row in rows if row.verdict in (DIFFERS, FALSE)}
+    named = Counter(name for finding in written["findings"] for name in finding["rows"])
+    assert set(named.values()) == {1}
+    assert set(named) == {key(row) for row in rows if row.verdict in (DIFFERS, FALSE)}
     assert all(finding["paragraph"] for finding in written["findings"])
 
 

@@ -107,7 +107,7 @@ def test_states_on_both_sides_have_their_forces_harmonics(name):
 def test_library_motions_are_independent_and_the_same_in_threads(by):
     """On both sides of the bend: to 1e-10 times the motion's condition, and of all threads the same digits.
 
-    A sweep to that frequency alone settles to them.
+    A sweep to that single frequency converges to them.
     """
     if by == "heyoka":
         pytest.importorskip("heyoka")
@@ -118,15 +118,15 @@ def test_library_motions_are_independent_and_the_same_in_threads(by):
     for name, (numbers, _, _) in (CASES | SIDED).items():
         one = derive.library(name)(**{key: float(value) for key, value in numbers.items()}, mu=0.02, zeta=0.03)
         systems[name] = one.equation_of_motion()
-    alone = {name: steady_state(system, Omega=0.6, F_0=0.1) for name, system in systems.items()}
+    single = {name: steady_state(system, Omega=0.6, F_0=0.1) for name, system in systems.items()}
     with ThreadPoolExecutor(16) as pool:
         for one, found in zip(
-            alone.values(), pool.map(lambda one: steady_state(one, Omega=0.6, F_0=0.1), systems.values()), strict=True
+            single.values(), pool.map(lambda one: steady_state(one, Omega=0.6, F_0=0.1), systems.values()), strict=True
         ):
             assert found.A == one.A and np.array_equal(found.multipliers, one.multipliers)
     beyond = {name: steady_state(systems[name], Omega=0.3, F_0=F_0) for name, F_0 in BEYOND_THE_BEND.items()}
     assert all(found.A > float((CASES | SIDED)[name][2]) for name, found in beyond.items())
-    for name, found in [*alone.items(), *beyond.items()]:
+    for name, found in [*single.items(), *beyond.items()]:
         assert found.residual <= 1e-14, name
         assert sweep(systems[name], Omega=[found.Omega], F_0=found.F_0).A[0] == found.A, name
         other = again(found, independent)

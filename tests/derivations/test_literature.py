@@ -19,7 +19,7 @@ from derivations.ledger.literature import Publication, all_publications
 from derivations.symbols import F_0, Omega, mu
 from slowflow import Duffing, Isolator
 from slowflow.sizing import fit
-from tests.derivations.test_ledger import change, places
+from tests.derivations.test_ledger import change, operands
 from tests.sampling import part
 
 #: mutants of a formula beyond which a push makes a part of them
@@ -55,10 +55,10 @@ def test_every_mutant_of_a_formula_is_judged_otherwise(publication: Publication)
         judges = importlib.import_module(f"derivations.ledger.against.{publication.name}").formulas(against.Derived())
         for name, original in functions.items():
             published = judges[name](getattr(module, name))
-            found = len(places(original))
+            found = len(operands(original))
             for k in part(range(found), 1 + found // MANY, name):
                 mutant = copy.deepcopy(original)
-                change(places(mutant)[k])
+                change(operands(mutant)[k])
                 namespace: dict[str, Any] = dict(vars(module))
                 exec(compile(ast.Module([mutant], []), "mutant", "exec"), namespace)
                 seen += 1
@@ -66,8 +66,8 @@ def test_every_mutant_of_a_formula_is_judged_otherwise(publication: Publication)
                     judged = judges[name](namespace[name])
                 except (ArithmeticError, ValueError):
                     continue  # not even an approximation
-                told, before = ((one.verdict, one.difference, one.evidence) for one in (judged, published))
-                assert told != before, ast.unparse(mutant.body[-1])
+                after, before = ((one.verdict, one.difference, one.evidence) for one in (judged, published))
+                assert after != before, ast.unparse(mutant.body[-1])
     assert seen
 
 

@@ -19,7 +19,7 @@ FORCES = (
 PIECES = [piece for force in FORCES for piece in force.pieces]
 
 
-def given(random):
+def drawn(random):
     """Omega, F_0, zeta, friction, theta, u, v."""
     return random.uniform(0.1, 2.0, 7)
 
@@ -35,7 +35,7 @@ def test_the_slope_of_a_piece_is_the_derivative_of_its_force(piece):
 def test_derivatives_are_those_of_the_rates(piece):
     random = np.random.default_rng(3)
     for _ in range(50):
-        Omega, F_0, zeta, friction, theta, u, v = given(random)
+        Omega, F_0, zeta, friction, theta, u, v = drawn(random)
         u = 0.2 * u  # within the reach
 
         def rates(u, v, Omega, F_0, zeta, friction, theta=theta):
@@ -59,7 +59,7 @@ def test_derivatives_are_those_of_the_rates(piece):
 def test_push_at_rest_is_the_acceleration_without_friction():
     random = np.random.default_rng(4)
     for _ in range(50):
-        _, F_0, zeta, friction, theta, f, f_u = given(random)
+        _, F_0, zeta, friction, theta, f, f_u = drawn(random)
         cosine, sine = math.cos(theta), math.sin(theta)
         push = motion.push(cosine, F_0, f)
         assert push == motion.acceleration(cosine, 0.0, F_0, zeta, 0.0, f)
@@ -103,7 +103,7 @@ def test_smoothed_equation_has_derivatives_and_becomes_sharp():
         return np.array(motion.smoothed(math.cos(theta), v, F_0, mu, zeta, *blend))
 
     for _ in range(50):
-        _, F_0, zeta, mu, theta, u, v = given(random)
+        _, F_0, zeta, mu, theta, u, v = drawn(random)
         u = 0.3 * u  # on both sides of the breakpoint
         v = 0.01 * v
         numeric = [

@@ -23,12 +23,12 @@ from derivations.paper.slow_flow import SCENES, slow_flow
 from tests.files import ROOT
 
 NOT_COPIED = shutil.ignore_patterns(".*", "build", "output", "*.egg-info", "__pycache__", "*.so")
-PARTS = ["benchmarks", "derivations", "generated", "src", "tests", "README.md", "pyproject.toml", "setup.py"]
+COPIED = ["benchmarks", "derivations", "generated", "src", "tests", "README.md", "pyproject.toml", "setup.py"]
 
 
 def derived(folder: Path) -> None:
     """A copy with the bilinear spring's file, derived and built: without a virtual environment, so step by step."""
-    for part in PARTS:
+    for part in COPIED:
         if (ROOT / part).is_dir():
             shutil.copytree(ROOT / part, folder / part, ignore=NOT_COPIED)
         else:

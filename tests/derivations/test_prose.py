@@ -57,8 +57,8 @@ def sources():
 def written(text):
     """The same with that text wherever a user has one."""
     base = sources()
-    told = {"doc": text, "unit": text}
-    design = tuple(dataclasses.replace(one, **told) for one in base.module.record.mechanism.design)
+    texts = {"doc": text, "unit": text}
+    design = tuple(dataclasses.replace(one, **texts) for one in base.module.record.mechanism.design)
     mechanism = dataclasses.replace(base.module.record.mechanism, title=text, design=design, reach_reason=text)
     record = dataclasses.replace(base.module.record, mechanism=mechanism)
     return dataclasses.replace(base, module=dataclasses.replace(base.module, title=text, record=record))

@@ -68,15 +68,15 @@ def by_quadrature(pieces, amplitude, count, harmonic=1):
 
     def of(a):
         cuts = [mpf(0), *(mp.asin(b / a) for b in list(ENDS.values())[:count]), mp.pi / 2]
-        parts = []
+        integrals = []
         for f, interval in zip(forces, itertools.pairwise(cuts), strict=False):
 
             def weighted(t, f=f):
                 sine = mp.sin(t)
                 return f(a * sine) * CHEBYSHEV[harmonic](sine)
 
-            parts.append(mp.quad(weighted, interval, method="gauss-legendre"))
-        return -4 / mp.pi * mp.fsum(parts)
+            integrals.append(mp.quad(weighted, interval, method="gauss-legendre"))
+        return -4 / mp.pi * mp.fsum(integrals)
 
     return [c * mp.factorial(k) for k, c in enumerate(mp.taylor(of, amplitude, 3))]
 
@@ -163,8 +163,8 @@ def test_moments(power):
     x, y = sp.sin(theta), sp.cos(theta)
     closed = secular * theta - x * y * polynomial.as_expr().subs(polynomial.gen, x)
     assert sp.expand(sp.diff(closed, theta).rewrite(sp.exp) - (sp.sin(theta) ** power).rewrite(sp.exp)).expand() == 0
-    for share in (mpf("0.999"), mpf("0.3"), mpf("1e-6")):
-        angle = mp.asin(share / mpf(FAR.p) * FAR.q)
+    for fraction in (mpf("0.999"), mpf("0.3"), mpf("1e-6")):
+        angle = mp.asin(fraction / mpf(FAR.p) * FAR.q)
         half = mp.sin(angle / 2)
         series = half ** (power + 1) * at(moment_series(power), half**2)
         exact = mp.quad(lambda t: mp.sin(t) ** power, [0, angle], method="gauss-legendre")

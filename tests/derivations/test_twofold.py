@@ -34,13 +34,13 @@ def near_roots(name, count):
     h, m = -np.exp(random.uniform(-6, 1, count)), np.exp(random.uniform(-9, -2, count))
     if name == "response":
         F_0 = m + np.exp(random.uniform(-7, 1, count))
-        given, found = (A, F_0, m, zeta, h), roots.response_roots(A, h, m, zeta, F_0)[0][:, 0]
+        arguments, found = (A, F_0, m, zeta, h), roots.response_roots(A, h, m, zeta, F_0)[0][:, 0]
     else:
         h_A = random.uniform(-3, 1, count)
-        given, found = (A, m, zeta, h, h_A), roots.fold_roots(A, h, h_A, m, zeta)[0][:, 0]
+        arguments, found = (A, m, zeta, h, h_A), roots.fold_roots(A, h, h_A, m, zeta)[0][:, 0]
     Omega = np.where(np.isnan(found), random.uniform(0.1, 2, count), found)
     Omega = np.nextafter(Omega, random.choice([0, 9], count))
-    return np.array((Omega, *given))
+    return np.array((Omega, *arguments))
 
 
 @pytest.mark.parametrize("name", ["response", "fold"])
@@ -49,7 +49,7 @@ def test_errors_stay_below_their_bounds_where_the_terms_cancel(name):
     tails = rows[0] * np.random.default_rng(9).uniform(-1, 1, rows.shape[1]) * 2.0**-54
     plain, size = getattr(frequencies, name)(*rows)
     fine, fine_size = getattr(frequencies, name + "_fine")(*rows)
-    beside, _ = getattr(frequencies, name + "_beside")(rows[0], tails, *rows[1:])
+    with_tails, _ = getattr(frequencies, name + "_beside")(rows[0], tails, *rows[1:])
     cancelled = 0
     for k, (Omega, *others) in enumerate(rows.T):
         value = exact(name, Fraction(Omega), *others)
@@ -58,7 +58,7 @@ def test_errors_stay_below_their_bounds_where_the_terms_cancel(name):
         # rounded to a double at last
         bound = Fraction(frequencies.FINE) * Fraction(fine_size[k])
         assert abs(Fraction(fine[k]) - value) <= bound + abs(value) / 2**53
-        assert abs(Fraction(beside[k]) - beyond) <= bound + abs(beyond) / 2**53
+        assert abs(Fraction(with_tails[k]) - beyond) <= bound + abs(beyond) / 2**53
         cancelled += abs(value) < Fraction(size[k]) / 2**45
     # this was a test: most values are what rounding hides
     assert cancelled > 1000
@@ -67,9 +67,9 @@ def test_errors_stay_below_their_bounds_where_the_terms_cancel(name):
 def test_the_derivative_in_pairs_is_exact_to_double_double():
     for name in ("response", "fold"):
         rows = near_roots(name, 500)
-        given = rows[[1, 3, 4, 5]] if name == "response" else rows[1:]
+        arguments = rows[[1, 3, 4, 5]] if name == "response" else rows[1:]
         p, p_low, q, q_low, k = (
-            np.broadcast_to(x, rows.shape[1]) for x in getattr(frequencies, f"{name}_derivative")(*given)
+            np.broadcast_to(x, rows.shape[1]) for x in getattr(frequencies, f"{name}_derivative")(*arguments)
         )
         for j, (A, *x) in enumerate(rows[1:].T):
             A, *x = (Fraction(value) for value in (A, *x))
@@ -96,8 +96,8 @@ def test_the_discriminant_tells_double_roots_apart():
         value, first = frequencies.discriminant(A, p, p_low, q, q_low)
         assert abs(value) <= frequencies.FINE * first
         for sign in (1, -1):
-            moved, _ = frequencies.discriminant(A, p, p_low, q, q_low + sign * q * 2.0**-80)
-            assert moved * sign < 0
+            changed, _ = frequencies.discriminant(A, p, p_low, q, q_low + sign * q * 2.0**-80)
+            assert changed * sign < 0
 
 
 def test_value_at_rest_has_its_sign_where_it_all_but_vanishes():

@@ -41,8 +41,8 @@ def test_each_verdict_is_the_ledgers(page: str, facts: Facts) -> None:
     for where in (where for section in walkthrough.SECTIONS for where in section.steps):
         part = page.split(f"\n### {where[0].upper()}{where[1:]}\n")[1].split("\n### ")[0].split("\n## ")[0]
         verdicts = {row.verdict for row in rows if row.where == where}
-        said = {verdict.lower() for verdict in re.findall(r"^\*\*([^*]+)\.\*\*", part, re.MULTILINE)}
-        assert said and said <= verdicts, where
+        stated = {verdict.lower() for verdict in re.findall(r"^\*\*([^*]+)\.\*\*", part, re.MULTILINE)}
+        assert stated and stated <= verdicts, where
         if all(verdict == "differs" for verdict in verdicts):
             assert "Published less derived" in part, where
 

@@ -64,7 +64,7 @@ def at_u_cr(module: str, parameters: list[arb], u_cr: arb) -> tuple[arb, arb]:
     return taylor[0], taylor[1]
 
 
-def given(module: str) -> Iterator[Case]:
+def by_coefficients(module: str) -> Iterator[Case]:
     """A design's parameters, then what the force loses at its breakpoint, of which each digit counts."""
     for case in plainly(module, "given"):
         lost = []
@@ -107,7 +107,11 @@ def averages(module: str, name: str) -> Iterator[Case]:
 def cases(module: str, name: str) -> Iterator[Case]:
     if name in ("known", "at_rest"):
         return averages(module, name)
-    return {"given": given, "kinks": kinks}[name](module) if name in ("given", "kinks") else plainly(module, name)
+    return (
+        {"given": by_coefficients, "kinks": kinks}[name](module)
+        if name in ("given", "kinks")
+        else plainly(module, name)
+    )
 
 
 @pytest.mark.parametrize(("module", "name"), FUNCTIONS)

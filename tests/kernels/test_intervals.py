@@ -41,7 +41,7 @@ def random_intervals(rng, n):
     return Interval.of(a, a + width)
 
 
-def held(interval, k, value):
+def holds(interval, k, value):
     """Whether interval k holds an exact number."""
     return Fraction(float(interval.lo[k])) <= value <= Fraction(float(interval.hi[k]))
 
@@ -54,12 +54,12 @@ def test_operations_enclose_the_exact_results():
         found = {"+": a + b, "-": a - b, "*": a * b, "/": a / b, "square": a.square(), "3": 3.0 * a, "1-": 1.0 - a}
         root, turned = a.square().sqrt(), -3.0 * a
     for k in range(n):
-        for share in (0, 1, Fraction(1, 3)):
-            x, y = (Fraction(float(i.lo[k])) * (1 - share) + Fraction(float(i.hi[k])) * share for i in (a, b))
-            assert held(found["+"], k, x + y) and held(found["-"], k, x - y) and held(found["*"], k, x * y)
-            assert held(found["square"], k, x * x) and held(root, k, abs(x))
-            assert held(found["3"], k, 3 * x) and held(turned, k, -3 * x) and held(found["1-"], k, 1 - x)
-            assert not apart[k] or held(found["/"], k, x / y)
+        for fraction in (0, 1, Fraction(1, 3)):
+            x, y = (Fraction(float(i.lo[k])) * (1 - fraction) + Fraction(float(i.hi[k])) * fraction for i in (a, b))
+            assert holds(found["+"], k, x + y) and holds(found["-"], k, x - y) and holds(found["*"], k, x * y)
+            assert holds(found["square"], k, x * x) and holds(root, k, abs(x))
+            assert holds(found["3"], k, 3 * x) and holds(turned, k, -3 * x) and holds(found["1-"], k, 1 - x)
+            assert not apart[k] or holds(found["/"], k, x / y)
 
 
 def test_what_is_not_known_has_no_sign():
@@ -124,8 +124,8 @@ def test_elementary_functions_hold_their_values(name):
     else:
         assert not wide.any()
     for k in np.flatnonzero(~wide):
-        for share in (0.0, 0.3, 0.5, 1.0):
-            value = getattr(mpmath, name)(mpmath.mpf(low[k]) * (1 - share) + mpmath.mpf(high[k]) * share)
+        for fraction in (0.0, 0.3, 0.5, 1.0):
+            value = getattr(mpmath, name)(mpmath.mpf(low[k]) * (1 - fraction) + mpmath.mpf(high[k]) * fraction)
             assert found[0, k] <= value <= found[1, k]
         if width[k] == 0:
             assert found[1, k] - found[0, k] <= 1e-12 * (1 + abs(found[0, k]))
@@ -185,8 +185,10 @@ def test_a_generated_function_holds_its_values_on_intervals(module, name):
     found = found if isinstance(found, tuple) else (found,)
     with mpmath.workdps(40):
         for k in range(n):
-            share = float(rng.random())
-            at = [Exact((1 - share) * mpmath.mpf(i.lo[k]) + share * mpmath.mpf(i.hi[k])) for i in arguments.values()]
+            fraction = float(rng.random())
+            at = [
+                Exact((1 - fraction) * mpmath.mpf(i.lo[k]) + fraction * mpmath.mpf(i.hi[k])) for i in arguments.values()
+            ]
             values = function(*at)
             for interval, value in zip(found, values if isinstance(values, tuple) else (values,), strict=True):
                 if not isinstance(interval, Interval):  # a number, of any arguments
@@ -244,5 +246,5 @@ def test_the_values_all_over_a_box_are_held(enclosures, how, module, kernel):
                 held_in = enclosures(how, module, kernel, np.sort(np.stack((at, other), axis=1), axis=1))
             for (low, high), value, size in zip(held_in, values, row["scale"], strict=how == "Python"):
                 rounding = 2.0**-48 * (np.abs(value) + float(size))
-                held = ~(low > value + rounding) & ~(value - rounding > high)
-                assert (held | np.isnan(value)).all()
+                enclosed = ~(low > value + rounding) & ~(value - rounding > high)
+                assert (enclosed | np.isnan(value)).all()

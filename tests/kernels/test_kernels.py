@@ -233,11 +233,11 @@ def test_what_type_checkers_are_told_holds(package, module):
     """Arguments and results that the signatures of a module's public functions state, as loops are compiled of them."""
     tree = ast.parse((PACKAGE / f"{module}.py").read_text())
     public = set(package[module].__all__)
-    told = {node.name: node for node in tree.body if isinstance(node, ast.FunctionDef) and node.name in public}
-    assert all(node.returns is not None for node in told.values())
+    stubs = {node.name: node for node in tree.body if isinstance(node, ast.FunctionDef) and node.name in public}
+    assert all(node.returns is not None for node in stubs.values())
     borrowed = {alias.name for node in tree.body if isinstance(node, ast.ImportFrom) for alias in node.names}
-    assert all(not callable(getattr(package[module], name)) for name in public - borrowed - told.keys())
-    for name, node in told.items():
+    assert all(not callable(getattr(package[module], name)) for name in public - borrowed - stubs.keys())
+    for name, node in stubs.items():
         function = getattr(package[module], name)
         assert list(inspect.signature(function).parameters) == [argument.arg for argument in node.args.args]
         with np.errstate(all="ignore"):

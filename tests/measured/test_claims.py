@@ -167,8 +167,8 @@ def test_the_recipe_at_one_frequency():
 
 def test_the_ledger_has_the_verdicts_of_the_measurement():
     rows = {row["id"]: row for row in json.loads(claims_page.LEDGER.read_text(encoding="utf-8"))["rows"]}
-    for claim, (verdict, words) in figures.decided(NUMBERS).items():
-        assert (rows[claim]["verdict"], rows[claim]["evidence"]) == (verdict, words)
+    for claim, (verdict, evidence) in figures.decided(NUMBERS).items():
+        assert (rows[claim]["verdict"], rows[claim]["evidence"]) == (verdict, evidence)
 
 
 def test_the_page_has_the_tables_of_the_measurement():

@@ -136,14 +136,14 @@ def test_truncation_is_what_the_two_forces_differ_by():
     Omega = float(oscillator.backbone(A))
     F_0 = 2 * 0.02 * A * Omega
     states = oscillator.amplitudes(Omega=Omega, F_0=F_0)
-    told = states.validity.truncation[np.argmin(np.abs(states.A - A))]
+    estimate = states.validity.truncation[np.argmin(np.abs(states.A - A))]
     # asked for from above: just below lies the unstable motion of the fold
-    asked = {"Omega": Omega, "F_0": F_0, "A": 1.02 * A}
-    exact = [oscillator.steady_state(**asked, force=force) for force in ("truncated", "untruncated")]
+    arguments = {"Omega": Omega, "F_0": F_0, "A": 1.02 * A}
+    exact = [oscillator.steady_state(**arguments, force=force) for force in ("truncated", "untruncated")]
     assert all(motion.stable for motion in exact)
     # at one amplitude the backbones differ by what the stiffness does
     difference = abs(exact[0].A / exact[1].A - 1)
-    assert 0.2 * told < difference < 5 * told
+    assert 0.2 * estimate < difference < 5 * estimate
 
 
 def test_a_fold_on_the_corner_is_the_truncations():

@@ -115,8 +115,8 @@ def exact(oscillator):
     between = (up > curve.folds[0].Omega) & (up < 1.9)
     rising, falling = swept.A[:12][between], swept.A[12:][::-1][between]
     assert swept.settled.all() and (rising > 1.5 * falling).all()
-    alone = up < curve.folds[0].Omega
-    assert alone.any() and np.allclose(swept.A[:12][alone], swept.A[12:][::-1][alone], rtol=1e-7)
+    below_fold = up < curve.folds[0].Omega
+    assert below_fold.any() and np.allclose(swept.A[:12][below_fold], swept.A[12:][::-1][below_fold], rtol=1e-7)
 
 
 def batches(oscillator):

@@ -81,9 +81,9 @@ class Copy:
         paths = os.pathsep.join(str(self.folder / part) for part in ("src", "generated", "."))
         # what it answers is asked, not how fast
         here = {"PYTHONPATH": paths, "CFLAGS": "-O0"}
-        given = {"cwd": self.folder, "env": {**outside, **here}, "capture_output": True, "timeout": LONGEST}
+        options = {"cwd": self.folder, "env": {**outside, **here}, "capture_output": True, "timeout": LONGEST}
         try:
-            return subprocess.run([sys.executable, *command], **given).returncode in (0, NO_TESTS)
+            return subprocess.run([sys.executable, *command], **options).returncode in (0, NO_TESTS)
         except subprocess.TimeoutExpired:
             return False
 

@@ -61,8 +61,8 @@ def test_certified_folds_lie_on_the_equations_at_forty_digits() -> None:
 
 
 def test_judging_counts_what_is_missed_and_what_is_false() -> None:
-    wanted = [[mpmath.mpf(1)], [mpmath.mpf(2)], [mpmath.mpf(3)]]
-    errors, missed, false = work_precision.judge([[2.0], [1 + 2**-40], [2.5]], wanted)
+    expected = [[mpmath.mpf(1)], [mpmath.mpf(2)], [mpmath.mpf(3)]]
+    errors, missed, false = work_precision.judge([[2.0], [1 + 2**-40], [2.5]], expected)
     assert errors == [2.0**-40, 0.0]
     assert (missed, false) == (1, 1)
 
@@ -138,8 +138,8 @@ def test_what_a_limit_leaves_unexplained_is_told() -> None:
     for sentence in (states, motion):
         assert re.search(r"together [\d.]+ .?s; unexplained -?[\d.]+ .?s, -?\d+ %", sentence)
     steps = int(re.search(r"by (\d+) steps", motion)[1])
-    asked = handle(bench_exact.table_1(True)), bench_exact.OMEGA, 0.04, 0.0, 0.0, 0.0, 200 * TURN
-    _, taken, phases = EXACT.follow(*asked, False, 0, 0, 10**6)
+    arguments = handle(bench_exact.table_1(True)), bench_exact.OMEGA, 0.04, 0.0, 0.0, 0.0, 200 * TURN
+    _, taken, phases = EXACT.follow(*arguments, False, 0, 0, 10**6)
     assert steps == taken
     assert f" {len(phases) // PHASE.size} phases" in motion
 

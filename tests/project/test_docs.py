@@ -112,10 +112,10 @@ def test_the_example_of_ones_own_force_averages_that_force(A: float) -> None:
 
 def test_extras_stand_on_the_installation_page() -> None:
     extras = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["optional-dependencies"]
-    told = re.findall(
+    listed = re.findall(
         r"^\| `(\w+)` \|", (ROOT / "docs" / "howto" / "install.md").read_text(encoding="utf-8"), re.MULTILINE
     )
-    assert set(told) == set(extras) - {"paper", "explorer", "browser", "docs", "dev", "bench"}
+    assert set(listed) == set(extras) - {"paper", "explorer", "browser", "docs", "dev", "bench"}
 
 
 def test_the_conda_recipe_asks_for_what_the_package_asks_for() -> None:
@@ -123,20 +123,20 @@ def test_the_conda_recipe_asks_for_what_the_package_asks_for() -> None:
     recipe = (ROOT / "packaging" / "conda" / "recipe.yaml").read_text(encoding="utf-8")
     host, run = (re.search(rf"^  {part}:\n((?:    - .*\n)+)", recipe, re.MULTILINE) for part in ("host", "run"))
     assert host and run and f'version: "{project["project"]["version"]}"' in recipe
-    asked = {line.removeprefix("    - ").replace(" ", "") for line in run[1].splitlines()}
-    assert asked == {*project["project"]["dependencies"], "python" + project["project"]["requires-python"]}
-    asked = {line.removeprefix("    - ").replace(" ", "") for line in host[1].splitlines()}
-    assert asked == {*project["build-system"]["requires"], "python", "pip"}
+    required = {line.removeprefix("    - ").replace(" ", "") for line in run[1].splitlines()}
+    assert required == {*project["project"]["dependencies"], "python" + project["project"]["requires-python"]}
+    required = {line.removeprefix("    - ").replace(" ", "") for line in host[1].splitlines()}
+    assert required == {*project["build-system"]["requires"], "python", "pip"}
     # extras of those who do not derive, by the names that conda has for them; of two bounds the lower
     (bounds,) = re.findall(r"^  run_constraints:\n((?:    - .*\n)+)", recipe, re.MULTILINE)
-    asked = {line.removeprefix("    - ").replace(" ", "") for line in bounds.splitlines()}
+    required = {line.removeprefix("    - ").replace(" ", "") for line in bounds.splitlines()}
     extras = project["project"]["optional-dependencies"]
     stated = sorted(
         one.lower() for extra in ("plot", "units", "proofs", "sizing", "tables", "grid") for one in extras[extra]
     )
     lowest = {re.split(r"\W*>=", one)[0].removesuffix("[array"): one.split(">=")[1] for one in reversed(stated)}
     names = {"matplotlib": "matplotlib-base", "dask": "dask-core"}
-    assert asked == {f"{names.get(name, name)}>={version}" for name, version in lowest.items()}
+    assert required == {f"{names.get(name, name)}>={version}" for name, version in lowest.items()}
 
 
 #: what a newcomer types into the site's search, which wants all words, and the page that answers
@@ -185,18 +185,18 @@ SEARCHED = {
 }
 
 
-@pytest.mark.parametrize("words", SEARCHED)
-def test_the_words_of_a_newcomer_stand_on_the_page_that_answers(words: str) -> None:
-    text = (ROOT / "docs" / f"{SEARCHED[words]}.md").read_text(encoding="utf-8").casefold()
-    assert [word for word in words.split() if word.casefold() not in text] == []
+@pytest.mark.parametrize("terms", SEARCHED)
+def test_the_words_of_a_newcomer_stand_on_the_page_that_answers(terms: str) -> None:
+    text = (ROOT / "docs" / f"{SEARCHED[terms]}.md").read_text(encoding="utf-8").casefold()
+    assert [word for word in terms.split() if word.casefold() not in text] == []
 
 
 def test_codes_of_answers_are_explained_with_their_numbers() -> None:
     section = (ROOT / "docs" / "glossary.md").read_text(encoding="utf-8").split("## Codes")[1]
     rows = [line.split("|")[1:-1] for line in section.splitlines() if re.match(r"\| \d", line)]
-    told = [(name, int(number)) for number, *cells in rows for name in re.findall(r"`([A-Z_]+)`", "".join(cells))]
+    explained = [(name, int(number)) for number, *cells in rows for name in re.findall(r"`([A-Z_]+)`", "".join(cells))]
     codes = [(one.name, one.value) for kind in (Status, Remark, FoldKind, OnsetKind) for one in kind]
-    assert sorted(told) == sorted(codes)
+    assert sorted(explained) == sorted(codes)
 
 
 @pytest.mark.slow
@@ -272,8 +272,8 @@ def test_the_modules_with_code_in_their_docstrings_are_these() -> None:
 def test_the_code_in_a_docstring_runs(name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     if DOCUMENTED[name]:
         pytest.importorskip(DOCUMENTED[name])
-    told = inspect.getdoc(import_module(name)) or ""
-    code = "\n".join(line[4:] for line in told.splitlines() if line.startswith("    ") or not line)
+    docstring = inspect.getdoc(import_module(name)) or ""
+    code = "\n".join(line[4:] for line in docstring.splitlines() if line.startswith("    ") or not line)
     if name != "slowflow.scenes":
         exec(code, {})
         return
@@ -400,8 +400,10 @@ def test_addresses_on_the_web_are_whole() -> None:
     found = {re.sub(r"[).,;:\]}]+$", "", address) for address in found}
     assert len(found) >= 2
     for address in found:
-        parts = urlsplit(address)
-        assert parts.scheme == "https" and re.fullmatch(r"([a-z0-9-]+\.)+[a-z]{2,}", parts.hostname or ""), address
+        address_parts = urlsplit(address)
+        assert address_parts.scheme == "https" and re.fullmatch(
+            r"([a-z0-9-]+\.)+[a-z]{2,}", address_parts.hostname or ""
+        ), address
     stated = re.findall(r"\bdoi\.org/(\S+?)[)\s\"]", "\n".join(texts))
     assert stated and all(re.fullmatch(r"10\.\d{4,9}/[\w.()/-]+", one) for one in stated)
 
@@ -420,8 +422,8 @@ def test_letters_of_the_site_have_subscripts_but_not_in_code() -> None:
     from playwright.sync_api import sync_playwright
 
     script = (ROOT / "docs" / "site" / "static" / "site.js").read_text(encoding="utf-8")
-    said = "k_v L, u_cr and Delta_h, F_SN; saddle_nodes, x_1y, iso.F_0, <code>F_0</code>"
-    page = f"<title>Search - slowflow</title><article><p>{said}</p></article><script>{script}</script>"
+    sentence = "k_v L, u_cr and Delta_h, F_SN; saddle_nodes, x_1y, iso.F_0, <code>F_0</code>"
+    page = f"<title>Search - slowflow</title><article><p>{sentence}</p></article><script>{script}</script>"
     with sync_playwright() as playwright:
         opened = playwright.chromium.launch(executable_path=chromium, args=["--no-sandbox"])
         tab = opened.new_page()

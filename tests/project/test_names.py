@@ -17,6 +17,14 @@ ROOMS = {
     "examples": set(),
     "explorer": set(),
     "setup.py": set(),
+    "tests/corpus": set(),
+    "tests/derivations": set(),
+    "tests/kernels": set(),
+    "tests/measured": set(),
+    "tests/mechanisms": set(),
+    "tests/mutants": set(),
+    "tests/project": set(),
+    "tests/second": set(),
 }
 #: whole identifiers, without leading underscores and in lower case
 GONE = {

@@ -105,11 +105,11 @@ def test_imports_run_down(path):
 def test_the_derivation_needs_only_what_comes_before(path):
     """At the top of a file, inside a function, or for types alone."""
     floor = {room: number for number, rooms in enumerate(reversed(DERIVING)) for room in rooms}
-    parts = path.relative_to(DERIVATION).parts
-    here = parts[0].removesuffix(".py")
+    folders = path.relative_to(DERIVATION).parts
+    here = folders[0].removesuffix(".py")
     found = [node for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))) if isinstance(node, ast.ImportFrom)]
     for node in found:
-        if node.level == len(parts):  # of the package itself
+        if node.level == len(folders):  # of the package itself
             rooms = [node.module.split(".")[0]] if node.module else [name.name for name in node.names]
             assert all(room == here or floor[room] < floor[here] for room in rooms), f"{path.name}: {ast.unparse(node)}"
 
@@ -152,9 +152,9 @@ def test_wheel_has_every_package_and_template_but_the_ledger():
     stated = tomllib.loads((SOURCE.parent / "pyproject.toml").read_text())["tool"]["setuptools"]
     for name, folder in stated["package-dir"].items():
         for init in (SOURCE.parent / folder).rglob("__init__.py"):
-            parts = init.parent.relative_to(SOURCE.parent / folder).parts
-            package = ".".join((name, *parts))
-            assert package in stated["packages"] or "ledger" in parts, package
+            folders = init.parent.relative_to(SOURCE.parent / folder).parts
+            package = ".".join((name, *folders))
+            assert package in stated["packages"] or "ledger" in folders, package
             if (init.parent / "templates").is_dir():
                 assert stated["package-data"][package] == ["templates/*.jinja"], package
 

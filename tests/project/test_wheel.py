@@ -177,8 +177,8 @@ def test_a_scene_runs_in_any_folder(installed: Path, tmp_path: Path) -> None:
 
 def test_a_wheel_has_the_solvers_for_any_processor(installed: Path, tmp_path: Path) -> None:
     """A checkout may leave them out."""
-    asked = "from slowflow import backend; print(backend.SOLVER and backend.SOLVER.BUILD['builds'])"
-    done = run([installed / "python", "-c", asked], tmp_path)
+    code = "from slowflow import backend; print(backend.SOLVER and backend.SOLVER.BUILD['builds'])"
+    done = run([installed / "python", "-c", code], tmp_path)
     assert done.stdout.split(", ")[0].strip() in ("baseline", "one", "None"), done.stderr
 
 
@@ -217,24 +217,24 @@ def test_a_stranger_derives_a_mechanism_in_an_empty_folder(stranger: Path, tmp_p
     pieces, force = PADS[kind]
     done = run([stranger / "python", "-W", "ignore", "-c", TRIAL.replace("PIECES", pieces)], tmp_path)
     assert done.returncode == 0, done.stderr
-    told = json.loads(done.stdout)
-    assert told["compiled"] == (kind != "functions of Python")
+    printed = json.loads(done.stdout)
+    assert printed["compiled"] == (kind != "functions of Python")
     folds, others = turns(functools.partial(force, b=2.0)), turns(functools.partial(force, b=2.5))
-    assert folds(told["F_SN"] * 0.97) == []
-    assert len(told["folds"]) == 2
-    np.testing.assert_allclose(folds(0.05), told["folds"], atol=2e-3)
-    np.testing.assert_allclose([folds(0.05), others(0.05)], told["of many"], atol=2e-3)
+    assert folds(printed["F_SN"] * 0.97) == []
+    assert len(printed["folds"]) == 2
+    np.testing.assert_allclose(folds(0.05), printed["folds"], atol=2e-3)
+    np.testing.assert_allclose([folds(0.05), others(0.05)], printed["of many"], atol=2e-3)
     odd = odd_of(functools.partial(force, b=2.0))
     # with smoothed friction a mass that sticks creeps at 1e-6
-    assert integrated(odd, Omega=0.5, F_0=0.05, mu=0.005)[0] == pytest.approx(told["A"], rel=1e-4)
-    motion, *states = told["shaken"]
+    assert integrated(odd, Omega=0.5, F_0=0.05, mu=0.005)[0] == pytest.approx(printed["A"], rel=1e-4)
+    motion, *states = printed["shaken"]
     settled, _ = integrated(odd, Omega=0.8, F_0=0.1 * 0.8**2, c_2=0.8)
     assert motion == pytest.approx(settled, rel=1e-6)
     assert states == pytest.approx([settled], rel=5e-3)  # what averaging may be off here
-    if told["compiled"]:
-        ((before, after),) = told["jumps"]
+    if printed["compiled"]:
+        ((before, after),) = printed["jumps"]
         assert after < folds(0.05)[0] < before
-        Omega, A = told["last"]
+        Omega, A = printed["last"]
         assert integrated(odd, Omega=Omega, F_0=0.05, mu=0.005)[0] == pytest.approx(A, rel=1e-4)
 
 
@@ -301,8 +301,8 @@ def integrated(
 
 def test_the_wheel_is_compiled_and_typed(installed: Path, tmp_path: Path) -> None:
     code = "import slowflow, pathlib; folder = pathlib.Path(slowflow.__file__).parents[1]\n"
-    told = "print(folder, *folder.glob('slowflow*/py.typed'))"
-    done = run([installed / "python", "-W", "ignore", "-c", code + told], tmp_path)
+    listing = "print(folder, *folder.glob('slowflow*/py.typed'))"
+    done = run([installed / "python", "-W", "ignore", "-c", code + listing], tmp_path)
     folder, *typed = done.stdout.split()
     assert Path(folder).is_relative_to(installed.parent)
     marked = {Path(path).parent.name for path in typed if path.endswith("py.typed")}

@@ -44,8 +44,8 @@ class Curve(NamedTuple):
     lost: int
 
 
-def curve_of(model, F_0, samples, window, wanted=Wanted.EVERY_POINT):
-    status, *columns, _, _, _ = SOLVER.second_curve(model.native, F_0, wanted, samples, *window)
+def curve_of(model, F_0, samples, window, request=Wanted.EVERY_POINT):
+    status, *columns, _, _, _ = SOLVER.second_curve(model.native, F_0, request, samples, *window)
     assert status == Status.OK
     return Curve(*columns)
 
@@ -196,7 +196,9 @@ def test_answers_belong_together(force, mu):
     assert len(second.saddle_nodes(1.002 * F_SN)) == 2
     F_cr, Omega_cr, u_cr = (getattr(second.detachment(), name) for name in ("F_cr", "Omega_cr", "u_cr"))
     near = (0.97 * Omega_cr, 1.03 * Omega_cr)
-    low, high = (second.frequency_response(share * F_cr, samples=4000, Omega=near).A.max() for share in (0.999, 1.001))
+    low, high = (
+        second.frequency_response(factor * F_cr, samples=4000, Omega=near).A.max() for factor in (0.999, 1.001)
+    )
     assert low < u_cr < high
 
 
@@ -477,8 +479,8 @@ def test_folds_at_once_are_those_found_step_by_step():
     assert seen > 30
     undecided = isolator(mu=0.0, delta_h=0.03)
     F_0 = undecided.saddle_node_onset().F_SN
-    asked = SOLVER.saddle_nodes(undecided.model.native, F_0)[-1]
-    assert asked == (folds_about(undecided.model, F_0) is None)
+    doubtful = SOLVER.saddle_nodes(undecided.model.native, F_0)[-1]
+    assert doubtful == (folds_about(undecided.model, F_0) is None)
 
 
 def test_points_far_from_folds_and_peak_are_not_needed_for_them():
@@ -486,7 +488,7 @@ def test_points_far_from_folds_and_peak_are_not_needed_for_them():
     seen = 0
     for oscillator, F_0 in random_oscillators(30):
         model = oscillator.model
-        whole, beside_folds, beside_top = (curve_of(model, F_0, 600, (0.4, 2.5), wanted) for wanted in Wanted)
+        whole, beside_folds, beside_top = (curve_of(model, F_0, 600, (0.4, 2.5), request) for request in Wanted)
         assert beside_folds.A.size < whole.A.size and beside_top.A.size < whole.A.size
         turns = np.flatnonzero((np.diff(whole.stable.astype(int)) != 0) & (np.diff(whole.branch) == 0))
         Omega, u_max, *_, lost, tried, _ = folds_about(model, F_0, 0.4 * BEYOND, 2.5 / BEYOND)
@@ -504,22 +506,22 @@ def test_points_far_from_folds_and_peak_are_not_needed_for_them():
 @pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="fresh memory is filled by glibc")
 def test_a_curve_does_not_depend_on_what_memory_held():
     """Points still to be sought passed for settled where their places held huge numbers, and were left out."""
-    asked = (
+    code = (
         "from slowflow import Isolator\n"
         "second = Isolator(lam=1.05, r=2.87, delta_h=0.117, mu=0.0, zeta=0.00456).second_approximation\n"
         "for curve in map(second.frequency_response, (0.0118, 0.0085)):\n"
         "    print(curve.message, curve.A.tolist())"
     )
-    told = {
+    outputs = {
         subprocess.run(
-            [sys.executable, "-c", asked],
+            [sys.executable, "-c", code],
             env={**os.environ, "MALLOC_PERTURB_": filled},
             capture_output=True,
             check=True,
         ).stdout
         for filled in ("1", "128")
     }
-    assert len(told) == 1
+    assert len(outputs) == 1
 
 
 @pytest.mark.parametrize("excitation", ["force", "base"])
@@ -529,15 +531,15 @@ def test_critical_forcings_meet_the_balance(excitation):
     for oscillator, _ in random_oscillators(20, excitation):
         model, balance = oscillator.model, Balance(oscillator.model)
         onset, lift = oscillator.saddle_node_onset(), oscillator.detachment()
-        given = (onset.F_SN, onset.Omega, onset.A) if onset.kind == "cusp" else (np.nan, np.nan, np.nan)
-        status, F_SN, Omega, u_max, *_ = SOLVER.second_onset(model.native, *given)
+        start = (onset.F_SN, onset.Omega, onset.A) if onset.kind == "cusp" else (np.nan, np.nan, np.nan)
+        status, F_SN, Omega, u_max, *_ = SOLVER.second_onset(model.native, *start)
         if status == Status.OK:
             A, scale = at_displacement(balance, Omega, u_max), model.force(F_SN, Omega) ** 2
             F, F_A, F_AA = balance.folds(Omega, A, F_SN)
             assert max(abs(F), A * abs(F_A), A * A * abs(F_AA)) < 1e-6 * scale
             found += 1
-        given = (lift.F_cr, lift.Omega_cr, lift.u_cr) if lift.F_cr else (np.nan, np.nan, np.nan)
-        status, F_cr, Omega, _ = SOLVER.second_detachment(model.native, *given)
+        start = (lift.F_cr, lift.Omega_cr, lift.u_cr) if lift.F_cr else (np.nan, np.nan, np.nan)
+        status, F_cr, Omega, _ = SOLVER.second_detachment(model.native, *start)
         if status == Status.OK:
             level, _, turning = balance.detachment(Omega, at_displacement(balance, Omega, lift.u_cr))
             assert level == pytest.approx(F_cr, rel=1e-10) and abs(turning) < 1e-8
@@ -590,7 +592,7 @@ def test_batches_of_the_second_approximation_say_what_lacks():
         with pytest.raises(AttributeError, match=f"has no {name}: "):
             getattr(second, name)
     assert pickle.loads(pickle.dumps(second)) == second and copy.deepcopy(second) == second
-    few, states = (second.amplitudes(Omega=0.9, F_0=0.04, places=places) for places in (1, 6))
+    few, states = (second.amplitudes(Omega=0.9, F_0=0.04, places=max_count) for max_count in (1, 6))
     assert (few.status == Status.TOO_MANY).any() and np.array_equal(few.A[:, 0], states.A[:, 0], equal_nan=True)
     curves = second.frequency_response(0.04, samples=60, Omega=(0.7, 1.1))
     assert len(curves.columns()["A_1"]) == curves.points.sum()
@@ -608,7 +610,7 @@ def test_states_missing_beside_the_first_approximation_are_told():
     assert (
         f"fewer states than in the first approximation at {sum(lacking)} of {len(Omega)} frequencies" in second.message
     )
-    given = {name: getattr(iso, name) for name in ("lam", "r", "delta_h", "mu", "zeta")}
-    many = Isolator.many(**given).second_approximation.amplitudes(Omega=Omega, F_0=0.10874)
+    design = {name: getattr(iso, name) for name in ("lam", "r", "delta_h", "mu", "zeta")}
+    many = Isolator.many(**design).second_approximation.amplitudes(Omega=Omega, F_0=0.10874)
     assert many.undecided.astype(bool).tolist() == lacking
     assert many.count.tolist() == counts[1]

@@ -142,10 +142,10 @@ def test_a_preload_jumps_where_the_mass_passes_its_place():
     from slowflow import derive
 
     u, stiff, preload = sp.symbols("u stiff preload")
-    held = derive.mechanism(
+    preloaded = derive.mechanism(
         "preloaded_here", [(stiff * u + preload, None)], {"stiff": {"above": 0}, "preload": {"above": 0}}
     )
-    one = held(stiff=1.0, preload=0.02, mu=0.01, zeta=0.02)
+    one = preloaded(stiff=1.0, preload=0.02, mu=0.01, zeta=0.02)
     first, peak, rms = second(one, 3e3, 0.2, "force")
     assert first == pytest.approx(one.transmissibility_floor(0.2), rel=1e-2)
     assert (peak, rms) == pytest.approx((0.03 / 0.2, math.hypot(0.02, 0.01) / 0.2), rel=5e-3)
@@ -155,10 +155,10 @@ def test_a_preload_jumps_where_the_mass_passes_its_place():
 @pytest.mark.parametrize("laws", [{}, {"eta": 0.02}, {"c_2": 0.1}, {"load": 0.02}])
 @pytest.mark.parametrize("excitation", EXCITATIONS)
 def test_curves_of_many_designs_have_what_single_ones_pass_on(excitation, laws):
-    given = {"mu": 0.01, "zeta": 0.03, "excitation": excitation, **laws}
-    curves = Duffing.many(1.0, [0.3, 0.5], **given).frequency_response(0.05, samples=30)
+    arguments = {"mu": 0.01, "zeta": 0.03, "excitation": excitation, **laws}
+    curves = Duffing.many(1.0, [0.3, 0.5], **arguments).frequency_response(0.05, samples=30)
     for k, beta in enumerate((0.3, 0.5)):
-        single = Duffing(1.0, beta, **given).frequency_response(0.05, samples=30)
+        single = Duffing(1.0, beta, **arguments).frequency_response(0.05, samples=30)
         n = len(single)
         for name in ("phi", "transmissibility", "transmissibility_dB", *(["relative"] if "load" not in laws else [])):
             column = getattr(curves, name)[k]
@@ -175,5 +175,5 @@ def test_all_of_next_to_no_force_is_passed_on_without_a_warning():
 def test_a_mass_that_friction_holds_goes_with_its_base(of, size):
     """It does not move against it, and passes the whole wave on."""
     iso = Isolator(lam=3, r=0.8, delta_h=0.1, mu=0.02, zeta=0.1, excitation="base")
-    rests = Waves(iso.model, np.array([0.05]), np.zeros(1), np.zeros(1), np.array([0.02]))
-    assert np.ravel(rests.transmitted(of)) == pytest.approx([size, size, size * math.sqrt(0.5)])
+    waves = Waves(iso.model, np.array([0.05]), np.zeros(1), np.zeros(1), np.array([0.02]))
+    assert np.ravel(waves.transmitted(of)) == pytest.approx([size, size, size * math.sqrt(0.5)])
