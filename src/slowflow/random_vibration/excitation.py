@@ -20,34 +20,21 @@ _SHARES = 0.5 * (1 + _AT)
 #: by how much less the lowest damping is taken to be
 MARGIN = 1.5
 HELD = "friction holds the mass nearly all of the time: no linear damping is equivalent to it"
-#: of Newton's iteration for sigma_v: steps at most, and one after which as many digits come as there are
-MOST_STEPS, LAST = 60, 2.0**-28
 
 
 @dataclass(frozen=True)
 class White:
     """White noise with a constant two-sided density S_0: E[w(t) w(t + s)] = 2 pi S_0 delta(s)."""
 
-    S_0: Any
+    S_0: float
 
     def density(self, Omega: Floats) -> Floats:
         """One-sided, 2 S_0."""
         return np.full(Omega.shape, 2 * self.S_0)
 
-    def velocity(self, mu: Any, zeta: Any, c_2: Any) -> tuple[Floats, Floats]:
-        """Root mean squares of v and dampings c, c sigma_v^2 = pi S_0, of laws that broadcast with S_0.
-
-        The slope of ln(c) by ln(sigma_v) rises from -1 on: from the second step on Newton's iteration comes from above.
-        """
-        power = math.pi * self.S_0
-        v = np.sqrt(power)
-        for _ in range(MOST_STEPS):
-            c, slope, _ = linearization.equivalent_damping(v, mu, zeta, c_2)
-            step = np.log(power / (c * v * v)) / (2 + slope / c)
-            v = v * np.exp(step)
-            if not (np.abs(step) > LAST).any():
-                break
-        return v, linearization.equivalent_damping(v, mu, zeta, c_2)[0]
+    def rows(self, mu: float, zeta: float, c_2: float) -> float:
+        """What C takes for it: c sigma_v^2."""
+        return math.pi * self.S_0
 
 
 class Tabulated:

@@ -21,6 +21,7 @@ from slowflow_kernels.conventions import Status
 
 #: designs in a chunk, which take some tenths of a second
 CHUNK = 2**13
+DAMPED_BY = "mu", "zeta", "c_2"
 
 
 def answer(designs: Designs, S_0: Any, psd: Any, places: int, workers: int = 1) -> Batch:
@@ -44,21 +45,17 @@ def answer(designs: Designs, S_0: Any, psd: Any, places: int, workers: int = 1) 
 
     def solve(part: tuple[Any, ...]) -> None:
         chunk = batched[part]
-        averages = np.full((chunk.size, places, 6), np.nan)
+        motions, count = np.full((chunk.size, places, 4), np.nan), np.empty(chunk.size, np.int8)
         some = {name: value[chunk] for name, value in own.items()}
         parameters = designs.mechanism.coefficients(*(some[name] for name in designs.mechanism.design_names))
-        constants, ends = (
-            design_rows(group, chunk.size) for group in (parameters, designs.mechanism.breakpoints(*parameters))
-        )
-        damping = [some.get(name, np.zeros(chunk.size))[:, np.newaxis] for name in ("mu", "zeta", "c_2")]
-        v, _ = White(some["S_0"][:, np.newaxis]).velocity(*damping)
-        count = np.empty(chunk.size, np.int8)
-        EXACT.balanced(laws, *map(np.ascontiguousarray, (constants, ends, v * v)), count, averages)
-        u, square = averages[..., 0], averages[..., 5]
+        groups = parameters, designs.mechanism.breakpoints(*parameters), [some.get(name, 0.0) for name in DAMPED_BY]
+        constants, ends, damping = (np.ascontiguousarray(design_rows(group, chunk.size)) for group in groups)
+        EXACT.stationary_of_each(laws, constants, ends, damping, np.pi * some["S_0"], count, motions)
         first = np.where(ends > 0, ends, np.inf).min(axis=1, initial=np.inf, keepdims=True)
         end = np.where(np.isfinite(first), first, np.nan)
         with np.errstate(invalid="ignore"):  # empty places
-            values = columns(u, np.where(np.isnan(u), u, v), square, (v / u) ** 2, damping, end)
+            u, square, k, v = np.moveaxis(motions, 2, 0)
+            values = columns(u, square, k, v, damping.T[..., np.newaxis], end)
         for name, value in values.items():
             found[name][chunk] = value
         found["count"][chunk] = np.maximum(count, 0)

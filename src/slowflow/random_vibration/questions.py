@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -63,23 +62,17 @@ def stationary(system: EquationOfMotion, excitation: Excitation) -> dict[str, Fl
     if system.mu == system.zeta == 0:
         raise validate.NotAvailable(UNDAMPED)
     laws = system.mu, system.zeta, system.c_2
-    if isinstance(excitation, White):
-        v, c = excitation.velocity(*laws)
-        undecided, found = EXACT.balances(handle(system), v * v)
-        u, *_, square = np.frombuffer(found).reshape(-1, 6).T
-        k, left = (v / u) ** 2, ((v / undecided) ** 2 if undecided else 0.0, c)
-    else:
-        *left, found = EXACT.linearized(handle(system), excitation.rows(*laws))
-        u, square, k, v = np.frombuffer(found).reshape(-1, 4).T
+    *left, found = EXACT.stationary(handle(system), excitation.rows(*laws))
     if left[0]:
-        raise NotSettled(UNDECIDED.format(*map(float, left)))
+        raise NotSettled(UNDECIDED.format(*left))
+    u, square, k, v = np.frombuffer(found).reshape(-1, 4).T
     if not u.size:
         raise NotSettled(GIVES_WAY)
     end = math.nan if (first := system.force.first_end) is None else first
-    return columns(u, np.broadcast_to(v, u.shape), square, k, laws, end)
+    return columns(u, square, k, v, laws, end)
 
 
-def columns(u: Floats, v: Floats, square: Floats, k: Floats, laws: Sequence[Any], end: Any) -> dict[str, Floats]:
+def columns(u: Floats, square: Floats, k: Floats, v: Floats, laws: Any, end: Any) -> dict[str, Floats]:
     """Columns of stationary motions, of shapes that broadcast.
 
     square -- mean square of the force

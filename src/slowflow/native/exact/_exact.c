@@ -527,7 +527,7 @@ static PyObject *shocks(PyObject *self, PyObject *arguments)
     return done_with(&of, fit);
 }
 
-enum { SF_MOST_BALANCES = 64 };
+enum { SF_MOST_MOTIONS = 64 };
 #define BANDS(table) ((int)(((table).len - (Py_ssize_t)sizeof(sf_table)) / (Py_ssize_t)sizeof(sf_band)))
 
 /* An sf_gaussian at each of several sigma, as bytes */
@@ -572,77 +572,62 @@ static PyObject *moments(PyObject *self, PyObject *arguments)
     return PyBytes_FromStringAndSize((const char *)found, sizeof found);
 }
 
-/* (k and c next to which there may be others, or 0; an sf_stationary each, as bytes) */
-static PyObject *linearized(PyObject *self, PyObject *arguments)
+/* (k and c next to which there may be others, or 0; an sf_stationary each, as bytes), of the power of white noise or a
+ * table */
+static PyObject *stationary(PyObject *self, PyObject *arguments)
 {
     (void)self;
-    PyObject *capsule;
-    Py_buffer table;
-    sf_stationary at[SF_MOST_BALANCES];
-    sf_linearized of = {.places = SF_MOST_BALANCES, .at = at};
-    if (!PyArg_ParseTuple(arguments, "Oy*", &capsule, &table))
+    PyObject *capsule, *excitation;
+    Py_buffer table = {0};
+    sf_stationary at[SF_MOST_MOTIONS];
+    sf_motions found = {.places = SF_MOST_MOTIONS, .at = at};
+    if (!PyArg_ParseTuple(arguments, "OO", &capsule, &excitation))
         return NULL;
     const sf_system *const system = PyCapsule_GetPointer(capsule, NAME);
-    of.table = table.buf, of.bands = BANDS(table);
-    if (system != NULL) {
-        Py_BEGIN_ALLOW_THREADS
-        sf_linearized_of(system, &of);
-        Py_END_ALLOW_THREADS
-    }
-    RELEASE(&table);
-    if (of.count > of.places)
-        of.count = of.places, of.undecided[0] = at[of.places - 1].k;
-    return system == NULL ? NULL
-                          : Py_BuildValue("ddy#", of.undecided[0], of.undecided[1], (const char *)at,
-                                          of.count * (Py_ssize_t)sizeof(sf_stationary));
-}
-
-
-/* (sigma at which there may be others, or 0; an sf_gaussian where E[u f] is a level, each, as bytes) */
-static PyObject *balances(PyObject *self, PyObject *arguments)
-{
-    (void)self;
-    PyObject *capsule;
-    sf_gaussian at[SF_MOST_BALANCES];
-    sf_balances of = {.places = SF_MOST_BALANCES, .at = at};
-    if (!PyArg_ParseTuple(arguments, "Od", &capsule, &of.level))
-        return NULL;
-    const sf_system *const system = PyCapsule_GetPointer(capsule, NAME);
-    if (system == NULL)
+    const double power = PyFloat_Check(excitation) ? PyFloat_AsDouble(excitation) : 0.0;
+    if (system == NULL || (power == 0.0 && PyObject_GetBuffer(excitation, &table, PyBUF_SIMPLE) < 0))
         return NULL;
     Py_BEGIN_ALLOW_THREADS
-    sf_balances_of(system, &of);
+    if (power > 0.0)
+        sf_white(system, power, &found);
+    else
+        sf_tabulated(system, table.buf, BANDS(table), &found);
     Py_END_ALLOW_THREADS
-    if (of.count > of.places)
-        of.count = of.places, of.undecided = at[of.places - 1].sigma;
-    return Py_BuildValue("dy#", of.undecided, (const char *)at, of.count * (Py_ssize_t)sizeof(sf_gaussian));
+    PyBuffer_Release(&table);
+    if (found.count > found.places)
+        found.count = found.places, found.undecided[0] = at[found.places - 1].k;
+    return Py_BuildValue("ddy#", found.undecided[0], found.undecided[1], (const char *)at,
+                         found.count * (Py_ssize_t)sizeof(sf_stationary));
 }
 
-/* The same of designs, for each a level; out come how many there are, -1 where that is undecided, and places for these. */
-static PyObject *balanced(PyObject *self, PyObject *arguments)
+/* The same of designs under white noise, for each mu, zeta and c_2, and its power; out come how many there are, -1 where
+ * that is undecided, and places for these. */
+static PyObject *stationary_of_each(PyObject *self, PyObject *arguments)
 {
     (void)self;
     PyObject *laws;
     sf_designs of = {0};
-    Py_buffer level, counts, out;
-    if (!PyArg_ParseTuple(arguments, "O!y*y*y*w*w*", &PyTuple_Type, &laws, &of.constants, &of.ends, &level, &counts, &out))
+    Py_buffer damping, power, counts, out;
+    if (!PyArg_ParseTuple(arguments, "O!y*y*y*y*w*w*", &PyTuple_Type, &laws, &of.constants, &of.ends, &damping, &power,
+                          &counts, &out))
         return NULL;
-    const Py_ssize_t count = counts.len, one = (Py_ssize_t)sizeof(sf_gaussian);
-    const Py_ssize_t places = count ? out.len / count / one : 0;
-    const int fit = designs_fit(&of, laws, count) && level.len == count * (Py_ssize_t)sizeof(double) &&
-                    out.len == count * places * one;
+    const Py_ssize_t count = counts.len, one = (Py_ssize_t)sizeof(double);
+    const Py_ssize_t places = count ? out.len / count / (Py_ssize_t)sizeof(sf_stationary) : 0;
+    const int fit = designs_fit(&of, laws, count) && power.len == count * one && damping.len == 3 * count * one &&
+                    out.len == count * places * (Py_ssize_t)sizeof(sf_stationary);
     if (fit) {
         Py_BEGIN_ALLOW_THREADS
         for (Py_ssize_t k = 0; k < count; k++) {
-            const sf_system system = design(&of, k, (const double[2]){0.0, 0.0});
-            sf_balances found = {.level = ((const double *)level.buf)[k], .places = (int)places,
-                                 .at = (sf_gaussian *)out.buf + k * places};
-            sf_balances_of(&system, &found);
-            ((signed char *)counts.buf)[k] = (signed char)(found.undecided != 0.0 ? -1 : found.count);
+            const double *const own = (const double *)damping.buf + 3 * k;
+            sf_system system = design(&of, k, own);
+            system.c_2 = own[2];
+            sf_motions found = {.places = (int)places, .at = (sf_stationary *)out.buf + k * places};
+            sf_white(&system, ((const double *)power.buf)[k], &found);
+            ((signed char *)counts.buf)[k] = (signed char)(found.undecided[0] != 0.0 ? -1 : found.count);
         }
         Py_END_ALLOW_THREADS
     }
-    RELEASE(&level, &counts, &out);
+    RELEASE(&damping, &power, &counts, &out);
     return done_with(&of, fit);
 }
 
@@ -673,9 +658,9 @@ static PyMethodDef methods[] = {
      "None."},
     {"averages", averages, METH_VARARGS, "system, sigma -> Gaussian averages of the force as bytes."},
     {"moments", moments, METH_VARARGS, "table, p, q, radii -> ln I_0, ln I_2, ends of their slopes as bytes."},
-    {"linearized", linearized, METH_VARARGS, "system, table -> k, c next to others or 0, stationary motions as bytes."},
-    {"balances", balances, METH_VARARGS, "system, level -> undecided, averages as bytes where E[u f] is the level."},
-    {"balanced", balanced, METH_VARARGS, "laws, constants, ends, levels, counts, places for averages -> None."},
+    {"stationary", stationary, METH_VARARGS, "system, power or table -> k, c next to others or 0, motions as bytes."},
+    {"stationary_of_each", stationary_of_each, METH_VARARGS,
+     "laws, constants, ends, damping, powers, counts, places for motions -> None."},
     {NULL, NULL, 0, NULL},
 };
 

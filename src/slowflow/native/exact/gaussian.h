@@ -9,6 +9,7 @@
 #define SF_GAUSSIAN_H
 
 #include "follow.h"
+#include "linearization.h"
 
 /* |u|/sigma up to which a motion is looked at: the rest has a share of 1e-23; sigma in a part of a piece at most, and
  * parts of a piece at least: with the rule of sides.h averages are as near as roundings */
@@ -148,12 +149,32 @@ static sf_gaussian sf_averages(const sf_positive *force, double sigma)
     return found;
 }
 
-/* places: room for so many; count: of all that there are; undecided: where there may be others, or 0 */
+/* A stationary motion. Python reads it as it stands. */
+typedef struct {
+    double u, square, k, v;
+} sf_stationary;
+
+/* Motions that are found. places: room for so many; count: of all that there are; undecided: k and c next to which there
+ * may be others, or 0 */
+typedef struct {
+    int places, count;
+    double undecided[2];
+    sf_stationary *at;
+} sf_motions;
+
+static void sf_put_motion(sf_motions *to, const sf_gaussian *at, double v)
+{
+    if (to->count < to->places)
+        to->at[to->count] = (sf_stationary){at->sigma, at->square, sf_first(at) / (at->sigma * at->sigma), v};
+    to->count++;
+}
+
+/* level: what E[u f] is to be, at the velocity v */
 typedef struct {
     const sf_positive *force;
-    double level, undecided;
-    int places, count, cells;
-    sf_gaussian *at;
+    double level, v, c;
+    int cells;
+    sf_motions *found;
 } sf_balances;
 
 /* The root in a cell on which E[u f] is monotone, by Newton's iteration between ends that close in. */
@@ -192,15 +213,14 @@ static void sf_search_balances(sf_balances *of, const sf_gaussian *a, const sf_g
     if (a->third[0] / cube - b->third[1] * cube - most > steep ||
         b->third[0] * cube - a->third[1] / cube - least < -steep) {
         if ((sf_first(a) < of->level) != (sf_first(b) < of->level)) {
-            if (of->count < of->places)
-                of->at[of->count] = sf_balanced(of, *a, *b);
-            of->count++;
+            const sf_gaussian at = sf_balanced(of, *a, *b);
+            sf_put_motion(of->found, &at, of->v);
         }
         return;
     }
     if (grows <= 1.0 + SF_NARROW || of->cells++ >= SF_MOST_CELLS) {
         if (!isnan(sf_first(a)) && !isnan(sf_first(b))) /* where the force is not known there is no motion */
-            of->undecided = a->sigma;
+            of->found->undecided[0] = of->level / (a->sigma * a->sigma), of->found->undecided[1] = of->c;
         return;
     }
     const sf_gaussian middle = sf_averages(of->force, sqrt(a->sigma) * sqrt(b->sigma));
@@ -210,15 +230,21 @@ static void sf_search_balances(sf_balances *of, const sf_gaussian *a, const sf_g
         sf_search_balances(of, &middle, b);
 }
 
-/* Every sigma at which E[u f] is a level > 0, by rising sigma. */
-static void sf_balances_of(const sf_system *system, sf_balances *of)
+/* Under white noise of a power pi S_0 = c sigma_v^2: every stationary motion, by rising sigma_u. The slope of ln(c) by
+ * ln(sigma_v) rises from -1 on: from the second step on Newton's iteration for that comes from above. */
+static void sf_white(const sf_system *system, double power, sf_motions *found)
 {
-    const double size = sqrt(of->level);
-    const sf_positive force = sf_positive_of(system, size, size);
+    double v = sqrt(power), step = 1.0, c[3] = {0.0};
+    for (int i = 0; i < SF_MOST_STEPS && fabs(step) > 0x1p-28; i++) {
+        linearization_equivalent_damping(v, system->mu, system->zeta, system->c_2, c);
+        step = log(power / (c[0] * v * v)) / (2.0 + c[1] / c[0]);
+        v *= exp(step);
+    }
+    const sf_positive force = sf_positive_of(system, v, v);
     const sf_gaussian a = sf_averages(&force, force.small / SF_SEARCHED);
     const sf_gaussian b = sf_averages(&force, force.large * SF_SEARCHED);
-    of->force = &force, of->undecided = 0.0, of->count = of->cells = 0;
-    sf_search_balances(of, &a, &b);
+    sf_balances of = {&force, v * v, v, c[0], 0, found};
+    sf_search_balances(&of, &a, &b);
 }
 
 #endif

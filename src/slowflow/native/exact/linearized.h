@@ -12,13 +12,14 @@
 #define SF_LINEARIZED_H
 
 #include "gaussian.h"
-#include "linearization.h"
 
 /* half of the nodes of Gauss's rule in a part of a table, at most 1 wide in ln(Omega), or of one next to a resonance,
  * which double from its width on, and of a damping ratio below that not from less */
 enum { SF_HALF = 6, SF_MOST_DOUBLINGS = 40 };
 /* of k over the square of a table's lowest frequency, below which it does not matter; by how much I_0 may change there */
 #define SF_SOFT 1e-6
+/* how near a damping is wanted in a cell; I_0 is much nearer */
+#define SF_AS_NEAR 0x1p-14
 
 /* ln G is y + slope (ln Omega - x) on it */
 typedef struct {
@@ -105,6 +106,12 @@ typedef struct {
     sf_moments moments;
 } sf_equivalent;
 
+/* dq/dp */
+static inline double sf_damping_by_p(const sf_equivalent *at)
+{
+    return at->D * at->moments.by[1][0] / (1.0 - at->D * at->moments.by[1][1]);
+}
+
 /* D rises with sigma_v. */
 static double sf_damping_at(const sf_table *table, double ln_square, double *ln_c)
 {
@@ -114,8 +121,9 @@ static double sf_damping_at(const sf_table *table, double ln_square, double *ln_
     return 0.5 * c[1] / c[0];
 }
 
-/* By Newton's iteration for ln C - q, which falls, between ends that close in; from a q on. NaN where it is lost. */
-static sf_equivalent sf_equivalent_at(const sf_table *table, int bands, double p, double q)
+/* By Newton's iteration for ln C - q, which falls, between ends that close in; from a q on, until a step is as near. NaN
+ * where it is lost. */
+static sf_equivalent sf_equivalent_at(const sf_table *table, int bands, double p, double q, double near)
 {
     double low = log(table->least), high = HUGE_VAL, ln_c;
     sf_equivalent at = {.p = p, .q = fmax(q, low)};
@@ -129,7 +137,7 @@ static sf_equivalent sf_equivalent_at(const sf_table *table, int bands, double p
             high = at.q;
         const double next = at.q + fmax(fmin(step, 2.0), -2.0);
         const int inside = next > low && next < high;
-        if (fabs(step) <= 0x1p-28) { /* what is left is of second order */
+        if (fabs(step) <= near) { /* what is left is of second order */
             for (int j = 0; j < 2; j++)
                 at.moments.value[j] += step * at.moments.by[j][1];
             at.q += step;
@@ -151,11 +159,10 @@ static inline sf_ends sf_ends_of_product(sf_ends a, sf_ends b)
 /* Between which ends dL/dp is where p differs by no more than r; infinite where that is not known. */
 static sf_ends sf_slope_within(const sf_table *table, const sf_equivalent *at, double r)
 {
-    const double here = at->D * at->moments.by[1][0] / (1.0 - at->D * at->moments.by[1][1]);
-    double apart = 1.5 * fabs(here) * r, low[2][2], high[2][2], ln_c;
+    double apart = 1.5 * fabs(sf_damping_by_p(at)) * r, low[2][2], high[2][2], ln_c;
     for (int i = 0; i < 6; i++) {
-        sf_slopes_within(&at->moments, at->p, at->q, (double[2]){r, apart}, low, high);
-        const double moved = fmax(-low[1][0], high[1][0]) * r - low[1][1] * apart;
+        sf_slopes_within(&at->moments, at->p, at->q, (double[2]){r, apart + SF_AS_NEAR}, low, high);
+        const double moved = fmax(-low[1][0], high[1][0]) * r - low[1][1] * (apart + SF_AS_NEAR);
         const sf_ends D = {sf_damping_at(table, at->moments.value[1] - moved, &ln_c),
                            sf_damping_at(table, at->moments.value[1] + moved, &ln_c)};
         const sf_ends falls = sf_ends_of_product(D, (sf_ends){low[1][1], high[1][1]});
@@ -173,32 +180,28 @@ static sf_ends sf_slope_within(const sf_table *table, const sf_equivalent *at, d
     return (sf_ends){-HUGE_VAL, HUGE_VAL};
 }
 
-/* A stationary motion. Python reads it as it stands. */
-typedef struct {
-    double u, square, k, v;
-} sf_stationary;
-
-/* near: q where it was found last; undecided: k and c where there may be others, or 0; the others as of sf_balances */
+/* near: where a damping was found last */
 typedef struct {
     const sf_table *table;
     const sf_positive *force;
-    double near, undecided[2];
-    int bands, places, count, cells;
-    sf_stationary *at;
+    sf_equivalent near;
+    int bands, cells;
+    sf_motions *found;
 } sf_linearized;
 
-static sf_equivalent sf_equivalent_by(sf_linearized *of, double p)
+static sf_equivalent sf_equivalent_by(sf_linearized *of, double p, double near)
 {
-    const sf_equivalent at = sf_equivalent_at(of->table, of->bands, p, of->near);
+    const double q = of->near.q + sf_damping_by_p(&of->near) * (p - of->near.p);
+    const sf_equivalent at = sf_equivalent_at(of->table, of->bands, p, q, near);
     if (at.q == at.q)
-        of->near = at.q;
+        of->near = at;
     return at;
 }
 
 /* ln I_0 - 2 ln(sigma) */
 static double sf_excess(sf_linearized *of, const sf_gaussian *at, sf_equivalent *damped)
 {
-    *damped = sf_equivalent_by(of, log(sf_first(at)) - 2.0 * log(at->sigma));
+    *damped = sf_equivalent_by(of, log(sf_first(at)) - 2.0 * log(at->sigma), 0x1p-28);
     return damped->moments.value[0] - 2.0 * log(at->sigma);
 }
 
@@ -210,13 +213,12 @@ static void sf_put_stationary(sf_linearized *of, const sf_gaussian *a, const sf_
     sf_gaussian at = *b;
     double low = a->sigma, high = b->sigma, excess = sf_excess(of, &at, &damped);
     if (isnan(excess) || damped.q != damped.q)
-        of->undecided[0] = exp(damped.p), of->undecided[1] = of->table->least;
+        of->found->undecided[0] = exp(damped.p), of->found->undecided[1] = of->table->least;
     if (below == (excess < 0.0))
         return;
     for (int i = 0, last = 0; i < SF_MOST_STEPS && !last; i++) {
         double(*const by)[2] = damped.moments.by;
-        const double q = damped.D * by[1][0] / (1.0 - damped.D * by[1][1]);
-        const double steep = (by[0][0] + by[0][1] * q) * (sf_third(&at) / sf_first(&at) - 3.0) - 2.0;
+        const double steep = (by[0][0] + by[0][1] * sf_damping_by_p(&damped)) * (sf_third(&at) / sf_first(&at) - 3.0) - 2.0;
         const double next = at.sigma * exp(-excess / steep);
         if ((excess < 0.0) == below)
             low = at.sigma;
@@ -226,10 +228,7 @@ static void sf_put_stationary(sf_linearized *of, const sf_gaussian *a, const sf_
         at = sf_averages(of->force, last || (next > low && next < high) ? next : sqrt(low * high));
         excess = sf_excess(of, &at, &damped);
     }
-    if (of->count < of->places)
-        of->at[of->count] = (sf_stationary){at.sigma, at.square, sf_first(&at) / (at.sigma * at.sigma),
-                                            exp(0.5 * damped.moments.value[1])};
-    of->count++;
+    sf_put_motion(of->found, &at, exp(0.5 * damped.moments.value[1]));
 }
 
 /* The stiffness in a cell, and its slope by ln(sigma): from its averages, and from what f/u is up to there. */
@@ -260,9 +259,9 @@ static void sf_search_stationary(sf_linearized *of, const sf_gaussian *a, const 
     if (K.high <= 0.0)
         return;
     const double low = log(fmax(K.low, soft)), high = log(fmax(K.high, soft)), r = 0.5 * (high - low);
-    const sf_equivalent at = sf_equivalent_by(of, low + r);
+    const sf_equivalent at = sf_equivalent_by(of, low + r, SF_AS_NEAR);
     const sf_ends by_p = sf_slope_within(of->table, &at, r);
-    const double L = at.moments.value[0], doubt = 0x1p-40 + (K.low < soft ? 4.0 * SF_SOFT : 0.0);
+    const double L = at.moments.value[0], doubt = SF_AS_NEAR + (K.low < soft ? 4.0 * SF_SOFT : 0.0);
     const double moved = fmax(-by_p.low, by_p.high) * r + doubt;
     if (L + moved < 2.0 * log(a->sigma) || L - moved > 2.0 * log(b->sigma))
         return;
@@ -276,7 +275,7 @@ static void sf_search_stationary(sf_linearized *of, const sf_gaussian *a, const 
     }
     if (grows <= 1.0 + SF_NARROW || of->cells++ >= SF_MOST_CELLS) {
         if (!isnan(sf_first(a)) && !isnan(sf_first(b)))
-            of->undecided[0] = exp(at.p), of->undecided[1] = exp(at.q);
+            of->found->undecided[0] = exp(at.p), of->found->undecided[1] = exp(at.q);
         return;
     }
     const sf_gaussian middle = sf_averages(of->force, sqrt(a->sigma) * sqrt(b->sigma));
@@ -287,14 +286,14 @@ static void sf_search_stationary(sf_linearized *of, const sf_gaussian *a, const 
 }
 
 /* Every stationary motion, by rising sigma_u. */
-static void sf_linearized_of(const sf_system *system, sf_linearized *of)
+static void sf_tabulated(const sf_system *system, const sf_table *table, int bands, sf_motions *found)
 {
-    const double size = sqrt(of->table->most);
+    const double size = sqrt(table->most);
     const sf_positive force = sf_positive_of(system, fmin(size, 1.0), fmax(size, 1.0));
     const sf_gaussian a = sf_averages(&force, force.small / SF_SEARCHED);
     const sf_gaussian b = sf_averages(&force, force.large * SF_SEARCHED);
-    of->force = &force, of->near = log(of->table->least), of->undecided[0] = of->undecided[1] = 0.0, of->count = of->cells = 0;
-    sf_search_stationary(of, &a, &b);
+    sf_linearized of = {table, &force, {.q = log(table->least)}, bands, 0, found};
+    sf_search_stationary(&of, &a, &b);
 }
 
 #endif
