@@ -38,7 +38,7 @@ class RandomResponse(Drawn, Table):
     dry           -- share of dry friction in the damping: how far the answer may be trusted
     message       -- what to bear in mind
 
-    That there are no others is proved: see `random_vibration.fixed_points`.
+    That there are no others is proved: see `native/exact/linearized.h`.
     """
 
     entry: ClassVar[Any] = Stationary
