@@ -437,7 +437,7 @@ def test_a_load_that_is_refused_is_the_mass_that_was_given(mount):
         mount.replace(load=10, rubs="attached")
 
 
-def test_the_force_is_that_of_the_geometry_unless_the_truncated_one_is_named(mount):
+def test_force_is_of_the_geometry_unless_the_truncated_is_named(mount):
     assert mount == mount.replace(force="untruncated") != mount.replace(force="truncated")
     for load in (None, 12.3):
         one = mount.replace(load=load)
