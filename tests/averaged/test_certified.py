@@ -17,7 +17,7 @@ from slowflow.averaged import messages, proofs, solvers
 from slowflow.averaged.balls.search import BallModel, averages_of
 from tests.averaged.test_certified_cases import of_record
 from tests.files import stored
-from tests.native.intervals import ELEMENTARY, HELD, OPERATIONS, Intervals, build
+from tests.native.intervals import BOUNDED, ELEMENTARY, OPERATIONS, Intervals, build
 from tests.oracles import averaged
 
 FILES = ("random_isolators", "random_duffing", "negative_stiffness", "table_1")
@@ -332,7 +332,7 @@ def test_averages_on_intervals_hold_their_balls(intervals):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", HELD)
+@pytest.mark.parametrize("name", BOUNDED)
 def test_bounded_number_encloses_the_exact_result(intervals, name):
     """Of exact pairs, and of some that are off, at both ends; exact ones lose no more than a few units in 2^-100."""
     rng, count = np.random.default_rng(5), 1500

@@ -69,11 +69,11 @@ def build(directory: Path) -> None:
     includes = [f'#include "{header.name}"' for header in sorted(HEADERS.glob("*.h"))]
     wrappers = []
     for name, (kind, arguments) in prototypes().items():
-        call, used, given = [], 0, 0
+        call, used, outputs = [], 0, 0
         for argument in arguments:
             if argument.startswith("double *"):
-                call.append(f"out + {given}")
-                given += 1
+                call.append(f"out + {outputs}")
+                outputs += 1
             elif argument == "const double *p":
                 call.append(f"in + {used}")
             else:
@@ -95,8 +95,8 @@ def load(directory: Path) -> Callable[..., np.ndarray]:
     loaded = ctypes.CDLL(str(directory / LIBRARY))
 
     def call(name: str, arguments: list[float], width: int) -> np.ndarray:
-        given, out = np.array([*arguments, 0.0]), np.full(WIDEST, np.nan)
-        getattr(loaded, f"wrap_{name}")(pointer(given), pointer(out))
+        values, out = np.array([*arguments, 0.0]), np.full(WIDEST, np.nan)
+        getattr(loaded, f"wrap_{name}")(pointer(values), pointer(out))
         assert np.isnan(out[width:]).all()
         return out[:width]
 

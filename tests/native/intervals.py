@@ -18,7 +18,7 @@ ELEMENTARY = (
 )
 OPERATIONS = ("add", "sub", "mul", "div", "square", "sqrt", "atan2", "tenth")
 #: on pairs that know how far they may be off
-HELD = (*OPERATIONS, "R_F", "R_D")
+BOUNDED = (*OPERATIONS, "R_F", "R_D")
 LIBRARY = "intervals.so"
 
 
@@ -45,7 +45,7 @@ class Intervals:
         """Three numbers (n, 9), each a pair and what it may be off, to one with the doubles around it (n, 5)."""
         numbers = np.ascontiguousarray(numbers, dtype=np.float64)
         out = np.empty((len(numbers), 5))
-        self.loaded.operate_held(HELD.index(name), ctypes.c_long(len(numbers)), pointer(numbers), pointer(out))
+        self.loaded.operate_held(BOUNDED.index(name), ctypes.c_long(len(numbers)), pointer(numbers), pointer(out))
         return out
 
     def known(self, mechanism: str, design: Sequence[float], piece: int, beyond: float) -> np.ndarray:
@@ -90,9 +90,9 @@ def generated(directory: Path) -> Any:
     loaded = ctypes.CDLL(str(directory / "generated_intervals.so"))
 
     def called(module: str, name: str, boxes: Any) -> np.ndarray:
-        given = np.ascontiguousarray(boxes, dtype=np.float64)
+        rows = np.ascontiguousarray(boxes, dtype=np.float64)
         out = np.full((MOST_OUTPUTS, 2), np.nan)
-        getattr(loaded, f"called_{module}_{name}")(pointer(given), pointer(out))
+        getattr(loaded, f"called_{module}_{name}")(pointer(rows), pointer(out))
         return out
 
     return called

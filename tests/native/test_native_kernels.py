@@ -64,13 +64,15 @@ def on_numpy():
 def arguments(function, seed: int, size: int = 3001) -> dict[str, np.ndarray]:
     """Random arguments of a kernel, by name; a third of the amplitudes at or beside a change of regime."""
     rng = np.random.default_rng(seed)
-    given = {name: rng.uniform(*RANGES.get(name, (0.5, 2)), size) for name in inspect.signature(function).parameters}
-    if "A" in given and "u_cr" in given:
+    values = {name: rng.uniform(*RANGES.get(name, (0.5, 2)), size) for name in inspect.signature(function).parameters}
+    if "A" in values and "u_cr" in values:
         some = np.arange(0, size, 3)
-        given["A"][some] = given["u_cr"][some] * rng.choice([1, 1 + 2**-52, 1 - 2**-53, 1.05, 1.05 + 2**-52], some.size)
-    if "h_3" in given:  # within the domain: off the third harmonic's resonance
-        given["h"] = given["A"] * given["Omega"] ** 2 * rng.uniform(-8, 8, size)
-    return given
+        values["A"][some] = values["u_cr"][some] * rng.choice(
+            [1, 1 + 2**-52, 1 - 2**-53, 1.05, 1.05 + 2**-52], some.size
+        )
+    if "h_3" in values:  # within the domain: off the third harmonic's resonance
+        values["h"] = values["A"] * values["Omega"] ** 2 * rng.uniform(-8, 8, size)
+    return values
 
 
 def kernels_of(module) -> list[str]:
@@ -88,10 +90,10 @@ def outputs(result) -> list[np.ndarray]:
     return list(result) if isinstance(result, tuple) else [result]
 
 
-def first_ends(module, given):
+def first_ends(module, values):
     """Where the first piece of the force ends, at each point; None where there is no end, or no parameter of it."""
     mechanism = getattr(module, "MECHANISM", None)
-    parameters = [] if mechanism is None else [given.get(parameter.name) for parameter in mechanism.parameters]
+    parameters = [] if mechanism is None else [values.get(parameter.name) for parameter in mechanism.parameters]
     if mechanism is None or any(value is None for value in parameters):
         return None
     ends = mechanism.breakpoints(*parameters)
@@ -107,29 +109,29 @@ def test_same_numbers_as_numpy(on_numpy, name):
     """
     module, reference = importlib.import_module(f"slowflow_kernels.{name}"), on_numpy[name]
     for seed, kernel in enumerate(kernels_of(reference)):
-        given = arguments(getattr(reference, kernel), seed)
-        values = tuple(given.values())
+        drawn = arguments(getattr(reference, kernel), seed)
+        values = tuple(drawn.values())
         with np.errstate(all="ignore"):
             new, old = (outputs(getattr(m, kernel)(*values)) for m in (module, reference))
         assert len(new) == len(old)
         exact = np.ones(values[0].shape, bool)
         if name in ("den_hartog", "second_approximation") or kernel in ("phase", "critical"):
             exact[:] = False
-        elif "A" in given and (ends := first_ends(module, given)) is not None:
-            exact = given["A"] <= ends
+        elif "A" in drawn and (ends := first_ends(module, drawn)) is not None:
+            exact = drawn["A"] <= ends
         for k, (x, y) in enumerate(zip(new, old, strict=True)):
             assert x.shape == y.shape
             assert np.array_equal(x[..., exact], y[..., exact], equal_nan=True), (kernel, k)
             if kernel in ("averaged", "averaged_2", "averaged_H", "h", "h_A", "h_AA", "h_AAA", "H", "H_A", "H_AA"):
                 order = k + kernel.count("A")
-                A, alpha, beta, gamma = (np.abs(given.get(n, 0.0)) for n in ("A", "alpha", "beta", "gamma"))
+                A, alpha, beta, gamma = (np.abs(drawn.get(n, 0.0)) for n in ("A", "alpha", "beta", "gamma"))
                 # what the moments multiply, over A^order; a moment is at most pi/2
                 terms = 2 * (1 + alpha + 20 * beta * A**2 + 60 * gamma * A**4) * A ** (1 - order)
                 terms = terms + np.abs(y)
                 assert np.all(np.abs(x - y) <= 8 * U * terms), (kernel, k, np.max(np.abs(x - y) / (U * terms)))
             elif kernel == "critical":
-                c = np.cbrt(6.75 * given["A"] * given["q"] ** 2)
-                root = c if k == 0 else c / (3 * given["A"])
+                c = np.cbrt(6.75 * drawn["A"] * drawn["q"] ** 2)
+                root = c if k == 0 else c / (3 * drawn["A"])
                 # two errors of the root's and a rounding of its multiple each, and then of the sum
                 assert np.all(np.abs(x - y) <= U * (8 * root + 2 * np.abs(y))), (kernel, k)
             else:
@@ -189,9 +191,9 @@ def test_help_of_each_kernel_states_the_shape_it_gives(name):
         )
         if stated is None:
             continue
-        words = " ".join(stated[1].split())
-        given = arguments(function, 3, 6)
-        shaped = [value[:2, np.newaxis] if i % 2 else value[:3] for i, value in enumerate(given.values())]
+        description = " ".join(stated[1].split())
+        drawn = arguments(function, 3, 6)
+        shaped = [value[:2, np.newaxis] if i % 2 else value[:3] for i, value in enumerate(drawn.values())]
         common = np.broadcast_shapes(*(np.shape(value) for value in shaped))
         with np.errstate(all="ignore"):
             found = function(*shaped)
@@ -199,11 +201,11 @@ def test_help_of_each_kernel_states_the_shape_it_gives(name):
             r"(?:\((?P<rows>\d+), \.\.\.\), coefficients by rising power, each |(?P<one>a tuple of one, )"
             r"|(?P<many>\d+) results, each )?(?P<each>as the arguments broadcast"
             r"|the arguments that it depends on, broadcast)|none, \(\)",
-            words,
+            description,
         )
-        assert form, f"{kernel}: {words}"
-        assert isinstance(found, tuple) == (words == "none, ()" or bool(form["one"] or form["many"])), kernel
-        count = 0 if words == "none, ()" else int(form["rows"] or form["many"] or 1)
+        assert form, f"{kernel}: {description}"
+        assert isinstance(found, tuple) == (description == "none, ()" or bool(form["one"] or form["many"])), kernel
+        count = 0 if description == "none, ()" else int(form["rows"] or form["many"] or 1)
         shapes = [np.shape(value) for value in (found if form["rows"] or isinstance(found, tuple) else (found,))]
         assert len(shapes) == count, kernel
         if form["each"] == "as the arguments broadcast":
@@ -214,9 +216,9 @@ def test_help_of_each_kernel_states_the_shape_it_gives(name):
 
 def test_compositions_are_the_slow_flow_of_h():
     """A mechanism's functions equal the calls by hand, bit for bit, across the regimes."""
-    given = arguments(rod_spring_signature, 5)
-    Omega, A, F_0, mu, zeta = (given[name] for name in ("Omega", "A", "F_0", "mu", "zeta"))
-    p = tuple(given[parameter.name] for parameter in rod_spring.MECHANISM.parameters)
+    drawn = arguments(rod_spring_signature, 5)
+    Omega, A, F_0, mu, zeta = (drawn[name] for name in ("Omega", "A", "F_0", "mu", "zeta"))
+    p = tuple(drawn[parameter.name] for parameter in rod_spring.MECHANISM.parameters)
     h, h_A = rod_spring.averaged_2(A, *p)
     m = slow_flow.friction(mu)
     by_hand = {
@@ -274,11 +276,11 @@ def test_out_and_in_place(size):
         assert np.array_equal(place, h[::order])
         assert np.array_equal(other, h_A[::order])
     shifted = np.concatenate([A, [0.0]])
-    alone = rod_spring.force(A, *p)
+    expected = rod_spring.force(A, *p)
     rod_spring.force(shifted[:-1], *p, out=shifted[1:])
-    assert np.array_equal(shifted[1:], alone)
+    assert np.array_equal(shifted[1:], expected)
     where = A > 0.5
-    assert np.array_equal(rod_spring.force(A, *p, out=np.zeros(size), where=where), np.where(where, alone, 0))
+    assert np.array_equal(rod_spring.force(A, *p, out=np.zeros(size), where=where), np.where(where, expected, 0))
 
 
 def test_nan_passes_in_silence_and_invalid_arguments_do_not():
@@ -325,14 +327,14 @@ def test_others_run_meanwhile(call):
 
     start = time.perf_counter()
     compute()
-    alone = time.perf_counter() - start
+    single = time.perf_counter() - start
     other = threading.Thread(target=compute)
     other.start()
     longest, last = 0.0, time.perf_counter()
     while other.is_alive():
         now = time.perf_counter()
         longest, last = max(longest, now - last), now
-    assert longest < 0.7 * alone
+    assert longest < 0.7 * single
 
 
 def targets() -> list[str]:
@@ -361,11 +363,11 @@ def test_every_clone_gives_the_same_bits(tmp_path):
     }
     modules = {module for module, _ in calls}
     built = {module: [clones.build(tmp_path, target, module) for target in targets()] for module in modules}
-    for (module, name), given in calls.items():
+    for (module, name), columns in calls.items():
         first, *others = built[module]
-        expected = first(name, given)
+        expected = first(name, columns)
         for clone in others:
-            for x, y in zip(clone(name, given), expected, strict=True):
+            for x, y in zip(clone(name, columns), expected, strict=True):
                 # a NaN's sign is nobody's
                 assert np.array_equal(np.isnan(x), np.isnan(y)), name
                 assert np.array_equal(x.view(np.int64)[~np.isnan(x)], y.view(np.int64)[~np.isnan(y)]), name
@@ -374,9 +376,9 @@ def test_every_clone_gives_the_same_bits(tmp_path):
 @pytest.mark.skipif(len(targets()) < 2, reason="one target only")
 def test_clones_are_built_whatever_is_included_before():
     """glibc tells of itself in its own headers only: a file that includes none before had no clones."""
-    asked = '#include "clones.h"\nSF_WIDE void loop(void);'
+    source = '#include "clones.h"\nSF_WIDE void loop(void);'
     command = ["gcc", "-E", f"-I{NATIVE}", "-x", "c", "-"]
-    assert "target_clones" in subprocess.run(command, input=asked, capture_output=True, text=True, check=True).stdout
+    assert "target_clones" in subprocess.run(command, input=source, capture_output=True, text=True, check=True).stdout
 
 
 @pytest.mark.slow

@@ -40,7 +40,7 @@ def allowed(parameter, value: float) -> bool:
     )
 
 
-def beside(parameter) -> list[float]:
+def near_bounds(parameter) -> list[float]:
     """Numbers inside and outside the domain, on its bounds and one float to either side of them."""
     bounds = [b for b in (parameter.above, parameter.least, parameter.below, parameter.most) if b is not None]
     near = [v for b in map(float, bounds) for v in (np.nextafter(b, -np.inf), b, np.nextafter(b, np.inf))]
@@ -67,16 +67,16 @@ def test_every_mechanism_of_the_derivation_has_its_record():
 @pytest.mark.parametrize("name", MECHANISMS)
 def test_record_refuses_only_what_lies_outside_its_domains(name):
     mechanism = MECHANISMS[name]
-    given = (*mechanism.design, *DAMPING)
-    inside = [INSIDE[parameter.symbol.name] for parameter in given]
+    parameters = (*mechanism.design, *DAMPING)
+    inside = [INSIDE[parameter.symbol.name] for parameter in parameters]
     ask = NATIVE.many_detachment(NATIVE.RECORDS[name])
     assert ask(*inside)[-1] != INVALID
-    for place, parameter in enumerate(given):
-        for value in beside(parameter):
-            asked = [*inside[:place], value, *inside[place + 1 :]]
-            assert (ask(*asked)[-1] != INVALID) == allowed(parameter, value), (parameter.symbol, value)
+    for place, parameter in enumerate(parameters):
+        for value in near_bounds(parameter):
+            arguments = [*inside[:place], value, *inside[place + 1 :]]
+            assert (ask(*arguments)[-1] != INVALID) == allowed(parameter, value), (parameter.symbol, value)
     forced = NATIVE.many_peak(NATIVE.RECORDS[name])
-    for value in beside(FORCING):
+    for value in near_bounds(FORCING):
         assert (forced(*inside, value)[-1] != INVALID) == allowed(FORCING, value), value
 
 
@@ -150,14 +150,14 @@ def test_a_record_compiled_elsewhere_is_solved_like_our_own(own, alpha, beta):
         same(NATIVE.steady_states(mine, F_0, Omega), NATIVE.steady_states(ours, F_0, Omega))
     F_0 = np.array([0.005, 0.05, 0.5])
     many = Duffing.many(alpha=alpha, beta=beta, mu=damping[0], zeta=damping[1])
-    places = (
+    columns = (
         *(np.empty((3, 6)) for _ in range(2)),
         np.empty((3, 6), np.int8),
         *(np.empty(3, np.int8) for _ in range(3)),
     )
-    NATIVE.many_saddle_nodes(record)(beta, alpha, 0.0, *damping, F_0, out=places)
+    NATIVE.many_saddle_nodes(record)(beta, alpha, 0.0, *damping, F_0, out=columns)
     folds = many.saddle_nodes(F_0)
-    same(places, (folds.Omega, folds.A, folds.kind, folds.count, folds.undecided, folds.status))
+    same(columns, (folds.Omega, folds.A, folds.kind, folds.count, folds.undecided, folds.status))
     found = many.saddle_node_onset()
     expected = (found.F_SN, found.Omega, found.A, found.kind, found.at_rest, found.status)
     same(NATIVE.many_onset(record)(beta, alpha, 0.0, *damping), expected)
@@ -189,16 +189,16 @@ def test_an_offset_motion_reaches_farther_than_its_amplitude(own):
 
 def test_a_record_of_another_form_is_refused(own):
     record = own("-DFORM=99")
-    for ask in (NATIVE.many_onset, lambda given: NATIVE.model(given, (0.5, 1.0, 0.0), (0.0, 0.02))):
+    for ask in (NATIVE.many_onset, lambda one: NATIVE.model(one, (0.5, 1.0, 0.0), (0.0, 0.02))):
         with pytest.raises(ValueError, match="the record was compiled for another form"):
             ask(record)
 
 
-@pytest.mark.parametrize("given", [None, "duffing", records.capsule(1, b"somebody.else")])
-def test_what_is_no_record_is_refused(given):
-    for ask in (NATIVE.many_onset, lambda given: NATIVE.model(given, (1.0, 0.5), (0.0, 0.02)), NATIVE.onset):
+@pytest.mark.parametrize("value", [None, "duffing", records.capsule(1, b"somebody.else")])
+def test_what_is_no_record_is_refused(value):
+    for ask in (NATIVE.many_onset, lambda one: NATIVE.model(one, (1.0, 0.5), (0.0, 0.02)), NATIVE.onset):
         with pytest.raises(ValueError, match="PyCapsule_GetPointer"):
-            ask(given)
+            ask(value)
 
 
 def test_too_few_parameters_are_refused():

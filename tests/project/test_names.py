@@ -23,8 +23,11 @@ ROOMS = {
     "tests/measured": set(),
     "tests/mechanisms": set(),
     "tests/mutants": set(),
+    "tests/native": set(),
     "tests/project": set(),
+    "tests/random_vibration": set(),
     "tests/second": set(),
+    "tests/sizing": set(),
 }
 #: whole identifiers, without leading underscores and in lower case
 GONE = {

@@ -173,8 +173,8 @@ def test_slopes_within_radii_hold_those_there(psd):
         random.uniform(-3, 3, 40), random.uniform(-5, 1, 40), 10 ** random.uniform(-5, 0.3, (40, 2)), strict=True
     ):
         _, low, high = moments(psd, p, q, *size)
-        for share in random.uniform(-1, 1, (20, 2)):
-            _, inside, _ = moments(psd, *(np.array([p, q]) + share * size))
+        for fraction in random.uniform(-1, 1, (20, 2)):
+            _, inside, _ = moments(psd, *(np.array([p, q]) + fraction * size))
             assert (low - 1e-9 <= inside).all()
             assert (inside <= high + 1e-9).all()
 
@@ -234,7 +234,7 @@ def test_weak_damping_comes_to_miles_equation():
 
 
 @pytest.mark.parametrize(
-    ("mu", "asked", "u_rms", "v_rms"),
+    ("mu", "excitation", "u_rms", "v_rms"),
     (
         (0.0, {"S_0": 4e-4}, 0.1992365560, 0.1772453851),
         (0.012, {"S_0": 1e-3}, 0.2064306205, 0.1850528754),
@@ -243,8 +243,8 @@ def test_weak_damping_comes_to_miles_equation():
         (0.0354964787, {"psd": spread(1e-3)}, 0.0508043065, 0.0420121160),
     ),
 )
-def test_linearization_has_its_reference_values(mu, asked, u_rms, v_rms):
-    found = Isolator(**DESIGN, mu=mu, zeta=0.02).random(**asked)
+def test_linearization_has_its_reference_values(mu, excitation, u_rms, v_rms):
+    found = Isolator(**DESIGN, mu=mu, zeta=0.02).random(**excitation)
     np.testing.assert_allclose(np.array([found.u_rms, found.v_rms])[:, 0], [u_rms, v_rms], rtol=0, atol=6e-11)
 
 
@@ -307,8 +307,8 @@ G = [1e-4, 1e-4, 2.5e-7]
 """
 
 
-def scene(tmp_path, kind="mount", given=MOUNT, frequency="f", unit='unit = "g^2/Hz"'):
-    numbers = "\n".join(f"{name} = {value!r}" for name, value in given.items())
+def scene(tmp_path, kind="mount", parameters=MOUNT, frequency="f", unit='unit = "g^2/Hz"'):
+    numbers = "\n".join(f"{name} = {value!r}" for name, value in parameters.items())
     path = tmp_path / "scene.toml"
     path.write_text(SCENE.format(kind=kind, numbers=numbers, frequency=frequency, unit=unit))
     return read(path)
@@ -317,8 +317,8 @@ def scene(tmp_path, kind="mount", given=MOUNT, frequency="f", unit='unit = "g^2/
 @pytest.mark.slow
 def test_a_scene_has_random_vibration_by_its_psd(tmp_path):
     one = scene(tmp_path)
-    (asked,) = one.asked
-    assert one.answer(asked).x_rms[0] == pytest.approx(3.50161569, rel=1e-8)
+    (request,) = one.asked
+    assert one.answer(request).x_rms[0] == pytest.approx(3.50161569, rel=1e-8)
     page = html(one)
     assert "Random vibration" in page
     assert "3.502" in page
@@ -328,15 +328,15 @@ def test_a_scene_has_random_vibration_by_its_psd(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("changed", "said"),
+    ("changed", "message"),
     (
         ({"frequency": "Omega"}, "Omega is no key"),
         ({"unit": 'unit = "V^2/Hz"'}, "unit = .V.2.Hz. is not allowed"),
         ({"unit": "H = 3"}, "H is no key"),
     ),
 )
-def test_what_a_psd_of_a_scene_must_be_is_told(tmp_path, changed, said):
-    with pytest.raises(SceneError, match=said):
+def test_what_a_psd_of_a_scene_must_be_is_told(tmp_path, changed, message):
+    with pytest.raises(SceneError, match=message):
         scene(tmp_path, **changed)
 
 
@@ -398,7 +398,7 @@ def test_straight_lines_between_samples_have_the_spectrum():
 
 
 @pytest.mark.parametrize(
-    ("given", "asked", "said"),
+    ("parameters", "excitation", "message"),
     (
         ({}, {}, "either S_0"),
         ({}, {"S_0": 1.0, "psd": FLOOR}, "either S_0"),
@@ -412,9 +412,9 @@ def test_straight_lines_between_samples_have_the_spectrum():
         ({"load": 0.1}, {"S_0": 1.0}, "load"),
     ),
 )
-def test_what_has_no_stationary_answer_is_refused(given, asked, said):
-    with pytest.raises((Refused, ValueError), match=said):
-        Duffing(**{"alpha": 1.0, "beta": 1.0, "zeta": 0.05, **given}).random(**asked)
+def test_what_has_no_stationary_answer_is_refused(parameters, excitation, message):
+    with pytest.raises((Refused, ValueError), match=message):
+        Duffing(**{"alpha": 1.0, "beta": 1.0, "zeta": 0.05, **parameters}).random(**excitation)
 
 
 def test_a_mass_that_friction_holds_has_no_equivalent_damping():
@@ -424,12 +424,12 @@ def test_a_mass_that_friction_holds_has_no_equivalent_damping():
 
 
 def test_a_spring_that_gives_way_has_no_stationary_motion():
-    for one, asked in (
+    for one, excitation in (
         (Duffing(-1.0, 0.0, zeta=0.02), {"S_0": 1e-3}),
         (Duffing(1.75, -317.0, mu=0.3, zeta=0.01), {"psd": ([0.012, 0.04, 1.37, 61.0], [1e-3, 0.014, 0.12, 8e-4])}),
     ):
         with pytest.raises(ArithmeticError, match="gives way"):
-            one.random(**asked)
+            one.random(**excitation)
 
 
 def test_weakly_damped_linear_motions_take_few_boxes():

@@ -47,11 +47,15 @@ WITHIN = {"m": 0.02, "k_v": 0.03, "k_h": 0.05, "L": 0.01, "preload": 0.05, "fric
 # ---- tolerances ----------------------------------------------------------------------------------------------------
 
 
-def assert_samples_are_single_answers(found, mount, asked, near=1e-11):
+def assert_samples_are_single_answers(found, mount, single_answers, near=1e-11):
     """What each mount that was drawn says by itself, by name: each by a function of it, or all by one."""
     for k in range(found.drawn[next(iter(found.drawn))].size):
         one = mount.replace(**{name: float(values[k]) for name, values in found.drawn.items()})
-        single = asked(one) if callable(asked) else {name: ask(one) for name, ask in asked.items()}
+        single = (
+            single_answers(one)
+            if callable(single_answers)
+            else {name: ask(one) for name, ask in single_answers.items()}
+        )
         for name, value in single.items():
             assert found.samples[name][k] == pytest.approx(np.inf if value is None else value, rel=near), name
 
@@ -105,8 +109,8 @@ def test_shocks_and_spectra_have_bands_under_a_load_too():
         shock = one.transient(acceleration=20, duration=0.02)
         return {"A_shock": shock.A, "of_cr_shock": shock.x_cr / shock.A, **of_spectrum(one, table, 0)}
 
-    wanted = [*single(mount), "break_loose"]
-    found = tolerances(mount, {"load": 0.01}, shock=(20, 0.02), spectrum=table, answers=wanted, samples=2)
+    names = [*single(mount), "break_loose"]
+    found = tolerances(mount, {"load": 0.01}, shock=(20, 0.02), spectrum=table, answers=names, samples=2)
     assert_samples_are_single_answers(found, mount, single)
     assert "rests_within" not in Subject(mount).answers and "f_sticks" not in Subject(mount).answers
 
@@ -279,8 +283,8 @@ def test_what_is_not_allowed_is_refused_in_words(monkeypatch):
         ),
         (lambda: front(MOUNT, {"k_h": (1, 2)}, high=["F_SN"]), "front needs two answers"),
     ]
-    for call, said in refused:
-        with pytest.raises(ValueError, match=said):
+    for call, message in refused:
+        with pytest.raises(ValueError, match=message):
             call()
     monkeypatch.setitem(sys.modules, "SALib", None)
     monkeypatch.setitem(sys.modules, "SALib.sample.sobol", None)
@@ -364,9 +368,9 @@ def test_what_cannot_be_met_names_the_binding_requirement():
         assert MOUNT.replace(k_h=k_h).saddle_node_onset().F_SN < 8
 
 
-@pytest.mark.parametrize("asked", [5.0, 4e3, 1e300])
-def test_unmeetable_requirement_is_approached_as_far_as_allowed(asked):
-    found = meet(MOUNT, {"zeta": (0.01, 0.03)}, at_least={"F_SN": asked})  # the more damping the higher
+@pytest.mark.parametrize("target", [5.0, 4e3, 1e300])
+def test_unmeetable_requirement_is_approached_as_far_as_allowed(target):
+    found = meet(MOUNT, {"zeta": (0.01, 0.03)}, at_least={"F_SN": target})  # the more damping the higher
     assert not found.feasible and found.numbers["zeta"] == pytest.approx(0.03, rel=1e-6)
 
 
@@ -391,7 +395,7 @@ def test_no_design_is_better_than_one_of_the_front():
     draw = np.random.default_rng(2)
     k_h, preload = draw.uniform(500, 2500, 20_000), draw.uniform(0.002, 0.02, 20_000)
     tried = tolerances(
-        MOUNT, {"k_h": Given(k_h), "preload": Given(preload)}, answers=["F_SN", "F_cr", "f_rest"], samples=20_000
+        MOUNT, {"k_h": Fixed(k_h), "preload": Fixed(preload)}, answers=["F_SN", "F_cr", "f_rest"], samples=20_000
     )
     F_SN, F_cr, f_rest = tried.samples.values()
     allowed = F_cr >= 3.0
@@ -407,20 +411,20 @@ def test_no_design_is_better_than_one_of_the_front():
     assert found.columns().keys() == {"F_SN", "f_rest", "k_h", "preload"} and str(found).startswith("F_SN/N")
 
 
-class Given:
+class Fixed:
     """Values as they are, in place of a distribution."""
 
     def __init__(self, values):
         self.values = values
 
-    def ppf(self, share):
+    def ppf(self, probability):
         return self.values
 
 
 class OneByOne(Subject):
-    """Designs that are asked one by one, as on NumPy or under a load, and counted."""
+    """Designs that are evaluated one by one, as on NumPy or under a load, and counted."""
 
-    asked = 0
+    count = 0
 
     def __init__(self, of, varied):
         super().__init__(of, varied)
@@ -428,7 +432,7 @@ class OneByOne(Subject):
 
     def ask(self, values, names, load):
         names = list(names)
-        OneByOne.asked += len(names) * max((np.size(value) for value in values.values()), default=1)
+        OneByOne.count += len(names) * max((np.size(value) for value in values.values()), default=1)
         return super().ask(values, names, load)
 
 
@@ -436,14 +440,14 @@ class OneByOne(Subject):
 def test_slow_designs_are_found_by_gradient_steps(monkeypatch):
     """A front on NumPy took minutes, of tens of thousands of designs."""
     free = {"k_h": (500.0, 2500.0), "preload": (0.002, 0.02)}
-    asked = {"high": ["F_SN"], "low": ["f_rest"], "at_least": {"F_cr": 3.0}, "points": 4}
-    many = front(MOUNT, free, **asked)
+    arguments = {"high": ["F_SN"], "low": ["f_rest"], "at_least": {"F_cr": 3.0}, "points": 4}
+    many = front(MOUNT, free, **arguments)
     safe = meet(MOUNT, free, at_least={"F_SN": 3.5}, at_most={"f_rest": 2.0})
     monkeypatch.setattr("slowflow.sizing.requirements.Subject", OneByOne)
-    few, OneByOne.asked = front(MOUNT, free, **asked), 0
+    few, OneByOne.count = front(MOUNT, free, **arguments), 0
     assert few.one == pytest.approx(many.one, rel=2e-3) and few.other == pytest.approx(many.other, rel=2e-3)
-    again = front(MOUNT, free, **asked)
-    assert again == few and OneByOne.asked < 3000  # numbers of designs, three of each
+    again = front(MOUNT, free, **arguments)
+    assert again == few and OneByOne.count < 3000  # numbers of designs, three of each
     one = meet(MOUNT, free, at_least={"F_SN": 3.5}, at_most={"f_rest": 2.0})
     assert one.feasible and one.numbers == pytest.approx(safe.numbers, rel=1e-9)
     nothing = front(MOUNT, {"k_h": (500, 2500)}, high=["F_SN"], low=["f_rest"], at_least={"F_cr": 80.0})
@@ -479,15 +483,15 @@ def test_number_unknown_to_one_answer_is_best_for_the_other():
 
 
 def test_what_takes_long_says_how_far_it_is_and_only_to_who_asks(monkeypatch):
-    said = []
+    messages = []
     monkeypatch.setattr(progress, "EVERY", 0.0)
-    with progress.shown(said.append):
+    with progress.shown(messages.append):
         tolerances(MOUNT, {"k_h": 0.05}, answers=["F_cr"], samples=6000)
-    count = len(said)  # with what the batches of each part say of themselves
-    own = [one for one in said if one.startswith("tolerances")]
+    count = len(messages)  # with what the batches of each part say of themselves
+    own = [one for one in messages if one.startswith("tolerances")]
     assert own == ["tolerances: 0 %", "tolerances: 33 %", "tolerances: 66 %"]
     tolerances(MOUNT, {"k_h": 0.05}, answers=["F_cr"], samples=6000)
-    assert len(said) == count
+    assert len(messages) == count
 
 
 # ---- fits ----------------------------------------------------------------------------------------------------------
@@ -513,11 +517,11 @@ def test_a_fit_recovers_the_numbers_behind_a_noisy_exact_sweep():
 def test_intervals_hold_the_true_numbers_in_95_of_100_fits():
     f = np.linspace(1.2, 4.0, 40)
     A = np.array([MOUNT.amplitudes(f=x, F=2.5).A[0] for x in f])
-    random, held = np.random.default_rng(0), []
+    random, covered = np.random.default_rng(0), []
     for _ in range(fewer(20, 4)):
         found = fit(MOUNT, f=f, F=2.5, A=A + 2e-5 * random.standard_normal(f.size))
-        held += [row.low < TRUE[row.parameter] < row.high for row in found]
-    assert 0.87 < np.mean(held) <= 1.0
+        covered += [row.low < TRUE[row.parameter] < row.high for row in found]
+    assert 0.87 < np.mean(covered) <= 1.0
 
 
 def test_interval_ends_by_students_t():
@@ -538,14 +542,14 @@ def test_interval_ends_by_students_t():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("share", "noise", "seed"), [(0.8, 0.01, 3), (1.3, 0.02, 0)])
-def test_intervals_hold_every_design_that_the_points_allow(share, noise, seed):
+@pytest.mark.parametrize(("fraction", "noise", "seed"), [(0.8, 0.01, 3), (1.3, 0.02, 0)])
+def test_intervals_hold_every_design_that_the_points_allow(fraction, noise, seed):
     """Below the onset r and delta_h make up for each other; above it the sum of squares jumps as a fold passes a point.
 
     Allowed is what leaves no more than the least sum of squares times 1 + t^2/26, by this test's own residuals.
     """
     iso, random, free = isolator(), np.random.default_rng(seed), ["zeta", "mu", "delta_h", "r"]
-    F_0 = share * iso.saddle_node_onset().F_SN
+    F_0 = fraction * iso.saddle_node_onset().F_SN
     Omega, true = np.linspace(0.6, 1.5, 30) * iso.peak(F_0).Omega, np.array([iso.given[name] for name in free])
 
     def amplitudes(designs):
@@ -585,7 +589,7 @@ def test_undetermined_numbers_have_endless_intervals():
 @pytest.mark.slow
 def test_a_fit_leaves_a_local_minimum_and_says_so():
     """On the upper branch of a curve that jumps; a fit is no worse than the known truth."""
-    iso, random, said = isolator(), np.random.default_rng(7), 0
+    iso, random, local = isolator(), np.random.default_rng(7), 0
     free = ["mu", "zeta", "r", "delta_h"]
     for _ in range(5):
         F_0 = iso.saddle_node_onset().F_SN * random.uniform(1.0, 1.6)
@@ -596,8 +600,8 @@ def test_a_fit_leaves_a_local_minimum_and_says_so():
         start = {name: iso.given[name] * np.exp(random.uniform(-0.7, 0.7)) for name in free}
         found = fit(iso.replace(**start), Omega=Omega, F_0=F_0, A=A + noise, free=free)
         assert np.sum(found.residuals**2) <= np.sum(noise**2)  # the truth is no worse than what is found
-        said += "a search from the given start ends" in found.message
-    assert said
+        local += "a search from the given start ends" in found.message
+    assert local
 
 
 @pytest.mark.slow
@@ -618,8 +622,8 @@ def test_fit_to_exact_jumps_recovers_the_numbers():
 
 def test_a_fit_to_numbers_in_other_units_says_that_it_is_none():
     forces = [3.5, 4.0, 5.0, 6.0]
-    said = fit(MOUNT, F=forces, jump_up=[20.0, 21.0, 22.0, 23.0], jump_down=[20.1, 21.2, 22.3, 23.4]).message
-    assert said.startswith("no fit: ") and "preload left the range" in said and "units" in said
+    message = fit(MOUNT, F=forces, jump_up=[20.0, 21.0, 22.0, 23.0], jump_down=[20.1, 21.2, 22.3, 23.4]).message
+    assert message.startswith("no fit: ") and "preload left the range" in message and "units" in message
 
 
 def test_residuals_of_a_fit_are_drawn_at_their_frequencies():
@@ -688,8 +692,8 @@ def test_designs_under_a_load_have_the_answers_of_each_by_itself():
     assert 11 < found.drawn["load"].min() < found.drawn["load"].max() < 13
     without = tolerances(isolator(load=0.03), {"load": 0.1}, F_0=0.01, answers=["stroke", "A_peak"], samples=2)
     assert without.samples["A_peak"].tolist() == [0.0, 0.0]  # it sticks where it stands
-    rests = [isolator(load=float(load)).rest().u[0] for load in without.drawn["load"]]
-    assert without.samples["stroke"].tolist() == pytest.approx(rests, rel=1e-14)
+    equilibria = [isolator(load=float(load)).rest().u[0] for load in without.drawn["load"]]
+    assert without.samples["stroke"].tolist() == pytest.approx(equilibria, rel=1e-14)
 
 
 def test_requirements_are_met_under_a_load_by_the_nearest_design():
@@ -715,10 +719,10 @@ def test_static_friction_is_sized_and_changes_no_average():
     found = meet(grips, {"zeta": (0.01, 0.1)}, at_least={"F_SN": 4.0})
     assert found.feasible and found.design.given["static_friction"] == 0.6
     assert found.numbers == meet(MOUNT, {"zeta": (0.01, 0.1)}, at_least={"F_SN": 4.0}).numbers
-    asked = {name: SINGLE[name] for name in ("break_loose", "rests_within", "A_shock", "a_shock", "of_cr_shock")}
+    single = {name: SINGLE[name] for name in ("break_loose", "rests_within", "A_shock", "a_shock", "of_cr_shock")}
     within = {"m": 0.02, "friction": 0.2, "static_friction": 0.1}
-    found = tolerances(grips, within, shock=(20.0, 0.02), answers=asked, samples=4)
-    assert_samples_are_single_answers(found, grips, asked)
+    found = tolerances(grips, within, shock=(20.0, 0.02), answers=single, samples=4)
+    assert_samples_are_single_answers(found, grips, single)
     plain = tolerances(isolator(mu_s=0.02), {"mu_s": 0.1}, answers=["break_loose"], samples=9)
     assert np.array_equal(plain.samples["break_loose"], plain.drawn["mu_s"])
 
@@ -739,10 +743,10 @@ def test_less_static_than_kinetic_friction_is_no_design(static):
 @pytest.mark.parametrize("laws", [{"eta": 0.01}, {"c_2": 8.0}, {"rubs": "attached"}])
 def test_other_laws_are_sized_as_single_questions_see_them(laws):
     mount = MOUNT.replace(**laws)
-    asked = {name: single for name, single in SINGLE.items() if "shock" not in name or "eta" not in laws}
+    answers = {name: single for name, single in SINGLE.items() if "shock" not in name or "eta" not in laws}
     within = {name: 0.1 for name in ("k_h", "friction", *laws) if name != "rubs"}
-    found = tolerances(mount, within, F=5, shock=(20, 0.02), answers=asked, samples=2)
-    assert_samples_are_single_answers(found, mount, asked)
+    found = tolerances(mount, within, F=5, shock=(20, 0.02), answers=answers, samples=2)
+    assert_samples_are_single_answers(found, mount, answers)
 
 
 @pytest.mark.slow
