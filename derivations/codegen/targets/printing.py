@@ -49,20 +49,14 @@ class Rules:
     functions: ClassVar[dict[object, str]]
     infinity: str
 
-    def _print_Rational(self, expr: sp.Expr) -> str:
+    def _number(self, expr: sp.Expr) -> str:
+        """A constant but an infinity, or a function of constants."""
         return literal(expr)
-
-    _print_Integer = _print_Half = _print_One = _print_Zero = _print_NegativeOne = _print_Pi = _print_Rational
 
     def _print_Infinity(self, expr: sp.Expr) -> str:
         return self.infinity
 
-    def _print_Float(self, expr: sp.Expr) -> str:
-        return literal(expr)
-
     def _print_Add(self, expr: sp.Expr, order: str | None = None) -> str:
-        if is_constant(expr):
-            return literal(expr)
         text = ""
         for term in self._as_ordered_terms(expr):
             part = f"({self._print(term)})" if term.is_Add else self._print(term)
@@ -75,8 +69,6 @@ class Rules:
         return text
 
     def _print_Mul(self, expr: sp.Expr) -> str:
-        if is_constant(expr):
-            return literal(expr)
         factors = expr.as_ordered_factors()
         constant = sp.Mul(*(factor.doit() for factor in factors if is_constant(factor)))
         above, below = [], []
@@ -97,8 +89,6 @@ class Rules:
         return text
 
     def _print_Pow(self, expr: sp.Expr, rational: bool = False) -> str:
-        if is_constant(expr):
-            return literal(expr)
         base, exponent = expr.args
         if exponent == sp.Rational(1, 2):
             return f"{self.functions[sp.sqrt]}({self._print(base)})"
@@ -116,10 +106,9 @@ class Rules:
         # SymPy's printers have a method for each function they know, which would come before the table
         if isinstance(expr, sp.Function):
             return self._print_Function(expr)
+        if is_constant(expr) and expr is not sp.oo:
+            return self._number(expr)
         return super()._print(expr, **settings)
-
-    def _print_UnevaluatedExpr(self, expr: sp.UnevaluatedExpr) -> str:
-        return literal(expr)
 
     def _print_Function(self, expr: sp.Expr) -> str:
         if expr.func not in self.functions:

@@ -31,14 +31,11 @@ class BallPrinter(EnclosurePrinter):
         over = f" / {below[0]}" if len(below) == 1 else f" / ({' * '.join(below)})" if below else ""
         return f"({' * '.join(above) or '1'}{over})"
 
-    _print_Rational = _print_Integer = _print_Half = _number
-    _print_One = _print_Zero = _print_NegativeOne = _print_Pi = _number
-
     def _print_Pow(self, expr: sp.Expr, rational: bool = False) -> str:
         base = self.parenthesize(expr.base, PRECEDENCE["Atom"], strict=True)
-        if expr.exp == 2 and not expr.base.is_number:
+        if expr.exp == 2:
             return f"{base}**2"
-        if expr.exp == sp.Rational(1, 2) and not expr.base.is_number:
+        if expr.exp == sp.Rational(1, 2):
             return f"{base}.sqrt()"
         return super()._print_Pow(expr, rational)
 

@@ -19,27 +19,14 @@ class CallPrinter(Rules, C99CodePrinter):
 
     prefix: ClassVar[str]
 
-    def _print_Rational(self, expr: sp.Expr) -> str:
-        return self._number(expr)
-
-    _print_Integer = _print_Half = _print_One = _print_Zero = _print_NegativeOne = _print_Pi = _print_Rational
-
-    def _number(self, expr: sp.Expr) -> str:
-        raise NotImplementedError
-
     def _of(self, function: str, *arguments: str) -> str:
         return f"{self.prefix}{function}({', '.join(arguments)})"
-
-    def _print_UnevaluatedExpr(self, expr: sp.UnevaluatedExpr) -> str:
-        return self._number(expr)
 
     def _print_Symbol(self, expr: sp.Symbol) -> str:
         # complex.h makes a macro of I
         return "I_" if expr.name == "I" else expr.name
 
     def _print_Add(self, expr: sp.Expr, order: str | None = None) -> str:
-        if is_constant(expr):
-            return self._number(expr)
         first, *terms = sorted(self._as_ordered_terms(expr), key=sp.Expr.could_extract_minus_sign)
         text = self._print(first)
         for term in terms:
@@ -48,8 +35,6 @@ class CallPrinter(Rules, C99CodePrinter):
         return text
 
     def _print_Mul(self, expr: sp.Expr) -> str:
-        if is_constant(expr):
-            return self._number(expr)
         factors = expr.as_ordered_factors()
         constant = sp.Mul(*(factor.doit() for factor in factors if is_constant(factor)))
         above, below = [], []
@@ -79,8 +64,6 @@ class CallPrinter(Rules, C99CodePrinter):
         return text
 
     def _print_Pow(self, expr: sp.Expr, rational: bool = False) -> str:
-        if is_constant(expr):
-            return self._number(expr)
         base, exponent = expr.args
         if exponent == sp.Rational(1, 2):
             return self._of("sqrt", self._print(base))
@@ -114,11 +97,10 @@ class CEnclosurePrinter(CIntervalPrinter):
         sp.sqrt: "sfi_root",
         sp.Pow: "sfi_power",
     }
-    _print_Exp1 = CIntervalPrinter._number
 
     def _print_Pow(self, expr: sp.Expr, rational: bool = False) -> str:
         base, exponent = expr.args
-        if is_constant(expr) or exponent in (2, -1):
+        if exponent in (2, -1):
             return super()._print_Pow(expr, rational)
         if exponent.could_extract_minus_sign():
             return self._of("inverse", self._print(sp.Pow(base, -exponent)))
@@ -136,11 +118,6 @@ class PythonIntervalPrinter(Rules, NumPyPrinter):
     infinity = "np.inf"
     functions: ClassVar = {sp.sqrt: "sqrt"}
 
-    def _print_Rational(self, expr: sp.Expr) -> str:
-        return self._number(expr)
-
-    _print_Integer = _print_Half = _print_One = _print_Zero = _print_NegativeOne = _print_Pi = _print_Rational
-
     def _number(self, expr: sp.Expr) -> str:
         text = literal(expr)
         if not is_double(expr.doit()):
@@ -152,7 +129,7 @@ class PythonIntervalPrinter(Rules, NumPyPrinter):
 
     def _print_Pow(self, expr: sp.Expr, rational: bool = False) -> str:
         method = {sp.Integer(2): "square", sp.Rational(1, 2): "sqrt"}.get(expr.exp)
-        if is_constant(expr) or method is None:
+        if method is None:
             return super()._print_Pow(expr, rational)
         return f"{self.parenthesize(expr.base, PRECEDENCE['Atom'], strict=True)}.{method}()"
 
@@ -166,15 +143,7 @@ class EnclosurePrinter(PythonIntervalPrinter):
         text = literal(expr)
         return text if is_double(expr.doit()) else f"around({text})"
 
-    _print_Rational = _print_Integer = _print_Half = _number
-    _print_One = _print_Zero = _print_NegativeOne = _print_Pi = _print_Exp1 = _number
-
-    def _print_Add(self, expr: sp.Expr, order: str | None = None) -> str:
-        return self._number(expr) if is_constant(expr) else super()._print_Add(expr, order)
-
     def _print_Mul(self, expr: sp.Expr) -> str:
-        if is_constant(expr):
-            return self._number(expr)
         constant = sp.Mul(*(factor.doit() for factor in expr.args if is_constant(factor)))
         if is_double(constant):
             return super()._print_Mul(expr)
@@ -182,8 +151,8 @@ class EnclosurePrinter(PythonIntervalPrinter):
         return f"{self._number(constant)} * {self.parenthesize(rest, PRECEDENCE['Mul'])}"
 
     def _print_Pow(self, expr: sp.Expr, rational: bool = False) -> str:
-        if is_constant(expr) or expr.exp == 2:
-            return self._number(expr) if is_constant(expr) else super()._print_Pow(expr, rational)
+        if expr.exp == 2:
+            return super()._print_Pow(expr, rational)
         base = self.parenthesize(expr.base, PRECEDENCE["Atom"], strict=True)
         if expr.exp == sp.Rational(1, 2):
             return f"{base}.root()"
