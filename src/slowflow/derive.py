@@ -110,7 +110,7 @@ class Derived(Stated):
 
     def document(self) -> str:
         """Its derivation to read, Markdown with LaTeX: motion, slow flow, average in each regime, response, folds."""
-        text: str = _derivation().told(self._stated)
+        text: str = _derivation().description(self._stated)
         return text
 
     def write(self, folder: Path) -> list[str]:

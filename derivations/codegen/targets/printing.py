@@ -1,6 +1,6 @@
 """SymPy expressions as source text: what the printers of all languages share.
 
-In:  an expression as `passes` leaves it: exact numbers, at most squares of symbols.
+In:  an expression as `passes` leaves it: exact numbers, powers as products but in where a piece ends.
 Out: source text, every number a double of 17 digits, by a class that mixes in `Rules` and has the table `functions`.
 
 Whatever a printer does not know is an error (`Unprintable`): an unsupported function, a floating-point number, an
@@ -16,6 +16,9 @@ import sympy as sp
 from sympy.printing.precedence import PRECEDENCE
 
 from ..passes import is_constant
+
+#: the highest power that is printed as a product
+LONGEST = 8
 
 
 class Unprintable(TypeError):
@@ -84,8 +87,8 @@ class Rules:
             above.insert(0, literal(abs(constant)))
         text = sign + " * ".join(above)
         if below:
-            squared = any(factor.is_Pow and factor.exp == -2 for factor in factors)
-            text += " / " + (f"({' * '.join(below)})" if len(below) > 1 or squared else below[0])
+            product = any(factor.is_Pow and factor.exp.is_Integer and factor.exp < -1 for factor in factors)
+            text += " / " + (f"({' * '.join(below)})" if len(below) > 1 or product else below[0])
         return text
 
     def _print_Pow(self, expr: sp.Expr, rational: bool = False) -> str:
@@ -94,9 +97,10 @@ class Rules:
             return f"{self.functions[sp.sqrt]}({self._print(base)})"
         if exponent == sp.Rational(1, 3):
             return f"{self.functions[sp.cbrt]}({self._print(base)})"
-        if exponent == 2 and base.is_Symbol:
-            return f"{self._print(base)} * {self._print(base)}"
-        if exponent in (-1, -2, sp.Rational(-1, 2)):
+        # in where a piece ends; kernels have lost theirs in the passes
+        if exponent.is_Integer and 2 <= exponent <= LONGEST:
+            return " * ".join([self.parenthesize(base, PRECEDENCE["Mul"])] * int(exponent))
+        if exponent == sp.Rational(-1, 2) or (exponent.is_Integer and -LONGEST <= exponent < 0):
             return self._print_Mul(sp.Mul(sp.Integer(1), expr, evaluate=False))
         if exponent.is_Integer or sp.Pow not in self.functions:
             raise Unprintable(f"the power {expr} is not a chain of multiplications: it has to go through the passes")
