@@ -6,6 +6,8 @@
  *   SF_ALWAYS before one that is in place wherever it is called
  *   SF_INDEPENDENT  before the for of such a loop: gcc does not heed restrict on local pointers, and gives up on loops
  *                   that need more than ten checks of overlap
+ *   SF_EACH   in place of the for of one over whole vectors of SF_WIDEST numbers: the code for what would be left over is
+ *             as long as the loop itself, and loops are long
  *
  * The clones differ in speed only: no build contracts a*b + c, and fma() rounds once with and without the instruction.
  * "arch=x86-64-v3" asks for features (gcc 12); "arch=haswell" would ask for that very model of processor.
@@ -15,6 +17,7 @@
 #ifndef SF_CLONES_H
 #define SF_CLONES_H
 
+#include <stddef.h>
 #include <stdlib.h> /* a header of glibc, which tells of itself: stddef.h is the compiler's */
 
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__GLIBC__) && !defined(SF_NO_CLONES)
@@ -67,6 +70,11 @@
 #else
 #define SF_INDEPENDENT
 #endif
+
+/* numbers in a vector */
+enum { SF_WIDEST = 8 };
+#define SF_WHOLE(n) ((n) & ~(ptrdiff_t)(SF_WIDEST - 1))
+#define SF_EACH(i, n) SF_INDEPENDENT for (ptrdiff_t i = 0; i < SF_WHOLE(n); i++)
 
 #if defined(__clang__)
 #define SF_COMPILER "clang " __VERSION__

@@ -591,7 +591,7 @@ static void sf_frequencies_along(const sf_model *model, double F_0, const sf_seg
             sf_isolate_lanes(here, &block);
         }
         for (i = 0; i < here; i++) {
-            int place[3];
+            sf_place place[3];
             if (in_lanes && block.signs[i] != SF_UNSURE &&
                 sf_places_of_signs((int)block.signs[i], place) == segment->count) {
                 sf_add_job(&block, i, place[segment->index], &jobs);

@@ -16,9 +16,10 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "clones.h"
 #include "conventions.h"
 
-enum { SF_LANE_CELLS = 264, SF_LANE_VECTOR = 8 };
+enum { SF_LANE_CELLS = 264 };
 
 /* What is known of an amplitude, as rows: A, h, h_A, h_AA, h_AAA, and for folds and cusps k = h - A h_A */
 enum { SF_PROBE_ROWS = 6 };
@@ -28,14 +29,22 @@ enum { SF_PROBE_ROWS = 6 };
  * may be left out */
 enum { SF_ASKED_ROWS = 4, SF_LAST_ROWS = 3 };
 
+/* rows that these loops are given; of brackets those that are kept for the next round, and with what was asked before */
+enum { SF_GIVEN_ROWS = 17, SF_KEPT_ROWS = 8, SF_REMEMBERED_ROWS = SF_KEPT_ROWS + SF_LAST_ROWS };
+
 typedef enum { SF_HAS_NONE, SF_HAS_ONE, SF_IS_OPEN, SF_IS_DOUBTFUL } sf_verdict;
 
 /* of: which design of the block; base: where the piece of the force begins; cut: where an open cell is cut, or where F
  * is likely to vanish in one that has a zero; falls: whether F is negative at its low end */
 typedef struct {
     int n, of[SF_LANE_CELLS];
-    double low[SF_PROBE_ROWS][SF_LANE_CELLS], high[SF_PROBE_ROWS][SF_LANE_CELLS];
-    double asked[SF_ASKED_ROWS][SF_LANE_CELLS], base[SF_LANE_CELLS];
+    union {
+        double given[SF_GIVEN_ROWS][SF_LANE_CELLS];
+        struct {
+            double low[SF_PROBE_ROWS][SF_LANE_CELLS], high[SF_PROBE_ROWS][SF_LANE_CELLS];
+            double asked[SF_ASKED_ROWS][SF_LANE_CELLS], base[SF_LANE_CELLS];
+        };
+    };
     double verdict[SF_LANE_CELLS], cut[SF_LANE_CELLS], rises[SF_LANE_CELLS];
 } sf_lane_cells;
 
@@ -44,10 +53,15 @@ typedef struct {
  * function and its slope along that where it was asked before */
 typedef struct {
     int n, of[SF_LANE_CELLS];
-    double at[SF_PROBE_ROWS][SF_LANE_CELLS], asked[SF_ASKED_ROWS][SF_LANE_CELLS];
-    double lo[SF_LANE_CELLS], hi[SF_LANE_CELLS], rises[SF_LANE_CELLS], next[SF_LANE_CELLS], moved[SF_LANE_CELLS];
-    double Omega[SF_LANE_CELLS]; /* but of states */
-    double base[SF_LANE_CELLS], last[SF_LAST_ROWS][SF_LANE_CELLS];
+    union {
+        double given[SF_GIVEN_ROWS][SF_LANE_CELLS];
+        struct {
+            double at[SF_PROBE_ROWS][SF_LANE_CELLS], asked[SF_ASKED_ROWS][SF_LANE_CELLS];
+            double lo[SF_LANE_CELLS], hi[SF_LANE_CELLS], rises[SF_LANE_CELLS], base[SF_LANE_CELLS];
+            double last[SF_LAST_ROWS][SF_LANE_CELLS];
+        };
+    };
+    double next[SF_LANE_CELLS], moved[SF_LANE_CELLS], Omega[SF_LANE_CELLS]; /* Omega: but of states */
 } sf_lane_zeros;
 
 /* The verdicts of all cells; places that are left over of a vector are overwritten. */
@@ -69,7 +83,7 @@ void sf_approach_cusps(sf_lane_zeros *zeros);
 #define SF_FINITE_SIZE(x) (fabs(x) < HUGE_VAL ? fabs(x) : 0.0)
 
 /* As many places from n on as fill a vector. */
-static inline ptrdiff_t sf_filled(ptrdiff_t n) { return (n + SF_LANE_VECTOR - 1) & ~(ptrdiff_t)(SF_LANE_VECTOR - 1); }
+static inline ptrdiff_t sf_filled(ptrdiff_t n) { return SF_WHOLE(n + SF_WIDEST - 1); }
 
 /* A row as far as whole vectors, with copies of the last. */
 static inline void sf_fill(double *row, ptrdiff_t n) {
@@ -78,37 +92,22 @@ static inline void sf_fill(double *row, ptrdiff_t n) {
         row[i] = row[n - 1];
 }
 
-static inline void sf_fill_cells(sf_lane_cells *cells) {
+static inline void sf_fill_rows(double (*rows)[SF_LANE_CELLS], ptrdiff_t n) {
     int k;
-    for (k = 0; k < SF_PROBE_ROWS; k++)
-        sf_fill(cells->low[k], cells->n), sf_fill(cells->high[k], cells->n);
-    for (k = 0; k < SF_ASKED_ROWS; k++)
-        sf_fill(cells->asked[k], cells->n);
-    sf_fill(cells->base, cells->n);
-}
-
-static inline void sf_fill_zeros(sf_lane_zeros *zeros) {
-    int k;
-    for (k = 0; k < SF_PROBE_ROWS; k++)
-        sf_fill(zeros->at[k], zeros->n);
-    for (k = 0; k < SF_ASKED_ROWS; k++)
-        sf_fill(zeros->asked[k], zeros->n);
-    for (k = 0; k < SF_LAST_ROWS; k++)
-        sf_fill(zeros->last[k], zeros->n);
-    sf_fill(zeros->lo, zeros->n), sf_fill(zeros->hi, zeros->n), sf_fill(zeros->rises, zeros->n);
-    sf_fill(zeros->base, zeros->n);
+    for (k = 0; k < SF_GIVEN_ROWS; k++)
+        sf_fill(rows[k], n);
 }
 
 /* What a question of cells and brackets is to others, of the loops `judge` and `approach` of its file. */
 #define SF_DEFINE_QUESTION(JUDGE, APPROACH) \
     void JUDGE(sf_lane_cells *cells) \
     { \
-        sf_fill_cells(cells); \
+        sf_fill_rows(cells->given, cells->n); \
         judge(sf_filled(cells->n), cells); \
     } \
     void APPROACH(sf_lane_zeros *zeros) \
     { \
-        sf_fill_zeros(zeros); \
+        sf_fill_rows(zeros->given, zeros->n); \
         approach(sf_filled(zeros->n), zeros); \
     }
 

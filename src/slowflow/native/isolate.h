@@ -41,32 +41,33 @@ static inline void sf_isolate_fold(sf_isolated *q, double A, double h, double h_
     sf_isolate(q);
 }
 
-/* The places of the roots that the signs show, by rising Omega. A pair that touches is not counted. */
-static inline int sf_places(const sf_isolated *q, sf_place place[3]) {
+/* The places of the roots that signs show, by rising Omega: whether there are critical points, and f0 and f2 are below
+ * and f1 above 0. A pair that touches is not counted. */
+static inline int sf_places(int exist, int f0_below, int f1_above, int f2_below, sf_place place[3]) {
     int n = 0;
-    if (!q->exist) {
-        if (q->f0 < 0)
+    if (!exist) {
+        if (f0_below)
             place[n++] = SF_RISING;
         return n;
     }
-    if (q->f0 < 0 && q->f1 > 0)
+    if (f0_below && f1_above)
         place[n++] = SF_BELOW;
-    if (q->f1 > 0 && q->f2 < 0)
+    if (f1_above && f2_below)
         place[n++] = SF_BETWEEN;
-    if (q->f2 < 0)
+    if (f2_below)
         place[n++] = SF_ABOVE;
     return n;
 }
 
 static inline int sf_count(const sf_isolated *q) {
     sf_place place[3];
-    return sf_places(q, place);
+    return sf_places(q->exist, q->f0 < 0, q->f1 > 0, q->f2 < 0, place);
 }
 
 /* Place of root number `index` of `count`, also where the signs count otherwise. */
-static inline sf_place sf_place_of(const sf_isolated *q, int count, int index) {
+static inline sf_place sf_place_of(int exist, double f0, double f1, double f2, int count, int index) {
     sf_place place[3];
-    const int shown = sf_places(q, place);
+    const int shown = sf_places(exist, f0 < 0, f1 > 0, f2 < 0, place);
     if (shown == count)
         return index < count ? place[index] : SF_AT_W2;
     if (shown == count - 1) /* the lowest has gone to 0 */
@@ -74,14 +75,14 @@ static inline sf_place sf_place_of(const sf_isolated *q, int count, int index) {
     if (shown == count + 1) /* one has come from 0 */
         return place[index + 1];
     if (shown == count - 2) {
-        if (!q->exist) /* maximum and minimum are about to meet: all three are */
-            return q->f0 < 0 ? SF_RISING : SF_AT_0;
-        if (!(q->f1 > 0))
+        if (!exist) /* maximum and minimum are about to meet: all three are */
+            return f0 < 0 ? SF_RISING : SF_AT_0;
+        if (!(f1 > 0))
             return index < 2 ? SF_AT_W1 : place[index - 2];
         return index < count - 2 ? place[index] : SF_AT_W2;
     }
     if (shown == count + 2) /* the pair that is nearest to nothing does not count */
-        return place[fabs(q->f1) < fabs(q->f2) ? index + 2 : index];
+        return place[fabs(f1) < fabs(f2) ? index + 2 : index];
     return shown > 0 ? place[shown - 1] : SF_AT_0;
 }
 
@@ -113,7 +114,7 @@ static double sf_root_at(const sf_isolated *q, sf_place place) {
 }
 
 static inline double sf_wanted_root(const sf_isolated *q, int count, int index) {
-    return sf_root_at(q, sf_place_of(q, count, index));
+    return sf_root_at(q, sf_place_of(q->exist, q->f0, q->f1, q->f2, count, index));
 }
 
 #endif

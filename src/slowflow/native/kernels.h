@@ -15,16 +15,8 @@
 
 enum {
     SF_MOST_OPERANDS = 32,
-    SF_BLOCK = 256, /* no loop is given more than a block */
-    SF_WIDEST = 8   /* numbers in a vector; a loop is given whole vectors */
+    SF_BLOCK = 256 /* no loop is given more than a block, and whole vectors */
 };
-
-/* The same number, with which a compiler sees that it is one of whole vectors: the code for what would be left over is
- * as long as the loop itself, and loops are long. */
-#define SF_WHOLE(n) ((n) & ~(ptrdiff_t)(SF_WIDEST - 1))
-
-/* The head of such a loop. */
-#define SF_EACH(i, n) SF_INDEPENDENT for (ptrdiff_t i = 0; i < SF_WHOLE(n); i++)
 
 typedef void (*sf_loop)(ptrdiff_t n, const double *const *in, double *const *out);
 typedef void (*sf_choose)(ptrdiff_t n, const double *const *in, unsigned char *regime);

@@ -23,7 +23,7 @@ enum { SF_FOLD_BLOCK = 64 };
 #define SF_MOST_INERTIA 0x1p10
 #define SF_ON_BREAK 0x1p-44
 
-static const sf_lane_question sf_folds_in_lanes = {sf_judge_folds, sf_approach_folds, sf_sample_at, 1,
+static const sf_lane_question sf_folds_in_lanes = {sf_judge_folds, sf_approach_folds, sf_sample_at, SF_REMEMBERED_ROWS,
                                                    SF_LAST_BY_SQUARES};
 
 static void sf_search_folds(sf_lane_block *block) {
@@ -50,8 +50,7 @@ static void sf_begin_first_piece(sf_lane_block *block, int d, const sf_sample *r
 static int sf_begin_folds(sf_lane_block *block, int d) {
     sf_lane_design *of = &block->at[d];
     const sf_model *model = &of->model;
-    sf_sample low, high;
-    int i, pieces = 0;
+    int i;
     of->n = 0;
     for (i = 0; i < model->breaks; i++)
         if (model->jump[i] == 0)
@@ -59,24 +58,8 @@ static int sf_begin_folds(sf_lane_block *block, int d) {
     if (model->breaks < model->mechanism->breakpoints || !(model->zeta > 0) || sf_nearly_sticks(model, of->F_0) ||
         sf_is_linear(model) || sf_amplitude_bound(model, of->F_0, &of->A_max) != SF_OK)
         return 0;
-    while (pieces < model->breaks && model->b[pieces] < of->A_max)
-        pieces++;
     of->asked[0] = 0, of->asked[1] = model->zeta, of->asked[2] = model->m, of->asked[3] = of->F_0;
-    sf_sample_at(model, 0, &low);
-    if (block->cells[0].n + pieces + 3 > SF_LANE_CELLS || low.h != 0)
-        return 0;
-    for (i = 0; i <= pieces; i++) {
-        sf_sample_at(model, i < pieces ? model->b[i] : of->A_max, &high);
-        if (i == 0)
-            sf_begin_first_piece(block, d, &low, &high);
-        else
-            sf_add_cell(block, d, model->b[i - 1], &low, &high);
-        if (i < pieces) {
-            low = high;
-            sf_tend_from_above(model, i, &low);
-        }
-    }
-    return 1;
+    return sf_begin_pieces(&sf_folds_in_lanes, block, d, of->A_max, 3, sf_begin_first_piece);
 }
 
 /* Whether the last digits of a fold are the same from wherever it begins. */

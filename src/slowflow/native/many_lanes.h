@@ -56,13 +56,12 @@ typedef struct {
     sf_sample near[SF_LANE_ZEROS];
 } sf_lane_design;
 
-/* What a question is to a block. sample: what is known at an amplitude; remembers: whether its zeros are approached by
- * two amplitudes; no step to a zero needs a further one before it is settled if it is smaller than `last_step`,
- * relatively */
+/* What a question is to a block. sample: what is known at an amplitude; kept: how many rows of a bracket are; no step to a
+ * zero needs a further one before it is settled if it is smaller than `last_step`, relatively */
 typedef struct {
     void (*judge)(sf_lane_cells *), (*approach)(sf_lane_zeros *);
     void (*sample)(const sf_model *, double, sf_sample *);
-    int remembers;
+    int kept;
     double last_step;
 } sf_lane_question;
 
@@ -116,6 +115,33 @@ SF_ALWAYS void sf_sample_row(const sf_lane_question *question, const sf_lane_blo
     sf_probe_row(rows, k, &at);
 }
 
+/* The cells with which the search for design d begins, one for each piece of the force up to an amplitude; of the first
+ * piece those that `first` makes, if it is not NULL, `more` at most. 0 where there are no places for them, or a preload. */
+SF_ALWAYS int sf_begin_pieces(const sf_lane_question *question, sf_lane_block *block, int d, double A_max, int more,
+                              void (*first)(sf_lane_block *, int, const sf_sample *, const sf_sample *))
+{
+    const sf_model *model = &block->at[d].model;
+    sf_sample low, high;
+    int i, pieces = 0;
+    while (pieces < model->breaks && model->b[pieces] < A_max)
+        pieces++;
+    question->sample(model, 0, &low);
+    if (block->cells[0].n + pieces + more > SF_LANE_CELLS || low.h != 0)
+        return 0;
+    for (i = 0; i <= pieces; i++) {
+        question->sample(model, i < pieces ? model->b[i] : A_max, &high);
+        if (i == 0 && first != NULL)
+            first(block, d, &low, &high);
+        else
+            sf_add_cell(block, d, i > 0 ? model->b[i - 1] : 0, &low, &high);
+        if (i < pieces) {
+            low = high;
+            sf_tend_from_above(model, i, &low);
+        }
+    }
+    return 1;
+}
+
 /* Cells with a zero as brackets. */
 SF_ALWAYS void sf_add_brackets(const sf_lane_question *question, sf_lane_block *block, const sf_lane_cells *cells,
                                     const int *which, int n)
@@ -127,9 +153,7 @@ SF_ALWAYS void sf_add_brackets(const sf_lane_question *question, sf_lane_block *
         const int i = which[j], k = zeros->n + j;
         zeros->of[k] = cells->of[i];
         zeros->lo[k] = cells->low[0][i], zeros->hi[k] = cells->high[0][i], zeros->rises[k] = cells->rises[i];
-        zeros->base[k] = cells->base[i];
-        if (question->remembers)
-            zeros->last[0][k] = zeros->last[1][k] = zeros->last[2][k] = NAN;
+        zeros->base[k] = cells->base[i], zeros->last[0][k] = zeros->last[1][k] = zeros->last[2][k] = NAN;
         sf_sample_row(question, block, cells->of[i], cells->cut[i], zeros->at, k);
     }
     zeros->n += n;
@@ -164,10 +188,16 @@ static void sf_add_lane_zero(sf_lane_design *of, const sf_lane_zeros *zeros, int
 SF_ALWAYS void sf_cut_cells(const sf_lane_question *question, sf_lane_block *block, const sf_lane_cells *cells,
                                  const int *which, int n, sf_lane_cells *next)
 {
+    const int behind = 2 * SF_PROBE_ROWS; /* the rows of both ends */
     int j, row, end;
     next->n = 2 * n;
     sf_take_rows(cells->low, SF_PROBE_ROWS, which, n, next->low, 0);
     sf_take_rows(cells->high, SF_PROBE_ROWS, which, n, next->high, n);
+    for (end = 0; end < 2 * n; end += n) {
+        sf_take_rows(cells->given + behind, SF_GIVEN_ROWS - behind, which, n, next->given + behind, end);
+        for (j = 0; j < n; j++)
+            next->of[end + j] = cells->of[which[j]];
+    }
     for (j = 0; j < n; j++) {
         const int i = which[j];
         sf_sample_row(question, block, cells->of[i], cells->cut[i], next->high, j);
@@ -175,11 +205,6 @@ SF_ALWAYS void sf_cut_cells(const sf_lane_question *question, sf_lane_block *blo
     }
     for (row = 0; row < SF_PROBE_ROWS; row++)
         memcpy(&next->low[row][n], next->high[row], (size_t)n * sizeof(double));
-    for (end = 0; end < 2 * n; end += n) {
-        sf_take_rows(cells->asked, SF_ASKED_ROWS, which, n, next->asked, end);
-        for (j = 0; j < n; j++)
-            next->base[end + j] = cells->base[which[j]], next->of[end + j] = cells->of[which[j]];
-    }
 }
 
 /* All cells of a block, until none is open. */
@@ -228,13 +253,9 @@ SF_ALWAYS void sf_approach_block(const sf_lane_question *question, sf_lane_block
             n_far = 0;
         }
         next->n = n_far;
-        sf_take_rows(zeros->asked, SF_ASKED_ROWS, far, n_far, next->asked, 0);
-        if (question->remembers)
-            sf_take_rows(zeros->last, SF_LAST_ROWS, far, n_far, next->last, 0);
+        sf_take_rows(zeros->given + SF_PROBE_ROWS, question->kept, far, n_far, next->given + SF_PROBE_ROWS, 0);
         for (j = 0; j < n_far; j++) {
-            i = far[j];
-            next->of[j] = zeros->of[i], next->lo[j] = zeros->lo[i], next->hi[j] = zeros->hi[i],
-            next->rises[j] = zeros->rises[i], next->base[j] = zeros->base[i];
+            i = far[j], next->of[j] = zeros->of[i];
             sf_sample_row(question, block, zeros->of[i], zeros->next[i], next->at, j);
         }
     }

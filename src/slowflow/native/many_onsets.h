@@ -22,7 +22,8 @@ static const double sf_onset_parts[SF_ONSET_PARTS + 1] = {0, 0.125, 0.25, 0.5, 1
  * doubles, have lost too many digits for the last of them to be the same from wherever it begins */
 #define SF_WEAK 0x1p-40
 
-static const sf_lane_question sf_cusps_in_lanes = {sf_judge_cusps, sf_approach_cusps, sf_sample_at, 1, SF_LAST_OF_CUSP};
+static const sf_lane_question sf_cusps_in_lanes = {sf_judge_cusps, sf_approach_cusps, sf_sample_at, SF_REMEMBERED_ROWS,
+                                                   SF_LAST_OF_CUSP};
 
 static void sf_search_cusps(sf_lane_block *block) {
     sf_search_block(&sf_cusps_in_lanes, block);

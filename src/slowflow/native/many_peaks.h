@@ -14,7 +14,7 @@
 enum { SF_PEAK_PARTS = 3 };
 static const double sf_peak_parts[SF_PEAK_PARTS + 1] = {1, 0.5, 0.25, 0.125};
 
-static const sf_lane_question sf_peaks_in_lanes = {sf_judge_peaks, sf_approach_peaks, sf_average_at, 0,
+static const sf_lane_question sf_peaks_in_lanes = {sf_judge_peaks, sf_approach_peaks, sf_average_at, SF_KEPT_ROWS,
                                                    SF_LAST_BY_CUBES};
 
 /* The cell in which the search for the peak of design d begins, from its last breakpoint on; 0 where it is left to

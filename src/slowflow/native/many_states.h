@@ -10,7 +10,7 @@
 #include "states.h"
 
 static const sf_lane_question sf_states_in_lanes = {sf_judge_states, sf_approach_states, sf_average_at,
-                                                    0, SF_LAST_BY_CUBES};
+                                                    SF_KEPT_ROWS, SF_LAST_BY_CUBES};
 
 static void sf_search_states(sf_lane_block *block) {
     sf_search_block(&sf_states_in_lanes, block);
@@ -23,9 +23,7 @@ static int sf_begin_states(sf_lane_block *block, int d, const sf_exact_block *ex
     sf_lane_design *of = &block->at[d];
     sf_model *model = &of->model;
     const sf_mechanism *mechanism = model->mechanism;
-    sf_sample low, high;
     double A_max;
-    int i, pieces = 0;
     of->n = 0;
     if (!(model->zeta > 0) || sf_nearly_sticks(model, of->F_0))
         return 0;
@@ -33,23 +31,10 @@ static int sf_begin_states(sf_lane_block *block, int d, const sf_exact_block *ex
     if (!(A_max > SF_FIRST && A_max < SF_ENDLESS) || !sf_prepare(mechanism, NULL, model) ||
         model->breaks < mechanism->breakpoints)
         return 0;
-    while (pieces < model->breaks && model->b[pieces] < A_max)
-        pieces++;
-    if (pieces > 0 && !sf_take_jumps(exact, d, model))
+    if (model->breaks > 0 && model->b[0] < A_max && !sf_take_jumps(exact, d, model))
         return 0;
     of->asked[0] = of->Omega, of->asked[1] = model->zeta, of->asked[2] = model->m, of->asked[3] = of->F_0;
-    sf_average_at(model, 0, &low);
-    if (block->cells[0].n + pieces + 1 > SF_LANE_CELLS || low.h != 0)
-        return 0;
-    for (i = 0; i <= pieces; i++) {
-        sf_average_at(model, i < pieces ? model->b[i] : A_max, &high);
-        sf_add_cell(block, d, i > 0 ? model->b[i - 1] : 0, &low, &high);
-        if (i < pieces) {
-            low = high;
-            sf_tend_from_above(model, i, &low);
-        }
-    }
-    return 1;
+    return sf_begin_pieces(&sf_states_in_lanes, block, d, A_max, 1, NULL);
 }
 
 /* The states of a design that the block has found, each to its last digit; 0 where one does not settle. */

@@ -10,9 +10,9 @@
 
 #include <stddef.h>
 
-#include "roots.h"
+#include "isolate.h"
 
-enum { SF_QUARTICS = 64, SF_MOST_JOBS = 3 * SF_QUARTICS, SF_IN_VECTOR = 8 };
+enum { SF_QUARTICS = 64, SF_MOST_JOBS = 3 * SF_QUARTICS };
 
 /* F = 0 at n amplitudes. f0, f1, f2: F at 0 and at its maximum w1 and minimum w2, if there are any; p, q: of its
  * derivative;
@@ -61,20 +61,8 @@ static inline double sf_root_of_job(const sf_jobs *jobs, int k) {
 }
 
 /* The places of the roots that a sum of signs shows, by rising Omega; returns their number. */
-static inline int sf_places_of_signs(int signs, int place[3]) {
-    int n = 0;
-    if (!(signs & SF_CRITICAL)) {
-        if (signs & SF_F0_BELOW)
-            place[n++] = 3;
-        return n;
-    }
-    if ((signs & SF_F0_BELOW) && (signs & SF_F1_ABOVE))
-        place[n++] = 0;
-    if ((signs & SF_F1_ABOVE) && (signs & SF_F2_BELOW))
-        place[n++] = 1;
-    if (signs & SF_F2_BELOW)
-        place[n++] = 2;
-    return n;
+static inline int sf_places_of_signs(int signs, sf_place place[3]) {
+    return sf_places(signs & SF_CRITICAL, signs & SF_F0_BELOW, signs & SF_F1_ABOVE, signs & SF_F2_BELOW, place);
 }
 
 static inline void sf_add_job(const sf_quartics *block, int i, int place, sf_jobs *jobs) {

@@ -7,7 +7,6 @@
 #include "inertia.h"
 
 enum {
-    SF_VECTOR = 8,   /* a number of states is a multiple of it */
     SF_KNOWN = 12,   /* rows of averages: h, h_3 and h_5, each with three derivatives */
     SF_BALANCE = 9,  /* rows of the balance: u_max, A_1, phi, R, F, F_A, F_Omega, R_A, R_Omega */
     SF_MATCH = 2,    /* rows of a step to the frequency of a given R: the step to ln Omega, and sf_short_exp of it */
@@ -22,9 +21,9 @@ static inline double sf_force_squared_slope(double Omega, double F_0) {
     return 2 * inertia_force(Omega, F_0) * slopes[0];
 }
 
-/* Row k of the n states begins at known[k * n], and at out[k * n].
+/* Row k of the n states, of which there are whole vectors, begins at known[k * n], and at out[k * n].
  *
- * inertial: whether the force is F_0 Omega^2; phases: whether the row of phi is written */
+ * inertial: whether the force is F_0 Omega^2; phases: whether phi is wanted, which else is none */
 void sf_second_balances(ptrdiff_t n, const double *Omega, const double *A, double F_0, int inertial, int phases,
                         double m, double zeta, const double *known, double *out);
 

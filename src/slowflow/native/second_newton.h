@@ -95,7 +95,7 @@ typedef struct {
 /* Whole vectors of lanes: the last one again and again. */
 static int sf_whole_lanes(sf_lanes *lanes) {
     int n = lanes->n, i;
-    for (i = n; i < SF_LANES && i % SF_VECTOR != 0; i++)
+    for (i = n; i < SF_LANES && i % SF_WIDEST != 0; i++)
         lanes->Omega[i] = lanes->Omega[n - 1], lanes->A[i] = lanes->A[n - 1], lanes->R[i] = lanes->R[n - 1];
     return i;
 }

@@ -36,16 +36,16 @@ typedef struct {
 
 #define sf_four_of(a, b, c, d) ((sf_four){{a, b, c, d}})
 #define sf_lane(fours, k) ((fours)[(k) / 4].at[(k) % 4])
-#define SF_EACH(name, op)                              \
+#define SF_EACH_OF_FOUR(name, op)                      \
     static inline sf_four name(sf_four a, sf_four b)   \
     {                                                  \
         for (int k = 0; k < 4; k++)                    \
             a.at[k] op b.at[k];                        \
         return a;                                      \
     }
-SF_EACH(sf_plus, +=)
-SF_EACH(sf_less, -=)
-SF_EACH(sf_times, *=)
+SF_EACH_OF_FOUR(sf_plus, +=)
+SF_EACH_OF_FOUR(sf_less, -=)
+SF_EACH_OF_FOUR(sf_times, *=)
 #endif
 
 #define sf_all(a) sf_four_of(a, a, a, a)

@@ -72,9 +72,7 @@ static inline at_k at_k_of(double k, double F_0, double m, double excess, double
 
 SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
 {
-    n &= ~(ptrdiff_t)(SF_LANE_VECTOR - 1);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
+    SF_EACH(i, n) {
         const double a = cells->low[0][i], h_a = cells->low[1][i], h1_a = cells->low[2][i], h2_a = cells->low[3][i];
         const double b = cells->high[0][i], h_b = cells->high[1][i], h1_b = cells->high[2][i], h2_b = cells->high[3][i];
         const double h3_a = cells->low[4][i], k_a = cells->low[5][i], h3_b = cells->high[4][i], k_b = cells->high[5][i];
@@ -180,9 +178,7 @@ SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
  * first by what |k| is there. Omega from F = 0, which at a fold A moves to second order only. */
 SF_WIDE static void approach(ptrdiff_t n, sf_lane_zeros *zeros)
 {
-    n &= ~(ptrdiff_t)(SF_LANE_VECTOR - 1);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
+    SF_EACH(i, n) {
         const double A = zeros->at[0][i], h = zeros->at[1][i], h_A = zeros->at[2][i], h_AA = zeros->at[3][i],
                      k = zeros->at[5][i], base = zeros->base[i];
         const double zeta = zeros->asked[1][i], m = zeros->asked[2][i], F_0 = zeros->asked[3][i];

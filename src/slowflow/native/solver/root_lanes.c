@@ -12,9 +12,7 @@ enum { HALLEY = 2 };
 /* sf_critical_points and what sf_isolate does with them */
 SF_WIDE static void isolate(ptrdiff_t n, sf_quartics *block)
 {
-    n &= ~(ptrdiff_t)(SF_IN_VECTOR - 1);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
+    SF_EACH(i, n) {
         const double A = block->A[i], h = block->h[i], m = block->m[i], zeta = block->zeta[i], F_0 = block->F_0[i];
         double derivative[5], at_0[2], at_1[2], at_2[2];
         frequencies_response_derivative(A, m, zeta, h, derivative);
@@ -40,9 +38,7 @@ SF_WIDE static void isolate(ptrdiff_t n, sf_quartics *block)
 /* The starts of sf_root_below, sf_root_between, sf_root_above and sf_root_of_rising, places 0 to 3, and sf_refine. */
 SF_WIDE static void refine(ptrdiff_t n, sf_jobs *jobs)
 {
-    n &= ~(ptrdiff_t)(SF_IN_VECTOR - 1);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
+    SF_EACH(i, n) {
         const double A = jobs->A[i], h = jobs->h[i], m = jobs->m[i], zeta = jobs->zeta[i], F_0 = jobs->F_0[i];
         const double p = jobs->p[i], q = jobs->q[i], w1 = jobs->w1[i], w2 = jobs->w2[i], place = jobs->place[i];
         const double f1 = jobs->f1[i], f2 = jobs->f2[i], k = 4 * A, E = -jobs->f0[i] / k, line = E / q;

@@ -31,7 +31,7 @@ SF_FMA static void roots_of_block(ptrdiff_t n, sf_quartics *block, sf_jobs *jobs
     jobs->n = 0;
     sf_isolate_lanes(n, block);
     for (int i = 0; i < n; i++) {
-        int place[3];
+        sf_place place[3];
         count[i] = block->signs[i] == SF_UNSURE ? -1 : sf_places_of_signs((int)block->signs[i], place);
         for (int j = 0; j < 3; j++)
             Omega[i][j] = NAN;

@@ -13,9 +13,7 @@
     double *restrict u_max = out, *restrict A_1 = out + n, *restrict phi = out + 2 * n, *restrict R = out + 3 * n;     \
     double *restrict F = out + 4 * n, *restrict F_A = out + 5 * n, *restrict F_Omega = out + 6 * n;                    \
     double *restrict R_A = out + 7 * n, *restrict R_Omega = out + 8 * n;                                               \
-    n &= ~(ptrdiff_t)(SF_VECTOR - 1);                                                                                  \
-    SF_INDEPENDENT                                                                                                     \
-    for (ptrdiff_t i = 0; i < n; i++) {                                                                                \
+    SF_EACH(i, n) {                                                                                                    \
         double values[SF_BALANCE];                                                                                     \
         second_approximation_response(Omega[i], A[i], (by_inertia) ? inertia_force(Omega[i], F_0) : F_0, m, zeta, h[i], \
                                       h_A[i], h_AA[i], h_3[i], h_3_A[i], h_3_AA[i], h_5[i], h_5_A[i], h_5_AA[i],       \
@@ -53,9 +51,7 @@ SF_WIDE void sf_second_matches(ptrdiff_t n, const double *Omega, const double *R
 {
     const double *restrict at_R = balances + 3 * n, *restrict R_Omega = balances + 8 * n;
     double *restrict steps = out, *restrict growth = out + n;
-    n &= ~(ptrdiff_t)(SF_VECTOR - 1);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
+    SF_EACH(i, n) {
         const double R_z = R_Omega[i] * Omega[i] / F_0, off = (R[i] - at_R[i]) / F_0;
         const double step = (R_z * off - SF_WEIGHT * SF_WEIGHT * way[i]) / (R_z * R_z + SF_WEIGHT * SF_WEIGHT);
         const double below = step > SF_LONGEST ? SF_LONGEST : step, within = below > -SF_LONGEST ? below : -SF_LONGEST;
@@ -73,9 +69,7 @@ SF_WIDE void sf_second_newton(ptrdiff_t n, const double *Omega, const double *A,
     double *restrict to_A = out + 3 * n, *restrict growth_A = out + 4 * n;
     double *restrict to_Omega = out + 5 * n, *restrict growth_Omega = out + 6 * n;
     const double per = 1 / F_0;
-    n &= ~(ptrdiff_t)(SF_VECTOR - 1);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
+    SF_EACH(i, n) {
         const double F = at_F[i] * per * per, F_x = F_A[i] * A[i] * per * per, F_z = F_Omega[i] * Omega[i] * per * per;
         const double R_x = R_A[i] * A[i] * per, R_z = R_Omega[i] * Omega[i] * per;
         /* the gradient in the metric dx^2 + dR^2 + (WEIGHT dz)^2 */
