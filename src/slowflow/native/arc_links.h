@@ -8,104 +8,85 @@
 
 /* ==== Roots of the two quartics along A =========================================================================== */
 
-/* By other laws of damping; F_0 < 0: on the fold locus. */
-static int sf_law_count_at(const sf_model *model, const sf_sample *at, double F_0) {
-    sf_law_quartic q;
-    int shown[3];
-    sf_make_law_quartic(model, at, F_0 < 0 ? SF_OF_FOLDS : SF_OF_RESPONSE, F_0, sf_is_beyond(model, at->A), &q);
-    return sf_law_shown(&q, shown);
+/* In place of a forcing where the quartic is not the response's: that of the fold locus. */
+#define SF_ON_LOCUS -1.
+
+static void sf_isolate_at(const sf_model *model, const sf_sample *at, double F_0, sf_isolated *q) {
+    if (F_0 < 0)
+        sf_isolate_fold(q, at->A, at->h, at->h_A, model->m, model->zeta);
+    else
+        sf_isolate_response(q, at->A, at->h, model->m, model->zeta, F_0);
 }
 
-static double sf_law_branch_at(const sf_model *model, const sf_sample *at, double F_0, int count, int index) {
-    sf_law_quartic q;
-    sf_make_law_quartic(model, at, F_0 < 0 ? SF_OF_FOLDS : SF_OF_RESPONSE, F_0, sf_is_beyond(model, at->A), &q);
-    return sf_law_branch(&q, count, index);
+/* The same by other laws of damping. */
+static void sf_make_law_quartic_at(const sf_model *model, const sf_sample *at, double F_0, sf_law_quartic *q) {
+    sf_make_law_quartic(model, at, F_0 < 0 ? SF_OF_FOLDS : SF_OF_RESPONSE, F_0, sf_is_beyond(model, at->A), q);
 }
 
-static int sf_fold_count(const sf_model *model, const sf_sample *at) {
+/* How many roots there are at an amplitude; negative where that is beyond the range of doubles. */
+static int sf_count_at(const sf_model *model, const sf_sample *at, double F_0) {
+    sf_law_quartic by_laws;
     sf_isolated q;
-    if (sf_has_laws(model))
-        return sf_law_count_at(model, at, -1);
-    if (model->zeta == 0) /* the factor R = 0 is the backbone, at the level m */
+    if (sf_has_laws(model)) {
+        sf_make_law_quartic_at(model, at, F_0, &by_laws);
+        return sf_law_count(&by_laws);
+    }
+    if (F_0 < 0 && model->zeta == 0) /* the factor R = 0 is the backbone, at the level m */
         return at->h_A < 0;
-    sf_isolate_fold(&q, at->A, at->h, at->h_A, model->m, model->zeta);
+    if (F_0 >= 0 && sf_inertial(model))
+        return sf_inertial_overflows(model, at, F_0) ? -1 : sf_inertial_count(model, at, F_0);
+    sf_isolate_at(model, at, F_0, &q);
     return sf_count(&q);
 }
 
-static double sf_fold_branch(const sf_model *model, const sf_sample *at, int count, int index) {
+/* Root number `index` of `count`. */
+static double sf_branch_at(const sf_model *model, const sf_sample *at, double F_0, int count, int index) {
+    sf_law_quartic by_laws;
     sf_isolated q;
-    if (sf_has_laws(model) && at->A > 0)
-        return sf_law_branch_at(model, at, -1, count, index);
-    if (model->eta != 0 || model->d != 0 || model->released) /* at A = 0 there is no quartic */
+    if (sf_has_laws(model) && (F_0 >= 0 || at->A > 0)) {
+        sf_make_law_quartic_at(model, at, F_0, &by_laws);
+        return sf_law_branch(&by_laws, count, index);
+    }
+    if (F_0 >= 0 && sf_inertial(model))
+        return sf_inertial_root(model, at, F_0, count, index);
+    if (F_0 < 0 && (model->eta != 0 || model->d != 0 || model->released)) /* at A = 0 there is no quartic */
         return NAN;
     /* at A = 0, where the quartic is none, what damping is too weak to hide begins at the stiffness there */
-    if (model->zeta == 0 || (at->A == 0 && fabs(at->h_A) < HUGE_VAL))
+    if (F_0 < 0 && (model->zeta == 0 || (at->A == 0 && fabs(at->h_A) < HUGE_VAL)))
         return slow_flow_zeta0_undamped_Omega(fmin(at->h_A, 0));
-    sf_isolate_fold(&q, at->A, at->h, at->h_A, model->m, model->zeta);
-    return sf_wanted_root(&q, count, index);
-}
-
-static int sf_response_count(const sf_model *model, const sf_sample *at, double F_0) {
-    sf_isolated q;
-    if (sf_has_laws(model))
-        return sf_law_count_at(model, at, F_0);
-    if (sf_inertial(model))
-        return sf_inertial_overflows(model, at, F_0) ? -1 : sf_inertial_count(model, at, F_0);
-    sf_isolate_response(&q, at->A, at->h, model->m, model->zeta, F_0);
-    return sf_count(&q);
-}
-
-static double sf_response_branch(const sf_model *model, const sf_sample *at, double F_0, int count, int index) {
-    sf_isolated q;
-    if (sf_has_laws(model))
-        return sf_law_branch_at(model, at, F_0, count, index);
-    if (sf_inertial(model))
-        return sf_inertial_root(model, at, F_0, count, index);
-    sf_isolate_response(&q, at->A, at->h, model->m, model->zeta, F_0);
+    sf_isolate_at(model, at, F_0, &q);
     return sf_wanted_root(&q, count, index);
 }
 
 /* ==== Arcs between events ========================================================================================= */
 
-typedef struct {
-    const sf_model *model;
-    double F_0; /* < 0 for the fold locus */
-} sf_curve;
-
-static int sf_count_at(const sf_curve *curve, double A) {
-    sf_sample at;
-    sf_sample_at(curve->model, A, &at);
-    return curve->F_0 < 0 ? sf_fold_count(curve->model, &at) : sf_response_count(curve->model, &at, curve->F_0);
-}
-
-static double sf_branch_at(const sf_curve *curve, const sf_sample *at, int count, int index) {
-    return curve->F_0 < 0 ? sf_fold_branch(curve->model, at, count, index)
-                          : sf_response_branch(curve->model, at, curve->F_0, count, index);
-}
-
 /* Whether the numbers of a response's roots beside an event are not what it makes of them: roots coincide within
  * rounding.
  * Between events that are hardly apart rounding may have changed their order. */
-static int sf_contradicts(const sf_curve *curve, const sf_graph *graph, int k) {
+static int sf_contradicts(double F_0, const sf_graph *graph, int k) {
     const sf_event *event = &graph->event[k];
-    if (k == 0 || curve->F_0 < 0 || event->kind == SF_CUT || event->kind == SF_THROUGH)
+    if (k == 0 || F_0 < 0 || event->kind == SF_CUT || event->kind == SF_THROUGH)
         return 0;
     return event->A - event[-1].A > SF_HARDLY * event->A && event[1].A - event->A > SF_HARDLY * event->A &&
            graph->count[k] - graph->count[k - 1] != event->gain;
 }
 
 /* The number of roots in each interval; where one is too narrow to hold an amplitude, the event's gain tells. */
-static void sf_count_intervals(const sf_curve *curve, sf_graph *graph) {
+static void sf_count_intervals(const sf_model *model, double F_0, sf_graph *graph) {
+    sf_sample at;
     int k;
     for (k = 0; k + 1 < graph->events; k++) {
         const double low = graph->event[k].A, high = graph->event[k + 1].A, middle = 0.5 * (low + high);
-        if (middle > low + SF_NO_WIDTH * low && middle < high)
-            graph->count[k] = sf_count_at(curve, middle);
-        else if (k > 0 && graph->event[k].kind != SF_CUT)
+        const int is_wide = middle > low + SF_NO_WIDTH * low && middle < high;
+        if (!is_wide && k > 0 && graph->event[k].kind != SF_CUT) {
             graph->count[k] = graph->count[k - 1] + graph->event[k].gain;
-        else /* next to a breakpoint, or between its two sides */
-            graph->count[k] = graph->event[k + 1].kind == SF_CUT ? 0 : sf_count_at(curve, low);
-        if (graph->count[k] < 0 || graph->count[k] > 3 || sf_contradicts(curve, graph, k)) {
+        } else if (!is_wide && graph->event[k + 1].kind == SF_CUT) { /* between the sides of a breakpoint */
+            graph->count[k] = 0;
+        } else { /* or next to one */
+            sf_sample_at(model, is_wide ? middle : low, &at);
+            graph->count[k] = sf_count_at(model, &at, F_0);
+        }
+        if (graph->count[k] < 0 || graph->count[k] > 3 || sf_contradicts(F_0, graph, k)) {
             graph->status = SF_UNRESOLVED;
             graph->count[k] = 0;
         }
@@ -113,50 +94,41 @@ static void sf_count_intervals(const sf_curve *curve, sf_graph *graph) {
 }
 
 /* Arcs that end at an event, each with the Omega that it has there. */
-static void sf_end_all(const sf_curve *curve, sf_graph *graph, const sf_sample *at, int interval, int end) {
+static void sf_end_all(const sf_model *model, double F_0, sf_graph *graph, const sf_sample *at, int interval, int end) {
     int i;
     for (i = 0; i < graph->count[interval]; i++)
         sf_end(graph, graph->first[interval] + i, end, at->A,
-               sf_branch_at(curve, at, graph->count[interval], i));
-}
-
-static int sf_law_lower_pair(const sf_curve *curve, const sf_sample *at, double *Omega) {
-    sf_law_quartic q;
-    int first;
-    sf_make_law_quartic(curve->model, at, curve->F_0 < 0 ? SF_OF_FOLDS : SF_OF_RESPONSE, curve->F_0,
-                        sf_is_beyond(curve->model, at->A), &q);
-    first = q.w[0] > 0 && fabs(q.f[1]) < fabs(q.f[2]);
-    *Omega = q.by_x ? 1 / q.w[!first] : q.w[!first];
-    return q.by_x ? !first : first;
+               sf_branch_at(model, at, F_0, graph->count[interval], i));
 }
 
 /* Which two of the roots meet at A, the lower pair or the upper, and where: as the event says, or, where it is none of
  * these but roots vanish all the same (a breakpoint that is an extremum to rounding), by the critical value next to
  * 0. */
-static int sf_lower_pair(const sf_curve *curve, const sf_event *event, const sf_sample *at, double *Omega) {
-    const sf_model *model = curve->model;
+static int sf_lower_pair(const sf_model *model, double F_0, const sf_event *event, const sf_sample *at, double *Omega) {
+    sf_law_quartic by_laws;
     sf_isolated q;
     int lower;
     *Omega = event->Omega;
     if (event->kind == SF_PAIR_LOW || event->kind == SF_PAIR_HIGH)
         return event->kind == SF_PAIR_LOW;
-    if (sf_has_laws(model))
-        return sf_law_lower_pair(curve, at, Omega);
-    if (sf_inertial(model) && curve->F_0 >= 0) {
+    if (sf_has_laws(model)) {
+        sf_make_law_quartic_at(model, at, F_0, &by_laws);
+        lower = by_laws.w[0] > 0 && fabs(by_laws.f[1]) < fabs(by_laws.f[2]);
+        *Omega = by_laws.by_x ? 1 / by_laws.w[!lower] : by_laws.w[!lower];
+        return by_laws.by_x ? !lower : lower;
+    }
+    if (sf_inertial(model) && F_0 >= 0) {
         *Omega = 1 / sf_least_x(model, at);
         return 0;
     }
-    if (curve->F_0 < 0)
-        sf_isolate_fold(&q, at->A, at->h, at->h_A, model->m, model->zeta);
-    else
-        sf_isolate_response(&q, at->A, at->h, model->m, model->zeta, curve->F_0);
+    sf_isolate_at(model, at, F_0, &q);
     lower = q.w1 > 0 && fabs(q.f1) < fabs(q.f2);
     *Omega = lower ? q.w1 : q.w2;
     return lower;
 }
 
 /* Event k, between intervals k - 1 and k: arcs of the richer side end, all others go on. */
-static void sf_link(const sf_curve *curve, sf_graph *graph, int k) {
+static void sf_link(const sf_model *model, double F_0, sf_graph *graph, int k) {
     const sf_event *event = &graph->event[k];
     const int left = graph->count[k - 1], right = graph->count[k];
     const int rich = left >= right ? k - 1 : k, poor = left >= right ? k : k - 1;
@@ -164,10 +136,10 @@ static void sf_link(const sf_curve *curve, sf_graph *graph, int k) {
     const int first_rich = graph->first[rich], first_poor = graph->first[poor];
     int gone = 0, i; /* index of the first arc of the richer side that does not go on */
     sf_sample at;
-    sf_sample_at(curve->model, event->A, &at);
+    sf_sample_at(model, event->A, &at);
     if (event->kind == SF_CUT) {
-        sf_end_all(curve, graph, &at, k - 1, 1);
-        sf_end_all(curve, graph, &at, k, 0);
+        sf_end_all(model, F_0, graph, &at, k - 1, 1);
+        sf_end_all(model, F_0, graph, &at, k, 0);
         return;
     }
     if (event->kind == SF_TO_INFINITY && lost == 1) {
@@ -178,7 +150,7 @@ static void sf_link(const sf_curve *curve, sf_graph *graph, int k) {
     }
     if (lost >= 2) {
         double Omega;
-        const int lower = sf_lower_pair(curve, event, &at, &Omega) && lost == 2;
+        const int lower = sf_lower_pair(model, F_0, event, &at, &Omega) && lost == 2;
         const int pair = lower ? first_rich : first_rich + graph->count[rich] - 2;
         gone = lower || lost == 3 ? 0 : graph->count[rich] - 2;
         sf_end(graph, pair, rich_end, event->A, Omega);
@@ -188,32 +160,33 @@ static void sf_link(const sf_curve *curve, sf_graph *graph, int k) {
     for (i = 0; i < graph->count[poor]; i++) {
         const int other = first_rich + (i < gone ? i : i + lost);
         /* by other laws, where one ends at Omega = 0 and another begins they meet; without, one goes by */
-        const int is_at_rest = i == 0 && lost == 0 && event->kind == SF_TO_ZERO && sf_has_laws(curve->model);
-        const double Omega = is_at_rest ? 0 : sf_branch_at(curve, &at, graph->count[poor], i);
+        const int is_at_rest = i == 0 && lost == 0 && event->kind == SF_TO_ZERO && sf_has_laws(model);
+        const double Omega = is_at_rest ? 0 : sf_branch_at(model, &at, F_0, graph->count[poor], i);
         sf_end(graph, first_poor + i, 1 - rich_end, event->A, Omega);
         sf_end(graph, other, rich_end, event->A, Omega);
         sf_meet(graph, first_poor + i, 1 - rich_end, other, rich_end);
     }
 }
 
-static void sf_trace_arcs(const sf_curve *curve, sf_graph *graph) {
+/* F_0: of the response, or SF_ON_LOCUS */
+static void sf_trace_arcs(const sf_model *model, double F_0, sf_graph *graph) {
     sf_sample at;
     int k;
-    sf_count_intervals(curve, graph);
+    sf_count_intervals(model, F_0, graph);
     sf_make_arcs(graph);
     if (graph->events < 2)
         return;
     for (k = 1; k + 1 < graph->events; k++)
-        sf_link(curve, graph, k);
-    if (graph->event[0].A > 0 || curve->F_0 < 0) {
-        sf_sample_at(curve->model, graph->event[0].A, &at);
-        sf_end_all(curve, graph, &at, 0, 0);
+        sf_link(model, F_0, graph, k);
+    if (graph->event[0].A > 0 || F_0 < 0) {
+        sf_sample_at(model, graph->event[0].A, &at);
+        sf_end_all(model, F_0, graph, &at, 0, 0);
     } else { /* the response comes from A = 0, at one frequency */
         for (k = 0; k < graph->count[0]; k++)
             sf_end(graph, k, 0, 0, graph->event[0].Omega);
     }
-    sf_sample_at(curve->model, graph->event[graph->events - 1].A, &at);
-    sf_end_all(curve, graph, &at, graph->events - 2, 1);
+    sf_sample_at(model, graph->event[graph->events - 1].A, &at);
+    sf_end_all(model, F_0, graph, &at, graph->events - 2, 1);
 }
 
 #endif

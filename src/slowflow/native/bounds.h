@@ -151,7 +151,7 @@ static int sf_is_far(const sf_model *model, double F_0, double A) {
     sf_sample_at(model, A / SF_STATIC_MULTIPLE, &less);
     /* the slope at rest and what zeta^2 A is of |h|, as shares of |h|/A */
     const double shares = at.h < 0 ? -fabs(rest.h_A) * A / at.h + inertia_share(A, model->zeta, at.h) : HUGE_VAL;
-    return SF_STATIC_MULTIPLE * shares <= 1 && less.A > F_0 && sf_response_count(model, &less, F_0) == 2;
+    return SF_STATIC_MULTIPLE * shares <= 1 && less.A > F_0 && sf_count_at(model, &less, F_0) == 2;
 }
 
 /* from amplitude to amplitude: a cube of A, as h may grow, changes by less than the half that is left of zeta^2 A */
@@ -254,7 +254,7 @@ static sf_status sf_amplitude_bound(const sf_model *model, double F_0, double *A
     } else if ((bent || laws) && cut < HUGE_VAL) {
         sf_sample at;
         sf_sample_at(model, cut, &at);
-        status = sf_response_count(model, &at, F_0) > 0 ? SF_UNBOUNDED : SF_OK;
+        status = sf_count_at(model, &at, F_0) > 0 ? SF_UNBOUNDED : SF_OK;
     } else {
         status = SF_NO_BOUND;
     }

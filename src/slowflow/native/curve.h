@@ -163,7 +163,6 @@ static void sf_inertial_law_graph(const sf_model *model, double F_0, sf_work *wo
 
 /* The arcs between its events: peaks, static states and breakpoints. Needs the pieces of work. */
 static void sf_response_graph(const sf_model *model, double F_0, sf_work *work) {
-    const sf_curve curve = {model, F_0};
     const int laws = sf_has_laws(model), inertial = sf_inertial(model), is_apart = laws && inertial;
     sf_graph *graph = &work->response;
     sf_zeros *zeros = &work->zeros;
@@ -205,7 +204,7 @@ static void sf_response_graph(const sf_model *model, double F_0, sf_work *work) 
     if (!is_apart)
         sf_merge_events(graph);
     if (graph->status == SF_OK)
-        sf_trace_arcs(&curve, graph);
+        sf_trace_arcs(model, F_0, graph);
 }
 
 /* The arc that a fold lies on, or -1. */
@@ -219,7 +218,7 @@ static int sf_arc_of_fold(const sf_model *model, double F_0, const sf_graph *gra
         double off;
         if (fold->corner || !(arc->A[0] <= fold->A && fold->A <= arc->A[1]))
             continue; /* an arc ends at every breakpoint already */
-        off = fabs(sf_response_branch(model, &at, F_0, arc->count, arc->index) - fold->Omega);
+        off = fabs(sf_branch_at(model, &at, F_0, arc->count, arc->index) - fold->Omega);
         if (off < nearest)
             nearest = off, found = i;
     }
@@ -232,7 +231,7 @@ static int sf_is_stable(const sf_model *model, double F_0, const sf_segment *seg
     sf_sample at;
     double Omega, I, R;
     sf_sample_at(model, 0.5 * (segment->A[0] + segment->A[1]), &at);
-    Omega = sf_response_branch(model, &at, F_0, segment->count, segment->index);
+    Omega = sf_branch_at(model, &at, F_0, segment->count, segment->index);
     if (sf_has_laws(model))
         return sf_law_F_A(model, &at, Omega, sf_is_beyond(model, at.A)) > 0;
     if (sf_inertial(model) || !(at.A * Omega * Omega > SF_SHARP * F_0))
@@ -346,7 +345,7 @@ static double sf_tail_amplitude(const sf_model *model, double F_0, const sf_segm
     for (i = 0; i < 500; i++) {
         sf_sample at;
         sf_sample_at(model, A, &at);
-        if (sf_response_branch(model, &at, F_0, segment->count, segment->index) > Omega)
+        if (sf_branch_at(model, &at, F_0, segment->count, segment->index) > Omega)
             break;
         A *= 0.25;
     }
@@ -386,7 +385,7 @@ static double sf_amplitude_on(const sf_model *model, double F_0, const sf_segmen
         if (!(A > lo && A < hi))
             A = sf_amid(0, lo, hi);
         sf_sample_at(model, A, &at);
-        w = sf_response_branch(model, &at, F_0, segment->count, segment->index);
+        w = sf_branch_at(model, &at, F_0, segment->count, segment->index);
         if ((w > Omega) == falls)
             lo = A;
         else
@@ -572,7 +571,6 @@ static void sf_numbers_between(double low, double high, int n, double *x) {
 static void sf_frequencies_along(const sf_model *model, double F_0, const sf_segment *segment, int n, const double *A,
                                  double *Omega)
 {
-    const sf_curve curve = {model, F_0};
     const int in_lanes = !sf_inertial(model) && !sf_has_laws(model);
     sf_quartics block;
     sf_jobs jobs;
@@ -597,7 +595,7 @@ static void sf_frequencies_along(const sf_model *model, double F_0, const sf_seg
                 sf_add_job(&block, i, place[segment->index], &jobs);
             } else {
                 sf_sample_at(model, A[first + i], &at);
-                Omega[first + i] = sf_branch_at(&curve, &at, segment->count, segment->index);
+                Omega[first + i] = sf_branch_at(model, &at, F_0, segment->count, segment->index);
             }
         }
         sf_refine_lanes(&jobs);

@@ -149,10 +149,11 @@ static inline void sf_find_critical(sf_law_quartic *q) {
     const double *c = q->c;
     const double least = -2 * c[2] / (1.5 * c[3] + sqrt(2.25 * c[3] * c[3] - 6 * c[4] * c[2])) / 2;
     int i, k;
+    q->w[0] = q->w[1] = 0;
     q->exist = c[2] < 0 && sf_quartic_slope(c, least) < 0;
     if (!q->exist)
         return;
-    q->w[0] = 0, q->w[1] = sqrt(-c[2] / (2 * c[4]));
+    q->w[1] = sqrt(-c[2] / (2 * c[4]));
     for (k = 0; k < 2; k++) {
         for (i = 0; i < SF_MOST_LAW_STEPS; i++) {
             const double w = q->w[k];
@@ -212,40 +213,20 @@ static inline double sf_law_root(const sf_law_quartic *q, double low, double hig
     return w;
 }
 
-/* Which of the three intervals between 0, the critical points and infinity hold a root; returns how many do. */
-static inline int sf_law_shown(const sf_law_quartic *q, int shown[3]) {
-    shown[0] = q->exist && q->f[0] < 0 && q->f[1] > 0, shown[1] = q->exist && q->f[1] > 0 && q->f[2] < 0;
-    shown[2] = q->f[q->exist ? 2 : 0] < 0;
-    return shown[0] + shown[1] + shown[2];
+/* How many there are. */
+static inline int sf_law_count(const sf_law_quartic *q) {
+    sf_place place[3];
+    return sf_places(q->exist, q->f[0] < 0, q->f[1] > 0, q->f[2] < 0, place);
 }
 
-/* Number `index` of `count` by rising Omega; where rounding hides a pair, the place where it meets, and where it hides
- * one that ends at 0, that. */
+/* Number `index` of `count` by rising Omega. */
 static inline double sf_law_branch(const sf_law_quartic *q, int count, int index) {
-    const int lower = q->exist && fabs(q->f[1]) < fabs(q->f[2]) && q->w[0] > 0, own[3] = {lower, 1, !lower};
-    int shown[3], there[3], i, rank = 0, place = 0;
-    const int missing = count - sf_law_shown(q, shown), odd = missing % 2 != 0;
-    double w;
-    if (q->by_x)
-        index = count - 1 - index;
-    for (i = 0; i < 3; i++)
-        there[i] = own[i] && (missing >= 2 || missing <= -2) ? missing > 0 : shown[i];
-    for (i = 0; odd && missing < 0 && i < 3; i++)
-        if (there[i]) { /* it ends at 0 */
-            there[i] = 0;
-            break;
-        }
-    index -= odd && missing > 0;
-    for (i = 0; i < 3; i++)
-        if (there[i] && rank++ == (index > 0 ? index : 0))
-            place = i;
-    if (index < 0)
-        w = 0;
-    else if (shown[place])
-        w = sf_law_root(q, q->exist && place > 0 ? q->w[place - 1] : 0,
-                        q->exist && place < 2 ? q->w[place] : sf_above_roots(q), place == 1);
-    else
-        w = q->w[!lower];
+    const sf_place place = sf_place_of(q->exist, q->f[0], q->f[1], q->f[2], count, q->by_x ? count - 1 - index : index);
+    const int lower = place == SF_BELOW || place == SF_RISING, highest = place == SF_ABOVE || place == SF_RISING;
+    double w = place == SF_AT_0 ? 0 : q->w[place != SF_AT_W1];
+    if (place <= SF_RISING)
+        w = sf_law_root(q, lower ? 0 : q->w[place == SF_ABOVE], highest ? sf_above_roots(q) : q->w[place == SF_BETWEEN],
+                        place == SF_BETWEEN);
     return q->by_x ? 1 / w : w;
 }
 
@@ -254,9 +235,9 @@ static inline double sf_law_branch(const sf_law_quartic *q, int count, int index
 static inline int sf_law_frequencies(const sf_model *model, const sf_sample *at, sf_law_quartic_kind kind, double F_0,
                                      int beyond, double Omega[3]) {
     sf_law_quartic q;
-    int shown[3], n, i;
+    int n, i;
     sf_make_law_quartic(model, at, kind, F_0, beyond, &q);
-    n = sf_law_shown(&q, shown);
+    n = sf_law_count(&q);
     for (i = 0; i < n; i++)
         Omega[i] = sf_law_branch(&q, n, i);
     return n;

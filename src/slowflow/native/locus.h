@@ -120,7 +120,6 @@ static sf_status sf_extrema(const sf_model *model, double A_max, sf_work *work) 
 
 /* The locus up to A_max in work, with its cusps and isola points. */
 static sf_status sf_fold_locus(const sf_model *model, double A_max, sf_work *work) {
-    const sf_curve curve = {model, -1};
     int i, k;
     sf_graph *graph = &work->locus;
     graph->events = 0, graph->status = SF_OK;
@@ -146,7 +145,7 @@ static sf_status sf_fold_locus(const sf_model *model, double A_max, sf_work *wor
     }
     sf_merge_events(graph);
     if (graph->status == SF_OK)
-        sf_trace_arcs(&curve, graph);
+        sf_trace_arcs(model, SF_ON_LOCUS, graph);
     return graph->status;
 }
 
@@ -352,7 +351,7 @@ static double sf_excess(const sf_model *model, double F_0, const sf_arc *arc, do
     sf_sample_at(model, A, &at);
     *Omega = A == arc->A[0]   ? arc->Omega[0]
              : A == arc->A[1] ? arc->Omega[1]
-                              : sf_fold_branch(model, &at, arc->count, arc->index);
+                              : sf_branch_at(model, &at, SF_ON_LOCUS, arc->count, arc->index);
     return *Omega > 0 || A == 0 ? sf_locus_level(model, &at, *Omega) - F_0 : HUGE_VAL;
 }
 
@@ -517,7 +516,7 @@ static long sf_draw_locus(const sf_model *model, long samples, sf_work *work, do
                 A[n] = k == 0 || k == steps ? arc->A[end] : arc->A[0] + (arc->A[1] - arc->A[0]) * share;
                 sf_sample_at(model, A[n], &at);
                 Omega[n] = k == 0 || k == steps ? arc->Omega[end]
-                                                : sf_fold_branch(model, &at, arc->count, arc->index);
+                                                : sf_branch_at(model, &at, SF_ON_LOCUS, arc->count, arc->index);
                 F_0[n] = sf_locus_level(model, &at, Omega[n]);
                 branch[n] = c;
             }
