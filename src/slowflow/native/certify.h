@@ -162,10 +162,16 @@ static void sf_sort_enclosures(sf_certificate *out, int (*follows)(const sf_encl
     }
 }
 
-/* What an answer is before anything is proved: the range of A, and whether the forcing moves the mass. */
-static sf_status sf_begin_certificate(const sf_model *model, const sf_given *given, double F_0, sf_certificate *out) {
+/* What an answer is before anything is proved: the range of A, and whether the forcing moves the mass. SF_UNRESOLVED
+ * where the oscillator as it was given is not known, NULL. */
+static sf_status sf_begin_certificate(const sf_model *model, const sf_given *given, double F_0, sf_room *room,
+                                      sf_proving *proving) {
+    sf_certificate *out = &room->found;
     sf_status status;
     out->n = out->doubts = out->full = 0, out->A_max = 0;
+    if (given == NULL)
+        return SF_UNRESOLVED;
+    *proving = sf_proving_of(given, F_0, &room->proof);
     out->bounded = !(F_0 > given->m.lo);
     if (sf_sticks(model, F_0))
         return SF_STICKS;
@@ -179,18 +185,19 @@ static sf_status sf_begin_certificate(const sf_model *model, const sf_given *giv
 
 /* Every fold at F_0. hints: amplitudes where some are expected */
 static sf_status sf_certify_folds(const sf_model *model, const sf_given *given, double F_0, const double *hints,
-                                  int count, sf_proof *proof, sf_certificate *out)
+                                  int count, sf_room *room)
 {
-    const sf_status status = sf_begin_certificate(model, given, F_0, out);
-    sf_proving proving = sf_proving_of(given, F_0, proof);
+    sf_certificate *out = &room->found;
+    sf_proving proving;
+    const sf_status status = sf_begin_certificate(model, given, F_0, room, &proving);
     int i;
     if (status != SF_OK || out->doubts > 0)
         return status;
     proving.range = sf_fold_on, proving.channels = 1, proving.hints = hints, proving.expected = count;
     sf_prove(&proving, out->A_max);
-    sf_leave_all_in_doubt(given, proof, out);
-    for (i = 0; i < proof->n; i++) {
-        const sf_cell *on = &proof->at[i].on;
+    sf_leave_all_in_doubt(given, &room->proof, out);
+    for (i = 0; i < room->proof.n; i++) {
+        const sf_cell *on = &room->proof.at[i].on;
         const sf_interval Omega = sf_fold_Omega_on(&proving.terms, on);
         sf_enclose(out, Omega, on->A, 0,
                    sf_sign_of(slow_flow_intervals_F_AA(Omega, on->A, given->m, given->zeta, on->h, on->h_A, on->h_AA)));
@@ -209,18 +216,19 @@ static void sf_state_on(const sf_proving *proving, const sf_cell *cell, int open
 
 /* Every state at (Omega, F_0), by rising A. */
 static sf_status sf_certify_states(const sf_model *model, const sf_given *given, double F_0, double Omega,
-                                   sf_proof *proof, sf_certificate *out)
+                                   sf_room *room)
 {
-    const sf_status status = sf_begin_certificate(model, given, F_0, out);
-    sf_proving proving = sf_proving_of(given, F_0, proof);
+    sf_certificate *out = &room->found;
+    sf_proving proving;
+    const sf_status status = sf_begin_certificate(model, given, F_0, room, &proving);
     int i;
     if (status != SF_OK || out->doubts > 0)
         return status;
     proving.range = sf_state_on, proving.channels = 1, proving.Omega = sfi_point(Omega);
     sf_prove(&proving, out->A_max);
-    sf_leave_all_in_doubt(given, proof, out);
-    for (i = 0; i < proof->n; i++)
-        sf_enclose(out, proving.Omega, proof->at[i].on.A, 0, proof->at[i].rising ? 1 : -1);
+    sf_leave_all_in_doubt(given, &room->proof, out);
+    for (i = 0; i < room->proof.n; i++)
+        sf_enclose(out, proving.Omega, room->proof.at[i].on.A, 0, room->proof.at[i].rising ? 1 : -1);
     sf_sort_enclosures(out, sf_is_higher);
     return SF_OK;
 }
@@ -229,38 +237,6 @@ static sf_status sf_certify_states(const sf_model *model, const sf_given *given,
 
 static sf_interval sf_level_on(const sf_terms *terms, sf_interval Omega, const sf_cell *cell) {
     return slow_flow_intervals_level(Omega, cell->A, terms->m, terms->zeta, cell->h);
-}
-
-/* F_cr, the least level on the first breakpoint: at Omega = 0 or where F_Omega vanishes. Each place that is tried is a
- * bound from above, and the least lies at one of them: so places in doubt do no harm. */
-static sf_status sf_certify_detachment(const sf_given *given, sf_interval *F_cr, sf_interval *Omega_cr) {
-    const sf_terms terms = sf_terms_of(given, sfi_point(0));
-    sf_at_amplitude q;
-    sf_interval where[SF_MOST_ROOTS + 1], level[SF_MOST_ROOTS + 1];
-    sf_roots roots;
-    sf_cell on;
-    int i, known = 0;
-    if (given->breaks == 0)
-        return SF_NONE;
-    sf_breakpoint_on(given, 0, &on);
-    q = sf_at_cell(SF_ROOTS_OF_F_OMEGA, &terms, &on);
-    sf_prove_roots(&q, &roots);
-    if (roots.full)
-        return SF_UNRESOLVED;
-    where[roots.n] = sfi_point(0);
-    for (i = 0; i < roots.n; i++)
-        where[i] = roots.at[i];
-    *F_cr = sfi_point(HUGE_VAL);
-    for (i = 0; i <= roots.n; i++) {
-        level[i] = sf_level_on(&terms, where[i], &on);
-        *F_cr = sfi_of(sfi_least(F_cr->lo, level[i].lo), sfi_least(F_cr->hi, level[i].hi));
-    }
-    for (i = 0; i <= roots.n; i++)
-        if (level[i].lo <= F_cr->hi) { /* else the least is not there */
-            *Omega_cr = known ? sfi_join(*Omega_cr, where[i]) : where[i];
-            known = 1;
-        }
-    return SF_OK;
 }
 
 /* What may be the lowest forcing. */
@@ -305,10 +281,10 @@ static void sf_isola_on(const sf_proving *proving, const sf_cell *cell, int open
 static void sf_cusps_on(const sf_proving *proving, const sf_cell *cell, int open, sf_range out[2]) {
     const sf_terms *terms = &proving->terms;
     int i;
-    if ((cell->h_AA.lo >= 0 && cell->k.lo >= 0) || (cell->h_AA.hi <= 0 && cell->k.hi <= 0))
+    if (sf_are_alike(cell->h_AA, cell->k))
         return;
     for (i = 0; i < 2; i++) {
-        sf_cusp_range cusp = {SF_NOWHERE, {0, 0}, {0, 0}, {0, 0}, {0, 0}, {0, 0}};
+        sf_cusp_range cusp = {0};
         if (open & 1 << i)
             sf_cusp_on(cell, terms->m, terms->zeta, i == 0, &cusp);
         if (cusp.where != SF_NOWHERE && !(cusp.level.lo > terms->F_0.hi))
@@ -323,7 +299,7 @@ static void sf_enter_isola(const sf_terms *terms, const sf_cell *on, sf_candidat
 }
 
 static void sf_enter_cusp(const sf_terms *terms, const sf_cell *on, int channel, sf_candidates *list) {
-    sf_cusp_range cusp = {SF_NOWHERE, {0, 0}, {0, 0}, {0, 0}, {0, 0}, {0, 0}};
+    sf_cusp_range cusp = {0};
     sf_interval Omega, bend;
     sf_cusp_on(on, terms->m, terms->zeta, channel == 0, &cusp);
     Omega = sfi_sqrt(cusp.X);
@@ -386,6 +362,33 @@ static void sf_lowest(const sf_candidates *list, sf_proved_onset *out) {
     }
 }
 
+/* F_cr, the least level on the first breakpoint: at Omega = 0 or where F_Omega vanishes. Each place that is tried is a
+ * bound from above, and the least lies at one of them: so places in doubt do no harm. */
+static sf_status sf_certify_detachment(const sf_given *given, sf_interval *F_cr, sf_interval *Omega_cr) {
+    const sf_terms terms = sf_terms_of(given, sfi_point(0));
+    sf_candidates list;
+    sf_proved_onset least;
+    sf_at_amplitude q;
+    sf_roots roots;
+    sf_cell on;
+    int i;
+    if (given->breaks == 0)
+        return SF_NONE;
+    sf_breakpoint_on(given, 0, &on);
+    q = sf_at_cell(SF_ROOTS_OF_F_OMEGA, &terms, &on);
+    sf_prove_roots(&q, &roots);
+    if (roots.full)
+        return SF_UNRESOLVED;
+    list.n = 0;
+    for (i = 0; i <= roots.n; i++) {
+        const sf_interval w = i < roots.n ? roots.at[i] : sfi_point(0);
+        sf_enter(&list, sf_level_on(&terms, w, &on), w, on.A, SF_CORNER_KIND, 1);
+    }
+    sf_lowest(&list, &least);
+    *F_cr = least.F_SN, *Omega_cr = least.Omega;
+    return SF_OK;
+}
+
 /* All that may be the lowest up to an amplitude, with levels up to that of the question; what is in doubt fills the
  * list.
  * Minima of the level along the fold locus are its cusps and isola points, ends of its pieces on breakpoints, and ends
@@ -437,17 +440,16 @@ static int sf_tends_to_friction(const sf_given *given) {
 
 /* The lowest forcing at which folds are born; what lies above the forcing that was found is left out. Where there is
  * none, as the status says, whether that is proved. For zeta = 0 a lowest one is not proved. */
-static sf_status sf_certify_onset(const sf_model *model, const sf_given *given, sf_work *work, sf_proof *proof,
-                                  sf_proved_onset *out) {
+static sf_status sf_certify_onset(const sf_model *model, const sf_given *given, sf_room *room, sf_proved_onset *out) {
     sf_candidates list;
     sf_onset best;
     sf_proving proving;
     double F_0, A_max;
     sf_status status;
-    status = sf_find_onset(model, work, &best);
+    status = sf_find_onset(model, &room->work, &best);
     out->proved = 0;
     if (status == SF_NONE && model->zeta > 0)
-        sf_certify_no_onset(given, proof, out);
+        sf_certify_no_onset(given, &room->proof, out);
     if (status == SF_UNBOUNDED && model->zeta == 0)
         out->proved = sf_tends_to_friction(given);
     if (status != SF_OK)
@@ -457,7 +459,7 @@ static sf_status sf_certify_onset(const sf_model *model, const sf_given *given, 
     if (status != SF_OK)
         return status;
     list.n = 0, list.full = !sf_is_bounded(given, F_0, A_max), list.doubted = HUGE_VAL;
-    proving = sf_proving_of(given, F_0, proof);
+    proving = sf_proving_of(given, F_0, &room->proof);
     sf_enter_all(given, &proving, A_max, &list);
     sf_lowest(&list, out);
     out->proved = list.n > 0 && !list.full && list.doubted > out->F_SN.hi && out->F_SN.hi < F_0;

@@ -22,13 +22,6 @@ typedef struct {
     int edge, once;
 } sf_range;
 
-/* before a function in which all calls are inlined */
-#if defined(__GNUC__)
-#define SF_FLAT __attribute__((flatten))
-#else
-#define SF_FLAT
-#endif
-
 /* farther from a breakpoint than this, relatively, the gains' roundings are lost in those of kernels */
 #define SF_NEXT_TO_BREAK 1.01
 
@@ -225,7 +218,7 @@ static inline void sf_range_cusp(const sf_asked *asked, const sf_known *a, const
     if (sf_are_alike(cell->h_AA, cell->k) || sf_is_free_of_folds(a, cell, asked->terms.zeta))
         return;
     for (i = 0; i < 2; i++) {
-        sf_cusp_range cusp = {SF_NOWHERE, {0, 0}, {0, 0}, {0, 0}, {0, 0}, {0, 0}};
+        sf_cusp_range cusp = {0};
         if (!(open & 1 << i))
             continue;
         sf_cusp_on(cell, asked->terms.m, asked->terms.zeta, i == 0, &cusp);

@@ -254,14 +254,12 @@ static void sf_put_certificate(sf_query *q, sf_status status)
 
 static void sf_answer_certified_folds(sf_query *q)
 {
-    sf_put_certificate(q, sf_certify_folds(q->model, q->given, q->number[0], q->values, (int)q->length,
-                                           &q->room->proof, &q->room->found));
+    sf_put_certificate(q, sf_certify_folds(q->model, q->given, q->number[0], q->values, (int)q->length, q->room));
 }
 
 static void sf_answer_certified_states(sf_query *q)
 {
-    sf_put_certificate(q, sf_certify_states(q->model, q->given, q->number[0], q->number[1], &q->room->proof,
-                                            &q->room->found));
+    sf_put_certificate(q, sf_certify_states(q->model, q->given, q->number[0], q->number[1], q->room));
 }
 
 static void sf_answer_certified_onset(sf_query *q)
@@ -270,7 +268,7 @@ static void sf_answer_certified_onset(sf_query *q)
     if (found == NULL)
         return;
     memset(found, 0, sizeof *found);
-    sf_put(q, SF_INTEGER, sf_certify_onset(q->model, q->given, &q->room->work, &q->room->proof, found));
+    sf_put(q, SF_INTEGER, sf_certify_onset(q->model, q->given, q->room, found));
     sf_put_interval(q, &found->F_SN), sf_put_interval(q, &found->Omega), sf_put_interval(q, &found->A);
     sf_put(q, SF_INTEGER, found->kind), sf_put(q, SF_FLAG, found->proved);
 }
@@ -296,17 +294,13 @@ static void sf_put_number_proved(sf_query *q, sf_status status)
 
 static void sf_answer_proved_folds(sf_query *q)
 {
-    sf_put_number_proved(q, q->given == NULL ? SF_UNRESOLVED
-                                             : sf_certify_folds(q->model, q->given, q->number[0], NULL, 0,
-                                                                &q->room->proof, &q->room->found));
+    sf_put_number_proved(q, sf_certify_folds(q->model, q->given, q->number[0], NULL, 0, q->room));
 }
 
 static void sf_answer_proved_states(sf_query *q)
 {
     if (q->number[1] > 0 && q->number[1] < HUGE_VAL)
-        sf_put_number_proved(q, q->given == NULL ? SF_UNRESOLVED
-                                                 : sf_certify_states(q->model, q->given, q->number[0], q->number[1],
-                                                                     &q->room->proof, &q->room->found));
+        sf_put_number_proved(q, sf_certify_states(q->model, q->given, q->number[0], q->number[1], q->room));
 }
 
 /* ==== The second approximation ==================================================================================== */

@@ -51,7 +51,7 @@ static int sf_take_proved_folds(const sf_model *model, const sf_given *given, do
 {
     const sf_certificate *found = &room->found;
     int i, same;
-    if (sf_certify_folds(model, given, F_0, NULL, 0, &room->proof, &room->found) != SF_OK || !sf_is_proved(found))
+    if (sf_certify_folds(model, given, F_0, NULL, 0, room) != SF_OK || !sf_is_proved(found))
         return 0;
     same = folds->status == SF_OK && found->n == folds->n;
     for (i = 0; i < found->n; i++)

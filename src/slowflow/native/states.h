@@ -109,11 +109,11 @@ static double sf_first_within(sf_interval within, int n, const double *A) {
 /* The states that are proved, those found moved into their enclosures; 0 if doubles do not decide. */
 static int sf_take_proved_states(const sf_model *model, const sf_given *given, double F_0, sf_room *room, double Omega,
                                  int *n, double *A, unsigned char *stable) {
-    sf_certificate *found = &room->found;
+    const sf_certificate *found = &room->found;
     double before[SF_MOST_STATES];
     int i, same;
     room->proofs++;
-    if (sf_certify_states(model, given, F_0, Omega, &room->proof, found) != SF_OK || !sf_is_proved(found))
+    if (sf_certify_states(model, given, F_0, Omega, room) != SF_OK || !sf_is_proved(found))
         return 0;
     same = found->n == *n;
     memcpy(before, A, (size_t)*n * sizeof *A);
