@@ -139,16 +139,9 @@ long EXPORT(respond)(double F_0, double low, double high, double samples)
     const long n = sf_show(&model, F_0, low, high, samples, &room.work);
     if (n < 0 || n > MOST)
         return -(long)(n < 0 ? SF_NO_BOUND : SF_TOO_MANY);
-    sf_draw(&model, F_0, samples, &room.work.shown, out[0], out[1], flags[0], branch);
+    const sf_points drawn = {out[0], out[1], branch, flags[0]};
+    const long moves = sf_draw(&model, F_0, samples, &room.work.shown, &drawn);
     undecided = room.undecided;
-    /* where the response to an excitation by inertia begins the mass is at rest */
-    long moves = 0;
-    for (long i = 0; i < n; i++) {
-        if (!(out[1][i] > 0))
-            continue;
-        out[0][moves] = out[0][i], out[1][moves] = out[1][i];
-        flags[0][moves] = flags[0][i], branch[moves++] = branch[i];
-    }
     look_at_all(moves, F_0);
     return moves;
 }

@@ -633,31 +633,6 @@ static void sf_points_inside(const sf_model *model, double F_0, const sf_segment
         Omega[k] = Omega[k] < low ? low : Omega[k] > high ? high : Omega[k];
 }
 
-/* Points of all shown segments in order. */
-static void sf_draw(const sf_model *model, double F_0, double samples, const sf_skeleton *shown, double *Omega,
-                       double *A, unsigned char *stable, long long *branch) {
-    sf_sharing sharing;
-    long at = 0, point;
-    long long curve;
-    int i;
-    sf_share_out(shown, &sharing);
-    for (i = 0; i < shown->segments; i++) {
-        const sf_segment *segment = &shown->segment[i];
-        const int n = sf_steps_of(segment, samples, &sharing), starts = i == shown->start[segment->curve];
-        const long first = at;
-        if (starts)
-            A[at] = sf_first_of(segment, segment->A), Omega[at++] = sf_first_of(segment, segment->Omega);
-        sf_points_inside(model, F_0, segment, n, Omega + at, A + at);
-        if (!segment->upward)
-            sf_turn_round(n - 1, A + at), sf_turn_round(n - 1, Omega + at);
-        at += n - 1;
-        A[at] = sf_last_of(segment, segment->A), Omega[at++] = sf_last_of(segment, segment->Omega);
-        memset(stable + first, segment->stable != 0, (size_t)(at - first));
-        for (point = first, curve = segment->curve; point < at; point++)
-            branch[point] = curve;
-    }
-}
-
 /* The points of one curve as they are drawn. */
 typedef struct {
     double *Omega, *A;
@@ -677,13 +652,33 @@ static void sf_free_points(sf_points *points) {
     free(points->Omega), free(points->A), free(points->branch), free(points->stable);
 }
 
-/* Leaves out those at rest, at which the response to an excitation by inertia begins; returns how many are left. */
-static long sf_leave_rest_out(long n, sf_points *points) {
-    long i, kept = 0;
-    for (i = 0; i < n; i++)
-        if (points->A[i] > 0) {
-            points->Omega[kept] = points->Omega[i], points->A[kept] = points->A[i];
-            points->branch[kept] = points->branch[i], points->stable[kept++] = points->stable[i];
+/* Points of all shown segments in order, but for those at rest, at which the response to an excitation by inertia begins;
+ * returns how many are left. */
+static long sf_draw(const sf_model *model, double F_0, double samples, const sf_skeleton *shown, const sf_points *out) {
+    double *const Omega = out->Omega, *const A = out->A;
+    sf_sharing sharing;
+    long at = 0, kept = 0, point;
+    int i;
+    sf_share_out(shown, &sharing);
+    for (i = 0; i < shown->segments; i++) {
+        const sf_segment *segment = &shown->segment[i];
+        const int n = sf_steps_of(segment, samples, &sharing), starts = i == shown->start[segment->curve];
+        const long first = at;
+        if (starts)
+            A[at] = sf_first_of(segment, segment->A), Omega[at++] = sf_first_of(segment, segment->Omega);
+        sf_points_inside(model, F_0, segment, n, Omega + at, A + at);
+        if (!segment->upward)
+            sf_turn_round(n - 1, A + at), sf_turn_round(n - 1, Omega + at);
+        at += n - 1;
+        A[at] = sf_last_of(segment, segment->A), Omega[at++] = sf_last_of(segment, segment->Omega);
+        memset(out->stable + first, segment->stable != 0, (size_t)(at - first));
+        for (point = first; point < at; point++)
+            out->branch[point] = segment->curve;
+    }
+    for (point = 0; point < at; point++)
+        if (A[point] > 0) {
+            Omega[kept] = Omega[point], A[kept] = A[point];
+            out->branch[kept] = out->branch[point], out->stable[kept++] = out->stable[point];
         }
     return kept;
 }

@@ -46,15 +46,12 @@ static void sf_loop_curves(sf_call *at) {
         long n = 0;
         if (is_room && sf_prepare_query(at, &model, &given, &q)) {
             const double F_0 = q.number[0], samples = q.number[1];
-            sf_skeleton *shown = &q.room->work.shown;
             model.lowest = q.number[2];
             status = sf_make_skeleton(&model, q.given, F_0, q.room);
             if (status == SF_OK && (n = sf_show(&model, F_0, q.number[2], q.number[3], samples, &q.room->work)) < 0)
                 status = SF_NO_BOUND, n = 0;
-            if (n > 0 && n <= points) {
-                sf_draw(&model, F_0, samples, shown, drawn.Omega, drawn.A, drawn.stable, drawn.branch);
-                n = sf_leave_rest_out(n, &drawn);
-            }
+            if (n > 0 && n <= points)
+                n = sf_draw(&model, F_0, samples, &q.room->work.shown, &drawn);
         }
         sf_write_points(at, n > points ? 0 : n, &drawn, q.room != NULL ? q.room->work.shown.closed : NULL);
         *(int *)(void *)sf_output(at, 5) = (int)n;

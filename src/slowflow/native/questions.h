@@ -156,8 +156,7 @@ static void sf_answer_response(sf_query *q)
     if (at.Omega == NULL || at.A == NULL || at.branch == NULL || at.stable == NULL)
         return;
     if (n > 0)
-        sf_draw(&model, F_0, samples, shown, at.Omega, at.A, at.stable, at.branch);
-    n = sf_leave_rest_out(n, &at);
+        n = sf_draw(&model, F_0, samples, shown, &at);
     sf_put(q, SF_INTEGER, status);
     sf_put_column(q, SF_NUMBERS, n, at.Omega, sizeof *at.Omega);
     sf_put_column(q, SF_NUMBERS, n, at.A, sizeof *at.A);

@@ -470,8 +470,7 @@ static int sf_second_move(const sf_second *second, const sf_first *first, const 
 /* The curve that n points of the first approximation's move to, on branches from 0 on, some of which are closed; to be
  * freed by sf_second_free. NULL if there is no memory. */
 static sf_second_curve *sf_second_follow(const sf_model *model, double F_0, sf_wanted wanted, long n,
-                                         const double *Omega, const double *A, const long long *branch,
-                                         const int *closed)
+                                         const sf_points *points, const int *closed)
 {
     const sf_second second = {model, F_0, wanted};
     sf_second_curve *curve = calloc(1, sizeof *curve);
@@ -484,7 +483,7 @@ static sf_second_curve *sf_second_follow(const sf_model *model, double F_0, sf_w
         curve->closed = malloc((size_t)n + 1);
     }
     if (curve != NULL && room != NULL && kept != NULL && curve->point != NULL && curve->closed != NULL) {
-        const sf_first first = {n, Omega, A, branch, room + 4 * n, room + 5 * n, room + 6 * n};
+        const sf_first first = {n, points->Omega, points->A, points->branch, room + 4 * n, room + 5 * n, room + 6 * n};
         done = n == 0 || sf_second_move(&second, &first, closed, room, kept, curve);
     }
     free(room);

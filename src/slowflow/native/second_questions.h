@@ -13,14 +13,13 @@
  * range of doubles how far averaging's extends. */
 static sf_second_curve *sf_second_shown(const sf_model *model, double F_0, sf_wanted wanted, double samples, double low,
                                         double high, sf_room *room, sf_status *status) {
-    const long n = sf_show(model, F_0, low, high, samples, &room->work);
+    long n = sf_show(model, F_0, low, high, samples, &room->work);
     sf_second_curve *curve = NULL;
     sf_points drawn;
     *status = n < 0 ? SF_NO_BOUND : SF_NO_MEMORY;
     if (sf_new_points(n, &drawn) && n >= 0) {
-        sf_draw(model, F_0, samples, &room->work.shown, drawn.Omega, drawn.A, drawn.stable, drawn.branch);
-        curve = sf_second_follow(model, F_0, wanted, sf_leave_rest_out(n, &drawn), drawn.Omega, drawn.A, drawn.branch,
-                                 room->work.shown.closed);
+        n = sf_draw(model, F_0, samples, &room->work.shown, &drawn);
+        curve = sf_second_follow(model, F_0, wanted, n, &drawn, room->work.shown.closed);
         if (curve != NULL)
             *status = SF_OK;
     }
