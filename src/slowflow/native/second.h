@@ -130,7 +130,7 @@ static void sf_second_look(const sf_second *second, const sf_first *first, long 
             Omega[i] = moved->Omega[at], A[i] = moved->A[at];
         }
         sf_second_known(second->model, SF_LANES, A, known);
-        sf_lane_balances(second, SF_LANES, Omega, A, known, out);
+        sf_lane_balances(second, 0, SF_LANES, Omega, A, known, out);
         for (i = 0; i < n; i++) {
             const long at = sf_anchor(from, to, k + i);
             if (!sf_is_kept(second, first, moved, at, known[i], out[SF_LANES + i], out[i]))
@@ -273,17 +273,6 @@ static int sf_passes(const sf_second_point *a, const sf_second_point *b, double 
     return a->part == b->part && (a->A > at) != (b->A > at);
 }
 
-/* Balances at whole vectors of states; phi where every point is wanted, else none. */
-static void sf_second_told(const sf_second *second, int n, const double *Omega, const double *A, const double *known,
-                           double *out) {
-    const int phases = second->wanted == SF_EVERY_POINT;
-    int i;
-    sf_second_balances(n, Omega, A, second->F_0, sf_inertial(second->model), phases, second->model->m,
-                       second->model->zeta, known, out);
-    for (i = 0; i < n && !phases; i++)
-        out[2 * n + i] = NAN;
-}
-
 /* A point of a curve from lane i of n. */
 static void sf_from_lane(int n, const double *Omega, const double *A, const double *out, int i, sf_second_point *point)
 {
@@ -318,7 +307,7 @@ static long sf_second_across(const sf_second *second, double b, const sf_second_
         under_way[i] = 1;
     sf_second_known(second->model, n, lanes.A, known);
     for (k = 0; k < SF_STEPS && open > 0; k++) {
-        sf_lane_balances(second, n, lanes.Omega, lanes.A, known, at);
+        sf_lane_balances(second, 0, n, lanes.Omega, lanes.A, known, at);
         for (i = 0; i < lanes.n; i++) {
             const double step = sf_clipped(at[4 * n + i] / (at[6 * n + i] * lanes.Omega[i]));
             if (!under_way[i])
@@ -328,7 +317,7 @@ static long sf_second_across(const sf_second *second, double b, const sf_second_
                 under_way[i] = 0, open--;
         }
     }
-    sf_second_told(second, n, lanes.Omega, lanes.A, known, at);
+    sf_lane_balances(second, second->wanted == SF_EVERY_POINT, n, lanes.Omega, lanes.A, known, at);
     for (i = 0; i < lanes.n; i++)
         if (!under_way[i]) {
             out[found].part = from->part;
@@ -361,7 +350,7 @@ static void sf_keep_points(const sf_second *second, const sf_first *first, const
         {
             const int n = sf_whole_lanes(&lanes);
             sf_second_known(second->model, n, lanes.A, known);
-            sf_second_told(second, n, lanes.Omega, lanes.A, known, out);
+            sf_lane_balances(second, second->wanted == SF_EVERY_POINT, n, lanes.Omega, lanes.A, known, out);
             for (k = 0; k < lanes.n; k++) {
                 const long at = lanes.which[k];
                 kept[at] = (unsigned char)sf_is_kept(second, first, moved, at, known[k], out[n + k], out[k]);

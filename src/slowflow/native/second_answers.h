@@ -58,11 +58,8 @@ static double sf_Omega_between(const sf_second_between *between, double A) {
 
 static double sf_slope_between(const void *given, double A) {
     const sf_second_between *between = given;
-    double known[SF_KNOWN];
     sf_balance at;
-    const double Omega = sf_Omega_between(between, A);
-    sf_second_known(between->second->model, 1, &A, known);
-    sf_second_of(between->second, Omega, A, known, &at);
+    sf_second_at(between->second, sf_Omega_between(between, A), A, &at);
     return at.F_A;
 }
 

@@ -42,11 +42,11 @@ static void sf_second_level(const sf_model *model, double Omega, double A, const
         Omega, A, model->m, model->zeta, k[0], k[1], k[2], k[4], k[5], k[6], k[8], k[9], k[10], out);
 }
 
-/* The same at whole vectors of states, without phi. */
-static inline void sf_lane_balances(const sf_second *second, int n, const double *Omega, const double *A,
+/* The same at whole vectors of states. */
+static inline void sf_lane_balances(const sf_second *second, int phases, int n, const double *Omega, const double *A,
                                     const double *known, double *out) {
-    sf_second_balances(n, Omega, A, second->F_0, sf_inertial(second->model), 0, second->model->m, second->model->zeta,
-                       known, out);
+    sf_second_balances(n, Omega, A, second->F_0, sf_inertial(second->model), phases, second->model->m,
+                       second->model->zeta, known, out);
 }
 
 static void sf_second_at(const sf_second *second, double Omega, double A, sf_balance *out) {
@@ -120,7 +120,7 @@ static void sf_second_match(const sf_second *second, int n, const double *known,
     int i, k;
     for (k = 0; k < SF_MATCHING; k++) {
         int open = 0;
-        sf_lane_balances(second, n, lanes->Omega, lanes->A, known, out);
+        sf_lane_balances(second, 0, n, lanes->Omega, lanes->A, known, out);
         sf_second_matches(n, lanes->Omega, lanes->R, way, second->F_0, out, matches);
         sf_take_steps(n, matches, matches + n, lanes->Omega);
         for (i = 0; i < n; i++) {
@@ -143,7 +143,7 @@ static void sf_second_settle(const sf_second *second, sf_lanes *lanes, int match
         sf_second_known(second->model, n, lanes->A, known);
         if (match)
             sf_second_match(second, n, known, lanes);
-        sf_lane_balances(second, n, lanes->Omega, lanes->A, known, out);
+        sf_lane_balances(second, 0, n, lanes->Omega, lanes->A, known, out);
         sf_second_newton(n, lanes->Omega, lanes->A, F_0, out, newton);
         sf_take_steps(count, x, x + n, lanes->A);
         sf_take_steps(count, z, z + n, lanes->Omega);

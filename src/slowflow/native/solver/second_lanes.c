@@ -19,13 +19,11 @@
                                       h_A[i], h_AA[i], h_3[i], h_3_A[i], h_3_AA[i], h_5[i], h_5_A[i], h_5_AA[i],       \
                                       values);                                                                         \
         u_max[i] = values[0], A_1[i] = values[1];                                                                      \
-        if (phase)                                                                                                     \
-            phi[i] = values[2];                                                                                        \
+        phi[i] = (phase) ? values[2] : NAN;                                                                            \
         R[i] = values[3], F[i] = values[4], F_A[i] = values[5], R_A[i] = values[7];                                    \
         F_Omega[i] = values[6] - ((by_inertia) ? sf_force_squared_slope(Omega[i], F_0) : 0);                           \
         R_Omega[i] = values[8];                                                                                        \
-    }                                                                                                                  \
-    (void)phi
+    }
 
 SF_WIDE void sf_second_balances(ptrdiff_t n, const double *Omega, const double *A, double F_0, int inertial, int phases,
                                 double m, double zeta, const double *known, double *out)
