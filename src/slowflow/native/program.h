@@ -45,77 +45,76 @@ struct sf_program {
 
 /* ---- one number at a time */
 
-#define SF_ONE(x, value)                                                                                               \
+/* What pairs have, and intervals, each with its value at a and b. */
+#define SF_OPERATIONS_IN_PAIRS(OPERATION)                     \
+    OPERATION(ADD, sfp_add(a, b))                             \
+    OPERATION(SUB, sfp_sub(a, b))                             \
+    OPERATION(MUL, sfp_mul(a, b))                             \
+    OPERATION(DIV, sfp_div(a, b))                             \
+    OPERATION(NEG, sfp_neg(a))                                \
+    OPERATION(SQRT, sfp_sqrt(a))                              \
+    OPERATION(ATAN2, pair_angles_atan2(a, b))                 \
+    OPERATION(ATAN2_SWAPPED, pair_angles_atan2_swapped(a, b)) \
+    OPERATION(SQUARE, sfp_square(a))                          \
+    OPERATION(INVERSE, sfp_inverse(a))                        \
+    OPERATION(TIMES, sfp_times(a.high, b))
+#define SF_OPERATIONS_ON_INTERVALS(OPERATION) \
+    OPERATION(ADD, sfi_add(a, b))             \
+    OPERATION(SUB, sfi_sub(a, b))             \
+    OPERATION(MUL, sfi_mul(a, b))             \
+    OPERATION(DIV, sfi_div(a, b))             \
+    OPERATION(NEG, sfi_neg(a))                \
+    OPERATION(SQRT, sfi_sqrt(a))              \
+    OPERATION(ATAN2, sfi_atan2(a, b))         \
+    OPERATION(SQUARE, sfi_square(a))          \
+    OPERATION(INVERSE, sfi_inverse(a))        \
+    OPERATION(TIMES, sfi_times(a.lo, b))      \
+    OPERATION(WITHIN, sfi_within(a, b.lo))    \
+    OPERATION(ROOT, sfi_root(a))              \
+    OPERATION(POWER, sfi_power(a, b))         \
+    OPERATION(EXP, sfi_exp(a))                \
+    OPERATION(LOG, sfi_log(a))                \
+    OPERATION(LOG1P, sfi_log1p(a))            \
+    OPERATION(CBRT, sfi_cbrt(a))              \
+    OPERATION(SIN, sfi_sin(a))                \
+    OPERATION(COS, sfi_cos(a))                \
+    OPERATION(TAN, sfi_tan(a))                \
+    OPERATION(SINH, sfi_sinh(a))              \
+    OPERATION(COSH, sfi_cosh(a))              \
+    OPERATION(TANH, sfi_tanh(a))              \
+    OPERATION(ASIN, sfi_asin(a))              \
+    OPERATION(ACOS, sfi_acos(a))              \
+    OPERATION(ATAN, sfi_atan(a))              \
+    OPERATION(ASINH, sfi_asinh(a))            \
+    OPERATION(ACOSH, sfi_acosh(a))            \
+    OPERATION(ATANH, sfi_atanh(a))
+
+SF_ARITHMETIC(sf_in_pairs, SF_OPERATIONS_IN_PAIRS)
+SF_ARITHMETIC(sf_on_intervals, SF_OPERATIONS_ON_INTERVALS)
+
+#define SF_OF_ONE(x, value)                                                                                            \
     case SF_##x##_OPERATION:                                                                                           \
         *result = (value);                                                                                             \
         break;
-
-static SF_FLAT void sf_run_in_pairs(const sf_straight *of, sf_pair *x)
-{
-    const sf_instruction *at = of->code, *const end = at + of->length;
-    for (; at < end; at++) {
-        sf_pair *const result = x + at->result;
-        const sf_pair a = x[at->first], b = x[at->second];
-        switch ((sf_operation)at->operation) {
-            SF_ONE(ADD, sfp_add(a, b))
-            SF_ONE(SUB, sfp_sub(a, b))
-            SF_ONE(MUL, sfp_mul(a, b))
-            SF_ONE(DIV, sfp_div(a, b))
-            SF_ONE(NEG, sfp_neg(a))
-            SF_ONE(SQRT, sfp_sqrt(a))
-            SF_ONE(ATAN2, pair_angles_atan2(a, b))
-            SF_ONE(ATAN2_SWAPPED, pair_angles_atan2_swapped(a, b))
-            SF_ONE(SQUARE, sfp_square(a))
-            SF_ONE(INVERSE, sfp_inverse(a))
-            SF_ONE(TIMES, sfp_times(a.high, b))
-        default:
-            break;
-        }
+#define SF_RUN_OF(name, number, OPERATIONS)                                                                            \
+    static SF_FLAT void name(const sf_straight *of, number *x)                                                         \
+    {                                                                                                                  \
+        const sf_instruction *at = of->code, *const end = at + of->length;                                             \
+        for (; at < end; at++) {                                                                                       \
+            number *const result = x + at->result;                                                                     \
+            const number a = x[at->first], b = x[at->second];                                                          \
+            switch ((sf_operation)at->operation) {                                                                     \
+                OPERATIONS(SF_OF_ONE)                                                                                  \
+            default:                                                                                                   \
+                break;                                                                                                 \
+            }                                                                                                          \
+        }                                                                                                              \
     }
-}
 
-static SF_FLAT void sf_run_on_intervals(const sf_straight *of, sf_interval *x)
-{
-    const sf_instruction *at = of->code, *const end = at + of->length;
-    for (; at < end; at++) {
-        sf_interval *const result = x + at->result;
-        const sf_interval a = x[at->first], b = x[at->second];
-        switch ((sf_operation)at->operation) {
-            SF_ONE(ADD, sfi_add(a, b))
-            SF_ONE(SUB, sfi_sub(a, b))
-            SF_ONE(MUL, sfi_mul(a, b))
-            SF_ONE(DIV, sfi_div(a, b))
-            SF_ONE(NEG, sfi_neg(a))
-            SF_ONE(SQRT, sfi_sqrt(a))
-            SF_ONE(ATAN2, sfi_atan2(a, b))
-            SF_ONE(SQUARE, sfi_square(a))
-            SF_ONE(INVERSE, sfi_inverse(a))
-            SF_ONE(TIMES, sfi_times(a.lo, b))
-            SF_ONE(WITHIN, sfi_within(a, b.lo))
-            SF_ONE(ROOT, sfi_root(a))
-            SF_ONE(POWER, sfi_power(a, b))
-            SF_ONE(EXP, sfi_exp(a))
-            SF_ONE(LOG, sfi_log(a))
-            SF_ONE(LOG1P, sfi_log1p(a))
-            SF_ONE(CBRT, sfi_cbrt(a))
-            SF_ONE(SIN, sfi_sin(a))
-            SF_ONE(COS, sfi_cos(a))
-            SF_ONE(TAN, sfi_tan(a))
-            SF_ONE(SINH, sfi_sinh(a))
-            SF_ONE(COSH, sfi_cosh(a))
-            SF_ONE(TANH, sfi_tanh(a))
-            SF_ONE(ASIN, sfi_asin(a))
-            SF_ONE(ACOS, sfi_acos(a))
-            SF_ONE(ATAN, sfi_atan(a))
-            SF_ONE(ASINH, sfi_asinh(a))
-            SF_ONE(ACOSH, sfi_acosh(a))
-            SF_ONE(ATANH, sfi_atanh(a))
-        default:
-            break;
-        }
-    }
-}
-#undef SF_ONE
+SF_RUN_OF(sf_run_in_pairs, sf_pair, SF_OPERATIONS_IN_PAIRS)
+SF_RUN_OF(sf_run_on_intervals, sf_interval, SF_OPERATIONS_ON_INTERVALS)
+#undef SF_OF_ONE
+#undef SF_RUN_OF
 
 /* Constants of pairs and intervals. */
 static inline void sf_fill_both(const sf_straight *of, void *x) {
@@ -437,7 +436,7 @@ static inline sf_status sf_finished(sf_reader *from)
 }
 
 /* pieces: how many numbers of breakpoints passed there are */
-static inline void sf_read_function(sf_reader *from, int arithmetic, int pieces, int arguments, int outputs,
+static inline void sf_read_function(sf_reader *from, sf_arithmetic has, int pieces, int arguments, int outputs,
                                     sf_function *out)
 {
     int *passed, *guards, i, sides = 0;
@@ -449,15 +448,15 @@ static inline void sf_read_function(sf_reader *from, int arithmetic, int pieces,
         return;
     for (i = 0; i < out->branches; i++) {
         const int last = i == out->branches - 1;
-        passed[i] = sf_word(from, -1, last || arithmetic == SF_IN_DOUBLES ? -1 : pieces - 1);
+        passed[i] = sf_word(from, -1, last || has == sf_in_doubles ? -1 : pieces - 1);
         guards[i] = sf_word(from, 0, last ? 0 : SF_MOST_REGISTERS / 2);
         sides += 2 * guards[i];
         if (sides > SF_MOST_REGISTERS)
             sf_refuse(from, SF_NO_PROGRAM);
     }
-    sf_read_straight(from, arithmetic, arguments, sides, &out->sides);
+    sf_read_straight(from, has, arguments, sides, &out->sides);
     for (i = 0; i < out->branches && from->status == SF_READ; i++)
-        sf_read_straight(from, arithmetic, arguments, outputs, &branch[i]);
+        sf_read_straight(from, has, arguments, outputs, &branch[i]);
     out->passed = passed, out->guards = guards, out->branch = branch;
 }
 
@@ -492,11 +491,11 @@ static inline void sf_read_sums(sf_reader *from, const sf_mechanism *record, sf_
         if (programs == NULL)
             return;
         for (i = 0; i < pieces + contacts; i++) {
-            sf_read_function(from, SF_IN_DOUBLES, pieces, 3 + record->parameters, width, &programs[i]);
+            sf_read_function(from, sf_in_doubles, pieces, 3 + record->parameters, width, &programs[i]);
             if (programs[i].branches > 1)
                 sf_refuse(from, SF_NO_PROGRAM);
         }
-        sf_read_function(from, SF_IN_DOUBLES, pieces, 1 + width + record->parameters, outputs[k],
+        sf_read_function(from, sf_in_doubles, pieces, 1 + width + record->parameters, outputs[k],
                          &out->averages[order[k]]);
         sums->pieces = pieces, sums->width = width, sums->parameters = record->parameters;
         sums->graded = graded, sums->nodes = nodes, sums->rule = (const double (*)[2])rule;
@@ -507,11 +506,11 @@ static inline void sf_read_sums(sf_reader *from, const sf_mechanism *record, sf_
 
 static inline void sf_read_averages(sf_reader *from, const sf_mechanism *record, sf_program *out) {
     const int pieces = record->breakpoints + 1, p = record->parameters;
-    sf_read_function(from, SF_IN_DOUBLES, pieces, 1 + p, 4, &out->averages[SF_AVERAGED]);
-    sf_read_function(from, SF_IN_DOUBLES, pieces, 1 + p, 2, &out->averaged_2);
-    sf_read_function(from, SF_IN_DOUBLES, pieces, 1 + p, 8, &out->averages[SF_HIGHER]);
-    sf_read_function(from, SF_IN_DOUBLES, pieces, 1 + p, 1, &out->averages[SF_INTERCEPT]);
-    sf_read_function(from, SF_IN_DOUBLES, pieces, 4 + p, 3 * p, &out->averages[SF_BY_PARAMETER]);
+    sf_read_function(from, sf_in_doubles, pieces, 1 + p, 4, &out->averages[SF_AVERAGED]);
+    sf_read_function(from, sf_in_doubles, pieces, 1 + p, 2, &out->averaged_2);
+    sf_read_function(from, sf_in_doubles, pieces, 1 + p, 8, &out->averages[SF_HIGHER]);
+    sf_read_function(from, sf_in_doubles, pieces, 1 + p, 1, &out->averages[SF_INTERCEPT]);
+    sf_read_function(from, sf_in_doubles, pieces, 4 + p, 3 * p, &out->averages[SF_BY_PARAMETER]);
 }
 
 static inline void sf_read_bent(sf_reader *from, const sf_mechanism *record, sf_program *out) {
@@ -525,7 +524,7 @@ static inline void sf_read_bent(sf_reader *from, const sf_mechanism *record, sf_
     for (i = 0; i < 2 * pieces + bent->contacts && from->status == SF_READ; i++) {
         const int closing = i - pieces - bent->contacts;
         const int arguments = i < pieces ? 3 : closing < 0 ? 2 : 3 + closing + SF_CONTACT_SUMS * bent->contacts;
-        sf_read_function(from, SF_ON_INTERVALS, 0, arguments + p, i >= pieces && closing < 0 ? SF_CONTACT_SUMS : 2,
+        sf_read_function(from, sf_on_intervals, 0, arguments + p, i >= pieces && closing < 0 ? SF_CONTACT_SUMS : 2,
                          &programs[i]);
     }
     bent->interpreted = sf_program_enclosed, bent->programs = programs;
@@ -534,17 +533,17 @@ static inline void sf_read_bent(sf_reader *from, const sf_mechanism *record, sf_
 static inline void sf_read_exact(sf_reader *from, int within, const sf_mechanism *record, sf_program *out) {
     const int given = record->parameters + record->breakpoints, pieces = record->breakpoints + 1;
     const int known = given + (record->breakpoints > 0 ? 2 : 1);
-    sf_read_function(from, SF_IN_PAIRS, 0, record->design_size, given, &out->given_in_pairs);
+    sf_read_function(from, sf_in_pairs, 0, record->design_size, given, &out->given_in_pairs);
     if (within)
-        sf_read_function(from, SF_ON_INTERVALS, 0, record->design_size, given, &out->given_within);
+        sf_read_function(from, sf_on_intervals, 0, record->design_size, given, &out->given_within);
     if (record->breakpoints > 0) {
-        sf_read_function(from, SF_IN_PAIRS, 0, record->parameters, record->breakpoints, &out->ends_in_pairs);
+        sf_read_function(from, sf_in_pairs, 0, record->parameters, record->breakpoints, &out->ends_in_pairs);
         if (within)
-            sf_read_function(from, SF_ON_INTERVALS, 0, record->parameters, record->breakpoints, &out->ends_within);
+            sf_read_function(from, sf_on_intervals, 0, record->parameters, record->breakpoints, &out->ends_within);
     }
-    sf_read_function(from, SF_IN_PAIRS, pieces, known, 5, &out->in_pairs);
+    sf_read_function(from, sf_in_pairs, pieces, known, 5, &out->in_pairs);
     if (within)
-        sf_read_function(from, SF_ON_INTERVALS, pieces, known, 5, &out->within);
+        sf_read_function(from, sf_on_intervals, pieces, known, 5, &out->within);
 }
 
 static inline void sf_read_conditions(sf_reader *from, const sf_mechanism *record, sf_program *out) {
@@ -571,12 +570,12 @@ static inline void sf_read_all(sf_reader *from, sf_mechanism *record, sf_program
     within = sf_word(from, 0, 1);
     record->reach = sf_number(from), record->harmonics_up_to = sf_number(from);
     sf_read_conditions(from, record, out);
-    sf_read_function(from, SF_IN_DOUBLES, pieces, record->design_size, record->parameters, &out->coefficients);
-    sf_read_function(from, SF_IN_DOUBLES, pieces, record->parameters, record->breakpoints, &out->ends);
-    sf_read_function(from, SF_IN_DOUBLES, pieces, record->parameters, record->breakpoints, &out->jumps);
+    sf_read_function(from, sf_in_doubles, pieces, record->design_size, record->parameters, &out->coefficients);
+    sf_read_function(from, sf_in_doubles, pieces, record->parameters, record->breakpoints, &out->ends);
+    sf_read_function(from, sf_in_doubles, pieces, record->parameters, record->breakpoints, &out->jumps);
     if (bent)
-        sf_read_function(from, SF_IN_DOUBLES, pieces, record->parameters, 2 * record->breakpoints, &out->kinks);
-    sf_read_function(from, SF_IN_DOUBLES, pieces, record->design_size,
+        sf_read_function(from, sf_in_doubles, pieces, record->parameters, 2 * record->breakpoints, &out->kinks);
+    sf_read_function(from, sf_in_doubles, pieces, record->design_size,
                      (record->parameters + record->breakpoints) * record->design_size, &out->by_design);
     if (out->summed)
         sf_read_sums(from, record, out);

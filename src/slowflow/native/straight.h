@@ -31,7 +31,55 @@ typedef struct {
     const double (*constant)[2];
 } sf_straight;
 
-#define SF_DOUBLES(x, value)                                                                                           \
+/* What doubles have, with its value at a and b. */
+#define SF_OPERATIONS_IN_DOUBLES(OPERATION)              \
+    OPERATION(ADD, a + b)                                \
+    OPERATION(SUB, a - b)                                \
+    OPERATION(MUL, a * b)                                \
+    OPERATION(DIV, a / b)                                \
+    OPERATION(NEG, -a)                                   \
+    OPERATION(SQRT, sqrt(a))                             \
+    OPERATION(ATAN2, angles_atan2(a, b))                 \
+    OPERATION(ATAN2_SWAPPED, angles_atan2_swapped(a, b)) \
+    OPERATION(POWER, pow(a, b))                          \
+    OPERATION(ABS, fabs(a))                              \
+    OPERATION(COPYSIGN, copysign(a, b))                  \
+    OPERATION(EXP, exp(a))                               \
+    OPERATION(LOG, log(a))                               \
+    OPERATION(LOG1P, log1p(a))                           \
+    OPERATION(CBRT, cbrt(a))                             \
+    OPERATION(SIN, sin(a))                               \
+    OPERATION(COS, cos(a))                               \
+    OPERATION(TAN, tan(a))                               \
+    OPERATION(SINH, sinh(a))                             \
+    OPERATION(COSH, cosh(a))                             \
+    OPERATION(TANH, tanh(a))                             \
+    OPERATION(ASIN, asin(a))                             \
+    OPERATION(ACOS, acos(a))                             \
+    OPERATION(ATAN, atan(a))                             \
+    OPERATION(ASINH, asinh(a))                           \
+    OPERATION(ACOSH, acosh(a))                           \
+    OPERATION(ATANH, atanh(a))                           \
+    OPERATION(HYPOT, hypot(a, b))
+
+/* Whether an arithmetic has an operation. */
+typedef int sf_arithmetic(int operation);
+
+#define SF_IS_CASE(x, value) case SF_##x##_OPERATION:
+#define SF_ARITHMETIC(name, OPERATIONS)                                                                                \
+    static inline int name(int operation)                                                                              \
+    {                                                                                                                  \
+        switch ((sf_operation)operation) {                                                                             \
+            OPERATIONS(SF_IS_CASE)                                                                                     \
+            return 1;                                                                                                  \
+        default:                                                                                                       \
+            return 0;                                                                                                  \
+        }                                                                                                              \
+    }
+
+SF_ARITHMETIC(sf_in_doubles, SF_OPERATIONS_IN_DOUBLES)
+
+#define SF_OF_LANES(x, value)                                                                                          \
     case SF_##x##_OPERATION:                                                                                           \
         SF_INDEPENDENT                                                                                                 \
         for (k = 0; k < lanes; k++) {                                                                                  \
@@ -50,40 +98,13 @@ static inline void sf_run_lanes(const sf_straight *of, double *x, const int lane
         double *const result = x + at->result * lanes;
         const double *const first = x + at->first * lanes, *const second = x + at->second * lanes;
         switch ((sf_operation)at->operation) {
-            SF_DOUBLES(ADD, a + b)
-            SF_DOUBLES(SUB, a - b)
-            SF_DOUBLES(MUL, a * b)
-            SF_DOUBLES(DIV, a / b)
-            SF_DOUBLES(NEG, -a)
-            SF_DOUBLES(SQRT, sqrt(a))
-            SF_DOUBLES(ATAN2, angles_atan2(a, b))
-            SF_DOUBLES(ATAN2_SWAPPED, angles_atan2_swapped(a, b))
-            SF_DOUBLES(POWER, pow(a, b))
-            SF_DOUBLES(ABS, fabs(a))
-            SF_DOUBLES(COPYSIGN, copysign(a, b))
-            SF_DOUBLES(EXP, exp(a))
-            SF_DOUBLES(LOG, log(a))
-            SF_DOUBLES(LOG1P, log1p(a))
-            SF_DOUBLES(CBRT, cbrt(a))
-            SF_DOUBLES(SIN, sin(a))
-            SF_DOUBLES(COS, cos(a))
-            SF_DOUBLES(TAN, tan(a))
-            SF_DOUBLES(SINH, sinh(a))
-            SF_DOUBLES(COSH, cosh(a))
-            SF_DOUBLES(TANH, tanh(a))
-            SF_DOUBLES(ASIN, asin(a))
-            SF_DOUBLES(ACOS, acos(a))
-            SF_DOUBLES(ATAN, atan(a))
-            SF_DOUBLES(ASINH, asinh(a))
-            SF_DOUBLES(ACOSH, acosh(a))
-            SF_DOUBLES(ATANH, atanh(a))
-            SF_DOUBLES(HYPOT, hypot(a, b))
+            SF_OPERATIONS_IN_DOUBLES(SF_OF_LANES)
         default: /* the arithmetic has no other */
             break;
         }
     }
 }
-#undef SF_DOUBLES
+#undef SF_OF_LANES
 
 static SF_FLAT void sf_run(const sf_straight *of, double *x) { sf_run_lanes(of, x, 1); }
 static inline void sf_fill(const sf_straight *of, double *x) {
@@ -93,8 +114,6 @@ static inline void sf_fill(const sf_straight *of, double *x) {
 }
 
 /* ---- reading */
-
-enum { SF_IN_DOUBLES = 1, SF_IN_PAIRS = 2, SF_ON_INTERVALS = 4 };
 
 typedef enum { SF_READ, SF_NO_PROGRAM, SF_TOO_LARGE, SF_NO_ROOM } sf_reading;
 
@@ -156,35 +175,7 @@ static inline void *sf_room_for(sf_reader *from, int items, size_t size) {
     return made + 2;
 }
 
-static inline int sf_has(int arithmetic, int operation) {
-    switch ((sf_operation)operation) {
-    case SF_ADD_OPERATION:
-    case SF_SUB_OPERATION:
-    case SF_MUL_OPERATION:
-    case SF_DIV_OPERATION:
-    case SF_NEG_OPERATION:
-    case SF_SQRT_OPERATION:
-    case SF_ATAN2_OPERATION:
-        return 1;
-    case SF_ATAN2_SWAPPED_OPERATION:
-        return arithmetic != SF_ON_INTERVALS;
-    case SF_SQUARE_OPERATION:
-    case SF_INVERSE_OPERATION:
-    case SF_TIMES_OPERATION:
-        return arithmetic != SF_IN_DOUBLES;
-    case SF_WITHIN_OPERATION:
-    case SF_ROOT_OPERATION:
-        return arithmetic == SF_ON_INTERVALS;
-    case SF_ABS_OPERATION:
-    case SF_COPYSIGN_OPERATION:
-    case SF_HYPOT_OPERATION:
-        return arithmetic == SF_IN_DOUBLES;
-    default:
-        return arithmetic != SF_IN_PAIRS;
-    }
-}
-
-static inline void sf_read_straight(sf_reader *from, int arithmetic, int arguments, int outputs, sf_straight *out) {
+static inline void sf_read_straight(sf_reader *from, sf_arithmetic has, int arguments, int outputs, sf_straight *out) {
     unsigned char holds[SF_MOST_REGISTERS] = {0};
     sf_instruction *code;
     unsigned short *output;
@@ -207,7 +198,7 @@ static inline void sf_read_straight(sf_reader *from, int arithmetic, int argumen
     for (i = 0; i < out->length; i++) {
         const int operation = sf_word(from, 0, SF_HYPOT_OPERATION), result = sf_word(from, first, out->registers - 1);
         const int one = sf_word(from, 0, out->registers - 1), other = sf_word(from, 0, out->registers - 1);
-        if (from->status != SF_READ || !sf_has(arithmetic, operation) || !holds[one] || !holds[other]) {
+        if (from->status != SF_READ || !has(operation) || !holds[one] || !holds[other]) {
             sf_refuse(from, SF_NO_PROGRAM);
             return;
         }

@@ -116,8 +116,8 @@ static void sf_read_recurrence(sf_reader *from, int constants, int slope, sf_rec
         sf_refuse(from, SF_TOO_LARGE);
     if (from->status != SF_READ)
         return;
-    sf_read_straight(from, SF_IN_DOUBLES, constants + 1, 2 * (n - 1), &out->begin);
-    sf_read_straight(from, SF_IN_DOUBLES, arguments, n - 1 + 2 * out->sums, &out->next);
+    sf_read_straight(from, sf_in_doubles, constants + 1, 2 * (n - 1), &out->begin);
+    sf_read_straight(from, sf_in_doubles, arguments, n - 1 + 2 * out->sums, &out->next);
 }
 
 /* The law of a piece, which is never let go; NULL where the data is no program, is too large for it, or memory is
@@ -140,10 +140,10 @@ static const sf_law *sf_read_law(const char *name, const int *words, size_t coun
                              breaks == SF_BEGINS ? sf_interpreted_begins : NULL,
                              NULL,
                              NULL};
-        sf_read_straight(&from, SF_IN_DOUBLES, constants + 2, 1, &made->value);
-        sf_read_straight(&from, SF_IN_DOUBLES, constants + 2, 1, &made->slope);
+        sf_read_straight(&from, sf_in_doubles, constants + 2, 1, &made->value);
+        sf_read_straight(&from, sf_in_doubles, constants + 2, 1, &made->slope);
         if (breaks == SF_BEGINS)
-            sf_read_straight(&from, SF_IN_DOUBLES, constants + 2, 1, &made->begins);
+            sf_read_straight(&from, sf_in_doubles, constants + 2, 1, &made->begins);
         sf_read_recurrence(&from, constants + 1, 0, &made->force);
         sf_read_recurrence(&from, constants + 1, 1, &made->both);
         if (from.word != from.last_word || from.number != from.last_number)
