@@ -318,10 +318,8 @@ static sf_moves_status sf_gradient(const sf_model *model, const double *of_desig
 
 /* An answer by what is known there, and what one number does to that: A, Omega, F_0, what it is, whether inertia excites;
  * h, h_A, h_AA, h_AAA; I_0 and three derivatives; zeta, d; then of h, h_A, h_AA, I_0, I_0A, I_0AA, zeta, d, the forcing,
- * the frequency and an end. Out come moves as of `sf_gradient`, where the answer meets no other: then it is not 0. */
-enum { SF_TOLD = 26 };
-
-static int sf_move_told(const double *told, double out[SF_STATE_MOVES]) {
+ * the frequency and an end. Out come moves as of `sf_gradient`, and 1; where the answer meets another NaN, and 0. */
+static void sf_move_told(const double *told, double *out) {
     const double *of_rest = told + 18;
     sf_pinned_answer answer = {(sf_pinned)told[3], told[4] != 0, told[1], told[2], {0}, 0, {0}, 0, {0}};
     double moved[SF_UNKNOWNS][SF_MOST_COLUMNS];
@@ -338,29 +336,15 @@ static int sf_move_told(const double *told, double out[SF_STATE_MOVES]) {
     of.forcing[0] = told[23], of.frequency[0] = told[24], of.end[0] = told[25];
     (answer.inertial ? sensitivities_by_inertia : sensitivities_by_force)(told[1], told[2], answer.excited);
     answer.R = answer.kind == SF_CORNER_BACKBONE_PINNED ? 0 : slow_flow_R(told[1], told[0], told[5]);
-    if (!sf_solve(answer.kind, 1, &answer, &model, &of, 1, moved))
-        return 0;
+    out[SF_STATE_MOVES] = sf_solve(answer.kind, 1, &answer, &model, &of, 1, moved);
+    for (i = 0; i < SF_STATE_MOVES; i++)
+        out[i] = NAN;
+    if (out[SF_STATE_MOVES] == 0)
+        return;
     out[0] = moved[0][0], out[3] = moved[1][0], out[4] = moved[2][0];
     sensitivities_of_state(told[1], told[0], told[9], told[10], told[13], told[14], told[5], told[6], answer.excited[0],
                            answer.excited[1], answer.excited[2], told[15], told[18], told[21], told[22], out[0], out[3],
                            out[4], out + 1);
-    return 1;
-}
-
-/* what `sf_move_told` takes -> moves; 1 where the answer meets no other, else 0 and NaN */
-static void sf_loop_told(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
-    double told[SF_TOLD], out[SF_STATE_MOVES + 1];
-    ptrdiff_t i;
-    int k;
-    (void)data;
-    for (i = 0; i < dimensions[0]; i++) {
-        for (k = 0; k < SF_TOLD; k++)
-            told[k] = *(const double *)(const void *)(args[0] + i * steps[0] + k * steps[2]);
-        out[SF_STATE_MOVES] = sf_move_told(told, out);
-        for (k = 0; k <= SF_STATE_MOVES; k++)
-            *(double *)(void *)(args[1] + i * steps[1] + k * steps[3]) =
-                k == SF_STATE_MOVES || out[SF_STATE_MOVES] ? out[k] : NAN;
-    }
 }
 
 /* design, damping, F_0, Omega, A, what it is (a number of sf_pinned) -> moves (rows, columns), status; see

@@ -120,8 +120,8 @@ typedef struct {
     const sf_row *of_one;
     const sf_batch *of_many;
     int count_of_one, count_of_many;
-    /* a ufunc's, of answers by what is known there, not of a record */
-    void (*told)(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data);
+    /* of answers by what is known there, not of a record */
+    void (*told)(const double *in, double *out);
     const sf_records *records;
 } sf_solvers;
 

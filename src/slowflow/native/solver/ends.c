@@ -166,14 +166,12 @@ static void folds_between(const double *in, double *out)
                               (void *)out);
 }
 
+/* How answers move that are told by what is known there (gradient.h). */
+static void moved(const double *in, double *out) { sf_here()->told(in, out); }
+
 /* as their signatures in _native.c */
 ROWS_LOOP(sf_on_balance_loop, on_balance, 6, 28, 28, 2, 2, 1, 1, 10, 1)
 ROWS_LOOP(sf_ended_state_loop, ended_state, 5, 28, 1, 1, 4, 1, 12)
 ROWS_LOOP(sf_ended_fold_loop, ended_fold, 7, 28, 2, 1, 1, 4, 1, 1, 26)
 ROWS_LOOP(sf_folds_between_loop, folds_between, 8, 2, 2, 2, 4, 1, 1, 1, 1, 2, 1)
-
-/* How answers move that are told by what is known there (gradient.h). */
-void sf_moved_loop(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data)
-{
-    sf_here()->told(operands, dimensions, steps, data);
-}
+ROWS_LOOP(sf_moved_loop, moved, 1, 26, 6)
