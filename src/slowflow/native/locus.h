@@ -249,14 +249,6 @@ static int sf_is_stable_below(const sf_model *model, double F_0, const sf_sample
     return sf_half_F_A(model, at, w) > 0;
 }
 
-/* As sf_is_F_close, by any law of damping. */
-static int sf_is_law_F_close(const sf_model *model, const sf_sample *at, double F_0, double w) {
-    const double force = sf_force(model, F_0, w), I = sf_law_I(model, at->A, w);
-    if (!sf_has_laws(model))
-        return sf_is_F_close(model, at, F_0, w);
-    return fabs(slow_flow_F(w, at->A, force, I, 0, at->h)) <= sf_doubt_of_F(at, I, force, w);
-}
-
 /* Whether rounding may decide which folds there are on a breakpoint at which the force jumps by J, or between it and
  * the next double. Omega: the n frequencies of the response there */
 static int sf_is_corner_close(const sf_model *model, double F_0, double J, const sf_sample *at, int n,
@@ -278,7 +270,7 @@ static int sf_is_corner_close(const sf_model *model, double F_0, double J, const
     }
     w[places++] = 0;
     for (i = 0; i < places; i++)
-        if (sf_is_law_F_close(model, at, F_0, w[i]))
+        if (sf_is_F_close(model, at, F_0, w[i]))
             return 1;
     for (i = 0; i < n && Omega[i] < HUGE_VAL; i++) {
         const double R = slow_flow_R(Omega[i], at->A, at->h), size = sf_size_at(at, sf_force(model, F_0, Omega[i]));

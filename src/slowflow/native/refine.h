@@ -395,18 +395,16 @@ static inline double sf_settle_fold(const sf_exactly *exactly, const sf_model *m
                                     double *A)
 {
     const sf_settling begin = {sfp_point(*Omega), sfp_point(*A), sfp_point(F_0)};
-    sf_settling of = begin, above = begin;
+    sf_settling above = begin;
     const int piece = sf_piece_of(model, *A);
-    if (exactly == NULL)
+    if (exactly == NULL ||
+        sf_settle_numbers(slow_flow_pairs_fold_step, SF_MOVES_BOTH, 2, exactly, model, Omega, A, &F_0))
         return 0;
-    if (sf_settle_all(slow_flow_pairs_fold_step, SF_MOVES_BOTH, 2, exactly, model, &of))
-        *Omega = of.Omega.high, *A = of.A.high;
-    else if (piece > 0 && model->breaks == exactly->breaks &&
-             sf_settle_above(slow_flow_pairs_fold_step, SF_MOVES_BOTH, slow_flow_pairs_corner_step, exactly, model,
-                             piece, &above))
-        *Omega = above.Omega.high, *A = fmax(above.A.high, nextafter(model->b[piece - 1], HUGE_VAL));
-    else
+    if (!(piece > 0 && model->breaks == exactly->breaks &&
+          sf_settle_above(slow_flow_pairs_fold_step, SF_MOVES_BOTH, slow_flow_pairs_corner_step, exactly, model, piece,
+                          &above)))
         return sf_is_off_by(slow_flow_pairs_fold_step, SF_MOVES_BOTH, 2, exactly, model, &begin);
+    *Omega = above.Omega.high, *A = fmax(above.A.high, nextafter(model->b[piece - 1], HUGE_VAL));
     return 0;
 }
 
@@ -484,13 +482,10 @@ static sf_status sf_settled_peak(const sf_model *model, const sf_exactly *exactl
                                  sf_work *work, double *A, double *Omega)
 {
     const sf_status status = sf_peak(model, F_0, most, work, A, Omega);
-    sf_settling of;
     if (status != SF_OK || exactly == NULL || sf_has_laws(model))
         return status;
-    of.Omega = sfp_point(*Omega), of.A = sfp_point(*A), of.F_0 = sfp_point(F_0);
-    if (sf_settle_all(slow_flow_pairs_peak_step, SF_MOVES_BOTH, 2, exactly, model, &of))
-        *Omega = of.Omega.high, *A = of.A.high;
-    else if (*A > 0 && *Omega > 0 && model->breaks > 0)
+    if (!sf_settle_numbers(slow_flow_pairs_peak_step, SF_MOVES_BOTH, 2, exactly, model, Omega, A, &F_0) && *A > 0 &&
+        *Omega > 0 && model->breaks > 0)
         sf_peak_between(exactly, model, F_0, A, Omega);
     return status;
 }

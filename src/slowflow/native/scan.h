@@ -67,8 +67,10 @@ static double sf_doubt_of_F(const sf_sample *at, double I, double F_0, double w)
 }
 
 static int sf_is_F_close(const sf_model *model, const sf_sample *at, double F_0, double w) {
-    const double force = sf_force(model, F_0, w), I = slow_flow_I(w, at->A, model->m, model->zeta);
-    return fabs(slow_flow_F(w, at->A, force, model->m, model->zeta, at->h)) <= sf_doubt_of_F(at, I, force, w);
+    const int laws = sf_has_laws(model);
+    const double m = laws ? sf_law_I(model, at->A, w) : model->m, zeta = laws ? 0 : model->zeta; /* the same I */
+    const double force = sf_force(model, F_0, w), I = slow_flow_I(w, at->A, m, zeta);
+    return fabs(slow_flow_F(w, at->A, force, m, zeta, at->h)) <= sf_doubt_of_F(at, I, force, w);
 }
 
 /* Whether the function whose zeros are folds, or states, is as near to 0 as rounding may bring it. Two of its zeros

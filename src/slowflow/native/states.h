@@ -91,7 +91,7 @@ static int sf_is_at_fold(const sf_model *model, double F_0, const sf_folds *fold
         if (fabs(folds->at[i].Omega - Omega) > SF_TOLD_APART * fmax(folds->at[i].Omega, Omega))
             continue;
         sf_sample_at(model, folds->at[i].A, &at);
-        if (sf_is_law_F_close(model, &at, F_0, Omega))
+        if (sf_is_F_close(model, &at, F_0, Omega))
             return 1;
     }
     return 0;
