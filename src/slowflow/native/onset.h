@@ -185,7 +185,8 @@ static int sf_falls_from_below(const sf_model *model, const sf_sample *at, doubl
 }
 
 /* The same for an excitation by inertia: all that may bound the level of folds on the breakpoint, none of it lower than
- * they are; J = 0 where only the slope of the force jumps. */
+ * they are; J = 0 where only the slope of the force jumps. Where they begin at R = 0 the level falls with Omega, by I over
+ * Omega^2. */
 static void sf_consider_inertial(const sf_model *model, const sf_sample *at, double J, sf_onset *best) {
     const double x = sf_least_x(model, at);
     double w[3];
@@ -195,10 +196,6 @@ static void sf_consider_inertial(const sf_model *model, const sf_sample *at, dou
         sf_consider(sf_level(model, at, w[i]), w[i], at->A, SF_CORNER_KIND, best);
     if (J != 0 && x > 0 && sf_half_F_A(model, at, 1 / x) * slow_flow_R(1 / x, at->A, at->h) * J < 0)
         sf_consider(sf_level(model, at, 1 / x), 1 / x, at->A, SF_CORNER_KIND, best);
-    if (J < 0 && at->h < 0) {
-        w[0] = slow_flow_backbone(at->A, at->h);
-        sf_consider(sf_level(model, at, w[0]), w[0], at->A, SF_CORNER_KIND, best);
-    }
 }
 
 /* The least forcing on a breakpoint where only the force's slope jumps: the locus goes on, but its level may turn, as
