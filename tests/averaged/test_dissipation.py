@@ -175,6 +175,25 @@ def test_friction_that_ends_at_u_cr_makes_a_corner():
     assert osc.replace(rubs="throughout").saddle_nodes(0.0502).A.size == 0
 
 
+def test_corners_beyond_where_friction_ends_are_without_it():
+    """A step of the force beyond the first breakpoint: folds on it have the friction that is left there."""
+    u, gap, stop, step = sp.symbols("u gap stop step")
+    pieces = [(u, gap), (2 * u - gap, stop), (2 * u - gap + step, None)]
+    made = derive.mechanism("spring_and_step", pieces, {"gap": {"above": 0}, "stop": {"above": 0}, "step": {}})
+    osc = made(gap=0.3, stop=0.6, step=-0.1, mu=0.06, zeta=0.02, rubs="attached")
+    folds = osc.saddle_nodes(0.12)
+    at = folds.Omega[folds.corner & (folds.A == osc.breakpoints[1])]
+    assert at.size == 2 and np.hypot(*balances(osc, at, 0.6)) == pytest.approx(0.12, rel=1e-12)
+    for w in at:  # where two states meet
+        beside = w * np.array([1 - 1e-6, 1 + 1e-6])
+        states = osc.amplitudes(Omega=beside, F_0=0.12)
+        assert abs(np.subtract(*[np.count_nonzero(states.Omega == one) for one in beside])) == 2
+    pushed = osc.replace(step=0.1)
+    onset = pushed.saddle_node_onset()
+    assert onset.kind == "corner" and onset.A == 0.6
+    assert [pushed.saddle_nodes(onset.F_SN * share).A.size for share in (1 - 1e-6, 1 + 1e-6)] == [0, 2]
+
+
 def test_friction_that_ends_at_u_cr_leaves_an_isola():
     """On the backbone I = m u_cr/A + 2 zeta A Omega is least beyond u_cr: there a curve is born."""
     osc = LOOSE

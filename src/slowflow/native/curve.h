@@ -292,13 +292,10 @@ static sf_status sf_make_skeleton(const sf_model *model, const sf_given *given, 
     sf_skeleton *out = &work->skeleton;
     int arc_of[SF_MOST_FOLDS], lost = 0, i, c;
     const int laws = sf_has_laws(model);
-    sf_status status = laws ? sf_law_folds(model, given, F_0, work, &work->folds)
-                            : sf_decided_folds(model, given, F_0, room, &work->folds);
+    const sf_status status = sf_decided_folds(model, given, F_0, room, &work->folds);
     out->segments = out->curves = 0, out->start[0] = 0;
     if (status != SF_OK)
         return status;
-    if (laws)
-        room->doubt = room->undecided = work->folds.undecided, room->proofs = 0;
     sf_response_graph(model, F_0, work);
     if (work->response.status != SF_OK)
         return work->response.status;

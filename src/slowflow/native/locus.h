@@ -173,6 +173,8 @@ static void sf_add_fold(sf_folds *folds, double Omega, double A, int up, int cor
 
 /* All frequencies at an amplitude, by their size; returns their number. */
 static int sf_frequencies(const sf_model *model, const sf_sample *at, double F_0, double Omega[3]) {
+    if (sf_has_laws(model))
+        return sf_law_frequencies(model, at, SF_OF_RESPONSE, F_0, sf_is_beyond(model, at->A), Omega);
     return sf_inertial(model) ? sf_inertial_roots(model, at, F_0, Omega)
                               : sf_response_roots(at->A, at->h, model->m, model->zeta, F_0, Omega);
 }
@@ -236,6 +238,8 @@ static double sf_settled_Omega(const sf_model *model, double F_0, const sf_sampl
 static int sf_is_stable_below(const sf_model *model, double F_0, const sf_sample *at, double w) {
     const sf_asked asked = sf_asked_of(SF_FOLD_AT, model, F_0);
     sf_answer fold;
+    if (sf_has_laws(model))
+        return sf_law_F_A(model, at, w, sf_is_beyond(model, at->A)) > 0;
     if (sf_inertial(model))
         return sf_half_F_A(model, at, w) > 0;
     sf_ask(&asked, 1, at, &fold);
@@ -274,7 +278,8 @@ static int sf_is_corner_close(const sf_model *model, double F_0, double J, const
             return 1;
     for (i = 0; i < n && Omega[i] < HUGE_VAL; i++) {
         const double R = slow_flow_R(Omega[i], at->A, at->h), size = sf_size_at(at, sf_force(model, F_0, Omega[i]));
-        const double half_F_A = laws ? sf_law_F_A(model, at, Omega[i], 0) / 2 : sf_half_F_A(model, at, Omega[i]);
+        const double half_F_A = laws ? sf_law_F_A(model, at, Omega[i], sf_is_beyond(model, at->A)) / 2
+                                     : sf_half_F_A(model, at, Omega[i]);
         const double slope = at->A * fabs(half_F_A);
         if (fabs(R) <= SF_CLOSE * size || slope <= SF_CLOSE * size * size || fabs(R * J) * SF_STEEP <= slope)
             return 1;
@@ -282,21 +287,32 @@ static int sf_is_corner_close(const sf_model *model, double F_0, double J, const
     return 0;
 }
 
-/* Folds on a breakpoint where the force jumps by J: next to it F_A = 2 R h_A + ... has the sign of R J. */
+/* Whether folds may sit on breakpoint i, as F_A may change its sign there without passing 0: where the force jumps, or
+ * friction ends. */
+static int sf_has_corner(const sf_model *model, int i) { return model->jump[i] != 0 || (i == 0 && model->released); }
+
+/* Whether the side above it is stable at a state on it: where the force jumps by J, F_A = 2 R h_A + ... has next to it the
+ * sign of R J. */
+static int sf_is_stable_above(const sf_model *model, int i, const sf_sample *at, double w) {
+    if (model->jump[i] != 0)
+        return slow_flow_R(w, at->A, at->h) * model->jump[i] > 0;
+    return sf_law_F_A(model, at, w, 1) > 0;
+}
+
+/* Folds on breakpoints. */
 static void sf_corner_folds(const sf_model *model, double F_0, sf_work *work, sf_folds *folds) {
     int k, i;
     for (k = 0; k < model->breaks; k++) {
         sf_corner *corner = &work->corner[k];
         const double *w = corner->Omega;
         const sf_sample *at = &corner->at;
-        if (model->jump[k] == 0 || !(model->b[k] < work->A_max))
+        if (!sf_has_corner(model, k) || !(model->b[k] < work->A_max))
             continue;
         sf_sample_at(model, model->b[k], &corner->at);
         corner->n = sf_frequencies(model, at, F_0, corner->Omega);
         for (i = 0; i < corner->n && w[i] < HUGE_VAL; i++) {
-            const double R = slow_flow_R(w[i], at->A, at->h);
-            const int stable_below = sf_is_stable_below(model, F_0, at, w[i]), stable_above = R * model->jump[k] > 0;
-            if (stable_below != stable_above)
+            const int stable_below = sf_is_stable_below(model, F_0, at, w[i]);
+            if (stable_below != sf_is_stable_above(model, k, at, w[i]))
                 sf_add_fold(folds, w[i], at->A, stable_below, 1);
         }
     }
@@ -400,24 +416,10 @@ static sf_status sf_locus_folds(const sf_model *model, double F_0, sf_work *work
     return SF_OK;
 }
 
-/* Every fold at F_0 > m, by rising Omega; the pieces up to the largest amplitude stay in work. */
-static sf_status sf_saddle_nodes(const sf_model *model, double F_0, sf_work *work, sf_folds *folds) {
+/* The folds of a force inside of pieces. */
+static sf_status sf_forced_folds(const sf_model *model, double F_0, sf_work *work, sf_folds *folds) {
     sf_zeros *found = &work->zeros;
-    sf_status status;
     int i, k;
-    folds->n = folds->undecided = folds->close = 0, folds->status = SF_OK;
-    if (sf_sticks(model, F_0))
-        return SF_STICKS;
-    status = sf_range_at(model, F_0, &work->A_max);
-    if (status != SF_OK && status != SF_UNBOUNDED)
-        return status;
-    if (sf_inertial(model)) {
-        status = sf_locus_folds(model, F_0, work, folds);
-        if (status != SF_OK)
-            return status;
-        sf_corner_folds(model, F_0, work, folds);
-        return folds->status;
-    }
     sf_stretches_up_to(model, work->A_max, &work->pieces);
     for (i = 0; i < work->pieces.n; i++) {
         sf_clear_zeros(found);
@@ -435,6 +437,38 @@ static sf_status sf_saddle_nodes(const sf_model *model, double F_0, sf_work *wor
             sf_add_fold(folds, Omega, A, sf_half_F_AA(model, &at, Omega) < 0, 0);
         }
     }
+    return SF_OK;
+}
+
+/* The folds by other laws of damping inside of pieces: points of a system (points.h). */
+static sf_status sf_law_folds(const sf_model *model, double F_0, sf_work *work, sf_folds *folds) {
+    const sf_law_points *found = &work->points.found;
+    int i;
+    sf_stretches_up_to(model, work->A_max, &work->pieces);
+    sf_search_pieces(model, SF_LAW_FOLDS, F_0, &work->pieces, &work->points);
+    folds->undecided = found->undecided > 0;
+    for (i = 0; i < found->n; i++) {
+        sf_sample at;
+        sf_sample_at(model, found->at[i].A, &at);
+        sf_add_fold(folds, found->at[i].Omega, at.A, sf_law_F_AA(model, &at, found->at[i].Omega) < 0, 0);
+    }
+    return found->status;
+}
+
+/* Every fold at F_0 > m, or at any where friction ends, by rising Omega; the pieces up to the largest amplitude stay in
+ * work. */
+static sf_status sf_saddle_nodes(const sf_model *model, double F_0, sf_work *work, sf_folds *folds) {
+    sf_status status;
+    folds->n = folds->undecided = folds->close = 0, folds->status = SF_OK;
+    if (sf_sticks(model, F_0) && !model->released)
+        return SF_STICKS;
+    status = sf_range_at(model, F_0, &work->A_max);
+    if (status != SF_OK && status != SF_UNBOUNDED)
+        return status;
+    status = (sf_has_laws(model) ? sf_law_folds : sf_inertial(model) ? sf_locus_folds : sf_forced_folds)(model, F_0, work,
+                                                                                                         folds);
+    if (status != SF_OK)
+        return status;
     sf_corner_folds(model, F_0, work, folds);
     return folds->status;
 }

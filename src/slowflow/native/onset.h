@@ -6,7 +6,6 @@
 #ifndef SF_ONSET_H
 #define SF_ONSET_H
 
-#include "law_folds.h"
 #include "law_peaks.h"
 
 /* |u| at most in a motion of an amplitude. */
@@ -238,11 +237,12 @@ static void sf_consider_jump(const sf_model *model, const sf_sample *at, double 
 /* The same by other laws of damping. Folds sit on it where the sign of F_A changes across it: that begins and ends where
  * F_A vanishes on one side, or R where the force jumps; between, the level may be stationary. */
 static void sf_consider_corner_by_laws(const sf_model *model, int k, const sf_sample *at, sf_onset *best) {
+    const int beyond = sf_is_beyond(model, at->A);
     double w[9];
     int i, side, n;
-    if (!sf_has_law_corner(model, k))
+    if (!sf_has_corner(model, k))
         return;
-    n = sf_law_frequencies(model, at, SF_OF_FOLDS, 0, 0, w);
+    n = sf_law_frequencies(model, at, SF_OF_FOLDS, 0, beyond, w);
     n += sf_law_stationary(model, at, w + n);
     if (model->jump[k] == 0)
         n += sf_law_frequencies(model, at, SF_OF_FOLDS, 0, 1, w + n);
@@ -252,7 +252,7 @@ static void sf_consider_corner_by_laws(const sf_model *model, int k, const sf_sa
         int beside = 0;
         for (side = -1; side <= 1; side += 2) {
             const double near = w[i] * (1 + side * SF_BESIDE_FOLDS);
-            beside |= (sf_law_F_A(model, at, near, 0) > 0) != sf_law_is_stable_above(model, k, at, near);
+            beside |= (sf_law_F_A(model, at, near, beyond) > 0) != sf_is_stable_above(model, k, at, near);
         }
         if (w[i] > 0 && beside)
             sf_consider(sf_law_level(model, at, w[i]), w[i], at->A, SF_CORNER_KIND, best);

@@ -9,7 +9,6 @@
 #define SF_RESOLVE_H
 
 #include "certify.h"
-#include "law_folds.h"
 #include "refine.h"
 
 /* Needs the corners of work. */
@@ -26,9 +25,10 @@ static int sf_are_corners_close(const sf_model *model, const sf_given *given, do
     return 0;
 }
 
-/* Whether F_0 exceeds the forcing that leaves the mass at rest by no more than rounding may make of it. */
+/* Whether F_0 is off the forcing that leaves the mass at rest by no more than rounding may make of it. */
 static int sf_nearly_sticks(const sf_model *model, double F_0) {
-    return !sf_inertial(model) && F_0 <= model->mechanism->dissipation(0, 0, model->damping) * (1 + SF_CLOSE);
+    const double held = model->mechanism->dissipation(0, 0, model->damping);
+    return !sf_inertial(model) && F_0 <= held * (1 + SF_CLOSE) && F_0 >= held * (1 - SF_CLOSE);
 }
 
 /* A fold in the middle of its enclosure; which way a sweep leaves it doubles say where the proof does not. */
@@ -71,7 +71,7 @@ static int sf_take_proved_folds(const sf_model *model, const sf_given *given, do
     return folds->status == SF_OK;
 }
 
-/* Every fold at F_0 > m, by rising Omega. */
+/* Every fold as sf_saddle_nodes has them. There is no proof by other laws of damping. */
 static sf_status sf_decided_folds(const sf_model *model, const sf_given *given, double F_0, sf_room *room,
                                   sf_folds *folds)
 {
@@ -83,7 +83,7 @@ static sf_status sf_decided_folds(const sf_model *model, const sf_given *given, 
     room->doubt = status != SF_OK || folds->undecided || folds->close || sf_nearly_sticks(model, F_0) ||
                   sf_are_corners_close(model, given, F_0, &room->work);
     if (room->doubt)
-        room->undecided = given == NULL || !sf_take_proved_folds(model, given, F_0, room, folds);
+        room->undecided = !sf_take_proved_folds(model, sf_has_laws(model) ? NULL : given, F_0, room, folds);
     folds->undecided = room->undecided;
     return folds->status;
 }
@@ -125,15 +125,14 @@ static double sf_settle_or_prove(const sf_model *model, const sf_given *given, d
 static sf_status sf_settled_folds(const sf_model *model, const sf_given *given, double F_0, sf_room *room,
                                   sf_folds *folds)
 {
+    const int laws = sf_has_laws(model);
     sf_status status;
-    if (sf_has_laws(model))
-        return sf_law_folds(model, given, F_0, &room->work, folds);
-    if (sf_is_linear(model) && !sf_sticks(model, F_0)) {
+    if (!laws && sf_is_linear(model) && !sf_sticks(model, F_0)) {
         folds->n = folds->undecided = 0;
         return folds->status = SF_OK;
     }
     status = sf_decided_folds(model, given, F_0, room, folds);
-    if (status == SF_OK && sf_settle_or_prove(model, given, F_0, room, folds) > SF_FEW_DIGITS)
+    if (status == SF_OK && !laws && sf_settle_or_prove(model, given, F_0, room, folds) > SF_FEW_DIGITS)
         folds->undecided = 1;
     return status;
 }
