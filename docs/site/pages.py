@@ -88,12 +88,12 @@ def derivation(folder: Path) -> None:
     """The paper equation by equation, and a page for each mechanism."""
     from derivations import claims, library, walkthrough
     from derivations.mechanisms import all_mechanisms
-    from derivations.runtime import told
+    from derivations.runtime import description
 
     (folder / "walkthrough.md").write_text(walkthrough.derived(), encoding="utf-8")
     names = ["walkthrough"]
     for mechanism in (*all_mechanisms(), *map(library.stated, library.names())):
-        (folder / f"{mechanism.name}.md").write_text(told(mechanism), encoding="utf-8")
+        (folder / f"{mechanism.name}.md").write_text(description(mechanism), encoding="utf-8")
         names.append(mechanism.name)
     (folder / "proved.md").write_text(claims.page(), encoding="utf-8")
     names.append("proved")
