@@ -10,7 +10,7 @@ import numpy as np
 from tests.sampling import directions
 
 #: a step's share of a number, of which the square is the error of a central difference
-SHARE, LEAST = 1e-5, 0.01
+STEP, LEAST = 1e-5, 0.01
 
 
 def assert_slopes_are_differences(
@@ -27,11 +27,13 @@ def assert_slopes_are_differences(
     made, moving = make(**numbers), set()
     answers = {question: (ask, answer := ask(made), answer.gradient()) for question, ask in asks.items()}
     for way in directions(by):
-        step = {name: SHARE * max(abs(numbers[name]), LEAST) * weight for name, weight in way.items()}
+        step = {name: STEP * max(abs(numbers[name]), LEAST) * weight for name, weight in way.items()}
         # each is asked all questions: it keeps what several of them need
-        beside = [make(**{**numbers, **{name: numbers[name] + k * far for name, far in step.items()}}) for k in (-1, 1)]
+        neighbours = [
+            make(**{**numbers, **{name: numbers[name] + k * far for name, far in step.items()}}) for k in (-1, 1)
+        ]
         for question, (ask, answer, gradient) in answers.items():
-            there = [ask(one) for one in beside]
+            there = [ask(one) for one in neighbours]
             for of in gradient.of:
                 values = [np.atleast_1d(np.asarray(getattr(one, of), dtype=float)) for one in (answer, *there)]
                 expected = (values[2] - values[1]) / 2

@@ -27,7 +27,7 @@ pytestmark = pytest.mark.slow
 xarray, dask, lazy, zarr = map(Lazily, ("xarray", "dask", "dask.array", "zarr"))
 
 R = np.linspace(0.5, 3.0, 7)
-SHARE = np.linspace(0.1, 1.1, 5)  # the last one is a negative stiffness at rest
+PRELOAD = np.linspace(0.1, 1.1, 5)  # the last one is a negative stiffness at rest
 #: sticking, without a fold, with folds
 FORCES = np.array([0.01, 0.02, 0.05])
 
@@ -54,7 +54,7 @@ def is_forced(question):
     return ASK[question].get("F_0") is FORCES
 
 
-def asked(question):
+def arguments_of(question):
     """What it takes, the forcings along an axis of their own."""
     return ASK[question] | ({"F_0": xarray.DataArray(FORCES, dims="F_0")} if is_forced(question) else {})
 
@@ -64,19 +64,21 @@ def axis(name, values):
 
 
 def over(cut=None, **more):
-    """Designs over r and share; one is none, as its r is negative."""
-    r, share = axis("r", np.append(R, -1.0)), axis("share", SHARE)
-    r, share = (one.chunk({dim: n for dim, n in cut.items() if dim in one.dims}) if cut else one for one in (r, share))
-    return Isolator.many(**{"lam": 3, "r": r, "delta_h": share / (3 * abs(r)), "mu": 0.012, "zeta": 0.02, **more})
+    """Designs over r and preload (axis "share"); one is none, as its r is negative."""
+    r, preload = axis("r", np.append(R, -1.0)), axis("share", PRELOAD)
+    r, preload = (
+        one.chunk({dim: n for dim, n in cut.items() if dim in one.dims}) if cut else one for one in (r, preload)
+    )
+    return Isolator.many(**{"lam": 3, "r": r, "delta_h": preload / (3 * abs(r)), "mu": 0.012, "zeta": 0.02, **more})
 
 
 def batch(question, depth=None):
     """The same in one batch of NumPy's arrays; forces along the last axis."""
     r = np.append(R, -1.0)[:, np.newaxis]
     forced = is_forced(question)
-    given = {"r": r, "delta_h": SHARE / (3 * abs(r))}
-    given = {name: value[..., np.newaxis] if forced else value for name, value in given.items()}
-    designs = Isolator.many(lam=3, mu=0.012, zeta=0.02, **given)
+    design = {"r": r, "delta_h": PRELOAD / (3 * abs(r))}
+    design = {name: value[..., np.newaxis] if forced else value for name, value in design.items()}
+    designs = Isolator.many(lam=3, mu=0.012, zeta=0.02, **design)
     return getattr(getattr(designs, depth) if depth else designs, question)(**ASK[question])
 
 
@@ -93,7 +95,7 @@ CUTS = {"whole": None, "by r": {"r": 3}, "by both": {"r": 2, "share": 2}}
 @pytest.mark.parametrize("cut", CUTS)
 @pytest.mark.parametrize("question", ASK)
 def test_a_map_is_the_batch_of_its_designs_with_names(question, cut):
-    found = getattr(over(CUTS[cut]), question)(**asked(question))
+    found = getattr(over(CUTS[cut]), question)(**arguments_of(question))
     assert (found["status"].chunks is not None) == (cut != "whole")
     assert_same_bits(found.compute(), batch(question), question)
     codes = set(np.unique(found["status"]))
@@ -102,14 +104,14 @@ def test_a_map_is_the_batch_of_its_designs_with_names(question, cut):
 
 @pytest.mark.parametrize("question", ASK)
 def test_a_store_has_the_bits_of_the_batch(question, tmp_path):
-    found = over({"r": 3}).store(tmp_path / "map.zarr", question, **asked(question))
+    found = over({"r": 3}).store(tmp_path / "map.zarr", question, **arguments_of(question))
     assert_same_bits(found, batch(question), question)
     again = xarray.open_zarr(tmp_path / "map.zarr", consolidated=False)
     assert again.attrs["complete"] == 1 and bool(again["done"].all())
 
 
 def test_a_store_says_what_is_in_it(tmp_path):
-    found = over({"r": 3}).store(tmp_path / "map.zarr", "saddle_nodes", **asked("saddle_nodes"))
+    found = over({"r": 3}).store(tmp_path / "map.zarr", "saddle_nodes", **arguments_of("saddle_nodes"))
     assert dict(found.sizes) == {"r": 8, "share": 5, "F_0": 3, "place": 3}
     assert set(found.coords) == {"lam", "r", "delta_h", "mu", "zeta", "F_0", "share"}
     assert found.attrs["mechanism"] == "rod_spring" and found.attrs["question"] == "saddle_nodes"
@@ -125,24 +127,24 @@ def test_a_store_says_what_is_in_it(tmp_path):
         zip(found["remarks"].attrs["flag_meanings"].split(), found["remarks"].attrs["flag_masks"], strict=True)
     )
     assert masks == {remark.name: remark.value for remark in Remark}
-    soft = found["remarks"].sel(share=SHARE[-1], F_0=0.05).isel(r=0)
+    soft = found["remarks"].sel(share=PRELOAD[-1], F_0=0.05).isel(r=0)
     assert int(soft) & masks["NEGATIVE_STIFFNESS"]
 
 
 @pytest.mark.parametrize("question", ["detachment", "saddle_node_onset", "saddle_nodes", "peak"])
 def test_the_second_approximation_has_maps_too(question, tmp_path):
-    found = over({"r": 3}).second_approximation.store(tmp_path / "map.zarr", question, **asked(question))
+    found = over({"r": 3}).second_approximation.store(tmp_path / "map.zarr", question, **arguments_of(question))
     assert_same_bits(found, batch(question, "second_approximation"), question)
     assert found.attrs["depth"] == "second approximation"
     with pytest.raises(ValueError, match="depth: second approximation there, averaging here"):
-        over().store(tmp_path / "map.zarr", question, **asked(question))
+        over().store(tmp_path / "map.zarr", question, **arguments_of(question))
 
 
 def test_unnamed_dask_numbers_broadcast_as_numpys(tmp_path):
-    r, share = R[:, np.newaxis], SHARE
-    given = {"r": lazy.from_array(r, chunks=(2, 1)), "delta_h": lazy.from_array(share / (3 * r), chunks=2)}
-    designs = Isolator.many(lam=3, **given, mu=0.012, zeta=0.02)
-    expected = Isolator.many(lam=3, r=r, delta_h=share / (3 * r), mu=0.012, zeta=0.02).peak(FORCES.reshape(3, 1, 1))
+    r, preload = R[:, np.newaxis], PRELOAD
+    design = {"r": lazy.from_array(r, chunks=(2, 1)), "delta_h": lazy.from_array(preload / (3 * r), chunks=2)}
+    designs = Isolator.many(lam=3, **design, mu=0.012, zeta=0.02)
+    expected = Isolator.many(lam=3, r=r, delta_h=preload / (3 * r), mu=0.012, zeta=0.02).peak(FORCES.reshape(3, 1, 1))
     assert designs.shape == (7, 5)
     for found in (
         designs.peak(FORCES.reshape(3, 1, 1)),
@@ -157,17 +159,17 @@ def test_parameters_too_many_to_read_are_written_by_blocks(tmp_path, monkeypatch
     found = over({"r": 3}).store(tmp_path / "map.zarr", "detachment")
     assert_same_bits(found, batch("detachment"), "detachment")
     delta_h = found["delta_h"].transpose("r", "share")
-    assert delta_h.values.tobytes() == (SHARE / (3 * np.append(R, 1.0)[:, np.newaxis])).tobytes()
+    assert delta_h.values.tobytes() == (PRELOAD / (3 * np.append(R, 1.0)[:, np.newaxis])).tobytes()
     assert {"delta_h", "r", "lam"} <= set(found.coords)
     assert over({"r": 3}).store(tmp_path / "map.zarr", "detachment").identical(found)
 
 
-@pytest.mark.parametrize("designs", [Duffing.many, lambda **given: Oscillator.many(rod_spring.MECHANISM, **given)])
+@pytest.mark.parametrize("designs", [Duffing.many, lambda **numbers: Oscillator.many(rod_spring.MECHANISM, **numbers)])
 def test_every_mechanism_takes_named_axes(designs):
-    given = {"alpha": 1.0, "beta": axis("beta", R)} if designs == Duffing.many else {"lam": 3, "r": axis("r", R)}
-    given |= {} if designs == Duffing.many else {"delta_h": 0.1}
-    plain = {name: getattr(value, "values", value) for name, value in given.items()}
-    found, expected = (designs(**one, mu=0.01, zeta=0.02).saddle_node_onset() for one in (given, plain))
+    design = {"alpha": 1.0, "beta": axis("beta", R)} if designs == Duffing.many else {"lam": 3, "r": axis("r", R)}
+    design |= {} if designs == Duffing.many else {"delta_h": 0.1}
+    plain = {name: getattr(value, "values", value) for name, value in design.items()}
+    found, expected = (designs(**one, mu=0.01, zeta=0.02).saddle_node_onset() for one in (design, plain))
     assert found["F_SN"].values.tobytes() == expected.F_SN.tobytes()
 
 
@@ -195,7 +197,7 @@ def test_tables_and_records_may_differ_from_design_to_design(tmp_path):
     forces = xarray.DataArray(np.outer(np.append(R, 1.0), [0.01, 0.02, 0.03]), dims=("r", "row"))
     designs, Omega = over({"r": 3}), [0.7, 0.9, 1.1]
     r = np.append(R, -1.0)[:, np.newaxis]
-    plain = Isolator.many(lam=3, r=r, delta_h=SHARE / (3 * abs(r)), mu=0.012, zeta=0.02)
+    plain = Isolator.many(lam=3, r=r, delta_h=PRELOAD / (3 * abs(r)), mu=0.012, zeta=0.02)
     expected = plain.spectrum(Omega=Omega, F_0=forces.values[:, np.newaxis, :])
     for found in (
         designs.spectrum(Omega=Omega, F_0=forces),
@@ -208,8 +210,8 @@ def test_tables_and_records_may_differ_from_design_to_design(tmp_path):
     tau = np.linspace(0, 2, 12)
     pulse = np.outer(np.linspace(0.1, 0.3, 8), np.sin(np.pi * tau / 2))
     expected = plain.transient(tau=tau, acceleration=pulse[:, np.newaxis, :], after=3.0)
-    given = {"tau": tau, "acceleration": xarray.DataArray(pulse, dims=("r", "instant")), "after": 3.0}
-    for found in (designs.transient(**given), designs.store(tmp_path / "records.zarr", "transient", **given)):
+    record = {"tau": tau, "acceleration": xarray.DataArray(pulse, dims=("r", "instant")), "after": 3.0}
+    for found in (designs.transient(**record), designs.store(tmp_path / "records.zarr", "transient", **record)):
         for name, value in expected._content().items():
             assert found[name].transpose("r", "share").values.tobytes() == value.tobytes(), name
     assert designs.spectrum(Omega=0.9, F_0=0.04)["A"].sizes["row"] == 1
@@ -223,7 +225,7 @@ def test_maps_under_a_load_have_the_answers_of_the_batch(tmp_path):
     load = axis("load", np.array([0.3, 0.2, -0.1]))
     designs = Duffing.many(alpha=1.0, beta=0.5, mu=0.01, zeta=0.05, load=load.chunk(load=2))
     plain = Duffing.many(1.0, 0.5, 0.01, 0.05, load=load.values)
-    for question, asked in {
+    for question, arguments in {
         "rest": {},
         "detachment": {},
         "saddle_nodes": {"F_0": 0.2},
@@ -235,8 +237,8 @@ def test_maps_under_a_load_have_the_answers_of_the_batch(tmp_path):
         "shock_spectrum": {"acceleration": 0.5, "duration": 2.0},
         "transient": {"acceleration": 0.5, "duration": 2.0},
     }.items():
-        expected = getattr(plain, question)(**asked)
-        found = designs.store(tmp_path / f"{question}.zarr", question, **asked)
+        expected = getattr(plain, question)(**arguments)
+        found = designs.store(tmp_path / f"{question}.zarr", question, **arguments)
         assert {"B", "stands"} & set(found) or question not in ("amplitudes", "transient")
         for name, value in {**expected._content(), "remarks": expected.remarks}.items():
             assert found[name].transpose("load", ...).values.tobytes() == value.tobytes(), (question, name)
@@ -261,17 +263,17 @@ def test_each_column_of_a_map_says_what_it_is():
 
 def blocks_asked(monkeypatch, stop_after=None):
     """Counts the blocks that are computed, and fails after some."""
-    asked = []
+    calls = []
     answer = block.Ask.__call__
 
     def counted(self, *values):
-        if len(asked) == stop_after:
+        if len(calls) == stop_after:
             raise KeyboardInterrupt
-        asked.append(values)
+        calls.append(values)
         return answer(self, *values)
 
     monkeypatch.setattr(block.Ask, "__call__", counted)
-    return asked
+    return calls
 
 
 def files(folder):
@@ -292,12 +294,12 @@ def test_a_map_that_was_stopped_is_continued_with_the_same_bits(written, tmp_pat
     # what is not computed says so
     missing = part["status"] == -1
     assert bool(missing.any()) and bool(part["F_SN"].where(missing).isnull().all())
-    asked = blocks_asked(monkeypatch)
+    calls = blocks_asked(monkeypatch)
     over({"r": 2, "share": 2}).store(path, "saddle_node_onset")
-    assert len(asked) == 12 - written
+    assert len(calls) == 12 - written
     assert files(path) == files(tmp_path / "whole.zarr")
     over({"r": 2, "share": 2}).store(path, "saddle_node_onset")
-    assert len(asked) == 12 - written
+    assert len(calls) == 12 - written
 
 
 def test_store_stopped_before_preparation_is_prepared_anew(tmp_path, monkeypatch):
@@ -354,12 +356,12 @@ def test_two_writers_of_one_store_do_no_harm(tmp_path):
 
 def test_a_store_keeps_the_numbers_and_not_how_they_came(tmp_path):
     """Numbers read from a file bring an encoding along, which may round."""
-    data = xarray.Dataset({"delta_h": ("share", SHARE / 7)}, coords={"share": SHARE / 3})
+    data = xarray.Dataset({"delta_h": ("share", PRELOAD / 7)}, coords={"share": PRELOAD / 3})
     data["delta_h"].encoding = data["share"].encoding = {"dtype": np.dtype("float32"), "_FillValue": -9.0}
     designs = Isolator.many(lam=3, r=1, delta_h=data["delta_h"], zeta=0.01)
     found = designs.store(tmp_path / "map.zarr", "detachment")
-    assert found["delta_h"].values.tobytes() == (SHARE / 7).tobytes()
-    assert found["share"].values.tobytes() == (SHARE / 3).tobytes()
+    assert found["delta_h"].values.tobytes() == (PRELOAD / 7).tobytes()
+    assert found["share"].values.tobytes() == (PRELOAD / 3).tobytes()
 
 
 def test_a_store_of_zarr_that_is_no_folder_is_filled():
@@ -424,11 +426,11 @@ def test_cluster_with_a_killed_worker_gives_the_same_bits(tmp_path):
     distributed = pytest.importorskip("distributed", reason="the extra `grid` is not installed: distributed")
     path = tmp_path / "map.zarr"
     r = np.linspace(0.5, 3, 60)
-    share = np.linspace(0.1, 0.9, 2000)
+    preload = np.linspace(0.1, 0.9, 2000)
     designs = Isolator.many(
         lam=3,
         r=xarray.DataArray(r, dims="r").chunk(r=1),
-        delta_h=xarray.DataArray(share, dims="share") / (3 * xarray.DataArray(r, dims="r")),
+        delta_h=xarray.DataArray(preload, dims="share") / (3 * xarray.DataArray(r, dims="r")),
         mu=0.012,
         zeta=0.02,
     )
@@ -443,7 +445,7 @@ def test_cluster_with_a_killed_worker_gives_the_same_bits(tmp_path):
         now = sorted(client.run(os.getpid).values())
     assert processes[0] not in now
     r = r[:, np.newaxis]
-    whole = Isolator.many(lam=3, r=r, delta_h=share / (3 * r), mu=0.012, zeta=0.02).saddle_node_onset()
+    whole = Isolator.many(lam=3, r=r, delta_h=preload / (3 * r), mu=0.012, zeta=0.02).saddle_node_onset()
     assert found["F_SN"].values.tobytes() == whole.F_SN.tobytes()
     assert found["remarks"].values.tobytes() == whole.remarks.tobytes()
     assert found.attrs["complete"] == 1
@@ -506,7 +508,7 @@ def test_what_is_there_already_is_not_written_over(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("given", "error", "words"),
+    ("arguments", "error", "message"),
     [
         ({"question": "peaks"}, ValueError, "question"),
         ({"question": "peak"}, TypeError, "F_0 is missing for peak"),
@@ -520,15 +522,15 @@ def test_what_is_there_already_is_not_written_over(tmp_path):
         ({"question": "peak", "F_0": R}, ValueError, "axes without names"),
     ],
 )
-def test_bad_questions_are_refused_before_anything_is_written(given, error, words, tmp_path):
-    given = {name: value() if callable(value) else value for name, value in given.items()}
-    with pytest.raises(error, match=words):
-        over().store(tmp_path / "map.zarr", **given)
+def test_bad_questions_are_refused_before_anything_is_written(arguments, error, message, tmp_path):
+    arguments = {name: value() if callable(value) else value for name, value in arguments.items()}
+    with pytest.raises(error, match=message):
+        over().store(tmp_path / "map.zarr", **arguments)
     assert not (tmp_path / "map.zarr").exists()
 
 
 @pytest.mark.parametrize(
-    ("given", "error", "words"),
+    ("arguments", "error", "message"),
     [
         (lambda: {"r": axis("r", np.array(["a", "b"]))}, ValueError, "r holds"),
         (lambda: {"r": lazy.ones(3, dtype=complex)}, ValueError, "r holds complex128"),
@@ -547,9 +549,9 @@ def test_bad_questions_are_refused_before_anything_is_written(given, error, word
         (lambda: {"r": axis("r", R), "stiffness": 1}, TypeError, "stiffness"),
     ],
 )
-def test_bad_numbers_are_refused(given, error, words):
-    with pytest.raises(error, match=words):
-        Oscillator.many(rod_spring.MECHANISM, **{"lam": 3, "delta_h": 0.1, **given()})
+def test_bad_numbers_are_refused(arguments, error, message):
+    with pytest.raises(error, match=message):
+        Oscillator.many(rod_spring.MECHANISM, **{"lam": 3, "delta_h": 0.1, **arguments()})
 
 
 def test_a_force_with_named_axes_is_not_taken_for_one_without():
