@@ -264,9 +264,9 @@ def two_rows(name: str, value: Any, of: str) -> tuple[Any, Any]:
 
 def pair(name: str, value: Any, meant: str) -> tuple[Any, Any]:
     """Two things that were given as one; the letters of a word, names and what has no order are none."""
-    parts: Any = () if isinstance(value, (str, Mapping, Set)) else value
+    values: Any = () if isinstance(value, (str, Mapping, Set)) else value
     try:
-        one, other = parts
+        one, other = values
     except (TypeError, ValueError):
         raise _refuse(name, value, f"a pair {meant}") from None
     return one, other

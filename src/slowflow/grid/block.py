@@ -69,40 +69,40 @@ class Ask:
     made_by: dict[str, str]
 
     @property
-    def asked(self) -> Question:
+    def row(self) -> Question:
         """Its row of the table."""
         return QUESTIONS[self.question]
 
     def columns(self) -> dict[str, tuple[str, np.dtype[Any]]]:
         """What is answered, by name, each with its axis and type; remarks last."""
-        return self.asked.layout(OFFSET if "load" in self.names else self.depth)
+        return self.row.layout(OFFSET if "load" in self.names else self.depth)
 
     def __call__(self, *values: Any) -> tuple[npt.NDArray[Any], ...]:
         """The columns for numbers that broadcast. Raises RuntimeError where another slowflow runs."""
         here = made_by(self.mechanism)
         if self.made_by != here:
             raise RuntimeError(f"this process runs {here}, the map is made by {self.made_by}")
-        given, asked = dict(zip(self.names, values, strict=True)), self.asked
-        beside = {name: given.pop(name) for name in (*asked.takes, *asked.may) if name in given}
-        for name in beside:  # a table has a row at least
-            if asked.argument_axes.get(name) == "row" and name not in self.tables:
-                beside[name] = np.asarray(beside[name])[..., np.newaxis]
-        given_too = {**dict.fromkeys(asked.may), **beside, **dict(self.options)}
-        answer = self._designs(given)._ask(self.question, **given_too, workers=self.workers)
+        numbers, row = dict(zip(self.names, values, strict=True)), self.row
+        extra = {name: numbers.pop(name) for name in (*row.takes, *row.may) if name in numbers}
+        for name in extra:  # a table has a row at least
+            if row.argument_axes.get(name) == "row" and name not in self.tables:
+                extra[name] = np.asarray(extra[name])[..., np.newaxis]
+        arguments = {**dict.fromkeys(row.may), **extra, **dict(self.options)}
+        answer = self._designs(numbers)._ask(self.question, **arguments, workers=self.workers)
         return tuple(getattr(answer, name) for name in self.columns())
 
-    def _designs(self, given: dict[str, Any]) -> ManyQuestions[Any]:
-        if "load" in given:
-            return OffCentreDesigns(self.mechanism, given, self.excitation)
-        designs = Designs(self.mechanism, given, self.excitation, self.rubs)
+    def _designs(self, numbers: dict[str, Any]) -> ManyQuestions[Any]:
+        if "load" in numbers:
+            return OffCentreDesigns(self.mechanism, numbers, self.excitation)
+        designs = Designs(self.mechanism, numbers, self.excitation, self.rubs)
         return designs if self.depth == AVERAGING else SecondDesigns(designs)
 
 
-def lengths(asked: Question, system: str, options: Mapping[str, Any], rows: int) -> tuple[tuple[str, int], ...]:
+def lengths(row: Question, system: str, options: Mapping[str, Any], rows: int) -> tuple[tuple[str, int], ...]:
     """Of the axes that an answer has behind those of the designs."""
     points = options.get("samples", 0) + MORE_POINTS[system]
     known = {"place": options.get("places", 0), "point": points, "row": rows}
-    own = set(asked.columns[system].values())
+    own = set(row.columns[system].values())
     return tuple((axis, known[axis]) for axis in INNER if axis in own)
 
 
@@ -120,7 +120,7 @@ def of_column(ask: Ask, name: str) -> dict[str, Any]:
     """Of a column of an answer, or of one of the numbers that it was asked with."""
     known = {domain.name: domain.doc for domain in (*ask.mechanism.design, *DAMPING, *DISSIPATION)}
     found: dict[str, Any] = {"long_name": known.get(name) or COLUMNS[name].text}
-    flags = {"remarks": Remark, "status": Status, "onset": Status, "fold_kind": FoldKind, "kind": ask.asked.kinds}
+    flags = {"remarks": Remark, "status": Status, "onset": Status, "fold_kind": FoldKind, "kind": ask.row.kinds}
     kind: Any = flags.get(name)
     if kind is None:
         return {**found, "units": UNITS_OF.get(name, UNITS)}

@@ -55,20 +55,20 @@ class Grid(Unchanging, ManyQuestions[Any]):
     excitation: str
     rubs: str
     values: dict[str, Any]
-    _given: dict[str, Any]
+    _parameters: dict[str, Any]
     _depth: str
 
     def __init__(
         self, mechanism: Mechanism, values: Mapping[str, Any], excitation: str = "force", rubs: str = THROUGHOUT
     ) -> None:
         own = {name: value for name, value in values.items() if name != "load"}
-        given = {name: own[name] for name in check_names(mechanism, own, DISSIPATION)}
+        parameters = {name: own[name] for name in check_names(mechanism, own, DISSIPATION)}
         if "load" in values:
             check_polynomial(mechanism)
-            given["load"] = values["load"]
+            parameters["load"] = values["load"]
         # not by attribute: these cannot be set
-        self.__dict__.update(mechanism=mechanism, excitation=excitation, rubs=rubs, values=labelled(given))
-        self.__dict__.update(_given=given, _depth=AVERAGING)
+        self.__dict__.update(mechanism=mechanism, excitation=excitation, rubs=rubs, values=labelled(parameters))
+        self.__dict__.update(_parameters=parameters, _depth=AVERAGING)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Grid):
@@ -84,7 +84,7 @@ class Grid(Unchanging, ManyQuestions[Any]):
     def second_approximation(self) -> Grid:
         """The same questions with the higher harmonics of force and friction; see `slowflow.second.many`."""
         validate.is_plain("second_approximation", self._laws)
-        if "load" in self._given:
+        if "load" in self._parameters:
             raise validate.NotAvailable(AT_CENTRE.format(off_centre_by(self.mechanism, 0.0) or "with a load"))
         deeper = copy.copy(self)
         deeper.__dict__["_depth"] = SECOND
@@ -92,9 +92,9 @@ class Grid(Unchanging, ManyQuestions[Any]):
 
     @property
     def _laws(self) -> str:
-        """The laws of damping beside mu and zeta, by name; empty without."""
-        given = [one.name for one in DISSIPATION if one.name in self._given]
-        return ", ".join(given if self.rubs == THROUGHOUT else [*given, f"rubs = {self.rubs!r}"])
+        """The damping laws other than mu and zeta, by name; empty without."""
+        names = [one.name for one in DISSIPATION if one.name in self._parameters]
+        return ", ".join(names if self.rubs == THROUGHOUT else [*names, f"rubs = {self.rubs!r}"])
 
     @property
     def sizes(self) -> dict[str, int]:
@@ -106,16 +106,16 @@ class Grid(Unchanging, ManyQuestions[Any]):
         """The same without the names."""
         return tuple(self.sizes.values())
 
-    def _ask(self, question: str, /, *, workers: int = 1, **given: Any) -> Any:
+    def _ask(self, question: str, /, *, workers: int = 1, **arguments: Any) -> Any:
         """The answer to a question by its name, from what its method takes, as a Dataset."""
-        return self._answer(*self.asked(question, workers, **given))
+        return self._answer(*self.asked(question, workers, **arguments))
 
-    def store(self, path: Any, question: str, *, workers: int = 1, **asked: Any) -> Any:
+    def store(self, path: Any, question: str, *, workers: int = 1, **arguments: Any) -> Any:
         """A question's answer as a Zarr store, written block by block; a store that was begun is continued.
 
         path     -- folder of the store, which every worker of a cluster must reach; or what else Zarr takes for one
         question -- name of the method, as "saddle_node_onset"
-        asked    -- what this takes, as F_0, Omega and places
+        arguments -- of this question, as F_0, Omega and places
 
         Blocks are cut as the parameters are, and by some 250,000 designs along axes that none of them cuts. Wherever it
         is stopped, a call with the same numbers computes what is missing, and the store gets the same bits; until then
@@ -128,45 +128,45 @@ class Grid(Unchanging, ManyQuestions[Any]):
             optional(package, "store", "grid")
         from slowflow.grid.store import filled
 
-        ask, values = self.asked(question, workers, **asked)
+        ask, values = self.asked(question, workers, **arguments)
         must_travel(self.mechanism)
         nested = {dim for value in values.values() for dim, index in value.indexes.items() if index.nlevels > 1}
         if nested:
             raise Refused(
                 f"the coordinate {nested.pop()} has several levels, which Zarr does not hold: .reset_index it"
             )
-        along = sizes(values)
-        return filled(path, ask, values, along, blocks(values, along))
+        axes = sizes(values)
+        return filled(path, ask, values, axes, blocks(values, axes))
 
-    def asked(self, question: str, workers: int, **given: Any) -> tuple[Ask, dict[str, Any]]:
+    def asked(self, question: str, workers: int, **arguments: Any) -> tuple[Ask, dict[str, Any]]:
         """A question as a function of a block's numbers, and all the numbers that it takes.
 
-        given -- what the question takes beside the designs, as their method does
+        arguments -- of the question, other than the designs, as their method takes them
 
         Raises TypeError for what is missing or unknown, ValueError for what is not allowed.
         """
-        system = OFFSET if "load" in self._given else self._depth
+        system = OFFSET if "load" in self._parameters else self._depth
         known = tuple(name for name, row in QUESTIONS.items() if system in row.columns)
         if question in QUESTIONS and question not in known:
             raise validate.NotAvailable(self._without(question))
-        asked = QUESTIONS[validate.choice("question", question, known)]
-        given = {name: value for name, value in given.items() if value is not None}
-        for name in asked.takes:
-            if name not in given:
+        entry = QUESTIONS[validate.choice("question", question, known)]
+        arguments = {name: value for name, value in arguments.items() if value is not None}
+        for name in entry.takes:
+            if name not in arguments:
                 raise WrongType(f"{name} is missing for {question}")
-        for name in given:
-            if name not in (*asked.takes, *asked.may, *asked.options):
+        for name in arguments:
+            if name not in (*entry.takes, *entry.may, *entry.options):
                 raise WrongType(f"{name} is nothing for {question}")
-        options = {name: given.pop(name, default) for name, default in asked.options.items()}
-        self._check(question, options, given, workers)
+        options = {name: arguments.pop(name, default) for name, default in entry.options.items()}
+        self._check(question, options, arguments, workers)
         if options.get("psd") is not None:  # as a store tells it
             options["psd"] = [np.asarray(row, dtype=float).tolist() for row in options["psd"]]
-        values, tables = self._with(asked, given)
+        values, tables = self._with(entry, arguments)
         rows = max((values[name].sizes["row"] for name in tables if "row" in values[name].dims), default=1)
         own = self.mechanism, self.excitation, self.rubs, question, self._depth, tuple(values)
-        more = tuple(options.items()), tables, lengths(asked, system, options, rows)
+        more = tuple(options.items()), tables, lengths(entry, system, options, rows)
         found = Ask(*own, *more, workers, made_by(self.mechanism))
-        axes = {dim for name, value in values.items() for dim in value.dims if dim != asked.argument_axes.get(name)}
+        axes = {dim for name, value in values.items() for dim in value.dims if dim != entry.argument_axes.get(name)}
         taken = {*INNER, "done", *found.columns()} & {*axes, *values}
         if taken:
             raise Refused(
@@ -174,7 +174,7 @@ class Grid(Unchanging, ManyQuestions[Any]):
             )
         return found, values
 
-    def _check(self, question: str, options: Mapping[str, Any], given: Mapping[str, Any], workers: int) -> None:
+    def _check(self, question: str, options: Mapping[str, Any], arguments: Mapping[str, Any], workers: int) -> None:
         """Raises ValueError for what is the same for all designs and not allowed, before anything is computed."""
         validate.workers(workers)
         if "places" in options:
@@ -184,8 +184,8 @@ class Grid(Unchanging, ManyQuestions[Any]):
         if options.get("after") is not None:
             validate.number("after", options["after"], least=0.0)
         if question == "random":
-            excited_by(None if given.get("S_0") is None else 1.0, options["psd"])
-        if question == "transient" and ("duration" in given) == ("tau" in given):
+            excited_by(None if arguments.get("S_0") is None else 1.0, options["psd"])
+        if question == "transient" and ("duration" in arguments) == ("tau" in arguments):
             raise Refused(NO_PULSE)
         if question == "certify":
             validate.is_force(question, self.excitation)
@@ -193,23 +193,23 @@ class Grid(Unchanging, ManyQuestions[Any]):
 
     def _without(self, question: str) -> str:
         """Why a question of the table has no answer here."""
-        if "load" in self._given:
+        if "load" in self._parameters:
             return AT_CENTRE.format(off_centre_by(self.mechanism, 0.0) or "with a load")
         if question == "rest":
             return text("rest is not available without a load: the mass rests at {u} = 0")
         return f"{question}: {UNANSWERED[question]}"
 
-    def _with(self, asked: Question, given: Mapping[str, Any]) -> tuple[dict[str, Any], tuple[str, ...]]:
+    def _with(self, entry: Question, arguments: Mapping[str, Any]) -> tuple[dict[str, Any], tuple[str, ...]]:
         """All numbers of a question, and the names of those that are tables or records."""
-        along = {name: axis for name, axis in asked.argument_axes.items() if axis == "row" or "tau" in given}
-        plain = {name: value for name, value in given.items() if name not in along}
-        values = labelled({**self._given, **plain}) if plain else dict(self.values)
-        for name, axis in along.items():
-            if name in given:
-                values[name] = tabled(name, given[name], axis)
+        axes = {name: axis for name, axis in entry.argument_axes.items() if axis == "row" or "tau" in arguments}
+        plain = {name: value for name, value in arguments.items() if name not in axes}
+        values = labelled({**self._parameters, **plain}) if plain else dict(self.values)
+        for name, axis in axes.items():
+            if name in arguments:
+                values[name] = tabled(name, arguments[name], axis)
         aligned = optional("xarray", "a grid", "grid").align(*values.values(), join="exact", copy=False)
         values = dict(zip(values, aligned, strict=True))
-        return values, tuple(name for name, axis in along.items() if name in given and axis in values[name].dims)
+        return values, tuple(name for name, axis in axes.items() if name in arguments and axis in values[name].dims)
 
     def _answer(self, ask: Ask, values: dict[str, Any]) -> Any:
         xarray = optional("xarray", "a grid", "grid")
@@ -234,8 +234,8 @@ class Grid(Unchanging, ManyQuestions[Any]):
         content = xarray.Dataset(dict(zip(columns, found, strict=True)), attrs=of_map(ask))
         for name in columns:
             content[name].attrs.update(of_column(ask, name))
-        told = {name: value.assign_attrs(of_column(ask, name)) for name, value in values.items()}
-        return content.assign_coords(told)
+        coordinates = {name: value.assign_attrs(of_column(ask, name)) for name, value in values.items()}
+        return content.assign_coords(coordinates)
 
 
 def labelled(values: Mapping[str, Any]) -> dict[str, Any]:
@@ -321,16 +321,16 @@ def blocks(values: Mapping[str, Any], lengths: Mapping[str, int]) -> dict[str, i
 
     cut: dict[str, int] = {}
     for value in values.values():
-        for dim, parts in value.chunksizes.items():
+        for dim, chunks in value.chunksizes.items():
             if dim in INNER:
                 continue
-            cut[dim] = min(max(parts), cut.get(dim, max(parts)))
-    wanted = tuple(max(cut[dim], 1) if dim in cut else "auto" for dim in lengths)
+            cut[dim] = min(max(chunks), cut.get(dim, max(chunks)))
+    target = tuple(max(cut[dim], 1) if dim in cut else "auto" for dim in lengths)
     shape = tuple(lengths.values())
     if not all(shape):  # nothing to cut
         return {dim: max(length, 1) for dim, length in lengths.items()}
-    chosen = normalize_chunks(wanted, shape=shape, limit=8 * AT_ONCE, dtype=np.dtype(float))
-    return {dim: max(parts) for dim, parts in zip(lengths, chosen, strict=True)}
+    chosen = normalize_chunks(target, shape=shape, limit=8 * AT_ONCE, dtype=np.dtype(float))
+    return {dim: max(cuts) for dim, cuts in zip(lengths, chosen, strict=True)}
 
 
 def must_travel(mechanism: Mechanism) -> None:

@@ -47,21 +47,21 @@ def filled(path: Any, ask: Ask, values: Mapping[str, Any], sizes: dict[str, int]
     if isinstance(path, Path) or (isinstance(path, str) and "://" not in path):
         path = os.path.abspath(path)  # means the same to every process; a store of Zarr, or an address, does as it is
     values = {name: value if _unread(value) else value.compute() for name, value in values.items()}
-    asked = _asked(ask, values, sizes)
-    about = {**of_map(ask), "asked": json.dumps(asked), "blocks": json.dumps(blocks), "complete": 0}
-    group = _begun(path, asked, about)
+    identity = _identity(ask, values, sizes)
+    about = {**of_map(ask), "asked": json.dumps(identity), "blocks": json.dumps(blocks), "complete": 0}
+    group = _begun(path, identity, about)
     blocks = json.loads(group.attrs["blocks"])
     if DONE not in group:
         _prepare(path, ask, values, group, sizes, blocks)
     if not group.attrs["complete"]:
-        with _told(group):
+        with _reporter(group):
             dask.compute(*_missing(path, ask, values, group, sizes, blocks))
         group.attrs["complete"] = int(np.all(group[DONE][...]))
     return xarray.open_zarr(path, consolidated=False).drop_vars(DONE)
 
 
-def _told(group: Any) -> Callback:
-    """What says how many blocks are written, while dask computes on this machine; a cluster's dashboard says it there.
+def _reporter(group: Any) -> Callback:
+    """A callback that reports how many blocks are written while dask computes on this machine; a cluster has its own.
 
     Each is ticked off in the store, of whichever process.
     """
@@ -93,9 +93,9 @@ class Fill:
         group = zarr.open_group(self.path, mode="r+")
         for name, column in zip(self.ask.columns(), self.ask(*values), strict=True):
             group[name][region] = column
-        given = dict(zip(self.ask.names, values, strict=True))
+        by_name = dict(zip(self.ask.names, values, strict=True))
         for name, axes in self.unread.items():
-            value = given[name].reshape([given[name].shape[k] for k in axes])
+            value = by_name[name].reshape([by_name[name].shape[k] for k in axes])
             group[name][tuple(region[k] for k in axes)] = value
         group[DONE][block] = True
 
@@ -107,11 +107,11 @@ def _missing(
     dims = list(sizes)
     unread = {name: tuple(map(dims.index, _dims(value, sizes))) for name, value in values.items() if _unread(value)}
     task = dask.delayed(Fill(path, ask, unread), pure=False, traverse=False)
-    parts = [_part_of(value, sizes, blocks) for value in values.values()]
+    pieces = [_part_of(value, sizes, blocks) for value in values.values()]
     for block in np.argwhere(~np.asarray(group[DONE][...])).tolist():
         steps = list(zip(dims, block, strict=True))
         region = tuple(slice(k * blocks[dim], min((k + 1) * blocks[dim], sizes[dim])) for dim, k in steps)
-        yield task(tuple(block), region, *(part(tuple(block), region) for part in parts))
+        yield task(tuple(block), region, *(part(tuple(block), region) for part in pieces))
 
 
 def _part_of(
@@ -139,7 +139,7 @@ def _dims(value: Any, sizes: Mapping[str, int]) -> list[str]:
 # ---- the store
 
 
-def _begun(path: Any, asked: dict[str, Any], about: dict[str, Any]) -> Any:
+def _begun(path: Any, identity: dict[str, Any], about: dict[str, Any]) -> Any:
     """The store that was begun with the same numbers, or a new one, which has nothing but what it is about."""
     folder = Path(path) if isinstance(path, str) and "://" not in path else None
     try:
@@ -151,10 +151,12 @@ def _begun(path: Any, asked: dict[str, Any], about: dict[str, Any]) -> Any:
     begun = json.loads(group.attrs.get("asked", "{}"))
     if not begun:
         raise FileExistsError(f"{path} is a store of Zarr, but not one of these maps")
-    other = sorted(name for name in begun | asked if begun.get(name) != asked.get(name))
+    other = sorted(name for name in begun | identity if begun.get(name) != identity.get(name))
     if other:
-        told = "; ".join(f"{name}: {begun.get(name, 'none')} there, {asked.get(name, 'none')} here" for name in other)
-        raise Refused(f"{path} was begun with others, and is left as it is: {told}")
+        differences = "; ".join(
+            f"{name}: {begun.get(name, 'none')} there, {identity.get(name, 'none')} here" for name in other
+        )
+        raise Refused(f"{path} was begun with others, and is left as it is: {differences}")
     return group
 
 
@@ -202,7 +204,7 @@ def _prepare(
     )
 
 
-def _asked(ask: Ask, values: Mapping[str, Any], sizes: Mapping[str, int]) -> dict[str, Any]:
+def _identity(ask: Ask, values: Mapping[str, Any], sizes: Mapping[str, int]) -> dict[str, Any]:
     """What makes a map this one, by name: question, version, axes, and each parameter by its content.
 
     Of a parameter that is not read the name that dask gives it stands for the content.

@@ -53,8 +53,8 @@ STOPS_WITHIN = Sentence(
 TRUNCATED = Sentence("the truncated force (6) is off by {truncation:.1%} at {A = :.3g}; force='untruncated' has none")
 OFF_SECOND = "were measured to be off by up to {:.0%}"
 #: edges of the bins of mu/(A Omega^2), errors of the second approximation there, and the edge from which on to say so
-_RESTS, _SECOND = np.array(measured.RESTS), np.array(measured.SECOND_BY_REST)
-_SECOND_FROM = next(edge for edge, size in zip(_RESTS.tolist(), _SECOND.tolist(), strict=True) if size >= WORTH)
+_STOPPING, _SECOND = np.array(measured.STOPPING), np.array(measured.SECOND_BY_REST)
+_SECOND_FROM = next(edge for edge, size in zip(_STOPPING.tolist(), _SECOND.tolist(), strict=True) if size >= WORTH)
 
 CORNER = text(
     "a fold sits on the corner at {u_cr}, where the truncated force (6) jumps: it and its partner beside it are of the "
@@ -100,7 +100,7 @@ def of_states(model: Model, Omega: Floats, A: Floats, *, corner: bool = False) -
         return Validity(
             ratio, rest, unknown, unknown, truncation, NOT_MEASURED_LAWS if model.laws.any else NOT_MEASURED
         )
-    chosen = _bin(measured.RATIOS, ratio), _bin(measured.RESTS, rest)
+    chosen = _bin(measured.RATIOS, ratio), _bin(measured.STOPPING, rest)
     # a mass that friction holds is not averaged: its state is exact
     typical, error = (np.where(A > 0, np.array(sizes)[chosen], 0.0) for sizes in (measured.TYPICAL, measured.ERROR))
     truncation = _truncation(model, A)
@@ -128,8 +128,8 @@ def of_states(model: Model, Omega: Floats, A: Floats, *, corner: bool = False) -
 
 def off_centre(mu: float, F_0: Any, Omega: Any, A: Any) -> Validity:
     """That of averaged motions off the centre: nothing was measured there. None stands for no motion."""
-    given = [np.asarray([] if A is None else value, dtype=float).ravel() for value in (F_0, Omega, A)]
-    F_0, Omega, A = np.broadcast_arrays(*given)
+    arrays = [np.asarray([] if A is None else value, dtype=float).ravel() for value in (F_0, Omega, A)]
+    F_0, Omega, A = np.broadcast_arrays(*arrays)
     with np.errstate(divide="ignore", invalid="ignore"):  # at Omega = 0
         ratio, rest = mu / F_0, np.where(mu > 0, motion.stopping(Omega, A, mu), 0.0)
     unknown = np.full(A.shape, np.nan)
@@ -159,7 +159,7 @@ def of_second(model: Model, Omega: Floats, A: Floats) -> str:
     with np.errstate(divide="ignore"):
         rest = motion.stopping(Omega, A, model.mu)
     above = rest[~(rest < _SECOND_FROM)]
-    off = _SECOND[_RESTS.searchsorted(above, side="right") - 1]  # none lies below the first edge
+    off = _SECOND[_STOPPING.searchsorted(above, side="right") - 1]  # none lies below the first edge
     stopping = off >= WORTH
     if not stopping.any():
         return ""

@@ -19,7 +19,7 @@ _AT, _WEIGHTS = np.polynomial.legendre.leggauss(NODES)
 _SHARES = 0.5 * (1 + _AT)
 #: by how much less the lowest damping is taken to be
 MARGIN = 1.5
-HELD = "friction holds the mass nearly all of the time: no linear damping is equivalent to it"
+STUCK = "friction holds the mass nearly all of the time: no linear damping is equivalent to it"
 
 
 @dataclass(frozen=True)
@@ -55,8 +55,8 @@ class Tabulated:
         #: between points with a step between them a density is that of its own interval
         self._slopes = np.diff(self._y)[wide] / np.diff(x)[wide]
         self._begins, self._y_begins = x[wide], self._y[wide]
-        parts = [np.linspace(a, b, 1 + math.ceil((b - a) / WIDEST)) for a, b in zip(x[wide], x[wide + 1], strict=True)]
-        self._edges = np.unique(np.concatenate(parts))
+        pieces = [np.linspace(a, b, 1 + math.ceil((b - a) / WIDEST)) for a, b in zip(x[wide], x[wide + 1], strict=True)]
+        self._edges = np.unique(np.concatenate(pieces))
 
     def density(self, Omega: Floats) -> Floats:
         """One-sided."""
@@ -77,7 +77,7 @@ class Tabulated:
         of_w = weights * self._within(np.log(Omega))
         dry = float(linearization.equivalent_damping(1.0, mu, zeta, c_2)[2])
         if not dry < math.sqrt(of_w.sum()):
-            raise NotSettled(HELD)
+            raise NotSettled(STUCK)
         strength = math.pi * float(self.G.max())
         least = max(2 * zeta, dry**2 / strength)
         most = (strength + 0.5 * float((of_w / Omega).sum())) / least

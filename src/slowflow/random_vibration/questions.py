@@ -41,11 +41,11 @@ def random(oscillator: Any, system: EquationOfMotion, S_0: Any, psd: Any) -> Ran
     validate.is_plain("random", f"rubs = {oscillator.rubs!r}" if system.released else "")
     columns = stationary(system, excitation)
     u, dry = columns["u_rms"], columns["dry"]
-    said = joined(
+    message = joined(
         SEVERAL.format(u.size) if u.size > 1 else "",
         DRY.format(float(dry.max()), MOST_DRY) if (dry > MOST_DRY).any() else "",
     )
-    return RandomResponse(**columns, message=said, excitation=excitation, system=system, _equation=oscillator)
+    return RandomResponse(**columns, message=message, excitation=excitation, system=system, _equation=oscillator)
 
 
 def excited_by(S_0: Any, psd: Any) -> Excitation:

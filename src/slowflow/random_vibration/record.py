@@ -23,7 +23,7 @@ from slowflow_kernels import linearization, motion
 
 #: steps of time: of the slowest of natural periods over a turn, of the times in which damping acts on white noise, and
 #: of the period over a turn of the highest frequency of a table that counts
-SHARE, DAMPED, SAMPLED = 0.1, 0.01, 0.7
+FRACTION, DAMPED, SAMPLED = 0.1, 0.01, 0.7
 #: what may be left out of the mean square of the velocity above the highest frequency
 LEFT_OUT, GRID = 1e-5, 4001
 #: times over that of the linear oscillator's decay that a record is followed before it counts
@@ -73,13 +73,13 @@ def measured(
 def steps(excitation: Excitation, k: float, c: Floats) -> tuple[float, float]:
     """The time between samples, and the highest frequency of the record, infinite of white noise."""
     if isinstance(excitation, White):
-        return min(SHARE / math.sqrt(k), DAMPED / float(c.max())), math.inf
+        return min(FRACTION / math.sqrt(k), DAMPED / float(c.max())), math.inf
     Omega = np.geomspace(excitation.Omega[0], excitation.Omega[-1], GRID)
     Z, _, _ = linearization.response(Omega, k, float(c[-1]))
     power = np.gradient(Omega) * excitation.density(Omega) * Omega**2 / Z
     passed = np.cumsum(power[::-1])[::-1]
     top = float(Omega[passed >= LEFT_OUT * passed[0]][-1])
-    return min(SHARE / math.sqrt(k), SAMPLED / top), top
+    return min(FRACTION / math.sqrt(k), SAMPLED / top), top
 
 
 def process(excitation: Excitation, step: float, top: float, count: int, random: np.random.Generator) -> Floats:
@@ -98,7 +98,7 @@ def process(excitation: Excitation, step: float, top: float, count: int, random:
 
 def followed(system: EquationOfMotion, w: Floats, step: float) -> Floats:
     """u and v at the end of each step, from rest at the centre, (2, n). Raises ArithmeticError where it is lost."""
-    oscillator, u, v, parts = handle(system), 0.0, 0.0, []
+    oscillator, u, v, pieces = handle(system), 0.0, 0.0, []
     for first in range(0, w.size - 1, AT_ONCE):
         some = w[first : first + AT_ONCE + 1]
         # w pushes as a base does that is accelerated by -w
@@ -107,9 +107,9 @@ def followed(system: EquationOfMotion, w: Floats, step: float) -> Floats:
         outcome, _, at, states = EXACT.record(oscillator, *arguments)
         if outcome:
             raise NotSettled(lost(outcome, system, at))
-        parts.append(np.frombuffer(states).reshape(-1, 2))
-        u, v = parts[-1][-1].tolist()
-    return np.concatenate(parts).T
+        pieces.append(np.frombuffer(states).reshape(-1, 2))
+        u, v = pieces[-1][-1].tolist()
+    return np.concatenate(pieces).T
 
 
 def accelerations(system: EquationOfMotion, u: Floats, v: Floats, w: Floats) -> Any:

@@ -49,10 +49,10 @@ class Force:
         self.doublings: dict[int, Smooth | None] = {}
         self.ends = (*stated.ends_of(numbers), stated.reach)
         begins = (0.0, *self.ends[:-1])
-        given = stated.given(numbers)
+        description = stated.description(numbers)
         if any(not end >= begin for begin, end in pairwise((0.0, *self.ends))):
             where = ", ".join(f"{end:g}" for end in self.ends)
-            raise Refused(f"{given}pieces of {stated.name} end at |u| = {where}: these must rise up to the reach")
+            raise Refused(f"{description}pieces of {stated.name} end at |u| = {where}: these must rise up to the reach")
         self.smooth: list[Smooth | None] = []
         for number, (begin, end) in enumerate(zip(begins, self.ends, strict=True)):
             if not end > begin:
@@ -60,15 +60,15 @@ class Force:
                 continue
             if begin == 0:
                 stated.check_odd(number, numbers, end)
-            told = f"{given}piece {number + 1} of {stated.name}"
+            name = f"{description}piece {number + 1} of {stated.name}"
 
             def values(v: Floats, number: int = number, begin: float = begin) -> Floats:
                 return stated.values(number, begin + v, numbers)
 
             from_zero = begin == 0 or self._ends_with_zero()
-            self.smooth.append(Smooth(values, end - begin, from_zero, told))
+            self.smooth.append(Smooth(values, end - begin, from_zero, name))
         if self.smooth[-1] is None:
-            raise Refused(f"{given}the last piece of {stated.name} begins at its reach, {stated.reach:g}")
+            raise Refused(f"{description}the last piece of {stated.name} begins at its reach, {stated.reach:g}")
         self._join()
 
     def _ends_with_zero(self) -> bool:
@@ -117,16 +117,16 @@ class Force:
     @cached_property
     def samples(self) -> tuple[bytes, bytes]:
         """What native/sampled_force.h reads: ints and doubles, as bytes."""
-        words = [len(self.numbers), len(self.ends) - 1, len(RULE)]
+        integers = [len(self.numbers), len(self.ends) - 1, len(RULE)]
         numbers: list[Any] = [np.ravel(RULE)]
         for end, lost, piece in zip(self.ends, self.lost, self.smooth, strict=True):
-            words.append(0 if piece is None else piece.of[0].size)
+            integers.append(0 if piece is None else piece.of[0].size)
             if piece is not None:
-                words += [piece.power, CELLS]
+                integers += [piece.power, CELLS]
                 numbers += [[piece.length], *piece.of, piece.edges, *piece.ranges(0), *piece.ranges(ORDERS)]
             numbers += [[end], lost]
         rough = [max(one.rough(order) for one in self.smooth if one is not None) for order in range(ORDERS)]
-        return array("i", words).tobytes(), np.concatenate([*numbers, self.line, rough]).tobytes()
+        return array("i", integers).tobytes(), np.concatenate([*numbers, self.line, rough]).tobytes()
 
     @cached_property
     def _record(self) -> Any:
@@ -173,9 +173,9 @@ class Force:
         if k not in self.doublings:
             number, begin = len(self.smooth) - 1, self.ends[-1] * 2.0**k
             below = self.smooth[-1] if k == 0 else self._doubling(k - 1)
-            told = f"{self.stated.given(self.numbers)}piece {number + 1} of {self.stated.name} beyond its reach"
+            name = f"{self.stated.description(self.numbers)}piece {number + 1} of {self.stated.name} beyond its reach"
             try:
-                found = Smooth(lambda v: self.stated.values(number, begin + v, self.numbers), begin, False, told)
+                found = Smooth(lambda v: self.stated.values(number, begin + v, self.numbers), begin, False, name)
             except Refused:
                 below = None
             if below is not None:
@@ -224,10 +224,10 @@ class Stated:
                 found = self._made[numbers] = Force(self, numbers)
         return found
 
-    def given(self, numbers: tuple[float, ...]) -> str:
-        """A design in words."""
-        told = ", ".join(f"{name} = {value!r}" for name, value in zip(self.names, numbers, strict=True))
-        return f"{told}: " if told else ""
+    def description(self, numbers: tuple[float, ...]) -> str:
+        """A description of a design, the prefix of messages."""
+        text = ", ".join(f"{name} = {value!r}" for name, value in zip(self.names, numbers, strict=True))
+        return f"{text}: " if text else ""
 
     def by_name(self, numbers: tuple[float, ...]) -> dict[str, float]:
         """What functions are called with."""
@@ -237,42 +237,44 @@ class Stated:
         """The breakpoints."""
         found = []
         for number, end in enumerate(self.ends, start=1):
-            value = self._asked(f"the end of piece {number}", end, (), numbers) if callable(end) else end
-            found.append(_real(f"{self.given(numbers)}the end of piece {number} of {self.name}", value))
+            value = self._call(f"the end of piece {number}", end, (), numbers) if callable(end) else end
+            found.append(_real(f"{self.description(numbers)}the end of piece {number} of {self.name}", value))
         return tuple(found)
 
-    def _asked(self, what: str, function: Callable[..., Any], at: tuple[Any, ...], numbers: tuple[float, ...]) -> Any:
+    def _call(self, what: str, function: Callable[..., Any], at: tuple[Any, ...], numbers: tuple[float, ...]) -> Any:
         try:
             return function(*at, **self.by_name(numbers))
         except Exception as error:
             where = f" at u = {at[0]!r}" if at else ""
             raise Refused(
-                f"{self.given(numbers)}{what} of {self.name} raises {type(error).__name__}{where}: {error}"
+                f"{self.description(numbers)}{what} of {self.name} raises {type(error).__name__}{where}: {error}"
             ) from error
 
     def values(self, number: int, u: Floats, numbers: tuple[float, ...]) -> Floats:
         """A piece at displacements (n,): all at once where its function takes arrays, and one by one elsewhere."""
         function, what = self.functions[number], f"piece {number + 1}"
-        ends = [float(self._asked_one(what, function, float(u[k]), numbers)) for k in (0, -1)]
+        ends = [float(self._call_one(what, function, float(u[k]), numbers)) for k in (0, -1)]
         try:
             together = np.asarray(function(u.copy(), **self.by_name(numbers)), dtype=float)
         except Exception:
             together = np.empty(0)
-        alike = together.shape == u.shape and np.allclose(together[[0, -1]], ends, rtol=1e-12, atol=0, equal_nan=True)
-        if not alike:
-            together = np.array([self._asked_one(what, function, float(one), numbers) for one in u])
+        vectorized = together.shape == u.shape and np.allclose(
+            together[[0, -1]], ends, rtol=1e-12, atol=0, equal_nan=True
+        )
+        if not vectorized:
+            together = np.array([self._call_one(what, function, float(one), numbers) for one in u])
         bad = ~np.isfinite(together)
         if bad.any():
             where = int(np.argmax(bad))
             raise Refused(
-                f"{self.given(numbers)}{what} of {self.name} is {together[where]} at u = {u[where]:.17g}: "
+                f"{self.description(numbers)}{what} of {self.name} is {together[where]} at u = {u[where]:.17g}: "
                 f"it must be finite up to its end, and up to the reach, {self.reach:g}"
             )
         return together
 
-    def _asked_one(self, what: str, function: Callable[..., Any], u: float, numbers: tuple[float, ...]) -> float:
-        value = self._asked(what, function, (u,), numbers)
-        return _real(f"{self.given(numbers)}{what} of {self.name} at u = {u!r}", value, finite=False)
+    def _call_one(self, what: str, function: Callable[..., Any], u: float, numbers: tuple[float, ...]) -> float:
+        value = self._call(what, function, (u,), numbers)
+        return _real(f"{self.description(numbers)}{what} of {self.name} at u = {u!r}", value, finite=False)
 
     def check_odd(self, number: int, numbers: tuple[float, ...], end: float) -> None:
         """Raises ValueError for a first piece that is there on both sides of u = 0, and not odd."""
@@ -286,7 +288,7 @@ class Stated:
                 return
             if not math.isnan(left) and not abs(left + value) <= ODD * np.abs(right).max():
                 raise Refused(
-                    f"{self.given(numbers)}piece {number + 1} of {self.name} is {value:.6g} at u = {one:g} "
+                    f"{self.description(numbers)}piece {number + 1} of {self.name} is {value:.6g} at u = {one:g} "
                     f"and {left:.6g} at u = {-one:g}: it is not odd. In a function a preload is copysign(c, u), "
                     "an even power u abs(u)"
                 )
@@ -348,7 +350,7 @@ OF_PIECE = {
 
 
 @dataclass(frozen=True)
-class Asked:
+class SampledFunction:
     """One function of the record, by its name in these tables: of a piece by its number, where it is of one."""
 
     stated: Stated
@@ -365,26 +367,26 @@ class Asked:
             return OF_ONE[what](self.stated.force(tuple(map(float, arguments))))
         if what in OF_DESIGNS:
             return self._by_design(arguments, of=OF_DESIGNS[what])
-        first, *given = arguments
+        first, *numbers = arguments
         if what in AVERAGES:
-            found = self._by_design(given, first, of=lambda force, A: force.averages(A, AVERAGES[what]))
+            found = self._by_design(numbers, first, of=lambda force, A: force.averages(A, AVERAGES[what]))
             return found if what != "intercept" else found[0]
         method, order = OF_PIECE[what]
-        return self._by_design(given, first, of=lambda force, u: (method(force, self.number, u, order),))[0]
+        return self._by_design(numbers, first, of=lambda force, u: (method(force, self.number, u, order),))[0]
 
-    def _by_design(self, given: Sequence[Any], *beside: Any, of: Callable[..., Sequence[Any]]) -> tuple[Any, ...]:
+    def _by_design(self, numbers: Sequence[Any], *extra: Any, of: Callable[..., Sequence[Any]]) -> tuple[Any, ...]:
         """What is of one design, of arrays of them: each once."""
-        if all(np.ndim(one) == 0 for one in given):
-            return tuple(of(self.stated.force(tuple(map(float, given))), *beside))
-        *arrays, shaped = np.broadcast_arrays(*given, *(beside or (0.0,)))
+        if all(np.ndim(one) == 0 for one in numbers):
+            return tuple(of(self.stated.force(tuple(map(float, numbers))), *extra))
+        *arrays, shaped = np.broadcast_arrays(*numbers, *(extra or (0.0,)))
         arrays.append(shaped)
-        rows = np.stack([np.asarray(one, dtype=float).ravel() for one in arrays[: len(given)]], axis=-1)
-        others = [np.asarray(one, dtype=float).ravel() for one in arrays[len(given) :]]
+        rows = np.stack([np.asarray(one, dtype=float).ravel() for one in arrays[: len(numbers)]], axis=-1)
+        others = [np.asarray(one, dtype=float).ravel() for one in arrays[len(numbers) :]]
         designs, of_row = np.unique(rows, axis=0, return_inverse=True)
         found: list[Floats] = []
         for k, design in enumerate(designs):
             here = of_row.ravel() == k
-            values = of(self.stated.force(tuple(design.tolist())), *((one[here] for one in others) if beside else ()))
+            values = of(self.stated.force(tuple(design.tolist())), *((one[here] for one in others) if extra else ()))
             if not found:
                 found = [np.empty(len(rows)) for _ in values]
             for whole, value in zip(found, values, strict=True):
@@ -396,8 +398,8 @@ def record(stated: Stated, title: str, design: tuple[Parameter, ...], reach_reas
     """The record of a mechanism whose force is stated by functions."""
     count = len(stated.functions)
     last = count - 1
-    whole = Law(Asked(stated, "force_throughout", last), Asked(stated, "slope_throughout", last))
-    functions: dict[str, Any] = {name: Asked(stated, name) for name in (*OF_DESIGNS, *OF_ONE, *AVERAGES)}
+    whole = Law(SampledFunction(stated, "force_throughout", last), SampledFunction(stated, "slope_throughout", last))
+    functions: dict[str, Any] = {name: SampledFunction(stated, name) for name in (*OF_DESIGNS, *OF_ONE, *AVERAGES)}
     return Mechanism(
         **functions,
         name=stated.name,
@@ -405,7 +407,11 @@ def record(stated: Stated, title: str, design: tuple[Parameter, ...], reach_reas
         design=design,
         parameters=design,
         pieces=tuple(
-            Law(Asked(stated, "force", k), Asked(stated, "slope", k), whole=whole if k == last else None)
+            Law(
+                SampledFunction(stated, "force", k),
+                SampledFunction(stated, "slope", k),
+                whole=whole if k == last else None,
+            )
             for k in range(count)
         ),
         harmonics_up_to=math.inf,

@@ -58,18 +58,18 @@ class Smooth:
         values: Callable[[Floats], Floats],
         length: float,
         from_zero: bool,
-        told: str,
+        name: str,
         resolved: float = RESOLVED,
     ) -> None:
         self.length, self.power, self.resolved = length, 0, resolved
-        coefficients = self._through(values, told)
+        coefficients = self._through(values, name)
         while from_zero and self.power < ORDERS and np.any(coefficients):
             start = float(chebyshev.chebval(-1.0, coefficients))
             if abs(start) > max(resolved * np.abs(coefficients).max(), self._doubt(coefficients, 0)):
                 break
             kept = self.points, self.noise
             try:
-                coefficients = self._through(lambda v: values(v) / v ** (self.power + 1), told)
+                coefficients = self._through(lambda v: values(v) / v ** (self.power + 1), name)
             except ValueError:
                 self.points, self.noise = kept
                 break
@@ -77,21 +77,21 @@ class Smooth:
         self.of = [coefficients]
         for _ in range(ORDERS):
             self.of.append(chebyshev.chebder(self.of[-1], scl=2 / length))
-        v = np.concatenate((self._places(CHECKED), length * np.linspace(0, 1, CHECKED + 2)[1:-1]))
-        given = values(v)
-        size = float(np.abs(given).max(initial=0.0))
-        self.error = float(np.abs(given - self.at(v, (0,))[0]).max()) / size if size > 0 else 0.0
+        v = np.concatenate((self._points(CHECKED), length * np.linspace(0, 1, CHECKED + 2)[1:-1]))
+        expected = values(v)
+        size = float(np.abs(expected).max(initial=0.0))
+        self.error = float(np.abs(expected - self.at(v, (0,))[0]).max()) / size if size > 0 else 0.0
         if self.error > math.sqrt(RESOLVED):
-            raise Refused(f"{told} is not the polynomial through {self.points} of its values: {_LEFT}")
+            raise Refused(f"{name} is not the polynomial through {self.points} of its values: {_LEFT}")
 
-    def _places(self, count: int) -> Floats:
+    def _points(self, count: int) -> Floats:
         return np.asarray(0.5 * self.length * (1 - np.cos(np.pi * (np.arange(count) + 0.5) / count)))
 
-    def _through(self, values: Callable[[Floats], Floats], told: str) -> Floats:
+    def _through(self, values: Callable[[Floats], Floats], name: str) -> Floats:
         """Coefficients of Chebyshev's polynomials; what is left out is rounding."""
         found, count = None, FEWEST
         while count <= MOST:
-            coefficients = _through(values(self._places(count)))
+            coefficients = _through(values(self._points(count)))
             tail, size = np.abs(coefficients[-(count // 8) :]).max(), np.abs(coefficients).max()
             if found is None and tail <= self.resolved * size:
                 found = coefficients, tail, count
@@ -100,7 +100,7 @@ class Smooth:
                 break
             count *= 2
         if found is None:
-            raise Refused(f"{told}: {MOST} of its values leave {tail / size:.1g} of it open: {_LEFT}")
+            raise Refused(f"{name}: {MOST} of its values leave {tail / size:.1g} of it open: {_LEFT}")
         coefficients, tail, self.points = found
         self.noise = float(max(tail, 2.0**-53 * np.abs(coefficients).max()))
         kept = np.flatnonzero(np.abs(coefficients) > self.noise)
@@ -147,23 +147,23 @@ class Smooth:
         of = {k: chebyshev.chebval(x, self.of[k]) for k in {k for some in terms for _, _, k in some}}
         return [sum(factor * v**power * of[k] for factor, power, k in some) for some in terms]
 
-    def parts(self) -> list[list[float]]:
+    def pieces(self) -> list[list[float]]:
         """The same as polynomials of at most `DEGREES` numbers, one after the other, as `rows` has them."""
-        return self._parts(0.0, self.length, self.of[0], self.power)
+        return self._pieces(0.0, self.length, self.of[0], self.power)
 
-    def _parts(self, a: float, b: float, coefficients: Floats, power: int) -> list[list[float]]:
+    def _pieces(self, a: float, b: float, coefficients: Floats, power: int) -> list[list[float]]:
         if coefficients.size <= DEGREES:
             slope = chebyshev.chebder(coefficients, scl=2 / (b - a))
             filled = (np.pad(one, (0, DEGREES - one.size)) for one in (coefficients, slope))
             return [[a, b - a, power, coefficients.size - 1, *np.concatenate(list(filled))]]
         half = 0.5 * (a + b)
-        return [row for ends in ((a, half), (half, b)) for row in self._parts(*ends, *self._on(*ends))]
+        return [row for ends in ((a, half), (half, b)) for row in self._pieces(*ends, *self._on(*ends))]
 
     def _on(self, a: float, b: float) -> tuple[Floats, int]:
         """Numbers of the polynomial on a part, as far as they are known, and the power of v beside it."""
         power = self.power if a == 0 else 0
         count = self.of[0].size + self.power - power
-        v = a + (b - a) * self._places(count) / self.length
+        v = a + (b - a) * self._points(count) / self.length
         coefficients = _through(v ** (self.power - power) * chebyshev.chebval(2 * v / self.length - 1, self.of[0]))
         noise = max(self.noise * b ** (self.power - power), 2.0**-53 * np.abs(coefficients).max())
         kept = np.flatnonzero(np.abs(coefficients) > noise)
@@ -178,13 +178,13 @@ class Smooth:
         """What a derivative is at least, and at most, on each part."""
         # on a part it is the polynomial through so many of its values, whose coefficients bound it
         count = self.of[0].size + self.power
-        places = 0.5 * (1 - np.cos(np.pi * (np.arange(count) + 0.5) / count))
+        points = 0.5 * (1 - np.cos(np.pi * (np.arange(count) + 0.5) / count))
         edges = self.edges[:, np.newaxis]
-        (values,) = self.at(edges[:-1] + np.diff(edges, axis=0) * places, (order,))
+        (values,) = self.at(edges[:-1] + np.diff(edges, axis=0) * points, (order,))
         coefficients = _cosines(np.broadcast_to(values, (CELLS, count)))
-        middle, beside = 0.5 * coefficients[:, 0], np.abs(coefficients[:, 1:]).sum(axis=1)
-        beside += 4 * count * 2.0**-52 * self.size(order)
-        return middle - beside, middle + beside
+        middle, radius = 0.5 * coefficients[:, 0], np.abs(coefficients[:, 1:]).sum(axis=1)
+        radius += 4 * count * 2.0**-52 * self.size(order)
+        return middle - radius, middle + radius
 
 
 _LEFT = "what is not smooth at some |u| ends a piece there, and a power that is no whole number is stated as a formula"
@@ -206,7 +206,7 @@ def rows(values: Callable[[Floats], Floats], begin: float, end: float, first: fl
         try:
             with np.errstate(all="ignore"):
                 known = max(RESOLVED, ROUGH * at / length)  # what lies next to a pole is in doubt as u is
-                parts = Smooth(lambda v, at=at: values(at + v), length, at == 0, "", known).parts()  # type: ignore[misc]
+                pieces = Smooth(lambda v, at=at: values(at + v), length, at == 0, "", known).pieces()  # type: ignore[misc]
         except Refused:
             if length > SHORTEST * max(at, 1.0):
                 length *= 0.5
@@ -215,9 +215,9 @@ def rows(values: Callable[[Floats], Floats], begin: float, end: float, first: fl
             if not abs(there - here) <= CONTINUOUS * max(abs(here), abs(there), 1.0):
                 break
             rise = 0.5 * (there - here)
-            parts = [[0.0, length, 0.0, 1.0, here + rise, rise, *[0.0] * (2 * DEGREES - 2)]]
-            parts[0][4 + DEGREES] = 2 * rise / length
-        found += [[at + a, *row] for a, *row in parts]
+            pieces = [[0.0, length, 0.0, 1.0, here + rise, rise, *[0.0] * (2 * DEGREES - 2)]]
+            pieces[0][4 + DEGREES] = 2 * rise / length
+        found += [[at + a, *row] for a, *row in pieces]
         at, length = at + length, 2 * length
     if at < end or not found:
         found.append([at, 1.0, 0.0, 0.0, *[math.nan] * (2 * DEGREES)])

@@ -56,7 +56,7 @@ class SecondStates(InDecibels, SecondTable):
     """
 
     entry: ClassVar[Any] = SecondState
-    beside: ClassVar[tuple[str, ...]] = ("transmissibility_dB",)
+    extra_columns: ClassVar[tuple[str, ...]] = ("transmissibility_dB",)
 
     Omega: Floats
     A: Floats

@@ -81,13 +81,13 @@ class SecondDesigns(ManyQuestions[SecondBatch]):
 
     first: Designs
 
-    def _ask(self, question: str, /, *, workers: int = 1, **given: Any) -> SecondBatch:
+    def _ask(self, question: str, /, *, workers: int = 1, **kwargs: Any) -> SecondBatch:
         """The answer to a question by its name, from what its method takes."""
         row = QUESTIONS[question]
-        at = {name: given[name] for name in row.takes}
-        places = validate.count("places", given.get("places", 1), least=1)
+        at = {name: kwargs[name] for name in row.takes}
+        places = validate.count("places", kwargs.get("places", 1), least=1)
         if question == "frequency_response":
-            columns = self.first.ask(_curves(*validate.curve(given["samples"], given["Omega"])), 1, **at)
+            columns = self.first.ask(_curves(*validate.curve(kwargs["samples"], kwargs["Omega"])), 1, **at)
         else:
             threads = 1 if question == "amplitudes" else workers
             columns = self.first.ask(BY_NAME[question], threads, places=places, **at)
@@ -103,8 +103,8 @@ class SecondDesigns(ManyQuestions[SecondBatch]):
         at_rest = {"A": np.zeros((*count.shape, 1)), "stable": flags[..., np.newaxis]}
         at_rest |= {"count": flags, "undecided": flags, "status": flags}
         own = Batch("amplitudes", at_rest, self.first, {"F_0": F_0, "Omega": Omega})
-        moved = ((A, 0.0), (A_1, 0.0), (phi, own.phi[..., 0]), (stable, 1))
-        self.first._insert_states_at_rest(Omega, F_0, moved, count, status)
+        pairs = ((A, 0.0), (A_1, 0.0), (phi, own.phi[..., 0]), (stable, 1))
+        self.first._insert_states_at_rest(Omega, F_0, pairs, count, status)
 
 
 for _name, _why in UNANSWERED.items():
@@ -115,8 +115,8 @@ def _second(question: str) -> Callable[..., Any]:
     """The single answer of an averaged oscillator; from doubles only, whatever the allowance."""
 
     def one(oscillator: Averaged, _: Any, *at: float) -> Any:
-        given = dict(zip(QUESTIONS[question].takes, at, strict=True))
-        return getattr(SecondApproximation(oscillator), question)(**given)
+        arguments = dict(zip(QUESTIONS[question].takes, at, strict=True))
+        return getattr(SecondApproximation(oscillator), question)(**arguments)
 
     return one
 
@@ -128,8 +128,8 @@ def _onset(oscillator: Averaged, _: Any) -> Any:
 
 def _amplitudes(oscillator: Averaged, _: Any, F_0: float, Omega: float) -> Any:
     found = SecondApproximation(oscillator).amplitudes(Omega=Omega, F_0=F_0)
-    moves = found.A > 0  # those at rest are put in for all designs together
-    return replace(found, **{name: getattr(found, name)[moves] for name in ("Omega", "A", "A_1", "phi", "stable")})
+    moving = found.A > 0  # those at rest are put in for all designs together
+    return replace(found, **{name: getattr(found, name)[moving] for name in ("Omega", "A", "A_1", "phi", "stable")})
 
 
 def _curves(samples: int, window: tuple[float, float]) -> Question:

@@ -135,8 +135,8 @@ class SecondApproximation(Questions[SecondStates, SecondResponse, SecondFolds]):
         if model.sticks(F_0):
             none = np.empty(0)
             columns = (none, none, none, none, np.empty(0, bool))
-            said, rest = self._remarked(messages.sticks(model, F_0), none, none), (np.empty(0, np.intp), ())
-            return SecondResponse(*columns, said, *rest, F_0=F_0, force=none, _model=model)
+            text, rest = self._remarked(messages.sticks(model, F_0), none, none), (np.empty(0, np.intp), ())
+            return SecondResponse(*columns, text, *rest, F_0=F_0, force=none, _model=model)
         answer = SOLVER.second_curve(model.native, F_0, Wanted.EVERY_POINT, samples, *window)
         status, *columns, _, branch, closed, lost, of, low, high = answer
         solvers.check(status, model, F_0)
@@ -157,17 +157,17 @@ class SecondApproximation(Questions[SecondStates, SecondResponse, SecondFolds]):
         found = at_pairs(self._amplitudes, Omega, F_0, ("Omega", "A", "A_1", "phi", "stable", "force"))
         return SecondStates(**found.columns, F_0=found.F_0, message=found.message, _model=self.first.model)
 
-    def _amplitudes(self, wanted: Floats, F_0: float) -> SecondStates:
-        first = self.first.states(Omega=wanted, F_0=F_0)
+    def _amplitudes(self, frequencies: Floats, F_0: float) -> SecondStates:
+        first = self.first.states(Omega=frequencies, F_0=F_0)
         at, u_max, A_1, phi, stable = (*(np.empty(0) for _ in range(4)), np.empty(0, bool))
-        if wanted.size and first.A.size:
+        if frequencies.size and first.A.size:
             model = self.first.model
-            status, at, u_max, A_1, phi, stable = SOLVER.second_states(model.native, float(F_0), wanted)
+            status, at, u_max, A_1, phi, stable = SOLVER.second_states(model.native, float(F_0), frequencies)
             solvers.check(status, model, F_0)
-        fewer = int(np.count_nonzero(_counts(wanted, at) < _counts(wanted, first.Omega)))
-        message = joined(first.message, FEWER.format(fewer, wanted.size) if fewer else "")
+        fewer = int(np.count_nonzero(_counts(frequencies, at) < _counts(frequencies, first.Omega)))
+        message = joined(first.message, FEWER.format(fewer, frequencies.size) if fewer else "")
         stays = stable & self._stay(at, u_max)
-        columns, message = self._with_rests(first, wanted, (at, u_max, A_1, phi, stays), message)
+        columns, message = self._with_rests(first, frequencies, (at, u_max, A_1, phi, stays), message)
         return SecondStates(
             **columns,
             message=self._remarked(message, at, u_max) if at.size else message,
@@ -178,15 +178,15 @@ class SecondApproximation(Questions[SecondStates, SecondResponse, SecondFolds]):
         )
 
     def _with_rests(
-        self, first: SteadyStates, wanted: Floats, moving: tuple[Any, ...], message: str
+        self, first: SteadyStates, frequencies: Floats, moving: tuple[Any, ...], message: str
     ) -> tuple[dict[str, Any], str]:
         """Columns and message of the states with those at which friction holds the mass: these have no harmonics."""
-        model, averaged = self.first.model, self.first._with_rests(first, wanted)
+        model, averaged = self.first.model, self.first._with_rests(first, frequencies)
         rest = averaged.A == 0
         at_rest = (averaged.Omega[rest], 0.0, 0.0, averaged.phi[rest], True)
         pairs = zip(("Omega", "A", "A_1", "phi", "stable"), zip(moving, at_rest, strict=True), strict=True)
-        columns = with_rests(wanted, model.sticks_at(first.F_0, wanted), moving[0], dict(pairs))
-        return columns, joined(message, messages.moves_exactly(model, model.force(first.F_0, wanted)))
+        columns = with_rests(frequencies, model.sticks_at(first.F_0, frequencies), moving[0], dict(pairs))
+        return columns, joined(message, messages.moves_exactly(model, model.force(first.F_0, frequencies)))
 
     def _saddle_nodes(self, F_0: float) -> SecondFolds:
         """Every fold between two points of the curve.
@@ -295,10 +295,10 @@ class SecondApproximation(Questions[SecondStates, SecondResponse, SecondFolds]):
         return diagnostics.keeps_centre(model, Omega, A)
 
     def _remarked(self, message: str, Omega: Floats, A: Floats) -> str:
-        """The message with what there is to say of amplitudes beyond the reach, and of motions that stop."""
+        """The message with remarks on amplitudes beyond the reach, and on motions that stop."""
         model = self.first.model
-        beside = diagnostics.of_one(model, math.nan, Omega, A) & ~Remark.OF_TRUNCATION
-        return joined(message, *diagnostics.messages(beside, model, math.nan), validity.of_second(model, Omega, A))
+        remarks = diagnostics.of_one(model, math.nan, Omega, A) & ~Remark.OF_TRUNCATION
+        return joined(message, *diagnostics.messages(remarks, model, math.nan), validity.of_second(model, Omega, A))
 
     def _force(self, F_0: float, Omega: Floats) -> Floats:
         """The amplitude of the force at each frequency."""
@@ -311,7 +311,7 @@ def _around(low: float, high: float) -> tuple[float, float]:
     return low / BEYOND, high * BEYOND
 
 
-def _counts(wanted: Floats, values: Floats) -> Ints:
-    """How often each wanted value is among the values."""
+def _counts(targets: Floats, values: Floats) -> Ints:
+    """How often each target is among the values."""
     known = np.sort(values)
-    return np.searchsorted(known, wanted, "right") - np.searchsorted(known, wanted, "left")
+    return np.searchsorted(known, targets, "right") - np.searchsorted(known, targets, "left")

@@ -46,12 +46,12 @@ class Waves:
 
     def transmitted(self, of: str) -> Transmitted:
         """First harmonic, largest value and root mean square of a wave over what drives it; `of` as in `OF`."""
-        moves = np.flatnonzero(self.u_max > 0)
+        moving = np.flatnonzero(self.u_max > 0)
         # a mass at rest passes on all that drives it
         size = 0.0 if of == "relative" else 1.0
-        found = Transmitted(*(np.full(self.Omega.size, size * share) for share in (1.0, 1.0, math.sqrt(0.5))))
-        for k in range(0, moves.size, AT_ONCE):
-            rows = moves[k : k + AT_ONCE]
+        found = Transmitted(*(np.full(self.Omega.size, size * ratio) for ratio in (1.0, 1.0, math.sqrt(0.5))))
+        for k in range(0, moving.size, AT_ONCE):
+            rows = moving[k : k + AT_ONCE]
             for column, values in zip(found, self._part(rows)._transmitted(of), strict=True):
                 column[rows] = values
         return found
@@ -86,13 +86,13 @@ class Waves:
         nodes, weights = np.polynomial.legendre.leggauss(NODES)
         low, high = edges[:, :-1, np.newaxis], edges[:, 1:, np.newaxis]
         turned = low + (high - low) * (0.5 * (1.0 + nodes))
-        share = (high - low) * (0.5 * weights) / np.pi
+        weight = (high - low) * (0.5 * weights) / np.pi
         values = value(turned, (slice(None), None, None))
         # its harmonics beside the first one, which the balance has
-        square = (share * values**2).sum(axis=(1, 2))
-        own = 2.0 * (share * values * np.exp(-1j * turned)).sum(axis=(1, 2))
-        beside = np.maximum(square - 0.5 * np.abs(own) ** 2, 0.0)
-        rms = np.sqrt(0.5 * first**2 + beside / scale**2)
+        square = (weight * values**2).sum(axis=(1, 2))
+        own = 2.0 * (weight * values * np.exp(-1j * turned)).sum(axis=(1, 2))
+        rest = np.maximum(square - 0.5 * np.abs(own) ** 2, 0.0)
+        rms = np.sqrt(0.5 * first**2 + rest / scale**2)
         within = np.concatenate((low, turned, high), axis=2)
         peak = _largest(lambda at: np.abs(value(at, (slice(None),))), within, np.abs(values)) / scale
         return Transmitted(first, peak, rms)
@@ -105,9 +105,9 @@ class Waves:
             h = model.averaged(A)[0]
             of_A = model.harmonics(A)
             found = tuple(np.asarray(one) for one in kernels.components(self.Omega, A, model.m, h, of_A[0], of_A[4]))
-            share = self.u_max / found[0]
-            A = A * share
-            if not (np.abs(share - 1) > ROUNDING).any():
+            ratio = self.u_max / found[0]
+            A = A * ratio
+            if not (np.abs(ratio - 1) > ROUNDING).any():
                 break
         return found
 

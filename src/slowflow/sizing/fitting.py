@@ -41,7 +41,7 @@ STARTS, FAR = 5, 3.0
 #: up to which share of that of the measured values one is rounding
 AGAIN, OTHER, NOTHING = 3, 1e-3, 1e-15
 #: folds, or states, of a design; by doubles alone, as balls take longer and tell of pairs next to each other only
-PLACES = 6
+MAX_COUNT = 6
 #: a narrower interval, as a share of the number, is one of rounding; a step of slopes, as a share of a number
 WIDTH, STEP = 1e-9, 2.0**-26
 #: designs of each group in the search for the ends of intervals, steps of these at most, and in how many of them no end
@@ -161,8 +161,8 @@ def fit(
     if A is None and phi is None:
         measured = _jumps(subject, F if subject.mount else F_0, jump_up, jump_down)
     else:
-        given = {"f": f, "F": F} if subject.mount else {"Omega": Omega, "F_0": F_0}
-        measured = _states(subject, given, "phi" if A is None else "A", phi if A is None else A)
+        points = {"f": f, "F": F} if subject.mount else {"Omega": Omega, "F_0": F_0}
+        measured = _states(subject, points, "phi" if A is None else "A", phi if A is None else A)
     damping = "c" if "c" in subject.nominal else "zeta"
     default = ["friction", damping, "k_h", "preload"] if subject.mount else ["mu", "zeta", "r", "delta_h"]
     with np.errstate(
@@ -269,8 +269,8 @@ def _best(residuals: Residuals, n: int) -> tuple[Any, float]:
     # a low-discrepancy sequence: the fractional parts of multiples of powers of the root of x^(n + 1) = x + 1
     root = float(np.max(np.real(np.roots([1.0, *[0.0] * (n - 1), -1.0, -1.0]))))
     for k in range(1, STARTS + 1):
-        share = (0.5 + k * root ** -np.arange(1.0, n + 1)) % 1.0
-        other = _search(residuals, FAR ** (2 * share - 1), tolerance=1e-4, most=30)
+        fraction = (0.5 + k * root ** -np.arange(1.0, n + 1)) % 1.0
+        other = _search(residuals, FAR ** (2 * fraction - 1), tolerance=1e-4, most=30)
         if other.cost < found.cost * (1 - OTHER):
             found = min((found, _search(residuals, other.x)), key=lambda one: one.cost)
     return found, own
@@ -306,8 +306,8 @@ def _region(residuals: Residuals, found: Any, t: float, left: int) -> tuple[Floa
             least, lowest = float(S.min()), x.reshape(-1, n)[S.argmin()].copy()
         inside = x[S <= least * above]
         reached.append(np.stack((inside.min(axis=0), inside.max(axis=0))))
-        moved = np.abs(reached[-1] - reached[-1 - PATIENCE :][0])
-        if len(reached) > PATIENCE and (moved <= 0.5 * NEARLY * np.ptp(reached[-1], axis=0)).all():
+        change = np.abs(reached[-1] - reached[-1 - PATIENCE :][0])
+        if len(reached) > PATIENCE and (change <= 0.5 * NEARLY * np.ptp(reached[-1], axis=0)).all():
             break
     ends = np.where(reached[-1] <= LEAST, 0.0, np.where(reached[-1] >= MOST, np.inf, reached[-1]))
     return ends, lowest if least < 2 * found.cost * (1 - OTHER) else None
@@ -334,24 +334,24 @@ def _mixed(random: np.random.Generator, x: Floats) -> Floats:
     base, *own = (of_group + random.integers(members, size=(groups, members)) for _ in range(3))
     others = random.integers(groups * members, size=(2, groups, members))
     one, other = np.where(random.random((groups, members)) < 0.5, own, others)
-    share = random.uniform(0.4, 1.0, (groups, members, 1)) * 2.38 / np.sqrt(2 * n)
-    share = np.where(random.random((groups, members, 1)) < 0.3, 1.0, share)
+    weight = random.uniform(0.4, 1.0, (groups, members, 1)) * 2.38 / np.sqrt(2 * n)
+    weight = np.where(random.random((groups, members, 1)) < 0.3, 1.0, weight)
     flat = x.reshape(-1, n)
     by_ratio = random.random((groups, members, 1)) < 0.5
-    ratio, difference = (flat[one] / flat[other]) ** share, share * (flat[one] - flat[other])
+    ratio, difference = (flat[one] / flat[other]) ** weight, weight * (flat[one] - flat[other])
     return np.asarray(np.where(by_ratio, flat[base] * ratio, flat[base] + difference))
 
 
-def _states(subject: Subject, given: Mapping[str, Any], name: str, values: Any) -> _Measured:
+def _states(subject: Subject, conditions: Mapping[str, Any], name: str, values: Any) -> _Measured:
     """Amplitudes A or phases phi, as `name` says, at frequencies and forcings."""
-    if any(value is None for value in given.values()):
-        raise Refused(f"{' and '.join(given)} are needed: where the {name} were measured")
-    points = {word: validate.positive_array(word, value) for word, value in given.items()}
+    if any(value is None for value in conditions.values()):
+        raise Refused(f"{' and '.join(conditions)} are needed: where the {name} were measured")
+    points = {word: validate.positive_array(word, value) for word, value in conditions.items()}
     points[name] = validate.finite_array(name, values, positive=name == "A")
     shape = validate.common_shape(points)
     at, forcing, measured = (np.broadcast_to(array, shape).ravel() for array in points.values())
     what = f"measured less fitted {name}"
-    names = ("f/Hz", f"{what}/m" if name == "A" else what) if subject.mount else (next(iter(given)), what)
+    names = ("f/Hz", f"{what}/m" if name == "A" else what) if subject.mount else (next(iter(conditions)), what)
     return _Measured(measured, at, lambda numbers: _nearest(subject, numbers, at, forcing, name, measured), names)
 
 
@@ -374,7 +374,7 @@ def _jumps(subject: Subject, forcing: Any, up: Any, down: Any) -> _Measured:
         """0 where a design does not jump."""
         designs, _, units = subject.designs(values)
         F_0 = forces / units[subject.amplitude]
-        folds = designs._batch("saddle_nodes", designs.ask(SADDLE_NODES, 1, F_0, PLACES), {}, F_0=F_0)
+        folds = designs._batch("saddle_nodes", designs.ask(SADDLE_NODES, 1, F_0, MAX_COUNT), {}, F_0=F_0)
         found = np.stack([first_jump(folds, True), first_jump(folds, False)], axis=-2)
         found = found * np.asarray(units["frequency"])[..., np.newaxis]
         return np.asarray(np.nan_to_num(found)[..., there])
@@ -390,7 +390,7 @@ def _nearest(
     """A or phi of the stable state of designs nearest to each measured one, 0 where there is none or the mass rests."""
     designs, _, units = subject.designs(values)
     Omega, F_0 = at / units["frequency"], forcing / units[subject.amplitude]
-    A, stable, *_ = columns = designs.ask(AMPLITUDES, 1, F_0, PLACES, Omega=Omega)
+    A, stable, *_ = columns = designs.ask(AMPLITUDES, 1, F_0, MAX_COUNT, Omega=Omega)
     designs._leave_out_what_drifts(Omega[..., np.newaxis], A, stable)
     if name == "A":
         there = A * np.asarray(units["length"])[..., np.newaxis]

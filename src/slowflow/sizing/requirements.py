@@ -109,8 +109,8 @@ class Front(Table):
 
     def in_units(self) -> Front:
         """The same in the units in which answers are shown: N, mm, Hz, ... . The free numbers stay as on the sheet."""
-        (shown, size), (beside, other) = (in_shown(unit) for unit in self.units)
-        return replace(self, one=frozen(self.one / size), other=frozen(self.other / other), units=(shown, beside))
+        (shown, size), (other_unit, other) = (in_shown(unit) for unit in self.units)
+        return replace(self, one=frozen(self.one / size), other=frozen(self.other / other), units=(shown, other_unit))
 
     def design(self, k: int) -> Any:
         """The isolator or the mount of a row."""
@@ -142,14 +142,14 @@ class _Search:
     ) -> None:
         self.subject, self.load, self.seed = subject, load, validate.count("seed", seed, least=0)
         limits = (("at_least", at_least or {}, 1.0), ("at_most", at_most or {}, -1.0))
-        wanted = [
+        limited = [
             (name, limit, sign)
-            for which, given, sign in limits
-            for name, limit in validate.mapping(which, given, "limits").items()
+            for which, values, sign in limits
+            for name, limit in validate.mapping(which, values, "limits").items()
         ]
-        self.names = subject.answered([name for name, _, _ in wanted], load)
-        self.wanted = [
-            (name, validate.number(name, subject.limit(name, limit), above=0.0), sign) for name, limit, sign in wanted
+        self.names = subject.answered([name for name, _, _ in limited], load)
+        self.targets = [
+            (name, validate.number(name, subject.limit(name, limit), above=0.0), sign) for name, limit, sign in limited
         ]
         self.free = list(free)
         ends = [validate.window(name, _ends(subject, name, pair)) for name, pair in free.items()]
@@ -161,17 +161,17 @@ class _Search:
 
     def answers(self, values: Floats, names: Iterable[str]) -> dict[str, Floats]:
         """Answers of designs, values of shape (numbers, designs); those that take long are kept."""
-        wanted = tuple(dict.fromkeys(names))
-        if not wanted or not self.subject.one_by_one:
-            return self.subject.ask(dict(zip(self.free, values, strict=True)), wanted, self.load)
-        keys = [(wanted, column.tobytes()) for column in values.T]
+        requested = tuple(dict.fromkeys(names))
+        if not requested or not self.subject.one_by_one:
+            return self.subject.ask(dict(zip(self.free, values, strict=True)), requested, self.load)
+        keys = [(requested, column.tobytes()) for column in values.T]
         new = [k for k, key in enumerate(keys) if key not in self.known]
         if new:
-            found = self.subject.ask(dict(zip(self.free, values[:, new], strict=True)), wanted, self.load)
-            shown = [np.broadcast_to(found[name], len(new)).tolist() for name in wanted]
+            found = self.subject.ask(dict(zip(self.free, values[:, new], strict=True)), requested, self.load)
+            shown = [np.broadcast_to(found[name], len(new)).tolist() for name in requested]
             self.known |= {keys[k]: row for k, row in zip(new, zip(*shown, strict=True), strict=True)}
         columns = np.array([self.known.get(key, ()) for key in keys], dtype=float).T
-        return dict(zip(wanted, columns, strict=True))
+        return dict(zip(requested, columns, strict=True))
 
     def short(self, values: Floats) -> Floats:
         """How far each requirement is from being met, by the log of a ratio: shape (requirements, designs)."""
@@ -181,7 +181,7 @@ class _Search:
         """The same, negative where it is met with something to spare."""
         found = self.answers(values, self.names)
         rows = [np.zeros(values.shape[1])]
-        for name, limit, sign in self.wanted:
+        for name, limit, sign in self.targets:
             missing = sign * np.log(limit / found[name])
             rows.append(np.where(np.isnan(missing), ABSENT, np.clip(missing, -ABSENT, ABSENT)))
         return np.array(rows)[1:]
@@ -306,12 +306,12 @@ class _Search:
 
     def binding(self, x: Floats) -> tuple[str, str]:
         """The requirement that a design misses most, and what to say of it; empty where it meets all."""
-        if not self.wanted:
+        if not self.targets:
             return "", ""
         missed = self.short(x.reshape(-1, 1))[:, 0]
         if missed.max() <= MET:
             return "", ""
-        name, limit, sign = self.wanted[int(missed.argmax())]
+        name, limit, sign = self.targets[int(missed.argmax())]
         unit, size = in_shown(self.subject.unit(name))
         binding = f"{name} {'>=' if sign > 0 else '<='} {limit / size:g} {unit}".rstrip()
         return binding, INFEASIBLE.format(binding, float(self.answers(x.reshape(-1, 1), [name])[name][0]) / size)
@@ -347,7 +347,7 @@ def meet(
     """
     subject = Subject(of, validate.mapping("free", free, "pairs (lowest, highest)"))
     search = _Search(subject, free, at_least, at_most, subject.load(F, F_0, f, Omega, shock, spectrum), seed)
-    if not search.wanted or not free:
+    if not search.targets or not free:
         raise Refused("meet needs at least one requirement and one free number")
     # ranges as narrow as rounding, requirements as large as numbers are
     with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
@@ -408,8 +408,8 @@ def front(
             found, rows = search.answers(values, names), []
             for name, sign in pair:
                 with np.errstate(invalid="ignore"):
-                    share = np.where(np.isinf(found[name]), 1.0, found[name] / (found[name] + size[name]))
-                rows.append(np.where(np.isnan(share), 1.0, 1 - share if sign > 0 else share))
+                    ratio = np.where(np.isinf(found[name]), 1.0, found[name] / (found[name] + size[name]))
+                rows.append(np.where(np.isnan(ratio), 1.0, 1 - ratio if sign > 0 else ratio))
             last[:] = key, np.array(rows)
         return np.asarray(last[1])
 
@@ -433,8 +433,8 @@ def front(
     order = np.argsort(answers[one])
     numbers = {name: row[kept][order] for name, row in zip(free, values, strict=True)}
     columns = (answers[one][order], answers[other][order])
-    said = NO_TRADE if len(kept) == 1 else ""
-    return Front(*columns, names, units, numbers, said, of)
+    note = NO_TRADE if len(kept) == 1 else ""
+    return Front(*columns, names, units, numbers, note, of)
 
 
 def _ends(subject: Subject, name: str, pair: Any) -> Any:

@@ -188,17 +188,17 @@ class Subject:
         if pulse is not None:
             pulse = tuple(validate.number(f"shock[{k}]", value, above=0.0) for k, value in enumerate(pulse))
         if table is not None:
-            given = {
+            arrays = {
                 f"spectrum[{k}]": validate.positive_array(f"spectrum[{k}]", value) for k, value in enumerate(table)
             }
-            rows = validate.common_shape(given)
-            table = tuple(np.broadcast_to(values, rows).ravel() for values in given.values())
+            rows = validate.common_shape(arrays)
+            table = tuple(np.broadcast_to(values, rows).ravel() for values in arrays.values())
             if not table[0].size:
                 raise Refused("spectrum has no row")
         return Load(forcing, frequency, pulse, table)
 
     def answered(self, names: Iterable[str] | None, load: Load) -> list[str]:
-        """The answers that are wanted, by default all that the load allows.
+        """The requested answers, by default all that the load allows.
 
         Raises ValueError for an unknown one, and for one that needs a forcing or a shock where there is none.
         """
@@ -244,18 +244,18 @@ class Subject:
 
         With mu_s of each, None where friction holds as it rubs, and the size of what an answer of each kind is in.
         """
-        given: dict[str, Any] = {**self.nominal, **values}
-        shape = np.broadcast_shapes(*(np.shape(value) for value in given.values()))
+        numbers: dict[str, Any] = {**self.nominal, **values}
+        shape = np.broadcast_shapes(*(np.shape(value) for value in numbers.values()))
         units: dict[str, Any] = dict.fromkeys((*UNITS, ""), 1.0)
-        static, kinetic = given.pop(STATIC if self.mount else "mu_s", None), given[self._measures["mu"][0]]
+        static, kinetic = numbers.pop(STATIC if self.mount else "mu_s", None), numbers[self._measures["mu"][0]]
         if self.mount is not None:
-            base = {"m": given["load" if self.loaded else "m"], "k_v": given["k_v"], "L": given["L"]}
+            base = {"m": numbers["load" if self.loaded else "m"], "k_v": numbers["k_v"], "L": numbers["L"]}
             units = {**sizes(**base), "": 1.0}
-            weight = {"load": (given["load"] - given["m"]) * g / units["force"]} if self.loaded else {}
+            weight = {"load": (numbers["load"] - numbers["m"]) * g / units["force"]} if self.loaded else {}
             own = self._measures.items()
-            given = weight | {name: given[word] / size(scale, **base) for name, (word, scale) in own}
-        given = {name: value for name, value in given.items() if name not in LAWS or name in self.laws}
-        arrays = {name: np.broadcast_to(np.asarray(value, dtype=float), shape) for name, value in given.items()}
+            numbers = weight | {name: numbers[word] / size(scale, **base) for name, (word, scale) in own}
+        numbers = {name: value for name, value in numbers.items() if name not in LAWS or name in self.laws}
+        arrays = {name: np.broadcast_to(np.asarray(value, dtype=float), shape) for name, value in numbers.items()}
         mu_s = None
         if static is not None:  # less of it than of the kinetic one is no design
             arrays["mu"] = np.where(np.less_equal(kinetic, static), arrays["mu"], np.nan)
@@ -267,19 +267,19 @@ class Subject:
 
 
 class _Batch:
-    """Answers to a batch of designs, each question asked once; mu_s is None where friction holds as it rubs."""
+    """Answers to a batch of designs, each question once; mu_s is None where static friction equals the kinetic one."""
 
     def __init__(self, designs: Any, mu_s: Any, F_0: Any, Omega: Any, pulse: Any, table: Any) -> None:
         self.designs, self.F_0, self.Omega, self.pulse, self.table = designs, F_0, Omega, pulse, table
         self.mu = np.asarray(designs.values["mu"], dtype=float)
         self.holds = self.mu if mu_s is None else mu_s
         self.sticks_more = mu_s is not None
-        self.asked: dict[Callable[..., Any], Any] = {}
+        self.cache: dict[Callable[..., Any], Any] = {}
 
     def _ask(self, question: Callable[..., Any], *arguments: Any, **named: Any) -> Any:
-        if question not in self.asked:
-            self.asked[question] = question(*arguments, **named)
-        return self.asked[question]
+        if question not in self.cache:
+            self.cache[question] = question(*arguments, **named)
+        return self.cache[question]
 
     def answer(self, name: str) -> Floats:
         """One of `COLUMN`, dimensionless."""
@@ -293,8 +293,8 @@ class _Batch:
         if name == "break_loose":
             return self.holds
         if name == "rests_within":
-            held = Designs(self.designs.mechanism, {**self.designs.values, "mu": self.holds}, rubs=self.designs.rubs)
-            return np.asarray(held.at_rest().rests_within)
+            designs = Designs(self.designs.mechanism, {**self.designs.values, "mu": self.holds}, rubs=self.designs.rubs)
+            return np.asarray(designs.at_rest().rests_within)
         if name == "sticks":
             with np.errstate(all="ignore"):  # what is no design does not stick
                 return np.asarray(inertia.moves_from(self.F_0, slow_flow.friction(self.mu)))
@@ -382,9 +382,9 @@ class _Batch:
 
     def _where_it_rests(self, column: str) -> Floats:
         """Of the place of rest, if one only is stable; else NaN."""
-        rests = self._ask(self.designs.rest)
-        stable = rests.stiffness > 0
-        (first,) = np.take_along_axis(getattr(rests, column), stable.argmax(axis=-1)[..., np.newaxis], -1).T
+        equilibria = self._ask(self.designs.rest)
+        stable = equilibria.stiffness > 0
+        (first,) = np.take_along_axis(getattr(equilibria, column), stable.argmax(axis=-1)[..., np.newaxis], -1).T
         return np.where(stable.sum(axis=-1) == 1, first.T, np.nan)
 
 

@@ -94,27 +94,27 @@ class Sobol(Table):
 def _drawn(subject: Subject, within: Mapping[str, Any], shares: Floats) -> dict[str, Floats]:
     """Numbers of the design below which that share of all values lies; shares of shape (samples, numbers)."""
     found = {}
-    for (name, off), share in zip(within.items(), shares.T, strict=True):
+    for (name, off), fraction in zip(within.items(), shares.T, strict=True):
         if hasattr(off, "ppf"):
-            found[name] = np.asarray(off.ppf(share), dtype=float)
+            found[name] = np.asarray(off.ppf(fraction), dtype=float)
         else:
             share_of = f"within[{name!r}]"
             part = validate.number(share_of, si(share_of, off, ""), least=0.0, below=1.0)
             if part and not subject.nominal[name]:
                 raise Refused(f"within[{name!r}] = {part:g} is a share of 0: give a distribution of the value itself")
-            found[name] = subject.nominal[name] * (1 + part * (2 * share - 1))
+            found[name] = subject.nominal[name] * (1 + part * (2 * fraction - 1))
     return found
 
 
-def _within(given: Any) -> Mapping[str, Any]:
+def _within(value: Any) -> Mapping[str, Any]:
     """How far which numbers may be off, as it was given. Raises ValueError for what is not allowed."""
-    within = validate.mapping("within", given, "how far each number may be off")
+    within = validate.mapping("within", value, "how far each number may be off")
     if not within:
         raise Refused("within = {} is not allowed: name at least one number and how far it may be off")
     return within
 
 
-def _asked(
+def _answers(
     subject: Subject, drawn: Mapping[str, Floats], names: Sequence[str], load: Load, what: str
 ) -> dict[str, Floats]:
     """Answers of all that was drawn, in parts between which progress is shown."""
@@ -164,7 +164,7 @@ def tolerances(
     samples = validate.count("samples", samples, least=2, most=MOST_SAMPLES)
     seed = validate.count("seed", seed, least=0)
     drawn = _drawn(subject, within, scipy.stats.qmc.LatinHypercube(d=len(within), rng=seed).random(samples))
-    found, nominal = _asked(subject, drawn, names, load, "tolerances"), subject.ask({}, names, load)
+    found, nominal = _answers(subject, drawn, names, load, "tolerances"), subject.ask({}, names, load)
     rows = []
     for name in names:
         there = found[name][~np.isnan(found[name])]
@@ -174,9 +174,9 @@ def tolerances(
     columns = np.array(rows).reshape(-1, 5).T
     missing = [MISSING.format(name, 1 - share) for name, share in zip(names, columns[4], strict=True) if share < 1]
     units = np.array([subject.unit(name) for name in names], dtype=np.str_)
-    one, low, median, high, share = columns
-    said = "; ".join(missing)
-    return Tolerances(np.array(names, dtype=np.str_), units, one, low, median, high, share, said, found, drawn)
+    one, low, median, high, fraction = columns
+    message = "; ".join(missing)
+    return Tolerances(np.array(names, dtype=np.str_), units, one, low, median, high, fraction, message, found, drawn)
 
 
 def sobol(
@@ -210,13 +210,13 @@ def sobol(
     sample, analyse = (optional(f"SALib.{part}.sobol", "sobol", "sizing") for part in ("sample", "analyze"))
     problem = {"num_vars": len(within), "names": list(within), "bounds": [[0.0, 1.0]] * len(within)}
     shares = sample.sample(problem, samples, calc_second_order=False, seed=seed)
-    found = _asked(subject, _drawn(subject, within, shares), names, load, "sobol")
+    found = _answers(subject, _drawn(subject, within, shares), names, load, "sobol")
     rows, missing = [], []
     for name in names:
         values = np.full((4, len(within)), np.nan)
         if np.isfinite(found[name]).all() and np.ptp(found[name]) > 0:
-            told = analyse.analyze(problem, found[name], calc_second_order=False, seed=seed)
-            values = np.array([told[key] for key in ("S1", "S1_conf", "ST", "ST_conf")])
+            indices = analyse.analyze(problem, found[name], calc_second_order=False, seed=seed)
+            values = np.array([indices[key] for key in ("S1", "S1_conf", "ST", "ST_conf")])
         else:
             missing.append(f"{name} is not finite for all samples, or does not change: it has no indices")
         rows += [(name, parameter, *column) for parameter, column in zip(within, values.T.tolist(), strict=True)]
