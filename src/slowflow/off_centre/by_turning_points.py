@@ -158,11 +158,6 @@ class Resting(Equations):
         values = (Interval(f) - self.steps.load).ends[:, np.newaxis]
         return values[..., of.size :], values[..., : of.size], slope[:, np.newaxis, np.newaxis, : of.size]
 
-    def at(self, x: Floats, of: Ints) -> tuple[Floats, Floats]:
-        """See `boxes.Equations`."""
-        means = self.steps.at(np.zeros(of.size), x[0], 1)
-        return (means.c[0] - self.steps.load)[np.newaxis], means.c[1][np.newaxis, np.newaxis]
-
 
 class EndedEdge(Equations):
     """On one edge of charts, which is a system: x = 0, or y = 0.

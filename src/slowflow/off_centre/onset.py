@@ -17,6 +17,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from scipy.optimize import brentq, minimize_scalar
@@ -172,13 +173,14 @@ class Search:
 
         Raises ArithmeticError where too many boxes stay undecided.
         """
-        rounds, looked_at, cells = 0, 0, self.sheets.cells(A_max)
+        may = partial(self._may_be_lower, below=known * (1 - GAP))
+        rounds, looked_at, cells = 0, 0, self.sheets.cells(A_max, may)
         while cells.chart.size:
             rounds, looked_at = rounds + 1, looked_at + cells.chart.size
             if looked_at > MOST_BOXES or rounds > MOST_ROUNDS:
                 raise NotSettled("too many boxes of A and B may hold a lower fold")
             with np.errstate(all="ignore"):
-                cells = cells.take(self._may_be_lower(cells, known * (1 - GAP)))
+                cells = cells.take(may(cells))
             if 0 < cells.chart.size <= FEW:
                 x, y = 0.5 * (cells.low + cells.high)
                 A, B = self.sheets.charts.motion(x, y, cells.chart)

@@ -20,6 +20,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -117,14 +118,14 @@ class Reach:
     def _farthest(self, F_0: float, measure: Measure, gap: float, small: float) -> tuple[Farthest | None, float]:
         """The same, and a bound for motions that are no larger than `small`, which are not told apart."""
         bound = -np.inf
-        best, looked_at, rounds, cells = None, 0, 0, self.sheets.cells(self._A_max(F_0))
+        best, looked_at, rounds, cells = None, 0, 0, self.sheets.cells(self._A_max(F_0), partial(self._moves, F_0=F_0))
         while cells.chart.size:
             looked_at, rounds = looked_at + cells.chart.size, rounds + 1
             if looked_at > MOST_BOXES:
                 raise NotSettled("the farthest motion is unresolved: too many boxes stay undecided")
             with np.errstate(all="ignore"):
                 most = measure.most(cells.A, cells.B, cells.p)
-                left = ~((cells.rising.hi <= 0) | (self.flow.needed(cells.A, cells.p) * (1 - ROUNDED) > F_0))
+                left = self._moves(cells, F_0)
                 # p is not known of what has no size
                 left &= np.isnan(most) | (most > (-np.inf if best is None else best.value * (1 + gap)))
                 aside = left & (LARGEST.most(cells.A, cells.B, cells.p) <= small) & np.isfinite(most)
@@ -141,6 +142,10 @@ class Reach:
                 cells = self.sheets.cut(cells)
         return best, bound
 
+    def _moves(self, cells: Cells, F_0: float) -> Flags:
+        """Which cells may hold a motion at F_0 that is stable."""
+        return np.asarray((cells.rising.hi > 0) & (self.flow.needed(cells.A, cells.p) * (1 - ROUNDED) <= F_0))
+
     def transmits_beyond(
         self, F_0: float, Omega: float, limit: Transmissibility | None = None
     ) -> tuple[float, float] | None:
@@ -149,9 +154,10 @@ class Reach:
         What is nearer to Omega than by `BEYOND` of it is not looked at.
         """
         least = (Omega * (1 + BEYOND)) ** 2
-        cells, looked_at = self.sheets.cells(self._A_max(F_0)), 0
+        may = partial(self._may_transmit, F_0=F_0, least=least, limit=limit)
+        cells, looked_at = self.sheets.cells(self._A_max(F_0), may), 0
         for _ in range(ROUNDS):
-            cells = cells.take(self._may_transmit(cells, F_0, least, limit))
+            cells = cells.take(may(cells))
             looked_at += cells.chart.size
             if not cells.chart.size:
                 return None
@@ -167,8 +173,7 @@ class Reach:
             highest = 2 * cells.p.hi * (1 + ROUNDED)
             if limit is not None:
                 highest = np.where(cells.p.lo >= -limit.steepest, limit.last**2, float(HIGHEST_OMEGA) ** 2)
-            none = (cells.rising.hi <= 0) | (highest < least)
-            none |= self.flow.needed(cells.A, cells.p) * (1 - ROUNDED) > F_0
+            none = ~self._moves(cells, F_0) | (highest < least)
             start = np.full(none.size, least * (1 - ROUNDED))
             end = np.maximum(highest, start)
             shares = np.arange(DIVISIONS + 1)[:, np.newaxis] / DIVISIONS

@@ -93,22 +93,38 @@ class Sheets:
         self._known: dict[int, Cells] = {}
         self._corners: dict[int, tuple[list[Corner], Floats]] = {}
 
-    def cells(self, A_max: float) -> Cells:
-        """All of the balance up to an amplitude, and somewhat beyond.
+    def cells(self, A_max: float, may: Callable[[Cells], Flags] | None = None) -> Cells:
+        """All of the balance up to an amplitude, and somewhat beyond, in large cells.
+
+        may -- of cells, whether a question may have an answer there: those without are left, others are cut until small
 
         Raises ArithmeticError for too many boxes, and in a dead zone.
         """
-        octave = self._octave(A_max)
-        found = self._known.get(octave)
-        if found is None:
+        octave, done = self._octave(A_max), []
+        if (cells := self._known.get(octave)) is None:
             self.steps.check_balanced()
             with np.errstate(all="ignore"):
-                found = self._known[octave] = self._covered(2.0**octave)
-        return found
+                cells = self._known[octave] = self.looked_at(*self._first(2.0**octave), 2.0**octave)
+        if may is None:
+            return cells
+        with np.errstate(all="ignore"):
+            for number in range(ROUNDS):
+                if cells.chart.size > MOST_BOXES:
+                    raise NotSettled(TOO_MANY)
+                cells = cells.take(may(cells))
+                fine = (self._wide(cells).max(axis=0) <= FINE * cells.A.hi) | (cells.A.hi <= SMALL * self._size)
+                fine |= number == ROUNDS - 1
+                done.append((cells.low[:, fine], cells.high[:, fine], cells.chart[fine]))
+                if fine.all():
+                    break
+                cells = self.cut(cells.take(~fine), 2.0**octave)
+            # what is known of the smaller boxes
+            low, high, chart = (np.concatenate(chunks, axis=-1) for chunks in zip(*done, strict=True))
+            return self.looked_at(low, high, chart)
 
-    def cut(self, cells: Cells) -> Cells:
-        """Each in two, less what the balance leaves out."""
-        return self.looked_at(*halved(cells.low, cells.high, self._wide(cells)), np.tile(cells.chart, 2))
+    def cut(self, cells: Cells, A_max: float = math.inf) -> Cells:
+        """Each in two, less what the balance leaves out, up to an amplitude."""
+        return self.looked_at(*halved(cells.low, cells.high, self._wide(cells)), np.tile(cells.chart, 2), A_max)
 
     def _wide(self, cells: Cells) -> Floats:
         """By how much either end of the motion changes over cells."""
@@ -173,25 +189,6 @@ class Sheets:
             p.ends[:, small] = p.take(small).both(stiffness).ends
         return Cells(chart, low, high, A, B, p, bent * 4.0 - p * 2.0, rising)
 
-    def _covered(self, A_max: float) -> Cells:
-        low, high, chart = self._first(A_max)
-        done = []
-        for number in range(ROUNDS):
-            if chart.size > MOST_BOXES:
-                raise NotSettled(TOO_MANY)
-            cells = self.looked_at(low, high, chart, A_max)
-            wide = self._wide(cells)
-            fine = (wide.max(axis=0) <= FINE * cells.A.hi) | (cells.A.hi <= SMALL * self._size)
-            fine |= number == ROUNDS - 1
-            done.append((cells.low[:, fine], cells.high[:, fine], cells.chart[fine]))
-            if fine.all():
-                break
-            low, high = halved(cells.low[:, ~fine], cells.high[:, ~fine], wide[:, ~fine])
-            chart = np.tile(cells.chart[~fine], 2)
-        # what is known of the smaller boxes
-        low, high, chart = (np.concatenate(chunks, axis=-1) for chunks in zip(*done, strict=True))
-        return self.looked_at(low, high, chart)
-
     def _first(self, A_max: float) -> tuple[Floats, Floats, Ints]:
         """Boxes of all charts: motions up to an amplitude."""
         charts, bound = self.charts, A_max + self._offset_bound(A_max)
@@ -225,7 +222,13 @@ class Sheets:
 
     def folds(self, A_max: float, F_0: Floats, flow: Flow) -> tuple[Floats, Floats, Ints]:
         """Boxes of x, y and R in which folds may be, and of which system each is (`by_turning_points`)."""
-        cells, size = self.cells(A_max), self.charts.passes.size
+
+        def may(cells: Cells) -> Flags:
+            known = cells.A, cells.p, cells.e
+            found = [flow.folds_between(*known, sign, one, one)[1] for one in F_0.tolist() for sign in (-1.0, 1.0)]
+            return np.asarray(np.any(found, axis=0))
+
+        cells, size = self.cells(A_max, may), self.charts.passes.size
         lows, highs, systems = [], [], []
         for i, forcing in enumerate(F_0.tolist()):
             for sign in (-1.0, 1.0):
@@ -252,16 +255,20 @@ class Sheets:
 
     def states(self, A_max: float, Omega: Floats, F_0: float, flow: Flow) -> tuple[Floats, Floats, Ints]:
         """Boxes of x and y in which states may be, and of which system each is."""
-        cells, force = self.cells(A_max), flow.force(F_0, Omega)
-        number = np.repeat(np.arange(Omega.size), cells.chart.size)
-        cell = np.tile(np.arange(cells.chart.size), Omega.size)
+        needed = flow.force(F_0, Omega)[:, np.newaxis] ** 2
+
+        def may(cells: Cells) -> Flags:
+            """By frequency and cell."""
+            n = cells.chart.size
+            at = np.repeat(Omega, n)
+            A, p = (Interval(np.tile(one.ends, Omega.size)) for one in (cells.A, cells.p))
+            level = (A * (-p + at * at)).square() + Interval(flow.sine(at, A.ends)).square()
+            low, high = level.ends.reshape(2, Omega.size, n)
+            return np.asarray(~((low > needed * (1 + ROUNDED)) | (high < needed * (1 - ROUNDED))))
+
+        cells = self.cells(A_max, lambda cells: np.asarray(may(cells).any(axis=0)))
         with np.errstate(all="ignore"):
-            at, A = Omega[number], cells.A.take(cell)
-            I = Interval(flow.sine(at, A.ends))
-            R = A * (-cells.p.take(cell) + at * at)
-            level, needed = R.square() + I.square(), force[number] ** 2
-            may = ~((level.lo > needed * (1 + ROUNDED)) | (level.hi < needed * (1 - ROUNDED)))
-        number, cell = number[may], cell[may]
+            number, cell = np.nonzero(may(cells))
         return cells.low[:, cell], cells.high[:, cell], number * self.charts.passes.size + cells.chart[cell]
 
 

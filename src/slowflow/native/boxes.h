@@ -1,0 +1,372 @@
+/* All solutions of a few equations in boxes: none is missed, and each that is given is proved to be there, once. Takes
+ * equations that give values and slopes on boxes and at points; returns points, and where doubles do not decide.
+ *
+ * A box is left only when some equation has no zero in it, when Krawczyk's operator maps a slightly larger one into itself
+ * (it holds just one solution then) or out of it (none). Otherwise it is cut. What is left is smaller than SF_BOX_NARROWEST of its
+ * place: it is undecided.
+ */
+#ifndef SF_BOXES_H
+#define SF_BOXES_H
+
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "interval.h"
+
+enum { SF_MOST_UNKNOWNS = 3, SF_BOX_STEPS = 12 };
+
+/* by how much of its half width a box is enlarged for the proof, so that a solution on an edge is inside of one */
+#define SF_BOX_AROUND 0.125
+/* a box is not cut further below this share of its place, and of 1; half the width below which it is not made narrower */
+#define SF_BOX_NARROWEST 0x1p-42
+#define SF_BOX_THIN 0x1p-43
+/* what some operations on intervals are rounded by, as these ends are not moved one by one */
+#define SF_BOX_DOUBT 0x1p-40
+
+/* least, most -- the ends of all that there is, beyond which no box is made larger; doubt -- how nearly it is known */
+typedef struct {
+    double low[SF_MOST_UNKNOWNS], high[SF_MOST_UNKNOWNS], least[SF_MOST_UNKNOWNS], most[SF_MOST_UNKNOWNS],
+        doubt[SF_MOST_UNKNOWNS];
+    ptrdiff_t of;
+} sf_box;
+
+/* Where equations are evaluated: on a box and at a point of it, of one of several systems. */
+typedef struct {
+    double low[SF_MOST_UNKNOWNS], at[SF_MOST_UNKNOWNS], high[SF_MOST_UNKNOWNS];
+    ptrdiff_t of;
+} sf_box_place;
+
+/* Values at the point, values and slopes on the box, and between which ends its solutions are. */
+typedef struct {
+    sf_interval at[SF_MOST_UNKNOWNS], on[SF_MOST_UNKNOWNS], slope[SF_MOST_UNKNOWNS][SF_MOST_UNKNOWNS],
+        holds[SF_MOST_UNKNOWNS];
+} sf_values;
+
+/* As many as unknowns; `on` returns 0 where they could not be evaluated. */
+typedef struct {
+    int unknowns;
+    int (*on)(void *self, ptrdiff_t n, const sf_box_place *places, sf_values *out);
+    void *self;
+} sf_box_equations;
+
+/* A solution, and the box around `middle` that holds no other; or the middle of a box that may hold some. */
+typedef struct {
+    double x[SF_MOST_UNKNOWNS], middle[SF_MOST_UNKNOWNS], wide[SF_MOST_UNKNOWNS];
+    ptrdiff_t of;
+} sf_solution;
+
+typedef struct {
+    sf_solution *found, *undecided;
+    ptrdiff_t count, open;
+} sf_solutions;
+
+enum { SF_BOXES_SOLVED, SF_BOXES_TOO_MANY, SF_BOXES_NO_ROOM, SF_BOXES_NOT_EVALUATED };
+
+/* ==== One box ==================================================================================================== */
+
+static inline double sf_box_size(double x) { return fmax(fabs(x), 1); }
+
+/* The largest absolute value; NaN where an end is. */
+static inline double sf_magnitude(sf_interval a) {
+    const double low = fabs(a.lo), high = fabs(a.hi);
+    return low >= high ? low : high >= low ? high : NAN;
+}
+
+/* X becomes the inverse of J times X, by Gauss's method; 0 where a pivot is 0. J is lost. */
+static int sf_eliminate(int d, double J[][SF_MOST_UNKNOWNS], int columns, double X[][SF_MOST_UNKNOWNS]) {
+    int i, j, k;
+    for (k = 0; k < d; k++) {
+        int best = k;
+        for (i = k + 1; i < d; i++)
+            best = fabs(J[i][k]) > fabs(J[best][k]) ? i : best;
+        for (j = 0; j < d; j++) {
+            const double one = J[k][j];
+            J[k][j] = J[best][j], J[best][j] = one;
+        }
+        for (j = 0; j < columns; j++) {
+            const double one = X[k][j];
+            X[k][j] = X[best][j], X[best][j] = one;
+        }
+        if (!(fabs(J[k][k]) > 0 && isfinite(J[k][k])))
+            return 0;
+        for (i = 0; i < d; i++) {
+            const double share = J[i][k] / J[k][k];
+            for (j = 0; i != k && j < d; j++)
+                J[i][j] -= share * J[k][j];
+            for (j = 0; i != k && j < columns; j++)
+                X[i][j] -= share * X[k][j];
+        }
+    }
+    for (i = 0; i < d; i++)
+        for (j = 0; j < columns; j++)
+            X[i][j] /= J[i][i];
+    return 1;
+}
+
+/* x - Y f(x) + (1 - Y J)(X - x), Y the inverse of J in the middle of X: its centre and radius, infinite where there is no
+ * Y; and what of the radius is due to how values are known. */
+static void sf_krawczyk(int d, const sf_box_place *place, const double *wide, const sf_values *of, double *centre, double *radius,
+                        double *floor_)
+{
+    double J[SF_MOST_UNKNOWNS][SF_MOST_UNKNOWNS], lost[SF_MOST_UNKNOWNS][SF_MOST_UNKNOWNS];
+    double Y[SF_MOST_UNKNOWNS][SF_MOST_UNKNOWNS] = {{0}};
+    int i, j, k, known = 1;
+    for (i = 0; i < d; i++)
+        for (Y[i][i] = 1, j = 0; j < d; j++) {
+            J[i][j] = lost[i][j] = 0.5 * (of->slope[i][j].lo + of->slope[i][j].hi);
+            known = known && isfinite(of->slope[i][j].lo) && isfinite(of->slope[i][j].hi);
+        }
+    known = known && sf_eliminate(d, lost, d, Y);
+    for (i = 0; i < d; i++) {
+        double moved = 0, doubt = 0x1p-51 * fabs(place->at[i]), reach = 0;
+        for (j = 0; j < d; j++) {
+            /* some multiplications of doubles, each a rounding */
+            double product = 0, size = 1, spread = 0;
+            const double value = 0.5 * (of->at[j].lo + of->at[j].hi);
+            for (k = 0; k < d; k++) {
+                product += Y[i][k] * J[k][j], size += fabs(Y[i][k] * J[k][j]);
+                spread += fabs(Y[i][k]) * 0.5 * (of->slope[k][j].hi - of->slope[k][j].lo);
+            }
+            moved += Y[i][j] * value, doubt += fabs(Y[i][j]) * 0.5 * (of->at[j].hi - of->at[j].lo);
+            reach += (fabs((i == j) - product) + spread + 0x1p-49 * size) * wide[j] + 0x1p-49 * fabs(Y[i][j] * value);
+        }
+        centre[i] = place->at[i] - moved, floor_[i] = known ? doubt : HUGE_VAL;
+        radius[i] = known && !isnan(reach + doubt) ? reach + doubt : HUGE_VAL;
+    }
+}
+
+/* Between which ends an equation by itself has its zeros in an unknown, from what the others move it by. */
+static sf_interval sf_by_one(sf_interval value, sf_interval slope, double others, double at) {
+    const double ends[2] = {others - value.lo, -others - value.hi}, slopes[2] = {slope.lo, slope.hi};
+    sf_interval each = {HUGE_VAL, -HUGE_VAL};
+    int k;
+    if (!sfi_has_sign(slope))
+        return sfi_of(-HUGE_VAL, HUGE_VAL);
+    for (k = 0; k < 4; k++) {
+        const double one = ends[k & 1] / slopes[k >> 1], doubt = SF_BOX_DOUBT * fabs(one);
+        if (isnan(one))
+            return sfi_of(-HUGE_VAL, HUGE_VAL);
+        each = sfi_of(fmin(each.lo, one - doubt), fmax(each.hi, one + doubt));
+    }
+    return sfi_of(at + each.lo, at + each.hi);
+}
+
+/* By how much an equation varies with an unknown, beside others in which it varies more. */
+static double sf_varies(int d, const sf_values *of, int j, double width) {
+    double most = 0;
+    int i, k;
+    for (i = 0; i < d; i++) {
+        const double size = sf_magnitude(of->slope[i][j]);
+        double scale = 0;
+        for (k = 0; k < d; k++)
+            scale = isfinite(sf_magnitude(of->slope[i][k])) ? fmax(scale, sf_magnitude(of->slope[i][k])) : scale;
+        most = fmax(most, isfinite(size) ? size / (scale > 0 ? scale : 1) : 1);
+    }
+    return fmax(most, 1e-3) * width;
+}
+
+/* Where equations are evaluated for a box: on a slightly larger one, and in the middle of that. */
+static void sf_around(int d, const sf_box *box, sf_box_place *out) {
+    int i;
+    for (out->of = box->of, i = 0; i < d; i++) {
+        const double around = SF_BOX_AROUND * 0.5 * (box->high[i] - box->low[i]) + box->doubt[i];
+        out->low[i] = fmax(box->low[i] - around, box->least[i]), out->high[i] = fmin(box->high[i] + around, box->most[i]);
+        out->at[i] = 0.5 * (out->low[i] + out->high[i]);
+    }
+}
+
+enum { SF_BOX_EMPTY, SF_BOX_SOLVED, SF_BOX_NARROW, SF_BOX_CUT };
+
+/* What is known of a box: a solution, or the middle of a narrow one, in `out`; else its halves. */
+static int sf_judge(int d, const sf_box *box, const sf_box_place *place, const sf_values *of, sf_solution *out, sf_box *lower,
+                    sf_box *upper)
+{
+    double wide[SF_MOST_UNKNOWNS], centre[SF_MOST_UNKNOWNS] = {0}, radius[SF_MOST_UNKNOWNS], floor_[SF_MOST_UNKNOWNS], most = -1;
+    sf_box left = *box;
+    int i, j, none = 0, inside = 1, narrow = 1, across = 0;
+    for (i = 0; i < d; i++)
+        wide[i] = fmax(place->high[i] - place->at[i], place->at[i] - place->low[i]);
+    sf_krawczyk(d, place, wide, of, centre, radius, floor_);
+    for (i = 0; i < d; i++) {
+        double varies = 0, x = 0.5 * (box->low[i] + box->high[i]);
+        for (j = 0; j < d; j++)
+            varies += sf_magnitude(of->slope[i][j]) * wide[j] * (1 + SF_BOX_DOUBT);
+        none |= sfi_has_sign(of->on[i]) || of->at[i].lo - varies > 0 || of->at[i].hi + varies < 0;
+        none |= centre[i] - radius[i] > box->high[i] || centre[i] + radius[i] < box->low[i];
+        inside &= fabs(centre[i] - place->at[i]) + radius[i] < wide[i];
+        narrow &= 0.5 * (box->high[i] - box->low[i]) <= SF_BOX_NARROWEST * sf_box_size(x);
+        left.low[i] = fmax(left.low[i], of->holds[i].lo), left.high[i] = fmin(left.high[i], of->holds[i].hi);
+        for (j = 0; j < d; j++) {
+            const double others = varies - sf_magnitude(of->slope[i][j]) * wide[j] + SF_BOX_DOUBT * varies;
+            const sf_interval one = sf_by_one(of->at[i], of->slope[i][j], others, place->at[j]);
+            left.low[j] = fmax(left.low[j], one.lo), left.high[j] = fmin(left.high[j], one.hi);
+        }
+    }
+    for (i = 0; i < d; i++)
+        none |= left.low[i] > left.high[i];
+    if (none)
+        return SF_BOX_EMPTY;
+    for (i = 0; i < d; i++)
+        out->x[i] = centre[i], out->middle[i] = place->at[i], out->wide[i] = wide[i];
+    out->of = box->of;
+    if (inside)
+        return SF_BOX_SOLVED;
+    for (i = 0; i < d; i++) {
+        const double x = 0.5 * (box->low[i] + box->high[i]);
+        /* what the operator leaves of a box holds what solutions it has; in no direction is it made so narrow that
+         * roundings count there while it is still wide in others */
+        const double low = fmax(left.low[i], centre[i] - radius[i]), high = fmin(left.high[i], centre[i] + radius[i]);
+        const double more = fmax(SF_BOX_THIN * sf_box_size(x) - 0.5 * (high - low), 0);
+        double at, varies;
+        out->middle[i] = narrow ? x : out->middle[i];
+        left.low[i] = low - more, left.high[i] = high + more;
+        /* a proof has to be wider than the roundings that it holds */
+        left.doubt[i] = isfinite(floor_[i]) ? 2 * floor_[i] : 0;
+        at = 0.5 * (left.low[i] + left.high[i]), varies = sf_varies(d, of, i, left.high[i] - left.low[i]);
+        if (!(0.5 * (left.high[i] - left.low[i]) > SF_BOX_NARROWEST * sf_box_size(at)))
+            varies = 0; /* one that is not to be cut further is not cut */
+        if (varies > most)
+            most = varies, across = i;
+    }
+    if (narrow)
+        return SF_BOX_NARROW;
+    *lower = *upper = left;
+    lower->high[across] = upper->low[across] = 0.5 * (left.low[across] + left.high[across]);
+    return SF_BOX_CUT;
+}
+
+/* ==== All boxes ================================================================================================== */
+
+/* One of Newton's steps for each solution, `last` as long as the one before; 0 where none became shorter. */
+static int sf_step_solutions(int d, ptrdiff_t n, sf_solution *found, const sf_values *values, double *last) {
+    int moves = 0;
+    for (ptrdiff_t k = 0; k < n; k++) {
+        double J[SF_MOST_UNKNOWNS][SF_MOST_UNKNOWNS], change[SF_MOST_UNKNOWNS][SF_MOST_UNKNOWNS], length = 0;
+        int i, j;
+        for (i = 0; i < d; i++)
+            for (change[i][0] = 0.5 * (values[k].on[i].lo + values[k].on[i].hi), j = 0; j < d; j++)
+                J[i][j] = 0.5 * (values[k].slope[i][j].lo + values[k].slope[i][j].hi);
+        if (!sf_eliminate(d, J, 1, change))
+            continue;
+        for (i = 0; i < d; i++)
+            length = fmax(length, fabs(change[i][0]) / found[k].wide[i]);
+        for (i = 0; i < d && length < last[k]; i++)
+            found[k].x[i] -= change[i][0];
+        moves |= length < last[k] && length > 0;
+        last[k] = length < last[k] ? length : 0;
+    }
+    return moves;
+}
+
+/* Newton's steps, for each solution as long as they become shorter. */
+static int sf_refine_solutions(const sf_box_equations *of, ptrdiff_t n, sf_solution *found) {
+    double *last = malloc((size_t)n * sizeof *last);
+    sf_box_place *places = malloc((size_t)n * sizeof *places);
+    sf_values *values = malloc((size_t)n * sizeof *values);
+    int step, state = last && places && values ? SF_BOXES_SOLVED : SF_BOXES_NO_ROOM, moves = 1;
+    ptrdiff_t k;
+    for (k = 0; state == SF_BOXES_SOLVED && k < n; k++)
+        last[k] = HUGE_VAL;
+    for (step = 0; state == SF_BOXES_SOLVED && moves && step < SF_BOX_STEPS; step++) {
+        for (k = 0; k < n; k++) {
+            memcpy(places[k].low, found[k].x, sizeof found->x), memcpy(places[k].high, found[k].x, sizeof found->x);
+            memcpy(places[k].at, found[k].x, sizeof found->x), places[k].of = found[k].of;
+        }
+        state = of->on(of->self, n, places, values) ? SF_BOXES_SOLVED : SF_BOXES_NOT_EVALUATED;
+        moves = state == SF_BOXES_SOLVED && sf_step_solutions(of->unknowns, n, found, values, last);
+    }
+    free(last), free(places), free(values);
+    return state;
+}
+
+static int sf_by_system(const void *one, const void *other) {
+    const sf_solution *a = one, *b = other;
+    int i;
+    if (a->of != b->of)
+        return a->of < b->of ? -1 : 1;
+    for (i = 0; i < SF_MOST_UNKNOWNS; i++)
+        if (a->x[i] != b->x[i])
+            return a->x[i] < b->x[i] ? -1 : 1;
+    return 0;
+}
+
+/* Whether a place lies in the share of the box around a solution that holds no other. */
+static int sf_is_around(int d, const sf_solution *found, const double *x, ptrdiff_t of, double share) {
+    int i, inside = found->of == of;
+    for (i = 0; i < d; i++)
+        inside &= fabs(x[i] - found->middle[i]) < share * found->wide[i];
+    return inside;
+}
+
+/* Solutions each once: one on the edge of two boxes was found in both, which hold just one each; and the undecided boxes
+ * that do not lie where a solution is proved to be the only one. */
+static void sf_each_once(int d, sf_solutions *all) {
+    ptrdiff_t kept = 0, open = 0, k, other;
+    if (all->count > 1)
+        qsort(all->found, (size_t)all->count, sizeof *all->found, sf_by_system);
+    for (k = 0; k < all->count; k++) {
+        for (other = kept; other > 0; other--)
+            if (sf_is_around(d, &all->found[other - 1], all->found[k].x, all->found[k].of, 1))
+                break;
+        if (other == 0)
+            all->found[kept++] = all->found[k];
+    }
+    for (k = 0, all->count = kept; k < all->open; k++) {
+        for (other = 0; other < kept; other++)
+            if (sf_is_around(d, &all->found[other], all->undecided[k].middle, all->undecided[k].of, 1 - SF_BOX_AROUND))
+                break;
+        if (other == kept)
+            all->undecided[open++] = all->undecided[k];
+    }
+    all->open = open;
+}
+
+/* All solutions in n boxes, of which no more than `most` are evaluated in all; takes over `boxes`, a list of malloc, and
+ * leaves `out` to be freed. */
+static int sf_solve_boxes(const sf_box_equations *of, sf_box *boxes, ptrdiff_t n, ptrdiff_t most, sf_solutions *out) {
+    const int d = of->unknowns;
+    ptrdiff_t evaluated = 0, k, next;
+    int state = SF_BOXES_SOLVED;
+    memset(out, 0, sizeof *out);
+    for (; state == SF_BOXES_SOLVED && n > 0; n = next) {
+        sf_box *halves = malloc(2 * (size_t)n * sizeof *halves);
+        sf_box_place *places = malloc((size_t)n * sizeof *places);
+        sf_values *values = malloc((size_t)n * sizeof *values);
+        sf_solution *found = realloc(out->found, (size_t)(out->count + n) * sizeof *found);
+        sf_solution *undecided = realloc(out->undecided, (size_t)(out->open + n) * sizeof *undecided);
+        out->found = found != NULL ? found : out->found, out->undecided = undecided != NULL ? undecided : out->undecided;
+        next = 0, evaluated += n;
+        if (!(halves && places && values && found && undecided))
+            state = SF_BOXES_NO_ROOM;
+        else if (evaluated > most)
+            state = SF_BOXES_TOO_MANY;
+        for (k = 0; state == SF_BOXES_SOLVED && k < n; k++)
+            sf_around(d, &boxes[k], &places[k]);
+        if (state == SF_BOXES_SOLVED && !of->on(of->self, n, places, values))
+            state = SF_BOXES_NOT_EVALUATED;
+        for (k = 0; state == SF_BOXES_SOLVED && k < n; k++) {
+            sf_solution one = {{0}, {0}, {0}, 0};
+            switch (sf_judge(d, &boxes[k], &places[k], &values[k], &one, halves + next, halves + n + next)) {
+            case SF_BOX_SOLVED:
+                found[out->count++] = one;
+                break;
+            case SF_BOX_NARROW:
+                undecided[out->open++] = one;
+                break;
+            case SF_BOX_CUT:
+                next++;
+            }
+        }
+        if (next > 0)
+            memmove(halves + next, halves + n, (size_t)next * sizeof *halves), next *= 2;
+        free(boxes), free(places), free(values), boxes = halves;
+    }
+    free(boxes);
+    if (state == SF_BOXES_SOLVED && out->count > 0)
+        state = sf_refine_solutions(of, out->count, out->found);
+    sf_each_once(d, out);
+    return state;
+}
+
+#endif
