@@ -118,14 +118,14 @@ class Reach:
     def _farthest(self, F_0: float, measure: Measure, gap: float, small: float) -> tuple[Farthest | None, float]:
         """The same, and a bound for motions that are no larger than `small`, which are not told apart."""
         bound = -np.inf
-        best, looked_at, rounds, cells = None, 0, 0, self.sheets.cells(self._A_max(F_0), partial(self._moves, F_0=F_0))
+        best, looked_at, rounds, cells = None, 0, 0, self.sheets.cells(self._A_max(F_0), partial(self._may_move, F_0=F_0))
         while cells.chart.size:
             looked_at, rounds = looked_at + cells.chart.size, rounds + 1
             if looked_at > MOST_BOXES:
                 raise NotSettled("the farthest motion is unresolved: too many boxes stay undecided")
             with np.errstate(all="ignore"):
                 most = measure.most(cells.A, cells.B, cells.p)
-                left = self._moves(cells, F_0)
+                left = self._may_move(cells, F_0)
                 # p is not known of what has no size
                 left &= np.isnan(most) | (most > (-np.inf if best is None else best.value * (1 + gap)))
                 aside = left & (LARGEST.most(cells.A, cells.B, cells.p) <= small) & np.isfinite(most)
@@ -142,7 +142,7 @@ class Reach:
                 cells = self.sheets.cut(cells)
         return best, bound
 
-    def _moves(self, cells: Cells, F_0: float) -> Flags:
+    def _may_move(self, cells: Cells, F_0: float) -> Flags:
         """Which cells may hold a motion at F_0 that is stable."""
         return np.asarray((cells.rising.hi > 0) & (self.flow.needed(cells.A, cells.p) * (1 - ROUNDED) <= F_0))
 
@@ -173,7 +173,7 @@ class Reach:
             highest = 2 * cells.p.hi * (1 + ROUNDED)
             if limit is not None:
                 highest = np.where(cells.p.lo >= -limit.steepest, limit.last**2, float(HIGHEST_OMEGA) ** 2)
-            none = ~self._moves(cells, F_0) | (highest < least)
+            none = ~self._may_move(cells, F_0) | (highest < least)
             start = np.full(none.size, least * (1 - ROUNDED))
             end = np.maximum(highest, start)
             shares = np.arange(DIVISIONS + 1)[:, np.newaxis] / DIVISIONS
