@@ -118,7 +118,8 @@ class Reach:
     def _farthest(self, F_0: float, measure: Measure, gap: float, small: float) -> tuple[Farthest | None, float]:
         """The same, and a bound for motions that are no larger than `small`, which are not told apart."""
         bound = -np.inf
-        best, looked_at, rounds, cells = None, 0, 0, self.sheets.cells(self._A_max(F_0), partial(self._may_move, F_0=F_0))
+        best, looked_at, rounds = None, 0, 0
+        cells = self.sheets.cells(self._A_max(F_0), partial(self._may_move, F_0=F_0))
         while cells.chart.size:
             looked_at, rounds = looked_at + cells.chart.size, rounds + 1
             if looked_at > MOST_BOXES:
