@@ -21,6 +21,8 @@ from slowflow.text import Sentence
 DIVISIONS, LEAST, MOST = 8, -20, 40
 #: what is larger is beyond all numbers; how large a force is at a wall, and how near to it
 GROWN = 2.0**24
+#: |u| up to which a force is looked at, from which its derivatives on intervals are numbers
+FARTHEST = 2.0**1000
 HUGE, AT_WALL, NARROW = 2.0**120, 2.0**16, 2.0**-40
 SINGULAR = Sentence(
     "{name:s}: piece {number:d} of its force is not smooth at {u = :g}, where it holds: it has to end before that"
@@ -48,7 +50,9 @@ def outwards(
 
     A wall is beyond u = 0 and all ends: on this side of it the mass is.
     """
-    edges = start + size * 2.0 ** np.arange(LEAST, MOST + 0.5 / DIVISIONS, 1 / DIVISIONS)
+    with np.errstate(over="ignore"):
+        edges = start + size * 2.0 ** np.arange(LEAST, MOST + 0.5 / DIVISIONS, 1 / DIVISIONS)
+    edges = np.minimum(edges, FARTHEST)
 
     def cells(edges: Floats) -> list[tuple[float, float, float, bool]]:
         """Between neighbours, from the last: where it is, the least that pushes back, whether all of it is known."""
