@@ -19,10 +19,10 @@ from slowflow.text import Sentence
 
 #: parts of an octave, octaves from the least to the most that is looked at, beside the size of the problem
 DIVISIONS, LEAST, MOST = 8, -20, 40
+#: |u| up to which a force is looked at: there its derivatives on intervals are numbers
+FARTHEST = 2.0**1000
 #: what is larger is beyond all numbers; how large a force is at a wall, and how near to it
 GROWN = 2.0**24
-#: |u| up to which a force is looked at, from which its derivatives on intervals are numbers
-FARTHEST = 2.0**1000
 HUGE, AT_WALL, NARROW = 2.0**120, 2.0**16, 2.0**-40
 SINGULAR = Sentence(
     "{name:s}: piece {number:d} of its force is not smooth at {u = :g}, where it holds: it has to end before that"
