@@ -5,7 +5,7 @@
 # make corpus     compare some 150,000 answers with their record, a few minutes; `python -m tests.corpus --record` writes it
 # make derive     write generated/ anew and build what is compiled from it
 # make check      compare generated/ with fresh derivations
-# make lint       ruff and mypy
+# make lint       ruff, mypy, numpydoc
 # make figures    every figure of the paper, into output/
 # make bench      the benchmarks, docs/benchmarks.md; last other tools on the same problem, each installed into an environment
 #                 of its own under .venv-peers; one that does not install keeps what was last measured of it
@@ -28,6 +28,8 @@ COMPILED := .venv/compiled
 DEVELOPED := .venv/developed
 # what was derived anew, before it is in generated/
 DERIVED := build/derived
+# whose docstrings numpydoc validates: what a user asks an oscillator
+NUMPYDOC := $(addprefix src/slowflow/,questions.py composed.py averaged/questions.py)
 NATIVE := $(wildcard src/slowflow/native/*.[ch] src/slowflow/native/*/*.[ch] generated/c/*.h generated/native/*.[ch])
 PYTEST := $(BIN)/python -m pytest -n auto --dist worksteal
 
@@ -74,6 +76,7 @@ lint: $(DEVELOPED)
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
+	$(BIN)/python -m numpydoc lint $(NUMPYDOC)
 
 corpus: $(DEVELOPED)
 	$(BIN)/python -m tests.corpus

@@ -1,7 +1,7 @@
 """Docstrings as reStructuredText that reads the same: a Sphinx hook.
 
-A line `name -- what it is` becomes a term with its definition; indented text is shown as it is; nothing else has a
-meaning. The example of docs/api.toml follows.
+Sections of NumPy's style and lines `name -- what it is` become terms with their definitions; indented text is shown as
+it is; nothing else has a meaning. The example of docs/api.toml follows.
 """
 
 from __future__ import annotations
@@ -27,8 +27,15 @@ def escaped(text: str) -> str:
 
 
 def paragraph(lines: list[str]) -> Iterator[str]:
-    """Fields, a block that is set in, or text."""
-    if FIELD.match(lines[0]):
+    """A section of NumPy's style, fields, a block that is set in, or text."""
+    if len(lines) > 1 and set(lines[1]) == {"-"}:
+        yield f"**{lines[0]}**"
+        yield ""
+        for line in lines[2:]:
+            name, _, kind = line.partition(" : ")
+            term = f"``{name}``" + (f" : {escaped(kind)}" if kind else "")
+            yield f"    {escaped(line.strip())}" if line.startswith(" ") else term
+    elif FIELD.match(lines[0]):
         fields: list[tuple[str, str]] = []
         for line in lines:
             found = FIELD.match(line)

@@ -30,50 +30,98 @@ class ComposedQuestions(Questions[SteadyStates, FrequencyResponse, SaddleNodes])
         return checks.isolation(self, F_0, level_dB)
 
     def margins(self, F_0: float) -> checks.Margins:
-        """How far F_0 is from the lowest forcing that has a fold, F_SN, and from that which lifts the springs, F_cr.
+        """Compare F_0 with the lowest forcing that has a fold, F_SN, and the lowest that detaches the springs, F_cr.
 
-        `.of_SN` and `.of_cr` are these over F_0. Raises ValueError for F_0 <= 0.
+        Parameters
+        ----------
+        F_0 : float
+            Amplitude of the excitation, > 0, dimensionless.
+
+        Returns
+        -------
+        Margins
+            .F_SN .F_cr, and over F_0 .of_SN .of_cr: below 1 the limit is exceeded.
+
+        Raises
+        ------
+        ValueError
+            For F_0 <= 0.
         """
         from slowflow import checks
 
         return checks.margins(self._system, F_0)
 
     def hysteresis(self, F_0: float) -> checks.Hysteresis:
-        """The bands of frequencies at F_0 with several stable motions: .Omega_low .Omega_high .motions.
+        """Find the bands of frequencies at F_0 with several stable motions: a sweep jumps at their ends.
 
-        A sweep jumps at their ends, see `saddle_nodes`. Under a load a motion of a negative mean stiffness may lose its
-        stability within a band too, and the message says where one takes part. Raises ValueError for F_0 <= 0.
+        Parameters
+        ----------
+        F_0 : float
+            Amplitude of the excitation, > 0, dimensionless.
+
+        Returns
+        -------
+        Hysteresis
+            .Omega_low .Omega_high .motions, shape (n,). Under a load a motion of a negative mean stiffness may lose its
+            stability within a band too, and the message says where one takes part.
+
+        Raises
+        ------
+        ValueError
+            For F_0 <= 0.
         """
         from slowflow import checks
 
         return checks.hysteresis(self._system, F_0)
 
     def isolation(self, F_0: float, level_dB: float = 0.0) -> checks.Isolation:
-        """The frequency from which on every stable motion at F_0 transmits less than F_0, .Omega, and .A there.
+        """Find the frequency from which on every stable motion at F_0 transmits less than F_0, or than a level of it.
 
-        level_dB -- the transmissibility below which it stays, in decibels: -20 for a tenth of F_0, 0 for all of it
+        Parameters
+        ----------
+        F_0 : float
+            Amplitude of the excitation, > 0, dimensionless.
+        level_dB : float
+            Transmissibility below which it stays, <= 0, in decibels: -20 for a tenth of F_0.
 
-        Of the transmitted force the fundamental harmonic counts; `.measure()` has that of the equation of motion, and
-        of the peak of its whole wave. For a linear spring it is sqrt(2) times the natural frequency at 0 dB. On a base
-        that shakes it is that from which on the mass moves less than the base. Friction alone passes on 4 mu/pi of a
-        force at any frequency: where the level is not above that there is none.
+        Returns
+        -------
+        Isolation
+            .Omega, and .A there. Of the transmitted force the first harmonic counts; `.measure()` has that of the
+            equation of motion, and of the peak of its whole wave. For a linear spring it is sqrt(2) times the natural
+            frequency at 0 dB. Under base excitation it is that from which on the mass moves less than the base.
+            Friction alone transmits 4 mu/pi at any frequency: where the level is not above that there is none.
+            Under a load it is found on the response curve, and that no stable motion transmits that beyond it is proved
+            but for 2^-16 of it; where that is undecided the answer says so, `Remark.UNDECIDED`.
 
-        Under a load it is found on the response curve, and that no stable motion transmits that beyond it is proved but
-        for 2^-16 of it; where that is undecided the answer says so, `Remark.UNDECIDED`.
-
-        Raises ValueError for F_0 <= 0 and level_dB > 0, and under a load where motions go beyond the amplitude `A_max`
-        of `off_centre`, as on a base that shakes too much for a hardening spring.
+        Raises
+        ------
+        ValueError
+            For F_0 <= 0 and level_dB > 0, and under a load where motions exceed the amplitude `A_max` of `off_centre`,
+            as a hardening spring on a base that moves too much.
         """
         found: checks.Isolation = self._system._isolation(F_0, level_dB)
         return found
 
     def spectrum(self, *, Omega: Reals, F_0: Reals) -> checks.Spectrum:
-        """A load spectrum, one tone at a time: what the motion at each pair (Omega, F_0) does, in their order.
+        """Find what the motion does at each row of a load spectrum, one tone at a time, in their order.
 
-        Which have several motions, cross a fold from the one before, detach, stick; see `slowflow.checks.Spectrum`.
-        Under a load rows with several forcings take some tenths of a second each, few rows two seconds: folds of
-        forcings between are found, which rows share.
-        Raises ValueError for numbers <= 0 and for shapes that do not broadcast.
+        Parameters
+        ----------
+        Omega, F_0 : array_like
+            Frequencies and amplitudes of the excitation, > 0, that broadcast.
+
+        Returns
+        -------
+        Spectrum
+            Which rows have several motions, cross a fold from the one before, detach, stick; see
+            `slowflow.checks.Spectrum`. Under a load rows with several forcings take some tenths of a second each, few
+            rows two seconds: folds of forcings between are found, which rows share.
+
+        Raises
+        ------
+        ValueError
+            For numbers <= 0 and for shapes that do not broadcast.
         """
         from slowflow import checks
 

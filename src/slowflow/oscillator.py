@@ -294,21 +294,38 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         u_0: float | None = None,
         v_0: float = 0.0,
     ) -> exact.SteadyState:
-        """A periodic motion of the equation of motion (3) itself: series, harmonics, stops, multipliers, residual.
+        """Find a periodic motion of the equation of motion (3): series, harmonics, stops, multipliers, residual.
 
-        A     -- the motion whose amplitude is nearest to A, stable or not, of those that averaging leads to: from its
-                 states at Omega, its folds beside it, and A itself, under a load without its folds; where none of them
-                 leads to a motion near it, what the averaged state nearest to A settles to; with static friction that
-                 of a mass at rest is one of them. Next to a fold the nearest may well be the unstable one: `.stable`
-                 tells. Without it the motion that a mass at rest comes to
-        force -- "truncated" for (6), "untruncated" for (5); by default the one that is averaged
-        u_0, v_0 -- displacement and velocity at tau = 0, where the forcing is largest, in place of A: the motion that
-                 this one comes to. By default the mass is at rest where spring and load balance: at u = 0 if it is
-                 stable, else at the stable place of `rest` nearest to it, of two as near at that with u > 0. Where
-                 there are several, `.message` says which
+        Parameters
+        ----------
+        Omega, F_0 : float
+            Frequency and amplitude of the excitation, > 0, dimensionless.
+        A : float, optional
+            The motion whose amplitude is nearest to A, stable or not, of those that averaging leads to: from its states
+            at Omega, its folds near it, and A itself, under a load without its folds; where none of them leads to a
+            motion, what the averaged state nearest to A settles to; with static friction that of a mass at rest is one
+            of them. Close to a fold the nearest may well be the unstable one: `.stable` tells. By default the motion
+            that a mass at rest comes to.
+        force : {"truncated", "untruncated"}, optional
+            The force of (6) or of (5); by default the one that is averaged.
+        u_0, v_0 : float, optional
+            Displacement and velocity at tau = 0, where the forcing is largest, in place of A: the motion that this one
+            comes to. By default the mass is at rest where spring and load balance: at u = 0 if it is stable, else at
+            the stable equilibrium of `rest` nearest to it, of two as near at that with u > 0. Where there are several,
+            `.message` says which.
 
-        `.force` of the answer is that on the mass: F_0 Omega^2 for an excitation by inertia.
-        Raises ValueError for parameters out of range, as a force <= mu, ArithmeticError if nothing periodic is found.
+        Returns
+        -------
+        SteadyState
+            .A .stops .stable .period .multipliers; `.force` is that on the mass, F_0 Omega^2 for an excitation by
+            inertia.
+
+        Raises
+        ------
+        ValueError
+            For parameters out of range, as a force <= mu.
+        ArithmeticError
+            Where nothing periodic is found.
         """
         return self._motions(self.equation_of_motion(force)).steady_state(Omega, F_0, A, u_0, v_0)
 
@@ -323,33 +340,75 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         u_0: float | None = None,
         v_0: float = 0.0,
     ) -> exact.Response:
-        """The response curve of the equation of motion (3) in the window `Omega`: points, stability, stops, folds.
+        """Follow the response curve of the equation of motion (3): points, stability, stops, folds.
 
         It is the curve through the motion that a mass at rest comes to at the lowest frequency, or one that begins with
-        u_0 and v_0, as in `steady_state`, or through `start`: an
-        isolated curve needs its own, `start=steady_state(Omega=..., F_0=..., A=...)`, and where averaging knows of one
-        that this is not, `.message` gives these numbers. `step` is the largest distance of neighbouring points, `force`
-        as in `steady_state`. `.A` is the largest |u|, off the centre too, `.peak` the highest motion of the curve.
-        By inertia the mass is excited so little at low frequencies that friction may hold it: the curve begins next to
-        where it moves then, and `.message` says so. Where friction holds the mass throughout, at rest or wherever it is
-        let go, the curve has no point, and `.message` says why.
-        What takes more than some ten seconds, or cannot be followed further, is given as far as it was reached:
-        `.complete` is False, and `.message` says where and why.
-        Raises ValueError for parameters out of range, ArithmeticError where there is no start or resonance is
-        unbounded.
+        u_0 and v_0, or through `start`. No proof that there are no others.
+
+        Parameters
+        ----------
+        F_0 : float
+            Amplitude of the excitation, > 0, dimensionless.
+        Omega : tuple of float
+            Window of frequencies, 0 < low < high.
+        start : SteadyState, optional
+            A motion on the curve: an isolated curve needs its own, `steady_state(Omega=..., F_0=..., A=...)`, and where
+            averaging knows of one that this is not, `.message` gives these numbers.
+        step : float
+            Largest distance of neighbouring points, > 0 and <= 0.5, relative.
+        force : {"truncated", "untruncated"}, optional
+            The force of (6) or of (5); by default the one that is averaged.
+        u_0, v_0 : float, optional
+            Initial displacement and velocity, as in `steady_state`.
+
+        Returns
+        -------
+        Response
+            .Omega .A .stable .folds .peak; .A is the largest |u|, off the centre too. By inertia the mass is excited so
+            little at low frequencies that friction may hold it: the curve begins close to where it moves then, and
+            `.message` says so; where friction holds the mass throughout the curve has no point. What takes more than
+            some ten seconds, or cannot be followed further, is given as far as it was reached: `.complete` is False,
+            and `.message` says where and why.
+
+        Raises
+        ------
+        ValueError
+            For parameters out of range.
+        ArithmeticError
+            Where there is no start or resonance is unbounded.
         """
         return self._motions(self.equation_of_motion(force)).exact_response(F_0, Omega, start, step, u_0, v_0)
 
     def sweep(
         self, *, Omega: Reals, F_0: float, force: str | None = None, u_0: float | None = None, v_0: float = 0.0
     ) -> exact.Sweep:
-        """What an experiment sees that steps through the frequencies `Omega` in their order: amplitudes and jumps.
+        """Follow a stepped-sine test through the frequencies in their order: amplitudes and jumps.
 
         The motion is followed at each frequency until it is shown to tend to a stable periodic one, whose amplitude is
-        given, and goes on from there; where it does not within 2000 turns of the forcing, `.settled` says so. `force`
-        as in `steady_state`, and so are u_0 and v_0, with which it begins at the first frequency.
-        Raises ValueError for parameters out of range, as a force <= mu, ArithmeticError where the motion escapes a
-        softening spring.
+        given, and goes on from there; where it does not within 2000 periods of the forcing, `.settled` says so.
+
+        Parameters
+        ----------
+        Omega : array_like
+            Frequencies, > 0, shape (n,).
+        F_0 : float
+            Amplitude of the excitation, > 0, dimensionless.
+        force : {"truncated", "untruncated"}, optional
+            The force of (6) or of (5); by default the one that is averaged.
+        u_0, v_0 : float, optional
+            Displacement and velocity at the beginning, as in `steady_state`.
+
+        Returns
+        -------
+        Sweep
+            .Omega .A .settled, shape (n,), and .jumps, shape (k, 2): frequencies before and after each.
+
+        Raises
+        ------
+        ValueError
+            For parameters out of range, as a force <= mu.
+        ArithmeticError
+            Where the motion escapes a softening spring.
         """
         return self._motions(self.equation_of_motion(force)).sweep(Omega, F_0, u_0, v_0)
 
@@ -364,50 +423,93 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         u_0: float | None = None,
         v_0: float = 0.0,
     ) -> exact.Transient:
-        """A shock: what the mass does that was at rest, by the equation of motion (3), when its base is accelerated.
+        """Integrate the response to a shock of the base, or the free motion from u_0 and v_0, by (3).
 
-        Or a release: with u_0 or v_0 and no acceleration it moves freely from there.
+        Parameters
+        ----------
+        acceleration : array_like, optional
+            Of the base, over k_v L/m: the peak of a half sine, or the samples of a record, shape (n,). Without it the
+            mass moves freely from u_0 or v_0.
+        duration : float, optional
+            Of the half sine, in tau.
+        tau : array_like, optional
+            Times of the samples instead, rising, shape (n,); linear between them.
+        after : float, optional
+            For how long the free motion afterwards is followed, by default ten natural periods; longer where the mass
+            has not turned twice by then.
+        force : {"truncated", "untruncated"}, optional
+            The force of (6) or of (5); by default the one that is averaged.
+        u_0, v_0 : float, optional
+            Displacement and velocity at the beginning, relative to the base; by default it rests where `steady_state`
+            has it rest.
 
-        acceleration -- of the base, over k_v L/m: the peak of a half sine, or the samples of a record, shape (n,)
-        duration     -- of the half sine, in tau
-        tau          -- the times of the samples instead, rising; from one to the next it runs straight
-        after        -- for how long the free motion is followed that comes then, by default ten natural periods; longer
-                        where the mass has not turned twice by then
-        force        -- as in `steady_state`
-        u_0, v_0     -- displacement and velocity at the beginning, seen from the base; by default it rests where
-                        `steady_state` has it rest
+        Returns
+        -------
+        Transient
+            Largest deflection .A and acceleration .a_max, whether the springs detach, .detaches, where the mass comes
+            to rest, .u_end, and by `.series()` its motion relative to the base.
 
-        Gives the largest deflection .A and acceleration .a_max, whether the springs leave, .detaches, where the mass
-        rests, and by `.series()` its way, seen from the base. Raises ValueError for what is not allowed,
-        ArithmeticError where the motion escapes a softening spring.
+        Raises
+        ------
+        ValueError
+            For what is not allowed.
+        ArithmeticError
+            Where the motion escapes a softening spring.
         """
         return self._motions(self._in_time(force)).transient(acceleration, duration, tau, after, u_0, v_0)
 
     def shock_spectrum(self, *, acceleration: Reals, duration: Reals, force: str | None = None) -> exact.ShockSpectrum:
-        """What half sines of the base do to the mass: deflection and acceleration over peak and duration of the pulse.
+        """Compute the shock response spectrum: largest deflection and acceleration after half sines of the base.
 
-        acceleration, duration -- as in `transient`, numbers > 0 or arrays of such, which broadcast
-        force                  -- as in `steady_state`
+        Parameters
+        ----------
+        acceleration, duration : array_like
+            Peak and duration of the pulse as in `transient`, > 0, that broadcast.
+        force : {"truncated", "untruncated"}, optional
+            The force of (6) or of (5); by default the one that is averaged.
 
-        A row for each pulse: .A .a_max .ratio .detaches. Raises ValueError and ArithmeticError as `transient`.
+        Returns
+        -------
+        ShockSpectrum
+            A row for each pulse: .A .a_max .ratio .detaches.
+
+        Raises
+        ------
+        ValueError
+            For what is not allowed.
+        ArithmeticError
+            Where the motion escapes a softening spring.
         """
         return self._motions(self._in_time(force)).shock_spectrum(acceleration, duration)
 
     def random(self, *, S_0: float | None = None, psd: tuple[Reals, Reals] | None = None) -> RandomResponse:
-        """Stationary motions under a Gaussian excitation w in the place of F_0 cos, by statistical linearization.
+        """Find the stationary motions under a Gaussian excitation w(tau), by statistical linearization.
 
-        Of a base w is minus its acceleration, over k_v L/m; else a force, over k_v L.
+        Under base excitation w is minus its acceleration, over k_v L/m; else a force, over k_v L, in the place of
+        F_0 cos(Omega tau).
 
-        S_0 -- constant two-sided spectral density of white noise, E[w(t) w(t + s)] = 2 pi S_0 delta(s)
-        psd -- one-sided density instead: frequencies and densities, straight in log-log between these, 0 outside; its
-               integral over Omega is the mean square of w
+        Parameters
+        ----------
+        S_0 : float, optional
+            Constant two-sided spectral density of white noise, E[w(t) w(t + s)] = 2 pi S_0 delta(s).
+        psd : tuple of array_like, optional
+            One-sided density instead: frequencies and densities, straight in log-log between these, 0 outside; its
+            integral over Omega is the mean square of w.
 
-        Gives .u_rms .v_rms .a_rms, .stiffness and .damping of the equivalent linear oscillator, .beyond and
-        .crossing_rate of the first breakpoint: every such oscillator, as is proved, by rising u_rms. Where there are
-        several, or dry friction is most of the damping, `.message` says so; `.measure()` follows the motion in time.
+        Returns
+        -------
+        RandomResponse
+            .u_rms .v_rms .a_rms, .stiffness and .damping of the equivalent linear oscillator, .beyond and
+            .crossing_rate of the first breakpoint: every such oscillator, as is proved, by rising u_rms. Where there
+            are several, or dry friction is most of the damping, `.message` says so; `.measure()` follows the motion.
 
-        Raises ValueError for both or none of S_0 and psd, without mu and zeta, for eta > 0, rubs="attached", under a
-        load and for a force that is not odd; ArithmeticError where there is no stationary motion.
+        Raises
+        ------
+        ValueError
+            For both or none of S_0 and psd, without mu and zeta, for eta > 0, rubs="attached", under a load and for an
+            asymmetric force.
+        ArithmeticError
+            Where there is no stationary motion.
         """
         from slowflow.random_vibration.questions import random
 

@@ -36,15 +36,32 @@ class Questions(Generic[States, Response, Folds]):
     def frequency_response(
         self, F_0: float, *, samples: int = 1000, Omega: tuple[float, float] = validate.WINDOW
     ) -> Response:
-        """The response curve at F_0, every branch and isolated curve, for frequencies in the window `Omega` (24), (30).
+        """Compute the response curve at one forcing, every branch and isolated curve.
 
-        About `samples` points; folds, peaks and corners are among them exactly. Under a load each point has its mean
-        displacement, `.B`; with an excitation by inertia the curve begins where the mass has begun to move then, or at
-        2^-10 of the window's end. F_0 <= 4 mu/pi gives no point and a message.
+        On it (A Omega^2 + h)^2 + (2 zeta A Omega + 4 mu/pi)^2 = F_0^2 (24); stability is that of (30).
 
-        Raises ValueError for F_0 <= 0, samples < 2 or > 10^6, a window that is not 0 <= low < high <= 1e40, and under a
-        load without damping that grows with the amplitude; ArithmeticError where it is undecided which states are on
-        one curve.
+        Parameters
+        ----------
+        F_0 : float
+            Amplitude of the excitation, > 0, dimensionless.
+        samples : int
+            About how many points, 2 to 10^6; folds, peaks and corners are among them exactly.
+        Omega : tuple of float
+            Window of frequencies, 0 <= low < high <= 1e40, over sqrt(k_v/m).
+
+        Returns
+        -------
+        FrequencyResponse
+            .Omega .A .phi .stable .branch .isola, shape (n,); under a load also the mean displacement .B. With an
+            excitation by inertia the curve begins where the mass begins to move, or at 2^-10 of the window's end.
+            F_0 <= 4 mu/pi gives no point and a message.
+
+        Raises
+        ------
+        ValueError
+            For a number that is not allowed, and under a load without damping that grows with the amplitude.
+        ArithmeticError
+            Where it is undecided which states are on one curve.
         """
         F_0 = validate.number("F_0", F_0, above=0.0)
         samples, window = validate.curve(samples, Omega)
@@ -52,18 +69,30 @@ class Questions(Generic[States, Response, Folds]):
         return found
 
     def amplitudes(self, *, Omega: Reals, F_0: Reals) -> States:
-        """Every steady state at the frequency Omega, or at each of an array of frequencies (24), (30).
+        """Find every steady state at one frequency or at each of an array of frequencies (24), (30).
 
-        F_0 may be an array that broadcasts with Omega: then the points are the pairs, each a single tone. Flat arrays
-        .Omega, .A, .phi, .stable, in the order of the points, then by rising A; under a load each has its mean
-        displacement, `.B`. Where the force does not exceed 4 mu/pi friction holds the mass: A = 0 is a steady state,
-        which transmits all that drives it, and on a base that shakes moves with it.
+        Parameters
+        ----------
+        Omega : array_like
+            Frequencies, > 0 and <= 1e40, over sqrt(k_v/m).
+        F_0 : array_like
+            Amplitude of the excitation, > 0, dimensionless; an array that broadcasts with Omega makes pairs, each a
+            single tone.
 
-        Where doubles do not tell how many there are balls of more digits do, as for `saddle_nodes`, at 200 points at
-        most; `.Omega_undecided` has the frequencies at which neither does.
+        Returns
+        -------
+        SteadyStates
+            .Omega .A .phi .stable, shape (n,), in the order of the points, then by rising A; under a load also the mean
+            displacement .B. Where the force does not exceed 4 mu/pi friction holds the mass: A = 0 is a steady state,
+            which transmits all of the force, and moves with a base that moves.
+            Where double precision is inconclusive the number is resolved in ball arithmetic, as for `saddle_nodes`, at
+            200 points at most; .Omega_undecided has the frequencies at which that is inconclusive too.
 
-        Raises ValueError for Omega <= 0 or > 1e40, for F_0 <= 0, for shapes that do not broadcast, and under a load
-        without damping that grows with the amplitude.
+        Raises
+        ------
+        ValueError
+            For a number that is not allowed, for shapes that do not broadcast, and under a load without damping that
+            grows with the amplitude.
         """
         system = self._system
         if not validate.is_single(F_0):
@@ -74,19 +103,31 @@ class Questions(Generic[States, Response, Folds]):
         return found
 
     def saddle_nodes(self, F_0: float, *, certify: bool = False) -> Folds:
-        """Every fold of the response curve at F_0, by rising Omega, of one Omega by rising A (24), (30).
+        """Find every fold of the response curve at one forcing, by rising Omega, then by rising A.
 
-        Under a load each has its mean displacement, `.B`, they are looked for up to the amplitude `A_max(F_0)` of
-        `off_centre`, and there is no proof.
+        There F = 0 (24) and F_A = 0 (30): a stable and an unstable steady state merge, and a sweep jumps.
 
-        Where doubles do not tell how many there are balls of more digits do, with python-flint
-        (`pip install 'slowflow[proofs]'`), in hundredths of a second; `Remark.UNDECIDED` says where neither does.
+        Parameters
+        ----------
+        F_0 : float
+            Amplitude of the excitation, > 0, dimensionless.
+        certify : bool
+            Whether .proof holds an enclosure of each fold, and whether there are proved to be no others. Not under a
+            load. A proof that finds another number of folds than the answer says so in its message.
 
-        With `certify`, `.proof` holds an enclosure of each and whether there are proved to be no others; a proof that
-        finds another number of folds than the answer has says so in its message.
+        Returns
+        -------
+        SaddleNodes
+            .Omega .A .kind .corner, shape (n,); under a load also the mean displacement .B, up to the amplitude
+            `A_max(F_0)` of `off_centre`. Where double precision is inconclusive the number is resolved in ball
+            arithmetic, in hundredths of a second, with python-flint (`pip install 'slowflow[proofs]'`);
+            `Remark.UNDECIDED` says where that is inconclusive too.
 
-        Raises ValueError for F_0 <= 0, where there is no proof to certify it, and under a load without damping that
-        grows with the amplitude.
+        Raises
+        ------
+        ValueError
+            For F_0 <= 0, where there is no proof to certify with, and under a load without damping that grows with the
+            amplitude.
         """
         system = self._system
         if certify:
@@ -98,51 +139,71 @@ class Questions(Generic[States, Response, Folds]):
         return found
 
     def saddle_node_onset(self) -> SaddleNodeOnset:
-        """The lowest forcing F_SN that has a fold, wherever it lies, with its Omega and A (33).
+        """Find the lowest forcing F_SN that has a fold, with its Omega and A (33).
 
-        Where it lies on a corner that the truncation makes, `.untruncated` is the onset of the untruncated force. Where
-        doubles do not tell which it is balls of more digits do, as for `saddle_nodes`, in some seconds; without
-        python-flint that is refused.
+        Returns
+        -------
+        SaddleNodeOnset
+            .F_SN .Omega .A .kind; `.untruncated` is the onset of the untruncated force where the onset lies on a corner
+            that only the truncation makes. Where double precision is inconclusive it is resolved in ball arithmetic,
+            as for `saddle_nodes`, in some seconds. Under a load it is the lowest forcing for which a stable motion ends
+            at a fold, with its mean displacement .B: that none is below it is proved up to 2^-16 of F_SN; nearer to it,
+            it is the least of its surroundings.
 
-        Under a load it is the lowest forcing for which a stable motion ends at a fold, with its mean displacement B:
-        that none is below it is proved up to 2^-16 of F_SN; nearer to it, it is the least of its surroundings.
-
-        Raises ArithmeticError where neither tells, and under a load ValueError without damping that grows with the
-        amplitude.
+        Raises
+        ------
+        ArithmeticError
+            Where it is undecided, or would be by python-flint, which is not installed.
+        ValueError
+            Under a load without damping that grows with the amplitude.
         """
         found: SaddleNodeOnset = self._system._saddle_node_onset()
         return found
 
     def detachment(self) -> Detachment:
-        """The lowest forcing F_cr that reaches u_cr, and its frequency Omega_cr (34).
+        """Find the lowest forcing F_cr whose response reaches u_cr, where the springs detach (34).
 
-        Under a load that for which the motion reaches the first breakpoint, |B| + A = u_cr, on either side, with A and
-        B. Of a force that is not odd it is that which comes to an end of the piece about u = 0: to a stop, say.
+        Returns
+        -------
+        Detachment
+            .F_cr .Omega_cr .u_cr. Under a load it is the lowest forcing whose motion reaches the first breakpoint,
+            |B| + A = u_cr, on either side, with .A and .B. Of an asymmetric force it is that whose motion reaches an
+            end of the piece about u = 0, such as a stop.
         """
         found: Detachment = self._system._detachment()
         return found
 
     def peak(self, F_0: float) -> Peak:
-        """The highest peak of the response at F_0, isolas included: .A .Omega.
+        """Find the highest peak of the response at one forcing, isolated curves included.
 
         A peak is a top of the curve over Omega at which stable motions end, so that F of (24) rises with A there. Where
         the curve has none, as its amplitude only falls with Omega, it is the static amplitude, with Omega = 0.
 
-        Where the spring gives way, as alpha u + beta u^3 with beta < 0 does at |u| = sqrt(-alpha/beta), it is the
-        highest peak within the well: of motions that turn where the spring pulls back. Averaging has states beyond, the
-        highest of them towards Omega = 0; none of these is stable, none is a peak, and `Remark.BEYOND_WELL` says that
-        `amplitudes` and `frequency_response` have them.
+        Parameters
+        ----------
+        F_0 : float
+            Amplitude of the excitation, > 0, dimensionless.
 
-        There is none, and `.message` says why, where the response passes the top of the well, so that it ends nowhere
-        in it; without viscous damping; and where an excitation by inertia has a response that does not close, or whose
-        amplitude only rises, towards F_0.
+        Returns
+        -------
+        Peak
+            .A .Omega; None with a message where the response passes the top of a potential well, without viscous
+            damping, and where an excitation by inertia has a response that is unbounded, or whose amplitude only rises,
+            towards F_0.
+            Where the spring softens to a top of its well, as alpha u + beta u^3 with beta < 0 at
+            |u| = sqrt(-alpha/beta), it is the highest peak of motions that turn within the well. Averaging has states
+            beyond, none of them stable, and `Remark.BEYOND_WELL` says that `amplitudes` and `frequency_response` have
+            them.
+            Under a load it is the largest amplitude of motions with a positive mean stiffness, with .B, and the largest
+            |u| = |B| + A of all of them, .u_max at .Omega_max: that no motion exceeds it is proved but for 2^-24 of it,
+            up to the amplitude `A_max(F_0)` of `off_centre`.
 
-        Under a load it is the largest amplitude of motions with a positive mean stiffness, with its mean displacement
-        `.B`, and the largest |u| = |B| + A of all of them, `.u_max` at `.Omega_max`: that none goes farther is proved
-        but for 2^-24 of it, up to the amplitude `A_max(F_0)` of `off_centre`.
-
-        Raises ValueError for F_0 <= 0, and under a load without damping that grows with the amplitude; ArithmeticError
-        there where too many boxes stay undecided.
+        Raises
+        ------
+        ValueError
+            For F_0 <= 0, and under a load without damping that grows with the amplitude.
+        ArithmeticError
+            Under a load where too many boxes stay undecided.
         """
         found: Peak = self._system._peak(validate.number("F_0", F_0, above=0.0))
         return found

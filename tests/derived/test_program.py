@@ -85,7 +85,7 @@ def valid(request):
 
     class Located(Recorder):
         def program(self, one):
-            begin = len(self.words)
+            begin = len(self.integers)
             sizes.append((begin, one))
             codes.extend((begin + 5 + 4 * number, one) for number in range(len(one.code)))
             outputs.extend((begin + 5 + 4 * len(one.code) + number, one) for number in range(len(one.outputs)))
@@ -97,7 +97,7 @@ def valid(request):
     encoder = Located(solved, programs(solved))
     encoder.record()
     words, numbers = data(mechanism)
-    assert (encoder.words, encoder.numbers) == (words, numbers)
+    assert (encoder.integers, encoder.numbers) == (words, numbers)
     assert read(words, numbers) is not None
     return words, numbers, sizes, codes, outputs
 

@@ -15,9 +15,9 @@ from slowflow.support.errors import NotSettled
 
 def test_the_table_has_a_size_for_every_bin():
     typical, error = np.array(validity_table.TYPICAL), np.array(validity_table.ERROR)
-    assert typical.shape == error.shape == (len(validity_table.RATIOS), len(validity_table.RESTS))
+    assert typical.shape == error.shape == (len(validity_table.RATIOS), len(validity_table.STOPPING))
     assert (typical > 0).all() and (typical <= error).all()
-    for edges in (validity_table.RATIOS, validity_table.RESTS, validity_table.U_CRS, validity_table.LEVELS):
+    for edges in (validity_table.RATIOS, validity_table.STOPPING, validity_table.U_CRS, validity_table.LEVELS):
         assert (np.diff(edges) > 0).all()
     # friction that is felt more is never modelled better, whatever the share of the forcing
     assert (np.diff(validity_table.BY_RATIO) > 0).all()

@@ -46,7 +46,7 @@ def numbers(A: Any, kappa: Any, delta: Any) -> tuple[list[Any], Any]:
     """The derived h, h_A, h_AA, h_AAA, h - A h_A, and B."""
     of = derived()
     design = {one.symbol: value for one, value in zip(stated("one_sided_stop").design, (kappa, delta), strict=True)}
-    k, g, end, rest, side = (mp.mpf(sp.N(one.subs(design), 45)) for one in of.given[0 if delta >= 0 else 1])
+    k, g, end, rest, side = (mp.mpf(sp.N(one.subs(design), 45)) for one in of.parameters[0 if delta >= 0 else 1])
     excess = sp.lambdify((one_end.a, one_end.g), of.excess, mp)
     a = mp.findroot(lambda a: excess(a, g) - (1 - end / A), (mp.mpf("1e-12"), mp.pi), solver="anderson", tol=1e-70)
     N = sp.lambdify(one_end.a, of.N, mp)(a)

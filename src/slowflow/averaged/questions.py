@@ -144,12 +144,27 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         return self._remarked(self.folds(F_0), F_0)
 
     def certify(self, F_0: float, *, Omega: float | None = None) -> Certificate:
-        """What is proved at F_0, in interval arithmetic: all folds, F_SN, F_cr, and all states at a frequency `Omega`.
+        """Prove in interval arithmetic all folds at F_0, F_SN, F_cr, and all states at a frequency.
 
-        Each has enclosures and says whether it is proved, of the oscillator whose numbers are exactly the given
-        doubles. Where intervals of doubles do not decide balls of more digits do, with python-flint
-        (`pip install 'slowflow[proofs]'`); `bits` says which it was. Raises ValueError for F_0 <= 0, for Omega <= 0 or
-        > 1e40, for an excitation by inertia, and for other laws of damping than mu and zeta.
+        Parameters
+        ----------
+        F_0 : float
+            Amplitude of the excitation, > 0, dimensionless.
+        Omega : float, optional
+            Frequency of the states, > 0 and <= 1e40.
+
+        Returns
+        -------
+        Certificate
+            Enclosures, and whether each is proved, of the oscillator whose numbers are exactly the given doubles. Where
+            intervals of doubles are inconclusive ball arithmetic decides, with python-flint
+            (`pip install 'slowflow[proofs]'`); `bits` says which it was.
+
+        Raises
+        ------
+        ValueError
+            For a number that is not allowed, for an excitation by inertia, and for other laws of damping than mu and
+            zeta.
         """
         self._check_proof()
         found = self.saddle_nodes(F_0)
@@ -209,20 +224,49 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         return states.A > self.breakpoints[0]
 
     def transmissibility_floor(self, F_0: float) -> float:
-        """What transmissibility tends to as Omega tends to inf: 4 mu/(pi F_0) for a force, 0 for one of inertia.
+        """Compute what transmissibility tends to as Omega tends to infinity: 4 mu/(pi F_0), or 0 by inertia.
 
-        There A Omega vanishes, or is negligible against a force that grows with Omega^2: friction, and a preload, are
-        all that a constant force leaves. Quadratic damping grows with Omega^2 too: under inertia 8 c_2 A^2/(3 pi F_0)
-        is left, at the amplitude A that the response tends to. Raises ValueError for F_0 <= 0.
+        There A Omega vanishes, or is small compared with a force that grows with Omega^2: friction, and a preload, are
+        all that a constant force leaves. Quadratic damping grows with Omega^2 too: under inertia it leaves
+        8 c_2 A^2/(3 pi F_0), at the amplitude A that the response tends to.
+
+        Parameters
+        ----------
+        F_0 : float
+            Amplitude of the excitation, > 0, dimensionless.
+
+        Returns
+        -------
+        float
+            A ratio, dimensionless.
+
+        Raises
+        ------
+        ValueError
+            For F_0 <= 0.
         """
         return float(self.model.floor(validate.number("F_0", F_0, above=0.0)))
 
     def closes(self, F_0: float) -> bool:
-        """Whether the response at F_0 is known to have a highest amplitude. Raises ValueError for F_0 <= 0.
+        """Tell whether the response at F_0 is known to have a highest amplitude.
 
-        Without damping other than friction it has none, nor under base excitation so large that a hardening spring does
-        not end the resonance, nor where a force of one's own gives way up to its reach. Where F_0 leaves the mass at
-        rest there is nothing to close: True.
+        Without damping other than friction it has none, nor under a base motion so large that a hardening spring does
+        not end the resonance, nor where a user-defined force softens up to its reach.
+
+        Parameters
+        ----------
+        F_0 : float
+            Amplitude of the excitation, > 0, dimensionless.
+
+        Returns
+        -------
+        bool
+            True also where the mass sticks, so that there is nothing to close.
+
+        Raises
+        ------
+        ValueError
+            For F_0 <= 0.
         """
         F_0 = validate.number("F_0", F_0, above=0.0)
         if self.model.sticks(F_0):
@@ -230,40 +274,99 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         return (self.model.zeta > 0 or self.model.laws.any) and solvers.closes(self.model, F_0)
 
     def fold_locus(self, *, samples: int = 1000, A_max: float | None = None) -> FoldLocus:
-        """The saddle nodes of every forcing, on both sides of u_cr: about `samples` points with A up to A_max (30).
+        """Trace the saddle nodes of every forcing, F_A = 0 (30), on both sides of u_cr.
 
-        A_max is the mechanism's reach unless it is given; a mechanism without an end (`Duffing`) needs it. Raises
-        ValueError for samples < 2 or > 10^6, A_max <= 0 or none where one is needed.
+        Parameters
+        ----------
+        samples : int
+            About how many points, 2 to 10^6.
+        A_max : float, optional
+            Largest amplitude, > 0, over L; by default the mechanism's reach. One without (`Duffing`) needs it.
+
+        Returns
+        -------
+        FoldLocus
+            .Omega .A .F .branch, shape (n,).
+
+        Raises
+        ------
+        ValueError
+            For a number that is not allowed, or no A_max where one is needed.
         """
         samples = validate.count("samples", samples, least=2, most=validate.MOST_SAMPLES)
         return solvers.fold_locus(self.model, self._up_to(A_max), samples)
 
     def cusps(self, *, A_max: float | None = None) -> Cusps:
-        """Where two folds come into being or meet, F = F_A = F_AA = 0; A_max as in `fold_locus`.
+        """Find where two folds merge as the forcing changes, F = F_A = F_AA = 0.
 
-        Next to where the force is singular, within a unit in the last place, doubles have few digits of them: balls of
-        more find them, with python-flint, in up to a second; `Remark.UNDECIDED` says where these do not either.
+        Close to where the force is singular, within a unit in the last place, double precision leaves few digits: ball
+        arithmetic has more, with python-flint, in up to a second; `Remark.UNDECIDED` says where it has not either.
+
+        Parameters
+        ----------
+        A_max : float, optional
+            Largest amplitude, as in `fold_locus`.
+
+        Returns
+        -------
+        Cusps
+            .F .Omega .A .minimum, shape (n,).
         """
         limit = self._up_to(A_max)
         found = proofs.decided_cusps(solvers.extrema(self.model, limit)[0], self.model, limit)
         return dataclasses.replace(found, _model=self.model)
 
     def isola_points(self, *, A_max: float | None = None) -> IsolaPoints:
-        """Where isolated curves are born or merge, F = F_A = F_Omega = 0; A_max as in `fold_locus`."""
+        """Find where isolated curves are born or merge as the forcing changes, F = F_A = F_Omega = 0.
+
+        Parameters
+        ----------
+        A_max : float, optional
+            Largest amplitude, as in `fold_locus`.
+
+        Returns
+        -------
+        IsolaPoints
+            .F .Omega .A .kind, shape (n,).
+        """
         return dataclasses.replace(solvers.extrema(self.model, self._up_to(A_max))[1], _model=self.model)
 
     @np.errstate(all="ignore")
     def backbone(self, A: Reals) -> Floats:
-        """Omega on the backbone at the amplitudes A > 0 (26); nan where the averaged stiffness is negative."""
+        """Compute the frequency on the backbone, sqrt(-h/A) (26).
+
+        Parameters
+        ----------
+        A : array_like
+            Amplitudes, > 0, over L.
+
+        Returns
+        -------
+        ndarray
+            Omega in the shape of A; nan where the averaged stiffness is negative.
+        """
         A = validate.positive_array("A", A)
         h = self.model.averaged(A)[0]
         return np.asarray(self.model.flow.backbone(A, h))
 
     @np.errstate(all="ignore")
     def limit_envelope(self, *, Omega: Reals, F_0: Reals) -> Floats:
-        """A_L at (Omega, F_0), broadcast (27), which no response exceeds; inf for zeta = 0, 0 where it sticks.
+        """Compute the amplitude A_L that no response exceeds at (Omega, F_0) (27).
 
-        Raises ValueError for rubs="attached": beyond u_cr friction's share falls, and I = F_0 has no closed form.
+        Parameters
+        ----------
+        Omega, F_0 : array_like
+            Frequencies and amplitudes of the excitation, > 0, that broadcast.
+
+        Returns
+        -------
+        ndarray
+            A_L in their common shape; inf for zeta = 0, 0 where the mass sticks.
+
+        Raises
+        ------
+        ValueError
+            For rubs="attached": beyond u_cr friction's part of I falls, and I = F_0 has no closed form.
         """
         if self.model.laws.rubs != THROUGHOUT:
             validate.is_plain("limit_envelope", self.model.laws.description())
@@ -280,9 +383,22 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
 
     @np.errstate(all="ignore")
     def equivalent_damping(self, *, Omega: Any, A: Any) -> Floats:
-        """zeta_eq at (Omega, A), broadcast: the viscous damping ratio that dissipates as much per cycle (38).
+        """Compute zeta_eq, the viscous damping ratio that dissipates as much per cycle (38).
 
-        Raises OverflowError where doubles do not hold what it is made of.
+        Parameters
+        ----------
+        Omega, A : array_like
+            Frequencies and amplitudes, > 0, that broadcast.
+
+        Returns
+        -------
+        ndarray
+            In their common shape.
+
+        Raises
+        ------
+        OverflowError
+            Where a part of it exceeds the range of doubles.
         """
         Omega, A = validate.positive_array("Omega", Omega), validate.positive_array("A", A)
         damping = self.model.flow.equivalent_damping(Omega, A, *self.model.equivalent_damping(Omega, A)) + 0 * (
@@ -292,21 +408,54 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
 
     @np.errstate(all="ignore")
     def stability(self, *, Omega: Any, A: Any) -> Floats:
-        """Left side of (30) at (Omega, A), broadcast: a steady state there is stable where it is positive.
+        """Compute the left side of (30): a steady state at (Omega, A) is stable where it is positive.
 
-        Raises OverflowError where doubles do not hold what it is made of.
+        Parameters
+        ----------
+        Omega, A : array_like
+            Frequencies and amplitudes, > 0, that broadcast.
+
+        Returns
+        -------
+        ndarray
+            In their common shape.
+
+        Raises
+        ------
+        OverflowError
+            Where a part of it exceeds the range of doubles.
         """
         Omega, A = validate.positive_array("Omega", Omega), validate.positive_array("A", A)
         return _in_range("the left side of (30)", self.model.stability(Omega, A))
 
     def plot(self, F_0: Any, *, Omega: tuple[float, float] = validate.WINDOW, of: str = "A", ax: Any = None) -> Any:
-        """Draw the response at one forcing, or at each of several, into Matplotlib axes, or new ones; return these.
-
-        of -- what is drawn over Omega: "A", under a load .u_max; "phi", "transmissibility" or "transmissibility_dB"
+        """Draw the response at one forcing, or at each of several, into Matplotlib axes.
 
         Stable is solid, unstable dashed, folds are triangles that point where a sweep jumps. With the amplitude: tinted
-        beyond u_cr, and where friction would hold the mass where it turns, A Omega^2 < mu. Raises ValueError as
-        `frequency_response`, ImportError without Matplotlib.
+        beyond u_cr, and where friction would hold the mass where it turns, A Omega^2 < mu.
+
+        Parameters
+        ----------
+        F_0 : float or sequence of float
+            Amplitudes of the excitation, > 0, dimensionless.
+        Omega : tuple of float
+            Window of frequencies.
+        of : str
+            What is drawn over Omega: "A" (under a load .u_max), "phi", "transmissibility" or "transmissibility_dB".
+        ax : matplotlib.axes.Axes, optional
+            Where to draw; new axes by default.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            The axes.
+
+        Raises
+        ------
+        ValueError
+            As `frequency_response`.
+        ImportError
+            Without Matplotlib.
         """
         from slowflow import pictures
 
@@ -324,11 +473,26 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         return ax
 
     def explain(self, question: str, F_0: float | None = None) -> plan.Plan:
-        """What runs for a question, what is skipped, and why. Print it; the question itself follows this plan.
+        """Say what runs for a question, what is skipped, and why: the question itself follows this plan.
 
-        Questions at one forcing need an F_0, as "saddle_nodes", "margins" or "exact_response"; those about all
-        forcings, as "saddle_node_onset", and about rows of their own, as "spectrum" or "transient", take none. Raises
-        ValueError for another question, F_0 <= 0, and one that is missing or not needed.
+        Parameters
+        ----------
+        question : str
+            Its name, such as "saddle_nodes".
+        F_0 : float, optional
+            Amplitude of the excitation, > 0. Questions at one forcing need it, as "saddle_nodes", "margins" or
+            "exact_response"; those about all forcings, as "saddle_node_onset", and about rows of their own, as
+            "spectrum" or "transient", take none.
+
+        Returns
+        -------
+        Plan
+            Print it.
+
+        Raises
+        ------
+        ValueError
+            For another question, F_0 <= 0, and one that is missing or not needed.
         """
         if question not in plan.QUESTIONS:
             allowed = f"{', '.join(plan.QUESTIONS)}{validate.meant(question, plan.QUESTIONS)}"

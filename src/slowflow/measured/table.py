@@ -10,7 +10,7 @@ MECHANISMS = ("rod_spring", "rod_spring_untruncated")
 # edges of mu/F_0 and of mu/(A Omega^2)
 RATIOS = (0, 0.25, 0.35, 0.45, 0.525, 0.575, 0.625, 0.675, 0.72)
 STOPPING = (0, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1, 1.5, 3)
-# the exact amplitude of half and of 95 in 100 points lies within this; rows: RATIOS, columns: RESTS
+# the exact amplitude of half and of 95 in 100 points lies within this; rows: RATIOS, columns: STOPPING
 TYPICAL = (
     (0.000242, 0.000283, 0.000373, 0.0266, 0.0704, 0.182, 0.317, 0.366, 0.417, 1.35),
     (0.000188, 0.000231, 0.000266, 0.00785, 0.0312, 0.182, 0.317, 0.366, 0.417, 1.35),

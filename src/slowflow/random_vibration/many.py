@@ -17,17 +17,19 @@ from slowflow.model import THROUGHOUT
 from slowflow.random_vibration.excitation import Excitation, White
 from slowflow.random_vibration.questions import columns, excited_by, stationary
 from slowflow.table import AVERAGING, QUESTIONS
+from slowflow.text import Sentence
 from slowflow_kernels.conventions import Status
 
 #: designs in a chunk, which take some tenths of a second
 CHUNK = 2**13
 DAMPED_BY = "mu", "zeta", "c_2"
+OTHER_LAWS = Sentence("random is not available with {laws:s}, only with {mu}, {zeta} and c_2")
 
 
 def answer(designs: Designs, S_0: Any, psd: Any, places: int, workers: int = 1) -> Batch:
     """See `random` of `slowflow.table.ManyQuestions`."""
     if "eta" in designs.values or designs.rubs != THROUGHOUT:
-        raise validate.NotAvailable(f"random is not available with {designs.laws}, only with mu, zeta and c_2")
+        raise validate.NotAvailable(OTHER_LAWS.format(designs.laws))
     excitation = excited_by(None if S_0 is None else 1.0, psd)
     places, threads = validate.count("places", places, least=1), validate.workers(workers)
     power = {} if S_0 is None else {"S_0": validate.real_array("S_0", S_0)}
