@@ -339,7 +339,9 @@ def equilibrium(averaged: Any, system: EquationOfMotion) -> tuple[float, str]:
     )
     if not solution.converged:
         raise NotSettled(NOWHERE)
-    u = float(solution.root)
+    # the same double from whatever guess: motions from here may be chaotic
+    near = (solution.root + np.arange(-4, 5) * np.spacing(solution.root)).tolist()
+    u = min(near, key=lambda u: abs(force.value(u) - system.load))
     if equilibria.size == 1:
         return u, ""
     return u, SEVERAL.format(equilibria, u)
