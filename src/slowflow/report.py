@@ -422,14 +422,19 @@ class Report:
     def _jumps_by_depths(self) -> Iterator[str]:
         """Each jump by averaging, with higher harmonics, and by the equation of motion."""
         unit = self.mount.scales.sizes["frequency"] if self.mount else 1.0
-        rows = []
+        rows, left_out = [], []
         for F in self.forcings:
             found, plain = self._ask("saddle_nodes", F), self._plainly("saddle_nodes", F)
             if not len(plain):
                 continue
-            better = getattr(self.of.second_approximation.saddle_nodes(F), self.f)
+            try:
+                better = getattr(self.of.second_approximation.saddle_nodes(F), self.f)
+            except NotAvailable as error:
+                better, left_out = None, [str(error)]
             for k, (fold, exact) in enumerate(zip(found, plain.measure(), strict=True)):
-                second = f"{better[k]:.5g}" if len(better) == len(found) else "another number of folds"
+                second = "another number of folds"
+                if better is None or len(better) == len(found):
+                    second = "left out" if better is None else f"{better[k]:.5g}"
                 last = (f"{exact.Omega * unit:.5g}", _error(exact.error))
                 last = (escape(exact.reason), "") if exact.reason else last
                 rows.append((self._in_unit(F), fold.kind, f"{getattr(fold, self.f):.5g}", second, *last))
@@ -440,6 +445,7 @@ class Report:
         heads = (of_F, "kind", f"{of_f}, averaged", "second approximation", *BY_MOTION)
         caption = "Each jump by averaging, with higher harmonics, and by the equation of motion itself"
         yield page.table(caption, heads, rows)
+        yield _left_out(left_out)
 
     def _checked(self) -> Iterator[str]:
         """The largest displacement by averaging and by the equation of motion, at the frequencies asked for."""

@@ -105,7 +105,7 @@ class SecondApproximation(Questions[SecondStates, SecondResponse, SecondFolds]):
         mechanism = self.first.model.mechanism
         for u_cr in self.first.breakpoints:
             if u_cr > mechanism.harmonics_up_to:
-                raise Refused(NOT_DERIVED.format(u_cr, mechanism.harmonics_up_to))
+                raise validate.NotAvailable(NOT_DERIVED.format(u_cr, mechanism.harmonics_up_to))
 
     def _check_proof(self) -> None:
         raise validate.NotAvailable(f"certify is not available: {UNANSWERED['certify']}")
