@@ -21,7 +21,7 @@ function errorsOf(mechanism, excitation, breaks, mu, F_0, Omega, A) {
   if (!known.MECHANISMS.includes(mechanism) || excitation !== "force") return null;
   const rest = mu > 0 ? mu / (A * Omega * Omega) : 0;
   const row = binOf(known.RATIOS, mu / F_0);
-  const column = binOf(known.RESTS, rest);
+  const column = binOf(known.STOPPING, rest);
   let truncation = 0;
   if (DATA.mechanisms[mechanism].truncated && breaks.length) {
     const sizes = known.TRUNCATION[0].map((_, k) => interpolate(breaks[0], known.U_CRS, known.TRUNCATION.map((of) => of[k])));

@@ -361,7 +361,7 @@ AT = "#mechanism=rod_spring&lam=3&r=1700&delta_h=0.009&mu=0.4&zeta=0.02&m=12&k_v
 def test_si_units_name_the_excitation_and_no_peak_beyond_the_rod(
     browser: Any, excitation: str, letter: str, within: float, beyond: float, width: int
 ) -> None:
-    mount = Isolator.physical(**MOUNT.given | {"excitation": excitation})
+    mount = Isolator.physical(**MOUNT.given | {"excitation": excitation, "force": "truncated"})
     for amplitude in (within, beyond):
         address = f"{AT}&F_0={amplitude}&excitation={excitation}"
         with opened(browser, address, viewport={"width": width, "height": 844}) as page:
