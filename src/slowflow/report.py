@@ -428,13 +428,11 @@ class Report:
             if not len(plain):
                 continue
             try:
-                better = getattr(self.of.second_approximation.saddle_nodes(F), self.f)
+                better = [f"{f:.5g}" for f in getattr(self.of.second_approximation.saddle_nodes(F), self.f)]
+                seconds = better if len(better) == len(found) else ["another number of folds"] * len(found)
             except NotAvailable as error:
-                better, left_out = None, [str(error)]
-            for k, (fold, exact) in enumerate(zip(found, plain.measure(), strict=True)):
-                second = "another number of folds"
-                if better is None or len(better) == len(found):
-                    second = "left out" if better is None else f"{better[k]:.5g}"
+                seconds, left_out = ["left out"] * len(found), [str(error)]
+            for fold, exact, second in zip(found, plain.measure(), seconds, strict=True):
                 last = (f"{exact.Omega * unit:.5g}", _error(exact.error))
                 last = (escape(exact.reason), "") if exact.reason else last
                 rows.append((self._in_unit(F), fold.kind, f"{getattr(fold, self.f):.5g}", second, *last))

@@ -401,9 +401,8 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
             Where a part of it exceeds the range of doubles.
         """
         Omega, A = validate.positive_array("Omega", Omega), validate.positive_array("A", A)
-        damping = self.model.flow.equivalent_damping(Omega, A, *self.model.equivalent_damping(Omega, A)) + 0 * (
-            Omega + A
-        )
+        of_laws = self.model.equivalent_damping(Omega, A)
+        damping = self.model.flow.equivalent_damping(Omega, A, *of_laws) + 0 * (Omega + A)
         return _in_range("the equivalent damping", damping)
 
     @np.errstate(all="ignore")

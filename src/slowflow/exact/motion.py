@@ -19,7 +19,7 @@ import math
 import struct
 import sys
 from array import array
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextvars import ContextVar
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -27,7 +27,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slowflow.backend import EXACT
-from slowflow.mechanism import EquationOfMotion, Floats, Law, Piece
+from slowflow.mechanism import EquationOfMotion, Floats, Force, Law, Piece, followed
+from slowflow.model import THROUGHOUT
 from slowflow.sampled import rows
 from slowflow.support.errors import NotSettled, Refused
 from slowflow.text import Sentence, text
@@ -145,9 +146,27 @@ def _value(piece: Piece, u: float) -> float:
         return math.nan
 
 
-def design_rows(values: Sequence[Any], count: int) -> Floats:
-    """Numbers of so many designs, a row for each."""
-    return np.array([np.broadcast_to(value, count) for value in values], dtype=float).reshape(-1, count).T
+def design_rows(mechanism: Any, values: Mapping[str, Floats], damping: Sequence[str]) -> list[Floats]:
+    """Constants of the force, ends of its pieces and damping of many designs, a row for each, as C takes them.
+
+    values -- by name, each (n,); damping -- which of these, 0 where one is missing
+    """
+    count = next(iter(values.values())).size
+    parameters = mechanism.coefficients(*(values[name] for name in mechanism.design_names))
+    groups = parameters, mechanism.breakpoints(*parameters), [values.get(name, 0.0) for name in damping]
+    columns = ([np.broadcast_to(value, count) for value in group] for group in groups)
+    return [np.ascontiguousarray(np.array(group, dtype=float).reshape(-1, count).T) for group in columns]
+
+
+def system_of(designs: Any, numbers: dict[str, float], load: float = 0.0) -> EquationOfMotion:
+    """The equation of motion of one of many designs, from its numbers by name, where no law is stated at a frequency.
+
+    Raises ValueError for one outside its domain.
+    """
+    model = designs.model(numbers)
+    force = followed(Force.of(designs.mechanism, model.parameters), designs.mechanism.name)
+    laws: dict[str, Any] = {"c_2": model.laws.c_2, "released": model.laws.rubs != THROUGHOUT}
+    return EquationOfMotion(force, model.mu, model.zeta, load=load, **laws)
 
 
 def handle(system: EquationOfMotion) -> Any:

@@ -13,10 +13,9 @@ from slowflow.averaged.chunks import map_chunks
 from slowflow.averaged.many import Designs, failed
 from slowflow.backend import EXACT
 from slowflow.exact import questions
-from slowflow.exact.motion import MOST_STEPS, MOST_WORK, design_rows, recurrences
+from slowflow.exact.motion import MOST_STEPS, MOST_WORK, design_rows, recurrences, system_of
 from slowflow.exact.transient import AFTER, NO_PULSE, half_sine, record, transient
-from slowflow.mechanism import EquationOfMotion, Floats, Force, followed
-from slowflow.model import THROUGHOUT
+from slowflow.mechanism import Floats
 from slowflow.results import Remark
 from slowflow.support.errors import Refused
 from slowflow.text import text
@@ -127,11 +126,9 @@ def _solve(
     def solve(part: Any) -> None:
         chunk = batched[part]
         own = {name: value[chunk] for name, value in values.items()}
-        parameters = designs.mechanism.coefficients(*(own[domain.name] for domain in designs.mechanism.design))
-        ends = designs.mechanism.breakpoints(*parameters)
-        columns = [design_rows(group, chunk.size) for group in (parameters, ends, (own["mu"], own["zeta"]))]
         outcomes, found = np.empty(chunk.size, np.int8), np.empty((chunk.size, 7))
-        rows = (np.ascontiguousarray(group) for group in (*columns, pulses_of[index[chunk]], begins[chunk]))
+        rows = design_rows(designs.mechanism, own, ("mu", "zeta"))
+        rows += [np.ascontiguousarray(group) for group in (pulses_of[index[chunk]], begins[chunk])]
         EXACT.shocks(laws, *rows, after, MOST_STEPS, MOST_WORK, outcomes, found)
         numbers[chunk, :7] = found
         status[chunk] = np.where(outcomes == Outcome.GOOD, Status.OK, Status.UNRESOLVED)
@@ -151,10 +148,7 @@ def _single(
 ) -> tuple[Status, tuple[float, ...]]:
     """The status and the numbers of one design, by `transient`, and how many stable equilibria it has."""
     try:
-        model, load = designs.model(values), validate.number("load", values.get("load", 0.0))
-        force = followed(Force.of(designs.mechanism, model.parameters), designs.mechanism.name)
-        laws: dict[str, Any] = {"c_2": model.laws.c_2, "released": model.laws.rubs != THROUGHOUT}
-        system = EquationOfMotion(force, model.mu, model.zeta, load=load, **laws)
+        system = system_of(designs, values, validate.number("load", values.get("load", 0.0)))
         at, stable = 0.0, 1
         # averages about a mean do not exist for some forces: not needed where the mass rests at u = 0
         if not (system.centred and questions.stable_at_centre(system)):

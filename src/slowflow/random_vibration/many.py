@@ -11,10 +11,10 @@ from slowflow.averaged.batches import Batch
 from slowflow.averaged.chunks import blocks, map_chunks
 from slowflow.averaged.many import Designs, failed
 from slowflow.backend import EXACT
-from slowflow.exact.motion import design_rows, recurrences
-from slowflow.mechanism import EquationOfMotion, Floats, Force, followed
+from slowflow.exact.motion import design_rows, recurrences, system_of
+from slowflow.mechanism import Floats
 from slowflow.model import THROUGHOUT
-from slowflow.random_vibration.excitation import Excitation, White
+from slowflow.random_vibration.excitation import White
 from slowflow.random_vibration.questions import columns, excited_by, stationary
 from slowflow.table import AVERAGING, QUESTIONS
 from slowflow.text import Sentence
@@ -49,9 +49,7 @@ def answer(designs: Designs, S_0: Any, psd: Any, places: int, workers: int = 1) 
         chunk = batched[part]
         motions, count = np.full((chunk.size, places, 4), np.nan), np.empty(chunk.size, np.int8)
         some = {name: value[chunk] for name, value in own.items()}
-        parameters = designs.mechanism.coefficients(*(some[name] for name in designs.mechanism.design_names))
-        groups = parameters, designs.mechanism.breakpoints(*parameters), [some.get(name, 0.0) for name in DAMPED_BY]
-        constants, ends, damping = (np.ascontiguousarray(design_rows(group, chunk.size)) for group in groups)
+        constants, ends, damping = design_rows(designs.mechanism, some, DAMPED_BY)
         EXACT.stationary_of_each(laws, constants, ends, damping, np.pi * some["S_0"], count, motions)
         first = np.where(ends > 0, ends, np.inf).min(axis=1, initial=np.inf, keepdims=True)
         end = np.where(np.isfinite(first), first, np.nan)
@@ -69,7 +67,8 @@ def answer(designs: Designs, S_0: Any, psd: Any, places: int, workers: int = 1) 
     for k in progress.each(singly, len(singly), "designs asked singly"):
         one = {name: float(own[name][k]) for name in designs.values}
         try:
-            motions = _single(designs, one, excitation if S_0 is None else White(float(own["S_0"][k])))
+            of_one = excitation if S_0 is None else White(float(own["S_0"][k]))
+            motions = stationary(system_of(designs, one), of_one)
         except (ValueError, ArithmeticError) as error:
             status[k] = failed(error)
             continue
@@ -87,9 +86,3 @@ def _stiffness_is_finite(mechanism: Any, values: dict[str, Floats]) -> Any:
         return np.isfinite(
             mechanism.at_rest(*mechanism.coefficients(*(values[one] for one in mechanism.design_names)))[1]
         )
-
-
-def _single(designs: Designs, numbers: dict[str, float], excitation: Excitation) -> dict[str, Floats]:
-    model = designs.model(numbers)
-    force = followed(Force.of(designs.mechanism, model.parameters), designs.mechanism.name)
-    return stationary(EquationOfMotion(force, model.mu, model.zeta, c_2=model.laws.c_2), excitation)

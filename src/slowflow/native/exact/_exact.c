@@ -554,7 +554,11 @@ static PyObject *averages(PyObject *self, PyObject *arguments)
         Py_END_ALLOW_THREADS
     }
     RELEASE(&sigma);
-    return system != NULL ? found : NULL;
+    if (system == NULL) {
+        Py_XDECREF(found);
+        return NULL;
+    }
+    return found;
 }
 
 /* ln I_0 and ln I_2 of a table, and between which ends their slopes are within radii of p and q: ten numbers as bytes */
