@@ -82,15 +82,15 @@ def test_boxes_hold_all_that_motions_within_them_have(patched, size):
     steps = Steps(oscillator.model.mechanism, oscillator.model.parameters, 0.0)
     top, depth = rng.uniform(-0.6, 1.2, 40), rng.uniform(0.0, 1.5, 40)
     high, low = Interval.of(top, top + size), Interval.of(top - depth - size, top - depth)
-    held = steps.curved.by_ends(high, low)
+    box = steps.curved.by_ends(high, low)
     for _ in range(20):
-        share = rng.uniform(0, 1, (2, 40))
-        ends = high.lo + share[0] * size, low.lo + share[1] * size
+        fractions = rng.uniform(0, 1, (2, 40))
+        ends = high.lo + fractions[0] * size, low.lo + fractions[1] * size
         A, B = 0.5 * (ends[0] - ends[1]), 0.5 * (ends[0] + ends[1])
         (c_0, c_1, c_2, c_3), (s_0, s_1, s_2, _) = steps.curved.at(A, B, 3)
         turned = s_1 / A
         values = c_0, s_0, c_1 + s_1, c_1 - s_1, 2 * (c_2 + s_2) - turned, 2 * (c_2 - s_2) - turned, c_3, s_2
-        for value, one in zip(values, held, strict=True):
+        for value, one in zip(values, box, strict=True):
             doubt = 1e-15 + 1e-12 * np.abs(value)
             assert (one.lo <= value + doubt).all() and (value - doubt <= one.hi).all()
 
@@ -101,12 +101,12 @@ def test_what_boxes_add_goes_with_the_square_of_their_size(patched):
     steps = Steps(oscillator.model.mechanism, oscillator.model.parameters, 0.0)
 
     def beyond(size: float) -> float:
-        """How much wider the mean is than it moves by, as its slopes are positive."""
+        """Excess width of the mean's enclosure over its change across the box; its slopes are positive."""
         high, low = (np.array([[at], [at + size]]) for at in (0.6, -0.7))
         c_0 = steps.curved.by_ends(Interval(high), Interval(low)).c_0
         A, B = 0.5 * (high - low).ravel(), 0.5 * (high + low).ravel()
-        moves = float(np.diff(steps.curved.at(A, B, 0)[0][0])[0])
-        return float((c_0.hi - c_0.lo)[0]) - moves
+        change = float(np.diff(steps.curved.at(A, B, 0)[0][0])[0])
+        return float((c_0.hi - c_0.lo)[0]) - change
 
     assert 0 < beyond(1e-3) < 0.02 * beyond(1e-2) < 1e-7
 
@@ -124,14 +124,14 @@ POLYNOMIALS = {
 @pytest.mark.parametrize("name", sorted(POLYNOMIALS))
 @pytest.mark.part(2)
 def test_polynomial_stated_as_another_force_has_the_same_answers(name):
-    """z exp(u) beside it, with z = 0: summed, not steps."""
+    """With a term z exp(u), z = 0: averaged by summation instead of steps."""
     pieces, F_0 = POLYNOMIALS[name]
     numbers = {"k": 3.0, "p": 15.0, "g": 0.1}
     stated = derive.mechanism(f"same_{name}", pieces, {one: {} for one in numbers}, odd=False)
     curved = [(force + z * sp.exp(u), end) for force, end in pieces]
     summed = derive.mechanism(f"summed_{name}", curved, {one: {} for one in (*numbers, "z")}, odd=False)
-    given = {**numbers, "mu": 0.004, "zeta": 0.03, "load": 0.01}
-    one, other = stated(**given), summed(**given, z=0.0)
+    parameters = {**numbers, "mu": 0.004, "zeta": 0.03, "load": 0.01}
+    one, other = stated(**parameters), summed(**parameters, z=0.0)
     for ask, names in (
         (lambda of: of.rest(), ("u", "stiffness")),
         (lambda of: of.amplitudes(Omega=[0.8, 1.2, 1.5], F_0=F_0), ("Omega", "A", "B", "phi")),
@@ -155,13 +155,13 @@ def test_an_odd_force_under_a_load_is_the_same_stated_for_all_u():
     one = derive.mechanism("two_cushions", [(u, g), (u + hard, None)], {"q": ABOVE, "d": ABOVE, "g": ABOVE})
     pieces = [(u - hard.subs(u, -u), -g), (u, g), (u + hard, None)]
     other = derive.mechanism("both_cushions", pieces, {"q": ABOVE, "d": ABOVE, "g": ABOVE}, odd=False)
-    given = {"q": 0.2, "d": 0.1, "g": 0.1, "load": 0.03, **DAMPED}
+    parameters = {"q": 0.2, "d": 0.1, "g": 0.1, "load": 0.03, **DAMPED}
     for ask, names in (
         (lambda of: of.amplitudes(Omega=[0.9, 1.3, 1.6], F_0=0.03), ("Omega", "A", "B", "phi")),
         (lambda of: of.saddle_nodes(0.03), ("Omega", "A", "B")),
         (lambda of: of.detachment(), ("F_cr", "A", "B")),
     ):
-        found, same = ask(one(**given)), ask(other(**given))
+        found, same = ask(one(**parameters)), ask(other(**parameters))
         for name in names:
             np.testing.assert_allclose(getattr(found, name), getattr(same, name), rtol=1e-11, atol=1e-15)
 
@@ -260,21 +260,21 @@ def means_by_hand(name, numbers, A, B):
     ]
 
 
-def conditions_by_hand(name, question, x, given):
-    """What vanishes at an answer at Omega, A, B, and forcing where that is found, of numbers by name."""
-    Omega, A, B, F_0 = x if question == "detachment" else (*x, given["F_0"])
-    numbers = [given[one] for one in GIVEN[name] if one in "pqdgk"]
+def conditions_by_hand(name, question, x, known):
+    """Residuals of an answer at (Omega, A, B), and F_0 where it is an unknown, for parameters by name."""
+    Omega, A, B, F_0 = x if question == "detachment" else (*x, known["F_0"])
+    numbers = [known[one] for one in PARAMETERS[name] if one in "pqdgk"]
     c_0, s_0, c_1, s_1 = means_by_hand(name, numbers, A, B)
-    m, R = 4 * given["mu"] / mpmath.pi, A * Omega**2 - 2 * s_0
-    I = m + 2 * given["zeta"] * A * Omega
-    balanced = [c_0 - given["load"], R**2 + I**2 - F_0**2]
+    m, R = 4 * known["mu"] / mpmath.pi, A * Omega**2 - 2 * s_0
+    I = m + 2 * known["zeta"] * A * Omega
+    balanced = [c_0 - known["load"], R**2 + I**2 - F_0**2]
     if question == "amplitudes":
-        return [*balanced, Omega - given["Omega"]]
+        return [*balanced, Omega - known["Omega"]]
     if question == "isolation":
         return [*balanced, 4 * s_0**2 + I**2 - F_0**2]
     if question == "detachment":
-        least = R * 2 * A * Omega + I * 2 * given["zeta"] * A
-        return [*balanced, least, B + A - given["g"]]
+        least = R * 2 * A * Omega + I * 2 * known["zeta"] * A
+        return [*balanced, least, B + A - known["g"]]
     # <f cos> by A along the balance is <f' cos^2> - <f' cos>^2/<f'>
     pieces, end, odd = BY_HAND[name]
     (inner, outer), at = pieces(*numbers), end(*numbers)
@@ -285,11 +285,11 @@ def conditions_by_hand(name, question, x, given):
         u = B + A * mpmath.cos(y)
         return (inner if u <= at else outer)[1](u) * mpmath.cos(y) ** 2
 
-    along = mpmath.quad(squared, edges) / mpmath.pi - s_1**2 / c_1
-    return [*balanced, R * (Omega**2 - 2 * along) + I * 2 * given["zeta"] * Omega]
+    tangential = mpmath.quad(squared, edges) / mpmath.pi - s_1**2 / c_1
+    return [*balanced, R * (Omega**2 - 2 * tangential) + I * 2 * known["zeta"] * Omega]
 
 
-GIVEN = {
+PARAMETERS = {
     "jumping": {"p": 0.1, "q": 0.7, "g": 0.25, "mu": 0.005, "zeta": 0.05},
     "mirrored": {"k": 0.5, "q": 2.0, "g": 0.2, "mu": 0.005, "zeta": 0.05, "load": 0.1},
     "cushion": {"q": 0.5, "d": 0.3, "g": 0.2, "mu": 0.005, "zeta": 0.05},
@@ -310,8 +310,8 @@ GIVEN = {
 )
 @pytest.mark.part(3)
 def test_gradients_are_those_of_integrals_at_forty_digits(request, name, question):
-    """Of what vanishes at an answer, by differences of mpmath's integrals, solved for the moves."""
-    one = request.getfixturevalue(name)(**GIVEN[name])
+    """Sensitivities of an answer's conditions, by mpmath and the implicit function theorem."""
+    one = request.getfixturevalue(name)(**PARAMETERS[name])
     at = {"amplitudes": {"Omega": 1.3, "F_0": 0.1}, "detachment": {}}.get(question, {"F_0": 0.1})
     found = getattr(one, question)(**at)
     gradient = found.gradient()
@@ -319,12 +319,12 @@ def test_gradients_are_those_of_integrals_at_forty_digits(request, name, questio
     names = ("Omega_cr", "A", "B", "F_cr") if question == "detachment" else ("Omega", "A", "B")
     point = [np.atleast_1d(getattr(found, of))[-1] for of in names]
     with mpmath.workdps(40):
-        given = {by: mpmath.mpf(value) for by, value in {"load": 0.0, **GIVEN[name], **at}.items()}
+        known = {by: mpmath.mpf(value) for by, value in {"load": 0.0, **PARAMETERS[name], **at}.items()}
         x, step = list(map(mpmath.mpf, point)), mpmath.mpf(10) ** -12
 
         def vanish(place=None, by=None, by_how_much=0):
-            moved = [one + by_how_much * (k == place) for k, one in enumerate(x)]
-            values = conditions_by_hand(name, question, moved, {**given, by: given.get(by, 0) + by_how_much})
+            shifted = [one + by_how_much * (k == place) for k, one in enumerate(x)]
+            values = conditions_by_hand(name, question, shifted, {**known, by: known.get(by, 0) + by_how_much})
             return mpmath.matrix(values)
 
         def slope(**of):
@@ -333,19 +333,19 @@ def test_gradients_are_those_of_integrals_at_forty_digits(request, name, questio
         assert max(map(abs, vanish())) < 1e-13
         system = mpmath.matrix([list(row) for row in zip(*(slope(place=k) for k in range(len(x))), strict=True)])
         for by in gradient.by:
-            moves = dict(zip(names, mpmath.lu_solve(system, -slope(by=by)), strict=True))
+            sensitivities = dict(zip(names, mpmath.lu_solve(system, -slope(by=by)), strict=True))
             for of in gradient.of:
-                if of in moves:
+                if of in sensitivities:
                     value = np.atleast_1d(gradient[of, by])[-1]
-                    assert value == pytest.approx(float(moves[of]), rel=1e-10, abs=1e-11), (of, by)
+                    assert value == pytest.approx(float(sensitivities[of]), rel=1e-10, abs=1e-11), (of, by)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["jumping", "mirrored", "cushion"])
 def test_places_of_rest_move_as_the_force_and_its_slope_do(request, name):
     """Where f(u) = load, by differences at 40 digits."""
-    given = {**GIVEN[name], "load": 0.6}
-    rest = request.getfixturevalue(name)(**given).rest()
+    parameters = {**PARAMETERS[name], "load": 0.6}
+    rest = request.getfixturevalue(name)(**parameters).rest()
     gradient = rest.gradient()
     assert not gradient.message and len(rest) == 1
     pieces, end, _ = BY_HAND[name]
@@ -357,7 +357,7 @@ def test_places_of_rest_move_as_the_force_and_its_slope_do(request, name):
         return u, slope(u)
 
     with mpmath.workdps(60):
-        exact, step = {by: mpmath.mpf(given[by]) for by in (*GIVEN[name], "load")}, mpmath.mpf(10) ** -20
+        exact, step = {by: mpmath.mpf(parameters[by]) for by in (*PARAMETERS[name], "load")}, mpmath.mpf(10) ** -20
         for by in gradient.by:
             ends = [at_rest({**exact, by: exact[by] + sign * step}) for sign in (1, -1)]
             for of, high, low in zip(("u", "stiffness"), *ends, strict=True):

@@ -112,8 +112,8 @@ def test_hysteresis_bands_hold_several_stable_motions():
         bands = iso.hysteresis(F_0)
         ends = [0.0, *np.unique(iso.saddle_nodes(F_0).Omega), 3.0]
         for low, high in pairwise(ends):
-            for share in (0.03, 0.5, 0.9):
-                Omega = low + share * (high - low)
+            for fraction in (0.03, 0.5, 0.9):
+                Omega = low + fraction * (high - low)
                 stable = int(iso.amplitudes(Omega=Omega, F_0=F_0).stable.sum())
                 inside = [band.motions for band in bands if band.Omega_low < Omega < band.Omega_high]
                 assert inside == ([stable] if stable > 1 else []), (iso, F_0, Omega)
@@ -218,13 +218,13 @@ def test_fold_is_crossed_where_the_number_of_states_changes():
         ends = [(draw.uniform(0.6, 1.4), F_0 * draw.uniform(0.5, 1.5)) for _ in range(2)]
         way = np.linspace(*ends, 1500)
         F = way[:, 1]
-        moves = F > iso.sticking_forcing
+        slips = F > iso.sticking_forcing
         states = Isolator.many(**{name: getattr(iso, name) for name in ("lam", "r", "delta_h", "mu", "zeta")})
-        changes = np.diff(states.amplitudes(Omega=way[moves, 0], F_0=F[moves]).count).any()
+        changes = np.diff(states.amplitudes(Omega=way[slips, 0], F_0=F[slips]).count).any()
         crossed = bool(iso.spectrum(Omega=way[[0, -1], 0], F_0=F[[0, -1]]).crosses[1])
         assert crossed or not changes
         if crossed and not changes:  # between two of these points, then: a fold is near both
-            folds = [np.abs(iso.saddle_nodes(f).Omega - O).min(initial=1) for O, f in way[moves]]
+            folds = [np.abs(iso.saddle_nodes(f).Omega - O).min(initial=1) for O, f in way[slips]]
             assert min(folds) < 3 / 1500
         seen.add(crossed)
     assert seen == {False, True}
@@ -232,7 +232,7 @@ def test_fold_is_crossed_where_the_number_of_states_changes():
 
 @pytest.mark.parametrize("load", [0.0, 0.05])
 def test_pairs_are_said_to_be_single_tones(load):
-    """What two tones do together, by integration, is neither motion nor their sum: so it is not left to be thought."""
+    """By integration, the response to two tones together is neither single response nor their sum."""
     duffing = Duffing(1.0, 0.3, mu=0.01, zeta=0.05, load=load)
     pairs, several = {"Omega": [0.8, 1.2], "F_0": [0.2, 0.3]}, "tones that act together are not covered"
     depths = [duffing.spectrum, duffing.amplitudes]
@@ -248,8 +248,8 @@ def test_pairs_are_said_to_be_single_tones(load):
             force = 0.2 * np.cos(0.8 * tau) + 0.3 * np.cos(1.2 * tau)
             return [y[1], force - 0.1 * y[1] - 0.01 * np.tanh(y[1] / 1e-3) - y[0] - 0.3 * y[0] ** 3]
 
-        moved = solve_ivp(both, (0.0, 200.0), [0.0, 0.0], method="LSODA", rtol=1e-6, t_eval=np.linspace(100, 200, 2001))
-        together = np.abs(moved.y[0]).max()
+        path = solve_ivp(both, (0.0, 200.0), [0.0, 0.0], method="LSODA", rtol=1e-6, t_eval=np.linspace(100, 200, 2001))
+        together = np.abs(path.y[0]).max()
         assert min(abs(together / one - 1) for one in (*apart, apart.sum())) > 0.05
 
 

@@ -26,24 +26,24 @@ def test_margins_of_many_say_where_folds_end_at_rest():
 @pytest.mark.parametrize("force", ["truncated", "untruncated"])
 def test_at_rest_many_have_a_stroke_that_no_base_motion_reaches(force):
     """It was NaN where the detachment has no forcing."""
-    given = {"lam": 3.0, "r": 0.33366700033366703, "delta_h": 0.999, "zeta": 0.12, "excitation": "base"}
-    many = Isolator.many(**given, force=force)
+    design = {"lam": 3.0, "r": 0.33366700033366703, "delta_h": 0.999, "zeta": 0.12, "excitation": "base"}
+    many = Isolator.many(**design, force=force)
     assert many.detachment().status == Status.NONE
-    assert many.at_rest().u_cr == Isolator(**given, force=force).u_cr == pytest.approx(math.sqrt(1 - 0.001**2))
+    assert many.at_rest().u_cr == Isolator(**design, force=force).u_cr == pytest.approx(math.sqrt(1 - 0.001**2))
 
 
 @pytest.mark.slow
 def test_friction_of_the_rod_does_not_always_hold_on_a_base():
-    """Many designs were said to stick, as under a force; with so much acceleration each base moves the mass."""
-    given = {"lam": 1.0, "r": 1.0, "delta_h": 0.1, "mu": 0.07, "zeta": 0.3, "excitation": "base", "rubs": "attached"}
-    many, single = Isolator.many(**given), Isolator(**given)
+    """Many designs were reported to stick, as under a force; at this acceleration every base makes the mass slip."""
+    design = {"lam": 1.0, "r": 1.0, "delta_h": 0.1, "mu": 0.07, "zeta": 0.3, "excitation": "base", "rubs": "attached"}
+    many, single = Isolator.many(**design), Isolator(**design)
     for F_0 in (0.05, 0.2):
         found, margins = many.margins(F_0), single.margins(F_0)
         assert found.sticks == margins.sticks == 0 and found.remarks == margins.remarks
         assert found.Omega_sticks == margins.Omega_sticks == pytest.approx(math.sqrt(4 * 0.07 / math.pi / F_0))
         assert many.saddle_nodes(F_0).remarks == single.saddle_nodes(F_0).remarks
-    held = Isolator.many(**{**given, "excitation": "force"}).margins(0.05)
-    assert held.sticks == 1
+    sticking = Isolator.many(**{**design, "excitation": "force"}).margins(0.05)
+    assert sticking.sticks == 1
 
 
 @pytest.mark.slow
@@ -72,7 +72,7 @@ def test_margins_have_the_status_of_an_unresolved_onset():
 
 
 @pytest.mark.parametrize(
-    ("given", "F_0"),
+    ("design", "F_0"),
     [
         # F_cr is only tended to, and an isolated curve lies beyond u_cr
         ({"lam": 4, "r": 4.45, "delta_h": 0.3, "mu": 0.018, "zeta": 0.17, "excitation": "unbalance"}, 0.5),
@@ -81,17 +81,17 @@ def test_margins_have_the_status_of_an_unresolved_onset():
         ({"lam": 3, "r": 0.93, "delta_h": 0.99, "mu": 0.0, "zeta": 0.0}, 10.0),
     ],
 )
-def test_stable_motions_beyond_the_stroke_are_detached(given, F_0):
-    assert Isolator(**given).margins(F_0).detaches and Isolator.many(**given).margins(F_0).detaches
+def test_stable_motions_beyond_the_stroke_are_detached(design, F_0):
+    assert Isolator(**design).margins(F_0).detaches and Isolator.many(**design).margins(F_0).detaches
     # with some damping it is seen
-    damped = Isolator(**{**given, "zeta": max(given["zeta"], 1e-6)})
+    damped = Isolator(**{**design, "zeta": max(design["zeta"], 1e-6)})
     states = damped.amplitudes(Omega=np.linspace(0.3, 1.5, 61), F_0=F_0)
     assert (states.A[states.stable] > damped.u_cr).any()
 
 
 def test_folds_that_differ_by_rounding_have_no_band():
     """Both on the corner, one and two ulps apart."""
-    for given, F_0 in (
+    for design, F_0 in (
         (
             {"lam": 2, "r": 0.4778512754002988, "delta_h": 0.07053832840043835}
             | {"mu": 0.00021943408712369537, "zeta": 0.14071260744854866},
@@ -103,20 +103,20 @@ def test_folds_that_differ_by_rounding_have_no_band():
             0.3167111233623252,
         ),
     ):
-        designs = Isolator.many(**given)
+        designs = Isolator.many(**design)
         assert designs.saddle_nodes(F_0).count == 2 and designs.hysteresis(F_0).count == 0
-        assert len(Isolator(**given).hysteresis(F_0)) == 0
+        assert len(Isolator(**design).hysteresis(F_0)) == 0
 
 
 def test_what_is_unresolved_has_that_status_in_every_batch():
     """A search that runs out of room is no answer with too few places."""
-    given = {"lam": 3, "r": 4.56e-4, "delta_h": 0.2, "mu": 0.0, "zeta": 1e-150, "excitation": "base"}
-    given["force"] = "untruncated"
-    designs, F_0 = Isolator.many(**given), 1.1e-16
+    design = {"lam": 3, "r": 4.56e-4, "delta_h": 0.2, "mu": 0.0, "zeta": 1e-150, "excitation": "base"}
+    design["force"] = "untruncated"
+    designs, F_0 = Isolator.many(**design), 1.1e-16
     with pytest.raises(ArithmeticError, match="unresolved"):
-        Isolator(**given).amplitudes(Omega=0.5, F_0=F_0)
-    asked = (designs.saddle_nodes(F_0), designs.amplitudes(Omega=0.5, F_0=F_0), designs.frequency_response(F_0))
-    assert {int(found.status) for found in asked} == {Status.UNRESOLVED}
+        Isolator(**design).amplitudes(Omega=0.5, F_0=F_0)
+    answers = (designs.saddle_nodes(F_0), designs.amplitudes(Omega=0.5, F_0=F_0), designs.frequency_response(F_0))
+    assert {int(found.status) for found in answers} == {Status.UNRESOLVED}
     assert designs.spectrum(Omega=[0.5, 1.2], F_0=F_0).status.tolist() == [Status.UNRESOLVED] * 2
 
 

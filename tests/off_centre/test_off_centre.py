@@ -51,9 +51,9 @@ def test_steps_by_parameter_are_derivatives_at_a_fixed_place(name):
 
     def derivative(piece: int, parameter: int, at: float, order: int) -> mpmath.mpf:
         def of(value: float, u: float) -> mpmath.mpf:
-            moved = [*map(mpmath.mpf, numbers)]
-            moved[parameter] = value
-            return averaged_force.pieces(name, moved)[0][piece](u)
+            shifted = [*map(mpmath.mpf, numbers)]
+            shifted[parameter] = value
+            return averaged_force.pieces(name, shifted)[0][piece](u)
 
         return mpmath.diff(of, (mpmath.mpf(numbers[parameter]), mpmath.mpf(at)), (1, order))
 
@@ -98,15 +98,15 @@ def test_states_detachments_and_onsets_are_the_certified_ones():
     assert len(CERTIFIED) >= 40
     for case in CERTIFIED:
         if case["kind"] == "duffing":
-            given = (case[name] for name in ("alpha", "beta", "mu", "zeta"))
-            found = Duffing(*given, load=case["load"]).amplitudes(Omega=case["Omega"], F_0=case["F_0"])
+            parameters = (case[name] for name in ("alpha", "beta", "mu", "zeta"))
+            found = Duffing(*parameters, load=case["load"]).amplitudes(Omega=case["Omega"], F_0=case["F_0"])
             exact = [[float(state[name]) for state in case["states"]] for name in ("A", "B")]
             assert len(found) == len(case["states"]) and not found.message
             np.testing.assert_allclose([found.A, found.B], exact, rtol=4e-15, atol=0)
             assert found.stable.tolist() == [state["stable"] for state in case["states"]]
         elif case["kind"] == "onset":
-            given = (case[name] for name in ("alpha", "beta"))
-            born = Duffing(*given, 0.0, case["zeta"], load=case["load"]).saddle_node_onset()
+            parameters = (case[name] for name in ("alpha", "beta"))
+            born = Duffing(*parameters, 0.0, case["zeta"], load=case["load"]).saddle_node_onset()
             for name, value in case["onset"].items():
                 assert getattr(born, name) == pytest.approx(float(value), rel=1e-14)
             assert born.kind == "cusp" and not born.message
@@ -140,8 +140,8 @@ def mean(force, ends, A, B, weight):
         piece = force(B + A * mpmath.cos((low + high) / 2))
         values = [piece(B + A * mpmath.cos(node)) * mpmath.cos(node) ** weight for node in nodes]
         for k in range(8):
-            share = mpmath.fsum(v * mpmath.cos(k * node) for v, node in zip(values, nodes, strict=True)) / 8
-            total += share * (high - low) if k == 0 else 2 * share * (mpmath.sin(k * high) - mpmath.sin(k * low)) / k
+            term = mpmath.fsum(v * mpmath.cos(k * node) for v, node in zip(values, nodes, strict=True)) / 8
+            total += term * (high - low) if k == 0 else 2 * term * (mpmath.sin(k * high) - mpmath.sin(k * low)) / k
     return total / mpmath.pi
 
 
@@ -210,11 +210,11 @@ def test_boxes_by_ends_enclose_means_and_slopes():
             least, most = np.maximum(charts.low[:, number], -1.5), np.minimum(charts.high[:, number], 1.5)
             low = least[:, np.newaxis] + (most - least)[:, np.newaxis] * rng.uniform(0, 1, (2, n)) ** 2
             high = np.minimum(low + 10 ** rng.uniform(-8, -0.5, n), most[:, np.newaxis])
-            held = Local.of(charts.on(low, 0.5 * (low + high), high, chart)[0])
+            boxes = Local.of(charts.on(low, 0.5 * (low + high), high, chart)[0])
             if charts.upper[number] - charts.lower[number] > 1:
-                assert all(np.isfinite(getattr(held, name).ends).all() for name in ("c_0", "s_0", "c_x", "c_y"))
-            for share in (0.25, 0.5, 0.8):
-                x, y = low[0] + share * (high[0] - low[0]), low[1] + (1 - share) * (high[1] - low[1])
+                assert all(np.isfinite(getattr(boxes, name).ends).all() for name in ("c_0", "s_0", "c_x", "c_y"))
+            for fraction in (0.25, 0.5, 0.8):
+                x, y = low[0] + fraction * (high[0] - low[0]), low[1] + (1 - fraction) * (high[1] - low[1])
                 A, B = charts.motion(x, y, chart)
                 means = steps.at(A, B, 3)
                 X, Y = np.where(rooted[0], x, 0.5), np.where(rooted[1], y, 0.5)
@@ -233,11 +233,11 @@ def test_boxes_by_ends_enclose_means_and_slopes():
                 }
                 # nearer to an edge A and B do not tell how far a step is passed
                 inner = np.minimum(x - least[0], y - least[1]) > (1e-2 if charts.passes[number] else 1e-6)
-                told = (A > 1e-6) & inner & (np.minimum(most[0] - x, most[1] - y) > 1e-6)
+                compared = (A > 1e-6) & inner & (np.minimum(most[0] - x, most[1] - y) > 1e-6)
                 for name, value in values.items():
-                    ends = getattr(held, name).ends
+                    ends = getattr(boxes, name).ends
                     doubt = (1e-13 if name in ("A", "B", "c_0", "s_0") else 1e-7) * (1 + np.abs(value))
-                    assert ((ends[0] <= value + doubt) & (value - doubt <= ends[1]))[told].all(), (number, name)
+                    assert ((ends[0] <= value + doubt) & (value - doubt <= ends[1]))[compared].all(), (number, name)
 
 
 @pytest.mark.slow
@@ -299,7 +299,7 @@ def test_next_to_the_centre_folds_take_few_boxes(monkeypatch):
     """Corners on both sides are 1e-9 apart: there were 282 000 boxes, and at other forcings too many."""
     boxes = []
     on = Charts.on
-    monkeypatch.setattr(Charts, "on", lambda *given: boxes.append(given[4].size) or on(*given))
+    monkeypatch.setattr(Charts, "on", lambda *arguments: boxes.append(arguments[4].size) or on(*arguments))
     exact, found = Isolator(**TABLE_1).saddle_nodes(0.04), Isolator(**TABLE_1, load=1e-7).saddle_nodes(0.04)
     assert found.A == pytest.approx(exact.A, rel=1e-9) and found.Omega == pytest.approx(exact.Omega, rel=1e-9)
     assert sum(boxes) < 10_000
@@ -347,9 +347,9 @@ def test_folds_are_where_two_states_meet_and_no_others_are(loaded):
     folds = loaded.saddle_nodes(0.04)
     assert folds.kind.tolist() == ["jump-up", "jump-down"] and not folds.corner.any() and not folds.message
     for fold in folds:
-        beside = [len(loaded.amplitudes(Omega=fold.Omega * (1 + side * 1e-6), F_0=0.04)) for side in (-1, 1)]
-        assert sorted(beside) == [1, 3]
-        near = loaded.amplitudes(Omega=fold.Omega * (1 + 1e-9 * (1 if beside[1] == 3 else -1)), F_0=0.04)
+        numbers = [len(loaded.amplitudes(Omega=fold.Omega * (1 + side * 1e-6), F_0=0.04)) for side in (-1, 1)]
+        assert sorted(numbers) == [1, 3]
+        near = loaded.amplitudes(Omega=fold.Omega * (1 + 1e-9 * (1 if numbers[1] == 3 else -1)), F_0=0.04)
         assert np.sort(np.abs(near.A - fold.A))[1] < 1e-4 and np.sort(np.abs(near.B - fold.B))[1] < 1e-4
     grid = np.linspace(0.5, 1.4, 31)
     states = loaded.amplitudes(Omega=grid, F_0=0.04)
@@ -450,24 +450,24 @@ def test_jump_direction_on_a_corner_is_that_of_the_states(design, F_0):
     # three states are between two folds; next to a fold the two that meet there are nearest to each other, and where a
     # motion jumps up the lower one of these is stable
     for fold, other in ((0, 1), (1, 0), (2, 3), (3, 2)):
-        beside = folds.Omega[fold] + 0.1 * (folds.Omega[other] - folds.Omega[fold])
-        states = Isolator(**design).amplitudes(Omega=beside, F_0=F_0)
+        nearby = folds.Omega[fold] + 0.1 * (folds.Omega[other] - folds.Omega[fold])
+        states = Isolator(**design).amplitudes(Omega=nearby, F_0=F_0)
         assert states.stable.tolist() == [True, False, True] and not states.message
         assert folds.kind[fold] == ("jump-up", "jump-down")[np.diff(states.A).argmin()]
 
 
 def test_folds_on_corners_near_the_centre_need_no_load():
-    """All its lengths are below 0.1. On a corner and 1e-8 beside it two states begin and end, in each well."""
+    """All its lengths are below 0.1. Two states begin on a corner and end 1e-8 from it, in each well."""
     wells = Isolator(lam=3.0, r=400.0, delta_h=0.004, zeta=0.05).off_centre
     folds = wells.saddle_nodes(0.00824)
     on = folds.Omega[folds.corner]
     assert (
         on.size == 2 and on[0] == on[1] and folds.B[folds.corner].sum() == 0 < np.abs(folds.B[folds.corner]).max() < 0.1
     )
-    beside = folds.Omega[folds.Omega > on[0]]
+    later = folds.Omega[folds.Omega > on[0]]
     counts = [
         len(wells.amplitudes(Omega=Omega, F_0=0.00824))
-        for Omega in (on[0] - 1e-4, (on[0] + beside[0]) / 2, on[0] + 1e-4)
+        for Omega in (on[0] - 1e-4, (on[0] + later[0]) / 2, on[0] + 1e-4)
     ]
     assert counts == [3, 7, 3]
 
@@ -566,8 +566,8 @@ def test_response_turns_at_a_corner_as_the_balance_does():
     found, folds = oscillator.frequency_response(F_0, Omega=window, samples=60), oscillator.saddle_nodes(F_0)
     assert folds.corner.tolist() == [True, False] and set(folds.Omega) <= set(found.Omega)
     assert found.isola == (False,)
-    beside = np.geomspace(1e-12, 0.2, 4_000)  # by 0.7 per cent each
-    grid = folds.A[0] + np.concatenate((-beside[beside < folds.A[0]][::-1], beside))
+    distances = np.geomspace(1e-12, 0.2, 4_000)  # by 0.7 per cent each
+    grid = folds.A[0] + np.concatenate((-distances[distances < folds.A[0]][::-1], distances))
     model = oscillator.model
     steps = Steps(model.mechanism, model.parameters, oscillator.load)
     low, high = np.full(grid.size, -0.5), np.full(grid.size, 0.5)
@@ -580,9 +580,9 @@ def test_response_turns_at_a_corner_as_the_balance_does():
     for Omega, states in ((0.5 * (window[0] + one), 1), (0.5 * (one + other), 3), (0.5 * (other + window[1]), 1)):
         F = grid**2 * (Omega**2 - stiff) ** 2 + (model.m + 2 * model.zeta * grid * Omega) ** 2 - F_0**2
         by_hand = grid[1:][F[1:] * F[:-1] < 0]
-        asked = oscillator.amplitudes(Omega=Omega, F_0=F_0)
-        assert len(by_hand) == states and not asked.message
-        assert asked.A - folds.A[0] == pytest.approx(by_hand - folds.A[0], rel=0.01)
+        answer = oscillator.amplitudes(Omega=Omega, F_0=F_0)
+        assert len(by_hand) == states and not answer.message
+        assert answer.A - folds.A[0] == pytest.approx(by_hand - folds.A[0], rel=0.01)
         assert ((found.Omega[:-1] < Omega) != (found.Omega[1:] < Omega)).sum() == states
     # on to one fold, back to the other, and on
     rises = np.diff(found.Omega) > 0
@@ -659,7 +659,7 @@ def test_detachment_under_a_load_comes_sooner_and_at_the_edge(loaded):
 def test_two_folds_are_born_at_the_onset_and_none_is_below(oscillator):
     onset = oscillator.saddle_node_onset()
     m = oscillator.model.m
-    below = [m + (onset.F_SN - m) * share for share in (0.1, 0.8, 1 - 1e-7)]
+    below = [m + (onset.F_SN - m) * fraction for fraction in (0.1, 0.8, 1 - 1e-7)]
     assert not any(len(oscillator.saddle_nodes(F_0)) for F_0 in below)
     born = oscillator.saddle_nodes(onset.F_SN * (1 + 1e-7))
     assert born.kind.tolist() == ["jump-up", "jump-down"]
@@ -673,8 +673,8 @@ def test_two_folds_are_born_at_the_onset_and_none_is_below(oscillator):
 @pytest.mark.parametrize("centred", [Isolator(**TABLE_1), Duffing(1.0, 0.5, 0.01, 0.05)])
 def test_onset_tends_to_the_centred_one_as_the_load_squared(centred):
     at_centre = centred.saddle_node_onset()
-    moved = [centred.replace(load=load).saddle_node_onset().F_SN / at_centre.F_SN - 1 for load in (1e-3, 1e-4)]
-    assert moved[0] == pytest.approx(100 * moved[1], rel=1e-3) and 0 < moved[0] < 1e-3
+    shifts = [centred.replace(load=load).saddle_node_onset().F_SN / at_centre.F_SN - 1 for load in (1e-3, 1e-4)]
+    assert shifts[0] == pytest.approx(100 * shifts[1], rel=1e-3) and 0 < shifts[0] < 1e-3
     again = centred.off_centre.saddle_node_onset()
     assert (again.F_SN, again.A, again.B) == (at_centre.F_SN, at_centre.A, 0.0)
 
@@ -686,8 +686,8 @@ def test_an_onset_on_a_corner_is_where_states_begin_to_be_three(loaded):
     assert onset.kind == "corner" and "jump of the force" in onset.message
     assert onset.A + onset.B == pytest.approx(heavy.breakpoints[0], rel=1e-15)
     grid = onset.Omega * np.linspace(0.99, 1.03, 41)
-    for share, most in ((0.97, 1), (1.03, 3)):
-        states = heavy.amplitudes(Omega=grid, F_0=share * onset.F_SN)
+    for ratio, most in ((0.97, 1), (1.03, 3)):
+        states = heavy.amplitudes(Omega=grid, F_0=ratio * onset.F_SN)
         assert max((states.Omega == Omega).sum() for Omega in grid) == most and not states.message
 
 
@@ -712,11 +712,11 @@ def test_boxes_that_get_no_narrower_are_undecided_at_once():
 
 
 def test_at_four_mu_over_pi_itself_the_averaged_mass_sticks():
-    """R^2 + I^2 = F_0^2 with I = m + 2 zeta A Omega: at F_0 = m = 4 mu/pi it leaves A = 0, which is held."""
+    """R^2 + I^2 = F_0^2 with I = m + 2 zeta A Omega: at F_0 = m = 4 mu/pi only A = 0 is left, a static state."""
     loaded = Duffing(1.0, 0.5, 0.01, 0.02, load=0.3)
-    held = loaded.amplitudes(Omega=0.9, F_0=loaded.model.m)
+    state = loaded.amplitudes(Omega=0.9, F_0=loaded.model.m)
     (place,) = loaded.rest().u
-    assert held.A.tolist() == [0.0] and held.B == pytest.approx([place], rel=1e-15) and "sticks" in held.message
+    assert state.A.tolist() == [0.0] and state.B == pytest.approx([place], rel=1e-15) and "sticks" in state.message
 
 
 def test_where_no_onset_is_told_the_reason_is():
@@ -740,9 +740,9 @@ def test_what_has_no_answer_off_the_centre_is_refused_in_words(loaded):
     questions = {
         "fold_locus": (), "cusps": (), "isola_points": (), "certify": (0.04,), "backbone": ([0.1],),
     }  # fmt: skip
-    for name, given in questions.items():
+    for name, arguments in questions.items():
         with pytest.raises(ValueError, match=r"load = 0\.03"):
-            getattr(loaded, name)(*given)
+            getattr(loaded, name)(*arguments)
     pairs = {"limit_envelope": "F_0", "stability": "A", "equivalent_damping": "A"}
     for name, other in pairs.items():
         with pytest.raises(ValueError, match=r"load = 0\.03"):
@@ -753,9 +753,9 @@ def test_what_has_no_answer_off_the_centre_is_refused_in_words(loaded):
         _ = loaded.second_approximation
     # and the page that tells of it has just these
     page = (ROOT / "docs" / "limits.md").read_text(encoding="utf-8")
-    (told,) = [line for line in page.splitlines() if line.startswith("| a static load")]
+    (row,) = [line for line in page.splitlines() if line.startswith("| a static load")]
     refused = {*questions, *pairs, "random", "second_approximation", "fit"}
-    assert set(re.findall(r"`(\w+)`", told)) == refused
+    assert set(re.findall(r"`(\w+)`", row)) == refused
     with pytest.raises(ValueError, match="put together from others"):
         loaded.margins(0.04).gradient()
     with pytest.raises(ValueError, match="load = nan"):
@@ -852,7 +852,7 @@ def test_margins_bands_and_isolation_tend_to_centred_ones(loaded):
 @pytest.mark.slow
 def test_springs_detach_from_the_detaching_force_on(loaded):
     F_cr = loaded.detachment().F_cr
-    below, above = (loaded.margins(share * F_cr) for share in (0.97, 1.03))
+    below, above = (loaded.margins(ratio * F_cr) for ratio in (0.97, 1.03))
     assert (below.detaches, above.detaches) == (False, True) and below.of_cr == pytest.approx(1 / 0.97, rel=1e-15)
     assert loaded.peak(0.97 * F_cr).u_max < loaded.breakpoints[0] < loaded.peak(1.03 * F_cr).u_max
     assert loaded.margins(0.015).sticks and not loaded.margins(0.015).detaches
@@ -939,17 +939,17 @@ def test_less_force_is_transmitted_from_the_isolation_on(loaded):
 
 @pytest.mark.slow
 def test_transmission_beyond_a_wrong_isolation_is_noticed(loaded, monkeypatch):
-    """Points of the response that pass over its last stretch do not make the answer: more are taken, or it says so."""
+    """Where samples of the response step over its last stretch, more are taken, or the answer is undecided."""
     true, begins = loaded.isolation(0.04), OffCentre._begins
     assert Remark.UNDECIDED not in true.remarks and not true.message
     low, high = loaded.off_centre._reach.transmits_beyond(0.04, 0.97 * true.Omega)
     assert low < true.Omega < high
 
-    def early(*given):
-        return replace(begins(*given), Omega=0.97 * true.Omega)
+    def early(*arguments):
+        return replace(begins(*arguments), Omega=0.97 * true.Omega)
 
     answers = iter((early, begins))
-    monkeypatch.setattr(OffCentre, "_begins", lambda *given: next(answers)(*given))
+    monkeypatch.setattr(OffCentre, "_begins", lambda *arguments: next(answers)(*arguments))
     assert loaded.isolation(0.04).Omega == pytest.approx(true.Omega, rel=1e-12)
     monkeypatch.setattr(OffCentre, "_begins", early)
     assert loaded.isolation(0.04).remarks & Remark.UNDECIDED and "undecided" in loaded.isolation(0.04).message
@@ -1015,20 +1015,20 @@ def test_gradients_are_those_of_the_balance_by_hand(vanish, ask, by):
     found = ask(Duffing(1.0, 0.5, 0.0, 0.05, load=0.3))
     gradient = found.gradient()
     assert not gradient.message and set(gradient.by) == {*by, "mu"}
-    given = [mpmath.mpf(value) for value in (1.0, 0.5, 0.05, 0.3, 0.2, 1.28)]
+    known = [mpmath.mpf(value) for value in (1.0, 0.5, 0.05, 0.3, 0.2, 1.28)]
     points = np.column_stack([np.atleast_1d(getattr(found, name)) for name in ("Omega", "A", "B")])
     names = [name for name in ("Omega", "A", "B") if name in gradient.of]
     with mpmath.workdps(60):
         for place, point in enumerate(points):
             for number, name in enumerate(by):
 
-                def moved(value, point=point, number=number):
-                    numbers = [*given[:number], value, *given[number + 1 :]]
+                def solved(value, point=point, number=number):
+                    numbers = [*known[:number], value, *known[number + 1 :]]
                     start = tuple(map(mpmath.mpf, point))
                     return mpmath.findroot(lambda *x: vanish(*x, *numbers), start, tol=1e-90)
 
                 step = mpmath.mpf(10) ** -15
-                ends = [moved(given[number] + sign * step) for sign in (1, -1)]
+                ends = [solved(known[number] + sign * step) for sign in (1, -1)]
                 slopes = dict(zip(("Omega", "A", "B"), (ends[0] - ends[1]) / (2 * step), strict=True))
                 for one in names:
                     value = np.atleast_1d(gradient[one, name])[place]
@@ -1049,11 +1049,11 @@ def test_missing_gradient_under_a_load_is_explained(loaded):
 
 
 def test_an_onset_whose_search_begins_at_it_is_answered():
-    """Beside it by as much as the slope by zeta says, but for the square of the step."""
+    """The neighbouring onset agrees with the gradient by zeta to the square of the step."""
     onset = Duffing(1.0, 0.5, 0.01, 0.03, load=0.3).saddle_node_onset()
-    beside = Duffing(1.0, 0.5, 0.01, 0.03 - 1e-5, load=0.3).saddle_node_onset()
+    neighbour = Duffing(1.0, 0.5, 0.01, 0.03 - 1e-5, load=0.3).saddle_node_onset()
     expected = onset.F_SN - 1e-5 * onset.gradient()["F_SN", "zeta"]
-    assert beside.F_SN == pytest.approx(expected, rel=(1e-5 / 0.03) ** 2)
+    assert neighbour.F_SN == pytest.approx(expected, rel=(1e-5 / 0.03) ** 2)
 
 
 def test_motion_unknown_to_averaging_is_found_by_amplitude():

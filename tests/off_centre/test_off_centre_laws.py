@@ -46,8 +46,8 @@ def test_linear_mount_on_a_base_is_the_closed_form_about_rest(zeta, eta):
 @pytest.mark.parametrize("law", LAWS)
 @pytest.mark.slow
 def test_a_vanishing_load_leaves_the_answers_about_the_centre(law):
-    given, F_0 = {"zeta": 0.04, "mu": 0.002, **law}, 0.085
-    centred, loaded = (Duffing(1.0, 1.0, **given, load=load) for load in (0.0, 1e-9))
+    parameters, F_0 = {"zeta": 0.04, "mu": 0.002, **law}, 0.085
+    centred, loaded = (Duffing(1.0, 1.0, **parameters, load=load) for load in (0.0, 1e-9))
     for Omega in (0.4, 1.15, 1.3, 1.8):
         one, other = (of.amplitudes(Omega=Omega, F_0=F_0) for of in (centred, loaded))
         np.testing.assert_allclose(other.A, one.A, rtol=1e-10)
@@ -114,8 +114,8 @@ def test_curve_has_folds_and_peak_and_onset_begins_folds(law):
     onset = mount.saddle_node_onset()
     assert len(mount.saddle_nodes(onset.F_SN * 1.001)) == 2 and not len(mount.saddle_nodes(onset.F_SN * 0.999))
     for fold in folds:
-        beside = [len(mount.amplitudes(Omega=fold.Omega * (1 + side), F_0=F_0)) for side in (-1e-5, 1e-5)]
-        assert sorted(beside) == [1, 3]
+        counts = [len(mount.amplitudes(Omega=fold.Omega * (1 + side), F_0=F_0)) for side in (-1e-5, 1e-5)]
+        assert sorted(counts) == [1, 3]
 
 
 @pytest.mark.slow
@@ -161,12 +161,12 @@ def test_damping_without_viscous_part_is_the_limit(law):
     of = Duffing(1.0, 1.0, mu=0.01, load=0.1, **law)
     steps = 1e-6, 2e-6
 
-    def asked(one):
+    def answers(one):
         top, folds = one.peak(0.06), one.saddle_nodes(0.1)
         return np.concatenate(((top.A, top.B, top.Omega), folds.Omega, folds.A, one.amplitudes(Omega=0.8, F_0=0.06).A))
 
-    near, far = (asked(of.replace(zeta=zeta)) for zeta in steps)
-    found = asked(of)
+    near, far = (answers(of.replace(zeta=zeta)) for zeta in steps)
+    found = answers(of)
     assert len(found) == 3 + 4 + 1
     np.testing.assert_allclose(found, 2 * near - far, rtol=1e-6)
 
@@ -206,7 +206,7 @@ def test_what_is_not_answered_off_the_centre_is_refused_in_words():
         Isolator(**TABLE_1, load=0.05, rubs="attached")
 
 
-ASKED = {
+QUERIES = {
     "onset": lambda of: of.saddle_node_onset(),
     "folds": lambda of: of.saddle_nodes(0.1),
     "peak": lambda of: of.peak(0.06),
@@ -217,12 +217,12 @@ ASKED = {
 
 @pytest.mark.slow
 @pytest.mark.parametrize("law", LAWS)
-@pytest.mark.parametrize("ask", ASKED)
+@pytest.mark.parametrize("ask", QUERIES)
 def test_gradients_are_differences_of_answers(law, ask):
     plain = ask in ("onset", "folds", "peak")  # of an isolator these take seconds
     numbers = {**({"alpha": 1.0, "beta": 1.0, "mu": 0.01, "zeta": 0.03} if plain else TABLE_1), "load": 0.1, **law}
     make, by = Duffing if plain else Isolator, {*numbers} - {"excitation"}
-    assert assert_slopes_are_differences(make, numbers, {ask: ASKED[ask]}, by) == {ask}
+    assert assert_slopes_are_differences(make, numbers, {ask: QUERIES[ask]}, by) == {ask}
 
 
 @pytest.mark.slow

@@ -12,7 +12,7 @@ from slowflow.results import Remark
 from slowflow_kernels.conventions import Status
 
 
-def alone(load):
+def loaded(load):
     return Isolator(**TABLE_1, load=float(load))
 
 
@@ -65,7 +65,7 @@ def test_what_the_message_of_a_single_answer_says_is_a_remark():
     designs = Isolator.many(**TABLE_1, load=[0.03, 0.1])
     onset = designs.saddle_node_onset()
     assert onset.remarks.tolist() == [0, Remark.OF_TRUNCATION]
-    assert alone(0.1).saddle_node_onset().kind == "corner"
+    assert loaded(0.1).saddle_node_onset().kind == "corner"
     rows = onset.columns()
     assert rows["load"].tolist() == [0.03, 0.1] and rows["B"].tolist() == onset.B.tolist()
     table = designs.amplitudes(Omega=0.9, F_0=0.04).columns()
@@ -115,22 +115,22 @@ def test_batch_questions_without_asymmetric_answer_are_refused():
 
 
 @pytest.mark.parametrize(
-    "given",
+    "parameters",
     [{"beta": 1e-310, "load": -0.09}, {"beta": 0.0, "load": 1.7e308}, {"beta": 0.1, "load": 1.7e308}],
     ids=["hardly a spring", "linear", "Duffing"],
 )
-def test_motions_beyond_doubles_are_refused(given):
-    """In a batch by a status; words of Python about its integers were passed on."""
-    given = {"alpha": 1.0, **given, "mu": 0.01, "zeta": 0.05}
-    one, many = Duffing(**given), Duffing.many(**given)
-    for asked in (
+def test_motions_beyond_doubles_are_refused(parameters):
+    """By a status in a batch; Python's message about its integers was passed on."""
+    parameters = {"alpha": 1.0, **parameters, "mu": 0.01, "zeta": 0.05}
+    one, many = Duffing(**parameters), Duffing.many(**parameters)
+    for query in (
         lambda of: of.saddle_nodes(0.05),
         lambda of: of.amplitudes(Omega=0.9, F_0=0.05),
         lambda of: of.peak(0.05),
     ):
         with pytest.raises(OverflowError, match=r"off the centre are unresolved: .* beyond the range of doubles"):
-            asked(one)
-        assert asked(many).status == Status.NO_BOUND
+            query(one)
+        assert query(many).status == Status.NO_BOUND
     assert "beyond the range of doubles" in one.saddle_node_onset().message
 
 

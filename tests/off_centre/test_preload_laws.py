@@ -98,10 +98,10 @@ def test_folds_are_where_the_number_of_states_changes(oscillator):
         folds = oscillator.saddle_nodes(F_0)
         for Omega, at in zip(folds.Omega, folds.A, strict=True):
             scale = (F_0 * Omega**2 if oscillator.model.inertial else F_0) ** 2
-            F, beside = (balance(oscillator, Omega, at * one, F_0) for one in (1.0, np.array([1 - 1e-6, 1 + 1e-6])))
+            F, nearby = (balance(oscillator, Omega, at * one, F_0) for one in (1.0, np.array([1 - 1e-6, 1 + 1e-6])))
             assert abs(F) < 1e-9 * scale
             # of one sign on both sides of a fold
-            assert beside[0] * beside[1] > 0
+            assert nearby[0] * nearby[1] > 0
         signs = [balance(oscillator, Omega, A, F_0) < 0 for Omega in grid]
         counts = np.array([np.count_nonzero(one[1:] != one[:-1]) for one in signs])
         turns = np.flatnonzero(np.abs(np.diff(counts)) == 2)
@@ -120,7 +120,7 @@ def test_onset_is_where_two_folds_come_or_they_end_at_rest(oscillator):
         return
     assert (onset.F_SN is None or onset.F_SN < oscillator.model.m) or "4 mu/pi" in onset.message
     if onset.F_SN is not None:
-        below, above = (len(oscillator.saddle_nodes(onset.F_SN * (1 + share))) for share in (-1e-5, 1e-4))
+        below, above = (len(oscillator.saddle_nodes(onset.F_SN * (1 + offset))) for offset in (-1e-5, 1e-4))
         assert above == below + 2
 
 

@@ -74,8 +74,8 @@ def test_means_of_any_force_are_exact_integrals(patched, A, B):
 def test_odd_force_stated_as_asymmetric_has_the_same_answers():
     pieces = [(u + k * (u + g), -g), (u, g), (u + k * (u - g), None)]
     both = derive.mechanism("two_stops", pieces, {"k": ABOVE, "g": ABOVE}, odd=False)
-    given = {"mu": 0.005, "zeta": 0.03, "load": 0.05}
-    one, other = both(k=8.0, g=0.2, **given), derive.library("elastic_stop")(kappa=8.0, delta=0.2, **given)
+    parameters = {"mu": 0.005, "zeta": 0.03, "load": 0.05}
+    one, other = both(k=8.0, g=0.2, **parameters), derive.library("elastic_stop")(kappa=8.0, delta=0.2, **parameters)
     states = [of.amplitudes(Omega=[0.7, 1.05, 1.3], F_0=0.03) for of in (one, other)]
     folds = [of.saddle_nodes(0.03) for of in (one, other)]
     assert len(states[0]) and len(folds[0])
@@ -194,15 +194,15 @@ def test_gradients_of_an_asymmetric_force_are_differences(name):
     pieces, numbers, F_0 = MOVING[name]
     made = derive.mechanism(f"moving_{name}", pieces, {one: {} for one in numbers}, odd=False)
     one = made(**numbers, mu=0.004, zeta=0.03)
-    asked = {
+    queries = {
         "detachment": lambda one: one.detachment(),
         "onset": lambda one: one.saddle_node_onset(),
         "folds": lambda one: one.saddle_nodes(F_0),
         "states": lambda one: one.amplitudes(Omega=1.2, F_0=F_0),
         "peak": lambda one: one.peak(F_0),
     }
-    given = {by: getattr(one, by) for by in (*numbers, "mu", "zeta", "load")}
-    moving = assert_slopes_are_differences(one.replace, given, asked, given)
+    parameters = {by: getattr(one, by) for by in (*numbers, "mu", "zeta", "load")}
+    moving = assert_slopes_are_differences(one.replace, parameters, queries, parameters)
     assert moving >= {"states", "peak"} | ({"onset"} if name != "jump" else set())
     assert ("detachment" in moving) == (name != "even")
     assert ("folds" in moving) == (name != "within")
@@ -235,13 +235,13 @@ def test_folds_and_onset_against_a_stop_bound_three_states(stop):
     oscillator = stop(k=8.0, g=0.2, **DAMPED)
     onset = oscillator.saddle_node_onset()
     near = onset.Omega * np.linspace(0.99, 1.02, 61)
-    for share, most in ((0.995, 1), (1.02, 3)):
-        states = oscillator.amplitudes(Omega=near, F_0=share * onset.F_SN)
+    for ratio, most in ((0.995, 1), (1.02, 3)):
+        states = oscillator.amplitudes(Omega=near, F_0=ratio * onset.F_SN)
         assert max((states.Omega == Omega).sum() for Omega in near) == most
     folds = oscillator.saddle_nodes(0.03)
     for fold in folds:
-        beside = [len(oscillator.amplitudes(Omega=fold.Omega * (1 + side), F_0=0.03)) for side in (-1e-6, 1e-6)]
-        assert sorted(beside) == [1, 3]
+        counts = [len(oscillator.amplitudes(Omega=fold.Omega * (1 + side), F_0=0.03)) for side in (-1e-6, 1e-6)]
+        assert sorted(counts) == [1, 3]
     curve = oscillator.frequency_response(0.03, Omega=(0.5, 1.6))
     assert curve.isola == (False,) and set(folds.A) <= set(curve.A)
     assert (np.diff(curve.stable.astype(int)) != 0).sum() == 2 and curve.B.min() < -0.05
@@ -296,15 +296,15 @@ def test_exact_asymmetric_curve_jumps_as_sweeps_and_mirrors(stop):
     """The stop on the other side too, whose pieces are numbered the other way; near the averaged folds."""
     pieces = [(u + k * (u + g), -g), (u, None)]
     left = derive.mechanism("stop_on_the_left", pieces, {"k": ABOVE, "g": {}}, odd=False, compile=True)
-    given = {"k": 8.0, "g": 0.1, **DAMPED}
-    curve, image = (of(**given).exact_response(0.05, Omega=(0.7, 1.6)) for of in (stop, left))
+    parameters = {"k": 8.0, "g": 0.1, **DAMPED}
+    curve, image = (of(**parameters).exact_response(0.05, Omega=(0.7, 1.6)) for of in (stop, left))
     up, down = curve.folds
     for fold, other in zip(curve.folds, image.folds, strict=True):
         assert fold.kind == other.kind and [fold.Omega, fold.A] == pytest.approx([other.Omega, other.A], rel=1e-9)
-    folds = stop(**given).saddle_nodes(0.05)
+    folds = stop(**parameters).saddle_nodes(0.05)
     assert [fold.Omega for fold in curve.folds] == pytest.approx(folds.Omega, rel=0.05)
     for swept, at in ((np.linspace(1.2, 1.5, 31), down.Omega), (np.linspace(1.5, 1.2, 31), up.Omega)):
-        ((before, after),) = stop(**given).sweep(Omega=swept, F_0=0.05).jumps
+        ((before, after),) = stop(**parameters).sweep(Omega=swept, F_0=0.05).jumps
         assert min(before, after) < at < max(before, after)
 
 
@@ -354,23 +354,23 @@ def test_its_derivation_is_told(stop, tmp_path):
 
 
 def test_asymmetric_play_does_not_single_out_a_mean():
-    """Boxes of places, each as good as another, were cut for up to 16 s; a load that leaves the play has an answer."""
+    """Boxes of equivalent means were bisected for up to 16 s; a load beyond the dead zone has an answer."""
     pieces = [(k * (u + g), -g), (0, 2 * g), (k * (u - 2 * g), None)]
-    play = derive.mechanism("sided_play", pieces, {"k": ABOVE, "g": ABOVE}, odd=False)(k=1.0, g=0.2, **DAMPED)
-    for ask in (play.rest, lambda: play.amplitudes(Omega=0.8, F_0=0.05), lambda: play.saddle_nodes(0.05)):
+    loose = derive.mechanism("sided_play", pieces, {"k": ABOVE, "g": ABOVE}, odd=False)(k=1.0, g=0.2, **DAMPED)
+    for ask in (loose.rest, lambda: loose.amplitudes(Omega=0.8, F_0=0.05), lambda: loose.saddle_nodes(0.05)):
         with pytest.raises(ArithmeticError, match=r"in a play a mean is not singled out: .* on all of -0.2 < u < 0.4"):
             ask()
-    assert play.replace(load=0.05).rest().u == pytest.approx([0.45])
+    assert loose.replace(load=0.05).rest().u == pytest.approx([0.45])
 
 
 def test_larger_motions_of_an_asymmetric_play_are_refused():
-    """Beside them the mass may rest anywhere: there is no mean that a motion belongs to."""
+    """The mass is in equilibrium anywhere in the dead zone, so that no mean is singled out."""
     pieces = [(u + g, -g), (0 * u, 2 * g), (k * (u - 2 * g), None)]
-    play = derive.mechanism("wide_play", pieces, {"k": ABOVE, "g": ABOVE}, odd=False)(k=1.0, g=0.2, **DAMPED)
-    for ask in (lambda: play.amplitudes(Omega=0.8, F_0=5.0), lambda: play.peak(5.0), play.detachment):
+    loose = derive.mechanism("wide_play", pieces, {"k": ABOVE, "g": ABOVE}, odd=False)(k=1.0, g=0.2, **DAMPED)
+    for ask in (lambda: loose.amplitudes(Omega=0.8, F_0=5.0), lambda: loose.peak(5.0), loose.detachment):
         with pytest.raises(ArithmeticError, match="in a play a mean is not singled out"):
             ask()
-    assert "in a play a mean is not singled out" in play.saddle_node_onset().message
+    assert "in a play a mean is not singled out" in loose.saddle_node_onset().message
 
 
 @pytest.mark.slow

@@ -81,5 +81,5 @@ def test_gradients_are_slopes_in_a_random_direction(design, load, F_0):
     ]
     for name in ("F_cr", "Omega_cr", "A", "B"):
         low, high = (getattr(iso.detachment(), name) for iso in ends)
-        told = math.fsum(gradient[name, by] * step for by, step in direction.items())
-        assert (high - low) / 2e-5 == pytest.approx(told, rel=1e-6)
+        slope = math.fsum(gradient[name, by] * step for by, step in direction.items())
+        assert (high - low) / 2e-5 == pytest.approx(slope, rel=1e-6)

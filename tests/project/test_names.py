@@ -24,6 +24,7 @@ ROOMS = {
     "tests/mechanisms": set(),
     "tests/mutants": set(),
     "tests/native": set(),
+    "tests/off_centre": set(),
     "tests/project": set(),
     "tests/random_vibration": set(),
     "tests/second": set(),
