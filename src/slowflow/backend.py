@@ -13,14 +13,13 @@ import ctypes
 import sys
 from collections.abc import Callable
 from functools import lru_cache
-from types import ModuleType
 from typing import Any
 
 import numpy as np
 
+from slowflow.support import quadrature
 from slowflow.support.backend import NATIVE, loaded
 from slowflow.support.errors import Refused
-from slowflow.support.quadrature import RECORDS, interpreted
 from slowflow.support.record import Mechanism, stated_by_module
 
 ENCLOSED = "{}: enclosed is not allowed in a record that is typed: only what is derived is known on intervals"
@@ -44,9 +43,7 @@ def record_of(mechanism: Mechanism, inertial: bool = False, laws: bool = False) 
     """
     if not mechanism.is_generated:
         return None
-    if mechanism.name not in SOLVER.RECORDS:
-        SOLVER.RECORDS[mechanism.name] = _interpreted(mechanism)
-    record = SOLVER.RECORDS[mechanism.name]
+    record = quadrature.record_of(sys.modules[mechanism.pieces[0].force.__module__])
     if record is None:
         return None
     record = SOLVER.inertial(record) if inertial else record
@@ -66,20 +63,6 @@ def check_room(mechanism: Mechanism, *, interpreted: bool = True) -> None:
         raise Refused(NO_ROOM.format(mechanism.name, *(number for pair in pairs for number in pair)))
     if interpreted and mechanism.is_generated and record_of(mechanism) is None:
         raise Refused(TOO_LONG.format(mechanism.name))
-
-
-def _interpreted(mechanism: Mechanism) -> Any:
-    """A record from the program beside the mechanism's module; None where there is none, or the force has no room."""
-    module = sys.modules[mechanism.pieces[0].force.__module__]
-    record = interpreted(module)
-    if record is not None:
-        sum_in_C(module, record)
-    return record
-
-
-def sum_in_C(module: ModuleType, record: Any) -> None:
-    """Lets a record answer for its module's averages where these are quadratures."""
-    RECORDS[module.__name__] = record
 
 
 def parameters_of(mechanism: Mechanism, design: tuple[float, ...]) -> tuple[float, ...]:

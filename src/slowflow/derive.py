@@ -288,11 +288,10 @@ def _derived(stated: Any, compile: bool, remark: str = "") -> Derived:
             if in_python:
                 _write(folder, sources.python)
     importlib.invalidate_caches()
-    printed = importlib.import_module(f"slowflow.derived.{module}")
-    record: Mechanism = printed.MECHANISM
+    record: Mechanism = importlib.import_module(f"slowflow.derived.{module}").MECHANISM
     backend.check_room(record, interpreted=not compile)
     if compile and record.name not in _attached:
-        _attach(printed, _compiled(folder, module))
+        _attach(record, _compiled(folder, module))
     return Derived(record, folder, stated, remark)
 
 
@@ -364,18 +363,16 @@ def _side_by_side(commands: Iterable[list[str]]) -> None:
             raise BuildFailed(f"compile=True: {running[process]} failed:\n{output}")
 
 
-def _attach(printed: ModuleType, library: Path) -> None:
-    """Hands what is in a library to the compiled code, and its averages to its module; neither is ever let go.
+def _attach(record: Mechanism, library: Path) -> None:
+    """Hands what is in a library to the compiled code, and never lets go of it.
 
     To the integrator the pieces of the force, to the solvers the record, which only an odd force has.
     """
-    record: Mechanism = printed.MECHANISM
     _attached.add(record.name)
     loaded = ctypes.CDLL(str(library))
     backend.EXACT.LAWS.update(backend.EXACT.laws(_capsule(loaded, "slowflow_laws", LAWS)))
     if record.odd:
-        backend.SOLVER.RECORDS[record.name] = compiled = _capsule(loaded, "slowflow_record", CAPSULE)
-        backend.sum_in_C(printed, compiled)
+        backend.SOLVER.RECORDS[record.name] = _capsule(loaded, "slowflow_record", CAPSULE)
 
 
 def _capsule(loaded: ctypes.CDLL, name: str, kind: bytes) -> Any:

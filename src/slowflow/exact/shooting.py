@@ -385,19 +385,10 @@ def static_state(system: EquationOfMotion, Omega: float, F_0: float, u: float) -
     check_numbers(system, Omega, F_0)
     region = system.force.region_of(u)
     phase = Phase(0, region, 0.0, u, 0.0, TURN, u, 0.0, 0)
-    return SteadyState(
-        Omega=Omega,
-        F_0=F_0,
-        A=abs(u),
-        stops=1,
-        multipliers=np.array([1.0, 0.0], dtype=np.complex128),
-        half_multipliers=None,
-        stable=True,
-        symmetric=False,
-        cycle=Cycle(system, ((0, region),), 2),
-        unknowns=np.array([u, 0.0, TURN, Omega]),
-        phases=[phase],
-    )
+    z = np.array([u, 0.0, TURN, Omega])
+    found = describe(Cycle(system, ((0, region),), 2), z, F_0, np.diag((1.0, 0.0)), [phase])
+    found.__dict__["stable"] = True  # not yet given: nobody has seen it change
+    return found
 
 
 def describe(cycle: Cycle, z: Floats, F_0: float, monodromy: Floats, phases: list[Phase] | None = None) -> SteadyState:

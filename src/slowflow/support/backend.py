@@ -20,6 +20,7 @@ from slowflow.support.errors import WrongType
 EXTENSION = "slowflow_kernels._native"
 
 
+@functools.cache
 def loaded(name: str) -> ModuleType:
     """An extension module of slowflow. Raises ImportError where it is not built, or not for this processor."""
     try:

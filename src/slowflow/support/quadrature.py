@@ -26,12 +26,20 @@ UNSETTLED = (
 )
 NO_PROGRAM = "{} has averages by quadrature, and no program beside it that can be interpreted"
 
-#: records by the names of modules whose averages are quadratures
-RECORDS: dict[str, Any] = {}
+
+def record_of(module: ModuleType) -> Any:
+    """The compiled record of a module's mechanism, read from the program beside it where none was compiled.
+
+    None where there is no program, or the force has no room. A module of one's own may state a name that is taken.
+    """
+    records, mechanism = loaded("slowflow._native").RECORDS, module.MECHANISM
+    name = mechanism.name if mechanism.is_generated else module.__name__
+    if name not in records:
+        records[name] = _interpreted(module)
+    return records[name]
 
 
-def interpreted(module: ModuleType) -> Any:
-    """A record from the program beside a mechanism's module; None where there is none, or the force has no room."""
+def _interpreted(module: ModuleType) -> Any:
     place = Path(module.__file__ or "").with_suffix(".json")
     if not place.exists():
         return None
@@ -58,9 +66,7 @@ def over_quarter(module: str, outputs: int, A: Any, parameters: Sequence[Any]) -
     """The averages of a module's force at A and parameters that broadcast. ValueError where it has no record."""
     if outputs == 0:  # slopes by parameters, of a force that has none
         return ()
-    if module not in RECORDS:
-        RECORDS[module] = interpreted(sys.modules[module])
-    record = RECORDS[module]
+    record = record_of(sys.modules[module])
     if record is None:
         raise Refused(NO_PROGRAM.format(module))
     if not any(np.ndim(one) for one in parameters):
