@@ -84,18 +84,18 @@ def test_interpreted_series_have_the_bits_of_printed_ones(pieces, name):
 
 
 def test_data_that_is_no_program_is_refused():
-    """A word or a number more or less, a register that holds nothing, another size; too many series are none."""
+    """One instruction or number more or less, an empty register, another size, and too many series are refused."""
     ((name, data),) = json.loads(motion.text(fake_module("sinh", FORCES["sinh"]))).items()
 
-    def law(words, numbers):
-        return EXACT.interpreted(name, array("i", words).tobytes(), array("d", numbers).tobytes())
+    def law(instructions, numbers):
+        return EXACT.interpreted(name, array("i", instructions).tobytes(), array("d", numbers).tobytes())
 
-    words, numbers = data["words"], data["numbers"]
-    assert law(words, numbers) is not None
-    assert law([10**6, *words[1:]], numbers) is None
-    spoilt = [(words[:-1], numbers), ([*words, 0], numbers), (words, numbers[:-1]), (words, [*numbers, 1.0])]
-    spoilt += [([*words[:k], -1, *words[k + 1 :]], numbers) for k in range(len(words))]
-    spoilt += [(words, [*numbers[:k], float("nan"), *numbers[k + 1 :]]) for k in range(len(numbers))]
+    program, numbers = data["words"], data["numbers"]
+    assert law(program, numbers) is not None
+    assert law([10**6, *program[1:]], numbers) is None
+    spoilt = [(program[:-1], numbers), ([*program, 0], numbers), (program, numbers[:-1]), (program, [*numbers, 1.0])]
+    spoilt += [([*program[:k], -1, *program[k + 1 :]], numbers) for k in range(len(program))]
+    spoilt += [(program, [*numbers[:k], float("nan"), *numbers[k + 1 :]]) for k in range(len(numbers))]
     for one in spoilt:
         with pytest.raises(ValueError, match=r"sinh.force: what stands for its force is no program"):
             law(*one)
@@ -111,13 +111,13 @@ def test_periodic_motion_and_variations_have_thirty_digits(pieces, name, Omega):
     found = steady_state(system, Omega=Omega, F_0=F_0)
     assert found.symmetric
     with mp.workdps(30):
-        given = mp.mpf(A), mp.mpf(B)
+        coefficients = mp.mpf(A), mp.mpf(B)
         f, slope = (sp.lambdify((u, a, b), form, "mpmath") for form in (FORCES[name], sp.diff(FORCES[name], u)))
         theta, Om, damping = mp.mpf(found.unknowns[1]), mp.mpf(Omega), 2 * mp.mpf(zeta)
 
         def rates(t, y):
-            push = mp.mpf(F_0) * mp.cos(theta + Om * t) - f(y[0], *given)
-            stiffness = slope(y[0], *given)
+            push = mp.mpf(F_0) * mp.cos(theta + Om * t) - f(y[0], *coefficients)
+            stiffness = slope(y[0], *coefficients)
             bent = [-stiffness * y[2 + c] - damping * y[4 + c] for c in range(2)]
             return [y[1], push - damping * y[1], y[4], y[5], *bent]
 

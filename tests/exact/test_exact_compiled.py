@@ -154,10 +154,10 @@ def test_a_graze_is_told_from_a_stop():
         assert under[3] == Event.STOP and abs(under[0] / Omega - float(where)) <= 4 * math.sqrt(depth), depth
 
     # no double is nearer: whether the mass stops cannot be said, and it is said so
-    for depth, told in ((0.0, True), (1e-9, False), (-1e-9, False)):
+    for depth, undecided in ((0.0, True), (1e-9, False), (-1e-9, False)):
         forced = Forced(EquationOfMotion(linear(), 0.0, 1e-300), Omega, F_0)
         first = follow(forced, 0.0, float(V * F_0), float(touching) + depth, Omega * 1.3)[0]
-        assert first.undecided is told, depth
+        assert first.undecided is undecided, depth
 
 
 def shipped():
@@ -172,12 +172,12 @@ def shipped():
 
 @pytest.fixture(scope="module")
 def motions():
-    """200 random oscillators of every kind and the shipped ones: what is asked, and the motion that a mass comes to.
+    """200 random oscillators of every kind and the shipped ones: each query with its steady state.
 
     By other seeds some of those with static friction are chaotic.
     """
-    asked = [*random_motions(200, seed=12), *shipped()]
-    return [(one, steady_state(one[0], Omega=one[1], F_0=one[2])) for one in asked]
+    queries = [*random_motions(200, seed=12), *shipped()]
+    return [(one, steady_state(one[0], Omega=one[1], F_0=one[2])) for one in queries]
 
 
 def integrators():
@@ -205,16 +205,16 @@ def test_motions_of_every_oscillator_are_independent_integrators(motions, integr
 
 @pytest.mark.slow
 def test_sixteen_threads_find_the_motions_that_one_finds(motions):
-    """The same digits, and the same that a sweep to that frequency alone settles to."""
+    """The same digits, equal to those that a sweep to that single frequency converges to."""
 
-    def again(asked):
-        system, Omega, F_0 = asked
+    def again(query):
+        system, Omega, F_0 = query
         found = steady_state(system, Omega=Omega, F_0=F_0)
         return found.cycle.signature, found.A, found.multipliers.tolist(), sweep(system, Omega=[Omega], F_0=F_0).A[0]
 
     with ThreadPoolExecutor(16) as pool:
-        for (asked, found), there in zip(motions, pool.map(again, [one for one, _ in motions]), strict=True):
-            assert there == (found.cycle.signature, found.A, found.multipliers.tolist(), found.A), asked
+        for (case, found), there in zip(motions, pool.map(again, [one for one, _ in motions]), strict=True):
+            assert there == (found.cycle.signature, found.A, found.multipliers.tolist(), found.A), case
 
 
 @pytest.mark.slow
@@ -305,36 +305,36 @@ def test_curve_traced_in_c_is_the_one_followed_in_python(monkeypatch):
 
 
 def test_edge_and_stop_within_one_rounding_are_one_turn():
-    """u'' = -u from rest at the top, by the cosine alone: it turns at -1, and the next piece begins next to there.
+    """u'' = -u from rest at the top, by the cosine alone: it turns at -1, and the next piece begins within 8 ulps.
 
     An edge that the mass does not reach is a stop; one that it passes, however little, an edge with the velocity that
     the energy leaves; one at the place itself either of them, to rounding, and the motion goes on as if it were not.
     """
     drive, piece = Drive(0.37, 0.0, 0.0, 0.0), linear().pieces[0]
     turn = math.pi * 0.37
-    for places in range(-8, 9):
-        edge = -1.0 + places * 2.0**-53  # below -1 a double is every second of these
+    for ulps in range(-8, 9):
+        edge = -1.0 + ulps * 2.0**-53  # below -1 a double is every second of these
         at, u, v, event = OURS.until(piece, drive, -1, edge, 0.0, 1.0, 0.0, 2.0)
         left = (1.0 - edge) * (1.0 + edge)  # of the square of the velocity
-        assert event in (Event.STOP, Event.EDGE), places
-        assert u == edge or event == Event.STOP, places
-        assert abs(u + 1.0) <= 2e-15 and abs(v * v - max(left, 0.0) * (event == Event.EDGE)) <= 1e-15, places
+        assert event in (Event.STOP, Event.EDGE), ulps
+        assert u == edge or event == Event.STOP, ulps
+        assert abs(u + 1.0) <= 2e-15 and abs(v * v - max(left, 0.0) * (event == Event.EDGE)) <= 1e-15, ulps
         # the time of either is known to the root of a rounding
-        assert abs(at - turn) <= 1e-7, places
+        assert abs(at - turn) <= 1e-7, ulps
     assert OURS.until(piece, drive, -1, -1.0 - 1e-13, 0.0, 1.0, 0.0, 2.0)[3] == Event.STOP
     assert OURS.until(piece, drive, -1, -1.0 + 1e-13, 0.0, 1.0, 0.0, 2.0)[3] == Event.EDGE
 
 
 @pytest.mark.parametrize("jump", [0.0, 0.2])
 def test_motion_that_turns_at_a_breakpoint_goes_on(jump):
-    """A free mass under friction: each turn is 2 mu lower, and the force's bend or jump lies at a turn to 8 places.
+    """A free mass under friction: each turn is 2 mu lower, and the force's corner or jump is within 8 ulps of a turn.
 
-    Beyond the breakpoint it would be held or pushed back: a way as short as rounding there changes next to nothing.
+    Beyond the breakpoint it would stick or be pushed back; a distance of one rounding there has no visible effect.
     """
     mu, Omega = 0.03, 0.37
-    for places in range(-8, 9):
+    for ulps in range(-8, 9):
         # from 1 to -(1 - 2 mu), where it stops and slips back to 1 - 4 mu
-        bend = (1.0 - 2.0 * mu) * (1.0 + places * 2.0**-52)
+        bend = (1.0 - 2.0 * mu) * (1.0 + ulps * 2.0**-52)
         outer = Duffing(1.0 + jump, 0.0).restoring_force().pieces[0]
         force = Force((linear().pieces[0], outer), (bend,))
         forced = Forced(EquationOfMotion(force, mu, 0.0), Omega, 1e-300)
@@ -343,9 +343,9 @@ def test_motion_that_turns_at_a_breakpoint_goes_on(jump):
         speed = -math.sqrt((1.0 - mu) ** 2 - (start - mu) ** 2)
         phases = follow(forced, 0.0, start, speed, 2.0 * math.pi * Omega)
         stops = [phase for phase in phases if phase.event == Event.STOP]
-        assert abs(stops[0].u_end + (1.0 - 2.0 * mu)) <= 4e-15, places
+        assert abs(stops[0].u_end + (1.0 - 2.0 * mu)) <= 4e-15, ulps
         # what is gone beyond a bend is a rounding, and its time the root of one
-        assert abs(stops[1].u_end - (1.0 - 4.0 * mu)) <= 4e-15 + 1e-7 * jump, places
+        assert abs(stops[1].u_end - (1.0 - 4.0 * mu)) <= 4e-15 + 1e-7 * jump, ulps
 
 
 def isola():

@@ -65,11 +65,11 @@ def test_random_isolators_against_brute_force(states):
         first = int(np.argmax(np.abs(v)))
         start = (tau[first], u[first], v[first])
         friction, damping = case.system.mu, case.system.zeta
-        found, rests = exact_brute.follow(case.by_hand, friction, damping, case.Omega, case.F_0, *start, turns, fine)
+        found, stops = exact_brute.follow(case.by_hand, friction, damping, case.Omega, case.F_0, *start, turns, fine)
         every = np.array(found)[fine // 16 - 1 :: fine // 16]
         expected = np.column_stack((np.roll(u, -first - 1), np.roll(v, -first - 1)))
         assert np.max(np.abs(every - expected)) <= 1e-8, case
-        assert rests == state.stops, case
+        assert stops == state.stops, case
 
 
 @pytest.mark.slow
@@ -202,23 +202,23 @@ def test_motion_with_stops_in_closed_form(Omega, mu):
     assert state.stops >= 2
     with mp.workdps(40):
         start = mp.mpf(float(state.unknowns[1])) / mp.mpf(Omega)
-        u, tau, rests = exact_linear.one_turn(
+        u, tau, stops = exact_linear.one_turn(
             mp.mpf(Omega), mp.mpf(1), mp.mpf(mu), start, mp.mpf(float(state.unknowns[0])), -1
         )
-    assert rests == state.stops
+    assert stops == state.stops
     assert abs(float(u) - state.unknowns[0]) <= 1e-10
     assert abs(float(tau - start) - 2 * math.pi / Omega) <= 1e-10
 
 
-@pytest.mark.parametrize("share", [0.5, 0.95, 0.999])
-def test_friction_holds_a_mass_where_the_spring_pulls_with_less(share):
+@pytest.mark.parametrize("fraction", [0.5, 0.95, 0.999])
+def test_friction_holds_a_mass_where_the_spring_pulls_with_less(fraction):
     """At once, or after each turn that takes 2 mu off a free mass."""
     mu, Omega = 0.01, 0.37
     forced = Forced(EquationOfMotion(linear(), mu, 0.0), Omega, 1e-300)
     for turns in range(3):
-        phases = follow(forced, 0.0, (share + 2 * turns) * mu, 0.0, 20 * Omega)
+        phases = follow(forced, 0.0, (fraction + 2 * turns) * mu, 0.0, 20 * Omega)
         assert [phase.slip for phase in phases] == [*(-1, 1)[:turns], 0]
-        assert abs(phases[-1].u_end) == pytest.approx(share * mu, rel=1e-13)
+        assert abs(phases[-1].u_end) == pytest.approx(fraction * mu, rel=1e-13)
 
 
 def test_multipliers_against_finite_differences(states):
@@ -321,14 +321,14 @@ def test_a_wall_within_reach():
         steady_state(system, Omega=0.5, F_0=1e9)
 
 
-def passes(level, force, push, zeta, end, **given):
+def passes(level, force, push, zeta, end, **options):
     """When |u| first reaches a level, by SciPy from rest at u = 0."""
 
     def arrives(_, y):
         return abs(y[0]) - level
 
     arrives.terminal = True
-    (at,) = by_time.motion(force, push, zeta, (0, end), (0.0, 0.0), events=arrives, **given).t_events[0]
+    (at,) = by_time.motion(force, push, zeta, (0, end), (0.0, 0.0), events=arrives, **options).t_events[0]
     return at
 
 
@@ -447,11 +447,11 @@ def test_motion_that_turns_once_in_two_turns_is_closed(Omega):
     found = made(al=0.25, b=4.0, zeta=0.02, load=1.2).steady_state(Omega=Omega, F_0=1.0)
     period, tau = 2.0 * math.pi / Omega, found.series(2)[0]
 
-    def turns(span, state, share, **given):
+    def turns(span, state, fraction, **options):
         spring = lambda u: 0.25 * u if abs(u) <= 4.0 else u - math.copysign(3.0, u)  # noqa: E731
         push = lambda tau: math.cos(Omega * tau) + 1.2  # noqa: E731
-        near = {"rtol": 1e-9, "atol": 1e-9, "max_step": share * period}
-        return by_time.motion(spring, push, 0.02, (0.0, span * period), state, **near, **given)
+        near = {"rtol": 1e-9, "atol": 1e-9, "max_step": fraction * period}
+        return by_time.motion(spring, push, 0.02, (0.0, span * period), state, **near, **options)
 
     last = turns(160.0, (4.2, 0.0), 0.1)
     (turned,) = turns(2.0, last.y[:, -1], 0.02, events=lambda _, y: y[1]).y_events
@@ -464,17 +464,17 @@ def test_motion_that_turns_once_in_two_turns_is_closed(Omega):
 
 @pytest.mark.slow
 def test_motion_is_stable_where_both_multipliers_are_small():
-    """Of three motions at one frequency what begins beside the middle one leaves it, by SciPy, and not the others.
+    """Of three motions at one frequency only the middle one is unstable: by SciPy, a perturbation of it grows.
 
-    The product of the multipliers is exp(-2 zeta times the period), whatever the motion: one alone is always small.
+    The product of the multipliers is exp(-2 zeta times the period), whatever the motion: one of them is always small.
     """
-    oscillator, given = Duffing(1.0, 1.0, zeta=0.05), {"Omega": 1.6, "F_0": 0.3}
-    motions = [oscillator.steady_state(**given, A=A) for A in (0.2, 1.2, 1.5)]
+    oscillator, query = Duffing(1.0, 1.0, zeta=0.05), {"Omega": 1.6, "F_0": 0.3}
+    motions = [oscillator.steady_state(**query, A=A) for A in (0.2, 1.2, 1.5)]
     curve = oscillator.exact_response(0.3, Omega=(1.2, 2.5), step=0.1)
     for motion in motions:
         ((_,), (u,), (v,)) = motion.series(1)
-        beside = of_duffing(1.0, 1.0, 0.05, **given, turns=30, state=(u + 1e-4, v))
-        stays = bool(np.hypot(*(beside[-1] - (u, v))) < 1e-4)
+        perturbed = of_duffing(1.0, 1.0, 0.05, **query, turns=30, state=(u + 1e-4, v))
+        stays = bool(np.hypot(*(perturbed[-1] - (u, v))) < 1e-4)
         assert motion.stable == stays
         assert np.prod(motion.multipliers).real == pytest.approx(math.exp(-0.1 * motion.period))
     assert [motion.stable for motion in motions] == [True, False, True]

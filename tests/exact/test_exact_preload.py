@@ -23,13 +23,13 @@ def spring(request):
 
 
 def slips(Omega, F_0, tau, y, end, direction, side):
-    """On one side of u = 0 and in one direction, up to either's end: the time, the state."""
+    """Time and state where motion on one side of u = 0 in one direction ends, by SciPy."""
 
     def rates(tau, y):
         push = F_0 * math.cos(Omega * tau) - side * C - K * y[0]
         return [y[1], push - direction * MU - 2 * ZETA * y[1]]
 
-    def leaves(tau, y):
+    def crosses(tau, y):
         return side * y[0]
 
     def stops(tau, y):
@@ -38,12 +38,12 @@ def slips(Omega, F_0, tau, y, end, direction, side):
     def integrated(until, events=()):
         return solve_ivp(rates, (tau, until), y, method="DOP853", rtol=1e-13, atol=1e-15, max_step=0.1, events=events)
 
-    leaves.terminal = stops.terminal = True
-    leaves.direction = stops.direction = -1
+    crosses.terminal = stops.terminal = True
+    crosses.direction = stops.direction = -1
     if min(abs(y)) == 0:  # off the event that was
         first = integrated(tau + 1e-4)
         tau, y = first.t[-1], first.y[:, -1]
-    found = integrated(end, (leaves, stops))
+    found = integrated(end, (crosses, stops))
     tau, (x, v) = found.t[-1], found.y[:, -1]
     return tau, np.array([0.0 if found.t_events[0].size else x, 0.0 if found.t_events[1].size else v])
 
@@ -60,8 +60,10 @@ def over_a_period(Omega, F_0, state):
 
 def multipliers_at(Omega, F_0, here, step=1e-5):
     """Of the map over a period, by differences."""
-    moved = [over_a_period(Omega, F_0, here + step * e) - over_a_period(Omega, F_0, here - step * e) for e in np.eye(2)]
-    return np.sort_complex(np.linalg.eigvals(np.column_stack(moved) / (2 * step)))
+    differences = [
+        over_a_period(Omega, F_0, here + step * e) - over_a_period(Omega, F_0, here - step * e) for e in np.eye(2)
+    ]
+    return np.sort_complex(np.linalg.eigvals(np.column_stack(differences) / (2 * step)))
 
 
 @pytest.mark.slow
@@ -110,8 +112,8 @@ def test_rest_on_a_jump_of_the_force_is_followed_and_said(spring):
 
 @pytest.mark.slow
 def test_force_below_friction_and_preload_leaves_a_mass_at_rest(spring):
-    held = spring.steady_state(Omega=0.6, F_0=0.0599)  # mu and what the force jumps to at u = 0 are 0.06
-    assert held.A == 0 and held.stable
+    state = spring.steady_state(Omega=0.6, F_0=0.0599)  # mu and what the force jumps to at u = 0 are 0.06
+    assert state.A == 0 and state.stable
     assert spring.transient(acceleration=0.0599, duration=3.0).A == 0
     shock = spring.transient(acceleration=0.2, duration=3.0)
     many = Oscillator.many(spring.model.mechanism, c=[C], k=K, mu=MU, zeta=ZETA)
@@ -137,6 +139,6 @@ def test_detachment_behind_a_preload_is_the_first_pieces_peak(spring):
     stop = derive.mechanism("sprung_stop", pieces, dict.fromkeys(("c", "k", "hard", "gap"), ABOVE_0))
     reach = 0.3
     found = stop(c=0.01, k=K, hard=3.0, gap=reach, mu=MU, zeta=ZETA).detachment().measure()
-    beside = (0.9 * found.Omega, 1.1 * found.Omega)
-    assert spring.replace(c=0.01).exact_response(found.F_0, Omega=beside).peak.A == pytest.approx(reach, rel=1e-6)
+    window = (0.9 * found.Omega, 1.1 * found.Omega)
+    assert spring.replace(c=0.01).exact_response(found.F_0, Omega=window).peak.A == pytest.approx(reach, rel=1e-6)
     assert abs(found.error) < 0.01

@@ -41,9 +41,9 @@ def from_place(force, *, load, zeta, Omega, F_0, u, periods=200):
 def test_a_mass_at_rest_begins_where_load_and_spring_balance():
     """Under a load, on a force that is not odd, and between two wells; by SciPy from the place that is a root of f."""
     cubic = {"load": 0.3, "zeta": 0.05, "Omega": 0.9, "F_0": 0.25}
-    stands = root(lambda u: u + u**3 - 0.3, 0.3).x[0]
+    equilibrium = root(lambda u: u + u**3 - 0.3, 0.3).x[0]
     loaded = Duffing(1.0, 1.0, zeta=0.05, load=0.3)
-    expected = from_place(lambda u: u + u**3, u=stands, **cubic)
+    expected = from_place(lambda u: u + u**3, u=equilibrium, **cubic)
     assert loaded.steady_state(Omega=0.9, F_0=0.25).A == pytest.approx(expected, rel=1e-5)
     well = {"load": 0.0, "zeta": 0.1, "Omega": 1.2, "F_0": 0.1}
     double = Duffing(-1.0, 1.0, zeta=0.1)
@@ -66,12 +66,12 @@ def test_loaded_isolator_comes_to_the_motion_from_its_rest():
     """From u = 0, where it does not rest, it comes to one of A = 0.2485."""
     iso = Isolator(lam=3, r=2.03, delta_h=0.082, mu=0.0, zeta=0.02, load=0.0455)
     force = iso.restoring_force()
-    stands = root(lambda u: force.value(float(u[0])) - 0.0455, 0.09).x[0]
+    equilibrium = root(lambda u: force.value(float(u[0])) - 0.0455, 0.09).x[0]
 
     def f(u):
         return np.copysign(force.value(abs(u)), u)
 
-    expected = from_place(f, load=0.0455, zeta=0.02, Omega=0.9261, F_0=0.0434, u=stands)
+    expected = from_place(f, load=0.0455, zeta=0.02, Omega=0.9261, F_0=0.0434, u=equilibrium)
     assert expected == pytest.approx(0.5409, abs=1e-4)
     assert iso.steady_state(Omega=0.9261, F_0=0.0434).A == pytest.approx(expected, rel=1e-5)
     assert iso.sweep(Omega=[0.9261], F_0=0.0434).A[0] == pytest.approx(expected, rel=1e-5)
@@ -239,8 +239,8 @@ def test_drift_near_sticking_ends_where_integration_stays(ratio):
     tau, u, v = found.series(64)
     at = int(np.argmax(np.abs(v)))
     force = ((lambda x: x**3,), ())
-    states, rests = exact_brute.follow(force, mu, zeta, Omega, F_0, tau[at], u[at], v[at], 1, 4000)
-    assert rests == 2
+    states, stops = exact_brute.follow(force, mu, zeta, Omega, F_0, tau[at], u[at], v[at], 1, 4000)
+    assert stops == 2
     assert np.max(np.abs(np.subtract(states[-1], (u[at], v[at])))) <= 1e-9 * found.A
     swept = oscillator.sweep(Omega=[0.8, 0.9, 1.0, 0.9], F_0=F_0)
     assert swept.settled.all()
@@ -406,10 +406,10 @@ REFUSED = [
 ]
 
 
-@pytest.mark.parametrize(("question", "words"), REFUSED)
+@pytest.mark.parametrize(("question", "message"), REFUSED)
 @pytest.mark.parametrize("oscillator", [isolator(), Duffing(1.0, 0.5, 0.012, 0.05)])
-def test_refusals_name_parameter_value_and_range(question, words, oscillator):
-    with pytest.raises(ValueError, match=words):
+def test_refusals_name_parameter_value_and_range(question, message, oscillator):
+    with pytest.raises(ValueError, match=message):
         question(oscillator)
 
 
@@ -420,12 +420,12 @@ def test_no_damping_at_all_is_refused():
 
 @pytest.mark.slow
 def test_a_first_exact_motion_is_found_without_scipy():
-    asked = "Isolator(lam=3.0, r=2.0, delta_h=0.08, mu=0.012, zeta=0.02).steady_state(Omega=0.9, F_0=0.04)"
+    query = "Isolator(lam=3.0, r=2.0, delta_h=0.08, mu=0.012, zeta=0.02).steady_state(Omega=0.9, F_0=0.04)"
     code = (
-        f"import sys; from slowflow import Isolator; {asked}; print('scipy' in sys.modules, 'numpy.ma' in sys.modules)"
+        f"import sys; from slowflow import Isolator; {query}; print('scipy' in sys.modules, 'numpy.ma' in sys.modules)"
     )
-    said = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
-    assert said == "False False\n"
+    printed = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
+    assert printed == "False False\n"
 
 
 def test_the_answers_are_public():

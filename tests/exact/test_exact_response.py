@@ -152,8 +152,8 @@ def test_peak_by_amplitude(curves, exact, F_0):
         return -float(solution.x[0])
 
     # the jump just beyond the peak leaves no room for more
-    beside = 2e-5
-    found = minimize_scalar(lowered, bounds=(peak.Omega - beside, peak.Omega + beside), options={"xatol": 1e-11})
+    margin = 2e-5
+    found = minimize_scalar(lowered, bounds=(peak.Omega - margin, peak.Omega + margin), options={"xatol": 1e-11})
     assert -found.fun == pytest.approx(peak.A, rel=1e-10)
     assert found.x == pytest.approx(peak.Omega, abs=1e-6)
     assert peak.A >= curves[exact, F_0].A.max() and peak.residual <= 1e-12
@@ -189,8 +189,8 @@ def test_linear_oscillator_never_jumps_at_any_spacing(zeta):
         assert linear_one.sweep(Omega=Omega, F_0=0.1).jumps == ()
 
 
-#: by `settled_by_scipy`: beside a fold at which the amplitude changes by less than 3 %
-BESIDE = {(0.3784, 0.3786): (1.7559427, 1.7266846)}
+#: by `settled_by_scipy`: amplitudes before and after a fold at which A changes by less than 3 %
+REFINED = {(0.3784, 0.3786): (1.7559427, 1.7266846)}
 
 
 @pytest.mark.slow
@@ -200,7 +200,7 @@ def test_jump_is_a_change_of_branch_and_a_pitchfork_is_none():
     assert swept.jumps == ((0.378, 0.379), (0.477, 0.478))
     finer = Duffing(1.0, 1.0, zeta=0.02).sweep(Omega=[*np.arange(300, 379) / 1000, 0.3784, 0.3786], F_0=3.0)
     assert finer.jumps == ((0.3784, 0.3786),)
-    assert finer.A[-2:] == pytest.approx(BESIDE[0.3784, 0.3786], rel=2e-5)
+    assert finer.A[-2:] == pytest.approx(REFINED[0.3784, 0.3786], rel=2e-5)
 
 
 def test_jump_in_coarse_steps_is_where_the_fold_is(curves):
@@ -214,7 +214,9 @@ def test_jump_in_coarse_steps_is_where_the_fold_is(curves):
 @pytest.mark.night
 def test_the_motion_that_scipy_follows_jumps_there():
     begun = (0.33, 0.34, 0.35, 0.36, 0.37, 0.375, 0.378, 0.3782)
-    assert settled_by_scipy(3.0, 0.02, (*begun, 0.3784, 0.3786))[-2:] == pytest.approx(BESIDE[0.3784, 0.3786], rel=2e-5)
+    assert settled_by_scipy(3.0, 0.02, (*begun, 0.3784, 0.3786))[-2:] == pytest.approx(
+        REFINED[0.3784, 0.3786], rel=2e-5
+    )
     begun = (0.47, 0.475, 0.477, 0.4774, 0.4776, 0.4777)
     steps = settled_by_scipy(3.0, 0.02, (*begun, 0.47772, 0.47776, 0.4778))
     # not before, where it hardly moves, but then it does

@@ -89,11 +89,11 @@ def by_scipy(iso, acceleration, duration, end):
     while time < end:
         push = -base(time) - contact(state, 0)[0]
         if sign == 0:
-            if abs(push) <= mu:  # held until the push passes friction, if it ever does
+            if abs(push) <= mu:  # sticks until the push exceeds friction, if it ever does
                 excess = lambda t, u=state: abs(base(t) + contact(u, 0)[0]) - mu  # noqa: E731
                 later = next((t for t in np.linspace(time, duration, 4001) if excess(t) > 0), end)
-                held, time = time, later if later == end else brentq(excess, max(time, later - 2e-3), later)
-                largest = max(largest, *(abs(base(t)) for t in np.linspace(held, time, 200)))
+                stuck, time = time, later if later == end else brentq(excess, max(time, later - 2e-3), later)
+                largest = max(largest, *(abs(base(t)) for t in np.linspace(stuck, time, 200)))
                 state[1] = 0.0
                 if time < end:
                     sign = math.copysign(1.0, -base(time) - contact(state, 0)[0])
@@ -212,16 +212,16 @@ def test_shocks_of_many_designs_are_those_of_each():
     """Half sines and records, of isolators that stick, leave their springs or are none; with what is said of each."""
     draw, n = np.random.default_rng(9), 120
     lam, delta_h = draw.integers(1, 4, n).astype(float), draw.uniform(0.0, 0.4, n) * (draw.random(n) < 0.9)
-    given = {"lam": lam, "r": draw.uniform(0.05, 1.0, n) / (lam * np.maximum(delta_h, 0.05)), "delta_h": delta_h}
-    given |= {"mu": draw.uniform(0, 0.05, n) * (draw.random(n) < 0.7), "zeta": draw.uniform(0.0, 0.4, n)}
-    given["r"][3] = -1.0
+    parameters = {"lam": lam, "r": draw.uniform(0.05, 1.0, n) / (lam * np.maximum(delta_h, 0.05)), "delta_h": delta_h}
+    parameters |= {"mu": draw.uniform(0, 0.05, n) * (draw.random(n) < 0.7), "zeta": draw.uniform(0.0, 0.4, n)}
+    parameters["r"][3] = -1.0
     pulse = {
         "acceleration": draw.uniform(-1, 1, n) * draw.choice([0.03, 0.5, 3.0], n),
         "duration": draw.uniform(0.1, 9, n),
     }
     tau = np.cumsum(draw.uniform(0.01, 1, (n, 9)), axis=-1)
     samples = {"tau": tau, "acceleration": draw.normal(0, 0.3, 9)}
-    designs = Isolator.many(**given)
+    designs = Isolator.many(**parameters)
     seen = set()
     for batch, of_one in (
         (designs.transient(**pulse, workers=2), lambda k: {name: value[k] for name, value in pulse.items()}),
@@ -229,7 +229,7 @@ def test_shocks_of_many_designs_are_those_of_each():
     ):
         assert batch.status.tolist() == [Status.INVALID if k == 3 else 0 for k in range(n)] and np.isnan(batch.A[3])
         for k in set(range(n)) - {3}:
-            one = Isolator(**{name: float(value[k]) for name, value in given.items()}).transient(**of_one(k))
+            one = Isolator(**{name: float(value[k]) for name, value in parameters.items()}).transient(**of_one(k))
             for name in ("A", "tau_A", "a_max", "tau_a", "u_end", "tau_detaches"):
                 value = getattr(one, name)
                 assert getattr(batch, name)[k] == pytest.approx(
@@ -243,8 +243,8 @@ def test_shocks_of_many_designs_are_those_of_each():
     softens = Duffing.many(1.0, [-1.0, 0.0], 0.0, 0.05).transient(acceleration=3.0, duration=[[3.0], [-1.0]])
     assert softens.status.tolist() == [[Status.UNRESOLVED, Status.OK], [Status.INVALID] * 2]
     orifice = Duffing.many(1.0, 0.5, 0.01, 0.02, c_2=[0.0, 0.1]).shock_spectrum(acceleration=0.4, duration=1.0)
-    alone = Duffing(1.0, 0.5, 0.01, 0.02, c_2=0.1).shock_spectrum(acceleration=0.4, duration=1.0)
-    assert orifice.A[0] > orifice.A[1] and (orifice.A[1], orifice.ratio[1]) == (alone.A[0], alone.ratio[0])
+    viscous = Duffing(1.0, 0.5, 0.01, 0.02, c_2=0.1).shock_spectrum(acceleration=0.4, duration=1.0)
+    assert orifice.A[0] > orifice.A[1] and (orifice.A[1], orifice.ratio[1]) == (viscous.A[0], viscous.ratio[0])
     flat = designs.transient(acceleration=[0.1, 0.2, 0.1], tau=[0.0, 1.0, 1.0])
     assert (flat.status == Status.INVALID).all()
 
@@ -358,7 +358,7 @@ def test_shock_between_two_wells_begins_in_one():
 
 def test_what_is_no_shock_is_refused():
     iso, mount = isolator(), Isolator.physical(**MOUNT)
-    for call, said in (
+    for call, message in (
         (lambda: iso.transient(acceleration=0.1), "either its duration"),
         (lambda: iso.transient(acceleration=0.1, duration=1.0, tau=[0, 1]), "either its duration"),
         (lambda: iso.transient(acceleration=0.1, duration=-1.0), "duration = -1"),
@@ -369,7 +369,7 @@ def test_what_is_no_shock_is_refused():
         (lambda: iso.shock_spectrum(acceleration=-0.1, duration=1.0), "acceleration = -0.1"),
         (lambda: mount.transient(acceleration=20.0, duration="11 ms"), "duration = '11 ms'"),
     ):
-        with pytest.raises(ValueError, match=said):
+        with pytest.raises(ValueError, match=message):
             call()
     with pytest.raises(ArithmeticError, match="escapes"):
         Duffing(1.0, -1.0, zeta=0.05).transient(acceleration=3.0, duration=3.0)
@@ -380,8 +380,8 @@ def test_what_is_no_shock_is_refused():
 def test_a_shock_and_a_spectrum_are_drawn():
     pytest.importorskip("matplotlib")
     found = isolator().transient(acceleration=0.5, duration=2.0)
-    told = {text.get_text() for text in found.plot().get_legend().get_texts()}
-    assert told == {"beyond $u_{cr}$"}
+    labels = {text.get_text() for text in found.plot().get_legend().get_texts()}
+    assert labels == {"beyond $u_{cr}$"}
     ax = isolator().shock_spectrum(acceleration=[[0.1], [0.5]], duration=[1.0, 2.0]).plot()
     assert {"0.1", "0.5", "springs leave"} <= {text.get_text() for text in ax.get_legend().get_texts()}
     assert exact.Transient is type(found)
@@ -418,8 +418,8 @@ def test_shock_hidden_by_rounding_of_the_load_is_refused(load):
     status = many.shock_spectrum(acceleration=[1e-17, 1e-7], duration=1.0).status
     assert status.tolist() == [Status.UNRESOLVED, Status.OK]
     # what friction holds moves with its base, however weakly that is shaken
-    held = loaded.replace(mu=0.01).transient(acceleration=1e-17, duration=1.0)
-    assert held.rests and held.a_max == pytest.approx(1e-17)
+    motion = loaded.replace(mu=0.01).transient(acceleration=1e-17, duration=1.0)
+    assert motion.rests and motion.a_max == pytest.approx(1e-17)
 
 
 def test_a_pulse_whose_frequency_is_beyond_doubles_is_refused():

@@ -18,36 +18,36 @@ from tests.oracles.exact_reference import ScipyIntegrator, again
 
 def test_linear_error_is_that_beside_den_hartogs_amplitude():
     """(35) is the exact amplitude where the mass does not stop."""
-    asked = Duffing(1.0, 0.0, 0.2, 0.0).amplitudes(Omega=np.array([0.7, 0.85, 1.2, 1.4]), F_0=1.0)
-    exact = den_hartog.amplitude(asked.Omega, 1.0, 0.2)
-    measured = asked.measure()
+    averaged = Duffing(1.0, 0.0, 0.2, 0.0).amplitudes(Omega=np.array([0.7, 0.85, 1.2, 1.4]), F_0=1.0)
+    exact = den_hartog.amplitude(averaged.Omega, 1.0, 0.2)
+    measured = averaged.measure()
     assert measured.found.all() and not measured.stops.any() and measured.message == ""
     np.testing.assert_allclose(measured.A, exact, rtol=1e-13)
-    np.testing.assert_allclose(measured.error, asked.A / exact - 1.0, rtol=0, atol=1e-12)
+    np.testing.assert_allclose(measured.error, averaged.A / exact - 1.0, rtol=0, atol=1e-12)
 
 
 @pytest.mark.slow
 def test_states_are_measured_by_the_motion_scipy_finds():
     """Two stable states and the unstable one between them."""
     iso = isolator()
-    asked = iso.amplitudes(Omega=0.9, F_0=0.04)
+    averaged = iso.amplitudes(Omega=0.9, F_0=0.04)
     for force in ("truncated", "untruncated"):
-        measured = asked.measure(force)
+        measured = averaged.measure(force)
         system = iso.equation_of_motion(force)
-        assert measured.stable.tolist() == asked.stable.tolist() == [True, False, True]
-        for state, entry in zip(asked, measured, strict=True):
+        assert measured.stable.tolist() == averaged.stable.tolist() == [True, False, True]
+        for state, entry in zip(averaged, measured, strict=True):
             other = again(steady_state(system, (state.A, state.phi), Omega=0.9, F_0=0.04), ScipyIntegrator())
             assert abs(entry.A - other.A) <= 1e-9 and abs(entry.error - (state.A / other.A - 1.0)) <= 1e-8
-    assert asked.measure().A.tolist() == asked.measure("truncated").A.tolist()
+    assert averaged.measure().A.tolist() == averaged.measure("truncated").A.tolist()
 
 
 def test_folds_are_measured_by_those_of_the_exact_curve():
     for oscillator, F_0, window in ((isolator(), 0.04, (0.5, 1.5)), (Duffing(1.0, 0.1, 0.0, 0.025), 0.18, (0.5, 2.0))):
-        asked = oscillator.saddle_nodes(F_0)
-        measured = asked.measure()
+        folds = oscillator.saddle_nodes(F_0)
+        measured = folds.measure()
         exact = oscillator.exact_response(F_0, Omega=window).folds
         assert measured.found.all() and len(exact) == len(measured)
-        for fold, entry, averaged in zip(exact, measured, asked, strict=True):
+        for fold, entry, averaged in zip(exact, measured, folds, strict=True):
             assert abs(entry.Omega - fold.Omega) <= 1e-10 and abs(entry.A - fold.A) <= 1e-6
             assert entry.error == averaged.Omega / entry.Omega - 1.0
             assert entry.error_of_A == averaged.A / entry.A - 1.0
@@ -60,11 +60,11 @@ def test_peaks_are_measured_by_linear_and_exact_ones():
     assert linear.A == pytest.approx(F_0 / (2 * zeta * np.sqrt(1 - zeta**2)), rel=1e-10)
     assert linear.Omega == pytest.approx(np.sqrt(1 - 2 * zeta**2), rel=1e-6)
     iso = isolator()
-    asked = iso.peak(0.04)
-    measured, exact = asked.measure(), iso.exact_response(0.04, Omega=(0.5, 1.5)).peak
+    averaged = iso.peak(0.04)
+    measured, exact = averaged.measure(), iso.exact_response(0.04, Omega=(0.5, 1.5)).peak
     assert measured.A == pytest.approx(exact.A, rel=1e-10)
-    assert measured.error == asked.A / measured.A - 1.0
-    assert measured.error_of_Omega == asked.Omega / measured.Omega - 1.0
+    assert measured.error == averaged.A / measured.A - 1.0
+    assert measured.error_of_Omega == averaged.Omega / measured.Omega - 1.0
 
 
 @pytest.mark.slow
@@ -76,25 +76,25 @@ def test_detachment_is_measured_by_that_of_the_first_piece():
     assert measured.F_0 == pytest.approx(2 * zeta * np.sqrt(1 - zeta**2) * gap, rel=1e-8)
     assert measured.Omega == pytest.approx(np.sqrt(1 - 2 * zeta**2), rel=1e-6)
     iso = isolator()
-    asked = iso.detachment()
+    averaged = iso.detachment()
     for force in ("truncated", "untruncated"):
-        measured = asked.measure(force)
-        assert measured.error == asked.F_cr / measured.F_0 - 1.0
-        for share, beyond in ((1 - 1e-4, False), (1 + 1e-4, True)):
-            curve = iso.exact_response(share * measured.F_0, Omega=(0.6, 1.2), force=force)
-            assert (curve.peak.A > asked.u_cr) == beyond
+        measured = averaged.measure(force)
+        assert measured.error == averaged.F_cr / measured.F_0 - 1.0
+        for ratio, beyond in ((1 - 1e-4, False), (1 + 1e-4, True)):
+            curve = iso.exact_response(ratio * measured.F_0, Omega=(0.6, 1.2), force=force)
+            assert (curve.peak.A > averaged.u_cr) == beyond
 
 
 @pytest.mark.parametrize("oscillator", [isolator(), Duffing(1.0, 0.1, 0.0, 0.025), Duffing(1.0, -0.05, 0.0, 0.05)])
 def test_onset_is_measured_by_the_first_fold_of_exact_curves(oscillator):
     """By finer steps, to 10^-4; and the second approximation is nearer to it than averaging."""
-    asked = oscillator.saddle_node_onset()
-    measured = asked.measure()
-    assert asked.kind == "cusp" and measured.error == asked.F_SN / measured.F_0 - 1.0
-    assert measured.error_of_Omega == asked.Omega / measured.Omega - 1.0
+    averaged = oscillator.saddle_node_onset()
+    measured = averaged.measure()
+    assert averaged.kind == "cusp" and measured.error == averaged.F_SN / measured.F_0 - 1.0
+    assert measured.error_of_Omega == averaged.Omega / measured.Omega - 1.0
     window = measured.Omega / 1.5, 1.2 * measured.Omega
-    for share, count in ((1 - 1e-4, 0), (1 + 1e-4, 2)):
-        assert len(oscillator.exact_response(share * measured.F_0, Omega=window, step=0.005).folds) == count
+    for ratio, count in ((1 - 1e-4, 0), (1 + 1e-4, 2)):
+        assert len(oscillator.exact_response(ratio * measured.F_0, Omega=window, step=0.005).folds) == count
     second = oscillator.second_approximation.saddle_node_onset().F_SN / measured.F_0 - 1.0
     assert abs(second) < 0.05 * abs(measured.error)
 
@@ -117,9 +117,9 @@ def test_states_without_a_motion_say_so_in_words():
     folds = iso.saddle_nodes(0.04)
     exact, averaged = folds.measure().Omega[1], folds.Omega[1]
     assert averaged > exact
-    asked = iso.amplitudes(Omega=0.5 * (exact + averaged), F_0=0.04)
-    measured = asked.measure()
-    assert asked.A.size == 3 and measured.found.tolist() == [True, False, False]
+    averaged_states = iso.amplitudes(Omega=0.5 * (exact + averaged), F_0=0.04)
+    measured = averaged_states.measure()
+    assert averaged_states.A.size == 3 and measured.found.tolist() == [True, False, False]
     assert np.isnan(measured.A[1:]).all() and measured.reason.tolist() == ["", NO_MOTION, NO_MOTION]
     assert measured.message == f"2 of 3 states: {NO_MOTION}"
     static = iso.frequency_response(0.04, samples=20, Omega=(0.0, 0.4)).measure()
@@ -131,23 +131,23 @@ def test_one_motion_is_measured_for_one_state_only():
     iso = isolator()
     (low, _, high) = iso.amplitudes(Omega=0.9, F_0=0.04)
     A, stable = np.array([low.A, high.A, 1.01 * high.A]), np.array([True, True, False])
-    asked = SteadyStates(np.full(3, 0.9), A, stable, 0.04, "", iso.model)
-    found = states(iso.equation_of_motion(), asked)
+    averaged = SteadyStates(np.full(3, 0.9), A, stable, 0.04, "", iso.model)
+    found = states(iso.equation_of_motion(), averaged)
     assert found.found.tolist() == [True, True, False] and found.reason[2] == TAKEN
-    asked = SteadyStates(np.full(2, 0.9), 1.01 * A[1:], np.array([True, True]), 0.04, "", iso.model)
-    found = states(iso.equation_of_motion(), asked)
+    averaged = SteadyStates(np.full(2, 0.9), 1.01 * A[1:], np.array([True, True]), 0.04, "", iso.model)
+    found = states(iso.equation_of_motion(), averaged)
     assert found.found.tolist() == [True, False]
 
 
 def test_what_cannot_be_measured_is_refused_or_empty():
     iso = isolator()
-    alone = Averaged(iso.model).amplitudes(Omega=0.9, F_0=0.04)
+    standalone = Averaged(iso.model).amplitudes(Omega=0.9, F_0=0.04)
     with pytest.raises(ValueError, match=NOT_ASKED):
-        alone.measure()
+        standalone.measure()
     of = Averaged(iso.model)
-    for asked in (of.saddle_nodes(0.04), of.peak(0.04), of.saddle_node_onset(), of.detachment()):
+    for answer in (of.saddle_nodes(0.04), of.peak(0.04), of.saddle_node_onset(), of.detachment()):
         with pytest.raises(ValueError, match=NOT_ASKED):
-            asked.measure()
+            answer.measure()
     with pytest.raises(ValueError, match=NOT_ASKED):
         iso.second_approximation.peak(0.04).measure()
     with pytest.raises(ValueError, match="force"):
@@ -161,10 +161,10 @@ def test_what_cannot_be_measured_is_refused_or_empty():
 
 def test_answer_that_knows_its_oscillator_is_unchanged():
     iso = isolator()
-    asked, alone = iso.amplitudes(Omega=0.9, F_0=0.04), Averaged(iso.model).amplitudes(Omega=0.9, F_0=0.04)
-    assert asked == alone and hash(asked) == hash(alone) and asked.to_dict() == alone.to_dict()
-    back = pickle.loads(pickle.dumps(asked))
-    assert back == asked and back.measure() == asked.measure()
+    answer, standalone = iso.amplitudes(Omega=0.9, F_0=0.04), Averaged(iso.model).amplitudes(Omega=0.9, F_0=0.04)
+    assert answer == standalone and hash(answer) == hash(standalone) and answer.to_dict() == standalone.to_dict()
+    back = pickle.loads(pickle.dumps(answer))
+    assert back == answer and back.measure() == answer.measure()
 
 
 OFF_CENTRE = [
@@ -176,10 +176,10 @@ OFF_CENTRE = [
 @pytest.mark.slow
 @pytest.mark.parametrize(("osc", "F_0"), OFF_CENTRE, ids=repr)
 def test_states_under_a_load_are_measured_by_settled_motions(osc, F_0):
-    asked = osc.amplitudes(Omega=[0.8, 1.5, 1.8], F_0=F_0)
-    measured = asked.measure()
-    assert len(asked) == 3 and asked.stable.all() and measured.found.all() and measured.stable.all()
-    for state, entry in zip(asked, measured, strict=True):
+    averaged = osc.amplitudes(Omega=[0.8, 1.5, 1.8], F_0=F_0)
+    measured = averaged.measure()
+    assert len(averaged) == 3 and averaged.stable.all() and measured.found.all() and measured.stable.all()
+    for state, entry in zip(averaged, measured, strict=True):
         _, u = last_turn(lambda u: u + 0.6 * u**3, osc, state.Omega, F_0, (state.B, 0.0), 160, 8000)
         largest = np.abs(u).max()
         assert entry.A == pytest.approx(largest, rel=1e-6)
@@ -189,10 +189,10 @@ def test_states_under_a_load_are_measured_by_settled_motions(osc, F_0):
 
 def test_folds_under_a_load_are_measured_by_exact_folds():
     osc, F_0 = Duffing(1.0, 0.6, 0.0, 0.03, load=0.3), 0.16
-    asked = osc.saddle_nodes(F_0)
-    measured, exact = asked.measure(), osc.exact_response(F_0, Omega=(0.9, 1.8)).folds
-    assert len(asked) == 2 and measured.found.all()
-    for fold, entry in zip(asked, measured, strict=True):
+    folds = osc.saddle_nodes(F_0)
+    measured, exact = folds.measure(), osc.exact_response(F_0, Omega=(0.9, 1.8)).folds
+    assert len(folds) == 2 and measured.found.all()
+    for fold, entry in zip(folds, measured, strict=True):
         (same,) = (one for one in exact if one.kind == fold.kind and abs(one.Omega / fold.Omega - 1) < 0.05)
         assert (entry.Omega, entry.A) == pytest.approx((same.Omega, same.A), rel=1e-8)
         assert entry.error == fold.Omega / entry.Omega - 1.0
@@ -201,9 +201,9 @@ def test_folds_under_a_load_are_measured_by_exact_folds():
 
 def test_motions_in_either_well_are_two():
     """They have one largest |u|, and opposite means."""
-    asked = Duffing(-0.5, 1.0, 0.0, 0.05).off_centre.amplitudes(Omega=1.2, F_0=0.05)
-    measured = asked.measure()
-    assert asked.B[1:] == pytest.approx([asked.B[1], -asked.B[1]])
+    averaged = Duffing(-0.5, 1.0, 0.0, 0.05).off_centre.amplitudes(Omega=1.2, F_0=0.05)
+    measured = averaged.measure()
+    assert averaged.B[1:] == pytest.approx([averaged.B[1], -averaged.B[1]])
     assert measured.found.tolist() == [True] * 3 and measured.stable.tolist() == [False, True, True]
     assert measured.A[1] == pytest.approx(measured.A[2], rel=1e-12)
 
