@@ -1,4 +1,4 @@
-"""Every public question, with what it may be asked: strategies of bad and extreme values out, by class and by name.
+"""Every public question with its arguments: strategies of bad and extreme values, by class and by name.
 
 A question that is not among them fails `tests/oscillator/test_any_input.py`.
 """
@@ -53,7 +53,7 @@ DAMPING = {
     "zeta": mostly(st.floats(0, 0.2)),
     "excitation": mostly(st.sampled_from(["force", "force", "base", "unbalance"]), EXCITATIONS),
 }
-BESIDE = {
+SETTINGS = {
     "eta": seldom(0.0, mostly(st.floats(0, 0.2))),
     "c_2": seldom(0.0, mostly(st.floats(0, 0.2))),
     "load": seldom(0.0, mostly(st.floats(-0.1, 0.1))),
@@ -61,12 +61,12 @@ BESIDE = {
 STATIC = {"mu_s": seldom(0.0, mostly(st.floats(0.05, 0.1)))}
 DESIGN = {"lam": mostly(st.sampled_from([1, 2, 3, 4])), "r": mostly(st.floats(0.2, 4))}
 DESIGN["delta_h"] = mostly(st.floats(0, 0.6))
-ISOLATORS = DESIGN | DAMPING | BESIDE | STATIC
+ISOLATORS = DESIGN | DAMPING | SETTINGS | STATIC
 ISOLATORS |= {
     "force": mostly(st.sampled_from(["truncated", "untruncated"]), st.just("exact")),
     "rubs": seldom("throughout", RUBS),
 }
-DUFFINGS = {"alpha": mostly(st.floats(-0.5, 2)), "beta": mostly(st.floats(-1, 3)), **DAMPING, **BESIDE, **STATIC}
+DUFFINGS = {"alpha": mostly(st.floats(-0.5, 2)), "beta": mostly(st.floats(-1, 3)), **DAMPING, **SETTINGS, **STATIC}
 #: a data sheet in SI units
 SHEETS = {
     "m": mostly(st.floats(0.1, 100)),
@@ -106,8 +106,8 @@ spectra = mostly(
 )
 
 
-def asked(*arguments, **named):
-    """How a question is asked: strategies of its arguments in, one of both kinds of arguments out."""
+def query(*arguments, **named):
+    """Strategy of a question's positional and keyword arguments, from strategies of each."""
     return st.tuples(st.tuples(*arguments), st.fixed_dictionaries(named))
 
 
@@ -115,17 +115,17 @@ def shocks(times):
     """A pulse, a record or something of both: times are called so."""
     pulse = {"acceleration": anything, "duration": mostly(st.floats(0.5, 4.0))}
     record = {"acceleration": rows, times: rows, "after": mostly(st.just(1.0))}
-    return asked(**pulse) | asked(**record)
+    return query(**pulse) | query(**record)
 
 
-FOLDS = {"saddle_node_onset": asked(), "detachment": asked(), "saddle_nodes": asked(anything), "peak": asked(anything)}
-LOADS = {name: asked(anything) for name in ("margins", "hysteresis", "isolation")}
-CURVE = {"frequency_response": asked(anything, Omega=windows, samples=samples)}
-AT = {"amplitudes": asked(Omega=anything, F_0=anything)}
-SPECTRUM = {"spectrum": asked(Omega=rows, F_0=anything)}
-OF_FORCE = {name: asked(anything) for name in ("force", "stiffness", "backbone", "transmissibility_floor")}
-LOCUS = {"fold_locus": asked(A_max=anything, samples=samples)}
-LOCUS |= {name: asked(A_max=anything) for name in ("cusps", "isola_points")}
+FOLDS = {"saddle_node_onset": query(), "detachment": query(), "saddle_nodes": query(anything), "peak": query(anything)}
+LOADS = {name: query(anything) for name in ("margins", "hysteresis", "isolation")}
+CURVE = {"frequency_response": query(anything, Omega=windows, samples=samples)}
+AT = {"amplitudes": query(Omega=anything, F_0=anything)}
+SPECTRUM = {"spectrum": query(Omega=rows, F_0=anything)}
+OF_FORCE = {name: query(anything) for name in ("force", "stiffness", "backbone", "transmissibility_floor")}
+LOCUS = {"fold_locus": query(A_max=anything, samples=samples)}
+LOCUS |= {name: query(A_max=anything) for name in ("cusps", "isola_points")}
 
 AVERAGED = {
     **FOLDS,
@@ -135,37 +135,37 @@ AVERAGED = {
     **SPECTRUM,
     **OF_FORCE,
     **LOCUS,
-    "at_rest": asked(),
-    "rest": asked(),
-    "certify": asked(anything, Omega=anything),
-    "limit_envelope": asked(Omega=anything, F_0=anything),
-    "stability": asked(Omega=anything, A=anything),
-    "equivalent_damping": asked(Omega=anything, A=anything),
-    "closes": asked(anything),
-    "restoring_force": asked(FORCES),
-    "equation_of_motion": asked(FORCES),
+    "at_rest": query(),
+    "rest": query(),
+    "certify": query(anything, Omega=anything),
+    "limit_envelope": query(Omega=anything, F_0=anything),
+    "stability": query(Omega=anything, A=anything),
+    "equivalent_damping": query(Omega=anything, A=anything),
+    "closes": query(anything),
+    "restoring_force": query(FORCES),
+    "equation_of_motion": query(FORCES),
     "replace": st.sampled_from(["mu", "zeta", "excitation", "load", "mass"]).flatmap(
-        lambda name: asked(**{name: anything})
+        lambda name: query(**{name: anything})
     ),
-    "explain": asked(st.sampled_from(["saddle_nodes", "certify", "sweep", "cusps", "isolas", 1.0]), anything),
+    "explain": query(st.sampled_from(["saddle_nodes", "certify", "sweep", "cusps", "isolas", 1.0]), anything),
     # of what other questions start from
-    "states": asked(Omega=anything, F_0=anything),
-    "folds": asked(anything),
-    "onset": asked(),
-    "curve": asked(anything, samples=samples, Omega=windows),
+    "states": query(Omega=anything, F_0=anything),
+    "folds": query(anything),
+    "onset": query(),
+    "curve": query(anything, samples=samples, Omega=windows),
 }
 #: motions of the equation itself, each of them some seconds at most
 MOTIONS = {
-    "steady_state": asked(Omega=anything, F_0=anything, A=st.none() | anything, force=FORCES),
-    "exact_response": asked(anything, Omega=mostly(st.just((0.9, 1.1)), windows, among=4), step=steps, force=FORCES),
-    "sweep": asked(Omega=rows, F_0=anything, force=FORCES),
+    "steady_state": query(Omega=anything, F_0=anything, A=st.none() | anything, force=FORCES),
+    "exact_response": query(anything, Omega=mostly(st.just((0.9, 1.1)), windows, among=4), step=steps, force=FORCES),
+    "sweep": query(Omega=rows, F_0=anything, force=FORCES),
     "transient": shocks("tau"),
-    "shock_spectrum": asked(acceleration=rows, duration=rows, force=FORCES),
-    "random": asked(S_0=anything) | asked(psd=spectra),
+    "shock_spectrum": query(acceleration=rows, duration=rows, force=FORCES),
+    "random": query(S_0=anything) | query(psd=spectra),
 }
-PICTURES = {"plot": asked(anything, Omega=windows, of=st.sampled_from(["A", "phi", "transmissibility_dB", "B"]))}
-OFF_CENTRE = {**FOLDS, **LOADS, **CURVE, **AT, **SPECTRUM, "rest": asked(), "A_max": asked(anything)}
-EXPLAIN = {"explain": asked(st.sampled_from(["saddle_nodes", "cusps"]), anything)}
+PICTURES = {"plot": query(anything, Omega=windows, of=st.sampled_from(["A", "phi", "transmissibility_dB", "B"]))}
+OFF_CENTRE = {**FOLDS, **LOADS, **CURVE, **AT, **SPECTRUM, "rest": query(), "A_max": query(anything)}
+EXPLAIN = {"explain": query(st.sampled_from(["saddle_nodes", "cusps"]), anything)}
 SECOND = {**FOLDS, **CURVE, **AT, **EXPLAIN}
 IN_UNITS = {
     **FOLDS,
@@ -173,39 +173,39 @@ IN_UNITS = {
     **OF_FORCE,
     **LOCUS,
     **EXPLAIN,
-    "frequency_response": asked(anything, f=windows, samples=samples),
-    "amplitudes": asked(f=anything, F=anything),
-    "spectrum": asked(f=rows, F=anything),
-    "limit_envelope": asked(f=anything, F=anything),
-    "certify": asked(anything, f=anything),
-    "at_rest": asked(),
-    "rest": asked(),
-    "sag": asked(anything),
-    "replace": st.sampled_from(["m", "zeta", "c", "load", "mu"]).flatmap(lambda name: asked(**{name: anything})),
+    "frequency_response": query(anything, f=windows, samples=samples),
+    "amplitudes": query(f=anything, F=anything),
+    "spectrum": query(f=rows, F=anything),
+    "limit_envelope": query(f=anything, F=anything),
+    "certify": query(anything, f=anything),
+    "at_rest": query(),
+    "rest": query(),
+    "sag": query(anything),
+    "replace": st.sampled_from(["m", "zeta", "c", "load", "mu"]).flatmap(lambda name: query(**{name: anything})),
 }
 MOTIONS_IN_UNITS = {
-    "steady_state": asked(f=anything, F=anything, A=st.none() | anything, samples=samples),
-    "exact_response": asked(anything, f=windows, step=steps),
-    "sweep": asked(f=rows, F=anything),
+    "steady_state": query(f=anything, F=anything, A=st.none() | anything, samples=samples),
+    "exact_response": query(anything, f=windows, step=steps),
+    "sweep": query(f=rows, F=anything),
     "transient": shocks("t"),
-    "shock_spectrum": asked(acceleration=rows, duration=rows),
-    "random": asked(psd=spectra, unit=mostly(st.just("g^2/Hz"), st.just("V^2/Hz"))),
+    "shock_spectrum": query(acceleration=rows, duration=rows),
+    "random": query(psd=spectra, unit=mostly(st.just("g^2/Hz"), st.just("V^2/Hz"))),
 }
-PICTURES_IN_UNITS = {"plot": asked(anything, f=windows, of=st.sampled_from(["A", "phi", "B"]))}
-PARTS = {"places": st.sampled_from([1, 6, 0, "all"]), "workers": st.sampled_from([1, 2, 0, None])}
-PULSES = {name: asked(acceleration=columns, duration=columns) for name in ("transient", "shock_spectrum")}
+PICTURES_IN_UNITS = {"plot": query(anything, f=windows, of=st.sampled_from(["A", "phi", "B"]))}
+BATCHED = {"places": st.sampled_from([1, 6, 0, "all"]), "workers": st.sampled_from([1, 2, 0, None])}
+PULSES = {name: query(acceleration=columns, duration=columns) for name in ("transient", "shock_spectrum")}
 MANY = {
-    **{name: asked() for name in ("saddle_node_onset", "detachment")},
-    **{name: asked(columns) for name in ("peak", "margins", "isolation")},
-    **{name: asked(columns, **PARTS) for name in ("saddle_nodes", "hysteresis")},
+    **{name: query() for name in ("saddle_node_onset", "detachment")},
+    **{name: query(columns) for name in ("peak", "margins", "isolation")},
+    **{name: query(columns, **BATCHED) for name in ("saddle_nodes", "hysteresis")},
     **PULSES,
-    "amplitudes": asked(Omega=columns, F_0=columns),
-    "frequency_response": asked(columns, samples=st.sampled_from([5, 1]), Omega=st.just((0.5, 1.5)) | windows),
-    "spectrum": asked(Omega=columns, F_0=columns),
+    "amplitudes": query(Omega=columns, F_0=columns),
+    "frequency_response": query(columns, samples=st.sampled_from([5, 1]), Omega=st.just((0.5, 1.5)) | windows),
+    "spectrum": query(Omega=columns, F_0=columns),
 }
-OF_BATCHES = {**MANY, "certify": asked(columns, Omega=st.none() | columns), "at_rest": asked()}
-OF_BATCHES["random"] = asked(S_0=columns) | asked(psd=spectra)
-OF_LOADED_BATCHES = {**MANY, "rest": asked()}
+OF_BATCHES = {**MANY, "certify": query(columns, Omega=st.none() | columns), "at_rest": query()}
+OF_BATCHES["random"] = query(S_0=columns) | query(psd=spectra)
+OF_LOADED_BATCHES = {**MANY, "rest": query()}
 OF_SECOND_BATCHES = {name: MANY[name] for name in ("saddle_node_onset", "detachment", "peak", "saddle_nodes")}
 OF_SECOND_BATCHES |= {name: MANY[name] for name in ("amplitudes", "frequency_response")}
 
@@ -219,7 +219,7 @@ OF_CLASS = {
     OffCentreDesigns: OF_LOADED_BATCHES,
     SecondDesigns: OF_SECOND_BATCHES,
 }
-#: public, and asked by other methods: what makes oscillators, what measures answers, what refuses, what draws maps
+#: public, and tested by other methods: what makes oscillators, what measures answers, what refuses, what draws maps
 NO_QUESTIONS = {"many", "physical", "measured", "at_centre"}
 NO_QUESTIONS |= {"ask", "model", "remarks", "spanned", "untruncated_onset"}
 

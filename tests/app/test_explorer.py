@@ -78,17 +78,19 @@ def browser() -> Iterator[Any]:
 
 @contextlib.contextmanager
 def opened(browser: Any, address: str = "", **about: Any) -> Iterator[Any]:
-    """The page, ready; whatever it complains of, and any request that it makes, fails the test."""
+    """The page, ready; any error, warning or request of it fails the test."""
     page = browser.new_page(**about)
-    said: list[str] = []
-    page.on("console", lambda message: said.append(message.text) if message.type in ("error", "warning") else None)
-    page.on("pageerror", lambda error: said.append(str(error)))
-    page.on("request", lambda request: said.append(request.url) if not _is_own(request.url) else None)
+    complaints: list[str] = []
+    page.on(
+        "console", lambda message: complaints.append(message.text) if message.type in ("error", "warning") else None
+    )
+    page.on("pageerror", lambda error: complaints.append(str(error)))
+    page.on("request", lambda request: complaints.append(request.url) if not _is_own(request.url) else None)
     page.goto(PAGE.as_uri() + address)
     page.wait_for_selector("body[data-ready]")
     yield page
     page.close()
-    assert said == []
+    assert complaints == []
 
 
 def _is_own(url: str) -> bool:
@@ -108,23 +110,25 @@ DIMENSIONLESS = re.compile(
     r"(?<![A-Za-z_])(?:mu|Omega|F_0|tau|u|u_0|u_cr|u<sub>cr</sub>|lam|delta_h)(?![A-Za-z_])|[μΩ]"
 )
 #: whichever of its words a script shows
-SAID = re.compile(r"(?:words|wordsIn\(state\))\.([A-Z_]+)")
+MESSAGE_NAMES = re.compile(r"(?:words|wordsIn\(state\))\.([A-Z_]+)")
 
 
 def test_words_in_si_units_have_no_dimensionless_letters() -> None:
-    shown = {name for script in HERE.glob("*.js") for name in SAID.findall(script.read_text())}
+    shown = {name for script in HERE.glob("*.js") for name in MESSAGE_NAMES.findall(script.read_text())}
     assert {"BEYOND_REACH", "NEAR_STICKING_BELOW", "STICKS", "STOPS"} <= shown
-    said = messages()
-    assert set(said["si"]) == set(EXCITED_BY) and [name for name in shown if DIMENSIONLESS.search(said["plain"][name])]
+    texts = messages()
+    assert set(texts["si"]) == set(EXCITED_BY) and [
+        name for name in shown if DIMENSIONLESS.search(texts["plain"][name])
+    ]
     for excitation, letter in {"force": "F", "base": "Y", "unbalance": "U"}.items():
-        words = {name: said["si"][excitation][name] for name in shown}
-        assert {name: text for name, text in words.items() if DIMENSIONLESS.search(text)} == {}
-        assert words["STICKS"].startswith(f"sticks: {letter} = ")
+        in_si = {name: texts["si"][excitation][name] for name in shown}
+        assert {name: text for name, text in in_si.items() if DIMENSIONLESS.search(text)} == {}
+        assert in_si["STICKS"].startswith(f"sticks: {letter} = ")
         # no number is put in yet, of whatever size
-        places = [(re.findall(r"\{.*?\}", said["plain"][name]), re.findall(r"\{.*?\}", words[name])) for name in shown]
-        assert all(plain == si for plain, si in places)
+        fields = [(re.findall(r"\{.*?\}", texts["plain"][name]), re.findall(r"\{.*?\}", in_si[name])) for name in shown]
+        assert all(plain == si for plain, si in fields)
         # attributes of Python's answers are none of the page's
-        assert not [text for text in words.values() if ".validity" in text]
+        assert not [text for text in in_si.values() if ".validity" in text]
 
 
 def test_fixed_text_of_the_page_has_no_letters_and_no_force() -> None:
@@ -213,44 +217,46 @@ def test_one_sided_stop_has_the_answers_of_the_search(browser: Any) -> None:
     assert "jump-up" in printed.getvalue() and len(names["curve"]) > 800
 
 
-def hold(browser: Any, asked: list[tuple[str, Oscillator, float]]) -> None:
-    """The page's numbers of a mechanism, as it calls it, to those of an oscillator."""
+def hold(browser: Any, cases: list[tuple[str, Oscillator, float]]) -> None:
+    """Compare the page's numbers of a mechanism with those of an oscillator."""
     with opened(browser) as page:
-        for name, one, F_0 in asked:
+        for name, one, F_0 in cases:
             numbers = [*one.model.design, one.mu, one.zeta]
             found = page.evaluate(ASK, [name, numbers, F_0, one.excitation])
-            told = f"{one!r} at {F_0}"
+            case = f"{one!r} at {F_0}"
             onset, off, peak = one.saddle_node_onset(), one.detachment(), one.peak(F_0)
-            assert (found["onset"]["status"] == 0) == (onset.F_SN is not None), told
+            assert (found["onset"]["status"] == 0) == (onset.F_SN is not None), case
             if onset.F_SN is not None:
                 assert [found["onset"][name] for name in ("F_SN", "Omega", "A")] == [onset.F_SN, onset.Omega, onset.A]
             if off.F_cr is not None:
                 assert [found["off"][name] for name in ("F_cr", "Omega", "u_cr")] == [off.F_cr, off.Omega_cr, off.u_cr]
             if peak.A is not None:
-                assert [found["peak"][name] for name in ("A", "Omega")] == [peak.A, peak.Omega], told
+                assert [found["peak"][name] for name in ("A", "Omega")] == [peak.A, peak.Omega], case
             folds, curve = one.saddle_nodes(F_0), one.frequency_response(F_0, samples=300)
-            assert found["folds"]["Omega"] == folds.Omega.tolist() and found["folds"]["A"] == folds.A.tolist(), told
+            assert found["folds"]["Omega"] == folds.Omega.tolist() and found["folds"]["A"] == folds.A.tolist(), case
             for Omega, states in zip((0.3, 0.7, 0.9, 1.5), found["states"], strict=True):
                 theirs = one.amplitudes(Omega=Omega, F_0=F_0)
                 # of a mass that friction holds the page has no state, but words
-                moves = theirs.A > 0
-                assert states["A"] == theirs.A[moves].tolist(), told
-                for name, values in {"phi": theirs.phi[moves], "T": theirs.transmissibility[moves]}.items():
+                slips = theirs.A > 0
+                assert states["A"] == theirs.A[slips].tolist(), case
+                for name, values in {"phi": theirs.phi[slips], "T": theirs.transmissibility[slips]}.items():
                     np.testing.assert_array_max_ulp(np.array(states[name], float), values, maxulp=2)
-            assert found["curve"]["branch"] == curve.branch.tolist(), told
-            assert np.array(found["curve"]["stable"], bool).tolist() == curve.stable.tolist(), told
-            assert any(found["curve"]["beyond"]) == (Remark.BEYOND_WELL in curve.remarks), told
+            assert found["curve"]["branch"] == curve.branch.tolist(), case
+            assert np.array(found["curve"]["stable"], bool).tolist() == curve.stable.tolist(), case
+            assert any(found["curve"]["beyond"]) == (Remark.BEYOND_WELL in curve.remarks), case
             # between folds and peaks points lie where cos() of the C library puts them, which is not the same; Omega
             # moves with A as the curve is steep
             mine = {name: np.array(found["curve"][name], float) for name in ("A", "Omega")}
             np.testing.assert_array_max_ulp(mine["A"], curve.A, maxulp=8)
             if curve.A.size:
-                along = {name: np.abs(np.gradient(values)) for name, values in (("A", curve.A), ("Omega", curve.Omega))}
-                most = np.spacing(curve.Omega) * along["A"] + np.spacing(curve.A) * along["Omega"]
-                assert (np.abs(mine["Omega"] - curve.Omega) * along["A"] <= 8 * most).all(), told
+                spacings = {
+                    name: np.abs(np.gradient(values)) for name, values in (("A", curve.A), ("Omega", curve.Omega))
+                }
+                most = np.spacing(curve.Omega) * spacings["A"] + np.spacing(curve.A) * spacings["Omega"]
+                assert (np.abs(mine["Omega"] - curve.Omega) * spacings["A"] <= 8 * most).all(), case
             if curve.A.size and found["errors"][0] is not None:
                 validity = curve.validity
-                assert [error["error"] for error in found["errors"]] == validity.error.tolist(), told
+                assert [error["error"] for error in found["errors"]] == validity.error.tolist(), case
                 truncation = [error["truncation"] for error in found["errors"]]
                 np.testing.assert_allclose(truncation, validity.truncation, rtol=1e-12, atol=1e-18)
 
@@ -260,10 +266,10 @@ def test_it_compares_itself_and_measures_its_frames(browser: Any) -> None:
     with opened(browser) as page:
         page.click("#check")
         page.wait_for_selector("#check-result:not(:empty)")
-        told = re.match(
+        result = re.match(
             r"(\d+) of (\d+) numbers equal .* A frame of all pictures takes [\d.]+ ms", page.inner_text("#check-result")
         )
-        assert told and told[1] == told[2] and int(told[1]) > 50
+        assert result and result[1] == result[2] and int(result[1]) > 50
 
 
 @pytest.mark.slow
@@ -407,8 +413,8 @@ def test_peak_beyond_the_well_or_the_reach_is_said(browser: Any) -> None:
     three = next(i for i, (_, name, *_) in enumerate(LIBRARY) if name == "three_spring")
     with opened(browser) as page:
         # softening: the force gives way at A^2 = alpha/|beta| = 2, the average at 4/3 of that
-        told = peak_of(page, "duffing&alpha=1&beta=-0.5&mu=0.01&F_0=0.2").split()[0]
-        assert told in ("beyond", "–") or float(told) <= 2**0.5
+        shown = peak_of(page, "duffing&alpha=1&beta=-0.5&mu=0.01&F_0=0.2").split()[0]
+        assert shown in ("beyond", "–") or float(shown) <= 2**0.5
         # hardening: beyond its reach, without a breakpoint
         assert peak_of(page, "three_spring&alpha=1&ell=1.5&mu=0&F_0=0.3").startswith("not reached")
         page.select_option("#preset", str(len(PRESETS) + three))

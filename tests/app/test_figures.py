@@ -45,8 +45,8 @@ def data(line):
 
 def of_colour(ax, colour):
     """The thin solid and dashed lines of one colour: a response curve."""
-    wanted = mpl.colors.to_hex(colour)
-    return [line for line in lines(ax) if line.get_linewidth() == 1.6 and mpl.colors.to_hex(line.get_color()) == wanted]
+    code = mpl.colors.to_hex(colour)
+    return [line for line in lines(ax) if line.get_linewidth() == 1.6 and mpl.colors.to_hex(line.get_color()) == code]
 
 
 def published_average(A, *, lam, r, delta_h):
@@ -197,8 +197,8 @@ def test_durations_of_shocks_are_round_numbers_along_their_axis():
     ax = mount.shock_spectrum(acceleration=[10.0], duration=[0.005, 0.011, 0.05, 0.2]).plot()
     ax.figure.canvas.draw()
     low, high = ax.get_xlim()
-    told = [one.get_text() for one in ax.get_xticklabels() if low <= one.get_position()[0] <= high]
-    assert told == ["5", "10", "20", "50", "100", "200"]
+    ticks = [one.get_text() for one in ax.get_xticklabels() if low <= one.get_position()[0] <= high]
+    assert ticks == ["5", "10", "20", "50", "100", "200"]
     assert not [one for one in ax.get_xticklabels(minor=True) if one.get_text()]
 
 
@@ -262,10 +262,10 @@ def test_the_command_draws_every_figure_and_says_what_was_chosen(tmp_path, capsy
     assert sorted(path.name for path in tmp_path.iterdir()) == sorted(
         f"fig_{name}.{suffix}" for name in names for suffix in ("png", "svg")
     )
-    said = capsys.readouterr().out
+    printed = capsys.readouterr().out
     for name, figure in figures.FIGURES.items():
-        assert f"Fig. {name}: {figure.caption}" in said
-        assert figure.chosen in said
+        assert f"Fig. {name}: {figure.caption}" in printed
+        assert figure.chosen in printed
 
 
 # ---- what answers draw
@@ -289,8 +289,8 @@ def test_oscillator_draws_responses_with_folds_and_regions():
         marks = np.concatenate([line.get_xydata() for line in ax.get_lines() if line.get_marker() == marker])
         for Omega, A in zip(folds.Omega[folds.kind == kind], folds.A[folds.kind == kind], strict=True):
             assert (Omega, A) in {tuple(point) for point in marks.tolist()}
-    told = {text.get_text() for text in ax.get_legend().get_texts()}
-    assert {"0.03", "0.04", "jump up", "jump down", "beyond $u_{cr}$", r"$A\,\Omega^2 < \mu$: stops"} <= told
+    labels = {text.get_text() for text in ax.get_legend().get_texts()}
+    assert {"0.03", "0.04", "jump up", "jump down", "beyond $u_{cr}$", r"$A\,\Omega^2 < \mu$: stops"} <= labels
     assert one.plot(0.04, of="transmissibility_dB").get_ylabel() == "transmissibility / dB"
     with pytest.raises(ValueError, match="of = 'B' is not allowed"):
         one.plot(0.04, of="B")
@@ -323,13 +323,13 @@ def test_a_mount_draws_the_same_in_its_units():
     for one, other in zip(*(lines(axes, linewidth=1.6) for axes in (plain, ax)), strict=True):
         np.testing.assert_allclose(other.get_xydata(), one.get_xydata() * (of["frequency"], of["length"]), rtol=1e-12)
     assert (ax.get_xlabel(), ax.get_ylabel()) == ("frequency $f$ / Hz", "amplitude $A$ / mm")
-    told = {text.get_text() for text in ax.get_legend().get_texts()}
+    labels = {text.get_text() for text in ax.get_legend().get_texts()}
     assert {
         "3",
         "5",
         "beyond $x_{cr}$",
         "unstable",
-    } <= told and ax.get_legend().get_title().get_text() == "force $F$ / N"
+    } <= labels and ax.get_legend().get_title().get_text() == "force $F$ / N"
     (stopping, before) = (axes.collections[-1].get_paths()[0].vertices for axes in (ax, plain))
     np.testing.assert_allclose(stopping[:400], before[:400] * (of["frequency"], of["length"]), rtol=1e-9)
     assert mount.plot(5.0, f=(1, 3), of="transmissibility_dB").get_ylabel() == "transmissibility / dB"
@@ -447,5 +447,5 @@ def test_what_was_named_has_a_column_of_the_legend_by_itself(curves, first):
     ax = pictures.responses(None, [(isolator().frequency_response(F_0), None) for F_0 in (0.025, 0.03, 0.04)[:curves]])
     ax.plot([0.9], [0.1], marker=pictures.JUMP_UP, color="k")
     pictures.legend(ax, place="below", more=[(pictures.Line2D([], []), one) for one in ("c", "d", "e")[: 5 - curves]])
-    told = [text.get_text() for text in ax.get_legend().get_texts()]
-    assert told[: len(first)] == first and "" not in told[len(first) :]
+    labels = [text.get_text() for text in ax.get_legend().get_texts()]
+    assert labels[: len(first)] == first and "" not in labels[len(first) :]

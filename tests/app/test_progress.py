@@ -18,17 +18,17 @@ def always(monkeypatch):
     monkeypatch.setattr(progress, "EVERY", 0.0)
 
 
-def told(ask_it):
-    said = []
-    with progress.shown(said.append):
+def reported(ask_it):
+    messages = []
+    with progress.shown(messages.append):
         ask_it()
-    return said
+    return messages
 
 
-def assert_counts(said, total=None):
-    """Numbers of what is done, which rise up to all of it, which is not said, and begin anew for another part."""
-    found = [re.fullmatch(r"([a-z ]+): (\d+) (?:of (\d+)|%)", one) for one in said]
-    assert said and all(found), said
+def assert_counts(messages, total=None):
+    """Counts that rise up to the total, which itself is not printed, and start anew for another part."""
+    found = [re.fullmatch(r"([a-z ]+): (\d+) (?:of (\d+)|%)", one) for one in messages]
+    assert messages and all(found), messages
     assert all(int(one[2]) < int(one[3] or 100) for one in found)
     if total is not None:
         assert any(one[3] == str(total) for one in found)
@@ -39,15 +39,15 @@ def test_batch_questions_report_progress(question, always):
     r = np.linspace(0.5, 2.0, 40)
     designs = Isolator.many(lam=3, r=r, delta_h=0.1, mu=0.01, zeta=0.05)
     more = {} if re.match(r"second_approximation\.(amplitudes|frequency_response)", question) else {"workers": 2}
-    assert_counts(told(lambda: ask(designs, question, np.full(40, 0.04), **more)), 40)
-    assert told(lambda: None) == []
+    assert_counts(reported(lambda: ask(designs, question, np.full(40, 0.04), **more)), 40)
+    assert reported(lambda: None) == []
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("question", OFF_CENTRE)
 def test_every_question_off_the_centre_says_so(question, always):
     designs = Isolator.many(lam=3, r=1, delta_h=0.1, mu=0.01, zeta=[0.3, -1.0, -1.0], load=0.02)
-    assert_counts(told(lambda: ask(designs, question, np.full(3, 0.02))), 3)
+    assert_counts(reported(lambda: ask(designs, question, np.full(3, 0.02))), 3)
 
 
 @pytest.mark.parametrize("workers", [1, 3])
@@ -55,9 +55,9 @@ def test_each_part_of_a_batch_is_counted_once(workers, always, monkeypatch):
     """Of two axes, the second of which is cut into four, four and two, in whatever order threads end."""
     monkeypatch.setitem(batches.BY_NAME["detachment"].__dict__, "at_once", 4)
     designs = Isolator.many(lam=[[2.0], [3.0], [4.0]], r=np.linspace(0.5, 2.0, 10), delta_h=0.1, zeta=0.05)
-    said = told(lambda: designs.detachment(workers=workers))
-    counts = sorted({int(one.split()[1]) for one in said})
-    assert {one.split()[-1] for one in said} == {"30"} and set(counts) <= set(range(2, 30, 2))
+    messages = reported(lambda: designs.detachment(workers=workers))
+    counts = sorted({int(one.split()[1]) for one in messages})
+    assert {one.split()[-1] for one in messages} == {"30"} and set(counts) <= set(range(2, 30, 2))
     if workers == 1:
         assert counts == [4, 8, 10, 14, 18, 20, 24, 28]
 
@@ -68,13 +68,13 @@ def test_a_store_says_how_many_blocks_are_written(always, tmp_path):
     pytest.importorskip("zarr")
     pytest.importorskip("xarray")
     designs = Isolator.many(lam=3, r=da.linspace(0.5, 2.0, 12, chunks=3), delta_h=0.1, zeta=0.05)
-    said = told(lambda: designs.store(tmp_path / "map.zarr", "detachment"))
-    assert_counts([one for one in said if one.startswith("blocks")], 4)
+    messages = reported(lambda: designs.store(tmp_path / "map.zarr", "detachment"))
+    assert_counts([one for one in messages if one.startswith("blocks")], 4)
 
 
 def test_nothing_is_said_within_a_second():
     designs = Isolator.many(lam=3, r=[1.0, 2.0], delta_h=0.1, zeta=0.05)
-    assert told(lambda: designs.saddle_nodes(0.04)) == []
+    assert reported(lambda: designs.saddle_nodes(0.04)) == []
 
 
 def test_file_gets_a_line_in_ten_seconds_and_terminal_in_one(monkeypatch, capsys):
@@ -85,6 +85,6 @@ def test_file_gets_a_line_in_ten_seconds_and_terminal_in_one(monkeypatch, capsys
         with progress.shown():
             for _ in progress.each(range(600), 600):
                 now[0] += 0.125  # 75 seconds in all
-        said = capsys.readouterr().err.splitlines()
-        assert len(said) == lines
-        assert_counts(said, 600)
+        printed = capsys.readouterr().err.splitlines()
+        assert len(printed) == lines
+        assert_counts(printed, 600)

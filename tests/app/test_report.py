@@ -99,8 +99,8 @@ def test_text_has_enough_contrast_on_both_grounds():
     """WCAG 2: 4.5 for text, 3 for lines, light and dark."""
 
     def luminance(colour):
-        parts = [int(colour[k : k + 2], 16) / 255 for k in (1, 3, 5)]
-        linear = [p / 12.92 if p <= 0.04045 else ((p + 0.055) / 1.055) ** 2.4 for p in parts]
+        channels = [int(colour[k : k + 2], 16) / 255 for k in (1, 3, 5)]
+        linear = [p / 12.92 if p <= 0.04045 else ((p + 0.055) / 1.055) ** 2.4 for p in channels]
         return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
 
     def contrast(one, other):
@@ -109,8 +109,8 @@ def test_text_has_enough_contrast_on_both_grounds():
 
     themes = re.findall(r"--text: (#\w+); --ground: (#\w+); --line: (#\w+); --head: (#\w+)", pieces.STYLE)
     assert len(themes) == 2
-    for words, ground, line, head in themes:
-        assert contrast(words, ground) > 7 and contrast(words, head) > 7 and contrast(line, ground) > 3
+    for text, ground, line, head in themes:
+        assert contrast(text, ground) > 7 and contrast(text, head) > 7 and contrast(line, ground) > 3
 
 
 @pytest.mark.slow
@@ -149,19 +149,19 @@ def test_paper_is_white_whatever_the_screen_is():
 def test_data_on_the_page_is_what_run_writes(page, tmp_path):
     links = {one["download"]: one["href"] for one in page.every("a") if "download" in one}
     assert cli.main(["run", str(MOUNT), "-o", str(tmp_path), "--quiet"]) == 0
-    told = base64.b64decode(links["saddle_nodes.csv"].partition("base64,")[2]).decode()
-    assert told == (tmp_path / "saddle_nodes.csv").read_text()
+    csv_text = base64.b64decode(links["saddle_nodes.csv"].partition("base64,")[2]).decode()
+    assert csv_text == (tmp_path / "saddle_nodes.csv").read_text()
     assert base64.b64decode(links["mount.toml"].partition("base64,")[2]).decode() == MOUNT.read_text()
 
 
 @pytest.mark.slow
 def test_lengths_with_tolerances_are_in_millimetres(text):
-    """A table of them is no answer in units, but is told in these."""
+    """Their table is no answer in units, but prints lengths in millimetres."""
     tables = text.partition('<h2 id="tolerances"')[2].partition("<h2")[0]
     assert "<td>mm</td>" in tables and "<td>m</td>" not in tables
     stated = scenes.read(MOUNT).content["tolerances"]
-    shown = {name: float(share) for name, share in re.findall(r"(\w+)(?:</\w+>)? within ([\d.]+) %", tables)}
-    assert sorted(shown.values()) == pytest.approx(sorted(100 * share for share in stated.values()))
+    shown = {name: float(percent) for name, percent in re.findall(r"(\w+)(?:</\w+>)? within ([\d.]+) %", tables)}
+    assert sorted(shown.values()) == pytest.approx(sorted(100 * percent for percent in stated.values()))
 
 
 @pytest.mark.slow
@@ -195,9 +195,9 @@ def test_axe_finds_nothing_on_the_page(scene, tmp_path):
     axe, browser = ROOT / "node_modules" / "axe-core" / "axe.min.js", shutil.which("chromium") or shutil.which("chrome")
     if not axe.exists() or browser is None:
         pytest.skip("axe-core in node_modules, or chromium, is not there")
-    asked = "addEventListener('load', () => axe.run().then(found => { document.title = 'axe:' + JSON.stringify("
-    asked += "found.violations.map(one => [one.id, one.nodes[0].html])) + ':' + found.passes.length }))"
-    scripts = f"<script>{axe.read_text().replace('</script>', '')}</script><script>{asked}</script>"
+    script = "addEventListener('load', () => axe.run().then(found => { document.title = 'axe:' + JSON.stringify("
+    script += "found.violations.map(one => [one.id, one.nodes[0].html])) + ':' + found.passes.length }))"
+    scripts = f"<script>{axe.read_text().replace('</script>', '')}</script><script>{script}</script>"
     page = tmp_path / "page.html"
     page.write_text(report.html(scenes.read(scene)).replace("</body>", scripts + "</body>"))
     for scheme, width in itertools.product((0, 1), (1100, 390)):
@@ -235,28 +235,28 @@ def test_what_is_undecided_of_isolation_is_said_in_short_too(monkeypatch):
     plain, ask = " ".join(report.Report(scenes.read(MOUNT)).in_short(5.0)), Isolator.isolation
 
     @functools.wraps(ask)
-    def undecided(*at, **given):
-        return replace(ask(*at, **given), remarks=Remark.UNDECIDED)
+    def undecided(*at, **arguments):
+        return replace(ask(*at, **arguments), remarks=Remark.UNDECIDED)
 
     monkeypatch.setattr(Isolator, "isolation", undecided)
-    said = plain.replace("less than what drives it.", "less than what drives it, as far as is decided.")
-    assert " ".join(report.Report(scenes.read(MOUNT)).in_short(5.0)) == said != plain
+    expected = plain.replace("less than what drives it.", "less than what drives it, as far as is decided.")
+    assert " ".join(report.Report(scenes.read(MOUNT)).in_short(5.0)) == expected != plain
 
 
 @pytest.mark.parametrize("name", [pytest.param("mount", marks=pytest.mark.slow), "table_1"])
 def test_a_report_asks_each_question_once_and_none_that_was_run(name, monkeypatch, tmp_path):
-    """Counted where the oscillator is asked, whoever asks; what is put together from other questions asks it too."""
-    asked, method = [], scenes.Scene._method
+    """Counted at the scene's methods, for run and report together."""
+    queries, method = [], scenes.Scene._method
 
     def counted(scene, question):
         ask = method(scene, question)
-        return lambda **given: asked.append((question, repr(sorted(given.items())))) or ask(**given)
+        return lambda **arguments: queries.append((question, repr(sorted(arguments.items())))) or ask(**arguments)
 
     monkeypatch.setattr(scenes.Scene, "_method", counted)
     path, out = ROOT / "scenes" / f"{name}.toml", tmp_path / "report.html"
-    given = ["run", str(path), "--quiet", "-o", str(tmp_path / "out"), "--report", str(out)]
-    assert cli.main(given) == 0 and not Page(out.read_text()).open
-    assert len(asked) == len(set(asked)) > len(scenes.read(path).asked)
+    command = ["run", str(path), "--quiet", "-o", str(tmp_path / "out"), "--report", str(out)]
+    assert cli.main(command) == 0 and not Page(out.read_text()).open
+    assert len(queries) == len(set(queries)) > len(scenes.read(path).asked)
     assert out.read_text() == report.html(scenes.read(path))  # the page of a report by itself
 
 
@@ -268,13 +268,13 @@ def test_report_under_a_load_leaves_out_centred_questions(tmp_path):
     mount, lines = scenes.read(path).oscillator, lines_of(path)
     up, down = mount.saddle_nodes(3.0)
     peak, begins = mount.peak(3.0), mount.isolation(3.0)
-    said = (
+    expected = (
         f"At 3 N it jumps up at {up.f:.4g} Hz, jumps down at {down.f:.4g} Hz; its springs stay up to "
         f"{mount.detachment().F_cr:.4g} N. Its highest motion is {1e3 * peak.A:.4g} mm, at {peak.f:.4g} Hz. "
         f"From {begins.f:.4g} Hz on it transmits less than what drives it. "
         f"At 2.2 Hz it transmits {mount.amplitudes(f=2.2, F=3.0).transmissibility_dB[0]:.4g} dB."
     )
-    assert said in lines and f"{1e3 * peak.x_max:.4g}" in lines
+    assert expected in lines and f"{1e3 * peak.x_max:.4g}" in lines
     assert f"{1e3 * mount.rest().x[0]:.4g}" in lines and f"{mount.saddle_node_onset().F_SN:.4g}" in lines
     assert any(line.startswith("Left out: a map of designs under a load") for line in lines)
     # the largest displacement of both is compared, the mean included

@@ -53,13 +53,13 @@ def scene(tmp_path):
 def test_a_shipped_scene_runs(path, tmp_path, capsys):
     code, out, err = run("run", path, "-o", tmp_path / "out", capsys=capsys)
     content = json.loads((tmp_path / "out" / "answers.json").read_text())
-    asked = scenes.read(path).asked
+    queries = scenes.read(path).asked
     # on a busy machine a question may say that it takes more than a second
     assert (code, out) == (0, "") and err.endswith(
-        f"{len(asked)} answers are written to the folder {tmp_path / 'out'}\n"
+        f"{len(queries)} answers are written to the folder {tmp_path / 'out'}\n"
     )
-    assert [answer["question"] for answer in content["answers"]] == [one.question for one in asked]
-    expected = {f"{one.question}.csv" for one in asked} | {"answers.json"}
+    assert [answer["question"] for answer in content["answers"]] == [one.question for one in queries]
+    expected = {f"{one.question}.csv" for one in queries} | {"answers.json"}
     assert {file.name for file in (tmp_path / "out").iterdir()} == expected
 
 
@@ -67,15 +67,15 @@ def test_tolerances_cover_each_row_of_spectrum_and_shocks(scene, monkeypatch):
     text = (ROOT / "scenes" / "shaking_floor.toml").read_text().replace('"at_rest", ', '"tolerances", ')
     shock = "[shock]\nacceleration = 20.0\nduration = [0.011, 0.02]\n"
     read = scenes.read(scene(f"{text}\n[tolerances]\nk_h = 0.05\n\n{shock}"))
-    asked = [one for one in read.asked if one.question == "tolerances"]
+    queries = [one for one in read.asked if one.question == "tolerances"]
     monkeypatch.setattr(slowflow.sizing, "tolerances", lambda of, **arguments: arguments)
-    found = [{name: value for name, value in read.answer(one).items() if name != "answers"} for one in asked]
+    found = [{name: value for name, value in read.answer(one).items() if name != "answers"} for one in queries]
     within, at_a_frequency = {"within": {"k_h": 0.05}}, [{}, {"f": 5.0}, {"f": 10.0}]
     expected = [{"F": Y, **at, **within} for Y in (0.001, 0.004) for at in at_a_frequency]
     expected += [{"spectrum": ([2.2, 5.0, 25.0], [0.004, 0.002, 0.001]), **within}]
     expected += [{"shock": (20.0, duration), **within} for duration in (0.011, 0.02)]
     assert found == expected
-    assert [str(one) for one in asked[-3:]] == [
+    assert [str(one) for one in queries[-3:]] == [
         "tolerances in the load spectrum",
         "tolerances at acceleration = 20 m/s^2, duration = 11 ms",
         "tolerances at acceleration = 20 m/s^2, duration = 20 ms",
@@ -115,7 +115,7 @@ def test_the_mount_is_answered_in_newtons_millimetres_and_hertz(tmp_path, capsys
 
 
 #: amplitudes and pulses of the scenes, in the units in which answers are shown
-ASKED = {
+IN_UNITS = {
     ("shaking_floor", "saddle_nodes"): ("Y/mm", 4.0),
     ("shaking_floor", "amplitudes"): ("Y/mm", 1.0),
     ("shaking_floor", "peak"): ("Y/mm", 1.0),
@@ -126,9 +126,9 @@ ASKED = {
 }
 
 
-@pytest.mark.parametrize("asked", ASKED, ids=" ".join)
-def test_result_comes_first_in_the_unit_of_the_head(asked, tmp_path, capsys):
-    (name, question), (column, value) = asked, ASKED[asked]
+@pytest.mark.parametrize("case", IN_UNITS, ids=" ".join)
+def test_result_comes_first_in_the_unit_of_the_head(case, tmp_path, capsys):
+    (name, question), (column, value) = case, IN_UNITS[case]
     text = (ROOT / "scenes" / f"{name}.toml").read_text()
     path = tmp_path / "scene.toml"
     path.write_text(re.sub(r"questions = .*", f'questions = ["{question}"]', text))
@@ -196,7 +196,7 @@ def test_explain_lists_the_plan_and_solves_nothing(scene, monkeypatch, capsys):
 @pytest.mark.parametrize("path", SHIPPED, ids=lambda path: path.stem)
 def test_every_question_of_a_shipped_scene_has_an_estimate(path):
     read = scenes.read(path)
-    assert all(read.seconds(asked) > 0 for asked in read.asked)
+    assert all(read.seconds(query) > 0 for query in read.asked)
 
 
 def test_an_estimate_grows_with_what_is_asked(scene):
@@ -257,8 +257,8 @@ def test_answers_of_an_earlier_scene_go_and_others_are_refused(scene, tmp_path, 
     for name in ("peak.csv", "detachment.csv"):  # one that slowflow did not write, one that was changed since
         before = (out / name).read_text() if (out / name).exists() else None
         (out / name).write_text("changed")
-        code, said, err = run("run", scene(f"{ask}questions = {second}\n"), "-o", out, "--quiet", capsys=capsys)
-        assert (code, said) == (2, "") and err.startswith(f"{out / name} is not as slowflow wrote it")
+        code, printed, err = run("run", scene(f"{ask}questions = {second}\n"), "-o", out, "--quiet", capsys=capsys)
+        assert (code, printed) == (2, "") and err.startswith(f"{out / name} is not as slowflow wrote it")
         assert (out / name).read_text() == "changed"
         (out / name).unlink() if before is None else (out / name).write_text(before)
 
@@ -268,8 +268,8 @@ def test_a_reader_who_stops_is_no_error():
     command = [sys.executable, "-m", "slowflow", "run", str(ROOT / "scenes" / "table_1.toml"), "--json"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as running:
         running.stdout.close()
-        said = running.stderr.read()
-        assert running.wait() == cli.NOBODY_READS == 128 + 13 and said == b""
+        errors = running.stderr.read()
+        assert running.wait() == cli.NOBODY_READS == 128 + 13 and errors == b""
 
 
 def test_scenes_are_checked_in_turn_without_computing(scene, monkeypatch, capsys):
@@ -417,12 +417,12 @@ WRONG = {
 
 @pytest.mark.parametrize("what", WRONG)
 def test_wrong_scene_is_refused_with_line_key_and_value(what, scene, capsys):
-    right, wrong, said = WRONG[what]
+    right, wrong, message = WRONG[what]
     assert right in MOUNT
     path = scene(MOUNT.replace(right, wrong))
     for command in ("run", "check", "explain"):
         code, out, err = run(command, path, capsys=capsys)
-        assert (code, out) == (2, "") and err.startswith(f"{path}:{said}")
+        assert (code, out) == (2, "") and err.startswith(f"{path}:{message}")
 
 
 def test_a_file_that_cannot_be_read_is_named(tmp_path, capsys):
@@ -482,12 +482,12 @@ def test_tolerances_are_a_table_of_shares(scene, tmp_path, capsys):
     expected = tolerances(Isolator.physical(**scenes.read(scene(text)).content["mount"]), {"k_h": 0.05}, F=3)
     low = [float(row["low"]) for row in rows if row["F/N"] == "3.0" and not row["f/Hz"]]
     assert low == expected.in_units().low.tolist()
-    for wrong, said in (
+    for wrong, message in (
         ("k_h = 1.5", "20: k_h = 1.5 is not allowed"),
         ("kh = 0.05", "20: kh is no key of [tolerances]: it must be one of m,"),
     ):
         code, _, err = run("run", scene(text.replace("k_h = 0.05", wrong)), capsys=capsys)
-        assert code == 2 and said in err
+        assert code == 2 and message in err
 
 
 def test_shock_is_peaks_by_durations_or_a_record(scene, tmp_path, capsys):
@@ -498,23 +498,23 @@ def test_shock_is_peaks_by_durations_or_a_record(scene, tmp_path, capsys):
     mount = scenes.read(path).oscillator
     assert [one.count() for one in scenes.read(path).asked if one.question == "shock_spectrum"] == [6]
     for one, row in zip(*rows.values(), strict=True):
-        given = {"acceleration": float(one["acceleration/(m/s^2)"]), "duration": float(one["duration/ms"]) / 1e3}
-        found = mount.transient(**given)
-        assert float(one["A/mm"]) == 1e3 * found.A == float(row["A/mm"]), given
-        assert float(row["duration/ms"]) == pytest.approx(1e3 * given["duration"], rel=1e-15)
+        pulse = {"acceleration": float(one["acceleration/(m/s^2)"]), "duration": float(one["duration/ms"]) / 1e3}
+        found = mount.transient(**pulse)
+        assert float(one["A/mm"]) == 1e3 * found.A == float(row["A/mm"]), pulse
+        assert float(row["duration/ms"]) == pytest.approx(1e3 * pulse["duration"], rel=1e-15)
     _, out, _ = run("explain", path, capsys=capsys)
     assert "averaging     skipped  not needed: a shock is no steady state" in out
     record = head.replace(', "shock_spectrum"', "") + "acceleration = [0, 20.0, -5.0, 0]\nt = [0, 0.01, 0.02, 0.03]\n"
     assert run("run", scene(record), "-o", tmp_path / "two", "--quiet", capsys=capsys) == (0, "", "")
     (row,) = rows_of(tmp_path / "two" / "transient.csv")
     assert float(row["A/mm"]) == 1e3 * mount.transient(acceleration=[0, 20.0, -5.0, 0], t=[0, 0.01, 0.02, 0.03]).A
-    for text, said in (
+    for text, message in (
         (record.replace("0, 0.01, ", "0.01, "), "must be a time for each sample of acceleration"),
         (head, "acceleration is missing: [shock] needs acceleration, duration"),
         (head.partition("[shock]")[0], "questions = 'transient' needs a table [shock], which is missing"),
     ):
         code, _, err = run("run", scene(text), capsys=capsys)
-        assert code == 2 and said in err
+        assert code == 2 and message in err
 
 
 def test_laws_of_damping_are_keys_of_every_table(scene, capsys):
@@ -523,13 +523,13 @@ def test_laws_of_damping_are_keys_of_every_table(scene, capsys):
     )
     mount = scenes.read(scene(text)).oscillator
     assert mount.given["c_2"] == 30.0 and mount.oscillator.rubs == "attached"
-    for table, given, same in (
+    for table, parameters, same in (
         ("isolator", {"lam": 3, "r": 0.5, "delta_h": 0.02}, {"zeta": 0.03, "eta": 0.01, "rubs": "attached"}),
         ("duffing", {"alpha": 1.0, "beta": 0.5}, {"eta": 0.05, "c_2": 0.2}),
     ):
-        lines = "\n".join(f"{name} = {value!r}" for name, value in (given | same).items())
+        lines = "\n".join(f"{name} = {value!r}" for name, value in (parameters | same).items())
         path = scene(f'[{table}]\n{lines}\n[ask]\nF_0 = 0.03\nquestions = ["peak"]\n')
-        made = {"isolator": Isolator, "duffing": slowflow.Duffing}[table](**given, **same)
+        made = {"isolator": Isolator, "duffing": slowflow.Duffing}[table](**parameters, **same)
         assert scenes.read(path).oscillator == made
     code, out, _ = run("run", path, capsys=capsys)
     assert code == 0 and f"{made.peak(0.03).A:.4g}" in out

@@ -19,8 +19,8 @@ SHOCK = "[shock]\nacceleration = [10, 30]\nduration = [0.011]\n"
 PSD = "[psd]\nf = [1.0, 5.0, 100.0]\nG = [1e-4, 1e-4, 2.5e-7]\n"
 
 
-def scene(tmp_path, required, more="", given=LINEAR, F="F = [5.0]\n", kind="mount"):
-    numbers = "\n".join(f"{name} = {value!r}" for name, value in given.items())
+def scene(tmp_path, required, more="", parameters=LINEAR, F="F = [5.0]\n", kind="mount"):
+    numbers = "\n".join(f"{name} = {value!r}" for name, value in parameters.items())
     path = tmp_path / "scene.toml"
     path.write_text(f"[{kind}]\n{numbers}\n[ask]\n{F}\n{more}\n[require]\n{required}\n")
     return path
@@ -70,22 +70,22 @@ def test_requirements_under_a_spectrum_are_of_random_vibration(tmp_path):
 
 
 def test_without_dimensions_limits_are_plain_numbers(tmp_path):
-    given = {"lam": 3.0, "r": 2.0, "delta_h": 0.08, "mu": 0.001, "zeta": 0.1}
+    parameters = {"lam": 3.0, "r": 2.0, "delta_h": 0.08, "mu": 0.001, "zeta": 0.1}
     required = (
         "transmissibility_dB = { below = -6, from_Omega = 3 }\nrelative_displacement = { below = 0.5, under = 'peak' }"
     )
-    path = scene(tmp_path, required, given=given, F="F_0 = 0.05\n", kind="isolator")
+    path = scene(tmp_path, required, parameters=parameters, F="F_0 = 0.05\n", kind="isolator")
     found = verdict(read(path))
-    iso = Isolator(**given)
+    iso = Isolator(**parameters)
     assert found.value.tolist() == [iso.isolation(0.05, -6.0).Omega, iso.peak(0.05).A]
     assert found.unit.tolist() == ["", ""]
 
 
 def test_what_has_no_answer_is_not_met_and_says_why(tmp_path):
     """Without damping nothing bounds the resonance."""
-    given = {**LINEAR, "zeta": 0.0}
+    parameters = {**LINEAR, "zeta": 0.0}
     found = verdict(
-        read(scene(tmp_path, "relative_displacement = { below = 1, under = 'random', rms = true }", PSD, given))
+        read(scene(tmp_path, "relative_displacement = { below = 1, under = 'random', rms = true }", PSD, parameters))
     )
     assert found.met.tolist() == [False]
     assert "needs dry friction or viscous damping" in found.message
@@ -95,7 +95,7 @@ def test_the_exit_code_says_whether_all_is_met(tmp_path, capsys):
     path = scene(tmp_path, 'jumps = "none"')
     assert cli.main(["run", str(path)]) == 0
     assert capsys.readouterr().out.startswith("# requirements met: 1 of 1")
-    path = scene(tmp_path, 'jumps = "none"', given=MOUNT)
+    path = scene(tmp_path, 'jumps = "none"', parameters=MOUNT)
     assert cli.main(["run", "--json", str(path)]) == 3
     assert json.loads(capsys.readouterr().out)["verdict"]["met"] == [False]
     assert cli.main(["check", str(path)]) == 0
@@ -107,7 +107,7 @@ def test_the_exit_code_says_whether_all_is_met(tmp_path, capsys):
 
 
 @pytest.mark.parametrize(
-    ("required", "said"),
+    ("required", "message"),
     (
         ("jump = 'none'", "jump is no key of .require."),
         ("jumps = 'few'", "jumps"),
@@ -120,8 +120,8 @@ def test_the_exit_code_says_whether_all_is_met(tmp_path, capsys):
         ("absolute_acceleration = { below = 1, under = 'peak' }", "under"),
     ),
 )
-def test_what_a_requirement_must_be_is_told_with_its_line(tmp_path, required, said):
-    with pytest.raises(SceneError, match=f"scene.toml:1[0-9]: .*{said}"):
+def test_what_a_requirement_must_be_is_told_with_its_line(tmp_path, required, message):
+    with pytest.raises(SceneError, match=f"scene.toml:1[0-9]: .*{message}"):
         read(scene(tmp_path, required))
 
 
@@ -136,6 +136,6 @@ def test_requirements_at_forcings_need_forcings(tmp_path):
 
 
 def test_a_load_case_is_named_by_its_excitation(tmp_path):
-    given, letter = {**LINEAR, "excitation": "base"}, "Y = [0.002]\n"
-    found = verdict(read(scene(tmp_path, "jumps = 'none'", given=given, F=letter)))
+    parameters, letter = {**LINEAR, "excitation": "base"}, "Y = [0.002]\n"
+    found = verdict(read(scene(tmp_path, "jumps = 'none'", parameters=parameters, F=letter)))
     assert found.case.tolist() == ["Y = 2 mm"]

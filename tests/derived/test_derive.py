@@ -137,13 +137,13 @@ def test_gradients_hold_what_other_units_say(stop, compiled):
         onset, detachment = osc.saddle_node_onset(), osc.detachment()
         found = [onset, detachment, osc.peak(0.04), osc.saddle_nodes(0.04), osc.amplitudes(Omega=[0.7, 1.1], F_0=0.04)]
         for answer in found:
-            moves = answer.gradient()
-            assert moves.message == ""
-            for x in moves.of:
+            gradient = answer.gradient()
+            assert gradient.message == ""
+            for x in gradient.of:
                 value = np.asarray(getattr(answer, x))
                 for powers in (LENGTH, FREQUENCY):
                     known = {**NUMBERS, "F_0": 0.04, "Omega": getattr(answer, "Omega", None)}
-                    terms = [powers.get(by, 0) * known[by] * moves[x, by] for by in moves.by]
+                    terms = [powers.get(by, 0) * known[by] * gradient[x, by] for by in gradient.by]
                     size = sum(map(abs, terms)) + abs(value)
                     assert np.all(abs(sum(terms) - powers.get(x, 0) * value) < 1e-11 * size), (x, answer)
 
@@ -197,13 +197,13 @@ def test_its_derivation_reads_as_a_document(stop):
 def test_resultants_are_told_where_the_average_is_a_polynomial(folder):
     """Folds of a Duffing oscillator are roots of theirs, and its onset is one of the other's."""
     hardening = derive.mechanism("hardening", [(u + beta * u**3, None)], {"beta": ABOVE_0})
-    told = hardening.document().partition("## Resultants")[2]
-    assert "F = F_A = 0" in told and r"\tag{33}" in told and "\\tag{34}" not in told
+    section = hardening.document().partition("## Resultants")[2]
+    assert "F = F_A = 0" in section and r"\tag{33}" in section and "\\tag{34}" not in section
     one = hardening(beta=0.5, mu=0.01, zeta=0.05)
     F_0, onset = 0.1, one.saddle_node_onset()
     numbers = {"c_{1 1}": 1.0, "c_{1 3}": 0.5, "m": one.model.m, r"\zeta": 0.05, "F_{0}": F_0}
     for letter, roots in (("a", one.saddle_nodes(F_0).A), ("b", [onset.A])):
-        terms = re.findall(rf"^{letter}_{{(\d+)}} &= (.*?)(?: \\\\)?$", told, re.MULTILINE)
+        terms = re.findall(rf"^{letter}_{{(\d+)}} &= (.*?)(?: \\\\)?$", section, re.MULTILINE)
         values = {}
         for power, text in terms:
             text = re.sub(r"\^{(\d+)}", r"**\1", text)
@@ -269,7 +269,7 @@ def test_the_command_line_writes_what_a_program_derives(tmp_path, capsys):
 
 
 @pytest.mark.parametrize(
-    ("program", "words"),
+    ("program", "message"),
     [
         ("x = 1", "keeps no mechanism"),
         (PROGRAM.replace("(k_1 * u, gap)", "(k_1 * u * j, gap)"), "mine.py, line 8: NameError: name 'j'"),
@@ -277,11 +277,11 @@ def test_the_command_line_writes_what_a_program_derives(tmp_path, capsys):
         (None, "no such file"),
     ],
 )
-def test_a_program_that_derives_nothing_is_told_why(tmp_path, capsys, program, words):
+def test_a_program_that_derives_nothing_is_told_why(tmp_path, capsys, program, message):
     if program is not None:
         (tmp_path / "mine.py").write_text(program)
     assert main(["derive", str(tmp_path / "mine.py"), "-o", str(tmp_path / "out")]) == 2
-    assert words in capsys.readouterr().err
+    assert message in capsys.readouterr().err
     assert not (tmp_path / "out").exists()
 
 
@@ -339,7 +339,7 @@ def test_what_depends_on_time_is_refused_with_the_reason(folder):
 
 
 @pytest.mark.parametrize(
-    ("force", "told"),
+    ("force", "note"),
     [
         (u + beta * u**2, "beta*u**2 + u is not odd: for u < 0 the force is that of |u| with the other sign"),
         (beta + u, "beta + u is not odd: for u < 0 the force is that of |u| with the other sign, a preload of beta"),
@@ -348,17 +348,17 @@ def test_what_depends_on_time_is_refused_with_the_reason(folder):
     ],
     ids=str,
 )
-def test_force_not_written_odd_says_what_stands_for_it(folder, force, told):
+def test_force_not_written_odd_says_what_stands_for_it(folder, force, note):
     made = derive.mechanism("even", [(force, None)], {"beta": ABOVE_0})
     how = "interpreted"
-    assert repr(made).endswith(f"{how}; {told}" if told else how)
+    assert repr(made).endswith(f"{how}; {note}" if note else how)
     assert made(beta=0.5, zeta=0.02).force([-0.3]) == -made(beta=0.5, zeta=0.02).force([0.3])
 
 
 def test_a_load_on_a_preload_is_refused_for_the_jump_that_it_is(folder):
-    held = derive.mechanism("held", [(beta + u, None)], {"beta": ABOVE_0})
+    preloaded = derive.mechanism("held", [(beta + u, None)], {"beta": ABOVE_0})
     with pytest.raises(ValueError, match=r"held_.*not derived for a force that jumps at u = 0, as a preload does"):
-        held(beta=0.1, zeta=0.02, load=0.3)
+        preloaded(beta=0.1, zeta=0.02, load=0.3)
 
 
 def test_end_below_0_and_acceleration_are_refused(stop):
@@ -381,13 +381,13 @@ def test_what_is_derived_once_is_not_derived_again(stop, monkeypatch):
 
 @pytest.mark.slow
 def test_c_is_printed_where_it_is_compiled(folder):
-    """A program needs none; what is compiled later is derived again, and is the same mechanism."""
-    given = {**STOP, "name": "stop_twice"}
-    interpreted = derive.mechanism(**given)
+    """An interpreted mechanism needs none; compiled later it is derived again and is the same mechanism."""
+    arguments = {**STOP, "name": "stop_twice"}
+    interpreted = derive.mechanism(**arguments)
     assert {path.suffix for path in folder.iterdir() if path.name.startswith("stop_twice")} == {".json", ".py"}
     before = interpreted(**NUMBERS).saddle_nodes(0.05)
     assert not interpreted.compiled
-    in_c = derive.mechanism(**given, compile=True)
+    in_c = derive.mechanism(**arguments, compile=True)
     assert in_c.compiled and in_c.record is interpreted.record
     after = in_c(**NUMBERS).saddle_nodes(0.05)
     np.testing.assert_array_equal(after.Omega, before.Omega)
@@ -435,10 +435,10 @@ def test_the_collector_is_left_as_it_was(folder, collects):
 
 @pytest.mark.slow
 def test_an_oscillator_is_pickled_into_another_process(stop, folder):
-    asked = "import pickle, sys; one = pickle.load(sys.stdin.buffer); print(repr(one.saddle_node_onset().F_SN))"
+    code = "import pickle, sys; one = pickle.load(sys.stdin.buffer); print(repr(one.saddle_node_onset().F_SN))"
     one = stop(**NUMBERS)
     done = subprocess.run(
-        [sys.executable, "-W", "ignore", "-c", asked],
+        [sys.executable, "-W", "ignore", "-c", code],
         input=pickle.dumps(one),
         capture_output=True,
         env={**os.environ, "SLOWFLOW_DERIVED": str(folder), "PYTHONPATH": os.pathsep.join(sys.path)},
@@ -453,7 +453,7 @@ def test_an_oscillator_is_pickled_into_another_process(stop, folder):
 @pytest.mark.skipif(os.name != "posix", reason="owners and modes are looked at on POSIX only")
 @pytest.mark.parametrize("how", ["open", "group", "above", "planted while it was open", "of another user"])
 def test_a_module_that_others_could_have_planted_does_not_run(tmp_path, how):
-    """In a process of its own; beside it the same in a folder that is the user's, which is imported."""
+    """In a separate process; the same module in a folder of the user's own is imported."""
     import slowflow.derived
 
     folder = tmp_path / "above" / "derived"
@@ -467,7 +467,7 @@ def test_a_module_that_others_could_have_planted_does_not_run(tmp_path, how):
     env = {**os.environ, "SLOWFLOW_DERIVED": str(folder), "PYTHONPATH": os.pathsep.join(sys.path)}
     done = subprocess.run(program, env=env, capture_output=True, text=True)
     assert (done.returncode, done.stdout) == (0, "EXECUTED\n"), done.stderr
-    words = {
+    messages = {
         "open": f"chmod 700 '{folder}'",
         "group": f"chmod 700 '{folder}'",
         "above": f"chmod go-w '{folder.parent}'",
@@ -487,7 +487,7 @@ def test_a_module_that_others_could_have_planted_does_not_run(tmp_path, how):
         {"open": folder, "above": folder.parent}.get(how, planted).chmod(0o777)
     done = subprocess.run(program, env=env, capture_output=True, text=True)
     assert done.returncode != 0 and "EXECUTED" not in done.stdout
-    assert words.get(how, str(planted)) in done.stderr and "SLOWFLOW_DERIVED" in done.stderr
+    assert messages.get(how, str(planted)) in done.stderr and "SLOWFLOW_DERIVED" in done.stderr
     # nor where the folder was good when it was first looked at
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(slowflow.derived, "FOLDER", folder)
@@ -505,7 +505,7 @@ def test_a_folder_that_is_made_is_for_the_user_alone(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("changes", "error", "words"),
+    ("changes", "error", "message"),
     [
         ({"pieces": [("k_1*u", None)]}, TypeError, "strings are never read"),
         ({"pieces": [(k_1 * u, "0.2"), (u, None)]}, TypeError, "the end of piece 1"),
@@ -518,8 +518,8 @@ def test_a_folder_that_is_made_is_for_the_user_alone(tmp_path):
         ({"pieces": [(u, gap), (u, gap - k_1), (u, None)]}, ArithmeticError, "piece 2 ends at .* not above gap"),
         ({"pieces": [(u, sp.sqrt(-gap)), (u, None)]}, ArithmeticError, "which is not above 0"),
         *(
-            ({"pieces": [(u, gap), (u + force, None)]}, ArithmeticError, words)
-            for force, words in (
+            ({"pieces": [(u, gap), (u + force, None)]}, ArithmeticError, reasons)
+            for force, reasons in (
                 (sp.sqrt(u - gap), "whose power is not above 1/2: h has no slope there"),
                 (sp.tanh((u - gap) ** 1.5), "no power of u - gap times what is smooth"),
                 ((u - gap) ** k_1, "no power of u - gap times what is smooth"),
@@ -557,9 +557,9 @@ def test_a_folder_that_is_made_is_for_the_user_alone(tmp_path):
         ({"parameters": {"k_1": {"over": 0}}}, ValueError, "'over' is not allowed"),
     ],
 )
-def test_what_cannot_be_had_is_refused_with_the_reason(folder, changes, error, words):
+def test_what_cannot_be_had_is_refused_with_the_reason(folder, changes, error, message):
     before = sorted(folder.iterdir())
-    with pytest.raises(error, match=words):
+    with pytest.raises(error, match=message):
         derive.mechanism(**{**STOP, **changes})
     assert sorted(folder.iterdir()) == before
 
@@ -572,9 +572,9 @@ def test_numbers_outside_their_domain_are_refused(stop):
 
 
 def test_a_compiler_that_fails_says_so(folder, monkeypatch):
-    for compiler, words in (("false", "failed"), ("no-such-compiler", "does not run")):
+    for compiler, message in (("false", "failed"), ("no-such-compiler", "does not run")):
         monkeypatch.setenv("CC", compiler)
-        with pytest.raises(RuntimeError, match=words):
+        with pytest.raises(RuntimeError, match=message):
             derive.mechanism(**{**STOP, "name": "not_compiled"}, compile=True)
     assert not list(folder.glob("not_compiled*.so"))
 

@@ -217,7 +217,7 @@ def test_preload_alone_has_the_onset_of_ever_softer_springs(zeta, compile):
     onset, near = found.saddle_node_onset(), softer.saddle_node_onset()
     assert onset.kind == near.kind == "cusp" and onset.message == near.message
     assert onset.F_SN == pytest.approx(near.F_SN, rel=1e-7)
-    below, above = (len(found.saddle_nodes(onset.F_SN * (1 + share))) for share in (-1e-5, 1e-5))
+    below, above = (len(found.saddle_nodes(onset.F_SN * (1 + offset))) for offset in (-1e-5, 1e-5))
     assert above == below + 2
     (again,) = made.many(c=0.01, k=2.0, gap=0.1, p=np.zeros(1), mu=0.01, zeta=zeta).saddle_node_onset().F_SN
     assert again == pytest.approx(onset.F_SN, rel=1e-14)
@@ -316,9 +316,9 @@ def test_what_it_is_and_how_it_is_derived_is_said():
 
 @pytest.mark.slow
 def test_derivation_of_a_contact_is_complete():
-    told = derived("hertz").document()
-    assert "sum_" not in told and r"\frac{(A - u_{1})^{2}}{\sqrt{A + u_{1}}} \int_0^1" in told
-    assert told.count(r"\Gamma_{1,3} &=") == 1 and r"without what begins at $u_{1}$" in told
+    document = derived("hertz").document()
+    assert "sum_" not in document and r"\frac{(A - u_{1})^{2}}{\sqrt{A + u_{1}}} \int_0^1" in document
+    assert document.count(r"\Gamma_{1,3} &=") == 1 and r"without what begins at $u_{1}$" in document
 
 
 @pytest.mark.slow
@@ -409,23 +409,23 @@ def preloaded():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("share", [0.3, 0.8, 0.99])
+@pytest.mark.parametrize("fraction", [0.3, 0.8, 0.99])
 @pytest.mark.parametrize("mu", [0.0, 0.01])
-def test_preloaded_linear_spring_has_the_fold_of_closed_form(preloaded, mu, share):
+def test_preloaded_linear_spring_has_the_fold_of_closed_form(preloaded, mu, fraction):
     """With p = 4c/pi, a = Omega^2 - 1, b = 2 zeta Omega F is quadratic in A; with tan t = b/a its discriminant vanishes
     where m cos t + p sin t = F_0, for which m < F_0 < sqrt(m^2 + p^2) have one t with a positive double root.
     """
     zeta, m, p_ = 0.02, 4 * mp.mpf(mu) / mp.pi, 4 * mp.mpf("0.05") / mp.pi
     one = preloaded(c=0.05, k=1.0, mu=mu, zeta=zeta)
-    held = mp.hypot(m, p_)
-    F_0 = float(m + share * (held - m))
+    level = mp.hypot(m, p_)
+    F_0 = float(m + fraction * (level - m))
     t = mp.findroot(lambda t: m * mp.cos(t) + p_ * mp.sin(t) - F_0, (0, mp.atan2(p_, m)), solver="anderson", tol=1e-30)
     Omega = (zeta + mp.hypot(zeta, mp.tan(t))) / mp.tan(t)
     a, b = Omega**2 - 1, 2 * zeta * Omega
     folds = one.saddle_nodes(F_0)
     assert folds.Omega == pytest.approx([float(Omega)], rel=1e-12)
     assert folds.A == pytest.approx([float((p_ * a - b * m) / (a**2 + b**2))], rel=1e-9)
-    assert not len(one.saddle_nodes(1.01 * float(held)))
+    assert not len(one.saddle_nodes(1.01 * float(level)))
     assert one.saddle_node_onset().F_SN is None and "no lowest forcing" in one.saddle_node_onset().message
 
 
@@ -441,25 +441,25 @@ def test_holding_force_is_the_derived_level_at_no_amplitude():
 
 @pytest.mark.slow
 def test_mass_held_by_a_preload_is_said_beside_the_motions(preloaded):
-    """Next to rest a state has R = -4c/pi and I = 4 mu/pi: up to the level of that no state comes out of rest."""
+    """Next to rest a state has R = -4c/pi and I = 4 mu/pi: below that level no state starts from rest."""
     one = preloaded(c=0.05, k=1.0, mu=0.01, zeta=0.02)
-    held = 4 / np.pi * np.hypot(0.05, 0.01)
-    assert one.sticking_forcing == pytest.approx(held, rel=1e-15)
+    level = 4 / np.pi * np.hypot(0.05, 0.01)
+    assert one.sticking_forcing == pytest.approx(level, rel=1e-15)
     many = preloaded.many(c=0.05, k=1.0, mu=0.01, zeta=0.02)
-    for F_0, rests in ((0.999 * held, True), (1.001 * held, False)):
+    for F_0, sticks in ((0.999 * level, True), (1.001 * level, False)):
         states = one.amplitudes(Omega=0.6, F_0=F_0)
-        assert bool(states.A.any()) != rests  # below resonance the mass moves where it is not held, and there only
-        assert one.margins(F_0).sticks == rests == bool(many.margins(F_0).sticks)
-        assert (Remark.HELD_AT_REST in states.remarks) == rests == ("a mass at rest stays there" in states.message)
+        assert bool(states.A.any()) != sticks  # below resonance the mass moves where it is not held, and there only
+        assert one.margins(F_0).sticks == sticks == bool(many.margins(F_0).sticks)
+        assert (Remark.HELD_AT_REST in states.remarks) == sticks == ("a mass at rest stays there" in states.message)
         assert many.amplitudes(Omega=0.6, F_0=F_0).remarks == states.remarks
         band = one.hysteresis(F_0)
-        assert len(band) == rests == int(many.hysteresis(F_0).count)
-        assert not rests or (band[0].Omega_low, *band[0][1:]) == (one.saddle_nodes(F_0).Omega[0], np.inf, 2)
+        assert len(band) == sticks == int(many.hysteresis(F_0).count)
+        assert not sticks or (band[0].Omega_low, *band[0][1:]) == (one.saddle_nodes(F_0).Omega[0], np.inf, 2)
         row = one.spectrum(Omega=[0.6, 1.1], F_0=F_0)
-        assert row.sticks.tolist() == [rests, False]
+        assert row.sticks.tolist() == [sticks, False]
     # at high frequencies the amplitude vanishes, and friction and preload are passed on
-    assert one.amplitudes(Omega=1e4, F_0=0.2).transmissibility[-1] == pytest.approx(held / 0.2, rel=1e-4)
-    assert one.transmissibility_floor(0.2) == pytest.approx(held / 0.2, rel=1e-15)
+    assert one.amplitudes(Omega=1e4, F_0=0.2).transmissibility[-1] == pytest.approx(level / 0.2, rel=1e-4)
+    assert one.transmissibility_floor(0.2) == pytest.approx(level / 0.2, rel=1e-15)
 
 
 @pytest.mark.slow
@@ -489,10 +489,10 @@ def test_small_motions_with_a_preload_are_not_missed(compiled):
 
 @pytest.mark.slow
 def test_within_a_play_no_mean_is_singled_out_and_that_is_said():
-    """There u = B + F_0/(Omega sqrt(Omega^2 + 4 zeta^2)) cos(...) is a motion for every B that keeps it in the play."""
-    play = derive.mechanism("a_play", [(0, gap), (k * (u - gap), None)], {"k": ABOVE_0, "gap": ABOVE_0})
+    """There u = B + F_0/(Omega sqrt(Omega^2 + 4 zeta^2)) cos(...) is a motion for every B that keeps u in the gap."""
+    loose = derive.mechanism("a_play", [(0, gap), (k * (u - gap), None)], {"k": ABOVE_0, "gap": ABOVE_0})
     Omega, F_0, zeta = 0.6, 0.05, 0.1
-    one = play(k=2.0, gap=1.0, zeta=zeta)
+    one = loose(k=2.0, gap=1.0, zeta=zeta)
     A = F_0 / (Omega * np.hypot(Omega, 2 * zeta))
     with pytest.raises(ArithmeticError, match=f"amplitude {A:.6g} stays within .* no force brings its mean back"):
         one.steady_state(Omega=Omega, F_0=F_0)
@@ -551,19 +551,19 @@ def test_missing_breakpoint_is_refused_by_its_piece():
 
 @pytest.mark.slow
 def test_compiled_solvers_know_the_onset_of_a_preload(preloaded):
-    """Of a linear spring folds come down to 4 mu/pi; of a hardening one too, beside a cusp; without zeta k passes 0."""
+    """Of a linear spring folds come down to 4 mu/pi; of a hardening one next to a cusp; without zeta k passes 0."""
     numbers = {"c": ABOVE_0, "k": ABOVE_0}
     for pieces in ([(c + k * u, None)], [(c + u + k * u**3, None)]):
-        alike = [derive.mechanism(f"c{one}", pieces, numbers, compile=one) for one in (False, True)]
+        both = [derive.mechanism(f"c{one}", pieces, numbers, compile=one) for one in (False, True)]
         for damping in ({"mu": 0.01, "zeta": 0.02}, {"zeta": 0.0133}):
-            said, told = (made(c=0.0077, k=1.883, **damping).saddle_node_onset() for made in alike)
-            assert said.message == told.message and said.remarks == told.remarks == Remark.FOLDS_AT_REST
-            assert (said.F_SN or 0) == pytest.approx(told.F_SN or 0, rel=1e-14)
-            many = [made.many(c=0.0077, k=1.883, **{"mu": 0.0} | damping).saddle_node_onset() for made in alike]
+            plain, compiled = (made(c=0.0077, k=1.883, **damping).saddle_node_onset() for made in both)
+            assert plain.message == compiled.message and plain.remarks == compiled.remarks == Remark.FOLDS_AT_REST
+            assert (plain.F_SN or 0) == pytest.approx(compiled.F_SN or 0, rel=1e-14)
+            many = [made.many(c=0.0077, k=1.883, **{"mu": 0.0} | damping).saddle_node_onset() for made in both]
             assert many[0].at_rest == many[1].at_rest == 1 and many[0].status == many[1].status
-        states = [made(c=0.0077, k=1.883, zeta=0.02).amplitudes(Omega=0.5, F_0=0.005) for made in alike]
+        states = [made(c=0.0077, k=1.883, zeta=0.02).amplitudes(Omega=0.5, F_0=0.005) for made in both]
         assert all(one.A.tolist() == [0.0] for one in states)
-    for made in alike:
+    for made in both:
         assert "no lowest forcing: without viscous damping" in made(c=0.0077, k=1.883).saddle_node_onset().message
     with pytest.raises(ArithmeticError, match="with a preload, and without viscous damping"):
         preloaded(c=0.05, k=1.0).saddle_node_onset()

@@ -128,7 +128,7 @@ def test_what_is_written_for_other_programs_compiles_alone(tmp_path):
 
 @pytest.mark.slow
 def test_batches_refuse_a_pole_within_the_reach():
-    """Magnets that are nearer than the reach: compiled batches summed over the pole, and said OK."""
+    """Magnets that are nearer than the reach: compiled batches summed over the pole and returned status OK."""
     pieces = [(u + k * (1 / (c - u) ** 2 - 1 / (c + u) ** 2), None)]
     magnets = derive.mechanism("near_magnets", pieces, {"k": {"above": 0}, "c": {"above": 0}}, reach=3.9, compile=True)
     with pytest.raises(ValueError, match=r"infinite or no number at \|u\| = 3"):
@@ -137,6 +137,6 @@ def test_batches_refuse_a_pole_within_the_reach():
     expected = [Status.OK, Status.INVALID, Status.INVALID, Status.OK, Status.INVALID]
     for found in (several.saddle_nodes(0.1), several.amplitudes(Omega=1.0, F_0=0.1), several.saddle_node_onset()):
         assert found.status.tolist() == expected
-    found, alone = several.amplitudes(Omega=1.0, F_0=0.1), magnets(k=10.0, c=4.5, mu=0.01, zeta=0.03)
+    found, single = several.amplitudes(Omega=1.0, F_0=0.1), magnets(k=10.0, c=4.5, mu=0.01, zeta=0.03)
     assert np.isnan(found.A[[1, 2, 4]]).all()
-    assert found.A[0, 0] == alone.amplitudes(Omega=1.0, F_0=0.1).A[0]
+    assert found.A[0, 0] == single.amplitudes(Omega=1.0, F_0=0.1).A[0]

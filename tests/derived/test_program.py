@@ -63,15 +63,15 @@ def data(mechanism):
     return both["words"], both["numbers"]
 
 
-def read(words, numbers):
+def read(integers, numbers):
     """The record of a program."""
-    return backend.SOLVER.program("any", array("i", words).tobytes(), array("d", numbers).tobytes())
+    return backend.SOLVER.program("any", array("i", integers).tobytes(), array("d", numbers).tobytes())
 
 
-def refused(words, numbers):
-    """Whether it is."""
+def refused(integers, numbers):
+    """Whether a program is refused."""
     try:
-        read(words, numbers)
+        read(integers, numbers)
     except ValueError:
         return True
     return False
@@ -79,7 +79,7 @@ def refused(words, numbers):
 
 @pytest.fixture(scope="module", params=("two_stops", "summed_hertz", "jump"))
 def valid(request):
-    """A program, and where in its words each operation, and each list of outputs, begins."""
+    """A program, and where each operation and each list of outputs begins in its integers."""
     from slowflow.derivation.codegen.targets.program import Recorder
     from slowflow.derivation.codegen.views import programs
 
@@ -96,14 +96,14 @@ def valid(request):
     solved = derive._derivation().sources(mechanism._stated).solved
     encoder = Located(solved, programs(solved))
     encoder.record()
-    words, numbers = data(mechanism)
-    assert (encoder.integers, encoder.numbers) == (words, numbers)
-    assert read(words, numbers) is not None
-    return words, numbers, sizes, codes, outputs
+    integers, numbers = data(mechanism)
+    assert (encoder.integers, encoder.numbers) == (integers, numbers)
+    assert read(integers, numbers) is not None
+    return integers, numbers, sizes, codes, outputs
 
 
-def changed(words, place, value):
-    return [*words[:place], value, *words[place + 1 :]]
+def changed(values, place, value):
+    return [*values[:place], value, *values[place + 1 :]]
 
 
 NO_WORDS = st.integers(-(2**31), -1) | st.integers(2**16, 2**31 - 1)
@@ -113,75 +113,77 @@ NO_WORDS = st.integers(-(2**31), -1) | st.integers(2**16, 2**31 - 1)
 @given(st.data())
 @settings(max_examples=fewer(60, 5))
 def test_words_or_numbers_too_few_or_too_many_are_refused(valid, data):
-    words, numbers, *_ = valid
-    assert refused(words[: data.draw(st.integers(0, len(words) - 1))], numbers)
-    assert refused(words, numbers[: data.draw(st.integers(0, len(numbers) - 1))])
-    assert refused([*words, data.draw(st.integers(-5, 5))], numbers)
-    assert refused(words, [*numbers, data.draw(st.floats())])
+    integers, numbers, *_ = valid
+    assert refused(integers[: data.draw(st.integers(0, len(integers) - 1))], numbers)
+    assert refused(integers, numbers[: data.draw(st.integers(0, len(numbers) - 1))])
+    assert refused([*integers, data.draw(st.integers(-5, 5))], numbers)
+    assert refused(integers, [*numbers, data.draw(st.floats())])
 
 
 @pytest.mark.slow
 @given(st.data())
 @settings(max_examples=fewer(200, 5))
 def test_unknown_operation_or_register_is_refused(valid, data):
-    words, numbers, _, codes, outputs = valid
+    integers, numbers, _, codes, outputs = valid
     place, program = data.draw(st.sampled_from(codes))
     none = NO_WORDS | st.integers(len(Operation), 300)
-    assert refused(changed(words, place, data.draw(none)), numbers)
+    assert refused(changed(integers, place, data.draw(none)), numbers)
     outside = NO_WORDS | st.integers(program.registers, MOST_REGISTERS)
-    assert refused(changed(words, place + data.draw(st.integers(1, 3)), data.draw(outside)), numbers)
-    held = program.arguments + len(program.constants)
-    if held:  # an argument or a constant would be overwritten
-        assert refused(changed(words, place + 1, data.draw(st.integers(0, held - 1))), numbers)
+    assert refused(changed(integers, place + data.draw(st.integers(1, 3)), data.draw(outside)), numbers)
+    read_only = program.arguments + len(program.constants)
+    if read_only:  # an argument or a constant would be overwritten
+        assert refused(changed(integers, place + 1, data.draw(st.integers(0, read_only - 1))), numbers)
     place, program = data.draw(st.sampled_from(outputs))
-    assert refused(changed(words, place, data.draw(NO_WORDS | st.integers(program.registers, MOST_REGISTERS))), numbers)
+    assert refused(
+        changed(integers, place, data.draw(NO_WORDS | st.integers(program.registers, MOST_REGISTERS))), numbers
+    )
 
 
 @pytest.mark.slow
 @given(st.data())
 @settings(max_examples=fewer(200, 5))
 def test_what_holds_nothing_yet_is_not_read(valid, data):
-    words, numbers, sizes, *_ = valid
+    integers, numbers, sizes, *_ = valid
     begin, program = data.draw(st.sampled_from([one for one in sizes if one[1].code]))
     number = data.draw(st.integers(0, len(program.code) - 1))
     written = {result for _, result, _, _ in program.code[:number]}
     empty = [one for one in range(program.arguments + len(program.constants), program.registers) if one not in written]
     if empty:
         place = begin + 5 + 4 * number + data.draw(st.integers(2, 3))
-        assert refused(changed(words, place, data.draw(st.sampled_from(empty))), numbers)
+        assert refused(changed(integers, place, data.draw(st.sampled_from(empty))), numbers)
 
 
 @given(st.data())
 @settings(max_examples=fewer(200, 5))
 def test_other_sizes_than_a_function_takes_and_gives_are_refused(valid, data):
-    words, numbers, sizes, *_ = valid
+    integers, numbers, sizes, *_ = valid
     begin, _ = data.draw(st.sampled_from(sizes))
     for place in (begin, begin + 4):
-        other = data.draw(st.integers(-3, 100).filter(lambda size, place=place: size != words[place]))
-        assert refused(changed(words, place, other), numbers)
+        other = data.draw(st.integers(-3, 100).filter(lambda size, place=place: size != integers[place]))
+        assert refused(changed(integers, place, other), numbers)
 
 
 @given(st.data())
 @settings(max_examples=fewer(60, 5))
 def test_a_constant_that_is_not_finite_is_refused(valid, data):
-    words, numbers, sizes, *_ = valid
+    integers, numbers, sizes, *_ = valid
     constants = sum(len(program.constants) for _, program in sizes)
     assert constants
     place = data.draw(st.integers(len(numbers) - 2, len(numbers) - 1))
     for wrong in (math.nan, math.inf, -math.inf):
-        assert refused(words, changed(numbers, place, wrong))
+        assert refused(integers, changed(numbers, place, wrong))
     # bounds and the reach may be infinite, and are numbers
-    assert refused(words, changed(numbers, data.draw(st.integers(0, len(numbers) - 1)), math.nan))
+    assert refused(integers, changed(numbers, data.draw(st.integers(0, len(numbers) - 1)), math.nan))
 
 
 @given(st.data())
 @settings(max_examples=fewer(300, 5))
 def test_words_that_are_any_integers_are_refused_or_run(valid, data):
-    """What is taken after all may mean anything, but keeps to its registers."""
-    words, numbers, *_ = valid
-    other = list(words)
+    """A program that is accepted may compute anything, but only in its registers."""
+    integers, numbers, *_ = valid
+    other = list(integers)
     for _ in range(data.draw(st.integers(1, 4))):
-        place = data.draw(st.integers(0, len(words) - 1))
+        place = data.draw(st.integers(0, len(integers) - 1))
         other[place] = data.draw(st.integers(-2, 40) | st.integers(-(2**31), 2**31 - 1))
     try:
         record = read(other, numbers)
@@ -278,8 +280,8 @@ def bits(values):
     return np.where(np.isnan(flat), np.nan, flat).tobytes()
 
 
-class Asked:
-    """What a record gives, as bits."""
+class Calls:
+    """Every function of a record, its results as bits."""
 
     def __init__(self, record):
         self.record = opened(record)
@@ -296,11 +298,11 @@ class Asked:
         return function(ctypes.addressof(self.record), *arguments)
 
     def everything(self, design, A):
-        """Of a design, at amplitudes."""
+        """Results for a design at amplitudes A."""
         found = {}
         p, b = doubles([0.0] * 16), doubles([0.0] * 8)
-        given, n = doubles(design), len(A)
-        found["inside"] = self.ask("parameters_of", given, p)
+        values, n = doubles(design), len(A)
+        found["inside"] = self.ask("parameters_of", values, p)
         found["p"] = bits(p)
         for name in ("ends", "jumps", *(["kinks"] if self.has("kinks") else [])):
             self.ask(name, p, b)
@@ -312,7 +314,7 @@ class Asked:
                 self.ask(name, count, amplitudes, p, out)
                 found[name, count] = bits(out)
         out = doubles([0.0] * 200)
-        self.ask("by_design", given, out)
+        self.ask("by_design", values, out)
         found["by_design"] = bits(out)
         for one in A[:3]:
             found["intercept", one] = bits(doubles([self.ask("intercept", one, p)]))
@@ -320,14 +322,14 @@ class Asked:
             found["by_parameter", one] = bits(out)
         if self.has("bent"):
             for low, high in pairwise(A):
-                held = (Interval * 2)()
-                self.ask("bent", Interval(low, high), p, held)
-                found["bent", low] = bits(held)
-        found |= self.exactly(given, A)
+                enclosures = (Interval * 2)()
+                self.ask("bent", Interval(low, high), p, enclosures)
+                found["bent", low] = bits(enclosures)
+        found |= self.exactly(values, A)
         return found
 
     def exactly(self, design, A):
-        """In pairs and on intervals, where there are any."""
+        """Results in double-double and on intervals, where the record has them."""
         record, found = self.record, {}
         if self.has("parameters_in_pairs"):
             p, b, h = (Pair * 20)(), (Pair * 4)(), (Pair * 5)()
@@ -339,9 +341,9 @@ class Asked:
             for one in A:
                 passed = sum(one > end.high for end in b[: record.breakpoints])
                 beyond = one - b[passed - 1].high if passed else one
-                for wanted in (2, 4):
-                    self.ask("averaged_in_pairs", passed, wanted, Pair(one, one * 2.0**-55), Pair(beyond, 0), p, h)
-                    found["averaged_in_pairs", one, wanted] = bits(h)
+                for size in (2, 4):
+                    self.ask("averaged_in_pairs", passed, size, Pair(one, one * 2.0**-55), Pair(beyond, 0), p, h)
+                    found["averaged_in_pairs", one, size] = bits(h)
             apart = 3
             designs = doubles([value * (1 + 0.01 * i) for value in design for i in range(apart)])
             for name in ("many_in_pairs", *(["on_first_end_in_pairs"] if record.breakpoints else [])):
@@ -369,7 +371,7 @@ class Asked:
 @pytest.mark.parametrize("name", EVERY)
 @pytest.mark.part(3)
 def test_a_program_gives_the_bits_of_compiled_C(name):
-    """Every function of the record, and answers of batches, at random designs; beside breakpoints too."""
+    """Every function of the record, and batches, at random designs; next to breakpoints too."""
     mechanism = made(name)
     before = backend.SOLVER.RECORDS.pop(mechanism.record.name, None)
     program = backend.record_of(mechanism.record)
@@ -380,7 +382,7 @@ def test_a_program_gives_the_bits_of_compiled_C(name):
         compiled = before
     assert compiled and not opened(compiled).program
     backend.SOLVER.RECORDS[mechanism.record.name] = program
-    one, other = Asked(program), Asked(compiled)
+    one, other = Calls(program), Calls(compiled)
     assert [one.has(each) for each in (*OTHERS, "bent", "kinks")] == [
         other.has(each) for each in (*OTHERS, "bent", "kinks")
     ]
@@ -393,19 +395,19 @@ def test_a_program_gives_the_bits_of_compiled_C(name):
         p, b = doubles([0.0] * 16), doubles([0.0] * 4)
         one.ask("parameters_of", doubles(design), p), one.ask("ends", p, b)
         ends = [end for end in b[: one.record.breakpoints] if 0 < end < 3]
-        beside = [math.nextafter(end, place) for end in ends for place in (0.0, 9.0)]
+        neighbours = [math.nextafter(end, place) for end in ends for place in (0.0, 9.0)]
         A = sorted(
-            [*rng.uniform(1e-6, 3.0, 9), *ends, *beside, *(1.05 * end for end in ends), *(64 * end for end in ends)]
+            [*rng.uniform(1e-6, 3.0, 9), *ends, *neighbours, *(1.05 * end for end in ends), *(64 * end for end in ends)]
         )
         here, there = one.everything(design, A), other.everything(design, A)
         assert here.keys() == there.keys()
         assert [key for key in here if here[key] != there[key]] == [], design
     designs = [rng.uniform(0.05, 1.6, 20) for _ in range(count)]
     damping = rng.uniform(0, 0.03, 20), rng.uniform(0.01, 0.2, 20)
-    for question, asked in (("many_onset", ()), ("many_detachment", ()), ("many_peak", (0.3,))):
+    for question, arguments in (("many_onset", ()), ("many_detachment", ()), ("many_peak", (0.3,))):
         ask = getattr(backend.SOLVER, question)
         for here, there in zip(
-            *(ask(record)(*designs, *damping, *asked) for record in (program, compiled)), strict=True
+            *(ask(record)(*designs, *damping, *arguments) for record in (program, compiled)), strict=True
         ):
             np.testing.assert_array_equal(here, there)
 
@@ -413,7 +415,7 @@ def test_a_program_gives_the_bits_of_compiled_C(name):
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["stop", "softening", "two_stops", "jump", "summed_hertz", "summed_wave"])
 def test_an_interpreted_average_is_that_of_its_force(name):
-    """By mpmath's quadrature of the force as it is written: to some roundings of what is added up."""
+    """By mpmath's quadrature of the force as written: to a few roundings of the terms."""
     mechanism = made(name)
     pieces = CLOSED.get(name) or FORCES[name.removeprefix("summed_")][0]
     record, found = backend.record_of(mechanism.record), np.empty((4, 1))
@@ -426,13 +428,13 @@ def test_an_interpreted_average_is_that_of_its_force(name):
     with mp.workdps(30):
         for A in (0.2, 0.31, 0.9, 2.2):
             edges = [mp.mpf(0), *(mp.asin(mp.mpf(end) / A) for end in ends if end < A), mp.pi / 2]
-            parts = [
+            integrals = [
                 [
                     mp.quad(lambda t, A=A, law=law, of=of: of(law(A * mp.sin(t)) * mp.sin(t)), side)
                     for of in (mp.mpf, abs)
                 ]
                 for law, side in zip(laws, pairwise(edges), strict=False)
             ]
-            expected, size = (4 / mp.pi * sum(values) for values in zip(*parts, strict=True))
+            expected, size = (4 / mp.pi * sum(values) for values in zip(*integrals, strict=True))
             backend.SOLVER.averages(record, tuple(map(float, parameters)), np.array([A]), found)
             assert abs(found[0, 0] + expected) < 8 * 2.0**-53 * size, A

@@ -60,9 +60,9 @@ FORCES = {
 SLOW = ("oblique", "preload", "saturating")
 
 
-def mechanism(name, **given):
+def mechanism(name, **options):
     pieces, numbers = FORCES[name]
-    return derive.mechanism(name, pieces, {number: ABOVE_0 for number in numbers}, **{"reach": 3.1, **given})
+    return derive.mechanism(name, pieces, {number: ABOVE_0 for number in numbers}, **{"reach": 3.1, **options})
 
 
 def relative(found, text):
@@ -120,9 +120,9 @@ def test_cubic_and_play_have_no_stiffness_at_rest():
     cubic = mechanism("cubic")(k=2.0, **DAMPING)
     assert cubic.model.averaged(0.0)[1] == 0
     assert not cubic.saddle_node_onset().remarks
-    play = mechanism("play")(k=3.0, gap=0.1, **DAMPING)
-    assert play.model.averaged(0.1)[0] == play.model.averaged(0.1)[1] == 0
-    assert play.saddle_node_onset().message == ""
+    loose = mechanism("play")(k=3.0, gap=0.1, **DAMPING)
+    assert loose.model.averaged(0.1)[0] == loose.model.averaged(0.1)[1] == 0
+    assert loose.saddle_node_onset().message == ""
     assert mechanism("quadratic")(k=1e-300, **DAMPING).saddle_node_onset().F_SN is None
 
 
@@ -148,8 +148,8 @@ def test_a_piece_is_within_its_bounds():
     low, length = piece.edges[:-1], np.diff(piece.edges)
     for order in (0, 4):
         least, most = piece.ranges(order)
-        for share in (0.0, 0.3, 1.0):
-            (found,) = piece.at(low + share * length, (order,))
+        for fraction in (0.0, 0.3, 1.0):
+            (found,) = piece.at(low + fraction * length, (order,))
             assert np.all((least <= found) & (found <= most))
 
 
@@ -218,7 +218,7 @@ def test_it_can_be_pickled_where_its_functions_can():
 
 
 @pytest.mark.parametrize(
-    ("pieces", "told"),
+    ("pieces", "message"),
     [
         ([(lambda u: u + max(abs(u) - 0.2, 0) * np.sign(u), None)], r"of its values leave .* not smooth at some \|u\|"),
         ([(lambda u: np.sign(u) * abs(u) ** 1.5, None)], "a power that is no whole number"),
@@ -235,15 +235,15 @@ def test_it_can_be_pickled_where_its_functions_can():
         ([(linear, 4), (linear, None)], "must rise up to the reach"),
     ],
 )
-def test_function_that_is_no_force_is_refused_before_work(pieces, told):
+def test_function_that_is_no_force_is_refused_before_work(pieces, message):
     made = derive.mechanism("bad", pieces, {}, reach=3.0)
-    with pytest.raises(ValueError, match=told):
+    with pytest.raises(ValueError, match=message):
         made(**DAMPING)
 
 
 def test_what_cannot_be_had_is_refused_when_it_is_stated():
-    def stated(*pieces, **given):
-        return derive.mechanism("bad", [*pieces], {}, **{"reach": 3.0, **given})
+    def stated(*pieces, **options):
+        return derive.mechanism("bad", [*pieces], {}, **{"reach": 3.0, **options})
 
     with pytest.raises(TypeError, match=r"piece 1 cannot be called as f\(u\): missing a required argument: 'k'"):
         stated((one_by_one, None))
@@ -251,13 +251,13 @@ def test_what_cannot_be_had_is_refused_when_it_is_stated():
         stated((linear, 0.1), (sp.Symbol("u"), None))
     with pytest.raises(ValueError, match="piece 1 must say where it ends"):
         stated((linear, None), (linear, None))
-    for given, told in (
+    for changes, message in (
         ({"reach": None}, "say how far"),
         ({"odd": False}, "polynomials"),
         ({"compile": True}, "compiled"),
     ):
-        with pytest.raises(ValueError, match=told):
-            stated((linear, None), **given)
+        with pytest.raises(ValueError, match=message):
+            stated((linear, None), **changes)
 
 
 @pytest.mark.slow

@@ -19,7 +19,7 @@ FORCES = {
 DAMPING = {"mu": 0.01, "zeta": 0.03}
 F_0 = 0.06
 #: name and whether it is compiled; each is derived twice
-ASKED = [
+CASES = [
     ("cubic", False),
     *(pytest.param(name, False, marks=pytest.mark.slow) for name in ("stop", "pendulum")),
     *(pytest.param(name, True, marks=pytest.mark.slow) for name in FORCES),
@@ -27,16 +27,20 @@ ASKED = [
 
 
 def pair(name, compile=False):
-    bare, named, given = FORCES[name]
+    bare, named, parameters = FORCES[name]
     reach = {"reach": 3.1} if name == "pendulum" else {}
     whole = derive.mechanism(f"bare_{name}", bare, {}, compile=compile, **reach)
-    return whole, derive.mechanism(f"named_{name}", named, {one: {"above": 0} for one in given}, **reach), given
+    return (
+        whole,
+        derive.mechanism(f"named_{name}", named, {one: {"above": 0} for one in parameters}, **reach),
+        parameters,
+    )
 
 
-@pytest.mark.parametrize(("name", "compile"), ASKED)
+@pytest.mark.parametrize(("name", "compile"), CASES)
 def test_answers_are_those_of_the_force_with_parameters(name, compile):
-    made, other, given = pair(name, compile)
-    one, same = made(**DAMPING), other(**given, **DAMPING)
+    made, other, parameters = pair(name, compile)
+    one, same = made(**DAMPING), other(**parameters, **DAMPING)
     for ask in (
         lambda osc: osc.saddle_nodes(F_0).A,
         lambda osc: osc.amplitudes(Omega=[0.7, 1.1], F_0=F_0).A,
@@ -52,10 +56,10 @@ def test_answers_are_those_of_the_force_with_parameters(name, compile):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("name", "compile"), ASKED)
+@pytest.mark.parametrize(("name", "compile"), CASES)
 def test_gradients_are_by_damping_and_the_forcing_alone(name, compile):
-    made, other, given = pair(name, compile)
-    one, same = made(**DAMPING), other(**given, **DAMPING)
+    made, other, parameters = pair(name, compile)
+    one, same = made(**DAMPING), other(**parameters, **DAMPING)
     found, expected = one.saddle_nodes(F_0).gradient(), same.saddle_nodes(F_0).gradient()
     assert found.by == ("mu", "zeta", "F_0")
     for which in found.by:

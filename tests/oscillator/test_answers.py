@@ -23,7 +23,7 @@ from slowflow_kernels import rod_spring
 
 
 class Objects(Mapping):
-    """What a user gets, by name: each is asked for once, when a test first needs it."""
+    """A user's objects by name: each is made once, when a test first needs it."""
 
     def __init__(self, names, made=None):
         self.names, self.made = dict.fromkeys(names), {} if made is None else made
@@ -32,7 +32,7 @@ class Objects(Mapping):
         if name not in self.names:
             raise KeyError(name)
         if name not in self.made:
-            self.made[name] = ASKED[name]()
+            self.made[name] = EVERYTHING[name]()
         return self.made[name]
 
     def __iter__(self):
@@ -127,9 +127,9 @@ MANY = {
     "many at rest": lambda: OBJECTS["designs"].at_rest(),
     "shocks under a load": lambda: OBJECTS["designs under a load"].shock_spectrum(acceleration=0.4, duration=2.0),
 }
-ASKED = ASKS | SINGLE | ENTRIES | MANY
+EVERYTHING = ASKS | SINGLE | ENTRIES | MANY
 
-OBJECTS = Objects(ASKED)
+OBJECTS = Objects(EVERYTHING)
 ANSWERS = OBJECTS.only(lambda name: name not in ASKS)
 BATCHES, TABLES = ANSWERS.only(MANY.__contains__), ANSWERS.only(ENTRIES.__contains__)
 COPIES = {"copy": copy.copy, "deepcopy": copy.deepcopy, "pickle": lambda one: pickle.loads(pickle.dumps(one))}
@@ -181,9 +181,11 @@ def test_a_copy_is_what_it_was(name, how):
     ],
 )
 def test_words_are_made_when_they_are_read_and_go_with_copies(ask, F_0, monkeypatch):
-    """Of a mass that sticks, one without folds, one with: nothing makes a sentence before that."""
+    """For sticking, without folds and with folds: no sentence is formatted before it is read."""
     made = []
-    monkeypatch.setattr(Sentence, "format", lambda *given, _format=Sentence.format: made.append(1) or _format(*given))
+    monkeypatch.setattr(
+        Sentence, "format", lambda *arguments, _format=Sentence.format: made.append(1) or _format(*arguments)
+    )
     one = Isolator(lam=3, r=2.0, delta_h=0.08, mu=0.012, zeta=0.02)
     unread = ask(one, F_0)
     # a mass at rest is a state among others, whose words are made with it
@@ -327,25 +329,25 @@ def test_a_single_answer_prints_as_a_small_table(name):
 
 @pytest.mark.parametrize("name", ANSWERS)
 def test_no_answer_prints_raw(name):
-    """Neither codes of remarks nor objects; head, rows, how many more, message; `repr` is another."""
+    """No codes of remarks and no objects, but head, rows, how many more, message; `repr` differs."""
     one = ANSWERS[name]
-    told = str(one)
-    assert not any(raw in told for raw in ("<", "array(", "Remark", f"{type(one).__name__}(", "None"))
-    assert repr(one).startswith(f"{type(one).__name__}(") and repr(one) != told
-    lines = told.splitlines()
+    printed = str(one)
+    assert not any(raw in printed for raw in ("<", "array(", "Remark", f"{type(one).__name__}(", "None"))
+    assert repr(one).startswith(f"{type(one).__name__}(") and repr(one) != printed
+    lines = printed.splitlines()
     assert len(lines) <= answer.SHOWN + 3 and max(map(len, lines)) <= 200
 
 
 def test_what_is_printed_of_an_answer_are_its_numbers():
-    """Every number of a single answer to four digits, beside its name; nothing of what is None."""
+    """Every number of a single answer to four digits, with its name; None is left out."""
     for name in ("peak", "no peak", "margins", "isolation", "at_rest", "transient"):
         one = ANSWERS[name]
-        told = dict(line.split(None, 1) for line in str(one).splitlines())
+        printed = dict(line.split(None, 1) for line in str(one).splitlines())
         known = {key: value for key, value in one.to_dict().items() if value not in (None, "")}
-        assert told.keys() == known.keys() - {"remarks", "tau_detaches"} | (told.keys() & {"tau_detaches"})
+        assert printed.keys() == known.keys() - {"remarks", "tau_detaches"} | (printed.keys() & {"tau_detaches"})
         for key, value in known.items():
-            if isinstance(value, float) and key in told and not one.words_of(key, value):
-                assert float(told[key]) == pytest.approx(value, rel=6e-4)
+            if isinstance(value, float) and key in printed and not one.words_of(key, value):
+                assert float(printed[key]) == pytest.approx(value, rel=6e-4)
 
 
 def test_remarks_are_printed_in_words():
@@ -364,6 +366,6 @@ def test_answer_arrays_are_columns_and_intervals_have_two_ends():
     column = lines[at].index("multipliers")
     assert [complex(line[column]) for line in lines[at + 1 :]] == pytest.approx(list(state.multipliers), rel=1e-3)
     proof = ANSWERS["certified"].proof
-    told = str(ANSWERS["certified"])
+    printed = str(ANSWERS["certified"])
     for low, high in proof.Omega.tolist():
-        assert f"  Omega         {low!r} to {high!r}" in told
+        assert f"  Omega         {low!r} to {high!r}" in printed

@@ -54,8 +54,8 @@ def answered(question):
         assert time.process_time() - start < AT_MOST
 
 
-def read(answer, beside=()):
-    """All that an answer has, and gives without further numbers: gradients, tables, decibels, words."""
+def read(answer, extra=()):
+    """Read all attributes and methods without arguments of an answer: gradients, tables, decibels, messages."""
     if isinstance(answer, Batch):
         no_nan_with_an_answer(answer)
     elif hasattr(answer, "message"):
@@ -66,7 +66,7 @@ def read(answer, beside=()):
         return
     assert str(answer)
     for name in dir(type(answer)):
-        if name.startswith("_") or (name in LONG and name not in beside):
+        if name.startswith("_") or (name in LONG and name not in extra):
             continue
         found = answered(lambda name=name: getattr(answer, name))
         if callable(found) and not isinstance(found, type):
@@ -87,8 +87,8 @@ def no_nan_with_an_answer(batch):
             assert (values[answered] >= 0).all()
 
 
-def asked_all(make, asked, beside=()):
-    """Everything that is asked of what is made is answered, or refused in words, without a warning."""
+def asked_all(make, queries, extra=()):
+    """Assert that each query of an oscillator has an answer or a refusal with a message, without a warning."""
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         # meant for the user
@@ -96,8 +96,8 @@ def asked_all(make, asked, beside=()):
         warnings.simplefilter("ignore", Implausible)
         if (oscillator := answered(make)) is None:
             return
-        for name, (arguments, named) in asked:
-            read(answered(lambda: getattr(oscillator, name)(*arguments, **named)), beside)  # noqa: B023  asked at once
+        for name, (arguments, named) in queries:
+            read(answered(lambda: getattr(oscillator, name)(*arguments, **named)), extra)  # noqa: B023  asked at once
 
 
 @pytest.mark.parametrize("kind", public_questions.OF_CLASS)
@@ -111,8 +111,8 @@ oscillators |= st.tuples(st.just(Duffing), st.fixed_dictionaries(public_question
 batches = st.tuples(st.just(Isolator.many), st.fixed_dictionaries(public_questions.BATCHES))
 loaded = st.tuples(st.just(Isolator.many), st.fixed_dictionaries({**public_questions.BATCHES, "load": columns}))
 sheets = st.tuples(st.just(Isolator.physical), st.fixed_dictionaries(public_questions.SHEETS))
-#: what is made, what is asked of that or of its attribute, how many questions at most, examples, what is read besides
-ASKED = {
+#: objects, their attribute that is queried, its questions, how many at most, examples, what is read in addition
+CASES = {
     "an oscillator": (oscillators, "", public_questions.AVERAGED, 3, fewer(300, 5), ()),
     "the second approximation": (oscillators, "second_approximation", public_questions.SECOND, 2, fewer(150, 5), ()),
     "motions off the centre": (oscillators, "off_centre", public_questions.OFF_CENTRE, 2, fewer(60, 5), ()),
@@ -141,18 +141,18 @@ ASKED = {
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ASKED)
+@pytest.mark.parametrize("name", CASES)
 def test_there_is_an_answer_a_status_or_a_refusal_in_words(name):
-    made, part, questions, most, examples, beside = ASKED[name]
-    if "plot" in beside:
+    made, part, questions, most, examples, extra = CASES[name]
+    if "plot" in extra:
         pytest.importorskip("matplotlib")
 
     @settings(often, max_examples=examples)
     @given(made, st.lists(any_of(questions), min_size=1, max_size=most))
-    def ask(made, asked):
+    def ask(made, queries):
         make, numbers = made
-        asked_all(lambda: getattr(make(**numbers), part) if part else make(**numbers), asked, beside)
-        if "plot" in beside:
+        asked_all(lambda: getattr(make(**numbers), part) if part else make(**numbers), queries, extra)
+        if "plot" in extra:
             sys.modules["matplotlib.pyplot"].close("all")
 
     ask()
@@ -169,7 +169,7 @@ VALUES = st.one_of(
 @settings(often, max_examples=fewer(150, 5))
 @given(st.integers(0, 6), VALUES)
 def test_a_scene_with_any_value_is_answered_or_refused_in_words(place, value):
-    """The file of Table 1 with one of its values replaced: an exit code and words, and no traceback."""
+    """The file of Table 1 with one of its values replaced: an exit code and a message, and no traceback."""
     lines = SCENE.splitlines()
     stated = [k for k, line in enumerate(lines) if "=" in line and not line.startswith("#")]
     k = stated[place % len(stated)]
@@ -179,11 +179,11 @@ def test_a_scene_with_any_value_is_answered_or_refused_in_words(place, value):
         warnings.filterwarnings("ignore", message=".*negative stiffness at rest")
         file = Path(folder) / "scene.toml"
         file.write_text("\n".join(lines), encoding="utf-8")
-        said, words = io.StringIO(), io.StringIO()
-        with contextlib.redirect_stdout(said), contextlib.redirect_stderr(words):
+        output, errors = io.StringIO(), io.StringIO()
+        with contextlib.redirect_stdout(output), contextlib.redirect_stderr(errors):
             code = cli.main(["run", str(file), "--quiet"])
         assert code in (0, 1, 2)
-        assert code == 0 or words.getvalue().strip()
+        assert code == 0 or errors.getvalue().strip()
 
 
 @pytest.mark.slow
@@ -194,12 +194,12 @@ def test_a_scene_with_any_value_is_answered_or_refused_in_words(place, value):
 @given(anything, anything, anything, st.sampled_from(["mu", "zeta", "r", "delta_h", "what"]))
 def test_sizing_is_answered_or_refused_in_words(part, F_0, bound, name):
     isolator = Isolator(lam=3, r=2, delta_h=0.1, mu=0.01, zeta=0.02)
-    asked = (
+    queries = (
         lambda: sizing.tolerances(isolator, {name: part}, F_0=F_0, samples=20),
         lambda: sizing.meet(isolator, {name: (part, bound)}, at_least={"F_SN": bound}, F_0=F_0),
         lambda: sizing.fit(isolator, Omega=[0.8, 0.9, bound], A=[0.1, part, 0.2], F_0=F_0, free=[name]),
     )
-    for ask in asked:
+    for ask in queries:
         try:
             answer = ask()
         except REFUSED as refusal:

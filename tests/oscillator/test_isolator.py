@@ -110,9 +110,9 @@ def test_numpy_numbers_are_numbers():
 def test_sticking_is_said():
     stuck = isolator()
     F_0 = stuck.sticking_forcing
-    held = stuck.amplitudes(Omega=0.9, F_0=F_0)
-    assert held.A.tolist() == [0.0] and held.transmissibility.tolist() == [1.0]
-    assert held.message.startswith(stuck.saddle_nodes(F_0).message)
+    states = stuck.amplitudes(Omega=0.9, F_0=F_0)
+    assert states.A.tolist() == [0.0] and states.transmissibility.tolist() == [1.0]
+    assert states.message.startswith(stuck.saddle_nodes(F_0).message)
     for answer in (stuck.frequency_response(F_0), stuck.saddle_nodes(F_0)):
         assert answer.A.size == 0
         assert answer.message == "sticks: F_0 = 0.0152789 does not exceed 4 mu/pi = 0.0152789 by more than rounding"
@@ -213,9 +213,9 @@ def test_undamped_folds_without_stiffness_begin_at_friction(make):
     assert folds.A[0] == pytest.approx(np.cbrt(2 / (3 * beta) * m * np.sqrt(2e-9)), rel=1e-3)
 
 
-def of_positive_stiffness(share, values):
-    """The preload as a share of the least that leaves no stiffness, 1/(lam r), or of 0.93."""
-    return values | {"delta_h": 0.97 * share * min(1 / (values["lam"] * values["r"]), 0.93)}
+def of_positive_stiffness(fraction, values):
+    """The preload as a fraction of the smallest one without stiffness, 1/(lam r), or of 0.93."""
+    return values | {"delta_h": 0.97 * fraction * min(1 / (values["lam"] * values["r"]), 0.93)}
 
 
 parameters = st.builds(
@@ -291,10 +291,10 @@ def test_importing_slowflow_imports_no_heavy_package():
 def test_amplitudes_at_pairs_are_those_of_each_pair(of):
     """Omega and F_0 broadcast; the states come in the order of the points, each with its forcing."""
     iso = isolator(load=0.01 if of == "load" else 0.0)
-    asked = iso.second_approximation if of == "second" else iso
+    query = iso.second_approximation if of == "second" else iso
     Omega, F_0 = np.array([0.9, 0.7, 0.9]), np.array([[0.05], [0.01], [0.03]])
-    found = asked.amplitudes(Omega=Omega, F_0=F_0)
-    singles = [asked.amplitudes(Omega=O, F_0=F) for F in F_0.ravel() for O in Omega]
+    found = query.amplitudes(Omega=Omega, F_0=F_0)
+    singles = [query.amplitudes(Omega=O, F_0=F) for F in F_0.ravel() for O in Omega]
     own = {"averaging": [], "second": ["A_1"], "load": ["B"]}[of]
     for name in ("Omega", "A", "stable", "phi", "transmissibility", *own):
         together = np.concatenate([getattr(one, name) for one in singles])
@@ -306,8 +306,8 @@ def test_amplitudes_at_pairs_are_those_of_each_pair(of):
         measured = np.concatenate([one.measure().A for one in singles])
         assert np.array_equal(found.measure().A, measured, equal_nan=True)
     with pytest.raises(ValueError, match="shapes do not broadcast"):
-        asked.amplitudes(Omega=Omega, F_0=[0.03, 0.04])
-    assert len(asked.amplitudes(Omega=0.9, F_0=[])) == 0
+        query.amplitudes(Omega=Omega, F_0=[0.03, 0.04])
+    assert len(query.amplitudes(Omega=0.9, F_0=[])) == 0
 
 
 def test_the_limit_envelope_broadcasts_over_forcings():
@@ -328,12 +328,12 @@ def test_of_several_frequencies_none_may_be_too_high():
 
 
 def test_state_at_u_cr_is_one_at_that_very_frequency():
-    """Two pieces of the curve end there: neither leaves it out or goes on to its other end."""
+    """Two pieces of the curve end there: neither omits it or continues to its other end."""
     iso = isolator()
     curve = iso.frequency_response(0.04)
     passed = curve.Omega[curve.A == iso.u_cr]
     assert passed.size == 2
     for Omega in passed:
-        beside, at = (iso.amplitudes(Omega=Omega * (1 + off), F_0=0.04).A for off in (1e-9, 0.0))
+        near, at = (iso.amplitudes(Omega=Omega * (1 + off), F_0=0.04).A for off in (1e-9, 0.0))
         assert np.abs(at - iso.u_cr).min() < 1e-14
-        np.testing.assert_allclose(at, beside, rtol=1e-6)
+        np.testing.assert_allclose(at, near, rtol=1e-6)

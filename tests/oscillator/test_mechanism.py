@@ -81,18 +81,18 @@ def _with_a_step_at_rest(A, alpha, beta):
 
 
 @pytest.mark.parametrize(
-    ("averaged", "said"),
+    ("averaged", "message"),
     [
         (_zero_over_zero, "h = nan there"),
         (_without_alpha_at_rest, "h_A = -0 there, while .* df/du = 1"),
         (_with_a_step_at_rest, r"h = -0.25 there, while its force has f\(0\) = 0"),
     ],
 )
-def test_a_record_that_does_not_hold_at_rest_is_refused(averaged, said):
-    """Folds and onsets of it were answered, with what a wrong stiffness at rest makes of them."""
+def test_a_record_that_does_not_hold_at_rest_is_refused(averaged, message):
+    """Its folds and onsets were computed with a wrong stiffness at rest."""
     wrong = dataclasses.replace(duffing.MECHANISM, averaged=averaged)
     numbers = {"alpha": 1.0, "beta": 0.3, "mu": 0.01, "zeta": 0.05}
-    with pytest.raises(ValueError, match=f"the record of duffing does not hold at A = 0: averaged gives {said}"):
+    with pytest.raises(ValueError, match=f"the record of duffing does not hold at A = 0: averaged gives {message}"):
         Oscillator(wrong, **numbers)
     assert Oscillator.many(wrong, **numbers).saddle_node_onset().status == Status.INVALID
 

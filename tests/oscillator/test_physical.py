@@ -85,21 +85,21 @@ def test_a_mount_with_every_law_of_damping_balances_in_newtons():
 
     for A, phi in zip(found.A, found.phi, strict=True):
         edge = math.acos(min(1.0, x_cr / A))
-        places = {"points": [edge, math.pi - edge]} if A > x_cr else {}
+        breakpoints = {"points": [edge, math.pi - edge]} if A > x_cr else {}
         # over half a cycle, as the force is odd; F cos(omega t) is F cos(theta - phi)
         for part, pushed in ((math.cos, math.cos(phi)), (math.sin, math.sin(phi))):
-            held = quad(lambda theta, A=A, part=part: left(theta, A) * part(theta), 0, math.pi, **places)[0]
-            assert held * 2 / math.pi == pytest.approx(F * pushed, rel=1e-9, abs=1e-9 * F)
+            integral = quad(lambda theta, A=A, part=part: left(theta, A) * part(theta), 0, math.pi, **breakpoints)[0]
+            assert integral * 2 / math.pi == pytest.approx(F * pushed, rel=1e-9, abs=1e-9 * F)
 
 
 @pytest.mark.slow
 def test_laws_of_damping_are_those_of_the_mount(mount):
     pint = pytest.importorskip("pint")
     u = pint.UnitRegistry()
-    given = {"eta": 0.03, "c_2": 30.0, "rubs": "attached"}
-    damped = mount.replace(**given)
+    laws = {"eta": 0.03, "c_2": 30.0, "rubs": "attached"}
+    damped = mount.replace(**laws)
     assert (
-        damped == Isolator.physical(**MOUNT, **given) != mount
+        damped == Isolator.physical(**MOUNT, **laws) != mount
         and damped.replace(eta=0, c_2=0, rubs="throughout") == mount
     )
     assert eval(repr(damped), {"Isolator": Isolator}) == damped and "c_2=30.0" in repr(damped)
@@ -120,11 +120,11 @@ def test_laws_of_damping_are_those_of_the_mount(mount):
 def test_a_motion_is_that_of_the_dimensional_equation(excitation, amplitude, friction, f):
     """(1) with the force (2), in SI units, by SciPy: nothing dimensionless.
 
-    Absolute motion over a floor that moves; a mass that turns at a radius, by the force that it takes.
+    Absolute motion over a moving base; rotating unbalance by the force of its radius.
     """
     m, k_v, k_h, n, L, preload, c = 12.0, 2500.0, 1700.0, 3, 0.080, 0.009, 60.0
-    given = {"m": m, "k_v": k_v, "k_h": k_h, "n": n, "L": L, "preload": preload, "c": c, "friction": friction}
-    mount = Isolator.physical(**given, force="untruncated", excitation=excitation)
+    parameters = {"m": m, "k_v": k_v, "k_h": k_h, "n": n, "L": L, "preload": preload, "c": c, "friction": friction}
+    mount = Isolator.physical(**parameters, force="untruncated", excitation=excitation)
     omega = math.tau * f
     floor = amplitude if excitation == "base" else 0.0
     push = {"force": amplitude, "base": 0.0, "unbalance": amplitude * omega**2}[excitation]
@@ -151,8 +151,8 @@ def test_a_motion_is_that_of_the_dimensional_equation(excitation, amplitude, fri
     first = 2 * np.mean(deflection * np.exp(-1j * omega * t))
     assert abs(first) == pytest.approx(state.A, rel=2e-3)
     if floor:
-        moves = abs(2 * np.mean(x * np.exp(-1j * omega * t))) / floor
-        assert 10 ** (state.transmissibility_dB / 20) == pytest.approx(moves, rel=5e-3)
+        transmissibility = abs(2 * np.mean(x * np.exp(-1j * omega * t))) / floor
+        assert 10 ** (state.transmissibility_dB / 20) == pytest.approx(transmissibility, rel=5e-3)
 
 
 def test_an_amplitude_is_called_and_measured_by_what_is_excited():
@@ -258,15 +258,20 @@ def test_at_rest_a_mount_has_what_its_data_sheet_says(mount):
 
 
 def test_a_load_off_the_centre_rests_where_it_sags(mount):
-    """12 kg more than a mount is preset for sag by 47 mm, beyond the stroke, where k_v is all that holds."""
+    """12 kg above the preset mass sag by 47 mm, beyond the stroke, where only k_v carries."""
     assert mount.replace(load=12.0) == mount.replace(load=12) and mount.replace(load=12.0).oscillator.load == 0
     heavy = mount.replace(load=24)
-    stands = heavy.rest()
-    assert stands.x == pytest.approx(12 * 9.80665 / 2500) and (stands.load, stands.units["load"]) == (24.0, "kg")
+    equilibrium = heavy.rest()
+    assert equilibrium.x == pytest.approx(12 * 9.80665 / 2500) and (equilibrium.load, equilibrium.units["load"]) == (
+        24.0,
+        "kg",
+    )
     assert heavy.detachment().F_cr is None and "beyond" in heavy.detachment().message
     assert mount.replace(load=11).rest().x[0] < 0
-    assert stands.units["stiffness"] == "N/m" and stands.stiffness == pytest.approx(heavy.stiffness(stands.x))
-    assert stands.in_units("N/mm").stiffness == pytest.approx(1e-3 * heavy.stiffness(stands.x))
+    assert equilibrium.units["stiffness"] == "N/m" and equilibrium.stiffness == pytest.approx(
+        heavy.stiffness(equilibrium.x)
+    )
+    assert equilibrium.in_units("N/mm").stiffness == pytest.approx(1e-3 * heavy.stiffness(equilibrium.x))
     with pytest.raises(ValueError, match="at_rest is not available with load"):
         heavy.at_rest()
     x = mount.sag(14)  # of the force as the geometry gives it
@@ -284,7 +289,7 @@ def test_viscous_damping_is_a_coefficient_or_a_ratio(mount):
 
 
 @pytest.mark.parametrize(
-    ("change", "said"),
+    ("change", "message"),
     [
         ({"m": 0}, "m = 0 is not allowed: m must be a finite real number > 0"),
         ({"L": "80 mm"}, "L = '80 mm' is not allowed"),
@@ -296,10 +301,10 @@ def test_viscous_damping_is_a_coefficient_or_a_ratio(mount):
         ({"load": -1.0}, "load = -1.0 is not allowed"),
     ],
 )
-def test_what_is_not_allowed_is_refused_in_the_given_terms(mount, change, said):
+def test_what_is_not_allowed_is_refused_in_the_given_terms(mount, change, message):
     with pytest.raises(ValueError) as refused:
         mount.replace(**change)
-    assert str(refused.value).startswith(said)
+    assert str(refused.value).startswith(message)
 
 
 def test_a_window_is_a_pair(mount):
@@ -370,7 +375,7 @@ def test_quantities_are_copied_compared_and_read_by_entry(mount):
 def test_quantities_of_pint_are_taken(mount):
     pint = pytest.importorskip("pint")
     u = pint.UnitRegistry()
-    given = {
+    parameters = {
         "m": u.Quantity(12000, "gram"),
         "k_v": u.Quantity(2.5, "N/mm"),
         "k_h": u.Quantity(1.7, "kN/m"),
@@ -378,7 +383,7 @@ def test_quantities_of_pint_are_taken(mount):
         "preload": u.Quantity(9, "mm"),
         "friction": u.Quantity(400, "mN"),
     }
-    other = Isolator.physical(**given, zeta=0.02)
+    other = Isolator.physical(**parameters, zeta=0.02)
     assert other.saddle_nodes(u.Quantity(5, "N")).f == pytest.approx(mount.saddle_nodes(5).f)
     expected = mount.amplitudes(f=5, F=5).A
     for f in (u.Quantity(5, "Hz"), u.Quantity(300, "rpm"), u.Quantity(10 * math.pi, "rad/s"), u.Quantity(5, "turn/s")):
@@ -401,8 +406,8 @@ def test_quantities_of_pint_without_a_unit_are_numbers(mount):
     force = u.Quantity(5000, "mN")
     shown = tolerances(mount, {"k_h": u.Quantity(5, "percent")}, F=force, f=u.Quantity(300, "rpm"), samples=20)
     assert shown == tolerances(mount, {"k_h": 0.05}, F=5.0, f=5.0, samples=20)
-    free, wanted = {"preload": (u.Quantity(8, "mm"), u.Quantity(1, "cm"))}, {"f_jump_up": u.Quantity(129.3, "rpm")}
-    found = meet(mount, free, at_most=wanted, F=force)
+    free, limits = {"preload": (u.Quantity(8, "mm"), u.Quantity(1, "cm"))}, {"f_jump_up": u.Quantity(129.3, "rpm")}
+    found = meet(mount, free, at_most=limits, F=force)
     assert found == meet(mount, {"preload": (0.008, 0.01)}, at_most={"f_jump_up": 2.155}, F=5.0) and found.feasible
     jumps = {"jump_up": u.Quantity([130, 129], "rpm"), "free": ["preload"]}
     assert (
@@ -519,11 +524,11 @@ def words_of(mount):
 )
 def test_words_about_a_mount_are_in_its_letters_and_units(changes):
     mount = Isolator.physical(**{**MOUNT, **changes})
-    said = [text for text in words_of(mount) if text]
-    for text in said:
+    messages = [text for text in words_of(mount) if text]
+    for text in messages:
         # what scenes of the slow flow are called has the paper's letters
-        told = re.sub(r"runs .*", "", text)
-        assert not re.search(r"F_0|Omega|\bmu\b|u_cr|\btau\b", told), text
+        checked = re.sub(r"runs .*", "", text)
+        assert not re.search(r"F_0|Omega|\bmu\b|u_cr|\btau\b", checked), text
 
 
 def test_numbers_in_messages_about_a_mount_are_those_given():
@@ -532,20 +537,20 @@ def test_numbers_in_messages_about_a_mount_are_those_given():
     assert mount.saddle_nodes(2).message == "no saddle node at F = 2 N: the response is single-valued"
     assert "amplitudes above 80 mm are not reached" in mount.peak(30).message
     assert "sticks: F = 0.3 N" in str(mount.explain("saddle_nodes", 0.3))
-    held = mount.exact_response(F=0.3, f=(1.0, 2.2))
-    assert held.A.size == 0 and held.message.startswith("F = 0.3 N does not exceed friction = 0.4 N")
+    curve = mount.exact_response(F=0.3, f=(1.0, 2.2))
+    assert curve.A.size == 0 and curve.message.startswith("F = 0.3 N does not exceed friction = 0.4 N")
     unit = mount.scales.sizes
     pattern = Sentence("here at {Omega = :.8g}; steady_state({Omega_0=:g}, {F_0=:g}, {A=:g})")
-    said = pattern.format((0.5, 1e-5, 0.12345678), 0.5, 0.025, 0.5)
-    assert said == "here at Omega = 0.5, 1e-05, 0.12345678; steady_state(Omega_0=0.5, F_0=0.025, A=0.5)"
-    said = said.in_units(mount.scales)
+    message = pattern.format((0.5, 1e-5, 0.12345678), 0.5, 0.025, 0.5)
+    assert message == "here at Omega = 0.5, 1e-05, 0.12345678; steady_state(Omega_0=0.5, F_0=0.025, A=0.5)"
+    message = message.in_units(mount.scales)
     first, second, third = (x * unit["frequency"] for x in (0.5, 1e-5, 0.12345678))
     numbers = f"{first:.4g}, {second:.4g}, {third:.8g}"
-    assert said == f"here at f = {numbers} Hz; steady_state(f_0={first:.4g}, F=5, A=0.04)"
+    assert message == f"here at f = {numbers} Hz; steady_state(f_0={first:.4g}, F=5, A=0.04)"
 
 
 @pytest.mark.parametrize(
-    "ask, said",
+    "ask, message",
     [
         (lambda mount: mount.saddle_nodes([3, 5]), "F = [3, 5] is not allowed: F must be a finite real number > 0"),
         (lambda mount: mount.certify(5, f=[2.2, 2.3]), "f = [2.2, 2.3] is not allowed"),
@@ -565,10 +570,10 @@ def test_numbers_in_messages_about_a_mount_are_those_given():
         (lambda mount: mount.plot("5 N"), "F = '5 N' is not allowed"),
     ],
 )
-def test_refusals_of_a_mount_use_its_letters_and_units(ask, said):
+def test_refusals_of_a_mount_use_its_letters_and_units(ask, message):
     with pytest.raises(SlowflowError) as refused:
         ask(Isolator.physical(**MOUNT))
-    assert said in str(refused.value)
+    assert message in str(refused.value)
 
 
 def test_exact_curve_begins_at_a_motion_of_the_mount():
@@ -594,23 +599,23 @@ def test_gradients_in_si_units_are_the_differences_of_mounts(excitation, damping
     letter = {"force": "F", "base": "Y"}[excitation]
     numbers = {**sheet, letter: F, "f": 2.5}
 
-    def asked(given):
-        at = {name: given[name] for name in (letter, "f")}
-        mount = Isolator.physical(**{name: given[name] for name in sheet}, excitation=excitation)
+    def states(parameters):
+        at = {name: parameters[name] for name in (letter, "f")}
+        mount = Isolator.physical(**{name: parameters[name] for name in sheet}, excitation=excitation)
         return mount.amplitudes(f=[at["f"], 1.2 * at["f"]], F=at[letter])
 
-    found = asked(numbers).gradient()
+    found = states(numbers).gradient()
     assert found.of == ("A", "phi", "transmissibility")
     assert set(found.by) == set(numbers)
     # the second state's frequency is 1.2 times the number that is moved; a number of springs is whole
     for name in set(numbers) - {"n"}:
         for answer, value in (("A", lambda of: of.A), ("phi", lambda of: of.answer.phi)):
             step = 1e-4 * numbers[name]
-            moved = differences(lambda given, value=value: value(asked(given)), numbers, {name: step}) / step
-            share = np.array([1.0, 1.2 if name == "f" else 1.0])
-            assert found[answer, name] * share == pytest.approx(moved, rel=1e-7), (answer, name)
-    moved = np.abs(found["A"][0] * [numbers[name] for name in found.by]).sum()
-    assert found.condition("A")[0] == pytest.approx(moved / asked(numbers).A[0], rel=1e-13)
+            change = differences(lambda values, value=value: value(states(values)), numbers, {name: step}) / step
+            factor = np.array([1.0, 1.2 if name == "f" else 1.0])
+            assert found[answer, name] * factor == pytest.approx(change, rel=1e-7), (answer, name)
+    change = np.abs(found["A"][0] * [numbers[name] for name in found.by]).sum()
+    assert found.condition("A")[0] == pytest.approx(change / states(numbers).A[0], rel=1e-13)
 
 
 def test_angles_are_shown_in_degrees_too(mount):
@@ -674,10 +679,10 @@ SLIPS = {
 
 @pytest.mark.parametrize("slip", SLIPS)
 def test_a_slip_of_units_is_told_when_a_mount_is_made(slip, mount):
-    changes, said = SLIPS[slip]
-    with pytest.warns(Implausible, match=said) as told:
+    changes, message = SLIPS[slip]
+    with pytest.warns(Implausible, match=message) as warned:
         mount.replace(**changes)
-    assert len(told) == 1
+    assert len(warned) == 1
 
 
 def test_preload_in_millimetres_is_no_design(mount):

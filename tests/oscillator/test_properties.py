@@ -101,9 +101,9 @@ def test_the_number_of_states_changes_by_two_at_each_fold(numbers, F_0):
 
 @settings(drawn, max_examples=20)
 @given(st.floats(1.0, 5.0), st.floats(0.5, 3.0), st.floats(0.1, 0.9), st.floats(0.002, 0.05), st.floats(0.01, 0.1))
-def test_nothing_jumps_at_the_untruncated_detachment(lam, r, share, mu, zeta):
+def test_nothing_jumps_at_the_untruncated_detachment(lam, r, fraction, mu, zeta):
     """The lowest forcing, its frequency and the backbone on either side of u_cr: a float apart, a rounding apart."""
-    oscillator = Isolator(lam=lam, r=r, delta_h=min(share / (lam * r), 0.9), mu=mu, zeta=zeta, force="untruncated")
+    oscillator = Isolator(lam=lam, r=r, delta_h=min(fraction / (lam * r), 0.9), mu=mu, zeta=zeta, force="untruncated")
     end = oscillator.detachment().u_cr
     below, above = oscillator.backbone([np.nextafter(end, 0), np.nextafter(end, 2)])
     assert close(below, above)
@@ -194,9 +194,9 @@ def test_derivatives_of_an_average_are_those_of_its_ball(numbers, A):
             (h[1] - 2 * h[0] + h[-1]) / step**2,
             (h[2] - 2 * h[1] + 2 * h[-1] - h[-2]) / (2 * step**3),
         )
-        moved = [number * arb(1, 2.0**-53) for number in (A, *p)]
-        u_cr = [*(balls.breakpoints(*moved[1:]) if hasattr(balls, "breakpoints") else ()), arb(0)][0]
-        near = in_balls(balls, moved[0], moved[0] - u_cr, moved[1:], passed)
+        widened = [number * arb(1, 2.0**-53) for number in (A, *p)]
+        u_cr = [*(balls.breakpoints(*widened[1:]) if hasattr(balls, "breakpoints") else ()), arb(0)][0]
+        near = in_balls(balls, widened[0], widened[0] - u_cr, widened[1:], passed)
         for k, (value, derivative, ball) in enumerate(zip(found, exact, near, strict=True)):
             assert ball.rad().is_finite(), k
             assert abs(arb(float(value)) - derivative) <= 4 * (ball.rad() + abs(derivative) * arb(2) ** -53), (k, value)

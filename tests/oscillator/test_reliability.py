@@ -77,13 +77,13 @@ def test_designs_that_take_50_ms_each_are_asked_few_at_a_time(monkeypatch):
     """By a clock of its own: every design once, in order, and less than a second between two times to hear Ctrl-C."""
     clock = [0.0]
     monkeypatch.setattr(chunks.time, "perf_counter", lambda: clock[0])
-    asked = 0
+    done = 0
     for (part,) in chunks.blocks((1000,), 2**14):
         here = range(1000)[part]
-        assert here.start == asked and 0.05 * len(here) < 1
-        asked = here.stop
+        assert here.start == done and 0.05 * len(here) < 1
+        done = here.stop
         clock[0] += 0.05 * len(here)
-    assert asked == 1000
+    assert done == 1000
 
 
 #: minutes, each; a design of the second approximation takes half a millisecond, where an onset takes some microseconds
@@ -177,13 +177,13 @@ def test_the_interpreters_switches_change_no_answer(switches, variables):
             pytest.skip("no locale with a decimal comma on this system")
     plain, switched = (
         subprocess.run(
-            [sys.executable, *given, "-c", EVERYTHING],
+            [sys.executable, *options, "-c", EVERYTHING],
             capture_output=True,
             encoding="utf-8",
             check=True,
             env={**os.environ, "PYTHONIOENCODING": "utf-8", **more},
         )
-        for given, more in (([], {}), (switches, variables))
+        for options, more in (([], {}), (switches, variables))
     )
     assert switched.stdout == plain.stdout and switched.stderr == ""
 

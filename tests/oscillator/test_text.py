@@ -48,28 +48,28 @@ def strings(path):
 
 @pytest.mark.parametrize("path", sorted(SOURCE.rglob("*.py")), ids=lambda path: str(path.relative_to(SOURCE)))
 def test_symbols_in_sentences_are_places(path):
-    """So that each of them, and the number beside it, is known with its kind."""
+    """So that each symbol and its number have a known kind."""
     name = str(path.relative_to(SOURCE))
     if name.startswith((*OWN, *PLAIN)):
         return
-    for said in strings(path):
-        bare = re.sub(r"\{[^{}]*\}", "", said)
+    for sentence in strings(path):
+        bare = re.sub(r"\{[^{}]*\}", "", sentence)
         if " " in bare.strip() and "\n" not in bare:  # docstrings that are put together have lines
-            assert not SYMBOLS.search(bare), said
+            assert not SYMBOLS.search(bare), sentence
 
 
 @pytest.mark.parametrize("path", sorted(SOURCE.rglob("*.py")), ids=lambda path: str(path.relative_to(SOURCE)))
 def test_places_of_patterns_are_quantities(path):
-    """A symbol that no quantity has would stay as it is, and a number keep its size."""
-    for said in strings(path):
-        for symbol in re.findall(r"\{([A-Za-z_0-9]+) = :[^}]*\}", said):
-            assert symbol in QUANTITIES or symbol in ("theta", "start"), said
+    """A symbol of no quantity would keep its name, and its number its size."""
+    for pattern in strings(path):
+        for symbol in re.findall(r"\{([A-Za-z_0-9]+) = :[^}]*\}", pattern):
+            assert symbol in QUANTITIES or symbol in ("theta", "start"), pattern
 
 
 def test_a_sentence_is_a_string_with_its_numbers():
-    said = Sentence("no saddle node at {F_0 = :g}: of {count:d}").format(0.04, 3)
-    assert said == "no saddle node at F_0 = 0.04: of 3" and isinstance(said, str)
-    assert said.in_units(SCALES) == "no saddle node at F = 4 N: of 3"
+    sentence = Sentence("no saddle node at {F_0 = :g}: of {count:d}").format(0.04, 3)
+    assert sentence == "no saddle node at F_0 = 0.04: of 3" and isinstance(sentence, str)
+    assert sentence.in_units(SCALES) == "no saddle node at F = 4 N: of 3"
     assert Sentence("{F_0 = :g}, {A = :g}").format(A=0.5, F_0=0.25) == "F_0 = 0.25, A = 0.5"
 
 
@@ -95,15 +95,15 @@ def test_a_sentence_is_a_string_with_its_numbers():
     ],
 )
 def test_places_of_each_kind(pattern, values, plain, units):
-    said = text(pattern, *values)
-    assert (said, said.in_units(SCALES)) == (plain, units)
+    sentence = text(pattern, *values)
+    assert (sentence, sentence.in_units(SCALES)) == (plain, units)
 
 
 @pytest.mark.parametrize(("excitation", "letter", "kind"), [("base", "Y", "mm"), ("unbalance", "U", "kg m")])
 def test_the_amplitude_of_an_excitation_has_its_symbol(excitation, letter, kind):
     scales = Scales(m=10.0, k_v=1000.0, L=0.1, excitation=excitation)
-    said = text("{F_SN} and {F_0 = :g}", 0.5).in_units(scales)
-    assert said.startswith(f"{letter}_SN and {letter} = ") and said.endswith(kind)
+    sentence = text("{F_SN} and {F_0 = :g}", 0.5).in_units(scales)
+    assert sentence.startswith(f"{letter}_SN and {letter} = ") and sentence.endswith(kind)
 
 
 def test_a_load_is_the_mass_that_was_given():
@@ -123,10 +123,10 @@ def test_what_is_put_together_keeps_the_numbers():
 
 
 def test_a_sentence_is_copied_and_pickled_with_its_numbers():
-    said = joined(text("{A = :g}", 0.5), text("{Omega = :g}", [1.0, 2.0]))
-    for again in (pickle.loads(pickle.dumps(said)), copy.deepcopy(said), copy.copy(said)):
-        assert again == said and again.in_units(SCALES) == "A = 50 mm; f = 1, 2 Hz"
-    refused = pickle.loads(pickle.dumps(SlowflowError(said)))
+    sentence = joined(text("{A = :g}", 0.5), text("{Omega = :g}", [1.0, 2.0]))
+    for again in (pickle.loads(pickle.dumps(sentence)), copy.deepcopy(sentence), copy.copy(sentence)):
+        assert again == sentence and again.in_units(SCALES) == "A = 50 mm; f = 1, 2 Hz"
+    refused = pickle.loads(pickle.dumps(SlowflowError(sentence)))
     assert refused.args[0].in_units(SCALES) == "A = 50 mm; f = 1, 2 Hz"
 
 

@@ -14,7 +14,7 @@ from tests.files import ROOT
 
 SHEET = dict(m=25, k_v=9000, k_h=4000, n=3, L=0.08, preload=0.006, friction=3.6, zeta=0.03)
 #: a question of each kind, in SI units; a load takes the motion off the centre
-ASKED = {
+ARGUMENTS = {
     "rest": {},
     "at_rest": {},
     "saddle_node_onset": {},
@@ -98,9 +98,9 @@ def is_of(value, hint):
 
 def test_every_answer_in_si_units_has_a_type():
     public = {name: method for name, method in vars(Physical).items() if callable(method) and not name.startswith("_")}
-    given = {name: method.__annotations__["return"] for name, method in public.items()}
-    assert "Quantities" not in given.values()
-    assert {name for name, kind in given.items() if kind.startswith("answers.")} == set(ASKED)
+    types = {name: method.__annotations__["return"] for name, method in public.items()}
+    assert "Quantities" not in types.values()
+    assert {name for name, kind in types.items() if kind.startswith("answers.")} == set(ARGUMENTS)
 
 
 @pytest.mark.parametrize("load", [None, 26.0])
@@ -108,7 +108,7 @@ def test_every_answer_in_si_units_has_a_type():
 def test_what_an_answer_has_its_type_declares(load, excitation, F):
     """Each of its numbers, whatever the mount: of any excitation, without a load and with one."""
     mount = Isolator.physical(**SHEET, load=load, excitation=excitation)
-    for name, arguments in ASKED.items():
+    for name, arguments in ARGUMENTS.items():
         if (load is not None and name in ABOUT_THE_CENTRE) or (excitation != "force" and name == "certify"):
             continue
         kind = getattr(physical_answers, getattr(Physical, name).__annotations__["return"].removeprefix("answers."))
@@ -124,9 +124,9 @@ def test_mypy_knows_answers_and_refuses_words_for_numbers(tmp_path):
     script = tmp_path / "script.py"
     script.write_text(SCRIPT)
     ask = [sys.executable, "-m", "mypy", "--hide-error-context", "--no-color-output", str(script)]
-    said = subprocess.run(ask, capture_output=True, text=True, cwd=ROOT).stdout
-    revealed = re.findall(r'note: Revealed type is "(.*)"', said)
-    assert len(revealed) == SCRIPT.count("reveal_type"), said
-    assert not {"Any", "float | Any"} & set(revealed), said
+    report = subprocess.run(ask, capture_output=True, text=True, cwd=ROOT).stdout
+    revealed = re.findall(r'note: Revealed type is "(.*)"', report)
+    assert len(revealed) == SCRIPT.count("reveal_type"), report
+    assert not {"Any", "float | Any"} & set(revealed), report
     wrong = {number for number, line in enumerate(SCRIPT.splitlines(), start=1) if "# wrong" in line}
-    assert {int(number) for number in re.findall(r"script\.py:(\d+): error", said)} == wrong, said
+    assert {int(number) for number in re.findall(r"script\.py:(\d+): error", report)} == wrong, report
