@@ -100,7 +100,7 @@ def test_balls_enclose_certified_answers():
             assert holds(answers.detachment(model).F_0, case["detachment"]["F_cr"])
 
 
-def beside(design, u, functions):
+def spring(design, u, functions):
     """The force of the horizontal springs, of which each has lost 1 - sqrt(1 - u^2) of its preload."""
     root = functions.sqrt(1 - u * u)
     return -design["lam"] * design["r"] * (design["delta_h"] - 1 + root) * u / root
@@ -111,7 +111,7 @@ def average(design, A):
     design = {name: mpmath.mpf(value) for name, value in design.items()}
     u_cr = mpmath.sqrt(design["delta_h"] * (2 - design["delta_h"]))
     theta = mpmath.pi / 2 if u_cr >= A else mpmath.asin(u_cr / A)
-    integral = mpmath.quad(lambda t: beside(design, A * mpmath.sin(t), mpmath) * mpmath.sin(t), [0, theta / 2, theta])
+    integral = mpmath.quad(lambda t: spring(design, A * mpmath.sin(t), mpmath) * mpmath.sin(t), [0, theta / 2, theta])
     return -A - 4 / mpmath.pi * integral
 
 
@@ -121,11 +121,11 @@ def test_averages_in_balls_are_those_of_the_force(A):
     design, step = UNTRUNCATED[0], flint.arb(2) ** -60
     model = untruncated(design).model
     with mpmath.workdps(30), flint.ctx.workprec(300):
-        given = BallModel(model, averages_of(model.mechanism))
+        balls = BallModel(model, averages_of(model.mechanism))
         piece = int(A > model.breakpoints[0])
-        beyond = (flint.arb(A) - given.beyond(piece, AT_0).middle).mid()
-        low, at, high = (given.at(piece, beyond + shift) for shift in (-step, 0, step))
-        h = average(design, mpmath.mpf((given.beyond(piece, AT_0).middle + beyond).str(60, radius=False)))
+        beyond = (flint.arb(A) - balls.beyond(piece, AT_0).middle).mid()
+        low, at, high = (balls.at(piece, beyond + shift) for shift in (-step, 0, step))
+        h = average(design, mpmath.mpf((balls.beyond(piece, AT_0).middle + beyond).str(60, radius=False)))
         assert abs(mpmath.mpf(at.h.middle.str(50, radius=False)) / h - 1) < 1e-28
         for name, slope in (("h", "h_A"), ("h_A", "h_AA"), ("h_AA", "h_AAA"), ("k", None)):
             difference = (getattr(high, name).middle - getattr(low, name).middle) / (2 * step)
@@ -144,7 +144,7 @@ def roots_of_F(design, A, F_0):
         u_cr = math.sqrt(design["delta_h"] * (2 - design["delta_h"]))
         half = math.asin(min(1.0, u_cr / A)) / 2
         sine = np.sin(half * (1 + NODES))
-        return -A - 4 / math.pi * half * np.dot(WEIGHTS, beside(design, A * sine, np) * sine)
+        return -A - 4 / math.pi * half * np.dot(WEIGHTS, spring(design, A * sine, np) * sine)
 
     h, h_A = h_at(A), (h_at(A * (1 + 1e-5)) - h_at(A * (1 - 1e-5))) / (2e-5 * A)
     zeta, m = design["zeta"], 4 * design["mu"] / math.pi
@@ -194,11 +194,11 @@ def test_an_onset_that_doubles_refuse_is_proved():
     iso = untruncated(design)
     with pytest.raises(ArithmeticError, match=r"unresolved: .*certify\(F_0\).saddle_node_onset may hold it"):
         solvers.onset(iso.model)
-    found, given = answers.onset(iso.model), iso.saddle_node_onset()
+    found, onset = answers.onset(iso.model), iso.saddle_node_onset()
     assert found.proved
-    assert found.kind == given.kind == "cusp"
-    assert given.remarks == Remark.BY_BALLS and "balls of more digits" in given.message
-    for value, (low, high) in zip((given.F_SN, given.Omega, given.A), (found.F_0, found.Omega, found.A), strict=True):
+    assert found.kind == onset.kind == "cusp"
+    assert onset.remarks == Remark.BY_BALLS and "balls of more digits" in onset.message
+    for value, (low, high) in zip((onset.F_SN, onset.Omega, onset.A), (found.F_0, found.Omega, found.A), strict=True):
         assert low <= value <= high
     A, w = (mpmath.mpf(float(ends.mean())) for ends in (found.A, found.Omega))
     with mpmath.workdps(30):
@@ -240,19 +240,19 @@ def test_without_flint_the_answer_says_how_to_have_it(monkeypatch):
 
 
 def test_proofs_in_balls_are_the_same_in_threads():
-    """FLINT's digits are one number for all threads."""
+    """FLINT's precision is one global number for all threads."""
     from concurrent.futures import ThreadPoolExecutor
 
     model = untruncated(UNTRUNCATED[1]).model
-    alone = answers.folds(model, 0.05)
+    single = answers.folds(model, 0.05)
     with ThreadPoolExecutor(4) as pool:
         found = list(pool.map(lambda _: answers.folds(model, 0.05), range(4)))
-    assert all(one == alone for one in found)
+    assert all(one == single for one in found)
     assert example.isolator().certify(0.04).proved
 
 
 @pytest.mark.parametrize(
-    ("alpha", "beta", "said"),
+    ("alpha", "beta", "message"),
     [
         (-0.5, 1.0, messages.OF_NO_ONSET),  # k = 3 beta A^3/2 rises along the locus, which begins at Omega = 0
         (-0.5, -1.0, messages.OF_NO_ONSET),  # h_A > 0: no locus
@@ -260,11 +260,11 @@ def test_proofs_in_balls_are_the_same_in_threads():
         (0.0, 1.0, messages.OF_NO_LOWEST),  # the locus begins at A = 0, at 4 mu/pi
     ],
 )
-def test_undamped_birth_is_proved_for_any_stiffness_at_rest(alpha, beta, said):
+def test_undamped_birth_is_proved_for_any_stiffness_at_rest(alpha, beta, message):
     iso = Duffing(alpha, beta, mu=0.05, zeta=0.0)
     found = proofs.onset(iso.model)
     assert found.proved
-    assert found.message == said[True]
+    assert found.message == message[True]
 
 
 @pytest.mark.slow

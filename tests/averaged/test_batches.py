@@ -30,7 +30,7 @@ ASK = {
 
 @pytest.mark.parametrize("question", ASK)
 def test_threads_and_parts_give_the_same_bits(question, monkeypatch):
-    """Designs of two and three axes, one of them broadcast; parts that end in the middle of an axis."""
+    """Designs of two and three axes, one of them broadcast; chunks that end in the middle of an axis."""
     rng = np.random.default_rng(5)
     designs = Isolator.many(
         lam=rng.uniform(1, 4, (1, 9)), r=rng.uniform(0.5, 2, (2, 1)), delta_h=0.2, mu=[0.0, 0.01] * 4 + [-1], zeta=0.03
@@ -38,12 +38,12 @@ def test_threads_and_parts_give_the_same_bits(question, monkeypatch):
     whole = columns(ASK[question](designs))
     for record in batches.BY_NAME.values():
         monkeypatch.setitem(record.__dict__, "at_once", 4)
-    asked = batches.curves
-    monkeypatch.setattr(batches, "curves", lambda *given: dataclasses.replace(asked(*given), at_once=4))
+    query = batches.curves
+    monkeypatch.setattr(batches, "curves", lambda *arguments: dataclasses.replace(query(*arguments), at_once=4))
     for workers in (1, 3, -1):
-        parts = columns(ASK[question](designs, workers=workers))
+        chunked = columns(ASK[question](designs, workers=workers))
         for name, value in whole.items():
-            assert value.shape == parts[name].shape and value.tobytes() == parts[name].tobytes()
+            assert value.shape == chunked[name].shape and value.tobytes() == chunked[name].tobytes()
 
 
 @pytest.mark.parametrize("workers", [0, -2, 1.5, "all", None])
@@ -103,11 +103,11 @@ def test_few_designs_are_begun_after_ctrl_c(workers):
 
     def counted(solver):
         def of_record(record):
-            def solve(*given, out):
-                begun.append(given[0].size)
+            def solve(*arguments, out):
+                begun.append(arguments[0].size)
                 if len(begun) == 3:
                     signal.raise_signal(signal.SIGINT)
-                solver.many_saddle_nodes(record)(*given, out=out)
+                solver.many_saddle_nodes(record)(*arguments, out=out)
 
             return solve
 
@@ -132,21 +132,21 @@ def test_few_designs_are_begun_after_ctrl_c(workers):
 def test_arrays_of_any_kind_are_taken_as_their_numbers(kind):
     lam = np.array([1.0, 2.0, 3.0, 4.0])
     if kind == "strided":
-        given = np.repeat(lam, 2)[::2]
+        array = np.repeat(lam, 2)[::2]
     elif kind == "unaligned":
-        given = np.frombuffer(b"\0" + lam.tobytes(), dtype=np.uint8)[1:].view(float)
+        array = np.frombuffer(b"\0" + lam.tobytes(), dtype=np.uint8)[1:].view(float)
     elif kind == "read-only":
-        given = lam.copy()
-        given.flags.writeable = False
+        array = lam.copy()
+        array.flags.writeable = False
     elif kind == "Fortran":
         lam = lam.reshape(2, 2)
-        given = np.asfortranarray(lam)
+        array = np.asfortranarray(lam)
     elif kind == "empty":
-        lam = given = np.empty((0, 3))
+        lam = array = np.empty((0, 3))
     else:
-        given = lam.astype(kind)
+        array = lam.astype(kind)
     expected = Isolator.many(lam=lam, r=0.5, delta_h=0.1, mu=0.01, zeta=0.02)
-    designs = Isolator.many(lam=given, r=0.5, delta_h=0.1, mu=0.01, zeta=0.02)
+    designs = Isolator.many(lam=array, r=0.5, delta_h=0.1, mu=0.01, zeta=0.02)
     for ask in (ASK["detachment"], ASK["onset"], ASK["folds"]):
         for one, other in zip(columns(ask(expected)).values(), columns(ask(designs)).values(), strict=True):
             assert one.shape == other.shape and one.tobytes() == other.tobytes()
@@ -214,15 +214,16 @@ def test_designs_that_go_together_are_answered_as_each_alone(force):
         }
     designs, F_0 = many(**numbers), 4 / np.pi * numbers["mu"] + rng.uniform(0.01, 0.1, count)
     fold = designs.saddle_nodes(F_0).Omega[:, 0]
-    beside = 10 ** rng.uniform(-15, -1, count) * rng.choice([-1, 1], count)
-    Omega = np.where(np.isfinite(fold) & (fold > 0), fold * (1 + beside), rng.uniform(0.1, 2, count))
+    offset = 10 ** rng.uniform(-15, -1, count) * rng.choice([-1, 1], count)
+    Omega = np.where(np.isfinite(fold) & (fold > 0), fold * (1 + offset), rng.uniform(0.1, 2, count))
     together = designs.amplitudes(Omega=Omega, F_0=F_0)
     assert len(set(together.count)) > 1
     for k in range(count):
         one, n = make(**{name: value[k] for name, value in numbers.items()}), together.count[k]
-        alone = one.amplitudes(Omega=Omega[k], F_0=F_0[k])
+        single = one.amplitudes(Omega=Omega[k], F_0=F_0[k])
         assert (
-            alone.A.tolist() == together.A[k, :n].tolist() and alone.stable.tolist() == together.stable[k, :n].tolist()
+            single.A.tolist() == together.A[k, :n].tolist()
+            and single.stable.tolist() == together.stable[k, :n].tolist()
         )
 
 
@@ -241,14 +242,14 @@ def test_batch_onsets_at_weak_damping_are_those_of_each_alone():
         designs[name] = (np.asarray(value) * near).ravel()
     together = Isolator.many(**designs).saddle_node_onset()
     for k in range(together.F_SN.size):
-        alone = Isolator(**{name: value[k] for name, value in designs.items()}).saddle_node_onset()
-        assert (alone.F_SN, alone.Omega, alone.A) == (together.F_SN[k], together.Omega[k], together.A[k])
+        single = Isolator(**{name: value[k] for name, value in designs.items()}).saddle_node_onset()
+        assert (single.F_SN, single.Omega, single.A) == (together.F_SN[k], together.Omega[k], together.A[k])
 
 
 @pytest.mark.parametrize("force", ["truncated", "untruncated"])
 def test_detachment_of_a_block_is_that_of_each_alone(force):
-    """To the last bit, at a block's borders, beside rows that are no design or never detach, and those that go alone as
-    their springs detach far out."""
+    """To the last bit, at a block's borders, next to rows that are invalid or never detach, and those that are solved
+    singly as their springs detach far out."""
     rng = np.random.default_rng(23)
     count = 200
     numbers = {
@@ -267,8 +268,8 @@ def test_detachment_of_a_block_is_that_of_each_alone(force):
     answered = np.flatnonzero(together.status == Status.OK)
     assert answered.size > 0.9 * count and (together.u_cr[answered] > 0.7).any()
     for k in answered:
-        alone = Isolator(**{name: value[k] for name, value in numbers.items()}, force=force).detachment()
-        assert (alone.F_cr, alone.Omega_cr, alone.u_cr) == (together.F_cr[k], together.Omega_cr[k], together.u_cr[k])
+        single = Isolator(**{name: value[k] for name, value in numbers.items()}, force=force).detachment()
+        assert (single.F_cr, single.Omega_cr, single.u_cr) == (together.F_cr[k], together.Omega_cr[k], together.u_cr[k])
     for start, end in [(0, 1), (2, 65), (2, 66), (2, 67), (3, 131)]:
         part = Isolator.many(**{name: value[start:end] for name, value in numbers.items()}, force=force).detachment()
         assert part.F_cr.tobytes() == together.F_cr[start:end].tobytes()
@@ -277,8 +278,8 @@ def test_detachment_of_a_block_is_that_of_each_alone(force):
 @pytest.mark.parametrize("force", ["truncated", "untruncated"])
 def test_springs_that_never_touch_leave_a_linear_mount(force):
     """delta_h = 0 among others: closed forms, also where a rod with springs would stand vertical."""
-    given = {"lam": 4, "r": 1.6, "mu": 0.0, "force": force}
-    designs = Isolator.many(**given, delta_h=[0.0, 0.1], zeta=[[0.0], [0.01]])
+    parameters = {"lam": 4, "r": 1.6, "mu": 0.0, "force": force}
+    designs = Isolator.many(**parameters, delta_h=[0.0, 0.1], zeta=[[0.0], [0.01]])
     F_0, Omega = 10.0, 0.9
     states = designs.amplitudes(Omega=Omega, F_0=F_0)
     expected = F_0 / np.hypot(1 - Omega**2, 2 * np.array([0.0, 0.01]) * Omega)
@@ -307,13 +308,13 @@ BEYOND_DOUBLES = {
 @pytest.mark.parametrize("case", BEYOND_DOUBLES)
 @pytest.mark.parametrize("question", batch_questions.ALL)
 def test_design_beyond_doubles_has_a_status_and_spoils_no_other(question, case, zeta):
-    kind, given = BEYOND_DOUBLES[case]
-    given = {**given, "zeta": zeta}
-    numbers = {name: np.broadcast_to(value, 3) for name, value in given.items()}
+    kind, parameters = BEYOND_DOUBLES[case]
+    parameters = {**parameters, "zeta": zeta}
+    numbers = {name: np.broadcast_to(value, 3) for name, value in parameters.items()}
     with pytest.raises(ValueError, match="beyond 1e\\+300"):
         kind(**{name: float(value[1]) for name, value in numbers.items()})
     F_0 = np.array([0.04, 0.04, 0.06])
-    found = batch_questions.columns(batch_questions.ask(kind.many(**given), question, F_0))
+    found = batch_questions.columns(batch_questions.ask(kind.many(**parameters), question, F_0))
     assert (found["status"][1] == Status.INVALID).all()
     others = kind.many(**{name: value[::2] for name, value in numbers.items()})
     for name, value in batch_questions.columns(batch_questions.ask(others, question, F_0[::2])).items():

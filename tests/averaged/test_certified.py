@@ -46,24 +46,24 @@ def check_folds(proof, folds):
 
 
 def test_enclosures_hold_certified_folds_and_states():
-    asked = doubtful = 0
+    total = doubtful = 0
     for _, _, case in CASES:
         model = of_record(case).model
         for forcing in case["forcings"]:
             F_0 = forcing["F_0"][1]
             proof = proofs.folds_in_doubles(model, F_0, NOWHERE)
-            asked, doubtful = asked + 1, doubtful + (not proof.proved)
+            total, doubtful = total + 1, doubtful + (not proof.proved)
             if proof.proved:
                 assert proof.bounded
                 check_folds(proof, forcing["folds"])
             for at in forcing["amplitudes"]:
                 found = proofs.states_in_doubles(model, at["Omega"][1], F_0)
-                asked, doubtful = asked + 1, doubtful + (not found.proved)
+                total, doubtful = total + 1, doubtful + (not found.proved)
                 if found.proved:
                     assert found.stable.tolist() == [state["stable"] for state in at["steady"]]
                     assert all(holds(A, state["A"]) for A, state in zip(found.A, at["steady"], strict=True))
-    assert asked > 2500
-    assert doubtful < 0.01 * asked
+    assert total > 2500
+    assert doubtful < 0.01 * total
 
 
 def test_enclosures_hold_the_certified_onsets_and_detachments():
@@ -315,18 +315,18 @@ def test_averages_on_intervals_hold_their_balls(intervals):
         design = (float(rng.integers(1, 5)), 10 ** rng.uniform(-1, 1), 10 ** rng.uniform(-4, -0.02))
         exact = averaged.RodSpring(lam=design[0], r=design[1], delta_h=design[2], mu=0.0, zeta=0.01)
         u_cr = math.sqrt(design[2] * (2 - design[2]))
-        for share in (1e-3, 0.5, 1 - 1e-12):
-            A = flint.arb(share * u_cr)
+        for ratio in (1e-3, 0.5, 1 - 1e-12):
+            A = flint.arb(ratio * u_cr)
             h = exact.h(A, "attached")
             for (low, high), value in zip(
-                intervals.known("rod_spring", design, 0, share * u_cr), (*h, h[0] - A * h[1], A), strict=True
+                intervals.known("rod_spring", design, 0, ratio * u_cr), (*h, h[0] - A * h[1], A), strict=True
             ):
                 assert flint.arb(low) <= value <= flint.arb(high)
-        for share in (1e-60, 1e-18, 1e-12, 1e-3, 0.2, 0.26, 2.0, 1e3):
-            A = exact.u_cr + flint.arb(share * u_cr)
+        for ratio in (1e-60, 1e-18, 1e-12, 1e-3, 0.2, 0.26, 2.0, 1e3):
+            A = exact.u_cr + flint.arb(ratio * u_cr)
             h = exact.h(A, "detached")
             for (low, high), value in zip(
-                intervals.known("rod_spring", design, 1, share * u_cr), (*h, h[0] - A * h[1], A), strict=True
+                intervals.known("rod_spring", design, 1, ratio * u_cr), (*h, h[0] - A * h[1], A), strict=True
             ):
                 assert flint.arb(low) <= value <= flint.arb(high)
 
@@ -382,24 +382,26 @@ def test_bounded_number_encloses_the_exact_result(intervals, name):
 
 @pytest.mark.slow
 def test_untruncated_averages_on_intervals_enclose_their_balls(intervals):
-    """Against closed forms in balls; narrow at both ends, and next to A = 1, where the forms divide by 0."""
+    """Against closed forms in balls; narrow at both ends, and near A = 1, where the forms divide by 0."""
     rng, widest = np.random.default_rng(13), 0.0
     for k in range(80):
         delta_h = 10 ** rng.uniform(-5, -0.005) if k % 2 else 1 - 10 ** rng.uniform(-9, -1)
         design = {"lam": float(rng.integers(1, 5)), "r": 10 ** rng.uniform(-1, 1), "delta_h": delta_h}
         model = Isolator(**design, mu=0.0, zeta=0.01, force="untruncated").model
         u_cr = math.sqrt(delta_h * (2 - delta_h))
-        shares = [(0, share) for share in (1e-4, 0.3, 0.699 / u_cr, 0.9, 1 - 1e-12) if share < 1]
-        shares += [(1, share) for share in (1e-60, 1e-18, 1e-9, 1e-3, 0.2, abs(1.001 / u_cr - 1) + 1e-6, 9.0, 1e3)]
+        shares = [(0, at) for at in (1e-4, 0.3, 0.699 / u_cr, 0.9, 1 - 1e-12) if at < 1]
+        shares += [(1, at) for at in (1e-60, 1e-18, 1e-9, 1e-3, 0.2, abs(1.001 / u_cr - 1) + 1e-6, 9.0, 1e3)]
         with flint.ctx.workprec(300):
-            given = BallModel(model, averages_of(model.mechanism))
-            for piece, share in shares:
-                held = given.at(piece, flint.arb(share * u_cr))
-                found = intervals.known("rod_spring_untruncated", tuple(design.values()), piece, share * u_cr)
-                for (low, high), ball in zip(found, (held.h, held.h_A, held.h_AA, held.h_AAA, held.k), strict=False):
+            balls = BallModel(model, averages_of(model.mechanism))
+            for piece, ratio in shares:
+                expected = balls.at(piece, flint.arb(ratio * u_cr))
+                found = intervals.known("rod_spring_untruncated", tuple(design.values()), piece, ratio * u_cr)
+                for (low, high), ball in zip(
+                    found, (expected.h, expected.h_A, expected.h_AA, expected.h_AAA, expected.k), strict=False
+                ):
                     assert flint.arb(low) <= ball.lo
                     assert ball.hi <= flint.arb(high)
-                    if share <= 1e3 and delta_h < 0.9:
+                    if ratio <= 1e3 and delta_h < 0.9:
                         widest = max(widest, float((high - low) / abs(ball.lo)))
     assert widest < 1e-7
 
@@ -418,8 +420,8 @@ def test_an_elementary_function_of_an_interval_holds_its_values(intervals, name)
     known = 0
     with mpmath.workdps(30):
         for (a, b), (p, q), (low_end, high_end) in zip(args.tolist(), exponents.tolist(), found.tolist(), strict=True):
-            for share in (0, 1, 0.37):
-                x, y = (mpmath.mpf(one) + share * (mpmath.mpf(other) - one) for one, other in ((a, b), (p, q)))
+            for fraction in (0, 1, 0.37):
+                x, y = (mpmath.mpf(one) + fraction * (mpmath.mpf(other) - one) for one, other in ((a, b), (p, q)))
                 if x == 0 and (name == "log" or y < 0):
                     continue  # infinite
                 value = exact_elementary(name, x, y)

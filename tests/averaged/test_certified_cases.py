@@ -58,9 +58,9 @@ STATED: dict[str, tuple[list[Any], Any]] = {
 REACH = {name: {"reach": 8.0} for name in ("exponential", "preload", "hard_stop")} | {"magnets": {"reach": 3.9}}
 #: of the library, with the design that a case's parameters are
 LIBRARY = {
-    "stop": ("elastic_stop", lambda given: {"kappa": given["k"], "delta": given["gap"]}),
-    "bilinear": ("bilinear", lambda given: {"kappa": given["k"], "delta": given["gap"]}),
-    "play": ("dead_zone", lambda given: {"delta": given["gap"]}),
+    "stop": ("elastic_stop", lambda parameters: {"kappa": parameters["k"], "delta": parameters["gap"]}),
+    "bilinear": ("bilinear", lambda parameters: {"kappa": parameters["k"], "delta": parameters["gap"]}),
+    "play": ("dead_zone", lambda parameters: {"delta": parameters["gap"]}),
 }
 CLOSED = {
     "even": ([(u + a * u**2 + b * u**3, None)], {"a": {}, "b": ABOVE}),
@@ -78,9 +78,9 @@ def numbers(case: Case) -> dict[str, float]:
 @functools.cache
 def stated(name: str, compiled: bool) -> Any:
     """A force that is averaged by sums."""
-    pieces, given = STATED[name]
+    pieces, parameters = STATED[name]
     called = f"{name}_compiled" if compiled else name
-    return derive.mechanism(called, pieces, dict.fromkeys(given, ABOVE), compile=compiled, **REACH.get(name, {}))
+    return derive.mechanism(called, pieces, dict.fromkeys(parameters, ABOVE), compile=compiled, **REACH.get(name, {}))
 
 
 @functools.cache
@@ -100,9 +100,9 @@ def curved(name: str) -> Any:
 
 def of_closed(case: Case, compiled: bool) -> Any:
     """The oscillator of a case of `closed.json`."""
-    given = numbers(case)
-    damping = {key: given.pop(key) for key in ("mu", "zeta")}
-    design = LIBRARY[case["force"]][1](given) if case["force"] in LIBRARY else given
+    parameters = numbers(case)
+    damping = {key: parameters.pop(key) for key in ("mu", "zeta")}
+    design = LIBRARY[case["force"]][1](parameters) if case["force"] in LIBRARY else parameters
     return closed(case["force"], compiled)(**design, **damping)
 
 
@@ -139,9 +139,9 @@ class Family:
     singular: tuple[int, ...] = ()
     #: whether phi is known as well as what A moves it by
     by_A: bool = False
-    #: whether the mass may be held at rest beside its motions; whether softening lets motions leave the centre
-    held: bool = False
-    leaves: bool = False
+    #: whether the mass may stick where it also has motions; whether softening lets motions leave the centre
+    sticks: bool = False
+    softening: bool = False
     #: off the centre: bounds of a fold's A, and of B
     mean: tuple[float, float] | None = None
 
@@ -151,13 +151,13 @@ FAMILIES = {
                      corners=False),
     "closed": Family(of_closed, onset=16.0, phase=4.0, derived=True, corners=False, by_A=True),
     **{
-        f"damped_{law}": Family(lambda case, _: of_record(case), 2.0, 2.0, hard=True, gradients=True, leaves=True)
+        f"damped_{law}": Family(lambda case, _: of_record(case), 2.0, 2.0, hard=True, gradients=True, softening=True)
         for law in ("eta", "c_2", "rubs")
     },
     # of the second c_2 A is some 10^-5 and nothing else damps: folds lie so near to the backbone that gradients count
     # as singular
-    "damped_base": Family(on_a_base, 2.0, 2.0, gradients=True, singular=(1,), held=True, leaves=True),
-    "inertia": Family(on_a_base, state=2.0, phase=100.0, A_on_corner=False, held=True),
+    "damped_base": Family(on_a_base, 2.0, 2.0, gradients=True, singular=(1,), sticks=True, softening=True),
+    "inertia": Family(on_a_base, state=2.0, phase=100.0, A_on_corner=False, sticks=True),
     "sided": Family(lambda case, _: made_off_centre(case["force"])(**numbers(case)), mean=(4.0, 1.0)),
     "curved": Family(lambda case, _: curved(case["force"])(**numbers(case)), mean=(32.0, 16.0)),
     "off_centre_laws": Family(
@@ -210,12 +210,12 @@ def test_folds_states_and_onsets_are_the_certified_ones(name, of_it, compiled):
 
 def is_hard(one: Any, case: Case) -> bool:
     """Whether a fold lies next to u_cr, so that answers at this forcing may say that they are undecided."""
-    beside = [float(fold["A"]) for fold in case["folds"] if not fold["corner"]]
-    return any(abs(A / u_cr - 1) < NEAR for A in beside for u_cr in one.breakpoints)
+    amplitudes = [float(fold["A"]) for fold in case["folds"] if not fold["corner"]]
+    return any(abs(A / u_cr - 1) < NEAR for A in amplitudes for u_cr in one.breakpoints)
 
 
 def check_folds(one: Any, case: Case, family: Family, is_singular: bool) -> None:
-    """All of them, with what inputs move them by."""
+    """All folds, with their condition numbers."""
     found, known = one.saddle_nodes(case["F_0"][1]), case["folds"]
     if Remark.UNDECIDED in found.remarks:
         assert family.hard and is_hard(one, case)
@@ -228,10 +228,10 @@ def check_folds(one: Any, case: Case, family: Family, is_singular: bool) -> None
     if is_singular:
         assert set(found.gradient().status) == {MovesStatus.MEETS}
     elif family.gradients:
-        moves = found.gradient()
-        for name in moves.of:
+        gradient = found.gradient()
+        for name in gradient.of:
             expected = [sure["condition"][name] for sure in known]
-            np.testing.assert_allclose(moves.condition(name), expected, rtol=ROUNDED)
+            np.testing.assert_allclose(gradient.condition(name), expected, rtol=ROUNDED)
 
 
 def in_its_well(one: Any, A: float) -> bool:
@@ -240,7 +240,7 @@ def in_its_well(one: Any, A: float) -> bool:
 
 
 def check_states(one: Any, case: Case, family: Family) -> None:
-    """All of them at each frequency."""
+    """All states at each frequency."""
     F_0 = case["F_0"][1]
     for at in case["amplitudes"]:
         Omega, sure = at["Omega"][1], at["steady"]
@@ -249,37 +249,37 @@ def check_states(one: Any, case: Case, family: Family) -> None:
             assert family.hard and is_hard(one, case)
             continue
         moving = found.A > 0
-        assert moving.all() or family.held
+        assert moving.all() or family.sticks
         stable, sizes = found.stable[moving].tolist(), found.A[moving]
         expected = [state["stable"] and in_its_well(one, A) for state, A in zip(sure, sizes, strict=True)]
-        if family.leaves and Remark.LEAVES_CENTRE in found.remarks:  # as softening has it
-            assert family.held or one.beta < 0
-            assert all(known or not said for said, known in zip(stable, expected, strict=True))
+        if family.softening and Remark.LEAVES_CENTRE in found.remarks:  # as softening has it
+            assert family.sticks or one.beta < 0
+            assert all(known or not stable_found for stable_found, known in zip(stable, expected, strict=True))
         else:
             assert stable == expected
         for A, phi, known in zip(sizes, found.phi[moving], sure, strict=True):
             assert error(A, known, "A") < family.state
             kappa = known["condition"]["A"] + known["condition_kernel"]["A"]
             # of tan(phi) = I/R, of which R = A Omega^2 + h moves by A R_A with A
-            moved = A * (Omega**2 + abs(one.model.averaged(A)[1])) / F_0 if family.by_A else 0.0
-            assert phi == pytest.approx(float(known["phi"]), abs=family.phase * U * (1 + kappa) * (1 + moved))
+            sensitivity = A * (Omega**2 + abs(one.model.averaged(A)[1])) / F_0 if family.by_A else 0.0
+            assert phi == pytest.approx(float(known["phi"]), abs=family.phase * U * (1 + kappa) * (1 + sensitivity))
         if family.gradients:
             known = [state["condition"]["A"] for state in sure]
             np.testing.assert_allclose(found.gradient().condition("A")[moving], known, rtol=ROUNDED)
 
 
 def check_centred_onset(one: Any, sure: Case, family: Family) -> None:
-    """The lowest forcing that has a fold; where folds that end at Omega = 0 lie lower, that is said."""
+    """The lowest forcing with a fold; a remark where folds that end at Omega = 0 are lower."""
     found = one.saddle_node_onset()
     for name in ("F_SN", "Omega", "A"):
         assert error(getattr(found, name), sure, name) < family.onset
     if family.gradients:
         assert found.kind == sure["kind"]
         assert (Remark.FOLDS_AT_REST in found.remarks) == (not sure["global"])
-        moves = found.gradient()
+        gradient = found.gradient()
         for name in ("F_SN", "Omega", "A"):
             known = sure["condition"]["F_0" if name == "F_SN" else name]
-            assert moves.condition(name) == pytest.approx(known, rel=ROUNDED)
+            assert gradient.condition(name) == pytest.approx(known, rel=ROUNDED)
 
 
 def test_certified_cases_have_folds_on_both_sides_of_an_edge():

@@ -88,10 +88,10 @@ def test_no_fold_is_missed_that_dense_samples_show():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("force", "share"), [("truncated", 1), ("untruncated", 10)])
-def test_onset_is_the_lowest_minimum_of_dense_samples(force, share):
+@pytest.mark.parametrize(("force", "fewer_by"), [("truncated", 1), ("untruncated", 10)])
+def test_onset_is_the_lowest_minimum_of_dense_samples(force, fewer_by):
     """A seventh of them have negative stiffness at rest."""
-    for oscillator, _ in oscillators(random_designs(1, MANY // share), force):
+    for oscillator, _ in oscillators(random_designs(1, MANY // fewer_by), force):
         onset = oscillator.saddle_node_onset()
         lowest = math.inf if onset.F_SN is None else onset.F_SN
         top = max(10 * oscillator.sticking_forcing, 1.0) if onset.F_SN is None else 2 * onset.F_SN
@@ -100,7 +100,7 @@ def test_onset_is_the_lowest_minimum_of_dense_samples(force, share):
             minimum = (level[1:-1] < level[2:]) & (level[1:-1] < level[:-2]) & same[:, np.newaxis]
             assert (level[1:-1][minimum] >= lowest * (1 - 1e-12)).all(), oscillator
         if onset.F_SN is not None:
-            before, after = (len(oscillator.saddle_nodes(onset.F_SN * share)) for share in (1 - 1e-6, 1 + 1e-6))
+            before, after = (len(oscillator.saddle_nodes(onset.F_SN * ratio)) for ratio in (1 - 1e-6, 1 + 1e-6))
             assert after == before + 2, oscillator
 
 
@@ -113,8 +113,8 @@ def test_above_the_peak_dense_samples_show_no_other():
         A = np.linspace(peak.A * (1 + 1e-9), max(2 * peak.A, solvers.amplitude_bound(model, F_0)), 2000)
         _, count = SOLVER.response_roots(A, model.averaged(A)[0], model.m, model.zeta, F_0)
         assert (count <= 1).all() and (np.diff(count) <= 0).all(), (oscillator, F_0)
-        beside = np.array([peak.A * (1 - 1e-9)])
-        _, below = SOLVER.response_roots(beside, model.averaged(beside)[0], model.m, model.zeta, F_0)
+        below_peak = np.array([peak.A * (1 - 1e-9)])
+        _, below = SOLVER.response_roots(below_peak, model.averaged(below_peak)[0], model.m, model.zeta, F_0)
         assert below == count[0] + (1 if peak.Omega == 0 else 2), (oscillator, F_0)
 
 
@@ -162,8 +162,8 @@ def test_onset_is_that_of_33_under_the_conditions_of_the_ledger():
 def test_least_preload_for_which_33_holds_is_the_ledgers():
     """Shares of 1/(lam r) in LEDGER.md, four digits each, Table 1 otherwise."""
     lam_r = TABLE_1["lam"] * TABLE_1["r"]
-    for share, attached, named in ((0.1106, 0, False), (0.1108, 1, False), (0.14395, 1, False), (0.14405, 1, True)):
-        isolator = example.isolator(delta_h=share / lam_r)
+    for fraction, attached, named in ((0.1106, 0, False), (0.1108, 1, False), (0.14395, 1, False), (0.14405, 1, True)):
+        isolator = example.isolator(delta_h=fraction / lam_r)
         assert isolator.cusps(A_max=isolator.u_cr).minimum.sum() == attached
         assert (isolator.saddle_node_onset().kind == "cusp") == named
 
@@ -270,8 +270,8 @@ def test_undamped_folds_begin_where_the_onset_says():
         at_rest = float(onset.message.partition("from F_0 = ")[2].partition(" on")[0] or "inf")
         first = min(at_rest, math.inf if onset.F_SN is None else onset.F_SN)
         seen.add("lowest" if first == onset.F_SN else "at rest" if first < math.inf else "none")
-        for share in (1e-6, 1e-3, 0.1, 0.5, 0.9):  # six digits of it are said
-            F_0 = least + share * (min(first, 10.0) - least)
+        for fraction in (1e-6, 1e-3, 0.1, 0.5, 0.9):  # six digits of it are said
+            F_0 = least + fraction * (min(first, 10.0) - least)
             assert F_0 > first * (1 - 1e-5) or count(F_0) == 0, oscillator
         assert first == math.inf or count(first * (1 + 1e-5)) > 0, oscillator
     assert {"none is lowest", "none beyond reach", "at rest"} <= seen
@@ -367,12 +367,12 @@ def test_few_samples_lie_on_their_own_branches():
 
 def test_more_than_can_be_shown_is_refused_by_its_name():
     oscillator = Isolator(lam=3, r=2, delta_h=0.08, mu=0.01, zeta=0.1)
-    for asked in (
+    for query in (
         lambda: oscillator.frequency_response(0.04, samples=2**33),
         lambda: oscillator.fold_locus(samples=10**12),
     ):
         with pytest.raises(ValueError, match=r"samples = \d+ is not allowed: samples must be an integer >= 2 and <= 1"):
-            asked()
+            query()
     with pytest.raises(ValueError, match=r"Omega\[1\] = 1e\+308 is not allowed"):
         oscillator.frequency_response(0.04, Omega=(0, 1e308))
     with pytest.raises(ValueError, match=r"Omega = 1e\+200 is not allowed"):

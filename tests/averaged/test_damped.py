@@ -23,16 +23,16 @@ FEW = 10
 
 @pytest.fixture(scope="module")
 def by_quadrature():
-    """The same force, with a term without a closed average that its factor leaves out."""
+    """The same force, with a term without a closed average whose factor is zero."""
     u, alpha, beta, gamma, end, nothing = sp.symbols("u a b g end nothing")
     inside = alpha * u + beta * u**3 + gamma * u**5 + nothing * sp.sin(u) ** 3
-    given = {name: {} for name in ("a", "b", "g")} | {"end": {"above": 0}, "nothing": {"least": 0}}
-    made = derive.mechanism("damped_by_quadrature", [(inside, end), (u, None)], given)
+    parameters = {name: {} for name in ("a", "b", "g")} | {"end": {"above": 0}, "nothing": {"least": 0}}
+    made = derive.mechanism("damped_by_quadrature", [(inside, end), (u, None)], parameters)
 
     def get(case):
-        alone = of_record(case)
-        numbers = dict(zip(("a", "b", "g", "end"), alone.model.parameters, strict=True))
-        damping = {name: getattr(alone, name) for name in ("mu", "zeta", "eta", "c_2")}
+        closed = of_record(case)
+        numbers = dict(zip(("a", "b", "g", "end"), closed.model.parameters, strict=True))
+        damping = {name: getattr(closed, name) for name in ("mu", "zeta", "eta", "c_2")}
         return made(**numbers, nothing=0.0, rubs=case["rubs"], **damping)
 
     return get
@@ -42,7 +42,10 @@ def by_quadrature():
 @pytest.mark.parametrize(("law", "number"), [("rubs", 6), ("eta", 18), ("c_2", 6), ("rubs", 24)])
 @pytest.mark.part(2)
 def test_force_averaged_by_quadrature_has_certified_answers(by_quadrature, law, number):
-    case, family = cases(f"damped_{law}")[number], replace(FAMILIES[f"damped_{law}"], gradients=False, leaves=False)
+    case, family = (
+        cases(f"damped_{law}")[number],
+        replace(FAMILIES[f"damped_{law}"], gradients=False, softening=False),
+    )
     osc = by_quadrature(case)
     assert osc.model.mechanism.enclosed is not None
     found = osc.saddle_nodes(case["F_0"][1])

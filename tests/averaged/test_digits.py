@@ -18,34 +18,34 @@ from tests.files import stored
 from tests.oracles.answers import VALUES, Nearby, errors
 from tests.oracles.errors import U
 
-PLACES = stored("hard_places")
+CASES = stored("hard_places")
 #: relative error of any number; under a force it is no more than a rounding of its condition, too
 WITHIN = 1e-15
 
 
 def made(case: dict[str, Any], excitation: str) -> tuple[Any, Any, Nearby]:
-    """The oscillator of a case, a batch of it alone, and what has the exact solutions next to its answers."""
+    """The oscillator of a case, a batch of it, and the exact solutions next to its answers."""
     kind, mechanism = Duffing if case["mechanism"] == "duffing" else Isolator, case["mechanism"]
-    given = case["numbers"] | {"excitation": excitation}
+    parameters = case["numbers"] | {"excitation": excitation}
     if mechanism == "rod_spring_untruncated":
-        given["force"] = "untruncated"
+        parameters["force"] = "untruncated"
     if excitation != "force":
         mechanism += " by inertia"
-    return kind(**given), kind.many(**given), Nearby(mechanism, **case["numbers"])
+    return kind(**parameters), kind.many(**parameters), Nearby(mechanism, **case["numbers"])
 
 
 @pytest.mark.parametrize(
     ("case", "excitation"),
     [
         pytest.param(case, excitation, id=f"{case['question']} {excitation}: {case['why']}")
-        for case in PLACES
+        for case in CASES
         for excitation in case.get("excitations", ["force"])
     ],
 )
 def test_answers_at_hard_places_are_complete_to_the_last_digit(case, excitation):
-    question, given = case["question"], case["given"]
+    question, query = case["question"], case["given"]
     one, many, nearby = made(case, excitation)
-    found = getattr(one, question)(**given)
+    found = getattr(one, question)(**query)
     each = list(found) if question in ("amplitudes", "saddle_nodes", "cusps", "isola_points") else [found]
     assert case["count"] == (0 if question == "saddle_node_onset" and found.F_SN is None else len(each))
     each = each[: case["count"]]
@@ -54,10 +54,10 @@ def test_answers_at_hard_places_are_complete_to_the_last_digit(case, excitation)
     for name, values in case.get("exact", {}).items():  # where Newton's method leaves the place
         assert getattr(found, name) == pytest.approx(values, rel=WITHIN, abs=0)
     for answer in each if "exact" not in case else ():
-        for name, (relative, rounding) in errors(answer, nearby, question, given).items():
+        for name, (relative, rounding) in errors(answer, nearby, question, query).items():
             assert relative <= WITHIN and (rounding <= 1 or excitation != "force"), name
     if question in ("saddle_nodes", "saddle_node_onset"):
-        of_many = getattr(many, question)(**given)
+        of_many = getattr(many, question)(**query)
         for name in VALUES[question][1].values():
             values = np.ravel(getattr(of_many, name))[: len(each)]
             assert values.tolist() == [getattr(answer, name) for answer in each]

@@ -77,8 +77,8 @@ def test_linear_quadratic_damping_is_a_quadratic_in_A_squared():
 
 
 def test_laws_that_are_not_there_change_nothing():
-    given = {"lam": 3.0, "r": 2.0, "delta_h": 0.08, "mu": 0.012, "zeta": 0.04}
-    plain, same = Isolator(**given), Isolator(**given, eta=0.0, c_2=0.0, rubs="throughout")
+    parameters = {"lam": 3.0, "r": 2.0, "delta_h": 0.08, "mu": 0.012, "zeta": 0.04}
+    plain, same = Isolator(**parameters), Isolator(**parameters, eta=0.0, c_2=0.0, rubs="throughout")
     assert plain == same and repr(plain) == repr(same) and plain.given == same.given
     assert plain.model == same.model and (plain.model.native is None) == (same.model.native is None)
     damped = plain.replace(eta=0.02)
@@ -169,9 +169,9 @@ def test_friction_that_ends_at_u_cr_makes_a_corner():
     found = osc.saddle_nodes(0.0502)
     at = found.Omega[found.corner]
     assert at.size == 2 and (found.A[found.corner] == osc.breakpoints[0]).all()
-    beside = (at[:, np.newaxis] * (1 + np.array([-1e-5, 1e-5]))).ravel()
-    states = osc.amplitudes(Omega=beside, F_0=0.0502)
-    assert [np.count_nonzero(states.Omega == w) for w in beside] == [3, 1, 1, 3]
+    nearby = (at[:, np.newaxis] * (1 + np.array([-1e-5, 1e-5]))).ravel()
+    states = osc.amplitudes(Omega=nearby, F_0=0.0502)
+    assert [np.count_nonzero(states.Omega == w) for w in nearby] == [3, 1, 1, 3]
     assert osc.replace(rubs="throughout").saddle_nodes(0.0502).A.size == 0
 
 
@@ -185,13 +185,13 @@ def test_corners_beyond_where_friction_ends_are_without_it():
     at = folds.Omega[folds.corner & (folds.A == osc.breakpoints[1])]
     assert at.size == 2 and np.hypot(*balances(osc, at, 0.6)) == pytest.approx(0.12, rel=1e-12)
     for w in at:  # where two states meet
-        beside = w * np.array([1 - 1e-6, 1 + 1e-6])
-        states = osc.amplitudes(Omega=beside, F_0=0.12)
-        assert abs(np.subtract(*[np.count_nonzero(states.Omega == one) for one in beside])) == 2
+        nearby = w * np.array([1 - 1e-6, 1 + 1e-6])
+        states = osc.amplitudes(Omega=nearby, F_0=0.12)
+        assert abs(np.subtract(*[np.count_nonzero(states.Omega == one) for one in nearby])) == 2
     pushed = osc.replace(step=0.1)
     onset = pushed.saddle_node_onset()
     assert onset.kind == "corner" and onset.A == 0.6
-    assert [pushed.saddle_nodes(onset.F_SN * share).A.size for share in (1 - 1e-6, 1 + 1e-6)] == [0, 2]
+    assert [pushed.saddle_nodes(onset.F_SN * ratio).A.size for ratio in (1 - 1e-6, 1 + 1e-6)] == [0, 2]
 
 
 def test_friction_that_ends_at_u_cr_leaves_an_isola():
@@ -220,7 +220,7 @@ def viscous(osc, Omega):
 
 @pytest.mark.parametrize("osc", STRUCTURAL, ids=repr)
 def test_structural_curve_points_have_motions_of_their_frequency(osc):
-    """At a frequency it is one of a viscous damper, whose own curves are tested, and a fold is one of that damper's."""
+    """At one frequency the damper is equivalent to a viscous one, whose curves are tested; so are its folds."""
     F_0, window = 0.06, (0.8, 1.5)
     curve = exact.exact_response(osc.equation_of_motion(), F_0, Omega=window)
     at_fold = [fold.Omega for fold in curve.folds]
@@ -233,8 +233,8 @@ def test_structural_curve_points_have_motions_of_their_frequency(osc):
         assert np.sort_complex(motion.multipliers) == pytest.approx(np.sort_complex(curve.multipliers[k]), abs=1e-6)
     assert len(at_fold) == 2
     for fold in curve.folds:
-        alike = exact.exact_response(viscous(osc, fold.Omega), F_0, Omega=window).folds
-        (same,) = (one for one in alike if one.kind == fold.kind)
+        folds = exact.exact_response(viscous(osc, fold.Omega), F_0, Omega=window).folds
+        (same,) = (one for one in folds if one.kind == fold.kind)
         assert (same.Omega, same.A) == pytest.approx((fold.Omega, fold.A), rel=1e-7)
 
 
@@ -311,31 +311,31 @@ def test_laws_are_columns_of_a_batch_and_of_a_map():
     xarray = pytest.importorskip("xarray")
     pytest.importorskip("dask")
     eta = xarray.DataArray([0.02, 0.05], dims="rubber", coords={"rubber": ["soft", "hard"]})
-    given = {"lam": 3.0, "r": 2.0, "delta_h": 0.08, "mu": 0.01, "zeta": 0.04, "rubs": "attached"}
-    grid = Isolator.many(**given, eta=eta.chunk(1))
+    parameters = {"lam": 3.0, "r": 2.0, "delta_h": 0.08, "mu": 0.01, "zeta": 0.04, "rubs": "attached"}
+    grid = Isolator.many(**parameters, eta=eta.chunk(1))
     found = grid.peak(0.04).compute()
     assert found.attrs["rubs"] == "attached" and "loss factor" in found.eta.attrs["long_name"]
-    assert found.A.values.tolist() == [Isolator(**given, eta=one).peak(0.04).A for one in (0.02, 0.05)]
+    assert found.A.values.tolist() == [Isolator(**parameters, eta=one).peak(0.04).A for one in (0.02, 0.05)]
     for ask in (
         lambda: grid.second_approximation,
         lambda: grid.certify(0.04),
-        lambda: Isolator.many(**given, eta=0.1).certify(0.04),
-        lambda: Isolator.many(**given, eta=0.1).second_approximation,
-        lambda: Isolator.many(**given, eta=0.1).shock_spectrum(acceleration=0.1, duration=1.0),
+        lambda: Isolator.many(**parameters, eta=0.1).certify(0.04),
+        lambda: Isolator.many(**parameters, eta=0.1).second_approximation,
+        lambda: Isolator.many(**parameters, eta=0.1).shock_spectrum(acceleration=0.1, duration=1.0),
     ):
         with pytest.raises(ValueError, match=r"eta.*rubs = 'attached'"):
             ask()
     with pytest.raises(ValueError, match="rubs = 'never'"):
-        Isolator.many(**{**given, "rubs": "never"})
+        Isolator.many(**{**parameters, "rubs": "never"})
 
 
 def test_a_batch_has_no_peak_where_the_mass_sticks():
-    """At 4 mu/pi itself too, where rounding had it move."""
-    given = {"lam": 3.0, "r": 3.833158131781064, "delta_h": 0.5880373677813387, "mu": 2.32847268521091e-06}
+    """At 4 mu/pi itself too, where rounding made it slip."""
+    parameters = {"lam": 3.0, "r": 3.833158131781064, "delta_h": 0.5880373677813387, "mu": 2.32847268521091e-06}
     laws = {"zeta": 0.11603366976781844, "c_2": 0.07764606232400618}
-    F_0 = Isolator(**given, **laws).sticking_forcing
-    assert Isolator.many(**given, **laws).peak([F_0, 0.5 * F_0]).status.tolist() == [Status.STICKS] * 2
-    assert Isolator(**given, **laws).peak(F_0).message.startswith("sticks")
+    F_0 = Isolator(**parameters, **laws).sticking_forcing
+    assert Isolator.many(**parameters, **laws).peak([F_0, 0.5 * F_0]).status.tolist() == [Status.STICKS] * 2
+    assert Isolator(**parameters, **laws).peak(F_0).message.startswith("sticks")
 
 
 #: numbers of answers whose gradients are asked for: how they are got, and what they are called
@@ -365,9 +365,9 @@ NUMBERS = {
 def test_slopes_are_those_of_differences_by_every_parameter(osc, questions):
     for question in questions:
         ask, names = NUMBERS[question]
-        moves = ask(osc).gradient()
-        assert moves.of == names and {"eta", "c_2"} < set(moves.by)
-        numbers = {by: getattr(osc, by) for by in set(moves.by) - {"F_0", "Omega"} if getattr(osc, by) != 0}
+        gradient = ask(osc).gradient()
+        assert gradient.of == names and {"eta", "c_2"} < set(gradient.by)
+        numbers = {by: getattr(osc, by) for by in set(gradient.by) - {"F_0", "Omega"} if getattr(osc, by) != 0}
         assert assert_slopes_are_differences(osc.replace, numbers, {question: ask}, numbers) == {question}
 
 
@@ -375,12 +375,12 @@ def test_slopes_are_those_of_differences_by_every_parameter(osc, questions):
 def test_a_law_that_is_not_there_has_a_slope_too():
     """By eta and c_2 at 0, from above; and where friction ends a motion at u_cr has none."""
     osc = LOOSE.replace(force="truncated")
-    moves = osc.amplitudes(Omega=1.02, F_0=0.0502).gradient()
+    gradient = osc.amplitudes(Omega=1.02, F_0=0.0502).gradient()
     for by in ("eta", "c_2"):
         ahead = (
             osc.replace(**{by: 1e-7}).amplitudes(Omega=1.02, F_0=0.0502).A - osc.amplitudes(Omega=1.02, F_0=0.0502).A
         )
-        assert moves["A", by] == pytest.approx(ahead / 1e-7, rel=1e-5)
+        assert gradient["A", by] == pytest.approx(ahead / 1e-7, rel=1e-5)
     found, u_cr = LOOSE.amplitudes(Omega=1.02, F_0=0.0502), np.array(LOOSE.breakpoints)
     on_it = dataclasses.replace(found, Omega=found.Omega[:1], A=u_cr, stable=found.stable[:1])
     assert on_it.gradient().status.tolist() == [MovesStatus.TURNS]
@@ -445,12 +445,12 @@ def rests_of(osc, Omega, F_0, turns):
 def test_static_friction_motion_is_that_of_independent_steps(osc):
     Omega, F_0 = 0.3, 0.05
     state = osc.steady_state(Omega=Omega, F_0=F_0)
-    rests, A = rests_of(osc, Omega, F_0, 28)
+    stops, A = rests_of(osc, Omega, F_0, 28)
     assert state.stops == 2 and state.stable and pytest.approx(A, rel=1e-8) == state.A
     free = osc.replace(mu_s=0.0).steady_state(Omega=Omega, F_0=F_0)
     assert abs(free.A / state.A - 1) > 0.01  # it matters
     # what a deviation is multiplied by in a turn, from rest to rest of half a turn: u turns its sign
-    off = rests[:, 1] * (-1.0) ** np.arange(len(rests))
+    off = stops[:, 1] * (-1.0) ** np.arange(len(stops))
     change = np.diff(off)
     early = np.flatnonzero(np.abs(change) > 1e-7)[-3:]
     assert np.abs(state.multipliers).max() == pytest.approx((change[early[1:]] / change[early[:-1]])[-1] ** 2, rel=1e-3)
@@ -468,16 +468,16 @@ def test_motions_beyond_u_cr_exist_beside_a_held_mass():
     assert Remark.HELD_AT_REST not in osc.saddle_nodes(1.001 * osc.sticking_forcing).remarks
     for Omega, count in ((0.99 * folds.Omega[0], 0), (1.0, 2), (folds.Omega[1] - 1e-3, 2), (1.01 * folds.Omega[1], 0)):
         level = np.hypot(*balances(osc, Omega, A)) - F_0
-        places = A[:-1][level[:-1] * level[1:] < 0]
+        crossings = A[:-1][level[:-1] * level[1:] < 0]
         states = osc.amplitudes(Omega=Omega, F_0=F_0)
-        assert len(places) == len(states) - 1 == count
-        assert states.A == pytest.approx([0.0, *places], rel=1e-3)
+        assert len(crossings) == len(states) - 1 == count
+        assert states.A == pytest.approx([0.0, *crossings], rel=1e-3)
     peak, margins = osc.peak(F_0), osc.margins(F_0)
     assert np.hypot(*balances(osc, peak.Omega, peak.A)) == pytest.approx(F_0, rel=1e-12)
     assert peak.A == pytest.approx(osc.frequency_response(F_0).A.max(), rel=1e-3)
     assert margins.sticks and margins.detaches and margins.folds == 2
-    given = {"lam": 3.0, "r": 0.5, "delta_h": 0.02, "mu": 0.03, "zeta": [0.002]}
-    many = Isolator.many(**given, rubs="attached", force="untruncated")
+    parameters = {"lam": 3.0, "r": 0.5, "delta_h": 0.02, "mu": 0.03, "zeta": [0.002]}
+    many = Isolator.many(**parameters, rubs="attached", force="untruncated")
     assert many.saddle_nodes(F_0).count == 2 and many.saddle_nodes(F_0).remarks == folds.remarks
     assert many.margins(F_0).detaches == many.margins(F_0).sticks == 1
     at_rest = osc.steady_state(Omega=1.0, F_0=0.029)
@@ -486,7 +486,7 @@ def test_motions_beyond_u_cr_exist_beside_a_held_mass():
 
 @pytest.mark.slow
 def test_held_mass_does_not_deny_exact_motions_beside_it():
-    """Where the springs turn a mass round that static friction could not hold it is the motion without that."""
+    """Where the springs turn the mass round beyond the break-loose force, static friction changes no motion."""
     grips = Duffing(1.0, 0.5, mu=0.02, zeta=0.02, mu_s=0.06)
     A = grips.replace(mu_s=0.0).steady_state(Omega=0.9, F_0=0.05, A=0.2).A
     assert grips.steady_state(Omega=0.9, F_0=0.05, A=0.2).A == pytest.approx(A, rel=1e-12)
@@ -497,11 +497,11 @@ def test_held_mass_does_not_deny_exact_motions_beside_it():
     assert found.stable and found.A == pytest.approx(A, rel=0.01)
     _, u, v = found.series(3)
 
-    def moves(t, y):
+    def rates(t, y):
         friction = osc.mu * np.sign(y[1]) * (abs(y[0]) < osc.breakpoints[0])
         return y[1], 0.029 * np.cos(t) - 2 * osc.zeta * y[1] - friction - float(osc.force(y[0]))
 
-    end = solve_ivp(moves, (0, 2 * np.pi), (u[0], v[0]), rtol=1e-10, atol=1e-10, max_step=1e-3).y[:, -1]
+    end = solve_ivp(rates, (0, 2 * np.pi), (u[0], v[0]), rtol=1e-10, atol=1e-10, max_step=1e-3).y[:, -1]
     assert end == pytest.approx((u[0], v[0]), abs=1e-4)
 
 
@@ -517,8 +517,8 @@ def test_static_friction_affects_exact_motions_only():
     assert osc.steady_state(Omega=0.9, F_0=0.04).A == 0 < same.steady_state(Omega=0.9, F_0=0.04).A
     with pytest.raises(ValueError, match=r"mu_s = 0.01 is not allowed: static friction is not less than mu = 0.02"):
         osc.replace(mu_s=0.01)
-    given = {"m": 12, "k_v": 2500, "k_h": 1700, "L": 0.08, "preload": 0.009, "friction": 0.4, "zeta": 0.02}
-    mount = Isolator.physical(**given, static_friction=0.6)
+    parameters = {"m": 12, "k_v": 2500, "k_h": 1700, "L": 0.08, "preload": 0.009, "friction": 0.4, "zeta": 0.02}
+    mount = Isolator.physical(**parameters, static_friction=0.6)
     assert mount.at_rest().break_loose == pytest.approx(0.6) and mount.oscillator.mu_s == pytest.approx(0.6 / 200)
     assert mount.replace(static_friction=0.4).oscillator.mu_s == mount.oscillator.mu
     with pytest.raises(ValueError, match=r"static_friction = 0.3 is not allowed: .* >= 0.4"):
@@ -536,21 +536,21 @@ def test_static_friction_curve_has_its_motions_and_shock_rests():
         state = osc.steady_state(Omega=curve.Omega[k], F_0=0.05)
         assert (state.A, state.stops) == (pytest.approx(curve.A[k], rel=1e-7), curve.stops[k])
     pulse = {"acceleration": 0.2, "duration": 1.0}
-    free, held = (osc.replace(mu_s=mu_s).transient(**pulse) for mu_s in (0.02, 0.06))
-    # it breaks away later, and is held farther from the centre
-    assert held.A < free.A and held.rests and 0.02 < abs(osc.force(held.u_end)) <= 0.06
+    free, sticking = (osc.replace(mu_s=mu_s).transient(**pulse) for mu_s in (0.02, 0.06))
+    # it breaks loose later, and sticks farther from the centre
+    assert sticking.A < free.A and sticking.rests and 0.02 < abs(osc.force(sticking.u_end)) <= 0.06
 
 
 @pytest.mark.slow
 def test_onsets_that_boxes_cannot_tell_are_refused():
     """Folds that come down to rest, a level that does not change with Omega; with a law that decides they are there."""
-    play = derive.library("dead_zone")
+    dead_zone = derive.library("dead_zone")
     with pytest.raises(ArithmeticError, match=r"up to \|u\| = 0\.2 there is no spring"):
-        play(delta=0.2, c_2=0.1, excitation="base").saddle_node_onset()
+        dead_zone(delta=0.2, c_2=0.1, excitation="base").saddle_node_onset()
     with pytest.raises(ArithmeticError, match="doubles do not tell"):  # it lies nearer to 0.2 than a double
-        play(delta=0.2, c_2=1e-9, mu=0.01).saddle_node_onset()
-    assert play(delta=0.2, c_2=0.1, eta=0.02).saddle_node_onset().kind == "cusp"
-    assert play(delta=0.2, c_2=0.1, zeta=0.02, excitation="base").saddle_node_onset().kind == "isola"
+        dead_zone(delta=0.2, c_2=1e-9, mu=0.01).saddle_node_onset()
+    assert dead_zone(delta=0.2, c_2=0.1, eta=0.02).saddle_node_onset().kind == "cusp"
+    assert dead_zone(delta=0.2, c_2=0.1, zeta=0.02, excitation="base").saddle_node_onset().kind == "isola"
     wells = Duffing(-0.5, 1.0, c_2=0.1, excitation="base")
     with pytest.raises(ArithmeticError, match="quadratic damping alone"):
         wells.saddle_node_onset()
@@ -697,9 +697,9 @@ PLAY_GAP, PLAY_K = 1.0, 2.0
 def of_play(A):
     """h and h_A by the closed form of a dead zone."""
     x, y = PLAY_GAP, np.sqrt(np.maximum((A - PLAY_GAP) * (A + PLAY_GAP), 0.0))
-    beside = np.arctan2(y, x)
+    angle = np.arctan2(y, x)
     factor, product = -2 * PLAY_K / np.pi, x * y / A**2
-    return factor * A * (beside - product), factor * (beside + product)
+    return factor * A * (angle - product), factor * (angle + product)
 
 
 @pytest.mark.slow
@@ -829,10 +829,10 @@ def test_no_stiffness_at_rest_has_all_answers_with_c_2(excitation, beta, zeta, c
         # folds open a pair upwards or downwards
         opened = np.where(folds.kind == "jump-up", -1, 1) @ (folds.Omega > Omega)
         assert states(Omega).size == 1 + 2 * opened
-    asked = np.geomspace(0.05, 5, 20)
-    found = one.amplitudes(Omega=asked, F_0=F_0)
+    frequencies = np.geomspace(0.05, 5, 20)
+    found = one.amplitudes(Omega=frequencies, F_0=F_0)
     assert not found.Omega_undecided.size
-    assert found.A == pytest.approx(np.concatenate([states(Omega) for Omega in asked]), rel=1e-12)
+    assert found.A == pytest.approx(np.concatenate([states(Omega) for Omega in frequencies]), rel=1e-12)
     curve, force = one.frequency_response(F_0), F_0 * one.frequency_response(F_0).Omega ** power
     assert np.hypot(*balances(one, curve.Omega, curve.A)) == pytest.approx(force, rel=1e-11)
     assert one.isolation(F_0).Omega > 0
@@ -902,17 +902,17 @@ def test_peak_within_rounding_of_a_jump_is_undecided():
     cam = derive.library("cam_roller")(r=0.8, rho=0.8, c=0.1, eta=0.05)
     assert cam.breakpoints[0] == pytest.approx(0.03 / 0.05, rel=1e-15)
     at = cam.saddle_nodes(0.03)
-    below, above = (cam.saddle_nodes(0.03 * (1 + share)) for share in (-1e-7, 1e-7))
-    for beside in (below, above):
-        assert Remark.UNDECIDED not in beside.remarks and len(beside) % 2 == 0
-        assert at.Omega[0] == pytest.approx(beside.Omega[0], rel=1e-6)
+    below, above = (cam.saddle_nodes(0.03 * (1 + offset)) for offset in (-1e-7, 1e-7))
+    for folds in (below, above):
+        assert Remark.UNDECIDED not in folds.remarks and len(folds) % 2 == 0
+        assert at.Omega[0] == pytest.approx(folds.Omega[0], rel=1e-6)
     assert Remark.UNDECIDED in at.remarks
     states = cam.amplitudes(Omega=[0.5, 0.8, 0.9], F_0=0.03)
     assert states.Omega_undecided.tolist() == [0.5, 0.8, 0.9]
     np.testing.assert_allclose(states.A, cam.amplitudes(Omega=[0.5, 0.8, 0.9], F_0=0.03 * (1 + 1e-9)).A, rtol=1e-7)
     with pytest.raises(ArithmeticError, match=f"there may be one within rounding of A = {0.03 / 0.05:.17g}"):
         cam.peak(0.03)
-    assert [cam.peak(0.03 * (1 + share)).A for share in (-1e-7, 1e-7)] == pytest.approx([0.6, 0.6], rel=1e-6)
+    assert [cam.peak(0.03 * (1 + offset)).A for offset in (-1e-7, 1e-7)] == pytest.approx([0.6, 0.6], rel=1e-6)
 
 
 def test_springless_mass_follows_a_base_by_structural_damping():
@@ -954,7 +954,7 @@ def test_states_by_inertia_born_next_to_rest_are_all_there(excitation):
 @pytest.mark.slow
 @pytest.mark.parametrize("rubs", ["throughout", "attached"])
 def test_onset_by_inertia_is_the_least_level_below_all_cusps(rubs):
-    """An isola point of weak damping: the least level of all amplitudes beyond the stop, on a grid and beside it."""
+    """An isola point of weak damping: the least level of all amplitudes beyond the stop, on a grid and around it."""
     laws = {"mu": 0.0, "zeta": 0.0028, "c_2": 0.0 if rubs == "attached" else 1e-9, "rubs": rubs}
     osc = derive.library("elastic_stop")(kappa=5.6, delta=0.58, **laws, excitation="base")
 
@@ -966,8 +966,8 @@ def test_onset_by_inertia_is_the_least_level_below_all_cusps(rubs):
     Omega, A = np.meshgrid(np.linspace(0.8, 2.4, 1601), np.linspace(0.6, 2.0, 1401))
     assert found.F_SN == pytest.approx(level(found.Omega, found.A), rel=1e-12)
     assert found.F_SN <= level(Omega, A).min() * (1 + 1e-12)
-    beside = [level(found.Omega * (1 + x), found.A * (1 + y)) for x in (-1e-3, 0, 1e-3) for y in (-1e-3, 0, 1e-3)]
-    assert np.argmin(beside) == 4
+    neighbours = [level(found.Omega * (1 + x), found.A * (1 + y)) for x in (-1e-3, 0, 1e-3) for y in (-1e-3, 0, 1e-3)]
+    assert np.argmin(neighbours) == 4
     assert not len(osc.saddle_nodes(found.F_SN * 0.999))
     assert len(osc.saddle_nodes(found.F_SN * 1.001)) == 2
 

@@ -81,21 +81,21 @@ def test_quadratic_damping_alone_on_a_base_has_one_amplitude():
     d = 8 * 0.05 / (3 * np.pi)
     A = np.sqrt((np.sqrt(1 + 4 * d**2 * F_0**2) - 1) / (2 * d**2))
     for ask in (free.frequency_response, free.peak, lambda F_0: free.amplitudes(Omega=1.0, F_0=F_0)):
-        with pytest.raises(ArithmeticError, match=r"no response curve: A = 0\.0499") as told:
+        with pytest.raises(ArithmeticError, match=r"no response curve: A = 0\.0499") as refusal:
             ask(F_0)
-        assert float(str(told.value).split("A = ")[1].split()[0]) == pytest.approx(A, rel=1e-9)
+        assert float(str(refusal.value).split("A = ")[1].split()[0]) == pytest.approx(A, rel=1e-9)
 
 
 def test_play_with_structural_damping_has_a_static_state():
     """It was undecided: next to Omega = 0 F is flat to the fourth power where there is no spring."""
     from slowflow import derive
 
-    play = derive.library("dead_zone")(delta=2.0, mu=0.0, zeta=0.0, eta=0.05)
-    found = play.amplitudes(Omega=[0.5, 1.0], F_0=F_0)
+    loose = derive.library("dead_zone")(delta=2.0, mu=0.0, zeta=0.0, eta=0.05)
+    found = loose.amplitudes(Omega=[0.5, 1.0], F_0=F_0)
     assert Remark.UNDECIDED not in found.remarks
     within = Duffing(0, 0, eta=0.05).amplitudes(Omega=[0.5, 1.0], F_0=F_0)
     np.testing.assert_allclose(found.A, within.A, rtol=1e-14)
-    assert play.peak(F_0).A == pytest.approx(F_0 / 0.05, rel=1e-14)
+    assert loose.peak(F_0).A == pytest.approx(F_0 / 0.05, rel=1e-14)
 
 
 # ---- a spring whose force levels off: it does not hold the mass as Omega tends to 0 beyond some forcing -------------
@@ -113,8 +113,8 @@ def yielding():
 
 def restoring(A):
     """-h of it, in closed form."""
-    share = np.minimum(G / np.asarray(A), 1.0)
-    return 2 * K / np.pi * A * (np.arcsin(share) + share * np.sqrt(1 - share**2))
+    sine = np.minimum(G / np.asarray(A), 1.0)
+    return 2 * K / np.pi * A * (np.arcsin(sine) + sine * np.sqrt(1 - sine**2))
 
 
 def off_balance(Omega, A, F, mu, zeta=0.05):
@@ -136,8 +136,8 @@ def test_onset_lies_below_the_forcing_the_spring_does_not_hold(yielding, mu):
     found = mount.saddle_node_onset()
 
     def F(Omega, A, level):
-        share = mp.mpf(G) / A
-        h = 2 * mp.mpf(K) / mp.pi * A * (mp.asin(share) + share * mp.sqrt(1 - share**2))
+        sine = mp.mpf(G) / A
+        h = 2 * mp.mpf(K) / mp.pi * A * (mp.asin(sine) + sine * mp.sqrt(1 - sine**2))
         I = 4 * mp.mpf(mu) / mp.pi + 2 * mp.mpf(0.05) * A * Omega
         return (A * Omega**2 - h) ** 2 + I**2 - level**2
 

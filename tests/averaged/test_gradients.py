@@ -53,32 +53,35 @@ def random_oscillators(count):
 @pytest.mark.slow
 def test_condition_numbers_are_those_of_every_reference_case():
     """Those of the reference are rounded to three digits."""
-    asked, kinds = 0, set()
+    compared, kinds = 0, set()
     for case in CASES:
         of = of_record(case)
         found = []
         onset, detachment = case["onset"], case.get("detachment")
         if onset and onset["global"]:
-            moves = of.saddle_node_onset().gradient()
-            found += [(moves.condition(x), onset["condition"][y]) for x, y in zip(moves.of, OF_FORCING, strict=True)]
+            gradient = of.saddle_node_onset().gradient()
+            found += [
+                (gradient.condition(x), onset["condition"][y]) for x, y in zip(gradient.of, OF_FORCING, strict=True)
+            ]
             kinds.add(onset["kind"])
         if detachment and detachment["attained"]:
-            moves = of.detachment().gradient()
+            gradient = of.detachment().gradient()
             found += [
-                (moves.condition(x), detachment["condition"][y]) for x, y in zip(moves.of, OF_FORCING, strict=True)
+                (gradient.condition(x), detachment["condition"][y])
+                for x, y in zip(gradient.of, OF_FORCING, strict=True)
             ]
         for forcing in case["forcings"]:
             at = forcing["F_0"][1]
-            moves = of.saddle_nodes(at).gradient()
-            for x in moves.of:
-                found += zip(moves.condition(x), (one["condition"][x] for one in forcing["folds"]), strict=True)
+            gradient = of.saddle_nodes(at).gradient()
+            for x in gradient.of:
+                found += zip(gradient.condition(x), (one["condition"][x] for one in forcing["folds"]), strict=True)
             kinds |= {one["corner"] for one in forcing["folds"]}
             for states in forcing["amplitudes"]:
-                moves = of.amplitudes(Omega=states["Omega"][1], F_0=at).gradient()
-                found += zip(moves.condition("A"), (one["condition"]["A"] for one in states["steady"]), strict=True)
+                gradient = of.amplitudes(Omega=states["Omega"][1], F_0=at).gradient()
+                found += zip(gradient.condition("A"), (one["condition"]["A"] for one in states["steady"]), strict=True)
         np.testing.assert_allclose(*np.array(found, dtype=float).reshape(-1, 2).T, rtol=5.01e-3)
-        asked += len(found)
-    assert asked > 8000
+        compared += len(found)
+    assert compared > 8000
     assert {"cusp", "corner", True} <= kinds
 
 
@@ -86,9 +89,9 @@ def test_condition_numbers_on_a_base_are_the_references():
     found = []
     for case in stored("inertia")[::2]:
         of, at = of_record(case).replace(excitation="base"), case["F_0"][1]
-        moves = of.saddle_nodes(at).gradient()
-        for x in moves.of:
-            found += zip(moves.condition(x), (fold["condition"][x] for fold in case["folds"]), strict=True)
+        gradient = of.saddle_nodes(at).gradient()
+        for x in gradient.of:
+            found += zip(gradient.condition(x), (fold["condition"][x] for fold in case["folds"]), strict=True)
         for states in case["amplitudes"]:
             here = of.amplitudes(Omega=states["Omega"][1], F_0=at)
             conditions = here.gradient().condition("A")[here.A > 0]  # a mass at rest has none
@@ -101,7 +104,7 @@ def test_condition_numbers_on_a_base_are_the_references():
 STEP = Fraction(1, 2**120)
 
 
-def beside(mechanism, kind, at, numbers):
+def perturbed(mechanism, kind, at, numbers):
     """Omega, A and F_0 of the certified answer next to given ones, in hundreds of bits; numbers exact, F_0 last."""
     near = Nearby(mechanism, **{name: value for name, value in numbers.items() if name not in ("F_0", "Omega")})
     Omega, A, _ = at
@@ -118,60 +121,60 @@ def beside(mechanism, kind, at, numbers):
 @pytest.mark.parametrize("force", ["force", "inertia"])
 @pytest.mark.parametrize("kind", sensitivities.ANSWERS)
 def test_one_rule_solves_the_conditions_of_every_answer(kind, force):
-    """At points drawn, which are no answers: what vanishes at one is taken away."""
+    """At random points, which are no answers: the residuals of the conditions are subtracted."""
     names, pinned = f"{sensitivities.AT} {sensitivities.CAUSES}", Pinned[kind.upper()]
     at = drawn.points(random.Random(kind + force), names, fewer(6, 3))
     Omega, A, F_0, *x = np.array(at).T
-    told = A, Omega, F_0, float(pinned), float(force == "inertia"), *x[6:10], *x[:6], *x[10:]
-    moved = SOLVER.moved(np.stack(np.broadcast_arrays(*told), axis=-1))
-    assert moved[:, 5].all()
+    known = A, Omega, F_0, float(pinned), float(force == "inertia"), *x[6:10], *x[:6], *x[10:]
+    solved = SOLVER.moved(np.stack(np.broadcast_arrays(*known), axis=-1))
+    assert solved[:, 5].all()
     for k, point in enumerate(at):
-        row = drawn.entry(sensitivities.moves(kind, force), point)
-        for value, exact, scale in zip(moved[k, [0, 3, 4]], row["is"], row["scale"], strict=True):
+        row = drawn.entry(sensitivities.implicit(kind, force), point)
+        for value, exact, scale in zip(solved[k, [0, 3, 4]], row["is"], row["scale"], strict=True):
             assert abs(mp.mpf(value) - mp.mpf(exact)) <= 8 * 2**-53 * mp.mpf(scale)
 
 
 ROW = {"Omega": 0, "A": 1, "F_0": 2, "F_SN": 2, "Omega_cr": 0, "u_cr": 1, "F_cr": 2}
 
 
-def check(of, kind, moves, at, entry=()):
+def check(of, kind, gradient, at, entry=()):
     """Every slope that Newton's method knows, against a quotient of certified answers; relative to all p dx/dp."""
     mechanism = of.model.mechanism.name
-    given = {"F_0": at[2] or 1.0, "Omega": at[0]}
-    numbers = {name: Fraction(given.get(name) or getattr(of, name)) for name in moves.by}
+    query = {"F_0": at[2] or 1.0, "Omega": at[0]}
+    numbers = {name: Fraction(query.get(name) or getattr(of, name)) for name in gradient.by}
     if "F_0" not in numbers:
         numbers["F_0"] = Fraction(1)
-    rows = [x for x in moves.of if x in ROW]
-    for by in moves.by:
+    rows = [x for x in gradient.of if x in ROW]
+    for by in gradient.by:
         ends = []
         for sign in (1, -1):
-            ends.append(beside(mechanism, kind, at, {**numbers, by: numbers[by] * (1 + sign * STEP)}))
+            ends.append(perturbed(mechanism, kind, at, {**numbers, by: numbers[by] * (1 + sign * STEP)}))
         for x in rows:
             one, other = (end[ROW[x]] for end in ends)
             width = 2 * STEP * numbers[by]
             certified = float((one - other) * width.denominator / width.numerator)
             # all that the parameters can do to it, over this one
-            most = sum(abs(moves[x, p][entry] * float(numbers[p])) for p in moves.by) / abs(float(numbers[by]))
-            assert abs(moves[x, by][entry] - certified) < 1e-12 * most, (of, kind, x, by)
+            most = sum(abs(gradient[x, p][entry] * float(numbers[p])) for p in gradient.by) / abs(float(numbers[by]))
+            assert abs(gradient[x, by][entry] - certified) < 1e-12 * most, (of, kind, x, by)
 
 
 @pytest.mark.slow
 def test_slopes_are_those_of_certified_answers_at_forty_digits():
     for of in random_oscillators(2):
         folds = of.saddle_nodes(F_0)
-        moves = folds.gradient()
+        gradient = folds.gradient()
         for k, fold in enumerate(folds):
-            check(of, "fold", moves, (fold.Omega, fold.A, F_0), k)
+            check(of, "fold", gradient, (fold.Omega, fold.A, F_0), k)
         states = of.amplitudes(Omega=0.95, F_0=F_0)
-        moves = states.gradient()
+        gradient = states.gradient()
         for k, state in enumerate(states):
-            check(of, "state", moves, (state.Omega, state.A, F_0), k)
+            check(of, "state", gradient, (state.Omega, state.A, F_0), k)
         peak = of.peak(F_0)
         check(of, "peak", peak.gradient(), (peak.Omega, peak.A, F_0))
         for kind, points in (("cusp", of.cusps(A_max=1.0)), ("isola", of.isola_points(A_max=1.0))):
-            moves = points.gradient()
+            gradient = points.gradient()
             for k, point in enumerate(points):
-                check(of, kind, moves, (point.Omega, point.A, None), k)
+                check(of, kind, gradient, (point.Omega, point.A, None), k)
         onset, detachment = of.saddle_node_onset(), of.detachment()
         points = {"cusp": of.cusps(A_max=1.0), "isola": of.isola_points(A_max=1.0)}.get(onset.kind)
         if points is not None:
@@ -189,9 +192,9 @@ def test_a_fold_on_a_breakpoint_moves_with_it():
                 of, at = of_record(case), forcing["F_0"][1]
                 folds = of.saddle_nodes(at)
                 (k,) = np.flatnonzero(folds.corner)
-                moves = folds.gradient()
-                check(of, "corner", moves, (folds.Omega[k], folds.A[k], at), k)
-                assert moves["A", "delta_h"][k] == of.detachment().gradient()["u_cr", "delta_h"]
+                gradient = folds.gradient()
+                check(of, "corner", gradient, (folds.Omega[k], folds.A[k], at), k)
+                assert gradient["A", "delta_h"][k] == of.detachment().gradient()["u_cr", "delta_h"]
                 tried += 1
     assert tried == 4
 
@@ -215,16 +218,16 @@ def isolated(Omega, A, numbers):
     ],
 )
 def test_where_isolation_begins_moves_as_a_root_at_forty_digits(excitation, laws, F_0):
-    """And in a batch as alone."""
-    given = {"alpha": 1.0, "beta": 0.5, "mu": 0.004, "zeta": 0.12, **laws}
-    found = Duffing(**given, excitation=excitation).isolation(F_0)
-    moves = found.gradient()
-    assert not found.at_fold and not moves.message and set(moves.by) >= {*given, "F_0"}
+    """In a batch as singly."""
+    parameters = {"alpha": 1.0, "beta": 0.5, "mu": 0.004, "zeta": 0.12, **laws}
+    found = Duffing(**parameters, excitation=excitation).isolation(F_0)
+    gradient = found.gradient()
+    assert not found.at_fold and not gradient.message and set(gradient.by) >= {*parameters, "F_0"}
     with mp.workdps(50):
         numbers = {"eta": 0, "c_2": 0, "power": 0 if excitation == "force" else 2}
-        numbers = {name: mp.mpf(value) for name, value in {**numbers, **given, "F_0": F_0}.items()}
+        numbers = {name: mp.mpf(value) for name, value in {**numbers, **parameters, "F_0": F_0}.items()}
         step = mp.mpf(10) ** -16
-        for by in moves.by:
+        for by in gradient.by:
             high, low = (
                 mp.findroot(
                     lambda *x, by=by, sign=sign: isolated(*x, {**numbers, by: numbers[by] + sign * step}),
@@ -234,31 +237,31 @@ def test_where_isolation_begins_moves_as_a_root_at_forty_digits(excitation, laws
                 for sign in (1, -1)
             )
             for of, slope in zip(("Omega", "A"), (high - low) / (2 * step), strict=True):
-                assert moves[of, by] == pytest.approx(float(slope), rel=1e-11), (of, by)
-    many = Duffing.many(**{**given, "zeta": [-1.0, given["zeta"]]}, excitation=excitation).isolation(F_0)
+                assert gradient[of, by] == pytest.approx(float(slope), rel=1e-11), (of, by)
+    many = Duffing.many(**{**parameters, "zeta": [-1.0, parameters["zeta"]]}, excitation=excitation).isolation(F_0)
     together = many.gradient()
-    assert together.by == moves.by and together.status.tolist() == [MovesStatus.NOTHING, MovesStatus.OK]
-    np.testing.assert_allclose(together.slopes[1], moves.slopes, rtol=1e-9)
+    assert together.by == gradient.by and together.status.tolist() == [MovesStatus.NOTHING, MovesStatus.OK]
+    np.testing.assert_allclose(together.slopes[1], gradient.slopes, rtol=1e-9)
 
 
 def test_isolation_that_begins_at_a_fold_moves_as_that():
     iso = Isolator(lam=3, r=2, delta_h=0.1, mu=0.012, zeta=0.02)
     found = iso.isolation(F_0)
     assert found.at_fold
-    moves = found.gradient()
+    gradient = found.gradient()
     (k,) = np.flatnonzero(iso.saddle_nodes(F_0).Omega == found.Omega)
-    np.testing.assert_array_equal(moves.slopes, iso.saddle_nodes(F_0).gradient().slopes[k])
-    check(iso, "fold", moves, (found.Omega, found.A, F_0))
+    np.testing.assert_array_equal(gradient.slopes, iso.saddle_nodes(F_0).gradient().slopes[k])
+    check(iso, "fold", gradient, (found.Omega, found.A, F_0))
 
 
 # ---- by what scaling says
 
 
-def scaled(moves, powers):
+def scaled(gradient, powers):
     """sum of n p dx/dp over the parameters p with powers n, less n x, for each number x; over its condition."""
     rows = []
-    for x, value in zip(moves.of, moves._values, strict=True):
-        terms = [powers.get(p, 0) * at * moves[x, p] for p, at in zip(moves.by, moves._at, strict=True)]
+    for x, value in zip(gradient.of, gradient._values, strict=True):
+        terms = [powers.get(p, 0) * at * gradient[x, p] for p, at in zip(gradient.by, gradient._at, strict=True)]
         size = sum(map(abs, terms)) + abs(np.asarray(value))
         rows.append((sum(terms) - powers.get(x, 0) * np.asarray(value)) / size)
     return np.array(rows)
@@ -287,23 +290,25 @@ def test_gradients_hold_what_other_units_of_length_and_time_say(excitation, coun
             if excitation == "force":
                 answers.append(of.isolation(forcing))
         for answer in answers:
-            moves = answer.gradient()
-            assert moves.message == ""
+            gradient = answer.gradient()
+            assert gradient.message == ""
             for powers in (LENGTH, FREQUENCY if excitation == "force" else OF_BASE):
-                found = scaled(moves, powers)
+                found = scaled(gradient, powers)
                 assert np.all(np.abs(found) < 1e-11)
                 tried += found.size
     assert tried > 60 * count
 
 
 def test_shared_stiffness_moves_an_answer_by_its_product():
-    """The force holds lam r alone."""
+    """The force depends on the product lam r only."""
     for of in random_oscillators(2):
         if isinstance(of, Isolator):
             for answer in (of.saddle_nodes(F_0), of.saddle_node_onset(), of.detachment(), of.peak(F_0)):
-                moves = answer.gradient()
-                for x in moves.of:
-                    np.testing.assert_allclose(of.lam * moves[x, "lam"], of.r * moves[x, "r"], rtol=1e-13, atol=1e-15)
+                gradient = answer.gradient()
+                for x in gradient.of:
+                    np.testing.assert_allclose(
+                        of.lam * gradient[x, "lam"], of.r * gradient[x, "r"], rtol=1e-13, atol=1e-15
+                    )
 
 
 # ---- many designs
@@ -320,10 +325,10 @@ def test_what_meets_another_answer_has_no_gradient_and_says_so():
     assert np.all(folds.status == MovesStatus.MEETS)
     assert np.isnan(folds.slopes).all()
     assert "meets another answer" in folds.message
-    moves = curve.gradient()
+    gradient = curve.gradient()
     at_folds = np.isin(curve.A, iso.saddle_nodes(F_0).A)
     assert at_folds.sum() == 2
-    assert np.all(moves.status[at_folds] == MovesStatus.MEETS)
+    assert np.all(gradient.status[at_folds] == MovesStatus.MEETS)
 
 
 def test_answer_at_a_breakpoint_turns_where_the_force_jumps():
@@ -337,16 +342,16 @@ def test_answer_at_a_breakpoint_turns_where_the_force_jumps():
 
 
 def test_no_answer_has_no_gradient_and_says_so():
-    moves = Isolator(lam=3, r=2, delta_h=0.1, mu=0.012, zeta=0.02).peak(0.001).gradient()
-    assert moves.status == MovesStatus.NOTHING
-    assert "no answer" in moves.message
-    assert np.isnan(moves["A", "zeta"])
+    gradient = Isolator(lam=3, r=2, delta_h=0.1, mu=0.012, zeta=0.02).peak(0.001).gradient()
+    assert gradient.status == MovesStatus.NOTHING
+    assert "no answer" in gradient.message
+    assert np.isnan(gradient["A", "zeta"])
 
 
 def test_infinite_slope_at_the_end_of_a_domain_is_said():
     """u_cr grows like the root of the preload."""
-    moves = Isolator.many(lam=3, r=[2.0], delta_h=0.0, mu=0.012, zeta=0.02).peak(F_0).gradient()
-    assert moves.status == [MovesStatus.BOUNDLESS]
+    gradient = Isolator.many(lam=3, r=[2.0], delta_h=0.0, mu=0.012, zeta=0.02).peak(F_0).gradient()
+    assert gradient.status == [MovesStatus.BOUNDLESS]
 
 
 def test_composed_answers_have_no_gradient_and_say_of_what():
@@ -360,9 +365,9 @@ def test_composed_answers_have_no_gradient_and_say_of_what():
 
 def test_a_forcing_of_zero_has_no_gradient_and_says_so():
     """Without friction and damping the backbone needs none; with either it does."""
-    moves = Isolator(lam=3, r=2, delta_h=0.1).detachment().gradient()
-    assert moves.status == MovesStatus.BOUNDLESS
-    assert "a forcing is 0" in moves.message
+    gradient = Isolator(lam=3, r=2, delta_h=0.1).detachment().gradient()
+    assert gradient.status == MovesStatus.BOUNDLESS
+    assert "a forcing is 0" in gradient.message
 
 
 def test_fold_next_to_a_breakpoint_keeps_no_spoilt_gradient():
@@ -382,27 +387,27 @@ def test_other_approximations_have_no_gradient_of_averaging():
 
 
 def test_a_gradient_is_an_answer_like_others():
-    moves = example.isolator().saddle_nodes(F_0).gradient()
-    assert pickle.loads(pickle.dumps(moves)) == moves
-    assert moves.by == ("lam", "r", "delta_h", "mu", "zeta", "F_0")
-    np.testing.assert_array_equal(moves["A"][:, 2], moves["A", "delta_h"])
+    gradient = example.isolator().saddle_nodes(F_0).gradient()
+    assert pickle.loads(pickle.dumps(gradient)) == gradient
+    assert gradient.by == ("lam", "r", "delta_h", "mu", "zeta", "F_0")
+    np.testing.assert_array_equal(gradient["A"][:, 2], gradient["A", "delta_h"])
     with pytest.raises(ValueError, match="read-only"):
-        moves.slopes[0] = 0
+        gradient.slopes[0] = 0
     with pytest.raises(KeyError, match="the numbers are Omega, A"):
-        moves["phi"]
+        gradient["phi"]
 
 
 def test_a_gradient_is_read_row_by_row_and_is_a_table():
     """A slope for each number and each parameter; of an answer with several entries that of each, in rows too."""
     folds = example.isolator().saddle_nodes(0.04)
-    moves = folds.gradient()
-    rows = list(moves)
-    assert len(rows) == len(moves) == len(moves.of) * len(moves.by)
-    assert all(np.array_equal(row.slope, moves[row.of, row.by]) for row in rows)
-    columns = moves.columns()
+    gradient = folds.gradient()
+    rows = list(gradient)
+    assert len(rows) == len(gradient) == len(gradient.of) * len(gradient.by)
+    assert all(np.array_equal(row.slope, gradient[row.of, row.by]) for row in rows)
+    columns = gradient.columns()
     for entry, of, by, slope in zip(*(columns[name].tolist() for name in ("entry", "of", "by", "slope")), strict=True):
-        assert slope == moves[of, by][entry]
-    assert len(columns["slope"]) == len(folds) * len(moves)
+        assert slope == gradient[of, by][entry]
+    assert len(columns["slope"]) == len(folds) * len(gradient)
     single = example.isolator().saddle_node_onset().gradient()
     assert list(single.columns()) == ["of", "by", "slope"] and str(single).splitlines()[1].split()[:2] == [
         "F_SN",

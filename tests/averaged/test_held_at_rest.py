@@ -46,19 +46,19 @@ def slips(force: float, Omega: float, mu: float, alpha: float, zeta: float, *, t
 def test_friction_holds_the_mass_up_to_the_break_loose_force(excitation):
     mu, zeta, alpha, Omega = 0.01, 0.05, 1.0, 0.8
     iso = Duffing(alpha, 0.0, mu=mu, zeta=zeta, excitation=excitation)
-    for share in (0.5, 0.999, 1.02, 1.2, 1.5):
-        F_0 = share * mu / (Omega**2 if excitation != "force" else 1.0)
-        moved = slips(share * mu, Omega, mu, alpha, zeta)
-        assert (moved == 0) == (share < 1)
+    for ratio in (0.5, 0.999, 1.02, 1.2, 1.5):
+        F_0 = ratio * mu / (Omega**2 if excitation != "force" else 1.0)
+        slip = slips(ratio * mu, Omega, mu, alpha, zeta)
+        assert (slip == 0) == (ratio < 1)
         found = iso.steady_state(Omega=Omega, F_0=F_0)
-        assert (found.A == 0) == (moved == 0) and found.stable
+        assert (found.A == 0) == (slip == 0) and found.stable
         sweep = iso.sweep(Omega=[Omega, Omega * 0.999], F_0=F_0)
         assert sweep.A[0] == found.A and sweep.settled.all()
         # averaging has it at rest up to 4 mu/pi, and says so where it is not
         states = iso.amplitudes(Omega=Omega, F_0=F_0)
-        assert (states.A[0] == 0) == (share < 4 / math.pi)
-        assert ("by the equation of motion" in states.message) == (1 < share < 4 / math.pi)
-        if share < 1:
+        assert (states.A[0] == 0) == (ratio < 4 / math.pi)
+        assert ("by the equation of motion" in states.message) == (1 < ratio < 4 / math.pi)
+        if ratio < 1:
             assert states.transmissibility.tolist() == [1.0] and states.stable.all()
             assert np.array(found.transmitted()[:2]) == pytest.approx([1.0, 1.0], rel=1e-12)
             assert states.measure().A.tolist() == [0.0] and states.measure().error.tolist() == [0.0]
@@ -118,31 +118,31 @@ def test_curve_of_a_held_mass_has_no_point_and_says_why(excitation, load):
 
 
 def test_curve_begun_in_static_friction_has_no_point():
-    """At 0.03 kinetic friction of 0.02 would let a mass move that static friction of 0.05 holds."""
+    """At F_0 = 0.03 the mass would slip under kinetic friction 0.02 but sticks under static friction 0.05."""
     iso = Duffing(1.0, 0.3, mu=0.02, mu_s=0.05, zeta=0.02)
-    held, moving = iso.steady_state(Omega=0.9, F_0=0.03), iso.steady_state(Omega=0.9, F_0=0.03, A=0.3)
-    for start in (None, held):
+    sticking, moving = iso.steady_state(Omega=0.9, F_0=0.03), iso.steady_state(Omega=0.9, F_0=0.03, A=0.3)
+    for start in (None, sticking):
         curve = iso.exact_response(0.03, Omega=(0.8, 1.2), start=start)
         assert len(curve) == 0 and "does not exceed mu_s = 0.05" in curve.message
-    beside = iso.exact_response(0.03, Omega=(0.85, 0.95), start=moving)
-    assert np.interp(0.9, beside.Omega, beside.A) == pytest.approx(moving.A, rel=1e-3)
+    curve_of_moving = iso.exact_response(0.03, Omega=(0.85, 0.95), start=moving)
+    assert np.interp(0.9, curve_of_moving.Omega, curve_of_moving.A) == pytest.approx(moving.A, rel=1e-3)
 
 
 @pytest.mark.parametrize(("excitation", "F_0", "low"), [("force", 0.02, 0.79), ("base", 0.03, 0.6)])
 def test_second_approximation_has_the_masses_at_rest(excitation, F_0, low):
-    """At rest there are no harmonics: what is passed on is what drives the mass."""
+    """At rest there are no harmonics: the transmissibility is 1."""
     Omega = np.array([0.9, low, 1.1])
-    rests = 0
+    static = 0
     for one in (0.01, 0.03):
         iso = Duffing(1.0, 0.3, mu=one, zeta=0.05, excitation=excitation)
         first = iso.amplitudes(Omega=Omega, F_0=F_0)
         found = iso.second_approximation.amplitudes(Omega=Omega, F_0=F_0)
         assert found.Omega.tolist() == first.Omega.tolist() and (found.A == 0).tolist() == (first.A == 0).tolist()
         rest = found.A == 0
-        rests += rest.sum()
+        static += rest.sum()
         assert not found.A_1[rest].any() and found.stable[rest].all() and (found.transmissibility[rest] == 1).all()
         assert np.array_equal(found.phi[rest], first.phi[rest])
         assert np.array([column[rest] for column in found.transmitted()]).T == pytest.approx(
             np.tile([1.0, 1.0, math.sqrt(0.5)], (rest.sum(), 1)), rel=1e-15
         )
-    assert rests >= 3
+    assert static >= 3

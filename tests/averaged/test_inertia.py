@@ -42,7 +42,7 @@ def test_beside_a_kink_the_number_of_folds_is_known(name, numbers, compile):
 
 
 def test_cusps_are_those_of_a_force_at_the_certified_level():
-    asked = 0
+    compared = 0
     for case in CASES:
         osc, known = on_a_base(case, False), case["cusps"]
         A_max = 1.1 * max([float(cusp["A"]) for cusp in known] or [1.0])
@@ -52,9 +52,9 @@ def test_cusps_are_those_of_a_force_at_the_certified_level():
         order = np.argsort(found.F_0)
         assert found.minimum[order].tolist() == [cusp["sense"] == "min" for cusp in known]
         for k, cusp in zip(order, known, strict=True):
-            asked += 1
+            compared += 1
             assert found.F_0[k] == pytest.approx(float(cusp["F_0"]), rel=CUSP)
-    assert asked > 30
+    assert compared > 30
 
 
 def test_an_onset_is_where_folds_come():
@@ -104,8 +104,8 @@ def test_a_locus_that_begins_at_rest_has_no_folds_there(zeta):
 
     One of its branches stays at R = 0 but for damping; on the other Omega^2 = -h_A, so that R = h - A h_A.
     """
-    given = {"lam": 3, "r": 4.56e-4, "delta_h": 0.2, "mu": 0, "zeta": zeta, "force": "untruncated"}
-    F_0, one = 1.1e-16, Isolator(**given, excitation="base")
+    parameters = {"lam": 3, "r": 4.56e-4, "delta_h": 0.2, "mu": 0, "zeta": zeta, "force": "untruncated"}
+    F_0, one = 1.1e-16, Isolator(**parameters, excitation="base")
     folds = one.saddle_nodes(F_0)
     within = folds.A < one.model.reach
     assert folds.kind[within].tolist() == ["jump-up"]
@@ -143,9 +143,9 @@ def test_curve_holds_the_level_and_ends_where_it_must():
     off = iso.model.level(curve.Omega, curve.A) / 0.03 - 1
     assert np.abs(off).max() < 1e-12
     assert curve.isola == (False,)
-    said = iso.amplitudes(Omega=[0.4, 2.0], F_0=0.03)
-    assert said.Omega.tolist() == [0.4, 2.0] and said.A[0] == 0
-    assert "sticks up to Omega = " in said.message
+    states = iso.amplitudes(Omega=[0.4, 2.0], F_0=0.03)
+    assert states.Omega.tolist() == [0.4, 2.0] and states.A[0] == 0
+    assert "sticks up to Omega = " in states.message
 
 
 def test_detachment_is_the_least_amplitude_that_reaches_u_cr():
@@ -254,8 +254,8 @@ def test_sweep_jumps_at_exact_folds_and_rests_when_held():
     for found in (rising, falling):
         assert ((found.A < 2e-4) == (found.Omega < 1.02 * math.sqrt(iso.mu / Y))).all()
         assert found.settled.all()
-    held = rising.Omega <= math.sqrt(iso.mu / Y)
-    assert (rising.A[held] == 0).all()
+    sticking = rising.Omega <= math.sqrt(iso.mu / Y)
+    assert (rising.A[sticking] == 0).all()
     assert iso.sweep(Omega=[0.3, 0.4], F_0=Y).A.tolist() == [0.0, 0.0]
 
 
@@ -265,8 +265,8 @@ def test_an_exact_curve_begins_where_the_base_moves_the_mass():
     assert curve.message.startswith("at this F_0 friction holds the mass up to Omega = 0.4899")
     assert curve.A[0] < 1e-3
     assert (curve.stops[:5] == 2).all()
-    held = iso.exact_response(0.05, Omega=(0.3, 0.45))
-    assert len(held) == 0 and "friction holds the mass" in held.message
+    sticking = iso.exact_response(0.05, Omega=(0.3, 0.45))
+    assert len(sticking) == 0 and "friction holds the mass" in sticking.message
 
 
 def test_shock_does_not_depend_on_the_other_excitation():
@@ -331,9 +331,9 @@ def test_margins_and_isolation_on_a_base_are_those_of_states():
     rng, kinds = np.random.default_rng(3), set()
     Omega = np.geomspace(0.1, 50.0, 400)
     for _ in range(60):
-        given = {"lam": 3.0, "r": rng.uniform(0.5, 3), "delta_h": rng.uniform(0.01, 0.15)}
-        given |= {"mu": rng.choice([0, 0.003, 0.01]), "zeta": rng.uniform(0.03, 0.85) ** 1.5}
-        one, Y = Isolator(**given, excitation="base"), 10 ** rng.uniform(-2.3, 0)
+        parameters = {"lam": 3.0, "r": rng.uniform(0.5, 3), "delta_h": rng.uniform(0.01, 0.15)}
+        parameters |= {"mu": rng.choice([0, 0.003, 0.01]), "zeta": rng.uniform(0.03, 0.85) ** 1.5}
+        one, Y = Isolator(**parameters, excitation="base"), 10 ** rng.uniform(-2.3, 0)
         margins, begins, states = one.margins(Y), one.isolation(Y), one.amplitudes(Omega=Omega, F_0=Y)
         kinds.add((margins.detaches, one.peak(Y).A is None))
         # a sharp peak may pass between these frequencies
@@ -349,13 +349,13 @@ def test_margins_and_isolation_on_a_base_are_those_of_states():
 def test_a_map_over_named_axes_keeps_the_excitation():
     xarray = pytest.importorskip("xarray")
     zeta = xarray.DataArray([0.02, 0.05, 0.0], dims="zeta")
-    given = {**example.TABLE_1, "zeta": zeta}
-    found = Isolator.many(**given, excitation="base").saddle_node_onset()
-    plain = Isolator.many(**{**given, "zeta": zeta.values}, excitation="base").saddle_node_onset()
+    parameters = {**example.TABLE_1, "zeta": zeta}
+    found = Isolator.many(**parameters, excitation="base").saddle_node_onset()
+    plain = Isolator.many(**{**parameters, "zeta": zeta.values}, excitation="base").saddle_node_onset()
     assert np.array_equal(found.F_SN.values, plain.F_SN, equal_nan=True)
     assert found.attrs["excitation"] == "base"
     with pytest.raises(ValueError, match="certify is not available with excitation = 'base'"):
-        Isolator.many(**given, excitation="base").certify(0.03)
+        Isolator.many(**parameters, excitation="base").certify(0.03)
 
 
 def test_isolation_begins_where_a_motion_last_transmits_all():

@@ -69,12 +69,12 @@ def test_zeros_of_many_functions_are_those_of_scipy_to_the_bit():
 
 
 def test_fold_below_the_frequency_hides_no_crossing():
-    """The truncation makes it: the branch goes on, from a fold that is not stable to a point that transmits less."""
-    given = {"lam": 1, "r": 3.429915195234352, "delta_h": 0.007162401664523088}
-    given |= {"mu": 0.001103126706865959, "zeta": 0.004221581988793708}
+    """An effect of the truncation: the branch continues from an unstable fold to a point that transmits less."""
+    parameters = {"lam": 1, "r": 3.429915195234352, "delta_h": 0.007162401664523088}
+    parameters |= {"mu": 0.001103126706865959, "zeta": 0.004221581988793708}
     F_0, level_dB = 0.16455221143994167, -3.0
-    one = Isolator(**given)
-    many = Isolator.many(**given).isolation(F_0, level_dB=level_dB)
+    one = Isolator(**parameters)
+    many = Isolator.many(**parameters).isolation(F_0, level_dB=level_dB)
     assert not many.at_fold and max(one.saddle_nodes(F_0).Omega) < many.Omega
     assert passed(one, float(many.Omega), F_0) == pytest.approx(level_dB, abs=1e-9)
     assert many.Omega == pytest.approx(one.isolation(F_0, level_dB).Omega, rel=1e-13)
@@ -126,14 +126,16 @@ def test_a_lower_level_never_begins_earlier(seed, levels):
 def test_many_designs_at_many_levels_are_those_of_each(excitation, laws):
     rng = np.random.default_rng(5)
     n = fewer(40, 4)
-    given = {"alpha": rng.uniform(0.1, 2, n), "beta": rng.uniform(-0.3, 2, n), "mu": 10 ** rng.uniform(-5, -2, n)}
-    given["zeta"] = 10 ** rng.uniform(-2, 0, n)
+    parameters = {"alpha": rng.uniform(0.1, 2, n), "beta": rng.uniform(-0.3, 2, n), "mu": 10 ** rng.uniform(-5, -2, n)}
+    parameters["zeta"] = 10 ** rng.uniform(-2, 0, n)
     F_0, levels = 10 ** rng.uniform(-2, -0.5, n), np.array([[0.0], [-7.0], [-21.0], [-70.0]])
-    many = Duffing.many(**given, **laws, excitation=excitation).isolation(F_0, level_dB=levels)
+    many = Duffing.many(**parameters, **laws, excitation=excitation).isolation(F_0, level_dB=levels)
     assert many.Omega.shape == (4, n) and many.asked["level_dB"] is levels
     for row, level_dB in enumerate(levels[:, 0].tolist()):
         for k in range(n):
-            one = Duffing(**{name: float(value[k]) for name, value in given.items()}, **laws, excitation=excitation)
+            one = Duffing(
+                **{name: float(value[k]) for name, value in parameters.items()}, **laws, excitation=excitation
+            )
             try:
                 single = one.isolation(float(F_0[k]), level_dB)
             except ArithmeticError:
@@ -148,24 +150,24 @@ def test_many_designs_at_many_levels_are_those_of_each(excitation, laws):
 
 
 def test_what_friction_passes_on_at_any_frequency_is_told():
-    given, F_0 = {"alpha": 1.0, "beta": 0.5, "mu": 0.01, "zeta": 0.05}, 0.1
+    parameters, F_0 = {"alpha": 1.0, "beta": 0.5, "mu": 0.01, "zeta": 0.05}, 0.1
     floor = 20 * math.log10(4 * 0.01 / (math.pi * F_0))
-    found = Duffing(**given).isolation(F_0, floor - 0.01)
+    found = Duffing(**parameters).isolation(F_0, floor - 0.01)
     assert found.Omega is None and f"friction passes on {floor:.4g} dB" in found.message
-    assert Duffing(**given).isolation(F_0, floor + 0.01).Omega > 10
-    many = Duffing.many(**given).isolation(F_0, level_dB=[floor - 0.01, floor + 0.01, math.nan, 1.0])
+    assert Duffing(**parameters).isolation(F_0, floor + 0.01).Omega > 10
+    many = Duffing.many(**parameters).isolation(F_0, level_dB=[floor - 0.01, floor + 0.01, math.nan, 1.0])
     assert many.status.tolist() == [Status.NONE, Status.OK, Status.INVALID, Status.INVALID]
-    stuck = Duffing(**given).isolation(0.01, -20.0)
+    stuck = Duffing(**parameters).isolation(0.01, -20.0)
     assert stuck.Omega is None and "sticks" in stuck.message
 
 
 def test_quadratic_damping_transmits_a_share_at_any_frequency():
-    given = {"alpha": 1.0, "beta": 0.0, "zeta": 0.05, "c_2": 0.5, "excitation": "base"}
-    shaken = Duffing(**given)
+    parameters = {"alpha": 1.0, "beta": 0.0, "zeta": 0.05, "c_2": 0.5, "excitation": "base"}
+    shaken = Duffing(**parameters)
     floor = 20 * math.log10(shaken.transmissibility_floor(0.2))
     assert "quadratic damping passes on" in shaken.isolation(0.2, floor - 0.1).message
     assert shaken.isolation(0.2, floor + 1.0).Omega > shaken.isolation(0.2).Omega
-    many = Duffing.many(**given).isolation(0.2, level_dB=[floor - 0.1, floor + 1.0])
+    many = Duffing.many(**parameters).isolation(0.2, level_dB=[floor - 0.1, floor + 1.0])
     assert many.status.tolist() == [Status.NONE, Status.OK]
 
 
@@ -178,15 +180,15 @@ def test_a_level_above_0_dB_is_refused(level_dB):
 @pytest.mark.parametrize("excitation", ["force", "base"])
 @pytest.mark.parametrize("level_dB", [-6.0, -20.0])
 def test_it_moves_with_the_parameters_as_differences_say(level_dB, excitation):
-    given, F_0 = {"alpha": 0.8, "beta": 0.6, "mu": 1e-3, "zeta": 0.08}, 0.05
+    parameters, F_0 = {"alpha": 0.8, "beta": 0.6, "mu": 1e-3, "zeta": 0.08}, 0.05
 
-    def begins(F_0, **given):
-        return Duffing(**given, excitation=excitation).isolation(F_0, level_dB)
+    def begins(F_0, **values):
+        return Duffing(**values, excitation=excitation).isolation(F_0, level_dB)
 
-    numbers = {**given, "F_0": F_0}
+    numbers = {**parameters, "F_0": F_0}
     assert assert_slopes_are_differences(begins, numbers, {"isolation": lambda found: found}, numbers)
     gradient = begins(**numbers).gradient()
-    many = Duffing.many(**given, excitation=excitation).isolation(F_0, level_dB=[level_dB]).gradient()
+    many = Duffing.many(**parameters, excitation=excitation).isolation(F_0, level_dB=[level_dB]).gradient()
     for name in numbers:
         for of in ("Omega", "A"):
             assert many[of, name][0] == pytest.approx(gradient[of, name], rel=1e-9)
@@ -244,11 +246,13 @@ def transmitted(alpha: float, beta: float, zeta: float, F_0: float, Omega: float
 
 @pytest.mark.parametrize("level_dB", [-3.0, -20.0])
 def test_measured_it_is_where_an_integrator_finds_that_level(level_dB):
-    given, F_0 = {"alpha": 0.5, "beta": 0.5, "zeta": 0.15}, 0.2  # one motion at each frequency
-    found = Duffing(**given).isolation(F_0, level_dB)
+    parameters, F_0 = {"alpha": 0.5, "beta": 0.5, "zeta": 0.15}, 0.2  # one motion at each frequency
+    found = Duffing(**parameters).isolation(F_0, level_dB)
     peak, first = found.measure("peak"), found.measure("first")
-    assert 20 * math.log10(transmitted(**given, F_0=F_0, Omega=peak.Omega)[0]) == pytest.approx(level_dB, abs=1e-4)
-    assert 20 * math.log10(transmitted(**given, F_0=F_0, Omega=first.Omega)[1]) == pytest.approx(level_dB, abs=1e-4)
+    assert 20 * math.log10(transmitted(**parameters, F_0=F_0, Omega=peak.Omega)[0]) == pytest.approx(level_dB, abs=1e-4)
+    assert 20 * math.log10(transmitted(**parameters, F_0=F_0, Omega=first.Omega)[1]) == pytest.approx(
+        level_dB, abs=1e-4
+    )
     assert first.error == pytest.approx(found.Omega / first.Omega - 1, rel=1e-12)
     with pytest.raises(Refused, match="of = 'rms'"):
         found.measure("rms")

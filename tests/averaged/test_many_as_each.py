@@ -41,20 +41,20 @@ def duffings(draw, count):
 
 
 def spoilt(draw, count):
-    """Isolators of which some have no viscous damping, some no springs that touch, and one each is no design."""
-    given = isolators(draw, count)
-    given["zeta"][:3], given["delta_h"][3] = 0.0, 0.0
+    """Isolators: some without viscous damping, some without contact of the springs, some invalid."""
+    designs = isolators(draw, count)
+    designs["zeta"][:3], designs["delta_h"][3] = 0.0, 0.0
     for k, name in enumerate(("lam", "r", "mu", "zeta")):
-        given[name][4 + k] = -1.0
-    given["zeta"][8] = math.nan
-    return given
+        designs[name][4 + k] = -1.0
+    designs["zeta"][8] = math.nan
+    return designs
 
 
 def with_laws(draw, count):
     """Every law of damping, some without viscous."""
-    given = duffings(draw, count)
-    given["zeta"] *= draw.random(count) < 0.7
-    return given | {"eta": draw.uniform(0.001, 0.1, count), "c_2": draw.uniform(0, 0.3, count)}
+    designs = duffings(draw, count)
+    designs["zeta"] *= draw.random(count) < 0.7
+    return designs | {"eta": draw.uniform(0.001, 0.1, count), "c_2": draw.uniform(0, 0.3, count)}
 
 
 def rubbing(draw, count):
@@ -67,8 +67,8 @@ def loaded(of, most):
     def drawn(draw, count):
         load = draw.uniform(0.1, 1, count) * draw.choice([-1, 1], count) * most
         load[-3:] = math.nan, 0.0, 0.0
-        given = of(draw, count)
-        return {**given, "mu": 0.5 * given["mu"], "load": load}
+        designs = of(draw, count)
+        return {**designs, "mu": 0.5 * designs["mu"], "load": load}
 
     return drawn
 
@@ -77,9 +77,9 @@ def near(numbers, damping=(0.01, 0.03)):
     """Designs of a derived mechanism with about these numbers; the last one is none."""
 
     def drawn(draw, count):
-        given = {name: value * draw.uniform(0.9, 1.1, count) for name, value in numbers.items()}
-        given[next(iter(numbers))][-1] = -1.0
-        return given | {name: np.full(count, value) for name, value in zip(("mu", "zeta"), damping, strict=True)}
+        designs = {name: value * draw.uniform(0.9, 1.1, count) for name, value in numbers.items()}
+        designs[next(iter(numbers))][-1] = -1.0
+        return designs | {name: np.full(count, value) for name, value in zip(("mu", "zeta"), damping, strict=True)}
 
     return drawn
 
@@ -150,16 +150,16 @@ KINDS = {
 
 
 def drawn(kind, seed=7):
-    """Designs of a kind as arrays, what they have in common, and a forcing of each."""
+    """Designs of a kind as arrays, their common arguments, and a forcing for each."""
     make, draw, same, _, count = KINDS[kind]
     generator = np.random.default_rng(seed)
-    given = {name: value for name, value in draw(generator, count).items() if name not in same}
+    designs = {name: value for name, value in draw(generator, count).items() if name not in same}
     make = derived(make) if isinstance(make, str) else make
-    return make, given, same, 10.0 ** generator.uniform(-2, 0, count)
+    return make, designs, same, 10.0 ** generator.uniform(-2, 0, count)
 
 
 def of_single(answer, name, question):
-    """A number or an array of a single answer as the batch has it, None for what it has not."""
+    """A single answer's number or array in the batch's form; None if it has none."""
     if question == "certify":
         answer = answer.saddle_nodes
     value = getattr(answer, name, None)
@@ -169,11 +169,11 @@ def of_single(answer, name, question):
         return np.asarray(value)[answer.branch]
     if name == "kind" and question.endswith("saddle_nodes"):
         corners = answer.corner if hasattr(answer, "corner") else np.zeros(len(value), bool)
-        told = [
+        codes = [
             kind.upper().replace("-", "_") + "_AT_CORNER" * int(at) for kind, at in zip(value, corners, strict=True)
         ]
         # off the centre a fold may have no stable side
-        return np.array([FoldKind.__members__.get(one, FoldKind.EMPTY) for one in told])
+        return np.array([FoldKind.__members__.get(one, FoldKind.EMPTY) for one in codes])
     if name == "kind":
         return OnsetKind[value.upper() or "NO"]
     about_centre = getattr(answer, "load", 0.0) is None and name in ("A", "B", "u_max", "Omega_max")
@@ -183,8 +183,8 @@ def of_single(answer, name, question):
 
 
 def assert_is_that_of_each(found, singles, question):
-    """Columns, and remarks, where single answers have the like; where these are refused there is a status."""
-    told = columns(found)
+    """Assert that columns and remarks are those of the single answers, with a status where these are refused."""
+    batch_columns = columns(found)
     for k, single in enumerate(singles):
         status = np.atleast_1d(found.status[k])
         if isinstance(single, Exception):
@@ -197,11 +197,11 @@ def assert_is_that_of_each(found, singles, question):
             assert found.count[k] > found.fold_Omega.shape[-1]
             continue
         assert np.isin(status, (*ANSWERED, Status.STICKS)).all(), (k, status)
-        said = getattr(single, "_remarks", getattr(single, "remarks", None))
+        remarks = getattr(single, "_remarks", getattr(single, "remarks", None))
         # the second approximation has them in words
-        if said is not None and "." not in question:
-            np.testing.assert_array_equal(found.remarks[k], said, err_msg=f"{question} {k}: remarks")
-        for name, column in told.items():
+        if remarks is not None and "." not in question:
+            np.testing.assert_array_equal(found.remarks[k], remarks, err_msg=f"{question} {k}: remarks")
+        for name, column in batch_columns.items():
             value = of_single(single, name, question)
             if value is None or name == "status":
                 continue
@@ -227,10 +227,10 @@ NEAR = {
 }
 
 
-def asked_alone(make, given, same, F_0, question):
+def asked_alone(make, designs, same, F_0, question):
     for k in range(F_0.size):
         try:
-            one = make(**{name: float(value[k]) for name, value in given.items()}, **same)
+            one = make(**{name: float(value[k]) for name, value in designs.items()}, **same)
             yield ask(one, question, float(F_0[k]))
         except SlowflowError as refusal:
             yield refusal
@@ -239,7 +239,7 @@ def asked_alone(make, given, same, F_0, question):
 SLOW = pytest.mark.slow
 
 
-def asked(which, fast=tuple(KINDS)):
+def cases(which, fast=tuple(KINDS)):
     """Kinds and questions; those that take long are not among the fast tests."""
     return [
         pytest.param(kind, question, marks=() if kind in fast and of.count > FEW and of.draw is not spoilt else SLOW)
@@ -249,35 +249,35 @@ def asked(which, fast=tuple(KINDS)):
     ]
 
 
-@pytest.mark.parametrize(("kind", "question"), asked(lambda *_: True))
+@pytest.mark.parametrize(("kind", "question"), cases(lambda *_: True))
 def test_many_are_answered_as_each_alone(kind, question):
-    make, given, same, F_0 = drawn(kind)
+    make, designs, same, F_0 = drawn(kind)
     try:
-        found = ask(make.many(**given, **same), question, F_0)
+        found = ask(make.many(**designs, **same), question, F_0)
     except Refused as refusal:  # of all of them, as proofs by inertia
-        assert all(isinstance(one, ValueError) for one in asked_alone(make, given, same, F_0, question)), refusal
+        assert all(isinstance(one, ValueError) for one in asked_alone(make, designs, same, F_0, question)), refusal
         return
-    assert_is_that_of_each(found, asked_alone(make, given, same, F_0, question), question)
-    # what is said beside is that of other questions
+    assert_is_that_of_each(found, asked_alone(make, designs, same, F_0, question), question)
+    # further remarks are those of other questions
     if question == "frequency_response":
-        folds = make.many(**given, **same).saddle_nodes(F_0)
+        folds = make.many(**designs, **same).saddle_nodes(F_0)
         for name, column in zip(("fold_Omega", "fold_A", "fold_kind"), (folds.Omega, folds.A, folds.kind), strict=True):
             here = found.points > 0
             np.testing.assert_array_equal(getattr(found, name)[here], column[here])
     if question == "spectrum":
-        states = make.many(**{name: value[:, np.newaxis] for name, value in given.items()}, **same)
-        said = states.amplitudes(Omega=np.array(ROWS), F_0=F_0[:, np.newaxis]).remarks
-        np.testing.assert_array_equal(found.remarks, said)
+        states = make.many(**{name: value[:, np.newaxis] for name, value in designs.items()}, **same)
+        remarks = states.amplitudes(Omega=np.array(ROWS), F_0=F_0[:, np.newaxis]).remarks
+        np.testing.assert_array_equal(found.remarks, remarks)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", ["isolators", "isolators on a base", "loaded Duffing's"])
 def test_many_cross_folds_where_each_does(kind):
-    make, given, same, F_0 = drawn(kind)
+    make, designs, same, F_0 = drawn(kind)
     ways = np.random.default_rng(3).uniform(0.5, 2, (F_0.size, 5)) * F_0[:, np.newaxis]
-    found = make.many(**given, **same).spectrum(Omega=OVER, F_0=ways)
+    found = make.many(**designs, **same).spectrum(Omega=OVER, F_0=ways)
     for k in range(F_0.size):
-        numbers = {name: float(value[k]) for name, value in given.items()}
+        numbers = {name: float(value[k]) for name, value in designs.items()}
         if not any(map(math.isnan, numbers.values())):
             single = make(**numbers, **same).spectrum(Omega=OVER, F_0=ways[k])
             np.testing.assert_array_equal(found.crosses[k], single.crosses)
@@ -294,32 +294,34 @@ MOVING = (
 
 @pytest.mark.parametrize(
     ("kind", "question"),
-    asked(lambda question, of: question in MOVING[isinstance(of.make, str)] and of.draw is not spoilt, ("Duffing's",)),
+    cases(lambda question, of: question in MOVING[isinstance(of.make, str)] and of.draw is not spoilt, ("Duffing's",)),
 )
 def test_many_have_the_gradient_of_each_alone(kind, question):
-    make, given, same, F_0 = drawn(kind)
-    found = ask(make.many(**given, **same), question, F_0)
-    moved = found.gradient()
-    assert moved.slopes.shape == (*getattr(found, moved.of[0]).shape, len(moved.of), len(moved.by))
-    for k, single in enumerate(asked_alone(make, given, same, F_0, question)):
+    make, designs, same, F_0 = drawn(kind)
+    found = ask(make.many(**designs, **same), question, F_0)
+    gradient = found.gradient()
+    assert gradient.slopes.shape == (*getattr(found, gradient.of[0]).shape, len(gradient.of), len(gradient.by))
+    for k, single in enumerate(asked_alone(make, designs, same, F_0, question)):
         if isinstance(single, Exception) or np.isin(found.status[k], (Status.INVALID, Status.UNRESOLVED)).all():
-            assert (moved.status[k] == MovesStatus.NOTHING).all() and np.isnan(moved.slopes[k]).all()
+            assert (gradient.status[k] == MovesStatus.NOTHING).all() and np.isnan(gradient.slopes[k]).all()
             continue
-        if "load" in given and (single.load is None or np.all(found.status[k] == Status.STICKS)):
+        if "load" in designs and (single.load is None or np.all(found.status[k] == Status.STICKS)):
             continue  # about the centre nothing is moved by it, nor is a mass that friction holds
-        alone = single.gradient()
-        size = alone.status.size if alone.status.ndim else None
+        expected = single.gradient()
+        size = expected.status.size if expected.status.ndim else None
         near = 10 * NEAR.get(question, 0.0)
-        np.testing.assert_array_equal(moved.status[k, :size] if size is not None else moved.status[k], alone.status)
-        for name in alone.of:
+        np.testing.assert_array_equal(
+            gradient.status[k, :size] if size is not None else gradient.status[k], expected.status
+        )
+        for name in expected.of:
             for of_many, of_one, close in (
-                (moved[name], alone[name], near),
-                (moved.condition(name), alone.condition(name), near or 1e-13),
+                (gradient[name], expected[name], near),
+                (gradient.condition(name), expected.condition(name), near or 1e-13),
             ):
                 here = of_many[k, :size] if size is not None else of_many[k]
                 size_of = close * np.max(np.abs(np.nan_to_num(of_one)), initial=0.0) if near else 0.0
                 np.testing.assert_allclose(here, of_one, rtol=close, atol=size_of, err_msg=f"{question} {k}: {name}")
-        assert size is None or (moved.status[k, size:] == MovesStatus.NOTHING).all()
+        assert size is None or (gradient.status[k, size:] == MovesStatus.NOTHING).all()
 
 
 @pytest.mark.slow
@@ -327,14 +329,14 @@ def test_many_have_the_gradient_of_each_alone(kind, question):
 def test_folds_of_many_have_every_bit_of_single_ones(make):
     """Also next to where damping is so weak, or F_0 so small, that a block leaves them to the search of one design."""
     draw, n = np.random.default_rng(31), 1500
-    given = isolators(draw, n) if make is Isolator else duffings(draw, n)
-    given["zeta"] = 10.0 ** draw.uniform(-5, 0, n)
-    F_0 = 4 / np.pi * given["mu"] * (1 + 10.0 ** draw.uniform(-4, 1, n)) + 10.0 ** draw.uniform(-5, 0, n)
-    found = make.many(**given).saddle_nodes(F_0)
+    designs = isolators(draw, n) if make is Isolator else duffings(draw, n)
+    designs["zeta"] = 10.0 ** draw.uniform(-5, 0, n)
+    F_0 = 4 / np.pi * designs["mu"] * (1 + 10.0 ** draw.uniform(-4, 1, n)) + 10.0 ** draw.uniform(-5, 0, n)
+    found = make.many(**designs).saddle_nodes(F_0)
     for k in range(n):
-        one = make(**{name: float(value[k]) for name, value in given.items()}).saddle_nodes(float(F_0[k]))
-        told = zip(one.kind, one.corner, strict=True)
-        kinds = [FoldKind[kind.upper().replace("-", "_") + "_AT_CORNER" * int(at)] for kind, at in told]
+        one = make(**{name: float(value[k]) for name, value in designs.items()}).saddle_nodes(float(F_0[k]))
+        kinds_at = zip(one.kind, one.corner, strict=True)
+        kinds = [FoldKind[kind.upper().replace("-", "_") + "_AT_CORNER" * int(at)] for kind, at in kinds_at]
         assert found.count[k] == len(one), k
         np.testing.assert_array_equal(found.Omega[k, : len(one)], one.Omega)
         np.testing.assert_array_equal(found.A[k, : len(one)], one.A)

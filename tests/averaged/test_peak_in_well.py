@@ -89,8 +89,8 @@ def test_peaks_within_a_well_are_those_of_a_scan_and_of_a_batch(excitation):
     for k, (m, z, F) in enumerate(drawn):
         single = Duffing(1.0, -1.0, mu=m, zeta=z, excitation=excitation).peak(F)
         assert_is_scanned(single, scanned(cubic, 1.0, F, m, z, power=power))
-        told = (np.nan, Status.UNBOUNDED) if single.A is None else (single.A, Status.OK)
-        assert (peaks.A[k], peaks.status[k]) == pytest.approx(told, nan_ok=True, rel=1e-12)
+        expected = (np.nan, Status.UNBOUNDED) if single.A is None else (single.A, Status.OK)
+        assert (peaks.A[k], peaks.status[k]) == pytest.approx(expected, nan_ok=True, rel=1e-12)
         assert int(peaks.remarks[k]) == int(single.remarks)
     assert 0 < np.isnan(peaks.A).sum() < 20
 
@@ -109,9 +109,9 @@ def test_where_the_well_holds_no_top_there_is_none():
 @pytest.mark.parametrize(("damping", "F_0"), [({"eta": 0.1}, 0.05), ({"eta": 0.1}, 0.105), ({"c_2": 0.2}, 0.03)])
 def test_by_other_laws_of_damping_too(damping, F_0):
     """By structural damping alone the level rises with A up to where the average is 0, beyond the well's top."""
-    given = {"mu": 0.005, "zeta": 0.0, **damping}
-    assert_is_scanned(Duffing(1.0, -1.0, **given).peak(F_0), scanned(cubic, 1.0, F_0, **given))
-    assert_is_scanned(Duffing(1.0, -1.0, **given).peak(0.02), scanned(cubic, 1.0, 0.02, **given))
+    laws = {"mu": 0.005, "zeta": 0.0, **damping}
+    assert_is_scanned(Duffing(1.0, -1.0, **laws).peak(F_0), scanned(cubic, 1.0, F_0, **laws))
+    assert_is_scanned(Duffing(1.0, -1.0, **laws).peak(0.02), scanned(cubic, 1.0, 0.02, **laws))
 
 
 @pytest.mark.parametrize("compiled", [False, pytest.param(True, marks=pytest.mark.slow)])

@@ -148,15 +148,15 @@ def test_the_plan_of_a_peak_has_no_curve():
 def test_every_question_has_a_plan():
     """At each depth: whatever takes numbers and gives an answer."""
     iso = isolator()
-    asked = {name: 0.04 if name in plan.AT_ONE else None for name in plan.QUESTIONS}
-    for name, F_0 in asked.items():
+    questions = {name: 0.04 if name in plan.AT_ONE else None for name in plan.QUESTIONS}
+    for name, F_0 in questions.items():
         assert callable(getattr(iso, name))
         assert len(iso.explain(name, F_0).steps) >= 2 and iso.explain(name, F_0).question == name
-    # the rest proves, draws and says
-    beside = {"explain", "plot", "replace", "many", "restoring_force", "equation_of_motion"}
-    beside |= {"measured", "states", "curve", "folds", "onset", "closes", "at_centre"}
+    # the others prove, draw and describe
+    others = {"explain", "plot", "replace", "many", "restoring_force", "equation_of_motion"}
+    others |= {"measured", "states", "curve", "folds", "onset", "closes", "at_centre"}
     public = {name for name in dir(type(iso)) if not name.startswith("_") and callable(getattr(type(iso), name))}
-    assert public - beside - {"physical"} == set(asked)
+    assert public - others - {"physical"} == set(questions)
 
 
 #: questions that ask averaging for nothing

@@ -185,9 +185,9 @@ def test_states_beyond_the_well_have_no_exact_motion():
             continue
         chosen = (states.A > 1) & (states._model.stability(states.Omega, states.A) > 0)
         motions = states.measure()
-        held = chosen & motions.found & motions.stable
-        beyond, found = beyond + int(chosen.sum()), found + int(held.sum())
-        assert (states.A[held] < 1.02).all() and (motions.A[held] < 1).all()
+        stable = chosen & motions.found & motions.stable
+        beyond, found = beyond + int(chosen.sum()), found + int(stable.sum())
+        assert (states.A[stable] < 1.02).all() and (motions.A[stable] < 1).all()
     assert beyond > 1000 and found < 0.01 * beyond
 
 
@@ -260,17 +260,17 @@ UNCHANGING = {
 @pytest.mark.parametrize("name", ["zeta", "zeeta", "values", "shape", "model", "_singles"])
 @pytest.mark.parametrize("what", UNCHANGING)
 def test_whatever_is_asked_about_cannot_be_changed(what, name):
-    """Nor be given another attribute, which would be a word misspelt; and what it says of itself stays."""
-    asked = UNCHANGING[what]()
-    before, said = dict(vars(asked)), repr(asked)
+    """No attribute can be added, as by a misspelling; and its printed form stays."""
+    one = UNCHANGING[what]()
+    before, printed = dict(vars(one)), repr(one)
     with pytest.raises(AttributeError, match=rf"{name}.* cannot be set|cannot assign to field '{name}'"):
-        setattr(asked, name, 0.5)
+        setattr(one, name, 0.5)
     with pytest.raises(AttributeError, match=r"cannot be deleted|cannot delete field"):
-        delattr(asked, name)
-    assert vars(asked).keys() == before.keys() and all(vars(asked)[key] is value for key, value in before.items())
-    assert repr(asked) == said
-    copied = pickle.loads(pickle.dumps(asked))
-    assert copied == asked and copy.copy(asked) == asked
+        delattr(one, name)
+    assert vars(one).keys() == before.keys() and all(vars(one)[key] is value for key, value in before.items())
+    assert repr(one) == printed
+    copied = pickle.loads(pickle.dumps(one))
+    assert copied == one and copy.copy(one) == one
 
 
 def test_equal_oscillators_are_one_key_in_any_order():
@@ -317,7 +317,7 @@ def test_the_force_and_its_stiffness_at_any_displacement():
 @pytest.mark.slow
 @pytest.mark.parametrize("above", [1e-7, 1e-8, 1e-12])
 def test_onset_is_not_refused_for_the_other_force(above):
-    """Next to delta_h = 1: the corner of the truncated force was refused singly, and given in batches."""
+    """Next to delta_h = 1: the corner of the truncated force was refused singly, and found in batches."""
     design = {"lam": 1.0, "r": 0.3, "delta_h": 1 - above, "mu": 0.01, "zeta": 0.05}
     found, many = Isolator(**design).saddle_node_onset(), Isolator.many(**design).saddle_node_onset()
     assert found.kind == "corner" and found.F_SN == many.F_SN and many.status == Status.OK
@@ -325,8 +325,8 @@ def test_onset_is_not_refused_for_the_other_force(above):
     other = found.untruncated.F_SN
     assert (other is None) == (proofs.in_balls() is None)  # doubles refuse it
     assert np.isnan(many.untruncated) if other is None else many.untruncated == other
-    beside = f": {found.untruncated.message}" if other is None else f" F_SN = {other:.4g}, a cusp"
-    assert f"without truncation{beside}" in found.message
+    untruncated = f": {found.untruncated.message}" if other is None else f" F_SN = {other:.4g}, a cusp"
+    assert f"without truncation{untruncated}" in found.message
     # on the backbone at A = u_cr, from F_0 = I on, but for the slope of h below u_cr: as steep as 1/(1 - delta_h)
     u_cr = math.sqrt(1 - above**2)
     Omega = Isolator(**design).backbone(u_cr)
@@ -334,16 +334,16 @@ def test_onset_is_not_refused_for_the_other_force(above):
 
 
 def test_cut_responses_have_codes_in_the_batch_too():
-    """It was said in words only: a batch has none, and eight bits held eight codes."""
+    """Cut responses had a message only, which a batch has not; eight bits were full of eight codes."""
     undamped, ends_open = {"mu": 0.01, "zeta": 0.0}, {"mu": 0.0, "zeta": 0.05, "excitation": "unbalance"}
-    asked = (
+    cases = (
         (Duffing, {"alpha": 1.0, "beta": 0.5, **undamped}, 0.4, True),
         (Duffing, {"alpha": 1.0, "beta": 0.01, **ends_open}, 0.4, False),
         (Duffing, {"alpha": 1.0, "beta": 0.5, **ends_open}, 0.4, True),
         (Duffing, {"alpha": 1.0, "beta": 0.5, "mu": 0.01, "zeta": 0.05}, 0.4, False),
         (Isolator, {"lam": 1.0, "r": 1.0, "delta_h": 0.5, **undamped}, 0.2, True),
     )
-    for make, design, F_0, cut in asked:
+    for make, design, F_0, cut in cases:
         one, many = make(**design), make.many(**design)
         for single, batch in (
             (one.saddle_nodes(F_0), many.saddle_nodes(F_0)),
@@ -359,18 +359,18 @@ def test_cut_responses_have_codes_in_the_batch_too():
 def test_answers_of_a_force_not_written_odd_say_what_stands():
     """A preload, |u| and powers that are none for u < 0 can be meant in one way only."""
     u, a, p = sp.symbols("u a p")
-    given = {"a": {"above": 0}}
-    even = derive.mechanism("written_even", [(u + a * u**2 + u**3, None)], given)
-    one, words = even(a=0.5, mu=0.01, zeta=0.03), "a*u**2 + u**3 + u is not odd: for u < 0 the force is that of |u|"
+    parameters = {"a": {"above": 0}}
+    even = derive.mechanism("written_even", [(u + a * u**2 + u**3, None)], parameters)
+    one, message = even(a=0.5, mu=0.01, zeta=0.03), "a*u**2 + u**3 + u is not odd: for u < 0 the force is that of |u|"
     for found in (one.saddle_nodes(0.1), one.amplitudes(Omega=0.9, F_0=0.1), one.saddle_node_onset(), one.peak(0.1)):
-        assert Remark.MIRRORED in found.remarks and words in found.message
+        assert Remark.MIRRORED in found.remarks and message in found.message
     batch = even.many(a=[0.5, 0.6], mu=0.01, zeta=0.03).saddle_nodes(0.1)
     assert (batch.remarks & Remark.MIRRORED == Remark.MIRRORED).all()
     assert pickle.loads(pickle.dumps(one)).peak(0.1).message == one.peak(0.1).message
     for force in (u + a * sp.Abs(u) * u, a + u + u**3, u + a * u ** sp.Rational(5, 2), a * sp.sin(u), a * u + u**3):
-        plain = derive.mechanism("written_odd", [(force, None)], given, reach=3.0)(a=0.5, mu=0.01, zeta=0.03)
+        plain = derive.mechanism("written_odd", [(force, None)], parameters, reach=3.0)(a=0.5, mu=0.01, zeta=0.03)
         assert Remark.MIRRORED not in plain.peak(0.1).remarks
-    power = derive.mechanism("a_power", [(u + a * u**p, None)], {**given, "p": {"above": 1}})
+    power = derive.mechanism("a_power", [(u + a * u**p, None)], {**parameters, "p": {"above": 1}})
     assert Remark.MIRRORED not in power(a=0.5, p=2.5, mu=0.01, zeta=0.03).peak(0.1).remarks
 
 

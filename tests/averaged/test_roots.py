@@ -63,8 +63,8 @@ def test_a_quartic_has_the_same_roots_alone_and_among_others():
     rows = np.concatenate([*stress_cases("response", 40, 3).values()])
     Omega, count = SOLVER.response_roots(*rows.T)
     for row, found, number in zip(rows, Omega, count, strict=True):
-        alone, one = SOLVER.response_roots(*row)
-        assert one == number and np.array_equal(alone, found, equal_nan=True)
+        single, one = SOLVER.response_roots(*row)
+        assert one == number and np.array_equal(single, found, equal_nan=True)
 
 
 def test_the_stress_cases_reach_three_roots():
@@ -129,15 +129,15 @@ def test_broadcasting_and_chunks(kind):
     h = rng.uniform(-2, 0.5, (9, 1))
     rest = (-1.5, 0.02, 0.05) if kind == "fold" else (0.02, 0.05, 0.3)[: len(KINDS[kind]) - 2]
     Omega, count = SOLVE[kind](A, h, *rest)
-    places = 2 if kind == "peak" else 3
-    assert Omega.shape == (7, 9, 401, places) and count.shape == (7, 9, 401)  # several chunks
+    max_count = 2 if kind == "peak" else 3
+    assert Omega.shape == (7, 9, 401, max_count) and count.shape == (7, 9, 401)  # several chunks
     for index in [(0, 0, 0), (3, 8, 17), (6, 8, 400)]:
         one, number = SOLVE[kind](A[index[0], 0, index[2]], h[index[1], 0], *rest)
-        assert one.shape == (places,) and number.shape == ()
+        assert one.shape == (max_count,) and number.shape == ()
         np.testing.assert_array_equal(one, Omega[index])
         assert number == count[index]
     empty, none = SOLVE[kind](np.empty((0, 4)), -1.0, *rest)
-    assert empty.shape == (0, 4, places) and none.shape == (0, 4)
+    assert empty.shape == (0, 4, max_count) and none.shape == (0, 4)
 
 
 def numbers(low: int, high: int, zero: bool) -> st.SearchStrategy[float]:

@@ -43,9 +43,9 @@ def test_an_operation_on_pairs_is_right_to_thirty_digits(pairs, name):
     if name in ("sqrt", "atan2"):
         high = np.abs(high)
     low = high * rng.uniform(-1, 1, (2000, 2)) * 2.0**-54
-    given = np.stack([high[:, 0], low[:, 0], high[:, 1], low[:, 1]], axis=1)
+    operands = np.stack([high[:, 0], low[:, 0], high[:, 1], low[:, 1]], axis=1)
     flint.ctx.prec = 300
-    for row, found in zip(given.tolist(), pairs.operate(name, given), strict=True):
+    for row, found in zip(operands.tolist(), pairs.operate(name, operands), strict=True):
         a, b = Fraction(row[0]) + Fraction(row[1]), Fraction(row[2]) + Fraction(row[3])
         if name in ("sqrt", "atan2"):
             exact = ball(a).sqrt() if name == "sqrt" else flint.arb.atan2(ball(a), ball(b))
@@ -71,14 +71,14 @@ def test_averages_in_pairs_have_twenty_digits_and_more(pairs):
             exact = averaged.RodSpring(lam=design[0], r=design[1], delta_h=design[2], mu=0.0, zeta=0.01)
             u_cr = float(exact.u_cr.mid())
             above = (1 + 2.0**-40, 1.001, 1.5, 30.0, 2000.0)
-            for piece, share in ((0, 1e-3), (0, 0.7), *((1, share) for share in above)):
-                A = u_cr * share
+            for piece, ratio in ((0, 1e-3), (0, 0.7), *((1, at) for at in above)):
+                A = u_cr * ratio
                 balls = exact.h(flint.arb(A), ("attached", "detached")[piece])
                 found = pairs.known("rod_spring", design, piece, A)
-                kept = 4 if share < 64 else 2
-                for value, held in list(zip(found, balls, strict=True))[:kept]:
-                    scale = abs(balls[0]) / A if share > 64 else abs(held)
-                    assert abs(ball(value) - held) <= scale * float(2.0**-62)
+                kept = 4 if ratio < 64 else 2
+                for value, expected in list(zip(found, balls, strict=True))[:kept]:
+                    scale = abs(balls[0]) / A if ratio > 64 else abs(expected)
+                    assert abs(ball(value) - expected) <= scale * float(2.0**-62)
 
 
 @pytest.mark.slow
@@ -88,7 +88,7 @@ def test_answers_are_right_to_one_rounding_of_their_condition(mechanism):
 
     Left out are amplitudes a few doubles from u_cr, and what a rounding of the input moves by thousands of its own.
     """
-    rng, asked = np.random.default_rng(99), 0
+    rng, compared = np.random.default_rng(99), 0
     for _ in range(25):
         for _, at in answers.points(mechanism, rng):
             ends = answers.oscillator(mechanism, at).breakpoints
@@ -99,17 +99,17 @@ def test_answers_are_right_to_one_rounding_of_their_condition(mechanism):
             for kind, answer in found:
                 error, condition = answers.judged(answer)
                 if condition < 1e9 and all(abs(answer[0] / end - 1) > 1e-14 for end in ends):
-                    asked += 1
+                    compared += 1
                     # F_cr alone is as doubles have it, for the time that a step takes
                     assert error <= (4 if kind.startswith("critical forcing") else 1), (at, kind, answer)
-    assert asked > 300
+    assert compared > 300
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("mechanism", ["rod_spring", "rod_spring_untruncated"])
 def test_peaks_and_folds_next_to_a_breakpoint_are_rounded_once(mechanism):
     """From an ulp above F_cr on, where slopes are as steep as 1/sqrt(A - u_cr); seen 45,134 u (1 + kappa) off."""
-    rng, asked = np.random.default_rng(5), 0
+    rng, compared = np.random.default_rng(5), 0
     known = [
         (4.0, 0.5420870022747798, 0.2870603613617843, 0.00019876134441345242, 1e-06, 0.00025428553329583814, 1.0),
         (2.0000000000000036, 296.604925754428, 0.0006476225284155476, 0.0002089718, 0.0461335947, 0.6492116947, 1.0),
@@ -123,9 +123,9 @@ def test_peaks_and_folds_next_to_a_breakpoint_are_rounded_once(mechanism):
             for kind in ("peak", "fold"):
                 for _, answer in answers.answers(mechanism, at, kind):
                     if answer is not None:
-                        asked += 1
+                        compared += 1
                         assert answers.judged(answer)[0] <= 1, (at, kind, answer)
-    assert asked > 60
+    assert compared > 60
 
 
 @pytest.mark.slow

@@ -44,12 +44,12 @@ def test_second_level_derivative_along_the_fold_locus(point, kernel):
         values = point()
         h = taylor(values)
 
-        def along(a):
+        def level(a):
             Omega = mp.findroot(lambda w: mp.diff(lambda b: squared_level(w, b, h), a), OMEGA)
             return squared_level(Omega, a, h)
 
         F_AOmega = mp.diff(lambda a, w: squared_level(w, a, h), (A, OMEGA), (1, 1))
-        expected = mp.diff(along, A, 2) * F_AOmega**2
+        expected = mp.diff(level, A, 2) * F_AOmega**2
         if kernel == "cusp":
             T = OMEGA**2 + values[1]
             found = slow_flow.cusp_bend(*map(float, (OMEGA, A, ZETA, *values[2:], T))) * float(A)
@@ -66,12 +66,12 @@ def test_level_slope_along_the_fold_locus():
         values = [h, h_A, h_AA]
         curve = taylor(values)
 
-        def along(a):
+        def level(a):
             Omega = mp.findroot(lambda w: mp.diff(lambda b: squared_level(w, b, curve), a), OMEGA)
             return squared_level(Omega, a, curve)
 
         F_AOmega = mp.diff(lambda a, w: squared_level(w, a, curve), (A, OMEGA), (1, 1))
-        expected = mp.diff(along, A) * F_AOmega**2
+        expected = mp.diff(level, A) * F_AOmega**2
         found = slow_flow.level_rise(*map(float, (OMEGA, A, M, ZETA, *values)))
     assert abs(expected) > 1e-4
     assert found == pytest.approx(float(expected), rel=1e-12)
@@ -108,10 +108,10 @@ def test_lane_bounds_of_a_fold_are_the_derived_terms(m, k):
     a, F_0, zeta, h, h_A, k_A = 0.625, 0.1875, 0.0625, -0.3, -0.9, 1.3
     value, slope, Omega = slow_flow.fold(a, F_0, m, zeta, h, h_A, k, k_A)
     excess = F_0**2 - m**2
-    share = (1 - excess / k**2) ** 0.5
-    J, of_zeta = excess / (F_0 + m * share), 1 / zeta**2
-    lag = J * share
-    inert, rate, force = of_zeta * lag**2 / (4 * a), of_zeta * J / (2 * k * a), (F_0 + m / share) / excess
+    cosine = (1 - excess / k**2) ** 0.5
+    J, of_zeta = excess / (F_0 + m * cosine), 1 / zeta**2
+    lag = J * cosine
+    inert, rate, force = of_zeta * lag**2 / (4 * a), of_zeta * J / (2 * k * a), (F_0 + m / cosine) / excess
     assert value == pytest.approx(h - F_0 * J / k + inert, rel=1e-12)
     assert slope == pytest.approx(h_A - inert / a + F_0 * (J / k) ** 2 * (rate + force) * k_A, rel=1e-12)
     found = 2 * zeta * a * Omega

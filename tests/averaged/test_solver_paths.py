@@ -22,12 +22,12 @@ def cases():
     """All cases of the reference files: name, the oscillator, and the record."""
     for file in ("table_1", "random_isolators", "random_duffing", "negative_stiffness"):
         for number, record in enumerate(stored(file)):
-            parameters = {name: given(value) for name, value in record["parameters"].items()}
+            parameters = {name: decoded(value) for name, value in record["parameters"].items()}
             make = Isolator if record["mechanism"] == "rod_spring" else Duffing
             yield f"{file} {number}", make(**parameters), record
 
 
-def given(value):
+def decoded(value):
     return float.fromhex(value[0]) if isinstance(value, list) else float(Fraction(value))
 
 
@@ -50,12 +50,12 @@ def test_everything_agrees_with_the_certified_reference(name, oscillator, record
             assert error(getattr(found, field), exact, field) <= UNITS
     check_extrema(oscillator, record["fold_locus"]["extrema"])
     for forcing in record["forcings"]:
-        F_0 = given(forcing["F_0"])
+        F_0 = decoded(forcing["F_0"])
         check_folds(oscillator.saddle_nodes(F_0), forcing["folds"])
         check_curve(oscillator.frequency_response(F_0, samples=60, Omega=(1e-9, 2.0)), forcing)
         check_peak(oscillator, oscillator.peak(F_0), forcing["peaks"])
-        for asked in forcing["amplitudes"]:
-            check_states(oscillator, oscillator.amplitudes(Omega=given(asked["Omega"]), F_0=F_0), asked["steady"])
+        for states in forcing["amplitudes"]:
+            check_states(oscillator, oscillator.amplitudes(Omega=decoded(states["Omega"]), F_0=F_0), states["steady"])
 
 
 def check_folds(found, exact):
@@ -107,7 +107,9 @@ def check_states(oscillator, found, exact):
     kept = diagnostics.keeps_centre(oscillator.model, found.Omega, found.A)
     beyond = diagnostics.turns_beyond(oscillator.model, found.A)
     stays = kept & ~beyond
-    assert found.stable.tolist() == [bool(state["stable"] and held) for state, held in zip(exact, stays, strict=True)]
+    assert found.stable.tolist() == [
+        bool(state["stable"] and stays_there) for state, stays_there in zip(exact, stays, strict=True)
+    ]
     assert (Remark.LEAVES_CENTRE in found.remarks) == (not kept.all())
     assert (Remark.BEYOND_WELL in found.remarks) == beyond.any()
     for k, state in enumerate(exact):
@@ -119,8 +121,8 @@ def random_designs(seed, n):
     """lam, r, delta_h, mu, zeta, F_0: delta_h up to 1.6 times that of zero stiffness, F_0 from 4 mu/pi to far above."""
     rng = np.random.default_rng(seed)
     lam, r = rng.uniform(1, 4, n), rng.uniform(0.4, 4, n)
-    share = np.where(rng.random(n) < 0.85, rng.uniform(0.02, 1, n), rng.uniform(1, 1.6, n))
-    delta_h = np.minimum(share / (lam * r), 0.95)
+    ratio = np.where(rng.random(n) < 0.85, rng.uniform(0.02, 1, n), rng.uniform(1, 1.6, n))
+    delta_h = np.minimum(ratio / (lam * r), 0.95)
     mu = np.where(rng.random(n) < 0.15, 0.0, 10 ** rng.uniform(-5, -1.5, n))
     zeta = 10 ** rng.uniform(-3, 0.3, n)
     F_0 = np.maximum(4 / np.pi * mu, 1e-4) * 10 ** rng.uniform(0.001, 2.5, n)
@@ -189,9 +191,9 @@ def neighbours(value):
 @pytest.mark.slow
 @pytest.mark.parametrize("zeta", [1e-9, 1e-4, 0.02, 1.5])
 @pytest.mark.parametrize("mu", [0.0, 0.012])
-@pytest.mark.parametrize("share", [0.5, 1.0, 1.2])
-def test_a_curve_at_a_critical_forcing_is_whole(share, mu, zeta):
-    oscillator = Isolator(lam=3, r=2, delta_h=share / 6, mu=mu, zeta=zeta)
+@pytest.mark.parametrize("ratio", [0.5, 1.0, 1.2])
+def test_a_curve_at_a_critical_forcing_is_whole(ratio, mu, zeta):
+    oscillator = Isolator(lam=3, r=2, delta_h=ratio / 6, mu=mu, zeta=zeta)
     forcings = [oscillator.detachment().F_cr, oscillator.saddle_node_onset().F_SN]
     for forcing in forcings:
         for F_0 in neighbours(forcing):
@@ -246,8 +248,8 @@ def test_a_small_loop_of_the_fold_locus_keeps_its_cusp():
     )
     cusps = oscillator.cusps()
     assert cusps.minimum.tolist() == [False, True]
-    for share, count in ((0.9, 2), (0.999, 2), (1.001, 0)):
-        assert len(oscillator.saddle_nodes(share * cusps.F_0[0])) == count
+    for ratio, count in ((0.9, 2), (0.999, 2), (1.001, 0)):
+        assert len(oscillator.saddle_nodes(ratio * cusps.F_0[0])) == count
 
 
 def test_without_damping_the_folds_are_those_of_the_closed_form():
@@ -276,11 +278,11 @@ def test_the_fold_locus_passes_the_folds_of_every_forcing():
     model = oscillator.model
     h, h_A, _, _ = model.averaged(points.A)
     slope = model.flow.F_A(points.Omega, points.A, model.m, model.zeta, h, h_A)
-    beside = np.abs(h_A) > 1e3  # next to u_cr an ulp of A moves F_A
-    assert (np.abs(slope[~beside]) <= 1e-9).all()
+    steep = np.abs(h_A) > 1e3  # next to u_cr an ulp of A moves F_A
+    assert (np.abs(slope[~steep]) <= 1e-9).all()
     cusp = np.abs(points.F_0 / oscillator.saddle_node_onset().F_SN - 1) <= 1e-12  # no fold yet, or two
     corner = points.A == oscillator.u_cr  # where the branch below u_cr ends, its fold meets one on the corner
-    for k in np.flatnonzero(~beside & ~cusp & ~corner)[::25]:
+    for k in np.flatnonzero(~steep & ~cusp & ~corner)[::25]:
         folds_there = oscillator.saddle_nodes(points.F_0[k])
         assert np.abs(folds_there.A / points.A[k] - 1).min() <= 1e-6
     assert oscillator.cusps().F_0.min() == pytest.approx(oscillator.saddle_node_onset().F_SN, rel=1e-13)

@@ -86,16 +86,16 @@ def test_no_answer_is_worse_at_its_worst_points(mechanism, kind):
 @pytest.mark.slow
 @pytest.mark.parametrize(("mechanism", "kind", "by"), COUNTS)
 def test_no_stored_count_beside_a_level_is_wrong(mechanism, kind, by):
-    """Within some u (1 + kappa) of a level: what doubles had right they have, or say that they do not decide."""
+    """Within some u (1 + kappa) of a level: doubles count correctly or report that they are undecided."""
     if by == "balls":
         pytest.importorskip("flint")
     for row in COUNTS[mechanism, kind, by]:
         at = tuple(map(float, row["at"]))
         iso = answers.oscillator(mechanism, at)
-        number, said = counts.by_doubles(kind, iso, at)
-        assert said or number == row["proved"], at
-        number, said = counts.by_balls(kind, iso, at)
-        assert number == row["proved"] or (said and by != "balls"), at
+        number, undecided = counts.by_doubles(kind, iso, at)
+        assert undecided or number == row["proved"], at
+        number, undecided = counts.by_balls(kind, iso, at)
+        assert number == row["proved"] or (undecided and by != "balls"), at
 
 
 def test_counts_of_both_kinds_are_stored_by_doubles_and_by_balls():

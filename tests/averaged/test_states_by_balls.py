@@ -37,9 +37,9 @@ F_BETWEEN, TIP = 4.0583742969611374e-12, 1.27308305173502e-19
 
 
 @flint
-@pytest.mark.parametrize("share", [1e-6, 0.5, 1 - 5.4e-11])
-def test_states_of_an_isola_between_two_doubles_are_found(share):
-    one, Omega = Duffing(**BETWEEN_DOUBLES), share * TIP
+@pytest.mark.parametrize("ratio", [1e-6, 0.5, 1 - 5.4e-11])
+def test_states_of_an_isola_between_two_doubles_are_found(ratio):
+    one, Omega = Duffing(**BETWEEN_DOUBLES), ratio * TIP
     assert counts.States(exact(one), Omega).count(F_BETWEEN) == 3
     found = one.amplitudes(Omega=[Omega, 2 * TIP], F_0=F_BETWEEN)
     assert found.Omega.tolist() == [Omega] * 3 + [2 * TIP]
@@ -58,10 +58,10 @@ def test_undecided_isola_of_a_curve_is_said():
     assert many.undecided and int(many.remarks) & Remark.UNDECIDED
 
 
-@pytest.mark.parametrize("share", [1e-6, 0.5, 1 - 5.4e-11])
-def test_without_flint_an_isola_between_two_doubles_is_undecided(share, monkeypatch):
+@pytest.mark.parametrize("ratio", [1e-6, 0.5, 1 - 5.4e-11])
+def test_without_flint_an_isola_between_two_doubles_is_undecided(ratio, monkeypatch):
     monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
-    one, Omega = Duffing(**BETWEEN_DOUBLES), share * TIP
+    one, Omega = Duffing(**BETWEEN_DOUBLES), ratio * TIP
     found, many = (ask.amplitudes(Omega=Omega, F_0=F_BETWEEN) for ask in (one, batch(one)))
     assert found.Omega_undecided.tolist() == [Omega] and "is undecided at Omega" in found.message
     assert many.undecided and many.remarks == int(found.remarks) and Remark.UNDECIDED in found.remarks
@@ -69,7 +69,7 @@ def test_without_flint_an_isola_between_two_doubles_is_undecided(share, monkeypa
 
 
 #: an oscillator, and a forcing with folds: next to these doubles do not tell how many states there are
-BESIDE = {
+NEAR_FOLDS = {
     "hardening": (Duffing(1.0, 2.0, 0.01, 0.02), 0.04),
     "softening": (Duffing(1.0, -0.3, 0.01, 0.02), 0.08),
     "isolator": (Isolator(lam=3, r=2, delta_h=0.1, mu=0.01, zeta=0.02), 0.04),
@@ -84,25 +84,25 @@ def beside_folds(one, F_0):
 
 @pytest.mark.slow
 @flint
-@pytest.mark.parametrize("name", BESIDE)
+@pytest.mark.parametrize("name", NEAR_FOLDS)
 def test_states_next_to_a_fold_are_as_many_as_proved(name):
-    one, F_0 = BESIDE[name]
-    asked = beside_folds(one, F_0)
-    number = [counts.States(exact(one), w).count(F_0) for w in asked]
-    assert solvers.states(one.model, np.array(asked), F_0).Omega_undecided.size or name == "isolator"
-    found, many = one.amplitudes(Omega=asked, F_0=F_0), batch(one).amplitudes(Omega=asked, F_0=F_0)
-    assert found.Omega.tolist() == [w for w, n in zip(asked, number, strict=True) for _ in range(n)]
+    one, F_0 = NEAR_FOLDS[name]
+    frequencies = beside_folds(one, F_0)
+    number = [counts.States(exact(one), w).count(F_0) for w in frequencies]
+    assert solvers.states(one.model, np.array(frequencies), F_0).Omega_undecided.size or name == "isolator"
+    found, many = one.amplitudes(Omega=frequencies, F_0=F_0), batch(one).amplitudes(Omega=frequencies, F_0=F_0)
+    assert found.Omega.tolist() == [w for w, n in zip(frequencies, number, strict=True) for _ in range(n)]
     ends = np.cumsum([0, *number]).tolist()
-    alone = [one.amplitudes(Omega=w, F_0=F_0) for w in asked]
-    for k, (state, low, high) in enumerate(zip(alone, ends, ends[1:], strict=False)):
+    singles = [one.amplitudes(Omega=w, F_0=F_0) for w in frequencies]
+    for k, (state, low, high) in enumerate(zip(singles, ends, ends[1:], strict=False)):
         assert found.A[low:high].tolist() == state.A.tolist() == many.A[k, : high - low].tolist()
         assert found.stable[low:high].tolist() == state.stable.tolist() == (many.stable[k, : high - low] != 0).tolist()
         assert (np.diff(state.A) >= 0).all() and state.stable.tolist() == [True, False, True][: len(state)]
     assert many.count.tolist() == number and not many.undecided.any()
-    assert many.remarks.tolist() == [int(state.remarks) for state in alone]
+    assert many.remarks.tolist() == [int(state.remarks) for state in singles]
     assert not found.Omega_undecided.size and Remark.UNDECIDED not in found.remarks
     assert (Remark.BY_BALLS in found.remarks) == ("balls of more digits" in found.message)
-    pairs = one.amplitudes(Omega=asked, F_0=np.full(len(asked), F_0))
+    pairs = one.amplitudes(Omega=frequencies, F_0=np.full(len(frequencies), F_0))
     assert pairs.A.tolist() == found.A.tolist() and pairs.remarks == found.remarks
 
 
@@ -129,31 +129,31 @@ def test_mass_moved_to_rounding_only_sticks_or_moves():
 
 @flint
 def test_balls_are_bounded_and_the_rest_is_undecided(monkeypatch):
-    one, F_0 = BESIDE["hardening"]
-    asked = sorted(set(beside_folds(one, F_0)[:-1]))
+    one, F_0 = NEAR_FOLDS["hardening"]
+    frequencies = sorted(set(beside_folds(one, F_0)[:-1]))
     model = one.model
-    open_ = solvers.states(model, np.array(asked), F_0).Omega_undecided.tolist()
+    open_ = solvers.states(model, np.array(frequencies), F_0).Omega_undecided.tolist()
     monkeypatch.setattr(proofs, "MOST_IN_BALLS", 2)
     monkeypatch.setattr(proofs.Allowance.__init__, "__defaults__", (2,))
-    found, many = one.amplitudes(Omega=asked, F_0=F_0), batch(one).amplitudes(Omega=asked, F_0=F_0)
+    found, many = one.amplitudes(Omega=frequencies, F_0=F_0), batch(one).amplitudes(Omega=frequencies, F_0=F_0)
     assert len(open_) > 2 and found.Omega_undecided.tolist() == open_[2:]
     assert "balls were asked 2 times" in found.message and {Remark.BY_BALLS, Remark.UNDECIDED} <= set(found.remarks)
-    assert many.undecided.tolist() == [w in open_[2:] for w in asked]
+    assert many.undecided.tolist() == [w in open_[2:] for w in frequencies]
     by_balls, undecided = ((many.remarks & remark != 0).tolist() for remark in (Remark.BY_BALLS, Remark.UNDECIDED))
-    assert by_balls == [w in open_[:2] for w in asked] and undecided == many.undecided.tolist()
-    pairs = one.amplitudes(Omega=asked, F_0=[[F_0], [F_0 * (1 + 1e-15)]])
+    assert by_balls == [w in open_[:2] for w in frequencies] and undecided == many.undecided.tolist()
+    pairs = one.amplitudes(Omega=frequencies, F_0=[[F_0], [F_0 * (1 + 1e-15)]])
     assert set(open_[2:]) <= set(pairs.Omega_undecided.tolist())
 
 
 @flint
 def test_a_batch_asks_balls_once(monkeypatch):
-    one, F_0 = BESIDE["hardening"]
-    asked = beside_folds(one, F_0)[:2]
+    one, F_0 = NEAR_FOLDS["hardening"]
+    frequencies = beside_folds(one, F_0)[:2]
     balls, tried = proofs.in_balls(), []
     ask = balls.states
-    monkeypatch.setattr(balls, "states", lambda *given: tried.append(given) or ask(*given))
-    batch(one).amplitudes(Omega=asked, F_0=F_0)
-    columns = batch(one).ask(AMPLITUDES, 1, F_0, 6, Omega=asked)
+    monkeypatch.setattr(balls, "states", lambda *arguments: tried.append(arguments) or ask(*arguments))
+    batch(one).amplitudes(Omega=frequencies, F_0=F_0)
+    columns = batch(one).ask(AMPLITUDES, 1, F_0, 6, Omega=frequencies)
     assert len(tried) == (columns[-2] != 0).sum()
     assert len(tried) > 0
 

@@ -59,15 +59,15 @@ def test_sustained_states_beside_the_top_of_a_well_are_told():
 
 @pytest.mark.parametrize(("zeta", "inertial"), [(0.3, False), (0.01, True)])
 def test_sustained_states_beside_resonance_balance(zeta, inertial):
-    """A motion hurried to another frequency is as much faster, and what an unbalance supplies grows with its square."""
+    """At another frequency velocities scale with it, and the work of an unbalance with its square."""
     A, Omega = 2.9, np.sqrt(1 - 0.075 * 2.9**2)  # on the backbone: all that is supplied is taken by damping
     shares = []
     for a in np.linspace(0.8 * A, 3.155, 40):
         omega, J, A_1, _ = least_force(a, zeta)
-        beside = np.clip(omega, 0.95 * Omega, 1.05 * Omega)
-        taken = 2 * zeta * J * beside / omega / (np.pi * A_1)
-        given = 2 * zeta * Omega * A * ((beside / Omega) ** 2 if inertial else 1)
-        shares.append(np.hypot(a * (beside**2 - omega**2), taken) / given)
+        frequency = np.clip(omega, 0.95 * Omega, 1.05 * Omega)
+        taken = 2 * zeta * J * frequency / omega / (np.pi * A_1)
+        supplied = 2 * zeta * Omega * A * ((frequency / Omega) ** 2 if inertial else 1)
+        shares.append(np.hypot(a * (frequency**2 - omega**2), taken) / supplied)
     assert 0.95 < min(shares) < 0.99
     flow = SlowFlow(DUFFING, (1.0, -0.1), 0.0, zeta, "base" if inertial else "force")
     assert unsustained(flow, np.array([Omega]), np.array([A])).tolist() == [False]
@@ -108,9 +108,9 @@ def test_sustained_motions_across_two_wells_have_no_top():
 
 @pytest.mark.slow
 def test_sustained_states_alone_have_exact_motions():
-    """Random softening springs: motions by shooting from many phases; few are told that have one nearby."""
+    """Random softening springs: motions by shooting from many phases; few are reported that have one nearby."""
     rng = np.random.default_rng(35)
-    outcome = {(told, exists): 0 for told in (False, True) for exists in (False, True)}
+    outcome = {(reported, exists): 0 for reported in (False, True) for exists in (False, True)}
     for _ in range(150):
         zeta = 10 ** rng.uniform(-2.5, -1.3)
         F_0 = 2 * zeta * rng.uniform(0.35, 0.6)
@@ -122,9 +122,9 @@ def test_sustained_states_alone_have_exact_motions():
                 if not state.stable or state.A < 0.5:
                     continue
                 near = (
-                    shooting.near(system, Omega * (1 + off), F_0, (share * state.A, state.phi + phase))
+                    shooting.near(system, Omega * (1 + off), F_0, (ratio * state.A, state.phi + phase))
                     for off in (0.0, -0.05, 0.05)
-                    for share in (1.0, 0.93)
+                    for ratio in (1.0, 0.93)
                     for phase in (0.0, 0.6, -0.6, 1.2)
                 )
                 exists = any(motion is not None and abs(motion.A / state.A - 1) < 0.15 for motion in near)

@@ -134,18 +134,18 @@ def test_a_curve_of_undecided_folds_says_so():
 
 # ---- what doubles leave undecided balls decide -----------------------------------------------------------------------
 
-PLACES = stored("hard_counts")
+CASES = stored("hard_counts")
 
 
 @pytest.mark.parametrize(
     "case",
     [
         pytest.param(case, id=case["why"], marks=[pytest.mark.slow] if {"undecided", "isolated"} & set(case) else [])
-        for case in PLACES
+        for case in CASES
     ],
 )
 def test_at_hard_places_folds_are_those_that_are_proved(case, monkeypatch):
-    """Alone and in a batch, with kinds, order and remarks; without balls those that doubles do not tell say so."""
+    """Singly and in a batch, with kinds, order and remarks; without balls those left open are undecided."""
     kind, F_0, (*own, mu, zeta) = KINDS[case["mechanism"]], case["F_0"], case["numbers"].values()
     iso, designs = oscillator(kind, *own, mu=mu, zeta=zeta), batch(kind, (*own, mu, zeta))
     assert (Remark.UNDECIDED in solvers.folds(iso.model, F_0).remarks) == ("undecided" in case)  # in doubles
@@ -170,11 +170,11 @@ def test_at_hard_places_folds_are_those_that_are_proved(case, monkeypatch):
             ends = zip(*enclosed.T.tolist(), sure, strict=True)
             assert all(flint.arb(low) <= one <= flint.arb(high) for low, high, one in ends)
     monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
-    alone, many = iso.saddle_nodes(F_0), designs.saddle_nodes(F_0)
-    assert (Remark.UNDECIDED in alone.remarks) == ("doubles do not tell" in alone.message) == ("undecided" in case)
+    single, many = iso.saddle_nodes(F_0), designs.saddle_nodes(F_0)
+    assert (Remark.UNDECIDED in single.remarks) == ("doubles do not tell" in single.message) == ("undecided" in case)
     assert (int(many.remarks), many.count, bool(many.undecided)) == (
-        int(alone.remarks),
-        len(alone),
+        int(single.remarks),
+        len(single),
         "undecided" in case,
     )
 
@@ -191,8 +191,8 @@ CUSPS_NEXT_TO_U_CR = (
 @pytest.mark.parametrize("design", CUSPS_NEXT_TO_U_CR)
 def test_cusps_next_to_u_cr_are_those_of_balls_or_said(design, monkeypatch):
     pytest.importorskip("flint")
-    given = dict(zip(("lam", "r", "delta_h", "mu", "zeta"), design, strict=True))
-    iso, nearby = Isolator(**given, force="untruncated"), Nearby("rod_spring_untruncated", **given)
+    parameters = dict(zip(("lam", "r", "delta_h", "mu", "zeta"), design, strict=True))
+    iso, nearby = Isolator(**parameters, force="untruncated"), Nearby("rod_spring_untruncated", **parameters)
     found = iso.cusps()
     assert found.remarks == Remark.BY_BALLS and "balls" in found.message and len(found) > 0
     for cusp in found:
@@ -200,8 +200,8 @@ def test_cusps_next_to_u_cr_are_those_of_balls_or_said(design, monkeypatch):
         for name in ("F_0", "Omega", "A"):
             assert getattr(cusp, name) == pytest.approx(float(getattr(point, name).mid()), rel=2e-16, abs=0)
     monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
-    alone = iso.cusps()
-    assert alone.remarks == Remark.UNDECIDED and "few digits of those at A = 1" in alone.message
+    in_doubles = iso.cusps()
+    assert in_doubles.remarks == Remark.UNDECIDED and "few digits of those at A = 1" in in_doubles.message
 
 
 #: lam, r, delta_h, mu, zeta next to quasi-zero stiffness: doubles have 2 to 7 digits of alpha = 1 - lam r delta_h
@@ -226,14 +226,14 @@ def test_an_onset_next_to_quasi_zero_stiffness_has_its_digits(at):
         if onset.kind == "corner":
             A = mpmath.sqrt(delta_h * (2 - delta_h))
             Omega = mpmath.sqrt(alpha + 3 * beta * A**2 / 4 + 5 * gamma * A**4 / 8)
-            F_SN, share = 4 * mu / mpmath.pi + 2 * zeta * A * Omega, 1e-14
+            F_SN, tolerance = 4 * mu / mpmath.pi + 2 * zeta * A * Omega, 1e-14
         else:  # as in time over sqrt(alpha), to first order in what damping is then
             damping = zeta / mpmath.sqrt(alpha)
             A = mpmath.sqrt(2 * damping / mpmath.sqrt(3) / (3 * beta / (8 * alpha)))
-            Omega, share = mpmath.sqrt(alpha) * (1 + mpmath.sqrt(3) * damping), max(1e-14, float(20 * damping))
+            Omega, tolerance = mpmath.sqrt(alpha) * (1 + mpmath.sqrt(3) * damping), max(1e-14, float(20 * damping))
             F_SN = alpha * 4 * A * damping / mpmath.sqrt(3)
     assert iso.alpha == float(alpha)
-    assert [onset.F_SN, onset.Omega, onset.A] == pytest.approx([*map(float, (F_SN, Omega, A))], rel=share, abs=0)
+    assert [onset.F_SN, onset.Omega, onset.A] == pytest.approx([*map(float, (F_SN, Omega, A))], rel=tolerance, abs=0)
     assert [many.saddle_node_onset().F_SN.item()] == pytest.approx([onset.F_SN], rel=1e-15, abs=0)
 
 
@@ -277,48 +277,48 @@ def test_folds_single_batched_and_proved_agree_or_say_so(kind, draw):
 @pytest.mark.parametrize(("kind", "draw"), [(Isolator, drawn_isolators), (Duffing, drawn_springs)])
 @pytest.mark.slow
 def test_states_and_proofs_do_not_differ_without_a_word(kind, draw):
-    """10^5 frequencies, most of them next to folds, asked of doubles alone.
+    """10^5 frequencies, most of them next to folds, solved in doubles only.
 
-    Where only the proof is at a loss balls agree with the answer; where doubles are, the answer is what balls say.
+    Where only the proof is inconclusive balls agree with the answer; where doubles are, the answer is that of balls.
     """
     rng = np.random.default_rng(2027)
     numbers, most = draw(rng, 700), fewer(40, 4)
-    asked = undecided = unproved = judged = decided = 0
+    total = undecided = unproved = judged = decided = 0
     forced = forcings(rng, batch(kind, numbers), numbers[-2])
     for k, F_0 in enumerate(forced[: fewer(700, 4)].tolist()):
         *own, mu, zeta = (float(column[k]) for column in numbers)
         iso = oscillator(kind, *own, mu=mu, zeta=zeta)
         try:
             folds = iso.saddle_nodes(F_0)
-            beside = folds.Omega[:, np.newaxis] * (1 + rng.choice([-1, 1], 60) * 10 ** rng.uniform(-16.3, -2, 60))
-            Omega = np.unique(np.concatenate((10 ** rng.uniform(-1, 0.5, 30), beside.ravel())))
+            near_folds = folds.Omega[:, np.newaxis] * (1 + rng.choice([-1, 1], 60) * 10 ** rng.uniform(-16.3, -2, 60))
+            Omega = np.unique(np.concatenate((10 ** rng.uniform(-1, 0.5, 30), near_folds.ravel())))
             Omega = Omega[Omega > 0]
             states = iso.states(Omega=Omega, F_0=F_0, allowance=proofs.Allowance(0))
         except NotSettled as refusal:
             assert "unresolved" in str(refusal)
             continue
         number = np.searchsorted(states.Omega, Omega, "right") - np.searchsorted(states.Omega, Omega)
-        said = np.isin(Omega, states.Omega_undecided)
+        reported = np.isin(Omega, states.Omega_undecided)
         counted, all_proved, *_ = batch(kind, (*own, mu, zeta)).ask(PROVED_STATES, 1, F_0, Omega=Omega)
         proved = all_proved == 1
-        assert (number[proved & ~said] == counted[proved & ~said]).all(), (iso, F_0)
-        assert not (proved & said).any(), (iso, F_0)
-        asked, undecided = asked + Omega.size, undecided + int(said.sum())
-        unproved += int((~proved & ~said).sum())
-        for w in Omega[~proved & ~said][:1]:
+        assert (number[proved & ~reported] == counted[proved & ~reported]).all(), (iso, F_0)
+        assert not (proved & reported).any(), (iso, F_0)
+        total, undecided = total + Omega.size, undecided + int(reported.sum())
+        unproved += int((~proved & ~reported).sum())
+        for w in Omega[~proved & ~reported][:1]:
             if judged < most and zeta >= 1e-6:
                 judged += 1
                 assert counts.States(exact(iso), float(w)).count(F_0) == number_at(states, w), (iso, F_0, w)
-        for w in Omega[said][:1]:
+        for w in Omega[reported][:1]:
             if decided < most and zeta >= 1e-6:
                 decided += 1
                 answer = iso.amplitudes(Omega=w, F_0=F_0)
                 known = answer.Omega_undecided.tolist() == [w] or counts.States(exact(iso), w).count(F_0) == len(answer)
                 assert known, (iso, F_0, w)
-    assert asked > fewer(50_000, 4)
+    assert total > fewer(50_000, 4)
     assert decided == most
-    assert 0 < undecided < 0.08 * asked
-    assert unproved <= 1e-4 * asked
+    assert 0 < undecided < 0.08 * total
+    assert unproved <= 1e-4 * total
 
 
 #: alpha, beta or lam, r, delta_h, with mu, zeta; F_0 and an Omega: a number of states that no proof confirmed
@@ -439,14 +439,14 @@ def test_an_onset_by_balls_says_that_lower_folds_end_at_rest(mu):
 
 @pytest.mark.parametrize("zeta", [1e-6, 1e-7, 1.3e-8, 1e-10])
 def test_folds_at_rest_do_not_depend_on_earlier_questions(zeta):
-    """Where a softening spring's h is 0 beside the centre: rounding hid them, and below F_SN none were said to be."""
+    """Where a softening spring's h is 0 away from the centre: rounding hid them, and below F_SN none were reported."""
     numbers = {"alpha": 678.8564034128265, "beta": -0.0005845965970001937, "mu": 0.0, "zeta": zeta}
-    fresh, asked = Duffing(**numbers), Duffing(**numbers)
-    onset, many = asked.saddle_node_onset(), Duffing.many(**numbers).saddle_node_onset()
+    fresh, used = Duffing(**numbers), Duffing(**numbers)
+    onset, many = used.saddle_node_onset(), Duffing.many(**numbers).saddle_node_onset()
     assert Remark.FOLDS_AT_REST in onset.remarks and many.remarks == int(onset.remarks)
     F_0 = 0.2 * onset.F_SN
     # the static equilibria: alpha A + 3/4 beta A^3 = F_0 next to h = 0, two of them, meet in one fold
-    assert len(fresh.saddle_nodes(F_0)) == len(asked.saddle_nodes(F_0)) == 1
+    assert len(fresh.saddle_nodes(F_0)) == len(used.saddle_nodes(F_0)) == 1
     assert fresh.saddle_nodes(F_0).A == pytest.approx(math.sqrt(-numbers["alpha"] / (0.75 * numbers["beta"])), rel=1e-6)
 
 
@@ -470,21 +470,21 @@ def test_folds_at_rest_do_not_depend_on_earlier_questions(zeta):
     ],
 )
 def test_folds_at_the_onset_are_there_whatever_was_asked_before(lam, r, delta_h, mu, zeta, F_0):
-    """F_SN, off by 3e-12 where damping is weak, is rounded: below it folds were denied once it had been asked for."""
+    """F_SN, off by 3e-12 where damping is weak, is rounded: below it folds were denied once the onset was known."""
     pytest.importorskip("flint")
-    fresh, asked = (Isolator(lam=lam, r=r, delta_h=delta_h, mu=mu, zeta=zeta) for _ in range(2))
-    F_SN = asked.saddle_node_onset().F_SN
+    fresh, used = (Isolator(lam=lam, r=r, delta_h=delta_h, mu=mu, zeta=zeta) for _ in range(2))
+    F_SN = used.saddle_node_onset().F_SN
     low, high = fresh.certify(F_0 or F_SN).saddle_node_onset.F_0
     assert low * (1 - 4e-16) <= F_SN <= high * (1 + 4e-16)
     for F in (F_0 or F_SN, F_SN, math.nextafter(F_SN, 0), math.nextafter(F_SN, 1), F_SN * (1 - 1e-15)):
-        assert asked.saddle_nodes(F) == fresh.saddle_nodes(F)
+        assert used.saddle_nodes(F) == fresh.saddle_nodes(F)
         proof = fresh.certify(F).saddle_nodes
-        assert not proof.proved or len(proof.A) == len(asked.saddle_nodes(F))
+        assert not proof.proved or len(proof.A) == len(used.saddle_nodes(F))
 
 
 def test_quadratic_damping_alone_has_folds_that_end_at_rest():
     numbers = {"alpha": 2.1, "beta": -0.7, "zeta": 0.0, "mu": 0.0, "c_2": 0.1}
-    fresh, asked = (Oscillator(duffing.MECHANISM, **numbers) for _ in range(2))
-    onset = asked.saddle_node_onset()
+    fresh, used = (Oscillator(duffing.MECHANISM, **numbers) for _ in range(2))
+    onset = used.saddle_node_onset()
     assert Remark.FOLDS_AT_REST in onset.remarks and "from F_0 = 0 on" in onset.message
-    assert len(fresh.saddle_nodes(0.2 * onset.F_SN)) == len(asked.saddle_nodes(0.2 * onset.F_SN)) == 1
+    assert len(fresh.saddle_nodes(0.2 * onset.F_SN)) == len(used.saddle_nodes(0.2 * onset.F_SN)) == 1

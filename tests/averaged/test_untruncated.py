@@ -67,12 +67,12 @@ class Reference:
         end = mp.asin(self.u_cr / A) if A > self.u_cr else mp.pi / 2
         cuts = [end * (1 - mpf(4) ** -k) for k in range(4)] + [end]
 
-        def share(t):
+        def integrand(t):
             s = mp.sin(t)
             force, slope = self.force(A * s)
             return mp.mpc(force * s, slope * s * s)
 
-        total = mp.quad(share, cuts, method="gauss-legendre")
+        total = mp.quad(integrand, cuts, method="gauss-legendre")
         return -A - 4 / mp.pi * total.real, -1 - 4 / mp.pi * total.imag
 
     def balances(self, Omega, A):
@@ -228,8 +228,8 @@ def test_the_force_must_be_known():
 def test_many_takes_the_force():
     values = {"lam": 3, "r": 2.0, "delta_h": np.array([0.05, 0.08]), "mu": 0.01, "zeta": 0.02}
     together = Isolator.many(**values, force="untruncated").detachment()
-    alone = [Isolator(**{**values, "delta_h": d}, force="untruncated").detachment().F_cr for d in (0.05, 0.08)]
-    np.testing.assert_allclose(together.F_cr, alone, rtol=1e-14)
+    singles = [Isolator(**{**values, "delta_h": d}, force="untruncated").detachment().F_cr for d in (0.05, 0.08)]
+    np.testing.assert_allclose(together.F_cr, singles, rtol=1e-14)
     assert (together.F_cr != Isolator.many(**values).detachment().F_cr).all()
 
 
@@ -241,12 +241,12 @@ ROUNDING = 2.0**-53
 
 
 def amplitudes_about(u_cr: float, c: float) -> list[float]:
-    """Below u_cr, next to it, between it and 1, and above; the last where A^2 - u_cr^2 is a share of 1 - u_cr^2."""
-    below = [u_cr * share for share in (1e-3, 0.3, 0.69, 0.71, 0.99, 1 - 1e-6, 1 - 1e-9)]
-    above = [u_cr * (1 + share) for share in (1e-14, 1e-12, 1e-9, 1e-6, 1e-3, 0.049, 0.051, 0.5, 3.0)]
-    between = [float(np.sqrt(1 - c**2 * (1 - share))) for share in (0.01, 0.1, 0.24, 0.26, 0.9, 1.1, 3.0)]
-    beside = [float(np.nextafter(u_cr, end)) for end in (0.0, 2.0)]
-    return [*below, *beside, *between, *above]
+    """Below u_cr, next to it, between it and 1, and above; the last where A^2 - u_cr^2 is a fraction of 1 - u_cr^2."""
+    below = [u_cr * ratio for ratio in (1e-3, 0.3, 0.69, 0.71, 0.99, 1 - 1e-6, 1 - 1e-9)]
+    above = [u_cr * (1 + ratio) for ratio in (1e-14, 1e-12, 1e-9, 1e-6, 1e-3, 0.049, 0.051, 0.5, 3.0)]
+    between = [float(np.sqrt(1 - c**2 * (1 - ratio))) for ratio in (0.01, 0.1, 0.24, 0.26, 0.9, 1.1, 3.0)]
+    neighbours = [float(np.nextafter(u_cr, end)) for end in (0.0, 2.0)]
+    return [*below, *neighbours, *between, *above]
 
 
 @pytest.mark.parametrize("delta_h", STEEP_FEW)

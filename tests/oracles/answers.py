@@ -28,7 +28,7 @@ T = TypeVar("T")
 SETTLED = arb(2) ** -120
 STEPS = 40
 #: what lies next to u_cr, relatively, and where what lies there is looked for from
-NEXT, BESIDE = arb(2) ** -48, arb(2) ** -100
+NEXT, NEAR = arb(2) ** -48, arb(2) ** -100
 #: what vanishes, by what is asked: names in `averaged.Oscillator.derivatives`
 EQUATIONS = {"fold": ("F", "A"), "cusp": ("A", "AA"), "isola": ("A", "O"), "peak": ("F", "O")}
 SLOPES = {"F": ("O", "A"), "A": ("AO", "AA"), "AA": ("AAO", "AAA"), "O": ("OO", "AO")}
@@ -174,10 +174,10 @@ class Nearby:
         found = on(own, arb(A))
         if found is not None and not abs(arb(A) - u) < NEXT * u:
             return found
-        # h_A may be infinite at u_cr: from beside it too
+        # h_A may be infinite at u_cr: from either side of it too
         with precision(BITS):
-            beside = [on(side, (u * (1 + share)).mid()) for side, share in ((ATTACHED, -BESIDE), (DETACHED, BESIDE))]
-        solutions = [one for one in (found, *beside) if one is not None]
+            around = [on(side, (u * (1 + offset)).mid()) for side, offset in ((ATTACHED, -NEAR), (DETACHED, NEAR))]
+        solutions = [one for one in (found, *around) if one is not None]
         return min(solutions, key=lambda one: abs(float(amplitude(one) - arb(A))), default=None)
 
     def _stays(self, A: arb, regime: str) -> bool:
@@ -214,12 +214,12 @@ def _newton(system: Any, x: list[arb]) -> list[arb] | None:
     return None
 
 
-def errors(one: Any, nearby: Nearby, question: str, given: dict[str, float]) -> dict[str, tuple[float, float]]:
+def errors(one: Any, nearby: Nearby, question: str, query: dict[str, float]) -> dict[str, tuple[float, float]]:
     """Relative errors of an answer's numbers, and these in u (1 + kappa)."""
     kind, names = VALUES[question]
-    F_0 = given["F_0"] if "F_0" in given else getattr(one, names["F_0"])
+    F_0 = query["F_0"] if "F_0" in query else getattr(one, names["F_0"])
     if kind == "state":
-        found = nearby.state(given["Omega"], one.A, F_0)
+        found = nearby.state(query["Omega"], one.A, F_0)
     elif kind == "detachment":
         found = nearby.on_corner(kind, one.Omega_cr, F_0)
     else:

@@ -464,8 +464,8 @@ class Oscillator:
     def _fold_bounds(self, A: arb) -> tuple[arb, arb]:
         """With h = -A + e: bounds of |e|/A and |e'| from A >= 2 u_cr on."""
         u, pi = self.u_cr, arb.pi()
-        parts = [abs(arb(self.alpha) - 1), abs(arb(self.beta)) * u**2, abs(arb(self.gamma)) * u**4]
-        force, slope = u * sum(parts, arb(0)), parts[0] + 3 * parts[1] + 5 * parts[2]
+        terms = [abs(arb(self.alpha) - 1), abs(arb(self.beta)) * u**2, abs(arb(self.gamma)) * u**4]
+        force, slope = u * sum(terms, arb(0)), terms[0] + 3 * terms[1] + 5 * terms[2]
         s = u / A
         return (4 / pi) * force * s**2 / A, (4 / pi) * s**3 * (slope * pi / 2 + force / u / (arb(3) / 4).sqrt())
 
@@ -796,14 +796,14 @@ class Oscillator:
             forcing, rational = arb(exact(F_0)), exact(F_0)
             t_max = self._response_range(forcing)
 
-            def given(j: Jet) -> Any:
+            def level(j: Jet) -> Any:
                 return rational if isinstance(j.A, fmpq_poly) else forcing
 
             def through(Omega: int) -> Callable[[Jet], Any]:
-                return lambda j: self._value(self._response_polynomial(j, given(j)), Omega)
+                return lambda j: self._value(self._response_polynomial(j, level(j)), Omega)
 
             def peaked(j: Jet) -> Any:
-                response, peak = self._response_polynomial(j, given(j)), self._peak_polynomial(j)
+                response, peak = self._response_polynomial(j, level(j)), self._peak_polynomial(j)
                 if self._even:  # F_Omega/Omega
                     return bezout(response[::2], [*peak[1::2], 0 * j.A])
                 return bezout(response, [*peak, 0 * j.A])

@@ -15,23 +15,23 @@ from scipy.integrate import solve_ivp
 Pull = Callable[[float], float]
 
 
-def motion(pull: Pull, push: Pull, zeta: float, span: tuple[float, float], state: Any, **given: Any) -> Any:
+def motion(pull: Pull, push: Pull, zeta: float, span: tuple[float, float], state: Any, **options: Any) -> Any:
     """u'' + 2 zeta u' + pull(u) = push(tau) over a span of tau from a state (u, u'), as SciPy has it."""
 
     def rates(tau: float, y: Any) -> Any:
         return y[1], push(tau) - 2 * zeta * y[1] - pull(y[0])
 
-    return solve_ivp(rates, span, state, **{"method": "DOP853", "rtol": 1e-10, "atol": 1e-12, **given})
+    return solve_ivp(rates, span, state, **{"method": "DOP853", "rtol": 1e-10, "atol": 1e-12, **options})
 
 
 def settled(
-    pull: Pull, push: Pull, zeta: float, Omega: float, state: Any, turns: float, last: int = 1, **given: Any
+    pull: Pull, push: Pull, zeta: float, Omega: float, state: Any, turns: float, last: int = 1, **options: Any
 ) -> Any:
     """Times, u and u' over the last turns, `turns` after a state, with which the forcing begins anew."""
     turn = 2 * np.pi / Omega
-    begun = motion(pull, push, zeta, (0, turns * turn), state, **given).y[:, -1]
+    begun = motion(pull, push, zeta, (0, turns * turn), state, **options).y[:, -1]
     grid = np.linspace(0, last * turn, 2000 * last + 1)
-    return grid, *motion(pull, push, zeta, (0, last * turn), begun, t_eval=grid, **given).y
+    return grid, *motion(pull, push, zeta, (0, last * turn), begun, t_eval=grid, **options).y
 
 
 def _force(osc: Any, Omega: float, F_0: float) -> float:
@@ -46,10 +46,10 @@ def last_turn(pull: Pull, osc: Any, Omega: float, F_0: float, start: Any, turns:
         drag = 2 * zeta * y[1] + osc.mu * np.sign(y[1]) + osc.c_2 * abs(y[1]) * y[1]
         return y[1], force * np.cos(Omega * tau) + (osc.load or 0.0) - drag - pull(y[0])
 
-    given = {"method": "LSODA", "rtol": 1e-10, "atol": 1e-12}
-    last = solve_ivp(rates, (0, turns * period), start, max_step=period / 60, **given).y[:, -1]
+    options = {"method": "LSODA", "rtol": 1e-10, "atol": 1e-12}
+    last = solve_ivp(rates, (0, turns * period), start, max_step=period / 60, **options).y[:, -1]
     grid = period * (np.arange(samples) + 0.5) / samples
-    return grid, solve_ivp(rates, (0, period), last, t_eval=grid, max_step=period / 200, **given).y[0]
+    return grid, solve_ivp(rates, (0, period), last, t_eval=grid, max_step=period / 200, **options).y[0]
 
 
 def mean_and_first(pull: Pull, osc: Any, Omega: float, F_0: float, start: Any, turns: int) -> tuple[float, float]:

@@ -87,11 +87,11 @@ def _condition(oscillator: Oscillator, Omega: arb, A: arb, regime: str) -> float
     """Of a level of the states in the oscillator's numbers, Omega and h: where F_A = 0, A may stay as it is."""
     here = oscillator.forcing(Omega, A, _side(regime))
     step = arb(STEP)
-    moved = [oscillator.forcing(Omega * (1 + step), A, _side(regime))]
+    shifted = [oscillator.forcing(Omega * (1 + step), A, _side(regime))]
     for other in perturbed(oscillator):
-        moved.append(other.forcing(Omega, other.u_cr if regime == CORNER else A, _side(regime)))
+        shifted.append(other.forcing(Omega, other.u_cr if regime == CORNER else A, _side(regime)))
     d, h = oscillator.derivatives(Omega, A, _side(regime), arb(0)), oscillator.h(A, _side(regime))[0]
-    total = sum((abs(x - here) / (step * here) for x in moved), abs(d["R"] * h) / here**2)
+    total = sum((abs(x - here) / (step * here) for x in shifted), abs(d["R"] * h) / here**2)
     return float(total.mid())
 
 

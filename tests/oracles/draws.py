@@ -56,8 +56,8 @@ def forcings(rng: np.random.Generator, designs: Any, mu: Floats) -> Floats:
     anywhere = np.where(mu > 0, 4 * mu / np.pi * (1 + 10 ** rng.uniform(-2, 3, count)), 10 ** rng.uniform(-4, 1, count))
     level = np.where(rng.random(count) < 0.5, designs.saddle_node_onset().F_SN, designs.detachment().F_cr)
     level = np.where(rng.random(count) < 0.1, 4 * mu / np.pi, level)
-    beside = level * (1 + rng.choice([-1, 1], count) * 10 ** rng.uniform(-16.3, -1, count))
-    return np.where((rng.random(count) < 0.6) & (beside > 4 * mu / np.pi), beside, anywhere)
+    near = level * (1 + rng.choice([-1, 1], count) * 10 ** rng.uniform(-16.3, -1, count))
+    return np.where((rng.random(count) < 0.6) & (near > 4 * mu / np.pi), near, anywhere)
 
 
 def batch(kind: Any, numbers: Any) -> Any:

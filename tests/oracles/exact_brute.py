@@ -25,7 +25,7 @@ def untruncated(lam, r, delta_h):
 
 
 def follow(force, mu, zeta, Omega, F_0, tau, u, v, turns, steps):
-    """States (u, v) after each of `steps` equal steps a turn of the forcing, from (tau, u, v), and the rests begun."""
+    """(u, v) after each of `steps` equal steps a turn of the forcing, from (tau, u, v), and how many stops."""
     pieces, breakpoints = force
     h = 2 * math.pi / Omega / steps
 
@@ -55,7 +55,7 @@ def follow(force, mu, zeta, Omega, F_0, tau, u, v, turns, steps):
         return high
 
     tau, u, v = float(tau), float(u), float(v)
-    states, rests = [], 0
+    states, stops = [], 0
     piece = index(u)
     slip = (v > 0) - (v < 0)
     if slip == 0 and abs(push(tau, u, piece)) > mu:
@@ -80,7 +80,7 @@ def follow(force, mu, zeta, Omega, F_0, tau, u, v, turns, steps):
                 return (slip * y < 0) or index(x) != piece  # noqa: B023
 
             if started and slip * step(tau, u, v, 1e-6, slip, piece)[1] <= 0:
-                slip, rests = 0, rests + 1
+                slip, stops = 0, stops + 1
                 tau += 1e-6
                 continue
             if not ended(size):
@@ -94,7 +94,7 @@ def follow(force, mu, zeta, Omega, F_0, tau, u, v, turns, steps):
                 v, piece = y, index(x)
                 continue
             v = 0.0
-            held = abs(push(tau, u, piece)) <= mu and mu > 0
-            slip, rests = (0, rests + 1) if held else (-slip, rests)
+            sticks = abs(push(tau, u, piece)) <= mu and mu > 0
+            slip, stops = (0, stops + 1) if sticks else (-slip, stops)
         states.append((u, v))
-    return states, rests
+    return states, stops

@@ -83,20 +83,20 @@ def random_motions(count, seed):
             float(rng.uniform(0.1, 0.3) if n % 3 == 1 else rng.uniform(0.3, 1.3)),
             float(rng.uniform(0.02, 0.2)),
         )
-        given = LAWS[law](rng, F_0)
-        inertial = "excitation" in given
+        damping = LAWS[law](rng, F_0)
+        inertial = "excitation" in damping
         force = F_0 * Omega**2 if inertial else F_0
-        own = {"mu": 0.0 if n % 36 < 6 and "rubs" not in given else force * rng.uniform(0.05, 0.5)}
+        own = {"mu": 0.0 if n % 36 < 6 and "rubs" not in damping else force * rng.uniform(0.05, 0.5)}
         own["zeta"] = rng.uniform(0.005, 0.1)
         if n // len(LAWS) % 3 == 2:
-            given.pop("rubs", None)  # its force has one piece
-            one = Duffing(rng.uniform(0.2, 1.5), rng.uniform(0.0, 1.0), **own, **given)
+            damping.pop("rubs", None)  # its force has one piece
+            one = Duffing(rng.uniform(0.2, 1.5), rng.uniform(0.0, 1.0), **own, **damping)
         else:
             lam, r = int(rng.integers(1, 5)), rng.uniform(0.5, 3)
             delta_h = (1 - rng.uniform(0.05, 0.95)) / (lam * r)
             if delta_h > 0.6:
                 continue
-            one = Isolator(lam=lam, r=r, delta_h=delta_h, **own, **given)
+            one = Isolator(lam=lam, r=r, delta_h=delta_h, **own, **damping)
         which = ("truncated", "untruncated")[n % 2] if isinstance(one, Isolator) else None
         found.append((one.equation_of_motion(which), Omega, F_0))
     return found

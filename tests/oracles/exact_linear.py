@@ -10,25 +10,25 @@ import mpmath as mp
 
 
 def one_turn(Omega, F_0, mu, tau, u, slip):
-    """(u, tau, rests) when a turn has passed; the mass starts at rest at (tau, u) and slips in direction `slip`."""
+    """(u, tau, stops) when a turn has passed; the mass starts at rest at (tau, u) and slips in direction `slip`."""
     V = 1 / (1 - Omega**2)
-    end, rests = tau + 2 * mp.pi / Omega, 0
+    end, stops = tau + 2 * mp.pi / Omega, 0
     while True:
         if slip == 0:
             tau, slip = _break_away(Omega, F_0, mu, tau, u)
             if tau >= end - mp.mpf(10) ** -9:
-                return u, tau, rests
+                return u, tau, stops
             continue
         motion, velocity = _slip(Omega, F_0, mu, V, tau, u, slip)
         stop = _first_stop(velocity, tau, end + 1, slip)
         tau, u = stop, motion(stop)
         push = F_0 * mp.cos(Omega * tau) - u
         if abs(push) <= mu:
-            slip, rests = 0, rests + 1
+            slip, stops = 0, stops + 1
         else:
             slip = -slip
             if tau >= end - mp.mpf(10) ** -9:
-                return u, tau, rests
+                return u, tau, stops
 
 
 def _slip(Omega, F_0, mu, V, tau_0, u_0, slip):

@@ -73,15 +73,15 @@ class Compiled:
 
     def advance(self, piece: Any, drive: Any, *way: float) -> Any:
         """State (u, v) at the end, also before the start, and its derivatives by (u, v, Omega, F_0): shape (2, 4)."""
-        return advance(alone(piece, drive), slip_of(drive), 0, *way)
+        return advance(single_piece(piece, drive), slip_of(drive), 0, *way)
 
     def until(self, piece: Any, drive: Any, slip: int, edge: float, *way: float) -> Any:
         """First stop (slip v falls through 0), arrival at u = edge, or the end: (theta, u, v, `Event`)."""
         *state, end = way
-        forced = alone(piece, drive, edge)
+        forced = single_piece(piece, drive, edge)
         at = forced.system.force.region_of(state[1])
-        of, given = handle(forced.system), (True, slip, at, MOST_CALLS)
-        outcome, _, phases = EXACT.follow(of, *forced[1:], *state, end, *given)
+        of, options = handle(forced.system), (True, slip, at, MOST_CALLS)
+        outcome, _, phases = EXACT.follow(of, *forced[1:], *state, end, *options)
         first = Phase(*next(PHASE.iter_unpack(phases)))
         if outcome:
             raise ArithmeticError(f"the integration from theta = {way[0]} failed at theta = {first.end}")
@@ -94,8 +94,8 @@ def slip_of(drive: Drive) -> int:
 
 
 @functools.cache
-def alone(piece: Any, drive: Drive, edge: float = FAR) -> Forced:
-    """That piece alone, on both sides of an edge, under what a drive has."""
+def single_piece(piece: Any, drive: Drive, edge: float = FAR) -> Forced:
+    """One piece on both sides of an edge, with the forcing and damping of a drive."""
     force = Force((piece,), ()) if abs(edge) >= FAR else Force((piece, piece), (edge,), odd=False)
     eta = -2.0 * drive.Omega**2 * drive.zeta_by_Omega
     zeta = drive.zeta - eta / (2.0 * drive.Omega)
@@ -123,13 +123,13 @@ class ScipyIntegrator:
 
         def variational(at: float, y: Any) -> Any:
             resists, damps = resistance(drive, y[1])
-            given = (np.cos(at), y[1], Omega, F_0, zeta, resists, piece(y[0]))
+            arguments = (np.cos(at), y[1], Omega, F_0, zeta, resists, piece(y[0]))
             # arrays of numbers: np.reshape of a tuple takes as long as all the rest
             by_state = np.array(motion.rates_by_state(Omega, damps, piece.slope(y[0]))).reshape(2, 2)
-            by_parameter = np.array(motion.rates_by_parameter(*given)).reshape(2, -1)
+            by_parameter = np.array(motion.rates_by_parameter(*arguments)).reshape(2, -1)
             by_parameter[:, 0] += drive.zeta_by_Omega * by_parameter[:, 2]
             rates = np.empty(10)
-            rates[:2] = motion.rates(*given)
+            rates[:2] = motion.rates(*arguments)
             tangent = np.matmul(by_state, y[2:].reshape(2, 4), out=rates[2:].reshape(2, 4))
             tangent[:, 2:] += by_parameter[:, :2]
             return rates
@@ -251,14 +251,14 @@ def follow(
         piece, drive = forced.piece(region), drive_of(forced, slip, region)
         from_theta, from_u, from_v = theta, u, v
         if v == 0.0:
-            moved = _move_off(integrator, piece, drive, slip, edge, theta, u, end)
-            if moved is None and system.holds(region) > 0:
+            started = _move_off(integrator, piece, drive, slip, edge, theta, u, end)
+            if started is None and system.holds(region) > 0:
                 # the push exceeds friction by too little and for too short a time to be told from rounding
                 region = 0 if u == 0.0 and system.force.jump != 0.0 else region
                 at, slip = break_away(forced, region, theta + NUDGES[-1], u)
                 theta = _rest(phases, region, theta, u, min(at, end), end)
                 continue
-            theta, u, v = moved or (theta, u, v)
+            theta, u, v = started or (theta, u, v)
         if theta < end:
             theta, u, v, event = integrator.until(piece, drive, slip, edge, theta, u, v, end)
         else:
@@ -293,19 +293,19 @@ def _rest(phases: list[Phase], region: int, theta: float, u: float, until: float
 def _move_off(
     integrator: Any, piece: Any, drive: Any, slip: int, edge: float, theta: float, u: float, end: float
 ) -> tuple[float, float, float] | None:
-    """A short way from rest without looking for a stop, which rounding could find at the very start.
+    """Leave rest by a short step without event detection, as rounding could find a stop at the very start.
 
     The start itself where a breakpoint is too near; None if the mass does not move off.
     """
-    moves = False
+    slips = False
     for nudge in NUDGES:
         later = min(theta + nudge, end)
         there_u, there_v, _ = integrator.advance(piece, drive, theta, u, 0.0, later)
         if slip * there_v > 0.0:
-            moves = True
+            slips = True
             if slip * (there_u - edge) < 0.0:
                 return later, there_u, there_v
-    return (theta, u, 0.0) if moves else None
+    return (theta, u, 0.0) if slips else None
 
 
 def equations(cycle: Cycle, integrator: Any, z: Any, F_0: float) -> Equations:

@@ -59,9 +59,9 @@ def arctangent(x: Any) -> Any:
     return x.atan()
 
 
-def beside(end: float) -> list[float]:
-    """Amplitudes that exceed a piece's end by next to nothing."""
-    return [end * (1 + share) for share in (5e-11, 1e-7)]
+def next_to(end: float) -> list[float]:
+    """Amplitudes just beyond a piece's end."""
+    return [end * (1 + excess) for excess in (5e-11, 1e-7)]
 
 
 #: each force's numbers, its pieces f(u) for u > 0 in these, where they end, and amplitudes
@@ -117,7 +117,7 @@ FORCES: dict[str, tuple[dict[str, float], list[Callable[..., Any]], list[str], l
             lambda u, n: u + n("c") * tanh(acb_series([n("k") * (n("end") - n("gap"))])) + n("p") * (u - n("end")),
         ],
         ["gap", "end"],
-        [0.05, *beside(0.1), 0.13, 0.29, *beside(0.3), 0.3001, 0.5, 2.0],
+        [0.05, *next_to(0.1), 0.13, 0.29, *next_to(0.3), 0.3001, 0.5, 2.0],
     ),
     "two_steps": (
         {"k": 1.5, "c": 2.0, "gap": 0.2, "end": 0.25, "p": 0.7},
@@ -127,7 +127,7 @@ FORCES: dict[str, tuple[dict[str, float], list[Callable[..., Any]], list[str], l
             lambda u, n: u * u * u + n("c") * u,
         ],
         ["gap", "end"],
-        [0.1, *beside(0.2), 0.21, 0.249, *beside(0.25), 0.26, 1.0],
+        [0.1, *next_to(0.2), 0.21, 0.249, *next_to(0.25), 0.26, 1.0],
     ),
     "letting_go": (
         {"k": 1.5, "gap": 0.5},
@@ -191,18 +191,18 @@ def average(name: str, A: arb, numbers: dict[str, arb]) -> list[arb]:
 
 def case(name: str, A: float) -> dict[str, Any]:
     """The values at one amplitude, and their condition: the sum of |dh/dp p/h| over A and the numbers."""
-    given = FORCES[name][0]
+    parameters = FORCES[name][0]
     with precision(BITS):
-        amplitude, numbers = arb(exact(A)), {key: arb(exact(value)) for key, value in given.items()}
+        amplitude, numbers = arb(exact(A)), {key: arb(exact(value)) for key, value in parameters.items()}
         values = average(name, amplitude, numbers)
-        moved = [average(name, amplitude * (1 + STEP), numbers)]
-        moved += [average(name, amplitude, {**numbers, key: value * (1 + STEP)}) for key, value in numbers.items()]
+        shifted = [average(name, amplitude * (1 + STEP), numbers)]
+        shifted += [average(name, amplitude, {**numbers, key: value * (1 + STEP)}) for key, value in numbers.items()]
         conditions = []
         for order, value in enumerate(values):
-            total = sum(abs(float((one[order] - value) / STEP)) for one in moved)
+            total = sum(abs(float((one[order] - value) / STEP)) for one in shifted)
             conditions.append(float(f"{total / abs(float(value)):.3g}") if not vanishes(value) else None)
-        told = ["0" if vanishes(value) else digits(value) for value in values]
-    return {"force": name, "numbers": given, "A": A, "h": told, "condition": conditions}
+        printed = ["0" if vanishes(value) else digits(value) for value in values]
+    return {"force": name, "numbers": parameters, "A": A, "h": printed, "condition": conditions}
 
 
 def vanishes(value: arb) -> bool:

@@ -27,7 +27,7 @@ from tests.oracles.averaged import (
     exact,
 )
 from tests.oracles.certified_roots import precision
-from tests.oracles.make_random_isolators import SEED, answered, draw_duffing, draw_isolator, given, log_uniform, write
+from tests.oracles.make_random_isolators import SEED, answered, draw_duffing, draw_isolator, encoded, log_uniform, write
 
 EACH = 20
 
@@ -101,8 +101,8 @@ def case(mechanism: str, index: int) -> dict:
         shown = [{"F_0": digits(p.F_0), "Omega": digits(p.Omega), "A": digits(p.A), "sense": p.sense} for p in cusps]
     return {
         "mechanism": mechanism,
-        "parameters": {k: given(v) for k, v in parameters.items()},
-        "F_0": given(F_0),
+        "parameters": {k: encoded(v) for k, v in parameters.items()},
+        "F_0": encoded(F_0),
         "cusps": shown,
         **answered(oscillator, folds, F_0, frequencies),
     }

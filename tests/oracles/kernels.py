@@ -68,27 +68,27 @@ def define(module: str, kernel: str, names: Sequence[str], at: Sequence[float]) 
     Raises KeyError for a kernel without a definition.
     """
     base, scene = scene_of(module)
-    given = dict(zip(names, at, strict=True))
+    known = dict(zip(names, at, strict=True))
     if kernel == "phase" and scene == "_mu0_zeta0":
-        inertia = given["A"] * given["Omega"] ** 2
-        if abs(inertia + given["h"]) <= RELATIVE * inertia:
+        inertia = known["A"] * known["Omega"] ** 2
+        if abs(inertia + known["h"]) <= RELATIVE * inertia:
             raise ValueError("in phase or out of it, to rounding")
     if base == "slow_flow" and kernel == "fold":
-        m = 0.0 if "mu0" in scene else given["m"]
-        if given["k"] ** 2 < (given["F_0"] - m) * (given["F_0"] + m):
+        m = 0.0 if "mu0" in scene else known["m"]
+        if known["k"] ** 2 < (known["F_0"] - m) * (known["F_0"] + m):
             raise ValueError("no fold at such an intercept")
-    if kernel == "R_of_fold" and abs(given["Omega"] ** 2 + given["h_A"]) <= RELATIVE * given["Omega"] ** 2:
+    if kernel == "R_of_fold" and abs(known["Omega"] ** 2 + known["h_A"]) <= RELATIVE * known["Omega"] ** 2:
         raise ValueError("a pole, to rounding")
     with_rest = kernel in ("limit_envelope", "saddle_nodes", "fold") and base != "off_centre"
-    if with_rest and "F_0" in given and "mu0" not in scene:
-        friction = given["m"] if "m" in given else 4 * given["mu"] / math.pi
-        if given["F_0"] <= friction * (1 + RELATIVE):
+    if with_rest and "F_0" in known and "mu0" not in scene:
+        friction = known["m"] if "m" in known else 4 * known["mu"] / math.pi
+        if known["F_0"] <= friction * (1 + RELATIVE):
             raise ValueError("at rest, or a rounding from it")
-    if kernel == "isola" and "mu0" not in scene and given["h_A"] <= 0:
+    if kernel == "isola" and "mu0" not in scene and known["h_A"] <= 0:
         raise ValueError("no isola point: h_A > 0")
     if base in averaged_force.TYPED:
         f, rational = _of_mechanism(base, kernel, names, at)
-    elif kernel == "isola" and given["m"] == 0 and "mu0" not in scene:
+    elif kernel == "isola" and known["m"] == 0 and "mu0" not in scene:
         raise ValueError("a common factor is left out without friction")
     elif base == "slow_flow" and kernel == "detachment":
         f, rational = resultants.detachment, True
@@ -116,12 +116,12 @@ def is_of_gradients(kernel: str) -> bool:
 
 
 def _of_mechanism(name: str, kernel: str, names: Sequence[str], at: Sequence[float]) -> tuple[Definition, bool]:
-    given = dict(zip(names, at, strict=True))
+    known = dict(zip(names, at, strict=True))
     inner = {"duffing": ("alpha", "beta"), "rod_spring": ("alpha", "beta", "gamma", "u_cr")}.get(
         name, ("alpha", "beta", "delta_h")
     )
-    u_cr = _corner(given) if "alpha" in given else math.inf
-    at = abs(given.get("A", given.get("u", 0.0)))
+    u_cr = _corner(known) if "alpha" in known else math.inf
+    at = abs(known.get("A", known.get("u", 0.0)))
     # of the force that is steep below u_cr and goes on above the double next to u_cr is above
     passed = int(at >= u_cr if kernel == "force" and name == "rod_spring_untruncated" else at > u_cr)
     if kernel == "harmonics" and name == "rod_spring_untruncated" and u_cr > 0.75:
@@ -144,23 +144,23 @@ def _of_mechanism(name: str, kernel: str, names: Sequence[str], at: Sequence[flo
     return averaged_force.of_force(name, kernel, passed), False
 
 
-def _corner(given: dict[str, float]) -> float:
+def _corner(known: dict[str, float]) -> float:
     """The double next to u_cr, which stands for it; infinite where the force has one piece."""
-    if "delta_h" in given:
-        return math.sqrt(2 * given["delta_h"] - given["delta_h"] ** 2)
-    return given.get("u_cr", math.inf)
+    if "delta_h" in known:
+        return math.sqrt(2 * known["delta_h"] - known["delta_h"] ** 2)
+    return known.get("u_cr", math.inf)
 
 
-def _outputs(wanted: Sequence[str], name: str, passed: int, *x: Any) -> list[Any]:
+def _outputs(outputs: Sequence[str], name: str, passed: int, *x: Any) -> list[Any]:
     """Averages by name."""
     values = {}
     for letter, vertical in (("h", False), ("H", True)):
-        if any(output.startswith(letter) for output in wanted):
+        if any(output.startswith(letter) for output in outputs):
             found = averages(name, passed, *x, vertical=vertical)
             values |= {letter + order: value for order, value in zip(ORDERS, found, strict=True)}
-    if "intercept" in wanted:
+    if "intercept" in outputs:
         values["intercept"] = values["h"] - x[0] * values["h_A"]
-    return [values[output] for output in wanted]
+    return [values[output] for output in outputs]
 
 
 # --- the averaged forces ----------------------------------------------------------------------------------------------

@@ -33,7 +33,7 @@ class Bent(Stated):
         return []  # the locus does not come to the bend from below
 
 
-class Play(Bent):
+class DeadZone(Bent):
     """Of a force that vanishes up to the gap; the least slope is p at twice the gap."""
 
     def ask(self, F_0: float, frequencies: list[float]) -> None:
@@ -80,7 +80,7 @@ FORCES: dict[str, tuple[Force, type[Stated]]] = {
             lambda n: arb(2) / 3 - arb(3).sqrt() / (2 * arb.pi()),
             end="gap",
         ),
-        Play,
+        DeadZone,
     ),
     "even": (
         Force(

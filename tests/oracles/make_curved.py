@@ -24,8 +24,8 @@ from flint import arb, arb_series, ctx
 
 from tests.oracles.averaged import BITS, DETACHED
 from tests.oracles.certified_roots import precision
-from tests.oracles.make_random_isolators import SEED, given, log_uniform, write
-from tests.oracles.make_sided import Along, asked
+from tests.oracles.make_random_isolators import SEED, encoded, log_uniform, write
+from tests.oracles.make_sided import Parametrized, reference_case
 
 #: cases of each force
 EACH = {"exponential": 17, "hyperbolic": 13}
@@ -93,7 +93,7 @@ def exponential(x: arb_series) -> arb_series:
     return ends * (x - first).exp()
 
 
-class Curved(Along):
+class Curved(Parametrized):
     """A force that rises, along its amplitude."""
 
     #: a mean that was found last
@@ -161,7 +161,7 @@ class Curved(Along):
             radius = 2 * max((new - B).abs_upper(), radius, key=float)
         raise ArithmeticError("the mean is not known")
 
-    def along(self, A: arb_series) -> tuple[arb_series, arb_series]:
+    def on_balance(self, A: arb_series) -> tuple[arb_series, arb_series]:
         """B and s_0/A of an amplitude that is a series."""
         length = ctx.cap
         B = arb_series([self._mean(A[0])])
@@ -182,10 +182,10 @@ class Curved(Along):
         """s_0/A around an amplitude, by Taylor's series at the middle of a ball and a last term on all of it."""
         length = ctx.cap
         if A.rad() < arb(2) ** (60 - ctx.prec):
-            return self.along(arb_series([A, 1]))[1]
+            return self.on_balance(arb_series([A, 1]))[1]
         ctx.cap = length + MORE
-        inside = self.along(arb_series([arb(A.mid()), 1]))[1]
-        last = self.along(arb_series([A, 1]))[1][length + MORE - 1]
+        inside = self.on_balance(arb_series([arb(A.mid()), 1]))[1]
+        last = self.on_balance(arb_series([A, 1]))[1][length + MORE - 1]
         terms = [*(inside[j] for j in range(length + MORE - 1)), last]
         ctx.cap = length
         off, value = arb_series([A - arb(A.mid()), 1]), arb_series([0])
@@ -220,7 +220,7 @@ class Curved(Along):
     def h(self, A: arb, regime: str) -> tuple[arb, arb, arb, arb]:
         assert regime == DETACHED
         before, ctx.cap = ctx.cap, 4
-        h = -2 * arb_series([A, 1]) * self.along(arb_series([A, 1]))[1]
+        h = -2 * arb_series([A, 1]) * self.on_balance(arb_series([A, 1]))[1]
         ctx.cap = before
         return h[0], h[1], 2 * h[2], 6 * h[3]
 
@@ -273,8 +273,8 @@ def case(force: str, index: int) -> dict:
     rng = random.Random(f"{SEED} curved {force} {index}")
     oscillator = drawn(force, rng, index)
     base = math.sqrt(float(oscillator.least_slope.mid()))
-    parameters = {name: given(float(value)) for name, value in oscillator.parameters.items()}
-    return {"force": force, "parameters": parameters, **asked(rng, oscillator, base, (1.0, 1.4))}
+    parameters = {name: encoded(float(value)) for name, value in oscillator.parameters.items()}
+    return {"force": force, "parameters": parameters, **reference_case(rng, oscillator, base, (1.0, 1.4))}
 
 
 if __name__ == "__main__":

@@ -20,7 +20,7 @@ from tests.oracles.make_random_isolators import (
     answered,
     draw_duffing,
     draw_isolator,
-    given,
+    encoded,
     log_uniform,
     row,
     write,
@@ -72,11 +72,11 @@ class ShakenDuffing(ByInertia, DampedDuffing):
 def drawn(law: str, index: int, rng: random.Random) -> tuple[Oscillator, dict[str, float]]:
     """Random oscillator number `index` of a law; every third has no viscous damping where it can do without."""
     rod = law == "rubs" or index % 2 == 0
-    given = draw_isolator(rng, lambda: rng.uniform(0.02, 0.97)) if rod else draw_duffing(rng, index // 2)
-    bare = index % 3 == 0 and law != "rubs" and given.get("beta", 1.0) > 0
+    design = draw_isolator(rng, lambda: rng.uniform(0.02, 0.97)) if rod else draw_duffing(rng, index // 2)
+    bare = index % 3 == 0 and law != "rubs" and design.get("beta", 1.0) > 0
     parameters = {
-        **given,
-        "zeta": 0.0 if bare else given["zeta"],
+        **design,
+        "zeta": 0.0 if bare else design["zeta"],
         "eta": log_uniform(rng, 0.003, 0.15) if law == "eta" else 0.0,
         "c_2": log_uniform(rng, 0.01, 1) if law == "c_2" else 0.0,
     }
@@ -108,10 +108,10 @@ def case(law: str, index: int) -> dict:
     lowest = onset and row(onset, "F_0 Omega A kind regime global", condition, **{"global": is_lowest})
     return {
         "mechanism": "duffing" if isinstance(oscillator, Duffing) else "rod_spring",
-        "parameters": {k: given(v) for k, v in parameters.items()},
+        "parameters": {k: encoded(v) for k, v in parameters.items()},
         "rubs": "attached" if oscillator.ends_at_u_cr else "throughout",
         "onset": lowest and {"F_SN": lowest.pop("F_0"), **lowest},
-        "F_0": given(F_0),
+        "F_0": encoded(F_0),
         **answered(oscillator, folds, F_0, (among, log_uniform(rng, 0.3, 3))),
     }
 
@@ -143,9 +143,9 @@ def shaken(index: int) -> dict:
     frequencies = around * rng.uniform(1.005, 1.05), log_uniform(rng, 0.3, 3)
     return {
         "mechanism": "rod_spring" if rod else "duffing",
-        "parameters": {k: given(v) for k, v in parameters.items()},
+        "parameters": {k: encoded(v) for k, v in parameters.items()},
         "rubs": "attached" if law == "rubs" else "throughout",
-        "F_0": given(F_0),
+        "F_0": encoded(F_0),
         **answered(oscillator, folds, F_0, frequencies),
     }
 

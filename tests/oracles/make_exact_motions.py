@@ -174,9 +174,11 @@ def crossing(x: list[arb], edge: arb, step: arb) -> arb:
     raise AssertionError("a breakpoint's time does not converge")
 
 
-def residual(case: tuple[str, dict[str, float], float], fold: bool, given: list[arb], Omega: arb | None) -> list[arb]:
-    """What vanishes at a motion or a fold."""
-    A, theta, frequency = (*given, Omega) if Omega is not None else given
+def residual(
+    case: tuple[str, dict[str, float], float], fold: bool, unknowns: list[arb], Omega: arb | None
+) -> list[arb]:
+    """Residuals of a motion or a fold."""
+    A, theta, frequency = (*unknowns, Omega) if Omega is not None else unknowns
     out = list(half_turn(case, A, theta, frequency))
     if fold:
         (a, b), (c, d) = (
@@ -195,22 +197,22 @@ def residual(case: tuple[str, dict[str, float], float], fold: bool, given: list[
 
 
 def solved(case: tuple[str, dict[str, float], float], Omega: float | None, start: tuple[float, ...]) -> list[arb]:
-    """Newton's iteration, until a step is below what is kept."""
-    x, given = [arb(value) for value in start], None if Omega is None else arb(Omega)
+    """Newton's iteration, until a step is below the digits kept."""
+    x, frequency = [arb(value) for value in start], None if Omega is None else arb(Omega)
     fold = Omega is None
     for _ in range(40):
-        f = residual(case, fold, x, given)
+        f = residual(case, fold, x, frequency)
         columns = []
         for i in range(len(x)):
-            moved = [value + (FURTHER if i == j else 0) for j, value in enumerate(x)]
-            changed = residual(case, fold, moved, given)
+            shifted = [value + (FURTHER if i == j else 0) for j, value in enumerate(x)]
+            changed = residual(case, fold, shifted, frequency)
             columns.append([(more - less) / FURTHER for more, less in zip(changed, f, strict=True)])
         matrix = arb_mat(len(x), len(x), [columns[j][i].mid() for i in range(len(x)) for j in range(len(x))])
         step = matrix.solve(arb_mat(len(x), 1, [-value for value in f]))
         size = max(abs(step[i, 0].mid()) for i in range(len(x)))
         # a start typed to a few digits may be too far for whole steps
-        share = min(arb(1), arb("0.1") / size) if size > arb("0.1") else arb(1)
-        x = [(value + share * step[i, 0]).mid() for i, value in enumerate(x)]
+        step_length = min(arb(1), arb("0.1") / size) if size > arb("0.1") else arb(1)
+        x = [(value + step_length * step[i, 0]).mid() for i, value in enumerate(x)]
         if size < arb(10) ** -(DIGITS + 3):
             return x
     raise AssertionError(f"no motion found: {case}, {Omega}, {start}")

@@ -238,9 +238,9 @@ def data_table(name: str, designs: Sequence, parameters: list[tuple[float, ...]]
     """Parameters, breakpoints, jumps and the force itself, whole and by its pieces, with their slopes."""
     coefficients = of_force(name, "coefficients")
     # the Duffing's design is its parameters
-    given = parameters if name == "duffing" else designs
-    table: dict[str, list] = {"coefficients": [entry(lambda *x: coefficients(*x), x) for x in given]}
-    table["by_design"] = [entry(functools.partial(by_design, name, coefficients), x) for x in given]
+    arguments = parameters if name == "duffing" else designs
+    table: dict[str, list] = {"coefficients": [entry(lambda *x: coefficients(*x), x) for x in arguments]}
+    table["by_design"] = [entry(functools.partial(by_design, name, coefficients), x) for x in arguments]
     polynomial = ("steps", "steps_by") if name != "rod_spring_untruncated" else ()
     for kernel in ("breakpoints", "jumps", *polynomial, "hardening"):
         table[kernel] = [entry(of_force(name, kernel), p) for p in parameters]

@@ -20,11 +20,11 @@ from flint import arb
 from tests.oracles.averaged import BITS, Amplitude, Number, digits, exact
 from tests.oracles.certified_roots import precision
 from tests.oracles.inertia import ByInertia
-from tests.oracles.make_random_isolators import SEED, answered, given, log_uniform, write
-from tests.oracles.make_sided import Along, Even, Stop, drawn
+from tests.oracles.make_random_isolators import SEED, answered, encoded, log_uniform, write
+from tests.oracles.make_sided import Even, Parametrized, Stop, drawn
 
 #: excitation, laws, force, and how many of these
-ASKED = (
+COUNTS = (
     ("base", (), "stop", 8),
     ("base", (), "springs", 7),
     ("base", ("eta",), "stop", 3),
@@ -75,13 +75,13 @@ def case(excitation: str, laws: tuple[str, ...], force: str, index: int) -> dict
     """One oscillator: its folds and states at one forcing."""
     rng = random.Random(f"{SEED} laws {excitation} {laws} {force} {index}")
     user, of, sign = drawn(force, rng, index)
-    beside = {"eta": log_uniform(rng, 0.005, 0.08), "c_2": log_uniform(rng, 0.02, 0.6)}
-    beside = {name: value if name in laws else 0.0 for name, value in beside.items()}
+    damping = {"eta": log_uniform(rng, 0.005, 0.08), "c_2": log_uniform(rng, 0.02, 0.6)}
+    damping = {name: value if name in laws else 0.0 for name, value in damping.items()}
     kind = ShakenStop if excitation == "base" else LawfulEven if force == "even" else LawfulStop
-    oscillator: Along = kind(**of.parameters, **beside)
+    oscillator: Parametrized = kind(**of.parameters, **damping)
     base = float(oscillator.least_slope.sqrt().mid())
     size = float(oscillator.edge.mid()) if oscillator.edge is not None else 0.4
-    damped = 2 * user["zeta"] * base + beside["eta"] + beside["c_2"] * size * base**2
+    damped = 2 * user["zeta"] * base + damping["eta"] + damping["c_2"] * size * base**2
     F_0 = float(oscillator.m.mid()) + size * damped * base * rng.uniform(1.2, 5)
     if excitation == "base":
         F_0 /= base**2
@@ -99,11 +99,11 @@ def case(excitation: str, laws: tuple[str, ...], force: str, index: int) -> dict
     return {
         "excitation": excitation,
         "force": force,
-        "parameters": {name: given(value) for name, value in {**user, **beside}.items()},
-        "F_0": given(F_0),
+        "parameters": {name: encoded(value) for name, value in {**user, **damping}.items()},
+        "F_0": encoded(F_0),
         **answered(oscillator, folds, F_0, frequencies, "Omega kind", "phi stable", mean),
     }
 
 
 if __name__ == "__main__":
-    write("off_centre_laws", [case(*rest, index) for *rest, count in ASKED for index in range(count)])
+    write("off_centre_laws", [case(*rest, index) for *rest, count in COUNTS for index in range(count)])

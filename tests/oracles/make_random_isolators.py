@@ -79,8 +79,8 @@ def draw_forcing(rng: random.Random, oscillator: Oscillator) -> tuple[float, str
         return F_cr * rng.uniform(0.98, 1.05), "around F_cr"
     if choice < 0.5 and len(levels) > 1:
         k = rng.randrange(len(levels) - 1)
-        share = rng.uniform(0.05, 0.95)
-        return levels[k] + share * (levels[k + 1] - levels[k]), "between two extrema of the fold locus"
+        fraction = rng.uniform(0.05, 0.95)
+        return levels[k] + fraction * (levels[k + 1] - levels[k]), "between two extrema of the fold locus"
     return log_uniform(rng, max(1.05 * m, 0.6 * F_SN), 6 * F_SN), "any"
 
 
@@ -106,7 +106,7 @@ def _float(x: arb) -> float:
     return float(x.mid())
 
 
-def given(x: Number) -> list[Any] | str:
+def encoded(x: Number) -> list[Any] | str:
     """A float as [hex, number]; an exact fraction as text."""
     return f"{x.numerator}/{x.denominator}" if isinstance(x, Fraction) else [float(x).hex(), float(x)]
 
@@ -148,7 +148,7 @@ def answered(
         steady = oscillator.amplitudes(Omega, F_0)
         with precision(BITS):
             rows = [{**before(a), **row(a, of_states, conditioning.amplitude(a, Omega, F_0))} for a in steady]
-        states.append({"Omega": given(Omega), "steady": rows})
+        states.append({"Omega": encoded(Omega), "steady": rows})
     return {"folds": shown, "amplitudes": states}
 
 
@@ -163,11 +163,11 @@ def forcing_record(oscillator: Oscillator, F_0: Number, why: str, rng: random.Ra
     rows = []
     for A in amplitudes:
         Omega = oscillator.frequencies(A, F_0)
-        rows.append({"A": given(A), "count": len(Omega), "Omega": [digits(x) for x in Omega]})
+        rows.append({"A": encoded(A), "count": len(Omega), "Omega": [digits(x) for x in Omega]})
     frequencies = draw_frequencies(rng, folds, response.peaks)
     known = answered(oscillator, folds, F_0, frequencies, "Omega A kind corner regime", "A phi stable regime")
     return {
-        "F_0": given(F_0),
+        "F_0": encoded(F_0),
         "chosen": why,
         "folds": known["folds"],
         "components": response.components,
@@ -190,7 +190,7 @@ def case_record(
         onset, ends = oscillator.onset(), oscillator.ends
         record: dict[str, Any] = {
             "mechanism": mechanism,
-            "parameters": {k: given(v) for k, v in parameters.items()},
+            "parameters": {k: encoded(v) for k, v in parameters.items()},
             **{k: digits(arb(getattr(oscillator, k))) for k in ("alpha", "beta", "gamma")},
             "m": digits(oscillator.m),
         }

@@ -31,7 +31,7 @@ from flint import arb, arb_series, ctx
 from tests.oracles.averaged import ATTACHED, BITS, DETACHED, Jet, Point, digits, exact
 from tests.oracles.certified_roots import isolate, precision
 from tests.oracles.conditioning import Conditioning
-from tests.oracles.make_random_isolators import SEED, answered, given, log_uniform, row, write
+from tests.oracles.make_random_isolators import SEED, answered, encoded, log_uniform, row, write
 from tests.oracles.make_stated import Bent, Stated
 
 #: cases of each force
@@ -40,7 +40,7 @@ EACH = {"stop": 12, "springs": 12, "even": 12}
 HIGHEST = 0.15
 
 
-class Along(Stated):
+class Parametrized(Stated):
     """An oscillator whose amplitude rises along a parameter x; a jet's h_AA is k/w there, w = 0 on an edge."""
 
     def _p(self, name: str) -> arb:
@@ -144,7 +144,7 @@ class Along(Stated):
         return []  # the spring is linear below the edge, and next above it h/A and h_A are too much alike for a fold
 
 
-class Stop(Along):
+class Stop(Parametrized):
     """a u + k (u - g)_+ under a load, of a mass that rests free of the stop: a g > load."""
 
     inputs = ("a", "k", "g", "load", "mu", "zeta")
@@ -176,18 +176,18 @@ class Stop(Along):
     def at(self, x: Any) -> tuple[Any, ...]:
         a, k, pi = self._p("a"), self._p("k"), arb.pi()
         sine, cosine = x.sin(), x.cos()
-        share = a + k / pi * (x - sine * cosine)
+        slope = a + k / pi * (x - sine * cosine)
         D, E = a * cosine - k / pi * (sine - x * cosine), a + k / pi * x
         G = a * self._p("g") - self._p("load")
         A = G / D
-        h_A = -share - 2 * k / pi * sine * D / E
+        h_A = -slope - 2 * k / pi * sine * D / E
         turn = -2 * k / pi * (sine * sine + (cosine * D - sine * sine * E) / E - k / pi * sine * D / (E * E))
-        return A, -A * share, h_A, turn * D * D / (G * E), sine
+        return A, -A * slope, h_A, turn * D * D / (G * E), sine
 
     def apart(self, x: arb_series) -> arb:
         a, k, pi = self._p("a"), self._p("k"), arb.pi()
-        share = a + k / pi * (x - x.sin() * x.cos())
-        return (-share - self.at(x)[2])[0]
+        slope = a + k / pi * (x - x.sin() * x.cos())
+        return (-slope - self.at(x)[2])[0]
 
     def mean(self, A: arb) -> arb:
         with precision(BITS):
@@ -196,7 +196,7 @@ class Stop(Along):
             return self._p("g") - A * self.place(A).cos()
 
 
-class Even(Along):
+class Even(Parametrized):
     """u + a u^2 + b u^3 with 0 < a^2 < 3 b."""
 
     inputs = ("a", "b", "mu", "zeta")
@@ -237,7 +237,7 @@ class Even(Along):
             return -(self.place(A) ** 2)
 
 
-def drawn(force: str, rng: random.Random, index: int) -> tuple[dict[str, float], Along, int]:
+def drawn(force: str, rng: random.Random, index: int) -> tuple[dict[str, float], Parametrized, int]:
     """Numbers as a user gives them, the oscillator that is solved, and the sign of B in it."""
     damping = {"mu": 0.0 if index % 3 == 0 else rng.uniform(0.001, 0.015), "zeta": log_uniform(rng, 0.015, 0.05)}
     if force == "even":
@@ -261,7 +261,9 @@ def drawn(force: str, rng: random.Random, index: int) -> tuple[dict[str, float],
     return user, Stop(a=a, k=k, g=g, load=pull, **damping), sign
 
 
-def asked(rng: random.Random, oscillator: Along, base: float, above: tuple[float, float], sign: int = 1) -> dict:
+def reference_case(
+    rng: random.Random, oscillator: Parametrized, base: float, above: tuple[float, float], sign: int = 1
+) -> dict:
     """Its onset, and its folds and states at one forcing that is drawn.
 
     base, above -- a frequency, and between which multiples of it one is drawn where there is no pair of folds
@@ -290,7 +292,7 @@ def asked(rng: random.Random, oscillator: Along, base: float, above: tuple[float
 
     lowest = onset and row(onset, "F_0 Omega", Conditioning(oscillator).extremum(onset))
     return {
-        "F_0": given(F_0),
+        "F_0": encoded(F_0),
         "onset": lowest and {**mean(onset), "F_SN": lowest.pop("F_0"), **lowest},
         **answered(oscillator, folds, F_0, frequencies, "Omega kind", "phi stable", mean),
     }
@@ -301,8 +303,8 @@ def case(force: str, index: int) -> dict:
     rng = random.Random(f"{SEED} sided {force} {index}")
     user, oscillator, sign = drawn(force, rng, index)
     base = float(oscillator.least_slope.sqrt().mid())
-    parameters = {k: given(v) for k, v in user.items()}
-    return {"force": force, "parameters": parameters, **asked(rng, oscillator, base, (0.9, 1.3), sign)}
+    parameters = {k: encoded(v) for k, v in user.items()}
+    return {"force": force, "parameters": parameters, **reference_case(rng, oscillator, base, (0.9, 1.3), sign)}
 
 
 if __name__ == "__main__":

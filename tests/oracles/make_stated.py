@@ -39,7 +39,7 @@ from tests.oracles.averaged import ATTACHED, BITS, CORNER, DETACHED, Jet, Oscill
 from tests.oracles.certified_roots import isolate, precision
 from tests.oracles.conditioning import Conditioning
 from tests.oracles.forces import arctangent, root, tanh
-from tests.oracles.make_random_isolators import SEED, answered, given, log_uniform, row, write
+from tests.oracles.make_random_isolators import SEED, answered, encoded, log_uniform, row, write
 
 #: of each force
 EACH = 3
@@ -230,11 +230,11 @@ class Stated(Oscillator):
             touching = (A - b) ** 2 * cosine**4 * (1 - 2 * inner) * 2 / (root(2 * A) * root(1 - inner))
             return half * (whole + self._number(self.force_.contact) * touching)
         if turn is None:
-            parts = [(first, half * v + 0 * A, half)]
+            ranges = [(first, half * v + 0 * A, half)]
         else:
-            parts = [(self.force_.pieces[1], turn * v, turn), (first, turn + (half - turn) * v, half - turn)]
+            ranges = [(self.force_.pieces[1], turn * v, turn), (first, turn + (half - turn) * v, half - turn)]
         total = None
-        for f, y, width in parts:
+        for f, y, width in ranges:
             cosine = y.cos()
             term = f(A * cosine, self._number) * cosine * width
             total = term if total is None else total + term
@@ -302,9 +302,9 @@ class Stated(Oscillator):
         with precision(SERIES_BITS):
             low, most, cap = arb(low.mid()), arb(most.mid()), ctx.cap
             # centre and radius: the piece is a quarter of the disc on each side
-            share = arb(1)
+            fraction = arb(1)
             while True:
-                r = (arb("0.18") if in_t else low / 8) * share
+                r = (arb("0.18") if in_t else low / 8) * fraction
                 if in_t:
                     r *= (1 + low * low).sqrt()
                 first = in_t and low == 0
@@ -319,8 +319,8 @@ class Stated(Oscillator):
                     bound = None
                 if bound is not None:
                     break
-                share /= 2
-                if share < arb(2) ** -12:
+                fraction /= 2
+                if fraction < arb(2) ** -12:
                     raise ArithmeticError(f"no disc around {low}")
             ctx.cap = LENGTH
             A, turn = self._argument(acb_series([acb(centre), 1]), in_t, beyond)
@@ -529,8 +529,8 @@ def case(name: str, force: Force, index: int, kind: type[Stated] = Stated) -> di
     lowest = onset and row(onset, "F_0 Omega A kind", Conditioning(oscillator).extremum(onset))
     return {
         "force": name,
-        "parameters": {k: given(v) for k, v in parameters.items()},
-        "F_0": given(F_0),
+        "parameters": {k: encoded(v) for k, v in parameters.items()},
+        "F_0": encoded(F_0),
         "onset": lowest and {"F_SN": lowest.pop("F_0"), **lowest},
         **answered(oscillator, folds, F_0, frequencies, "Omega A kind"),
     }

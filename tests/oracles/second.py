@@ -34,11 +34,11 @@ class Second:
     def h(self, n: int, A: Any) -> Any:
         """Harmonic n of the force of u = A cos psi, with its sign turned."""
         edges = [mp.pi / 2, *(mp.acos(end / A) for end in reversed(self.ends) if end < A)]
-        held = sum(end < A for end in self.ends)
+        passed = sum(end < A for end in self.ends)
         edges = [mp.mpf(0), *reversed(edges)]
         total = mp.mpf(0)
         for k, (low, high) in enumerate(pairwise(edges)):
-            piece = self.pieces[held - k]
+            piece = self.pieces[passed - k]
             total += mp.quad(lambda psi, f=piece: f(A * mp.cos(psi)) * mp.cos(n * psi), [low, high])
         return -4 * total / mp.pi
 

@@ -61,12 +61,12 @@ class Stated:
     def polynomials(self, p: Sequence) -> list[dict]:
         """Each piece's coefficients for u > 0, by power: those named, 1 for u where none is, and a constant that makes
         the force continuous where the file has a constant without a name."""
-        given = dict(zip(self.parameters, p, strict=True))
+        known_values = dict(zip(self.parameters, p, strict=True))
         known: list[dict] = []
         for k, names in enumerate(self.names):
-            own = {power: given[name] for power, name in names.items()} or {1: 0 * p[0] + 1 if p else mpf(1)}
+            own = {power: known_values[name] for power, name in names.items()} or {1: 0 * p[0] + 1 if p else mpf(1)}
             if 0 not in names and k and self.has_constant(k):
-                b = given[self.breakpoints[k - 1]]
+                b = known_values[self.breakpoints[k - 1]]
                 own[0] = sum(c * b**n for n, c in known[-1].items()) - sum(c * b**n for n, c in own.items())
             known.append(dict(sorted(own.items())))
         return known
@@ -86,8 +86,8 @@ class Stated:
 
             return force
 
-        given = dict(zip(self.parameters, p, strict=True))
-        return [odd(polynomial) for polynomial in self.polynomials(p)], [given[name] for name in self.breakpoints]
+        values = dict(zip(self.parameters, p, strict=True))
+        return [odd(polynomial) for polynomial in self.polynomials(p)], [values[name] for name in self.breakpoints]
 
     def first(self, p: Sequence) -> list:
         """Coefficients of u, u^3, u^5, ... of the first piece."""

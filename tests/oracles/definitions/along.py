@@ -44,12 +44,12 @@ def isola(A, m, zeta, *values):
     """F_Omega/(4 A) where Omega^2 = h_A, and its slope; without the common factor Omega if there is no friction."""
     h, h_A = near(A, values), near(A, values[1:])
 
-    def along(a):
+    def level_slope(a):
         w = mp.sqrt(h_A(a))
         value = mp.diff(lambda v: response(v, a, 0, m, zeta, h(a)), w) / (4 * a)
         return value if m else value / w
 
-    return [along(A), mp.diff(along, A)]
+    return [level_slope(A), mp.diff(level_slope, A)]
 
 
 def tangent(A, *values):
@@ -120,9 +120,9 @@ def cusp(A, m, zeta, h_AA, h_AAA, k, X, T, R, root):
     half_F_A, half_F_AAA = (slope_of_response(n, w, A, m, zeta, *values) / 2 for n in (1, 3))
     by_tangent = [slope_of_response(n, w, A, m, zeta, *tangent) / 2 for n in (1, 2)]
     half_F_AAOmega = mp.diff(lambda v: (v**2 - X) * (v**2 - X + 2 * root), w)
-    along = -mixed_slope(w, A, m, zeta, *values[:2]) / 2 * half_F_AAA / half_F_AAOmega
+    tangential = -mixed_slope(w, A, m, zeta, *values[:2]) / 2 * half_F_AAA / half_F_AAOmega
     I = balances(w, A, m, zeta, values[0])[1]
-    return [half_F_A, by_tangent[0] - A * by_tangent[1], along, mp.sqrt(R * (k + A * T) + I**2 - A * half_F_A)]
+    return [half_F_A, by_tangent[0] - A * by_tangent[1], tangential, mp.sqrt(R * (k + A * T) + I**2 - A * half_F_A)]
 
 
 def turn(Omega, A, m, zeta, h_AA, k):
@@ -180,14 +180,14 @@ def undamped_rises(h_AA, h_AAA, k):
 
 
 def fold_moves(A, k, R):
-    """F and F_A beside a point with that R, whose tangent along A meets A = 0 at k, at an I that stays."""
+    """Derivatives of F and F_A by R at constant I; R's tangent over A meets A = 0 at k."""
 
     def of(order):
-        def moved(y):
+        def shifted(y):
             slope_of_R = (R + y - k) / A
             return mp.diff(lambda a: (R + y + slope_of_R * (a - A)) ** 2, A, order)
 
-        return mp.diff(moved, 0)
+        return mp.diff(shifted, 0)
 
     return [of(0), of(1)]
 

@@ -153,28 +153,28 @@ def harmonics_table(name: str, amplitudes: Amplitudes) -> list:
 
 
 def changes_table(name: str, amplitudes: Amplitudes) -> list:
-    """How h, h_A and h_AA change with each parameter, at amplitudes of every regime; h and its slopes are given."""
+    """Derivatives of h, h_A and h_AA by each parameter, at amplitudes of every regime, from h and its slopes."""
     rows = []
     for A, p in amplitudes:
         if A == 0:
             continue
         passed = passed_by(name, A, p)
-        given = [float(value) for value in family(name, passed, False, mpf(A), *map(mpf, p))[:3]]
+        averaged = [float(value) for value in family(name, passed, False, mpf(A), *map(mpf, p))[:3]]
         rows.append(
-            entry(lambda A, h, h_A, h_AA, *q, n=passed: changes(name, n, A, (h, h_A, h_AA), *q), [A, *given, *p])
+            entry(lambda A, h, h_A, h_AA, *q, n=passed: changes(name, n, A, (h, h_A, h_AA), *q), [A, *averaged, *p])
         )
     return rows
 
 
-def changes(name: str, passed: int, A, given: Sequence, *p) -> list:
+def changes(name: str, passed: int, A, averaged: Sequence, *p) -> list:
     """By quadratures for parameters on either side. The untruncated force is linear but for what beta multiplies:
-    of beta by what that adds to the averages given, which the kernel is a function of.
+    of beta by its term of the averages, which the kernel is a function of.
     """
     found = []
     for k, value in enumerate(p):
         if name == "rod_spring_untruncated" and k == 1:
             rest = [-(1 if passed else p[0]) * linear for linear in (A, 1, 0)]
-            found += [(whole - own) / value for whole, own in zip(given, rest, strict=True)]
+            found += [(whole - own) / value for whole, own in zip(averaged, rest, strict=True)]
             continue
         with mp.workdps(200):
             before, ctx.prec = ctx.prec, 600
@@ -196,8 +196,8 @@ def second_approximation_table(rng: random.Random) -> dict:
     """Random harmonics, with |h| < 9 A Omega^2; half of the points next to the backbone."""
     table = {}
     orders = ("", "_A", "_AA", "_AAA")
-    asked = (("response", "F_0 ", 3), ("folds", "F_0 ", 4), ("detachment", "", 3), ("detachment_by_inertia", "", 3))
-    for kernel, forcing, top in asked:
+    kernels = (("response", "F_0 ", 3), ("folds", "F_0 ", 4), ("detachment", "", 3), ("detachment_by_inertia", "", 3))
+    for kernel, forcing, top in kernels:
         families = [name + order for name in ("h", "h_3", "h_5") for order in orders[:top]]
         names = f"Omega A {forcing}m zeta".split() + families
         rows = []
@@ -247,13 +247,13 @@ def steps_by(name: str, *q) -> list:
     ends, found = pieces(name, q)[1], []
     for i in range(len(q)):
 
-        def moved(u, k, i=i):
+        def by_parameter(u, k, i=i):
             return mp.diff(lambda value: pieces(name, (*q[:i], value, *q[i + 1 :]))[0][k](u), q[i])
 
         for k in range(len(ends) + 1):
-            found += slopes_at(name, q, lambda u, k=k: moved(u, k), mpf(0))
+            found += slopes_at(name, q, lambda u, k=k: by_parameter(u, k), mpf(0))
         for k, end in enumerate(ends):
-            found += slopes_at(name, q, lambda u, k=k: moved(u, k + 1) - moved(u, k), end)
+            found += slopes_at(name, q, lambda u, k=k: by_parameter(u, k + 1) - by_parameter(u, k), end)
     return found
 
 
@@ -312,12 +312,12 @@ def composed(kernel: str, names: Sequence[str], averages: Callable) -> Function:
     arguments, f = COMPOSED[kernel]
 
     def of(*x):
-        given = dict(zip(names, x, strict=False))
-        given["m"] = 4 * given.get("mu", mpf(0)) / mp.pi
+        known = dict(zip(names, x, strict=False))
+        known["m"] = 4 * known.get("mu", mpf(0)) / mp.pi
         if "h" in arguments.split():
-            found = averages(given["A"], *x[len(names) :])
-            given |= zip(("h", "h_A", "h_AA", "h_AAA"), found, strict=True)
-        return f(*(given[argument] for argument in arguments.split()))
+            found = averages(known["A"], *x[len(names) :])
+            known |= zip(("h", "h_A", "h_AA", "h_AAA"), found, strict=True)
+        return f(*(known[argument] for argument in arguments.split()))
 
     return of
 

@@ -36,8 +36,8 @@ def rest_of(A, m, eta, u_cr=None):
 def rest_share(A, *others):
     """I_0 and three derivatives."""
     (a,) = variables((A,), 3)
-    share = rest_of(a, *others)
-    return [mp.chop(share.derivative(order), TINY) for order in range(4)]
+    dissipation = rest_of(a, *others)
+    return [mp.chop(dissipation.derivative(order), TINY) for order in range(4)]
 
 
 class Laws:
@@ -187,8 +187,8 @@ def searched_system(system, far, unknown):
         # where R^2 + I^2 is stationary in w, over its slope by R, or by what leaves it finite at w = 0
         rest, place = taylor(I_0, I_0A), A + a
         if unknown == "R":
-            share = (place * zeta + rest * w) / (taylor(h, h_A) * w) if far else zeta / w + d * place
-            still = R + I * share
+            ratio = (place * zeta + rest * w) / (taylor(h, h_A) * w) if far else zeta / w + d * place
+            still = R + I * ratio
         elif far:
             still = R * taylor(h, h_A, h_AA) + rest * I
             still += place * zeta * (rest * w + 2 * zeta * place + d * place**2 / w)
@@ -260,11 +260,13 @@ def law_balances(w, a, rest, zeta, d, h):
 
 
 def rest_moves(A, m=1, *ends):
-    """What m, eta, and where friction ends u_cr do to I_0 and its first derivatives, from the work of each."""
+    """Derivatives of I_0 and its slopes by m, eta and, where friction ends there, u_cr, from the work of each."""
     a, *at = variables((A, m, 1, *ends), 3)
-    share = rest_of(a, *at)
+    dissipation = rest_of(a, *at)
     by_each = itertools.product(range(len(at)), range(3))
-    return [mp.chop(share.derivative(order, *(int(k == j) for j in range(len(at)))), TINY) for k, order in by_each]
+    return [
+        mp.chop(dissipation.derivative(order, *(int(k == j) for j in range(len(at)))), TINY) for k, order in by_each
+    ]
 
 
 def law_response(Omega, A, F_0, *others):

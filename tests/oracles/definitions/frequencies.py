@@ -34,7 +34,7 @@ def quartic(kind, epsilon):
     return lambda *x: [value(*x), terms(kind, epsilon, *x)]
 
 
-def beside(kind):
+def with_tail(kind):
     """At Omega + tail; the terms are those at Omega."""
     f = quartic(kind, FINE)
     return lambda Omega, tail, *x: [f(Omega + tail, *x)[0], f(Omega, *x)[1]]
@@ -84,11 +84,11 @@ FREQUENCIES: dict[str, tuple[str, Function]] = {
     "cubic_slope": ("Omega A p", lambda w, A, p: [mp.diff(lambda v: A * v**3 + p * v, w)]),
     "rise": ("Omega A p k", rise),
     "response_fine": ("Omega A F_0 m zeta h", quartic("response", FINE)),
-    "response_beside": ("Omega tail A F_0 m zeta h", beside("response")),
+    "response_beside": ("Omega tail A F_0 m zeta h", with_tail("response")),
     "response_derivative": ("A m zeta h", derivative("response")),
     "response_exactly_at_0": ("F_0 m h", lambda *x: [response(0, 1, x[0], x[1], 0, x[2])]),
     "fold_fine": ("Omega A m zeta h h_A", quartic("fold", FINE)),
-    "fold_beside": ("Omega tail A m zeta h h_A", beside("fold")),
+    "fold_beside": ("Omega tail A m zeta h h_A", with_tail("fold")),
     "fold_derivative": ("A m zeta h h_A", derivative("fold")),
     "cubic_fine": ("Omega A p p_low q q_low", lambda w, A, p, pp, q, qq: [A * w**3 + (p + pp) * w + (q + qq)]),
     "discriminant": ("A p p_low q q_low", cubic_discriminant),

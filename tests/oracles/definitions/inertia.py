@@ -179,11 +179,11 @@ def shaken_peak_share(Omega, A, m, zeta):
     return [-R / balances(Omega, A, m, zeta, 0)[1]]
 
 
-def shaken_Omega_of_share(A, F_0, m, zeta, share):
+def shaken_Omega_of_share(A, F_0, m, zeta, ratio):
     """As a root, between frequencies at which the level is higher and lower."""
 
     def excess(w):
-        return shaken_level(w, A, m, zeta, -share * balances(w, A, m, zeta, 0)[1] - A * w**2) - F_0
+        return shaken_level(w, A, m, zeta, -ratio * balances(w, A, m, zeta, 0)[1] - A * w**2) - F_0
 
     low, high = mpf(1), mpf(1)
     while excess(low) < 0:

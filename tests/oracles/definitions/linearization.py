@@ -57,8 +57,8 @@ def steepest(ratio):
 
 
 def white(S_0, k, c):
-    parts = [0, mp.sqrt(k) / 2, mp.sqrt(k), 2 * mp.sqrt(k), mp.inf]
-    return [mp.quad(lambda w, j=j: 2 * S_0 * w**j / modulus(w, k, c), parts) for j in (0, 2)]
+    edges = [0, mp.sqrt(k) / 2, mp.sqrt(k), 2 * mp.sqrt(k), mp.inf]
+    return [mp.quad(lambda w, j=j: 2 * S_0 * w**j / modulus(w, k, c), edges) for j in (0, 2)]
 
 
 def crossings(end, sigma_u, sigma_v):

@@ -55,11 +55,11 @@ def smoothed(cosine, v, F_0, mu, zeta, left, right, slip, inner, outer):
 def smoothed_by_state(mu, zeta, nu, left, right, slip, inner, outer, inner_u, outer_u):
     """By differentiating logistic functions and tanh that have these values."""
 
-    def moved(value, x):
+    def shifted(value, x):
         return 1 / (1 + (1 / value - 1) * mp.exp(-nu * x))
 
     def rates(u, v):
-        steps = moved(left, u), moved(right, u), mp.tanh(mp.atanh(slip) + nu * v)
+        steps = shifted(left, u), shifted(right, u), mp.tanh(mp.atanh(slip) + nu * v)
         return smoothed(0, v, 0, mu, zeta, *steps, inner + inner_u * u, outer + outer_u * u)
 
     return matrix(rates, (mpf(0), mpf(0)))

@@ -40,8 +40,8 @@ def powers(x, count):
 def force_with(A, c, s):
     """Means over a cycle c(A, B), s(A, B) of a force that has these at (A, 0): c_n = <f^(n)>, s_n = <f^(n) cos psi>."""
     n = len(c)
-    given = [value * A**k for values in (c, s) for k, value in enumerate(values)]
-    terms = [mp.fdot(row, given) for row in shares(n, mp.prec)]
+    scaled = [value * A**k for values in (c, s) for k, value in enumerate(values)]
+    terms = [mp.fdot(row, scaled) for row in shares(n, mp.prec)]
 
     def means(at):
         """By powers of B, each (B + at cos psi)^j by the binomial theorem."""
@@ -85,16 +85,16 @@ def off_averaged(A, *means):
     return [h.derivative(order) for order in range(4)]
 
 
-def off_moved(A, c_1, c_2, c_3, s_1, s_2, s_3, *moves):
+def off_moved(A, c_1, c_2, c_3, s_1, s_2, s_3, *changes):
     """B and h along the balance at each amplitude and each number of the parameter; c_0 and s_0 do not matter."""
     at, p = variables((A, 0), 3)
     both = zip(
         force_with(A, (mpf(0), c_1, c_2, c_3), (mpf(0), s_1, s_2, s_3))(at),
-        [[*more, 0, 0] for more in force_with(A, moves[:3], moves[3:6])(at)],
+        [[*more, 0, 0] for more in force_with(A, changes[:3], changes[3:6])(at)],
         strict=True,
     )
     mean, first = ([one + p * more for one, more in zip(*pair, strict=True)] for pair in both)
-    mean[0] -= p * moves[6]
+    mean[0] -= p * changes[6]
     B = balanced(lambda B: at_mean(mean, B), c_1, at, 3)
     h = -2 * at_mean(first, B)
     return [B.derivative(0, 1), *(h.derivative(order, 1) for order in range(3))]
@@ -197,8 +197,8 @@ def ended_fold(R, A, F_0, F_2, m, eta, zeta, d, load, *rest):
     I, I_A = lag(at, Omega, m, eta, zeta, d)
     F = R**2 + I**2 - (F_0 + F_2 * Omega**2) ** 2
     half = [R * (Omega**2 * at.by(k) - 2 * first.by(k)) + I * I_A * at.by(k) for k in (0, 1)]
-    along = [mean.by(0) * one[1] - mean.by(1) * one[0] for one in (half, [at.by(0), at.by(1)])]
-    return stated(mean - load, at * along[0] - along[1] * F, F)
+    tangential = [mean.by(0) * one[1] - mean.by(1) * one[0] for one in (half, [at.by(0), at.by(1)])]
+    return stated(mean - load, at * tangential[0] - tangential[1] * F, F)
 
 
 OFF_CENTRE: dict[str, tuple[str, Function]] = {

@@ -37,7 +37,7 @@ def below_end(A, b, lost, n, order):
     for k, one in enumerate(lost):
         for j in range(k - order + 1):  # (A sine - b)^(k - order)
             power = A**j * (-b) ** (k - order - j) / (mp.factorial(j) * mp.factorial(k - order - j))
-            total += one * power * sum(share * integrals[j + order + m] for m, share in ON_SINE[n].items())
+            total += one * power * sum(coefficient * integrals[j + order + m] for m, coefficient in ON_SINE[n].items())
     return -4 / mp.pi * total
 
 
@@ -90,11 +90,11 @@ def sampled_table(rng: random.Random) -> dict:
     for kernel, (names, f) in SAMPLED.items():
         count = sum(name.startswith(("f", "lost")) for name in names.split())
         rows = []
-        for share in (0.05, 0.4, 0.8, 0.99, 0.9999):
+        for ratio in (0.05, 0.4, 0.8, 0.99, 0.9999):
             numbers = [rng.uniform(-1, 1) for _ in range(count)]
             A = rng.uniform(0.2, 1.0)
-            before = [A, share * A] if "end" in kernel else [share] if kernel.endswith("s") else []
-            before = [A, share, rng.uniform(0.1, 0.9)] if kernel == "intercept_terms" else before
+            before = [A, ratio * A] if "end" in kernel else [ratio] if kernel.endswith("s") else []
+            before = [A, ratio, rng.uniform(0.1, 0.9)] if kernel == "intercept_terms" else before
             rows.append(entry(f, [*before, *numbers]))
         table[kernel] = rows
     return table

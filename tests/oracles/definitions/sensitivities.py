@@ -41,8 +41,8 @@ def balanced(x):
     return both
 
 
-def moves(kind, force):
-    """The moves of one kind of answer: the linear system of its conditions; what vanishes there is taken away first.
+def implicit(kind, force):
+    """Sensitivities of one kind of answer by the implicit function theorem; residuals are subtracted first.
 
     The system's determinant is the product of what must not vanish.
     """
@@ -72,12 +72,12 @@ def moves(kind, force):
             rows.append([known.get(name, F).derivative(*(n + (k == j) for j, n in enumerate(order))) for k in range(4)])
         system = mp.matrix([row[:3] for row in rows])
         with mp.extradps(20):
-            moved = list(mp.lu_solve(system, mp.matrix([-row[3] for row in rows])))
+            sensitivities = list(mp.lu_solve(system, mp.matrix([-row[3] for row in rows])))
         if kind not in ("isola", "corner_backbone"):
             determinant = mp.fprod(whole.derivative(*order, 0, 0) for order in pivots)
             determinant *= 1 if "forcing" in conditions else rows[0][2]
             assert mp.almosteq(abs(mp.det(system)), abs(determinant), rel_eps=mpf(10) ** (8 - mp.dps))
-        return moved
+        return sensitivities
 
     return of
 
@@ -115,20 +115,20 @@ def right(Omega, A, R, I_0, I_0A, I_0AA, zeta, d, h_A, h_AA, *x):
 
 
 def of_state(Omega, A, I_0, I_0A, zeta, d, h, h_A, force, force_Omega, force_F, *x):
-    """Phase and transmissibility along the moves, from R, I and h."""
+    """Derivatives of phase and transmissibility along a perturbation, from R, I and h."""
     h_p, I_0p, zeta_p, d_p, A_p, Omega_p, F_0_p = x
 
-    def along(p):
+    def perturbed(p):
         w, a, restoring = Omega + Omega_p * p, A + A_p * p, h + (h_p + h_A * A_p) * p
         rest = I_0 + (I_0p + I_0A * A_p) * p
         return *law_balances(w, a, rest, zeta + zeta_p * p, d + d_p * p, restoring), restoring
 
     def turned(p):
-        R, I, _ = along(p)
+        R, I, _ = perturbed(p)
         return mp.arg(mp.mpc(-R, -I))
 
     def passed_on(p):
-        _, I, restoring = along(p)
+        _, I, restoring = perturbed(p)
         return mp.hypot(restoring, I) / (force + (force_Omega * Omega_p + force_F * F_0_p) * p)
 
     return [mp.diff(turned, 0), mp.diff(passed_on, 0)]

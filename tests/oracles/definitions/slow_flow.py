@@ -160,7 +160,7 @@ def second(Omega, A, m, zeta, h, h_3, h_5):
     u_max, A_1, sine, _, a_3, a_5, _ = components(Omega, A, m, h(A), h_3(A), h_5(A))
     # force of A cos psi + a_3 (cos 3 psi - cos psi) + a_5 (cos 5 psi - cos psi), to first order in a_3, a_5
     shares = (mp.diff(lambda a, h_n=h_n: h_n(a) - h(a), A) for h_n in (h_3, h_5))
-    R = A_1 * Omega**2 + h(A) + sum(a_n * share for a_n, share in zip((a_3, a_5), shares, strict=True))
+    R = A_1 * Omega**2 + h(A) + sum(a_n * slope for a_n, slope in zip((a_3, a_5), shares, strict=True))
     # power of the forcing is what friction, 4 mu u_max a cycle, and viscosity take
     I = 2 * zeta * Omega * (A_1**2 + 9 * a_3**2 + 25 * a_5**2) / A_1 + m * u_max / A_1
     return R - m * sine, I, u_max, A_1
@@ -198,10 +198,10 @@ def second_kernel(kernel):
             def level_squared(w, a):
                 return (F(w, a) + F_0**2) / w**4
 
-            (by_A, by_Omega), (rise, along) = (
+            (by_A, by_Omega), (rise, tangential) = (
                 [slope(f, by) for by in ((0, 1), (1, 0))] for f in (lambda w, a: at(w, a)[2], level_squared)
             )
-            return [mp.sqrt(R**2 + I**2) / Omega**2, u_max, Omega**4 * (along * by_A - rise * by_Omega)]
+            return [mp.sqrt(R**2 + I**2) / Omega**2, u_max, Omega**4 * (tangential * by_A - rise * by_Omega)]
         slopes = [slope(lambda w, a: at(w, a)[0], by) for by in ((0, 1), (1, 0))]
         return [u_max, A_1, mp.arg(mp.mpc(-R, -I)), R, F(Omega, A), F_A, F_Omega, *slopes]
 
