@@ -1,7 +1,7 @@
 """`make bench`: the table of targets, the work-precision diagram and how cost grows, in one run.
 
-Out: the table on the terminal, benchmarks/results/bench.json and work_precision.json, docs/work_precision and
-docs/scaling as PNG and SVG, docs/benchmarks.md. About ten minutes; `--small` tries it out.
+Out: the table on the terminal, benchmarks/results/bench.json and work_precision.json, docs/work_precision.png and
+docs/scaling.png, docs/benchmarks.md. About ten minutes; `--small` tries it out.
 """
 
 from __future__ import annotations

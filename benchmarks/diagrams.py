@@ -1,4 +1,4 @@
-"""Pictures of what `benchmarks.work_precision` measured: its rows in, PNG and SVG out."""
+"""Pictures of what `benchmarks.work_precision` measured: its rows in, PNG out."""
 
 from __future__ import annotations
 
@@ -47,11 +47,11 @@ SIDES = {
     "numpy.roots": ((4, 18), "center", "bottom"),
     "F_SN: slowflow": ((-8, 2), "right", "bottom"),
 }
-STYLE = {"svg.hashsalt": "slowflow", "font.size": 9, "axes.spines.top": False, "axes.spines.right": False}
+STYLE = {"font.size": 9, "axes.spines.top": False, "axes.spines.right": False}
 
 
 def draw(results: dict[str, Any], folder: Path) -> None:
-    """work_precision.png and .svg, scaling.png and .svg."""
+    """work_precision.png, of error against time, and scaling.png, of cost against size."""
     folder.mkdir(parents=True, exist_ok=True)
     with matplotlib.rc_context(STYLE):
         scenes = results["scenes"]
@@ -75,7 +75,6 @@ def draw(results: dict[str, Any], folder: Path) -> None:
 
 def _save(figure: Any, path: Path) -> None:
     figure.savefig(path.with_suffix(".png"), dpi=150, metadata={"Software": None})
-    figure.savefig(path.with_suffix(".svg"), metadata={"Date": None, "Creator": None})
     plt.close(figure)
 
 

@@ -194,7 +194,6 @@ def users(found: dict[str, Any]) -> str:
         lines += ["What each does:", "", *(f"- {peer}: {what}." for peer, what in ways), ""]
     if "work_precision" in found:
         lines += ["## Error against time", "", "![Error against time](work_precision.png)", ""]
-        lines += ["## Cost against size", "", "![Cost against size](scaling.png)", ""]
     return "\n".join(lines)
 
 
@@ -210,6 +209,7 @@ def details(found: dict[str, Any]) -> str:
         lines += ["Scenes: Table 1 with F_0 = 0.04. Errors are relative, against values certified to 40 digits.", ""]
         for scene in precision["scenes"]:
             lines += [f"### {scene['title']}", "", *precision_table(scene), ""]
+        lines += ["## Cost against size", "", "![Cost against size](../../docs/scaling.png)", ""]
         lines += ["## Cost against stops", "", *STOPS_WORDS, "", *stops_table(precision["scaling"]["stops"]), ""]
     if exact := found.get("exact"):
         about = [f"{exact['earlier'].capitalize()}."] if "earlier" in exact else []

@@ -19,7 +19,7 @@ version = release = __version__
 extensions = ["myst_parser", "sphinx.ext.autodoc"]
 myst_enable_extensions = ["dollarmath", "amsmath", "colon_fence", "attrs_inline"]
 myst_heading_anchors = 3
-exclude_patterns = ["site"]
+exclude_patterns = ["site", *(page[5:] for page in pages.ELSEWHERE if page.startswith("docs/"))]
 html_theme = "furo"
 html_title = "slowflow"
 html_static_path = ["site/static"]
@@ -27,6 +27,7 @@ html_css_files = ["site.css"]
 html_js_files = ["site.js"]
 html_search_scorer = str(DOCS / "site" / "scorer.js")
 html_extra_path = ["explorer.html"]
+html_split_index = True
 html_copy_source = False
 html_show_sphinx = False
 html_math_renderer = "mathml"

@@ -74,4 +74,4 @@ def example(name: str) -> Iterator[str]:
     for path, examples in EXAMPLES.items():
         if path != "begin" and name.startswith(f"{path}.") and name.removeprefix(f"{path}.") in examples:
             code = examples[name.removeprefix(f"{path}.")].strip()
-            yield from ("Example::", "", *(f"    {line}" for line in code.split("\n")), "")
+            yield from ("::", "", *(f"    {line}" for line in code.split("\n")), "")

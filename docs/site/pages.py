@@ -17,13 +17,18 @@ from typing import Any
 from docs.api import EXAMPLES, MODULES, block
 
 ROOT = Path(__file__).parents[2]
-#: files outside docs that are pages of the site
+#: files that are pages of the site elsewhere
 ELSEWHERE = {
     "README.md": "index.md",
     "CONTRIBUTING.md": "_made/contributing.md",
-    "generated/LEDGER.md": "_made/ledger.md",
     "CHANGELOG.md": "_made/changelog.md",
+    "generated/LEDGER.md": "_made/ledger/index.md",
+    "docs/literature.md": "_made/literature/index.md",
+    "docs/stability.md": "_made/stability/index.md",
+    "docs/validity.md": "_made/validity/index.md",
 }
+#: letters of a page in whose folder each section gets a page, up to which the first sections stay on it
+FIRST_PAGE = 4000
 #: what one wants from the reference, by patterns of modules: the first that fits
 PURPOSES = {
     "Isolators and oscillators": r"^slowflow$|(physical|oscillator|composed|loads|example)$|(w|averaged)\.questions$",
@@ -35,7 +40,7 @@ PURPOSES = {
     "Results": r"results|answer|quantities|certificate|gradient|transmitted|validity",
     "Input files, progress, codes": r"",
 }
-LINK = re.compile(r"(?<!!)\[([^\]\n]+)\]\((?!https?:|#|mailto:)([^)#\s]+)(#[^)\s]*)?\)")
+LINK = re.compile(r"(!?\[[^\]\n]+\])\((?!https?:|#|mailto:)([^)#\s]+)(?:#([^)\s]*))?\)")
 
 
 def write(docs: Path) -> None:
@@ -46,9 +51,29 @@ def write(docs: Path) -> None:
     (made / "reference").mkdir()
     for source, page in ELSEWHERE.items():
         if page.startswith("_made"):
-            (docs / page).write_text(relinked(ROOT / source, docs / page), encoding="utf-8")
+            put(relinked(ROOT / source, docs / page), docs / page)
     derivation(made / "derivation")
     reference(made / "reference")
+
+
+def put(text: str, page: Path) -> None:
+    """Write a page; one that is the index of a folder keeps its first sections, and each other one is a page there."""
+    page.parent.mkdir(exist_ok=True)
+    if page.name == "index.md":
+        first, *sections = re.split(r"^## ", text, flags=re.MULTILINE)
+        while sections and len(first) + len(sections[0]) < FIRST_PAGE:
+            first += f"## {sections.pop(0)}"
+        for section in sections:
+            raised = re.sub(r"^##(#+ )", r"#\1", f"# {section}", flags=re.MULTILINE)
+            page.with_name(f"{slug(section)}.md").write_text(raised, encoding="utf-8")
+        names = "\n".join(map(slug, sections))
+        text = f"{first}\n```{{toctree}}\n:maxdepth: 1\n\n{names}\n```\n"
+    page.write_text(text, encoding="utf-8")
+
+
+def slug(section: str) -> str:
+    """The name of a section's page, which is the anchor of its heading."""
+    return re.sub(r"[^\w -]", "", section.partition("\n")[0].lower()).replace(" ", "-")
 
 
 def relinked(source: Path, page: Path) -> str:
@@ -56,7 +81,7 @@ def relinked(source: Path, page: Path) -> str:
 
     def link(match: re.Match[str]) -> str:
         target = os.path.relpath(source.parent / match[2], page.parent)
-        return f"[{match[1]}]({target}{match[3] or ''})"
+        return f"{match[1]}({target}{f'#{match[3]}' if match[3] else ''})"
 
     return LINK.sub(link, source.read_text(encoding="utf-8"))
 
@@ -71,12 +96,15 @@ def inside(app: Any, name: str, source: list[str]) -> None:
             return match[0]
         path = target.relative_to(ROOT).as_posix()
         if path in ELSEWHERE:
-            return f"[{match[1]}]({os.path.relpath(Path(app.srcdir, ELSEWHERE[path]), here)})"
+            page = Path(app.srcdir, ELSEWHERE[path])
+            section = page.with_name(f"{match[3]}.md")
+            return f"{match[1]}({os.path.relpath(section if section.is_file() else page, here)})"
         if target.is_relative_to(app.srcdir) and target.is_file():
             return match[0]
         if not target.exists():
             raise ValueError(f"{name}: there is no {path}")
-        return match[1] if match[1].strip("`") == path else f"{match[1]} (`{path}`)"
+        shown = match[1][1:-1]
+        return shown if shown.strip("`") == path else f"{shown} (`{path}`)"
 
     if name == "decisions/README":
         source[0] += "\n```{toctree}\n:hidden:\n:glob:\n\n*\n```\n"
@@ -90,8 +118,8 @@ def derivation(folder: Path) -> None:
     from derivations.mechanisms import all_mechanisms
     from derivations.runtime import description
 
-    (folder / "walkthrough.md").write_text(walkthrough.derived(), encoding="utf-8")
-    names = ["walkthrough"]
+    put(walkthrough.derived(), folder / "walkthrough" / "index.md")
+    names = ["walkthrough/index"]
     for mechanism in (*all_mechanisms(), *map(library.stated, library.names())):
         (folder / f"{mechanism.name}.md").write_text(description(mechanism), encoding="utf-8")
         names.append(mechanism.name)
@@ -149,7 +177,16 @@ def reference(folder: Path) -> None:
                 (folder / f"{target}.md").write_text("\n".join([*lines, ""]), encoding="utf-8")
                 pages[module].append(target)
         apart = [f"   :exclude-members: {', '.join(links)}"] if links else []
-        lines = [f"# {module}", "", *first, "```{eval-rst}", f".. automodule:: {module}", *apart, "```", ""]
+        lines = [
+            f"# {module}",
+            "",
+            *first,
+            "```{eval-rst}",
+            f".. automodule:: {module}",
+            *apart,
+            "```",
+            "",
+        ]
         lines += ["On their own pages: " + ", ".join(shown) + ".", ""] if links else []
         (folder / f"{page}.md").write_text("\n".join(lines), encoding="utf-8")
     text = (Path(__file__).parent / "reference.txt").read_text(encoding="utf-8")

@@ -3,7 +3,7 @@ var Scorer = {
   score: ([page, title, anchor, descr, score, filename, kind]) => {
     if (/^howto\/questions$/.test(page)) return score + 60;
     if (/^(howto\/|tutorial$|glossary$|faq$|try$|gallery$|mechanisms$|limits$)/.test(page)) return score + 50;
-    if (/^(validity|benchmarks|reliability|stability|_made\/ledger)$/.test(page)) return score + 20;
+    if (/^(benchmarks|reliability|_made\/(ledger|stability|validity)\/.*)$/.test(page)) return score + 20;
     if (kind === "object" || kind === "index") return score - 5;
     if (/^(decisions|methods)\//.test(page)) return score - 10;
     return score;
