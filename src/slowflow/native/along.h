@@ -171,8 +171,7 @@ static inline void sf_take_fold_next_to(const sf_model *model, const sf_sample *
     double w[3], nearest = HUGE_VAL;
     const double by_X = out->Omega[channel];
     const int n = sf_fold_roots(at->A, at->h, at->h_A, model->m, model->zeta, w);
-    int i;
-    for (i = 0; i < n; i++)
+    for (int i = 0; i < n; i++)
         if (fabs(w[i] - by_X) < nearest)
             nearest = fabs(w[i] - by_X), out->Omega[channel] = w[i];
     if (n > 0)
@@ -182,19 +181,17 @@ static inline void sf_take_fold_next_to(const sf_model *model, const sf_sample *
 /* Channel 0 is the larger root Omega^2 of F_AA. */
 static inline void sf_ask_cusp(const sf_model *model, int open, const sf_sample *at, sf_answer *out) {
     double q[5];
-    int i;
     slow_flow_cusps(at->A, model->zeta, at->h, at->h_A, at->h_AA, at->k, q);
     if (fabs(q[3]) <= SF_CLOSE * q[2] * q[2]) /* a channel ends at Omega = 0, where F_A has the sign of h h_A */
         out->edge = at->h * at->h_A > 0 ? 1 : -1;
-    for (i = 0; i < 2 && q[4] >= 0; i++) {
+    for (int i = 0; i < 2 && q[4] >= 0; i++) {
         const double root = sqrt(q[4]), X = sf_quadratic_root(q[2], q[3], root, i == 0);
         const double T = sf_quadratic_root(q[0], q[1], root, i == 0);
         double R[2], cusp[4];
-        int by_F_AA;
         if (!(X > 0 && open & 1 << i))
             continue;
         slow_flow_cusp_R(at->A, model->zeta, at->h_AA, at->k, X, T, R);
-        by_F_AA = fabs(R[0]) < SF_CANCELLED * fabs(at->k); /* k + A T has lost digits */
+        const int by_F_AA = fabs(R[0]) < SF_CANCELLED * fabs(at->k); /* k + A T has lost digits */
         slow_flow_cusp(at->A, model->m, model->zeta, at->h_AA, at->h_AAA, at->k, X, T, R[by_F_AA],
                        i == 0 ? root : -root, cusp);
         out->exists[i] = 1;
@@ -240,11 +237,10 @@ static inline void sf_ask_turn(const sf_model *model, const sf_sample *at, sf_an
 static inline void sf_ask_peak(const sf_model *model, double F_0, int open, const sf_sample *at, sf_answer *out) {
     sf_quartic cubic;
     double w[2];
-    int i, n;
     if (!(at->A > 0 && model->zeta > 0))
         return;
-    n = sf_unpolished_peak_roots(&cubic, at->A, at->h, model->m, model->zeta, w);
-    for (i = 0; i < n; i++) {
+    const int n = sf_unpolished_peak_roots(&cubic, at->A, at->h, model->m, model->zeta, w);
+    for (int i = 0; i < n; i++) {
         const int channel = i + 2 - n;
         double peak[2];
         if (!(open & 1 << channel))
@@ -313,8 +309,7 @@ static inline int sf_is_x_lost(const sf_model *model, const sf_sample *at) {
 static inline double sf_isola_Omega_by_inertia(const sf_model *model, const sf_sample *at) {
     double w[3], Omega = 0, least = HUGE_VAL;
     const int n = sf_fold_roots(at->A, at->h, at->h_A, model->m, model->zeta, w);
-    int i;
-    for (i = 0; i < n; i++) {
+    for (int i = 0; i < n; i++) {
         const double lacks = fabs(inertia_level_slope(w[i], at->A, model->m, model->zeta, at->h) /
                                   slow_flow_R(w[i], at->A, at->h));
         if (w[i] > 0 && lacks < least)

@@ -74,8 +74,7 @@ static int sf_contradicts(double F_0, const sf_graph *graph, int k) {
 /* The number of roots in each interval; where one is too narrow to hold an amplitude, the event's gain tells. */
 static void sf_count_intervals(const sf_model *model, double F_0, sf_graph *graph) {
     sf_sample at;
-    int k;
-    for (k = 0; k + 1 < graph->events; k++) {
+    for (int k = 0; k + 1 < graph->events; k++) {
         const double low = graph->event[k].A, high = graph->event[k + 1].A, middle = 0.5 * (low + high);
         const int is_wide = middle > low + SF_NO_WIDTH * low && middle < high;
         if (!is_wide && k > 0 && graph->event[k].kind != SF_CUT) {
@@ -95,8 +94,7 @@ static void sf_count_intervals(const sf_model *model, double F_0, sf_graph *grap
 
 /* Arcs that end at an event, each with the Omega that it has there. */
 static void sf_end_all(const sf_model *model, double F_0, sf_graph *graph, const sf_sample *at, int interval, int end) {
-    int i;
-    for (i = 0; i < graph->count[interval]; i++)
+    for (int i = 0; i < graph->count[interval]; i++)
         sf_end(graph, graph->first[interval] + i, end, at->A,
                sf_branch_at(model, at, F_0, graph->count[interval], i));
 }
@@ -134,7 +132,7 @@ static void sf_link(const sf_model *model, double F_0, sf_graph *graph, int k) {
     const int rich = left >= right ? k - 1 : k, poor = left >= right ? k : k - 1;
     const int rich_end = left >= right, lost = graph->count[rich] - graph->count[poor];
     const int first_rich = graph->first[rich], first_poor = graph->first[poor];
-    int gone = 0, i; /* index of the first arc of the richer side that does not go on */
+    int gone = 0; /* index of the first arc of the richer side that does not go on */
     sf_sample at;
     sf_sample_at(model, event->A, &at);
     if (event->kind == SF_CUT) {
@@ -157,7 +155,7 @@ static void sf_link(const sf_model *model, double F_0, sf_graph *graph, int k) {
         sf_end(graph, pair + 1, rich_end, event->A, Omega);
         sf_meet(graph, pair, rich_end, pair + 1, rich_end);
     }
-    for (i = 0; i < graph->count[poor]; i++) {
+    for (int i = 0; i < graph->count[poor]; i++) {
         const int other = first_rich + (i < gone ? i : i + lost);
         /* by other laws, where one ends at Omega = 0 and another begins they meet; without, one goes by */
         const int is_at_rest = i == 0 && lost == 0 && event->kind == SF_TO_ZERO && sf_has_laws(model);
@@ -171,18 +169,17 @@ static void sf_link(const sf_model *model, double F_0, sf_graph *graph, int k) {
 /* F_0: of the response, or SF_ON_LOCUS */
 static void sf_trace_arcs(const sf_model *model, double F_0, sf_graph *graph) {
     sf_sample at;
-    int k;
     sf_count_intervals(model, F_0, graph);
     sf_make_arcs(graph);
     if (graph->events < 2)
         return;
-    for (k = 1; k + 1 < graph->events; k++)
+    for (int k = 1; k + 1 < graph->events; k++)
         sf_link(model, F_0, graph, k);
     if (graph->event[0].A > 0 || F_0 < 0) {
         sf_sample_at(model, graph->event[0].A, &at);
         sf_end_all(model, F_0, graph, &at, 0, 0);
     } else { /* the response comes from A = 0, at one frequency */
-        for (k = 0; k < graph->count[0]; k++)
+        for (int k = 0; k < graph->count[0]; k++)
             sf_end(graph, k, 0, 0, graph->event[0].Omega);
     }
     sf_sample_at(model, graph->event[graph->events - 1].A, &at);

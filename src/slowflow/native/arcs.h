@@ -52,20 +52,19 @@ typedef struct {
 } sf_tour;
 
 static inline void sf_add_event(sf_graph *graph, double A, double Omega, sf_event_kind kind, int gain) {
-    sf_event *event;
     if (graph->events == SF_MOST_EVENTS) {
         graph->status = SF_TOO_MANY;
         return;
     }
-    event = &graph->event[graph->events++];
+    sf_event *event = &graph->event[graph->events++];
     event->A = A, event->Omega = Omega, event->kind = kind, event->gain = gain;
 }
 
 /* With little friction and damping the lower pair meets so near Omega = 0 that rounding may take the place where one of
  * its arcs ends there for the earlier one. Then the two events are one: an arc comes from Omega = 0. */
 static inline void sf_merge_events(sf_graph *graph) {
-    int i, n = 0;
-    for (i = 0; i < graph->events; i++) {
+    int n = 0;
+    for (int i = 0; i < graph->events; i++) {
         const sf_event *event = &graph->event[i];
         sf_event *last = n > 0 ? &graph->event[n - 1] : NULL;
         if (last != NULL && event->A - last->A <= SF_COINCIDE * event->A &&
@@ -90,11 +89,10 @@ static inline void sf_meet(sf_graph *graph, int one, int end_one, int other, int
 }
 
 static inline void sf_make_arcs(sf_graph *graph) {
-    int k, i;
     graph->arcs = 0;
-    for (k = 0; k + 1 < graph->events; k++) {
+    for (int k = 0; k + 1 < graph->events; k++) {
         graph->first[k] = graph->arcs;
-        for (i = 0; i < graph->count[k]; i++) {
+        for (int i = 0; i < graph->count[k]; i++) {
             sf_arc *arc = &graph->arc[graph->arcs++];
             arc->interval = k, arc->count = graph->count[k], arc->index = i;
             arc->partner[0] = arc->partner[1] = -1;
@@ -121,8 +119,7 @@ static inline double sf_first_Omega(const sf_graph *graph, int step)
 static inline double sf_last_Omega(const sf_graph *graph, int step) { return graph->arc[step / 2].Omega[step % 2]; }
 
 static inline void sf_reverse(int *step, int n) {
-    int i;
-    for (i = 0; i < n / 2; i++) {
+    for (int i = 0; i < n / 2; i++) {
         const int swap = step[i];
         step[i] = step[n - 1 - i] ^ 1;
         step[n - 1 - i] = swap ^ 1;
@@ -146,17 +143,17 @@ static inline void sf_tour_from(const sf_graph *graph, int end, int closed, int 
 /* Open curves from one loose end to the other, at the lower Omega first, then the closed ones. The curve that reaches
  * A = 0 is the first: its end is the lowest. */
 static inline void sf_make_tour(const sf_graph *graph, sf_tour *tour) {
-    int visited[SF_MOST_ARCS], arc, end;
+    int visited[SF_MOST_ARCS];
     memset(visited, 0, sizeof visited);
     tour->curves = 0, tour->start[0] = 0;
-    for (arc = 0; arc < graph->arcs && graph->arc[arc].interval == 0; arc++)
+    for (int arc = 0; arc < graph->arcs && graph->arc[arc].interval == 0; arc++)
         if (graph->arc[arc].partner[0] < 0)
             sf_tour_from(graph, 2 * arc, 0, visited, tour);
-    for (arc = 0; arc < graph->arcs; arc++)
-        for (end = 0; end < 2; end++)
+    for (int arc = 0; arc < graph->arcs; arc++)
+        for (int end = 0; end < 2; end++)
             if (graph->arc[arc].partner[end] < 0)
                 sf_tour_from(graph, 2 * arc + end, 0, visited, tour);
-    for (arc = 0; arc < graph->arcs; arc++)
+    for (int arc = 0; arc < graph->arcs; arc++)
         sf_tour_from(graph, 2 * arc, 1, visited, tour);
 }
 

@@ -35,15 +35,14 @@ static double sf_sine_A(const sf_damping *of, double Omega, double A) {
 static sf_interval sf_resists(const sf_ended *here, sf_interval *rising) {
     sf_interval along[2];
     double end[2];
-    int up;
     off_centre_intervals_ended_along(here->A, here->s_0, here->c_x, here->c_y, here->X, here->Y, along);
     *rising = along[0];
-    for (up = 0; up < 2; up++) {
+    for (int up = 0; up < 2; up++) {
         const double p = up ? here->c_x.hi : here->c_x.lo, q = up ? here->c_y.lo : here->c_y.hi;
         const double X = (p < 0) != up ? here->X.lo : here->X.hi, Y = (q > 0) != up ? here->Y.lo : here->Y.hi;
-        double at[2], value;
+        double at[2];
         off_centre_ended_along(1, 0, p, q, X, Y, at);
-        value = -at[1] / at[0];
+        const double value = -at[1] / at[0];
         end[up] = value + (up ? 0x1p-48 : -0x1p-48) * fabs(value);
     }
     return sfi_has_sign(along[0]) && isfinite(end[0]) && isfinite(end[1]) ? sfi_of(end[0], end[1]) : sf_any_number;
@@ -74,13 +73,13 @@ static int sf_on_balance(const sf_ended *here, const sf_ended *middle, double lo
     const sf_interval f = sfi_sub(middle->c_0, sfi_point(load)), slopes[2] = {here->c_x, here->c_y};
     const sf_interval by[2] = {here->c_x, sfi_neg(here->c_y)}, turns[2] = {here->X, here->Y};
     sf_interval r[2], moved[2], nearer;
-    int i, some = !sfi_has_sign(sfi_sub(here->c_0, sfi_point(load))) && !(here->A.hi <= SF_LEAST_AMPLITUDE);
-    for (i = 0; i < 2; i++) {
+    int some = !sfi_has_sign(sfi_sub(here->c_0, sfi_point(load))) && !(here->A.hi <= SF_LEAST_AMPLITUDE);
+    for (int i = 0; i < 2; i++) {
         const double at = 0.5 * (low[i] + high[i]), wide = fmax(high[i] - at, at - low[i]) * (1 + SF_BOUND_DOUBT);
         r[i] = sfi_of(-wide, wide), moved[i] = sfi_mul(slopes[i], r[i]);
     }
     some &= !sfi_has_sign(sfi_add(sfi_add(f, moved[0]), moved[1]));
-    for (i = 0; i < 2; i++) {
+    for (int i = 0; i < 2; i++) {
         const sf_interval left = sfi_sub(sfi_point(0.5 * (low[i] + high[i])), sfi_div(sfi_add(f, moved[1 - i]), slopes[i]));
         if (sfi_has_sign(slopes[i]))
             low[i] = fmax(low[i], left.lo), high[i] = fmin(high[i], left.hi);
@@ -88,7 +87,7 @@ static int sf_on_balance(const sf_ended *here, const sf_ended *middle, double lo
     }
     /* p = 2 s_0/A, with its slopes 2 (c_x - X p)/A and -2 (c_y + Y p)/A */
     *p = sfi_div(sfi_times(2, here->s_0), here->A), nearer = sfi_div(sfi_times(2, middle->s_0), middle->A);
-    for (i = 0; i < 2; i++)
+    for (int i = 0; i < 2; i++)
         nearer = sfi_add(nearer, sfi_mul(sfi_div(sfi_times(2, sfi_sub(by[i], sfi_mul(turns[i], *p))), here->A), r[i]));
     *p = here->A.lo <= 0 ? sf_any_number : sf_both(*p, nearer);
     *resists = sf_resists(here, rising);
@@ -106,8 +105,7 @@ static int sf_on_balance(const sf_ended *here, const sf_ended *middle, double lo
 static void sf_balance_of_sine(const sf_damping *of, double Omega, sf_interval A, sf_interval *I_, sf_interval *I_A) {
     const double end[2] = {A.lo, A.hi};
     double value[2], slope[2];
-    int i;
-    for (i = 0; i < 2; i++) {
+    for (int i = 0; i < 2; i++) {
         const double error = i ? 1 + SF_BOUND_DOUBT : 1 - SF_BOUND_DOUBT;
         value[i] = error * sf_sine(of, Omega, end[i]), slope[i] = error * sf_sine_A(of, Omega, end[i]);
     }
@@ -134,8 +132,7 @@ static void sf_ended_fold(const sf_ended *here, sf_interval R, double F_0, doubl
     const sf_interval I_ = sfi_add(sfi_add(sfi_add(sfi_times(of->eta, here->A), sfi_times(2 * of->zeta, sfi_sqrt(of_speed))),
                                            by_speed), m);
     const int single = !centred || sf_is_single(here);
-    sf_interval rising, along = sf_resists(here, &rising), by_line;
-    double most;
+    sf_interval rising, along = sf_resists(here, &rising);
     if (!single)
         along = sf_resists_beside(here);
     off_centre_intervals_ended_fold(R, here->A, sfi_point(F_0), sfi_point(F_2), m, sfi_point(of->eta), sfi_point(of->zeta),
@@ -144,9 +141,9 @@ static void sf_ended_fold(const sf_ended *here, sf_interval R, double F_0, doubl
     if (centred && single && sf_touches_centre(here))
         out[0] = sfi_point(1);
     /* R (h - A h_A) = G^2 + I (A I_A - I), and R^2 = G^2 - I^2 */
-    by_line = sfi_div(sfi_add(sfi_square(force), sfi_mul(I_, sfi_sub(by_speed, m))),
-                      sfi_times(4, sfi_sub(sfi_mul(here->A, along), here->s_0)));
-    most = sfi_sqrt(sfi_sub(sfi_square(force), sfi_square(I_))).hi;
+    const sf_interval by_line = sfi_div(sfi_add(sfi_square(force), sfi_mul(I_, sfi_sub(by_speed, m))),
+                                        sfi_times(4, sfi_sub(sfi_mul(here->A, along), here->s_0)));
+    const double most = sfi_sqrt(sfi_sub(sfi_square(force), sfi_square(I_))).hi;
     out[12] = sf_both(by_line, sfi_of(-most, most));
 }
 
@@ -190,8 +187,7 @@ static sf_interval sf_levels(const sf_damping *of, int inertial, double sign, sf
 static double sf_most_by_inertia(const sf_damping *of, sf_interval A, sf_interval p, double F_0) {
     const double size = fmax(fabs(p.lo), fabs(p.hi)), beyond = A.lo > F_0 ? F_0 * size / (1 - F_0 / A.lo) : HUGE_VAL;
     double low = 0, high = A.hi < F_0 ? 1 : 0;
-    int i;
-    for (i = 0; i < SF_FOLD_HALVINGS; i++) {
+    for (int i = 0; i < SF_FOLD_HALVINGS; i++) {
         const double z = 0.5 * (low + high), R = A.hi * (1 + size * z);
         const double I_ = (of->m + of->eta * A.hi) * z + 2 * of->zeta * A.hi * sqrt(z) + of->d * A.hi * A.hi;
         if ((R * R + I_ * I_) * (1 + SF_BOUND_DOUBT) < F_0 * F_0)
@@ -212,18 +208,17 @@ static int sf_folds_between(const sf_damping *of, int inertial, double sign, sf_
     const double above = 1 + SF_BOUND_DOUBT, below = 1 - SF_BOUND_DOUBT, at_most = sqrt(sfi_most(highest * highest - of->m * of->m, 0));
     const sf_interval turned = sign > 0 ? e : sfi_neg(e);
     const double least_e = fmax(turned.lo, 0), most_e = (isnan(turned.hi) ? HUGE_VAL : turned.hi) * above;
-    double start = sign > 0 && !(p.hi >= 0) ? -p.hi : 0, end = most_e, most;
-    int left, unknown, round, k;
+    double start = sign > 0 && !(p.hi >= 0) ? -p.hi : 0, end = most_e;
     if (!inertial)
         end = fmin(end, at_most / A.lo * above);
     if (sign < 0 && !(end < p.hi))
         end = p.hi < 0 ? 0 : p.hi;
-    left = end >= start && end >= 0;
-    unknown = !isfinite(end) || !isfinite(p.lo) || !isfinite(p.hi);
-    for (round = 0; left && round < SF_FOLD_ROUNDS; round++) {
+    int left = end >= start && end >= 0;
+    const int unknown = !isfinite(end) || !isfinite(p.lo) || !isfinite(p.hi);
+    for (int round = 0; left && round < SF_FOLD_ROUNDS; round++) {
         const double width = end - start;
         int first = SF_FOLD_PARTS, last = 0;
-        for (k = 0; k < SF_FOLD_PARTS; k++) {
+        for (int k = 0; k < SF_FOLD_PARTS; k++) {
             const double y[2] = {(start + k * width / SF_FOLD_PARTS) * below,
                                  (start + (k + 1) * width / SF_FOLD_PARTS) * above};
             const double x[2] = {fmax(sign > 0 ? p.lo + y[0] : p.lo - y[1], 0), fmax(sign > 0 ? p.hi + y[1] : p.hi - y[0], 0)};
@@ -244,7 +239,7 @@ static int sf_folds_between(const sf_damping *of, int inertial, double sign, sf_
             break;
         end = start + last * width / SF_FOLD_PARTS, start += first * width / SF_FOLD_PARTS;
     }
-    most = inertial ? sf_most_by_inertia(of, A, p, highest) : at_most;
+    const double most = inertial ? sf_most_by_inertia(of, A, p, highest) : at_most;
     start *= A.lo, end *= A.hi;
     *R = sfi_of(sfi_least(fmax(start, 0), most) * below, sfi_least(isnan(end) ? HUGE_VAL : end, most) * above);
     return left || unknown;

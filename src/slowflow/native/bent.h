@@ -118,8 +118,7 @@ static inline void sf_add_bent(const sf_bent *of, int piece, double start, doubl
     const int halved = sf_halved(last ? A.hi - start : end - start), parts = SF_PARTS + halved;
     double low_sine = sf_sine_at(start, end, last, 0, A.lo), high_sine = sf_sine_at(start, end, last, 0, A.hi);
     double low_angle = asin(fmin(low_sine, 1)), high_angle = asin(fmin(high_sine, 1));
-    int part, k;
-    for (part = 0; part < parts; part++) {
+    for (int part = 0; part < parts; part++) {
         const double share = sf_share(part, halved), next = sf_share(part + 1, halved);
         const double low_next = sf_sine_at(start, end, last, next, A.lo);
         const double high_next = sf_sine_at(start, end, last, next, A.hi);
@@ -132,11 +131,11 @@ static inline void sf_add_bent(const sf_bent *of, int piece, double start, doubl
         const sf_interval beyond = last ? sf_wider((A.lo - start) * share, (A.hi - start) * next)
                                         : sf_wider((end - start) * share, (end - start) * next);
         sf_terms_at(of, piece, A, beyond, sine, p, values);
-        for (k = 0; k < 2; k++)
+        for (int k = 0; k < 2; k++)
             total[k] = sfi_add(total[k], sfi_mul(values[k], angle));
         low_sine = low_next, high_sine = high_next, low_angle = low_angle_next, high_angle = high_angle_next;
     }
-    for (k = 0; k < 2; k++)
+    for (int k = 0; k < 2; k++)
         sums[k] = sf_no_larger(sfi_add(sums[k], total[k]));
 }
 
@@ -145,13 +144,12 @@ static inline void sf_of_contact(const sf_bent *of, int number, double start, sf
                                  sf_interval *sums) {
     sf_interval values[SF_CONTACT_SUMS];
     const int halved = sf_halved(A.hi - start), parts = SF_PARTS + halved;
-    int part, k;
-    for (part = 0; part < parts; part++) {
+    for (int part = 0; part < parts; part++) {
         const double share = sf_share(part, halved), next = sf_share(part + 1, halved);
         const double wide = 2 * (sqrt(1 - share) - sqrt(1 - next));
         const sf_interval weight = sfi_of(sfi_most(wide - SF_ANGLE, 0), wide + SF_ANGLE);
         sf_contact_at(of, number, A, sf_wider(share, fmin(next, 1)), p, values);
-        for (k = 0; k < SF_CONTACT_SUMS; k++)
+        for (int k = 0; k < SF_CONTACT_SUMS; k++)
             sums[k] = sfi_add(sums[k], sfi_mul(values[k], weight));
     }
 }
@@ -163,19 +161,19 @@ static inline void sf_enclose(const sf_bent *of, const double *ends, sf_interval
 {
     sf_interval p[SF_MOST_PARAMETERS], roots[SF_MOST_BREAKS];
     sf_interval sums[2 + SF_CONTACT_SUMS * SF_MOST_CONTACTS] = {{0, 0}};
-    int i, passed = 0;
+    int passed = 0;
     while (passed < of->breakpoints && A.lo >= ends[passed])
         passed++;
-    for (i = 0; i < of->parameters; i++)
+    for (int i = 0; i < of->parameters; i++)
         p[i] = sfi_point(given[i]);
-    for (i = 0; i <= passed; i++) {
+    for (int i = 0; i <= passed; i++) {
         const double start = i > 0 ? ends[i - 1] : 0, end = i < passed ? ends[i] : 0;
         if (i == passed || end > start)
             sf_add_bent(of, i, start, end, i == passed, A, p, sums);
         if (i < passed)
             roots[i] = sfi_root(sfi_mul(sfi_sub(A, sfi_point(end)), sfi_add(A, sfi_point(end))));
     }
-    for (i = 0; i < of->contacts; i++)
+    for (int i = 0; i < of->contacts; i++)
         if (of->begins[i] < passed)
             sf_of_contact(of, i, ends[of->begins[i]], A, p, sums + 2 + SF_CONTACT_SUMS * i);
     sf_closing_at(of, passed, A, roots, sums, p, out);

@@ -11,22 +11,20 @@
 static double sf_last_stationary(const sf_model *model, const sf_sample *at) {
     sf_quartic cubic;
     double w[2];
-    int n;
     if (sf_inertial(model)) {
         const double x = sf_least_x(model, at);
         return x > 0 ? 1 / x : 0;
     }
-    n = sf_unpolished_peak_roots(&cubic, at->A, at->h, model->m, model->zeta, w);
+    const int n = sf_unpolished_peak_roots(&cubic, at->A, at->h, model->m, model->zeta, w);
     return n > 0 ? sf_polish_cubic(&cubic, w[n - 1]) : 0;
 }
 
 /* The lowest F_0 for which A is a steady state: the minimum of its level over Omega >= 0, and where it lies. */
 static double sf_least_forcing(const sf_model *model, const sf_sample *at, double *Omega) {
-    double last, at_rest, level;
     if (sf_has_laws(model))
         return sf_least_by_laws(model, at, Omega);
-    last = sf_last_stationary(model, at);
-    at_rest = sf_level(model, at, 0), level = sf_level(model, at, last);
+    const double last = sf_last_stationary(model, at);
+    const double at_rest = sf_level(model, at, 0), level = sf_level(model, at, last);
     *Omega = level < at_rest ? last : 0;
     return level < at_rest ? level : at_rest;
 }
@@ -57,11 +55,10 @@ static sf_interval sf_slope_from(const sf_model *model, const sf_sample *at) {
 /* Whether no amplitude from A on is that of a steady state at F_0 or less: |h| is too large, and rises. */
 static int sf_bounds(const sf_model *model, double F_0, double A) {
     sf_sample at;
-    sf_interval h_A;
     sf_sample_without_k_at(model, A, &at);
     if (!(fabs(at.h) > sf_most_restoring(model, F_0, A)))
         return 0;
-    h_A = sf_slope_from(model, &at);
+    const sf_interval h_A = sf_slope_from(model, &at);
     return at.h > 0 ? h_A.lo >= 0 : h_A.hi <= 0;
 }
 
@@ -84,13 +81,12 @@ static int sf_excludes(const sf_model *model, double F_0, double most, double A,
 static int sf_bounds_bent_by(const sf_model *model, double F_0, double A, double most, double step) {
     const double end = fmin(model->reach, SF_ENDLESS * fmax(A, 1));
     double next;
-    int i;
     if (!(A < end))
         return 0;
     for (; A < end; A = next) {
         sf_interval bent[2];
         next = fmin(step * A, end);
-        for (i = model->breaks - 1; i >= 0; i--)
+        for (int i = model->breaks - 1; i >= 0; i--)
             if (A < model->b[i] && model->b[i] < next)
                 next = model->b[i];
         model->mechanism->bent(model->mechanism, sfi_of(A, next), model->p, bent);
@@ -110,13 +106,12 @@ static int sf_bounds_bent(const sf_model *model, double F_0, double A) {
 static int sf_viscous_bounds(const sf_model *model, double F_0, double A) {
     sf_sample at, far;
     double lost[2] = {0.5, 0.5}, values[4];
-    int i;
     sf_sample_at(model, A, &at);
     sf_sample_at(model, SF_ENDLESS * fmax(A, 1), &far);
     /* zeta^2 A is at most so much of |h|: of all states half of it, and less where |h|/A is known to rise */
     if (at.k >= 0 && at.h_AA <= 0 && fmax(at.h_AAA, far.h_AAA) <= 0 && at.h < 0)
         lost[1] = fmin(inertia_share(A, model->zeta, at.h), 0.5);
-    for (i = 0; i < 2; i++) {
+    for (int i = 0; i < 2; i++) {
         inertia_bound(A, F_0, model->zeta, at.h, at.h_A, at.h_AA, fmin(at.h_AAA, far.h_AAA), lost[i], values);
         if (values[0] > 0 && values[1] > 0 && values[2] > 0 && values[3] > 0)
             return 1;
@@ -128,14 +123,13 @@ static int sf_viscous_bounds(const sf_model *model, double F_0, double A) {
  * bounds states. */
 static int sf_inertial_bounds(const sf_model *model, double F_0, double A) {
     sf_sample at;
-    sf_interval h_A;
     double values[2];
     if (model->zeta > 0 && sf_viscous_bounds(model, F_0, A))
         return 1;
     if (!sf_has_laws(model))
         return 0;
     sf_sample_without_k_at(model, A, &at);
-    h_A = sf_slope_from(model, &at);
+    const sf_interval h_A = sf_slope_from(model, &at);
     if (A > F_0 && at.h >= 0 && h_A.lo >= 0)
         return 1;
     dissipation_structural_bound(A, F_0, model->eta, at.h, fmax(fabs(h_A.lo), fabs(h_A.hi)), values);
@@ -161,8 +155,7 @@ static int sf_is_far(const sf_model *model, double F_0, double A) {
  * is found. */
 static double sf_bent_by_inertia(const sf_model *model, double F_0) {
     double A = model->breaks > 0 ? fmax(F_0, 2 * model->b[model->breaks - 1]) : F_0;
-    int i;
-    for (i = 0; i < SF_RUNGS && A < HUGE_VAL; i++, A *= 2)
+    for (int i = 0; i < SF_RUNGS && A < HUGE_VAL; i++, A *= 2)
         if (sf_bounds_bent_by(model, F_0, A, HUGE_VAL, SF_FINE_STEP))
             return A;
     return HUGE_VAL;
@@ -227,13 +220,12 @@ static sf_status sf_amplitude_bound(const sf_model *model, double F_0, double *A
         bent ? sf_bounds_bent : inertial ? sf_inertial_bounds : sf_bounds;
     double A = F_0, step = 2, cut = model->reach, bound = sf_bound_of_laws(model, F_0);
     sf_status status = SF_OK;
-    int i;
     const int is_free = laws && sf_is_free(model) && model->eta == 0;
     if (is_free && inertial && model->zeta == 0 && model->m == 0)
         return SF_NO_BOUND;
     if (model->breaks > 0)
         A = fmax(A, 2 * model->b[model->breaks - 1]);
-    for (i = 0; i < SF_RUNGS && A < bound && !(is_free && !inertial); i++) {
+    for (int i = 0; i < SF_RUNGS && A < bound && !(is_free && !inertial); i++) {
         if (A < HUGE_VAL && bounds(model, F_0, A)) {
             bound = A;
             break;
@@ -265,13 +257,12 @@ static sf_status sf_amplitude_bound(const sf_model *model, double F_0, double *A
  * static deflection, doubled until the fold Omega^2 = -h_A, whose R is k, has passed F_0 or has ended for good. */
 static double sf_undamped_cut(const sf_model *model, double F_0) {
     double A = model->reach;
-    int i;
     if (A < HUGE_VAL)
         return A;
     A = SF_STATIC_MULTIPLE * F_0;
     if (model->breaks > 0)
         A = fmax(A, 2 * model->b[model->breaks - 1]);
-    for (i = 0; !sf_inertial(model) && i < SF_RUNGS; i++, A *= 2) {
+    for (int i = 0; !sf_inertial(model) && i < SF_RUNGS; i++, A *= 2) {
         sf_sample at;
         sf_sample_at(model, A, &at);
         if (at.h_A < 0 ? slow_flow_zeta0_undamped_level(model->m, at.k) > F_0 : at.h_AA >= 0)

@@ -75,31 +75,30 @@ static inline double sf_magnitude(sf_interval a) {
 
 /* X becomes the inverse of J times X, by Gauss's method; 0 where a pivot is 0. J is lost. */
 static int sf_eliminate(int d, double J[][SF_MOST_UNKNOWNS], int columns, double X[][SF_MOST_UNKNOWNS]) {
-    int i, j, k;
-    for (k = 0; k < d; k++) {
+    for (int k = 0; k < d; k++) {
         int best = k;
-        for (i = k + 1; i < d; i++)
+        for (int i = k + 1; i < d; i++)
             best = fabs(J[i][k]) > fabs(J[best][k]) ? i : best;
-        for (j = 0; j < d; j++) {
+        for (int j = 0; j < d; j++) {
             const double one = J[k][j];
             J[k][j] = J[best][j], J[best][j] = one;
         }
-        for (j = 0; j < columns; j++) {
+        for (int j = 0; j < columns; j++) {
             const double one = X[k][j];
             X[k][j] = X[best][j], X[best][j] = one;
         }
         if (!(fabs(J[k][k]) > 0 && isfinite(J[k][k])))
             return 0;
-        for (i = 0; i < d; i++) {
+        for (int i = 0; i < d; i++) {
             const double share = J[i][k] / J[k][k];
-            for (j = 0; i != k && j < d; j++)
+            for (int j = 0; i != k && j < d; j++)
                 J[i][j] -= share * J[k][j];
-            for (j = 0; i != k && j < columns; j++)
+            for (int j = 0; i != k && j < columns; j++)
                 X[i][j] -= share * X[k][j];
         }
     }
-    for (i = 0; i < d; i++)
-        for (j = 0; j < columns; j++)
+    for (int i = 0; i < d; i++)
+        for (int j = 0; j < columns; j++)
             X[i][j] /= J[i][i];
     return 1;
 }
@@ -111,20 +110,20 @@ static void sf_krawczyk(int d, const sf_box_place *place, const double *wide, co
 {
     double J[SF_MOST_UNKNOWNS][SF_MOST_UNKNOWNS], lost[SF_MOST_UNKNOWNS][SF_MOST_UNKNOWNS];
     double Y[SF_MOST_UNKNOWNS][SF_MOST_UNKNOWNS] = {{0}};
-    int i, j, k, known = 1;
-    for (i = 0; i < d; i++)
+    int j, known = 1;
+    for (int i = 0; i < d; i++)
         for (Y[i][i] = 1, j = 0; j < d; j++) {
             J[i][j] = lost[i][j] = 0.5 * (of->slope[i][j].lo + of->slope[i][j].hi);
             known = known && isfinite(of->slope[i][j].lo) && isfinite(of->slope[i][j].hi);
         }
     known = known && sf_eliminate(d, lost, d, Y);
-    for (i = 0; i < d; i++) {
+    for (int i = 0; i < d; i++) {
         double moved = 0, doubt = 0x1p-51 * fabs(place->at[i]), reach = 0;
         for (j = 0; j < d; j++) {
             /* some multiplications of doubles, each a rounding */
             double product = 0, size = 1, spread = 0;
             const double value = 0.5 * (of->at[j].lo + of->at[j].hi);
-            for (k = 0; k < d; k++) {
+            for (int k = 0; k < d; k++) {
                 product += Y[i][k] * J[k][j], size += fabs(Y[i][k] * J[k][j]);
                 spread += fabs(Y[i][k]) * 0.5 * (of->slope[k][j].hi - of->slope[k][j].lo);
             }
@@ -140,10 +139,9 @@ static void sf_krawczyk(int d, const sf_box_place *place, const double *wide, co
 static sf_interval sf_by_one(sf_interval value, sf_interval slope, double others, double at) {
     const double ends[2] = {others - value.lo, -others - value.hi}, slopes[2] = {slope.lo, slope.hi};
     sf_interval each = {HUGE_VAL, -HUGE_VAL};
-    int k;
     if (!sfi_has_sign(slope))
         return sfi_of(-HUGE_VAL, HUGE_VAL);
-    for (k = 0; k < 4; k++) {
+    for (int k = 0; k < 4; k++) {
         const double one = ends[k & 1] / slopes[k >> 1], doubt = SF_BOX_DOUBT * fabs(one);
         if (isnan(one))
             return sfi_of(-HUGE_VAL, HUGE_VAL);
@@ -155,11 +153,10 @@ static sf_interval sf_by_one(sf_interval value, sf_interval slope, double others
 /* By how much an equation varies with an unknown, beside others in which it varies more. */
 static double sf_varies(int d, const sf_values *of, int j, double width) {
     double most = 0;
-    int i, k;
-    for (i = 0; i < d; i++) {
+    for (int i = 0; i < d; i++) {
         const double size = sf_magnitude(of->slope[i][j]);
         double scale = 0;
-        for (k = 0; k < d; k++)
+        for (int k = 0; k < d; k++)
             scale = isfinite(sf_magnitude(of->slope[i][k])) ? fmax(scale, sf_magnitude(of->slope[i][k])) : scale;
         most = fmax(most, isfinite(size) ? size / (scale > 0 ? scale : 1) : 1);
     }
@@ -184,46 +181,45 @@ static int sf_judge(int d, const sf_box *box, const sf_box_place *place, const s
 {
     double wide[SF_MOST_UNKNOWNS], centre[SF_MOST_UNKNOWNS] = {0}, radius[SF_MOST_UNKNOWNS], floor_[SF_MOST_UNKNOWNS], most = -1;
     sf_box left = *box;
-    int i, j, none = 0, inside = 1, narrow = 1, across = 0;
-    for (i = 0; i < d; i++)
+    int none = 0, inside = 1, narrow = 1, across = 0;
+    for (int i = 0; i < d; i++)
         wide[i] = fmax(place->high[i] - place->at[i], place->at[i] - place->low[i]);
     sf_krawczyk(d, place, wide, of, centre, radius, floor_);
-    for (i = 0; i < d; i++) {
+    for (int i = 0; i < d; i++) {
         double varies = 0, x = 0.5 * (box->low[i] + box->high[i]);
-        for (j = 0; j < d; j++)
+        for (int j = 0; j < d; j++)
             varies += sf_magnitude(of->slope[i][j]) * wide[j] * (1 + SF_BOX_DOUBT);
         none |= sfi_has_sign(of->on[i]) || of->at[i].lo - varies > 0 || of->at[i].hi + varies < 0;
         none |= centre[i] - radius[i] > box->high[i] || centre[i] + radius[i] < box->low[i];
         inside &= fabs(centre[i] - place->at[i]) + radius[i] < wide[i];
         narrow &= 0.5 * (box->high[i] - box->low[i]) <= SF_BOX_NARROWEST * sf_box_size(x);
         left.low[i] = fmax(left.low[i], of->holds[i].lo), left.high[i] = fmin(left.high[i], of->holds[i].hi);
-        for (j = 0; j < d; j++) {
+        for (int j = 0; j < d; j++) {
             const double others = varies - sf_magnitude(of->slope[i][j]) * wide[j] + SF_BOX_DOUBT * varies;
             const sf_interval one = sf_by_one(of->at[i], of->slope[i][j], others, place->at[j]);
             left.low[j] = fmax(left.low[j], one.lo), left.high[j] = fmin(left.high[j], one.hi);
         }
     }
-    for (i = 0; i < d; i++)
+    for (int i = 0; i < d; i++)
         none |= left.low[i] > left.high[i];
     if (none)
         return SF_BOX_EMPTY;
-    for (i = 0; i < d; i++)
+    for (int i = 0; i < d; i++)
         out->x[i] = centre[i], out->middle[i] = place->at[i], out->wide[i] = wide[i];
     out->of = box->of;
     if (inside)
         return SF_BOX_SOLVED;
-    for (i = 0; i < d; i++) {
+    for (int i = 0; i < d; i++) {
         const double x = 0.5 * (box->low[i] + box->high[i]);
         /* what the operator leaves of a box holds what solutions it has; in no direction is it made so narrow that
          * roundings count there while it is still wide in others */
         const double low = fmax(left.low[i], centre[i] - radius[i]), high = fmin(left.high[i], centre[i] + radius[i]);
         const double more = fmax(SF_BOX_THIN * sf_box_size(x) - 0.5 * (high - low), 0);
-        double at, varies;
         out->middle[i] = narrow ? x : out->middle[i];
         left.low[i] = low - more, left.high[i] = high + more;
         /* a proof has to be wider than the roundings that it holds */
         left.doubt[i] = isfinite(floor_[i]) ? 2 * floor_[i] : 0;
-        at = 0.5 * (left.low[i] + left.high[i]), varies = sf_varies(d, of, i, left.high[i] - left.low[i]);
+        double at = 0.5 * (left.low[i] + left.high[i]), varies = sf_varies(d, of, i, left.high[i] - left.low[i]);
         if (!(0.5 * (left.high[i] - left.low[i]) > SF_BOX_NARROWEST * sf_box_size(at)))
             varies = 0; /* one that is not to be cut further is not cut */
         if (varies > most)
@@ -243,15 +239,15 @@ static int sf_step_solutions(int d, ptrdiff_t n, sf_solution *found, const sf_va
     int moves = 0;
     for (ptrdiff_t k = 0; k < n; k++) {
         double J[SF_MOST_UNKNOWNS][SF_MOST_UNKNOWNS], change[SF_MOST_UNKNOWNS][SF_MOST_UNKNOWNS], length = 0;
-        int i, j;
-        for (i = 0; i < d; i++)
+        int j;
+        for (int i = 0; i < d; i++)
             for (change[i][0] = 0.5 * (values[k].on[i].lo + values[k].on[i].hi), j = 0; j < d; j++)
                 J[i][j] = 0.5 * (values[k].slope[i][j].lo + values[k].slope[i][j].hi);
         if (!sf_eliminate(d, J, 1, change))
             continue;
-        for (i = 0; i < d; i++)
+        for (int i = 0; i < d; i++)
             length = fmax(length, fabs(change[i][0]) / found[k].wide[i]);
-        for (i = 0; i < d && length < last[k]; i++)
+        for (int i = 0; i < d && length < last[k]; i++)
             found[k].x[i] -= change[i][0];
         moves |= length < last[k] && length > 0;
         last[k] = length < last[k] ? length : 0;
@@ -264,12 +260,11 @@ static int sf_refine_solutions(const sf_box_equations *of, ptrdiff_t n, sf_solut
     double *last = malloc((size_t)n * sizeof *last);
     sf_box_place *places = malloc((size_t)n * sizeof *places);
     sf_values *values = malloc((size_t)n * sizeof *values);
-    int step, state = last && places && values ? SF_BOXES_SOLVED : SF_BOXES_NO_ROOM, moves = 1;
-    ptrdiff_t k;
-    for (k = 0; state == SF_BOXES_SOLVED && k < n; k++)
+    int state = last && places && values ? SF_BOXES_SOLVED : SF_BOXES_NO_ROOM, moves = 1;
+    for (ptrdiff_t k = 0; state == SF_BOXES_SOLVED && k < n; k++)
         last[k] = HUGE_VAL;
-    for (step = 0; state == SF_BOXES_SOLVED && moves && step < SF_BOX_STEPS; step++) {
-        for (k = 0; k < n; k++) {
+    for (int step = 0; state == SF_BOXES_SOLVED && moves && step < SF_BOX_STEPS; step++) {
+        for (ptrdiff_t k = 0; k < n; k++) {
             memcpy(places[k].low, found[k].x, sizeof found->x), memcpy(places[k].high, found[k].x, sizeof found->x);
             memcpy(places[k].at, found[k].x, sizeof found->x), places[k].of = found[k].of;
         }
@@ -282,10 +277,9 @@ static int sf_refine_solutions(const sf_box_equations *of, ptrdiff_t n, sf_solut
 
 static int sf_by_system(const void *one, const void *other) {
     const sf_solution *a = one, *b = other;
-    int i;
     if (a->of != b->of)
         return a->of < b->of ? -1 : 1;
-    for (i = 0; i < SF_MOST_UNKNOWNS; i++)
+    for (int i = 0; i < SF_MOST_UNKNOWNS; i++)
         if (a->x[i] != b->x[i])
             return a->x[i] < b->x[i] ? -1 : 1;
     return 0;
@@ -293,8 +287,8 @@ static int sf_by_system(const void *one, const void *other) {
 
 /* Whether a place lies in the share of the box around a solution that holds no other. */
 static int sf_is_around(int d, const sf_solution *found, const double *x, ptrdiff_t of, double share) {
-    int i, inside = found->of == of;
-    for (i = 0; i < d; i++)
+    int inside = found->of == of;
+    for (int i = 0; i < d; i++)
         inside &= fabs(x[i] - found->middle[i]) < share * found->wide[i];
     return inside;
 }
@@ -326,7 +320,7 @@ static void sf_each_once(int d, sf_solutions *all) {
  * leaves `out` to be freed. */
 static int sf_solve_boxes(const sf_box_equations *of, sf_box *boxes, ptrdiff_t n, ptrdiff_t most, sf_solutions *out) {
     const int d = of->unknowns;
-    ptrdiff_t evaluated = 0, k, next;
+    ptrdiff_t evaluated = 0, next;
     int state = SF_BOXES_SOLVED;
     memset(out, 0, sizeof *out);
     for (; state == SF_BOXES_SOLVED && n > 0; n = next) {
@@ -341,11 +335,11 @@ static int sf_solve_boxes(const sf_box_equations *of, sf_box *boxes, ptrdiff_t n
             state = SF_BOXES_NO_ROOM;
         else if (evaluated > most)
             state = SF_BOXES_TOO_MANY;
-        for (k = 0; state == SF_BOXES_SOLVED && k < n; k++)
+        for (ptrdiff_t k = 0; state == SF_BOXES_SOLVED && k < n; k++)
             sf_around(d, &boxes[k], &places[k]);
         if (state == SF_BOXES_SOLVED && !of->on(of->self, n, places, values))
             state = SF_BOXES_NOT_EVALUATED;
-        for (k = 0; state == SF_BOXES_SOLVED && k < n; k++) {
+        for (ptrdiff_t k = 0; state == SF_BOXES_SOLVED && k < n; k++) {
             sf_solution one = {{0}, {0}, {0}, 0};
             switch (sf_judge(d, &boxes[k], &places[k], &values[k], &one, halves + next, halves + n + next)) {
             case SF_BOX_SOLVED:

@@ -196,22 +196,20 @@ static inline double sf_kappa(const sf_sample *at) { return at->k / (at->A * at-
 static inline int sf_scaled(const sf_cell *cell, sf_interval *rho, sf_interval *kappa) {
     const sf_sample *a = cell->first, *b = cell->last;
     const sf_interval slope = cell->h_AA.hi < 0 ? sfi_neg(cell->h_AAA) : cell->h_AAA;
-    sf_interval bent, kappa_A;
-    double from, width, first, last, doubt;
     if (a == NULL)
         return 0;
-    from = fabs(a->h_AA), width = b->A - a->A;
+    const double from = fabs(a->h_AA), width = b->A - a->A;
     if (!(a->A > 0 && sfi_has_sign(cell->h_AA) && slope.lo >= 0 && slope.hi < HUGE_VAL && from < HUGE_VAL))
         return 0;
     *rho = sfi_of((1 - SF_DOUBT) * sfi_least(a->A * slope.lo / from, b->A * slope.lo / (from + slope.hi * width)),
                   (1 + SF_DOUBT) * sfi_most(a->A * slope.hi / from, b->A * slope.hi / (from + slope.lo * width)));
     if (!(rho->hi < SF_HIGHEST_POWER))
         return 0;
-    first = sf_kappa(a), last = sf_kappa(b);
-    doubt = 4 * SF_DOUBT * (1 + fabs(first));
+    const double first = sf_kappa(a), last = sf_kappa(b);
+    const double doubt = 4 * SF_DOUBT * (1 + fabs(first));
     *kappa = sfi_of(sfi_least(first, -1 / (2 + rho->lo)) - doubt, sfi_most(first, -1 / (2 + rho->hi)) + doubt);
-    bent = sfi_add(sfi_point(1), sfi_mul(*kappa, sfi_add(sfi_point(2), *rho)));
-    kappa_A = sfi_neg(sfi_div(bent, cell->A));
+    const sf_interval bent = sfi_add(sfi_point(1), sfi_mul(*kappa, sfi_add(sfi_point(2), *rho)));
+    const sf_interval kappa_A = sfi_neg(sfi_div(bent, cell->A));
     *kappa = sfi_both(*kappa, sfi_of(sf_between(first - doubt, last - doubt, kappa_A, width).lo,
                                      sf_between(first + doubt, last + doubt, kappa_A, width).hi));
     return 1;

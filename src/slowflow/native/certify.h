@@ -37,9 +37,8 @@ static void sf_leave_in_doubt(sf_certificate *out, sf_interval A) {
 }
 
 static void sf_leave_all_in_doubt(const sf_given *given, const sf_proof *proof, sf_certificate *out) {
-    int i;
     out->full |= proof->full;
-    for (i = 0; i < proof->doubts; i++)
+    for (int i = 0; i < proof->doubts; i++)
         sf_leave_in_doubt(out,
                           sf_beyond(given, proof->doubt[i].piece, sfi_of(proof->doubt[i].low, proof->doubt[i].high)));
 }
@@ -48,13 +47,12 @@ static void sf_leave_all_in_doubt(const sf_given *given, const sf_proof *proof, 
 static int sf_is_bounded(const sf_given *given, double F_0, double A) {
     sf_known here, there;
     sf_cell cell;
-    sf_interval most;
     if (given->zeta.lo == 0 || (given->breaks > 0 && !(A > given->b[given->breaks - 1].hi)))
         return 0;
     sf_know_at(given, given->breaks, sfi_down(A - sf_beginning(given, given->breaks).hi), &here);
     sf_know_at(given, given->breaks, SF_ENDLESS * sfi_most(A, 1), &there);
     sf_make_cell_on(sfi_of(here.A, there.A), &here, &there, &cell);
-    most = slow_flow_intervals_most_restoring(sfi_point(A), sfi_point(F_0), given->m, given->zeta);
+    const sf_interval most = slow_flow_intervals_most_restoring(sfi_point(A), sfi_point(F_0), given->m, given->zeta);
     return here.h.lo > 0 ? here.h.lo > most.hi && cell.h_A.lo >= 0 : -here.h.hi > most.hi && cell.h_A.hi <= 0;
 }
 
@@ -83,18 +81,18 @@ static sf_interval sf_k_of_fold(const sf_terms *terms, const sf_cell *cell) {
 /* Omega of a fold from I, which exceeds m by little if damping is weak; then by F = 0. */
 static sf_interval sf_fold_Omega_on(const sf_terms *terms, const sf_cell *cell) {
     const sf_at_amplitude q = sf_at_cell(SF_ROOTS_OF_F, terms, cell);
-    sf_interval fold[3], Omega;
+    sf_interval fold[3];
     if (terms->zeta.hi == 0)
         return slow_flow_zeta0_intervals_undamped_Omega(cell->h_A);
     slow_flow_intervals_fold(cell->A, terms->F_0, terms->m, terms->zeta, cell->h, cell->h_A, sf_k_of_fold(terms, cell),
                              cell->k_A, fold);
-    Omega = sf_narrow_root(&q, fold[2]);
+    sf_interval Omega = sf_narrow_root(&q, fold[2]);
     if (Omega.hi - Omega.lo > SF_BROAD * Omega.hi) { /* two roots may lie in it: at the fold R has the sign of k */
         const int side = sf_sign_of(sf_k_of_fold(terms, cell));
         sf_roots roots = {0};
-        int i, n = 0;
+        int n = 0;
         sf_roots_between(&q, Omega.lo, Omega.hi, &roots);
-        for (i = 0; i < roots.n && !roots.full; i++)
+        for (int i = 0; i < roots.n && !roots.full; i++)
             if (sf_sign_of(slow_flow_intervals_R(roots.at[i], cell->A, cell->h)) != -side)
                 Omega = n++ > 0 ? sfi_join(Omega, roots.at[i]) : roots.at[i];
     }
@@ -109,9 +107,7 @@ static void sf_breakpoint_on(const sf_given *given, int i, sf_cell *on) {
 }
 
 static void sf_certify_corners(const sf_given *given, const sf_terms *terms, sf_certificate *out) {
-    int k, i;
-    for (k = 0; k < given->breaks; k++) {
-        sf_at_amplitude q;
+    for (int k = 0; k < given->breaks; k++) {
         sf_roots roots;
         sf_cell on;
         const sf_interval b = given->b[k], jump = given->jump[k];
@@ -120,10 +116,10 @@ static void sf_certify_corners(const sf_given *given, const sf_terms *terms, sf_
         if (b.lo > out->A_max)
             return;
         sf_breakpoint_on(given, k, &on);
-        q = sf_at_cell(SF_ROOTS_OF_F, terms, &on);
+        sf_at_amplitude q = sf_at_cell(SF_ROOTS_OF_F, terms, &on);
         sf_prove_roots(&q, &roots);
         out->full |= roots.full;
-        for (i = 0; i < roots.n; i++) {
+        for (int i = 0; i < roots.n; i++) {
             const sf_interval R = slow_flow_intervals_R(roots.at[i], b, on.h);
             const int stable_above = sf_sign_of(sfi_mul(R, jump));
             const int stable_below = sf_sign_of(
@@ -153,8 +149,8 @@ static int sf_follows(const sf_enclosure *one, const sf_enclosure *other) {
 static int sf_is_higher(const sf_enclosure *one, const sf_enclosure *other) { return one->A.lo > other->A.lo; }
 
 static void sf_sort_enclosures(sf_certificate *out, int (*follows)(const sf_enclosure *, const sf_enclosure *)) {
-    int i, k;
-    for (i = 1; i < out->n; i++) {
+    int k;
+    for (int i = 1; i < out->n; i++) {
         const sf_enclosure one = out->at[i];
         for (k = i; k > 0 && follows(&out->at[k - 1], &one); k--)
             out->at[k] = out->at[k - 1];
@@ -167,7 +163,6 @@ static void sf_sort_enclosures(sf_certificate *out, int (*follows)(const sf_encl
 static sf_status sf_begin_certificate(const sf_model *model, const sf_given *given, double F_0, sf_room *room,
                                       sf_proving *proving) {
     sf_certificate *out = &room->found;
-    sf_status status;
     out->n = out->doubts = out->full = 0, out->A_max = 0;
     if (given == NULL)
         return SF_UNRESOLVED;
@@ -175,7 +170,7 @@ static sf_status sf_begin_certificate(const sf_model *model, const sf_given *giv
     out->bounded = !(F_0 > given->m.lo);
     if (sf_sticks(model, F_0))
         return SF_STICKS;
-    status = sf_range_at(model, F_0, &out->A_max);
+    const sf_status status = sf_range_at(model, F_0, &out->A_max);
     if (status == SF_OK)
         out->bounded = sf_is_bounded(given, F_0, out->A_max);
     if (!(F_0 > given->m.hi))
@@ -190,13 +185,12 @@ static sf_status sf_certify_folds(const sf_model *model, const sf_given *given, 
     sf_certificate *out = &room->found;
     sf_proving proving;
     const sf_status status = sf_begin_certificate(model, given, F_0, room, &proving);
-    int i;
     if (status != SF_OK || out->doubts > 0)
         return status;
     proving.range = sf_fold_on, proving.channels = 1, proving.hints = hints, proving.expected = count;
     sf_prove(&proving, out->A_max);
     sf_leave_all_in_doubt(given, &room->proof, out);
-    for (i = 0; i < room->proof.n; i++) {
+    for (int i = 0; i < room->proof.n; i++) {
         const sf_cell *on = &room->proof.at[i].on;
         const sf_interval Omega = sf_fold_Omega_on(&proving.terms, on);
         sf_enclose(out, Omega, on->A, 0,
@@ -221,13 +215,12 @@ static sf_status sf_certify_states(const sf_model *model, const sf_given *given,
     sf_certificate *out = &room->found;
     sf_proving proving;
     const sf_status status = sf_begin_certificate(model, given, F_0, room, &proving);
-    int i;
     if (status != SF_OK || out->doubts > 0)
         return status;
     proving.range = sf_state_on, proving.channels = 1, proving.Omega = sfi_point(Omega);
     sf_prove(&proving, out->A_max);
     sf_leave_all_in_doubt(given, &room->proof, out);
-    for (i = 0; i < room->proof.n; i++)
+    for (int i = 0; i < room->proof.n; i++)
         sf_enclose(out, proving.Omega, room->proof.at[i].on.A, 0, room->proof.at[i].rising ? 1 : -1);
     sf_sort_enclosures(out, sf_is_higher);
     return SF_OK;
@@ -280,10 +273,9 @@ static void sf_isola_on(const sf_proving *proving, const sf_cell *cell, int open
 /* Cusps of levels up to F_0, as sf_range_cusp. */
 static void sf_cusps_on(const sf_proving *proving, const sf_cell *cell, int open, sf_range out[2]) {
     const sf_terms *terms = &proving->terms;
-    int i;
     if (sf_are_alike(cell->h_AA, cell->k))
         return;
-    for (i = 0; i < 2; i++) {
+    for (int i = 0; i < 2; i++) {
         sf_cusp_range cusp = {0};
         if (open & 1 << i)
             sf_cusp_on(cell, terms->m, terms->zeta, i == 0, &cusp);
@@ -300,10 +292,9 @@ static void sf_enter_isola(const sf_terms *terms, const sf_cell *on, sf_candidat
 
 static void sf_enter_cusp(const sf_terms *terms, const sf_cell *on, int channel, sf_candidates *list) {
     sf_cusp_range cusp = {0};
-    sf_interval Omega, bend;
     sf_cusp_on(on, terms->m, terms->zeta, channel == 0, &cusp);
-    Omega = sfi_sqrt(cusp.X);
-    bend = slow_flow_intervals_cusp_bend(Omega, on->A, terms->zeta, on->h_AA, on->h_AAA, cusp.T);
+    const sf_interval Omega = sfi_sqrt(cusp.X);
+    const sf_interval bend = slow_flow_intervals_cusp_bend(Omega, on->A, terms->zeta, on->h_AA, on->h_AAA, cusp.T);
     sf_enter(list, sfi_both(cusp.level, sf_level_on(terms, Omega, on)), Omega, on->A, SF_CUSP_KIND, sf_sign_of(bend));
 }
 
@@ -313,19 +304,17 @@ static void sf_enter_corners(const sf_given *given, const sf_terms *terms, int k
     const sf_interval b = given->b[k];
     const int jumps = !sf_is_continuous_at(given, k), J = sf_sign_of(jumps ? given->jump[k] : given->kink[k]);
     sf_cell on;
-    sf_at_amplitude q;
     sf_roots roots;
-    int side, i;
     sf_breakpoint_on(given, k, &on);
     if (jumps && on.h.lo < 0 && J <= 0) {
         const sf_interval Omega = slow_flow_intervals_backbone(b, on.h);
         sf_enter(list, sf_level_on(terms, Omega, &on), Omega, b, SF_CORNER_KIND, on.h.hi < 0 ? -J : 0);
     }
-    q = sf_at_cell(SF_ROOTS_OF_F_A, terms, &on);
-    for (side = 0; side < 1 + jumps; side++, q.of = SF_ROOTS_OF_F_OMEGA) {
+    sf_at_amplitude q = sf_at_cell(SF_ROOTS_OF_F_A, terms, &on);
+    for (int side = 0; side < 1 + jumps; side++, q.of = SF_ROOTS_OF_F_OMEGA) {
         sf_prove_roots(&q, &roots);
         list->full |= roots.full;
-        for (i = 0; i < roots.n; i++) {
+        for (int i = 0; i < roots.n; i++) {
             const sf_interval w = roots.at[i], m = terms->m, zeta = terms->zeta;
             const int rises = -J * sf_sign_of(slow_flow_intervals_R(w, b, on.h));
             int one, other;
@@ -345,13 +334,13 @@ static void sf_enter_corners(const sf_given *given, const sf_terms *terms, int k
 
 /* The lowest of what was entered. */
 static void sf_lowest(const sf_candidates *list, sf_proved_onset *out) {
-    int i, known = 0;
+    int known = 0;
     out->F_SN = sfi_point(HUGE_VAL), out->kind = SF_NO_KIND;
-    for (i = 0; i < list->n; i++) {
+    for (int i = 0; i < list->n; i++) {
         out->F_SN.lo = sfi_least(out->F_SN.lo, list->at[i].level.lo);
         out->F_SN.hi = sfi_least(out->F_SN.hi, list->at[i].level.hi);
     }
-    for (i = 0; i < list->n; i++) {
+    for (int i = 0; i < list->n; i++) {
         const sf_candidate *one = &list->at[i];
         if (!(one->level.lo <= out->F_SN.hi))
             continue;
@@ -368,19 +357,17 @@ static sf_status sf_certify_detachment(const sf_given *given, sf_interval *F_cr,
     const sf_terms terms = sf_terms_of(given, sfi_point(0));
     sf_candidates list;
     sf_proved_onset least;
-    sf_at_amplitude q;
     sf_roots roots;
     sf_cell on;
-    int i;
     if (given->breaks == 0)
         return SF_NONE;
     sf_breakpoint_on(given, 0, &on);
-    q = sf_at_cell(SF_ROOTS_OF_F_OMEGA, &terms, &on);
+    sf_at_amplitude q = sf_at_cell(SF_ROOTS_OF_F_OMEGA, &terms, &on);
     sf_prove_roots(&q, &roots);
     if (roots.full)
         return SF_UNRESOLVED;
     list.n = 0;
-    for (i = 0; i <= roots.n; i++) {
+    for (int i = 0; i <= roots.n; i++) {
         const sf_interval w = i < roots.n ? roots.at[i] : sfi_point(0);
         sf_enter(&list, sf_level_on(&terms, w, &on), w, on.A, SF_CORNER_KIND, 1);
     }
@@ -395,20 +382,19 @@ static sf_status sf_certify_detachment(const sf_given *given, sf_interval *F_cr,
  * at Omega = 0, where no fold is born. */
 static void sf_enter_all(const sf_given *given, sf_proving *proving, double A_max, sf_candidates *list) {
     sf_proof *proof = proving->out;
-    int i, k;
     /* without friction both functions vanish at 0: amplitudes of 1e-60 and less are left out */
     proving->from = given->m.hi > 0 ? 0 : SF_FIRST;
-    for (i = 0; i < 2; i++) {
+    for (int i = 0; i < 2; i++) {
         proving->range = i == 0 ? sf_isola_on : sf_cusps_on, proving->channels = 1 + i;
         sf_prove(proving, A_max);
         list->full |= proof->full || proof->doubts > 0;
-        for (k = 0; k < proof->n; k++)
+        for (int k = 0; k < proof->n; k++)
             if (i == 0)
                 sf_enter_isola(&proving->terms, &proof->at[k].on, list);
             else
                 sf_enter_cusp(&proving->terms, &proof->at[k].on, proof->at[k].channel, list);
     }
-    for (k = 0; k < given->breaks; k++)
+    for (int k = 0; k < given->breaks; k++)
         sf_enter_corners(given, &proving->terms, k, list);
 }
 
@@ -443,10 +429,8 @@ static int sf_tends_to_friction(const sf_given *given) {
 static sf_status sf_certify_onset(const sf_model *model, const sf_given *given, sf_room *room, sf_proved_onset *out) {
     sf_candidates list;
     sf_onset best;
-    sf_proving proving;
-    double F_0, A_max;
-    sf_status status;
-    status = sf_find_onset(model, &room->work, &best);
+    double A_max;
+    sf_status status = sf_find_onset(model, &room->work, &best);
     out->proved = 0;
     if (status == SF_NONE && model->zeta > 0)
         sf_certify_no_onset(given, &room->proof, out);
@@ -454,12 +438,12 @@ static sf_status sf_certify_onset(const sf_model *model, const sf_given *given, 
         out->proved = sf_tends_to_friction(given);
     if (status != SF_OK)
         return status;
-    F_0 = best.F_SN * (1 + SF_ABOVE_ONSET);
+    const double F_0 = best.F_SN * (1 + SF_ABOVE_ONSET);
     status = sf_amplitude_bound(model, F_0, &A_max);
     if (status != SF_OK)
         return status;
     list.n = 0, list.full = !sf_is_bounded(given, F_0, A_max), list.doubted = HUGE_VAL;
-    proving = sf_proving_of(given, F_0, &room->proof);
+    sf_proving proving = sf_proving_of(given, F_0, &room->proof);
     sf_enter_all(given, &proving, A_max, &list);
     sf_lowest(&list, out);
     out->proved = list.n > 0 && !list.full && list.doubted > out->F_SN.hi && out->F_SN.hi < F_0;

@@ -48,8 +48,7 @@ static void sf_add_infinity(const sf_model *model, double F_0, double A, int *pa
 /* Whether zero k of sorted ones lies so close above another one of the same question that between them there may be no
  * double: what lies there, as a whole curve where h passes through 0 by steps larger than F_0, is lost then. */
 static int sf_is_zero_close(const sf_zero *at, int k) {
-    int i;
-    for (i = k - 1; i >= 0 && at[k].A - at[i].A <= SF_COINCIDE * at[k].A; i--)
+    for (int i = k - 1; i >= 0 && at[k].A - at[i].A <= SF_COINCIDE * at[k].A; i--)
         if (at[i].question == at[k].question)
             return 1;
     return 0;
@@ -57,8 +56,8 @@ static int sf_is_zero_close(const sf_zero *at, int k) {
 
 /* By rising A, those from number `first` on. */
 static void sf_sort_events(sf_graph *graph, int first) {
-    int i, j;
-    for (i = first + 1; i < graph->events; i++) {
+    int j;
+    for (int i = first + 1; i < graph->events; i++) {
         const sf_event event = graph->event[i];
         for (j = i; j > first && graph->event[j - 1].A > event.A; j--)
             graph->event[j] = graph->event[j - 1];
@@ -68,15 +67,13 @@ static void sf_sort_events(sf_graph *graph, int first) {
 
 /* Those of the peaks by other laws of damping that are on a piece; part: its number, or -1 for all */
 static void sf_add_law_peaks(const sf_model *model, const sf_law_points *peaks, int part, sf_graph *graph) {
-    int k;
-    for (k = 0; k < peaks->n; k++) {
+    for (int k = 0; k < peaks->n; k++) {
         const double w = peaks->at[k].Omega;
         sf_sample at;
-        int up, low;
         if (part >= 0 && peaks->at[k].part != part)
             continue;
         sf_sample_at(model, peaks->at[k].A, &at);
-        up = sf_rises_at_peak(model, &at, w), low = sf_bends_at_peak(model, &at, w);
+        const int up = sf_rises_at_peak(model, &at, w), low = sf_bends_at_peak(model, &at, w);
         sf_add_event(graph, at.A, w, low != sf_inertial(model) ? SF_PAIR_LOW : SF_PAIR_HIGH, up == low ? 2 : -2);
     }
 }
@@ -101,11 +98,10 @@ static sf_far_end sf_far_end_of(const sf_model *model, double F_0, sf_law_points
     sf_far_end out = {dissipation_full_by_inertia(F_0, model->d), 0};
     sf_law_quartic q;
     sf_sample at;
-    int i;
     sf_sample_at(model, out.A, &at);
     sf_make_law_quartic(model, &at, SF_OF_RESPONSE, F_0, sf_is_beyond(model, out.A), &q);
     out.falls = q.c[2] < 0 && q.c[1] * q.c[1] <= SF_HARDLY * -q.c[2] * F_0 * F_0;
-    for (i = 0; out.falls && i < peaks->n; i++)
+    for (int i = 0; out.falls && i < peaks->n; i++)
         if (sf_meets_far(model, &q, &peaks->at[i])) {
             if (peaks->at[i].A < out.A)
                 out.falls = 0;
@@ -119,12 +115,11 @@ static sf_far_end sf_far_end_of(const sf_model *model, double F_0, sf_law_points
  * h/Omega^2 is -A -+ r with r^2 = F_0^2 - (d A^2)^2: both on one side, or one on either. */
 static void sf_add_where_nothing_pulls(const sf_model *model, double F_0, const sf_stretch *piece, sf_zeros *zeros,
                                        sf_graph *graph) {
-    int k;
     sf_clear_zeros(zeros);
     if (!(model->zeta == 0 && model->m == 0 && model->eta == 0 && sf_has_force(piece)))
         return;
     sf_ask_all(model, SF_STIFFNESS, 0, piece, zeros);
-    for (k = 0; k < zeros->n; k++) {
+    for (int k = 0; k < zeros->n; k++) {
         const double A = zeros->at[k].A;
         double beyond[3]; /* A^2 - r^2 */
         dissipation_far_by_inertia(0, A, F_0, 0, 0, model->d, 0, beyond);
@@ -143,15 +138,14 @@ static void sf_inertial_law_graph(const sf_model *model, double F_0, sf_work *wo
     const sf_far_end end = sf_far_end_of(model, F_0, peaks);
     sf_graph *graph = &work->response;
     sf_sample at;
-    int i, k;
     sf_sample_at(model, 0, &at);
     graph->close = 0;
-    for (k = 0; k < peaks->undecided; k++)
+    for (int k = 0; k < peaks->undecided; k++)
         graph->close |= fabs(peaks->doubt[k] - end.A) > (end.falls ? SF_HARDLY * end.A : 0);
     sf_add_event(graph, 0, inertia_moves_from(F_0, slow_flow_held(model->m, fmax(-at.h, 0))), SF_CUT, 0);
     sf_add_event(graph, end.A, HUGE_VAL, SF_TO_INFINITY, end.falls ? 1 : -1);
     sf_add_law_peaks(model, peaks, -1, graph);
-    for (i = 0; i < work->pieces.n; i++) {
+    for (int i = 0; i < work->pieces.n; i++) {
         if (i + 1 < work->pieces.n)
             sf_add_event(graph, model->b[i], 0, SF_THROUGH, 0);
         sf_add_where_nothing_pulls(model, F_0, &work->pieces.at[i], &work->zeros, graph);
@@ -166,7 +160,7 @@ static void sf_response_graph(const sf_model *model, double F_0, sf_work *work) 
     const int laws = sf_has_laws(model), inertial = sf_inertial(model), is_apart = laws && inertial;
     sf_graph *graph = &work->response;
     sf_zeros *zeros = &work->zeros;
-    int i, k, passed = laws || !inertial;
+    int passed = laws || !inertial;
     graph->events = 0, graph->status = laws ? sf_find_law_peaks(model, F_0, work) : SF_OK;
     if (is_apart) {
         sf_inertial_law_graph(model, F_0, work);
@@ -174,7 +168,7 @@ static void sf_response_graph(const sf_model *model, double F_0, sf_work *work) 
         graph->close = laws && work->points.found.undecided > 0;
         sf_add_event(graph, 0, inertial ? inertia_moves_from(F_0, model->m) : HUGE_VAL, SF_CUT, 0);
     }
-    for (i = 0; !is_apart && i < work->pieces.n && graph->status == SF_OK; i++) {
+    for (int i = 0; !is_apart && i < work->pieces.n && graph->status == SF_OK; i++) {
         const int first = graph->events;
         sf_clear_zeros(zeros);
         if (laws)
@@ -184,7 +178,7 @@ static void sf_response_graph(const sf_model *model, double F_0, sf_work *work) 
         sf_ask_all(model, SF_REST, F_0, &work->pieces.at[i], zeros);
         sf_sort_zeros(zeros);
         graph->close |= zeros->undecided;
-        for (k = 0; k < zeros->n; k++) {
+        for (int k = 0; k < zeros->n; k++) {
             graph->close |= !laws && sf_is_zero_close(zeros->at, k);
             if (inertial) /* no level of an amplitude is above it: a peak is below F_0 by rounding alone */
                 zeros->at[k].A = fmax(zeros->at[k].A, F_0);
@@ -210,15 +204,14 @@ static void sf_response_graph(const sf_model *model, double F_0, sf_work *work) 
 /* The arc that a fold lies on, or -1. */
 static int sf_arc_of_fold(const sf_model *model, double F_0, const sf_graph *graph, const sf_fold *fold) {
     double nearest = HUGE_VAL;
-    int i, found = -1;
+    int found = -1;
     sf_sample at;
     sf_sample_at(model, fold->A, &at);
-    for (i = 0; i < graph->arcs; i++) {
+    for (int i = 0; i < graph->arcs; i++) {
         const sf_arc *arc = &graph->arc[i];
-        double off;
         if (fold->corner || !(arc->A[0] <= fold->A && fold->A <= arc->A[1]))
             continue; /* an arc ends at every breakpoint already */
-        off = fabs(sf_branch_at(model, &at, F_0, arc->count, arc->index) - fold->Omega);
+        const double off = fabs(sf_branch_at(model, &at, F_0, arc->count, arc->index) - fold->Omega);
         if (off < nearest)
             nearest = off, found = i;
     }
@@ -229,15 +222,14 @@ static int sf_arc_of_fold(const sf_model *model, double F_0, const sf_graph *gra
  * its sign, which is that of F_Omega there: F rises at the last root. */
 static int sf_is_stable(const sf_model *model, double F_0, const sf_segment *segment) {
     sf_sample at;
-    double Omega, I, R;
     sf_sample_at(model, 0.5 * (segment->A[0] + segment->A[1]), &at);
-    Omega = sf_branch_at(model, &at, F_0, segment->count, segment->index);
+    const double Omega = sf_branch_at(model, &at, F_0, segment->count, segment->index);
     if (sf_has_laws(model))
         return sf_law_F_A(model, &at, Omega, sf_is_beyond(model, at.A)) > 0;
     if (sf_inertial(model) || !(at.A * Omega * Omega > SF_SHARP * F_0))
         return sf_half_F_A(model, &at, Omega) > 0;
-    I = slow_flow_I(Omega, at.A, model->m, model->zeta);
-    R = sqrt(fmax(0, (F_0 - I) * (F_0 + I))) * ((segment->count - segment->index) % 2 == 1 ? 1 : -1);
+    const double I = slow_flow_I(Omega, at.A, model->m, model->zeta);
+    const double R = sqrt(fmax(0, (F_0 - I) * (F_0 + I))) * ((segment->count - segment->index) % 2 == 1 ? 1 : -1);
     return R * (at.h_A + Omega * Omega) + 2 * model->zeta * Omega * I > 0;
 }
 
@@ -253,8 +245,8 @@ static void sf_add_step(const sf_model *model, double F_0, const sf_arc *arc, in
     double A = arc->A[1 - upward], Omega = arc->Omega[1 - upward];
     segment.index = arc->index, segment.count = arc->count, segment.curve = curve, segment.upward = upward;
     for (;;) { /* the nearest fold ahead */
-        int i, next = -1;
-        for (i = 0; i < folds->n; i++) {
+        int next = -1;
+        for (int i = 0; i < folds->n; i++) {
             const double ahead = upward ? folds->at[i].A - A : A - folds->at[i].A;
             if (arc_of[i] == number && ahead > 0 &&
                 (next < 0 || (upward ? folds->at[i].A < folds->at[next].A : folds->at[i].A > folds->at[next].A)))
@@ -275,11 +267,10 @@ static void sf_add_step(const sf_model *model, double F_0, const sf_arc *arc, in
 static double sf_settle_skeleton(const sf_model *model, const sf_given *given, double F_0, sf_room *room) {
     sf_work *work = &room->work;
     const sf_folds before = work->folds;
-    int i, k, end;
     const double off = sf_settle_or_prove(model, given, F_0, room, &work->folds);
-    for (i = 0; i < before.n; i++)
-        for (k = 0; k < work->skeleton.segments; k++)
-            for (end = 0; end < 2; end++) {
+    for (int i = 0; i < before.n; i++)
+        for (int k = 0; k < work->skeleton.segments; k++)
+            for (int end = 0; end < 2; end++) {
                 sf_segment *segment = &work->skeleton.segment[k];
                 if (segment->A[end] == before.at[i].A && segment->Omega[end] == before.at[i].Omega)
                     segment->A[end] = work->folds.at[i].A, segment->Omega[end] = work->folds.at[i].Omega;
@@ -290,7 +281,7 @@ static double sf_settle_skeleton(const sf_model *model, const sf_given *given, d
 static sf_status sf_make_skeleton(const sf_model *model, const sf_given *given, double F_0, sf_room *room) {
     sf_work *work = &room->work;
     sf_skeleton *out = &work->skeleton;
-    int arc_of[SF_MOST_FOLDS], lost = 0, i, c;
+    int arc_of[SF_MOST_FOLDS], lost = 0;
     const int laws = sf_has_laws(model);
     const sf_status status = sf_decided_folds(model, given, F_0, room, &work->folds);
     out->segments = out->curves = 0, out->start[0] = 0;
@@ -300,7 +291,7 @@ static sf_status sf_make_skeleton(const sf_model *model, const sf_given *given, 
     if (work->response.status != SF_OK)
         return work->response.status;
     sf_make_tour(&work->response, &work->tour);
-    for (i = 0; i < work->folds.n; i++) {
+    for (int i = 0; i < work->folds.n; i++) {
         arc_of[i] = sf_arc_of_fold(model, F_0, &work->response, &work->folds.at[i]);
         lost |= arc_of[i] < 0 && !work->folds.at[i].corner;
     }
@@ -308,8 +299,8 @@ static sf_status sf_make_skeleton(const sf_model *model, const sf_given *given, 
         room->doubt |= work->response.close | lost;
         room->undecided |= work->response.close;
     }
-    for (c = 0; c < work->tour.curves; c++) {
-        for (i = work->tour.start[c]; i < work->tour.start[c + 1]; i++) {
+    for (int c = 0; c < work->tour.curves; c++) {
+        for (int i = work->tour.start[c]; i < work->tour.start[c + 1]; i++) {
             const int arc = work->tour.step[i] / 2;
             sf_add_step(model, F_0, &work->response.arc[arc], work->tour.step[i] % 2, c, &work->folds, arc_of, arc,
                            out);
@@ -337,9 +328,8 @@ static int sf_are_events_close(const sf_model *model, double F_0, double A_max, 
 /* An amplitude below the state at Omega of the branch that comes from A = 0, Omega = inf. */
 static double sf_tail_amplitude(const sf_model *model, double F_0, const sf_segment *segment, double Omega) {
     double A = slow_flow_tail(Omega, F_0, model->m);
-    int i;
     A = fmin(A, 0.5 * segment->A[1]);
-    for (i = 0; i < 500; i++) {
+    for (int i = 0; i < 500; i++) {
         sf_sample at;
         sf_sample_at(model, A, &at);
         if (sf_branch_at(model, &at, F_0, segment->count, segment->index) > Omega)
@@ -353,21 +343,19 @@ static double sf_tail_amplitude(const sf_model *model, double F_0, const sf_segm
 static double sf_polish_amplitude(const sf_model *model, double F_0, double Omega, const sf_sample *at) {
     const int laws = sf_has_laws(model);
     sf_quartic s;
-    double step;
     s.kind = SF_RESPONSE;
     s.A = at->A, s.h = at->h, s.h_A = at->h_A, s.F_0 = sf_force(model, F_0, Omega);
     s.m = laws ? sf_law_I(model, at->A, Omega) : model->m, s.zeta = laws ? 0 : model->zeta; /* the same I */
-    step = sf_value_fine(&s, Omega) / (laws ? sf_law_F_A(model, at, Omega, sf_is_beyond(model, at->A))
-                                            : 2 * sf_half_F_A(model, at, Omega));
+    const double step = sf_value_fine(&s, Omega) / (laws ? sf_law_F_A(model, at, Omega, sf_is_beyond(model, at->A))
+                                                         : 2 * sf_half_F_A(model, at, Omega));
     return fabs(step) < SF_LAST_STEP * at->A ? at->A - step : at->A;
 }
 
 /* The amplitude at which a segment has the given Omega, which must lie in its range. */
 static double sf_amplitude_on(const sf_model *model, double F_0, const sf_segment *segment, double Omega) {
     const int falls = segment->Omega[0] > segment->Omega[1];
-    double lo = segment->A[0], hi = segment->A[1], last, A;
+    double lo = segment->A[0], hi = segment->A[1], A;
     sf_sample at;
-    int i;
     if (Omega == segment->Omega[0] || Omega == segment->Omega[1])
         return Omega == segment->Omega[0] ? lo : hi;
     if (lo == 0 && segment->Omega[0] == HUGE_VAL) {
@@ -376,13 +364,13 @@ static double sf_amplitude_on(const sf_model *model, double F_0, const sf_segmen
     } else {
         A = lo + (hi - lo) * ((Omega - segment->Omega[0]) / (segment->Omega[1] - segment->Omega[0]));
     }
-    last = hi - lo;
-    for (i = 0; i < 200; i++) {
-        double w, slope, next, moved;
+    double last = hi - lo;
+    for (int i = 0; i < 200; i++) {
+        double slope;
         if (!(A > lo && A < hi))
             A = sf_amid(0, lo, hi);
         sf_sample_at(model, A, &at);
-        w = sf_branch_at(model, &at, F_0, segment->count, segment->index);
+        const double w = sf_branch_at(model, &at, F_0, segment->count, segment->index);
         if ((w > Omega) == falls)
             lo = A;
         else
@@ -390,8 +378,8 @@ static double sf_amplitude_on(const sf_model *model, double F_0, const sf_segmen
         slope = sf_has_laws(model)
                     ? sf_law_Omega_A(model, &at, w)
                     : (sf_inertial(model) ? inertia_Omega_A : slow_flow_Omega_A)(w, A, model->m, model->zeta, at.h, at.h_A);
-        next = A - (w - Omega) / slope;
-        moved = fabs(next - A);
+        double next = A - (w - Omega) / slope;
+        const double moved = fabs(next - A);
         if (moved <= SF_AT_ROOT * A || !(lo < hi))
             break;
         if (!(next > lo && next < hi) || moved > SF_SLOW * last)
@@ -414,11 +402,10 @@ static int sf_holds(const sf_segment *segment, double Omega) {
 /* The part of a segment between two frequencies; 0 if there is none. */
 static int sf_clip(const sf_model *model, double F_0, const sf_segment *segment, double low, double high,
                       sf_segment *out) {
-    int end;
     *out = *segment;
     if (fmax(segment->Omega[0], segment->Omega[1]) <= low || fmin(segment->Omega[0], segment->Omega[1]) >= high)
         return 0;
-    for (end = 0; end < 2; end++) {
+    for (int end = 0; end < 2; end++) {
         const double edge = fmin(fmax(segment->Omega[end], low), high);
         if (edge != segment->Omega[end]) {
             out->A[end] = sf_amplitude_on(model, F_0, segment, edge);
@@ -439,9 +426,9 @@ static void sf_close_run(sf_skeleton *shown, int closed) {
 static void sf_show_curve(const sf_model *model, double F_0, const sf_skeleton *all, int curve, double low,
                              double high, sf_skeleton *shown) {
     const int first = all->start[curve], n = all->start[curve + 1] - first;
-    int i, shift = 0, whole = 1;
+    int shift = 0, whole = 1;
     sf_segment segment;
-    for (i = 0; i < n; i++) { /* the start of a closed curve is no end: begin behind a place outside the window */
+    for (int i = 0; i < n; i++) { /* the start of a closed curve is no end: begin behind a place outside the window */
         const sf_segment *p = &all->segment[first + i];
         if (sf_last_of(p, p->Omega) < low || sf_last_of(p, p->Omega) > high) {
             whole = 0;
@@ -450,7 +437,7 @@ static void sf_show_curve(const sf_model *model, double F_0, const sf_skeleton *
     }
     if (!all->closed[curve])
         shift = 0;
-    for (i = 0; i < n; i++) {
+    for (int i = 0; i < n; i++) {
         const sf_segment *p = &all->segment[first + (i + shift) % n];
         if (!sf_clip(model, F_0, p, low, high, &segment)) {
             sf_close_run(shown, 0);
@@ -479,14 +466,13 @@ static double sf_weight(const sf_segment *segment, const sf_sharing *sharing) {
 }
 
 static void sf_share_out(const sf_skeleton *shown, sf_sharing *sharing) {
-    int i;
     sharing->Omega = sharing->A = 1, sharing->total = 0;
-    for (i = 0; i < shown->segments; i++) {
+    for (int i = 0; i < shown->segments; i++) {
         const sf_segment *segment = &shown->segment[i];
         sharing->Omega = fmax(sharing->Omega, 0.5 * fmax(segment->Omega[0], segment->Omega[1]));
         sharing->A = fmax(sharing->A, segment->A[1]);
     }
-    for (i = 0; i < shown->segments; i++)
+    for (int i = 0; i < shown->segments; i++)
         sharing->total += sf_weight(&shown->segment[i], sharing);
 }
 
@@ -500,14 +486,13 @@ static long sf_show(const sf_model *model, double F_0, double low, double high, 
     sf_skeleton *shown = &work->shown;
     sf_sharing sharing;
     long points = 0;
-    int i;
     shown->segments = shown->curves = 0, shown->start[0] = 0;
-    for (i = 0; i < work->skeleton.curves; i++)
+    for (int i = 0; i < work->skeleton.curves; i++)
         sf_show_curve(model, F_0, &work->skeleton, i, low, high, shown);
     sf_share_out(shown, &sharing);
     if (!(sharing.total < HUGE_VAL))
         return -1;
-    for (i = 0; i < shown->segments; i++)
+    for (int i = 0; i < shown->segments; i++)
         points += sf_steps_of(&shown->segment[i], samples, &sharing);
     return points + shown->curves;
 }
@@ -523,22 +508,20 @@ static double sf_share_at(int k, int n) { return 0.5 - 0.5 * cos(3.1415926535897
 static void sf_shares(int n, double *share) {
     const double step = 3.14159265358979312 / n;
     double cosine[SF_SHARES], sine[SF_SHARES];
-    int i, k;
-    for (i = 0; i < SF_SHARES; i++)
+    for (int i = 0; i < SF_SHARES; i++)
         cosine[i] = cos(step * i), sine[i] = sin(step * i);
-    for (i = 1; i < n && i < SF_SHARES; i++)
+    for (int i = 1; i < n && i < SF_SHARES; i++)
         share[i - 1] = 0.5 - 0.5 * cosine[i];
-    for (k = SF_SHARES; k < n; k += SF_SHARES) {
+    for (int k = SF_SHARES; k < n; k += SF_SHARES) {
         const double at_cosine = cos(step * k), at_sine = sin(step * k);
         const int here = n - k < SF_SHARES ? n - k : SF_SHARES;
-        for (i = 0; i < here; i++)
+        for (int i = 0; i < here; i++)
             share[k + i - 1] = 0.5 - 0.5 * (at_cosine * cosine[i] - at_sine * sine[i]);
     }
 }
 
 static void sf_turn_round(int n, double *x) {
-    int k;
-    for (k = 0; k < n / 2; k++) {
+    for (int k = 0; k < n / 2; k++) {
         const double kept = x[k];
         x[k] = x[n - 1 - k], x[n - 1 - k] = kept;
     }
@@ -548,14 +531,14 @@ static void sf_turn_round(int n, double *x) {
  * Omega changes with each of A's; the others follow the top. */
 static void sf_numbers_between(double low, double high, int n, double *x) {
     const int many = low > 0 && high > 100 * low, orders = n / 2, plain = n + 1 - orders;
-    int i = 1, j = 1, k;
+    int i = 1, j = 1;
     if (!many) {
         sf_shares(n, x);
-        for (k = 0; k < n - 1; k++)
+        for (int k = 0; k < n - 1; k++)
             x[k] = low + (high - low) * x[k];
         return;
     }
-    for (k = 0; k < n - 1; k++) {
+    for (int k = 0; k < n - 1; k++) {
         const double of_plain = i < plain ? low + (high - low) * sf_share_at(i, plain) : HUGE_VAL;
         const double of_orders = j < orders ? low * exp(sf_share_at(j, orders) * log(high / low)) : HUGE_VAL;
         x[k] = of_plain <= of_orders ? of_plain : of_orders;
@@ -572,20 +555,19 @@ static void sf_frequencies_along(const sf_model *model, double F_0, const sf_seg
     sf_quartics block;
     sf_jobs jobs;
     sf_sample at;
-    int first, i, k;
-    for (first = 0; first < n; first += SF_QUARTICS) {
+    for (int first = 0; first < n; first += SF_QUARTICS) {
         const int here = n - first < SF_QUARTICS ? n - first : SF_QUARTICS;
         double averages[2 * SF_QUARTICS];
         jobs.n = 0;
         if (in_lanes) {
             model->mechanism->averaged_2(model->mechanism, here, A + first, model->p, averages);
-            for (i = 0; i < here; i++) {
+            for (int i = 0; i < here; i++) {
                 block.A[i] = A[first + i], block.h[i] = averages[i];
                 block.m[i] = model->m, block.zeta[i] = model->zeta, block.F_0[i] = F_0;
             }
             sf_isolate_lanes(here, &block);
         }
-        for (i = 0; i < here; i++) {
+        for (int i = 0; i < here; i++) {
             sf_place place[3];
             if (in_lanes && block.signs[i] != SF_UNSURE &&
                 sf_places_of_signs((int)block.signs[i], place) == segment->count) {
@@ -596,7 +578,7 @@ static void sf_frequencies_along(const sf_model *model, double F_0, const sf_seg
             }
         }
         sf_refine_lanes(&jobs);
-        for (k = 0; k < jobs.n; k++)
+        for (int k = 0; k < jobs.n; k++)
             Omega[first + jobs.of[k]] = sf_root_of_job(&jobs, k);
     }
 }
@@ -615,18 +597,17 @@ static void sf_points_inside(const sf_model *model, double F_0, const sf_segment
                              double *A)
 {
     const double low = fmin(segment->Omega[0], segment->Omega[1]), high = fmax(segment->Omega[0], segment->Omega[1]);
-    int k;
     if (sf_is_steep(segment)) {
         sf_numbers_between(low, high, n, Omega);
         if (segment->Omega[0] > segment->Omega[1])
             sf_turn_round(n - 1, Omega);
-        for (k = 0; k < n - 1; k++)
+        for (int k = 0; k < n - 1; k++)
             A[k] = sf_amplitude_on(model, F_0, segment, Omega[k]);
         return;
     }
     sf_numbers_between(segment->A[0], segment->A[1], n, A);
     sf_frequencies_along(model, F_0, segment, n - 1, A, Omega);
-    for (k = 0; k < n - 1; k++)
+    for (int k = 0; k < n - 1; k++)
         Omega[k] = Omega[k] < low ? low : Omega[k] > high ? high : Omega[k];
 }
 
@@ -654,10 +635,9 @@ static void sf_free_points(sf_points *points) {
 static long sf_draw(const sf_model *model, double F_0, double samples, const sf_skeleton *shown, const sf_points *out) {
     double *const Omega = out->Omega, *const A = out->A;
     sf_sharing sharing;
-    long at = 0, kept = 0, point;
-    int i;
+    long at = 0, kept = 0;
     sf_share_out(shown, &sharing);
-    for (i = 0; i < shown->segments; i++) {
+    for (int i = 0; i < shown->segments; i++) {
         const sf_segment *segment = &shown->segment[i];
         const int n = sf_steps_of(segment, samples, &sharing), starts = i == shown->start[segment->curve];
         const long first = at;
@@ -669,10 +649,10 @@ static long sf_draw(const sf_model *model, double F_0, double samples, const sf_
         at += n - 1;
         A[at] = sf_last_of(segment, segment->A), Omega[at++] = sf_last_of(segment, segment->Omega);
         memset(out->stable + first, segment->stable != 0, (size_t)(at - first));
-        for (point = first; point < at; point++)
+        for (long point = first; point < at; point++)
             out->branch[point] = segment->curve;
     }
-    for (point = 0; point < at; point++)
+    for (long point = 0; point < at; point++)
         if (A[point] > 0) {
             Omega[kept] = Omega[point], A[kept] = A[point];
             out->branch[kept] = out->branch[point], out->stable[kept++] = out->stable[point];

@@ -152,15 +152,14 @@ static int sf_rises_from_rest(const sf_law_search *search, const sf_strip *strip
     const sf_laws_within *laws = &search->laws;
     const sf_cell *cell = &strip->cell;
     const double b = cell->A.hi, bend = sf_size_of(cell->h_AA), over = (strip->rest[0].hi / b) * (1 - SF_CLOSE);
-    double least[2], value;
-    sf_interval I;
+    double least[2];
     if (!(cell->A.lo == 0 && I_A.lo >= 0 && w.lo >= 0))
         return 0;
-    I = dissipation_intervals_I_scaled(w, cell->A, sfi_of(over, HUGE_VAL), laws->zeta, laws->d);
+    const sf_interval I = dissipation_intervals_I_scaled(w, cell->A, sfi_of(over, HUGE_VAL), laws->zeta, laws->d);
     if (dissipation_intervals_F_A_scaled(w, cell->h_A, cell->h_A, I, I_A).lo > 0)
         return 1;
     dissipation_least_scaled(w.lo * (1 - SF_CLOSE), search->model->zeta, search->model->eta, search->model->d, bend, least);
-    value = least[0] + b * b * fmin(least[1], 0) + (least[0] == 0 ? least[1] : 0);
+    const double value = least[0] + b * b * fmin(least[1], 0) + (least[0] == 0 ? least[1] : 0);
     return value > SF_CLOSE * least[0];
 }
 
@@ -190,20 +189,18 @@ static int sf_narrow_unknowns(const sf_law_search *search, const sf_strip *strip
     const int folded = sf_is_folded(search), forced = sf_is_forced(search), stationary = sf_is_stationary(search);
     /* where I I_A >= 0 R and its slope differ in sign: -h/A and -h_A enclose Omega^2, and R lies between 0 and k */
     const int apart = folded && strip->rest[1].lo >= 0;
-    int pass;
     if (apart) {
         const sf_interval between = sfi_neg(sfi_join(strip->over, cell->h_A));
         if (!(between.hi > 0))
             return 0;
         of->w = sfi_both(of->w, sfi_sqrt(search->far ? sfi_inverse(sf_not_negative(between)) : between));
     }
-    for (pass = 0; pass < SF_NARROWINGS; pass++) {
+    for (int pass = 0; pass < SF_NARROWINGS; pass++) {
         sf_balances at;
-        sf_interval square;
         sf_limit_by_damping(search, strip, &of->w);
         if (sf_is_none(of->w))
             return 0;
-        square = sfi_square(of->w);
+        sf_interval square = sfi_square(of->w);
         if (search->far != sf_inertial(search->model))
             force = sfi_mul(search->force, square);
         sf_balances_at(search, strip, of->w, &at);

@@ -87,14 +87,12 @@ static inline ptrdiff_t sf_filled(ptrdiff_t n) { return SF_WHOLE(n + SF_WIDEST -
 
 /* A row as far as whole vectors, with copies of the last. */
 static inline void sf_fill(double *row, ptrdiff_t n) {
-    ptrdiff_t i;
-    for (i = n; i < sf_filled(n); i++)
+    for (ptrdiff_t i = n; i < sf_filled(n); i++)
         row[i] = row[n - 1];
 }
 
 static inline void sf_fill_rows(double (*rows)[SF_LANE_CELLS], ptrdiff_t n) {
-    int k;
-    for (k = 0; k < SF_GIVEN_ROWS; k++)
+    for (int k = 0; k < SF_GIVEN_ROWS; k++)
         sf_fill(rows[k], n);
 }
 
@@ -165,9 +163,8 @@ static inline sf_lane_slopes sf_slopes_on(double a, double h_a, double h1_a, dou
     const double h1_least = SF_LESSER(h1_a, h1_b), h1_most = SF_GREATER(h1_a, h1_b);
     const double h1_under = sf_lane_least(h1_a, h1_b, falls2, rises2, width);
     const double h1_over = -sf_lane_least(-h1_a, -h1_b, -rises2, -falls2, width);
-    const sf_lane_slopes on = {(h2_signed ? h1_least : h1_under) - e1, (h2_signed ? h1_most : h1_over) + e1, h2_lo,
-                               h2_hi, e1};
-    return on;
+    return (sf_lane_slopes){(h2_signed ? h1_least : h1_under) - e1, (h2_signed ? h1_most : h1_over) + e1, h2_lo,
+                            h2_hi, e1};
 }
 
 /* A function between its values at the ends of a cell whose slope is known. */
@@ -191,8 +188,7 @@ static inline sf_lane_critical sf_lane_critical_at(double A, double p, double q)
     const double nearer = (8 * from * from * from + rho) / (12 * from * from - 3);
     const double c = (8 * nearer * nearer * nearer + rho) / (12 * nearer * nearer - 3), gap = (1 - rho) * (1 + rho);
     const double y2 = c + 1.7320508075688773 * sqrt(SF_GREATER(gap, 0.0)) / (4 * c * c - 1);
-    const sf_lane_critical found = {rho, r * rho / (y2 * c), r * y2};
-    return found;
+    return (sf_lane_critical){rho, r * rho / (y2 * c), r * y2};
 }
 
 /* An amplitude well inside a cell, as sf_amid; next to A = 0 in the middle. */

@@ -121,17 +121,17 @@ static inline sf_where sf_where_both(sf_interval discriminant, sf_interval X) {
 }
 
 static inline void sf_cusp_on(const sf_cell *cell, sf_interval m, sf_interval zeta, int larger, sf_cusp_range *out) {
-    sf_interval q[5], root, X, T, R[2], cusp[4];
+    sf_interval q[5], R[2], cusp[4];
     slow_flow_intervals_cusps(cell->A, zeta, cell->h, cell->h_A, cell->h_AA, cell->k, q);
     if (q[4].hi < 0)
         return;
-    root = sfi_sqrt(q[4]);
-    X = sf_quadratic_root_range(q[2], q[3], root, larger);
+    const sf_interval root = sfi_sqrt(q[4]);
+    sf_interval X = sf_quadratic_root_range(q[2], q[3], root, larger);
     out->where = sf_where_both(q[4], X);
     if (out->where == SF_NOWHERE)
         return;
     X.lo = sfi_most(X.lo, 0);
-    T = sf_quadratic_root_range(q[0], q[1], root, larger);
+    const sf_interval T = sf_quadratic_root_range(q[0], q[1], root, larger);
     slow_flow_intervals_cusp_R(cell->A, zeta, cell->h_AA, cell->k, X, T, R);
     slow_flow_intervals_cusp(cell->A, m, zeta, cell->h_AA, cell->h_AAA, cell->k, X, T, sfi_both(R[0], R[1]),
                              larger ? root : sfi_neg(root), cusp);
@@ -147,31 +147,28 @@ static inline void sf_range_cusp_scaled(const sf_asked *asked, const sf_known *a
                                         sf_interval rho, sf_interval kappa, int open, sf_range out[2]) {
     const sf_interval m = asked->terms.m, zeta = asked->terms.zeta;
     const int limited = sf_is_limited(asked);
-    sf_interval q[3], root;
-    int i;
+    sf_interval q[3];
     slow_flow_intervals_cusps_scaled(cell->A, zeta, cell->h_A, cell->h_AA, kappa, q);
     if (q[2].hi < 0)
         return;
-    root = sfi_sqrt(q[2]);
-    for (i = 0; i < 2; i++) {
+    const sf_interval root = sfi_sqrt(q[2]);
+    for (int i = 0; i < 2; i++) {
         const int larger_t = (i == 0) == (cell->h_AA.lo > 0);
-        sf_interval X, t, y;
-        sf_where where;
         if (!(open & 1 << i))
             continue;
-        t = sf_quadratic_root_range(q[0], q[1], root, larger_t);
-        X = slow_flow_intervals_cusp_X(cell->A, cell->h_A, cell->h_AA, t);
+        const sf_interval t = sf_quadratic_root_range(q[0], q[1], root, larger_t);
+        sf_interval X = slow_flow_intervals_cusp_X(cell->A, cell->h_A, cell->h_AA, t);
         if (!(X.lo > 0)) { /* near Omega = 0 that cancels */
             sf_interval by_X[5];
             sf_add_values(a, b, cell);
             slow_flow_intervals_cusps(cell->A, zeta, cell->h, cell->h_A, cell->h_AA, cell->k, by_X);
             X = sfi_both(X, sf_quadratic_root_range(by_X[2], by_X[3], sfi_sqrt(by_X[4]), i == 0));
         }
-        where = sf_where_both(q[2], X);
+        const sf_where where = sf_where_both(q[2], X);
         if (where == SF_NOWHERE)
             continue;
         X.lo = sfi_most(X.lo, 0);
-        y = slow_flow_intervals_cusp_scaled(cell->A, m, zeta, cell->h_AA, kappa, X, t);
+        const sf_interval y = slow_flow_intervals_cusp_scaled(cell->A, m, zeta, cell->h_AA, kappa, X, t);
         if (sfi_has_sign(y) ||
             (limited &&
              slow_flow_intervals_cusp_scaled_level(cell->A, m, zeta, cell->h_AA, kappa, X, t).lo > *asked->most))
@@ -207,7 +204,6 @@ static inline int sf_is_free_of_folds(const sf_known *a, const sf_cell *cell, sf
 static inline void sf_range_cusp(const sf_asked *asked, const sf_known *a, const sf_known *b, sf_cell *cell, int open,
                                  sf_range out[2]) {
     sf_interval rho, kappa;
-    int i;
     out[0].where = out[1].where = SF_NOWHERE;
     if (sf_scaled(cell, &rho, &kappa)) {
         if (!(kappa.lo >= 0))
@@ -217,7 +213,7 @@ static inline void sf_range_cusp(const sf_asked *asked, const sf_known *a, const
     sf_add_values(a, b, cell);
     if (sf_are_alike(cell->h_AA, cell->k) || sf_is_free_of_folds(a, cell, asked->terms.zeta))
         return;
-    for (i = 0; i < 2; i++) {
+    for (int i = 0; i < 2; i++) {
         sf_cusp_range cusp = {0};
         if (!(open & 1 << i))
             continue;
@@ -239,11 +235,11 @@ static inline void sf_range_stiffness(const sf_cell *cell, sf_range out[2]) {
 static inline void sf_range_stiffness_by_laws(const sf_model *model, const sf_cell *cell, sf_range out[2]) {
     const sf_interval h_A = cell->h_A;
     sf_laws_within laws;
-    sf_interval rest[4], slope;
+    sf_interval rest[4];
     sf_hold_laws(model, model->breaks > 0 && cell->A.lo >= model->b[0], &laws);
     sf_rest_within(&laws, cell->A, rest);
-    slope = sfi_add(sfi_add(sfi_square(h_A), sfi_mul(cell->h, cell->h_AA)),
-                    sfi_add(sfi_square(rest[1]), sfi_mul(rest[0], rest[2])));
+    const sf_interval slope = sfi_add(sfi_add(sfi_square(h_A), sfi_mul(cell->h, cell->h_AA)),
+                                      sfi_add(sfi_square(rest[1]), sfi_mul(rest[0], rest[2])));
     sf_range_simple(sfi_times(2, sfi_add(sfi_mul(cell->h, h_A), sfi_mul(rest[0], rest[1]))), sfi_times(2, slope),
                     SF_THROUGHOUT, &out[0]);
     out[1].where = SF_NOWHERE;
@@ -301,10 +297,9 @@ static inline void sf_range_turn(const sf_model *model, const sf_cell *cell, int
     const sf_interval per_A = next_to_0 ? sfi_div(m, cell->A) : m;
     sf_interval quartic[4], turn[2], y, dy;
     sf_critical_box box;
-    int i;
     slow_flow_intervals_fold_quartic(A, m, zeta, h, cell->h_A, quartic);
     sf_critical_of(cell, sfi_of(0.5 * quartic[2].lo, 0.5 * quartic[2].hi), 0.25 * quartic[1].lo, &box);
-    for (i = 0; i < 2; i++) {
+    for (int i = 0; i < 2; i++) {
         const sf_interval w = i == 0 ? box.w1 : box.w2;
         out[i].where = i == 0 && model->m == 0 ? SF_NOWHERE : box.where;
         if (out[i].where == SF_NOWHERE || !(open & 1 << i))
@@ -337,10 +332,9 @@ static inline void sf_range_peak(const sf_model *model, double F_0, const sf_cel
     const double most = sf_most_of_peak(model, F_0, cell);
     sf_interval cubic[3], peak[2];
     sf_critical_box box;
-    int i;
     slow_flow_intervals_peak_cubic(next_to_0 ? one : cell->A, m, zeta, next_to_0 ? cell->h_A : cell->h, cubic);
     sf_critical_of(cell, cubic[1], cubic[0].lo, &box);
-    for (i = 0; i < 2; i++) {
+    for (int i = 0; i < 2; i++) {
         const sf_interval w = i == 0 ? box.w1 : box.w2;
         out[i].where = model->zeta == 0 || (i == 0 && model->m == 0) ? SF_NOWHERE : box.where;
         if (out[i].where == SF_NOWHERE || !(open & 1 << i))
@@ -356,8 +350,6 @@ static inline void sf_range_peak(const sf_model *model, double F_0, const sf_cel
 static inline void sf_range_rest_by_laws(const sf_model *model, double F_0, const sf_cell *cell, sf_range out[2]) {
     sf_laws_within laws;
     sf_interval halves[4], rest[4];
-    sf_where where;
-    int i;
     sf_hold_laws(model, model->breaks > 0 && cell->A.lo >= model->b[0], &laws);
     sf_rest_within(&laws, cell->A, rest);
     if (cell->h.lo == 0 && cell->h.hi == 0 && cell->h_A.lo == 0 && cell->h_A.hi == 0) {
@@ -365,10 +357,10 @@ static inline void sf_range_rest_by_laws(const sf_model *model, double F_0, cons
         sf_range_simple(sfi_point(1), sfi_point(0), SF_NOWHERE, &out[1]);
         return;
     }
-    where = sf_where_positive(sfi_sub(sfi_point(F_0), rest[0]));
+    const sf_where where = sf_where_positive(sfi_sub(sfi_point(F_0), rest[0]));
     rest[0].hi = sfi_least(rest[0].hi, F_0);
     dissipation_intervals_static(sfi_point(F_0), rest[0], rest[1], cell->h, cell->h_A, halves);
-    for (i = 0; i < 2; i++) {
+    for (int i = 0; i < 2; i++) {
         sf_range_simple(halves[i], halves[2 + i], where, &out[i]);
         if (where == SF_PARTLY && sfi_has_sign(cell->h))
             out[i].edge = cell->h.lo > 0 ? 1 : -1;
@@ -401,12 +393,11 @@ static inline void sf_range_state(const sf_terms *terms, sf_interval Omega, cons
 static inline void sf_doubt_gains(const sf_model *model, sf_cell *cell) {
     const double A[2] = {cell->A.lo, cell->A.hi}, size = SF_DOUBT * (A[1] + fabs(cell->h.lo));
     double doubt[2];
-    int i, end;
-    for (i = 0; i < model->breaks; i++) {
+    for (int i = 0; i < model->breaks; i++) {
         const double b = model->b[i];
         if (!(A[0] >= b && A[0] <= SF_NEXT_TO_BREAK * b))
             continue;
-        for (end = 0; end < 2; end++)
+        for (int end = 0; end < 2; end++)
             doubt[end] = size / sqrt((A[end] - b) * (A[end] + b));
         cell->h_A.lo -= doubt[cell->h_AA.hi <= 0], cell->h_A.hi += doubt[cell->h_AA.lo >= 0];
     }
@@ -440,17 +431,16 @@ SF_FLAT static inline void sf_range_state_in_turn(const sf_terms *terms, sf_inte
 static inline sf_interval sf_cubic_on(const sf_asked *asked, const sf_cell *cell) {
     const sf_interval direct = sfi_add(sfi_times(2, cell->h), cell->k);
     const sf_sample *first = asked->first;
-    sf_interval way, bend, slope, cubic;
     sf_known from;
     if (asked->model->mechanism->bent != NULL || first == NULL)
         return direct;
     sf_know(first, &from);
-    way = sfi_sub(cell->A, sfi_point(first->A));
-    bend = sfi_of(sfi_least(first->h_AAA, cell->h_AAA.lo), sfi_most(first->h_AAA, cell->h_AAA.hi));
-    slope = sfi_sub(sfi_times(2, from.h_A), sfi_times(first->A, from.h_AA));
+    const sf_interval way = sfi_sub(cell->A, sfi_point(first->A));
+    sf_interval bend = sfi_of(sfi_least(first->h_AAA, cell->h_AAA.lo), sfi_most(first->h_AAA, cell->h_AAA.hi));
+    const sf_interval slope = sfi_sub(sfi_times(2, from.h_A), sfi_times(first->A, from.h_AA));
     bend = sfi_add(sfi_sub(from.h_AA, sfi_times(first->A, bend)), sfi_mul(way, sfi_sub(bend, bend)));
-    cubic = sfi_add(sfi_add(sfi_times(2, from.h), from.k),
-                    sfi_mul(way, sfi_add(slope, sfi_times(0.5, sfi_mul(way, bend)))));
+    const sf_interval cubic = sfi_add(sfi_add(sfi_times(2, from.h), from.k),
+                                      sfi_mul(way, sfi_add(slope, sfi_times(0.5, sfi_mul(way, bend)))));
     return cubic.hi - cubic.lo < HUGE_VAL ? sfi_both(direct, cubic) : direct;
 }
 

@@ -28,7 +28,6 @@ typedef struct {
  * be told neither from 0 nor to be 0. What has such a form has one in pairs too. */
 static inline int sf_give(const sf_mechanism *mechanism, const double *design, double mu, double zeta, sf_given *out) {
     sf_interval b[SF_MOST_BREAKS], kink[SF_MOST_BREAKS];
-    int i;
     if (mechanism->averaged_within == NULL)
         return 0;
     out->mechanism = mechanism;
@@ -39,17 +38,17 @@ static inline int sf_give(const sf_mechanism *mechanism, const double *design, d
     mechanism->parameters_within(mechanism, design, out->p);
     if (mechanism->breakpoints > 0)
         mechanism->ends_within(mechanism, out->p, b);
-    for (i = 0; i < out->empty; i++)
+    for (int i = 0; i < out->empty; i++)
         if (!(b[i].lo == 0 && b[i].hi == 0))
             return 0;
     if (mechanism->kinks_within != NULL)
         mechanism->kinks_within(mechanism, out->p, kink);
-    for (i = 0; i < out->breaks; i++) {
+    for (int i = 0; i < out->breaks; i++) {
         const int of = out->empty + i;
         out->b[i] = b[of], out->jump[i] = out->p[mechanism->parameters + of];
         out->kink[i] = mechanism->kinks_within != NULL ? kink[of] : sfi_of(-HUGE_VAL, HUGE_VAL);
     }
-    for (i = 0; i < out->breaks; i++)
+    for (int i = 0; i < out->breaks; i++)
         if (!(out->b[i].lo > (i > 0 ? out->b[i - 1].hi : 0)))
             return 0;
     return 1;

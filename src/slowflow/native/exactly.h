@@ -31,7 +31,6 @@ static inline int sf_has_pairs(const sf_mechanism *mechanism) {
 /* What follows from the parameters, which are there. */
 static inline void sf_complete_exact(const sf_mechanism *mechanism, double mu, double zeta, sf_exactly *out) {
     sf_pair b[SF_MOST_BREAKS];
-    int i;
     out->mechanism = mechanism;
     out->m = slow_flow_pairs_friction(sfp_point(mu)), out->zeta = sfp_point(zeta);
     if (mechanism->breakpoints > 0)
@@ -40,7 +39,7 @@ static inline void sf_complete_exact(const sf_mechanism *mechanism, double mu, d
     while (out->empty < mechanism->breakpoints && b[out->empty].high == 0)
         out->empty++;
     out->breaks = mechanism->breakpoints - out->empty;
-    for (i = 0; i < mechanism->breakpoints; i++)
+    for (int i = 0; i < mechanism->breakpoints; i++)
         out->b[i] = i < out->breaks ? b[out->empty + i] : sfp_point(0);
 }
 
@@ -60,7 +59,6 @@ static inline int sf_make_exact(const sf_mechanism *mechanism, const double *des
 static inline int sf_exact_at(const sf_exactly *exactly, const sf_model *model, int piece, sf_pair A, int wanted,
                               const sf_sample *near, sf_exact_sample *out) {
     sf_pair beyond = A;
-    int i;
     if (model->breaks != exactly->breaks)
         return 0;
     if (piece > 0) {
@@ -77,7 +75,7 @@ static inline int sf_exact_at(const sf_exactly *exactly, const sf_model *model, 
         sf_sample at;
         if (near == NULL)
             sf_sample_without_k_at(model, A.high, &at);
-        for (i = 2; i < 4; i++)
+        for (int i = 2; i < 4; i++)
             out->h[i] = sfp_point(near == NULL ? at.averages[i] : near->averages[i]);
     }
     return 1;

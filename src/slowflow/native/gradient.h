@@ -52,8 +52,7 @@ static int sf_is_on_break(sf_pinned kind) {
  * too. */
 static int sf_comes_to_break(const sf_model *model, sf_pinned kind, double A) {
     const int first = kind == SF_STATE_PINNED || kind == SF_PEAK_PINNED;
-    int k;
-    for (k = 0; k < model->breaks; k++)
+    for (int k = 0; k < model->breaks; k++)
         if (fabs(A - model->b[k]) <= (first ? SF_SAME : SF_COINCIDE) * model->b[k] &&
             (!first || model->jump[k] != 0 || (k == 0 && model->released && model->m > 0)))
             return 1;
@@ -66,8 +65,8 @@ static int sf_finds_forcing(sf_pinned kind) {
 }
 
 static int sf_nearest_break(const sf_model *model, double A) {
-    int best = 0, k;
-    for (k = 1; k < model->breaks; k++)
+    int best = 0;
+    for (int k = 1; k < model->breaks; k++)
         if (fabs(A - model->b[k]) < fabs(A - model->b[best]))
             best = k;
     return best;
@@ -93,7 +92,7 @@ static void sf_pin_on_break(const sf_model *model, int k, const double *slopes, 
     double beyond[2 * SF_SIZES];
     sf_pinned_answer past = *answer;
     double values[] = {slopes[0], slopes[1], answer->R}, sizes[] = {slopes[SF_SIZES], slopes[SF_SIZES + 1], size_of_R};
-    int best = 0, i;
+    int best = 0;
     if (ends) {
         past.beyond = 1;
         sf_rest_at(model, past.at.A, 1, past.rest);
@@ -101,12 +100,12 @@ static void sf_pin_on_break(const sf_model *model, int k, const double *slopes, 
         values[2] = beyond[0], sizes[2] = beyond[SF_SIZES];
     }
     if (answer->kind == SF_CORNER_FOLD_PINNED) {
-        for (i = 0; i < 3; i += 2)
+        for (int i = 0; i < 3; i += 2)
             if (sf_vanishes(values[i], sizes[i], SF_CLOSE))
                 answer->kind = SF_CORNER_END_PINNED;
         return;
     }
-    for (i = 1; i < 3; i++)
+    for (int i = 1; i < 3; i++)
         if (fabs(values[i]) * sizes[best] < fabs(values[best]) * sizes[i])
             best = i;
     if (best == 1)
@@ -126,10 +125,9 @@ SF_ALWAYS int sf_solve(sf_pinned kind, int laws, const sf_pinned_answer *answer,
     const signed char *rows = systems[kind], *unknowns = rows + 3, together = rows[6], *vanishing = rows + 7;
     const sf_sample *at = &answer->at;
     double slopes[2 * SF_SIZES], determinant = 1;
-    int i, j, k;
     sf_slopes_at(laws, answer, model, slopes);
     slopes[vanishing[0]] = slopes[vanishing[1]] = 0;
-    for (i = 0; i < 3 - 2 * together; i++) {
+    for (int i = 0; i < 3 - 2 * together; i++) {
         const double *pivot = slopes + 3 * rows[i] + unknowns[i];
         if (sf_vanishes(pivot[0], pivot[SF_SIZES], SF_MEETING))
             return 0;
@@ -141,17 +139,17 @@ SF_ALWAYS int sf_solve(sf_pinned kind, int laws, const sf_pinned_answer *answer,
         if (sf_vanishes(determinant, size_a[x] * size_b[y] + size_a[y] * size_b[x], SF_MEETING))
             return 0;
     }
-    for (j = 0; j < columns; j++) {
+    for (int j = 0; j < columns; j++) {
         double right[SF_CONDITIONS], found[SF_UNKNOWNS] = {0, 0, 0};
         sensitivities_right(answer->Omega, at->A, answer->R, answer->rest[0], laws ? answer->rest[1] : 0,
                             laws ? answer->rest[2] : 0, model->zeta, laws ? model->d : 0, at->h_A, at->h_AA,
                             of->h[0][j], of->h[1][j], of->h[2][j], of->rest[0][j], laws ? of->rest[1][j] : 0,
                             laws ? of->rest[2][j] : 0, of->zeta[j], laws ? of->d[j] : 0, of->forcing[j],
                             of->frequency[j], of->end[j], right);
-        for (i = 0; i < 3; i++) {
+        for (int i = 0; i < 3; i++) {
             const double *slope = slopes + 3 * rows[i];
             double known = right[rows[i]];
-            for (k = 0; k < (together ? i > 0 : i); k++)
+            for (int k = 0; k < (together ? i > 0 : i); k++)
                 known -= slope[unknowns[k]] * found[unknowns[k]];
             if (together && i > 0)
                 right[rows[i]] = known;
@@ -164,7 +162,7 @@ SF_ALWAYS int sf_solve(sf_pinned kind, int laws, const sf_pinned_answer *answer,
             found[x] = (right[rows[1]] * b[y] - a[y] * right[rows[2]]) / determinant;
             found[y] = (a[x] * right[rows[2]] - right[rows[1]] * b[x]) / determinant;
         }
-        for (i = 0; i < SF_UNKNOWNS; i++)
+        for (int i = 0; i < SF_UNKNOWNS; i++)
             moved[i][j] = found[i];
     }
     return 1;
@@ -211,14 +209,13 @@ static void sf_causes_of_rest(const sf_model *model, const sf_pinned_answer *ans
 {
     const int design = model->mechanism->design_size, released = model->released && answer->beyond;
     double of[9] = {0};
-    int i, j;
     if (released)
         dissipation_released_moves(fmax(answer->at.A, model->b[0]), model->m, model->b[0], of);
     else
         dissipation_rest_moves(answer->at.A, of);
-    for (i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++) {
         out->rest[i][design] = slow_flow_friction(1) * of[i], out->rest[i][design + 2] = of[3 + i];
-        for (j = 0; j < design; j++)
+        for (int j = 0; j < design; j++)
             out->rest[i][j] = released ? of[6 + i] * of_end[j] : 0;
     }
 }
@@ -230,13 +227,12 @@ static void sf_causes_of(const sf_model *model, int piece, const double *by_para
     const sf_mechanism *mechanism = model->mechanism;
     const int design = mechanism->design_size;
     const double *of_end = by_design + (mechanism->parameters + piece) * design;
-    int i, j, k;
-    for (j = 0; j < design; j++) {
+    for (int j = 0; j < design; j++) {
         double of_h[3] = {0, 0, 0};
-        for (k = 0; k < mechanism->parameters; k++)
-            for (i = 0; i < 3; i++)
+        for (int k = 0; k < mechanism->parameters; k++)
+            for (int i = 0; i < 3; i++)
                 of_h[i] += by_parameter[3 * k + i] * by_design[k * design + j];
-        for (i = 0; i < 3; i++)
+        for (int i = 0; i < 3; i++)
             out->h[i][j] = of_h[i];
         out->end[j] = mechanism->breakpoints > 0 ? of_end[j] : 0;
     }
@@ -245,10 +241,10 @@ static void sf_causes_of(const sf_model *model, int piece, const double *by_para
 /* Whether both are the same design and damping. */
 static int sf_are_same(const sf_mechanism *mechanism, const sf_numbers *one, const sf_numbers *other)
 {
-    int i, same = 1;
-    for (i = 0; i < mechanism->design_size; i++)
+    int same = 1;
+    for (int i = 0; i < mechanism->design_size; i++)
         same &= one->design[i] == other->design[i];
-    for (i = 0; i < mechanism->damping_size; i++)
+    for (int i = 0; i < mechanism->damping_size; i++)
         same &= one->damping[i] == other->damping[i];
     return same;
 }
@@ -265,7 +261,7 @@ static sf_moves_status sf_gradient(const sf_model *model, const double *of_desig
     const sf_sample *at = &answer->at;
     double of_parameter[3 * SF_MOST_PARAMETERS], moved[SF_UNKNOWNS][SF_MOST_COLUMNS];
     double averaged[3], size_of_R;
-    int i, j, piece = 0, infinite = 0;
+    int piece = 0, infinite = 0;
     if (sf_is_on_break(answer->kind)) {
         if (model->breaks == 0)
             return SF_NOTHING_MOVES;
@@ -300,18 +296,18 @@ static sf_moves_status sf_gradient(const sf_model *model, const double *of_desig
             model, answer, of_design + (mechanism->parameters + mechanism->breakpoints - model->breaks) * mechanism->design_size, of);
     if (!sf_move(answer, model, of, columns, moved))
         return SF_MEETS_MOVES;
-    for (i = 0; i < SF_UNKNOWNS; i++)
-        for (j = 0; j < columns; j++)
+    for (int i = 0; i < SF_UNKNOWNS; i++)
+        for (int j = 0; j < columns; j++)
             out[i > 0 ? rows - SF_UNKNOWNS + i : 0][j] = moved[i][j];
-    for (j = 0; j < columns && rows == SF_STATE_MOVES; j++) {
+    for (int j = 0; j < columns && rows == SF_STATE_MOVES; j++) {
         double found[2];
         sensitivities_of_state(w, at->A, answer->rest[0], answer->rest[1], model->zeta, model->d, at->h, at->h_A,
                                answer->excited[0], answer->excited[1], answer->excited[2], of->h[0][j], of->rest[0][j],
                                of->zeta[j], of->d[j], moved[0][j], moved[1][j], moved[2][j], found);
         out[1][j] = found[0], out[2][j] = found[1];
     }
-    for (i = 0; i < rows; i++)
-        for (j = 0; j < columns; j++)
+    for (int i = 0; i < rows; i++)
+        for (int j = 0; j < columns; j++)
             infinite |= !(fabs(out[i][j]) <= DBL_MAX);
     return infinite ? SF_BOUNDLESS_MOVES : SF_OK_MOVES;
 }
@@ -325,19 +321,18 @@ static void sf_move_told(const double *told, double *out) {
     double moved[SF_UNKNOWNS][SF_MOST_COLUMNS];
     sf_causes of;
     sf_model model;
-    int i;
     answer.at.A = told[0];
     memcpy(answer.at.averages, told + 5, 4 * sizeof *told);
     memcpy(answer.rest, told + 9, 4 * sizeof *told);
     model.zeta = told[13], model.d = told[14];
-    for (i = 0; i < 3; i++)
+    for (int i = 0; i < 3; i++)
         of.h[i][0] = told[15 + i], of.rest[i][0] = of_rest[i];
     of.zeta[0] = told[21], of.d[0] = told[22];
     of.forcing[0] = told[23], of.frequency[0] = told[24], of.end[0] = told[25];
     (answer.inertial ? sensitivities_by_inertia : sensitivities_by_force)(told[1], told[2], answer.excited);
     answer.R = answer.kind == SF_CORNER_BACKBONE_PINNED ? 0 : slow_flow_R(told[1], told[0], told[5]);
     out[SF_STATE_MOVES] = sf_solve(answer.kind, 1, &answer, &model, &of, 1, moved);
-    for (i = 0; i < SF_STATE_MOVES; i++)
+    for (int i = 0; i < SF_STATE_MOVES; i++)
         out[i] = NAN;
     if (out[SF_STATE_MOVES] == 0)
         return;
@@ -357,7 +352,7 @@ static void sf_loop_gradients(sf_call *at, int inertial) {
     sf_causes of;
     sf_numbers before;
     sf_model model;
-    int known = 0, valid = 0, i, j;
+    int known = 0, valid = 0;
     sf_begin_causes(mechanism, &of);
     for (at->k = 0; at->k < at->dimensions[0]; at->k++) {
         const double A = sf_number(at, 2);
@@ -378,9 +373,9 @@ static void sf_loop_gradients(sf_call *at, int inertial) {
             if (valid)
                 status = sf_gradient(&model, of_design, &of, &answer, A, rows, columns, out);
         }
-        for (i = 0; i < rows; i++) {
+        for (int i = 0; i < rows; i++) {
             char *row = sf_output(at, 0) + i * at->inner[0];
-            for (j = 0; j < columns; j++)
+            for (int j = 0; j < columns; j++)
                 *(double *)(void *)(row + j * at->inner[1]) = status == SF_OK_MOVES ? out[i][j] : NAN;
         }
         *sf_output(at, 1) = (char)status;

@@ -27,8 +27,7 @@ typedef struct {
 enum { SFH_MOST_DUPLICATIONS = 600 };
 
 TWOFOLD_INLINE sf_held sfh_of(sf_pair x, double off) {
-    const sf_held a = {x, off};
-    return a;
+    return (sf_held){x, off};
 }
 TWOFOLD_INLINE sf_held sfh_point(double x) { return sfh_of(sfp_point(x), 0); }
 /* of a constant that is no double: the pair next to it */

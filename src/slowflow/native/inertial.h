@@ -51,9 +51,8 @@ enum { SF_MOST_SHARES = 100 };
 static inline double sf_Omega_by_share(const sf_model *model, double F_0, const sf_sample *at, int fold, double *share)
 {
     double w = 0, last, slopes[3];
-    int i;
     *share = 0;
-    for (i = 0; i < SF_MOST_SHARES; i++) {
+    for (int i = 0; i < SF_MOST_SHARES; i++) {
         last = w, w = inertia_Omega_of_share(at->A, F_0, model->m, model->zeta, *share);
         if (fold) {
             inertia_fold_slopes(w, at->A, model->m, model->zeta, at->k, slopes);
@@ -71,10 +70,10 @@ static inline double sf_Omega_by_share(const sf_model *model, double F_0, const 
 
 /* How many frequencies there are at A. */
 static inline int sf_inertial_count(const sf_model *model, const sf_sample *at, double F_0) {
-    double peak[2], x;
+    double peak[2];
     if (at->A < F_0)
         return 1;
-    x = sf_least_x(model, at);
+    const double x = sf_least_x(model, at);
     if (x == 0)
         return 0;
     inertia_peak(x, at->A, F_0, model->m, model->zeta, at->h, 0, peak);
@@ -85,9 +84,8 @@ static inline int sf_inertial_count(const sf_model *model, const sf_sample *at, 
 static inline double sf_inertial_solve(const sf_model *model, const sf_sample *at, double F_0, double x, double lo,
                                        double hi, double rising)
 {
-    int i;
     x = fmin(fmax(x, lo), hi);
-    for (i = 0; i < 200; i++) {
+    for (int i = 0; i < 200; i++) {
         const double Omega = 1 / x, F = inertia_F(Omega, at->A, F_0, model->m, model->zeta, at->h);
         const double slope = inertia_level_slope(Omega, at->A, model->m, model->zeta, at->h);
         double next = x + F / (Omega * slope);
@@ -127,8 +125,7 @@ static inline double sf_inertial_root(const sf_model *model, const sf_sample *at
 /* All of them, by their size; returns their number. */
 static inline int sf_inertial_roots(const sf_model *model, const sf_sample *at, double F_0, double Omega[3]) {
     const int n = sf_inertial_count(model, at, F_0);
-    int i;
-    for (i = 0; i < n; i++)
+    for (int i = 0; i < n; i++)
         Omega[i] = sf_inertial_root(model, at, F_0, n, i);
     return n;
 }

@@ -45,8 +45,7 @@ static inline double sfi_product_up(double a, double b) {
 }
 
 static inline sf_interval sfi_of(double lo, double hi) {
-    const sf_interval x = {lo, hi};
-    return x;
+    return (sf_interval){lo, hi};
 }
 static inline sf_interval sfi_point(double x) { return sfi_of(x, x); }
 /* of a constant that is no double */

@@ -15,11 +15,10 @@ static void sf_find_structural_peak(const sf_model *model, double F_0, const sf_
     sf_law_point point = {0};
     sf_sample at;
     sf_known known;
-    double low, high;
-    int i, is_inside = 0, is_on_end = 0;
+    int is_inside = 0, is_on_end = 0;
     point.A = dissipation_limit_envelope(1, F_0, model->m, 0, model->eta, 0);
-    low = point.A * (1 - SF_DOUBT), high = point.A * (1 + SF_DOUBT);
-    for (i = 0; i < pieces->n; i++) {
+    const double low = point.A * (1 - SF_DOUBT), high = point.A * (1 + SF_DOUBT);
+    for (int i = 0; i < pieces->n; i++) {
         const double a = pieces->at[i].first.A, b = pieces->at[i].last.A;
         is_on_end |= (low <= a && a <= high) || (low <= b && b <= high);
         if (a < low && high < b && sf_has_force(&pieces->at[i]))
@@ -76,13 +75,12 @@ static int sf_bends_at_peak(const sf_model *model, const sf_sample *at, double w
 static int sf_is_static_top(const sf_model *model, double F_0, const sf_sample *rest, double A) {
     sf_sample at;
     double w[2];
-    int i, n;
     sf_sample_at(model, A, &at);
     if (!(sf_law_F_A(model, &at, 0, sf_is_beyond(model, A)) > 0) ||
         (at.h > 0 && !(rest->h > 0 || (rest->h == 0 && !(rest->h_A < 0)))))
         return 0;
-    n = sf_law_stationary(model, &at, w);
-    for (i = 0; i < n; i++)
+    const int n = sf_law_stationary(model, &at, w);
+    for (int i = 0; i < n; i++)
         if (sf_law_level(model, &at, w[i]) < F_0 * (1 - SF_CLOSE))
             return 0;
     return 1;
@@ -92,35 +90,33 @@ static int sf_is_static_top(const sf_model *model, double F_0, const sf_sample *
  * highest amplitude at which doubles do not tell whether there is one, if it is known. */
 static sf_status sf_law_peak(const sf_model *model, double F_0, double most, sf_work *work, double *A, double *Omega) {
     const sf_law_points *peaks = &work->points.found;
-    sf_status status;
     double highest = 0, doubt = 0;
-    int i, k;
     if (!sf_inertial(model) && !(F_0 > sf_friction_throughout(model)) && !model->released)
         return SF_STICKS;
-    status = sf_range_at(model, F_0, &work->A_max);
+    const sf_status status = sf_range_at(model, F_0, &work->A_max);
     if (status != SF_OK)
         return status;
     sf_stretches_up_to(model, fmin(work->A_max, most), &work->pieces);
     if (sf_find_law_peaks(model, F_0, work) != SF_OK)
         return peaks->status;
-    for (i = 0; i < peaks->n; i++) {
+    for (int i = 0; i < peaks->n; i++) {
         sf_sample at;
         sf_sample_at(model, peaks->at[i].A, &at);
         if (at.A > highest && sf_rises_at_peak(model, &at, peaks->at[i].Omega) &&
             !sf_bends_at_peak(model, &at, peaks->at[i].Omega))
             highest = at.A, *Omega = peaks->at[i].Omega;
     }
-    for (i = work->pieces.n - 1; i >= 0 && highest == 0 && !sf_inertial(model); i--) {
+    for (int i = work->pieces.n - 1; i >= 0 && highest == 0 && !sf_inertial(model); i--) {
         sf_clear_zeros(&work->zeros);
         sf_ask_all(model, SF_REST, F_0, &work->pieces.at[i], &work->zeros);
         if (work->zeros.status != SF_OK)
             return work->zeros.status;
-        for (k = 0; k < work->zeros.n; k++)
+        for (int k = 0; k < work->zeros.n; k++)
             if (work->zeros.at[k].A > highest &&
                 sf_is_static_top(model, F_0, &work->pieces.at[0].first, work->zeros.at[k].A))
                 highest = work->zeros.at[k].A, *Omega = 0;
     }
-    for (i = 0; i < peaks->undecided; i++)
+    for (int i = 0; i < peaks->undecided; i++)
         doubt = fmax(doubt, peaks->doubt[i]);
     if (highest > 0 || doubt > 0)
         *A = fmax(highest, doubt);

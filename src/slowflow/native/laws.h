@@ -32,8 +32,7 @@ static inline int sf_has_laws(const sf_model *model) {
 
 /* mu, zeta, eta, c_2, and whether friction ends at the first breakpoint */
 static inline int sf_laws_damping_of(const double *given, double *damping) {
-    int i;
-    for (i = 0; i < 4; i++)
+    for (int i = 0; i < 4; i++)
         if (!(given[i] >= 0 && given[i] < HUGE_VAL))
             return 0;
     damping[0] = slow_flow_friction(given[0]), damping[1] = given[1], damping[2] = given[2];
@@ -148,14 +147,13 @@ static inline double sf_quartic_slope(const double c[5], double w) {
 static inline void sf_find_critical(sf_law_quartic *q) {
     const double *c = q->c;
     const double least = -2 * c[2] / (1.5 * c[3] + sqrt(2.25 * c[3] * c[3] - 6 * c[4] * c[2])) / 2;
-    int i, k;
     q->w[0] = q->w[1] = 0;
     q->exist = c[2] < 0 && sf_quartic_slope(c, least) < 0;
     if (!q->exist)
         return;
     q->w[1] = sqrt(-c[2] / (2 * c[4]));
-    for (k = 0; k < 2; k++) {
-        for (i = 0; i < SF_MOST_LAW_STEPS; i++) {
+    for (int k = 0; k < 2; k++) {
+        for (int i = 0; i < SF_MOST_LAW_STEPS; i++) {
             const double w = q->w[k];
             const double step = sf_quartic_slope(c, w) / (2 * c[2] + w * (6 * c[3] + w * (12 * c[4])));
             if (!(fabs(step) < HUGE_VAL))
@@ -169,7 +167,6 @@ static inline void sf_find_critical(sf_law_quartic *q) {
 
 static inline void sf_make_law_quartic(const sf_model *model, const sf_sample *at, sf_law_quartic_kind kind, double F_0,
                                        int beyond, sf_law_quartic *q) {
-    int i;
     q->model = model, q->at = at, q->kind = kind, q->F_0 = F_0;
     q->by_x = sf_inertial(model) && kind == SF_OF_RESPONSE;
     sf_rest_at(model, at->A, beyond, q->rest);
@@ -178,13 +175,13 @@ static inline void sf_make_law_quartic(const sf_model *model, const sf_sample *a
     } else {
         dissipation_response_quartic(at->A, q->rest[0], model->zeta, model->d, at->h, q->c);
     }
-    for (i = 0; q->by_x && i < 2; i++) {
+    for (int i = 0; q->by_x && i < 2; i++) {
         const double swapped = q->c[i];
         q->c[i] = q->c[4 - i], q->c[4 - i] = swapped;
     }
     sf_find_critical(q);
     q->f[0] = sf_law_value(q, 0);
-    for (i = 0; i < 2; i++)
+    for (int i = 0; i < 2; i++)
         q->f[1 + i] = q->exist ? sf_law_value(q, q->w[i]) : NAN;
 }
 
@@ -197,8 +194,7 @@ static inline double sf_above_roots(const sf_law_quartic *q) {
 
 static inline double sf_law_root(const sf_law_quartic *q, double low, double high, int falls) {
     double w = 0.5 * (low + high);
-    int i;
-    for (i = 0; i < SF_MOST_LAW_STEPS; i++) {
+    for (int i = 0; i < SF_MOST_LAW_STEPS; i++) {
         const double before = w, f = sf_law_value(q, w);
         if ((f < 0) != falls)
             low = w;
@@ -235,10 +231,9 @@ static inline double sf_law_branch(const sf_law_quartic *q, int count, int index
 static inline int sf_law_frequencies(const sf_model *model, const sf_sample *at, sf_law_quartic_kind kind, double F_0,
                                      int beyond, double Omega[3]) {
     sf_law_quartic q;
-    int n, i;
     sf_make_law_quartic(model, at, kind, F_0, beyond, &q);
-    n = sf_law_count(&q);
-    for (i = 0; i < n; i++)
+    const int n = sf_law_count(&q);
+    for (int i = 0; i < n; i++)
         Omega[i] = sf_law_branch(&q, n, i);
     return n;
 }
@@ -246,9 +241,9 @@ static inline int sf_law_frequencies(const sf_model *model, const sf_sample *at,
 /* Every Omega > 0 at which the level of the amplitude is stationary, by its size; returns how many. */
 static inline int sf_law_stationary(const sf_model *model, const sf_sample *at, double Omega[2]) {
     sf_law_quartic q;
-    int n = 0, i;
+    int n = 0;
     sf_make_law_quartic(model, at, SF_OF_RESPONSE, 0, sf_is_beyond(model, at->A), &q);
-    for (i = 0; q.exist && i < 2; i++)
+    for (int i = 0; q.exist && i < 2; i++)
         if (q.w[i] > 0)
             Omega[n++] = q.w[i];
     if (q.by_x && n > 0) {
@@ -269,12 +264,12 @@ static inline double sf_full_level(const sf_model *model, const sf_sample *at) {
 /* As sf_least_forcing; infinite where an excitation by inertia only tends to it. */
 static inline double sf_least_by_laws(const sf_model *model, const sf_sample *at, double *Omega) {
     double w[3], full = HUGE_VAL, least = HUGE_VAL;
-    int i, n = sf_law_stationary(model, at, w);
+    int n = sf_law_stationary(model, at, w);
     if (sf_inertial(model))
         full = sf_full_level(model, at);
     else
         w[n++] = 0;
-    for (i = 0; i < n; i++) {
+    for (int i = 0; i < n; i++) {
         const double level = sf_law_level(model, at, w[i]);
         if (level < fmin(full, least))
             least = level, *Omega = w[i];
@@ -286,10 +281,10 @@ static inline double sf_least_by_laws(const sf_model *model, const sf_sample *at
 static inline int sf_laws_are_in_range(const sf_model *model, double F_0, double A_max) {
     sf_law_quartic q;
     sf_sample at;
-    int i, held = F_0 >= SF_LEAST_F_0 && model->d * F_0 * (model->d * F_0) < HUGE_VAL;
+    int held = F_0 >= SF_LEAST_F_0 && model->d * F_0 * (model->d * F_0) < HUGE_VAL;
     sf_sample_without_k_at(model, A_max, &at);
     sf_make_law_quartic(model, &at, SF_OF_RESPONSE, F_0, sf_is_beyond(model, A_max), &q);
-    for (i = 0; i < 5; i++)
+    for (int i = 0; i < 5; i++)
         held = held && q.c[i] * q.c[i] < HUGE_VAL;
     return held;
 }

@@ -28,14 +28,13 @@ static void sf_ask_boxes(const sf_model *model, sf_question question, const sf_s
                          sf_zeros *found) {
     const sf_law_system system = question == SF_CUSP ? SF_LAW_CUSPS : question == SF_ISOLA ? SF_LAW_ISOLAS : SF_LAW_TURNS;
     const int number = sf_piece_from(model, piece->first.A);
-    int i;
     sf_begin_search(model, system, HUGE_VAL, search);
     sf_begin_piece(search, number);
     sf_search_points(search, &piece->first, &piece->last);
     found->undecided |= search->found.undecided > 0;
     if (search->found.status != SF_OK)
         found->status = search->found.status;
-    for (i = 0; i < search->found.n; i++) {
+    for (int i = 0; i < search->found.n; i++) {
         const double A = search->found.at[i].A, w = search->found.at[i].Omega;
         sf_zero zero = {A, w, 0, question, 0, 0};
         double rest[4];
@@ -63,12 +62,11 @@ static void sf_extrema_on(const sf_model *model, const sf_stretch *piece, sf_law
 
 /* undecided: whether rounding may hide some at which the level turns */
 static void sf_locus_zeros(const sf_model *model, const sf_stretch *piece, sf_law_search *search, sf_zeros *found) {
-    int undecided;
     sf_clear_zeros(found);
     sf_ask_all(model, SF_STIFFNESS, 0, piece, found);
     found->undecided = 0;
     sf_extrema_on(model, piece, search, found);
-    undecided = found->undecided;
+    const int undecided = found->undecided;
     if (sf_has_laws(model))
         sf_ask_boxes(model, SF_TURN, piece, search, found);
     else if (model->zeta > 0)
@@ -100,17 +98,16 @@ static int sf_is_extremum(const sf_zero *zero) {
 /* Cusps and isola points up to A_max in work, without the locus, whose turns are beyond doubles where damping is weak:
  * there its two branches all but cross. */
 static sf_status sf_extrema(const sf_model *model, double A_max, sf_work *work) {
-    int i, k;
     sf_clear_zeros(&work->extrema);
     sf_stretches_up_to(model, A_max, &work->pieces);
-    for (i = 0; i < work->pieces.n; i++) {
+    for (int i = 0; i < work->pieces.n; i++) {
         const sf_stretch *piece = &work->pieces.at[i];
         if (!sf_has_force(piece))
             continue;
         sf_clear_zeros(&work->zeros);
         sf_extrema_on(model, piece, &work->points, &work->zeros);
         sf_sort_zeros(&work->zeros);
-        for (k = 0; k < work->zeros.n; k++)
+        for (int k = 0; k < work->zeros.n; k++)
             sf_add_zero(&work->extrema, work->zeros.at[k]);
         if (work->zeros.status != SF_OK)
             return work->zeros.status;
@@ -120,19 +117,18 @@ static sf_status sf_extrema(const sf_model *model, double A_max, sf_work *work) 
 
 /* The locus up to A_max in work, with its cusps and isola points. */
 static sf_status sf_fold_locus(const sf_model *model, double A_max, sf_work *work) {
-    int i, k;
     sf_graph *graph = &work->locus;
     graph->events = 0, graph->status = SF_OK;
     work->A_max = A_max;
     sf_clear_zeros(&work->extrema);
     sf_stretches_up_to(model, A_max, &work->pieces);
-    for (i = 0; i < work->pieces.n; i++) {
+    for (int i = 0; i < work->pieces.n; i++) {
         const sf_stretch *piece = &work->pieces.at[i];
         if (!sf_has_force(piece))
             continue;
         sf_locus_zeros(model, piece, &work->points, &work->zeros);
         sf_add_event(graph, i == 0 ? 0 : nextafter(piece->first.A, HUGE_VAL), 0, SF_CUT, 0);
-        for (k = 0; k < work->zeros.n; k++) {
+        for (int k = 0; k < work->zeros.n; k++) {
             const sf_zero *zero = &work->zeros.at[k];
             sf_add_event(graph, zero->A, zero->Omega, sf_locus_event(zero), sf_locus_gain(zero));
             if (sf_is_extremum(zero))
@@ -182,13 +178,12 @@ static int sf_frequencies(const sf_model *model, const sf_sample *at, double F_0
 /* Whether a step of Newton's method is all that Omega is off a root of F = 0, which it then becomes. */
 static int sf_is_next_to_root(const sf_model *model, double F_0, const sf_sample *at, double *Omega) {
     sf_quartic s;
-    double C, D, step;
     if (sf_inertial(model))
         return 0;
     s.kind = SF_RESPONSE;
     s.A = at->A, s.h = at->h, s.h_A = 0, s.m = model->m, s.zeta = model->zeta, s.F_0 = F_0;
     sf_derivative_coefficients(&s);
-    C = sf_cubic(&s, *Omega), D = sf_cubic_slope(&s, *Omega), step = sf_value_fine(&s, *Omega) / (s.k * C);
+    const double C = sf_cubic(&s, *Omega), D = sf_cubic_slope(&s, *Omega), step = sf_value_fine(&s, *Omega) / (s.k * C);
     if (!(fabs(step) <= SF_LAST_STEP * *Omega && fabs(step * D) * fabs(step) <= SF_CORRECTED * fabs(C) * *Omega))
         return 0;
     *Omega -= step;
@@ -212,18 +207,18 @@ static double sf_share_of_F_A(const sf_model *model, const sf_sample *at, double
  * damping is next to none neither has digits, and that root may be no fold: then the one at which F_A is. */
 static double sf_settled_Omega(const sf_model *model, double F_0, const sf_sample *at, double Omega) {
     double w[3], nearest = HUGE_VAL, least = HUGE_VAL;
-    int i, n, place = 0;
+    int place = 0;
     if (sf_is_next_to_root(model, F_0, at, &Omega) && sf_share_of_F_A(model, at, Omega) <= SF_OF_A_FOLD)
         return Omega;
-    n = sf_frequencies(model, at, F_0, w);
+    int n = sf_frequencies(model, at, F_0, w);
     if (n == 0) /* beyond the tip of the curve by rounding: Omega from F_A = 0 after all */
         n = sf_fold_roots(at->A, at->h, at->h_A, model->m, model->zeta, w);
-    for (i = 0; i < n; i++)
+    for (int i = 0; i < n; i++)
         if (fabs(w[i] - Omega) < nearest)
             nearest = fabs(w[i] - Omega), place = i;
     if (n == 0 || sf_inertial(model) || sf_share_of_F_A(model, at, w[place]) <= SF_OF_A_FOLD)
         return n > 0 ? w[place] : Omega;
-    for (i = 0; i < n; i++) {
+    for (int i = 0; i < n; i++) {
         const double share = sf_share_of_F_A(model, at, w[i]);
         if (share < least)
             least = share, place = i;
@@ -261,7 +256,7 @@ static int sf_is_corner_close(const sf_model *model, double F_0, double J, const
     const int laws = sf_has_laws(model);
     sf_quartic cubic;
     double w[3];
-    int i, places;
+    int places;
     if (J == 0 || fabs(J) <= SF_CLOSE * at->A * (1 + fabs(at->h_A)))
         return 1;
     if (laws) {
@@ -273,10 +268,10 @@ static int sf_is_corner_close(const sf_model *model, double F_0, double J, const
         places = sf_unpolished_peak_roots(&cubic, at->A, at->h, model->m, model->zeta, w);
     }
     w[places++] = 0;
-    for (i = 0; i < places; i++)
+    for (int i = 0; i < places; i++)
         if (sf_is_F_close(model, at, F_0, w[i]))
             return 1;
-    for (i = 0; i < n && Omega[i] < HUGE_VAL; i++) {
+    for (int i = 0; i < n && Omega[i] < HUGE_VAL; i++) {
         const double R = slow_flow_R(Omega[i], at->A, at->h), size = sf_size_at(at, sf_force(model, F_0, Omega[i]));
         const double half_F_A = laws ? sf_law_F_A(model, at, Omega[i], sf_is_beyond(model, at->A)) / 2
                                      : sf_half_F_A(model, at, Omega[i]);
@@ -301,8 +296,7 @@ static int sf_is_stable_above(const sf_model *model, int i, const sf_sample *at,
 
 /* Folds on breakpoints. */
 static void sf_corner_folds(const sf_model *model, double F_0, sf_work *work, sf_folds *folds) {
-    int k, i;
-    for (k = 0; k < model->breaks; k++) {
+    for (int k = 0; k < model->breaks; k++) {
         sf_corner *corner = &work->corner[k];
         const double *w = corner->Omega;
         const sf_sample *at = &corner->at;
@@ -310,7 +304,7 @@ static void sf_corner_folds(const sf_model *model, double F_0, sf_work *work, sf
             continue;
         sf_sample_at(model, model->b[k], &corner->at);
         corner->n = sf_frequencies(model, at, F_0, corner->Omega);
-        for (i = 0; i < corner->n && w[i] < HUGE_VAL; i++) {
+        for (int i = 0; i < corner->n && w[i] < HUGE_VAL; i++) {
             const int stable_below = sf_is_stable_below(model, F_0, at, w[i]);
             if (stable_below != sf_is_stable_above(model, k, at, w[i]))
                 sf_add_fold(folds, w[i], at->A, stable_below, 1);
@@ -323,7 +317,7 @@ static void sf_corner_folds(const sf_model *model, double F_0, sf_work *work, sf
  * inertia 0 at A = 0, where the locus begins without friction and no Omega is known. */
 static double sf_locus_level(const sf_model *model, const sf_sample *at, double w) {
     const double slope = w * w + at->h_A;
-    double slopes[3], other;
+    double slopes[3];
     if (sf_inertial(model) && at->A == 0)
         return 0;
     if (sf_has_laws(model))
@@ -331,7 +325,7 @@ static double sf_locus_level(const sf_model *model, const sf_sample *at, double 
     if (model->zeta == 0 || !(w > 0 && at->k * at->k > 0 && fabs(at->k) < HUGE_VAL))
         return sf_level(model, at, w);
     inertia_fold_slopes(w, at->A, model->m, model->zeta, at->k, slopes);
-    other = slopes[fabs(slope - slopes[0]) <= fabs(slope - slopes[1])];
+    const double other = slopes[fabs(slope - slopes[0]) <= fabs(slope - slopes[1])];
     if (!(fabs(slopes[0] - slopes[1]) * sf_size_of_R(at, w) >= fabs(at->k * other)))
         return sf_level(model, at, w);
     if (sf_inertial(model))
@@ -369,14 +363,13 @@ static double sf_level_crossing(const sf_model *model, double F_0, const sf_arc 
                                 double *Omega)
 {
     double a = arc->A[0], b = arc->A[1], f_a = low, f_b = high;
-    int i;
-    for (i = 0; i < 400; i++) {
-        double A = b - f_b * ((b - a) / (f_b - f_a)), f;
+    for (int i = 0; i < 400; i++) {
+        double A = b - f_b * ((b - a) / (f_b - f_a));
         if (!(A > a && A < b) || i % 4 == 3)
             A = sf_amid(0, a, b);
         if (!(A > a && A < b) || b - a <= 0x1p-52 * b)
             break;
-        f = sf_excess(model, F_0, arc, A, Omega);
+        const double f = sf_excess(model, F_0, arc, A, Omega);
         if ((f < 0) == (low < 0)) {
             a = A, f_a = f, f_b *= 0.5;
         } else {
@@ -393,20 +386,19 @@ static double sf_level_crossing(const sf_model *model, double F_0, const sf_arc 
  * locus. */
 static sf_status sf_locus_folds(const sf_model *model, double F_0, sf_work *work, sf_folds *folds) {
     const sf_status status = sf_fold_locus(model, work->A_max, work);
-    int i;
     if (status != SF_OK)
         return status;
     folds->undecided |= work->extrema.undecided;
-    for (i = 0; i < work->locus.arcs; i++) {
+    for (int i = 0; i < work->locus.arcs; i++) {
         const sf_arc *arc = &work->locus.arc[i];
-        double Omega, A;
+        double Omega;
         const double low = sf_excess(model, F_0, arc, arc->A[0], &Omega),
                      high = sf_excess(model, F_0, arc, arc->A[1], &Omega);
         sf_sample at;
         folds->undecided |= fabs(low) <= SF_CLOSE * F_0 || fabs(high) <= SF_CLOSE * F_0;
         if (!sf_opposite(low, high))
             continue;
-        A = sf_level_crossing(model, F_0, arc, low, high, &Omega);
+        const double A = sf_level_crossing(model, F_0, arc, low, high, &Omega);
         sf_sample_at(model, A, &at);
         Omega = sf_settled_Omega(model, F_0, &at, Omega);
         if (model->zeta > 0)
@@ -419,20 +411,18 @@ static sf_status sf_locus_folds(const sf_model *model, double F_0, sf_work *work
 /* The folds of a force inside of pieces. */
 static sf_status sf_forced_folds(const sf_model *model, double F_0, sf_work *work, sf_folds *folds) {
     sf_zeros *found = &work->zeros;
-    int i, k;
     sf_stretches_up_to(model, work->A_max, &work->pieces);
-    for (i = 0; i < work->pieces.n; i++) {
+    for (int i = 0; i < work->pieces.n; i++) {
         sf_clear_zeros(found);
         sf_ask_all(model, SF_FOLD_AT, F_0, &work->pieces.at[i], found);
         if (found->status != SF_OK)
             return found->status;
         folds->undecided |= found->undecided, folds->close |= found->close;
-        for (k = 0; k < found->n; k++) {
+        for (int k = 0; k < found->n; k++) {
             const double A = found->at[k].A;
-            double Omega;
             sf_sample at;
             sf_sample_at(model, A, &at);
-            Omega = sf_settled_Omega(model, F_0, &at, found->at[k].Omega);
+            const double Omega = sf_settled_Omega(model, F_0, &at, found->at[k].Omega);
             /* leaving a fold, a sweep goes the way of the saddle: up where the stable branch lies below it */
             sf_add_fold(folds, Omega, A, sf_half_F_AA(model, &at, Omega) < 0, 0);
         }
@@ -443,11 +433,10 @@ static sf_status sf_forced_folds(const sf_model *model, double F_0, sf_work *wor
 /* The folds by other laws of damping inside of pieces: points of a system (points.h). */
 static sf_status sf_law_folds(const sf_model *model, double F_0, sf_work *work, sf_folds *folds) {
     const sf_law_points *found = &work->points.found;
-    int i;
     sf_stretches_up_to(model, work->A_max, &work->pieces);
     sf_search_pieces(model, SF_LAW_FOLDS, F_0, &work->pieces, &work->points);
     folds->undecided = found->undecided > 0;
-    for (i = 0; i < found->n; i++) {
+    for (int i = 0; i < found->n; i++) {
         sf_sample at;
         sf_sample_at(model, found->at[i].A, &at);
         sf_add_fold(folds, found->at[i].Omega, at.A, sf_law_F_AA(model, &at, found->at[i].Omega) < 0, 0);
@@ -458,11 +447,10 @@ static sf_status sf_law_folds(const sf_model *model, double F_0, sf_work *work, 
 /* Every fold at F_0 > m, or at any where friction ends, by rising Omega; the pieces up to the largest amplitude stay in
  * work. */
 static sf_status sf_saddle_nodes(const sf_model *model, double F_0, sf_work *work, sf_folds *folds) {
-    sf_status status;
     folds->n = folds->undecided = folds->close = 0, folds->status = SF_OK;
     if (sf_sticks(model, F_0) && !model->released)
         return SF_STICKS;
-    status = sf_range_at(model, F_0, &work->A_max);
+    sf_status status = sf_range_at(model, F_0, &work->A_max);
     if (status != SF_OK && status != SF_UNBOUNDED)
         return status;
     status = (sf_has_laws(model) ? sf_law_folds : sf_inertial(model) ? sf_locus_folds : sf_forced_folds)(model, F_0, work,
@@ -520,12 +508,11 @@ static long sf_draw_locus(const sf_model *model, long samples, sf_work *work, do
     const sf_graph *locus = &work->locus;
     double total = 0;
     long n = 0;
-    int c, i, k;
     sf_make_tour(locus, &work->tour);
-    for (i = 0; i < locus->arcs; i++)
+    for (int i = 0; i < locus->arcs; i++)
         total += sf_locus_weight(&locus->arc[i], work->A_max);
-    for (c = 0; c < work->tour.curves; c++)
-        for (i = work->tour.start[c]; i < work->tour.start[c + 1]; i++) {
+    for (int c = 0; c < work->tour.curves; c++)
+        for (int i = work->tour.start[c]; i < work->tour.start[c + 1]; i++) {
             const int upward = work->tour.step[i] % 2, last = i + 1 == work->tour.start[c + 1];
             const sf_arc *arc = &locus->arc[work->tour.step[i] / 2];
             const int steps = (int)ceil((double)samples * sf_locus_weight(arc, work->A_max) / total);
@@ -535,7 +522,7 @@ static long sf_draw_locus(const sf_model *model, long samples, sf_work *work, do
                 n += to - from;
                 continue;
             }
-            for (k = from; k < to; k++, n++) {
+            for (int k = from; k < to; k++, n++) {
                 const double share = 0.5 - 0.5 * cos(3.14159265358979312 * (upward ? k : steps - k) / steps);
                 const int end = k == 0 ? 1 - upward : upward;
                 sf_sample at;

@@ -23,10 +23,9 @@ static double sf_number(const sf_call *at, int i) { return sf_input(at, at->out 
 
 static void sf_read_numbers_at(const sf_call *at, sf_numbers *out) {
     const sf_mechanism *mechanism = at->mechanism;
-    int i;
-    for (i = 0; i < mechanism->design_size; i++)
+    for (int i = 0; i < mechanism->design_size; i++)
         out->design[i] = sf_input(at, i);
-    for (i = 0; i < mechanism->damping_size; i++)
+    for (int i = 0; i < mechanism->damping_size; i++)
         out->damping[i] = sf_input(at, mechanism->design_size + i);
 }
 
@@ -54,10 +53,8 @@ static const sf_exactly *sf_exactly_in(const sf_numbers *given, const sf_mechani
 /* Designs from k to `end` of a mechanism that has pairs. */
 static void sf_make_exact_block(const sf_call *at, ptrdiff_t end, sf_exact_block *block) {
     const ptrdiff_t n = end - at->k;
-    ptrdiff_t d;
-    int i;
-    for (i = 0; i < at->mechanism->design_size; i++)
-        for (d = 0; d < n; d++)
+    for (int i = 0; i < at->mechanism->design_size; i++)
+        for (ptrdiff_t d = 0; d < n; d++)
             block->number[i * SF_LANE_BLOCK + d] =
                 *(const double *)(const void *)(at->args[i] + (at->k + d) * at->steps[i]);
     at->mechanism->many_in_pairs(at->mechanism, n, SF_LANE_BLOCK, block->number, block->part);
@@ -68,8 +65,7 @@ static void sf_exactly_of(const sf_call *at, const sf_exact_block *block, int d,
     const sf_mechanism *mechanism = at->mechanism;
     const double *part = block->part + d;
     const double mu = sf_input(at, mechanism->design_size), zeta = sf_input(at, mechanism->design_size + 1);
-    int i;
-    for (i = 0; i < mechanism->parameters + mechanism->breakpoints; i++)
+    for (int i = 0; i < mechanism->parameters + mechanism->breakpoints; i++)
         exactly->p[i] = (sf_pair){part[2 * i * SF_LANE_BLOCK], part[(2 * i + 1) * SF_LANE_BLOCK]};
     sf_complete_exact(mechanism, mu, zeta, exactly);
 }
@@ -144,8 +140,7 @@ static void sf_write_answer(const sf_call *at, sf_query *q) {
  * infinite. */
 static int sf_prepare_query(const sf_call *at, sf_model *model, sf_given *given, sf_query *q) {
     sf_numbers numbers;
-    int i;
-    for (i = 0; i < SF_MOST_NUMBERS; i++)
+    for (int i = 0; i < SF_MOST_NUMBERS; i++)
         q->number[i] = i < at->row->at ? sf_number(at, i) : HUGE_VAL;
     if ((at->row->at > 0 && !at->mechanism->is_forcing(q->number[0])) || !sf_design_at(at, 1, &numbers, model))
         return 0;
@@ -215,14 +210,13 @@ static void sf_loop_detachment(sf_call *at) {
     ptrdiff_t end;
     for (at->k = 0; at->k < at->dimensions[0]; at->k = end) {
         sf_detaching block;
-        int d;
         block.n = 0, end = sf_end_of_block(at, SF_DETACHING);
         for (; at->k < end; at->k++)
             if (!(together && sf_enter_detachment(at, &block)))
                 sf_detach_singly(at);
         if (block.n > 0)
             sf_settle_detachments(at->mechanism, &block);
-        for (d = 0; d < block.n; d++) {
+        for (int d = 0; d < block.n; d++) {
             at->k = block.k[d];
             if (isnan(block.change[d]))
                 sf_detach_singly(at);
@@ -259,9 +253,9 @@ SF_ALWAYS void sf_loop_in_lanes(sf_call *at, const sf_lane_loop *by) {
     sf_lane_block *block = q.room != NULL && sf_goes_in_lanes(at->mechanism) ? malloc(by->of_block) : NULL;
     sf_exact_block exact;
     sf_exactly exactly;
-    ptrdiff_t first, end;
+    ptrdiff_t end;
     int d;
-    for (first = 0; first < at->dimensions[0]; first = end) {
+    for (ptrdiff_t first = 0; first < at->dimensions[0]; first = end) {
         at->k = first, end = sf_end_of_block(at, by->designs);
         if (block != NULL) {
             sf_make_exact_block(at, end, &exact);

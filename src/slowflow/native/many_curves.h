@@ -15,19 +15,17 @@ static void sf_write_points(const sf_call *at, long n, const sf_points *points, 
     const ptrdiff_t places = at->dimensions[1], of_stable = at->inner[2], of_branch = at->inner[3],
                     of_closed = at->inner[4];
     char *stable = sf_output(at, 2), *branch = sf_output(at, 3), *is_closed = sf_output(at, 4);
-    ptrdiff_t i;
-    int j;
-    for (j = 0; j < 2; j++) {
+    for (int j = 0; j < 2; j++) {
         char *to = sf_output(at, j);
         const ptrdiff_t step = at->inner[j];
-        for (i = 0; i < places; i++)
+        for (ptrdiff_t i = 0; i < places; i++)
             *(double *)(void *)(to + i * step) = i < n ? numbers[j][i] : NAN;
     }
-    for (i = 0; i < places; i++)
+    for (ptrdiff_t i = 0; i < places; i++)
         stable[i * of_stable] = (char)(i < n && points->stable[i]);
-    for (i = 0; i < places; i++)
+    for (ptrdiff_t i = 0; i < places; i++)
         *(short *)(void *)(branch + i * of_branch) = (short)(i < n ? points->branch[i] : -1);
-    for (i = 0; i < places; i++)
+    for (ptrdiff_t i = 0; i < places; i++)
         is_closed[i * of_closed] = (char)(i < n && closed[points->branch[i]]);
 }
 

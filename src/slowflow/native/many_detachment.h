@@ -34,11 +34,10 @@ static int sf_detach_together(const sf_mechanism *mechanism) {
 static int sf_begin_detachment(sf_detaching *block, ptrdiff_t k, const sf_numbers *given, const sf_model *model) {
     const int d = block->n;
     sf_sample at;
-    int i;
     if (model->breaks < model->mechanism->breakpoints)
         return 0;
     sf_sample_without_k_at(model, model->b[0], &at);
-    for (i = 0; i < model->mechanism->design_size; i++)
+    for (int i = 0; i < model->mechanism->design_size; i++)
         block->number[i * SF_DETACHING + d] = given->design[i];
     block->k[d] = k, block->mu[d] = given->damping[0], block->m[d] = model->m, block->zeta[d] = model->zeta;
     block->A[d] = at.A, block->h[d] = at.h, block->u_cr[d] = sf_largest_displacement(model, at.A);
@@ -85,11 +84,10 @@ static SF_FLAT void sf_lane_level_steps(ptrdiff_t n, sf_detaching *block) {
 }
 
 static void sf_settle_detachments(const sf_mechanism *mechanism, sf_detaching *block) {
-    int d;
     sf_lane_least_forcings(block->n, block);
     mechanism->on_first_end_in_pairs(mechanism, block->n, SF_DETACHING, block->number, block->end);
     sf_lane_level_steps(block->n, block);
-    for (d = 0; d < block->n; d++)
+    for (int d = 0; d < block->n; d++)
         sf_change_level(block->end[d], block->change[d], &block->F_0[d]);
 }
 

@@ -37,8 +37,7 @@ static void sf_begin_first_piece(sf_lane_block *block, int d, const sf_sample *r
     const double least = slow_flow_least_restoring(of->F_0, of->model.m);
     sf_sample low = *rest, high;
     double A = SF_BELOW_FOLDS * end->A * cbrt(least / fabs(end->k));
-    int i;
-    for (i = 0; i < 2 && A < end->A; i++, A *= SF_FIRST_FOLDS) {
+    for (int i = 0; i < 2 && A < end->A; i++, A *= SF_FIRST_FOLDS) {
         sf_sample_at(&of->model, A, &high);
         sf_add_cell(block, d, 0, &low, &high);
         low = high;
@@ -50,9 +49,8 @@ static void sf_begin_first_piece(sf_lane_block *block, int d, const sf_sample *r
 static int sf_begin_folds(sf_lane_block *block, int d) {
     sf_lane_design *of = &block->at[d];
     const sf_model *model = &of->model;
-    int i;
     of->n = 0;
-    for (i = 0; i < model->breaks; i++)
+    for (int i = 0; i < model->breaks; i++)
         if (model->jump[i] == 0)
             return 0;
     if (model->breaks < model->mechanism->breakpoints || !(model->zeta > 0) || sf_nearly_sticks(model, of->F_0) ||
@@ -95,17 +93,16 @@ static int sf_settle_block_fold(const sf_lane_design *of, int i, const sf_exactl
 /* All folds of a member of a block, each to its last digit; 0 where that is left to resolve.h. */
 static int sf_settle_block_folds(const sf_lane_design *of, const sf_exactly *exactly, sf_work *work, sf_folds *folds) {
     const sf_model *model = &of->model;
-    int i;
     folds->n = folds->undecided = folds->close = 0, folds->status = SF_OK;
     work->A_max = of->A_max;
     sf_corner_folds(model, of->F_0, work, folds);
     if (sf_are_corners_close(model, NULL, of->F_0, work))
         return 0;
     sf_settle_folds(exactly, model, of->F_0, folds);
-    for (i = 0; i < of->n; i++)
+    for (int i = 0; i < of->n; i++)
         if (!sf_settle_block_fold(of, i, exactly, folds))
             return 0;
-    for (i = 1; i < folds->n; i++)
+    for (int i = 1; i < folds->n; i++)
         if (folds->at[i].Omega == folds->at[i - 1].Omega)
             return 0;
     return folds->status == SF_OK && !sf_is_sharp(folds, of->F_0);

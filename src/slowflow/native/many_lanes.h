@@ -35,8 +35,7 @@ typedef struct {
  * sign then is certain. */
 static inline int sf_take_jumps(const sf_exact_block *block, ptrdiff_t d, sf_model *model) {
     const sf_mechanism *mechanism = model->mechanism;
-    int i;
-    for (i = 0; i < model->breaks; i++) {
+    for (int i = 0; i < model->breaks; i++) {
         const double lost = block->part[2 * (mechanism->parameters + i) * SF_LANE_BLOCK + d];
         if (!(fabs(model->jump[i] - lost) <= SF_HARDLY * fabs(lost)))
             return 0;
@@ -72,18 +71,16 @@ typedef struct {
 } sf_lane_block;
 
 static inline void sf_probe_row(double (*rows)[SF_LANE_CELLS], int i, const sf_sample *at) {
-    int k;
     rows[0][i] = at->A;
-    for (k = 1; k < SF_PROBE_ROWS; k++)
+    for (int k = 1; k < SF_PROBE_ROWS; k++)
         rows[k][i] = at->averages[k - 1];
 }
 
 /* Rows of the places `which` into those from k on. */
 static inline void sf_take_rows(const double (*from)[SF_LANE_CELLS], int rows, const int *which, int n,
                                 double (*to)[SF_LANE_CELLS], int k) {
-    int row, j;
-    for (row = 0; row < rows; row++)
-        for (j = 0; j < n; j++)
+    for (int row = 0; row < rows; row++)
+        for (int j = 0; j < n; j++)
             to[row][k + j] = from[row][which[j]];
 }
 
@@ -91,10 +88,9 @@ static inline void sf_take_rows(const double (*from)[SF_LANE_CELLS], int rows, c
 static inline void sf_add_cell(sf_lane_block *block, int d, double base, const sf_sample *low, const sf_sample *high) {
     sf_lane_cells *cells = &block->cells[0];
     const int i = cells->n++;
-    int row;
     sf_probe_row(cells->low, i, low);
     sf_probe_row(cells->high, i, high);
-    for (row = 0; row < SF_ASKED_ROWS; row++)
+    for (int row = 0; row < SF_ASKED_ROWS; row++)
         cells->asked[row][i] = block->at[d].asked[row];
     cells->base[i] = base, cells->of[i] = d;
 }
@@ -122,13 +118,13 @@ SF_ALWAYS int sf_begin_pieces(const sf_lane_question *question, sf_lane_block *b
 {
     const sf_model *model = &block->at[d].model;
     sf_sample low, high;
-    int i, pieces = 0;
+    int pieces = 0;
     while (pieces < model->breaks && model->b[pieces] < A_max)
         pieces++;
     question->sample(model, 0, &low);
     if (block->cells[0].n + pieces + more > SF_LANE_CELLS || low.h != 0)
         return 0;
-    for (i = 0; i <= pieces; i++) {
+    for (int i = 0; i <= pieces; i++) {
         question->sample(model, i < pieces ? model->b[i] : A_max, &high);
         if (i == 0 && first != NULL)
             first(block, d, &low, &high);
@@ -147,9 +143,8 @@ SF_ALWAYS void sf_add_brackets(const sf_lane_question *question, sf_lane_block *
                                     const int *which, int n)
 {
     sf_lane_zeros *zeros = &block->zeros[0];
-    int j;
     sf_take_rows(cells->asked, SF_ASKED_ROWS, which, n, zeros->asked, zeros->n);
-    for (j = 0; j < n; j++) {
+    for (int j = 0; j < n; j++) {
         const int i = which[j], k = zeros->n + j;
         zeros->of[k] = cells->of[i];
         zeros->lo[k] = cells->low[0][i], zeros->hi[k] = cells->high[0][i], zeros->rises[k] = cells->rises[i];
@@ -161,15 +156,14 @@ SF_ALWAYS void sf_add_brackets(const sf_lane_question *question, sf_lane_block *
 
 /* Leaves what is in these places to the solvers of one. */
 static inline void sf_leave(sf_lane_block *block, const int *of, const int *which, int n) {
-    int j;
-    for (j = 0; j < n; j++)
+    for (int j = 0; j < n; j++)
         block->at[of[which[j]]].ok = 0;
 }
 
 /* A zero into its place among those of its design, by rising A. */
 static void sf_add_lane_zero(sf_lane_design *of, const sf_lane_zeros *zeros, int k) {
     const double A = zeros->next[k];
-    int i, row;
+    int i;
     if (of->n == SF_LANE_ZEROS) {
         of->ok = 0;
         return;
@@ -180,7 +174,7 @@ static void sf_add_lane_zero(sf_lane_design *of, const sf_lane_zeros *zeros, int
     of->A[i] = A, of->w[i] = zeros->Omega[k], of->lo[i] = zeros->lo[k], of->hi[i] = zeros->hi[k],
     of->rises[i] = zeros->rises[k] != 0;
     of->near[i].A = zeros->at[0][k];
-    for (row = 1; row < SF_PROBE_ROWS; row++)
+    for (int row = 1; row < SF_PROBE_ROWS; row++)
         of->near[i].averages[row - 1] = zeros->at[row][k];
 }
 
@@ -189,33 +183,32 @@ SF_ALWAYS void sf_cut_cells(const sf_lane_question *question, sf_lane_block *blo
                                  const int *which, int n, sf_lane_cells *next)
 {
     const int behind = 2 * SF_PROBE_ROWS; /* the rows of both ends */
-    int j, row, end;
     next->n = 2 * n;
     sf_take_rows(cells->low, SF_PROBE_ROWS, which, n, next->low, 0);
     sf_take_rows(cells->high, SF_PROBE_ROWS, which, n, next->high, n);
-    for (end = 0; end < 2 * n; end += n) {
+    for (int end = 0; end < 2 * n; end += n) {
         sf_take_rows(cells->given + behind, SF_GIVEN_ROWS - behind, which, n, next->given + behind, end);
-        for (j = 0; j < n; j++)
+        for (int j = 0; j < n; j++)
             next->of[end + j] = cells->of[which[j]];
     }
-    for (j = 0; j < n; j++) {
+    for (int j = 0; j < n; j++) {
         const int i = which[j];
         sf_sample_row(question, block, cells->of[i], cells->cut[i], next->high, j);
         block->at[cells->of[i]].ok &= cells->cut[i] > cells->low[0][i] && cells->cut[i] < cells->high[0][i];
     }
-    for (row = 0; row < SF_PROBE_ROWS; row++)
+    for (int row = 0; row < SF_PROBE_ROWS; row++)
         memcpy(&next->low[row][n], next->high[row], (size_t)n * sizeof(double));
 }
 
 /* All cells of a block, until none is open. */
 SF_ALWAYS void sf_search_block(const sf_lane_question *question, sf_lane_block *block) {
-    int open[SF_LANE_CELLS], with_one[SF_LANE_CELLS], doubtful[SF_LANE_CELLS], round, i;
+    int open[SF_LANE_CELLS], with_one[SF_LANE_CELLS], doubtful[SF_LANE_CELLS];
     block->zeros[0].n = 0;
-    for (round = 0; block->cells[round % 2].n > 0; round++) {
+    for (int round = 0; block->cells[round % 2].n > 0; round++) {
         sf_lane_cells *cells = &block->cells[round % 2], *next = &block->cells[1 - round % 2];
         int n_open = 0, n_one = 0, n_doubtful = 0;
         question->judge(cells);
-        for (i = 0; i < cells->n; i++) { /* without a branch that nothing foretells */
+        for (int i = 0; i < cells->n; i++) { /* without a branch that nothing foretells */
             const int verdict = (int)cells->verdict[i];
             open[n_open] = with_one[n_one] = doubtful[n_doubtful] = i;
             n_open += verdict == SF_IS_OPEN, n_one += verdict == SF_HAS_ONE, n_doubtful += verdict == SF_IS_DOUBTFUL;
@@ -236,8 +229,8 @@ SF_ALWAYS void sf_search_block(const sf_lane_question *question, sf_lane_block *
 
 /* All brackets of a block, until all are next to their zeros. */
 SF_ALWAYS void sf_approach_block(const sf_lane_question *question, sf_lane_block *block) {
-    int far[SF_LANE_CELLS], near[SF_LANE_CELLS], round, i, j;
-    for (round = 0; block->zeros[round % 2].n > 0; round++) {
+    int far[SF_LANE_CELLS], near[SF_LANE_CELLS], i;
+    for (int round = 0; block->zeros[round % 2].n > 0; round++) {
         sf_lane_zeros *zeros = &block->zeros[round % 2], *next = &block->zeros[1 - round % 2];
         int n_far = 0, n_near = 0;
         question->approach(zeros);
@@ -246,7 +239,7 @@ SF_ALWAYS void sf_approach_block(const sf_lane_question *question, sf_lane_block
             far[n_far] = near[n_near] = i;
             n_far += !is_near, n_near += is_near;
         }
-        for (j = 0; j < n_near; j++)
+        for (int j = 0; j < n_near; j++)
             sf_add_lane_zero(&block->at[zeros->of[near[j]]], zeros, near[j]);
         if (round == SF_LANE_APPROACHES) {
             sf_leave(block, zeros->of, far, n_far);
@@ -254,7 +247,7 @@ SF_ALWAYS void sf_approach_block(const sf_lane_question *question, sf_lane_block
         }
         next->n = n_far;
         sf_take_rows(zeros->given + SF_PROBE_ROWS, question->kept, far, n_far, next->given + SF_PROBE_ROWS, 0);
-        for (j = 0; j < n_far; j++) {
+        for (int j = 0; j < n_far; j++) {
             i = far[j], next->of[j] = zeros->of[i];
             sf_sample_row(question, block, zeros->of[i], zeros->next[i], next->at, j);
         }

@@ -44,29 +44,27 @@ static int sf_begin_cusps(sf_onset_block *block, int d) {
     const sf_model *model = &of->model;
     const sf_piece_ends *ends = &block->ends[d];
     sf_sample at[SF_ONSET_PARTS + 1];
-    int k;
     of->n = 0;
     if (model->breaks == 0 || model->breaks < model->mechanism->breakpoints || ends->rest.h != 0 ||
         isinf(ends->rest.h_A) || !(ends->rest.h_A < 0 && ends->on[0].h_A < 0) ||
         !(model->zeta * model->zeta * model->b[0] > SF_WEAK * fabs(ends->on[0].h)))
         return 0;
     at[0] = ends->rest, at[SF_ONSET_PARTS] = ends->on[0];
-    for (k = 1; k < SF_ONSET_PARTS; k++)
+    for (int k = 1; k < SF_ONSET_PARTS; k++)
         sf_sample_at(model, sf_onset_parts[k] * model->b[0], &at[k]);
     of->asked[1] = model->zeta, of->asked[2] = model->m, of->asked[3] = block->best[d].F_SN;
     of->asked[0] = 1; /* nearly always without cusps */
     sf_add_cell(&block->lanes, d, 0, &at[0], &at[1]);
     sf_add_cell(&block->lanes, d, 0, &at[1], &at[SF_ONSET_PARTS]);
     of->asked[0] = -1;
-    for (k = 0; k < SF_ONSET_PARTS; k++)
+    for (int k = 0; k < SF_ONSET_PARTS; k++)
         sf_add_cell(&block->lanes, d, 0, &at[k], &at[k + 1]);
     return 1;
 }
 
 /* The cusps that the block has found of a design, beside what is known of it. */
 static void sf_consider_cusps(const sf_lane_design *of, sf_onset *best) {
-    int i;
-    for (i = 0; i < of->n; i++) {
+    for (int i = 0; i < of->n; i++) {
         const sf_sample *at = &of->near[i];
         if (sf_is_minimum(&of->model, SF_CUSP, at, of->w[i]))
             sf_consider(sf_level(&of->model, at, of->w[i]), of->w[i], at->A, SF_CUSP_KIND, best);

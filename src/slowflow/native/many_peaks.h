@@ -54,12 +54,12 @@ static void sf_begin_below(sf_lane_block *block, int d, int part) {
 /* The peaks in the cells of a block; designs without are left to sf_settled_peak. */
 static void sf_search_peaks(sf_lane_block *block) {
     sf_lane_cells *cells = &block->cells[0];
-    int with_one[SF_LANE_CELLS], without[SF_LANE_CELLS], others[SF_LANE_CELLS], round, i;
+    int with_one[SF_LANE_CELLS], without[SF_LANE_CELLS], others[SF_LANE_CELLS];
     block->zeros[0].n = 0;
-    for (round = 0; cells->n > 0; round++) {
+    for (int round = 0; cells->n > 0; round++) {
         int n_one = 0, n_none = 0, n_others = 0;
         sf_judge_peaks(cells);
-        for (i = 0; i < cells->n; i++) {
+        for (int i = 0; i < cells->n; i++) {
             const int has_one = cells->verdict[i] == SF_HAS_ONE,
                       has_none = round < SF_PEAK_PARTS && cells->verdict[i] == SF_HAS_NONE;
             with_one[n_one] = without[n_none] = others[n_others] = i;
@@ -67,10 +67,10 @@ static void sf_search_peaks(sf_lane_block *block) {
         }
         sf_leave(block, cells->of, others, n_others);
         sf_add_brackets(&sf_peaks_in_lanes, block, cells, with_one, n_one);
-        for (i = 0; i < n_none; i++)
+        for (int i = 0; i < n_none; i++)
             without[i] = cells->of[without[i]];
         cells->n = 0;
-        for (i = 0; i < n_none; i++)
+        for (int i = 0; i < n_none; i++)
             sf_begin_below(block, without[i], round);
     }
     sf_approach_block(&sf_peaks_in_lanes, block);

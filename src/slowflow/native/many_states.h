@@ -39,8 +39,7 @@ static int sf_begin_states(sf_lane_block *block, int d, const sf_exact_block *ex
 
 /* The states of a design that the block has found, each to its last digit; 0 where one does not settle. */
 static int sf_settle_block_states(const sf_lane_design *of, const sf_exactly *exactly, double *A) {
-    int i;
-    for (i = 0; i < of->n; i++) {
+    for (int i = 0; i < of->n; i++) {
         sf_settling at = {sfp_point(of->Omega), sfp_point(of->A[i]), sfp_point(of->F_0)};
         if (!sf_settle_near(slow_flow_pairs_state_step, SF_MOVES_A, 2, exactly, &of->model, &of->near[i], &at) ||
             !(at.A.high >= of->lo[i] && at.A.high <= of->hi[i]) || (i > 0 && !(at.A.high > A[i - 1])))

@@ -60,12 +60,11 @@ typedef struct {
 static inline unsigned sf_jumps_of(const sf_mechanism *mechanism, const double *design, const double *p, double *jump) {
     sf_interval given[SF_MOST_PARAMETERS + SF_MOST_BREAKS];
     unsigned in_doubt = 0;
-    int i;
     mechanism->jumps(mechanism, p, jump);
     if (design == NULL || mechanism->parameters_within == NULL)
         return 0;
     mechanism->parameters_within(mechanism, design, given);
-    for (i = 0; i < mechanism->breakpoints; i++) {
+    for (int i = 0; i < mechanism->breakpoints; i++) {
         const sf_interval lost = given[mechanism->parameters + i];
         if (sfi_has_sign(lost))
             jump[i] = 0.5 * lost.lo + 0.5 * lost.hi;
@@ -92,8 +91,7 @@ static inline void sf_sample_without_k_at(const sf_model *model, double A, sf_sa
     at->A = A == 0 && model->breaks < model->mechanism->breakpoints ? SF_NEXT_TO_REST : A;
     model->mechanism->averaged(model->mechanism, 1, &at->A, model->p, at->averages);
     if (at->A != A) { /* what tends to 0 has |f - A f_A| <= A |f_A| next to it */
-        int i;
-        for (i = 0; i < 3; i++) {
+        for (int i = 0; i < 3; i++) {
             const double rise = at->A * at->averages[i + 1];
             at->averages[i] = fabs(at->averages[i] - rise) > fabs(rise) ? at->averages[i] : 0;
         }
@@ -119,14 +117,12 @@ static inline int sf_has_preload_by_inertia(const sf_model *model) {
  * ends of its pieces do not rise. design: NULL where it is not known */
 static inline int sf_prepare(const sf_mechanism *mechanism, const double *design, sf_model *model) {
     double b[SF_MOST_BREAKS], jump[SF_MOST_BREAKS], kink[2 * SF_MOST_BREAKS];
-    unsigned in_doubt;
-    int i;
     if (mechanism->damping_size < SF_MOST_DAMPING)
         model->eta = model->d = model->released = 0;
     model->by_laws = model->eta != 0 || model->d != 0 || model->released != 0;
     if (!(model->m <= SF_LARGEST))
         return 0;
-    for (i = 0; i < mechanism->parameters; i++)
+    for (int i = 0; i < mechanism->parameters; i++)
         if (!(fabs(model->p[i]) <= SF_LARGEST))
             return 0;
     model->mechanism = mechanism;
@@ -136,10 +132,10 @@ static inline int sf_prepare(const sf_mechanism *mechanism, const double *design
         return model->released == 0;
     }
     mechanism->ends(mechanism, model->p, b);
-    in_doubt = sf_jumps_of(mechanism, design, model->p, jump);
+    const unsigned in_doubt = sf_jumps_of(mechanism, design, model->p, jump);
     if (mechanism->kinks != NULL)
         mechanism->kinks(mechanism, model->p, kink);
-    for (i = 0; i < mechanism->breakpoints; i++) {
+    for (int i = 0; i < mechanism->breakpoints; i++) {
         if (!(b[i] >= 0 && (model->breaks == 0 || b[i] > model->b[model->breaks - 1])))
             return 0;
         if (b[i] > 0) { /* a piece of no width is no piece */

@@ -66,7 +66,6 @@ static sf_status sf_leave_play(const sf_model *model, int piece, sf_stretch *of)
     const double base = piece > 0 ? model->b[piece - 1] : 0;
     const int is_stationary = sf_inertial(model) && model->zeta + model->m == 0;
     double least[5], beyond = of->last.A - base;
-    int i;
     if (model->eta > 0)
         return SF_OK;
     if (is_stationary && (first.h > 0 || (piece == 0 && first.h_A > 0)))
@@ -76,7 +75,7 @@ static sf_status sf_leave_play(const sf_model *model, int piece, sf_stretch *of)
     dissipation_fold_quartic(base, model->m, 0, model->zeta, model->d, 0, 0, least);
     if (!(least[2] > 0 && first.h_AA < 0) || (model->released && model->m > 0))
         return model->d > 0 && (is_stationary || !sf_inertial(model)) ? SF_UNRESOLVED : SF_OK;
-    for (i = 0; i < SF_MOST_LEAVING; i++, beyond *= SF_LEAVING) {
+    for (int i = 0; i < SF_MOST_LEAVING; i++, beyond *= SF_LEAVING) {
         sf_sample *at = &of->first;
         sf_sample_at(model, base + beyond, at);
         /* h_AAA is monotone, of one sign at both ends: h_AA is negative between as there, and h_A and h fall from 0 */
@@ -90,12 +89,11 @@ static sf_status sf_leave_play(const sf_model *model, int piece, sf_stretch *of)
  * than the one of its curve. */
 static sf_status sf_consider_points(const sf_model *model, sf_law_system system, int piece, const sf_stretch *of,
                                     sf_law_search *search, sf_onset *best) {
-    int i;
     sf_begin_search(model, system, best->F_SN, search);
     sf_begin_piece(search, piece);
     sf_search_points(search, &of->first, &of->last);
     best->undecided |= search->found.undecided > 0;
-    for (i = 0; i < search->found.n; i++) {
+    for (int i = 0; i < search->found.n; i++) {
         const double Omega = search->found.at[i].Omega;
         sf_sample at;
         sf_sample_at(model, search->found.at[i].A, &at);
@@ -120,22 +118,20 @@ static void sf_consider_end_by_laws(const sf_model *model, double A, sf_onset *b
 /* As sf_consider_piece. Fewer levels are asked for once the cusps are known. */
 static sf_status sf_consider_piece_by_laws(const sf_model *model, const sf_stretch *piece, sf_work *work, sf_onset *best) {
     sf_stretch left = *piece;
-    sf_status status;
     const int number = sf_piece_from(model, piece->first.A);
-    int i, is_known;
-    status = sf_leave_play(model, number, &left);
+    sf_status status = sf_leave_play(model, number, &left);
     if (status != SF_OK)
         return status;
     if (!sf_inertial(model)) { /* at Omega = 0 the level is infinite */
         sf_clear_zeros(&work->zeros);
         sf_ask_all(model, SF_STIFFNESS, 0, &left, &work->zeros);
         best->undecided |= work->zeros.undecided;
-        for (i = 0; i < work->zeros.n; i++)
+        for (int i = 0; i < work->zeros.n; i++)
             sf_consider_end_by_laws(model, work->zeros.at[i].A, best);
         if (work->zeros.status != SF_OK)
             return work->zeros.status;
     }
-    is_known = sf_consider_points(model, SF_LAW_ISOLAS, number, &left, &work->points, best) == SF_OK;
+    const int is_known = sf_consider_points(model, SF_LAW_ISOLAS, number, &left, &work->points, best) == SF_OK;
     status = sf_consider_points(model, SF_LAW_CUSPS, number, &left, &work->points, best);
     return is_known || status != SF_OK ? status
                                        : sf_consider_points(model, SF_LAW_ISOLAS, number, &left, &work->points, best);
@@ -150,7 +146,6 @@ static sf_status sf_consider_piece(const sf_model *model, const sf_stretch *piec
     double most = best->F_SN;
     sf_known first, last;
     sf_cell cell;
-    int i;
     if (!sf_has_force(piece))
         return SF_OK;
     if (sf_has_laws(model))
@@ -170,7 +165,7 @@ static sf_status sf_consider_piece(const sf_model *model, const sf_stretch *piec
     if (!sf_are_alike(cell.h_AA, cell.k))
         sf_find_zeros(&cusps, piece, zeros);
     best->undecided |= zeros->undecided;
-    for (i = 0; i < zeros->n; i++) {
+    for (int i = 0; i < zeros->n; i++) {
         sf_sample at;
         sf_sample_at(model, zeros->at[i].A, &at);
         sf_consider_zero(model, &zeros->at[i], &at, best);
@@ -190,8 +185,7 @@ static void sf_consider_inertial(const sf_model *model, const sf_sample *at, dou
     const double x = sf_least_x(model, at);
     double w[3];
     const int n = sf_fold_roots(at->A, at->h, at->h_A, model->m, model->zeta, w);
-    int i;
-    for (i = 0; i < n; i++)
+    for (int i = 0; i < n; i++)
         sf_consider(sf_level(model, at, w[i]), w[i], at->A, SF_CORNER_KIND, best);
     if (J != 0 && x > 0 && sf_half_F_A(model, at, 1 / x) * slow_flow_R(1 / x, at->A, at->h) * J < 0)
         sf_consider(sf_level(model, at, 1 / x), 1 / x, at->A, SF_CORNER_KIND, best);
@@ -202,8 +196,7 @@ static void sf_consider_inertial(const sf_model *model, const sf_sample *at, dou
 static void sf_consider_bend(const sf_model *model, const sf_sample *at, double turn, sf_onset *best) {
     double w[3];
     const int n = sf_fold_roots(at->A, at->h, at->h_A, model->m, model->zeta, w);
-    int i;
-    for (i = 0; i < n; i++) {
+    for (int i = 0; i < n; i++) {
         const double R = slow_flow_R(w[i], at->A, at->h), F_Omega = sf_F_Omega(model, at, w[i]);
         if (sf_falls_from_below(model, at, w[i]) && F_Omega * sf_quarter_F_AOmega(model, at, w[i]) * R * turn < 0)
             sf_consider(sf_level(model, at, w[i]), w[i], at->A, SF_CORNER_KIND, best);
@@ -215,7 +208,6 @@ static void sf_consider_bend(const sf_model *model, const sf_sample *at, double 
  * in; both lead to a higher Omega and level. Between, the level may be stationary. */
 static void sf_consider_jump(const sf_model *model, const sf_sample *at, double J, sf_onset *best) {
     double w[3];
-    int i, n;
     if (at->h < 0 && J < 0) {
         const double Omega = slow_flow_backbone(at->A, at->h);
         /* R is 0 there, and its rounding may exceed a weak damping's I */
@@ -225,8 +217,8 @@ static void sf_consider_jump(const sf_model *model, const sf_sample *at, double 
             return;
     }
     sf_consider_bend(model, at, J, best);
-    n = sf_peak_roots(at->A, at->h, model->m, model->zeta, w);
-    for (i = 0; i < n; i++)
+    const int n = sf_peak_roots(at->A, at->h, model->m, model->zeta, w);
+    for (int i = 0; i < n; i++)
         if (sf_half_F_A(model, at, w[i]) * slow_flow_R(w[i], at->A, at->h) * J < 0 &&
             sf_quarter_F_OmegaOmega(model, at, w[i]) > 0)
             sf_consider(sf_level(model, at, w[i]), w[i], at->A, SF_CORNER_KIND, best);
@@ -239,18 +231,17 @@ static void sf_consider_jump(const sf_model *model, const sf_sample *at, double 
 static void sf_consider_corner_by_laws(const sf_model *model, int k, const sf_sample *at, sf_onset *best) {
     const int beyond = sf_is_beyond(model, at->A);
     double w[9];
-    int i, side, n;
     if (!sf_has_corner(model, k))
         return;
-    n = sf_law_frequencies(model, at, SF_OF_FOLDS, 0, beyond, w);
+    int n = sf_law_frequencies(model, at, SF_OF_FOLDS, 0, beyond, w);
     n += sf_law_stationary(model, at, w + n);
     if (model->jump[k] == 0)
         n += sf_law_frequencies(model, at, SF_OF_FOLDS, 0, 1, w + n);
     else if (at->h < 0)
         w[n++] = slow_flow_backbone(at->A, at->h);
-    for (i = 0; i < n; i++) {
+    for (int i = 0; i < n; i++) {
         int beside = 0;
-        for (side = -1; side <= 1; side += 2) {
+        for (int side = -1; side <= 1; side += 2) {
             const double near = w[i] * (1 + side * SF_BESIDE_FOLDS);
             beside |= (sf_law_F_A(model, at, near, beyond) > 0) != sf_is_stable_above(model, k, at, near);
         }
@@ -270,13 +261,12 @@ static int sf_has_settled(const sf_model *model, const sf_sample *at) {
  * one; where the force levels off, up to the forcing beyond which no amplitude bounds the response. */
 static sf_status sf_onset_in_last(const sf_model *model, const sf_sample *first, sf_work *work, sf_onset *best) {
     double F_0 = best->F_SN, A_max, looked_through = model->m, unbounded = HUGE_VAL;
-    sf_status bounded = SF_OK, status;
+    sf_status bounded = SF_OK;
     sf_stretch piece;
-    int i;
     piece.last = *first;
     if (!(F_0 < HUGE_VAL))
         F_0 = SF_RAISE * fmax(model->m, SF_FIRST_F_0);
-    for (i = 0; i < SF_RAISES + SF_FAR_RAISES; i++) {
+    for (int i = 0; i < SF_RAISES + SF_FAR_RAISES; i++) {
         bounded = sf_range_by_spring(model, F_0, &A_max);
         if (bounded == SF_NO_BOUND && i < SF_RAISES && F_0 - looked_through > SF_NEAR_BOUND * looked_through) {
             unbounded = F_0, F_0 = 0.5 * (looked_through + F_0);
@@ -291,7 +281,7 @@ static sf_status sf_onset_in_last(const sf_model *model, const sf_sample *first,
             sf_sample_at(model, A_max, &piece.last);
             if (first->A == 0 && first->h == 0 && piece.last.h_AA == 0 && piece.last.h_AAA == 0 && first->h_AAA == 0)
                 return SF_NONE; /* linear */
-            status = sf_consider_piece(model, &piece, work, best);
+            const sf_status status = sf_consider_piece(model, &piece, work, best);
             if (status != SF_OK)
                 return status;
         }
@@ -321,10 +311,10 @@ static double sf_undamped_rises(double h_AA, double h_AAA, double k, int order) 
 /* For zeta = 0 folds lie at Omega^2 = -h_A and their level is that of R = k. This says where a forcing is
  * the least inside a piece, and whether k tends to 0 there, so that the level only tends to m. */
 static int sf_undamped_in(const sf_model *model, const sf_stretch *piece, sf_zeros *zeros, sf_onset *best) {
-    int i, tends = 0;
+    int tends = 0;
     sf_ask_all(model, SF_STIFFNESS, 0, piece, zeros);
     sf_ask_all(model, SF_UNDAMPED, 0, piece, zeros);
-    for (i = 0; i < zeros->n; i++) {
+    for (int i = 0; i < zeros->n; i++) {
         const sf_zero *zero = &zeros->at[i];
         sf_sample at;
         sf_sample_at(model, zero->A, &at);
@@ -392,10 +382,10 @@ static int sf_undamped_beyond(const sf_model *model) {
 static sf_status sf_onset_of_preload(const sf_model *model, double h, sf_work *work) {
     const sf_status status =
         sf_saddle_nodes(model, slow_flow_zeta0_undamped_level(model->m, 0.5 * h), work, &work->folds);
-    int i, signs = 0;
+    int signs = 0;
     if (status != SF_OK)
         return status;
-    for (i = 0; i < work->folds.n; i++) {
+    for (int i = 0; i < work->folds.n; i++) {
         sf_sample at;
         sf_sample_at(model, work->folds.at[i].A, &at);
         signs |= at.k < 0 ? 1 : 2;
@@ -407,8 +397,7 @@ static sf_status sf_onset_of_preload(const sf_model *model, double h, sf_work *w
  * negative there, or as A grows where springs have left, there are folds as near to m as one asks, and no lowest. */
 static sf_status sf_onset_undamped(const sf_model *model, sf_work *work, sf_onset *best) {
     sf_stretch piece;
-    sf_sample at;
-    int k, tends = 0;
+    int tends = 0;
     sf_sample_at(model, 0, &piece.first);
     if (piece.first.h < 0)
         return sf_onset_of_preload(model, piece.first.h, work);
@@ -416,8 +405,8 @@ static sf_status sf_onset_undamped(const sf_model *model, sf_work *work, sf_onse
         const sf_status status = sf_saddle_nodes(model, 2 * model->m + 1, work, &work->folds);
         return status != SF_OK ? status : work->folds.n > 0 ? SF_UNBOUNDED : SF_NONE;
     }
-    at = piece.first;
-    for (k = 0; !tends && k <= model->breaks; k++) {
+    sf_sample at = piece.first;
+    for (int k = 0; !tends && k <= model->breaks; k++) {
         sf_sample_at(model, k < model->breaks ? model->b[k] : SF_ENDLESS, &piece.last);
         if (sf_is_bent(&piece)) {
             tends = at.k == 0 && sf_moves_from(&piece, at.h_A) && !(k > 0 && model->jump[k - 1] != 0);
@@ -443,8 +432,7 @@ static sf_status sf_onset_undamped(const sf_model *model, sf_work *work, sf_onse
 
 /* Whether there is no onset, or one so near to a breakpoint that few doubles lie between. */
 static int sf_is_beside_break(const sf_model *model, const sf_onset *best) {
-    int k;
-    for (k = 0; k < model->breaks; k++)
+    for (int k = 0; k < model->breaks; k++)
         if (best->kind != SF_CORNER_KIND && fabs(best->A - model->b[k]) <= SF_COINCIDE * model->b[k])
             return 1;
     return best->kind == SF_NO_KIND;
@@ -455,8 +443,7 @@ static int sf_is_beside_break(const sf_model *model, const sf_onset *best) {
  * only falls, it falls to the amplitude, or by quadratic damping to what is above it. */
 static int sf_falls_at_break(const sf_model *model, const sf_onset *best) {
     double w[2];
-    int k;
-    for (k = 0; k < model->breaks; k++) {
+    for (int k = 0; k < model->breaks; k++) {
         sf_sample at;
         sf_sample_at(model, model->b[k], &at);
         if (model->jump[k] < 0 && sf_full_level(model, &at) < best->F_SN &&
@@ -472,9 +459,8 @@ typedef struct {
 } sf_piece_ends;
 
 static void sf_end_pieces(const sf_model *model, sf_piece_ends *ends) {
-    int k;
     sf_sample_at(model, 0, &ends->rest);
-    for (k = 0; k < model->breaks; k++) {
+    for (int k = 0; k < model->breaks; k++) {
         sf_sample_at(model, model->b[k], &ends->on[k]);
         ends->above[k] = ends->on[k];
         sf_tend_from_above(model, k, &ends->above[k]);
@@ -484,7 +470,6 @@ static void sf_end_pieces(const sf_model *model, sf_piece_ends *ends) {
 /* What is known of the lowest forcing before the pieces are searched: for zeta > 0 that on breakpoints, which leaves
  * less to search. */
 static void sf_begin_onset(const sf_model *model, const sf_piece_ends *ends, sf_onset *best) {
-    int k;
     best->F_SN = best->rest = HUGE_VAL;
     best->Omega = best->A = NAN, best->kind = SF_NO_KIND, best->undecided = 0;
     if (model->zeta == 0 && !sf_has_laws(model))
@@ -492,7 +477,7 @@ static void sf_begin_onset(const sf_model *model, const sf_piece_ends *ends, sf_
     if (ends->rest.h <
         0) /* R, -preload next to A = 0, vanishes at frequencies that tend to infinity there, and F_0 tends to m */
         best->rest = model->m;
-    for (k = 0; k < model->breaks; k++) {
+    for (int k = 0; k < model->breaks; k++) {
         if (sf_has_laws(model))
             sf_consider_corner_by_laws(model, k, &ends->on[k], best);
         else if (sf_inertial(model))
@@ -523,10 +508,9 @@ static sf_status sf_without_onset(sf_status status, double limit, sf_onset *best
  * Omega^2 = |h_A|/(1 + a), and beside it I I_A vanishes with A^2. The level is less than (A + d A^2) Omega^2. */
 static int sf_comes_down(const sf_model *model, const sf_piece_ends *ends) {
     sf_stretch piece;
-    int k;
     if (!(model->d > 0) || model->zeta + model->m + model->eta > 0)
         return 0;
-    for (k = 0; k < model->breaks && !sf_inertial(model); k++)
+    for (int k = 0; k < model->breaks && !sf_inertial(model); k++)
         if (ends->above[k].h == 0 && ends->above[k].h_A == 0 && ends->above[k].h_AA < 0)
             return 1;
     piece.first = ends->rest;
@@ -543,18 +527,17 @@ static int sf_comes_down(const sf_model *model, const sf_piece_ends *ends) {
  * ever less there is none. */
 static double sf_first_with_folds(const sf_model *model, const sf_sample *rest) {
     double A = 1, from = 0, outweighed = 0, outweighs = 0;
-    int k, come_down = 1;
+    int come_down = 1;
     if (rest->h < 0 || !isinf(rest->h_A))
         return 0;
-    for (k = 0; k < SF_FALLS; k++) {
+    for (int k = 0; k < SF_FALLS; k++) {
         const double last = outweighed, lasts = outweighs;
-        double slow, fast, share;
         sf_sample at;
         A *= SF_FALL;
         sf_sample_at(model, A, &at);
-        slow = 2 * model->zeta * sqrt(fmin(fabs(at.h) / A, fabs(at.h_A)));
-        fast = 2 * model->zeta * sqrt(fmax(fabs(at.h) / A, fabs(at.h_A)));
-        share = at.k * at.k / (4 * A);
+        const double slow = 2 * model->zeta * sqrt(fmin(fabs(at.h) / A, fabs(at.h_A)));
+        const double fast = 2 * model->zeta * sqrt(fmax(fabs(at.h) / A, fabs(at.h_A)));
+        const double share = at.k * at.k / (4 * A);
         outweighs = share / (fast * (model->m + fast * A));
         outweighed = share / (slow * (model->m + slow * A));
         come_down &= outweighs > 1 && (k == 0 || outweighs > lasts);
@@ -575,7 +558,6 @@ static sf_status sf_end_onset(const sf_model *model, const sf_piece_ends *ends, 
     sf_sample rest = ends->rest;
     sf_stretch piece;
     sf_status status;
-    int k;
     if (undamped) {
         status = sf_onset_undamped(model, work, best);
         return best->kind == SF_NO_KIND ? sf_without_onset(status, model->m, best) : status;
@@ -591,7 +573,7 @@ static sf_status sf_end_onset(const sf_model *model, const sf_piece_ends *ends, 
         sf_sample_at(model, from, &rest);
     if (model->in_doubt) /* whether a corner is the lowest is the sign of a jump */
         return sf_without_onset(SF_UNRESOLVED, 0, best);
-    for (k = pieces; k < model->breaks; k++) {
+    for (int k = pieces; k < model->breaks; k++) {
         piece.first = k > 0 ? ends->above[k - 1] : rest, piece.last = ends->on[k];
         status = sf_consider_piece(model, &piece, work, best);
         if (status != SF_OK)
@@ -621,16 +603,14 @@ static sf_status sf_highest(const sf_model *model, sf_question question, double 
     sf_asked asked = sf_asked_of(question, model, F_0);
     const sf_sample *rest = &work->pieces.at[0].first;
     sf_zeros *found = &work->zeros;
-    int k;
     asked.highest = 1;
     asked.pushes = rest->h > 0 || (rest->h == 0 && !(rest->h_A < 0));
-    for (k = work->pieces.n - 1; k >= 0; k--) {
-        const sf_zero *top;
+    for (int k = work->pieces.n - 1; k >= 0; k--) {
         sf_clear_zeros(found);
         sf_find_zeros(&asked, &work->pieces.at[k], found);
         if (found->status != SF_OK)
             return found->status;
-        top = sf_top(found, asked.pushes);
+        const sf_zero *top = sf_top(found, asked.pushes);
         if (top != NULL) {
             out->A = top->A, out->Omega = top->Omega;
             return SF_OK;
@@ -653,7 +633,6 @@ static int sf_goes_on_above_rest(const sf_model *model, double F_0, double A) {
  * at Omega = 0. SF_NONE under a force where nothing ends the response: its spring gives way. For zeta > 0. */
 static sf_status sf_peak(const sf_model *model, double F_0, double most, sf_work *work, double *A, double *Omega) {
     sf_point found;
-    sf_status status;
     *A = *Omega = NAN;
     if (sf_has_laws(model))
         return sf_law_peak(model, F_0, most, work, A, Omega);
@@ -661,7 +640,7 @@ static sf_status sf_peak(const sf_model *model, double F_0, double most, sf_work
         return SF_STICKS;
     if (model->zeta == 0)
         return SF_UNBOUNDED;
-    status = sf_range_at(model, F_0, &work->A_max);
+    sf_status status = sf_range_at(model, F_0, &work->A_max);
     if (status != SF_OK)
         return status;
     work->A_max = fmin(work->A_max, most);

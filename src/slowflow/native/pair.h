@@ -18,16 +18,13 @@ typedef struct {
 /* high and low may overlap by some places, |high| >= |low| */
 static inline sf_pair sfp_of(double high, double low) {
     const double sum = high + low;
-    const sf_pair x = {sum, low - (sum - high)};
-    return x;
+    return (sf_pair){sum, low - (sum - high)};
 }
 static inline sf_pair sfp_point(double x) {
-    const sf_pair a = {x, 0};
-    return a;
+    return (sf_pair){x, 0};
 }
 static inline sf_pair sfp_neg(sf_pair a) {
-    const sf_pair x = {-a.high, -a.low};
-    return x;
+    return (sf_pair){-a.high, -a.low};
 }
 static inline sf_pair sfp_add(sf_pair a, sf_pair b) {
     double low;

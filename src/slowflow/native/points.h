@@ -113,19 +113,17 @@ static sf_interval sf_determinant(const sf_interval f[6]) {
 /* Newton's method from a place in a box; 0 where it leads nowhere, or beyond the piece. f: what is found there */
 static int sf_approach_point(const sf_law_search *search, sf_law_point *point, double f[6]) {
     double last = HUGE_VAL;
-    int i;
-    for (i = 0; i < SF_NEWTON_STEPS; i++) {
+    for (int i = 0; i < SF_NEWTON_STEPS; i++) {
         sf_sample at;
-        double determinant, by_A, by_u, off, beyond;
         sf_sample_at(search->model, point->A, &at);
         sf_functions_at(search, &at, point, f);
-        determinant = f[2] * f[5] - f[3] * f[4];
-        by_A = (f[0] * f[5] - f[3] * f[1]) / determinant, by_u = (f[2] * f[1] - f[0] * f[4]) / determinant;
-        off = fmax(fabs(by_A) / point->A, fabs(by_u) / (fabs(point->u) + fabs(at.h) * SF_DOUBT));
+        const double determinant = f[2] * f[5] - f[3] * f[4];
+        const double by_A = (f[0] * f[5] - f[3] * f[1]) / determinant, by_u = (f[2] * f[1] - f[0] * f[4]) / determinant;
+        const double off = fmax(fabs(by_A) / point->A, fabs(by_u) / (fabs(point->u) + fabs(at.h) * SF_DOUBT));
         if (!(off < HUGE_VAL))
             return 0;
         /* as far as roundings let it come; next to a breakpoint functions vary on the scale of what is beyond it */
-        beyond = fmax(point->A - search->base, 0x1p-22 * point->A);
+        const double beyond = fmax(point->A - search->base, 0x1p-22 * point->A);
         if (off <= 0x1p-52 || (off <= 0x1p-30 && off >= 0.5 * last && fabs(by_A) <= 0x1p-30 * beyond))
             return 1;
         last = off;
@@ -146,10 +144,9 @@ typedef struct {
  * there; on: the slopes on the box. */
 static void sf_map_box(const double inverse[4], const sf_interval off[2], const sf_interval on[6],
                        const sf_interval box[2], sf_interval image[2]) {
-    int i, k;
-    for (i = 0; i < 2; i++) {
+    for (int i = 0; i < 2; i++) {
         image[i] = sfi_neg(off[i]);
-        for (k = 0; k < 2; k++) {
+        for (int k = 0; k < 2; k++) {
             const sf_interval slope = sfi_add(sfi_mul(sfi_point(inverse[2 * i]), on[2 + k]),
                                               sfi_mul(sfi_point(inverse[2 * i + 1]), on[4 + k]));
             image[i] = sfi_add(image[i], sfi_mul(sfi_sub(sfi_point(i == k), slope), box[k]));
@@ -172,11 +169,10 @@ static int sf_prove_point(const sf_law_search *search, const double f[6], sf_law
     sf_strip strip;
     sf_node node;
     double extent[2];
-    int i;
     sf_node_at(search, point->A, &node);
     sf_make_strip(search, &node, &node, &strip);
     sf_functions_within(search, &strip, point->by_w, u, at);
-    for (i = 0; i < 2; i++) {
+    for (int i = 0; i < 2; i++) {
         off[i] = sf_times_row(inverse + 2 * i, at);
         extent[i] = SF_AROUND * sf_size_of(off[i]);
     }
@@ -192,7 +188,7 @@ static int sf_prove_point(const sf_law_search *search, const double f[6], sf_law
     sf_functions_within(search, &strip, point->by_w, around->u, on);
     box[0] = sfi_sub(strip.cell.A, A), box[1] = sfi_sub(around->u, u);
     sf_map_box(inverse, off, on, box, image);
-    for (i = 0; i < 2; i++)
+    for (int i = 0; i < 2; i++)
         if (!(image[i].lo > box[i].lo && image[i].hi < box[i].hi))
             return 0;
     return 1;
@@ -205,21 +201,20 @@ static int sf_is_left(const sf_law_search *search, const sf_law_box *box, double
     const sf_interval centre = sfi_point(0.5 * (u.lo + u.hi));
     const sf_interval off_centre[2] = {sfi_sub(sfi_of(box->a.at.A, box->b.at.A), sfi_point(middle)), sfi_sub(u, centre)};
     sf_interval at[6], off[2], image[2];
-    double slope[6], inverse[4], determinant;
+    double slope[6], inverse[4];
     sf_strip strip;
     sf_node node;
-    int i;
     sf_node_at(search, middle, &node);
     sf_make_strip(search, &node, &node, &strip);
     sf_functions_within(search, &strip, box->by_w, centre, at);
-    for (i = 2; i < 6; i++)
+    for (int i = 2; i < 6; i++)
         slope[i] = 0.5 * (at[i].lo + at[i].hi);
-    determinant = slope[2] * slope[5] - slope[3] * slope[4];
+    const double determinant = slope[2] * slope[5] - slope[3] * slope[4];
     inverse[0] = slope[5] / determinant, inverse[1] = -slope[3] / determinant;
     inverse[2] = -slope[4] / determinant, inverse[3] = slope[2] / determinant;
     off[0] = sf_times_row(inverse, at), off[1] = sf_times_row(inverse + 2, at);
     sf_map_box(inverse, off, on, off_centre, image);
-    for (i = 0; i < 2; i++)
+    for (int i = 0; i < 2; i++)
         if (sf_size_of(image[0]) < HUGE_VAL && sf_size_of(image[1]) < HUGE_VAL &&
             (image[i].lo > off_centre[i].hi || image[i].hi < off_centre[i].lo))
             return 1;
@@ -227,8 +222,7 @@ static int sf_is_left(const sf_law_search *search, const sf_law_box *box, double
 }
 
 static void sf_add_point(sf_law_points *found, const sf_law_point *point) {
-    int i;
-    for (i = 0; i < found->n; i++) {
+    for (int i = 0; i < found->n; i++) {
         const sf_law_point *other = &found->at[i];
         if (other->part == point->part && fabs(other->A - point->A) <= fmax(other->off_A, point->off_A) &&
             (other->by_w == point->by_w ? fabs(other->u - point->u) <= fmax(other->off_u, point->off_u)
@@ -246,11 +240,11 @@ static void sf_add_point(sf_law_points *found, const sf_law_point *point) {
 static void sf_polish_point(const sf_law_search *search, sf_law_point *point) {
     sf_law_point last = *point;
     sf_sample at;
-    double f[6], determinant, A, w;
+    double f[6], A, w;
     last.by_w = 1, last.u = search->far ? 1 / point->Omega : point->Omega;
     sf_sample_at(search->model, last.A, &at);
     sf_functions_at(search, &at, &last, f);
-    determinant = f[2] * f[5] - f[3] * f[4];
+    const double determinant = f[2] * f[5] - f[3] * f[4];
     A = last.A - (f[0] * f[5] - f[3] * f[1]) / determinant, w = last.u - (f[2] * f[1] - f[0] * f[4]) / determinant;
     if (fabs(A - point->A) <= point->off_A && fabs(w - last.u) <= SF_CLOSE * last.u)
         point->A = A, point->Omega = search->far ? 1 / w : w;
@@ -373,7 +367,7 @@ static void sf_search_points_up_to(sf_law_search *search, const sf_sample *first
         const double a = box->a.at.A, b = box->b.at.A, middle = sf_amid(search->base, a, b);
         const int inside = middle > a && middle < b && b - a > SF_NARROW * b && b > search->blurred;
         const double thin = b > search->blurred ? SF_THIN : SF_THIN_AT_CORNER;
-        int other, is_thin;
+        int other;
         sf_interval *u;
         double at;
         if (found->boxes++ > SF_MOST_BOXES || found->status != SF_OK) {
@@ -385,7 +379,7 @@ static void sf_search_points_up_to(sf_law_search *search, const sf_sample *first
             continue;
         }
         u = sf_second_unknown(box), at = sf_cut_other(*u);
-        is_thin = !(at > u->lo && at < u->hi) || (u->hi < HUGE_VAL && u->hi - u->lo <= thin * sf_size_of(*u));
+        int is_thin = !(at > u->lo && at < u->hi) || (u->hi < HUGE_VAL && u->hi - u->lo <= thin * sf_size_of(*u));
         /* next to a jump F_A bounds no R from below, and F has its square only */
         is_thin |= isinf(box->a.at.h_A) && sf_is_forced(search) && !box->by_w &&
                    u->hi - u->lo <= SF_THIN_AT_JUMP * search->F_0;
@@ -438,9 +432,8 @@ static void sf_begin_piece(sf_law_search *search, int piece) {
 /* All points of the pieces up to an amplitude. */
 static void sf_search_pieces(const sf_model *model, sf_law_system system, double F_0, const sf_stretches *pieces,
                              sf_law_search *search) {
-    int i;
     sf_begin_search(model, system, F_0, search);
-    for (i = 0; i < pieces->n && search->found.status == SF_OK; i++) {
+    for (int i = 0; i < pieces->n && search->found.status == SF_OK; i++) {
         /* where there is no spring F rises with Omega, or falls over Omega^4: next to where it is flat, to the fourth power */
         if (system == SF_LAW_PEAKS && !sf_has_force(&pieces->at[i]))
             continue;

@@ -173,22 +173,21 @@ typedef struct {
 static inline void sf_abreast(sf_lanes *lanes, const sf_straight *of, int varying, int n, const double *const *at,
                               const double *p, double *out, ptrdiff_t apart, ptrdiff_t step)
 {
-    int i, k;
-    for (i = 0; i < varying; i++)
-        for (k = 0; k < SF_LANES; k++)
+    for (int i = 0; i < varying; i++)
+        for (int k = 0; k < SF_LANES; k++)
             lanes->x[i * SF_LANES + k] = at[i][k < n ? k : 0];
     if (lanes->holds != of) {
-        for (i = varying; i < of->arguments; i++)
-            for (k = 0; k < SF_LANES; k++)
+        for (int i = varying; i < of->arguments; i++)
+            for (int k = 0; k < SF_LANES; k++)
                 lanes->x[i * SF_LANES + k] = p[i - varying];
-        for (i = 0; i < of->constants; i++)
-            for (k = 0; k < SF_LANES; k++)
+        for (int i = 0; i < of->constants; i++)
+            for (int k = 0; k < SF_LANES; k++)
                 lanes->x[(of->arguments + i) * SF_LANES + k] = of->constant[i][0];
         lanes->holds = of;
     }
     sf_run_abreast(of, lanes->x);
-    for (i = 0; i < of->outputs; i++)
-        for (k = 0; k < n; k++)
+    for (int i = 0; i < of->outputs; i++)
+        for (int k = 0; k < n; k++)
             out[i * apart + k * step] = lanes->x[of->output[i] * SF_LANES + k];
 }
 
@@ -198,7 +197,7 @@ static inline void sf_at_amplitudes(const sf_function *of, int parameters, ptrdi
 {
     double arguments[1 + SF_MOST_PARAMETERS];
     sf_lanes lanes;
-    ptrdiff_t first, end;
+    ptrdiff_t end;
     memcpy(arguments + 1, p, (size_t)parameters * sizeof *p);
     if (n == 1) {
         arguments[0] = A[0];
@@ -206,7 +205,7 @@ static inline void sf_at_amplitudes(const sf_function *of, int parameters, ptrdi
         return;
     }
     lanes.holds = NULL;
-    for (first = 0; first < n; first = end) {
+    for (ptrdiff_t first = 0; first < n; first = end) {
         const double *const at[] = {A + first};
         int branch;
         arguments[0] = A[first], branch = sf_branch_at(of, -1, arguments);
@@ -225,8 +224,7 @@ static int sf_program_parameters_of(const sf_mechanism *self, const double *desi
 {
     const sf_program *of = self->program;
     sf_pair pairs[SF_MOST_PARAMETERS + SF_MOST_BREAKS];
-    int i;
-    for (i = 0; i < of->conditions; i++) {
+    for (int i = 0; i < of->conditions; i++) {
         const sf_condition *on = &of->condition[i];
         const double value = design[on->place], bound = on->bound;
         if (!(on->relation == 0 ? value > bound : on->relation == 1 ? value >= bound : on->relation == 2
@@ -269,15 +267,13 @@ static void sf_program_average(const sf_mechanism *self, int which, int wanted, 
                                ptrdiff_t n, const double *A, const double *p, double *out)
 {
     double at[3 * SF_MOST_PARAMETERS + 8];
-    ptrdiff_t i;
-    int k;
     if (!self->program->summed) {
         sf_at_amplitudes(printed, self->parameters, n, A, p, out);
         return;
     }
-    for (i = 0; i < n; i++) {
+    for (ptrdiff_t i = 0; i < n; i++) {
         sf_program_closed(self, which, wanted, A[i], p, at);
-        for (k = 0; k < outputs; k++)
+        for (int k = 0; k < outputs; k++)
             out[k * n + i] = at[k];
     }
 }
@@ -332,8 +328,7 @@ static void sf_program_bent(const sf_mechanism *self, sf_interval A, const doubl
 static void sf_program_parameters_within(const sf_mechanism *self, const double *design, sf_interval *p)
 {
     sf_interval given[SF_MOST_DESIGN];
-    int i;
-    for (i = 0; i < self->design_size; i++)
+    for (int i = 0; i < self->design_size; i++)
         given[i] = sfi_point(design[i]);
     sf_at_on_intervals(&self->program->given_within, -1, given, p);
 }
@@ -350,8 +345,7 @@ static void sf_program_averaged_within(const sf_mechanism *self, int passed, sf_
 static void sf_program_parameters_in_pairs(const sf_mechanism *self, const double *design, sf_pair *p)
 {
     sf_pair given[SF_MOST_DESIGN];
-    int i;
-    for (i = 0; i < self->design_size; i++)
+    for (int i = 0; i < self->design_size; i++)
         given[i] = sfp_point(design[i]);
     sf_at_in_pairs(&self->program->given_in_pairs, -1, given, p);
 }
@@ -371,8 +365,7 @@ static inline void sf_program_design(const sf_mechanism *self, ptrdiff_t i, ptrd
                                      sf_pair *p)
 {
     double one[SF_MOST_DESIGN];
-    int k;
-    for (k = 0; k < self->design_size; k++)
+    for (int k = 0; k < self->design_size; k++)
         one[k] = design[k * apart + i];
     sf_program_parameters_in_pairs(self, one, p);
 }
@@ -381,11 +374,9 @@ static void sf_program_many_in_pairs(const sf_mechanism *self, ptrdiff_t n, ptrd
                                      double *out)
 {
     sf_pair p[SF_MOST_PARAMETERS + SF_MOST_BREAKS];
-    ptrdiff_t i;
-    int k;
-    for (i = 0; i < n; i++) {
+    for (ptrdiff_t i = 0; i < n; i++) {
         sf_program_design(self, i, apart, design, p);
-        for (k = 0; k < self->parameters + self->breakpoints; k++)
+        for (int k = 0; k < self->parameters + self->breakpoints; k++)
             out[2 * k * apart + i] = p[k].high, out[(2 * k + 1) * apart + i] = p[k].low;
     }
 }
@@ -394,8 +385,7 @@ static void sf_program_on_first_end_in_pairs(const sf_mechanism *self, ptrdiff_t
                                              const double *design, double *out)
 {
     sf_pair p[SF_MOST_PARAMETERS + SF_MOST_BREAKS], b[SF_MOST_BREAKS], h[2];
-    ptrdiff_t i;
-    for (i = 0; i < n; i++) {
+    for (ptrdiff_t i = 0; i < n; i++) {
         sf_program_design(self, i, apart, design, p);
         sf_program_ends_in_pairs(self, p, b);
         sf_program_averaged_in_pairs(self, 0, 2, b[0], b[0], p, h);
@@ -410,9 +400,8 @@ static void sf_program_integrands(const sf_quarter *of, int piece, int nodes, co
 {
     const sf_function *integrands = (const sf_function *)of->programs + piece;
     sf_lanes lanes;
-    int first;
     lanes.holds = NULL;
-    for (first = 0; first < nodes; first += SF_LANES) {
+    for (int first = 0; first < nodes; first += SF_LANES) {
         const double *const at[] = {beyond + first, sine + first, cosine + first};
         sf_abreast(&lanes, &integrands->branch[0], 3, nodes - first < SF_LANES ? nodes - first : SF_LANES, at, p,
                    out + first * of->width, 1, of->width);
@@ -439,14 +428,14 @@ static inline sf_status sf_finished(sf_reader *from)
 static inline void sf_read_function(sf_reader *from, sf_arithmetic has, int pieces, int arguments, int outputs,
                                     sf_function *out)
 {
-    int *passed, *guards, i, sides = 0;
+    int *passed, *guards, sides = 0;
     sf_straight *branch;
     out->branches = sf_word(from, 1, (int)((from->last_word - from->word) / 2));
     passed = sf_room_for(from, out->branches, sizeof *passed), guards = sf_room_for(from, out->branches, sizeof *guards);
     branch = sf_room_for(from, out->branches, sizeof *branch);
     if (from->status != SF_READ)
         return;
-    for (i = 0; i < out->branches; i++) {
+    for (int i = 0; i < out->branches; i++) {
         const int last = i == out->branches - 1;
         passed[i] = sf_word(from, -1, last || has == sf_in_doubles ? -1 : pieces - 1);
         guards[i] = sf_word(from, 0, last ? 0 : SF_MOST_REGISTERS / 2);
@@ -455,17 +444,17 @@ static inline void sf_read_function(sf_reader *from, sf_arithmetic has, int piec
             sf_refuse(from, SF_NO_PROGRAM);
     }
     sf_read_straight(from, has, arguments, sides, &out->sides);
-    for (i = 0; i < out->branches && from->status == SF_READ; i++)
+    for (int i = 0; i < out->branches && from->status == SF_READ; i++)
         sf_read_straight(from, has, arguments, outputs, &branch[i]);
     out->passed = passed, out->guards = guards, out->branch = branch;
 }
 
 /* Numbers of breakpoints at which contacts begin. */
 static inline const int *sf_read_begins(sf_reader *from, int breakpoints, int *contacts) {
-    int i, *begins;
+    int *begins;
     *contacts = sf_size(from, 0, SF_MOST_CONTACTS);
     begins = sf_room_for(from, *contacts, sizeof *begins);
-    for (i = 0; i < *contacts && begins != NULL; i++)
+    for (int i = 0; i < *contacts && begins != NULL; i++)
         begins[i] = sf_word(from, 0, breakpoints - 1);
     return begins;
 }
@@ -475,22 +464,21 @@ static inline void sf_read_sums(sf_reader *from, const sf_mechanism *record, sf_
     const int order[] = {SF_AVERAGED, SF_INTERCEPT, SF_HIGHER, SF_BY_PARAMETER};
     const int outputs[] = {4, 1, 8, 3 * record->parameters};
     const int pieces = record->breakpoints + 1, nodes = sf_word(from, 1, SF_NODES / 2);
-    int contacts, i, k, *graded;
-    const int *begins;
+    int contacts, *graded;
     double(*rule)[2] = sf_room_for(from, nodes, sizeof *rule);
-    for (i = 0; i < nodes && rule != NULL; i++)
+    for (int i = 0; i < nodes && rule != NULL; i++)
         rule[i][0] = sf_finite(from), rule[i][1] = sf_finite(from);
-    begins = sf_read_begins(from, record->breakpoints, &contacts);
+    const int *begins = sf_read_begins(from, record->breakpoints, &contacts);
     graded = sf_room_for(from, pieces + contacts, sizeof *graded);
-    for (i = 0; i < pieces + contacts && graded != NULL; i++)
+    for (int i = 0; i < pieces + contacts && graded != NULL; i++)
         graded[i] = sf_word(from, 1, 16);
-    for (k = 0; k < SF_AVERAGES && from->status == SF_READ; k++) {
+    for (int k = 0; k < SF_AVERAGES && from->status == SF_READ; k++) {
         sf_quarter *sums = &out->sums[order[k]];
         sf_function *programs = sf_room_for(from, pieces + contacts, sizeof *programs);
         const int width = sf_size(from, k == 0 ? 4 + 4 * contacts : 0, SF_MOST_SUMS);
         if (programs == NULL)
             return;
-        for (i = 0; i < pieces + contacts; i++) {
+        for (int i = 0; i < pieces + contacts; i++) {
             sf_read_function(from, sf_in_doubles, pieces, 3 + record->parameters, width, &programs[i]);
             if (programs[i].branches > 1)
                 sf_refuse(from, SF_NO_PROGRAM);
@@ -517,11 +505,10 @@ static inline void sf_read_bent(sf_reader *from, const sf_mechanism *record, sf_
     sf_bent *bent = &out->bent;
     const int p = record->parameters, pieces = record->breakpoints + 1;
     sf_function *programs;
-    int i;
     bent->breakpoints = record->breakpoints, bent->parameters = p;
     bent->begins = sf_read_begins(from, record->breakpoints, &bent->contacts);
     programs = sf_room_for(from, 2 * pieces + bent->contacts, sizeof *programs);
-    for (i = 0; i < 2 * pieces + bent->contacts && from->status == SF_READ; i++) {
+    for (int i = 0; i < 2 * pieces + bent->contacts && from->status == SF_READ; i++) {
         const int closing = i - pieces - bent->contacts;
         const int arguments = i < pieces ? 3 : closing < 0 ? 2 : 3 + closing + SF_CONTACT_SUMS * bent->contacts;
         sf_read_function(from, sf_on_intervals, 0, arguments + p, i >= pieces && closing < 0 ? SF_CONTACT_SUMS : 2,
@@ -548,10 +535,9 @@ static inline void sf_read_exact(sf_reader *from, int within, const sf_mechanism
 
 static inline void sf_read_conditions(sf_reader *from, const sf_mechanism *record, sf_program *out) {
     sf_condition *condition;
-    int i;
     out->conditions = sf_word(from, 0, 4 * SF_MOST_DESIGN);
     out->condition = condition = sf_room_for(from, out->conditions, sizeof *condition);
-    for (i = 0; i < out->conditions && condition != NULL; i++) {
+    for (int i = 0; i < out->conditions && condition != NULL; i++) {
         condition[i].place = sf_word(from, 0, record->design_size - 1);
         condition[i].relation = sf_word(from, 0, 3);
         condition[i].bound = sf_number(from);
@@ -560,14 +546,14 @@ static inline void sf_read_conditions(sf_reader *from, const sf_mechanism *recor
 
 /* A record's functions of the force from all words and numbers; what a force has no part in stays. */
 static inline void sf_read_all(sf_reader *from, sf_mechanism *record, sf_program *out) {
-    int bent, exact, within, pieces;
+    int bent, exact;
     sf_word(from, SF_PROGRAM_FORM, SF_PROGRAM_FORM);
     record->design_size = sf_size(from, 0, SF_MOST_DESIGN);
     record->parameters = sf_size(from, 0, SF_MOST_PARAMETERS);
     record->breakpoints = sf_size(from, 0, SF_MOST_BREAKS);
-    pieces = record->breakpoints + 1;
+    const int pieces = record->breakpoints + 1;
     out->summed = sf_word(from, 0, 1), bent = sf_word(from, 0, 1), exact = sf_word(from, 0, 1);
-    within = sf_word(from, 0, 1);
+    const int within = sf_word(from, 0, 1);
     record->reach = sf_number(from), record->harmonics_up_to = sf_number(from);
     sf_read_conditions(from, record, out);
     sf_read_function(from, sf_in_doubles, pieces, record->design_size, record->parameters, &out->coefficients);

@@ -92,14 +92,12 @@ static void sf_range_between(const sf_proving *proving, const sf_checked *a, con
  * what is asked, which smaller cells may do. The slope's range becomes narrower where its own slope is known. */
 static int sf_crossing(const sf_proving *proving, sf_checked *a, sf_checked *b, int c, sf_range *range, int last) {
     const double width = sfi_up(b->known.A - a->known.A);
-    const sf_range *at_a, *at_b;
-    sf_interval low, high;
     if (range->where == SF_NOWHERE || sfi_has_sign(range->y))
         return 0;
     if (range->where != SF_THROUGHOUT && range->edge == 0)
         return 2;
-    at_a = sf_value_at(proving, a, c), at_b = sf_value_at(proving, b, c);
-    low = at_a->y, high = at_b->y;
+    const sf_range *at_a = sf_value_at(proving, a, c), *at_b = sf_value_at(proving, b, c);
+    const sf_interval low = at_a->y, high = at_b->y;
     /* it ends in between, with a sign that is known */
     if (range->edge != 0 && last && sfi_has_sign(range->dy)) {
         if (at_a->where == SF_NOWHERE && at_b->where == SF_THROUGHOUT && sfi_has_sign(high))
@@ -122,8 +120,7 @@ static int sf_crossing(const sf_proving *proving, sf_checked *a, sf_checked *b, 
 /* Where a zero between two amplitudes is expected, or NaN. */
 static double sf_hint_between(const sf_proving *proving, double low, double high) {
     const double begins = sf_beginning(proving->given, proving->piece).lo;
-    int i;
-    for (i = 0; i < proving->expected; i++) {
+    for (int i = 0; i < proving->expected; i++) {
         const double x = proving->hints[i] - begins;
         if (x > low && x < high)
             return x;
@@ -136,17 +133,14 @@ static double sf_hint_between(const sf_proving *proving, double low, double high
 static int sf_is_next_to(const sf_proving *proving, double x, double low, double high, int c, sf_interval *beyond,
                          sf_cell *cell) {
     sf_checked at, a, b;
-    const sf_range *there;
     sf_range on[2];
     sf_cell around;
-    sf_interval step, next;
-    double away;
     sf_check_at(proving, x, &at);
-    there = sf_value_at(proving, &at, c);
+    const sf_range *there = sf_value_at(proving, &at, c);
     if (there->where != SF_THROUGHOUT || !sfi_has_sign(there->dy))
         return 0;
-    step = sfi_div(there->y, there->dy);
-    away = 2 * sfi_most(sfi_most(-step.lo, step.hi), 0x1p-51 * x);
+    const sf_interval step = sfi_div(there->y, there->dy);
+    const double away = 2 * sfi_most(sfi_most(-step.lo, step.hi), 0x1p-51 * x);
     if (!(x - away > low && x + away < high))
         return 0;
     sf_check_at(proving, x - away, &a);
@@ -154,7 +148,7 @@ static int sf_is_next_to(const sf_proving *proving, double x, double low, double
     sf_range_between(proving, &a, &b, 1 << c, &around, on);
     if (on[c].where != SF_THROUGHOUT || !sfi_has_sign(on[c].dy))
         return 0;
-    next = sfi_sub(sfi_point(x), sfi_div(there->y, on[c].dy));
+    const sf_interval next = sfi_sub(sfi_point(x), sfi_div(there->y, on[c].dy));
     if (!(next.lo > a.known.A && next.hi < b.known.A))
         return 0;
     *cell = around;
@@ -168,23 +162,20 @@ static void sf_narrow(const sf_proving *proving, sf_checked *a, sf_checked *b, i
                       sf_interval *beyond, sf_cell *cell)
 {
     const double hint = sf_hint_between(proving, a->known.A, b->known.A);
-    int i;
     if (hint > 0 && sf_is_next_to(proving, hint, a->known.A, b->known.A, c, beyond, cell))
         return;
     *beyond = sfi_of(a->known.A, b->known.A);
-    for (i = 0; i < SF_MOST_STEPS; i++) {
+    for (int i = 0; i < SF_MOST_STEPS; i++) {
         const double low = beyond->lo, high = beyond->hi, x = i == 0 ? sf_amid(0, low, high) : 0.5 * low + 0.5 * high;
         sf_checked at;
-        const sf_range *there;
-        sf_interval next;
         sf_range on[2];
         if (!(x > low && x < high))
             return;
         sf_check_at(proving, x, &at);
-        there = sf_value_at(proving, &at, c);
+        const sf_range *there = sf_value_at(proving, &at, c);
         if (there->where != SF_THROUGHOUT)
             return;
-        next = sfi_both(*beyond, sfi_sub(sfi_point(x), sfi_div(there->y, range.dy)));
+        const sf_interval next = sfi_both(*beyond, sfi_sub(sfi_point(x), sfi_div(there->y, range.dy)));
         if (!(next.lo <= next.hi) || !(next.hi - next.lo < 0.75 * (high - low)))
             return;
         if (next.lo > low)
@@ -214,8 +205,7 @@ static void sf_add_proven(const sf_proving *proving, const sf_checked *a, const 
 }
 
 static void sf_add_doubt(sf_proof *out, double low, double high, int piece, int c) {
-    int i;
-    for (i = 0; i < out->doubts; i++)
+    for (int i = 0; i < out->doubts; i++)
         if (out->doubt[i].channel == c && out->doubt[i].piece == piece && out->doubt[i].low == high) {
             out->doubt[i].low = low;
             return;
@@ -233,12 +223,11 @@ static void sf_add_doubt(sf_proof *out, double low, double high, int piece, int 
 static int sf_is_cut_enough(const sf_proving *proving, sf_checked *a, sf_checked *b, int c, const sf_range *range) {
     const double low = a->known.A, high = b->known.A;
     const int narrow = high - low <= SF_PROOF_NARROW * high;
-    const sf_range *at_a, *at_b;
     if (!(high - low <= SF_PROOF_NARROW * (sf_beginning(proving->given, proving->piece).lo + high)))
         return 0;
     if (range->where != SF_THROUGHOUT || sfi_has_sign(range->dy))
         return narrow;
-    at_a = sf_value_at(proving, a, c), at_b = sf_value_at(proving, b, c);
+    const sf_range *at_a = sf_value_at(proving, a, c), *at_b = sf_value_at(proving, b, c);
     if (at_a->where != SF_THROUGHOUT || at_b->where != SF_THROUGHOUT)
         return narrow;
     return sf_is_noise(range->y, at_a->y, at_b->y);
@@ -251,9 +240,8 @@ static void sf_prove_between(const sf_proving *proving, sf_checked *a, sf_checke
     sf_checked middle;
     sf_range range[2];
     sf_cell cell;
-    int c;
     sf_range_between(proving, a, b, open, &cell, range);
-    for (c = 0; c < proving->channels; c++) {
+    for (int c = 0; c < proving->channels; c++) {
         const int last = end || (open & 1 << c && sf_is_cut_enough(proving, a, b, c, &range[c]));
         const int crossing = open & 1 << c ? sf_crossing(proving, a, b, c, &range[c], last) : 0;
         if (crossing == 1 || crossing == -1)
@@ -273,8 +261,7 @@ static void sf_prove_between(const sf_proving *proving, sf_checked *a, sf_checke
 
 /* Whether a zero of the channel that was found lies there. */
 static int sf_holds_proven(const sf_proof *out, double low, double high, int piece, int c) {
-    int i;
-    for (i = 0; i < out->n; i++)
+    for (int i = 0; i < out->n; i++)
         if (out->at[i].channel == c && out->at[i].piece == piece && out->at[i].beyond.hi >= low &&
             out->at[i].beyond.lo <= high)
             return 1;
@@ -284,23 +271,22 @@ static int sf_holds_proven(const sf_proof *out, double low, double high, int pie
 /* Doubts from number `first` on once more, each with something around it: a zero may have lain on a cell's end. */
 static void sf_look_again(const sf_proving *proving, double least, double most, int first) {
     sf_proof *out = proving->out;
-    int i, k, kept = first;
-    for (i = first; i < out->doubts; i++) {
+    int kept = first;
+    for (int i = first; i < out->doubts; i++) {
         const sf_doubt_between doubt = out->doubt[i];
         double around = doubt.high - doubt.low;
         int settled = 0;
-        for (k = 0; k < 4 && !settled; k++) {
+        for (int k = 0; k < 4 && !settled; k++) {
             sf_checked a, b;
             sf_range range[2];
             sf_cell cell;
-            int crossing;
             around *= 16;
             if (!(doubt.low - around > least && doubt.high + around < most))
                 break;
             sf_check_at(proving, doubt.low - around, &a);
             sf_check_at(proving, doubt.high + around, &b);
             sf_range_between(proving, &a, &b, 1 << doubt.channel, &cell, range);
-            crossing = sf_crossing(proving, &a, &b, doubt.channel, &range[doubt.channel], 1);
+            const int crossing = sf_crossing(proving, &a, &b, doubt.channel, &range[doubt.channel], 1);
             settled = crossing != 2;
             if (settled && crossing != 0 && !sf_holds_proven(out, a.known.A, b.known.A, doubt.piece, doubt.channel))
                 sf_add_proven(proving, &a, &b, doubt.channel, &range[doubt.channel], &cell, crossing == 1);
@@ -315,9 +301,8 @@ static void sf_look_again(const sf_proving *proving, double least, double most, 
 static void sf_prove(sf_proving *proving, double A_max) {
     const sf_given *given = proving->given;
     sf_checked first, last;
-    int i;
     proving->out->n = proving->out->doubts = proving->out->cells = proving->out->full = 0;
-    for (i = 0; i <= given->breaks; i++) {
+    for (int i = 0; i <= given->breaks; i++) {
         const int before = proving->out->doubts;
         proving->piece = i;
         if (i > 0)

@@ -67,13 +67,12 @@ static void sf_add_root(sf_roots *out, sf_interval w, int doubtful) {
 
 /* The one root in an interval on which the slope has a sign. */
 static sf_interval sf_narrow_root(const sf_at_amplitude *q, sf_interval w) {
-    int i;
-    for (i = 0; i < SF_MOST_STEPS; i++) {
+    for (int i = 0; i < SF_MOST_STEPS; i++) {
         const sf_interval x = sfi_point(0.5 * (w.lo + w.hi));
-        sf_interval y, dy, unused, next;
+        sf_interval y, dy, unused;
         sf_value_on(q, x, &y, &unused);
         sf_value_on(q, w, &unused, &dy);
-        next = sfi_both(w, sfi_sub(x, sfi_div(y, dy)));
+        const sf_interval next = sfi_both(w, sfi_sub(x, sfi_div(y, dy)));
         if (!(next.lo <= next.hi) || !(next.hi - next.lo < 0.75 * (w.hi - w.lo)))
             break;
         w = next;

@@ -57,16 +57,15 @@ static inline void sf_panels(const sf_quarter *of, int wanted, const sf_part *on
     const int graded = of->graded[on->piece];
     double beyond[SF_NODES], sine[SF_NODES], cosine[SF_NODES], w[SF_NODES];
     double values[SF_NODES * SF_MOST_SUMS], beneath[SF_MOST_SUMS];
-    int i, j, k;
-    for (k = 0; k < wanted; k++)
+    for (int k = 0; k < wanted; k++)
         sums[k] = sizes[k] = beneath[k] = 0;
-    for (i = 0; i < panels; i++) {
-        for (j = 0; j < 2 * of->nodes; j++) {
+    for (int i = 0; i < panels; i++) {
+        for (int j = 0; j < 2 * of->nodes; j++) {
             const double *node = of->rule[j / 2];
             const double at = (i + 0.5 * (1 + (j % 2 ? node[0] : -node[0]))) / panels;
             double x = at;
             w[j] = 0.5 * node[1] / panels * graded;
-            for (k = 1; k < graded; k++)
+            for (int k = 1; k < graded; k++)
                 x *= at, w[j] *= at;
             /* the angle is twice this one beyond where the piece begins, and u less that a difference of sines */
             const double half = 0.5 * on->span * x, s = sin(half), c = cos(half);
@@ -78,17 +77,17 @@ static inline void sf_panels(const sf_quarter *of, int wanted, const sf_part *on
         if (of->interpreted != NULL)
             of->interpreted(of, on->piece, 2 * of->nodes, beyond, sine, cosine, p, values);
         else
-            for (j = 0; j < 2 * of->nodes; j++)
+            for (int j = 0; j < 2 * of->nodes; j++)
                 of->integrands[on->piece](beyond[j], sine[j], cosine[j], p, values + j * of->width);
-        for (j = 0; j < 2 * of->nodes; j++)
-            for (k = 0; k < wanted; k++) {
+        for (int j = 0; j < 2 * of->nodes; j++)
+            for (int k = 0; k < wanted; k++) {
                 const double value = values[j * of->width + k] * w[j];
                 double low_part;
                 sums[k] = twofold_two_sum(sums[k], value, &low_part);
                 beneath[k] += low_part, sizes[k] += fabs(value);
             }
     }
-    for (k = 0; k < wanted; k++) {
+    for (int k = 0; k < wanted; k++) {
         if (isfinite(sums[k]))
             sums[k] += beneath[k];
         sums[k] *= on->span, sizes[k] *= on->span;
@@ -106,17 +105,16 @@ static inline int sf_moves_as_rounding(const sf_quarter *of, int wanted, const s
                                        int panels, const double *sums, const double *before, const double *sizes)
 {
     double there[SF_MOST_SUMS], sizes_there[SF_MOST_SUMS], moves[SF_MOST_SUMS], beside[SF_MOST_SUMS];
-    int k, number;
-    for (k = 0; k < wanted; k++)
+    for (int k = 0; k < wanted; k++)
         moves[k] = 0;
-    for (number = -1; number < of->parameters; number++) {
-        for (k = 0; k < of->parameters; k++)
+    for (int number = -1; number < of->parameters; number++) {
+        for (int k = 0; k < of->parameters; k++)
             beside[k] = k == number ? p[k] * (1 + SF_MOVED_BY) : p[k];
         sf_panels(of, wanted, on, number < 0 ? A * (1 + SF_MOVED_BY) : A, beside, panels, there, sizes_there);
-        for (k = 0; k < wanted; k++)
+        for (int k = 0; k < wanted; k++)
             moves[k] += fabs(there[k] - sums[k]);
     }
-    for (k = 0; k < wanted; k++) {
+    for (int k = 0; k < wanted; k++) {
         const double moved = fabs(sums[k] - before[k]);
         if (sf_is_apart(of, k, on->span, moved, sizes[k]) && !(moved <= moves[k]))
             return 0;
@@ -129,18 +127,17 @@ static inline int sf_settled_part(const sf_quarter *of, int wanted, const sf_par
                                   double *sums)
 {
     double before[SF_MOST_SUMS], sizes[SF_MOST_SUMS];
-    int panels, k;
-    for (k = 0; k < wanted; k++)
+    for (int k = 0; k < wanted; k++)
         before[k] = 0;
-    for (panels = 1; panels <= SF_MOST_PANELS; panels *= 2) {
+    for (int panels = 1; panels <= SF_MOST_PANELS; panels *= 2) {
         int apart = panels == 1;
         sf_panels(of, wanted, on, A, p, panels, sums, sizes);
-        for (k = 0; k < wanted && panels > 1 && !(on->span <= SF_SHORT_PART); k++)
+        for (int k = 0; k < wanted && panels > 1 && !(on->span <= SF_SHORT_PART); k++)
             apart |= sf_is_apart(of, k, on->span, fabs(sums[k] - before[k]), sizes[k]);
         if (!apart ||
             (panels >= SF_FEWEST_PANELS && sf_moves_as_rounding(of, wanted, on, A, p, panels, sums, before, sizes)))
             return 1;
-        for (k = 0; k < wanted; k++)
+        for (int k = 0; k < wanted; k++)
             before[k] = sums[k];
     }
     return 0;
@@ -151,10 +148,9 @@ static inline int sf_sums_at(const sf_quarter *of, int wanted, double A, const d
                              double *sums)
 {
     double of_part[SF_MOST_SUMS], low = 0;
-    int piece, k;
-    for (k = 0; k < wanted; k++)
+    for (int k = 0; k < wanted; k++)
         sums[k] = 0;
-    for (piece = 0; piece < of->pieces; piece++) {
+    for (int piece = 0; piece < of->pieces; piece++) {
         const double end = piece + 1 < of->pieces ? ends[piece] : INFINITY;
         const double high = A > end ? atan2(end, sqrt((A - end) * (A + end))) : SF_QUARTER;
         sf_part on = {piece, high - low, sin(low), cos(low)};
@@ -167,19 +163,19 @@ static inline int sf_sums_at(const sf_quarter *of, int wanted, double A, const d
         if (on.span > 0) {
             if (!sf_settled_part(of, wanted, &on, A, p, of_part))
                 return 0;
-            for (k = 0; k < wanted; k++)
+            for (int k = 0; k < wanted; k++)
                 sums[k] += of_part[k];
         }
         low = high;
     }
-    for (piece = of->pieces; piece < of->pieces + of->contacts; piece++) {
+    for (int piece = of->pieces; piece < of->pieces + of->contacts; piece++) {
         const double end = ends[of->begins[piece - of->pieces]];
         if (A > end) {
             const double span = atan2(sqrt((A - end) * (A + end)), end);
             const sf_part on = {piece, span, cos(span), sin(span)};
             if (!sf_settled_part(of, wanted, &on, A, p, of_part))
                 return 0;
-            for (k = 0; k < wanted; k++)
+            for (int k = 0; k < wanted; k++)
                 sums[k] += of_part[k];
         }
     }
@@ -192,16 +188,16 @@ static inline void sf_over_quarter(const sf_quarter *of, int wanted, double A, c
                                    double *sums)
 {
     double beside[SF_MOST_SUMS];
-    int k, lost = 0, settled = sf_sums_at(of, wanted, A, p, ends, sums);
+    int lost = 0, settled = sf_sums_at(of, wanted, A, p, ends, sums);
     /* a slope at rest that is a quotient of zeros, as of a broken power, is what it is next to it */
-    for (k = 0; k < wanted; k++)
+    for (int k = 0; k < wanted; k++)
         lost |= A == 0 && isnan(sums[k]);
     if (settled && lost) {
         settled = sf_sums_at(of, wanted, SF_NEXT_TO_ZERO, p, ends, beside);
-        for (k = 0; k < wanted; k++)
+        for (int k = 0; k < wanted; k++)
             sums[k] = isnan(sums[k]) ? beside[k] : sums[k];
     }
-    for (k = 0; k < wanted && !settled; k++)
+    for (int k = 0; k < wanted && !settled; k++)
         sums[k] = NAN;
 }
 

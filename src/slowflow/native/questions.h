@@ -123,10 +123,9 @@ static void sf_answer_extrema(sf_query *q)
     const sf_status status = sf_extrema(q->model, q->number[0], &q->room->work);
     sf_extremum *at = sf_reserve(q, zeros->n, sizeof *at);
     long n = 0;
-    int i;
     if (at == NULL)
         return;
-    for (i = 0; i < zeros->n; i++)
+    for (int i = 0; i < zeros->n; i++)
         if (!(zeros->at[i].question == SF_UNDAMPED && zeros->at[i].channel == 1)) /* there it only touches the backbone */
             at[n++] = sf_settled_extremum(q->model, q->exactly, &zeros->at[i]);
     sf_put(q, SF_INTEGER, status);
@@ -144,11 +143,10 @@ static void sf_answer_response(sf_query *q)
     const double F_0 = q->number[0], samples = q->number[1], low = q->number[2], high = q->number[3];
     sf_skeleton *shown = &q->room->work.shown;
     sf_model model = *q->model;
-    sf_status status;
     sf_points at;
     long n = 0;
     shown->curves = 0, model.lowest = low;
-    status = sf_make_skeleton(&model, q->given, F_0, q->room);
+    sf_status status = sf_make_skeleton(&model, q->given, F_0, q->room);
     if (status == SF_OK && (n = sf_show(&model, F_0, low, high, samples, &q->room->work)) < 0)
         status = SF_NO_BOUND, n = 0;
     at.Omega = sf_reserve(q, n, sizeof *at.Omega), at.A = sf_reserve(q, n, sizeof *at.A);
@@ -197,7 +195,7 @@ static void sf_answer_states_of(sf_query *q)
     /* frequencies: some milliseconds; and as how many of them a proof counts */
     enum { BETWEEN_SIGNALS = 1 << 14, PROOF = 100 };
     sf_room *room = q->room;
-    long n = 0, doubts = 0, places = SF_MOST_STATES, since = 0, i;
+    long n = 0, doubts = 0, places = SF_MOST_STATES, since = 0;
     double *doubt = sf_reserve(q, (long)q->length, sizeof *doubt);
     sf_state *at = sf_reserve(q, places, sizeof *at);
     void **of_states = &q->reserve[q->reserved - 1];
@@ -206,12 +204,12 @@ static void sf_answer_states_of(sf_query *q)
     if (doubt == NULL || at == NULL)
         return;
     model.lowest = q->length > 0 ? q->values[0] : 0;
-    for (i = 1; i < q->length; i++)
+    for (long i = 1; i < q->length; i++)
         model.lowest = fmin(model.lowest, q->values[i]);
     room->followed = 0, room->proofs = 0;
-    for (i = 0; i < q->length && status == SF_OK; i++) {
+    for (long i = 0; i < q->length && status == SF_OK; i++) {
         const double Omega = q->values[i];
-        int here, undecided, k;
+        int here, undecided;
         if (n + SF_MOST_STATES > places) {
             void *more = realloc(at, (size_t)(places *= 2) * sizeof *at);
             if (more == NULL)
@@ -219,7 +217,7 @@ static void sf_answer_states_of(sf_query *q)
             *of_states = at = more;
         }
         status = sf_states(&model, q->given, q->number[0], room, Omega, &here, room->A, room->stable, &undecided);
-        for (k = 0; k < here; k++)
+        for (int k = 0; k < here; k++)
             at[n++] = (sf_state){Omega, room->A[k], room->stable[k]};
         if (undecided)
             doubt[doubts++] = Omega;
@@ -376,15 +374,15 @@ static void sf_answer_second_states(sf_query *q)
     const sf_second_curve *curve;
     sf_second_point *at;
     sf_status status;
-    long most = 0, n = 0, i;
-    for (i = 0; i < q->length; i++)
+    long most = 0, n = 0;
+    for (long i = 0; i < q->length; i++)
         low = fmin(low, q->values[i]), high = fmax(high, q->values[i]);
     curve = sf_keep_curve(q, sf_second_around(q->model, q->given, q->number[0], SF_EVERY_POINT, low, high, q->room,
                                               &status));
-    for (i = 0; i < q->length; i++)
+    for (long i = 0; i < q->length; i++)
         most += sf_most_crossings(curve, q->values[i]);
     at = sf_reserve(q, most, sizeof *at);
-    for (i = 0; i < q->length && at != NULL; i++) {
+    for (long i = 0; i < q->length && at != NULL; i++) {
         n += sf_states_on(q->model, q->number[0], curve, q->values[i], at + n);
         if (!q->goes_on(q))
             return;
@@ -399,16 +397,14 @@ static void sf_answer_second_states(sf_query *q)
 static void sf_answer_second_peak(sf_query *q)
 {
     sf_second_curve *about = NULL;
-    const sf_second_curve *curve;
     sf_second_point top = {0}, *at;
     const sf_status status =
         sf_second_peak(q->model, q->given, q->number[0], q->number[1], q->room, &about, &top);
-    int n;
-    curve = sf_keep_curve(q, about);
+    const sf_second_curve *curve = sf_keep_curve(q, about);
     at = sf_reserve(q, sf_most_crossings(curve, top.Omega), sizeof *at);
     if (at == NULL)
         return;
-    n = sf_states_on(q->model, q->number[0], curve, top.Omega, at);
+    const int n = sf_states_on(q->model, q->number[0], curve, top.Omega, at);
     sf_put(q, SF_INTEGER, status), sf_put(q, SF_NUMBER, top.at.u_max), sf_put(q, SF_NUMBER, top.Omega);
     sf_put_second_states(q, n, at);
     sf_put_left_out(q, &curve->left);
@@ -420,10 +416,9 @@ static void sf_answer_second_top(sf_query *q)
     sf_second_curve *curve = NULL;
     sf_second_point top = {0};
     double A, Omega;
-    sf_status status;
     if (!sf_has_second(q->model))
         return;
-    status = sf_settled_peak(q->model, q->exactly, q->number[0], HUGE_VAL, &q->room->work, &A, &Omega);
+    sf_status status = sf_settled_peak(q->model, q->exactly, q->number[0], HUGE_VAL, &q->room->work, &A, &Omega);
     if (status == SF_OK)
         status = Omega == 0 ? SF_NONE : sf_second_peak(q->model, q->given, q->number[0], Omega, q->room, &curve, &top);
     if (curve != NULL)

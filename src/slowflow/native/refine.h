@@ -86,11 +86,11 @@ static inline double sf_is_off_by(sf_step step, sf_moves moves, int wanted, cons
                                   const sf_model *model, const sf_settling *of)
 {
     sf_exact_sample at;
-    double out[4], off;
+    double out[4];
     if (!sf_exact_at(exactly, model, sf_piece_of(model, of->A.high), of->A, wanted, NULL, &at))
         return 0;
     sf_take_step(step, exactly, &at, of, out);
-    off = sf_size_of_step(out, moves, of);
+    const double off = sf_size_of_step(out, moves, of);
     return isnan(off) ? HUGE_VAL : off;
 }
 
@@ -100,16 +100,16 @@ static inline int sf_settle_near(sf_step step, sf_moves moves, int wanted, const
 {
     double before = HUGE_VAL;
     const int piece = sf_piece_of(model, of->A.high);
-    int i, last = 0;
+    int last = 0;
     if (!(of->Omega.high > 0))
         return 0;
-    for (i = 0; i < SF_MOST_SETTLING && !last; i++) {
+    for (int i = 0; i < SF_MOST_SETTLING && !last; i++) {
         sf_exact_sample at;
-        double out[4], size;
+        double out[4];
         if (!sf_exact_at(exactly, model, piece, of->A, wanted, near, &at))
             return 0;
         sf_take_step(step, exactly, &at, of, out);
-        size = sf_size_of_step(out, moves, of);
+        const double size = sf_size_of_step(out, moves, of);
         if (!sf_is_step(size, out[moves], before, &last))
             return 0;
         sf_change_by(&of->A, out[moves > SF_MOVES_A]);
@@ -185,8 +185,8 @@ static inline int sf_way_to_state(sf_sought *of, double A, double *size) {
 static inline int sf_way_to_peak_from(sf_sought *of, const sf_exact_sample *at, double *size) {
     sf_settling from = {of->Omega, at->A, sfp_point(of->F_0)};
     double out[4];
-    int i, last = 0;
-    for (i = 0; i < SF_MOST_SETTLING && !last; i++) {
+    int last = 0;
+    for (int i = 0; i < SF_MOST_SETTLING && !last; i++) {
         sf_take_step(slow_flow_pairs_ridge_step, of->exactly, at, &from, out);
         if (!(fabs(out[0]) <= SF_LARGEST_STEP * from.Omega.high))
             return 0;
@@ -209,11 +209,11 @@ static inline int sf_way_to_peak(sf_sought *of, double A, double *size) {
 static inline double sf_double_between(sf_way way_from, sf_sought *of, double A, double *next) {
     double size = HUGE_VAL, other = HUGE_VAL, far = A, width = A * SF_ONE_DOUBLE;
     const int way = way_from(of, A, &size);
-    int i, back = way;
+    int back = way;
     *next = A;
     if (way == 0 || of->model->breaks < of->exactly->breaks)
         return way == 0 && size == 0 ? A : NAN;
-    for (i = 0; i < SF_MOST_DOUBLINGS && back == way; i++, width *= 2) {
+    for (int i = 0; i < SF_MOST_DOUBLINGS && back == way; i++, width *= 2) {
         if (i > 0)
             A = far, size = other;
         far = A + way * width;
@@ -222,12 +222,11 @@ static inline double sf_double_between(sf_way way_from, sf_sought *of, double A,
     while (back == -way) {
         const double middle = 0.5 * A + 0.5 * far;
         double there = HUGE_VAL;
-        int on;
         if (middle == A || middle == far) {
             *next = size <= other ? far : A;
             return size <= other ? A : far;
         }
-        on = way_from(of, middle, &there);
+        const int on = way_from(of, middle, &there);
         if (on == way)
             A = middle, size = there;
         else if (on == back)
@@ -247,14 +246,14 @@ static inline int sf_settle_above(sf_step step, sf_moves moves, sf_step first, c
 {
     const sf_pair b = exactly->b[piece - 1];
     double beyond = sfp_sub(of->A, b).high;
-    int i, last = 0;
+    int last = 0;
     if (!(b.high > 0) || !(of->Omega.high > 0) || !(fabs(beyond) <= SF_PAIRS_NEXT * b.high))
         return 0;
     beyond = fmax(beyond, SF_LEFT_TO_DO * b.high);
-    for (i = 0; i < SF_MOST_ABOVE && !last; i++) {
+    for (int i = 0; i < SF_MOST_ABOVE && !last; i++) {
         const double squared = beyond * (2 * b.high + beyond);
         sf_exact_sample at;
-        double out[4], change, share, part, root;
+        double out[4];
         of->A = sfp_add(b, sfp_point(beyond));
         if (!sf_exact_at(exactly, model, piece, of->A, 4, NULL, &at))
             return 0;
@@ -265,11 +264,11 @@ static inline int sf_settle_above(sf_step step, sf_moves moves, sf_step first, c
             sf_change_by(&of->Omega, out[0]);
         }
         sf_take_step(step, exactly, &at, of, out);
-        change = out[moves > SF_MOVES_A], share = change * of->A.high / squared;
+        const double change = out[moves > SF_MOVES_A], share = change * of->A.high / squared;
         if (share != share || (moves > SF_MOVES_A && !(fabs(out[0]) <= SF_LARGEST_STEP * of->Omega.high)))
             return 0;
-        part = fabs(share) > 0.5 ? 0.5 / fabs(share) : 1;
-        root = sqrt(squared) * (1 + part * share);
+        const double part = fabs(share) > 0.5 ? 0.5 / fabs(share) : 1;
+        const double root = sqrt(squared) * (1 + part * share);
         beyond = root * root / (b.high + sqrt(b.high * b.high + root * root));
         last = part == 1 && fabs(change) <= SF_LEFT_TO_DO * of->A.high;
         if (moves > SF_MOVES_A) {
@@ -284,8 +283,7 @@ static inline int sf_settle_above(sf_step step, sf_moves moves, sf_step first, c
 static inline int sf_settle_state_above(const sf_exactly *exactly, const sf_model *model, int piece, double Omega,
                                         double F_0, double A, sf_settling *of)
 {
-    const sf_settling begin = {sfp_point(Omega), sfp_point(A), sfp_point(F_0)};
-    *of = begin;
+    *of = (sf_settling){sfp_point(Omega), sfp_point(A), sfp_point(F_0)};
     return piece > 0 && model->breaks == exactly->breaks &&
            sf_settle_above(slow_flow_pairs_state_step, SF_MOVES_A, NULL, exactly, model, piece, of);
 }
@@ -315,11 +313,10 @@ static inline void sf_peak_between(const sf_exactly *exactly, const sf_model *mo
 {
     sf_sought of = {exactly, model, F_0, sfp_point(*Omega), 0, 0}, end[2];
     double ends[2], size;
-    int i;
     ends[0] = sf_double_between(sf_way_to_peak, &of, *A, &ends[1]);
     if (!(ends[0] > 0))
         return;
-    for (i = 0; i < 2; i++) {
+    for (int i = 0; i < 2; i++) {
         end[i] = of;
         sf_way_to_peak(&end[i], ends[i], &size);
     }
@@ -350,11 +347,11 @@ static inline void sf_settle_on(sf_step step, const sf_exactly *exactly, int i, 
     sf_exact_sample at;
     sf_settling of = {sfp_point(*Omega), {0, 0}, sfp_point(F_0)};
     double before = HUGE_VAL, out[4];
-    int k, last = 0;
+    int last = 0;
     if (exactly == NULL || !(*Omega > 0) || !(exactly->b[i].high > 0))
         return;
     sf_exact_on(exactly, i, &at);
-    for (k = 0; k < SF_MOST_SETTLING && !last; k++) {
+    for (int k = 0; k < SF_MOST_SETTLING && !last; k++) {
         const double size = (sf_take_step(step, exactly, &at, &of, out), fabs(out[0]) / of.Omega.high);
         if (!sf_is_step(size, out[1], before, &last))
             return;
@@ -412,8 +409,7 @@ static inline double sf_settle_fold(const sf_exactly *exactly, const sf_model *m
  * how far off one of them is left, relatively. */
 static double sf_settle_folds(const sf_exactly *exactly, const sf_model *model, double F_0, sf_folds *folds) {
     double Omega[SF_MOST_FOLDS], A[SF_MOST_FOLDS], off = 0;
-    int i, j;
-    for (i = 0; i < folds->n; i++) {
+    for (int i = 0; i < folds->n; i++) {
         const sf_fold *fold = &folds->at[i];
         Omega[i] = fold->Omega, A[i] = fold->A;
         /* one above a breakpoint by less than a double has the frequency of those on it */
@@ -422,18 +418,18 @@ static double sf_settle_folds(const sf_exactly *exactly, const sf_model *model, 
         else
             off = fmax(off, sf_settle_fold(exactly, model, F_0, &Omega[i], &A[i]));
     }
-    for (i = 1; i < folds->n; i++)
-        for (j = 0; j < i; j++) {
+    for (int i = 1; i < folds->n; i++)
+        for (int j = 0; j < i; j++) {
             const sf_fold *one = &folds->at[i], *other = &folds->at[j];
             if (Omega[i] == Omega[j] && A[i] == A[j] && fabs(one->A - other->A) > SF_FEW_ROUNDINGS * one->A) {
                 const int back = fabs(A[i] - one->A) > fabs(A[j] - other->A) ? i : j;
                 Omega[back] = folds->at[back].Omega, A[back] = folds->at[back].A;
             }
         }
-    for (i = 0; i < folds->n; i++)
+    for (int i = 0; i < folds->n; i++)
         folds->at[i].Omega = Omega[i], folds->at[i].A = A[i];
-    for (i = 1; i < folds->n; i++)
-        for (j = i; j > 0 && sf_comes_after(&folds->at[j - 1], &folds->at[j]); j--) {
+    for (int i = 1; i < folds->n; i++)
+        for (int j = i; j > 0 && sf_comes_after(&folds->at[j - 1], &folds->at[j]); j--) {
             const sf_fold fold = folds->at[j];
             folds->at[j] = folds->at[j - 1], folds->at[j - 1] = fold;
         }

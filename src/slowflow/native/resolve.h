@@ -13,8 +13,7 @@
 
 /* Needs the corners of work. */
 static int sf_are_corners_close(const sf_model *model, const sf_given *given, double F_0, const sf_work *work) {
-    int k;
-    for (k = 0; k < model->breaks && model->b[k] < work->A_max; k++) {
+    for (int k = 0; k < model->breaks && model->b[k] < work->A_max; k++) {
         const double J = model->jump[k];
         /* a jump that is 0 by rounding is none only if the force as it was given has none */
         const int is_none = J == 0 && (given == NULL || sf_is_continuous_at(given, k));
@@ -50,13 +49,12 @@ static int sf_take_proved_folds(const sf_model *model, const sf_given *given, do
                                 sf_folds *folds)
 {
     const sf_certificate *found = &room->found;
-    int i, same;
     if (sf_certify_folds(model, given, F_0, NULL, 0, room) != SF_OK || !sf_is_proved(found))
         return 0;
-    same = folds->status == SF_OK && found->n == folds->n;
-    for (i = 0; i < found->n; i++)
+    int same = folds->status == SF_OK && found->n == folds->n;
+    for (int i = 0; i < found->n; i++)
         same = same && folds->at[i].corner == found->at[i].corner;
-    for (i = 0; same && i < found->n; i++) {
+    for (int i = 0; same && i < found->n; i++) {
         const sf_enclosure *fold = &found->at[i];
         folds->at[i].Omega = sf_within(fold->Omega, folds->at[i].Omega);
         folds->at[i].A = sf_within(fold->A, folds->at[i].A);
@@ -65,7 +63,7 @@ static int sf_take_proved_folds(const sf_model *model, const sf_given *given, do
     }
     if (!same) {
         folds->n = 0, folds->status = SF_OK;
-        for (i = 0; i < found->n; i++)
+        for (int i = 0; i < found->n; i++)
             sf_add_proved_fold(model, &found->at[i], folds);
     }
     return folds->status == SF_OK;
@@ -112,10 +110,9 @@ static double sf_settle_or_prove(const sf_model *model, const sf_given *given, d
                                  sf_folds *folds)
 {
     const double off = given == NULL ? 0 : sf_settle_folds(&given->exactly, model, F_0, folds);
-    sf_folds settled;
     if (given == NULL || off > SF_FEW_DIGITS || !(off > SF_FEW_ROUNDINGS || sf_is_sharp(folds, F_0)))
         return off;
-    settled = *folds;
+    const sf_folds settled = *folds;
     if (!sf_take_proved_folds(model, given, F_0, room, folds) || folds->n != settled.n)
         *folds = settled;
     return off;
@@ -126,12 +123,11 @@ static sf_status sf_settled_folds(const sf_model *model, const sf_given *given, 
                                   sf_folds *folds)
 {
     const int laws = sf_has_laws(model);
-    sf_status status;
     if (!laws && sf_is_linear(model) && !sf_sticks(model, F_0)) {
         folds->n = folds->undecided = 0;
         return folds->status = SF_OK;
     }
-    status = sf_decided_folds(model, given, F_0, room, folds);
+    const sf_status status = sf_decided_folds(model, given, F_0, room, folds);
     if (status == SF_OK && !laws && sf_settle_or_prove(model, given, F_0, room, folds) > SF_FEW_DIGITS)
         folds->undecided = 1;
     return status;

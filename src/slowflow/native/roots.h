@@ -143,7 +143,6 @@ SF_RARELY double sf_gap_fine(const sf_quartic *s) {
  * cos(b) is well conditioned on 0 <= rho <= 1, and sin(b) = sin(3b) / (4 cos(b)^2 - 1), so two Newton steps on
  * 4 c^3 - 3 c = rho take the place of the trigonometric functions.  The small root follows from Vieta. */
 SF_ALWAYS int sf_critical_points(const sf_quartic *s, double *w1, double *w2) {
-    double r, rho, gap, c, y2;
     if (!(s->p < 0))
         return 0;
     if (s->q == 0) {
@@ -151,24 +150,22 @@ SF_ALWAYS int sf_critical_points(const sf_quartic *s, double *w1, double *w2) {
         *w2 = sqrt(-s->p / s->A);
         return 2;
     }
-    r = sqrt(-s->p / (3 * s->A));
-    rho = 1.5 * s->q / (-s->p * r);
+    const double r = sqrt(-s->p / (3 * s->A));
+    const double rho = 1.5 * s->q / (-s->p * r);
     if (rho > 1 + SF_MAY_MEET)
         return 0;
-    gap = (1 - rho) * (1 + rho);
+    double gap = (1 - rho) * (1 + rho);
     if (SF_UNLIKELY(rho > 1 - SF_MAY_MEET)) {
         gap = sf_gap_fine(s);
         if (gap < 0)
             return 0;
     }
     /* cubic Hermite interpolation of c(rho) between c(0) = sqrt(3)/2, c' = 1/6 and c(1) = 1, c' = 1/9 */
-    {
-        const double c0 = 0.86602540378443865, rise = 0.13397459621556135;
-        c = c0 + rho * (1. / 6 + rho * ((3 * rise - 4. / 9) + rho * (5. / 18 - 2 * rise)));
-    }
+    const double c0 = 0.86602540378443865, rise = 0.13397459621556135;
+    double c = c0 + rho * (1. / 6 + rho * ((3 * rise - 4. / 9) + rho * (5. / 18 - 2 * rise)));
     c = (8 * c * c * c + rho) / (12 * c * c - 3);
     c = (8 * c * c * c + rho) / (12 * c * c - 3);
-    y2 = c + 1.7320508075688773 * sqrt(gap) / (4 * c * c - 1);
+    const double y2 = c + 1.7320508075688773 * sqrt(gap) / (4 * c * c - 1);
     *w1 = r * rho / (y2 * c);
     *w2 = r * y2;
     return 2;
@@ -176,8 +173,7 @@ SF_ALWAYS int sf_critical_points(const sf_quartic *s, double *w1, double *w2) {
 
 /* Newton with the double-double residual, on a simple root of the cubic near w. */
 SF_ALWAYS double sf_polish_cubic(const sf_quartic *s, double w) {
-    int i;
-    for (i = 0; i < SF_POLISHING; i++) {
+    for (int i = 0; i < SF_POLISHING; i++) {
         const double slope = sf_cubic_slope(s, w);
         const double step = sf_cubic_fine(s, w) / slope;
         if (!(fabs(step) <= SF_SIMPLE * w))
@@ -193,9 +189,8 @@ SF_ALWAYS double sf_polish_cubic(const sf_quartic *s, double w) {
 
 /* The quartic at its critical point near w, in double-double; 0 where only rounding is left. */
 SF_RARELY double sf_critical_value_fine(const sf_quartic *s, double w) {
-    double tail = 0, start, rise[2], value, size;
-    int i;
-    for (i = 0; i < 3; i++) {
+    double tail = 0, rise[2], size;
+    for (int i = 0; i < 3; i++) {
         const double step = sf_cubic_fine(s, w) / sf_cubic_slope(s, w);
         if (!(fabs(step) <= SF_SIMPLE * w))
             break; /* maximum and minimum coincide: the value does not depend on w in second order */
@@ -204,11 +199,11 @@ SF_RARELY double sf_critical_value_fine(const sf_quartic *s, double w) {
             w += tail;
     }
     /* The rise from w = 0, whose terms may be far smaller than those of the value. */
-    start = sf_value_exactly_at_0(s);
+    const double start = sf_value_exactly_at_0(s);
     frequencies_rise(w, s->A, s->p, s->k, rise);
     if (fabs(start + rise[0]) > SF_BY_RISE * (fabs(start) + rise[1]))
         return start + rise[0];
-    value = sf_value_beside(s, w, tail, &size);
+    const double value = sf_value_beside(s, w, tail, &size);
     return fabs(value) <= SF_FINE * size ? 0 : value;
 }
 
@@ -220,35 +215,33 @@ SF_ALWAYS double sf_critical_value(const sf_quartic *s, double w) {
 
 /* The root between lo and hi, where the quartic is monotone and rises (+1) or falls (-1), from the first guess w. */
 SF_ALWAYS double sf_refine(const sf_quartic *s, double w, double lo, double hi, double rising) {
-    int i;
     if (SF_UNLIKELY(!(w > lo && w < hi)))
         w = 0.5 * (lo + hi);
-    for (i = 0; i < SF_NEARING;
-         i++) { /* Halley in double, until the next error is below 2^-36 of the distance to a fold */
-        double size, next, moved;
+    for (int i = 0; i < SF_NEARING;
+             i++) { /* Halley in double, until the next error is below 2^-36 of the distance to a fold */
+        double size;
         const double f = sf_value(s, w, &size);
         const double C = sf_cubic(s, w), D = sf_cubic_slope(s, w);
         if (fabs(f) <= SF_ROUGH * size)
             break;
-        next = w - 2 * f * C / (2 * s->k * C * C - f * D);
+        double next = w - 2 * f * C / (2 * s->k * C * C - f * D);
         if (f * rising < 0)
             lo = w;
         else
             hi = w;
         if (SF_UNLIKELY(!(next > lo && next < hi)))
             next = 0.5 * (lo + hi);
-        moved = fabs(next - w);
+        const double moved = fabs(next - w);
         w = next;
         if (moved * fabs(D) <= SF_NEAR_ROOT * fabs(C) && moved <= SF_NEAR_ROOT * w)
             break;
     }
-    for (i = 0; i < SF_CORRECTING;
-         i++) { /* Newton with the double-double residual: once, but for nearly multiple roots */
-        double next;
+    for (int i = 0; i < SF_CORRECTING;
+             i++) { /* Newton with the double-double residual: once, but for nearly multiple roots */
         const double f = sf_value_fine(s, w);
         const double C = sf_cubic(s, w), D = sf_cubic_slope(s, w);
         const double step = f / (s->k * C);
-        next = w - step;
+        double next = w - step;
         if (fabs(step * D) * fabs(step) <= SF_CORRECTED * fabs(C) * w && next >= lo && next <= hi)
             return next;
         if (f * rising < 0)
@@ -304,16 +297,16 @@ SF_ALWAYS double sf_root_of_rising(const sf_quartic *s, double f0) {
 }
 
 SF_ALWAYS int sf_quartic_roots(sf_quartic *s, double Omega[3]) {
-    double f0, f1, f2, w1, w2;
+    double w1, w2;
     int n = 0;
     sf_derivative_coefficients(s);
-    f0 = sf_value_at_0(s);
+    const double f0 = sf_value_at_0(s);
     if (!sf_critical_points(s, &w1, &w2)) {
         if (f0 < 0)
             Omega[n++] = sf_root_of_rising(s, f0);
         return n;
     }
-    f2 = sf_critical_value(s, w2);
+    const double f2 = sf_critical_value(s, w2);
     if (w1 == 0) { /* biquadratic, closed form: the guess is the root but for rounding */
         if (f2 == 0) {
             Omega[n++] = w2;
@@ -327,7 +320,7 @@ SF_ALWAYS int sf_quartic_roots(sf_quartic *s, double Omega[3]) {
         }
         return n;
     }
-    f1 = sf_critical_value(s, w1);
+    const double f1 = sf_critical_value(s, w1);
     if (f0 < 0 && f1 > 0)
         Omega[n++] = sf_root_below(s, f0, w1, f1);
     if (f1 == 0) {
@@ -363,7 +356,7 @@ SF_ALWAYS int sf_response_roots(double A, double h, double m, double zeta, doubl
 SF_ALWAYS int sf_fold_roots(double A, double h, double h_A, double m, double zeta, double Omega[3]) {
     sf_quartic s;
     double scale = 1;
-    int i, n = 0;
+    int n = 0;
     Omega[0] = Omega[1] = Omega[2] = NAN;
     if (!(A > 0 && m >= 0 && zeta >= 0 && A + fabs(h) + m + zeta < HUGE_VAL && fabs(h_A) < HUGE_VAL))
         return -1;
@@ -387,7 +380,7 @@ SF_ALWAYS int sf_fold_roots(double A, double h, double h_A, double m, double zet
         s.zeta = ldexp(zeta, -2 * e);
     }
     n = sf_quartic_roots(&s, Omega);
-    for (i = 0; i < n; i++)
+    for (int i = 0; i < n; i++)
         Omega[i] *= scale;
     return n;
 }
@@ -413,8 +406,8 @@ SF_ALWAYS int sf_unpolished_peak_roots(sf_quartic *s, double A, double h, double
 
 SF_ALWAYS int sf_peak_roots(double A, double h, double m, double zeta, double Omega[2]) {
     sf_quartic s;
-    int i, n = sf_unpolished_peak_roots(&s, A, h, m, zeta, Omega);
-    for (i = 0; i < n; i++)
+    int n = sf_unpolished_peak_roots(&s, A, h, m, zeta, Omega);
+    for (int i = 0; i < n; i++)
         Omega[i] = sf_polish_cubic(&s, Omega[i]);
     return n;
 }

@@ -39,14 +39,13 @@ struct sf_sampled {
 static void sf_smooth_at(const sf_smooth *of, double v, int first, int last, double *out) {
     const double x = 2 * v / of->length - 1;
     double q[SF_SLOPES + 1], powers[SF_SLOPES + 1] = {1};
-    int k, j;
-    for (k = 1; k <= of->power; k++)
+    for (int k = 1; k <= of->power; k++)
         powers[k] = powers[k - 1] * v;
-    for (k = first > of->power ? first - of->power : 0; k <= last; k++)
+    for (int k = first > of->power ? first - of->power : 0; k <= last; k++)
         q[k] = sf_chebyshev(of->of[k], of->sizes[k] - 1, x);
-    for (k = first; k <= last; k++) {
+    for (int k = first; k <= last; k++) {
         double factor = 1, sum = 0;
-        for (j = 0; j <= k && j <= of->power; j++) {
+        for (int j = 0; j <= k && j <= of->power; j++) {
             sum += factor * powers[of->power - j] * q[k - j];
             factor *= (double)(k - j) / (j + 1) * (of->power - j);
         }
@@ -59,9 +58,8 @@ static void sf_sampled_terms(const sf_quarter *of, int piece, int nodes, const d
 {
     const sf_sampled *force = of->programs;
     const int which = (int)(of - force->sums), bent = which == SF_INTERCEPT;
-    int j;
     (void)p;
-    for (j = 0; j < nodes; j++) {
+    for (int j = 0; j < nodes; j++) {
         double f[SF_SLOPES] = {0};
         if (piece == of->pieces - 1)
             f[0] = force->line[0] + force->line[1] * beyond[j], f[1] = force->line[1];
@@ -94,19 +92,17 @@ static void sf_sampled_averages(const sf_mechanism *self, int which, int outputs
 {
     double at[2 * SF_SLOPES], more[2 * (SF_SLOPES - 1)];
     const double *lost;
-    ptrdiff_t j;
-    int i, k;
-    for (j = 0; j < n; j++) {
+    for (ptrdiff_t j = 0; j < n; j++) {
         sf_sampled_sums(self, which, outputs, A[j], at);
-        for (i = 0; i <= self->breakpoints; i++)
+        for (int i = 0; i <= self->breakpoints; i++)
             if ((lost = sf_lost_at(self, i, A[j])) != NULL) {
                 (which == SF_HIGHER ? sampled_harmonics_end : sampled_averaged_end)(
                     A[j], self->sampled->ends[i], lost[0], lost[1], lost[2], more);
-                for (k = 0; k < outputs; k++)
+                for (int k = 0; k < outputs; k++)
                     if (k % SF_SLOPES > 0)
                         at[k] += more[k - 1 - k / SF_SLOPES];
             }
-        for (k = 0; k < outputs; k++)
+        for (int k = 0; k < outputs; k++)
             out[k * n + j] = at[k];
     }
 }
@@ -183,7 +179,6 @@ static sf_interval sf_bent_end(const double *lost, sf_interval A, sf_interval b)
 static void sf_sampled_enclosed(const sf_bent *of, int number, const sf_interval *arguments, sf_interval *out) {
     const sf_sampled *force = of->programs;
     const int passed = number - (of->breakpoints + 1);
-    int i;
     if (passed < 0) {
         const sf_smooth *piece = &force->piece[number];
         sampled_intervals_bent_terms(arguments[2], sf_smooth_on(piece, 0, arguments[1]),
@@ -191,7 +186,7 @@ static void sf_sampled_enclosed(const sf_bent *of, int number, const sf_interval
         return;
     }
     out[0] = arguments[1 + passed], out[1] = arguments[2 + passed];
-    for (i = 0; i < passed; i++)
+    for (int i = 0; i < passed; i++)
         if (force->ends[i] > 0)
             out[1] = sfi_add(out[1], sf_bent_end(force->lost[i], arguments[0], sfi_point(force->ends[i])));
 }
@@ -214,16 +209,14 @@ static void sf_sampled_ends(const sf_mechanism *self, const double *p, double *b
 }
 
 static void sf_sampled_jumps(const sf_mechanism *self, const double *p, double *jump) {
-    int i;
     (void)p;
-    for (i = 0; i < self->breakpoints; i++)
+    for (int i = 0; i < self->breakpoints; i++)
         jump[i] = self->sampled->lost[i][0];
 }
 
 static void sf_sampled_kinks(const sf_mechanism *self, const double *p, double *kink) {
-    int i;
     (void)p;
-    for (i = 0; i < self->breakpoints; i++)
+    for (int i = 0; i < self->breakpoints; i++)
         kink[2 * i] = self->sampled->lost[i][1], kink[2 * i + 1] = self->sampled->lost[i][2];
 }
 
@@ -231,55 +224,52 @@ static void sf_sampled_kinks(const sf_mechanism *self, const double *p, double *
 
 static const double *sf_read_numbers_of(sf_reader *from, int count) {
     double *read = sf_room_for(from, count, sizeof *read);
-    int i;
-    for (i = 0; i < count && read != NULL; i++)
+    for (int i = 0; i < count && read != NULL; i++)
         read[i] = sf_finite(from);
     return read;
 }
 
 static void sf_read_smooth(sf_reader *from, sf_smooth *out) {
     const int size = sf_word(from, 0, INT_MAX / 2);
-    int k;
     if (size == 0)
         return;
     out->power = sf_word(from, 0, SF_SLOPES), out->cells = sf_word(from, 1, 1 << 16);
     out->length = sf_finite(from);
-    for (k = 0; k <= SF_SLOPES; k++) {
+    for (int k = 0; k <= SF_SLOPES; k++) {
         out->sizes[k] = size - k > 1 ? size - k : 1;
         out->of[k] = sf_read_numbers_of(from, out->sizes[k]);
     }
     out->edges = sf_read_numbers_of(from, out->cells + 1);
-    for (k = 0; k < 2; k++)
+    for (int k = 0; k < 2; k++)
         out->least[k] = sf_read_numbers_of(from, out->cells), out->most[k] = sf_read_numbers_of(from, out->cells);
 }
 
 static void sf_read_force(sf_reader *from, sf_mechanism *record, sf_sampled *out) {
     static const int widths[SF_AVERAGES] = {SF_SLOPES, 2 * SF_SLOPES, 1, 0};
-    int i, k, *graded, nodes;
-    const double *rule;
+    int *graded;
     record->design_size = record->parameters = sf_size(from, 0, SF_MOST_PARAMETERS);
     record->breakpoints = sf_size(from, 0, SF_MOST_BREAKS);
-    nodes = sf_word(from, 1, SF_NODES / 2);
-    rule = sf_read_numbers_of(from, 2 * nodes);
+    const int nodes = sf_word(from, 1, SF_NODES / 2);
+    const double *rule = sf_read_numbers_of(from, 2 * nodes);
     graded = sf_room_for(from, record->breakpoints + 2, sizeof *graded);
-    for (i = 0; i <= record->breakpoints && from->status == SF_READ; i++) {
+    for (int i = 0; i <= record->breakpoints && from->status == SF_READ; i++) {
         sf_read_smooth(from, &out->piece[i]);
         out->ends[i] = sf_finite(from);
-        for (k = 0; k < SF_SLOPES; k++)
+        for (int k = 0; k < SF_SLOPES; k++)
             out->lost[i][k] = sf_finite(from);
     }
-    for (k = 0; k < 2; k++)
+    for (int k = 0; k < 2; k++)
         out->line[k] = sf_finite(from);
-    for (k = 0; k < SF_SLOPES; k++)
+    for (int k = 0; k < SF_SLOPES; k++)
         out->rough[SF_AVERAGED][k] = out->rough[SF_HIGHER][k] = out->rough[SF_HIGHER][SF_SLOPES + k] = sf_finite(from);
     out->rough[SF_INTERCEPT][0] = out->rough[SF_AVERAGED][2];
     if (from->word != from->last_word || from->number != from->last_number)
         sf_refuse(from, SF_NO_PROGRAM);
     if (from->status != SF_READ)
         return;
-    for (i = 0; i <= record->breakpoints + 1; i++)
+    for (int i = 0; i <= record->breakpoints + 1; i++)
         graded[i] = SF_DENSE;
-    for (i = 0; i < SF_AVERAGES; i++) {
+    for (int i = 0; i < SF_AVERAGES; i++) {
         sf_quarter *sums = &out->sums[i];
         sums->pieces = record->breakpoints + 2, sums->width = widths[i], sums->graded = graded;
         sums->nodes = nodes, sums->rule = (const double(*)[2])(const void *)rule;

@@ -144,10 +144,9 @@ static void sf_find_zero(const sf_search *search, const sf_probe *a, const sf_pr
     double last = b->at.A - a->at.A, step = 0;
     sf_probe place[4]; /* up to three of them are lo, hi and before */
     sf_zero zero;
-    int i;
     if (!probe->answer.exists[c])
         probe = a->answer.exists[c] ? a : b;
-    for (i = 0; i < 400; i++) {
+    for (int i = 0; i < 400; i++) {
         double next = probe->answer.exists[c] ? sf_next_to(probe, before, c, i == 0) : NAN;
         double moved = fabs(next - probe->at.A);
         sf_probe *spare = &place[0];
@@ -231,8 +230,7 @@ static int sf_settle(const sf_search *search, const sf_probe *a, const sf_probe 
 
 /* A channel that is open and has values on either side of zero at the ends of a cell; -1 where there is none. */
 static int sf_passing(const sf_probe *a, const sf_probe *b, int open) {
-    int c;
-    for (c = 0; c < 2; c++)
+    for (int c = 0; c < 2; c++)
         if ((open & 1 << c) && a->answer.exists[c] && b->answer.exists[c] &&
             sf_opposite(a->answer.y[c], b->answer.y[c]))
             return c;
@@ -296,7 +294,6 @@ static void sf_search_between(const sf_search *search, const sf_probe *a, const 
     sf_probe middle;
     sf_range range[2];
     sf_cell cell;
-    int c;
     if (search->found->cells++ == SF_MOST_CELLS || isnan(a->at.h) || isnan(b->at.h)) /* an average that is not known */
         search->found->status = SF_UNRESOLVED;
     if (search->found->status != SF_OK)
@@ -304,7 +301,7 @@ static void sf_search_between(const sf_search *search, const sf_probe *a, const 
     if (last || !sf_is_too_wide(search, a, b, open, passing)) {
         sf_make_slopes(search->asked.model, &a->at, &b->at, &a->known, &b->known, &cell);
         sf_find_range(&search->asked, &a->known, &b->known, &cell, open, range);
-        for (c = 0; c < 2; c++)
+        for (int c = 0; c < 2; c++)
             if ((open & 1 << c) && sf_settle(search, a, b, c, &range[c], last))
                 open &= ~(1 << c);
         if (open == 0)

@@ -34,9 +34,8 @@ typedef struct {
 /* Where a point's stretch ends, along which the ways are smooth: with its branch, or a piece of the force. */
 static long sf_stretch_end(const sf_model *model, const sf_first *first, long from) {
     long i;
-    int k;
     for (i = from + 1; i < first->n && first->branch[i] == first->branch[from]; i++)
-        for (k = 0; k < model->breaks; k++)
+        for (int k = 0; k < model->breaks; k++)
             if ((first->A[i] > model->b[k]) != (first->A[from] > model->b[k]))
                 return i;
     return i;
@@ -71,13 +70,12 @@ typedef struct {
 /* 0 where what is between cannot be told from them. */
 static int sf_look_beside(const sf_second *second, const sf_first *first, const sf_moved *moved, const long own[4],
                           sf_beside_gap *beside) {
-    int j, k;
-    for (j = 0; j < 3; j++)
+    for (int j = 0; j < 3; j++)
         if (!sf_are_parallel(second, first, moved, own[j], own[j + 1]))
             return 0;
-    for (j = 0; j < 4; j++) {
+    for (int j = 0; j < 4; j++) {
         double apart = 1;
-        for (k = 0; k < 4; k++)
+        for (int k = 0; k < 4; k++)
             if (k != j)
                 apart *= first->along[own[j]] - first->along[own[k]];
         beside->along[j] = first->along[own[j]], beside->factor[j] = 1 / apart;
@@ -94,16 +92,14 @@ static void sf_expected(const sf_first *first, const sf_beside_gap *beside, long
     const double *restrict far = first->along + from, *restrict first_Omega = first->Omega + from;
     const double *restrict first_A = first->A + from, *restrict first_R = first->R + from;
     const sf_beside_gap gap = *beside;
-    int i;
-    for (i = 0; i < n; i++) {
+    for (int i = 0; i < n; i++) {
         const double at[4] = {far[i] - gap.along[0], far[i] - gap.along[1], far[i] - gap.along[2],
                               far[i] - gap.along[3]};
         const double first_two = at[0] * at[1], last_two = at[2] * at[3];
         const double weight[4] = {gap.factor[0] * at[1] * last_two, gap.factor[1] * at[0] * last_two,
                                   gap.factor[2] * at[3] * first_two, gap.factor[3] * at[2] * first_two};
         double at_Omega = 0, at_A = 0, at_R = 0;
-        int j;
-        for (j = 0; j < 4; j++)
+        for (int j = 0; j < 4; j++)
             at_Omega += weight[j] * gap.Omega[j], at_A += weight[j] * gap.A[j], at_R += weight[j] * gap.R[j];
         Omega[i] = first_Omega[i] * at_Omega, A[i] = first_A[i] * at_A, R[i] = first_R[i] + at_R;
     }
@@ -122,16 +118,15 @@ static int sf_is_kept(const sf_second *second, const sf_first *first, const sf_m
 static void sf_second_look(const sf_second *second, const sf_first *first, long from, long to, long anchors,
                            const sf_moved *moved) {
     double Omega[SF_LANES], A[SF_LANES], known[SF_KNOWN * SF_LANES], out[SF_BALANCE * SF_LANES];
-    long k, i, n;
-    for (k = 0; k < anchors; k += SF_LANES) {
-        n = anchors - k < SF_LANES ? anchors - k : SF_LANES;
-        for (i = 0; i < SF_LANES; i++) {
+    for (long k = 0; k < anchors; k += SF_LANES) {
+        const long n = anchors - k < SF_LANES ? anchors - k : SF_LANES;
+        for (long i = 0; i < SF_LANES; i++) {
             const long at = sf_anchor(from, to, k + (i < n ? i : n - 1));
             Omega[i] = moved->Omega[at], A[i] = moved->A[at];
         }
         sf_second_known(second->model, SF_LANES, A, known);
         sf_lane_balances(second, 0, SF_LANES, Omega, A, known, out);
-        for (i = 0; i < n; i++) {
+        for (long i = 0; i < n; i++) {
             const long at = sf_anchor(from, to, k + i);
             if (!sf_is_kept(second, first, moved, at, known[i], out[SF_LANES + i], out[i]))
                 moved->value[at] = NAN;
@@ -145,11 +140,10 @@ static void sf_second_look(const sf_second *second, const sf_first *first, long 
 static int sf_is_away(const sf_second *second, const sf_moved *moved, const long own[4], int at, double best) {
     const double one = moved->value[own[at]], other = moved->value[own[at + 1]];
     double change = 0;
-    int j;
-    for (j = 0; j < 4; j++)
+    for (int j = 0; j < 4; j++)
         if (isnan(moved->value[own[j]]))
             return 0;
-    for (j = 0; j < 3; j++)
+    for (int j = 0; j < 3; j++)
         change = fmax(change, fabs(moved->value[own[j + 1]] - moved->value[own[j]]));
     if (second->wanted == SF_TOP_ONLY)
         return fmax(one, other) + SF_AWAY * change < best;
@@ -171,19 +165,18 @@ static void sf_second_stretch(const sf_second *second, const sf_first *first, lo
     double Omega[SF_APART], A[SF_APART], R[SF_APART];
     sf_beside_gap beside;
     sf_lanes lanes;
-    long i, k;
-    int j;
+    long i;
     lanes.n = 0;
-    for (k = 0; k < (all ? to - from : anchors); k++)
+    for (long k = 0; k < (all ? to - from : anchors); k++)
         sf_go_own_way(second, first, all ? from + k : sf_anchor(from, to, k), &lanes, moved);
     sf_second_settle(second, &lanes, 1, moved);
     if (all)
         return;
     if (second->wanted != SF_EVERY_POINT)
         sf_second_look(second, first, from, to, anchors, moved);
-    for (k = 0; k < anchors && second->wanted == SF_TOP_ONLY; k++)
+    for (long k = 0; k < anchors && second->wanted == SF_TOP_ONLY; k++)
         best = fmax(best, moved->value[sf_anchor(from, to, k)]); /* of numbers, if one is none */
-    for (k = 0; k + 1 < anchors; k++) {
+    for (long k = 0; k + 1 < anchors; k++) {
         const long left = k == 0 ? 0 : k + 3 > anchors ? anchors - 4 : k - 1, end = sf_anchor(from, to, k + 1);
         const long own[4] = {sf_anchor(from, to, left), sf_anchor(from, to, left + 1), sf_anchor(from, to, left + 2),
                              sf_anchor(from, to, left + 3)};
@@ -196,13 +189,13 @@ static void sf_second_stretch(const sf_second *second, const sf_first *first, lo
             continue;
         i = sf_anchor(from, to, k) + 1;
         sf_expected(first, &beside, i, (int)(end - i), Omega, A, R);
-        for (j = 0; i < end; i++, j++)
+        for (int j = 0; i < end; i++, j++)
             if (sf_off_resonance(first->Omega[i], first->A[i], first->h[i]))
                 sf_enter_lane(second, (int)i, Omega[j], A[j], R[j], 0, &lanes, moved);
     }
     sf_second_settle(second, &lanes, 0, moved);
     /* what has not come from there goes its own way, and what has left its neighbours: its steps crossed a corner */
-    for (k = 0; k + 1 < anchors; k++) {
+    for (long k = 0; k + 1 < anchors; k++) {
         const long start = sf_anchor(from, to, k), end = sf_anchor(from, to, k + 1);
         for (i = start + 1; i < end; i++)
             if (!(moved->step[i] < 0) &&
@@ -215,9 +208,8 @@ static void sf_second_stretch(const sf_second *second, const sf_first *first, lo
 /* How far each point lies from the one before it, in the metric of the ways; 0 of the first. A loop that vectorises. */
 static void sf_distances(long n, double F_0, const double *restrict Omega, const double *restrict A,
                          const double *restrict R, double *restrict out) {
-    long i;
     out[0] = 0;
-    for (i = 1; i < n; i++) {
+    for (long i = 1; i < n; i++) {
         const double x = (A[i] - A[i - 1]) / A[i], y = (R[i] - R[i - 1]) / F_0;
         const double z = SF_WEIGHT * (Omega[i] - Omega[i - 1]) / Omega[i];
         out[i] = sqrt(x * x + y * y + z * z);
@@ -228,17 +220,16 @@ static void sf_distances(long n, double F_0, const double *restrict Omega, const
 static void sf_measure_first(const sf_second *second, const sf_first *first) {
     const sf_model *model = second->model;
     double h[4 * SF_LANES];
-    long i, k;
-    for (i = 0; i < first->n; i += SF_LANES) {
+    for (long i = 0; i < first->n; i += SF_LANES) {
         const long n = first->n - i < SF_LANES ? first->n - i : SF_LANES;
         model->mechanism->averaged_2(model->mechanism, n, first->A + i, model->p, h);
-        for (k = 0; k < n; k++) {
+        for (long k = 0; k < n; k++) {
             first->h[i + k] = h[k];
             first->R[i + k] = slow_flow_R(first->Omega[i + k], first->A[i + k], h[k]);
         }
     }
     sf_distances(first->n, second->F_0, first->Omega, first->A, first->R, first->along);
-    for (i = 1; i < first->n; i++)
+    for (long i = 1; i < first->n; i++)
         first->along[i] += first->along[i - 1];
 }
 
@@ -253,10 +244,9 @@ static void sf_second_free(sf_second_curve *curve) {
 /* The frequency near the one given at which A is a steady state, and the last step to its logarithm. */
 static double sf_second_frequency(const sf_second *second, double A, double Omega, double *step) {
     double known[SF_KNOWN];
-    int k;
     sf_second_known(second->model, 1, &A, known);
     *step = HUGE_VAL;
-    for (k = 0; k < SF_STEPS && fabs(*step) > SF_DONE; k++) {
+    for (int k = 0; k < SF_STEPS && fabs(*step) > SF_DONE; k++) {
         sf_balance at;
         sf_second_of(second, Omega, A, known, &at);
         *step = sf_clipped(at.F / (at.F_Omega * Omega));
@@ -276,9 +266,8 @@ static int sf_passes(const sf_second_point *a, const sf_second_point *b, double 
 /* A point of a curve from lane i of n. */
 static void sf_from_lane(int n, const double *Omega, const double *A, const double *out, int i, sf_second_point *point)
 {
-    int k;
     point->Omega = Omega[i], point->A = A[i];
-    for (k = 0; k < SF_BALANCE; k++)
+    for (int k = 0; k < SF_BALANCE; k++)
         point->at.values[k] = out[k * n + i];
 }
 
@@ -289,11 +278,11 @@ static long sf_second_across(const sf_second *second, double b, const sf_second_
     const int rising = to->A > b;
     const double share = (b - from->A) / (to->A - from->A), low = fmin(from->A, to->A), high = fmax(from->A, to->A);
     double known[SF_KNOWN * SF_LANES], at[SF_BALANCE * SF_LANES];
-    int under_way[SF_LANES], open, k, i, n;
+    int under_way[SF_LANES];
     sf_lanes lanes;
     long found = 0;
     lanes.n = 0;
-    for (k = 0; k < SF_BESIDE_B; k++) {
+    for (int k = 0; k < SF_BESIDE_B; k++) {
         const double A = b * sf_beside(rising ? k : SF_BESIDE_B - 1 - k);
         if (!(A > low && A < high))
             continue;
@@ -302,13 +291,13 @@ static long sf_second_across(const sf_second *second, double b, const sf_second_
     }
     if (lanes.n == 0)
         return 0;
-    n = sf_whole_lanes(&lanes), open = lanes.n;
-    for (i = 0; i < lanes.n; i++)
+    int n = sf_whole_lanes(&lanes), open = lanes.n;
+    for (int i = 0; i < lanes.n; i++)
         under_way[i] = 1;
     sf_second_known(second->model, n, lanes.A, known);
-    for (k = 0; k < SF_STEPS && open > 0; k++) {
+    for (int k = 0; k < SF_STEPS && open > 0; k++) {
         sf_lane_balances(second, 0, n, lanes.Omega, lanes.A, known, at);
-        for (i = 0; i < lanes.n; i++) {
+        for (int i = 0; i < lanes.n; i++) {
             const double step = sf_clipped(at[4 * n + i] / (at[6 * n + i] * lanes.Omega[i]));
             if (!under_way[i])
                 continue;
@@ -318,7 +307,7 @@ static long sf_second_across(const sf_second *second, double b, const sf_second_
         }
     }
     sf_lane_balances(second, second->wanted == SF_EVERY_POINT, n, lanes.Omega, lanes.A, known, at);
-    for (i = 0; i < lanes.n; i++)
+    for (int i = 0; i < lanes.n; i++)
         if (!under_way[i]) {
             out[found].part = from->part;
             sf_from_lane(n, lanes.Omega, lanes.A, at, i, &out[found++]);
@@ -334,7 +323,6 @@ static void sf_keep_points(const sf_second *second, const sf_first *first, const
     double known[SF_KNOWN * SF_LANES], out[SF_BALANCE * SF_LANES];
     sf_lanes lanes;
     long i = 0;
-    int k;
     while (i < first->n) {
         for (lanes.n = 0; i < first->n && lanes.n < SF_LANES; i++) {
             const int here = sf_is_settled(second, moved, i);
@@ -347,16 +335,14 @@ static void sf_keep_points(const sf_second *second, const sf_first *first, const
         }
         if (lanes.n == 0)
             return;
-        {
-            const int n = sf_whole_lanes(&lanes);
-            sf_second_known(second->model, n, lanes.A, known);
-            sf_lane_balances(second, second->wanted == SF_EVERY_POINT, n, lanes.Omega, lanes.A, known, out);
-            for (k = 0; k < lanes.n; k++) {
-                const long at = lanes.which[k];
-                kept[at] = (unsigned char)sf_is_kept(second, first, moved, at, known[k], out[n + k], out[k]);
-                if (kept[at])
-                    sf_from_lane(n, lanes.Omega, lanes.A, out, k, &curve->point[curve->n++]);
-            }
+        const int n = sf_whole_lanes(&lanes);
+        sf_second_known(second->model, n, lanes.A, known);
+        sf_lane_balances(second, second->wanted == SF_EVERY_POINT, n, lanes.Omega, lanes.A, known, out);
+        for (int k = 0; k < lanes.n; k++) {
+            const long at = lanes.which[k];
+            kept[at] = (unsigned char)sf_is_kept(second, first, moved, at, known[k], out[n + k], out[k]);
+            if (kept[at])
+                sf_from_lane(n, lanes.Omega, lanes.A, out, k, &curve->point[curve->n++]);
         }
     }
 }
@@ -364,12 +350,12 @@ static void sf_keep_points(const sf_second *second, const sf_first *first, const
 /* What is left of each branch: the part that each point belongs to, whether a part is closed, and what is lost. */
 static void sf_keep_parts(const sf_first *first, const int *closed, const unsigned char *kept,
                           sf_second_curve *curve) {
-    long from, to, i, n = 0;
-    for (from = 0; from < first->n; from = to) {
+    long to, n = 0;
+    for (long from = 0; from < first->n; from = to) {
         int whole = closed[first->branch[from]], inside = 0;
         for (to = from; to < first->n && first->branch[to] == first->branch[from]; to++)
             whole &= kept[to] != 0;
-        for (i = from; i < to; i++) {
+        for (long i = from; i < to; i++) {
             if (kept[i] == SF_NOT_WANTED)
                 continue;
             if (kept[i]) {
@@ -389,20 +375,18 @@ static void sf_keep_parts(const sf_first *first, const int *closed, const unsign
 
 /* The points in order where some have overtaken others: only at a fold, where stability changes, Omega turns. */
 static void sf_order_points(sf_second_curve *curve) {
-    long from, to, i, j;
-    for (from = 0; from < curve->n; from = to) {
+    long to, j;
+    for (long from = 0; from < curve->n; from = to) {
         sf_second_point *point = curve->point;
-        double rising;
         for (to = from + 1; to < curve->n && point[to].part == point[from].part &&
                             (point[to].at.F_A > 0) == (point[from].at.F_A > 0);
              to++)
             ;
-        rising = point[to - 1].Omega >= point[from].Omega ? 1 : -1;
-        for (i = from + 1; i < to; i++) {
-            sf_second_point one;
+        const double rising = point[to - 1].Omega >= point[from].Omega ? 1 : -1;
+        for (long i = from + 1; i < to; i++) {
             if (!(rising * point[i - 1].Omega > rising * point[i].Omega))
                 continue; /* as nearly all are: to take one out and put it back copies it twice */
-            one = point[i];
+            const sf_second_point one = point[i];
             for (j = i; j > from && rising * point[j - 1].Omega > rising * one.Omega; j--)
                 point[j] = point[j - 1];
             point[j] = one;
@@ -413,15 +397,15 @@ static void sf_order_points(sf_second_curve *curve) {
 /* The curve with more points where it passes breakpoint b; 0 if there is no memory. */
 static int sf_insert_beside(const sf_second *second, double b, sf_second_curve *curve) {
     sf_second_point *more;
-    long i, n = 0, passing = 0;
-    for (i = 1; i < curve->n; i++)
+    long n = 0, passing = 0;
+    for (long i = 1; i < curve->n; i++)
         passing += sf_passes(&curve->point[i - 1], &curve->point[i], b);
     if (passing == 0)
         return 1;
     more = malloc((size_t)(curve->n + passing * SF_BESIDE_B) * sizeof *more);
     if (more == NULL)
         return 0;
-    for (i = 0; i < curve->n; i++) {
+    for (long i = 0; i < curve->n; i++) {
         if (i > 0 && sf_passes(&curve->point[i - 1], &curve->point[i], b))
             n += sf_second_across(second, b, &curve->point[i - 1], &curve->point[i], more + n);
         more[n++] = curve->point[i];
@@ -435,21 +419,20 @@ static int sf_second_move(const sf_second *second, const sf_first *first, const 
                           unsigned char *kept, sf_second_curve *curve) {
     const sf_moved moved = {room, room + first->n, room + 2 * first->n, room + 3 * first->n,
                             room + 7 * first->n};
-    long from, to;
-    int k;
+    long to;
     sf_measure_first(second, first);
     memcpy(moved.Omega, first->Omega, (size_t)first->n * sizeof *moved.Omega);
     memcpy(moved.A, first->A, (size_t)first->n * sizeof *moved.A);
     memcpy(moved.R, first->R, (size_t)first->n * sizeof *moved.R);
-    for (from = 0; from < first->n; from++)
+    for (long from = 0; from < first->n; from++)
         moved.step[from] = HUGE_VAL;
-    for (from = 0; from < first->n; from = to) {
+    for (long from = 0; from < first->n; from = to) {
         to = sf_stretch_end(second->model, first, from);
         sf_second_stretch(second, first, from, to, &moved);
     }
     sf_keep_points(second, first, &moved, kept, curve);
     sf_keep_parts(first, closed, kept, curve);
-    for (k = 0; k < second->model->breaks; k++)
+    for (int k = 0; k < second->model->breaks; k++)
         if (second->model->jump[k] != 0 && !sf_insert_beside(second, second->model->b[k], curve))
             return 0;
     sf_order_points(curve);

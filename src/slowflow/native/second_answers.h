@@ -16,26 +16,21 @@ typedef double sf_function(const void *given, double x);
 static double sf_zero_between(sf_function *f, const void *given, double a, double f_a, double b, double f_b,
                               double width) {
     double share = 0.5, c = a, f_c = f_a;
-    int i;
-    for (i = 0; i < 200; i++) {
+    for (int i = 0; i < 200; i++) {
         const double x = a + share * (b - a), f_x = f(given, x);
-        double least;
         if ((f_x < 0) == (f_a < 0))
             c = a, f_c = f_a;
         else
             c = b, f_c = f_b, b = a, f_b = f_a;
         a = x, f_a = f_x;
-        least = 0.5 * width * fabs(fabs(f_a) < fabs(f_b) ? a : b) / fabs(b - a);
+        const double least = 0.5 * width * fabs(fabs(f_a) < fabs(f_b) ? a : b) / fabs(b - a);
         if (!(least < 0.5) || f_x == 0)
             break;
-        {
-            const double xi = (a - b) / (c - b), phi = (f_a - f_b) / (f_c - f_b);
-            if (phi * phi < xi && (1 - phi) * (1 - phi) < 1 - xi)
-                share =
-                    f_a / (f_b - f_a) * f_c / (f_b - f_c) + (c - a) / (b - a) * f_a / (f_c - f_a) * f_b / (f_c - f_b);
-            else
-                share = 0.5;
-        }
+        const double xi = (a - b) / (c - b), phi = (f_a - f_b) / (f_c - f_b);
+        if (phi * phi < xi && (1 - phi) * (1 - phi) < 1 - xi)
+            share = f_a / (f_b - f_a) * f_c / (f_b - f_c) + (c - a) / (b - a) * f_a / (f_c - f_a) * f_b / (f_c - f_b);
+        else
+            share = 0.5;
         share = fmin(fmax(share, least), 1 - least);
     }
     return fabs(f_a) < fabs(f_b) ? a : b;
@@ -70,12 +65,11 @@ static int sf_second_fold_between(const sf_second *second, const sf_second_point
     const sf_second_between between = {second, {low->A, high->A}, {low->Omega, high->Omega}};
     const double f_low = sf_slope_between(&between, low->A), f_high = sf_slope_between(&between, high->A);
     sf_balance at;
-    int k;
     if (!sf_opposite(f_low, f_high) || !(low->A < high->A))
         return 0;
     fold->A = sf_zero_between(sf_slope_between, &between, low->A, f_low, high->A, f_high, 0x1p-50);
     fold->corner = 0, fold->up = f_low > 0;
-    for (k = 0; k < second->model->breaks; k++)
+    for (int k = 0; k < second->model->breaks; k++)
         if (fabs(fold->A - second->model->b[k]) <= 0x1p-49 * second->model->b[k])
             fold->corner = 1, fold->A = second->model->b[k];
     /* next to a tip the frequency may slip to its other side, and the slope with it */
@@ -96,10 +90,9 @@ static int sf_is_same_fold(const sf_second_fold *a, const sf_second_fold *b) {
 /* Every fold between points of the curve, by rising Omega. */
 static void sf_folds_on(const sf_model *model, double F_0, const sf_second_curve *curve, sf_second_folds *out) {
     const sf_second here = {model, F_0, SF_EVERY_POINT}, *second = &here;
-    long i;
     int k;
     out->n = out->lost = out->tried = 0, out->status = SF_OK;
-    for (i = 1; i < curve->n; i++) {
+    for (long i = 1; i < curve->n; i++) {
         const sf_second_point *one = &curve->point[i - 1], *other = &curve->point[i];
         sf_second_fold fold;
         if (one->part != other->part || (one->at.F_A > 0) == (other->at.F_A > 0))
@@ -131,11 +124,10 @@ static int sf_second_state(const sf_second *second, double Omega, double low, do
                            sf_second_point *out) {
     sf_balance at_low, at_high, at;
     double step = HUGE_VAL;
-    int between, k;
     sf_second_at(second, Omega, low, &at_low);
     sf_second_at(second, Omega, high, &at_high);
-    between = (at_low.F > 0) != (at_high.F > 0);
-    for (k = 0; k < SF_STEPS && fabs(step) > 0x1p-52 * A; k++) {
+    const int between = (at_low.F > 0) != (at_high.F > 0);
+    for (int k = 0; k < SF_STEPS && fabs(step) > 0x1p-52 * A; k++) {
         sf_second_at(second, Omega, A, &at);
         if (between && (at.F > 0) == (at_high.F > 0))
             high = A;
@@ -158,14 +150,12 @@ static int sf_states_on(const sf_model *model, double F_0, const sf_second_curve
                         sf_second_point *out) {
     const sf_second here = {model, F_0, SF_EVERY_POINT}, *second = &here;
     int n = 0, k;
-    long i;
-    for (i = 1; i < curve->n; i++) {
+    for (long i = 1; i < curve->n; i++) {
         const sf_second_point *one = &curve->point[i - 1], *other = &curve->point[i];
         sf_second_point found;
-        double share;
         if (one->part != other->part || (one->Omega > Omega) == (other->Omega > Omega))
             continue;
-        share = (Omega - one->Omega) / (other->Omega - one->Omega);
+        const double share = (Omega - one->Omega) / (other->Omega - one->Omega);
         if (!sf_second_state(second, Omega, fmin(one->A, other->A), exp(log(one->A) + share * log(other->A / one->A)),
                              fmax(one->A, other->A), &found))
             continue;
@@ -182,8 +172,8 @@ static int sf_states_on(const sf_model *model, double F_0, const sf_second_curve
 }
 
 static long sf_most_crossings(const sf_second_curve *curve, double Omega) {
-    long i, n = 0;
-    for (i = 1; i < curve->n; i++)
+    long n = 0;
+    for (long i = 1; i < curve->n; i++)
         n += curve->point[i - 1].part == curve->point[i].part &&
              (curve->point[i - 1].Omega > Omega) != (curve->point[i].Omega > Omega);
     return n;
@@ -206,28 +196,26 @@ static void sf_second_cusp_at(const sf_second *second, double ln_Omega, double l
 static int sf_second_cusp(const sf_model *model, const sf_onset *first, sf_onset *out, double *u_max) {
     const sf_second second = {model, first->F_SN, SF_EVERY_POINT};
     const double from[2] = {log(first->Omega), log(first->A)}, apart = 0x1p-20;
-    double x[2] = {from[0], from[1]}, g[2], moved = HUGE_VAL, Omega, A, k[SF_KNOWN], balance[3];
-    int i;
-    for (i = 0; i < SF_STEPS && moved > 0x1p-50; i++) {
-        double by[2][2], determinant, step[2];
-        int j;
+    double x[2] = {from[0], from[1]}, g[2], moved = HUGE_VAL, k[SF_KNOWN], balance[3];
+    for (int i = 0; i < SF_STEPS && moved > 0x1p-50; i++) {
+        double by[2][2], step[2];
         sf_second_cusp_at(&second, x[0], x[1], g);
-        for (j = 0; j < 2; j++) {
+        for (int j = 0; j < 2; j++) {
             double up[2], down[2];
             sf_second_cusp_at(&second, x[0] + (j == 0) * apart, x[1] + (j == 1) * apart, up);
             sf_second_cusp_at(&second, x[0] - (j == 0) * apart, x[1] - (j == 1) * apart, down);
             by[0][j] = (up[0] - down[0]) / (2 * apart), by[1][j] = (up[1] - down[1]) / (2 * apart);
         }
-        determinant = by[0][0] * by[1][1] - by[0][1] * by[1][0];
+        const double determinant = by[0][0] * by[1][1] - by[0][1] * by[1][0];
         step[0] = -(g[0] * by[1][1] - g[1] * by[0][1]) / determinant;
         step[1] = -(g[1] * by[0][0] - g[0] * by[1][0]) / determinant;
         moved = fmax(fabs(step[0]), fabs(step[1]));
         if (!(moved < HUGE_VAL))
             return 0;
-        for (j = 0; j < 2; j++)
+        for (int j = 0; j < 2; j++)
             x[j] += step[j] * fmin(1, SF_LONGEST / moved);
     }
-    Omega = exp(x[0]), A = exp(x[1]);
+    double Omega = exp(x[0]), A = exp(x[1]);
     if (!(moved <= SF_DONE && fabs(x[0] - from[0]) <= SF_SMALL && fabs(x[1] - from[1]) <= SF_SMALL))
         return 0;
     sf_second_known(model, 1, &A, k);
@@ -244,8 +232,7 @@ static int sf_second_cusp(const sf_model *model, const sf_onset *first, sf_onset
  * forcing, u_max and what vanishes where the forcing is least. */
 static double sf_second_reaching(const sf_model *model, double u, double Omega, double balance[3]) {
     double A = u;
-    int i;
-    for (i = 0; i < SF_STEPS; i++) {
+    for (int i = 0; i < SF_STEPS; i++) {
         double k[SF_KNOWN];
         sf_second_known(model, 1, &A, k);
         sf_second_level(model, Omega, A, k, balance);
@@ -274,17 +261,16 @@ static int sf_second_detach(const sf_model *model, double F_first, double Omega_
                                          double *F_cr, double *Omega_cr) {
     const sf_second_reach reach = {model, u_cr};
     const sf_second second = {model, F_first, SF_EVERY_POINT};
-    int i;
     if (Omega_first == 0)
         return 0;
-    for (i = 10; i >= 0; i--) {
+    for (int i = 10; i >= 0; i--) {
         const double width = ldexp(SF_SMALL, -i), low = Omega_first * exp(-width), high = Omega_first * exp(width);
         const double f_low = sf_turning_at(&reach, low), f_high = sf_turning_at(&reach, high);
-        double balance[3], A;
+        double balance[3];
         if (!(f_low < 0 && f_high > 0))
             continue;
         *Omega_cr = sf_zero_between(sf_turning_at, &reach, low, f_low, high, f_high, 0x1p-46);
-        A = sf_second_reaching(model, u_cr, *Omega_cr, balance);
+        const double A = sf_second_reaching(model, u_cr, *Omega_cr, balance);
         *F_cr = balance[0];
         /* without damping it is nought to rounding */
         if (fabs(A / u_cr - 1) < SF_SMALL && fabs(*F_cr - F_first) < SF_SMALL * F_first + SF_DONE * u_cr &&
@@ -302,8 +288,7 @@ typedef struct {
 
 static double sf_amplitude_near(const sf_second_near *near, double Omega, double balance[3]) {
     double A = near->A, step = HUGE_VAL, k[SF_KNOWN];
-    int i;
-    for (i = 0; i < SF_STEPS && fabs(step) > SF_DONE; i++) {
+    for (int i = 0; i < SF_STEPS && fabs(step) > SF_DONE; i++) {
         sf_balance at;
         sf_second_at(near->second, Omega, A, &at);
         step = sf_clipped(at.F / (at.F_A * A));
@@ -326,9 +311,8 @@ static int sf_peak_on(const sf_model *model, double F_0, const sf_second_curve *
     const sf_second here = {model, F_0, SF_EVERY_POINT}, *second = &here;
     sf_second_near near = {second, 0};
     const sf_second_point *top = NULL, *low, *high;
-    double f_low, f_high, balance[3];
-    long i;
-    for (i = 1; i + 1 < curve->n; i++)
+    double balance[3];
+    for (long i = 1; i + 1 < curve->n; i++)
         if (curve->point[i - 1].part == curve->point[i + 1].part &&
             (top == NULL || curve->point[i].at.u_max > top->at.u_max))
             top = &curve->point[i];
@@ -336,7 +320,7 @@ static int sf_peak_on(const sf_model *model, double F_0, const sf_second_curve *
         return 0;
     low = top[-1].Omega < top[1].Omega ? top - 1 : top + 1, high = low == top - 1 ? top + 1 : top - 1;
     near.A = top->A;
-    f_low = sf_turning_near(&near, low->Omega), f_high = sf_turning_near(&near, high->Omega);
+    const double f_low = sf_turning_near(&near, low->Omega), f_high = sf_turning_near(&near, high->Omega);
     if (!(low->Omega < high->Omega && sf_opposite(f_low, f_high) && f_low == f_low && f_high == f_high))
         return 0;
     out->Omega = sf_zero_between(sf_turning_near, &near, low->Omega, f_low, high->Omega, f_high, 0x1p-46);

@@ -102,28 +102,27 @@ static int sf_whole_lanes(sf_lanes *lanes) {
 
 /* Steps of the lanes to logarithms, which are taken: values times exp(step). */
 static void sf_take_steps(int n, const double *restrict steps, const double *restrict grown, double *restrict values) {
-    int i, is_long = 0;
-    for (i = 0; i < n; i++)
+    int is_long = 0;
+    for (int i = 0; i < n; i++)
         is_long |= !(fabs(steps[i]) < SF_SHORT);
     if (!is_long) { /* a loop that vectorises */
-        for (i = 0; i < n; i++)
+        for (int i = 0; i < n; i++)
             values[i] *= grown[i];
         return;
     }
-    for (i = 0; i < n; i++)
+    for (int i = 0; i < n; i++)
         values[i] *= fabs(steps[i]) < SF_SHORT ? grown[i] : exp(steps[i]);
 }
 
 /* The frequency at which the cosine balance is R, the one given where R hardly depends on it. */
 static void sf_second_match(const sf_second *second, int n, const double *known, sf_lanes *lanes) {
     double out[SF_BALANCE * SF_LANES], matches[SF_MATCH * SF_LANES], way[SF_LANES] = {0};
-    int i, k;
-    for (k = 0; k < SF_MATCHING; k++) {
+    for (int k = 0; k < SF_MATCHING; k++) {
         int open = 0;
         sf_lane_balances(second, 0, n, lanes->Omega, lanes->A, known, out);
         sf_second_matches(n, lanes->Omega, lanes->R, way, second->F_0, out, matches);
         sf_take_steps(n, matches, matches + n, lanes->Omega);
-        for (i = 0; i < n; i++) {
+        for (int i = 0; i < n; i++) {
             way[i] += matches[i];
             open |= fabs(matches[i]) > SF_MATCHED;
         }
@@ -136,8 +135,7 @@ static void sf_second_match(const sf_second *second, int n, const double *known,
 static void sf_second_settle(const sf_second *second, sf_lanes *lanes, int match, const sf_moved *moved) {
     const double F_0 = second->F_0;
     double known[SF_KNOWN * SF_LANES], out[SF_BALANCE * SF_LANES], newton[SF_NEWTON * SF_LANES];
-    int i, k;
-    for (k = 0; k < SF_STEPS && lanes->n > 0; k++) {
+    for (int k = 0; k < SF_STEPS && lanes->n > 0; k++) {
         const int n = sf_whole_lanes(lanes), count = lanes->n;
         const double *size = newton, *done = newton + n, *R = newton + 2 * n, *x = newton + 3 * n, *z = newton + 5 * n;
         sf_second_known(second->model, n, lanes->A, known);
@@ -148,7 +146,7 @@ static void sf_second_settle(const sf_second *second, sf_lanes *lanes, int match
         sf_take_steps(count, x, x + n, lanes->A);
         sf_take_steps(count, z, z + n, lanes->Omega);
         lanes->n = 0;
-        for (i = 0; i < count; i++) {
+        for (int i = 0; i < count; i++) {
             const double Omega = lanes->Omega[i], A = lanes->A[i];
             const int which = lanes->which[i], to = lanes->n;
             moved->Omega[which] = Omega, moved->A[which] = A, moved->R[which] = R[i], moved->step[which] = size[i];

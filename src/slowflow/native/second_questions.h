@@ -52,7 +52,6 @@ static sf_status sf_second_saddle_nodes(const sf_model *model, const sf_given *g
     sf_second_curve *curve;
     sf_status status = SF_NONE;
     double A, Omega;
-    int i;
     memset(&out->left, 0, sizeof out->left);
     out->n = out->lost = out->tried = 0, out->status = SF_OK;
     if (!known) {
@@ -66,7 +65,7 @@ static sf_status sf_second_saddle_nodes(const sf_model *model, const sf_given *g
     status = sf_make_skeleton(model, given, F_0, room);
     if (status != SF_OK)
         return status;
-    for (i = 0; i < first->n && !known; i++)
+    for (int i = 0; i < first->n && !known; i++)
         low = fmin(low, first->at[i].Omega), high = fmax(high, first->at[i].Omega);
     if (high == 0)
         return SF_OK;

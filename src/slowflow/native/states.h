@@ -16,15 +16,15 @@ enum { SF_MOST_STATES = SF_MOST_SEGMENTS };
 /* A state among those by rising A; one at an end of its segment, where another begins, is one with that, and a fold is
  * not stable. Two inside segments are two, even where their amplitudes are the same double. */
 static int sf_add_state(double found, int is_stable, int is_end, int n, double *A, unsigned char *stable) {
-    int i, j;
+    int i;
     for (i = n; i > 0 && A[i - 1] > found; i--)
         ;
-    for (j = i > 0 ? i - 1 : 0; is_end && j <= i && j < n; j++)
+    for (int j = i > 0 ? i - 1 : 0; is_end && j <= i && j < n; j++)
         if (fabs(A[j] - found) <= SF_SAME * found) {
             stable[j] = (unsigned char)(stable[j] && is_stable);
             return n;
         }
-    for (j = n; j > i; j--)
+    for (int j = n; j > i; j--)
         A[j] = A[j - 1], stable[j] = stable[j - 1];
     A[i] = found, stable[i] = (unsigned char)is_stable;
     return n + 1;
@@ -59,8 +59,7 @@ static double sf_settled_amplitude(const sf_model *model, const sf_exactly *exac
 /* Of two states with the same double the lower one is stable if the next below is not: F crosses 0 upward and downward
  * in turn along the amplitude, beginning below 0. */
 static void sf_order_same(int n, const double *A, unsigned char *stable) {
-    int i;
-    for (i = 0; i + 1 < n; i++)
+    for (int i = 0; i + 1 < n; i++)
         if (A[i] == A[i + 1] && stable[i] != stable[i + 1]) {
             stable[i] = (unsigned char)(i == 0 || !stable[i - 1]);
             stable[i + 1] = (unsigned char)!stable[i];
@@ -70,8 +69,8 @@ static void sf_order_same(int n, const double *A, unsigned char *stable) {
 /* The states of the segments at Omega, by rising A; returns their number. */
 static int sf_states_of_segments(const sf_model *model, const sf_exactly *exactly, double F_0, const sf_work *work,
                                  double Omega, double *A, unsigned char *stable) {
-    int i, n = 0;
-    for (i = 0; i < work->skeleton.segments; i++) {
+    int n = 0;
+    for (int i = 0; i < work->skeleton.segments; i++) {
         const sf_segment *segment = &work->skeleton.segment[i];
         const int is_end = Omega == segment->Omega[0] || Omega == segment->Omega[1];
         const int is_at_rest = is_end && Omega == segment->Omega[0] && segment->A[0] == 0;
@@ -85,8 +84,7 @@ static int sf_states_of_segments(const sf_model *model, const sf_exactly *exactl
 
 /* Whether Omega is that of a fold to within what rounding may make of F there. */
 static int sf_is_at_fold(const sf_model *model, double F_0, const sf_folds *folds, double Omega) {
-    int i;
-    for (i = 0; i < folds->n; i++) {
+    for (int i = 0; i < folds->n; i++) {
         sf_sample at;
         if (fabs(folds->at[i].Omega - Omega) > SF_TOLD_APART * fmax(folds->at[i].Omega, Omega))
             continue;
@@ -99,8 +97,7 @@ static int sf_is_at_fold(const sf_model *model, double F_0, const sf_folds *fold
 
 /* The first of n amplitudes inside an enclosure of a state, its middle if there is none. */
 static double sf_first_within(sf_interval within, int n, const double *A) {
-    int i;
-    for (i = 0; i < n; i++)
+    for (int i = 0; i < n; i++)
         if (within.lo <= A[i] && A[i] <= within.hi)
             return A[i];
     return sf_middle(within);
@@ -111,13 +108,12 @@ static int sf_take_proved_states(const sf_model *model, const sf_given *given, d
                                  int *n, double *A, unsigned char *stable) {
     const sf_certificate *found = &room->found;
     double before[SF_MOST_STATES];
-    int i, same;
     room->proofs++;
     if (sf_certify_states(model, given, F_0, Omega, room) != SF_OK || !sf_is_proved(found))
         return 0;
-    same = found->n == *n;
+    const int same = found->n == *n;
     memcpy(before, A, (size_t)*n * sizeof *A);
-    for (i = 0; i < found->n; i++) {
+    for (int i = 0; i < found->n; i++) {
         const sf_interval within = found->at[i].A;
         A[i] = same ? sfi_least(sfi_most(A[i], within.lo), within.hi) : sf_first_within(within, *n, before);
         stable[i] = (unsigned char)(found->at[i].sign > 0);
@@ -131,10 +127,9 @@ static int sf_take_proved_states(const sf_model *model, const sf_given *given, d
 static int sf_states_on_curve(const sf_model *model, const sf_given *given, double F_0, sf_room *room, double Omega,
                               double *A, unsigned char *stable, int *undecided)
 {
-    int n;
     if (sf_has_laws(model))
         given = NULL;
-    n = sf_states_of_segments(model, given == NULL ? NULL : &given->exactly, F_0, &room->work, Omega, A, stable);
+    int n = sf_states_of_segments(model, given == NULL ? NULL : &given->exactly, F_0, &room->work, Omega, A, stable);
     if (room->doubt || sf_is_at_fold(model, F_0, &room->work.folds, Omega))
         *undecided = given == NULL || !sf_take_proved_states(model, given, F_0, room, Omega, &n, A, stable);
     return n;
@@ -148,23 +143,22 @@ static int sf_clear_states(const sf_model *model, const sf_exactly *exactly, dou
 {
     sf_asked asked = sf_asked_of(SF_STATE, model, F_0);
     sf_zeros *found = &work->zeros;
-    int i, k, n = 0;
-    double A_max;
+    int n = 0;
     if (sf_inertial(model) || !(model->zeta > 0) || sf_nearly_sticks(model, F_0))
         return -1;
     /* there I exceeds F_0, even if F_0 - m is all but rounding */
-    A_max = slow_flow_limit_envelope(Omega, F_0 * (1 + SF_CLOSE), model->m, model->zeta) * (1 + SF_CLOSE);
+    const double A_max = slow_flow_limit_envelope(Omega, F_0 * (1 + SF_CLOSE), model->m, model->zeta) * (1 + SF_CLOSE);
     if (!(A_max > SF_FIRST && A_max < SF_ENDLESS))
         return -1;
     asked.Omega = Omega;
     sf_stretches_up_to(model, A_max, &work->pieces);
-    for (i = 0; i < work->pieces.n; i++) {
+    for (int i = 0; i < work->pieces.n; i++) {
         sf_clear_zeros(found);
         sf_find_zeros(&asked, &work->pieces.at[i], found);
         if (found->status != SF_OK || found->undecided || found->close)
             return -1;
         sf_sort_zeros(found);
-        for (k = 0; k < found->n; k++) {
+        for (int k = 0; k < found->n; k++) {
             sf_settling of = {sfp_point(Omega), sfp_point(found->at[k].A), sfp_point(F_0)};
             if (n == SF_MOST_STATES || sf_piece_of(model, of.A.high) != i ||
                 !sf_settle_all(slow_flow_pairs_state_step, SF_MOVES_A, 2, exactly, model, &of))

@@ -108,8 +108,7 @@ static inline void sf_run_lanes(const sf_straight *of, double *x, const int lane
 
 static SF_FLAT void sf_run(const sf_straight *of, double *x) { sf_run_lanes(of, x, 1); }
 static inline void sf_fill(const sf_straight *of, double *x) {
-    int i;
-    for (i = 0; i < of->constants; i++)
+    for (int i = 0; i < of->constants; i++)
         x[of->arguments + i] = of->constant[i][0];
 }
 
@@ -180,10 +179,9 @@ static inline void sf_read_straight(sf_reader *from, sf_arithmetic has, int argu
     sf_instruction *code;
     unsigned short *output;
     double (*constant)[2];
-    int i, first;
     out->arguments = sf_word(from, arguments, arguments);
     out->constants = sf_size(from, 0, SF_MOST_REGISTERS);
-    first = out->arguments + out->constants;
+    const int first = out->arguments + out->constants;
     out->registers = sf_size(from, 0, SF_MOST_REGISTERS);
     out->length = sf_word(from, 0, (int)((from->last_word - from->word) / 4));
     out->outputs = sf_word(from, outputs, outputs);
@@ -195,7 +193,7 @@ static inline void sf_read_straight(sf_reader *from, sf_arithmetic has, int argu
     if (from->status != SF_READ)
         return;
     memset(holds, 1, (size_t)first);
-    for (i = 0; i < out->length; i++) {
+    for (int i = 0; i < out->length; i++) {
         const int operation = sf_word(from, 0, SF_HYPOT_OPERATION), result = sf_word(from, first, out->registers - 1);
         const int one = sf_word(from, 0, out->registers - 1), other = sf_word(from, 0, out->registers - 1);
         if (from->status != SF_READ || !has(operation) || !holds[one] || !holds[other]) {
@@ -206,14 +204,14 @@ static inline void sf_read_straight(sf_reader *from, sf_arithmetic has, int argu
                                    (unsigned short)other};
         holds[result] = 1;
     }
-    for (i = 0; i < out->outputs; i++) {
+    for (int i = 0; i < out->outputs; i++) {
         output[i] = (unsigned short)sf_word(from, 0, out->registers - 1);
         if (from->status != SF_READ || !holds[output[i]]) {
             sf_refuse(from, SF_NO_PROGRAM);
             return;
         }
     }
-    for (i = 0; i < out->constants; i++)
+    for (int i = 0; i < out->constants; i++)
         constant[i][0] = sf_finite(from), constant[i][1] = sf_finite(from);
     out->code = code, out->output = output, out->constant = (const double (*)[2])constant;
 }

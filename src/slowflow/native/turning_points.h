@@ -52,11 +52,10 @@ typedef struct {
 static int sf_read_charts(const double *packed, ptrdiff_t n, sf_charts *of) {
     const double *next = packed + 4;
     ptrdiff_t needed;
-    int i, powers;
     if (n < 4 || !(packed[0] >= 0 && packed[0] <= SF_MOST_LINES && packed[1] >= 0 && packed[1] < SF_MOST_POWERS))
         return 0;
     of->lines = (int)packed[0], of->highest = (int)packed[1], of->charts = (int)packed[2], of->large = packed[3];
-    powers = of->highest + 1;
+    const int powers = of->highest + 1;
     needed = 4 + of->lines + (ptrdiff_t)(2 * of->lines + 1 + 3) * powers + 3 + 6 * (ptrdiff_t)of->charts;
     if (n != needed)
         return 0;
@@ -69,9 +68,9 @@ static int sf_read_charts(const double *packed, ptrdiff_t n, sf_charts *of) {
     of->beside = next, next += 3;
     of->upper = next, next += of->charts;
     of->lower = next, next += of->charts;
-    for (i = 0; i < 2; i++)
+    for (int i = 0; i < 2; i++)
         of->place[i] = next, next += of->charts;
-    for (i = 0; i < 2; i++)
+    for (int i = 0; i < 2; i++)
         of->rooted[i] = next, next += of->charts;
     return 1;
 }
@@ -94,15 +93,13 @@ static inline void sf_climb(double over, double under, int highest, int first, i
     const int above = over > 0 && size > 0, passed = above && under > 0;
     /* L_(k-1), L_k, M_(k-1) and M_k, and what they may be off by */
     double at[4] = {0, above, 0, 0}, doubt[4], scale = 1;
-    int k;
     if (passed) {
         const double root = sqrt(span);
         off_centre_begin(A, a, root > SF_TINY_ROOT ? root : SF_TINY_ROOT, atan2(root, a), at);
     }
-    for (k = 0; k < 4; k++)
+    for (int k = 0; k < 4; k++)
         doubt[k] = passed ? SF_STEP_DOUBT * fabs(at[k]) : 0;
-    for (k = 0; k <= highest; k++) {
-        int side;
+    for (int k = 0; k <= highest; k++) {
         if (k > 0 && above) {
             double next[2], error[2];
             off_centre_up(k, A, a, span, at[0], at[1], at[2], at[3], next);
@@ -112,7 +109,7 @@ static inline void sf_climb(double over, double under, int highest, int first, i
             at[0] = at[1], at[1] = sfi_most(next[0], 0), doubt[0] = doubt[1], doubt[1] = error[0];
             at[2] = at[3], at[3] = sfi_most(next[1], 0), doubt[2] = doubt[3], doubt[3] = error[1];
         }
-        for (side = first; side <= last; side++) {
+        for (int side = first; side <= last; side++) {
             const double off = (side ? 1 : -1) * (doubt[1] + doubt[3]) * (1 + 0x1p-40);
             const double L = scale * sfi_most(at[1] + off, 0), U = scale * sfi_most(at[1] + at[3] + off, 0),
                          V = scale * sfi_most(at[1] - at[3] + off, 0);
@@ -156,8 +153,7 @@ static void sf_add_step(const double *D, int from, int right, double turn, const
 {
     const sf_interval *P = right ? ladder->U : ladder->V, *Q = right ? ladder->V : ladder->U;
     const double side = right ? 1 : -1;
-    int k;
-    for (k = from; k <= highest; k++) {
+    for (int k = from; k <= highest; k++) {
         const double gain = right || k % 2 == 0 ? turn * D[k] : -turn * D[k];
         const sf_interval M = {0.5 * (ladder->U[k].lo - ladder->V[k].hi), 0.5 * (ladder->U[k].hi - ladder->V[k].lo)};
         if (gain == 0)
@@ -201,8 +197,7 @@ static void sf_add_piece(const double *D, sf_interval top, sf_interval bottom, s
 
 /* The sums of so many terms, with their roundings, and what a straight line has. */
 static void sf_sum_up(const sf_weighted *sums, int terms, const sf_interval *straight, sf_interval *out) {
-    int i;
-    for (i = 0; i < SF_SUMS; i++) {
+    for (int i = 0; i < SF_SUMS; i++) {
         const double slack = (terms + 2) * 0x1p-52 * sums[i].size + (sums[i].size > 0 ? terms * SFI_LEAST : 0);
         out[i] = sfi_add(sfi_of(sums[i].lo - slack, sums[i].hi + slack), straight[i]);
     }
@@ -225,7 +220,7 @@ static void sf_share(const sf_near *own, const sf_near *other, sf_interval A, do
 {
     const int is_own = own->rooted && own->far == 0;
     const sf_interval X = own->X, far = sfi_point(own->rooted ? own->far : -0.25);
-    sf_interval ratio = sfi_point(1), turn = sfi_point(0), of_force, over;
+    sf_interval ratio = sfi_point(1), turn = sfi_point(0);
     if (!is_own) {
         /* of a root x/root rises from 0 to 1, and is 1 where the step is the chart's own; of an end 1/2 over it falls */
         ratio = own->rooted ? sfi_of(X.lo / sqrt(X.lo * X.lo + own->far), X.hi / sqrt(X.hi * X.hi + own->far))
@@ -233,8 +228,8 @@ static void sf_share(const sf_near *own, const sf_near *other, sf_interval A, do
         ratio = sfi_of(sfi_down(sfi_down(ratio.lo)) * (1 - 0x1p-51), sfi_up(sfi_up(ratio.hi)) * (1 + 0x1p-51));
         turn = sfi_div(far, sfi_mul(sfi_square(own->root), own->root));
     }
-    over = sfi_div(other->root, A);
-    of_force = sfi_mul(ratio, over);
+    const sf_interval over = sfi_div(other->root, A);
+    const sf_interval of_force = sfi_mul(ratio, over);
     *share = sfi_add(*share, sfi_mul(of_force, sfi_point(D_0)));
     *slope = sfi_add(*slope, sfi_add(sfi_mul(sfi_mul(over, sfi_sub(turn, sfi_div(sfi_mul(ratio, X), A))), sfi_point(D_0)),
                                      sfi_mul(sfi_mul(X, of_force), sfi_point(2 * sign * D_1))));
@@ -249,8 +244,7 @@ static void sf_share_beside(const double *D, int highest, int right, sf_interval
     const sf_interval root = sfi_sqrt(sfi_mul(over, under)), none = sfi_point(0);
     sf_interval begin[4], down[2], last[2];
     double gain[3];
-    int k;
-    for (k = 0; k < 3; k++)
+    for (int k = 0; k < 3; k++)
         gain[k] = k > highest ? 0 : right || k % 2 == 0 ? D[k] : -D[k];
     if (gain[0] == 0 && gain[1] == 0 && gain[2] == 0)
         return;
@@ -272,8 +266,7 @@ static inline sf_interval sf_both(sf_interval a, sf_interval b) { return sfi_of(
 /* Of a polynomial with these derivatives at 0, of any signs, what its n-th one does not exceed up to a size. */
 static double sf_far(const double *D, int n, int highest, double size) {
     double sum = 0, power = 1;
-    int k;
-    for (k = n; k <= highest; k++) {
+    for (int k = n; k <= highest; k++) {
         sum += fabs(D[k]) * power;
         power *= size / (k - n + 1);
     }
@@ -283,8 +276,7 @@ static double sf_far(const double *D, int n, int highest, double size) {
 /* The share of the cycle that is not above the last step, nor below the first, at most. */
 static double sf_share_inside(const sf_charts *of, sf_interval top, sf_interval bottom) {
     double inside = 1;
-    int side;
-    for (side = 0; side < 2; side++) {
+    for (int side = 0; side < 2; side++) {
         const double line = of->line[side ? 0 : of->lines - 1];
         const double over = side ? line - bottom.hi : top.lo - line, under = side ? top.hi - line : line - bottom.lo;
         if (over > 0)
@@ -301,11 +293,10 @@ static void sf_sum_large(const sf_charts *of, sf_interval top, sf_interval botto
     const double size = sfi_most(fabs(top.hi), fabs(bottom.lo)) * (1 + 0x1p-50), inside = sf_share_inside(of, top, bottom);
     sf_weighted sums[SF_SUMS] = {{0, 0, 0}};
     sf_interval straight[SF_SUMS];
-    int i;
     sf_add_piece(of->last, top, bottom, A, highest, sums, straight);
     sf_sum_up(sums, 2 * highest, straight, out);
     out[SF_C_3] = sf_any_number;
-    for (i = 0; i < SF_C_3; i++) {
+    for (int i = 0; i < SF_C_3; i++) {
         /* the mean of the weight's size, and the most that it is */
         const double mean = i == SF_S_0 ? 2 / SFI_PI : 1, most = i < SF_P_1 ? 1 : 2, beside = of->beside[order[i]];
         const double even = sf_far(of->even, order[i], highest, size);
@@ -346,28 +337,27 @@ static void sf_on_all(const sf_charts *of, sf_interval x, sf_interval y, int cha
     const int lower = (int)of->lower[chart], upper = (int)of->upper[chart], highest = of->highest;
     const int root_x = of->rooted[0][chart] != 0, root_y = of->rooted[1][chart] != 0;
     const double place_x = of->place[0][chart], place_y = of->place[1][chart];
-    sf_interval past_x, past_y, top, bottom, sum[SF_SUMS], straight[SF_SUMS];
+    sf_interval sum[SF_SUMS], straight[SF_SUMS];
     sf_interval share[4] = {{0, 0}, {0, 0}, {0, 0}, {0, 0}};
     sf_weighted sums[SF_SUMS] = {{0, 0, 0}};
     sf_interval c_3 = {0, 0}, s_2 = {0, 0};
-    int line, base, nowhere, beside, i;
     if (lower == upper) {
         const double x_lo = sfi_least(sfi_most(x.lo, -y.hi), x.hi);
         y.lo = sfi_least(sfi_most(y.lo, -x.hi), y.hi), x.lo = x_lo;
     }
-    past_x = root_x ? sfi_square(x) : x, past_y = root_y ? sfi_square(y) : y;
-    top = sfi_add(past_x, sfi_point(place_x)), bottom = sfi_sub(sfi_point(place_y), past_y);
+    const sf_interval past_x = root_x ? sfi_square(x) : x, past_y = root_y ? sfi_square(y) : y;
+    const sf_interval top = sfi_add(past_x, sfi_point(place_x)), bottom = sfi_sub(sfi_point(place_y), past_y);
     out->A = sfi_times(0.5, sfi_add(sfi_add(past_x, past_y), sfi_sub(sfi_point(place_x), sfi_point(place_y))));
     out->B = sfi_times(0.5, sfi_add(top, bottom));
-    nowhere = out->A.hi < 0;
-    beside = out->B.lo <= 0 && out->B.hi >= 0; /* elsewhere nobody asks for c_3 and s_2 */
+    const int nowhere = out->A.hi < 0;
+    const int beside = out->B.lo <= 0 && out->B.hi >= 0; /* elsewhere nobody asks for c_3 and s_2 */
     out->A = sfi_of(sfi_most(out->A.lo, 0), sfi_most(out->A.hi, 0));
     out->X = root_x ? x : sfi_point(0.5), out->X_x = sfi_point(root_x);
     out->Y = root_y ? y : sfi_point(0.5), out->Y_y = sfi_point(root_y);
 
-    base = sf_middle_piece(of, top, bottom, chart);
+    const int base = sf_middle_piece(of, top, bottom, chart);
     sf_add_piece(of->piece + base * (highest + 1), top, bottom, out->A, highest, sums, straight);
-    for (line = lower; line < upper; line++) {
+    for (int line = lower; line < upper; line++) {
         const double *gain = of->gain + line * (highest + 1);
         const double beyond_x = place_x - of->line[line], beyond_y = of->line[line] - place_y;
         /* from the coordinates themselves: exact where a step is near */
@@ -388,10 +378,10 @@ static void sf_on_all(const sf_charts *of, sf_interval x, sf_interval y, int cha
             sf_share(&at_y, &at_x, out->A, D_0, D_1, -1, &share[1], &share[3]);
         }
     }
-    for (i = 0; i < 4; i++) /* the factor 1/pi is rounded */
+    for (int i = 0; i < 4; i++) /* the factor 1/pi is rounded */
         share[i] = sfi_of(sfi_down(sfi_down(share[i].lo)), sfi_up(sfi_up(share[i].hi)));
     sf_sum_up(sums, (highest + 1) * (upper - lower + 2), straight, sum);
-    for (i = 0; nowhere && i < SF_SUMS; i++)
+    for (int i = 0; nowhere && i < SF_SUMS; i++)
         sum[i] = sf_any_number;
     sf_end_up(sum, share, out);
     out->c_3 = beside ? sfi_add(out->c_3, c_3) : sf_any_number, out->s_2 = beside ? sfi_add(out->s_2, s_2) : sf_any_number;

@@ -48,8 +48,7 @@ static inline int sf_is_top(const sf_zero *zero, int pushes) {
 /* The highest of these; NULL where there is none. */
 static inline const sf_zero *sf_top(const sf_zeros *found, int pushes) {
     const sf_zero *top = NULL;
-    int i;
-    for (i = 0; i < found->n; i++)
+    for (int i = 0; i < found->n; i++)
         if (sf_is_top(&found->at[i], pushes) && (top == NULL || found->at[i].A > top->A))
             top = &found->at[i];
     return top;
@@ -57,8 +56,8 @@ static inline const sf_zero *sf_top(const sf_zeros *found, int pushes) {
 
 /* By rising A; the lists are short and nearly sorted. */
 static inline void sf_sort_zeros(sf_zeros *found) {
-    int i, j;
-    for (i = 1; i < found->n; i++) {
+    int j;
+    for (int i = 1; i < found->n; i++) {
         const sf_zero zero = found->at[i];
         for (j = i; j > 0 && found->at[j - 1].A > zero.A; j--)
             found->at[j] = found->at[j - 1];

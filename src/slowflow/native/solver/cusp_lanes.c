@@ -32,8 +32,7 @@ static inline value value_at(double A, double h, double h_A, double h_AA, double
     slow_flow_cusp_R(A, zeta, h_AA, k, X, T, R);
     const double of_R = fabs(R[0]) < SF_CANCELLED * fabs(k) ? R[1] : R[0];
     slow_flow_cusp(A, m, zeta, h_AA, h_AAA, k, X, T, of_R, sign * root, cusp);
-    const value found = {cusp[0], cusp[2], sqrt(X), SF_LESSER(X, q[4] >= 0 ? 1.0 : -1.0)};
-    return found;
+    return (value){cusp[0], cusp[2], sqrt(X), SF_LESSER(X, q[4] >= 0 ? 1.0 : -1.0)};
 }
 
 /* x times any number of a range from lo to hi, x > 0 from x_lo to x_hi: the least, or with the ends in turn the most */
@@ -84,9 +83,8 @@ static inline channel channel_on(shared of, double tau_lo, double tau_hi)
     const double k_lo = sum_lo + t_lo + (turned > 0 ? by_hi : -by_lo),
                  k_hi = sum_hi + t_hi + (turned > 0 ? by_lo : -by_hi);
     const double doubt_k = 4 * doubt_s + SF_DOUBT * by_lo;
-    const channel found = {(X_hi <= 0) | is_positive | is_negative | is_above, X_lo > 0,
-                           ((g_lo > doubt_g) | (g_hi < -doubt_g)) & ((k_lo > doubt_k) | (k_hi < -doubt_k))};
-    return found;
+    return (channel){(X_hi <= 0) | is_positive | is_negative | is_above, X_lo > 0,
+                     ((g_lo > doubt_g) | (g_hi < -doubt_g)) & ((k_lo > doubt_k) | (k_hi < -doubt_k))};
 }
 
 SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)

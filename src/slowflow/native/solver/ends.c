@@ -14,8 +14,7 @@ static void step_means(double A, double a, int whole, int below, int highest, do
 {
     const double span = (A - a) * (A + a);
     double found[4] = {0, 1, 0, 0}, *L_0 = L + below, *M_0 = M + below;
-    int k;
-    for (k = 0; k <= below + highest; k++)
+    for (int k = 0; k <= below + highest; k++)
         L[k] = M[k] = 0;
     if (!whole && a >= A)
         return;
@@ -24,14 +23,14 @@ static void step_means(double A, double a, int whole, int below, int highest, do
         off_centre_begin(A, a, root, atan2(root, a), found);
         L_0[-1] = found[0], M_0[-1] = found[2];
         L_0[0] = found[1], M_0[0] = found[3];
-        for (k = 0; k > 1 - below; k--) {
+        for (int k = 0; k > 1 - below; k--) {
             off_centre_down(k, A, a, root, L_0[k - 1], L_0[k], M_0[k - 1], M_0[k], found);
             L_0[k - 2] = found[0], M_0[k - 2] = found[1];
         }
     } else {
         L_0[0] = 1;
     }
-    for (k = 1; k <= highest; k++) {
+    for (int k = 1; k <= highest; k++) {
         off_centre_up(k, A, a, span, L_0[k - 2], L_0[k - 1], M_0[k - 2], M_0[k - 1], found);
         L_0[k] = found[0], M_0[k] = found[1];
     }

@@ -30,9 +30,8 @@ static inline value value_at(double A, double F_0, double m, double zeta, double
         fold[2] * slow_flow_I(fold[2], A, m, zeta) / (zeta * SF_GREATER((1 - share) * (1 + share), SF_CLOSE));
     const double size = F_0 + fabs(h) + A * (1 + SF_FINITE_SIZE(h_A)) + of_k;
     const int exists = beyond >= 0;
-    const value found = {fold[0], fold[1], fold[2], slow_flow_fold_square(fold[2], A, fold[0]), exists,
-                         (!(fabs(beyond) > doubt_k)) | (exists & (!(fabs(fold[0]) > SF_CLOSE * size)))};
-    return found;
+    return (value){fold[0], fold[1], fold[2], slow_flow_fold_square(fold[2], A, fold[0]), exists,
+                   (!(fabs(beyond) > doubt_k)) | (exists & (!(fabs(fold[0]) > SF_CLOSE * size)))};
 }
 
 /* |k| at a fold with this Omega^2 */
@@ -63,8 +62,7 @@ typedef struct {
 static inline at_k at_k_of(double k, double F_0, double m, double excess, double least)
 {
     const double t = least / k, share = sqrt(SF_GREATER((1 - t) * (1 + t), 0.0)), J = excess / (F_0 + m * share);
-    const at_k found = {share, J, J * share};
-    return found;
+    return (at_k){share, J, J * share};
 }
 
 /* 0 times what has no bound is 0 */

@@ -18,8 +18,7 @@ static inline value value_at(double w, double A, double F_0, double m, double ze
 {
     double peak[2];
     slow_flow_peak(w, A, F_0, m, zeta, h_A, peak);
-    const value found = {peak[0], peak[1], peak[0] + 2 * F_0 * F_0};
-    return found;
+    return (value){peak[0], peak[1], peak[0] + 2 * F_0 * F_0};
 }
 
 /* Whether F at critical points between w_lo and w_hi, on amplitudes from a to b, has no zero, or one at most */
@@ -35,11 +34,10 @@ static inline channel channel_on(double w_lo, double w_hi, double a, double b, d
     const double I_lo = 2 * zeta * a * w_lo + m, I_hi = 2 * zeta * b * w_hi + m;
     const double doubt = 4 * SF_CLOSE * (R_hi * R_hi + I_hi * I_hi + F_0 * F_0);
     const double S_lo = w_lo * w_lo - on.h1_hi, S_hi = w_hi * w_hi - on.h1_lo;
-    const channel of = {(R_lo * R_lo + (I_lo - F_0) * (I_lo + F_0) > doubt) |
-                            (R_hi * R_hi + (I_hi - F_0) * (I_hi + F_0) < -doubt),
-                        S_lo > 4 * SF_CLOSE * (w_lo * w_lo + SF_FINITE_SIZE(on.h1_hi)),
-                        S_hi < -4 * SF_CLOSE * (w_hi * w_hi + SF_FINITE_SIZE(on.h1_lo))};
-    return of;
+    return (channel){(R_lo * R_lo + (I_lo - F_0) * (I_lo + F_0) > doubt) |
+                         (R_hi * R_hi + (I_hi - F_0) * (I_hi + F_0) < -doubt),
+                     S_lo > 4 * SF_CLOSE * (w_lo * w_lo + SF_FINITE_SIZE(on.h1_hi)),
+                     S_hi < -4 * SF_CLOSE * (w_hi * w_hi + SF_FINITE_SIZE(on.h1_lo))};
 }
 
 SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
