@@ -95,7 +95,7 @@ function inPython(state) {
   if (state.si) {
     const base = BASE.map(({ name }) => `${name}=${python(state.base[name])}`);
     lines.push(`mount = ${about.constructor}.physical(${[...base, ...given(PHYSICAL), ...words].join(", ")})`);
-    const F = `F=${python(state.values.F_0)}`;
+    const F = python(state.values.F_0);
     const top = python(state.high * measure(state, "Omega").size);
     lines.push(`print(mount.saddle_node_onset())`, `print(mount.detachment())`, `print(mount.saddle_nodes(${F}))`);
     lines.push(`curve = mount.frequency_response(${F}, f=(0.0, ${top}), samples=${SAMPLES})`);

@@ -14,11 +14,11 @@ from slowflow.mechanism import LINEAR, Force, Mechanism, described
 from slowflow.model import THROUGHOUT, Laws, Model
 from slowflow.oscillator import FORCES, Oscillator
 from slowflow.physical import Physical
-from slowflow.quantities import SHEET, Scales, g, si
+from slowflow.quantities import EXCITED, SHEET, Scales, g, si
 from slowflow.support.errors import Refused
 from slowflow.text import text
 from slowflow_kernels import duffing, rod_spring
-from slowflow_kernels.domains import DAMPING, DISSIPATION, EXCITATIONS
+from slowflow_kernels.domains import DAMPING, DISSIPATION
 from slowflow_kernels.scaling import SCALES
 
 ROD_SPRING: Mechanism = rod_spring.MECHANISM
@@ -142,8 +142,8 @@ class Isolator(Oscillator):
         static_friction -- what holds the mass at rest, N, where that is more than `friction`: for exact motions
         load     -- the mass that sits on it and moves, kg, where that is not the m that k_v is preset for
         force    -- "untruncated" as the geometry gives it (5), or "truncated" as the paper averages it (6)
-        excitation -- "force", in N; "base", a base that shakes, by its displacement in m; "unbalance", a mass that
-            turns, times its radius, in kg m: it is part of m
+        excitation -- "force", in N; "base" or "acceleration", a base that shakes, by its displacement in m or its
+            acceleration in m/s^2; "unbalance", a mass that turns, times its radius, in kg m: it is part of m
 
         Numbers are plain ones in these units, or quantities of pint. Without `load` it is taken for granted that the
         vertical spring is preset, by m g/k_v, so that m rests at the centre, where the push-rods lie flat. Another load
@@ -153,8 +153,8 @@ class Isolator(Oscillator):
         in another unit, as L = 80, is told in a warning.
         """
         moving = m if load is None else validate.number("load", si("load", load, "kg"), above=0.0)
-        excited = validate.excitation(excitation, tuple(EXCITATIONS))
-        scales = Scales(m=moving, k_v=k_v, L=L, excitation=excited, damping="zeta" if c is None else "c")
+        excitation = validate.excitation(excitation, tuple(EXCITED))
+        scales = Scales(m=moving, k_v=k_v, L=L, excitation=excitation, damping="zeta" if c is None else "c")
         preset = validate.number("m", si("m", m, "kg"), above=0.0)
         beyond = scales.m - preset
         if c is not None and zeta is not None:
@@ -171,8 +171,9 @@ class Isolator(Oscillator):
             mu_s = max(mu, static / scales.of(SCALES["mu"]))
         laws = Laws.of(numbers["eta"], numbers["c_2"], rubs)
         weight = beyond * g / scales.sizes["force"]
+        numbers |= {"mu_s": mu_s, "load": weight}
         with scales.in_these_terms():
-            isolator = cls(force=force, excitation=excitation, rubs=laws.rubs, mu_s=mu_s, load=weight, **numbers)
+            isolator = cls(force=force, excitation=scales.of_oscillator, rubs=laws.rubs, **numbers)
         sheet = {"k_v": scales.k_v, "L": scales.L, **{name: float(known[name]) for name in ("k_h", "n", "preload")}}
         others = {"m": max(scales.m, scales.m - beyond), "friction": mu * scales.sizes["force"], "zeta": isolator.zeta}
         range_checks.warn(range_checks.of_mount(**sheet, **others, g=g), stacklevel=3)

@@ -20,17 +20,19 @@ from slowflow import range_checks, validate
 from slowflow.answer import joined
 from slowflow.averaged.plan import Plan
 from slowflow.mechanism import Floats
-from slowflow.quantities import DRAWN, SI, UNITS, Quantities, Scales, g, si
-from slowflow.support.errors import OutOfRange, Refused
+from slowflow.quantities import DRAWN, EXCITED, OF_A_BASE, SI, UNITS, Quantities, Scales, g, si
+from slowflow.support.errors import OutOfRange, Refused, WrongType
 from slowflow.table import QUANTITIES
 from slowflow.text import in_units
 
 if TYPE_CHECKING:
+    from typing import Unpack
+
     from slowflow import physical_answers as answers
-    from slowflow.physical_answers import Number, Numbers, Window
+    from slowflow.physical_answers import Amplitude, Amplitudes, Number, Numbers, Window
 
 #: dimensionless names of what is called otherwise here
-PLAIN = {"F": "F_0", **{column.si: column.name for column in QUANTITIES.values() if column.si}}
+PLAIN = {column.si: column.name for column in QUANTITIES.values() if column.si}
 #: units of spectral densities: the root of each over its SI unit, and of which kind that is
 DENSITIES = {"g^2/Hz": (g, "acceleration"), "(m/s^2)^2/Hz": (1.0, "acceleration"), "N^2/Hz": (1.0, "force")}
 #: what is said of numbers that look as if they were in another unit
@@ -49,8 +51,11 @@ def _takes(question: Any) -> Mapping[str, inspect.Parameter]:
 class Physical:
     """An oscillator whose questions take forces in N, frequencies f in Hz and lengths in m, and are answered in these.
 
-    F is the amplitude of its excitation: of a base that shakes the displacement of the base in m, of an unbalance the
-    mass that turns times its radius in kg m. Answers call it Y and U then, and what would be F_SN and F_cr Y_SN, ...
+    A question takes the amplitude of its excitation first, or by its letter: a force F in N, the displacement Y of the
+    base in m or its acceleration a in m/s^2, an unbalance U, the mass that turns times its radius, in kg m. Answers
+    have it by that letter, and what is called F_SN and F_cr of a force as Y_SN, a_cr, ... Of a mount that its base
+    shakes each question takes a or Y, whichever its `excitation` says: the motion relative to the base is that under a
+    force m a, whatever the frequency.
 
     oscillator -- the dimensionless one, which is asked
     scales     -- what its numbers are measured in
@@ -140,24 +145,32 @@ class Physical:
         """The lowest force amplitude that reaches the stroke: .F_cr .f_cr .x_cr, see `Averaged.detachment`."""
         return self._answer("detachment")
 
-    def saddle_nodes(self, F: Number) -> answers.AtOne:
+    def saddle_nodes(self, amplitude: Number | None = None, /, **at: Unpack[Amplitude]) -> answers.AtOne:
         """Where a sweep jumps at the force amplitude F: .f .A .kind .corner, see `Averaged.saddle_nodes`."""
-        return self._answer("saddle_nodes", F=F)
+        return self._answer("saddle_nodes", amplitude, at)
 
-    def peak(self, F: Number) -> answers.One:
+    def peak(self, amplitude: Number | None = None, /, **at: Unpack[Amplitude]) -> answers.One:
         """The highest peak: .A .f, see `Averaged.peak`; under a load .x_max at .f_max as well, see `OffCentre.peak`."""
-        return self._answer("peak", F=F)
+        return self._answer("peak", amplitude, at)
 
-    def amplitudes(self, *, f: Numbers, F: Numbers) -> answers.States:
+    def amplitudes(self, *, f: Numbers, **at: Unpack[Amplitudes]) -> answers.States:
         """Every steady state at f: .f .A .phi .stable .transmissibility_dB, see `Averaged.amplitudes`.
 
         Under a load .A is the amplitude about the mean displacement .B, and .x_max the largest |x|, |B| + A.
         """
-        return self._answer("amplitudes", f=f, F=F)
+        return self._answer("amplitudes", None, at, f=f)
 
-    def frequency_response(self, F: Number, *, f: Window | None = None, samples: int = 1000) -> answers.AtOne:
+    def frequency_response(
+        self,
+        amplitude: Number | None = None,
+        /,
+        *,
+        f: Window | None = None,
+        samples: int = 1000,
+        **at: Unpack[Amplitude],
+    ) -> answers.AtOne:
         """The response curve for frequencies in the window f, of up to twice f_n without: `amplitudes` and .branch."""
-        return self._answer("frequency_response", F=F, f=f, samples=samples)
+        return self._answer("frequency_response", amplitude, at, f=f, samples=samples)
 
     def fold_locus(self, *, samples: int = 1000, A_max: Number | None = None) -> answers.AtEach:
         """The folds of every force amplitude: .f .A .F .branch, see `Averaged.fold_locus`."""
@@ -176,35 +189,39 @@ class Physical:
         """The amplitude of the excitation that leaves a mass at rest at every frequency, see `Averaged`."""
         return self.oscillator.sticking_forcing * self.scales.sizes[self.scales.amplitude]
 
-    def transmissibility_floor(self, F: Number) -> float:
+    def transmissibility_floor(self, amplitude: Number | None = None, /, **at: Unpack[Amplitude]) -> float:
         """What the ratio that is transmitted tends to as f rises without end, see `Averaged.transmissibility_floor`."""
-        return float(self._ask("transmissibility_floor", F=F))
+        one, F_0 = self._excited(amplitude, at)
+        return float(one._ask("transmissibility_floor", F_0=F_0))
 
     def backbone(self, A: Numbers) -> Floats:
         """f in Hz on the backbone at amplitudes in m, see `Averaged.backbone`."""
         return np.asarray(self._ask("backbone", A=A) * self.scales.sizes["frequency"])
 
-    def limit_envelope(self, *, f: Numbers, F: Numbers) -> Floats:
+    def limit_envelope(self, *, f: Numbers, **at: Unpack[Amplitudes]) -> Floats:
         """The amplitude in m that no response exceeds, see `Averaged.limit_envelope`."""
-        return np.asarray(self._ask("limit_envelope", f=f, F=F) * self.scales.sizes["length"])
+        one, F_0 = self._excited(None, at)
+        return np.asarray(one._ask("limit_envelope", f=f, F_0=F_0) * self.scales.sizes["length"])
 
-    def certify(self, F: Number, *, f: Number | None = None) -> answers.Certificate:
+    def certify(
+        self, amplitude: Number | None = None, /, *, f: Number | None = None, **at: Unpack[Amplitude]
+    ) -> answers.Certificate:
         """What is proved at a force amplitude: see `Averaged.certify`.
 
         Of the dimensionless numbers as they are: `.answer` has the intervals that are proved, and these are the same
         times what is measured in, rounded.
         """
-        return self._answer("certify", F=F, f=f)
+        return self._answer("certify", amplitude, at, f=f)
 
     def steady_state(
         self,
         *,
         f: Number,
-        F: Number,
         A: Number | None = None,
         samples: int = 400,
         x_0: Number | None = None,
         v_0: Number = 0.0,
+        **at: Unpack[Amplitude],
     ) -> answers.SteadyState:
         """One periodic motion of the equation of motion: .A .stops .stable .period, and .t .x .v over one period.
 
@@ -213,21 +230,24 @@ class Physical:
         .A is the largest |x|; under a load that is what `amplitudes` calls .x_max, and .message says so. See
         `Oscillator.steady_state`, which `.answer` is from.
         """
-        found = self._ask("steady_state", f=f, F=F, A=A, x_0=x_0, v_0=v_0)
+        one, F_0 = self._excited(None, at)
+        found = one._ask("steady_state", f=f, F_0=F_0, A=A, x_0=x_0, v_0=v_0)
         message = joined("" if self.oscillator.load == 0 else LARGEST, found.message)
         series = dict(zip(("tau", "u", "v"), found.series(samples), strict=True))
         names = ("Omega", "A", "stops", "stable", "period")
-        return cast("answers.SteadyState", self._named(found, (), *names, F_0=found.F_0, message=message, **series))
+        return cast("answers.SteadyState", one._named(found, (), *names, F_0=found.F_0, message=message, **series))
 
     def exact_response(
         self,
-        F: Number,
+        amplitude: Number | None = None,
+        /,
         *,
         f: Window | None = None,
         start: Quantities | None = None,
         step: float = 0.02,
         x_0: Number | None = None,
         v_0: Number = 0.0,
+        **at: Unpack[Amplitude],
     ) -> answers.Response:
         """The curve of the equation of motion: .f .A .stable .stops, and .folds; see `Oscillator.exact_response`.
 
@@ -237,24 +257,28 @@ class Physical:
         if not (start is None or isinstance(start, Quantities)):
             raise Refused(f"start = {start!r} is not allowed: start must be what steady_state gave")
         begun = None if start is None else start.answer
-        found = self._ask("exact_response", F=F, f=f, start=begun, step=step, x_0=x_0, v_0=v_0)
+        one, F_0 = self._excited(amplitude, at)
+        found = one._ask("exact_response", F_0=F_0, f=f, start=begun, step=step, x_0=x_0, v_0=v_0)
         columns: dict[str, Any] = {"Omega": float, "A": float, "kind": str, "corner": bool}
         folds = {name: np.array([getattr(one, name) for one in found.folds], of) for name, of in columns.items()}
-        curve = self._named(found, ("Omega", "A", "stable", "stops"), "F_0", "closed", "message", "complete")
+        curve = one._named(found, ("Omega", "A", "stable", "stops"), "F_0", "closed", "message", "complete")
         values = {**curve.values, "folds": self.scales.named(folds, found.folds, tuple(columns))}
         return cast("answers.Response", dataclasses.replace(curve, values=values))
 
-    def sweep(self, *, f: Numbers, F: Number, x_0: Number | None = None, v_0: Number = 0.0) -> answers.AtOne:
+    def sweep(
+        self, *, f: Numbers, x_0: Number | None = None, v_0: Number = 0.0, **at: Unpack[Amplitude]
+    ) -> answers.AtOne:
         """What an experiment sees that steps through frequencies: .f .A .stops .settled, and .jumps in Hz.
 
         x_0, v_0 -- as in `steady_state`
 
         See `Oscillator.sweep`.
         """
-        found = self._ask("sweep", f=f, F=F, x_0=x_0, v_0=v_0)
+        one, F_0 = self._excited(None, at)
+        found = one._ask("sweep", f=f, F_0=F_0, x_0=x_0, v_0=v_0)
         jumps = np.array(found.jumps).reshape(-1, 2)
         entry = ("Omega", "A", "stops", "settled")
-        return cast("answers.AtOne", self._named(found, entry, "F_0", "message", jumps=jumps))
+        return cast("answers.AtOne", one._named(found, entry, "F_0", "message", jumps=jumps))
 
     def transient(
         self,
@@ -305,24 +329,35 @@ class Physical:
             found = self.oscillator.random(psd=(at, density))
         return cast("answers.Random", self.scales.quantities(found))
 
-    def margins(self, F: Number) -> answers.One:
+    def margins(self, amplitude: Number | None = None, /, **at: Unpack[Amplitude]) -> answers.One:
         """How far a force amplitude is from F_SN and F_cr: .of_SN .of_cr, see `Oscillator.margins`."""
-        return self._answer("margins", F=F)
+        return self._answer("margins", amplitude, at)
 
-    def hysteresis(self, F: Number) -> answers.AtOne:
+    def hysteresis(self, amplitude: Number | None = None, /, **at: Unpack[Amplitude]) -> answers.AtOne:
         """Bands with several stable motions: .f_low .f_high .motions, see `Oscillator.hysteresis`."""
-        return self._answer("hysteresis", F=F)
+        return self._answer("hysteresis", amplitude, at)
 
-    def isolation(self, F: Number, level_dB: float = 0.0) -> answers.One:
+    def isolation(
+        self, amplitude: Number | None = None, /, level_dB: float = 0.0, **at: Unpack[Amplitude]
+    ) -> answers.One:
         """The frequency from which on less than F is transmitted: .f .A, see `Oscillator.isolation`."""
-        return self._answer("isolation", F=F, level_dB=level_dB)
+        return self._answer("isolation", amplitude, at, level_dB=level_dB)
 
-    def spectrum(self, *, f: Numbers, F: Numbers) -> answers.AtEach:
+    def spectrum(self, *, f: Numbers, **at: Unpack[Amplitudes]) -> answers.AtEach:
         """A load spectrum, row by row, see `Oscillator.spectrum`."""
-        return self._answer("spectrum", f=f, F=F)
+        return self._answer("spectrum", None, at, f=f)
 
-    def plot(self, F: Numbers, *, f: Window | None = None, of: str = "A", ax: Any = None) -> Any:
-        """Draw the response at one force, or at each of several, into Matplotlib axes, or new ones, and return these.
+    def plot(
+        self,
+        amplitude: Numbers | None = None,
+        /,
+        *,
+        f: Window | None = None,
+        of: str = "A",
+        ax: Any = None,
+        **at: Unpack[Amplitudes],
+    ) -> Any:
+        """Draw the response at one amplitude, or at each of several, into Matplotlib axes, or new ones; return these.
 
         f  -- the window of frequencies, up to twice f_n without
         of -- what is drawn over frequency, in Hz: "A", in mm, under a load .x_max; "phi" or "transmissibility_dB"
@@ -332,9 +367,10 @@ class Physical:
         from slowflow import pictures
 
         validate.choice("of", of, DRAWN)
-        letter = self.scales.symbol("F_0")
-        forces = validate.several(letter, si(letter, F, SI[self.scales.amplitude]))
-        answers = ((self.frequency_response(force, f=f), self.saddle_nodes(force)) for force in forces)
+        one, F_0 = self._excited(amplitude, at)
+        letter = one.scales.symbol("F_0")
+        forces = validate.several(letter, si(letter, F_0, SI[one.scales.amplitude]))
+        answers = ((one.frequency_response(force, f=f), one.saddle_nodes(force)) for force in forces)
         found = [(curve.in_units(), folds.in_units()) for curve, folds in answers]
         drawn = pictures.height(found[0][0]) if of == "A" else of
         ax = pictures.responses(ax, found, drawn)
@@ -348,12 +384,13 @@ class Physical:
         pictures.legend(ax, pictures.axis(found[0][0], letter))
         return ax
 
-    def explain(self, question: str, F: Number | None = None) -> Plan:
+    def explain(self, question: str, amplitude: Number | None = None, /, **at: Unpack[Amplitude]) -> Plan:
         """What runs for a question and what is skipped, see `Averaged.explain`."""
-        found = self._ask("explain", question=question, F=F)
-        steps = tuple(dataclasses.replace(step, why=in_units(step.why, self.scales)) for step in found.steps)
-        letter, unit = self.scales.symbol("F_0"), SI[self.scales.amplitude]
-        where = "" if F is None else f" at {letter} = {si(letter, F, unit):g} {unit}"
+        one, F_0 = self._excited(amplitude, at) if at or amplitude is not None else (self, None)
+        found = one._ask("explain", question=question, F_0=F_0)
+        steps = tuple(dataclasses.replace(step, why=in_units(step.why, one.scales)) for step in found.steps)
+        letter, unit = one.scales.symbol("F_0"), SI[one.scales.amplitude]
+        where = "" if F_0 is None else f" at {letter} = {si(letter, F_0, unit):g} {unit}"
         return dataclasses.replace(found, steps=steps, where=where)
 
     @property
@@ -364,9 +401,35 @@ class Physical:
 
     # ---- arguments
 
-    def _answer(self, question: str, /, **arguments: Any) -> Any:
-        """The answer in SI units."""
-        return self.scales.quantities(self._ask(question, **arguments))
+    def _excited(self, amplitude: Any, at: Mapping[str, Any]) -> tuple[Physical, Any]:
+        """The mount that an amplitude is of, first or by its letter, and that; of a base by a or Y, whichever it is."""
+        own = self.scales.excitation
+        letters = {EXCITED[one][0]: one for one in (OF_A_BASE if own in OF_A_BASE else (own,))}
+        given = {self.scales.symbol("F_0"): amplitude} if amplitude is not None else {}
+        if len(given) + len(at) != 1 or not (given or at).keys() <= letters.keys():
+            known = " or ".join(f"{letter} in {SI[dict(EXCITED.values())[letter]]}" for letter in letters)
+            found = ", ".join((*given, *at)) or "none"
+            raise WrongType(f"the amplitude of the excitation is needed once, {known}: got {found}")
+        ((letter, value),) = (given or at).items()
+        return (self if letters[letter] == own else self._by_other_base), value
+
+    @functools.cached_property
+    def _by_other_base(self) -> Physical:
+        """The same mount with its base's acceleration given in place of its displacement, or the other way."""
+        (other,) = {*OF_A_BASE} - {self.scales.excitation}
+        scales, of = dataclasses.replace(self.scales, excitation=other), self.oscillator
+        oscillator = getattr(of, "first", of).replace(excitation=scales.of_oscillator)
+        oscillator = oscillator.second_approximation if hasattr(of, "first") else oscillator
+        return Physical(oscillator, scales, {**self.given, "excitation": other})
+
+    def _answer(
+        self, question: str, amplitude: Any = None, at: Mapping[str, Any] | None = None, /, **arguments: Any
+    ) -> Any:
+        """The answer in SI units; at an amplitude of the excitation where `at` is given."""
+        if at is None:
+            return self.scales.quantities(self._ask(question, **arguments))
+        one, F_0 = self._excited(amplitude, at)
+        return one._answer(question, F_0=F_0, **arguments)
 
     def _named(self, found: Any, entry: tuple[str, ...], *names: str, **more: Any) -> Quantities:
         """Numbers of an answer by name, those of an entry first, in SI units."""

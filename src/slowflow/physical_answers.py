@@ -1,14 +1,14 @@
 """Types of questions in SI units, for type checkers: what they take, and the numbers of `Quantities` that each gives.
 
 Nothing is of these classes when a program runs: an answer is `Quantities`, and what it holds is read by name. Which of
-the declared numbers an answer has, its question tells; by another excitation F is called Y or U, and a load adds a mean
-displacement.
+the declared numbers an answer has, its question tells; by another excitation F is called Y, a or U, and a load adds a
+mean displacement.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, Protocol
+from typing import Any, Protocol, TypedDict
 
 import numpy as np
 import numpy.typing as npt
@@ -37,6 +37,24 @@ class WithUnit(Protocol):
 Number = float | np.floating[Any] | np.integer[Any] | WithUnit
 Numbers = Number | Sequence[Number] | Array
 Window = Sequence[Number] | Array | WithUnit
+
+
+class Amplitude(TypedDict, total=False):
+    """The amplitude of the excitation by its letter: force, displacement or acceleration of the base, unbalance."""
+
+    F: Number
+    Y: Number
+    a: Number
+    U: Number
+
+
+class Amplitudes(TypedDict, total=False):
+    """Several of them."""
+
+    F: Numbers
+    Y: Numbers
+    a: Numbers
+    U: Numbers
 
 
 class Explained(Quantities):
@@ -85,6 +103,7 @@ class AtOne(Rows):
 
     F: float
     Y: float
+    a: float
     U: float
 
 
@@ -93,6 +112,7 @@ class AtEach(Rows):
 
     F: Floats
     Y: Floats
+    a: Floats
     U: Floats
 
 
@@ -101,6 +121,7 @@ class States(Rows):
 
     F: float | Floats
     Y: float | Floats
+    a: float | Floats
     U: float | Floats
 
 
@@ -109,12 +130,15 @@ class One(Explained):
 
     F: float
     Y: float
+    a: float
     U: float
     F_SN: float | None
     Y_SN: float | None
+    a_SN: float | None
     U_SN: float | None
     F_cr: float | None
     Y_cr: float | None
+    a_cr: float | None
     U_cr: float | None
     of_SN: float | None
     of_cr: float | None
@@ -179,6 +203,7 @@ class SteadyState(Motion):
     A: float
     F: float
     Y: float
+    a: float
     U: float
     stops: int
     stable: bool
@@ -213,6 +238,7 @@ class Certificate(Quantities):
     """Of `certify`."""
 
     F: float
+    a: float
     saddle_nodes: Quantities
     saddle_node_onset: Quantities
     detachment: Quantities

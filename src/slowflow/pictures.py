@@ -69,6 +69,8 @@ LABELS = {
     "rows_stick": "rows that stick",
     "Y_SN": "onset $Y_{SN}$",
     "Y_cr": "critical displacement of the base $Y_{cr}$",
+    "a_SN": "onset $a_{SN}$",
+    "a_cr": "critical acceleration of the base $a_{cr}$",
     "U_SN": "onset $U_{SN}$",
     "U_cr": "critical unbalance $U_{cr}$",
     "u_cr": "$u_{cr}$",
@@ -98,7 +100,7 @@ SHORT = 16
 #: bands beyond this many times the nominal value run out of the picture
 WIDEST = 2.0
 #: what the amplitude of the excitation is called
-AMPLITUDES = ("F_0", "F", "Y", "U")
+AMPLITUDES = ("F_0", "F", "Y", "U", "a")
 #: what is a displacement over frequency
 HEIGHTS = ("A", "u_max", "x_max")
 #: how far signs along a curve are from each other, over the diagonal of the axes

@@ -29,8 +29,7 @@ from slowflow.table import QUANTITIES
 from slowflow.text import in_units
 from slowflow_kernels.domains import DAMPING, DISSIPATION
 from slowflow_kernels.rod_spring import MECHANISM as ROD_SPRING
-from slowflow_kernels.scaling import AMPLITUDES as AMPLITUDE_SCALES
-from slowflow_kernels.scaling import SCALES
+from slowflow_kernels.scaling import AMPLITUDES, SCALES
 
 #: standard gravity, m/s^2
 g = 9.80665
@@ -54,10 +53,18 @@ UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
 )
 #: those in which answers are shown, one of each kind
 USUAL = ("N", "mm", "Hz", "ms", "mm/s", "m/s^2", "N/m", "rad", "kg", "kg m", "N s^2/m^2", "N s/m", "1/s")
-#: amplitudes of the excitation: what is called F_0 without dimensions is F, Y or U, of this kind
+#: amplitudes of the excitation: what is called F_0 without dimensions is F, Y, U or a, of this kind
 EXCITED: Mapping[str, tuple[str, str]] = MappingProxyType(
-    {"force": ("F", "force"), "base": ("Y", "length"), "unbalance": ("U", "unbalance")}
+    {
+        "force": ("F", "force"),
+        "base": ("Y", "length"),
+        "unbalance": ("U", "unbalance"),
+        "acceleration": ("a", "acceleration"),
+    }
 )
+LETTERS = tuple(letter for letter, _ in EXCITED.values())
+#: those of a base that shakes
+OF_A_BASE = ("base", "acceleration")
 #: the unit of each kind in SI
 SI = MappingProxyType({kind: next(iter(units)) for kind, units in UNITS.items()})
 #: and which unit is of which kind
@@ -101,8 +108,9 @@ OF_KIND: Mapping[str, Scale] = MappingProxyType(
         "length": SCALES["u"],
         "frequency": SCALES["Omega"],
         "time": SCALES["tau"],
-        "unbalance": AMPLITUDE_SCALES["unbalance"],
+        "unbalance": AMPLITUDES["unbalance"],
         "quadratic damping": SCALES["c_2"],
+        "acceleration": Scale("a", 1.0, (1.0, 1.0, -1.0)),
         "stiffness": Scale("k", 1.0, (1.0, 0.0, 0.0)),
         "damping": Scale("c", 1.0, (0.5, 0.0, 0.5)),
         "rate": Scale("omega_n", 1.0, (0.5, 0.0, -0.5)),
@@ -350,7 +358,7 @@ def sizes(*, m: Any, k_v: Any, L: Any) -> dict[str, Any]:
 class Scales:
     """What the dimensionless numbers of an oscillator are measured in (4), in SI units: m in kg, k_v in N/m, L in m.
 
-    excitation -- what F_0 is the amplitude of, a key of `EXCITED`: of a base in L, of an unbalance in m L
+    excitation -- what the amplitude is of, a key of `EXCITED`
     damping    -- which number viscous damping is given by, "zeta" or "c"
     sheet      -- the numbers that a mount was made from, in the units of `SHEET`
 
@@ -383,6 +391,11 @@ class Scales:
     def amplitude(self) -> str:
         """Of which kind the amplitude of the excitation is."""
         return EXCITED[self.excitation][1]
+
+    @property
+    def of_oscillator(self) -> str:
+        """What F_0 is the amplitude of: the acceleration a of a base is a force m a on a mass that is seen from it."""
+        return "force" if self.excitation == "acceleration" else self.excitation
 
     @cached_property
     def measures(self) -> dict[str, tuple[str, Scale]]:
@@ -466,7 +479,7 @@ class Scales:
         """
         if found.by[: len(ROD_SPRING.design)] != ROD_SPRING.design_names:
             raise Refused(WITHOUT_PRELOAD)
-        arguments = {"F_0": AMPLITUDE_SCALES[self.excitation], "Omega": SCALES["Omega"], "load": SCALES["F_0"]}
+        arguments = {"F_0": OF_KIND[self.amplitude], "Omega": SCALES["Omega"], "load": SCALES["F_0"]}
         known = self.measures | {name: (self.symbol(name), scale) for name, scale in arguments.items()}
         by, measures = zip(*(known[name] for name in found.by), strict=True)
         of, kinds = zip(*(self.kind(name) for name in found.of), strict=True)

@@ -37,7 +37,12 @@ EQUATIONS = ("(3)", "(4)", "(5)", "(6)", "(7)", "(21)", "(22)", "(24)", "(25)", 
 #: designs of the map along each of two numbers, and how far these reach from the design at hand
 MAPPED, REACH = 60, 0.5
 #: amplitudes of what
-EXCITATION = {"force": "force", "base": "motion of the base", "unbalance": "unbalance"}
+EXCITATION = {
+    "force": "force",
+    "base": "motion of the base",
+    "acceleration": "acceleration of the base",
+    "unbalance": "unbalance",
+}
 #: columns that tables leave out: words beside them have them
 UNSHOWN = ("message", "remarks")
 #: and what is not of a force
@@ -141,12 +146,17 @@ class Report:
         self.of: Any = scene.oscillator
         self.mount = self.of if isinstance(self.of, Physical) else None
         self.plain: Any = self.mount.oscillator if self.mount else self.of
-        self.F, self.f = ("F", "f") if self.mount else ("F_0", "Omega")
+        self.f = "f" if self.mount else "Omega"
         self.letter, self.unit, self.size = self._called("F_0")
+
+    @property
+    def excitation(self) -> str:
+        """What the forcing is the amplitude of."""
+        return self.mount.scales.excitation if self.mount else str(self.plain.excitation)
 
     def _ask(self, question: str, F: float | None = None, **arguments: Any) -> Any:
         """An answer, at an amplitude of the excitation if one is given."""
-        return self.scene.ask(question, **arguments, **({} if F is None else {self.F: F}))
+        return self.scene.ask(question, **arguments, **({} if F is None else {self.letter: F}))
 
     def _shown(self, question: str, F: float | None = None, **arguments: Any) -> Any:
         """The same in the units in which answers are shown."""
@@ -287,7 +297,7 @@ class Report:
 
     def answers(self) -> Iterator[str]:
         """What was asked at each force, and the forces from which on it jumps and its springs leave."""
-        what, of_force = EXCITATION[self.plain.excitation], self.plain.excitation == "force"
+        what, of_force = EXCITATION[self.excitation], self.plain.excitation == "force"
         left_out: list[str] = []
         yield _table(f"It jumps from this {what} on", self._shown("saddle_node_onset"))
         yield _table(f"Its springs leave from this {what} on", self._shown("detachment"))
@@ -405,7 +415,7 @@ class Report:
         found = (name, np.where(np.isfinite(values), values / of_onset, np.nan))
         ax = pictures.design_map(page.axes(), (name_x, columns / of_x), (name_y, rows / of_y), found)
         ax.plot(subject.nominal[x] / of_x, subject.nominal[y] / of_y, "o", color="white", markeredgecolor="black")
-        what, over = EXCITATION[subject.excitation], f"{NUMBERS[x]} and {NUMBERS[y]}"
+        what, over = EXCITATION[self.excitation], f"{NUMBERS[x]} and {NUMBERS[y]}"
         yield page.figure(ax, f"The {what} from which on it jumps, over {over}; the circle is the design at hand.")
 
     def trust(self) -> Iterator[str]:
@@ -451,7 +461,7 @@ class Report:
         rows = []
         for F in self.forcings:
             for at in self._frequencies():
-                arguments = {self.f: at, self.F: F}
+                arguments = {self.f: at, self.letter: F}
                 states = self.scene.ask("amplitudes", **arguments)
                 if states.stable.any():
                     # off the centre A is about the mean

@@ -10,8 +10,8 @@
     zeta = 0.02
 
     [ask]
-    F = [3.0, 5.0]              # N; F_0 for [isolator] and [duffing]; Y in m with excitation = "base", U in kg m of
-                                # an "unbalance"
+    F = [3.0, 5.0]              # N; F_0 for [isolator] and [duffing]; with excitation = "base" Y in m or a in m/s^2,
+                                # of an "unbalance" U in kg m
     f = [5.0]                   # Hz; Omega for these
     level_dB = [0, -20]         # for "isolation": below which transmissibility; without 0, of all that drives
     questions = ["saddle_nodes", "amplitudes", "spectrum"]
@@ -63,7 +63,7 @@ from slowflow.averaged.plan import Plan
 from slowflow.isolator import Duffing, Isolator
 from slowflow.measured import costs
 from slowflow.physical import DENSITIES, Physical
-from slowflow.quantities import EXCITED, SHOWN, SI, UNITS
+from slowflow.quantities import EXCITED, LETTERS, SHOWN, SI, UNITS
 from slowflow.support.errors import Refused, SceneError
 from slowflow.table import COLUMNS, SHOCKS
 from slowflow.table import QUESTIONS as ROWS
@@ -150,8 +150,7 @@ class Kind:
 KINDS = {"mount": Kind(Isolator.physical, "F", "f", "t"), "isolator": Kind(Isolator), "duffing": Kind(Duffing)}
 #: keys of these that are no numbers with a tolerance
 NO_NUMBERS = ("load", "force", "excitation", "rubs", "mu_s", "static_friction")
-#: what the amplitude of a mount's excitation is called, and that of any
-LETTERS = tuple(letter for letter, *_ in EXCITED.values())
+#: what the amplitude of an excitation is called
 FORCINGS = (*LETTERS, "F_0")
 #: of which kind the arguments of a mount's questions are
 OF_MOUNT = {one.si or one.name: one.kind for one in COLUMNS.values()}
@@ -247,14 +246,9 @@ class Scene:
     cases: tuple[Asked, ...] = ()
     answers: dict[tuple[str, str], Any] = field(default_factory=dict, compare=False, repr=False)
 
-    @staticmethod
-    def arguments(query: Asked) -> dict[str, Any]:
-        """Those of the method that answers a question: a mount's call the amplitude F, whatever it is of."""
-        return {"F" if name in LETTERS else name: value for name, value in query.arguments.items()}
-
     def answer(self, query: Asked) -> Answer:
         """The answer to one of its questions, of a mount in N, mm and Hz; computed when it is first asked for."""
-        found: Answer = shown(self.ask(query.question, **self.arguments(query)))
+        found: Answer = shown(self.ask(query.question, **query.arguments))
         return found
 
     def ask(self, question: str, **arguments: Any) -> Any:
@@ -335,6 +329,8 @@ class _Reader:
         (name,) = stated
         kind, table = KINDS[name], self._table(name)
         self._known(name, table, kind.keys)
+        if name == "mount" and table.get("excitation") == "base" and self._accelerates():
+            table = {**table, "excitation": "acceleration"}
         if name == "mount" and table.get("excitation") in tuple(EXCITED):
             kind = replace(kind, forcing=EXCITED[table["excitation"]][0])
         self._complete(name, table, kind.needed)
@@ -361,6 +357,10 @@ class _Reader:
             required["given_forcings"] = tuple(self._positive(kind.forcing)) if kind.forcing in ask else ()
             required["cases"] = tuple(replace(one, kinds=kinds) for one in cases)
         return Scene(self.path, self.text, self.content, oscillator, queries, tuple(remarks), **required)
+
+    def _accelerates(self) -> bool:
+        """Whether a base is given by its acceleration."""
+        return any(isinstance(table := self.content.get(name), dict) and "a" in table for name in ("ask", "spectrum"))
 
     def _case(self, name: str, kind: Kind) -> Iterator[Asked]:
         """A load case of requirements beside forcings."""

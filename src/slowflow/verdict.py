@@ -108,12 +108,12 @@ def verdict(scene: Any) -> Verdict:
 def _cases(scene: Any, one: Requirement) -> Iterator[tuple[str, Any]]:
     """The load cases of a requirement, and what gives limit, value, unit, margin, whether it is met, a message."""
     mount = isinstance(scene.oscillator, Physical)
-    name, forcing = ("F", scene.oscillator.scales.amplitude) if mount else ("F_0", "")
-    letter = scene.oscillator.scales.symbol("F_0") if mount else name
+    scales = scene.oscillator.scales if mount else None
+    letter, forcing = (scales.symbol("F_0"), scales.amplitude) if scales else ("F_0", "")
     for F in scene.given_forcings if one.name not in AMOUNTS or "peak" in one.options["under"] else ():
         unit, size = in_shown(SI.get(forcing, ""))
         case = f"{letter} = {F / size:.4g} {unit}".rstrip()
-        yield case, lambda F=F: _at_forcing(scene, one, {name: F}, forcing, mount)
+        yield case, lambda F=F: _at_forcing(scene, one, {letter: F}, forcing, mount)
     for query in scene.cases if one.name in AMOUNTS else ():
         under = "random" if query.question == "random" else "shock"
         if under in one.options["under"]:
@@ -143,7 +143,7 @@ def _at_forcing(scene: Any, one: Requirement, at: dict[str, float], forcing: str
 
 def _under(scene: Any, one: Requirement, query: Any, under: str, mount: bool) -> tuple[Any, ...]:
     """In a shock, or under a spectral density: the largest of its stationary motions, in the mean or within a time."""
-    found = scene.ask(query.question, **scene.arguments(query))
+    found = scene.ask(query.question, **query.arguments)
     if under == "random" and not one.options["rms"]:
         values = found.largest(one.options["duration"])
     else:

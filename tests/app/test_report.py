@@ -334,8 +334,8 @@ def test_report_of_a_machine_has_no_raw_letters_or_powers():
     assert not [line for line in lines if re.search(r"\bpi\b|dOmega|\de-\d", line)]
     # at 25 Hz averaging is off by less than what five digits show
     exact = scenes.read(path).oscillator
-    averaged = exact.amplitudes(f=25.0, F=0.03).A[0]
-    assert abs(averaged / exact.steady_state(f=25.0, F=0.03, A=averaged).A - 1) < 1e-5
+    averaged = exact.amplitudes(f=25.0, U=0.03).A[0]
+    assert abs(averaged / exact.steady_state(f=25.0, U=0.03, A=averaged).A - 1) < 1e-5
     assert lines[lines.index("2.5163") + 2] == "below 0.001 %"
 
 

@@ -71,7 +71,7 @@ def test_tolerances_cover_each_row_of_spectrum_and_shocks(scene, monkeypatch):
     monkeypatch.setattr(slowflow.sizing, "tolerances", lambda of, **arguments: arguments)
     found = [{name: value for name, value in read.answer(one).items() if name != "answers"} for one in queries]
     within, at_a_frequency = {"within": {"k_h": 0.05}}, [{}, {"f": 5.0}, {"f": 10.0}]
-    expected = [{"F": Y, **at, **within} for Y in (0.001, 0.004) for at in at_a_frequency]
+    expected = [{"Y": Y, **at, **within} for Y in (0.001, 0.004) for at in at_a_frequency]
     expected += [{"spectrum": ([2.2, 5.0, 25.0], [0.004, 0.002, 0.001]), **within}]
     expected += [{"shock": (20.0, duration), **within} for duration in (0.011, 0.02)]
     assert found == expected
@@ -197,6 +197,19 @@ def test_explain_lists_the_plan_and_solves_nothing(scene, monkeypatch, capsys):
 def test_every_question_of_a_shipped_scene_has_an_estimate(path):
     read = scenes.read(path)
     assert all(read.seconds(query) > 0 for query in read.asked)
+
+
+def test_a_base_is_given_by_its_acceleration_in_a_scene(scene):
+    text = (ROOT / "scenes" / "shaking_floor.toml").read_text()
+    text = text.replace("Y = [0.001, 0.004]", "a = [0.5, 1.0]").replace("Y = [0.004, 0.002, 0.001]", "a = [0.5, 2, 9]")
+    read = scenes.read(scene(text))
+    mount = Isolator.physical(**read.content["mount"]).replace(excitation="acceleration")
+    found = {str(one): read.ask(one.question, **one.arguments) for one in read.asked}
+    assert found["saddle_node_onset"].a_SN == mount.saddle_node_onset().a_SN
+    assert found["peak at a = 0.5 m/s^2"] == mount.peak(0.5)
+    assert found["spectrum"] == mount.spectrum(f=[2.2, 5.0, 25.0], a=[0.5, 2.0, 9.0])
+    with pytest.raises(scenes.SceneError, match=r"Y is no key of \[ask\] here: .*'acceleration' is a, in m/s"):
+        scenes.read(scene(text.replace("a = [0.5, 1.0]", "a = 0.5\nY = 0.001")))
 
 
 def test_an_estimate_grows_with_what_is_asked(scene):
@@ -354,8 +367,8 @@ WRONG = {
     "a word for the excitation that is none, before the keys that depend on it": (
         "zeta = 0.02\n\n[ask]\nF =",
         'zeta = 0.02\nexcitation = "floor"\n\n[ask]\nY =',
-        "12: excitation = 'floor' is not allowed: excitation must be 'force' or 'base' or 'unbalance'; 'base' is a "
-        "floor or support that moves, 'unbalance' a rotating mass\n",
+        "12: excitation = 'floor' is not allowed: excitation must be 'force' or 'base' or 'unbalance' or "
+        "'acceleration'; 'base' is a floor or support that moves, 'unbalance' a rotating mass\n",
     ),
     "a law of damping with an index, which is no other law": (
         "zeta = 0.02",

@@ -66,20 +66,20 @@ def test_friction_holds_the_mass_up_to_the_break_loose_force(excitation):
 
 def test_a_mass_that_friction_holds_rides_with_the_floor():
     """At 1 Hz and 1 mm the floor's acceleration asks for m (2 pi f)^2 Y = 0.99 N of the 3.6 N that friction has."""
-    states = MOUNT.amplitudes(f=[4.0, 1.0], F=0.001)
+    states = MOUNT.amplitudes(f=[4.0, 1.0], Y=0.001)
     assert states.f.tolist() == [4.0, 1.0] and states.A[1] == 0 and states.stable.all()
     assert states.transmissibility_dB[1] == 0 and states.transmissibility_dB[0] > 0
     assert "no steady state" not in states.message
     assert "the inertia force does not exceed 4 friction/pi = 4.5837 N" in states.message
-    found = MOUNT.steady_state(f=1.0, F=0.001)
+    found = MOUNT.steady_state(f=1.0, Y=0.001)
     assert found.A == 0 and found.answer.transmitted("absolute").first == pytest.approx(1.0, rel=1e-12)
-    rows = MOUNT.spectrum(f=[1.0, 4.0], F=[0.001, 0.001])
+    rows = MOUNT.spectrum(f=[1.0, 4.0], Y=[0.001, 0.001])
     assert rows.transmissibility_dB[0] == 0 and rows.A[0] == 0 and rows.sticks.tolist() == [True, False]
     slopes = states.gradient().slopes[1]
     assert not slopes.any()
-    curve = MOUNT.exact_response(F=0.001, f=(0.5, 1.0))
+    curve = MOUNT.exact_response(Y=0.001, f=(0.5, 1.0))
     assert not curve.A.size and "the inertia force 0.98696" in curve.message and "N at f = 1 Hz" in curve.message
-    averaged = MOUNT.frequency_response(F=0.001, f=(0.5, 1.0))
+    averaged = MOUNT.frequency_response(Y=0.001, f=(0.5, 1.0))
     assert not averaged.A.size and "sticks up to f = 2.155 Hz" in averaged.message
     assert "no steady state" not in averaged.message
 

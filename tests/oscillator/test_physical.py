@@ -14,7 +14,7 @@ from scipy.integrate import quad, solve_ivp
 
 from slowflow import Duffing, Isolator, checks, results
 from slowflow.answer import SHOWN
-from slowflow.quantities import UNITS, Scales, in_shown
+from slowflow.quantities import EXCITED, UNITS, Scales, in_shown
 from slowflow.range_checks import Implausible
 from slowflow.sizing import fit, meet, tolerances
 from slowflow.support.errors import OutOfRange, SlowflowError
@@ -24,6 +24,7 @@ from slowflow_kernels.scaling import SCALES
 from tests.files import ROOT
 from tests.slopes import assert_slopes_are_differences
 
+LETTER = {excitation: letter for excitation, (letter, _) in EXCITED.items()}
 #: a mount that was sized by hand: 12 kg on 2500 N/m, three springs of 1700 N/m on rods of 80 mm
 MOUNT = {"m": 12, "k_v": 2500, "k_h": 1700, "n": 3, "L": 0.080, "preload": 0.009, "friction": 0.4, "zeta": 0.02}
 
@@ -115,7 +116,12 @@ def test_laws_of_damping_are_those_of_the_mount(mount):
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("excitation", "amplitude", "friction", "f"),
-    [("force", 40.0, 0.4, 2.0), ("base", 0.015, 0.0, 2.2), ("unbalance", 0.18, 0.0, 2.2)],
+    [
+        ("force", 40.0, 0.4, 2.0),
+        ("base", 0.015, 0.0, 2.2),
+        ("unbalance", 0.18, 0.0, 2.2),
+        ("acceleration", 2.9, 0.4, 2.2),
+    ],
 )
 def test_a_motion_is_that_of_the_dimensional_equation(excitation, amplitude, friction, f):
     """(1) with the force (2), in SI units, by SciPy: nothing dimensionless.
@@ -126,8 +132,9 @@ def test_a_motion_is_that_of_the_dimensional_equation(excitation, amplitude, fri
     parameters = {"m": m, "k_v": k_v, "k_h": k_h, "n": n, "L": L, "preload": preload, "c": c, "friction": friction}
     mount = Isolator.physical(**parameters, force="untruncated", excitation=excitation)
     omega = math.tau * f
-    floor = amplitude if excitation == "base" else 0.0
-    push = {"force": amplitude, "base": 0.0, "unbalance": amplitude * omega**2}[excitation]
+    floor = {"base": amplitude, "acceleration": amplitude / omega**2}.get(excitation, 0.0)
+    push = {"force": amplitude, "unbalance": amplitude * omega**2}.get(excitation, 0.0)
+    excited = {LETTER[excitation]: amplitude}
 
     def rates(t, state):
         x, v = state  # of the mass, as seen by who stands still
@@ -142,12 +149,12 @@ def test_a_motion_is_that_of_the_dimensional_equation(excitation, amplitude, fri
     near = {"rtol": 1e-8, "atol": 1e-10} if friction else {"rtol": 1e-9, "atol": 1e-11}
     x = solve_ivp(rates, (0, periods / f), (floor, 0.0), t_eval=t, **near).y[0]
     deflection = x - floor * np.cos(omega * t)
-    motion = mount.steady_state(f=f, F=amplitude)
+    motion = mount.steady_state(f=f, **excited)
     assert np.abs(deflection).max() > mount.at_rest().x_cr  # the springs leave
     np.testing.assert_allclose(motion.x, deflection, atol=(2e-6 if friction else 3e-6) * motion.A)
     assert motion.t[-1] == pytest.approx(t[-1] - t[0]) and motion.period == pytest.approx(1 / f)
     # averaging has the deflection, and of a base the motion over the floor's as transmissibility
-    (state,) = mount.amplitudes(f=f, F=amplitude)
+    (state,) = mount.amplitudes(f=f, **excited)
     first = 2 * np.mean(deflection * np.exp(-1j * omega * t))
     assert abs(first) == pytest.approx(state.A, rel=2e-3)
     if floor:
@@ -166,11 +173,36 @@ def test_an_amplitude_is_called_and_measured_by_what_is_excited():
     assert by_base.peak(0.002).in_units().Y == 2.0 and by_unbalance.margins(0.03).units["U"] == "kg m"
     assert by_base.saddle_nodes(0.002).message == "no saddle node at Y = 2 mm: the response is single-valued"
     assert str(by_unbalance.explain("peak", 0.03)).startswith("peak at U = 0.03 kg m")
-    assert by_base.steady_state(f=5, F=0.002).Y == 0.002
+    assert by_base.steady_state(f=5, Y=0.002).Y == 0.002
     with pytest.raises(ValueError, match="Y = -1"):
         by_base.peak(-1)
     with pytest.raises(ValueError, match="excitation = 'floor' is not allowed"):
         Isolator.physical(**{**MOUNT, "excitation": "floor"})
+
+
+@pytest.mark.parametrize("load", [None, 12.2])
+def test_a_base_is_given_by_its_acceleration_in_every_question(load):
+    by_base, by_a = (Isolator.physical(**MOUNT, load=load, excitation=one) for one in ("base", "acceleration"))
+    a, f = 0.5, np.array([1.8, 2.4, 6.0])
+    Y = a / (math.tau * f) ** 2  # at a frequency it is this displacement
+    for question in ("amplitudes", "spectrum"):
+        at, of_Y = (getattr(by_base, question)(f=f, **one) for one in ({"a": a}, {"Y": Y}))
+        assert at == getattr(by_a, question)(f=f, a=a) and at.units["a"] == "m/s^2"
+        np.testing.assert_allclose(at.A, of_Y.A, rtol=1e-10)
+        np.testing.assert_allclose(at.transmissibility_dB, of_Y.transmissibility_dB, atol=1e-9)
+    # over all frequencies it is a force m a
+    pushed, m = by_base.replace(excitation="force"), by_base.scales.m
+    assert by_base.peak(a=a).A == pytest.approx(pushed.peak(m * a).A, rel=1e-12)
+    assert by_base.peak(a=a).a == a and by_base.peak(0.002) == by_a.peak(Y=0.002)
+    assert by_a.saddle_node_onset().a_SN == pytest.approx(pushed.saddle_node_onset().F_SN / m, rel=1e-12)
+    motion = by_base.steady_state(f=2.4, a=a)
+    assert motion.A == pytest.approx(by_base.steady_state(f=2.4, Y=Y[1]).A, rel=1e-9) and motion.a == a
+    for named in ({"F": 0.5}, {"a": 0.5, "Y": 0.002}, {}):
+        with pytest.raises(TypeError, match="is needed once, Y in m or a in m/s\\^2: got"):
+            by_base.peak(**named)
+    if load is None:
+        second = by_base.second_approximation.peak(a=a)
+        assert second == by_a.second_approximation.peak(a) and second.a == a
 
 
 def test_questions_in_si_units_are_the_dimensionless_ones(mount):
@@ -592,17 +624,18 @@ def differences(ask, numbers, step):
 
 
 @pytest.mark.parametrize(
-    ("excitation", "damping", "F"), [("force", {"c": 10.0}, 5.0), ("base", {"zeta": 0.05}, 0.004)], ids=("c", "zeta")
+    ("excitation", "damping", "F"),
+    [("force", {"c": 10.0}, 5.0), ("base", {"zeta": 0.05}, 0.004), ("acceleration", {"zeta": 0.05}, 0.5)],
 )
 def test_gradients_in_si_units_are_the_differences_of_mounts(excitation, damping, F):
     sheet = {name: value for name, value in MOUNT.items() if name != "zeta"} | damping
-    letter = {"force": "F", "base": "Y"}[excitation]
+    letter = LETTER[excitation]
     numbers = {**sheet, letter: F, "f": 2.5}
 
     def states(parameters):
         at = {name: parameters[name] for name in (letter, "f")}
         mount = Isolator.physical(**{name: parameters[name] for name in sheet}, excitation=excitation)
-        return mount.amplitudes(f=[at["f"], 1.2 * at["f"]], F=at[letter])
+        return mount.amplitudes(f=[at["f"], 1.2 * at["f"]], **{letter: at[letter]})
 
     found = states(numbers).gradient()
     assert found.of == ("A", "phi", "transmissibility")

@@ -10,6 +10,7 @@ import pytest
 
 from slowflow import Isolator, physical_answers
 from slowflow.physical import Physical
+from slowflow.quantities import EXCITED
 from tests.files import ROOT
 
 SHEET = dict(m=25, k_v=9000, k_h=4000, n=3, L=0.08, preload=0.006, friction=3.6, zeta=0.03)
@@ -104,15 +105,20 @@ def test_every_answer_in_si_units_has_a_type():
 
 
 @pytest.mark.parametrize("load", [None, 26.0])
-@pytest.mark.parametrize("excitation, F", [("force", 20.0), ("base", 0.003), ("unbalance", 0.05)])
+@pytest.mark.parametrize(
+    "excitation, F", [("force", 20.0), ("base", 0.003), ("acceleration", 0.8), ("unbalance", 0.05)]
+)
 def test_what_an_answer_has_its_type_declares(load, excitation, F):
     """Each of its numbers, whatever the mount: of any excitation, without a load and with one."""
     mount = Isolator.physical(**SHEET, load=load, excitation=excitation)
     for name, arguments in ARGUMENTS.items():
-        if (load is not None and name in ABOUT_THE_CENTRE) or (excitation != "force" and name == "certify"):
+        if (load is not None and name in ABOUT_THE_CENTRE) or (
+            mount.oscillator.excitation != "force" and name == "certify"
+        ):
             continue
         kind = getattr(physical_answers, getattr(Physical, name).__annotations__["return"].removeprefix("answers."))
-        found = getattr(mount, name)(**arguments | ({"F": F} if "F" in arguments else {}))
+        own = {one: value for one, value in arguments.items() if one != "F"}
+        found = getattr(mount, name)(**own | ({EXCITED[excitation][0]: F} if "F" in arguments else {}))
         for column, value in found.values.items():
             # a proof is asked for of the dimensionless oscillator only
             assert column == "proof" or is_of(value, declared(kind)[column]), (name, column, value)

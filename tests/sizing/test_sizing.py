@@ -116,11 +116,15 @@ def test_shocks_and_spectra_have_bands_under_a_load_too():
 
 
 def test_frequency_up_to_which_a_base_leaves_rest_has_a_band():
-    found = tolerances(SHAKEN, {"friction": 0.3}, F=0.004, answers=["f_sticks"], samples=20)
+    found = tolerances(SHAKEN, {"friction": 0.3}, Y=0.004, answers=["f_sticks"], samples=20)
+    by_a = tolerances(SHAKEN, {"friction": 0.3}, a=0.5, answers=["A_peak", "a_SN"], samples=5)
+    assert by_a.samples["A_peak"][2] == SHAKEN.replace(friction=by_a.drawn["friction"][2]).peak(a=0.5).A
+    with pytest.raises(TypeError, match="'G' is no argument: a load case has F, Y, a, U, F_0, f"):
+        tolerances(SHAKEN, {"friction": 0.3}, G=1.0)
     assert_samples_are_single_answers(found, SHAKEN, {"f_sticks": lambda one: one.margins(0.004).f_sticks}, 1e-12)
     with pytest.raises(ValueError, match="rows_cross needs a load spectrum: give spectrum"):
         tolerances(SHAKEN, {"friction": 0.3}, answers=["rows_cross"])
-    with pytest.raises(ValueError, match=r"spectrum = 3 is not allowed: spectrum must be a pair \(f, F\)"):
+    with pytest.raises(ValueError, match=r"spectrum = 3 is not allowed: spectrum must be a pair \(f, Y\)"):
         tolerances(SHAKEN, {"friction": 0.3}, spectrum=3)
 
 
@@ -135,7 +139,7 @@ def test_mount_excited_by_inertia_is_sized_in_its_own_terms(mount, letter, forci
         "A_shock": lambda one: one.transient(acceleration=20, duration=0.02).A,
     }
     within = {**WITHIN, "zeta": 0.02}
-    found = tolerances(mount, within, F=forcing, shock=(20, 0.02), answers=single, samples=6)
+    found = tolerances(mount, within, **{letter: forcing}, shock=(20, 0.02), answers=single, samples=6)
     assert_samples_are_single_answers(found, mount, single)
     unit = {"Y": "m", "U": "kg m"}[letter]
     assert [row.unit for row in found] == [unit, unit, "m", "Hz", "Hz", "m"]
@@ -147,15 +151,15 @@ def test_mount_excited_by_inertia_is_sized_in_its_own_terms(mount, letter, forci
 @pytest.mark.slow
 def test_fit_finds_damping_and_friction_on_a_base():
     f = np.linspace(2.0, 4.0, 14)  # the force is ten times friction and more: averaging errs little
-    motions = [SHAKEN.steady_state(f=one, F=0.002) for one in f]
+    motions = [SHAKEN.steady_state(f=one, Y=0.002) for one in f]
     found = fit(
-        SHAKEN.replace(zeta=0.03, friction=0.2), A=[one.A for one in motions], F=0.002, f=f, free=["zeta", "friction"]
+        SHAKEN.replace(zeta=0.03, friction=0.2), A=[one.A for one in motions], Y=0.002, f=f, free=["zeta", "friction"]
     )
     assert found.value == pytest.approx([0.05, 0.4], rel=0.05)
     jumps = [0.0045, 0.005, 0.006]
     seen = [(folds.f[0], folds.f[-1]) for folds in map(SHAKEN.saddle_nodes, jumps)]
     up, down = np.transpose(seen)
-    again = fit(SHAKEN.replace(zeta=0.055), F=jumps, jump_up=up, jump_down=down, free=["zeta"])
+    again = fit(SHAKEN.replace(zeta=0.055), Y=jumps, jump_up=up, jump_down=down, free=["zeta"])
     assert again.value == pytest.approx([0.05], rel=1e-8)
     assert again.names[0] == "Y/m"
 
@@ -426,8 +430,8 @@ class OneByOne(Subject):
 
     count = 0
 
-    def __init__(self, of, varied):
-        super().__init__(of, varied)
+    def __init__(self, of, varied, at):
+        super().__init__(of, varied, at)
         self.one_by_one = True
 
     def ask(self, values, names, load):
@@ -795,10 +799,10 @@ def test_other_laws_are_sized_on_a_base_as_single_questions():
     laws = {"eta": 0.02, "c_2": 8.0, "rubs": "attached"}
     shaken = SHAKEN.replace(**laws)
     within = {name: 0.1 for name in ("k_h", "friction", *laws) if name != "rubs"}
-    found = tolerances(shaken, within, F=0.002, f=2.2, samples=2)
+    found = tolerances(shaken, within, Y=0.002, f=2.2, samples=2)
 
     def single(one):
-        margins, peak, states = one.margins(0.002), one.peak(0.002), one.amplitudes(f=2.2, F=0.002)
+        margins, peak, states = one.margins(0.002), one.peak(0.002), one.amplitudes(f=2.2, Y=0.002)
         expected = {name: getattr(margins, name) for name in ("Y_SN", "Y_cr", "of_SN", "of_cr", "f_sticks")}
         expected |= {"A_peak": peak.A, "f_peak": peak.f, "f_isolation": one.isolation(0.002).f}
         return {**expected, "A": states.A[states.stable].max()}

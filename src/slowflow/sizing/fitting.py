@@ -10,7 +10,7 @@ import contextlib
 import warnings
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Unpack
 
 import numpy as np
 import numpy.typing as npt
@@ -21,9 +21,9 @@ from slowflow import validate
 from slowflow.answer import Table, entry, joined
 from slowflow.averaged.many import AMPLITUDES, SADDLE_NODES
 from slowflow.mechanism import Floats
-from slowflow.quantities import EXCITED, SHEET, SI, in_shown, si
+from slowflow.quantities import SHEET, SI, in_shown, si
 from slowflow.range_checks import Implausible
-from slowflow.sizing.subject import Subject, first_jump
+from slowflow.sizing.subject import Measured, Subject, first_jump
 from slowflow.support.errors import NotSettled, Refused
 
 #: share of all fits whose interval holds the number, if the noise is normal and the equations are right
@@ -118,13 +118,10 @@ def fit(
     *,
     A: Any = None,
     phi: Any = None,
-    F: Any = None,
-    f: Any = None,
-    F_0: Any = None,
-    Omega: Any = None,
     jump_up: Any = None,
     jump_down: Any = None,
     free: Sequence[str] | None = None,
+    **at: Unpack[Measured],
 ) -> Fit:
     """Numbers of an isolator from measured amplitudes, phases, or the frequencies at which it jumps.
 
@@ -132,8 +129,8 @@ def fit(
     A        -- measured amplitudes, in m of a mount
     phi      -- instead of A: measured phases of the first harmonic, in radians, as `amplitudes` has them: a motion that
                 lags the forcing by a quarter of a cycle has -pi/2. Whole cycles make no difference
-    F, f     -- the forcings and frequencies at which they were measured, of a mount, in N and Hz; they broadcast with
-                A or phi. On a base that shakes F is its amplitude, in m, with an unbalance mass times radius, in kg m
+    F, Y, a, U -- the forcings, of a mount by its letter as in `Physical`, and f, the frequencies in Hz, at which they
+                were measured; they broadcast with A or phi
     F_0, Omega -- the same of an isolator
     jump_up, jump_down -- instead of A: the frequency at which it jumped at each force, up and down, in Hz of a mount;
                 one or both, NaN where it was not seen
@@ -150,18 +147,19 @@ def fit(
     Raises ValueError for what is not allowed, as fewer points than free numbers, and ArithmeticError where the points
     do not determine these.
     """
-    subject = Subject(of, () if free is None else free)
+    subject = Subject(of, () if free is None else free, at)
+    of = subject.of
     with contextlib.nullcontext() if subject.mount is None else subject.mount.scales.in_these_terms():
         (of if subject.mount is None else of.oscillator).at_centre("fit")
     if [A is None, phi is None, jump_up is None and jump_down is None].count(False) != 1:
         raise Refused("a fit needs either measured amplitudes A, or phases phi, or jump_up or jump_down")
     if subject.mount:
-        F, f, A = si("F", F, SI[subject.amplitude]), si("f", f, "Hz"), si("A", A, "m")
+        A = si("A", A, "m")
         jump_up, jump_down = si("jump_up", jump_up, "Hz"), si("jump_down", jump_down, "Hz")
     if A is None and phi is None:
-        measured = _jumps(subject, F if subject.mount else F_0, jump_up, jump_down)
+        measured = _jumps(subject, subject.measured()[0], jump_up, jump_down)
     else:
-        points = {"f": f, "F": F} if subject.mount else {"Omega": Omega, "F_0": F_0}
+        points = dict(zip(reversed(subject.names), reversed(subject.measured()), strict=True))
         measured = _states(subject, points, "phi" if A is None else "A", phi if A is None else A)
     damping = "c" if "c" in subject.nominal else "zeta"
     default = ["friction", damping, "k_h", "preload"] if subject.mount else ["mu", "zeta", "r", "delta_h"]
@@ -357,7 +355,7 @@ def _states(subject: Subject, conditions: Mapping[str, Any], name: str, values: 
 
 def _jumps(subject: Subject, forcing: Any, up: Any, down: Any) -> _Measured:
     """Frequencies of jumps at forcings."""
-    force, frequency = ("F", "f/Hz") if subject.mount else ("F_0", "Omega")
+    force, frequency = subject.names
     if forcing is None:
         raise Refused(f"{force} is needed: at which it jumped")
     forces = validate.positive_array(force, forcing).ravel()
@@ -379,8 +377,8 @@ def _jumps(subject: Subject, forcing: Any, up: Any, down: Any) -> _Measured:
         found = found * np.asarray(units["frequency"])[..., np.newaxis]
         return np.asarray(np.nan_to_num(found)[..., there])
 
-    letter, kind = EXCITED[subject.excitation]
-    names = (f"{letter}/{SI[kind]}" if subject.mount else force, f"measured less fitted {frequency}")
+    units = (f"/{SI[subject.amplitude]}", "/Hz") if subject.mount else ("", "")
+    names = (f"{force}{units[0]}", f"measured less fitted {frequency}{units[1]}")
     return _Measured(measured[there], np.broadcast_to(forces, there.shape)[there], of_designs, names)
 
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import partial
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Unpack
 
 import numpy as np
 import scipy  # its `stats`, half a second, when it is used
@@ -21,7 +21,7 @@ from slowflow.answer import Answer, Table, entry, frozen, head
 from slowflow.mechanism import Floats
 from slowflow.physical import Physical
 from slowflow.quantities import SHEET, in_shown
-from slowflow.sizing.subject import Load, Subject
+from slowflow.sizing.subject import Load, LoadCase, Subject
 from slowflow.support.errors import Refused
 
 #: what is missing of an answer that a design does not have: more than any two doubles differ, as the log of their ratio
@@ -323,20 +323,15 @@ def meet(
     *,
     at_least: Mapping[str, float] | None = None,
     at_most: Mapping[str, float] | None = None,
-    F: float | None = None,
-    F_0: float | None = None,
-    f: float | None = None,
-    Omega: float | None = None,
-    shock: tuple[float, float] | None = None,
-    spectrum: tuple[Any, Any] | None = None,
     seed: int = 0,
+    **at: Unpack[LoadCase],
 ) -> Met:
     """The design nearest to `of` that meets requirements.
 
     of       -- an `Isolator`, or a mount in SI units
     free     -- by name, the lowest and the highest value of each number that may change; distances are shares of that
     at_least, at_most -- by name of an answer that `slowflow.sizing` lists, what it has to reach and not to exceed
-    F, F_0   -- the forcing, F of a mount in N (m of a base that shakes, kg m of an unbalance), F_0 of an isolator
+    F, Y, a, U, F_0 -- the forcing, of a mount by its letter as in `Physical`, F_0 of an isolator
     f, Omega -- the frequency, f of a mount in Hz, Omega of an isolator
     shock    -- a half sine of the base: its peak and its duration, in m/s^2 and s of a mount
     spectrum -- a load spectrum, (f, F) of a mount, (Omega, F_0) of an isolator: as many numbers of each
@@ -345,8 +340,8 @@ def meet(
     Where no design meets all, `.feasible` is False and `.message` names the binding requirement. Raises ValueError for
     what is not allowed.
     """
-    subject = Subject(of, validate.mapping("free", free, "pairs (lowest, highest)"))
-    search = _Search(subject, free, at_least, at_most, subject.load(F, F_0, f, Omega, shock, spectrum), seed)
+    subject = Subject(of, validate.mapping("free", free, "pairs (lowest, highest)"), at)
+    search = _Search(subject, free, at_least, at_most, subject.load(), seed)
     if not search.targets or not free:
         raise Refused("meet needs at least one requirement and one free number")
     # ranges as narrow as rounding, requirements as large as numbers are
@@ -369,18 +364,13 @@ def front(
     low: Iterable[str] = (),
     at_least: Mapping[str, float] | None = None,
     at_most: Mapping[str, float] | None = None,
-    F: float | None = None,
-    F_0: float | None = None,
-    f: float | None = None,
-    Omega: float | None = None,
-    shock: tuple[float, float] | None = None,
-    spectrum: tuple[Any, Any] | None = None,
     points: int = POINTS,
     seed: int = 0,
+    **at: Unpack[LoadCase],
 ) -> Front:
     """The trade-off between two answers: designs none of which is better in one without being worse in the other.
 
-    of, free, at_least, at_most, F, F_0, f, Omega, shock, spectrum -- as in `meet`; no requirement is needed
+    of, free, at_least, at_most, and the load case -- as in `meet`; no requirement is needed
     high, low -- names of answers that are to be high, and low: two in all
     points    -- how many designs along the front
 
@@ -388,8 +378,8 @@ def front(
     best in both, nothing is traded off: it is the only row, and `.message` says so. Where no design meets the
     requirements there is no row, and `.message` names the binding one. Raises ValueError for what is not allowed.
     """
-    subject = Subject(of, validate.mapping("free", free, "pairs (lowest, highest)"))
-    search = _Search(subject, free, at_least, at_most, subject.load(F, F_0, f, Omega, shock, spectrum), seed)
+    subject = Subject(of, validate.mapping("free", free, "pairs (lowest, highest)"), at)
+    search = _Search(subject, free, at_least, at_most, subject.load(), seed)
     pair = [(name, 1.0) for name in high] + [(name, -1.0) for name in low]
     if len({name for name, _ in pair}) != 2 or len(pair) != 2 or not free:
         raise Refused("front needs two answers, in high or in low, and at least one free number")

@@ -8,8 +8,8 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from types import SimpleNamespace
-from typing import Any
+from types import MappingProxyType, SimpleNamespace
+from typing import Any, TypedDict
 
 import numpy as np
 
@@ -23,8 +23,8 @@ from slowflow.mechanism import Floats
 from slowflow.off_centre.many import OffCentreDesigns
 from slowflow.oscillator import Oscillator
 from slowflow.physical import Physical
-from slowflow.quantities import EXCITED, PURE, SHEET, SI, UNITS, Scales, g, si, size, sizes
-from slowflow.support.errors import Refused
+from slowflow.quantities import LETTERS, PURE, SHEET, SI, UNITS, Scales, g, si, size, sizes
+from slowflow.support.errors import Refused, WrongType
 from slowflow.table import COLUMNS
 from slowflow_kernels import inertia, slow_flow
 from slowflow_kernels.conventions import FoldKind, Status
@@ -63,6 +63,25 @@ UNSCALED = Scales(m=1.0, k_v=1.0, L=1.0)
 LAWS, STATIC = tuple(one.name for one in DISSIPATION), "static_friction"
 
 
+class Measured(TypedDict, total=False):
+    """Where something is measured: the amplitude of the excitation by its letter, F_0 of an isolator; the frequency."""
+
+    F: Any
+    Y: Any
+    a: Any
+    U: Any
+    F_0: Any
+    f: Any
+    Omega: Any
+
+
+class LoadCase(Measured, total=False):
+    """What a design has to bear; the shock and the load spectrum are pairs."""
+
+    shock: tuple[Any, Any] | None
+    spectrum: tuple[Any, Any] | None
+
+
 @dataclass(frozen=True)
 class Load:
     """What a design has to bear, None where that is not given; in SI units of a mount.
@@ -90,10 +109,17 @@ class Subject:
                other laws of damping than mu and zeta
     excitation -- what the forcing is the amplitude of
 
-    Raises ValueError for what is no isolator, and for a number that cannot be varied.
+    at      -- the load case; of a base its letter tells whether displacement or acceleration is meant
+
+    Raises ValueError for what is no isolator, for a number that cannot be varied, and for a load of the other one.
     """
 
-    def __init__(self, of: Any, varied: Iterable[str] = ()) -> None:
+    def __init__(self, of: Any, varied: Iterable[str] = (), at: Mapping[str, Any] = MappingProxyType({})) -> None:
+        self.at = {name: value for name, value in at.items() if value is not None}
+        if unknown := self.at.keys() - LoadCase.__annotations__:
+            raise WrongType(f"{min(unknown)!r} is no argument: a load case has {', '.join(LoadCase.__annotations__)}")
+        if isinstance(of, Physical) and (forcing := {name: self.at[name] for name in LETTERS if name in self.at}):
+            of, _ = of._excited(None, forcing)
         self.of = of
         self.mount = of if isinstance(of, Physical) else None
         isolator = of.oscillator if isinstance(of, Physical) else of
@@ -118,6 +144,12 @@ class Subject:
         self.laws = {*isolator.model.laws.present, *(name for name in LAWS if name in varied)}
         self.one_by_one = self.loaded or bool(self.laws)
         letter = "Omega" if self.mount is None else "f"
+        self.names = ("F_0", letter) if self.mount is None else (self.mount.scales.symbol("F_0"), letter)
+        for what, own, names in zip(
+            ("forcing", "frequency"), self.names, ((*LETTERS, "F_0"), ("f", "Omega")), strict=True
+        ):
+            if any(name != own for name in names if name in self.at):
+                raise Refused(f"the {what} of {'a mount' if self.mount else 'an isolator'} is {own}")
         others = ABOUT_THE_CENTRE if self.loaded else UNDER_A_LOAD
         others = others | (OF_INERTIA if self.loaded or self.excitation == "force" else {})
         others = others | (IN_A_SHOCK if "eta" in self.laws else {})
@@ -144,7 +176,7 @@ class Subject:
     @property
     def amplitude(self) -> str:
         """Of which kind the forcing is."""
-        return EXCITED[self.excitation][1]
+        return "force" if self.mount is None else self.mount.scales.amplitude
 
     def kind(self, answer: str) -> str:
         """Of an answer, a key of `UNITS`, "" of what has no unit."""
@@ -164,21 +196,19 @@ class Subject:
         """A value of an answer, of a mount in SI units if it is a quantity of pint."""
         return si(answer, value, self.unit(answer)) if self.mount else value
 
-    def load(self, F: Any, F_0: Any, f: Any, Omega: Any, shock: Any, spectrum: Any) -> Load:
-        """What was given of F and f, of a mount, or F_0 and Omega, of an isolator, a shock and a load spectrum.
+    def measured(self) -> tuple[Any, Any]:
+        """Forcing and frequency as they were given, None where they were not; of a mount in SI units."""
+        forcing, frequency = (self.at.get(name) for name in self.names)
+        if self.mount is None:
+            return forcing, frequency
+        return si(self.names[0], forcing, SI[self.amplitude]), si("f", frequency, "Hz")
 
-        Raises ValueError for those of the other one.
-        """
-        of, names = ("a mount", ("F", "f")) if self.mount else ("an isolator", ("F_0", "Omega"))
-        unit = SI[self.amplitude]
-        F, f = si("F", F, unit), si("f", f, "Hz")
-        (forcing, frequency), others = ((F, f), (F_0, Omega)) if self.mount else ((F_0, Omega), (F, f))
-        for what, name, other in zip(("forcing", "frequency"), names, others, strict=True):
-            if other is not None:
-                raise Refused(f"the {what} of {of} is {name}")
+    def load(self) -> Load:
+        """The load case that was given."""
+        names, unit, shock, spectrum = self.names, SI[self.amplitude], self.at.get("shock"), self.at.get("spectrum")
         forcing, frequency = (
             None if value is None else validate.number(name, value, above=0.0)
-            for name, value in zip(names, (forcing, frequency), strict=True)
+            for name, value in zip(names, self.measured(), strict=True)
         )
         pulse: Any = None if shock is None else validate.pair("shock", shock, "(acceleration, duration)")
         table: Any = None if spectrum is None else validate.pair("spectrum", spectrum, PAIR.format(*names))
@@ -202,7 +232,7 @@ class Subject:
 
         Raises ValueError for an unknown one, and for one that needs a forcing or a shock where there is none.
         """
-        forcing, frequency = ("F", "f") if self.mount else ("F_0", "Omega")
+        forcing, frequency = self.names
         missing = {} if load.frequency is not None else dict.fromkeys(AT_A_FREQUENCY, frequency)
         if load.forcing is None:
             missing |= dict.fromkeys((*AT_A_FORCING, *UNDER_A_LOAD, *OF_INERTIA, *AT_A_FREQUENCY), forcing)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Unpack
 
 import numpy as np
 import numpy.typing as npt
@@ -18,7 +18,7 @@ from slowflow import progress, validate
 from slowflow.answer import Table, entry, frozen, optional
 from slowflow.mechanism import Floats
 from slowflow.quantities import in_shown, si
-from slowflow.sizing.subject import Load, Subject
+from slowflow.sizing.subject import Load, LoadCase, Subject
 from slowflow.support.errors import Refused
 
 #: ends of a band: 95 of 100 samples lie within
@@ -130,22 +130,17 @@ def tolerances(
     of: Any,
     within: Mapping[str, Any],
     *,
-    F: float | None = None,
-    F_0: float | None = None,
-    f: float | None = None,
-    Omega: float | None = None,
-    shock: tuple[float, float] | None = None,
-    spectrum: tuple[Any, Any] | None = None,
     answers: Iterable[str] | None = None,
     samples: int | None = None,
     seed: int = 0,
+    **at: Unpack[LoadCase],
 ) -> Tolerances:
     """What tolerances of its numbers do to an isolator's answers.
 
     of      -- an `Isolator`, or a mount in SI units
     within  -- by name of a number: 0.05 for any value within 5 % of the nominal one, or a distribution of the value
                itself, anything with SciPy's `ppf`
-    F, F_0  -- the forcing, F of a mount in N (m of a base that shakes, kg m of an unbalance), F_0 of an isolator
+    F, Y, a, U, F_0 -- the forcing, of a mount by its letter as in `Physical`, F_0 of an isolator
     f, Omega -- the frequency, f of a mount in Hz, Omega of an isolator
     shock   -- a half sine of the base: its peak and its duration, in m/s^2 and s of a mount
     spectrum -- a load spectrum, (f, F) of a mount, (Omega, F_0) of an isolator: as many numbers of each
@@ -156,8 +151,8 @@ def tolerances(
 
     Raises ValueError for what is not allowed.
     """
-    subject = Subject(of, _within(within))
-    load = subject.load(F, F_0, f, Omega, shock, spectrum)
+    subject = Subject(of, _within(within), at)
+    load = subject.load()
     names = subject.answered(answers, load)
     if samples is None:
         samples = FEW_SAMPLES if subject.one_by_one else SAMPLES
@@ -183,23 +178,18 @@ def sobol(
     of: Any,
     within: Mapping[str, Any],
     *,
-    F: float | None = None,
-    F_0: float | None = None,
-    f: float | None = None,
-    Omega: float | None = None,
-    shock: tuple[float, float] | None = None,
-    spectrum: tuple[Any, Any] | None = None,
     answers: Iterable[str] | None = None,
     samples: int | None = None,
     seed: int = 0,
+    **at: Unpack[LoadCase],
 ) -> Sobol:
     """Which tolerance matters most: Sobol' indices, from samples times (numbers + 2) designs.
 
     Arguments as in `tolerances`; `samples` a power of two, by default 1024, under a load 32. Raises
     ValueError for what is not allowed, ImportError without SALib.
     """
-    subject = Subject(of, _within(within))
-    load = subject.load(F, F_0, f, Omega, shock, spectrum)
+    subject = Subject(of, _within(within), at)
+    load = subject.load()
     names = subject.answered(answers, load)
     if samples is None:
         samples = FEW_OF_INDICES if subject.one_by_one else OF_INDICES
