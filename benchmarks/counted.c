@@ -406,12 +406,10 @@ int curve(const char *name, const double *design, double F_0, const double *wind
     sf_model model;
     sf_given given;
     sf_room *room = malloc(sizeof *room);
-    double *Omega = malloc((size_t)places * sizeof *Omega), *A = malloc((size_t)places * sizeof *A);
-    long long *branch = malloc((size_t)places * sizeof *branch);
-    unsigned char *stable = malloc((size_t)places);
+    sf_points points;
     long n = 0;
     int answered = 0;
-    if (room != NULL && Omega != NULL && A != NULL && branch != NULL && stable != NULL && find_record(name) &&
+    if (sf_new_points(places, &points) && room != NULL && find_record(name) &&
         record->parameters_of(record, design, model.p) && record->damping_of(design + record->design_size, model.damping) &&
         sf_prepare(record, design, &model) &&
         sf_give(record, design, design[record->design_size], design[record->design_size + 1], &given)) {
@@ -423,7 +421,7 @@ int curve(const char *name, const double *design, double F_0, const double *wind
             n = sf_show(&model, F_0, window[0], window[1], samples, &room->work);
             if (!answered || n > places)
                 break;
-            sf_draw(&model, F_0, samples, &room->work.shown, Omega, A, stable, branch);
+            sf_draw(&model, F_0, samples, &room->work.shown, &points);
             out[4] = least(out[4], now() - start), start = now();
             sf_settled_folds(&model, &given, F_0, room, &room->work.folds);
             out[5] = least(out[5], now() - start);
@@ -434,7 +432,7 @@ int curve(const char *name, const double *design, double F_0, const double *wind
         out[0] = (double)n, out[1] = (double)averages, out[2] = (double)ranges;
         answered &= n <= places;
     }
-    free(room), free(Omega), free(A), free(branch), free(stable);
+    free(room), sf_free_points(&points);
     return answered;
 }
 
@@ -454,8 +452,9 @@ static void timed_harmonics(const sf_mechanism *self, ptrdiff_t n, const double 
 /* What n points of averaging's curve move to, on branches that are not closed; design as for `curve`, wanted: as in
  * second_conventions.h. out: amplitudes whose averages are taken, and states whose balance is, then the seconds of one
  * of each. Returns 0 where there is no such record or no room. */
-int second(const char *name, const double *design, double F_0, int wanted, long n, const double *Omega, const double *A,
-           const long long *branch, double *out) {
+int second(const char *name, const double *design, double F_0, int wanted, long n, double *Omega, double *A,
+           long long *branch, double *out) {
+    const sf_points points = {.Omega = Omega, .A = A, .branch = branch};
     static const int closed[64];
     sf_mechanism counting;
     sf_model model;
@@ -466,7 +465,7 @@ int second(const char *name, const double *design, double F_0, int wanted, long 
     model.mechanism = &counting;
     memset(&averages_in_lanes, 0, sizeof averages_in_lanes), memset(&balances_in_lanes, 0, sizeof balances_in_lanes);
     for (int round = 0; round < ROUNDS; round++) {
-        sf_second_curve *moved = sf_second_follow(&model, F_0, (sf_wanted)wanted, n, Omega, A, branch, closed);
+        sf_second_curve *moved = sf_second_follow(&model, F_0, (sf_wanted)wanted, n, &points, closed);
         if (moved == NULL)
             return 0;
         sf_second_free(moved);
@@ -496,7 +495,7 @@ void quartics(long n, const double (*rows)[5], double *out) {
             }
             start = now(), sf_isolate_lanes(SF_QUARTICS, &block), taken[0] += now() - start - clock;
             for (i = jobs.n = 0; i < SF_QUARTICS; i++) {
-                int place[3];
+                sf_place place[3];
                 const int found = block.signs[i] == SF_UNSURE ? 0 : sf_places_of_signs((int)block.signs[i], place);
                 for (k = 0; k < found; k++)
                     sf_add_job(&block, i, place[k], &jobs);
