@@ -15,7 +15,7 @@
 enum { KEPT = 4096, ROUNDS = 20, MOST_INPUTS = SF_MOST_DESIGN + SF_MOST_DAMPING + 2 };
 
 typedef struct {
-    sf_asked asked;
+    sf_task task;
     sf_model model;
     sf_sample first, last;
     sf_known a, b;
@@ -23,7 +23,7 @@ typedef struct {
     int open;
 } kept_range;
 typedef struct {
-    sf_asked asked;
+    sf_task task;
     sf_model model;
     sf_sample at;
     int open;
@@ -49,18 +49,18 @@ static kept_quartic quartic_kept[KEPT];
 static const sf_mechanism *record;
 static volatile double sink;
 
-static void counted_range(const sf_asked *asked, const sf_known *a, const sf_known *b, sf_cell *cell, int open,
+static void counted_range(const sf_task *task, const sf_known *a, const sf_known *b, sf_cell *cell, int open,
                           sf_range out[2])
 {
-    const kept_range kept = {*asked, *asked->model, *cell->first, *cell->last, *a, *b, *cell, open};
+    const kept_range kept = {*task, *task->model, *cell->first, *cell->last, *a, *b, *cell, open};
     range_kept[ranges++ % KEPT] = kept;
-    sf_find_range(asked, a, b, cell, open, out);
+    sf_find_range(task, a, b, cell, open, out);
 }
 
-static void counted_value(const sf_asked *asked, int open, const sf_sample *at, sf_answer *out) {
-    const kept_value kept = {*asked, *asked->model, *at, open};
+static void counted_value(const sf_task *task, int open, const sf_sample *at, sf_answer *out) {
+    const kept_value kept = {*task, *task->model, *at, open};
     value_kept[values++ % KEPT] = kept;
-    sf_ask(asked, open, at, out);
+    sf_ask(task, open, at, out);
 }
 
 static void counted_average(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out) {
@@ -177,8 +177,8 @@ static double least(double a, double b) { return a < b ? a : b; }
 static void mend(void) {
     for (int i = 0; i < KEPT; i++) {
         range_kept[i].model.mechanism = value_kept[i].model.mechanism = record;
-        range_kept[i].asked.model = &range_kept[i].model, value_kept[i].asked.model = &value_kept[i].model;
-        range_kept[i].asked.most = value_kept[i].asked.most = NULL;
+        range_kept[i].task.model = &range_kept[i].model, value_kept[i].task.model = &value_kept[i].model;
+        range_kept[i].task.most = value_kept[i].task.most = NULL;
         range_kept[i].cell.first = &range_kept[i].first, range_kept[i].cell.last = &range_kept[i].last;
     }
 }
@@ -190,7 +190,7 @@ static double seconds_of_ranges(long n) {
         for (long i = 0; i < n; i++) {
             sf_cell cell = range_kept[i].cell;
             sf_range out[2];
-            sf_find_range(&range_kept[i].asked, &range_kept[i].a, &range_kept[i].b, &cell, range_kept[i].open, out);
+            sf_find_range(&range_kept[i].task, &range_kept[i].a, &range_kept[i].b, &cell, range_kept[i].open, out);
             sink = out[0].y.lo;
         }
         best = least(best, (now() - start) / (double)n);
@@ -204,7 +204,7 @@ static double seconds_of_values(long n) {
         const double start = now();
         for (long i = 0; i < n; i++) {
             sf_answer out;
-            sf_ask(&value_kept[i].asked, value_kept[i].open, &value_kept[i].at, &out);
+            sf_ask(&value_kept[i].task, value_kept[i].open, &value_kept[i].at, &out);
             sink = out.y[0];
         }
         best = least(best, (now() - start) / (double)n);
@@ -260,18 +260,18 @@ static void seconds_of_designs(sf_call *at, double out[2]) {
     out[0] = out[1] = HUGE_VAL;
     for (int round = 0; round < ROUNDS; round++) {
         sf_interval within[SF_MOST_PARAMETERS + SF_MOST_BREAKS];
-        sf_numbers given;
+        sf_numbers inputs;
         sf_model model;
         double start = now(), reading;
         for (at->k = 0; at->k < at->dimensions[0]; at->k++)
-            sf_read_numbers_at(at, &given), sink = given.design[0];
+            sf_read_numbers_at(at, &inputs), sink = inputs.design[0];
         reading = now() - start, start = now();
         for (at->k = 0; at->k < at->dimensions[0]; at->k++)
-            sink = sf_design_at(at, 0, &given, &model) + model.p[0];
+            sink = sf_design_at(at, 0, &inputs, &model) + model.p[0];
         out[0] = least(out[0], (now() - start) / n), start = now();
         for (at->k = 0; at->k < at->dimensions[0]; at->k++) {
-            sf_read_numbers_at(at, &given);
-            record->parameters_within(record, given.design, within), sink = within[0].lo;
+            sf_read_numbers_at(at, &inputs);
+            record->parameters_within(record, inputs.design, within), sink = within[0].lo;
         }
         out[1] = least(out[1], (now() - start - reading) / n);
     }
@@ -347,7 +347,7 @@ enum {
  * its averages taken, in pairs too, a function's value at an amplitude and its range on a cell, of loops over many
  * designs a cell and an amplitude, a quartic solved by itself, its parameters made, on intervals and in pairs too, and
  * its answer written; then the seconds of one of each. Returns 0 where there is no such record. */
-int count(int asked, const char *name, long n, double *inputs, double *out) {
+int count(int question, const char *name, long n, double *inputs, double *out) {
     void (*const loops[])(sf_call *) = {sf_loop_states, sf_loop_folds, sf_loop_peaks, sf_loop_onsets};
     const sf_batch *row = sf_rows_of_many;
     double *taken = out + PARTS;
@@ -356,17 +356,17 @@ int count(int asked, const char *name, long n, double *inputs, double *out) {
     ptrdiff_t steps[2 * (MOST_INPUTS + 6)] = {0}, dimensions[2] = {n, 6};
     sf_mechanism counting;
     sf_call call;
-    int i, given;
+    int i, read;
     if (!find_record(name))
         return 0;
-    while (row->loop != loops[asked])
+    while (row->loop != loops[question])
         row++;
-    given = record->design_size + record->damping_size + row->at;
-    for (i = 0; i < given; i++)
+    read = record->design_size + record->damping_size + row->at;
+    for (i = 0; i < read; i++)
         args[i] = (char *)(inputs + i * n), steps[i] = sizeof *inputs;
     for (i = 0; row->types[i] != 0; i++)
-        args[given + i] = (char *)answers + 64 * i;
-    call = (sf_call){&counting, row, given, args, dimensions, steps, steps + given + i, 0};
+        args[read + i] = (char *)answers + 64 * i;
+    call = (sf_call){&counting, row, read, args, dimensions, steps, steps + read + i, 0};
     counting = *record;
     counting.averaged = counted_average, counting.averaged_in_pairs = counted_in_pairs;
     counting.parameters_of = counted_parameters, counting.parameters_within = counted_within;
@@ -404,7 +404,7 @@ int curve(const char *name, const double *design, double F_0, const double *wind
 {
     sf_mechanism counting;
     sf_model model;
-    sf_given given;
+    sf_inputs inputs;
     sf_room *room = malloc(sizeof *room);
     sf_points points;
     long n = 0;
@@ -412,23 +412,23 @@ int curve(const char *name, const double *design, double F_0, const double *wind
     if (sf_new_points(places, &points) && room != NULL && find_record(name) &&
         record->parameters_of(record, design, model.p) && record->damping_of(design + record->design_size, model.damping) &&
         sf_prepare(record, design, &model) &&
-        sf_give(record, design, design[record->design_size], design[record->design_size + 1], &given)) {
+        sf_give(record, design, design[record->design_size], design[record->design_size + 1], &inputs)) {
         out[3] = out[4] = out[5] = HUGE_VAL;
         for (int round = 0; round < 10 * ROUNDS; round++) {
             double start = now();
-            answered = sf_make_skeleton(&model, &given, F_0, room) == SF_OK;
+            answered = sf_make_skeleton(&model, &inputs, F_0, room) == SF_OK;
             out[3] = least(out[3], now() - start), start = now();
             n = sf_show(&model, F_0, window[0], window[1], samples, &room->work);
             if (!answered || n > places)
                 break;
             sf_draw(&model, F_0, samples, &room->work.shown, &points);
             out[4] = least(out[4], now() - start), start = now();
-            sf_settled_folds(&model, &given, F_0, room, &room->work.folds);
+            sf_settled_folds(&model, &inputs, F_0, room, &room->work.folds);
             out[5] = least(out[5], now() - start);
         }
         counting = *record, counting.averaged = counted_average, model.mechanism = &counting;
         ranges = averages = 0;
-        sf_make_skeleton(&model, &given, F_0, room);
+        sf_make_skeleton(&model, &inputs, F_0, room);
         out[0] = (double)n, out[1] = (double)averages, out[2] = (double)ranges;
         answered &= n <= places;
     }

@@ -22,7 +22,7 @@ enum { MOST = 1 << 14, COLUMNS = 5 };
 
 static sf_mechanism excited; /* the record that was chosen, by what excites it */
 static sf_model model;
-static sf_given given, *known; /* known: NULL where no proof is possible */
+static sf_inputs inputs, *known; /* known: NULL where no proof is possible */
 static sf_room room;
 static double in[SF_MOST_DESIGN + SF_MOST_DAMPING], out[COLUMNS][MOST];
 static unsigned char flags[3][MOST];
@@ -55,8 +55,8 @@ int EXPORT(choose)(int i, int by_inertia)
     if (!record->parameters_of(record, in, model.p) || !record->damping_of(of_damping, model.damping) ||
         !sf_prepare(record, in, &model))
         return -1;
-    if (sf_give(record, in, of_damping[0], of_damping[1], &given))
-        known = &given;
+    if (sf_give(record, in, of_damping[0], of_damping[1], &inputs))
+        known = &inputs;
     memcpy(out[0], model.b, sizeof model.b);
     return model.breaks;
 }

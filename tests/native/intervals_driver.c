@@ -83,12 +83,12 @@ void operate(int operation, long n, const double *in, double *out)
 int known(const char *name, const double *design, int piece, double beyond, double *out)
 {
     for (unsigned k = 0; k < sizeof records / sizeof records[0]; k++) {
-        sf_given given;
+        sf_inputs inputs;
         sf_interval values[6];
-        if (strcmp(records[k]->name, name) != 0 || !sf_give(records[k], design, 0.0, 0.0, &given))
+        if (strcmp(records[k]->name, name) != 0 || !sf_give(records[k], design, 0.0, 0.0, &inputs))
             continue;
-        values[5] = sf_beyond(&given, piece, sfi_point(beyond));
-        given.mechanism->averaged_within(given.mechanism, piece, values[5], sfi_point(beyond), given.p, values);
+        values[5] = sf_beyond(&inputs, piece, sfi_point(beyond));
+        inputs.mechanism->averaged_within(inputs.mechanism, piece, values[5], sfi_point(beyond), inputs.p, values);
         for (int i = 0; i < 6; i++)
             out[2 * i] = values[i].lo, out[2 * i + 1] = values[i].hi;
         return 1;

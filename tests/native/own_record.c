@@ -30,9 +30,9 @@ static int parameters_of(const sf_mechanism *self, const double *design, double 
     return p[2] >= 0;
 }
 
-static int damping_of(const double *given, double *damping) {
-    damping[0] = slow_flow_friction(given[0]), damping[1] = given[1];
-    return given[0] >= 0 && given[1] >= 0;
+static int damping_of(const double *inputs, double *damping) {
+    damping[0] = slow_flow_friction(inputs[0]), damping[1] = inputs[1];
+    return inputs[0] >= 0 && inputs[1] >= 0;
 }
 
 static int is_forcing(double F_0) { return F_0 > 0 && F_0 < HUGE_VAL; }

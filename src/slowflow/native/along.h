@@ -1,4 +1,4 @@
-/* What is asked along the amplitude. Takes one sample of the averaged force; returns functions of A whose zeros
+/* Test functions along the amplitude. Takes one sample of the averaged force; returns functions of A whose zeros
  * count.
  *
  * Everything that can change along a locus changes at a zero of a function that is explicit in A:
@@ -64,16 +64,16 @@ typedef struct {
     const sf_sample *first;
     int highest, pushes;
     sf_terms terms; /* the same as m, zeta, F_0 and least */
-} sf_asked;
+} sf_task;
 
-static inline sf_asked sf_asked_of(sf_question question, const sf_model *model, double F_0) {
-    sf_asked asked;
-    asked.question = question, asked.model = model, asked.F_0 = F_0, asked.Omega = 0, asked.most = NULL,
-    asked.first = NULL, asked.highest = asked.pushes = 0;
-    asked.least = question == SF_FOLD_AT ? slow_flow_least_restoring(F_0, model->m) : 0;
-    asked.terms.m = sfi_point(model->m), asked.terms.zeta = sfi_point(model->zeta);
-    asked.terms.F_0 = sfi_point(F_0), asked.terms.least = sfi_point(asked.least);
-    return asked;
+static inline sf_task sf_task_of(sf_question question, const sf_model *model, double F_0) {
+    sf_task task;
+    task.question = question, task.model = model, task.F_0 = F_0, task.Omega = 0, task.most = NULL,
+    task.first = NULL, task.highest = task.pushes = 0;
+    task.least = question == SF_FOLD_AT ? slow_flow_least_restoring(F_0, model->m) : 0;
+    task.terms.m = sfi_point(model->m), task.terms.zeta = sfi_point(model->zeta);
+    task.terms.F_0 = sfi_point(F_0), task.terms.least = sfi_point(task.least);
+    return task;
 }
 
 /* ==== At a sample ================================================================================================= */
@@ -84,12 +84,12 @@ static inline int sf_has_sloping_rest(const sf_model *model, double A) {
 }
 
 /* h over A at A = 0; where I_0 changes with A, F_A at Omega = 0 */
-static inline void sf_ask_stiffness(const sf_asked *asked, const sf_sample *at, sf_answer *out) {
-    const sf_model *model = asked->model;
+static inline void sf_ask_stiffness(const sf_task *task, const sf_sample *at, sf_answer *out) {
+    const sf_model *model = task->model;
     double rest[4];
     out->exists[0] = 1;
-    if (sf_has_sloping_rest(model, asked->first->A)) {
-        sf_rest_at(model, at->A, model->breaks > 0 && asked->first->A >= model->b[0], rest);
+    if (sf_has_sloping_rest(model, task->first->A)) {
+        sf_rest_at(model, at->A, model->breaks > 0 && task->first->A >= model->b[0], rest);
         out->y[0] = dissipation_F_A(0, at->A, rest[0], rest[1], model->zeta, model->d, at->h, at->h_A);
         out->dy[0] =
             dissipation_F_AA(0, at->A, rest[0], rest[1], rest[2], model->zeta, model->d, at->h, at->h_A, at->h_AA);
@@ -102,32 +102,32 @@ static inline void sf_ask_stiffness(const sf_asked *asked, const sf_sample *at, 
 
 /* Omega where a fold at F_0 may be, from I or from R, y being what the two lack of agreeing: the one that rounding
  * moves less. I exceeds m by little if damping is weak, and |k| the least if Omega is low. */
-static inline double sf_fold_Omega(const sf_asked *asked, const sf_sample *at, double Omega, double y) {
-    const double lag = slow_flow_I(Omega, at->A, 0, asked->model->zeta),
+static inline double sf_fold_Omega(const sf_task *task, const sf_sample *at, double Omega, double y) {
+    const double lag = slow_flow_I(Omega, at->A, 0, task->model->zeta),
                  square = slow_flow_fold_square(Omega, at->A, y);
-    const double least = asked->least / at->k;
-    const double of_I = (lag + asked->model->m) / (lag * (1 - least) * (1 + least));
+    const double least = task->least / at->k;
+    const double of_I = (lag + task->model->m) / (lag * (1 - least) * (1 + least));
     const double of_R = (2 * fabs(at->h) + at->A * square) / (at->A * square);
     return square > 0 && !(of_R >= of_I) ? sqrt(square) : Omega;
 }
 
-static inline void sf_ask_fold(const sf_asked *asked, const sf_sample *at, sf_answer *out) {
-    const sf_model *model = asked->model;
+static inline void sf_ask_fold(const sf_task *task, const sf_sample *at, sf_answer *out) {
+    const sf_model *model = task->model;
     double fold[3], tangent[2];
     if (model->zeta > 0)
         out->edge = at->h_A > 0 ? 1 : -1; /* F_A has the sign of h_A where the channel ends */
-    if (model->zeta == 0 ? !(at->h_A < 0) : !(fabs(at->k) >= asked->least))
+    if (model->zeta == 0 ? !(at->h_A < 0) : !(fabs(at->k) >= task->least))
         return;
     slow_flow_intercept(at->A, at->h, at->h_A, at->h_AA, tangent);
     if (model->zeta == 0) {
-        slow_flow_zeta0_fold(asked->F_0, model->m, at->k, tangent[1], fold);
+        slow_flow_zeta0_fold(task->F_0, model->m, at->k, tangent[1], fold);
         out->Omega[0] = slow_flow_zeta0_undamped_Omega(at->h_A);
     } else {
         if (model->m == 0)
-            slow_flow_mu0_fold(at->A, asked->F_0, 0, model->zeta, at->h, at->h_A, at->k, tangent[1], fold);
+            slow_flow_mu0_fold(at->A, task->F_0, 0, model->zeta, at->h, at->h_A, at->k, tangent[1], fold);
         else
-            slow_flow_fold(at->A, asked->F_0, model->m, model->zeta, at->h, at->h_A, at->k, tangent[1], fold);
-        out->Omega[0] = sf_fold_Omega(asked, at, fold[2], fold[0]);
+            slow_flow_fold(at->A, task->F_0, model->m, model->zeta, at->h, at->h_A, at->k, tangent[1], fold);
+        out->Omega[0] = sf_fold_Omega(task, at, fold[2], fold[0]);
     }
     out->exists[0] = !isnan(fold[0]); /* |k| may be the least but for the rounding of that */
     out->y[0] = fold[0], out->dy[0] = fold[1];
@@ -290,12 +290,12 @@ static inline void sf_ask_rest(const sf_model *model, double F_0, const sf_sampl
     out->dy[0] = halves[2], out->dy[1] = halves[3];
 }
 
-static inline void sf_ask_state(const sf_asked *asked, const sf_sample *at, sf_answer *out) {
-    const sf_model *model = asked->model;
+static inline void sf_ask_state(const sf_task *task, const sf_sample *at, sf_answer *out) {
+    const sf_model *model = task->model;
     out->exists[0] = 1;
-    out->Omega[0] = asked->Omega;
-    out->y[0] = slow_flow_F(asked->Omega, at->A, asked->F_0, model->m, model->zeta, at->h);
-    out->dy[0] = slow_flow_F_A(asked->Omega, at->A, model->m, model->zeta, at->h, at->h_A);
+    out->Omega[0] = task->Omega;
+    out->y[0] = slow_flow_F(task->Omega, at->A, task->F_0, model->m, model->zeta, at->h);
+    out->dy[0] = slow_flow_F_A(task->Omega, at->A, model->m, model->zeta, at->h, at->h_A);
 }
 
 /* Whether h lacks of being 0 what damping makes of it, so that x, where the level is least, is all rounding. */
@@ -319,19 +319,19 @@ static inline double sf_isola_Omega_by_inertia(const sf_model *model, const sf_s
 }
 
 /* Both at x = 1/Omega where the level is least; the peak is the pair's that is the upper one. */
-static inline void sf_ask_inertial(const sf_asked *asked, const sf_sample *at, sf_answer *out) {
-    const sf_model *model = asked->model;
+static inline void sf_ask_inertial(const sf_task *task, const sf_sample *at, sf_answer *out) {
+    const sf_model *model = task->model;
     const double x = sf_least_x(model, at);
-    const int channel = asked->question == SF_PEAK;
+    const int channel = task->question == SF_PEAK;
     double found[2], Omega = 0, share;
     if (model->zeta > 0) /* where a channel ends, as Omega tends to inf, F_A rises, and the level is the amplitude */
-        out->edge = asked->question == SF_ISOLA || at->A > asked->F_0 ? 1 : -1;
-    if (asked->question == SF_REST || x == 0)
+        out->edge = task->question == SF_ISOLA || at->A > task->F_0 ? 1 : -1;
+    if (task->question == SF_REST || x == 0)
         return;
-    if (asked->question == SF_PEAK) {
-        inertia_peak(x, at->A, asked->F_0, model->m, model->zeta, at->h, at->h_A, found);
+    if (task->question == SF_PEAK) {
+        inertia_peak(x, at->A, task->F_0, model->m, model->zeta, at->h, at->h_A, found);
         if (sf_is_x_lost(model, at))
-            Omega = sf_Omega_by_share(model, asked->F_0, at, 0, &share);
+            Omega = sf_Omega_by_share(model, task->F_0, at, 0, &share);
     } else {
         inertia_isola(x, at->A, model->m, model->zeta, at->h, at->h_A, at->h_AA, found);
         found[0] = inertia_isola_apart(x, at->A, model->m, model->zeta, at->h, at->k, 2 * at->h + at->k);
@@ -346,25 +346,25 @@ static inline void sf_ask_inertial(const sf_asked *asked, const sf_sample *at, s
 }
 
 /* Whether a question is another one for an excitation by inertia. */
-static inline int sf_is_of_inertia(const sf_asked *asked) {
-    return sf_inertial(asked->model) &&
-           (asked->question == SF_ISOLA || asked->question == SF_PEAK || asked->question == SF_REST);
+static inline int sf_is_of_inertia(const sf_task *task) {
+    return sf_inertial(task->model) &&
+           (task->question == SF_ISOLA || task->question == SF_PEAK || task->question == SF_REST);
 }
 
-/* open: which channels are wanted, 1 and 2; of SF_CUSP and SF_PEAK others are not asked */
-static inline void sf_ask(const sf_asked *asked, int open, const sf_sample *at, sf_answer *out) {
-    const sf_model *model = asked->model;
+/* open: which channels are needed, 1 and 2; of SF_CUSP and SF_PEAK others are not evaluated */
+static inline void sf_ask(const sf_task *task, int open, const sf_sample *at, sf_answer *out) {
+    const sf_model *model = task->model;
     memset(out, 0, sizeof *out);
-    if (sf_is_of_inertia(asked)) {
-        sf_ask_inertial(asked, at, out);
+    if (sf_is_of_inertia(task)) {
+        sf_ask_inertial(task, at, out);
         return;
     }
-    switch (asked->question) {
+    switch (task->question) {
     case SF_STIFFNESS:
-        sf_ask_stiffness(asked, at, out);
+        sf_ask_stiffness(task, at, out);
         break;
     case SF_FOLD_AT:
-        sf_ask_fold(asked, at, out);
+        sf_ask_fold(task, at, out);
         break;
     case SF_ISOLA:
         sf_ask_isola(model, at, out);
@@ -379,13 +379,13 @@ static inline void sf_ask(const sf_asked *asked, int open, const sf_sample *at, 
         sf_ask_undamped(at, out);
         break;
     case SF_PEAK:
-        sf_ask_peak(model, asked->F_0, open, at, out);
+        sf_ask_peak(model, task->F_0, open, at, out);
         break;
     case SF_REST:
-        sf_ask_rest(model, asked->F_0, at, out);
+        sf_ask_rest(model, task->F_0, at, out);
         break;
     case SF_STATE:
-        sf_ask_state(asked, at, out);
+        sf_ask_state(task, at, out);
         break;
     }
 }

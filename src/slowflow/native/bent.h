@@ -45,11 +45,11 @@ struct sf_bent {
 enum { SF_MOST_BENT = 1 + SF_MOST_BREAKS + 2 + SF_CONTACT_SUMS * SF_MOST_CONTACTS + SF_MOST_PARAMETERS };
 
 /* A program's outputs at some arguments and the parameters. */
-static inline void sf_interpreted_at(const sf_bent *of, int number, int given, const sf_interval *arguments,
+static inline void sf_interpreted_at(const sf_bent *of, int number, int inputs, const sf_interval *arguments,
                                      const sf_interval *p, sf_interval *out) {
     sf_interval all[SF_MOST_BENT];
-    memcpy(all, arguments, (size_t)given * sizeof *all);
-    memcpy(all + given, p, (size_t)of->parameters * sizeof *all);
+    memcpy(all, arguments, (size_t)inputs * sizeof *all);
+    memcpy(all + inputs, p, (size_t)of->parameters * sizeof *all);
     of->interpreted(of, number, all, out);
 }
 
@@ -156,7 +156,7 @@ static inline void sf_of_contact(const sf_bent *of, int number, double start, sf
 
 /* h and h_AAAA on amplitudes of one piece of the force, which ends at these breakpoints; infinite or NaN where not
  * known. */
-static inline void sf_enclose(const sf_bent *of, const double *ends, sf_interval A, const double *given,
+static inline void sf_enclose(const sf_bent *of, const double *ends, sf_interval A, const double *inputs,
                               sf_interval *out)
 {
     sf_interval p[SF_MOST_PARAMETERS], roots[SF_MOST_BREAKS];
@@ -165,7 +165,7 @@ static inline void sf_enclose(const sf_bent *of, const double *ends, sf_interval
     while (passed < of->breakpoints && A.lo >= ends[passed])
         passed++;
     for (int i = 0; i < of->parameters; i++)
-        p[i] = sfi_point(given[i]);
+        p[i] = sfi_point(inputs[i]);
     for (int i = 0; i <= passed; i++) {
         const double start = i > 0 ? ends[i - 1] : 0, end = i < passed ? ends[i] : 0;
         if (i == passed || end > start)

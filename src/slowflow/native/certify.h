@@ -1,4 +1,4 @@
-/* Answers with their proof. Takes an oscillator as it was given, and a forcing; returns enclosures of its folds or
+/* Answers with their proof. Takes an oscillator's exact inputs, and a forcing; returns enclosures of its folds or
  * states, of F_SN and of F_cr, and where doubles do not decide.
  *
  * A fold inside a piece is a zero of SF_FOLD_AT; on a breakpoint where the force jumps, it is a root of F = 0 at which
@@ -36,23 +36,23 @@ static void sf_leave_in_doubt(sf_certificate *out, sf_interval A) {
         out->doubt[out->doubts++] = A;
 }
 
-static void sf_leave_all_in_doubt(const sf_given *given, const sf_proof *proof, sf_certificate *out) {
+static void sf_leave_all_in_doubt(const sf_inputs *inputs, const sf_proof *proof, sf_certificate *out) {
     out->full |= proof->full;
     for (int i = 0; i < proof->doubts; i++)
         sf_leave_in_doubt(out,
-                          sf_beyond(given, proof->doubt[i].piece, sfi_of(proof->doubt[i].low, proof->doubt[i].high)));
+                          sf_beyond(inputs, proof->doubt[i].piece, sfi_of(proof->doubt[i].low, proof->doubt[i].high)));
 }
 
 /* Whether no amplitude from A on is that of a steady state at F_0 or less, as sf_bounds says. */
-static int sf_is_bounded(const sf_given *given, double F_0, double A) {
+static int sf_is_bounded(const sf_inputs *inputs, double F_0, double A) {
     sf_known here, there;
     sf_cell cell;
-    if (given->zeta.lo == 0 || (given->breaks > 0 && !(A > given->b[given->breaks - 1].hi)))
+    if (inputs->zeta.lo == 0 || (inputs->breaks > 0 && !(A > inputs->b[inputs->breaks - 1].hi)))
         return 0;
-    sf_know_at(given, given->breaks, sfi_down(A - sf_beginning(given, given->breaks).hi), &here);
-    sf_know_at(given, given->breaks, SF_ENDLESS * sfi_most(A, 1), &there);
+    sf_know_at(inputs, inputs->breaks, sfi_down(A - sf_beginning(inputs, inputs->breaks).hi), &here);
+    sf_know_at(inputs, inputs->breaks, SF_ENDLESS * sfi_most(A, 1), &there);
     sf_make_cell_on(sfi_of(here.A, there.A), &here, &there, &cell);
-    const sf_interval most = slow_flow_intervals_most_restoring(sfi_point(A), sfi_point(F_0), given->m, given->zeta);
+    const sf_interval most = slow_flow_intervals_most_restoring(sfi_point(A), sfi_point(F_0), inputs->m, inputs->zeta);
     return here.h.lo > 0 ? here.h.lo > most.hi && cell.h_A.lo >= 0 : -here.h.hi > most.hi && cell.h_A.hi <= 0;
 }
 
@@ -100,22 +100,22 @@ static sf_interval sf_fold_Omega_on(const sf_terms *terms, const sf_cell *cell) 
 }
 
 /* The force's breakpoint i as a cell, as its lower side has it. */
-static void sf_breakpoint_on(const sf_given *given, int i, sf_cell *on) {
+static void sf_breakpoint_on(const sf_inputs *inputs, int i, sf_cell *on) {
     sf_known at;
-    sf_know_below(given, i, &at);
-    sf_make_cell_on(given->b[i], &at, &at, on);
+    sf_know_below(inputs, i, &at);
+    sf_make_cell_on(inputs->b[i], &at, &at, on);
 }
 
-static void sf_certify_corners(const sf_given *given, const sf_terms *terms, sf_certificate *out) {
-    for (int k = 0; k < given->breaks; k++) {
+static void sf_certify_corners(const sf_inputs *inputs, const sf_terms *terms, sf_certificate *out) {
+    for (int k = 0; k < inputs->breaks; k++) {
         sf_roots roots;
         sf_cell on;
-        const sf_interval b = given->b[k], jump = given->jump[k];
-        if (sf_is_continuous_at(given, k))
+        const sf_interval b = inputs->b[k], jump = inputs->jump[k];
+        if (sf_is_continuous_at(inputs, k))
             continue;
         if (b.lo > out->A_max)
             return;
-        sf_breakpoint_on(given, k, &on);
+        sf_breakpoint_on(inputs, k, &on);
         sf_at_amplitude q = sf_at_cell(SF_ROOTS_OF_F, terms, &on);
         sf_prove_roots(&q, &roots);
         out->full |= roots.full;
@@ -123,7 +123,7 @@ static void sf_certify_corners(const sf_given *given, const sf_terms *terms, sf_
             const sf_interval R = slow_flow_intervals_R(roots.at[i], b, on.h);
             const int stable_above = sf_sign_of(sfi_mul(R, jump));
             const int stable_below = sf_sign_of(
-                slow_flow_intervals_F_A(roots.at[i], b, given->m, given->zeta, on.h, on.h_A));
+                slow_flow_intervals_F_A(roots.at[i], b, inputs->m, inputs->zeta, on.h, on.h_A));
             if (stable_above != 0 && stable_above == stable_below)
                 continue; /* no fold, however many roots there are */
             if (roots.doubtful[i] || stable_above == 0 || stable_below == 0)
@@ -159,44 +159,45 @@ static void sf_sort_enclosures(sf_certificate *out, int (*follows)(const sf_encl
 }
 
 /* What an answer is before anything is proved: the range of A, and whether the forcing moves the mass. SF_UNRESOLVED
- * where the oscillator as it was given is not known, NULL. */
-static sf_status sf_begin_certificate(const sf_model *model, const sf_given *given, double F_0, sf_room *room,
+ * where exact inputs are not known, NULL. */
+static sf_status sf_begin_certificate(const sf_model *model, const sf_inputs *inputs, double F_0, sf_room *room,
                                       sf_proving *proving) {
     sf_certificate *out = &room->found;
     out->n = out->doubts = out->full = 0, out->A_max = 0;
-    if (given == NULL)
+    if (inputs == NULL)
         return SF_UNRESOLVED;
-    *proving = sf_proving_of(given, F_0, &room->proof);
-    out->bounded = !(F_0 > given->m.lo);
+    *proving = sf_proving_of(inputs, F_0, &room->proof);
+    out->bounded = !(F_0 > inputs->m.lo);
     if (sf_sticks(model, F_0))
         return SF_STICKS;
     const sf_status status = sf_range_at(model, F_0, &out->A_max);
     if (status == SF_OK)
-        out->bounded = sf_is_bounded(given, F_0, out->A_max);
-    if (!(F_0 > given->m.hi))
+        out->bounded = sf_is_bounded(inputs, F_0, out->A_max);
+    if (!(F_0 > inputs->m.hi))
         sf_leave_in_doubt(out, sfi_of(0, out->A_max));
     return status;
 }
 
 /* Every fold at F_0. hints: amplitudes where some are expected */
-static sf_status sf_certify_folds(const sf_model *model, const sf_given *given, double F_0, const double *hints,
+static sf_status sf_certify_folds(const sf_model *model, const sf_inputs *inputs, double F_0, const double *hints,
                                   int count, sf_room *room)
 {
     sf_certificate *out = &room->found;
     sf_proving proving;
-    const sf_status status = sf_begin_certificate(model, given, F_0, room, &proving);
+    const sf_status status = sf_begin_certificate(model, inputs, F_0, room, &proving);
     if (status != SF_OK || out->doubts > 0)
         return status;
     proving.range = sf_fold_on, proving.channels = 1, proving.hints = hints, proving.expected = count;
     sf_prove(&proving, out->A_max);
-    sf_leave_all_in_doubt(given, &room->proof, out);
+    sf_leave_all_in_doubt(inputs, &room->proof, out);
     for (int i = 0; i < room->proof.n; i++) {
         const sf_cell *on = &room->proof.at[i].on;
         const sf_interval Omega = sf_fold_Omega_on(&proving.terms, on);
-        sf_enclose(out, Omega, on->A, 0,
-                   sf_sign_of(slow_flow_intervals_F_AA(Omega, on->A, given->m, given->zeta, on->h, on->h_A, on->h_AA)));
+        const sf_interval F_AA =
+            slow_flow_intervals_F_AA(Omega, on->A, inputs->m, inputs->zeta, on->h, on->h_A, on->h_AA);
+        sf_enclose(out, Omega, on->A, 0, sf_sign_of(F_AA));
     }
-    sf_certify_corners(given, &proving.terms, out);
+    sf_certify_corners(inputs, &proving.terms, out);
     sf_sort_enclosures(out, sf_follows);
     return SF_OK;
 }
@@ -209,17 +210,17 @@ static void sf_state_on(const sf_proving *proving, const sf_cell *cell, int open
 }
 
 /* Every state at (Omega, F_0), by rising A. */
-static sf_status sf_certify_states(const sf_model *model, const sf_given *given, double F_0, double Omega,
+static sf_status sf_certify_states(const sf_model *model, const sf_inputs *inputs, double F_0, double Omega,
                                    sf_room *room)
 {
     sf_certificate *out = &room->found;
     sf_proving proving;
-    const sf_status status = sf_begin_certificate(model, given, F_0, room, &proving);
+    const sf_status status = sf_begin_certificate(model, inputs, F_0, room, &proving);
     if (status != SF_OK || out->doubts > 0)
         return status;
     proving.range = sf_state_on, proving.channels = 1, proving.Omega = sfi_point(Omega);
     sf_prove(&proving, out->A_max);
-    sf_leave_all_in_doubt(given, &room->proof, out);
+    sf_leave_all_in_doubt(inputs, &room->proof, out);
     for (int i = 0; i < room->proof.n; i++)
         sf_enclose(out, proving.Omega, room->proof.at[i].on.A, 0, room->proof.at[i].rising ? 1 : -1);
     sf_sort_enclosures(out, sf_is_higher);
@@ -300,12 +301,12 @@ static void sf_enter_cusp(const sf_terms *terms, const sf_cell *on, int channel,
 
 /* Minima on breakpoint k, where the force jumps, see sf_consider_jump, or its slope: there the locus bends and does no
  * more. */
-static void sf_enter_corners(const sf_given *given, const sf_terms *terms, int k, sf_candidates *list) {
-    const sf_interval b = given->b[k];
-    const int jumps = !sf_is_continuous_at(given, k), J = sf_sign_of(jumps ? given->jump[k] : given->kink[k]);
+static void sf_enter_corners(const sf_inputs *inputs, const sf_terms *terms, int k, sf_candidates *list) {
+    const sf_interval b = inputs->b[k];
+    const int jumps = !sf_is_continuous_at(inputs, k), J = sf_sign_of(jumps ? inputs->jump[k] : inputs->kink[k]);
     sf_cell on;
     sf_roots roots;
-    sf_breakpoint_on(given, k, &on);
+    sf_breakpoint_on(inputs, k, &on);
     if (jumps && on.h.lo < 0 && J <= 0) {
         const sf_interval Omega = slow_flow_intervals_backbone(b, on.h);
         sf_enter(list, sf_level_on(terms, Omega, &on), Omega, b, SF_CORNER_KIND, on.h.hi < 0 ? -J : 0);
@@ -353,15 +354,15 @@ static void sf_lowest(const sf_candidates *list, sf_proved_onset *out) {
 
 /* F_cr, the least level on the first breakpoint: at Omega = 0 or where F_Omega vanishes. Each place that is tried is a
  * bound from above, and the least lies at one of them: so places in doubt do no harm. */
-static sf_status sf_certify_detachment(const sf_given *given, sf_interval *F_cr, sf_interval *Omega_cr) {
-    const sf_terms terms = sf_terms_of(given, sfi_point(0));
+static sf_status sf_certify_detachment(const sf_inputs *inputs, sf_interval *F_cr, sf_interval *Omega_cr) {
+    const sf_terms terms = sf_terms_of(inputs, sfi_point(0));
     sf_candidates list;
     sf_proved_onset least;
     sf_roots roots;
     sf_cell on;
-    if (given->breaks == 0)
+    if (inputs->breaks == 0)
         return SF_NONE;
-    sf_breakpoint_on(given, 0, &on);
+    sf_breakpoint_on(inputs, 0, &on);
     sf_at_amplitude q = sf_at_cell(SF_ROOTS_OF_F_OMEGA, &terms, &on);
     sf_prove_roots(&q, &roots);
     if (roots.full)
@@ -380,10 +381,10 @@ static sf_status sf_certify_detachment(const sf_given *given, sf_interval *F_cr,
  * list.
  * Minima of the level along the fold locus are its cusps and isola points, ends of its pieces on breakpoints, and ends
  * at Omega = 0, where no fold is born. */
-static void sf_enter_all(const sf_given *given, sf_proving *proving, double A_max, sf_candidates *list) {
+static void sf_enter_all(const sf_inputs *inputs, sf_proving *proving, double A_max, sf_candidates *list) {
     sf_proof *proof = proving->out;
     /* without friction both functions vanish at 0: amplitudes of 1e-60 and less are left out */
-    proving->from = given->m.hi > 0 ? 0 : SF_FIRST;
+    proving->from = inputs->m.hi > 0 ? 0 : SF_FIRST;
     for (int i = 0; i < 2; i++) {
         proving->range = i == 0 ? sf_isola_on : sf_cusps_on, proving->channels = 1 + i;
         sf_prove(proving, A_max);
@@ -394,29 +395,29 @@ static void sf_enter_all(const sf_given *given, sf_proving *proving, double A_ma
             else
                 sf_enter_cusp(&proving->terms, &proof->at[k].on, proof->at[k].channel, list);
     }
-    for (int k = 0; k < given->breaks; k++)
-        sf_enter_corners(given, &proving->terms, k, list);
+    for (int k = 0; k < inputs->breaks; k++)
+        sf_enter_corners(inputs, &proving->terms, k, list);
 }
 
 /* That no fold is born at any forcing, up to amplitudes that stand for infinite ones. */
-static void sf_certify_no_onset(const sf_given *given, sf_proof *proof, sf_proved_onset *out) {
-    sf_proving proving = sf_proving_of(given, HUGE_VAL, proof);
+static void sf_certify_no_onset(const sf_inputs *inputs, sf_proof *proof, sf_proved_onset *out) {
+    sf_proving proving = sf_proving_of(inputs, HUGE_VAL, proof);
     sf_candidates list;
     list.n = list.full = 0, list.doubted = HUGE_VAL;
-    sf_enter_all(given, &proving, SF_ENDLESS, &list);
+    sf_enter_all(inputs, &proving, SF_ENDLESS, &list);
     sf_lowest(&list, out);
     out->proved = list.n == 0 && !list.full && list.doubted == HUGE_VAL;
 }
 
 /* Without viscous damping, whether folds come as near to m as one asks: their level is hypot(m, k), which is m at A = 0
  * only, and there they are as long as h_A < 0. */
-static int sf_tends_to_friction(const sf_given *given) {
+static int sf_tends_to_friction(const sf_inputs *inputs) {
     sf_known first, last;
     sf_cell cell;
-    double A = given->breaks > 0 ? sfi_least(given->b[0].lo, 1) : 1;
-    sf_know_at(given, 0, 0, &first);
+    double A = inputs->breaks > 0 ? sfi_least(inputs->b[0].lo, 1) : 1;
+    sf_know_at(inputs, 0, 0, &first);
     for (; A > SF_FIRST; A *= 0.125) {
-        sf_know_at(given, 0, A, &last);
+        sf_know_at(inputs, 0, A, &last);
         sf_make_cell_on(sfi_of(0, A), &first, &last, &cell);
         if (cell.h_A.hi < 0)
             return sfi_has_sign(last.k);
@@ -426,25 +427,25 @@ static int sf_tends_to_friction(const sf_given *given) {
 
 /* The lowest forcing at which folds are born; what lies above the forcing that was found is left out. Where there is
  * none, as the status says, whether that is proved. For zeta = 0 a lowest one is not proved. */
-static sf_status sf_certify_onset(const sf_model *model, const sf_given *given, sf_room *room, sf_proved_onset *out) {
+static sf_status sf_certify_onset(const sf_model *model, const sf_inputs *inputs, sf_room *room, sf_proved_onset *out) {
     sf_candidates list;
     sf_onset best;
     double A_max;
     sf_status status = sf_find_onset(model, &room->work, &best);
     out->proved = 0;
     if (status == SF_NONE && model->zeta > 0)
-        sf_certify_no_onset(given, &room->proof, out);
+        sf_certify_no_onset(inputs, &room->proof, out);
     if (status == SF_UNBOUNDED && model->zeta == 0)
-        out->proved = sf_tends_to_friction(given);
+        out->proved = sf_tends_to_friction(inputs);
     if (status != SF_OK)
         return status;
     const double F_0 = best.F_SN * (1 + SF_ABOVE_ONSET);
     status = sf_amplitude_bound(model, F_0, &A_max);
     if (status != SF_OK)
         return status;
-    list.n = 0, list.full = !sf_is_bounded(given, F_0, A_max), list.doubted = HUGE_VAL;
-    sf_proving proving = sf_proving_of(given, F_0, &room->proof);
-    sf_enter_all(given, &proving, A_max, &list);
+    list.n = 0, list.full = !sf_is_bounded(inputs, F_0, A_max), list.doubted = HUGE_VAL;
+    sf_proving proving = sf_proving_of(inputs, F_0, &room->proof);
+    sf_enter_all(inputs, &proving, A_max, &list);
     sf_lowest(&list, out);
     out->proved = list.n > 0 && !list.full && list.doubted > out->F_SN.hi && out->F_SN.hi < F_0;
     return SF_OK;

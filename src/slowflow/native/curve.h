@@ -264,10 +264,10 @@ static void sf_add_step(const sf_model *model, double F_0, const sf_arc *arc, in
 
 /* The last digits of the folds, also where segments end in them. What lies on which arc was told by the numbers
  * before. Returns how far off one of them is left, relatively. */
-static double sf_settle_skeleton(const sf_model *model, const sf_given *given, double F_0, sf_room *room) {
+static double sf_settle_skeleton(const sf_model *model, const sf_inputs *inputs, double F_0, sf_room *room) {
     sf_work *work = &room->work;
     const sf_folds before = work->folds;
-    const double off = sf_settle_or_prove(model, given, F_0, room, &work->folds);
+    const double off = sf_settle_or_prove(model, inputs, F_0, room, &work->folds);
     for (int i = 0; i < before.n; i++)
         for (int k = 0; k < work->skeleton.segments; k++)
             for (int end = 0; end < 2; end++) {
@@ -278,12 +278,12 @@ static double sf_settle_skeleton(const sf_model *model, const sf_given *given, d
     return off;
 }
 
-static sf_status sf_make_skeleton(const sf_model *model, const sf_given *given, double F_0, sf_room *room) {
+static sf_status sf_make_skeleton(const sf_model *model, const sf_inputs *inputs, double F_0, sf_room *room) {
     sf_work *work = &room->work;
     sf_skeleton *out = &work->skeleton;
     int arc_of[SF_MOST_FOLDS], lost = 0;
     const int laws = sf_has_laws(model);
-    const sf_status status = sf_decided_folds(model, given, F_0, room, &work->folds);
+    const sf_status status = sf_decided_folds(model, inputs, F_0, room, &work->folds);
     out->segments = out->curves = 0, out->start[0] = 0;
     if (status != SF_OK)
         return status;
@@ -309,7 +309,7 @@ static sf_status sf_make_skeleton(const sf_model *model, const sf_given *given, 
         out->start[c + 1] = out->segments;
         out->curves = c + 1;
     }
-    if (!laws && given != NULL && sf_settle_skeleton(model, given, F_0, room) > SF_FEW_DIGITS && !sf_inertial(model))
+    if (!laws && inputs != NULL && sf_settle_skeleton(model, inputs, F_0, room) > SF_FEW_DIGITS && !sf_inertial(model))
         room->doubt = room->undecided = 1;
     return SF_OK;
 }

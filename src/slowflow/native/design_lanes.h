@@ -27,10 +27,10 @@ enum { SF_PROBE_ROWS = 6 };
 /* What a design is to these loops, as rows: Omega, of which peaks and folds have none, zeta, m, F_0. Of cusps the first
  * is the channel (along.h), 1 for the larger Omega^2 and -1 for the other one; the last is the forcing above which they
  * may be left out */
-enum { SF_ASKED_ROWS = 4, SF_LAST_ROWS = 3 };
+enum { SF_TASK_ROWS = 4, SF_LAST_ROWS = 3 };
 
-/* rows that these loops are given; of brackets those that are kept for the next round, and with what was asked before */
-enum { SF_GIVEN_ROWS = 17, SF_KEPT_ROWS = 8, SF_REMEMBERED_ROWS = SF_KEPT_ROWS + SF_LAST_ROWS };
+/* rows of inputs of these loops; of brackets those kept for the next round, and with the last evaluation */
+enum { SF_INPUT_ROWS = 17, SF_KEPT_ROWS = 8, SF_REMEMBERED_ROWS = SF_KEPT_ROWS + SF_LAST_ROWS };
 
 typedef enum { SF_HAS_NONE, SF_HAS_ONE, SF_IS_OPEN, SF_IS_DOUBTFUL } sf_verdict;
 
@@ -39,10 +39,10 @@ typedef enum { SF_HAS_NONE, SF_HAS_ONE, SF_IS_OPEN, SF_IS_DOUBTFUL } sf_verdict;
 typedef struct {
     int n, of[SF_LANE_CELLS];
     union {
-        double given[SF_GIVEN_ROWS][SF_LANE_CELLS];
+        double inputs[SF_INPUT_ROWS][SF_LANE_CELLS];
         struct {
             double low[SF_PROBE_ROWS][SF_LANE_CELLS], high[SF_PROBE_ROWS][SF_LANE_CELLS];
-            double asked[SF_ASKED_ROWS][SF_LANE_CELLS], base[SF_LANE_CELLS];
+            double task[SF_TASK_ROWS][SF_LANE_CELLS], base[SF_LANE_CELLS];
         };
     };
     double verdict[SF_LANE_CELLS], cut[SF_LANE_CELLS], rises[SF_LANE_CELLS];
@@ -54,9 +54,9 @@ typedef struct {
 typedef struct {
     int n, of[SF_LANE_CELLS];
     union {
-        double given[SF_GIVEN_ROWS][SF_LANE_CELLS];
+        double inputs[SF_INPUT_ROWS][SF_LANE_CELLS];
         struct {
-            double at[SF_PROBE_ROWS][SF_LANE_CELLS], asked[SF_ASKED_ROWS][SF_LANE_CELLS];
+            double at[SF_PROBE_ROWS][SF_LANE_CELLS], task[SF_TASK_ROWS][SF_LANE_CELLS];
             double lo[SF_LANE_CELLS], hi[SF_LANE_CELLS], rises[SF_LANE_CELLS], base[SF_LANE_CELLS];
             double last[SF_LAST_ROWS][SF_LANE_CELLS];
         };
@@ -92,7 +92,7 @@ static inline void sf_fill(double *row, ptrdiff_t n) {
 }
 
 static inline void sf_fill_rows(double (*rows)[SF_LANE_CELLS], ptrdiff_t n) {
-    for (int k = 0; k < SF_GIVEN_ROWS; k++)
+    for (int k = 0; k < SF_INPUT_ROWS; k++)
         sf_fill(rows[k], n);
 }
 
@@ -100,12 +100,12 @@ static inline void sf_fill_rows(double (*rows)[SF_LANE_CELLS], ptrdiff_t n) {
 #define SF_DEFINE_QUESTION(JUDGE, APPROACH) \
     void JUDGE(sf_lane_cells *cells) \
     { \
-        sf_fill_rows(cells->given, cells->n); \
+        sf_fill_rows(cells->inputs, cells->n); \
         judge(sf_filled(cells->n), cells); \
     } \
     void APPROACH(sf_lane_zeros *zeros) \
     { \
-        sf_fill_rows(zeros->given, zeros->n); \
+        sf_fill_rows(zeros->inputs, zeros->n); \
         approach(sf_filled(zeros->n), zeros); \
     }
 

@@ -1,4 +1,4 @@
-/* What is asked along the amplitude, on a cell. Takes a question of along.h and what is known at a cell's ends;
+/* Test functions along the amplitude, on a cell. Takes a question of along.h and what is known at a cell's ends;
  * returns ranges that hold each function, and its slope, for every amplitude of the cell.
  */
 #ifndef SF_ENCLOSURES_H
@@ -139,14 +139,14 @@ static inline void sf_cusp_on(const sf_cell *cell, sf_interval m, sf_interval ze
 }
 
 /* Whether a level may lie above what is still wanted. */
-static inline int sf_is_limited(const sf_asked *asked) { return asked->most != NULL && *asked->most < HUGE_VAL; }
+static inline int sf_is_limited(const sf_task *task) { return task->most != NULL && *task->most < HUGE_VAL; }
 
 /* The same in numbers without scale; the larger Omega^2 has the larger t where h_AA > 0. What settles most cells comes
  * first. a, b: what is known at the ends, for the values of the cell, which few need */
-static inline void sf_range_cusp_scaled(const sf_asked *asked, const sf_known *a, const sf_known *b, sf_cell *cell,
+static inline void sf_range_cusp_scaled(const sf_task *task, const sf_known *a, const sf_known *b, sf_cell *cell,
                                         sf_interval rho, sf_interval kappa, int open, sf_range out[2]) {
-    const sf_interval m = asked->terms.m, zeta = asked->terms.zeta;
-    const int limited = sf_is_limited(asked);
+    const sf_interval m = task->terms.m, zeta = task->terms.zeta;
+    const int limited = sf_is_limited(task);
     sf_interval q[3];
     slow_flow_intervals_cusps_scaled(cell->A, zeta, cell->h_A, cell->h_AA, kappa, q);
     if (q[2].hi < 0)
@@ -171,7 +171,7 @@ static inline void sf_range_cusp_scaled(const sf_asked *asked, const sf_known *a
         const sf_interval y = slow_flow_intervals_cusp_scaled(cell->A, m, zeta, cell->h_AA, kappa, X, t);
         if (sfi_has_sign(y) ||
             (limited &&
-             slow_flow_intervals_cusp_scaled_level(cell->A, m, zeta, cell->h_AA, kappa, X, t).lo > *asked->most))
+             slow_flow_intervals_cusp_scaled_level(cell->A, m, zeta, cell->h_AA, kappa, X, t).lo > *task->most))
             continue;
         sf_range_simple(y,
                         slow_flow_intervals_cusp_scaled_slope(cell->A, m, zeta, cell->h_AA, kappa, rho, X, t,
@@ -201,25 +201,25 @@ static inline int sf_is_free_of_folds(const sf_known *a, const sf_cell *cell, sf
 
 /* On the fold locus R has the sign of k: F_AA/2 = (dR/dA)^2 + h_AA R + 4 zeta^2 Omega^2 vanishes only if h_AA has the
  * other one. */
-static inline void sf_range_cusp(const sf_asked *asked, const sf_known *a, const sf_known *b, sf_cell *cell, int open,
+static inline void sf_range_cusp(const sf_task *task, const sf_known *a, const sf_known *b, sf_cell *cell, int open,
                                  sf_range out[2]) {
     sf_interval rho, kappa;
     out[0].where = out[1].where = SF_NOWHERE;
     if (sf_scaled(cell, &rho, &kappa)) {
         if (!(kappa.lo >= 0))
-            sf_range_cusp_scaled(asked, a, b, cell, rho, kappa, open, out);
+            sf_range_cusp_scaled(task, a, b, cell, rho, kappa, open, out);
         return;
     }
     sf_add_values(a, b, cell);
-    if (sf_are_alike(cell->h_AA, cell->k) || sf_is_free_of_folds(a, cell, asked->terms.zeta))
+    if (sf_are_alike(cell->h_AA, cell->k) || sf_is_free_of_folds(a, cell, task->terms.zeta))
         return;
     for (int i = 0; i < 2; i++) {
         sf_cusp_range cusp = {0};
         if (!(open & 1 << i))
             continue;
-        sf_cusp_on(cell, asked->terms.m, asked->terms.zeta, i == 0, &cusp);
+        sf_cusp_on(cell, task->terms.m, task->terms.zeta, i == 0, &cusp);
         if (cusp.where != SF_NOWHERE && !sfi_has_sign(cusp.y) &&
-            !(sf_is_limited(asked) && cusp.level.lo > *asked->most))
+            !(sf_is_limited(task) && cusp.level.lo > *task->most))
             sf_range_simple(cusp.y, cusp.dy, cusp.where, &out[i]);
     }
 }
@@ -266,7 +266,7 @@ static inline int sf_critical_at(double A, double p, double q, double *w1, doubl
     return sf_critical_points(&s, w1, w2);
 }
 
-/* Next to A = 0, where p vanishes too, p is asked over A: that of the slopes of h. */
+/* Next to A = 0, where p vanishes too, p is taken over A: that of the slopes of h. */
 static inline void sf_critical_of(const sf_cell *cell, sf_interval p, double q, sf_critical_box *out) {
     const sf_interval A = cell->A;
     double low[2], high[2];
@@ -428,11 +428,11 @@ SF_FLAT static inline void sf_range_state_in_turn(const sf_terms *terms, sf_inte
 
 /* 3 h - A h_A, which is 2 h + k, on a cell; also from where its piece begins: far out, where h is like A^3, it is a
  * small difference of large terms there, and its second derivative h_AA - A h_AAA is small on all of the way. */
-static inline sf_interval sf_cubic_on(const sf_asked *asked, const sf_cell *cell) {
+static inline sf_interval sf_cubic_on(const sf_task *task, const sf_cell *cell) {
     const sf_interval direct = sfi_add(sfi_times(2, cell->h), cell->k);
-    const sf_sample *first = asked->first;
+    const sf_sample *first = task->first;
     sf_known from;
-    if (asked->model->mechanism->bent != NULL || first == NULL)
+    if (task->model->mechanism->bent != NULL || first == NULL)
         return direct;
     sf_know(first, &from);
     const sf_interval way = sfi_sub(cell->A, sfi_point(first->A));
@@ -454,12 +454,12 @@ static inline int sf_has_one_isola(sf_interval h, sf_interval h_A, sf_interval k
 /* x rises with the first of its terms and falls with the others, so their corners hold it. No level of A is above A, so
  * that a peak exceeds F_0; and below the least amplitude that is looked at the force is its slope, where nothing
  * vanishes. */
-static inline void sf_range_inertial(const sf_asked *asked, const sf_cell *cell, sf_range out[2]) {
-    const sf_interval m = asked->terms.m, zeta = asked->terms.zeta;
-    sf_range *own = &out[asked->question == SF_PEAK];
+static inline void sf_range_inertial(const sf_task *task, const sf_cell *cell, sf_range out[2]) {
+    const sf_interval m = task->terms.m, zeta = task->terms.zeta;
+    sf_range *own = &out[task->question == SF_PEAK];
     sf_interval terms[3], x, h = cell->h, found[2];
     out[0].where = out[1].where = SF_NOWHERE;
-    if (asked->question == SF_REST || cell->A.hi <= SF_FIRST || (asked->question == SF_PEAK && cell->A.hi < asked->F_0))
+    if (task->question == SF_REST || cell->A.hi <= SF_FIRST || (task->question == SF_PEAK && cell->A.hi < task->F_0))
         return;
     if (cell->A.lo == 0) {
         own->where = SF_PARTLY, own->y = own->dy = sfi_of(-HUGE_VAL, HUGE_VAL), own->edge = own->once = 0;
@@ -471,13 +471,13 @@ static inline void sf_range_inertial(const sf_asked *asked, const sf_cell *cell,
         return;
     x.lo = terms[0].lo > 0 ? inertia_least(terms[0].lo, terms[1].hi, terms[2].hi) * (1 - SF_DOUBT) : 0;
     x.hi = inertia_least(terms[0].hi, terms[1].lo, terms[2].lo) * (1 + SF_DOUBT);
-    if (asked->question == SF_PEAK)
-        inertia_intervals_peak(x, cell->A, asked->terms.F_0, m, zeta, cell->h, cell->h_A, found);
+    if (task->question == SF_PEAK)
+        inertia_intervals_peak(x, cell->A, task->terms.F_0, m, zeta, cell->h, cell->h_A, found);
     else
         inertia_intervals_isola(x, cell->A, m, zeta, cell->h, cell->h_A, cell->h_AA, found);
     sf_range_simple(found[0], found[1], own->where, own);
-    if (asked->question == SF_ISOLA && !sfi_has_sign(own->y)) {
-        const sf_interval cubic = sf_cubic_on(asked, cell);
+    if (task->question == SF_ISOLA && !sfi_has_sign(own->y)) {
+        const sf_interval cubic = sf_cubic_on(task, cell);
         h.hi = sfi_least(h.hi, -2 * zeta.lo * zeta.lo * cell->A.lo * (1 - SF_DOUBT)); /* where there is a least level */
         own->y = sfi_both(own->y,
                           inertia_intervals_isola_apart(x, cell->A, m, zeta, h, cell->k, cubic));
@@ -486,19 +486,19 @@ static inline void sf_range_inertial(const sf_asked *asked, const sf_cell *cell,
 }
 
 /* open: which channels are wanted; a, b: what is known at the ends of the cell, of which only the slopes are made */
-static inline void sf_find_range(const sf_asked *asked, const sf_known *a, const sf_known *b, sf_cell *cell, int open,
+static inline void sf_find_range(const sf_task *task, const sf_known *a, const sf_known *b, sf_cell *cell, int open,
                                  sf_range out[2]) {
-    const sf_model *model = asked->model;
-    if (asked->question == SF_CUSP) {
-        sf_range_cusp(asked, a, b, cell, open, out);
+    const sf_model *model = task->model;
+    if (task->question == SF_CUSP) {
+        sf_range_cusp(task, a, b, cell, open, out);
         return;
     }
     sf_add_values(a, b, cell);
-    if (sf_is_of_inertia(asked)) {
-        sf_range_inertial(asked, cell, out);
+    if (sf_is_of_inertia(task)) {
+        sf_range_inertial(task, cell, out);
         return;
     }
-    switch (asked->question) {
+    switch (task->question) {
     case SF_STIFFNESS:
         if (sf_has_sloping_rest(model, cell->A.lo))
             sf_range_stiffness_by_laws(model, cell, out);
@@ -506,10 +506,10 @@ static inline void sf_find_range(const sf_asked *asked, const sf_known *a, const
             sf_range_stiffness(cell, out);
         break;
     case SF_FOLD_AT:
-        sf_range_fold(&asked->terms, cell, out);
+        sf_range_fold(&task->terms, cell, out);
         break;
     case SF_ISOLA:
-        sf_range_isola(&asked->terms, cell, out);
+        sf_range_isola(&task->terms, cell, out);
         break;
     case SF_CUSP:
         break;
@@ -520,14 +520,14 @@ static inline void sf_find_range(const sf_asked *asked, const sf_known *a, const
         sf_range_undamped(cell, out);
         break;
     case SF_PEAK:
-        sf_range_peak(model, asked->F_0, cell, open, out);
+        sf_range_peak(model, task->F_0, cell, open, out);
         break;
     case SF_REST:
-        sf_range_rest(model, asked->F_0, cell, out);
+        sf_range_rest(model, task->F_0, cell, out);
         break;
     case SF_STATE:
         sf_doubt_gains(model, cell);
-        sf_range_state_in_turn(&asked->terms, sfi_point(asked->Omega), cell, out);
+        sf_range_state_in_turn(&task->terms, sfi_point(task->Omega), cell, out);
         break;
     }
 }

@@ -1,4 +1,4 @@
-/* The oscillator as it was given. Takes its numbers, taken exactly; returns intervals that hold what follows from
+/* The oscillator's exact inputs. Takes its numbers, taken exactly; returns intervals that hold what follows from
  * them.
  *
  * A proof is about this oscillator, not about its parameters rounded to doubles.
@@ -22,11 +22,11 @@ typedef struct {
     sf_interval b[SF_MOST_BREAKS], jump[SF_MOST_BREAKS], kink[SF_MOST_BREAKS];
     int breaks, empty;
     sf_exactly exactly;
-} sf_given;
+} sf_inputs;
 
 /* 0 where no proof is possible: the mechanism has no form on intervals, the excitation is no force, or a breakpoint can
  * be told neither from 0 nor to be 0. What has such a form has one in pairs too. */
-static inline int sf_give(const sf_mechanism *mechanism, const double *design, double mu, double zeta, sf_given *out) {
+static inline int sf_give(const sf_mechanism *mechanism, const double *design, double mu, double zeta, sf_inputs *out) {
     sf_interval b[SF_MOST_BREAKS], kink[SF_MOST_BREAKS];
     if (mechanism->averaged_within == NULL)
         return 0;
@@ -58,49 +58,50 @@ static inline sf_interval sf_or_unknown(sf_interval x) {
     return x.lo <= x.hi ? x : sfi_of(-HUGE_VAL, HUGE_VAL);
 }
 
-static inline void sf_know_within(const sf_given *given, int piece, sf_interval A, sf_interval beyond, sf_known *out) {
+static inline void sf_know_within(const sf_inputs *inputs, int piece, sf_interval A, sf_interval beyond,
+                                  sf_known *out) {
     sf_interval values[5];
-    given->mechanism->averaged_within(given->mechanism, given->empty + piece, A, beyond, given->p, values);
+    inputs->mechanism->averaged_within(inputs->mechanism, inputs->empty + piece, A, beyond, inputs->p, values);
     out->h = sf_or_unknown(values[0]), out->h_A = sf_or_unknown(values[1]);
     out->h_AA = sf_or_unknown(values[2]), out->h_AAA = sf_or_unknown(values[3]);
     out->k = sf_or_unknown(values[4]);
 }
 
 /* Where a piece begins. */
-static inline sf_interval sf_beginning(const sf_given *given, int piece) {
-    return piece > 0 ? given->b[piece - 1] : sfi_point(0);
+static inline sf_interval sf_beginning(const sf_inputs *inputs, int piece) {
+    return piece > 0 ? inputs->b[piece - 1] : sfi_point(0);
 }
 
 /* The amplitudes that exceed it by so much. */
-static inline sf_interval sf_beyond(const sf_given *given, int piece, sf_interval x) {
-    return piece > 0 ? sfi_add(given->b[piece - 1], x) : x;
+static inline sf_interval sf_beyond(const sf_inputs *inputs, int piece, sf_interval x) {
+    return piece > 0 ? sfi_add(inputs->b[piece - 1], x) : x;
 }
 
 /* At the amplitude that exceeds the beginning of its piece by x. */
-static inline void sf_know_at(const sf_given *given, int piece, double x, sf_known *out) {
-    sf_know_within(given, piece, sf_beyond(given, piece, sfi_point(x)), sfi_point(x), out);
+static inline void sf_know_at(const sf_inputs *inputs, int piece, double x, sf_known *out) {
+    sf_know_within(inputs, piece, sf_beyond(inputs, piece, sfi_point(x)), sfi_point(x), out);
     out->A = x;
 }
 
 /* At breakpoint i as its lower side has it. */
-static inline void sf_know_below(const sf_given *given, int i, sf_known *out) {
-    const sf_interval x = i > 0 ? sfi_sub(given->b[i], given->b[i - 1]) : given->b[i];
-    sf_know_within(given, i, given->b[i], x, out);
+static inline void sf_know_below(const sf_inputs *inputs, int i, sf_known *out) {
+    const sf_interval x = i > 0 ? sfi_sub(inputs->b[i], inputs->b[i - 1]) : inputs->b[i];
+    sf_know_within(inputs, i, inputs->b[i], x, out);
     out->A = x.hi;
 }
 
 /* Whether the force does not jump at breakpoint i. */
-static inline int sf_is_continuous_at(const sf_given *given, int i) {
-    return given->jump[i].lo == 0 && given->jump[i].hi == 0;
+static inline int sf_is_continuous_at(const sf_inputs *inputs, int i) {
+    return inputs->jump[i].lo == 0 && inputs->jump[i].hi == 0;
 }
 
 /* The limit from above at breakpoint i, as `sf_tend_from_above`: a jump of the force makes h_A infinite there, one of
  * its slope h_AA; nothing is known of the derivatives where neither is proved. */
-static inline void sf_know_above(const sf_given *given, int i, sf_known *out) {
-    const sf_interval jump = given->jump[i], kink = given->kink[i];
-    sf_know_below(given, i, out);
+static inline void sf_know_above(const sf_inputs *inputs, int i, sf_known *out) {
+    const sf_interval jump = inputs->jump[i], kink = inputs->kink[i];
+    sf_know_below(inputs, i, out);
     out->A = 0;
-    if (sf_is_continuous_at(given, i) && sfi_has_sign(kink)) {
+    if (sf_is_continuous_at(inputs, i) && sfi_has_sign(kink)) {
         out->h_AA = sfi_point(kink.lo > 0 ? HUGE_VAL : -HUGE_VAL);
         out->h_AAA = sfi_neg(out->h_AA);
         return;

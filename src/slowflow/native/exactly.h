@@ -1,4 +1,4 @@
-/* The oscillator as it was given, in double-double. Takes its numbers; returns its parameters and h with its
+/* The oscillator's exact inputs, in double-double. Takes its numbers; returns its parameters and h with its
  * derivatives to some thirty digits.
  */
 #ifndef SF_EXACTLY_H

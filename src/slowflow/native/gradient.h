@@ -361,14 +361,14 @@ static void sf_loop_gradients(sf_call *at, int inertial) {
         sf_moves_status status = SF_NOTHING_MOVES;
         if (mechanism->by_parameter != NULL && A > 0 && A < HUGE_VAL && answer.Omega >= 0 && answer.Omega < HUGE_VAL &&
             answer.F_0 >= 0 && answer.F_0 < HUGE_VAL) {
-            sf_numbers given;
-            sf_read_numbers_at(at, &given);
+            sf_numbers inputs;
+            sf_read_numbers_at(at, &inputs);
             /* answers of one oscillator come one after the other */
-            if (!known || !sf_are_same(mechanism, &given, &before)) {
-                valid = sf_design_at(at, 1, &given, &model);
+            if (!known || !sf_are_same(mechanism, &inputs, &before)) {
+                valid = sf_design_at(at, 1, &inputs, &model);
                 if (valid)
-                    mechanism->by_design(mechanism, given.design, of_design);
-                before = given, known = 1;
+                    mechanism->by_design(mechanism, inputs.design, of_design);
+                before = inputs, known = 1;
             }
             if (valid)
                 status = sf_gradient(&model, of_design, &of, &answer, A, rows, columns, out);

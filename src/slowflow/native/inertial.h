@@ -11,11 +11,11 @@
 #include "model.h"
 
 /* Its damping, which has to be viscous too. */
-static inline int sf_inertial_damping_of(const double *given, double *damping) {
-    if (!(given[0] >= 0 && given[0] < HUGE_VAL && given[1] > 0 && given[1] < HUGE_VAL))
+static inline int sf_inertial_damping_of(const double *inputs, double *damping) {
+    if (!(inputs[0] >= 0 && inputs[0] < HUGE_VAL && inputs[1] > 0 && inputs[1] < HUGE_VAL))
         return 0;
-    damping[0] = slow_flow_friction(given[0]);
-    damping[1] = given[1];
+    damping[0] = slow_flow_friction(inputs[0]);
+    damping[1] = inputs[1];
     return 1;
 }
 

@@ -48,11 +48,11 @@ typedef void (*sf_choose)(ptrdiff_t n, const double *const *in, unsigned char *r
 /* The function that chooses a kernel's regime by what is declared of element i. The arrays go into a table of its own,
  * as a char that is written may alias the one that is given. */
 #define SF_CHOOSE(kernel, inputs, chosen, ...) \
-    static SF_WIDE void kernel##_regime(ptrdiff_t n, const double *const *given, unsigned char *regime) \
+    static SF_WIDE void kernel##_regime(ptrdiff_t n, const double *const *columns, unsigned char *regime) \
     { \
         const double *in[inputs]; \
         for (int k = 0; k < (inputs); k++) \
-            in[k] = given[k]; \
+            in[k] = columns[k]; \
         SF_INDEPENDENT for (ptrdiff_t i = 0; i < n; i++) { \
             __VA_ARGS__; \
             regime[i] = chosen; \

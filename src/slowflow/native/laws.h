@@ -31,18 +31,18 @@ static inline int sf_has_laws(const sf_model *model) {
 }
 
 /* mu, zeta, eta, c_2, and whether friction ends at the first breakpoint */
-static inline int sf_laws_damping_of(const double *given, double *damping) {
+static inline int sf_laws_damping_of(const double *inputs, double *damping) {
     for (int i = 0; i < 4; i++)
-        if (!(given[i] >= 0 && given[i] < HUGE_VAL))
+        if (!(inputs[i] >= 0 && inputs[i] < HUGE_VAL))
             return 0;
-    damping[0] = slow_flow_friction(given[0]), damping[1] = given[1], damping[2] = given[2];
-    damping[3] = dissipation_quadratic(given[3]), damping[4] = given[4] != 0;
+    damping[0] = slow_flow_friction(inputs[0]), damping[1] = inputs[1], damping[2] = inputs[2];
+    damping[3] = dissipation_quadratic(inputs[3]), damping[4] = inputs[4] != 0;
     /* without friction beyond the breakpoint something else has to dissipate there */
-    return given[4] == 0 || given[1] + given[2] + given[3] > 0;
+    return inputs[4] == 0 || inputs[1] + inputs[2] + inputs[3] > 0;
 }
 
-static inline int sf_inertial_laws_damping_of(const double *given, double *damping) {
-    return sf_laws_damping_of(given, damping) && given[1] + given[2] + given[3] > 0;
+static inline int sf_inertial_laws_damping_of(const double *inputs, double *damping) {
+    return sf_laws_damping_of(inputs, damping) && inputs[1] + inputs[2] + inputs[3] > 0;
 }
 
 static inline int sf_takes_laws(const sf_mechanism *mechanism) { return mechanism->damping_size == SF_MOST_DAMPING; }

@@ -19,8 +19,8 @@
 
 static void sf_ask_all(const sf_model *model, sf_question question, double F_0, const sf_stretch *piece,
                        sf_zeros *found) {
-    const sf_asked asked = sf_asked_of(question, model, F_0);
-    sf_find_zeros(&asked, piece, found);
+    const sf_task task = sf_task_of(question, model, F_0);
+    sf_find_zeros(&task, piece, found);
 }
 
 /* By other laws of damping, in boxes. */
@@ -231,13 +231,13 @@ static double sf_settled_Omega(const sf_model *model, double F_0, const sf_sampl
  * first order F and F_A are multiples of it, and F_A at the state is less by F_AOmega F/F_Omega; without viscous
  * damping it is F, and F_A is 0. */
 static int sf_is_stable_below(const sf_model *model, double F_0, const sf_sample *at, double w) {
-    const sf_asked asked = sf_asked_of(SF_FOLD_AT, model, F_0);
+    const sf_task task = sf_task_of(SF_FOLD_AT, model, F_0);
     sf_answer fold;
     if (sf_has_laws(model))
         return sf_law_F_A(model, at, w, sf_is_beyond(model, at->A)) > 0;
     if (sf_inertial(model))
         return sf_half_F_A(model, at, w) > 0;
-    sf_ask(&asked, 1, at, &fold);
+    sf_ask(&task, 1, at, &fold);
     if (fold.exists[0] && fabs(fold.Omega[0] - w) < SF_NEAR_END * w) {
         const double turn = 4 * sf_quarter_F_AOmega(model, at, w) / sf_F_Omega(model, at, w);
         double moves[2] = {1, 0}; /* of F and F_A */

@@ -30,24 +30,24 @@ static void sf_read_numbers_at(const sf_call *at, sf_numbers *out) {
 }
 
 /* What follows from the numbers of a design; 0 if one lies outside its domain. */
-static int sf_take_numbers(const sf_mechanism *mechanism, const sf_numbers *given, sf_model *model) {
-    return mechanism->parameters_of(mechanism, given->design, model->p) &&
-           mechanism->damping_of(given->damping, model->damping);
+static int sf_take_numbers(const sf_mechanism *mechanism, const sf_numbers *inputs, sf_model *model) {
+    return mechanism->parameters_of(mechanism, inputs->design, model->p) &&
+           mechanism->damping_of(inputs->damping, model->damping);
 }
 
 /* Design k as the solvers take it; 0 if a number lies outside its domain, or sf_prepare refuses it, or
  * with other laws of damping it has no answer.
  * jumps: whether it is asked what the force loses at its breakpoints, which takes longer than some answers. */
-static int sf_design_at(const sf_call *at, int jumps, sf_numbers *given, sf_model *model) {
-    sf_read_numbers_at(at, given);
-    return sf_take_numbers(at->mechanism, given, model) &&
-           sf_prepare(at->mechanism, jumps ? given->design : NULL, model) &&
+static int sf_design_at(const sf_call *at, int jumps, sf_numbers *inputs, sf_model *model) {
+    sf_read_numbers_at(at, inputs);
+    return sf_take_numbers(at->mechanism, inputs, model) &&
+           sf_prepare(at->mechanism, jumps ? inputs->design : NULL, model) &&
            (!sf_has_laws(model) || sf_allows_laws(model));
 }
 
 /* A design in pairs, NULL where there is no such form. */
-static const sf_exactly *sf_exactly_in(const sf_numbers *given, const sf_mechanism *mechanism, sf_exactly *exactly) {
-    return sf_make_exact(mechanism, given->design, given->damping[0], given->damping[1], exactly) ? exactly : NULL;
+static const sf_exactly *sf_exactly_in(const sf_numbers *inputs, const sf_mechanism *mechanism, sf_exactly *exactly) {
+    return sf_make_exact(mechanism, inputs->design, inputs->damping[0], inputs->damping[1], exactly) ? exactly : NULL;
 }
 
 /* Designs from k to `end` of a mechanism that has pairs. */
@@ -138,25 +138,25 @@ static void sf_write_answer(const sf_call *at, sf_query *q) {
 
 /* What design k is asked, by itself; 0 where it is none, or F_0 no forcing. Numbers that a batch does not take are
  * infinite. */
-static int sf_prepare_query(const sf_call *at, sf_model *model, sf_given *given, sf_query *q) {
+static int sf_prepare_query(const sf_call *at, sf_model *model, sf_inputs *inputs, sf_query *q) {
     sf_numbers numbers;
     for (int i = 0; i < SF_MOST_NUMBERS; i++)
         q->number[i] = i < at->row->at ? sf_number(at, i) : HUGE_VAL;
     if ((at->row->at > 0 && !at->mechanism->is_forcing(q->number[0])) || !sf_design_at(at, 1, &numbers, model))
         return 0;
     q->model = model;
-    q->given = NULL;
-    if (at->row->of_given && sf_give(at->mechanism, numbers.design, numbers.damping[0], numbers.damping[1], given))
-        q->given = given;
-    q->exactly = q->given != NULL ? &given->exactly : sf_exactly_in(&numbers, at->mechanism, &given->exactly);
+    q->inputs = NULL;
+    if (at->row->of_given && sf_give(at->mechanism, numbers.design, numbers.damping[0], numbers.damping[1], inputs))
+        q->inputs = inputs;
+    q->exactly = q->inputs != NULL ? &inputs->exactly : sf_exactly_in(&numbers, at->mechanism, &inputs->exactly);
     return 1;
 }
 
 /* The answer for design k by itself. */
 static void sf_answer_singly(const sf_call *at, sf_query *q) {
     sf_model model;
-    sf_given given;
-    if (q->room != NULL && sf_prepare_query(at, &model, &given, q))
+    sf_inputs inputs;
+    if (q->room != NULL && sf_prepare_query(at, &model, &inputs, q))
         at->row->answer(q);
     if (q->items == 0)
         sf_put(q, SF_INTEGER, q->room == NULL ? SF_NO_MEMORY : SF_INVALID);
@@ -188,21 +188,22 @@ static void sf_write_detachment(const sf_call *at, double F_cr, double Omega_cr,
 static void sf_detach_singly(const sf_call *at) {
     double F_cr = NAN, Omega_cr = NAN, u_cr = NAN;
     sf_status status = SF_INVALID;
-    sf_numbers given;
+    sf_numbers inputs;
     sf_model model;
     sf_exactly exactly;
-    if (sf_design_at(at, 0, &given, &model))
-        status = sf_settled_detachment(&model, sf_exactly_in(&given, at->mechanism, &exactly), &F_cr, &Omega_cr, &u_cr);
+    if (sf_design_at(at, 0, &inputs, &model))
+        status = sf_settled_detachment(&model, sf_exactly_in(&inputs, at->mechanism, &exactly), &F_cr, &Omega_cr,
+                                       &u_cr);
     sf_write_detachment(at, F_cr, Omega_cr, u_cr, status);
 }
 
 /* Whether design k becomes a member of a block. */
 static int sf_enter_detachment(const sf_call *at, sf_detaching *block) {
-    sf_numbers given;
+    sf_numbers inputs;
     sf_model model;
-    sf_read_numbers_at(at, &given);
-    return sf_take_numbers(at->mechanism, &given, &model) && sf_prepare(at->mechanism, NULL, &model) &&
-           sf_begin_detachment(block, at->k, &given, &model);
+    sf_read_numbers_at(at, &inputs);
+    return sf_take_numbers(at->mechanism, &inputs, &model) && sf_prepare(at->mechanism, NULL, &model) &&
+           sf_begin_detachment(block, at->k, &inputs, &model);
 }
 
 static void sf_loop_detachment(sf_call *at) {
@@ -281,8 +282,8 @@ SF_ALWAYS void sf_loop_in_lanes(sf_call *at, const sf_lane_loop *by) {
 static int sf_enter_onset(const sf_call *at, const sf_exact_block *exact, sf_lane_block *lanes, int d) {
     sf_onset_block *block = (sf_onset_block *)(void *)lanes;
     sf_model *model = &lanes->at[d].model;
-    sf_numbers given;
-    if (!sf_design_at(at, 0, &given, model) || !sf_take_jumps(exact, d, model))
+    sf_numbers inputs;
+    if (!sf_design_at(at, 0, &inputs, model) || !sf_take_jumps(exact, d, model))
         return 0;
     sf_end_pieces(model, &block->ends[d]);
     sf_begin_onset(model, &block->ends[d], &block->best[d]);
@@ -313,9 +314,9 @@ SF_ALWAYS int sf_enter_at_forcing(const sf_call *at, const sf_exact_block *exact
                                   int (*begin)(sf_lane_block *, int))
 {
     sf_lane_design *of = &block->at[d];
-    sf_numbers given;
+    sf_numbers inputs;
     of->F_0 = sf_number(at, 0), of->Omega = 0;
-    return at->mechanism->is_forcing(of->F_0) && sf_design_at(at, 0, &given, &of->model) &&
+    return at->mechanism->is_forcing(of->F_0) && sf_design_at(at, 0, &inputs, &of->model) &&
            sf_take_jumps(exact, d, &of->model) && begin(block, d);
 }
 
@@ -361,12 +362,12 @@ static void sf_loop_folds(sf_call *at) {
 
 static int sf_enter_states(const sf_call *at, const sf_exact_block *exact, sf_lane_block *block, int d) {
     sf_lane_design *of = &block->at[d];
-    sf_numbers given;
+    sf_numbers inputs;
     of->F_0 = sf_number(at, 0), of->Omega = sf_number(at, 1), of->model.mechanism = at->mechanism;
     if (!(at->mechanism->is_forcing(of->F_0) && sf_has_states(of->Omega)))
         return 0;
-    sf_read_numbers_at(at, &given);
-    return sf_take_numbers(at->mechanism, &given, &of->model) && sf_begin_states(block, d, exact);
+    sf_read_numbers_at(at, &inputs);
+    return sf_take_numbers(at->mechanism, &inputs, &of->model) && sf_begin_states(block, d, exact);
 }
 
 /* Without a query, as peaks. */

@@ -39,13 +39,13 @@ static void sf_loop_curves(sf_call *at) {
     of_folds.row = &with_folds, of_folds.out += 6, of_folds.dimensions++, of_folds.inner += 5;
     for (at->k = 0; at->k < at->dimensions[0]; at->k++) {
         sf_model model;
-        sf_given given;
+        sf_inputs inputs;
         sf_status status = is_room ? SF_INVALID : SF_NO_MEMORY;
         long n = 0;
-        if (is_room && sf_prepare_query(at, &model, &given, &q)) {
+        if (is_room && sf_prepare_query(at, &model, &inputs, &q)) {
             const double F_0 = q.number[0], samples = q.number[1];
             model.lowest = q.number[2];
-            status = sf_make_skeleton(&model, q.given, F_0, q.room);
+            status = sf_make_skeleton(&model, q.inputs, F_0, q.room);
             if (status == SF_OK && (n = sf_show(&model, F_0, q.number[2], q.number[3], samples, &q.room->work)) < 0)
                 status = SF_NO_BOUND, n = 0;
             if (n > 0 && n <= points)

@@ -31,15 +31,15 @@ static int sf_detach_together(const sf_mechanism *mechanism) {
 }
 
 /* Design k becomes a member; 0 where it is left to sf_settled_detachment. */
-static int sf_begin_detachment(sf_detaching *block, ptrdiff_t k, const sf_numbers *given, const sf_model *model) {
+static int sf_begin_detachment(sf_detaching *block, ptrdiff_t k, const sf_numbers *inputs, const sf_model *model) {
     const int d = block->n;
     sf_sample at;
     if (model->breaks < model->mechanism->breakpoints)
         return 0;
     sf_sample_without_k_at(model, model->b[0], &at);
     for (int i = 0; i < model->mechanism->design_size; i++)
-        block->number[i * SF_DETACHING + d] = given->design[i];
-    block->k[d] = k, block->mu[d] = given->damping[0], block->m[d] = model->m, block->zeta[d] = model->zeta;
+        block->number[i * SF_DETACHING + d] = inputs->design[i];
+    block->k[d] = k, block->mu[d] = inputs->damping[0], block->m[d] = model->m, block->zeta[d] = model->zeta;
     block->A[d] = at.A, block->h[d] = at.h, block->u_cr[d] = sf_largest_displacement(model, at.A);
     block->n++;
     return 1;

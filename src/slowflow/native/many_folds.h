@@ -56,7 +56,7 @@ static int sf_begin_folds(sf_lane_block *block, int d) {
     if (model->breaks < model->mechanism->breakpoints || !(model->zeta > 0) || sf_nearly_sticks(model, of->F_0) ||
         sf_is_linear(model) || sf_amplitude_bound(model, of->F_0, &of->A_max) != SF_OK)
         return 0;
-    of->asked[0] = 0, of->asked[1] = model->zeta, of->asked[2] = model->m, of->asked[3] = of->F_0;
+    of->task[0] = 0, of->task[1] = model->zeta, of->task[2] = model->m, of->task[3] = of->F_0;
     return sf_begin_pieces(&sf_folds_in_lanes, block, d, of->A_max, 3, sf_begin_first_piece);
 }
 

@@ -44,10 +44,10 @@ static inline int sf_take_jumps(const sf_exact_block *block, ptrdiff_t d, sf_mod
     return model->breaks == mechanism->breakpoints;
 }
 
-/* A member of a block. A_max: of folds; asked: its rows (design_lanes.h); ok: whether it is not left to the solvers of
+/* A member of a block. A_max: of folds; task: its rows (design_lanes.h); ok: whether it is not left to the solvers of
  * one; what was found, by rising A: A, the bracket, whether F rises there, and what is known near by */
 typedef struct {
-    double F_0, Omega, A_max, asked[SF_ASKED_ROWS];
+    double F_0, Omega, A_max, task[SF_TASK_ROWS];
     sf_model model;
     int ok, n;
     unsigned char rises[SF_LANE_ZEROS];
@@ -90,8 +90,8 @@ static inline void sf_add_cell(sf_lane_block *block, int d, double base, const s
     const int i = cells->n++;
     sf_probe_row(cells->low, i, low);
     sf_probe_row(cells->high, i, high);
-    for (int row = 0; row < SF_ASKED_ROWS; row++)
-        cells->asked[row][i] = block->at[d].asked[row];
+    for (int row = 0; row < SF_TASK_ROWS; row++)
+        cells->task[row][i] = block->at[d].task[row];
     cells->base[i] = base, cells->of[i] = d;
 }
 
@@ -143,7 +143,7 @@ SF_ALWAYS void sf_add_brackets(const sf_lane_question *question, sf_lane_block *
                                     const int *which, int n)
 {
     sf_lane_zeros *zeros = &block->zeros[0];
-    sf_take_rows(cells->asked, SF_ASKED_ROWS, which, n, zeros->asked, zeros->n);
+    sf_take_rows(cells->task, SF_TASK_ROWS, which, n, zeros->task, zeros->n);
     for (int j = 0; j < n; j++) {
         const int i = which[j], k = zeros->n + j;
         zeros->of[k] = cells->of[i];
@@ -187,7 +187,7 @@ SF_ALWAYS void sf_cut_cells(const sf_lane_question *question, sf_lane_block *blo
     sf_take_rows(cells->low, SF_PROBE_ROWS, which, n, next->low, 0);
     sf_take_rows(cells->high, SF_PROBE_ROWS, which, n, next->high, n);
     for (int end = 0; end < 2 * n; end += n) {
-        sf_take_rows(cells->given + behind, SF_GIVEN_ROWS - behind, which, n, next->given + behind, end);
+        sf_take_rows(cells->inputs + behind, SF_INPUT_ROWS - behind, which, n, next->inputs + behind, end);
         for (int j = 0; j < n; j++)
             next->of[end + j] = cells->of[which[j]];
     }
@@ -246,7 +246,7 @@ SF_ALWAYS void sf_approach_block(const sf_lane_question *question, sf_lane_block
             n_far = 0;
         }
         next->n = n_far;
-        sf_take_rows(zeros->given + SF_PROBE_ROWS, question->kept, far, n_far, next->given + SF_PROBE_ROWS, 0);
+        sf_take_rows(zeros->inputs + SF_PROBE_ROWS, question->kept, far, n_far, next->inputs + SF_PROBE_ROWS, 0);
         for (int j = 0; j < n_far; j++) {
             i = far[j], next->of[j] = zeros->of[i];
             sf_sample_row(question, block, zeros->of[i], zeros->next[i], next->at, j);

@@ -52,11 +52,11 @@ static int sf_begin_cusps(sf_onset_block *block, int d) {
     at[0] = ends->rest, at[SF_ONSET_PARTS] = ends->on[0];
     for (int k = 1; k < SF_ONSET_PARTS; k++)
         sf_sample_at(model, sf_onset_parts[k] * model->b[0], &at[k]);
-    of->asked[1] = model->zeta, of->asked[2] = model->m, of->asked[3] = block->best[d].F_SN;
-    of->asked[0] = 1; /* nearly always without cusps */
+    of->task[1] = model->zeta, of->task[2] = model->m, of->task[3] = block->best[d].F_SN;
+    of->task[0] = 1; /* nearly always without cusps */
     sf_add_cell(&block->lanes, d, 0, &at[0], &at[1]);
     sf_add_cell(&block->lanes, d, 0, &at[1], &at[SF_ONSET_PARTS]);
-    of->asked[0] = -1;
+    of->task[0] = -1;
     for (int k = 0; k < SF_ONSET_PARTS; k++)
         sf_add_cell(&block->lanes, d, 0, &at[k], &at[k + 1]);
     return 1;

@@ -30,7 +30,7 @@ static int sf_begin_peak(sf_lane_block *block, int d) {
         sf_nearly_sticks(model, of->F_0) || sf_amplitude_bound(model, of->F_0, &A_max) != SF_OK ||
         !(A_max > model->b[last]))
         return 0;
-    of->asked[0] = 0, of->asked[1] = model->zeta, of->asked[2] = model->m, of->asked[3] = of->F_0;
+    of->task[0] = 0, of->task[1] = model->zeta, of->task[2] = model->m, of->task[3] = of->F_0;
     sf_average_at(model, model->b[last], &low);
     sf_tend_from_above(model, last, &low);
     sf_average_at(model, A_max, &high);

@@ -33,7 +33,7 @@ static int sf_begin_states(sf_lane_block *block, int d, const sf_exact_block *ex
         return 0;
     if (model->breaks > 0 && model->b[0] < A_max && !sf_take_jumps(exact, d, model))
         return 0;
-    of->asked[0] = of->Omega, of->asked[1] = model->zeta, of->asked[2] = model->m, of->asked[3] = of->F_0;
+    of->task[0] = of->Omega, of->task[1] = model->zeta, of->task[2] = model->m, of->task[3] = of->F_0;
     return sf_begin_pieces(&sf_states_in_lanes, block, d, A_max, 1, NULL);
 }
 

@@ -40,7 +40,7 @@ struct sf_mechanism {
 
     /* From what a user gives to what the solvers take; 0 where a number lies outside its domain. */
     int (*parameters_of)(const sf_mechanism *self, const double *design, double *p);
-    int (*damping_of)(const double *given, double *damping);
+    int (*damping_of)(const double *inputs, double *damping);
     int (*is_forcing)(double F_0);
 
     /* The |u| at which a piece of the force ends, by rising size, and the force just below less the force just

@@ -58,14 +58,14 @@ typedef struct {
 /* What the force loses at its breakpoints: as a difference of parameters it may be all rounding, so it is that of the
  * design, if the design and its form on intervals are known. Returns a bit for each whose sign is lost even so. */
 static inline unsigned sf_jumps_of(const sf_mechanism *mechanism, const double *design, const double *p, double *jump) {
-    sf_interval given[SF_MOST_PARAMETERS + SF_MOST_BREAKS];
+    sf_interval inputs[SF_MOST_PARAMETERS + SF_MOST_BREAKS];
     unsigned in_doubt = 0;
     mechanism->jumps(mechanism, p, jump);
     if (design == NULL || mechanism->parameters_within == NULL)
         return 0;
-    mechanism->parameters_within(mechanism, design, given);
+    mechanism->parameters_within(mechanism, design, inputs);
     for (int i = 0; i < mechanism->breakpoints; i++) {
-        const sf_interval lost = given[mechanism->parameters + i];
+        const sf_interval lost = inputs[mechanism->parameters + i];
         if (sfi_has_sign(lost))
             jump[i] = 0.5 * lost.lo + 0.5 * lost.hi;
         else if (!(lost.lo == 0 && lost.hi == 0))

@@ -142,7 +142,7 @@ static sf_status sf_consider_piece_by_laws(const sf_model *model, const sf_stret
  * cusps (sf_range_cusp). */
 static sf_status sf_consider_piece(const sf_model *model, const sf_stretch *piece, sf_work *work, sf_onset *best) {
     sf_zeros *zeros = &work->zeros;
-    sf_asked cusps = sf_asked_of(SF_CUSP, model, 0);
+    sf_task cusps = sf_task_of(SF_CUSP, model, 0);
     double most = best->F_SN;
     sf_known first, last;
     sf_cell cell;
@@ -600,17 +600,17 @@ static sf_status sf_find_onset(const sf_model *model, sf_work *work, sf_onset *b
 
 /* The highest top of one question on the pieces, from above. */
 static sf_status sf_highest(const sf_model *model, sf_question question, double F_0, sf_work *work, sf_point *out) {
-    sf_asked asked = sf_asked_of(question, model, F_0);
+    sf_task task = sf_task_of(question, model, F_0);
     const sf_sample *rest = &work->pieces.at[0].first;
     sf_zeros *found = &work->zeros;
-    asked.highest = 1;
-    asked.pushes = rest->h > 0 || (rest->h == 0 && !(rest->h_A < 0));
+    task.highest = 1;
+    task.pushes = rest->h > 0 || (rest->h == 0 && !(rest->h_A < 0));
     for (int k = work->pieces.n - 1; k >= 0; k--) {
         sf_clear_zeros(found);
-        sf_find_zeros(&asked, &work->pieces.at[k], found);
+        sf_find_zeros(&task, &work->pieces.at[k], found);
         if (found->status != SF_OK)
             return found->status;
-        const sf_zero *top = sf_top(found, asked.pushes);
+        const sf_zero *top = sf_top(found, task.pushes);
         if (top != NULL) {
             out->A = top->A, out->Omega = top->Omega;
             return SF_OK;

@@ -327,35 +327,35 @@ static void sf_program_bent(const sf_mechanism *self, sf_interval A, const doubl
 
 static void sf_program_parameters_within(const sf_mechanism *self, const double *design, sf_interval *p)
 {
-    sf_interval given[SF_MOST_DESIGN];
+    sf_interval inputs[SF_MOST_DESIGN];
     for (int i = 0; i < self->design_size; i++)
-        given[i] = sfi_point(design[i]);
-    sf_at_on_intervals(&self->program->given_within, -1, given, p);
+        inputs[i] = sfi_point(design[i]);
+    sf_at_on_intervals(&self->program->given_within, -1, inputs, p);
 }
 
 static void sf_program_averaged_within(const sf_mechanism *self, int passed, sf_interval A, sf_interval beyond,
                                        const sf_interval *p, sf_interval *out)
 {
     sf_interval arguments[2 + SF_MOST_PARAMETERS + SF_MOST_BREAKS] = {A, beyond};
-    const int given = self->breakpoints > 0 ? 2 : 1;
-    memcpy(arguments + given, p, (size_t)(self->parameters + self->breakpoints) * sizeof *p);
+    const int inputs = self->breakpoints > 0 ? 2 : 1;
+    memcpy(arguments + inputs, p, (size_t)(self->parameters + self->breakpoints) * sizeof *p);
     sf_at_on_intervals(&self->program->within, passed, arguments, out);
 }
 
 static void sf_program_parameters_in_pairs(const sf_mechanism *self, const double *design, sf_pair *p)
 {
-    sf_pair given[SF_MOST_DESIGN];
+    sf_pair inputs[SF_MOST_DESIGN];
     for (int i = 0; i < self->design_size; i++)
-        given[i] = sfp_point(design[i]);
-    sf_at_in_pairs(&self->program->given_in_pairs, -1, given, p);
+        inputs[i] = sfp_point(design[i]);
+    sf_at_in_pairs(&self->program->given_in_pairs, -1, inputs, p);
 }
 
 static void sf_program_averaged_in_pairs(const sf_mechanism *self, int passed, int wanted, sf_pair A, sf_pair beyond,
                                          const sf_pair *p, sf_pair *out)
 {
     sf_pair all[5], arguments[2 + SF_MOST_PARAMETERS + SF_MOST_BREAKS] = {A, beyond};
-    const int given = self->breakpoints > 0 ? 2 : 1;
-    memcpy(arguments + given, p, (size_t)(self->parameters + self->breakpoints) * sizeof *p);
+    const int inputs = self->breakpoints > 0 ? 2 : 1;
+    memcpy(arguments + inputs, p, (size_t)(self->parameters + self->breakpoints) * sizeof *p);
     sf_at_in_pairs(&self->program->in_pairs, passed, arguments, all);
     memcpy(out, all, (wanted <= 2 ? 2 : 4) * sizeof *out);
 }
@@ -518,11 +518,11 @@ static inline void sf_read_bent(sf_reader *from, const sf_mechanism *record, sf_
 }
 
 static inline void sf_read_exact(sf_reader *from, int within, const sf_mechanism *record, sf_program *out) {
-    const int given = record->parameters + record->breakpoints, pieces = record->breakpoints + 1;
-    const int known = given + (record->breakpoints > 0 ? 2 : 1);
-    sf_read_function(from, sf_in_pairs, 0, record->design_size, given, &out->given_in_pairs);
+    const int inputs = record->parameters + record->breakpoints, pieces = record->breakpoints + 1;
+    const int known = inputs + (record->breakpoints > 0 ? 2 : 1);
+    sf_read_function(from, sf_in_pairs, 0, record->design_size, inputs, &out->given_in_pairs);
     if (within)
-        sf_read_function(from, sf_on_intervals, 0, record->design_size, given, &out->given_within);
+        sf_read_function(from, sf_on_intervals, 0, record->design_size, inputs, &out->given_within);
     if (record->breakpoints > 0) {
         sf_read_function(from, sf_in_pairs, 0, record->parameters, record->breakpoints, &out->ends_in_pairs);
         if (within)

@@ -1,4 +1,4 @@
-/* Zeros along the amplitude, proved. Takes an oscillator as it was given and a question; returns intervals each of
+/* Zeros along the amplitude, proved. Takes an oscillator's exact inputs and a question; returns intervals each of
  * which holds exactly one zero, and amplitudes between which doubles do not decide; elsewhere there is none.
  *
  * The search is that of scan.h, on intervals that hold the values: an interval of A is left when the function is proved
@@ -23,7 +23,7 @@ typedef struct sf_proving sf_proving;
 
 /* range: a question's functions on a cell; hints: amplitudes next to which zeros are expected, so many */
 struct sf_proving {
-    const sf_given *given;
+    const sf_inputs *inputs;
     void (*range)(const sf_proving *, const sf_cell *, int open, sf_range out[2]);
     int channels, piece;
     double from; /* the first amplitude */
@@ -38,21 +38,21 @@ struct sf_proving {
 typedef struct {
     sf_known known;
     sf_range range[2];
-    int asked;
+    int task;
 } sf_checked;
 
-static inline sf_terms sf_terms_of(const sf_given *given, sf_interval F_0) {
+static inline sf_terms sf_terms_of(const sf_inputs *inputs, sf_interval F_0) {
     sf_terms terms;
-    terms.m = given->m, terms.zeta = given->zeta, terms.F_0 = F_0;
-    terms.least = slow_flow_intervals_least_restoring(F_0, given->m);
+    terms.m = inputs->m, terms.zeta = inputs->zeta, terms.F_0 = F_0;
+    terms.least = slow_flow_intervals_least_restoring(F_0, inputs->m);
     return terms;
 }
 
 /* About zeros from A = 0 on, none of which is expected anywhere. */
-static inline sf_proving sf_proving_of(const sf_given *given, double F_0, sf_proof *out) {
+static inline sf_proving sf_proving_of(const sf_inputs *inputs, double F_0, sf_proof *out) {
     sf_proving proving;
     memset(&proving, 0, sizeof proving);
-    proving.given = given, proving.terms = sf_terms_of(given, sfi_point(F_0)), proving.out = out;
+    proving.inputs = inputs, proving.terms = sf_terms_of(inputs, sfi_point(F_0)), proving.out = out;
     return proving;
 }
 
@@ -64,25 +64,25 @@ static void sf_clear_range(sf_range out[2]) {
 /* A function at something known. */
 static const sf_range *sf_value_at(const sf_proving *proving, sf_checked *at, int c) {
     sf_cell cell;
-    if (!at->asked) {
+    if (!at->task) {
         const double x = at->known.A;
-        sf_make_cell_on(sf_beyond(proving->given, proving->piece, sfi_point(x)), &at->known, &at->known, &cell);
+        sf_make_cell_on(sf_beyond(proving->inputs, proving->piece, sfi_point(x)), &at->known, &at->known, &cell);
         sf_clear_range(at->range);
         proving->range(proving, &cell, 3, at->range);
-        at->asked = 1;
+        at->task = 1;
     }
     return &at->range[c];
 }
 
 static void sf_check_at(const sf_proving *proving, double x, sf_checked *out) {
-    sf_know_at(proving->given, proving->piece, x, &out->known);
-    out->asked = 0;
+    sf_know_at(proving->inputs, proving->piece, x, &out->known);
+    out->task = 0;
 }
 
 static void sf_range_between(const sf_proving *proving, const sf_checked *a, const sf_checked *b, int open,
                              sf_cell *cell, sf_range range[2])
 {
-    const sf_interval A = sf_beyond(proving->given, proving->piece, sfi_of(a->known.A, b->known.A));
+    const sf_interval A = sf_beyond(proving->inputs, proving->piece, sfi_of(a->known.A, b->known.A));
     sf_make_cell_on(A, &a->known, &b->known, cell);
     sf_clear_range(range);
     proving->range(proving, cell, open, range);
@@ -119,7 +119,7 @@ static int sf_crossing(const sf_proving *proving, sf_checked *a, sf_checked *b, 
 
 /* Where a zero between two amplitudes is expected, or NaN. */
 static double sf_hint_between(const sf_proving *proving, double low, double high) {
-    const double begins = sf_beginning(proving->given, proving->piece).lo;
+    const double begins = sf_beginning(proving->inputs, proving->piece).lo;
     for (int i = 0; i < proving->expected; i++) {
         const double x = proving->hints[i] - begins;
         if (x > low && x < high)
@@ -153,7 +153,7 @@ static int sf_is_next_to(const sf_proving *proving, double x, double low, double
         return 0;
     *cell = around;
     *beyond = next;
-    cell->A = sf_beyond(proving->given, proving->piece, next);
+    cell->A = sf_beyond(proving->inputs, proving->piece, next);
     return 1;
 }
 
@@ -223,7 +223,7 @@ static void sf_add_doubt(sf_proof *out, double low, double high, int piece, int 
 static int sf_is_cut_enough(const sf_proving *proving, sf_checked *a, sf_checked *b, int c, const sf_range *range) {
     const double low = a->known.A, high = b->known.A;
     const int narrow = high - low <= SF_PROOF_NARROW * high;
-    if (!(high - low <= SF_PROOF_NARROW * (sf_beginning(proving->given, proving->piece).lo + high)))
+    if (!(high - low <= SF_PROOF_NARROW * (sf_beginning(proving->inputs, proving->piece).lo + high)))
         return 0;
     if (range->where != SF_THROUGHOUT || sfi_has_sign(range->dy))
         return narrow;
@@ -235,7 +235,8 @@ static int sf_is_cut_enough(const sf_proving *proving, sf_checked *a, sf_checked
 
 static void sf_prove_between(const sf_proving *proving, sf_checked *a, sf_checked *b, int open) {
     const double low = a->known.A, high = b->known.A, x = sf_amid(0, low, high);
-    const int end = !(x > low && x < high) || high <= SF_PROOF_NEXT * sf_beginning(proving->given, proving->piece).lo ||
+    const int end = !(x > low && x < high) ||
+                    high <= SF_PROOF_NEXT * sf_beginning(proving->inputs, proving->piece).lo ||
                     proving->out->cells++ >= SF_MOST_PROOF_CELLS;
     sf_checked middle;
     sf_range range[2];
@@ -299,24 +300,24 @@ static void sf_look_again(const sf_proving *proving, double least, double most, 
 
 /* All zeros up to A_max, piece by piece. */
 static void sf_prove(sf_proving *proving, double A_max) {
-    const sf_given *given = proving->given;
+    const sf_inputs *inputs = proving->inputs;
     sf_checked first, last;
     proving->out->n = proving->out->doubts = proving->out->cells = proving->out->full = 0;
-    for (int i = 0; i <= given->breaks; i++) {
+    for (int i = 0; i <= inputs->breaks; i++) {
         const int before = proving->out->doubts;
         proving->piece = i;
         if (i > 0)
-            sf_know_above(given, i - 1, &first.known);
+            sf_know_above(inputs, i - 1, &first.known);
         else
-            sf_know_at(given, 0, proving->from, &first.known);
-        if (i < given->breaks && given->b[i].lo < A_max)
-            sf_know_below(given, i, &last.known);
+            sf_know_at(inputs, 0, proving->from, &first.known);
+        if (i < inputs->breaks && inputs->b[i].lo < A_max)
+            sf_know_below(inputs, i, &last.known);
         else
-            sf_know_at(given, i, sfi_up(A_max - sf_beginning(given, i).lo), &last.known);
-        first.asked = last.asked = 0;
+            sf_know_at(inputs, i, sfi_up(A_max - sf_beginning(inputs, i).lo), &last.known);
+        first.task = last.task = 0;
         sf_prove_between(proving, &first, &last, proving->channels == 2 ? 3 : 1);
         sf_look_again(proving, first.known.A, last.known.A, before);
-        if (!(i < given->breaks && given->b[i].lo < A_max))
+        if (!(i < inputs->breaks && inputs->b[i].lo < A_max))
             return;
     }
 }

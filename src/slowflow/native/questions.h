@@ -35,7 +35,7 @@ static void sf_put_folds(sf_query *q, sf_status status, const sf_folds *found, i
 static void sf_answer_folds(sf_query *q)
 {
     sf_folds *found = &q->room->work.folds;
-    const sf_status status = sf_settled_folds(q->model, q->given, q->number[0], q->room, found);
+    const sf_status status = sf_settled_folds(q->model, q->inputs, q->number[0], q->room, found);
     sf_put_folds(q, status, found, found->undecided);
 }
 
@@ -146,7 +146,7 @@ static void sf_answer_response(sf_query *q)
     sf_points at;
     long n = 0;
     shown->curves = 0, model.lowest = low;
-    sf_status status = sf_make_skeleton(&model, q->given, F_0, q->room);
+    sf_status status = sf_make_skeleton(&model, q->inputs, F_0, q->room);
     if (status == SF_OK && (n = sf_show(&model, F_0, low, high, samples, &q->room->work)) < 0)
         status = SF_NO_BOUND, n = 0;
     at.Omega = sf_reserve(q, n, sizeof *at.Omega), at.A = sf_reserve(q, n, sizeof *at.A);
@@ -176,7 +176,7 @@ static void sf_answer_states_at(sf_query *q)
     if (!sf_has_states(q->number[1]))
         return;
     model.lowest = q->number[1], room->followed = 0;
-    status = sf_states(&model, q->given, q->number[0], room, q->number[1], &n, room->A, room->stable, &undecided);
+    status = sf_states(&model, q->inputs, q->number[0], room, q->number[1], &n, room->A, room->stable, &undecided);
     sf_put(q, SF_INTEGER, status);
     sf_put_column(q, SF_NUMBERS, n, room->A, sizeof *room->A);
     sf_put_column(q, SF_BYTE_FLAGS, n, room->stable, sizeof *room->stable);
@@ -216,7 +216,7 @@ static void sf_answer_states_of(sf_query *q)
                 return;
             *of_states = at = more;
         }
-        status = sf_states(&model, q->given, q->number[0], room, Omega, &here, room->A, room->stable, &undecided);
+        status = sf_states(&model, q->inputs, q->number[0], room, Omega, &here, room->A, room->stable, &undecided);
         for (int k = 0; k < here; k++)
             at[n++] = (sf_state){Omega, room->A[k], room->stable[k]};
         if (undecided)
@@ -251,12 +251,12 @@ static void sf_put_certificate(sf_query *q, sf_status status)
 
 static void sf_answer_certified_folds(sf_query *q)
 {
-    sf_put_certificate(q, sf_certify_folds(q->model, q->given, q->number[0], q->values, (int)q->length, q->room));
+    sf_put_certificate(q, sf_certify_folds(q->model, q->inputs, q->number[0], q->values, (int)q->length, q->room));
 }
 
 static void sf_answer_certified_states(sf_query *q)
 {
-    sf_put_certificate(q, sf_certify_states(q->model, q->given, q->number[0], q->number[1], q->room));
+    sf_put_certificate(q, sf_certify_states(q->model, q->inputs, q->number[0], q->number[1], q->room));
 }
 
 static void sf_answer_certified_onset(sf_query *q)
@@ -265,7 +265,7 @@ static void sf_answer_certified_onset(sf_query *q)
     if (found == NULL)
         return;
     memset(found, 0, sizeof *found);
-    sf_put(q, SF_INTEGER, sf_certify_onset(q->model, q->given, q->room, found));
+    sf_put(q, SF_INTEGER, sf_certify_onset(q->model, q->inputs, q->room, found));
     sf_put_interval(q, &found->F_SN), sf_put_interval(q, &found->Omega), sf_put_interval(q, &found->A);
     sf_put(q, SF_INTEGER, found->kind), sf_put(q, SF_FLAG, found->proved);
 }
@@ -276,8 +276,8 @@ static void sf_answer_certified_detachment(sf_query *q)
     if (found == NULL)
         return;
     found[0] = found[1] = sfi_point(NAN);
-    sf_put(q, SF_INTEGER, sf_certify_detachment(q->given, &found[0], &found[1]));
-    sf_put_interval(q, &found[0]), sf_put_interval(q, &found[1]), sf_put_interval(q, &q->given->b[0]);
+    sf_put(q, SF_INTEGER, sf_certify_detachment(q->inputs, &found[0], &found[1]));
+    sf_put_interval(q, &found[0]), sf_put_interval(q, &found[1]), sf_put_interval(q, &q->inputs->b[0]);
 }
 
 /* Of how many only, and whether it is proved that these are all. */
@@ -291,13 +291,13 @@ static void sf_put_number_proved(sf_query *q, sf_status status)
 
 static void sf_answer_proved_folds(sf_query *q)
 {
-    sf_put_number_proved(q, sf_certify_folds(q->model, q->given, q->number[0], NULL, 0, q->room));
+    sf_put_number_proved(q, sf_certify_folds(q->model, q->inputs, q->number[0], NULL, 0, q->room));
 }
 
 static void sf_answer_proved_states(sf_query *q)
 {
     if (q->number[1] > 0 && q->number[1] < HUGE_VAL)
-        sf_put_number_proved(q, sf_certify_states(q->model, q->given, q->number[0], q->number[1], q->room));
+        sf_put_number_proved(q, sf_certify_states(q->model, q->inputs, q->number[0], q->number[1], q->room));
 }
 
 /* ==== The second approximation ==================================================================================== */
@@ -332,7 +332,7 @@ static void sf_answer_second_curve(sf_query *q)
 {
     sf_status status;
     const sf_second_curve *curve = sf_keep_curve(
-        q, sf_second_response(q->model, q->given, q->number[0], (sf_wanted)q->number[1], q->number[2], q->number[3],
+        q, sf_second_response(q->model, q->inputs, q->number[0], (sf_wanted)q->number[1], q->number[2], q->number[3],
                               q->number[4], q->room, &status));
     sf_put(q, SF_INTEGER, status);
     sf_put_second_states(q, curve->n, curve->point);
@@ -356,7 +356,7 @@ static void sf_answer_second_folds(sf_query *q)
     if (found == NULL || !sf_has_second(q->model))
         return;
     at = found->at, q->room->undecided = 0;
-    sf_put(q, SF_INTEGER, sf_second_saddle_nodes(q->model, q->given, q->number[0], q->number[1], q->number[2], q->room,
+    sf_put(q, SF_INTEGER, sf_second_saddle_nodes(q->model, q->inputs, q->number[0], q->number[1], q->number[2], q->room,
                                                  found));
     sf_put_column(q, SF_NUMBERS, found->n, &at->Omega, sizeof *at);
     sf_put_column(q, SF_NUMBERS, found->n, &at->u_max, sizeof *at);
@@ -377,7 +377,7 @@ static void sf_answer_second_states(sf_query *q)
     long most = 0, n = 0;
     for (long i = 0; i < q->length; i++)
         low = fmin(low, q->values[i]), high = fmax(high, q->values[i]);
-    curve = sf_keep_curve(q, sf_second_around(q->model, q->given, q->number[0], SF_EVERY_POINT, low, high, q->room,
+    curve = sf_keep_curve(q, sf_second_around(q->model, q->inputs, q->number[0], SF_EVERY_POINT, low, high, q->room,
                                               &status));
     for (long i = 0; i < q->length; i++)
         most += sf_most_crossings(curve, q->values[i]);
@@ -399,7 +399,7 @@ static void sf_answer_second_peak(sf_query *q)
     sf_second_curve *about = NULL;
     sf_second_point top = {0}, *at;
     const sf_status status =
-        sf_second_peak(q->model, q->given, q->number[0], q->number[1], q->room, &about, &top);
+        sf_second_peak(q->model, q->inputs, q->number[0], q->number[1], q->room, &about, &top);
     const sf_second_curve *curve = sf_keep_curve(q, about);
     at = sf_reserve(q, sf_most_crossings(curve, top.Omega), sizeof *at);
     if (at == NULL)
@@ -420,7 +420,7 @@ static void sf_answer_second_top(sf_query *q)
         return;
     sf_status status = sf_settled_peak(q->model, q->exactly, q->number[0], HUGE_VAL, &q->room->work, &A, &Omega);
     if (status == SF_OK)
-        status = Omega == 0 ? SF_NONE : sf_second_peak(q->model, q->given, q->number[0], Omega, q->room, &curve, &top);
+        status = Omega == 0 ? SF_NONE : sf_second_peak(q->model, q->inputs, q->number[0], Omega, q->room, &curve, &top);
     if (curve != NULL)
         sf_second_free(curve);
     sf_put_peak(q, status, status == SF_OK ? top.at.u_max : NAN, status == SF_OK ? top.Omega : NAN);

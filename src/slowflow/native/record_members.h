@@ -87,7 +87,7 @@ SF_ALWAYS void records_by_regime(const rows *loops, int (*regime_of)(double A, c
 }
 
 /* Designs in pairs: what is made of their parameters p, each into rows of two doubles. */
-#define IN_PAIRS(member, given, ...) \
+#define IN_PAIRS(member, inputs, ...) \
     static SF_FLAT void member(const sf_mechanism *self, ptrdiff_t n, ptrdiff_t apart, const double *design, \
                                double *out) \
     { \
@@ -95,7 +95,7 @@ SF_ALWAYS void records_by_regime(const rows *loops, int (*regime_of)(double A, c
         SF_INDEPENDENT \
         for (ptrdiff_t i = 0; i < n; i++) { \
             sf_pair p[SF_MOST_PARAMETERS + SF_MOST_BREAKS]; \
-            given; \
+            inputs; \
             __VA_ARGS__ \
         } \
     }

@@ -1,4 +1,4 @@
-/* Folds that a proof decides where doubles are in doubt. Takes a model and the oscillator as it was given, or NULL
+/* Folds that a proof decides where doubles are in doubt. Takes a model and the oscillator's exact inputs, or NULL
  * where no proof is possible; returns its folds at a forcing and whether their number stays undecided.
  *
  * Doubles are in doubt where a value whose sign decides is as small as rounding may make it: where F_0 is next to a
@@ -12,11 +12,11 @@
 #include "refine.h"
 
 /* Needs the corners of work. */
-static int sf_are_corners_close(const sf_model *model, const sf_given *given, double F_0, const sf_work *work) {
+static int sf_are_corners_close(const sf_model *model, const sf_inputs *inputs, double F_0, const sf_work *work) {
     for (int k = 0; k < model->breaks && model->b[k] < work->A_max; k++) {
         const double J = model->jump[k];
         /* a jump that is 0 by rounding is none only if the force as it was given has none */
-        const int is_none = J == 0 && (given == NULL || sf_is_continuous_at(given, k));
+        const int is_none = J == 0 && (inputs == NULL || sf_is_continuous_at(inputs, k));
         const sf_corner *corner = &work->corner[k];
         if (!is_none && sf_is_corner_close(model, F_0, J, &corner->at, corner->n, corner->Omega))
             return 1;
@@ -45,11 +45,11 @@ static double sf_within(sf_interval enclosure, double known) {
 
 /* The folds that are proved; 0 if doubles do not decide. Next to a breakpoint at which the force hardly jumps doubles
  * may have as many folds, but with a frequency of the other side of the resonance. */
-static int sf_take_proved_folds(const sf_model *model, const sf_given *given, double F_0, sf_room *room,
+static int sf_take_proved_folds(const sf_model *model, const sf_inputs *inputs, double F_0, sf_room *room,
                                 sf_folds *folds)
 {
     const sf_certificate *found = &room->found;
-    if (sf_certify_folds(model, given, F_0, NULL, 0, room) != SF_OK || !sf_is_proved(found))
+    if (sf_certify_folds(model, inputs, F_0, NULL, 0, room) != SF_OK || !sf_is_proved(found))
         return 0;
     int same = folds->status == SF_OK && found->n == folds->n;
     for (int i = 0; i < found->n; i++)
@@ -70,7 +70,7 @@ static int sf_take_proved_folds(const sf_model *model, const sf_given *given, do
 }
 
 /* Every fold as sf_saddle_nodes has them. There is no proof by other laws of damping. */
-static sf_status sf_decided_folds(const sf_model *model, const sf_given *given, double F_0, sf_room *room,
+static sf_status sf_decided_folds(const sf_model *model, const sf_inputs *inputs, double F_0, sf_room *room,
                                   sf_folds *folds)
 {
     sf_status status = sf_saddle_nodes(model, F_0, &room->work, folds);
@@ -79,9 +79,9 @@ static sf_status sf_decided_folds(const sf_model *model, const sf_given *given, 
         return status;
     folds->status = status;
     room->doubt = status != SF_OK || folds->undecided || folds->close || sf_nearly_sticks(model, F_0) ||
-                  sf_are_corners_close(model, given, F_0, &room->work);
+                  sf_are_corners_close(model, inputs, F_0, &room->work);
     if (room->doubt)
-        room->undecided = !sf_take_proved_folds(model, sf_has_laws(model) ? NULL : given, F_0, room, folds);
+        room->undecided = !sf_take_proved_folds(model, sf_has_laws(model) ? NULL : inputs, F_0, room, folds);
     folds->undecided = room->undecided;
     return folds->status;
 }
@@ -106,20 +106,20 @@ static int sf_is_sharp(const sf_folds *folds, double F_0) {
 
 /* The last digits of folds, of which proofs have what Newton's method leaves. Returns how far off one is left,
  * relatively. */
-static double sf_settle_or_prove(const sf_model *model, const sf_given *given, double F_0, sf_room *room,
+static double sf_settle_or_prove(const sf_model *model, const sf_inputs *inputs, double F_0, sf_room *room,
                                  sf_folds *folds)
 {
-    const double off = given == NULL ? 0 : sf_settle_folds(&given->exactly, model, F_0, folds);
-    if (given == NULL || off > SF_FEW_DIGITS || !(off > SF_FEW_ROUNDINGS || sf_is_sharp(folds, F_0)))
+    const double off = inputs == NULL ? 0 : sf_settle_folds(&inputs->exactly, model, F_0, folds);
+    if (inputs == NULL || off > SF_FEW_DIGITS || !(off > SF_FEW_ROUNDINGS || sf_is_sharp(folds, F_0)))
         return off;
     const sf_folds settled = *folds;
-    if (!sf_take_proved_folds(model, given, F_0, room, folds) || folds->n != settled.n)
+    if (!sf_take_proved_folds(model, inputs, F_0, room, folds) || folds->n != settled.n)
         *folds = settled;
     return off;
 }
 
 /* The same to their last digit. */
-static sf_status sf_settled_folds(const sf_model *model, const sf_given *given, double F_0, sf_room *room,
+static sf_status sf_settled_folds(const sf_model *model, const sf_inputs *inputs, double F_0, sf_room *room,
                                   sf_folds *folds)
 {
     const int laws = sf_has_laws(model);
@@ -127,8 +127,8 @@ static sf_status sf_settled_folds(const sf_model *model, const sf_given *given, 
         folds->n = folds->undecided = 0;
         return folds->status = SF_OK;
     }
-    const sf_status status = sf_decided_folds(model, given, F_0, room, folds);
-    if (status == SF_OK && !laws && sf_settle_or_prove(model, given, F_0, room, folds) > SF_FEW_DIGITS)
+    const sf_status status = sf_decided_folds(model, inputs, F_0, room, folds);
+    if (status == SF_OK && !laws && sf_settle_or_prove(model, inputs, F_0, room, folds) > SF_FEW_DIGITS)
         folds->undecided = 1;
     return status;
 }

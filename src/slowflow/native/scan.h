@@ -35,7 +35,7 @@
 #define SF_LAST_OF_ZERO 0x1p-30
 
 typedef struct {
-    sf_asked asked;
+    sf_task task;
     double base, end; /* where the piece begins and ends */
     sf_zeros *found;
 } sf_search;
@@ -48,11 +48,11 @@ typedef struct {
 } sf_probe;
 
 static void sf_probe_at(const sf_search *search, int open, double A, sf_probe *probe) {
-    if (search->asked.question == SF_PEAK || search->asked.question == SF_REST)
-        sf_sample_without_k_at(search->asked.model, A, &probe->at);
+    if (search->task.question == SF_PEAK || search->task.question == SF_REST)
+        sf_sample_without_k_at(search->task.model, A, &probe->at);
     else
-        sf_sample_at(search->asked.model, A, &probe->at);
-    sf_ask(&search->asked, open, &probe->at, &probe->answer);
+        sf_sample_at(search->task.model, A, &probe->at);
+    sf_ask(&search->task, open, &probe->at, &probe->answer);
 }
 
 /* What a force, or its average, may be as large as at a sample; a stiffness of 1 is that of the vertical spring. */
@@ -76,17 +76,17 @@ static int sf_is_F_close(const sf_model *model, const sf_sample *at, double F_0,
 /* Whether the function whose zeros are folds, or states, is as near to 0 as rounding may bring it. Two of its zeros
  * that are about to meet, or have met, lead the search there. Omega in it follows from I, as sf_fold_Omega says. */
 static int sf_is_close(const sf_search *search, const sf_probe *probe) {
-    const sf_asked *asked = &search->asked;
+    const sf_task *task = &search->task;
     const sf_sample *at = &probe->at;
-    const double zeta = asked->model->zeta, Omega = probe->answer.Omega[0];
-    double size = sf_size_at(at, asked->F_0);
-    if (asked->question == SF_STATE) /* above a breakpoint F is what it is below */
-        return fabs(at->h_A) < HUGE_VAL && sf_is_F_close(asked->model, at, asked->F_0, asked->Omega);
-    if (asked->question != SF_FOLD_AT || !probe->answer.exists[0] || !(fabs(at->h_A) < HUGE_VAL))
+    const double zeta = task->model->zeta, Omega = probe->answer.Omega[0];
+    double size = sf_size_at(at, task->F_0);
+    if (task->question == SF_STATE) /* above a breakpoint F is what it is below */
+        return fabs(at->h_A) < HUGE_VAL && sf_is_F_close(task->model, at, task->F_0, task->Omega);
+    if (task->question != SF_FOLD_AT || !probe->answer.exists[0] || !(fabs(at->h_A) < HUGE_VAL))
         return 0;
     if (zeta > 0) {
-        const double least = asked->least / at->k;
-        size += Omega * slow_flow_I(Omega, at->A, asked->model->m, zeta) /
+        const double least = task->least / at->k;
+        size += Omega * slow_flow_I(Omega, at->A, task->model->m, zeta) /
                 (zeta * fmax((1 - least) * (1 + least), SF_CLOSE));
     } else {
         size *= size;
@@ -131,7 +131,7 @@ static double sf_next_to(const sf_probe *probe, const sf_probe *before, int c, i
 /* Whether a zero is known without an evaluation there, which only one that has a given Omega may be: the step after one
  * of `moved`, which came after one of `last`, is nothing beside A. Errors fall by squares at least. */
 static int sf_is_last_of_zero(const sf_search *search, double moved, double last, double A) {
-    return search->asked.question == SF_STATE && moved <= SF_LAST_OF_ZERO * A &&
+    return search->task.question == SF_STATE && moved <= SF_LAST_OF_ZERO * A &&
            moved * (moved / last) * (moved / last) <= 0x1p-54 * A;
 }
 
@@ -176,17 +176,17 @@ static void sf_find_zero(const sf_search *search, const sf_probe *a, const sf_pr
         probe = lo->answer.exists[c] ? lo : hi;
     zero.A = probe->at.A + step, zero.Omega = sf_Omega_at_zero(probe, c);
     zero.level = probe->answer.level[c];
-    zero.question = search->asked.question, zero.channel = c, zero.rising = rising;
+    zero.question = search->task.question, zero.channel = c, zero.rising = rising;
     sf_add_zero(search->found, zero);
-    if (search->asked.most != NULL && sf_is_minimum(search->asked.model, zero.question, &probe->at, zero.Omega))
-        *search->asked.most = fmin(*search->asked.most, probe->answer.level[c]);
+    if (search->task.most != NULL && sf_is_minimum(search->task.model, zero.question, &probe->at, zero.Omega))
+        *search->task.most = fmin(*search->task.most, probe->answer.level[c]);
 }
 
 /* What F_A of a steady state is at a probe, but for roundings. */
 static sf_interval sf_F_A_within(const sf_search *search, const sf_probe *probe) {
-    const sf_model *model = search->asked.model;
+    const sf_model *model = search->task.model;
     const sf_sample *at = &probe->at;
-    const double w = search->asked.Omega, I_A = slow_flow_I(w, 1, 0, model->zeta), dy = probe->answer.dy[0];
+    const double w = search->task.Omega, I_A = slow_flow_I(w, 1, 0, model->zeta), dy = probe->answer.dy[0];
     const double I = slow_flow_I(w, at->A, model->m, model->zeta);
     const double size = (fabs(at->h) + at->A * w * w) * (fabs(at->h_A) + w * w) + I * I_A;
     return sfi_of(dy - SF_CLOSE * size, dy + SF_CLOSE * size);
@@ -202,13 +202,13 @@ static int sf_settle(const sf_search *search, const sf_probe *a, const sf_probe 
     sf_interval y = range->y, dy = range->dy;
     if (range->where == SF_NOWHERE || sfi_has_sign(y))
         return 1;
-    if (search->asked.question == SF_STATE && !sfi_has_sign(dy))
+    if (search->task.question == SF_STATE && !sfi_has_sign(dy))
         dy = sfi_both(dy, sf_along(sf_F_A_within(search, a), sf_F_A_within(search, b), range->ddy, sfi_up(width)));
     if (range->where == SF_THROUGHOUT && both && !passes) /* values may differ by roundings more than slopes allow */
         y = sfi_both(y, sf_between(a->answer.y[c], b->answer.y[c], dy, width));
     if (sfi_has_sign(y))
         return 1;
-    if (!sfi_has_sign(dy) && !(search->asked.question == SF_ISOLA && range->once)) {
+    if (!sfi_has_sign(dy) && !(search->task.question == SF_ISOLA && range->once)) {
         if (!last)
             return 0;
         search->found->undecided = 1;
@@ -240,13 +240,13 @@ static int sf_passing(const sf_probe *a, const sf_probe *b, int open) {
 /* Whether the channel of folds begins in a cell of the first piece: where |k|, which rises there nearly as a cube of A,
  * is the least. */
 static int sf_folds_begin(const sf_search *search, const sf_probe *a, const sf_probe *b) {
-    return search->asked.question == SF_FOLD_AT && search->asked.model->zeta > 0 && search->base == 0 &&
+    return search->task.question == SF_FOLD_AT && search->task.model->zeta > 0 && search->base == 0 &&
            !a->answer.exists[0] && b->answer.exists[0] && b->at.A > SF_FIRST_FOLDS * a->at.A;
 }
 
 /* Where such a cell is cut: below the beginning, next to it, and then above, so that little is left of it. */
 static double sf_cut_at_folds(const sf_search *search, const sf_probe *a, const sf_probe *b) {
-    const double below = SF_BELOW_FOLDS * b->at.A * cbrt(search->asked.least / fabs(b->at.k));
+    const double below = SF_BELOW_FOLDS * b->at.A * cbrt(search->task.least / fabs(b->at.k));
     if (below > (1 + 0x1p-10) * a->at.A)
         return below;
     return a->at.A > 0 ? SF_FIRST_FOLDS * a->at.A : sf_amid(0, a->at.A, b->at.A);
@@ -258,11 +258,11 @@ static double sf_cut_at_folds(const sf_search *search, const sf_probe *a, const 
 static int sf_is_too_wide(const sf_search *search, const sf_probe *a, const sf_probe *b, int open, int passing) {
     const double low = a->at.A, high = b->at.A;
     const int turns = passing >= 0 && open == 1 << passing && a->answer.dy[passing] * b->answer.dy[passing] < 0;
-    if (search->asked.question == SF_CUSP)
+    if (search->task.question == SF_CUSP)
         return (high > (passing < 0 ? SF_WIDEST_CELL : SF_WIDEST_WITH_CUSP) * low &&
                 (low > 0 || high == search->end)) ||
                turns;
-    if (search->asked.question == SF_STATE && search->base > 0 && !(fabs(a->at.h_A) < HUGE_VAL))
+    if (search->task.question == SF_STATE && search->base > 0 && !(fabs(a->at.h_A) < HUGE_VAL))
         return high > SF_WIDEST_STEEP * low;
     return turns || sf_folds_begin(search, a, b);
 }
@@ -271,7 +271,7 @@ static int sf_is_too_wide(const sf_search *search, const sf_probe *a, const sf_p
  * channel may turn; where folds begin, there; and next to A = 0, where there is a state as often as elsewhere, in the
  * middle. */
 static double sf_cut(const sf_search *search, const sf_probe *a, const sf_probe *b, int passing) {
-    if (search->asked.question == SF_CUSP && passing >= 0 && a->at.A > search->base &&
+    if (search->task.question == SF_CUSP && passing >= 0 && a->at.A > search->base &&
         b->at.A <= SF_WIDEST_CELL * a->at.A) {
         const double y_a = fabs(a->answer.y[passing]), y_b = fabs(b->answer.y[passing]);
         const double less = SF_LESSER_SHARE * (b->at.A - a->at.A);
@@ -282,7 +282,7 @@ static double sf_cut(const sf_search *search, const sf_probe *a, const sf_probe 
     }
     if (sf_folds_begin(search, a, b))
         return sf_cut_at_folds(search, a, b);
-    if (search->asked.question == SF_STATE && a->at.A == 0)
+    if (search->task.question == SF_STATE && a->at.A == 0)
         return 0.5 * b->at.A;
     return sf_amid(search->base, a->at.A, b->at.A);
 }
@@ -299,8 +299,8 @@ static void sf_search_between(const sf_search *search, const sf_probe *a, const 
     if (search->found->status != SF_OK)
         return;
     if (last || !sf_is_too_wide(search, a, b, open, passing)) {
-        sf_make_slopes(search->asked.model, &a->at, &b->at, &a->known, &b->known, &cell);
-        sf_find_range(&search->asked, &a->known, &b->known, &cell, open, range);
+        sf_make_slopes(search->task.model, &a->at, &b->at, &a->known, &b->known, &cell);
+        sf_find_range(&search->task, &a->known, &b->known, &cell, open, range);
         for (int c = 0; c < 2; c++)
             if ((open & 1 << c) && sf_settle(search, a, b, c, &range[c], last))
                 open &= ~(1 << c);
@@ -310,9 +310,9 @@ static void sf_search_between(const sf_search *search, const sf_probe *a, const 
     sf_probe_at(search, open, A, &middle);
     search->found->close |= sf_is_close(search, &middle);
     sf_know(&middle.at, &middle.known);
-    if (search->asked.highest) {
+    if (search->task.highest) {
         sf_search_between(search, &middle, b, open);
-        if (sf_top(search->found, search->asked.pushes) == NULL)
+        if (sf_top(search->found, search->task.pushes) == NULL)
             sf_search_between(search, a, &middle, open);
         return;
     }
@@ -329,15 +329,15 @@ static int sf_begins_above_rest(sf_question question, const sf_sample *rest) {
 
 /* All zeros of a question's channels on a piece, added to those found; a zero at its last amplitude counts, one at A =
  * 0 does not. */
-static void sf_find_zeros(const sf_asked *asked, const sf_stretch *piece, sf_zeros *found) {
-    sf_search search = {*asked, piece->first.A, piece->last.A, found};
-    const int open = sf_channels(asked->question);
+static void sf_find_zeros(const sf_task *task, const sf_stretch *piece, sf_zeros *found) {
+    sf_search search = {*task, piece->first.A, piece->last.A, found};
+    const int open = sf_channels(task->question);
     sf_probe low, high;
-    search.asked.first = &piece->first;
+    search.task.first = &piece->first;
     low.at = piece->first, high.at = piece->last;
-    sf_ask(&search.asked, open, &low.at, &low.answer);
-    sf_ask(&search.asked, open, &high.at, &high.answer);
-    if (low.at.A == 0 && (sf_begins_above_rest(asked->question, &low.at) ||
+    sf_ask(&search.task, open, &low.at, &low.answer);
+    sf_ask(&search.task, open, &high.at, &high.answer);
+    if (low.at.A == 0 && (sf_begins_above_rest(task->question, &low.at) ||
                           (low.answer.exists[0] && low.answer.y[0] == 0) ||
                           (low.answer.exists[1] && low.answer.y[1] == 0)))
         sf_probe_at(&search, open, SF_FIRST, &low);

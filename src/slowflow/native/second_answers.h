@@ -9,15 +9,15 @@
 
 /* ==== Zeros in a bracket ========================================================================================== */
 
-typedef double sf_function(const void *given, double x);
+typedef double sf_function(const void *inputs, double x);
 
 /* The zero between a and b, at which the function has the signs of f_a and f_b, to a relative width; Chandrupatla's
  * choice between the inverse quadratic and the middle. */
-static double sf_zero_between(sf_function *f, const void *given, double a, double f_a, double b, double f_b,
+static double sf_zero_between(sf_function *f, const void *inputs, double a, double f_a, double b, double f_b,
                               double width) {
     double share = 0.5, c = a, f_c = f_a;
     for (int i = 0; i < 200; i++) {
-        const double x = a + share * (b - a), f_x = f(given, x);
+        const double x = a + share * (b - a), f_x = f(inputs, x);
         if ((f_x < 0) == (f_a < 0))
             c = a, f_c = f_a;
         else
@@ -38,7 +38,7 @@ static double sf_zero_between(sf_function *f, const void *given, double a, doubl
 
 /* ==== Folds ======================================================================================================= */
 
-/* Where F_A is asked between two points of a curve, by amplitude. */
+/* Where F_A is evaluated between two points of a curve, by amplitude. */
 typedef struct {
     const sf_second *second;
     double A[2], Omega[2];
@@ -51,8 +51,8 @@ static double sf_Omega_between(const sf_second_between *between, double A) {
                                &step);
 }
 
-static double sf_slope_between(const void *given, double A) {
-    const sf_second_between *between = given;
+static double sf_slope_between(const void *inputs, double A) {
+    const sf_second_between *between = inputs;
     sf_balance at;
     sf_second_at(between->second, sf_Omega_between(between, A), A, &at);
     return at.F_A;
@@ -248,8 +248,8 @@ typedef struct {
     double u;
 } sf_second_reach;
 
-static double sf_turning_at(const void *given, double Omega) {
-    const sf_second_reach *reach = given;
+static double sf_turning_at(const void *inputs, double Omega) {
+    const sf_second_reach *reach = inputs;
     double balance[3];
     sf_second_reaching(reach->model, reach->u, Omega, balance);
     return balance[2];
@@ -299,9 +299,9 @@ static double sf_amplitude_near(const sf_second_near *near, double Omega, double
     return fabs(step) <= SF_DONE ? A : NAN;
 }
 
-static double sf_turning_near(const void *given, double Omega) {
+static double sf_turning_near(const void *inputs, double Omega) {
     double balance[3];
-    sf_amplitude_near(given, Omega, balance);
+    sf_amplitude_near(inputs, Omega, balance);
     return balance[2];
 }
 

@@ -1,7 +1,7 @@
 /* The second approximation's questions at one forcing. Takes a model; returns its curve in a window, its folds and
  * its peak. Averaging's curve, which they begin with, is drawn on the way.
  *
- * given: the oscillator as it was given, NULL where its numbers are not known; room: a workspace.
+ * inputs: the oscillator's exact inputs, NULL where its numbers are not known; room: a workspace.
  */
 #ifndef SF_SECOND_QUESTIONS_H
 #define SF_SECOND_QUESTIONS_H
@@ -28,23 +28,23 @@ static sf_second_curve *sf_second_shown(const sf_model *model, double F_0, sf_wa
 }
 
 /* The same, of any skeleton; to be freed by sf_second_free. */
-static sf_second_curve *sf_second_response(const sf_model *model, const sf_given *given, double F_0, sf_wanted wanted,
+static sf_second_curve *sf_second_response(const sf_model *model, const sf_inputs *inputs, double F_0, sf_wanted wanted,
                                            double samples, double low, double high, sf_room *room, sf_status *status) {
-    *status = sf_make_skeleton(model, given, F_0, room);
+    *status = sf_make_skeleton(model, inputs, F_0, room);
     return *status == SF_OK ? sf_second_shown(model, F_0, wanted, samples, low, high, room, status) : NULL;
 }
 
 /* The curve about some frequencies and what may lie beside them. */
-static sf_second_curve *sf_second_around(const sf_model *model, const sf_given *given, double F_0, sf_wanted wanted,
+static sf_second_curve *sf_second_around(const sf_model *model, const sf_inputs *inputs, double F_0, sf_wanted wanted,
                                          double low, double high, sf_room *room, sf_status *status) {
-    return sf_second_response(model, given, F_0, wanted, SF_SAMPLES, low / SF_BEYOND, high * SF_BEYOND, room, status);
+    return sf_second_response(model, inputs, F_0, wanted, SF_SAMPLES, low / SF_BEYOND, high * SF_BEYOND, room, status);
 }
 
 /* Every fold at F_0; `left` says what of averaging's curve is left out, and how much of it was followed: 0 where there
  * is nothing to start from. Whether doubles tell averaging's folds says the room.
  *
  * low, high: frequencies between which averaging's folds and its peak lie; infinite where these are not known */
-static sf_status sf_second_saddle_nodes(const sf_model *model, const sf_given *given, double F_0, double low,
+static sf_status sf_second_saddle_nodes(const sf_model *model, const sf_inputs *inputs, double F_0, double low,
                                         double high, sf_room *room, sf_second_folds *out)
 {
     const sf_folds *first = &room->work.folds;
@@ -56,13 +56,14 @@ static sf_status sf_second_saddle_nodes(const sf_model *model, const sf_given *g
     out->n = out->lost = out->tried = 0, out->status = SF_OK;
     if (!known) {
         high = 0;
-        status = sf_settled_peak(model, given == NULL ? NULL : &given->exactly, F_0, HUGE_VAL, &room->work, &A, &Omega);
+        status = sf_settled_peak(model, inputs == NULL ? NULL : &inputs->exactly, F_0, HUGE_VAL, &room->work, &A,
+                                 &Omega);
     }
     if (status != SF_OK && status != SF_UNBOUNDED && status != SF_NONE)
         return status;
     if (status == SF_OK && Omega > 0)
         low = high = Omega;
-    status = sf_make_skeleton(model, given, F_0, room);
+    status = sf_make_skeleton(model, inputs, F_0, room);
     if (status != SF_OK)
         return status;
     for (int i = 0; i < first->n && !known; i++)
@@ -79,11 +80,11 @@ static sf_status sf_second_saddle_nodes(const sf_model *model, const sf_given *g
 }
 
 /* The highest peak of the curve about a frequency, which is to be freed if there is one. */
-static sf_status sf_second_peak(const sf_model *model, const sf_given *given, double F_0, double near, sf_room *room,
+static sf_status sf_second_peak(const sf_model *model, const sf_inputs *inputs, double F_0, double near, sf_room *room,
                                 sf_second_curve **curve, sf_second_point *top)
 {
     sf_status status;
-    *curve = sf_second_around(model, given, F_0, SF_TOP_ONLY, near, near, room, &status);
+    *curve = sf_second_around(model, inputs, F_0, SF_TOP_ONLY, near, near, room, &status);
     return *curve != NULL && !sf_peak_on(model, F_0, *curve, top) ? SF_NONE : status;
 }
 

@@ -104,12 +104,12 @@ static double sf_first_within(sf_interval within, int n, const double *A) {
 }
 
 /* The states that are proved, those found moved into their enclosures; 0 if doubles do not decide. */
-static int sf_take_proved_states(const sf_model *model, const sf_given *given, double F_0, sf_room *room, double Omega,
-                                 int *n, double *A, unsigned char *stable) {
+static int sf_take_proved_states(const sf_model *model, const sf_inputs *inputs, double F_0, sf_room *room,
+                                 double Omega, int *n, double *A, unsigned char *stable) {
     const sf_certificate *found = &room->found;
     double before[SF_MOST_STATES];
     room->proofs++;
-    if (sf_certify_states(model, given, F_0, Omega, room) != SF_OK || !sf_is_proved(found))
+    if (sf_certify_states(model, inputs, F_0, Omega, room) != SF_OK || !sf_is_proved(found))
         return 0;
     const int same = found->n == *n;
     memcpy(before, A, (size_t)*n * sizeof *A);
@@ -124,14 +124,14 @@ static int sf_take_proved_states(const sf_model *model, const sf_given *given, d
 
 /* The steady states at Omega by rising A, from the segments; returns their number. undecided: whether doubles do not
  * tell it */
-static int sf_states_on_curve(const sf_model *model, const sf_given *given, double F_0, sf_room *room, double Omega,
+static int sf_states_on_curve(const sf_model *model, const sf_inputs *inputs, double F_0, sf_room *room, double Omega,
                               double *A, unsigned char *stable, int *undecided)
 {
     if (sf_has_laws(model))
-        given = NULL;
-    int n = sf_states_of_segments(model, given == NULL ? NULL : &given->exactly, F_0, &room->work, Omega, A, stable);
+        inputs = NULL;
+    int n = sf_states_of_segments(model, inputs == NULL ? NULL : &inputs->exactly, F_0, &room->work, Omega, A, stable);
     if (room->doubt || sf_is_at_fold(model, F_0, &room->work.folds, Omega))
-        *undecided = given == NULL || !sf_take_proved_states(model, given, F_0, room, Omega, &n, A, stable);
+        *undecided = inputs == NULL || !sf_take_proved_states(model, inputs, F_0, room, Omega, &n, A, stable);
     return n;
 }
 
@@ -141,7 +141,7 @@ static int sf_states_on_curve(const sf_model *model, const sf_given *given, doub
 static int sf_clear_states(const sf_model *model, const sf_exactly *exactly, double F_0, double Omega, sf_work *work,
                            double *A, unsigned char *stable)
 {
-    sf_asked asked = sf_asked_of(SF_STATE, model, F_0);
+    sf_task task = sf_task_of(SF_STATE, model, F_0);
     sf_zeros *found = &work->zeros;
     int n = 0;
     if (sf_inertial(model) || !(model->zeta > 0) || sf_nearly_sticks(model, F_0))
@@ -150,11 +150,11 @@ static int sf_clear_states(const sf_model *model, const sf_exactly *exactly, dou
     const double A_max = slow_flow_limit_envelope(Omega, F_0 * (1 + SF_CLOSE), model->m, model->zeta) * (1 + SF_CLOSE);
     if (!(A_max > SF_FIRST && A_max < SF_ENDLESS))
         return -1;
-    asked.Omega = Omega;
+    task.Omega = Omega;
     sf_stretches_up_to(model, A_max, &work->pieces);
     for (int i = 0; i < work->pieces.n; i++) {
         sf_clear_zeros(found);
-        sf_find_zeros(&asked, &work->pieces.at[i], found);
+        sf_find_zeros(&task, &work->pieces.at[i], found);
         if (found->status != SF_OK || found->undecided || found->close)
             return -1;
         sf_sort_zeros(found);
@@ -171,19 +171,21 @@ static int sf_clear_states(const sf_model *model, const sf_exactly *exactly, dou
 
 /* The steady states at Omega by rising A, at most SF_MOST_STATES. undecided: whether doubles do not tell their
  * number */
-static sf_status sf_states(const sf_model *model, const sf_given *given, double F_0, sf_room *room, double Omega,
+static sf_status sf_states(const sf_model *model, const sf_inputs *inputs, double F_0, sf_room *room, double Omega,
                            int *n, double *A, unsigned char *stable, int *undecided)
 {
     *undecided = 0;
-    *n = given == NULL || sf_has_laws(model) ? -1 : sf_clear_states(model, &given->exactly, F_0, Omega, &room->work, A, stable);
+    *n = inputs == NULL || sf_has_laws(model)
+             ? -1
+             : sf_clear_states(model, &inputs->exactly, F_0, Omega, &room->work, A, stable);
     if (*n >= 0)
         return SF_OK;
     *n = 0;
     if (!room->followed)
-        room->status = sf_make_skeleton(model, given, F_0, room);
+        room->status = sf_make_skeleton(model, inputs, F_0, room);
     room->followed = 1;
     if (room->status == SF_OK)
-        *n = sf_states_on_curve(model, given, F_0, room, Omega, A, stable, undecided);
+        *n = sf_states_on_curve(model, inputs, F_0, room, Omega, A, stable, undecided);
     return room->status;
 }
 

@@ -298,8 +298,8 @@ static PyObject *follow(PyObject *self, PyObject *arguments)
     PyObject *capsule;
     sf_forced forced = {0};
     double theta, u, v, end;
-    int given, start[2];
-    if (!PyArg_ParseTuple(arguments, "Oddddddpiil", &capsule, &forced.Omega, &forced.F_0, &theta, &u, &v, &end, &given,
+    int inputs, start[2];
+    if (!PyArg_ParseTuple(arguments, "Oddddddpiil", &capsule, &forced.Omega, &forced.F_0, &theta, &u, &v, &end, &inputs,
                           &start[0], &start[1], &forced.left))
         return NULL;
     forced.system = PyCapsule_GetPointer(capsule, NAME);
@@ -309,7 +309,7 @@ static PyObject *follow(PyObject *self, PyObject *arguments)
     sf_phases phases = {0};
     sf_outcome outcome;
     Py_BEGIN_ALLOW_THREADS
-    outcome = sf_follow(&forced, theta, u, v, end, given ? start : NULL, &phases);
+    outcome = sf_follow(&forced, theta, u, v, end, inputs ? start : NULL, &phases);
     Py_END_ALLOW_THREADS
     PyObject *const bytes =
         PyBytes_FromStringAndSize((const char *)phases.at, phases.count * (Py_ssize_t)sizeof *phases.at);

@@ -104,9 +104,9 @@ static int read_query(const sf_row *row, PyObject *args, sf_query *q, PyArrayObj
         PyErr_Format(PyExc_TypeError, "%s takes %d arguments, not %zd", row->name, n, PyTuple_Size(args));
         return 0;
     }
-    if ((q->model = sf_model_in(PyTuple_GetItem(args, 0), &q->given)) == NULL)
+    if ((q->model = sf_model_in(PyTuple_GetItem(args, 0), &q->inputs)) == NULL)
         return 0;
-    q->exactly = q->given == NULL ? NULL : &q->given->exactly;
+    q->exactly = q->inputs == NULL ? NULL : &q->inputs->exactly;
     for (int i = 0; i < row->numbers; i++)
         if ((q->number[i] = PyFloat_AsDouble(PyTuple_GetItem(args, 1 + i))) == -1 && PyErr_Occurred())
             return 0;
@@ -122,7 +122,7 @@ static int read_query(const sf_row *row, PyObject *args, sf_query *q, PyArrayObj
 static PyObject *answer(const sf_row *row, running *self)
 {
     sf_query *q = &self->query;
-    if (row->of_given && q->given == NULL)
+    if (row->of_given && q->inputs == NULL)
         return Py_NewRef(Py_None);
     if ((q->room = malloc(sizeof *q->room)) == NULL)
         return PyErr_NoMemory();

@@ -46,9 +46,9 @@ static sf_interval interval(PyArrayObject *array, int i, int j, npy_intp k)
 /* An array of numbers (2, d, n) or (2, d, d, n) from a tuple's item; NULL with an exception set. */
 static PyArrayObject *item(PyObject *tuple, Py_ssize_t number, int axes, int d, ptrdiff_t n)
 {
-    PyObject *given = PyTuple_GetItem(tuple, number);
+    PyObject *inputs = PyTuple_GetItem(tuple, number);
     PyArrayObject *array =
-        given == NULL ? NULL : (PyArrayObject *)PyArray_FROMANY(given, NPY_DOUBLE, axes, axes, NPY_ARRAY_ALIGNED);
+        inputs == NULL ? NULL : (PyArrayObject *)PyArray_FROMANY(inputs, NPY_DOUBLE, axes, axes, NPY_ARRAY_ALIGNED);
     int fits = array != NULL && PyArray_DIM(array, 0) == 2 && PyArray_DIM(array, axes - 1) == n;
     for (int i = 1; fits && i < axes - 1; i++)
         fits = PyArray_DIM(array, i) == d;
@@ -95,17 +95,17 @@ static int on(void *self, ptrdiff_t n, const sf_box_place *places, sf_values *ou
 }
 
 /* Boxes from five arrays (d, n) and (n,): low, high, least, most, of; NULL with an exception set. */
-static sf_box *read_boxes(PyArrayObject *const *given, int d, ptrdiff_t n)
+static sf_box *read_boxes(PyArrayObject *const *inputs, int d, ptrdiff_t n)
 {
     sf_box *boxes = malloc((size_t)(n > 0 ? n : 1) * sizeof *boxes);
     if (boxes == NULL)
         PyErr_NoMemory();
     for (ptrdiff_t k = 0; boxes != NULL && k < n; k++) {
         double *const to[4] = {boxes[k].low, boxes[k].high, boxes[k].least, boxes[k].most};
-        boxes[k].of = *(const npy_intp *)PyArray_GETPTR1(given[4], k);
+        boxes[k].of = *(const npy_intp *)PyArray_GETPTR1(inputs[4], k);
         for (int i = 0; i < d; i++)
             for (int of = 0; of < 4; of++)
-                to[of][i] = *(const double *)PyArray_GETPTR2(given[of], i, k), boxes[k].doubt[i] = 0;
+                to[of][i] = *(const double *)PyArray_GETPTR2(inputs[of], i, k), boxes[k].doubt[i] = 0;
     }
     return boxes;
 }
@@ -113,7 +113,7 @@ static sf_box *read_boxes(PyArrayObject *const *given, int d, ptrdiff_t n)
 static PyObject *solve(PyObject *self, PyObject *args)
 {
     PyObject *from[5], *result = NULL;
-    PyArrayObject *given[5] = {NULL};
+    PyArrayObject *inputs[5] = {NULL};
     called of;
     Py_ssize_t most;
     int fits = 1;
@@ -122,15 +122,16 @@ static PyObject *solve(PyObject *self, PyObject *args)
         return NULL;
     for (int i = 0; fits && i < 5; i++) {
         const int axes = i < 4 ? 2 : 1;
-        given[i] = (PyArrayObject *)PyArray_FROMANY(from[i], i < 4 ? NPY_DOUBLE : NPY_INTP, axes, axes, NPY_ARRAY_ALIGNED);
-        fits = given[i] != NULL && PyArray_DIM(given[i], axes - 1) == PyArray_DIM(given[0], 1) &&
-               (i == 4 || PyArray_DIM(given[i], 0) == PyArray_DIM(given[0], 0));
+        inputs[i] =
+            (PyArrayObject *)PyArray_FROMANY(from[i], i < 4 ? NPY_DOUBLE : NPY_INTP, axes, axes, NPY_ARRAY_ALIGNED);
+        fits = inputs[i] != NULL && PyArray_DIM(inputs[i], axes - 1) == PyArray_DIM(inputs[0], 1) &&
+               (i == 4 || PyArray_DIM(inputs[i], 0) == PyArray_DIM(inputs[0], 0));
     }
-    of.d = fits ? (int)PyArray_DIM(given[0], 0) : 0;
+    of.d = fits ? (int)PyArray_DIM(inputs[0], 0) : 0;
     if (fits && of.d >= 1 && of.d <= SF_MOST_UNKNOWNS) {
-        const ptrdiff_t n = PyArray_DIM(given[0], 1);
+        const ptrdiff_t n = PyArray_DIM(inputs[0], 1);
         const sf_box_equations equations = {of.d, on, &of};
-        sf_box *boxes = read_boxes(given, of.d, n);
+        sf_box *boxes = read_boxes(inputs, of.d, n);
         sf_solutions found;
         const int state = boxes == NULL ? SF_BOXES_NOT_EVALUATED : sf_solve_boxes(&equations, boxes, n, most, &found);
         if (state == SF_BOXES_SOLVED)
@@ -148,7 +149,7 @@ static PyObject *solve(PyObject *self, PyObject *args)
     } else if (!PyErr_Occurred())
         PyErr_SetString(PyExc_ValueError, "boxes are arrays (d, n), d from 1 to 3, and their systems one (n,)");
     for (int i = 0; i < 5; i++)
-        Py_XDECREF((PyObject *)given[i]);
+        Py_XDECREF((PyObject *)inputs[i]);
     return result;
 }
 

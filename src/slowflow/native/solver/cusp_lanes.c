@@ -93,8 +93,8 @@ SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
         const double a = cells->low[0][i], h_a = cells->low[1][i], h1_a = cells->low[2][i], h2_a = cells->low[3][i];
         const double b = cells->high[0][i], h_b = cells->high[1][i], h1_b = cells->high[2][i], h2_b = cells->high[3][i];
         const double h3_a = cells->low[4][i], k_a = cells->low[5][i], h3_b = cells->high[4][i], k_b = cells->high[5][i];
-        const double which = cells->asked[0][i], zeta = cells->asked[1][i], m = cells->asked[2][i],
-                     most = cells->asked[3][i], width = b - a;
+        const double which = cells->task[0][i], zeta = cells->task[1][i], m = cells->task[2][i],
+                     most = cells->task[3][i], width = b - a;
         const sf_lane_slopes on = sf_slopes_on(a, h_a, h1_a, h2_a, h3_a, b, h_b, h1_b, h2_b, h3_b, 0);
         const value at_a = value_at(a, h_a, h1_a, h2_a, h3_a, k_a, m, zeta, which);
         const value at_b = value_at(b, h_b, h1_b, h2_b, h3_b, k_b, m, zeta, which);
@@ -175,8 +175,8 @@ SF_WIDE static void approach(ptrdiff_t n, sf_lane_zeros *zeros)
 {
     SF_EACH(i, n) {
         const double A = zeros->at[0][i], h = zeros->at[1][i], h_A = zeros->at[2][i], h_AA = zeros->at[3][i];
-        const double h_AAA = zeros->at[4][i], k = zeros->at[5][i], zeta = zeros->asked[1][i], m = zeros->asked[2][i];
-        const value at = value_at(A, h, h_A, h_AA, h_AAA, k, m, zeta, zeros->asked[0][i]);
+        const double h_AAA = zeros->at[4][i], k = zeros->at[5][i], zeta = zeros->task[1][i], m = zeros->task[2][i];
+        const value at = value_at(A, h, h_A, h_AA, h_AAA, k, m, zeta, zeros->task[0][i]);
         const int is_low = (at.y < 0) == (zeros->rises[i] != 0);
         const double lo = is_low ? A : zeros->lo[i], hi = is_low ? zeros->hi[i] : A;
         zeros->lo[i] = lo, zeros->hi[i] = hi;

@@ -74,7 +74,7 @@ SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
         const double a = cells->low[0][i], h_a = cells->low[1][i], h1_a = cells->low[2][i], h2_a = cells->low[3][i];
         const double b = cells->high[0][i], h_b = cells->high[1][i], h1_b = cells->high[2][i], h2_b = cells->high[3][i];
         const double h3_a = cells->low[4][i], k_a = cells->low[5][i], h3_b = cells->high[4][i], k_b = cells->high[5][i];
-        const double zeta = cells->asked[1][i], m = cells->asked[2][i], F_0 = cells->asked[3][i], base = cells->base[i];
+        const double zeta = cells->task[1][i], m = cells->task[2][i], F_0 = cells->task[3][i], base = cells->base[i];
         const double width = b - a, excess = (F_0 - m) * (F_0 + m), least = sqrt(excess), of_zeta = 1 / (zeta * zeta);
         const sf_lane_slopes on = sf_slopes_on(a, h_a, h1_a, h2_a, h3_a, b, h_b, h1_b, h2_b, h3_b, base);
 
@@ -179,7 +179,7 @@ SF_WIDE static void approach(ptrdiff_t n, sf_lane_zeros *zeros)
     SF_EACH(i, n) {
         const double A = zeros->at[0][i], h = zeros->at[1][i], h_A = zeros->at[2][i], h_AA = zeros->at[3][i],
                      k = zeros->at[5][i], base = zeros->base[i];
-        const double zeta = zeros->asked[1][i], m = zeros->asked[2][i], F_0 = zeros->asked[3][i];
+        const double zeta = zeros->task[1][i], m = zeros->task[2][i], F_0 = zeros->task[3][i];
         const double least = sqrt((F_0 - m) * (F_0 + m));
         const value at = value_at(A, F_0, m, zeta, h, h_A, h_AA, k, least, 0);
         /* where it is not defined, it has the sign that it has where it begins or ends */

@@ -46,7 +46,7 @@ SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
         const double a = cells->low[0][i], h_a = cells->low[1][i], h1_a = cells->low[2][i], h2_a = cells->low[3][i];
         const double b = cells->high[0][i], h_b = cells->high[1][i], h1_b = cells->high[2][i], h2_b = cells->high[3][i];
         const double h3_a = cells->low[4][i], h3_b = cells->high[4][i], base = cells->base[i];
-        const double zeta = cells->asked[1][i], m = cells->asked[2][i], F_0 = cells->asked[3][i];
+        const double zeta = cells->task[1][i], m = cells->task[2][i], F_0 = cells->task[3][i];
         const double width = b - a, q = m * zeta, e = 2 * zeta * zeta;
         const sf_lane_slopes on = sf_slopes_on(a, h_a, h1_a, h2_a, h3_a, b, h_b, h1_b, h2_b, h3_b, base);
 
@@ -102,7 +102,7 @@ SF_WIDE static void approach(ptrdiff_t n, sf_lane_zeros *zeros)
 {
     SF_EACH(i, n) {
         const double A = zeros->at[0][i], h = zeros->at[1][i], h_A = zeros->at[2][i], h_AA = zeros->at[3][i];
-        const double zeta = zeros->asked[1][i], m = zeros->asked[2][i], F_0 = zeros->asked[3][i];
+        const double zeta = zeros->task[1][i], m = zeros->task[2][i], F_0 = zeros->task[3][i];
         double cubic[3];
         slow_flow_peak_cubic(A, m, zeta, h, cubic);
         const double q = cubic[0], p = cubic[1], rough = sf_lane_critical_at(A, p, q).w2;

@@ -233,17 +233,17 @@ static PyObject *called(PyObject *self, PyObject *args)
 /* What the capsule of a model points to; it keeps its record. */
 typedef struct {
     sf_model model;
-    sf_given given;
+    sf_inputs inputs;
     int is_given;
     PyObject *record;
 } oscillator;
 
-const sf_model *sf_model_in(PyObject *capsule, const sf_given **given)
+const sf_model *sf_model_in(PyObject *capsule, const sf_inputs **inputs)
 {
     const oscillator *made = PyCapsule_GetPointer(capsule, SF_MODEL);
     if (made == NULL)
         return NULL;
-    *given = made->is_given ? &made->given : NULL;
+    *inputs = made->is_given ? &made->inputs : NULL;
     return &made->model;
 }
 
@@ -317,7 +317,7 @@ static PyObject *new_model(PyObject *self, PyObject *args)
                 free(made);
                 Py_RETURN_NONE;
             }
-            made->is_given = known && sf_give(record, design, damping[0], damping[1], &made->given);
+            made->is_given = known && sf_give(record, design, damping[0], damping[1], &made->inputs);
             made->record = capsule;
             PyObject *result = PyCapsule_New(made, SF_MODEL, free_model);
             if (result != NULL) {
@@ -370,8 +370,8 @@ static PyObject *averages(PyObject *self, PyObject *args)
 
 static PyObject *prepared(PyObject *self, PyObject *capsule)
 {
-    const sf_given *given;
-    const sf_model *model = sf_model_in(capsule, &given);
+    const sf_inputs *inputs;
+    const sf_model *model = sf_model_in(capsule, &inputs);
     (void)self;
     if (model == NULL)
         return NULL;

@@ -18,11 +18,11 @@ sf_gufunc_loop sf_interval_product_loop, sf_interval_square_loop, sf_interval_in
 /* The solvers for this processor. */
 const sf_solvers *sf_here(void);
 
-/* What a capsule holds, or NULL with an exception set; a PyObject. given: the model as it was given, NULL where no proof
+/* What a capsule holds, or NULL with an exception set; a PyObject. inputs: its exact inputs, NULL where no proof
  * about it is possible */
 struct _object;
 const sf_mechanism *sf_record_in(struct _object *capsule);
-const sf_model *sf_model_in(struct _object *capsule, const sf_given **given);
+const sf_model *sf_model_in(struct _object *capsule, const sf_inputs **inputs);
 
 /* A generalised ufunc of a loop, for as long as the process lives; types: of all operands, `d`, `b`, `h` and `i` for
  * double, int8, short and int. NULL with an exception set. */

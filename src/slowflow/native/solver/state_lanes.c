@@ -12,8 +12,8 @@ SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
         const double a = cells->low[0][i], h_a = cells->low[1][i], h1_a = cells->low[2][i], h2_a = cells->low[3][i];
         const double b = cells->high[0][i], h_b = cells->high[1][i], h1_b = cells->high[2][i], h2_b = cells->high[3][i];
         const double h3_a = cells->low[4][i], h3_b = cells->high[4][i], base = cells->base[i];
-        const double Omega = cells->asked[0][i], zeta = cells->asked[1][i], m = cells->asked[2][i],
-                     F_0 = cells->asked[3][i];
+        const double Omega = cells->task[0][i], zeta = cells->task[1][i], m = cells->task[2][i],
+                     F_0 = cells->task[3][i];
         const double width = b - a, X = Omega * Omega, c = 2 * zeta * Omega; /* slopes of R - h and of I */
 
         const sf_lane_slopes on = sf_slopes_on(a, h_a, h1_a, h2_a, h3_a, b, h_b, h1_b, h2_b, h3_b, base);
@@ -107,8 +107,8 @@ SF_WIDE static void approach(ptrdiff_t n, sf_lane_zeros *zeros)
 {
     SF_EACH(i, n) {
         const double A = zeros->at[0][i], h = zeros->at[1][i], h_A = zeros->at[2][i], h_AA = zeros->at[3][i];
-        const double Omega = zeros->asked[0][i], zeta = zeros->asked[1][i], m = zeros->asked[2][i],
-                     F_0 = zeros->asked[3][i];
+        const double Omega = zeros->task[0][i], zeta = zeros->task[1][i], m = zeros->task[2][i],
+                     F_0 = zeros->task[3][i];
         const double F = slow_flow_F(Omega, A, F_0, m, zeta, h), slope = slow_flow_F_A(Omega, A, m, zeta, h, h_A);
         const double bend = slow_flow_F_AA(Omega, A, m, zeta, h, h_A, h_AA);
         const int is_low = (F < 0) == (zeros->rises[i] != 0);
