@@ -45,6 +45,7 @@ MODULES = (
     "slowflow.sizing.fitting",
     "slowflow.progress",
     "slowflow.scenes",
+    "slowflow.schema",
     "slowflow_kernels.conventions",
     "slowflow.averaged.plan",
     "slowflow.random_vibration.answers",

@@ -88,7 +88,7 @@ def run_scene(args: argparse.Namespace) -> int:
             except SlowflowError as error:
                 failed.append({"question": query.question, **query.arguments, "error": str(error)})
                 print(f"{query}: {error}", file=sys.stderr)
-    content = {**provenance(scene), "answers": [content_of(*one) for one in answers], "failed": failed}
+    content = {**provenance(scene), "answers": [query.content(answer) for query, answer in answers], "failed": failed}
     outcome = verdict.verdict(scene) if scene.requirements else None
     if outcome is not None:
         content["verdict"] = outcome.to_dict()
@@ -119,12 +119,6 @@ def run_scene(args: argparse.Namespace) -> int:
             print(f"{len(answers)} answers are written to the folder {args.out}", file=sys.stderr)
     made = 0 if args.report is None else _report(scene, args.report, args.quiet)
     return made or (1 if failed else 0 if outcome is None or outcome.all_met else NOT_MET)
-
-
-def content_of(query: Asked, answer: Answer) -> dict[str, Any]:
-    """An answer with its query, as plain Python."""
-    what = {"question": query.question, "asked": dict(query.arguments), "asked_in": query.given_in()}
-    return {**what, **answer.to_dict()}
 
 
 def provenance(scene: Scene) -> dict[str, Any]:
@@ -206,6 +200,25 @@ def derive_mechanisms(args: argparse.Namespace) -> int:
     for mechanism in dict.fromkeys(found):
         folder = args.out / mechanism.stated_name
         print(f"{folder}: {', '.join(mechanism.write(folder))}")
+    return 0
+
+
+def print_schema(args: argparse.Namespace) -> int:
+    """Print what a scene may have, as JSON schema: editors complete a scene by it."""
+    from slowflow import schema
+
+    print(files.in_json(schema.scene()), end="")
+    return 0
+
+
+def serve(args: argparse.Namespace) -> int:
+    """Answer a client of the Model Context Protocol, on standard input and output."""
+    if find_spec("mcp") is None:
+        print("this needs the SDK of the protocol: pip install 'slowflow[mcp]'", file=sys.stderr)
+        return 2
+    from slowflow import tools
+
+    tools.serve()
     return 0
 
 
@@ -304,6 +317,8 @@ def parser() -> argparse.ArgumentParser:
     option("--quiet", **quiet)
     option = command(new_scene, "new", "write a commented scene to begin with")
     option("scene", type=Path, nargs="?", default=Path("scene.toml"), help="default: %(default)s")
+    command(print_schema, "schema", "what a scene may have, as JSON schema, by which editors complete it")
+    command(serve, "mcp", "the questions as tools of the Model Context Protocol, on standard input and output")
     option = command(
         derive_mechanisms, "derive", "kernels, C and derivation of mechanisms that a Python program states"
     )

@@ -214,6 +214,11 @@ class Asked:
             (f"tolerances {load_case}" for name, load_case in of.items() if name in self.arguments), "tolerances"
         )
 
+    def content(self, answer: Answer) -> dict[str, Any]:
+        """Itself and its answer, as plain Python."""
+        what = {"question": self.question, "asked": dict(self.arguments), "asked_in": self.given_in()}
+        return {**what, **answer.to_dict()}
+
     def __str__(self) -> str:
         units = self.units()
         text = ", ".join(f"{name} = {value:g} {units.get(name, '')}".rstrip() for name, value in self.numbers().items())
@@ -295,6 +300,11 @@ class Scene:
     def sha256(self) -> str:
         """Of the text."""
         return hashlib.sha256(self.text.encode()).hexdigest()
+
+
+def from_tables(content: Mapping[str, Any]) -> Scene:
+    """A scene whose tables are plain Python already. Raises SceneError, without a file, for what is wrong."""
+    return _Reader(Path(), "", dict(content)).scene()
 
 
 def read(path: Path) -> Scene:
@@ -584,12 +594,16 @@ class _Reader:
             return make()
         except ValueError as error:
             key = re.split(r"[ \[]", str(error), maxsplit=1)[0]
-            line = self._line(table, key if key in values else "")
-            raise SceneError(f"{self.path}:{line}: {error}{_quoted(values.get(key))}") from None
+            at = self._at(table, key if key in values else "")
+            raise SceneError(f"{at}{error}{_quoted(values.get(key))}") from None
 
     def _error(self, table: str, key: str, message: str, word: str = "", known: Any = ()) -> SceneError:
         name = key or (f"[{table}]" if table else "the scene")
-        return SceneError(f"{self.path}:{self._line(table, key)}: {name} {message}{validate.meant(word, known or ())}")
+        return SceneError(f"{self._at(table, key)}{name} {message}{validate.meant(word, known or ())}")
+
+    def _at(self, table: str, key: str) -> str:
+        """Where that stands in the file, if there is one."""
+        return f"{self.path}:{self._line(table, key)}: " if self.path.name else ""
 
     def _line(self, table: str, key: str) -> int:
         """Where a table or a key of it stands; 1 where that cannot be told, as in a table on one line."""

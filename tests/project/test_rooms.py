@@ -15,7 +15,8 @@ SOURCE = ROOT / "src"
 FLOORS = (
     ("__main__",),
     ("cli",),
-    ("report",),
+    ("report", "tools"),
+    ("schema",),
     ("scenes",),
     ("sizing", "verdict"),
     ("__init__", "example"),

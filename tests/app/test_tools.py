@@ -1,0 +1,194 @@
+"""The questions as tools: a client of the protocol asks over standard input and output, as an assistant does.
+
+What is right does not come from slowflow: closed forms of linear motions and of the geometry, and the paper's Table 2.
+"""
+
+import json
+import math
+import sys
+import tomllib
+
+import anyio
+import jsonschema
+import pytest
+from mcp import ClientSession, StdioServerParameters
+from mcp.client.stdio import stdio_client
+
+from slowflow import schema
+from slowflow.scenes import QUESTIONS
+from tests.files import ROOT
+
+g = 9.80665
+SCENES = sorted((ROOT / "scenes").glob("*.toml"))
+#: a mount, and one that is all but linear: no friction, and little motion
+MOUNT = {"m": 12, "k_v": 2500, "k_h": 1700, "n": 3, "L": 0.08, "preload": 0.009, "friction": 0.4, "zeta": 0.02}
+LINEAR = {**MOUNT, "friction": 0}
+K_0 = 2500 - 3 * 1700 * 0.009 / 0.08
+X_CR = math.sqrt(0.08**2 - 0.071**2)
+F_0 = math.sqrt(K_0 / 12) / math.tau
+#: viscous damping c of zeta on k_v, as a ratio of the stiffness at the centre
+RATIO = 0.02 * math.sqrt(2500 / K_0)
+TABLE_1 = {"lam": 3, "r": 3747 / 1848, "delta_h": 1848 / (6 * 3747), "mu": 0.012, "zeta": 0.02}
+
+
+def at_5_hz():
+    """Transmissibility of the linear oscillator."""
+    r = 5 / F_0
+    return math.sqrt((1 + (2 * RATIO * r) ** 2) / ((1 - r**2) ** 2 + (2 * RATIO * r) ** 2))
+
+
+#: tool, arguments, column, its row, what is right, relative tolerance
+RIGHT = {
+    "natural frequency on k_v": ("at_rest", {"mount": MOUNT}, "f_n", None, math.sqrt(2500 / 12) / math.tau, 1e-12),
+    "natural frequency": ("at_rest", {"mount": MOUNT}, "f_0", None, F_0, 1e-12),
+    "stiffness at the centre": ("at_rest", {"mount": MOUNT}, "k_0", None, K_0, 1e-12),
+    "stroke": ("at_rest", {"mount": MOUNT}, "x_cr", None, X_CR, 1e-12),
+    "preset of the spring": ("at_rest", {"mount": MOUNT}, "preset", None, 12 * g / 2500, 1e-12),
+    "heaviest load": ("at_rest", {"mount": MOUNT}, "heaviest", None, 12 + 2500 * X_CR / g, 1e-12),
+    "sticking": ("at_rest", {"mount": MOUNT}, "sticking", None, 4 * 0.4 / math.pi, 1e-12),
+    "onset": ("saddle_node_onset", {"isolator": TABLE_1}, "F_SN", None, 0.0217, 3e-3),
+    "jump-up at 0.025": ("saddle_nodes", {"isolator": TABLE_1, "ask": {"F_0": 0.025}}, "Omega", 0, 0.8023, 6e-5),
+    "jump-down at 0.025": ("saddle_nodes", {"isolator": TABLE_1, "ask": {"F_0": 0.025}}, "Omega", 1, 0.8318, 6e-5),
+    "jump-up at 0.040": ("saddle_nodes", {"isolator": TABLE_1, "ask": {"F_0": 0.04}}, "Omega", 0, 0.8672, 6e-5),
+    "its amplitude": ("saddle_nodes", {"isolator": TABLE_1, "ask": {"F_0": 0.04}}, "A", 1, 0.5536, 1e-4),
+    "jump-up at 0.050": ("saddle_nodes", {"isolator": TABLE_1, "ask": {"F_0": 0.05}}, "Omega", 0, 0.8976, 6e-5),
+    "margin": ("margins", {"isolator": TABLE_1, "ask": {"F_0": 0.04}}, "of_SN", None, 0.0217 / 0.04, 3e-3),
+    "resonance": (
+        "peak",
+        {"mount": LINEAR, "ask": {"F": 1e-3}},
+        "A",
+        None,
+        1e-3 / (2 * RATIO * math.sqrt(1 - RATIO**2) * K_0),
+        1e-5,
+    ),
+    "transmissibility": (
+        "amplitudes",
+        {"mount": LINEAR, "ask": {"F": 1e-3, "f": 5}},
+        "transmissibility_dB",
+        0,
+        20 * math.log10(at_5_hz()),
+        1e-5,
+    ),
+    "isolation": ("isolation", {"mount": LINEAR, "ask": {"F": 1e-3}}, "f", None, math.sqrt(2) * F_0, 1e-5),
+    # Miles: a flat spectral density of the base's acceleration
+    "random": (
+        "random",
+        {
+            "mount": {**LINEAR, "excitation": "base"},
+            "psd": {"f": [1e-3, 1e3], "G": [1e-10, 1e-10], "unit": "g^2/Hz"},
+        },
+        "a_rms",
+        0,
+        g * math.sqrt(1e-10 * math.pi / 2 * F_0 / (2 * RATIO) * (1 + 4 * RATIO**2)),
+        1e-3,
+    ),
+    # a pulse that is over before the mass has moved: its speed over the angular frequency, less damping in a quarter
+    "shock": (
+        "transient",
+        {"mount": LINEAR, "shock": {"acceleration": 1e-2, "duration": 1e-4}},
+        "A",
+        None,
+        2 / math.pi * 1e-6 / (math.tau * F_0) * math.exp(-RATIO * math.acos(RATIO)),
+        1e-3,
+    ),
+    "acceleration of the base": (
+        "peak",
+        {"mount": {**LINEAR, "excitation": "base"}, "ask": {"a": 1e-3 / 12}},
+        "A",
+        None,
+        1e-3 / (2 * RATIO * math.sqrt(1 - RATIO**2) * K_0),
+        1e-5,
+    ),
+}
+REFUSED = {
+    "an amplitude without a unit": ("saddle_nodes", {"mount": MOUNT, "ask": {"F_0": 5}}, "is F, in N"),
+    "a mass below zero": ("at_rest", {"mount": {**MOUNT, "m": -12}}, "m = -12"),
+    "a word": ("peak", {"mount": {**MOUNT, "force": "truncatd"}, "ask": {"F": 1}}, "'truncated'"),
+    "no oscillator": ("cusps", {}, "needs one of [mount], [isolator], [duffing], has 0"),
+    "no frequency": ("amplitudes", {"mount": MOUNT, "ask": {"F": 1}}, "f is missing"),
+    "no such tool": ("jumps", {"mount": MOUNT}, "must be one of detachment"),
+}
+
+
+@pytest.fixture(scope="module")
+def answers():
+    """Of every question above, and the tools, from one session."""
+    found = {}
+
+    async def session():
+        command = StdioServerParameters(command=sys.executable, args=["-m", "slowflow", "mcp"])
+        async with stdio_client(command) as pipes, ClientSession(*pipes) as client:
+            await client.initialize()
+            found["tools"] = (await client.list_tools()).tools
+            for name, (tool, arguments, *_) in {**RIGHT, **REFUSED}.items():
+                found[name] = await client.call_tool(tool, arguments)
+            scene = tomllib.loads((ROOT / "scenes" / "specification.toml").read_text(encoding="utf-8"))
+            found["scene"] = await client.call_tool("scene", scene)
+
+    anyio.run(session)
+    return found
+
+
+@pytest.mark.parametrize("name", RIGHT)
+def test_a_client_gets_the_right_number(name, answers):
+    _, _, column, row, expected, tolerance = RIGHT[name]
+    assert not answers[name].is_error, answers[name].content
+    (one,) = answers[name].structured_content["answers"]
+    value = one[column] if row is None else one[column][row]
+    in_si = 1e-3 if one.get("units", {}).get(column) == "mm" else 1.0
+    assert value * in_si == pytest.approx(expected, rel=tolerance)
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_a_refusal_names_what_is_allowed(name, answers):
+    assert answers[name].is_error
+    assert REFUSED[name][-1] in answers[name].content[0].text
+
+
+def test_numbers_have_units_and_what_is_known_of_their_error(answers):
+    (one,) = answers["transmissibility"].structured_content["answers"]
+    assert one["units"].items() >= {"f": "Hz", "A": "mm", "phi": "rad", "F": "N"}.items()
+    assert one["asked_in"] == {"F": "N", "f": "Hz"}
+    assert one["validity"]
+    assert f"validity: {one['validity']}" in answers["transmissibility"].content[0].text
+
+
+def test_a_scene_has_a_verdict(answers):
+    content = answers["scene"].structured_content
+    assert len(content["verdict"]["met"]) == len(content["verdict"]["requirement"]) > 3
+    assert answers["scene"].content[0].text.startswith("# ")
+
+
+def test_each_question_is_a_tool_whose_schema_arguments_fit(answers):
+    tools = {tool.name: tool for tool in answers["tools"]}
+    assert set(tools) == {*QUESTIONS, "scene"}
+    for tool in tools.values():
+        jsonschema.Draft202012Validator.check_schema(tool.input_schema)
+        assert tool.description and tool.annotations.read_only_hint
+    for tool, arguments, *_ in RIGHT.values():
+        jsonschema.validate(arguments, tools[tool].input_schema)
+
+
+@pytest.mark.parametrize("path", SCENES, ids=lambda path: path.stem)
+def test_scenes_fit_the_schema(path):
+    jsonschema.validate(tomllib.loads(path.read_text(encoding="utf-8")), schema.scene())
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        {"ask": {}},
+        {"mount": MOUNT, "isolator": TABLE_1, "ask": {}},
+        {"mount": {**MOUNT, "mass": 12}, "ask": {}},
+        {"mount": {**MOUNT, "m": "heavy"}, "ask": {}},
+        {"mount": MOUNT, "ask": {"F": -1}},
+        {"mount": MOUNT, "ask": {"level_dB": 3}},
+        {"mount": MOUNT, "ask": {"questions": ["saddle_node"]}},
+        {"mount": MOUNT, "ask": {}, "psd": {"f": [1], "unit": "g"}},
+        {"mount": MOUNT, "ask": {}, "require": {"jumps": "few"}},
+    ],
+    ids=lambda wrong: json.dumps(wrong)[-40:],
+)
+def test_what_a_scene_refuses_does_not_fit(wrong):
+    with pytest.raises(jsonschema.ValidationError):
+        jsonschema.validate(wrong, schema.scene())
