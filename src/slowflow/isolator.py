@@ -116,6 +116,7 @@ class Isolator(Oscillator):
         L: Any,
         preload: Any,
         n: int = 3,
+        mounts: int = 1,
         friction: Any = 0.0,
         c: Any = None,
         zeta: float | None = None,
@@ -132,6 +133,7 @@ class Isolator(Oscillator):
         m        -- the mass that moves, kg
         k_v      -- stiffness of the vertical spring, N/m
         k_h, n   -- stiffness of each of the n horizontal springs, N/m
+        mounts   -- how many equal mounts share the mass: m and load are the whole mass, all other data those of one
         L        -- length of the push-rod, m
         preload  -- compression of each horizontal spring at the centre, m
         friction -- dry friction, N
@@ -154,7 +156,10 @@ class Isolator(Oscillator):
         """
         moving = m if load is None else validate.number("load", si("load", load, "kg"), above=0.0)
         excitation = validate.excitation(excitation, tuple(EXCITED))
-        scales = Scales(m=moving, k_v=k_v, L=L, excitation=excitation, damping="zeta" if c is None else "c")
+        mounts = validate.count("mounts", mounts, least=1)
+        of_all = mounts * validate.number("k_v", si("k_v", k_v, "N/m"), above=0.0)
+        damping = "zeta" if c is None else "c"
+        scales = Scales(m=moving, k_v=of_all, L=L, excitation=excitation, damping=damping, mounts=mounts)
         preset = validate.number("m", si("m", m, "kg"), above=0.0)
         beyond = scales.m - preset
         if c is not None and zeta is not None:
@@ -168,16 +173,18 @@ class Isolator(Oscillator):
         if static_friction is not None:
             static_force = si("static_friction", static_friction, "N")
             static = validate.number("static_friction", static_force, least=known["friction"])
-            mu_s = max(mu, static / scales.of(SCALES["mu"]))
+            mu_s = max(mu, static * mounts / scales.of(SCALES["mu"]))
         laws = Laws.of(numbers["eta"], numbers["c_2"], rubs)
         weight = beyond * g / scales.sizes["force"]
         numbers |= {"mu_s": mu_s, "load": weight}
         with scales.in_these_terms():
             isolator = cls(force=force, excitation=scales.of_oscillator, rubs=laws.rubs, **numbers)
-        sheet = {"k_v": scales.k_v, "L": scales.L, **{name: float(known[name]) for name in ("k_h", "n", "preload")}}
-        others = {"m": max(scales.m, scales.m - beyond), "friction": mu * scales.sizes["force"], "zeta": isolator.zeta}
+        sheet = {"k_v": of_all / mounts, "L": scales.L} | {name: float(known[name]) for name in ("k_h", "n", "preload")}
+        others = {"m": max(scales.m, scales.m - beyond) / mounts, "zeta": isolator.zeta}
+        others |= {"friction": mu * scales.sizes["force"] / mounts}
         range_checks.warn(range_checks.of_mount(**sheet, **others, g=g), stacklevel=3)
         arguments = {"m": m, "k_v": k_v, "k_h": k_h, "n": n, "L": L, "preload": preload, "friction": friction}
+        arguments |= {"mounts": mounts} if mounts > 1 else {}
         arguments |= {"c": c} if c is not None else {"zeta": isolator.zeta}
         arguments |= {name: {"c_2": c_2}.get(name, value) for name, value in laws.present.items()}
         arguments |= {} if static_friction is None else {"static_friction": static_friction}

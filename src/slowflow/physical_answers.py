@@ -33,10 +33,11 @@ class WithUnit(Protocol):
         ...
 
 
-#: one number, an array of them, and the two ends of a window
-Number = float | np.floating[Any] | np.integer[Any] | WithUnit
-Numbers = Number | Sequence[Number] | Array
-Window = Sequence[Number] | Array | WithUnit
+#: one number, which may be a word with a unit, an array of them, and the two ends of a window
+Plain = float | np.floating[Any] | np.integer[Any] | WithUnit
+Number = Plain | str
+Numbers = Number | Sequence[Plain] | Array
+Window = Sequence[Plain] | Array | WithUnit
 
 
 class Amplitude(TypedDict, total=False):

@@ -1,8 +1,8 @@
 """Numbers with units. Takes dimensionless answers and m, k_v, L; returns `Quantities`, the answers in SI units.
 
 What each number is measured in is derived (4): `slowflow_kernels.scaling`. Arguments are plain SI numbers (kg, N, N/m,
-m, s; frequencies in Hz), or quantities of pint. Answers are plain SI numbers again, and printed, or `in_units()`, in N,
-mm, Hz and ms.
+m, s; frequencies in Hz), words such as "0.3 g", or quantities of pint. Answers are plain SI numbers again, and printed,
+or `in_units()`, in N, mm, Hz and ms.
 """
 
 from __future__ import annotations
@@ -33,19 +33,21 @@ from slowflow_kernels.scaling import AMPLITUDES, SCALES
 
 #: standard gravity, m/s^2
 g = 9.80665
+#: a pound in kg
+LB = 0.45359237
 #: what units there are of each kind, by their size in SI units; the first is SI's, and a turn is what Hz counts
 UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
     {
-        "force": {"N": 1.0, "mN": 1e-3, "kN": 1e3},
-        "length": {"m": 1.0, "mm": 1e-3, "um": 1e-6},
+        "force": {"N": 1.0, "mN": 1e-3, "kN": 1e3, "lbf": LB * g},
+        "length": {"m": 1.0, "mm": 1e-3, "um": 1e-6, "in": 0.0254},
         "frequency": {"Hz": 1.0, "rpm": 1 / 60, "rad/s": 1 / math.tau},
         "time": {"s": 1.0, "ms": 1e-3},
         "speed": {"m/s": 1.0, "mm/s": 1e-3},
         "acceleration": {"m/s^2": 1.0, "g": g},
         "unbalance": {"kg m": 1.0, "kg mm": 1e-3, "g mm": 1e-6},
-        "stiffness": {"N/m": 1.0, "N/mm": 1e3},
+        "stiffness": {"N/m": 1.0, "N/mm": 1e3, "lbf/in": LB * g / 0.0254},
         "angle": {"rad": 1.0, "deg": math.tau / 360},
-        "mass": {"kg": 1.0},
+        "mass": {"kg": 1.0, "lb": LB},
         "quadratic damping": {"N s^2/m^2": 1.0},
         "damping": {"N s/m": 1.0},
         "rate": {"1/s": 1.0},
@@ -75,6 +77,7 @@ SHOWN = MappingProxyType({KIND_OF[unit]: unit for unit in USUAL})
 DATA_SHEET: Mapping[str, tuple[str, str]] = MappingProxyType(
     {
         "m": ("kg", "mass for which the vertical spring is preset"),
+        "mounts": ("", "number of equal mounts that share the mass; the other data are those of one"),
         "load": ("kg", "mass that sits on it, where that is another one"),
         "k_v": ("N/m", "stiffness of the vertical spring"),
         "k_h": ("N/m", "stiffness of each horizontal spring"),
@@ -95,6 +98,8 @@ DATA_SHEET: Mapping[str, tuple[str, str]] = MappingProxyType(
 SHEET: Mapping[str, str] = MappingProxyType({name: unit for name, (unit, _) in DATA_SHEET.items()})
 #: a mount's words for the letters of the scales of its design and its damping
 NAMES = {"lam": "n", "k_h": "k_h", "Delta_h": "preload", "F_c": "friction", "c": "c", "c_q": "c_2"}
+#: numbers of a mount of which several have as many times as much
+PER_MOUNT = ("k_v", "k_h", "friction", "c", "c_2")
 #: what all scales are powers of, in their order
 BASE = ("k_v", "L", "m")
 #: of a number that is none
@@ -309,7 +314,15 @@ def _times(value: Any, size: float) -> Any:
 
 
 def si(name: str, value: Any, unit: str) -> Any:
-    """A number or array in SI units: a plain one as it is, a quantity of pint converted to `unit`, one of `UNITS`."""
+    """A number or array in SI units: a plain one as it is, "0.3 g" or a quantity of pint converted to `unit`."""
+    if isinstance(value, str) and unit:
+        number, _, word = value.strip().partition(" ")
+        known = UNITS[KIND_OF[unit]]
+        with contextlib.suppress(ValueError):
+            if word.strip() in known:
+                return float(number) * known[word.strip()]
+        one_of = f"a number in {unit}, or one with a unit of {', '.join(known)}, as '20 {tuple(known)[-1]}'"
+        raise Refused(f"{name} = {value!r} is not allowed: {name} must be {one_of}")
     if not (hasattr(value, "magnitude") and hasattr(value, "to")):
         return value
     if unit == SI["frequency"]:
@@ -358,6 +371,7 @@ def sizes(*, m: Any, k_v: Any, L: Any) -> dict[str, Any]:
 class Scales:
     """What the dimensionless numbers of an oscillator are measured in (4), in SI units: m in kg, k_v in N/m, L in m.
 
+    mounts     -- how many equal ones share the mass: k_v is that of all of them, `measures` are of the numbers of one
     excitation -- what the amplitude is of, a key of `EXCITED`
     damping    -- which number viscous damping is given by, "zeta" or "c"
     sheet      -- the numbers that a mount was made from, in the units of `SHEET`
@@ -370,6 +384,7 @@ class Scales:
     L: float
     excitation: str = "force"
     damping: str = "zeta"
+    mounts: int = 1
     sheet: Mapping[str, Any] = dataclasses.field(default_factory=dict, compare=False, repr=False)
 
     def __post_init__(self) -> None:
@@ -403,7 +418,12 @@ class Scales:
         damping = ((one, SCALES[one.name]) for one in (*DAMPING, *DISSIPATION))
         scales = {one.name: scale for one, scale in (*zip(ROD_SPRING.design, ROD_SPRING.scales, strict=True), *damping)}
         scales |= {"zeta": PURE} if self.damping == "zeta" else {}
-        return {name: (NAMES.get(scale.letter) or self.symbol(name), scale) for name, scale in scales.items()}
+        found = {}
+        for name, scale in scales.items():
+            word = NAMES.get(scale.letter) or self.symbol(name)
+            count = self.mounts if word in PER_MOUNT else 1
+            found[name] = word, scale._replace(factor=scale.factor / count)
+        return found
 
     def of(self, scale: Scale) -> float:
         """What one of these numbers is measured in."""
@@ -500,6 +520,8 @@ class Scales:
         slopes = np.concatenate((found.slopes / units, by_base), axis=-1) * sizes[:, np.newaxis]
         numbers: tuple[Any, ...] = (*np.moveaxis(at * units, -1, 0), *base)
         names = (*by, *BASE)
+        slopes[..., names.index("k_v")] *= self.mounts
+        numbers = tuple(one / self.mounts if name == "k_v" else one for name, one in zip(names, numbers, strict=True))
         if "load" in by:
             slopes, numbers = _by_masses(names, slopes, numbers)
         return Gradient(of, names, slopes, found.status.copy(), tuple(np.moveaxis(values * sizes, -1, 0)), numbers)

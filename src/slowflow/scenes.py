@@ -10,7 +10,7 @@
     zeta = 0.02
 
     [ask]
-    F = [3.0, 5.0]              # N; F_0 for [isolator] and [duffing]; with excitation = "base" Y in m or a in m/s^2,
+    F = [3.0, "0.8 lbf"]        # N; F_0 for [isolator] and [duffing]; with excitation = "base" Y in m or a in m/s^2,
                                 # of an "unbalance" U in kg m
     f = [5.0]                   # Hz; Omega for these
     level_dB = [0, -20]         # for "isolation": below which transmissibility; without 0, of all that drives
@@ -38,8 +38,9 @@
     relative_displacement = { below = "60 mm", under = ["peak", "shock", "random"], duration = 3600 }
     absolute_acceleration = { below = "0.5 g", under = "random", rms = true }
 
-Only what is asked for is computed. A scene names no code and no expression: numbers, words, lists of these. What is
-wrong in it raises `SceneError`, which says where, what is allowed, and which known word is nearest.
+Only what is asked for is computed. A scene names no code and no expression:
+numbers, words, lists of these. What is wrong in it raises `SceneError`, which says where, what is allowed, and which
+known word is nearest.
 """
 
 from __future__ import annotations
@@ -63,11 +64,11 @@ from slowflow.averaged.plan import Plan
 from slowflow.isolator import Duffing, Isolator
 from slowflow.measured import costs
 from slowflow.physical import DENSITIES, Physical
-from slowflow.quantities import EXCITED, LETTERS, SHOWN, SI, UNITS
+from slowflow.quantities import EXCITED, LETTERS, SHOWN, SI, UNITS, si
 from slowflow.support.errors import Refused, SceneError
 from slowflow.table import COLUMNS, SHOCKS
 from slowflow.table import QUESTIONS as ROWS
-from slowflow.verdict import AMOUNTS, NONE, REQUIREMENTS, TRANSMISSIBILITY, Requirement, kind_of, limit_of
+from slowflow.verdict import AMOUNTS, NONE, REQUIREMENTS, TRANSMISSIBILITY, Requirement, kind_of
 
 #: a scene to begin with
 STARTER = """\
@@ -415,7 +416,8 @@ class _Reader:
         more = {"under": under, "rms": rms}
         if "duration" in value:
             more["duration"] = validate.number("duration", value["duration"], above=0.0)
-        return Requirement(name, limit_of("below", value["below"], kind_of(name), mount=mount), more)
+        below = si("below", value["below"], SI[kind_of(name)]) if mount else value["below"]
+        return Requirement(name, validate.number("below", below, above=0.0), more)
 
     def _queries(self, kind: Kind, ask: Mapping[str, Any]) -> Iterator[Asked]:
         """The questions with their arguments."""
@@ -534,10 +536,12 @@ class _Reader:
         return self._numbers(key, table, above=0.0)
 
     def _numbers(self, key: str, table: str = "ask", **bounds: float) -> list[float]:
-        """A list of numbers within bounds."""
-        values = self._list(table, key, (int, float))
-        content = self.content[table]
-        found: list[float] = self._tried(table, content, lambda: [validate.number(key, v, **bounds) for v in values])
+        """A list of numbers within bounds, of a mount in SI units."""
+        unit = SI[OF_MOUNT[key]] if "mount" in self.content and key in OF_MOUNT else ""
+        values = self._list(table, key, (int, float, str) if unit else (int, float))
+        found: list[float] = self._tried(
+            table, self.content[table], lambda: [validate.number(key, si(key, one, unit), **bounds) for one in values]
+        )
         return found
 
     def _table(self, name: str, question: str = "") -> dict[str, Any]:

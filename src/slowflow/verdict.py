@@ -9,12 +9,11 @@ from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 
-from slowflow import validate
 from slowflow.answer import Table, entry, joined, plain
 from slowflow.mechanism import Flags, Floats
 from slowflow.physical import Physical
-from slowflow.quantities import KIND_OF, SI, UNITS, in_shown
-from slowflow.support.errors import Refused, SlowflowError
+from slowflow.quantities import SI, in_shown
+from slowflow.support.errors import SlowflowError
 from slowflow.table import COLUMNS
 
 #: what must not be: a jump, or springs that leave, at each forcing of [ask]
@@ -74,20 +73,6 @@ class Verdict(Table):
 def kind_of(amount: str) -> str:
     """Of which kind of unit one of `AMOUNTS` is."""
     return COLUMNS[AMOUNTS[amount]["shock"]].kind
-
-
-def limit_of(name: str, value: Any, kind: str, *, mount: bool) -> float:
-    """A limit as a number > 0, of a mount in SI units, also of words as "20 mm"."""
-    if isinstance(value, str) and mount:
-        number, _, unit = value.strip().partition(" ")
-        try:
-            value = float(number) * UNITS[kind][unit] if KIND_OF.get(unit) == kind else value
-        except ValueError:
-            pass
-        if isinstance(value, str):
-            must = f"{name} must be a number in {SI[kind]}, or one with a unit, as '20 mm'"
-            raise Refused(f"{name} = {value!r} is not allowed: {must}")
-    return validate.number(name, value, above=0.0)
 
 
 def verdict(scene: Any) -> Verdict:

@@ -14,7 +14,7 @@ from scipy.integrate import quad, solve_ivp
 
 from slowflow import Duffing, Isolator, checks, results
 from slowflow.answer import SHOWN
-from slowflow.quantities import EXCITED, UNITS, Scales, in_shown
+from slowflow.quantities import EXCITED, PER_MOUNT, UNITS, Scales, in_shown
 from slowflow.range_checks import Implausible
 from slowflow.sizing import fit, meet, tolerances
 from slowflow.support.errors import OutOfRange, SlowflowError
@@ -180,6 +180,35 @@ def test_an_amplitude_is_called_and_measured_by_what_is_excited():
         Isolator.physical(**{**MOUNT, "excitation": "floor"})
 
 
+@pytest.mark.parametrize("excitation", ["force", "acceleration"])
+def test_several_mounts_share_the_mass_and_add_springs(excitation):
+    laws = {"c_2": 3.0, "eta": 0.01, "static_friction": 0.6}
+    one = Isolator.physical(**MOUNT, **laws, excitation=excitation)
+    sheet = {**MOUNT, **laws} | {name: MOUNT[name] / 4 for name in ("k_v", "k_h", "friction")}
+    sheet |= {"c_2": laws["c_2"] / 4, "static_friction": laws["static_friction"] / 4}
+    four = Isolator.physical(**sheet, mounts=4, excitation=excitation)
+    assert four.oscillator == one.oscillator and four.scales.sizes == one.scales.sizes
+    assert four.peak(0.7) == one.peak(0.7) and four.replace(zeta=0.03).given["mounts"] == 4
+    # the same as a mount that has its share of mass and force, and of everything
+    quarter = Isolator.physical(**{**sheet, "m": MOUNT["m"] / 4}, excitation=excitation)
+    assert quarter.peak(0.7 / 4 if excitation == "force" else 0.7).A == pytest.approx(one.peak(0.7).A, rel=1e-12)
+    assert four.at_rest().preset == pytest.approx(quarter.at_rest().preset, rel=1e-14)
+    # what each number of one of them moves
+    slopes, whole = four.peak(0.7).gradient(), one.peak(0.7).gradient()
+    for name in slopes.by:
+        times = 4 if name in PER_MOUNT else 1
+        assert slopes["A", name] == pytest.approx(times * whole["A", name], rel=1e-12), name
+        step = 1e-4 * four.given.get(name, 0.7)
+        if name not in ("n", LETTER[excitation]):
+            ends = [four.replace(**{name: four.given[name] + k * step}).peak(0.7).A for k in (-1, 1)]
+            assert slopes["A", name] == pytest.approx((ends[1] - ends[0]) / (2 * step), rel=1e-4), name
+    found = tolerances(four, {"k_v": 0.05, "friction": 0.1}, answers=["f_rest"], samples=3)
+    again = four.replace(**{name: values[1] for name, values in found.drawn.items()})
+    assert found.samples["f_rest"][1] == pytest.approx(again.at_rest().f_0, rel=1e-12)
+    with pytest.raises(ValueError, match="mounts = 0 is not allowed"):
+        four.replace(mounts=0)
+
+
 @pytest.mark.parametrize("load", [None, 12.2])
 def test_a_base_is_given_by_its_acceleration_in_every_question(load):
     by_base, by_a = (Isolator.physical(**MOUNT, load=load, excitation=one) for one in ("base", "acceleration"))
@@ -203,6 +232,19 @@ def test_a_base_is_given_by_its_acceleration_in_every_question(load):
     if load is None:
         second = by_base.second_approximation.peak(a=a)
         assert second == by_a.second_approximation.peak(a) and second.a == a
+
+
+def test_numbers_are_given_with_units_in_words():
+    texts = {"m": "12 kg", "k_v": "2.5 N/mm", "L": "80 mm", "friction": "0.1 lbf", "preload": "9 mm"}
+    mount = Isolator.physical(**{**MOUNT, **texts}, excitation="base")
+    assert mount.scales == Isolator.physical(**MOUNT, excitation="base").scales
+    assert mount.oscillator.mu * mount.scales.sizes["force"] == pytest.approx(0.1 * 4.4482216152605, rel=1e-14)
+    assert mount.peak(a="0.03 g") == mount.peak(a=0.03 * 9.80665)
+    assert mount.amplitudes(f="120 rpm", Y="1 mm") == mount.amplitudes(f=2.0, Y=0.001)
+    assert mount.shock_spectrum(acceleration="2 g", duration="11 ms").duration[0] == pytest.approx(0.011, rel=1e-15)
+    for wrong in ("0.3 furlong", "0.3", "g", "x g", "0.3 mm"):
+        with pytest.raises(ValueError, match=f"a = '{wrong}' is not allowed: a must be a number in m/s"):
+            mount.peak(a=wrong)
 
 
 def test_questions_in_si_units_are_the_dimensionless_ones(mount):
@@ -324,7 +366,7 @@ def test_viscous_damping_is_a_coefficient_or_a_ratio(mount):
     ("change", "message"),
     [
         ({"m": 0}, "m = 0 is not allowed: m must be a finite real number > 0"),
-        ({"L": "80 mm"}, "L = '80 mm' is not allowed"),
+        ({"L": "80 cm"}, "L = '80 cm' is not allowed: L must be a number in m, or one with a unit of m, mm, um, in"),
         ({"k_h": -1}, "k_h = -1 is not allowed: k_h must be a finite real number > 0"),
         ({"preload": 0.09}, "preload = 0.09 is not allowed: preload must be a finite real number >= 0 and < 0.08"),
         ({"friction": -0.4}, "friction = -0.4 is not allowed"),
@@ -348,6 +390,8 @@ def test_units_have_the_sizes_of_their_prefixes():
     """Those of the International System by their definition, a prefix being a power of ten; a gram is not its unit."""
     others = {"rpm": 1 / 60, "rad/s": 1 / (2 * math.pi), "g": 9.80665, "deg": math.pi / 180}
     prefixes = {"mN": 1e-3, "kN": 1e3, "mm": 1e-3, "um": 1e-6, "ms": 1e-3, "mm/s": 1e-3, "N/mm": 1e3}
+    pound = 0.45359237
+    others |= {"in": 0.0254, "lb": pound, "lbf": pound * 9.80665, "lbf/in": pound * 9.80665 / 0.0254}
     sizes = {unit: size for units in UNITS.values() for unit, size in units.items() if size != 1}
     assert sizes == pytest.approx({**others, **prefixes, "kg mm": 1e-3, "g mm": 1e-6}, rel=1e-15)
 
@@ -599,7 +643,10 @@ def test_numbers_in_messages_about_a_mount_are_those_given():
         ),
         (lambda mount: mount.exact_response(5, start=9.0), "start must be what steady_state gave"),
         (lambda mount: mount.plot([]), "F = [] is not allowed: F must be at least one number > 0"),
-        (lambda mount: mount.plot("5 N"), "F = '5 N' is not allowed"),
+        (
+            lambda mount: mount.plot("5 mm"),
+            "F = '5 mm' is not allowed: F must be a number in N, or one with a unit of N, mN, kN",
+        ),
     ],
 )
 def test_refusals_of_a_mount_use_its_letters_and_units(ask, message):

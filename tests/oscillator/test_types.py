@@ -65,8 +65,8 @@ def wrong(iso: Isolator, mount: Physical) -> None:
     iso.saddle_nodes("x")  # wrong
     iso.amplitudes(Omega="x", F_0=0.04)  # wrong
     iso.saddle_nodes(0.04).onmega  # wrong
-    mount.saddle_nodes(F="x")  # wrong
-    mount.amplitudes(f="x", F=5)  # wrong
+    mount.saddle_nodes(F=None)  # wrong
+    mount.amplitudes(f=None, F=5)  # wrong
     mount.frequency_response(5, f="ab")  # wrong
     mount.saddle_nodes(F=[5])  # wrong
 """

@@ -135,6 +135,7 @@ class Subject:
             for name, row in known.items()
             if not (self.loaded and name in LAWS)
         }
+        self.mounts = 1 if self.mount is None else self.mount.scales.mounts
         self.nominal = self._numbers(isolator)
         for name in varied:
             if name not in self.nominal:
@@ -167,7 +168,7 @@ class Subject:
             return own | {name: isolator.given[name] for name in ("load", "mu_s") if name in isolator.given}
         # what moves is the load; m is what the vertical spring is preset for
         masses = {"load": base["m"], "m": float(si("m", self.mount.given["m"], "kg"))} if self.loaded else {}
-        found: dict[str, float] = {**base, **masses, **own}
+        found: dict[str, float] = {**base, "k_v": base["k_v"] / scales.mounts, **masses, **own}
         if (static := self.mount.given.get(STATIC)) is not None:
             # as it was given: rounded, it may be less than friction
             found[STATIC] = max(float(si(STATIC, static, "N")), found["friction"])
@@ -279,7 +280,11 @@ class Subject:
         units: dict[str, Any] = dict.fromkeys((*UNITS, ""), 1.0)
         static, kinetic = numbers.pop(STATIC if self.mount else "mu_s", None), numbers[self._measures["mu"][0]]
         if self.mount is not None:
-            base = {"m": numbers["load" if self.loaded else "m"], "k_v": numbers["k_v"], "L": numbers["L"]}
+            base = {
+                "m": numbers["load" if self.loaded else "m"],
+                "k_v": numbers["k_v"] * self.mounts,
+                "L": numbers["L"],
+            }
             units = {**sizes(**base), "": 1.0}
             weight = {"load": (numbers["load"] - numbers["m"]) * g / units["force"]} if self.loaded else {}
             own = self._measures.items()
@@ -289,7 +294,7 @@ class Subject:
         mu_s = None
         if static is not None:  # less of it than of the kinetic one is no design
             arrays["mu"] = np.where(np.less_equal(kinetic, static), arrays["mu"], np.nan)
-            mu_s = np.maximum(arrays["mu"], np.broadcast_to(static / units["force"], shape))
+            mu_s = np.maximum(arrays["mu"], np.broadcast_to(static * self.mounts / units["force"], shape))
         if self.loaded:
             loads = {**arrays, "load": arrays.pop("load")}
             return OffCentreDesigns(self.mechanism, loads, self.excitation), mu_s, units
