@@ -19,6 +19,7 @@ MODULES = (
     "slowflow",
     "slowflow.physical",
     "slowflow.quantities",
+    "slowflow.measurements",
     "slowflow.oscillator",
     "slowflow.table",
     "slowflow.designs",

@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from slowflow.certificate import Certificate
     from slowflow.gradient import Gradient
     from slowflow.isolator import Duffing, Isolator
+    from slowflow.measurements import read_csv
     from slowflow.oscillator import Oscillator
     from slowflow.physical import Physical
     from slowflow.quantities import Quantities
@@ -64,10 +65,21 @@ __all__ = [
     "WrongType",
     "__version__",
     "include",
+    "read_csv",
 ]
 
 #: where they are defined; nothing is imported, and nothing has to be compiled, before it is used
-_HOMES = ("version", "support.errors", "isolator", "physical", "quantities", "results", "certificate", "gradient")
+_HOMES = (
+    "version",
+    "support.errors",
+    "isolator",
+    "physical",
+    "quantities",
+    "measurements",
+    "results",
+    "certificate",
+    "gradient",
+)
 
 
 def __getattr__(name: str) -> Any:

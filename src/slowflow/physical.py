@@ -19,8 +19,9 @@ import numpy as np
 from slowflow import range_checks, validate
 from slowflow.answer import joined
 from slowflow.averaged.plan import Plan
+from slowflow.measurements import Columns
 from slowflow.mechanism import Floats
-from slowflow.quantities import DRAWN, EXCITED, OF_A_BASE, SI, UNITS, Quantities, Scales, g, si
+from slowflow.quantities import DENSITIES, DRAWN, EXCITED, OF_A_BASE, SI, UNITS, Quantities, Scales, g, si
 from slowflow.support.errors import OutOfRange, Refused, WrongType
 from slowflow.table import QUANTITIES
 from slowflow.text import in_units
@@ -33,8 +34,6 @@ if TYPE_CHECKING:
 
 #: dimensionless names of what is called otherwise here
 PLAIN = {column.si: column.name for column in QUANTITIES.values() if column.si}
-#: units of spectral densities: the root of each over its SI unit, and of which kind that is
-DENSITIES = {"g^2/Hz": (g, "acceleration"), "(m/s^2)^2/Hz": (1.0, "acceleration"), "N^2/Hz": (1.0, "force")}
 #: what is said of numbers that look as if they were in another unit
 REMARKS = {"f": range_checks.of_frequency, "duration": range_checks.of_duration}
 #: what A is of a motion that is not about the centre
@@ -314,12 +313,17 @@ class Physical:
         """
         return self._answer("shock_spectrum", acceleration=acceleration, duration=duration)
 
-    def random(self, *, psd: tuple[Numbers, Numbers], unit: str = "g^2/Hz") -> answers.Random:
+    def random(self, *, psd: tuple[Numbers, Numbers] | Columns, unit: str = "g^2/Hz") -> answers.Random:
         """Stationary random vibration: .x_rms .v_rms .a_rms, .f_e .damping, .beyond, see `Oscillator.random`.
 
-        psd  -- frequencies in Hz and one-sided densities, straight in log-log between these, 0 outside
+        psd  -- frequencies in Hz and one-sided densities, straight in log-log between these, 0 outside; or
+                the columns f and G of a file, see `slowflow.measurements`, whose head has the unit
         unit -- of the densities: "g^2/Hz" or "(m/s^2)^2/Hz" of the base's acceleration, "N^2/Hz" of a force
         """
+        if isinstance(psd, Columns):
+            if missing := {"f", "G"} - psd.keys():
+                raise Refused(f"psd needs the columns f and G: {min(missing)} is missing")
+            unit, psd = psd.units.get("G", unit), (psd["f"], psd["G"])
         of_unit, kind = DENSITIES[validate.choice("unit", unit, tuple(DENSITIES))]
         f, G = validate.two_rows("psd", psd, "frequencies in Hz and densities")
         sizes = self.scales.sizes

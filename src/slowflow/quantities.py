@@ -67,6 +67,8 @@ EXCITED: Mapping[str, tuple[str, str]] = MappingProxyType(
 LETTERS = tuple(letter for letter, _ in EXCITED.values())
 #: those of a base that shakes
 OF_A_BASE = ("base", "acceleration")
+#: units of spectral densities: the root of each over its SI unit, and of which kind that is
+DENSITIES = {"g^2/Hz": (g, "acceleration"), "(m/s^2)^2/Hz": (1.0, "acceleration"), "N^2/Hz": (1.0, "force")}
 #: the unit of each kind in SI
 SI = MappingProxyType({kind: next(iter(units)) for kind, units in UNITS.items()})
 #: and which unit is of which kind

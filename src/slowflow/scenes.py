@@ -38,7 +38,8 @@
     relative_displacement = { below = "60 mm", under = ["peak", "shock", "random"], duration = 3600 }
     absolute_acceleration = { below = "0.5 g", under = "random", rms = true }
 
-Only what is asked for is computed. A scene names no code and no expression:
+[spectrum], the record of a [shock], and [psd] may have `file = "columns.csv"` in place of their lists, in the folder of
+the scene, see `slowflow.measurements`. Only what is asked for is computed. A scene names no code and no expression:
 numbers, words, lists of these. What is wrong in it raises `SceneError`, which says where, what is allowed, and which
 known word is nearest.
 """
@@ -63,8 +64,9 @@ from slowflow.averaged import plan
 from slowflow.averaged.plan import Plan
 from slowflow.isolator import Duffing, Isolator
 from slowflow.measured import costs
-from slowflow.physical import DENSITIES, Physical
-from slowflow.quantities import EXCITED, LETTERS, SHOWN, SI, UNITS, si
+from slowflow.measurements import read_csv
+from slowflow.physical import Physical
+from slowflow.quantities import DENSITIES, EXCITED, LETTERS, SHOWN, SI, UNITS, si
 from slowflow.support.errors import Refused, SceneError
 from slowflow.table import COLUMNS, SHOCKS
 from slowflow.table import QUESTIONS as ROWS
@@ -158,6 +160,8 @@ OF_MOUNT = {one.si or one.name: one.kind for one in COLUMNS.values()}
 OF_MOUNT |= dict(EXCITED.values())
 #: names of the frequency
 FREQUENCIES = ("f", "Omega")
+#: tables whose columns a CSV file may have
+OF_FILES = ("spectrum", "shock", "psd")
 #: what a half sine of the base is given by
 OF_A_PULSE = ("acceleration", "duration")
 
@@ -322,7 +326,21 @@ def read(path: Path) -> Scene:
         content = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         raise SceneError(f"{path}: this is not TOML: {error}") from None
-    return _Reader(path, text, content).scene()
+    return _Reader(path, text, {name: _with_columns(path, name, table) for name, table in content.items()}).scene()
+
+
+def _with_columns(path: Path, name: str, table: Any) -> Any:
+    """A table with the columns of its file in place of the file's name."""
+    if name not in OF_FILES or not isinstance(table, dict) or "file" not in table:
+        return table
+    if not isinstance(table["file"], str):
+        raise SceneError(
+            f"{path}: file = {table['file']!r} in [{name}] is not allowed: it must be the name of a CSV file"
+        )
+    columns = read_csv(path.parent / table["file"])
+    unit = {"unit": columns.units["G"]} if "G" in columns.units else {}
+    own = {key: value for key, value in table.items() if key != "file"}
+    return {**own, **unit, **{key: column.tolist() for key, column in columns.items()}}
 
 
 @dataclass(frozen=True)

@@ -199,6 +199,27 @@ def test_every_question_of_a_shipped_scene_has_an_estimate(path):
     assert all(read.seconds(query) > 0 for query in read.asked)
 
 
+def test_columns_of_a_scene_are_those_of_a_file(scene, tmp_path):
+    (tmp_path / "floor.csv").write_text("f [Hz], G [(m/s^2)^2/Hz]\n1, 0.01\n5, 0.01\n100, 2e-5\n")
+    (tmp_path / "pulse.csv").write_text("t [ms]; acceleration [g]\n0; 0\n5; 2\n12; 0\n")
+    (tmp_path / "table.csv").write_text("# of the ship\nF [N]\tf [rpm]\n5\t120\n3\t300\n")
+    files = '[psd]\nfile = "floor.csv"\n[shock]\nfile = "pulse.csv"\n[spectrum]\nfile = "table.csv"\n'
+    head = MOUNT.partition("questions")[0] + 'questions = ["random", "transient", "spectrum"]\n\n'
+    lists = {
+        "floor": "[psd]\nf = [1, 5, 100]\nG = [0.01, 0.01, 2e-5]\nunit = '(m/s^2)^2/Hz'\n",
+        "pulse": f"[shock]\nt = [0.0, 0.005, 0.012]\nacceleration = [0.0, {2 * 9.80665}, 0]\n",
+        "table": "[spectrum]\nF = [5.0, 3.0]\nf = [2.0, 5.0]\n",
+    }
+    read, same = (scenes.read(scene(head + text)) for text in (files, "".join(lists.values())))
+    for one, other in zip(read.asked, same.asked, strict=True):
+        assert read.answer(one) == same.answer(other)
+    (tmp_path / "table.csv").write_text("F [N], f [Hz]\n5, 2\n3, 5 Hz\n")
+    with pytest.raises(ValueError, match=r"table.csv:3: f = '5 Hz' is no number"):
+        scenes.read(scene(head + files))
+    with pytest.raises(scenes.SceneError, match=r"file = 3 in \[psd\] is not allowed"):
+        scenes.read(scene(head + "[psd]\nfile = 3\n"))
+
+
 def test_a_base_is_given_by_its_acceleration_in_a_scene(scene):
     text = (ROOT / "scenes" / "shaking_floor.toml").read_text()
     text = text.replace("Y = [0.001, 0.004]", 'a = ["0.5 m/s^2", 1.0]').replace(

@@ -22,7 +22,7 @@ FLOORS = (
     ("__init__", "example"),
     ("isolator", "derive"),
     ("physical",),
-    ("physical_answers",),
+    ("physical_answers", "measurements"),
     ("oscillator",),
     ("grid",),
     ("designs",),

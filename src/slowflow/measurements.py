@@ -1,0 +1,93 @@
+"""Measured columns. Takes a CSV file whose head has names and units; returns arrays by name, in SI units.
+
+    f [Hz], a [g]
+    2.0, 0.05
+    5.0, 0.04
+
+Names are those of the arguments that take the columns: f, F (Y, a, U), A or phi of points, t and acceleration of a
+record, f and G of a spectral density, x and F of a loop.
+"""
+
+from __future__ import annotations
+
+import csv
+import re
+from pathlib import Path
+
+import numpy as np
+
+from slowflow.answer import frozen
+from slowflow.mechanism import Floats
+from slowflow.quantities import DENSITIES, KIND_OF, SI, UNITS
+from slowflow.support.errors import Refused
+from slowflow.validate import meant
+
+#: a head, as "a [m/s^2]", or as slowflow writes it, "a/(m/s^2)", "a/g", "a"
+HEAD = re.compile(r"\s*([A-Za-z]\w*)\s*(?:\[(.*)\]|/(.*))?\s*")
+SEPARATORS = "\t;,"
+
+
+class Columns(dict[str, Floats]):
+    """Columns by name, in SI units; of a spectral density in its own.
+
+    units -- the unit of each that has one
+    """
+
+    units: dict[str, str]
+
+
+def read_csv(path: str | Path) -> Columns:
+    """The columns of a CSV file, by name; what is empty is NaN.
+
+    path -- of a text whose first line has names with units, as "a [m/s^2]"; commas, semicolons or tabs are between
+            columns, and lines that begin with # are comments
+
+    Raises ValueError for what is not allowed, with the line.
+    """
+    path = Path(path)
+    try:
+        lines = path.read_text(encoding="utf-8-sig").splitlines()
+    except (FileNotFoundError, IsADirectoryError, UnicodeDecodeError) as error:
+        raise Refused(f"{path}: this is no file of text that can be read: {error}") from None
+    kept = [(number, line) for number, line in enumerate(lines, 1) if line.strip() and not line.startswith("#")]
+    if len(kept) < 2:
+        raise Refused(f"{path}: there must be a head, as 'f [Hz], a [m/s^2]', and rows of numbers below it")
+    separator = max(SEPARATORS, key=kept[0][1].count)
+    cut = [(number, next(csv.reader([line], delimiter=separator))) for number, line in kept]
+    (first, heads), *rows = cut
+    found, sizes = Columns(), list[float]()
+    found.units = {}
+    for head in heads:
+        name, unit, size = _head(f"{path}:{first}", head)
+        if name in found:
+            raise Refused(f"{path}:{first}: there are two columns {name}")
+        found[name] = np.empty(len(rows))
+        sizes.append(size)
+        found.units |= {name: unit} if unit else {}
+    for k, (number, cells) in enumerate(rows):
+        if len(cells) != len(heads):
+            raise Refused(f"{path}:{number}: {len(cells)} columns, and the head has {len(heads)}")
+        for (name, column), cell, size in zip(found.items(), cells, sizes, strict=True):
+            try:
+                column[k] = float(cell.strip() or "nan") * size
+            except ValueError:
+                raise Refused(f"{path}:{number}: {name} = {cell.strip()!r} is no number") from None
+    found.update({name: frozen(column) for name, column in found.items()})
+    return found
+
+
+def _head(where: str, head: str) -> tuple[str, str, float]:
+    """The name of a column, its unit in SI, and the size of the one that it is in."""
+    match = HEAD.fullmatch(head)
+    if match is None:
+        raise Refused(f"{where}: {head.strip()!r} is no head of a column: write a name and a unit, as 'a [m/s^2]'")
+    name, *units = match.groups(default="")
+    unit = "".join(units).strip()
+    known = ("", *KIND_OF, *DENSITIES)
+    if unit not in known:
+        unit = unit.removeprefix("(").removesuffix(")")
+    if unit not in known:
+        allowed = f"it must be one of {', '.join(known[1:])}{meant(unit, known)}"
+        raise Refused(f"{where}: the unit of {head.strip()!r} is not known: {allowed}")
+    kind = KIND_OF.get(unit, "")
+    return (name, SI[kind], UNITS[kind][unit]) if kind else (name, unit, 1.0)
