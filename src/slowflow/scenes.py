@@ -491,7 +491,7 @@ class _Reader:
         self._known("shock", table, (*OF_A_PULSE, kind.time))
         if kind.time in table and name == "transient":
             self._complete("shock", table, ("acceleration", kind.time))
-            samples = {key: self._list("shock", key, (int, float)) for key in ("acceleration", kind.time)}
+            samples = {key: self._numbers(key, "shock") for key in ("acceleration", kind.time)}
             if "duration" in table or len(samples["acceleration"]) != len(samples[kind.time]):
                 message = "must be a time for each sample of acceleration, and there is no duration then"
                 raise self._error("shock", kind.time, message)

@@ -12,9 +12,9 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from slowflow.oscillator import FORCES
-from slowflow.physical import DENSITIES, Physical
-from slowflow.quantities import DATA_SHEET, EXCITED, OF_A_BASE, SI
-from slowflow.scenes import FREQUENCIES, KINDS, NO_NUMBERS, OF_A_PULSE, OF_MOUNT, QUESTIONS
+from slowflow.physical import Physical
+from slowflow.quantities import DATA_SHEET, DENSITIES, EXCITED, OF_A_BASE, SI
+from slowflow.scenes import FREQUENCIES, KINDS, NO_NUMBERS, OF_A_PULSE, OF_FILES, OF_MOUNT, QUESTIONS
 from slowflow.table import COLUMNS, QUOTED, SHOCKS
 from slowflow.verdict import AMOUNTS, NONE, TRANSMISSIBILITY
 from slowflow_kernels.domains import DAMPING, DISSIPATION, EXCITATIONS, RUBS
@@ -29,12 +29,18 @@ WORDS = {"force": FORCES, "rubs": tuple(RUBS), "excitation": tuple(EXCITATIONS)}
 #: which table beside the oscillator and [ask] a question reads
 TABLES = {"spectrum": "spectrum", "tolerances": "tolerances", "random": "psd", **dict.fromkeys(SHOCKS, "shock")}
 POSITIVE: Schema = {"type": "number", "exclusiveMinimum": 0}
+#: a number in SI units, or a word with a unit, as "0.3 g"
+QUANTITY: Schema = {"type": ["number", "string"], "pattern": r"^\s*[-+.0-9eE]+ +\S"}
+AMPLITUDE: Schema = {**QUANTITY, "exclusiveMinimum": 0}
 
 
 def scene() -> Schema:
     """The schema of a whole scene."""
     tables = {name: _oscillator(name) for name in KINDS}
     tables |= {"ask": _ask((*_arguments(QUESTIONS), "questions")), **{name: _table(name) for name in _tables()}}
+    for name in OF_FILES:
+        tables[name]["properties"]["file"] = {"type": "string", "description": "CSV file of the columns, with units"}
+        tables[name].pop("required", None)
     tables["require"] = _requirements()
     one_of = [{"required": [name]} for name in KINDS]
     return {"$schema": DRAFT, "title": "slowflow scene", **_object("", tables, ["ask"]), "oneOf": one_of}
@@ -82,7 +88,11 @@ def _oscillator(name: str) -> Schema:
             bounds[number.name] = {key: bound for key, bound in limits.items() if bound is not None}
     keys: dict[str, Schema] = {}
     for key, one in inspect.signature(kind.make).parameters.items():
-        of: Schema = {"enum": list(WORDS[key])} if key in WORDS else {"type": "number", **bounds.get(key, {})}
+        of: Schema = {"type": "number", **bounds.get(key, {})}
+        if key in WORDS:
+            of = {"enum": list(EXCITED if (name, key) == ("mount", "excitation") else WORDS[key])}
+        elif name == "mount" and DATA_SHEET[key][0]:
+            of = QUANTITY
         default = {} if one.default in (None, one.empty) else {"default": one.default}
         keys[key] = {"description": meanings[key], **of, **default}
     what = "data sheet, in SI units" if name == "mount" else "dimensionless numbers"
@@ -116,7 +126,7 @@ def _arguments(questions: Iterable[str]) -> tuple[str, ...]:
 
 
 def _ask(keys: Iterable[str]) -> Schema:
-    amplitudes = {key: _list(POSITIVE, text) for key, text in _amplitudes().items()}
+    amplitudes = {key: _list(AMPLITUDE if key in OF_MOUNT else POSITIVE, text) for key, text in _amplitudes().items()}
     ends = {"type": "array", "items": {"type": "number", "minimum": 0}, "minItems": 2, "maxItems": 2}
     known = amplitudes | {
         "window": {"description": "ends of the frequencies of a response, in the unit of these", **ends},
@@ -138,7 +148,9 @@ def _table(name: str) -> Schema:
         numbers = {key: share for kind in KINDS.values() for key in kind.keys if key not in NO_NUMBERS}
         return _object("Shares by which numbers may be off", numbers)
     if name == "spectrum":
-        return _object("Tones, one at a time: pairs", {key: _list(POSITIVE, one) for key, one in _amplitudes().items()})
+        return _object(
+            "Tones, one at a time: pairs", {key: _list(AMPLITUDE, one) for key, one in _amplitudes().items()}
+        )
     if name == "psd":
         keys = {key: _list(POSITIVE, one) for key, one in _amplitudes().items() if key in FREQUENCIES}
         keys["G"] = _list(POSITIVE, "one-sided spectral density at these, straight in log-log between them")
@@ -146,7 +158,7 @@ def _table(name: str) -> Schema:
         return _object("A power spectral density", keys, ["G"])
     texts = {key: f"{COLUMNS[key].text}; of a mount in {SI[OF_MOUNT[key]]}" for key in OF_A_PULSE}
     texts |= dict.fromkeys(("t", "tau"), "instead of a duration: times of samples of the acceleration")
-    keys = {key: _list({"type": "number"}, text) for key, text in texts.items()}
+    keys = {key: _list(QUANTITY, text) for key, text in texts.items()}
     return _object("Half sines of the base, every pair of these, or a record", keys, ["acceleration"])
 
 

@@ -174,6 +174,13 @@ def test_scenes_fit_the_schema(path):
     jsonschema.validate(tomllib.loads(path.read_text(encoding="utf-8")), schema.scene())
 
 
+def test_words_with_units_and_files_of_columns_fit():
+    of_base = {**MOUNT, "m": "12 kg", "excitation": "acceleration", "mounts": 4}
+    shock = {"acceleration": "15 g", "duration": ["11 ms"]}
+    scene = {"mount": of_base, "ask": {"a": ["0.3 g", 2]}, "psd": {"file": "floor.csv"}, "shock": shock}
+    jsonschema.validate(scene, schema.scene())
+
+
 @pytest.mark.parametrize(
     "wrong",
     [
