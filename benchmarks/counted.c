@@ -32,7 +32,7 @@ typedef struct {
     double A, p[SF_MOST_PARAMETERS];
 } kept_average;
 typedef struct {
-    int passed, wanted;
+    int passed, count;
     sf_pair A, beyond, p[SF_MOST_PARAMETERS + SF_MOST_BREAKS];
 } kept_pairs;
 typedef struct {
@@ -70,11 +70,11 @@ static void counted_average(const sf_mechanism *self, ptrdiff_t n, const double 
     record->averaged(self, n, A, p, out);
 }
 
-static void counted_in_pairs(const sf_mechanism *self, int passed, int wanted, sf_pair A, sf_pair beyond, const sf_pair *p, sf_pair *out) {
+static void counted_in_pairs(const sf_mechanism *self, int passed, int count, sf_pair A, sf_pair beyond, const sf_pair *p, sf_pair *out) {
     kept_pairs *kept = &pairs_kept[in_pairs++ % KEPT];
-    kept->passed = passed, kept->wanted = wanted, kept->A = A, kept->beyond = beyond;
+    kept->passed = passed, kept->count = count, kept->A = A, kept->beyond = beyond;
     memcpy(kept->p, p, (size_t)record->parameters * sizeof *p);
-    record->averaged_in_pairs(self, passed, wanted, A, beyond, p, out);
+    record->averaged_in_pairs(self, passed, count, A, beyond, p, out);
 }
 
 static int counted_parameters(const sf_mechanism *self, const double *design, double *p) {
@@ -123,9 +123,9 @@ static double now(void) {
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* loops over many designs: how many places they had, and their time with that of asking the clock */
+/* loops over many designs: how many cells they had, and their time with that of asking the clock */
 typedef struct {
-    long calls, places;
+    long calls, cells;
     double seconds;
 } lanes;
 static lanes cells_in_lanes, amplitudes_in_lanes, averages_in_lanes, balances_in_lanes, made_in_lanes;
@@ -133,14 +133,14 @@ static lanes cells_in_lanes, amplitudes_in_lanes, averages_in_lanes, balances_in
 static void counted_many_in_pairs(const sf_mechanism *self, ptrdiff_t n, ptrdiff_t apart, const double *design, double *out) {
     const double start = now();
     record->many_in_pairs(self, n, apart, design, out);
-    made_in_lanes.seconds += now() - start, made_in_lanes.calls++, made_in_lanes.places += n;
+    made_in_lanes.seconds += now() - start, made_in_lanes.calls++, made_in_lanes.cells += n;
 }
 
 #define COUNT_LANES(loop, type, kind) \
-    static void counted_##loop(type *places) { \
+    static void counted_##loop(type *cells) { \
         const double start = now(); \
-        loop(places); \
-        kind.seconds += now() - start, kind.calls++, kind.places += places->n; \
+        loop(cells); \
+        kind.seconds += now() - start, kind.calls++, kind.cells += cells->n; \
     }
 COUNT_LANES(sf_judge_states, sf_lane_cells, cells_in_lanes)
 COUNT_LANES(sf_judge_peaks, sf_lane_cells, cells_in_lanes)
@@ -163,7 +163,7 @@ static void counted_sf_second_balances(ptrdiff_t n, const double *Omega, const d
                                        int phases, double m, double zeta, const double *known, double *out) {
     const double start = now();
     sf_second_balances(n, Omega, A, F_0, inertial, phases, m, zeta, known, out);
-    balances_in_lanes.seconds += now() - start, balances_in_lanes.calls++, balances_in_lanes.places += n;
+    balances_in_lanes.seconds += now() - start, balances_in_lanes.calls++, balances_in_lanes.cells += n;
 }
 #define sf_second_balances counted_sf_second_balances
 #define SF_SOLVERS solvers_counted
@@ -232,7 +232,7 @@ static double seconds_in_pairs(long n) {
         const double start = now();
         for (long i = 0; i < n; i++) {
             const kept_pairs *kept = &pairs_kept[i];
-            record->averaged_in_pairs(record, kept->passed, kept->wanted, kept->A, kept->beyond, kept->p, h);
+            record->averaged_in_pairs(record, kept->passed, kept->count, kept->A, kept->beyond, kept->p, h);
             sink = h[0].high;
         }
         best = least(best, (now() - start) / (double)n);
@@ -316,7 +316,7 @@ static double seconds_of_clock(void) {
 
 /* Of a place of a loop, without the clock's own time. */
 static double seconds_in_lanes(const lanes *of) {
-    return of->places > 0 ? (of->seconds - seconds_of_clock() * (double)of->calls) / (double)of->places : 0;
+    return of->cells > 0 ? (of->seconds - seconds_of_clock() * (double)of->calls) / (double)of->cells : 0;
 }
 
 static int find_record(const char *name) {
@@ -340,7 +340,7 @@ enum {
     IN_INTERVALS,
     MADE_IN_PAIRS,
     WRITTEN,
-    PARTS
+    SPLIT
 };
 
 /* asked: 0 states, 1 folds, 2 peaks, 3 onsets; inputs: one column after another, n of each; out: how often a design has
@@ -350,7 +350,7 @@ enum {
 int count(int question, const char *name, long n, double *inputs, double *out) {
     void (*const loops[])(sf_call *) = {sf_loop_states, sf_loop_folds, sf_loop_peaks, sf_loop_onsets};
     const sf_batch *row = sf_rows_of_many;
-    double *taken = out + PARTS;
+    double *taken = out + SPLIT;
     static unsigned char answers[4096];
     char *args[MOST_INPUTS + 6];
     ptrdiff_t steps[2 * (MOST_INPUTS + 6)] = {0}, dimensions[2] = {n, 6};
@@ -378,9 +378,9 @@ int count(int question, const char *name, long n, double *inputs, double *out) {
     call.mechanism = record;
     out[AVERAGES] = (double)averages, out[IN_PAIRS] = (double)in_pairs, out[VALUES] = (double)values;
     out[RANGES] = (double)ranges, out[QUARTICS] = (double)quartics_solved, out[MADE] = (double)made;
-    out[IN_INTERVALS] = (double)in_intervals, out[MADE_IN_PAIRS] = (double)made_in_lanes.places, out[WRITTEN] = (double)n;
-    out[CELLS] = (double)cells_in_lanes.places, out[AMPLITUDES] = (double)amplitudes_in_lanes.places;
-    for (i = 0; i < PARTS; i++)
+    out[IN_INTERVALS] = (double)in_intervals, out[MADE_IN_PAIRS] = (double)made_in_lanes.cells, out[WRITTEN] = (double)n;
+    out[CELLS] = (double)cells_in_lanes.cells, out[AMPLITUDES] = (double)amplitudes_in_lanes.cells;
+    for (i = 0; i < SPLIT; i++)
         out[i] /= (double)n;
     mend();
     taken[AVERAGES] = seconds_of_averages(averages < KEPT ? averages : KEPT);
@@ -395,11 +395,11 @@ int count(int question, const char *name, long n, double *inputs, double *out) {
     return 1;
 }
 
-/* One curve at F_0 in a window of Omega, with its folds; design: its numbers, then those of the damping; places: of the
+/* One curve at F_0 in a window of Omega, with its folds; design: its numbers, then those of the damping; size: of the
  * arrays for so many points at least. out: points, how often its segments have averages taken and ranges found, then
  * the seconds of the segments, of the points on them, and of the folds. Returns 0 where there is no such record, no
  * room or no such curve. */
-int curve(const char *name, const double *design, double F_0, const double *window, double samples, long places,
+int curve(const char *name, const double *design, double F_0, const double *window, double samples, long size,
           double *out)
 {
     sf_mechanism counting;
@@ -409,7 +409,7 @@ int curve(const char *name, const double *design, double F_0, const double *wind
     sf_points points;
     long n = 0;
     int answered = 0;
-    if (sf_new_points(places, &points) && room != NULL && find_record(name) &&
+    if (sf_new_points(size, &points) && room != NULL && find_record(name) &&
         record->parameters_of(record, design, model.p) && record->damping_of(design + record->design_size, model.damping) &&
         sf_prepare(record, design, &model) &&
         sf_give(record, design, design[record->design_size], design[record->design_size + 1], &inputs)) {
@@ -419,7 +419,7 @@ int curve(const char *name, const double *design, double F_0, const double *wind
             answered = sf_make_skeleton(&model, &inputs, F_0, room) == SF_OK;
             out[3] = least(out[3], now() - start), start = now();
             n = sf_show(&model, F_0, window[0], window[1], samples, &room->work);
-            if (!answered || n > places)
+            if (!answered || n > size)
                 break;
             sf_draw(&model, F_0, samples, &room->work.shown, &points);
             out[4] = least(out[4], now() - start), start = now();
@@ -430,7 +430,7 @@ int curve(const char *name, const double *design, double F_0, const double *wind
         ranges = averages = 0;
         sf_make_skeleton(&model, &inputs, F_0, room);
         out[0] = (double)n, out[1] = (double)averages, out[2] = (double)ranges;
-        answered &= n <= places;
+        answered &= n <= size;
     }
     free(room), sf_free_points(&points);
     return answered;
@@ -439,7 +439,7 @@ int curve(const char *name, const double *design, double F_0, const double *wind
 static void timed_averages(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out) {
     const double start = now();
     record->averaged(self, n, A, p, out);
-    averages_in_lanes.seconds += now() - start, averages_in_lanes.calls++, averages_in_lanes.places += n;
+    averages_in_lanes.seconds += now() - start, averages_in_lanes.calls++, averages_in_lanes.cells += n;
 }
 
 /* of the amplitudes whose averages were taken just before */
@@ -449,10 +449,10 @@ static void timed_harmonics(const sf_mechanism *self, ptrdiff_t n, const double 
     averages_in_lanes.seconds += now() - start, averages_in_lanes.calls++;
 }
 
-/* What n points of averaging's curve move to, on branches that are not closed; design as for `curve`, wanted: as in
+/* What n points of averaging's curve move to, on branches that are not closed; design as for `curve`, extent: as in
  * second_conventions.h. out: amplitudes whose averages are taken, and states whose balance is, then the seconds of one
  * of each. Returns 0 where there is no such record or no room. */
-int second(const char *name, const double *design, double F_0, int wanted, long n, double *Omega, double *A,
+int second(const char *name, const double *design, double F_0, int count, long n, double *Omega, double *A,
            long long *branch, double *out) {
     const sf_points points = {.Omega = Omega, .A = A, .branch = branch};
     static const int closed[64];
@@ -465,12 +465,12 @@ int second(const char *name, const double *design, double F_0, int wanted, long 
     model.mechanism = &counting;
     memset(&averages_in_lanes, 0, sizeof averages_in_lanes), memset(&balances_in_lanes, 0, sizeof balances_in_lanes);
     for (int round = 0; round < ROUNDS; round++) {
-        sf_second_curve *moved = sf_second_follow(&model, F_0, (sf_wanted)wanted, n, &points, closed);
-        if (moved == NULL)
+        sf_second_curve *solved = sf_second_follow(&model, F_0, (sf_wanted)count, n, &points, closed);
+        if (solved == NULL)
             return 0;
-        sf_second_free(moved);
+        sf_second_free(solved);
     }
-    out[0] = (double)averages_in_lanes.places / ROUNDS, out[1] = (double)balances_in_lanes.places / ROUNDS;
+    out[0] = (double)averages_in_lanes.cells / ROUNDS, out[1] = (double)balances_in_lanes.cells / ROUNDS;
     out[2] = seconds_in_lanes(&averages_in_lanes), out[3] = seconds_in_lanes(&balances_in_lanes);
     return 1;
 }

@@ -323,7 +323,7 @@ static inline void sf_ask_inertial(const sf_task *task, const sf_sample *at, sf_
     const sf_model *model = task->model;
     const double x = sf_least_x(model, at);
     const int channel = task->question == SF_PEAK;
-    double found[2], Omega = 0, share;
+    double found[2], Omega = 0, part;
     if (model->zeta > 0) /* where a channel ends, as Omega tends to inf, F_A rises, and the level is the amplitude */
         out->edge = task->question == SF_ISOLA || at->A > task->F_0 ? 1 : -1;
     if (task->question == SF_REST || x == 0)
@@ -331,7 +331,7 @@ static inline void sf_ask_inertial(const sf_task *task, const sf_sample *at, sf_
     if (task->question == SF_PEAK) {
         inertia_peak(x, at->A, task->F_0, model->m, model->zeta, at->h, at->h_A, found);
         if (sf_is_x_lost(model, at))
-            Omega = sf_Omega_by_share(model, task->F_0, at, 0, &share);
+            Omega = sf_Omega_by_share(model, task->F_0, at, 0, &part);
     } else {
         inertia_isola(x, at->A, model->m, model->zeta, at->h, at->h_A, at->h_AA, found);
         found[0] = inertia_isola_apart(x, at->A, model->m, model->zeta, at->h, at->k, 2 * at->h + at->k);
@@ -394,7 +394,7 @@ static inline void sf_ask(const sf_task *task, int open, const sf_sample *at, sf
  * has few digits of it if damping is weak. */
 static inline double sf_cusp_tangent(double w, double A, double m, double zeta, double h_AA) {
     const double q = 2 * zeta * w * slow_flow_I(w, A, m, zeta) * h_AA, size = cbrt(q);
-    const double share = 2 * zeta * w / size, e = share * share;
+    const double part = 2 * zeta * w / size, e = part * part;
     const double v = cbrt(0.5 + sqrt(0.25 + e * e * e / 27)), rest = e / (3 * v);
     return e < 1e30 ? size / (v * v + e / 3 + rest * rest) : size / e;
 }

@@ -33,10 +33,10 @@ static double sf_sine_A(const sf_damping *of, double Omega, double A) {
  *
  * With p = c_x and q = -c_y it is p q/(X q + Y p), which rises with p and with q as long as c_1 has a sign. */
 static sf_interval sf_resists(const sf_ended *here, sf_interval *rising) {
-    sf_interval along[2];
+    sf_interval resistance[2];
     double end[2];
-    off_centre_intervals_ended_along(here->A, here->s_0, here->c_x, here->c_y, here->X, here->Y, along);
-    *rising = along[0];
+    off_centre_intervals_ended_along(here->A, here->s_0, here->c_x, here->c_y, here->X, here->Y, resistance);
+    *rising = resistance[0];
     for (int up = 0; up < 2; up++) {
         const double p = up ? here->c_x.hi : here->c_x.lo, q = up ? here->c_y.lo : here->c_y.hi;
         const double X = (p < 0) != up ? here->X.lo : here->X.hi, Y = (q > 0) != up ? here->Y.lo : here->Y.hi;
@@ -45,7 +45,7 @@ static sf_interval sf_resists(const sf_ended *here, sf_interval *rising) {
         const double value = -at[1] / at[0];
         end[up] = value + (up ? 0x1p-48 : -0x1p-48) * fabs(value);
     }
-    return sfi_has_sign(along[0]) && isfinite(end[0]) && isfinite(end[1]) ? sfi_of(end[0], end[1]) : sf_any_number;
+    return sfi_has_sign(resistance[0]) && isfinite(end[0]) && isfinite(end[1]) ? sfi_of(end[0], end[1]) : sf_any_number;
 }
 
 /* 2 c_1 */
@@ -72,15 +72,15 @@ static int sf_on_balance(const sf_ended *here, const sf_ended *middle, double lo
 {
     const sf_interval f = sfi_sub(middle->c_0, sfi_point(load)), slopes[2] = {here->c_x, here->c_y};
     const sf_interval by[2] = {here->c_x, sfi_neg(here->c_y)}, turns[2] = {here->X, here->Y};
-    sf_interval r[2], moved[2], nearer;
+    sf_interval r[2], shift[2], nearer;
     int some = !sfi_has_sign(sfi_sub(here->c_0, sfi_point(load))) && !(here->A.hi <= SF_LEAST_AMPLITUDE);
     for (int i = 0; i < 2; i++) {
         const double at = 0.5 * (low[i] + high[i]), wide = fmax(high[i] - at, at - low[i]) * (1 + SF_BOUND_DOUBT);
-        r[i] = sfi_of(-wide, wide), moved[i] = sfi_mul(slopes[i], r[i]);
+        r[i] = sfi_of(-wide, wide), shift[i] = sfi_mul(slopes[i], r[i]);
     }
-    some &= !sfi_has_sign(sfi_add(sfi_add(f, moved[0]), moved[1]));
+    some &= !sfi_has_sign(sfi_add(sfi_add(f, shift[0]), shift[1]));
     for (int i = 0; i < 2; i++) {
-        const sf_interval left = sfi_sub(sfi_point(0.5 * (low[i] + high[i])), sfi_div(sfi_add(f, moved[1 - i]), slopes[i]));
+        const sf_interval left = sfi_sub(sfi_point(0.5 * (low[i] + high[i])), sfi_div(sfi_add(f, shift[1 - i]), slopes[i]));
         if (sfi_has_sign(slopes[i]))
             low[i] = fmax(low[i], left.lo), high[i] = fmin(high[i], left.hi);
         some &= !(low[i] > high[i]);
@@ -93,9 +93,9 @@ static int sf_on_balance(const sf_ended *here, const sf_ended *middle, double lo
     *resists = sf_resists(here, rising);
     if (centred && !sf_is_single(here)) {
         /* of motions about the centre, and off it */
-        const sf_interval c_1 = sfi_times(0.25, sf_stiffness(here)), beside = sf_resists_beside(here);
-        const sf_interval hull = sfi_of(fmin(beside.lo, c_1.lo), fmax(beside.hi, c_1.hi));
-        const int known = isfinite(beside.lo) && isfinite(beside.hi) && isfinite(c_1.lo) && isfinite(c_1.hi);
+        const sf_interval c_1 = sfi_times(0.25, sf_stiffness(here)), limit = sf_resists_beside(here);
+        const sf_interval hull = sfi_of(fmin(limit.lo, c_1.lo), fmax(limit.hi, c_1.hi));
+        const int known = isfinite(limit.lo) && isfinite(limit.hi) && isfinite(c_1.lo) && isfinite(c_1.hi);
         *resists = known ? hull : sf_any_number;
     }
     return some;
@@ -132,9 +132,9 @@ static void sf_ended_fold(const sf_ended *here, sf_interval R, double F_0, doubl
     const sf_interval I_ = sfi_add(sfi_add(sfi_add(sfi_times(of->eta, here->A), sfi_times(2 * of->zeta, sfi_sqrt(of_speed))),
                                            by_speed), m);
     const int single = !centred || sf_is_single(here);
-    sf_interval rising, along = sf_resists(here, &rising);
+    sf_interval rising, resistance = sf_resists(here, &rising);
     if (!single)
-        along = sf_resists_beside(here);
+        resistance = sf_resists_beside(here);
     off_centre_intervals_ended_fold(R, here->A, sfi_point(F_0), sfi_point(F_2), m, sfi_point(of->eta), sfi_point(of->zeta),
                                     sfi_point(of->d), sfi_point(load), here->c_0, here->s_0, here->c_x, here->c_y,
                                     here->c_xx, here->c_yy, here->X, here->Y, here->X_x, here->Y_y, out);
@@ -142,7 +142,7 @@ static void sf_ended_fold(const sf_ended *here, sf_interval R, double F_0, doubl
         out[0] = sfi_point(1);
     /* R (h - A h_A) = G^2 + I (A I_A - I), and R^2 = G^2 - I^2 */
     const sf_interval by_line = sfi_div(sfi_add(sfi_square(force), sfi_mul(I_, sfi_sub(by_speed, m))),
-                                        sfi_times(4, sfi_sub(sfi_mul(here->A, along), here->s_0)));
+                                        sfi_times(4, sfi_sub(sfi_mul(here->A, resistance), here->s_0)));
     const double most = sfi_sqrt(sfi_sub(sfi_square(force), sfi_square(I_))).hi;
     out[12] = sf_both(by_line, sfi_of(-most, most));
 }

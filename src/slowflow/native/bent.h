@@ -21,7 +21,7 @@ typedef void (*sf_bent_terms)(sf_interval A, sf_interval beyond, sf_interval sin
 typedef void (*sf_bent_closing)(sf_interval A, const sf_interval *roots, const sf_interval *sums, const sf_interval *p,
                                 sf_interval *out);
 
-typedef void (*sf_bent_contact)(sf_interval A, sf_interval share, const sf_interval *p, sf_interval *out);
+typedef void (*sf_bent_contact)(sf_interval A, sf_interval fraction, const sf_interval *p, sf_interval *out);
 
 /* SF_CONTACT_SUMS integrals of a contact follow h's and h_AAAA's: over dy/sqrt(1 - y), and their derivatives */
 enum { SF_MOST_CONTACTS = 2 * SF_MOST_BREAKS };
@@ -62,13 +62,13 @@ static inline void sf_terms_at(const sf_bent *of, int piece, sf_interval A, sf_i
         of->terms[piece](A, beyond, sine, p, out);
 }
 
-static inline void sf_contact_at(const sf_bent *of, int number, sf_interval A, sf_interval share,
+static inline void sf_contact_at(const sf_bent *of, int number, sf_interval A, sf_interval fraction,
                                  const sf_interval *p, sf_interval *out) {
-    const sf_interval arguments[] = {A, share};
+    const sf_interval arguments[] = {A, fraction};
     if (of->interpreted != NULL)
         sf_interpreted_at(of, of->breakpoints + 1 + number, 2, arguments, p, out);
     else
-        of->contact[number](A, share, p, out);
+        of->contact[number](A, fraction, p, out);
 }
 
 static inline void sf_closing_at(const sf_bent *of, int passed, sf_interval A, const sf_interval *roots,
@@ -96,10 +96,10 @@ static inline double sf_share(int part, int halved) {
 }
 
 /* The sine at such a share at an amplitude, which exceeds the piece or ends in it. */
-static inline double sf_sine_at(double start, double end, int last, double share, double A) {
+static inline double sf_sine_at(double start, double end, int last, double fraction, double A) {
     if (last)
-        return A > 0 ? share + (1 - share) * start / A : share;
-    return fmin((share == 1 ? end : start + (end - start) * share) / A, 1);
+        return A > 0 ? fraction + (1 - fraction) * start / A : fraction;
+    return fmin((fraction == 1 ? end : start + (end - start) * fraction) / A, 1);
 }
 
 static inline sf_interval sf_wider(double lo, double hi) {
@@ -115,11 +115,11 @@ static inline sf_interval sf_no_larger(sf_interval x) {
 static inline void sf_add_bent(const sf_bent *of, int piece, double start, double end, int last, sf_interval A,
                                const sf_interval *p, sf_interval sums[2]) {
     sf_interval total[2] = {{0, 0}, {0, 0}}, values[2];
-    const int halved = sf_halved(last ? A.hi - start : end - start), parts = SF_PARTS + halved;
+    const int halved = sf_halved(last ? A.hi - start : end - start), pieces = SF_PARTS + halved;
     double low_sine = sf_sine_at(start, end, last, 0, A.lo), high_sine = sf_sine_at(start, end, last, 0, A.hi);
     double low_angle = asin(fmin(low_sine, 1)), high_angle = asin(fmin(high_sine, 1));
-    for (int part = 0; part < parts; part++) {
-        const double share = sf_share(part, halved), next = sf_share(part + 1, halved);
+    for (int part = 0; part < pieces; part++) {
+        const double fraction = sf_share(part, halved), next = sf_share(part + 1, halved);
         const double low_next = sf_sine_at(start, end, last, next, A.lo);
         const double high_next = sf_sine_at(start, end, last, next, A.hi);
         const double low_angle_next = asin(fmin(low_next, 1)), high_angle_next = asin(fmin(high_next, 1));
@@ -128,8 +128,8 @@ static inline void sf_add_bent(const sf_bent *of, int piece, double start, doubl
             sfi_of(sfi_most(sfi_least(one, other) - SF_ANGLE, 0), sfi_most(one, other) + SF_ANGLE);
         /* sines are monotone in A, and beyond a breakpoint they fall as it rises */
         const sf_interval sine = sf_wider(high_sine, fmin(low_next, 1));
-        const sf_interval beyond = last ? sf_wider((A.lo - start) * share, (A.hi - start) * next)
-                                        : sf_wider((end - start) * share, (end - start) * next);
+        const sf_interval beyond = last ? sf_wider((A.lo - start) * fraction, (A.hi - start) * next)
+                                        : sf_wider((end - start) * fraction, (end - start) * next);
         sf_terms_at(of, piece, A, beyond, sine, p, values);
         for (int k = 0; k < 2; k++)
             total[k] = sfi_add(total[k], sfi_mul(values[k], angle));
@@ -143,12 +143,12 @@ static inline void sf_add_bent(const sf_bent *of, int piece, double start, doubl
 static inline void sf_of_contact(const sf_bent *of, int number, double start, sf_interval A, const sf_interval *p,
                                  sf_interval *sums) {
     sf_interval values[SF_CONTACT_SUMS];
-    const int halved = sf_halved(A.hi - start), parts = SF_PARTS + halved;
-    for (int part = 0; part < parts; part++) {
-        const double share = sf_share(part, halved), next = sf_share(part + 1, halved);
-        const double wide = 2 * (sqrt(1 - share) - sqrt(1 - next));
+    const int halved = sf_halved(A.hi - start), pieces = SF_PARTS + halved;
+    for (int part = 0; part < pieces; part++) {
+        const double fraction = sf_share(part, halved), next = sf_share(part + 1, halved);
+        const double wide = 2 * (sqrt(1 - fraction) - sqrt(1 - next));
         const sf_interval weight = sfi_of(sfi_most(wide - SF_ANGLE, 0), wide + SF_ANGLE);
-        sf_contact_at(of, number, A, sf_wider(share, fmin(next, 1)), p, values);
+        sf_contact_at(of, number, A, sf_wider(fraction, fmin(next, 1)), p, values);
         for (int k = 0; k < SF_CONTACT_SUMS; k++)
             sums[k] = sfi_add(sums[k], sfi_mul(values[k], weight));
     }

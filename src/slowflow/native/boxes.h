@@ -46,7 +46,7 @@ typedef struct {
 /* As many as unknowns; `on` returns 0 where they could not be evaluated. */
 typedef struct {
     int unknowns;
-    int (*on)(void *self, ptrdiff_t n, const sf_box_place *places, sf_values *out);
+    int (*on)(void *self, ptrdiff_t n, const sf_box_place *points, sf_values *out);
     void *self;
 } sf_box_equations;
 
@@ -90,11 +90,11 @@ static int sf_eliminate(int d, double J[][SF_MOST_UNKNOWNS], int columns, double
         if (!(fabs(J[k][k]) > 0 && isfinite(J[k][k])))
             return 0;
         for (int i = 0; i < d; i++) {
-            const double share = J[i][k] / J[k][k];
+            const double fraction = J[i][k] / J[k][k];
             for (int j = 0; i != k && j < d; j++)
-                J[i][j] -= share * J[k][j];
+                J[i][j] -= fraction * J[k][j];
             for (int j = 0; i != k && j < columns; j++)
-                X[i][j] -= share * X[k][j];
+                X[i][j] -= fraction * X[k][j];
         }
     }
     for (int i = 0; i < d; i++)
@@ -118,7 +118,7 @@ static void sf_krawczyk(int d, const sf_box_place *place, const double *wide, co
         }
     known = known && sf_eliminate(d, lost, d, Y);
     for (int i = 0; i < d; i++) {
-        double moved = 0, doubt = 0x1p-51 * fabs(place->at[i]), reach = 0;
+        double shift = 0, doubt = 0x1p-51 * fabs(place->at[i]), reach = 0;
         for (j = 0; j < d; j++) {
             /* some multiplications of doubles, each a rounding */
             double product = 0, size = 1, spread = 0;
@@ -127,10 +127,10 @@ static void sf_krawczyk(int d, const sf_box_place *place, const double *wide, co
                 product += Y[i][k] * J[k][j], size += fabs(Y[i][k] * J[k][j]);
                 spread += fabs(Y[i][k]) * 0.5 * (of->slope[k][j].hi - of->slope[k][j].lo);
             }
-            moved += Y[i][j] * value, doubt += fabs(Y[i][j]) * 0.5 * (of->at[j].hi - of->at[j].lo);
+            shift += Y[i][j] * value, doubt += fabs(Y[i][j]) * 0.5 * (of->at[j].hi - of->at[j].lo);
             reach += (fabs((i == j) - product) + spread + 0x1p-49 * size) * wide[j] + 0x1p-49 * fabs(Y[i][j] * value);
         }
-        centre[i] = place->at[i] - moved, floor_[i] = known ? doubt : HUGE_VAL;
+        centre[i] = place->at[i] - shift, floor_[i] = known ? doubt : HUGE_VAL;
         radius[i] = known && !isnan(reach + doubt) ? reach + doubt : HUGE_VAL;
     }
 }
@@ -236,7 +236,7 @@ static int sf_judge(int d, const sf_box *box, const sf_box_place *place, const s
 
 /* One of Newton's steps for each solution, `last` as long as the one before; 0 where none became shorter. */
 static int sf_step_solutions(int d, ptrdiff_t n, sf_solution *found, const sf_values *values, double *last) {
-    int moves = 0;
+    int moving = 0;
     for (ptrdiff_t k = 0; k < n; k++) {
         double J[SF_MOST_UNKNOWNS][SF_MOST_UNKNOWNS], change[SF_MOST_UNKNOWNS][SF_MOST_UNKNOWNS], length = 0;
         int j;
@@ -249,29 +249,29 @@ static int sf_step_solutions(int d, ptrdiff_t n, sf_solution *found, const sf_va
             length = fmax(length, fabs(change[i][0]) / found[k].wide[i]);
         for (int i = 0; i < d && length < last[k]; i++)
             found[k].x[i] -= change[i][0];
-        moves |= length < last[k] && length > 0;
+        moving |= length < last[k] && length > 0;
         last[k] = length < last[k] ? length : 0;
     }
-    return moves;
+    return moving;
 }
 
 /* Newton's steps, for each solution as long as they become shorter. */
 static int sf_refine_solutions(const sf_box_equations *of, ptrdiff_t n, sf_solution *found) {
     double *last = malloc((size_t)n * sizeof *last);
-    sf_box_place *places = malloc((size_t)n * sizeof *places);
+    sf_box_place *points = malloc((size_t)n * sizeof *points);
     sf_values *values = malloc((size_t)n * sizeof *values);
-    int state = last && places && values ? SF_BOXES_SOLVED : SF_BOXES_NO_ROOM, moves = 1;
+    int state = last && points && values ? SF_BOXES_SOLVED : SF_BOXES_NO_ROOM, moving = 1;
     for (ptrdiff_t k = 0; state == SF_BOXES_SOLVED && k < n; k++)
         last[k] = HUGE_VAL;
-    for (int step = 0; state == SF_BOXES_SOLVED && moves && step < SF_BOX_STEPS; step++) {
+    for (int step = 0; state == SF_BOXES_SOLVED && moving && step < SF_BOX_STEPS; step++) {
         for (ptrdiff_t k = 0; k < n; k++) {
-            memcpy(places[k].low, found[k].x, sizeof found->x), memcpy(places[k].high, found[k].x, sizeof found->x);
-            memcpy(places[k].at, found[k].x, sizeof found->x), places[k].of = found[k].of;
+            memcpy(points[k].low, found[k].x, sizeof found->x), memcpy(points[k].high, found[k].x, sizeof found->x);
+            memcpy(points[k].at, found[k].x, sizeof found->x), points[k].of = found[k].of;
         }
-        state = of->on(of->self, n, places, values) ? SF_BOXES_SOLVED : SF_BOXES_NOT_EVALUATED;
-        moves = state == SF_BOXES_SOLVED && sf_step_solutions(of->unknowns, n, found, values, last);
+        state = of->on(of->self, n, points, values) ? SF_BOXES_SOLVED : SF_BOXES_NOT_EVALUATED;
+        moving = state == SF_BOXES_SOLVED && sf_step_solutions(of->unknowns, n, found, values, last);
     }
-    free(last), free(places), free(values);
+    free(last), free(points), free(values);
     return state;
 }
 
@@ -286,10 +286,10 @@ static int sf_by_system(const void *one, const void *other) {
 }
 
 /* Whether a place lies in the share of the box around a solution that holds no other. */
-static int sf_is_around(int d, const sf_solution *found, const double *x, ptrdiff_t of, double share) {
+static int sf_is_around(int d, const sf_solution *found, const double *x, ptrdiff_t of, double fraction) {
     int inside = found->of == of;
     for (int i = 0; i < d; i++)
-        inside &= fabs(x[i] - found->middle[i]) < share * found->wide[i];
+        inside &= fabs(x[i] - found->middle[i]) < fraction * found->wide[i];
     return inside;
 }
 
@@ -325,23 +325,23 @@ static int sf_solve_boxes(const sf_box_equations *of, sf_box *boxes, ptrdiff_t n
     memset(out, 0, sizeof *out);
     for (; state == SF_BOXES_SOLVED && n > 0; n = next) {
         sf_box *halves = malloc(2 * (size_t)n * sizeof *halves);
-        sf_box_place *places = malloc((size_t)n * sizeof *places);
+        sf_box_place *points = malloc((size_t)n * sizeof *points);
         sf_values *values = malloc((size_t)n * sizeof *values);
         sf_solution *found = realloc(out->found, (size_t)(out->count + n) * sizeof *found);
         sf_solution *undecided = realloc(out->undecided, (size_t)(out->open + n) * sizeof *undecided);
         out->found = found != NULL ? found : out->found, out->undecided = undecided != NULL ? undecided : out->undecided;
         next = 0, evaluated += n;
-        if (!(halves && places && values && found && undecided))
+        if (!(halves && points && values && found && undecided))
             state = SF_BOXES_NO_ROOM;
         else if (evaluated > most)
             state = SF_BOXES_TOO_MANY;
         for (ptrdiff_t k = 0; state == SF_BOXES_SOLVED && k < n; k++)
-            sf_around(d, &boxes[k], &places[k]);
-        if (state == SF_BOXES_SOLVED && !of->on(of->self, n, places, values))
+            sf_around(d, &boxes[k], &points[k]);
+        if (state == SF_BOXES_SOLVED && !of->on(of->self, n, points, values))
             state = SF_BOXES_NOT_EVALUATED;
         for (ptrdiff_t k = 0; state == SF_BOXES_SOLVED && k < n; k++) {
             sf_solution one = {{0}, {0}, {0}, 0};
-            switch (sf_judge(d, &boxes[k], &places[k], &values[k], &one, halves + next, halves + n + next)) {
+            switch (sf_judge(d, &boxes[k], &points[k], &values[k], &one, halves + next, halves + n + next)) {
             case SF_BOX_SOLVED:
                 found[out->count++] = one;
                 break;
@@ -354,7 +354,7 @@ static int sf_solve_boxes(const sf_box_equations *of, sf_box *boxes, ptrdiff_t n
         }
         if (next > 0)
             memmove(halves + next, halves + n, (size_t)next * sizeof *halves), next *= 2;
-        free(boxes), free(places), free(values), boxes = halves;
+        free(boxes), free(points), free(values), boxes = halves;
     }
     free(boxes);
     if (state == SF_BOXES_SOLVED && out->count > 0)

@@ -379,10 +379,10 @@ static double sf_amplitude_on(const sf_model *model, double F_0, const sf_segmen
                     ? sf_law_Omega_A(model, &at, w)
                     : (sf_inertial(model) ? inertia_Omega_A : slow_flow_Omega_A)(w, A, model->m, model->zeta, at.h, at.h_A);
         double next = A - (w - Omega) / slope;
-        const double moved = fabs(next - A);
-        if (moved <= SF_AT_ROOT * A || !(lo < hi))
+        const double shift = fabs(next - A);
+        if (shift <= SF_AT_ROOT * A || !(lo < hi))
             break;
-        if (!(next > lo && next < hi) || moved > SF_SLOW * last)
+        if (!(next > lo && next < hi) || shift > SF_SLOW * last)
             next = sf_amid(0, lo, hi);
         if (!(next > lo && next < hi))
             break;
@@ -505,18 +505,18 @@ static double sf_share_at(int k, int n) { return 0.5 - 0.5 * cos(3.1415926535897
 
 /* The same of all of them. Cosines of sums, from those of every sixteenth angle and of the first sixteen, take a fraction
  * of the time of one each. */
-static void sf_shares(int n, double *share) {
+static void sf_shares(int n, double *fraction) {
     const double step = 3.14159265358979312 / n;
     double cosine[SF_SHARES], sine[SF_SHARES];
     for (int i = 0; i < SF_SHARES; i++)
         cosine[i] = cos(step * i), sine[i] = sin(step * i);
     for (int i = 1; i < n && i < SF_SHARES; i++)
-        share[i - 1] = 0.5 - 0.5 * cosine[i];
+        fraction[i - 1] = 0.5 - 0.5 * cosine[i];
     for (int k = SF_SHARES; k < n; k += SF_SHARES) {
         const double at_cosine = cos(step * k), at_sine = sin(step * k);
         const int here = n - k < SF_SHARES ? n - k : SF_SHARES;
         for (int i = 0; i < here; i++)
-            share[k + i - 1] = 0.5 - 0.5 * (at_cosine * cosine[i] - at_sine * sine[i]);
+            fraction[k + i - 1] = 0.5 - 0.5 * (at_cosine * cosine[i] - at_sine * sine[i]);
     }
 }
 
@@ -619,8 +619,8 @@ typedef struct {
 } sf_points;
 
 /* 0 where there is no memory. */
-static int sf_new_points(ptrdiff_t places, sf_points *out) {
-    const size_t n = places > 0 ? (size_t)places : 1;
+static int sf_new_points(ptrdiff_t size, sf_points *out) {
+    const size_t n = size > 0 ? (size_t)size : 1;
     out->Omega = malloc(n * sizeof *out->Omega), out->A = malloc(n * sizeof *out->A);
     out->branch = malloc(n * sizeof *out->branch), out->stable = malloc(n);
     return out->Omega != NULL && out->A != NULL && out->branch != NULL && out->stable != NULL;

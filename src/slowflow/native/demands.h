@@ -228,11 +228,11 @@ static int sf_narrow_unknowns(const sf_law_search *search, const sf_strip *strip
             /* R_A is what F_A = 0 makes of the R that a stationary level leaves; where h vanishes too, it tells */
             const sf_interval zeta = search->far ? sfi_mul(search->laws.zeta, cell->A) : search->laws.zeta;
             const sf_interval grows = search->far ? strip->rest[0] : sfi_mul(search->laws.d, cell->A);
-            const sf_interval share = sfi_inverse(sfi_add(grows, sfi_div(zeta, of->w)));
+            const sf_interval ratio = sfi_inverse(sfi_add(grows, sfi_div(zeta, of->w)));
             const sf_interval far = sfi_both(sfi_mul(cell->h, at.I_A),
                                              sfi_mul(sfi_sub(of->R, cell->A), sfi_div(at.I_A, square)));
-            const sf_interval slope = search->far ? sfi_mul(far, share)
-                                                  : sfi_add(sfi_times(2, square), sfi_mul(strip->rest[1], share));
+            const sf_interval slope = search->far ? sfi_mul(far, ratio)
+                                                  : sfi_add(sfi_times(2, square), sfi_mul(strip->rest[1], ratio));
             at.R_A = sfi_both(slope, at.R_A);
             if (sf_is_none(at.R_A))
                 return 0;
@@ -272,16 +272,16 @@ static int sf_narrow_unknowns(const sf_law_search *search, const sf_strip *strip
             if (search->system == SF_LAW_TURNS) {
                 const sf_laws_within *laws = &search->laws;
                 const sf_interval x = sfi_inverse(of->w);
-                const sf_interval share = dissipation_intervals_turn_share(x, cell->A, strip->rest[0], strip->rest[1],
+                const sf_interval ratio = dissipation_intervals_turn_share(x, cell->A, strip->rest[0], strip->rest[1],
                                                                            laws->zeta, laws->d);
-                const sf_interval beside = sfi_mul(share, square);
+                const sf_interval excess = sfi_mul(ratio, square);
                 sf_interval far[4];
-                of->R = sfi_both(of->R, sfi_neg(sfi_add(sfi_mul(cell->A, at.R_A), beside)));
-                at.R_A = sfi_both(at.R_A, sfi_neg(sfi_div(sfi_add(of->R, beside), cell->A)));
+                of->R = sfi_both(of->R, sfi_neg(sfi_add(sfi_mul(cell->A, at.R_A), excess)));
+                at.R_A = sfi_both(at.R_A, sfi_neg(sfi_div(sfi_add(of->R, excess), cell->A)));
                 /* both functions without h_A, over powers of Omega */
                 dissipation_intervals_far(x, cell->A, strip->rest[0], strip->rest[1], laws->zeta, laws->d, cell->h,
                                           cell->h_A, far);
-                if (sfi_has_sign(sfi_sub(sfi_mul(far[0], sfi_add(far[0], share)),
+                if (sfi_has_sign(sfi_sub(sfi_mul(far[0], sfi_add(far[0], ratio)),
                                          sfi_mul(cell->A, sfi_mul(far[2], far[3])))))
                     return 0;
             }

@@ -48,7 +48,7 @@ typedef struct {
     double verdict[SF_LANE_CELLS], cut[SF_LANE_CELLS], rises[SF_LANE_CELLS];
 } sf_lane_cells;
 
-/* Brackets with what is known of an amplitude inside. next: where F vanishes as far as that tells; moved: how far that
+/* Brackets with what is known of an amplitude inside. next: where F vanishes as far as that tells; change: how far that
  * is from there; base: where the piece of the force begins; last: of folds x, x^2 = A^2 - base^2, and of cusps A, the
  * function and its slope along that where it was asked before */
 typedef struct {
@@ -61,7 +61,7 @@ typedef struct {
             double last[SF_LAST_ROWS][SF_LANE_CELLS];
         };
     };
-    double next[SF_LANE_CELLS], moved[SF_LANE_CELLS], Omega[SF_LANE_CELLS]; /* Omega: but of states */
+    double next[SF_LANE_CELLS], change[SF_LANE_CELLS], Omega[SF_LANE_CELLS]; /* Omega: but of states */
 } sf_lane_zeros;
 
 /* The verdicts of all cells; places that are left over of a vector are overwritten. */
@@ -119,7 +119,7 @@ static inline double sf_halley(sf_lane_zeros *zeros, ptrdiff_t i, double A, int 
     const int is_inside = (next >= lo) & (next <= hi);
     zeros->lo[i] = lo, zeros->hi[i] = hi;
     zeros->next[i] = is_inside ? next : 0.5 * (lo + hi);
-    zeros->moved[i] = is_inside ? fabs(step) : HUGE_VAL;
+    zeros->change[i] = is_inside ? fabs(step) : HUGE_VAL;
     return step;
 }
 
@@ -225,9 +225,9 @@ static inline double sf_lane_zero(double a, double y_a, double slope_a, double b
 /* Into the bracket by `sf_zero_beside`, else by Newton's step from the first, else in the middle */
 static inline double sf_next_from(double a, double y_a, double slope_a, double b, double y_b, double slope_b, double lo,
                                   double hi) {
-    const double beside = sf_zero_beside(a, y_a, slope_a, b, y_b, slope_b), step = a - y_a / slope_a;
+    const double guess = sf_zero_beside(a, y_a, slope_a, b, y_b, slope_b), step = a - y_a / slope_a;
     const int is_near = (fabs(y_a) < 0.5 * fabs(y_b)) | ((y_a < 0) != (y_b < 0));
-    return is_near & (beside > lo) & (beside < hi) ? beside : (step > lo) & (step < hi) ? step : 0.5 * (lo + hi);
+    return is_near & (guess > lo) & (guess < hi) ? guess : (step > lo) & (step < hi) ? step : 0.5 * (lo + hi);
 }
 
 #endif

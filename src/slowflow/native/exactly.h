@@ -53,25 +53,25 @@ static inline int sf_make_exact(const sf_mechanism *mechanism, const double *des
     return 1;
 }
 
-/* At an amplitude whose double lies on that piece of the force; 0 where pairs have too few digits. wanted: how many of
+/* At an amplitude whose double lies on that piece of the force; 0 where pairs have too few digits. count: how many of
  * h and its derivatives pairs are to give; the others are doubles', at hand in `near`, or of this amplitude if that is
  * NULL. */
-static inline int sf_exact_at(const sf_exactly *exactly, const sf_model *model, int piece, sf_pair A, int wanted,
+static inline int sf_exact_at(const sf_exactly *exactly, const sf_model *model, int piece, sf_pair A, int count,
                               const sf_sample *near, sf_exact_sample *out) {
     sf_pair beyond = A;
     if (model->breaks != exactly->breaks)
         return 0;
     if (piece > 0) {
         beyond = sfp_sub(A, exactly->b[piece - 1]);
-        if (!(beyond.high > 0) || (wanted > 2 && A.high > SF_PAIRS_REACH * exactly->b[piece - 1].high))
+        if (!(beyond.high > 0) || (count > 2 && A.high > SF_PAIRS_REACH * exactly->b[piece - 1].high))
             return 0;
         if (beyond.high < SF_PAIRS_NEXT * A.high)
-            wanted = 4;
+            count = 4;
     }
     out->A = A;
-    exactly->mechanism->averaged_in_pairs(exactly->mechanism, exactly->empty + piece, wanted, A, beyond, exactly->p,
+    exactly->mechanism->averaged_in_pairs(exactly->mechanism, exactly->empty + piece, count, A, beyond, exactly->p,
                                           out->h);
-    if (wanted <= 2) {
+    if (count <= 2) {
         sf_sample at;
         if (near == NULL)
             sf_sample_without_k_at(model, A.high, &at);

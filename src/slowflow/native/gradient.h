@@ -38,8 +38,8 @@ typedef struct {
 } sf_pinned_answer;
 
 /* Whether a value has lost its sign to rounding, as far as a share of its size says. */
-static inline int sf_vanishes(double value, double size, double share) {
-    return !(fabs(value) > share * size);
+static inline int sf_vanishes(double value, double size, double tolerance) {
+    return !(fabs(value) > tolerance * size);
 }
 
 static int sf_is_on_break(sf_pinned kind) {
@@ -119,7 +119,7 @@ static void sf_pin_on_break(const sf_model *model, int k, const double *slopes, 
 /* The moves of A, Omega and F_0 with number j go to column j. Returns 0 where an answer meets another. The kind is a
  * constant of each call, as laws is: what it does not ask for is not computed. */
 SF_ALWAYS int sf_solve(sf_pinned kind, int laws, const sf_pinned_answer *answer, const sf_model *model, const sf_causes *of,
-                           int columns, double moved[SF_UNKNOWNS][SF_MOST_COLUMNS])
+                           int columns, double rates[SF_UNKNOWNS][SF_MOST_COLUMNS])
 {
     static const signed char systems[][9] = SF_SYSTEMS;
     const signed char *rows = systems[kind], *unknowns = rows + 3, together = rows[6], *vanishing = rows + 7;
@@ -163,18 +163,18 @@ SF_ALWAYS int sf_solve(sf_pinned kind, int laws, const sf_pinned_answer *answer,
             found[y] = (a[x] * right[rows[2]] - right[rows[1]] * b[x]) / determinant;
         }
         for (int i = 0; i < SF_UNKNOWNS; i++)
-            moved[i][j] = found[i];
+            rates[i][j] = found[i];
     }
     return 1;
 }
 
 static SF_FLAT int sf_move(const sf_pinned_answer *answer, const sf_model *model, const sf_causes *of, int columns,
-                           double moved[SF_UNKNOWNS][SF_MOST_COLUMNS])
+                           double rates[SF_UNKNOWNS][SF_MOST_COLUMNS])
 {
 #define SF_SOLVE(kind)                                                                                                 \
     case kind:                                                                                                         \
-        return sf_takes_laws(model->mechanism) ? sf_solve(kind, 1, answer, model, of, columns, moved)                  \
-                                               : sf_solve(kind, 0, answer, model, of, columns, moved);
+        return sf_takes_laws(model->mechanism) ? sf_solve(kind, 1, answer, model, of, columns, rates)                  \
+                                               : sf_solve(kind, 0, answer, model, of, columns, rates);
     switch (answer->kind) {
         SF_SOLVE(SF_STATE_PINNED)
         SF_SOLVE(SF_FOLD_PINNED)
@@ -259,7 +259,7 @@ static sf_moves_status sf_gradient(const sf_model *model, const double *of_desig
     const sf_mechanism *mechanism = model->mechanism;
     const double w = answer->Omega, F_0 = answer->F_0;
     const sf_sample *at = &answer->at;
-    double of_parameter[3 * SF_MOST_PARAMETERS], moved[SF_UNKNOWNS][SF_MOST_COLUMNS];
+    double of_parameter[3 * SF_MOST_PARAMETERS], rates[SF_UNKNOWNS][SF_MOST_COLUMNS];
     double averaged[3], size_of_R;
     int piece = 0, infinite = 0;
     if (sf_is_on_break(answer->kind)) {
@@ -294,16 +294,16 @@ static sf_moves_status sf_gradient(const sf_model *model, const double *of_desig
     if (sf_takes_laws(mechanism))
         sf_causes_of_rest(
             model, answer, of_design + (mechanism->parameters + mechanism->breakpoints - model->breaks) * mechanism->design_size, of);
-    if (!sf_move(answer, model, of, columns, moved))
+    if (!sf_move(answer, model, of, columns, rates))
         return SF_MEETS_MOVES;
     for (int i = 0; i < SF_UNKNOWNS; i++)
         for (int j = 0; j < columns; j++)
-            out[i > 0 ? rows - SF_UNKNOWNS + i : 0][j] = moved[i][j];
+            out[i > 0 ? rows - SF_UNKNOWNS + i : 0][j] = rates[i][j];
     for (int j = 0; j < columns && rows == SF_STATE_MOVES; j++) {
         double found[2];
         sensitivities_of_state(w, at->A, answer->rest[0], answer->rest[1], model->zeta, model->d, at->h, at->h_A,
                                answer->excited[0], answer->excited[1], answer->excited[2], of->h[0][j], of->rest[0][j],
-                               of->zeta[j], of->d[j], moved[0][j], moved[1][j], moved[2][j], found);
+                               of->zeta[j], of->d[j], rates[0][j], rates[1][j], rates[2][j], found);
         out[1][j] = found[0], out[2][j] = found[1];
     }
     for (int i = 0; i < rows; i++)
@@ -315,30 +315,30 @@ static sf_moves_status sf_gradient(const sf_model *model, const double *of_desig
 /* An answer by what is known there, and what one number does to that: A, Omega, F_0, what it is, whether inertia excites;
  * h, h_A, h_AA, h_AAA; I_0 and three derivatives; zeta, d; then of h, h_A, h_AA, I_0, I_0A, I_0AA, zeta, d, the forcing,
  * the frequency and an end. Out come moves as of `sf_gradient`, and 1; where the answer meets another NaN, and 0. */
-static void sf_move_told(const double *told, double *out) {
-    const double *of_rest = told + 18;
-    sf_pinned_answer answer = {(sf_pinned)told[3], told[4] != 0, told[1], told[2], {0}, 0, {0}, 0, {0}};
-    double moved[SF_UNKNOWNS][SF_MOST_COLUMNS];
+static void sf_slopes_of(const double *in, double *out) {
+    const double *of_rest = in + 18;
+    sf_pinned_answer answer = {(sf_pinned)in[3], in[4] != 0, in[1], in[2], {0}, 0, {0}, 0, {0}};
+    double rates[SF_UNKNOWNS][SF_MOST_COLUMNS];
     sf_causes of;
     sf_model model;
-    answer.at.A = told[0];
-    memcpy(answer.at.averages, told + 5, 4 * sizeof *told);
-    memcpy(answer.rest, told + 9, 4 * sizeof *told);
-    model.zeta = told[13], model.d = told[14];
+    answer.at.A = in[0];
+    memcpy(answer.at.averages, in + 5, 4 * sizeof *in);
+    memcpy(answer.rest, in + 9, 4 * sizeof *in);
+    model.zeta = in[13], model.d = in[14];
     for (int i = 0; i < 3; i++)
-        of.h[i][0] = told[15 + i], of.rest[i][0] = of_rest[i];
-    of.zeta[0] = told[21], of.d[0] = told[22];
-    of.forcing[0] = told[23], of.frequency[0] = told[24], of.end[0] = told[25];
-    (answer.inertial ? sensitivities_by_inertia : sensitivities_by_force)(told[1], told[2], answer.excited);
-    answer.R = answer.kind == SF_CORNER_BACKBONE_PINNED ? 0 : slow_flow_R(told[1], told[0], told[5]);
-    out[SF_STATE_MOVES] = sf_solve(answer.kind, 1, &answer, &model, &of, 1, moved);
+        of.h[i][0] = in[15 + i], of.rest[i][0] = of_rest[i];
+    of.zeta[0] = in[21], of.d[0] = in[22];
+    of.forcing[0] = in[23], of.frequency[0] = in[24], of.end[0] = in[25];
+    (answer.inertial ? sensitivities_by_inertia : sensitivities_by_force)(in[1], in[2], answer.excited);
+    answer.R = answer.kind == SF_CORNER_BACKBONE_PINNED ? 0 : slow_flow_R(in[1], in[0], in[5]);
+    out[SF_STATE_MOVES] = sf_solve(answer.kind, 1, &answer, &model, &of, 1, rates);
     for (int i = 0; i < SF_STATE_MOVES; i++)
         out[i] = NAN;
     if (out[SF_STATE_MOVES] == 0)
         return;
-    out[0] = moved[0][0], out[3] = moved[1][0], out[4] = moved[2][0];
-    sensitivities_of_state(told[1], told[0], told[9], told[10], told[13], told[14], told[5], told[6], answer.excited[0],
-                           answer.excited[1], answer.excited[2], told[15], told[18], told[21], told[22], out[0], out[3],
+    out[0] = rates[0][0], out[3] = rates[1][0], out[4] = rates[2][0];
+    sensitivities_of_state(in[1], in[0], in[9], in[10], in[13], in[14], in[5], in[6], answer.excited[0],
+                           answer.excited[1], answer.excited[2], in[15], in[18], in[21], in[22], out[0], out[3],
                            out[4], out + 1);
 }
 

@@ -49,13 +49,13 @@ TWOFOLD_INLINE sf_held sfh_times(double c, sf_held a) {
 TWOFOLD_INLINE sf_held sfh_square(sf_held a) { return sfh_mul(a, a); }
 /* nothing is known of a quotient by what may be 0 */
 static inline sf_held sfh_div(sf_held a, sf_held b) {
-    const double inverse = 1 / b.x.high, quotient = a.x.high * inverse, share = b.off * fabs(inverse) * SFH_UP;
+    const double inverse = 1 / b.x.high, quotient = a.x.high * inverse, ratio = b.off * fabs(inverse) * SFH_UP;
     const double left = fma(-quotient, b.x.high, a.x.high) + fma(-quotient, b.x.low, a.x.low);
     const double size = fabs(quotient) * SFH_UP;
-    if (!(share < 0.5 && fabs(b.x.high) > SFH_LEAST))
+    if (!(ratio < 0.5 && fabs(b.x.high) > SFH_LEAST))
         return sfh_of(sfp_point(quotient), HUGE_VAL);
     return sfh_of(sfp_of(quotient, left * inverse),
-                  ((a.off * fabs(inverse) + size * share) * (1 + 2 * share) + SFH_ERROR * size) * SFH_UP +
+                  ((a.off * fabs(inverse) + size * ratio) * (1 + 2 * ratio) + SFH_ERROR * size) * SFH_UP +
                       SFH_LEAST * sfi_most(fabs(inverse), 1));
 }
 static inline sf_held sfh_inverse(sf_held a) { return sfh_div(sfh_point(1), a); }
@@ -70,10 +70,10 @@ static inline sf_held sfh_sqrt(sf_held a) {
  * of its share, which is less than twice the share. */
 static inline sf_held sfh_atan2(sf_held y, sf_held x) {
     const sf_pair angle = pair_angles_atan2(y.x, x.x);
-    const double moved = (y.off + x.off) * SFH_UP, away = fmax(fabs(y.x.high), fabs(x.x.high));
-    if (!(moved < 0.5 * away))
+    const double shift = (y.off + x.off) * SFH_UP, away = fmax(fabs(y.x.high), fabs(x.x.high));
+    if (!(shift < 0.5 * away))
         return sfh_of(angle, HUGE_VAL);
-    return sfh_of(angle, (2 * moved / away + SFH_ERROR * angle.high) * SFH_UP + SFH_LEAST);
+    return sfh_of(angle, (2 * shift / away + SFH_ERROR * angle.high) * SFH_UP + SFH_LEAST);
 }
 
 /* The doubles around it. */

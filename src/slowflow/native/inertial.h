@@ -48,19 +48,19 @@ static inline int sf_inertial_overflows(const sf_model *model, const sf_sample *
 enum { SF_MOST_SHARES = 100 };
 
 /* Omega of a fold, or of a peak, by I and what R is of it there, without h; 0 where that is too much. */
-static inline double sf_Omega_by_share(const sf_model *model, double F_0, const sf_sample *at, int fold, double *share)
+static inline double sf_Omega_by_share(const sf_model *model, double F_0, const sf_sample *at, int fold, double *ratio)
 {
     double w = 0, last, slopes[3];
-    *share = 0;
+    *ratio = 0;
     for (int i = 0; i < SF_MOST_SHARES; i++) {
-        last = w, w = inertia_Omega_of_share(at->A, F_0, model->m, model->zeta, *share);
+        last = w, w = inertia_Omega_of_share(at->A, F_0, model->m, model->zeta, *ratio);
         if (fold) {
             inertia_fold_slopes(w, at->A, model->m, model->zeta, at->k, slopes);
-            *share = slopes[2];
+            *ratio = slopes[2];
         } else {
-            *share = inertia_peak_share(w, at->A, model->m, model->zeta);
+            *ratio = inertia_peak_share(w, at->A, model->m, model->zeta);
         }
-        if (!(fabs(*share) <= SF_LARGEST_SHARE))
+        if (!(fabs(*ratio) <= SF_LARGEST_SHARE))
             return 0;
         if (fabs(w - last) <= 0x1p-52 * w)
             return w;

@@ -7,7 +7,7 @@
 #include "certificate.h"
 
 /* Makes a record of words and numbers, with the damping and the excitation of another one. */
-typedef sf_status (*sf_record_of)(const sf_mechanism *like, const char *name, const int *words, ptrdiff_t count,
+typedef sf_status (*sf_record_of)(const sf_mechanism *like, const char *name, const int *code, ptrdiff_t count,
                                 const double *numbers, ptrdiff_t length, sf_mechanism **record);
 
 /* The record of every mechanism that the package ships, and what makes one of a program, and of polynomials. */
@@ -121,7 +121,7 @@ typedef struct {
     const sf_batch *of_many;
     int count_of_one, count_of_many;
     /* of answers by what is known there, not of a record */
-    void (*told)(const double *in, double *out);
+    void (*slopes)(const double *in, double *out);
     const sf_records *records;
 } sf_solvers;
 

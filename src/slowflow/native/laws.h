@@ -281,12 +281,12 @@ static inline double sf_least_by_laws(const sf_model *model, const sf_sample *at
 static inline int sf_laws_are_in_range(const sf_model *model, double F_0, double A_max) {
     sf_law_quartic q;
     sf_sample at;
-    int held = F_0 >= SF_LEAST_F_0 && model->d * F_0 * (model->d * F_0) < HUGE_VAL;
+    int bounded = F_0 >= SF_LEAST_F_0 && model->d * F_0 * (model->d * F_0) < HUGE_VAL;
     sf_sample_without_k_at(model, A_max, &at);
     sf_make_law_quartic(model, &at, SF_OF_RESPONSE, F_0, sf_is_beyond(model, A_max), &q);
     for (int i = 0; i < 5; i++)
-        held = held && q.c[i] * q.c[i] < HUGE_VAL;
-    return held;
+        bounded = bounded && q.c[i] * q.c[i] < HUGE_VAL;
+    return bounded;
 }
 
 /* ==== On a cell ================================================================================================== */

@@ -219,9 +219,9 @@ static double sf_settled_Omega(const sf_model *model, double F_0, const sf_sampl
     if (n == 0 || sf_inertial(model) || sf_share_of_F_A(model, at, w[place]) <= SF_OF_A_FOLD)
         return n > 0 ? w[place] : Omega;
     for (int i = 0; i < n; i++) {
-        const double share = sf_share_of_F_A(model, at, w[i]);
-        if (share < least)
-            least = share, place = i;
+        const double fraction = sf_share_of_F_A(model, at, w[i]);
+        if (fraction < least)
+            least = fraction, place = i;
     }
     return w[place];
 }
@@ -240,10 +240,10 @@ static int sf_is_stable_below(const sf_model *model, double F_0, const sf_sample
     sf_ask(&task, 1, at, &fold);
     if (fold.exists[0] && fabs(fold.Omega[0] - w) < SF_NEAR_END * w) {
         const double turn = 4 * sf_quarter_F_AOmega(model, at, w) / sf_F_Omega(model, at, w);
-        double moves[2] = {1, 0}; /* of F and F_A */
+        double shift[2] = {1, 0}; /* of F and F_A */
         if (model->zeta > 0)
-            slow_flow_fold_moves(at->A, at->k, slow_flow_R(w, at->A, at->h), moves);
-        return fold.y[0] * (moves[1] - turn * moves[0]) > 0;
+            slow_flow_fold_moves(at->A, at->k, slow_flow_R(w, at->A, at->h), shift);
+        return fold.y[0] * (shift[1] - turn * shift[0]) > 0;
     }
     return sf_half_F_A(model, at, w) > 0;
 }
@@ -256,19 +256,19 @@ static int sf_is_corner_close(const sf_model *model, double F_0, double J, const
     const int laws = sf_has_laws(model);
     sf_quartic cubic;
     double w[3];
-    int places;
+    int count;
     if (J == 0 || fabs(J) <= SF_CLOSE * at->A * (1 + fabs(at->h_A)))
         return 1;
     if (laws) {
-        places = sf_law_stationary(model, at, w);
+        count = sf_law_stationary(model, at, w);
     } else if (sf_inertial(model)) {
         w[0] = sf_last_stationary(model, at);
-        places = w[0] > 0;
+        count = w[0] > 0;
     } else { /* F is stationary there: their last digits change nothing */
-        places = sf_unpolished_peak_roots(&cubic, at->A, at->h, model->m, model->zeta, w);
+        count = sf_unpolished_peak_roots(&cubic, at->A, at->h, model->m, model->zeta, w);
     }
-    w[places++] = 0;
-    for (int i = 0; i < places; i++)
+    w[count++] = 0;
+    for (int i = 0; i < count; i++)
         if (sf_is_F_close(model, at, F_0, w[i]))
             return 1;
     for (int i = 0; i < n && Omega[i] < HUGE_VAL; i++) {
@@ -338,11 +338,11 @@ static double sf_locus_level(const sf_model *model, const sf_sample *at, double 
 /* Omega of a fold of an excitation by inertia where damping is so weak that what rounding leaves of R takes it off the
  * response: by I and F_A = 0, if h is that of the amplitude but for roundings; else as it was. */
 static double sf_sharp_Omega(const sf_model *model, double F_0, const sf_sample *at, double Omega) {
-    double share;
-    const double w = sf_Omega_by_share(model, F_0, at, 1, &share), I = inertia_force(w, F_0);
+    double fraction;
+    const double w = sf_Omega_by_share(model, F_0, at, 1, &fraction), I = inertia_force(w, F_0);
     const double size = sf_size_of_R(at, w), loss = size / I;
-    if (w > 0 && (fabs(share) * loss > SF_FEW_LOST || loss > SF_SQUARE_LOST) &&
-        fabs(slow_flow_R(w, at->A, at->h) + share * I) <= SF_CLOSE * size)
+    if (w > 0 && (fabs(fraction) * loss > SF_FEW_LOST || loss > SF_SQUARE_LOST) &&
+        fabs(slow_flow_R(w, at->A, at->h) + fraction * I) <= SF_CLOSE * size)
         return w;
     return Omega;
 }
@@ -523,10 +523,10 @@ static long sf_draw_locus(const sf_model *model, long samples, sf_work *work, do
                 continue;
             }
             for (int k = from; k < to; k++, n++) {
-                const double share = 0.5 - 0.5 * cos(3.14159265358979312 * (upward ? k : steps - k) / steps);
+                const double fraction = 0.5 - 0.5 * cos(3.14159265358979312 * (upward ? k : steps - k) / steps);
                 const int end = k == 0 ? 1 - upward : upward;
                 sf_sample at;
-                A[n] = k == 0 || k == steps ? arc->A[end] : arc->A[0] + (arc->A[1] - arc->A[0]) * share;
+                A[n] = k == 0 || k == steps ? arc->A[end] : arc->A[0] + (arc->A[1] - arc->A[0]) * fraction;
                 sf_sample_at(model, A[n], &at);
                 Omega[n] = k == 0 || k == steps ? arc->Omega[end]
                                                 : sf_branch_at(model, &at, SF_ON_LOCUS, arc->count, arc->index);

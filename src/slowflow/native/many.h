@@ -87,19 +87,19 @@ static sf_fold_kind sf_kind_of(const int *up_corner) {
 }
 
 /* A column into the places of an output, and nothing into those behind it. */
-static void sf_write_places(const sf_item *of, char type, ptrdiff_t places, char *to, ptrdiff_t step) {
-    const ptrdiff_t apart = of->step, n = of->n < places ? of->n : places;
+static void sf_write_places(const sf_item *of, char type, ptrdiff_t max_count, char *to, ptrdiff_t step) {
+    const ptrdiff_t apart = of->step, n = of->n < max_count ? of->n : max_count;
     const char *from = of->first;
     ptrdiff_t i;
     if (type == 'D') {
         for (i = 0; i < n; i++, from += apart, to += step)
             *(double *)(void *)to = *(const double *)(const void *)from;
-        for (; i < places; i++, to += step)
+        for (; i < max_count; i++, to += step)
             *(double *)(void *)to = NAN;
     } else {
         for (i = 0; i < n; i++, from += apart, to += step)
             *to = type == 'K' ? (char)sf_kind_of((const int *)(const void *)from) : *from;
-        for (; i < places; i++, to += step)
+        for (; i < max_count; i++, to += step)
             *to = SF_EMPTY;
     }
 }
@@ -372,17 +372,17 @@ static int sf_enter_states(const sf_call *at, const sf_exact_block *exact, sf_la
 
 /* Without a query, as peaks. */
 static int sf_leave_states(const sf_call *at, const sf_exactly *exactly, sf_lane_block *block, int d, sf_query *q) {
-    const ptrdiff_t places = at->dimensions[1];
+    const ptrdiff_t max_count = at->dimensions[1];
     const sf_lane_design *of = &block->at[d];
     double A[SF_LANE_ZEROS];
     const sf_item amplitudes = {SF_NUMBERS, 0, of->n, A, sizeof *A}, stable = {SF_BYTE_FLAGS, 0, of->n, of->rises, 1};
     (void)q;
     if (!sf_settle_block_states(of, exactly, A))
         return 0;
-    sf_write_places(&amplitudes, 'D', places, sf_output(at, 0), at->inner[0]);
-    sf_write_places(&stable, 'B', places, sf_output(at, 1), at->inner[1]);
+    sf_write_places(&amplitudes, 'D', max_count, sf_output(at, 0), at->inner[0]);
+    sf_write_places(&stable, 'B', max_count, sf_output(at, 1), at->inner[1]);
     *sf_output(at, 2) = (char)of->n, *sf_output(at, 3) = 0;
-    *sf_output(at, 4) = of->n > places ? SF_TOO_MANY : SF_OK;
+    *sf_output(at, 4) = of->n > max_count ? SF_TOO_MANY : SF_OK;
     return 1;
 }
 

@@ -12,20 +12,20 @@
 static void sf_write_points(const sf_call *at, long n, const sf_points *points, const int *closed)
 {
     const double *numbers[] = {points->Omega, points->A};
-    const ptrdiff_t places = at->dimensions[1], of_stable = at->inner[2], of_branch = at->inner[3],
+    const ptrdiff_t max_count = at->dimensions[1], of_stable = at->inner[2], of_branch = at->inner[3],
                     of_closed = at->inner[4];
     char *stable = sf_output(at, 2), *branch = sf_output(at, 3), *is_closed = sf_output(at, 4);
     for (int j = 0; j < 2; j++) {
         char *to = sf_output(at, j);
         const ptrdiff_t step = at->inner[j];
-        for (ptrdiff_t i = 0; i < places; i++)
+        for (ptrdiff_t i = 0; i < max_count; i++)
             *(double *)(void *)(to + i * step) = i < n ? numbers[j][i] : NAN;
     }
-    for (ptrdiff_t i = 0; i < places; i++)
+    for (ptrdiff_t i = 0; i < max_count; i++)
         stable[i * of_stable] = (char)(i < n && points->stable[i]);
-    for (ptrdiff_t i = 0; i < places; i++)
+    for (ptrdiff_t i = 0; i < max_count; i++)
         *(short *)(void *)(branch + i * of_branch) = (short)(i < n ? points->branch[i] : -1);
-    for (ptrdiff_t i = 0; i < places; i++)
+    for (ptrdiff_t i = 0; i < max_count; i++)
         is_closed[i * of_closed] = (char)(i < n && closed[points->branch[i]]);
 }
 

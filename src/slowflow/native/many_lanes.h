@@ -235,7 +235,7 @@ SF_ALWAYS void sf_approach_block(const sf_lane_question *question, sf_lane_block
         int n_far = 0, n_near = 0;
         question->approach(zeros);
         for (i = 0; i < zeros->n; i++) {
-            const int is_near = zeros->moved[i] <= question->last_step * zeros->next[i];
+            const int is_near = zeros->change[i] <= question->last_step * zeros->next[i];
             far[n_far] = near[n_near] = i;
             n_far += !is_near, n_near += is_near;
         }

@@ -99,7 +99,7 @@ struct sf_mechanism {
      * gives h, h_A and, if more than two are wanted, h_AA and h_AAA. */
     void (*parameters_in_pairs)(const sf_mechanism *self, const double *design, sf_pair *p);
     void (*ends_in_pairs)(const sf_mechanism *self, const sf_pair *p, sf_pair *b);
-    void (*averaged_in_pairs)(const sf_mechanism *self, int passed, int wanted, sf_pair A, sf_pair beyond,
+    void (*averaged_in_pairs)(const sf_mechanism *self, int passed, int count, sf_pair A, sf_pair beyond,
                               const sf_pair *p, sf_pair *out);
 
     /* Of n designs at once what parameters_in_pairs gives, of each number the high and then the low part: number i of

@@ -240,12 +240,12 @@ static void sf_consider_corner_by_laws(const sf_model *model, int k, const sf_sa
     else if (at->h < 0)
         w[n++] = slow_flow_backbone(at->A, at->h);
     for (int i = 0; i < n; i++) {
-        int beside = 0;
+        int folds = 0;
         for (int side = -1; side <= 1; side += 2) {
             const double near = w[i] * (1 + side * SF_BESIDE_FOLDS);
-            beside |= (sf_law_F_A(model, at, near, beyond) > 0) != sf_is_stable_above(model, k, at, near);
+            folds |= (sf_law_F_A(model, at, near, beyond) > 0) != sf_is_stable_above(model, k, at, near);
         }
-        if (w[i] > 0 && beside)
+        if (w[i] > 0 && folds)
             sf_consider(sf_law_level(model, at, w[i]), w[i], at->A, SF_CORNER_KIND, best);
     }
 }
@@ -331,22 +331,22 @@ static int sf_undamped_in(const sf_model *model, const sf_stretch *piece, sf_zer
 /* The same on a breakpoint. Where the force jumps by J folds sit on it at Omega^2 > -h_A, if J < 0, or below. */
 static int sf_undamped_on(const sf_model *model, const sf_sample *at, const sf_sample *above, double J, sf_onset *best)
 {
-    const int moves = at->h_A < 0, falls = moves && sf_undamped_rises(at->h_AA, at->h_AAA, at->k, 0) < 0;
+    const int falls_off = at->h_A < 0, falls = falls_off && sf_undamped_rises(at->h_AA, at->h_AAA, at->k, 0) < 0;
     const double at_rest = sf_level(model, at, 0);
     int turns;
     if (J == 0) {
         turns = falls && sf_undamped_rises(above->h_AA, above->h_AAA, at->k, 0) > 0;
     } else if (J < 0) {
-        if ((moves ? at->k : at->h) <= 0)
+        if ((falls_off ? at->k : at->h) <= 0)
             return 1;
         turns = falls;
-        if (!moves)
+        if (!falls_off)
             best->rest = fmin(best->rest, at_rest);
     } else {
-        if (moves && at->h <= 0 && at->k >= 0)
+        if (falls_off && at->h <= 0 && at->k >= 0)
             return 1;
         turns = falls && at->k < 0;
-        if (moves && at->h > 0)
+        if (falls_off && at->h > 0)
             best->rest = fmin(best->rest, at_rest);
     }
     if (turns)
@@ -537,9 +537,9 @@ static double sf_first_with_folds(const sf_model *model, const sf_sample *rest) 
         sf_sample_at(model, A, &at);
         const double slow = 2 * model->zeta * sqrt(fmin(fabs(at.h) / A, fabs(at.h_A)));
         const double fast = 2 * model->zeta * sqrt(fmax(fabs(at.h) / A, fabs(at.h_A)));
-        const double share = at.k * at.k / (4 * A);
-        outweighs = share / (fast * (model->m + fast * A));
-        outweighed = share / (slow * (model->m + slow * A));
+        const double ratio = at.k * at.k / (4 * A);
+        outweighs = ratio / (fast * (model->m + fast * A));
+        outweighed = ratio / (slow * (model->m + slow * A));
         come_down &= outweighs > 1 && (k == 0 || outweighs > lasts);
         if (!(outweighed < 1) || (k > 0 && !(outweighed < last)))
             from = 0;

@@ -250,20 +250,20 @@ SF_PROGRAM_OF(sf_program_ends_in_pairs, sf_pair, sf_at_in_pairs, ends_in_pairs)
 SF_PROGRAM_OF(sf_program_ends_within, sf_interval, sf_at_on_intervals, ends_within)
 #undef SF_PROGRAM_OF
 
-/* An average by quadrature at one amplitude: the first integrals, so many as are wanted, and what closes them. */
-static void sf_program_closed(const sf_mechanism *self, int which, int wanted, double A, const double *p, double *out)
+/* An average by quadrature at one amplitude: the first `count` integrals, and what closes them. */
+static void sf_program_closed(const sf_mechanism *self, int which, int count, double A, const double *p, double *out)
 {
     const sf_program *of = self->program;
     double arguments[1 + SF_MOST_SUMS + SF_MOST_PARAMETERS] = {A}, ends[SF_MOST_BREAKS] = {0};
     const int width = of->sums[which].width;
     sf_at(&of->ends, -1, p, ends);
-    sf_over_quarter(&of->sums[which], wanted, A, p, ends, arguments + 1);
+    sf_over_quarter(&of->sums[which], count, A, p, ends, arguments + 1);
     memcpy(arguments + 1 + width, p, (size_t)self->parameters * sizeof *p);
     sf_at(&of->averages[which], -1, arguments, out);
 }
 
 /* The first outputs of an average: by a quadrature from so many integrals, or as it is printed in a function of A. */
-static void sf_program_average(const sf_mechanism *self, int which, int wanted, const sf_function *printed, int outputs,
+static void sf_program_average(const sf_mechanism *self, int which, int count, const sf_function *printed, int outputs,
                                ptrdiff_t n, const double *A, const double *p, double *out)
 {
     double at[3 * SF_MOST_PARAMETERS + 8];
@@ -272,7 +272,7 @@ static void sf_program_average(const sf_mechanism *self, int which, int wanted, 
         return;
     }
     for (ptrdiff_t i = 0; i < n; i++) {
-        sf_program_closed(self, which, wanted, A[i], p, at);
+        sf_program_closed(self, which, count, A[i], p, at);
         for (int k = 0; k < outputs; k++)
             out[k * n + i] = at[k];
     }
@@ -350,14 +350,14 @@ static void sf_program_parameters_in_pairs(const sf_mechanism *self, const doubl
     sf_at_in_pairs(&self->program->given_in_pairs, -1, inputs, p);
 }
 
-static void sf_program_averaged_in_pairs(const sf_mechanism *self, int passed, int wanted, sf_pair A, sf_pair beyond,
+static void sf_program_averaged_in_pairs(const sf_mechanism *self, int passed, int count, sf_pair A, sf_pair beyond,
                                          const sf_pair *p, sf_pair *out)
 {
     sf_pair all[5], arguments[2 + SF_MOST_PARAMETERS + SF_MOST_BREAKS] = {A, beyond};
     const int inputs = self->breakpoints > 0 ? 2 : 1;
     memcpy(arguments + inputs, p, (size_t)(self->parameters + self->breakpoints) * sizeof *p);
     sf_at_in_pairs(&self->program->in_pairs, passed, arguments, all);
-    memcpy(out, all, (wanted <= 2 ? 2 : 4) * sizeof *out);
+    memcpy(out, all, (count <= 2 ? 2 : 4) * sizeof *out);
 }
 
 /* Parameters and jumps in pairs of one of several designs. */
@@ -596,10 +596,10 @@ static inline void sf_read_all(sf_reader *from, sf_mechanism *record, sf_program
  * is beyond what a record has room for.
  *
  * like: a record of any odd force, whose damping and excitation it takes */
-static sf_status sf_read_program(const sf_mechanism *like, const char *name, const int *words, ptrdiff_t count,
+static sf_status sf_read_program(const sf_mechanism *like, const char *name, const int *code, ptrdiff_t count,
                                  const double *numbers, ptrdiff_t length, sf_mechanism **record)
 {
-    sf_reader from = {words, words + count, numbers, numbers + length, NULL, SF_READ};
+    sf_reader from = {code, code + count, numbers, numbers + length, NULL, SF_READ};
     sf_mechanism *made = sf_room_for(&from, 1, sizeof *made);
     sf_program *program = sf_room_for(&from, 1, sizeof *program);
     char *called = sf_room_for(&from, (int)strlen(name) + 1, 1);

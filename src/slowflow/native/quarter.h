@@ -51,13 +51,13 @@ typedef struct {
     double span, sine, cosine;
 } sf_part;
 
-/* The first integrals, so many as are wanted, by that many panels, and those of the integrands' sizes. */
-static inline void sf_panels(const sf_quarter *of, int wanted, const sf_part *on, double A, const double *p, int panels,
+/* The first `count` integrals, by that many panels, and those of the integrands' sizes. */
+static inline void sf_panels(const sf_quarter *of, int count, const sf_part *on, double A, const double *p, int panels,
                              double *sums, double *sizes) {
     const int graded = of->graded[on->piece];
     double beyond[SF_NODES], sine[SF_NODES], cosine[SF_NODES], w[SF_NODES];
     double values[SF_NODES * SF_MOST_SUMS], beneath[SF_MOST_SUMS];
-    for (int k = 0; k < wanted; k++)
+    for (int k = 0; k < count; k++)
         sums[k] = sizes[k] = beneath[k] = 0;
     for (int i = 0; i < panels; i++) {
         for (int j = 0; j < 2 * of->nodes; j++) {
@@ -80,14 +80,14 @@ static inline void sf_panels(const sf_quarter *of, int wanted, const sf_part *on
             for (int j = 0; j < 2 * of->nodes; j++)
                 of->integrands[on->piece](beyond[j], sine[j], cosine[j], p, values + j * of->width);
         for (int j = 0; j < 2 * of->nodes; j++)
-            for (int k = 0; k < wanted; k++) {
+            for (int k = 0; k < count; k++) {
                 const double value = values[j * of->width + k] * w[j];
                 double low_part;
                 sums[k] = twofold_two_sum(sums[k], value, &low_part);
                 beneath[k] += low_part, sizes[k] += fabs(value);
             }
     }
-    for (int k = 0; k < wanted; k++) {
+    for (int k = 0; k < count; k++) {
         if (isfinite(sums[k]))
             sums[k] += beneath[k];
         sums[k] *= on->span, sizes[k] *= on->span;
@@ -95,60 +95,60 @@ static inline void sf_panels(const sf_quarter *of, int wanted, const sf_part *on
 }
 
 /* Whether a sum moved by more than what its integrand is in doubt by. */
-static inline int sf_is_apart(const sf_quarter *of, int k, double span, double moved, double size) {
-    return moved > SF_AGREED * size + (of->rough != NULL ? of->rough[k] * span : 0);
+static inline int sf_is_apart(const sf_quarter *of, int k, double span, double shift, double size) {
+    return shift > SF_AGREED * size + (of->rough != NULL ? of->rough[k] * span : 0);
 }
 
 /* Whether sums differ from those by half as many panels by no more than roundings of A and of the parameters make of
  * them. */
-static inline int sf_moves_as_rounding(const sf_quarter *of, int wanted, const sf_part *on, double A, const double *p,
+static inline int sf_moves_as_rounding(const sf_quarter *of, int count, const sf_part *on, double A, const double *p,
                                        int panels, const double *sums, const double *before, const double *sizes)
 {
-    double there[SF_MOST_SUMS], sizes_there[SF_MOST_SUMS], moves[SF_MOST_SUMS], beside[SF_MOST_SUMS];
-    for (int k = 0; k < wanted; k++)
-        moves[k] = 0;
+    double there[SF_MOST_SUMS], sizes_there[SF_MOST_SUMS], changes[SF_MOST_SUMS], shifted[SF_MOST_SUMS];
+    for (int k = 0; k < count; k++)
+        changes[k] = 0;
     for (int number = -1; number < of->parameters; number++) {
         for (int k = 0; k < of->parameters; k++)
-            beside[k] = k == number ? p[k] * (1 + SF_MOVED_BY) : p[k];
-        sf_panels(of, wanted, on, number < 0 ? A * (1 + SF_MOVED_BY) : A, beside, panels, there, sizes_there);
-        for (int k = 0; k < wanted; k++)
-            moves[k] += fabs(there[k] - sums[k]);
+            shifted[k] = k == number ? p[k] * (1 + SF_MOVED_BY) : p[k];
+        sf_panels(of, count, on, number < 0 ? A * (1 + SF_MOVED_BY) : A, shifted, panels, there, sizes_there);
+        for (int k = 0; k < count; k++)
+            changes[k] += fabs(there[k] - sums[k]);
     }
-    for (int k = 0; k < wanted; k++) {
-        const double moved = fabs(sums[k] - before[k]);
-        if (sf_is_apart(of, k, on->span, moved, sizes[k]) && !(moved <= moves[k]))
+    for (int k = 0; k < count; k++) {
+        const double shift = fabs(sums[k] - before[k]);
+        if (sf_is_apart(of, k, on->span, shift, sizes[k]) && !(shift <= changes[k]))
             return 0;
     }
     return 1;
 }
 
 /* One piece's integrals; 0 where they do not settle. An infinite sum stays so. */
-static inline int sf_settled_part(const sf_quarter *of, int wanted, const sf_part *on, double A, const double *p,
+static inline int sf_settled_part(const sf_quarter *of, int count, const sf_part *on, double A, const double *p,
                                   double *sums)
 {
     double before[SF_MOST_SUMS], sizes[SF_MOST_SUMS];
-    for (int k = 0; k < wanted; k++)
+    for (int k = 0; k < count; k++)
         before[k] = 0;
     for (int panels = 1; panels <= SF_MOST_PANELS; panels *= 2) {
         int apart = panels == 1;
-        sf_panels(of, wanted, on, A, p, panels, sums, sizes);
-        for (int k = 0; k < wanted && panels > 1 && !(on->span <= SF_SHORT_PART); k++)
+        sf_panels(of, count, on, A, p, panels, sums, sizes);
+        for (int k = 0; k < count && panels > 1 && !(on->span <= SF_SHORT_PART); k++)
             apart |= sf_is_apart(of, k, on->span, fabs(sums[k] - before[k]), sizes[k]);
         if (!apart ||
-            (panels >= SF_FEWEST_PANELS && sf_moves_as_rounding(of, wanted, on, A, p, panels, sums, before, sizes)))
+            (panels >= SF_FEWEST_PANELS && sf_moves_as_rounding(of, count, on, A, p, panels, sums, before, sizes)))
             return 1;
-        for (int k = 0; k < wanted; k++)
+        for (int k = 0; k < count; k++)
             before[k] = sums[k];
     }
     return 0;
 }
 
 /* The sums over the pieces; 0 where one does not settle. */
-static inline int sf_sums_at(const sf_quarter *of, int wanted, double A, const double *p, const double *ends,
+static inline int sf_sums_at(const sf_quarter *of, int count, double A, const double *p, const double *ends,
                              double *sums)
 {
     double of_part[SF_MOST_SUMS], low = 0;
-    for (int k = 0; k < wanted; k++)
+    for (int k = 0; k < count; k++)
         sums[k] = 0;
     for (int piece = 0; piece < of->pieces; piece++) {
         const double end = piece + 1 < of->pieces ? ends[piece] : INFINITY;
@@ -161,9 +161,9 @@ static inline int sf_sums_at(const sf_quarter *of, int wanted, double A, const d
             on = (sf_part){piece, span, cos(span), sin(span)};
         }
         if (on.span > 0) {
-            if (!sf_settled_part(of, wanted, &on, A, p, of_part))
+            if (!sf_settled_part(of, count, &on, A, p, of_part))
                 return 0;
-            for (int k = 0; k < wanted; k++)
+            for (int k = 0; k < count; k++)
                 sums[k] += of_part[k];
         }
         low = high;
@@ -173,31 +173,31 @@ static inline int sf_sums_at(const sf_quarter *of, int wanted, double A, const d
         if (A > end) {
             const double span = atan2(sqrt((A - end) * (A + end)), end);
             const sf_part on = {piece, span, cos(span), sin(span)};
-            if (!sf_settled_part(of, wanted, &on, A, p, of_part))
+            if (!sf_settled_part(of, count, &on, A, p, of_part))
                 return 0;
-            for (int k = 0; k < wanted; k++)
+            for (int k = 0; k < count; k++)
                 sums[k] += of_part[k];
         }
     }
     return 1;
 }
 
-/* The first integrals, so many as are wanted, at A >= 0; NaN where one does not settle: the force is all but singular
+/* The first `count` integrals, at A >= 0; NaN where one does not settle: the force is all but singular
  * there. */
-static inline void sf_over_quarter(const sf_quarter *of, int wanted, double A, const double *p, const double *ends,
+static inline void sf_over_quarter(const sf_quarter *of, int count, double A, const double *p, const double *ends,
                                    double *sums)
 {
-    double beside[SF_MOST_SUMS];
-    int lost = 0, settled = sf_sums_at(of, wanted, A, p, ends, sums);
+    double nearby[SF_MOST_SUMS];
+    int lost = 0, settled = sf_sums_at(of, count, A, p, ends, sums);
     /* a slope at rest that is a quotient of zeros, as of a broken power, is what it is next to it */
-    for (int k = 0; k < wanted; k++)
+    for (int k = 0; k < count; k++)
         lost |= A == 0 && isnan(sums[k]);
     if (settled && lost) {
-        settled = sf_sums_at(of, wanted, SF_NEXT_TO_ZERO, p, ends, beside);
-        for (int k = 0; k < wanted; k++)
-            sums[k] = isnan(sums[k]) ? beside[k] : sums[k];
+        settled = sf_sums_at(of, count, SF_NEXT_TO_ZERO, p, ends, nearby);
+        for (int k = 0; k < count; k++)
+            sums[k] = isnan(sums[k]) ? nearby[k] : sums[k];
     }
-    for (int k = 0; k < wanted && !settled; k++)
+    for (int k = 0; k < count && !settled; k++)
         sums[k] = NAN;
 }
 

@@ -195,9 +195,9 @@ static void sf_answer_states_of(sf_query *q)
     /* frequencies: some milliseconds; and as how many of them a proof counts */
     enum { BETWEEN_SIGNALS = 1 << 14, PROOF = 100 };
     sf_room *room = q->room;
-    long n = 0, doubts = 0, places = SF_MOST_STATES, since = 0;
+    long n = 0, doubts = 0, size = SF_MOST_STATES, since = 0;
     double *doubt = sf_reserve(q, (long)q->length, sizeof *doubt);
-    sf_state *at = sf_reserve(q, places, sizeof *at);
+    sf_state *at = sf_reserve(q, size, sizeof *at);
     void **of_states = &q->reserve[q->reserved - 1];
     sf_model model = *q->model;
     sf_status status = SF_OK;
@@ -210,8 +210,8 @@ static void sf_answer_states_of(sf_query *q)
     for (long i = 0; i < q->length && status == SF_OK; i++) {
         const double Omega = q->values[i];
         int here, undecided;
-        if (n + SF_MOST_STATES > places) {
-            void *more = realloc(at, (size_t)(places *= 2) * sizeof *at);
+        if (n + SF_MOST_STATES > size) {
+            void *more = realloc(at, (size_t)(size *= 2) * sizeof *at);
             if (more == NULL)
                 return;
             *of_states = at = more;
@@ -338,7 +338,7 @@ static void sf_answer_second_curve(sf_query *q)
     sf_put_second_states(q, curve->n, curve->point);
     sf_put_column(q, SF_NUMBERS, curve->n, &curve->point->A, sizeof *curve->point);
     sf_put_column(q, SF_INTEGERS, curve->n, &curve->point->part, sizeof *curve->point);
-    sf_put_column(q, SF_BYTE_FLAGS, curve->parts, curve->closed, sizeof *curve->closed);
+    sf_put_column(q, SF_BYTE_FLAGS, curve->branches, curve->closed, sizeof *curve->closed);
     sf_put_left_out(q, &curve->left);
 }
 

@@ -32,14 +32,14 @@
               (const sf_mechanism *self, int passed, sf_interval A, sf_interval beyond, const sf_interval *p, \
                sf_interval *out), \
               (void)passed; (void)beyond; call)
-/* h, h_A, h_AA, h_AAA, as many as are wanted: fewer take less time */
+/* h, h_A, h_AA, h_AAA, the first `count`: fewer take less time */
 #define AVERAGED_IN_PAIRS(member, call) \
-    static void member(const sf_mechanism *self, int passed, int wanted, sf_pair A, sf_pair beyond, const sf_pair *p, \
+    static void member(const sf_mechanism *self, int passed, int count, sf_pair A, sf_pair beyond, const sf_pair *p, \
                        sf_pair *out) \
     { \
         sf_pair all[5]; \
         (void)self, (void)passed, (void)beyond; \
-        if (wanted <= 2) { \
+        if (count <= 2) { \
             call; \
             out[0] = all[0], out[1] = all[1]; \
             return; \

@@ -57,9 +57,9 @@ static inline void sf_change_by(sf_pair *x, double change) { *x = sfp_add(*x, sf
  * this one as this one to the one before; of the first only the slope's turn may be known, which is not all where a
  * peak is as sharp as rounding. */
 static inline int sf_is_step(double size, double turn, double before, int *last) {
-    const double share = before < HUGE_VAL ? size / before : size <= SF_FEW_ROUNDINGS ? fmax(fabs(turn), size) : 1;
+    const double ratio = before < HUGE_VAL ? size / before : size <= SF_FEW_ROUNDINGS ? fmax(fabs(turn), size) : 1;
     const double larger = before < SF_FEW_DIGITS ? SF_LARGER_NEARBY : SF_LARGER;
-    *last = size * share <= SF_LEFT_TO_DO;
+    *last = size * ratio <= SF_LEFT_TO_DO;
     return size <= fmin(SF_LARGEST_STEP, larger * before) && fabs(turn) <= SF_LARGEST_TURN;
 }
 
@@ -72,30 +72,30 @@ static inline int sf_piece_of(const sf_model *model, double A) {
 }
 
 /* Of a step, relatively */
-static inline double sf_size_of_step(const double out[4], sf_moves moves, const sf_settling *of) {
-    double size = fabs(out[moves > SF_MOVES_A]) / of->A.high;
-    if (moves > SF_MOVES_A)
+static inline double sf_size_of_step(const double out[4], sf_moves unknowns, const sf_settling *of) {
+    double size = fabs(out[unknowns > SF_MOVES_A]) / of->A.high;
+    if (unknowns > SF_MOVES_A)
         size = fmax(size, fabs(out[0]) / of->Omega.high);
-    if (moves == SF_MOVES_ALL)
+    if (unknowns == SF_MOVES_ALL)
         size = fmax(size, fabs(out[2]) / of->F_0.high);
     return size;
 }
 
 /* How far, relatively, Newton's method would move what does not settle; 0 where pairs do not tell. */
-static inline double sf_is_off_by(sf_step step, sf_moves moves, int wanted, const sf_exactly *exactly,
+static inline double sf_is_off_by(sf_step step, sf_moves unknowns, int count, const sf_exactly *exactly,
                                   const sf_model *model, const sf_settling *of)
 {
     sf_exact_sample at;
     double out[4];
-    if (!sf_exact_at(exactly, model, sf_piece_of(model, of->A.high), of->A, wanted, NULL, &at))
+    if (!sf_exact_at(exactly, model, sf_piece_of(model, of->A.high), of->A, count, NULL, &at))
         return 0;
     sf_take_step(step, exactly, &at, of, out);
-    const double off = sf_size_of_step(out, moves, of);
+    const double off = sf_size_of_step(out, unknowns, of);
     return isnan(off) ? HUGE_VAL : off;
 }
 
-/* Returns whether an answer settled. wanted, near: as of sf_exact_at */
-static inline int sf_settle_near(sf_step step, sf_moves moves, int wanted, const sf_exactly *exactly,
+/* Returns whether an answer settled. count, near: as of sf_exact_at */
+static inline int sf_settle_near(sf_step step, sf_moves unknowns, int count, const sf_exactly *exactly,
                                  const sf_model *model, const sf_sample *near, sf_settling *of)
 {
     double before = HUGE_VAL;
@@ -106,33 +106,33 @@ static inline int sf_settle_near(sf_step step, sf_moves moves, int wanted, const
     for (int i = 0; i < SF_MOST_SETTLING && !last; i++) {
         sf_exact_sample at;
         double out[4];
-        if (!sf_exact_at(exactly, model, piece, of->A, wanted, near, &at))
+        if (!sf_exact_at(exactly, model, piece, of->A, count, near, &at))
             return 0;
         sf_take_step(step, exactly, &at, of, out);
-        const double size = sf_size_of_step(out, moves, of);
-        if (!sf_is_step(size, out[moves], before, &last))
+        const double size = sf_size_of_step(out, unknowns, of);
+        if (!sf_is_step(size, out[unknowns], before, &last))
             return 0;
-        sf_change_by(&of->A, out[moves > SF_MOVES_A]);
-        if (moves > SF_MOVES_A)
+        sf_change_by(&of->A, out[unknowns > SF_MOVES_A]);
+        if (unknowns > SF_MOVES_A)
             sf_change_by(&of->Omega, out[0]);
-        if (moves == SF_MOVES_ALL)
+        if (unknowns == SF_MOVES_ALL)
             sf_change_by(&of->F_0, out[2]);
         before = size;
     }
     return last && sf_piece_of(model, of->A.high) == piece;
 }
 
-static inline int sf_settle_all(sf_step step, sf_moves moves, int wanted, const sf_exactly *exactly,
+static inline int sf_settle_all(sf_step step, sf_moves unknowns, int count, const sf_exactly *exactly,
                                 const sf_model *model, sf_settling *of)
 {
-    return sf_settle_near(step, moves, wanted, exactly, model, NULL, of);
+    return sf_settle_near(step, unknowns, count, exactly, model, NULL, of);
 }
 
 /* The same of numbers, which stay as they are where they do not settle; F_0 does where it is no part of the answer */
-static inline int sf_settle_numbers(sf_step step, sf_moves moves, int wanted, const sf_exactly *exactly,
+static inline int sf_settle_numbers(sf_step step, sf_moves unknowns, int count, const sf_exactly *exactly,
                                      const sf_model *model, double *Omega, double *A, double *F_0) {
     sf_settling of = {sfp_point(*Omega), sfp_point(*A), sfp_point(*F_0)};
-    if (exactly == NULL || !sf_settle_all(step, moves, wanted, exactly, model, &of))
+    if (exactly == NULL || !sf_settle_all(step, unknowns, count, exactly, model, &of))
         return 0;
     *Omega = of.Omega.high, *A = of.A.high, *F_0 = of.F_0.high;
     return 1;
@@ -241,7 +241,7 @@ static inline double sf_double_between(sf_way way_from, sf_sought *of, double A,
  * and root, whose steps are the same but for how A follows from them. Begins with what doubles know, at most half of a
  * root at a time. first: of Omega alone, onto the response, where such parts of steps of both would leave it; or
  * NULL */
-static inline int sf_settle_above(sf_step step, sf_moves moves, sf_step first, const sf_exactly *exactly,
+static inline int sf_settle_above(sf_step step, sf_moves unknowns, sf_step first, const sf_exactly *exactly,
                                   const sf_model *model, int piece, sf_settling *of)
 {
     const sf_pair b = exactly->b[piece - 1];
@@ -264,14 +264,14 @@ static inline int sf_settle_above(sf_step step, sf_moves moves, sf_step first, c
             sf_change_by(&of->Omega, out[0]);
         }
         sf_take_step(step, exactly, &at, of, out);
-        const double change = out[moves > SF_MOVES_A], share = change * of->A.high / squared;
-        if (share != share || (moves > SF_MOVES_A && !(fabs(out[0]) <= SF_LARGEST_STEP * of->Omega.high)))
+        const double change = out[unknowns > SF_MOVES_A], ratio = change * of->A.high / squared;
+        if (ratio != ratio || (unknowns > SF_MOVES_A && !(fabs(out[0]) <= SF_LARGEST_STEP * of->Omega.high)))
             return 0;
-        const double part = fabs(share) > 0.5 ? 0.5 / fabs(share) : 1;
-        const double root = sqrt(squared) * (1 + part * share);
+        const double part = fabs(ratio) > 0.5 ? 0.5 / fabs(ratio) : 1;
+        const double root = sqrt(squared) * (1 + part * ratio);
         beyond = root * root / (b.high + sqrt(b.high * b.high + root * root));
         last = part == 1 && fabs(change) <= SF_LEFT_TO_DO * of->A.high;
-        if (moves > SF_MOVES_A) {
+        if (unknowns > SF_MOVES_A) {
             sf_change_by(&of->Omega, part * out[0]);
             last = last && fabs(out[0]) <= SF_LEFT_TO_DO * of->Omega.high;
         }
@@ -336,8 +336,8 @@ static inline void sf_peak_between(const sf_exactly *exactly, const sf_model *mo
         end[(of.missing > 0) == (end[1].missing > 0)] = of;
     }
     if (end[0].missing != end[1].missing) {
-        const double share = end[0].missing / (end[0].missing - end[1].missing);
-        sf_change_by(&end[0].Omega, share * sfp_sub(end[1].Omega, end[0].Omega).high);
+        const double ratio = end[0].missing / (end[0].missing - end[1].missing);
+        sf_change_by(&end[0].Omega, ratio * sfp_sub(end[1].Omega, end[0].Omega).high);
     }
     *A = ends[0], *Omega = end[0].Omega.high;
 }
@@ -464,13 +464,13 @@ static sf_status sf_settled_detachment(const sf_model *model, const sf_exactly *
 
 static sf_extremum sf_settled_extremum(const sf_model *model, const sf_exactly *exactly, const sf_zero *zero) {
     sf_extremum out = sf_extremum_at(model, zero);
-    const int is_isola = zero->question == SF_ISOLA, wanted = is_isola ? 2 : 4;
+    const int is_isola = zero->question == SF_ISOLA, count = is_isola ? 2 : 4;
     const sf_step step = is_isola ? slow_flow_pairs_isola_step : slow_flow_pairs_cusp_step;
     const sf_settling begin = {sfp_point(out.Omega), sfp_point(out.A), sfp_point(out.F_0)};
     if (exactly == NULL || zero->question == SF_UNDAMPED || sf_has_laws(model))
         return out;
-    if (!sf_settle_numbers(step, SF_MOVES_ALL, wanted, exactly, model, &out.Omega, &out.A, &out.F_0))
-        out.few_digits = sf_is_off_by(step, SF_MOVES_ALL, wanted, exactly, model, &begin) > SF_FEW_ROUNDINGS;
+    if (!sf_settle_numbers(step, SF_MOVES_ALL, count, exactly, model, &out.Omega, &out.A, &out.F_0))
+        out.few_digits = sf_is_off_by(step, SF_MOVES_ALL, count, exactly, model, &begin) > SF_FEW_ROUNDINGS;
     return out;
 }
 

@@ -231,9 +231,9 @@ SF_ALWAYS double sf_refine(const sf_quartic *s, double w, double lo, double hi, 
             hi = w;
         if (SF_UNLIKELY(!(next > lo && next < hi)))
             next = 0.5 * (lo + hi);
-        const double moved = fabs(next - w);
+        const double shift = fabs(next - w);
         w = next;
-        if (moved * fabs(D) <= SF_NEAR_ROOT * fabs(C) && moved <= SF_NEAR_ROOT * w)
+        if (shift * fabs(D) <= SF_NEAR_ROOT * fabs(C) && shift <= SF_NEAR_ROOT * w)
             break;
     }
     for (int i = 0; i < SF_CORRECTING;

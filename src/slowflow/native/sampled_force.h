@@ -75,9 +75,9 @@ static void sf_sampled_terms(const sf_quarter *of, int piece, int nodes, const d
 }
 
 /* The first integrals, so many as are wanted; what ends add to these is another matter. */
-static void sf_sampled_sums(const sf_mechanism *self, int which, int wanted, double A, double *out) {
+static void sf_sampled_sums(const sf_mechanism *self, int which, int count, double A, double *out) {
     const sf_sampled *force = self->sampled;
-    sf_over_quarter(&force->sums[which], wanted, A, NULL, force->ends, out);
+    sf_over_quarter(&force->sums[which], count, A, NULL, force->ends, out);
 }
 
 /* The end number i where an amplitude passes it, else NULL. */
@@ -282,10 +282,10 @@ static void sf_read_force(sf_reader *from, sf_mechanism *record, sf_sampled *out
 }
 
 /* The record of one design, which `sf_free_samples` lets go. As sf_read_program */
-static sf_status sf_read_samples(const sf_mechanism *like, const char *name, const int *words, ptrdiff_t count,
+static sf_status sf_read_samples(const sf_mechanism *like, const char *name, const int *code, ptrdiff_t count,
                                  const double *numbers, ptrdiff_t length, sf_mechanism **record)
 {
-    sf_reader from = {words, words + count, numbers, numbers + length, NULL, SF_READ};
+    sf_reader from = {code, code + count, numbers, numbers + length, NULL, SF_READ};
     sf_mechanism *made = sf_room_for(&from, 1, sizeof *made);
     sf_sampled *force = sf_room_for(&from, 1, sizeof *force);
     char *called = sf_room_for(&from, (int)strlen(name) + 1, 1);

@@ -130,9 +130,9 @@ static double sf_next_to(const sf_probe *probe, const sf_probe *before, int c, i
 
 /* Whether a zero is known without an evaluation there, which only one that has a given Omega may be: the step after one
  * of `moved`, which came after one of `last`, is nothing beside A. Errors fall by squares at least. */
-static int sf_is_last_of_zero(const sf_search *search, double moved, double last, double A) {
-    return search->task.question == SF_STATE && moved <= SF_LAST_OF_ZERO * A &&
-           moved * (moved / last) * (moved / last) <= 0x1p-54 * A;
+static int sf_is_last_of_zero(const sf_search *search, double change, double last, double A) {
+    return search->task.question == SF_STATE && change <= SF_LAST_OF_ZERO * A &&
+           change * (change / last) * (change / last) <= 0x1p-54 * A;
 }
 
 /* The zero between two probes with values on either side of it: steps from the last two values, kept in the bracket. */
@@ -148,21 +148,21 @@ static void sf_find_zero(const sf_search *search, const sf_probe *a, const sf_pr
         probe = a->answer.exists[c] ? a : b;
     for (int i = 0; i < 400; i++) {
         double next = probe->answer.exists[c] ? sf_next_to(probe, before, c, i == 0) : NAN;
-        double moved = fabs(next - probe->at.A);
+        double change = fabs(next - probe->at.A);
         sf_probe *spare = &place[0];
-        if (i > 0 && moved <= 0x1p-52 * probe->at.A)
+        if (i > 0 && change <= 0x1p-52 * probe->at.A)
             break;
-        if (i > 0 && next > lo->at.A && next < hi->at.A && sf_is_last_of_zero(search, moved, last, probe->at.A)) {
+        if (i > 0 && next > lo->at.A && next < hi->at.A && sf_is_last_of_zero(search, change, last, probe->at.A)) {
             step = next - probe->at.A;
             break;
         }
-        if (!(next > lo->at.A && next < hi->at.A) || moved > SF_SLOW * last) {
+        if (!(next > lo->at.A && next < hi->at.A) || change > SF_SLOW * last) {
             next = sf_amid(search->base, lo->at.A, hi->at.A);
-            moved = fabs(next - probe->at.A);
+            change = fabs(next - probe->at.A);
             if (!(next > lo->at.A && next < hi->at.A))
                 break;
         }
-        last = moved, before = probe;
+        last = change, before = probe;
         while (spare == lo || spare == hi || spare == before)
             spare++;
         sf_probe_at(search, 1 << c, next, spare);

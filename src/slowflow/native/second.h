@@ -28,7 +28,7 @@ typedef struct {
     long n;
     const double *Omega, *A;
     const long long *branch;
-    double *h, *R, *along;
+    double *h, *R, *arc;
 } sf_first;
 
 /* Where a point's stretch ends, along which the ways are smooth: with its branch, or a piece of the force. */
@@ -41,9 +41,9 @@ static long sf_stretch_end(const sf_model *model, const sf_first *first, long fr
     return i;
 }
 
-static int sf_is_settled(const sf_second *second, const sf_moved *moved, long i) {
-    return moved->step[i] >= 0 &&
-           moved->step[i] <= SF_MOVED + SF_ROUNDING * moved->A[i] * moved->Omega[i] * moved->Omega[i] / second->F_0;
+static int sf_is_settled(const sf_second *second, const sf_solved *solved, long i) {
+    return solved->step[i] >= 0 &&
+           solved->step[i] <= SF_MOVED + SF_ROUNDING * solved->A[i] * solved->Omega[i] * solved->Omega[i] / second->F_0;
 }
 
 /* The point of a stretch that goes its own way, by its number: the last one is the stretch's end. */
@@ -53,48 +53,48 @@ static inline long sf_anchor(long from, long to, long k)
 }
 
 /* Whether neighbours that went their own way ended apart as they were: elsewhere ways cross, as next to a tip. */
-static int sf_are_parallel(const sf_second *second, const sf_first *first, const sf_moved *moved, long a, long b) {
-    const double x = moved->A[b] / first->A[b] - moved->A[a] / first->A[a];
-    const double y = ((moved->R[b] - first->R[b]) - (moved->R[a] - first->R[a])) / second->F_0;
-    const double z = SF_WEIGHT * (moved->Omega[b] / first->Omega[b] - moved->Omega[a] / first->Omega[a]);
-    return sf_is_settled(second, moved, a) && sf_is_settled(second, moved, b) &&
-           sqrt(x * x + y * y + z * z) < 0.5 * (first->along[b] - first->along[a]);
+static int sf_are_parallel(const sf_second *second, const sf_first *first, const sf_solved *solved, long a, long b) {
+    const double x = solved->A[b] / first->A[b] - solved->A[a] / first->A[a];
+    const double y = ((solved->R[b] - first->R[b]) - (solved->R[a] - first->R[a])) / second->F_0;
+    const double z = SF_WEIGHT * (solved->Omega[b] / first->Omega[b] - solved->Omega[a] / first->Omega[a]);
+    return sf_is_settled(second, solved, a) && sf_is_settled(second, solved, b) &&
+           sqrt(x * x + y * y + z * z) < 0.5 * (first->arc[b] - first->arc[a]);
 }
 
 /* The four points nearest to a gap that went their own way: how far along they lie, where each went to from where, and
  * the factors of their weights. */
 typedef struct {
-    double along[4], Omega[4], A[4], R[4], factor[4];
-} sf_beside_gap;
+    double arc[4], Omega[4], A[4], R[4], factor[4];
+} sf_stencil;
 
-/* 0 where what is between cannot be told from them. */
-static int sf_look_beside(const sf_second *second, const sf_first *first, const sf_moved *moved, const long own[4],
-                          sf_beside_gap *beside) {
+/* 0 where the points between cannot be interpolated from them. */
+static int sf_take_stencil(const sf_second *second, const sf_first *first, const sf_solved *solved, const long own[4],
+                          sf_stencil *stencil) {
     for (int j = 0; j < 3; j++)
-        if (!sf_are_parallel(second, first, moved, own[j], own[j + 1]))
+        if (!sf_are_parallel(second, first, solved, own[j], own[j + 1]))
             return 0;
     for (int j = 0; j < 4; j++) {
         double apart = 1;
         for (int k = 0; k < 4; k++)
             if (k != j)
-                apart *= first->along[own[j]] - first->along[own[k]];
-        beside->along[j] = first->along[own[j]], beside->factor[j] = 1 / apart;
-        beside->Omega[j] = moved->Omega[own[j]] / first->Omega[own[j]];
-        beside->A[j] = moved->A[own[j]] / first->A[own[j]];
-        beside->R[j] = moved->R[own[j]] - first->R[own[j]];
+                apart *= first->arc[own[j]] - first->arc[own[k]];
+        stencil->arc[j] = first->arc[own[j]], stencil->factor[j] = 1 / apart;
+        stencil->Omega[j] = solved->Omega[own[j]] / first->Omega[own[j]];
+        stencil->A[j] = solved->A[own[j]] / first->A[own[j]];
+        stencil->R[j] = solved->R[own[j]] - first->R[own[j]];
     }
     return 1;
 }
 
 /* Where the points of a gap are expected, from..from + n; a loop that vectorises. */
-static void sf_expected(const sf_first *first, const sf_beside_gap *beside, long from, int n, double *restrict Omega,
+static void sf_expected(const sf_first *first, const sf_stencil *stencil, long from, int n, double *restrict Omega,
                         double *restrict A, double *restrict R) {
-    const double *restrict far = first->along + from, *restrict first_Omega = first->Omega + from;
+    const double *restrict far = first->arc + from, *restrict first_Omega = first->Omega + from;
     const double *restrict first_A = first->A + from, *restrict first_R = first->R + from;
-    const sf_beside_gap gap = *beside;
+    const sf_stencil gap = *stencil;
     for (int i = 0; i < n; i++) {
-        const double at[4] = {far[i] - gap.along[0], far[i] - gap.along[1], far[i] - gap.along[2],
-                              far[i] - gap.along[3]};
+        const double at[4] = {far[i] - gap.arc[0], far[i] - gap.arc[1], far[i] - gap.arc[2],
+                              far[i] - gap.arc[3]};
         const double first_two = at[0] * at[1], last_two = at[2] * at[3];
         const double weight[4] = {gap.factor[0] * at[1] * last_two, gap.factor[1] * at[0] * last_two,
                                   gap.factor[2] * at[3] * first_two, gap.factor[3] * at[2] * first_two};
@@ -106,103 +106,103 @@ static void sf_expected(const sf_first *first, const sf_beside_gap *beside, long
 }
 
 /* Whether a point's way ends where the harmonics are a correction. */
-static int sf_is_kept(const sf_second *second, const sf_first *first, const sf_moved *moved, long i, double h,
+static int sf_is_kept(const sf_second *second, const sf_first *first, const sf_solved *solved, long i, double h,
                       double A_1, double u_max)
 {
-    const double far = exp(SF_SMALL), Omega = moved->Omega[i], A = moved->A[i];
-    return sf_is_settled(second, moved, i) && A < far * first->A[i] && far * A > first->A[i] &&
+    const double far = exp(SF_SMALL), Omega = solved->Omega[i], A = solved->A[i];
+    return sf_is_settled(second, solved, i) && A < far * first->A[i] && far * A > first->A[i] &&
            Omega < far * first->Omega[i] && far * Omega > first->Omega[i] && sf_is_small(Omega, A, h, A_1, u_max);
 }
 
 /* What is looked for at the points of a stretch that went their own way; NaN where one is not kept. */
 static void sf_second_look(const sf_second *second, const sf_first *first, long from, long to, long anchors,
-                           const sf_moved *moved) {
+                           const sf_solved *solved) {
     double Omega[SF_LANES], A[SF_LANES], known[SF_KNOWN * SF_LANES], out[SF_BALANCE * SF_LANES];
     for (long k = 0; k < anchors; k += SF_LANES) {
         const long n = anchors - k < SF_LANES ? anchors - k : SF_LANES;
         for (long i = 0; i < SF_LANES; i++) {
             const long at = sf_anchor(from, to, k + (i < n ? i : n - 1));
-            Omega[i] = moved->Omega[at], A[i] = moved->A[at];
+            Omega[i] = solved->Omega[at], A[i] = solved->A[at];
         }
         sf_second_known(second->model, SF_LANES, A, known);
         sf_lane_balances(second, 0, SF_LANES, Omega, A, known, out);
         for (long i = 0; i < n; i++) {
             const long at = sf_anchor(from, to, k + i);
-            if (!sf_is_kept(second, first, moved, at, known[i], out[SF_LANES + i], out[i]))
-                moved->value[at] = NAN;
+            if (!sf_is_kept(second, first, solved, at, known[i], out[SF_LANES + i], out[i]))
+                solved->value[at] = NAN;
             else
-                moved->value[at] = second->wanted == SF_TOP_ONLY ? out[i] : out[5 * SF_LANES + i] * A[i];
+                solved->value[at] = second->extent == SF_TOP_ONLY ? out[i] : out[5 * SF_LANES + i] * A[i];
         }
     }
 }
 
 /* Whether what is looked for is far from what lies between own[at] and own[at + 1]; best: the largest u_max so far. */
-static int sf_is_away(const sf_second *second, const sf_moved *moved, const long own[4], int at, double best) {
-    const double one = moved->value[own[at]], other = moved->value[own[at + 1]];
+static int sf_is_away(const sf_second *second, const sf_solved *solved, const long own[4], int at, double best) {
+    const double one = solved->value[own[at]], other = solved->value[own[at + 1]];
     double change = 0;
     for (int j = 0; j < 4; j++)
-        if (isnan(moved->value[own[j]]))
+        if (isnan(solved->value[own[j]]))
             return 0;
     for (int j = 0; j < 3; j++)
-        change = fmax(change, fabs(moved->value[own[j + 1]] - moved->value[own[j]]));
-    if (second->wanted == SF_TOP_ONLY)
+        change = fmax(change, fabs(solved->value[own[j + 1]] - solved->value[own[j]]));
+    if (second->extent == SF_TOP_ONLY)
         return fmax(one, other) + SF_AWAY * change < best;
-    return second->wanted == SF_FOLDS_ONLY && one * other > 0 && fmin(fabs(one), fabs(other)) > SF_AWAY * change;
+    return second->extent == SF_FOLDS_ONLY && one * other > 0 && fmin(fabs(one), fabs(other)) > SF_AWAY * change;
 }
 
 /* A point of the first approximation's enters a lane; not where the third harmonic is below its resonance. */
 static void sf_go_own_way(const sf_second *second, const sf_first *first, long i, sf_lanes *lanes,
-                          const sf_moved *moved) {
+                          const sf_solved *solved) {
     if (sf_off_resonance(first->Omega[i], first->A[i], first->h[i]))
-        sf_enter_lane(second, (int)i, first->Omega[i], first->A[i], first->R[i], 1, lanes, moved);
+        sf_enter_lane(second, (int)i, first->Omega[i], first->A[i], first->R[i], 1, lanes, solved);
 }
 
 static void sf_second_stretch(const sf_second *second, const sf_first *first, long from, long to,
-                              const sf_moved *moved) {
+                              const sf_solved *solved) {
     const long anchors = (to - 1 - from + SF_APART - 1) / SF_APART + 1;
     const int all = anchors < 4; /* go their own way */
     double best = 0;
     double Omega[SF_APART], A[SF_APART], R[SF_APART];
-    sf_beside_gap beside;
+    sf_stencil stencil;
     sf_lanes lanes;
     long i;
     lanes.n = 0;
     for (long k = 0; k < (all ? to - from : anchors); k++)
-        sf_go_own_way(second, first, all ? from + k : sf_anchor(from, to, k), &lanes, moved);
-    sf_second_settle(second, &lanes, 1, moved);
+        sf_go_own_way(second, first, all ? from + k : sf_anchor(from, to, k), &lanes, solved);
+    sf_second_settle(second, &lanes, 1, solved);
     if (all)
         return;
-    if (second->wanted != SF_EVERY_POINT)
-        sf_second_look(second, first, from, to, anchors, moved);
-    for (long k = 0; k < anchors && second->wanted == SF_TOP_ONLY; k++)
-        best = fmax(best, moved->value[sf_anchor(from, to, k)]); /* of numbers, if one is none */
+    if (second->extent != SF_EVERY_POINT)
+        sf_second_look(second, first, from, to, anchors, solved);
+    for (long k = 0; k < anchors && second->extent == SF_TOP_ONLY; k++)
+        best = fmax(best, solved->value[sf_anchor(from, to, k)]); /* of numbers, if one is none */
     for (long k = 0; k + 1 < anchors; k++) {
         const long left = k == 0 ? 0 : k + 3 > anchors ? anchors - 4 : k - 1, end = sf_anchor(from, to, k + 1);
         const long own[4] = {sf_anchor(from, to, left), sf_anchor(from, to, left + 1), sf_anchor(from, to, left + 2),
                              sf_anchor(from, to, left + 3)};
-        if (second->wanted != SF_EVERY_POINT && sf_is_away(second, moved, own, (int)(k - left), best)) {
+        if (second->extent != SF_EVERY_POINT && sf_is_away(second, solved, own, (int)(k - left), best)) {
             for (i = sf_anchor(from, to, k) + 1; i < end; i++)
-                moved->step[i] = -1;
+                solved->step[i] = -1;
             continue;
         }
-        if (!sf_look_beside(second, first, moved, own, &beside))
+        if (!sf_take_stencil(second, first, solved, own, &stencil))
             continue;
         i = sf_anchor(from, to, k) + 1;
-        sf_expected(first, &beside, i, (int)(end - i), Omega, A, R);
+        sf_expected(first, &stencil, i, (int)(end - i), Omega, A, R);
         for (int j = 0; i < end; i++, j++)
             if (sf_off_resonance(first->Omega[i], first->A[i], first->h[i]))
-                sf_enter_lane(second, (int)i, Omega[j], A[j], R[j], 0, &lanes, moved);
+                sf_enter_lane(second, (int)i, Omega[j], A[j], R[j], 0, &lanes, solved);
     }
-    sf_second_settle(second, &lanes, 0, moved);
+    sf_second_settle(second, &lanes, 0, solved);
     /* what has not come from there goes its own way, and what has left its neighbours: its steps crossed a corner */
     for (long k = 0; k + 1 < anchors; k++) {
         const long start = sf_anchor(from, to, k), end = sf_anchor(from, to, k + 1);
         for (i = start + 1; i < end; i++)
-            if (!(moved->step[i] < 0) &&
-                !(sf_are_parallel(second, first, moved, start, i) && sf_are_parallel(second, first, moved, i, end)))
-                sf_go_own_way(second, first, i, &lanes, moved);
+            if (!(solved->step[i] < 0) &&
+                !(sf_are_parallel(second, first, solved, start, i) && sf_are_parallel(second, first, solved, i, end)))
+                sf_go_own_way(second, first, i, &lanes, solved);
     }
-    sf_second_settle(second, &lanes, 1, moved);
+    sf_second_settle(second, &lanes, 1, solved);
 }
 
 /* How far each point lies from the one before it, in the metric of the ways; 0 of the first. A loop that vectorises. */
@@ -228,9 +228,9 @@ static void sf_measure_first(const sf_second *second, const sf_first *first) {
             first->R[i + k] = slow_flow_R(first->Omega[i + k], first->A[i + k], h[k]);
         }
     }
-    sf_distances(first->n, second->F_0, first->Omega, first->A, first->R, first->along);
+    sf_distances(first->n, second->F_0, first->Omega, first->A, first->R, first->arc);
     for (long i = 1; i < first->n; i++)
-        first->along[i] += first->along[i - 1];
+        first->arc[i] += first->arc[i - 1];
 }
 
 /* ==== The curve =================================================================================================== */
@@ -276,7 +276,7 @@ static void sf_from_lane(int n, const double *Omega, const double *A, const doub
 static long sf_second_across(const sf_second *second, double b, const sf_second_point *from, const sf_second_point *to,
                              sf_second_point *out) {
     const int rising = to->A > b;
-    const double share = (b - from->A) / (to->A - from->A), low = fmin(from->A, to->A), high = fmax(from->A, to->A);
+    const double ratio = (b - from->A) / (to->A - from->A), low = fmin(from->A, to->A), high = fmax(from->A, to->A);
     double known[SF_KNOWN * SF_LANES], at[SF_BALANCE * SF_LANES];
     int under_way[SF_LANES];
     sf_lanes lanes;
@@ -286,7 +286,7 @@ static long sf_second_across(const sf_second *second, double b, const sf_second_
         const double A = b * sf_beside(rising ? k : SF_BESIDE_B - 1 - k);
         if (!(A > low && A < high))
             continue;
-        lanes.Omega[lanes.n] = from->Omega + share * (to->Omega - from->Omega);
+        lanes.Omega[lanes.n] = from->Omega + ratio * (to->Omega - from->Omega);
         lanes.R[lanes.n] = 0, lanes.A[lanes.n++] = A;
     }
     if (lanes.n == 0)
@@ -306,7 +306,7 @@ static long sf_second_across(const sf_second *second, double b, const sf_second_
                 under_way[i] = 0, open--;
         }
     }
-    sf_lane_balances(second, second->wanted == SF_EVERY_POINT, n, lanes.Omega, lanes.A, known, at);
+    sf_lane_balances(second, second->extent == SF_EVERY_POINT, n, lanes.Omega, lanes.A, known, at);
     for (int i = 0; i < lanes.n; i++)
         if (!under_way[i]) {
             out[found].part = from->part;
@@ -318,29 +318,29 @@ static long sf_second_across(const sf_second *second, double b, const sf_second_
 enum { SF_NOT_WANTED = 2 };
 
 /* The points that are kept, with their balances; kept: whether each is, or SF_NOT_WANTED. */
-static void sf_keep_points(const sf_second *second, const sf_first *first, const sf_moved *moved, unsigned char *kept,
+static void sf_keep_points(const sf_second *second, const sf_first *first, const sf_solved *solved, unsigned char *kept,
                            sf_second_curve *curve) {
     double known[SF_KNOWN * SF_LANES], out[SF_BALANCE * SF_LANES];
     sf_lanes lanes;
     long i = 0;
     while (i < first->n) {
         for (lanes.n = 0; i < first->n && lanes.n < SF_LANES; i++) {
-            const int here = sf_is_settled(second, moved, i);
+            const int here = sf_is_settled(second, solved, i);
             kept[i] = SF_NOT_WANTED;
-            if (moved->step[i] < 0)
+            if (solved->step[i] < 0)
                 continue;
-            lanes.Omega[lanes.n] = here ? moved->Omega[i] : first->Omega[i];
-            lanes.A[lanes.n] = here ? moved->A[i] : first->A[i], lanes.R[lanes.n] = 0;
+            lanes.Omega[lanes.n] = here ? solved->Omega[i] : first->Omega[i];
+            lanes.A[lanes.n] = here ? solved->A[i] : first->A[i], lanes.R[lanes.n] = 0;
             lanes.which[lanes.n++] = (int)i;
         }
         if (lanes.n == 0)
             return;
         const int n = sf_whole_lanes(&lanes);
         sf_second_known(second->model, n, lanes.A, known);
-        sf_lane_balances(second, second->wanted == SF_EVERY_POINT, n, lanes.Omega, lanes.A, known, out);
+        sf_lane_balances(second, second->extent == SF_EVERY_POINT, n, lanes.Omega, lanes.A, known, out);
         for (int k = 0; k < lanes.n; k++) {
             const long at = lanes.which[k];
-            kept[at] = (unsigned char)sf_is_kept(second, first, moved, at, known[k], out[n + k], out[k]);
+            kept[at] = (unsigned char)sf_is_kept(second, first, solved, at, known[k], out[n + k], out[k]);
             if (kept[at])
                 sf_from_lane(n, lanes.Omega, lanes.A, out, k, &curve->point[curve->n++]);
         }
@@ -360,8 +360,8 @@ static void sf_keep_parts(const sf_first *first, const int *closed, const unsign
                 continue;
             if (kept[i]) {
                 if (!inside)
-                    curve->closed[curve->parts++] = (unsigned char)whole;
-                curve->point[n++].part = (int)curve->parts - 1;
+                    curve->closed[curve->branches++] = (unsigned char)whole;
+                curve->point[n++].part = (int)curve->branches - 1;
             } else {
                 sf_left_out *left = &curve->left;
                 left->low = left->lost > 0 ? fmin(left->low, first->Omega[i]) : first->Omega[i];
@@ -417,20 +417,20 @@ static int sf_insert_beside(const sf_second *second, double b, sf_second_curve *
 
 static int sf_second_move(const sf_second *second, const sf_first *first, const int *closed, double *room,
                           unsigned char *kept, sf_second_curve *curve) {
-    const sf_moved moved = {room, room + first->n, room + 2 * first->n, room + 3 * first->n,
+    const sf_solved solved = {room, room + first->n, room + 2 * first->n, room + 3 * first->n,
                             room + 7 * first->n};
     long to;
     sf_measure_first(second, first);
-    memcpy(moved.Omega, first->Omega, (size_t)first->n * sizeof *moved.Omega);
-    memcpy(moved.A, first->A, (size_t)first->n * sizeof *moved.A);
-    memcpy(moved.R, first->R, (size_t)first->n * sizeof *moved.R);
+    memcpy(solved.Omega, first->Omega, (size_t)first->n * sizeof *solved.Omega);
+    memcpy(solved.A, first->A, (size_t)first->n * sizeof *solved.A);
+    memcpy(solved.R, first->R, (size_t)first->n * sizeof *solved.R);
     for (long from = 0; from < first->n; from++)
-        moved.step[from] = HUGE_VAL;
+        solved.step[from] = HUGE_VAL;
     for (long from = 0; from < first->n; from = to) {
         to = sf_stretch_end(second->model, first, from);
-        sf_second_stretch(second, first, from, to, &moved);
+        sf_second_stretch(second, first, from, to, &solved);
     }
-    sf_keep_points(second, first, &moved, kept, curve);
+    sf_keep_points(second, first, &solved, kept, curve);
     sf_keep_parts(first, closed, kept, curve);
     for (int k = 0; k < second->model->breaks; k++)
         if (second->model->jump[k] != 0 && !sf_insert_beside(second, second->model->b[k], curve))
@@ -441,10 +441,10 @@ static int sf_second_move(const sf_second *second, const sf_first *first, const 
 
 /* The curve that n points of the first approximation's move to, on branches from 0 on, some of which are closed; to be
  * freed by sf_second_free. NULL if there is no memory. */
-static sf_second_curve *sf_second_follow(const sf_model *model, double F_0, sf_wanted wanted, long n,
+static sf_second_curve *sf_second_follow(const sf_model *model, double F_0, sf_wanted extent, long n,
                                          const sf_points *points, const int *closed)
 {
-    const sf_second second = {model, F_0, wanted};
+    const sf_second second = {model, F_0, extent};
     sf_second_curve *curve = calloc(1, sizeof *curve);
     double *room = malloc((size_t)(8 * n + 1) * sizeof *room);
     unsigned char *kept = malloc((size_t)n + 1);

@@ -15,9 +15,9 @@ typedef double sf_function(const void *inputs, double x);
  * choice between the inverse quadratic and the middle. */
 static double sf_zero_between(sf_function *f, const void *inputs, double a, double f_a, double b, double f_b,
                               double width) {
-    double share = 0.5, c = a, f_c = f_a;
+    double ratio = 0.5, c = a, f_c = f_a;
     for (int i = 0; i < 200; i++) {
-        const double x = a + share * (b - a), f_x = f(inputs, x);
+        const double x = a + ratio * (b - a), f_x = f(inputs, x);
         if ((f_x < 0) == (f_a < 0))
             c = a, f_c = f_a;
         else
@@ -28,10 +28,10 @@ static double sf_zero_between(sf_function *f, const void *inputs, double a, doub
             break;
         const double xi = (a - b) / (c - b), phi = (f_a - f_b) / (f_c - f_b);
         if (phi * phi < xi && (1 - phi) * (1 - phi) < 1 - xi)
-            share = f_a / (f_b - f_a) * f_c / (f_b - f_c) + (c - a) / (b - a) * f_a / (f_c - f_a) * f_b / (f_c - f_b);
+            ratio = f_a / (f_b - f_a) * f_c / (f_b - f_c) + (c - a) / (b - a) * f_a / (f_c - f_a) * f_b / (f_c - f_b);
         else
-            share = 0.5;
-        share = fmin(fmax(share, least), 1 - least);
+            ratio = 0.5;
+        ratio = fmin(fmax(ratio, least), 1 - least);
     }
     return fabs(f_a) < fabs(f_b) ? a : b;
 }
@@ -45,9 +45,9 @@ typedef struct {
 } sf_second_between;
 
 static double sf_Omega_between(const sf_second_between *between, double A) {
-    const double share = (A - between->A[0]) / (between->A[1] - between->A[0]);
+    const double ratio = (A - between->A[0]) / (between->A[1] - between->A[0]);
     double step;
-    return sf_second_frequency(between->second, A, between->Omega[0] + share * (between->Omega[1] - between->Omega[0]),
+    return sf_second_frequency(between->second, A, between->Omega[0] + ratio * (between->Omega[1] - between->Omega[0]),
                                &step);
 }
 
@@ -155,8 +155,8 @@ static int sf_states_on(const sf_model *model, double F_0, const sf_second_curve
         sf_second_point found;
         if (one->part != other->part || (one->Omega > Omega) == (other->Omega > Omega))
             continue;
-        const double share = (Omega - one->Omega) / (other->Omega - one->Omega);
-        if (!sf_second_state(second, Omega, fmin(one->A, other->A), exp(log(one->A) + share * log(other->A / one->A)),
+        const double ratio = (Omega - one->Omega) / (other->Omega - one->Omega);
+        if (!sf_second_state(second, Omega, fmin(one->A, other->A), exp(log(one->A) + ratio * log(other->A / one->A)),
                              fmax(one->A, other->A), &found))
             continue;
         /* a curve that turns beside a corner may cross a frequency to and fro within rounding */
@@ -196,8 +196,8 @@ static void sf_second_cusp_at(const sf_second *second, double ln_Omega, double l
 static int sf_second_cusp(const sf_model *model, const sf_onset *first, sf_onset *out, double *u_max) {
     const sf_second second = {model, first->F_SN, SF_EVERY_POINT};
     const double from[2] = {log(first->Omega), log(first->A)}, apart = 0x1p-20;
-    double x[2] = {from[0], from[1]}, g[2], moved = HUGE_VAL, k[SF_KNOWN], balance[3];
-    for (int i = 0; i < SF_STEPS && moved > 0x1p-50; i++) {
+    double x[2] = {from[0], from[1]}, g[2], length = HUGE_VAL, k[SF_KNOWN], balance[3];
+    for (int i = 0; i < SF_STEPS && length > 0x1p-50; i++) {
         double by[2][2], step[2];
         sf_second_cusp_at(&second, x[0], x[1], g);
         for (int j = 0; j < 2; j++) {
@@ -209,14 +209,14 @@ static int sf_second_cusp(const sf_model *model, const sf_onset *first, sf_onset
         const double determinant = by[0][0] * by[1][1] - by[0][1] * by[1][0];
         step[0] = -(g[0] * by[1][1] - g[1] * by[0][1]) / determinant;
         step[1] = -(g[1] * by[0][0] - g[0] * by[1][0]) / determinant;
-        moved = fmax(fabs(step[0]), fabs(step[1]));
-        if (!(moved < HUGE_VAL))
+        length = fmax(fabs(step[0]), fabs(step[1]));
+        if (!(length < HUGE_VAL))
             return 0;
         for (int j = 0; j < 2; j++)
-            x[j] += step[j] * fmin(1, SF_LONGEST / moved);
+            x[j] += step[j] * fmin(1, SF_LONGEST / length);
     }
     double Omega = exp(x[0]), A = exp(x[1]);
-    if (!(moved <= SF_DONE && fabs(x[0] - from[0]) <= SF_SMALL && fabs(x[1] - from[1]) <= SF_SMALL))
+    if (!(length <= SF_DONE && fabs(x[0] - from[0]) <= SF_SMALL && fabs(x[1] - from[1]) <= SF_SMALL))
         return 0;
     sf_second_known(model, 1, &A, k);
     sf_second_level(model, Omega, A, k, balance);

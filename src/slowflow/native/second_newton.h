@@ -17,7 +17,7 @@ enum { SF_LANES = 64 };
 typedef struct {
     const sf_model *model;
     double F_0;
-    sf_wanted wanted;
+    sf_wanted extent;
 } sf_second;
 
 /* ==== The balance ================================================================================================= */
@@ -90,7 +90,7 @@ typedef struct {
  * looked for there, F_A or u_max, of points that went their own way. */
 typedef struct {
     double *Omega, *A, *R, *step, *value;
-} sf_moved;
+} sf_solved;
 
 /* Whole vectors of lanes: the last one again and again. */
 static int sf_whole_lanes(sf_lanes *lanes) {
@@ -132,7 +132,7 @@ static void sf_second_match(const sf_second *second, int n, const double *known,
 }
 
 /* Newton's iteration of the lanes; match: whether they are so far that their frequencies should first match R. */
-static void sf_second_settle(const sf_second *second, sf_lanes *lanes, int match, const sf_moved *moved) {
+static void sf_second_settle(const sf_second *second, sf_lanes *lanes, int match, const sf_solved *solved) {
     const double F_0 = second->F_0;
     double known[SF_KNOWN * SF_LANES], out[SF_BALANCE * SF_LANES], newton[SF_NEWTON * SF_LANES];
     for (int k = 0; k < SF_STEPS && lanes->n > 0; k++) {
@@ -149,7 +149,7 @@ static void sf_second_settle(const sf_second *second, sf_lanes *lanes, int match
         for (int i = 0; i < count; i++) {
             const double Omega = lanes->Omega[i], A = lanes->A[i];
             const int which = lanes->which[i], to = lanes->n;
-            moved->Omega[which] = Omega, moved->A[which] = A, moved->R[which] = R[i], moved->step[which] = size[i];
+            solved->Omega[which] = Omega, solved->A[which] = A, solved->R[which] = R[i], solved->step[which] = size[i];
             if (size[i] > done[i]) { /* NaN ends it too */
                 lanes->Omega[to] = Omega, lanes->A[to] = A, lanes->R[to] = R[i];
                 lanes->which[to] = which, lanes->n++;
@@ -160,11 +160,11 @@ static void sf_second_settle(const sf_second *second, sf_lanes *lanes, int match
 }
 
 static void sf_enter_lane(const sf_second *second, int which, double Omega, double A, double R, int match,
-                          sf_lanes *lanes, const sf_moved *moved) {
+                          sf_lanes *lanes, const sf_solved *solved) {
     lanes->Omega[lanes->n] = Omega, lanes->A[lanes->n] = A, lanes->R[lanes->n] = R;
     lanes->which[lanes->n++] = which;
     if (lanes->n == SF_LANES)
-        sf_second_settle(second, lanes, match, moved);
+        sf_second_settle(second, lanes, match, solved);
 }
 
 #endif

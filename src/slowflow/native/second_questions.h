@@ -11,7 +11,7 @@
 
 /* The curve in a window, of about so many samples, from the skeleton of room; NULL if there is no memory, or beyond the
  * range of doubles how far averaging's extends. */
-static sf_second_curve *sf_second_shown(const sf_model *model, double F_0, sf_wanted wanted, double samples, double low,
+static sf_second_curve *sf_second_shown(const sf_model *model, double F_0, sf_wanted extent, double samples, double low,
                                         double high, sf_room *room, sf_status *status) {
     long n = sf_show(model, F_0, low, high, samples, &room->work);
     sf_second_curve *curve = NULL;
@@ -19,7 +19,7 @@ static sf_second_curve *sf_second_shown(const sf_model *model, double F_0, sf_wa
     *status = n < 0 ? SF_NO_BOUND : SF_NO_MEMORY;
     if (sf_new_points(n, &drawn) && n >= 0) {
         n = sf_draw(model, F_0, samples, &room->work.shown, &drawn);
-        curve = sf_second_follow(model, F_0, wanted, n, &drawn, room->work.shown.closed);
+        curve = sf_second_follow(model, F_0, extent, n, &drawn, room->work.shown.closed);
         if (curve != NULL)
             *status = SF_OK;
     }
@@ -28,16 +28,16 @@ static sf_second_curve *sf_second_shown(const sf_model *model, double F_0, sf_wa
 }
 
 /* The same, of any skeleton; to be freed by sf_second_free. */
-static sf_second_curve *sf_second_response(const sf_model *model, const sf_inputs *inputs, double F_0, sf_wanted wanted,
+static sf_second_curve *sf_second_response(const sf_model *model, const sf_inputs *inputs, double F_0, sf_wanted extent,
                                            double samples, double low, double high, sf_room *room, sf_status *status) {
     *status = sf_make_skeleton(model, inputs, F_0, room);
-    return *status == SF_OK ? sf_second_shown(model, F_0, wanted, samples, low, high, room, status) : NULL;
+    return *status == SF_OK ? sf_second_shown(model, F_0, extent, samples, low, high, room, status) : NULL;
 }
 
 /* The curve about some frequencies and what may lie beside them. */
-static sf_second_curve *sf_second_around(const sf_model *model, const sf_inputs *inputs, double F_0, sf_wanted wanted,
+static sf_second_curve *sf_second_around(const sf_model *model, const sf_inputs *inputs, double F_0, sf_wanted extent,
                                          double low, double high, sf_room *room, sf_status *status) {
-    return sf_second_response(model, inputs, F_0, wanted, SF_SAMPLES, low / SF_BEYOND, high * SF_BEYOND, room, status);
+    return sf_second_response(model, inputs, F_0, extent, SF_SAMPLES, low / SF_BEYOND, high * SF_BEYOND, room, status);
 }
 
 /* Every fold at F_0; `left` says what of averaging's curve is left out, and how much of it was followed: 0 where there

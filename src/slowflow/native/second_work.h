@@ -26,9 +26,9 @@ typedef struct {
     double low, high;
 } sf_left_out;
 
-/* parts: stretches of curve that are connected */
+/* branches: connected stretches of the curve */
 typedef struct {
-    long n, parts;
+    long n, branches;
     sf_left_out left;
     sf_second_point *point;
     unsigned char *closed;

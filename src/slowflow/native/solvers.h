@@ -37,4 +37,4 @@ static const sf_batch sf_rows_of_many[] = {
 };
 
 const sf_solvers SF_SOLVERS = {sf_rows_of_one, sf_rows_of_many, sizeof sf_rows_of_one / sizeof *sf_rows_of_one,
-                               sizeof sf_rows_of_many / sizeof *sf_rows_of_many, sf_move_told, &SF_RECORDS};
+                               sizeof sf_rows_of_many / sizeof *sf_rows_of_many, sf_slopes_of, &SF_RECORDS};

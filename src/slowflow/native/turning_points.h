@@ -39,12 +39,12 @@ typedef struct {
  * piece -- by rising u; last, even -- the odd part of the last one, which all of u has but for what is bounded, and
  *         what else it has
  * large -- the amplitude from which on motions are large beside all steps; infinite where that is not used
- * beside, size -- bounds of the derivatives of what is bounded, and of the terms that these are made of
+ * outer, size -- bounds of the derivatives of what is bounded, and of the terms that these are made of
  * upper, lower, place, rooted -- of each chart the pieces at both ends, the ends where x = 0 and y = 0, and whether x
  *         and y are roots */
 typedef struct {
     int lines, highest, charts;
-    const double *line, *gain, *piece, *last, *even, *size, *beside, *upper, *lower, *place[2], *rooted[2];
+    const double *line, *gain, *piece, *last, *even, *size, *outer, *upper, *lower, *place[2], *rooted[2];
     double large;
 } sf_charts;
 
@@ -65,7 +65,7 @@ static int sf_read_charts(const double *packed, ptrdiff_t n, sf_charts *of) {
     of->last = next, next += powers;
     of->even = next, next += powers;
     of->size = next, next += powers;
-    of->beside = next, next += 3;
+    of->outer = next, next += 3;
     of->upper = next, next += of->charts;
     of->lower = next, next += of->charts;
     for (int i = 0; i < 2; i++)
@@ -135,10 +135,10 @@ typedef struct {
     double lo, hi, size;
 } sf_weighted;
 
-static inline void sf_weigh(sf_weighted *sum, double weight, sf_interval held) {
-    sum->lo += weight * (weight >= 0 ? held.lo : held.hi);
-    sum->hi += weight * (weight >= 0 ? held.hi : held.lo);
-    sum->size += fabs(weight) * sfi_most(fabs(held.lo), fabs(held.hi));
+static inline void sf_weigh(sf_weighted *sum, double weight, sf_interval range) {
+    sum->lo += weight * (weight >= 0 ? range.lo : range.hi);
+    sum->hi += weight * (weight >= 0 ? range.hi : range.lo);
+    sum->size += fabs(weight) * sfi_most(fabs(range.lo), fabs(range.hi));
 }
 
 /* c_0, s_0, P_1, Q_1, P_2, Q_2, c_3: P_n and Q_n are the means of f^(n) with 1 + cos psi and with 1 - cos psi, but for
@@ -216,7 +216,7 @@ typedef struct {
 /* What gains D_0 pi of f and D_1 pi of f' share in c_x and c_xx where a motion passes them, or in -c_y and -c_yy.
  * c_1 + s_1 has D_0 root_y/(root_x A), and c_1 - s_1 the inverse of that ratio; c_2 +- s_2 the same of D_1. */
 static void sf_share(const sf_near *own, const sf_near *other, sf_interval A, double D_0, double D_1, double sign,
-                     sf_interval *share, sf_interval *slope)
+                     sf_interval *fraction, sf_interval *slope)
 {
     const int is_own = own->rooted && own->far == 0;
     const sf_interval X = own->X, far = sfi_point(own->rooted ? own->far : -0.25);
@@ -230,7 +230,7 @@ static void sf_share(const sf_near *own, const sf_near *other, sf_interval A, do
     }
     const sf_interval over = sfi_div(other->root, A);
     const sf_interval of_force = sfi_mul(ratio, over);
-    *share = sfi_add(*share, sfi_mul(of_force, sfi_point(D_0)));
+    *fraction = sfi_add(*fraction, sfi_mul(of_force, sfi_point(D_0)));
     *slope = sfi_add(*slope, sfi_add(sfi_mul(sfi_mul(over, sfi_sub(turn, sfi_div(sfi_mul(ratio, X), A))), sfi_point(D_0)),
                                      sfi_mul(sfi_mul(X, of_force), sfi_point(2 * sign * D_1))));
 }
@@ -298,27 +298,27 @@ static void sf_sum_large(const sf_charts *of, sf_interval top, sf_interval botto
     out[SF_C_3] = sf_any_number;
     for (int i = 0; i < SF_C_3; i++) {
         /* the mean of the weight's size, and the most that it is */
-        const double mean = i == SF_S_0 ? 2 / SFI_PI : 1, most = i < SF_P_1 ? 1 : 2, beside = of->beside[order[i]];
+        const double mean = i == SF_S_0 ? 2 / SFI_PI : 1, most = i < SF_P_1 ? 1 : 2, outer = of->outer[order[i]];
         const double even = sf_far(of->even, order[i], highest, size);
         /* nearer, but for steps that, rounded, do not add up to the last piece: of large motions that is more */
-        const double nearer = beside * sfi_least(most * inside, mean) + even * mean +
+        const double nearer = outer * sfi_least(most * inside, mean) + even * mean +
                               SF_SHARE_DOUBT * sf_far(of->size, order[i], highest, size);
-        const double bound = sfi_least(sfi_most(beside, even) * mean, nearer) * (1 + 0x1p-40);
+        const double bound = sfi_least(sfi_most(outer, even) * mean, nearer) * (1 + 0x1p-40);
         out[i] = sfi_add(out[i], sfi_of(-bound, bound));
     }
 }
 
 /* c_0 ... c_yy from the sums and shares. */
-static void sf_end_up(const sf_interval *sum, const sf_interval *share, sf_ended *out) {
+static void sf_end_up(const sf_interval *sum, const sf_interval *fraction, sf_ended *out) {
     const sf_interval s_1 = sfi_times(0.5, sfi_sub(sum[SF_P_1], sum[SF_Q_1])), bent = sfi_div(s_1, out->A);
     out->c_0 = sum[SF_C_0], out->s_0 = sum[SF_S_0], out->c_3 = sum[SF_C_3];
     out->s_2 = sfi_times(0.5, sfi_sub(sum[SF_P_2], sum[SF_Q_2]));
-    out->c_x = sfi_add(sfi_mul(out->X, sum[SF_P_1]), share[0]);
-    out->c_y = sfi_neg(sfi_add(sfi_mul(out->Y, sum[SF_Q_1]), share[1]));
+    out->c_x = sfi_add(sfi_mul(out->X, sum[SF_P_1]), fraction[0]);
+    out->c_y = sfi_neg(sfi_add(sfi_mul(out->Y, sum[SF_Q_1]), fraction[1]));
     out->c_xx = sfi_add(sfi_add(sfi_mul(out->X_x, sum[SF_P_1]),
-                                sfi_mul(sfi_square(out->X), sfi_sub(sfi_times(2, sum[SF_P_2]), bent))), share[2]);
+                                sfi_mul(sfi_square(out->X), sfi_sub(sfi_times(2, sum[SF_P_2]), bent))), fraction[2]);
     out->c_yy = sfi_sub(sfi_sub(sfi_mul(sfi_square(out->Y), sfi_sub(sfi_times(2, sum[SF_Q_2]), bent)),
-                                sfi_mul(out->Y_y, sum[SF_Q_1])), share[3]);
+                                sfi_mul(out->Y_y, sum[SF_Q_1])), fraction[3]);
 }
 
 /* The piece in the middle of the motion: the others are passed least. */
@@ -338,7 +338,7 @@ static void sf_on_all(const sf_charts *of, sf_interval x, sf_interval y, int cha
     const int root_x = of->rooted[0][chart] != 0, root_y = of->rooted[1][chart] != 0;
     const double place_x = of->place[0][chart], place_y = of->place[1][chart];
     sf_interval sum[SF_SUMS], straight[SF_SUMS];
-    sf_interval share[4] = {{0, 0}, {0, 0}, {0, 0}, {0, 0}};
+    sf_interval fraction[4] = {{0, 0}, {0, 0}, {0, 0}, {0, 0}};
     sf_weighted sums[SF_SUMS] = {{0, 0, 0}};
     sf_interval c_3 = {0, 0}, s_2 = {0, 0};
     if (lower == upper) {
@@ -350,7 +350,7 @@ static void sf_on_all(const sf_charts *of, sf_interval x, sf_interval y, int cha
     out->A = sfi_times(0.5, sfi_add(sfi_add(past_x, past_y), sfi_sub(sfi_point(place_x), sfi_point(place_y))));
     out->B = sfi_times(0.5, sfi_add(top, bottom));
     const int nowhere = out->A.hi < 0;
-    const int beside = out->B.lo <= 0 && out->B.hi >= 0; /* elsewhere nobody asks for c_3 and s_2 */
+    const int outer = out->B.lo <= 0 && out->B.hi >= 0; /* elsewhere nobody asks for c_3 and s_2 */
     out->A = sfi_of(sfi_most(out->A.lo, 0), sfi_most(out->A.hi, 0));
     out->X = root_x ? x : sfi_point(0.5), out->X_x = sfi_point(root_x);
     out->Y = root_y ? y : sfi_point(0.5), out->Y_y = sfi_point(root_y);
@@ -368,27 +368,27 @@ static void sf_on_all(const sf_charts *of, sf_interval x, sf_interval y, int cha
         sf_ladder ladder;
         sf_make_ladder(right ? over : under, right ? under : over, highest, &ladder);
         sf_add_step(gain, 0, right, 1, &ladder, highest, sums);
-        if (beside)
+        if (outer)
             sf_share_beside(gain, highest, right, right ? above : below, right ? below : above, &c_3, &s_2);
         if (gain[0] != 0 || (highest > 0 && gain[1] != 0)) {
             const double D_0 = gain[0] / SFI_PI, D_1 = (highest > 0 ? gain[1] : 0) / SFI_PI;
             const sf_near at_x = {sfi_sqrt(over), out->X, beyond_x, root_x},
                           at_y = {sfi_sqrt(under), out->Y, beyond_y, root_y};
-            sf_share(&at_x, &at_y, out->A, D_0, D_1, 1, &share[0], &share[2]);
-            sf_share(&at_y, &at_x, out->A, D_0, D_1, -1, &share[1], &share[3]);
+            sf_share(&at_x, &at_y, out->A, D_0, D_1, 1, &fraction[0], &fraction[2]);
+            sf_share(&at_y, &at_x, out->A, D_0, D_1, -1, &fraction[1], &fraction[3]);
         }
     }
     for (int i = 0; i < 4; i++) /* the factor 1/pi is rounded */
-        share[i] = sfi_of(sfi_down(sfi_down(share[i].lo)), sfi_up(sfi_up(share[i].hi)));
+        fraction[i] = sfi_of(sfi_down(sfi_down(fraction[i].lo)), sfi_up(sfi_up(fraction[i].hi)));
     sf_sum_up(sums, (highest + 1) * (upper - lower + 2), straight, sum);
     for (int i = 0; nowhere && i < SF_SUMS; i++)
         sum[i] = sf_any_number;
-    sf_end_up(sum, share, out);
-    out->c_3 = beside ? sfi_add(out->c_3, c_3) : sf_any_number, out->s_2 = beside ? sfi_add(out->s_2, s_2) : sf_any_number;
+    sf_end_up(sum, fraction, out);
+    out->c_3 = outer ? sfi_add(out->c_3, c_3) : sf_any_number, out->s_2 = outer ? sfi_add(out->s_2, s_2) : sf_any_number;
     if (out->A.lo > of->large) {
         sf_ended nearer = *out;
         sf_sum_large(of, top, bottom, out->A, sum);
-        sf_end_up(sum, share, &nearer);
+        sf_end_up(sum, fraction, &nearer);
         out->c_0 = sf_both(out->c_0, nearer.c_0), out->s_0 = sf_both(out->s_0, nearer.s_0);
         out->c_x = sf_both(out->c_x, nearer.c_x), out->c_y = sf_both(out->c_y, nearer.c_y);
         out->c_xx = sf_both(out->c_xx, nearer.c_xx), out->c_yy = sf_both(out->c_yy, nearer.c_yy);

@@ -32,14 +32,14 @@ TWOFOLD_INLINE double twofold_two_product(double a, double b, double *low)
 }
 
 /* The sum of n doubles, distilled until they no longer overlap: its sign is certain. */
-TWOFOLD_INLINE double twofold_distilled(double *parts, int n)
+TWOFOLD_INLINE double twofold_distilled(double *terms, int n)
 {
     double sum = 0;
     for (int pass = 0; pass < n; pass++)
         for (int i = 1; i < n; i++)
-            parts[i] = twofold_two_sum(parts[i], parts[i - 1], &parts[i - 1]);
+            terms[i] = twofold_two_sum(terms[i], terms[i - 1], &terms[i - 1]);
     for (int i = 0; i < n; i++)
-        sum += parts[i];
+        sum += terms[i];
     return sum;
 }
 

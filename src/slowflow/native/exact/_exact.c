@@ -122,13 +122,13 @@ static PyObject *interpreted(PyObject *self, PyObject *arguments)
 {
     (void)self;
     const char *name;
-    Py_buffer words, numbers;
-    if (!PyArg_ParseTuple(arguments, "sy*y*", &name, &words, &numbers))
+    Py_buffer code, numbers;
+    if (!PyArg_ParseTuple(arguments, "sy*y*", &name, &code, &numbers))
         return NULL;
     sf_reading status;
-    const sf_law *const law = sf_read_law(name, words.buf, (size_t)words.len / sizeof(int), numbers.buf,
+    const sf_law *const law = sf_read_law(name, code.buf, (size_t)code.len / sizeof(int), numbers.buf,
                                           (size_t)numbers.len / sizeof(double), &status);
-    RELEASE(&words, &numbers);
+    RELEASE(&code, &numbers);
     if (status == SF_NO_PROGRAM)
         return PyErr_Format(PyExc_ValueError, "%s: what stands for its force is no program", name);
     return status == SF_NO_ROOM   ? PyErr_NoMemory()
@@ -318,17 +318,17 @@ static PyObject *follow(PyObject *self, PyObject *arguments)
 }
 
 /* (outcome, steps, A, monodromy, borders): residual, jacobian, of_A, gradients one after the other in `out`; z is
- * moved, `along` filled where it is given. `extra` is None, a row with its value, or the number of a border. */
+ * moved, `direction` filled where it is given. `extra` is None, a row with its value, or the number of a border. */
 static PyObject *newton(PyObject *self, PyObject *arguments)
 {
     (void)self;
     PyObject *capsule, *result = NULL;
-    Py_buffer signature, z, row, out, along;
+    Py_buffer signature, z, row, out, direction;
     double F_0, value, tolerance;
     int half_turns, kind, most;
     long border, left;
     if (!PyArg_ParseTuple(arguments, "Oy*iw*diy*dlidlw*w*", &capsule, &signature, &half_turns, &z, &F_0, &kind, &row,
-                          &value, &border, &most, &tolerance, &left, &out, &along))
+                          &value, &border, &most, &tolerance, &left, &out, &direction))
         return NULL;
     const sf_system *const system = PyCapsule_GetPointer(capsule, NAME);
     const long k = (long)(signature.len / (Py_ssize_t)(2 * sizeof(int))), n = k + 4;
@@ -337,7 +337,7 @@ static PyObject *newton(PyObject *self, PyObject *arguments)
     double *const work = malloc(numbers_of_work * sizeof *work);
     sf_border *const at = malloc((size_t)(2 * k + 1) * sizeof *at);
     const int fits = k > 0 && z.len == unknowns && out.len >= (Py_ssize_t)(sf_numbers(k) * sizeof(double)) &&
-                     along.len == unknowns && (kind != SF_ROW || row.len == unknowns);
+                     direction.len == unknowns && (kind != SF_ROW || row.len == unknowns);
     if (work == NULL || at == NULL)
         PyErr_NoMemory();
     else if (system != NULL && !fits)
@@ -350,7 +350,7 @@ static PyObject *newton(PyObject *self, PyObject *arguments)
         sf_outcome outcome;
         Py_BEGIN_ALLOW_THREADS
         if (most > 0)
-            outcome = sf_newton(&forced, &cycle, z.buf, &extra, most, tolerance, &found, along.buf, work);
+            outcome = sf_newton(&forced, &cycle, z.buf, &extra, most, tolerance, &found, direction.buf, work);
         else
             outcome = sf_cycle_equations(&forced, &cycle, z.buf, &found, work);
         Py_END_ALLOW_THREADS
@@ -363,7 +363,7 @@ static PyObject *newton(PyObject *self, PyObject *arguments)
     }
     free(work);
     free(at);
-    RELEASE(&signature, &z, &row, &out, &along);
+    RELEASE(&signature, &z, &row, &out, &direction);
     return result;
 }
 
@@ -584,7 +584,7 @@ static PyObject *stationary(PyObject *self, PyObject *arguments)
     PyObject *capsule, *excitation;
     Py_buffer table = {0};
     sf_stationary at[SF_MOST_MOTIONS];
-    sf_motions found = {.places = SF_MOST_MOTIONS, .at = at};
+    sf_motions found = {.max_count = SF_MOST_MOTIONS, .at = at};
     if (!PyArg_ParseTuple(arguments, "OO", &capsule, &excitation))
         return NULL;
     const sf_system *const system = PyCapsule_GetPointer(capsule, NAME);
@@ -598,8 +598,8 @@ static PyObject *stationary(PyObject *self, PyObject *arguments)
         sf_tabulated(system, table.buf, BANDS(table), &found);
     Py_END_ALLOW_THREADS
     PyBuffer_Release(&table);
-    if (found.count > found.places)
-        found.count = found.places, found.undecided[0] = at[found.places - 1].k;
+    if (found.count > found.max_count)
+        found.count = found.max_count, found.undecided[0] = at[found.max_count - 1].k;
     return Py_BuildValue("ddy#", found.undecided[0], found.undecided[1], (const char *)at,
                          found.count * (Py_ssize_t)sizeof(sf_stationary));
 }
@@ -616,16 +616,16 @@ static PyObject *stationary_of_each(PyObject *self, PyObject *arguments)
                           &counts, &out))
         return NULL;
     const Py_ssize_t count = counts.len, one = (Py_ssize_t)sizeof(double);
-    const Py_ssize_t places = count ? out.len / count / (Py_ssize_t)sizeof(sf_stationary) : 0;
+    const Py_ssize_t max_count = count ? out.len / count / (Py_ssize_t)sizeof(sf_stationary) : 0;
     const int fit = designs_fit(&of, laws, count) && power.len == count * one && damping.len == 3 * count * one &&
-                    out.len == count * places * (Py_ssize_t)sizeof(sf_stationary);
+                    out.len == count * max_count * (Py_ssize_t)sizeof(sf_stationary);
     if (fit) {
         Py_BEGIN_ALLOW_THREADS
         for (Py_ssize_t k = 0; k < count; k++) {
             const double *const own = (const double *)damping.buf + 3 * k;
             sf_system system = design(&of, k, own);
             system.c_2 = own[2];
-            sf_motions found = {.places = (int)places, .at = (sf_stationary *)out.buf + k * places};
+            sf_motions found = {.max_count = (int)max_count, .at = (sf_stationary *)out.buf + k * max_count};
             sf_white(&system, ((const double *)power.buf)[k], &found);
             ((signed char *)counts.buf)[k] = (signed char)(found.undecided[0] != 0.0 ? -1 : found.count);
         }
@@ -639,7 +639,7 @@ static PyMethodDef methods[] = {
     {"system", make_system, METH_VARARGS,
      "laws, constants, edges, about, odd, mu, zeta, inertial, load, c_2, released, mu_s, eta -> an oscillator."},
     {"laws", laws, METH_O, "The laws of a table in a shared library, by name."},
-    {"interpreted", interpreted, METH_VARARGS, "name, words, numbers -> a law, None where it is too large."},
+    {"interpreted", interpreted, METH_VARARGS, "name, code, numbers -> a law, None where it is too large."},
     {"polynomials", polynomials, METH_VARARGS, "rows for u < 0, for u > 0 -> a law."},
     {"advance", advance, METH_VARARGS,
      "system, Omega, F_0, slip, region, theta, u, v, end, steps, derivatives -> outcome, spent, u, v."},

@@ -249,7 +249,7 @@ static inline void sf_in_columns(const double *row, long k, long size, double *o
 /* Newton's iteration from z, which it moves. SF_DIVERGES where it does not converge. `along`, if not NULL: the solution
  * of J x = 0, row x = 1 at the end. `work`: (k + 3)^2 + 2 (k + 3) + 3 (k + 4) numbers. */
 static sf_outcome sf_newton(sf_forced *forced, const sf_cycle *cycle, double *z, const sf_extra *extra, int most,
-                            double tolerance, sf_equations *out, double *along, double *work)
+                            double tolerance, sf_equations *out, double *direction, double *work)
 {
     const long k = cycle->k, n = k + 4, size = k + 2 + (extra->kind != SF_NO_MORE);
     double *const m = work, *const solved = m + size * size, *const turned = solved + size, *const rest = turned + size;
@@ -303,8 +303,8 @@ static sf_outcome sf_newton(sf_forced *forced, const sf_cycle *cycle, double *z,
         for (long j = 0; !stays && j < size; j++)
             z[j] += step[j];
         if (stays || converges) {
-            for (long j = 0; along != NULL && j < size; j++)
-                along[j] = turned[sf_column(j, k)];
+            for (long j = 0; direction != NULL && j < size; j++)
+                direction[j] = turned[sf_column(j, k)];
             return SF_GOOD;
         }
         last = length;

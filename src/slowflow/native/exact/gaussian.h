@@ -96,8 +96,8 @@ static inline double sf_third(const sf_gaussian *at) { return at->third[0] - at-
  * exp(-h^2 t^2/2), of which the second goes from part to part by products. */
 static void sf_add_piece(const sf_piece *piece, double low, double high, sf_gaussian *to)
 {
-    const int parts = (int)fmax(SF_LEAST_PARTS, ceil((high - low) / SF_WIDEST));
-    const double h = 0.5 * (high - low) / parts, sigma = to->sigma;
+    const int pieces = (int)fmax(SF_LEAST_PARTS, ceil((high - low) / SF_WIDEST));
+    const double h = 0.5 * (high - low) / pieces, sigma = to->sigma;
     double near[SF_NODES], grows[SF_NODES], over[SF_NODES], positive[2] = {0.0}, negative[2] = {0.0}, square = 0.0;
     for (int j = 0; j < SF_NODES; j++) {
         const double step = h * sf_gauss_node[j];
@@ -105,7 +105,7 @@ static void sf_add_piece(const sf_piece *piece, double low, double high, sf_gaus
         near[j] = 0.79788456080286536 * h * sf_gauss_weight[j] * exp(-0.5 * step * step);
         grows[j] = exp((low + h) * step), over[j] = exp(2.0 * h * step);
     }
-    for (int k = 0; k < parts; k++) {
+    for (int k = 0; k < pieces; k++) {
         const double m = low + h * (2 * k + 1), there = exp(-0.5 * m * m);
         for (int j = 0; j < SF_NODES; j++) {
             const double x[2] = {m - h * sf_gauss_node[j], m + h * sf_gauss_node[j]};
@@ -154,17 +154,17 @@ typedef struct {
     double u, square, k, v;
 } sf_stationary;
 
-/* Motions that are found. places: room for so many; count: of all that there are; undecided: k and c next to which there
+/* Motions that are found. max_count: room for so many; count: of all that there are; undecided: k and c next to which there
  * may be others, or 0 */
 typedef struct {
-    int places, count;
+    int max_count, count;
     double undecided[2];
     sf_stationary *at;
 } sf_motions;
 
 static void sf_put_motion(sf_motions *to, const sf_gaussian *at, double v)
 {
-    if (to->count < to->places)
+    if (to->count < to->max_count)
         to->at[to->count] = (sf_stationary){at->sigma, at->square, sf_first(at) / (at->sigma * at->sigma), v};
     to->count++;
 }

@@ -122,10 +122,10 @@ static void sf_read_recurrence(sf_reader *from, int constants, int slope, sf_rec
 
 /* The law of a piece, which is never let go; NULL where the data is no program, is too large for it, or memory is
  * out. */
-static const sf_law *sf_read_law(const char *name, const int *words, size_t count, const double *numbers,
+static const sf_law *sf_read_law(const char *name, const int *code, size_t count, const double *numbers,
                                  size_t length, sf_reading *status)
 {
-    sf_reader from = {words, words + count, numbers, numbers + length, NULL, SF_READ};
+    sf_reader from = {code, code + count, numbers, numbers + length, NULL, SF_READ};
     sf_interpreted *const made = sf_room_for(&from, 1, sizeof *made);
     char *const called = sf_room_for(&from, (int)strlen(name) + 1, 1);
     if (from.status == SF_READ) {

@@ -93,10 +93,10 @@ static void sf_slopes_within(const sf_moments *at, double p, double q, const dou
     const double peak = ratio < 0.5 ? of[2] : ratio < 0.70710678118654752 ? fmax(of[2], 1.0) : 1.0;
     const double both = 0.5 * (down + most), mixed = 2.0 * fmax(down, most) + both;
     const double by_p = fmax(0.25 + 2.0 * peak, fmax(down * (down - 1.0), most * (most + 1.0)) + both * both);
-    const double moved[2] = {by_p * r[0] + mixed * r[1], mixed * r[0] + r[1]};
+    const double shift[2] = {by_p * r[0] + mixed * r[1], mixed * r[0] + r[1]};
     for (int i = 0; i < 2; i++) {
-        low[i][0] = fmax(-down, at->by[i][0] - moved[0]), high[i][0] = fmin(most, at->by[i][0] + moved[0]);
-        low[i][1] = fmax(-2.0, at->by[i][1] - moved[1]), high[i][1] = fmin(0.0, at->by[i][1] + moved[1]);
+        low[i][0] = fmax(-down, at->by[i][0] - shift[0]), high[i][0] = fmin(most, at->by[i][0] + shift[0]);
+        low[i][1] = fmax(-2.0, at->by[i][1] - shift[1]), high[i][1] = fmin(0.0, at->by[i][1] + shift[1]);
     }
 }
 
@@ -162,20 +162,20 @@ static sf_ends sf_slope_within(const sf_table *table, const sf_equivalent *at, d
     double apart = 1.5 * fabs(sf_damping_by_p(at)) * r, low[2][2], high[2][2], ln_c;
     for (int i = 0; i < 6; i++) {
         sf_slopes_within(&at->moments, at->p, at->q, (double[2]){r, apart + SF_AS_NEAR}, low, high);
-        const double moved = fmax(-low[1][0], high[1][0]) * r - low[1][1] * (apart + SF_AS_NEAR);
-        const sf_ends D = {sf_damping_at(table, at->moments.value[1] - moved, &ln_c),
-                           sf_damping_at(table, at->moments.value[1] + moved, &ln_c)};
+        const double shift = fmax(-low[1][0], high[1][0]) * r - low[1][1] * (apart + SF_AS_NEAR);
+        const sf_ends D = {sf_damping_at(table, at->moments.value[1] - shift, &ln_c),
+                           sf_damping_at(table, at->moments.value[1] + shift, &ln_c)};
         const sf_ends falls = sf_ends_of_product(D, (sf_ends){low[1][1], high[1][1]});
         const sf_ends over = {1.0 / (1.0 - falls.low), 1.0 / (1.0 - falls.high)};
         if (!(falls.high < 1.0))
             break;
         const sf_ends q = sf_ends_of_product(sf_ends_of_product(D, (sf_ends){low[1][0], high[1][0]}), over);
-        const double leaves = fmax(-q.low, q.high) * r;
-        if (leaves <= apart) { /* q(p) does not leave the box */
+        const double change = fmax(-q.low, q.high) * r;
+        if (change <= apart) { /* q(p) does not leave the box */
             const sf_ends by_q = sf_ends_of_product(q, (sf_ends){low[0][1], high[0][1]});
             return (sf_ends){low[0][0] + by_q.low, high[0][0] + by_q.high};
         }
-        apart = 1.25 * leaves;
+        apart = 1.25 * change;
     }
     return (sf_ends){-HUGE_VAL, HUGE_VAL};
 }
@@ -236,10 +236,10 @@ static sf_ends sf_stiffness_within(const sf_positive *force, const sf_gaussian *
 {
     const double grows = b->sigma / a->sigma, cube = grows * grows * grows, fifth = cube * grows * grows;
     const double aa = a->sigma * a->sigma, bb = b->sigma * b->sigma, width = log(grows);
-    const sf_ends held = sf_secants_up_to(force, SF_FARTHEST * b->sigma);
-    const double most = held.high - held.low;
-    sf_ends K = {fmax(held.low, a->first[0] / aa / cube - b->first[1] / bb * cube),
-                 fmin(held.high, b->first[0] / bb * cube - a->first[1] / aa / cube)};
+    const sf_ends secants = sf_secants_up_to(force, SF_FARTHEST * b->sigma);
+    const double most = secants.high - secants.low;
+    sf_ends K = {fmax(secants.low, a->first[0] / aa / cube - b->first[1] / bb * cube),
+                 fmin(secants.high, b->first[0] / bb * cube - a->first[1] / aa / cube)};
     slope->low = fmax(-3.0 * most, a->third[0] / aa / fifth - b->third[1] / bb * fifth - 3.0 * K.high);
     slope->high = fmin(3.0 * most, b->third[0] / bb * fifth - a->third[1] / aa / fifth - 3.0 * K.low);
     const double low = fmin(slope->low, 0.0) * width, high = fmax(slope->high, 0.0) * width;
@@ -262,8 +262,8 @@ static void sf_search_stationary(sf_linearized *of, const sf_gaussian *a, const 
     const sf_equivalent at = sf_equivalent_by(of, low + r, SF_AS_NEAR);
     const sf_ends by_p = sf_slope_within(of->table, &at, r);
     const double L = at.moments.value[0], doubt = SF_AS_NEAR + (K.low < soft ? 4.0 * SF_SOFT : 0.0);
-    const double moved = fmax(-by_p.low, by_p.high) * r + doubt;
-    if (L + moved < 2.0 * log(a->sigma) || L - moved > 2.0 * log(b->sigma))
+    const double shift = fmax(-by_p.low, by_p.high) * r + doubt;
+    if (L + shift < 2.0 * log(a->sigma) || L - shift > 2.0 * log(b->sigma))
         return;
     if (K.low >= soft) {
         const sf_ends over = {1.0 / K.high, 1.0 / K.low};

@@ -58,7 +58,7 @@ static double sf_branched(const sf_law *law, const double *p, const sf_drive *in
         if (i == SF_HALVINGS)
             return 0.0;
     }
-    double pushes = 0.0, moves = 0.0;
+    double pushes = 0.0, moment = 0.0;
     sf_four by_v = sf_all(0.0), by_u = by_v;
     for (int i = 0; i < 2 * SF_NODES; i++) {
         const double node = i < SF_NODES ? -sf_gauss_node[i] : sf_gauss_node[i - SF_NODES], s = 0.5 * (1.0 + node),
@@ -67,7 +67,7 @@ static double sf_branched(const sf_law *law, const double *p, const sf_drive *in
         /* over h */
         const double weight = 0.5 * sf_gauss_weight[i % SF_NODES] * SF_GRADED * cube,
                      force = weight * (law->value(law, p, u) - at_place);
-        pushes += force, moves += force * (1.0 - at / h);
+        pushes += force, moment += force * (1.0 - at / h);
         if (flow != NULL) {
             sf_four U;
             sf_four_at(x->U, at, &U);
@@ -75,7 +75,7 @@ static double sf_branched(const sf_law *law, const double *p, const sf_drive *in
             by_v = sf_plus(by_v, pull), by_u = sf_more(by_u, pull, sf_all(1.0 - at / h));
         }
     }
-    x->v[1] -= pushes, x->u[2] -= moves;
+    x->v[1] -= pushes, x->u[2] -= moment;
     if (flow != NULL)
         x->V[1] = sf_less(x->V[1], by_v), x->U[2] = sf_less(x->U[2], by_u);
     return fabs(h);

@@ -91,7 +91,7 @@ static long sf_trace(sf_forced *forced, const sf_cycle *cycle, const sf_course *
                      double *rows, long room, sf_equations *found, sf_phases *phases, double *work)
 {
     const long k = cycle->k, size = k + 3;
-    double *const row = work, *const next = row + size, *const along = next + size, *const rest = along + size;
+    double *const row = work, *const next = row + size, *const direction = next + size, *const rest = direction + size;
     long count = 0;
     while (count < room) {
         double value = *step;
@@ -101,16 +101,16 @@ static long sf_trace(sf_forced *forced, const sf_cycle *cycle, const sf_course *
         }
         sf_ahead(z, tangent, *has_before ? before : NULL, row, *step, size, next);
         const sf_extra extra = {SF_ROW, row, value, 0};
-        if (sf_newton(forced, cycle, next, &extra, SF_ALONG, SF_TOLERANCE, found, along, rest) != SF_GOOD)
+        if (sf_newton(forced, cycle, next, &extra, SF_ALONG, SF_TOLERANCE, found, direction, rest) != SF_GOOD)
             break;
-        const double length = sqrt(sf_inner(course, next, along, along, size));
+        const double length = sqrt(sf_inner(course, next, direction, direction, size));
         double *const way = rest; /* which is free again */
         for (long j = 0; j < size; j++)
-            along[j] /= length, way[j] = next[j] - z[j];
-        const int usable = sf_inner(course, z, tangent, along, size) > course->straight &&
+            direction[j] /= length, way[j] = next[j] - z[j];
+        const int usable = sf_inner(course, z, tangent, direction, size) > course->straight &&
                            sqrt(sf_inner(course, z, way, way, size)) < 2.0 * *step;
         const int inside = course->low < next[size - 1] && next[size - 1] < course->high;
-        if (!usable || !inside || along[size - 1] * tangent[size - 1] < 0.0 || found->A > course->largest)
+        if (!usable || !inside || direction[size - 1] * tangent[size - 1] < 0.0 || found->A > course->largest)
             break;
         if (course->first != NULL && *travelled + *step > 10.0 * course->step) {
             double from = 0.0, to = 0.0;
@@ -129,10 +129,10 @@ static long sf_trace(sf_forced *forced, const sf_cycle *cycle, const sf_course *
         *has_before = 1;
         double *const out = rows + (size_t)count * sf_numbers_of_point(k);
         memcpy(out, next, (size_t)size * sizeof *out);
-        memcpy(out + size, along, (size_t)size * sizeof *out);
+        memcpy(out + size, direction, (size_t)size * sizeof *out);
         double rise = 0.0;
         for (long j = 0; j < size; j++)
-            rise += found->of_A[j] * along[j];
+            rise += found->of_A[j] * direction[j];
         out[2 * size] = found->A, out[2 * size + 1] = rise;
         memcpy(out + 2 * size + 2, found->monodromy, sizeof found->monodromy);
         z = out, tangent = out + size;

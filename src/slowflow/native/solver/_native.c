@@ -33,7 +33,7 @@ static const struct {
     {"folds_between", "(2),(2),(2),(4),(),(),(),()->(2),()", "dddddddddd",
      "A, p, e, damping, inertial, sign of R, lowest, highest F_0 -> |R|; whether there are folds.", sf_folds_between_loop},
     {"moved", "(26)->(6)", "dd", "an answer by what is known there, and of that -> moves, whether it meets no other.",
-     sf_moved_loop},
+     sf_slopes_loop},
     {"interval_product", "(),(),(),()->(),()", "dddddd", "lo, hi, lo, hi -> lo, hi", sf_interval_product_loop},
     {"interval_square", "(),()->(),()", "dddd", "lo, hi -> lo, hi", sf_interval_square_loop},
     {"interval_inverse", "(),()->(),()", "dddd", "lo, hi -> lo, hi", sf_interval_inverse_loop},

@@ -67,14 +67,14 @@ typedef struct {
 
 /* Asks the function: low, a point, high, numbers of systems -> values there, values and slopes on boxes, and between which
  * ends their solutions are, or all of these but the last. */
-static int on(void *self, ptrdiff_t n, const sf_box_place *places, sf_values *out)
+static int on(void *self, ptrdiff_t n, const sf_box_place *points, sf_values *out)
 {
     const called *of = self;
     const int d = of->d;
     PyArrayObject *known[4] = {NULL};
     PyObject *result = PyObject_CallFunction(
-        of->on, "NNNN", column(d, n, places->low, sizeof *places), column(d, n, places->at, sizeof *places),
-        column(d, n, places->high, sizeof *places), numbers(n, &places->of, sizeof *places));
+        of->on, "NNNN", column(d, n, points->low, sizeof *points), column(d, n, points->at, sizeof *points),
+        column(d, n, points->high, sizeof *points), numbers(n, &points->of, sizeof *points));
     const int count = result != NULL && PyTuple_Check(result) ? (int)PyTuple_Size(result) : 0;
     int done = count >= 3 && count <= 4;
     for (int i = 0; done && i < count; i++)

@@ -182,7 +182,7 @@ SF_WIDE static void approach(ptrdiff_t n, sf_lane_zeros *zeros)
         zeros->lo[i] = lo, zeros->hi[i] = hi;
         zeros->next[i] = sf_next_from(A, at.y, at.dy, zeros->last[0][i], zeros->last[1][i], zeros->last[2][i], lo, hi);
         zeros->last[0][i] = A, zeros->last[1][i] = at.y, zeros->last[2][i] = at.dy;
-        zeros->moved[i] = at.least > 0 ? fabs(at.y / at.dy) : HUGE_VAL;
+        zeros->change[i] = at.least > 0 ? fabs(at.y / at.dy) : HUGE_VAL;
         zeros->Omega[i] = at.Omega;
     }
 }

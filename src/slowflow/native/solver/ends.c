@@ -40,14 +40,14 @@ static void step_means(double A, double a, int whole, int below, int highest, do
 void sf_step_means_loop(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data)
 {
     enum { MOST = SF_MOST_POWERS + 8 };
-    const int places = (int)dimensions[1];
+    const int orders = (int)dimensions[1];
     (void)data;
     for (ptrdiff_t i = 0; i < dimensions[0]; i++) {
         double L[MOST], M[MOST];
-        const int below = (int)IN(3), is_room = places <= MOST && below > 0 && below < places;
+        const int below = (int)IN(3), is_room = orders <= MOST && below > 0 && below < orders;
         if (is_room)
-            step_means(IN(0), IN(1), IN(2) != 0, below, places - 1 - below, L, M);
-        for (int k = 0; k < places; k++) {
+            step_means(IN(0), IN(1), IN(2) != 0, below, orders - 1 - below, L, M);
+        for (int k = 0; k < orders; k++) {
             *(double *)(void *)(operands[5] + i * steps[5] + k * steps[8]) = is_room ? L[k] : NAN;
             *(double *)(void *)(operands[6] + i * steps[6] + k * steps[9]) = is_room ? M[k] : NAN;
         }
@@ -165,12 +165,12 @@ static void folds_between(const double *in, double *out)
                               (void *)out);
 }
 
-/* How answers move that are told by what is known there (gradient.h). */
-static void moved(const double *in, double *out) { sf_here()->told(in, out); }
+/* Sensitivities of answers from what is known there (gradient.h). */
+static void slopes_of(const double *in, double *out) { sf_here()->slopes(in, out); }
 
 /* as their signatures in _native.c */
 ROWS_LOOP(sf_on_balance_loop, on_balance, 6, 28, 28, 2, 2, 1, 1, 10, 1)
 ROWS_LOOP(sf_ended_state_loop, ended_state, 5, 28, 1, 1, 4, 1, 12)
 ROWS_LOOP(sf_ended_fold_loop, ended_fold, 7, 28, 2, 1, 1, 4, 1, 1, 26)
 ROWS_LOOP(sf_folds_between_loop, folds_between, 8, 2, 2, 2, 4, 1, 1, 1, 1, 2, 1)
-ROWS_LOOP(sf_moved_loop, moved, 1, 26, 6)
+ROWS_LOOP(sf_slopes_loop, slopes_of, 1, 26, 6)

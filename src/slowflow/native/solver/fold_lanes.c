@@ -25,9 +25,9 @@ static inline value value_at(double A, double F_0, double m, double zeta, double
     double fold[3], tangent[2];
     slow_flow_intercept(A, h, h_A, h_AA, tangent);
     slow_flow_fold(A, F_0, m, zeta, h, h_A, k, tangent[1], fold);
-    const double share = least / fabs(k), beyond = fabs(k) - least;
+    const double cosine = least / fabs(k), beyond = fabs(k) - least;
     const double of_k =
-        fold[2] * slow_flow_I(fold[2], A, m, zeta) / (zeta * SF_GREATER((1 - share) * (1 + share), SF_CLOSE));
+        fold[2] * slow_flow_I(fold[2], A, m, zeta) / (zeta * SF_GREATER((1 - cosine) * (1 + cosine), SF_CLOSE));
     const double size = F_0 + fabs(h) + A * (1 + SF_FINITE_SIZE(h_A)) + of_k;
     const int exists = beyond >= 0;
     return (value){fold[0], fold[1], fold[2], slow_flow_fold_square(fold[2], A, fold[0]), exists,
@@ -37,8 +37,8 @@ static inline value value_at(double A, double F_0, double m, double zeta, double
 /* |k| at a fold with this Omega^2 */
 static inline double size_of_k(double square, double A, double F_0, double m, double zeta, double least)
 {
-    const double lag = 2 * zeta * A * sqrt(SF_GREATER(square, 0.0)), share = F_0 * lag / (least * least - m * lag);
-    return least / sqrt(SF_GREATER((1 - share) * (1 + share), 0.01));
+    const double lag = 2 * zeta * A * sqrt(SF_GREATER(square, 0.0)), cosine = F_0 * lag / (least * least - m * lag);
+    return least / sqrt(SF_GREATER((1 - cosine) * (1 + cosine), 0.01));
 }
 
 /* Where |k| is K next to where folds begin or end, by what is known at x: on the first piece it is nearly a power of x,
@@ -56,13 +56,13 @@ static inline double amplitude_at(double x, double base) { return base + x * x /
 
 /* What `fold` has at a size of k: J falls as that rises, and I - m rises. */
 typedef struct {
-    double share, J, lag;
+    double cosine, J, lag;
 } at_k;
 
 static inline at_k at_k_of(double k, double F_0, double m, double excess, double least)
 {
-    const double t = least / k, share = sqrt(SF_GREATER((1 - t) * (1 + t), 0.0)), J = excess / (F_0 + m * share);
-    return (at_k){share, J, J * share};
+    const double t = least / k, cosine = sqrt(SF_GREATER((1 - t) * (1 + t), 0.0)), J = excess / (F_0 + m * cosine);
+    return (at_k){cosine, J, J * cosine};
 }
 
 /* 0 times what has no bound is 0 */
@@ -103,8 +103,8 @@ SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
 
         /* its slope: h_A - Omega^2 + F_0 J^2/k^2 (J/(2 zeta^2 A k) + (F_0 + m/share)/(F_0^2 - m^2)) k_A */
         const double rate_lo = 0.5 * of_zeta * far.J / (K_hi * b), rate_hi = 0.5 * of_zeta * near.J / (K_lo * a);
-        const double force_lo = (F_0 + m / far.share) / excess,
-                     force_hi = (F_0 + (m > 0 ? m / near.share : 0.0)) / excess;
+        const double force_lo = (F_0 + m / far.cosine) / excess,
+                     force_hi = (F_0 + (m > 0 ? m / near.cosine : 0.0)) / excess;
         const double both_lo = is_above ? rate_lo + force_lo : force_lo - rate_hi,
                      both_hi = is_above ? rate_hi + force_hi : force_hi - rate_lo;
         const double P_lo = F_0 * (far.J / K_hi) * (far.J / K_hi), P_hi = F_0 * (near.J / K_lo) * (near.J / K_lo);
@@ -147,9 +147,9 @@ SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
         const double below = 0.99 * where_k_is(least, b, k_b, -b * h2_b, 0, 1),
                      above = SF_GREATER(1.25 * a, 0.0625 * b);
         const int seems_to_turn = (at_a.dy * at_b.dy < 0) & is_throughout & (passes == 0);
-        const double share = seems_to_turn ? SF_GREATER(SF_LESSER(turn, 0.75), 0.25) : (inside - a) / width;
+        const double cosine = seems_to_turn ? SF_GREATER(SF_LESSER(turn, 0.75), 0.25) : (inside - a) / width;
         const double begun = (below > 1.001 * a) & (below < b) ? below : above;
-        const double open_cut = begins & (b > 1.25 * a) ? begun : a + share * width;
+        const double open_cut = begins & (b > 1.25 * a) ? begun : a + cosine * width;
 
         /* a zero lies next to where the channel begins or ends, or between its values; in x, x^2 = A^2 - base^2 */
         const double x_a = sqrt((a - base) * (a + base)), x_b = sqrt((b - base) * (b + base));
@@ -158,8 +158,8 @@ SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
         const double k_0 = from_a ? k_a : k_b, h2_0 = from_a ? h2_a : h2_b;
         const double square = from_a ? at_a.square : at_b.square;
         const double K = fabs(k_0) >= least ? size_of_k(square, A_0, F_0, m, zeta, least) : JUST_ABOVE * least;
-        const double beside = where_k_is(K, x_0, k_0, -x_0 * h2_0, base, begins);
-        const double at_end = (beside > x_a) & (beside < x_b) ? beside : 0.5 * (x_a + x_b);
+        const double last_step = where_k_is(K, x_0, k_0, -x_0 * h2_0, base, begins);
+        const double at_end = (last_step > x_a) & (last_step < x_b) ? last_step : 0.5 * (x_a + x_b);
         const double between =
             sf_lane_zero(x_a, at_a.y, at_a.dy * x_a / a, x_b, at_b.y, at_b.dy * x_b / b, 0.5 * (x_a + x_b));
         const double at_zero = amplitude_at(is_throughout ? between : at_end, base);
@@ -198,7 +198,7 @@ SF_WIDE static void approach(ptrdiff_t n, sf_lane_zeros *zeros)
         const double w = at.Omega, F = slow_flow_F(w, A, F_0, m, zeta, h);
         zeros->lo[i] = lo, zeros->hi[i] = hi;
         zeros->next[i] = amplitude_at(next, base);
-        zeros->moved[i] = fabs(step);
+        zeros->change[i] = fabs(step);
         zeros->Omega[i] = w - F / slow_flow_F_Omega(w, A, m, zeta, h);
         zeros->last[0][i] = at.exists ? x : NAN, zeros->last[1][i] = at.y, zeros->last[2][i] = slope;
     }

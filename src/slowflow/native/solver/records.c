@@ -2,9 +2,9 @@
  *
  *   RECORDS                                     name -> record, of the mechanisms that were compiled in
  *   MOST                                        the most numbers of a design, parameters and breakpoints of a record
- *   program(name, words, numbers)               a record that interprets them; ValueError where they are no program,
+ *   program(name, code, numbers)               a record that interprets them; ValueError where they are no program,
  *                                               None where the force is beyond what a record has room for
- *   samples(name, words, numbers, inertial, with_laws)
+ *   samples(name, code, numbers, inertial, with_laws)
  *                                               a record of one design of a force that is known by its values, let go
  *                                               with the last oscillator that was made of it; likewise
  *   called(name, sizes, reach, harmonics_up_to, addresses, keep, inertial, with_laws, enclosed)
@@ -135,16 +135,16 @@ static void free_samples(PyObject *capsule)
     sf_here()->records->free_samples(PyCapsule_GetPointer(capsule, SF_RECORD));
 }
 
-/* A record from words, C ints, and numbers, doubles, as bytes; what: they are to be. */
+/* A record from code, C ints, and numbers, doubles, as bytes; what: they are to be. */
 static PyObject *read_record(PyObject *args, sf_record_of read, const char *what, PyCapsule_Destructor let_go)
 {
     sf_mechanism *record;
-    const char *name, *words, *numbers;
+    const char *name, *code, *numbers;
     Py_ssize_t count, length;
     int inertial = 0, with_laws = 0;
-    if (!PyArg_ParseTuple(args, "sy#y#|pp", &name, &words, &count, &numbers, &length, &inertial, &with_laws))
+    if (!PyArg_ParseTuple(args, "sy#y#|pp", &name, &code, &count, &numbers, &length, &inertial, &with_laws))
         return NULL;
-    switch (read(sf_here()->records->all[0], name, (const int *)(const void *)words, count / (Py_ssize_t)sizeof(int),
+    switch (read(sf_here()->records->all[0], name, (const int *)(const void *)code, count / (Py_ssize_t)sizeof(int),
                  (const double *)(const void *)numbers, length / (Py_ssize_t)sizeof(double), &record)) {
     case SF_OK:
         if (inertial)
@@ -381,8 +381,8 @@ static PyObject *prepared(PyObject *self, PyObject *capsule)
 static PyMethodDef functions[] = {
     {"prepared", prepared, METH_O, "(oscillator) -> 4 mu/pi, breakpoints, jumps at these; none at 0"},
     {"averages", averages, METH_VARARGS, "(record, parameters, A, out) -> None"},
-    {"program", program, METH_VARARGS, "(name, words, numbers) -> a record that interprets them, or None"},
-    {"samples", samples, METH_VARARGS, "(name, words, numbers, inertial, with_laws) -> a record of polynomials, or None"},
+    {"program", program, METH_VARARGS, "(name, code, numbers) -> a record that interprets them, or None"},
+    {"samples", samples, METH_VARARGS, "(name, code, numbers, inertial, with_laws) -> a record of polynomials, or None"},
     {"called", called, METH_VARARGS,
      "(name, sizes, reach, harmonics_up_to, addresses, keep, inertial, with_laws, enclosed) -> a record that calls "
      "functions"},

@@ -75,11 +75,11 @@ SF_WIDE void sf_second_newton(ptrdiff_t n, const double *Omega, const double *A,
         const double to_z = (1 + R_x * R_x) * F_z - R_x * R_z * F_x;
         const double way = -F / (F_x * to_x + F_z * to_z), x = way * to_x, z = way * to_z;
         const double y = R_x * x + R_z * z, size = larger(fabs(x), larger(fabs(y), fabs(z)));
-        const double share = size > SF_LONGEST ? SF_LONGEST / size : 1;
-        sizes[i] = size, next_R[i] = R[i] + F_0 * share * y;
+        const double ratio = size > SF_LONGEST ? SF_LONGEST / size : 1;
+        sizes[i] = size, next_R[i] = R[i] + F_0 * ratio * y;
         /* on a peak as sharp as a needle R/F_0 is known to no more */
         done[i] = SF_MOVED + SF_ROUNDING * A[i] * Omega[i] * Omega[i] / F_0;
-        to_A[i] = share * x, growth_A[i] = sf_short_exp(share * x);
-        to_Omega[i] = share * z, growth_Omega[i] = sf_short_exp(share * z);
+        to_A[i] = ratio * x, growth_A[i] = sf_short_exp(ratio * x);
+        to_Omega[i] = ratio * z, growth_Omega[i] = sf_short_exp(ratio * z);
     }
 }
