@@ -25,7 +25,7 @@ Schema = dict[str, Any]
 
 DRAFT = "https://json-schema.org/draft/2020-12/schema"
 #: words that a key of an oscillator may be
-WORDS = {"force": FORCES, "rubs": tuple(RUBS), "excitation": tuple(EXCITATIONS)}
+CHOICES = {"force": FORCES, "rubs": tuple(RUBS), "excitation": tuple(EXCITATIONS)}
 #: which table beside the oscillator and [ask] a question reads
 TABLES = {"spectrum": "spectrum", "tolerances": "tolerances", "random": "psd", **dict.fromkeys(SHOCKS, "shock")}
 POSITIVE: Schema = {"type": "number", "exclusiveMinimum": 0}
@@ -89,8 +89,8 @@ def _oscillator(name: str) -> Schema:
     keys: dict[str, Schema] = {}
     for key, one in inspect.signature(kind.make).parameters.items():
         of: Schema = {"type": "number", **bounds.get(key, {})}
-        if key in WORDS:
-            of = {"enum": list(EXCITED if (name, key) == ("mount", "excitation") else WORDS[key])}
+        if key in CHOICES:
+            of = {"enum": list(EXCITED if (name, key) == ("mount", "excitation") else CHOICES[key])}
         elif name == "mount" and DATA_SHEET[key][0]:
             of = QUANTITY
         default = {} if one.default in (None, one.empty) else {"default": one.default}
@@ -144,8 +144,8 @@ def _tables() -> tuple[str, ...]:
 def _table(name: str) -> Schema:
     """One of those that a question needs."""
     if name == "tolerances":
-        share: Schema = {"type": "number", "minimum": 0, "exclusiveMaximum": 1}
-        numbers = {key: share for kind in KINDS.values() for key in kind.keys if key not in NO_NUMBERS}
+        fraction: Schema = {"type": "number", "minimum": 0, "exclusiveMaximum": 1}
+        numbers = {key: fraction for kind in KINDS.values() for key in kind.keys if key not in NO_NUMBERS}
         return _object("Shares by which numbers may be off", numbers)
     if name == "spectrum":
         return _object(

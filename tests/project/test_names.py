@@ -1,6 +1,7 @@
 """Names by the field's language: identifiers that are not defined again, each with the term in its place."""
 
 import ast
+import re
 
 import pytest
 
@@ -81,3 +82,12 @@ def test_names_that_are_gone_do_not_return(room, public):
         names = {name.strip("_").lower() for name in defined(ast.parse(path.read_text(encoding="utf-8")))}
         kept = public | PUBLIC.get(path.as_posix().partition("src/slowflow/")[2], set())
         assert not {name: GONE[name] for name in names & GONE.keys() - kept}, path
+
+
+@pytest.mark.parametrize("room", ["benchmarks", "src/slowflow/native", "tests/native"])
+def test_names_that_are_gone_do_not_return_in_c(room):
+    """Whole identifiers, but in comments and strings."""
+    for path in sorted((ROOT / room).rglob("*.[ch]")):
+        code = re.sub(r'/\*.*?\*/|"(?:\\.|[^"\\\n])*"', "", path.read_text(encoding="utf-8"), flags=re.DOTALL)
+        names = {name.strip("_").lower() for name in re.findall(r"[A-Za-z_]\w*", code)}
+        assert not {name: GONE[name] for name in names & GONE.keys()}, path
