@@ -148,7 +148,7 @@ def _added(whole: float, terms: list[float]) -> str:
 def _loop(question: Question, inputs: np.ndarray, designs: Any) -> Callable[[], Any]:
     """The compiled loop of a question alone, on arrays that are there."""
     assert question.batch is not None  # all of these are compiled
-    solve = question.batch(backend.SOLVER)(backend.record_of(designs.mechanism, inertial=False))
+    solve = question.batch(backend.record_of(designs.mechanism, inertial=False))
     size = inputs.shape[1]
     rows = inputs[: solve.nin]
     out = tuple(QUESTIONS[question.name].blank(question.system, (size,), place=PLACES_OF_ONE).values())

@@ -100,8 +100,7 @@ class ComposedQuestions(Questions[SteadyStates, FrequencyResponse, SaddleNodes])
             For F_0 <= 0 and level_dB > 0, and under a load where motions exceed the amplitude `A_max` of `off_centre`,
             as a hardening spring on a base that moves too much.
         """
-        found: checks.Isolation = self._system._isolation(F_0, level_dB)
-        return found
+        return self._system._isolation(F_0, level_dB)
 
     def spectrum(self, *, Omega: Reals, F_0: Reals) -> checks.Spectrum:
         """Find what the motion does at each row of a load spectrum, one tone at a time, in their order.

@@ -100,8 +100,7 @@ class Derived(Stated):
     @property
     def stated_name(self) -> str:
         """The name that it was given; the record's has a hash of all that it follows from."""
-        name: str = self._stated.name
-        return name
+        return self._stated.name
 
     @property
     def compiled(self) -> bool:
@@ -110,8 +109,7 @@ class Derived(Stated):
 
     def document(self) -> str:
         """Its derivation to read, Markdown with LaTeX: motion, slow flow, average in each regime, response, folds."""
-        text: str = _derivation().description(self._stated)
-        return text
+        return _derivation().description(self._stated)
 
     def write(self, folder: Path) -> list[str]:
         """Write what `make derive` writes of the package's own mechanisms, and the document; the files' names.
@@ -122,8 +120,7 @@ class Derived(Stated):
         and with the force as power series, derivation.md, MANIFEST.json with a hash of each. Files of an earlier run
         are replaced.
         """
-        names: list[str] = _derivation().written(self._stated, Path(folder))
-        return names
+        return _derivation().written(self._stated, Path(folder))
 
     def __repr__(self) -> str:
         how = "compiled" if self.compiled else "interpreted"

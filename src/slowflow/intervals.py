@@ -68,11 +68,6 @@ class Interval:
         """Upper ends."""
         return np.asarray(self.ends[1])
 
-    @property
-    def has_sign(self) -> Flags:
-        """Whether all of it lies on one side of 0."""
-        return np.asarray((self.ends[0] > 0) | (self.ends[1] < 0))
-
     def __neg__(self) -> Interval:
         return type(self)(-self.ends[::-1])
 

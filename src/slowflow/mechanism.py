@@ -21,7 +21,7 @@ import numpy.typing as npt
 from slowflow.support.errors import Refused
 from slowflow.support.record import Law, Mechanism, Parameter
 from slowflow.text import text
-from slowflow_kernels import duffing, inertia, motion, slow_flow
+from slowflow_kernels import duffing, inertia, slow_flow
 
 __all__ = [
     "LINEAR",
@@ -246,13 +246,6 @@ class EquationOfMotion:
     def is_damped(self) -> bool:
         """Whether anything resists."""
         return not self.mu == self.zeta == self.c_2 == self.eta == 0
-
-    def damping(self, Omega: float) -> tuple[float, float]:
-        """The viscous damping ratio of motions at Omega, structural damping among it, and its slope by Omega."""
-        if self.eta == 0:
-            return self.zeta, 0.0
-        zeta, slope = motion.structural(Omega, self.eta)
-        return self.zeta + float(zeta), float(slope)
 
     def forcing(self, *, Omega: float, F_0: float) -> float:
         """Amplitude of the force at an amplitude F_0 of the excitation."""

@@ -65,8 +65,7 @@ class Questions(Generic[States, Response, Folds]):
         """
         F_0 = validate.number("F_0", F_0, above=0.0)
         samples, window = validate.curve(samples, Omega)
-        found: Response = self._system._frequency_response(F_0, samples, window)
-        return found
+        return self._system._frequency_response(F_0, samples, window)
 
     def amplitudes(self, *, Omega: Reals, F_0: Reals) -> States:
         """Find every steady state at one frequency or at each of an array of frequencies (24), (30).
@@ -96,11 +95,9 @@ class Questions(Generic[States, Response, Folds]):
         """
         system = self._system
         if not validate.is_single(F_0):
-            pairs: States = system._at_pairs(Omega, F_0)
-            return pairs
+            return system._at_pairs(Omega, F_0)
         at = validate.frequencies("Omega", Omega).ravel()
-        found: States = system._amplitudes(at, validate.number("F_0", F_0, above=0.0))
-        return found
+        return system._amplitudes(at, validate.number("F_0", F_0, above=0.0))
 
     def saddle_nodes(self, F_0: float, *, certify: bool = False) -> Folds:
         """Find every fold of the response curve at one forcing, by rising Omega, then by rising A.
@@ -157,8 +154,7 @@ class Questions(Generic[States, Response, Folds]):
         ValueError
             Under a load without damping that grows with the amplitude.
         """
-        found: SaddleNodeOnset = self._system._saddle_node_onset()
-        return found
+        return self._system._saddle_node_onset()
 
     def detachment(self) -> Detachment:
         """Find the lowest forcing F_cr whose response reaches u_cr, where the springs detach (34).
@@ -170,8 +166,7 @@ class Questions(Generic[States, Response, Folds]):
             |B| + A = u_cr, on either side, with .A and .B. Of an asymmetric force it is that whose motion reaches an
             end of the piece about u = 0, such as a stop.
         """
-        found: Detachment = self._system._detachment()
-        return found
+        return self._system._detachment()
 
     def peak(self, F_0: float) -> Peak:
         """Find the highest peak of the response at one forcing, isolated curves included.
@@ -205,5 +200,4 @@ class Questions(Generic[States, Response, Folds]):
         ArithmeticError
             Under a load where too many boxes stay undecided.
         """
-        found: Peak = self._system._peak(validate.number("F_0", F_0, above=0.0))
-        return found
+        return self._system._peak(validate.number("F_0", F_0, above=0.0))

@@ -189,8 +189,7 @@ class Moving:
 
     def _gradient_from(self: Any, of: Callable[..., Gradient], *numbers: Any) -> Gradient:
         """The gradient, without a load by a function of whose answer it is, and of its numbers."""
-        found: Gradient = self._gradient_of(self) if self._gradient_of else of(of_model(self._model), *numbers)
-        return found
+        return self._gradient_of(self) if self._gradient_of else of(of_model(self._model), *numbers)
 
 
 @dataclass(frozen=True, eq=False)
@@ -205,8 +204,7 @@ class OfPoint(Moving):
     def _measured(self, force: str | None, of: str = "") -> MeasuredPoint:
         if self.load is not None:
             raise validate.NotAvailable(NOT_MEASURED)
-        found: MeasuredPoint = self._against_motion(force, of)
-        return found
+        return self._against_motion(force, of)
 
 
 @dataclass(frozen=True, eq=False)
@@ -341,8 +339,7 @@ class SteadyStates(Moving, WithMean, InDecibels, Table):
     @property
     def force(self) -> float | Floats:
         """Amplitude of the force on the mass in each state: F_0, or F_0 Omega^2 for an excitation by inertia."""
-        force: float | Floats = self._model.force(self.F_0, self.Omega)
-        return force
+        return self._model.force(self.F_0, self.Omega)
 
     @cached_property
     def transmissibility(self) -> Floats:
@@ -391,8 +388,7 @@ class SteadyStates(Moving, WithMean, InDecibels, Table):
         and `.error` that of `u_max`. Raises ValueError where there is no such force, or where neither friction nor
         viscous damping lets a motion settle.
         """
-        found: Measured = self._against_motion(force)
-        return found
+        return self._against_motion(force)
 
 
 @dataclass(frozen=True, eq=False)
@@ -467,8 +463,7 @@ class SaddleNodes(Moving, WithMean, Drawn, Table):
         is raised as in `SteadyStates.measure`; under a load `.A` of the answer is the largest |u| at the fold, and
         `.error_of_A` that of |B| + A.
         """
-        found: MeasuredFolds = self._against_motion(force)
-        return found
+        return self._against_motion(force)
 
 
 @dataclass(frozen=True, eq=False)

@@ -258,8 +258,7 @@ class Scene:
 
     def answer(self, query: Asked) -> Answer:
         """The answer to one of its questions, of a mount in N, mm and Hz; computed when it is first asked for."""
-        found: Answer = shown(self.ask(query.question, **query.arguments))
-        return found
+        return shown(self.ask(query.question, **query.arguments))
 
     def ask(self, question: str, **arguments: Any) -> Any:
         """What the oscillator answers, of a mount in SI units; computed when it is first asked for."""
@@ -272,7 +271,7 @@ class Scene:
     def _method(self, question: str) -> Callable[..., Any]:
         """What answers a question."""
         if question != "tolerances":
-            return getattr(self.oscillator, question)  # type: ignore[no-any-return]
+            return getattr(self.oscillator, question)
         from slowflow.sizing import tolerances  # here, not above: it imports SciPy's statistics
 
         return partial(tolerances, self.oscillator)
@@ -281,8 +280,7 @@ class Scene:
         """What runs for it and what is skipped; None for what is a formula, or put together from other questions."""
         if query.question not in plan.QUESTIONS:
             return None
-        found: Plan = self.oscillator.explain(query.question, query.forcing)
-        return found
+        return self.oscillator.explain(query.question, query.forcing)
 
     def seconds(self, query: Asked) -> float:
         """About how long it takes, by what such questions took when they were measured."""
@@ -544,10 +542,9 @@ class _Reader:
         table = self._table("tolerances", question)
         self._known("tolerances", table, tuple(key for key in kind.keys if key not in NO_NUMBERS))
         bounds = {"least": 0.0, "below": 1.0}
-        found: dict[str, float] = self._tried(
+        return self._tried(
             "tolerances", table, lambda: {key: validate.number(key, value, **bounds) for key, value in table.items()}
         )
-        return found
 
     def _positive(self, key: str, table: str = "ask") -> list[float]:
         """A list of numbers > 0."""
@@ -557,10 +554,9 @@ class _Reader:
         """A list of numbers within bounds, of a mount in SI units."""
         unit = SI[OF_MOUNT[key]] if "mount" in self.content and key in OF_MOUNT else ""
         values = self._list(table, key, (int, float, str) if unit else (int, float))
-        found: list[float] = self._tried(
+        return self._tried(
             table, self.content[table], lambda: [validate.number(key, si(key, one, unit), **bounds) for one in values]
         )
-        return found
 
     def _table(self, name: str, question: str = "") -> dict[str, Any]:
         """A table, and which question needs it, if one does."""

@@ -71,7 +71,7 @@ def test_undecided_counts_beside_a_double_fold_are_resolved():
             continue
         model = of_record(case).model
         for F_0, above in level_ulps(onset["F_SN"]):
-            proof = proofs.folds(model, F_0, np.empty(0))
+            proof = proofs.folds(model, F_0)
             assert proof.proved
             assert len(proof.A) == (2 if above else 0)
             by_balls += proof.bits > DOUBLES
@@ -211,7 +211,7 @@ def test_whether_a_mass_moves_is_decided_one_ulp_from_friction():
     with mpmath.workdps(40):
         m = 4 * mpmath.mpf(iso.mu) / mpmath.pi
         for F_0 in (math.nextafter(float(m), 0), float(m), math.nextafter(float(m), 1)):
-            proof = proofs.folds(iso.model, F_0, np.empty(0))
+            proof = proofs.folds(iso.model, F_0)
             assert proof.proved
             assert proof.message.startswith("sticks") is not (mpmath.mpf(F_0) > m)
 
@@ -234,7 +234,7 @@ def test_a_double_state_that_is_exact_stays_undecided_in_words():
 def test_without_flint_the_answer_says_how_to_have_it(monkeypatch):
     monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
     iso = untruncated(UNTRUNCATED[0])
-    proof = proofs.folds(iso.model, float(np.nextafter(iso.saddle_node_onset().F_SN, 1)), np.empty(0))
+    proof = proofs.folds(iso.model, float(np.nextafter(iso.saddle_node_onset().F_SN, 1)))
     assert not proof.proved
     assert messages.NO_BALLS in proof.message
 

@@ -10,7 +10,7 @@ from functools import partial
 import numpy as np
 import pytest
 
-from slowflow import Duffing, Isolator
+from slowflow import Duffing, Isolator, backend
 from slowflow.averaged import many as batches
 from slowflow.results import Remark
 from slowflow_kernels.conventions import Status
@@ -101,17 +101,14 @@ def test_few_designs_are_begun_after_ctrl_c(workers):
     """However long a batch takes: of 20,000 designs, in parts of four, those of parts that are all but under way."""
     begun = []
 
-    def counted(solver):
-        def of_record(record):
-            def solve(*arguments, out):
-                begun.append(arguments[0].size)
-                if len(begun) == 3:
-                    signal.raise_signal(signal.SIGINT)
-                solver.many_saddle_nodes(record)(*arguments, out=out)
+    def counted(record):
+        def solve(*arguments, out):
+            begun.append(arguments[0].size)
+            if len(begun) == 3:
+                signal.raise_signal(signal.SIGINT)
+            backend.SOLVER.many_saddle_nodes(record)(*arguments, out=out)
 
-            return solve
-
-        return of_record
+        return solve
 
     question = dataclasses.replace(batches.BY_NAME["saddle_nodes"], batch=counted, at_once=4)
     designs = Isolator.many(lam=3, r=np.linspace(0.5, 2.0, 20_000), delta_h=0.1, mu=0.01, zeta=0.02)

@@ -27,8 +27,8 @@ CASES = [
     for number, case in enumerate(stored(name))
     if not any(isinstance(value, str) for value in case["parameters"].values())
 ]
-#: no fold is expected anywhere: proofs do not rest on what the solvers find
-NOWHERE = np.empty(0)
+#: without the balls that are asked where doubles do not decide, and without telling where folds are expected
+IN_DOUBLES = {name: getattr(proofs, name).__wrapped__ for name in ("folds", "states")}
 
 
 def holds(ends, digits):
@@ -51,13 +51,13 @@ def test_enclosures_hold_certified_folds_and_states():
         model = of_record(case).model
         for forcing in case["forcings"]:
             F_0 = forcing["F_0"][1]
-            proof = proofs.folds_in_doubles(model, F_0, NOWHERE)
+            proof = IN_DOUBLES["folds"](model, F_0)
             total, doubtful = total + 1, doubtful + (not proof.proved)
             if proof.proved:
                 assert proof.bounded
                 check_folds(proof, forcing["folds"])
             for at in forcing["amplitudes"]:
-                found = proofs.states_in_doubles(model, at["Omega"][1], F_0)
+                found = IN_DOUBLES["states"](model, at["Omega"][1], F_0)
                 total, doubtful = total + 1, doubtful + (not found.proved)
                 if found.proved:
                     assert found.stable.tolist() == [state["stable"] for state in at["steady"]]
@@ -89,7 +89,7 @@ def test_enclosures_are_narrow():
     for _, _, case in CASES[:60]:
         model = of_record(case).model
         for forcing in case["forcings"]:
-            proof = proofs.folds(model, forcing["F_0"][1], NOWHERE)
+            proof = proofs.folds(model, forcing["F_0"][1])
             for A, fold in zip(proof.A, forcing["folds"], strict=proof.proved):
                 if fold["condition"] is not None and proof.proved and not fold["corner"]:
                     condition = fold["condition"]["A"] + fold["condition_kernel"]["A"]
@@ -115,7 +115,7 @@ def test_beside_a_double_fold_what_is_proved_is_true():
             continue
         model = of_record(case).model
         for F_0, above in level_ulps(onset["F_SN"]):
-            proof = proofs.folds_in_doubles(model, F_0, NOWHERE)
+            proof = IN_DOUBLES["folds"](model, F_0)
             if proof.proved:
                 assert len(proof.A) == (2 if above else 0)
             else:
@@ -139,7 +139,7 @@ def test_a_fold_that_the_solvers_miss_is_noticed(monkeypatch):
 def test_a_tampered_enclosure_is_noticed():
     (case,) = (case for name, _, case in CASES if name == "table_1")
     forcing = case["forcings"][0]
-    proof = proofs.folds(of_record(case).model, forcing["F_0"][1], NOWHERE)
+    proof = proofs.folds(of_record(case).model, forcing["F_0"][1])
     check_folds(proof, forcing["folds"])
     wide = proof.A[:, 1:] - proof.A[:, :1]
     for A in (proof.A + 2 * wide, proof.A - 2 * wide, proof.A[:1]):
@@ -199,7 +199,7 @@ def test_random_isolator_folds_are_proved_and_complete():
 def test_where_there_is_no_proof_the_answer_says_why():
     iso = example.isolator()
     on_a_base = iso.replace(excitation="base").model
-    assert proofs.folds_in_doubles(on_a_base, 0.04, NOWHERE).message == messages.NO_INTERVALS
+    assert IN_DOUBLES["folds"](on_a_base, 0.04).message == messages.NO_INTERVALS
     undamped = iso.replace(zeta=0.0).certify(0.04)
     assert undamped.saddle_node_onset.message == messages.OF_NO_LOWEST[True]
     assert not undamped.saddle_nodes.bounded

@@ -93,7 +93,7 @@ def test_states_just_above_friction_are_proved_or_undecided():
     """Where I exceeds F_0 there is no state: F_0 - 4 mu/pi says up to where, and has six digits here."""
     iso = Duffing(0.30726528991668056, -0.3658785478804152, mu=2.701549008849204e-06, zeta=4.6374909032157274e-05)
     F_0, Omega = 3.4397190306415187e-06, 5.44729375421581e-12
-    found, proof = iso.amplitudes(Omega=Omega, F_0=F_0), proofs.states_in_doubles(iso.model, Omega, F_0)
+    found, proof = iso.amplitudes(Omega=Omega, F_0=F_0), proofs.states.__wrapped__(iso.model, Omega, F_0)
     decides = Remark.UNDECIDED if importlib.util.find_spec("flint") is None else Remark.BY_BALLS
     assert (decides in found.remarks) == (not proof.proved)
     assert decides is Remark.UNDECIDED or len(found) == counts.States(exact(iso), Omega).count(F_0)
@@ -364,7 +364,7 @@ def test_a_batch_of_proofs_is_that_of_single_ones():
         assert folds.count.shape == states.proved.shape == (2, 2)
         for (i, j), count in np.ndenumerate(folds.count):
             one = oscillator(Isolator, 3.0, float(numbers["r"][j]), 0.08, mu=0.01, zeta=0.02).replace(force=force)
-            single = proofs.folds(one.model, float(F_0[i, 0]), np.empty(0))
+            single = proofs.folds(one.model, float(F_0[i, 0]))
             assert (folds.proved[i, j], count, folds.bits[i, j]) == (single.proved, len(single.A), single.bits)
             assert folds.status[i, j] == (Status.STICKS if one.model.sticks(float(F_0[i, 0])) else Status.OK)
             at = proofs.states(one.model, float(Omega[j]), float(F_0[i, 0]))

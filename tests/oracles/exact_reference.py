@@ -47,7 +47,10 @@ class Drive(NamedTuple):
 def drive_of(forced: Forced, slip: int, region: int) -> Drive:
     """Those in a region."""
     system = forced.system
-    zeta, by_Omega = system.damping(forced.Omega)
+    zeta, by_Omega = system.zeta, 0.0
+    if system.eta != 0:
+        structural, by_Omega = map(float, motion.structural(forced.Omega, system.eta))
+        zeta += structural
     friction = slip * system.friction(region) - system.load
     return Drive(forced.Omega, forced.force, zeta, friction, slip * system.c_2, by_Omega)
 

@@ -15,7 +15,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import islice
-from types import MappingProxyType, ModuleType
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -89,8 +89,7 @@ class Question:
     name    -- that of its row
     one     -- the single answer of an averaged oscillator, from an allowance of balls, F_0 and Omega; with a curve its
                folds; None of a proof, which only the compiled solvers give in doubles
-    batch   -- from the compiled solvers what gives the generalised ufunc of a record; None where designs are asked
-               one by one
+    batch   -- the compiled solvers' generalised ufunc of a record; None where designs are asked one by one
     at_once -- designs that take no more than some tenths of a second: until then Ctrl-C is not heard
     system  -- by what it is answered
     points  -- of a curve
@@ -99,7 +98,7 @@ class Question:
 
     name: str
     one: Callable[..., Any] | None
-    batch: Callable[[ModuleType], Callable[[Any], Callable[..., Any]]] | None
+    batch: Callable[[Any], Callable[..., Any]] | None
     at_once: int
     system: str = AVERAGING
     points: int = 0
@@ -167,24 +166,21 @@ def curves(samples: int, window: tuple[float, float]) -> Question:
         found = oscillator.curve(F_0, samples=samples, Omega=window, allowance=allowance)
         return found, _saddle_nodes(oscillator, proofs.Allowance(0), F_0)
 
-    def batch(native: ModuleType) -> Callable[[Any], Callable[..., Any]]:
-        def of_record(record: Any) -> Callable[..., Any]:
-            solve = native.many_frequency_response(record)
-            return lambda *columns, out: solve(*columns, float(samples), *window, out=out)
-
-        return of_record
+    def batch(record: Any) -> Callable[..., Any]:
+        solve = backend.SOLVER.many_frequency_response(record)
+        return lambda *columns, out: solve(*columns, float(samples), *window, out=out)
 
     at_once = min(2**12, max(1, 2**22 // n))
     return Question("frequency_response", one, batch, at_once, points=n)
 
 
-DETACHMENT = Question("detachment", lambda one, _: one.detachment(), lambda native: native.many_detachment, 2**18)
-ONSET = Question("saddle_node_onset", lambda one, left: one.onset(left), lambda native: native.many_onset, 2**14)
-SADDLE_NODES = Question("saddle_nodes", _saddle_nodes, lambda native: native.many_saddle_nodes, 2**12)
-AMPLITUDES = Question("amplitudes", _amplitudes, lambda native: native.many_amplitudes, 2**11)
-PEAK = Question("peak", _peak, lambda native: native.many_peak, 2**13)
-PROVED_FOLDS = Question("certify", None, lambda native: native.many_proved_saddle_nodes, 2**10)
-PROVED_STATES = Question("certify", None, lambda native: native.many_proved_amplitudes, 2**10)
+DETACHMENT = Question("detachment", lambda one, _: one.detachment(), backend.SOLVER.many_detachment, 2**18)
+ONSET = Question("saddle_node_onset", lambda one, left: one.onset(left), backend.SOLVER.many_onset, 2**14)
+SADDLE_NODES = Question("saddle_nodes", _saddle_nodes, backend.SOLVER.many_saddle_nodes, 2**12)
+AMPLITUDES = Question("amplitudes", _amplitudes, backend.SOLVER.many_amplitudes, 2**11)
+PEAK = Question("peak", _peak, backend.SOLVER.many_peak, 2**13)
+PROVED_FOLDS = Question("certify", None, backend.SOLVER.many_proved_saddle_nodes, 2**10)
+PROVED_STATES = Question("certify", None, backend.SOLVER.many_proved_amplitudes, 2**10)
 #: by name
 BY_NAME = {one.name: one for one in (DETACHMENT, ONSET, SADDLE_NODES, AMPLITUDES, PEAK)}
 
@@ -370,12 +366,9 @@ class Designs(Unchanging, ManyQuestions[Batch]):
             try:
                 model = self._model(numbers)
                 validate.number("F_0", F, above=0.0)
-                found: Any
-                if not frequency:
-                    found = proofs.folds(model, F, np.empty(0))
-                else:
-                    (w,) = validate.frequencies("Omega", *frequency).ravel()
-                    found = proofs.states(model, float(w), F)
+                for one in frequency:
+                    validate.frequencies("Omega", one)
+                found: Any = proofs.states(model, *frequency, F) if frequency else proofs.folds(model, F)
             except ValueError:
                 status[at] = Status.INVALID
                 continue
@@ -453,7 +446,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
             solved = [*outputs[:-2], outputs[-1]]
         record = backend.record_of(self.mechanism, self.excitation != "force", bool(self.laws))
         if question.batch is not None and record is not None:
-            solve = question.batch(backend.SOLVER)(record)
+            solve = question.batch(record)
             numbers = self._with_all_laws(values) if self.laws else list(values.values())
             # what the solvers do not take as it is, long doubles
             doubles = (value if np.can_cast(value.dtype, float) else value.astype(float) for value in numbers)

@@ -8,6 +8,7 @@ not decide, or the solvers have no proof, balls of more digits do (averaged/ball
 from __future__ import annotations
 
 import dataclasses
+import functools
 import importlib.util
 from collections.abc import Callable
 from typing import Any, TypeVar
@@ -87,20 +88,21 @@ def in_balls() -> Any:
     return questions
 
 
-def _decided(found: Answer, model: Model, ask: Callable[[Any], Answer | None]) -> Answer:
-    """An answer that doubles gave, or, where it is not proved, what balls say instead."""
-    if found.proved or not model.has_design:
-        return found
-    balls = in_balls()
-    if balls is None:
-        return dataclasses.replace(found, message=joined(found.message, messages.NO_BALLS))
-    decided = ask(balls)
-    return found if decided is None else decided
+def _or_in_balls(in_doubles: Callable[..., Answer]) -> Callable[..., Answer]:
+    """A proof by doubles, and where these do not decide what balls say instead, by their question of the same name."""
 
+    @functools.wraps(in_doubles)
+    def proof(model: Model, *numbers: float, **hints: Any) -> Answer:
+        found = in_doubles(model, *numbers, **hints)
+        if found.proved or not model.has_design:
+            return found
+        balls = in_balls()
+        if balls is None:
+            return dataclasses.replace(found, message=joined(found.message, messages.NO_BALLS))
+        decided: Answer | None = getattr(balls, in_doubles.__name__)(model, *numbers)
+        return found if decided is None else decided
 
-def folds(model: Model, F_0: float, expected: Floats) -> ProvedFolds:
-    """Every fold at F_0, with what is proved of it; `expected`: amplitudes where some are, which saves time."""
-    return _decided(folds_in_doubles(model, F_0, expected), model, lambda balls: balls.folds(model, F_0))
+    return proof
 
 
 def is_plain(model: Model) -> bool:
@@ -270,35 +272,23 @@ def _middle(enclosed: Floats, known: Floats | None) -> Floats:
     return middle if known is None else np.where((low <= known) & (known <= high), known, middle)
 
 
-def states(model: Model, Omega: float, F_0: float) -> ProvedStates:
-    """Every state at (Omega, F_0), with what is proved of it."""
-    return _decided(states_in_doubles(model, Omega, F_0), model, lambda balls: balls.states(model, Omega, F_0))
-
-
-def onset(model: Model) -> ProvedForcing:
-    """F_SN, and that no fold is born at a lower forcing."""
-    return _decided(onset_in_doubles(model), model, lambda balls: balls.onset(model))
-
-
-def detachment(model: Model) -> ProvedForcing:
-    """F_cr: an enclosure of the lowest forcing that reaches the first breakpoint."""
-    return _decided(detachment_in_doubles(model), model, lambda balls: balls.detachment(model))
-
-
-def folds_in_doubles(model: Model, F_0: float, expected: Floats) -> ProvedFolds:
-    """`folds` by doubles alone."""
+@_or_in_balls
+def folds(model: Model, F_0: float, *, expected: Floats = _NOTHING) -> ProvedFolds:
+    """Every fold at F_0, with what is proved of it; `expected`: amplitudes where some are, which saves time."""
     head, (Omega, A, corner, sign), others = _prove_at(backend.SOLVER.certify_folds, model, F_0, expected)
     return ProvedFolds(*head, Omega, A, _KINDS[sign], corner, *others)
 
 
-def states_in_doubles(model: Model, Omega: float, F_0: float) -> ProvedStates:
-    """`states` by doubles alone."""
+@_or_in_balls
+def states(model: Model, Omega: float, F_0: float) -> ProvedStates:
+    """Every state at (Omega, F_0), with what is proved of it."""
     head, (_, A, _, sign), others = _prove_at(backend.SOLVER.certify_states, model, F_0, Omega)
     return ProvedStates(*head, A, sign > 0, *others)
 
 
-def onset_in_doubles(model: Model) -> ProvedForcing:
-    """`onset` by doubles alone."""
+@_or_in_balls
+def onset(model: Model) -> ProvedForcing:
+    """F_SN, and that no fold is born at a lower forcing."""
     if (answer := _prove(backend.SOLVER.certify_onset, model)) is None:
         return _no_forcing(_why_not(model))
     status, F_SN, Omega, A, kind, proved = answer
@@ -309,8 +299,9 @@ def onset_in_doubles(model: Model) -> ProvedForcing:
     return ProvedForcing(proved, doubt, DOUBLES, F_SN, Omega, A, solvers.ONSET_KINDS[kind])
 
 
-def detachment_in_doubles(model: Model) -> ProvedForcing:
-    """`detachment` by doubles alone."""
+@_or_in_balls
+def detachment(model: Model) -> ProvedForcing:
+    """F_cr: an enclosure of the lowest forcing that reaches the first breakpoint."""
     if (answer := _prove(backend.SOLVER.certify_detachment, model)) is None:
         return _no_forcing(_why_not(model))
     if answer[0] == Status.NONE:

@@ -141,26 +141,25 @@ class Path:
             if len(traced) == TRACE_POINTS:
                 continue
             new = self._correct(point, size)
-            usable = new is not None and self._cosine(point, new) > STRAIGHT and self._distance(point, new) < 2 * size
-            if usable and new is not None and not self._inside(new):
-                yield self._at_end(point, new)
-                return
-            if usable and new is not None and new.cycle.holds(new.z, self.F_0):
-                if new.tangent[-1] * point.tangent[-1] < 0:
-                    yield self._fold(point, new, size)
-                yield new
-                if new.A > LARGEST:
-                    unbounded = new.cycle.system.zeta == new.cycle.system.eta == 0
-                    why = "without viscous damping resonance is unbounded (27); " if unbounded else ""
-                    raise NotSettled(text(PASSES, self.F_0, LARGEST, new.z[-1], why))
-                travelled += size
-                if travelled > 10 * self.step and self._meets(point, new, first):
-                    self.closed = True
+            if new is not None and self._is_small(point, new, size):
+                if not self.low < float(new.z[-1]) < self.high:
+                    yield self._at_end(point, new)
                     return
-                point = new
-                size = min(1.5 * size, self.step)
-                continue
-            if usable and new is not None:
+                if new.cycle.holds(new.z, self.F_0):
+                    if new.tangent[-1] * point.tangent[-1] < 0:
+                        yield self._fold(point, new, size)
+                    yield new
+                    if new.A > LARGEST:
+                        unbounded = new.cycle.system.zeta == new.cycle.system.eta == 0
+                        why = "without viscous damping resonance is unbounded (27); " if unbounded else ""
+                        raise NotSettled(text(PASSES, self.F_0, LARGEST, new.z[-1], why))
+                    travelled += size
+                    if travelled > 10 * self.step and self._meets(point, new, first):
+                        self.closed = True
+                        return
+                    point = new
+                    size = min(1.5 * size, self.step)
+                    continue
                 crossed = self._cross(point, size)
                 if crossed is not None:
                     yield from crossed
@@ -240,15 +239,13 @@ class Path:
         tangent = self._unit(found[0], found[1].direction)
         return Point.of(point.cycle, *found, tangent)._replace(previous=(point.z, point.tangent, row))
 
-    def _cosine(self, a: Point, b: Point) -> float:
-        return float(a.tangent @ (self._weights(a.z) * b.tangent))
+    def _is_small(self, a: Point, b: Point, size: float) -> bool:
+        """Whether the curve is nearly straight between two points, and not much longer than the step between them."""
+        return float(a.tangent @ (self._weights(a.z) * b.tangent)) > STRAIGHT and self._distance(a, b) < 2 * size
 
     def _distance(self, a: Point, b: Point) -> float:
         difference = b.z - a.z
         return math.sqrt(float(difference @ (self._weights(a.z) * difference)))
-
-    def _inside(self, point: Point) -> bool:
-        return self.low < float(point.z[-1]) < self.high
 
     def _at_end(self, point: Point, beyond: Point) -> Point:
         """The point where the curve leaves the range of Omega."""

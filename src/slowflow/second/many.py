@@ -11,7 +11,6 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
-from operator import attrgetter
 from typing import Any
 
 import numpy as np
@@ -22,6 +21,7 @@ from slowflow.answer import frozen
 from slowflow.averaged.batches import OF_STATES, Batch
 from slowflow.averaged.many import Designs, Question
 from slowflow.averaged.questions import Averaged
+from slowflow.backend import SOLVER
 from slowflow.mechanism import Floats
 from slowflow.second.questions import SecondApproximation
 from slowflow.table import MORE_POINTS, QUESTIONS, SECOND, ManyQuestions, Unanswered
@@ -145,7 +145,7 @@ def _curves(samples: int, window: tuple[float, float]) -> Question:
 BY_NAME: Mapping[str, Question] = {
     "amplitudes": Question("amplitudes", _amplitudes, None, 1, SECOND, empty=Status.NONE),
     **{
-        name: Question(name, one, attrgetter(f"many_second_{of}"), at_once, SECOND)
+        name: Question(name, one, getattr(SOLVER, f"many_second_{of}"), at_once, SECOND)
         for name, one, of, at_once in (
             ("detachment", _second("detachment"), "detachment", 2**13),
             ("saddle_node_onset", _onset, "onset", 2**13),
