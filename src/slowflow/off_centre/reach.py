@@ -137,9 +137,9 @@ class Reach:
                 first = np.argsort(-most, kind="stable")[: MIDDLES if rounds % EVERY == 1 else 0]
                 x, y = 0.5 * (cells.low + cells.high)[:, first]
                 motions = np.stack(self.sheets.charts.motion(x, y, cells.chart[first]))
-                for candidate in self._motions(motions, F_0, measure):
-                    if best is None or candidate.value > best.value:
-                        best = candidate
+                found = self._motions(motions, F_0, measure) if first.size else None
+                if found is not None and (best is None or found.value > best.value):
+                    best = found
                 cells = self.sheets.cut(cells)
         return best, bound
 
@@ -201,7 +201,7 @@ class Reach:
             beyond |= ((cells.A * cells.p).square() + I.square()).hi < limit.ratio**2 * force[0] * (1 - ROUNDED)
         return np.asarray(~(beyond | (rises.hi < 0)))
 
-    def _motions(self, x: Floats, F_0: float, measure: Measure) -> list[Farthest]:
+    def _motions(self, x: Floats, F_0: float, measure: Measure) -> Farthest | None:
         """The farthest that is found from some places: where all of F_0 is needed, and on the balance near by."""
         turns = np.repeat([False, True], x.shape[1])
         x = np.concatenate((x, x), axis=1)
@@ -211,18 +211,18 @@ class Reach:
         there = np.isfinite(A) & np.isfinite(B) & (A > 0)
         A, B, turns = A[there], B[there], turns[there]
         if not A.size:
-            return []
+            return None
         means = self.steps.at(A, B, 1)
         level, Omega = self.flow.least_forcing(A, -2 * means.s[0])
         size = np.abs(means.c[1]) * (A + np.abs(B)) + abs(self.steps.load)
         holds = (np.abs(means.c[0] - self.steps.load) <= AT * size) & (means.c[1] > 0)
         holds &= np.where(turns, level <= F_0, np.abs(level - F_0) <= AT * F_0)
         if not holds.any():
-            return []
+            return None
         value = np.where(holds, measure.at(A, B, 2 * means.s[0] / A), -np.inf)
         k = int(np.argmax(value))
         at = float(Omega[k]) if not turns[k] else self._highest(A[k : k + 1], -2 * means.s[0][k : k + 1], F_0)
-        return [Farthest(float(value[k]), at, float(A[k]), float(B[k]), bool(turns[k]))]
+        return Farthest(float(value[k]), at, float(A[k]), float(B[k]), bool(turns[k]))
 
     def _step(self, x: Floats, F_0: float, turns: Flags) -> Floats:
         """Newton's, for f_0 = 0 and the least forcing F_0, or for f_0 = 0 at an amplitude where it `turns`.
