@@ -49,22 +49,33 @@ LAST_OF_C = "_motion.c"
 
 
 class Stated:
-    """A mechanism of one's own: called with its numbers it makes an oscillator, `many` takes arrays of them.
+    """A user-defined mechanism: called with its parameters it makes an oscillator, `many` takes arrays of them."""
 
-    record -- the same record as a generated module's `MECHANISM`
-    """
-
+    #: the same record as a generated module's `MECHANISM`
     record: Mechanism
 
     def __init__(self, record: Mechanism) -> None:
         self.record = record
 
     def __call__(self, *, excitation: str = "force", rubs: str = THROUGHOUT, **numbers: float) -> Oscillator:
-        """An oscillator with these numbers, damping among them: `Oscillator(record, ...)`, whose errors are raised."""
+        """Make an oscillator of these parameters, damping among them, as `Oscillator(record, ...)` does."""
         return Oscillator(self.record, excitation=excitation, rubs=rubs, **numbers)
 
     def many(self, *, excitation: str = "force", rubs: str = THROUGHOUT, **numbers: Any) -> Any:
-        """Many designs at once: `Oscillator.many(record, ...)`."""
+        """Make a batch of designs, as `Oscillator.many(record, ...)` does.
+
+        Parameters
+        ----------
+        excitation, rubs : str
+            "force", "base" or "unbalance"; friction "throughout", or "attached", up to the first breakpoint.
+        **numbers : array_like
+            Parameters by name, damping among them, dimensionless; arrays that broadcast.
+
+        Returns
+        -------
+        batch
+            The designs, each question of which returns arrays.
+        """
         return Oscillator.many(self.record, excitation=excitation, rubs=rubs, **numbers)
 
     def _described(self, how: str) -> str:
@@ -72,9 +83,9 @@ class Stated:
 
 
 class Sampled(Stated):
-    """A mechanism whose force is stated by Python functions: what they are asked for stands in place of a derivation.
+    """A mechanism whose force is given by Python functions, sampled instead of derived.
 
-    It has what `Stated` has; its averages are sums over polynomials, and exact motions go by polynomials too.
+    Averages and exact motions are those of polynomials that interpolate the samples.
     """
 
     def __repr__(self) -> str:
@@ -82,14 +93,9 @@ class Sampled(Stated):
 
 
 class Derived(Stated):
-    """A derived mechanism: called with its numbers it makes an oscillator, `many` takes arrays of them.
+    """A derived mechanism: called with its parameters it makes an oscillator, `many` takes arrays of them."""
 
-    record   -- the same record as a generated module's `MECHANISM`
-    folder   -- where its sources are, and what was compiled of them
-    compiled -- whether code compiled for this force answers; otherwise what is compiled interprets its programs, to the
-                same bits
-    """
-
+    #: where its sources are, and what was compiled of them
     folder: Path
 
     def __init__(self, record: Mechanism, folder: Path, stated: Any, remark: str = "") -> None:
@@ -99,26 +105,42 @@ class Derived(Stated):
 
     @property
     def stated_name(self) -> str:
-        """The name that it was given; the record's has a hash of all that it follows from."""
+        """The name in the call; the record's name has a hash of everything it depends on."""
         return self._stated.name
 
     @property
     def compiled(self) -> bool:
-        """Whether a library compiled for it is attached: the integrator has its force, the solvers its record."""
+        """Whether code compiled for this force answers; otherwise its programs are interpreted, to the same bits."""
         return self.record.name in _attached
 
     def document(self) -> str:
-        """Its derivation to read, Markdown with LaTeX: motion, slow flow, average in each regime, response, folds."""
+        """Describe the derivation: motion, slow flow, average in each regime, response, folds.
+
+        Returns
+        -------
+        str
+            Markdown with LaTeX.
+        """
         return _derivation().description(self._stated)
 
     def write(self, folder: Path) -> list[str]:
-        """Write what `make derive` writes of the package's own mechanisms, and the document; the files' names.
+        """Write what `make derive` writes of the package's own mechanisms, and the document.
 
         A Python module of kernels on NumPy, but for averages by quadrature, which slowflow's compiled code sums by the
         program beside it; C headers (which include those of `include()`), for an odd force the program that the solvers
         interpret and `exported.c`, which gives their functions symbols, C sources with the record that the solvers take
         and with the force as power series, derivation.md, MANIFEST.json with a hash of each. Files of an earlier run
         are replaced.
+
+        Parameters
+        ----------
+        folder : path_like
+            Where to write; it is made if it does not exist.
+
+        Returns
+        -------
+        list of str
+            The files' names.
         """
         return _derivation().written(self._stated, Path(folder))
 
@@ -142,30 +164,48 @@ def mechanism(
     odd: bool = True,
     compile: bool = False,
 ) -> Stated:
-    """Derive a mechanism from its force f(u), dimensionless; a second or two, once for the same content.
+    """Derive a mechanism from its restoring force f(u), dimensionless; one or two seconds, once for the same content.
 
-    name       -- of a module
-    pieces     -- by rising |u|: the whole restoring force for u > 0, an expression in the SymPy symbol u and the
-                  parameters, and the |u| at which the piece ends, None for the last one. |u| is u there, a constant in
-                  the first piece is a preload: a force that is odd is f(|u|) sign(u), and where it was not written so
-                  the mechanism says that when it is printed. Polynomials have averages in closed form; those of powers
-                  that are no whole numbers, and of elementary functions, are summed by quadrature
-                  A piece may be a Python function instead, as all of them then are, called as f(u, **parameters): on
-                  NumPy, with one number for u or an array, whichever it takes. It ends at a number or at a function
-                  of the parameters. It needs the `reach`; it is smooth between its ends, which ends of pieces are
-                  where it is not; and the first one is odd. Its values are what is asked for, see `Sampled`
-    parameters -- by name: "doc", "unit" and the bounds "above", "least", "below", "most", each if there is one
-    reach      -- the largest |u| that makes sense, and why; a linear spring that closed gaps leave has none
-    odd        -- whether the force is; else its pieces are for all u, by rising u, each with the u, of any sign, at
-                  which it ends; polynomials, or smooth up to their ends. Its motions are off the centre and have a
-                  mean B: see `Oscillator.off_centre`
-    compile    -- print C and call the C compiler (the environment's CC, or the one that Python was built with). Answers
-                  have the same bits without, as what is compiled interprets the programs of a force, and batches of
-                  polynomials take up to three times as long
+    Polynomials have averages in closed form; powers that are no integers and elementary functions are averaged by
+    quadrature.
 
-    Raises ValueError and TypeError for what is not allowed, with what is; ArithmeticError for a force that cannot be
-    derived, with the reason; ImportError without the extra; BuildFailed where the compiler fails, with its words, or
-    where slowflow itself is not compiled.
+    Parameters
+    ----------
+    name : str
+        Of a module.
+    pieces : sequence of tuple
+        By rising |u|: the whole force for u > 0, an expression in the SymPy symbol u and the parameters, and the |u| at
+        which the piece ends, None for the last one. A constant in the first piece is a preload. The odd force is
+        f(|u|) sign(u); where it was not written so the mechanism says that when it is printed.
+        Or Python functions, all of them, called as f(u, **parameters) with a number or an array u; each ends at a
+        number or at a function of the parameters. They need `reach`, are smooth between their ends, and the first one
+        is odd. See `Sampled`.
+    parameters : mapping
+        By name: "doc", "unit" and the bounds "above", "least", "below", "most", each if there is one.
+    title : str
+        For documents and printing.
+    reach, reach_reason : float and str, optional
+        The largest |u| that makes sense, and why; a linear spring with gaps that close has none.
+    odd : bool
+        Whether the force is; else its pieces are for all u, by rising u, each with the u of any sign at which it ends:
+        polynomials, or smooth up to their ends. Motions then have a mean B, see `Oscillator.off_centre`.
+    compile : bool
+        Print C and call the C compiler (the environment's CC, or Python's own). Without, answers have the same bits, as
+        programs are interpreted; batches of polynomials take up to three times as long.
+
+    Returns
+    -------
+    Derived or Sampled
+        Sampled for Python functions.
+
+    Raises
+    ------
+    ValueError, TypeError
+        For what is not allowed, with what is.
+    ArithmeticError, ImportError
+        For a force that cannot be derived, with the reason; without the extra `slowflow[derive]`.
+    BuildFailed
+        Where the compiler fails, with its output, or slowflow itself is not compiled.
     """
     furthest = () if reach is None else (reach, reach_reason)
     inputs = _derivation("slowflow.derivation.given")
@@ -182,11 +222,24 @@ def mechanism(
 
 
 def library(name: str, *, compile: bool = False) -> Derived:
-    """A mechanism of the library, derived: `library("elastic_stop")`, and those that docs/mechanisms.md shows.
+    """Derive a mechanism of the library, as `library("elastic_stop")`; docs/mechanisms.md shows them.
 
-    Each is a file of `slowflow.derivation.library`, which states it; printed, it names its numbers. `compile` as above.
+    Parameters
+    ----------
+    name : str
+        A file of `slowflow.derivation.library`.
+    compile : bool
+        As of `mechanism`.
 
-    Raises ValueError for a name that is not in the library, with those that are; else as `mechanism` does.
+    Returns
+    -------
+    Derived
+        Printed, it names its parameters.
+
+    Raises
+    ------
+    ValueError
+        For a name that is not in the library, with those that are; else as `mechanism` does.
     """
     return _derived(_derivation("slowflow.derivation.library").stated(name), compile)
 

@@ -97,9 +97,17 @@ class Fit(Table):
     message: str
 
     def plot(self, ax: Any = None) -> Any:
-        """Draw the residuals into Matplotlib axes, or new ones, and return these; tinted within two deviations.
+        """Draw the residuals, of a mount in mm, N, Hz; the band of two deviations is tinted.
 
-        Of a mount in mm, N, Hz.
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            Where to draw; new axes by default.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            The axes drawn into.
         """
         from slowflow import pictures
 
@@ -123,18 +131,7 @@ def fit(
     free: Sequence[str] | None = None,
     **at: Unpack[Measured],
 ) -> Fit:
-    """Numbers of an isolator from measured amplitudes, phases, or the frequencies at which it jumps.
-
-    of       -- an `Isolator`, or a mount in SI units: where the search begins, and what is not free
-    A        -- measured amplitudes, in m of a mount
-    phi      -- instead of A: measured phases of the first harmonic, in radians, as `amplitudes` has them: a motion that
-                lags the forcing by a quarter of a cycle has -pi/2. Whole cycles make no difference
-    F, Y, a, U -- the forcings, of a mount by its letter as in `Physical`, and f, the frequencies in Hz, at which they
-                were measured; they broadcast with A or phi
-    F_0, Omega -- the same of an isolator
-    jump_up, jump_down -- instead of A: the frequency at which it jumped at each force, up and down, in Hz of a mount;
-                one or both, NaN where it was not seen
-    free     -- names of the numbers to find; by default friction, damping, stiffness and preload of the springs
+    """Fit parameters of an isolator to measured amplitudes, phases, or jump frequencies, by least squares.
 
     Noise is taken to be normal and the same at all points; noise in proportion to the amplitude leaves intervals that
     are too narrow. They know of noise alone, not that averaging is an approximation, which may move a number by a
@@ -144,8 +141,32 @@ def fit(
     interval that ends at 0 or inf, and the message names it. It also says where a search from the given start ends in a
     minimum that is not the lowest found; six starts are tried, which does not prove that there is no lower one.
 
-    Raises ValueError for what is not allowed, as fewer points than free numbers, and ArithmeticError where the points
-    do not determine these.
+    Parameters
+    ----------
+    of : Isolator or Physical
+        Where the search begins, and what is not free; a mount in SI units.
+    A : array_like, optional
+        Measured amplitudes, in m of a mount.
+    phi : array_like, optional
+        Instead of A: phases of the first harmonic, in radians, as of `amplitudes`: -pi/2 is a lag of a quarter cycle.
+        Whole cycles make no difference.
+    jump_up, jump_down : array_like, optional
+        Instead of A: the frequency of the jump at each forcing, in Hz of a mount; one or both, NaN where none was seen.
+    free : sequence of str, optional
+        Names of the parameters to fit; by default friction, damping, stiffness and preload of the springs.
+    **at : Measured
+        Forcings by their letter, F, Y, a or U of a mount as in `Physical`, F_0 of an isolator, and frequencies, f in
+        Hz or Omega; they broadcast with A or phi.
+
+    Returns
+    -------
+    Fit
+        .value .error .low .high, one entry a parameter; .design has the fitted values.
+
+    Raises
+    ------
+    ValueError, ArithmeticError
+        For what is not allowed, as fewer points than free parameters; where the points do not determine these.
     """
     subject = Subject(of, () if free is None else free, at)
     of = subject.of

@@ -113,7 +113,18 @@ class Front(Table):
         return replace(self, one=frozen(self.one / size), other=frozen(self.other / other), units=(shown, other_unit))
 
     def design(self, k: int) -> Any:
-        """The isolator or the mount of a row."""
+        """Make the isolator or the mount of a row.
+
+        Parameters
+        ----------
+        k : int
+            Number of the row.
+
+        Returns
+        -------
+        Isolator or Physical
+            The design.
+        """
         return self._of.replace(**{name: float(values[k]) for name, values in self.numbers.items()})
 
     def columns(self) -> dict[str, Any]:
@@ -126,7 +137,18 @@ class Front(Table):
         return {name: unit for name, unit in known.items() if unit}
 
     def plot(self, ax: Any = None) -> Any:
-        """Draw the one answer over the other into Matplotlib axes, or new ones, and return these."""
+        """Draw one answer over the other.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            Where to draw; new axes by default.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            The axes drawn into.
+        """
         from slowflow import pictures
 
         shown = self.in_units()
@@ -326,19 +348,32 @@ def meet(
     seed: int = 0,
     **at: Unpack[LoadCase],
 ) -> Met:
-    """The design nearest to `of` that meets requirements.
-
-    of       -- an `Isolator`, or a mount in SI units
-    free     -- by name, the lowest and the highest value of each number that may change; distances are shares of that
-    at_least, at_most -- by name of an answer that `slowflow.sizing` lists, what it has to reach and not to exceed
-    F, Y, a, U, F_0 -- the forcing, of a mount by its letter as in `Physical`, F_0 of an isolator
-    f, Omega -- the frequency, f of a mount in Hz, Omega of an isolator
-    shock    -- a half sine of the base: its peak and its duration, in m/s^2 and s of a mount
-    spectrum -- a load spectrum, (f, F) of a mount, (Omega, F_0) of an isolator: as many numbers of each
+    """Find the design nearest to `of` that meets requirements.
 
     An answer that a design does not have meets nothing; F_SN and F_cr are infinite where there is no such forcing.
-    Where no design meets all, `.feasible` is False and `.message` names the binding requirement. Raises ValueError for
-    what is not allowed.
+
+    Parameters
+    ----------
+    of : Isolator or Physical
+        The nominal design; a mount in SI units.
+    free : mapping
+        By name, the lowest and the highest value of each parameter that may change; distances are fractions of that.
+    at_least, at_most : mapping, optional
+        By name of an answer that `slowflow.sizing` lists, what it has to reach and not to exceed.
+    seed : int
+        Of the search.
+    **at : LoadCase
+        As of `tolerances`.
+
+    Returns
+    -------
+    Met
+        .design; where no design meets all, .feasible is False and .message names the binding requirement.
+
+    Raises
+    ------
+    ValueError
+        For what is not allowed.
     """
     subject = Subject(of, validate.mapping("free", free, "pairs (lowest, highest)"), at)
     search = _Search(subject, free, at_least, at_most, subject.load(), seed)
@@ -368,15 +403,33 @@ def front(
     seed: int = 0,
     **at: Unpack[LoadCase],
 ) -> Front:
-    """The trade-off between two answers: designs none of which is better in one without being worse in the other.
+    """Trace the Pareto front of two answers: no design is better in one without being worse in the other.
 
-    of, free, at_least, at_most, and the load case -- as in `meet`; no requirement is needed
-    high, low -- names of answers that are to be high, and low: two in all
-    points    -- how many designs along the front
+    The best of one answer, then the best of the other at each of several levels of the first.
 
-    The best of one answer, then the best of the other at each of several levels of the first. Where one design is the
-    best in both, nothing is traded off: it is the only row, and `.message` says so. Where no design meets the
-    requirements there is no row, and `.message` names the binding one. Raises ValueError for what is not allowed.
+    Parameters
+    ----------
+    of, free : as of `meet`
+        The design and its free parameters.
+    high, low : iterable of str
+        Names of answers to maximise, and to minimise: two in all.
+    at_least, at_most : as of `meet`
+        Requirements; none is needed.
+    points : int
+        How many designs along the front.
+    seed, **at : as of `meet`
+        The random numbers and the load case.
+
+    Returns
+    -------
+    Front
+        One row a design. Where one is the best in both it is the only row, and where none meets the requirements there
+        is none; .message says so.
+
+    Raises
+    ------
+    ValueError
+        For what is not allowed.
     """
     subject = Subject(of, validate.mapping("free", free, "pairs (lowest, highest)"), at)
     search = _Search(subject, free, at_least, at_most, subject.load(), seed)

@@ -135,21 +135,36 @@ def tolerances(
     seed: int = 0,
     **at: Unpack[LoadCase],
 ) -> Tolerances:
-    """What tolerances of its numbers do to an isolator's answers.
+    """Propagate tolerances of an isolator's parameters to its answers, by Latin hypercube sampling.
 
-    of      -- an `Isolator`, or a mount in SI units
-    within  -- by name of a number: 0.05 for any value within 5 % of the nominal one, or a distribution of the value
-               itself, anything with SciPy's `ppf`
-    F, Y, a, U, F_0 -- the forcing, of a mount by its letter as in `Physical`, F_0 of an isolator
-    f, Omega -- the frequency, f of a mount in Hz, Omega of an isolator
-    shock   -- a half sine of the base: its peak and its duration, in m/s^2 and s of a mount
-    spectrum -- a load spectrum, (f, F) of a mount, (Omega, F_0) of an isolator: as many numbers of each
-    answers -- which of those that `slowflow.sizing` lists; by default all that forcing, frequency and shock allow
-    samples, seed -- how many designs are tried, by default 10,000, and which. Under a load each takes up
-               to tenths of a second: by default there are 100 then, as with other laws of damping, and the ends of
-               bands accordingly rough
+    Parameters
+    ----------
+    of : Isolator or Physical
+        The nominal design; a mount in SI units.
+    within : mapping
+        By name of a parameter: 0.05 for any value within 5 % of the nominal one, or a distribution of the value itself,
+        anything with SciPy's `ppf`.
+    answers : iterable of str, optional
+        Which of those that `slowflow.sizing` lists; by default all that the load case allows.
+    samples : int, optional
+        How many designs; by default 10,000. Under a static load and with other laws of damping each takes up to tenths
+        of a second: there 100, and the ends of bands are accordingly rough.
+    seed : int
+        Of the random numbers.
+    **at : LoadCase
+        Forcing by its letter, F, Y, a or U of a mount as in `Physical`, F_0 of an isolator; frequency f in Hz or Omega;
+        `shock`, peak and duration of a half sine of the base, in m/s^2 and s of a mount; `spectrum`, (f, F) or
+        (Omega, F_0), as many numbers of each.
 
-    Raises ValueError for what is not allowed.
+    Returns
+    -------
+    Tolerances
+        .nominal .low .median .high .share, one entry an answer; of a mount in SI units.
+
+    Raises
+    ------
+    ValueError
+        For what is not allowed.
     """
     subject = Subject(of, _within(within), at)
     load = subject.load()
@@ -183,10 +198,26 @@ def sobol(
     seed: int = 0,
     **at: Unpack[LoadCase],
 ) -> Sobol:
-    """Which tolerance matters most: Sobol' indices, from samples times (numbers + 2) designs.
+    """Rank tolerances by Sobol' indices, from samples times (parameters + 2) designs.
 
-    Arguments as in `tolerances`; `samples` a power of two, by default 1024, under a load 32. Raises
-    ValueError for what is not allowed, ImportError without SALib.
+    Parameters
+    ----------
+    of, within, answers : as of `tolerances`
+        The design, its tolerances and the answers.
+    samples : int, optional
+        A power of two; by default 1024, under a static load 32.
+    seed, **at : as of `tolerances`
+        The random numbers and the load case.
+
+    Returns
+    -------
+    Sobol
+        .first .total and their errors, dimensionless, one entry for each answer and parameter.
+
+    Raises
+    ------
+    ValueError, ImportError
+        For what is not allowed; without SALib.
     """
     subject = Subject(of, _within(within), at)
     load = subject.load()
