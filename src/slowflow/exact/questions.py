@@ -64,6 +64,10 @@ START = "start = {start:r} is not allowed: start must be a steady state at {F_0 
 ROWS = "{tau} and acceleration must be two rows of as many numbers, {tau} rising: not of {shapes:s}"
 
 
+#: (A, phi) and the mean B that Newton's iteration starts from
+Guess = tuple[tuple[float, float], float]
+
+
 @dataclass(frozen=True)
 class Motions:
     """What is asked of an oscillator's motions: `slowflow.oscillator.Oscillator` has each question by its name.
@@ -89,14 +93,15 @@ class Motions:
         if must_stick(self.system, Omega, F_0):
             return self._from_rest(Omega, F_0)
         check_forcing(self.system, Omega, F_0)
-        if not self.system.centred:
-            return self._asymmetric(Omega, F_0, target)
-        guesses = self._guesses(Omega, F_0, target)
-        near = (shooting.near(self.system, Omega, F_0, guess) for guess in guesses)
+        guesses = (self._guesses if self.system.centred else self._guesses_with_mean)(Omega, F_0, target)
+        near = (shooting.near(self.system, Omega, F_0, guess, B=B) for guess, B in guesses)
         found = [motion for motion in near if motion is not None] + self._static(Omega, F_0)
         if found:
             return min(found, key=lambda motion: abs(motion.A - target))
-        return shooting.steady_state(self.system, guesses[0], Omega=Omega, F_0=F_0)
+        if not guesses:
+            raise NotSettled(text(NONE_NEAR, Omega))
+        (A, phi), B = guesses[0]
+        return shooting.steady_state(self.system, (A + max(B, 0.0), phi), Omega=Omega, F_0=F_0)
 
     def _static(self, Omega: float, F_0: float) -> list[shooting.SteadyState]:
         """The motion from rest against static friction, which averaging does not have; empty if there is none."""
@@ -107,27 +112,6 @@ class Motions:
             return [] if stays_at_rest(self.system, Omega, F_0, at) else [self._from_rest(Omega, F_0)]
         except ArithmeticError:
             return []
-
-    def _asymmetric(self, Omega: float, F_0: float, A: float) -> shooting.SteadyState:
-        """The motion whose largest |u| is nearest to A, of those that averaged states with a mean B lead to.
-
-        The amplitude itself about each mean, at resonance, is a guess too: averaging does not have all motions.
-        Where Newton's iteration finds none, the nearest state is followed in time.
-        """
-        found, states = [], self._states(Omega, F_0)
-        for state in states:
-            own = [(A - abs(state.B), -math.pi / 2)] if abs(state.B) < A else []
-            for guess in ((state.A, state.phi), *own):
-                motion = shooting.near(self.system, Omega, F_0, guess, B=state.B)
-                found += [] if motion is None else [motion]
-        found += self._static(Omega, F_0)
-        if not found and states:
-            nearest = min(states, key=lambda state: abs(state.A + abs(state.B) - A))
-            start = (nearest.A + max(nearest.B, 0.0), nearest.phi)
-            return shooting.steady_state(self.system, start, Omega=Omega, F_0=F_0)
-        if not found:
-            raise NotSettled(text(NONE_NEAR, Omega))
-        return min(found, key=lambda motion: abs(motion.A - A))
 
     def exact_response(
         self,
@@ -165,10 +149,13 @@ class Motions:
 
     def _other_curves(self, found: response.Response, window: tuple[float, float]) -> str:
         """Names a stable point of each averaged curve in the window that the exact one does not come near."""
+        loaded = isinstance(self.averaged.model, Loaded)
+        ask = self.averaged.frequency_response if loaded else self.averaged.curve
         try:
-            curve, A = self._averaged_curve(found.F_0, window)
+            curve = ask(found.F_0, samples=100, Omega=window)
         except (ArithmeticError, ValueError) as error:
             return UNKNOWN.format(error.args[0])
+        A = curve.A + np.abs(curve.mean)
         points = np.log(np.column_stack((curve.Omega, A)))
         line = np.log(np.column_stack((found.Omega, found.A)))
         distances = np.array([np.abs(line - point).max(axis=1).min() for point in points])
@@ -181,14 +168,6 @@ class Motions:
                 middle = stable[stable.size // 2]
                 notes.append(OTHER.format(Omega=curve.Omega[middle], A=A[middle], F_0=found.F_0))
         return joined(*notes)
-
-    def _averaged_curve(self, F_0: float, window: tuple[float, float]) -> tuple[Any, Any]:
-        """The averaged curve and the largest |u| of its motions, means included."""
-        if isinstance(self.averaged.model, Loaded):
-            curve = self.averaged.frequency_response(F_0, samples=100, Omega=window)
-            return curve, curve.A + np.abs(curve.B)
-        curve = self.averaged.curve(F_0, samples=100, Omega=window)
-        return curve, curve.A
 
     def sweep(self, Omega: Any, F_0: float, u_0: float | None, v_0: float) -> Sweep:
         """The motion through frequencies, from rest or from (u_0, v_0)."""
@@ -281,7 +260,7 @@ class Motions:
         """States with a mean in which the mass moves."""
         return [state for state in self.averaged.amplitudes(Omega=Omega, F_0=F_0) if state.A > 0]
 
-    def _guesses(self, Omega: float, F_0: float, A: float) -> list[tuple[float, float]]:
+    def _guesses(self, Omega: float, F_0: float, A: float) -> list[Guess]:
         """(A, phi) from which Newton's iteration may come to a motion of amplitude A, the averaged state nearest first.
 
         Averaged folds are slightly off: the motion may exist where averaging has no such state, so the folds near Omega
@@ -295,7 +274,16 @@ class Motions:
         h = model.averaged(amplitudes)[0]
         phases = model.flow.phase(frequencies, amplitudes, *model.equivalent_damping(frequencies, amplitudes), h)
         known = sorted(zip(states.A, states.phi, strict=True), key=lambda state: abs(state[0] - A))
-        return [(float(a), float(phi)) for a, phi in (*known[:1], *zip(amplitudes, phases, strict=True))]
+        return [((float(a), float(phi)), 0.0) for a, phi in (*known[:1], *zip(amplitudes, phases, strict=True))]
+
+    def _guesses_with_mean(self, Omega: float, F_0: float, A: float) -> list[Guess]:
+        """The same of motions whose largest |u| is A, about the mean B of each averaged state, the nearest first.
+
+        The amplitude itself about each mean, at resonance, is a guess too: averaging does not have all motions.
+        """
+        states = sorted(self._states(Omega, F_0), key=lambda state: abs(state.A + abs(state.B) - A))
+        at_resonance = [((A - abs(one.B), -math.pi / 2), one.B) for one in states if abs(one.B) < A]
+        return [*(((one.A, one.phi), one.B) for one in states), *at_resonance]
 
 
 def stable_at_centre(system: EquationOfMotion) -> bool:
