@@ -629,9 +629,24 @@ def _proved_by_second_parameter() -> None:
         claim("d/dm of an elliptic integral", slope_ - sp.sin(theta) ** power / (2 * delta**3))
 
 
-@functools.cache
 def in_balls(a: sp.Expr, b: sp.Expr, rest: sp.Expr, end: Corner) -> tuple[Regime, Regime]:
-    """The average with three derivatives in closed form, attached and detached: for as many digits as it takes.
+    """The average with three derivatives in closed form, attached and detached: for as many digits as it takes."""
+    found = [
+        replace(regime, derivatives=tuple(derivatives), intercept=intercept)
+        for regime, slope_ in zip(of_springs(end), (-a, -rest), strict=True)
+        for *derivatives, intercept in [with_linear(slope_, b, (*regime.derivatives, regime.intercept))]
+    ]
+    return found[0], found[1]
+
+
+def with_linear(slope_: sp.Expr, b: sp.Expr, averages: Sequence[sp.Expr]) -> tuple[sp.Expr, ...]:
+    """h, h_A, h_AA, h_AAA, h - A h_A of a linear force and of b times another one, whose averages are given."""
+    return tuple(linear + b * value for linear, value in zip((slope_ * A, slope_, 0, 0, 0), averages, strict=True))
+
+
+@functools.cache
+def of_springs(end: Corner) -> tuple[Regime, Regime]:
+    """As `in_balls` of the springs' force over b, which is 0 beyond the breakpoint.
 
     What cancels in it is no matter there, and neither is that it divides by 1 - A^2.
     """
@@ -647,8 +662,8 @@ def in_balls(a: sp.Expr, b: sp.Expr, rest: sp.Expr, end: Corner) -> tuple[Regime
             above, below = above.quo(sp.Poly(1 - x**2, x)), below / y**2
         return sp.factor(above.as_expr() / below)
 
-    def regime(inner: sp.Expr, of_linear: sp.Expr, rates: Mapping[sp.Symbol, sp.Expr], lets: Sequence[Let]) -> Regime:
-        """h = A (of_linear + inner) with derivatives, by those of the names in it."""
+    def regime(inner: sp.Expr, rates: Mapping[sp.Symbol, sp.Expr], lets: Sequence[Let]) -> Regime:
+        """h = A inner with derivatives, by those of the names in it."""
         slopes = [inner]
         for _ in range(ORDERS):
             last = slopes[-1]
@@ -657,22 +672,20 @@ def in_balls(a: sp.Expr, b: sp.Expr, rest: sp.Expr, end: Corner) -> tuple[Regime
             gathered = [value.coeff(name, 1) for name in (F, D)]
             none = value.subs({F: 0, D: 0})
             slopes.append(sp.factor(gathered[0]) * F + sp.factor(gathered[1]) * D + on_circle(none))
-        derivatives = [A * (of_linear + inner), of_linear + inner + A * slopes[1]]
+        derivatives = [A * inner, inner + A * slopes[1]]
         derivatives += [n * slopes[n - 1] + A * slopes[n] for n in range(2, ORDERS + 1)]
         return Regime((), (), tuple(lets), tuple(derivatives), -m * slopes[1])
 
     F_m, D_m = by_second_parameter(F, D, m, 0, 1)
     attached_form = regime(
-        b * (1 - 4 / sp.pi * D),
-        -a,
+        1 - 4 / sp.pi * D,
         {F: 2 * A * F_m, D: 2 * A * D_m},
         ((F, R_F(0, 1 - m, 1)), (D, R_D(0, 1 - m, 1) / 3)),
     )
     F_m, D_m = by_second_parameter(F, D, m, x * y, c)
     angle_A = -x / (A * y)
     detached_form = regime(
-        4 / sp.pi * b * ((theta - x * y) / (2 * c) - D),
-        -rest,
+        4 / sp.pi * ((theta - x * y) / (2 * c) - D),
         {
             theta: angle_A,
             x: -x / A,
@@ -752,12 +765,13 @@ class SplitAverage:
     whole: tuple[sp.Expr, ...]
 
 
+@functools.cache
 def detached_closely(b: sp.Expr, rest: sp.Expr, end: Corner) -> SplitAverage:
     """As `in_balls` where A > u_cr, with b and the last piece apart: they are no exact numbers."""
     beyond = sp.Symbol("beyond", nonnegative=True)
     first, second = sp.symbols("of_first of_second", positive=True)
     names = sp.symbols("part_0:5", real=True)
-    _, regime = in_balls(sp.Integer(0), sp.Integer(1), sp.Integer(0), end)
+    _, regime = of_springs(end)
     lets = {name.name: (name, value) for name, value in regime.lets}
     F, D = lets.pop("F"), lets.pop("D")
     called = {R_F: first, R_D: second}
@@ -772,7 +786,6 @@ def detached_closely(b: sp.Expr, rest: sp.Expr, end: Corner) -> SplitAverage:
         if name not in (end.name, lets["c"][0])
     ]
     ends = (A, *(lets[name][0] for name in ("c", "x", "y", "theta")))
-    linear_part = (-rest * A, -rest, sp.Integer(0), sp.Integer(0), sp.Integer(0))
     return SplitAverage(
         beyond,
         (*before, *after),
@@ -781,7 +794,7 @@ def detached_closely(b: sp.Expr, rest: sp.Expr, end: Corner) -> SplitAverage:
         tuple(of_integrals),
         (*regime.derivatives, regime.intercept),
         names,
-        tuple(linear + b * name for linear, name in zip(linear_part, names, strict=True)),
+        with_linear(-rest, b, names),
     )
 
 
