@@ -44,6 +44,7 @@ MODULES = (
     "slowflow.sizing.tolerances",
     "slowflow.sizing.requirements",
     "slowflow.sizing.fitting",
+    "slowflow.sizing.loops",
     "slowflow.progress",
     "slowflow.scenes",
     "slowflow.schema",

@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 import warnings
 from typing import Any
 
@@ -253,6 +254,52 @@ class Duffing(Oscillator):
         rubs = THROUGHOUT  # one piece, from which nothing leaves
         super().__init__(DUFFING, alpha=alpha, beta=beta, rubs=rubs, excitation=excitation, load=load, **damping)
         del self.given["mechanism"]
+
+    @classmethod
+    @validate.asked_by_name
+    def physical(
+        cls,
+        *,
+        m: Any,
+        k_1: Any,
+        k_3: Any = 0.0,
+        friction: Any = 0.0,
+        c: Any = None,
+        zeta: float | None = None,
+        eta: float = 0.0,
+        c_2: Any = 0.0,
+        excitation: str = "force",
+    ) -> Physical:
+        """A mass on a cubic spring, k_1 x + k_3 x^3, whose questions and answers are in newtons, metres and hertz.
+
+        m        -- the mass that moves, kg, at rest at x = 0
+        k_1, k_3 -- N/m and N/m^3; a negative k_1 is a double well, a negative k_3 a spring that softens
+        friction, c, zeta, eta, c_2, excitation -- as of `Isolator.physical`; zeta is c/(2 sqrt(|k_1| m)), of k_1 = 0
+            c/(2 sqrt(|k_3| m)) with a displacement of 1 m
+
+        Raises ValueError for a number outside its domain, and without a spring.
+        """
+        if c is not None and zeta is not None:
+            raise Refused("c and zeta say the same: give one of them")
+        springs = {"k_1": k_1, "k_3": k_3}
+        k_1, k_3 = (validate.number(name, si(name, value, SHEET[name])) for name, value in springs.items())
+        L = math.sqrt(abs(k_1 / k_3)) if k_1 and k_3 else 1.0  # what makes both terms 1
+        if not (k_v := abs(k_1) or abs(k_3) * L**2):
+            raise Refused("k_1 = k_3 = 0 is not allowed: there is no spring")
+        excitation = validate.excitation(excitation, tuple(EXCITED))
+        scales = Scales(m=m, k_v=k_v, L=L, excitation=excitation, damping="zeta" if c is None else "c")
+        laws = {"friction": friction, "eta": eta, "c_2": c_2}
+        laws |= {"zeta": 0.0 if zeta is None else zeta} if c is None else {"c": c}
+        arguments = {"m": m, **springs, **laws, "excitation": excitation}
+        in_si = {name: si(name, value, SHEET[name]) for name, value in arguments.items()}
+        numbers = {
+            name: scales.over(word, in_si[word], DOMAINS[name], scale)
+            for name, (word, scale) in scales.measures.items()
+            if word in laws
+        }
+        with scales.in_these_terms():
+            oscillator = cls(k_1 / k_v, k_3 * L**2 / k_v, excitation=scales.of_oscillator, **numbers)
+        return Physical(oscillator, dataclasses.replace(scales, sheet=in_si), arguments)
 
     @classmethod
     @validate.asked_by_name

@@ -452,6 +452,16 @@ def residuals(ax: Any, x: Values, y: Values, deviation: float, names: tuple[str,
     return ax
 
 
+def loop(ax: Any, x: Values, F: Values, fitted: Values, names: tuple[str, str]) -> Any:
+    """A measured force-displacement loop and what was fitted to it."""
+    ax = axes(ax)
+    ax.plot(x, F, linestyle="none", marker=".", markersize=2, color="0.6", label="measured")
+    ax.plot(x, fitted, color=COLOURS[0], label="fitted")
+    ax.set(xlabel=label(names[0]), ylabel=label(names[1]))
+    ax.legend()
+    return ax
+
+
 def design_map(ax: Any, x: tuple[str, Values], y: tuple[str, Values], values: tuple[str, Values]) -> Any:
     """A number of each design over two of its parameters: each a name and values; grey where there is no answer.
 

@@ -46,6 +46,7 @@ UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
         "acceleration": {"m/s^2": 1.0, "g": g},
         "unbalance": {"kg m": 1.0, "kg mm": 1e-3, "g mm": 1e-6},
         "stiffness": {"N/m": 1.0, "N/mm": 1e3, "lbf/in": LB * g / 0.0254},
+        "cubic stiffness": {"N/m^3": 1.0, "N/mm^3": 1e9},
         "angle": {"rad": 1.0, "deg": math.tau / 360},
         "mass": {"kg": 1.0, "lb": LB},
         "quadratic damping": {"N s^2/m^2": 1.0},
@@ -54,7 +55,7 @@ UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
     }
 )
 #: those in which answers are shown, one of each kind
-USUAL = ("N", "mm", "Hz", "ms", "mm/s", "m/s^2", "N/m", "rad", "kg", "kg m", "N s^2/m^2", "N s/m", "1/s")
+USUAL = ("N", "mm", "Hz", "ms", "mm/s", "m/s^2", "N/m", "N/m^3", "rad", "kg", "kg m", "N s^2/m^2", "N s/m", "1/s")
 #: amplitudes of the excitation: what is called F_0 without dimensions is F, Y, U or a, of this kind
 EXCITED: Mapping[str, tuple[str, str]] = MappingProxyType(
     {
@@ -83,6 +84,8 @@ DATA_SHEET: Mapping[str, tuple[str, str]] = MappingProxyType(
         "load": ("kg", "mass that sits on it, where that is another one"),
         "k_v": ("N/m", "stiffness of the vertical spring"),
         "k_h": ("N/m", "stiffness of each horizontal spring"),
+        "k_1": ("N/m", "stiffness of a cubic spring at the centre"),
+        "k_3": ("N/m^3", "its factor of x^3"),
         "n": ("", "number of horizontal springs"),
         "L": ("m", "length of a push-rod"),
         "preload": ("m", "compression of a horizontal spring at the centre"),
@@ -499,6 +502,8 @@ class Scales:
         A number of a mount is its dimensionless number times powers of k_v, L and m (4), and so is each number that it
         moves with: k_v, L and m move it through all of these.
         """
+        if "k_1" in self.sheet:
+            raise Refused("gradients in SI units are known of `Isolator.physical`; .answer.gradient() is dimensionless")
         if found.by[: len(ROD_SPRING.design)] != ROD_SPRING.design_names:
             raise Refused(WITHOUT_PRELOAD)
         arguments = {"F_0": OF_KIND[self.amplitude], "Omega": SCALES["Omega"], "load": SCALES["F_0"]}

@@ -1,6 +1,7 @@
 """Sizing: what tolerances do to a design, which design meets requirements, which numbers a measurement says.
 
-In:  an `Isolator`, or a mount in SI units (`Isolator.physical`). Out: `tolerances`, `sobol`, `meet`, `front`, `fit`.
+In:  an `Isolator`, or a mount in SI units (`Isolator.physical`). Out: `tolerances`, `sobol`, `meet`, `front`, `fit`;
+     of a measured force-displacement loop `from_loop`.
 
 Answers that can be asked for, of a mount; frequencies of an isolator without dimensions begin with Omega_ for f_:
 
@@ -39,7 +40,8 @@ is preset for. Each answer takes tenths of a second then, not microseconds, and 
 """
 
 from slowflow.sizing.fitting import fit
+from slowflow.sizing.loops import from_loop
 from slowflow.sizing.requirements import front, meet
 from slowflow.sizing.tolerances import sobol, tolerances
 
-__all__ = ["fit", "front", "meet", "sobol", "tolerances"]
+__all__ = ["fit", "from_loop", "front", "meet", "sobol", "tolerances"]

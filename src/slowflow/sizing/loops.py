@@ -1,0 +1,139 @@
+"""A measured force-displacement loop. Takes displacement and force; returns spring and friction with intervals.
+
+The force is linear in what is sought: F = F_mean + k_1 x + k_3 x^3 + friction sign(v) + c v. Spring and friction are
+the mean of the two branches and half of the height between them; one least squares finds all, where the motion does not
+turn.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any, ClassVar
+
+import numpy as np
+import numpy.typing as npt
+
+from slowflow import validate
+from slowflow.answer import Table
+from slowflow.isolator import Duffing
+from slowflow.mechanism import Floats
+from slowflow.physical import Physical
+from slowflow.quantities import SHEET, in_shown, si
+from slowflow.sizing.fitting import CONFIDENCE, Fitted
+from slowflow.support.errors import NotSettled, Refused
+
+#: slower than this share of the fastest, a motion turns: friction changes sides, and may take a displacement for it
+TURNS = 0.1
+#: samples of the polynomials that give the velocity, one in so many of all, and their degree
+WINDOW, DEGREE = 40, 3
+#: correlation of neighbouring residuals above which something else than noise is left, where they are more than this
+#: share of the force
+LEFT, ROUNDING = 0.5, 1e-3
+LEAST_SAMPLES = 50
+SYSTEMATIC = (
+    "neighbouring residuals are alike, {:.2f} of their size: the loop has more in it than this, as `plot` shows"
+)
+
+
+@dataclass(frozen=True, eq=False)
+class Loop(Table):
+    """What a force-displacement loop says, one row each; values in SI units.
+
+    error     -- standard errors; low, high -- 95 % confidence intervals, of normal noise in the force
+    F_mean    -- force at x = 0 between the branches, in N
+    x, F      -- the loop; fitted -- the force on it, NaN where the motion turns
+    deviation -- standard deviation of the residuals, in N
+    """
+
+    entry: ClassVar[Any] = Fitted
+
+    parameter: npt.NDArray[np.str_]
+    unit: npt.NDArray[np.str_]
+    value: Floats
+    error: Floats
+    low: Floats
+    high: Floats
+    F_mean: float
+    x: Floats = field(repr=False)
+    F: Floats = field(repr=False)
+    fitted: Floats = field(repr=False)
+    deviation: float
+    message: str
+
+    def oscillator(self, *, m: Any, **more: Any) -> Physical:
+        """A mass in kg on this spring, with this friction: `Duffing.physical`, which takes the other arguments."""
+        found = dict(zip(self.parameter.tolist(), self.value.tolist(), strict=True))
+        return Duffing.physical(m=m, **{**found, **more})
+
+    def plot(self, ax: Any = None) -> Any:
+        """Draw the loop and what was fitted, in N and mm, into Matplotlib axes, or new ones, and return these."""
+        from slowflow import pictures
+
+        (length, mm), (force, _) = in_shown("m"), in_shown("N")
+        return pictures.loop(ax, self.x / mm, self.F, self.fitted, (f"x/{length}", f"F/{force}"))
+
+
+def from_loop(x: Any, F: Any, *, t: Any = None) -> Loop:
+    """The spring and the friction of a measured loop of force over displacement: k_1, k_3, friction, and c from times.
+
+    x, F -- displacement from the place of rest in m, and force in N, sample by sample as they were measured, over one
+            cycle or several
+    t    -- times of the samples in s: viscous damping c is found too, by the velocity. At one frequency structural
+            damping looks the same: it is c times 2 pi f over k_1 then
+
+    Samples where the motion turns are left out. Intervals know of noise in the force alone. Raises ValueError for what
+    is not allowed, and for a loop that is run through the other way, whose friction is negative; ArithmeticError where
+    the loop does not determine the numbers.
+    """
+    x, F = (validate.finite_array(name, si(name, value, unit)) for name, value, unit in (("x", x, "m"), ("F", F, "N")))
+    rows = {"x": x, "F": F}
+    if t is not None:
+        rows["t"] = validate.finite_array("t", si("t", t, "s"))
+        if (np.diff(rows["t"]) <= 0).any():
+            raise Refused("t is not allowed: the times must rise")
+    if any(row.shape != (x.size,) for row in rows.values()) or x.size < LEAST_SAMPLES:
+        raise Refused(f"{', '.join(rows)} must be rows of one length, of at least {LEAST_SAMPLES} samples")
+    v = _velocity(x) / (1.0 if t is None else _velocity(rows["t"]))
+    goes = np.abs(v) > TURNS * np.abs(v).max()
+    columns = {
+        "F_mean": np.ones_like(x),
+        "k_1": x,
+        "k_3": x**3,
+        "friction": np.sign(v),
+        **({} if t is None else {"c": v}),
+    }
+    names = list(columns)
+    size = np.array([np.abs(column).max() for column in columns.values()])
+    if not (size > 0).all():
+        raise NotSettled("the loop does not determine a spring: x does not change")
+    of = np.stack(list(columns.values()), axis=1) / size
+    value, _, rank, _ = np.linalg.lstsq(of[goes], F[goes])
+    left = np.count_nonzero(goes) - len(names)
+    if rank < len(names) or left < 1:
+        raise NotSettled(f"the loop does not determine {', '.join(names)}")
+    residuals = F - of @ value
+    deviation = float(np.sqrt(np.sum(residuals[goes] ** 2) / left))
+    error = deviation * np.sqrt(np.diag(np.linalg.inv(of[goes].T @ of[goes]))) / size
+    # the quantile of few degrees of freedom (Student): SciPy's special functions are quick to load
+    from scipy.special import stdtrit
+
+    value, half = value / size, float(stdtrit(left, 0.5 * (1 + CONFIDENCE))) * error
+    found = dict(zip(names, value.tolist(), strict=True))
+    if found["friction"] + half[names.index("friction")] < 0:
+        raise Refused("the loop is run through the other way: where x rises, F must be above where x falls")
+    correlation = 0.0
+    if deviation > ROUNDING * np.abs(F).max():
+        correlation = float(np.corrcoef(residuals[goes][1:], residuals[goes][:-1])[0, 1])
+    message = SYSTEMATIC.format(correlation) if correlation > LEFT else ""
+    own = slice(1, None)  # F_mean is no number of the oscillator
+    units = np.array([SHEET[name] for name in names[own]], dtype=np.str_)
+    rows_of = value[own], error[own], (value - half)[own], (value + half)[own]
+    fitted = np.where(goes, F - residuals, np.nan)
+    return Loop(np.array(names[own]), units, *rows_of, found["F_mean"], x, F, fitted, deviation, message)
+
+
+def _velocity(x: Floats) -> Floats:
+    """By sample, from polynomials through neighbours: noise in the displacement does not turn the motion."""
+    from scipy.signal import savgol_filter
+
+    return np.asarray(savgol_filter(x, max(DEGREE + 2, x.size // WINDOW) | 1, DEGREE, deriv=1))
