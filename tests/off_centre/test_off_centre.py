@@ -25,7 +25,7 @@ from slowflow.model import Model
 from slowflow.off_centre import answers
 from slowflow.off_centre.means import ORDERS, Steps
 from slowflow.off_centre.questions import OffCentre
-from slowflow.off_centre.turning_points import Charts, Local
+from slowflow.off_centre.turning_points import Charts
 from slowflow.results import Remark, SteadyStates
 from slowflow.support.errors import NotSettled
 from slowflow_kernels import duffing, rod_spring
@@ -195,7 +195,7 @@ def ended_forces():
 def test_charts_that_cannot_be_read_hold_any_number():
     """They held NaN once, which has no zero: nothing was found, without a word."""
     edge = np.zeros(2)
-    found = SOLVER.ends(np.zeros(7), edge, edge, edge, 0.0, 0)
+    found = SOLVER.ends(np.zeros(7), edge, edge, 0, 0.0, np.empty(0))
     assert (found.reshape(-1, 2) == (-np.inf, np.inf)).all()
 
 
@@ -210,7 +210,7 @@ def test_boxes_by_ends_enclose_means_and_slopes():
             least, most = np.maximum(charts.low[:, number], -1.5), np.minimum(charts.high[:, number], 1.5)
             low = least[:, np.newaxis] + (most - least)[:, np.newaxis] * rng.uniform(0, 1, (2, n)) ** 2
             high = np.minimum(low + 10 ** rng.uniform(-8, -0.5, n), most[:, np.newaxis])
-            boxes = Local.of(charts.on(low, 0.5 * (low + high), high, chart)[0])
+            boxes = charts.on(low, high, chart)[0]
             if charts.upper[number] - charts.lower[number] > 1:
                 assert all(np.isfinite(getattr(boxes, name).ends).all() for name in ("c_0", "s_0", "c_x", "c_y"))
             for fraction in (0.25, 0.5, 0.8):
@@ -258,7 +258,7 @@ def test_means_far_out_and_next_to_a_step_are_exact_integrals():
     with mpmath.workdps(40):
         for x, y in positions:
             at = np.array([[x], [y]])
-            found = Local.of(charts.on(at, at, at, np.array([chart]))[0])
+            found = charts.on(at, at, np.array([chart]))[0]
             top = mpmath.mpf(x) ** 2 + mpmath.mpf(float(charts.place[0, chart]))
             bottom = mpmath.mpf(float(charts.place[1, chart])) - mpmath.mpf(y) ** 2
             A, B = (top - bottom) / 2, (top + bottom) / 2
@@ -298,8 +298,8 @@ def test_off_the_centre_validity_says_that_nothing_was_measured(loaded):
 def test_next_to_the_centre_folds_take_few_boxes(monkeypatch):
     """Corners on both sides are 1e-9 apart: there were 282 000 boxes, and at other forcings too many."""
     boxes = []
-    on = Charts.on
-    monkeypatch.setattr(Charts, "on", lambda *arguments: boxes.append(arguments[4].size) or on(*arguments))
+    operands = Charts.operands
+    monkeypatch.setattr(Charts, "operands", lambda *arguments: boxes.append(arguments[3].size) or operands(*arguments))
     exact, found = Isolator(**TABLE_1).saddle_nodes(0.04), Isolator(**TABLE_1, load=1e-7).saddle_nodes(0.04)
     assert found.A == pytest.approx(exact.A, rel=1e-9) and found.Omega == pytest.approx(exact.Omega, rel=1e-9)
     assert sum(boxes) < 10_000
@@ -312,7 +312,7 @@ def test_large_motions_are_enclosed_as_by_the_outer_spring(loaded):
     ends = (np.array([1400.0 + B, 1400.0 - B]) - charts.place[0, chart] for B in (-2.0, 2.0))
     (x, y), (x_high, y_low) = (np.sqrt(end) for end in ends)
     low, high = np.array([[x], [y_low]]), np.array([[x_high], [y]])
-    on = Local.of(charts.on(low, 0.5 * (low + high), high, np.array([chart]))[0])
+    on = charts.on(low, high, np.array([chart]))[0]
     assert -2.5 < on.c_0.lo[0] and on.c_0.hi[0] < 2.5
 
 

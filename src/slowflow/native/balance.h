@@ -112,6 +112,14 @@ static void sf_balance_of_sine(const sf_damping *of, double Omega, sf_interval A
     *I_ = sfi_of(value[0], value[1]), *I_A = sfi_of(slope[0], slope[1]);
 }
 
+/* Whether a state may be at a frequency, where its force lies between the least and the most level. */
+static int sf_may_be_state(const sf_damping *of, double Omega, double force, sf_interval A, sf_interval p) {
+    const sf_interval R = sfi_mul(A, sfi_sub(sfi_point(Omega * Omega), p));
+    const double needed = force * force, least = sf_sine(of, Omega, A.lo), most = sf_sine(of, Omega, A.hi);
+    const sf_interval level = sfi_add(sfi_square(R), sfi_square(sfi_of(least, most)));
+    return !(level.lo > needed * (1 + SF_BOUND_DOUBT) || level.hi < needed * (1 - SF_BOUND_DOUBT));
+}
+
 /* What vanishes at a state, and its slopes by x and y. */
 static void sf_ended_state(const sf_ended *here, double Omega, double force, const sf_damping *of, double load,
                            sf_interval *out)

@@ -318,7 +318,7 @@ static void sf_each_once(int d, sf_solutions *all) {
 
 /* All solutions in n boxes, of which no more than `most` are evaluated in all; takes over `boxes`, a list of malloc, and
  * leaves `out` to be freed. */
-static int sf_solve_boxes(const sf_box_equations *of, sf_box *boxes, ptrdiff_t n, ptrdiff_t most, sf_solutions *out) {
+static inline int sf_solve_boxes(const sf_box_equations *of, sf_box *boxes, ptrdiff_t n, ptrdiff_t most, sf_solutions *out) {
     const int d = of->unknowns;
     ptrdiff_t evaluated = 0, next;
     int state = SF_BOXES_SOLVED;

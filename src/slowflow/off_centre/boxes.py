@@ -30,10 +30,10 @@ class Equations:
         """Lower and upper ends of all that there is, which broadcast to (d, n): no box is made larger beyond."""
         raise NotImplementedError
 
-    def on(self, low: Floats, x: Floats, high: Floats, of: Ints) -> tuple[Floats, ...]:
-        """Values at points x of boxes, and on the boxes, (2, d, n), and slopes on these, (2, d, d, n), by their ends.
+    def on(self, low: Floats, high: Floats, of: Ints) -> Floats:
+        """Rows (n, 36) as `sf_values` of native/boxes.h: values in the middle of boxes, and on them, slopes, ends.
 
-        A fourth array (2, d, n) may follow: between which ends the solutions of each box are.
+        By their lower and upper ends, of three unknowns each; the last are those between which solutions are.
         """
         raise NotImplementedError
 

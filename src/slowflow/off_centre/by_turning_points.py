@@ -15,15 +15,17 @@ import numpy as np
 
 from slowflow.backend import SOLVER
 from slowflow.intervals import ALL, Interval
-from slowflow.mechanism import Flags, Ints
+from slowflow.mechanism import Ints
 from slowflow.model import Floats
 from slowflow.off_centre.boxes import Equations
 from slowflow.off_centre.flow import Flow, Slow
-from slowflow.off_centre.turning_points import Charts, Local
+from slowflow.off_centre.turning_points import Charts
 from slowflow_kernels import off_centre
 
 #: x or y next to an edge of its chart
 NEAR = 2.0**-8
+#: what is known of one unknown in a row of `boxes.Equations.on`
+AT, ON, SLOPE = slice(0, 2), slice(6, 8), slice(12, 14)
 
 
 def numbers_of(rows: Any, d: int, n: int) -> tuple[Floats, Floats]:
@@ -57,6 +59,10 @@ class ByEnds(Equations):
         free = np.full((self.unknowns - 2, of.size), np.inf)
         return np.concatenate((self.charts.low[:, chart], -free)), np.concatenate((self.charts.high[:, chart], free))
 
+    def boxes(self, low: Floats, high: Floats, of: Ints) -> tuple[Any, ...]:
+        """What a compiled function takes of boxes."""
+        return self.charts.operands(low, high, self.chart(of), self.charts.steps.load)
+
     def by_motion(self, z: Floats, of: Ints) -> tuple[Floats, Floats]:
         """As `at`, by A and B in the place of x and y."""
         raise NotImplementedError
@@ -74,19 +80,6 @@ class ByEnds(Equations):
                 z = np.where(known & (np.abs(change) < 2.0**-30 * size).all(axis=0), z - change, z)
         return z
 
-    def _on(self, low: Floats, x: Floats, high: Floats, of: Ints) -> tuple[Floats, Flags]:
-        """Rows of boxes and of their middles, (2, n, 28); which of the boxes lie beyond A = 0, with no motion."""
-        both = np.array(self.charts.on(low[:2], x[:2], high[:2], self.chart(of), self.charts.steps.load))
-        return both, (both[0, :, 1] <= 0) & (high > low).all(axis=0)
-
-    def _found(self, rows: Floats, nowhere: Flags) -> tuple[Floats, Floats, Floats]:
-        """As `on` gives them, from a kernel's rows (2, n, outputs): with no zero where no motion is."""
-        d, n = self.unknowns, nowhere.size
-        values = rows[..., : 2 * d].reshape(2, n, d, 2).transpose(0, 3, 2, 1)
-        values[0][:, 0, nowhere] = 1.0
-        slopes = rows[0, :, 2 * d : 2 * d * (d + 1)].reshape(n, d, d, 2).transpose(3, 1, 2, 0)
-        return values[1], values[0], slopes
-
 
 class EndedState(ByEnds):
     """At frequencies and one forcing."""
@@ -95,11 +88,10 @@ class EndedState(ByEnds):
         super().__init__(charts, flow, Omega)
         self.F_0, self.force = F_0, flow.force(F_0, Omega)
 
-    def on(self, low: Floats, x: Floats, high: Floats, of: Ints) -> tuple[Floats, ...]:
+    def on(self, low: Floats, high: Floats, of: Ints) -> Floats:
         """See `boxes.Equations`."""
-        both, nowhere = self._on(low, x, high, of)
-        number, known = self.number(of), (self.flow.damping, self.charts.steps.load)
-        return self._found(SOLVER.ended_state(both, self.values[number], self.force[number], *known), nowhere)
+        known = (*(each[self.number(of)] for each in (self.values, self.force)), self.flow.damping)
+        return np.asarray(SOLVER.ended_state(*self.boxes(low, high, of), *known))
 
     def by_motion(self, z: Floats, of: Ints) -> tuple[Floats, Floats]:
         """See `ByEnds`."""
@@ -115,15 +107,10 @@ class EndedFold(ByEnds):
 
     unknowns = 3
 
-    def on(self, low: Floats, x: Floats, high: Floats, of: Ints) -> tuple[Floats, ...]:
+    def on(self, low: Floats, high: Floats, of: Ints) -> Floats:
         """See `boxes.Equations`."""
-        both, nowhere = self._on(low, x, high, of)
-        R = np.stack((np.stack((low[2], high[2]), axis=1), np.stack((x[2], x[2]), axis=1)))
-        known = *self.flow.forcing(self.values[self.number(of)]), self.flow.damping, self.charts.steps.load
-        rows = SOLVER.ended_fold(both, R, *known, self.charts.has_centre)
-        holds = np.stack((np.full_like(x, -np.inf), np.full_like(x, np.inf)))
-        holds[:, 2] = rows[0, :, -2:].T
-        return *self._found(rows, nowhere), holds
+        known = *self.flow.forcing(self.values[self.number(of)]), self.flow.damping, self.charts.has_centre
+        return np.asarray(SOLVER.ended_fold(*self.boxes(low, high, of), *known))
 
     def by_motion(self, z: Floats, of: Ints) -> tuple[Floats, Floats]:
         """See `ByEnds`."""
@@ -143,10 +130,11 @@ class Resting(Equations):
         """See `boxes.Equations`."""
         return -np.inf, np.inf
 
-    def on(self, low: Floats, x: Floats, high: Floats, of: Ints) -> tuple[Floats, ...]:
+    def on(self, low: Floats, high: Floats, of: Ints) -> Floats:
         """See `boxes.Equations`: on each piece of the force of all motions in a box, those at rest among them."""
+        x, n = 0.5 * (low + high), of.size
         u, nowhere = np.stack((np.append(low, x), np.append(high, x))), np.array([[np.inf], [-np.inf]])
-        f, slope = (np.tile(nowhere, (1, 2 * of.size)) for _ in range(2))
+        f, slope = (np.tile(nowhere, (1, 2 * n)) for _ in range(2))
         for chart in np.flatnonzero(~self.charts.passes):
             part = np.stack((np.maximum(u[0], self.charts.low[0, chart]), np.minimum(u[1], self.charts.high[0, chart])))
             some = np.flatnonzero(part[0] <= part[1])
@@ -155,8 +143,9 @@ class Resting(Equations):
                 whole[:, some] = np.minimum(whole[0, some], one.lo), np.maximum(whole[1, some], one.hi)
         for jump in self.charts.jumps.tolist():
             slope[:, (u[0] <= jump) & (jump <= u[1])] = ALL
-        values = (Interval(f) - self.steps.load).ends[:, np.newaxis]
-        return values[..., of.size :], values[..., : of.size], slope[:, np.newaxis, np.newaxis, : of.size]
+        values, rows = (Interval(f) - self.steps.load).ends, np.tile([-np.inf, np.inf], (n, 18))
+        rows[:, AT], rows[:, ON], rows[:, SLOPE] = values[:, n:].T, values[:, :n].T, slope[:, :n].T
+        return rows
 
 
 class EndedEdge(Equations):
@@ -173,9 +162,7 @@ class EndedEdge(Equations):
         axis = 1 - self.edge
         return self.charts.low[axis, of][np.newaxis], self.charts.high[axis, of][np.newaxis]
 
-    def on(self, low: Floats, x: Floats, high: Floats, of: Ints) -> tuple[Floats, ...]:
+    def on(self, low: Floats, high: Floats, of: Ints) -> Floats:
         """See `boxes.Equations`."""
-        low, x, high = (np.insert(one, self.edge, 0.0, axis=0) for one in (low, x, high))
-        here, middle = map(Local.of, self.charts.on(low, x, high, of))
-        values = [(one.c_0 - self.charts.steps.load).ends[:, np.newaxis] for one in (middle, here)]
-        return *values, (here.c_x if self.edge else here.c_y).ends[:, np.newaxis, np.newaxis]
+        low, high = (np.insert(one, self.edge, 0.0, axis=0) for one in (low, high))
+        return np.asarray(SOLVER.ended_edge(*self.charts.operands(low, high, of, self.charts.steps.load), self.edge))

@@ -14,7 +14,7 @@ import numpy as np
 from slowflow.mechanism import Ints
 from slowflow.model import Floats
 from slowflow.off_centre.boxes import Solutions, solve
-from slowflow.off_centre.by_turning_points import EndedEdge, EndedFold, EndedState
+from slowflow.off_centre.by_turning_points import ON, EndedEdge, EndedFold, EndedState
 from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import Steps
 from slowflow.off_centre.onset import Lowest, Search
@@ -138,9 +138,8 @@ class Complete:
         distances = 2 * edges if not self.sheets.charts.rooted[1 - edge, charts[0]] else np.sqrt(2 * edges)
         low, high = distances[np.newaxis, :-1], distances[np.newaxis, 1:]
         with np.errstate(all="ignore"):
-            of = np.repeat(charts, low.size)
-            _, found, _ = EndedEdge(self.sheets.charts, edge).on(low, 0.5 * (low + high), high, of)
-        may = ~((found[0, 0] > 0) | (found[1, 0] < 0))
+            f_0 = EndedEdge(self.sheets.charts, edge).on(low, high, np.repeat(charts, low.size))[:, ON]
+        may = ~((f_0[:, 0] > 0) | (f_0[:, 1] < 0))
         if may[-1]:
             raise Refused(UNBOUNDED)
         return float(edges[1:][may].max(initial=edges[0]))

@@ -161,16 +161,16 @@ class Flow(SlowFlow):
         return needed
 
     def folds_between(
-        self, A: Interval, p: Interval, e: Interval, sign: float, lowest: float, highest: float
+        self, A: Interval, p: Interval, e: Interval, sign: Any, lowest: Any, highest: Any
     ) -> tuple[Floats, Flags]:
-        """Between which |R| there may be folds with R of that sign at the highest of forcings, (2, n).
+        """Between which |R| there may be folds with R of that sign at the highest of forcings, (2, ..., n).
 
-        And whether there may be some at forcings between the two.
+        And whether there may be some at forcings between the two. Signs and forcings broadcast.
         e -- of that sign, NaN or inf where it is not known
         """
         known = A.ends.T, p.ends.T, e.ends.T, self.damping, self.inertial
         R, may = SOLVER.folds_between(*known, sign, lowest, highest)
-        return R.T, may != 0
+        return np.moveaxis(R, -1, 0), may != 0
 
 
 class Slow(NamedTuple):

@@ -26,7 +26,7 @@ from slowflow.mechanism import Flags
 from slowflow.model import Floats
 from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import ORDERS
-from slowflow.off_centre.solution_sheets import Cells, Corner, Sheets
+from slowflow.off_centre.solution_sheets import SIGNS, Cells, Corner, Sheets
 from slowflow.support.errors import NotSettled
 from slowflow_kernels import off_centre
 
@@ -200,5 +200,5 @@ class Search:
 
     def _may_be_lower(self, cells: Cells, below: float) -> Flags:
         """Which cells may hold a fold with a level below."""
-        found = (self.flow.folds_between(cells.A, cells.p, cells.e, sign, 0.0, below)[1] for sign in (1.0, -1.0))
-        return np.asarray((cells.rising.hi > 0) & np.logical_or(*found))
+        found = self.flow.folds_between(cells.A, cells.p, cells.e, SIGNS, 0.0, below)[1].any(axis=0)
+        return np.asarray((cells.rising.hi > 0) & found)

@@ -53,6 +53,8 @@ TOO_SMALL = Sentence(
 )
 #: answers that are kept of one oscillator
 KEPT = 64
+#: motions whose A and B differ by less beside A are one, found twice
+SAME = 2.0**-20
 #: how nearly the highest frequency is known that is looked at for isolation
 COARSE = 2.0**-6
 #: above the frequency from which on a base moves the mass, and of the highest one of a window, where curves begin
@@ -386,6 +388,8 @@ class OffCentre(Unchanging, ComposedQuestions):
         highest, widest = (self._farthest(F_0, measure) for measure in (AMPLITUDE, LARGEST))
         if highest is None or widest is None:
             raise NotSettled("the farthest motion is unresolved: none is found")
+        if max(abs(widest.A - highest.A), abs(abs(widest.B) - abs(highest.B))) <= SAME * highest.A:
+            widest = replace(highest, value=highest.A + abs(highest.B))
         notes = _Notes(TURNS) if highest.turns or widest.turns else _Notes()
         notes = notes.combine(self._beyond_reach(highest.A, widest.value - highest.A))
         far = {"B": highest.B, "u_max": widest.value, "Omega_max": widest.Omega, "_turns": highest.turns}

@@ -186,7 +186,7 @@ class Reach:
                 first, last = np.argmax(may, axis=0), DIVISIONS - np.argmax(may[::-1], axis=0)
                 n = np.arange(none.size)
                 start, end = np.where(none, start, edges[first, n]), np.where(none, end, edges[last, n])
-        return ~none
+        return np.asarray(~none)
 
     def _may_at(self, cells: Cells, F_0: float, low: Floats, high: Floats, limit: Transmissibility | None) -> Flags:
         """Which of them may have Omega^2 between two numbers each."""

@@ -21,16 +21,18 @@ from slowflow.mechanism import Flags, Ints
 from slowflow.model import Floats
 from slowflow.off_centre.boxes import MOST_BOXES, TOO_MANY, solve
 from slowflow.off_centre.by_turning_points import EndedEdge
-from slowflow.off_centre.flow import ROUNDED, Flow
+from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import Steps
-from slowflow.off_centre.turning_points import Charts, Local, above_diagonal
+from slowflow.off_centre.turning_points import Charts, above_diagonal
 from slowflow.support.errors import NotSettled, OutOfRange
 from slowflow.text import Sentence
 
-#: octaves of the ends' distance from a chart's edge that are cut apart at first, and parts of a chart between two edges
+#: octaves of the ends' distance from a chart's edge that are cut apart at first, by twos, and parts between two edges
 BELOW, DIVISIONS = 5, 4
 #: how small cells are beside their amplitude, which amplitude is small beside the problem, rounds of cuts
 FINE, SMALL, ROUNDS = 2.0**-4, 2.0**-8, 16
+#: of R, by rows
+SIGNS = np.array([[-1.0], [1.0]])
 #: amplitudes beyond it are not followed, as their squares are beyond the range of doubles
 FARTHEST = 2.0**500
 TOO_FAR = Sentence(
@@ -43,25 +45,26 @@ UNKNOWN = "folds are unresolved: where the mean turns back their frequencies hav
 class Cells:
     """Boxes that hold the balance, one column each.
 
-    chart, low, high -- the chart, and the ends of x and y
+    chart     -- the chart of each
+    low, high -- the ends of x and y
     A, B, p, e -- intervals on each: p = -h/A, e = -h_A - p along the balance
     rising    -- what the mean stiffness c_1 may be: an interval of its sign
     """
 
     chart: Ints
-    low: Floats
-    high: Floats
-    A: Interval
-    B: Interval
-    p: Interval
-    e: Interval
-    rising: Interval
+    rows: Floats
+
+    low = property(lambda self: self.rows[0:2])
+    high = property(lambda self: self.rows[2:4])
+    p = property(lambda self: Interval(self.rows[4:6]))
+    e = property(lambda self: Interval(self.rows[6:8]))
+    rising = property(lambda self: Interval(self.rows[8:10]))
+    A = property(lambda self: Interval(self.rows[10:12]))
+    B = property(lambda self: Interval(self.rows[12:14]))
 
     def take(self, which: Flags) -> Cells:
         """Some of them."""
-        some = np.flatnonzero(which)
-        of = (one.take(some) for one in (self.A, self.B, self.p, self.e, self.rising))
-        return Cells(self.chart[some], self.low[:, some], self.high[:, some], *of)
+        return Cells(self.chart[which], self.rows[:, which])
 
 
 class Corner(NamedTuple):
@@ -114,13 +117,11 @@ class Sheets:
                 cells = cells.take(may(cells))
                 fine = (self._wide(cells).max(axis=0) <= FINE * cells.A.hi) | (cells.A.hi <= SMALL * self._size)
                 fine |= number == ROUNDS - 1
-                done.append((cells.low[:, fine], cells.high[:, fine], cells.chart[fine]))
+                done.append(cells.take(fine))
                 if fine.all():
                     break
                 cells = self.cut(cells.take(~fine), 2.0**octave)
-            # what is known of the smaller boxes
-            low, high, chart = (np.concatenate(chunks, axis=-1) for chunks in zip(*done, strict=True))
-            return self.looked_at(low, high, chart)
+            return Cells(*(np.concatenate([getattr(one, name) for one in done], axis=-1) for name in ("chart", "rows")))
 
     def cut(self, cells: Cells, A_max: float = math.inf) -> Cells:
         """Each in two, less what the balance leaves out, up to an amplitude."""
@@ -160,9 +161,10 @@ class Sheets:
         other, *inside = self.charts.inside(edge, distance, chart)
         positions = np.array((inside, (0.0, distance) if edge == 0 else (distance, 0.0))).T
         with np.errstate(all="ignore"):
-            rows, middle = self.charts.on(positions, positions, positions, np.array((other, chart)))
-            found, _ = SOLVER.on_balance(rows, middle, positions.T, positions.T, self.steps.load, False)
-            here, bent, A_t = Local.of(rows), Interval(found[:, 6:8].T), Interval(found[:, 8:].T)
+            charts = np.array((other, chart))
+            here, _ = self.charts.on(positions, positions, charts)
+            rows = SOLVER.on_balance(*self.charts.operands(positions, positions, charts, self.steps.load), False)
+            bent, A_t = Interval(rows[:, 6:8].T), Interval(rows[:, 8:10].T)
             e = (bent - here.s_0 / here.A) * 4.0
             # without ends, what is not known, they add to NaN
             A_t, e, A, B, s_0 = (one.ends.sum(axis=0) for one in (A_t, e, here.A, here.B, here.s_0))
@@ -173,47 +175,41 @@ class Sheets:
 
     def looked_at(self, low: Floats, high: Floats, chart: Ints, A_max: float = math.inf) -> Cells:
         """What the balance leaves of boxes that may hold it, up to an amplitude."""
-        charts, load = self.charts, self.steps.load
-        x, y = (Interval(np.array(pair)) for pair in zip(low, high, strict=True))
-        x, y = above_diagonal(x, y, charts.passes[chart])
-        low, high = np.array((x.lo, y.lo)), np.array((x.hi, y.hi))
-        here, middle = charts.on(low, 0.5 * (low + high), high, chart, load)
-        found, some = SOLVER.on_balance(here, middle, low.T, high.T, load, charts.has_centre)
-        left = np.flatnonzero((some != 0) & (here[:, 0] <= A_max))
-        chart, rows = chart[left], np.concatenate((found[left], here[left, :4]), axis=1).T
-        low, high = rows[:2], rows[2:4]
-        p, bent, rising, A, B = (Interval(rows[k : k + 2]) for k in range(4, 14, 2))
-        small = np.flatnonzero(A.lo <= np.where(charts.passes[chart], 0.0, SMALL * self._size))
+        charts = self.charts
+        low = above_diagonal(low, high, charts.passes[chart])
+        rows = SOLVER.on_balance(*charts.operands(low, high, chart, self.steps.load), charts.has_centre)
+        left = np.flatnonzero((rows[:, 14] != 0) & (rows[:, 10] <= A_max))
+        found = Cells(chart[left], rows[left].T)
+        small = np.flatnonzero(found.A.lo <= np.where(charts.passes[found.chart], 0.0, SMALL * self._size))
         if small.size:
-            stiffness = charts.stiffness(x.take(left[small]), y.take(left[small]), chart[small])
-            p.ends[:, small] = p.take(small).both(stiffness).ends
-        return Cells(chart, low, high, A, B, p, bent * 4.0 - p * 2.0, rising)
+            x, y = (Interval(np.array((low[i], high[i]))[:, left[small]]) for i in (0, 1))
+            found.p.ends[:, small] = found.p.take(small).both(charts.stiffness(x, y, found.chart[small])).ends
+        found.e.ends[:] = (found.e * 4.0 - found.p * 2.0).ends
+        return found
 
     def _first(self, A_max: float) -> tuple[Floats, Floats, Ints]:
         """Boxes of all charts: motions up to an amplitude."""
         charts, bound = self.charts, A_max + self._offset_bound(A_max)
         if not bound < FARTHEST:
             raise OutOfRange(TOO_FAR.format(bound))
-        octaves = self._size * 0.5 ** np.arange(BELOW, -math.ceil(math.log2(bound / self._size)) - 1, -1)
+        octaves = self._size * 0.5 ** np.arange(BELOW, -math.ceil(math.log2(bound / self._size)) - 2, -2)
+        both, from_step = np.concatenate((-octaves[::-1], [0.0], octaves)), np.concatenate(([0.0], np.sqrt(octaves)))
+
+        def edges(low: float, high: float, rooted: bool) -> Floats:
+            if math.isfinite(low) and math.isfinite(high):
+                return np.linspace(low, high, DIVISIONS + 1)
+            return from_step if rooted else np.unique(np.clip(both, low, high))
+
         lows, highs, number = [], [], []
-        for chart in range(charts.passes.size):
-            edges = []
-            for low, high, rooted in zip(
-                *(of[:, chart] for of in (charts.low, charts.high, charts.rooted)), strict=True
-            ):
-                if math.isfinite(low) and math.isfinite(high):
-                    edges.append(np.linspace(low, high, DIVISIONS + 1))
-                elif rooted:
-                    edges.append(np.concatenate(([0.0], np.sqrt(octaves))))
-                else:
-                    # one end is at least as far as the step beside the chart
-                    both = np.concatenate((-octaves[::-1], [0.0], octaves))
-                    inside = both[(both > low) & (both < high)]
-                    edges.append(np.unique(np.concatenate(([max(low, both[0])], inside, [min(high, both[-1])]))))
-            if len(edges[0]) * len(edges[1]) > MOST_BOXES:  # an amplitude of hundreds of octaves
+        limits = np.stack((charts.low, charts.high, charts.rooted)).T.tolist()
+        for chart, axes in enumerate(limits):
+            x, y = (edges(*axis) for axis in axes)
+            if x.size * y.size > MOST_BOXES:  # an amplitude of hundreds of octaves
                 raise NotSettled(TOO_MANY)
-            ends = (np.meshgrid(*(one[part] for one in edges), indexing="ij") for part in (slice(-1), slice(1, None)))
-            low, high = (np.reshape(one, (2, -1)) for one in ends)
+            low, high = (
+                np.stack((np.repeat(x[part], y.size - 1), np.tile(y[part], x.size - 1)))
+                for part in (slice(-1), slice(1, None))
+            )
             some = charts.passes[chart] | (high.sum(axis=0) > 0)
             lows.append(low[:, some])
             highs.append(high[:, some])
@@ -224,9 +220,8 @@ class Sheets:
         """Boxes of x, y and R in which folds may be, and of which system each is (`by_turning_points`)."""
 
         def may(cells: Cells) -> Flags:
-            known = cells.A, cells.p, cells.e
-            found = [flow.folds_between(*known, sign, one, one)[1] for one in F_0.tolist() for sign in (-1.0, 1.0)]
-            return np.asarray(np.any(found, axis=0))
+            at = F_0[:, np.newaxis, np.newaxis]
+            return np.asarray(flow.folds_between(cells.A, cells.p, cells.e, SIGNS, at, at)[1].any(axis=(0, 1)))
 
         cells, size = self.cells(A_max, may), self.charts.passes.size
         lows, highs, systems = [], [], []
@@ -255,16 +250,11 @@ class Sheets:
 
     def states(self, A_max: float, Omega: Floats, F_0: float, flow: Flow) -> tuple[Floats, Floats, Ints]:
         """Boxes of x and y in which states may be, and of which system each is."""
-        needed = flow.force(F_0, Omega)[:, np.newaxis] ** 2
+        at = Omega[:, np.newaxis], flow.force(F_0, Omega)[:, np.newaxis], flow.damping
 
         def may(cells: Cells) -> Flags:
             """By frequency and cell."""
-            n = cells.chart.size
-            at = np.repeat(Omega, n)
-            A, p = (Interval(np.tile(one.ends, Omega.size)) for one in (cells.A, cells.p))
-            level = (A * (-p + at * at)).square() + Interval(flow.sine(at, A.ends)).square()
-            low, high = level.ends.reshape(2, Omega.size, n)
-            return np.asarray(~((low > needed * (1 + ROUNDED)) | (high < needed * (1 - ROUNDED))))
+            return np.asarray(SOLVER.may_be_state(cells.A.ends.T, cells.p.ends.T, *at) != 0)
 
         cells = self.cells(A_max, lambda cells: np.asarray(may(cells).any(axis=0)))
         with np.errstate(all="ignore"):

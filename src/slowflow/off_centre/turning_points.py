@@ -16,7 +16,7 @@ motion, so that the values at two corners hold them.
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -36,6 +36,10 @@ TOO_LARGE = Sentence(
     "motions off the centre are not derived for a force of {lines:d} breakpoints and powers up to {highest:d}: at most "
     "{most[0]:d} and {most[1]:d}"
 )
+
+
+#: the remainder of a force that is a polynomial
+NOTHING = np.empty(0)
 
 
 class Local(NamedTuple):
@@ -123,43 +127,33 @@ class Charts:
         sizes = (self._at.size, steps.highest, self.passes.size, self._large)
         return np.concatenate([sizes, *(np.ravel(row) for row in rows)]).astype(float)
 
-    def on(self, low: Floats, at: Floats, high: Floats, chart: Ints, load: float = math.nan) -> tuple[Floats, Floats]:
-        """On boxes within the limits of their charts, and at a point of each, all (2, n): rows of `Local`, (n, 28).
+    def operands(self, low: Floats, high: Floats, chart: Ints, load: float) -> tuple[Any, ...]:
+        """What compiled functions of boxes take first, (2, n) or more, within the limits of their charts.
 
-        Where it is seen at once that <f> is not the load, a number, on a box, nothing else is made tight.
+        load -- what <f> is; NaN where it is not known. The last operand is the force's remainder, without its steps, on
+        the box and in its middle.
         """
-        curved, n = self.steps.curved, chart.size
-        found = SOLVER.ends(self._packed, low.T, at.T, high.T, load if curved is None else math.nan, chart)
-        both = found.reshape(n, 2, 28).swapaxes(0, 1)
-        if curved is not None:
-            both, chart = both.reshape(2 * n, 28), np.append(chart, chart)
-            ends = (np.concatenate((one, at), axis=1) for one in (low, high))
-            x, y = map(Interval, np.stack(tuple(ends), axis=1))
-            xy, (upper, lower) = above_diagonal(x, y, self.passes[chart]), self.place[:, chart]
+        rows: Floats = NOTHING
+        if (curved := self.steps.curved) is not None:
+            both, middle = np.append(chart, chart), 0.5 * (low + high)[:2]
+            least, most = (np.append(ends[:2], middle, axis=1) for ends in (low, high))
+            x, y = map(Interval, np.stack((above_diagonal(least, most, self.passes[both]), most), axis=1))
             past_x, past_y = (
-                one.square().where(root, one) for one, root in zip(xy, self.rooted[:, chart], strict=True)
+                one.square().where(root, one) for one, root in zip((x, y), self.rooted[:, both], strict=True)
             )
-            r, here = curved.by_ends(past_x + upper, -past_y + lower), Local.of(both)
-            gained = {
-                "c_0": r.c_0,
-                "s_0": r.s_0,
-                "c_x": here.X * r.P_1,
-                "c_y": -(here.Y * r.Q_1),
-                "c_xx": here.X_x * r.P_1 + here.X.square() * r.P_P,
-                "c_yy": here.Y.square() * r.Q_Q - here.Y_y * r.Q_1,
-                "c_3": r.c_3,
-                "s_2": r.s_2,
-            }
-            for name, value in gained.items():
-                one = getattr(here, name)
-                one.ends[:] = (one + value).ends
-            both = both.reshape(2, n, 28)
-        return both[0], both[1]
+            upper, lower = self.place[:, both]
+            found = curved.by_ends(past_x + upper, -past_y + lower)
+            rows = np.concatenate([one.ends for one in found]).reshape(16, 2, -1).T.reshape(-1, 32)
+        return self._packed, low.T, high.T, chart, load, rows
+
+    def on(self, low: Floats, high: Floats, chart: Ints) -> tuple[Local, Local]:
+        """On boxes within the limits of their charts, (2, n), and in their middles."""
+        rows = SOLVER.ends(*self.operands(low, high, chart, math.nan))
+        return Local.of(rows[:, :28]), Local.of(rows[:, 28:])
 
     def on_piece(self, u: Floats, chart: Ints) -> Local:
         """Of all motions on one piece within intervals of u, (2, n), those at rest among them."""
-        low, high = np.stack((u[0], -u[1])), np.stack((u[1], -u[0]))
-        return Local.of(self.on(low, 0.5 * (low + high), high, chart)[0])
+        return self.on(np.stack((u[0], -u[1])), np.stack((u[1], -u[0])), chart)[0]
 
     def motion(self, x: Floats, y: Floats, chart: Ints) -> tuple[Floats, Floats]:
         """A and B at points."""
@@ -206,10 +200,6 @@ class Charts:
         return Interval(np.where(known, hull, ALL))
 
 
-def above_diagonal(x: Interval, y: Interval, passes: Flags) -> tuple[Interval, Interval]:
-    """Where motions pass no step, x = B + A and y = A - B the part of boxes in which A is not negative."""
-    low = (
-        np.where(passes, one.lo, np.minimum(np.maximum(one.lo, -other.hi), one.hi)) for one, other in ((x, y), (y, x))
-    )
-    low_x, low_y = low
-    return Interval(np.stack((low_x, x.hi))), Interval(np.stack((low_y, y.hi)))
+def above_diagonal(low: Floats, high: Floats, passes: Flags) -> Floats:
+    """The lower ends of boxes, and where motions pass no step, x = B + A and y = A - B, of the part with A >= 0."""
+    return np.where(passes, low, np.minimum(np.maximum(low, -high[::-1]), high))

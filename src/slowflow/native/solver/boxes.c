@@ -33,64 +33,27 @@ static PyObject *numbers(ptrdiff_t n, const ptrdiff_t *first, size_t step)
     return array;
 }
 
-/* One end of what is known of box k, from an array (2, d, n) or (2, d, d, n). */
-static sf_interval interval(PyArrayObject *array, int i, int j, npy_intp k)
-{
-    double end[2];
-    for (int up = 0; up < 2; up++)
-        end[up] = *(const double *)(PyArray_NDIM(array) == 3 ? PyArray_GETPTR3(array, up, i, k)
-                                                             : PyArray_GETPTR4(array, up, i, j, k));
-    return sfi_of(end[0], end[1]);
-}
-
-/* An array of numbers (2, d, n) or (2, d, d, n) from a tuple's item; NULL with an exception set. */
-static PyArrayObject *item(PyObject *tuple, Py_ssize_t number, int axes, int d, ptrdiff_t n)
-{
-    PyObject *inputs = PyTuple_GetItem(tuple, number);
-    PyArrayObject *array =
-        inputs == NULL ? NULL : (PyArrayObject *)PyArray_FROMANY(inputs, NPY_DOUBLE, axes, axes, NPY_ARRAY_ALIGNED);
-    int fits = array != NULL && PyArray_DIM(array, 0) == 2 && PyArray_DIM(array, axes - 1) == n;
-    for (int i = 1; fits && i < axes - 1; i++)
-        fits = PyArray_DIM(array, i) == d;
-    if (array != NULL && !fits) {
-        PyErr_SetString(PyExc_ValueError, "equations gave arrays of another shape than boxes have");
-        Py_CLEAR(array);
-    }
-    return array;
-}
-
 /* The function and how many unknowns it takes. */
 typedef struct {
     PyObject *on;
     int d;
 } called;
 
-/* Asks the function: low, a point, high, numbers of systems -> values there, values and slopes on boxes, and between which
- * ends their solutions are, or all of these but the last. */
+/* Asks the function: low, high, numbers of systems -> rows of numbers as `sf_values` has them. */
 static int on(void *self, ptrdiff_t n, const sf_box_place *points, sf_values *out)
 {
     const called *of = self;
-    const int d = of->d;
-    PyArrayObject *known[4] = {NULL};
-    PyObject *result = PyObject_CallFunction(
-        of->on, "NNNN", column(d, n, points->low, sizeof *points), column(d, n, points->at, sizeof *points),
-        column(d, n, points->high, sizeof *points), numbers(n, &points->of, sizeof *points));
-    const int count = result != NULL && PyTuple_Check(result) ? (int)PyTuple_Size(result) : 0;
-    int done = count >= 3 && count <= 4;
-    for (int i = 0; done && i < count; i++)
-        done = (known[i] = item(result, i, i == 2 ? 4 : 3, d, n)) != NULL;
-    for (ptrdiff_t k = 0; done && k < n; k++)
-        for (int i = 0; i < d; i++) {
-            out[k].at[i] = interval(known[0], i, 0, k), out[k].on[i] = interval(known[1], i, 0, k);
-            out[k].holds[i] = count > 3 ? interval(known[3], i, 0, k) : sfi_of(-HUGE_VAL, HUGE_VAL);
-            for (int j = 0; j < d; j++)
-                out[k].slope[i][j] = interval(known[2], i, j, k);
-        }
-    for (int i = 0; i < 4; i++)
-        Py_XDECREF((PyObject *)known[i]);
-    Py_XDECREF(result);
-    if (!done && !PyErr_Occurred())
-        PyErr_SetString(PyExc_TypeError, "equations gave no tuple of three or four arrays");
+    PyObject *result = PyObject_CallFunction(of->on, "NNN", column(of->d, n, points->low, sizeof *points),
+                                             column(of->d, n, points->high, sizeof *points),
+                                             numbers(n, &points->of, sizeof *points));
+    PyArrayObject *rows = result == NULL ? NULL
+                                         : (PyArrayObject *)PyArray_FROMANY(result, NPY_DOUBLE, 2, 2, NPY_ARRAY_CARRAY_RO);
+    const int done = rows != NULL && PyArray_NBYTES(rows) == n * (npy_intp)sizeof *out;
+    if (done)
+        memcpy(out, PyArray_DATA(rows), (size_t)n * sizeof *out);
+    else if (!PyErr_Occurred())
+        PyErr_SetString(PyExc_ValueError, "equations gave an array of another shape than boxes have");
+    Py_XDECREF(result), Py_XDECREF((PyObject *)rows);
     return done;
 }
 

@@ -1,8 +1,9 @@
 /* Means over a cycle over NumPy's operands: of steps at numbers, and by the motion's ends on boxes in charts that are
- * packed into an array (turning_points.h); what vanishes there (balance.h). */
+ * packed into an array (turning_points.h); what vanishes there (balance.h), as a search in boxes takes it (boxes.h). */
 #include <string.h>
 
 #include "balance.h"
+#include "boxes.h"
 
 #include "solver.h"
 
@@ -54,34 +55,81 @@ void sf_step_means_loop(char **operands, const ptrdiff_t *dimensions, const ptrd
     }
 }
 
-/* charts, low, a point, high, load, number of the chart -> on the box, at the point; any number where there are no such
- * charts, so that nothing is taken to be absent there. */
-void sf_ends_loop(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data)
+/* On a box the remainder of a force that is no polynomial, without its steps: c_0, s_0, c_1 +- s_1, moments of r'' with
+ * (1 +- cos psi)^2, c_3 and s_2 (slowflow/off_centre/curved.py). */
+typedef struct {
+    sf_interval c_0, s_0, P_1, Q_1, P_P, Q_Q, c_3, s_2;
+} sf_remainder;
+
+static void add_remainder(const sf_remainder *of, sf_ended *out)
 {
-    const double *known = NULL;
-    sf_charts charts = {0};
-    int is_known = 0;
-    (void)data;
-    for (ptrdiff_t i = 0; i < dimensions[0]; i++) {
-        const double *packed = (const double *)(const void *)(operands[0] + i * steps[0]), chart = IN(5);
-        double box[3][2];
-        sf_ended found[2];
-        if (packed != known) {
-            is_known = steps[7] == (ptrdiff_t)sizeof *packed && sf_read_charts(packed, dimensions[1], &charts);
-            known = packed;
-        }
-        for (int k = 0; k < 6; k++)
-            box[k / 2][k % 2] = *(const double *)(operands[1 + k / 2] + i * steps[1 + k / 2] + k % 2 * steps[8 + k / 2]);
-        if (is_known && chart >= 0 && chart < charts.charts)
-            sf_on_ends(&charts, box[0], box[1], box[2], (int)chart, IN(4), &found[0], &found[1]);
-        else
-            for (int k = 0; k < 4 * SF_OF_MOTION; k++)
-                ((double *)found)[k] = k % 2 ? HUGE_VAL : -HUGE_VAL;
-        for (int k = 0; k < 4 * SF_OF_MOTION; k++)
-            *(double *)(void *)(operands[6] + i * steps[6] + k * steps[11]) = ((const double *)found)[k];
-    }
+    const sf_interval X_X = sfi_square(out->X), Y_Y = sfi_square(out->Y);
+    out->c_0 = sfi_add(out->c_0, of->c_0), out->s_0 = sfi_add(out->s_0, of->s_0);
+    out->c_x = sfi_add(out->c_x, sfi_mul(out->X, of->P_1)), out->c_y = sfi_sub(out->c_y, sfi_mul(out->Y, of->Q_1));
+    out->c_xx = sfi_add(out->c_xx, sfi_add(sfi_mul(out->X_x, of->P_1), sfi_mul(X_X, of->P_P)));
+    out->c_yy = sfi_add(out->c_yy, sfi_sub(sfi_mul(Y_Y, of->Q_Q), sfi_mul(out->Y_y, of->Q_1)));
+    out->c_3 = sfi_add(out->c_3, of->c_3), out->s_2 = sfi_add(out->s_2, of->s_2);
 }
 
+/* Numbers of an operand of size n, one after the other. */
+static const double *numbers_of(const char *at, ptrdiff_t step, ptrdiff_t n, double *out)
+{
+    for (ptrdiff_t k = 0; k < n; k++, at += step)
+        out[k] = *(const double *)(const void *)at;
+    return out;
+}
+
+/* A box in a chart, what is known on it and in its middle, and what else a loop takes. */
+typedef struct {
+    sf_ended here, middle;
+    double low[SF_MOST_UNKNOWNS], high[SF_MOST_UNKNOWNS], load, more[8];
+} sf_on_box;
+
+enum { SF_OF_BOX = 6, SF_OF_SYSTEM = sizeof(sf_values) / sizeof(double), SF_MOST_OUT = 4 * SF_OF_MOTION };
+
+/* A function of boxes, for each: charts, low, high, chart, load, the remainder of the force or nothing, then numbers of
+ * these sizes, 0 behind the last -> so many numbers. Where there are no such charts any number is held, so that nothing
+ * is taken to be absent there. */
+static void by_boxes(void (*call)(const sf_on_box *in, double *out), const int *sizes, int outputs, char **operands,
+                     const ptrdiff_t *dimensions, const ptrdiff_t *steps)
+{
+    const double *known = NULL;
+    const ptrdiff_t d = dimensions[2], size = dimensions[3];
+    sf_charts charts = {0};
+    int all = SF_OF_BOX, is_known = 0;
+    while (sizes[all - SF_OF_BOX] > 0)
+        all++;
+    for (ptrdiff_t i = 0; i < dimensions[0]; i++) {
+        const double *packed = (const double *)(const void *)(operands[0] + i * steps[0]);
+        const double chart = IN(3), load = IN(4);
+        const ptrdiff_t *core = steps + all + 1;
+        double out[SF_MOST_OUT], *more;
+        sf_remainder curved[2]; /* on the box, and in its middle */
+        sf_on_box in = {0};
+        if (packed != known) {
+            is_known = core[0] == (ptrdiff_t)sizeof *packed && sf_read_charts(packed, dimensions[1], &charts);
+            known = packed;
+        }
+        numbers_of(operands[1] + i * steps[1], core[1], d, in.low), numbers_of(operands[2] + i * steps[2], core[2], d, in.high);
+        in.load = load, more = in.more, core += 4;
+        for (int operand = SF_OF_BOX; operand < all; more += sizes[operand++ - SF_OF_BOX])
+            numbers_of(operands[operand] + i * steps[operand], sizes[operand - SF_OF_BOX] > 1 ? *core++ : 0,
+                       sizes[operand - SF_OF_BOX], more);
+        if (is_known && chart >= 0 && chart < charts.charts) {
+            const double at[2] = {0.5 * (in.low[0] + in.high[0]), 0.5 * (in.low[1] + in.high[1])};
+            sf_on_ends(&charts, in.low, at, in.high, (int)chart, size ? NAN : load, &in.here, &in.middle);
+            if (size * (ptrdiff_t)sizeof(double) == (ptrdiff_t)sizeof curved) {
+                numbers_of(operands[5] + i * steps[5], steps[all + 4], size, (double *)curved);
+                add_remainder(&curved[0], &in.here), add_remainder(&curved[1], &in.middle);
+            }
+        } else
+            for (int k = 0; k < 4 * SF_OF_MOTION; k++)
+                ((double *)&in)[k] = k % 2 ? HUGE_VAL : -HUGE_VAL;
+        call(&in, out);
+        for (int k = 0; k < outputs; k++)
+            *(double *)(void *)(operands[all] + i * steps[all] + k * *core) = out[k];
+    }
+}
 /* A function of numbers in a row, for each element: inputs one after the other, then outputs.
  * sizes -- of the operands, 0 behind the last; core axes, of those above 1, have their strides behind all others */
 static void by_rows(void (*call)(const double *in, double *out), int inputs, const int *sizes, char **operands,
@@ -91,7 +139,7 @@ static void by_rows(void (*call)(const double *in, double *out), int inputs, con
     while (sizes[all] > 0)
         all++;
     for (ptrdiff_t i = 0; i < dimensions[0]; i++) {
-        double in[4 * SF_OF_MOTION + 8], out[2 * SF_OF_MOTION], *next = in;
+        double in[2 * SF_OF_MOTION], out[2 * SF_OF_MOTION], *next = in;
         const ptrdiff_t *core = steps + all;
         for (int operand = 0; operand < all; operand++) {
             char *at = operands[operand] + i * steps[operand];
@@ -107,6 +155,14 @@ static void by_rows(void (*call)(const double *in, double *out), int inputs, con
     }
 }
 
+#define BOXES_LOOP(name, call, outputs, ...)                                                                  \
+    void name(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data)               \
+    {                                                                                                         \
+        static const int sizes[] = {__VA_ARGS__, 0};                                                          \
+        (void)data;                                                                                           \
+        by_boxes(call, sizes, outputs, operands, dimensions, steps);                                          \
+    }
+
 #define ROWS_LOOP(name, call, inputs, ...)                                                                    \
     void name(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data)               \
     {                                                                                                         \
@@ -115,43 +171,63 @@ static void by_rows(void (*call)(const double *in, double *out), int inputs, con
         by_rows(call, inputs, sizes, operands, dimensions, steps);                                            \
     }
 
-static void on_balance(const double *in, double *out)
+static void ends(const sf_on_box *in, double *out) { memcpy(out, in, sizeof in->here + sizeof in->middle); }
+
+/* more: whether motions about the centre are there */
+static void on_balance(const sf_on_box *in, double *out)
 {
-    const struct {
-        sf_ended here, middle;
-        double low[2], high[2], load, centred;
-    } *of = (const void *)in;
     struct {
         double low[2], high[2];
-        sf_interval p, resists, rising;
+        sf_interval p, resists, rising, A, B;
         double some;
     } *found = (void *)out;
-    memcpy(out, of->low, sizeof of->low + sizeof of->high);
-    found->some = sf_on_balance(&of->here, &of->middle, of->load, of->centred != 0, found->low, found->high, &found->p,
+    memcpy(found->low, in->low, sizeof found->low), memcpy(found->high, in->high, sizeof found->high);
+    found->A = in->here.A, found->B = in->here.B;
+    found->some = sf_on_balance(&in->here, &in->middle, in->load, in->more[0] != 0, found->low, found->high, &found->p,
                                 &found->resists, &found->rising);
 }
 
-static void ended_state(const double *in, double *out)
+/* Values at the middle and on the box and slopes on it, from d of each and d d of these, for a search in boxes. */
+static void of_system(int d, const sf_on_box *in, const sf_interval *middle, const sf_interval *here, sf_values *out)
 {
-    const struct {
-        sf_ended here;
-        double Omega, force;
-        sf_damping damping;
-        double load;
-    } *of = (const void *)in;
-    sf_ended_state(&of->here, of->Omega, of->force, &of->damping, of->load, (void *)out);
+    int wide = 1;
+    for (int i = 0; i < d; i++) {
+        out->at[i] = middle[i], out->on[i] = here[i], out->holds[i] = sfi_of(-HUGE_VAL, HUGE_VAL);
+        for (int j = 0; j < d; j++)
+            out->slope[i][j] = here[d + d * i + j];
+        wide &= in->low[i] < in->high[i];
+    }
+    if (wide && in->here.A.hi <= 0) /* no motion is there */
+        out->on[0] = sfi_point(1);
 }
 
-static void ended_fold(const double *in, double *out)
+/* more: Omega, the force and the damping */
+static void ended_state(const sf_on_box *in, double *out)
 {
-    const struct {
-        sf_ended here;
-        sf_interval R;
-        double F_0, F_2;
-        sf_damping damping;
-        double load, centred;
-    } *of = (const void *)in;
-    sf_ended_fold(&of->here, of->R, of->F_0, of->F_2, &of->damping, of->load, of->centred != 0, (void *)out);
+    sf_interval middle[6], here[6];
+    sf_ended_state(&in->middle, in->more[0], in->more[1], (const void *)&in->more[2], in->load, middle);
+    sf_ended_state(&in->here, in->more[0], in->more[1], (const void *)&in->more[2], in->load, here);
+    of_system(2, in, middle, here, (void *)out);
+}
+
+/* more: F_0 and F_2, the damping, and whether motions about the centre are there */
+static void ended_fold(const sf_on_box *in, double *out)
+{
+    const sf_interval R = {in->low[2], in->high[2]}, at = sfi_point(0.5 * (R.lo + R.hi));
+    const double *of = in->more;
+    sf_interval middle[13], here[13];
+    sf_ended_fold(&in->middle, at, of[0], of[1], (const void *)&of[2], in->load, of[6] != 0, middle);
+    sf_ended_fold(&in->here, R, of[0], of[1], (const void *)&of[2], in->load, of[6] != 0, here);
+    of_system(3, in, middle, here, (void *)out);
+    ((sf_values *)(void *)out)->holds[2] = here[12];
+}
+
+/* more: the edge, 0 for x = 0 and 1 for y = 0 */
+static void ended_edge(const sf_on_box *in, double *out)
+{
+    const sf_interval load = sfi_point(in->load), slope = in->more[0] != 0 ? in->here.c_x : in->here.c_y;
+    const sf_interval middle = sfi_sub(in->middle.c_0, load), here[2] = {sfi_sub(in->here.c_0, load), slope};
+    of_system(1, in, &middle, here, (void *)out);
 }
 
 static void folds_between(const double *in, double *out)
@@ -165,12 +241,25 @@ static void folds_between(const double *in, double *out)
                               (void *)out);
 }
 
+static void may_be_state(const double *in, double *out)
+{
+    const struct {
+        sf_interval A, p;
+        double Omega, force;
+        sf_damping damping;
+    } *of = (const void *)in;
+    *out = sf_may_be_state(&of->damping, of->Omega, of->force, of->A, of->p);
+}
+
 /* Sensitivities of answers from what is known there (gradient.h). */
 static void slopes_of(const double *in, double *out) { sf_here()->slopes(in, out); }
 
 /* as their signatures in _native.c */
-ROWS_LOOP(sf_on_balance_loop, on_balance, 6, 28, 28, 2, 2, 1, 1, 10, 1)
-ROWS_LOOP(sf_ended_state_loop, ended_state, 5, 28, 1, 1, 4, 1, 12)
-ROWS_LOOP(sf_ended_fold_loop, ended_fold, 7, 28, 2, 1, 1, 4, 1, 1, 26)
+BOXES_LOOP(sf_ends_loop, ends, SF_MOST_OUT, 0)
+BOXES_LOOP(sf_on_balance_loop, on_balance, 15, 1)
+BOXES_LOOP(sf_ended_state_loop, ended_state, SF_OF_SYSTEM, 1, 1, 4)
+BOXES_LOOP(sf_ended_fold_loop, ended_fold, SF_OF_SYSTEM, 1, 1, 4, 1)
+BOXES_LOOP(sf_ended_edge_loop, ended_edge, SF_OF_SYSTEM, 1)
+ROWS_LOOP(sf_may_be_state_loop, may_be_state, 5, 2, 2, 1, 1, 4, 1)
 ROWS_LOOP(sf_folds_between_loop, folds_between, 8, 2, 2, 2, 4, 1, 1, 1, 1, 2, 1)
 ROWS_LOOP(sf_slopes_loop, slopes_of, 1, 26, 6)
