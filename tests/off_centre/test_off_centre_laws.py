@@ -238,9 +238,9 @@ def test_gradients_by_an_absent_law_are_limits():
 def test_tolerances_on_a_shaking_floor_are_single_answers():
     sheet = {"m": 12, "k_v": 2500, "k_h": 1700, "n": 3, "L": 0.080, "preload": 0.009, "friction": 0.4, "zeta": 0.02}
     mount = Isolator.physical(**sheet, load=12.36, excitation="base")
-    found = tolerances(mount, {"load": 0.02}, F=0.004, answers=["Y_cr", "of_SN", "A_peak"], samples=4)
-    margins = mount.margins(F=0.004)
-    assert found.nominal.tolist() == pytest.approx([margins.Y_cr, margins.of_SN, mount.peak(F=0.004).A], rel=1e-12)
+    found = tolerances(mount, {"load": 0.02}, Y=0.004, answers=["Y_cr", "of_SN", "A_peak"], samples=4)
+    margins = mount.margins(Y=0.004)
+    assert found.nominal.tolist() == pytest.approx([margins.Y_cr, margins.of_SN, mount.peak(Y=0.004).A], rel=1e-12)
 
 
 @pytest.mark.parametrize("load", [1e-9, 1e-6, 1e-3])
