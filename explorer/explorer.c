@@ -80,15 +80,13 @@ double EXPORT(reach)(void) { return model.reach; }
 
 double EXPORT(stiffness_at_rest)(void)
 {
-    sf_sample at;
-    sf_sample_at(&model, 0, &at);
+    const sf_sample at = sf_sample_at(&model, 0);
     return -at.h_A;
 }
 
 static void add_what_follows(long i, double F_0)
 {
-    sf_sample at;
-    sf_sample_at(&model, out[1][i], &at);
+    const sf_sample at = sf_sample_at(&model, out[1][i]);
     out[2][i] = slow_flow_phase(out[0][i], out[1][i], model.m, model.zeta, at.h);
     const double force = sf_force(&model, F_0, out[0][i]);
     out[3][i] = slow_flow_transmissibility(out[0][i], out[1][i], force, model.m, model.zeta, at.h);
@@ -98,8 +96,7 @@ static void add_what_follows(long i, double F_0)
 /* As `slowflow.averaged.diagnostics.turns_beyond`. */
 static int turns_beyond(const sf_sample *at)
 {
-    sf_sample rest;
-    sf_sample_at(&model, 0, &rest);
+    const sf_sample rest = sf_sample_at(&model, 0);
     int passed = 0;
     while (passed < model.breaks && at->A > model.b[passed])
         passed++;
@@ -111,12 +108,11 @@ static int turns_beyond(const sf_sample *at)
  * force with one end rises, so that its mean stiffness is positive and it has no well. */
 static void look_at(long i)
 {
-    sf_sample at;
     if (rises) {
         flags[1][i] = 1, flags[2][i] = 0;
         return;
     }
-    sf_sample_at(&model, out[1][i], &at);
+    const sf_sample at = sf_sample_at(&model, out[1][i]);
     flags[2][i] = (unsigned char)turns_beyond(&at);
     flags[1][i] = slow_flow_mean_stiffness(at.A, at.h, at.h_A) >= 0 ||
                   slow_flow_offset_stiffness(out[0][i], at.A, at.h, at.h_A) > 0;
@@ -196,12 +192,11 @@ int EXPORT(peak)(double F_0)
     double most = HUGE_VAL;
     out[0][2] = 0;
     while (!sf_sticks(&model, F_0)) {
-        sf_sample at;
         const sf_status status = sf_settled_peak(&model, exactly(), F_0, most, &room.work, out[0], out[0] + 1);
         out[0][2] = status == SF_UNBOUNDED && !rises && model.zeta > 0;
         if (status != SF_OK || rises)
             return status;
-        sf_sample_at(&model, out[0][0], &at);
+        const sf_sample at = sf_sample_at(&model, out[0][0]);
         if (!turns_beyond(&at))
             return status;
         most = (1 - 0x1p-30) * out[0][0];
@@ -229,8 +224,7 @@ int EXPORT(unstable)(double A_max, double high, int n)
     int found = 0;
     for (int i = 0; i < n; i++) {
         double w[5] = {0};
-        sf_sample at;
-        sf_sample_at(&model, A_max * (i + 0.5) / n, &at);
+        const sf_sample at = sf_sample_at(&model, A_max * (i + 0.5) / n);
         int ends = sf_fold_roots(at.A, at.h, at.h_A, model.m, model.zeta, w + 1) + 1;
         w[ends++] = high;
         for (int k = 0; k + 1 < ends; k++) {
@@ -247,8 +241,7 @@ int EXPORT(unstable)(double A_max, double high, int n)
 void EXPORT(backbone)(double A_max, int n)
 {
     for (int i = 0; i < n; i++) {
-        sf_sample at;
-        sf_sample_at(&model, A_max * (i + 1) / n, &at);
+        const sf_sample at = sf_sample_at(&model, A_max * (i + 1) / n);
         out[0][i] = at.A, out[1][i] = slow_flow_backbone(at.A, at.h);
     }
 }

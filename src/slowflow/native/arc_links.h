@@ -73,7 +73,6 @@ static int sf_contradicts(double F_0, const sf_graph *graph, int k) {
 
 /* The number of roots in each interval; where one is too narrow to hold an amplitude, the event's gain tells. */
 static void sf_count_intervals(const sf_model *model, double F_0, sf_graph *graph) {
-    sf_sample at;
     for (int k = 0; k + 1 < graph->events; k++) {
         const double low = graph->event[k].A, high = graph->event[k + 1].A, middle = 0.5 * (low + high);
         const int is_wide = middle > low + SF_NO_WIDTH * low && middle < high;
@@ -82,7 +81,7 @@ static void sf_count_intervals(const sf_model *model, double F_0, sf_graph *grap
         } else if (!is_wide && graph->event[k + 1].kind == SF_CUT) { /* between the sides of a breakpoint */
             graph->count[k] = 0;
         } else { /* or next to one */
-            sf_sample_at(model, is_wide ? middle : low, &at);
+            const sf_sample at = sf_sample_at(model, is_wide ? middle : low);
             graph->count[k] = sf_count_at(model, &at, F_0);
         }
         if (graph->count[k] < 0 || graph->count[k] > 3 || sf_contradicts(F_0, graph, k)) {
@@ -133,8 +132,7 @@ static void sf_link(const sf_model *model, double F_0, sf_graph *graph, int k) {
     const int rich_end = left >= right, lost = graph->count[rich] - graph->count[poor];
     const int first_rich = graph->first[rich], first_poor = graph->first[poor];
     int gone = 0; /* index of the first arc of the richer side that does not go on */
-    sf_sample at;
-    sf_sample_at(model, event->A, &at);
+    const sf_sample at = sf_sample_at(model, event->A);
     if (event->kind == SF_CUT) {
         sf_end_all(model, F_0, graph, &at, k - 1, 1);
         sf_end_all(model, F_0, graph, &at, k, 0);
@@ -176,13 +174,13 @@ static void sf_trace_arcs(const sf_model *model, double F_0, sf_graph *graph) {
     for (int k = 1; k + 1 < graph->events; k++)
         sf_link(model, F_0, graph, k);
     if (graph->event[0].A > 0 || F_0 < 0) {
-        sf_sample_at(model, graph->event[0].A, &at);
+        at = sf_sample_at(model, graph->event[0].A);
         sf_end_all(model, F_0, graph, &at, 0, 0);
     } else { /* the response comes from A = 0, at one frequency */
         for (int k = 0; k < graph->count[0]; k++)
             sf_end(graph, k, 0, 0, graph->event[0].Omega);
     }
-    sf_sample_at(model, graph->event[graph->events - 1].A, &at);
+    at = sf_sample_at(model, graph->event[graph->events - 1].A);
     sf_end_all(model, F_0, graph, &at, graph->events - 2, 1);
 }
 

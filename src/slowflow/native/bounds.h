@@ -42,10 +42,9 @@ static double sf_most_restoring(const sf_model *model, double F_0, double A) {
 
 /* h_A from A on: beyond the last breakpoint h is followed to where it has no bound in doubles. */
 static sf_interval sf_slope_from(const sf_model *model, const sf_sample *at) {
-    sf_sample far;
     sf_known here, there;
     sf_cell cell;
-    sf_sample_without_k_at(model, SF_ENDLESS * fmax(at->A, 1), &far);
+    const sf_sample far = sf_sample_without_k_at(model, SF_ENDLESS * fmax(at->A, 1));
     sf_know(at, &here);
     sf_know(&far, &there);
     sf_make_slopes(model, at, &far, &here, &there, &cell);
@@ -54,8 +53,7 @@ static sf_interval sf_slope_from(const sf_model *model, const sf_sample *at) {
 
 /* Whether no amplitude from A on is that of a steady state at F_0 or less: |h| is too large, and rises. */
 static int sf_bounds(const sf_model *model, double F_0, double A) {
-    sf_sample at;
-    sf_sample_without_k_at(model, A, &at);
+    const sf_sample at = sf_sample_without_k_at(model, A);
     if (!(fabs(at.h) > sf_most_restoring(model, F_0, A)))
         return 0;
     const sf_interval h_A = sf_slope_from(model, &at);
@@ -104,10 +102,9 @@ static int sf_bounds_bent(const sf_model *model, double F_0, double A) {
  * amplitude is positive on all that follow if its slopes are; the third is a sum of h_AAA, which is monotone, and of a
  * number. */
 static int sf_viscous_bounds(const sf_model *model, double F_0, double A) {
-    sf_sample at, far;
     double lost[2] = {0.5, 0.5}, values[4];
-    sf_sample_at(model, A, &at);
-    sf_sample_at(model, SF_ENDLESS * fmax(A, 1), &far);
+    const sf_sample at = sf_sample_at(model, A);
+    const sf_sample far = sf_sample_at(model, SF_ENDLESS * fmax(A, 1));
     /* zeta^2 A is at most so much of |h|: of all states half of it, and less where |h|/A is known to rise */
     if (at.k >= 0 && at.h_AA <= 0 && fmax(at.h_AAA, far.h_AAA) <= 0 && at.h < 0)
         lost[1] = fmin(inertia_share(A, model->zeta, at.h), 0.5);
@@ -122,13 +119,12 @@ static int sf_viscous_bounds(const sf_model *model, double F_0, double A) {
 /* The same by any law: also whether nothing pulls back, where R >= A Omega^2 exceeds F_0 Omega^2, or structural damping
  * bounds states. */
 static int sf_inertial_bounds(const sf_model *model, double F_0, double A) {
-    sf_sample at;
     double values[2];
     if (model->zeta > 0 && sf_viscous_bounds(model, F_0, A))
         return 1;
     if (!sf_has_laws(model))
         return 0;
-    sf_sample_without_k_at(model, A, &at);
+    const sf_sample at = sf_sample_without_k_at(model, A);
     const sf_interval h_A = sf_slope_from(model, &at);
     if (A > F_0 && at.h >= 0 && h_A.lo >= 0)
         return 1;
@@ -139,10 +135,9 @@ static int sf_inertial_bounds(const sf_model *model, double F_0, double A) {
 /* Whether the spring is far from its slope at rest, and an amplitude that is much less is reached: where a response is
  * cut that does not close. */
 static int sf_is_far(const sf_model *model, double F_0, double A) {
-    sf_sample at, rest, less;
-    sf_sample_at(model, A, &at);
-    sf_sample_at(model, 0, &rest);
-    sf_sample_at(model, A / SF_STATIC_MULTIPLE, &less);
+    const sf_sample at = sf_sample_at(model, A);
+    const sf_sample rest = sf_sample_at(model, 0);
+    const sf_sample less = sf_sample_at(model, A / SF_STATIC_MULTIPLE);
     /* the slope at rest and what zeta^2 A is of |h|, as shares of |h|/A */
     const double shares = at.h < 0 ? -fabs(rest.h_A) * A / at.h + inertia_share(A, model->zeta, at.h) : HUGE_VAL;
     return SF_STATIC_MULTIPLE * shares <= 1 && less.A > F_0 && sf_count_at(model, &less, F_0) == 2;
@@ -163,21 +158,19 @@ static double sf_bent_by_inertia(const sf_model *model, double F_0) {
 
 /* The averaged force of a mass that no spring holds is proportional to A, and 0. */
 static int sf_is_free(const sf_model *model) {
-    sf_sample at;
     if (model->breaks > 0)
         return 0;
-    sf_sample_without_k_at(model, fmin(1, 0.5 * model->mechanism->reach), &at);
+    const sf_sample at = sf_sample_without_k_at(model, fmin(1, 0.5 * model->mechanism->reach));
     return at.h == 0 && at.h_A == 0 && at.h_AA == 0;
 }
 
 /* Whether a spring is there whose force does not grow far away, of which averages in closed form know. */
 static int sf_levels_off(const sf_model *model) {
     const double last = model->breaks > 0 ? fmax(1, model->b[model->breaks - 1]) : 1;
-    sf_sample near, far;
     if (model->mechanism->bent != NULL || model->mechanism->reach < HUGE_VAL)
         return 0;
-    sf_sample_without_k_at(model, SF_NEAR_ENDLESS * last, &near);
-    sf_sample_without_k_at(model, SF_ENDLESS * last, &far);
+    const sf_sample near = sf_sample_without_k_at(model, SF_NEAR_ENDLESS * last);
+    const sf_sample far = sf_sample_without_k_at(model, SF_ENDLESS * last);
     return fabs(far.h) <= fabs(near.h) * (1 + 1 / SF_NEAR_ENDLESS);
 }
 
@@ -244,8 +237,7 @@ static sf_status sf_amplitude_bound(const sf_model *model, double F_0, double *A
     } else if (inertial) {
         status = SF_UNBOUNDED;
     } else if ((bent || laws) && cut < HUGE_VAL) {
-        sf_sample at;
-        sf_sample_at(model, cut, &at);
+        const sf_sample at = sf_sample_at(model, cut);
         status = sf_count_at(model, &at, F_0) > 0 ? SF_UNBOUNDED : SF_OK;
     } else {
         status = SF_NO_BOUND;
@@ -263,8 +255,7 @@ static double sf_undamped_cut(const sf_model *model, double F_0) {
     if (model->breaks > 0)
         A = fmax(A, 2 * model->b[model->breaks - 1]);
     for (int i = 0; !sf_inertial(model) && i < SF_RUNGS; i++, A *= 2) {
-        sf_sample at;
-        sf_sample_at(model, A, &at);
+        const sf_sample at = sf_sample_at(model, A);
         if (at.h_A < 0 ? slow_flow_zeta0_undamped_level(model->m, at.k) > F_0 : at.h_AA >= 0)
             break;
         if (at.h_AA == 0 && at.h_AAA == 0)

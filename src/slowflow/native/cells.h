@@ -38,10 +38,11 @@ typedef struct {
     sf_interval A, h, h_A, h_AA, h_AAA, k, k_A;
 } sf_cell;
 
-static inline void sf_sample_at(const sf_model *model, double A, sf_sample *at) {
-    sf_sample_without_k_at(model, A, at);
-    if (fabs(at->k) < SF_CANCELLED * fabs(at->h))
-        at->k = model->mechanism->intercept(model->mechanism, A, model->p);
+static inline sf_sample sf_sample_at(const sf_model *model, double A) {
+    sf_sample at = sf_sample_without_k_at(model, A);
+    if (fabs(at.k) < SF_CANCELLED * fabs(at.h))
+        at.k = model->mechanism->intercept(model->mechanism, A, model->p);
+    return at;
 }
 
 /* The limit from above at breakpoint i, from the sample on it: the force's jump makes h_A infinite there, a jump of its
@@ -52,8 +53,7 @@ static inline void sf_tend_from_above(const sf_model *model, int i, sf_sample *a
         at->k = -at->h_A;
         at->h_AA = -at->h_A, at->h_AAA = at->h_A;
     } else {
-        sf_sample next;
-        sf_sample_at(model, nextafter(model->b[i], HUGE_VAL), &next);
+        sf_sample next = sf_sample_at(model, nextafter(model->b[i], HUGE_VAL));
         if (model->kink[i][0] == 0) {
             next.A = at->A;
             if (model->kink[i][1] != 0)
@@ -76,13 +76,13 @@ static inline int sf_has_force(const sf_stretch *piece) {
 /* The pieces up to A_max. */
 static inline void sf_stretches_up_to(const sf_model *model, double A_max, sf_stretches *out) {
     int i;
-    sf_sample_at(model, 0, &out->at[0].first);
+    out->at[0].first = sf_sample_at(model, 0);
     for (i = 0; i < model->breaks && model->b[i] < A_max; i++) {
-        sf_sample_at(model, model->b[i], &out->at[i].last);
+        out->at[i].last = sf_sample_at(model, model->b[i]);
         out->at[i + 1].first = out->at[i].last;
         sf_tend_from_above(model, i, &out->at[i + 1].first);
     }
-    sf_sample_at(model, A_max, &out->at[i].last);
+    out->at[i].last = sf_sample_at(model, A_max);
     out->n = i + 1;
 }
 

@@ -21,13 +21,12 @@ static void sf_add_response_event(const sf_zero *zero, int biquadratic, sf_graph
 
 /* Whether a force's F has no term in Omega and a minimum inside: then it is a second root that comes from Omega = 0. */
 static int sf_is_biquadratic(const sf_model *model, double F_0, double A) {
-    sf_sample at;
     sf_isolated q;
-    sf_law_quartic by_laws;
     if (sf_inertial(model))
         return 0;
-    sf_sample_at(model, A, &at);
+    const sf_sample at = sf_sample_at(model, A);
     if (sf_has_laws(model)) {
+        sf_law_quartic by_laws;
         sf_make_law_quartic(model, &at, SF_OF_RESPONSE, F_0, sf_is_beyond(model, A), &by_laws);
         return by_laws.c[1] == 0 && by_laws.c[2] < 0;
     }
@@ -37,11 +36,10 @@ static int sf_is_biquadratic(const sf_model *model, double F_0, double A) {
 
 /* For an excitation by inertia, before an event at A: that a frequency comes from or goes to inf at A = F_0. */
 static void sf_add_infinity(const sf_model *model, double F_0, double A, int *passed, sf_graph *graph) {
-    sf_sample at;
     if (*passed || A < F_0)
         return;
     *passed = 1;
-    sf_sample_at(model, F_0, &at);
+    const sf_sample at = sf_sample_at(model, F_0);
     sf_add_event(graph, F_0, HUGE_VAL, SF_TO_INFINITY, sf_least_x(model, &at) > 0 ? 1 : -1);
 }
 
@@ -69,10 +67,9 @@ static void sf_sort_events(sf_graph *graph, int first) {
 static void sf_add_law_peaks(const sf_model *model, const sf_law_points *peaks, int part, sf_graph *graph) {
     for (int k = 0; k < peaks->n; k++) {
         const double w = peaks->at[k].Omega;
-        sf_sample at;
         if (part >= 0 && peaks->at[k].part != part)
             continue;
-        sf_sample_at(model, peaks->at[k].A, &at);
+        const sf_sample at = sf_sample_at(model, peaks->at[k].A);
         const int up = sf_rises_at_peak(model, &at, w), low = sf_bends_at_peak(model, &at, w);
         sf_add_event(graph, at.A, w, low != sf_inertial(model) ? SF_PAIR_LOW : SF_PAIR_HIGH, up == low ? 2 : -2);
     }
@@ -88,17 +85,15 @@ typedef struct {
 } sf_far_end;
 
 static int sf_meets_far(const sf_model *model, const sf_law_quartic *end, const sf_law_point *peak) {
-    sf_sample at;
-    sf_sample_at(model, peak->A, &at);
+    const sf_sample at = sf_sample_at(model, peak->A);
     return peak->Omega * end->c[1] > -end->c[2] && sf_bends_at_peak(model, &at, peak->Omega);
 }
 
 /* Leaves out of the peaks a pair that rounds to the end. */
 static sf_far_end sf_far_end_of(const sf_model *model, double F_0, sf_law_points *peaks) {
     sf_far_end out = {dissipation_full_by_inertia(F_0, model->d), 0};
+    const sf_sample at = sf_sample_at(model, out.A);
     sf_law_quartic q;
-    sf_sample at;
-    sf_sample_at(model, out.A, &at);
     sf_make_law_quartic(model, &at, SF_OF_RESPONSE, F_0, sf_is_beyond(model, out.A), &q);
     out.falls = q.c[2] < 0 && q.c[1] * q.c[1] <= SF_HARDLY * -q.c[2] * F_0 * F_0;
     for (int i = 0; out.falls && i < peaks->n; i++)
@@ -137,8 +132,7 @@ static void sf_inertial_law_graph(const sf_model *model, double F_0, sf_work *wo
     sf_law_points *peaks = &work->points.found;
     const sf_far_end end = sf_far_end_of(model, F_0, peaks);
     sf_graph *graph = &work->response;
-    sf_sample at;
-    sf_sample_at(model, 0, &at);
+    const sf_sample at = sf_sample_at(model, 0);
     graph->close = 0;
     for (int k = 0; k < peaks->undecided; k++)
         graph->close |= fabs(peaks->doubt[k] - end.A) > (end.falls ? SF_HARDLY * end.A : 0);
@@ -205,8 +199,7 @@ static void sf_response_graph(const sf_model *model, double F_0, sf_work *work) 
 static int sf_arc_of_fold(const sf_model *model, double F_0, const sf_graph *graph, const sf_fold *fold) {
     double nearest = HUGE_VAL;
     int found = -1;
-    sf_sample at;
-    sf_sample_at(model, fold->A, &at);
+    const sf_sample at = sf_sample_at(model, fold->A);
     for (int i = 0; i < graph->arcs; i++) {
         const sf_arc *arc = &graph->arc[i];
         if (fold->corner || !(arc->A[0] <= fold->A && fold->A <= arc->A[1]))
@@ -221,8 +214,7 @@ static int sf_arc_of_fold(const sf_model *model, double F_0, const sf_graph *gra
 /* By the sign of F_A. Where the resonance is so sharp that of R rounding of A Omega^2 leaves nothing, F has it up to
  * its sign, which is that of F_Omega there: F rises at the last root. */
 static int sf_is_stable(const sf_model *model, double F_0, const sf_segment *segment) {
-    sf_sample at;
-    sf_sample_at(model, 0.5 * (segment->A[0] + segment->A[1]), &at);
+    const sf_sample at = sf_sample_at(model, 0.5 * (segment->A[0] + segment->A[1]));
     const double Omega = sf_branch_at(model, &at, F_0, segment->count, segment->index);
     if (sf_has_laws(model))
         return sf_law_F_A(model, &at, Omega, sf_is_beyond(model, at.A)) > 0;
@@ -330,8 +322,7 @@ static double sf_tail_amplitude(const sf_model *model, double F_0, const sf_segm
     double A = slow_flow_tail(Omega, F_0, model->m);
     A = fmin(A, 0.5 * segment->A[1]);
     for (int i = 0; i < 500; i++) {
-        sf_sample at;
-        sf_sample_at(model, A, &at);
+        const sf_sample at = sf_sample_at(model, A);
         if (sf_branch_at(model, &at, F_0, segment->count, segment->index) > Omega)
             break;
         A *= 0.25;
@@ -369,7 +360,7 @@ static double sf_amplitude_on(const sf_model *model, double F_0, const sf_segmen
         double slope;
         if (!(A > lo && A < hi))
             A = sf_amid(0, lo, hi);
-        sf_sample_at(model, A, &at);
+        at = sf_sample_at(model, A);
         const double w = sf_branch_at(model, &at, F_0, segment->count, segment->index);
         if ((w > Omega) == falls)
             lo = A;
@@ -554,7 +545,6 @@ static void sf_frequencies_along(const sf_model *model, double F_0, const sf_seg
     const int in_lanes = !sf_inertial(model) && !sf_has_laws(model);
     sf_quartics block;
     sf_jobs jobs;
-    sf_sample at;
     for (int first = 0; first < n; first += SF_QUARTICS) {
         const int here = n - first < SF_QUARTICS ? n - first : SF_QUARTICS;
         double averages[2 * SF_QUARTICS];
@@ -573,7 +563,7 @@ static void sf_frequencies_along(const sf_model *model, double F_0, const sf_seg
                 sf_places_of_signs((int)block.signs[i], place) == segment->count) {
                 sf_add_job(&block, i, place[segment->index], &jobs);
             } else {
-                sf_sample_at(model, A[first + i], &at);
+                const sf_sample at = sf_sample_at(model, A[first + i]);
                 Omega[first + i] = sf_branch_at(model, &at, F_0, segment->count, segment->index);
             }
         }

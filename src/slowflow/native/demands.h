@@ -41,7 +41,7 @@ static inline sf_interval sf_positive_ratio(sf_interval p, sf_interval q) {
 }
 
 static void sf_node_at(const sf_law_search *search, double A, sf_node *out) {
-    sf_sample_at(search->model, A, &out->at);
+    out->at = sf_sample_at(search->model, A);
     sf_know(&out->at, &out->known);
 }
 

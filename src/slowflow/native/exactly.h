@@ -72,11 +72,9 @@ static inline int sf_exact_at(const sf_exactly *exactly, const sf_model *model, 
     exactly->mechanism->averaged_in_pairs(exactly->mechanism, exactly->empty + piece, count, A, beyond, exactly->p,
                                           out->h);
     if (count <= 2) {
-        sf_sample at;
-        if (near == NULL)
-            sf_sample_without_k_at(model, A.high, &at);
+        const sf_sample at = near == NULL ? sf_sample_without_k_at(model, A.high) : *near;
         for (int i = 2; i < 4; i++)
-            out->h[i] = sfp_point(near == NULL ? at.averages[i] : near->averages[i]);
+            out->h[i] = sfp_point(at.averages[i]);
     }
     return 1;
 }

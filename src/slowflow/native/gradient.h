@@ -270,7 +270,7 @@ static sf_moves_status sf_gradient(const sf_model *model, const double *of_desig
     } else if (sf_comes_to_break(model, answer->kind, A)) {
         return SF_TURNS_MOVES;
     }
-    sf_sample_at(model, A, &answer->at);
+    answer->at = sf_sample_at(model, A);
     answer->beyond = sf_is_beyond(model, A);
     sf_rest_at(model, A, answer->beyond, answer->rest);
     (answer->inertial ? sensitivities_by_inertia : sensitivities_by_force)(w, F_0, answer->excited);

@@ -13,7 +13,6 @@
 static void sf_find_structural_peak(const sf_model *model, double F_0, const sf_stretches *pieces,
                                     sf_law_points *found) {
     sf_law_point point = {0};
-    sf_sample at;
     sf_known known;
     int is_inside = 0, is_on_end = 0;
     point.A = dissipation_limit_envelope(1, F_0, model->m, 0, model->eta, 0);
@@ -24,7 +23,7 @@ static void sf_find_structural_peak(const sf_model *model, double F_0, const sf_
         if (a < low && high < b && sf_has_force(&pieces->at[i]))
             is_inside = 1, point.part = i;
     }
-    sf_sample_at(model, point.A, &at);
+    const sf_sample at = sf_sample_at(model, point.A);
     sf_know(&at, &known);
     found->n = found->undecided = 0, found->status = SF_OK;
     if (is_on_end || (is_inside && !sfi_has_sign(known.h))) {
@@ -73,9 +72,8 @@ static int sf_bends_at_peak(const sf_model *model, const sf_sample *at, double w
 /* Whether stable motions end in a static state: the spring pulls there, or nowhere, F rises, and no frequency goes on
  * above. */
 static int sf_is_static_top(const sf_model *model, double F_0, const sf_sample *rest, double A) {
-    sf_sample at;
     double w[2];
-    sf_sample_at(model, A, &at);
+    const sf_sample at = sf_sample_at(model, A);
     if (!(sf_law_F_A(model, &at, 0, sf_is_beyond(model, A)) > 0) ||
         (at.h > 0 && !(rest->h > 0 || (rest->h == 0 && !(rest->h_A < 0)))))
         return 0;
@@ -100,8 +98,7 @@ static sf_status sf_law_peak(const sf_model *model, double F_0, double most, sf_
     if (sf_find_law_peaks(model, F_0, work) != SF_OK)
         return peaks->status;
     for (int i = 0; i < peaks->n; i++) {
-        sf_sample at;
-        sf_sample_at(model, peaks->at[i].A, &at);
+        const sf_sample at = sf_sample_at(model, peaks->at[i].A);
         if (at.A > highest && sf_rises_at_peak(model, &at, peaks->at[i].Omega) &&
             !sf_bends_at_peak(model, &at, peaks->at[i].Omega))
             highest = at.A, *Omega = peaks->at[i].Omega;

@@ -56,8 +56,7 @@ static inline void sf_add_laws(sf_mechanism *record) {
 /* Whether they have an answer: a force that jumps at u = 0 and pushes outwards has none, and one that is infinitely
  * stiff there none by other laws. */
 static inline int sf_allows_laws(const sf_model *model) {
-    sf_sample at;
-    sf_sample_without_k_at(model, 0, &at);
+    const sf_sample at = sf_sample_without_k_at(model, 0);
     return at.h <= 0 && (fabs(at.h_A) < HUGE_VAL || !(model->eta != 0 || model->d != 0 || model->released != 0));
 }
 
@@ -280,9 +279,8 @@ static inline double sf_least_by_laws(const sf_model *model, const sf_sample *at
 /* Whether doubles hold squares of coefficients of the quartics up to an amplitude, and (d F_0)^2; and F_0^4. */
 static inline int sf_laws_are_in_range(const sf_model *model, double F_0, double A_max) {
     sf_law_quartic q;
-    sf_sample at;
     int bounded = F_0 >= SF_LEAST_F_0 && model->d * F_0 * (model->d * F_0) < HUGE_VAL;
-    sf_sample_without_k_at(model, A_max, &at);
+    const sf_sample at = sf_sample_without_k_at(model, A_max);
     sf_make_law_quartic(model, &at, SF_OF_RESPONSE, F_0, sf_is_beyond(model, A_max), &q);
     for (int i = 0; i < 5; i++)
         bounded = bounded && q.c[i] * q.c[i] < HUGE_VAL;

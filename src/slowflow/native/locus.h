@@ -38,8 +38,7 @@ static void sf_ask_boxes(const sf_model *model, sf_question question, const sf_s
         const double A = search->found.at[i].A, w = search->found.at[i].Omega;
         sf_zero zero = {A, w, 0, question, 0, 0};
         double rest[4];
-        sf_sample at;
-        sf_sample_at(model, A, &at);
+        const sf_sample at = sf_sample_at(model, A);
         sf_rest_at(model, A, number > 0, rest);
         zero.channel = !(dissipation_F_AOmegaOmega(w, A, rest[0], rest[1], model->zeta, model->d, at.h, at.h_A) < 0);
         zero.rising = sf_law_F_AA(model, &at, w) > 0;
@@ -302,7 +301,7 @@ static void sf_corner_folds(const sf_model *model, double F_0, sf_work *work, sf
         const sf_sample *at = &corner->at;
         if (!sf_has_corner(model, k) || !(model->b[k] < work->A_max))
             continue;
-        sf_sample_at(model, model->b[k], &corner->at);
+        corner->at = sf_sample_at(model, model->b[k]);
         corner->n = sf_frequencies(model, at, F_0, corner->Omega);
         for (int i = 0; i < corner->n && w[i] < HUGE_VAL; i++) {
             const int stable_below = sf_is_stable_below(model, F_0, at, w[i]);
@@ -349,8 +348,7 @@ static double sf_sharp_Omega(const sf_model *model, double F_0, const sf_sample 
 
 /* The level on an arc of the fold locus less F_0. */
 static double sf_excess(const sf_model *model, double F_0, const sf_arc *arc, double A, double *Omega) {
-    sf_sample at;
-    sf_sample_at(model, A, &at);
+    const sf_sample at = sf_sample_at(model, A);
     *Omega = A == arc->A[0]   ? arc->Omega[0]
              : A == arc->A[1] ? arc->Omega[1]
                               : sf_branch_at(model, &at, SF_ON_LOCUS, arc->count, arc->index);
@@ -394,12 +392,11 @@ static sf_status sf_locus_folds(const sf_model *model, double F_0, sf_work *work
         double Omega;
         const double low = sf_excess(model, F_0, arc, arc->A[0], &Omega),
                      high = sf_excess(model, F_0, arc, arc->A[1], &Omega);
-        sf_sample at;
         folds->undecided |= fabs(low) <= SF_CLOSE * F_0 || fabs(high) <= SF_CLOSE * F_0;
         if (!sf_opposite(low, high))
             continue;
         const double A = sf_level_crossing(model, F_0, arc, low, high, &Omega);
-        sf_sample_at(model, A, &at);
+        const sf_sample at = sf_sample_at(model, A);
         Omega = sf_settled_Omega(model, F_0, &at, Omega);
         if (model->zeta > 0)
             Omega = sf_sharp_Omega(model, F_0, &at, Omega);
@@ -420,8 +417,7 @@ static sf_status sf_forced_folds(const sf_model *model, double F_0, sf_work *wor
         folds->undecided |= found->undecided, folds->close |= found->close;
         for (int k = 0; k < found->n; k++) {
             const double A = found->at[k].A;
-            sf_sample at;
-            sf_sample_at(model, A, &at);
+            const sf_sample at = sf_sample_at(model, A);
             const double Omega = sf_settled_Omega(model, F_0, &at, found->at[k].Omega);
             /* leaving a fold, a sweep goes the way of the saddle: up where the stable branch lies below it */
             sf_add_fold(folds, Omega, A, sf_half_F_AA(model, &at, Omega) < 0, 0);
@@ -437,8 +433,7 @@ static sf_status sf_law_folds(const sf_model *model, double F_0, sf_work *work, 
     sf_search_pieces(model, SF_LAW_FOLDS, F_0, &work->pieces, &work->points);
     folds->undecided = found->undecided > 0;
     for (int i = 0; i < found->n; i++) {
-        sf_sample at;
-        sf_sample_at(model, found->at[i].A, &at);
+        const sf_sample at = sf_sample_at(model, found->at[i].A);
         sf_add_fold(folds, found->at[i].Omega, at.A, sf_law_F_AA(model, &at, found->at[i].Omega) < 0, 0);
     }
     return found->status;
@@ -478,8 +473,7 @@ static double sf_extremum_level(const sf_model *model, const sf_zero *zero, cons
 
 static sf_extremum sf_extremum_at(const sf_model *model, const sf_zero *zero) {
     sf_extremum out;
-    sf_sample at;
-    sf_sample_at(model, zero->A, &at);
+    const sf_sample at = sf_sample_at(model, zero->A);
     out.Omega = zero->Omega;
     out.A = zero->A;
     out.isola = zero->question == SF_ISOLA;
@@ -525,9 +519,8 @@ static long sf_draw_locus(const sf_model *model, long samples, sf_work *work, do
             for (int k = from; k < to; k++, n++) {
                 const double fraction = 0.5 - 0.5 * cos(3.14159265358979312 * (upward ? k : steps - k) / steps);
                 const int end = k == 0 ? 1 - upward : upward;
-                sf_sample at;
                 A[n] = k == 0 || k == steps ? arc->A[end] : arc->A[0] + (arc->A[1] - arc->A[0]) * fraction;
-                sf_sample_at(model, A[n], &at);
+                const sf_sample at = sf_sample_at(model, A[n]);
                 Omega[n] = k == 0 || k == steps ? arc->Omega[end]
                                                 : sf_branch_at(model, &at, SF_ON_LOCUS, arc->count, arc->index);
                 F_0[n] = sf_locus_level(model, &at, Omega[n]);

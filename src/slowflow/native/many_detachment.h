@@ -33,10 +33,9 @@ static int sf_detach_together(const sf_mechanism *mechanism) {
 /* Design k becomes a member; 0 where it is left to sf_settled_detachment. */
 static int sf_begin_detachment(sf_detaching *block, ptrdiff_t k, const sf_numbers *inputs, const sf_model *model) {
     const int d = block->n;
-    sf_sample at;
     if (model->breaks < model->mechanism->breakpoints)
         return 0;
-    sf_sample_without_k_at(model, model->b[0], &at);
+    const sf_sample at = sf_sample_without_k_at(model, model->b[0]);
     for (int i = 0; i < model->mechanism->design_size; i++)
         block->number[i * SF_DETACHING + d] = inputs->design[i];
     block->k[d] = k, block->mu[d] = inputs->damping[0], block->m[d] = model->m, block->zeta[d] = model->zeta;

@@ -35,10 +35,10 @@ static void sf_search_folds(sf_lane_block *block) {
 static void sf_begin_first_piece(sf_lane_block *block, int d, const sf_sample *rest, const sf_sample *end) {
     const sf_lane_design *of = &block->at[d];
     const double least = slow_flow_least_restoring(of->F_0, of->model.m);
-    sf_sample low = *rest, high;
+    sf_sample low = *rest;
     double A = SF_BELOW_FOLDS * end->A * cbrt(least / fabs(end->k));
     for (int i = 0; i < 2 && A < end->A; i++, A *= SF_FIRST_FOLDS) {
-        sf_sample_at(&of->model, A, &high);
+        const sf_sample high = sf_sample_at(&of->model, A);
         sf_add_cell(block, d, 0, &low, &high);
         low = high;
     }

@@ -59,7 +59,7 @@ typedef struct {
  * zero needs a further one before it is settled if it is smaller than `last_step`, relatively */
 typedef struct {
     void (*judge)(sf_lane_cells *), (*approach)(sf_lane_zeros *);
-    void (*sample)(const sf_model *, double, sf_sample *);
+    sf_sample (*sample)(const sf_model *, double);
     int kept;
     double last_step;
 } sf_lane_question;
@@ -96,9 +96,10 @@ static inline void sf_add_cell(sf_lane_block *block, int d, double base, const s
 }
 
 /* For a question without k. */
-static inline void sf_average_at(const sf_model *model, double A, sf_sample *at) {
-    at->A = A, at->k = 0;
-    model->mechanism->averaged(model->mechanism, 1, &at->A, model->p, at->averages);
+static inline sf_sample sf_average_at(const sf_model *model, double A) {
+    sf_sample at = {.A = A};
+    model->mechanism->averaged(model->mechanism, 1, &at.A, model->p, at.averages);
+    return at;
 }
 
 /* These take a question that is known where they are called, so that what it is made of is called without a pointer. */
@@ -106,8 +107,7 @@ static inline void sf_average_at(const sf_model *model, double A, sf_sample *at)
 SF_ALWAYS void sf_sample_row(const sf_lane_question *question, const sf_lane_block *block, int d, double A,
                                   double (*rows)[SF_LANE_CELLS], int k)
 {
-    sf_sample at;
-    question->sample(&block->at[d].model, A, &at);
+    const sf_sample at = question->sample(&block->at[d].model, A);
     sf_probe_row(rows, k, &at);
 }
 
@@ -117,15 +117,14 @@ SF_ALWAYS int sf_begin_pieces(const sf_lane_question *question, sf_lane_block *b
                               void (*first)(sf_lane_block *, int, const sf_sample *, const sf_sample *))
 {
     const sf_model *model = &block->at[d].model;
-    sf_sample low, high;
     int pieces = 0;
     while (pieces < model->breaks && model->b[pieces] < A_max)
         pieces++;
-    question->sample(model, 0, &low);
+    sf_sample low = question->sample(model, 0);
     if (block->cells[0].n + pieces + more > SF_LANE_CELLS || low.h != 0)
         return 0;
     for (int i = 0; i <= pieces; i++) {
-        question->sample(model, i < pieces ? model->b[i] : A_max, &high);
+        const sf_sample high = question->sample(model, i < pieces ? model->b[i] : A_max);
         if (i == 0 && first != NULL)
             first(block, d, &low, &high);
         else

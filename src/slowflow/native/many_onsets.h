@@ -51,7 +51,7 @@ static int sf_begin_cusps(sf_onset_block *block, int d) {
         return 0;
     at[0] = ends->rest, at[SF_ONSET_PARTS] = ends->on[0];
     for (int k = 1; k < SF_ONSET_PARTS; k++)
-        sf_sample_at(model, sf_onset_parts[k] * model->b[0], &at[k]);
+        at[k] = sf_sample_at(model, sf_onset_parts[k] * model->b[0]);
     of->task[1] = model->zeta, of->task[2] = model->m, of->task[3] = block->best[d].F_SN;
     of->task[0] = 1; /* nearly always without cusps */
     sf_add_cell(&block->lanes, d, 0, &at[0], &at[1]);

@@ -23,7 +23,6 @@ static int sf_begin_peak(sf_lane_block *block, int d) {
     sf_lane_design *of = &block->at[d];
     const sf_model *model = &of->model;
     const int last = model->breaks - 1;
-    sf_sample low, high;
     double A_max;
     of->n = 0;
     if (last < 0 || model->breaks < model->mechanism->breakpoints || !(model->zeta > 0) ||
@@ -31,9 +30,9 @@ static int sf_begin_peak(sf_lane_block *block, int d) {
         !(A_max > model->b[last]))
         return 0;
     of->task[0] = 0, of->task[1] = model->zeta, of->task[2] = model->m, of->task[3] = of->F_0;
-    sf_average_at(model, model->b[last], &low);
+    sf_sample low = sf_average_at(model, model->b[last]);
     sf_tend_from_above(model, last, &low);
-    sf_average_at(model, A_max, &high);
+    const sf_sample high = sf_average_at(model, A_max);
     sf_add_cell(block, d, model->b[last], &low, &high);
     return 1;
 }
@@ -41,13 +40,12 @@ static int sf_begin_peak(sf_lane_block *block, int d) {
 /* Below a last piece without a peak, a part of the first piece. */
 static void sf_begin_below(sf_lane_block *block, int d, int part) {
     sf_lane_design *of = &block->at[d];
-    sf_sample low, high;
     if (of->model.breaks != 1) {
         of->ok = 0;
         return;
     }
-    sf_average_at(&of->model, sf_peak_parts[part + 1] * of->model.b[0], &low);
-    sf_average_at(&of->model, sf_peak_parts[part] * of->model.b[0], &high);
+    const sf_sample low = sf_average_at(&of->model, sf_peak_parts[part + 1] * of->model.b[0]);
+    const sf_sample high = sf_average_at(&of->model, sf_peak_parts[part] * of->model.b[0]);
     sf_add_cell(block, d, 0, &low, &high);
 }
 

@@ -86,27 +86,24 @@ static inline int sf_piece_from(const sf_model *model, double A) {
 #define SF_NEXT_TO_REST 0x1p-100
 
 /* For a question that has no k in it: here that is a difference, which may be all rounding. */
-static inline void sf_sample_without_k_at(const sf_model *model, double A, sf_sample *at) {
-    double tangent[2];
-    at->A = A == 0 && model->breaks < model->mechanism->breakpoints ? SF_NEXT_TO_REST : A;
-    model->mechanism->averaged(model->mechanism, 1, &at->A, model->p, at->averages);
-    if (at->A != A) { /* what tends to 0 has |f - A f_A| <= A |f_A| next to it */
-        for (int i = 0; i < 3; i++) {
-            const double rise = at->A * at->averages[i + 1];
-            at->averages[i] = fabs(at->averages[i] - rise) > fabs(rise) ? at->averages[i] : 0;
-        }
-        at->A = A;
+static inline sf_sample sf_sample_without_k_at(const sf_model *model, double A) {
+    const double from = A == 0 && model->breaks < model->mechanism->breakpoints ? SF_NEXT_TO_REST : A;
+    double f[4], tangent[2];
+    model->mechanism->averaged(model->mechanism, 1, &from, model->p, f);
+    for (int i = 0; from != A && i < 3; i++) { /* what tends to 0 has |f - A f_A| <= A |f_A| next to it */
+        const double rise = from * f[i + 1];
+        f[i] = fabs(f[i] - rise) > fabs(rise) ? f[i] : 0;
     }
-    slow_flow_intercept(A, at->h, at->h_A, at->h_AA, tangent);
-    at->k = A > 0 ? tangent[0] : at->h; /* a slope that is infinite at rest takes nothing off h */
+    slow_flow_intercept(A, f[0], f[1], f[2], tangent);
+    /* a slope that is infinite at rest takes nothing off h */
+    return (sf_sample){.A = A, .h = f[0], .h_A = f[1], .h_AA = f[2], .h_AAA = f[3], .k = A > 0 ? tangent[0] : f[0]};
 }
 
 /* Whether the force jumps at u = 0, and inertia excites the mass. */
 static inline int sf_has_preload_by_inertia(const sf_model *model) {
-    sf_sample at;
     if (!model->mechanism->inertial)
         return 0;
-    sf_sample_without_k_at(model, 0, &at);
+    const sf_sample at = sf_sample_without_k_at(model, 0);
     return at.h != 0;
 }
 

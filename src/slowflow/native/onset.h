@@ -14,11 +14,10 @@ static double sf_largest_displacement(const sf_model *model, double A) {
 }
 
 static sf_status sf_detachment(const sf_model *model, double *F_cr, double *Omega_cr, double *u_cr) {
-    sf_sample at;
     *F_cr = *Omega_cr = *u_cr = NAN;
     if (model->breaks == 0)
         return SF_NONE;
-    sf_sample_at(model, model->b[0], &at);
+    const sf_sample at = sf_sample_at(model, model->b[0]);
     *u_cr = sf_largest_displacement(model, at.A);
     *F_cr = sf_least_forcing(model, &at, Omega_cr);
     if (*F_cr < HUGE_VAL)
@@ -77,7 +76,7 @@ static sf_status sf_leave_play(const sf_model *model, int piece, sf_stretch *of)
         return model->d > 0 && (is_stationary || !sf_inertial(model)) ? SF_UNRESOLVED : SF_OK;
     for (int i = 0; i < SF_MOST_LEAVING; i++, beyond *= SF_LEAVING) {
         sf_sample *at = &of->first;
-        sf_sample_at(model, base + beyond, at);
+        *at = sf_sample_at(model, base + beyond);
         /* h_AAA is monotone, of one sign at both ends: h_AA is negative between as there, and h_A and h fall from 0 */
         if (at->h_AA < 0 && !sf_opposite(at->h_AAA, first.h_AAA) && fmax(at->A * -at->h_A, -at->h) <= least[2] / 2)
             return SF_OK;
@@ -95,8 +94,7 @@ static sf_status sf_consider_points(const sf_model *model, sf_law_system system,
     best->undecided |= search->found.undecided > 0;
     for (int i = 0; i < search->found.n; i++) {
         const double Omega = search->found.at[i].Omega;
-        sf_sample at;
-        sf_sample_at(model, search->found.at[i].A, &at);
+        const sf_sample at = sf_sample_at(model, search->found.at[i].A);
         sf_consider(sf_law_level(model, &at, Omega), Omega, at.A, system == SF_LAW_CUSPS ? SF_CUSP_KIND : SF_ISOLA_KIND,
                     best);
     }
@@ -105,9 +103,8 @@ static sf_status sf_consider_points(const sf_model *model, sf_law_system system,
 
 /* Where the fold locus ends at Omega = 0: where h vanishes, and so R, I is what is left. */
 static void sf_consider_end_by_laws(const sf_model *model, double A, sf_onset *best) {
-    sf_sample at;
     double rest[4];
-    sf_sample_at(model, A, &at);
+    const sf_sample at = sf_sample_at(model, A);
     sf_rest_at(model, A, sf_is_beyond(model, A), rest);
     if (fabs(at.h) < fabs(A * at.h_A))
         best->rest = fmin(best->rest, rest[0]);
@@ -166,8 +163,7 @@ static sf_status sf_consider_piece(const sf_model *model, const sf_stretch *piec
         sf_find_zeros(&cusps, piece, zeros);
     best->undecided |= zeros->undecided;
     for (int i = 0; i < zeros->n; i++) {
-        sf_sample at;
-        sf_sample_at(model, zeros->at[i].A, &at);
+        const sf_sample at = sf_sample_at(model, zeros->at[i].A);
         sf_consider_zero(model, &zeros->at[i], &at, best);
     }
     return zeros->status;
@@ -252,8 +248,7 @@ static void sf_consider_corner_by_laws(const sf_model *model, int k, const sf_sa
 
 /* Whether the force is as it is far away; not where it is still nearly its slope at rest, and bends farther on. */
 static int sf_has_settled(const sf_model *model, const sf_sample *at) {
-    sf_sample far;
-    sf_sample_at(model, SF_ENDLESS * at->A, &far);
+    const sf_sample far = sf_sample_at(model, SF_ENDLESS * at->A);
     return !(fabs(far.k) * fabs(at->h) > 2 * fabs(at->k) * fabs(far.h));
 }
 
@@ -278,7 +273,7 @@ static sf_status sf_onset_in_last(const sf_model *model, const sf_sample *first,
         }
         if (A_max > piece.last.A) { /* what lies below has been looked through */
             piece.first = piece.last;
-            sf_sample_at(model, A_max, &piece.last);
+            piece.last = sf_sample_at(model, A_max);
             if (first->A == 0 && first->h == 0 && piece.last.h_AA == 0 && piece.last.h_AAA == 0 && first->h_AAA == 0)
                 return SF_NONE; /* linear */
             const sf_status status = sf_consider_piece(model, &piece, work, best);
@@ -316,8 +311,7 @@ static int sf_undamped_in(const sf_model *model, const sf_stretch *piece, sf_zer
     sf_ask_all(model, SF_UNDAMPED, 0, piece, zeros);
     for (int i = 0; i < zeros->n; i++) {
         const sf_zero *zero = &zeros->at[i];
-        sf_sample at;
-        sf_sample_at(model, zero->A, &at);
+        const sf_sample at = sf_sample_at(model, zero->A);
         if (zero->question == SF_UNDAMPED && zero->channel == 1)
             tends = 1;
         else if (zero->question == SF_UNDAMPED && sf_undamped_rises(at.h_AA, at.h_AAA, at.k, 1) > 0)
@@ -369,9 +363,8 @@ static int sf_moves_from(const sf_stretch *piece, double h_A) {
 /* What the level does as A grows without end: 1 if it tends to m, -1 if it falls to another limit, which is no
  * answer. */
 static int sf_undamped_beyond(const sf_model *model) {
-    sf_sample near, far;
-    sf_sample_at(model, SF_FAR_OUT, &near);
-    sf_sample_at(model, SF_ENDLESS, &far);
+    const sf_sample near = sf_sample_at(model, SF_FAR_OUT);
+    const sf_sample far = sf_sample_at(model, SF_ENDLESS);
     if (!(far.h_A < 0 && fabs(far.k) < fabs(near.k)))
         return 0;
     return fabs(far.k) < SF_TENDS * fabs(near.k) ? 1 : -1;
@@ -386,8 +379,7 @@ static sf_status sf_onset_of_preload(const sf_model *model, double h, sf_work *w
     if (status != SF_OK)
         return status;
     for (int i = 0; i < work->folds.n; i++) {
-        sf_sample at;
-        sf_sample_at(model, work->folds.at[i].A, &at);
+        const sf_sample at = sf_sample_at(model, work->folds.at[i].A);
         signs |= at.k < 0 ? 1 : 2;
     }
     return signs == 3 ? SF_UNBOUNDED : SF_UNRESOLVED;
@@ -398,7 +390,7 @@ static sf_status sf_onset_of_preload(const sf_model *model, double h, sf_work *w
 static sf_status sf_onset_undamped(const sf_model *model, sf_work *work, sf_onset *best) {
     sf_stretch piece;
     int tends = 0;
-    sf_sample_at(model, 0, &piece.first);
+    piece.first = sf_sample_at(model, 0);
     if (piece.first.h < 0)
         return sf_onset_of_preload(model, piece.first.h, work);
     if (sf_inertial(model)) {
@@ -407,7 +399,7 @@ static sf_status sf_onset_undamped(const sf_model *model, sf_work *work, sf_onse
     }
     sf_sample at = piece.first;
     for (int k = 0; !tends && k <= model->breaks; k++) {
-        sf_sample_at(model, k < model->breaks ? model->b[k] : SF_ENDLESS, &piece.last);
+        piece.last = sf_sample_at(model, k < model->breaks ? model->b[k] : SF_ENDLESS);
         if (sf_is_bent(&piece)) {
             tends = at.k == 0 && sf_moves_from(&piece, at.h_A) && !(k > 0 && model->jump[k - 1] != 0);
             sf_clear_zeros(&work->zeros);
@@ -444,8 +436,7 @@ static int sf_is_beside_break(const sf_model *model, const sf_onset *best) {
 static int sf_falls_at_break(const sf_model *model, const sf_onset *best) {
     double w[2];
     for (int k = 0; k < model->breaks; k++) {
-        sf_sample at;
-        sf_sample_at(model, model->b[k], &at);
+        const sf_sample at = sf_sample_at(model, model->b[k]);
         if (model->jump[k] < 0 && sf_full_level(model, &at) < best->F_SN &&
             (sf_has_laws(model) ? sf_law_stationary(model, &at, w) == 0 : sf_least_x(model, &at) == 0))
             return 1;
@@ -459,9 +450,9 @@ typedef struct {
 } sf_piece_ends;
 
 static void sf_end_pieces(const sf_model *model, sf_piece_ends *ends) {
-    sf_sample_at(model, 0, &ends->rest);
+    ends->rest = sf_sample_at(model, 0);
     for (int k = 0; k < model->breaks; k++) {
-        sf_sample_at(model, model->b[k], &ends->on[k]);
+        ends->on[k] = sf_sample_at(model, model->b[k]);
         ends->above[k] = ends->on[k];
         sf_tend_from_above(model, k, &ends->above[k]);
     }
@@ -514,7 +505,7 @@ static int sf_comes_down(const sf_model *model, const sf_piece_ends *ends) {
         if (ends->above[k].h == 0 && ends->above[k].h_A == 0 && ends->above[k].h_AA < 0)
             return 1;
     piece.first = ends->rest;
-    sf_sample_at(model, model->breaks > 0 ? fmin(model->b[0], 1) : 1, &piece.last);
+    piece.last = sf_sample_at(model, model->breaks > 0 ? fmin(model->b[0], 1) : 1);
     return model->mechanism->bent == NULL && piece.first.h == 0 && piece.first.h_A == 0 &&
            fabs(piece.first.h_AA) < HUGE_VAL && sf_moves_from(&piece, 0);
 }
@@ -532,9 +523,8 @@ static double sf_first_with_folds(const sf_model *model, const sf_sample *rest) 
         return 0;
     for (int k = 0; k < SF_FALLS; k++) {
         const double last = outweighed, lasts = outweighs;
-        sf_sample at;
         A *= SF_FALL;
-        sf_sample_at(model, A, &at);
+        const sf_sample at = sf_sample_at(model, A);
         const double slow = 2 * model->zeta * sqrt(fmin(fabs(at.h) / A, fabs(at.h_A)));
         const double fast = 2 * model->zeta * sqrt(fmax(fabs(at.h) / A, fabs(at.h_A)));
         const double ratio = at.k * at.k / (4 * A);
@@ -570,7 +560,7 @@ static sf_status sf_end_onset(const sf_model *model, const sf_piece_ends *ends, 
     if (sf_inertial(model) && ends->rest.h < 0)
         return sf_without_onset(SF_UNBOUNDED, HUGE_VAL, best);
     if (from > 0)
-        sf_sample_at(model, from, &rest);
+        rest = sf_sample_at(model, from);
     if (model->in_doubt) /* whether a corner is the lowest is the sign of a jump */
         return sf_without_onset(SF_UNRESOLVED, 0, best);
     for (int k = pieces; k < model->breaks; k++) {
@@ -622,8 +612,7 @@ static sf_status sf_highest(const sf_model *model, sf_question question, double 
 /* Whether some frequency has a lower level than rest has: then the static state is no top, the response goes on above
  * it. */
 static int sf_goes_on_above_rest(const sf_model *model, double F_0, double A) {
-    sf_sample at;
-    sf_sample_without_k_at(model, A, &at);
+    const sf_sample at = sf_sample_without_k_at(model, A);
     const double w = sf_last_stationary(model, &at), I = slow_flow_I(w, A, model->m, model->zeta);
     return w > 0 && slow_flow_F(w, A, F_0, model->m, model->zeta, at.h) < -sf_doubt_of_F(&at, I, F_0, w);
 }

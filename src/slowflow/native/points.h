@@ -114,8 +114,7 @@ static sf_interval sf_determinant(const sf_interval f[6]) {
 static int sf_approach_point(const sf_law_search *search, sf_law_point *point, double f[6]) {
     double last = HUGE_VAL;
     for (int i = 0; i < SF_NEWTON_STEPS; i++) {
-        sf_sample at;
-        sf_sample_at(search->model, point->A, &at);
+        const sf_sample at = sf_sample_at(search->model, point->A);
         sf_functions_at(search, &at, point, f);
         const double determinant = f[2] * f[5] - f[3] * f[4];
         const double by_A = (f[0] * f[5] - f[3] * f[1]) / determinant, by_u = (f[2] * f[1] - f[0] * f[4]) / determinant;
@@ -239,10 +238,9 @@ static void sf_add_point(sf_law_points *found, const sf_law_point *point) {
  * of h besides. */
 static void sf_polish_point(const sf_law_search *search, sf_law_point *point) {
     sf_law_point last = *point;
-    sf_sample at;
     double f[6], A, w;
     last.by_w = 1, last.u = search->far ? 1 / point->Omega : point->Omega;
-    sf_sample_at(search->model, last.A, &at);
+    const sf_sample at = sf_sample_at(search->model, last.A);
     sf_functions_at(search, &at, &last, f);
     const double determinant = f[2] * f[5] - f[3] * f[4];
     A = last.A - (f[0] * f[5] - f[3] * f[1]) / determinant, w = last.u - (f[2] * f[1] - f[0] * f[4]) / determinant;
@@ -358,7 +356,7 @@ static void sf_search_points_up_to(sf_law_search *search, const sf_sample *first
     /* with a preload what lies next to rest is left out: there A Omega^2 is all that counts, and F has no fold but where
      * F_0 is m, or what holds the mass, to rounding */
     if (first->A == 0 && first->h != 0)
-        sf_sample_at(search->model, SF_NEXT_TO_PRELOAD * last->A, &search->pending[0].a.at);
+        search->pending[0].a.at = sf_sample_at(search->model, SF_NEXT_TO_PRELOAD * last->A);
     sf_know(&search->pending[0].a.at, &search->pending[0].a.known);
     sf_know(&search->pending[0].b.at, &search->pending[0].b.known);
     search->pending[0].of.R = sf_all(), search->pending[0].of.w = sfi_of(0, most);

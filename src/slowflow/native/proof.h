@@ -74,9 +74,11 @@ static const sf_range *sf_value_at(const sf_proving *proving, sf_checked *at, in
     return &at->range[c];
 }
 
-static void sf_check_at(const sf_proving *proving, double x, sf_checked *out) {
-    sf_know_at(proving->inputs, proving->piece, x, &out->known);
-    out->task = 0;
+static sf_checked sf_check_at(const sf_proving *proving, double x) {
+    sf_checked out;
+    sf_know_at(proving->inputs, proving->piece, x, &out.known);
+    out.task = 0;
+    return out;
 }
 
 static void sf_range_between(const sf_proving *proving, const sf_checked *a, const sf_checked *b, int open,
@@ -132,10 +134,9 @@ static double sf_hint_between(const sf_proving *proving, double low, double high
  * intervals leads from there into itself. Then `cell` becomes narrow. */
 static int sf_is_next_to(const sf_proving *proving, double x, double low, double high, int c, sf_interval *beyond,
                          sf_cell *cell) {
-    sf_checked at, a, b;
     sf_range on[2];
     sf_cell around;
-    sf_check_at(proving, x, &at);
+    sf_checked at = sf_check_at(proving, x);
     const sf_range *there = sf_value_at(proving, &at, c);
     if (there->where != SF_THROUGHOUT || !sfi_has_sign(there->dy))
         return 0;
@@ -143,8 +144,8 @@ static int sf_is_next_to(const sf_proving *proving, double x, double low, double
     const double away = 2 * sfi_most(sfi_most(-step.lo, step.hi), 0x1p-51 * x);
     if (!(x - away > low && x + away < high))
         return 0;
-    sf_check_at(proving, x - away, &a);
-    sf_check_at(proving, x + away, &b);
+    const sf_checked a = sf_check_at(proving, x - away);
+    const sf_checked b = sf_check_at(proving, x + away);
     sf_range_between(proving, &a, &b, 1 << c, &around, on);
     if (on[c].where != SF_THROUGHOUT || !sfi_has_sign(on[c].dy))
         return 0;
@@ -167,11 +168,10 @@ static void sf_narrow(const sf_proving *proving, sf_checked *a, sf_checked *b, i
     *beyond = sfi_of(a->known.A, b->known.A);
     for (int i = 0; i < SF_MOST_STEPS; i++) {
         const double low = beyond->lo, high = beyond->hi, x = i == 0 ? sf_amid(0, low, high) : 0.5 * low + 0.5 * high;
-        sf_checked at;
         sf_range on[2];
         if (!(x > low && x < high))
             return;
-        sf_check_at(proving, x, &at);
+        sf_checked at = sf_check_at(proving, x);
         const sf_range *there = sf_value_at(proving, &at, c);
         if (there->where != SF_THROUGHOUT)
             return;
@@ -179,9 +179,9 @@ static void sf_narrow(const sf_proving *proving, sf_checked *a, sf_checked *b, i
         if (!(next.lo <= next.hi) || !(next.hi - next.lo < 0.75 * (high - low)))
             return;
         if (next.lo > low)
-            sf_check_at(proving, next.lo, a);
+            *a = sf_check_at(proving, next.lo);
         if (next.hi < high)
-            sf_check_at(proving, next.hi, b);
+            *b = sf_check_at(proving, next.hi);
         *beyond = next;
         sf_range_between(proving, a, b, 1 << c, cell, on);
         if (on[c].where == SF_THROUGHOUT && sfi_has_sign(on[c].dy))
@@ -238,7 +238,6 @@ static void sf_prove_between(const sf_proving *proving, sf_checked *a, sf_checke
     const int end = !(x > low && x < high) ||
                     high <= SF_PROOF_NEXT * sf_beginning(proving->inputs, proving->piece).lo ||
                     proving->out->cells++ >= SF_MOST_PROOF_CELLS;
-    sf_checked middle;
     sf_range range[2];
     sf_cell cell;
     sf_range_between(proving, a, b, open, &cell, range);
@@ -254,7 +253,7 @@ static void sf_prove_between(const sf_proving *proving, sf_checked *a, sf_checke
     }
     if (open == 0)
         return;
-    sf_check_at(proving, x, &middle);
+    sf_checked middle = sf_check_at(proving, x);
     /* what is hard lies above a breakpoint more often than not: it comes last */
     sf_prove_between(proving, &middle, b, open);
     sf_prove_between(proving, a, &middle, open);
@@ -278,14 +277,13 @@ static void sf_look_again(const sf_proving *proving, double least, double most, 
         double around = doubt.high - doubt.low;
         int settled = 0;
         for (int k = 0; k < 4 && !settled; k++) {
-            sf_checked a, b;
             sf_range range[2];
             sf_cell cell;
             around *= 16;
             if (!(doubt.low - around > least && doubt.high + around < most))
                 break;
-            sf_check_at(proving, doubt.low - around, &a);
-            sf_check_at(proving, doubt.high + around, &b);
+            sf_checked a = sf_check_at(proving, doubt.low - around);
+            sf_checked b = sf_check_at(proving, doubt.high + around);
             sf_range_between(proving, &a, &b, 1 << doubt.channel, &cell, range);
             const int crossing = sf_crossing(proving, &a, &b, doubt.channel, &range[doubt.channel], 1);
             settled = crossing != 2;

@@ -33,8 +33,7 @@ static int sf_nearly_sticks(const sf_model *model, double F_0) {
 /* A fold in the middle of its enclosure; which way a sweep leaves it doubles say where the proof does not. */
 static void sf_add_proved_fold(const sf_model *model, const sf_enclosure *fold, sf_folds *folds) {
     const double Omega = sf_middle(fold->Omega), A = sf_middle(fold->A);
-    sf_sample at;
-    sf_sample_at(model, A, &at);
+    const sf_sample at = sf_sample_at(model, A);
     sf_add_fold(folds, Omega, A, fold->sign != 0 ? fold->sign < 0 : sf_half_F_AA(model, &at, Omega) < 0, fold->corner);
 }
 
@@ -88,10 +87,9 @@ static sf_status sf_decided_folds(const sf_model *model, const sf_inputs *inputs
 
 /* Whether the averaged force is proportional to the amplitude: there are no folds then, however near to 4 mu/pi. */
 static int sf_is_linear(const sf_model *model) {
-    sf_sample at;
     if (model->breaks > 0 || sf_inertial(model))
         return 0;
-    sf_sample_without_k_at(model, fmin(1, 0.5 * model->mechanism->reach), &at);
+    const sf_sample at = sf_sample_without_k_at(model, fmin(1, 0.5 * model->mechanism->reach));
     return at.h_AA == 0 && fabs(at.k) <= SF_LINEAR * fabs(at.h);
 }
 

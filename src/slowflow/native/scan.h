@@ -49,9 +49,9 @@ typedef struct {
 
 static void sf_probe_at(const sf_search *search, int open, double A, sf_probe *probe) {
     if (search->task.question == SF_PEAK || search->task.question == SF_REST)
-        sf_sample_without_k_at(search->task.model, A, &probe->at);
+        probe->at = sf_sample_without_k_at(search->task.model, A);
     else
-        sf_sample_at(search->task.model, A, &probe->at);
+        probe->at = sf_sample_at(search->task.model, A);
     sf_ask(&search->task, open, &probe->at, &probe->answer);
 }
 

@@ -53,8 +53,7 @@ static double sf_Omega_between(const sf_second_between *between, double A) {
 
 static double sf_slope_between(const void *inputs, double A) {
     const sf_second_between *between = inputs;
-    sf_balance at;
-    sf_second_at(between->second, sf_Omega_between(between, A), A, &at);
+    const sf_balance at = sf_second_at(between->second, sf_Omega_between(between, A), A);
     return at.F_A;
 }
 
@@ -64,7 +63,6 @@ static int sf_second_fold_between(const sf_second *second, const sf_second_point
     const sf_second_point *low = one->A < other->A ? one : other, *high = one->A < other->A ? other : one;
     const sf_second_between between = {second, {low->A, high->A}, {low->Omega, high->Omega}};
     const double f_low = sf_slope_between(&between, low->A), f_high = sf_slope_between(&between, high->A);
-    sf_balance at;
     if (!sf_opposite(f_low, f_high) || !(low->A < high->A))
         return 0;
     fold->A = sf_zero_between(sf_slope_between, &between, low->A, f_low, high->A, f_high, 0x1p-50);
@@ -77,7 +75,7 @@ static int sf_second_fold_between(const sf_second *second, const sf_second_point
         !(fabs(sf_slope_between(&between, fold->A)) <= SF_VANISHED * fmax(fabs(f_low), fabs(f_high))))
         return 0;
     fold->Omega = sf_Omega_between(&between, fold->A);
-    sf_second_at(second, fold->Omega, fold->A, &at);
+    const sf_balance at = sf_second_at(second, fold->Omega, fold->A);
     fold->u_max = at.u_max, fold->A_1 = at.A_1;
     return 1;
 }
@@ -122,13 +120,12 @@ static void sf_folds_on(const sf_model *model, double F_0, const sf_second_curve
 /* The state at a frequency between two amplitudes with one in between; 0 where it is not found. */
 static int sf_second_state(const sf_second *second, double Omega, double low, double A, double high,
                            sf_second_point *out) {
-    sf_balance at_low, at_high, at;
     double step = HUGE_VAL;
-    sf_second_at(second, Omega, low, &at_low);
-    sf_second_at(second, Omega, high, &at_high);
+    const sf_balance at_low = sf_second_at(second, Omega, low);
+    const sf_balance at_high = sf_second_at(second, Omega, high);
     const int between = (at_low.F > 0) != (at_high.F > 0);
     for (int k = 0; k < SF_STEPS && fabs(step) > 0x1p-52 * A; k++) {
-        sf_second_at(second, Omega, A, &at);
+        const sf_balance at = sf_second_at(second, Omega, A);
         if (between && (at.F > 0) == (at_high.F > 0))
             high = A;
         else if (between)
@@ -140,7 +137,7 @@ static int sf_second_state(const sf_second *second, double Omega, double low, do
             A = fmin(fmax(A - step, low), high);
     }
     out->Omega = Omega, out->A = A;
-    sf_second_at(second, Omega, A, &out->at);
+    out->at = sf_second_at(second, Omega, A);
     return fabs(step) <= SF_DONE * A;
 }
 
@@ -289,8 +286,7 @@ typedef struct {
 static double sf_amplitude_near(const sf_second_near *near, double Omega, double balance[3]) {
     double A = near->A, step = HUGE_VAL, k[SF_KNOWN];
     for (int i = 0; i < SF_STEPS && fabs(step) > SF_DONE; i++) {
-        sf_balance at;
-        sf_second_at(near->second, Omega, A, &at);
+        const sf_balance at = sf_second_at(near->second, Omega, A);
         step = sf_clipped(at.F / (at.F_A * A));
         A *= sf_grown(-step);
     }
@@ -327,7 +323,7 @@ static int sf_peak_on(const sf_model *model, double F_0, const sf_second_curve *
     out->A = sf_amplitude_near(&near, out->Omega, balance);
     if (!(out->A > 0))
         return 0;
-    sf_second_at(second, out->Omega, out->A, &out->at);
+    out->at = sf_second_at(second, out->Omega, out->A);
     return 1;
 }
 

@@ -49,10 +49,12 @@ static inline void sf_lane_balances(const sf_second *second, int phases, int n, 
                        second->model->zeta, known, out);
 }
 
-static void sf_second_at(const sf_second *second, double Omega, double A, sf_balance *out) {
+static sf_balance sf_second_at(const sf_second *second, double Omega, double A) {
+    sf_balance out;
     double known[SF_KNOWN];
     sf_second_known(second->model, 1, &A, known);
-    sf_second_of(second, Omega, A, known, out);
+    sf_second_of(second, Omega, A, known, &out);
+    return out;
 }
 
 /* Where the third harmonic is above its resonance. */
@@ -67,9 +69,8 @@ static inline int sf_is_small(double Omega, double A, double h, double A_1, doub
 
 static int sf_second_is_small(const sf_second *second, double Omega, double A) {
     double h[4];
-    sf_balance at;
     second->model->mechanism->averaged(second->model->mechanism, 1, &A, second->model->p, h);
-    sf_second_at(second, Omega, A, &at);
+    const sf_balance at = sf_second_at(second, Omega, A);
     return sf_is_small(Omega, A, h[0], at.A_1, at.u_max);
 }
 

@@ -85,10 +85,9 @@ static int sf_states_of_segments(const sf_model *model, const sf_exactly *exactl
 /* Whether Omega is that of a fold to within what rounding may make of F there. */
 static int sf_is_at_fold(const sf_model *model, double F_0, const sf_folds *folds, double Omega) {
     for (int i = 0; i < folds->n; i++) {
-        sf_sample at;
         if (fabs(folds->at[i].Omega - Omega) > SF_TOLD_APART * fmax(folds->at[i].Omega, Omega))
             continue;
-        sf_sample_at(model, folds->at[i].A, &at);
+        const sf_sample at = sf_sample_at(model, folds->at[i].A);
         if (sf_is_F_close(model, &at, F_0, Omega))
             return 1;
     }
