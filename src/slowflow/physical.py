@@ -407,15 +407,16 @@ class Physical:
 
     def _excited(self, amplitude: Any, at: Mapping[str, Any]) -> tuple[Physical, Any]:
         """The mount that an amplitude is of, first or by its letter, and that; of a base by a or Y, whichever it is."""
+        if amplitude is not None and not at:
+            return self, amplitude
         own = self.scales.excitation
-        letters = {EXCITED[one][0]: one for one in (OF_A_BASE if own in OF_A_BASE else (own,))}
-        given = {self.scales.symbol("F_0"): amplitude} if amplitude is not None else {}
-        if len(given) + len(at) != 1 or not (given or at).keys() <= letters.keys():
-            known = " or ".join(f"{letter} in {SI[dict(EXCITED.values())[letter]]}" for letter in letters)
-            found = ", ".join((*given, *at)) or "none"
-            raise WrongType(f"the amplitude of the excitation is needed once, {known}: got {found}")
-        ((letter, value),) = (given or at).items()
-        return (self if letters[letter] == own else self._by_other_base), value
+        allowed = OF_A_BASE if own in OF_A_BASE else (own,)
+        for one in allowed:
+            if amplitude is None and at.keys() == {letter := EXCITED[one][0]}:
+                return (self if one == own else self._by_other_base), at[letter]
+        known = " or ".join(f"{letter} in {SI[kind]}" for letter, kind in map(EXCITED.__getitem__, allowed))
+        found = ", ".join((*([] if amplitude is None else [EXCITED[own][0]]), *at)) or "none"
+        raise WrongType(f"the amplitude of the excitation is needed once, {known}: got {found}")
 
     @functools.cached_property
     def _by_other_base(self) -> Physical:

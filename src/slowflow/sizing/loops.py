@@ -61,12 +61,36 @@ class Loop(Table):
     message: str
 
     def oscillator(self, *, m: Any, **more: Any) -> Physical:
-        """A mass in kg on this spring, with this friction: `Duffing.physical`, which takes the other arguments."""
+        """Put a mass on this spring, with this friction and viscous damping.
+
+        Parameters
+        ----------
+        m : float
+            The mass in kg.
+        **more : Any
+            Other arguments of `Duffing.physical`, as zeta, or in place of what was found.
+
+        Returns
+        -------
+        Physical
+            What answers all questions in SI units.
+        """
         found = dict(zip(self.parameter.tolist(), self.value.tolist(), strict=True))
         return Duffing.physical(m=m, **{**found, **more})
 
     def plot(self, ax: Any = None) -> Any:
-        """Draw the loop and what was fitted, in N and mm, into Matplotlib axes, or new ones, and return these."""
+        """Draw the loop and what was fitted, in N and mm.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            Where to draw; new axes by default.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            The axes drawn into.
+        """
         from slowflow import pictures
 
         (length, mm), (force, _) = in_shown("m"), in_shown("N")
@@ -74,16 +98,30 @@ class Loop(Table):
 
 
 def from_loop(x: Any, F: Any, *, t: Any = None) -> Loop:
-    """The spring and the friction of a measured loop of force over displacement: k_1, k_3, friction, and c from times.
+    """Identify spring and friction of a measured force-displacement loop, by linear least squares.
 
-    x, F -- displacement from the place of rest in m, and force in N, sample by sample as they were measured, over one
-            cycle or several
-    t    -- times of the samples in s: viscous damping c is found too, by the velocity. At one frequency structural
-            damping looks the same: it is c times 2 pi f over k_1 then
+    Intervals know of normal noise in the force alone. Samples where the motion turns are left out. At one frequency
+    structural damping looks like viscous damping: its loss factor is then 2 pi f c/k_1.
 
-    Samples where the motion turns are left out. Intervals know of noise in the force alone. Raises ValueError for what
-    is not allowed, and for a loop that is run through the other way, whose friction is negative; ArithmeticError where
-    the loop does not determine the numbers.
+    Parameters
+    ----------
+    x : array_like
+        Displacement from the place of rest, in m, shape (n,): sample by sample as measured, over one cycle or several.
+    F : array_like
+        Force in N, shape (n,).
+    t : array_like, optional
+        Times of the samples in s, rising: the viscous damping c is found too.
+
+    Returns
+    -------
+    Loop
+        .value .error .low .high of k_1, k_3, friction and c, in SI units; `.oscillator(m=...)` has these numbers.
+
+    Raises
+    ------
+    ValueError, ArithmeticError
+        For what is not allowed, and for a loop that is run through the other way; where it does not determine the
+        numbers.
     """
     x, F = (validate.finite_array(name, si(name, value, unit)) for name, value, unit in (("x", x, "m"), ("F", F, "N")))
     rows = {"x": x, "F": F}
