@@ -62,20 +62,7 @@ class Stated:
         return Oscillator(self.record, excitation=excitation, rubs=rubs, **numbers)
 
     def many(self, *, excitation: str = "force", rubs: str = THROUGHOUT, **numbers: Any) -> Any:
-        """Make a batch of designs, as `Oscillator.many(record, ...)` does.
-
-        Parameters
-        ----------
-        excitation, rubs : str
-            "force", "base" or "unbalance"; friction "throughout", or "attached", up to the first breakpoint.
-        **numbers : array_like
-            Parameters by name, damping among them, dimensionless; arrays that broadcast.
-
-        Returns
-        -------
-        batch
-            The designs, each question of which returns arrays.
-        """
+        """Make a batch of designs, as `Oscillator.many(record, ...)` does."""
         return Oscillator.many(self.record, excitation=excitation, rubs=rubs, **numbers)
 
     def _described(self, how: str) -> str:

@@ -98,9 +98,17 @@ class Isolator(Oscillator):
             warnings.warn(text(NEGATIVE, self.delta_h, 1 / (self.lam * self.r), self.alpha), stacklevel=3)
 
     def restoring_force(self, which: str | None = None) -> Force:
-        """The force of the equation of motion, piece by piece: "truncated" for (6), "untruncated" for (5).
+        """Return the force of the equation of motion, piece by piece.
 
-        Without `which` the one that is averaged. Raises ValueError for another word.
+        Parameters
+        ----------
+        which : str, optional
+            "truncated" for (6), "untruncated" for (5); by default the one that is averaged.
+
+        Returns
+        -------
+        Force
+            Dimensionless.
         """
         if which == "truncated":
             return Force.of(ROD_SPRING, (self.alpha, self.beta, self.gamma, self.u_cr))
@@ -129,31 +137,55 @@ class Isolator(Oscillator):
         force: str = "untruncated",
         excitation: str = "force",
     ) -> Physical:
-        """An isolator from its data sheet, whose questions and answers are in newtons, metres and hertz.
-
-        m        -- the mass that moves, kg
-        k_v      -- stiffness of the vertical spring, N/m
-        k_h, n   -- stiffness of each of the n horizontal springs, N/m
-        mounts   -- how many equal mounts share the mass: m and load are the whole mass, all other data those of one
-        L        -- length of the push-rod, m
-        preload  -- compression of each horizontal spring at the centre, m
-        friction -- dry friction, N
-        c, zeta  -- viscous damping, N s/m, or the damping ratio c/(2 sqrt(k_v m)): one of them, or neither for none
-        eta      -- structural damping, the loss factor of the vertical spring
-        c_2      -- quadratic damping, the factor of the squared velocity, N s^2/m^2
-        rubs     -- where friction acts: "throughout", or "attached", while the springs touch the push-rod
-        static_friction -- what holds the mass at rest, N, where that is more than `friction`: for exact motions
-        load     -- the mass that sits on it and moves, kg, where that is not the m that k_v is preset for
-        force    -- "untruncated" as the geometry gives it (5), or "truncated" as the paper averages it (6)
-        excitation -- "force", in N; "base" or "acceleration", a base that shakes, by its displacement in m or its
-            acceleration in m/s^2; "unbalance", a mass that turns, times its radius, in kg m: it is part of m
+        """Make an isolator from its data sheet, whose questions and answers are in newtons, metres and hertz.
 
         Numbers are plain ones in these units, or quantities of pint. Without `load` it is taken for granted that the
         vertical spring is preset, by m g/k_v, so that m rests at the centre, where the push-rods lie flat. Another load
         rests off the centre, `rest()` tells where, and moves about there without symmetry: its answers have a mean B.
-        Raises ValueError for a number outside its domain, for laws of damping as `Isolator`, and for such a load where
-        motions off the centre are not derived: with rubs="attached". A number that is allowed, and looks as if it were
-        in another unit, as L = 80, is told in a warning.
+        A number that is allowed, and looks as if it were in another unit, as L = 80, is reported in a warning.
+
+        Parameters
+        ----------
+        m : float, kg
+            Mass that moves.
+        k_v, k_h : float, N/m
+            Stiffness of the vertical spring, and of each horizontal one.
+        L, preload : float, m
+            Length of the push-rod, and compression of each horizontal spring at the centre.
+        n : int
+            Number of horizontal springs.
+        mounts : int
+            How many equal mounts share the mass: m and load are the whole mass, all other data those of one.
+        friction : float, N
+            Dry friction.
+        c, zeta : float, N s/m, or dimensionless
+            Viscous damping, or the damping ratio c/(2 sqrt(k_v m)): one of them, or neither for none.
+        eta : float
+            Structural damping, the loss factor of the vertical spring, dimensionless.
+        c_2 : float, N s^2/m^2
+            Quadratic damping, the factor of the squared velocity.
+        rubs : str
+            Where friction acts: "throughout", or "attached", while the springs touch the push-rod.
+        static_friction : float, N
+            Break-loose force, where that is more than `friction`: for exact motions.
+        load : float, kg
+            Mass that sits on it and moves, where that is not the m that k_v is preset for.
+        force : str
+            "untruncated" as the geometry gives it (5), or "truncated" as the paper averages it (6).
+        excitation : str
+            "force", in N; "base" or "acceleration", base excitation by its displacement in m or its acceleration in
+            m/s^2; "unbalance", a rotating mass times its radius, in kg m: it is part of m.
+
+        Returns
+        -------
+        Physical
+            The mount.
+
+        Raises
+        ------
+        ValueError
+            For a number outside its domain, for laws of damping as `Isolator`, and for a load with rubs="attached", for
+            which asymmetric motions are not derived.
         """
         moving = m if load is None else validate.number("load", si("load", load, "kg"), above=0.0)
         excitation = validate.excitation(excitation, tuple(EXCITED))
@@ -210,7 +242,7 @@ class Isolator(Oscillator):
         excitation: str = "force",
         load: Any = 0.0,
     ) -> Any:
-        """Many isolators at once, from arrays that broadcast; see `Oscillator.many`.
+        """Make a batch of isolators, arguments as of `Isolator`, from arrays that broadcast; see `Oscillator.many`.
 
         Arrays of xarray or dask make a map over named axes, which may be larger than memory; see
         `slowflow.grid.designs`.
@@ -270,14 +302,26 @@ class Duffing(Oscillator):
         c_2: Any = 0.0,
         excitation: str = "force",
     ) -> Physical:
-        """A mass on a cubic spring, k_1 x + k_3 x^3, whose questions and answers are in newtons, metres and hertz.
+        """Make a mass on a cubic spring, k_1 x + k_3 x^3; questions and answers are in newtons, metres and hertz.
 
-        m        -- the mass that moves, kg, at rest at x = 0
-        k_1, k_3 -- N/m and N/m^3; a negative k_1 is a double well, a negative k_3 a spring that softens
-        friction, c, zeta, eta, c_2, excitation -- as of `Isolator.physical`; zeta is c/(2 sqrt(|k_1| m)), of k_1 = 0
-            c/(2 sqrt(|k_3| m)) with a displacement of 1 m
+        Parameters
+        ----------
+        m : float, kg
+            Mass that moves, at rest at x = 0.
+        k_1, k_3 : float, N/m and N/m^3
+            A negative k_1 is a double well, a negative k_3 a softening spring.
+        friction, c, zeta, eta, c_2, excitation : as of `Isolator.physical`
+            Of them zeta is c/(2 sqrt(|k_1| m)), of k_1 = 0 c/(2 sqrt(|k_3| m)) with a displacement of 1 m.
 
-        Raises ValueError for a number outside its domain, and without a spring.
+        Returns
+        -------
+        Physical
+            The mount.
+
+        Raises
+        ------
+        ValueError
+            For a number outside its domain, and without a spring.
         """
         if c is not None and zeta is not None:
             raise Refused("c and zeta say the same: give one of them")
@@ -315,6 +359,6 @@ class Duffing(Oscillator):
         excitation: str = "force",
         load: Any = 0.0,
     ) -> Any:
-        """Many Duffing oscillators at once, as `Isolator.many`."""
+        """Make a batch of Duffing oscillators, arguments as of `Duffing`, as `Isolator.many` does."""
         numbers = {"alpha": alpha, "beta": beta, "mu": mu, "zeta": zeta, "eta": eta, "c_2": c_2}
         return super().many(DUFFING, excitation=excitation, load=load, **numbers)

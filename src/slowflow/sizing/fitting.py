@@ -97,17 +97,9 @@ class Fit(Table):
     message: str
 
     def plot(self, ax: Any = None) -> Any:
-        """Draw the residuals, of a mount in mm, N, Hz; the band of two deviations is tinted.
+        """Draw the residuals into Matplotlib axes, or new ones, and return these; of a mount in mm, N, Hz.
 
-        Parameters
-        ----------
-        ax : matplotlib.axes.Axes, optional
-            Where to draw; new axes by default.
-
-        Returns
-        -------
-        matplotlib.axes.Axes
-            The axes drawn into.
+        The band of two deviations is tinted.
         """
         from slowflow import pictures
 

@@ -113,18 +113,7 @@ class Front(Table):
         return replace(self, one=frozen(self.one / size), other=frozen(self.other / other), units=(shown, other_unit))
 
     def design(self, k: int) -> Any:
-        """Make the isolator or the mount of a row.
-
-        Parameters
-        ----------
-        k : int
-            Number of the row.
-
-        Returns
-        -------
-        Isolator or Physical
-            The design.
-        """
+        """Make the isolator or the mount of row k."""
         return self._of.replace(**{name: float(values[k]) for name, values in self.numbers.items()})
 
     def columns(self) -> dict[str, Any]:
@@ -137,18 +126,7 @@ class Front(Table):
         return {name: unit for name, unit in known.items() if unit}
 
     def plot(self, ax: Any = None) -> Any:
-        """Draw one answer over the other.
-
-        Parameters
-        ----------
-        ax : matplotlib.axes.Axes, optional
-            Where to draw; new axes by default.
-
-        Returns
-        -------
-        matplotlib.axes.Axes
-            The axes drawn into.
-        """
+        """Draw one answer over the other into Matplotlib axes, or new ones, and return these."""
         from slowflow import pictures
 
         shown = self.in_units()
