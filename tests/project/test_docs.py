@@ -181,6 +181,11 @@ SEARCHED = {
     "load too heavy": "howto/off_centre",
     "subharmonics": "howto/questions",
     "cite": "howto/install",
+    "backbone cusps isolas": "howto/questions",
+    "reproduce paper figures": "howto/questions",
+    "damping coefficient c N s/m": "glossary",
+    "exceptions thread-safe": "faq",
+    "solvers C headers": "howto/languages",
     "no compiler": "howto/install",
 }
 
