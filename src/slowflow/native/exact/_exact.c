@@ -167,40 +167,42 @@ static PyObject *polynomials(PyObject *self, PyObject *arguments)
     return capsule;
 }
 
-/* The oscillator of a capsule, which has a piece of that number; NULL with an error where it has none. */
-static const sf_system *with_piece(PyObject *capsule, int region)
+/* The oscillator of a capsule, as "O&" of PyArg_ParseTuple takes it. */
+static int oscillator(PyObject *capsule, void *to)
 {
-    const sf_system *const system = PyCapsule_GetPointer(capsule, NAME);
-    if (system == NULL || (region >= -system->about && region < system->pieces - system->about))
-        return system;
-    PyErr_Format(PyExc_ValueError, "no piece of a force is number %d", region);
-    return NULL;
+    return (*(const sf_system **)to = PyCapsule_GetPointer(capsule, NAME)) != NULL;
+}
+
+/* Whether an oscillator has a piece of that number, and results fit their room; an error is set where not. */
+static int has_piece(const sf_system *system, int region, int fits, const char *unfit)
+{
+    if (region < -system->about || region >= system->pieces - system->about)
+        PyErr_Format(PyExc_ValueError, "no piece of a force is number %d", region);
+    else if (!fits)
+        PyErr_SetString(PyExc_ValueError, unfit);
+    return !PyErr_Occurred();
 }
 
 static PyObject *advance(PyObject *self, PyObject *arguments)
 {
     (void)self;
-    PyObject *capsule;
     sf_forced forced;
     int slip, region;
     double theta, u, v, end;
     Py_buffer out;
-    if (!PyArg_ParseTuple(arguments, "Oddiiddddlw*", &capsule, &forced.Omega, &forced.F_0, &slip, &region, &theta, &u,
-                          &v, &end, &forced.left, &out))
+    if (!PyArg_ParseTuple(arguments, "O&ddiiddddlw*", oscillator, &forced.system, &forced.Omega, &forced.F_0, &slip,
+                          &region, &theta, &u, &v, &end, &forced.left, &out))
         return NULL;
-    forced.system = with_piece(capsule, region);
     sf_four flow[2];
     const long most = forced.left;
     sf_outcome outcome = SF_GOOD;
-    if (forced.system != NULL && out.len == (Py_ssize_t)sizeof flow) {
+    if (has_piece(forced.system, region, out.len == (Py_ssize_t)sizeof flow, "room for too few derivatives")) {
         Py_BEGIN_ALLOW_THREADS
         const sf_drive drive = sf_drive_of(&forced, slip, region);
         outcome = sf_advance(sf_piece_of(forced.system, region), &drive, theta, end, &u, &v, flow, &forced.left);
         Py_END_ALLOW_THREADS
         memcpy(out.buf, flow, sizeof flow);
     }
-    else if (forced.system != NULL)
-        PyErr_SetString(PyExc_ValueError, "room for too few derivatives");
     PyBuffer_Release(&out);
     return PyErr_Occurred() ? NULL : Py_BuildValue("ildd", (int)outcome, most - forced.left, u, v);
 }
@@ -208,23 +210,19 @@ static PyObject *advance(PyObject *self, PyObject *arguments)
 static PyObject *sample(PyObject *self, PyObject *arguments)
 {
     (void)self;
-    PyObject *capsule;
     sf_forced forced;
     sf_phase phase = {0};
     Py_buffer grid, out;
-    if (!PyArg_ParseTuple(arguments, "Oddiidddly*w*", &capsule, &forced.Omega, &forced.F_0, &phase.slip, &phase.region,
-                          &phase.theta, &phase.u, &phase.v, &forced.left, &grid, &out))
+    if (!PyArg_ParseTuple(arguments, "O&ddiidddly*w*", oscillator, &forced.system, &forced.Omega, &forced.F_0,
+                          &phase.slip, &phase.region, &phase.theta, &phase.u, &phase.v, &forced.left, &grid, &out))
         return NULL;
-    forced.system = with_piece(capsule, phase.region);
     const long count = (long)(grid.len / (Py_ssize_t)sizeof(double)), most = forced.left;
     sf_outcome outcome = SF_GOOD;
-    if (forced.system != NULL && out.len == 3 * grid.len) {
+    if (has_piece(forced.system, phase.region, out.len == 3 * grid.len, "room for too few states")) {
         Py_BEGIN_ALLOW_THREADS
         outcome = sf_sample(&forced, &phase, grid.buf, count, out.buf);
         Py_END_ALLOW_THREADS
     }
-    else if (forced.system != NULL)
-        PyErr_SetString(PyExc_ValueError, "room for too few states");
     RELEASE(&grid, &out);
     return PyErr_Occurred() ? NULL : Py_BuildValue("il", (int)outcome, most - forced.left);
 }
@@ -234,24 +232,20 @@ static PyObject *sample(PyObject *self, PyObject *arguments)
 static PyObject *shock(PyObject *self, PyObject *arguments)
 {
     (void)self;
-    PyObject *capsule;
     sf_shocked shock = {0};
     double begin, after, numbers[SF_SHOCK_NUMBERS] = {0};
     Py_buffer arcs;
-    if (!PyArg_ParseTuple(arguments, "Oy*dddddll", &capsule, &arcs, &begin, &after, &shock.u, &shock.v, &shock.rest,
-                          &shock.most, &shock.left))
+    if (!PyArg_ParseTuple(arguments, "O&y*dddddll", oscillator, &shock.system, &arcs, &begin, &after, &shock.u,
+                          &shock.v, &shock.rest, &shock.most, &shock.left))
         return NULL;
     const long all = shock.left;
-    shock.system = PyCapsule_GetPointer(capsule, NAME);
-    sf_outcome outcome = SF_GOOD;
-    if (shock.system != NULL) {
-        Py_BEGIN_ALLOW_THREADS
-        outcome = sf_shock(&shock, arcs.buf, (long)(arcs.len / (Py_ssize_t)sizeof(sf_arc)), begin, after, numbers);
-        Py_END_ALLOW_THREADS
-    }
+    sf_outcome outcome;
+    Py_BEGIN_ALLOW_THREADS
+    outcome = sf_shock(&shock, arcs.buf, (long)(arcs.len / (Py_ssize_t)sizeof(sf_arc)), begin, after, numbers);
+    Py_END_ALLOW_THREADS
     PyBuffer_Release(&arcs);
     const Py_ssize_t size = shock.count * (Py_ssize_t)sizeof *shock.at;
-    PyObject *const phases = shock.system == NULL ? NULL : PyBytes_FromStringAndSize((const char *)shock.at, size);
+    PyObject *const phases = PyBytes_FromStringAndSize((const char *)shock.at, size);
     free(shock.phases.at);
     free(shock.at);
     if (phases == NULL)
@@ -266,16 +260,15 @@ static PyObject *shock(PyObject *self, PyObject *arguments)
 static PyObject *record(PyObject *self, PyObject *arguments)
 {
     (void)self;
-    PyObject *capsule;
     sf_shocked shock = {0};
     Py_buffer arcs;
-    if (!PyArg_ParseTuple(arguments, "Oy*ddll", &capsule, &arcs, &shock.u, &shock.v, &shock.most, &shock.left))
+    if (!PyArg_ParseTuple(arguments, "O&y*ddll", oscillator, &shock.system, &arcs, &shock.u, &shock.v, &shock.most,
+                          &shock.left))
         return NULL;
     const long all = shock.left, count = (long)(arcs.len / (Py_ssize_t)sizeof(sf_arc));
-    shock.system = PyCapsule_GetPointer(capsule, NAME);
     PyObject *const states = PyBytes_FromStringAndSize(NULL, count * (Py_ssize_t)sizeof(double[2]));
     sf_outcome outcome = SF_GOOD;
-    if (shock.system != NULL && states != NULL) {
+    if (states != NULL) {
         double(*const out)[2] = (double(*)[2])(void *)PyBytes_AsString(states);
         Py_BEGIN_ALLOW_THREADS
         outcome = sf_recorded(&shock, arcs.buf, count, out);
@@ -284,26 +277,18 @@ static PyObject *record(PyObject *self, PyObject *arguments)
     PyBuffer_Release(&arcs);
     free(shock.phases.at);
     free(shock.at);
-    if (shock.system == NULL || states == NULL) {
-        Py_XDECREF(states);
-        return NULL;
-    }
-    return Py_BuildValue("ildN", (int)outcome, all - shock.left, shock.lost[1], states);
+    return states == NULL ? NULL : Py_BuildValue("ildN", (int)outcome, all - shock.left, shock.lost[1], states);
 }
 
 /* (outcome, steps, phases as bytes, each an sf_phase) */
 static PyObject *follow(PyObject *self, PyObject *arguments)
 {
     (void)self;
-    PyObject *capsule;
     sf_forced forced = {0};
     double theta, u, v, end;
     int inputs, start[2];
-    if (!PyArg_ParseTuple(arguments, "Oddddddpiil", &capsule, &forced.Omega, &forced.F_0, &theta, &u, &v, &end, &inputs,
-                          &start[0], &start[1], &forced.left))
-        return NULL;
-    forced.system = PyCapsule_GetPointer(capsule, NAME);
-    if (forced.system == NULL)
+    if (!PyArg_ParseTuple(arguments, "O&ddddddpiil", oscillator, &forced.system, &forced.Omega, &forced.F_0, &theta, &u,
+                          &v, &end, &inputs, &start[0], &start[1], &forced.left))
         return NULL;
     const long most = forced.left;
     sf_phases phases = {0};
@@ -322,15 +307,15 @@ static PyObject *follow(PyObject *self, PyObject *arguments)
 static PyObject *newton(PyObject *self, PyObject *arguments)
 {
     (void)self;
-    PyObject *capsule, *result = NULL;
+    PyObject *result = NULL;
+    const sf_system *system;
     Py_buffer signature, z, row, out, direction;
     double F_0, value, tolerance;
     int half_turns, kind, most;
     long border, left;
-    if (!PyArg_ParseTuple(arguments, "Oy*iw*diy*dlidlw*w*", &capsule, &signature, &half_turns, &z, &F_0, &kind, &row,
-                          &value, &border, &most, &tolerance, &left, &out, &direction))
+    if (!PyArg_ParseTuple(arguments, "O&y*iw*diy*dlidlw*w*", oscillator, &system, &signature, &half_turns, &z, &F_0,
+                          &kind, &row, &value, &border, &most, &tolerance, &left, &out, &direction))
         return NULL;
-    const sf_system *const system = PyCapsule_GetPointer(capsule, NAME);
     const long k = (long)(signature.len / (Py_ssize_t)(2 * sizeof(int))), n = k + 4;
     const Py_ssize_t unknowns = (k + 3) * (Py_ssize_t)sizeof(double);
     const size_t numbers_of_work = (size_t)((k + 3) * (k + 3) + 2 * (k + 3) + 3 * n);
@@ -340,9 +325,9 @@ static PyObject *newton(PyObject *self, PyObject *arguments)
                      direction.len == unknowns && (kind != SF_ROW || row.len == unknowns);
     if (work == NULL || at == NULL)
         PyErr_NoMemory();
-    else if (system != NULL && !fits)
+    else if (!fits)
         PyErr_SetString(PyExc_ValueError, "arrays that do not fit the phases of the cycle");
-    else if (system != NULL) {
+    else {
         sf_forced forced = {system, 0.0, F_0, left};
         const sf_cycle cycle = {k, signature.buf, half_turns, half_turns % 2 ? -1 : 1};
         sf_equations found = sf_equations_in(out.buf, at, k);
@@ -373,17 +358,17 @@ static PyObject *newton(PyObject *self, PyObject *arguments)
 static PyObject *trace(PyObject *self, PyObject *arguments)
 {
     (void)self;
-    PyObject *capsule, *result = NULL;
+    PyObject *result = NULL;
+    const sf_system *system;
     Py_buffer signature, point, first, rows;
     sf_course course = {0};
     double F_0, step, travelled;
     int half_turns, has_before;
     long left;
-    if (!PyArg_ParseTuple(arguments, "Oy*ipd(dddddd)w*pddy*lw*", &capsule, &signature, &half_turns,
+    if (!PyArg_ParseTuple(arguments, "O&y*ipd(dddddd)w*pddy*lw*", oscillator, &system, &signature, &half_turns,
                           &course.starts_from_rest, &F_0, &course.low, &course.high, &course.step, &course.straight,
                           &course.largest, &course.least, &point, &has_before, &step, &travelled, &first, &left, &rows))
         return NULL;
-    const sf_system *const system = PyCapsule_GetPointer(capsule, NAME);
     const long k = (long)(signature.len / (Py_ssize_t)(2 * sizeof(int))), n = k + 4, size = k + 3;
     const Py_ssize_t unknowns = size * (Py_ssize_t)sizeof(double);
     const size_t of_newton = (size_t)(size * size + 2 * size + 3 * n), of_equations = sf_numbers(k);
@@ -391,9 +376,9 @@ static PyObject *trace(PyObject *self, PyObject *arguments)
     sf_border *const at = malloc((size_t)(2 * k + 1) * sizeof *at);
     if (work == NULL || at == NULL)
         PyErr_NoMemory();
-    else if (system != NULL && !(k > 0 && point.len == 5 * unknowns && (first.len == 0 || first.len == 2 * unknowns)))
+    else if (!(k > 0 && point.len == 5 * unknowns && (first.len == 0 || first.len == 2 * unknowns)))
         PyErr_SetString(PyExc_ValueError, "arrays that do not fit the phases of the cycle");
-    else if (system != NULL) {
+    else {
         sf_forced forced = {system, 0.0, F_0, left};
         const sf_cycle cycle = {k, signature.buf, half_turns, half_turns % 2 ? -1 : 1};
         double *const z = point.buf;
@@ -534,14 +519,13 @@ enum { SF_MOST_MOTIONS = 64 };
 static PyObject *averages(PyObject *self, PyObject *arguments)
 {
     (void)self;
-    PyObject *capsule;
+    const sf_system *system;
     Py_buffer sigma;
-    if (!PyArg_ParseTuple(arguments, "Oy*", &capsule, &sigma))
+    if (!PyArg_ParseTuple(arguments, "O&y*", oscillator, &system, &sigma))
         return NULL;
     const Py_ssize_t count = sigma.len / (Py_ssize_t)sizeof(double);
-    const sf_system *const system = PyCapsule_GetPointer(capsule, NAME);
     PyObject *const found = PyBytes_FromStringAndSize(NULL, count * (Py_ssize_t)sizeof(sf_gaussian));
-    if (system != NULL && found != NULL) {
+    if (found != NULL) {
         sf_gaussian *const out = (sf_gaussian *)(void *)PyBytes_AsString(found);
         Py_BEGIN_ALLOW_THREADS
         const double *const at = sigma.buf;
@@ -554,10 +538,6 @@ static PyObject *averages(PyObject *self, PyObject *arguments)
         Py_END_ALLOW_THREADS
     }
     RELEASE(&sigma);
-    if (system == NULL) {
-        Py_XDECREF(found);
-        return NULL;
-    }
     return found;
 }
 
@@ -581,15 +561,15 @@ static PyObject *moments(PyObject *self, PyObject *arguments)
 static PyObject *stationary(PyObject *self, PyObject *arguments)
 {
     (void)self;
-    PyObject *capsule, *excitation;
+    PyObject *excitation;
+    const sf_system *system;
     Py_buffer table = {0};
     sf_stationary at[SF_MOST_MOTIONS];
     sf_motions found = {.max_count = SF_MOST_MOTIONS, .at = at};
-    if (!PyArg_ParseTuple(arguments, "OO", &capsule, &excitation))
+    if (!PyArg_ParseTuple(arguments, "O&O", oscillator, &system, &excitation))
         return NULL;
-    const sf_system *const system = PyCapsule_GetPointer(capsule, NAME);
     const double power = PyFloat_Check(excitation) ? PyFloat_AsDouble(excitation) : 0.0;
-    if (system == NULL || (power == 0.0 && PyObject_GetBuffer(excitation, &table, PyBUF_SIMPLE) < 0))
+    if (power == 0.0 && PyObject_GetBuffer(excitation, &table, PyBUF_SIMPLE) < 0)
         return NULL;
     Py_BEGIN_ALLOW_THREADS
     if (power > 0.0)
