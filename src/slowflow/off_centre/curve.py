@@ -406,7 +406,7 @@ def _near(of: Slow, Omega: Floats, ends: tuple[Floats, Floats], folds: tuple[Fla
         slopes = [_tangents(of, one[0, smooth], one[1:, smooth]) * span[smooth] for one in ends]
         guess[:, smooth] = _cubic(fraction[smooth], start[1:, smooth], end[1:, smooth], *slopes)
         apart[smooth] = 0.5 * (apart[smooth] + np.maximum(*(np.abs(slope).max(axis=0) for slope in slopes)))
-    x, change = _newton(of, Omega, guess)
+    x, change = newton(of, Omega, guess)
     nearest = np.minimum(np.abs(x - start[1:]).max(axis=0), np.abs(x - end[1:]).max(axis=0))
     near = np.where(smooth, np.abs(x - guess).max(axis=0), nearest) <= apart
     inner = np.where(from_fold, end, start)
@@ -414,13 +414,8 @@ def _near(of: Slow, Omega: Floats, ends: tuple[Floats, Floats], folds: tuple[Fla
     return x, near & (np.abs(change).max(axis=0) <= 1e-9 * np.abs(x).max(axis=0))
 
 
-def on_curve(of: Slow, Omega: Floats, guess: Floats) -> Floats:
-    """States (2, n) at frequencies, from states near by."""
-    return _newton(of, Omega, guess)[0]
-
-
-def _newton(of: Slow, Omega: Floats, guess: Floats) -> tuple[Floats, Floats]:
-    """States, and the last step to them."""
+def newton(of: Slow, Omega: Floats, guess: Floats) -> tuple[Floats, Floats]:
+    """States (2, n) at frequencies, from states near by, and the last step to them."""
     x = guess
     for _ in range(8):
         change = _step(of, of.state(Omega, x))

@@ -226,12 +226,9 @@ class Curved:
 
     # ==== Boxes =======================================================================================================
 
+    @np.errstate(all="ignore")
     def by_ends(self, top: Interval, bottom: Interval) -> Ended:
         """On boxes of B + A and B - A."""
-        with np.errstate(all="ignore"):
-            return self._by_ends(top, bottom)
-
-    def _by_ends(self, top: Interval, bottom: Interval) -> Ended:
         centre = [0.5 * (one.lo + one.hi) for one in (top, bottom)]
         radius = [
             np.maximum(one.hi - at, at - one.lo) * (1 + 2.0**-50) for one, at in zip((top, bottom), centre, strict=True)

@@ -27,9 +27,9 @@ from slowflow.off_centre.answers import RestPositions
 from slowflow.off_centre.boxes import Solutions, solve
 from slowflow.off_centre.by_turning_points import Resting
 from slowflow.off_centre.complete import AT_CENTRE, SUBDIVISIONS, Complete
-from slowflow.off_centre.curve import Curves, curves, on_curve
+from slowflow.off_centre.curve import Curves, curves, newton
 from slowflow.off_centre.flow import Flow, Slow
-from slowflow.off_centre.means import ORDERS, Means, Steps
+from slowflow.off_centre.means import ORDERS, Steps
 from slowflow.off_centre.reach import AMPLITUDE, LARGEST, Farthest, Measure, Reach, Transmissibility
 from slowflow.off_centre.reach import BEYOND as BEYOND_IT
 from slowflow.results import (
@@ -362,29 +362,27 @@ class OffCentre(Unchanging, ComposedQuestions):
             with np.errstate(over="ignore"):  # it is looked for up to amplitudes of any size
                 found = self._complete.lowest()
         except ArithmeticError as failure:
-            return self._no_onset(UNDECIDED_ONSET.format(failure.args[0]), Remark.UNDECIDED)
+            why = UNDECIDED_ONSET.format(failure.args[0])
+            return self._made(SaddleNodeOnset, None, None, None, "", why, remarks=Remark.UNDECIDED)
         if found is None:
-            return self._no_onset(NO_ONSET, Remark(0))
+            return self._made(SaddleNodeOnset, None, None, None, "", NO_ONSET)
         truncated = Remark.OF_TRUNCATION if self._model.mechanism.truncated else Remark(0)
         notes = _Notes(ON_CORNER, truncated) if found.kind == "corner" else _Notes()
         columns = found.F_0, found.Omega, found.A, found.kind
         return self._made(SaddleNodeOnset, *columns, B=found.B, **notes._asdict())
 
-    def _no_onset(self, message: str, remarks: Remark) -> SaddleNodeOnset:
-        return self._made(SaddleNodeOnset, None, None, None, "", message, remarks=remarks)
-
     @_kept
     def _peak(self, F_0: float) -> Peak:
         self._check_answered("peak")
         if self._flow.sticks(F_0):
-            return self._no_peak(F_0, messages.STICKS.format(F_0, self._model.m))
+            return self._made(Peak, None, None, F_0, messages.STICKS.format(F_0, self._model.m))
         if self._keeps_centre:
             centred = Averaged(self._model).peak(F_0)
             B = None if centred.A is None else 0.0
             far = {"B": B, "u_max": centred.A, "Omega_max": centred.Omega, "remarks": centred.remarks}
             return self._made(Peak, centred.A, centred.Omega, F_0, centred.message, **far)
         if self._flow.inertial and (why := self._no_top(F_0)):
-            return self._no_peak(F_0, why)
+            return self._made(Peak, None, None, F_0, why)
         highest, widest = (self._farthest(F_0, measure) for measure in (AMPLITUDE, LARGEST))
         if highest is None or widest is None:
             raise NotSettled("the farthest motion is unresolved: none is found")
@@ -394,9 +392,6 @@ class OffCentre(Unchanging, ComposedQuestions):
         notes = notes.combine(self._beyond_reach(highest.A, widest.value - highest.A))
         far = {"B": highest.B, "u_max": widest.value, "Omega_max": widest.Omega, "_turns": highest.turns}
         return self._made(Peak, highest.A, highest.Omega, F_0, **notes._asdict(), **far)
-
-    def _no_peak(self, F_0: float, message: str) -> Peak:
-        return self._made(Peak, None, None, F_0, message)
 
     def _no_top(self, F_0: float) -> str:
         """Why an excitation by inertia has no motion that goes farthest, "" where it has one."""
@@ -487,7 +482,7 @@ class OffCentre(Unchanging, ComposedQuestions):
             (low, start), (high, end) = ((curve.Omega[k], np.stack((curve.A[k], curve.mean[k]))) for k in between)
 
             def at(Omega: Floats) -> Floats:
-                return on_curve(slow, Omega, start + (Omega - low) / (high - low) * (end - start))
+                return newton(slow, Omega, start + (Omega - low) / (high - low) * (end - start))[0]
 
             def excess(Omega: Floats) -> Floats:
                 x = at(Omega)
@@ -519,7 +514,7 @@ class OffCentre(Unchanging, ComposedQuestions):
         A, B, R = x
         means = self._steps.at(A, B, ORDERS)
         with np.errstate(all="ignore"):
-            averages = self._derivatives(A, means)
+            averages = off_centre.averaged(A, *means.c[1:], *means.s)
             Omega = np.where(on_corner == "", self._frequency(A, R, F_0, averages[0]), R)
             bends = self._flow.F_AA(Omega, A, averages)
         kind = np.where(bends < 0, "jump-up", "jump-down")
@@ -546,10 +541,6 @@ class OffCentre(Unchanging, ComposedQuestions):
             by_R = (np.abs(R) + np.abs(h)) * (I - self._model.m) < 2 * A * square * (I + self._model.m)
             return np.asarray(np.where((square > 0) & by_R, np.sqrt(np.maximum(square, 0.0)), lag))
 
-    def _derivatives(self, A: Floats, means: Means) -> tuple[Any, ...]:
-        """h and its derivatives along the balance."""
-        return tuple(off_centre.averaged(A, *means.c[1:], *means.s))
-
     def _states(
         self, at: Floats, A: Floats, B: Floats, F_0: float, notes: _Notes, undecided: Floats, of: Ints
     ) -> SteadyStates:
@@ -570,7 +561,7 @@ class OffCentre(Unchanging, ComposedQuestions):
         """Where states are stable, and h there."""
         means = self._steps.at(A, B, ORDERS)
         with np.errstate(all="ignore"):
-            averages = self._derivatives(A, means)
+            averages = off_centre.averaged(A, *means.c[1:], *means.s)
             turns = self._flow.F_A(Omega, A, averages)
         return ((turns > 0) | (A == 0)) & (means.c[1] > 0), np.asarray(averages[0])
 
