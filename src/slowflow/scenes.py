@@ -461,7 +461,14 @@ class _Reader:
                 raise self._error("ask", "", f"{key} is missing: {name} needs it")
         arguments: dict[str, Any] = {kind.frequency: self._positive(kind.frequency)} if "Omega" in takes else {}
         if "window" in takes and "window" in ask:
-            arguments[kind.frequency] = self._tried("ask", ask, lambda: validate.window("window", ask["window"]))
+            ends, unit = ask["window"], self._unit(kind.frequency)
+            arguments[kind.frequency] = self._tried(
+                "ask",
+                ask,
+                lambda: validate.window(
+                    "window", [si("window", one, unit) for one in ends] if isinstance(ends, list) else ends
+                ),
+            )
         if "samples" in takes and "samples" in ask:
             arguments["samples"] = ask["samples"]
         decibels = self._numbers("level_dB", most=0.0) if "level_dB" in takes and "level_dB" in ask else []
@@ -552,11 +559,15 @@ class _Reader:
 
     def _numbers(self, key: str, table: str = "ask", **bounds: float) -> list[float]:
         """A list of numbers within bounds, of a mount in SI units."""
-        unit = SI[OF_MOUNT[key]] if "mount" in self.content and key in OF_MOUNT else ""
+        unit = self._unit(key)
         values = self._list(table, key, (int, float, str) if unit else (int, float))
         return self._tried(
             table, self.content[table], lambda: [validate.number(key, si(key, one, unit), **bounds) for one in values]
         )
+
+    def _unit(self, key: str) -> str:
+        """In which unit a mount has it; empty where it has none."""
+        return SI[OF_MOUNT[key]] if "mount" in self.content and key in OF_MOUNT else ""
 
     def _table(self, name: str, question: str = "") -> dict[str, Any]:
         """A table, and which question needs it, if one does."""

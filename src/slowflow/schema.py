@@ -127,7 +127,7 @@ def _arguments(questions: Iterable[str]) -> tuple[str, ...]:
 
 def _ask(keys: Iterable[str]) -> Schema:
     amplitudes = {key: _list(AMPLITUDE if key in OF_MOUNT else POSITIVE, text) for key, text in _amplitudes().items()}
-    ends = {"type": "array", "items": {"type": "number", "minimum": 0}, "minItems": 2, "maxItems": 2}
+    ends = {"type": "array", "items": {**QUANTITY, "minimum": 0}, "minItems": 2, "maxItems": 2}
     known = amplitudes | {
         "window": {"description": "ends of the frequencies of a response, in the unit of these", **ends},
         "samples": {"description": "about how many points a response has", "type": "integer", "minimum": 2},

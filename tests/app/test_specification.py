@@ -1,0 +1,120 @@
+"""The specification in `scenes`: each figure of its verdict against an integration that shares nothing with slowflow.
+
+m (x'' + a(t)) of the mass seen from the floor: Runge-Kutta with a fixed step on many motions at once, dry friction a
+steep tanh, in SI units.
+"""
+
+import csv
+
+import numpy as np
+import pytest
+
+from slowflow import scenes, verdict
+from tests.files import ROOT
+
+g = 9.80665
+M, K_V, K_H, L, PRELOAD, FRICTION = 25.0, 4 * 1290.0, 4 * 3 * 500.0, 0.12, 0.012, 4 * 0.1
+C = 2 * 0.025 * np.sqrt(K_V * M)
+X_CR = np.sqrt(L**2 - (L - PRELOAD) ** 2)
+#: speed over which friction turns, m/s
+TURN = 1e-4
+STEP = 2e-4
+FLOOR = 0.05 * g
+
+
+def force(x):
+    """Of the springs (1), (2)."""
+    root = np.sqrt(L**2 - np.clip(x, -X_CR, X_CR) ** 2)
+    return K_V * x + np.where(np.abs(x) < X_CR, K_H * x * (L - PRELOAD - root) / root, 0.0)
+
+
+def dampers(v):
+    return C * v + FRICTION * np.tanh(v / TURN)
+
+
+def integrate(acceleration, x, v, steps, step=STEP):
+    """Yield x and v after each step under the floor's acceleration, a function of the number of half steps."""
+
+    def slope(x, v, a):
+        return -(force(x) + dampers(v)) / M - a
+
+    for n in range(steps):
+        a = [acceleration(2 * n + k) for k in range(3)]
+        k_1 = slope(x, v, a[0])
+        k_2 = slope(x + step / 2 * v, v + step / 2 * k_1, a[1])
+        k_3 = slope(x + step / 2 * (v + step / 2 * k_1), v + step / 2 * k_2, a[1])
+        k_4 = slope(x + step * (v + step / 2 * k_2), v + step * k_3, a[2])
+        x = x + step * v + step**2 / 6 * (k_1 + k_2 + k_3)
+        v = v + step / 6 * (k_1 + 2 * k_2 + 2 * k_3 + k_4)
+        yield x, v
+
+
+def first_harmonic(f, a, x, periods, kept=10):
+    """Complex amplitudes of x under a cos(2 pi f t), from the last periods; f, a, x of one shape."""
+    per_period = 100
+    f, a, x = np.broadcast_arrays(f, a, x)
+    step = 1 / (per_period * f)
+    v = np.zeros(f.shape)
+    found, total = np.zeros(f.shape, complex), periods * per_period
+    motion = integrate(lambda half: a * np.cos(np.pi * half / per_period), x, v, total, step)
+    for n, (x, _) in enumerate(motion, 1):
+        if n > total - kept * per_period:
+            found += x * np.exp(-2j * np.pi * n / per_period)
+    return 2 * found / (kept * per_period)
+
+
+@pytest.fixture(scope="module")
+def rows():
+    """Limit and value of each requirement in each load case, in the order of the scene."""
+    found = verdict.verdict(scenes.read(ROOT / "scenes" / "specification.toml"))
+    assert found.all_met
+    return dict(zip(zip(found.requirement, (case.split()[0] for case in found.case), strict=True), found, strict=True))
+
+
+def test_it_isolates_from_the_frequency_that_is_told(rows):
+    at = rows["transmissibility_dB", "a"].value
+    x = first_harmonic(np.array([at]), FLOOR, 0.0, 150)[0]
+    absolute = FLOOR - (2 * np.pi * at) ** 2 * x
+    assert 20 * np.log10(abs(absolute) / FLOOR) == pytest.approx(-20, abs=0.05)
+
+
+def test_its_largest_motion_over_all_frequencies(rows):
+    f = np.linspace(2.15, 2.3, 31)
+    assert 1e3 * np.abs(first_harmonic(f, FLOOR, 0.045, 120)).max() == pytest.approx(
+        rows["relative_displacement", "a"].value, rel=0.01
+    )
+
+
+@pytest.mark.slow
+def test_it_jumps_from_the_acceleration_that_is_told(rows):
+    """Below it all motions at a frequency are one, wherever they begin; above it some are not."""
+    first = rows["jumps", "a"].limit
+    f, starts = np.linspace(2.2, 2.4, 81), np.array([[0.0], [0.05], [-0.05]])
+    for share, several in ((0.95, False), (1.15, True)):
+        found = np.abs(first_harmonic(f, share * first, starts, 250))
+        assert (np.ptp(found, axis=0) > 0.02 * found.max(axis=0)).any() == several
+
+
+def test_its_motion_in_the_shock(rows):
+    def pulse(half):
+        t = half * STEP / 2
+        return 15 * g * np.sin(np.pi * t / 0.011) * (t < 0.011)
+
+    reached = max(abs(float(x)) for x, _ in integrate(pulse, 0.0, 0.0, 4000))
+    assert 1e3 * reached == pytest.approx(rows["relative_displacement", "transient"].value, rel=1e-3)
+
+
+@pytest.mark.slow
+def test_its_motion_on_the_floor(rows):
+    """64 records of 100 s of the floor: straight lines in log-log between the points of its file."""
+    with (ROOT / "scenes" / "floor_psd.csv").open(encoding="utf-8") as file:
+        points = np.array(list(csv.reader(file))[1:], float)
+    rng, step, records, steps = np.random.default_rng(1), 4e-3, 64, 25_000
+    f = np.fft.rfftfreq(2 * steps, step / 2)[1:]
+    G = np.exp(np.interp(np.log(f), *np.log(points.T), left=-np.inf, right=-np.inf)) * g**2
+    lines = np.sqrt(2 * G * f[0]) * np.exp(2j * np.pi * rng.random((records, f.size)))
+    floor = np.fft.irfft(steps * np.pad(lines, ((0, 0), (1, 0))), 2 * steps, axis=1).T
+    floor = np.concatenate((floor, floor[:1]))
+    motion = integrate(lambda half: floor[half], np.zeros(records), np.zeros(records), steps, step)
+    later = [(force(x) + dampers(v)) / M for n, (x, v) in enumerate(motion) if n > 2500]
+    assert np.sqrt(np.mean(np.square(later))) == pytest.approx(rows["absolute_acceleration", "random"].value, rel=0.04)
