@@ -123,6 +123,9 @@ def answers():
             for name, (tool, arguments, *_) in {**RIGHT, **REFUSED}.items():
                 found[name] = await client.call_tool(tool, arguments)
             scene = tomllib.loads((ROOT / "scenes" / "specification.toml").read_text(encoding="utf-8"))
+            found["file"] = await client.call_tool("scene", scene)
+            scene["psd"] = {"f": [1, 100], "G": [1e-5, 1e-5], "unit": "g^2/Hz"}
+            scene["spectrum"] = {"f": [2, 5], "a": [0.04, 0.12]}
             found["scene"] = await client.call_tool("scene", scene)
 
     anyio.run(session)
@@ -157,6 +160,11 @@ def test_a_scene_has_a_verdict(answers):
     content = answers["scene"].structured_content
     assert len(content["verdict"]["met"]) == len(content["verdict"]["requirement"]) > 3
     assert answers["scene"].content[0].text.startswith("# ")
+
+
+def test_no_file_is_read_for_a_client(answers):
+    assert answers["file"].is_error
+    assert "file is no key of [spectrum]" in answers["file"].content[0].text
 
 
 def test_each_question_is_a_tool_whose_schema_arguments_fit(answers):
