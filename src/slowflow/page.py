@@ -84,9 +84,11 @@ def _anchor(name: str) -> str:
 
 
 def cell(value: Any) -> str:
-    """A cell of a number, four digits of it, a truth or a word; empty for NaN."""
+    """A cell of a number, four digits of it, a truth, a word or a sentence; empty for NaN."""
     if isinstance(value, float):
         return "" if np.isnan(value) else f"{value:.4g}"
+    if isinstance(value, str) and " " in value:
+        return prose(value)
     return escape({True: "yes", False: "no"}.get(value, str(value)) if isinstance(value, bool) else str(value))
 
 

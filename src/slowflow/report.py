@@ -232,7 +232,7 @@ class Report:
             shock = str(one).partition(" at ")[2]
             yield f"The shock that {most} {_one(found, name)}{f', has {shock}' if shock else ''}."
         leave, count = sum(bool(found.columns()["detaches"][0]) for _, found in answers), len(answers)
-        yield f"In {leave} of {count} shocks the springs leave." if count > 1 else "Its springs leave." if leave else ""
+        yield f"In {leave} of {count} shocks the springs detach." if count > 1 else "The springs detach in it." if leave else ""
 
     def in_short(self, F: float) -> Iterator[str]:
         """Of a force: jumps, detachment, the highest motion, isolation."""

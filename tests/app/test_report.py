@@ -303,7 +303,7 @@ def test_shocks_say_which_are_beyond_the_stroke_and_are_in_short():
         mount.transient(acceleration=a, duration=d) for a in (10, 30) for d in (0.005, 0.011, 0.025, 0.05, 0.1, 0.2)
     ]
     leave = [one.A > one.x_cr for one in found]
-    assert f"In {sum(leave)} of 12 shocks the springs leave." in lines
+    assert f"In {sum(leave)} of 12 shocks the springs detach." in lines
     assert [one.detaches for one in found] == leave
     begin = lines.index("acceleration of the pulse / (m/s²)")
     assert f"the stroke, {1e3 * found[0].x_cr:.4g} mm" in lines[begin - 1]
