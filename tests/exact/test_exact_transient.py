@@ -367,7 +367,7 @@ def test_what_is_no_shock_is_refused():
         (lambda: Isolator.many(lam=3, r=2, delta_h=0.1).transient(acceleration=0.1), "either its duration"),
         (lambda: Isolator.many(lam=3, r=2, delta_h=0.1).transient(acceleration=0.1, tau=[0, 1]), "as many samples"),
         (lambda: iso.shock_spectrum(acceleration=-0.1, duration=1.0), "acceleration = -0.1"),
-        (lambda: mount.transient(acceleration=20.0, duration="11 ms"), "duration = '11 ms'"),
+        (lambda: mount.transient(acceleration=20.0, duration="11 mm"), "duration = '11 mm'"),
     ):
         with pytest.raises(ValueError, match=message):
             call()
