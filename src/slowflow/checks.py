@@ -58,7 +58,7 @@ class AtRest(Composed, Single):
     """What there is to say of an oscillator that nothing excites.
 
     Omega_0, k_0 -- natural frequency and stiffness of small motions about the centre; no frequency where k_0 < 0
-    u_cr         -- the stroke, at which the springs leave; None for a force of one piece
+    u_cr         -- the stroke, at which the springs detach; None for a force of one piece
     break_loose  -- the constant force that friction holds, the static one where it is given
     rests_within -- how far from the centre friction holds the mass, of the untruncated force if there is one; None
                     where it holds it anywhere

@@ -57,7 +57,7 @@ def check_names(mechanism: Mechanism, values: Mapping[str, Any], optional: tuple
     names = [*mechanism.design_names, *OF_DAMPING, *(domain.name for domain in optional if domain.name in values)]
     if values.keys() != set(names):
         wrong = next(name for name in (*values, *names) if name not in values or name not in names)
-        what = "is missing for" if wrong in names else "is no number of"
+        what = "is missing for" if wrong in names else "is not a parameter of"
         raise WrongType(f"{wrong} {what} {mechanism.name}: it takes {', '.join(names)}")
     return names
 
@@ -339,7 +339,9 @@ class Model(SlowFlow):
         if odd and not math.isfinite(self.mechanism.pieces[0].slope(0.0, *self.parameters)):
             raise Refused(STIFF.format(laws, self.mechanism.name))
         if self.laws.rubs != THROUGHOUT and not self.breakpoints:
-            raise Refused(laws + f" is not allowed for {self.mechanism.name}: its force has one piece, nothing leaves")
+            raise Refused(
+                laws + f" is not allowed for {self.mechanism.name}: its force has one piece, nothing detaches"
+            )
 
     @np.errstate(all="ignore")
     def _prepared(self) -> tuple[float, tuple[float, ...], tuple[float, ...]]:

@@ -32,7 +32,7 @@ UNSTABLE: Any = (0, (4, 2))
 JUMP_UP, JUMP_DOWN = "^", "v"
 STOPS = "|"
 DETACHES = "D"
-MARKERS = {JUMP_UP: "jump up", JUMP_DOWN: "jump down", STOPS: "the mass stops", DETACHES: "springs leave"}
+MARKERS = {JUMP_UP: "jump up", JUMP_DOWN: "jump down", STOPS: "the mass stops", DETACHES: "springs detach"}
 #: what is tinted beyond a breakpoint, where a motion would stop, and where a state would be unstable
 DETACHED, STOPPING, UNSTABLE_REGION = "#E8EEF4", "#F5EBDD", "#E6E6E6"
 NO_ANSWER = "#D0D0D0"

@@ -13,7 +13,7 @@ from collections.abc import Iterable, Iterator
 LONGEST, SHORTEST = 5.0, 1e-3
 #: by how much a vertical spring is compressed at most, in m: at 0.25 Hz; and a natural frequency that no mount has
 MOST_PRESET, HIGHEST = 4.0, 1000.0
-#: shares of the horizontal springs in the stiffness beyond which one of the two would have no say
+#: shares of the horizontal springs in the stiffness beyond which one of the two would be negligible
 WEAKEST, STRONGEST = 0.01, 100.0
 #: frequencies over the natural one at which springs vibrate by themselves, and a half sine that lasts for many turns
 FASTEST, SLOWEST = 100.0, 20.0
@@ -37,12 +37,12 @@ def of_mount(
             "Stiffness is in N/m, mass in kg"
         )
     elif (k_v / m) ** 0.5 > math.tau * HIGHEST:
-        yield f"k_v = {k_v:g} N/m under {m:g} kg is a natural frequency above {HIGHEST:g} Hz: mass is in kg"
+        yield f"k_v = {k_v:g} N/m under {m:g} kg gives a natural frequency above {HIGHEST:g} Hz: mass is in kg"
     ratio = n * k_h / k_v
     if preload > 0 and ratio < WEAKEST:
-        yield f"k_h = {k_h:g} N/m does next to nothing beside k_v = {k_v:g} N/m: is it in N/mm? Stiffness is in N/m"
+        yield f"k_h = {k_h:g} N/m is negligible compared with k_v = {k_v:g} N/m: is it in N/mm? Stiffness is in N/m"
     elif preload > 0 and ratio > STRONGEST:
-        yield f"k_h = {k_h:g} N/m leaves k_v = {k_v:g} N/m no say: is that in N/mm? Stiffness is in N/m"
+        yield f"k_h = {k_h:g} N/m dominates k_v = {k_v:g} N/m: is it in N/mm? Stiffness is in N/m"
     if friction > m * g:
         yield f"friction = {friction:g} N is more than the weight, {m * g:.4g} N: is it in mN?"
     if zeta > 1:
@@ -53,7 +53,7 @@ def of_frequency(highest: float, f_n: float) -> Iterator[str]:
     """Of the highest frequency asked for, in Hz, and that of the mass on the vertical spring."""
     if highest > FASTEST * f_n:
         yield (
-            f"f = {highest:g} Hz is {highest / f_n:.3g} times f_n = {f_n:.4g} Hz, where springs vibrate by themselves: "
+            f"f = {highest:g} Hz is {highest / f_n:.3g} times f_n = {f_n:.4g} Hz, where springs resonate themselves: "
             "is it in rpm? Frequencies are in Hz"
         )
 

@@ -55,7 +55,7 @@ FEW = 2
 AT_EACH = {
     "margins": "Margins to jumps and to detachment: above 1 is safe",
     "peak": "The highest peak",
-    "isolation": "Less is transmitted from this frequency on than what drives it",
+    "isolation": "The transmissibility stays below its limit from this frequency on",
     "saddle_nodes": "Where a sweep jumps",
     "hysteresis": "Bands with several stable motions",
 }
@@ -75,7 +75,7 @@ NUMBERS |= {"delta_h": "the preload"}
 #: what the numbers of a mount at rest are
 MEANING = {one.si or one.name: one.text for one in COLUMNS.values()} | {
     "f_n": "natural frequency of the mass on the vertical spring alone",
-    "x_cr": "stroke, at which the horizontal springs leave",
+    "x_cr": "stroke, at which the horizontal springs detach",
     "sticking": "force amplitude up to which averaging has the mass at rest",
     "rests_within": "how far from the centre friction holds the mass at rest",
     "preset": "compression of the vertical spring that holds the mass at the centre",
@@ -220,7 +220,7 @@ class Report:
         for at in self._frequencies():
             states = self._shown("amplitudes", F, **{self.f: at})
             if found := [f"{one:.4g}" for one in states.transmissibility_dB[states.stable].tolist()]:
-                yield f"At {_number(states, at, self.f)} it transmits {' or '.join(found)} dB."
+                yield f"At {_number(states, at, self.f)} its transmissibility is {' or '.join(found)} dB."
 
     def _of_shocks(self) -> Iterator[str]:
         """How many of the half sines lift the springs, and the worst of them."""
@@ -231,8 +231,14 @@ class Report:
             one, found = max(answers, key=lambda pair: float(pair[1].columns()[name][0]))
             shock = str(one).partition(" at ")[2]
             yield f"The shock that {most} {_one(found, name)}{f', has {shock}' if shock else ''}."
-        leave, count = sum(bool(found.columns()["detaches"][0]) for _, found in answers), len(answers)
-        yield f"In {leave} of {count} shocks the springs detach." if count > 1 else "The springs detach in it." if leave else ""
+        some, count = sum(bool(found.columns()["detaches"][0]) for _, found in answers), len(answers)
+        yield (
+            f"In {some} of {count} shocks the springs detach."
+            if count > 1
+            else "The springs detach in it."
+            if some
+            else ""
+        )
 
     def in_short(self, F: float) -> Iterator[str]:
         """Of a force: jumps, detachment, the highest motion, isolation."""
@@ -255,21 +261,22 @@ class Report:
         least = f"{self.letter[0]}_cr"
         most = _one((margins or [leaving])[0], least)
         if margins:
-            stay = f"stay up to {most}" if most else "stay"
-            yield f"its springs {'leave' if margins[0].detaches else stay}."
+            stay = f"stay attached up to {most}" if most else "stay attached"
+            yield f"its springs {'detach' if margins[0].detaches else stay}."
         elif most is None:
             yield f"{leaving.message}."
         else:
-            yield f"its springs {f'leave from {most} on' if F >= getattr(leaving, least) else f'stay up to {most}'}."
+            attached = F < getattr(leaving, least)
+            yield f"its springs {f'stay attached up to {most}' if attached else f'detach from {most} on'}."
         if peak and peak[0].A is not None:
             yield f"Its highest motion is {_one(peak[0], 'A')}, at {_one(peak[0], self.f)}."
         if isolation and (begin := _one(isolation[0], self.f)) is not None:
             open_ = ", as far as is decided" if isolation[0].remarks & Remark.UNDECIDED else ""
-            yield f"From {begin} on it transmits less than what drives it{open_}."
+            yield f"From {begin} on its transmissibility is below 0 dB{open_}."
         for one in self.scene.of("isolation"):
             level = one.arguments.get("level_dB", 0.0) if one.forcing == F else 0.0
             if level and (begin := _one(self.scene.answer(one), self.f)) is not None:
-                yield f"From {begin} on it transmits less than {level:g} dB."
+                yield f"From {begin} on its transmissibility is below {level:g} dB."
 
     def design(self) -> Iterator[str]:
         """The numbers that were given, and what they mean at rest."""
@@ -280,11 +287,11 @@ class Report:
             heads = (*heads, "unit", "what it is")
             known = [DATA_SHEET[name] for name in sheet]
             rows = [(*row, unit, page.prose(meaning)) for row, (unit, meaning) in zip(rows, known, strict=True)]
-        yield page.table("As it was given", heads, rows)
+        yield page.table("Design data", heads, rows)
         for text in self.scene.warnings:
             yield f"<p>Note: {page.inline(text)}</p>"
         if self.plain.load != 0:
-            yield _table("Where it stands under its load", self._shown("rest"))
+            yield _table("Where it rests under its load", self._shown("rest"))
         elif self.mount:
             found = self._shown("at_rest")
             units = found.units_of_columns()
@@ -296,11 +303,11 @@ class Report:
             yield page.table("At rest", heads, at_rest)
 
     def answers(self) -> Iterator[str]:
-        """What was asked at each force, and the forces from which on it jumps and its springs leave."""
+        """What was asked at each force, and the forces from which on it jumps and its springs detach."""
         what, of_force = EXCITATION[self.excitation], self.plain.excitation == "force"
         left_out: list[str] = []
         yield _table(f"It jumps from this {what} on", self._shown("saddle_node_onset"))
-        yield _table(f"Its springs leave from this {what} on", self._shown("detachment"))
+        yield _table(f"Its springs detach from this {what} on", self._shown("detachment"))
         for question, caption in AT_EACH.items():
             if found := self._at_each(question, self.forcings, left_out):
                 # a force moves the mass at all frequencies, or at none, which `sticks` says
@@ -323,7 +330,7 @@ class Report:
         folds = [self._shown("saddle_nodes", F) for F in self.forcings]
         letter, _, size = self._called("u")
         length = self.mount.scales.sizes["length"] / size if self.mount else 1.0
-        # off the centre springs leave on one side first, where the largest displacement passes the stroke
+        # off the centre springs detach on one side first, where the largest displacement passes the stroke
         largest, what = ("A", "Amplitude") if self.plain.load == 0 else (f"{letter}_max", "Largest displacement")
         for y, quantity in ((largest, what), ("transmissibility_dB", "Transmissibility in decibels")):
             ax = pictures.responses(page.axes(), list(zip(curves, folds, strict=True)), y)

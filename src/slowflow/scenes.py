@@ -95,7 +95,7 @@ window = [0.5, 6.0]     # frequencies shown of a response, Hz
 questions = [
     "at_rest",              # natural frequency, stroke, loads
     "saddle_node_onset",    # from which force on it jumps
-    "detachment",           # from which force on its springs leave
+    "detachment",           # from which force on its springs detach
     "saddle_nodes",         # where it jumps
     "margins",              # how far a force is from these
     "hysteresis",           # frequencies with several motions
@@ -427,7 +427,7 @@ class _Reader:
         rms = value.get("rms", False) is True
         if "random" in under and not rms and (name != "relative_displacement" or "duration" not in value):
             raise Refused(
-                f"{name} under 'random' needs rms = true, or of a displacement the duration that it is largest in"
+                f"{name} under 'random' needs rms = true, or for a displacement the duration whose maximum counts"
             )
         more = {"under": under, "rms": rms}
         if "duration" in value:
@@ -498,7 +498,7 @@ class _Reader:
             self._complete("shock", table, ("acceleration", kind.time))
             samples = {key: self._numbers(key, "shock") for key in ("acceleration", kind.time)}
             if "duration" in table or len(samples["acceleration"]) != len(samples[kind.time]):
-                message = "must be a time for each sample of acceleration, and there is no duration then"
+                message = "must have one time for each sample of acceleration, and no duration"
                 raise self._error("shock", kind.time, message)
             yield Asked(name, samples)
             return
@@ -593,7 +593,7 @@ class _Reader:
         for key in values:
             if key not in known:
                 where = (table, key) if table else (key, "")
-                what = f"is no key of [{table}]" if table else "is no table of a scene"
+                what = f"is not a key of [{table}]" if table else "is not a table of a scene"
                 raise self._error(*where, f"{what}: it must be one of {', '.join(known)}", key, known)
 
     def _asks(self, table: str, values: Mapping[str, Any], kind: Kind, more: tuple[str, ...] = ()) -> None:
@@ -608,7 +608,9 @@ class _Reader:
                 if key in FORCINGS:
                     excited = next((name for name, (letter, *_) in EXCITED.items() if letter == right), "")
                     what = f"the amplitude of the excitation{f' = {excited!r}' if excited else ''}"
-                message = f"is no key of [{table}] here: it must be one of {', '.join(known)}; {what} is {right}{unit}"
+                message = (
+                    f"is not a key of [{table}] here: it must be one of {', '.join(known)}; {what} is {right}{unit}"
+                )
                 raise self._error(table, key, message)
         self._known(table, values, known)
 

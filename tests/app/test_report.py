@@ -179,12 +179,12 @@ def test_jumps_of_three_depths_share_a_unit_and_show_the_error(text):
 def test_the_page_says_in_short_what_happens_at_each_force(text):
     items = re.findall(r"<li>(At .*?)</li>", text.replace("\xa0", " "))
     assert items == [
-        "At 3 N it jumps up at 2.12 Hz, jumps down at 2.128 Hz; its springs stay up to 4.078 N. "
-        "Its highest motion is 26.97 mm, at 2.121 Hz. From 2.852 Hz on it transmits less than what drives it. "
-        "At 5 Hz it transmits -11.37 dB.",
-        "At 5 N it jumps up at 2.182 Hz, jumps down at 2.275 Hz; its springs leave. "
-        "Its highest motion is 45.53 mm, at 2.265 Hz. From 2.853 Hz on it transmits less than what drives it. "
-        "At 5 Hz it transmits -12.8 dB.",
+        "At 3 N it jumps up at 2.12 Hz, jumps down at 2.128 Hz; its springs stay attached up to 4.078 N. "
+        "Its highest motion is 26.97 mm, at 2.121 Hz. From 2.852 Hz on its transmissibility is below 0 dB. "
+        "At 5 Hz its transmissibility is -11.37 dB.",
+        "At 5 N it jumps up at 2.182 Hz, jumps down at 2.275 Hz; its springs detach. "
+        "Its highest motion is 45.53 mm, at 2.265 Hz. From 2.853 Hz on its transmissibility is below 0 dB. "
+        "At 5 Hz its transmissibility is -12.8 dB.",
     ]
 
 
@@ -239,7 +239,7 @@ def test_what_is_undecided_of_isolation_is_said_in_short_too(monkeypatch):
         return replace(ask(*at, **arguments), remarks=Remark.UNDECIDED)
 
     monkeypatch.setattr(Isolator, "isolation", undecided)
-    expected = plain.replace("less than what drives it.", "less than what drives it, as far as is decided.")
+    expected = plain.replace("is below 0 dB.", "is below 0 dB, as far as is decided.")
     assert " ".join(report.Report(scenes.read(MOUNT)).in_short(5.0)) == expected != plain
 
 
@@ -269,10 +269,10 @@ def test_report_under_a_load_leaves_out_centred_questions(tmp_path):
     up, down = mount.saddle_nodes(3.0)
     peak, begins = mount.peak(3.0), mount.isolation(3.0)
     expected = (
-        f"At 3 N it jumps up at {up.f:.4g} Hz, jumps down at {down.f:.4g} Hz; its springs stay up to "
+        f"At 3 N it jumps up at {up.f:.4g} Hz, jumps down at {down.f:.4g} Hz; its springs stay attached up to "
         f"{mount.detachment().F_cr:.4g} N. Its highest motion is {1e3 * peak.A:.4g} mm, at {peak.f:.4g} Hz. "
-        f"From {begins.f:.4g} Hz on it transmits less than what drives it. "
-        f"At 2.2 Hz it transmits {mount.amplitudes(f=2.2, F=3.0).transmissibility_dB[0]:.4g} dB."
+        f"From {begins.f:.4g} Hz on its transmissibility is below 0 dB. "
+        f"At 2.2 Hz its transmissibility is {mount.amplitudes(f=2.2, F=3.0).transmissibility_dB[0]:.4g} dB."
     )
     assert expected in lines and f"{1e3 * peak.x_max:.4g}" in lines
     assert f"{1e3 * mount.rest().x[0]:.4g}" in lines and f"{mount.saddle_node_onset().F_SN:.4g}" in lines

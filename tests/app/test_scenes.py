@@ -231,7 +231,7 @@ def test_a_base_is_given_by_its_acceleration_in_a_scene(scene):
     assert found["saddle_node_onset"].a_SN == mount.saddle_node_onset().a_SN
     assert found["peak at a = 0.5 m/s^2"] == mount.peak(0.5)
     assert found["spectrum"] == mount.spectrum(f=[2.2, 5.0, 25.0], a=[0.5, 2.0, 9.0])
-    with pytest.raises(scenes.SceneError, match=r"Y is no key of \[ask\] here: .*'acceleration' is a, in m/s"):
+    with pytest.raises(scenes.SceneError, match=r"Y is not a key of \[ask\] here: .*'acceleration' is a, in m/s"):
         scenes.read(scene(text.replace("[ask]", "[ask]\nY = 0.001")))
 
 
@@ -332,7 +332,7 @@ WRONG = {
     "a misspelt key": (
         "preload = 0.009",
         "preloda = 0.009",
-        "9: preloda is no key of [mount]: it must be one of m, k_v, k_h, L, preload, n, mounts, friction, c, zeta, "
+        "9: preloda is not a key of [mount]: it must be one of m, k_v, k_h, L, preload, n, mounts, friction, c, zeta, "
         "eta, c_2, rubs, static_friction, load, force, excitation. Did you mean 'preload'?",
     ),
     "a number outside its domain": (
@@ -373,19 +373,19 @@ WRONG = {
     "a dimensionless forcing of a mount": (
         "F = [3.0, 5.0]",
         "F_0 = [3.0, 5.0]",
-        "14: F_0 is no key of [ask] here: it must be one of F, f, window, samples, level_dB, questions; "
+        "14: F_0 is not a key of [ask] here: it must be one of F, f, window, samples, level_dB, questions; "
         "the amplitude of the excitation = 'force' is F, in N\n",
     ),
     "a force where the base moves": (
         "zeta = 0.02",
         'zeta = 0.02\nexcitation = "base"',
-        "15: F is no key of [ask] here: it must be one of Y, f, window, samples, level_dB, questions; "
+        "15: F is not a key of [ask] here: it must be one of Y, f, window, samples, level_dB, questions; "
         "the amplitude of the excitation = 'base' is Y, in m\n",
     ),
     "a dimensionless frequency of a mount": (
         "f = [5.0]",
         "Omega = [5.0]",
-        "15: Omega is no key of [ask] here: it must be one of F, f, window, samples, level_dB, questions; "
+        "15: Omega is not a key of [ask] here: it must be one of F, f, window, samples, level_dB, questions; "
         "the frequency is f, in Hz\n",
     ),
     "a word for the excitation that is none, before the keys that depend on it": (
@@ -397,7 +397,7 @@ WRONG = {
     "a law of damping with an index, which is no other law": (
         "zeta = 0.02",
         "zeta = 0.02\neta_2 = 0.1",
-        "12: eta_2 is no key of [mount]: it must be one of m, k_v, k_h, L, preload, n, mounts, friction, c, zeta, "
+        "12: eta_2 is not a key of [mount]: it must be one of m, k_v, k_h, L, preload, n, mounts, friction, c, zeta, "
         "eta, c_2, rubs, static_friction, load, force, excitation\n",
     ),
     "a length so small that scales leave the doubles": (
@@ -413,7 +413,7 @@ WRONG = {
     "a misspelt table": (
         "[ask]",
         "[aks]",
-        "13: [aks] is no table of a scene: it must be one of mount, isolator, duffing, ask, spectrum, tolerances, "
+        "13: [aks] is not a table of a scene: it must be one of mount, isolator, duffing, ask, spectrum, tolerances, "
         "shock, psd, require. Did you mean 'ask'?",
     ),
     "a force that is not positive": (
@@ -441,7 +441,7 @@ WRONG = {
     "a spectrum with pairs that are none": (
         'questions = ["at_rest"',
         'spectrum = { f = [1.0, 2.0], F = [1.0] }\nquestions = ["at_rest"',
-        "17: spectrum is no key of [ask]",
+        "17: spectrum is not a key of [ask]",
     ),
     "a forcing that is missing": ("F = [3.0, 5.0]\n", "", "13: [ask] F is missing: saddle_nodes needs it"),
     "samples that are too few": (
@@ -521,7 +521,7 @@ def test_tolerances_are_a_table_of_shares(scene, tmp_path, capsys):
     assert low == expected.in_units().low.tolist()
     for wrong, message in (
         ("k_h = 1.5", "20: k_h = 1.5 is not allowed"),
-        ("kh = 0.05", "20: kh is no key of [tolerances]: it must be one of m,"),
+        ("kh = 0.05", "20: kh is not a key of [tolerances]: it must be one of m,"),
     ):
         code, _, err = run("run", scene(text.replace("k_h = 0.05", wrong)), capsys=capsys)
         assert code == 2 and message in err
@@ -546,7 +546,7 @@ def test_shock_is_peaks_by_durations_or_a_record(scene, tmp_path, capsys):
     (row,) = rows_of(tmp_path / "two" / "transient.csv")
     assert float(row["A/mm"]) == 1e3 * mount.transient(acceleration=[0, 20.0, -5.0, 0], t=[0, 0.01, 0.02, 0.03]).A
     for text, message in (
-        (record.replace("0, 0.01, ", "0.01, "), "must be a time for each sample of acceleration"),
+        (record.replace("0, 0.01, ", "0.01, "), "must have one time for each sample of acceleration"),
         (head, "acceleration is missing: [shock] needs acceleration, duration"),
         (head.partition("[shock]")[0], "questions = 'transient' needs a table [shock], which is missing"),
     ):

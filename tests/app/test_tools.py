@@ -164,7 +164,7 @@ def test_a_scene_has_a_verdict(answers):
 
 def test_no_file_is_read_for_a_client(answers):
     assert answers["file"].is_error
-    assert "file is no key of [spectrum]" in answers["file"].content[0].text
+    assert "file is not a key of [spectrum]" in answers["file"].content[0].text
 
 
 def test_each_question_is_a_tool_whose_schema_arguments_fit(answers):

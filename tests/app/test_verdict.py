@@ -109,7 +109,7 @@ def test_the_exit_code_says_whether_all_is_met(tmp_path, capsys):
 @pytest.mark.parametrize(
     ("required", "message"),
     (
-        ("jump = 'none'", "jump is no key of .require."),
+        ("jump = 'none'", "jump is not a key of .require."),
         ("jumps = 'few'", "jumps"),
         ("transmissibility_dB = -20", "must be a table with below and from_f"),
         ("transmissibility_dB = { below = 3, from_f = 8 }", "below"),
@@ -126,7 +126,7 @@ def test_what_a_requirement_must_be_is_told_with_its_line(tmp_path, required, me
 
 
 def test_a_spectrum_needs_to_say_what_is_limited(tmp_path):
-    with pytest.raises(SceneError, match="rms = true, or of a displacement the duration"):
+    with pytest.raises(SceneError, match="rms = true, or for a displacement the duration"):
         read(scene(tmp_path, "relative_displacement = { below = 1, under = 'random' }", PSD))
 
 

@@ -297,7 +297,7 @@ def test_a_mechanism_is_taken_by_its_record():
     oscillator = Oscillator(duffing.MECHANISM, alpha=1.0, beta=0.5, mu=0.01, zeta=0.05)
     assert oscillator.saddle_nodes(1.5) == Duffing(1.0, 0.5, 0.01, 0.05).saddle_nodes(1.5)
     assert (Oscillator.many(duffing.MECHANISM, alpha=[1.0], beta=0.5).detachment().status == 3).all()
-    with pytest.raises(TypeError, match="gamma is no number of duffing"):
+    with pytest.raises(TypeError, match="gamma is not a parameter of duffing"):
         Oscillator(duffing.MECHANISM, alpha=1.0, beta=0.5, gamma=0.1)
     with pytest.raises(TypeError, match="beta is missing"):
         Oscillator.many(duffing.MECHANISM, alpha=1.0)

@@ -383,7 +383,7 @@ def test_a_shock_and_a_spectrum_are_drawn():
     labels = {text.get_text() for text in found.plot().get_legend().get_texts()}
     assert labels == {"beyond $u_{cr}$"}
     ax = isolator().shock_spectrum(acceleration=[[0.1], [0.5]], duration=[1.0, 2.0]).plot()
-    assert {"0.1", "0.5", "springs leave"} <= {text.get_text() for text in ax.get_legend().get_texts()}
+    assert {"0.1", "0.5", "springs detach"} <= {text.get_text() for text in ax.get_legend().get_texts()}
     assert exact.Transient is type(found)
 
 

@@ -751,7 +751,7 @@ SLIPS = {
     "k_v in N/mm": ({"k_v": 2.5, "k_h": 1.7, "friction": 0.0}, r"k_v = 2.5 N/m is compressed by 47.07 m under 12 kg"),
     "m in g": ({"m": 12000}, r"is compressed by 47.07 m under 12000 kg: is it in N/mm, or the mass in g\?"),
     "load in g": ({"load": 12360}, r"is compressed by 48.48 m under 12360 kg"),
-    "k_h in N/mm": ({"k_h": 1.7}, r"k_h = 1.7 N/m does next to nothing beside k_v = 2500 N/m: is it in N/mm\?"),
+    "k_h in N/mm": ({"k_h": 1.7}, r"k_h = 1.7 N/m is negligible compared with k_v = 2500 N/m: is it in N/mm\?"),
     "friction in mN": ({"friction": 400}, r"friction = 400 N is more than the weight, 117.7 N: is it in mN\?"),
     "zeta in per cent": ({"zeta": 2}, r"zeta = 2 is more than critical damping: is it in per cent\?"),
 }

@@ -330,9 +330,9 @@ def test_a_scene_has_random_vibration_by_its_psd(tmp_path):
 @pytest.mark.parametrize(
     ("changed", "message"),
     (
-        ({"frequency": "Omega"}, "Omega is no key"),
+        ({"frequency": "Omega"}, "Omega is not a key"),
         ({"unit": 'unit = "V^2/Hz"'}, "unit = .V.2.Hz. is not allowed"),
-        ({"unit": "H = 3"}, "H is no key"),
+        ({"unit": "H = 3"}, "H is not a key"),
     ),
 )
 def test_what_a_psd_of_a_scene_must_be_is_told(tmp_path, changed, message):
