@@ -90,8 +90,8 @@ def test_it_jumps_from_the_acceleration_that_is_told(rows):
     """Below it all motions at a frequency are one, wherever they begin; above it some are not."""
     first = rows["jumps", "a"].limit
     f, starts = np.linspace(2.2, 2.4, 81), np.array([[0.0], [0.05], [-0.05]])
-    for share, several in ((0.95, False), (1.15, True)):
-        found = np.abs(first_harmonic(f, share * first, starts, 250))
+    for ratio, several in ((0.95, False), (1.15, True)):
+        found = np.abs(first_harmonic(f, ratio * first, starts, 250))
         assert (np.ptp(found, axis=0) > 0.02 * found.max(axis=0)).any() == several
 
 
