@@ -567,7 +567,7 @@ class _Reader:
 
     def _unit(self, key: str) -> str:
         """In which unit a mount has it; empty where it has none."""
-        return SI[OF_MOUNT[key]] if "mount" in self.content and key in OF_MOUNT else ""
+        return SI.get(OF_MOUNT.get(key, ""), "") if "mount" in self.content else ""
 
     def _table(self, name: str, question: str = "") -> dict[str, Any]:
         """A table, and which question needs it, if one does."""

@@ -385,7 +385,8 @@ def test_links_into_a_page_lead_to_a_heading(page: Path) -> None:
 
 def test_files_that_pages_name_exist() -> None:
     """But those of which a page has the text, and what a user writes."""
-    folders = (ROOT / name for name in ("benchmarks", "derivations", "docs", "explorer", "generated", "src", "tests"))
+    names = ("benchmarks", "derivations", "docs", "explorer", "generated", "scenes", "src", "tests")
+    folders = (ROOT / name for name in names)
     here = {path.as_posix() for folder in folders for path in folder.rglob("*.*")} | {"/scene.toml"}
     here |= {path.as_posix() for path in ROOT.glob("*.*")}
     for page in (one for one in PAGES if "_made" not in one.parts):

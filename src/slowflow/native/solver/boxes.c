@@ -10,8 +10,8 @@
 #define NPY_TARGET_VERSION NPY_2_0_API_VERSION
 #include <numpy/arrayobject.h>
 
-/* A new array of numbers, (d, n) or (n,), each a member of things that lie so far apart. */
-static PyObject *column(int d, ptrdiff_t n, const void *first, size_t step)
+/* A new array of numbers, (d, n) or (n,), from a member of n records, given by its offset: there may be none of these. */
+static PyObject *column(int d, ptrdiff_t n, const void *records, size_t offset, size_t step)
 {
     const npy_intp shape[2] = {d, n};
     PyObject *array = PyArray_SimpleNew(2, shape, NPY_DOUBLE);
@@ -19,17 +19,17 @@ static PyObject *column(int d, ptrdiff_t n, const void *first, size_t step)
         for (ptrdiff_t k = 0; k < n; k++)
             for (int i = 0; i < d; i++)
                 *(double *)PyArray_GETPTR2((PyArrayObject *)array, i, k) =
-                    ((const double *)(const void *)((const char *)first + (size_t)k * step))[i];
+                    ((const double *)(const void *)((const char *)records + offset + (size_t)k * step))[i];
     return array;
 }
 
-static PyObject *numbers(ptrdiff_t n, const ptrdiff_t *first, size_t step)
+static PyObject *numbers(ptrdiff_t n, const void *records, size_t offset, size_t step)
 {
     PyObject *array = PyArray_SimpleNew(1, &n, NPY_INTP);
     if (array != NULL)
         for (ptrdiff_t k = 0; k < n; k++)
             *(npy_intp *)PyArray_GETPTR1((PyArrayObject *)array, k) =
-                *(const ptrdiff_t *)(const void *)((const char *)first + (size_t)k * step);
+                *(const ptrdiff_t *)(const void *)((const char *)records + offset + (size_t)k * step);
     return array;
 }
 
@@ -43,9 +43,10 @@ typedef struct {
 static int on(void *self, ptrdiff_t n, const sf_box_place *points, sf_values *out)
 {
     const called *of = self;
-    PyObject *result = PyObject_CallFunction(of->on, "NNN", column(of->d, n, points->low, sizeof *points),
-                                             column(of->d, n, points->high, sizeof *points),
-                                             numbers(n, &points->of, sizeof *points));
+    PyObject *result = PyObject_CallFunction(
+        of->on, "NNN", column(of->d, n, points, offsetof(sf_box_place, low), sizeof *points),
+        column(of->d, n, points, offsetof(sf_box_place, high), sizeof *points),
+        numbers(n, points, offsetof(sf_box_place, of), sizeof *points));
     PyArrayObject *rows = result == NULL ? NULL
                                          : (PyArrayObject *)PyArray_FROMANY(result, NPY_DOUBLE, 2, 2, NPY_ARRAY_CARRAY_RO);
     const int done = rows != NULL && PyArray_NBYTES(rows) == n * (npy_intp)sizeof *out;
@@ -99,10 +100,10 @@ static PyObject *solve(PyObject *self, PyObject *args)
         const int state = boxes == NULL ? SF_BOXES_NOT_EVALUATED : sf_solve_boxes(&equations, boxes, n, most, &found);
         if (state == SF_BOXES_SOLVED)
             result = Py_BuildValue(
-                "NNNN", column(of.d, found.count, found.found, sizeof *found.found),
-                numbers(found.count, &found.found->of, sizeof *found.found),
-                column(of.d, found.open, found.undecided->middle, sizeof *found.undecided),
-                numbers(found.open, &found.undecided->of, sizeof *found.undecided));
+                "NNNN", column(of.d, found.count, found.found, offsetof(sf_solution, x), sizeof *found.found),
+                numbers(found.count, found.found, offsetof(sf_solution, of), sizeof *found.found),
+                column(of.d, found.open, found.undecided, offsetof(sf_solution, middle), sizeof *found.undecided),
+                numbers(found.open, found.undecided, offsetof(sf_solution, of), sizeof *found.undecided));
         else if (state == SF_BOXES_TOO_MANY)
             result = Py_NewRef(Py_None);
         else if (state == SF_BOXES_NO_ROOM)
