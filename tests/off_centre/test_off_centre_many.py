@@ -153,3 +153,10 @@ def test_designs_with_loads_beside_are_answered_as_before():
     A = np.roots([0.225, 0.0, 1 - 0.81, -np.sqrt(0.05**2 - (0.04 / np.pi) ** 2)])
     assert states.A[0, 0] == pytest.approx(A[abs(A.imag) < 1e-12].real.max(), rel=1e-12)
     assert states.status.tolist() == [Status.OK, Status.UNBOUNDED]
+
+
+def test_a_force_at_the_end_of_doubles_leaves_others_gradients():
+    """Its gains are infinite, and their product with what vanishes is no number: nobody is warned of that."""
+    found = Isolator.many(lam=[1e-160, 0.5], r=[1.7e308, 0.5], delta_h=0.5, mu=0.8, zeta=1.0, load=1.0).rest()
+    single = Isolator.many(lam=[0.5], r=[0.5], delta_h=0.5, mu=0.8, zeta=1.0, load=1.0).rest().gradient()
+    assert np.array_equal(found.gradient().slopes[1], single.slopes[0], equal_nan=True)
