@@ -8,6 +8,7 @@ from __future__ import annotations
 import dataclasses
 import math
 import warnings
+from collections.abc import Mapping
 from typing import Any
 
 from slowflow import range_checks, validate
@@ -38,6 +39,21 @@ def _averaged(force: Any) -> Mechanism:
     """The isolator's mechanism with the force that is to be averaged, one of `FORCES`."""
     untruncated = validate.choice("force", force, FORCES) == "untruncated"
     return ROD_SPRING.load_untruncated() if untruncated and ROD_SPRING.load_untruncated else ROD_SPRING
+
+
+def _viscous(c: Any, zeta: float | None) -> dict[str, Any]:
+    """The viscous damping of a data sheet, by the one name that it has there."""
+    if c is not None and zeta is not None:
+        raise Refused("c and zeta say the same: give one of them")
+    return {"zeta": 0.0 if zeta is None else zeta} if c is None else {"c": c}
+
+
+def _numbers(scales: Scales, known: Mapping[str, Any]) -> dict[str, Any]:
+    """The dimensionless numbers of what is known of a data sheet, in SI units."""
+    measured = scales.measures.items()
+    return {
+        name: scales.over(word, known[word], DOMAINS[name], scale) for name, (word, scale) in measured if word in known
+    }
 
 
 class Isolator(Oscillator):
@@ -191,17 +207,13 @@ class Isolator(Oscillator):
         excitation = validate.excitation(excitation, tuple(EXCITED))
         mounts = validate.count("mounts", mounts, least=1)
         of_all = mounts * validate.number("k_v", si("k_v", k_v, "N/m"), above=0.0)
-        damping = "zeta" if c is None else "c"
+        (damping,) = viscous = _viscous(c, zeta)
         scales = Scales(m=moving, k_v=of_all, L=L, excitation=excitation, damping=damping, mounts=mounts)
         preset = validate.number("m", si("m", m, "kg"), above=0.0)
         beyond = scales.m - preset
-        if c is not None and zeta is not None:
-            raise Refused("c and zeta say the same: give one of them")
-        sheet = {"k_h": k_h, "n": n, "preload": preload, "friction": friction, "eta": eta, "c_2": c_2}
-        sheet |= {"zeta": 0.0 if zeta is None else zeta} if c is None else {"c": c}
+        sheet = {"k_h": k_h, "n": n, "preload": preload, "friction": friction, "eta": eta, "c_2": c_2, **viscous}
         known = {name: si(name, value, SHEET[name]) for name, value in sheet.items()}
-        of_design = scales.measures.items()
-        numbers = {name: scales.over(word, known[word], DOMAINS[name], scale) for name, (word, scale) in of_design}
+        numbers = _numbers(scales, known)
         mu_s, mu = 0.0, numbers["mu"]
         if static_friction is not None:
             static_force = si("static_friction", static_friction, "N")
@@ -323,26 +335,20 @@ class Duffing(Oscillator):
         ValueError
             For a number outside its domain, and without a spring.
         """
-        if c is not None and zeta is not None:
-            raise Refused("c and zeta say the same: give one of them")
+        (damping,) = viscous = _viscous(c, zeta)
         springs = {"k_1": k_1, "k_3": k_3}
         k_1, k_3 = (validate.number(name, si(name, value, SHEET[name])) for name, value in springs.items())
         L = math.sqrt(abs(k_1 / k_3)) if k_1 and k_3 else 1.0  # what makes both terms 1
         if not (k_v := abs(k_1) or abs(k_3) * L**2):
             raise Refused("k_1 = k_3 = 0 is not allowed: there is no spring")
         excitation = validate.excitation(excitation, tuple(EXCITED))
-        scales = Scales(m=m, k_v=k_v, L=L, excitation=excitation, damping="zeta" if c is None else "c")
-        laws = {"friction": friction, "eta": eta, "c_2": c_2}
-        laws |= {"zeta": 0.0 if zeta is None else zeta} if c is None else {"c": c}
+        scales = Scales(m=m, k_v=k_v, L=L, excitation=excitation, damping=damping)
+        laws = {"friction": friction, "eta": eta, "c_2": c_2, **viscous}
         arguments = {"m": m, **springs, **laws, "excitation": excitation}
         in_si = {name: si(name, value, SHEET[name]) for name, value in arguments.items()}
-        numbers = {
-            name: scales.over(word, in_si[word], DOMAINS[name], scale)
-            for name, (word, scale) in scales.measures.items()
-            if word in laws
-        }
+        laws_of = _numbers(scales, in_si)
         with scales.in_these_terms():
-            oscillator = cls(k_1 / k_v, k_3 * L**2 / k_v, excitation=scales.of_oscillator, **numbers)
+            oscillator = cls(k_1 / k_v, k_3 * L**2 / k_v, excitation=scales.of_oscillator, **laws_of)
         return Physical(oscillator, dataclasses.replace(scales, sheet=in_si), arguments)
 
     @classmethod
