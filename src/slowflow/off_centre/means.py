@@ -311,8 +311,7 @@ class Steps:
 
     def _summed(self, weights: Floats, ladder: Floats) -> Floats:
         used = weights != 0
-        with np.errstate(all="ignore"):  # gains at the ends of doubles: NaN where their product is none
-            return np.asarray(weights[used] @ ladder[used])
+        return np.asarray(weights[used] @ ladder[used])
 
     def _ladders(self, A: Floats, B: Floats) -> tuple[Floats, Floats]:
         """L_j and M_j of every step, j from -ORDERS on: (steps, j, n)."""

@@ -154,6 +154,7 @@ def of_isolation(design: Design, point: tuple[Any, Any, Any, Any], ratio: Any) -
     return Gradient(("Omega", "A", "B"), state.by[:-1], slopes, status, (Omega, A, B), state._at[:-1])
 
 
+@np.errstate(all="ignore")  # at the ends of doubles a slope has no bound, or is no number
 def of_rest(design: Design, u: Floats) -> Gradient:
     """The gradient of equilibria, f(u) = load, and of the stiffness there."""
     none, steps = np.zeros(u.shape), design.steps
@@ -161,9 +162,8 @@ def of_rest(design: Design, u: Floats) -> Gradient:
     names, size = design.names, np.abs(slope).max(initial=1.0)
     f_p, slope_p = design.sensitivities(none, u, len(names))[0][:2]
     f_p[names.index("load")] -= 1.0
-    with np.errstate(all="ignore"):
-        u_p = -f_p / slope
-        slopes = np.stack((u_p, slope_p + curvature * u_p), axis=-1).transpose(1, 2, 0)
+    u_p = -f_p / slope
+    slopes = np.stack((u_p, slope_p + curvature * u_p), axis=-1).transpose(1, 2, 0)
     ends = steps.positions[1:] * steps.sides[1:]
     comes = np.abs(u[:, np.newaxis] - ends) <= SAME * np.abs(ends)
     status = np.where(np.abs(slope) > MEETING * size, MovesStatus.OK, MovesStatus.MEETS)
