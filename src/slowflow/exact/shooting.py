@@ -386,15 +386,22 @@ def static_state(system: EquationOfMotion, Omega: float, F_0: float, u: float) -
     region = system.force.region_of(u)
     phase = Phase(0, region, 0.0, u, 0.0, TURN, u, 0.0, 0)
     z = np.array([u, 0.0, TURN, Omega])
-    found = describe(Cycle(system, ((0, region),), 2), z, F_0, np.diag((1.0, 0.0)), [phase])
-    found.__dict__["stable"] = True  # not yet given: nobody has seen it change
-    return found
+    return describe(Cycle(system, ((0, region),), 2), z, F_0, np.diag((1.0, 0.0)), [phase], stable=True)
 
 
-def describe(cycle: Cycle, z: Floats, F_0: float, monodromy: Floats, phases: list[Phase] | None = None) -> SteadyState:
+def describe(
+    cycle: Cycle,
+    z: Floats,
+    F_0: float,
+    monodromy: Floats,
+    phases: list[Phase] | None = None,
+    *,
+    stable: bool | None = None,
+) -> SteadyState:
     """The `SteadyState` of a converged cycle.
 
     phases -- of one cycle; by default integrated anew
+    stable -- by default by the multipliers
     """
     multipliers = cycle.multipliers(monodromy)
     symmetric = cycle.sign == -1
@@ -410,7 +417,7 @@ def describe(cycle: Cycle, z: Floats, F_0: float, monodromy: Floats, phases: lis
         stops=cycle.stops,
         multipliers=multipliers,
         half_multipliers=half,
-        stable=all(abs(multiplier) < 1.0 for multiplier in multipliers.tolist()),
+        stable=all(abs(one) < 1.0 for one in multipliers.tolist()) if stable is None else stable,
         symmetric=symmetric,
         cycle=cycle,
         unknowns=z,
