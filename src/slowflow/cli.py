@@ -207,7 +207,7 @@ def print_schema(args: argparse.Namespace) -> int:
     """Print what a scene may have, as JSON schema: editors complete a scene by it."""
     from slowflow import schema
 
-    print(files.in_json(schema.scene()), end="")
+    print(files.in_json(schema.scene_file()), end="")
     return 0
 
 

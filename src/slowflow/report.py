@@ -232,13 +232,10 @@ class Report:
             shock = str(one).partition(" at ")[2]
             yield f"The shock that {most} {_one(found, name)}{f', has {shock}' if shock else ''}."
         some, count = sum(bool(found.columns()["detaches"][0]) for _, found in answers), len(answers)
-        yield (
-            f"In {some} of {count} shocks the springs detach."
-            if count > 1
-            else "The springs detach in it."
-            if some
-            else ""
-        )
+        if count > 1:
+            yield f"In {some} of {count} shocks the springs detach."
+        elif some:
+            yield "The springs detach in it."
 
     def in_short(self, F: float) -> Iterator[str]:
         """Of a force: jumps, detachment, the highest motion, isolation."""

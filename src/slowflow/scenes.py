@@ -461,14 +461,7 @@ class _Reader:
                 raise self._error("ask", "", f"{key} is missing: {name} needs it")
         arguments: dict[str, Any] = {kind.frequency: self._positive(kind.frequency)} if "Omega" in takes else {}
         if "window" in takes and "window" in ask:
-            ends, unit = ask["window"], self._unit(kind.frequency)
-            arguments[kind.frequency] = self._tried(
-                "ask",
-                ask,
-                lambda: validate.window(
-                    "window", [si("window", one, unit) for one in ends] if isinstance(ends, list) else ends
-                ),
-            )
+            arguments[kind.frequency] = self._tried("ask", ask, lambda: self._window(kind.frequency, ask["window"]))
         if "samples" in takes and "samples" in ask:
             arguments["samples"] = ask["samples"]
         decibels = self._numbers("level_dB", most=0.0) if "level_dB" in takes and "level_dB" in ask else []
@@ -564,6 +557,11 @@ class _Reader:
         return self._tried(
             table, self.content[table], lambda: [validate.number(key, si(key, one, unit), **bounds) for one in values]
         )
+
+    def _window(self, key: str, ends: Any) -> tuple[float, float]:
+        """Ends of frequencies, of a mount in SI units."""
+        known = [si("window", one, self._unit(key)) for one in ends] if isinstance(ends, list) else ends
+        return validate.window("window", known)
 
     def _unit(self, key: str) -> str:
         """In which unit a mount has it; empty where it has none."""

@@ -35,15 +35,22 @@ AMPLITUDE: Schema = {**QUANTITY, "exclusiveMinimum": 0}
 
 
 def scene() -> Schema:
-    """The schema of a whole scene."""
+    """The schema of a whole scene, whose tables are in it."""
     tables = {name: _oscillator(name) for name in KINDS}
     tables |= {"ask": _ask((*_arguments(QUESTIONS), "questions")), **{name: _table(name) for name in _tables()}}
-    for name in OF_FILES:
-        tables[name]["properties"]["file"] = {"type": "string", "description": "CSV file of the columns, with units"}
-        tables[name].pop("required", None)
     tables["require"] = _requirements()
     one_of = [{"required": [name]} for name in KINDS]
     return {"$schema": DRAFT, "title": "slowflow scene", **_object("", tables, ["ask"]), "oneOf": one_of}
+
+
+def scene_file() -> Schema:
+    """The schema of a scene that is a file, whose tables may be files beside it."""
+    found = scene()
+    for name in OF_FILES:
+        table = found["properties"][name]
+        table["properties"]["file"] = {"type": "string", "description": "CSV file of the columns, with units"}
+        table.pop("required", None)
+    return found
 
 
 def question(name: str) -> Schema:

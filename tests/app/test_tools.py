@@ -179,14 +179,14 @@ def test_each_question_is_a_tool_whose_schema_arguments_fit(answers):
 
 @pytest.mark.parametrize("path", SCENES, ids=lambda path: path.stem)
 def test_scenes_fit_the_schema(path):
-    jsonschema.validate(tomllib.loads(path.read_text(encoding="utf-8")), schema.scene())
+    jsonschema.validate(tomllib.loads(path.read_text(encoding="utf-8")), schema.scene_file())
 
 
 def test_words_with_units_and_files_of_columns_fit():
     of_base = {**MOUNT, "m": "12 kg", "excitation": "acceleration", "mounts": 4}
     shock = {"acceleration": "15 g", "duration": ["11 ms"]}
     scene = {"mount": of_base, "ask": {"a": ["0.3 g", 2]}, "psd": {"file": "floor.csv"}, "shock": shock}
-    jsonschema.validate(scene, schema.scene())
+    jsonschema.validate(scene, schema.scene_file())
 
 
 @pytest.mark.parametrize(
@@ -206,4 +206,4 @@ def test_words_with_units_and_files_of_columns_fit():
 )
 def test_what_a_scene_refuses_does_not_fit(wrong):
     with pytest.raises(jsonschema.ValidationError):
-        jsonschema.validate(wrong, schema.scene())
+        jsonschema.validate(wrong, schema.scene_file())

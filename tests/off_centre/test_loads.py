@@ -289,3 +289,11 @@ def test_isolation_beyond_answered_frequencies_is_left_out():
 def test_spectrum_without_lines_has_no_rows_under_a_load():
     for load in (0.0, 0.3):
         assert len(Duffing(1.0, 0.5, 0.01, 0.02, load=load).spectrum(Omega=[], F_0=0.1).Omega) == 0
+
+
+def test_a_peak_that_is_also_the_farthest_motion_is_one():
+    """Found by its amplitude and by its largest displacement it differs in last digits, which must not matter."""
+    loaded = Duffing(1.0, 0.395665597422618, zeta=0.17316220242649727, load=-0.40459542057412246)
+    peak = loaded.peak(0.31937250949095286)
+    assert (peak.Omega_max, peak.u_max) == (peak.Omega, peak.A + abs(peak.B))
+    assert "u_max" in peak.gradient().of

@@ -21,7 +21,7 @@ from slowflow.answer import Answer, Table, entry, frozen, head
 from slowflow.mechanism import Floats
 from slowflow.physical import Physical
 from slowflow.quantities import SHEET, in_shown
-from slowflow.sizing.subject import Load, LoadCase, Subject
+from slowflow.sizing.subject import LoadCase, Subject
 from slowflow.support.errors import Refused
 
 #: what is missing of an answer that a design does not have: more than any two doubles differ, as the log of their ratio
@@ -138,16 +138,17 @@ class _Search:
     """Free numbers, requirements, and the designs that meet these."""
 
     def __init__(
-        self, subject: Subject, free: Mapping[str, Any], at_least: Any, at_most: Any, load: Load, seed: int
+        self, of: Any, free: Mapping[str, Any], at_least: Any, at_most: Any, seed: int, at: Mapping[str, Any]
     ) -> None:
-        self.subject, self.load, self.seed = subject, load, validate.count("seed", seed, least=0)
+        self.subject = subject = Subject(of, validate.mapping("free", free, "pairs (lowest, highest)"), at)
+        self.load, self.seed = subject.load(), validate.count("seed", seed, least=0)
         limits = (("at_least", at_least or {}, 1.0), ("at_most", at_most or {}, -1.0))
         limited = [
             (name, limit, sign)
             for which, values, sign in limits
             for name, limit in validate.mapping(which, values, "limits").items()
         ]
-        self.names = subject.answered([name for name, _, _ in limited], load)
+        self.names = subject.answered([name for name, _, _ in limited], self.load)
         self.targets = [
             (name, validate.number(name, subject.limit(name, limit), above=0.0), sign) for name, limit, sign in limited
         ]
@@ -353,8 +354,8 @@ def meet(
     ValueError
         For what is not allowed.
     """
-    subject = Subject(of, validate.mapping("free", free, "pairs (lowest, highest)"), at)
-    search = _Search(subject, free, at_least, at_most, subject.load(), seed)
+    search = _Search(of, free, at_least, at_most, seed, at)
+    subject = search.subject
     if not search.targets or not free:
         raise Refused("meet needs at least one requirement and one free number")
     # ranges as narrow as rounding, requirements as large as numbers are
@@ -409,8 +410,8 @@ def front(
     ValueError
         For what is not allowed.
     """
-    subject = Subject(of, validate.mapping("free", free, "pairs (lowest, highest)"), at)
-    search = _Search(subject, free, at_least, at_most, subject.load(), seed)
+    search = _Search(of, free, at_least, at_most, seed, at)
+    subject = search.subject
     pair = [(name, 1.0) for name in high] + [(name, -1.0) for name in low]
     if len({name for name, _ in pair}) != 2 or len(pair) != 2 or not free:
         raise Refused("front needs two answers, in high or in low, and at least one free number")
