@@ -41,7 +41,7 @@ UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
         "force": {"N": 1.0, "mN": 1e-3, "kN": 1e3, "lbf": LB * g},
         "length": {"m": 1.0, "mm": 1e-3, "um": 1e-6, "in": 0.0254},
         "frequency": {"Hz": 1.0, "rpm": 1 / 60, "rad/s": 1 / math.tau},
-        "time": {"s": 1.0, "ms": 1e-3},
+        "time": {"s": 1.0, "h": 3600.0, "min": 60.0, "ms": 1e-3},
         "speed": {"m/s": 1.0, "mm/s": 1e-3},
         "acceleration": {"m/s^2": 1.0, "g": g},
         "unbalance": {"kg m": 1.0, "kg mm": 1e-3, "g mm": 1e-6},

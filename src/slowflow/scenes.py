@@ -35,7 +35,7 @@
     [require]                   # what must hold: `run` and `report` say whether it does, and by which margin
     # jumps = "none"            # at each F of [ask]; detachment = "none" as well
     transmissibility_dB = { below = -10, from_f = 8 }
-    relative_displacement = { below = "60 mm", under = ["peak", "shock", "random"], duration = 3600 }
+    relative_displacement = { below = "60 mm", under = ["peak", "shock", "random"], duration = "1 h" }
     absolute_acceleration = { below = "0.5 g", under = "random", rms = true }
 
 [spectrum], the record of a [shock], and [psd] may have `file = "columns.csv"` in place of their lists, in the folder of
@@ -417,7 +417,7 @@ class _Reader:
         if not isinstance(value, dict) or not set(keys[:2]) <= set(value) <= set(keys):
             raise Refused(f"{name} must be a table with {' and '.join(keys[:2])}; it may have {', '.join(keys)}")
         if name == TRANSMISSIBILITY:
-            start_at = validate.number(start, value[start], above=0.0)
+            start_at = validate.number(start, si(start, value[start], SI["frequency"] if mount else ""), above=0.0)
             return Requirement(name, validate.number("below", value["below"], most=0.0), {"from": start_at})
         under = value["under"] if isinstance(value["under"], list) else [value["under"]]
         for one in under:
@@ -431,7 +431,8 @@ class _Reader:
             )
         more = {"under": under, "rms": rms}
         if "duration" in value:
-            more["duration"] = validate.number("duration", value["duration"], above=0.0)
+            duration = si("duration", value["duration"], SI["time"] if mount else "")
+            more["duration"] = validate.number("duration", duration, above=0.0)
         below = si("below", value["below"], SI[kind_of(name)]) if mount else value["below"]
         return Requirement(name, validate.number("below", below, above=0.0), more)
 

@@ -172,9 +172,9 @@ def _table(name: str) -> Schema:
 def _requirements() -> Schema:
     limit = {"type": ["number", "string"], "description": "a number in SI units, or one with a unit, as '20 mm'"}
     known: dict[str, Schema] = {name: {"const": "none"} for name in NONE}
-    starts = {f"from_{key}": POSITIVE for key in FREQUENCIES}
+    starts = {f"from_{key}": AMPLITUDE for key in FREQUENCIES}
     known[TRANSMISSIBILITY] = _object("", {"below": {"type": "number", "maximum": 0}, **starts}, ["below"])
     for name, cases in AMOUNTS.items():
-        keys = {"below": limit, "under": _list({"enum": list(cases)}), "rms": {"type": "boolean"}, "duration": POSITIVE}
-        known[name] = _object("", keys, ["below", "under"])
+        keys = {"below": limit, "under": _list({"enum": list(cases)}), "rms": {"type": "boolean"}}
+        known[name] = _object("", {**keys, "duration": AMPLITUDE}, ["below", "under"])
     return _object("What must hold", known)

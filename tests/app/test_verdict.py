@@ -69,6 +69,15 @@ def test_requirements_under_a_spectrum_are_of_random_vibration(tmp_path):
     assert found.met.tolist() == [True, False]
 
 
+def test_a_duration_and_a_frequency_may_have_units(tmp_path):
+    required = "relative_displacement = { below = 0.02, under = 'random', duration = %s }\n"
+    required += "transmissibility_dB = { below = -20, from_f = %s }"
+    plain, words = (verdict(read(scene(tmp_path, required % at, PSD))) for at in ((3600, 14), ("'1 h'", "'840 rpm'")))
+    assert plain == words
+    with pytest.raises(SceneError, match="duration = '20 mm' is not allowed: duration must be a number in s"):
+        read(scene(tmp_path, "relative_displacement = { below = 1, under = 'random', duration = '20 mm' }", PSD))
+
+
 def test_without_dimensions_limits_are_plain_numbers(tmp_path):
     parameters = {"lam": 3.0, "r": 2.0, "delta_h": 0.08, "mu": 0.001, "zeta": 0.1}
     required = (
@@ -113,6 +122,7 @@ def test_the_exit_code_says_whether_all_is_met(tmp_path, capsys):
         ("jumps = 'few'", "jumps"),
         ("transmissibility_dB = -20", "must be a table with below and from_f"),
         ("transmissibility_dB = { below = 3, from_f = 8 }", "below"),
+        ("transmissibility_dB = { below = -3, from_f = '8 mm' }", "from_f = '8 mm' is not allowed"),
         ("relative_displacement = { below = '20 kg', under = 'peak' }", "below = '20 kg' is not allowed"),
         ("relative_displacement = { below = '20', under = 'peak' }", "below = '20' is not allowed"),
         ("relative_displacement = { below = 1, under = 'flood' }", "under"),

@@ -388,7 +388,7 @@ def test_a_window_is_a_pair(mount):
 
 def test_units_have_the_sizes_of_their_prefixes():
     """Those of the International System by their definition, a prefix being a power of ten; a gram is not its unit."""
-    others = {"rpm": 1 / 60, "rad/s": 1 / (2 * math.pi), "g": 9.80665, "deg": math.pi / 180}
+    others = {"rpm": 1 / 60, "rad/s": 1 / (2 * math.pi), "g": 9.80665, "deg": math.pi / 180, "min": 60.0, "h": 3600.0}
     prefixes = {"mN": 1e-3, "kN": 1e3, "mm": 1e-3, "um": 1e-6, "ms": 1e-3, "mm/s": 1e-3, "N/mm": 1e3, "N/mm^3": 1e9}
     pound = 0.45359237
     others |= {"in": 0.0254, "lb": pound, "lbf": pound * 9.80665, "lbf/in": pound * 9.80665 / 0.0254}
