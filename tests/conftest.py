@@ -7,11 +7,12 @@ each run, and prints the seed that --hypothesis-seed repeats it by.
 from __future__ import annotations
 
 import gc
+import importlib
 import os
 import secrets
 import sys
 import tempfile
-from collections.abc import Callable, Generator, Iterator
+from collections.abc import Callable, Generator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -99,10 +100,8 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     items.sort(key=lambda item: item.path not in derive)
 
 
-@pytest.fixture(autouse=True)
-def no_figure_stays_open() -> Iterator[None]:
+def pytest_runtest_teardown() -> None:
     """pyplot keeps what it has made, and warns of it after twenty."""
-    yield
     if "matplotlib.pyplot" in sys.modules:
         sys.modules["matplotlib.pyplot"].close("all")
 
@@ -126,6 +125,15 @@ def once(tmp_path_factory: pytest.TempPathFactory) -> Once:
         return folder
 
     return once
+
+
+@pytest.fixture(scope="session", params=["scipy", "heyoka"])
+def integrator(request: pytest.FixtureRequest) -> object:
+    """An integrator that shares nothing with the package; for some systems heyoka has no wheels."""
+    if request.param == "scipy":
+        return importlib.import_module("tests.oracles.exact_reference").ScipyIntegrator()
+    pytest.importorskip("heyoka")
+    return importlib.import_module("tests.oracles.exact_heyoka").HeyokaIntegrator()
 
 
 @pytest.fixture(scope="session")

@@ -22,7 +22,7 @@ from typing import Any
 
 from benchmarks import environment
 from benchmarks.document import DOCS, RESULTS
-from benchmarks.stress import answers, baseline, counts, headers, instead, kernels, page, proofs, roots, scale
+from benchmarks.stress import answers, baseline, counts, headers, instead, kernels, proofs, roots, scale
 from tests.oracles.kernels import scene_of
 
 #: what can be measured separately
@@ -150,6 +150,8 @@ def main() -> None:
             baseline.save(results, known)
     baseline.write(known)
     headers.write()
+    from benchmarks.stress import page  # pyplot, which the processes that search do without
+
     page.write(known, options.docs)
 
 

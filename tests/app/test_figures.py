@@ -1,5 +1,6 @@
 """The paper's figures: what is drawn is held against published formulas, minima found otherwise, and closed forms."""
 
+import importlib
 import math
 import sys
 
@@ -9,12 +10,15 @@ import pytest
 from derivations.ledger import published
 from slowflow import Duffing, Isolator
 from slowflow.example import TABLE_1, isolator
+from tests.files import Lazily
 
-mpl = pytest.importorskip("matplotlib")
+plt, colours = map(Lazily, ("matplotlib.pyplot", "matplotlib.colors"))
+figures, pictures = map(Lazily, ("examples.paper.figures", "slowflow.pictures"))
 
-from examples.paper import figures  # noqa: E402
-from examples.paper.__main__ import main  # noqa: E402
-from slowflow import pictures  # noqa: E402
+
+@pytest.fixture(autouse=True, scope="module")
+def with_matplotlib():
+    pytest.importorskip("matplotlib")
 
 
 @pytest.fixture(scope="module")
@@ -24,7 +28,7 @@ def drawn():
 
     def axes(name):
         if name not in known:
-            known[name] = mpl.figure.Figure().subplots()
+            known[name] = plt.Figure().subplots()
             figures.FIGURES[name].draw(known[name])
         return known[name]
 
@@ -45,8 +49,8 @@ def data(line):
 
 def of_colour(ax, colour):
     """The thin solid and dashed lines of one colour: a response curve."""
-    code = mpl.colors.to_hex(colour)
-    return [line for line in lines(ax) if line.get_linewidth() == 1.6 and mpl.colors.to_hex(line.get_color()) == code]
+    code = colours.to_hex(colour)
+    return [line for line in lines(ax) if line.get_linewidth() == 1.6 and colours.to_hex(line.get_color()) == code]
 
 
 def published_average(A, *, lam, r, delta_h):
@@ -80,7 +84,7 @@ def test_figure_1b_is_the_published_force(drawn):
 
 
 def test_figure_2a_has_den_hartogs_points_on_the_exact_curve():
-    ax = mpl.figure.Figure().subplots()
+    ax = plt.Figure().subplots()
     figures.figure_2a(ax, ratios=(0.3, 0.6))
     bands = [line for line in lines(ax) if line.get_linewidth() == 5]
     points = lines(ax, marker="o")
@@ -94,7 +98,7 @@ def test_figure_2a_has_den_hartogs_points_on_the_exact_curve():
 
 
 def test_figure_2b_draws_published_points_over_the_exact_ones():
-    ax = mpl.figure.Figure().subplots()
+    ax = plt.Figure().subplots()
     figures.figure_2b(ax, ratios=(0.1,))
     for line in of_colour(ax, pictures.COLOURS[0]):
         forcing = published_forcing(
@@ -110,18 +114,16 @@ def test_figure_2b_draws_published_points_over_the_exact_ones():
     )
 
 
-CASES = {
-    "3a": [{"r": r, "zeta": 0.02, "mu": 0.01} for r in figures.STIFFNESS_3A],
-    "3b": [{"delta_h": delta_h, "zeta": 0.02, "mu": 0.01} for delta_h in figures.PRELOADS_3B],
-    "4a": [{"mu": mu, "zeta": 0.0} for mu in figures.FRICTIONS_4A[:-1]],
-    "4b": [{"zeta": zeta, "mu": mu} for zeta, mu in figures.DAMPINGS_4B],
-}
-
-
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("name", ["3a", "3b", "4a", "4b"])
 def test_response_points_are_states_by_the_published_formula(drawn, name):
+    cases = {
+        "3a": [{"r": r, "zeta": 0.02, "mu": 0.01} for r in figures.STIFFNESS_3A],
+        "3b": [{"delta_h": delta_h, "zeta": 0.02, "mu": 0.01} for delta_h in figures.PRELOADS_3B],
+        "4a": [{"mu": mu, "zeta": 0.0} for mu in figures.FRICTIONS_4A[:-1]],
+        "4b": [{"zeta": zeta, "mu": mu} for zeta, mu in figures.DAMPINGS_4B],
+    }
     ramp = pictures.ramp(5 if name == "4a" else 4)
-    for case, colour in zip(CASES[name], ramp, strict=False):
+    for case, colour in zip(cases[name], ramp, strict=False):
         curve = of_colour(drawn(name), colour)
         assert curve
         design = {"lam": 3.0, "r": 2.03, "delta_h": TABLE_1["delta_h"], **case}
@@ -159,14 +161,12 @@ def least_forcing(design):
     return float(found.fun)
 
 
-@pytest.mark.parametrize(
-    ("name", "dampings"),
-    [
-        ("5a", [{"mu": 0.012, "zeta": zeta} for zeta in figures.ZETAS_5A]),
-        ("5b", [{"mu": mu, "zeta": 0.02} for mu in figures.FRICTIONS_5B]),
-    ],
-)
-def test_figure_5_is_the_least_forcing_that_reaches_u_cr(drawn, name, dampings):
+@pytest.mark.parametrize("name", ["5a", "5b"])
+def test_figure_5_is_the_least_forcing_that_reaches_u_cr(drawn, name):
+    dampings = {
+        "5a": [{"mu": 0.012, "zeta": zeta} for zeta in figures.ZETAS_5A],
+        "5b": [{"mu": mu, "zeta": 0.02} for mu in figures.FRICTIONS_5B],
+    }[name]
     curves = lines(drawn(name), marker="None")
     dots = [line for line in drawn(name).get_lines() if line.get_marker() == "o"]
     for line, dot, damping in zip(curves, dots, dampings, strict=True):
@@ -258,7 +258,7 @@ def test_the_command_draws_every_figure_and_says_what_was_chosen(tmp_path, capsy
 
     names = tuple(figures.FIGURES)
     monkeypatch.setattr(sys, "argv", ["paper", "--figures", "-o", str(tmp_path)])
-    main()
+    importlib.import_module("examples.paper.__main__").main()
     assert sorted(path.name for path in tmp_path.iterdir()) == sorted(
         f"fig_{name}.{suffix}" for name in names for suffix in ("png", "svg")
     )
@@ -397,7 +397,7 @@ def test_an_exact_curve_draws_its_folds_and_where_the_mass_stops():
 
 def contrast(colour):
     """To white, as WCAG has it."""
-    linear = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in mpl.colors.to_rgb(colour)]
+    linear = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in colours.to_rgb(colour)]
     return 1.05 / (0.05 + float(np.dot((0.2126, 0.7152, 0.0722), linear)))
 
 
@@ -414,7 +414,7 @@ def test_colours_are_told_apart_with_deuteranopia():
     to_xyz = np.array([[0.4124, 0.3576, 0.1805], [0.2126, 0.7152, 0.0722], [0.0193, 0.1192, 0.9505]])
 
     def lab(colour):
-        rgb = np.array(mpl.colors.to_rgb(colour))
+        rgb = np.array(colours.to_rgb(colour))
         linear = np.where(rgb <= 0.04045, rgb / 12.92, ((rgb + 0.055) / 1.055) ** 2.4)
         xyz = to_xyz @ np.clip(deuteranopia @ linear, 0, 1) / (0.9505, 1.0, 1.089)
         f = np.where(xyz > 0.008856, np.cbrt(xyz), 7.787 * xyz + 16 / 116)

@@ -15,12 +15,10 @@ from html.parser import HTMLParser
 import pytest
 
 from slowflow import Isolator, cli, files, scenes
-from tests.files import ROOT
-
-pytest.importorskip("matplotlib")
-from slowflow import page as pieces
-from slowflow import report
 from slowflow.results import Remark
+from tests.files import ROOT, Lazily
+
+pieces, report = map(Lazily, ("slowflow.page", "slowflow.report"))
 
 MOUNT = ROOT / "scenes" / "mount.toml"
 
@@ -54,6 +52,11 @@ class Page(HTMLParser):
 
     def every(self, tag):
         return [attrs for name, attrs in self.tags if name == tag]
+
+
+@pytest.fixture(autouse=True, scope="module")
+def with_matplotlib():
+    pytest.importorskip("matplotlib")
 
 
 @pytest.fixture(scope="module")

@@ -9,14 +9,13 @@ import sys
 import tomllib
 
 import anyio
-import jsonschema
 import pytest
-from mcp import ClientSession, StdioServerParameters
-from mcp.client.stdio import stdio_client
 
 from slowflow import schema
 from slowflow.scenes import QUESTIONS
-from tests.files import ROOT
+from tests.files import ROOT, Lazily
+
+mcp, stdio, jsonschema = map(Lazily, ("mcp", "mcp.client.stdio", "jsonschema"))
 
 g = 9.80665
 SCENES = sorted((ROOT / "scenes").glob("*.toml"))
@@ -116,8 +115,8 @@ def answers():
     found = {}
 
     async def session():
-        command = StdioServerParameters(command=sys.executable, args=["-m", "slowflow", "mcp"])
-        async with stdio_client(command) as pipes, ClientSession(*pipes) as client:
+        command = mcp.StdioServerParameters(command=sys.executable, args=["-m", "slowflow", "mcp"])
+        async with stdio.stdio_client(command) as pipes, mcp.ClientSession(*pipes) as client:
             await client.initialize()
             found["tools"] = (await client.list_tools()).tools
             for name, (tool, arguments, *_) in {**RIGHT, **REFUSED}.items():

@@ -6,10 +6,12 @@ import math
 import pytest
 
 from slowflow import Isolator, cli
-from slowflow.report import html
 from slowflow.scenes import read
 from slowflow.support.errors import SceneError
 from slowflow.verdict import in_words, verdict
+from tests.files import Lazily
+
+report = Lazily("slowflow.report")
 
 #: a linear mount: without a preload the springs never touch
 LINEAR = {"m": 10.0, "k_v": 4000.0, "k_h": 1000.0, "L": 0.1, "preload": 0.0, "zeta": 0.1}
@@ -111,7 +113,7 @@ def test_the_exit_code_says_whether_all_is_met(tmp_path, capsys):
     assert "to meet: jumps" in capsys.readouterr().out
     assert cli.main(["explain", str(path)]) == 0
     assert "then what must hold: jumps" in capsys.readouterr().out
-    page = html(read(path))
+    page = report.html(read(path))
     assert page.index("requirements not met: 1 of 1") < page.index("k_h")
 
 

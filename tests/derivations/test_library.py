@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib
 from concurrent.futures import ThreadPoolExecutor
 
 import mpmath as mp
@@ -18,7 +17,7 @@ from slowflow import derive
 from slowflow.cli import main
 from slowflow.exact import steady_state, sweep
 from tests.files import ROOT
-from tests.oracles.exact_reference import ScipyIntegrator, again
+from tests.oracles.exact_reference import again
 
 PAGE = ROOT / "docs" / "mechanisms.md"
 F = mp.mpf
@@ -103,17 +102,11 @@ def test_states_on_both_sides_have_their_forces_harmonics(name):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("by", ["scipy", "heyoka"])
-def test_library_motions_are_independent_and_the_same_in_threads(by):
+def test_library_motions_are_independent_and_the_same_in_threads(integrator):
     """On both sides of the bend: to 1e-10 times the motion's condition, and of all threads the same digits.
 
     A sweep to that single frequency converges to them.
     """
-    if by == "heyoka":
-        pytest.importorskip("heyoka")
-        independent = importlib.import_module("tests.oracles.exact_heyoka").HeyokaIntegrator()
-    else:
-        independent = ScipyIntegrator()
     systems = {}
     for name, (numbers, _, _) in (CASES | SIDED).items():
         one = derive.library(name)(**{key: float(value) for key, value in numbers.items()}, mu=0.02, zeta=0.03)
@@ -129,7 +122,7 @@ def test_library_motions_are_independent_and_the_same_in_threads(by):
     for name, found in [*single.items(), *beyond.items()]:
         assert found.residual <= 1e-14, name
         assert sweep(systems[name], Omega=[found.Omega], F_0=found.F_0).A[0] == found.A, name
-        other = again(found, independent)
+        other = again(found, integrator)
         condition = 1.0 / (1.0 - np.max(np.abs(found.multipliers)))
         assert abs(other.A - found.A) <= 1e-10 * condition * found.A, name
         assert np.max(np.abs(other.multipliers - found.multipliers)) <= 1e-10 * condition, name

@@ -1,7 +1,5 @@
 """The compiled equation of motion: its series against 30 digits, its motions against heyoka's, its refusals."""
 
-import importlib
-import importlib.util
 import math
 from concurrent.futures import ThreadPoolExecutor
 
@@ -180,20 +178,12 @@ def motions():
     return [(one, steady_state(one[0], Omega=one[1], F_0=one[2])) for one in queries]
 
 
-def integrators():
-    """Those that share nothing with the package."""
-    if importlib.util.find_spec("heyoka") is None:
-        return [ScipyIntegrator()]
-    return [ScipyIntegrator(), importlib.import_module("tests.oracles.exact_heyoka").HeyokaIntegrator()]
-
-
 def condition(found):
     """What an error of the map over a period is enlarged by."""
     return 1.0 / (1.0 - np.max(np.abs(found.multipliers)))
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("integrator", integrators(), ids=lambda one: one.name)
 def test_motions_of_every_oscillator_are_independent_integrators(motions, integrator):
     """Amplitude, multipliers and switches: to 1e-10 times the motion's condition; they close to 1e-14."""
     for one, found in motions:
@@ -218,7 +208,6 @@ def test_sixteen_threads_find_the_motions_that_one_finds(motions):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("integrator", integrators(), ids=lambda one: one.name)
 @pytest.mark.part(2)
 def test_sweeps_settle_to_motions_of_independent_integrators(motions, integrator):
     """At a frequency that is come to from another one: the amplitude is that of a motion as they find it, to 1e-10.

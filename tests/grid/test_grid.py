@@ -16,7 +16,6 @@ import numpy as np
 import pytest
 
 from slowflow import Duffing, Isolator, Oscillator
-from slowflow.grid import block, store
 from slowflow.results import Remark
 from slowflow_kernels import rod_spring
 from slowflow_kernels.conventions import FoldKind, OnsetKind, Status
@@ -24,7 +23,7 @@ from tests.files import Lazily
 
 #: a third of the time of the fast tests went into them
 pytestmark = pytest.mark.slow
-xarray, dask, lazy, zarr = map(Lazily, ("xarray", "dask", "dask.array", "zarr"))
+xarray, dask, lazy, zarr, block = map(Lazily, ("xarray", "dask", "dask.array", "zarr", "slowflow.grid.block"))
 
 R = np.linspace(0.5, 3.0, 7)
 PRELOAD = np.linspace(0.1, 1.1, 5)  # the last one is a negative stiffness at rest
@@ -155,7 +154,7 @@ def test_unnamed_dask_numbers_broadcast_as_numpys(tmp_path):
 
 
 def test_parameters_too_many_to_read_are_written_by_blocks(tmp_path, monkeypatch):
-    monkeypatch.setattr(store, "READ", 10)
+    monkeypatch.setattr("slowflow.grid.store.READ", 10)
     found = over({"r": 3}).store(tmp_path / "map.zarr", "detachment")
     assert_same_bits(found, batch("detachment"), "detachment")
     delta_h = found["delta_h"].transpose("r", "share")
@@ -487,7 +486,7 @@ def test_a_store_of_other_numbers_is_left_alone(change, named, tmp_path):
 def test_a_map_is_of_one_version(tmp_path, monkeypatch):
     over().store(tmp_path / "map.zarr", "detachment")
     ask, values = over().asked("detachment", 1)
-    monkeypatch.setattr(block, "__version__", "0.0.0")
+    monkeypatch.setattr("slowflow.grid.block.__version__", "0.0.0")
     with pytest.raises(ValueError, match=r"slowflow: .* there, 0\.0\.0 here"):
         over().store(tmp_path / "map.zarr", "detachment")
     with pytest.raises(RuntimeError, match=r"this process runs .*0\.0\.0"):

@@ -6,13 +6,14 @@ import json
 import numpy as np
 import pytest
 
-from benchmarks import claims, claims_page, validity
 from derivations.ledger import figures, measured
 from derivations.ledger.rows import FALSE, LOOSE, TRUE
 from slowflow import Isolator, example
 from slowflow.exact import EquationOfMotion, exact_response, linear, steady_state
-from tests.files import ROOT
+from tests.files import ROOT, Lazily
 from tests.oracles.exact_reference import ScipyIntegrator, again
+
+claims, validity, claims_page = map(Lazily, ("benchmarks.claims", "benchmarks.validity", "benchmarks.claims_page"))
 
 NUMBERS = measured.load()
 LINEAR = {row["ratio"]: row for row in NUMBERS["figure_2a"]["rows"]}

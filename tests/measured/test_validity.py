@@ -5,12 +5,14 @@ import json
 import numpy as np
 import pytest
 
-from benchmarks import validity
 from slowflow import Duffing, Isolator
 from slowflow.example import isolator
 from slowflow.measured import table as validity_table
 from slowflow.measured.validity import near_sticking
 from slowflow.support.errors import NotSettled
+from tests.files import Lazily
+
+validity = Lazily("benchmarks.validity")
 
 
 def test_the_table_has_a_size_for_every_bin():

@@ -16,11 +16,13 @@ from slowflow.exact import motion
 from slowflow.mechanism import EquationOfMotion
 from slowflow.random_vibration.excitation import Tabulated
 from slowflow.random_vibration.record import process
-from slowflow.report import html
 from slowflow.scenes import read
 from slowflow.support.errors import SceneError
 from slowflow_kernels.conventions import Status
 from slowflow_kernels.table_1 import TABLE_1
+from tests.files import Lazily
+
+report = Lazily("slowflow.report")
 
 DESIGN = {name: TABLE_1[name] for name in ("lam", "r", "delta_h")}
 #: ten points over three decades, with all of a resonance within
@@ -319,7 +321,7 @@ def test_a_scene_has_random_vibration_by_its_psd(tmp_path):
     one = scene(tmp_path)
     (request,) = one.asked
     assert one.answer(request).x_rms[0] == pytest.approx(3.50161569, rel=1e-8)
-    page = html(one)
+    page = report.html(one)
     assert "Random vibration" in page
     assert "3.502" in page
     plain = scene(tmp_path, "isolator", {**DESIGN, "mu": 0.01, "zeta": 0.02}, "Omega", "")

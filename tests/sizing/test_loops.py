@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 
-import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
@@ -56,7 +55,6 @@ def test_what_a_cubic_spring_leaves_is_told_and_drawn():
     lines = found.plot().get_lines()
     np.testing.assert_allclose(lines[0].get_xdata(), 1e3 * x)
     assert np.nanmax(np.abs(lines[1].get_ydata() - F)) < 5
-    plt.close("all")
 
 
 @pytest.mark.parametrize(
