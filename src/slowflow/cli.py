@@ -121,6 +121,28 @@ def run_scene(args: argparse.Namespace) -> int:
     return made or (1 if failed else 0 if outcome is None or outcome.all_met else NOT_MET)
 
 
+def meet_scene(args: argparse.Namespace) -> int:
+    """Find the design nearest to a scene's that meets what it requires, of the numbers within its [free].
+
+    0 where there is one; 3 where there is none, with the design that comes nearest.
+    """
+    scene = _read(args.scene)
+    with contextlib.nullcontext() if args.quiet else progress.shown():
+        found, changed = verdict.meet(scene)
+    outcome = verdict.verdict(changed)
+    text = "" if args.out is None else scene.with_numbers(found.numbers)
+    if args.json:
+        content = {**provenance(scene), "design": found.to_dict(), "verdict": outcome.to_dict()}
+        print(files.in_json(content), end="")
+    else:
+        print("# design", *in_text(found), "", f"# {verdict.in_words(outcome)}", *in_text(outcome), sep="\n")
+    if args.out is not None:
+        files.write(args.out, text)
+        if not args.quiet:
+            print(f"{args.out} is written: slowflow run {args.out}", file=sys.stderr)
+    return 0 if outcome.all_met else NOT_MET
+
+
 def provenance(scene: Scene) -> dict[str, Any]:
     """What answers were made from and by."""
     known = info()
@@ -145,6 +167,7 @@ def check_scenes(args: argparse.Namespace) -> int:
         else:
             required = [one.name for one in scene.requirements]
             more = f"; to meet: {', '.join(required)}" if required else ""
+            more += f"; free: {', '.join(scene.free)}" if scene.free else ""
             print(f"{path}: {scene.oscillator}; to answer: {', '.join(map(str, scene.asked))}{more}")
     return 2 if wrong else 0
 
@@ -169,6 +192,8 @@ def explain_scene(args: argparse.Namespace) -> int:
     )
     if scene.requirements:
         print(f"then what must hold: {', '.join(one.name for one in scene.requirements)}")
+    if scene.free:
+        print(f"free, for slowflow meet: {', '.join(scene.free)}")
     skipped = [question for question in QUESTIONS if not scene.of(question)]
     print(f"not asked for, and not computed: {', '.join(skipped)}" if skipped else "all questions are asked")
     return 0
@@ -306,6 +331,11 @@ def parser() -> argparse.ArgumentParser:
     option("-o", "--out", type=Path, metavar="DIR", help="write CSV and JSON there instead of printing")
     option("--json", action="store_true", help="print JSON")
     option("--report", type=Path, metavar="FILE", help="write the report too, from the same answers, as an HTML page")
+    option("--quiet", **quiet)
+    option = command(meet_scene, "meet", "the nearest design that meets what a scene requires", meet_scene.__doc__)
+    option("scene", type=Path, help="TOML file with [require] and [free]")
+    option("-o", "--out", type=Path, metavar="FILE", help="write the scene with that design")
+    option("--json", action="store_true", help="print JSON")
     option("--quiet", **quiet)
     option = command(check_scenes, "check", "whether a scene is allowed; computes nothing")
     option("scene", type=Path, nargs="+")

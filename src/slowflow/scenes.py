@@ -38,6 +38,10 @@
     relative_displacement = { below = "60 mm", under = ["peak", "shock", "random"], duration = "1 h" }
     absolute_acceleration = { below = "0.5 g", under = "random", rms = true }
 
+    [free]                      # for `slowflow meet`: numbers of the mount that may change, from and to
+    k_v = [2000, "3 N/mm"]
+    zeta = [0.02, 0.1]
+
 [spectrum], the record of a [shock], and [psd] may have `file = "columns.csv"` in place of their lists, in the folder of
 the scene, see `slowflow.measurements`. Only what is asked for is computed. A scene names no code and no expression:
 numbers, words, lists of these. What is wrong in it raises `SceneError`, which says where, what is allowed, and which
@@ -46,6 +50,7 @@ known word is nearest.
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import inspect
 import itertools
@@ -242,6 +247,7 @@ class Scene:
     asked      -- the questions, in order
     warnings   -- what looks implausible
     requirements -- what must hold, at the forcings of [ask], `given_forcings`, and in shocks and spectra, `cases`
+    free       -- numbers of the oscillator that may change to meet them, each with its ends
     answers    -- those that have been computed, by question and arguments, whoever has asked
     """
 
@@ -254,6 +260,7 @@ class Scene:
     requirements: tuple[Requirement, ...] = ()
     given_forcings: tuple[float, ...] = ()
     cases: tuple[Asked, ...] = ()
+    free: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     answers: dict[tuple[str, str], Any] = field(default_factory=dict, compare=False, repr=False)
 
     def answer(self, query: Asked) -> Answer:
@@ -298,6 +305,26 @@ class Scene:
     def of(self, question: str) -> list[Asked]:
         """What it asks by one question."""
         return [query for query in self.asked if query.question == question]
+
+    def of_design(self, design: Any) -> Scene:
+        """The same of another oscillator."""
+        return replace(self, oscillator=design, answers={})
+
+    def with_numbers(self, numbers: Mapping[str, float]) -> str:
+        """Its text with other numbers of the oscillator. Raises SceneError where it does not have them line by line."""
+        lines, reader = self.text.splitlines(), _Reader(self.path, self.text, dict(self.content))
+        (table,) = KINDS.keys() & self.content.keys()
+        for key, value in numbers.items():
+            k = reader._line(table, key) - 1
+            given = rf"""(\b{re.escape(key)}\s*=\s*)("[^"]*"|'[^']*'|[^\s#]+)"""
+            line, count = re.subn(given, rf"\g<1>{value!r}", lines[k], count=1)
+            lines[k] = line if count else f"{lines[k]}\n{key} = {value!r}"
+        text = "\n".join(lines) + "\n"
+        with contextlib.suppress(tomllib.TOMLDecodeError):
+            if (written := tomllib.loads(text)) == {**tomllib.loads(self.text), table: written[table]}:
+                if written[table].items() >= dict(numbers).items():
+                    return text
+        raise SceneError(f"{self.path}: [{table}] must have a line for each number, which another one can take")
 
     @property
     def sha256(self) -> str:
@@ -348,7 +375,7 @@ class _Reader:
     content: dict[str, Any]
 
     def scene(self) -> Scene:
-        self._known("", self.content, (*KINDS, "ask", "spectrum", "tolerances", "shock", "psd", "require"))
+        self._known("", self.content, (*KINDS, "ask", "spectrum", "tolerances", "shock", "psd", "require", "free"))
         stated = [name for name in KINDS if name in self.content]
         if len(stated) != 1:
             one_of = ", ".join(f"[{name}]" for name in KINDS)
@@ -383,7 +410,21 @@ class _Reader:
             required["requirements"] = tuple(self._required(kind, mount))
             required["given_forcings"] = tuple(self._positive(kind.forcing)) if kind.forcing in ask else ()
             required["cases"] = tuple(replace(one, kinds=kinds) for one in cases)
+        if "free" in self.content:
+            required["free"] = self._free(oscillator, kind)
         return Scene(self.path, self.text, self.content, oscillator, queries, tuple(remarks), **required)
+
+    def _free(self, oscillator: Any, kind: Kind) -> dict[str, tuple[float, float]]:
+        """The numbers that may change to meet what is required, each with its ends."""
+        # here, not above: it imports SciPy
+        from slowflow.sizing.subject import Subject
+
+        table = self._table("free")
+        if not self.content.get("require"):
+            raise self._error("free", "", "needs [require]: what is to be met")
+        self._known("free", table, tuple(key for key in kind.keys if key not in NO_NUMBERS))
+        subject = self._tried("free", table, lambda: Subject(oscillator, table))
+        return self._tried("free", table, lambda: {key: subject.ends(key, value) for key, value in table.items()})
 
     def _accelerates(self) -> bool:
         """Whether a base is given by its acceleration."""

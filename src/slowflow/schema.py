@@ -39,6 +39,8 @@ def scene() -> Schema:
     tables = {name: _oscillator(name) for name in KINDS}
     tables |= {"ask": _ask((*_arguments(QUESTIONS), "questions")), **{name: _table(name) for name in _tables()}}
     tables["require"] = _requirements()
+    ranges = {"type": "array", "items": QUANTITY, "minItems": 2, "maxItems": 2}
+    tables["free"] = _object("What may change to meet that: lowest, highest", dict.fromkeys(_numbers(), ranges))
     one_of = [{"required": [name]} for name in KINDS]
     return {"$schema": DRAFT, "title": "slowflow scene", **_object("", tables, ["ask"]), "oneOf": one_of}
 
@@ -148,12 +150,16 @@ def _tables() -> tuple[str, ...]:
     return tuple(dict.fromkeys(TABLES.values()))
 
 
+def _numbers() -> tuple[str, ...]:
+    """Numbers of oscillators that may vary."""
+    return tuple(dict.fromkeys(key for kind in KINDS.values() for key in kind.keys if key not in NO_NUMBERS))
+
+
 def _table(name: str) -> Schema:
     """One of those that a question needs."""
     if name == "tolerances":
         fraction: Schema = {"type": "number", "minimum": 0, "exclusiveMaximum": 1}
-        numbers = {key: fraction for kind in KINDS.values() for key in kind.keys if key not in NO_NUMBERS}
-        return _object("Shares by which numbers may be off", numbers)
+        return _object("Shares by which numbers may be off", dict.fromkeys(_numbers(), fraction))
     if name == "spectrum":
         return _object(
             "Tones, one at a time: pairs", {key: _list(AMPLITUDE, one) for key, one in _amplitudes().items()}

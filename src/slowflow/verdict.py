@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any, ClassVar, NamedTuple
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 import numpy as np
 
@@ -13,8 +13,11 @@ from slowflow.answer import Table, entry, joined, plain
 from slowflow.mechanism import Flags, Floats
 from slowflow.physical import Physical
 from slowflow.quantities import SI, in_shown
-from slowflow.support.errors import SlowflowError
+from slowflow.support.errors import SceneError, SlowflowError
 from slowflow.table import COLUMNS
+
+if TYPE_CHECKING:
+    from slowflow.sizing.requirements import Met
 
 #: what must not be: a jump, or springs that leave, at each forcing of [ask]
 NONE = ("jumps", "detachment")
@@ -25,6 +28,8 @@ AMOUNTS: Mapping[str, Mapping[str, str]] = {
 }
 TRANSMISSIBILITY = "transmissibility_dB"
 REQUIREMENTS = (*NONE, TRANSMISSIBILITY, *AMOUNTS)
+#: margins of a design that is looked for: rounding is not to decide whether it meets what binds
+SPARE = 1 + 1e-6
 
 Required = entry("Required", "requirement case limit value unit margin met", "One requirement in one load case.")
 
@@ -143,6 +148,29 @@ def _amount(one: Requirement, value: float, mount: bool, message: str) -> tuple[
 
 def _over(limit: float, value: float) -> float:
     return limit / value if value else math.inf
+
+
+def meet(scene: Any) -> tuple[Met, Any]:
+    """The design nearest to a scene's that meets what it requires, of numbers within [free], and the scene with it.
+
+    Where none does, the one that comes nearest.
+    """
+    from slowflow import sizing  # here, not above: it imports SciPy
+
+    if not scene.free:
+        raise SceneError(f"{scene.path}: meet needs [free], the numbers that may change with their ranges")
+    found = sizing.meet(scene.oscillator, scene.free, margins=lambda design: _margins(scene.of_design(design)))
+    return found, scene.of_design(found.design)
+
+
+def _margins(scene: Any) -> dict[str, float]:
+    """Of each requirement in each load case, over `SPARE`: below 1 where it is not met, or only to rounding."""
+    found = verdict(scene)
+    # jumps may be absent beyond the forcing from which on there are any, and present below it
+    agrees = found.met == (found.margin > 1)
+    margins = np.where(agrees, found.margin, np.where(found.met, SPARE, math.nan)) / SPARE
+    names = [f"{name}, {case}" for name, case in zip(found.requirement, found.case, strict=True)]
+    return dict(zip(names, margins.tolist(), strict=True))
 
 
 def in_words(found: Verdict) -> str:

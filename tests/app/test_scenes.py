@@ -414,7 +414,7 @@ WRONG = {
         "[ask]",
         "[aks]",
         "13: [aks] is not a table of a scene: it must be one of mount, isolator, duffing, ask, spectrum, tolerances, "
-        "shock, psd, require. Did you mean 'ask'?",
+        "shock, psd, require, free. Did you mean 'ask'?",
     ),
     "a force that is not positive": (
         "F = [3.0, 5.0]",

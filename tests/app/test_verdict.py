@@ -4,11 +4,12 @@ import json
 import math
 
 import pytest
+from scipy.optimize import brentq
 
 from slowflow import Isolator, cli
 from slowflow.scenes import read
 from slowflow.support.errors import SceneError
-from slowflow.verdict import in_words, verdict
+from slowflow.verdict import in_words, meet, verdict
 from tests.files import Lazily
 
 report = Lazily("slowflow.report")
@@ -115,6 +116,94 @@ def test_the_exit_code_says_whether_all_is_met(tmp_path, capsys):
     assert "then what must hold: jumps" in capsys.readouterr().out
     page = report.html(read(path))
     assert page.index("requirements not met: 1 of 1") < page.index("k_h")
+
+
+#: the peak of 5 N, F/(2 zeta sqrt(1 - zeta^2) k_v), and with F_SN the greatest one without a jump
+PEAK = "relative_displacement = { below = '6 mm', under = 'peak' }"
+FREE = "\n[free]\nzeta = [0.01, 0.2]\n"
+
+
+def test_the_nearest_design_has_nothing_to_spare_of_what_binds(tmp_path, capsys):
+    """The damping of a linear mount in closed form; its transmissibility of -20 dB is less than -10 dB."""
+    required = f"jumps = 'none'\ntransmissibility_dB = {{ below = -10, from_f = 14 }}\n{PEAK}{FREE}"
+    path, out = scene(tmp_path, required), tmp_path / "met.toml"
+    assert cli.main(["run", str(path)]) == 3
+    assert cli.main(["meet", str(path), "-o", str(out)]) == 0
+    printed = capsys.readouterr().out
+    assert "feasible                        True" in printed
+    assert "requirements met: 3 of 3; the least margin: relative_displacement, F = 5 N, margin 1\n" in printed
+    zeta = read(out).content["mount"].pop("zeta")
+    assert 2 * zeta * math.sqrt(1 - zeta**2) == pytest.approx(5.0 / (0.006 * 4000), rel=3e-6)
+    assert {**read(path).content["mount"], "zeta": zeta} == read(out).content["mount"]
+    assert cli.main(["run", str(out)]) == 0
+
+
+@pytest.mark.slow
+def test_of_several_load_cases_the_one_that_binds_is_a_root(tmp_path):
+    """By bisection over single answers: the springs from which on it jumps at the greater force."""
+    required = "jumps = 'none'\nrelative_displacement = { below = 0.03, under = ['peak', 'shock'] }\n"
+    path = scene(tmp_path, f"{required}[free]\nk_h = [500, '1.7 N/mm']\n", SHOCK, MOUNT, "F = [2.0, 3.0]\n")
+    met, changed = meet(read(path))
+
+    def spare(k_h):
+        return Isolator.physical(**{**MOUNT, "k_h": k_h}).saddle_node_onset().F_SN - 3
+
+    assert met.feasible and met.numbers["k_h"] == pytest.approx(brentq(spare, 500, 1700), rel=1e-5)
+    found = verdict(changed)
+    assert found.all_met and len(found) == 6 and list(met.reached.values()) == pytest.approx(found.margin, rel=2e-6)
+    assert min(met.reached, key=met.reached.get) == "jumps, F = 3 N"
+
+
+def test_where_no_design_meets_all_the_nearest_is_proposed(tmp_path, capsys):
+    """No zeta up to 0.05 bounds the peak: the largest one misses it least."""
+    path = scene(tmp_path, PEAK + FREE.replace("0.2", "0.05"))
+    assert cli.main(["meet", "--json", str(path)]) == 3
+    found = json.loads(capsys.readouterr().out)
+    peak = 5.0 / (0.1 * math.sqrt(1 - 0.05**2) * 4000)
+    assert found["design"]["numbers"]["zeta"] == pytest.approx(0.05) and found["verdict"]["met"] == [False]
+    assert found["design"]["binding"] == "relative_displacement, F = 5 N >= 1"
+    assert found["design"]["reached"]["relative_displacement, F = 5 N"] == pytest.approx(0.006 / peak, rel=3e-6)
+
+
+def test_a_design_that_meets_all_stays_as_it_is(tmp_path):
+    met, changed = meet(read(scene(tmp_path, "jumps = 'none'" + FREE)))
+    assert met.feasible and met.numbers == {"zeta": 0.1} and verdict(changed).all_met
+
+
+@pytest.mark.parametrize(
+    ("free", "message"),
+    (
+        ("zeta = 0.1", "1[0-9]: zeta = 0.1 is not allowed: zeta must be a pair"),
+        ("zeta = [0.2, 0.1]", "1[0-9]: zeta.1. = 0.1 is not allowed"),
+        ("k_v = ['1 kN', 2000]", "1[0-9]: k_v = '1 kN' is not allowed"),
+        ("stiffness = [1, 2]", "1[0-9]: stiffness is not a key of .free."),
+        ("c = [1, 2]", "'c' cannot be varied"),
+        ("load = [1, 2]", "load is not a key of .free."),
+    ),
+)
+def test_ranges_are_refused_with_their_line(tmp_path, free, message):
+    with pytest.raises(SceneError, match=f"scene.toml:.*{message}"):
+        read(scene(tmp_path, f"jumps = 'none'\n[free]\n{free}"))
+
+
+def test_meet_needs_requirements_and_ranges(tmp_path, capsys):
+    path = scene(tmp_path, FREE.lstrip())
+    path.write_text(path.read_text().replace("[require]", "questions = ['at_rest']"))
+    assert cli.main(["meet", str(path)]) == 2
+    assert "[free] needs [require]" in capsys.readouterr().err
+    assert cli.main(["meet", str(scene(tmp_path, "jumps = 'none'"))]) == 2
+    assert "meet needs [free]" in capsys.readouterr().err
+
+
+def test_a_scene_without_a_line_for_each_number_is_not_written(tmp_path, capsys):
+    path = scene(tmp_path, PEAK + FREE)
+    text = path.read_text()
+    path.write_text(
+        "".join(f"mount.{name} = {value}\n" for name, value in LINEAR.items()) + text[text.index("[ask]") :]
+    )
+    assert cli.main(["meet", str(path), "-o", str(tmp_path / "met.toml")]) == 2
+    assert "must have a line for each number" in capsys.readouterr().err
+    assert not (tmp_path / "met.toml").exists()
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,8 @@ finds is finished by sequential quadratic programming, whose slopes are differen
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+import warnings
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Any, ClassVar, Unpack
@@ -138,7 +139,14 @@ class _Search:
     """Free numbers, requirements, and the designs that meet these."""
 
     def __init__(
-        self, of: Any, free: Mapping[str, Any], at_least: Any, at_most: Any, seed: int, at: Mapping[str, Any]
+        self,
+        of: Any,
+        free: Mapping[str, Any],
+        at_least: Any,
+        at_most: Any,
+        seed: int,
+        at: Mapping[str, Any],
+        margins: Callable[[Any], Mapping[str, float]] | None = None,
     ) -> None:
         self.subject = subject = Subject(of, validate.mapping("free", free, "pairs (lowest, highest)"), at)
         self.load, self.seed = subject.load(), validate.count("seed", seed, least=0)
@@ -152,8 +160,13 @@ class _Search:
         self.targets = [
             (name, validate.number(name, subject.limit(name, limit), above=0.0), sign) for name, limit, sign in limited
         ]
+        self.margins = margins or (lambda design: {})
+        self.of_margins = list(self.margins(subject.of))
+        self.one_by_one = subject.one_by_one or bool(self.of_margins)
+        self.names += self.of_margins
+        self.targets += [(name, 1.0, 1.0) for name in self.of_margins]
         self.free = list(free)
-        ends = [validate.window(name, _ends(subject, name, pair)) for name, pair in free.items()]
+        ends = [subject.ends(name, pair) for name, pair in free.items()]
         self.low, self.high = np.array(ends, dtype=float).reshape(-1, 2).T
         self.start = np.array([subject.nominal[name] for name in free])
         # of designs that are asked one by one: answers by names and numbers, and shares of ranges that were tried
@@ -163,16 +176,37 @@ class _Search:
     def answers(self, values: Floats, names: Iterable[str]) -> dict[str, Floats]:
         """Answers of designs, values of shape (numbers, designs); those that take long are kept."""
         requested = tuple(dict.fromkeys(names))
-        if not requested or not self.subject.one_by_one:
-            return self.subject.ask(dict(zip(self.free, values, strict=True)), requested, self.load)
+        if not requested or not self.one_by_one:
+            return self._ask(values, requested)
         keys = [(requested, column.tobytes()) for column in values.T]
         new = [k for k, key in enumerate(keys) if key not in self.known]
         if new:
-            found = self.subject.ask(dict(zip(self.free, values[:, new], strict=True)), requested, self.load)
+            found = self._ask(values[:, new], requested)
             shown = [np.broadcast_to(found[name], len(new)).tolist() for name in requested]
             self.known |= {keys[k]: row for k, row in zip(new, zip(*shown, strict=True), strict=True)}
         columns = np.array([self.known.get(key, ()) for key in keys], dtype=float).T
         return dict(zip(requested, columns, strict=True))
+
+    def _ask(self, values: Floats, names: Iterable[str]) -> dict[str, Floats]:
+        numbers = dict(zip(self.free, values, strict=True))
+        found = self.subject.ask(numbers, [name for name in names if name not in self.of_margins], self.load)
+        if self.of_margins:
+            rows = [self._margins(column.tolist()) for column in values.T]
+            found |= {name: np.array([row[name] for row in rows]) for name in self.of_margins}
+        return found
+
+    def _margins(self, values: Sequence[float]) -> Mapping[str, float]:
+        """The margins of one design, NaN of what is none."""
+        try:
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")  # designs on the way to the one that is found
+                return self.margins(self.subject.of.replace(**dict(zip(self.free, values, strict=True))))
+        except (ValueError, ArithmeticError):
+            return dict.fromkeys(self.of_margins, np.nan)
+
+    def unit(self, name: str) -> str:
+        """Of an answer; a margin has none."""
+        return "" if name in self.of_margins else self.subject.unit(name)
 
     def short(self, values: Floats) -> Floats:
         """How far each requirement is from being met, by the log of a ratio: shape (requirements, designs)."""
@@ -214,7 +248,7 @@ class _Search:
             return np.asarray(np.where(missed > MET, 1 + missed, costs / (1 + costs)))
 
         begin = np.clip(((self.start if begin is None else begin) - self.low) / span, 0.0, 1.0)
-        if self.subject.one_by_one:
+        if self.one_by_one:
             return at(self._descended(whole, lambda y: self._terms(at(y), cost, beyond), begin)[:, None])[:, 0]
         found = differential_evolution(
             whole,
@@ -284,7 +318,7 @@ class _Search:
             return x
 
         # of designs that are asked one by one fewer
-        difference = "2-point" if self.subject.one_by_one else "3-point"
+        difference = "2-point" if self.one_by_one else "3-point"
         try:
             found = minimize(
                 lambda y: float(away(self.low + span * y)),
@@ -313,7 +347,7 @@ class _Search:
         if missed.max() <= MET:
             return "", ""
         name, limit, sign = self.targets[int(missed.argmax())]
-        unit, size = in_shown(self.subject.unit(name))
+        unit, size = in_shown(self.unit(name))
         binding = f"{name} {'>=' if sign > 0 else '<='} {limit / size:g} {unit}".rstrip()
         return binding, INFEASIBLE.format(binding, float(self.answers(x.reshape(-1, 1), [name])[name][0]) / size)
 
@@ -324,6 +358,7 @@ def meet(
     *,
     at_least: Mapping[str, float] | None = None,
     at_most: Mapping[str, float] | None = None,
+    margins: Callable[[Any], Mapping[str, float]] | None = None,
     seed: int = 0,
     **at: Unpack[LoadCase],
 ) -> Met:
@@ -339,6 +374,9 @@ def meet(
         By name, the lowest and the highest value of each parameter that may change; distances are fractions of that.
     at_least, at_most : mapping, optional
         By name of an answer that `slowflow.sizing` lists, what it has to reach and not to exceed.
+    margins : callable, optional
+        What else has to hold: a function of a design, which returns by name margins that have to be at least 1, each
+        positive. Its designs are tried one by one.
     seed : int
         Of the search.
     **at : LoadCase
@@ -354,7 +392,7 @@ def meet(
     ValueError
         For what is not allowed.
     """
-    search = _Search(of, free, at_least, at_most, seed, at)
+    search = _Search(of, free, at_least, at_most, seed, at, margins)
     subject = search.subject
     if not search.targets or not free:
         raise Refused("meet needs at least one requirement and one free number")
@@ -365,7 +403,7 @@ def meet(
         binding, message = search.binding(x)
     numbers = dict(zip(free, x.tolist(), strict=True))
     reached = {name: float(values[0]) for name, values in answers.items()}
-    units = {**{name: subject.unit(name) for name in reached}, **_sheet(subject.of, free)}
+    units = {**{name: search.unit(name) for name in reached}, **_sheet(subject.of, free)}
     units = {name: unit for name, unit in units.items() if unit}
     return Met(subject.of.replace(**numbers), not binding, numbers, reached, binding, message, units)
 
@@ -457,12 +495,6 @@ def front(
     columns = (answers[one][order], answers[other][order])
     note = NO_TRADE if len(kept) == 1 else ""
     return Front(*columns, names, units, numbers, note, of)
-
-
-def _ends(subject: Subject, name: str, pair: Any) -> Any:
-    """A range of a number, with its ends in SI units."""
-    low, high = validate.pair(name, pair, validate.LOW_AND_HIGH)
-    return subject.number(name, low), subject.number(name, high)
 
 
 def _over(worth: Callable[[Floats], Floats], which: int, level: float, values: Floats) -> Floats:

@@ -193,6 +193,11 @@ class Subject:
         """A value of a number of the design, of a mount in SI units if it is a quantity of pint."""
         return si(name, value, SHEET[name]) if self.mount else value
 
+    def ends(self, name: str, pair: Any) -> tuple[float, float]:
+        """A range of a number of the design, of a mount in SI units. Raises ValueError for what is none."""
+        low, high = validate.pair(name, pair, validate.LOW_AND_HIGH)
+        return validate.window(name, (self.number(name, low), self.number(name, high)))
+
     def limit(self, answer: str, value: Any) -> Any:
         """A value of an answer, of a mount in SI units if it is a quantity of pint."""
         return si(answer, value, self.unit(answer)) if self.mount else value
