@@ -139,3 +139,17 @@ def test_on_a_base_margins_say_why_no_springs_leave():
     shaken, pushed = (Duffing(1.0, 0.5, zeta=0.05, excitation=one).margins(0.1) for one in ("base", "force"))
     why = Duffing(1.0, 0.5, zeta=0.05, excitation="base").detachment().message
     assert why and why in shaken.message and why not in pushed.message
+
+
+@pytest.mark.parametrize("samples", [20, 300])
+def test_a_response_has_about_as_many_points_as_samples(samples):
+    """States at which its arcs were told apart were all points: 477 of 20, and a batch had no room for them."""
+    design = {"lam": 1.4, "r": 3.5, "delta_h": 0.39, "mu": 0.00053, "zeta": 0.013, "load": -0.033}
+    many, one = (made(**design, excitation="unbalance") for made in (Isolator.many, Isolator))
+    single, folds = one.frequency_response(0.049, samples=samples), one.saddle_nodes(0.049)
+    assert abs(len(single) - samples) <= 64
+    assert set(zip(folds.Omega, folds.A, strict=True)) <= set(zip(single.Omega, single.A, strict=True))
+    assert single.Omega.max() == 2.0
+    found = many.frequency_response(0.049, samples=samples, places=16)
+    assert found.status == Status.OK and found.points == len(single)
+    assert np.array_equal(found.A[: len(single)], single.A)

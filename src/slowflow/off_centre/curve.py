@@ -8,6 +8,7 @@ lost, whatever the sheets of the balance do, and isolated curves, which have fol
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import chain, pairwise
@@ -25,6 +26,8 @@ from slowflow.text import Sentence
 FIRST, CUTS = 6, 12
 #: how often points of a curve that are not near enough to their neighbours are asked again
 PASSES = 24
+#: points of a curve beyond those that there are to be, from which on it is thinned
+MORE = 24
 #: folds nearer to one another than this, relatively, are taken for one frequency, as those of mirrored motions are
 TOGETHER = 1e-12
 #: folds of one curve so near, in Omega, A and B beside its amplitude, are a kink: a force that jumps by little turns it
@@ -349,13 +352,28 @@ def _points(of: Slow, skeleton: _Skeleton, tours: list[tuple[list[Node], bool]],
         is_fold = np.array([node.at < 0 for node in tour])
         inner = np.ceil(points * weight / total).astype(int) - 1
         found, order = _between(of, place, is_fold, inner)
-        whole = np.concatenate((place, found), axis=1)[
-            :, np.argsort(np.append(np.arange(len(tour)), order), kind="stable")
-        ]
+        by_order = np.argsort(np.append(np.arange(len(tour)), order), kind="stable")
+        whole = np.concatenate((place, found), axis=1)[:, by_order]
+        always = by_order < len(tour)
+        always[always] = is_fold
+        whole = _thinned(whole, always, math.ceil(points * float(weight.sum()) / total))
         columns.append(whole)
         branch.append(np.full(whole.shape[1], number))
     Omega, A, B = np.concatenate(columns, axis=1)
     return Curves(Omega, A, B, np.concatenate(branch), tuple(closed for _, closed in tours))
+
+
+def _thinned(place: Floats, always: Flags, points: int) -> Floats:
+    """Points in order, those that are always kept and of the others about as many as there are to be.
+
+    Next to folds, and where arcs were hard to tell apart, many more states than that may have been asked for.
+    """
+    if place.shape[1] <= points + MORE:
+        return place
+    along = np.append(0.0, np.cumsum(_weights(place)))
+    stretch = np.floor(along * (points / along[-1]))
+    always[[0, -1]] = True
+    return place[:, always | (np.diff(stretch, prepend=-1.0) > 0)]
 
 
 def _weights(place: Floats) -> Floats:
