@@ -18,8 +18,7 @@
  *
  * The functions are generated, for numbers and for intervals: derivations/systems/along.py eliminates Omega.
  */
-#ifndef SF_ALONG_H
-#define SF_ALONG_H
+#pragma once
 
 #include "inertial.h"
 #include "laws.h"
@@ -438,5 +437,3 @@ static inline int sf_is_law_minimum(const sf_model *model, sf_question question,
 static inline int sf_channels(sf_question question) {
     return question == SF_ISOLA || question == SF_FOLD_AT || question == SF_STATE ? 1 : 3;
 }
-
-#endif

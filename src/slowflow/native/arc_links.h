@@ -1,8 +1,7 @@
 /* Arcs and how they go on. Takes a model and the events along the amplitude, of its response or of its fold locus;
  * returns the roots Omega of each interval between them, counted, and which arcs meet at each event.
  */
-#ifndef SF_ARC_LINKS_H
-#define SF_ARC_LINKS_H
+#pragma once
 
 #include "work.h"
 
@@ -183,5 +182,3 @@ static void sf_trace_arcs(const sf_model *model, double F_0, sf_graph *graph) {
     at = sf_sample_at(model, graph->event[graph->events - 1].A);
     sf_end_all(model, F_0, graph, &at, graph->events - 2, 1);
 }
-
-#endif

@@ -4,8 +4,7 @@
  * Between neighbouring events the number of roots Omega is constant and each root is an arc, continuous in A. At an
  * event a pair of arcs may meet and end, or the lowest may end at Omega = 0; all others go on.
  */
-#ifndef SF_ARCS_H
-#define SF_ARCS_H
+#pragma once
 
 #include "zeros.h"
 
@@ -156,5 +155,3 @@ static inline void sf_make_tour(const sf_graph *graph, sf_tour *tour) {
     for (int arc = 0; arc < graph->arcs; arc++)
         sf_tour_from(graph, 2 * arc, 1, visited, tour);
 }
-
-#endif

@@ -5,8 +5,7 @@
  * The mathematics is derivations/asymmetric/off_centre.py's. An odd force without a load has motions about the centre,
  * B = 0, which have solvers of their own: `centred`.
  */
-#ifndef SF_BALANCE_H
-#define SF_BALANCE_H
+#pragma once
 
 #include "dissipation.h"
 #include "turning_points.h"
@@ -252,5 +251,3 @@ static int sf_folds_between(const sf_damping *of, int inertial, double sign, sf_
     *R = sfi_of(sfi_least(fmax(start, 0), most) * below, sfi_least(isnan(end) ? HUGE_VAL : end, most) * above);
     return left || unknown;
 }
-
-#endif

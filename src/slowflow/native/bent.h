@@ -7,8 +7,7 @@
  * angle that it takes are known on an interval of A by their values at its ends, as each is monotone in A; what stands
  * under the integrals is generated. A contact's are over shares of what A exceeds its begin by, whose weight is known.
  */
-#ifndef SF_BENT_H
-#define SF_BENT_H
+#pragma once
 
 #include <string.h>
 
@@ -178,5 +177,3 @@ static inline void sf_enclose(const sf_bent *of, const double *ends, sf_interval
             sf_of_contact(of, i, ends[of->begins[i]], A, p, sums + 2 + SF_CONTACT_SUMS * i);
     sf_closing_at(of, passed, A, roots, sums, p, out);
 }
-
-#endif

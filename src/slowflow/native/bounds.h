@@ -1,8 +1,7 @@
 /* How far amplitudes go. Takes a model and a forcing; returns an amplitude above that of every steady state there, or
  * why there is none.
  */
-#ifndef SF_BOUNDS_H
-#define SF_BOUNDS_H
+#pragma once
 
 #include "arc_links.h"
 #include "scan.h"
@@ -283,5 +282,3 @@ static sf_status sf_range_at(const sf_model *model, double F_0, double *A_max) {
     }
     return status;
 }
-
-#endif

@@ -5,8 +5,7 @@
  * (it holds just one solution then) or out of it (none). Otherwise it is cut. What is left is smaller than SF_BOX_NARROWEST of its
  * place: it is undecided.
  */
-#ifndef SF_BOXES_H
-#define SF_BOXES_H
+#pragma once
 
 #include <stddef.h>
 #include <stdlib.h>
@@ -362,5 +361,3 @@ static inline int sf_solve_boxes(const sf_box_equations *of, sf_box *boxes, ptrd
     sf_each_once(d, out);
     return state;
 }
-
-#endif

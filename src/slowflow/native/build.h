@@ -1,6 +1,5 @@
 /* How an extension module was built, as a dictionary BUILD in it. */
-#ifndef SF_BUILD_H
-#define SF_BUILD_H
+#pragma once
 
 #include "clones.h"
 
@@ -30,5 +29,3 @@ static int sf_add_build(PyObject *module, const char *builds, const char *chosen
     Py_DECREF(build);
     return failed;
 }
-
-#endif

@@ -8,8 +8,7 @@
  *
  * k = h - A h_A is where the tangent of h meets A = 0.
  */
-#ifndef SF_CELLS_H
-#define SF_CELLS_H
+#pragma once
 
 #include "interval.h"
 #include "model.h"
@@ -229,5 +228,3 @@ static inline double sf_amid(double base, double a, double b) {
     }
     return 0.5 * (a + b);
 }
-
-#endif

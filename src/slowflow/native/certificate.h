@@ -1,6 +1,5 @@
 /* Records that the proofs fill: zeros along the amplitude, and enclosures of what was asked. */
-#ifndef SF_CERTIFICATE_H
-#define SF_CERTIFICATE_H
+#pragma once
 
 #include "exact_inputs.h"
 #include "points_work.h"
@@ -67,5 +66,3 @@ typedef struct {
     sf_status status;
     long proofs;
 } sf_room;
-
-#endif

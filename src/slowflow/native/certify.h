@@ -4,8 +4,7 @@
  * A fold inside a piece is a zero of SF_FOLD_AT; on a breakpoint where the force jumps, it is a root of F = 0 at which
  * F_A has one sign below and another above.
  */
-#ifndef SF_CERTIFY_H
-#define SF_CERTIFY_H
+#pragma once
 
 #include "certificate.h"
 #include "onset.h"
@@ -450,5 +449,3 @@ static sf_status sf_certify_onset(const sf_model *model, const sf_inputs *inputs
     out->proved = list.n > 0 && !list.full && list.doubted > out->F_SN.hi && out->F_SN.hi < F_0;
     return SF_OK;
 }
-
-#endif

@@ -1,6 +1,5 @@
 /* Sums of Chebyshev's polynomials, which stand for forces that are known by their values. */
-#ifndef SF_CHEBYSHEV_H
-#define SF_CHEBYSHEV_H
+#pragma once
 
 /* Coefficients of degrees 0 to `degree`, x on [-1, 1]; Clenshaw's recurrence in the order of NumPy's chebval. */
 static inline double sf_chebyshev(const double *c, int degree, double x) {
@@ -11,5 +10,3 @@ static inline double sf_chebyshev(const double *c, int degree, double x) {
     }
     return low + high * x;
 }
-
-#endif

@@ -14,8 +14,7 @@
  * SF_NO_CLONES leaves the compiler's own target, for builds with -march and for comparing the clones; SF_HERE, as
  * "x86-64-v4", is the one target of a build that runs on no other machine.
  */
-#ifndef SF_CLONES_H
-#define SF_CLONES_H
+#pragma once
 
 #include <stddef.h>
 #include <stdlib.h> /* a header of glibc, which tells of itself: stddef.h is the compiler's */
@@ -82,6 +81,4 @@ enum { SF_WIDEST = 8 };
 #define SF_COMPILER "gcc " __VERSION__
 #else
 #define SF_COMPILER "unknown"
-#endif
-
 #endif

@@ -3,8 +3,7 @@
  * Its events are zeros of SF_PEAK and SF_REST; between them each root is an arc, and the folds cut an arc into segments
  * along which Omega is monotone too. So a segment holds at most one state at any frequency, and one stability.
  */
-#ifndef SF_CURVE_H
-#define SF_CURVE_H
+#pragma once
 
 #include "resolve.h"
 #include "root_lanes.h"
@@ -649,5 +648,3 @@ static long sf_draw(const sf_model *model, double F_0, double samples, const sf_
         }
     return kept;
 }
-
-#endif

@@ -1,8 +1,7 @@
 /* What the two functions of a search demand of R and of the frequency w on a cell of amplitudes. Takes the system, what
  * is known on the cell, and intervals of both; returns narrower ones, or that there is none. See points.h.
  */
-#ifndef SF_DEMANDS_H
-#define SF_DEMANDS_H
+#pragma once
 
 #include "points_work.h"
 
@@ -305,5 +304,3 @@ static int sf_narrow_unknowns(const sf_law_search *search, const sf_strip *strip
     }
     return !sf_is_none(of->w);
 }
-
-#endif

@@ -10,8 +10,7 @@
  * Bounds are computed in doubles and widened by more than rounding may make of them. Where a number of doubles is near
  * to deciding, or a design needs more cells than there are places, it is left to states.h.
  */
-#ifndef SF_DESIGN_LANES_H
-#define SF_DESIGN_LANES_H
+#pragma once
 
 #include <math.h>
 #include <stddef.h>
@@ -229,5 +228,3 @@ static inline double sf_next_from(double a, double y_a, double slope_a, double b
     const int is_near = (fabs(y_a) < 0.5 * fabs(y_b)) | ((y_a < 0) != (y_b < 0));
     return is_near & (guess > lo) & (guess < hi) ? guess : (step > lo) & (step < hi) ? step : 0.5 * (lo + hi);
 }
-
-#endif

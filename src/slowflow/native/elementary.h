@@ -2,8 +2,7 @@
  *
  * Where an argument leaves a function's domain nothing is known: NaN. As slowflow/intervals.py.
  */
-#ifndef SF_ELEMENTARY_H
-#define SF_ELEMENTARY_H
+#pragma once
 
 #include "interval.h"
 
@@ -81,5 +80,3 @@ static inline sf_interval sfi_power(sf_interval a, sf_interval b) {
     return sfi_apart(sfi_least(sfi_least(lo_lo, lo_hi), sfi_least(hi_lo, hi_hi)),
                      sfi_most(sfi_most(lo_lo, lo_hi), sfi_most(hi_lo, hi_hi)));
 }
-
-#endif

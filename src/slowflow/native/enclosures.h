@@ -1,8 +1,7 @@
 /* Test functions along the amplitude, on a cell. Takes a question of along.h and what is known at a cell's ends;
  * returns ranges that hold each function, and its slope, for every amplitude of the cell.
  */
-#ifndef SF_ENCLOSURES_H
-#define SF_ENCLOSURES_H
+#pragma once
 
 #include "along.h"
 #include "cells.h"
@@ -531,5 +530,3 @@ static inline void sf_find_range(const sf_task *task, const sf_known *a, const s
         break;
     }
 }
-
-#endif

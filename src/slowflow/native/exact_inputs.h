@@ -3,8 +3,7 @@
  *
  * A proof is about this oscillator, not about its parameters rounded to doubles.
  */
-#ifndef SF_EXACT_INPUTS_H
-#define SF_EXACT_INPUTS_H
+#pragma once
 
 #include "cells.h"
 #include "exactly.h"
@@ -120,5 +119,3 @@ static inline int sf_is_noise(sf_interval on, sf_interval at_low, sf_interval at
     const double least = sfi_least(at_low.hi - at_low.lo, at_high.hi - at_high.lo);
     return !sfi_has_sign(at_low) && !sfi_has_sign(at_high) && !(on.hi - on.lo > SF_NOISE * least);
 }
-
-#endif

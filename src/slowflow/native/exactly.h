@@ -1,8 +1,7 @@
 /* The oscillator's exact inputs, in double-double. Takes its numbers; returns its parameters and h with its
  * derivatives to some thirty digits.
  */
-#ifndef SF_EXACTLY_H
-#define SF_EXACTLY_H
+#pragma once
 
 #include "cells.h"
 #include "slow_flow_pairs.h"
@@ -86,5 +85,3 @@ static inline void sf_exact_on(const sf_exactly *exactly, int i, sf_exact_sample
     exactly->mechanism->averaged_in_pairs(exactly->mechanism, exactly->empty + i, 2, b,
                                           i > 0 ? sfp_sub(b, exactly->b[i - 1]) : b, exactly->p, out->h);
 }
-
-#endif

@@ -4,8 +4,7 @@
  * generated (sensitivities_...); by the chain rule from the design to the force's parameters to the average. What every
  * number does is computed in one loop.
  */
-#ifndef SF_GRADIENT_H
-#define SF_GRADIENT_H
+#pragma once
 
 #include "laws.h"
 #include "many.h"
@@ -384,5 +383,3 @@ static void sf_loop_gradients(sf_call *at, int inertial) {
 
 static void sf_loop_forced_gradients(sf_call *at) { sf_loop_gradients(at, 0); }
 static void sf_loop_inertial_gradients(sf_call *at) { sf_loop_gradients(at, 1); }
-
-#endif

@@ -6,8 +6,7 @@
  * doubles;
  * they are rounded up by a factor, which is more than their own few roundings.
  */
-#ifndef SF_HELD_H
-#define SF_HELD_H
+#pragma once
 
 #include "interval.h"
 #include "pair_angles.h"
@@ -88,5 +87,3 @@ static inline sf_held sfh_within(sf_interval a) {
     const double middle = 0.5 * a.lo + 0.5 * a.hi;
     return sfh_of(sfp_point(middle), sfi_most(sfi_up(a.hi - middle), sfi_up(middle - a.lo)) * SFH_UP);
 }
-
-#endif

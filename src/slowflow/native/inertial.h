@@ -5,8 +5,7 @@
  * and rises from there to A as Omega tends to inf; or it only falls to A. So an amplitude below F_0 has one frequency,
  * and one above it two or none (derivations/extensions/inertia.py).
  */
-#ifndef SF_INERTIAL_H
-#define SF_INERTIAL_H
+#pragma once
 
 #include "model.h"
 
@@ -129,5 +128,3 @@ static inline int sf_inertial_roots(const sf_model *model, const sf_sample *at, 
         Omega[i] = sf_inertial_root(model, at, F_0, n, i);
     return n;
 }
-
-#endif

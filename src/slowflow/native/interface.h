@@ -1,8 +1,7 @@
 /* What was built for one target, as tables: rows of questions about one oscillator, rows of those about many, and
  * records. The binding to Python reads the rows and knows no question by itself.
  */
-#ifndef SF_INTERFACE_H
-#define SF_INTERFACE_H
+#pragma once
 
 #include "certificate.h"
 
@@ -128,5 +127,3 @@ typedef struct {
 /* for any processor, and for those with fma */
 extern const sf_solvers sf_solvers_baseline, sf_solvers_fma;
 extern const sf_records sf_records_baseline, sf_records_fma;
-
-#endif

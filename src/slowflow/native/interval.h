@@ -5,8 +5,7 @@
  *
  * Each operation is rounded to nearest and then moved by more than an ulp, so that no rounding mode is switched.
  */
-#ifndef SF_INTERVAL_H
-#define SF_INTERVAL_H
+#pragma once
 
 #include <math.h>
 
@@ -143,5 +142,3 @@ static inline sf_interval sfi_join(sf_interval a, sf_interval b) {
 static inline int sfi_positive(sf_interval a) { return a.lo > 0; }
 static inline int sfi_negative(sf_interval a) { return a.hi < 0; }
 static inline int sfi_has_sign(sf_interval a) { return a.lo > 0 || a.hi < 0; }
-
-#endif

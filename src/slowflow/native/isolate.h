@@ -3,8 +3,7 @@
  * Along a curve the number of roots is known from both sides. Where rounding hides a pair that is about to meet, or
  * shows one that has met already, the known number decides, and the place where the pair meets stands for the root.
  */
-#ifndef SF_ISOLATE_H
-#define SF_ISOLATE_H
+#pragma once
 
 #include "roots.h"
 
@@ -116,5 +115,3 @@ static double sf_root_at(const sf_isolated *q, sf_place place) {
 static inline double sf_wanted_root(const sf_isolated *q, int count, int index) {
     return sf_root_at(q, sf_place_of(q->exist, q->f0, q->f1, q->f2, count, index));
 }
-
-#endif

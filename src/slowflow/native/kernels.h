@@ -6,8 +6,7 @@
  * that is no multiple of a vector is filled up to one. So every loop sees contiguous arrays of whole vectors that do
  * not overlap, and vectorises.
  */
-#ifndef SF_KERNELS_H
-#define SF_KERNELS_H
+#pragma once
 
 #include <stddef.h>
 
@@ -81,5 +80,3 @@ typedef struct {
 
 /* NumPy's inner loop for the sf_kernel that is its data: addresses, number of elements, strides in bytes. */
 void sf_run(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data);
-
-#endif

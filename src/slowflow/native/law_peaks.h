@@ -1,8 +1,7 @@
 /* Peaks by other laws of damping. Takes a model and a forcing; returns the points at which the level of an amplitude is
  * stationary, what happens there, and the highest one at which stable motions end.
  */
-#ifndef SF_LAW_PEAKS_H
-#define SF_LAW_PEAKS_H
+#pragma once
 
 #include "locus.h"
 #include "points.h"
@@ -123,5 +122,3 @@ static sf_status sf_law_peak(const sf_model *model, double F_0, double most, sf_
         return !sf_inertial(model) && F_0 <= model->m && !(most < HUGE_VAL) ? SF_STICKS : SF_NONE;
     return SF_OK;
 }
-
-#endif

@@ -8,8 +8,7 @@
  * most two positive critical points, a maximum and then a minimum. Under an excitation by inertia F over Omega^4 is such
  * a quartic in 1/Omega.
  */
-#ifndef SF_LAWS_H
-#define SF_LAWS_H
+#pragma once
 
 #include "cells.h"
 #include "dissipation.h"
@@ -312,5 +311,3 @@ static inline sf_interval sf_rest_within(const sf_laws_within *laws, sf_interval
     dissipation_intervals_at_rest(A, laws->m, laws->eta, rest);
     return dissipation_intervals_rest_intercept(laws->m);
 }
-
-#endif

@@ -4,8 +4,7 @@
  * branches is constant, and along each branch Omega and the level F_0 are monotone. So a branch has a fold at F_0 there
  * if and only if its ends lie on both sides of F_0.
  */
-#ifndef SF_LOCUS_H
-#define SF_LOCUS_H
+#pragma once
 
 #include "arc_links.h"
 #include "bounds.h"
@@ -529,5 +528,3 @@ static long sf_draw_locus(const sf_model *model, long samples, sf_work *work, do
         }
     return n;
 }
-
-#endif

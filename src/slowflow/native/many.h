@@ -2,8 +2,7 @@
  *
  * The inputs are the design, the damping, and where needed F_0. Nothing is allocated per design.
  */
-#ifndef SF_MANY_H
-#define SF_MANY_H
+#pragma once
 
 #include "many_detachment.h"
 #include "many_folds.h"
@@ -391,5 +390,3 @@ static void sf_loop_states(sf_call *at) {
                                     sf_leave_states};
     sf_loop_in_lanes(at, &by);
 }
-
-#endif

@@ -2,8 +2,7 @@
  *
  * Points and folds are those of a single answer. A curve that has more points than there are places is not drawn.
  */
-#ifndef SF_MANY_CURVES_H
-#define SF_MANY_CURVES_H
+#pragma once
 
 #include "many.h"
 
@@ -65,5 +64,3 @@ static void sf_loop_curves(sf_call *at) {
     sf_free_points(&drawn);
     free(q.room);
 }
-
-#endif

@@ -4,8 +4,7 @@
  * level in pairs are long chains in which each operation waits for the one before, and designs do not wait for each
  * other. What is not the usual case there is left to it.
  */
-#ifndef SF_MANY_DETACHMENT_H
-#define SF_MANY_DETACHMENT_H
+#pragma once
 
 #include "clones.h"
 #include "design_lanes.h"
@@ -89,5 +88,3 @@ static void sf_settle_detachments(const sf_mechanism *mechanism, sf_detaching *b
     for (int d = 0; d < block->n; d++)
         sf_change_level(block->end[d], block->change[d], &block->F_0[d]);
 }
-
-#endif

@@ -3,8 +3,7 @@
  * Each fold is settled to its last digit as a single one is, so that it is the same double. A design at which rounding
  * may decide anything, or that is not settled by so many rounds, is left to resolve.h.
  */
-#ifndef SF_MANY_FOLDS_H
-#define SF_MANY_FOLDS_H
+#pragma once
 
 #include "resolve.h"
 #include "many_lanes.h"
@@ -107,5 +106,3 @@ static int sf_settle_block_folds(const sf_lane_design *of, const sf_exactly *exa
             return 0;
     return folds->status == SF_OK && !sf_is_sharp(folds, of->F_0);
 }
-
-#endif

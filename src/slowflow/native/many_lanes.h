@@ -4,8 +4,7 @@
  * Cells of all designs of a block are judged at once, and all zeros are approached at once (design_lanes.h). Cells that
  * stay open are cut, those of all designs at once. A design that is doubtful anywhere is left to the solvers of one.
  */
-#ifndef SF_MANY_LANES_H
-#define SF_MANY_LANES_H
+#pragma once
 
 #include "design_lanes.h"
 #include "refine.h"
@@ -252,5 +251,3 @@ SF_ALWAYS void sf_approach_block(const sf_lane_question *question, sf_lane_block
         }
     }
 }
-
-#endif

@@ -3,8 +3,7 @@
  *
  * Most of an onset's time is this search. What is not settled is left to onset.h, as is all else.
  */
-#ifndef SF_MANY_ONSETS_H
-#define SF_MANY_ONSETS_H
+#pragma once
 
 #include "many_lanes.h"
 
@@ -70,5 +69,3 @@ static void sf_consider_cusps(const sf_lane_design *of, sf_onset *best) {
             sf_consider(sf_level(&of->model, at, of->w[i]), of->w[i], at->A, SF_CUSP_KIND, best);
     }
 }
-
-#endif

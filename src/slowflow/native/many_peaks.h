@@ -4,8 +4,7 @@
  * Most peaks lie on the last piece of the force, or high on the one before, and one look at these proves that there is
  * one and no higher one. Other designs are left to sf_settled_peak.
  */
-#ifndef SF_MANY_PEAKS_H
-#define SF_MANY_PEAKS_H
+#pragma once
 
 #include "many_lanes.h"
 
@@ -84,5 +83,3 @@ static int sf_settle_block_peak(const sf_lane_design *of, const sf_exactly *exac
     *A = at.A.high, *Omega = at.Omega.high;
     return 1;
 }
-
-#endif

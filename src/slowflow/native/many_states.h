@@ -3,8 +3,7 @@
  * Each state is settled to its last digit as a single one is, so that it is the same double. A design that is doubtful
  * anywhere, or not settled by so many rounds, is left to states.h.
  */
-#ifndef SF_MANY_STATES_H
-#define SF_MANY_STATES_H
+#pragma once
 
 #include "many_lanes.h"
 #include "states.h"
@@ -48,5 +47,3 @@ static int sf_settle_block_states(const sf_lane_design *of, const sf_exactly *ex
     }
     return 1;
 }
-
-#endif

@@ -7,8 +7,7 @@
  *
  * Numbers are dimensionless. `p` holds the mechanism's parameters, `damping` what the slow flow needs of the damping.
  */
-#ifndef SF_MECHANISM_H
-#define SF_MECHANISM_H
+#pragma once
 
 #include <stddef.h>
 
@@ -127,5 +126,3 @@ static inline void sf_keep_digits(int n, const sf_pair *pairs, double *p)
         if (p[i] * pairs[i].high > 0 && fabs(p[i] - pairs[i].high) > 0x1p-49 * fabs(p[i]))
             p[i] = pairs[i].high;
 }
-
-#endif

@@ -2,8 +2,7 @@
  *
  * Everything is dimensionless. The derivatives of F are halved or quartered where a comment says so.
  */
-#ifndef SF_MODEL_H
-#define SF_MODEL_H
+#pragma once
 
 #include <math.h>
 #include <stddef.h>
@@ -195,5 +194,3 @@ static inline int sf_sticks(const sf_model *model, double F_0) {
 }
 
 static inline int sf_opposite(double a, double b) { return (a < 0) != (b < 0); }
-
-#endif

@@ -3,8 +3,7 @@
  * Cusps and isola points are explicit in A (along.h), so the onset needs no locus. The pieces of the force are
  * looked through from below; the last, which has no end, as far as a state at the best forcing found so far can lie.
  */
-#ifndef SF_ONSET_H
-#define SF_ONSET_H
+#pragma once
 
 #include "law_peaks.h"
 
@@ -644,5 +643,3 @@ static sf_status sf_peak(const sf_model *model, double F_0, double most, sf_work
         *A = found.A, *Omega = found.Omega;
     return status;
 }
-
-#endif

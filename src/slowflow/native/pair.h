@@ -4,8 +4,7 @@
  * result; a sum to as much of its terms. Overflow and underflow of a part are not looked for: what is computed in pairs
  * corrects a number that is known, and is used only where it is small beside that.
  */
-#ifndef SF_PAIR_H
-#define SF_PAIR_H
+#pragma once
 
 #include <math.h>
 
@@ -64,5 +63,3 @@ static inline sf_pair sfp_sqrt(sf_pair a) {
         return sfp_point(root);
     return sfp_of(root, ((a.high - square) - low + a.low) / (2 * root));
 }
-
-#endif

@@ -10,8 +10,7 @@
  * small box around where Newton's method leads. Else the box is cut; where that goes on until no double lies between its
  * ends, that it was undecided is said. As in scan.h what kernels err by is taken for granted (SF_DOUBT).
  */
-#ifndef SF_POINTS_H
-#define SF_POINTS_H
+#pragma once
 
 #include "demands.h"
 
@@ -439,5 +438,3 @@ static void sf_search_pieces(const sf_model *model, sf_law_system system, double
         sf_search_points(search, &pieces->at[i].first, &pieces->at[i].last);
     }
 }
-
-#endif

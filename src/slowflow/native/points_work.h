@@ -1,6 +1,5 @@
 /* Where points (A, R) are searched for, see points.h. */
-#ifndef SF_POINTS_WORK_H
-#define SF_POINTS_WORK_H
+#pragma once
 
 #include "laws.h"
 
@@ -62,5 +61,3 @@ typedef struct {
     sf_law_points found;
     sf_law_box pending[SF_MOST_PENDING];
 } sf_law_search;
-
-#endif

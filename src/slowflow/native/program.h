@@ -5,8 +5,7 @@
  * refuses beside what these do other sizes than the record's functions take and give, and words or numbers too many or
  * too few.
  */
-#ifndef SF_PROGRAM_H
-#define SF_PROGRAM_H
+#pragma once
 
 #include "bent.h"
 #include "conventions.h"
@@ -611,5 +610,3 @@ static sf_status sf_read_program(const sf_mechanism *like, const char *name, con
     *record = made;
     return sf_finished(&from);
 }
-
-#endif

@@ -5,8 +5,7 @@
  * to have one sign on it, or to be monotone with proved signs at its ends. Newton's method on intervals makes a zero's
  * own interval narrow.
  */
-#ifndef SF_PROOF_H
-#define SF_PROOF_H
+#pragma once
 
 #include "certificate.h"
 #include "scan.h"
@@ -319,5 +318,3 @@ static void sf_prove(sf_proving *proving, double A_max) {
             return;
     }
 }
-
-#endif

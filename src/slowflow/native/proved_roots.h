@@ -1,8 +1,7 @@
 /* Positive frequencies at one amplitude, proved. Takes intervals that hold A and h; returns intervals of Omega each of
  * which holds exactly one root, and some that may hold any; elsewhere there is none.
  */
-#ifndef SF_PROVED_ROOTS_H
-#define SF_PROVED_ROOTS_H
+#pragma once
 
 #include "exact_inputs.h"
 
@@ -116,5 +115,3 @@ static void sf_prove_roots(const sf_at_amplitude *q, sf_roots *out) {
     /* twice: no root lies on the end of the search */
     sf_roots_between(q, 0, 2 * most, out);
 }
-
-#endif

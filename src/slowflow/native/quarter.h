@@ -7,8 +7,7 @@
  * Where the force is a difference rounding changes more than that; it may change as much as some roundings of A and of
  * the parameters do.
  */
-#ifndef SF_QUARTER_H
-#define SF_QUARTER_H
+#pragma once
 
 #include <math.h>
 #include <stddef.h>
@@ -200,5 +199,3 @@ static inline void sf_over_quarter(const sf_quarter *of, int count, double A, co
     for (int k = 0; k < count && !settled; k++)
         sums[k] = NAN;
 }
-
-#endif

@@ -1,6 +1,5 @@
 /* The questions about one oscillator as rows: each answers a query (interface.h) by its items, a status first. */
-#ifndef SF_QUESTIONS_H
-#define SF_QUESTIONS_H
+#pragma once
 
 #include "certify.h"
 #include "interface.h"
@@ -498,5 +497,3 @@ static const sf_row sf_rows_of_one[] = {
     {"second_detachment", "F_cr, Omega_cr, u_cr, infinite where these are not known -> status, F_cr, Omega_cr, u_cr", 3,
      0, 0, sf_answer_second_detachment},
 };
-
-#endif

@@ -1,8 +1,7 @@
 /* What the members of a mechanism's record are made of: macros that pass on the functions of its headers, and loops
  * over amplitudes and designs. records.h, which the derivation prints, uses them.
  */
-#ifndef SF_RECORD_MEMBERS_H
-#define SF_RECORD_MEMBERS_H
+#pragma once
 
 #include <stddef.h>
 
@@ -101,5 +100,3 @@ SF_ALWAYS void records_by_regime(const rows *loops, int (*regime_of)(double A, c
     }
 #define NUMBER(k) sfp_point(design[(k) * apart + i])
 #define PUT(k, pair) out[2 * (k) * apart + i] = (pair).high, out[(2 * (k) + 1) * apart + i] = (pair).low
-
-#endif

@@ -5,8 +5,7 @@
  * their slopes in doubles: one step, but next to a double root or a breakpoint. An answer is left alone where the
  * first step is not small beside it, or the slopes change along it by too much: there it may lead to another answer.
  */
-#ifndef SF_REFINE_H
-#define SF_REFINE_H
+#pragma once
 
 #include "exactly.h"
 #include "onset.h"
@@ -485,5 +484,3 @@ static sf_status sf_settled_peak(const sf_model *model, const sf_exactly *exactl
         sf_peak_between(exactly, model, F_0, A, Omega);
     return status;
 }
-
-#endif

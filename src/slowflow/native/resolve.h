@@ -5,8 +5,7 @@
  * level at which folds are born or meet or next to 4 mu/pi, and beside a breakpoint at which the force hardly jumps.
  * There the proof, which takes some ten times as long, has the last word; elsewhere it is not asked.
  */
-#ifndef SF_RESOLVE_H
-#define SF_RESOLVE_H
+#pragma once
 
 #include "certify.h"
 #include "refine.h"
@@ -130,5 +129,3 @@ static sf_status sf_settled_folds(const sf_model *model, const sf_inputs *inputs
         folds->undecided = 1;
     return status;
 }
-
-#endif

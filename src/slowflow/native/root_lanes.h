@@ -5,8 +5,7 @@
  * to be the last, roots.h goes on from there; where rounding could have decided a sign, the block says so, and roots.h
  * has the quartic.
  */
-#ifndef SF_ROOT_LANES_H
-#define SF_ROOT_LANES_H
+#pragma once
 
 #include <stddef.h>
 
@@ -73,5 +72,3 @@ static inline void sf_add_job(const sf_quartics *block, int i, int place, sf_job
     jobs->w1[k] = block->w1[i], jobs->w2[k] = block->w2[i];
     jobs->f0[k] = block->f0[i], jobs->f1[k] = block->f1[i], jobs->f2[k] = block->f2[i];
 }
-
-#endif

@@ -28,8 +28,7 @@
  * C99.  Build without contraction and without fast-math: the error terms below would be optimised away.  fma() is worth
  * a hardware instruction (target_clones, -mfma); without it the results are the same and slower.
  */
-#ifndef SF_ROOTS_H
-#define SF_ROOTS_H
+#pragma once
 
 #include <math.h>
 
@@ -411,5 +410,3 @@ SF_ALWAYS int sf_peak_roots(double A, double h, double m, double zeta, double Om
         Omega[i] = sf_polish_cubic(&s, Omega[i]);
     return n;
 }
-
-#endif

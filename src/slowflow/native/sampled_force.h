@@ -5,8 +5,7 @@
  * those of the polynomial on parts of the piece. From the reach on the force is a straight line, which no answer is
  * about. All of it is of one design: the parameters change nothing.
  */
-#ifndef SF_SAMPLED_FORCE_H
-#define SF_SAMPLED_FORCE_H
+#pragma once
 
 #include "chebyshev.h"
 #include "program.h"
@@ -310,5 +309,3 @@ static void sf_free_samples(const sf_mechanism *record) {
     of.room = record->sampled->room;
     sf_leave_room(&of);
 }
-
-#endif

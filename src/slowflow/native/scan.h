@@ -7,8 +7,7 @@
  * Where that goes on until no amplitude lies between the ends (a double zero to rounding), the signs at the ends
  * decide, and that it was undecided is said.
  */
-#ifndef SF_SCAN_H
-#define SF_SCAN_H
+#pragma once
 
 #include "design_lanes.h"
 #include "zeros.h"
@@ -346,5 +345,3 @@ static void sf_find_zeros(const sf_task *task, const sf_stretch *piece, sf_zeros
     sf_know(&high.at, &high.known);
     sf_search_between(&search, &low, &high, open);
 }
-
-#endif

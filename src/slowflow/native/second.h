@@ -7,8 +7,7 @@
  * A way is smooth along the curve: every sixteenth point goes its own, those between start from where they are
  * expected.
  */
-#ifndef SF_SECOND_H
-#define SF_SECOND_H
+#pragma once
 
 #include "curve.h"
 #include "second_newton.h"
@@ -466,4 +465,3 @@ static sf_second_curve *sf_second_follow(const sf_model *model, double F_0, sf_w
     }
     return curve;
 }
-#endif

@@ -1,8 +1,7 @@
 /* The second approximation's answers. Takes its curve, or a critical forcing of the first one; returns folds, states
  * and the peak, which lie between the curve's points, and critical forcings.
  */
-#ifndef SF_SECOND_ANSWERS_H
-#define SF_SECOND_ANSWERS_H
+#pragma once
 
 #include "onset.h"
 #include "second.h"
@@ -326,5 +325,3 @@ static int sf_peak_on(const sf_model *model, double F_0, const sf_second_curve *
     out->at = sf_second_at(second, out->Omega, out->A);
     return 1;
 }
-
-#endif

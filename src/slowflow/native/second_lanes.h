@@ -1,6 +1,5 @@
 /* The balance of the second approximation at many states at once, built for wide vectors. */
-#ifndef SF_SECOND_LANES_H
-#define SF_SECOND_LANES_H
+#pragma once
 
 #include <stddef.h>
 
@@ -36,5 +35,3 @@ void sf_second_matches(ptrdiff_t n, const double *Omega, const double *R, const 
                        const double *balances, double *out);
 void sf_second_newton(ptrdiff_t n, const double *Omega, const double *A, double F_0, const double *balances,
                       double *out);
-
-#endif

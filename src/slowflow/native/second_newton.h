@@ -1,8 +1,7 @@
 /* The second approximation's balance, and Newton's iteration in lanes. Takes points near its curve; returns those to
  * which each moves.
  */
-#ifndef SF_SECOND_NEWTON_H
-#define SF_SECOND_NEWTON_H
+#pragma once
 
 #include "elementary.h"
 #include "model.h"
@@ -167,5 +166,3 @@ static void sf_enter_lane(const sf_second *second, int which, double Omega, doub
     if (lanes->n == SF_LANES)
         sf_second_settle(second, lanes, match, solved);
 }
-
-#endif

@@ -3,8 +3,7 @@
  *
  * inputs: the oscillator's exact inputs, NULL where its numbers are not known; room: a workspace.
  */
-#ifndef SF_SECOND_QUESTIONS_H
-#define SF_SECOND_QUESTIONS_H
+#pragma once
 
 #include "states.h"
 #include "second_answers.h"
@@ -87,5 +86,3 @@ static sf_status sf_second_peak(const sf_model *model, const sf_inputs *inputs, 
     *curve = sf_second_around(model, inputs, F_0, SF_TOP_ONLY, near, near, room, &status);
     return *curve != NULL && !sf_peak_on(model, F_0, *curve, top) ? SF_NONE : status;
 }
-
-#endif

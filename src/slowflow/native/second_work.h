@@ -1,6 +1,5 @@
 /* Records that the solvers of the second approximation fill. */
-#ifndef SF_SECOND_WORK_H
-#define SF_SECOND_WORK_H
+#pragma once
 
 #include "second_conventions.h"
 #include "second_lanes.h"
@@ -48,5 +47,3 @@ typedef struct {
     sf_left_out left;
     sf_second_fold at[SF_MOST_FOLDS];
 } sf_second_folds;
-
-#endif

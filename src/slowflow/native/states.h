@@ -5,8 +5,7 @@
  * place where doubles are in doubt and the proof decides. The number changes where Omega passes a fold: so doubles are
  * in doubt next to one, and wherever the folds were.
  */
-#ifndef SF_STATES_H
-#define SF_STATES_H
+#pragma once
 
 #include "curve.h"
 
@@ -187,5 +186,3 @@ static sf_status sf_states(const sf_model *model, const sf_inputs *inputs, doubl
         *n = sf_states_on_curve(model, inputs, F_0, room, Omega, A, stable, undecided);
     return room->status;
 }
-
-#endif

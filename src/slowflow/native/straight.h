@@ -6,8 +6,7 @@
  * Nothing of the data is trusted. `sf_read_straight` refuses an operation that the arithmetic has not, a register that
  * is not there, that holds nothing yet or that is not to be written, and a constant that is not finite.
  */
-#ifndef SF_STRAIGHT_H
-#define SF_STRAIGHT_H
+#pragma once
 
 #include <limits.h>
 #include <math.h>
@@ -224,5 +223,3 @@ static inline void sf_leave_room(sf_reader *from) {
         free(last);
     }
 }
-
-#endif

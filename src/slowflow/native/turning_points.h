@@ -5,8 +5,7 @@
  * V_k are the means of (A cos psi - a)^k/k! above a step with 1 + cos psi and 1 - cos psi. Both rise with either end of
  * the motion, so that the values at two corners of a box hold them, as tightly as can be.
  */
-#ifndef SF_TURNING_POINTS_H
-#define SF_TURNING_POINTS_H
+#pragma once
 
 #include <stddef.h>
 
@@ -424,5 +423,3 @@ static void sf_on_ends(const sf_charts *of, const double *low, const double *at,
     if (middle->A.lo > 0)
         sf_tighten(middle, sfi_sub(x, sfi_point(at[0])), sfi_sub(y, sfi_point(at[1])), out);
 }
-
-#endif

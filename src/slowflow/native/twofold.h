@@ -3,8 +3,7 @@
    C99. Build without contraction and without fast-math: the error terms would be optimised away. fma() is worth a
    hardware instruction; without it the results are the same and slower. */
 
-#ifndef TWOFOLD_H
-#define TWOFOLD_H
+#pragma once
 
 #include <math.h>
 
@@ -42,5 +41,3 @@ TWOFOLD_INLINE double twofold_distilled(double *terms, int n)
         sum += terms[i];
     return sum;
 }
-
-#endif

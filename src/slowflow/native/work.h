@@ -1,6 +1,5 @@
 /* Records that the solvers fill, and the workspace that they share: allocated once, used for any number of designs. */
-#ifndef SF_WORK_H
-#define SF_WORK_H
+#pragma once
 
 #include "arcs.h"
 #include "points_work.h"
@@ -78,5 +77,3 @@ typedef struct {
 
 static inline double sf_first_of(const sf_segment *segment, const double ends[2]) { return ends[1 - segment->upward]; }
 static inline double sf_last_of(const sf_segment *segment, const double ends[2]) { return ends[segment->upward]; }
-
-#endif

@@ -1,6 +1,5 @@
 /* Zeros found along the amplitude, as a list. */
-#ifndef SF_ZEROS_H
-#define SF_ZEROS_H
+#pragma once
 
 #include "enclosures.h"
 
@@ -64,5 +63,3 @@ static inline void sf_sort_zeros(sf_zeros *found) {
         found->at[j] = zero;
     }
 }
-
-#endif

@@ -1,7 +1,6 @@
 /* The equations of a periodic motion with a given order of switches, their Jacobian, and Newton's iteration, as
  * slowflow.exact.cycle states them. */
-#ifndef SF_CYCLE_H
-#define SF_CYCLE_H
+#pragma once
 
 #include "follow.h"
 
@@ -311,5 +310,3 @@ static sf_outcome sf_newton(sf_forced *forced, const sf_cycle *cycle, double *z,
     }
     return SF_DIVERGES;
 }
-
-#endif

@@ -1,6 +1,5 @@
 /* The first zero of a polynomial on [0, 1], isolated by the signs of its Bernstein coefficients: none is skipped. */
-#ifndef SF_FIRST_ZERO_H
-#define SF_FIRST_ZERO_H
+#pragma once
 
 #include <string.h>
 
@@ -131,5 +130,3 @@ static sf_found sf_first_zero(const double *a, double *zero)
     sf_bernstein(a, b);
     return sf_first_within(a, b, 0.0, 1.0, noise, 0, zero);
 }
-
-#endif

@@ -1,6 +1,5 @@
 /* Motion from switch to switch, as slowflow.exact.motion states it: slip in one direction over one piece, or rest. */
-#ifndef SF_FOLLOW_H
-#define SF_FOLLOW_H
+#pragma once
 
 #include <stdlib.h>
 
@@ -395,5 +394,3 @@ static sf_outcome sf_follow(sf_forced *forced, double theta, double u, double v,
     }
     return SF_GOOD;
 }
-
-#endif

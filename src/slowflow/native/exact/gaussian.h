@@ -5,8 +5,7 @@
  * alone. With sigma from a to b the density of u is at least a/b of that at a, and at most b/a of that at b; times
  * (u/sigma)^2 at least (a/b)^3 and at most (b/a)^3. So values at both ends of a cell bound E[u f] and its slope by
  * ln(sigma), E[u^3 f]/sigma^2 - E[u f], on all of it: it holds no root, or one at most, or it is cut. */
-#ifndef SF_GAUSSIAN_H
-#define SF_GAUSSIAN_H
+#pragma once
 
 #include "follow.h"
 #include "linearization.h"
@@ -246,5 +245,3 @@ static void sf_white(const sf_system *system, double power, sf_motions *found)
     sf_balances of = {&force, v * v, v, c[0], 0, found};
     sf_search_balances(&of, &a, &b);
 }
-
-#endif

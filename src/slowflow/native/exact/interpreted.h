@@ -1,7 +1,6 @@
 /* The pieces of a force from data, without a compiler. Takes words and numbers that the derivation writes
  * (derivations/codegen/targets/program); returns laws whose functions interpret them, to the bits of the printed ones. */
-#ifndef SF_INTERPRETED_H
-#define SF_INTERPRETED_H
+#pragma once
 
 #include "step.h"
 #include "straight.h"
@@ -154,5 +153,3 @@ static const sf_law *sf_read_law(const char *name, const int *code, size_t count
         sf_leave_room(&from);
     return from.status == SF_READ ? &made->law : NULL;
 }
-
-#endif

@@ -8,8 +8,7 @@
  *
  * (derivations/extensions/linearization.py has the slopes, by p = ln k and q = ln c, and what bounds them). A cell of
  * sigma_u bounds k, and that L = ln I_0 by its slope: the cell holds no root, at most one, or is cut. */
-#ifndef SF_LINEARIZED_H
-#define SF_LINEARIZED_H
+#pragma once
 
 #include "gaussian.h"
 
@@ -295,5 +294,3 @@ static void sf_tabulated(const sf_system *system, const sf_table *table, int ban
     sf_linearized of = {table, &force, {.q = log(table->least)}, bands, 0, found};
     sf_search_stationary(&of, &a, &b);
 }
-
-#endif

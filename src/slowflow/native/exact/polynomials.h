@@ -1,7 +1,6 @@
 /* A piece of a force that is known by its values: polynomials in what |u| exceeds the piece's begin by, one after the
  * other, each v^power times a sum of Chebyshev's polynomials (slowflow.sampled.polynomial). */
-#ifndef SF_POLYNOMIALS_H
-#define SF_POLYNOMIALS_H
+#pragma once
 
 #include <stdlib.h>
 
@@ -175,5 +174,3 @@ static sf_law *sf_polynomial_law(const double (*const rows[2])[4 + 2 * SF_SUMMED
     }
     return &made->law;
 }
-
-#endif

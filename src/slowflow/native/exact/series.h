@@ -2,8 +2,7 @@
  *
  * Coefficient n of a product is a[0] b[n] + a[n] b[0] and a sum over lower coefficients. These sums are known before
  * coefficient n is begun; four of them, of four products, are added side by side. */
-#ifndef SF_SERIES_H
-#define SF_SERIES_H
+#pragma once
 
 #include <math.h>
 
@@ -64,5 +63,3 @@ typedef struct {
     const double *first, *second, *last, *w, *over;
     const sf_four *sum;
 } sf_coefficients;
-
-#endif

@@ -1,8 +1,7 @@
 /* A shock. Takes an oscillator and the acceleration of its base, arc by arc; returns what the mass does then.
  *
  * Seen from the base the mass moves by the equation of motion with minus the base's acceleration as its forcing. */
-#ifndef SF_SHOCK_H
-#define SF_SHOCK_H
+#pragma once
 
 #include "follow.h"
 
@@ -226,5 +225,3 @@ static sf_outcome sf_shock(sf_shocked *shock, const sf_arc *arcs, long count, do
     out[5] = shock->at[shock->count - 1].phase.slip == 0, out[6] = shock->u;
     return sf_largest_acceleration(shock, &out[2], &out[3]);
 }
-
-#endif

@@ -1,8 +1,7 @@
 /* Steps in a piece of a force whose sides meet at u = 0, as those of u |u| and |u|^(3/2) do, or that begins behind a
  * gap without a series. Takes a state in it; returns the series of step.h from there on, on the side that the motion
  * is on or comes to. */
-#ifndef SF_SIDES_H
-#define SF_SIDES_H
+#pragma once
 
 #include "first_zero.h"
 #include "step.h"
@@ -160,5 +159,3 @@ static double sf_met(const sf_expansion *x, double h, double place)
     scaled[0] -= side * place;
     return h * sf_refined(scaled, 0.0, 1.0);
 }
-
-#endif

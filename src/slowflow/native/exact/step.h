@@ -1,7 +1,6 @@
 /* One step of the equation of motion (3) by its Taylor series. Takes a state in a piece of the force; returns series
  * of u and v = du/dtau in time, and of their derivatives by (u, v, Omega, F_0), with the step over which they hold. */
-#ifndef SF_STEP_H
-#define SF_STEP_H
+#pragma once
 
 #include <stdint.h>
 #include <string.h>
@@ -309,5 +308,3 @@ static inline void sf_four_at(const sf_four *series, double h, sf_four *out)
         even = sf_more(series[k], even, square), odd = sf_more(series[k - 1], odd, square);
     *out = sf_plus(series[0], sf_more(sf_times(step, odd), square, even));
 }
-
-#endif

@@ -1,7 +1,6 @@
 /* The response curve within one order of switches, as slowflow.exact.continuation follows it point by point. Takes a
  * point; returns the points after it, up to the first step with which anything is to be decided. */
-#ifndef SF_TRACE_H
-#define SF_TRACE_H
+#pragma once
 
 #include "cycle.h"
 
@@ -142,5 +141,3 @@ static long sf_trace(sf_forced *forced, const sf_cycle *cycle, const sf_course *
     }
     return count;
 }
-
-#endif

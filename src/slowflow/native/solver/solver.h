@@ -1,6 +1,5 @@
 /* What the files of the binding know of each other: capsules, loops of ufuncs, and the members that a file adds. */
-#ifndef SF_SOLVER_H
-#define SF_SOLVER_H
+#pragma once
 
 #include <stddef.h>
 
@@ -44,5 +43,3 @@ int sf_add_records(struct _object *module);
 int sf_add_answers(struct _object *module);
 int sf_add_batches(struct _object *module);
 int sf_add_boxes(struct _object *module);
-
-#endif
