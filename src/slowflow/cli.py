@@ -88,8 +88,8 @@ def run_scene(args: argparse.Namespace) -> int:
             except SlowflowError as error:
                 failed.append({"question": query.question, **query.arguments, "error": str(error)})
                 print(f"{query}: {error}", file=sys.stderr)
+        outcome = verdict.verdict(scene) if scene.requirements else None
     content = {**provenance(scene), "answers": [query.content(answer) for query, answer in answers], "failed": failed}
-    outcome = verdict.verdict(scene) if scene.requirements else None
     if outcome is not None:
         content["verdict"] = outcome.to_dict()
     if args.json:
@@ -129,7 +129,7 @@ def meet_scene(args: argparse.Namespace) -> int:
     scene = _read(args.scene)
     with contextlib.nullcontext() if args.quiet else progress.shown():
         found, changed = verdict.meet(scene)
-    outcome = verdict.verdict(changed)
+        outcome = verdict.verdict(changed)
     text = "" if args.out is None else scene.with_numbers(found.numbers)
     if args.json:
         content = {**provenance(scene), "design": found.to_dict(), "verdict": outcome.to_dict()}

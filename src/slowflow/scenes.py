@@ -261,7 +261,7 @@ class Scene:
     given_forcings: tuple[float, ...] = ()
     cases: tuple[Asked, ...] = ()
     free: Mapping[str, tuple[float, float]] = field(default_factory=dict)
-    answers: dict[tuple[str, str], Any] = field(default_factory=dict, compare=False, repr=False)
+    answers: dict[Any, Any] = field(default_factory=dict, compare=False, repr=False)
 
     def answer(self, query: Asked) -> Answer:
         """The answer to one of its questions, of a mount in N, mm and Hz; computed when it is first asked for."""

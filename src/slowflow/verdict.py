@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+import warnings
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 import numpy as np
 
+from slowflow import progress
 from slowflow.answer import Table, entry, joined, plain
 from slowflow.mechanism import Flags, Floats
 from slowflow.physical import Physical
@@ -30,6 +32,8 @@ TRANSMISSIBILITY = "transmissibility_dB"
 REQUIREMENTS = (*NONE, TRANSMISSIBILITY, *AMOUNTS)
 #: margins of a design that is looked for: rounding is not to decide whether it meets what binds
 SPARE = 1 + 1e-6
+#: of how many products the share is that meets a requirement
+PRODUCTS = 200
 
 Required = entry("Required", "requirement case limit value unit margin met", "One requirement in one load case.")
 
@@ -56,6 +60,8 @@ class Verdict(Table):
     margin  -- limit over value: above 1 it is met
     met     -- whether it is; a question without an answer meets nothing
     message -- what to bear in mind
+    share   -- of a scene that asks for tolerances, of `PRODUCTS` within [tolerances], those that meet it
+    products -- of these the share that meets all
     """
 
     entry: ClassVar[Any] = Required
@@ -68,6 +74,8 @@ class Verdict(Table):
     margin: Floats
     met: Flags
     message: str
+    share: Floats | None = None
+    products: float | None = None
 
     @property
     def all_met(self) -> bool:
@@ -81,7 +89,33 @@ def kind_of(amount: str) -> str:
 
 
 def verdict(scene: Any) -> Verdict:
-    """Of a scene, by the answers to its questions and others."""
+    """Of a scene, by the answers to its questions and others; where it asks for tolerances of its products too."""
+    found = _of_design(scene)
+    if not (queries := scene.of("tolerances")):
+        return found
+    if "products" not in scene.answers:
+        scene.answers["products"] = np.array([*_products(scene, queries[0].arguments["within"], len(found))])
+    met = scene.answers["products"]
+    return replace(found, share=met.mean(axis=0), products=float(met.all(axis=1).mean()))
+
+
+def _products(scene: Any, within: Mapping[str, float], count: int) -> Iterator[Flags]:
+    """Which of so many requirements each product meets; one that is no design meets none."""
+    from slowflow import sizing  # here, not above: it imports SciPy
+
+    numbers = sizing.tolerances(scene.oscillator, within, answers=(), samples=PRODUCTS).drawn
+    for row in progress.each(zip(*numbers.values(), strict=True), PRODUCTS, "products"):
+        try:
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                product = scene.oscillator.replace(**dict(zip(numbers, map(float, row), strict=True)))
+            yield _of_design(scene.of_design(product)).met
+        except (ValueError, ArithmeticError):
+            yield np.zeros(count, dtype=bool)
+
+
+def _of_design(scene: Any) -> Verdict:
+    """Of a scene's own design."""
     rows, texts = [], []
     for one in scene.requirements:
         for case, ask in _cases(scene, one):
@@ -165,7 +199,7 @@ def meet(scene: Any) -> tuple[Met, Any]:
 
 def _margins(scene: Any) -> dict[str, float]:
     """Of each requirement in each load case, over `SPARE`: below 1 where it is not met, or only to rounding."""
-    found = verdict(scene)
+    found = _of_design(scene)
     # jumps may be absent beyond the forcing from which on there are any, and present below it
     agrees = found.met == (found.margin > 1)
     margins = np.where(agrees, found.margin, np.where(found.met, SPARE, math.nan)) / SPARE
@@ -179,6 +213,7 @@ def in_words(found: Verdict) -> str:
     margin = "" if math.isnan(found.margin[k]) else f", margin {plain(found.margin[k]):.3g}"
     least = f"{found.requirement[k]}, {found.case[k]}{margin}"
     count = int(found.met.sum())
+    share = "" if found.products is None else f"; {100 * found.products:g} of 100 products within [tolerances] meet all"
     if found.all_met:
-        return f"requirements met: {count} of {count}; the least margin: {least}"
-    return f"requirements not met: {len(found) - count} of {len(found)}; the first: {least}"
+        return f"requirements met: {count} of {count}; the least margin: {least}{share}"
+    return f"requirements not met: {len(found) - count} of {len(found)}; the first: {least}{share}"

@@ -72,6 +72,26 @@ def test_requirements_under_a_spectrum_are_of_random_vibration(tmp_path):
     assert found.met.tolist() == [True, False]
 
 
+def test_the_share_of_products_that_meet_all_is_in_closed_form(tmp_path, capsys):
+    """Of dampings drawn evenly those that bound the peak, and those that isolate: all between two roots."""
+    required = 'relative_displacement = { below = "6.5 mm", under = "peak" }\n'
+    required += "transmissibility_dB = { below = -20, from_f = 13 }"
+    ask = "F = [5.0]\nquestions = ['tolerances']\n"
+    path = scene(tmp_path, required, "[tolerances]\nzeta = 0.5\n", F=ask)
+    r2 = (13 / f_n) ** 2
+    least = brentq(lambda zeta: 5 / (2 * zeta * math.sqrt(1 - zeta**2) * 4000) - 6.5e-3, 0.05, 0.15)
+    most = math.sqrt((0.01 * (1 - r2) ** 2 - 1) / (0.99 * 4 * r2))
+    assert 0.05 < least < most < 0.15
+    found = verdict(read(path))
+    expected = [(0.15 - least) / 0.1, (most - 0.05) / 0.1]
+    assert found.share == pytest.approx(expected, abs=1 / 200)
+    assert found.products == pytest.approx((most - least) / 0.1, abs=2 / 200)
+    assert found.columns()["share"].tolist() == found.share.tolist()
+    assert in_words(found).endswith(f"{100 * found.products:g} of 100 products within [tolerances] meet all")
+    cli.main(["run", "--json", str(path)])
+    assert json.loads(capsys.readouterr().out)["verdict"]["products"] == found.products
+
+
 def test_a_duration_and_a_frequency_may_have_units(tmp_path):
     required = "relative_displacement = { below = 0.02, under = 'random', duration = %s }\n"
     required += "transmissibility_dB = { below = -20, from_f = %s }"
