@@ -1,6 +1,7 @@
 """Scenes. Takes a TOML file with an oscillator, forcings and the questions wanted; returns their answers.
 
-    [mount]                     # as Isolator.physical, in SI units; or [isolator], or [duffing], dimensionless
+    [mount]                     # as Isolator.physical, in SI units; or [spring], as Duffing.physical; or [isolator],
+                                # [duffing], dimensionless
     m = 12
     k_v = 2500
     k_h = 1700
@@ -144,6 +145,11 @@ class Kind:
     time: str = "tau"
 
     @property
+    def in_si(self) -> bool:
+        """Whether its numbers are those of a data sheet."""
+        return self.frequency == "f"
+
+    @property
     def keys(self) -> tuple[str, ...]:
         """Those that it may have."""
         return tuple(inspect.signature(self.make).parameters)
@@ -155,7 +161,12 @@ class Kind:
         return tuple(name for name, one in parameters.items() if one.default is inspect.Parameter.empty)
 
 
-KINDS = {"mount": Kind(Isolator.physical, "F", "f", "t"), "isolator": Kind(Isolator), "duffing": Kind(Duffing)}
+KINDS = {
+    "mount": Kind(Isolator.physical, "F", "f", "t"),
+    "spring": Kind(Duffing.physical, "F", "f", "t"),
+    "isolator": Kind(Isolator),
+    "duffing": Kind(Duffing),
+}
 #: keys of these that are no numbers with a tolerance
 NO_NUMBERS = ("load", "force", "excitation", "rubs", "mu_s", "static_friction")
 #: what the amplitude of an excitation is called
@@ -383,9 +394,9 @@ class _Reader:
         (name,) = stated
         kind, table = KINDS[name], self._table(name)
         self._known(name, table, kind.keys)
-        if name == "mount" and table.get("excitation") == "base" and self._accelerates():
+        if kind.in_si and table.get("excitation") == "base" and self._accelerates():
             table = {**table, "excitation": "acceleration"}
-        if name == "mount" and table.get("excitation") in tuple(EXCITED):
+        if kind.in_si and table.get("excitation") in tuple(EXCITED):
             kind = replace(kind, forcing=EXCITED[table["excitation"]][0])
         self._complete(name, table, kind.needed)
         # first: what it refuses, as a word for the excitation, decides which keys [ask] has
@@ -400,14 +411,13 @@ class _Reader:
             self._tried(
                 "ask", ask, lambda: validate.count("samples", ask["samples"], least=2, most=validate.MOST_SAMPLES)
             )
-        mount = isinstance(oscillator, Physical)
-        kinds = {key: OF_MOUNT[key] for key in (kind.forcing, kind.frequency, *OF_A_PULSE, kind.time) if mount}
+        kinds = {key: OF_MOUNT[key] for key in (kind.forcing, kind.frequency, *OF_A_PULSE, kind.time) if kind.in_si}
         queries = tuple(replace(one, kinds=kinds) for one in self._queries(kind, ask))
         remarks = dict.fromkeys((*(str(one.message) for one in caught), *_implausible(oscillator, queries)))
         required: dict[str, Any] = {}
         if "require" in self.content:
             cases = [one for name in ("shock", "psd") if name in self.content for one in self._case(name, kind)]
-            required["requirements"] = tuple(self._required(kind, mount))
+            required["requirements"] = tuple(self._required(kind))
             required["given_forcings"] = tuple(self._positive(kind.forcing)) if kind.forcing in ask else ()
             required["cases"] = tuple(replace(one, kinds=kinds) for one in cases)
         if "free" in self.content:
@@ -434,16 +444,16 @@ class _Reader:
         """A load case of requirements beside forcings."""
         if name == "shock":
             return self._shocks("transient", kind)
-        return iter([Asked("random", self._psd("random", kind, "mount" in self.content))])
+        return iter([Asked("random", self._psd("random", kind))])
 
-    def _required(self, kind: Kind, mount: bool) -> Iterator[Requirement]:
+    def _required(self, kind: Kind) -> Iterator[Requirement]:
         """What must hold."""
         table = self._table("require")
         self._known("require", table, REQUIREMENTS)
         for name, value in table.items():
-            yield self._tried("require", table, partial(self._requirement, kind, mount, name, value))
+            yield self._tried("require", table, partial(self._requirement, kind, name, value))
 
-    def _requirement(self, kind: Kind, mount: bool, name: str, value: Any) -> Requirement:
+    def _requirement(self, kind: Kind, name: str, value: Any) -> Requirement:
         """One of them. Raises ValueError for what it must not be, or where its load case is missing."""
         at_forcings = ("ask", kind.forcing) if kind.forcing in self.content.get("ask", {}) else ()
         if name in NONE:
@@ -458,7 +468,7 @@ class _Reader:
         if not isinstance(value, dict) or not set(keys[:2]) <= set(value) <= set(keys):
             raise Refused(f"{name} must be a table with {' and '.join(keys[:2])}; it may have {', '.join(keys)}")
         if name == TRANSMISSIBILITY:
-            start_at = validate.number(start, si(start, value[start], SI["frequency"] if mount else ""), above=0.0)
+            start_at = validate.number(start, si(start, value[start], SI["frequency"] if kind.in_si else ""), above=0.0)
             return Requirement(name, validate.number("below", value["below"], most=0.0), {"from": start_at})
         under = value["under"] if isinstance(value["under"], list) else [value["under"]]
         for one in under:
@@ -472,9 +482,9 @@ class _Reader:
             )
         more = {"under": under, "rms": rms}
         if "duration" in value:
-            duration = si("duration", value["duration"], SI["time"] if mount else "")
+            duration = si("duration", value["duration"], SI["time"] if kind.in_si else "")
             more["duration"] = validate.number("duration", duration, above=0.0)
-        below = si("below", value["below"], SI[kind_of(name)]) if mount else value["below"]
+        below = si("below", value["below"], SI[kind_of(name)]) if kind.in_si else value["below"]
         return Requirement(name, validate.number("below", below, above=0.0), more)
 
     def _queries(self, kind: Kind, ask: Mapping[str, Any]) -> Iterator[Asked]:
@@ -491,7 +501,7 @@ class _Reader:
             elif name in SHOCKS:
                 yield from self._shocks(name, kind)
             elif name == "random":
-                yield Asked(name, self._psd(name, kind, "mount" in self.content))
+                yield Asked(name, self._psd(name, kind))
             else:
                 yield from self._plain(name, kind, ask)
 
@@ -545,10 +555,10 @@ class _Reader:
         for peak, duration in itertools.product(peaks, durations):
             yield Asked(name, {"acceleration": peak, "duration": duration})
 
-    def _psd(self, question: str, kind: Kind, has_unit: bool) -> dict[str, Any]:
+    def _psd(self, question: str, kind: Kind) -> dict[str, Any]:
         """A spectral density, of a mount in a unit."""
         table = self._table("psd", question)
-        self._known("psd", table, (kind.frequency, "G", *["unit"] * has_unit))
+        self._known("psd", table, (kind.frequency, "G", *["unit"] * kind.in_si))
         self._complete("psd", table, (kind.frequency, "G"))
         rows = tuple(self._positive(key, "psd") for key in (kind.frequency, "G"))
         if "unit" not in table:
@@ -607,7 +617,8 @@ class _Reader:
 
     def _unit(self, key: str) -> str:
         """In which unit a mount has it; empty where it has none."""
-        return SI.get(OF_MOUNT.get(key, ""), "") if "mount" in self.content else ""
+        in_si = any(kind.in_si for name, kind in KINDS.items() if name in self.content)
+        return SI.get(OF_MOUNT.get(key, ""), "") if in_si else ""
 
     def _table(self, name: str, question: str = "") -> dict[str, Any]:
         """A table, and which question needs it, if one does."""
@@ -639,11 +650,10 @@ class _Reader:
     def _asks(self, table: str, values: Mapping[str, Any], kind: Kind, more: tuple[str, ...] = ()) -> None:
         """As `_known`; for a forcing or frequency of another oscillator the message names the one to use here."""
         known = (kind.forcing, kind.frequency, *more)
-        mount = kind.forcing in LETTERS
         for key in values:
             if key in (*FORCINGS, *FREQUENCIES) and key not in known:
                 right, of = (kind.forcing, kind.forcing) if key in FORCINGS else (kind.frequency, "f")
-                unit = f", in {SI[OF_MOUNT[of]]}" if mount else ", dimensionless"
+                unit = f", in {SI[OF_MOUNT[of]]}" if kind.in_si else ", dimensionless"
                 what = "the frequency"
                 if key in FORCINGS:
                     excited = next((name for name, (letter, *_) in EXCITED.items() if letter == right), "")

@@ -88,7 +88,7 @@ def _oscillator(name: str) -> Schema:
     kind = KINDS[name]
     meanings = {key: ", ".join(filter(None, (text, unit))) for key, (unit, text) in DATA_SHEET.items()}
     bounds: dict[str, Schema] = {}
-    if name != "mount":
+    if not kind.in_si:
         meanings |= {one.name: one.text for one in QUOTED} | {"load": "static load, over k_v L"}
         for number in (*DUFFING.design, *ROD_SPRING.design, *DAMPING, *DISSIPATION):
             meanings[number.name] = number.doc
@@ -99,12 +99,12 @@ def _oscillator(name: str) -> Schema:
     for key, one in inspect.signature(kind.make).parameters.items():
         of: Schema = {"type": "number", **bounds.get(key, {})}
         if key in CHOICES:
-            of = {"enum": list(EXCITED if (name, key) == ("mount", "excitation") else CHOICES[key])}
-        elif name == "mount" and DATA_SHEET[key][0]:
+            of = {"enum": list(EXCITED if kind.in_si and key == "excitation" else CHOICES[key])}
+        elif kind.in_si and DATA_SHEET[key][0]:
             of = QUANTITY
         default = {} if one.default in (None, one.empty) else {"default": one.default}
         keys[key] = {"description": meanings[key], **of, **default}
-    what = "data sheet, in SI units" if name == "mount" else "dimensionless numbers"
+    what = "data sheet, in SI units" if kind.in_si else "dimensionless numbers"
     return _object(f"{what[0].upper()}{what[1:]}", keys, kind.needed)
 
 
@@ -116,7 +116,7 @@ def _amplitudes() -> dict[str, str]:
     }
     found["F_0"] = "dimensionless amplitude of the excitation of [isolator] and [duffing]"
     return found | {
-        "f": f"frequency of a [mount], {SI['frequency']}",
+        "f": f"frequency of a [mount] or [spring], {SI['frequency']}",
         "Omega": "frequency over that of the mass on k_v",
     }
 

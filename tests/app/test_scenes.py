@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 
 import slowflow
-from slowflow import Isolator, cli, files, scenes
+from slowflow import Duffing, Isolator, cli, files, scenes
 from slowflow.averaged import solvers
 from slowflow.example import isolator
 from slowflow.sizing import tolerances
@@ -235,6 +235,26 @@ def test_a_base_is_given_by_its_acceleration_in_a_scene(scene):
         scenes.read(scene(text.replace("[ask]", "[ask]\nY = 0.001")))
 
 
+def test_a_cubic_spring_is_a_scene_in_newtons_and_metres(scene):
+    text = '[spring]\nm = "12 kg"\nk_1 = "2 N/mm"\nk_3 = "0.005 N/mm^3"\nfriction = 0.8\nc = 12.0\n'
+    text += '[ask]\nF = [2.0, 4.0]\nquestions = ["saddle_node_onset", "peak"]\n'
+    read = scenes.read(scene(text))
+    mount = Duffing.physical(m=12, k_1=2000, k_3=5e6, friction=0.8, c=12)
+    assert read.oscillator == mount
+    (onset,) = read.of("saddle_node_onset")
+    assert read.answer(onset) == mount.saddle_node_onset().in_units()
+    assert [one.arguments for one in read.of("peak")] == [{"F": 2.0}, {"F": 4.0}]
+    base = scenes.read(scene(text.replace("c = 12.0", 'c = 12.0\nexcitation = "base"').replace("F =", 'a = "0.1 g" #')))
+    assert base.of("peak")[0].arguments == {"a": pytest.approx(0.980665)}
+    for right, wrong, message in (
+        ('"2 N/mm"', '"2 N/cm"', "3: k_1 = '2 N/cm' is not allowed"),
+        ("k_1 =", "k_v =", "3: k_v is not a key of [spring]"),
+        ("F =", "F_0 =", "8: F_0 is not a key of [ask] here"),
+    ):
+        with pytest.raises(scenes.SceneError, match=re.escape(f"scene.toml:{message}")):
+            scenes.read(scene(text.replace(right, wrong)))
+
+
 def test_an_estimate_grows_with_what_is_asked(scene):
     few, many = (
         scenes.read(scene(MOUNT.partition("f = [5.0]")[0] + f'f = {f}\nquestions = ["amplitudes"]\n'))
@@ -408,13 +428,13 @@ WRONG = {
     "two oscillators": (
         "[ask]",
         "[isolator]\n[ask]",
-        "13: [isolator] needs one of [mount], [isolator], [duffing], has 2",
+        "13: [isolator] needs one of [mount], [spring], [isolator], [duffing], has 2",
     ),
     "a misspelt table": (
         "[ask]",
         "[aks]",
-        "13: [aks] is not a table of a scene: it must be one of mount, isolator, duffing, ask, spectrum, tolerances, "
-        "shock, psd, require, free. Did you mean 'ask'?",
+        "13: [aks] is not a table of a scene: it must be one of mount, spring, isolator, duffing, ask, spectrum, "
+        "tolerances, shock, psd, require, free. Did you mean 'ask'?",
     ),
     "a force that is not positive": (
         "F = [3.0, 5.0]",

@@ -103,7 +103,7 @@ REFUSED = {
     "an amplitude without a unit": ("saddle_nodes", {"mount": MOUNT, "ask": {"F_0": 5}}, "is F, in N"),
     "a mass below zero": ("at_rest", {"mount": {**MOUNT, "m": -12}}, "m = -12"),
     "a word": ("peak", {"mount": {**MOUNT, "force": "truncatd"}, "ask": {"F": 1}}, "'truncated'"),
-    "no oscillator": ("cusps", {}, "needs one of [mount], [isolator], [duffing], has 0"),
+    "no oscillator": ("cusps", {}, "needs one of [mount], [spring], [isolator], [duffing], has 0"),
     "no frequency": ("amplitudes", {"mount": MOUNT, "ask": {"F": 1}}, "f is missing"),
     "no such tool": ("jumps", {"mount": MOUNT}, "must be one of detachment"),
 }
