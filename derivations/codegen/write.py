@@ -12,7 +12,6 @@ import textwrap
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from .form import suffix
 from .provenance import digest, versions
 
 if TYPE_CHECKING:
@@ -26,6 +25,8 @@ COMPILED = (".so", ".pyd")
 
 def manifest(files: dict[str, str], results: Results) -> str:
     """The manifest's text: what the files were made from, and their names. What is in each says its history."""
+    from .form import suffix  # here, not above: it imports SymPy, which takes longer than to write files
+
     here = Path(__file__).parents[1]
     content = {
         "command": COMMAND,
