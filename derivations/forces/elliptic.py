@@ -670,7 +670,7 @@ def of_springs(end: Corner) -> tuple[Regime, Regime]:
             value = sp.diff(last, A) + sum(sp.diff(last, name) * slope_ for name, slope_ in rates.items())
             value = sp.expand(value)
             gathered = [value.coeff(name, 1) for name in (F, D)]
-            none = value.subs({F: 0, D: 0})
+            none, _ = value.as_independent(F, D, as_Add=True)
             slopes.append(sp.factor(gathered[0]) * F + sp.factor(gathered[1]) * D + on_circle(none))
         derivatives = [A * inner, inner + A * slopes[1]]
         derivatives += [n * slopes[n - 1] + A * slopes[n] for n in range(2, ORDERS + 1)]

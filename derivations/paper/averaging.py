@@ -60,8 +60,20 @@ def variation_of_parameters() -> tuple[sp.Expr, sp.Expr, tuple[sp.Expr, sp.Expr]
 
 def cycle_integral(integrand: sp.Expr, start: sp.Expr, end: sp.Expr) -> sp.Expr:
     """Exact integral over psi of a polynomial in sines and cosines: products become sums of multiple angles first."""
-    linear = sp.expand(TR8(sp.expand(integrand, trig=True)))
-    return sp.expand(sum(sp.integrate(term, (psi, start, end)) for term in sp.Add.make_args(linear)))
+    linear = sp.expand(integrand, trig=True)
+    while (halved := sp.expand(TR8(linear))) != linear:  # a power at a time
+        linear = halved
+    integral = sum(map(_antiderivative, sp.Add.make_args(linear)))
+    return sp.expand(integral.subs(psi, end) - integral.subs(psi, start))
+
+
+def _antiderivative(term: sp.Expr) -> sp.Expr:
+    """By psi, of a constant, or a constant times sin(k psi + c) or cos(k psi + c)."""
+    constant, wave = term.as_independent(psi)
+    if wave == 1:
+        return constant * psi
+    (angle,) = wave.args
+    return constant * {sp.sin: -sp.cos(angle), sp.cos: sp.sin(angle)}[wave.func] / sp.diff(angle, psi)
 
 
 def averaged() -> Averaged:
