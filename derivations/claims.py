@@ -11,6 +11,8 @@ import inspect
 import sympy as sp
 from sympy.logic.boolalg import BooleanAtom
 
+from .vanishing import vanishes
+
 #: sentences with the numbers of their equations, by module, in the order in which they were proved
 PROVED: dict[str, dict[str, str]] = {}
 
@@ -27,24 +29,15 @@ def claim(sentence: str, left: sp.Expr | bool | BooleanAtom, right: sp.Expr = sp
     if isinstance(left, bool | BooleanAtom):
         if not left:
             raise Unproved(f"{eq or 'beside the paper'}: not shown: {sentence}")
-    elif (difference := _reduced(left - right)) != 0:
+    elif not vanishes(left - right):
         raise Unproved(
             f"{eq or 'beside the paper'}: not shown: {sentence}\n    left       {left}\n    right      {right}\n"
-            f"    difference {difference}"
+            f"    difference {sp.simplify(left - right)}"
         )
     frame = inspect.currentframe()
     assert frame is not None and frame.f_back is not None
     module = frame.f_back.f_globals["__name__"].partition(".")[2]
     PROVED.setdefault(module, {})[sentence] = eq
-
-
-def _reduced(difference: sp.Expr) -> sp.Expr:
-    """0 where SymPy shows it, the cheap way first."""
-    for reduce in (sp.expand, sp.cancel, sp.simplify):
-        difference = reduce(difference)
-        if difference == 0:
-            break
-    return difference
 
 
 def page() -> str:

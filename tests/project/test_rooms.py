@@ -58,7 +58,8 @@ DERIVING = (
     ("systems", "forces"),
     ("paper",),
     ("mechanisms",),
-    ("symbols", "vanishing", "given", "claims", "kernels", "__init__"),
+    ("claims",),
+    ("symbols", "vanishing", "given", "kernels", "__init__"),
 )
 DERIVATION = SOURCE.parent / "derivations"
 FILES = sorted((SOURCE / "slowflow").rglob("*.py"))
