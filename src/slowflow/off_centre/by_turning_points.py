@@ -19,7 +19,7 @@ from slowflow.mechanism import Ints
 from slowflow.model import Floats
 from slowflow.off_centre.boxes import Equations
 from slowflow.off_centre.flow import Flow, Slow
-from slowflow.off_centre.turning_points import Charts
+from slowflow.off_centre.turning_points import EDGES, Charts
 from slowflow_kernels import off_centre
 
 #: x or y next to an edge of its chart
@@ -149,20 +149,18 @@ class Resting(Equations):
 
 
 class EndedEdge(Equations):
-    """On one edge of charts, which is a system: x = 0, or y = 0.
+    """On an edge of a chart, which is a system, numbered by `Charts.edge`: x = 0, or y = 0."""
 
-    edge -- 0 for x = 0, 1 for y = 0
-    """
-
-    def __init__(self, charts: Charts, edge: int) -> None:
-        self.charts, self.edge = charts, edge
+    def __init__(self, charts: Charts) -> None:
+        self.charts = charts
 
     def limits(self, of: Ints) -> tuple[Any, Any]:
         """See `boxes.Equations`."""
-        axis = 1 - self.edge
-        return self.charts.low[axis, of][np.newaxis], self.charts.high[axis, of][np.newaxis]
+        edge, chart = self.charts.of_edge(of)
+        return self.charts.low[1 - edge, chart][np.newaxis], self.charts.high[1 - edge, chart][np.newaxis]
 
     def on(self, low: Floats, high: Floats, of: Ints) -> Floats:
         """See `boxes.Equations`."""
-        low, high = (np.insert(one, self.edge, 0.0, axis=0) for one in (low, high))
-        return np.asarray(SOLVER.ended_edge(*self.charts.operands(low, high, of, self.charts.steps.load), self.edge))
+        edge, chart = self.charts.of_edge(of)
+        low, high = (np.where(edge == EDGES, 0.0, one) for one in (low, high))
+        return np.asarray(SOLVER.ended_edge(*self.charts.operands(low, high, chart, self.charts.steps.load), edge))

@@ -98,21 +98,19 @@ class Complete:
 
     def detaching(self) -> Floats:
         """A and B of all motions that reach an end of the piece about u = 0, and no end is passed, (2, n)."""
-        charts, found = self.sheets.charts, [np.empty((2, 0))]
+        charts, parts = self.sheets.charts, []
         for edge in (0, 1):
             of = charts.about(edge)
-            if not of.size:
-                continue
             high = charts.high[1 - edge, of]
             if not np.isfinite(high).all():
                 polynomial = self._steps.curved is None
                 most = 2 * (self._highest_at(edge) if polynomial else self._highest_by_octaves(edge, of))
                 high = np.minimum(high, np.where(charts.rooted[1 - edge, of], np.sqrt(most), most))
-            edges = np.linspace(0.0, high, SUBDIVISIONS + 1)
-            low, high = (ends.reshape(1, -1) for ends in (edges[:-1], edges[1:]))
-            solved = solve(EndedEdge(charts, edge), low, high, np.tile(of, SUBDIVISIONS))
-            found.append(np.stack(charts.on_edge(edge, solved.x[0], solved.of)))
-        motions = np.concatenate(found, axis=1)
+            ends = np.linspace(0.0, high, SUBDIVISIONS + 1)
+            parts.append((ends[:-1].ravel(), ends[1:].ravel(), np.tile(charts.edge(edge, of), SUBDIVISIONS)))
+        low, high, of = (np.concatenate(column) for column in zip(*parts, strict=True))
+        solved = solve(EndedEdge(charts), low[np.newaxis], high[np.newaxis], of)
+        motions = np.stack(charts.on_edge(solved.x[0], solved.of))
         return motions[:, motions[0] > 0]
 
     def _highest_at(self, edge: int) -> float:
@@ -138,7 +136,8 @@ class Complete:
         distances = 2 * edges if not self.sheets.charts.rooted[1 - edge, charts[0]] else np.sqrt(2 * edges)
         low, high = distances[np.newaxis, :-1], distances[np.newaxis, 1:]
         with np.errstate(all="ignore"):
-            f_0 = EndedEdge(self.sheets.charts, edge).on(low, high, np.repeat(charts, low.size))[:, ON]
+            number = np.repeat(self.sheets.charts.edge(edge, charts), low.size)
+            f_0 = EndedEdge(self.sheets.charts).on(low, high, number)[:, ON]
         may = ~((f_0[:, 0] > 0) | (f_0[:, 1] < 0))
         if may[-1]:
             raise Refused(UNBOUNDED)

@@ -146,18 +146,16 @@ class Sheets:
         """All corners, and A and B next to which there may be others, (2, k)."""
         cells, octave = self.cells(A_max), self._octave(A_max)
         if octave not in self._corners:
-            found: list[Corner] = []
-            open_ = [np.empty((2, 0))]
-            for edge in (0, 1):
-                some = np.flatnonzero(self.charts.rooted[edge, cells.chart] & (cells.low[edge] == 0))
-                low, high = (ends[1 - edge : 2 - edge, some] for ends in (cells.low, cells.high))
-                solved = solve(EndedEdge(self.charts, edge), low, high, cells.chart[some])
-                found += [self._corner(edge, *at) for at in zip(solved.x[0].tolist(), solved.of.tolist(), strict=True)]
-                open_.append(np.stack(self.charts.on_edge(edge, solved.undecided[0], solved.undecided_of)))
-            self._corners[octave] = found, np.concatenate(open_, axis=1)
+            charts = self.charts
+            edge, some = np.nonzero(charts.rooted[:, cells.chart] & (cells.low == 0))
+            low, high = (ends[1 - edge, some][np.newaxis] for ends in (cells.low, cells.high))
+            solved = solve(EndedEdge(charts), low, high, charts.edge(edge, cells.chart[some]))
+            of = (numbers.tolist() for numbers in charts.of_edge(solved.of))
+            found = [self._corner(*at) for at in zip(*of, solved.x[0].tolist(), strict=True)]
+            self._corners[octave] = found, np.stack(charts.on_edge(solved.undecided[0], solved.undecided_of))
         return self._corners[octave]
 
-    def _corner(self, edge: int, distance: float, chart: int) -> Corner:
+    def _corner(self, edge: int, chart: int, distance: float) -> Corner:
         other, *inside = self.charts.inside(edge, distance, chart)
         positions = np.array((inside, (0.0, distance) if edge == 0 else (distance, 0.0))).T
         with np.errstate(all="ignore"):

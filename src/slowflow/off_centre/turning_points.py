@@ -38,6 +38,8 @@ TOO_LARGE = Sentence(
 )
 
 
+#: of a chart: x = 0 and y = 0
+EDGES = np.array([[0], [1]])
 #: the remainder of a force that is a polynomial
 NOTHING = np.empty(0)
 
@@ -161,9 +163,19 @@ class Charts:
         upper, lower = self.place[:, chart]
         return 0.5 * (upper - lower + (past_x + past_y)), 0.5 * (upper + lower + (past_x - past_y))
 
-    def on_edge(self, edge: int, distance: Floats, chart: Ints) -> tuple[Floats, Floats]:
-        """A and B at points of the edge x = 0 or y = 0."""
-        return self.motion(*((distance, 0 * distance) if edge else (0 * distance, distance)), chart)
+    def edge(self, edge: Any, chart: Ints) -> Ints:
+        """The number of a chart's edge, x = 0 or y = 0."""
+        return np.asarray(edge * self.passes.size + chart)
+
+    def of_edge(self, number: Ints) -> tuple[Ints, Ints]:
+        """An edge and its chart, by its number."""
+        return np.divmod(number, self.passes.size)
+
+    def on_edge(self, distance: Floats, number: Ints) -> tuple[Floats, Floats]:
+        """A and B at points of edges."""
+        edge, chart = self.of_edge(number)
+        x, y = np.where(edge == EDGES, 0.0, distance)
+        return self.motion(x, y, chart)
 
     def about(self, edge: int) -> Ints:
         """Charts on whose edge motions reach the upper or the lower end of the piece about u = 0, which they are in."""
