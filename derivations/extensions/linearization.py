@@ -20,11 +20,14 @@ With p = ln k, q = ln c and x = 1 - Omega^2/k the slopes of -ln Z, of which thos
     by p  -2 x/z,   z = x^2 + 4 r^2 (1 - x),   r = c/(2 sqrt(k))        by q  -2 c^2 Omega^2/Z, between -2 and 0
 
 White noise has a constant two-sided density S_0 (G = 2 S_0): its I_j follow from the moments of the linear oscillator.
+Of it there is a second approximation, for any odd force that pulls towards the centre: its energy E = v^2/2 + int f du
+changes slowly (Stratonovich, Roberts). `_by_energy` has the density of energies.
 """
 
 from __future__ import annotations
 
 import functools
+from collections.abc import Callable
 
 import sympy as sp
 
@@ -42,15 +45,22 @@ end = sp.Symbol("end", positive=True)
 x, z = sp.symbols("x z", real=True)
 
 _v = sp.Symbol("v", positive=True)
+#: over a cycle of one energy int |v|^n |du|; over all time the means of |v|^n
+W = sp.symbols("W_0:3", positive=True)
+v_n = (sp.Integer(1), *sp.symbols("v_1:5", positive=True))
 
 #: of arguments
-ORDER = (Omega, end, sigma_u, sigma_v, S_0, k, c, ratio, mu, zeta, c_2)
+ORDER = (Omega, end, sigma_u, sigma_v, *W, *v_n[1:], S_0, k, c, ratio, mu, zeta, c_2)
 
 
 def _mean(of_v: sp.Expr, sigma: sp.Symbol) -> sp.Expr:
     """E of an even function of a Gaussian number, written for positive ones."""
-    powers = sp.Poly(of_v, _v).terms()
-    return sp.expand(sum(factor * sigma**n * _moment(n) for (n,), factor in powers))
+    return sp.expand(_by_powers(of_v, lambda n: sigma**n * _moment(n)))
+
+
+def _by_powers(of_v: sp.Expr, mean: Callable[[int], sp.Expr]) -> sp.Expr:
+    """The mean of a polynomial in v > 0, from that of each power."""
+    return sp.Add(*(factor * mean(n) for (n,), factor in sp.Poly(of_v, _v).terms()))
 
 
 @functools.cache
@@ -82,6 +92,7 @@ def linearization() -> Formulas:
     text = "Mean square of the damping force of (3)."
     of.add("damping_force", sp.collect(_mean(force**2, sigma_v), sigma_v), text, "(3)")
     _response(of)
+    _by_energy(of, force)
 
     @of.kernel("(3)", "k > 0, c > 0")
     def white() -> tuple[sp.Expr, sp.Expr]:
@@ -144,3 +155,31 @@ def _response(of: Formulas) -> None:
     text = "Of the slope of -ln Z by ln k the least and the largest, and the largest k^2/Z, at any frequency."
     bounds = (steep, flat, sp.factor(1 / scaled.subs(x, least)))
     of.add("steepest", bounds, text, "(3)", "0 < ratio < 1/2")
+
+
+def _by_energy(of: Formulas, force: sp.Expr) -> None:
+    """Density of u and v under white noise, by Itô's rule dE = (pi S_0 - v r) dtau + sqrt(2 pi S_0) v dB over a cycle.
+
+    A cycle of an energy takes the time T = dW_1/dE, in which v^2 adds up to W_1 and what is lost to L = int r |du|. So
+    E drifts by (pi S_0 T - L)/T and spreads by 2 pi S_0 W_1/T; no probability flows where E has the density
+    T exp(-P), and u and v thus exp(-P), with dP/dE = L/(pi S_0 W_1). Viscous damping alone makes that exact.
+    """
+    E, u, v = sp.symbols("E u v", real=True)
+    W_1, L, P, V = (sp.Function(name) for name in ("W_1", "L", "P", "V"))
+    noise = sp.pi * S_0
+    T, slope = sp.diff(W_1(E), E), L(E) / (noise * W_1(E))
+    density = T * sp.exp(-P(E))
+    flow = (noise * T - L(E)) / T * density - sp.diff(noise * W_1(E) / T * density, E)
+    claim("no probability flows from energy to energy", sp.simplify(flow.subs(sp.diff(P(E), E), slope)))
+
+    loss = _by_powers(force, lambda n: W[n])
+    slope = sp.expand(loss / (noise * W[1]))
+    viscous = slope.subs({mu: 0, c_2: 0})
+    density = sp.exp(-viscous * (v**2 / 2 + V(u)))
+    slows = (2 * zeta * v + sp.diff(V(u), u)) * density + noise * sp.diff(density, v)
+    flow = sp.diff(slows, v) - v * sp.diff(density, u)
+    claim("viscous damping keeps the density of u and v as it is (Fokker-Planck)", sp.simplify(flow))
+    text = "Slope of P by the energy, from integrals over a cycle: under white noise u and v have the density exp(-P)."
+    of.add("energy_loss", slope, text, "(3)", "W_1 > 0, S_0 > 0")
+    text = "Mean square of the damping force of (3), from the means of powers of |v|."
+    of.add("damping_force_by_moments", sp.expand(_by_powers(force**2, lambda n: v_n[n])), text, "(3)", "v_1 > 0")

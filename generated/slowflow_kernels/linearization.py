@@ -19,7 +19,8 @@ import numpy as np
 
 
 __all__ = [
-    "crossings", "damping_force", "equivalent_damping", "response", "steepest", "white",
+    "crossings", "damping_force", "damping_force_by_moments", "energy_loss", "equivalent_damping", "response",
+    "steepest", "white",
 ]
 
 
@@ -73,6 +74,27 @@ def steepest(ratio: Any) -> tuple[Any, Any, Any]:
     t1 = 0.5 / ratio
     t2 = 1.0 / (ratio + 1.0)
     return t0 * t1, t1 * t2, -0.25 * t0 * t2 / (ratio * ratio)
+
+
+def energy_loss(W_0: Any, W_1: Any, W_2: Any, S_0: Any, mu: Any, zeta: Any, c_2: Any) -> Any:
+    """Slope of P by the energy, from integrals over a cycle: under white noise u and v have the density exp(-P).
+
+    Equation (3). Domain: W_1 > 0, S_0 > 0. Shape: the arguments that it depends on, broadcast. Operations: 10.
+    """
+    t0 = 0.31830988618379069 / S_0
+    t1 = t0 / W_1
+    return W_0 * mu * t1 + W_2 * c_2 * t1 + 2.0 * t0 * zeta
+
+
+def damping_force_by_moments(v_1: Any, v_2: Any, v_3: Any, v_4: Any, mu: Any, zeta: Any, c_2: Any) -> Any:
+    """Mean square of the damping force of (3), from the means of powers of |v|.
+
+    Equation (3). Domain: v_1 > 0. Shape: the arguments that it depends on, broadcast. Operations: 19.
+    """
+    t0 = 4.0 * zeta
+    return (
+        c_2 * c_2 * v_4 + 2.0 * c_2 * mu * v_2 + c_2 * t0 * v_3 + mu * mu + mu * t0 * v_1 + 4.0 * v_2 * zeta * zeta
+    )
 
 
 def white(S_0: Any, k: Any, c: Any) -> tuple[Any, Any]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
@@ -10,8 +11,10 @@ import numpy as np
 from slowflow import validate
 from slowflow.answer import Drawn, Single, Table, entry
 from slowflow.mechanism import EquationOfMotion, Floats
-from slowflow.random_vibration.excitation import Excitation, Tabulated
+from slowflow.random_vibration.energy import averages
+from slowflow.random_vibration.excitation import Excitation, Tabulated, White
 from slowflow.random_vibration.record import measured
+from slowflow.support.errors import Refused
 from slowflow_kernels import linearization
 
 Stationary = entry(
@@ -19,6 +22,7 @@ Stationary = entry(
     "u_rms v_rms a_rms stiffness damping Omega_e ratio_e beyond crossing_rate dry",
     "One stationary motion of a `RandomResponse`.",
 )
+NO_CYCLES = "averages over cycles of one energy are those under white noise: random(S_0=...) has them"
 #: by how many root mean squares the largest displacement exceeds them at most, and steps up to there
 FARTHEST, STEPS = 12.0, 4000
 #: over natural frequencies how far up and down a picture goes
@@ -72,6 +76,19 @@ class RandomResponse(Drawn, Table):
         Z, _, _ = linearization.response(at, self.stiffness[:, np.newaxis], self.damping[:, np.newaxis])
         return np.asarray(self.excitation.density(at) / Z)
 
+    @property
+    def by_energy(self) -> ByEnergy:
+        """Averages over cycles, with a damping that depends on the energy: nearer to (3) than linearization, see there.
+
+        Raises ValueError where the excitation is no white noise; ArithmeticError where the spring pushes away from the
+        centre, as of two wells, or gives way.
+        """
+        if not isinstance(self.excitation, White):
+            raise Refused(NO_CYCLES)
+        u, v, a, beyond, fourth = averages(self.system, self.excitation.S_0, float(self.u_rms[0])).tolist()
+        share = math.nan if self.system.force.first_end is None else beyond
+        return ByEnergy(math.sqrt(u), math.sqrt(v), math.sqrt(a), share, fourth / u**2)
+
     def largest(self, duration: float) -> Floats:
         """The mean of the largest |u| within a duration, (motions,).
 
@@ -98,6 +115,24 @@ class RandomResponse(Drawn, Table):
         system = self.system if force is None else self._equation.equation_of_motion(force)
         linear = self.excitation, self.stiffness, self.damping
         return MeasuredRandom(*measured(system, *linear, samples, records, seed))
+
+
+@dataclass(frozen=True, eq=False)
+class ByEnergy(Single):
+    """Stationary motion under white noise by averages over cycles; dimensionless.
+
+    Without dry friction and quadratic damping that is the solution of the Fokker-Planck equation: exact.
+
+    u_rms, v_rms, a_rms -- as of `RandomResponse`
+    beyond   -- share of the time beyond the first breakpoint, NaN where there is none
+    kurtosis -- of u: 3 of a Gaussian motion
+    """
+
+    u_rms: float
+    v_rms: float
+    a_rms: float
+    beyond: float
+    kurtosis: float
 
 
 @dataclass(frozen=True, eq=False)

@@ -33,6 +33,18 @@ def equivalent_damping(sigma_v, mu, zeta, c_2):
     return [damping(sigma_v, mu, zeta, c_2), slope, damping(sigma_v, mu, mpf(0), mpf(0))]
 
 
+def energy_loss(path, area, cube, S_0, mu, zeta, c_2):
+    """Of a cycle that is lost of what noise adds, pi S_0 in a unit of time, per area."""
+    return [(mu * path + c_2 * cube) / (mp.pi * S_0 * area) + 2 * zeta / (mp.pi * S_0)]
+
+
+def damping_force_by_moments(v_1, v_2, v_3, v_4, mu, zeta, c_2):
+    """Of the three forces their squares, then their products."""
+    return [
+        mu**2 + (2 * zeta) ** 2 * v_2 + c_2**2 * v_4 + 2 * (2 * zeta * mu * v_1 + mu * c_2 * v_2 + 2 * zeta * c_2 * v_3)
+    ]
+
+
 def modulus(Omega, k, c):
     return abs(mp.mpc(k - Omega**2, c * Omega)) ** 2
 
@@ -73,6 +85,8 @@ LINEARIZATION = {
     "steepest": ("ratio", steepest),
     "white": ("S_0 k c", white),
     "crossings": ("end sigma_u sigma_v", crossings),
+    "damping_force_by_moments": ("v_1 v_2 v_3 v_4 mu zeta c_2", damping_force_by_moments),
+    "energy_loss": ("W_0 W_1 W_2 S_0 mu zeta c_2", energy_loss),
 }
 
 

@@ -118,6 +118,7 @@ RANGES = {
     # random vibration
     **dict.fromkeys(("sigma_u", "sigma_v", "end"), (0.05, 0.5)),
     **{"S_0": (1e-4, 1e-2), "c": (0.1, 1.0), "ratio": (0.02, 0.45)},
+    **dict.fromkeys(("W_0", "W_1", "W_2", "v_1", "v_2", "v_3", "v_4"), (0.05, 0.5)),
 }
 
 TABLE_1 = tuple(float(published.TABLE_1[name]) for name in ("lam", "r", "delta_h"))

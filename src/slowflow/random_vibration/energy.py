@@ -1,0 +1,100 @@
+"""White noise by averages over cycles of one energy. Takes a force and its damping; returns means over all motions.
+
+u and v have the density exp(-P)/N, where P is a function of the energy and rises with it by `linearization.energy_loss`
+(`derivations/extensions/linearization.py`). A cycle of the amplitude a has the velocity v^2 = 2 int_u^a f(u) du, and
+
+    W_n = int |v|^n |du|,  J_X = int X |v| |du|
+
+The time that it is where X = 1 is dJ_X/dE, which has no bound where the force jumps. By parts there is none of it:
+
+    N = int J_1 exp(-P) dP,   N E[X] = int J_X exp(-P) dP,   N E[|v|^n] = int W_{n-1} exp(-P) dE
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+from numpy.polynomial import legendre
+
+from slowflow.mechanism import EquationOfMotion, Floats, Piece
+from slowflow.support.errors import NotSettled
+from slowflow.text import Sentence
+from slowflow_kernels import linearization
+
+#: nodes of Gauss's rule in a piece of the force, and in a part of the amplitudes
+NODES = 20
+#: P from which on motions are left out; parts of the amplitudes up to there at most
+FARTHEST, MOST_PARTS = 50.0, 1000
+PUSHES_AWAY = Sentence("averages over cycles are not known: near {u = :.4g} the spring pushes away from the centre")
+GIVES_WAY = "averages over cycles are not known: the spring gives way"
+
+_at, _weights = legendre.leggauss(NODES)
+_inverse = np.linalg.inv(legendre.legvander(_at, NODES - 1))
+#: of the rule on (0, 1): nodes, weights, and the integrals from 0 to each node
+AT, WEIGHTS = 0.5 * (1 + _at), 0.5 * _weights
+UP_TO = 0.5 * legendre.legvander(_at, NODES) @ legendre.legint(_inverse, lbnd=-1)
+
+
+def averages(system: EquationOfMotion, S_0: float, scale: float) -> Floats:
+    """Means of u^2, v^2, a^2, of whether |u| is beyond the first piece, and of u^4.
+
+    scale -- of displacements
+
+    Raises ArithmeticError where the spring pushes away from the centre or gives way.
+    """
+    laws, first = (system.mu, system.zeta, system.c_2), system.force.innermost
+    pieces, ends = system.force.pieces[first:], (0.0, *system.force.breakpoints[first:], math.inf)
+    P, of_u, of_v = 0.0, np.zeros(5), np.zeros(4)
+    for number, begin, end in _parts(ends, scale):
+        # next to a breakpoint what follows changes as a power of the square root of what is beyond it
+        s = begin + (end - begin) * AT
+        a = ends[number] + scale * s * s
+        f = pieces[number](a)
+        if not (f >= 0).all():
+            raise NotSettled(PUSHES_AWAY.format(a[~(f >= 0)][0]))
+        if not f.any():  # within a dead zone the energy is 0
+            continue
+        dE = f * 2 * scale * s * (end - begin)
+        W, J = _cycles(pieces[: number + 1], ends, a)
+        dP = linearization.energy_loss(W[0], W[1], W[2], S_0, *laws) * dE
+        weights = WEIGHTS * np.exp(-P - UP_TO @ dP)
+        of_u += J @ (weights * dP)
+        of_v += W @ (weights * dE)
+        P += WEIGHTS @ dP
+        if P > FARTHEST:
+            break
+    else:
+        raise NotSettled(GIVES_WAY)
+    v_1, v_2, v_3, v_4 = of_v / of_u[0]
+    square, of_force, beyond, fourth = of_u[1:] / of_u[0]
+    resists = linearization.damping_force_by_moments(v_1, v_2, v_3, v_4, *laws)
+    return np.array([square, v_2, of_force + resists, beyond, fourth])
+
+
+def _parts(ends: Sequence[float], scale: float) -> Iterator[tuple[int, float, float]]:
+    """Of the amplitudes beyond an end, by its number and sqrt((a - end)/scale)."""
+    for number, (low, high) in enumerate(itertools.pairwise(ends)):
+        most = min(math.sqrt((high - low) / scale), MOST_PARTS)
+        edges = np.linspace(0.0, most, 1 + math.ceil(most)).tolist()
+        yield from ((number, *part) for part in itertools.pairwise(edges))
+
+
+def _cycles(pieces: Sequence[Piece], ends: Sequence[float], a: Floats) -> tuple[Floats, Floats]:
+    """W_0 to W_3 and J_X of 1, u^2, f^2, whether u is beyond the first piece, and u^4, (..., amplitudes)."""
+    W, J, square, top = np.zeros((4, a.size)), np.zeros((5, a.size)), np.zeros((a.size, 1)), a[:, np.newaxis]
+    for number in reversed(range(len(pieces))):
+        # next to a turning point v is the root of what is left
+        width = top - ends[number]
+        u, du = top - width * AT**2, 2 * width * AT
+        f = pieces[number](u)
+        v = np.sqrt(square + 2 * (f * du) @ UP_TO.T)
+        weights = 4 * du * WEIGHTS
+        powers = v ** np.arange(4)[:, np.newaxis, np.newaxis]
+        W += (weights * powers).sum(axis=2)
+        of_u = np.array([np.ones(u.shape), u**2, f**2, np.full(u.shape, number > 0), u**4])
+        J += (weights * v * of_u).sum(axis=2)
+        square, top = square + 2 * (f * du) @ WEIGHTS[:, np.newaxis], np.full_like(top, ends[number])
+    return W, J
