@@ -1,7 +1,7 @@
 """Oscillators in newtons, metres and hertz. Takes a dimensionless one and its `Scales`; returns `Quantities`.
 
-Questions take SI units, or quantities of pint, and are asked of the dimensionless oscillator: the table of columns has
-the dimensionless name and the kind of each number, `slowflow.quantities` what it is measured in.
+Arguments in SI units, or quantities of pint, are made dimensionless: the table of columns has the dimensionless name
+and the kind of each number, `slowflow.quantities` its unit.
 """
 
 from __future__ import annotations
@@ -32,35 +32,35 @@ if TYPE_CHECKING:
     from slowflow import physical_answers as answers
     from slowflow.physical_answers import Amplitude, Amplitudes, Number, Numbers, Window
 
-#: dimensionless names of what is called otherwise here
+#: dimensionless names by those in SI units, where these differ
 PLAIN = {column.si: column.name for column in QUANTITIES.values() if column.si}
-#: what is said of numbers that look as if they were in another unit
+#: warnings of numbers that look as if they were in another unit
 REMARKS = {"f": range_checks.of_frequency, "duration": range_checks.of_duration}
-#: what A is of a motion that is not about the centre
+#: meaning of A for a motion with a mean displacement
 LARGEST = "A is the largest |x|, the mean displacement included: x_max of an averaged motion"
 
 
 @functools.cache
 def _takes(question: Any) -> Mapping[str, inspect.Parameter]:
-    """What a dimensionless question takes."""
+    """The parameters of a dimensionless question."""
     return inspect.signature(question).parameters
 
 
 @dataclass(frozen=True, repr=False)
 class Physical:
-    """An oscillator whose questions take forces in N, frequencies f in Hz and lengths in m, and are answered in these.
+    """An oscillator in SI units: forces in N, frequencies f in Hz, lengths in m, in arguments and answers.
 
-    A question takes the amplitude of its excitation first, or by its letter: a force F in N, the displacement Y of the
-    base in m or its acceleration a in m/s^2, an unbalance U, the mass that turns times its radius, in kg m. Answers
-    have it by that letter, and what is called F_SN and F_cr of a force as Y_SN, a_cr, ... Of a mount that its base
-    shakes each question takes a or Y, whichever its `excitation` says: the motion relative to the base is that under a
-    force m a, whatever the frequency.
+    A question takes the amplitude of the excitation first, or by its letter: a force F in N, the displacement Y of the
+    base in m or its acceleration a in m/s^2, or an unbalance U in kg m, the rotating mass times its radius. Answers use
+    the same letter: Y_SN or a_cr in place of F_SN and F_cr. Under base excitation each question takes a or Y, whatever
+    `excitation` is: the motion relative to the base is that under a force m a at every frequency.
 
-    oscillator -- the dimensionless one, which is asked
-    scales     -- what its numbers are measured in
-    given      -- what it was made from, for `replace`
+    oscillator -- the dimensionless oscillator
+    scales     -- the mass, stiffness and length that make its numbers dimensionless (4)
+    given      -- the arguments that it was made from, for `replace`
 
-    It does not change. Arguments may be quantities of pint too. What is asked, and what is raised, is the oscillator's.
+    It is immutable. Arguments may be quantities of pint or strings such as "0.3 g" too. Each question is that of the
+    dimensionless `Oscillator` of the same name, with its diagnostics and errors, these in SI units.
     """
 
     oscillator: Any
@@ -72,7 +72,7 @@ class Physical:
         return f"{type(self.oscillator).__name__}.physical({arguments})"
 
     def replace(self, **changes: Any) -> Physical:
-        """Another one with some of the numbers changed that this one was made from, by name."""
+        """Return another one with some of the arguments changed that this one was made from, by name."""
         kept = dict(self.given)
         for one, other in (("c", "zeta"), ("zeta", "c")):  # they say the same
             if one in changes:
@@ -80,19 +80,25 @@ class Physical:
         return type(self.oscillator).physical(**{**kept, **changes})
 
     def at_rest(self) -> answers.AtRest:
-        """What a data sheet says: natural frequencies, stiffness, stroke, loads, friction.
+        """Compute what a data sheet states: natural frequencies, stiffness, stroke, loads, friction.
 
-        f_n         -- natural frequency of the mass on the vertical spring alone
-        f_0, k_0    -- of small motions about the centre; no f_0 where the stiffness k_0 there is negative
-        x_cr        -- the stroke, at which the springs leave; None where they never touch
-        preset      -- by how much k_v is compressed to hold the mass at the centre, m g/k_v
-        lightest, heaviest -- masses that would rest at -x_cr and x_cr, k_v being preset for m; no lightest where even
-                       none would rest above -x_cr
-        break_loose -- the constant force that friction holds, the static one where it is given
-        rests_within -- how far from the centre friction holds the mass at rest; None where anywhere
-        sticking    -- the force amplitude up to which averaging has the mass at rest (27)
+        Returns
+        -------
+        Quantities
+            .f_n in Hz: natural frequency of the mass on the vertical spring alone;
+            .f_0 in Hz, .k_0 in N/m: of small motions about the centre, no f_0 where k_0 < 0;
+            .x_cr in m: the stroke, at which the springs detach, None if they never touch;
+            .preset in m: compression of k_v that holds the mass at the centre, m g/k_v;
+            .lightest, .heaviest in kg: masses with an equilibrium at -x_cr and x_cr while k_v is preset for m, no
+            lightest where even none would have its equilibrium above -x_cr;
+            .break_loose in N: constant force that friction holds, the static one if specified;
+            .rests_within in m: distance from the centre within which friction holds the mass, None for any;
+            .sticking in N: force amplitude up to which the averaged mass sticks, 4/pi times the friction (27).
 
-        Raises ValueError with a load that k_v is not preset for: `rest` tells where that stands.
+        Raises
+        ------
+        ValueError
+            With a load that k_v is not preset for: `rest` has its equilibria.
         """
         if (first := getattr(self.oscillator, "first", None)) is not None:  # the springs are the same at each depth
             return dataclasses.replace(self, oscillator=first).at_rest()
@@ -110,7 +116,18 @@ class Physical:
         return cast("answers.AtRest", Quantities(values, units, found.answer))
 
     def sag(self, load: Number) -> float:
-        """How far from the centre a mass in kg would rest, in m, when k_v is preset for m: the force is (5)."""
+        """Compute where another mass is in equilibrium while k_v is preset for m, with the force (5).
+
+        Parameters
+        ----------
+        load : float
+            Mass, > 0, in kg.
+
+        Returns
+        -------
+        float
+            Distance from the centre in m, < 0 for a lighter mass.
+        """
         load = validate.number("load", si("load", load, "kg"), above=0.0)
         preset = float(si("m", self.given["m"], "kg"))
         weight = (load - preset) * g / self.scales.sizes["force"]
@@ -125,37 +142,44 @@ class Physical:
     # ---- the questions
 
     def rest(self) -> answers.Rows:
-        """Every place at which the mass rests without friction: .x .stable .load, see `Oscillator.rest`."""
+        """Find every equilibrium without friction: .x in m, .stable, .stiffness in N/m, .load in kg."""
         return self._answer("rest")
 
     def force(self, x: Numbers) -> Floats:
-        """The restoring force in N at displacements in m, without the weight that k_v is preset for."""
+        """Compute the restoring force in N at displacements x in m, without the weight that k_v is preset for."""
         return np.asarray(self._ask("force", x=x) * self.scales.sizes["force"])
 
     def stiffness(self, x: Numbers) -> Floats:
-        """Its slope in N/m."""
+        """Compute the slope of the restoring force in N/m at displacements x in m, in their shape."""
         return np.asarray(self._ask("stiffness", x=x) * self.scales.sizes["stiffness"])
 
     def saddle_node_onset(self) -> answers.One:
-        """The lowest force amplitude that has a fold: .F_SN .f .A, see `Averaged.saddle_node_onset`."""
+        """Find the lowest amplitude that has a fold (33): .F_SN in N, .f in Hz, .A in m, .kind."""
         return self._answer("saddle_node_onset")
 
     def detachment(self) -> answers.One:
-        """The lowest force amplitude that reaches the stroke: .F_cr .f_cr .x_cr, see `Averaged.detachment`."""
+        """Find the lowest amplitude whose response reaches the stroke (34): .F_cr in N, .f_cr in Hz, .x_cr in m."""
         return self._answer("detachment")
 
     def saddle_nodes(self, amplitude: Number | None = None, /, **at: Unpack[Amplitude]) -> answers.AtOne:
-        """Where a sweep jumps at the force amplitude F: .f .A .kind .corner, see `Averaged.saddle_nodes`."""
+        """Find every fold at F in N (or Y, a, U), where a sweep jumps (30): .f in Hz, .A in m, .kind, .corner."""
         return self._answer("saddle_nodes", amplitude, at)
 
     def peak(self, amplitude: Number | None = None, /, **at: Unpack[Amplitude]) -> answers.One:
-        """The highest peak: .A .f, see `Averaged.peak`; under a load .x_max at .f_max as well, see `OffCentre.peak`."""
+        """Find the highest peak at F in N (or Y, a, U): .A in m at .f in Hz; under a load .x_max at .f_max too."""
         return self._answer("peak", amplitude, at)
 
     def amplitudes(self, *, f: Numbers, **at: Unpack[Amplitudes]) -> answers.States:
-        """Every steady state at f: .f .A .phi .stable .transmissibility_dB, see `Averaged.amplitudes`.
+        """Find every steady state at f (24), (30): .f in Hz, .A in m, .phi in rad, .stable, .transmissibility_dB.
 
-        Under a load .A is the amplitude about the mean displacement .B, and .x_max the largest |x|, |B| + A.
+        Under a load .A is the amplitude about the mean displacement .B, and .x_max = |B| + A the largest |x|, all in m.
+
+        Parameters
+        ----------
+        f : array_like
+            Frequencies in Hz, > 0.
+        **at : array_like
+            Amplitude of the excitation: F in N, Y in m, a in m/s^2 or U in kg m.
         """
         return self._answer("amplitudes", None, at, f=f)
 
@@ -168,47 +192,79 @@ class Physical:
         samples: int = 1000,
         **at: Unpack[Amplitude],
     ) -> answers.AtOne:
-        """The response curve for frequencies in the window f, of up to twice f_n without: `amplitudes` and .branch."""
+        """Compute the response curve (24): .f in Hz, .A in m, .phi in rad, .stable, .branch, .transmissibility_dB.
+
+        Parameters
+        ----------
+        amplitude, **at : float
+            Amplitude of the excitation: F in N, Y in m, a in m/s^2 or U in kg m.
+        f : tuple of float, optional
+            Window of frequencies in Hz, by default from 0 to twice f_n.
+        samples : int
+            About how many points, 2 to 10^6.
+        """
         return self._answer("frequency_response", amplitude, at, f=f, samples=samples)
 
     def fold_locus(self, *, samples: int = 1000, A_max: Number | None = None) -> answers.AtEach:
-        """The folds of every force amplitude: .f .A .F .branch, see `Averaged.fold_locus`."""
+        """Trace the folds of every amplitude, F_A = 0 (30): .f in Hz, .A in m, .F in N, .branch.
+
+        Parameters
+        ----------
+        samples : int
+            About how many points, 2 to 10^6.
+        A_max : float, optional
+            Largest amplitude in m, by default the mechanism's reach; `Duffing` needs it.
+        """
         return self._answer("fold_locus", samples=samples, A_max=A_max)
 
     def cusps(self, *, A_max: Number | None = None) -> answers.AtEach:
-        """Where two folds come into being or meet: .F .f .A .minimum, see `Averaged.cusps`."""
+        """Find where two folds appear or merge, up to A_max in m: .F in N, .f in Hz, .A in m, .minimum."""
         return self._answer("cusps", A_max=A_max)
 
     def isola_points(self, *, A_max: Number | None = None) -> answers.AtEach:
-        """Where isolated curves are born or merge: .F .f .A .kind, see `Averaged.isola_points`."""
+        """Find where isolated curves appear or merge, up to A_max in m: .F in N, .f in Hz, .A in m, .kind."""
         return self._answer("isola_points", A_max=A_max)
 
     @property
     def sticking_forcing(self) -> float:
-        """The amplitude of the excitation that leaves a mass at rest at every frequency, see `Averaged`."""
+        """Amplitude of the excitation in its unit up to which a mass sticks at every frequency, 4 mu/pi (27)."""
         return self.oscillator.sticking_forcing * self.scales.sizes[self.scales.amplitude]
 
     def transmissibility_floor(self, amplitude: Number | None = None, /, **at: Unpack[Amplitude]) -> float:
-        """What the ratio that is transmitted tends to as f rises without end, see `Averaged.transmissibility_floor`."""
+        """Compute the transmissibility as f tends to infinity at F in N (or Y, a, U), a ratio."""
         one, F_0 = self._excited(amplitude, at)
         return float(one._ask("transmissibility_floor", F_0=F_0))
 
     def backbone(self, A: Numbers) -> Floats:
-        """f in Hz on the backbone at amplitudes in m, see `Averaged.backbone`."""
+        """Compute the frequency in Hz on the backbone (26) at amplitudes A > 0 in m, in their shape."""
         return np.asarray(self._ask("backbone", A=A) * self.scales.sizes["frequency"])
 
     def limit_envelope(self, *, f: Numbers, **at: Unpack[Amplitudes]) -> Floats:
-        """The amplitude in m that no response exceeds, see `Averaged.limit_envelope`."""
+        """Compute the amplitude in m that no response exceeds (27), in the common shape of the arguments.
+
+        Parameters
+        ----------
+        f : array_like
+            Frequencies in Hz, > 0.
+        **at : array_like
+            Amplitude of the excitation: F in N, Y in m, a in m/s^2 or U in kg m.
+        """
         one, F_0 = self._excited(None, at)
         return np.asarray(one._ask("limit_envelope", f=f, F_0=F_0) * self.scales.sizes["length"])
 
     def certify(
         self, amplitude: Number | None = None, /, *, f: Number | None = None, **at: Unpack[Amplitude]
     ) -> answers.Certificate:
-        """What is proved at a force amplitude: see `Averaged.certify`.
+        """Prove all folds at one amplitude, its F_SN and F_cr in N, and all states at a frequency: print it.
 
-        Of the dimensionless numbers as they are: `.answer` has the intervals that are proved, and these are the same
-        times what is measured in, rounded.
+        The proof is of the dimensionless numbers: `.answer` has the proved intervals, which are rounded here.
+
+        Parameters
+        ----------
+        amplitude, **at : float
+            Amplitude of the excitation: F in N or a in m/s^2.
+        f : float, optional
+            Frequency of the states in Hz, > 0.
         """
         return self._answer("certify", amplitude, at, f=f)
 
@@ -222,12 +278,26 @@ class Physical:
         v_0: Number = 0.0,
         **at: Unpack[Amplitude],
     ) -> answers.SteadyState:
-        """One periodic motion of the equation of motion: .A .stops .stable .period, and .t .x .v over one period.
+        """Find a periodic motion of the equation of motion (3), and its displacement over one period.
 
-        x_0, v_0 -- displacement in m and velocity in m/s at the beginning, in place of A
+        Parameters
+        ----------
+        f : float
+            Frequency in Hz, > 0.
+        A : float, optional
+            The motion whose amplitude is nearest to A, in m; by default that which a mass at rest comes to.
+        samples : int
+            Points over one period.
+        x_0, v_0 : float, optional
+            Displacement in m and velocity in m/s at t = 0, in place of A.
+        **at : float
+            Amplitude of the excitation: F in N, Y in m, a in m/s^2 or U in kg m.
 
-        .A is the largest |x|; under a load that is what `amplitudes` calls .x_max, and .message says so. See
-        `Oscillator.steady_state`, which `.answer` is from.
+        Returns
+        -------
+        Quantities
+            .A in m, the largest |x|, .x_max of `amplitudes` under a load; .stops, .stable, .period in s; .t in s, .x in
+            m and .v in m/s, shape (samples,). `.answer` is the dimensionless motion.
         """
         one, F_0 = self._excited(None, at)
         found = one._ask("steady_state", f=f, F_0=F_0, A=A, x_0=x_0, v_0=v_0)
@@ -248,10 +318,25 @@ class Physical:
         v_0: Number = 0.0,
         **at: Unpack[Amplitude],
     ) -> answers.Response:
-        """The curve of the equation of motion: .f .A .stable .stops, and .folds; see `Oscillator.exact_response`.
+        """Follow the response curve of the equation of motion (3): points, stability, stops, folds.
 
-        start    -- what `steady_state` gave
-        x_0, v_0 -- as in `steady_state`, in place of it
+        Parameters
+        ----------
+        amplitude, **at : float
+            Amplitude of the excitation: F in N, Y in m, a in m/s^2 or U in kg m.
+        f : tuple of float, optional
+            Window of frequencies in Hz, by default from 1/2 to 3/2 of f_n.
+        start : Quantities, optional
+            A motion on the curve, from `steady_state`.
+        step : float
+            Largest relative distance of neighbouring points, > 0 and <= 0.5.
+        x_0, v_0 : float, optional
+            Initial displacement in m and velocity in m/s, in place of `start`.
+
+        Returns
+        -------
+        Quantities
+            .f in Hz, .A in m, the largest |x|, .stable, .stops, shape (n,); .folds with .f .A .kind .corner; .complete.
         """
         if not (start is None or isinstance(start, Quantities)):
             raise Refused(f"start = {start!r} is not allowed: start must be what steady_state gave")
@@ -267,11 +352,16 @@ class Physical:
     def sweep(
         self, *, f: Numbers, x_0: Number | None = None, v_0: Number = 0.0, **at: Unpack[Amplitude]
     ) -> answers.AtOne:
-        """What an experiment sees that steps through frequencies: .f .A .stops .settled, and .jumps in Hz.
+        """Follow a stepped-sine test: .f in Hz, .A in m, .stops, .settled, and .jumps in Hz, shape (k, 2).
 
-        x_0, v_0 -- as in `steady_state`
-
-        See `Oscillator.sweep`.
+        Parameters
+        ----------
+        f : array_like
+            Frequencies in Hz, > 0, in the order of the test.
+        x_0, v_0 : float, optional
+            Initial displacement in m and velocity in m/s; by default the mass is at rest.
+        **at : float
+            Amplitude of the excitation: F in N, Y in m, a in m/s^2 or U in kg m.
         """
         one, F_0 = self._excited(None, at)
         found = one._ask("sweep", f=f, F_0=F_0, x_0=x_0, v_0=v_0)
@@ -290,16 +380,30 @@ class Physical:
         x_0: Number | None = None,
         v_0: Number = 0.0,
     ) -> answers.Transient:
-        """A shock of the base, or a release: .A .a_max .detaches .rests, and .t .x .v .a .base over time.
+        """Integrate the response to a shock of the base, or the free motion from x_0 and v_0, by (3).
 
-        acceleration -- of the base, in m/s^2: the peak of a half sine, or the samples of a record
-        duration     -- of the half sine, in s
-        t            -- the times of the samples instead, in s
-        after        -- for how long the free motion is followed that comes then, in s
-        samples      -- points over time
-        x_0, v_0     -- displacement in m and velocity in m/s at the beginning, seen from the base
+        Parameters
+        ----------
+        acceleration : array_like, optional
+            Of the base in m/s^2: the peak of a half sine, or the samples of a record, shape (n,).
+        duration : float, optional
+            Of the half sine, in s.
+        t : array_like, optional
+            Times of the samples in s, rising, shape (n,).
+        after : float, optional
+            Duration in s of the free motion afterwards, by default ten natural periods.
+        samples : int
+            Points over time.
+        x_0, v_0 : float, optional
+            Initial displacement in m and velocity in m/s relative to the base; by default the mass is at rest.
 
-        See `Oscillator.transient`, which `.answer` is from.
+        Returns
+        -------
+        Quantities
+            Relative to the base .A in m, the largest |x|, at .t_A in s, .detaches, first at .t_detaches in s, .x_cr in
+            m, and .x_end in m, where friction holds the mass if .rests. Absolute .a_max in m/s^2 at .t_a in s. The
+            motion .t .x .v .a and the acceleration of the .base, shape (samples,). `.answer` is the dimensionless
+            motion.
         """
         pulse = {"acceleration": acceleration, "duration": duration, "t": t, "after": after}
         found = self._ask("transient", **pulse, x_0=x_0, v_0=v_0)
@@ -307,18 +411,36 @@ class Physical:
         return cast("answers.Transient", self._named(found, (), *names, **found.series(samples)._asdict()))
 
     def shock_spectrum(self, *, acceleration: Numbers, duration: Numbers) -> answers.Rows:
-        """What half sines of the base do: .acceleration .duration .A .a_max .ratio .detaches, a row for each.
+        """Compute the shock response spectrum of half sines of the base, one row for each.
 
-        In m/s^2 and s, numbers or arrays that broadcast; see `Oscillator.shock_spectrum`.
+        Parameters
+        ----------
+        acceleration, duration : array_like
+            Peak in m/s^2 and duration in s, > 0, that broadcast.
+
+        Returns
+        -------
+        Quantities
+            .acceleration .duration .A in m, the largest deflection, .a_max in m/s^2, .ratio = a_max/peak, .detaches.
         """
         return self._answer("shock_spectrum", acceleration=acceleration, duration=duration)
 
     def random(self, *, psd: tuple[Numbers, Numbers] | Columns, unit: str = "g^2/Hz") -> answers.Random:
-        """Stationary random vibration: .x_rms .v_rms .a_rms, .f_e .damping, .beyond, see `Oscillator.random`.
+        """Find the stationary motions under random vibration by statistical linearization.
 
-        psd  -- frequencies in Hz and one-sided densities, straight in log-log between these, 0 outside; or
-                the columns f and G of a file, see `slowflow.measurements`, whose head has the unit
-        unit -- of the densities: "g^2/Hz" or "(m/s^2)^2/Hz" of the base's acceleration, "N^2/Hz" of a force
+        Parameters
+        ----------
+        psd : tuple of array_like, or Columns
+            Frequencies in Hz and one-sided densities, linear in log-log between these, 0 outside; or the columns f and
+            G of a file with its unit, see `slowflow.measurements`.
+        unit : str
+            Of the densities: "g^2/Hz" or "(m/s^2)^2/Hz" of the base's acceleration, "N^2/Hz" of a force.
+
+        Returns
+        -------
+        Quantities
+            .x_rms in m, .v_rms in m/s, .a_rms in m/s^2, .f_e in Hz, .stiffness in N/m and .damping in N s/m of the
+            equivalent linear oscillator, .beyond and .crossing_rate in 1/s of the stroke; shape (motions,).
         """
         if isinstance(psd, Columns):
             if missing := {"f", "G"} - psd.keys():
@@ -334,21 +456,42 @@ class Physical:
         return cast("answers.Random", self.scales.quantities(found))
 
     def margins(self, amplitude: Number | None = None, /, **at: Unpack[Amplitude]) -> answers.One:
-        """How far a force amplitude is from F_SN and F_cr: .of_SN .of_cr, see `Oscillator.margins`."""
+        """Compare F in N (or Y, a, U) with F_SN and F_cr: .of_SN = F_SN/F and .of_cr = F_cr/F, < 1 beyond them."""
         return self._answer("margins", amplitude, at)
 
     def hysteresis(self, amplitude: Number | None = None, /, **at: Unpack[Amplitude]) -> answers.AtOne:
-        """Bands with several stable motions: .f_low .f_high .motions, see `Oscillator.hysteresis`."""
+        """Find bands with several stable motions at F in N (or Y, a, U): .f_low and .f_high in Hz, .motions."""
         return self._answer("hysteresis", amplitude, at)
 
     def isolation(
         self, amplitude: Number | None = None, /, level_dB: float = 0.0, **at: Unpack[Amplitude]
     ) -> answers.One:
-        """The frequency from which on less than F is transmitted: .f .A, see `Oscillator.isolation`."""
+        """Find the frequency above which every stable motion transmits less than a level: .f in Hz, .A in m.
+
+        Parameters
+        ----------
+        amplitude, **at : float
+            Amplitude of the excitation: F in N, Y in m, a in m/s^2 or U in kg m.
+        level_dB : float
+            Transmissibility in decibels, <= 0: -20 for a tenth of the force.
+        """
         return self._answer("isolation", amplitude, at, level_dB=level_dB)
 
     def spectrum(self, *, f: Numbers, **at: Unpack[Amplitudes]) -> answers.AtEach:
-        """A load spectrum, row by row, see `Oscillator.spectrum`."""
+        """Find the largest stable motion at each row of a load spectrum, one tone at a time, in their order.
+
+        Parameters
+        ----------
+        f : array_like
+            Frequencies in Hz, > 0.
+        **at : array_like
+            Amplitude of the excitation: F in N, Y in m, a in m/s^2 or U in kg m.
+
+        Returns
+        -------
+        Quantities
+            .A in m, .transmissibility_dB, .motions, .crosses a fold, .detaches, .sticks, shape (n,).
+        """
         return self._answer("spectrum", None, at, f=f)
 
     def plot(
@@ -363,10 +506,10 @@ class Physical:
     ) -> Any:
         """Draw the response at one amplitude, or at each of several, into Matplotlib axes, or new ones; return these.
 
-        f  -- the window of frequencies, up to twice f_n without
-        of -- what is drawn over frequency, in Hz: "A", in mm, under a load .x_max; "phi" or "transmissibility_dB"
+        f  -- window of frequencies in Hz, by default from 0 to twice f_n
+        of -- quantity over f: "A" in mm, under a load .x_max; "phi" or "transmissibility_dB"
 
-        Signs and tints as of `Averaged.plot`. Raises ValueError for another word, ImportError without Matplotlib.
+        Symbols and colours as of `Averaged.plot`. Raises ValueError for another `of`, ImportError without Matplotlib.
         """
         from slowflow import pictures
 
@@ -389,7 +532,20 @@ class Physical:
         return ax
 
     def explain(self, question: str, amplitude: Number | None = None, /, **at: Unpack[Amplitude]) -> Plan:
-        """What runs for a question and what is skipped, see `Averaged.explain`."""
+        """Say what runs for a question, what is skipped, and why.
+
+        Parameters
+        ----------
+        question : str
+            Its name, such as "saddle_nodes".
+        amplitude, **at : float
+            Amplitude of the excitation: F in N, Y in m, a in m/s^2 or U in kg m, where the question takes one.
+
+        Returns
+        -------
+        Plan
+            Print it.
+        """
         one, F_0 = self._excited(amplitude, at) if at or amplitude is not None else (self, None)
         found = one._ask("explain", question=question, F_0=F_0)
         steps = tuple(dataclasses.replace(step, why=in_units(step.why, one.scales)) for step in found.steps)
@@ -399,14 +555,14 @@ class Physical:
 
     @property
     def second_approximation(self) -> Physical:
-        """The same questions, those that it answers, with the higher harmonics of force and friction."""
+        """The questions that the second approximation answers, with the higher harmonics of force and friction."""
         with self.scales.in_these_terms():
             return Physical(self.oscillator.second_approximation, self.scales, self.given)
 
     # ---- arguments
 
     def _excited(self, amplitude: Any, at: Mapping[str, Any]) -> tuple[Physical, Any]:
-        """The mount that an amplitude is of, first or by its letter, and that; of a base by a or Y, whichever it is."""
+        """The mount whose excitation an amplitude is of, and that amplitude; base excitation takes a or Y."""
         if amplitude is not None and not at:
             return self, amplitude
         own = self.scales.excitation
@@ -420,7 +576,7 @@ class Physical:
 
     @functools.cached_property
     def _by_other_base(self) -> Physical:
-        """The same mount with its base's acceleration given in place of its displacement, or the other way."""
+        """The same mount under its base's acceleration in place of its displacement, or the other way round."""
         (other,) = {*OF_A_BASE} - {self.scales.excitation}
         scales, of = dataclasses.replace(self.scales, excitation=other), self.oscillator
         oscillator = getattr(of, "first", of).replace(excitation=scales.of_oscillator)
@@ -430,7 +586,7 @@ class Physical:
     def _answer(
         self, question: str, amplitude: Any = None, at: Mapping[str, Any] | None = None, /, **arguments: Any
     ) -> Any:
-        """The answer in SI units; at an amplitude of the excitation where `at` is given."""
+        """The answer in SI units; at an amplitude of the excitation where `at` is known."""
         if at is None:
             return self.scales.quantities(self._ask(question, **arguments))
         one, F_0 = self._excited(amplitude, at)
@@ -441,9 +597,9 @@ class Physical:
         return self.scales.named({**{name: getattr(found, name) for name in (*entry, *names)}, **more}, found, entry)
 
     def _ask(self, question: str, /, **arguments: Any) -> Any:
-        """The dimensionless answer; refusals are in newtons, metres and hertz, as the query is.
+        """The dimensionless answer; errors are in newtons, metres and hertz, as the arguments are.
 
-        What the question takes without dimensions, says its method: one number, an array of them or a window.
+        The method's annotations say what an argument is: one number, an array or a window.
         """
         method = getattr(self.oscillator, question)
         takes, at = _takes(getattr(method, "__func__", method)), {}
@@ -461,7 +617,7 @@ class Physical:
             return method(**at)
 
     def _number(self, name: str, value: Any, kind: str, *, several: bool) -> Any:
-        """A number, or an array of them, over what it is measured in."""
+        """A number or an array, made dimensionless."""
         value, size = si(name, value, SI[kind]), self.scales.sizes[kind]
         above = 0.0 if name in (self.scales.symbol("F_0"), "f") else -math.inf
         if validate.is_single(value) or not several:
@@ -477,7 +633,7 @@ class Physical:
         return found
 
     def _window(self, f: Any) -> tuple[float, float]:
-        """Of frequencies, as the oscillator takes it."""
+        """A window of frequencies, dimensionless."""
         low, high = validate.pair("f", f, "of frequencies (low, high)")
         low, high = validate.window("f", (si("f[0]", low, "Hz"), si("f[1]", high, "Hz")))
         return low / self.scales.sizes["frequency"], high / self.scales.sizes["frequency"]
