@@ -327,8 +327,8 @@ class Scene:
         (table,) = KINDS.keys() & self.content.keys()
         for key, value in numbers.items():
             k = reader._line(table, key) - 1
-            given = rf"""(\b{re.escape(key)}\s*=\s*)("[^"]*"|'[^']*'|[^\s#]+)"""
-            line, count = re.subn(given, rf"\g<1>{value!r}", lines[k], count=1)
+            value_of = rf"""(\b{re.escape(key)}\s*=\s*)("[^"]*"|'[^']*'|[^\s#]+)"""
+            line, count = re.subn(value_of, rf"\g<1>{value!r}", lines[k], count=1)
             lines[k] = line if count else f"{lines[k]}\n{key} = {value!r}"
         text = "\n".join(lines) + "\n"
         with contextlib.suppress(tomllib.TOMLDecodeError):

@@ -95,8 +95,8 @@ def test_the_share_of_products_that_meet_all_is_in_closed_form(tmp_path, capsys)
 def test_a_duration_and_a_frequency_may_have_units(tmp_path):
     required = "relative_displacement = { below = 0.02, under = 'random', duration = %s }\n"
     required += "transmissibility_dB = { below = -20, from_f = %s }"
-    plain, words = (verdict(read(scene(tmp_path, required % at, PSD))) for at in ((3600, 14), ("'1 h'", "'840 rpm'")))
-    assert plain == words
+    plain, other = (verdict(read(scene(tmp_path, required % at, PSD))) for at in ((3600, 14), ("'1 h'", "'840 rpm'")))
+    assert plain == other
     with pytest.raises(SceneError, match="duration = '20 mm' is not allowed: duration must be a number in s"):
         read(scene(tmp_path, "relative_displacement = { below = 1, under = 'random', duration = '20 mm' }", PSD))
 

@@ -98,7 +98,7 @@ class Complete:
 
     def detaching(self) -> Floats:
         """A and B of all motions that reach an end of the piece about u = 0, and no end is passed, (2, n)."""
-        charts, parts = self.sheets.charts, []
+        charts, boxes = self.sheets.charts, []
         for edge in (0, 1):
             of = charts.about(edge)
             high = charts.high[1 - edge, of]
@@ -107,8 +107,8 @@ class Complete:
                 most = 2 * (self._highest_at(edge) if polynomial else self._highest_by_octaves(edge, of))
                 high = np.minimum(high, np.where(charts.rooted[1 - edge, of], np.sqrt(most), most))
             ends = np.linspace(0.0, high, SUBDIVISIONS + 1)
-            parts.append((ends[:-1].ravel(), ends[1:].ravel(), np.tile(charts.edge(edge, of), SUBDIVISIONS)))
-        low, high, of = (np.concatenate(column) for column in zip(*parts, strict=True))
+            boxes.append((ends[:-1].ravel(), ends[1:].ravel(), np.tile(charts.edge(edge, of), SUBDIVISIONS)))
+        low, high, of = (np.concatenate(column) for column in zip(*boxes, strict=True))
         solved = solve(EndedEdge(charts), low[np.newaxis], high[np.newaxis], of)
         motions = np.stack(charts.on_edge(solved.x[0], solved.of))
         return motions[:, motions[0] > 0]

@@ -370,8 +370,8 @@ def _thinned(place: Floats, always: Flags, points: int) -> Floats:
     """
     if place.shape[1] <= points + MORE:
         return place
-    along = np.append(0.0, np.cumsum(_weights(place)))
-    stretch = np.floor(along * (points / along[-1]))
+    length = np.append(0.0, np.cumsum(_weights(place)))
+    stretch = np.floor(length * (points / length[-1]))
     always[[0, -1]] = True
     return place[:, always | (np.diff(stretch, prepend=-1.0) > 0)]
 
