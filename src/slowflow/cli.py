@@ -20,7 +20,7 @@ from slowflow import backend, files, progress, verdict
 from slowflow.answer import Answer, in_text
 from slowflow.isolator import ROD_SPRING
 from slowflow.measured import costs
-from slowflow.scenes import QUESTIONS, STARTER, Asked, Scene, read
+from slowflow.scenes import QUESTIONS, STARTER, Asked, Scene, of_loop, read
 from slowflow.support.errors import SlowflowError
 from slowflow_kernels.domains import DAMPING
 
@@ -248,15 +248,27 @@ def serve(args: argparse.Namespace) -> int:
 
 
 def new_scene(args: argparse.Namespace) -> int:
-    """Write the starter; 2 where there is a file of that name."""
+    """Write the starter, or a scene of a measured loop; 2 where there is a file of that name."""
+    if (args.loop is None) != (args.mass is None):
+        print("--from loop.csv and --mass '12 kg' need each other: a loop does not tell the mass", file=sys.stderr)
+        return 2
+    text = STARTER if args.loop is None else of_loop(args.loop, args.mass)
     try:
         with args.scene.open("x", encoding="utf-8") as file:
-            file.write(STARTER)
+            file.write(text)
     except FileExistsError:
         print(f"{args.scene} is there already: it is left as it is", file=sys.stderr)
         return 2
     print(f"{args.scene} is written: slowflow run {args.scene}")
     return 0
+
+
+def _quantity(text: str) -> float | str:
+    """A number, or one with a unit, which is read where it is used."""
+    try:
+        return float(text)
+    except ValueError:
+        return text
 
 
 def write_report(args: argparse.Namespace) -> int:
@@ -347,6 +359,8 @@ def parser() -> argparse.ArgumentParser:
     option("--quiet", **quiet)
     option = command(new_scene, "new", "write a commented scene to begin with")
     option("scene", type=Path, nargs="?", default=Path("scene.toml"), help="default: %(default)s")
+    option("--from", type=Path, dest="loop", metavar="CSV", help="of a measured force-displacement loop: x, F, also t")
+    option("--mass", type=_quantity, metavar="M", help="that sits on its spring, in kg or with a unit, as '12 kg'")
     command(print_schema, "schema", "what a scene may have, as JSON schema, by which editors complete it")
     command(serve, "mcp", "the questions as tools of the Model Context Protocol, on standard input and output")
     option = command(

@@ -31,9 +31,11 @@ class Columns(dict[str, Floats]):
     """Columns by name, in SI units; of a spectral density in its own.
 
     units -- the unit of each that has one
+    head  -- the file and the line of their names
     """
 
     units: dict[str, str]
+    head: str
 
 
 def read_csv(path: str | Path) -> Columns:
@@ -56,11 +58,11 @@ def read_csv(path: str | Path) -> Columns:
     cut = [(number, next(csv.reader([line], delimiter=separator))) for number, line in kept]
     (first, heads), *rows = cut
     found, sizes = Columns(), list[float]()
-    found.units = {}
+    found.units, found.head = {}, f"{path}:{first}"
     for head in heads:
-        name, unit, size = _head(f"{path}:{first}", head)
+        name, unit, size = _head(found.head, head)
         if name in found:
-            raise Refused(f"{path}:{first}: there are two columns {name}")
+            raise Refused(f"{found.head}: there are two columns {name}")
         found[name] = np.empty(len(rows))
         sizes.append(size)
         found.units |= {name: unit} if unit else {}

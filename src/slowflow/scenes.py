@@ -112,6 +112,48 @@ questions = [
 ]
 """
 
+#: the same of a measured loop
+OF_A_LOOP = """\
+[spring]                # measured in {file}, with intervals of 95 %
+m = {m!r}
+{numbers}
+
+[ask]
+F = [{F:.3g}]               # force amplitudes, N: {why}
+questions = ["saddle_node_onset", "saddle_nodes", "peak", "isolation", "frequency_response"]
+"""
+
+
+def of_loop(path: Path, m: Any) -> str:
+    """A scene's text: a mass in kg on spring and dampers of a measured force-displacement loop.
+
+    path -- of a CSV file with columns x, F and, for viscous damping, t
+
+    A number whose interval holds 0 is left out. Raises ValueError for what is no loop, with file and line.
+    """
+    from slowflow.sizing import from_loop  # here, not above: it imports SciPy
+
+    columns, units = read_csv(path), {"x": "m", "F": "N", "t": "s"}
+    if not {"x", "F"} <= columns.keys() <= units.keys():
+        raise Refused(f"{columns.head}: a loop has columns x, F and, for viscous damping, t, not {', '.join(columns)}")
+    for name, unit in columns.units.items():
+        if unit != units[name]:
+            raise Refused(f"{columns.head}: {name} in {unit} is not allowed: {name} must have a unit of {units[name]}")
+    try:
+        loop = from_loop(**columns)
+        known = {one.parameter: one.value for one in loop if not one.low <= 0 <= one.high}
+        mount = Duffing.physical(m=m, **{"k_1": 0.0, **known})
+    except (ValueError, ArithmeticError) as error:
+        raise Refused(f"{path}: {error}") from None
+    lines = [f"# {loop.message}"] if loop.message else []
+    for name, unit, value, _, low, high in loop:
+        line = f"{name} = {value!r}"
+        lines.append(f"{line if name in known else f'# {line}':23} # {low:.5g} to {high:.5g} {unit}")
+    F, why = 2 * mount.sticking_forcing, "twice what friction holds"
+    if not F:
+        F, why = 0.1 * float(abs(loop.F).max()), "a tenth of the largest in the loop"
+    return OF_A_LOOP.format(file=path.name, m=m, numbers="\n".join(lines), F=F, why=why)
+
 
 def _takes(question: str) -> frozenset[str]:
     """What the method of this name takes without dimensions, but of a frequency that it need not be given "window"."""

@@ -12,6 +12,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import slowflow
@@ -345,6 +346,71 @@ def test_the_starter_runs_and_is_not_written_over(tmp_path, capsys):
     path.write_text("mine")
     code, _, err = run("new", path, capsys=capsys)
     assert code == 2 and "is there already" in err and path.read_text() == "mine"
+
+
+@pytest.fixture
+def loop(tmp_path):
+    """Five cycles of a stiffening spring with friction and a damper, in other units, in a file."""
+    t = np.linspace(0.0, 5.0, 1000)
+    x, v = 0.02 * np.sin(math.tau * t), 0.02 * math.tau * np.cos(math.tau * t)
+    F = 1500 * x + 2e6 * x**3 + 0.7 * np.sign(v) + 9.0 * v + 0.05 * np.random.default_rng(0).standard_normal(t.size)
+    path = tmp_path / "loop.csv"
+
+    def written(head="# rig 7\nt [ms], x [mm], F [N]", columns=(1e3 * t, 1e3 * x, F)):
+        rows = [", ".join(map(repr, row)) for row in np.transpose(columns).tolist()]
+        path.write_text("\n".join([head, *rows]))
+        return path
+
+    return written
+
+
+def test_a_scene_of_a_measured_loop_is_ready_to_run(loop, tmp_path, capsys):
+    out = tmp_path / "rig.toml"
+    assert run("new", out, "--from", loop(), "--mass", "8 kg", capsys=capsys)[0] == 0
+    mount = scenes.read(out).oscillator
+    truth = {"m": 8.0, "k_1": 1500.0, "k_3": 2e6, "friction": 0.7, "c": 9.0}
+    assert {name: mount.scales.sheet[name] for name in truth} == pytest.approx(truth, rel=0.03)
+    intervals = re.findall(r"^(\w+) = \S+ *# (\S+) to (\S+) N", out.read_text(), re.MULTILINE)
+    assert [name for name, *_ in intervals] == ["k_1", "k_3", "friction", "c"]
+    assert all(float(low) < truth[name] < float(high) for name, low, high in intervals)
+    code, answers, err = run("run", out, capsys=capsys)
+    assert (code, err) == (0, "") and "saddle_node_onset" in answers
+    assert run("new", out, "--from", loop(), "--mass", "8 kg", capsys=capsys)[0] == 2
+
+
+def test_numbers_that_a_loop_does_not_show_are_left_out(loop, tmp_path, capsys):
+    """A linear spring alone, its times unknown."""
+    x = 20 * np.sin(np.linspace(0.0, 5 * math.tau, 1000))
+    columns = x, x + 0.02 * np.random.default_rng(1).standard_normal(x.size)
+    path, out = loop("x [mm], F [N]", columns), tmp_path / "rig.toml"
+    assert run("new", out, "--from", path, "--mass", "8", capsys=capsys)[0] == 0
+    text = out.read_text()
+    assert "# k_3 = " in text and "# friction = " in text and "a tenth of the largest in the loop" in text
+    assert scenes.read(out).oscillator == Duffing.physical(m=8, k_1=float(re.search(r"k_1 = (\S+)", text)[1]))
+
+
+@pytest.mark.parametrize(
+    ("head", "message"),
+    (
+        ("t [ms], x [mm], y [N]", "loop.csv:1: a loop has columns x, F and, for viscous damping, t, not t, x, y"),
+        ("# rig\nt [ms], x [N], F [N]", "loop.csv:2: x in N is not allowed: x must have a unit of m"),
+        ("t [ms], x [mm], F [pound]", "loop.csv:1: the unit of 'F [pound]' is not known"),
+        ("t [ms], x [mm], F [N]\n1, two, 3", "loop.csv:2: x = 'two' is no number"),
+        ("t [ms], x [mm], F [N]\n1, , 3", "loop.csv: x = nan is not allowed"),
+        ("x [mm], t [ms], F [N]", "loop.csv: t is not allowed: the times must rise"),
+    ),
+)
+def test_what_is_no_measured_loop_is_refused_with_its_line(head, message, loop, tmp_path, capsys):
+    code, _, err = run("new", tmp_path / "rig.toml", "--from", loop(head), "--mass", "8", capsys=capsys)
+    assert code == 2 and message in err and not (tmp_path / "rig.toml").exists()
+
+
+def test_a_loop_needs_a_mass(loop, tmp_path, capsys):
+    for given in (("--from", loop()), ("--mass", "8")):
+        code, _, err = run("new", tmp_path / "rig.toml", *given, capsys=capsys)
+        assert code == 2 and "need each other" in err
+    code, _, err = run("new", tmp_path / "rig.toml", "--from", loop(), "--mass", "8 g", capsys=capsys)
+    assert code == 2 and "m = '8 g' is not allowed: m must be a number in kg" in err
 
 
 #: the commonest wrong scenes: what is replaced in a right one, by what; line and message
