@@ -1,9 +1,9 @@
 # mypy: disable-error-code="empty-body"
-"""The table of questions: of each its name, what it takes, and the columns of its answer, by system.
+"""The table of questions: of each its name, its arguments, and the columns of its answer, by system.
 
-A row stands over the method that asks it of many designs, whose name, arguments and text are its own, and holds the
-columns of the answer. From it follow the same of a grid, the type, axis, meaning and kind of unit of each column, the
-layout of a store, and what is called otherwise in SI units.
+A row is a decorator of the method about many designs, whose name, arguments and text it takes, and holds the columns of
+the answer. From it follow the same question on a grid, the type, axis, meaning and kind of unit of each column, the
+layout of a store, and the names in SI units.
 """
 
 from __future__ import annotations
@@ -21,10 +21,10 @@ import numpy.typing as npt
 from slowflow import validate
 from slowflow_kernels.conventions import FoldKind, OnsetKind
 
-#: by what a question is answered: first-order averaging about the centre, with higher harmonics, with a mean B
+#: the systems that answer: first-order averaging about the centre, with higher harmonics, with a mean B
 AVERAGING, SECOND, OFFSET = "averaging", "second approximation", "offset motion"
 #: points of a batch's curves beyond the samples: one for each piece that folds, peaks and corners cut a curve into, and
-#: one for each curve; in the second approximation what is put where the harmonics change fast, too
+#: one for each curve; in the second approximation also those inserted where the harmonics change fast
 MORE_POINTS = {AVERAGING: 64, SECOND: 256, OFFSET: 64}
 
 
@@ -32,11 +32,11 @@ class Column(NamedTuple):
     """A column of an answer.
 
     name -- dimensionless
-    text -- what it is
-    kind -- of which kind of unit, a key of `quantities.UNITS`; "amplitude" is that of the excitation, "" is none
-    si   -- its name with a unit, where that is another one
+    text -- meaning
+    kind -- kind of unit, a key of `quantities.UNITS`; "amplitude" for that of the excitation, "" for none
+    si   -- name in SI units, if another one
     type -- in batches
-    none -- what is in an empty place there; NaN of doubles
+    none -- value of an empty entry there; NaN for doubles
     """
 
     name: str
@@ -47,11 +47,11 @@ class Column(NamedTuple):
     none: int = 0
 
     def blank(self, shape: tuple[int, ...]) -> npt.NDArray[Any]:
-        """Empty places."""
+        """Empty entries."""
         return np.full(shape, np.nan if self.type is float else self.none, self.type)
 
 
-#: by name; what several questions have is the same
+#: by name, common to all questions
 COLUMNS: Mapping[str, Column] = MappingProxyType(
     {
         one.name: one
@@ -60,24 +60,24 @@ COLUMNS: Mapping[str, Column] = MappingProxyType(
             Column("F_SN", "lowest forcing that has a fold (33)", "amplitude"),
             Column("F_cr", "lowest forcing that reaches u_cr (34)", "amplitude"),
             Column("Omega", "frequency", "frequency", "f"),
-            Column("Omega_cr", "frequency at which it does", "frequency", "f_cr"),
-            Column("Omega_max", "frequency of the motion that goes farthest", "frequency", "f_max"),
+            Column("Omega_cr", "frequency at which it is reached", "frequency", "f_cr"),
+            Column("Omega_max", "frequency of the largest displacement", "frequency", "f_max"),
             Column("Omega_low", "lower end of a band with several stable motions", "frequency", "f_low"),
-            Column("Omega_high", "its upper end", "frequency", "f_high"),
+            Column("Omega_high", "upper end of that band", "frequency", "f_high"),
             Column("Omega_0", "natural frequency of small motions about the centre", "frequency", "f_0"),
-            Column("Omega_sticks", "frequency up to which the mass stays at rest", "frequency", "f_sticks"),
+            Column("Omega_sticks", "frequency up to which the mass sticks", "frequency", "f_sticks"),
             Column("Omega_undecided", "frequencies at which the count is undecided", "frequency", "f_undecided"),
             Column("jumps", "frequencies before and after each jump", "frequency"),
             Column("A", "amplitude; in the second approximation the largest displacement", "length"),
             Column("A_1", "amplitude of the fundamental harmonic", "length"),
-            Column("A_max", "largest amplitude that was looked at", "length"),
+            Column("A_max", "largest amplitude searched", "length"),
             Column("B", "mean displacement of a motion", "length"),
             Column("u_max", "largest |u|", "length", "x_max"),
-            Column("u_cr", "amplitude at which the springs leave", "length", "x_cr"),
-            Column("u", "place of rest", "length", "x"),
-            Column("u_end", "where the mass is at the end", "length", "x_end"),
-            Column("rests_within", "how far from the centre friction holds the mass", "length"),
-            Column("doubt", "amplitudes between which nothing is decided", "length"),
+            Column("u_cr", "amplitude at which the springs detach", "length", "x_cr"),
+            Column("u", "equilibrium position", "length", "x"),
+            Column("u_end", "final displacement", "length", "x_end"),
+            Column("rests_within", "distance from the centre within which friction holds the mass", "length"),
+            Column("doubt", "intervals of amplitude left undecided", "length"),
             Column("u_rms", "root mean square of the displacement", "length", "x_rms"),
             Column("v_rms", "root mean square of the velocity", "speed"),
             Column("a_rms", "root mean square of the absolute acceleration", "acceleration"),
@@ -88,74 +88,74 @@ COLUMNS: Mapping[str, Column] = MappingProxyType(
             Column("Omega_e", "natural frequency of the equivalent linear oscillator", "frequency", "f_e"),
             Column("damping", "damping of the equivalent linear oscillator", "damping"),
             Column("ratio_e", "damping ratio of the equivalent linear oscillator"),
-            Column("dry", "share of dry friction in that damping"),
-            Column("beyond", "share of the time beyond the first breakpoint"),
-            Column("crossing_rate", "how often |u| passes the first breakpoint", "rate"),
+            Column("dry", "fraction of that damping due to dry friction"),
+            Column("beyond", "fraction of the time beyond the first breakpoint"),
+            Column("crossing_rate", "rate at which |u| crosses the first breakpoint", "rate"),
             Column("v", "velocity", "speed"),
             Column("a", "acceleration of the mass", "acceleration"),
             Column("base", "acceleration of the base", "acceleration"),
             Column("a_max", "largest acceleration of the mass", "acceleration"),
             Column("acceleration", "acceleration of the base, over k_v L/m", "acceleration"),
             Column("tau", "times of the samples of a record", "time", "t"),
-            Column("tau_A", "when the largest deflection is reached", "time", "t_A"),
-            Column("tau_a", "when it is reached", "time", "t_a"),
-            Column("tau_detaches", "when the springs leave first", "time", "t_detaches"),
+            Column("tau_A", "time of the largest deflection", "time", "t_A"),
+            Column("tau_a", "time of the largest acceleration", "time", "t_a"),
+            Column("tau_detaches", "time at which the springs first detach", "time", "t_detaches"),
             Column("duration", "duration of a half sine", "time"),
             Column("period", "period of a motion", "time"),
             Column("k_0", "stiffness at the centre", "stiffness"),
-            Column("stiffness", "stiffness there", "stiffness"),
+            Column("stiffness", "stiffness at an equilibrium, or of the equivalent linear oscillator", "stiffness"),
             Column("break_loose", "constant force that friction holds", "force"),
-            Column("sticking", "amplitude of a force up to which the mass is at rest, 4 mu/pi (27)", "force"),
+            Column("sticking", "force amplitude up to which the mass sticks, 4 mu/pi (27)", "force"),
             Column("force", "restoring force", "force"),
-            Column("load", "static load beside what the vertical spring holds at the centre", "mass"),
+            Column("load", "static load beyond what the vertical spring holds at the centre", "mass"),
             Column("phi", "phase in radians", "angle"),
             Column("of_SN", "F_SN over F_0: a margin above 1"),
             Column("of_cr", "F_cr over F_0: a margin above 1"),
             Column("ratio", "largest acceleration of the mass over that of the pulse"),
-            Column("transmissibility", "share of the force that is transmitted"),
-            Column("transmissibility_dB", "the same in decibels"),
-            Column("level_dB", "transmissibility in decibels below which it stays"),
+            Column("transmissibility", "transmitted force over the exciting force"),
+            Column("transmissibility_dB", "transmissibility in decibels"),
+            Column("level_dB", "upper bound of transmissibility in decibels"),
             Column("kind", "kind of fold", type=np.int8),
             Column("stable", "1 where a state is stable", type=np.int8),
             Column("at_rest", "1 where folds below the onset, or without it, end at Omega = 0", type=np.int8),
             Column("onset", "status of the onset: why there is no F_SN", type=np.int8),
             Column("folds", "number of folds", type=np.int8),
             Column("motions", "number of stable motions", type=np.int8),
-            Column("crosses", "1 where a fold lies on the way from the row before", type=np.int8),
-            Column("detaches", "1 where the springs leave", type=np.int8),
-            Column("sticks", "1 where the mass stays at rest", type=np.int8),
+            Column("crosses", "1 where a fold is crossed on the way from the row before", type=np.int8),
+            Column("detaches", "1 where the springs detach", type=np.int8),
+            Column("sticks", "1 where the mass sticks", type=np.int8),
             Column("rests", "1 where friction holds the mass at the end", type=np.int8),
-            Column("stands", "number of stable places of rest", type=np.int8),
+            Column("stands", "number of stable equilibria", type=np.int8),
             Column("at_fold", "1 where a motion that transmits more ends there in a fold", type=np.int8),
-            Column("branch", "number of the connected curve, from 0; -1 behind the last point", type=np.int16, none=-1),
+            Column("branch", "number of the connected curve, from 0; -1 after the last point", type=np.int16, none=-1),
             Column("isola", "1 where that curve is closed", type=np.int8),
             Column("points", "number of points", type=np.intc),
             Column("fold_Omega", "frequency of a fold", "frequency"),
             Column("fold_A", "amplitude of a fold", "length"),
             Column("fold_kind", "kind of fold", type=np.int8),
-            Column("count", "how many there are, also where they are more than places, or are proved", type=np.int8),
+            Column("count", "number of entries, also where these exceed places, or number proved", type=np.int8),
             Column("proved", "1 where these are proved to be all", type=np.int8),
-            Column("bits", "of the arithmetic of the proof: 53 of intervals of doubles, more of balls", type=np.int16),
-            Column("undecided", "1 where neither doubles nor balls tell whether there is another pair", type=np.int8),
-            Column("status", "whether there is an answer, and why there is none", type=np.int8),
-            Column("remarks", "what to bear in mind with the answer, codes that add up", type=np.uint16),
+            Column("bits", "bits of the proof: 53 for intervals of doubles, more for balls", type=np.int16),
+            Column("undecided", "1 where neither double precision nor ball arithmetic decides the count", type=np.int8),
+            Column("status", "status code: whether there is an answer, or why there is none", type=np.int8),
+            Column("remarks", "diagnostics of the answer, codes that add up", type=np.uint16),
         )
     }
 )  # fmt: skip
 
 
-#: what sentences tell numbers of beside columns
+#: quantities of messages that are no columns
 QUOTED = (
     Column("mu", "dry friction", "force", "friction"),
     Column("mu_s", "static friction", "force", "static_friction"),
     Column("c_2", "quadratic damping", "quadratic damping"),
-    Column("u_0", "displacement at the beginning", "length", "x_0"),
-    Column("v_0", "velocity at the beginning", "speed"),
-    Column("after", "for how long a free motion is followed", "time"),
-    Column("reach", "largest |u| that makes sense", "length"),
-    Column("held", "amplitude up to which a mass at rest is held", "amplitude"),
+    Column("u_0", "initial displacement", "length", "x_0"),
+    Column("v_0", "initial velocity", "speed"),
+    Column("after", "duration of a free motion", "time"),
+    Column("reach", "largest |u| for which the force is valid", "length"),
+    Column("held", "amplitude up to which friction holds a mass at rest", "amplitude"),
 )
-#: all that sentences tell numbers of, by name
+#: all quantities of messages, by name
 QUANTITIES: Mapping[str, Column] = MappingProxyType({**COLUMNS, **{one.name: one for one in QUOTED}})
 
 
@@ -163,11 +163,11 @@ class Question(NamedTuple):
     """A question about many designs.
 
     name    -- of its method
-    columns -- of its answer by system, each with the axis that it has behind those of the designs, "" for none
-    takes   -- numbers that it takes beside the designs', which broadcast with these; may -- and those that it may
-    options -- what else it takes, the same for all designs, with its default
-    argument_axes -- the axis of a table or a record that such a number may have behind those of the designs
-    kinds   -- what the numbers in `kind` stand for
+    columns -- of its answer by system, each with its axis after those of the designs, "" for none
+    takes   -- required arguments that broadcast with the designs; may -- optional ones
+    options -- other arguments, the same for all designs, with their defaults
+    argument_axes -- the axis of a table or a record that such an argument may have after those of the designs
+    kinds   -- meaning of the numbers in `kind`
     """
 
     name: str
@@ -179,7 +179,7 @@ class Question(NamedTuple):
     kinds: type[IntEnum] | None = None
 
     def blank(self, system: str, shape: tuple[int, ...], **lengths: int) -> dict[str, npt.NDArray[Any]]:
-        """The columns of designs of a shape, with nothing in them, from the lengths of the axes behind theirs."""
+        """Empty columns of designs of a shape; `lengths` are those of the axes after theirs."""
         inner = {"": (), **{axis: (length,) for axis, length in lengths.items()}}
         return {name: COLUMNS[name].blank((*shape, *inner[axis])) for name, axis in self.columns[system].items()}
 
@@ -200,7 +200,7 @@ _FOLDS_OF_IT = "fold_Omega:place fold_A:place fold_kind:place count undecided st
 _TRANSIENT = "A tau_A a_max tau_a detaches tau_detaches rests u_end status"
 
 _ROWS: dict[str, Question] = {}
-#: the questions by name, each as the method of `ManyQuestions` declares it that asks it
+#: the questions by name, each as its method of `ManyQuestions` declares it
 QUESTIONS: Mapping[str, Question] = MappingProxyType(_ROWS)
 
 Found = TypeVar("Found", covariant=True)
@@ -213,7 +213,7 @@ def asks(
     argument_axes: Mapping[str, str] = MappingProxyType({}),
     kinds: type[IntEnum] | None = None,
 ) -> Callable[[Method], Method]:
-    """Make a question's row of columns by system and of the method below, which has its name, arguments and text.
+    """Make a question's row of columns by system and of the decorated method, which has its name, arguments and text.
 
     columns -- of each system, written "name" or "name:axis"
     """
@@ -233,7 +233,7 @@ def asks(
 
         @functools.wraps(method)
         def ask(self: Any, /, *arguments: Any, **named: Any) -> Any:
-            method(self, *arguments, **named)  # does nothing but refuse what it does not take
+            method(self, *arguments, **named)  # only refuses other arguments
             for one, value in zip(positional, arguments):  # noqa: B905
                 named[one] = value
             return self._ask(name, **{**defaults, **named})
@@ -244,7 +244,7 @@ def asks(
 
 
 class Unanswered:
-    """In the place of a question's method where it has no answer: to look for it raises NoAttribute, which says why."""
+    """In place of a question's method where it has no answer: access raises NoAttribute with the reason."""
 
     def __init__(self, why: str) -> None:
         self.why = why
@@ -256,24 +256,30 @@ class Unanswered:
 
 
 class ManyQuestions(Generic[Found]):
-    """The questions about many designs: each returns a `Batch`, of a grid an xarray Dataset.
+    """The questions about many designs, dimensionless: each returns a `Batch`, of a grid an xarray Dataset.
 
-    F_0, Omega, acceleration and duration are numbers or arrays that broadcast with the designs; `workers` threads
-    share these (-1: one for each processor) and give the same digits. Columns that have several entries for a design
-    have one more axis, of `places` entries, NaN and 0 behind the last one: `Status.TOO_MANY` where there are more. For
-    a design without an answer nothing is raised: `status` says why. Raises ValueError for arrays that do not broadcast,
-    and for what is the same for all designs and not allowed.
+    F_0, Omega, acceleration, duration -- numbers or arrays that broadcast with the designs
+    places    -- largest number of entries of a design, along one more axis of the columns, NaN and 0 after the last
+    one;
+                 `count` is how many there are, `Status.TOO_MANY` where these are more
+    workers   -- threads that share the designs, -1 for one per processor; the digits do not depend on it
+    stable    -- 1 where both eigenvalues of the Jacobian (28) have a negative real part
+    undecided -- 1 where neither double precision nor ball arithmetic decides how many entries there are, or where one
+    lies
+
+    For a design without an answer nothing is raised: `status` has the reason. Raises ValueError for arrays that do not
+    broadcast, and for an argument common to all designs that is not allowed.
     """
 
     def _ask(self, question: str, /, *, workers: int = 1, **arguments: Any) -> Found:
-        """The answer to a question by its name, from what its method takes."""
+        """The answer to a question by its name, from its method's arguments."""
         raise NotImplementedError
 
     @asks(_same("F_cr Omega_cr u_cr status", AVERAGING, SECOND) | {OFFSET: "F_cr Omega_cr A B status"})
     def detachment(self, *, workers: int = 1) -> Found:
-        """The lowest forcing that reaches u_cr, its frequency, and u_cr (34): .F_cr .Omega_cr .u_cr.
+        """Find the lowest forcing whose response reaches u_cr (34): .F_cr .Omega_cr .u_cr; with a load .A .B.
 
-        With a load the motion that comes to a breakpoint, .A and .B, on either side. `Status.NONE` without one.
+        With a load that whose motion reaches a breakpoint, on either side. `Status.NONE` without one.
         """
 
     @asks(
@@ -281,14 +287,14 @@ class ManyQuestions(Generic[Found]):
         kinds=OnsetKind,
     )
     def saddle_node_onset(self, *, workers: int = 1) -> Found:
-        """The lowest forcing that has a fold (33): .F_SN .Omega .A .kind .at_rest; with a load .B.
+        """Find the lowest forcing that has a fold (33): .F_SN .Omega .A .kind .at_rest; with a load .B.
 
-        kind    -- a number of `OnsetKind`: a cusp, an isola's birth, on a breakpoint
-        at_rest -- 1 where there are folds below it, or without it, that end at Omega = 0
+        kind    -- an `OnsetKind`: a cusp, an isola's birth, on a breakpoint
+        at_rest -- 1 where folds below it, or without it, end at Omega = 0
 
         `.untruncated` is F_SN of the untruncated force where the onset is on a corner that only the truncation makes.
-        What doubles do not tell is asked of balls, as of single designs; of the first 20 designs. With a load
-        `Status.UNRESOLVED` where the onset is undecided.
+        Where double precision is inconclusive ball arithmetic decides, as for single designs, for the first 20 designs.
+        With a load `Status.UNRESOLVED` where the onset is undecided.
         """
 
     @asks(
@@ -297,14 +303,19 @@ class ManyQuestions(Generic[Found]):
         kinds=FoldKind,
     )
     def saddle_nodes(self, F_0: Any, *, places: int = 6, workers: int = 1) -> Found:
-        """Every fold at F_0, by rising Omega (24), (30): .Omega .A .kind .count .undecided; with a load .B.
+        """Find every fold at F_0 (24), (30), by rising Omega: .Omega .A .kind .count .undecided; with a load .B.
 
-        kind      -- a number of `FoldKind`: where a sweep goes that leaves the fold, and whether it sits on a corner at
-                     a breakpoint; 0 where the motions that meet are both not stable
-        count     -- how many folds there are, also where they are more than places
-        undecided -- 1 where neither doubles nor balls tell whether there is another pair, or where one lies
+        Parameters
+        ----------
+        F_0, places, workers : as in the class
+            Amplitudes of the excitation, > 0; largest number of folds; threads.
 
-        What doubles leave undecided is asked of balls, as of single designs, see `certify`; of the first 200 designs.
+        Returns
+        -------
+        Batch
+            .kind is a `FoldKind`: where a sweep jumps, and whether the fold is on a corner at a breakpoint; 0 where
+            both motions that merge are unstable. Where double precision is inconclusive ball arithmetic decides, as for
+            single designs, see `certify`, for the first 200 designs.
         """
 
     @asks(
@@ -315,16 +326,20 @@ class ManyQuestions(Generic[Found]):
         }
     )
     def amplitudes(self, *, F_0: Any, Omega: Any, places: int = 6, workers: int = 1) -> Found:
-        """Every steady state at (Omega, F_0), by rising A (24), (30): .A .phi .stable .count .undecided .transmissibility.
+        """Find every steady state at (Omega, F_0) (24), (30), by rising A: .A .phi .stable .count .transmissibility.
 
-        A      -- 0 where friction holds the mass at rest, with `Status.STICKS` if nothing else is there; in the second
-                  approximation the largest displacement, beside .A_1 of the fundamental harmonic
-        B      -- with a load, the mean displacement
-        stable -- 1 where both eigenvalues of the Jacobian (28) have a negative real part
-        count  -- how many states there are, also where they are more than places
+        Parameters
+        ----------
+        F_0, Omega, places, workers : as in the class
+            Amplitudes and frequencies of the excitation, > 0; largest number of states; threads.
 
-        Undecided ones as of `saddle_nodes`.
-        """  # noqa: E501
+        Returns
+        -------
+        Batch
+            .A is 0 where friction holds the mass at rest, with `Status.STICKS` if there is no other state; in the
+            second approximation it is the largest displacement, and .A_1 the amplitude of the fundamental harmonic.
+            With a load .B is the mean displacement. .undecided as in `saddle_nodes`.
+        """
 
     @asks(
         {
@@ -343,47 +358,69 @@ class ManyQuestions(Generic[Found]):
         places: int = 6,
         workers: int = 1,
     ) -> Found:
-        """The response curve at F_0 in the window `Omega` (24), (30), with every fold: .Omega .A .stable .branch .isola.
+        """Compute the response curve at F_0 (24), (30), with every fold: .Omega .A .stable .branch .isola .points.
 
-        Points lie along one more axis, in order along each branch: as long as `samples` and 64 more (256 in the second
-        approximation), behind the last of `.points` NaN, branch -1 and 0. `Status.TOO_MANY` where a curve has more
-        points, which has none then, or more folds than `places`. Some 25 bytes a point.
+        Parameters
+        ----------
+        F_0, samples, Omega : as in the class
+            Amplitudes of the excitation, > 0; about how many points; window of frequencies, the same for all designs.
+        places, workers : int
+            Largest number of folds; threads.
 
-        stable -- 1 where both eigenvalues of the Jacobian (28) have a negative real part
-        branch -- number of the connected curve that a point lies on, from 0; isolated curves come last
-        isola  -- 1 where that curve is closed
-        fold_Omega, fold_A, fold_kind, count -- as of `saddle_nodes`; not in the second approximation
-        """  # noqa: E501
+        Returns
+        -------
+        Batch
+            Points lie along one more axis, in order along each branch, of `samples` and 64 more (256 in the second
+            approximation) entries: after the last of .points NaN, branch -1 and 0. .branch is the number of the
+            connected curve, from 0, isolated curves last, .isola 1 where it is closed; .fold_Omega .fold_A .fold_kind
+            .count are as in `saddle_nodes`, not in the second approximation. `Status.TOO_MANY` where a curve has more
+            points, which has none then, or more folds than `places`. Some 25 bytes a point.
+        """
 
     @asks(_same("A Omega status", AVERAGING, SECOND) | {OFFSET: "A B Omega u_max Omega_max status"})
     def peak(self, F_0: Any, *, workers: int = 1) -> Found:
-        """The highest peak at F_0, isolas included: .A .Omega, which is 0 where A only falls with Omega.
+        """Find the highest peak at F_0, isolas included: .A .Omega, which is 0 where A only falls with Omega.
 
-        Of a spring that gives way that within the well. `Status.UNBOUNDED` where nothing ends a response, within it. With
-        a load .B, and .u_max at .Omega_max of the motion that goes farthest.
-        """  # noqa: E501
+        Parameters
+        ----------
+        F_0, workers : as in the class
+            Amplitudes of the excitation, > 0; threads.
+
+        Returns
+        -------
+        Batch
+            Within the well of a softening spring. `Status.UNBOUNDED` where the response does not close, within it. With
+            a load .B, and .u_max at .Omega_max of the motion with the largest displacement.
+        """
 
     @asks({AVERAGING: "count proved bits status"})
     def certify(self, F_0: Any, *, Omega: Any = None, workers: int = 1) -> Found:
-        """How many folds at F_0, or states at (Omega, F_0), are proved: .count .proved .bits; of motions about the centre.
+        """Prove the number of folds at F_0, or of states at (Omega, F_0), about the centre: .count .proved .bits.
 
-        proved -- 1 where these are proved to be all, with amplitudes as in a single `certify`; 0 where undecided
-        bits   -- of the arithmetic: 53 of intervals of doubles, more of balls
+        Parameters
+        ----------
+        F_0, Omega, workers : as in the class
+            Amplitudes of the excitation and, for states, frequencies, > 0; threads.
 
-        What intervals of doubles leave undecided is asked of balls, as of single designs: one by one, with python-flint
-        (`pip install 'slowflow[proofs]'`), some hundredths of a second each; these do not share `workers`.
-        `Status.UNRESOLVED` where no proof is possible: of a force whose averages are known in neither.
-        """  # noqa: E501
+        Returns
+        -------
+        Batch
+            .proved is 1 where these are proved to be all, with amplitudes as in a single `certify`, 0 where undecided;
+            .bits is the precision: 53 for intervals of doubles, more for balls. Where intervals are inconclusive ball
+            arithmetic decides, with python-flint (`pip install 'slowflow[proofs]'`), one design after the other, in
+            some hundredths of a second each. `Status.UNRESOLVED` where no proof is possible: for a force whose averages
+            have enclosures in neither.
+        """
 
     @asks({OFFSET: "u:place stiffness:place count status"})
     def rest(self, *, places: int = 3, workers: int = 1) -> Found:
-        """Where the mass stands under a load, by rising u: .u .stiffness .count."""
+        """Find every equilibrium under a load, by rising u: .u .stiffness .count."""
 
     @asks({AVERAGING: "Omega_0 k_0 u_cr break_loose rests_within sticking status"})
     def at_rest(self, *, workers: int = 1) -> Found:
-        """What holds whatever the forcing: .Omega_0 .k_0 .u_cr, and by friction .break_loose .rests_within .sticking.
+        """Compute what holds at every forcing: .Omega_0 .k_0 .u_cr, by friction .break_loose .rests_within .sticking.
 
-        As of a single `at_rest`: NaN where there is no frequency or no stroke; rests_within may be inf.
+        As a single `at_rest`: NaN where there is no frequency or no stroke; rests_within may be inf.
         """
 
     @asks(
@@ -391,32 +428,47 @@ class ManyQuestions(Generic[Found]):
         kinds=OnsetKind,
     )
     def margins(self, F_0: Any, *, workers: int = 1) -> Found:
-        """How far F_0 is from F_SN and F_cr: .of_SN .of_cr .folds .detaches .sticks .Omega_sticks .onset.
+        """Compare F_0 with F_SN and F_cr: .of_SN .of_cr .folds .detaches .sticks .Omega_sticks .onset.
 
-        F_SN, F_cr, of_SN, of_cr -- inf where there is no such forcing, and F_SN NaN where none is the lowest, or which
-                    is not known: `onset` tells; F_cr as in `slowflow.checks.Margins`
-        kind     -- of the onset, a number of `OnsetKind`: no sweep jumps at an isola's birth
-        detaches, sticks -- 1 where a stable motion passes u_cr, isolated curves included, which may be there below
-                    F_cr, and where a mass at rest stays there, whatever the frequency
-        onset    -- the status of the onset
-        status   -- that of the folds, or of the onset, the detachment or the peak where one of these is not known
+        Parameters
+        ----------
+        F_0, workers : as in the class
+            Amplitudes of the excitation, > 0; threads.
+
+        Returns
+        -------
+        Batch
+            .F_SN .F_cr .of_SN .of_cr are inf where there is no such forcing; F_SN is NaN where none is the lowest, or
+            which is not known, as the status .onset says; F_cr as in `slowflow.checks.Margins`. .kind is an
+            `OnsetKind`: no sweep jumps at an isola's birth. .detaches is 1 where a stable motion passes u_cr, isolated
+            curves included, which may exist below F_cr, .sticks where a mass at rest sticks at every frequency. .status
+            is that of the folds, or of the onset, the detachment or the peak where one of these is not known.
         """
 
     @asks(_same("Omega_low:place Omega_high:place motions:place count status", AVERAGING, OFFSET))
     def hysteresis(self, F_0: Any, *, places: int = 3, workers: int = 1) -> Found:
-        """Bands of frequencies with several stable motions at F_0, by rising frequency: .Omega_low .Omega_high .motions.
+        """Find the bands of Omega with several stable motions at F_0: .Omega_low .Omega_high .motions .count.
 
-        count -- how many bands there are, also where they are more than places
-        """  # noqa: E501
+        Parameters
+        ----------
+        F_0, places, workers : as in the class
+            Amplitudes of the excitation, > 0; largest number of bands; threads.
+        """
 
     @asks({AVERAGING: "Omega A at_fold status", OFFSET: "Omega A at_fold status B"})
     def isolation(self, F_0: Any, *, level_dB: Any = None, workers: int = 1) -> Found:
-        """The frequency from which on less than F_0 is transmitted: .Omega .A .at_fold; with a load .B.
+        """Find the frequency above which less than F_0, or a level of it, is transmitted: .Omega .A .at_fold.
 
-        level_dB -- numbers that broadcast: the transmissibility in decibels, <= 0, below which it stays; without all of F_0
+        Parameters
+        ----------
+        F_0, level_dB, workers : as in the class
+            Amplitudes of the excitation, > 0; levels in decibels, <= 0, that broadcast too, by default 0; threads.
 
-        0 and NaN where every motion transmits less; NaN where there is no such frequency, `Status.NONE`.
-        """  # noqa: E501
+        Returns
+        -------
+        Batch
+            .Omega is 0, .A NaN, where every motion transmits less; NaN where there is no such frequency, `Status.NONE`.
+        """
 
     @asks(
         _same(
@@ -427,11 +479,19 @@ class ManyQuestions(Generic[Found]):
         argument_axes={"Omega": "row", "F_0": "row"},
     )
     def spectrum(self, *, Omega: Any, F_0: Any, workers: int = 1) -> Found:
-        """A load spectrum, one tone at a time: .A .transmissibility_dB .motions .crosses .detaches .sticks.
+        """Evaluate a load spectrum, one tone at a time: .A .transmissibility_dB .motions .crosses .detaches .sticks.
 
-        The last axis of Omega and F_0, which broadcast, is that of the rows; what they have before it broadcasts with
-        the designs. Answers have the axes of the designs, then that of the rows. `Status.NONE` where no motion is
-        stable, and of what fails that of the states, or of the folds on the way.
+        Parameters
+        ----------
+        Omega, F_0, workers : as in the class
+            Frequencies and amplitudes, > 0, rows along the last axis, whose other axes broadcast with the designs;
+            threads.
+
+        Returns
+        -------
+        Batch
+            The axes are those of the designs, then that of the rows. `Status.NONE` where no motion is stable; else the
+            status of the states that fail, or of the folds in between.
         """
 
     @asks(
@@ -441,21 +501,37 @@ class ManyQuestions(Generic[Found]):
     def transient(
         self, *, acceleration: Any, duration: Any = None, tau: Any = None, after: float | None = None, workers: int = 1
     ) -> Found:
-        """What a shock of the base does: .A .tau_A .a_max .tau_a .detaches .tau_detaches .rests .u_end.
+        """Integrate the response to a shock of the base: .A .tau_A .a_max .tau_a .detaches .tau_detaches .rests .u_end.
 
-        Peak and duration of a half sine broadcast with the designs; of a record the last axis of `tau` and
-        `acceleration` is that of its samples, and what they have before it broadcasts with the designs. Some thirty
-        thousand designs in a second. `Status.UNRESOLVED` where the motion escapes or chatters; with a load .stands, the
-        number of stable places of rest, of which it begins at that nearest to the centre, in hundredths of a second a
-        design.
+        Parameters
+        ----------
+        acceleration, duration, tau : array_like
+            Peak and duration of a half sine, which broadcast with the designs; or a record's samples and times, along
+            their last axis, whose other axes broadcast.
+        after, workers : as in `Oscillator.transient`
+            Duration of the free motion afterwards, in tau; threads.
+
+        Returns
+        -------
+        Batch
+            Some thirty thousand designs in a second. `Status.UNRESOLVED` where the motion escapes or chatters. With a
+            load .stands, the number of stable equilibria: it begins at that nearest to the centre, in hundredths of a
+            second a design.
         """
 
     @asks({AVERAGING: "A a_max ratio detaches status", OFFSET: "A a_max ratio detaches status stands"})
     def shock_spectrum(self, *, acceleration: Any, duration: Any, workers: int = 1) -> Found:
-        """What a half sine of the base does: .A .a_max .ratio .detaches; with a load .stands, as of `transient`.
+        """Compute the shock response spectrum of half sines: .A .a_max .ratio .detaches; with a load .stands too.
 
-        Raises ValueError for structural damping. Designs with other laws of damping are followed one by one, in
-        milliseconds each.
+        Parameters
+        ----------
+        acceleration, duration, workers : as in the class
+            Peaks and durations, > 0; threads.
+
+        Raises
+        ------
+        ValueError
+            For structural damping. Designs with other damping laws are integrated one by one, in milliseconds each.
         """
 
     @asks(
@@ -467,15 +543,23 @@ class ManyQuestions(Generic[Found]):
     def random(
         self, *, S_0: Any = None, psd: tuple[Any, Any] | None = None, places: int = 3, workers: int = 1
     ) -> Found:
-        """Stationary random vibration, by rising u_rms: .u_rms .v_rms .a_rms .stiffness .damping .beyond .dry .count.
+        """Find stationary random vibration: .u_rms, rising, .v_rms .a_rms .stiffness .damping .beyond .dry .count.
 
-        S_0 -- of white noise, numbers that broadcast with the designs
-        psd -- frequencies and densities instead, the same for all designs, in milliseconds each
+        Parameters
+        ----------
+        S_0, psd : array_like, tuple of array_like
+            Densities of white noise, which broadcast with the designs; or frequencies and densities, the same for all
+            designs, in milliseconds each.
+        places, workers : as in the class
+            Largest number of motions; threads.
 
-        As of a single `random`; of several motions, or where dry is above 0.8, what is said there holds.
-        `Status.UNRESOLVED` also where there is no stationary motion.
+        Returns
+        -------
+        Batch
+            As a single `random`, whose diagnostics hold where there are several motions, or dry is above 0.8.
+            `Status.UNRESOLVED` also where there is no stationary motion.
         """
 
 
-#: those about motions in time, which a pulse or a record of the base excites
+#: questions about motions in time under a pulse or a record of the base's acceleration
 SHOCKS = tuple(name for name, row in QUESTIONS.items() if "acceleration" in row.takes)

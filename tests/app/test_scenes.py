@@ -406,8 +406,8 @@ def test_what_is_no_measured_loop_is_refused_with_its_line(head, message, loop, 
 
 
 def test_a_loop_needs_a_mass(loop, tmp_path, capsys):
-    for given in (("--from", loop()), ("--mass", "8")):
-        code, _, err = run("new", tmp_path / "rig.toml", *given, capsys=capsys)
+    for options in (("--from", loop()), ("--mass", "8")):
+        code, _, err = run("new", tmp_path / "rig.toml", *options, capsys=capsys)
         assert code == 2 and "need each other" in err
     code, _, err = run("new", tmp_path / "rig.toml", "--from", loop(), "--mass", "8 g", capsys=capsys)
     assert code == 2 and "m = '8 g' is not allowed: m must be a number in kg" in err

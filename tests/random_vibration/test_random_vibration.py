@@ -396,7 +396,7 @@ def test_cycles_of_a_linear_spring_have_closed_integrals():
     assert found.v_rms**2 == pytest.approx(square, rel=1e-9)
     assert found.kurtosis == pytest.approx(0.375 * mean(4) / mean(0) / square**2, rel=1e-9)
     # r^2 over a cycle, |sin| to the first four powers
-    means = [mean(n) / mean(0) * share for n, share in enumerate((1, 2 / math.pi, 1 / 2, 4 / (3 * math.pi), 3 / 8))]
+    means = [mean(n) / mean(0) * factor for n, factor in enumerate((1, 2 / math.pi, 1 / 2, 4 / (3 * math.pi), 3 / 8))]
     assert found.a_rms**2 == pytest.approx(square + np.convolve([mu, 2 * zeta, c_2], [mu, 2 * zeta, c_2]) @ means)
 
 

@@ -86,8 +86,8 @@ class RandomResponse(Drawn, Table):
         if not isinstance(self.excitation, White):
             raise Refused(NO_CYCLES)
         u, v, a, beyond, fourth = averages(self.system, self.excitation.S_0, float(self.u_rms[0])).tolist()
-        share = math.nan if self.system.force.first_end is None else beyond
-        return ByEnergy(math.sqrt(u), math.sqrt(v), math.sqrt(a), share, fourth / u**2)
+        fraction = math.nan if self.system.force.first_end is None else beyond
+        return ByEnergy(math.sqrt(u), math.sqrt(v), math.sqrt(a), fraction, fourth / u**2)
 
     def largest(self, duration: float) -> Floats:
         """The mean of the largest |u| within a duration, (motions,).
