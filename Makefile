@@ -10,7 +10,7 @@
 # make bench      the benchmarks, docs/benchmarks.md; last other tools on the same problem, each installed into an environment
 #                 of its own under .venv-peers; one that does not install keeps what was last measured of it
 # make validity   averaging against the equation of motion: maps, table, the ledger's verdicts on figures, and
-#                 docs/validity.md, some ten minutes
+#                 docs/validity.md, some twenty minutes
 # make stress     numerical stability: worst errors searched for, counts proved; docs/stability.md and its baseline, less
 #                 than twenty minutes; then make derive, as headers say the worst errors that were found
 # make explorer   docs/explorer.html, the compiled solvers in a browser; same bytes whenever it is made

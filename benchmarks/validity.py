@@ -1,4 +1,6 @@
-"""How far averaging is from the equation of motion: measured over mu/F_0, zeta, delta_h; five minutes of one core.
+"""How far averaging is from the equation of motion: measured over mu/F_0, zeta, delta_h, and under random excitation.
+
+A quarter of an hour of one core.
 
 `python -m benchmarks.validity` measures, writes benchmarks/results/validity.json and src/slowflow/measured/table.py,
 and lets `validity_page` draw the figures and write docs/validity.md; `--draw` does all but measure.
@@ -7,6 +9,8 @@ and lets `validity_page` draw the figures and write docs/validity.md; `--draw` d
 from __future__ import annotations
 
 import argparse
+import functools
+import itertools
 import json
 import math
 import time
@@ -19,13 +23,13 @@ import numpy as np
 from scipy.optimize import brentq
 
 from benchmarks import validity_page
-from slowflow import Isolator, example
+from slowflow import Isolator, derive, example
 from slowflow.exact import Response, SteadyState, exact_response
 from slowflow.example import TABLE_1
 from slowflow.mechanism import EquationOfMotion, Force
 from slowflow.second import SecondApproximation
 from slowflow.support.errors import NotSettled
-from slowflow_kernels import slow_flow
+from slowflow_kernels import linearization, slow_flow
 
 ROOT = Path(__file__).resolve().parents[1]
 RESULTS = ROOT / "benchmarks/results/validity.json"
@@ -47,6 +51,14 @@ TRUNCATION_PRELOADS = (0.03, 0.06, 0.1, 0.15, 0.2, 0.3, 0.4)  # lam r delta_h = 
 BINS = (0.0, 0.25, 0.35, 0.45, 0.525, 0.575, 0.625, 0.675, 0.72)
 REST_BINS = (0.0, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.5, 3.0)
 SHIFT = 0.01  # relative change of frequency that a misfit leaves free
+# statistical linearization: springs by name, each with sigma_u over its breakpoint; how far the spectrum, flat in a
+# band, reaches below and above the equivalent natural frequency, infinitely of white noise; friction's share of damping
+RANDOM_LEVELS = {"isolator": (0.25, 0.5, 1.0), "stops": (0.5, 1.0)}
+RANDOM_BANDS = (math.inf, 4.0, 2.0, 1.25)
+RANDOM_SHARES = (0.0, 0.3, 0.6, 0.8, 0.9, 0.95)
+RANDOM_ZETA = 0.05
+RANDOM_SAMPLES = 4_000_000
+RANDOM_STOPS = {"kappa": 8.0, "delta": 0.2}
 FEW = 25  # points, below which a bin is not its own
 STEP = 0.05
 POINTS = 60  # of an averaged curve, compared with the exact one
@@ -407,6 +419,43 @@ def table_2() -> list[dict[str, Any]]:
     return out
 
 
+def random() -> list[dict[str, Any]]:
+    """Errors of the root mean squares of u and v under random excitation, and the margins of the records of motion."""
+    springs = {"isolator": example.isolator, "stops": functools.partial(derive.library("elastic_stop"), **RANDOM_STOPS)}
+    x, step = np.linspace(0.0, 10.0, 20_001, retstep=True)
+    density = np.exp(-0.5 * x**2) * math.sqrt(2 / math.pi) * step
+    out = []
+    for spring, levels in RANDOM_LEVELS.items():
+        force = springs[spring](mu=0.0, zeta=RANDOM_ZETA).restoring_force()
+        for level, band, dry in itertools.product(levels, RANDOM_BANDS, RANDOM_SHARES):
+            u = level * force.first_end
+            k = float((x * force(u * x) * density).sum()) / u
+            c = 2 * RANDOM_ZETA / (1 - dry)
+            v, excitation = _exciting(u, k, c, band)
+            mu = math.sqrt(math.pi / 2) * dry * c * v
+            found = springs[spring](mu=mu, zeta=RANDOM_ZETA).random(**excitation)
+            record = found.measure(samples=RANDOM_SAMPLES, records=24)
+            cell = {"spring": spring, "level": level, "band": band, "dry": dry, "motions": len(found)}
+            ways = {"linearized": found[int(np.abs(found.u_rms - u).argmin())]}
+            if band == math.inf:
+                ways["by energy"] = found.by_energy
+            for way, one in ways.items():
+                cell[way] = [one.u_rms / record.u_rms - 1, one.v_rms / record.v_rms - 1]
+            cell["margin"] = [record.u_margin / record.u_rms, record.v_margin / record.v_rms]
+            out.append({**cell, "beyond": [ways["linearized"].beyond, record.beyond]})
+    return out
+
+
+def _exciting(u: float, k: float, c: float, band: float) -> tuple[float, dict[str, Any]]:
+    """The root mean square of v, and the excitation of a linear oscillator in which that of u is what it is."""
+    if band == math.inf:
+        return math.sqrt(k) * u, {"S_0": c * k * u**2 / math.pi}
+    Omega = math.sqrt(k) * np.geomspace(1 / band, band, 20_001)
+    over_Z = 1 / linearization.response(Omega, k, c)[0]
+    power, of_v = (float(np.trapezoid(over_Z * Omega**n, Omega)) for n in (0, 2))
+    return u * math.sqrt(of_v / power), {"psd": (Omega[[0, -1]], [u**2 / power] * 2)}
+
+
 def pooled(pool: list[dict[str, Any]]) -> dict[str, Any]:
     """Quantiles of the misfit of averaged points, by mu/F_0 and by mu/(A Omega^2)."""
 
@@ -534,6 +583,7 @@ def measure() -> dict[str, Any]:
         "plane": plane(),
         "truncation": truncation(),
         "table 2": table_2(),
+        "random": random(),
     }
     print(f"measured in {time.process_time() - start:.0f} s of processor time")
     return numbers

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import itertools
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
@@ -28,6 +29,8 @@ TICKS = (-50, -10, -2, 0, 2, 10, 50)
 MAP = "RdBu_r"
 #: bins of mu/(A Omega^2) that the page speaks of, by the name they have there
 BINS = (("1", 2), ("3", 4), ("5", 5))
+#: of the bands of random vibration that in which linearization is worst
+NARROWEST = 1.25
 WINDOW_7A = (0.5, 1.3)
 FORCES = ("untruncated", "truncated")
 NAMES = {"A": "largest amplitude", "jump-up": "Omega of the jump up", "jump-down": "Omega of the jump down"}
@@ -333,6 +336,45 @@ def _table_2(rows: list[dict[str, Any]]) -> str:
     return "\n".join(lines)
 
 
+def _random(rows: list[dict[str, Any]]) -> dict[str, str]:
+    """Errors of random vibration by friction's share of the damping, and the largest of some of these."""
+    shares = sorted({row["dry"] for row in rows})
+    lines = [
+        "| spring, sigma_u over its breakpoint | excitation | " + " | ".join(f"{dry:g}" for dry in shares) + " |",
+        "|---" * (len(shares) + 2) + "|",
+    ]
+
+    def errors(cells: Iterable[dict[str, Any]], way: str) -> str:
+        # an asterisk: several equivalent oscillators
+        return " | ".join(
+            " / ".join(f"{100 * error:+.1f}" for error in cell[way]) + "*" * (cell["motions"] > 1) for cell in cells
+        )
+
+    for (spring, level, band), cells in itertools.groupby(rows, lambda row: (row["spring"], row["level"], row["band"])):
+        some = list(cells)
+        within = "white noise" if band is None else f"Omega_e/{band:g} to {band:g} Omega_e"
+        lines.append(f"| {spring}, {level:g} | {within} | {errors(some, 'linearized')} |")
+        if band is None:
+            lines.append(f"| | by energy | {errors(some, 'by energy')} |")
+
+    def largest(way: str, dry: float, *springs: str, narrow: bool = False) -> str:
+        chosen = [row for row in rows if row["spring"] in springs and row["dry"] <= dry]
+        return _largest(error for row in chosen if (row["band"] == NARROWEST) == narrow for error in row.get(way, ()))
+
+    rare = next(row for row in rows if (row["level"], row["band"], row["dry"]) == (0.25, None, 0.8))
+    return {
+        "random": "\n".join(lines),
+        "random_margin": _largest(margin for row in rows for margin in row["margin"]),
+        "random_at_6": largest("linearized", 0.6, "isolator"),
+        "random_at_8": largest("linearized", 0.8, "isolator"),
+        "random_narrow": largest("linearized", 0.8, "isolator", narrow=True),
+        "random_stops": largest("linearized", 0.8, "stops"),
+        "random_energy": largest("by energy", 0.8, "isolator", "stops"),
+        "random_energy_dry": largest("by energy", 0.9, "isolator", "stops"),
+        "random_rare": tuple(_percent(beyond) for beyond in rare["beyond"]),
+    }
+
+
 def _corners(numbers: dict[str, Any]) -> dict[str, Any]:
     """What the page says of the onsets at a corner, and of the motions that stop where they reach u_cr."""
     found = [cell["F_SN"] for cell in numbers["onsets"] if cell.get("kind") == "corner"]
@@ -402,4 +444,5 @@ def page(numbers: dict[str, Any]) -> str:
         claims=claims_page.section(),
         F_SN=judged.percent(abs(measured.load()["figure_7a"]["F_SN"]["off"])),
         **_corners(numbers),
+        **_random(numbers["random"]),
     )

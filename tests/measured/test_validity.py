@@ -9,6 +9,7 @@ from slowflow import Duffing, Isolator
 from slowflow.example import isolator
 from slowflow.measured import table as validity_table
 from slowflow.measured.validity import near_sticking
+from slowflow.random_vibration.questions import MOST_DRY, NARROW
 from slowflow.support.errors import NotSettled
 from tests.files import Lazily
 
@@ -38,6 +39,19 @@ def test_the_ratio_is_friction_over_forcing():
 def test_the_table_is_the_measured_one():
     numbers = json.loads(validity.RESULTS.read_text(encoding="utf-8"))
     assert validity.TABLE.read_text(encoding="utf-8") == validity.table(numbers)
+
+
+def test_random_vibration_is_off_by_what_is_said():
+    """The isolator within 5 % up to the share of friction, and down to the band, from which on messages warn."""
+    rows = json.loads(validity.RESULTS.read_text(encoding="utf-8"))["random"]
+    for row in rows:
+        in_a_band = row["band"] is not None and row["band"] ** 2 < NARROW
+        if row["spring"] == "isolator" and row["dry"] <= MOST_DRY and not in_a_band:
+            assert np.abs(row["linearized"]).max() < 0.05
+        if row["dry"] <= 0.8:
+            # and the record's own error
+            assert (np.abs(row.get("by energy", 0.0)) < 0.01 + np.array(row["margin"])).all()
+    assert validity.validity_page._random(rows)["random"] in (validity.ROOT / "docs/validity.md").read_text("utf-8")
 
 
 def test_every_critical_forcing_is_compared():

@@ -434,6 +434,12 @@ def test_friction_of_most_of_the_damping_is_named():
     assert "dry friction is 0.93 of the equivalent damping" in found.message
 
 
+def test_an_excitation_in_a_narrow_band_is_named():
+    one = Duffing(1.0, 1.0, zeta=0.05)
+    assert "narrow band" in one.random(psd=([0.9, 1.4], [0.01, 0.01])).message
+    assert one.random(psd=([0.5, 2.1], [0.01, 0.01])).message == ""
+
+
 def test_straight_lines_between_samples_have_the_spectrum():
     """Their mean square is that of the excitation; samples alone, sinc^4 over the spectrum, would have more."""
     excitation, step = Tabulated([0.5, 2.0], [0.1, 0.1]), 0.35
