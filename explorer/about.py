@@ -18,7 +18,7 @@ from slowflow.isolator import ROD_SPRING
 from slowflow.measured import table, validity
 from slowflow.oscillator import Oscillator
 from slowflow.physical import Physical
-from slowflow.quantities import Scales
+from slowflow.quantities import OF_KIND, Scales
 from slowflow.support.record import Parameter
 from slowflow.table import COLUMNS
 from slowflow.text import Sentence, in_units, text
@@ -49,7 +49,12 @@ LIBRARY: tuple[tuple[str, str, Mapping[str, float], float, float], ...] = (
     ("Cams and rollers", "cam_roller", {"r": 0.8, "rho": 0.8, "c": 0.1, "mu": 0.003, "zeta": 0.03}, 0.04, WINDOW[1]),
 )
 #: what excites, in the page's words
-EXCITED_BY = {"force": "a force", "base": "a base that shakes", "unbalance": "an unbalance"}
+EXCITED_BY = {
+    "force": "a force",
+    "base": "a base that shakes",
+    "acceleration": "a base's acceleration",
+    "unbalance": "an unbalance",
+}
 #: the mount of the README, in SI units
 MOUNT: Physical = Isolator.physical(
     m=12.0, k_v=2500.0, k_h=1700.0, n=3, L=0.080, preload=0.009, friction=0.4, zeta=0.02
@@ -100,10 +105,7 @@ def about() -> dict[str, Any]:
         "version": __version__,
         "mechanisms": mechanisms,
         "damping": [_parameter(one) for one in DAMPING],
-        "excitations": {
-            name: {"title": title, **_parameter(EXCITATIONS[name]), "scale": dict(AMPLITUDES[name]._asdict())}
-            for name, title in EXCITED_BY.items()
-        },
+        "excitations": {name: _excitation(name, title) for name, title in EXCITED_BY.items()},
         "scales": {name: dict(scale._asdict()) for name, scale in SCALES.items()},
         "physical_names": PHYSICAL_NAMES,
         "names": {name: COLUMNS[name].si for name in ("Omega", "u_cr")},
@@ -174,6 +176,14 @@ def _mechanism(design: Design) -> dict[str, Any]:
         "rod": record.design == ROD_SPRING.design,
         "odd": record.odd,
     }
+
+
+def _excitation(name: str, title: str) -> dict[str, Any]:
+    """The amplitude of one: that of a base's acceleration is a force m a without dimensions."""
+    of = Scales(m=1.0, k_v=1.0, L=1.0, excitation=name).of_oscillator
+    scale = AMPLITUDES[name] if name == of else OF_KIND[name]
+    text = {} if name == of else {"doc": "amplitude of the base's acceleration, times the mass"}
+    return {"title": title, "solved_as": of, **_parameter(EXCITATIONS[of]), **text, "scale": dict(scale._asdict())}
 
 
 def _parameter(one: Parameter) -> dict[str, Any]:

@@ -363,7 +363,7 @@ function fillFields() {
     for (const { name, shown } of BASE)
       write(name, tidy(state.base[name] * shown), 500 * (Math.log10(state.base[name] / DATA.mount.base[name]) + 1));
   write("high", short(state.high * measure(state, "Omega").size, 4), 1000 * Math.sqrt(Math.max(0, (state.high - 0.5) / 9.5)));
-  for (const option of $("excitation").options) option.disabled = option.value !== "force" && !(state.values.zeta > 0 && DATA.mechanisms[state.mechanism].odd);
+  for (const option of $("excitation").options) option.disabled = byInertia({ excitation: option.value }) && !(state.values.zeta > 0 && DATA.mechanisms[state.mechanism].odd);
   $("units-si").checked = state.si;
   $("units-one").checked = !state.si;
   $("units-si").disabled = !DATA.mechanisms[state.mechanism].physical;

@@ -41,7 +41,7 @@ class Solvers {
   choose(name, numbers, excitation) {
     this.mechanism = this.names.indexOf(name);
     this.input.set(numbers);
-    const n = this.native.choose(this.mechanism, excitation === "force" ? 0 : 1);
+    const n = this.native.choose(this.mechanism, ["base", "unbalance"].includes(excitation) ? 1 : 0);
     return n < 0 ? null : Array.from(this.column(0, n));
   }
 

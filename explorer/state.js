@@ -55,7 +55,7 @@ function fromPreset(preset) {
 /** The state as an address has it. Numbers are written so that they are read back as the same doubles. */
 function toAddress(state) {
   const parts = { mechanism: state.mechanism, ...state.values, shown: state.high, at: state.Omega, level: state.level };
-  if (byInertia(state)) parts.excitation = state.excitation;
+  if (state.excitation !== "force") parts.excitation = state.excitation;
   if (state.si) Object.assign(parts, { units: "si" }, state.base);
   return `#${new URLSearchParams(Object.entries(parts).filter(([, value]) => value !== undefined))}`;
 }
@@ -68,7 +68,7 @@ function fromAddress(address) {
   if (!Object.hasOwn(DATA.mechanisms, mechanism || "")) return null;
   const number = (name, other) => (parts.has(name) ? Number(parts.get(name)) : other);
   const excitation = parts.get("excitation") || "force";
-  if (!Object.hasOwn(DATA.excitations, excitation) || (excitation !== "force" && !DATA.mechanisms[mechanism].odd)) return null;
+  if (!Object.hasOwn(DATA.excitations, excitation) || (byInertia({ excitation }) && !DATA.mechanisms[mechanism].odd)) return null;
   const state = fromPreset({ mechanism, excitation, values: {}, shown: number("shown", 2) });
   if (!(state.high > 0 && state.high < 1e6)) return null;
   state.si = parts.get("units") === "si" && DATA.mechanisms[mechanism].physical;
@@ -85,7 +85,7 @@ function fromAddress(address) {
 /** Lines of Python that give the same curve. */
 function inPython(state) {
   const about = DATA.mechanisms[state.mechanism];
-  const said = { ...about.words, ...(state.si && about.truncated ? { force: "truncated" } : {}), ...(byInertia(state) ? { excitation: state.excitation } : {}) };
+  const said = { ...about.words, ...(state.si && about.truncated ? { force: "truncated" } : {}), ...((state.si ? state.excitation !== "force" : byInertia(state)) ? { excitation: state.excitation } : {}) };
   const words = Object.entries(said).map(([name, value]) => `${name}="${value}"`);
   const names = [...about.design, ...DATA.damping].map((one) => one.name);
   const python = (value) => (Number.isInteger(value) && Math.abs(value) < 1e15 ? `${value}.0` : String(value));

@@ -42,15 +42,15 @@ function sizeOf(scale, base) {
 }
 
 /** Units by the powers of k_v, L and m: as they are shown, and how many of them make the SI unit. */
-const UNITS = { "1,0,0": ["N/m", 1], "0,1,0": ["mm", 1000], "1,1,0": ["N", 1], "0,1,1": ["kg mm", 1000] };
+const UNITS = { "1,0,0": ["N/m", 1], "0,1,0": ["mm", 1000], "1,1,0": ["N", 1], "0,1,1": ["kg mm", 1000], "1,1,-1": ["m/s²", 1] };
 const BASE = [
   { name: "m", doc: "mass that moves", unit: "kg", shown: 1 },
   { name: "k_v", doc: "stiffness of the vertical spring", unit: "N/m", shown: 1 },
   { name: "L", doc: "length of the push-rod", unit: "mm", shown: 1000 },
 ];
 
-/** Whether a base or an unbalance excites it: with F_0 Ω². */
-const byInertia = (state) => state.excitation !== "force";
+/** Whether a base's displacement or an unbalance excites it: with F_0 Ω². */
+const byInertia = ({ excitation }) => DATA.excitations[excitation].solved_as !== "force";
 
 /** The scale of each number of a state, by name; F_0 is the amplitude of whatever excites, "force" a force. */
 function scalesOf(state) {

@@ -18,7 +18,7 @@ function interpolate(x, xs, ys) {
 /** Relative errors of one state's amplitude: of half and of 95 in 100 measured ones, and what truncation adds; or null. */
 function errorsOf(mechanism, excitation, breaks, mu, F_0, Omega, A) {
   const known = DATA.measured;
-  if (!known.MECHANISMS.includes(mechanism) || excitation !== "force") return null;
+  if (!known.MECHANISMS.includes(mechanism) || byInertia({ excitation })) return null;
   const rest = mu > 0 ? mu / (A * Omega * Omega) : 0;
   const row = binOf(known.RATIOS, mu / F_0);
   const column = binOf(known.STOPPING, rest);

@@ -120,7 +120,7 @@ def test_words_in_si_units_have_no_dimensionless_letters() -> None:
     assert set(texts["si"]) == set(EXCITED_BY) and [
         name for name in shown if DIMENSIONLESS.search(texts["plain"][name])
     ]
-    for excitation, letter in {"force": "F", "base": "Y", "unbalance": "U"}.items():
+    for excitation, letter in {"force": "F", "base": "Y", "acceleration": "a", "unbalance": "U"}.items():
         in_si = {name: texts["si"][excitation][name] for name in shown}
         assert {name: text for name, text in in_si.items() if DIMENSIONLESS.search(text)} == {}
         assert in_si["STICKS"].startswith(f"sticks: {letter} = ")
@@ -354,6 +354,25 @@ def same_curve(browser: Any, preset: int) -> dict[str, Any]:
     return names
 
 
+@pytest.mark.slow
+def test_a_base_is_given_by_its_acceleration(browser: Any) -> None:
+    """The curve of a force m a, in Python's lines by its letter; without dimensions it is a force."""
+    with opened(browser, f"{AT}&F_0=0.42&excitation=acceleration") as page:
+        lines = page.evaluate("explorer.inPython(explorer.app.state)")
+        table = page.evaluate("explorer.inCSV(explorer.app.answer)")
+        assert page.inner_text("label[for=number-F_0]") == "a" and "m/s²" in page.inner_text("#fields")
+        page.click("label[for=units-one]")
+        page.evaluate("explorer.step(16)")
+        assert "excitation" not in page.evaluate("explorer.inPython(explorer.app.state)")
+    names: dict[str, Any] = {}
+    with contextlib.redirect_stdout(io.StringIO()):
+        exec(lines, names)
+    mount = Isolator.physical(**MOUNT.given | {"excitation": "acceleration", "force": "truncated"})
+    rows = np.genfromtxt(io.StringIO(table), delimiter=",", skip_header=1)
+    np.testing.assert_allclose(rows[:, 1], names["curve"].A, rtol=1e-13)
+    assert rows[:, 1].max() == pytest.approx(mount.peak(a=0.42).A, rel=1e-12)
+
+
 #: an address of the mount of the README at an amplitude in SI units, by what excites it
 AT = "#mechanism=rod_spring&lam=3&r=1700&delta_h=0.009&mu=0.4&zeta=0.02&m=12&k_v=2500&L=0.08&units=si&shown=2&at=0.999"
 
@@ -362,7 +381,12 @@ AT = "#mechanism=rod_spring&lam=3&r=1700&delta_h=0.009&mu=0.4&zeta=0.02&m=12&k_v
 @pytest.mark.parametrize("width", [1280, 390])
 @pytest.mark.parametrize(
     ("excitation", "letter", "within", "beyond"),
-    [("force", "F", 5.0, 40.0), ("base", "Y", 0.002, 0.005), ("unbalance", "U", 0.024, 0.08)],
+    [
+        ("force", "F", 5.0, 40.0),
+        ("base", "Y", 0.002, 0.005),
+        ("acceleration", "a", 0.42, 3.3),
+        ("unbalance", "U", 0.024, 0.08),
+    ],
 )
 def test_si_units_name_the_excitation_and_no_peak_beyond_the_rod(
     browser: Any, excitation: str, letter: str, within: float, beyond: float, width: int
