@@ -28,6 +28,8 @@ FIRST, CUTS = 6, 12
 PASSES = 24
 #: points of a curve beyond those that there are to be, from which on it is thinned
 MORE = 24
+#: Newton's steps at most, and how short, beside A, one is after which there is no other
+NEWTON, SETTLED = 8, 2.0**-50
 #: folds nearer to one another than this, relatively, are taken for one frequency, as those of mirrored motions are
 TOGETHER = 1e-12
 #: folds of one curve so near, in Omega, A and B beside its amplitude, are a kink: a force that jumps by little turns it
@@ -434,11 +436,14 @@ def _near(of: Slow, Omega: Floats, ends: tuple[Floats, Floats], folds: tuple[Fla
 
 def newton(of: Slow, Omega: Floats, guess: Floats) -> tuple[Floats, Floats]:
     """States (2, n) at frequencies, from states near by, and the last step to them."""
-    x = guess
-    for _ in range(8):
-        change = _step(of, of.state(Omega, x))
-        x = x - change
+    x, change, left = guess.copy(), np.zeros_like(guess), np.arange(Omega.size)
+    for _ in range(NEWTON):
+        change[:, left] = _step(of, of.state(Omega[left], x[:, left]))
+        x[:, left] -= change[:, left]
         x[0] = np.maximum(x[0], 1e-3 * guess[0])
+        left = left[(np.abs(change[:, left]) > SETTLED * x[0, left]).any(axis=0)]
+        if not left.size:
+            break
     return x, change
 
 

@@ -165,15 +165,14 @@ class Curved:
         angles = self._angles(A, B)
         within = (B - A > self.walls[0]) & (B + A < self.walls[1])
         # a half cycle between two cuts is on the piece that ends at the upper one
-        for cut, number in enumerate(self._of_cut.tolist()):
-            part, low, high = self.pieces[number], angles[cut + 1], angles[cut]
-            for first in range(0, A.size, step := max(1, TOGETHER // (NODES * 8 * (highest + 1)))):
-                some = np.arange(first, min(first + step, A.size))
-                some = some[within[some] & (high[some] > low[some])]
-                if some.size:
-                    own = self._settled(part, number, (A[some], B[some], low[some], high[some]), moments)
-                    found[:, some] += own[0]
-                    size[:, some] += own[1]
+        low, high = np.where(within, angles[1:], np.nan), angles[:-1]
+        for number, part in enumerate(self.pieces):
+            cuts, all_of = np.nonzero((self._of_cut == number)[:, np.newaxis] & (high > low))
+            for first in range(0, all_of.size, step := max(1, TOGETHER // (NODES * 8 * (highest + 1)))):
+                cut, of = cuts[first : first + step], all_of[first : first + step]
+                own = self._settled(part, number, (A[of], B[of], low[cut, of], high[cut, of]), moments)
+                np.add.at(found.T, of, own[0].T)
+                np.add.at(size.T, of, own[1].T)
         for row, (_, p) in enumerate(moments):
             found[row] *= turn**p
         found[:, ~within] = np.nan

@@ -55,6 +55,8 @@ TOO_SMALL = Sentence(
 KEPT = 64
 #: motions whose A and B differ by less beside A are one, found twice
 SAME = 2.0**-20
+#: points of a response on which isolation is looked for: that nothing transmits more beyond has a proof of its own
+SAMPLES = 300
 #: how nearly the highest frequency is known that is looked at for isolation
 COARSE = 2.0**-6
 #: above the frequency from which on a base moves the mass, and of the highest one of a window, where curves begin
@@ -475,7 +477,7 @@ class OffCentre(Unchanging, ComposedQuestions):
 
     def _begins(self, F_0: float, low: float, high: float, level: isolating.Level) -> checks.Isolation:
         """Where isolation begins on points of the response between two frequencies."""
-        curve = self._frequency_response(F_0, checks.SAMPLES, (low, high))
+        curve = self._frequency_response(F_0, SAMPLES, (low, high))
         slow, ratio = Slow(self._steps, self._flow, F_0), float(level.ratio)
 
         def passes(*between: Ints) -> tuple[Floats, ...]:
