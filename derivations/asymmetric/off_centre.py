@@ -227,7 +227,7 @@ def off_centre(averaged: Averaged, flow: Formulas, laws: Formulas) -> Formulas:
         weight = sp.integrate(fraction * sp.integrate(1, (second, 0, fraction)), (fraction, 0, 1)) / 2
         return sp.expand(of_means[resists].subs({c[1]: 2 * B**2 * weight * c[3], s[1]: B * s[2]}))
 
-    _by_parameter(of, f_0, of_h[h])
+    _by_parameter(of, f_0, *chain[:2], lets[:2])
     _climb(of)
     return of
 
@@ -250,7 +250,7 @@ def _along_balance(f_0: sp.Expr, value: sp.Expr) -> tuple[tuple[Let, ...], tuple
     return tuple(lets), tuple(derivatives)
 
 
-def _by_parameter(of: Formulas, f_0: sp.Expr, value: sp.Expr) -> None:
+def _by_parameter(of: Formulas, f_0: sp.Expr, value: sp.Expr, value_A: sp.Expr, of_B: Sequence[Let]) -> None:
     """By implicit differentiation of the balance, once by the parameter and then in A along the balance."""
 
     def by_p(expression: sp.Expr) -> sp.Expr:
@@ -266,8 +266,7 @@ def _by_parameter(of: Formulas, f_0: sp.Expr, value: sp.Expr) -> None:
         known = sum(sp.diff(expression, one) * following for one, following in chain)
         return _by_A(expression) + slopes[0] * _by_B(expression) + known
 
-    (first, second, _), (_, h_A, _, _) = _along_balance(f_0, value)
-    lets = [first, second]
+    lets = [*of_B]
     balance = by_p(f_0) + sensitivities[0] * _by_B(f_0)
     values = [by_p(value) + sensitivities[0] * _by_B(value)]
     for move in sensitivities:
@@ -277,7 +276,7 @@ def _by_parameter(of: Formulas, f_0: sp.Expr, value: sp.Expr) -> None:
         if move is not sensitivities[-1]:
             values.append(sp.expand(derivative(values[-1])))
     # the other way: h_A along the balance, then by the parameter
-    explicit = h_A.subs([first])
+    explicit = value_A.subs(of_B[:1])
     by_parameter = by_p(explicit) + sensitivities[0] * _by_B(explicit)
     claim("h_A by the parameter", (by_parameter - values[1]).subs(reversed(lets)))
     at_end = sp.Symbol("A_p")
