@@ -56,17 +56,13 @@ def series() -> Series:
     n = 1
     while _bound(q, n) > ENOUGH:
         n += 1
-    over_t: dict[int, sp.Expr] = {}
+    field = sp.QQ.algebraic_field(sp.sqrt(2))
+    exact, over_t = field.from_sympy(q), sp.Poly(-1, w, domain=field)
     for k in range(n):
-        weight = 2 * (-1) ** k * sp.expand(q ** (2 * k + 1)) / (2 * k + 1)
-        for (power,), coefficient in sp.Poly(sp.chebyshevt(2 * k + 1, t), t).terms():
-            over_t[power // 2] = over_t.get(power // 2, sp.Integer(0)) + weight * coefficient
-    shifted = [sp.Integer(0)] * n
-    for power, coefficient in over_t.items():
-        for j in range(power + 1):
-            shifted[j] += coefficient * sp.binomial(power, j) / sp.Integer(2) ** (power - j)
-    shifted[0] -= 1
-    return Series(tuple(sp.expand(coefficient) for coefficient in shifted), _bound(q, n))
+        term = sp.expand(sp.chebyshevt(2 * k + 1, sp.sqrt(w)) / sp.sqrt(w))
+        over_t += sp.Poly(term, w, domain=field).mul_ground(2 * (-1) ** k * exact ** (2 * k + 1) / (2 * k + 1))
+    shifted = over_t.compose(sp.Poly(w + sp.Rational(1, 2), w, domain=field))
+    return Series(tuple(reversed(shifted.all_coeffs())), _bound(q, n))
 
 
 def _bound(q: sp.Expr, n: int) -> sp.Expr:

@@ -46,6 +46,12 @@ def stated(number: sp.Expr | int) -> str:
     return str(number) if isinstance(number, int) else literal(number)
 
 
+@functools.cache
+def ordered_terms(total: sp.Expr) -> list[sp.Expr]:
+    """As SymPy orders them, once for all languages: it evaluates their coefficients."""
+    return total.as_ordered_terms()
+
+
 class Rules:
     """Mixed in before one of SymPy's printers; `functions` says what the language calls each function."""
 
@@ -55,6 +61,9 @@ class Rules:
     def _number(self, expr: sp.Expr) -> str:
         """A constant but an infinity, or a function of constants."""
         return literal(expr)
+
+    def _as_ordered_terms(self, expr: sp.Expr, order: str | None = None) -> list[sp.Expr]:
+        return ordered_terms(expr)
 
     def _print_Infinity(self, expr: sp.Expr) -> str:
         return self.infinity
