@@ -83,7 +83,7 @@ def _step(part: sp.Expr) -> tuple[Callable[..., Any] | None, Any]:
     if part.is_Mul:
         return lambda *of: reduce(mul, of), part.args
     if part.is_Pow:
-        return partial(_power, exponent=part.exp), part.args[:1]
+        return partial(_power, root=part.exp.q == 2, exponent=int(part.exp * part.exp.q)), part.args[:1]
     if part.func in (sp.sin, sp.cos, sp.exp, sp.tan):
         return methodcaller(part.func.__name__), part.args
     if part.func is sp.sign:
@@ -96,10 +96,8 @@ def _angle(y: Any, x: Any) -> Any:
     return (y / x).atan() if (x if isinstance(x, arb) else x[0]) > 0 else arb.pi() / 2 - (x / y).atan()
 
 
-def _power(base: Any, exponent: sp.Rational) -> Any:
-    if exponent.q == 2:
-        base, exponent = base.sqrt(), 2 * exponent
-    whole = base ** abs(int(exponent))
+def _power(base: Any, root: bool, exponent: int) -> Any:
+    whole = (base.sqrt() if root else base) ** abs(exponent)
     return 1 / whole if exponent < 0 else whole
 
 
