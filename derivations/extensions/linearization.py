@@ -33,6 +33,7 @@ import sympy as sp
 
 from ..claims import claim
 from ..kernels import Formulas, Lets
+from ..paper.averaging import cycle_integral
 from ..symbols import A, Omega, c_2, mu, psi, zeta
 
 #: root mean squares of displacement and velocity; two-sided density of white noise
@@ -125,7 +126,7 @@ def _check_cycles() -> None:
     """Each power of u over a cycle, then over the Rayleigh distribution of the amplitude."""
     rayleigh = A / sigma_u**2 * sp.exp(-(A**2) / (2 * sigma_u**2))
     for power in (1, 3, 5, 7):
-        over_cycle = sp.integrate((A * sp.cos(psi)) ** (power + 1), (psi, 0, 2 * sp.pi)) / (2 * sp.pi)
+        over_cycle = cycle_integral((A * sp.cos(psi)) ** (power + 1), sp.S.Zero, 2 * sp.pi) / (2 * sp.pi)
         both = sp.integrate(over_cycle * rayleigh, (A, 0, sp.oo))
         claim(f"E[u f] is a mean of those over a cycle, f = u^{power}", both - _mean(_v ** (power + 1), sigma_u))
 

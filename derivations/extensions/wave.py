@@ -54,9 +54,9 @@ def closed_sums() -> list[tuple[sp.Expr, sp.Expr]]:
     found, of_sines = [], square
     for _ in range(CLOSED):
         # cosines of odd multiples vanish at pi/2, sines at 0
-        of_cosines = -sp.integrate(of_sines, turned)
+        of_cosines = -sp.Poly(of_sines, turned).integrate().as_expr()
         of_cosines = sp.expand(of_cosines - of_cosines.subs(turned, sp.pi / 2))
-        of_sines = sp.integrate(of_cosines, turned)
+        of_sines = sp.Poly(of_cosines, turned).integrate().as_expr()
         found.append((of_cosines, of_sines))
     return found
 

@@ -626,7 +626,8 @@ def _proved_by_second_parameter() -> None:
     forms = _of_second_parameter(f, d, k, sp.sin(theta) * sp.cos(theta), delta)
     for form, power in zip(forms, (2, 4), strict=True):
         slope_ = sp.diff(form, theta) + (sp.diff(form, f) + sp.diff(form, d) * sp.sin(theta) ** 2) / delta
-        claim("d/dm of an elliptic integral", slope_ - sp.sin(theta) ** power / (2 * delta**3))
+        difference = slope_ - sp.sin(theta) ** power / (2 * delta**3)
+        claim("d/dm of an elliptic integral", difference.subs(sp.cos(theta), sp.sqrt(1 - sp.sin(theta) ** 2)))
 
 
 def in_balls(a: sp.Expr, b: sp.Expr, rest: sp.Expr, end: Corner) -> tuple[Regime, Regime]:

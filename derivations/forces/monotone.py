@@ -112,7 +112,7 @@ def _bernstein(expression: sp.Expr, end: sp.Symbol | None, values: dict[sp.Symbo
         top = None if end is None else end**stride
         start = sp.Integer(0)
     else:
-        even = sp.expand(sp.simplify((expression / u).subs(u, sp.sqrt(1 - _w**-2))))
+        even = sp.expand(sp.expand(expression / u).subs(1 - u**2, _w**-2).subs(u, sp.sqrt(1 - _w**-2)))
         lowest = min(term.as_coeff_exponent(_w)[1] for term in sp.Add.make_args(even))
         polynomial = sp.Poly(sp.expand(even * _w**-lowest), _w)
         terms = {power: polynomial.coeff_monomial(_w**power) for (power,) in polynomial.monoms()}

@@ -9,7 +9,7 @@ has to be tried in the system that it came from.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
@@ -75,9 +75,9 @@ def _to_flint(expression: sp.Expr, symbols: Sequence[sp.Symbol], ring: fmpq_mpol
     return ring.from_dict({powers: fmpq(int(value.p), int(value.q)) for powers, value in terms})
 
 
-def _to_sympy(polynomial: fmpq_mpoly, symbols: Sequence[sp.Symbol]) -> sp.Expr:
-    terms = {tuple(powers): sp.Rational(int(c.p), int(c.q)) for powers, c in polynomial.to_dict().items()}
-    return sp.Poly.from_dict(terms, *symbols).as_expr()
+def _to_sympy(terms: Mapping[Sequence[int], fmpq], symbols: Sequence[sp.Symbol]) -> sp.Expr:
+    exact = {tuple(powers): sp.Rational(int(value.p), int(value.q)) for powers, value in terms.items()}
+    return sp.Poly.from_dict(exact, *symbols).as_expr()
 
 
 def eliminate(first: sp.Expr, second: sp.Expr, variable: sp.Symbol, unknown: sp.Symbol) -> Elimination:
@@ -90,22 +90,26 @@ def eliminate(first: sp.Expr, second: sp.Expr, variable: sp.Symbol, unknown: sp.
         # the two vanish together whatever the unknown is: no value of it stands out
         return Elimination(unknown, {0: sp.Integer(0)}, {0: sp.Integer(0)}, sp.Rational(0), ())
     constant, factored = resultant.factor()
-    factors = sorted(((_to_sympy(f, symbols), int(k)) for f, k in factored), key=lambda pair: sp.srepr(pair[0]))
+    factors = [(_to_sympy(factor.to_dict(), symbols), int(count)) for factor, count in factored]
     telling = ring.constant(1)
     for factor, _ in factored:
         if factor.degrees()[1] and len(factor) > 1:
             telling *= factor
     return Elimination(
         unknown,
-        _by_power(_to_sympy(resultant / constant, symbols), unknown),
-        _by_power(_to_sympy(telling, symbols), unknown),
+        _by_power(resultant / constant, symbols),
+        _by_power(telling, symbols),
         sp.Rational(int(constant.p), int(constant.q)),
-        tuple(factors),
+        tuple(sorted(factors, key=lambda pair: sp.srepr(pair[0]))),
     )
 
 
-def _by_power(polynomial: sp.Expr, unknown: sp.Symbol) -> dict[int, sp.Expr]:
-    return {power: value for (power,), value in sorted(sp.Poly(polynomial, unknown).terms())}
+def _by_power(polynomial: fmpq_mpoly, symbols: Sequence[sp.Symbol]) -> dict[int, sp.Expr]:
+    """By power of the second symbol."""
+    found: dict[int, dict[Sequence[int], fmpq]] = {}
+    for (first, power, *others), value in polynomial.to_dict().items():
+        found.setdefault(int(power), {})[first, 0, *others] = value
+    return {power: _to_sympy(terms, symbols) for power, terms in sorted(found.items())}
 
 
 def _expanded(flow: Formulas, expression: sp.Expr) -> sp.Expr:
