@@ -114,18 +114,6 @@ class Isolator(Oscillator):
             warnings.warn(text(NEGATIVE, self.delta_h, 1 / (self.lam * self.r), self.alpha), stacklevel=3)
 
     def restoring_force(self, which: str | None = None) -> Force:
-        """Return the force of the equation of motion, piece by piece.
-
-        Parameters
-        ----------
-        which : str, optional
-            "truncated" for (6), "untruncated" for (5); by default the one that is averaged.
-
-        Returns
-        -------
-        Force
-            Dimensionless.
-        """
         if which == "truncated":
             return Force.of(ROD_SPRING, (self.alpha, self.beta, self.gamma, self.u_cr))
         return super().restoring_force(which)

@@ -1,6 +1,6 @@
 """One oscillator at three depths of analysis. Takes a mechanism with its numbers; returns averaged to exact answers.
 
-The averaged questions come from `Averaged`; the second approximation and the exact motions are loaded when asked for.
+The averaged questions come from `Averaged`; the second approximation and exact motions are imported on first use.
 """
 
 from __future__ import annotations
@@ -52,27 +52,40 @@ WITHOUT_TRUNCATION = Sentence("without truncation {F_SN = :.4g}, a {kind:s}")
 class Oscillator(Unchanging, ComposedQuestions, Averaged):
     """A forced oscillator u'' + 2 zeta u' + mu sign(u') + f(u) = F_0 cos(Omega tau) (3), dimensionless.
 
-    mechanism -- the record of its restoring force, `MECHANISM` of a module of `slowflow_kernels`
-    mu, zeta  -- dry friction and viscous damping ratio, >= 0
-    eta       -- structural damping, the loss factor of the vertical spring, >= 0
-    c_2       -- quadratic damping c_2 |u'|u', over m/L, >= 0
-    rubs      -- where dry friction acts: "throughout", or "attached", for |u| below the first breakpoint only
-    mu_s      -- static friction, over k_v L, where that is more than mu: what holds a mass at rest. Exact motions have
-        it; averaging, whose motions never rest, and what follows from it do not ask for it
-    design    -- the numbers that `mechanism.design` names, each within its domain
-    excitation -- what F_0 is the amplitude of: "force", over k_v L; "base", the displacement of the base, over L;
-        "unbalance", a turning mass times its radius, over m L. The last two push with F_0 Omega^2, need zeta, eta
-        or c_2 > 0, and leave proofs to a force.
-        A base whose acceleration has a constant amplitude a is a force: F_0 = m a/(k_v L)
-    load      -- what rests on it beyond what the vertical spring holds at the centre, over k_v L. It takes the motion
-        off the centre: what has no answer there, see `off_centre`, raises ValueError
+    Parameters
+    ----------
+    mechanism : Mechanism
+        The record of its restoring force, `MECHANISM` of a module of `slowflow_kernels`.
+    mu, zeta : float
+        Dry friction over k_v L, and viscous damping ratio, >= 0.
+    eta, c_2 : float
+        Structural damping, the loss factor of the vertical spring, and quadratic damping c_2 |u'|u', over m/L, >= 0.
+    rubs : {"throughout", "attached"}
+        Where dry friction acts: at all u, or for |u| below the first breakpoint only.
+    mu_s : float
+        Static friction over k_v L, >= mu: it holds a mass at rest in exact motions, and has no part in averaging.
+    excitation : {"force", "base", "unbalance"}
+        What F_0 is the amplitude of: a force over k_v L, the displacement of the base over L, or a rotating mass times
+        its radius over m L. The last two are forces F_0 Omega^2, need zeta, eta or c_2 > 0, and have no proofs. A base
+        whose acceleration has a constant amplitude a is a force, F_0 = m a/(k_v L).
+    load : float
+        Static load over k_v L beyond what the vertical spring holds at the centre. Motions have a mean displacement
+        then: questions without an answer for these raise ValueError, see `off_centre`.
+    **design : float
+        The numbers that `mechanism.design` names, each within its domain.
 
-    With eta, c_2 or rubs="attached" there are no proofs and no second approximation, and with eta > 0, which is stated
-    at a frequency, no shocks.
+    Raises
+    ------
+    ValueError
+        For a number outside its domain.
+    TypeError
+        For a name that is missing or unknown.
 
-    It does not change. Each of these numbers, and each parameter of the force, can be read under its name; `replace`
-    makes another oscillator. Raises ValueError for a number outside its domain, TypeError for a name that is missing
-    or unknown.
+    Notes
+    -----
+    With eta, c_2 or rubs="attached" there are no proofs and no second approximation, with eta > 0, which is defined at
+    a frequency, no shocks. It is immutable: each of these numbers, and each parameter of the force, can be read by its
+    name, and `replace` makes another oscillator.
     """
 
     stays = "an oscillator does not change"
@@ -124,7 +137,7 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
             self._put(load)
 
     def _put(self, load: float) -> None:
-        """Off the centre by a load or by a force that is not odd: its slow flow about it is not asked from here on."""
+        """Offset the motion by a load or by a force that is not odd: the slow flow about the centre is gone then."""
         load = validate.number("load", load)
         why = off_centre_by(self.model.mechanism, load)
         self._check_rubs(why, self.model.laws)
@@ -135,52 +148,50 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
 
     @staticmethod
     def _check_rubs(question: str, laws: Laws) -> None:
-        """Off the centre friction acts throughout: where |u| passes u_cr on one side it would rub on the other."""
+        """Refuse friction that ends at u_cr for offset motions: |u| passes u_cr on one side only."""
         validate.is_plain(question, "" if laws.rubs == THROUGHOUT else f"rubs = {laws.rubs!r}")
 
     @property
     def _off_centre_by(self) -> str:
-        """What takes motions off the centre, in words; "" for nothing."""
+        """What gives motions a mean displacement; "" for nothing."""
         return off_centre_by(self.model.mechanism, self.load) if isinstance(self.model, Loaded) else ""
 
     @cached_property
     def _off_centre(self) -> OffCentre:
-        """`off_centre` of places of rest, which friction has no part in, whatever law it has."""
+        """`off_centre` for equilibria, in which friction has no part, whatever its law."""
         from slowflow.off_centre.questions import OffCentre
 
         return OffCentre(self.model.unloaded if isinstance(self.model, Loaded) else self.model, self.load, self)
 
     @property
     def off_centre(self) -> OffCentre:
-        """Questions about motions off the centre: all places of rest, and all states and folds with their mean B.
+        """The questions about motions with a mean displacement B: all equilibria, all states and folds with their B.
 
-        Without a load too: a mass between two wells, or on a spring that softens, leaves the centre by itself.
-        Raises ValueError for a force of which nothing is derived there, and for friction that ends at u_cr.
+        Without a load too: a mass between two wells, or on a softening spring, may leave the centre by itself. Raises
+        ValueError for a force whose offset motions are not derived, and for friction that ends at u_cr.
         """
         self._check_rubs("off_centre", self.model.laws)
         return self._off_centre
 
     def at_centre(self, question: str) -> None:
-        """Raises ValueError where the question is asked of an oscillator under a load, for which it has no answer."""
+        """Raise NotAvailable for a question that has no answer under a load."""
         if self._off_centre_by:
             raise validate.NotAvailable(CENTRED.format(question, self._off_centre_by))
 
     @property
     def _system(self) -> Any:
-        """What answers: under a load `off_centre`, with the mean B."""
+        """The system that answers: under a load `off_centre`, with the mean B."""
         return self.off_centre if isinstance(self.model, Loaded) else self
 
     def rest(self) -> RestPositions:
-        """Every place at which the mass rests under its load without friction; see `OffCentre.rest`."""
+        """Find every equilibrium under the load, without friction: .u .stiffness .stable; see `OffCentre.rest`."""
         return self._off_centre.rest()
 
     def certify(self, F_0: float, *, Omega: float | None = None) -> Certificate:
-        """What is proved at F_0, see `Averaged.certify`; of motions about the centre."""
         self.at_centre("certify")
         return super().certify(F_0, Omega=Omega)
 
     def explain(self, question: str, F_0: float | None = None) -> Plan:
-        """What runs for a question, what is skipped, and why, see `Averaged.explain`; under a load of those it has."""
         if question in SHOCKS:
             self._in_time(None)  # refuses laws that are stated at a frequency
         if not self._off_centre_by:
@@ -192,7 +203,7 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         return plan.plan(question, F_0, self.off_centre.model.unloaded)
 
     def replace(self, **changes: Any) -> Self:
-        """Another oscillator with some of the numbers changed that this one was made from, by name."""
+        """Return another oscillator with some of the arguments changed that this one was made from, by name."""
         return type(self)(**{**self.given, **changes})
 
     def __eq__(self, other: object) -> bool:
@@ -211,11 +222,11 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         return f"{type(self).__name__}({', '.join(shown)})"
 
     def force(self, u: Reals) -> Floats:
-        """The whole restoring force f(u) that is averaged, at displacements of any shape, both dimensionless (3)."""
+        """Compute the averaged restoring force f(u) (3) at displacements u of any shape, dimensionless."""
         return self.restoring_force()(validate.finite_array("u", u))
 
     def stiffness(self, u: Reals) -> Floats:
-        """df/du at displacements of any shape, both dimensionless; at a breakpoint that of the inner piece."""
+        """Compute df/du at displacements u of any shape, dimensionless; at a breakpoint that of the inner piece."""
         return self.restoring_force().stiffness(validate.finite_array("u", u))
 
     def _onset_with_words(self) -> SaddleNodeOnset:
@@ -246,9 +257,22 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         return {**notes, "untruncated": other, "message": joined(notes["message"], remark)}
 
     def restoring_force(self, which: str | None = None) -> Force:
-        """The force of the equation of motion, piece by piece: "truncated" for (6), "untruncated" for (5).
+        """Return the force of the equation of motion, piece by piece.
 
-        Without `which` the one that is averaged. Raises ValueError for another word, or where there is no such force.
+        Parameters
+        ----------
+        which : {"truncated", "untruncated"}, optional
+            The force of (6) or of (5); by default the one that is averaged.
+
+        Returns
+        -------
+        Force
+            Dimensionless.
+
+        Raises
+        ------
+        ValueError
+            For another word, and where there is no such force.
         """
         mechanism = self.model.mechanism
         own = FORCES[0] if mechanism.truncated else FORCES[1]
@@ -261,10 +285,10 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         return Force.of(other, tuple(float(value) for value in other.coefficients(*self.design)))
 
     def equation_of_motion(self, which: str | None = None) -> EquationOfMotion:
-        """Equation (3) without its forcing, the force as in `restoring_force`.
+        """Return equation (3) without its forcing, with the force of `restoring_force`.
 
         Structural damping is (eta/Omega) u' in a motion at Omega. Raises ValueError as `restoring_force`, and for a
-        force that has no stiffness at u = 0 that is finite.
+        force without a finite stiffness at u = 0.
         """
         laws, force = self.model.laws, followed(self.restoring_force(which), self.model.mechanism.name)
         others = self.model.inertial, self.load, laws.c_2, laws.rubs != THROUGHOUT, self.given.get("mu_s", 0.0)
@@ -279,7 +303,7 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         return self.equation_of_motion(which)
 
     def _motions(self, system: EquationOfMotion) -> Motions:
-        """Its motions by an equation of motion; what follows them is loaded when it is asked for."""
+        """Its motions by an equation of motion, whose integrator is imported on first use."""
         from slowflow.exact.questions import Motions
 
         return Motions(self, system)
@@ -303,14 +327,14 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         A : float, optional
             The motion whose amplitude is nearest to A, stable or not, of those that averaging leads to: from its states
             at Omega, its folds near it, and A itself, under a load without its folds; where none of them leads to a
-            motion, what the averaged state nearest to A settles to; with static friction that of a mass at rest is one
-            of them. Close to a fold the nearest may well be the unstable one: `.stable` tells. By default the motion
-            that a mass at rest comes to.
+            motion, the limit of the motion from the averaged state nearest to A; with static friction also that of a
+            mass at rest. Close to a fold the nearest one may be unstable, see `.stable`. By default the motion that a
+            mass at rest tends to.
         force : {"truncated", "untruncated"}, optional
-            The force of (6) or of (5); by default the one that is averaged.
+            As in `restoring_force`.
         u_0, v_0 : float, optional
             Displacement and velocity at tau = 0, where the forcing is largest, in place of A: the motion that this one
-            comes to. By default the mass is at rest where spring and load balance: at u = 0 if it is stable, else at
+            tends to. By default the mass is at rest where spring and load balance: at u = 0 if it is stable, else at
             the stable equilibrium of `rest` nearest to it, of two as near at that with u > 0. Where there are several,
             `.message` says which.
 
@@ -342,7 +366,7 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
     ) -> exact.Response:
         """Follow the response curve of the equation of motion (3): points, stability, stops, folds.
 
-        It is the curve through the motion that a mass at rest comes to at the lowest frequency, or one that begins with
+        It is the curve through the motion that a mass at rest tends to at the lowest frequency, or one that begins with
         u_0 and v_0, or through `start`. No proof that there are no others.
 
         Parameters
@@ -353,21 +377,21 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
             Window of frequencies, 0 < low < high.
         start : SteadyState, optional
             A motion on the curve: an isolated curve needs its own, `steady_state(Omega=..., F_0=..., A=...)`, and where
-            averaging knows of one that this is not, `.message` gives these numbers.
+            averaging has another one, `.message` gives these numbers.
         step : float
             Largest distance of neighbouring points, > 0 and <= 0.5, relative.
         force : {"truncated", "untruncated"}, optional
-            The force of (6) or of (5); by default the one that is averaged.
+            As in `restoring_force`.
         u_0, v_0 : float, optional
             Initial displacement and velocity, as in `steady_state`.
 
         Returns
         -------
         Response
-            .Omega .A .stable .folds .peak; .A is the largest |u|, off the centre too. By inertia the mass is excited so
-            little at low frequencies that friction may hold it: the curve begins close to where it moves then, and
-            `.message` says so; where friction holds the mass throughout the curve has no point. What takes more than
-            some ten seconds, or cannot be followed further, is given as far as it was reached: `.complete` is False,
+            .Omega .A .stable .folds .peak; .A is the largest |u|, of offset motions too. An excitation by inertia is so
+            small at low frequencies that friction may hold the mass: the curve begins close to where it begins to move,
+            and `.message` says so; where friction holds the mass throughout the curve has no point. A curve that takes
+            more than some ten seconds, or cannot be followed further, is returned up to there: `.complete` is False,
             and `.message` says where and why.
 
         Raises
@@ -385,7 +409,7 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         """Follow a stepped-sine test through the frequencies in their order: amplitudes and jumps.
 
         The motion is followed at each frequency until it is shown to tend to a stable periodic one, whose amplitude is
-        given, and goes on from there; where it does not within 2000 periods of the forcing, `.settled` says so.
+        returned, and goes on from there; `.settled` is False where it does not within 2000 periods of the forcing.
 
         Parameters
         ----------
@@ -394,9 +418,9 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         F_0 : float
             Amplitude of the excitation, > 0, dimensionless.
         force : {"truncated", "untruncated"}, optional
-            The force of (6) or of (5); by default the one that is averaged.
+            As in `restoring_force`.
         u_0, v_0 : float, optional
-            Displacement and velocity at the beginning, as in `steady_state`.
+            Initial displacement and velocity, as in `steady_state`.
 
         Returns
         -------
@@ -428,26 +452,25 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         Parameters
         ----------
         acceleration : array_like, optional
-            Of the base, over k_v L/m: the peak of a half sine, or the samples of a record, shape (n,). Without it the
-            mass moves freely from u_0 or v_0.
+            Of the base, over k_v L/m: the peak of a half sine, or the samples of a record, shape (n,). By default there
+            is none, and the mass moves freely from u_0 and v_0.
         duration : float, optional
             Of the half sine, in tau.
         tau : array_like, optional
             Times of the samples instead, rising, shape (n,); linear between them.
         after : float, optional
-            For how long the free motion afterwards is followed, by default ten natural periods; longer where the mass
-            has not turned twice by then.
+            Duration of the free motion afterwards, by default ten natural periods; longer until the mass has turned
+            twice.
         force : {"truncated", "untruncated"}, optional
-            The force of (6) or of (5); by default the one that is averaged.
+            As in `restoring_force`.
         u_0, v_0 : float, optional
-            Displacement and velocity at the beginning, relative to the base; by default it rests where `steady_state`
-            has it rest.
+            Initial displacement and velocity relative to the base, by default as in `steady_state`.
 
         Returns
         -------
         Transient
-            Largest deflection .A and acceleration .a_max, whether the springs detach, .detaches, where the mass comes
-            to rest, .u_end, and by `.series()` its motion relative to the base.
+            Largest deflection .A and acceleration .a_max, whether the springs detach, .detaches, the final displacement
+            .u_end, and by `.series()` the motion relative to the base.
 
         Raises
         ------
@@ -485,15 +508,15 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
     def random(self, *, S_0: float | None = None, psd: tuple[Reals, Reals] | None = None) -> RandomResponse:
         """Find the stationary motions under a Gaussian excitation w(tau), by statistical linearization.
 
-        Under base excitation w is minus its acceleration, over k_v L/m; else a force, over k_v L, in the place of
-        F_0 cos(Omega tau).
+        Under base excitation w is minus its acceleration, over k_v L/m; else a force, over k_v L, in the place of F_0
+        cos(Omega tau).
 
         Parameters
         ----------
         S_0 : float, optional
             Constant two-sided spectral density of white noise, E[w(t) w(t + s)] = 2 pi S_0 delta(s).
         psd : tuple of array_like, optional
-            One-sided density instead: frequencies and densities, straight in log-log between these, 0 outside; its
+            One-sided density instead: frequencies and densities, linear in log-log between these, 0 outside; its
             integral over Omega is the mean square of w.
 
         Returns
@@ -501,7 +524,8 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         RandomResponse
             .u_rms .v_rms .a_rms, .stiffness and .damping of the equivalent linear oscillator, .beyond and
             .crossing_rate of the first breakpoint: every such oscillator, as is proved, by rising u_rms. Where there
-            are several, or dry friction is most of the damping, `.message` says so; `.measure()` follows the motion.
+            are several, or dry friction is most of the damping, `.message` says so; `.measure()` compares with the
+            motion itself.
 
         Raises
         ------
@@ -517,9 +541,9 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         return random(self, self._in_time(None), S_0, psd)
 
     def at_rest(self) -> checks.AtRest:
-        """What holds whatever the forcing: .Omega_0 .k_0 .u_cr, and by friction .break_loose .rests_within .sticking.
+        """Compute what holds at every forcing: .Omega_0 .k_0 .u_cr, by friction .break_loose .rests_within .sticking.
 
-        Raises ValueError under a load, and for a force that is not odd: `rest` tells where that stands.
+        Raises ValueError under a load, and for a force that is not odd: `rest` has the equilibria.
         """
         from slowflow import checks
 
@@ -532,7 +556,7 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         return self
 
     def measured(self, found: Any, force: str | None, of: str = "") -> Any:
-        """An answer of its own against the equation of motion: what `measure` of averaged answers asks."""
+        """Compare one of its averaged answers with the equation of motion, for the `measure` of that answer."""
         from slowflow.exact import measure
 
         return measure.measured(self, found, force, of)
@@ -566,9 +590,9 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         """Many designs of one mechanism at once, from arrays that broadcast; see `slowflow.averaged.many`.
 
         Arrays of xarray or dask make a map over named axes; see `slowflow.grid.designs`. With a load, or for a force
-        that is not odd, answers have the mean B; see `slowflow.off_centre.many`.
-        Raises ValueError for what is no real array and for shapes that do not broadcast, TypeError for a name that is
-        missing or unknown, and nothing for a single design: each answer has a status.
+        that is not odd, answers have the mean B; see `slowflow.off_centre.many`. Raises ValueError for what is no real
+        array and for shapes that do not broadcast, TypeError for a name that is missing or unknown, and nothing for a
+        single design: each answer has a status.
         """
         from slowflow.grid import designs_of
 

@@ -381,11 +381,6 @@ class ManyQuestions(Generic[Found]):
     def peak(self, F_0: Any, *, workers: int = 1) -> Found:
         """Find the highest peak at F_0, isolas included: .A .Omega, which is 0 where A only falls with Omega.
 
-        Parameters
-        ----------
-        F_0, workers : as in the class
-            Amplitudes of the excitation, > 0; threads.
-
         Returns
         -------
         Batch
@@ -429,11 +424,6 @@ class ManyQuestions(Generic[Found]):
     )
     def margins(self, F_0: Any, *, workers: int = 1) -> Found:
         """Compare F_0 with F_SN and F_cr: .of_SN .of_cr .folds .detaches .sticks .Omega_sticks .onset.
-
-        Parameters
-        ----------
-        F_0, workers : as in the class
-            Amplitudes of the excitation, > 0; threads.
 
         Returns
         -------
