@@ -17,7 +17,6 @@ from tests.oracles.by_time import mean_and_first
 from tests.slopes import assert_slopes_are_differences
 
 u, k, g, a, b = sp.symbols("u k g a b", real=True)
-ABOVE = {"above": 0}
 #: one of each law and excitation
 LAWS = ({"excitation": "base"}, {"excitation": "unbalance", "c_2": 0.02}, {"eta": 0.02}, {"c_2": 0.03, "eta": 0.01})
 

@@ -8,10 +8,8 @@ locus; where the two differ the run stops.
 """
 
 import random
-from collections.abc import Sequence
-from typing import Any
 
-from tests.oracles.averaged import BITS, Duffing, Oscillator, RodSpring
+from tests.oracles.averaged import BITS, Duffing, RodSpring
 from tests.oracles.certified_roots import precision
 from tests.oracles.conditioning import Conditioning
 from tests.oracles.inertia import ByInertia
@@ -30,7 +28,6 @@ LAWS = ("eta", "c_2", "rubs")
 EACH = 30
 #: on a base that shakes, of four combinations of laws
 SHAKEN = 40
-Coefficients = Sequence[Any]
 
 
 class DampedRod(RodSpring):
@@ -69,27 +66,27 @@ class ShakenDuffing(ByInertia, DampedDuffing):
     plain = DampedDuffing
 
 
-def drawn(law: str, index: int, rng: random.Random) -> tuple[Oscillator, dict[str, float]]:
-    """Random oscillator number `index` of a law; every third has no viscous damping where it can do without."""
-    rod = law == "rubs" or index % 2 == 0
-    design = draw_isolator(rng, lambda: rng.uniform(0.02, 0.97)) if rod else draw_duffing(rng, index // 2)
-    bare = index % 3 == 0 and law != "rubs" and design.get("beta", 1.0) > 0
+def drawn(law: str, index: int, rod: bool, bare: bool, rng: random.Random) -> dict[str, float]:
+    """Numbers of an isolator, or of Duffing oscillator number `index`; a bare one has no viscous damping if it can."""
+    design = draw_isolator(rng, lambda: rng.uniform(0.02, 0.97)) if rod else draw_duffing(rng, index)
+    bare = bare and law != "rubs" and design.get("beta", 1.0) > 0
     parameters = {
         **design,
         "zeta": 0.0 if bare else design["zeta"],
-        "eta": log_uniform(rng, 0.003, 0.15) if law == "eta" else 0.0,
-        "c_2": log_uniform(rng, 0.01, 1) if law == "c_2" else 0.0,
+        "eta": log_uniform(rng, 0.003, 0.15) if law in ("eta", "both") else 0.0,
+        "c_2": log_uniform(rng, 0.01, 1) if law in ("c_2", "both") else 0.0,
     }
     if law == "rubs":
         parameters["mu"] = log_uniform(rng, 0.001, 0.03)
-        return ReleasedRod(**parameters), parameters
-    return (DampedRod if rod else DampedDuffing)(**parameters), parameters
+    return parameters
 
 
 def case(law: str, index: int) -> dict:
     """One oscillator: its onset, and its folds and states at one forcing."""
     rng = random.Random(f"{SEED} damped {law} {index}")
-    oscillator, parameters = drawn(law, index, rng)
+    rod = law == "rubs" or index % 2 == 0
+    parameters = drawn(law, index // 2, rod, index % 3 == 0, rng)
+    oscillator = (ReleasedRod if law == "rubs" else DampedRod if rod else DampedDuffing)(**parameters)
     onset = oscillator.onset()
     m = float(oscillator.m.mid())
     if onset is None:
@@ -121,16 +118,7 @@ def shaken(index: int) -> dict:
     rng = random.Random(f"{SEED} damped base {index}")
     law = ("eta", "c_2", "both", "rubs")[index % 4]
     rod = law == "rubs" or index // 4 % 2 == 0
-    numbers = draw_isolator(rng, lambda: rng.uniform(0.02, 0.97)) if rod else draw_duffing(rng, index // 4)
-    bare = index // 4 % 3 == 0 and law != "rubs" and numbers.get("beta", 1.0) > 0
-    parameters = {
-        **numbers,
-        "zeta": 0.0 if bare else numbers["zeta"],
-        "eta": log_uniform(rng, 0.003, 0.15) if law in ("eta", "both") else 0.0,
-        "c_2": log_uniform(rng, 0.01, 1) if law in ("c_2", "both") else 0.0,
-    }
-    if law == "rubs":
-        parameters["mu"] = log_uniform(rng, 0.001, 0.03)
+    parameters = drawn(law, index // 4, rod, index // 4 % 3 == 0, rng)
     kind = ShakenReleased if law == "rubs" else ShakenRod if rod else ShakenDuffing
     oscillator = kind(**parameters)
     with precision(BITS):

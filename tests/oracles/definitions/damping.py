@@ -87,10 +87,6 @@ class Laws:
         return sum(one**2 for one in self.own) / self.Omega**4
 
 
-#: derivatives by A and Omega in these
-WITHIN = {"F_A": 1, "F_AA": 2, "bend": 2}
-
-
 def dissipated_balance(names, order=0):
     """I, or a derivative of it by A."""
     return lambda *x: [Laws(names, x, max(order, 1)).I.derivative(order, 0)]
