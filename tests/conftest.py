@@ -35,9 +35,6 @@ if TYPE_CHECKING:
 if "PYTEST_XDIST_WORKER" not in os.environ:
     os.environ["SLOWFLOW_DERIVED"] = tempfile.mkdtemp(prefix="slowflow-derived-")
 
-# what it asserts is told as in a test
-pytest.register_assert_rewrite("tests.off_centre_cases")
-
 # figures are drawn, none is shown
 os.environ.setdefault("MPLBACKEND", "Agg")
 

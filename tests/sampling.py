@@ -11,7 +11,9 @@ import random
 import subprocess
 from collections.abc import Iterable, Sequence
 from pathlib import Path
-from typing import TypeVar
+from typing import Any, TypeVar
+
+import pytest
 
 T = TypeVar("T")
 ALL = os.environ.get("SLOWFLOW_TESTS") == "all"
@@ -55,3 +57,8 @@ def directions(names: Iterable[str]) -> list[dict[str, float]]:
         return [{name: 1.0} for name in names]
     drawn = random.Random(f"{TURN} {names}")
     return [{name: drawn.choice((-1, 1)) * drawn.uniform(0.5, 1.0) for name in names}]
+
+
+def slow(*cases: Any) -> list[Any]:
+    """Cases of a test that `make test-fast` leaves out."""
+    return [pytest.param(*(one if isinstance(one, tuple) else (one,)), marks=pytest.mark.slow) for one in cases]

@@ -343,6 +343,7 @@ def test_a_mount_draws_the_same_in_its_units():
         mount.detachment().plot()
 
 
+@pytest.mark.slow
 def test_largest_displacement_is_drawn_under_a_load():
     """By the amplitude a mount would seem to stay within its stroke where it leaves it."""
     numbers = {"m": 12, "k_v": 2500, "k_h": 1700, "L": 0.080, "preload": 0.009, "friction": 0.4, "zeta": 0.02}

@@ -246,7 +246,8 @@ def test_what_is_undecided_of_isolation_is_said_in_short_too(monkeypatch):
     assert " ".join(report.Report(scenes.read(MOUNT)).in_short(5.0)) == expected != plain
 
 
-@pytest.mark.parametrize("name", [pytest.param("mount", marks=pytest.mark.slow), "table_1"])
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["mount", "table_1"])
 def test_a_report_asks_each_question_once_and_none_that_was_run(name, monkeypatch, tmp_path):
     """Counted at the scene's methods, for run and report together."""
     queries, method = [], scenes.Scene._method

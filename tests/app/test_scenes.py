@@ -50,7 +50,11 @@ def scene(tmp_path):
     return made
 
 
-@pytest.mark.parametrize("path", SHIPPED, ids=lambda path: path.stem)
+@pytest.mark.parametrize(
+    "path",
+    [pytest.param(one, marks=pytest.mark.slow if one.stem in ("mount", "off_centre") else ()) for one in SHIPPED],
+    ids=lambda path: path.stem,
+)
 def test_a_shipped_scene_runs(path, tmp_path, capsys):
     code, out, err = run("run", path, "-o", tmp_path / "out", capsys=capsys)
     content = json.loads((tmp_path / "out" / "answers.json").read_text())
@@ -127,7 +131,11 @@ IN_UNITS = {
 }
 
 
-@pytest.mark.parametrize("case", IN_UNITS, ids=" ".join)
+@pytest.mark.parametrize(
+    "case",
+    [pytest.param(one, marks=pytest.mark.slow if one[1] == "tolerances" else ()) for one in IN_UNITS],
+    ids=" ".join,
+)
 def test_result_comes_first_in_the_unit_of_the_head(case, tmp_path, capsys):
     (name, question), (column, value) = case, IN_UNITS[case]
     text = (ROOT / "scenes" / f"{name}.toml").read_text()
@@ -687,6 +695,7 @@ def test_json_has_null_for_what_there_is_not():
     assert json.loads(text) == {"a": [None, "inf", 1.0], "b": {"c": [1.0, 2.0]}}
 
 
+@pytest.mark.slow
 def test_the_command_line_says_its_version_and_is_a_module_too():
     done = subprocess.run([sys.executable, "-m", "slowflow", "--version"], capture_output=True, text=True, check=True)
     assert done.stdout == f"slowflow {slowflow.__version__}\n"

@@ -71,6 +71,7 @@ def rows():
     return dict(zip(zip(found.requirement, (case.split()[0] for case in found.case), strict=True), found, strict=True))
 
 
+@pytest.mark.slow
 def test_it_isolates_from_the_frequency_that_is_told(rows):
     at = rows["transmissibility_dB", "a"].value
     x = first_harmonic(np.array([at]), FLOOR, 0.0, 150)[0]
@@ -78,6 +79,7 @@ def test_it_isolates_from_the_frequency_that_is_told(rows):
     assert 20 * np.log10(abs(absolute) / FLOOR) == pytest.approx(-20, abs=0.05)
 
 
+@pytest.mark.slow
 def test_its_largest_motion_over_all_frequencies(rows):
     f = np.linspace(2.15, 2.3, 31)
     assert 1e3 * np.abs(first_harmonic(f, FLOOR, 0.045, 120)).max() == pytest.approx(

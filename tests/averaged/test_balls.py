@@ -188,6 +188,7 @@ def test_untruncated_certificate_encloses_what_solvers_find(design):
         assert enclosed == pytest.approx(value, rel=1e-13)
 
 
+@pytest.mark.slow
 def test_an_onset_that_doubles_refuse_is_proved():
     """delta_h = 1 - 1e-8: F_A and F_AA vanish there by quadrature of the force."""
     design = {"lam": 3.0, "r": 0.0507, "delta_h": 1 - 1e-8, "mu": 1e-4, "zeta": 0.02}

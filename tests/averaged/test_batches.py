@@ -17,6 +17,7 @@ from slowflow_kernels.conventions import Status
 from tests import batch_questions
 from tests.batch_questions import columns
 from tests.interrupts import ENDING, interrupted
+from tests.sampling import slow
 
 ASK = {
     "detachment": lambda designs, **more: designs.detachment(**more),
@@ -190,7 +191,7 @@ def test_response_beyond_doubles_is_refused_or_has_a_status():
     assert found.status.tolist() == [Status.NO_BOUND, Status.OK] and found.points[0] == 0
 
 
-@pytest.mark.parametrize("force", ["truncated", "untruncated", "cubic"])
+@pytest.mark.parametrize("force", ["truncated", *slow("untruncated", "cubic")])
 def test_designs_that_go_together_are_answered_as_each_alone(force):
     """To the last bit, states from next to a fold, where a proof decides, to far from it; a block and a rest."""
     rng = np.random.default_rng(11)

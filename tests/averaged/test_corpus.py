@@ -11,7 +11,9 @@ from tests.corpus.families import FAMILIES
 from tests.corpus.record import differences, reduced
 
 #: these take seconds, or their counts hang on the last bit
-SLOW = {"batch load", "single load", "derived"} | {name for name in FAMILIES if name.startswith("damping")}
+SLOW = {"batch load", "single load", "derived", "grid", "store", "at the onset"} | {
+    name for name in FAMILIES if name.startswith("damping")
+}
 
 
 @pytest.mark.parametrize(

@@ -17,6 +17,7 @@ from slowflow.averaged import solvers
 from tests.files import stored
 from tests.oracles.answers import VALUES, Nearby, errors
 from tests.oracles.errors import U
+from tests.sampling import slow
 
 CASES = stored("hard_places")
 #: relative error of any number; under a force it is no more than a rounding of its condition, too
@@ -120,7 +121,7 @@ def test_the_fold_locus_of_a_force_has_the_digits_of_its_level(zeta, mu):
 
 
 @pytest.mark.parametrize("mu", [0.0, 0.0625])
-@pytest.mark.parametrize("zeta", [1e-16, 1e-17, 1e-18, 1e-20, 1e-25])
+@pytest.mark.parametrize("zeta", [1e-18, *slow(1e-16, 1e-17, 1e-20, 1e-25)])
 def test_softening_fold_next_to_no_damping_has_all_branches(mu, zeta):
     """Neither I nor R gave the fold's frequency a digit: it was that of another state, and two states were missing.
 

@@ -175,6 +175,7 @@ def test_friction_that_ends_at_u_cr_makes_a_corner():
     assert osc.replace(rubs="throughout").saddle_nodes(0.0502).A.size == 0
 
 
+@pytest.mark.slow
 def test_corners_beyond_where_friction_ends_are_without_it():
     """A step of the force beyond the first breakpoint: folds on it have the friction that is left there."""
     u, gap, stop, step = sp.symbols("u gap stop step")
@@ -585,6 +586,7 @@ def test_the_onset_of_a_play_with_quadratic_damping(damping, c_2):
     assert onset.F_SN == pytest.approx(least.fun, rel=1e-7)
 
 
+@pytest.mark.slow
 def test_play_with_quadratic_damping_alone_always_has_folds():
     mount = derive.library("dead_zone")(delta=0.2, c_2=0.1)
     onset = mount.saddle_node_onset()

@@ -16,7 +16,7 @@ from tests.files import stored
 from tests.oracles.answers import Nearby
 from tests.oracles.definitions import points as drawn
 from tests.oracles.definitions import sensitivities
-from tests.sampling import fewer
+from tests.sampling import fewer, slow
 
 FILES = ("random_isolators", "random_duffing", "negative_stiffness", "table_1")
 CASES = [
@@ -118,7 +118,7 @@ def perturbed(mechanism, kind, at, numbers):
     return found.Omega, found.A, found.F_0
 
 
-@pytest.mark.parametrize("force", ["force", "inertia"])
+@pytest.mark.parametrize("force", ["force", *slow("inertia")])
 @pytest.mark.parametrize("kind", sensitivities.ANSWERS)
 def test_one_rule_solves_the_conditions_of_every_answer(kind, force):
     """At random points, which are no answers: the residuals of the conditions are subtracted."""
@@ -274,7 +274,7 @@ FREQUENCY = {"alpha": 2, "beta": 2, "mu": 2, "zeta": 1, "F_0": 2, "Omega": 1, "F
 OF_BASE = {**FREQUENCY, "F_0": 0, "F_SN": 0}
 
 
-@pytest.mark.parametrize(("excitation", "count"), [("force", 60), ("base", 3)])
+@pytest.mark.parametrize(("excitation", "count"), [*slow(("force", 60)), ("base", 3)])
 def test_gradients_hold_what_other_units_of_length_and_time_say(excitation, count):
     """Euler's theorem: a Duffing oscillator in other units is a Duffing oscillator."""
     random = np.random.default_rng(7)

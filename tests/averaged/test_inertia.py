@@ -327,6 +327,7 @@ def test_transmissibility_tends_to_its_floor():
     assert shaken.amplitudes(Omega=1e5, F_0=0.04).transmissibility < 1e-5
 
 
+@pytest.mark.slow
 def test_margins_and_isolation_on_a_base_are_those_of_states():
     rng, kinds = np.random.default_rng(3), set()
     Omega = np.geomspace(0.1, 50.0, 400)

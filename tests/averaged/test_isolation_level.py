@@ -194,6 +194,7 @@ def test_it_moves_with_the_parameters_as_differences_say(level_dB, excitation):
             assert many[of, name][0] == pytest.approx(gradient[of, name], rel=1e-9)
 
 
+@pytest.mark.slow
 def test_under_a_load_it_is_that_of_the_states_there():
     loaded = Duffing(1.0, 0.5, mu=1e-3, zeta=0.05, load=0.2)
     begins = [loaded.isolation(0.05, level_dB) for level_dB in (0.0, -10.0)]

@@ -15,7 +15,6 @@ from slowflow_kernels.conventions import Status
 A, W = np.linspace(2e-3, 1, 500), np.linspace(0.0, 1.3, 521)
 #: midpoints of a quarter of a turn: of an even periodic function their mean is exact but for rounding
 NODES = (np.arange(64) + 0.5) * math.pi / 128
-BOTH = pytest.mark.parametrize("backed", [pytest.param(True, id="compiled"), pytest.param(False, id="numpy")])
 
 
 def scanned(force, top, F_0, mu, zeta, eta=0.0, c_2=0.0, power=0):
@@ -114,7 +113,8 @@ def test_by_other_laws_of_damping_too(damping, F_0):
     assert_is_scanned(Duffing(1.0, -1.0, **laws).peak(0.02), scanned(cubic, 1.0, 0.02, **laws))
 
 
-@pytest.mark.parametrize("compiled", [False, pytest.param(True, marks=pytest.mark.slow)])
+@pytest.mark.slow
+@pytest.mark.parametrize("compiled", [False, True])
 def test_of_a_force_of_ones_own_in_pieces_too(compiled):
     """A spring that a second one pulls apart beyond u = 0.4, with the top at 0.4 + 0.4/0.5 = 1.2."""
     u, k = sp.symbols("u k", positive=True)

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from slowflow.backend import SOLVER
 from tests.native.roots import Solver, build, why_not
 from tests.oracles.frequencies import KINDS, U, relative_error, roots, stress_cases
-from tests.sampling import fewer
+from tests.sampling import fewer, slow
 
 # Less than the promised u (1 + kappa), so that a correction that has become useless is seen.  Rounding the exact root
 # costs up to u, which is 2/3 u (1 + kappa), as kappa >= 1/2 (change the unit of frequency); sqrt(-h/A), with kappa = 1,
@@ -27,9 +27,7 @@ def installed_solver(kind: str, rows: np.ndarray) -> tuple[np.ndarray, np.ndarra
     return SOLVE[kind](*rows.T)
 
 
-@pytest.fixture(
-    scope="session", params=["installed", *(pytest.param(one, marks=pytest.mark.slow) for one in ("C", "C clones"))]
-)
+@pytest.fixture(scope="session", params=["installed", *slow("C", "C clones")])
 def solver(request, tmp_path_factory) -> Solver:
     if request.param == "installed":
         return installed_solver

@@ -92,6 +92,7 @@ def by_quadrature_with_intercept(pieces, amplitude, count):
     return [*found, found[0] - amplitude * found[1]]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("count", "amplitude"), [(0, "0.2"), (1, "0.31"), (1, "0.49"), (2, "0.501"), (2, "2")])
 @pytest.mark.part(3)
 def test_closed_form(pieces, average, count, amplitude):
@@ -111,6 +112,7 @@ def test_far_form_to_working_precision(pieces, average, count, far, amplitude):
         assert abs(one - other) <= mpf(2) ** -54 * (1 + abs(other))
 
 
+@pytest.mark.slow
 def test_far_form_with_jumps_that_have_names(pieces):
     """As of a kernel to which the jumps are given."""
     names = sp.symbols("jump_1 jump_2", real=True)

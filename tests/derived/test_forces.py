@@ -17,6 +17,7 @@ from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import Status
 from tests.files import stored
 from tests.native.records import bent
+from tests.sampling import slow
 from tests.slopes import assert_slopes_are_differences
 
 u, k, c, p, gap, end = sp.symbols("u k c p gap end")
@@ -125,9 +126,7 @@ def test_harmonics_are_those_of_a_closed_form():
             np.testing.assert_allclose(values, [float(one) for one in expected], rtol=1e-14, atol=1e-15)
 
 
-@pytest.mark.parametrize(
-    "name", ["pendulum", *(pytest.param(name, marks=pytest.mark.slow) for name in list(FORCES)[1:])]
-)
+@pytest.mark.parametrize("name", ["pendulum", *slow(*list(FORCES)[1:])])
 def test_intercept_is_the_difference_it_stands_for(name):
     model = oscillator(name).model
     A = np.array([0.15, 0.7, 2.0])
@@ -254,7 +253,7 @@ def test_quotients_that_cancel_at_rest_keep_their_digits():
                 assert one.model.averaged(A)[0] == pytest.approx(float(-4 / mp.pi * average), rel=1e-15)
 
 
-@pytest.mark.parametrize("name", ["wave", "septic", "soft_stop"])
+@pytest.mark.parametrize("name", ["wave", *slow("septic", "soft_stop")])
 def test_folds_end_the_branches_of_the_curve(name):
     """Each fold satisfies F = F_A = 0, and there are as many as the curve has turns."""
     one = oscillator(name)
@@ -293,6 +292,7 @@ def test_gradients_are_what_neighbours_differ_by(name, numbers):
     assert assert_slopes_are_differences(one.replace, numbers, folds, numbers)
 
 
+@pytest.mark.slow
 def test_stiffnesses_that_cancel_leave_what_rounding_allows():
     """Three springs without stiffness at rest: an error as of some roundings of the parameters."""
     pieces = [(u + 2 * k * u * (1 - c / sp.sqrt(1 + u**2)), None)]
@@ -390,7 +390,7 @@ def test_a_response_is_cut_at_the_reach():
     assert one.peak(0.05).A < 3.1
 
 
-@pytest.mark.parametrize("compiled", [False, pytest.param(True, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("compiled", [False, *slow(True)])
 def test_it_is_told_whether_the_response_to_a_force_closes(compiled):
     """A force that gives way: the response closes where a peak ends it below the reach, and not where none does."""
     stated = f"gives_way_{compiled}", [(k * sp.sin(u), None)], {"k": ABOVE_0}
@@ -569,6 +569,7 @@ def test_compiled_solvers_know_the_onset_of_a_preload(preloaded):
         preloaded(c=0.05, k=1.0).saddle_node_onset()
 
 
+@pytest.mark.slow
 def test_where_a_hyperbolic_tangent_saturates_nothing_cancels():
     """1 - tanh^2 in its derivatives is 1/cosh^2: as a difference it kept sums from settling at all at A = 3."""
     pad = derive.mechanism("saturates", [(c * u + k * sp.tanh(3 * u), None)], {"k": {}, "c": ABOVE_0})
@@ -692,6 +693,7 @@ def test_far_out_an_enclosure_narrows_as_what_it_encloses():
     np.testing.assert_allclose(*scaled, rtol=0.01)
 
 
+@pytest.mark.slow
 def test_a_piece_may_end_at_a_power_of_parameters():
     ends = {"square": ((1 - c) ** 2, 0.25), "cube": (1 / (1 + c) ** 3, 1 / 1.5**3)}
     for name, (stated, value) in ends.items():

@@ -21,7 +21,7 @@ from slowflow_kernels.program_conventions import MOST_REGISTERS, Operation
 from tests.derived.test_forces import FORCES
 from tests.native.compiler import COMPILER
 from tests.native.records import Doubles, Interval, Self, doubles, opened
-from tests.sampling import fewer
+from tests.sampling import fewer, slow
 
 u, k, c, gap = sp.symbols("u k c gap")
 ABOVE_0 = {"above": 0}
@@ -77,7 +77,7 @@ def refused(integers, numbers):
     return False
 
 
-@pytest.fixture(scope="module", params=("two_stops", "summed_hertz", "jump"))
+@pytest.fixture(scope="module", params=("summed_hertz", *slow("two_stops", "jump")))
 def valid(request):
     """A program, and where each operation and each list of outputs begins in its integers."""
     from slowflow.derivation.codegen.targets.program import Recorder

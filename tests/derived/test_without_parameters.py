@@ -7,6 +7,7 @@ import pytest
 import sympy as sp
 
 from slowflow import Duffing, derive
+from tests.sampling import slow
 
 u, k, gap = sp.symbols("u k gap")
 STOP = sp.Rational(1, 5)
@@ -21,8 +22,8 @@ F_0 = 0.06
 #: name and whether it is compiled; each is derived twice
 CASES = [
     ("cubic", False),
-    *(pytest.param(name, False, marks=pytest.mark.slow) for name in ("stop", "pendulum")),
-    *(pytest.param(name, True, marks=pytest.mark.slow) for name in FORCES),
+    *slow(("stop", False), ("pendulum", False)),
+    *slow(*((name, True) for name in FORCES)),
 ]
 
 

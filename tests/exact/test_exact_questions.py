@@ -16,6 +16,7 @@ from slowflow.example import isolator
 from slowflow.support.errors import NotSettled
 from slowflow_kernels import duffing as duffing_kernels
 from tests.oracles import by_time, exact_brute
+from tests.sampling import slow
 
 
 def test_each_averaged_state_leads_to_a_motion_beside_it():
@@ -374,7 +375,7 @@ with ThreadPoolExecutor({threads}) as pool:
 
 
 @pytest.mark.parametrize("ratio", [0.98, 0.99, 0.995, 0.999, 0.9999])
-@pytest.mark.parametrize("Omega", [0.9, pytest.param(2.0, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("Omega", [0.9, *slow(2.0)])
 def test_a_drift_below_rounding_is_refused_not_settled(ratio, Omega):
     """So near sticking that a turn's drift is lost in rounding: one amplitude wherever one comes from, or none."""
     oscillator = Duffing(0.0, 1.0, 0.1 * ratio, 0.05)

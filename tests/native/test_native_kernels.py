@@ -312,6 +312,7 @@ def test_subnormal_numbers_stay():
     assert seen == [True] * 4
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("call", ["kernels", "solver"])
 def test_others_run_meanwhile(call):
     """The interpreter is free during a call: this thread goes on counting while another one computes."""
@@ -403,6 +404,7 @@ def test_large_numbers_raise_no_false_alarm(n):
             np.testing.assert_allclose(phi, np.arctan2(-0.032, -(0.64 + h)), rtol=1e-15)
 
 
+@pytest.mark.slow
 def test_the_arctangent_polynomial_is_as_good_as_derived():
     """The derived bound against 50 digits, at 400 points."""
     polynomial = series()

@@ -172,6 +172,7 @@ def test_its_derivation_is_told(cushion):
     assert r"D_1\big|_{u = g} &= \frac{q}{d}" in cushion.document()
 
 
+@pytest.mark.slow
 def test_no_motion_passes_a_wall(magnet):
     oscillator = magnet(q=0.01, d=0.5, load=0.05, **DAMPED)
     model = oscillator.model.unloaded
@@ -181,6 +182,7 @@ def test_no_motion_passes_a_wall(magnet):
     assert found.A + found.B < 0.5 < found.u_max and (oscillator.rest().u < 0.5).all()
 
 
+@pytest.mark.slow
 def test_what_is_not_smooth_is_refused_with_where_it_is():
     """A pole and a root between the ends of a piece; a root that a piece begins with."""
     pole = derive.mechanism("pole", [(u + q / (d - u), 1), (u, None)], {"q": ABOVE, "d": ABOVE}, odd=False)
@@ -386,6 +388,7 @@ def test_motions_against_a_magnet_are_those_of_its_average(magnet):
     assert motion.A == pytest.approx(state.A + abs(state.B), rel=0.03)
 
 
+@pytest.mark.slow
 def test_a_closed_gap_is_refused_under_a_load():
     """Its stiffness counted twice, or nothing was found, without a word."""
     closing = derive.mechanism("closing", [(sp.sin(u), g), (3 * u + u**3, None)], {"g": {"least": 0}}, reach=2)

@@ -65,6 +65,7 @@ def test_motions_detached_below_F_cr_are_on_their_own_curves():
     assert APART not in iso.margins(0.43).message
 
 
+@pytest.mark.slow
 def test_unstable_motions_beyond_the_first_end_detach_nothing():
     """Beyond it the spring pulls back less and less: up there nothing is stable, as long as the peak is below it."""
     falling = derive.library("bilinear")(kappa=-0.5, delta=1.0, mu=0.0, zeta=0.2)

@@ -32,7 +32,7 @@ from slowflow_kernels import duffing, rod_spring
 from slowflow_kernels.conventions import Status
 from tests.files import ROOT, stored
 from tests.oracles.definitions import averaged_force
-from tests.sampling import part
+from tests.sampling import part, slow
 
 MECHANISMS = {"duffing": duffing.MECHANISM, "rod_spring": rod_spring.MECHANISM}
 CERTIFIED = stored("off_centre")
@@ -145,7 +145,15 @@ def mean(force, ends, A, B, weight):
     return total / mpmath.pi
 
 
-@pytest.mark.parametrize(("A", "B"), [(0.2, 0.05), (0.5, 0.05), (0.2, 0.3), (0.2, 0.7), (0.9, -0.3), (0.1, -0.45)])
+@pytest.mark.parametrize(
+    ("A", "B"),
+    [
+        (0.2, 0.05),
+        (0.2, 0.7),
+        (0.1, -0.45),
+        *slow((0.5, 0.05), (0.2, 0.3), (0.9, -0.3)),
+    ],
+)
 def test_means_in_every_regime_are_those_of_exact_integrals(loaded, A, B):
     """Derivatives, with the delta functions that jumps leave, as differences of the means of the force itself."""
     steps = Steps(loaded.model.mechanism, loaded.model.parameters, 0.0)
@@ -407,7 +415,7 @@ ON_CORNERS = (
 )
 
 
-@pytest.mark.parametrize("numbers", ON_CORNERS)
+@pytest.mark.parametrize("numbers", [ON_CORNERS[0], *slow(*ON_CORNERS[1:])])
 def test_a_fold_on_a_corner_under_a_load_has_all_digits(numbers):
     """A and B, rounded, pass the jump by an ulp: h, and Omega with it, was off by 1e-8 to 1e-7."""
     lam, r, delta_h, mu, zeta, F_0 = map(float, numbers.split())

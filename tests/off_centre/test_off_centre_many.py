@@ -23,6 +23,7 @@ def test_gradients_of_margins_are_refused_in_words():
         found.margins(0.02).gradient()
 
 
+@pytest.mark.slow
 def test_a_design_without_an_answer_has_a_status_that_says_why():
     designs = Duffing.many([1.0, 1.0, 1.0, np.nan, -0.5, 1.0], 0.5, 0.01, [0.05, 0.0, 0.05, 0.05, 0.05, 0.05],
                            load=[0.3, 0.3, np.inf, 0.3, 0.02, 0.0])  # fmt: skip
@@ -101,17 +102,12 @@ def test_shocks_of_many_designs_begin_where_each_rests():
 
 
 def test_batch_questions_without_asymmetric_answer_are_refused():
-    designs = Isolator.many(**TABLE_1, load=[0.03, 0.1])
-    for name in ("at_rest", "certify", "second_approximation"):
-        with pytest.raises(ValueError, match="motions about the centre"):
-            getattr(designs, name)
     with pytest.raises(ValueError, match="load is not available with rubs = 'attached'"):
         Isolator.many(**TABLE_1, load=0.1, rubs="attached")
     with pytest.raises(ValueError, match="stated at one frequency"):
         Isolator.many(**TABLE_1, load=0.1, eta=0.02).shock_spectrum(acceleration=0.1, duration=2.0)
     with pytest.raises(ValueError, match="shapes"):
         Isolator.many(**TABLE_1, load=[0.1, 0.2]).saddle_nodes([0.03, 0.04, 0.05])
-    assert not hasattr(designs, "nothing_of_the_kind")
 
 
 @pytest.mark.parametrize(
@@ -137,10 +133,11 @@ def test_motions_beyond_doubles_are_refused(parameters):
 def test_centred_question_is_no_attribute_and_says_why():
     """`hasattr` and `getattr` with a default are how a program finds out, and raised instead."""
     designs = Isolator.many(**TABLE_1, load=[0.01])
-    for name in ("certify", "at_rest", "second_approximation", "cusps", "what"):
+    assert not hasattr(designs, "what") and not hasattr(designs, "cusps")
+    for name in ("certify", "at_rest", "second_approximation"):
         assert not hasattr(designs, name) and getattr(designs, name, None) is None
-    with pytest.raises(ValueError, match="not available, this question is about motions about the centre"):
-        getattr(designs, "certify")  # noqa: B009  a bare expression would be one without use
+        with pytest.raises(ValueError, match="not available, this question is about motions about the centre"):
+            getattr(designs, name)
     assert hasattr(designs, "peak") and not hasattr(Isolator(**TABLE_1, load=0.01).model, "averaged")
 
 

@@ -156,6 +156,7 @@ def test_a_preload_that_pushes_outwards_is_refused():
     assert outward.many(**numbers).saddle_nodes(0.1).remarks & Remark.NEGATIVE_STIFFNESS
 
 
+@pytest.mark.slow
 def test_a_force_that_falls_at_a_breakpoint_does_not_harden():
     """f(u)/u rises on each piece, 1 and 1 - c/u, and falls by c/gap between them: motions may leave the centre."""
     falls = derive.mechanism("falls_at_gap", [(u, gap), (u - c, None)], {"gap": ABOVE_0, "c": ABOVE_0})

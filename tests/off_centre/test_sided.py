@@ -19,6 +19,7 @@ from slowflow_kernels.conventions import Status
 from tests.off_centre.test_off_centre import mean
 from tests.oracles import exact_reference
 from tests.oracles.by_time import mean_and_first
+from tests.sampling import slow
 from tests.slopes import assert_slopes_are_differences
 
 u, k, g, p, q, a, b = sp.symbols("u k g p q a b")
@@ -150,7 +151,10 @@ def of_contact(A, B, k, g):
     return B + k * ((B - g) * angle + A * sine) / np.pi, s_0
 
 
-@pytest.mark.parametrize(("Omega", "load"), [(1.05, 0.0), (1.15, 0.0), (1.15, 0.03), (0.9, 0.3)])
+@pytest.mark.parametrize(
+    ("Omega", "load"),
+    [(1.15, 0.03), *slow((1.05, 0.0), (1.15, 0.0), (0.9, 0.3))],
+)
 def test_every_state_against_a_stop_is_there(stop, Omega, load):
     """At each amplitude the balance has one mean, by bisection, and F changes its sign at states alone."""
     stiff, gap, F_0 = 8.0, 0.2, 0.03

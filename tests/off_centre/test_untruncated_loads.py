@@ -7,10 +7,11 @@ import numpy as np
 import pytest
 
 from slowflow import Isolator
+from tests.sampling import slow
 
 TABLE_1 = {"lam": 3, "r": 3747 / 1848, "delta_h": 1848 / (6 * 3747), "mu": 0.012, "zeta": 0.02}
 STEEP = {"lam": 2, "r": 0.6, "delta_h": 0.7, "mu": 0.02, "zeta": 0.05}
-CASES = pytest.mark.parametrize(("design", "load", "F_0"), [(TABLE_1, 0.01, 0.04), (STEEP, -0.2, 0.15)])
+CASES = pytest.mark.parametrize(("design", "load", "F_0"), [(TABLE_1, 0.01, 0.04), *slow((STEEP, -0.2, 0.15))])
 
 
 def restoring(lam, r, delta_h, **_):

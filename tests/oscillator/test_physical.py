@@ -22,6 +22,7 @@ from slowflow.table import COLUMNS
 from slowflow.text import Sentence
 from slowflow_kernels.scaling import SCALES
 from tests.files import ROOT
+from tests.sampling import slow
 from tests.slopes import assert_slopes_are_differences
 
 LETTER = {excitation: letter for excitation, (letter, _) in EXCITED.items()}
@@ -209,7 +210,7 @@ def test_several_mounts_share_the_mass_and_add_springs(excitation):
         four.replace(mounts=0)
 
 
-@pytest.mark.parametrize("load", [None, 12.2])
+@pytest.mark.parametrize("load", [None, *slow(12.2)])
 def test_a_base_is_given_by_its_acceleration_in_every_question(load):
     by_base, by_a = (Isolator.physical(**MOUNT, load=load, excitation=one) for one in ("base", "acceleration"))
     a, f = 0.5, np.array([1.8, 2.4, 6.0])

@@ -174,6 +174,7 @@ def in_balls(balls, A, beyond, parameters, passed):
     return balls.known(passed, A, beyond, *parameters, *jump)[:4]
 
 
+@pytest.mark.slow
 @settings(drawn, max_examples=150)
 @given(duffings | isolators, st.floats(1e-3, 1.5))
 def test_derivatives_of_an_average_are_those_of_its_ball(numbers, A):

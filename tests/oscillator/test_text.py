@@ -47,23 +47,15 @@ def strings(path):
 
 
 @pytest.mark.parametrize("path", sorted(SOURCE.rglob("*.py")), ids=lambda path: str(path.relative_to(SOURCE)))
-def test_symbols_in_sentences_are_places(path):
-    """So that each symbol and its number have a known kind."""
-    name = str(path.relative_to(SOURCE))
-    if name.startswith((*OWN, *PLAIN)):
-        return
+def test_symbols_in_sentences_are_quantities(path):
+    """In places, so that each symbol and its number have a known kind; that of no quantity would keep its size."""
+    own = str(path.relative_to(SOURCE)).startswith((*OWN, *PLAIN))
     for sentence in strings(path):
         bare = re.sub(r"\{[^{}]*\}", "", sentence)
-        if " " in bare.strip() and "\n" not in bare:  # docstrings that are put together have lines
+        if not own and " " in bare.strip() and "\n" not in bare:  # docstrings that are put together have lines
             assert not SYMBOLS.search(bare), sentence
-
-
-@pytest.mark.parametrize("path", sorted(SOURCE.rglob("*.py")), ids=lambda path: str(path.relative_to(SOURCE)))
-def test_places_of_patterns_are_quantities(path):
-    """A symbol of no quantity would keep its name, and its number its size."""
-    for pattern in strings(path):
-        for symbol in re.findall(r"\{([A-Za-z_0-9]+) = :[^}]*\}", pattern):
-            assert symbol in QUANTITIES or symbol in ("theta", "start"), pattern
+        for symbol in re.findall(r"\{([A-Za-z_0-9]+) = :[^}]*\}", sentence):
+            assert symbol in QUANTITIES or symbol in ("theta", "start"), sentence
 
 
 def test_a_sentence_is_a_string_with_its_numbers():

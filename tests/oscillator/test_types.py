@@ -12,6 +12,7 @@ from slowflow import Isolator, physical_answers
 from slowflow.physical import Physical
 from slowflow.quantities import EXCITED
 from tests.files import ROOT
+from tests.sampling import slow
 
 SHEET = dict(m=25, k_v=9000, k_h=4000, n=3, L=0.08, preload=0.006, friction=3.6, zeta=0.03)
 #: a question of each kind, in SI units; a load takes the motion off the centre
@@ -104,7 +105,7 @@ def test_every_answer_in_si_units_has_a_type():
     assert {name for name, kind in types.items() if kind.startswith("answers.")} == set(ARGUMENTS)
 
 
-@pytest.mark.parametrize("load", [None, 26.0])
+@pytest.mark.parametrize("load", [None, *slow(26.0)])
 @pytest.mark.parametrize(
     "excitation, F", [("force", 20.0), ("base", 0.003), ("acceleration", 0.8), ("unbalance", 0.05)]
 )

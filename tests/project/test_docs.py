@@ -42,6 +42,7 @@ EXAMPLES_NEED = {
 #: modules whose examples take seconds
 SLOW = {
     "slowflow.derive",
+    "slowflow.grid.designs",
     "slowflow.sizing.requirements",
     *(f"slowflow.off_centre.{room}" for room in ("answers", "many", "questions")),
 }

@@ -21,6 +21,7 @@ from slowflow.support.errors import SceneError
 from slowflow_kernels.conventions import Status
 from slowflow_kernels.table_1 import TABLE_1
 from tests.files import Lazily
+from tests.sampling import slow
 
 report = Lazily("slowflow.report")
 
@@ -256,7 +257,7 @@ def test_three_linear_oscillators_are_all_found_and_named():
     assert "3 linear oscillators are equivalent" in found.message
 
 
-@pytest.mark.parametrize("case", range(6))
+@pytest.mark.parametrize("case", [1, 2, *slow(0, 3, 4, 5)])
 def test_stationary_motions_are_those_of_a_scan(case):
     random = np.random.default_rng(100 + case)
     laws = {"zeta": random.uniform(0.01, 0.1), "mu": random.choice([0.0, 0.01]), "c_2": random.choice([0.0, 0.1])}
@@ -356,6 +357,7 @@ def exact_rms(force, c, S_0):
     return math.sqrt(np.trapezoid(grid**2 * weight, grid) / np.trapezoid(weight, grid))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("one", "S_0", "u_rms"),
     ((Duffing(1.0, 1.0, zeta=0.05), 0.05, 0.79266256937), (Isolator(**DESIGN, zeta=0.02), 4e-4, 0.20072557404)),
