@@ -1,7 +1,7 @@
-"""What the questions are answered with: plain records of arrays; where there is no answer, `message` says why.
+"""Records of the questions' answers: arrays and numbers; where there is no answer, `message` has the reason.
 
-Answers do not change, their arrays included, and equal each other by content. Those that hold several entries have a
-length, and an index or a loop gives one entry as a named tuple: `for fold in iso.saddle_nodes(0.04): fold.Omega`.
+Results are immutable, their arrays included, and compare by value. Those with several entries have a length, and an
+index or a loop gives one entry as a named tuple: `for fold in iso.saddle_nodes(0.04): fold.Omega`.
 """
 
 from __future__ import annotations
@@ -31,35 +31,35 @@ ONLY_OFFSET = "{u_max} is that of motions with a mean B: without a load A is the
 
 
 class Remark(IntFlag):
-    """What to bear in mind with an answer, as codes that add up; `.message` has them in words."""
+    """Diagnostics of an answer, as codes that add up; `.message` has them as text."""
 
     #: mu/F_0 is near pi/4, where averaging fails
     NEAR_STICKING = 1
     #: amplitudes above the mechanism's reach
     BEYOND_REACH = 2
-    #: the stiffness at rest is negative: u = 0 is no resting place
+    #: the stiffness at rest is negative: u = 0 is no stable equilibrium
     NEGATIVE_STIFFNESS = 4
-    #: motions about u = 0 that leave it: the stiffness over their cycle does not carry the mean displacement back
+    #: motions about u = 0 that drift away: the stiffness over their cycle does not restore the mean displacement
     LEAVES_CENTRE = 8
     #: a fold or an onset on a breakpoint at which a truncated force jumps: the untruncated force has none there
     OF_TRUNCATION = 16
     #: below the onset there are folds that end at Omega = 0, or with a preload at A = 0
     FOLDS_AT_REST = 32
-    #: a preload, or friction that ends at u_cr, holds a mass that is at rest; the motions are beside that
+    #: a preload, or friction that ends at u_cr, holds a mass at rest; the motions coexist with that
     HELD_AT_REST = 64
-    #: next to where folds meet, or states do: doubles do not tell how many there are, nor does a proof in intervals; or
-    #: they have few digits of where folds lie
+    #: close to where folds or states merge: neither double precision nor intervals decide how many there are; or folds
+    #: have few digits
     UNDECIDED = 128
-    #: states of larger amplitudes there are, or may be: the response is cut, as nothing bounds it or at the reach
+    #: states of larger amplitude exist, or may: the response is cut, as it has no bound, or at the reach
     CUT = 256
-    #: states that turn beyond the top of the force's well, where it pushes on: exact motions do not come back from it
+    #: states that turn beyond the top of the potential well: exact motions do not return from there
     BEYOND_WELL = 512
-    #: doubles left undecided how many folds or states there are, or where folds are born, and balls of more digits
-    #: decided it
+    #: double precision was inconclusive on the number of folds or states, or on where folds are born: ball arithmetic
+    #: decided
     BY_BALLS = 1024
-    #: the force was written so that for u < 0 it is another one than its mirror image, which was taken
+    #: the force for u < 0 is not the mirror image of that for u > 0, which was used
     MIRRORED = 2048
-    #: resonant states next to the top of a well, near which no exact motion loses as little energy as is supplied
+    #: resonant states close to the top of a well: every exact motion there dissipates more energy than is supplied
     UNSUSTAINED = 4096
 
 
@@ -67,7 +67,7 @@ NOTHING = Remark(0)
 
 
 def _nothing() -> Remark:
-    """The default of answers, by a function: a value of the class would stand before what is made when it is read."""
+    """The default of answers, by a function: a value of the class would come before what is made when it is read."""
     return NOTHING
 
 
@@ -98,9 +98,9 @@ class Measured(Table):
 
     Omega, A -- frequency, and largest |u| of the motion
     error    -- relative error of the averaged amplitude
-    stable, stops -- whether the motion is stable; its rests in one period
+    stable, stops -- whether the motion is stable; its stops in one period
     found    -- whether there is such a motion: A and error are nan where there is none
-    reason   -- why there is none, in words
+    reason   -- why there is none
     message  -- how many states have none, and why; empty if all have one
     """
 
@@ -123,8 +123,8 @@ class MeasuredFolds(Table):
     Omega, A   -- of the exact fold
     error      -- relative error of the averaged frequency
     error_of_A -- relative error of the averaged amplitude
-    found      -- whether there is such a fold: the rest is nan where there is none
-    reason     -- why there is none, in words
+    found      -- whether there is such a fold: the other columns are nan where there is none
+    reason     -- why there is none
     message    -- how many have none, and why; empty if all have one
     """
 
@@ -144,10 +144,10 @@ class MeasuredPoint(Single):
     """The peak, onset, detachment or isolation of the equation of motion (3) that an averaged one leads to; or None.
 
     F_0, Omega, A -- forcing, frequency, and largest |u| of the motion
-    error    -- relative error of what was asked for: of a peak the averaged A, of an onset F_SN, of a detachment F_cr,
-                of isolation Omega
+    error    -- relative error of the averaged result: of a peak A, of an onset F_SN, of a detachment F_cr, of isolation
+                Omega
     error_of_Omega -- relative error of the averaged frequency
-    message  -- why there is none, in words
+    message  -- why there is none
     """
 
     F_0: float | None
@@ -158,43 +158,43 @@ class MeasuredPoint(Single):
     message: str
 
 
-#: what may be drawn of a response curve
+#: quantities that may be drawn of a response curve
 DRAWN = ("A", "phi", "transmissibility", "transmissibility_dB")
-#: an answer of averaging alone, which knows no equation of motion
+#: of an answer of averaging alone, without an equation of motion
 NOT_ASKED = "this answer was not asked of an oscillator: no equation of motion is known to measure it against"
 
 
-#: an answer that is not of averaging
+#: of an answer that is not averaged
 NOT_AVERAGED = "gradients are known of averaged answers, asked of an oscillator with a design: this is none"
 
 
-#: of an answer under a load, which says itself how its numbers move: a function of the answer
+#: of an answer under a load: its gradient as a function of the answer
 GradientOf = Callable[[Any], Gradient]
 NOT_MEASURED = "off the centre states and folds are measured, as amplitudes(...).measure(): this answer is neither"
 
 
 @dataclass(frozen=True, eq=False)
 class Moving:
-    """What averaged answers share, about whatever mean: what measures them, and under a load how their numbers move."""
+    """What averaged answers have in common: comparison with exact motions, and gradients under a load."""
 
-    #: the oscillator, whose `measured` holds an answer against the equation of motion
+    #: the oscillator, whose `measured` compares an answer with the equation of motion
     _equation: Any = field(default=None, kw_only=True, repr=False)
     _gradient_of: GradientOf | None = field(default=None, kw_only=True, repr=False)
 
     def _against_motion(self, force: str | None, of: str = "") -> Any:
-        """What measuring it gives."""
+        """Compare the answer with the equation of motion."""
         if self._equation is None:
             raise Refused(NOT_ASKED)
         return self._equation.measured(self, force, of)
 
     def _gradient_from(self: Any, of: Callable[..., Gradient], *numbers: Any) -> Gradient:
-        """The gradient, without a load by a function of whose answer it is, and of its numbers."""
+        """The gradient, without a load by a function of the oscillator's design and of the answer's numbers."""
         return self._gradient_of(self) if self._gradient_of else of(of_model(self._model), *numbers)
 
 
 @dataclass(frozen=True, eq=False)
 class OfPoint(Moving):
-    """What a peak, an onset and a detachment share: each is held against one of the equation of motion."""
+    """What a peak, an onset and a detachment have in common: each is compared with one of the equation of motion."""
 
     if TYPE_CHECKING:
         load: float | None
@@ -218,24 +218,24 @@ class Point(OfPoint, Single):
 
     @property
     def validity(self) -> Validity:
-        """Under a load, that how far the motion may be from the equation of motion was not measured."""
+        """Under a load: that its error against the equation of motion has not been measured."""
         if self.load is None or self._model is None:
             raise validate.NoAttribute("validity is known of states and folds, and under a load: of this it is not")
         return off_centre(self._model.mu, *(getattr(self, name) for name in self.at))
 
     def measure(self, force: str | None = None) -> MeasuredPoint:
-        """How far it is from that of the equation of motion (3), here and now: tenths of a second where compiled.
+        """Compare it with that of the equation of motion (3), in tenths of a second where compiled.
 
-        The exact curve is followed from motions beside a peak. An onset is the forcing at which the exact curve beside
-        it becomes vertical, or gets folds at a corner; where an isolated curve is born there is no such forcing. A
-        detachment is the forcing at which the exact curve of the first piece alone has a peak of u_cr. `force` and what
-        is raised as in `SteadyStates.measure`, and ArithmeticError where that takes too many steps.
+        The exact curve is followed from motions near a peak. An onset is the forcing at which the exact curve near it
+        becomes vertical, or gets folds at a corner; where an isolated curve is born there is no such forcing. A
+        detachment is the forcing at which the exact curve of the first piece alone has a peak of u_cr. `force` and
+        errors as in `SteadyStates.measure`, and ArithmeticError where that takes too many steps.
         """
         return self._measured(force)
 
 
 def of_model(model: Model | None) -> sensitivities.Design:
-    """Whose answer it is. Raises ValueError where nothing says it."""
+    """The design of an answer's oscillator. Raises ValueError where it is not known."""
     if model is None or not model.has_design:
         raise Refused(NOT_AVERAGED)
     laws, numbers = model.laws, (*model.design, model.mu, model.zeta)
@@ -245,7 +245,7 @@ def of_model(model: Model | None) -> sensitivities.Design:
 
 
 class WithMean:
-    """What states and folds share: about a mean, which is 0 without a load."""
+    """What states and folds have in common: the mean displacement, which is 0 without a load."""
 
     entry: ClassVar[Any]
     with_mean: ClassVar[Any]
@@ -255,7 +255,7 @@ class WithMean:
         B: Floats | None
 
     def _entry_of(self) -> Any:
-        """The named tuple that an entry is: with the mean, under a load."""
+        """The named tuple of an entry: with the mean, under a load."""
         return self.entry if self.B is None else self.with_mean
 
     @property
@@ -265,7 +265,7 @@ class WithMean:
 
 
 class InDecibels:
-    """What tables of states share, at whatever depth and about whatever mean."""
+    """What tables of states have in common, of every approximation."""
 
     if TYPE_CHECKING:
         transmissibility: Any
@@ -283,14 +283,15 @@ class SteadyStates(Moving, WithMean, InDecibels, Table):
 
     Omega, A -- frequency and amplitude, dimensionless; A = 0 where friction holds the mass at rest
     B        -- under a load the mean displacement, u = B + A cos(Omega tau + phi), so that |B| + A is the largest |u|,
-                `u_max`; where friction holds the mass each stable place of rest, about which it may hold it as well
+                `u_max`; where friction holds the mass each stable equilibrium, about which it may hold it as well
     stable   -- True where both eigenvalues of the Jacobian (28) have a negative real part; under a load where F_A (30)
                 along the balance of the mean is positive, and the mean stiffness too
-    F_0      -- the forcing, one number; an array with that of each state where several were asked for
+    F_0      -- the forcing, one number; an array with that of each state where the question had several
     load     -- the static load over k_v L, where there is one
-    message  -- remarks in words; empty if there is nothing to say
-    Omega_undecided -- those of the frequencies asked for at which neither doubles nor balls tell how many states there
-                       are
+    message  -- diagnostics as text; empty if there are none
+    Omega_undecided -- frequencies of the question at which neither double precision nor ball arithmetic decides how
+    many
+                       states there are
     """
 
     entry: ClassVar[Any] = State
@@ -307,7 +308,7 @@ class SteadyStates(Moving, WithMean, InDecibels, Table):
     Omega_undecided: Floats = field(default_factory=lambda: np.empty(0), kw_only=True)
     remarks: Remark = field(default_factory=_nothing, kw_only=True)
     _model: Model = field(repr=False)
-    #: under a load, h along the balance of the mean, and the flow of which it is a number
+    #: under a load, h along the balance of the mean, and its slow flow
     _h: Floats | None = field(default=None, kw_only=True, repr=False)
     _flow: Any = field(default=None, kw_only=True, repr=False)
 
@@ -324,12 +325,12 @@ class SteadyStates(Moving, WithMean, InDecibels, Table):
 
     @property
     def _balance(self) -> tuple[Any, Any]:
-        """The slow flow whose states these are, and h at each."""
+        """The slow flow of these states, and h at each."""
         return (self._model, self._model.averaged(self.A)[0]) if self._flow is None else (self._flow, self._h)
 
     @cached_property
     def phi(self) -> Floats:
-        """Phase of u = A cos(Omega tau + phi) in radians, in [-pi, 0] (25); computed when first asked for.
+        """Phase of u = A cos(Omega tau + phi) in radians, in [-pi, 0] (25); computed on first use.
 
         Of a mass at rest it is the one with which it begins to move, -pi/2 without a preload.
         """
@@ -343,10 +344,10 @@ class SteadyStates(Moving, WithMean, InDecibels, Table):
 
     @cached_property
     def transmissibility(self) -> Floats:
-        """Fundamental harmonic of what spring, damper and friction pass on, over `.force`, of each state.
+        """Fundamental harmonic of the force of spring, damper and friction over `.force`, of each state, dimensionless.
 
-        On a base that shakes it is as well the absolute displacement of the mass over that of the base. A mass at rest
-        passes on all of it: 1.
+        Under base excitation it is also the absolute displacement of the mass over that of the base. It is 1 for a mass
+        at rest.
         """
         with np.errstate(divide="ignore", invalid="ignore"):  # of a mass at rest on a base that hardly shakes
             flow, h = self._balance
@@ -354,39 +355,52 @@ class SteadyStates(Moving, WithMean, InDecibels, Table):
 
     @property
     def relative(self) -> Floats:
-        """A over F_0 of each state, a displacement over another one.
+        """A over F_0 of each state, the ratio of two displacements.
 
-        On a base that shakes that from the base over the base's. Of a force it is over the static deflection of the
-        vertical spring alone, of an unbalance over the amplitude that the mass tends to as Omega tends to inf.
+        Under base excitation the displacement relative to the base over that of the base. Of a force it is over the
+        static deflection of the vertical spring alone, of an unbalance over the amplitude that the mass tends to as
+        Omega tends to inf.
         """
         return np.asarray(self.A / self.F_0)
 
     @cached_property
     def validity(self) -> Validity:
-        """How far each state may be from the equation of motion, by measurement; looked up when first asked for."""
+        """Measured errors of averaging near each state, against the equation of motion; looked up on first use."""
         if self.load is not None:
             return off_centre(self._model.mu, self.F_0, self.Omega, self.A)
         return of_states(self._model, self.Omega, self.A)
 
     def gradient(self) -> Gradient:
-        """How A, phi and transmissibility of each state move with the parameters, F_0 and Omega, exactly.
+        """Differentiate A, phi and transmissibility of each state by the parameters, F_0 and Omega, exactly.
 
         Where a state is a fold, or lies on a breakpoint at which the force jumps, it has no gradient, and `.status` and
-        `.message` say so. Under a load B and the load take part; raises NotAvailable where it is not known how the
-        force moves with the design.
+        `.message` say so. Under a load also B, and by the load; raises NotAvailable where the force's derivatives by
+        the design are not known.
         """
         return self._gradient_from(
             sensitivities.of_states, self.Omega, self.A, self.F_0, self.phi, self.transmissibility
         )
 
     def measure(self, force: str | None = None) -> Measured:
-        """How far each state is from the equation of motion (3): measured here and now, some 0.2 ms for each.
+        """Compare each state with a motion of the equation of motion (3), in some 0.2 ms each.
 
         Newton's iteration leads from a state to a motion of half to one and a half times its amplitude; of two states
-        at one frequency that lead to the same motion, one is said to have none. `force`: "truncated" for (6),
-        "untruncated" for (5), by default the one that was averaged. Under a load `.A` of the answer is the largest |u|,
-        and `.error` that of `u_max`. Raises ValueError where there is no such force, or where neither friction nor
-        viscous damping lets a motion settle.
+        at one frequency that lead to the same motion, one has none.
+
+        Parameters
+        ----------
+        force : {"truncated", "untruncated"}, optional
+            The force of (6) or of (5); by default the one that was averaged.
+
+        Returns
+        -------
+        Measured
+            .A .error .stable .stops .found; under a load .A is the largest |u|, and .error that of `u_max`.
+
+        Raises
+        ------
+        ValueError
+            Where there is no such force, or neither friction nor viscous damping lets a motion settle.
         """
         return self._against_motion(force)
 
@@ -410,7 +424,7 @@ class FrequencyResponse(Drawn, SteadyStates):
 
     @property
     def can_draw(self) -> tuple[str, ...]:
-        """Which of its numbers `plot` may draw over Omega."""
+        """Quantities that `plot` may draw over Omega."""
         return DRAWN if self.B is None else ("B", *DRAWN)
 
 
@@ -418,11 +432,11 @@ class FrequencyResponse(Drawn, SteadyStates):
 class SaddleNodes(Moving, WithMean, Drawn, Table):
     """Folds of the response curve at one forcing, by rising Omega: arrays of one length.
 
-    kind   -- "jump-up": a sweep leaves the fold for a larger amplitude; "jump-down": for a smaller one
-              under a load "unstable" where the motions that meet are both not stable
-    corner -- True where the fold sits on a breakpoint of the force
+    kind   -- "jump-up": a sweep jumps from the fold to a larger amplitude; "jump-down": to a smaller one; under a load
+              "unstable" where both motions that merge are unstable
+    corner -- True where the fold lies on a breakpoint of the force
     B, load -- under a load, the mean displacement of each, and the load over k_v L
-    proof  -- enclosures of all folds, and whether these are proved to be all; None unless it was asked for
+    proof  -- enclosures of all folds, and whether these are proved to be all; None without certify=True
     """
 
     entry: ClassVar[Any] = SaddleNode
@@ -443,13 +457,13 @@ class SaddleNodes(Moving, WithMean, Drawn, Table):
 
     @cached_property
     def validity(self) -> Validity:
-        """How far each fold may be from the equation of motion, by measurement; looked up when first asked for."""
+        """Measured errors of averaging near each fold, against the equation of motion; looked up on first use."""
         if self.load is not None:
             return off_centre(self._model.mu, self.F_0, self.Omega, self.A)
         return of_states(self._model, self.Omega, self.A, corner=bool(self.corner.any()))
 
     def gradient(self) -> Gradient:
-        """How Omega and A of each fold move with the parameters and F_0, exactly; a corner moves with its breakpoint.
+        """Differentiate Omega and A of each fold by the parameters and F_0, exactly; a corner stays on its breakpoint.
 
         Where a fold meets another, at a cusp or an isola point, or comes to a breakpoint or leaves it, it has no
         gradient, and `.status` and `.message` say so. Under a load as `SteadyStates.gradient`.
@@ -457,11 +471,11 @@ class SaddleNodes(Moving, WithMean, Drawn, Table):
         return self._gradient_from(sensitivities.of_folds, self.Omega, self.A, self.F_0, self.corner)
 
     def measure(self, force: str | None = None) -> MeasuredFolds:
-        """How far each fold is from one of the equation of motion (3): measured here and now, some ms for each.
+        """Compare each fold with one of the equation of motion (3), in some ms each.
 
-        The exact curve is followed from motions beside the fold, up to the first one that it meets. `force` and what
-        is raised as in `SteadyStates.measure`; under a load `.A` of the answer is the largest |u| at the fold, and
-        `.error_of_A` that of |B| + A.
+        The exact curve is followed from motions near the fold, up to the first fold on it. `force` and errors as in
+        `SteadyStates.measure`; under a load `.A` of the answer is the largest |u| at the fold, and `.error_of_A` that
+        of |B| + A.
         """
         return self._against_motion(force)
 
@@ -473,7 +487,7 @@ class SaddleNodeOnset(Point):
     kind -- "cusp" (the response gets a vertical inflection), "isola" (an isolated curve is born), "corner" (at a
             breakpoint)
     untruncated -- the onset of the untruncated force, where this one is on a corner that only the truncation makes;
-                   without one its message says why, which may be that doubles do not tell
+                   without one its message says why, which may be that double precision is inconclusive
     B, load     -- under a load, the mean displacement, and the load over k_v L; the onset is the lowest forcing for
                    which a stable motion ends at a fold then
     """
@@ -489,15 +503,15 @@ class SaddleNodeOnset(Point):
     message: str
     untruncated: SaddleNodeOnset | None = field(default_factory=lambda: None, kw_only=True, metadata=UNLOADED)
     remarks: Remark = field(default_factory=_nothing, kw_only=True)
-    #: where there is none, what batches say
+    #: status of batches where there is none
     _status: Status = field(default=Status.NONE, kw_only=True, repr=False)
 
     def gradient(self) -> Gradient:
-        """How F_SN, Omega and A move with the parameters, exactly; on a breakpoint with that.
+        """Differentiate F_SN, Omega and A by the parameters, exactly; on a breakpoint with that.
 
         Where more than two folds are born together there is no gradient, and `.status` and `.message` say so. Of two
-        onsets at one forcing, which it does not look for, it is that of the one which is given. Under a load B and the
-        load take part, and on a corner that a jump of the force makes there is none.
+        onsets at one forcing, which it does not look for, it is that of this one. Under a load also B, and by the load;
+        on a corner that a jump of the force makes there is none.
         """
         kind = OnsetKind[self.kind.upper() or "NO"]
         return self._gradient_from(sensitivities.of_onset, self.F_SN, self.Omega, self.A, kind)
@@ -525,8 +539,8 @@ class FoldLocus(Drawn, Table):
 class Cusps(Table):
     """Cusps of the fold locus, F = F_A = F_AA = 0, by rising amplitude: arrays of one length.
 
-    minimum -- True where two folds come into being as the forcing rises; False where two meet and vanish
-    remarks -- `Remark.UNDECIDED` where doubles have few digits of one, `Remark.BY_BALLS` where balls told them
+    minimum -- True where two folds appear as the forcing rises; False where two merge and vanish
+    remarks -- `Remark.UNDECIDED` where doubles have few digits of one, `Remark.BY_BALLS` where ball arithmetic had more
     """
 
     entry: ClassVar[Any] = Cusp
@@ -540,7 +554,7 @@ class Cusps(Table):
     _model: Model | None = field(default=None, kw_only=True, repr=False)
 
     def gradient(self) -> Gradient:
-        """How F_0, Omega and A of each cusp move with the parameters, exactly."""
+        """Differentiate F_0, Omega and A of each cusp by the parameters, exactly."""
         return sensitivities.of_extrema(of_model(self._model), Pinned.CUSP, self.F_0, self.Omega, self.A)
 
 
@@ -549,7 +563,7 @@ class IsolaPoints(Table):
     """Points with F = F_A = F_Omega = 0, by rising amplitude: arrays of one length.
 
     kind -- what happens there as the forcing rises: an isolated curve's "birth", its "death", or a "merger" of two
-            parts of the response curve (or their separation)
+            pieces of the response curve (or their separation)
     remarks -- `Remark.UNDECIDED` where doubles have few digits of one
     """
 
@@ -564,7 +578,7 @@ class IsolaPoints(Table):
     _model: Model | None = field(default=None, kw_only=True, repr=False)
 
     def gradient(self) -> Gradient:
-        """How F_0, Omega and A of each isola point move with the parameters, exactly."""
+        """Differentiate F_0, Omega and A of each isola point by the parameters, exactly."""
         return sensitivities.of_extrema(of_model(self._model), Pinned.ISOLA, self.F_0, self.Omega, self.A)
 
 
@@ -572,11 +586,12 @@ class IsolaPoints(Table):
 class Peak(Point):
     """The highest peak of the response at one forcing, isolas included; None and a message where there is none.
 
-    It is a top of the curve at which stable motions end, within the well of a spring that gives way.
+    It is a maximum of the curve at which stable motions end, within the well of a softening spring.
 
     B, load  -- under a load, its mean displacement, and the load over k_v L
-    u_max, Omega_max -- under a load, the largest |u|, |B| + A, which is what a stroke has to hold, and its frequency,
-                which may be that of another motion. Of motions whose mean stiffness is positive, as of stable ones
+    u_max, Omega_max -- under a load, the largest |u|, |B| + A, which a stroke must exceed, and its frequency, which may
+    be
+                that of another motion. Of motions whose mean stiffness is positive, as of stable ones
     """
 
     at: ClassVar[tuple[str, str, str]] = ("F_0", "Omega", "A")
@@ -592,18 +607,17 @@ class Peak(Point):
     remarks: Remark = field(default_factory=_nothing, kw_only=True)
     #: whether the mean turns back there
     _turns: bool = field(default=False, kw_only=True, repr=False)
-    #: where there is none, what batches say
+    #: status of batches where there is none
     _status: Status = field(default=Status.NONE, kw_only=True, repr=False)
     #: whether that is because the response goes on beyond a well
     _escapes: bool = field(default=False, kw_only=True, repr=False)
 
     def gradient(self) -> Gradient:
-        """How A and Omega move with the parameters and F_0, exactly; a peak at Omega = 0 stays there.
+        """Differentiate A and Omega by the parameters and F_0, exactly; a peak at Omega = 0 stays there.
 
         Where the peak is an isola point, or lies on a breakpoint at which the force jumps, it has no gradient, and
-        `.status` and `.message` say so. Of two peaks of one height it is that of the one which is given. Under a load B
-        and the load take part, and u_max if it is that motion's; where the mean turns back there, NotAvailable is
-        raised.
+        `.status` and `.message` say so. Of two peaks of one height it is that of this one. Under a load also B, and
+        u_max if it is that motion's; where the mean turns back there, NotAvailable is raised.
         """
         return self._gradient_from(sensitivities.of_peak, self.A, self.Omega, self.F_0)
 
@@ -628,5 +642,5 @@ class Detachment(Point):
     remarks: Remark = field(default_factory=_nothing, kw_only=True)
 
     def gradient(self) -> Gradient:
-        """How F_cr, Omega_cr and u_cr move with the parameters, exactly; under a load A and B instead of u_cr."""
+        """Differentiate F_cr, Omega_cr and u_cr by the parameters, exactly; under a load A and B instead of u_cr."""
         return self._gradient_from(sensitivities.of_detachment, self.F_cr, self.Omega_cr, self.u_cr)
