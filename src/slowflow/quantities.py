@@ -258,6 +258,8 @@ class Quantities(Answer):
         """
         if self.scales is None or not hasattr(self.answer, "gradient"):
             raise Refused("gradients are known of averaged answers: this is none")
+        if hasattr(self.answer, "response_psd"):  # the table has units as well
+            raise Refused("gradients of random vibration are dimensionless: those of .answer.gradient()")
         return self.scales.gradient(self.answer.gradient())
 
     def measure(self, force: str | None = None, **options: Any) -> Quantities:

@@ -21,6 +21,7 @@ from slowflow.support.errors import SceneError
 from slowflow_kernels.conventions import Status
 from slowflow_kernels.table_1 import TABLE_1
 from tests.files import Lazily
+from tests.oracles.definitions.forces import rod_coefficients
 from tests.sampling import slow
 
 report = Lazily("slowflow.report")
@@ -297,6 +298,74 @@ def test_a_mount_is_answered_in_si_units():
     pushed = Isolator.physical(**MOUNT).random(psd=(ROAD[0], np.array(ROAD[1]) * (9.80665 * 12) ** 2), unit="N^2/Hz")
     assert pushed.x_rms[0] == pytest.approx(found.x_rms[0], rel=1e-12)
     assert found.units["damping"] == "N s/m"
+
+
+def tails(x, most):
+    """T_0 to T_most at x."""
+    found = [mp.erfc(x / mp.sqrt(2)) / 2, mp.npdf(x)]
+    for n in range(2, most + 1):
+        found.append((n - 1) * found[n - 2] + x ** (n - 1) * mp.npdf(x))
+    return found
+
+
+def velocity_under(S_0, mu, zeta):
+    """sigma_v of c sigma_v^2 = pi S_0, c = 2 zeta + sqrt(2/pi) mu/sigma_v."""
+    dry = mp.sqrt(2 / mp.pi) * mu
+    return (mp.sqrt(dry**2 + 8 * zeta * mp.pi * S_0) - dry) / (4 * zeta)
+
+
+@mp.workdps(40)
+def test_gradient_of_a_cubic_spring_is_that_of_closed_forms():
+    def rms(alpha, beta, mu, zeta, S_0):
+        v = velocity_under(S_0, mu, zeta)
+        s = 2 * v**2 / (alpha + mp.sqrt(alpha**2 + 12 * beta * v**2))
+        of_f = alpha**2 * s + 6 * alpha * beta * s**2 + 15 * beta**2 * s**3
+        return mp.sqrt(s), v, mp.sqrt(of_f + mu**2 + 4 * mu * zeta * mp.sqrt(2 / mp.pi) * v + 4 * zeta**2 * v**2)
+
+    at = (1.25, 0.75, 0.04, 0.03, 0.02)
+    found = Duffing(*at[:2], mu=at[2], zeta=at[3]).random(S_0=at[4]).gradient()
+    assert found.by == ("alpha", "beta", "mu", "zeta", "S_0")
+    for i, row in enumerate(found.slopes[0]):
+        for j, slope in enumerate(row):
+            expected = mp.diff(
+                lambda *x, i=i: rms(*x)[i], [mpf(value) for value in at], [int(j == n) for n in range(5)]
+            )
+            assert slope == pytest.approx(float(expected), rel=2e-13, abs=1e-15)
+
+
+@mp.workdps(40)
+def test_gradient_of_a_force_that_jumps_is_that_of_its_tails():
+    """The force jumps at u_cr, which the design moves."""
+
+    def u_rms(lam, r, delta_h, mu, zeta, S_0):
+        alpha, beta, gamma, u_cr = rod_coefficients(lam, r, delta_h)
+
+        def excess(s):
+            T = tails(u_cr / s, 6)
+            of_u = alpha * s**2 + 3 * beta * s**4 + 15 * gamma * s**6
+            beyond = (1 - alpha) * s**2 * T[2] - beta * s**4 * T[4] - gamma * s**6 * T[6]
+            return of_u + 2 * beyond - velocity_under(S_0, mu, zeta) ** 2
+
+        return mp.findroot(excess, mpf(found.u_rms[0]))
+
+    at = (*DESIGN.values(), 0.012, 0.02, 1e-3)
+    found = Isolator(**DESIGN, mu=at[3], zeta=at[4]).random(S_0=at[5])
+    for j, slope in enumerate(found.gradient()["u_rms"][0]):
+        expected = mp.diff(u_rms, [mpf(value) for value in at], [int(j == n) for n in range(6)])
+        assert slope == pytest.approx(float(expected), rel=2e-13)
+
+
+def test_gradient_under_a_table_is_that_of_its_answers():
+    one, step = Isolator(**DESIGN, mu=0.005, zeta=0.02), 1e-4
+    gradient = one.random(psd=FLOOR).gradient()
+    assert gradient.by == (*DESIGN, "mu", "zeta")
+    for name in gradient.by:
+        ends = [one.replace(**{name: getattr(one, name) * (1 + sign * step)}).random(psd=FLOOR) for sign in (1, -1)]
+        for of in gradient.of:
+            slope = (getattr(ends[0], of)[0] - getattr(ends[1], of)[0]) / (2 * step * getattr(one, name))
+            assert gradient[of, name][0] == pytest.approx(slope, rel=1e-6)
+    with pytest.raises(Refused, match="dimensionless"):
+        Isolator.physical(**MOUNT).random(psd=ROAD).gradient()
 
 
 SCENE = """[{kind}]

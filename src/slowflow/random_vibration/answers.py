@@ -10,9 +10,11 @@ import numpy as np
 
 from slowflow import validate
 from slowflow.answer import Drawn, Single, Table, entry
+from slowflow.gradient import Gradient
 from slowflow.mechanism import EquationOfMotion, Floats
 from slowflow.random_vibration.energy import averages
 from slowflow.random_vibration.excitation import Excitation, Tabulated, White
+from slowflow.random_vibration.gradient import gradient
 from slowflow.random_vibration.record import measured
 from slowflow.support.errors import Refused
 from slowflow_kernels import linearization
@@ -99,6 +101,14 @@ class RandomResponse(Drawn, Table):
         x, width = np.linspace(0.0, FARTHEST, STEPS, retstep=True)
         survives = -np.expm1(-passes[:, np.newaxis] * np.exp(-0.5 * x * x))
         return np.asarray(self.u_rms * np.trapezoid(survives, dx=width, axis=1))
+
+    def gradient(self) -> Gradient:
+        """How u_rms, v_rms and a_rms of each motion move with the design, mu, zeta, c_2 and S_0, exactly.
+
+        c_2 where there is some, S_0 of white noise. Where two equivalent oscillators meet there is no gradient, and
+        `.status` and `.message` say so. Raises ValueError where it is not known how the force moves with the design.
+        """
+        return gradient(self, self.system, self._equation)
 
     def measure(
         self, force: str | None = None, *, samples: int = 1_000_000, records: int = 16, seed: int = 0

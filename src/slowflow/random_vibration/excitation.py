@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from slowflow import validate
+from slowflow.backend import EXACT
 from slowflow.mechanism import Floats
 from slowflow.support.errors import NotSettled, Refused
 from slowflow_kernels import linearization
@@ -17,6 +18,8 @@ from slowflow_kernels import linearization
 NODES, WIDEST = 12, 1.0
 _AT, _WEIGHTS = np.polynomial.legendre.leggauss(NODES)
 _SHARES = 0.5 * (1 + _AT)
+#: what makes numbers complex, whose functions then have their slopes as imaginary parts
+IMAGINARY = 1e-40
 #: by how much less the lowest damping is taken to be
 MARGIN = 1.5
 STUCK = "friction holds the mass nearly all of the time: no linear damping is equivalent to it"
@@ -35,6 +38,11 @@ class White:
     def rows(self, mu: float, zeta: float, c_2: float) -> float:
         """What C takes for it: c sigma_v^2."""
         return math.pi * self.S_0
+
+    def slopes(self, k: float, c: float) -> Floats:
+        """Of ln I_0 and ln I_2 by ln k and ln c, [i][j]."""
+        p, q = np.log(k) + 1j * IMAGINARY * np.array([1, 0]), np.log(c) + 1j * IMAGINARY * np.array([0, 1])
+        return np.log(linearization.white(self.S_0, np.exp(p), np.exp(q))).imag / IMAGINARY
 
 
 class Tabulated:
@@ -85,6 +93,11 @@ class Tabulated:
         bands = self._edges[:-1], self._edges[1:], self._begins[part], self._y_begins[part], self._slopes[part]
         half = slice(NODES // 2, None)
         return np.array([most, least / MARGIN, mu, zeta, c_2, *_AT[half], *_WEIGHTS[half], *np.stack(bands, 1).ravel()])
+
+    def slopes(self, k: float, c: float) -> Floats:
+        """As those of white noise."""
+        found = EXACT.moments(self.rows(0.0, 0.5 * c, 0.0), math.log(k), math.log(c), 0.0, 0.0)
+        return np.frombuffer(found)[2:6].reshape(2, 2)
 
     @staticmethod
     def _nodes(edges: Floats) -> tuple[Floats, Floats]:
