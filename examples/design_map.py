@@ -19,7 +19,7 @@ for name, found in (("F_SN", onset.F_SN), ("F_cr", detachment.F_cr)):
 # a design without an answer has NaN and a status that says why: 0 is an answer, 3 "there is none"
 answered = (onset.status == 0) & (detachment.status == 0)
 first = np.count_nonzero(onset.F_SN[answered] < detachment.F_cr[answered])
-print(f"{first} of {np.count_nonzero(answered)} designs jump before their springs leave their seat")
+print(f"{first} of {np.count_nonzero(answered)} designs jump before their springs detach")
 
 # the same for a million designs takes seconds
 best = np.unravel_index(np.nanargmax(onset.F_SN), onset.F_SN.shape)

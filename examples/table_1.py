@@ -1,4 +1,4 @@
-"""The isolator of the paper's Table 1: when do its springs leave their seat, when does it jump, and where?"""
+"""The isolator of the paper's Table 1: when do its springs detach, when does it jump, and where?"""
 
 import numpy as np
 
@@ -10,7 +10,7 @@ isolator = example.isolator()
 print(isolator)
 
 detachment, onset = isolator.detachment(), isolator.saddle_node_onset()
-print(f"the springs leave their seat from F_cr = {detachment.F_cr:.4f} on, first at Omega = {detachment.Omega_cr:.4f}")
+print(f"the springs detach from F_cr = {detachment.F_cr:.4f} on, first at Omega = {detachment.Omega_cr:.4f}")
 print(f"jumps begin at F_SN = {onset.F_SN:.4f}, Omega = {onset.Omega:.4f}, A = {onset.A:.4f}")
 
 print(f"\nat F_0 = {F_0}:")

@@ -64,7 +64,7 @@ class Figure:
 
 
 def figure_1b(ax: Any) -> None:
-    """The static characteristic (5), untruncated; dots where the springs leave."""
+    """The static characteristic (5), untruncated; dots where the springs detach."""
     u = np.linspace(0.0, 0.8, 801)
     for delta_h, colour in zip(PRELOADS_1B, ramp(len(PRELOADS_1B)), strict=True):
         with warnings.catch_warnings():  # of the negative stiffness at rest, which this figure is to show
@@ -76,7 +76,7 @@ def figure_1b(ax: Any) -> None:
             (u_cr,) = isolator.breakpoints
             ax.plot([u_cr], [force.value(u_cr)], "o", color=colour, markeredgecolor="white")
     ax.set(xlim=(0.0, 0.8), xlabel=label("u"), ylabel=r"restoring force $u + F_k(u)$")
-    pictures.legend(ax, r"$\delta_h$", more=[(_dot(), "springs leave")])
+    pictures.legend(ax, r"$\delta_h$", more=[(_dot(), "springs detach")])
 
 
 def figure_2a(ax: Any, ratios: tuple[float, ...] = RATIOS_2A) -> None:

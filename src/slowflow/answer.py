@@ -1,7 +1,7 @@
-"""What all answers share. Takes dataclasses of numbers, words and arrays; returns records that do not change.
+"""Base classes of results. Takes dataclasses of numbers, texts and arrays; returns immutable records.
 
-They equal each other by content, can be copied and pickled, and give themselves as plain Python, as pandas' or as
-xarray's tables. The two packages are optional: `pip install 'slowflow[tables]'`.
+They compare by value, can be copied and pickled, and convert to plain Python, or to tables of pandas or xarray, which
+are optional: `pip install 'slowflow[tables]'`.
 """
 
 from __future__ import annotations
@@ -21,24 +21,24 @@ import numpy.typing as npt
 from slowflow import validate
 from slowflow.text import Text, together
 
-#: what a table has in one place
+#: types of a table's entries
 PLAIN = (bool, int, float, str)
-#: a name of an answer, and words for some of its numbers
+#: by name of a number, texts for some of its values
 Labels = Mapping[str, Mapping[float, str]]
-#: rows, and columns, that are printed at most
+#: most rows, and columns, that are printed
 SHOWN, ACROSS = 30, 16
-#: letters that names of numbers have room for
+#: width of names of numbers
 NAMED = 14
 
 
-#: fields that an answer need not have yet: `_later` of it makes all of them when the first is read
+#: fields made on first read, all of them by `_later`
 WHEN_READ = ("message", "remarks", "untruncated")
 
 
 class Answer:
-    """What all answers share: read-only arrays, equality by content, plain numbers and lists on demand.
+    """Base of all results: read-only arrays, comparison by value, plain numbers and lists on demand.
 
-    labels   -- of some names, what is printed for some numbers
+    labels   -- by name, texts printed in place of some numbers
     has_rows -- whether `columns` has a row for each of several entries, or the one of a single answer
     """
 
@@ -52,7 +52,7 @@ class Answer:
                 self.__dict__.update(self._later(self))
                 if name in self.__dict__:
                     return self.__dict__[name]
-            return self.__getattribute__(name)  # of a property that is not there in its own words
+            return self.__getattribute__(name)  # a property that is missing has its own message
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self._content()]
@@ -79,7 +79,7 @@ class Answer:
             _freeze(value)
 
     def __getstate__(self) -> dict[str, Any]:
-        # words are made now: a copy has nothing to make them from
+        # messages are made now: a copy has nothing to make them from
         if "_later" in self.__dict__:
             getattr(self, "message")  # noqa: B009
         return {name: value for name, value in self.__dict__.items() if name != "_later"}
@@ -102,19 +102,19 @@ class Answer:
         return {field.name for field in dataclasses.fields(self) if field.type == "float | None"}  # type: ignore[arg-type]
 
     def units_of_columns(self) -> Mapping[str, str]:
-        """The units of numbers that have one; by default none is known."""
+        """Units of the columns that have one; by default none is known."""
         return {}
 
     def words_of(self, name: str, value: Any) -> str:
-        """What is printed instead of a number; empty for most."""
+        """Text printed in place of a number; empty for most."""
         return self.labels.get(name, {}).get(value, "") if isinstance(value, float) else ""
 
     def units_beside(self) -> Mapping[str, str]:
-        """The units of what `about` says; by default none is known."""
+        """Units of the values of `about`; by default none is known."""
         return {}
 
     def _members(self) -> Mapping[str, Any]:
-        """What it holds by name, answers and arrays of any length among it."""
+        """Its members by name, answers and arrays of any length among them."""
         return self._content()
 
     def __str__(self) -> str:
@@ -132,11 +132,11 @@ class Answer:
         return hash((type(self), *content))
 
     def to_dict(self) -> dict[str, Any]:
-        """The answer in plain Python: lists for arrays, numbers and words, by name."""
+        """Convert to plain Python: lists for arrays, numbers and texts, by name."""
         return {name: plain(value) for name, value in self._content().items()}
 
     def columns(self) -> dict[str, Any]:
-        """Arrays of one length by name, a row for each entry; of an answer with a single entry its numbers and words.
+        """Return arrays of one length by name, a row for each entry; of a single answer its numbers and texts.
 
         Answers within an answer, and arrays of other lengths, are in `to_dict` only.
         """
@@ -147,21 +147,21 @@ class Answer:
         return {name: np.array([plain(value)]) for name, value in found.items() if isinstance(value, PLAIN)}
 
     def about(self) -> dict[str, Any]:
-        """What there is to say of all rows of `columns`: message, forcing, parameters of the oscillator."""
+        """Return what holds for all rows of `columns`: message, forcing, parameters of the oscillator."""
         return {}
 
     def to_pandas(self) -> Any:
-        """`columns` as a DataFrame, with what holds for all rows in its `.attrs`. Raises ImportError without pandas."""
+        """Convert `columns` to a DataFrame, `about` to its `.attrs`. Raises ImportError without pandas."""
         pandas = optional("pandas", "to_pandas")
         frame = pandas.DataFrame(self.columns())
         frame.attrs.update({**self.about(), "units": {**self.units_beside(), **self.units_of_columns()}})
         return frame
 
     def to_xarray(self) -> Any:
-        """`columns` as a Dataset along "entry", each with its units. Raises ImportError without xarray.
+        """Convert `columns` to a Dataset along "entry", each with its units. Raises ImportError without xarray.
 
-        Where "entry" is a column of its own, as of a gradient, they lie along "row". What holds for all rows are its
-        attributes, and their units, as "F" and "F_units".
+        Where "entry" is a column of its own, as of a gradient, they lie along "row". `about` is in the attributes, with
+        units, as "F" and "F_units".
         """
         xarray = optional("xarray", "to_xarray")
         units = self.units_of_columns()
@@ -175,17 +175,17 @@ class Answer:
 
 
 class Single(Answer):
-    """An answer in plain numbers and words, which has no array to protect."""
+    """An answer in plain numbers and texts, without arrays to protect."""
 
     def __post_init__(self) -> None:
         pass
 
 
 class Drawn(Answer):
-    """What answers share that have a picture.
+    """Base of results that have a picture.
 
     picture  -- its name, of `pictures.PICTURES`
-    can_draw -- which of its numbers may be drawn
+    can_draw -- quantities that may be drawn
     """
 
     picture: ClassVar[str]
@@ -194,8 +194,8 @@ class Drawn(Answer):
     def plot(self, ax: Any = None, *, of: str = "A") -> Any:
         """Draw it into Matplotlib axes, or new ones, and return these.
 
-        of -- what is drawn of a response curve: "A", "phi", "transmissibility" or "transmissibility_dB"; under a load
-              "B" too, in the second approximation "A_1"
+        of -- quantity of a response curve: "A", "phi", "transmissibility" or "transmissibility_dB"; "B" under a load,
+              "A_1" in the second approximation
 
         Curves over Omega, solid where stable and dashed where not, with bars where an exact motion stops; folds as
         triangles that point where a sweep jumps, a sweep's jumps as arrows. A fold locus goes on to forcings without a
@@ -209,12 +209,12 @@ class Drawn(Answer):
         return draw(ax, self) if self.picture != "response" else pictures.response(ax, self, quantity)
 
 
-#: of a field that only answers under a load have, and that only the others have
+#: metadata of a field that only answers under a load have, or only the others
 LOADED, UNLOADED = MappingProxyType({"loaded": True}), MappingProxyType({"loaded": False})
 
 
 def entry(name: str, columns: str, doc: str) -> Any:
-    """The named tuple that an entry of a table is, of the columns that are named; in the module that calls."""
+    """Make the named tuple of a table's entries, with the named columns, in the module that calls."""
     made: Any = namedtuple(name, columns, module=sys._getframe(1).f_globals.get("__name__"))  # type: ignore[misc]
     made.__doc__ = doc
     return made
@@ -231,11 +231,11 @@ class Table(Answer):
     has_rows = True
 
     def _entry_of(self) -> Any:
-        """The named tuple that an entry is."""
+        """The named tuple of an entry."""
         return self.entry
 
     def _beside_of(self) -> tuple[str, ...]:
-        """What each entry has besides."""
+        """Further columns of each entry."""
         return self.extra_columns
 
     def __len__(self) -> int:
@@ -253,34 +253,34 @@ class Table(Answer):
         return (entry(*values) for values in zip(*columns, strict=True))
 
     def columns(self) -> dict[str, Any]:
-        """Arrays of one length by name: those of the entries, and what each has besides."""
+        """Return arrays of one length by name: those of the entries, then further ones."""
         found = {name: getattr(self, name) for name in (*self._entry_of()._fields, *self._beside_of())}
         content, shape = self._content().items(), (len(self),)
         return found | {name: one for name, one in content if isinstance(one, np.ndarray) and one.shape == shape}
 
     def about(self) -> dict[str, Any]:
-        """Message, forcing, and the parameters of the oscillator where the answer knows them."""
+        """Return message, forcing, and the parameters of the oscillator where the answer knows them."""
         known = {name: plain(value) for name, value in self._content().items() if isinstance(value, PLAIN)}
         model = getattr(self, "_model", None)
         return known if model is None else known | model.arguments()
 
 
 def _freeze(value: Any) -> None:
-    """No array can be written to, in tuples neither."""
+    """Make arrays read-only, in tuples too."""
     if isinstance(value, np.ndarray):
         value.setflags(write=False)
-    elif not isinstance(value, PLAIN) and isinstance(value, (tuple, Mapping)):  # what is plain is told sooner
+    elif not isinstance(value, PLAIN) and isinstance(value, (tuple, Mapping)):  # PLAIN is the faster test
         for part in value.values() if isinstance(value, Mapping) else value:
             _freeze(part)
 
 
 def shown(answer: Any) -> Any:
-    """An answer in the units in which it is printed; as it is where it has none."""
+    """Return an answer in the units in which it is printed; as it is where it has none."""
     return answer.in_units() if hasattr(answer, "in_units") else answer
 
 
 def in_text(answer: Answer) -> Iterator[str]:
-    """An answer as lines: a table with units in its head, or names, values and units; then answers that it holds."""
+    """Yield an answer as lines: a table with units in its head, or names, values and units; then the answers in it."""
     if answer.has_rows:
         yield from _table(answer.columns(), answer.units_of_columns())
         if message := answer.about().get("message"):
@@ -293,9 +293,9 @@ def in_text(answer: Answer) -> Iterator[str]:
 
 
 def in_values(answer: Answer, values: Mapping[str, Any]) -> Iterator[str]:
-    """Known numbers and texts of an answer, then its intervals, then arrays of one length as columns of one table.
+    """Yield known numbers and texts of an answer, then its intervals, then arrays of one length as a table.
 
-    Remarks are codes: the message explains them. Arrays of more than `SHOWN` numbers are none to be read.
+    Diagnostics are codes: the message explains them. Arrays of more than `SHOWN` numbers are left out.
     """
     units = answer.units_of_columns()
     width = max(NAMED, *(len(name) + 2 for name in values))
@@ -331,7 +331,7 @@ def _table(columns: Mapping[str, Any], units: Mapping[str, str]) -> Iterator[str
 
 
 def head(name: str, units: Mapping[str, str]) -> str:
-    """A column's name, over its unit if it has one."""
+    """Return a column's name, over its unit if it has one."""
     unit = units.get(name, "")
     return f"{name}/({unit})" if {"/", " "} & set(unit) else f"{name}/{unit}" if unit else name
 
@@ -341,7 +341,7 @@ def _short(value: Any) -> str:
 
 
 def plain(value: Any) -> Any:
-    """An array as lists, an answer or a mapping as a dictionary, a code as its number."""
+    """Convert an array to lists, an answer or a mapping to a dictionary, a code to its number."""
     if isinstance(value, Answer):
         return value.to_dict()
     if isinstance(value, np.ndarray):
@@ -362,14 +362,14 @@ def _same(one: Any, two: Any) -> bool:
 
 
 def frozen(values: Any) -> npt.NDArray[Any]:
-    """An array that cannot be written to."""
+    """Return values as a read-only array."""
     array = np.asarray(values)
     array.flags.writeable = False
     return array
 
 
 def optional(package: str, wanted_by: str, extra: str = "tables") -> Any:
-    """A package that slowflow does without, or an ImportError that says how to get it."""
+    """Import an optional package, or raise an ImportError that says how to install it."""
     try:
         return importlib.import_module(package)
     except ImportError:
@@ -378,13 +378,13 @@ def optional(package: str, wanted_by: str, extra: str = "tables") -> Any:
 
 
 def joined(*remarks: Any) -> str:
-    """Remarks joined into one message."""
+    """Join diagnostics into one message."""
     texts = [remark for remark in remarks if remark]
     return together("; ", texts) if texts else ""
 
 
 def sentences(message: str) -> tuple[str, ...]:
-    """The remarks of a message that is `joined`."""
+    """Split a message that is `joined` into its diagnostics."""
     if isinstance(message, Text) and message.sentence.pattern.startswith("{_0:s}; "):
         return tuple(one for part in message.values for one in sentences(part))
     return (message,) if isinstance(message, Text) else tuple(message.split("; "))

@@ -1,4 +1,4 @@
-"""What is proved of answers: enclosures in intervals or balls, whether they are all, and the certificate of these."""
+"""Proofs about answers: enclosures in intervals or balls, whether they are complete, and the certificate of these."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ DOUBLES = 53
 
 @dataclass(frozen=True, eq=False)
 class Proved(Answer):
-    """What is proved of the oscillator whose numbers are exactly the doubles that were given.
+    """What is proved for the oscillator whose numbers are exactly the given doubles.
 
     proved  -- whether all of it is
-    message -- what is not proved, and why; empty if there is nothing to say
+    message -- what is not proved, and why; empty if all is
     bits    -- of the arithmetic: `DOUBLES` of intervals of doubles, more of balls
     """
 
@@ -37,9 +37,9 @@ class ProvedStates(Proved):
 
     A       -- lowest and highest amplitude of each, shape (n, 2)
     stable  -- the sign of F_A (30), shape (n,)
-    A_max   -- where it is proved there are no others up to this amplitude
+    A_max   -- amplitude up to which it is proved that there are no others
     bounded -- whether it is proved that there are none above either, up to 2^60 times as high
-    doubt   -- intervals of A in which it is not decided, shape (k, 2)
+    doubt   -- undecided intervals of A, shape (k, 2)
     """
 
     A: Floats
@@ -55,7 +55,7 @@ class ProvedFolds(Proved):
 
     Omega, A -- lowest and highest of each, shape (n, 2)
     kind     -- as in `SaddleNodes`, "" where the sign of F_AA is not proved
-    corner   -- True where the fold sits on a breakpoint of the force
+    corner   -- True where the fold lies on a breakpoint of the force
     A_max, bounded, doubt -- as in `ProvedStates`
     """
 
@@ -83,11 +83,11 @@ class ProvedForcing(Proved):
 
 @dataclass(frozen=True, eq=False)
 class Certificate(Answer):
-    """What is proved at a forcing: `Oscillator.certify`. Print it.
+    """Proofs at one forcing: `Oscillator.certify`. Print it.
 
     saddle_nodes -- all folds at F_0
     saddle_node_onset, detachment -- F_SN and F_cr
-    amplitudes   -- all states at a frequency, None where none was asked for
+    amplitudes   -- all states at a frequency, None without one
     """
 
     F_0: float
@@ -98,7 +98,7 @@ class Certificate(Answer):
 
     @property
     def proved(self) -> bool:
-        """Whether all of it is."""
+        """Whether everything in it is proved."""
         proofs = (self.saddle_nodes, self.saddle_node_onset, self.detachment, self.amplitudes)
         return all(part.proved for part in proofs if part is not None)
 

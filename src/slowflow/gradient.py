@@ -1,4 +1,4 @@
-"""What a gradient is: how the numbers of an answer change with each parameter, and where they have no gradient, why."""
+"""Gradients: the derivatives of an answer's numbers by each parameter, and why some do not exist."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ WITHOUT_GRADIENT = {
 
 
 class Slope(NamedTuple):
-    """How one number of an answer moves with one parameter: of each entry, where the answer has several."""
+    """The derivative of one number of an answer by one parameter: of each entry, where the answer has several."""
 
     of: str
     by: str
@@ -38,15 +38,15 @@ class Slope(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Gradient(Answer):
-    """How numbers of an answer change with each parameter, exactly: d(number)/d(parameter).
+    """The derivatives of an answer's numbers by each parameter, exact: d(number)/d(parameter).
 
     Dimensionless, or in SI units of an answer in units.
 
     of      -- the numbers, as "Omega", "A", "F_SN"
-    by      -- the parameters: those of the design, mu, zeta, and what was asked at, F_0 and Omega
-    slopes  -- shape (..., numbers, parameters), behind the shape of the answer; NaN where there is no gradient
+    by      -- the parameters: those of the design, mu, zeta, and the question's arguments, F_0 and Omega
+    slopes  -- shape (..., numbers, parameters), after the shape of the answer; NaN where there is no gradient
     status  -- whether there is one, a number of `slowflow_kernels.conventions.MovesStatus`, 0 where there is
-    message -- why some have none, in words; empty if all have one
+    message -- why some have none; empty if all have one
 
     `gradient["A", "delta_h"]` is one slope of each entry of the answer, `gradient["A"]` that by every parameter. A loop
     gives a `Slope` for each number and each parameter; of a table, as pandas', each entry has a row of its own.
@@ -79,7 +79,7 @@ class Gradient(Answer):
         return len(self.of) * len(self.by)
 
     def columns(self) -> dict[str, Any]:
-        """A row for each slope of each entry; an answer with a single entry has none in front."""
+        """Return a row for each slope of each entry; a single answer has no column of entries."""
         rows = [(*entry, *pair) for entry in np.ndindex(self.status.shape) for pair in self._pairs()]
         names = [f"entry_{k}" if k else "entry" for k in range(self.status.ndim)]
         columns = zip(*rows, strict=True) if rows else ([],) * (len(names) + 2)
@@ -90,7 +90,7 @@ class Gradient(Answer):
         return [(of, by) for of in self.of for by in self.by]
 
     def about(self) -> dict[str, Any]:
-        """Why some have none."""
+        """Return why some have none."""
         return {"message": self.message}
 
     @property
@@ -104,7 +104,7 @@ class Gradient(Answer):
         return f"no gradient: {'; '.join(texts)}" if texts else ""
 
     def condition(self, of: str) -> Any:
-        """The condition number of a number: its relative change over the largest relative change of the parameters.
+        """Compute the condition number of a number: its relative change over the largest one of the parameters.
 
         The sum of |p d(number)/dp|/|number| over the parameters, shape (...); NaN where there is no gradient.
         """

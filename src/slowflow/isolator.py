@@ -57,7 +57,7 @@ def _numbers(scales: Scales, known: Mapping[str, Any]) -> dict[str, Any]:
 
 
 class Isolator(Oscillator):
-    __doc__ = f"""The high-static-low-dynamic-stiffness isolator of (1)-(7), springs leaving the push-rod at u_cr.
+    __doc__ = f"""The high-static-low-dynamic-stiffness isolator of (1)-(7), whose springs detach from the rod at u_cr.
 
 {described((*ROD_SPRING.design, *DAMPING, *DISSIPATION))}
     rubs -- "throughout", or "attached": dry friction acts while the springs touch the push-rod, |u| < u_cr
@@ -65,7 +65,7 @@ class Isolator(Oscillator):
     force -- what is averaged: "truncated" for the fifth-order polynomial (6), which jumps at u_cr, "untruncated" for
         the force as the geometry gives it (5)
     excitation -- "force", "base" or "unbalance", as in `Oscillator`
-    load -- what rests on it beyond what the vertical spring holds at the centre, over k_v L, as in `Oscillator`
+    load -- static load beyond what the vertical spring holds at the centre, over k_v L, as in `Oscillator`
 
     delta_h > 1/(lam r) is a negative stiffness at rest, which works with a warning. Raises ValueError for a number
     outside its domain, or another word for the force.
@@ -99,7 +99,7 @@ class Isolator(Oscillator):
         design = {"lam": lam, "r": r, "delta_h": delta_h}
         damping = {"mu": mu, "zeta": zeta, "eta": eta, "c_2": c_2}
         super().__init__(_averaged(force), rubs=rubs, mu_s=mu_s, excitation=excitation, **damping, **design)
-        if self.delta_h == 0:  # the springs never touch the rod, which has no end then
+        if self.delta_h == 0:  # the springs never touch the rod: a linear spring without a breakpoint
             self.__dict__["model"] = Model(
                 DUFFING, LINEAR, self.mu, self.zeta, design=LINEAR, excitation=excitation, laws=self.model.laws
             )
@@ -283,7 +283,7 @@ class Duffing(Oscillator):
         load: float = 0.0,
     ) -> None:
         damping = {"mu": mu, "zeta": zeta, "eta": eta, "c_2": c_2, "mu_s": mu_s}
-        rubs = THROUGHOUT  # one piece, from which nothing leaves
+        rubs = THROUGHOUT  # one piece, without springs that detach
         super().__init__(DUFFING, alpha=alpha, beta=beta, rubs=rubs, excitation=excitation, load=load, **damping)
         del self.given["mechanism"]
 

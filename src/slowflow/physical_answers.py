@@ -1,8 +1,8 @@
-"""Types of questions in SI units, for type checkers: what they take, and the numbers of `Quantities` that each gives.
+"""Types of questions in SI units, for type checkers: their arguments, and the numbers that each returns.
 
-Nothing is of these classes when a program runs: an answer is `Quantities`, and what it holds is read by name. Which of
-the declared numbers an answer has, its question tells; by another excitation F is called Y, a or U, and a load adds a
-mean displacement.
+Nothing is of these classes when a program runs: an answer is `Quantities`, whose numbers are read by name. Which of the
+declared numbers an answer has, its question says; by another excitation F is called Y, a or U, and a load adds a mean
+displacement.
 """
 
 from __future__ import annotations
@@ -29,11 +29,11 @@ class WithUnit(Protocol):
         ...
 
     def to(self, unit: Any, /) -> Any:
-        """The same in another unit."""
+        """Convert to another unit."""
         ...
 
 
-#: one number, which may be a word with a unit, an array of them, and the two ends of a window
+#: one number, which may be a string with a unit, an array of them, and the two ends of a window
 Plain = float | np.floating[Any] | np.integer[Any] | WithUnit
 Number = Plain | str
 Numbers = Number | Sequence[Plain] | Array
@@ -59,7 +59,7 @@ class Amplitudes(TypedDict, total=False):
 
 
 class Explained(Quantities):
-    """With words on what is missing and what to bear in mind."""
+    """With diagnostics."""
 
     message: str
     remarks: Remark

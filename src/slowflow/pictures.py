@@ -150,7 +150,7 @@ def in_brackets(unit: str) -> str:
 
 
 def height(found: Any) -> str:
-    """What springs leave by: the amplitude, and of motions off the centre the largest displacement."""
+    """The amplitude at which springs detach, and of offset motions the largest displacement."""
     return _has(found, "x_max", "u_max", "A")
 
 

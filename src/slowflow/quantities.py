@@ -1,8 +1,8 @@
 """Numbers with units. Takes dimensionless answers and m, k_v, L; returns `Quantities`, the answers in SI units.
 
-What each number is measured in is derived (4): `slowflow_kernels.scaling`. Arguments are plain SI numbers (kg, N, N/m,
-m, s; frequencies in Hz), words such as "0.3 g", or quantities of pint. Answers are plain SI numbers again, and printed,
-or `in_units()`, in N, mm, Hz and ms.
+The scale of each number is derived (4): `slowflow_kernels.scaling`. Arguments are plain SI numbers (kg, N, N/m, m, s;
+frequencies in Hz), strings such as "0.3 g", or quantities of pint. Answers are plain SI numbers again, and printed, or
+`in_units()`, in N, mm, Hz and ms.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ from slowflow_kernels.scaling import AMPLITUDES, SCALES
 g = 9.80665
 #: a pound in kg
 LB = 0.45359237
-#: what units there are of each kind, by their size in SI units; the first is SI's, and a turn is what Hz counts
+#: the units of each kind, by their size in SI units; the first is SI's, and Hz counts turns
 UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
     {
         "force": {"N": 1.0, "mN": 1e-3, "kN": 1e3, "lbf": LB * g},
@@ -56,7 +56,7 @@ UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
 )
 #: those in which answers are shown, one of each kind
 USUAL = ("N", "mm", "Hz", "ms", "mm/s", "m/s^2", "N/m", "N/m^3", "rad", "kg", "kg m", "N s^2/m^2", "N s/m", "1/s")
-#: amplitudes of the excitation: what is called F_0 without dimensions is F, Y, U or a, of this kind
+#: amplitudes of the excitation: the dimensionless F_0 is F, Y, U or a, of this kind
 EXCITED: Mapping[str, tuple[str, str]] = MappingProxyType(
     {
         "force": ("F", "force"),
@@ -66,26 +66,26 @@ EXCITED: Mapping[str, tuple[str, str]] = MappingProxyType(
     }
 )
 LETTERS = tuple(letter for letter, _ in EXCITED.values())
-#: those of a base that shakes
+#: those of base excitation
 OF_A_BASE = ("base", "acceleration")
-#: units of spectral densities: the root of each over its SI unit, and of which kind that is
+#: units of spectral densities: the root of each over its SI unit, and the kind of that
 DENSITIES = {"g^2/Hz": (g, "acceleration"), "(m/s^2)^2/Hz": (1.0, "acceleration"), "N^2/Hz": (1.0, "force")}
 #: the unit of each kind in SI
 SI = MappingProxyType({kind: next(iter(units)) for kind, units in UNITS.items()})
-#: and which unit is of which kind
+#: the kind of each unit
 KIND_OF = {unit: kind for kind, units in UNITS.items() for unit in units}
 #: the unit of each kind in which answers are shown
 SHOWN = MappingProxyType({KIND_OF[unit]: unit for unit in USUAL})
-#: the numbers of a data sheet: their units, "" for what has none, and what they are
+#: the numbers of a data sheet: their units, "" for none, and meaning
 DATA_SHEET: Mapping[str, tuple[str, str]] = MappingProxyType(
     {
         "m": ("kg", "mass for which the vertical spring is preset"),
         "mounts": ("", "number of equal mounts that share the mass; the other data are those of one"),
-        "load": ("kg", "mass that sits on it, where that is another one"),
+        "load": ("kg", "mass on the mount, if another one"),
         "k_v": ("N/m", "stiffness of the vertical spring"),
         "k_h": ("N/m", "stiffness of each horizontal spring"),
         "k_1": ("N/m", "stiffness of a cubic spring at the centre"),
-        "k_3": ("N/m^3", "its factor of x^3"),
+        "k_3": ("N/m^3", "factor of x^3 of a cubic spring"),
         "n": ("", "number of horizontal springs"),
         "L": ("m", "length of a push-rod"),
         "preload": ("m", "compression of a horizontal spring at the centre"),
@@ -97,19 +97,19 @@ DATA_SHEET: Mapping[str, tuple[str, str]] = MappingProxyType(
         "c_2": ("N s^2/m^2", "quadratic damping"),
         "rubs": ("", "where friction acts"),
         "force": ("", "the springs' force that is averaged: truncated (6), or untruncated (5)"),
-        "excitation": ("", "what shakes it"),
+        "excitation": ("", "kind of excitation"),
     }
 )
 SHEET: Mapping[str, str] = MappingProxyType({name: unit for name, (unit, _) in DATA_SHEET.items()})
-#: a mount's words for the letters of the scales of its design and its damping
+#: a mount's names for the letters of the scales of its design and its damping
 NAMES = {"lam": "n", "k_h": "k_h", "Delta_h": "preload", "F_c": "friction", "c": "c", "c_q": "c_2"}
-#: numbers of a mount of which several have as many times as much
+#: numbers of a mount that add up over several
 PER_MOUNT = ("k_v", "k_h", "friction", "c", "c_2")
-#: what all scales are powers of, in their order
+#: the bases of all scales, in the order of their powers
 BASE = ("k_v", "L", "m")
-#: of a number that is none
+#: of a dimensionless number
 PURE = Scale("", 1.0, (0.0, 0.0, 0.0))
-#: what numbers of a kind are measured in, but for the turn of a frequency
+#: scales of each kind of number, but for the turn of a frequency
 OF_KIND: Mapping[str, Scale] = MappingProxyType(
     {
         "": PURE,
@@ -127,9 +127,9 @@ OF_KIND: Mapping[str, Scale] = MappingProxyType(
     }
 )
 WITHOUT_PRELOAD = "without preload the springs never touch the push-rod: no number of theirs moves an answer"
-#: what only the dimensionless answer has
+#: member that only the dimensionless answer has
 OF_THE_ANSWER = "validity"
-#: what can be drawn of a response curve
+#: quantities that can be drawn of a response curve
 DRAWN = ("A", "phi", "transmissibility_dB")
 
 
@@ -137,11 +137,11 @@ DRAWN = ("A", "phi", "transmissibility_dB")
 class Quantities(Answer):
     """An answer in physical units; its numbers are read by name, as `.F_SN`, `.f`, `.A`. Print it.
 
-    values -- numbers, words and arrays by name
+    values -- numbers, texts and arrays by name
     units  -- the unit of each that has one
     answer -- the same, dimensionless: its `.validity` and so on
-    entry  -- names of what makes up one entry; an answer with several has a length, and an index or a loop gives one
-    scales -- what the numbers of the answer are measured in, None where they are no such answer's
+    entry  -- names of the columns of an entry; an answer with several has a length, and an index or a loop gives one
+    scales -- the scales of the answer's numbers, None where they are no such answer's
     chosen -- whether the units are those of `in_units`, and shown; others are shown in N, mm, Hz, ms
     """
 
@@ -187,20 +187,20 @@ class Quantities(Answer):
         return self.entry
 
     def columns(self) -> dict[str, Any]:
-        """As of the dimensionless answer, in SI units."""
+        """Return the columns of the dimensionless answer, in SI units."""
         if not self.entry:
             return super().columns()
         return {name: self.values[name] for name in self.entry}
 
     def about(self) -> dict[str, Any]:
-        """What holds for all rows, the numbers of the mount, and the dimensionless parameters."""
+        """Return what holds for all rows, the numbers of the mount, and the dimensionless parameters."""
         extra = self.answer.about() if isinstance(self.answer, Answer) else {}
         known = {name: plain(value) for name, value in self.values.items() if isinstance(value, PLAIN)}
         sheet = {} if self.scales is None else self.scales.sheet
         return {**extra, **sheet, **(known if self.entry else {})}
 
     def units_beside(self) -> Mapping[str, str]:
-        """The units of what `about` says."""
+        """Units of the values of `about`."""
         return {name: unit for name in self.about() if (unit := self.units.get(name, SHEET.get(name, "")))}
 
     def units_of_columns(self) -> Mapping[str, str]:
@@ -208,7 +208,7 @@ class Quantities(Answer):
         return self.units
 
     def words_of(self, name: str, value: Any) -> str:
-        """As of the dimensionless answer: nothing and what has no end are the same in all units."""
+        """Text of the dimensionless answer: none and infinite are the same in all units."""
         if self.scales is None or not isinstance(self.answer, Answer):
             return ""
         plain_name = next((one for one in self.answer.labels if self.scales.kind(one)[0] == name), name)
@@ -226,11 +226,11 @@ class Quantities(Answer):
         return self.values
 
     def to_dict(self) -> dict[str, Any]:
-        """The answer in plain Python: lists for arrays, numbers and words, by name; and `units`, a dictionary."""
+        """Convert to plain Python: lists for arrays, numbers and texts, by name; and `units`, a dictionary."""
         return {**super().to_dict(), "units": dict(self.units)}
 
     def in_units(self, *units: str) -> Quantities:
-        """The same in other units, as in_units("kN", "rpm"); those of a kind that is not given are N, mm, Hz, ms.
+        """Convert to other units, as in_units("kN", "rpm"); by default, and for other kinds, to N, mm, Hz, ms.
 
         Raises ValueError for a unit that is none of `UNITS`.
         """
@@ -249,12 +249,12 @@ class Quantities(Answer):
         return Quantities(values, found, self.answer, self.entry, self.scales, chosen=True)
 
     def gradient(self) -> Gradient:
-        """How the numbers move with those of the mount and with what was asked at, exactly: d(number)/d(number).
+        """Differentiate the numbers by those of the mount and by the question's arguments, exactly.
 
         As the gradient of the dimensionless answer, but in SI units, whatever units this answer is in. `.of` are its
         names, as "Y_SN" or "A", `.by` those of the mount: "k_h", "preload", "friction", "zeta" or "c", "m", "k_v", "L",
-        "n" as if it were any number, and F (Y, U) and f where it was asked there.
-        Raises ValueError for what is no averaged answer, and for a mount without preload, whose springs never touch.
+        "n" as if it were any number, and F (Y, U) and f where the question took them. Raises ValueError for what is no
+        averaged answer, and for a mount without preload, whose springs never touch.
         """
         if self.scales is None or not hasattr(self.answer, "gradient"):
             raise Refused("gradients are known of averaged answers: this is none")
@@ -263,12 +263,11 @@ class Quantities(Answer):
         return self.scales.gradient(self.answer.gradient())
 
     def measure(self, force: str | None = None, **options: Any) -> Quantities:
-        """How far averaged states, folds, a peak, an onset, a detachment are from the equation of motion, in SI units.
+        """Compare averaged states, folds, a peak, an onset, a detachment with the equation of motion, in SI units.
 
         options -- of isolation of="first" or "peak", of random vibration samples, records and seed
 
-        As `measure` of the dimensionless answer, which says what is raised too. Raises ValueError for what is no
-        averaged answer.
+        As `measure` of the dimensionless answer, with its errors. Raises ValueError for what is no averaged answer.
         """
         if self.scales is None or not hasattr(self.answer, "measure"):
             raise Refused("averaged answers are measured against the equation of motion: this is none")
@@ -276,12 +275,12 @@ class Quantities(Answer):
             return self.scales.quantities(self.answer.measure(force=force, **options))
 
     def largest(self, duration: Any) -> Floats:
-        """Of random vibration the mean of the largest |x| in m within a duration in s, see `RandomResponse.largest`."""
+        """Compute the mean largest |x| in m of random vibration within a duration in s: `RandomResponse.largest`."""
         answer, sizes = self._random()
         return np.asarray(answer.largest(si("duration", duration, "s") / sizes["time"]) * sizes["length"])
 
     def response_psd(self, f: Any) -> Floats:
-        """One-sided density of x in m^2/Hz at frequencies in Hz, of random vibration, (motions, n)."""
+        """Compute the one-sided density of x in m^2/Hz at frequencies in Hz, of random vibration, (motions, n)."""
         answer, sizes = self._random()
         density = answer.response_psd(np.asarray(si("f", f, "Hz"), dtype=float) / sizes["frequency"])
         return np.asarray(density * sizes["length"] ** 2 / sizes["frequency"])
@@ -297,7 +296,7 @@ class Quantities(Answer):
     def plot(self, ax: Any = None, *, of: str | None = None) -> Any:
         """Draw a curve, folds, a fold locus or a shock, in mm, Hz, N, into Matplotlib axes, or new ones; return these.
 
-        of -- of a response curve what is drawn: "A", "phi" or "transmissibility_dB"
+        of -- quantity of a response curve: "A", "phi" or "transmissibility_dB"
 
         Other units: `in_units` first. Raises ValueError where there is no picture of this answer, ImportError without
         Matplotlib.
@@ -317,11 +316,11 @@ def _times(value: Any, size: float) -> Any:
     return None if value is None else value * size
 
 
-# ---- what a user gives
+# ---- arguments
 
 
 def si(name: str, value: Any, unit: str) -> Any:
-    """A number or array in SI units: a plain one as it is, "0.3 g" or a quantity of pint converted to `unit`."""
+    """Convert a number or array to SI units: a plain one as it is, "0.3 g" or a quantity of pint to `unit`."""
     if isinstance(value, str) and unit:
         number, _, word = value.strip().partition(" ")
         known = UNITS[KIND_OF[unit]]
@@ -342,7 +341,7 @@ def si(name: str, value: Any, unit: str) -> Any:
 
 
 def in_shown(unit: str) -> tuple[str, float]:
-    """In which unit numbers of a unit are shown, and its size in that one; both of no unit are none and 1."""
+    """Return the unit in which numbers of a unit are shown, and its size in that one; "" and 1 without a unit."""
     if not unit:
         return "", 1.0
     kind = KIND_OF[unit]
@@ -350,7 +349,7 @@ def in_shown(unit: str) -> tuple[str, float]:
 
 
 def _turns(name: str, value: Any) -> Any:
-    """A frequency in Hz: it has to say whether it counts turns or radians, which pint takes for the same.
+    """Convert a frequency to Hz: it has to say whether it counts turns or radians, which pint takes for the same.
 
     1/s does not.
     """
@@ -362,12 +361,12 @@ def _turns(name: str, value: Any) -> Any:
 
 
 def size(scale: Scale, *, m: Any, k_v: Any, L: Any) -> Any:
-    """What a dimensionless number is measured in (4), of one oscillator or of many: numbers or arrays, in SI units."""
+    """Compute the scale of a dimensionless number (4), of one oscillator or of many: numbers or arrays, in SI units."""
     return scale.factor * math.prod(base**power for base, power in zip((k_v, L, m), scale.powers, strict=True))
 
 
 def sizes(*, m: Any, k_v: Any, L: Any) -> dict[str, Any]:
-    """What numbers of each kind are measured in."""
+    """Compute the scale of each kind of number."""
     found = {kind: size(scale, m=m, k_v=k_v, L=L) for kind, scale in OF_KIND.items() if scale is not PURE}
     length, rate = found["length"], found["frequency"]
     turning = {"frequency": rate / math.tau, "speed": length * rate, "acceleration": length * rate**2}
@@ -376,11 +375,11 @@ def sizes(*, m: Any, k_v: Any, L: Any) -> dict[str, Any]:
 
 @dataclass(frozen=True, kw_only=True)
 class Scales:
-    """What the dimensionless numbers of an oscillator are measured in (4), in SI units: m in kg, k_v in N/m, L in m.
+    """The scales of the dimensionless numbers of an oscillator (4), in SI units: m in kg, k_v in N/m, L in m.
 
-    mounts     -- how many equal ones share the mass: k_v is that of all of them, `measures` are of the numbers of one
-    excitation -- what the amplitude is of, a key of `EXCITED`
-    damping    -- which number viscous damping is given by, "zeta" or "c"
+    mounts     -- number of equal mounts that share the mass: k_v is that of all of them, `measures` are those of one
+    excitation -- what F_0 is the amplitude of, a key of `EXCITED`
+    damping    -- name of viscous damping, "zeta" or "c"
     sheet      -- the numbers that a mount was made from, in the units of `SHEET`
 
     Numbers, or quantities of pint. Raises ValueError for one that is not > 0.
@@ -406,22 +405,22 @@ class Scales:
 
     @cached_property
     def sizes(self) -> dict[str, float]:
-        """What numbers of each kind are measured in."""
+        """Scales by kind of number."""
         return sizes(m=self.m, k_v=self.k_v, L=self.L)
 
     @property
     def amplitude(self) -> str:
-        """Of which kind the amplitude of the excitation is."""
+        """Kind of the amplitude of the excitation."""
         return EXCITED[self.excitation][1]
 
     @property
     def of_oscillator(self) -> str:
-        """What F_0 is the amplitude of: the acceleration a of a base is a force m a on a mass that is seen from it."""
+        """Excitation of the dimensionless oscillator: a base's acceleration a is a force m a on the mass."""
         return "force" if self.excitation == "acceleration" else self.excitation
 
     @cached_property
     def measures(self) -> dict[str, tuple[str, Scale]]:
-        """A mount's word for each number of a design and of its damping, by name, and what it is measured in."""
+        """A mount's name for each number of a design and of its damping, by name, and its scale."""
         damping = ((one, SCALES[one.name]) for one in (*DAMPING, *DISSIPATION))
         scales = {one.name: scale for one, scale in (*zip(ROD_SPRING.design, ROD_SPRING.scales, strict=True), *damping)}
         scales |= {"zeta": PURE} if self.damping == "zeta" else {}
@@ -433,17 +432,17 @@ class Scales:
         return found
 
     def of(self, scale: Scale) -> float:
-        """What one of these numbers is measured in."""
+        """Return the size of a scale."""
         return float(size(scale, m=self.m, k_v=self.k_v, L=self.L))
 
     def over(self, name: str, value: Any, domain: Parameter, scale: Scale) -> float:
-        """A given number over what it is measured in. Raises ValueError, in its terms, outside the domain."""
+        """Make a number of a mount dimensionless. Raises ValueError, in its terms, outside the domain."""
         size = self.of(scale)
         allowed = {bound: limit * size for bound, limit in domain.bounds.items()}
         return validate.number(name, value, **allowed) / size
 
     def quantities(self, answer: Answer) -> Quantities:
-        """An answer to a dimensionless question in SI units, and those that it holds."""
+        """Convert the answer to a dimensionless question, and those in it, to SI units."""
         found = answer._content()
         entry = (*answer._entry_of()._fields, *answer._beside_of()) if isinstance(answer, Table) else ()
         if entry and "F_0" not in entry and np.ndim(found.get("F_0", 0.0)):
@@ -451,15 +450,15 @@ class Scales:
         return self.named({**{name: getattr(answer, name) for name in entry}, **found}, answer, entry)
 
     def symbol(self, name: str) -> str:
-        """What a dimensionless number is called in sentences with units."""
+        """Return the symbol of a dimensionless number in messages with units."""
         return self.kind(name)[0]
 
     def unit(self, name: str) -> str:
-        """In which unit numbers of a name are shown, "" for none."""
+        """Return the unit in which numbers of a name are shown, "" for none."""
         return SHOWN.get(self.kind(name)[1], "")
 
     def number(self, name: str, value: float, *, si: bool = False) -> float | str:
-        """A dimensionless number in that unit, or in SI units; a load is the mass that was given."""
+        """Convert a dimensionless number to that unit, or to SI units; a load is the mass of the mount."""
         if name == "load":
             return f"{self.m:g}"
         kind = self.kind(name)[1]
@@ -467,7 +466,7 @@ class Scales:
 
     @contextlib.contextmanager
     def in_these_terms(self) -> Iterator[None]:
-        """Refusals of the dimensionless oscillator are reported in the symbols and units of the mount."""
+        """Report errors of the dimensionless oscillator in the symbols and units of the mount."""
         try:
             yield
         except (ValueError, ArithmeticError) as error:
@@ -475,7 +474,7 @@ class Scales:
             raise
 
     def kind(self, name: str) -> tuple[str, str]:
-        """What a dimensionless number is called with a unit, and of which kind it is; "" for none."""
+        """Return the name in SI units of a dimensionless number, and its kind of unit; "" for none."""
         column = QUANTITIES.get(name)
         if column is None or column.kind != "amplitude":
             return (name, "") if column is None else (column.si or name, column.kind)
@@ -483,7 +482,7 @@ class Scales:
         return letter if name == "F_0" else letter + name[1:], kind
 
     def named(self, found: Mapping[str, Any], answer: Any, entry: tuple[str, ...] = ()) -> Quantities:
-        """Dimensionless numbers by name, as `kind` has them, in SI units."""
+        """Convert dimensionless numbers by name to SI units, under the names of `kind`."""
         values: dict[str, Any] = {}
         units = {}
         for name, value in found.items():
@@ -499,10 +498,10 @@ class Scales:
         return Quantities(values, units, answer, tuple(self.kind(name)[0] for name in entry), self)
 
     def gradient(self, found: Gradient) -> Gradient:
-        """A gradient in SI units, by the numbers of a mount. Raises ValueError where these are not its design's.
+        """Convert a gradient to SI units, by the numbers of a mount. Raises ValueError where these are not known.
 
         A number of a mount is its dimensionless number times powers of k_v, L and m (4), and so is each number that it
-        moves with: k_v, L and m move it through all of these.
+        depends on: derivatives by k_v, L and m go through all of these.
         """
         if "k_1" in self.sheet:
             raise Refused("gradients in SI units are known of `Isolator.physical`; .answer.gradient() is dimensionless")
@@ -537,7 +536,7 @@ class Scales:
 
 
 def _by_masses(names: tuple[str, ...], slopes: Floats, numbers: tuple[Any, ...]) -> tuple[Floats, tuple[Any, ...]]:
-    """Of a mount under a load by its masses: `load` is the one that moves, m what the vertical spring is preset for.
+    """Convert to derivatives by masses: `load` is the one that moves, m that which the vertical spring is preset for.
 
     Up to here `load` is a weight, g (load - m), and m the mass that moves.
     """

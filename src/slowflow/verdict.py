@@ -21,7 +21,7 @@ from slowflow.table import COLUMNS
 if TYPE_CHECKING:
     from slowflow.sizing.requirements import Met
 
-#: what must not be: a jump, or springs that leave, at each forcing of [ask]
+#: events that are not allowed: a jump, or springs that detach, at each forcing of [ask]
 NONE = ("jumps", "detachment")
 #: of what the largest is limited: its columns in the answers about peaks, shocks, and in the mean
 AMOUNTS: Mapping[str, Mapping[str, str]] = {

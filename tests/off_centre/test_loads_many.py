@@ -134,7 +134,7 @@ def test_what_has_no_band_has_no_frequency_of_one():
     assert np.isfinite(found.Omega_low[1, 0]) and np.isnan(found.Omega_low[1, 1:]).all()
 
 
-def test_on_a_base_margins_say_why_no_springs_leave():
+def test_on_a_base_margins_say_why_no_springs_detach():
     """A Duffing has one piece, and says so where the base shakes; of a force there is nothing to bear in mind."""
     shaken, pushed = (Duffing(1.0, 0.5, zeta=0.05, excitation=one).margins(0.1) for one in ("base", "force"))
     why = Duffing(1.0, 0.5, zeta=0.05, excitation="base").detachment().message

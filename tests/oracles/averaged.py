@@ -191,7 +191,7 @@ class Oscillator:
 
     @property
     def u_cr(self) -> arb | None:
-        """Where the springs leave the rod; None when they never do."""
+        """Where the springs detach; None when they never do."""
         return None
 
     @property
@@ -740,7 +740,7 @@ class Oscillator:
         if u is None:
             return []
         if not self.force(u) - u < 0:
-            raise NotImplementedError("the corner analysis is for a force that jumps up where the springs leave")
+            raise NotImplementedError("the corner analysis is for a force that jumps up where the springs detach")
         own, j = self._at(u, CORNER)
         points = []
 

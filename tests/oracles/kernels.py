@@ -174,7 +174,7 @@ class Truncated(Oscillator):
 
     @property
     def u_cr(self) -> arb:
-        """Where the springs leave."""
+        """Where the springs detach."""
         return arb(self.parameters["u"])
 
 

@@ -151,7 +151,7 @@ def test_a_motion_is_that_of_the_dimensional_equation(excitation, amplitude, fri
     x = solve_ivp(rates, (0, periods / f), (floor, 0.0), t_eval=t, **near).y[0]
     deflection = x - floor * np.cos(omega * t)
     motion = mount.steady_state(f=f, **excited)
-    assert np.abs(deflection).max() > mount.at_rest().x_cr  # the springs leave
+    assert np.abs(deflection).max() > mount.at_rest().x_cr  # the springs detach
     np.testing.assert_allclose(motion.x, deflection, atol=(2e-6 if friction else 3e-6) * motion.A)
     assert motion.t[-1] == pytest.approx(t[-1] - t[0]) and motion.period == pytest.approx(1 / f)
     # averaging has the deflection, and of a base the motion over the floor's as transmissibility

@@ -256,7 +256,7 @@ def test_a_motion_within_its_residual_or_a_refusal(place):
     ],
 )
 def test_a_preload_next_to_none_moves_nothing(force, delta_h):
-    """Springs that leave their seat at u_cr of 1e-50 and less: the mass on k_v alone, linear (24), (34)."""
+    """Springs that detach at u_cr of 1e-50 and less: the mass on k_v alone, linear (24), (34)."""
     mu, zeta, F_0, Omega = 0.01, 0.1, 0.1, 0.9
     iso = Isolator(lam=3, r=2, delta_h=delta_h, mu=mu, zeta=zeta, force=force)
     with mpmath.workdps(60):

@@ -80,7 +80,7 @@ class Transient(Drawn):
     A, tau_A      -- largest |u|, the deflection of the springs, under a load with that at rest, and when it is reached
     a_max, tau_a  -- largest acceleration of the mass, as seen by who stands still, and when
     u_cr          -- the stroke, None where the springs never touch, and of a force that is not odd
-    detaches      -- whether the springs leave, |u| > u_cr, or u the piece about 0
+    detaches      -- whether the springs detach, |u| > u_cr, or u leaves the piece about 0
     tau_detaches  -- when first, None if never
     rests         -- whether friction holds the mass at the end of what was followed, at u_end
     message       -- what to bear in mind
@@ -186,7 +186,7 @@ class ShockSpectrum(Drawn, Table):
     acceleration, duration -- of the pulse, over k_v L/m and in tau
     A        -- the largest deflection of the springs, during the pulse or later, under a load with that at rest
     a_max    -- the largest acceleration of the mass; ratio -- this over the pulse's
-    detaches -- whether the springs leave
+    detaches -- whether the springs detach
     message  -- what to bear in mind
     """
 

@@ -23,7 +23,7 @@ Answers that can be asked for, of a mount; frequencies of an isolator without di
     A_spectrum, transmissibility_spectrum -- the largest of these over a load spectrum
     of_SN_spectrum, of_cr_spectrum -- margins of its largest forcing
     rows_several, rows_cross, rows_detach, rows_stick -- how many of its rows have several stable motions, cross a fold
-                    on the way from the row before, lift the springs, and leave the mass at rest
+                    on the way from the row before, detach the springs, and have the mass stick
     A_shock, a_shock -- the largest deflection and the largest acceleration of the mass in a half sine of the base, by
                     the equation of motion; of_cr_shock: the stroke over that deflection, above 1 the springs stay
 
