@@ -88,7 +88,7 @@ def _slopes(design: Design, kind: Any, at: tuple[Any, Any, Any], rows: int, colu
     A, Omega, F_0 = at
     # compiled code asks where friction acts too
     ends = () if design.rubs is None else (float(design.rubs != THROUGHOUT),)
-    arrays = (*design.numbers, *ends, F_0, Omega, A, kind)
+    arrays = (*design.numbers, *ends, F_0, Omega, A, kind, float(design.excitation != "force"))
     shape = np.broadcast(*arrays).shape
     slopes, status = np.empty((*shape, rows, columns)), np.empty(shape, np.int8)
     record = backend.record_of(design.mechanism, laws=design.rubs is not None)
@@ -96,10 +96,8 @@ def _slopes(design: Design, kind: Any, at: tuple[Any, Any, Any], rows: int, colu
         raise validate.NotAvailable(
             (OF_FUNCTIONS if design.mechanism.told else OF_RECORD).format(design.mechanism.name)
         )
-    forced = design.excitation == "force"
-    solve = backend.SOLVER.many_gradients if forced else backend.SOLVER.many_inertial_gradients
     # an array without axes would come back as a number
-    solve(record)(*arrays, out=(slopes, status))
+    backend.SOLVER.many_gradients(record)(*arrays, out=(slopes, status))
     return slopes, status
 
 

@@ -316,7 +316,7 @@ static sf_moves_status sf_gradient(const sf_model *model, const double *of_desig
  * the frequency and an end. Out come moves as of `sf_gradient`, and 1; where the answer meets another NaN, and 0. */
 static void sf_slopes_of(const double *in, double *out) {
     const double *of_rest = in + 18;
-    sf_pinned_answer answer = {(sf_pinned)in[3], in[4] != 0, in[1], in[2], {0}, 0, {0}, 0, {0}};
+    sf_pinned_answer answer = {.kind = (sf_pinned)in[3], .inertial = in[4] != 0, .Omega = in[1], .F_0 = in[2]};
     double rates[SF_UNKNOWNS][SF_MOST_COLUMNS];
     sf_causes of;
     sf_model model;
@@ -341,9 +341,9 @@ static void sf_slopes_of(const double *in, double *out) {
                            out[4], out + 1);
 }
 
-/* design, damping, F_0, Omega, A, what it is (a number of sf_pinned) -> moves (rows, columns), status; see
- * sf_gradient */
-static void sf_loop_gradients(sf_call *at, int inertial) {
+/* design, damping, F_0, Omega, A, what it is (a number of sf_pinned), whether inertia excites -> moves (rows, columns),
+ * status; see sf_gradient */
+static void sf_loop_gradients(sf_call *at) {
     const sf_mechanism *mechanism = at->mechanism;
     const int rows = (int)at->dimensions[1], columns = (int)at->dimensions[2];
     double of_design[SF_MOST_DESIGN * (SF_MOST_PARAMETERS + SF_MOST_BREAKS)];
@@ -355,8 +355,8 @@ static void sf_loop_gradients(sf_call *at, int inertial) {
     sf_begin_causes(mechanism, &of);
     for (at->k = 0; at->k < at->dimensions[0]; at->k++) {
         const double A = sf_number(at, 2);
-        sf_pinned_answer answer = {(sf_pinned)sf_number(at, 3), inertial, sf_number(at, 1), sf_number(at, 0), {0}, 0,
-                                   {0}, 0, {0}};
+        sf_pinned_answer answer = {.kind = (sf_pinned)sf_number(at, 3), .inertial = sf_number(at, 4) != 0,
+                                   .Omega = sf_number(at, 1), .F_0 = sf_number(at, 0)};
         sf_moves_status status = SF_NOTHING_MOVES;
         if (mechanism->by_parameter != NULL && A > 0 && A < HUGE_VAL && answer.Omega >= 0 && answer.Omega < HUGE_VAL &&
             answer.F_0 >= 0 && answer.F_0 < HUGE_VAL) {
@@ -380,6 +380,3 @@ static void sf_loop_gradients(sf_call *at, int inertial) {
         *sf_output(at, 1) = (char)status;
     }
 }
-
-static void sf_loop_forced_gradients(sf_call *at) { sf_loop_gradients(at, 0); }
-static void sf_loop_inertial_gradients(sf_call *at) { sf_loop_gradients(at, 1); }

@@ -43,7 +43,7 @@ typedef struct {
     ptrdiff_t step;
 } sf_item;
 
-enum { SF_MOST_NUMBERS = 5, SF_MOST_ITEMS = 14, SF_MOST_RESERVED = 4 };
+enum { SF_MOST_NUMBERS = 5, SF_MOST_ITEMS = 14, SF_MOST_RESERVED = 5 };
 
 /* A question put to an oscillator, and its answer's items.
  *
@@ -88,12 +88,12 @@ static inline void sf_put_column(sf_query *q, sf_item_kind kind, long n, const v
 typedef struct sf_call sf_call;
 
 /* shape, types: of the outputs, behind the design, the damping and `at` numbers more, F_0 and Omega or others; by `d`
- * and `i` for double and int, `b` for int8, `n` for how many places are taken, as int8 too; with places by `D`, `B`,
- * `H` for short, and `K` for the kinds of folds, which are made of two columns.
+ * for double, `b` for int8; with places by `D`, `B`, `H` for short, and `K` for the kinds of folds, which are made of two
+ * columns; behind these `n` for how many are taken, as int8, or `i`, as int, where all of a curve is to have its places.
  *
  * loop      -- over its designs
- * answer    -- of one design: its status, which is the last output, then an item for each of the others but `n`; no
- *              items where it is no design to be asked about
+ * answer    -- of one design: its status, which is the last output, then an item for each of the others but `n` and `i`;
+ *              no items where it is no design to be asked about
  * of_given  -- whether that needs the oscillator as it was given, not only in pairs
  */
 typedef struct {

@@ -6,10 +6,8 @@
  */
 #pragma once
 
-#include "clones.h"
 #include "design_lanes.h"
-#include "many_lanes.h"
-#include "refine.h"
+#include "many.h"
 
 enum { SF_DETACHING = 64 };
 
@@ -24,24 +22,6 @@ typedef struct {
     double A[SF_DETACHING], h[SF_DETACHING], u_cr[SF_DETACHING];
     double end[4 * SF_DETACHING], Omega[SF_DETACHING], F_0[SF_DETACHING], change[SF_DETACHING];
 } sf_detaching;
-
-static int sf_detach_together(const sf_mechanism *mechanism) {
-    return mechanism->on_first_end_in_pairs != NULL && !mechanism->inertial && !sf_takes_laws(mechanism);
-}
-
-/* Design k becomes a member; 0 where it is left to sf_settled_detachment. */
-static int sf_begin_detachment(sf_detaching *block, ptrdiff_t k, const sf_numbers *inputs, const sf_model *model) {
-    const int d = block->n;
-    if (model->breaks < model->mechanism->breakpoints)
-        return 0;
-    const sf_sample at = sf_sample_without_k_at(model, model->b[0]);
-    for (int i = 0; i < model->mechanism->design_size; i++)
-        block->number[i * SF_DETACHING + d] = inputs->design[i];
-    block->k[d] = k, block->mu[d] = inputs->damping[0], block->m[d] = model->m, block->zeta[d] = model->zeta;
-    block->A[d] = at.A, block->h[d] = at.h, block->u_cr[d] = sf_largest_displacement(model, at.A);
-    block->n++;
-    return 1;
-}
 
 /* sf_least_forcing, with one step of sf_polish_cubic, which is nearly always the last */
 static SF_FLAT void sf_lane_least_forcings(ptrdiff_t n, sf_detaching *block) {
@@ -87,4 +67,64 @@ static void sf_settle_detachments(const sf_mechanism *mechanism, sf_detaching *b
     sf_lane_level_steps(block->n, block);
     for (int d = 0; d < block->n; d++)
         sf_change_level(block->end[d], block->change[d], &block->F_0[d]);
+}
+
+/* Without a query, which takes half as long as this answer. */
+static void sf_write_detachment(const sf_call *at, double F_cr, double Omega_cr, double u_cr, sf_status status) {
+    sf_write_number(at, 0, F_cr), sf_write_number(at, 1, Omega_cr), sf_write_number(at, 2, u_cr);
+    *sf_output(at, 3) = (char)status;
+}
+
+/* Detachment of one design, by itself. */
+static void sf_detach_singly(const sf_call *at) {
+    double F_cr = NAN, Omega_cr = NAN, u_cr = NAN;
+    sf_status status = SF_INVALID;
+    sf_numbers inputs;
+    sf_model model;
+    sf_exactly exactly;
+    if (sf_design_at(at, 0, &inputs, &model))
+        status = sf_settled_detachment(&model, sf_exactly_in(&inputs, at->mechanism, &exactly), &F_cr, &Omega_cr,
+                                       &u_cr);
+    sf_write_detachment(at, F_cr, Omega_cr, u_cr, status);
+}
+
+/* Whether design k becomes a member of a block. */
+static int sf_enter_detachment(const sf_call *at, sf_detaching *block) {
+    const sf_mechanism *mechanism = at->mechanism;
+    const int d = block->n;
+    sf_numbers inputs;
+    sf_model model;
+    sf_read_numbers_at(at, &inputs);
+    if (!sf_take_numbers(mechanism, &inputs, &model) || !sf_prepare(mechanism, NULL, &model) ||
+        model.breaks < mechanism->breakpoints)
+        return 0;
+    const sf_sample end = sf_sample_without_k_at(&model, model.b[0]);
+    for (int i = 0; i < mechanism->design_size; i++)
+        block->number[i * SF_DETACHING + d] = inputs.design[i];
+    block->k[d] = at->k, block->mu[d] = inputs.damping[0], block->m[d] = model.m, block->zeta[d] = model.zeta;
+    block->A[d] = end.A, block->h[d] = end.h, block->u_cr[d] = sf_largest_displacement(&model, end.A);
+    block->n++;
+    return 1;
+}
+
+static void sf_loop_detachment(sf_call *at) {
+    const sf_mechanism *mechanism = at->mechanism;
+    const int together = mechanism->on_first_end_in_pairs != NULL && !mechanism->inertial && !sf_takes_laws(mechanism);
+    ptrdiff_t end;
+    for (at->k = 0; at->k < at->dimensions[0]; at->k = end) {
+        sf_detaching block;
+        block.n = 0, end = sf_end_of_block(at, SF_DETACHING);
+        for (; at->k < end; at->k++)
+            if (!(together && sf_enter_detachment(at, &block)))
+                sf_detach_singly(at);
+        if (block.n > 0)
+            sf_settle_detachments(mechanism, &block);
+        for (int d = 0; d < block.n; d++) {
+            at->k = block.k[d];
+            if (isnan(block.change[d]))
+                sf_detach_singly(at);
+            else
+                sf_write_detachment(at, block.F_0[d], block.Omega[d], block.u_cr[d], SF_OK);
+        }
+    }
 }

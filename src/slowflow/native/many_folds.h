@@ -5,7 +5,6 @@
  */
 #pragma once
 
-#include "resolve.h"
 #include "many_lanes.h"
 
 /* designs that go together: they begin with more cells than states do */
@@ -22,14 +21,6 @@ enum { SF_FOLD_BLOCK = 64 };
 #define SF_MOST_INERTIA 0x1p10
 #define SF_ON_BREAK 0x1p-44
 
-static const sf_lane_question sf_folds_in_lanes = {sf_judge_folds, sf_approach_folds, sf_sample_at, SF_REMEMBERED_ROWS,
-                                                   SF_LAST_BY_SQUARES};
-
-static void sf_search_folds(sf_lane_block *block) {
-    sf_search_block(&sf_folds_in_lanes, block);
-    sf_approach_block(&sf_folds_in_lanes, block);
-}
-
 /* The cells of a first piece: what lies below where folds begin, nearly a cube of A, next to that, and the rest. */
 static void sf_begin_first_piece(sf_lane_block *block, int d, const sf_sample *rest, const sf_sample *end) {
     const sf_lane_design *of = &block->at[d];
@@ -44,19 +35,17 @@ static void sf_begin_first_piece(sf_lane_block *block, int d, const sf_sample *r
     sf_add_cell(block, d, 0, &low, end);
 }
 
-/* The cells with which the search for the folds of design d begins; 0 where it is left to resolve.h. */
-static int sf_begin_folds(sf_lane_block *block, int d) {
+/* With the cells of all pieces up to the largest amplitude. */
+static int sf_enter_folds(const sf_call *at, const sf_exact_block *exact, sf_lane_block *block, int d) {
     sf_lane_design *of = &block->at[d];
     const sf_model *model = &of->model;
-    of->n = 0;
+    if (!sf_enter_at_forcing(at, exact, of, d))
+        return 0;
     for (int i = 0; i < model->breaks; i++)
         if (model->jump[i] == 0)
             return 0;
-    if (model->breaks < model->mechanism->breakpoints || !(model->zeta > 0) || sf_nearly_sticks(model, of->F_0) ||
-        sf_is_linear(model) || sf_amplitude_bound(model, of->F_0, &of->A_max) != SF_OK)
-        return 0;
-    of->task[0] = 0, of->task[1] = model->zeta, of->task[2] = model->m, of->task[3] = of->F_0;
-    return sf_begin_pieces(&sf_folds_in_lanes, block, d, of->A_max, 3, sf_begin_first_piece);
+    return !sf_is_linear(model) && sf_amplitude_bound(model, of->F_0, &of->A_max) == SF_OK &&
+           sf_begin_pieces(sf_sample_at, block, d, of->A_max, 3, sf_begin_first_piece);
 }
 
 /* Whether the last digits of a fold are the same from wherever it begins. */
@@ -89,20 +78,33 @@ static int sf_settle_block_fold(const sf_lane_design *of, int i, const sf_exactl
     return 1;
 }
 
-/* All folds of a member of a block, each to its last digit; 0 where that is left to resolve.h. */
-static int sf_settle_block_folds(const sf_lane_design *of, const sf_exactly *exactly, sf_work *work, sf_folds *folds) {
+static int sf_leave_folds(const sf_call *at, const sf_exactly *exactly, sf_lane_block *block, int d, sf_query *q) {
+    const sf_lane_design *of = &block->at[d];
     const sf_model *model = &of->model;
-    folds->n = folds->undecided = folds->close = 0, folds->status = SF_OK;
+    sf_work *work = &q->room->work;
+    sf_folds folds;
+    folds.n = folds.undecided = folds.close = 0, folds.status = SF_OK;
     work->A_max = of->A_max;
-    sf_corner_folds(model, of->F_0, work, folds);
+    sf_corner_folds(model, of->F_0, work, &folds);
     if (sf_are_corners_close(model, NULL, of->F_0, work))
         return 0;
-    sf_settle_folds(exactly, model, of->F_0, folds);
+    sf_settle_folds(exactly, model, of->F_0, &folds);
     for (int i = 0; i < of->n; i++)
-        if (!sf_settle_block_fold(of, i, exactly, folds))
+        if (!sf_settle_block_fold(of, i, exactly, &folds))
             return 0;
-    for (int i = 1; i < folds->n; i++)
-        if (folds->at[i].Omega == folds->at[i - 1].Omega)
+    for (int i = 1; i < folds.n; i++)
+        if (folds.at[i].Omega == folds.at[i - 1].Omega)
             return 0;
-    return folds->status == SF_OK && !sf_is_sharp(folds, of->F_0);
+    if (folds.status != SF_OK || sf_is_sharp(&folds, of->F_0))
+        return 0;
+    sf_put(q, SF_INTEGER, SF_OK), sf_put_folds(q, SF_OK, &folds, 0);
+    sf_write_answer(at, q);
+    return 1;
+}
+
+static void sf_loop_folds(sf_call *at) {
+    static const sf_lane_question folds = {sizeof(sf_lane_block), SF_FOLD_BLOCK, sf_enter_folds, sf_judge_folds,
+                                           sf_approach_folds, NULL, sf_sample_at, SF_REMEMBERED_ROWS,
+                                           SF_LAST_BY_SQUARES, sf_leave_folds};
+    sf_loop_in_lanes(at, &folds);
 }

@@ -1,5 +1,4 @@
-/* Designs that go through a search together: what many_states.h, many_peaks.h, many_folds.h and
- * many_onsets.h share.
+/* Designs that go through a search together: what many_states.h, many_peaks.h, many_folds.h and many_onsets.h share.
  *
  * Cells of all designs of a block are judged at once, and all zeros are approached at once (design_lanes.h). Cells that
  * stay open are cut, those of all designs at once. A design that is doubtful anywhere is left to the solvers of one.
@@ -7,7 +6,7 @@
 #pragma once
 
 #include "design_lanes.h"
-#include "refine.h"
+#include "many.h"
 
 enum {
     SF_LANE_BLOCK = 128, /* designs that go together */
@@ -18,11 +17,6 @@ enum {
 
 /* the last step of a question whose errors fall by cubes */
 #define SF_LAST_BY_CUBES 0x1p-17
-
-/* A design's numbers, and its damping. */
-typedef struct {
-    double design[SF_MOST_DESIGN], damping[SF_MOST_DAMPING];
-} sf_numbers;
 
 /* Designs of a block in pairs, their parameters made at once: in loops that vectorise they take a fraction of the time. */
 typedef struct {
@@ -43,6 +37,26 @@ static inline int sf_take_jumps(const sf_exact_block *block, ptrdiff_t d, sf_mod
     return model->breaks == mechanism->breakpoints;
 }
 
+/* Designs from k to `end` of a mechanism that has pairs. */
+static void sf_make_exact_block(const sf_call *at, ptrdiff_t end, sf_exact_block *block) {
+    const ptrdiff_t n = end - at->k;
+    for (int i = 0; i < at->mechanism->design_size; i++)
+        for (ptrdiff_t d = 0; d < n; d++)
+            block->number[i * SF_LANE_BLOCK + d] =
+                *(const double *)(const void *)(at->args[i] + (at->k + d) * at->steps[i]);
+    at->mechanism->many_in_pairs(at->mechanism, n, SF_LANE_BLOCK, block->number, block->part);
+}
+
+/* Member d of the block, which is design k. */
+static void sf_exactly_of(const sf_call *at, const sf_exact_block *block, int d, sf_exactly *exactly) {
+    const sf_mechanism *mechanism = at->mechanism;
+    const double *part = block->part + d;
+    const double mu = sf_input(at, mechanism->design_size), zeta = sf_input(at, mechanism->design_size + 1);
+    for (int i = 0; i < mechanism->parameters + mechanism->breakpoints; i++)
+        exactly->p[i] = (sf_pair){part[2 * i * SF_LANE_BLOCK], part[(2 * i + 1) * SF_LANE_BLOCK]};
+    sf_complete_exact(mechanism, mu, zeta, exactly);
+}
+
 /* A member of a block. A_max: of folds; task: its rows (design_lanes.h); ok: whether it is not left to the solvers of
  * one; what was found, by rising A: A, the bracket, whether F rises there, and what is known near by */
 typedef struct {
@@ -54,20 +68,35 @@ typedef struct {
     sf_sample near[SF_LANE_ZEROS];
 } sf_lane_design;
 
-/* What a question is to a block. sample: what is known at an amplitude; kept: how many rows of a bracket are; no step to a
- * zero needs a further one before it is settled if it is smaller than `last_step`, relatively */
-typedef struct {
-    void (*judge)(sf_lane_cells *), (*approach)(sf_lane_zeros *);
-    sf_sample (*sample)(const sf_model *, double);
-    int kept;
-    double last_step;
-} sf_lane_question;
-
 typedef struct {
     sf_lane_design at[SF_LANE_BLOCK];
     sf_lane_cells cells[2];
     sf_lane_zeros zeros[2];
 } sf_lane_block;
+
+/* What is known of a design at an amplitude. */
+typedef sf_sample sf_lane_sample(const sf_model *model, double A);
+
+/* A question about the designs of a block, which is or begins with a sf_lane_block.
+ *
+ * designs   -- how many go together
+ * enter     -- whether design k begins the search as member d
+ * judge, approach -- the loops of design_lanes.h over cells and over brackets
+ * search    -- cells until none is open, where that is not sf_search_block; else NULL
+ * kept      -- how many rows of a bracket the next round takes
+ * last_step -- no smaller step to a zero, relatively, needs a further one before it is settled
+ * leave     -- whether the answer of member d, which is design k, settles, and is written; others are answered singly
+ */
+typedef struct {
+    size_t of_block;
+    int designs;
+    int (*enter)(const sf_call *, const sf_exact_block *, sf_lane_block *, int d);
+    void (*judge)(sf_lane_cells *), (*approach)(sf_lane_zeros *), (*search)(sf_lane_block *);
+    sf_lane_sample *sample;
+    int kept;
+    double last_step;
+    int (*leave)(const sf_call *, const sf_exactly *, sf_lane_block *, int d, sf_query *);
+} sf_lane_question;
 
 static inline void sf_probe_row(double (*rows)[SF_LANE_CELLS], int i, const sf_sample *at) {
     rows[0][i] = at->A;
@@ -101,29 +130,29 @@ static inline sf_sample sf_average_at(const sf_model *model, double A) {
     return at;
 }
 
-/* These take a question that is known where they are called, so that what it is made of is called without a pointer. */
+/* These take functions that are known where they are called, so that they are called without a pointer. */
 
-SF_ALWAYS void sf_sample_row(const sf_lane_question *question, const sf_lane_block *block, int d, double A,
-                                  double (*rows)[SF_LANE_CELLS], int k)
+SF_ALWAYS void sf_sample_row(sf_lane_sample *sample, const sf_lane_block *block, int d, double A,
+                             double (*rows)[SF_LANE_CELLS], int k)
 {
-    const sf_sample at = question->sample(&block->at[d].model, A);
+    const sf_sample at = sample(&block->at[d].model, A);
     sf_probe_row(rows, k, &at);
 }
 
 /* The cells with which the search for design d begins, one for each piece of the force up to an amplitude; of the first
  * piece those that `first` makes, if it is not NULL, `more` at most. 0 where there are no places for them, or a preload. */
-SF_ALWAYS int sf_begin_pieces(const sf_lane_question *question, sf_lane_block *block, int d, double A_max, int more,
+SF_ALWAYS int sf_begin_pieces(sf_lane_sample *sample, sf_lane_block *block, int d, double A_max, int more,
                               void (*first)(sf_lane_block *, int, const sf_sample *, const sf_sample *))
 {
     const sf_model *model = &block->at[d].model;
     int pieces = 0;
     while (pieces < model->breaks && model->b[pieces] < A_max)
         pieces++;
-    sf_sample low = question->sample(model, 0);
+    sf_sample low = sample(model, 0);
     if (block->cells[0].n + pieces + more > SF_LANE_CELLS || low.h != 0)
         return 0;
     for (int i = 0; i <= pieces; i++) {
-        const sf_sample high = question->sample(model, i < pieces ? model->b[i] : A_max);
+        const sf_sample high = sample(model, i < pieces ? model->b[i] : A_max);
         if (i == 0 && first != NULL)
             first(block, d, &low, &high);
         else
@@ -137,8 +166,8 @@ SF_ALWAYS int sf_begin_pieces(const sf_lane_question *question, sf_lane_block *b
 }
 
 /* Cells with a zero as brackets. */
-SF_ALWAYS void sf_add_brackets(const sf_lane_question *question, sf_lane_block *block, const sf_lane_cells *cells,
-                                    const int *which, int n)
+SF_ALWAYS void sf_add_brackets(sf_lane_sample *sample, sf_lane_block *block, const sf_lane_cells *cells, const int *which,
+                               int n)
 {
     sf_lane_zeros *zeros = &block->zeros[0];
     sf_take_rows(cells->task, SF_TASK_ROWS, which, n, zeros->task, zeros->n);
@@ -147,7 +176,7 @@ SF_ALWAYS void sf_add_brackets(const sf_lane_question *question, sf_lane_block *
         zeros->of[k] = cells->of[i];
         zeros->lo[k] = cells->low[0][i], zeros->hi[k] = cells->high[0][i], zeros->rises[k] = cells->rises[i];
         zeros->base[k] = cells->base[i], zeros->last[0][k] = zeros->last[1][k] = zeros->last[2][k] = NAN;
-        sf_sample_row(question, block, cells->of[i], cells->cut[i], zeros->at, k);
+        sf_sample_row(sample, block, cells->of[i], cells->cut[i], zeros->at, k);
     }
     zeros->n += n;
 }
@@ -177,8 +206,8 @@ static void sf_add_lane_zero(sf_lane_design *of, const sf_lane_zeros *zeros, int
 }
 
 /* The cells that stay open as two each of the next round, the lower ones first. */
-SF_ALWAYS void sf_cut_cells(const sf_lane_question *question, sf_lane_block *block, const sf_lane_cells *cells,
-                                 const int *which, int n, sf_lane_cells *next)
+SF_ALWAYS void sf_cut_cells(sf_lane_sample *sample, sf_lane_block *block, const sf_lane_cells *cells, const int *which,
+                            int n, sf_lane_cells *next)
 {
     const int behind = 2 * SF_PROBE_ROWS; /* the rows of both ends */
     next->n = 2 * n;
@@ -191,7 +220,7 @@ SF_ALWAYS void sf_cut_cells(const sf_lane_question *question, sf_lane_block *blo
     }
     for (int j = 0; j < n; j++) {
         const int i = which[j];
-        sf_sample_row(question, block, cells->of[i], cells->cut[i], next->high, j);
+        sf_sample_row(sample, block, cells->of[i], cells->cut[i], next->high, j);
         block->at[cells->of[i]].ok &= cells->cut[i] > cells->low[0][i] && cells->cut[i] < cells->high[0][i];
     }
     for (int row = 0; row < SF_PROBE_ROWS; row++)
@@ -220,8 +249,8 @@ SF_ALWAYS void sf_search_block(const sf_lane_question *question, sf_lane_block *
             sf_leave(block, cells->of, with_one, n_one);
             n_one = 0;
         }
-        sf_add_brackets(question, block, cells, with_one, n_one);
-        sf_cut_cells(question, block, cells, open, n_open, next);
+        sf_add_brackets(question->sample, block, cells, with_one, n_one);
+        sf_cut_cells(question->sample, block, cells, open, n_open, next);
     }
 }
 
@@ -247,7 +276,59 @@ SF_ALWAYS void sf_approach_block(const sf_lane_question *question, sf_lane_block
         sf_take_rows(zeros->inputs + SF_PROBE_ROWS, question->kept, far, n_far, next->inputs + SF_PROBE_ROWS, 0);
         for (int j = 0; j < n_far; j++) {
             i = far[j], next->of[j] = zeros->of[i];
-            sf_sample_row(question, block, zeros->of[i], zeros->next[i], next->at, j);
+            sf_sample_row(question->sample, block, zeros->of[i], zeros->next[i], next->at, j);
         }
     }
+}
+
+/* Whether designs of a mechanism may go together: what is known of h on a cell, and in pairs. */
+static int sf_goes_in_lanes(const sf_mechanism *mechanism) {
+    return mechanism->bent == NULL && mechanism->averaged_in_pairs != NULL && !mechanism->inertial &&
+           !sf_takes_laws(mechanism);
+}
+
+SF_ALWAYS void sf_loop_in_lanes(sf_call *at, const sf_lane_question *by) {
+    sf_query q = {.room = malloc(sizeof(sf_room))};
+    sf_lane_block *block = q.room != NULL && sf_goes_in_lanes(at->mechanism) ? malloc(by->of_block) : NULL;
+    sf_exact_block exact;
+    sf_exactly exactly;
+    ptrdiff_t end;
+    int d;
+    for (ptrdiff_t first = 0; first < at->dimensions[0]; first = end) {
+        at->k = first, end = sf_end_of_block(at, by->designs);
+        if (block != NULL) {
+            sf_make_exact_block(at, end, &exact);
+            block->cells[0].n = 0;
+            for (d = 0; at->k < end; at->k++, d++)
+                block->at[d].ok = by->enter(at, &exact, block, d);
+            if (by->search != NULL)
+                by->search(block);
+            else
+                sf_search_block(by, block);
+            sf_approach_block(by, block);
+        }
+        for (at->k = first, d = 0; at->k < end; at->k++, d++) {
+            int is_left = block != NULL && block->at[d].ok;
+            if (is_left) {
+                sf_exactly_of(at, &exact, d, &exactly);
+                is_left = by->leave(at, &exactly, block, d, &q);
+            }
+            if (!is_left)
+                sf_answer_singly(at, &q);
+        }
+    }
+    free(block);
+    free(q.room);
+}
+
+/* Whether design k, as member d, may have its answer at a forcing from lanes: its damping is viscous too, and it does not
+ * all but stick. */
+static int sf_enter_at_forcing(const sf_call *at, const sf_exact_block *exact, sf_lane_design *of, int d) {
+    sf_numbers inputs;
+    of->F_0 = sf_number(at, 0), of->Omega = 0, of->n = 0;
+    if (!at->mechanism->is_forcing(of->F_0) || !sf_design_at(at, 0, &inputs, &of->model) ||
+        !sf_take_jumps(exact, d, &of->model) || !(of->model.zeta > 0) || sf_nearly_sticks(&of->model, of->F_0))
+        return 0;
+    of->task[0] = 0, of->task[1] = of->model.zeta, of->task[2] = of->model.m, of->task[3] = of->F_0;
+    return 1;
 }

@@ -13,25 +13,18 @@
 enum { SF_PEAK_PARTS = 3 };
 static const double sf_peak_parts[SF_PEAK_PARTS + 1] = {1, 0.5, 0.25, 0.125};
 
-static const sf_lane_question sf_peaks_in_lanes = {sf_judge_peaks, sf_approach_peaks, sf_average_at, SF_KEPT_ROWS,
-                                                   SF_LAST_BY_CUBES};
-
-/* The cell in which the search for the peak of design d begins, from its last breakpoint on; 0 where it is left to
- * sf_settled_peak. */
-static int sf_begin_peak(sf_lane_block *block, int d) {
+/* With the cell from the last breakpoint on. */
+static int sf_enter_peak(const sf_call *at, const sf_exact_block *exact, sf_lane_block *block, int d) {
     sf_lane_design *of = &block->at[d];
     const sf_model *model = &of->model;
-    const int last = model->breaks - 1;
-    double A_max;
-    of->n = 0;
-    if (last < 0 || model->breaks < model->mechanism->breakpoints || !(model->zeta > 0) ||
-        sf_nearly_sticks(model, of->F_0) || sf_amplitude_bound(model, of->F_0, &A_max) != SF_OK ||
-        !(A_max > model->b[last]))
+    if (!sf_enter_at_forcing(at, exact, of, d) || model->breaks == 0)
         return 0;
-    of->task[0] = 0, of->task[1] = model->zeta, of->task[2] = model->m, of->task[3] = of->F_0;
+    const int last = model->breaks - 1;
+    if (sf_amplitude_bound(model, of->F_0, &of->A_max) != SF_OK || !(of->A_max > model->b[last]))
+        return 0;
     sf_sample low = sf_average_at(model, model->b[last]);
     sf_tend_from_above(model, last, &low);
-    const sf_sample high = sf_average_at(model, A_max);
+    const sf_sample high = sf_average_at(model, of->A_max);
     sf_add_cell(block, d, model->b[last], &low, &high);
     return 1;
 }
@@ -48,7 +41,7 @@ static void sf_begin_below(sf_lane_block *block, int d, int part) {
     sf_add_cell(block, d, 0, &low, &high);
 }
 
-/* The peaks in the cells of a block; designs without are left to sf_settled_peak. */
+/* The brackets of the peaks of a block; designs without are left to sf_settled_peak. */
 static void sf_search_peaks(sf_lane_block *block) {
     sf_lane_cells *cells = &block->cells[0];
     int with_one[SF_LANE_CELLS], without[SF_LANE_CELLS], others[SF_LANE_CELLS];
@@ -63,23 +56,32 @@ static void sf_search_peaks(sf_lane_block *block) {
             n_one += has_one, n_none += has_none, n_others += !has_one && !has_none;
         }
         sf_leave(block, cells->of, others, n_others);
-        sf_add_brackets(&sf_peaks_in_lanes, block, cells, with_one, n_one);
+        sf_add_brackets(sf_average_at, block, cells, with_one, n_one);
         for (int i = 0; i < n_none; i++)
             without[i] = cells->of[without[i]];
         cells->n = 0;
         for (int i = 0; i < n_none; i++)
             sf_begin_below(block, without[i], round);
     }
-    sf_approach_block(&sf_peaks_in_lanes, block);
 }
 
-/* The peak that the block has found of a design, to its last digit; 0 where it does not settle. */
-static int sf_settle_block_peak(const sf_lane_design *of, const sf_exactly *exactly, double *A, double *Omega) {
-    sf_settling at = {sfp_point(of->w[0]), sfp_point(of->A[0]), sfp_point(of->F_0)};
+/* To its last digit, if there is one. Without a query, which takes as long as some of this answer. */
+static int sf_leave_peak(const sf_call *at, const sf_exactly *exactly, sf_lane_block *block, int d, sf_query *q) {
+    const sf_lane_design *of = &block->at[d];
+    sf_settling peak = {sfp_point(of->w[0]), sfp_point(of->A[0]), sfp_point(of->F_0)};
+    (void)q;
     if (of->n != 1 ||
-        !sf_settle_near(slow_flow_pairs_peak_step, SF_MOVES_BOTH, 2, exactly, &of->model, &of->near[0], &at) ||
-        !(at.A.high >= of->lo[0] && at.A.high <= of->hi[0]))
+        !sf_settle_near(slow_flow_pairs_peak_step, SF_MOVES_BOTH, 2, exactly, &of->model, &of->near[0], &peak) ||
+        !(peak.A.high >= of->lo[0] && peak.A.high <= of->hi[0]))
         return 0;
-    *A = at.A.high, *Omega = at.Omega.high;
+    sf_write_number(at, 0, peak.A.high), sf_write_number(at, 1, peak.Omega.high);
+    *sf_output(at, 2) = SF_OK;
     return 1;
+}
+
+static void sf_loop_peaks(sf_call *at) {
+    static const sf_lane_question peaks = {sizeof(sf_lane_block), SF_LANE_BLOCK, sf_enter_peak, sf_judge_peaks,
+                                           sf_approach_peaks, sf_search_peaks, sf_average_at, SF_KEPT_ROWS,
+                                           SF_LAST_BY_CUBES, sf_leave_peak};
+    sf_loop_in_lanes(at, &peaks);
 }

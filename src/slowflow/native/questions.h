@@ -23,7 +23,6 @@ static void sf_put_folds(sf_query *q, sf_status status, const sf_folds *found, i
 {
     const sf_fold *at = found->at;
     const long n = status == SF_OK ? found->n : 0;
-    sf_put(q, SF_INTEGER, status);
     sf_put_column(q, SF_NUMBERS, n, &at->Omega, sizeof *at);
     sf_put_column(q, SF_NUMBERS, n, &at->A, sizeof *at);
     sf_put_column(q, SF_FLAGS, n, &at->up, sizeof *at);
@@ -35,7 +34,7 @@ static void sf_answer_folds(sf_query *q)
 {
     sf_folds *found = &q->room->work.folds;
     const sf_status status = sf_settled_folds(q->model, q->inputs, q->number[0], q->room, found);
-    sf_put_folds(q, status, found, found->undecided);
+    sf_put(q, SF_INTEGER, status), sf_put_folds(q, status, found, found->undecided);
 }
 
 /* at_rest: whether folds that end at Omega = 0 are below it */
@@ -137,30 +136,64 @@ static void sf_answer_extrema(sf_query *q)
     sf_put_column(q, SF_FLAGS, n, &at->few_digits, sizeof *at);
 }
 
-static void sf_answer_response(sf_query *q)
+/* The points of a response curve, so many; 0 where there is no memory. */
+static int sf_reserve_curve(sf_query *q, sf_status *status, long *n, sf_points *at)
 {
     const double F_0 = q->number[0], samples = q->number[1], low = q->number[2], high = q->number[3];
     sf_skeleton *shown = &q->room->work.shown;
     sf_model model = *q->model;
-    sf_points at;
-    long n = 0;
+    *n = 0;
     shown->curves = 0, model.lowest = low;
-    sf_status status = sf_make_skeleton(&model, q->inputs, F_0, q->room);
-    if (status == SF_OK && (n = sf_show(&model, F_0, low, high, samples, &q->room->work)) < 0)
-        status = SF_NO_BOUND, n = 0;
-    at.Omega = sf_reserve(q, n, sizeof *at.Omega), at.A = sf_reserve(q, n, sizeof *at.A);
-    at.branch = sf_reserve(q, n, sizeof *at.branch), at.stable = sf_reserve(q, n, sizeof *at.stable);
-    if (at.Omega == NULL || at.A == NULL || at.branch == NULL || at.stable == NULL)
-        return;
-    if (n > 0)
-        n = sf_draw(&model, F_0, samples, shown, &at);
+    *status = sf_make_skeleton(&model, q->inputs, F_0, q->room);
+    if (*status == SF_OK && (*n = sf_show(&model, F_0, low, high, samples, &q->room->work)) < 0)
+        *status = SF_NO_BOUND, *n = 0;
+    at->Omega = sf_reserve(q, *n, sizeof *at->Omega), at->A = sf_reserve(q, *n, sizeof *at->A);
+    at->branch = sf_reserve(q, *n, sizeof *at->branch), at->stable = sf_reserve(q, *n, sizeof *at->stable);
+    if (at->Omega == NULL || at->A == NULL || at->branch == NULL || at->stable == NULL)
+        return 0;
+    if (*n > 0)
+        *n = sf_draw(&model, F_0, samples, shown, at);
+    return 1;
+}
+
+static void sf_put_curve(sf_query *q, sf_status status, long n, const sf_points *at)
+{
     sf_put(q, SF_INTEGER, status);
-    sf_put_column(q, SF_NUMBERS, n, at.Omega, sizeof *at.Omega);
-    sf_put_column(q, SF_NUMBERS, n, at.A, sizeof *at.A);
-    sf_put_column(q, SF_BYTE_FLAGS, n, at.stable, sizeof *at.stable);
-    sf_put_column(q, SF_LONG_INTEGERS, n, at.branch, sizeof *at.branch);
+    sf_put_column(q, SF_NUMBERS, n, at->Omega, sizeof *at->Omega);
+    sf_put_column(q, SF_NUMBERS, n, at->A, sizeof *at->A);
+    sf_put_column(q, SF_BYTE_FLAGS, n, at->stable, sizeof *at->stable);
+    sf_put_column(q, SF_LONG_INTEGERS, n, at->branch, sizeof *at->branch);
+}
+
+static void sf_answer_response(sf_query *q)
+{
+    const sf_skeleton *shown = &q->room->work.shown;
+    sf_status status;
+    sf_points at;
+    long n;
+    if (!sf_reserve_curve(q, &status, &n, &at))
+        return;
+    sf_put_curve(q, status, n, &at);
     sf_put_column(q, SF_FLAGS, shown->curves, shown->closed, sizeof *shown->closed);
     sf_put(q, SF_FLAG, status == SF_OK && q->room->undecided);
+}
+
+/* The same with whether the branch of each point is closed, and with the folds. */
+static void sf_answer_response_and_folds(sf_query *q)
+{
+    sf_status status;
+    sf_points at;
+    long n;
+    if (!sf_reserve_curve(q, &status, &n, &at))
+        return;
+    unsigned char *closed = sf_reserve(q, n, sizeof *closed);
+    if (closed == NULL)
+        return;
+    for (long i = 0; i < n; i++)
+        closed[i] = q->room->work.shown.closed[at.branch[i]] != 0;
+    sf_put_curve(q, status, n, &at);
+    sf_put_column(q, SF_BYTE_FLAGS, n, closed, sizeof *closed);
+    sf_put_folds(q, status, &q->room->work.folds, status == SF_OK && q->room->undecided);
 }
 
 static int sf_has_states(double Omega) { return Omega > 0 && Omega <= SF_HIGHEST_OMEGA; }
@@ -350,11 +383,11 @@ static int sf_has_second(const sf_model *model)
 
 static void sf_answer_second_folds(sf_query *q)
 {
-    sf_second_folds *found = sf_reserve(q, 1, sizeof *found);
-    const sf_second_fold *at;
-    if (found == NULL || !sf_has_second(q->model))
+    sf_second_folds *found = sf_has_second(q->model) ? sf_reserve(q, 1, sizeof *found) : NULL;
+    if (found == NULL)
         return;
-    at = found->at, q->room->undecided = 0;
+    const sf_second_fold *at = found->at;
+    q->room->undecided = 0;
     sf_put(q, SF_INTEGER, sf_second_saddle_nodes(q->model, q->inputs, q->number[0], q->number[1], q->number[2], q->room,
                                                  found));
     sf_put_column(q, SF_NUMBERS, found->n, &at->Omega, sizeof *at);

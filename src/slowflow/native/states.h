@@ -133,6 +133,11 @@ static int sf_states_on_curve(const sf_model *model, const sf_inputs *inputs, do
     return n;
 }
 
+/* An amplitude above all states at a frequency: there I exceeds F_0, even if F_0 - m is all but rounding. */
+static double sf_above_states(const sf_model *model, double F_0, double Omega) {
+    return slow_flow_limit_envelope(Omega, F_0 * (1 + SF_CLOSE), model->m, model->zeta) * (1 + SF_CLOSE);
+}
+
 /* The steady states at Omega by rising A where no number of doubles is near to deciding how many there are, each
  * settled to its last digit; returns their number, or -1. Without friction and with little of it, without viscous
  * damping and for an excitation by inertia the curve is asked. */
@@ -144,8 +149,7 @@ static int sf_clear_states(const sf_model *model, const sf_exactly *exactly, dou
     int n = 0;
     if (sf_inertial(model) || !(model->zeta > 0) || sf_nearly_sticks(model, F_0))
         return -1;
-    /* there I exceeds F_0, even if F_0 - m is all but rounding */
-    const double A_max = slow_flow_limit_envelope(Omega, F_0 * (1 + SF_CLOSE), model->m, model->zeta) * (1 + SF_CLOSE);
+    const double A_max = sf_above_states(model, F_0, Omega);
     if (!(A_max > SF_FIRST && A_max < SF_ENDLESS))
         return -1;
     task.Omega = Omega;
