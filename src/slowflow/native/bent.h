@@ -15,72 +15,30 @@
 #include "mechanism.h"
 #include "quadrature_conventions.h"
 
-typedef void (*sf_bent_terms)(sf_interval A, sf_interval beyond, sf_interval sine, const sf_interval *p,
-                              sf_interval *out);
-typedef void (*sf_bent_closing)(sf_interval A, const sf_interval *roots, const sf_interval *sums, const sf_interval *p,
-                                sf_interval *out);
-
-typedef void (*sf_bent_contact)(sf_interval A, sf_interval fraction, const sf_interval *p, sf_interval *out);
-
 /* SF_CONTACT_SUMS integrals of a contact follow h's and h_AAAA's: over dy/sqrt(1 - y), and their derivatives */
-enum { SF_MOST_CONTACTS = 2 * SF_MOST_BREAKS };
+enum {
+    SF_MOST_CONTACTS = 2 * SF_MOST_BREAKS,
+    SF_MOST_BENT = 1 + SF_MOST_BREAKS + 2 + SF_CONTACT_SUMS * SF_MOST_CONTACTS + SF_MOST_PARAMETERS
+};
 
 typedef struct sf_bent sf_bent;
 
-/* terms: of each piece; closing: by how many breakpoints are exceeded; contacts, begins: the breakpoint at which each
- * begins; programs: in place of all these functions, of their arguments in turn, those of terms, of contacts, closing
- * ones */
+/* contacts, begins: the breakpoint at which each begins; at: what stands under the integrals and what closes them, at
+ * arguments and the parameters behind: of each piece its terms at A, the displacement beyond its begin and the sine; of each
+ * contact at A and the fraction; by how many breakpoints are exceeded what closes at A, the roots of these, and the sums */
 struct sf_bent {
-    int breakpoints, parameters;
-    const sf_bent_terms *terms;
-    const sf_bent_closing *closing;
-    int contacts;
-    const sf_bent_contact *contact;
+    int breakpoints, parameters, contacts;
     const int *begins;
-    void (*interpreted)(const sf_bent *of, int number, const sf_interval *arguments, sf_interval *out);
+    void (*at)(const sf_bent *of, int number, const sf_interval *arguments, sf_interval *out);
     const void *programs;
 };
 
-enum { SF_MOST_BENT = 1 + SF_MOST_BREAKS + 2 + SF_CONTACT_SUMS * SF_MOST_CONTACTS + SF_MOST_PARAMETERS };
-
-/* A program's outputs at some arguments and the parameters. */
-static inline void sf_interpreted_at(const sf_bent *of, int number, int inputs, const sf_interval *arguments,
-                                     const sf_interval *p, sf_interval *out) {
+static inline void sf_bent_at(const sf_bent *of, int number, int inputs, const sf_interval *arguments,
+                              const sf_interval *p, sf_interval *out) {
     sf_interval all[SF_MOST_BENT];
     memcpy(all, arguments, (size_t)inputs * sizeof *all);
     memcpy(all + inputs, p, (size_t)of->parameters * sizeof *all);
-    of->interpreted(of, number, all, out);
-}
-
-static inline void sf_terms_at(const sf_bent *of, int piece, sf_interval A, sf_interval beyond, sf_interval sine,
-                               const sf_interval *p, sf_interval *out) {
-    const sf_interval arguments[] = {A, beyond, sine};
-    if (of->interpreted != NULL)
-        sf_interpreted_at(of, piece, 3, arguments, p, out);
-    else
-        of->terms[piece](A, beyond, sine, p, out);
-}
-
-static inline void sf_contact_at(const sf_bent *of, int number, sf_interval A, sf_interval fraction,
-                                 const sf_interval *p, sf_interval *out) {
-    const sf_interval arguments[] = {A, fraction};
-    if (of->interpreted != NULL)
-        sf_interpreted_at(of, of->breakpoints + 1 + number, 2, arguments, p, out);
-    else
-        of->contact[number](A, fraction, p, out);
-}
-
-static inline void sf_closing_at(const sf_bent *of, int passed, sf_interval A, const sf_interval *roots,
-                                 const sf_interval *sums, const sf_interval *p, sf_interval *out) {
-    sf_interval arguments[SF_MOST_BENT] = {A};
-    const int summed = 2 + SF_CONTACT_SUMS * of->contacts;
-    if (of->interpreted == NULL) {
-        of->closing[passed](A, roots, sums, p, out);
-        return;
-    }
-    memcpy(arguments + 1, roots, (size_t)passed * sizeof *roots);
-    memcpy(arguments + 1 + passed, sums, (size_t)summed * sizeof *sums);
-    sf_interpreted_at(of, of->breakpoints + 1 + of->contacts + passed, 1 + passed + summed, arguments, p, out);
+    of->at(of, number, all, out);
 }
 
 /* How often the first part of a piece of that length is halved. */
@@ -129,7 +87,7 @@ static inline void sf_add_bent(const sf_bent *of, int piece, double start, doubl
         const sf_interval sine = sf_wider(high_sine, fmin(low_next, 1));
         const sf_interval beyond = last ? sf_wider((A.lo - start) * fraction, (A.hi - start) * next)
                                         : sf_wider((end - start) * fraction, (end - start) * next);
-        sf_terms_at(of, piece, A, beyond, sine, p, values);
+        sf_bent_at(of, piece, 3, (const sf_interval[]){A, beyond, sine}, p, values);
         for (int k = 0; k < 2; k++)
             total[k] = sfi_add(total[k], sfi_mul(values[k], angle));
         low_sine = low_next, high_sine = high_next, low_angle = low_angle_next, high_angle = high_angle_next;
@@ -147,7 +105,8 @@ static inline void sf_of_contact(const sf_bent *of, int number, double start, sf
         const double fraction = sf_share(part, halved), next = sf_share(part + 1, halved);
         const double wide = 2 * (sqrt(1 - fraction) - sqrt(1 - next));
         const sf_interval weight = sfi_of(sfi_most(wide - SF_ANGLE, 0), wide + SF_ANGLE);
-        sf_contact_at(of, number, A, sf_wider(fraction, fmin(next, 1)), p, values);
+        sf_bent_at(of, of->breakpoints + 1 + number, 2, (const sf_interval[]){A, sf_wider(fraction, fmin(next, 1))}, p,
+                   values);
         for (int k = 0; k < SF_CONTACT_SUMS; k++)
             sums[k] = sfi_add(sums[k], sfi_mul(values[k], weight));
     }
@@ -158,11 +117,11 @@ static inline void sf_of_contact(const sf_bent *of, int number, double start, sf
 static inline void sf_enclose(const sf_bent *of, const double *ends, sf_interval A, const double *inputs,
                               sf_interval *out)
 {
-    sf_interval p[SF_MOST_PARAMETERS], roots[SF_MOST_BREAKS];
-    sf_interval sums[2 + SF_CONTACT_SUMS * SF_MOST_CONTACTS] = {{0, 0}};
+    sf_interval p[SF_MOST_PARAMETERS], known[SF_MOST_BENT] = {A};
     int passed = 0;
     while (passed < of->breakpoints && A.lo >= ends[passed])
         passed++;
+    sf_interval *roots = known + 1, *sums = roots + passed;
     for (int i = 0; i < of->parameters; i++)
         p[i] = sfi_point(inputs[i]);
     for (int i = 0; i <= passed; i++) {
@@ -175,5 +134,5 @@ static inline void sf_enclose(const sf_bent *of, const double *ends, sf_interval
     for (int i = 0; i < of->contacts; i++)
         if (of->begins[i] < passed)
             sf_of_contact(of, i, ends[of->begins[i]], A, p, sums + 2 + SF_CONTACT_SUMS * i);
-    sf_closing_at(of, passed, A, roots, sums, p, out);
+    sf_bent_at(of, of->breakpoints + 1 + of->contacts + passed, 3 + passed + SF_CONTACT_SUMS * of->contacts, known, p, out);
 }

@@ -513,7 +513,7 @@ static inline void sf_read_bent(sf_reader *from, const sf_mechanism *record, sf_
         sf_read_function(from, sf_on_intervals, 0, arguments + p, i >= pieces && closing < 0 ? SF_CONTACT_SUMS : 2,
                          &programs[i]);
     }
-    bent->interpreted = sf_program_enclosed, bent->programs = programs;
+    bent->at = sf_program_enclosed, bent->programs = programs;
 }
 
 static inline void sf_read_exact(sf_reader *from, int within, const sf_mechanism *record, sf_program *out) {

@@ -275,7 +275,7 @@ static void sf_read_force(sf_reader *from, sf_mechanism *record, sf_sampled *out
         sums->interpreted = sf_sampled_terms, sums->programs = out, sums->rough = out->rough[i];
     }
     out->bent.breakpoints = record->breakpoints;
-    out->bent.interpreted = sf_sampled_enclosed, out->bent.programs = out;
+    out->bent.at = sf_sampled_enclosed, out->bent.programs = out;
     record->reach = out->ends[record->breakpoints], record->harmonics_up_to = HUGE_VAL;
     out->room = from->room, record->sampled = out;
 }
