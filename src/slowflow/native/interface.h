@@ -5,15 +5,13 @@
 
 #include "certificate.h"
 
-/* Makes a record of words and numbers, with the damping and the excitation of another one. */
-typedef sf_status (*sf_record_of)(const sf_mechanism *like, const char *name, const int *code, ptrdiff_t count,
-                                const double *numbers, ptrdiff_t length, sf_mechanism **record);
-
-/* The record of every mechanism that the package ships, and what makes one of a program, and of polynomials. */
+/* The record of every mechanism that the package ships, and what makes one of words and numbers, a program or, where it is
+ * sampled, polynomials: with the damping and the excitation of another one. */
 typedef struct {
     const sf_mechanism *const *all;
     int count;
-    sf_record_of of_program, of_samples;
+    sf_status (*read)(int sampled, const sf_mechanism *like, const char *name, const int *code, ptrdiff_t count,
+                      const double *numbers, ptrdiff_t length, sf_mechanism **record);
     void (*free_samples)(const sf_mechanism *record);
 } sf_records;
 

@@ -117,6 +117,14 @@ struct sf_mechanism {
     const sf_sampled *sampled;
 };
 
+/* What a record has that no force changes, from another one of an odd force. */
+static inline void sf_take_surroundings(const sf_mechanism *like, sf_mechanism *record)
+{
+    record->form = SF_FORM, record->damping_size = like->damping_size, record->damping_of = like->damping_of;
+    record->is_forcing = like->is_forcing, record->dissipation = like->dissipation, record->level = like->level;
+    record->mean_offset = like->mean_offset;
+}
+
 /* A parameter that is a difference of nearly equal numbers, as a stiffness next to 0, has few digits in doubles: such
  * ones are what pairs give. One that is 0 to rounding, or whose sign rounding decides, stays as everyone has it:
  * quasi-zero stiffness is meant by 1/(lam r) = delta_h, which doubles seldom are. */

@@ -544,7 +544,7 @@ static inline void sf_read_conditions(sf_reader *from, const sf_mechanism *recor
 }
 
 /* A record's functions of the force from all words and numbers; what a force has no part in stays. */
-static inline void sf_read_all(sf_reader *from, sf_mechanism *record, sf_program *out) {
+static inline void sf_read_program(sf_reader *from, sf_mechanism *record, sf_program *out) {
     int bent, exact;
     sf_word(from, SF_PROGRAM_FORM, SF_PROGRAM_FORM);
     record->design_size = sf_size(from, 0, SF_MOST_DESIGN);
@@ -581,7 +581,6 @@ static inline void sf_read_all(sf_reader *from, sf_mechanism *record, sf_program
     record->by_parameter = sf_program_by_parameter, record->by_design = sf_program_by_design;
     record->parameters_within = within ? sf_program_parameters_within : NULL;
     record->ends_within = within && record->breakpoints > 0 ? sf_program_ends_within : NULL;
-    record->kinks_within = NULL;
     record->averaged_within = within ? sf_program_averaged_within : NULL;
     record->parameters_in_pairs = exact ? sf_program_parameters_in_pairs : NULL;
     record->ends_in_pairs = exact && record->breakpoints > 0 ? sf_program_ends_in_pairs : NULL;
@@ -589,24 +588,4 @@ static inline void sf_read_all(sf_reader *from, sf_mechanism *record, sf_program
     record->many_in_pairs = exact ? sf_program_many_in_pairs : NULL;
     record->on_first_end_in_pairs = exact && record->breakpoints > 0 ? sf_program_on_first_end_in_pairs : NULL;
     record->program = out;
-}
-
-/* The record of a force, which is never let go. SF_INVALID where the data is no program, SF_TOO_MANY where the force
- * is beyond what a record has room for.
- *
- * like: a record of any odd force, whose damping and excitation it takes */
-static sf_status sf_read_program(const sf_mechanism *like, const char *name, const int *code, ptrdiff_t count,
-                                 const double *numbers, ptrdiff_t length, sf_mechanism **record)
-{
-    sf_reader from = {code, code + count, numbers, numbers + length, NULL, SF_READ};
-    sf_mechanism *made = sf_room_for(&from, 1, sizeof *made);
-    sf_program *program = sf_room_for(&from, 1, sizeof *program);
-    char *called = sf_room_for(&from, (int)strlen(name) + 1, 1);
-    if (from.status == SF_READ) {
-        *made = *like;
-        made->name = strcpy(called, name);
-        sf_read_all(&from, made, program);
-    }
-    *record = made;
-    return sf_finished(&from);
 }

@@ -243,7 +243,7 @@ static void sf_read_smooth(sf_reader *from, sf_smooth *out) {
         out->least[k] = sf_read_numbers_of(from, out->cells), out->most[k] = sf_read_numbers_of(from, out->cells);
 }
 
-static void sf_read_force(sf_reader *from, sf_mechanism *record, sf_sampled *out) {
+static void sf_read_samples(sf_reader *from, sf_mechanism *record, sf_sampled *out) {
     static const int widths[SF_AVERAGES] = {SF_SLOPES, 2 * SF_SLOPES, 1, 0};
     int *graded;
     record->design_size = record->parameters = sf_size(from, 0, SF_MOST_PARAMETERS);
@@ -277,28 +277,32 @@ static void sf_read_force(sf_reader *from, sf_mechanism *record, sf_sampled *out
     out->bent.breakpoints = record->breakpoints;
     out->bent.at = sf_sampled_enclosed, out->bent.programs = out;
     record->reach = out->ends[record->breakpoints], record->harmonics_up_to = HUGE_VAL;
+    record->parameters_of = sf_sampled_parameters_of;
+    record->ends = sf_sampled_ends, record->jumps = sf_sampled_jumps, record->kinks = sf_sampled_kinks;
+    record->averaged = sf_sampled_averaged, record->averaged_2 = sf_sampled_averaged_2;
+    record->intercept = sf_sampled_intercept, record->harmonics = sf_sampled_harmonics;
+    record->bent = sf_sampled_bent;
     out->room = from->room, record->sampled = out;
 }
 
-/* The record of one design, which `sf_free_samples` lets go. As sf_read_program */
-static sf_status sf_read_samples(const sf_mechanism *like, const char *name, const int *code, ptrdiff_t count,
-                                 const double *numbers, ptrdiff_t length, sf_mechanism **record)
+/* The record of a force by its program, which is never let go, or of one design by samples, which `sf_free_samples` lets go.
+ * SF_INVALID where the data is neither, SF_TOO_MANY where the force is beyond what a record has room for.
+ *
+ * like: a record of any odd force, whose damping and excitation it takes */
+static sf_status sf_read_record(int sampled, const sf_mechanism *like, const char *name, const int *code, ptrdiff_t count,
+                                const double *numbers, ptrdiff_t length, sf_mechanism **record)
 {
     sf_reader from = {code, code + count, numbers, numbers + length, NULL, SF_READ};
     sf_mechanism *made = sf_room_for(&from, 1, sizeof *made);
-    sf_sampled *force = sf_room_for(&from, 1, sizeof *force);
+    void *own = sf_room_for(&from, 1, sampled ? sizeof(sf_sampled) : sizeof(sf_program));
     char *called = sf_room_for(&from, (int)strlen(name) + 1, 1);
     if (from.status == SF_READ) {
-        made->form = SF_FORM, made->name = strcpy(called, name);
-        made->damping_size = like->damping_size, made->damping_of = like->damping_of;
-        made->is_forcing = like->is_forcing, made->dissipation = like->dissipation, made->level = like->level;
-        made->mean_offset = like->mean_offset;
-        made->parameters_of = sf_sampled_parameters_of;
-        made->ends = sf_sampled_ends, made->jumps = sf_sampled_jumps, made->kinks = sf_sampled_kinks;
-        made->averaged = sf_sampled_averaged, made->averaged_2 = sf_sampled_averaged_2;
-        made->intercept = sf_sampled_intercept, made->harmonics = sf_sampled_harmonics;
-        made->bent = sf_sampled_bent;
-        sf_read_force(&from, made, force);
+        sf_take_surroundings(like, made);
+        made->name = strcpy(called, name);
+        if (sampled)
+            sf_read_samples(&from, made, own);
+        else
+            sf_read_program(&from, made, own);
     }
     *record = made;
     return sf_finished(&from);

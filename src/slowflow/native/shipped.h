@@ -5,5 +5,4 @@
 #include "records.h"
 #include "sampled_force.h"
 
-const sf_records SF_RECORDS = {records, sizeof records / sizeof records[0], sf_read_program, sf_read_samples,
-                              sf_free_samples};
+const sf_records SF_RECORDS = {records, sizeof records / sizeof records[0], sf_read_record, sf_free_samples};

@@ -135,8 +135,8 @@ static void free_samples(PyObject *capsule)
     sf_here()->records->free_samples(PyCapsule_GetPointer(capsule, SF_RECORD));
 }
 
-/* A record from code, C ints, and numbers, doubles, as bytes; what: they are to be. */
-static PyObject *read_record(PyObject *args, sf_record_of read, const char *what, PyCapsule_Destructor let_go)
+/* A record from code, C ints, and numbers, doubles, as bytes. */
+static PyObject *read_record(PyObject *args, int sampled)
 {
     sf_mechanism *record;
     const char *name, *code, *numbers;
@@ -144,33 +144,35 @@ static PyObject *read_record(PyObject *args, sf_record_of read, const char *what
     int inertial = 0, with_laws = 0;
     if (!PyArg_ParseTuple(args, "sy#y#|pp", &name, &code, &count, &numbers, &length, &inertial, &with_laws))
         return NULL;
-    switch (read(sf_here()->records->all[0], name, (const int *)(const void *)code, count / (Py_ssize_t)sizeof(int),
-                 (const double *)(const void *)numbers, length / (Py_ssize_t)sizeof(double), &record)) {
+    const sf_records *shipped = sf_here()->records;
+    switch (shipped->read(sampled, shipped->all[0], name, (const int *)(const void *)code,
+                          count / (Py_ssize_t)sizeof(int), (const double *)(const void *)numbers,
+                          length / (Py_ssize_t)sizeof(double), &record)) {
     case SF_OK:
         if (inertial)
             sf_excite_by_inertia(record);
         if (with_laws)
             sf_add_laws(record);
-        return PyCapsule_New(record, SF_RECORD, let_go);
+        return PyCapsule_New(record, SF_RECORD, sampled ? free_samples : NULL);
     case SF_TOO_MANY:
         Py_RETURN_NONE;
     case SF_NO_MEMORY:
         return PyErr_NoMemory();
     default:
-        return PyErr_Format(PyExc_ValueError, "%s: its words and numbers are no %s", name, what);
+        return PyErr_Format(PyExc_ValueError, "%s: its words and numbers are no %s", name, sampled ? "polynomials" : "program");
     }
 }
 
 static PyObject *program(PyObject *self, PyObject *args)
 {
     (void)self;
-    return read_record(args, sf_here()->records->of_program, "program", NULL);
+    return read_record(args, 0);
 }
 
 static PyObject *samples(PyObject *self, PyObject *args)
 {
     (void)self;
-    return read_record(args, sf_here()->records->of_samples, "polynomials", free_samples);
+    return read_record(args, 1);
 }
 
 /* A function at an address, as what a record has in its place. */
@@ -202,16 +204,13 @@ static PyObject *called(PyObject *self, PyObject *args)
     const sf_mechanism *bounds = enclosed == Py_None ? NULL : sf_record_in(enclosed);
     if (enclosed != Py_None && bounds == NULL)
         return NULL;
-    const sf_mechanism *like = sf_here()->records->all[0];
     sf_mechanism *made = calloc(1, sizeof *made + strlen(name) + 1);
     if (made == NULL)
         return PyErr_NoMemory();
-    made->form = SF_FORM, made->name = strcpy((char *)(made + 1), name);
+    sf_take_surroundings(sf_here()->records->all[0], made);
+    made->name = strcpy((char *)(made + 1), name);
     made->design_size = sizes[0], made->parameters = sizes[1], made->breakpoints = sizes[2];
     made->reach = reach, made->harmonics_up_to = up_to, made->parameters_of = has_no_parameters_of;
-    made->damping_size = like->damping_size, made->damping_of = like->damping_of;
-    made->is_forcing = like->is_forcing, made->dissipation = like->dissipation, made->level = like->level;
-    made->mean_offset = like->mean_offset;
     SF_AT(made, ends, at[0]), SF_AT(made, jumps, at[1]), SF_AT(made, kinks, at[2]), SF_AT(made, averaged, at[3]);
     SF_AT(made, averaged_2, at[4]), SF_AT(made, intercept, at[5]), SF_AT(made, harmonics, at[6]);
     if (bounds != NULL)
