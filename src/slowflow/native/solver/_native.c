@@ -48,8 +48,7 @@ static int fill(PyObject *self)
                         "built on a processor with fma and AVX2, which this one has not: build again");
         return -1;
     }
-    if (sf_add_records(self) < 0 || sf_add_answers(self) < 0 || sf_add_batches(self) < 0 ||
-        sf_add_boxes(self) < 0)
+    if (sf_add_records(self) < 0 || sf_add_questions(self) < 0 || sf_add_boxes(self) < 0)
         return -1;
     for (size_t i = 0; i < sizeof gufuncs / sizeof gufuncs[0]; i++) {
         PyObject *gufunc = sf_new_ufunc(gufuncs[i].name, gufuncs[i].doc, gufuncs[i].signature, gufuncs[i].types,

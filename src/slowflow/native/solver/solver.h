@@ -40,6 +40,5 @@ int sf_add_maker(struct _object *module, const char *name, const char *doc,
 /* Members of a module: records and models, questions about one oscillator and about many, the search in boxes; -1 with an
  * exception set. */
 int sf_add_records(struct _object *module);
-int sf_add_answers(struct _object *module);
-int sf_add_batches(struct _object *module);
+int sf_add_questions(struct _object *module);
 int sf_add_boxes(struct _object *module);
