@@ -4,7 +4,7 @@
 #include "certify.h"
 #include "interface.h"
 #include "onset.h"
-#include "second_questions.h"
+#include "second_answers.h"
 #include "states.h"
 
 /* ==== Items of an answer ========================================================================================== */

@@ -234,6 +234,26 @@ static void sf_measure_first(const sf_second *second, const sf_first *first) {
 
 /* ==== The curve =================================================================================================== */
 
+typedef struct {
+    double Omega, A;
+    sf_balance at;
+    int part;
+} sf_second_point;
+
+/* How many points of the first approximation were left out, of how many, and the frequencies between which they lie. */
+typedef struct {
+    long lost, of;
+    double low, high;
+} sf_left_out;
+
+/* branches: connected stretches of the curve */
+typedef struct {
+    long n, branches;
+    sf_left_out left;
+    sf_second_point *point;
+    unsigned char *closed;
+} sf_second_curve;
+
 static void sf_second_free(sf_second_curve *curve) {
     free(curve->point);
     free(curve->closed);

@@ -3,8 +3,8 @@
  */
 #pragma once
 
-#include "onset.h"
 #include "second.h"
+#include "states.h"
 
 /* ==== Zeros in a bracket ========================================================================================== */
 
@@ -36,6 +36,21 @@ static double sf_zero_between(sf_function *f, const void *inputs, double a, doub
 }
 
 /* ==== Folds ======================================================================================================= */
+
+/* up: whether a sweep leaves it for a larger amplitude */
+typedef struct {
+    double Omega, A, u_max, A_1;
+    int up, corner;
+} sf_second_fold;
+
+/* lost: how many of those looked for were not found, next to which the curve is lost; left: of the curve that they were
+ * looked for on */
+typedef struct {
+    int n, lost, tried;
+    sf_status status;
+    sf_left_out left;
+    sf_second_fold at[SF_MOST_FOLDS];
+} sf_second_folds;
 
 /* Where F_A is evaluated between two points of a curve, by amplitude. */
 typedef struct {
@@ -192,7 +207,7 @@ static void sf_second_cusp_at(const sf_second *second, double ln_Omega, double l
 static int sf_second_cusp(const sf_model *model, const sf_onset *first, sf_onset *out, double *u_max) {
     const sf_second second = {model, first->F_SN, SF_EVERY_POINT};
     const double from[2] = {log(first->Omega), log(first->A)}, apart = 0x1p-20;
-    double x[2] = {from[0], from[1]}, g[2], length = HUGE_VAL, k[SF_KNOWN], balance[3];
+    double x[2] = {from[0], from[1]}, g[2], length = HUGE_VAL, balance[3];
     for (int i = 0; i < SF_STEPS && length > 0x1p-50; i++) {
         double by[2][2], step[2];
         sf_second_cusp_at(&second, x[0], x[1], g);
@@ -214,8 +229,7 @@ static int sf_second_cusp(const sf_model *model, const sf_onset *first, sf_onset
     double Omega = exp(x[0]), A = exp(x[1]);
     if (!(length <= SF_DONE && fabs(x[0] - from[0]) <= SF_SMALL && fabs(x[1] - from[1]) <= SF_SMALL))
         return 0;
-    sf_second_known(model, 1, &A, k);
-    sf_second_level(model, Omega, A, k, balance);
+    sf_second_level(model, Omega, A, balance);
     out->F_SN = balance[0];
     if (!(fabs(log(out->F_SN / first->F_SN)) <= SF_SMALL && sf_second_is_small(&second, Omega, A)))
         return 0;
@@ -229,9 +243,7 @@ static int sf_second_cusp(const sf_model *model, const sf_onset *first, sf_onset
 static double sf_second_reaching(const sf_model *model, double u, double Omega, double balance[3]) {
     double A = u;
     for (int i = 0; i < SF_STEPS; i++) {
-        double k[SF_KNOWN];
-        sf_second_known(model, 1, &A, k);
-        sf_second_level(model, Omega, A, k, balance);
+        sf_second_level(model, Omega, A, balance);
         if (fabs(u / balance[1] - 1) <= SF_ROUNDING)
             break;
         A *= u / balance[1];
@@ -283,14 +295,13 @@ typedef struct {
 } sf_second_near;
 
 static double sf_amplitude_near(const sf_second_near *near, double Omega, double balance[3]) {
-    double A = near->A, step = HUGE_VAL, k[SF_KNOWN];
+    double A = near->A, step = HUGE_VAL;
     for (int i = 0; i < SF_STEPS && fabs(step) > SF_DONE; i++) {
         const sf_balance at = sf_second_at(near->second, Omega, A);
         step = sf_clipped(at.F / (at.F_A * A));
         A *= sf_grown(-step);
     }
-    sf_second_known(near->second->model, 1, &A, k);
-    sf_second_level(near->second->model, Omega, A, k, balance);
+    sf_second_level(near->second->model, Omega, A, balance);
     return fabs(step) <= SF_DONE ? A : NAN;
 }
 
@@ -324,4 +335,87 @@ static int sf_peak_on(const sf_model *model, double F_0, const sf_second_curve *
         return 0;
     out->at = sf_second_at(second, out->Omega, out->A);
     return 1;
+}
+
+/* ==== At a forcing ================================================================================================ */
+
+/* inputs: the oscillator's exact inputs, NULL where its numbers are not known; room: a workspace. */
+
+/* The curve in a window, of about so many samples, from the skeleton of room; NULL if there is no memory, or beyond the
+ * range of doubles how far averaging's extends. */
+static sf_second_curve *sf_second_shown(const sf_model *model, double F_0, sf_wanted extent, double samples, double low,
+                                        double high, sf_room *room, sf_status *status) {
+    long n = sf_show(model, F_0, low, high, samples, &room->work);
+    sf_second_curve *curve = NULL;
+    sf_points drawn;
+    *status = n < 0 ? SF_NO_BOUND : SF_NO_MEMORY;
+    if (sf_new_points(n, &drawn) && n >= 0) {
+        n = sf_draw(model, F_0, samples, &room->work.shown, &drawn);
+        curve = sf_second_follow(model, F_0, extent, n, &drawn, room->work.shown.closed);
+        if (curve != NULL)
+            *status = SF_OK;
+    }
+    sf_free_points(&drawn);
+    return curve;
+}
+
+/* The same, of any skeleton; to be freed by sf_second_free. */
+static sf_second_curve *sf_second_response(const sf_model *model, const sf_inputs *inputs, double F_0, sf_wanted extent,
+                                           double samples, double low, double high, sf_room *room, sf_status *status) {
+    *status = sf_make_skeleton(model, inputs, F_0, room);
+    return *status == SF_OK ? sf_second_shown(model, F_0, extent, samples, low, high, room, status) : NULL;
+}
+
+/* The curve about some frequencies and what may lie beside them. */
+static sf_second_curve *sf_second_around(const sf_model *model, const sf_inputs *inputs, double F_0, sf_wanted extent,
+                                         double low, double high, sf_room *room, sf_status *status) {
+    return sf_second_response(model, inputs, F_0, extent, SF_SAMPLES, low / SF_BEYOND, high * SF_BEYOND, room, status);
+}
+
+/* Every fold at F_0; `left` says what of averaging's curve is left out, and how much of it was followed: 0 where there
+ * is nothing to start from. Whether doubles tell averaging's folds says the room.
+ *
+ * low, high: frequencies between which averaging's folds and its peak lie; infinite where these are not known */
+static sf_status sf_second_saddle_nodes(const sf_model *model, const sf_inputs *inputs, double F_0, double low,
+                                        double high, sf_room *room, sf_second_folds *out)
+{
+    const sf_folds *first = &room->work.folds;
+    const int known = high < HUGE_VAL;
+    sf_second_curve *curve;
+    sf_status status = SF_NONE;
+    double A, Omega;
+    memset(&out->left, 0, sizeof out->left);
+    out->n = out->lost = out->tried = 0, out->status = SF_OK;
+    if (!known) {
+        high = 0;
+        status = sf_settled_peak(model, inputs == NULL ? NULL : &inputs->exactly, F_0, HUGE_VAL, &room->work, &A,
+                                 &Omega);
+    }
+    if (status != SF_OK && status != SF_UNBOUNDED && status != SF_NONE)
+        return status;
+    if (status == SF_OK && Omega > 0)
+        low = high = Omega;
+    status = sf_make_skeleton(model, inputs, F_0, room);
+    if (status != SF_OK)
+        return status;
+    for (int i = 0; i < first->n && !known; i++)
+        low = fmin(low, first->at[i].Omega), high = fmax(high, first->at[i].Omega);
+    if (high == 0)
+        return SF_OK;
+    curve = sf_second_shown(model, F_0, SF_FOLDS_ONLY, SF_SAMPLES, low / SF_BEYOND, high * SF_BEYOND, room, &status);
+    if (curve == NULL)
+        return status;
+    sf_folds_on(model, F_0, curve, out);
+    out->left = curve->left;
+    sf_second_free(curve);
+    return out->status;
+}
+
+/* The highest peak of the curve about a frequency, which is to be freed if there is one. */
+static sf_status sf_second_peak(const sf_model *model, const sf_inputs *inputs, double F_0, double near, sf_room *room,
+                                sf_second_curve **curve, sf_second_point *top)
+{
+    sf_status status;
+    *curve = sf_second_around(model, inputs, F_0, SF_TOP_ONLY, near, near, room, &status);
+    return *curve != NULL && !sf_peak_on(model, F_0, *curve, top) ? SF_NONE : status;
 }

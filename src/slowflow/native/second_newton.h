@@ -6,7 +6,8 @@
 #include "elementary.h"
 #include "model.h"
 #include "second_approximation.h"
-#include "second_work.h"
+#include "second_conventions.h"
+#include "second_lanes.h"
 
 enum { SF_LANES = 64 };
 
@@ -20,6 +21,14 @@ typedef struct {
 } sf_second;
 
 /* ==== The balance ================================================================================================= */
+
+/* What the balance is at a state, in the order of the kernel. */
+typedef union {
+    double values[SF_BALANCE];
+    struct {
+        double u_max, A_1, phi, R, F, F_A, F_Omega, R_A, R_Omega;
+    };
+} sf_balance;
 
 static void sf_second_known(const sf_model *model, ptrdiff_t n, const double *A, double *known) {
     model->mechanism->averaged(model->mechanism, n, A, model->p, known);
@@ -36,12 +45,14 @@ static void sf_second_of(const sf_second *second, double Omega, double A, const 
 
 /* The amplitude of the excitation for which this is a steady state, u_max, and what vanishes where that amplitude is
  * least. */
-static void sf_second_level(const sf_model *model, double Omega, double A, const double *k, double out[3]) {
+static void sf_second_level(const sf_model *model, double Omega, double A, double out[3]) {
+    double k[SF_KNOWN];
+    sf_second_known(model, 1, &A, k);
     (sf_inertial(model) ? second_approximation_detachment_by_inertia : second_approximation_detachment)(
         Omega, A, model->m, model->zeta, k[0], k[1], k[2], k[4], k[5], k[6], k[8], k[9], k[10], out);
 }
 
-/* The same at whole vectors of states. */
+/* The balance at whole vectors of states. */
 static inline void sf_lane_balances(const sf_second *second, int phases, int n, const double *Omega, const double *A,
                                     const double *known, double *out) {
     sf_second_balances(n, Omega, A, second->F_0, sf_inertial(second->model), phases, second->model->m,
@@ -67,10 +78,11 @@ static inline int sf_is_small(double Omega, double A, double h, double A_1, doub
 }
 
 static int sf_second_is_small(const sf_second *second, double Omega, double A) {
-    double h[4];
-    second->model->mechanism->averaged(second->model->mechanism, 1, &A, second->model->p, h);
-    const sf_balance at = sf_second_at(second, Omega, A);
-    return sf_is_small(Omega, A, h[0], at.A_1, at.u_max);
+    double known[SF_KNOWN];
+    sf_balance at;
+    sf_second_known(second->model, 1, &A, known);
+    sf_second_of(second, Omega, A, known, &at);
+    return sf_is_small(Omega, A, known[0], at.A_1, at.u_max);
 }
 
 static inline double sf_clipped(double step) { return fmin(fmax(step, -SF_LONGEST), SF_LONGEST); }
