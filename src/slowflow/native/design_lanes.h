@@ -77,6 +77,11 @@ void sf_approach_peaks(sf_lane_zeros *zeros);
 void sf_approach_folds(sf_lane_zeros *zeros);
 void sf_approach_cusps(sf_lane_zeros *zeros);
 
+/* What is known of a cell, or is left to the solvers of one design. */
+static inline double sf_verdict_of(int is_doubtful, int has_none, int has_one) {
+    return is_doubtful ? SF_IS_DOUBTFUL : has_none ? SF_HAS_NONE : has_one ? SF_HAS_ONE : (double)SF_IS_OPEN;
+}
+
 #define SF_LESSER(a, b) ((a) < (b) ? (a) : (b))
 #define SF_GREATER(a, b) ((a) > (b) ? (a) : (b))
 #define SF_FINITE_SIZE(x) (fabs(x) < HUGE_VAL ? fabs(x) : 0.0)

@@ -162,10 +162,7 @@ SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
                              (is_settled & (product > 0));
         const int has_one = is_settled & (product < 0);
         const double inside = a > 0 ? 0.5 * (a + b) : 0.125 * b;
-        cells->verdict[i] = !(on.h1_hi < 0) ? SF_IS_DOUBTFUL
-                            : has_none      ? SF_HAS_NONE
-                            : has_one       ? SF_HAS_ONE
-                                            : (double)SF_IS_OPEN;
+        cells->verdict[i] = sf_verdict_of(!(on.h1_hi < 0), has_none, has_one);
         cells->cut[i] = has_one ? sf_lane_zero(a, at_a.y, at_a.dy, b, at_b.y, at_b.dy, inside) : inside;
         cells->rises[i] = at_a.y < 0;
     }

@@ -164,10 +164,7 @@ SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
             sf_lane_zero(x_a, at_a.y, at_a.dy * x_a / a, x_b, at_b.y, at_b.dy * x_b / b, 0.5 * (x_a + x_b));
         const double at_zero = amplitude_at(is_throughout ? between : at_end, base);
         cells->cut[i] = has_one ? at_zero : open_cut;
-        cells->verdict[i] = (at_a.is_close | at_b.is_close | (is_known == 0)) ? SF_IS_DOUBTFUL
-                            : has_none                                        ? SF_HAS_NONE
-                            : has_one                                         ? SF_HAS_ONE
-                                                                              : (double)SF_IS_OPEN;
+        cells->verdict[i] = sf_verdict_of(at_a.is_close | at_b.is_close | (is_known == 0), has_none, has_one);
         cells->rises[i] = negative_a;
     }
 }

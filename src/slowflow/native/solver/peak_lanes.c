@@ -88,10 +88,7 @@ SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
                              (fabs(h3_b) < HUGE_VAL) & (a > 0);
         const int has_none = is_nowhere | (is_throughout & lower_none & upper_none);
         const int has_one = is_throughout & lower_none & upper_one;
-        cells->verdict[i] = is_known == 0 ? SF_IS_DOUBTFUL
-                            : has_none    ? SF_HAS_NONE
-                            : has_one     ? SF_HAS_ONE
-                                          : (double)SF_IS_OPEN;
+        cells->verdict[i] = sf_verdict_of(is_known == 0, has_none, has_one);
         cells->cut[i] = sf_lane_zero(a, upper_a.y, upper_a.rise, b, upper_b.y, upper_b.rise, sf_lane_amid(base, a, b));
         cells->rises[i] = 1.0;
     }

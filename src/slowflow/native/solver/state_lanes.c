@@ -84,7 +84,6 @@ SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
         const int close_b = !(fabs(F_b) > doubt_b * (2 * fabs(R_b) + doubt_b) + SF_CLOSE * (I_b * I_b + F_0 * F_0));
         const int is_known = (fabs(F_a) < HUGE_VAL) & (h1_a == h1_a) & (h2_a == h2_a) & (h3_a == h3_a) &
                              (fabs(h1_b) < HUGE_VAL) & (fabs(h2_b) < HUGE_VAL) & (fabs(h3_b) < HUGE_VAL);
-        const int is_doubtful = close_a | close_b | !is_known;
 
         /* where an open cell is cut: where F seems to turn, or well inside (sf_amid) */
         const double turn = T_a / (apart != 0 ? apart : 1.0);
@@ -94,10 +93,7 @@ SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
         const double inside = sf_lane_amid(base, a, b);
         const double open_cut = seems_to_turn ? a + from_a * width : inside;
 
-        cells->verdict[i] = is_doubtful ? SF_IS_DOUBTFUL
-                            : has_none  ? SF_HAS_NONE
-                            : has_one   ? SF_HAS_ONE
-                                        : (double)SF_IS_OPEN;
+        cells->verdict[i] = sf_verdict_of(close_a | close_b | !is_known, has_none, has_one);
         cells->cut[i] = has_one ? sf_lane_zero(a, F_a, T_a, b, F_b, T_b, inside) : open_cut;
         cells->rises[i] = negative_a;
     }
