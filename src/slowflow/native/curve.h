@@ -607,16 +607,12 @@ typedef struct {
     unsigned char *stable;
 } sf_points;
 
-/* 0 where there is no memory. */
-static int sf_new_points(ptrdiff_t size, sf_points *out) {
-    const size_t n = size > 0 ? (size_t)size : 1;
-    out->Omega = malloc(n * sizeof *out->Omega), out->A = malloc(n * sizeof *out->A);
-    out->branch = malloc(n * sizeof *out->branch), out->stable = malloc(n);
-    return out->Omega != NULL && out->A != NULL && out->branch != NULL && out->stable != NULL;
-}
+/* bytes of each */
+enum { SF_OF_POINT = 2 * sizeof(double) + sizeof(long long) + 1 };
 
-static void sf_free_points(sf_points *points) {
-    free(points->Omega), free(points->A), free(points->branch), free(points->stable);
+/* n points in one block of memory. */
+static sf_points sf_points_in(double *room, long n) {
+    return (sf_points){room, room + n, (long long *)(void *)(room + 2 * n), (unsigned char *)(room + 3 * n)};
 }
 
 /* Points of all shown segments in order, but for those at rest, at which the response to an excitation by inertia begins;

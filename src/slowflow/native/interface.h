@@ -41,7 +41,7 @@ typedef struct {
     ptrdiff_t step;
 } sf_item;
 
-enum { SF_MOST_NUMBERS = 5, SF_MOST_ITEMS = 14, SF_MOST_RESERVED = 5 };
+enum { SF_MOST_NUMBERS = 5, SF_MOST_ITEMS = 14, SF_MOST_RESERVED = 4 };
 
 /* A question put to an oscillator, and its answer's items.
  *
@@ -79,6 +79,12 @@ static inline void sf_put(sf_query *q, sf_item_kind kind, double value) {
 /* A column of n values that lie `step` bytes apart. */
 static inline void sf_put_column(sf_query *q, sf_item_kind kind, long n, const void *first, size_t step) {
     q->item[q->items++] = (sf_item){kind, 0, n, first, (ptrdiff_t)step};
+}
+
+/* Several of one kind, whose first values lie at places, NULL behind the last. */
+static inline void sf_put_columns(sf_query *q, sf_item_kind kind, long n, size_t step, const void *const *first) {
+    for (; *first != NULL; first++)
+        sf_put_column(q, kind, n, *first, step);
 }
 
 /* ==== Questions about many ======================================================================================== */

@@ -23,10 +23,8 @@ static void sf_put_folds(sf_query *q, sf_status status, const sf_folds *found, i
 {
     const sf_fold *at = found->at;
     const long n = status == SF_OK ? found->n : 0;
-    sf_put_column(q, SF_NUMBERS, n, &at->Omega, sizeof *at);
-    sf_put_column(q, SF_NUMBERS, n, &at->A, sizeof *at);
-    sf_put_column(q, SF_FLAGS, n, &at->up, sizeof *at);
-    sf_put_column(q, SF_FLAGS, n, &at->corner, sizeof *at);
+    sf_put_columns(q, SF_NUMBERS, n, sizeof *at, (const void *[]){&at->Omega, &at->A, NULL});
+    sf_put_columns(q, SF_FLAGS, n, sizeof *at, (const void *[]){&at->up, &at->corner, NULL});
     sf_put(q, SF_FLAG, undecided);
 }
 
@@ -98,20 +96,17 @@ static void sf_answer_locus(sf_query *q)
 {
     sf_work *work = &q->room->work;
     const long samples = (long)q->number[1];
-    double *Omega, *A, *F_0;
-    long long *branch;
     const sf_status status = sf_fold_locus(q->model, q->number[0], work);
     const long n = status == SF_OK ? sf_draw_locus(q->model, samples, work, NULL, NULL, NULL, NULL) : 0;
-    Omega = sf_reserve(q, n, sizeof *Omega), A = sf_reserve(q, n, sizeof *A), F_0 = sf_reserve(q, n, sizeof *F_0);
-    branch = sf_reserve(q, n, sizeof *branch);
-    if (Omega == NULL || A == NULL || F_0 == NULL || branch == NULL)
+    double *Omega = sf_reserve(q, n, 3 * sizeof *Omega);
+    long long *branch = sf_reserve(q, n, sizeof *branch);
+    if (Omega == NULL || branch == NULL)
         return;
+    double *A = Omega + n, *F_0 = A + n;
     if (n > 0)
         sf_draw_locus(q->model, samples, work, Omega, A, F_0, branch);
     sf_put(q, SF_INTEGER, status);
-    sf_put_column(q, SF_NUMBERS, n, Omega, sizeof *Omega);
-    sf_put_column(q, SF_NUMBERS, n, A, sizeof *A);
-    sf_put_column(q, SF_NUMBERS, n, F_0, sizeof *F_0);
+    sf_put_columns(q, SF_NUMBERS, n, sizeof *Omega, (const void *[]){Omega, A, F_0, NULL});
     sf_put_column(q, SF_LONG_INTEGERS, n, branch, sizeof *branch);
 }
 
@@ -127,13 +122,9 @@ static void sf_answer_extrema(sf_query *q)
         if (!(zeros->at[i].question == SF_UNDAMPED && zeros->at[i].channel == 1)) /* there it only touches the backbone */
             at[n++] = sf_settled_extremum(q->model, q->exactly, &zeros->at[i]);
     sf_put(q, SF_INTEGER, status);
-    sf_put_column(q, SF_NUMBERS, n, &at->F_0, sizeof *at);
-    sf_put_column(q, SF_NUMBERS, n, &at->Omega, sizeof *at);
-    sf_put_column(q, SF_NUMBERS, n, &at->A, sizeof *at);
-    sf_put_column(q, SF_FLAGS, n, &at->isola, sizeof *at);
-    sf_put_column(q, SF_FLAGS, n, &at->minimum, sizeof *at);
-    sf_put_column(q, SF_FLAGS, n, &at->saddle, sizeof *at);
-    sf_put_column(q, SF_FLAGS, n, &at->few_digits, sizeof *at);
+    sf_put_columns(q, SF_NUMBERS, n, sizeof *at, (const void *[]){&at->F_0, &at->Omega, &at->A, NULL});
+    sf_put_columns(q, SF_FLAGS, n, sizeof *at,
+                   (const void *[]){&at->isola, &at->minimum, &at->saddle, &at->few_digits, NULL});
 }
 
 /* The points of a response curve, so many; 0 where there is no memory. */
@@ -147,10 +138,10 @@ static int sf_reserve_curve(sf_query *q, sf_status *status, long *n, sf_points *
     *status = sf_make_skeleton(&model, q->inputs, F_0, q->room);
     if (*status == SF_OK && (*n = sf_show(&model, F_0, low, high, samples, &q->room->work)) < 0)
         *status = SF_NO_BOUND, *n = 0;
-    at->Omega = sf_reserve(q, *n, sizeof *at->Omega), at->A = sf_reserve(q, *n, sizeof *at->A);
-    at->branch = sf_reserve(q, *n, sizeof *at->branch), at->stable = sf_reserve(q, *n, sizeof *at->stable);
-    if (at->Omega == NULL || at->A == NULL || at->branch == NULL || at->stable == NULL)
+    double *block = sf_reserve(q, *n, SF_OF_POINT);
+    if (block == NULL)
         return 0;
+    *at = sf_points_in(block, *n);
     if (*n > 0)
         *n = sf_draw(&model, F_0, samples, shown, at);
     return 1;
@@ -159,8 +150,7 @@ static int sf_reserve_curve(sf_query *q, sf_status *status, long *n, sf_points *
 static void sf_put_curve(sf_query *q, sf_status status, long n, const sf_points *at)
 {
     sf_put(q, SF_INTEGER, status);
-    sf_put_column(q, SF_NUMBERS, n, at->Omega, sizeof *at->Omega);
-    sf_put_column(q, SF_NUMBERS, n, at->A, sizeof *at->A);
+    sf_put_columns(q, SF_NUMBERS, n, sizeof *at->Omega, (const void *[]){at->Omega, at->A, NULL});
     sf_put_column(q, SF_BYTE_FLAGS, n, at->stable, sizeof *at->stable);
     sf_put_column(q, SF_LONG_INTEGERS, n, at->branch, sizeof *at->branch);
 }
@@ -259,8 +249,7 @@ static void sf_answer_states_of(sf_query *q)
         since %= BETWEEN_SIGNALS;
     }
     sf_put(q, SF_INTEGER, status);
-    sf_put_column(q, SF_NUMBERS, n, &at->Omega, sizeof *at);
-    sf_put_column(q, SF_NUMBERS, n, &at->A, sizeof *at);
+    sf_put_columns(q, SF_NUMBERS, n, sizeof *at, (const void *[]){&at->Omega, &at->A, NULL});
     sf_put_column(q, SF_FLAGS, n, &at->stable, sizeof *at);
     sf_put_column(q, SF_NUMBERS, doubts, doubt, sizeof *doubt);
 }
@@ -273,8 +262,7 @@ static void sf_put_certificate(sf_query *q, sf_status status)
     const sf_enclosure *at = found->at;
     const long n = status == SF_OK ? found->n : 0, doubts = status == SF_OK ? found->doubts : 0;
     sf_put(q, SF_INTEGER, status);
-    sf_put_column(q, SF_INTERVALS, n, &at->Omega, sizeof *at);
-    sf_put_column(q, SF_INTERVALS, n, &at->A, sizeof *at);
+    sf_put_columns(q, SF_INTERVALS, n, sizeof *at, (const void *[]){&at->Omega, &at->A, NULL});
     sf_put_column(q, SF_FLAGS, n, &at->corner, sizeof *at);
     sf_put_column(q, SF_INTEGERS, n, &at->sign, sizeof *at);
     sf_put_column(q, SF_INTERVALS, doubts, found->doubt, sizeof *found->doubt);
@@ -342,10 +330,8 @@ static void sf_put_left_out(sf_query *q, const sf_left_out *left)
 
 static void sf_put_second_states(sf_query *q, long n, const sf_second_point *at)
 {
-    sf_put_column(q, SF_NUMBERS, n, &at->Omega, sizeof *at);
-    sf_put_column(q, SF_NUMBERS, n, &at->at.u_max, sizeof *at);
-    sf_put_column(q, SF_NUMBERS, n, &at->at.A_1, sizeof *at);
-    sf_put_column(q, SF_NUMBERS, n, &at->at.phi, sizeof *at);
+    sf_put_columns(q, SF_NUMBERS, n, sizeof *at,
+                   (const void *[]){&at->Omega, &at->at.u_max, &at->at.A_1, &at->at.phi, NULL});
     sf_put_column(q, SF_POSITIVE, n, &at->at.F_A, sizeof *at);
 }
 
@@ -390,10 +376,8 @@ static void sf_answer_second_folds(sf_query *q)
     q->room->undecided = 0;
     sf_put(q, SF_INTEGER, sf_second_saddle_nodes(q->model, q->inputs, q->number[0], q->number[1], q->number[2], q->room,
                                                  found));
-    sf_put_column(q, SF_NUMBERS, found->n, &at->Omega, sizeof *at);
-    sf_put_column(q, SF_NUMBERS, found->n, &at->u_max, sizeof *at);
-    sf_put_column(q, SF_FLAGS, found->n, &at->up, sizeof *at);
-    sf_put_column(q, SF_FLAGS, found->n, &at->corner, sizeof *at);
+    sf_put_columns(q, SF_NUMBERS, found->n, sizeof *at, (const void *[]){&at->Omega, &at->u_max, NULL});
+    sf_put_columns(q, SF_FLAGS, found->n, sizeof *at, (const void *[]){&at->up, &at->corner, NULL});
     sf_put(q, SF_FLAG, found->lost > 0);
     sf_put_column(q, SF_NUMBERS, found->n, &at->A_1, sizeof *at);
     sf_put(q, SF_FLAG, q->room->undecided), sf_put(q, SF_INTEGER, found->lost), sf_put(q, SF_INTEGER, found->tried);

@@ -347,15 +347,16 @@ static sf_second_curve *sf_second_shown(const sf_model *model, double F_0, sf_wa
                                         double high, sf_room *room, sf_status *status) {
     long n = sf_show(model, F_0, low, high, samples, &room->work);
     sf_second_curve *curve = NULL;
-    sf_points drawn;
+    double *block = n < 0 ? NULL : malloc((size_t)(n + 1) * SF_OF_POINT);
     *status = n < 0 ? SF_NO_BOUND : SF_NO_MEMORY;
-    if (sf_new_points(n, &drawn) && n >= 0) {
+    if (block != NULL) {
+        const sf_points drawn = sf_points_in(block, n);
         n = sf_draw(model, F_0, samples, &room->work.shown, &drawn);
         curve = sf_second_follow(model, F_0, extent, n, &drawn, room->work.shown.closed);
         if (curve != NULL)
             *status = SF_OK;
     }
-    sf_free_points(&drawn);
+    free(block);
     return curve;
 }
 
