@@ -63,14 +63,6 @@ static int sf_finds_forcing(sf_pinned kind) {
     return kind >= SF_CUSP_PINNED; /* those before are at a forcing */
 }
 
-static int sf_nearest_break(const sf_model *model, double A) {
-    int best = 0;
-    for (int k = 1; k < model->breaks; k++)
-        if (fabs(A - model->b[k]) < fabs(A - model->b[best]))
-            best = k;
-    return best;
-}
-
 /* The slopes of the conditions at an answer by A, Omega and F_0, and their sizes. laws: whether there may be others than
  * mu and zeta, a constant of each call. */
 SF_ALWAYS void sf_slopes_at(int laws, const sf_pinned_answer *answer, const sf_model *model, double slopes[2 * SF_SIZES])

@@ -7,7 +7,7 @@
  */
 #pragma once
 
-#include "exactly.h"
+#include "exact_inputs.h"
 #include "onset.h"
 
 /* no first step is larger, relatively, or changes a slope by a larger share */
@@ -121,17 +121,11 @@ static inline int sf_settle_near(sf_step step, sf_moves unknowns, int count, con
     return last && sf_piece_of(model, of->A.high) == piece;
 }
 
-static inline int sf_settle_all(sf_step step, sf_moves unknowns, int count, const sf_exactly *exactly,
-                                const sf_model *model, sf_settling *of)
-{
-    return sf_settle_near(step, unknowns, count, exactly, model, NULL, of);
-}
-
 /* The same of numbers, which stay as they are where they do not settle; F_0 does where it is no part of the answer */
 static inline int sf_settle_numbers(sf_step step, sf_moves unknowns, int count, const sf_exactly *exactly,
                                      const sf_model *model, double *Omega, double *A, double *F_0) {
     sf_settling of = {sfp_point(*Omega), sfp_point(*A), sfp_point(*F_0)};
-    if (exactly == NULL || !sf_settle_all(step, unknowns, count, exactly, model, &of))
+    if (exactly == NULL || !sf_settle_near(step, unknowns, count, exactly, model, NULL, &of))
         return 0;
     *Omega = of.Omega.high, *A = of.A.high, *F_0 = of.F_0.high;
     return 1;
@@ -378,12 +372,12 @@ static inline void sf_settle_level_on(const sf_exactly *exactly, int i, double O
     sf_change_level(exactly->b[i].high, out[0], F_0);
 }
 
-/* The breakpoint that an amplitude is. */
-static inline int sf_breakpoint_at(const sf_model *model, double A) {
-    int i = 0;
-    while (i + 1 < model->breaks && model->b[i] != A)
-        i++;
-    return i;
+static int sf_nearest_break(const sf_model *model, double A) {
+    int best = 0;
+    for (int k = 1; k < model->breaks; k++)
+        if (fabs(A - model->b[k]) < fabs(A - model->b[best]))
+            best = k;
+    return best;
 }
 
 /* Returns how far off the fold is left, relatively; 0 where it settled. */
@@ -412,8 +406,8 @@ static double sf_settle_folds(const sf_exactly *exactly, const sf_model *model, 
         const sf_fold *fold = &folds->at[i];
         Omega[i] = fold->Omega, A[i] = fold->A;
         /* one above a breakpoint by less than a double has the frequency of those on it */
-        if (fold->corner || (model->breaks > 0 && fold->A == model->b[sf_breakpoint_at(model, fold->A)]))
-            sf_settle_on(slow_flow_pairs_corner_step, exactly, sf_breakpoint_at(model, fold->A), F_0, &Omega[i]);
+        if (fold->corner || (model->breaks > 0 && fold->A == model->b[sf_nearest_break(model, fold->A)]))
+            sf_settle_on(slow_flow_pairs_corner_step, exactly, sf_nearest_break(model, fold->A), F_0, &Omega[i]);
         else
             off = fmax(off, sf_settle_fold(exactly, model, F_0, &Omega[i], &A[i]));
     }

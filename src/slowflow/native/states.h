@@ -47,7 +47,7 @@ static double sf_settled_amplitude(const sf_model *model, const sf_exactly *exac
     if (exactly == NULL || (is_end && sf_is_of_fold(&work->folds, Omega, A)))
         return A;
     if ((sf_piece_of(model, A) != piece ||
-         !sf_settle_all(slow_flow_pairs_state_step, SF_MOVES_A, 2, exactly, model, &of)) &&
+         !sf_settle_near(slow_flow_pairs_state_step, SF_MOVES_A, 2, exactly, model, NULL, &of)) &&
         !sf_settle_state_above(exactly, model, piece, Omega, F_0, A, &of))
         of.A.high = sf_state_between(exactly, model, Omega, F_0, A);
     if (is_end)
@@ -163,7 +163,7 @@ static int sf_clear_states(const sf_model *model, const sf_exactly *exactly, dou
         for (int k = 0; k < found->n; k++) {
             sf_settling of = {sfp_point(Omega), sfp_point(found->at[k].A), sfp_point(F_0)};
             if (n == SF_MOST_STATES || sf_piece_of(model, of.A.high) != i ||
-                !sf_settle_all(slow_flow_pairs_state_step, SF_MOVES_A, 2, exactly, model, &of))
+                !sf_settle_near(slow_flow_pairs_state_step, SF_MOVES_A, 2, exactly, model, NULL, &of))
                 return -1;
             A[n] = of.A.high, stable[n++] = (unsigned char)found->at[k].rising;
         }
