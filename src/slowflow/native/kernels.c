@@ -100,26 +100,20 @@ static int turns_invalid(const sf_kernel *kernel, char **operands, ptrdiff_t n, 
     return 0;
 }
 
-/* One element: a vector of it for each operand. */
+/* One element, where it is. */
 static void run_one(const sf_kernel *kernel, char **operands)
 {
-    const int inputs = kernel->inputs, all = inputs + kernel->outputs;
-    double vectors[SF_MOST_OPERANDS][SF_WIDEST];
     const double *in[SF_MOST_OPERANDS];
-    double *out[SF_MOST_OPERANDS] = {NULL};
+    double *out[SF_MOST_OPERANDS];
+    ptrdiff_t steps[SF_MOST_OPERANDS];
     unsigned char regime = 0;
-    for (int j = 0; j < inputs; j++) {
-        for (int i = 0; i < SF_WIDEST; i++)
-            vectors[j][i] = *(const double *)operands[j];
-        in[j] = vectors[j];
-    }
-    for (int j = inputs; j < all; j++)
-        out[j - inputs] = vectors[j];
+    for (int j = 0; j < kernel->inputs; j++)
+        in[j] = (const double *)operands[j], steps[j] = sizeof(double);
+    for (int j = 0; j < kernel->outputs; j++)
+        out[j] = (double *)operands[kernel->inputs + j];
     if (kernel->choose != NULL)
         kernel->choose(1, in, &regime);
-    kernel->loops[regime](SF_WIDEST, in, out);
-    for (int j = inputs; j < all; j++)
-        *(double *)operands[j] = vectors[j][0];
+    run_plain(kernel, kernel->loops[regime], 1, in, out, steps);
 }
 
 /* Any number of elements, block by block. */
