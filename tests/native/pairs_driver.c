@@ -1,5 +1,5 @@
 /* Double-double arithmetic and the averages in it, for a test to call. */
-#include "exactly.h"
+#include "exact_inputs.h"
 #include "records.h"
 
 static sf_pair one(int operation, sf_pair a, sf_pair b)
