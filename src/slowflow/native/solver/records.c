@@ -1,23 +1,7 @@
 /* Records and models as capsules. Takes a mechanism's name or a capsule and numbers; returns a capsule.
  *
- *   RECORDS                                     name -> record, of the mechanisms that were compiled in
- *   MOST                                        the most numbers of a design, parameters and breakpoints of a record
- *   program(name, code, numbers)               a record that interprets them; ValueError where they are no program,
- *                                               None where the force is beyond what a record has room for
- *   samples(name, code, numbers, inertial, with_laws)
- *                                               a record of one design of a force that is known by its values, let go
- *                                               with the last oscillator that was made of it; likewise
- *   called(name, sizes, reach, harmonics_up_to, addresses, keep, inertial, with_laws, enclosed)
- *                                               a record that calls functions at addresses, 0 for those that are not
- *                                               known, and keeps what these live in; enclosed: a record whose bounds
- *                                               hold for it, or None
- *   parameters_of(record, design)               the parameters of a design; ValueError where it is outside its domain
- *   inertial(record)                            the same mechanism excited by inertia, F_0 Omega^2; zeta > 0
- *   with_laws(record)                           the same mechanism with damping by any law: mu, zeta, eta, c_2, and
- *                                               whether friction ends at the first breakpoint
- *   model(record, parameters, damping, design)  an oscillator, prepared for the questions about one; what is proved of
- *   it is
- *                                               proved of the design, () where that is not known
+ * RECORDS has those of the mechanisms that were compiled in, by name; MOST the most numbers of a design, parameters and
+ * breakpoints of a record. What the functions take and return is said in their table below.
  *
  * A record compiled elsewhere is a capsule named SF_RECORD around its sf_mechanism, which has to live as long as
  * the capsule and the functions for many designs that were made from it.
@@ -380,13 +364,21 @@ static PyObject *prepared(PyObject *self, PyObject *capsule)
 static PyMethodDef functions[] = {
     {"prepared", prepared, METH_O, "(oscillator) -> 4 mu/pi, breakpoints, jumps at these; none at 0"},
     {"averages", averages, METH_VARARGS, "(record, parameters, A, out) -> None"},
-    {"program", program, METH_VARARGS, "(name, code, numbers) -> a record that interprets them, or None"},
-    {"samples", samples, METH_VARARGS, "(name, code, numbers, inertial, with_laws) -> a record of polynomials, or None"},
+    {"program", program, METH_VARARGS,
+     "(name, code, numbers) -> a record that interprets them; ValueError where they are no program, None where the force "
+     "is beyond what a record has room for"},
+    {"samples", samples, METH_VARARGS,
+     "(name, code, numbers, inertial, with_laws) -> a record of one design of a force that is known by its values, let go "
+     "with the last oscillator that was made of it; likewise"},
     {"called", called, METH_VARARGS,
      "(name, sizes, reach, harmonics_up_to, addresses, keep, inertial, with_laws, enclosed) -> a record that calls "
-     "functions"},
-    {"parameters_of", parameters_of, METH_VARARGS, "(record, design) -> parameters"},
-    {"model", new_model, METH_VARARGS, "(record, parameters, damping, design) -> an oscillator"},
+     "functions at addresses, 0 for those that are not known, and keeps what these live in; enclosed: a record whose "
+     "bounds hold for it, or None"},
+    {"parameters_of", parameters_of, METH_VARARGS,
+     "(record, design) -> parameters; ValueError where the design is outside its domain"},
+    {"model", new_model, METH_VARARGS,
+     "(record, parameters, damping, design) -> an oscillator, prepared for the questions about one; what is proved of it "
+     "is proved of the design, () where that is not known"},
     {NULL, NULL, 0, NULL},
 };
 
@@ -397,10 +389,12 @@ int sf_add_records(PyObject *module)
     PyObject *most = Py_BuildValue("iii", SF_MOST_DESIGN, SF_MOST_PARAMETERS, SF_MOST_BREAKS);
     int failed = records == NULL || most == NULL || PyModule_AddObjectRef(module, "MOST", most) < 0 ||
                  PyModule_AddFunctions(module, functions) < 0 || PyModule_AddObjectRef(module, "RECORDS", records) < 0 ||
-                 sf_add_maker(module, "inertial", "record -> the same mechanism excited by inertia", new_variant,
-                              &excited_by_inertia) < 0 ||
-                 sf_add_maker(module, "with_laws", "record -> the same mechanism with other laws of damping", new_variant,
-                              &damped_by_laws) < 0;
+                 sf_add_maker(module, "inertial", "record -> the same mechanism excited by inertia, F_0 Omega^2; zeta > 0",
+                              new_variant, &excited_by_inertia) < 0 ||
+                 sf_add_maker(module, "with_laws",
+                              "record -> the same mechanism with damping by any law: mu, zeta, eta, c_2, and whether "
+                              "friction ends at the first breakpoint",
+                              new_variant, &damped_by_laws) < 0;
     for (int i = 0; i < shipped->count && !failed; i++) {
         PyObject *capsule = PyCapsule_New((void *)shipped->all[i], SF_RECORD, NULL);
         failed = capsule == NULL || PyDict_SetItemString(records, shipped->all[i]->name, capsule) < 0;
