@@ -15,18 +15,10 @@ import pytest
 from slowflow import Duffing, Isolator, cli, example
 from slowflow.averaged import messages, proofs, solvers
 from slowflow.averaged.balls.search import BallModel, averages_of
-from tests.averaged.test_certified_cases import of_record
-from tests.files import stored
+from tests.averaged.test_certified_cases import CENTRED, of_record
 from tests.native.intervals import BOUNDED, ELEMENTARY, OPERATIONS, Intervals, build
 from tests.oracles import averaged
 
-FILES = ("random_isolators", "random_duffing", "negative_stiffness", "table_1")
-CASES = [
-    (name, number, case)
-    for name in FILES
-    for number, case in enumerate(stored(name))
-    if not any(isinstance(value, str) for value in case["parameters"].values())
-]
 #: without the balls that are asked where doubles do not decide, and without telling where folds are expected
 IN_DOUBLES = {name: getattr(proofs, name).__wrapped__ for name in ("folds", "states")}
 
@@ -47,7 +39,7 @@ def check_folds(proof, folds):
 
 def test_enclosures_hold_certified_folds_and_states():
     total = doubtful = 0
-    for _, _, case in CASES:
+    for case in CENTRED:
         model = of_record(case).model
         for forcing in case["forcings"]:
             F_0 = forcing["F_0"][1]
@@ -67,7 +59,7 @@ def test_enclosures_hold_certified_folds_and_states():
 
 
 def test_enclosures_hold_the_certified_onsets_and_detachments():
-    for _, _, case in CASES:
+    for case in CENTRED:
         model = of_record(case).model
         onset, found = case["onset"], proofs.onset(model)
         assert found.proved
@@ -86,7 +78,7 @@ def test_enclosures_hold_the_certified_onsets_and_detachments():
 def test_enclosures_are_narrow():
     """In units of rounding times the condition number that the reference states."""
     widest = 0.0
-    for _, _, case in CASES[:60]:
+    for case in CENTRED[:60]:
         model = of_record(case).model
         for forcing in case["forcings"]:
             proof = proofs.folds(model, forcing["F_0"][1])
@@ -109,7 +101,7 @@ def level_ulps(F_SN):
 def test_beside_a_double_fold_what_is_proved_is_true():
     """At F_SN two folds meet: a few ulps above there are two, below none."""
     decided = undecided = 0
-    for _, _, case in CASES[::4]:
+    for case in CENTRED[::4]:
         onset = case["onset"]
         if onset is None or not onset["global"]:
             continue
@@ -137,7 +129,7 @@ def test_a_fold_that_the_solvers_miss_is_noticed(monkeypatch):
 
 
 def test_a_tampered_enclosure_is_noticed():
-    (case,) = (case for name, _, case in CASES if name == "table_1")
+    case = CENTRED[-1]
     forcing = case["forcings"][0]
     proof = proofs.folds(of_record(case).model, forcing["F_0"][1])
     check_folds(proof, forcing["folds"])

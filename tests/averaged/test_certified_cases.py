@@ -175,6 +175,15 @@ FAMILIES = {
 }  # fmt: skip
 
 
+#: of isolators and Duffing oscillators about the centre, in doubles; the paper's is the last
+CENTRED = [
+    case
+    for name in ("random_isolators", "random_duffing", "negative_stiffness", "table_1")
+    for case in stored(name)
+    if not any(isinstance(value, str) for value in case["parameters"].values())
+]
+
+
 @functools.cache
 def cases(name: str) -> list[Case]:
     """Those of a file."""

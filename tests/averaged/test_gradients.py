@@ -11,20 +11,13 @@ from mpmath import mp
 from slowflow import Duffing, Isolator, example
 from slowflow.backend import SOLVER
 from slowflow_kernels.conventions import MovesStatus, Pinned
-from tests.averaged.test_certified_cases import of_record
+from tests.averaged.test_certified_cases import CENTRED, of_record
 from tests.files import stored
 from tests.oracles.answers import Nearby
 from tests.oracles.definitions import points as drawn
 from tests.oracles.definitions import sensitivities
 from tests.sampling import fewer, slow
 
-FILES = ("random_isolators", "random_duffing", "negative_stiffness", "table_1")
-CASES = [
-    case
-    for name in FILES
-    for case in stored(name)
-    if not any(isinstance(value, str) for value in case["parameters"].values())
-]
 F_0 = 0.04
 #: of a critical forcing, as the reference names its numbers
 OF_FORCING = ("F_0", "Omega", "A")
@@ -54,7 +47,7 @@ def random_oscillators(count):
 def test_condition_numbers_are_those_of_every_reference_case():
     """Those of the reference are rounded to three digits."""
     compared, kinds = 0, set()
-    for case in CASES:
+    for case in CENTRED:
         of = of_record(case)
         found = []
         onset, detachment = case["onset"], case.get("detachment")
@@ -186,7 +179,7 @@ def test_slopes_are_those_of_certified_answers_at_forty_digits():
 
 def test_a_fold_on_a_breakpoint_moves_with_it():
     tried = 0
-    for case in CASES:
+    for case in CENTRED:
         for forcing in case["forcings"]:
             if tried < 4 and any(fold["corner"] for fold in forcing["folds"]):
                 of, at = of_record(case), forcing["F_0"][1]

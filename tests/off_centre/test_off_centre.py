@@ -812,6 +812,29 @@ def test_mount_under_a_load_says_which_amplitude_it_means():
     assert "included" not in str(Isolator.physical(**data).steady_state(f=2.1, F=2))
 
 
+def balance_of_a_cubic(alpha, beta, zeta, load, F_0, Omega, A, B):
+    """f_0, F, R and I by hand, without friction."""
+    R = A * (Omega**2 - alpha - 0.75 * beta * A**2 - 3 * beta * B**2)
+    I = 2 * zeta * A * Omega
+    return alpha * B + beta * (B**3 + 1.5 * A**2 * B) - load, R**2 + I**2 - F_0**2, R, I
+
+
+def state_by_hand(Omega, A, B, *numbers):
+    return *balance_of_a_cubic(*numbers, A, B)[:2], Omega - numbers[5]
+
+
+def peak_by_hand(Omega, A, B, *numbers):
+    f_0, F, R, I = balance_of_a_cubic(*numbers[:5], Omega, A, B)
+    return f_0, F, Omega * R + numbers[2] * I
+
+
+def fold_by_hand(Omega, A, B, *numbers):
+    alpha, beta = numbers[:2]
+    f_0, F, R, I = balance_of_a_cubic(*numbers[:5], Omega, A, B)
+    of_A = R * (R / A - 1.5 * beta * A**2) + I * I / A  # half of F_A
+    return f_0, F, 3 * beta * A * B * (-6 * beta * A * B * R) - (alpha + 3 * beta * B**2 + 1.5 * beta * A**2) * of_A
+
+
 @pytest.mark.parametrize(("alpha", "beta", "load", "F_0"), [(1.0, 0.5, 0.3, 0.2), (-0.5, 1.0, 0.02, 0.2)])
 def test_the_peak_is_where_the_response_by_hand_is_highest(alpha, beta, load, F_0):
     """f_0 = F = dF/dOmega = 0 to 30 digits, and no point of the whole response is above it."""
@@ -821,14 +844,8 @@ def test_the_peak_is_where_the_response_by_hand_is_highest(alpha, beta, load, F_
     for value, of_cloud in ((found.A, cloud[:, 1]), (found.u_max, cloud[:, 1] + np.abs(cloud[:, 2]))):
         assert (1 - 1e-3) * value < of_cloud.max() <= value * (1 + 1e-12)
     with mpmath.workdps(30):
-
-        def vanish(Omega, A, B):
-            stiffness = alpha + 0.75 * beta * A**2 + 3 * beta * B**2
-            R, I = A * (Omega**2 - stiffness), 2 * zeta * A * Omega
-            mean = alpha * B + beta * (B**3 + 1.5 * A**2 * B) - load
-            return mean, R**2 + I**2 - F_0**2, Omega * R + zeta * I
-
-        exact = mpmath.findroot(vanish, (found.Omega, found.A, found.B))
+        numbers = (alpha, beta, zeta, load, F_0)
+        exact = mpmath.findroot(lambda *at: peak_by_hand(*at, *numbers), (found.Omega, found.A, found.B))
     assert [found.Omega, found.A, found.B] == pytest.approx([float(value) for value in exact], rel=1e-13)
     assert found.u_max == pytest.approx(found.A + abs(found.B), rel=1e-15)  # one motion has both here
 
@@ -981,29 +998,6 @@ def test_curve_without_folds_climbs_a_narrow_resonance():
     assert curve.A.max() == pytest.approx(peak.A, rel=1e-3)
     assert np.diff(np.sort(curve.Omega)).max() < 0.005
     assert curve.A[::100] == pytest.approx(osc.amplitudes(Omega=curve.Omega[::100], F_0=0.0206).A, rel=1e-9)
-
-
-def balance_of_a_cubic(alpha, beta, zeta, load, F_0, Omega, A, B):
-    """f_0, F, R and I by hand, without friction."""
-    R = A * (Omega**2 - alpha - 0.75 * beta * A**2 - 3 * beta * B**2)
-    I = 2 * zeta * A * Omega
-    return alpha * B + beta * (B**3 + 1.5 * A**2 * B) - load, R**2 + I**2 - F_0**2, R, I
-
-
-def state_by_hand(Omega, A, B, *numbers):
-    return *balance_of_a_cubic(*numbers, A, B)[:2], Omega - numbers[5]
-
-
-def peak_by_hand(Omega, A, B, *numbers):
-    f_0, F, R, I = balance_of_a_cubic(*numbers[:5], Omega, A, B)
-    return f_0, F, Omega * R + numbers[2] * I
-
-
-def fold_by_hand(Omega, A, B, *numbers):
-    alpha, beta = numbers[:2]
-    f_0, F, R, I = balance_of_a_cubic(*numbers[:5], Omega, A, B)
-    of_A = R * (R / A - 1.5 * beta * A**2) + I * I / A  # half of F_A
-    return f_0, F, 3 * beta * A * B * (-6 * beta * A * B * R) - (alpha + 3 * beta * B**2 + 1.5 * beta * A**2) * of_A
 
 
 @pytest.mark.parametrize(
