@@ -105,6 +105,7 @@ def test_tolerances_over_spectrum_and_shocks_are_pythons(scene, tmp_path, capsys
         assert (row["duration/ms"] == "11.0") == (row["answer"] in IN_A_SHOCK)
 
 
+@pytest.mark.slow
 def test_the_mount_is_answered_in_newtons_millimetres_and_hertz(tmp_path, capsys):
     run("run", ROOT / "scenes" / "mount.toml", "-o", tmp_path, capsys=capsys)
     rows = list(rows_of(tmp_path / "saddle_nodes.csv"))

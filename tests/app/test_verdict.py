@@ -72,6 +72,7 @@ def test_requirements_under_a_spectrum_are_of_random_vibration(tmp_path):
     assert found.met.tolist() == [True, False]
 
 
+@pytest.mark.slow
 def test_the_share_of_products_that_meet_all_is_in_closed_form(tmp_path, capsys):
     """Of dampings drawn evenly those that bound the peak, and those that isolate: all between two roots."""
     required = 'relative_displacement = { below = "6.5 mm", under = "peak" }\n'

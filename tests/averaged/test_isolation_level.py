@@ -259,6 +259,7 @@ def test_measured_it_is_where_an_integrator_finds_that_level(level_dB):
         found.measure("rms")
 
 
+@pytest.mark.slow
 def test_grid_and_store_take_levels_along_their_own_axis(tmp_path):
     xarray = pytest.importorskip("xarray")
     pytest.importorskip("zarr")

@@ -104,6 +104,7 @@ def test_closed_form(pieces, average, count, amplitude):
 FAR_POINTS = [(1, 1, "0.376"), (2, 1, "0.55"), (2, 2, "0.626"), (2, 2, "40")]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("count", "far", "amplitude"), FAR_POINTS)
 @pytest.mark.part(3)
 def test_far_form_to_working_precision(pieces, average, count, far, amplitude):
