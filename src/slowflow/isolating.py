@@ -34,8 +34,6 @@ FLOOR = Sentence(
 BEYOND = 1.1
 #: amplitudes looked at of each of many designs, and the lowest of them over that of the peak
 AMPLITUDES, LEAST = 64, 1e-6
-#: of Brent's method, as SciPy's
-MOST_STEPS = 100
 
 
 class Level(NamedTuple):
@@ -242,44 +240,21 @@ def _between(of: Any, F_0: Floats, A: Floats, other: Floats, level: Level) -> Fl
 
 
 def zeros(function: Callable[[Floats], Floats], low: Floats, high: Floats) -> Floats:
-    """Zeros to their last digits between pairs of numbers, for all pairs at once, by the steps of SciPy's brentq.
+    """Zeros to their last digits between pairs of numbers, for all pairs at once.
 
     Where signs at both ends are not opposite, as one end is the zero itself, that with the lesser value.
     """
-    eps, tiny = 4 * np.finfo(float).eps, 4 * np.finfo(float).tiny
-    old, now = np.array(low), np.array(high)
-    f_old, f_now = function(old), function(now)
-    with np.errstate(all="ignore"):  # of pairs that are through already
-        done = ~(f_old * f_now < 0)
-        found = np.where(np.abs(f_now) < np.abs(f_old), now, old)
-        end, f_end, before, step = now, f_now, now - old, now - old
-        for _ in range(MOST_STEPS):
-            changes = (f_old != 0) & (f_now != 0) & (np.signbit(f_old) != np.signbit(f_now))
-            end, f_end = np.where(changes, old, end), np.where(changes, f_old, f_end)
-            before, step = (np.where(changes, now - old, one) for one in (before, step))
-            swaps = np.abs(f_end) < np.abs(f_now)
-            old, now, end = np.where(swaps, now, old), np.where(swaps, end, now), np.where(swaps, now, end)
-            f_old, f_now, f_end = (
-                np.where(swaps, f_now, f_old),
-                np.where(swaps, f_end, f_now),
-                np.where(swaps, f_now, f_end),
-            )
-            least, half = (tiny + eps * np.abs(now)) / 2, (end - now) / 2
-            found = np.where(done, found, now)
-            done = done | (f_now == 0) | (np.abs(half) < least)
-            if done.all():
-                break
-            slope, slope_end = (f_old - f_now) / (old - now), (f_end - f_now) / (end - now)
-            secant = -f_now * (now - old) / (f_now - f_old)
-            inverse = -f_now * (f_end * slope_end - f_old * slope) / (slope_end * slope * (f_end - f_old))
-            tried = np.where(old == end, secant, inverse)
-            good = (np.abs(before) > least) & (np.abs(f_now) < np.abs(f_old))
-            good &= 2 * np.abs(tried) < np.minimum(np.abs(before), 3 * np.abs(half) - least)
-            before, step = np.where(good, step, half), np.where(good, tried, half)
-            old, f_old = now, f_now
-            now = now + np.where(np.abs(step) > least, step, np.where(half > 0, least, -least))
-            f_now = function(now)
-    return found
+    from scipy.optimize.elementwise import find_root  # which takes longer to import than most questions
+
+    at = np.array(low)
+
+    def some(x: Floats, which: Ints) -> Floats:
+        at.flat[which] = x
+        return np.asarray(function(at).flat[which])
+
+    lesser = np.where(np.abs(function(high)) < np.abs(function(low)), high, low)
+    found = find_root(some, (low, high), args=(np.arange(at.size).reshape(at.shape),), tolerances={"fatol": 0.0})
+    return np.where(np.isfinite(found.x), found.x, lesser)
 
 
 def highest(of: Any, A_max: float, F_0: float, level: Level, samples: int) -> float:
