@@ -1,7 +1,7 @@
-"""Progress. Takes the parts of a work; returns every second a word on how far it is, where somebody wants to read it.
+"""Progress of long work. Takes the parts of a work; logs how far it is, under "slowflow" at level INFO.
 
-In a file or a pipe, where lines stay, it is one in ten seconds. Nobody reads it unless `shown`: a program that asks is
-not talked into.
+A line comes after a second, and again whenever a tenth more of the time has passed, but not within a second. A program
+that has set up `logging` reads them; others do within `shown`.
 
     from slowflow import Isolator, progress
     from slowflow.sizing import tolerances
@@ -18,68 +18,44 @@ import sys
 import threading
 import time
 from collections.abc import Callable, Iterable, Iterator
-from contextvars import ContextVar
-from typing import TypeVar
+from typing import Any, TypeVar
 
 T = TypeVar("T")
 
-#: seconds after which something is said, and between two words; and the same where they are no terminal's
-EVERY, EVERY_IN_A_FILE = 1.0, 10.0
-
-_say: ContextVar[Callable[[str], None] | None] = ContextVar("who reads how far a work is", default=None)
+#: seconds before the first line, and at least between two; the latter over the time that has passed
+EVERY, FRACTION = 1.0, 0.1
 
 
-def _to_stderr(text: str) -> None:
-    print(text, file=sys.stderr, flush=True)
-
-
-def _to_a_file() -> Callable[[str], None]:
-    """Says to stderr what comes at least `EVERY_IN_A_FILE` seconds after it was made, and after the line before."""
-    last, lock = time.monotonic(), threading.Lock()
-
-    def say(text: str) -> None:
-        nonlocal last
-        with lock:
-            if (now := time.monotonic()) - last < EVERY_IN_A_FILE:
-                return
-            last = now
-        _to_stderr(text)
-
-    return say
+def _logger() -> Any:
+    """The logger where somebody reads it: not where `logging`, which takes a while to import, is not imported yet."""
+    if (logging := sys.modules.get("logging")) is None:
+        return None
+    log = logging.getLogger("slowflow")
+    return log if log.isEnabledFor(logging.INFO) else None
 
 
 @contextlib.contextmanager
-def shown(say: Callable[[str], None] | None = None) -> Iterator[None]:
-    """Within it what takes longer than a second says how far it is: to stderr, or to `say`, a line at a time.
+def shown() -> Iterator[None]:
+    """Print to stderr what is logged within it."""
+    import logging
 
-    Where stderr is no terminal, a line comes every ten seconds at most.
-    """
-    if say is None:
-        say = _to_stderr if sys.stderr.isatty() else _to_a_file()
-    token = _say.set(say)
+    log, handler = logging.getLogger("slowflow"), logging.StreamHandler()
+    level = log.level
+    log.addHandler(handler)
+    log.setLevel(logging.INFO)
     try:
         yield
     finally:
-        _say.reset(token)
-
-
-def chunks(count: int, at_once: int, what: str) -> Iterator[slice]:
-    """Slices of at most `at_once` that make up `count`; between them, how much of `what` is done."""
-    say, last = _say.get(), time.monotonic()
-    for start in range(0, count, at_once):
-        now = time.monotonic()
-        if say is not None and now - last >= EVERY:
-            last = now
-            say(f"{what}: {100 * start // count} %")
-        yield slice(start, start + at_once)
+        log.setLevel(level)
+        log.removeHandler(handler)
 
 
 class Tally:
-    """How many designs of so many are done; counted by any thread, and reported every second."""
+    """How many designs of so many are done; counted by any thread, and logged from time to time."""
 
     def __init__(self, total: int, what: str = "designs") -> None:
-        # of who asks: a thread of a pool has no reader of its own
-        self._say, self._last, self._lock = _say.get(), time.monotonic(), threading.Lock()
+        self._log, self._lock, self._begun = _logger(), threading.Lock(), time.monotonic()
+        self._next = self._begun + EVERY
         self._total, self._what, self._done = total, what, 0
 
     def add(self, more: int) -> None:
@@ -89,14 +65,14 @@ class Tally:
         self.come_to(lambda: self._done)
 
     def come_to(self, count: Callable[[], int]) -> None:
-        """Count how many are done if it is time to report it."""
+        """Count how many are done if it is time to log it."""
         now = time.monotonic()
         with self._lock:
-            if self._say is None or now - self._last < EVERY:
+            if self._log is None or now < self._next:
                 return
-            self._last = now
+            self._next = now + max(EVERY, FRACTION * (now - self._begun))
         if (done := count()) < self._total:
-            self._say(f"{self._what}: {done} of {self._total}")
+            self._log.info("%s: %d of %d", self._what, done, self._total)
 
 
 def each(items: Iterable[T], total: int, what: str = "designs") -> Iterator[T]:
@@ -107,15 +83,22 @@ def each(items: Iterable[T], total: int, what: str = "designs") -> Iterator[T]:
         tally.add(1)
 
 
+def chunks(count: int, at_once: int, what: str) -> Iterator[slice]:
+    """Slices of at most `at_once` that make up `count`; between them, how many of `what` are done."""
+    tally = Tally(count, what)
+    for start in range(0, count, at_once):
+        yield slice(start, start + at_once)
+        tally.add(at_once)
+
+
 @contextlib.contextmanager
 def named(what: str) -> Iterator[None]:
-    """Says that `what` is being done if it takes longer than a second, and then how long it took."""
-    say = _say.get()
-    if say is None:
+    """Log that `what` is being done if it takes longer than a second, and then how long it took."""
+    if (log := _logger()) is None:
         yield
         return
     begun = time.monotonic()
-    timer = threading.Timer(EVERY, say, (f"{what} ...",))
+    timer = threading.Timer(EVERY, log.info, ("%s ...", what))
     timer.daemon = True
     timer.start()
     try:
@@ -123,4 +106,4 @@ def named(what: str) -> Iterator[None]:
     finally:
         timer.cancel()
         if (took := time.monotonic() - begun) >= EVERY:
-            say(f"{what}: {took:.1f} s")
+            log.info("%s: %.1f s", what, took)
