@@ -277,25 +277,18 @@ static void sf_program_average(const sf_mechanism *self, int which, int count, c
     }
 }
 
-static void sf_program_averaged(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out)
-{
-    const sf_program *of = self->program;
-    sf_program_average(self, SF_AVERAGED, of->sums[SF_AVERAGED].width, &of->averages[SF_AVERAGED], 4, n, A, p, out);
-}
-
-/* Without contacts h and h_A need the first two integrals only. */
-static void sf_program_averaged_2(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out)
-{
-    const sf_program *of = self->program;
-    const sf_quarter *sums = &of->sums[SF_AVERAGED];
-    sf_program_average(self, SF_AVERAGED, sums->contacts > 0 ? sums->width : 2, &of->averaged_2, 2, n, A, p, out);
-}
-
-static void sf_program_harmonics(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out)
-{
-    const sf_program *of = self->program;
-    sf_program_average(self, SF_HIGHER, of->sums[SF_HIGHER].width, &of->averages[SF_HIGHER], 8, n, A, p, out);
-}
+#define SF_PROGRAM_AVERAGE(name, which, count, printed, outputs)                                                       \
+    static void name(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out)             \
+    {                                                                                                                  \
+        const sf_program *of = self->program;                                                                          \
+        const sf_quarter *sums = &of->sums[which];                                                                     \
+        sf_program_average(self, which, count, &of->printed, outputs, n, A, p, out);                                   \
+    }
+SF_PROGRAM_AVERAGE(sf_program_averaged, SF_AVERAGED, sums->width, averages[SF_AVERAGED], 4)
+/* without contacts h and h_A need the first two integrals only */
+SF_PROGRAM_AVERAGE(sf_program_averaged_2, SF_AVERAGED, sums->contacts > 0 ? sums->width : 2, averaged_2, 2)
+SF_PROGRAM_AVERAGE(sf_program_harmonics, SF_HIGHER, sums->width, averages[SF_HIGHER], 8)
+#undef SF_PROGRAM_AVERAGE
 
 static double sf_program_intercept(const sf_mechanism *self, double A, const double *p)
 {

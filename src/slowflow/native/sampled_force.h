@@ -106,21 +106,16 @@ static void sf_sampled_averages(const sf_mechanism *self, int which, int outputs
     }
 }
 
-static void sf_sampled_averaged(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out) {
-    (void)p;
-    sf_sampled_averages(self, SF_AVERAGED, SF_SLOPES, n, A, out);
-}
-
-static void sf_sampled_averaged_2(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out)
-{
-    (void)p;
-    sf_sampled_averages(self, SF_AVERAGED, 2, n, A, out);
-}
-
-static void sf_sampled_harmonics(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out) {
-    (void)p;
-    sf_sampled_averages(self, SF_HIGHER, 2 * SF_SLOPES, n, A, out);
-}
+#define SF_SAMPLED_AVERAGE(name, which, outputs)                                                                       \
+    static void name(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out)             \
+    {                                                                                                                  \
+        (void)p;                                                                                                       \
+        sf_sampled_averages(self, which, outputs, n, A, out);                                                          \
+    }
+SF_SAMPLED_AVERAGE(sf_sampled_averaged, SF_AVERAGED, SF_SLOPES)
+SF_SAMPLED_AVERAGE(sf_sampled_averaged_2, SF_AVERAGED, 2)
+SF_SAMPLED_AVERAGE(sf_sampled_harmonics, SF_HIGHER, 2 * SF_SLOPES)
+#undef SF_SAMPLED_AVERAGE
 
 static double sf_sampled_intercept(const sf_mechanism *self, double A, const double *p) {
     const sf_sampled *force = self->sampled;

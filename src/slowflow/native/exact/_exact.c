@@ -39,9 +39,7 @@ static void release(Py_buffer *const *buffers)
 }
 #define RELEASE(...) release((Py_buffer *const[]){__VA_ARGS__, NULL})
 
-/* (laws, constants, edges, about, odd, mu, zeta, inertial, load, c_2, released, mu_s, eta): pieces by rising u;
- * constants
- * less the side of u = 0 */
+/* pieces by rising u; constants less the side of u = 0 */
 static PyObject *make_system(PyObject *self, PyObject *arguments)
 {
     (void)self;

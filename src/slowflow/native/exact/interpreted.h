@@ -37,20 +37,15 @@ static double sf_run_at(const sf_straight *of, const double *p, double u)
     return x[of->output[0]];
 }
 
-static double sf_interpreted_value(const sf_law *self, const double *p, double u)
-{
-    return sf_run_at(&((const sf_interpreted *)self)->value, p, u);
-}
-
-static double sf_interpreted_slope(const sf_law *self, const double *p, double u)
-{
-    return sf_run_at(&((const sf_interpreted *)self)->slope, p, u);
-}
-
-static double sf_interpreted_begins(const sf_law *self, const double *p, double u)
-{
-    return sf_run_at(&((const sf_interpreted *)self)->begins, p, u);
-}
+#define SF_INTERPRETED(name, line)                                                                                     \
+    static double name(const sf_law *self, const double *p, double u)                                                  \
+    {                                                                                                                  \
+        return sf_run_at(&((const sf_interpreted *)self)->line, p, u);                                                 \
+    }
+SF_INTERPRETED(sf_interpreted_value, value)
+SF_INTERPRETED(sf_interpreted_slope, slope)
+SF_INTERPRETED(sf_interpreted_begins, begins)
+#undef SF_INTERPRETED
 
 static void sf_interpreted_begin(const double *p, double *first, double *over)
 {
