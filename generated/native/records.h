@@ -53,14 +53,6 @@ static double records_level(double Omega, double A, const double *damping, doubl
     return slow_flow_level(Omega, A, damping[0], damping[1], h);
 }
 
-/* An odd force moves about its centre. */
-static double records_centred(double A, const double *p)
-{
-    (void)(A);
-    (void)(p);
-    return 0.0;
-}
-
 /* What every record has: functions of these names, and what no mechanism changes. */
 #define IN_EVERY_RECORD(mechanism) \
     .form = SF_FORM, .name = #mechanism, .damping_size = 2, \
@@ -70,14 +62,6 @@ static double records_centred(double A, const double *p)
     .harmonics = mechanism##_record_harmonics, .by_parameter = mechanism##_record_by_parameter, \
     .by_design = mechanism##_record_by_design, .dissipation = records_dissipation, .level = records_level, \
     .mean_offset = records_centred
-
-/* For a force of one piece. */
-static void records_no_breakpoint(const sf_mechanism *self, const double *p, double *out)
-{
-    (void)(self);
-    (void)(p);
-    (void)(out);
-}
 
 static int duffing_record_parameters_of(const sf_mechanism *self, const double *design, double *p)
 {

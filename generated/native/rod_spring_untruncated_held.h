@@ -10,7 +10,7 @@
 #ifndef ROD_SPRING_UNTRUNCATED_HELD_H
 #define ROD_SPRING_UNTRUNCATED_HELD_H
 
-#include "held_carlson.h"
+#include "carlson.h"
 #include "inline.h"
 
 SF_FAMILY_BEGIN

@@ -1,10 +1,10 @@
-"""Kernels in double-double with a bound of their error: a C header for each module with any, and Carlson's integrals.
+"""Kernels in double-double with a bound of their error: a C header for each module with any, and Carlson's series.
 
 In:  `Module`s with the straight-line code of their kernels; of these the kernels that are `held`.
 Out: a dict from file name (below `generated/`) to text.
 
-The C calls native/held.h, which is runtime code. Closed forms that divide by what may be small are evaluated so: a
-proof by doubles takes the doubles around the result, an answer's last digits the result itself.
+The C calls native/held.h and native/carlson.h, which are runtime code. Closed forms that divide by what may be small
+are evaluated so: a proof by doubles takes the doubles around the result, an answer's last digits the result itself.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ C = Language(HeldPrinter(), conjunction=" && ", wrap_in_parentheses=False, names
 ABOUT = {
     "number": "sf_held",
     "inline": "static inline",
-    "arithmetic": "held_carlson",
+    "arithmetic": "carlson",
     "how": "in double-double with a bound of the error",
     "meaning": "`out` takes the outputs, where there are several.",
 }

@@ -1,11 +1,11 @@
-"""Kernels in double-double: a C header for each module that has any, and their arctangent.
+"""Kernels in double-double: a C header for each module that has any, and their arctangent's series.
 
 In:  `Module`s with the straight-line code of their kernels; of these the kernels that say `paired`, and `settled`.
 Out: a dict from file name (below `generated/`) to text.
 
-The C calls native/pair.h, which is runtime code. A kernel that says which lets are to be pairs computes what follows
-from these in doubles. Where a kernel has a series cut short for a double far from a breakpoint, the closed form is
-taken until the series has a pair's digits.
+The C calls native/pair.h and native/pair_angles.h, which are runtime code. A kernel that says which lets are to be
+pairs computes what follows from these in doubles. Where a kernel has a series cut short for a double far from a
+breakpoint, the closed form is taken until the series has a pair's digits.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ ABOUT = {
 def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     """Every file."""
     angle = templates(Path(__file__).parent).get_template("angles.h.jinja").render(tools=tools(), **angles())
-    return {"native/pair_angles.h": angle} | headers(modules, code)
+    return {"native/pair_angle_series.h": angle} | headers(modules, code)
 
 
 def headers(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
