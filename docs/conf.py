@@ -40,6 +40,8 @@ linkcheck_allow_unauthorized = False
 linkcheck_allowed_redirects = {r"https://doi\.org/.*": r"https://.*"}
 autodoc_member_order = "bysource"
 autodoc_typehints = "none"
+# a method described by a base class is on the page of that
+autodoc_inherit_docstrings = False
 autodoc_default_options = {"members": True, "undoc-members": False, "show-inheritance": False}
 
 

@@ -42,7 +42,7 @@ EXACT_WINDOW = (0.5, 1.5)
 #: the force of the equation of motion: (6), or (5)
 FORCES = ("truncated", "untruncated")
 
-#: what need not be said of an oscillator
+#: arguments that an oscillator's repr leaves out
 DEFAULTS = (("force", FORCES[0]), ("excitation", "force"))
 
 LESS_THAN_MU = "{mu_s = :r} is not allowed: static friction is not less than {mu = :r}"
