@@ -22,6 +22,8 @@ enum { SF_LEAST_PARTS = 6, SF_MOST_FORCE_PARTS = 64, SF_SAMPLED = 128, SF_MOST_S
 #define SF_DOUBT 0x1p-42
 #define SF_SEARCHED 1e8
 #define SF_NARROW 0x1p-40
+/* by how much more than a bound of sigma is searched, as a motion may be there */
+#define SF_ASIDE 1.001
 enum { SF_MOST_CELLS = 50000, SF_MOST_STEPS = 100 };
 
 /* Of a piece a part without a change of sign: what is summed is smooth there. */
@@ -240,8 +242,13 @@ static void sf_white(const sf_system *system, double power, sf_motions *found)
         v *= exp(step);
     }
     const sf_positive force = sf_positive_of(system, v, v);
-    const sf_gaussian a = sf_averages(&force, force.small / SF_SEARCHED);
-    const sf_gaussian b = sf_averages(&force, force.large * SF_SEARCHED);
+    /* E[u f]/sigma^2 is between the secants: from above v over the root of the least one there is no motion, nor below
+     * that of the largest one up to there */
+    const double least = sf_secants_up_to(&force, HUGE_VAL).low;
+    const double to = fmin(force.large * SF_SEARCHED, least > 0.0 ? SF_ASIDE * v / sqrt(least) : HUGE_VAL);
+    const double most = sf_secants_up_to(&force, SF_FARTHEST * to).high;
+    const double from = fmax(force.small / SF_SEARCHED, most > 0.0 ? v / (SF_ASIDE * sqrt(most)) : 0.0);
+    const sf_gaussian a = sf_averages(&force, from), b = sf_averages(&force, to);
     sf_balances of = {&force, v * v, v, c[0], 0, found};
     sf_search_balances(&of, &a, &b);
 }
