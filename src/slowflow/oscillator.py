@@ -530,8 +530,8 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         Raises
         ------
         ValueError
-            For both or none of S_0 and psd, without mu and zeta, for eta > 0, rubs="attached", under a load and for an
-            asymmetric force.
+            For both or none of S_0 and psd, without mu and zeta (under white noise c_2 suffices), for eta > 0,
+            rubs="attached", under a load and for an asymmetric force.
         ArithmeticError
             Where there is no stationary motion.
         """

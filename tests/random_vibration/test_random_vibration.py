@@ -228,6 +228,20 @@ def test_linear_oscillator_under_white_noise_is_closed():
     assert found.a_rms[0] ** 2 == pytest.approx((2 * found.u_rms[0]) ** 2 + (0.1 * found.v_rms[0]) ** 2, rel=1e-13)
 
 
+def test_quadratic_damping_alone_suffices_under_white_noise():
+    """c = 2 sqrt(2/pi) c_2 sigma_v, and c sigma_v^2 = pi S_0."""
+    alpha, c_2, S_0 = 2.0, 0.3, 0.01
+    found = Duffing(alpha, 0.0, zeta=0.0, c_2=c_2).random(S_0=S_0)
+    v = (math.pi * S_0 / (2 * math.sqrt(2 / math.pi) * c_2)) ** (1 / 3)
+    assert found.v_rms[0] == pytest.approx(v, rel=1e-13)
+    assert found.u_rms[0] == pytest.approx(v / math.sqrt(alpha), rel=1e-13)
+    many = Duffing.many(alpha, 0.0, 0.0, 0.0, c_2=[c_2, 0.0]).random(S_0=S_0)
+    assert many.status.tolist() == [Status.OK, Status.INVALID]
+    assert many.u_rms[0, 0] == found.u_rms[0]
+    with pytest.raises(Refused, match="under white noise c_2 does"):
+        Duffing(alpha, 0.0, zeta=0.0, c_2=c_2).random(psd=FLOOR)
+
+
 def test_weak_damping_comes_to_miles_equation():
     """The acceleration of a mount on a flat base spectrum is sqrt(pi/2 f_n Q G), Q = 1/(2 zeta)."""
     mount = Isolator.physical(**{**MOUNT, "preload": 0.0, "friction": 0.0, "zeta": 0.005})

@@ -39,9 +39,11 @@ def answer(designs: Designs, S_0: Any, psd: Any, places: int, workers: int = 1) 
     found = QUESTIONS["random"].blank(AVERAGING, own["mu"].shape, place=places)
     (status := found["status"])[...] = Status.INVALID
     valid = np.broadcast_to(designs.detachment(workers=workers).status != Status.INVALID, shape).ravel()
-    valid = valid & ((own["mu"] != 0) | (own["zeta"] != 0))
+    damped = (own["mu"] != 0) | (own["zeta"] != 0)
     if S_0 is not None:
-        valid &= np.isfinite(own["S_0"]) & (own["S_0"] > 0)
+        damped |= own.get("c_2", 0.0) != 0
+        valid = valid & np.isfinite(own["S_0"]) & (own["S_0"] > 0)
+    valid = valid & damped
     laws = tuple(recurrences(law) for law in designs.mechanism.pieces)
     together = valid & (_stiffness_is_finite(designs.mechanism, own) if S_0 is not None and None not in laws else False)
 

@@ -19,7 +19,11 @@ from slowflow.text import Sentence, text
 from slowflow_kernels import linearization
 
 ONE_OF = "random takes either S_0, of white noise, or psd, a table of frequencies and densities"
-UNDAMPED = text("random vibration needs dry friction or viscous damping: {mu = :g} and zeta = 0 leave none", 0.0)
+UNDAMPED = text(
+    "random vibration needs dry friction or viscous damping, under white noise c_2 does: {mu = :g} and zeta = 0 leave "
+    "none",
+    0.0,
+)
 UNDECIDED = Sentence("there may be another equivalent linear oscillator next to {stiffness = :.4g}, {damping = :.4g}")
 #: share of friction in the damping up to which sigma_u and sigma_v were within 5 % of records of the motion, where the
 #: excitation has frequencies up to so many times the lowest one (docs/validity.md)
@@ -65,7 +69,7 @@ def excited_by(S_0: Any, psd: Any) -> Excitation:
 
 def stationary(system: EquationOfMotion, excitation: Excitation) -> dict[str, Floats]:
     """The columns of `RandomResponse`, by rising u_rms. Raises as `Oscillator.random`."""
-    if system.mu == system.zeta == 0:
+    if system.mu == system.zeta == 0 and not (system.c_2 > 0 and isinstance(excitation, White)):
         raise validate.NotAvailable(UNDAMPED)
     laws = system.mu, system.zeta, system.c_2
     *left, found = EXACT.stationary(handle(system), excitation.rows(*laws))
