@@ -116,18 +116,7 @@ class Physical:
         return cast("answers.AtRest", Quantities(values, units, found.answer))
 
     def sag(self, load: Number) -> float:
-        """Compute where another mass is in equilibrium while k_v is preset for m, with the force (5).
-
-        Parameters
-        ----------
-        load : float
-            Mass, > 0, in kg.
-
-        Returns
-        -------
-        float
-            Distance from the centre in m, < 0 for a lighter mass.
-        """
+        """Compute in m from the centre where a mass `load` in kg is in equilibrium if k_v is preset for m (5)."""
         load = validate.number("load", si("load", load, "kg"), above=0.0)
         preset = float(si("m", self.given["m"], "kg"))
         weight = (load - preset) * g / self.scales.sizes["force"]
