@@ -38,17 +38,21 @@ def at_an_isola_point() -> list:
     return [*mp.findroot(slopes, (mpf("-0.4"), mpf(1))), mpf("0.7"), mpf("1.3")]
 
 
+def traced(h):
+    """The squared level along the fold locus as a function of A, and F_AOmega at the point."""
+
+    def level(a):
+        Omega = mp.findroot(lambda w: mp.diff(lambda b: squared_level(w, b, h), a), OMEGA)
+        return squared_level(Omega, a, h)
+
+    return level, mp.diff(lambda a, w: squared_level(w, a, h), (A, OMEGA), (1, 1))
+
+
 @pytest.mark.parametrize(("point", "kernel"), [(at_a_cusp, "cusp"), (at_an_isola_point, "isola")])
 def test_second_level_derivative_along_the_fold_locus(point, kernel):
     with mp.workdps(60):
         values = point()
-        h = taylor(values)
-
-        def level(a):
-            Omega = mp.findroot(lambda w: mp.diff(lambda b: squared_level(w, b, h), a), OMEGA)
-            return squared_level(Omega, a, h)
-
-        F_AOmega = mp.diff(lambda a, w: squared_level(w, a, h), (A, OMEGA), (1, 1))
+        level, F_AOmega = traced(taylor(values))
         expected = mp.diff(level, A, 2) * F_AOmega**2
         if kernel == "cusp":
             T = OMEGA**2 + values[1]
@@ -64,13 +68,7 @@ def test_level_slope_along_the_fold_locus():
         h, h_AA = mpf(-0.3), mpf(0.7)
         h_A = mp.findroot(lambda x: mp.diff(lambda a: squared_level(OMEGA, a, taylor((h, x))), A), mpf(-1))
         values = [h, h_A, h_AA]
-        curve = taylor(values)
-
-        def level(a):
-            Omega = mp.findroot(lambda w: mp.diff(lambda b: squared_level(w, b, curve), a), OMEGA)
-            return squared_level(Omega, a, curve)
-
-        F_AOmega = mp.diff(lambda a, w: squared_level(w, a, curve), (A, OMEGA), (1, 1))
+        level, F_AOmega = traced(taylor(values))
         expected = mp.diff(level, A) * F_AOmega**2
         found = slow_flow.level_rise(*map(float, (OMEGA, A, M, ZETA, *values)))
     assert abs(expected) > 1e-4

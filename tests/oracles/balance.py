@@ -39,11 +39,10 @@ class Balance:
         h_3, h_3_A, h_3_AA, _, h_5, h_5_A, h_5_AA, _ = self.model.harmonics(A)
         return h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA
 
-    def response(self, Omega: Any, A: Any, F_0: float, averages: tuple[Floats, ...] | None = None) -> Values:
-        """What a response curve needs; `averages` of A if they are known."""
-        known = self.averages(A) if averages is None else averages
+    def response(self, Omega: Any, A: Any, F_0: float) -> Values:
+        """What a response curve needs."""
         force = self.model.force(F_0, Omega)
-        found = Values(*kernels.response(Omega, A, force, self.model.m, self.model.zeta, *known))
+        found = Values(*kernels.response(Omega, A, force, self.model.m, self.model.zeta, *self.averages(A)))
         if not self.model.inertial:
             return found
         return found._replace(F_Omega=found.F_Omega - 2 * force * inertia.force_slopes(Omega, F_0)[0])
