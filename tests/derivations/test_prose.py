@@ -17,14 +17,14 @@ import pytest
 import sympy as sp
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
-from slowflow.derivation import runtime
-from slowflow.derivation.codegen.bytecode import kept_beside
-from slowflow.derivation.codegen.prose import in_markdown
-from slowflow.derivation.codegen.targets import numpy
-from slowflow.derivation.codegen.views import programs
-from slowflow.derivation.document import parameters
 
 from slowflow import derive, include
+from tests.files import Lazily
+
+runtime, document = (Lazily(f"slowflow.derivation.{name}") for name in ("runtime", "document"))
+bytecode, prose, numpy, views = (
+    Lazily(f"slowflow.derivation.codegen.{name}") for name in ("bytecode", "prose", "targets.numpy", "views")
+)
 
 u, k = sp.symbols("u k")
 HOSTILE = (
@@ -67,7 +67,7 @@ def written(text):
 @functools.cache
 def code():
     module = sources().module
-    return programs(module, numpy.contained(module))
+    return views.programs(module, numpy.contained(module))
 
 
 def without_comments(text):
@@ -133,10 +133,12 @@ def test_a_compiler_takes_every_text(tmp_path):
 @settings(max_examples=25, deadline=None)
 def test_markdown_shows_every_text(text):
     """By the rules of CommonMark: no mark is left that no backslash stands before, and a row stays a row."""
-    shown = in_markdown(text)
+    shown = prose.in_markdown(text)
     assert len(shown.splitlines()) <= 1
     assert not re.search(r"(?<!\\)[`*\[\]<>#|$&]", re.sub(r"\\\\", "", shown))
-    (row,) = (line for line in parameters(written(text).module.record.mechanism, {}) if line.startswith("| $k$"))
+    (row,) = (
+        line for line in document.parameters(written(text).module.record.mechanism, {}) if line.startswith("| $k$")
+    )
     assert len(re.findall(r"(?<!\\)\|", re.sub(r"\\\\", "", row))) == 5
 
 
@@ -172,7 +174,7 @@ def test_templates_are_recompiled_after_environment_changes(tmp_path):
         place = tmp_path / "environment.py"
         place.write_text(f"{k}\n")
         environment = jinja2.Environment(
-            loader=jinja2.FileSystemLoader(tmp_path), bytecode_cache=kept_beside(tmp_path, place)
+            loader=jinja2.FileSystemLoader(tmp_path), bytecode_cache=bytecode.kept_beside(tmp_path, place)
         )
         environment.filters["shown"] = shown
         assert environment.get_template("template.jinja").render() == "text"

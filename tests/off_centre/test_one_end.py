@@ -6,14 +6,15 @@ from functools import cache
 from itertools import pairwise
 from typing import Any
 
+import mpmath
 import pytest
+import sympy as sp
 
-mp: Any = pytest.importorskip("mpmath").mp.clone()
-sp: Any = pytest.importorskip("sympy")
+from derivations.asymmetric import one_end
+from derivations.library import stated
+
+mp: Any = mpmath.mp.clone()
 mp.dps = 40
-
-stated = pytest.importorskip("slowflow.derivation.library").stated
-one_end = pytest.importorskip("slowflow.derivation.asymmetric.one_end")
 
 
 @cache
