@@ -27,7 +27,9 @@ from explorer.about import LIBRARY, about
 HERE = Path(__file__).parent
 ROOT = HERE.parent
 PAGE = ROOT / "docs" / "explorer.html"
-INCLUDED = [ROOT / "src/slowflow/native", ROOT / "generated/c", ROOT / "generated/native"]
+SOURCES = ("explorer/explorer.c", "explorer/random.c")
+INCLUDED = [HERE, *(ROOT / name for name in ("src/slowflow/native", "src/slowflow/native/exact"))]
+INCLUDED += [ROOT / "generated/c", ROOT / "generated/native"]
 #: other compilers write other bytes
 ZIG = "0.17.1"
 #: as setup.py has them where they concern arithmetic: the same digits as every other build
@@ -40,17 +42,17 @@ MOST = 1_500_000
 def sources() -> list[Path]:
     """All that the page is made of but for the package's data and what is derived: its files, what the library states,
     and the headers that explorer.c includes."""
-    files = [path for path in sorted(HERE.iterdir()) if path.suffix in {".c", ".py", ".html", ".css", ".js"}]
+    files = [path for path in sorted(HERE.iterdir()) if path.suffix in {".c", ".h", ".py", ".html", ".css", ".js"}]
     files += [ROOT / f"derivations/library/{name}.py" for _, name, *_ in LIBRARY]
     files.append(ROOT / "derivations/asymmetric/one_end.py")
     headers: set[Path] = set()
-    left = [HERE / "explorer.c"]
+    left = [ROOT / name for name in SOURCES]
     while left:
         names = re.findall(r'#include "([^"]+)"', left.pop().read_text())
         found = {folder / name for name in names for folder in INCLUDED if (folder / name).exists()} - headers
         headers |= found
         left += found
-    return sorted(headers) + files
+    return sorted(headers - set(files)) + files
 
 
 def digest() -> str:
@@ -132,7 +134,7 @@ def compiled() -> bytes:
             Path(folder, name).write_text(text)
         included = [f"-I{path.relative_to(ROOT)}" for path in INCLUDED]
         target = Path(folder, "solvers.wasm")
-        inputs = ["explorer/explorer.c", *(str(Path(folder, name)) for name in sorted(sources))]
+        inputs = [*SOURCES, *(str(Path(folder, name)) for name in sorted(sources))]
         command = [sys.executable, "-m", "ziglang", "cc", *FLAGS, *LINKED, *included, f"-I{folder}", *inputs]
         subprocess.run([*command, "-o", str(target)], cwd=ROOT, check=True)
         return target.read_bytes()

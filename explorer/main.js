@@ -26,11 +26,12 @@ function ask(solvers, state, shown) {
   answer.onset = solvers.onset();
   answer.detachment = solvers.detachment();
   answer.peak = solvers.peak(plain.F_0);
+  if (state.psd) answer.random = randomOf(solvers, state, plain);
   answer.folds = solvers.folds(plain.F_0);
   answer.curve = solvers.respond(plain.F_0, 0, state.high, SAMPLES);
   const { curve } = answer;
   const seen = curve.A.reduce((most, A, i) => (curve.Omega[i] > 0.02 * state.high ? Math.max(most, A) : most), 0);
-  const top = roundUp(1.08 * Math.max(seen, curve.n ? 0 : 0.2 * plain.F_0));
+  const top = roundUp(1.08 * Math.max(seen, curve.n ? 0 : 0.2 * plain.F_0, ...(answer.random?.u || [])));
   answer.window = { high: state.high, top };
   if (shown.backbone) answer.backbone = solvers.backbone(top, 200);
   if (shown.envelope && plain.zeta > 0 && plain.F_0 > answer.sticking) answer.envelope = solvers.envelope(plain.F_0, state.high, 200);
@@ -148,6 +149,17 @@ function peakIn(answer) {
   return { value: told(state, "A", peak.A), note: at, text: `peak ${told(state, "A", peak.A)} ${at}` };
 }
 
+/** Root mean squares, and what they are those of. */
+function randomCard({ state, random }) {
+  const each = (text) => Array.from({ length: random.n }, (_, i) => text(i)).join("<br>");
+  const friction = (i) => (random.friction[i] > 0 ? `, friction ${percent(random.friction[i])} of the damping` : "");
+  return card(
+    "<span>rms under the PSD</span>",
+    random.n ? each((i) => told(state, "A", random.u[i])) : "–",
+    random.n ? each((i) => `as at ${nameIn(state, "Omega")} = ${told(state, "Omega", Math.sqrt(random.k[i]))}${friction(i)}`) : random.word,
+  );
+}
+
 function say() {
   const { answer } = app;
   const { state, onset, detachment, folds, breaks, plain, reach } = answer;
@@ -185,7 +197,8 @@ function say() {
       `<span>jumps at</span> ${symbol(F)} <span>= ${near("F_0", plain.F_0)}</span>`,
       jumps ? Array.from(folds.Omega, (Omega, i) => `${folds.up[i] ? "↑" : "↓"} ${reached(near("Omega", Omega), folds.A[i])}`).join("<br>") : "none",
       jumps ? `${frequency} where a sweep jumps` : "one state at each frequency",
-    );
+    ) +
+    (answer.random ? randomCard(answer) : "");
   const said = remarksOf(answer);
   $("remarks").innerHTML = said.map((text) => `<li>${sentence(text)}</li>`).join("");
   sayStates();
@@ -282,11 +295,23 @@ function buildFields() {
   const about = DATA.mechanisms[state.mechanism];
   $("fields").innerHTML =
     `<fieldset><legend>Excited by</legend>${excitationPicker(state)}${of([DATA.excitations[state.excitation]])}</fieldset>` +
+    `<fieldset><legend>Random vibration of the base</legend><div class="field"><label for="psd">PSD</label>
+<input id="psd" type="text" autocomplete="off" spellcheck="false" placeholder="${state.si ? "1 1e-5; 100 1e-7" : "0.5 1e-4; 5 1e-5"}" title="points of a one-sided density: frequency and density; straight in log-log between them${state.si ? "" : ", or the density of white noise alone"}">
+<span class="unit">${state.si ? "Hz g²/Hz; …" : `${letter("Omega")} G; …`}</span></div></fieldset>` +
     `<fieldset><legend>Spring</legend>${of(about.design)}</fieldset>` +
     `<fieldset><legend>Damping</legend>${of(DATA.damping)}</fieldset>` +
     (state.si ? `<fieldset><legend>Mass and scales</legend>${BASE.map((one) => field(one.name, one.doc, symbol(one.name), one.unit)).join("")}</fieldset>` : "") +
     `<fieldset><legend>Shown</legend>${field("high", "highest frequency shown", letter("Omega"), measure(state, "Omega").unit)}</fieldset>`;
   $("excitation").addEventListener("change", (event) => excite(event.target.value));
+  $("psd").value = writeDensity(state.psd);
+  $("psd").addEventListener("input", (event) => {
+    const text = event.target.value.trim();
+    const density = text ? readDensity(text, state.si) : undefined;
+    event.target.setAttribute("aria-invalid", density === null ? "true" : "false");
+    if (density === null) return;
+    state.psd = density;
+    changed("psd");
+  });
   const bind = (name, fromRange, read, write) => {
     const [number, range] = [$(`number-${name}`), $(`range-${name}`)];
     range.addEventListener("input", () => write(fromRange(Number(range.value))));
@@ -628,7 +653,7 @@ async function selfCheck() {
 }
 
 /** What tests and the console reach. */
-globalThis.explorer = { app, ask, dimensionless, errorsOf, fromAddress, inCSV, inPython, numbersOf, open, selfCheck, step, toAddress };
+globalThis.explorer = { app, ask, dimensionless, errorsOf, fromAddress, inCSV, inPython, numbersOf, open, randomOf, selfCheck, step, toAddress };
 
 /* ==== Begin ======================================================================================================== */
 

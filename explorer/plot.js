@@ -180,6 +180,9 @@ function drawResponse(plot, answer, shown) {
   const { backbone, envelope, locus } = answer;
   if (backbone) beside += line("backbone", plot.path(backbone.Omega, backbone.A, backbone.n));
   if (envelope) beside += line("envelope", plot.path(envelope.Omega, envelope.A, envelope.n));
+  if (answer.random)
+    for (const u of answer.random.u || [])
+      if (u < top) beside += line("rms", `M${left},${plot.y(u).toFixed(1)}h${wide}`) + `<text class="name" x="${left + 4}" y="${(plot.y(u) - 5).toFixed(1)}">rms</text>`;
   if (locus) beside += line("locus", plot.path(locus.Omega, locus.A, locus.n, locus.branch));
   plot.set("beside", beside);
   const parts = plot.stretches(curve.Omega, curve.A, curve.stable, curve.branch);

@@ -19,6 +19,7 @@ class Solvers {
     const most = native.capacity();
     this.native = native;
     this.input = new Float64Array(memory, native.input(), 18);
+    this.density = new Float64Array(memory, native.density(), native.room_of_density());
     this.columns = [0, 1, 2, 3, 4].map((i) => new Float64Array(memory, native.column(i), most));
     this.flags = [0, 1, 2].map((i) => new Uint8Array(memory, native.flag(i), most));
     this.branches = new BigInt64Array(memory, native.branches(), most);
@@ -141,6 +142,18 @@ class Solvers {
   envelope(F_0, high, n) {
     this.native.envelope(F_0, high, n);
     return { n, Omega: this.column(0, n), A: this.column(1, n) };
+  }
+
+  /** What dry friction adds to the equivalent damping at a velocity of 1. */
+  dry() {
+    return this.native.dry();
+  }
+
+  /** Root mean squares of stationary motions, see `excitationOf`; n < 0 where they are not resolved. */
+  random({ power, rows, bands }) {
+    this.density.set(rows);
+    const n = this.native.random(power, bands);
+    return { n, u: this.column(0, Math.max(0, n)), v: this.column(1, Math.max(0, n)), k: this.column(2, Math.max(0, n)), friction: this.column(3, Math.max(0, n)) };
   }
 
   force(u_max, n) {

@@ -56,6 +56,7 @@ function fromPreset(preset) {
 function toAddress(state) {
   const parts = { mechanism: state.mechanism, ...state.values, shown: state.high, at: state.Omega, level: state.level };
   if (state.excitation !== "force") parts.excitation = state.excitation;
+  if (state.psd) parts.psd = writeDensity(state.psd);
   if (state.si) Object.assign(parts, { units: "si" }, state.base);
   return `#${new URLSearchParams(Object.entries(parts).filter(([, value]) => value !== undefined))}`;
 }
@@ -78,6 +79,8 @@ function fromAddress(address) {
   const plain = dimensionless(state);
   if (!domains(state).every((domain) => holds(domain, plain[domain.name]))) return null;
   state.Omega = Math.min(state.high, Math.max(1e-3 * state.high, number("at", 0.35 * state.high)));
+  state.psd = parts.has("psd") ? readDensity(parts.get("psd"), state.si) : undefined;
+  if (state.psd === null) return null;
   state.level = parts.has("level") ? number("level") : undefined;
   return state;
 }
@@ -104,6 +107,11 @@ function inPython(state) {
     const F = `F_0=${python(plain.F_0)}`;
     lines.push(`print(oscillator.saddle_node_onset())`, `print(oscillator.detachment())`, `print(oscillator.saddle_nodes(${F}))`);
     lines.push(`curve = oscillator.frequency_response(${F}, Omega=(0.0, ${python(state.high)}), samples=${SAMPLES})`);
+  }
+  if (state.psd) {
+    const [f, G] = [0, 1].map((k) => `[${state.psd.map((row) => python(row[k])).join(", ")}]`);
+    const density = state.psd[0].length === 1 ? `S_0=${python(state.psd[0][0] / 2)}` : `psd=(${f}, ${G})`;
+    lines.push(`print(${state.si ? "mount" : "oscillator"}.random(${density}))`);
   }
   return lines.join("\n") + "\n";
 }

@@ -85,7 +85,9 @@ function numbersOf(state, values = dimensionless(state)) {
 /** The same design in the other units. */
 function convert(state, si) {
   const plain = dimensionless(state);
+  const density = densityMeasure(state);
   state.si = si;
+  state.psd = convertDensity(state.psd, density, densityMeasure(state));
   for (const name of Object.keys(plain)) state.values[name] = plain[name] * measure(state, name).size;
 }
 

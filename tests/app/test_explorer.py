@@ -373,6 +373,65 @@ def test_a_base_is_given_by_its_acceleration(browser: Any) -> None:
     assert rows[:, 1].max() == pytest.approx(mount.peak(a=0.42).A, rel=1e-12)
 
 
+#: a density by points in Hz and g^2/Hz, with a step, and one without dimensions
+FLOOR = ([1.0, 8.0, 8.0, 100.0], [1e-5, 1e-5, 4e-6, 1e-7])
+PLAIN = ([0.3, 1.1, 6.0], [2e-4, 2e-4, 1e-5])
+RANDOM = """([name, numbers, psd]) => {
+  const { solvers } = explorer.app, [mu, zeta] = numbers.slice(-2);
+  if (solvers.choose(name, numbers, "force") === null) return null;
+  const found = explorer.randomOf(solvers, { mechanism: name, si: false, psd }, { mu, zeta });
+  return Object.fromEntries(["u", "v", "k", "friction"].map((key) => [key, Array.from(found[key] || [])]));
+}"""
+
+
+@pytest.mark.slow
+def test_root_mean_squares_are_those_of_the_package(browser: Any) -> None:
+    """White noise and a table, every mechanism whose force is odd; several stationary motions, and none."""
+    with opened(browser) as page:
+        for one in designs():
+            mechanism = one.oscillator.model.mechanism
+            if not mechanism.odd or one.oscillator.excitation != "force":
+                continue
+            numbers = [*one.oscillator.model.design, one.oscillator.mu, one.oscillator.zeta]
+            for points in ([[4e-4]], np.transpose(PLAIN).tolist()):
+                found = page.evaluate(RANDOM, [one.mechanism, numbers, points])
+                white = {"S_0": points[0][0] / 2} if len(points) == 1 else {"psd": PLAIN}
+                theirs = one.oscillator.random(**white)
+                for name, values in {"u": theirs.u_rms, "v": theirs.v_rms, "k": theirs.stiffness}.items():
+                    np.testing.assert_allclose(found[name], values, rtol=1e-9, err_msg=f"{one.title}, {white}")
+                np.testing.assert_allclose(found["friction"], theirs.dry, rtol=1e-9)
+        assert page.evaluate(RANDOM, ["duffing", [1.0, 1.0, 0.5, 0.01], [[1.0, 1e-9], [2.0, 1e-9]]])["u"] == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("width", [1280, 390])
+def test_a_mount_on_a_floor_with_a_density_has_a_root_mean_square(browser: Any, width: int) -> None:
+    with opened(browser, f"{AT}&F_0=5", viewport={"width": width, "height": 844}) as page:
+        assert page.locator("#answers .card").count() == 5 and page.locator("#response .rms").count() == 0
+        page.fill("#psd", "; ".join(f"{f} {G}" for f, G in np.transpose(FLOOR).tolist()))
+        page.evaluate("explorer.step(16)")
+        mount = Isolator.physical(**MOUNT.given | {"force": "truncated"})
+        found = mount.random(psd=FLOOR)
+        card = page.locator("#answers .card").last.inner_text()
+        assert f"{1000 * found.x_rms[0]:.4g} mm" in card and f"f = {found.f_e[0]:.4g} Hz" in card
+        assert DIMENSIONLESS.search(card) is None and page.locator("#response .rms").count() == 1
+        address = page.evaluate("explorer.toAddress(explorer.app.state)")
+        names: dict[str, Any] = {}
+        with contextlib.redirect_stdout(io.StringIO()) as printed:
+            exec(page.evaluate("explorer.inPython(explorer.app.state)"), names)
+        assert "x_rms" in printed.getvalue()
+        page.click("label[for=units-one]")
+        page.evaluate("explorer.step(16)")
+        plain = page.evaluate("Array.from(explorer.app.answer.random.u)")
+        np.testing.assert_allclose(plain, found.x_rms / mount.scales.sizes["length"], rtol=1e-9)
+        for wrong in ("1 1e-5", "2 1e-5; 1 1e-5", "1 -1; 2 1", "one"):
+            page.fill("#psd", wrong)
+            assert page.get_attribute("#psd", "aria-invalid") == "true"
+        assert page.evaluate("document.documentElement.scrollWidth") <= width
+    with opened(browser, address) as page:
+        assert page.locator("#answers .card").last.inner_text() == card
+
+
 #: an address of the mount of the README at an amplitude in SI units, by what excites it
 AT = "#mechanism=rod_spring&lam=3&r=1700&delta_h=0.009&mu=0.4&zeta=0.02&m=12&k_v=2500&L=0.08&units=si&shown=2&at=0.999"
 

@@ -1,0 +1,11 @@
+/* Random vibration beside explorer.c. */
+#pragma once
+
+/* the force of the oscillator that was chosen */
+double sf_explored_force(double u);
+
+/* Stationary motions of an oscillator with breakpoints b, by rising sigma_u, under white noise of a power c sigma_v^2, or
+ * of 0 under the density whose rows are those of `sf_table`. out: sigma_u, sigma_v, stiffness, and which share of the
+ * equivalent damping is dry friction's; returns their number, at most `room`, or -1 where it is not decided. */
+int sf_explored_random(const double *b, int breaks, double mu, double zeta, double power, const double *rows, int bands,
+                       int room, double *const out[4]);
