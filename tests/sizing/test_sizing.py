@@ -276,6 +276,11 @@ def test_what_is_not_allowed_is_refused_in_words(monkeypatch):
         (lambda: fit(MOUNT, A=[0.1] * 9), "f and F are needed"),
         (lambda: fit(MOUNT, F=[4, 5]), "either measured amplitudes A, or phases phi, or jump_up or jump_down"),
         (lambda: fit(MOUNT, F=5, f=2, A=[0.1] * 9, phi=[-1.0] * 9), "either measured amplitudes A, or phases phi"),
+        (lambda: fit(MOUNT, backbone=[2.1] * 9), "A is needed: at which amplitudes"),
+        (lambda: fit(MOUNT, {"A": 0.01, "backbone": [2.1] * 9}), "deviation = None is not allowed"),
+        (lambda: fit(MOUNT, {"A": 0.01, "backbone": [2.1] * 9, "deviation": "2 mm"}), "must be a number in Hz"),
+        (lambda: fit(MOUNT, {"A": 0.01, "backbone": [2.1] * 9, "deviation": 0}), "deviation = 0 is not allowed"),
+        (lambda: fit(MOUNT, {"A": 0.01, "backbone": [2.1]}, F=3.0), "a fit takes either data sets or one by its"),
         (lambda: fit(MOUNT, F=5, f=2, phi=[-1.0] * 8 + [np.nan]), "phi = nan is not allowed"),
         (lambda: fit(MOUNT, F=[4, 5], jump_up=[2.1]), "jump_up is not allowed: it must have a frequency"),
         (lambda: fit(MOUNT, jump_up=[2.1]), "F is needed"),
@@ -523,6 +528,54 @@ def test_intervals_hold_the_true_numbers_in_95_of_100_fits():
         found = fit(MOUNT, f=f, F=2.5, A=A + 2e-5 * random.standard_normal(f.size))
         covered += [row.low < TRUE[row.parameter] < row.high for row in found]
     assert 0.87 < np.mean(covered) <= 1.0
+
+
+def measured_together(random):
+    """Points below the onset, jumps and a backbone of `MOUNT` with noise, each with its standard deviation."""
+    f, F, A = np.linspace(1.2, 3.0, 25), np.array([3.5, 4.0, 5.0, 6.0]), np.linspace(0.004, 0.03, 8)
+    up, down = np.transpose([MOUNT.saddle_nodes(force).f[[0, -1]] for force in F])
+    points = np.array([MOUNT.amplitudes(f=x, F=2.5).A[0] for x in f])
+    noise = random.standard_normal
+    return (
+        {"f": f, "F": 2.5, "A": points + 1e-4 * noise(25), "deviation": "0.1 mm"},
+        {"F": F, "jump_up": up + 0.004 * noise(4), "jump_down": down + 0.004 * noise(4), "deviation": 0.004},
+        {"A": A, "backbone": MOUNT.backbone(A) + 0.002 * noise(8), "deviation": 0.002},
+    )
+
+
+@pytest.mark.slow
+def test_several_kinds_of_data_say_more_together():
+    """The same noise in each kind's unit: intervals hold the truth and are narrower than those of the points alone."""
+    random, covered, deviations = np.random.default_rng(1), [], []
+    free = ["friction", "zeta", "k_h"]
+    for _ in range(fewer(12, 3)):
+        sets = measured_together(random)
+        found = fit(MOUNT, *sets, free=free)
+        covered += [row.low < TRUE[row.parameter] < row.high for row in found]
+        deviations.append(found.deviation)
+        assert found.residuals.size == 25 + 8 + 8 and not found.message
+    assert np.mean(covered) > 0.8 and 0.8 < np.mean(deviations) < 1.2
+    alone = fit(MOUNT, **{name: value for name, value in sets[0].items() if name != "deviation"}, free=free)
+    assert (found.high - found.low < 0.95 * (alone.high - alone.low)).all()
+    assert found.plot().get_xlabel() == "point"
+
+
+def test_a_backbone_without_noise_has_the_numbers_of_its_spring():
+    A = np.linspace(0.004, 0.03, 8)
+    found = fit(MOUNT.replace(k_h=1500, preload=0.010), A=A, backbone=MOUNT.backbone(A), free=["k_h", "preload"])
+    assert found.value == pytest.approx([1700, 0.009], rel=1e-9)
+
+
+def test_one_data_set_is_weighted_by_nothing():
+    """Its deviation cancels in all but the residuals."""
+    A = np.linspace(0.004, 0.03, 8)
+    one = {"A": A, "backbone": MOUNT.backbone(A) + 0.002 * np.cos(5 * np.arange(8))}
+    plain, weighted = fit(MOUNT, **one, free=["k_h"]), fit(MOUNT, {**one, "deviation": 0.01}, free=["k_h"])
+    np.testing.assert_allclose(
+        [weighted.value, weighted.low, weighted.high], [plain.value, plain.low, plain.high], rtol=1e-6
+    )
+    np.testing.assert_allclose(weighted.residuals, plain.residuals / 0.01, rtol=1e-6)
+    assert plain.names == ("A/m", "measured less fitted f/Hz")
 
 
 def test_interval_ends_by_students_t():

@@ -115,15 +115,16 @@ class Fit(Table):
 
 def fit(
     of: Any,
-    *,
+    *sets: Mapping[str, Any],
     A: Any = None,
     phi: Any = None,
     jump_up: Any = None,
     jump_down: Any = None,
+    backbone: Any = None,
     free: Sequence[str] | None = None,
     **at: Unpack[Measured],
 ) -> Fit:
-    """Fit parameters of an isolator to measured amplitudes, phases, or jump frequencies, by least squares.
+    """Fit parameters of an isolator to measured amplitudes, phases, jumps or a backbone, by least squares.
 
     Noise is taken to be normal and the same at all points; noise in proportion to the amplitude leaves intervals that
     are too narrow. They know of noise alone, not that averaging is an approximation, which may move a number by a
@@ -137,6 +138,9 @@ def fit(
     ----------
     of : Isolator or Physical
         Where the search begins, and what is not free; a mount in SI units.
+    *sets : mapping
+        Several data sets together: of each the arguments below by name, and `deviation`, its standard deviation. These
+        weight the sets: of the fit, deviation is then about 1, and far from it where one of them is wrong.
     A : array_like, optional
         Measured amplitudes, in m of a mount.
     phi : array_like, optional
@@ -144,6 +148,8 @@ def fit(
         Whole cycles make no difference.
     jump_up, jump_down : array_like, optional
         Instead of A: the frequency of the jump at each forcing, in Hz of a mount; one or both, NaN where none was seen.
+    backbone : array_like, optional
+        With A and no forcing: frequencies of free vibration at these amplitudes, or of resonance, in Hz of a mount.
     free : sequence of str, optional
         Names of the parameters to fit; by default friction, damping, stiffness and preload of the springs.
     **at : Measured
@@ -160,26 +166,68 @@ def fit(
     ValueError, ArithmeticError
         For what is not allowed, as fewer points than free parameters; where the points do not determine these.
     """
-    subject = Subject(of, () if free is None else free, at)
-    of = subject.of
-    with contextlib.nullcontext() if subject.mount is None else subject.mount.scales.in_these_terms():
-        (of if subject.mount is None else of.oscillator).at_centre("fit")
-    if [A is None, phi is None, jump_up is None and jump_down is None].count(False) != 1:
-        raise Refused("a fit needs either measured amplitudes A, or phases phi, or jump_up or jump_down")
-    if subject.mount:
-        A = si("A", A, "m")
-        jump_up, jump_down = si("jump_up", jump_up, "Hz"), si("jump_down", jump_down, "Hz")
-    if A is None and phi is None:
-        measured = _jumps(subject, subject.measured()[0], jump_up, jump_down)
+    own = {"A": A, "phi": phi, "jump_up": jump_up, "jump_down": jump_down, "backbone": backbone, **at}
+    if not sets:
+        subject, measured = _one_set(of, free, **own)
+    elif any(value is not None for value in own.values()):
+        raise Refused("a fit takes either data sets or one by its arguments: put these into a set of their own")
     else:
-        points = dict(zip(reversed(subject.names), reversed(subject.measured()), strict=True))
-        measured = _states(subject, points, "phi" if A is None else "A", phi if A is None else A)
+        found = [
+            _one_set(of, free, **{name: value for name, value in one.items() if name != "deviation"}) for one in sets
+        ]
+        subject, measured = found[0][0], _together([one for _, one in found], [one.get("deviation") for one in sets])
     damping = "c" if "c" in subject.nominal else "zeta"
     default = ["friction", damping, "k_h", "preload"] if subject.mount else ["mu", "zeta", "r", "delta_h"]
     with np.errstate(
         over="ignore", divide="ignore", invalid="ignore"
     ):  # numbers at the ends of the range: words follow
         return _fitted(subject, measured, default if free is None else list(free))
+
+
+def _one_set(
+    of: Any,
+    free: Sequence[str] | None,
+    *,
+    A: Any = None,
+    phi: Any = None,
+    jump_up: Any = None,
+    jump_down: Any = None,
+    backbone: Any = None,
+    **at: Any,
+) -> tuple[Subject, _Measured]:
+    """What is varied, and one data set of it. Raises ValueError for what is not allowed."""
+    subject = Subject(of, () if free is None else free, at)
+    of = subject.of
+    with contextlib.nullcontext() if subject.mount is None else subject.mount.scales.in_these_terms():
+        (of if subject.mount is None else of.oscillator).at_centre("fit")
+    kinds = [A is None or backbone is not None, phi is None, jump_up is None and jump_down is None, backbone is None]
+    if kinds.count(False) != 1:
+        raise Refused("a fit needs either measured amplitudes A, or phases phi, or jump_up or jump_down, or a backbone")
+    if subject.mount:
+        A, backbone = si("A", A, "m"), si("backbone", backbone, "Hz")
+        jump_up, jump_down = si("jump_up", jump_up, "Hz"), si("jump_down", jump_down, "Hz")
+    if backbone is not None:
+        return subject, _backbone(subject, A, backbone)
+    if A is None and phi is None:
+        return subject, _jumps(subject, subject.measured()[0], jump_up, jump_down)
+    points = dict(zip(reversed(subject.names), reversed(subject.measured()), strict=True))
+    return subject, _states(subject, points, "phi" if A is None else "A", phi if A is None else A)
+
+
+def _together(sets: Sequence[_Measured], deviations: Sequence[Any]) -> _Measured:
+    """Several data sets as one, each over its standard deviation."""
+    each = [
+        validate.number("deviation", si("deviation", one, of.unit), above=0.0)
+        for of, one in zip(sets, deviations, strict=True)
+    ]
+
+    def of_designs(numbers: Mapping[str, Any]) -> Floats:
+        rows = [of.of_designs(numbers) / one for of, one in zip(sets, each, strict=True)]
+        return np.concatenate(rows, axis=-1)
+
+    values = np.concatenate([of.values / one for of, one in zip(sets, each, strict=True)])
+    names = ("point", "measured less fitted, over its standard deviation")
+    return _Measured(values, np.arange(1.0, values.size + 1), of_designs, names)
 
 
 @dataclass(frozen=True)
@@ -190,6 +238,11 @@ class _Measured:
     at: Floats
     of_designs: Callable[[Mapping[str, Any]], Floats]
     names: tuple[str, str]
+
+    @property
+    def unit(self) -> str:
+        """Of the values."""
+        return self.names[1].partition("/")[2]
 
 
 def _fitted(subject: Subject, measured: _Measured, names: list[str]) -> Fit:
@@ -393,6 +446,30 @@ def _jumps(subject: Subject, forcing: Any, up: Any, down: Any) -> _Measured:
     units = (f"/{SI[subject.amplitude]}", "/Hz") if subject.mount else ("", "")
     names = (f"{force}{units[0]}", f"measured less fitted {frequency}{units[1]}")
     return _Measured(measured[there], np.broadcast_to(forces, there.shape)[there], of_designs, names)
+
+
+def _backbone(subject: Subject, amplitudes: Any, frequencies: Any) -> _Measured:
+    """Frequencies of the backbone at amplitudes."""
+    if amplitudes is None:
+        raise Refused("A is needed: at which amplitudes the backbone was measured")
+    points = {
+        "A": validate.positive_array("A", amplitudes),
+        "backbone": validate.positive_array("backbone", frequencies),
+    }
+    A, measured = (np.broadcast_to(one, validate.common_shape(points)).ravel() for one in points.values())
+
+    def of_designs(values: Mapping[str, Any]) -> Floats:
+        """0 where a design gives way."""
+        designs, _, units = subject.designs(values)
+        flow, at = designs._flow, A / units["length"]
+        found = flow.flow.backbone(at, flow.averaged(at)[0]) * units["frequency"]
+        return np.asarray(np.nan_to_num(found))
+
+    frequency = subject.names[1]
+    names = (
+        ("A/m", f"measured less fitted {frequency}/Hz") if subject.mount else ("A", f"measured less fitted {frequency}")
+    )
+    return _Measured(measured, A, of_designs, names)
 
 
 def _nearest(
