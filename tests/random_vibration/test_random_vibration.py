@@ -517,6 +517,7 @@ def test_friction_of_most_of_the_damping_is_named():
     found = Isolator(**DESIGN, mu=0.05, zeta=0.02).random(S_0=1e-3)
     assert found.dry[0] > 0.8
     assert "dry friction is 0.93 of the equivalent damping" in found.message
+    assert "by_energy is within 4 % up to 0.9" in found.message
 
 
 def test_an_excitation_in_a_narrow_band_is_named():

@@ -24,10 +24,10 @@ from slowflow.support.errors import NotSettled
 from slowflow.text import Sentence
 from slowflow_kernels import linearization
 
-#: nodes of Gauss's rule in a piece of the force, and in a part of the amplitudes
+#: nodes of Gauss's rule in a piece of the force, and in a panel of amplitudes
 NODES = 20
-#: P from which on motions are left out; most pieces of the amplitudes up to there
-FARTHEST, MOST_PIECES = 50.0, 1000
+#: P from which on motions are left out; most panels of amplitudes up to there
+FARTHEST, MOST_PANELS = 50.0, 1000
 PUSHES_AWAY = Sentence("averages over cycles are not known: near {u = :.4g} the spring pushes away from the centre")
 GIVES_WAY = "averages over cycles are not known: the spring gives way"
 
@@ -48,7 +48,7 @@ def averages(system: EquationOfMotion, S_0: float, scale: float) -> Floats:
     laws, first = (system.mu, system.zeta, system.c_2), system.force.innermost
     pieces, ends = system.force.pieces[first:], (0.0, *system.force.breakpoints[first:], math.inf)
     P, of_u, of_v = 0.0, np.zeros(5), np.zeros(4)
-    for number, begin, end in _pieces(ends, scale):
+    for number, begin, end in _panels(ends, scale):
         # next to a breakpoint what follows changes as a power of the square root of what is beyond it
         s = begin + (end - begin) * AT
         a = ends[number] + scale * s * s
@@ -74,12 +74,12 @@ def averages(system: EquationOfMotion, S_0: float, scale: float) -> Floats:
     return np.array([square, v_2, of_force + resists, beyond, fourth])
 
 
-def _pieces(ends: Sequence[float], scale: float) -> Iterator[tuple[int, float, float]]:
+def _panels(ends: Sequence[float], scale: float) -> Iterator[tuple[int, float, float]]:
     """Of the amplitudes beyond an end, by its number and sqrt((a - end)/scale)."""
     for number, (low, high) in enumerate(itertools.pairwise(ends)):
-        most = min(math.sqrt((high - low) / scale), MOST_PIECES)
+        most = min(math.sqrt((high - low) / scale), MOST_PANELS)
         edges = np.linspace(0.0, most, 1 + math.ceil(most)).tolist()
-        yield from ((number, *part) for part in itertools.pairwise(edges))
+        yield from ((number, *panel) for panel in itertools.pairwise(edges))
 
 
 def _cycles(pieces: Sequence[Piece], ends: Sequence[float], a: Floats) -> tuple[Floats, Floats]:
