@@ -16,8 +16,8 @@ from slowflow.averaged.balls import questions as answers
 from slowflow.averaged.balls.search import AT_0, BallModel, Enclosure, averages_of
 from slowflow.certificate import DOUBLES
 from slowflow.results import Remark
-from tests.averaged.test_certified import CASES, check_folds, holds, level_ulps
-from tests.averaged.test_certified_cases import of_record
+from tests.averaged.test_certified import check_folds, holds, level_ulps
+from tests.averaged.test_certified_cases import CENTRED, of_record
 
 #: designs of the force that is not truncated: as in Table 1, nearly quasi-zero stiffness, negative stiffness, steep
 UNTRUNCATED = (
@@ -65,7 +65,7 @@ def test_ball_operation_encloses_exact_arithmetic(name):
 def test_undecided_counts_beside_a_double_fold_are_resolved():
     """At F_SN, to an ulp of it: two folds above, none below."""
     by_balls = 0
-    for _, _, case in CASES[::45]:
+    for case in CENTRED[::45]:
         onset = case["onset"]
         if onset is None or not onset["global"]:
             continue
@@ -81,7 +81,7 @@ def test_undecided_counts_beside_a_double_fold_are_resolved():
 @pytest.mark.slow
 def test_balls_enclose_certified_answers():
     """Of the truncated force and of Duffing's, from doubles' own reference: not to fill gaps but throughout."""
-    for _, _, case in CASES[::25]:
+    for case in CENTRED[::25]:
         model = of_record(case).model
         forcing, onset = case["forcings"][0], case["onset"]
         proof = answers.folds(model, forcing["F_0"][1])

@@ -10,8 +10,8 @@ from slowflow import Isolator, derive
 from tests.averaged.test_certified_cases import (
     FAMILIES,
     cases,
-    check_centred_onset,
     check_folds,
+    check_onset,
     check_states,
     of_record,
     on_a_base,
@@ -52,7 +52,7 @@ def test_force_averaged_by_quadrature_has_certified_answers(by_quadrature, law, 
     assert "message" in vars(found), "words that ask for an average, which may not settle, are made with the answer"
     check_folds(osc, case, family, False)
     check_states(osc, case, family)
-    check_centred_onset(osc, case["onset"], family)
+    check_onset(osc, case["onset"], family)
 
 
 def test_laws_are_refused_at_infinite_stiffness_at_rest():
