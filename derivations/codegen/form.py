@@ -228,14 +228,14 @@ class OffCentreTerms:
     gained  -- the kernel of its gains
     pieces  -- of each piece with its derivatives
     bounded -- the same of each piece on intervals
-    gained_by, by_parameter -- of what each parameter does to the gains, and to each piece
+    gained_by, by_parameter -- of what each parameter does to the gains, and to each piece; None where that is nothing
     """
 
     gained: Kernel
     pieces: tuple[Kernel, ...]
     bounded: tuple[Kernel, ...]
     gained_by: Kernel
-    by_parameter: tuple[tuple[Kernel, ...], ...]
+    by_parameter: tuple[tuple[Kernel | None, ...], ...]
 
 
 @dataclass(frozen=True)

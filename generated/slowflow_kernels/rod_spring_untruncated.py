@@ -1453,42 +1453,6 @@ def _moved_1_2(beyond: Any, alpha: Any, beta: Any, delta_h: Any) -> tuple[Any, A
     )
 
 
-def _moved_1_3(beyond: Any, alpha: Any, beta: Any, delta_h: Any) -> tuple[Any, Any, Any]:
-    """Piece 1 by parameter 3 at u, and two derivatives.
-
-    Equation (3). Domain: where it holds. Shape: 3 results, each the arguments that it depends on, broadcast.
-    Operations: 0.
-    """
-    return 0.0, 0.0, 0.0
-
-
-def _moved_2_1(beyond: Any, alpha: Any, beta: Any, delta_h: Any) -> tuple[Any, Any, Any]:
-    """Piece 2 by parameter 1 at u, and two derivatives.
-
-    Equation (3). Domain: where it holds. Shape: 3 results, each the arguments that it depends on, broadcast.
-    Operations: 0.
-    """
-    return 0.0, 0.0, 0.0
-
-
-def _moved_2_2(beyond: Any, alpha: Any, beta: Any, delta_h: Any) -> tuple[Any, Any, Any]:
-    """Piece 2 by parameter 2 at u, and two derivatives.
-
-    Equation (3). Domain: where it holds. Shape: 3 results, each the arguments that it depends on, broadcast.
-    Operations: 0.
-    """
-    return 0.0, 0.0, 0.0
-
-
-def _moved_2_3(beyond: Any, alpha: Any, beta: Any, delta_h: Any) -> tuple[Any, Any, Any]:
-    """Piece 2 by parameter 3 at u, and two derivatives.
-
-    Equation (3). Domain: where it holds. Shape: 3 results, each the arguments that it depends on, broadcast.
-    Operations: 0.
-    """
-    return 0.0, 0.0, 0.0
-
-
 def _held_1(around, beyond, alpha, beta, delta_h):
     """Piece 1 of the force at u, and 3 derivatives.
 
@@ -1809,8 +1773,8 @@ MECHANISM = Mechanism(
         (_held_1, _held_2),
         _gained_by,
         (
-            (_moved_1_1, _moved_1_2, _moved_1_3),
-            (_moved_2_1, _moved_2_2, _moved_2_3),
+            (_moved_1_1, _moved_1_2, None),
+            (None, None, None),
         ),
     ),
     load_untruncated=None,

@@ -64,31 +64,36 @@ def state_curved(of: Formulas, curved: Curved) -> OffCentreTerms:
     """Each piece with its derivatives, at numbers and on intervals; and what each parameter does to it."""
     about = {"arguments": (v,), "generic": True, "in_c": False}
 
-    def terms(of: Formulas, name: str, pieces: Iterable[tuple[sp.Expr, ...]], what: str) -> tuple[Kernel, ...]:
-        names = []
-        for k, values in enumerate(pieces, start=1):
-            names.append(f"_{name}_{k}")
-            of.add(names[-1], values, what.format(k), "(3)", "where it holds", **about)
-        return tuple(of.kernels[one] for one in names)
+    def term(of: Formulas, name: str, values: tuple[sp.Expr, ...], what: str) -> Kernel:
+        of.add(f"_{name}", values, what, "(3)", "where it holds", **about)
+        return of.kernels[f"_{name}"]
+
+    def terms(of: Formulas, name: str, pieces: Iterable[tuple[sp.Expr, ...]]) -> tuple[Kernel, ...]:
+        what = f"Piece {{}} of the force at u, and {ORDERS} derivatives."
+        return tuple(term(of, f"{name}_{k}", values, what.format(k)) for k, values in enumerate(pieces, start=1))
 
     def at_ends(name: str, rows: Iterable[tuple[sp.Expr, ...]], doc: str) -> Kernel:
         of.add(f"_{name}", tuple(value for row in rows for value in row), doc, "(3)", generic=True, in_c=False)
         return of.kernels[f"_{name}"]
 
-    what = f"Piece {{}} of the force at u, and {ORDERS} derivatives."
     on_intervals = formulas(of.parameters)
     return OffCentreTerms(
         at_ends("gained", curved.gains, "What the force and two derivatives gain at each breakpoint."),
-        terms(of, "curved", curved.pieces, what),
-        terms(on_intervals, "held", (tuple(map(nested, values)) for values in curved.pieces), what),
+        terms(of, "curved", curved.pieces),
+        terms(on_intervals, "held", (tuple(map(nested, values)) for values in curved.pieces)),
         at_ends(
             "gained_by",
             (gains for end in curved.gained_by for gains in end),
             "At each breakpoint, by each parameter in turn: what the force and its slope gain more.",
         ),
         tuple(
-            terms(of, f"moved_{k}", values, f"Piece {k} by parameter {{}} at u, and two derivatives.")
-            for k, values in enumerate(curved.by_parameter, start=1)
+            tuple(
+                term(of, f"moved_{k}_{p}", values, f"Piece {k} by parameter {p} at u, and two derivatives.")
+                if any(values)
+                else None
+                for p, values in enumerate(of_piece, start=1)
+            )
+            for k, of_piece in enumerate(curved.by_parameter, start=1)
         ),
     )
 

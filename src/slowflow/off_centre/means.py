@@ -337,7 +337,11 @@ def _law(kernel: Any, parameters: tuple[float, ...], u: Floats) -> Any:
 
 def _combined(kernels: Sequence[Any], slopes: Floats, parameters: tuple[float, ...], u: Floats) -> Any:
     """The same of several laws, each times a slope."""
-    terms = [(slope, kernel(u, *parameters)) for kernel, slope in zip(kernels, slopes.tolist(), strict=True) if slope]
+    terms = [
+        (slope, kernel(u, *parameters))
+        for kernel, slope in zip(kernels, slopes.tolist(), strict=True)
+        if slope and kernel
+    ]
     return [sum(slope * values[n] for slope, values in terms) + 0 * u for n in range(ORDERS)]
 
 

@@ -99,14 +99,15 @@ class Curved(NamedTuple):
     held   -- the same at (around, u, *parameters), on intervals
     gained_by -- of the parameters, which are the design: what each does to the gains of f and f', breakpoint by
               breakpoint
-    moved  -- of each piece, by each parameter, at (u, *parameters): the derivative of f, and that one's first two by u
+    moved  -- of each piece, by each parameter, at (u, *parameters): the derivative of f, and that one's first two by u;
+              None where they are 0
     """
 
     gained: Function
     pieces: tuple[Function, ...]
     held: tuple[Function, ...]
     gained_by: Function
-    moved: tuple[tuple[Function, ...], ...]
+    moved: tuple[tuple[Function | None, ...], ...]
 
 
 @dataclass(frozen=True, eq=False)
