@@ -405,7 +405,7 @@ def test_root_mean_squares_are_those_of_the_package(browser: Any) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("width", [1280, 390])
-def test_a_mount_on_a_floor_with_a_density_has_a_root_mean_square(browser: Any, width: int) -> None:
+def test_a_density_on_a_floor_has_a_root_mean_square(browser: Any, width: int) -> None:
     with opened(browser, f"{AT}&F_0=5", viewport={"width": width, "height": 844}) as page:
         assert page.locator("#answers .card").count() == 5 and page.locator("#response .rms").count() == 0
         page.fill("#psd", "; ".join(f"{f} {G}" for f, G in np.transpose(FLOOR).tolist()))
