@@ -555,8 +555,8 @@ def test_several_kinds_of_data_say_more_together():
         deviations.append(found.deviation)
         assert found.residuals.size == 25 + 8 + 8 and not found.message
     assert np.mean(covered) > 0.8 and 0.8 < np.mean(deviations) < 1.2
-    alone = fit(MOUNT, **{name: value for name, value in sets[0].items() if name != "deviation"}, free=free)
-    assert (found.high - found.low < 0.95 * (alone.high - alone.low)).all()
+    single = fit(MOUNT, **{name: value for name, value in sets[0].items() if name != "deviation"}, free=free)
+    assert (found.high - found.low < 0.95 * (single.high - single.low)).all()
     assert found.plot().get_xlabel() == "point"
 
 
