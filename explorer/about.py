@@ -33,7 +33,7 @@ from slowflow_kernels.scaling import AMPLITUDES, SCALES
 PRESETS: tuple[tuple[str, Oscillator, float, float], ...] = (
     ("Table 1 of the paper", Isolator(**TABLE_1), 0.04, WINDOW[1]),
     ("Table 1, force not truncated", Isolator(**TABLE_1, force="untruncated"), 0.04, WINDOW[1]),
-    ("Springs leave early", Isolator(lam=3, r=2.0, delta_h=0.03, mu=0.003, zeta=0.02), 0.03, WINDOW[1]),
+    ("Springs detach early", Isolator(lam=3, r=2.0, delta_h=0.03, mu=0.003, zeta=0.02), 0.03, WINDOW[1]),
     ("Frictionless", Isolator(**{**TABLE_1, "mu": 0.0}), 0.03, WINDOW[1]),
     ("Hardening Duffing", Duffing(alpha=1.0, beta=4.0, mu=0.01, zeta=0.03), 0.06, 2.5),
     ("Softening Duffing", Duffing(alpha=1.0, beta=-0.5, mu=0.01, zeta=0.05), 0.1, WINDOW[1]),

@@ -184,7 +184,7 @@ function say() {
       onset.status === ok && plain.F_0 > onset.F_SN ? "passed" : "",
     ) +
     card(
-      `${symbol(criticalIn(state, "cr"))} <span>${DATA.mechanisms[state.mechanism].rod ? "springs leave from" : `it passes ${u_cr} from`}</span>`,
+      `${symbol(criticalIn(state, "cr"))} <span>${DATA.mechanisms[state.mechanism].rod ? "springs detach from" : `it passes ${u_cr} from`}</span>`,
       detachment.status === ok ? near("F_0", detachment.F_cr) : tends ? near("F_0", breaks[0]) : "never",
       tends ? `as ${frequency} tends to ∞` : detachment.status === ok ? `at ${frequency} = ${near("Omega", detachment.Omega)}, ${u_cr} = ${near("A", detachment.u_cr)}` : "one piece",
       detachment.status === ok && plain.F_0 > detachment.F_cr ? "passed" : "",
@@ -202,7 +202,7 @@ function say() {
   const said = remarksOf(answer);
   $("remarks").innerHTML = said.map((text) => `<li>${sentence(text)}</li>`).join("");
   sayStates();
-  const summary = `Response at ${F} = ${near("F_0", plain.F_0)}: ${jumps ? `${folds.n} folds` : "no fold"}, ${peak.text}${breaks.length ? `, ${DATA.mechanisms[state.mechanism].rod ? "springs leave" : "the spring changes"} at ${near("A", breaks[0])}` : ""}.`;
+  const summary = `Response at ${F} = ${near("F_0", plain.F_0)}: ${jumps ? `${folds.n} folds` : "no fold"}, ${peak.text}${breaks.length ? `, ${DATA.mechanisms[state.mechanism].rod ? "springs detach" : "the spring changes"} at ${near("A", breaks[0])}` : ""}.`;
   app.plots.response.title.textContent = summary;
   app.plots.force.title.textContent = "Restoring force over displacement, with the stroke of the present motion.";
   app.plots.transmissibility.title.textContent = "Transmissibility in decibels over frequency.";
@@ -358,7 +358,7 @@ function buildFields() {
     return true;
   });
   $("jump").textContent = `${criticalIn(state, "SN")}: it jumps from`;
-  $("leave").textContent = `${criticalIn(state, "cr")}: ${about.rod ? "springs leave from" : `it passes ${nameIn(state, "u_cr")} from`}`;
+  $("leave").textContent = `${criticalIn(state, "cr")}: ${about.rod ? "springs detach from" : `it passes ${nameIn(state, "u_cr")} from`}`;
   $("beyond").innerHTML = about.rod ? "springs off their seat" : `beyond ${symbol(nameIn(state, "u_cr"))}`;
   $("stops").innerHTML = inHTML(wordsIn(state).STOPS);
   const axes = [...about.design, ...DATA.damping];
