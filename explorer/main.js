@@ -677,7 +677,7 @@ async function begin() {
   });
   bindControls();
   $("version").textContent = `slowflow ${DATA.version}, sources ${DATA.digest}`;
-  open(fromAddress(location.hash) || fromPreset(DATA.presets[0]));
+  open(fromAddress(location.hash) || fromPreset(DATA.mount));
   step(0);
   document.body.dataset.ready = "yes";
   requestAnimationFrame(tick);

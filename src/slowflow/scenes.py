@@ -114,7 +114,7 @@ questions = [
 
 #: the same of a measured loop
 OF_A_LOOP = """\
-[spring]                # measured in {file}, with intervals of 95 %
+[spring]                # measured in {file!r}, with intervals of 95 %
 m = {m!r}
 {numbers}
 

@@ -24,6 +24,7 @@ from explorer.__main__ import HERE, MOST, PAGE, ROOT, digest
 from explorer.about import EXCITED_BY, LIBRARY, MOUNT, MOUNT_FORCE, PRESETS, designs, messages
 from slowflow import Duffing, Isolator, Remark, derive, example
 from slowflow.oscillator import Oscillator
+from slowflow_kernels.table_1 import TABLE_1
 
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 ASK = """([name, numbers, F_0, excitation]) => {
@@ -41,6 +42,8 @@ ASK = """([name, numbers, F_0, excitation]) => {
 }"""
 
 
+#: an address of the paper's isolator
+PAPER = "&".join(("#mechanism=rod_spring&F_0=0.04", *(f"{name}={value!r}" for name, value in TABLE_1.items())))
 #: the mount's place among the designs of the page: the last
 LAST = len(PRESETS) + len(LIBRARY)
 
@@ -77,8 +80,8 @@ def browser() -> Iterator[Any]:
 
 
 @contextlib.contextmanager
-def opened(browser: Any, address: str = "", **about: Any) -> Iterator[Any]:
-    """The page, ready; any error, warning or request of it fails the test."""
+def opened(browser: Any, address: str = PAPER, **about: Any) -> Iterator[Any]:
+    """The page, ready, by default at the paper's isolator; any error, warning or request of it fails the test."""
     page = browser.new_page(**about)
     complaints: list[str] = []
     page.on(
@@ -430,6 +433,13 @@ def test_a_density_on_a_floor_has_a_root_mean_square(browser: Any, width: int) -
         assert page.evaluate("document.documentElement.scrollWidth") <= width
     with opened(browser, address) as page:
         assert page.locator("#answers .card").last.inner_text() == card
+
+
+def test_the_page_opens_with_the_mount_of_the_readme_in_si_units(browser: Any) -> None:
+    with opened(browser, "") as page:
+        cards = page.eval_on_selector_all("#answers .card", "all => all.map((one) => one.innerText)")
+        assert [one for one in cards if DIMENSIONLESS.search(one)] == []
+        assert f"{MOUNT.saddle_node_onset().F_SN:.4g} N" in cards[0]
 
 
 #: an address of the mount of the README at an amplitude in SI units, by what excites it
