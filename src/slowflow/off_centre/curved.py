@@ -59,10 +59,10 @@ _TURNED = {1: _weights(lambda c: c * (1 + c)), -1: _weights(lambda c: c * (1 - c
 
 @cache
 def _rule(panels: int) -> tuple[Floats, Floats]:
-    """Nodes (k, 1) on panels of (0, 1), and weights (k,) of means over the cycle, of which it is the half."""
+    """Nodes on panels of (0, 1), and weights of means over the cycle, of which it is the half, (k,)."""
     x = ((np.arange(panels)[:, np.newaxis] + 0.5 * (1 + _AT)) / panels).ravel()
     # dense next to both ends, in the third power
-    fraction = (x**3 * (10 - 15 * x + 6 * x * x))[:, np.newaxis]
+    fraction = x**3 * (10 - 15 * x + 6 * x * x)
     return fraction, np.tile(_WEIGHTS, panels) / (2 * panels * np.pi) * 30 * (x * (1 - x)) ** 2
 
 
@@ -212,15 +212,15 @@ class Curved:
         moments: Sequence[tuple[int, int]],
         panels: int,
     ) -> tuple[Floats, Floats]:
-        A, B, low, high = motion
+        A, B, low, high = (one[:, np.newaxis] for one in motion)
         fraction, weight = _rule(panels)
-        weight = weight * (high - low)[:, np.newaxis]
+        weight = weight * (high - low)
         cosine = np.cos(low + (high - low) * fraction)
         u = np.clip(B + A * cosine, self._edges[number], self._edges[number + 1])
         values, sizes = part.at(u, np.abs(A) + np.abs(B))
         powers = (cosine, cosine * cosine)
-        found = [np.einsum("kn,nk->n", values[n] * powers[p - 1] if p else values[n], weight) for n, p in moments]
-        size = {n: np.einsum("kn,nk->n", sizes[n], weight) for n in {n for n, _ in moments}}
+        found = [np.einsum("nk,nk->n", values[n] * powers[p - 1] if p else values[n], weight) for n, p in moments]
+        size = {n: np.einsum("nk,nk->n", sizes[n], weight) for n in {n for n, _ in moments}}
         return np.array(found), np.array([size[n] for n, _ in moments])
 
     # ==== Boxes =======================================================================================================
