@@ -4,7 +4,7 @@ EndedState  f_0 = F = 0                  in x and y, at frequencies and a forcin
 EndedFold   f_0 = F = 0, F stationary    in x, y and R, at forcings; Omega follows
 EndedEdge   f_0 = 0                      in x or y, of motions that just come to the edge of a chart
 
-A system is a frequency, or a forcing, in one chart: its number is that of the first times the charts, and the chart's.
+A system is a frequency, a forcing or an edge in one chart (`Charts.system`).
 """
 
 from __future__ import annotations
@@ -47,11 +47,11 @@ class ByEnds(Equations):
 
     def chart(self, of: Ints) -> Ints:
         """Of a system."""
-        return np.asarray(of % self.charts.passes.size)
+        return self.charts.of_system(of)[1]
 
     def number(self, of: Ints) -> Ints:
         """Of a system's frequency or forcing."""
-        return np.asarray(of // self.charts.passes.size)
+        return self.charts.of_system(of)[0]
 
     def limits(self, of: Ints) -> tuple[Any, Any]:
         """See `boxes.Equations`."""
@@ -149,18 +149,18 @@ class Resting(Equations):
 
 
 class EndedEdge(Equations):
-    """On an edge of a chart, which is a system, numbered by `Charts.edge`: x = 0, or y = 0."""
+    """On an edge, x = 0 or y = 0, of a chart."""
 
     def __init__(self, charts: Charts) -> None:
         self.charts = charts
 
     def limits(self, of: Ints) -> tuple[Any, Any]:
         """See `boxes.Equations`."""
-        edge, chart = self.charts.of_edge(of)
+        edge, chart = self.charts.of_system(of)
         return self.charts.low[1 - edge, chart][np.newaxis], self.charts.high[1 - edge, chart][np.newaxis]
 
     def on(self, low: Floats, high: Floats, of: Ints) -> Floats:
         """See `boxes.Equations`."""
-        edge, chart = self.charts.of_edge(of)
+        edge, chart = self.charts.of_system(of)
         low, high = (np.where(edge == EDGES, 0.0, one) for one in (low, high))
         return np.asarray(SOLVER.ended_edge(*self.charts.operands(low, high, chart, self.charts.steps.load), edge))

@@ -107,7 +107,7 @@ class Complete:
                 most = 2 * (self._highest_at(edge) if polynomial else self._highest_by_octaves(edge, of))
                 high = np.minimum(high, np.where(charts.rooted[1 - edge, of], np.sqrt(most), most))
             ends = np.linspace(0.0, high, SUBDIVISIONS + 1)
-            boxes.append((ends[:-1].ravel(), ends[1:].ravel(), np.tile(charts.edge(edge, of), SUBDIVISIONS)))
+            boxes.append((ends[:-1].ravel(), ends[1:].ravel(), np.tile(charts.system(edge, of), SUBDIVISIONS)))
         low, high, of = (np.concatenate(column) for column in zip(*boxes, strict=True))
         solved = solve(EndedEdge(charts), low[np.newaxis], high[np.newaxis], of)
         motions = np.stack(charts.on_edge(solved.x[0], solved.of))
@@ -136,7 +136,7 @@ class Complete:
         distances = 2 * edges if not self.sheets.charts.rooted[1 - edge, charts[0]] else np.sqrt(2 * edges)
         low, high = distances[np.newaxis, :-1], distances[np.newaxis, 1:]
         with np.errstate(all="ignore"):
-            number = np.repeat(self.sheets.charts.edge(edge, charts), low.size)
+            number = np.repeat(self.sheets.charts.system(edge, charts), low.size)
             f_0 = EndedEdge(self.sheets.charts).on(low, high, number)[:, ON]
         may = ~((f_0[:, 0] > 0) | (f_0[:, 1] < 0))
         if may[-1]:

@@ -149,8 +149,8 @@ class Sheets:
             charts = self.charts
             edge, some = np.nonzero(charts.rooted[:, cells.chart] & (cells.low == 0))
             low, high = (ends[1 - edge, some][np.newaxis] for ends in (cells.low, cells.high))
-            solved = solve(EndedEdge(charts), low, high, charts.edge(edge, cells.chart[some]))
-            of = (numbers.tolist() for numbers in charts.of_edge(solved.of))
+            solved = solve(EndedEdge(charts), low, high, charts.system(edge, cells.chart[some]))
+            of = (numbers.tolist() for numbers in charts.of_system(solved.of))
             found = [self._corner(*at) for at in zip(*of, solved.x[0].tolist(), strict=True)]
             self._corners[octave] = found, np.stack(charts.on_edge(solved.undecided[0], solved.undecided_of))
         return self._corners[octave]
@@ -221,14 +221,14 @@ class Sheets:
             at = F_0[:, np.newaxis, np.newaxis]
             return np.asarray(flow.folds_between(cells.A, cells.p, cells.e, SIGNS, at, at)[1].any(axis=(0, 1)))
 
-        cells, size = self.cells(A_max, may), self.charts.passes.size
+        cells = self.cells(A_max, may)
         lows, highs, systems = [], [], []
         for i, forcing in enumerate(F_0.tolist()):
             for sign in (-1.0, 1.0):
                 for found, ends in self._with_folds(cells, forcing, flow, sign):
                     lows.append(np.concatenate((found.low, ends[:1])))
                     highs.append(np.concatenate((found.high, ends[1:])))
-                    systems.append(i * size + found.chart)
+                    systems.append(self.charts.system(i, found.chart))
         return np.concatenate(lows, axis=1), np.concatenate(highs, axis=1), np.concatenate(systems)
 
     def _with_folds(self, cells: Cells, F_0: float, flow: Flow, sign: float) -> Iterator[tuple[Cells, Floats]]:
@@ -257,7 +257,7 @@ class Sheets:
         cells = self.cells(A_max, lambda cells: np.asarray(may(cells).any(axis=0)))
         with np.errstate(all="ignore"):
             number, cell = np.nonzero(may(cells))
-        return cells.low[:, cell], cells.high[:, cell], number * self.charts.passes.size + cells.chart[cell]
+        return cells.low[:, cell], cells.high[:, cell], self.charts.system(number, cells.chart[cell])
 
 
 def halved(low: Floats, high: Floats, wide: Floats) -> tuple[Floats, Floats]:

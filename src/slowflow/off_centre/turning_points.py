@@ -163,17 +163,17 @@ class Charts:
         upper, lower = self.place[:, chart]
         return 0.5 * (upper - lower + (past_x + past_y)), 0.5 * (upper + lower + (past_x - past_y))
 
-    def edge(self, edge: Any, chart: Ints) -> Ints:
-        """The number of a chart's edge, x = 0 or y = 0."""
-        return np.asarray(edge * self.passes.size + chart)
+    def system(self, number: Any, chart: Ints) -> Ints:
+        """The number of a system: a frequency, a forcing or an edge, by its number, in a chart."""
+        return np.asarray(number * self.passes.size + chart)
 
-    def of_edge(self, number: Ints) -> tuple[Ints, Ints]:
-        """An edge and its chart, by its number."""
-        return np.divmod(number, self.passes.size)
+    def of_system(self, of: Ints) -> tuple[Ints, Ints]:
+        """The frequency, forcing or edge of a system, by its number, and its chart."""
+        return np.divmod(of, self.passes.size)
 
-    def on_edge(self, distance: Floats, number: Ints) -> tuple[Floats, Floats]:
+    def on_edge(self, distance: Floats, of: Ints) -> tuple[Floats, Floats]:
         """A and B at points of edges."""
-        edge, chart = self.of_edge(number)
+        edge, chart = self.of_system(of)
         x, y = np.where(edge == EDGES, 0.0, distance)
         return self.motion(x, y, chart)
 
