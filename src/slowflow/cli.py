@@ -68,6 +68,11 @@ def certify(args: argparse.Namespace) -> int:
     return 0 if found.proved else 1
 
 
+def _progress(quiet: bool) -> contextlib.AbstractContextManager[None]:
+    """Within it progress is shown, unless nothing is to be."""
+    return contextlib.nullcontext() if quiet else progress.shown()
+
+
 def run_scene(args: argparse.Namespace) -> int:
     """Answers what a scene asks for, and computes nothing else; 1 where a question could not be answered.
 
@@ -80,7 +85,7 @@ def run_scene(args: argparse.Namespace) -> int:
     earlier = [] if args.out is None else files.written(args.out, [f"{question}.csv" for question in QUESTIONS])
     answers: list[tuple[Asked, Answer]] = []
     failed = []
-    with contextlib.nullcontext() if args.quiet else progress.shown():
+    with _progress(args.quiet):
         for query in scene.asked:
             try:
                 with progress.named(str(query)):
@@ -127,7 +132,7 @@ def meet_scene(args: argparse.Namespace) -> int:
     0 where there is one; 3 where there is none, with the design that comes nearest.
     """
     scene = _read(args.scene)
-    with contextlib.nullcontext() if args.quiet else progress.shown():
+    with _progress(args.quiet):
         found, changed = verdict.meet(scene)
         outcome = verdict.verdict(changed)
     text = "" if args.out is None else scene.with_numbers(found.numbers)
@@ -292,7 +297,7 @@ def _report(scene: Scene, out: Path, quiet: bool) -> int:
     from slowflow import report
 
     try:
-        with contextlib.nullcontext() if quiet else progress.shown(), progress.named(f"report of {scene.path}"):
+        with _progress(quiet), progress.named(f"report of {scene.path}"):
             page = report.html(scene)
     except SlowflowError as error:
         print(error, file=sys.stderr)
