@@ -135,7 +135,7 @@ def meet_scene(args: argparse.Namespace) -> int:
     with _progress(args.quiet):
         found, changed = verdict.meet(scene)
         outcome = verdict.verdict(changed)
-    text = "" if args.out is None else scene.with_numbers(found.numbers)
+    text = "" if args.out is None else scene.with_numbers(found.numbers, args.out.parent)
     if args.json:
         content = {**provenance(scene), "design": found.to_dict(), "verdict": outcome.to_dict()}
         print(files.in_json(content), end="")

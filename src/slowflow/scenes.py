@@ -55,6 +55,7 @@ import contextlib
 import hashlib
 import inspect
 import itertools
+import os
 import re
 import tomllib
 import warnings
@@ -363,20 +364,31 @@ class Scene:
         """The same of another oscillator."""
         return replace(self, oscillator=design, answers={})
 
-    def with_numbers(self, numbers: Mapping[str, float]) -> str:
-        """Its text with other numbers of the oscillator. Raises SceneError where it does not have them line by line."""
+    def with_numbers(self, numbers: Mapping[str, float], folder: Path | None = None) -> str:
+        """Its text with other numbers of the oscillator, as a file in `folder`, by default its own.
+
+        Relative paths of CSV files still name the same files. Raises SceneError where the text does not have the
+        numbers line by line.
+        """
         lines, reader = self.text.splitlines(), _Reader(self.path, self.text, dict(self.content))
         (table,) = KINDS.keys() & self.content.keys()
-        for key, value in numbers.items():
-            k = reader._line(table, key) - 1
+        expected = tomllib.loads(self.text)
+        changed: list[tuple[str, str, Any]] = [(table, key, value) for key, value in numbers.items()]
+        here = self.path.parent
+        for name in OF_FILES:
+            if file := expected.get(name, {}).get("file"):
+                there = here / file if Path(file).is_absolute() else os.path.relpath(here / file, folder or here)
+                changed.append((name, "file", Path(there).as_posix()))
+        for name, key, value in changed:
+            k = reader._line(name, key) - 1
             value_of = rf"""(\b{re.escape(key)}\s*=\s*)("[^"]*"|'[^']*'|[^\s#]+)"""
             line, count = re.subn(value_of, rf"\g<1>{value!r}", lines[k], count=1)
             lines[k] = line if count else f"{lines[k]}\n{key} = {value!r}"
+            expected[name][key] = value
         text = "\n".join(lines) + "\n"
         with contextlib.suppress(tomllib.TOMLDecodeError):
-            if (written := tomllib.loads(text)) == {**tomllib.loads(self.text), table: written[table]}:
-                if written[table].items() >= dict(numbers).items():
-                    return text
+            if tomllib.loads(text) == expected:
+                return text
         raise SceneError(f"{self.path}: [{table}] must have a line for each number, which another one can take")
 
     @property

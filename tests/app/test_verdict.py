@@ -159,6 +159,23 @@ def test_the_nearest_design_has_nothing_to_spare_of_what_binds(tmp_path, capsys)
     assert cli.main(["run", str(out)]) == 0
 
 
+def test_a_design_in_another_folder_reads_the_same_columns(tmp_path, monkeypatch):
+    """Of a relative path and of an absolute one, from wherever it is called."""
+    (tmp_path / "measured").mkdir()
+    (tmp_path / "out").mkdir()
+    (tmp_path / "measured/floor.csv").write_text("f [Hz], G [g^2/Hz]\n1, 1e-4\n5, 1e-4\n100, 2.5e-7\n")
+    (tmp_path / "shock.csv").write_text("t [s], acceleration [m/s^2]\n0, 0\n0.01, 3\n0.02, 0\n")
+    files = f"[psd]  # of the floor\nfile = 'measured/floor.csv'\n[shock]\nfile = {str(tmp_path / 'shock.csv')!r}\n"
+    required = "relative_displacement = { below = '6 mm', under = ['random', 'shock'], rms = true }"
+    path = scene(tmp_path, required + FREE, files, F="")
+    monkeypatch.chdir(tmp_path / "out")
+    assert cli.main(["meet", "../scene.toml", "-o", "met.toml", "--quiet"]) == 0
+    assert "file = '../measured/floor.csv'" in (tmp_path / "out/met.toml").read_text()
+    monkeypatch.chdir(tmp_path)
+    changed, own = read(tmp_path / "out/met.toml"), read(path)
+    assert {**changed.content, "mount": 0} == {**own.content, "mount": 0}
+
+
 @pytest.mark.slow
 def test_of_several_load_cases_the_one_that_binds_is_a_root(tmp_path):
     """By bisection over single answers: the springs from which on it jumps at the greater force."""
