@@ -1,25 +1,24 @@
 """The derivation of one mechanism as a document to read.
 
 In:  a `Mechanism`, and its steps of the derivation, or its `Quadrature`.
-Out: Markdown with LaTeX: equation of motion, force, parameters, slow flow, the average in each regime, response, folds.
+Out: a `Page`: equation of motion, force, parameters, slow flow, the average in each regime, response, folds.
 
 What stands here is what `codegen/` prints for programs, before its passes: the expressions are the same objects.
 """
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 import sympy as sp
 
 from .asymmetric.sided import Sided
-from .codegen.prose import in_markdown
+from .codegen.prose import Prose
 from .forces.of_mechanism import OfMechanism
 from .forces.quadrature import Quadrature, sums
-from .given import in_decimals, in_text
 from .kernels import Formulas
 from .mechanisms import DAMPING, FORCING, Mechanism, Parameter
+from .page import Block, Equations, Page, Table, display, latex
 from .paper import critical_forcings
 from .paper.averaging import Averaged
 from .paper.critical_forcings import Elimination
@@ -28,14 +27,11 @@ from .paper.slow_flow import coefficients
 from .paper.slow_flow import m as friction
 from .symbols import F_0, A, Omega, sigma, u
 
-#: a number with a decimal point, and what is said where there is one
-DECIMAL = re.compile(r"\d\.\d")
-DECIMALS = "\nA decimal number of up to 17 digits is the double that it names, or one rounded to that many.\n"
 #: not more than
 LESS = r"\le"
 
 
-def document(derived: OfMechanism, equations: Averaged, flow: Formulas) -> str:
+def document(derived: OfMechanism, equations: Averaged, flow: Formulas) -> Page:
     """All of it, in the order in which it is derived."""
     whole = derived.whole
     return in_sections(
@@ -49,7 +45,7 @@ def document(derived: OfMechanism, equations: Averaged, flow: Formulas) -> str:
     )
 
 
-def document_of_quadrature(mechanism: Mechanism, average: Quadrature, equations: Averaged, flow: Formulas) -> str:
+def document_of_quadrature(mechanism: Mechanism, average: Quadrature, equations: Averaged, flow: Formulas) -> Page:
     """The same for a force whose average is a quadrature."""
     return in_sections(
         mechanism,
@@ -61,146 +57,116 @@ def document_of_quadrature(mechanism: Mechanism, average: Quadrature, equations:
     )
 
 
-def document_of_sided(force: Sided, equations: Averaged, flow: Formulas) -> str:
+def document_of_sided(force: Sided, equations: Averaged, flow: Formulas) -> Page:
     """The same for a force that is not odd."""
     own = motion_of_sided(force), parameters(force, {}), balance(force)
     return in_sections(force, *own, equations, flow, displacement=r"B + A \cos\psi")
 
 
-def motion_of_sided(force: Sided) -> Iterator[str]:
-    """(3), and the force piece by piece, for all u."""
-    yield from equation_of_motion()
+def motion_of_sided(force: Sided) -> Iterator[Block]:
+    """The force piece by piece, for all u."""
     yield "The force is not odd:"
-    yield ""
-    ends = [*map(latex, force.ends), ""]
-    for number, (piece, end) in enumerate(zip(force.pieces, ends, strict=True), start=1):
-        low, high = f"{ends[number - 2]} < " if number > 1 else "", rf" {LESS} {end}" if end else ""
-        where = rf"\quad {low}u{high}" if low or high else ""
-        yield from display(("f(u)", latex(sp.collect(sp.expand(piece), u)) + where))
+    yield from in_pieces(force.pieces, force.ends)
 
 
-def balance(force: Sided) -> Iterator[str]:
+def balance(force: Sided) -> Iterator[Block]:
     """The mean of the force and h by the means over its steps."""
     yield r"The load $p$ balances the mean of the force; with means $\langle\cdot\rangle$ over $\psi$:"
-    yield ""
     of_motion = r"\langle f(B + A \cos\psi)"
-    yield from display(
+    yield display(
         ("f_0", rf"{of_motion} \rangle - p = 0"),
         ("h", rf"-2 {of_motion} \cos\psi \rangle"),
     )
     yield "In $F_A$ below $h_A$ is that along $f_0 = 0$."
     if force.is_polynomial:
-        yield "Beyond the end $b$ of a piece the force has beside that piece"
-        yield r"$\sum D_k (u - b)^k/k!$, which adds to the means over the $\psi$ for which $u$ is beyond:"
+        yield (
+            "Beyond the end $b$ of a piece the force has beside that piece\n"
+            r"$\sum D_k (u - b)^k/k!$, which adds to the means over the $\psi$ for which $u$ is beyond:"
+        )
         gains = force.steps[len(force.pieces) :]
     else:
-        yield "At the end $b$ of a piece the force gains $D_0$, its slope $D_1$: the means of steps $D_0 + D_1 (u - b)$"
-        yield r"over the $\psi$ for which $u$ is beyond are closed. What is left has a continuous slope, and is summed:"
+        yield (
+            "At the end $b$ of a piece the force gains $D_0$, its slope $D_1$: the means of steps $D_0 + D_1 (u - b)$\n"
+            r"over the $\psi$ for which $u$ is beyond are closed. What is left has a continuous slope, and is summed:"
+        )
         gains = tuple(row[:2] for row in force.curved.gains)
-    yield ""
     for end, row in zip(force.ends, gains, strict=True):
-        yield from display(
+        yield display(
             *((rf"D_{order}\big|_{{u = {latex(end)}}}", value) for order, value in enumerate(row) if value != 0)
         )
 
 
 def in_sections(
     mechanism: Mechanism | Sided,
-    of_motion: Iterator[str],
-    of_parameters: Iterator[str],
-    of_average: Iterator[str],
+    of_motion: Iterator[Block],
+    of_parameters: Iterator[Block],
+    of_average: Iterator[Block],
     equations: Averaged,
     flow: Formulas,
     displacement: str = r"A \cos\psi",
-    of_resultants: Iterable[str] = (),
-) -> str:
-    """The text; resultants where there are any."""
-    elimination = tuple(of_resultants)
-    sections = (
-        (in_markdown(mechanism.title[0].upper() + mechanism.title[1:]), ()),
-        ("Equation of motion", of_motion),
-        ("Parameters", of_parameters),
-        ("Slow flow", slow(equations, flow, displacement)),
-        ("The average of the force", of_average),
-        ("Response and folds", response(flow)),
-        *((("Resultants", elimination),) if elimination else ()),
-    )
-    lines = []
-    for number, (title, body) in enumerate(sections):
-        lines += [f"{'##' if number else '#'} {title}", "", *body]
-    text = "\n".join(lines).rstrip() + "\n"
-    return text + DECIMALS if DECIMAL.search(text) else text
+    of_resultants: Iterable[Block] = (),
+) -> Page:
+    """The page; resultants where there are any."""
+    sections = {
+        "Equation of motion": (*equation_of_motion(), *of_motion),
+        "Parameters": tuple(of_parameters),
+        "Slow flow": tuple(slow(equations, flow, displacement)),
+        "The average of the force": tuple(of_average),
+        "Response and folds": tuple(response(flow)),
+    }
+    if elimination := tuple(of_resultants):
+        sections["Resultants"] = elimination
+    return Page(Prose(mechanism.title[0].upper() + mechanism.title[1:]), sections)
 
 
-def latex(expression: sp.Expr, names: Mapping[sp.Symbol, str] | None = None) -> str:
-    """LaTeX of one expression, long fractions as decimals; SymPy knows no Greek letter lam."""
-    spelt = {symbol: r"\lambda" for symbol in expression.free_symbols if symbol.name == "lam"} | dict(names or {})
-    return str(sp.latex(in_decimals(expression), full_prec=False, inv_trig_style="full", symbol_names=spelt))
-
-
-def display(*equations: tuple[str, sp.Expr | str], number: str = "") -> Iterator[str]:
-    """Equations, one under the other, each with what stands on its left."""
-    rows = [f"{left} &= {right if isinstance(right, str) else latex(right)}" for left, right in equations]
-    tag = f" \\tag{{{number}}}" if number else ""
-    yield from ("$$", "\\begin{aligned}", " \\\\\n".join(rows), f"\\end{{aligned}}{tag}", "$$", "")
-
-
-def motion(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol]) -> Iterator[str]:
-    """(3), and the force piece by piece."""
-    yield from equation_of_motion()
-    ends = [*map(latex, breakpoints), ""]
+def motion(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol]) -> Iterator[Block]:
+    """The force piece by piece."""
     yield "The force is odd. For $u > 0$:"
-    yield ""
+    yield from in_pieces(pieces, breakpoints)
+
+
+def in_pieces(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Expr]) -> Iterator[Block]:
+    """Each piece with the u between which it is."""
+    ends = [*map(latex, breakpoints), ""]
     for number, (piece, end) in enumerate(zip(pieces, ends, strict=True), start=1):
-        low, high = f"{ends[number - 2]} < " if number > 1 else "", rf" \le {end}" if end else ""
+        low, high = f"{ends[number - 2]} < " if number > 1 else "", rf" {LESS} {end}" if end else ""
         where = rf"\quad {low}u{high}" if low or high else ""
         shown = sp.collect(sp.expand(piece), u) if piece.is_polynomial(u) else piece
-        yield from display(("f(u)", latex(shown) + where))
+        yield display(("f(u)", latex(shown) + where))
 
 
-def equation_of_motion() -> Iterator[str]:
+def equation_of_motion() -> Iterator[Block]:
     """(3)."""
     yield "With displacements in $L$, forces in $k_v L$ and time in $1/\\omega_n$, $\\omega_n^2 = k_v/m$:"
-    yield ""
-    yield from display(
-        ("u'' + 2 \\zeta u' + \\mu\\, \\mathrm{sign}\\, u' + f(u)", "F_0 \\cos \\Omega\\tau"), number="3"
-    )
+    yield display(("u'' + 2 \\zeta u' + \\mu\\, \\mathrm{sign}\\, u' + f(u)", "F_0 \\cos \\Omega\\tau"), number="3")
 
 
-def parameters(mechanism: Mechanism | Sided, definitions: Mapping[sp.Symbol, sp.Expr]) -> Iterator[str]:
+def parameters(mechanism: Mechanism | Sided, definitions: Mapping[sp.Symbol, sp.Expr]) -> Iterator[Block]:
     """The design's numbers with their domains, and what coefficients and breakpoints are in them."""
-    yield from ("| number | measured in | what it is | allowed |", "|---|---|---|---|")
-    for parameter in (*mechanism.design, *DAMPING, FORCING):
-        unit = "" if parameter.unit == "1" else in_markdown(parameter.unit)
-        yield f"| ${latex(parameter.symbol)}$ | {unit} | {in_markdown(parameter.doc)} | {allowed(parameter)} |"
-    yield ""
+    rows = tuple(
+        (f"${latex(one.symbol)}$", Prose("" if one.unit == "1" else one.unit), Prose(one.doc), allowed(one))
+        for one in (*mechanism.design, *DAMPING, FORCING)
+    )
+    yield Table(("number", "measured in", "what it is", "allowed"), rows)
     formulas = {name: value for name, value in definitions.items() if name != value}
     if formulas:
-        yield from display(*((latex(name), value) for name, value in formulas.items()))
+        yield display(*((latex(name), value) for name, value in formulas.items()))
 
 
 def allowed(parameter: Parameter) -> str:
-    """A domain in words."""
-    bounds = ((">", parameter.above), ("≥", parameter.least), ("<", parameter.below), ("≤", parameter.most))
-    return (
-        ", ".join(
-            f"{sign} {in_text(bound) if isinstance(bound, sp.Expr) else bound}"
-            for sign, bound in bounds
-            if bound is not None
-        )
-        or "any number"
-    )
+    """A domain."""
+    bounds = ((">", parameter.above), (r"\ge", parameter.least), ("<", parameter.below), (LESS, parameter.most))
+    stated = (f"${sign} {latex(sp.sympify(bound))}$" for sign, bound in bounds if bound is not None)
+    return ", ".join(stated) or "any number"
 
 
-def slow(equations: Averaged, flow: Formulas, displacement: str) -> Iterator[str]:
+def slow(equations: Averaged, flow: Formulas, displacement: str) -> Iterator[Block]:
     """(11), (19), (23)."""
     yield rf"With $u = {displacement}$, $u' = -A \Omega \sin\psi$, $\psi = \Omega\tau + \phi$, averaged:"
-    yield ""
     A_dot, A_phi_dot = (one.subs(sigma, Omega**2 - 1) for one in equations.slow_flow)
-    yield from display(("A'", A_dot), ("A\\phi'", A_phi_dot), number="19")
+    yield display(("A'", A_dot), ("A\\phi'", A_phi_dot), number="19")
     yield "Steady states, with $h = H - A$ the negative average of the whole force:"
-    yield ""
-    yield from display(
+    yield display(
         (latex(friction), flow.friction),
         ("R", flow.R),
         ("I", flow.I),
@@ -209,31 +175,29 @@ def slow(equations: Averaged, flow: Formulas, displacement: str) -> Iterator[str
     )
 
 
-def average(integral: str = "") -> Iterator[str]:
+def average(integral: str = "") -> Equations:
     """(20)."""
     definition = "-\\frac{1}{\\pi} \\int_0^{2\\pi} f(A \\cos\\psi) \\cos\\psi \\, d\\psi"
-    yield from display(("h", definition + integral), number="20")
+    return display(("h", definition + integral), number="20")
 
 
-def regime_of(breakpoints: Sequence[sp.Symbol], count: int) -> Iterator[str]:
+def regime_of(breakpoints: Sequence[sp.Symbol], count: int) -> Iterator[Block]:
     """Which amplitudes exceed that many breakpoints; nothing where there are none."""
     passed = [latex(b) for b in breakpoints[:count]]
     following = [latex(b) for b in breakpoints[count : count + 1]]
     if passed or following:
         yield f"For ${' < '.join([*passed[-1:], 'A'])}{''.join(rf' {LESS} {b}' for b in following)}$:"
-        yield ""
 
 
-def integrals(average_: Quadrature) -> Iterator[str]:
+def integrals(average_: Quadrature) -> Iterator[Block]:
     """h and its slopes by integrals over the quarter cycle, and what moving angles add."""
-    yield from average(r" = -\frac{4}{\pi} \int_0^{\pi/2} f(A \sin t) \sin t \, dt")
+    yield average(r" = -\frac{4}{\pi} \int_0^{\pi/2} f(A \sin t) \sin t \, dt")
     yield "The integrals are summed by Gauss's rule, piece by piece, as derivatives are taken under the integral:"
-    yield ""
     orders = range(ORDERS + 1)
     names = [f"\\Sigma_{order}" for order in orders]
     slopes = ("f", "f'", "f''", "f'''")
     values = [rf"\int_0^{{\pi/2}} {slopes[order]}(A \sin t) \sin^{order + 1} t \, dt" for order in orders]
-    yield from display(*zip(names, values, strict=True))
+    yield display(*zip(names, values, strict=True))
     for number in range(len(average_.contacts)):
         yield from contact(average_, number)
         names += [contact_sum(number, order) for order in orders]
@@ -244,19 +208,17 @@ def integrals(average_: Quadrature) -> Iterator[str]:
         regime = average_.regime(count)
         roots = [(latex(symbol), value) for symbol, value in regime.lets if symbol not in average_.breakpoints]
         closed = zip(("h", "h_A", "h_{AA}", "h_{AAA}"), regime.averaged, strict=True)
-        yield from display(*roots, *((name, value.subs(shown)) for name, value in closed))
+        yield display(*roots, *((name, value.subs(shown)) for name, value in closed))
 
 
-def contact(average_: Quadrature, number: int) -> Iterator[str]:
+def contact(average_: Quadrature, number: int) -> Iterator[Block]:
     """The integrals of what begins as a broken power."""
     one = average_.contacts[number]
     b = latex(tuple(average_.breakpoints)[one.begins - 1])
     part, power = latex(one.force), latex(one.exponent)
     yield f"There $f$ is without what begins at ${b}$ as a broken power and goes on from there:"
-    yield ""
-    yield from display((f"f_{{{number + 1}}}(u)", part))
+    yield display((f"f_{{{number + 1}}}(u)", part))
     yield f"That is differentiated at a fixed share $y$ of $A - {b}$, with $u = {b} + (A - {b}) y$:"
-    yield ""
     under = (
         rf"\frac{{f_{{{number + 1}}}(u)}}{{(A - {b})^{{{latex(one.power)}}}}} \frac{{u}}{{A}} "
         rf"\sqrt{{\frac{{A + {b}}}{{A + u}}}}"
@@ -270,7 +232,7 @@ def contact(average_: Quadrature, number: int) -> Iterator[str]:
         )
         for order in range(ORDERS + 1)
     ]
-    yield from display(*values)
+    yield display(*values)
 
 
 def contact_sum(number: int, order: int) -> str:
@@ -278,26 +240,25 @@ def contact_sum(number: int, order: int) -> str:
     return rf"\Gamma_{{{number + 1},{order}}}"
 
 
-def averages(derived: OfMechanism) -> Iterator[str]:
+def averages(derived: OfMechanism) -> Iterator[Block]:
     """h and its slope in each regime."""
     whole = derived.whole
-    yield from average()
+    yield average()
     regimes: Sequence[Regime] = whole.regimes
     for count, regime in enumerate(regimes):
         yield from regime_of(whole.breakpoints, count)
         lets = [(latex(symbol), value) for symbol, value in regime.lets]
-        yield from display(*lets, ("h", regime.derivatives[0]), ("h_A", regime.derivatives[1]))
+        yield display(*lets, ("h", regime.derivatives[0]), ("h_A", regime.derivatives[1]))
 
 
-def response(flow: Formulas) -> Iterator[str]:
+def response(flow: Formulas) -> Iterator[Block]:
     """(24), (30), and the polynomials in Omega."""
-    yield from display(("F", flow.F), ("F_A", flow.F_A), number="24, 30")
+    yield display(("F", flow.F), ("F_A", flow.F_A), number="24, 30")
     yield r"A state is stable where $F_A > 0$; folds are where $F = F_A = 0$. Both are quartics in $\Omega$:"
-    yield ""
     quartics = (("F + F_0^2", flow.F + F_0**2), ("F_A/2", flow.F_A / 2))
     by_power = [(name, coefficients(value.subs(flow.lets), 4)) for name, value in quartics]
     powers = (0, 1, 2, 4)
-    yield from display(
+    yield display(
         *((name, sp.Add(*(c * Omega**n for n, c in zip(powers, values, strict=True)))) for name, values in by_power)
     )
 
@@ -306,30 +267,29 @@ def response(flow: Formulas) -> Iterator[str]:
 MOST_ELIMINATED = 7
 
 
-def eliminated(derived: OfMechanism, flow: Formulas) -> Iterator[str]:
+def eliminated(derived: OfMechanism, flow: Formulas) -> Iterator[Block]:
     """(33), (34) and folds at a forcing by elimination of Omega, where h is a polynomial."""
     whole = derived.whole
     first = whole.regimes[0].derivatives[0]
     degree = sp.degree(first, A) if first.has(A) else 0
     # of even powers h has multiples of 1/pi: elimination takes rational numbers
     if 1 < degree <= MOST_ELIMINATED and not first.has(sp.pi):
-        yield "Up to the first breakpoint, if there is one, $h$ is a polynomial in $A$, and $\\Omega$ is eliminated."
-        yield "Roots are candidates: elimination adds some, so each is tried in the equations that it came from."
-        yield "Folds at a forcing, $F = F_A = 0$:"
-        yield ""
-        yield from polynomial(critical_forcings.saddle_nodes(flow, whole), "a")
+        yield (
+            "Up to the first breakpoint, if there is one, $h$ is a polynomial in $A$, and $\\Omega$ is eliminated.\n"
+            "Roots are candidates: elimination adds some, so each is tried in the equations that it came from.\n"
+            "Folds at a forcing, $F = F_A = 0$:"
+        )
+        yield polynomial(critical_forcings.saddle_nodes(flow, whole), "a")
         yield "Where two folds are born, $F_A = F_{AA} = 0$, and the lowest forcing that has any may be:"
-        yield ""
-        yield from polynomial(critical_forcings.saddle_node_onset(flow, whole), "b", number="33")
+        yield polynomial(critical_forcings.saddle_node_onset(flow, whole), "b", number="33")
     if whole.breakpoints:
         yield f"The lowest forcing that reaches $A = {latex(whole.breakpoints[0])}$, where $F = F_\\Omega = 0$:"
-        yield ""
-        yield from polynomial(critical_forcings.detachment(flow), "d", number="34")
+        yield polynomial(critical_forcings.detachment(flow), "d", number="34")
 
 
-def polynomial(found: Elimination, letter: str, number: str = "") -> Iterator[str]:
+def polynomial(found: Elimination, letter: str, number: str = "") -> Equations:
     """A resultant without its trivial factors, by its coefficients."""
     unknown = latex(found.unknown)
     terms = (f"{letter}_{{{power}}}" + (f" {unknown}^{{{power}}}" if power else "") for power in found.reduced)
     values = ((f"{letter}_{{{power}}}", value) for power, value in found.reduced.items())
-    yield from display((" + ".join(terms), "0"), *values, number=number)
+    return display(("0", " + ".join(terms)), *values, number=number)

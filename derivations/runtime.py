@@ -42,6 +42,7 @@ from .forces.monotone import not_shown, smooth_end
 from .forces.of_mechanism import OfMechanism, of_mechanism
 from .forces.quadrature import FUNCTIONS, Quadrature, singular_at, v
 from .mechanisms import DAMPING, DISSIPATION, FORCING, UNIT, Mechanism, Parameter, Piece
+from .page import Page
 from .paper.averaging import averaged
 from .paper.equation_of_motion import oscillator, without_poles_that_cancel
 from .paper.slow_flow import slow_flow
@@ -61,7 +62,7 @@ WORDS_OF_C = frozenset(
     "sizeof static struct switch typedef union unsigned void volatile".split()
 )
 HERE = Path(__file__).parent
-DOCUMENT = "derivation.md"
+DOCUMENT = "derivation"
 
 
 @dataclass(frozen=True)
@@ -254,8 +255,8 @@ def sources(mechanism: Mechanism | Sided) -> Sources:
     return Sources(with_bends(module, derived) if not_shown(derived.oscillator) else module, derived)
 
 
-def description(mechanism: Mechanism | Sided) -> str:
-    """Its derivation as Markdown with LaTeX."""
+def description(mechanism: Mechanism | Sided) -> Page:
+    """Its derivation."""
     # here, not above: who derives a mechanism need not print its document
     from .document import document, document_of_quadrature, document_of_sided
 
@@ -273,7 +274,9 @@ def written(mechanism: Mechanism | Sided, folder: Path) -> list[str]:
     """All that is printed and told of it as files in a folder, in which an earlier run's are replaced; their names."""
     printed = sources(mechanism)
     name = printed.module.name
-    files = {**printed.compiled, **printed.exported, **printed.python, DOCUMENT: description(mechanism)}
+    page = description(mechanism)
+    documents = {f"{DOCUMENT}.md": page.markdown(), f"{DOCUMENT}.tex": page.tex()}
+    files = {**printed.compiled, **printed.exported, **printed.python, **documents}
     content = {
         "command": "slowflow derive",
         "mechanism": {"name": name, "title": mechanism.title},

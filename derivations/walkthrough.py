@@ -15,13 +15,13 @@ from dataclasses import dataclass
 import sympy as sp
 
 from .codegen.prose import in_markdown
-from .document import display, latex
 from .ledger import balls, entries, published
 from .ledger.facts import Facts
 from .ledger.findings import check_averages, check_formulas
 from .ledger.render import CITATION
 from .ledger.rows import DIFFERS, IDENTICAL, Row
 from .mechanisms import rod_spring
+from .page import display, latex
 from .results import derive
 
 BEGIN = f"""# The derivation, equation by equation
@@ -212,14 +212,14 @@ def equations(where: str, rows: list[Row], facts: Facts) -> Iterator[str]:
         row = readings[[*literal, *holds, *readings][0]]
         printed, derived = facts.judgements[row.id].printed, facts.judgements[row.id].found
         left = LEFT.get(row.id, ())
-        yield from display(*(sides(left, printed) or [resultant(row.id, facts)]), number=number)
+        yield display(*(sides(left, printed) or [resultant(row.id, facts)]), number=number).markdown() + "\n"
         values = [value for _, value in derived]
         in_letters = sp.Tuple(*printed).free_symbols == sp.Tuple(*values).free_symbols
         in_order = row.verdict == IDENTICAL and in_letters and not facts.subjects[row.id].shown
         if any(values) and not in_order:
             named = [(symbols(sp.Symbol(name)) if name else "0", symbols(value)) for name, value in derived]
             yield from ("Derived:", "")
-            yield from display(*(named if facts.subjects[row.id].shown else sides(left, values)))
+            yield display(*(named if facts.subjects[row.id].shown else sides(left, values))).markdown() + "\n"
         if row.difference:
             yield from (f"Published less derived: `{row.difference}`.", "")
         yield from (f"**{row.verdict.capitalize()}.** {in_markdown(row.evidence)}".rstrip(), "")

@@ -8,6 +8,9 @@ from __future__ import annotations
 
 import re
 
+import sympy as sp
+from sympy.printing.pretty.pretty_symbology import greek_unicode
+
 
 class Prose(str):
     """Text to be read. Where a template prints one, its environment escapes it."""
@@ -30,6 +33,24 @@ def in_c(text: str) -> str:
 def in_markdown(text: str) -> str:
     """What reads as a text in a heading or in a cell of a table; an underscore within a word is none of emphasis."""
     return re.sub(r"[\\`*{}\[\]<>#|$~&!]|(?<!\w)_|_(?!\w)", r"\\\g<0>", one_line(text))
+
+
+#: names of Greek letters
+GREEK = {letter: name for name, letter in greek_unicode.items()}
+#: names of Greek letters, which TeX's text fonts lack
+GREEK = {letter: name for name, letter in greek_unicode.items()}
+#: what stands in TeX for a letter
+IN_TEX = {one: rf"\{one}" for one in "{}$&#_%"}
+IN_TEX |= {"\\": r"\textbackslash{}", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}", "`": r"\textasciigrave{}"}
+IN_TEX |= {"<": r"\textless{}", ">": r"\textgreater{}", "|": r"\textbar{}"}
+IN_TEX |= {letter: rf"\ensuremath{{{sp.latex(sp.Symbol(name))}}}" for letter, name in GREEK.items()}
+#: letters that pdfLaTeX has in its own font and encoding
+LETTERS = frozenset({*map(chr, range(0x20, 0x100)), *"–—‘’“”…•€™"} - set("«»ÐÞðþ"))
+
+
+def in_tex(text: str) -> str:
+    """What reads as a text in LaTeX; a letter that pdfLaTeX has no sign for is given by its code point."""
+    return "".join(IN_TEX.get(one) or (one if one in LETTERS else f"[U+{ord(one):04X}]") for one in one_line(text))
 
 
 def one_line(text: str) -> str:

@@ -121,7 +121,7 @@ def derivation(folder: Path) -> None:
     put(walkthrough.derived(), folder / "walkthrough" / "index.md")
     names = ["walkthrough/index"]
     for mechanism in (*all_mechanisms(), *map(library.stated, library.names())):
-        (folder / f"{mechanism.name}.md").write_text(description(mechanism), encoding="utf-8")
+        (folder / f"{mechanism.name}.md").write_text(description(mechanism).markdown(), encoding="utf-8")
         names.append(mechanism.name)
     (folder / "proved.md").write_text(claims.page(), encoding="utf-8")
     names.append("proved")

@@ -108,16 +108,16 @@ class Derived(Stated):
         str
             Markdown with LaTeX.
         """
-        return _derivation().description(self._stated)
+        return _derivation().description(self._stated).markdown()
 
     def write(self, folder: Path) -> list[str]:
-        """Write what `make derive` writes of the package's own mechanisms, and the document.
+        """Write what `make derive` writes of the package's own mechanisms, and the derivation in Markdown and LaTeX.
 
         A Python module of kernels on NumPy, but for averages by quadrature, which slowflow's compiled code sums by the
         program beside it; C headers (which include those of `include()`), for an odd force the program that the solvers
         interpret and `exported.c`, which gives their functions symbols, C sources with the record that the solvers take
-        and with the force as power series, derivation.md, MANIFEST.json with a hash of each. Files of an earlier run
-        are replaced.
+        and with the force as power series, derivation.md and derivation.tex, MANIFEST.json with a hash of each. Files
+        of an earlier run are replaced.
 
         Parameters
         ----------

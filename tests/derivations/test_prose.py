@@ -21,7 +21,7 @@ from hypothesis import strategies as st
 from slowflow import derive, include
 from tests.files import Lazily
 
-runtime, document = (Lazily(f"slowflow.derivation.{name}") for name in ("runtime", "document"))
+runtime, document, pages = (Lazily(f"slowflow.derivation.{name}") for name in ("runtime", "document", "page"))
 bytecode, prose, numpy, views = (
     Lazily(f"slowflow.derivation.codegen.{name}") for name in ("bytecode", "prose", "targets.numpy", "views")
 )
@@ -136,10 +136,48 @@ def test_markdown_shows_every_text(text):
     shown = prose.in_markdown(text)
     assert len(shown.splitlines()) <= 1
     assert not re.search(r"(?<!\\)[`*\[\]<>#|$&]", re.sub(r"\\\\", "", shown))
-    (row,) = (
-        line for line in document.parameters(written(text).module.record.mechanism, {}) if line.startswith("| $k$")
-    )
+    (table,) = document.parameters(written(text).module.record.mechanism, {})
+    (row,) = (line for line in table.markdown().splitlines() if line.startswith("| $k$"))
     assert len(re.findall(r"(?<!\\)\|", re.sub(r"\\\\", "", row))) == 5
+
+
+@each
+@given(TEXTS.map("".join))
+@settings(max_examples=25, deadline=None)
+def test_latex_shows_every_text(text):
+    """Nothing is left that TeX takes for a command, but those that set a letter, and no letter that its font lacks."""
+    shown = prose.in_tex(text)
+    rest = re.sub(r"\\[{}$&#_%]|\\text[a-z]+{}|\\ensuremath{(\\mathrm{[A-Z]}|\\[A-Za-z]+|o)}", "", shown)
+    assert not re.search(r"[\\{}$&#_%~^`<>|]", rest) and len(shown.splitlines()) <= 1
+    assert "\\" not in text or r"\textbackslash{}" in shown
+
+
+def page_of(text):
+    """With that text as a title and in a table, and symbols with names that TeX would read otherwise."""
+    names = ("_", "__a", "a_", "k_größe", "λ_2", "弹簧", "hat", "lam", "soft")
+    mechanism = written(text).module.record.mechanism
+    symbols = pages.display(*((pages.latex(sp.Symbol(name)), sp.Symbol(name) ** 2 + u) for name in names), number="3")
+    long = pages.display(("0", sp.Add(*(sp.Symbol(f"a_{n}") * (u**n + 1) for n in range(99)))))
+    return pages.Page(
+        prose.Prose(text), {"A": ["$u$ & 5 %", *document.parameters(mechanism, {})], "B": [symbols, long]}
+    )
+
+
+def test_long_sums_are_broken_between_terms():
+    text = page_of("x").tex()
+    assert text.count(r"a_{0} + ") == 1 and max(map(len, text.splitlines())) < 250
+    assert r"$u$ \& 5 \%" in text and text.count(r"\tag{3}") == 1 and text.count(r"\begin{align}") == 2
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("text", [*HOSTILE, "".join(map(chr, range(0x20, 0x250))) + "α–Ω"])
+def test_a_page_compiles_whatever_its_texts_say(tmp_path, text):
+    if not shutil.which("pdflatex"):
+        pytest.skip("there is no pdflatex: apt install texlive-latex-base")
+    (tmp_path / "page.tex").write_text(page_of(text).tex(), encoding="utf-8")
+    command = ["pdflatex", "-halt-on-error", "-interaction=nonstopmode", "-no-shell-escape", "page.tex"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, errors="replace")
+    assert done.returncode == 0, done.stdout
 
 
 @pytest.mark.slow

@@ -181,7 +181,7 @@ def test_its_derivation_reads_as_a_document(stop):
     assert sections == [
         "Equation of motion", "Parameters", "Slow flow", "The average of the force", "Response and folds", "Resultants"
     ]  # fmt: skip
-    assert "| $k_{2}$ | k_v | stiffness of the stop | > 0 |" in text
+    assert "| $k_{2}$ | k_v | stiffness of the stop | $> 0$ |" in text
     assert text.count("$$") % 2 == 0 and r"\sigma" not in text
     # the two regimes, and in the second what is named before it is used
     attached, stopped = text.split("For $")[2:4]
@@ -251,7 +251,12 @@ def test_the_command_line_writes_what_a_program_derives(tmp_path, capsys):
     assert names == {*manifest["files"], "MANIFEST.json"}
     for name, kept in manifest["files"].items():
         assert hashlib.sha256((folder / name).read_bytes()).hexdigest() == kept
-    assert "Equation of motion" in (folder / "derivation.md").read_text()
+    markdown, tex = ((folder / f"derivation.{suffix}").read_text() for suffix in ("md", "tex"))
+    assert re.findall("^## (.*)", markdown, re.MULTILINE) == re.findall(r"^\\section{(.*)}", tex, re.MULTILINE)
+    assert markdown.count(r"\begin{aligned}") == tex.count(r"\begin{align}") > 8
+    if shutil.which("pdflatex"):
+        done = subprocess.run(["pdflatex", "-halt-on-error", "derivation.tex"], cwd=folder, capture_output=True)
+        assert done.returncode == 0, done.stdout
     (module,) = folder.glob("stop_*.py")
     kernels = runpy.run_path(str(module))
     k_1, k_2, gap = (NUMBERS[name] for name in ("k_1", "k_2", "gap"))

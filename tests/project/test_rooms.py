@@ -51,6 +51,7 @@ DERIVING = (
     ("walkthrough",),
     ("ledger", "runtime"),
     ("document",),
+    ("page",),
     ("codegen",),
     ("results", "library"),
     ("asymmetric",),
