@@ -13,7 +13,7 @@
 #include <math.h>
 
 /* Both functions hold the same statements up to e: a compiler computes them once where both acute
-   angles of a triangle are asked for.
+   angles of a triangle are needed.
 
    t, the quotient of the smaller and the larger of |x| and |y|, is rounded once; t + t e is within 0.028 u of
    atan(t), u = 2^-53. No branches, no 0/0: a sum, as compilers make of a choice two quotients, of which the one by 1

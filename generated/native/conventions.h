@@ -36,7 +36,7 @@ typedef enum {
     SF_JUMP_DOWN_AT_CORNER = 4 /* to a smaller one, from a corner at a breakpoint */
 } sf_fold_kind;
 
-/* What an answer is whose gradient is asked for. */
+/* The kind of an answer whose gradient is computed. */
 typedef enum {
     SF_STATE_PINNED = 0, /* a steady state; with Omega = 0 a peak at rest */
     SF_FOLD_PINNED = 1, /* a fold at a forcing */
@@ -54,8 +54,8 @@ typedef enum {
 typedef enum {
     SF_OK_MOVES = 0, /* it has */
     SF_NOTHING_MOVES = 1, /* there is no answer */
-    SF_MEETS_MOVES = 2, /* it meets another one there: beyond it there is none, and before it moves without bound */
-    SF_TURNS_MOVES = 3, /* it comes to a breakpoint there: on either side it moves in its own way */
+    SF_MEETS_MOVES = 2, /* it meets another one there: beyond it there is none, and before it changes without bound */
+    SF_TURNS_MOVES = 3, /* it comes to a breakpoint there: on either side it has another gradient */
     SF_BOUNDLESS_MOVES = 4 /* a slope is not finite, or a forcing 0, as at the end of a parameter's domain */
 } sf_moves_status;
 
@@ -83,21 +83,21 @@ typedef enum {
 #define SF_COARSEST 10000.0
 /* multiple of the last breakpoint from which on a force that levels off does not rise any more */
 #define SF_NEAR_ENDLESS 1048576.0
-/* stands for an infinite amplitude, and an infinite multiple of one */
+/* represents an infinite amplitude, and an infinite multiple of one */
 #define SF_ENDLESS 1.152921504606847e+18
 /* relative error that is taken for granted in a kernel's value */
-#define SF_DOUBT 3.5527136788005009e-15
+#define SF_ERROR 3.5527136788005009e-15
 /* share of its first term below which a sum of two has lost digits */
 #define SF_CANCELLED 0.25
 /* share of |h| below which A h_A may have lost digits, and Omega^2 = h_A with it */
 #define SF_SOFT 0.01
 /* a root is the one meant if it lies, relatively, this near to what has lost digits */
-#define SF_BESIDE 0.001
+#define SF_SAME_ROOT 0.001
 /* relative step of A up to which Newton's last step is taken */
 #define SF_LAST_STEP 1e-08
 /* where a search begins that cannot begin at A = 0 */
 #define SF_FIRST 6.2230152778611417e-61
-/* an amplitude beside that where its piece begins, from which h is smooth */
+/* an amplitude over that where its piece begins, from which h is smooth */
 #define SF_FAR_ABOVE 1073741824.0
 /* relative width of an interval of A that is not cut any more */
 #define SF_NARROW 8.8817841970012523e-16
@@ -111,7 +111,7 @@ typedef enum {
 #define SF_AT_ROOT 8.8817841970012523e-16
 /* forcing that is raised first where there is no friction */
 #define SF_FIRST_F_0 9.9999999999999995e-07
-/* an amplitude beside `ENDLESS`, to tell what a level tends to */
+/* an amplitude below `ENDLESS`, to tell what a level tends to */
 #define SF_FAR_OUT 1073741824.0
 /* amplitudes at which the rest is looked at fall by this */
 #define SF_FALL 9.5367431640625e-07
@@ -121,9 +121,9 @@ typedef enum {
 #define SF_TENDS 9.5367431640625e-07
 /* about h_A at the next double above a breakpoint b, over J/b, where the force jumps by J */
 #define SF_STEEP 16777216.0
-/* frequencies farther apart than this, relatively, are told apart by any rounding */
-#define SF_TOLD_APART 0.001
-/* of a curve's points: the length that each part has beside its own */
+/* frequencies farther apart than this, relatively, are distinct whatever the rounding */
+#define SF_DISTINCT 0.001
+/* of a curve's points: the length that each part has besides its own */
 #define SF_SPREAD 0.001
 /* share of Omega's change below which A hardly changes, relatively */
 #define SF_HARDLY 1.4901161193847656e-08

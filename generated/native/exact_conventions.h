@@ -19,7 +19,7 @@ typedef enum {
 
 /* What ends smooth motion. */
 typedef enum {
-    SF_TIME = 0, /* the end that was asked for */
+    SF_TIME = 0, /* the end of the time requested */
     SF_STOP = 1, /* the velocity vanishes */
     SF_EDGE = 2, /* a breakpoint */
     SF_NOTHING = 3 /* not ended */
@@ -32,9 +32,9 @@ typedef enum {
     SF_BORDER = 2 /* a border's margin vanishes */
 } sf_extra_kind;
 
-/* stands for no breakpoint ahead: no motion of an isolator comes near */
+/* in place of no breakpoint ahead: no motion of an isolator comes near */
 #define SF_FAR 1000000.0
-/* a velocity at a breakpoint that cannot be told from rest: the way beyond is its square */
+/* a velocity at a breakpoint that cannot be distinguished from rest: the way beyond is its square */
 #define SF_GRAZING 1e-13
 /* phase of the forcing within which a motion switches when the cycle's equations say */
 #define SF_ON_TIME 1.0000000000000001e-05
@@ -70,7 +70,7 @@ typedef enum {
 #define SF_ROUNDS 3
 /* of the largest, from which on a phase may have the largest of all */
 #define SF_NEAR 0.94999999999999996
-/* of a peak, from which on one is as high: the first of them is told */
+/* of a peak, from which on one is as high: the first of them is returned */
 #define SF_SAME 0.99999999999900002
 
 #endif

@@ -8,7 +8,7 @@
 
 /* what halving may change of a sum that has settled, of its size */
 #define SF_AGREED 1.4210854715202004e-14
-/* what stands for a rounding of A and of a parameter, relatively */
+/* in place of a rounding of A and of a parameter, relatively */
 #define SF_MOVED_BY 8.8817841970012523e-16
 /* a part of the quarter that one panel is enough for */
 #define SF_SHORT_PART 9.5367431640625e-07

@@ -24,7 +24,7 @@
 #include "rod_spring_pairs.h"
 #include "rod_spring_untruncated_intervals.h"
 #include "rod_spring_untruncated_pairs.h"
-#include "rod_spring_untruncated_held.h"
+#include "rod_spring_untruncated_bounded.h"
 
 #include "record_members.h"
 
@@ -231,21 +231,21 @@ SUMS(rod_spring_untruncated_record_harmonics, rod_spring_untruncated_harmonics, 
 INTERCEPT(rod_spring_untruncated_record_intercept, rod_spring_untruncated_intercept(A, p[0], p[1], p[2]))
 BY_PARAMETER(rod_spring_untruncated_record_by_parameter, rod_spring_untruncated_by_parameter)
 
-/* What stands for its average where A exceeds the breakpoint, by so much, `parts` of them. */
-static void rod_spring_untruncated_record_parts(sf_held beyond, const sf_held *p, sf_held *out)
+/* In place of its average where A exceeds the breakpoint, by so much, `parts` of them. */
+static void rod_spring_untruncated_record_parts(sf_bounded beyond, const sf_bounded *p, sf_bounded *out)
 {
-    sf_held ends[5];
-    held_carlson integrals;
-    rod_spring_untruncated_held_ends(beyond, p, ends);
-    integrals = held_carlson_of(sfh_square(ends[3]), sfh_square(ends[1]), sfh_point(1));
-    rod_spring_untruncated_held_parts(ends[0], ends[1], ends[2], ends[3], ends[4], integrals.R_F, integrals.R_D, out);
+    sf_bounded ends[5];
+    bounded_carlson integrals;
+    rod_spring_untruncated_bounded_ends(beyond, p, ends);
+    integrals = bounded_carlson_of(sfb_square(ends[3]), sfb_square(ends[1]), sfb_point(1));
+    rod_spring_untruncated_bounded_parts(ends[0], ends[1], ends[2], ends[3], ends[4], integrals.R_F, integrals.R_D, out);
 }
 
 /* h, h_A, h_AA, h_AAA and h - A h_A */
 static void rod_spring_untruncated_record_averaged_within(const sf_mechanism *self, int passed, sf_interval A, sf_interval beyond,
                                                            const sf_interval *p, sf_interval *out)
 {
-    sf_held parts[5], parameters[SF_MOST_PARAMETERS];
+    sf_bounded parts[5], parameters[SF_MOST_PARAMETERS];
     sf_interval part[5];
     int i;
     (void)self;
@@ -257,10 +257,10 @@ static void rod_spring_untruncated_record_averaged_within(const sf_mechanism *se
         return;
     }
     for (i = 0; i < 3; i++)
-        parameters[i] = sfh_within(p[i]);
-    rod_spring_untruncated_record_parts(sfh_within(beyond), parameters, parts);
+        parameters[i] = sfb_within(p[i]);
+    rod_spring_untruncated_record_parts(sfb_within(beyond), parameters, parts);
     for (i = 0; i < 5; i++)
-        part[i] = sfh_interval(parts[i]);
+        part[i] = sfb_interval(parts[i]);
     rod_spring_untruncated_intervals_detached(A, part[0], part[1], part[2], part[3], part[4], p, out);
 }
 
@@ -276,10 +276,10 @@ static void rod_spring_untruncated_record_averaged_in_pairs(const sf_mechanism *
     } else if (passed == 0) {
         rod_spring_untruncated_pairs_attached_steep(A, p, all);
     } else {
-        sf_held parts[5], parameters[SF_MOST_PARAMETERS];
+        sf_bounded parts[5], parameters[SF_MOST_PARAMETERS];
         for (i = 0; i < 3; i++)
-            parameters[i] = sfh_of(p[i], 0);
-        rod_spring_untruncated_record_parts(sfh_of(beyond, 0), parameters, parts);
+            parameters[i] = sfb_of(p[i], 0);
+        rod_spring_untruncated_record_parts(sfb_of(beyond, 0), parameters, parts);
         rod_spring_untruncated_pairs_detached(A, parts[0].x, parts[1].x, parts[2].x, parts[3].x, parts[4].x, p, all);
     }
     for (i = 0; i < 4; i++)

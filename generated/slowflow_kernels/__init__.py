@@ -2,7 +2,7 @@
 
     from slowflow_kernels import rod_spring
 
-Nothing is imported before it is asked for. Everything is dimensionless; arguments broadcast like a ufunc's.
+Nothing is imported before it is used. Everything is dimensionless; arguments broadcast like a ufunc's.
 """
 
 import importlib

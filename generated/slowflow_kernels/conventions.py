@@ -65,7 +65,7 @@ class FoldKind(IntEnum):
 
 
 class Pinned(IntEnum):
-    """What an answer is whose gradient is asked for.
+    """The kind of an answer whose gradient is computed.
 
     0  STATE                a steady state; with Omega = 0 a peak at rest
     1  FOLD                 a fold at a forcing
@@ -96,8 +96,8 @@ class MovesStatus(IntEnum):
 
     0  OK                   it has
     1  NOTHING              there is no answer
-    2  MEETS                it meets another one there: beyond it there is none, and before it moves without bound
-    3  TURNS                it comes to a breakpoint there: on either side it moves in its own way
+    2  MEETS                it meets another one there: beyond it there is none, and before it changes without bound
+    3  TURNS                it comes to a breakpoint there: on either side it has another gradient
     4  BOUNDLESS            a slope is not finite, or a forcing 0, as at the end of a parameter's domain
     """
 
@@ -114,11 +114,11 @@ HIGHEST_OMEGA = 1e+40
 LARGEST = 1.0000000000000001e+300
 # an undamped response without a reach is cut at this times F_0
 STATIC_MULTIPLE = 100.0
-# stands for an infinite amplitude, and an infinite multiple of one
+# represents an infinite amplitude, and an infinite multiple of one
 ENDLESS = 1.152921504606847e+18
 # where a search begins that cannot begin at A = 0
 FIRST = 6.2230152778611417e-61
-# of a curve's points: the length that each part has beside its own
+# of a curve's points: the length that each part has besides its own
 SPREAD = 0.001
 # share of its size that rounding may add to a value
 CLOSE = 9.0949470177292824e-13

@@ -1,4 +1,4 @@
-"""The numbers that every oscillator has beside its mechanism's, and which of them are allowed.
+"""The numbers that every oscillator has besides its mechanism's, and which of them are allowed.
 
 Written by `make derive`; never edit.
 Input: derivations/mechanisms/__init__.py
@@ -11,7 +11,7 @@ DAMPING = (
     Parameter("mu", "dry friction", "k_v L", least=0.0),
     Parameter("zeta", "viscous damping ratio", "2 sqrt(k_v m)", least=0.0),
 )
-# what an oscillator may dissipate by beside these, and where dry friction acts
+# what an oscillator may dissipate by besides these, and where dry friction acts
 DISSIPATION = (
     Parameter("eta", "structural damping, the loss factor of the vertical spring", "1", least=0.0),
     Parameter("c_2", "quadratic damping, the factor of |u'|u'", "m/L", least=0.0),

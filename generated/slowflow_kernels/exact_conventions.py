@@ -31,7 +31,7 @@ class Outcome(IntEnum):
 class Event(IntEnum):
     """What ends smooth motion.
 
-    0  TIME       the end that was asked for
+    0  TIME       the end of the time requested
     1  STOP       the velocity vanishes
     2  EDGE       a breakpoint
     3  NOTHING    not ended
@@ -56,9 +56,9 @@ class ExtraKind(IntEnum):
     BORDER = 2
 
 
-# stands for no breakpoint ahead: no motion of an isolator comes near
+# in place of no breakpoint ahead: no motion of an isolator comes near
 FAR = 1000000.0
-# a velocity at a breakpoint that cannot be told from rest: the way beyond is its square
+# a velocity at a breakpoint that cannot be distinguished from rest: the way beyond is its square
 GRAZING = 1e-13
 # phase of the forcing within which a motion switches when the cycle's equations say
 ON_TIME = 1.0000000000000001e-05
@@ -82,5 +82,5 @@ MOST_TURNS = 3000
 MOST_DEGREE = 64
 # of these, by which it begins behind its place of rest then
 BACK = 7.1054273576010019e-15
-# of a peak, from which on one is as high: the first of them is told
+# of a peak, from which on one is as high: the first of them is returned
 SAME = 0.99999999999900002

@@ -11,8 +11,8 @@ class Wanted(IntEnum):
     """What a curve of the second approximation is followed for.
 
     0  EVERY_POINT  all of its points
-    1  FOLDS_ONLY   those beside which F_A may vanish
-    2  TOP_ONLY     those beside which u_max may be largest
+    1  FOLDS_ONLY   those next to which F_A may vanish
+    2  TOP_ONLY     those next to which u_max may be largest
     """
 
     EVERY_POINT = 0
@@ -26,5 +26,5 @@ STEPS = 25
 ROUNDING = 1.7763568394002505e-15
 # points of the curve on which folds and states are looked for
 SAMPLES = 600
-# how far that curve reaches beyond the frequencies that are asked for
+# how far that curve reaches beyond the frequencies of the query
 BEYOND = 1.3

@@ -338,7 +338,7 @@ def test_bounded_number_encloses_the_exact_result(intervals, name):
         high[::7, 0] = 0
     low = high * rng.uniform(-1, 1, (count, 3)) * 2.0**-54
     off = np.abs(high) * 2.0 ** rng.uniform(-110, -2, (count, 3)) * (np.arange(count)[:, None] % 2)
-    found = intervals.operate_held(name, np.stack([high, low, off], axis=2).reshape(count, 9))
+    found = intervals.operate_bounded(name, np.stack([high, low, off], axis=2).reshape(count, 9))
     known = 0
     with flint.ctx.workprec(400):
         for numbers, (middle, rest, radius, least, most) in zip(

@@ -97,7 +97,7 @@ def test_data_that_is_no_program_is_refused():
     spoilt += [([*program[:k], -1, *program[k + 1 :]], numbers) for k in range(len(program))]
     spoilt += [(program, [*numbers[:k], float("nan"), *numbers[k + 1 :]]) for k in range(len(numbers))]
     for one in spoilt:
-        with pytest.raises(ValueError, match=r"sinh.force: what stands for its force is no program"):
+        with pytest.raises(ValueError, match=r"sinh.force: its force is no program"):
             law(*one)
 
 

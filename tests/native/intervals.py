@@ -28,7 +28,7 @@ def build(directory: Path) -> None:
 
 
 class Intervals:
-    """operate(name, pairs of intervals (n, 4)), operate_held, known(mechanism, design, piece, beyond)."""
+    """operate(name, pairs of intervals (n, 4)), operate_bounded, known(mechanism, design, piece, beyond)."""
 
     def __init__(self, directory: Path) -> None:
         self.loaded = ctypes.CDLL(str(directory / LIBRARY))
@@ -41,11 +41,11 @@ class Intervals:
         )
         return out
 
-    def operate_held(self, name: str, numbers: np.ndarray) -> np.ndarray:
+    def operate_bounded(self, name: str, numbers: np.ndarray) -> np.ndarray:
         """Three numbers (n, 9), each a pair and what it may be off, to one with the doubles around it (n, 5)."""
         numbers = np.ascontiguousarray(numbers, dtype=np.float64)
         out = np.empty((len(numbers), 5))
-        self.loaded.operate_held(BOUNDED.index(name), ctypes.c_long(len(numbers)), pointer(numbers), pointer(out))
+        self.loaded.operate_bounded(BOUNDED.index(name), ctypes.c_long(len(numbers)), pointer(numbers), pointer(out))
         return out
 
     def known(self, mechanism: str, design: Sequence[float], piece: int, beyond: float) -> np.ndarray:

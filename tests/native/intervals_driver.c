@@ -96,40 +96,40 @@ int known(const char *name, const double *design, int piece, double beyond, doub
     return 0;
 }
 
-static sf_held on_held(int operation, sf_held a, sf_held b, sf_held c)
+static sf_bounded on_bounded(int operation, sf_bounded a, sf_bounded b, sf_bounded c)
 {
     switch (operation) {
     case 0:
-        return sfh_add(a, b);
+        return sfb_add(a, b);
     case 1:
-        return sfh_sub(a, b);
+        return sfb_sub(a, b);
     case 2:
-        return sfh_mul(a, b);
+        return sfb_mul(a, b);
     case 3:
-        return sfh_div(a, b);
+        return sfb_div(a, b);
     case 4:
-        return sfh_square(a);
+        return sfb_square(a);
     case 5:
-        return sfh_sqrt(a);
+        return sfb_sqrt(a);
     case 6:
-        return sfh_atan2(a, b);
+        return sfb_atan2(a, b);
     case 7:
-        return sfh_times(0.1, a);
+        return sfb_times(0.1, a);
     case 8:
-        return held_carlson_of(a, b, c).R_F;
+        return bounded_carlson_of(a, b, c).R_F;
     default:
-        return held_carlson_of(a, b, c).R_D;
+        return bounded_carlson_of(a, b, c).R_D;
     }
 }
 
 /* n times three pairs with what they may be off in, n such out, and the doubles around them */
-void operate_held(int operation, long n, const double *in, double *out)
+void operate_bounded(int operation, long n, const double *in, double *out)
 {
     for (long i = 0; i < n; i++) {
         const double *x = in + 9 * i;
-        const sf_held r = on_held(operation, sfh_of(sfp_of(x[0], x[1]), x[2]), sfh_of(sfp_of(x[3], x[4]), x[5]),
-                                  sfh_of(sfp_of(x[6], x[7]), x[8]));
-        const sf_interval around = sfh_interval(r);
+        const sf_bounded r = on_bounded(operation, sfb_of(sfp_of(x[0], x[1]), x[2]), sfb_of(sfp_of(x[3], x[4]), x[5]),
+                                  sfb_of(sfp_of(x[6], x[7]), x[8]));
+        const sf_interval around = sfb_interval(r);
         out[5 * i] = r.x.high, out[5 * i + 1] = r.x.low, out[5 * i + 2] = r.off;
         out[5 * i + 3] = around.lo, out[5 * i + 4] = around.hi;
     }

@@ -62,6 +62,8 @@ GONE = {
     "wanted": "a target or a request",
     "words": "messages",
 }
+#: further ones of C; a certificate's public field is `doubt`
+GONE_IN_C = GONE | {"doubtful": "undecided", "doubts": "undecided intervals, or inconclusive", "sf_held": "sf_bounded"}
 
 
 def defined(tree):
@@ -91,4 +93,4 @@ def test_names_that_are_gone_do_not_return_in_c(room):
     for path in sorted((ROOT / room).rglob("*.[ch]")):
         code = re.sub(r'/\*.*?\*/|"(?:\\.|[^"\\\n])*"', "", path.read_text(encoding="utf-8"), flags=re.DOTALL)
         names = {name.strip("_").lower() for name in re.findall(r"[A-Za-z_]\w*", code)}
-        assert not {name: GONE[name] for name in names & GONE.keys()}, path
+        assert not {name: GONE_IN_C[name] for name in names & GONE_IN_C.keys()}, path

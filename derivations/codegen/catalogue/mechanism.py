@@ -86,7 +86,7 @@ def with_proofs(module: Module, derived: OfMechanism) -> Module:
         module,
         cells=cell_kernels(derived),
         settled=closely(derived),
-        bounded=held_kernels(derived),
+        bounded=bounded_kernels(derived),
         balls=ball_kernels(derived),
     )
 
@@ -281,7 +281,7 @@ def closely(derived: OfMechanism) -> tuple[Kernel, ...]:
     return tuple(of.kernels.values())
 
 
-def held_kernels(derived: OfMechanism) -> tuple[Kernel, ...]:
+def bounded_kernels(derived: OfMechanism) -> tuple[Kernel, ...]:
     """What of it is computed to more digits: where A exceeds the breakpoint, in closed form."""
     if not is_spelled_out(derived):
         return ()

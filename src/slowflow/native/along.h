@@ -13,11 +13,11 @@
  *   SF_REST       F = Omega = 0                  h^2 + m^2 = F_0^2
  *   SF_STATE      F = 0 at a given Omega         a steady state
  *
- * For an excitation by inertia SF_ISOLA and SF_PEAK are asked where the level of an amplitude is least, which is known
- * in closed form, and SF_REST has no zeros.
+ * For an excitation by inertia SF_ISOLA and SF_PEAK are evaluated where the level of an amplitude is least, which is
+ * known in closed form, and SF_REST has no zeros.
  *
  * The functions are generated, for numbers and for intervals: derivations/systems/along.py eliminates Omega.
- */
+ * */
 #pragma once
 
 #include "inertial.h"
@@ -132,13 +132,13 @@ static inline void sf_ask_fold(const sf_task *task, const sf_sample *at, sf_answ
     out->y[0] = fold[0], out->dy[0] = fold[1];
 }
 
-/* Omega at an isola point: Omega^2 = h_A, or, where h_A is small beside its terms, the root of F_Omega next to that,
+/* Omega at an isola point: Omega^2 = h_A, or, where h_A is small against its terms, the root of F_Omega next to that,
  * which has no h_A in it; where h_A is as small as its rounding that is all that is left of Omega. */
 static inline double sf_isola_Omega(const sf_model *model, const sf_sample *at) {
     const double h_A = fmax(at->h_A, 0), rounding = SF_CLOSE * (fabs(at->h) / at->A + fabs(at->h_A));
     double w[2];
     if (h_A * at->A < SF_SOFT * fabs(at->h) && sf_peak_roots(at->A, at->h, model->m, model->zeta, w) == 2 &&
-        fabs(w[0] * w[0] - h_A) < 2 * SF_BESIDE * h_A + rounding)
+        fabs(w[0] * w[0] - h_A) < 2 * SF_SAME_ROOT * h_A + rounding)
         return w[0];
     return slow_flow_isola_Omega(h_A);
 }
@@ -164,7 +164,7 @@ static inline double sf_quadratic_root(double a, double b, double root, int larg
     return larger ? root - a : -a - root;
 }
 
-/* Next to Omega = 0 a rounding of A moves the root X = Omega^2 of F_AA by more than X, but hardly the fold at A, whose
+/* Next to Omega = 0 a rounding of A shifts the root X = Omega^2 of F_AA by more than X, but hardly the fold at A, whose
  * Omega is the root of F_A next to it. */
 static inline void sf_take_fold_next_to(const sf_model *model, const sf_sample *at, int channel, sf_answer *out) {
     double w[3], nearest = HUGE_VAL;
@@ -197,7 +197,7 @@ static inline void sf_ask_cusp(const sf_model *model, int open, const sf_sample 
         out->Omega[i] = sqrt(X);
         out->y[i] = cusp[0], out->dy[i] = cusp[2];
         out->level[i] = cusp[3];
-        if (by_F_AA) { /* a rounding of A moves h_AA by much where that is steep, but no fold by F_A beside a cusp */
+        if (by_F_AA) { /* a rounding of A changes h_AA by much where that is steep, but no fold by F_A next to a cusp */
             double nearly[2], fold[2];
             slow_flow_cusp_balance(at->A, model->m, model->zeta, at->h, at->k, X, T, nearly);
             slow_flow_cusp_balance(at->A, model->m, model->zeta, at->h, at->k, nearly[0], T, fold);

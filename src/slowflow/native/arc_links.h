@@ -59,7 +59,7 @@ static double sf_branch_at(const sf_model *model, const sf_sample *at, double F_
 
 /* ==== Arcs between events ========================================================================================= */
 
-/* Whether the numbers of a response's roots beside an event are not what it makes of them: roots coincide within
+/* Whether the numbers of a response's roots next to an event are not what it makes of them: roots coincide within
  * rounding.
  * Between events that are hardly apart rounding may have changed their order. */
 static int sf_contradicts(double F_0, const sf_graph *graph, int k) {

@@ -13,7 +13,7 @@
 /* less than it is rest, as its square is beyond the range of doubles */
 #define SF_LEAST_AMPLITUDE 0x1p-500
 /* what rounding does to a bound */
-#define SF_BOUND_DOUBT 0x1p-40
+#define SF_BOUND_ERROR 0x1p-40
 
 /* I = m + eta A + 2 zeta A Omega + d (A Omega)^2 */
 typedef struct {
@@ -55,7 +55,7 @@ static sf_interval sf_stiffness(const sf_ended *here) {
 static int sf_touches_centre(const sf_ended *here) { return here->B.lo <= 0 && here->B.hi >= 0; }
 
 /* The same of motions off the centre, of an odd force without a load, next to it. */
-static sf_interval sf_resists_beside(const sf_ended *here) {
+static sf_interval sf_resists_near(const sf_ended *here) {
     if (!sfi_has_sign(here->c_3))
         return sf_any_number;
     return sfi_times(0.5, off_centre_intervals_beside(here->B, here->c_3, here->s_2));
@@ -74,7 +74,7 @@ static int sf_on_balance(const sf_ended *here, const sf_ended *middle, double lo
     sf_interval r[2], shift[2], nearer;
     int some = !sfi_has_sign(sfi_sub(here->c_0, sfi_point(load))) && !(here->A.hi <= SF_LEAST_AMPLITUDE);
     for (int i = 0; i < 2; i++) {
-        const double at = 0.5 * (low[i] + high[i]), wide = fmax(high[i] - at, at - low[i]) * (1 + SF_BOUND_DOUBT);
+        const double at = 0.5 * (low[i] + high[i]), wide = fmax(high[i] - at, at - low[i]) * (1 + SF_BOUND_ERROR);
         r[i] = sfi_of(-wide, wide), shift[i] = sfi_mul(slopes[i], r[i]);
     }
     some &= !sfi_has_sign(sfi_add(sfi_add(f, shift[0]), shift[1]));
@@ -92,7 +92,7 @@ static int sf_on_balance(const sf_ended *here, const sf_ended *middle, double lo
     *resists = sf_resists(here, rising);
     if (centred && !sf_is_single(here)) {
         /* of motions about the centre, and off it */
-        const sf_interval c_1 = sfi_times(0.25, sf_stiffness(here)), limit = sf_resists_beside(here);
+        const sf_interval c_1 = sfi_times(0.25, sf_stiffness(here)), limit = sf_resists_near(here);
         const sf_interval hull = sfi_of(fmin(limit.lo, c_1.lo), fmax(limit.hi, c_1.hi));
         const int known = isfinite(limit.lo) && isfinite(limit.hi) && isfinite(c_1.lo) && isfinite(c_1.hi);
         *resists = known ? hull : sf_any_number;
@@ -105,7 +105,7 @@ static void sf_balance_of_sine(const sf_damping *of, double Omega, sf_interval A
     const double end[2] = {A.lo, A.hi};
     double value[2], slope[2];
     for (int i = 0; i < 2; i++) {
-        const double error = i ? 1 + SF_BOUND_DOUBT : 1 - SF_BOUND_DOUBT;
+        const double error = i ? 1 + SF_BOUND_ERROR : 1 - SF_BOUND_ERROR;
         value[i] = error * sf_sine(of, Omega, end[i]), slope[i] = error * sf_sine_A(of, Omega, end[i]);
     }
     *I_ = sfi_of(value[0], value[1]), *I_A = sfi_of(slope[0], slope[1]);
@@ -116,7 +116,7 @@ static int sf_may_be_state(const sf_damping *of, double Omega, double force, sf_
     const sf_interval R = sfi_mul(A, sfi_sub(sfi_point(Omega * Omega), p));
     const double needed = force * force, least = sf_sine(of, Omega, A.lo), most = sf_sine(of, Omega, A.hi);
     const sf_interval level = sfi_add(sfi_square(R), sfi_square(sfi_of(least, most)));
-    return !(level.lo > needed * (1 + SF_BOUND_DOUBT) || level.hi < needed * (1 - SF_BOUND_DOUBT));
+    return !(level.lo > needed * (1 + SF_BOUND_ERROR) || level.hi < needed * (1 - SF_BOUND_ERROR));
 }
 
 /* What vanishes at a state, and its slopes by x and y. */
@@ -141,7 +141,7 @@ static void sf_ended_fold(const sf_ended *here, sf_interval R, double F_0, doubl
     const int single = !centred || sf_is_single(here);
     sf_interval rising, resistance = sf_resists(here, &rising);
     if (!single)
-        resistance = sf_resists_beside(here);
+        resistance = sf_resists_near(here);
     off_centre_intervals_ended_fold(R, here->A, sfi_point(F_0), sfi_point(F_2), m, sfi_point(of->eta), sfi_point(of->zeta),
                                     sfi_point(of->d), sfi_point(load), here->c_0, here->s_0, here->c_x, here->c_y,
                                     here->c_xx, here->c_yy, here->X, here->Y, here->X_x, here->Y_y, out);
@@ -197,7 +197,7 @@ static double sf_most_by_inertia(const sf_damping *of, sf_interval A, sf_interva
     for (int i = 0; i < SF_FOLD_HALVINGS; i++) {
         const double z = 0.5 * (low + high), R = A.hi * (1 + size * z);
         const double I_ = (of->m + of->eta * A.hi) * z + 2 * of->zeta * A.hi * sqrt(z) + of->d * A.hi * A.hi;
-        if ((R * R + I_ * I_) * (1 + SF_BOUND_DOUBT) < F_0 * F_0)
+        if ((R * R + I_ * I_) * (1 + SF_BOUND_ERROR) < F_0 * F_0)
             low = z;
         else
             high = z;
@@ -212,7 +212,8 @@ static double sf_most_by_inertia(const sf_damping *of, sf_interval A, sf_interva
 static int sf_folds_between(const sf_damping *of, int inertial, double sign, sf_interval A, sf_interval p, sf_interval e,
                             double lowest, double highest, sf_interval *R)
 {
-    const double above = 1 + SF_BOUND_DOUBT, below = 1 - SF_BOUND_DOUBT, at_most = sqrt(sfi_most(highest * highest - of->m * of->m, 0));
+    const double above = 1 + SF_BOUND_ERROR, below = 1 - SF_BOUND_ERROR;
+    const double at_most = sqrt(sfi_most(highest * highest - of->m * of->m, 0));
     const sf_interval turned = sign > 0 ? e : sfi_neg(e);
     const double least_e = fmax(turned.lo, 0), most_e = (isnan(turned.hi) ? HUGE_VAL : turned.hi) * above;
     double start = sign > 0 && !(p.hi >= 0) ? -p.hi : 0, end = most_e;

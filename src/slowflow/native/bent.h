@@ -4,7 +4,7 @@
  * The quarter cycle is divided at displacements, each piece of the force for itself: at fixed ones where the amplitude
  * exceeds the piece, at fixed shares of the last piece. The first share of a long piece is halved again and again,
  * down to displacements of the size of the spring: all that a force does lies there. On each part u, sine and the
- * angle that it takes are known on an interval of A by their values at its ends, as each is monotone in A; what stands
+ * angle that it takes are known on an interval of A by their values at its ends, as each is monotone in A; what is
  * under the integrals is generated. A contact's are over shares of what A exceeds its begin by, whose weight is known.
  */
 #pragma once
@@ -23,9 +23,10 @@ enum {
 
 typedef struct sf_bent sf_bent;
 
-/* contacts, begins: the breakpoint at which each begins; at: what stands under the integrals and what closes them, at
- * arguments and the parameters behind: of each piece its terms at A, the displacement beyond its begin and the sine; of each
- * contact at A and the fraction; by how many breakpoints are exceeded what closes at A, the roots of these, and the sums */
+/* contacts, begins: the breakpoint at which each begins; at: what is under the integrals and what closes them, at
+ * arguments and the parameters behind: of each piece its terms at A, the displacement beyond its begin and the sine;
+ * of each contact at A and the fraction; by how many breakpoints are exceeded what closes at A, the roots of these,
+ * and the sums */
 struct sf_bent {
     int breakpoints, parameters, contacts;
     const int *begins;

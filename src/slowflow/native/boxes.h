@@ -21,12 +21,12 @@ enum { SF_MOST_UNKNOWNS = 3, SF_BOX_STEPS = 12 };
 #define SF_BOX_NARROWEST 0x1p-42
 #define SF_BOX_THIN 0x1p-43
 /* what some operations on intervals are rounded by, as these ends are not moved one by one */
-#define SF_BOX_DOUBT 0x1p-40
+#define SF_BOX_ERROR 0x1p-40
 
-/* least, most -- the ends of all that there is, beyond which no box is made larger; doubt -- how nearly it is known */
+/* least, most -- the ends of all that there is, beyond which no box is made larger; error -- how nearly it is known */
 typedef struct {
     double low[SF_MOST_UNKNOWNS], high[SF_MOST_UNKNOWNS], least[SF_MOST_UNKNOWNS], most[SF_MOST_UNKNOWNS],
-        doubt[SF_MOST_UNKNOWNS];
+        error[SF_MOST_UNKNOWNS];
     ptrdiff_t of;
 } sf_box;
 
@@ -117,7 +117,7 @@ static void sf_krawczyk(int d, const sf_box_place *place, const double *wide, co
         }
     known = known && sf_eliminate(d, lost, d, Y);
     for (int i = 0; i < d; i++) {
-        double shift = 0, doubt = 0x1p-51 * fabs(place->at[i]), reach = 0;
+        double shift = 0, error = 0x1p-51 * fabs(place->at[i]), reach = 0;
         for (j = 0; j < d; j++) {
             /* some multiplications of doubles, each a rounding */
             double product = 0, size = 1, spread = 0;
@@ -126,11 +126,11 @@ static void sf_krawczyk(int d, const sf_box_place *place, const double *wide, co
                 product += Y[i][k] * J[k][j], size += fabs(Y[i][k] * J[k][j]);
                 spread += fabs(Y[i][k]) * 0.5 * (of->slope[k][j].hi - of->slope[k][j].lo);
             }
-            shift += Y[i][j] * value, doubt += fabs(Y[i][j]) * 0.5 * (of->at[j].hi - of->at[j].lo);
+            shift += Y[i][j] * value, error += fabs(Y[i][j]) * 0.5 * (of->at[j].hi - of->at[j].lo);
             reach += (fabs((i == j) - product) + spread + 0x1p-49 * size) * wide[j] + 0x1p-49 * fabs(Y[i][j] * value);
         }
-        centre[i] = place->at[i] - shift, floor_[i] = known ? doubt : HUGE_VAL;
-        radius[i] = known && !isnan(reach + doubt) ? reach + doubt : HUGE_VAL;
+        centre[i] = place->at[i] - shift, floor_[i] = known ? error : HUGE_VAL;
+        radius[i] = known && !isnan(reach + error) ? reach + error : HUGE_VAL;
     }
 }
 
@@ -141,15 +141,15 @@ static sf_interval sf_by_one(sf_interval value, sf_interval slope, double others
     if (!sfi_has_sign(slope))
         return sfi_of(-HUGE_VAL, HUGE_VAL);
     for (int k = 0; k < 4; k++) {
-        const double one = ends[k & 1] / slopes[k >> 1], doubt = SF_BOX_DOUBT * fabs(one);
+        const double one = ends[k & 1] / slopes[k >> 1], error = SF_BOX_ERROR * fabs(one);
         if (isnan(one))
             return sfi_of(-HUGE_VAL, HUGE_VAL);
-        each = sfi_of(fmin(each.lo, one - doubt), fmax(each.hi, one + doubt));
+        each = sfi_of(fmin(each.lo, one - error), fmax(each.hi, one + error));
     }
     return sfi_of(at + each.lo, at + each.hi);
 }
 
-/* By how much an equation varies with an unknown, beside others in which it varies more. */
+/* By how much an equation varies with an unknown, besides others in which it varies more. */
 static double sf_varies(int d, const sf_values *of, int j, double width) {
     double most = 0;
     for (int i = 0; i < d; i++) {
@@ -166,7 +166,7 @@ static double sf_varies(int d, const sf_values *of, int j, double width) {
 static void sf_around(int d, const sf_box *box, sf_box_place *out) {
     int i;
     for (out->of = box->of, i = 0; i < d; i++) {
-        const double around = SF_BOX_AROUND * 0.5 * (box->high[i] - box->low[i]) + box->doubt[i];
+        const double around = SF_BOX_AROUND * 0.5 * (box->high[i] - box->low[i]) + box->error[i];
         out->low[i] = fmax(box->low[i] - around, box->least[i]), out->high[i] = fmin(box->high[i] + around, box->most[i]);
         out->at[i] = 0.5 * (out->low[i] + out->high[i]);
     }
@@ -187,14 +187,14 @@ static int sf_judge(int d, const sf_box *box, const sf_box_place *place, const s
     for (int i = 0; i < d; i++) {
         double varies = 0, x = 0.5 * (box->low[i] + box->high[i]);
         for (int j = 0; j < d; j++)
-            varies += sf_magnitude(of->slope[i][j]) * wide[j] * (1 + SF_BOX_DOUBT);
+            varies += sf_magnitude(of->slope[i][j]) * wide[j] * (1 + SF_BOX_ERROR);
         none |= sfi_has_sign(of->on[i]) || of->at[i].lo - varies > 0 || of->at[i].hi + varies < 0;
         none |= centre[i] - radius[i] > box->high[i] || centre[i] + radius[i] < box->low[i];
         inside &= fabs(centre[i] - place->at[i]) + radius[i] < wide[i];
         narrow &= 0.5 * (box->high[i] - box->low[i]) <= SF_BOX_NARROWEST * sf_box_size(x);
         left.low[i] = fmax(left.low[i], of->holds[i].lo), left.high[i] = fmin(left.high[i], of->holds[i].hi);
         for (int j = 0; j < d; j++) {
-            const double others = varies - sf_magnitude(of->slope[i][j]) * wide[j] + SF_BOX_DOUBT * varies;
+            const double others = varies - sf_magnitude(of->slope[i][j]) * wide[j] + SF_BOX_ERROR * varies;
             const sf_interval one = sf_by_one(of->at[i], of->slope[i][j], others, place->at[j]);
             left.low[j] = fmax(left.low[j], one.lo), left.high[j] = fmin(left.high[j], one.hi);
         }
@@ -217,7 +217,7 @@ static int sf_judge(int d, const sf_box *box, const sf_box_place *place, const s
         out->middle[i] = narrow ? x : out->middle[i];
         left.low[i] = low - more, left.high[i] = high + more;
         /* a proof has to be wider than the roundings that it holds */
-        left.doubt[i] = isfinite(floor_[i]) ? 2 * floor_[i] : 0;
+        left.error[i] = isfinite(floor_[i]) ? 2 * floor_[i] : 0;
         double at = 0.5 * (left.low[i] + left.high[i]), varies = sf_varies(d, of, i, left.high[i] - left.low[i]);
         if (!(0.5 * (left.high[i] - left.low[i]) > SF_BOX_NARROWEST * sf_box_size(at)))
             varies = 0; /* one that is not to be cut further is not cut */

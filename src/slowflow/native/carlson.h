@@ -1,54 +1,54 @@
 /* Carlson's integrals R_F and R_D, in pairs that know how far they may be off. Takes three numbers of which one may be 0;
- * returns both integrals. Their series about equal numbers are derived: held_carlson.h, which the derivation prints.
+ * returns both integrals. Their series about equal numbers are derived: bounded_carlson.h, which the derivation prints.
  */
 #pragma once
 
-#include "held.h"
-#include "held_carlson.h"
+#include "bounded.h"
+#include "bounded_carlson.h"
 
 typedef struct {
-    sf_held R_F, R_D;
-} held_carlson;
+    sf_bounded R_F, R_D;
+} bounded_carlson;
 
 /* The share by which three numbers differ from a mean of theirs, of doubles. */
-static inline double held_carlson_apart(double x, double y, double z, double mean)
+static inline double bounded_carlson_apart(double x, double y, double z, double mean)
 {
     return sfi_most(sfi_most(fabs(x - mean), fabs(y - mean)), fabs(z - mean)) / mean;
 }
 
 /* Both of (x, y, z), of which one may be 0. The arguments are duplicated until they are nearly equal. */
-static held_carlson held_carlson_of(sf_held x, sf_held y, sf_held z)
+static bounded_carlson bounded_carlson_of(sf_bounded x, sf_bounded y, sf_bounded z)
 {
-    sf_held sum = sfh_point(0);
+    sf_bounded sum = sfb_point(0);
     double scale = 1;
-    held_carlson out;
+    bounded_carlson out;
     int n;
-    for (n = 0; n < SFH_MOST_DUPLICATIONS; n++) {
+    for (n = 0; n < SFB_MOST_DUPLICATIONS; n++) {
         const double a = x.x.high, b = y.x.high, c = z.x.high;
-        if (held_carlson_apart(a, b, c, (a + b + c) / 3) <= SFH_EQUAL && held_carlson_apart(a, b, c, (a + b + 3 * c) / 5) <= SFH_EQUAL)
+        if (bounded_carlson_apart(a, b, c, (a + b + c) / 3) <= SFB_EQUAL && bounded_carlson_apart(a, b, c, (a + b + 3 * c) / 5) <= SFB_EQUAL)
             break;
-        const sf_held p = sfh_sqrt(x), q = sfh_sqrt(y), r = sfh_sqrt(z);
-        const sf_held lambda = sfh_add(sfh_mul(p, q), sfh_mul(r, sfh_add(p, q)));
-        sum = sfh_add(sum, sfh_times(scale, sfh_inverse(sfh_mul(r, sfh_add(z, lambda)))));
-        x = sfh_times(0.25, sfh_add(x, lambda));
-        y = sfh_times(0.25, sfh_add(y, lambda));
-        z = sfh_times(0.25, sfh_add(z, lambda));
+        const sf_bounded p = sfb_sqrt(x), q = sfb_sqrt(y), r = sfb_sqrt(z);
+        const sf_bounded lambda = sfb_add(sfb_mul(p, q), sfb_mul(r, sfb_add(p, q)));
+        sum = sfb_add(sum, sfb_times(scale, sfb_inverse(sfb_mul(r, sfb_add(z, lambda)))));
+        x = sfb_times(0.25, sfb_add(x, lambda));
+        y = sfb_times(0.25, sfb_add(y, lambda));
+        z = sfb_times(0.25, sfb_add(z, lambda));
         scale *= 0.25;
     }
-    if (n == SFH_MOST_DUPLICATIONS) { /* or an argument is NaN */
-        out.R_F = out.R_D = sfh_of(sfp_point(0), HUGE_VAL);
+    if (n == SFB_MOST_DUPLICATIONS) { /* or an argument is NaN */
+        out.R_F = out.R_D = sfb_of(sfp_point(0), HUGE_VAL);
         return out;
     }
     {
-        const sf_held mean = sfh_div(sfh_add(sfh_add(x, y), z), sfh_point(3)), over = sfh_inverse(mean);
-        const sf_held one = sfh_mul(sfh_sub(mean, x), over), other = sfh_mul(sfh_sub(mean, y), over);
-        out.R_F = sfh_mul(sfh_sqrt(over), held_carlson_R_F_series(one, other));
+        const sf_bounded mean = sfb_div(sfb_add(sfb_add(x, y), z), sfb_point(3)), over = sfb_inverse(mean);
+        const sf_bounded one = sfb_mul(sfb_sub(mean, x), over), other = sfb_mul(sfb_sub(mean, y), over);
+        out.R_F = sfb_mul(sfb_sqrt(over), bounded_carlson_R_F_series(one, other));
     }
     {
-        const sf_held mean = sfh_div(sfh_add(sfh_add(x, y), sfh_times(3, z)), sfh_point(5)), over = sfh_inverse(mean);
-        const sf_held one = sfh_mul(sfh_sub(mean, x), over), other = sfh_mul(sfh_sub(mean, y), over);
-        const sf_held last = sfh_mul(sfh_mul(over, sfh_sqrt(over)), held_carlson_R_D_series(one, other));
-        out.R_D = sfh_add(sfh_times(3, sum), sfh_times(scale, last));
+        const sf_bounded mean = sfb_div(sfb_add(sfb_add(x, y), sfb_times(3, z)), sfb_point(5)), over = sfb_inverse(mean);
+        const sf_bounded one = sfb_mul(sfb_sub(mean, x), over), other = sfb_mul(sfb_sub(mean, y), over);
+        const sf_bounded last = sfb_mul(sfb_mul(over, sfb_sqrt(over)), bounded_carlson_R_D_series(one, other));
+        out.R_D = sfb_add(sfb_times(3, sum), sfb_times(scale, last));
     }
     return out;
 }

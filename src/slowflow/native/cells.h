@@ -109,14 +109,14 @@ static inline sf_interval sf_between(double f_a, double f_b, sf_interval slope, 
 }
 
 /* By how much a kernel may err: relatively, and as if its argument were a rounding away. */
-static inline double sf_doubt(double f, double A, double slope) {
-    const double doubt = SF_DOUBT * (fabs(f) + A * fabs(slope));
-    return doubt < HUGE_VAL ? doubt : SF_DOUBT * fabs(f);
+static inline double sf_error(double f, double A, double slope) {
+    const double error = SF_ERROR * (fabs(f) + A * fabs(slope));
+    return error < HUGE_VAL ? error : SF_ERROR * fabs(f);
 }
 
-static inline sf_interval sf_doubtful(double f, double A, double slope) {
-    const double doubt = sf_doubt(f, A, slope);
-    return doubt < HUGE_VAL ? sfi_of(f - doubt, f + doubt) : sfi_point(f);
+static inline sf_interval sf_with_error(double f, double A, double slope) {
+    const double error = sf_error(f, A, slope);
+    return error < HUGE_VAL ? sfi_of(f - error, f + error) : sfi_point(f);
 }
 
 /* A sample as something known. */
@@ -124,11 +124,11 @@ static inline void sf_know(const sf_sample *at, sf_known *out) {
     double tangent[2];
     out->A = at->A;
     out->h_AAA = sfi_point(at->h_AAA);
-    out->h_AA = sf_doubtful(at->h_AA, at->A, at->h_AAA);
-    out->h_A = sf_doubtful(at->h_A, at->A, at->h_AA);
-    out->h = sf_doubtful(at->h, at->A, at->h_A);
+    out->h_AA = sf_with_error(at->h_AA, at->A, at->h_AAA);
+    out->h_A = sf_with_error(at->h_A, at->A, at->h_AA);
+    out->h = sf_with_error(at->h, at->A, at->h_A);
     slow_flow_intercept(at->A, at->h, at->h_A, at->h_AA, tangent);
-    out->k = sf_doubtful(at->k, at->A, tangent[1]);
+    out->k = sf_with_error(at->k, at->A, tangent[1]);
 }
 
 /* A function between two of its values, of which bounds are known, and its slope in between. */
@@ -167,7 +167,7 @@ static inline void sf_make_slopes_bent(const sf_model *model, const sf_known *a,
     sf_interval bent[2], low, high;
     cell->A = sfi_of(a->A, b->A);
     model->mechanism->bent(model->mechanism, cell->A, model->p, bent);
-    low = sf_doubtful(a->h_AAA.lo, a->A, bent[1].lo), high = sf_doubtful(b->h_AAA.lo, b->A, bent[1].hi);
+    low = sf_with_error(a->h_AAA.lo, a->A, bent[1].lo), high = sf_with_error(b->h_AAA.lo, b->A, bent[1].hi);
     cell->h_AAA = sf_along(low, high, bent[1], width);
     cell->h_AA = sf_along(a->h_AA, b->h_AA, cell->h_AAA, width);
     cell->h_A = sf_along(a->h_A, b->h_A, cell->h_AA, width);
@@ -200,17 +200,17 @@ static inline int sf_scaled(const sf_cell *cell, sf_interval *rho, sf_interval *
     const double from = fabs(a->h_AA), width = b->A - a->A;
     if (!(a->A > 0 && sfi_has_sign(cell->h_AA) && slope.lo >= 0 && slope.hi < HUGE_VAL && from < HUGE_VAL))
         return 0;
-    *rho = sfi_of((1 - SF_DOUBT) * sfi_least(a->A * slope.lo / from, b->A * slope.lo / (from + slope.hi * width)),
-                  (1 + SF_DOUBT) * sfi_most(a->A * slope.hi / from, b->A * slope.hi / (from + slope.lo * width)));
+    *rho = sfi_of((1 - SF_ERROR) * sfi_least(a->A * slope.lo / from, b->A * slope.lo / (from + slope.hi * width)),
+                  (1 + SF_ERROR) * sfi_most(a->A * slope.hi / from, b->A * slope.hi / (from + slope.lo * width)));
     if (!(rho->hi < SF_HIGHEST_POWER))
         return 0;
     const double first = sf_kappa(a), last = sf_kappa(b);
-    const double doubt = 4 * SF_DOUBT * (1 + fabs(first));
-    *kappa = sfi_of(sfi_least(first, -1 / (2 + rho->lo)) - doubt, sfi_most(first, -1 / (2 + rho->hi)) + doubt);
+    const double error = 4 * SF_ERROR * (1 + fabs(first));
+    *kappa = sfi_of(sfi_least(first, -1 / (2 + rho->lo)) - error, sfi_most(first, -1 / (2 + rho->hi)) + error);
     const sf_interval bent = sfi_add(sfi_point(1), sfi_mul(*kappa, sfi_add(sfi_point(2), *rho)));
     const sf_interval kappa_A = sfi_neg(sfi_div(bent, cell->A));
-    *kappa = sfi_both(*kappa, sfi_of(sf_between(first - doubt, last - doubt, kappa_A, width).lo,
-                                     sf_between(first + doubt, last + doubt, kappa_A, width).hi));
+    *kappa = sfi_both(*kappa, sfi_of(sf_between(first - error, last - error, kappa_A, width).lo,
+                                     sf_between(first + error, last + error, kappa_A, width).hi));
     return 1;
 }
 

@@ -28,18 +28,18 @@ static void sf_enclose(sf_certificate *out, sf_interval Omega, sf_interval A, in
     out->at[out->n].corner = corner, out->at[out->n++].sign = sign;
 }
 
-static void sf_leave_in_doubt(sf_certificate *out, sf_interval A) {
-    if (out->doubts == SF_MOST_DOUBTS)
+static void sf_leave_undecided(sf_certificate *out, sf_interval A) {
+    if (out->n_undecided == SF_MOST_UNDECIDED)
         out->full = 1;
     else
-        out->doubt[out->doubts++] = A;
+        out->undecided[out->n_undecided++] = A;
 }
 
-static void sf_leave_all_in_doubt(const sf_inputs *inputs, const sf_proof *proof, sf_certificate *out) {
+static void sf_leave_all_undecided(const sf_inputs *inputs, const sf_proof *proof, sf_certificate *out) {
     out->full |= proof->full;
-    for (int i = 0; i < proof->doubts; i++)
-        sf_leave_in_doubt(out,
-                          sf_beyond(inputs, proof->doubt[i].piece, sfi_of(proof->doubt[i].low, proof->doubt[i].high)));
+    for (int i = 0; i < proof->n_undecided; i++)
+        sf_leave_undecided(out, sf_beyond(inputs, proof->undecided[i].piece,
+                                          sfi_of(proof->undecided[i].low, proof->undecided[i].high)));
 }
 
 /* Whether no amplitude from A on is that of a steady state at F_0 or less, as sf_bounds says. */
@@ -125,8 +125,8 @@ static void sf_certify_corners(const sf_inputs *inputs, const sf_terms *terms, s
                 slow_flow_intervals_F_A(roots.at[i], b, inputs->m, inputs->zeta, on.h, on.h_A));
             if (stable_above != 0 && stable_above == stable_below)
                 continue; /* no fold, however many roots there are */
-            if (roots.doubtful[i] || stable_above == 0 || stable_below == 0)
-                sf_leave_in_doubt(out, b);
+            if (roots.undecided[i] || stable_above == 0 || stable_below == 0)
+                sf_leave_undecided(out, b);
             else
                 sf_enclose(out, roots.at[i], b, 1, -stable_below);
         }
@@ -162,7 +162,7 @@ static void sf_sort_enclosures(sf_certificate *out, int (*follows)(const sf_encl
 static sf_status sf_begin_certificate(const sf_model *model, const sf_inputs *inputs, double F_0, sf_room *room,
                                       sf_proving *proving) {
     sf_certificate *out = &room->found;
-    out->n = out->doubts = out->full = 0, out->A_max = 0;
+    out->n = out->n_undecided = out->full = 0, out->A_max = 0;
     if (inputs == NULL)
         return SF_UNRESOLVED;
     *proving = sf_proving_of(inputs, F_0, &room->proof);
@@ -173,7 +173,7 @@ static sf_status sf_begin_certificate(const sf_model *model, const sf_inputs *in
     if (status == SF_OK)
         out->bounded = sf_is_bounded(inputs, F_0, out->A_max);
     if (!(F_0 > inputs->m.hi))
-        sf_leave_in_doubt(out, sfi_of(0, out->A_max));
+        sf_leave_undecided(out, sfi_of(0, out->A_max));
     return status;
 }
 
@@ -184,11 +184,11 @@ static sf_status sf_certify_folds(const sf_model *model, const sf_inputs *inputs
     sf_certificate *out = &room->found;
     sf_proving proving;
     const sf_status status = sf_begin_certificate(model, inputs, F_0, room, &proving);
-    if (status != SF_OK || out->doubts > 0)
+    if (status != SF_OK || out->n_undecided > 0)
         return status;
     proving.range = sf_fold_on, proving.channels = 1, proving.hints = hints, proving.expected = count;
     sf_prove(&proving, out->A_max);
-    sf_leave_all_in_doubt(inputs, &room->proof, out);
+    sf_leave_all_undecided(inputs, &room->proof, out);
     for (int i = 0; i < room->proof.n; i++) {
         const sf_cell *on = &room->proof.at[i].on;
         const sf_interval Omega = sf_fold_Omega_on(&proving.terms, on);
@@ -215,11 +215,11 @@ static sf_status sf_certify_states(const sf_model *model, const sf_inputs *input
     sf_certificate *out = &room->found;
     sf_proving proving;
     const sf_status status = sf_begin_certificate(model, inputs, F_0, room, &proving);
-    if (status != SF_OK || out->doubts > 0)
+    if (status != SF_OK || out->n_undecided > 0)
         return status;
     proving.range = sf_state_on, proving.channels = 1, proving.Omega = sfi_point(Omega);
     sf_prove(&proving, out->A_max);
-    sf_leave_all_in_doubt(inputs, &room->proof, out);
+    sf_leave_all_undecided(inputs, &room->proof, out);
     for (int i = 0; i < room->proof.n; i++)
         sf_enclose(out, proving.Omega, room->proof.at[i].on.A, 0, room->proof.at[i].rising ? 1 : -1);
     sf_sort_enclosures(out, sf_is_higher);
@@ -238,11 +238,11 @@ typedef struct {
     sf_onset_kind kind;
 } sf_candidate;
 
-/* doubted: the lowest level that is in doubt */
+/* undecided: the lowest level that is undecided */
 typedef struct {
     int n, full;
     sf_candidate at[SF_MOST_ZEROS];
-    double doubted;
+    double undecided;
 } sf_candidates;
 
 /* Enters a level that is a minimum along the fold locus if `sign` is positive, none if it is negative. */
@@ -250,7 +250,7 @@ static void sf_enter(sf_candidates *list, sf_interval level, sf_interval Omega, 
                      int sign)
 {
     if (sign == 0)
-        list->doubted = sfi_least(list->doubted, level.lo);
+        list->undecided = sfi_least(list->undecided, level.lo);
     if (sign <= 0)
         return;
     if (list->n == SF_MOST_ZEROS) {
@@ -327,7 +327,7 @@ static void sf_enter_corners(const sf_inputs *inputs, const sf_terms *terms, int
                 other = sf_sign_of(slow_flow_intervals_F_OmegaOmega(w, b, zeta, on.h));
             }
             sf_enter(list, sf_level_on(terms, w, &on), w, b, SF_CORNER_KIND,
-                     roots.doubtful[i] ? 0 : one < 0 || other < 0 ? -1 : one * other);
+                     roots.undecided[i] ? 0 : one < 0 || other < 0 ? -1 : one * other);
         }
     }
 }
@@ -352,7 +352,7 @@ static void sf_lowest(const sf_candidates *list, sf_proved_onset *out) {
 }
 
 /* F_cr, the least level on the first breakpoint: at Omega = 0 or where F_Omega vanishes. Each place that is tried is a
- * bound from above, and the least lies at one of them: so places in doubt do no harm. */
+ * bound from above, and the least lies at one of them: so undecided places do no harm. */
 static sf_status sf_certify_detachment(const sf_inputs *inputs, sf_interval *F_cr, sf_interval *Omega_cr) {
     const sf_terms terms = sf_terms_of(inputs, sfi_point(0));
     sf_candidates list;
@@ -376,7 +376,7 @@ static sf_status sf_certify_detachment(const sf_inputs *inputs, sf_interval *F_c
     return SF_OK;
 }
 
-/* All that may be the lowest up to an amplitude, with levels up to that of the question; what is in doubt fills the
+/* All that may be the lowest up to an amplitude, with levels up to that of the question; what is undecided fills the
  * list.
  * Minima of the level along the fold locus are its cusps and isola points, ends of its pieces on breakpoints, and ends
  * at Omega = 0, where no fold is born. */
@@ -387,7 +387,7 @@ static void sf_enter_all(const sf_inputs *inputs, sf_proving *proving, double A_
     for (int i = 0; i < 2; i++) {
         proving->range = i == 0 ? sf_isola_on : sf_cusps_on, proving->channels = 1 + i;
         sf_prove(proving, A_max);
-        list->full |= proof->full || proof->doubts > 0;
+        list->full |= proof->full || proof->n_undecided > 0;
         for (int k = 0; k < proof->n; k++)
             if (i == 0)
                 sf_enter_isola(&proving->terms, &proof->at[k].on, list);
@@ -402,10 +402,10 @@ static void sf_enter_all(const sf_inputs *inputs, sf_proving *proving, double A_
 static void sf_certify_no_onset(const sf_inputs *inputs, sf_proof *proof, sf_proved_onset *out) {
     sf_proving proving = sf_proving_of(inputs, HUGE_VAL, proof);
     sf_candidates list;
-    list.n = list.full = 0, list.doubted = HUGE_VAL;
+    list.n = list.full = 0, list.undecided = HUGE_VAL;
     sf_enter_all(inputs, &proving, SF_ENDLESS, &list);
     sf_lowest(&list, out);
-    out->proved = list.n == 0 && !list.full && list.doubted == HUGE_VAL;
+    out->proved = list.n == 0 && !list.full && list.undecided == HUGE_VAL;
 }
 
 /* Without viscous damping, whether folds come as near to m as one asks: their level is hypot(m, k), which is m at A = 0
@@ -442,10 +442,10 @@ static sf_status sf_certify_onset(const sf_model *model, const sf_inputs *inputs
     status = sf_amplitude_bound(model, F_0, &A_max);
     if (status != SF_OK)
         return status;
-    list.n = 0, list.full = !sf_is_bounded(inputs, F_0, A_max), list.doubted = HUGE_VAL;
+    list.n = 0, list.full = !sf_is_bounded(inputs, F_0, A_max), list.undecided = HUGE_VAL;
     sf_proving proving = sf_proving_of(inputs, F_0, &room->proof);
     sf_enter_all(inputs, &proving, A_max, &list);
     sf_lowest(&list, out);
-    out->proved = list.n > 0 && !list.full && list.doubted > out->F_SN.hi && out->F_SN.hi < F_0;
+    out->proved = list.n > 0 && !list.full && list.undecided > out->F_SN.hi && out->F_SN.hi < F_0;
     return SF_OK;
 }

@@ -253,7 +253,7 @@ static void sf_add_step(const sf_model *model, double F_0, const sf_arc *arc, in
     }
 }
 
-/* The last digits of the folds, also where segments end in them. What lies on which arc was told by the numbers
+/* The last digits of the folds, also where segments end in them. What lies on which arc was decided by the numbers
  * before. Returns how far off one of them is left, relatively. */
 static double sf_settle_skeleton(const sf_model *model, const sf_inputs *inputs, double F_0, sf_room *room) {
     sf_work *work = &room->work;
@@ -287,7 +287,7 @@ static sf_status sf_make_skeleton(const sf_model *model, const sf_inputs *inputs
         lost |= arc_of[i] < 0 && !work->folds.at[i].corner;
     }
     if (!sf_inertial(model)) { /* of which there is no proof */
-        room->doubt |= work->response.close | lost;
+        room->inconclusive |= work->response.close | lost;
         room->undecided |= work->response.close;
     }
     for (int c = 0; c < work->tour.curves; c++) {
@@ -301,7 +301,7 @@ static sf_status sf_make_skeleton(const sf_model *model, const sf_inputs *inputs
         out->curves = c + 1;
     }
     if (!laws && inputs != NULL && sf_settle_skeleton(model, inputs, F_0, room) > SF_FEW_DIGITS && !sf_inertial(model))
-        room->doubt = room->undecided = 1;
+        room->inconclusive = room->undecided = 1;
     return SF_OK;
 }
 
@@ -572,7 +572,7 @@ static void sf_frequencies_along(const sf_model *model, double F_0, const sf_seg
     }
 }
 
-/* Whether A hardly changes while Omega does, as where Omega^2 is small beside h_A: doubles of A do not tell Omega
+/* Whether A hardly changes while Omega does, as where Omega^2 is small against h_A: doubles of A do not give Omega
  * there. */
 static int sf_is_steep(const sf_segment *segment) {
     const double low = fmin(segment->Omega[0], segment->Omega[1]), high = fmax(segment->Omega[0], segment->Omega[1]);

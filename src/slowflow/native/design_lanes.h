@@ -31,7 +31,7 @@ enum { SF_TASK_ROWS = 4, SF_LAST_ROWS = 3 };
 /* rows of inputs of these loops; of brackets those kept for the next round, and with the last evaluation */
 enum { SF_INPUT_ROWS = 17, SF_KEPT_ROWS = 8, SF_REMEMBERED_ROWS = SF_KEPT_ROWS + SF_LAST_ROWS };
 
-typedef enum { SF_HAS_NONE, SF_HAS_ONE, SF_IS_OPEN, SF_IS_DOUBTFUL } sf_verdict;
+typedef enum { SF_HAS_NONE, SF_HAS_ONE, SF_IS_OPEN, SF_IS_UNDECIDED } sf_verdict;
 
 /* of: which design of the block; base: where the piece of the force begins; cut: where an open cell is cut, or where F
  * is likely to vanish in one that has a zero; falls: whether F is negative at its low end */
@@ -49,7 +49,7 @@ typedef struct {
 
 /* Brackets with what is known of an amplitude inside. next: where F vanishes as far as that tells; change: how far that
  * is from there; base: where the piece of the force begins; last: of folds x, x^2 = A^2 - base^2, and of cusps A, the
- * function and its slope along that where it was asked before */
+ * function and its slope along that where it was evaluated before */
 typedef struct {
     int n, of[SF_LANE_CELLS];
     union {
@@ -69,7 +69,7 @@ void sf_judge_states(sf_lane_cells *cells);
 void sf_judge_peaks(sf_lane_cells *cells);
 /* The same of folds, zeta > 0. */
 void sf_judge_folds(sf_lane_cells *cells);
-/* The same of the cusps of a first piece on one channel, doubtful where h_A < 0 is not sure on all of the cell. */
+/* The same of the cusps of a first piece on one channel, undecided where h_A < 0 is not sure on all of the cell. */
 void sf_judge_cusps(sf_lane_cells *cells);
 /* The next amplitudes of all brackets. */
 void sf_approach_states(sf_lane_zeros *zeros);
@@ -78,8 +78,8 @@ void sf_approach_folds(sf_lane_zeros *zeros);
 void sf_approach_cusps(sf_lane_zeros *zeros);
 
 /* What is known of a cell, or is left to the solvers of one design. */
-static inline double sf_verdict_of(int is_doubtful, int has_none, int has_one) {
-    return is_doubtful ? SF_IS_DOUBTFUL : has_none ? SF_HAS_NONE : has_one ? SF_HAS_ONE : (double)SF_IS_OPEN;
+static inline double sf_verdict_of(int is_undecided, int has_none, int has_one) {
+    return is_undecided ? SF_IS_UNDECIDED : has_none ? SF_HAS_NONE : has_one ? SF_HAS_ONE : (double)SF_IS_OPEN;
 }
 
 #define SF_LESSER(a, b) ((a) < (b) ? (a) : (b))
@@ -147,12 +147,12 @@ static inline sf_lane_slopes sf_slopes_on(double a, double h_a, double h1_a, dou
                                           double h_b, double h1_b, double h2_b, double h3_b, double base)
 {
     const double width = b - a;
-    /* what kernels and the roundings below may make of h_A and h_AA; sf_doubt_gains */
+    /* what kernels and the roundings below may make of h_A and h_AA; sf_widen_gains */
     const double near_a = a > base ? (a + fabs(h_a)) / sqrt((a - base) * (a + base)) : 0.0;
     const double near_b = (b + fabs(h_b)) / sqrt((b - base) * (b + base));
     const double size2 = SF_FINITE_SIZE(h2_a) + fabs(h2_b), size1 = SF_FINITE_SIZE(h1_a) + fabs(h1_b);
-    const double e2 = SF_CLOSE * size2 + 4 * SF_DOUBT * b * (SF_FINITE_SIZE(h3_a) + fabs(h3_b));
-    const double e1 = SF_CLOSE * size1 + 4 * SF_DOUBT * (b * size2 + near_a + near_b);
+    const double e2 = SF_CLOSE * size2 + 4 * SF_ERROR * b * (SF_FINITE_SIZE(h3_a) + fabs(h3_b));
+    const double e1 = SF_CLOSE * size1 + 4 * SF_ERROR * (b * size2 + near_a + near_b);
     /* h_AA is monotone where h_AAA has one sign */
     const double h3_lo = SF_LESSER(h3_a, h3_b), h3_hi = SF_GREATER(h3_a, h3_b);
     const int h3_signed = (h3_lo >= 0) | (h3_hi <= 0);
@@ -206,7 +206,7 @@ static inline double sf_lane_amid(double base, double a, double b) {
 
 /* Where a function vanishes that has these values and slopes at two amplitudes, as far as they tell: by the cubic that
  * gives A */
-static inline double sf_zero_beside(double a, double y_a, double slope_a, double b, double y_b, double slope_b) {
+static inline double sf_zero_near(double a, double y_a, double slope_a, double b, double y_b, double slope_b) {
     const double over = 1 / (y_b - y_a), chord = (b - a) * over, flat_a = 1 / slope_a, flat_b = 1 / slope_b;
     const double bend = (chord - flat_a) * over, third = ((flat_b - chord) * over - bend) * over;
     return a - y_a * flat_a + y_a * y_a * (bend - y_b * third);
@@ -217,7 +217,7 @@ static inline double sf_zero_beside(double a, double y_a, double slope_a, double
 static inline double sf_lane_zero(double a, double y_a, double slope_a, double b, double y_b, double slope_b,
                                   double inside)
 {
-    const double width = b - a, by_cubic = sf_zero_beside(a, y_a, slope_a, b, y_b, slope_b);
+    const double width = b - a, by_cubic = sf_zero_near(a, y_a, slope_a, b, y_b, slope_b);
     const double rise = -slope_b * width, curve = y_a - y_b - rise;
     const double root = sqrt(SF_GREATER(rise * rise - 4 * curve * y_b, 0.0));
     const double by_parabola = b + 2 * y_b * width / (rise + (y_b > 0 ? -root : root));
@@ -226,10 +226,10 @@ static inline double sf_lane_zero(double a, double y_a, double slope_a, double b
                                                                        : inside;
 }
 
-/* Into the bracket by `sf_zero_beside`, else by Newton's step from the first, else in the middle */
+/* Into the bracket by `sf_zero_near`, else by Newton's step from the first, else in the middle */
 static inline double sf_next_from(double a, double y_a, double slope_a, double b, double y_b, double slope_b, double lo,
                                   double hi) {
-    const double guess = sf_zero_beside(a, y_a, slope_a, b, y_b, slope_b), step = a - y_a / slope_a;
+    const double guess = sf_zero_near(a, y_a, slope_a, b, y_b, slope_b), step = a - y_a / slope_a;
     const int is_near = (fabs(y_a) < 0.5 * fabs(y_b)) | ((y_a < 0) != (y_b < 0));
     return is_near & (guess > lo) & (guess < hi) ? guess : (step > lo) & (step < hi) ? step : 0.5 * (lo + hi);
 }

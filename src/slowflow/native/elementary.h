@@ -8,7 +8,7 @@
 
 /* what a function of the C library may err by, relatively; it is known to err by some ulps */
 #define SFI_FUNCTION 0x1p-46
-/* what stands for any larger value at the lower end: products of six of them are doubles */
+/* what represents any larger value at the lower end: products of six of them are doubles */
 #define SFI_LARGEST 0x1p160
 #define SFI_PI 3.14159265358979312
 

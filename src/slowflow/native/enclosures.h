@@ -273,10 +273,10 @@ static inline void sf_critical_of(const sf_cell *cell, sf_interval p, double q, 
     out->w1 = out->w2 = sfi_point(0);
     if (A.lo == 0) {
         /* with friction there is none for small A */
-        if (p.lo < 0 && sf_critical_at(A.hi, p.lo * (1 + SF_DOUBT) * A.hi, q, &low[0], &low[1])) {
+        if (p.lo < 0 && sf_critical_at(A.hi, p.lo * (1 + SF_ERROR) * A.hi, q, &low[0], &low[1])) {
             out->where = SF_PARTLY;
-            out->w1 = out->w2 = sfi_of(0, sqrt(-p.lo) * (1 + SF_DOUBT));
-            out->w2.lo = sqrt(sfi_most(-p.hi, 0) / 3) * (1 - SF_DOUBT); /* where the cubic's slope is 0 */
+            out->w1 = out->w2 = sfi_of(0, sqrt(-p.lo) * (1 + SF_ERROR));
+            out->w2.lo = sqrt(sfi_most(-p.hi, 0) / 3) * (1 - SF_ERROR); /* where the cubic's slope is 0 */
         }
         return;
     }
@@ -285,8 +285,8 @@ static inline void sf_critical_of(const sf_cell *cell, sf_interval p, double q, 
     out->where = sf_critical_at(A.hi, p.hi, q, &high[0], &high[1]) ? SF_THROUGHOUT : SF_PARTLY;
     if (out->where == SF_PARTLY) /* they meet in between, or at 0 */
         high[0] = q > 0 ? low[1] : 0, high[1] = low[0];
-    out->w1 = sfi_of(low[0] * (1 - SF_DOUBT), high[0] * (1 + SF_DOUBT));
-    out->w2 = sfi_of(high[1] * (1 - SF_DOUBT), low[1] * (1 + SF_DOUBT));
+    out->w1 = sfi_of(low[0] * (1 - SF_ERROR), high[0] * (1 + SF_ERROR));
+    out->w2 = sfi_of(high[1] * (1 - SF_ERROR), low[1] * (1 + SF_ERROR));
 }
 
 static inline void sf_range_turn(const sf_model *model, const sf_cell *cell, int open, sf_range out[2]) {
@@ -320,7 +320,7 @@ static inline double sf_most_of_peak(const sf_model *model, double F_0, const sf
     const double size = sfi_most(fabs(cell->h.lo), fabs(cell->h.hi));
     const double lag =
         slow_flow_I(sqrt(cell->A.hi * size), 1, model->m, model->zeta); /* A Omega = sqrt(A size) at most */
-    return (size * size + lag * lag) * (1 + SF_DOUBT) - F_0 * F_0 * (1 - SF_DOUBT);
+    return (size * size + lag * lag) * (1 + SF_ERROR) - F_0 * F_0 * (1 - SF_ERROR);
 }
 
 /* The critical values rise with A where Omega^2 > h_A, and fall where it is less. */
@@ -387,18 +387,18 @@ static inline void sf_range_state(const sf_terms *terms, sf_interval Omega, cons
     out->ddy = state[2];
 }
 
-/* Parameters are rounded, and with them what the force gains at a breakpoint: next to it that moves h_A, as the inverse
- * of the root there, by more than k, which has the gain itself. */
-static inline void sf_doubt_gains(const sf_model *model, sf_cell *cell) {
-    const double A[2] = {cell->A.lo, cell->A.hi}, size = SF_DOUBT * (A[1] + fabs(cell->h.lo));
-    double doubt[2];
+/* Parameters are rounded, and with them what the force gains at a breakpoint: next to it that changes h_A, as the
+ * inverse of the root there, by more than k, which has the gain itself. */
+static inline void sf_widen_gains(const sf_model *model, sf_cell *cell) {
+    const double A[2] = {cell->A.lo, cell->A.hi}, size = SF_ERROR * (A[1] + fabs(cell->h.lo));
+    double error[2];
     for (int i = 0; i < model->breaks; i++) {
         const double b = model->b[i];
         if (!(A[0] >= b && A[0] <= SF_NEXT_TO_BREAK * b))
             continue;
         for (int end = 0; end < 2; end++)
-            doubt[end] = size / sqrt((A[end] - b) * (A[end] + b));
-        cell->h_A.lo -= doubt[cell->h_AA.hi <= 0], cell->h_A.hi += doubt[cell->h_AA.lo >= 0];
+            error[end] = size / sqrt((A[end] - b) * (A[end] + b));
+        cell->h_A.lo -= error[cell->h_AA.hi <= 0], cell->h_A.hi += error[cell->h_AA.lo >= 0];
     }
 }
 
@@ -443,11 +443,11 @@ static inline sf_interval sf_cubic_on(const sf_task *task, const sf_cell *cell) 
     return cubic.hi - cubic.lo < HUGE_VAL ? sfi_both(direct, cubic) : direct;
 }
 
-/* Whether a cell has one isola point at most, as one beside a zero of h, that doubles may not tell from it: where |h|
- * is small beside k and 3 h - A h_A, A F_A is zero there where zeta A^2 + m A x = cubic zeta A x^2 + k m x^3, which
- * one x is, and as h rises to where the least level ends, x falls to 0. */
+/* Whether a cell has one isola point at most, as one next to a zero of h, which doubles may not separate from it:
+ * where |h| is small against k and 3 h - A h_A, A F_A is zero there where zeta A^2 + m A x = cubic zeta A x^2 + k m
+ * x^3, which one x is, and as h rises to where the least level ends, x falls to 0. */
 static inline int sf_has_one_isola(sf_interval h, sf_interval h_A, sf_interval k, sf_interval cubic) {
-    return sfi_has_sign(h_A) && -h.lo <= SF_BESIDE * sfi_least(k.lo, cubic.lo);
+    return sfi_has_sign(h_A) && -h.lo <= SF_SAME_ROOT * sfi_least(k.lo, cubic.lo);
 }
 
 /* x rises with the first of its terms and falls with the others, so their corners hold it. No level of A is above A, so
@@ -468,8 +468,8 @@ static inline void sf_range_inertial(const sf_task *task, const sf_cell *cell, s
     own->where = sf_where_positive(terms[0]);
     if (own->where == SF_NOWHERE)
         return;
-    x.lo = terms[0].lo > 0 ? inertia_least(terms[0].lo, terms[1].hi, terms[2].hi) * (1 - SF_DOUBT) : 0;
-    x.hi = inertia_least(terms[0].hi, terms[1].lo, terms[2].lo) * (1 + SF_DOUBT);
+    x.lo = terms[0].lo > 0 ? inertia_least(terms[0].lo, terms[1].hi, terms[2].hi) * (1 - SF_ERROR) : 0;
+    x.hi = inertia_least(terms[0].hi, terms[1].lo, terms[2].lo) * (1 + SF_ERROR);
     if (task->question == SF_PEAK)
         inertia_intervals_peak(x, cell->A, task->terms.F_0, m, zeta, cell->h, cell->h_A, found);
     else
@@ -477,7 +477,7 @@ static inline void sf_range_inertial(const sf_task *task, const sf_cell *cell, s
     sf_range_simple(found[0], found[1], own->where, own);
     if (task->question == SF_ISOLA && !sfi_has_sign(own->y)) {
         const sf_interval cubic = sf_cubic_on(task, cell);
-        h.hi = sfi_least(h.hi, -2 * zeta.lo * zeta.lo * cell->A.lo * (1 - SF_DOUBT)); /* where there is a least level */
+        h.hi = sfi_least(h.hi, -2 * zeta.lo * zeta.lo * cell->A.lo * (1 - SF_ERROR)); /* where there is a least level */
         own->y = sfi_both(own->y,
                           inertia_intervals_isola_apart(x, cell->A, m, zeta, h, cell->k, cubic));
         own->once = sf_has_one_isola(h, cell->h_A, cell->k, cubic);
@@ -525,7 +525,7 @@ static inline void sf_find_range(const sf_task *task, const sf_known *a, const s
         sf_range_rest(model, task->F_0, cell, out);
         break;
     case SF_STATE:
-        sf_doubt_gains(model, cell);
+        sf_widen_gains(model, cell);
         sf_range_state_in_turn(&task->terms, sfi_point(task->Omega), cell, out);
         break;
     }

@@ -108,7 +108,7 @@ typedef struct {
 } sf_inputs;
 
 /* 0 where no proof is possible: the mechanism has no form on intervals, the excitation is no force, or a breakpoint can
- * be told neither from 0 nor to be 0. What has such a form has one in pairs too. */
+ * be shown neither to differ from 0 nor to be 0. What has such a form has one in pairs too. */
 static inline int sf_give(const sf_mechanism *mechanism, const double *design, double mu, double zeta, sf_inputs *out) {
     sf_interval b[SF_MOST_BREAKS], kink[SF_MOST_BREAKS];
     if (mechanism->averaged_within == NULL)

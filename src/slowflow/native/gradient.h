@@ -1,4 +1,4 @@
-/* Gradients. Takes an answer with what it is; returns its moves with each number that a user gives.
+/* Gradients. Takes an answer with what it is; returns its derivatives by each number that a user gives.
  *
  * By the implicit function theorem: an answer holds three conditions (SF_SYSTEMS), whose slopes and right sides are
  * generated (sensitivities_...); by the chain rule from the design to the force's parameters to the average. What every
@@ -12,7 +12,7 @@
 
 enum {
     SF_UNKNOWNS = 3,    /* A, Omega and F_0 */
-    SF_STATE_MOVES = 5, /* of A, phase and transmissibility, then of Omega and F_0 */
+    SF_STATE_ROWS = 5, /* of A, phase and transmissibility, then of Omega and F_0 */
     SF_CONDITIONS = 8,
     SF_SIZES = SF_CONDITIONS * SF_UNKNOWNS, /* behind the slopes */
     SF_EXCITED = 7,
@@ -107,8 +107,8 @@ static void sf_pin_on_break(const sf_model *model, int k, const double *slopes, 
         *answer = past;
 }
 
-/* The moves of A, Omega and F_0 with number j go to column j. Returns 0 where an answer meets another. The kind is a
- * constant of each call, as laws is: what it does not ask for is not computed. */
+/* The derivatives of A, Omega and F_0 by number j go to column j. Returns 0 where an answer meets another. The kind
+ * is a constant of each call, as laws is: what it does not ask for is not computed. */
 SF_ALWAYS int sf_solve(sf_pinned kind, int laws, const sf_pinned_answer *answer, const sf_model *model, const sf_causes *of,
                            int columns, double rates[SF_UNKNOWNS][SF_MOST_COLUMNS])
 {
@@ -240,10 +240,10 @@ static int sf_are_same(const sf_mechanism *mechanism, const sf_numbers *one, con
     return same;
 }
 
-/* Moves of an answer, by row, then by column. */
-typedef double sf_rows[SF_STATE_MOVES][SF_MOST_COLUMNS];
+/* Derivatives of an answer, by row, then by column. */
+typedef double sf_rows[SF_STATE_ROWS][SF_MOST_COLUMNS];
 
-/* How an answer at A moves with each of so many numbers. CORNER_END stands for any onset on a breakpoint; `of_design`
+/* The derivatives of an answer at A by so many numbers. CORNER_END is any onset on a breakpoint; `of_design`
  * is by_design, and `of` what `sf_begin_causes` leaves. */
 static sf_moves_status sf_gradient(const sf_model *model, const double *of_design, sf_causes *of,
                                    sf_pinned_answer *answer, double A, int rows, int columns, sf_rows out) {
@@ -290,7 +290,7 @@ static sf_moves_status sf_gradient(const sf_model *model, const double *of_desig
     for (int i = 0; i < SF_UNKNOWNS; i++)
         for (int j = 0; j < columns; j++)
             out[i > 0 ? rows - SF_UNKNOWNS + i : 0][j] = rates[i][j];
-    for (int j = 0; j < columns && rows == SF_STATE_MOVES; j++) {
+    for (int j = 0; j < columns && rows == SF_STATE_ROWS; j++) {
         double found[2];
         sensitivities_of_state(w, at->A, answer->rest[0], answer->rest[1], model->zeta, model->d, at->h, at->h_A,
                                answer->excited[0], answer->excited[1], answer->excited[2], of->h[0][j], of->rest[0][j],
@@ -303,9 +303,10 @@ static sf_moves_status sf_gradient(const sf_model *model, const double *of_desig
     return infinite ? SF_BOUNDLESS_MOVES : SF_OK_MOVES;
 }
 
-/* An answer by what is known there, and what one number does to that: A, Omega, F_0, what it is, whether inertia excites;
- * h, h_A, h_AA, h_AAA; I_0 and three derivatives; zeta, d; then of h, h_A, h_AA, I_0, I_0A, I_0AA, zeta, d, the forcing,
- * the frequency and an end. Out come moves as of `sf_gradient`, and 1; where the answer meets another NaN, and 0. */
+/* An answer by what is known there, and what one number does to that: A, Omega, F_0, what it is, whether inertia
+ * excites; h, h_A, h_AA, h_AAA; I_0 and three derivatives; zeta, d; then of h, h_A, h_AA, I_0, I_0A, I_0AA, zeta, d,
+ * the forcing, the frequency and an end. Returns derivatives as of `sf_gradient`, and 1; where the answer meets
+ * another NaN, and 0. */
 static void sf_slopes_of(const double *in, double *out) {
     const double *of_rest = in + 18;
     sf_pinned_answer answer = {.kind = (sf_pinned)in[3], .inertial = in[4] != 0, .Omega = in[1], .F_0 = in[2]};
@@ -322,10 +323,10 @@ static void sf_slopes_of(const double *in, double *out) {
     of.forcing[0] = in[23], of.frequency[0] = in[24], of.end[0] = in[25];
     (answer.inertial ? sensitivities_by_inertia : sensitivities_by_force)(in[1], in[2], answer.excited);
     answer.R = answer.kind == SF_CORNER_BACKBONE_PINNED ? 0 : slow_flow_R(in[1], in[0], in[5]);
-    out[SF_STATE_MOVES] = sf_solve(answer.kind, 1, &answer, &model, &of, 1, rates);
-    for (int i = 0; i < SF_STATE_MOVES; i++)
+    out[SF_STATE_ROWS] = sf_solve(answer.kind, 1, &answer, &model, &of, 1, rates);
+    for (int i = 0; i < SF_STATE_ROWS; i++)
         out[i] = NAN;
-    if (out[SF_STATE_MOVES] == 0)
+    if (out[SF_STATE_ROWS] == 0)
         return;
     out[0] = rates[0][0], out[3] = rates[1][0], out[4] = rates[2][0];
     sensitivities_of_state(in[1], in[0], in[9], in[10], in[13], in[14], in[5], in[6], answer.excited[0],
@@ -333,8 +334,8 @@ static void sf_slopes_of(const double *in, double *out) {
                            out[4], out + 1);
 }
 
-/* design, damping, F_0, Omega, A, what it is (a number of sf_pinned), whether inertia excites -> moves (rows, columns),
- * status; see sf_gradient */
+/* design, damping, F_0, Omega, A, what it is (a number of sf_pinned), whether inertia excites -> derivatives (rows,
+ * columns), status; see sf_gradient */
 static void sf_loop_gradients(sf_call *at) {
     const sf_mechanism *mechanism = at->mechanism;
     const int rows = (int)at->dimensions[1], columns = (int)at->dimensions[2];

@@ -92,14 +92,15 @@ static inline void sf_put_columns(sf_query *q, sf_item_kind kind, long n, size_t
 typedef struct sf_call sf_call;
 
 /* shape, types: of the outputs, behind the design, the damping and `at` numbers more, F_0 and Omega or others; by `d`
- * for double, `b` for int8; with places by `D`, `B`, `H` for short, and `K` for the kinds of folds, which are made of two
- * columns; behind these `n` for how many are taken, as int8, or `i`, as int, where all of a curve is to have its places.
+ * for double, `b` for int8; with places by `D`, `B`, `H` for short, and `K` for the kinds of folds, which are made of
+ * two columns; behind these `n` for how many are taken, as int8, or `i`, as int, where all of a curve is to have its
+ * places.
  *
  * loop      -- over its designs
  * answer    -- of one design: its status, which is the last output, then an item for each of the others but `n` and `i`;
- *              no items where it is no design to be asked about
+ *              no items where it is no design to query
  * of_given  -- whether that needs the oscillator as it was given, not only in pairs
- */
+ * */
 typedef struct {
     const char *name, *shape, *types, *doc;
     int at;

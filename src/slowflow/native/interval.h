@@ -1,7 +1,7 @@
 /* Arithmetic on closed intervals of doubles, rounded outwards. Takes intervals; returns one that holds every result.
  *
  * What is not known is NaN, or reaches to infinity: a test that asks whether something is proved fails there. 0 times
- * infinity is 0, as infinity stands for arbitrarily large numbers.
+ * infinity is 0, as infinity represents arbitrarily large numbers.
  *
  * Each operation is rounded to nearest and then moved by more than an ulp, so that no rounding mode is switched.
  */

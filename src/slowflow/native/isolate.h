@@ -1,7 +1,7 @@
 /* One root at a time. Takes a quartic of roots.h; returns its signs, and the root that is wanted of those they count.
  *
  * Along a curve the number of roots is known from both sides. Where rounding hides a pair that is about to meet, or
- * shows one that has met already, the known number decides, and the place where the pair meets stands for the root.
+ * shows one that has met already, the known number decides, and the place where the pair meets represents the root.
  */
 #pragma once
 

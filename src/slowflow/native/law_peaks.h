@@ -15,7 +15,7 @@ static void sf_find_structural_peak(const sf_model *model, double F_0, const sf_
     sf_known known;
     int is_inside = 0, is_on_end = 0;
     point.A = dissipation_limit_envelope(1, F_0, model->m, 0, model->eta, 0);
-    const double low = point.A * (1 - SF_DOUBT), high = point.A * (1 + SF_DOUBT);
+    const double low = point.A * (1 - SF_ERROR), high = point.A * (1 + SF_ERROR);
     for (int i = 0; i < pieces->n; i++) {
         const double a = pieces->at[i].first.A, b = pieces->at[i].last.A;
         is_on_end |= (low <= a && a <= high) || (low <= b && b <= high);

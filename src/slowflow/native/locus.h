@@ -13,7 +13,7 @@
 /* by how much more than I the terms of R may be, as a share of I, or if squares of roundings are to count */
 #define SF_FEW_LOST 4
 #define SF_SQUARE_LOST 0x1p24
-/* F_A at a fold is less, as a share of its terms: far more than rounding leaves, far less than beside a fold */
+/* F_A at a fold is less, as a share of its terms: far more than rounding leaves, far less than next to a fold */
 #define SF_OF_A_FOLD 0x1p-20
 
 static void sf_ask_all(const sf_model *model, sf_question question, double F_0, const sf_stretch *piece,

@@ -36,7 +36,7 @@ static int sf_take_numbers(const sf_mechanism *mechanism, const sf_numbers *inpu
 
 /* Design k as the solvers take it; 0 if a number lies outside its domain, or sf_prepare refuses it, or
  * with other laws of damping it has no answer.
- * jumps: whether it is asked what the force loses at its breakpoints, which takes longer than some answers. */
+ * jumps: whether the query needs what the force loses at its breakpoints, which takes longer than some answers. */
 static int sf_design_at(const sf_call *at, int jumps, sf_numbers *inputs, sf_model *model) {
     sf_read_numbers_at(at, inputs);
     return sf_take_numbers(at->mechanism, inputs, model) &&
@@ -128,7 +128,7 @@ static void sf_write_answer(const sf_call *at, sf_query *q) {
         free(q->reserve[--q->reserved]);
 }
 
-/* What design k is asked, by itself; 0 where it is none, or F_0 no forcing. Numbers that a batch does not take are
+/* The query of design k by itself; 0 where it is none, or F_0 no forcing. Numbers that a batch does not take are
  * infinite. */
 static int sf_prepare_query(const sf_call *at, sf_model *model, sf_inputs *inputs, sf_query *q) {
     sf_numbers numbers;

@@ -11,7 +11,7 @@
 
 enum { SF_DETACHING = 64 };
 
-/* n designs, row by row. number: number i of member d stands at i * SF_DETACHING + d; A, h: on the breakpoint in
+/* n designs, row by row. number: number i of member d is at i * SF_DETACHING + d; A, h: on the breakpoint in
  * doubles;
  * end: the breakpoint and h on it in pairs, their high and low parts laid out as numbers are; change: of F_cr, NaN
  * where the design is left to sf_settled_detachment */

@@ -12,7 +12,7 @@ enum { SF_FOLD_BLOCK = 64 };
 
 /* of folds: Omega is off by squares of the last step */
 #define SF_LAST_BY_SQUARES 0x1p-26
-/* which way a sweep leaves a fold is told where F_AA is no less than this share of its terms */
+/* which way a sweep leaves a fold is decided where F_AA is no less than this share of its terms */
 #define SF_TELLS_WAY 0x1p-16
 
 /* A Omega^2 over F_0 at folds that blocks settle: beyond, as next to a breakpoint, the slopes by which a fold is
@@ -68,7 +68,7 @@ static int sf_settle_block_fold(const sf_lane_design *of, int i, const sf_exactl
     if (!sf_is_plain_fold(of, of->w[i], of->A[i]) ||
         !(fabs(bend) >= SF_TELLS_WAY * sf_half_F_AA(model, &straight, of->w[i])))
         return 0;
-    if (sf_settle_near(slow_flow_pairs_fold_step, SF_MOVES_BOTH, 2, exactly, model, near, &at))
+    if (sf_settle_near(slow_flow_pairs_fold_step, SF_VARY_BOTH, 2, exactly, model, near, &at))
         Omega = at.Omega.high, A = at.A.high;
     else if (sf_settle_fold(exactly, model, of->F_0, &Omega, &A) > 0)
         return 0;

@@ -1,7 +1,7 @@
 /* Designs that go through a search together: what many_states.h, many_peaks.h, many_folds.h and many_onsets.h share.
  *
  * Cells of all designs of a block are judged at once, and all zeros are approached at once (design_lanes.h). Cells that
- * stay open are cut, those of all designs at once. A design that is doubtful anywhere is left to the solvers of one.
+ * stay open are cut, those of all designs at once. A design that is undecided anywhere is left to the solvers of one.
  */
 #pragma once
 
@@ -229,18 +229,18 @@ SF_ALWAYS void sf_cut_cells(sf_lane_sample *sample, sf_lane_block *block, const 
 
 /* All cells of a block, until none is open. */
 SF_ALWAYS void sf_search_block(const sf_lane_question *question, sf_lane_block *block) {
-    int open[SF_LANE_CELLS], with_one[SF_LANE_CELLS], doubtful[SF_LANE_CELLS];
+    int open[SF_LANE_CELLS], with_one[SF_LANE_CELLS], undecided[SF_LANE_CELLS];
     block->zeros[0].n = 0;
     for (int round = 0; block->cells[round % 2].n > 0; round++) {
         sf_lane_cells *cells = &block->cells[round % 2], *next = &block->cells[1 - round % 2];
-        int n_open = 0, n_one = 0, n_doubtful = 0;
+        int n_open = 0, n_one = 0, n_undecided = 0;
         question->judge(cells);
         for (int i = 0; i < cells->n; i++) { /* without a branch that nothing foretells */
             const int verdict = (int)cells->verdict[i];
-            open[n_open] = with_one[n_one] = doubtful[n_doubtful] = i;
-            n_open += verdict == SF_IS_OPEN, n_one += verdict == SF_HAS_ONE, n_doubtful += verdict == SF_IS_DOUBTFUL;
+            open[n_open] = with_one[n_one] = undecided[n_undecided] = i;
+            n_open += verdict == SF_IS_OPEN, n_one += verdict == SF_HAS_ONE, n_undecided += verdict == SF_IS_UNDECIDED;
         }
-        sf_leave(block, cells->of, doubtful, n_doubtful);
+        sf_leave(block, cells->of, undecided, n_undecided);
         if (round == SF_LANE_ROUNDS || 2 * n_open > SF_LANE_CELLS) {
             sf_leave(block, cells->of, open, n_open);
             n_open = 0;

@@ -14,7 +14,7 @@ enum {
 /* as shares of it */
 static const double sf_onset_parts[SF_ONSET_PARTS + 1] = {0, 0.125, 0.25, 0.5, 1};
 
-/* no cusp is asked again whose function is 0 but for a smaller change of A, relatively */
+/* no cusp is evaluated again whose function is 0 but for a smaller change of A, relatively */
 #define SF_LAST_OF_CUSP 0x1p-44
 
 /* the share of the stiffness below which zeta^2 is left alone: there the slopes by which a cusp is settled, which are

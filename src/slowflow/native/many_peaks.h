@@ -71,7 +71,7 @@ static int sf_leave_peak(const sf_call *at, const sf_exactly *exactly, sf_lane_b
     sf_settling peak = {sfp_point(of->w[0]), sfp_point(of->A[0]), sfp_point(of->F_0)};
     (void)q;
     if (of->n != 1 ||
-        !sf_settle_near(slow_flow_pairs_peak_step, SF_MOVES_BOTH, 2, exactly, &of->model, &of->near[0], &peak) ||
+        !sf_settle_near(slow_flow_pairs_peak_step, SF_VARY_BOTH, 2, exactly, &of->model, &of->near[0], &peak) ||
         !(peak.A.high >= of->lo[0] && peak.A.high <= of->hi[0]))
         return 0;
     sf_write_number(at, 0, peak.A.high), sf_write_number(at, 1, peak.Omega.high);

@@ -1,6 +1,6 @@
 /* States of batches of designs. Takes designs; returns their states, by blocks that go through the search together.
  *
- * Each state is settled to its last digit as a single one is, so that it is the same double. A design that is doubtful
+ * Each state is settled to its last digit as a single one is, so that it is the same double. A design that is undecided
  * anywhere, or not settled by so many rounds, is left to states.h.
  */
 #pragma once
@@ -39,7 +39,7 @@ static int sf_leave_states(const sf_call *at, const sf_exactly *exactly, sf_lane
     (void)q;
     for (int i = 0; i < of->n; i++) {
         sf_settling near = {sfp_point(of->Omega), sfp_point(of->A[i]), sfp_point(of->F_0)};
-        if (!sf_settle_near(slow_flow_pairs_state_step, SF_MOVES_A, 2, exactly, &of->model, &of->near[i], &near) ||
+        if (!sf_settle_near(slow_flow_pairs_state_step, SF_VARY_A, 2, exactly, &of->model, &of->near[i], &near) ||
             !(near.A.high >= of->lo[i] && near.A.high <= of->hi[i]) || (i > 0 && !(near.A.high > A[i - 1])))
             return 0;
         A[i] = near.A.high;

@@ -74,7 +74,7 @@ struct sf_mechanism {
     /* Damping: I, the sine balance (23). At Omega = A = 0 it is the forcing that leaves the mass at rest. */
     double (*dissipation)(double Omega, double A, const double *damping);
 
-    /* Excitation: the amplitude F_0 for which (Omega, A) is a steady state (24), and whether that stands for a force
+    /* Excitation: the amplitude F_0 for which (Omega, A) is a steady state (24), and whether that means a force
      * F_0 Omega^2, of inertia. */
     double (*level)(double Omega, double A, const double *damping, double h);
     int inertial;
@@ -86,7 +86,7 @@ struct sf_mechanism {
      * motion is about u = 0. p holds the parameters that follow from a design, then the jumps at its breakpoints.
      * ends_within is NULL where there are no breakpoints. averaged_within gives h, h_A, h_AA, h_AAA and h - A h_A on
      * the piece that begins at breakpoint number `passed`, which A exceeds by `beyond`; by its formula, which may be
-     * asked above its end too. kinks_within gives what the slope of the force loses at each breakpoint; NULL where the
+     * needed above its end too. kinks_within gives what the slope of the force loses at each breakpoint; NULL where the
      * force jumps at all of them. */
     void (*parameters_within)(const sf_mechanism *self, const double *design, sf_interval *p);
     void (*ends_within)(const sf_mechanism *self, const sf_interval *p, sf_interval *b);
@@ -102,12 +102,12 @@ struct sf_mechanism {
                               const sf_pair *p, sf_pair *out);
 
     /* Of n designs at once what parameters_in_pairs gives, of each number the high and then the low part: number i of
-     * design k stands at design[i*apart + k], part i at out[i*apart + k]. */
+     * design k is at design[i*apart + k], part i at out[i*apart + k]. */
     void (*many_in_pairs)(const sf_mechanism *self, ptrdiff_t n, ptrdiff_t apart, const double *design, double *out);
 
     /* Of n designs at once the first breakpoint and h on it as its lower side has it, of each the high and the low
      * part:
-     * number i of design k stands at design[i*apart + k], part i at out[i*apart + k]. The parts of h are NaN where that
+     * number i of design k is at design[i*apart + k], part i at out[i*apart + k]. The parts of h are NaN where that
      * takes a form of its own; NULL where such a loop is not known. */
     void (*on_first_end_in_pairs)(const sf_mechanism *self, ptrdiff_t n, ptrdiff_t apart, const double *design,
                                   double *out);

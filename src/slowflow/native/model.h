@@ -22,8 +22,8 @@
  * by rising size; jump: force just below less force just above; kink: the same of its slope and of its curvature;
  * reach:
  * the mechanism's, infinite where of its pieces a linear one is left; by_laws: whether laws.h answers for it: there are
- * other laws, or a preload under an excitation by inertia; lowest: the lowest Omega that is asked for, which bounds the
- * states of a mass that no spring holds; in_doubt: whether the sign of a jump is lost, as
+ * other laws, or a preload under an excitation by inertia; lowest: the lowest Omega of the query, which bounds the
+ * states of a mass that no spring holds; sign_lost: whether the sign of a jump is lost, as
  * where the jump is below the range of doubles */
 typedef struct {
     const sf_mechanism *mechanism;
@@ -35,7 +35,7 @@ typedef struct {
         };
     };
     double b[SF_MOST_BREAKS], jump[SF_MOST_BREAKS], kink[SF_MOST_BREAKS][2];
-    int breaks, in_doubt, by_laws;
+    int breaks, sign_lost, by_laws;
     double reach, lowest;
 } sf_model;
 
@@ -58,7 +58,7 @@ typedef struct {
  * design, if the design and its form on intervals are known. Returns a bit for each whose sign is lost even so. */
 static inline unsigned sf_jumps_of(const sf_mechanism *mechanism, const double *design, const double *p, double *jump) {
     sf_interval inputs[SF_MOST_PARAMETERS + SF_MOST_BREAKS];
-    unsigned in_doubt = 0;
+    unsigned sign_lost = 0;
     mechanism->jumps(mechanism, p, jump);
     if (design == NULL || mechanism->parameters_within == NULL)
         return 0;
@@ -68,9 +68,9 @@ static inline unsigned sf_jumps_of(const sf_mechanism *mechanism, const double *
         if (sfi_has_sign(lost))
             jump[i] = 0.5 * lost.lo + 0.5 * lost.hi;
         else if (!(lost.lo == 0 && lost.hi == 0))
-            in_doubt |= 1u << i;
+            sign_lost |= 1u << i;
     }
-    return in_doubt;
+    return sign_lost;
 }
 
 /* Number of the piece that begins at an amplitude, or holds it. */
@@ -81,7 +81,7 @@ static inline int sf_piece_from(const sf_model *model, double A) {
     return number;
 }
 
-/* An amplitude that stands for 0 where kernels take 0 for a part of a piece that ends there. */
+/* An amplitude in place of 0 where kernels take 0 for a part of a piece that ends there. */
 #define SF_NEXT_TO_REST 0x1p-100
 
 /* For a question that has no k in it: here that is a difference, which may be all rounding. */
@@ -122,13 +122,13 @@ static inline int sf_prepare(const sf_mechanism *mechanism, const double *design
         if (!(fabs(model->p[i]) <= SF_LARGEST))
             return 0;
     model->mechanism = mechanism;
-    model->breaks = model->in_doubt = 0, model->reach = mechanism->reach, model->lowest = 0;
+    model->breaks = model->sign_lost = 0, model->reach = mechanism->reach, model->lowest = 0;
     if (mechanism->breakpoints == 0) {
         model->by_laws = model->by_laws || sf_has_preload_by_inertia(model);
         return model->released == 0;
     }
     mechanism->ends(mechanism, model->p, b);
-    const unsigned in_doubt = sf_jumps_of(mechanism, design, model->p, jump);
+    const unsigned sign_lost = sf_jumps_of(mechanism, design, model->p, jump);
     if (mechanism->kinks != NULL)
         mechanism->kinks(mechanism, model->p, kink);
     for (int i = 0; i < mechanism->breakpoints; i++) {
@@ -138,7 +138,7 @@ static inline int sf_prepare(const sf_mechanism *mechanism, const double *design
             model->b[model->breaks] = b[i];
             model->kink[model->breaks][0] = mechanism->kinks != NULL ? kink[2 * i] : 1;
             model->kink[model->breaks][1] = mechanism->kinks != NULL ? kink[2 * i + 1] : 0;
-            model->in_doubt |= (in_doubt >> i & 1u) != 0;
+            model->sign_lost |= (sign_lost >> i & 1u) != 0;
             model->jump[model->breaks++] = jump[i];
         }
     }

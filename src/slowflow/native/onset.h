@@ -30,7 +30,7 @@ static sf_status sf_detachment(const sf_model *model, double *F_cr, double *Omeg
 enum { SF_MOST_LEAVING = 14 };
 #define SF_LEAVING 0x1p-4
 /* to either side of a frequency at which folds on a breakpoint may begin */
-#define SF_BESIDE_FOLDS 0x1p-30
+#define SF_NEAR_FOLDS 0x1p-30
 
 static void sf_consider(double level, double Omega, double A, sf_onset_kind kind, sf_onset *best) {
     if (level < best->F_SN)
@@ -111,7 +111,7 @@ static void sf_consider_end_by_laws(const sf_model *model, double A, sf_onset *b
         best->rest = fmin(best->rest, sf_law_level(model, &at, 0));
 }
 
-/* As sf_consider_piece. Fewer levels are asked for once the cusps are known. */
+/* As sf_consider_piece. Fewer levels are searched once the cusps are known. */
 static sf_status sf_consider_piece_by_laws(const sf_model *model, const sf_stretch *piece, sf_work *work, sf_onset *best) {
     sf_stretch left = *piece;
     const int number = sf_piece_from(model, piece->first.A);
@@ -237,7 +237,7 @@ static void sf_consider_corner_by_laws(const sf_model *model, int k, const sf_sa
     for (int i = 0; i < n; i++) {
         int folds = 0;
         for (int side = -1; side <= 1; side += 2) {
-            const double near = w[i] * (1 + side * SF_BESIDE_FOLDS);
+            const double near = w[i] * (1 + side * SF_NEAR_FOLDS);
             folds |= (sf_law_F_A(model, at, near, beyond) > 0) != sf_is_stable_above(model, k, at, near);
         }
         if (w[i] > 0 && folds)
@@ -353,7 +353,7 @@ static int sf_is_bent(const sf_stretch *piece) {
 }
 
 /* Whether there are folds on a piece from its first amplitude on: h_A is negative next to it, h_AAA being monotone. */
-static int sf_moves_from(const sf_stretch *piece, double h_A) {
+static int sf_leaves_rest(const sf_stretch *piece, double h_A) {
     const sf_sample *a = &piece->first;
     const double bend = a->h_AA != 0 ? a->h_AA : a->h_AAA != 0 ? a->h_AAA : piece->last.h_AAA;
     return h_A != 0 ? h_A < 0 : bend < 0;
@@ -400,7 +400,7 @@ static sf_status sf_onset_undamped(const sf_model *model, sf_work *work, sf_onse
     for (int k = 0; !tends && k <= model->breaks; k++) {
         piece.last = sf_sample_at(model, k < model->breaks ? model->b[k] : SF_ENDLESS);
         if (sf_is_bent(&piece)) {
-            tends = at.k == 0 && sf_moves_from(&piece, at.h_A) && !(k > 0 && model->jump[k - 1] != 0);
+            tends = at.k == 0 && sf_leaves_rest(&piece, at.h_A) && !(k > 0 && model->jump[k - 1] != 0);
             sf_clear_zeros(&work->zeros);
             tends |= !tends && sf_undamped_in(model, &piece, &work->zeros, best);
             if (work->zeros.status != SF_OK)
@@ -422,7 +422,7 @@ static sf_status sf_onset_undamped(const sf_model *model, sf_work *work, sf_onse
 }
 
 /* Whether there is no onset, or one so near to a breakpoint that few doubles lie between. */
-static int sf_is_beside_break(const sf_model *model, const sf_onset *best) {
+static int sf_is_near_break(const sf_model *model, const sf_onset *best) {
     for (int k = 0; k < model->breaks; k++)
         if (best->kind != SF_CORNER_KIND && fabs(best->A - model->b[k]) <= SF_COINCIDE * model->b[k])
             return 1;
@@ -495,7 +495,7 @@ static sf_status sf_without_onset(sf_status status, double limit, sf_onset *best
  *
  * By any excitation where no stiffness holds the mass at rest: next to A = 0 either h_AA < 0, or |h_A| is convex:
  * |h|/(A |h_A|) is at most a half, or tends to it. So R R_A is -a (1 - (1 + a)/2) A Omega^4 or less where
- * Omega^2 = |h_A|/(1 + a), and beside it I I_A vanishes with A^2. The level is less than (A + d A^2) Omega^2. */
+ * Omega^2 = |h_A|/(1 + a), and next to it I I_A vanishes with A^2. The level is less than (A + d A^2) Omega^2. */
 static int sf_comes_down(const sf_model *model, const sf_piece_ends *ends) {
     sf_stretch piece;
     if (!(model->d > 0) || model->zeta + model->m + model->eta > 0)
@@ -506,10 +506,10 @@ static int sf_comes_down(const sf_model *model, const sf_piece_ends *ends) {
     piece.first = ends->rest;
     piece.last = sf_sample_at(model, model->breaks > 0 ? fmin(model->b[0], 1) : 1);
     return model->mechanism->bent == NULL && piece.first.h == 0 && piece.first.h_A == 0 &&
-           fabs(piece.first.h_AA) < HUGE_VAL && sf_moves_from(&piece, 0);
+           fabs(piece.first.h_AA) < HUGE_VAL && sf_leaves_rest(&piece, 0);
 }
 
-/* The amplitude from which on there may be folds, beside a force that is infinitely stiff at u = 0, as under a power
+/* The amplitude from which on there may be folds, next to a force that is infinitely stiff at u = 0, as under a power
  * of u below 1; of any other force 0; negative where there are folds at ever smaller amplitudes.
  *
  * R R_A is least, -k^2/(4 A), between the Omega at which R and R_A vanish. Where that outweighs I I_A ever more there
@@ -560,7 +560,7 @@ static sf_status sf_end_onset(const sf_model *model, const sf_piece_ends *ends, 
         return sf_without_onset(SF_UNBOUNDED, HUGE_VAL, best);
     if (from > 0)
         rest = sf_sample_at(model, from);
-    if (model->in_doubt) /* whether a corner is the lowest is the sign of a jump */
+    if (model->sign_lost) /* whether a corner is the lowest is the sign of a jump */
         return sf_without_onset(SF_UNRESOLVED, 0, best);
     for (int k = pieces; k < model->breaks; k++) {
         piece.first = k > 0 ? ends->above[k - 1] : rest, piece.last = ends->on[k];
@@ -569,7 +569,7 @@ static sf_status sf_end_onset(const sf_model *model, const sf_piece_ends *ends, 
             return sf_without_onset(status, 0, best);
     }
     status = sf_onset_in_last(model, model->breaks > 0 ? &ends->above[model->breaks - 1] : &rest, work, best);
-    if (best->undecided && sf_is_beside_break(model, best))
+    if (best->undecided && sf_is_near_break(model, best))
         status = SF_UNRESOLVED;
     if (sf_inertial(model) && (status == SF_OK || status == SF_NONE) && sf_falls_at_break(model, best))
         status = SF_UNBOUNDED;
@@ -613,7 +613,7 @@ static sf_status sf_highest(const sf_model *model, sf_question question, double 
 static int sf_goes_on_above_rest(const sf_model *model, double F_0, double A) {
     const sf_sample at = sf_sample_without_k_at(model, A);
     const double w = sf_last_stationary(model, &at), I = slow_flow_I(w, A, model->m, model->zeta);
-    return w > 0 && slow_flow_F(w, A, F_0, model->m, model->zeta, at.h) < -sf_doubt_of_F(&at, I, F_0, w);
+    return w > 0 && slow_flow_F(w, A, F_0, model->m, model->zeta, at.h) < -sf_error_of_F(&at, I, F_0, w);
 }
 
 /* The highest peak of the response at F_0 up to `most`, isolas included, and its frequency: one at which F

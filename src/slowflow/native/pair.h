@@ -2,7 +2,7 @@
  *
  * Takes pairs whose low part is below an ulp of the high one; returns such pairs, right to a few times 2^-104 of the
  * result; a sum to as much of its terms. Overflow and underflow of a part are not looked for: what is computed in pairs
- * corrects a number that is known, and is used only where it is small beside that.
+ * corrects a number that is known, and is used only where it is small against that.
  */
 #pragma once
 

@@ -12,11 +12,11 @@
 #define PAIR_ANGLES_CONST
 #endif
 
-/* The angle whose tangent is y/x, 0 <= y <= x: where an angle and its complement are asked for, it is computed once. */
+/* The angle whose tangent is y/x, 0 <= y <= x: where an angle and its complement are needed, it is computed once. */
 PAIR_ANGLES_CONST static sf_pair pair_angles_acute(sf_pair y, sf_pair x)
 {
     const sf_pair t = sfp_div(y, x);
-    const int k = t.high > 0 ? (int)(PAIR_ANGLES_CUT * t.high + 0.5) : 0; /* of no number, as in a lane that is not asked, too */
+    const int k = t.high > 0 ? (int)(PAIR_ANGLES_CUT * t.high + 0.5) : 0; /* of no number, as in an unused lane, too */
     const double c = (double)k / PAIR_ANGLES_CUT;
     const sf_pair z = k == 0 ? t : sfp_div(sfp_sub(t, sfp_point(c)), sfp_add(sfp_point(1.0), sfp_times(c, t)));
     const sf_pair w = sfp_square(z);

@@ -8,7 +8,7 @@
  * one of them may have a sign on what is left. If the determinant of their slopes has one, the box holds no more than one
  * point (the slopes between two points are among those of the box). That there is one Krawczyk's operator proves on a
  * small box around where Newton's method leads. Else the box is cut; where that goes on until no double lies between its
- * ends, that it was undecided is said. As in scan.h what kernels err by is taken for granted (SF_DOUBT).
+ * ends, that it was undecided is said. As in scan.h what kernels err by is taken for granted (SF_ERROR).
  */
 #pragma once
 
@@ -117,7 +117,7 @@ static int sf_approach_point(const sf_law_search *search, sf_law_point *point, d
         sf_functions_at(search, &at, point, f);
         const double determinant = f[2] * f[5] - f[3] * f[4];
         const double by_A = (f[0] * f[5] - f[3] * f[1]) / determinant, by_u = (f[2] * f[1] - f[0] * f[4]) / determinant;
-        const double off = fmax(fabs(by_A) / point->A, fabs(by_u) / (fabs(point->u) + fabs(at.h) * SF_DOUBT));
+        const double off = fmax(fabs(by_A) / point->A, fabs(by_u) / (fabs(point->u) + fabs(at.h) * SF_ERROR));
         if (!(off < HUGE_VAL))
             return 0;
         /* as far as roundings let it come; next to a breakpoint functions vary on the scale of what is beyond it */

@@ -1,10 +1,9 @@
 /* The record of a force from data, without a compiler. Takes words and numbers that the derivation writes
  * (derivations/codegen/targets/program); returns a record whose functions interpret them.
  *
- * A program is straight lines (straight.h), in doubles for SF_LANES amplitudes or nodes side by side. `sf_read_program`
- * refuses beside what these do other sizes than the record's functions take and give, and words or numbers too many or
- * too few.
- */
+ * A program is straight lines (straight.h), in doubles for SF_LANES amplitudes or nodes side by side.
+ * `sf_read_program` refuses, besides what these do, other sizes than the record's functions take and give, and words
+ * or numbers too many or too few. */
 #pragma once
 
 #include "bent.h"

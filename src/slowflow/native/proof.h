@@ -10,7 +10,7 @@
 #include "certificate.h"
 #include "scan.h"
 
-/* what is not decided after so many cells is left in doubt */
+/* what is not decided after so many cells is left undecided */
 #define SF_MOST_PROOF_CELLS 4000
 /* in an interval that is narrower, relatively, a zero may lie on an end or be double: it is cut only as long as that
  * tells more, and not where the function ends */
@@ -33,7 +33,7 @@ struct sf_proving {
     sf_proof *out;
 };
 
-/* range: the functions there, once they have been asked for */
+/* range: the functions there, once they have been evaluated */
 typedef struct {
     sf_known known;
     sf_range range[2];
@@ -89,8 +89,8 @@ static void sf_range_between(const sf_proving *proving, const sf_checked *a, con
     proving->range(proving, cell, open, range);
 }
 
-/* 1: one zero, from below; -1: one, from above; 0: none; 2: not known. last: if it need not be told from the end of
- * what is asked, which smaller cells may do. The slope's range becomes narrower where its own slope is known. */
+/* 1: one zero, from below; -1: one, from above; 0: none; 2: not known. last: if it need not be separated from the
+ * end of the query, which smaller cells may do. The slope's range becomes narrower where its own slope is known. */
 static int sf_crossing(const sf_proving *proving, sf_checked *a, sf_checked *b, int c, sf_range *range, int last) {
     const double width = sfi_up(b->known.A - a->known.A);
     if (range->where == SF_NOWHERE || sfi_has_sign(range->y))
@@ -203,22 +203,22 @@ static void sf_add_proven(const sf_proving *proving, const sf_checked *a, const 
     out->n++;
 }
 
-static void sf_add_doubt(sf_proof *out, double low, double high, int piece, int c) {
-    for (int i = 0; i < out->doubts; i++)
-        if (out->doubt[i].channel == c && out->doubt[i].piece == piece && out->doubt[i].low == high) {
-            out->doubt[i].low = low;
+static void sf_add_undecided(sf_proof *out, double low, double high, int piece, int c) {
+    for (int i = 0; i < out->n_undecided; i++)
+        if (out->undecided[i].channel == c && out->undecided[i].piece == piece && out->undecided[i].low == high) {
+            out->undecided[i].low = low;
             return;
         }
-    if (out->doubts == SF_MOST_DOUBTS) {
+    if (out->n_undecided == SF_MOST_UNDECIDED) {
         out->full = 1;
         return;
     }
-    out->doubt[out->doubts].low = low, out->doubt[out->doubts].high = high;
-    out->doubt[out->doubts].piece = piece, out->doubt[out->doubts++].channel = c;
+    out->undecided[out->n_undecided].low = low, out->undecided[out->n_undecided].high = high;
+    out->undecided[out->n_undecided].piece = piece, out->undecided[out->n_undecided++].channel = c;
 }
 
 /* Whether smaller cells tell no more of a function: one that only rises or falls has its zero next to an end. What is
- * narrow beside its amplitudes need not be so beside how far these lie above their breakpoint. */
+ * narrow against its amplitudes need not be so against how far these lie above their breakpoint. */
 static int sf_is_cut_enough(const sf_proving *proving, sf_checked *a, sf_checked *b, int c, const sf_range *range) {
     const double low = a->known.A, high = b->known.A;
     const int narrow = high - low <= SF_PROOF_NARROW * high;
@@ -246,7 +246,7 @@ static void sf_prove_between(const sf_proving *proving, sf_checked *a, sf_checke
         if (crossing == 1 || crossing == -1)
             sf_add_proven(proving, a, b, c, &range[c], &cell, crossing == 1);
         else if (crossing == 2 && last)
-            sf_add_doubt(proving->out, low, high, proving->piece, c);
+            sf_add_undecided(proving->out, low, high, proving->piece, c);
         if (crossing != 2 || last)
             open &= ~(1 << c);
     }
@@ -267,41 +267,42 @@ static int sf_holds_proven(const sf_proof *out, double low, double high, int pie
     return 0;
 }
 
-/* Doubts from number `first` on once more, each with something around it: a zero may have lain on a cell's end. */
+/* What is undecided from number `first` on once more, each with something around it: a zero may have lain on a
+ * cell's end. */
 static void sf_look_again(const sf_proving *proving, double least, double most, int first) {
     sf_proof *out = proving->out;
     int kept = first;
-    for (int i = first; i < out->doubts; i++) {
-        const sf_doubt_between doubt = out->doubt[i];
-        double around = doubt.high - doubt.low;
+    for (int i = first; i < out->n_undecided; i++) {
+        const sf_undecided_between open = out->undecided[i];
+        double around = open.high - open.low;
         int settled = 0;
         for (int k = 0; k < 4 && !settled; k++) {
             sf_range range[2];
             sf_cell cell;
             around *= 16;
-            if (!(doubt.low - around > least && doubt.high + around < most))
+            if (!(open.low - around > least && open.high + around < most))
                 break;
-            sf_checked a = sf_check_at(proving, doubt.low - around);
-            sf_checked b = sf_check_at(proving, doubt.high + around);
-            sf_range_between(proving, &a, &b, 1 << doubt.channel, &cell, range);
-            const int crossing = sf_crossing(proving, &a, &b, doubt.channel, &range[doubt.channel], 1);
+            sf_checked a = sf_check_at(proving, open.low - around);
+            sf_checked b = sf_check_at(proving, open.high + around);
+            sf_range_between(proving, &a, &b, 1 << open.channel, &cell, range);
+            const int crossing = sf_crossing(proving, &a, &b, open.channel, &range[open.channel], 1);
             settled = crossing != 2;
-            if (settled && crossing != 0 && !sf_holds_proven(out, a.known.A, b.known.A, doubt.piece, doubt.channel))
-                sf_add_proven(proving, &a, &b, doubt.channel, &range[doubt.channel], &cell, crossing == 1);
+            if (settled && crossing != 0 && !sf_holds_proven(out, a.known.A, b.known.A, open.piece, open.channel))
+                sf_add_proven(proving, &a, &b, open.channel, &range[open.channel], &cell, crossing == 1);
         }
         if (!settled)
-            out->doubt[kept++] = doubt;
+            out->undecided[kept++] = open;
     }
-    out->doubts = kept;
+    out->n_undecided = kept;
 }
 
 /* All zeros up to A_max, piece by piece. */
 static void sf_prove(sf_proving *proving, double A_max) {
     const sf_inputs *inputs = proving->inputs;
     sf_checked first, last;
-    proving->out->n = proving->out->doubts = proving->out->cells = proving->out->full = 0;
+    proving->out->n = proving->out->n_undecided = proving->out->cells = proving->out->full = 0;
     for (int i = 0; i <= inputs->breaks; i++) {
-        const int before = proving->out->doubts;
+        const int before = proving->out->n_undecided;
         proving->piece = i;
         if (i > 0)
             sf_know_above(inputs, i - 1, &first.known);

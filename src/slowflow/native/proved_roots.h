@@ -9,7 +9,7 @@ enum { SF_MOST_ROOTS = 8, SF_MOST_ROOT_CELLS = 1000 };
 
 /* in a narrower interval, relatively, a root may be double: it is cut only as long as that tells more */
 #define SF_ROOT_NARROW 0x1p-32
-/* intervals in doubt that are nearer to each other than this, relatively, are one */
+/* undecided intervals that are nearer to each other than this, relatively, are one */
 #define SF_ROOTS_TOUCH 0x1p-30
 
 /* of the response, F = 0; of the fold locus, F_A = 0; of its peaks, F_Omega = 0 */
@@ -20,11 +20,11 @@ typedef struct {
     sf_interval A, h, h_A, m, zeta, F_0;
 } sf_at_amplitude;
 
-/* doubtful: whether the interval may hold no root, or several */
+/* undecided: whether the interval may hold no root, or several */
 typedef struct {
     int n, full, cells;
     sf_interval at[SF_MOST_ROOTS];
-    int doubtful[SF_MOST_ROOTS];
+    int undecided[SF_MOST_ROOTS];
 } sf_roots;
 
 static void sf_value_on(const sf_at_amplitude *q, sf_interval w, sf_interval *y, sf_interval *dy) {
@@ -53,14 +53,14 @@ static double sf_highest_root(const sf_at_amplitude *q) {
     return q->of == SF_ROOTS_OF_F_A ? sfi_most(highest, slow_flow_zeta0_intervals_undamped_Omega(q->h_A).hi) : highest;
 }
 
-static void sf_add_root(sf_roots *out, sf_interval w, int doubtful) {
+static void sf_add_root(sf_roots *out, sf_interval w, int undecided) {
     const int last = out->n - 1;
-    if (doubtful && last >= 0 && out->doubtful[last] && w.lo - out->at[last].hi <= SF_ROOTS_TOUCH * w.lo) {
+    if (undecided && last >= 0 && out->undecided[last] && w.lo - out->at[last].hi <= SF_ROOTS_TOUCH * w.lo) {
         out->at[last].hi = w.hi; /* neighbours are one */
     } else if (out->n == SF_MOST_ROOTS) {
         out->full = 1;
     } else {
-        out->at[out->n] = w, out->doubtful[out->n++] = doubtful;
+        out->at[out->n] = w, out->undecided[out->n++] = undecided;
     }
 }
 

@@ -41,7 +41,7 @@ struct sf_quarter {
     const int *begins;
     sf_interpreted interpreted;
     const void *programs;
-    const double *rough; /* what each integrand is in doubt by, wherever it is; NULL where rounding is relative to it */
+    const double *rough; /* the error of each integrand, wherever it is; NULL where rounding is relative to it */
 };
 
 /* A piece's part of the quarter: its span, and the sine and the cosine of where it begins. */
@@ -93,14 +93,14 @@ static inline void sf_panels(const sf_quarter *of, int count, const sf_part *on,
     }
 }
 
-/* Whether a sum moved by more than what its integrand is in doubt by. */
+/* Whether a sum moved by more than the error of its integrand. */
 static inline int sf_is_apart(const sf_quarter *of, int k, double span, double shift, double size) {
     return shift > SF_AGREED * size + (of->rough != NULL ? of->rough[k] * span : 0);
 }
 
 /* Whether sums differ from those by half as many panels by no more than roundings of A and of the parameters make of
  * them. */
-static inline int sf_moves_as_rounding(const sf_quarter *of, int count, const sf_part *on, double A, const double *p,
+static inline int sf_varies_by_rounding(const sf_quarter *of, int count, const sf_part *on, double A, const double *p,
                                        int panels, const double *sums, const double *before, const double *sizes)
 {
     double there[SF_MOST_SUMS], sizes_there[SF_MOST_SUMS], changes[SF_MOST_SUMS], shifted[SF_MOST_SUMS];
@@ -134,7 +134,7 @@ static inline int sf_settled_part(const sf_quarter *of, int count, const sf_part
         for (int k = 0; k < count && panels > 1 && !(on->span <= SF_SHORT_PART); k++)
             apart |= sf_is_apart(of, k, on->span, fabs(sums[k] - before[k]), sizes[k]);
         if (!apart ||
-            (panels >= SF_FEWEST_PANELS && sf_moves_as_rounding(of, count, on, A, p, panels, sums, before, sizes)))
+            (panels >= SF_FEWEST_PANELS && sf_varies_by_rounding(of, count, on, A, p, panels, sums, before, sizes)))
             return 1;
         for (int k = 0; k < count; k++)
             before[k] = sums[k];

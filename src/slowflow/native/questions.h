@@ -217,13 +217,13 @@ static void sf_answer_states_of(sf_query *q)
     /* frequencies: some milliseconds; and as how many of them a proof counts */
     enum { BETWEEN_SIGNALS = 1 << 14, PROOF = 100 };
     sf_room *room = q->room;
-    long n = 0, doubts = 0, size = SF_MOST_STATES, since = 0;
-    double *doubt = sf_reserve(q, (long)q->length, sizeof *doubt);
+    long n = 0, n_unresolved = 0, size = SF_MOST_STATES, since = 0;
+    double *unresolved = sf_reserve(q, (long)q->length, sizeof *unresolved);
     sf_state *at = sf_reserve(q, size, sizeof *at);
     void **of_states = &q->reserve[q->reserved - 1];
     sf_model model = *q->model;
     sf_status status = SF_OK;
-    if (doubt == NULL || at == NULL)
+    if (unresolved == NULL || at == NULL)
         return;
     model.lowest = q->length > 0 ? q->values[0] : 0;
     for (long i = 1; i < q->length; i++)
@@ -242,7 +242,7 @@ static void sf_answer_states_of(sf_query *q)
         for (int k = 0; k < here; k++)
             at[n++] = (sf_state){Omega, room->A[k], room->stable[k]};
         if (undecided)
-            doubt[doubts++] = Omega;
+            unresolved[n_unresolved++] = Omega;
         since += 1 + PROOF * room->proofs, room->proofs = 0;
         if (since >= BETWEEN_SIGNALS && !q->goes_on(q))
             return;
@@ -251,7 +251,7 @@ static void sf_answer_states_of(sf_query *q)
     sf_put(q, SF_INTEGER, status);
     sf_put_columns(q, SF_NUMBERS, n, sizeof *at, (const void *[]){&at->Omega, &at->A, NULL});
     sf_put_column(q, SF_FLAGS, n, &at->stable, sizeof *at);
-    sf_put_column(q, SF_NUMBERS, doubts, doubt, sizeof *doubt);
+    sf_put_column(q, SF_NUMBERS, n_unresolved, unresolved, sizeof *unresolved);
 }
 
 /* ==== Proofs ====================================================================================================== */
@@ -260,12 +260,12 @@ static void sf_put_certificate(sf_query *q, sf_status status)
 {
     const sf_certificate *found = &q->room->found;
     const sf_enclosure *at = found->at;
-    const long n = status == SF_OK ? found->n : 0, doubts = status == SF_OK ? found->doubts : 0;
+    const long n = status == SF_OK ? found->n : 0, n_undecided = status == SF_OK ? found->n_undecided : 0;
     sf_put(q, SF_INTEGER, status);
     sf_put_columns(q, SF_INTERVALS, n, sizeof *at, (const void *[]){&at->Omega, &at->A, NULL});
     sf_put_column(q, SF_FLAGS, n, &at->corner, sizeof *at);
     sf_put_column(q, SF_INTEGERS, n, &at->sign, sizeof *at);
-    sf_put_column(q, SF_INTERVALS, doubts, found->doubt, sizeof *found->doubt);
+    sf_put_column(q, SF_INTERVALS, n_undecided, found->undecided, sizeof *found->undecided);
     sf_put(q, SF_NUMBER, found->A_max), sf_put(q, SF_FLAG, found->bounded), sf_put(q, SF_FLAG, !found->full);
 }
 
@@ -490,7 +490,7 @@ static const sf_row sf_rows_of_one[] = {
     {"steady_states", "F_0, [Omega] -> status, Omega, A, stable, Omega where undecided", 1, 1, 0,
      sf_answer_states_of},
     {"certify_folds",
-     "F_0, [A where folds are expected] -> status, Omega, A, corner, sign of F_AA, doubts, A_max, bounded, complete",
+     "F_0, [A where folds are expected] -> status, Omega, A, corner, sign of F_AA, undecided, A_max, bounded, complete",
      1, 1, 1, sf_answer_certified_folds},
     {"certify_states", "F_0, Omega -> the same, with the sign of F_A", 2, 0, 1, sf_answer_certified_states},
     {"certify_onset", "status, F_SN, Omega, A, kind, whether it is proved", 0, 0, 1, sf_answer_certified_onset},

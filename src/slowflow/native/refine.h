@@ -1,10 +1,10 @@
 /* Answers to their last digit. Takes an answer as the solvers found it; returns the double next to the exact one
  * of the oscillator as it was given.
  *
- * Newton's method on the equations that define the answer (derivations/systems/newton.py), their values in double-double,
- * their slopes in doubles: one step, but next to a double root or a breakpoint. An answer is left alone where the
- * first step is not small beside it, or the slopes change along it by too much: there it may lead to another answer.
- */
+ * Newton's method on the equations that define the answer (derivations/systems/newton.py), their values in
+ * double-double, their slopes in doubles: one step, but next to a double root or a breakpoint. An answer is left
+ * alone where the first step is not small against it, or the slopes change along it by too much: there it may lead
+ * to another answer. */
 #pragma once
 
 #include "exact_inputs.h"
@@ -41,7 +41,7 @@ typedef struct {
 } sf_settling;
 
 /* Which of them an answer has: the last, the first two, or all */
-typedef enum { SF_MOVES_A = 1, SF_MOVES_BOTH, SF_MOVES_ALL } sf_moves;
+typedef enum { SF_VARY_A = 1, SF_VARY_BOTH, SF_VARY_ALL } sf_varied;
 
 static inline void sf_take_step(sf_step step, const sf_exactly *exactly, const sf_exact_sample *at,
                                 const sf_settling *of, double out[4])
@@ -71,17 +71,17 @@ static inline int sf_piece_of(const sf_model *model, double A) {
 }
 
 /* Of a step, relatively */
-static inline double sf_size_of_step(const double out[4], sf_moves unknowns, const sf_settling *of) {
-    double size = fabs(out[unknowns > SF_MOVES_A]) / of->A.high;
-    if (unknowns > SF_MOVES_A)
+static inline double sf_size_of_step(const double out[4], sf_varied unknowns, const sf_settling *of) {
+    double size = fabs(out[unknowns > SF_VARY_A]) / of->A.high;
+    if (unknowns > SF_VARY_A)
         size = fmax(size, fabs(out[0]) / of->Omega.high);
-    if (unknowns == SF_MOVES_ALL)
+    if (unknowns == SF_VARY_ALL)
         size = fmax(size, fabs(out[2]) / of->F_0.high);
     return size;
 }
 
 /* How far, relatively, Newton's method would move what does not settle; 0 where pairs do not tell. */
-static inline double sf_is_off_by(sf_step step, sf_moves unknowns, int count, const sf_exactly *exactly,
+static inline double sf_is_off_by(sf_step step, sf_varied unknowns, int count, const sf_exactly *exactly,
                                   const sf_model *model, const sf_settling *of)
 {
     sf_exact_sample at;
@@ -94,7 +94,7 @@ static inline double sf_is_off_by(sf_step step, sf_moves unknowns, int count, co
 }
 
 /* Returns whether an answer settled. count, near: as of sf_exact_at */
-static inline int sf_settle_near(sf_step step, sf_moves unknowns, int count, const sf_exactly *exactly,
+static inline int sf_settle_near(sf_step step, sf_varied unknowns, int count, const sf_exactly *exactly,
                                  const sf_model *model, const sf_sample *near, sf_settling *of)
 {
     double before = HUGE_VAL;
@@ -111,10 +111,10 @@ static inline int sf_settle_near(sf_step step, sf_moves unknowns, int count, con
         const double size = sf_size_of_step(out, unknowns, of);
         if (!sf_is_step(size, out[unknowns], before, &last))
             return 0;
-        sf_change_by(&of->A, out[unknowns > SF_MOVES_A]);
-        if (unknowns > SF_MOVES_A)
+        sf_change_by(&of->A, out[unknowns > SF_VARY_A]);
+        if (unknowns > SF_VARY_A)
             sf_change_by(&of->Omega, out[0]);
-        if (unknowns == SF_MOVES_ALL)
+        if (unknowns == SF_VARY_ALL)
             sf_change_by(&of->F_0, out[2]);
         before = size;
     }
@@ -122,7 +122,7 @@ static inline int sf_settle_near(sf_step step, sf_moves unknowns, int count, con
 }
 
 /* The same of numbers, which stay as they are where they do not settle; F_0 does where it is no part of the answer */
-static inline int sf_settle_numbers(sf_step step, sf_moves unknowns, int count, const sf_exactly *exactly,
+static inline int sf_settle_numbers(sf_step step, sf_varied unknowns, int count, const sf_exactly *exactly,
                                      const sf_model *model, double *Omega, double *A, double *F_0) {
     sf_settling of = {sfp_point(*Omega), sfp_point(*A), sfp_point(*F_0)};
     if (exactly == NULL || !sf_settle_near(step, unknowns, count, exactly, model, NULL, &of))
@@ -234,7 +234,7 @@ static inline double sf_double_between(sf_way way_from, sf_sought *of, double A,
  * and root, whose steps are the same but for how A follows from them. Begins with what doubles know, at most half of a
  * root at a time. first: of Omega alone, onto the response, where such parts of steps of both would leave it; or
  * NULL */
-static inline int sf_settle_above(sf_step step, sf_moves unknowns, sf_step first, const sf_exactly *exactly,
+static inline int sf_settle_above(sf_step step, sf_varied unknowns, sf_step first, const sf_exactly *exactly,
                                   const sf_model *model, int piece, sf_settling *of)
 {
     const sf_pair b = exactly->b[piece - 1];
@@ -257,14 +257,14 @@ static inline int sf_settle_above(sf_step step, sf_moves unknowns, sf_step first
             sf_change_by(&of->Omega, out[0]);
         }
         sf_take_step(step, exactly, &at, of, out);
-        const double change = out[unknowns > SF_MOVES_A], ratio = change * of->A.high / squared;
-        if (ratio != ratio || (unknowns > SF_MOVES_A && !(fabs(out[0]) <= SF_LARGEST_STEP * of->Omega.high)))
+        const double change = out[unknowns > SF_VARY_A], ratio = change * of->A.high / squared;
+        if (ratio != ratio || (unknowns > SF_VARY_A && !(fabs(out[0]) <= SF_LARGEST_STEP * of->Omega.high)))
             return 0;
         const double part = fabs(ratio) > 0.5 ? 0.5 / fabs(ratio) : 1;
         const double root = sqrt(squared) * (1 + part * ratio);
         beyond = root * root / (b.high + sqrt(b.high * b.high + root * root));
         last = part == 1 && fabs(change) <= SF_LEFT_TO_DO * of->A.high;
-        if (unknowns > SF_MOVES_A) {
+        if (unknowns > SF_VARY_A) {
             sf_change_by(&of->Omega, part * out[0]);
             last = last && fabs(out[0]) <= SF_LEFT_TO_DO * of->Omega.high;
         }
@@ -278,7 +278,7 @@ static inline int sf_settle_state_above(const sf_exactly *exactly, const sf_mode
 {
     *of = (sf_settling){sfp_point(Omega), sfp_point(A), sfp_point(F_0)};
     return piece > 0 && model->breaks == exactly->breaks &&
-           sf_settle_above(slow_flow_pairs_state_step, SF_MOVES_A, NULL, exactly, model, piece, of);
+           sf_settle_above(slow_flow_pairs_state_step, SF_VARY_A, NULL, exactly, model, piece, of);
 }
 
 /* Of two doubles on both sides of a breakpoint steps do not tell which is nearer: the state between them may be just
@@ -320,7 +320,7 @@ static inline void sf_peak_between(const sf_exactly *exactly, const sf_model *mo
         sf_way_to_peak_from(&of, &at, &size);
         if (of.missing > 0) {
             sf_settling above = {of.Omega, sfp_point(ends[upper]), sfp_point(F_0)};
-            if (sf_settle_above(slow_flow_pairs_peak_step, SF_MOVES_BOTH, NULL, exactly, model, end[upper].piece,
+            if (sf_settle_above(slow_flow_pairs_peak_step, SF_VARY_BOTH, NULL, exactly, model, end[upper].piece,
                                 &above)) {
                 *A = above.A.high, *Omega = above.Omega.high;
                 return;
@@ -388,12 +388,12 @@ static inline double sf_settle_fold(const sf_exactly *exactly, const sf_model *m
     sf_settling above = begin;
     const int piece = sf_piece_of(model, *A);
     if (exactly == NULL ||
-        sf_settle_numbers(slow_flow_pairs_fold_step, SF_MOVES_BOTH, 2, exactly, model, Omega, A, &F_0))
+        sf_settle_numbers(slow_flow_pairs_fold_step, SF_VARY_BOTH, 2, exactly, model, Omega, A, &F_0))
         return 0;
     if (!(piece > 0 && model->breaks == exactly->breaks &&
-          sf_settle_above(slow_flow_pairs_fold_step, SF_MOVES_BOTH, slow_flow_pairs_corner_step, exactly, model, piece,
+          sf_settle_above(slow_flow_pairs_fold_step, SF_VARY_BOTH, slow_flow_pairs_corner_step, exactly, model, piece,
                           &above)))
-        return sf_is_off_by(slow_flow_pairs_fold_step, SF_MOVES_BOTH, 2, exactly, model, &begin);
+        return sf_is_off_by(slow_flow_pairs_fold_step, SF_VARY_BOTH, 2, exactly, model, &begin);
     *Omega = above.Omega.high, *A = fmax(above.A.high, nextafter(model->b[piece - 1], HUGE_VAL));
     return 0;
 }
@@ -432,10 +432,10 @@ static double sf_settle_folds(const sf_exactly *exactly, const sf_model *model, 
 /* Returns whether an onset settled, or is on a breakpoint, where it is what it is. */
 static int sf_settle_onset(const sf_model *model, const sf_exactly *exactly, sf_onset *out) {
     if (out->kind == SF_CUSP_KIND)
-        return sf_settle_numbers(slow_flow_pairs_cusp_step, SF_MOVES_ALL, 4, exactly, model, &out->Omega, &out->A,
+        return sf_settle_numbers(slow_flow_pairs_cusp_step, SF_VARY_ALL, 4, exactly, model, &out->Omega, &out->A,
                                  &out->F_SN);
     if (out->kind == SF_ISOLA_KIND)
-        return sf_settle_numbers(slow_flow_pairs_isola_step, SF_MOVES_ALL, 2, exactly, model, &out->Omega, &out->A,
+        return sf_settle_numbers(slow_flow_pairs_isola_step, SF_VARY_ALL, 2, exactly, model, &out->Omega, &out->A,
                                  &out->F_SN);
     return 1;
 }
@@ -462,8 +462,8 @@ static sf_extremum sf_settled_extremum(const sf_model *model, const sf_exactly *
     const sf_settling begin = {sfp_point(out.Omega), sfp_point(out.A), sfp_point(out.F_0)};
     if (exactly == NULL || zero->question == SF_UNDAMPED || sf_has_laws(model))
         return out;
-    if (!sf_settle_numbers(step, SF_MOVES_ALL, count, exactly, model, &out.Omega, &out.A, &out.F_0))
-        out.few_digits = sf_is_off_by(step, SF_MOVES_ALL, count, exactly, model, &begin) > SF_FEW_ROUNDINGS;
+    if (!sf_settle_numbers(step, SF_VARY_ALL, count, exactly, model, &out.Omega, &out.A, &out.F_0))
+        out.few_digits = sf_is_off_by(step, SF_VARY_ALL, count, exactly, model, &begin) > SF_FEW_ROUNDINGS;
     return out;
 }
 
@@ -473,7 +473,7 @@ static sf_status sf_settled_peak(const sf_model *model, const sf_exactly *exactl
     const sf_status status = sf_peak(model, F_0, most, work, A, Omega);
     if (status != SF_OK || exactly == NULL || sf_has_laws(model))
         return status;
-    if (!sf_settle_numbers(slow_flow_pairs_peak_step, SF_MOVES_BOTH, 2, exactly, model, Omega, A, &F_0) && *A > 0 &&
+    if (!sf_settle_numbers(slow_flow_pairs_peak_step, SF_VARY_BOTH, 2, exactly, model, Omega, A, &F_0) && *A > 0 &&
         *Omega > 0 && model->breaks > 0)
         sf_peak_between(exactly, model, F_0, A, Omega);
     return status;

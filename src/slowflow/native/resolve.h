@@ -1,9 +1,9 @@
-/* Folds that a proof decides where doubles are in doubt. Takes a model and the oscillator's exact inputs, or NULL
+/* Folds that a proof decides where doubles are inconclusive. Takes a model and the oscillator's exact inputs, or NULL
  * where no proof is possible; returns its folds at a forcing and whether their number stays undecided.
  *
- * Doubles are in doubt where a value whose sign decides is as small as rounding may make it: where F_0 is next to a
- * level at which folds are born or meet or next to 4 mu/pi, and beside a breakpoint at which the force hardly jumps.
- * There the proof, which takes some ten times as long, has the last word; elsewhere it is not asked.
+ * Doubles are inconclusive where a value whose sign decides is as small as rounding may make it: where F_0 is next to a
+ * level at which folds are born or meet or next to 4 mu/pi, and next to a breakpoint at which the force hardly jumps.
+ * There the proof, which takes some ten times as long, has the last word; elsewhere it is not used.
  */
 #pragma once
 
@@ -72,13 +72,13 @@ static sf_status sf_decided_folds(const sf_model *model, const sf_inputs *inputs
                                   sf_folds *folds)
 {
     sf_status status = sf_saddle_nodes(model, F_0, &room->work, folds);
-    room->doubt = room->undecided = 0, room->proofs = 0;
+    room->inconclusive = room->undecided = 0, room->proofs = 0;
     if (status == SF_STICKS || status == SF_NO_BOUND)
         return status;
     folds->status = status;
-    room->doubt = status != SF_OK || folds->undecided || folds->close || sf_nearly_sticks(model, F_0) ||
+    room->inconclusive = status != SF_OK || folds->undecided || folds->close || sf_nearly_sticks(model, F_0) ||
                   sf_are_corners_close(model, inputs, F_0, &room->work);
-    if (room->doubt)
+    if (room->inconclusive)
         room->undecided = !sf_take_proved_folds(model, sf_has_laws(model) ? NULL : inputs, F_0, room, folds);
     folds->undecided = room->undecided;
     return folds->status;

@@ -83,7 +83,7 @@ SF_ALWAYS double sf_value_fine(const sf_quartic *s, double w) {
 }
 
 /* The same at w + tail, a correction below the last place of w. */
-SF_ALWAYS double sf_value_beside(const sf_quartic *s, double w, double tail, double *size) {
+SF_ALWAYS double sf_value_near(const sf_quartic *s, double w, double tail, double *size) {
     double out[2];
     if (s->kind == SF_RESPONSE)
         frequencies_response_beside(w, tail, s->A, s->F_0, s->m, s->zeta, s->h, out);
@@ -202,7 +202,7 @@ SF_RARELY double sf_critical_value_fine(const sf_quartic *s, double w) {
     frequencies_rise(w, s->A, s->p, s->k, rise);
     if (fabs(start + rise[0]) > SF_BY_RISE * (fabs(start) + rise[1]))
         return start + rise[0];
-    const double value = sf_value_beside(s, w, tail, &size);
+    const double value = sf_value_near(s, w, tail, &size);
     return fabs(value) <= SF_FINE * size ? 0 : value;
 }
 
@@ -370,7 +370,7 @@ SF_ALWAYS int sf_fold_roots(double A, double h, double h_A, double m, double zet
     }
     s.kind = SF_FOLD;
     s.A = A, s.h = h, s.h_A = h_A, s.m = m, s.zeta = zeta, s.F_0 = 0;
-    if (SF_UNLIKELY(fabs(h_A) > 0x1p100)) { /* beside a corner: measure w in units of sqrt|h_A|, lest w^4 overflow */
+    if (SF_UNLIKELY(fabs(h_A) > 0x1p100)) { /* next to a corner: measure w in units of sqrt|h_A|, lest w^4 overflow */
         int e;
         frexp(h_A, &e);
         e /= 4;

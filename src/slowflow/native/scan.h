@@ -2,10 +2,10 @@
  *
  * None is missed: an interval of A is left only when it is proved to hold no zero of a channel, because the function
  * has one sign on all of it, or exactly one, because it is monotone and its ends lie on both sides of zero. Otherwise
- * it is cut in two. What bounds a function and its slope on the interval is said in cells.h and along.h.
+ * it is cut in two. What bounds a function and its slope on the interval is in cells.h and along.h.
  *
  * Where that goes on until no amplitude lies between the ends (a double zero to rounding), the signs at the ends
- * decide, and that it was undecided is said.
+ * decide, and that it was undecided is returned.
  */
 #pragma once
 
@@ -60,7 +60,7 @@ static double sf_size_at(const sf_sample *at, double F_0) {
 }
 
 /* What rounding may make of F = R^2 + I^2 - F_0^2 at a sample. */
-static double sf_doubt_of_F(const sf_sample *at, double I, double F_0, double w) {
+static double sf_error_of_F(const sf_sample *at, double I, double F_0, double w) {
     const double R = slow_flow_R(w, at->A, at->h), of_R = SF_CLOSE * (sf_size_at(at, 0) + at->A * w * w);
     return of_R * (2 * fabs(R) + of_R) + SF_CLOSE * (I * I + F_0 * F_0);
 }
@@ -69,7 +69,7 @@ static int sf_is_F_close(const sf_model *model, const sf_sample *at, double F_0,
     const int laws = sf_has_laws(model);
     const double m = laws ? sf_law_I(model, at->A, w) : model->m, zeta = laws ? 0 : model->zeta; /* the same I */
     const double force = sf_force(model, F_0, w), I = slow_flow_I(w, at->A, m, zeta);
-    return fabs(slow_flow_F(w, at->A, force, m, zeta, at->h)) <= sf_doubt_of_F(at, I, force, w);
+    return fabs(slow_flow_F(w, at->A, force, m, zeta, at->h)) <= sf_error_of_F(at, I, force, w);
 }
 
 /* Whether the function whose zeros are folds, or states, is as near to 0 as rounding may bring it. Two of its zeros
@@ -98,7 +98,7 @@ static int sf_is_negative(const sf_probe *probe, int channel, int edge) {
     return probe->answer.exists[channel] ? probe->answer.y[channel] < 0 : edge < 0;
 }
 
-/* Omega at the zero itself, which lies within roundings of A: where h_A is large, but no limit, that moves Omega by
+/* Omega at the zero itself, which lies within roundings of A: where h_A is large, but no limit, that shifts Omega by
  * much. */
 static double sf_Omega_at_zero(const sf_probe *probe, int channel) {
     const double Omega_A = probe->answer.Omega_A[channel];
@@ -122,13 +122,13 @@ static double sf_next_to(const sf_probe *probe, const sf_probe *before, int c, i
     if (first)
         next = sf_between_values(probe, before, c);
     else if (fabs(probe->answer.y[c]) < 0.5 * fabs(before->answer.y[c]))
-        next = sf_zero_beside(probe->at.A, probe->answer.y[c], probe->answer.dy[c], before->at.A, before->answer.y[c],
+        next = sf_zero_near(probe->at.A, probe->answer.y[c], probe->answer.dy[c], before->at.A, before->answer.y[c],
                               before->answer.dy[c]);
     return fabs(next) < HUGE_VAL ? next : probe->at.A - probe->answer.y[c] / probe->answer.dy[c];
 }
 
 /* Whether a zero is known without an evaluation there, which only one that has a given Omega may be: the step after one
- * of `moved`, which came after one of `last`, is nothing beside A. Errors fall by squares at least. */
+ * of `moved`, which came after one of `last`, is negligible against A. Errors fall by squares at least. */
 static int sf_is_last_of_zero(const sf_search *search, double change, double last, double A) {
     return search->task.question == SF_STATE && change <= SF_LAST_OF_ZERO * A &&
            change * (change / last) * (change / last) <= 0x1p-54 * A;
@@ -319,7 +319,7 @@ static void sf_search_between(const sf_search *search, const sf_probe *a, const 
     sf_search_between(search, &middle, b, open);
 }
 
-/* Whether cells from A = 0 on are asked for something over A that has no limit there: with a preload h is not 0. */
+/* Whether cells from A = 0 on are searched for something over A that has no limit there: with a preload h is not 0. */
 static int sf_begins_above_rest(sf_question question, const sf_sample *rest) {
     const int over_A =
         question == SF_STIFFNESS || question == SF_TURN || question == SF_UNDAMPED || question == SF_PEAK;

@@ -14,7 +14,7 @@
 
 enum {
     SF_APART = 16,   /* points from one that goes its own way to the next */
-    SF_BESIDE_B = 36 /* points beside a breakpoint */
+    SF_AROUND_B = 36 /* points around a breakpoint */
 };
 
 /* changes between points that went their own way, as many as what is looked for is away where it is not between them */
@@ -274,9 +274,9 @@ static double sf_second_frequency(const sf_second *second, double A, double Omeg
     return Omega;
 }
 
-/* The amplitudes beside a breakpoint at which the force jumps, by rising size over it: its fold has another close
+/* The amplitudes around a breakpoint at which the force jumps, by rising size over it: its fold has another close
  * above. */
-static double sf_beside(int k) { return k == 0 ? 1 - 1e-6 : k == 1 ? 1 : 1 + pow(10, -13 + (k - 2) * (11. / 33)); }
+static double sf_around(int k) { return k == 0 ? 1 - 1e-6 : k == 1 ? 1 : 1 + pow(10, -13 + (k - 2) * (11. / 33)); }
 
 static int sf_passes(const sf_second_point *a, const sf_second_point *b, double at) {
     return a->part == b->part && (a->A > at) != (b->A > at);
@@ -301,8 +301,8 @@ static long sf_second_across(const sf_second *second, double b, const sf_second_
     sf_lanes lanes;
     long found = 0;
     lanes.n = 0;
-    for (int k = 0; k < SF_BESIDE_B; k++) {
-        const double A = b * sf_beside(rising ? k : SF_BESIDE_B - 1 - k);
+    for (int k = 0; k < SF_AROUND_B; k++) {
+        const double A = b * sf_around(rising ? k : SF_AROUND_B - 1 - k);
         if (!(A > low && A < high))
             continue;
         lanes.Omega[lanes.n] = from->Omega + ratio * (to->Omega - from->Omega);
@@ -414,14 +414,14 @@ static void sf_order_points(sf_second_curve *curve) {
 }
 
 /* The curve with more points where it passes breakpoint b; 0 if there is no memory. */
-static int sf_insert_beside(const sf_second *second, double b, sf_second_curve *curve) {
+static int sf_insert_near(const sf_second *second, double b, sf_second_curve *curve) {
     sf_second_point *more;
     long n = 0, passing = 0;
     for (long i = 1; i < curve->n; i++)
         passing += sf_passes(&curve->point[i - 1], &curve->point[i], b);
     if (passing == 0)
         return 1;
-    more = malloc((size_t)(curve->n + passing * SF_BESIDE_B) * sizeof *more);
+    more = malloc((size_t)(curve->n + passing * SF_AROUND_B) * sizeof *more);
     if (more == NULL)
         return 0;
     for (long i = 0; i < curve->n; i++) {
@@ -452,7 +452,7 @@ static int sf_second_move(const sf_second *second, const sf_first *first, const 
     sf_keep_points(second, first, &solved, kept, curve);
     sf_keep_parts(first, closed, kept, curve);
     for (int k = 0; k < second->model->breaks; k++)
-        if (second->model->jump[k] != 0 && !sf_insert_beside(second, second->model->b[k], curve))
+        if (second->model->jump[k] != 0 && !sf_insert_near(second, second->model->b[k], curve))
             return 0;
     sf_order_points(curve);
     return 1;

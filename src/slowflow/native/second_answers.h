@@ -170,7 +170,7 @@ static int sf_states_on(const sf_model *model, double F_0, const sf_second_curve
         if (!sf_second_state(second, Omega, fmin(one->A, other->A), exp(log(one->A) + ratio * log(other->A / one->A)),
                              fmax(one->A, other->A), &found))
             continue;
-        /* a curve that turns beside a corner may cross a frequency to and fro within rounding */
+        /* a curve that turns next to a corner may cross a frequency to and fro within rounding */
         for (k = 0; k < n && fabs(out[k].A - found.A) > SF_SETTLED * found.A; k++)
             ;
         if (k < n)
@@ -367,7 +367,7 @@ static sf_second_curve *sf_second_response(const sf_model *model, const sf_input
     return *status == SF_OK ? sf_second_shown(model, F_0, extent, samples, low, high, room, status) : NULL;
 }
 
-/* The curve about some frequencies and what may lie beside them. */
+/* The curve about some frequencies and what may lie near them. */
 static sf_second_curve *sf_second_around(const sf_model *model, const sf_inputs *inputs, double F_0, sf_wanted extent,
                                          double low, double high, sf_room *room, sf_status *status) {
     return sf_second_response(model, inputs, F_0, extent, SF_SAMPLES, low / SF_BEYOND, high * SF_BEYOND, room, status);

@@ -1,5 +1,5 @@
 /* The second approximation's balance, and Newton's iteration in lanes. Takes points near its curve; returns those to
- * which each moves.
+ * which each changes.
  */
 #pragma once
 

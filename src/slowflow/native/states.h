@@ -1,10 +1,9 @@
 /* Steady states at a frequency. Takes a model; returns the amplitudes.
  *
- * They are the zeros of F along the amplitude, each in an interval that is proved to hold no other one, and where none
- * is doubtful that is all. Else the response curve in segments gives the amplitudes on them, and a proof's in their
- * place where doubles are in doubt and the proof decides. The number changes where Omega passes a fold: so doubles are
- * in doubt next to one, and wherever the folds were.
- */
+ * They are the zeros of F along the amplitude, each in an interval that is proved to hold no other one, and where
+ * none is inconclusive that is all. Else the response curve in segments gives the amplitudes on them, and a proof's
+ * in their place where doubles are inconclusive and the proof decides. The number changes where Omega passes a fold:
+ * so doubles are inconclusive next to one, and wherever the folds were. */
 #pragma once
 
 #include "curve.h"
@@ -37,7 +36,7 @@ static int sf_is_of_fold(const sf_folds *folds, double Omega, double A) {
     return i < folds->n;
 }
 
-/* The amplitude at which a segment has the given Omega, to its last digit. At an end it moves by no more than
+/* The amplitude at which a segment has the given Omega, to its last digit. At an end it shifts by no more than
  * rounding. */
 static double sf_settled_amplitude(const sf_model *model, const sf_exactly *exactly, double F_0, const sf_work *work,
                                    const sf_segment *segment, int is_end, double Omega) {
@@ -47,7 +46,7 @@ static double sf_settled_amplitude(const sf_model *model, const sf_exactly *exac
     if (exactly == NULL || (is_end && sf_is_of_fold(&work->folds, Omega, A)))
         return A;
     if ((sf_piece_of(model, A) != piece ||
-         !sf_settle_near(slow_flow_pairs_state_step, SF_MOVES_A, 2, exactly, model, NULL, &of)) &&
+         !sf_settle_near(slow_flow_pairs_state_step, SF_VARY_A, 2, exactly, model, NULL, &of)) &&
         !sf_settle_state_above(exactly, model, piece, Omega, F_0, A, &of))
         of.A.high = sf_state_between(exactly, model, Omega, F_0, A);
     if (is_end)
@@ -84,7 +83,7 @@ static int sf_states_of_segments(const sf_model *model, const sf_exactly *exactl
 /* Whether Omega is that of a fold to within what rounding may make of F there. */
 static int sf_is_at_fold(const sf_model *model, double F_0, const sf_folds *folds, double Omega) {
     for (int i = 0; i < folds->n; i++) {
-        if (fabs(folds->at[i].Omega - Omega) > SF_TOLD_APART * fmax(folds->at[i].Omega, Omega))
+        if (fabs(folds->at[i].Omega - Omega) > SF_DISTINCT * fmax(folds->at[i].Omega, Omega))
             continue;
         const sf_sample at = sf_sample_at(model, folds->at[i].A);
         if (sf_is_F_close(model, &at, F_0, Omega))
@@ -128,7 +127,7 @@ static int sf_states_on_curve(const sf_model *model, const sf_inputs *inputs, do
     if (sf_has_laws(model))
         inputs = NULL;
     int n = sf_states_of_segments(model, inputs == NULL ? NULL : &inputs->exactly, F_0, &room->work, Omega, A, stable);
-    if (room->doubt || sf_is_at_fold(model, F_0, &room->work.folds, Omega))
+    if (room->inconclusive || sf_is_at_fold(model, F_0, &room->work.folds, Omega))
         *undecided = inputs == NULL || !sf_take_proved_states(model, inputs, F_0, room, Omega, &n, A, stable);
     return n;
 }
@@ -140,7 +139,7 @@ static double sf_above_states(const sf_model *model, double F_0, double Omega) {
 
 /* The steady states at Omega by rising A where no number of doubles is near to deciding how many there are, each
  * settled to its last digit; returns their number, or -1. Without friction and with little of it, without viscous
- * damping and for an excitation by inertia the curve is asked. */
+ * damping and for an excitation by inertia the curve is used. */
 static int sf_clear_states(const sf_model *model, const sf_exactly *exactly, double F_0, double Omega, sf_work *work,
                            double *A, unsigned char *stable)
 {
@@ -163,7 +162,7 @@ static int sf_clear_states(const sf_model *model, const sf_exactly *exactly, dou
         for (int k = 0; k < found->n; k++) {
             sf_settling of = {sfp_point(Omega), sfp_point(found->at[k].A), sfp_point(F_0)};
             if (n == SF_MOST_STATES || sf_piece_of(model, of.A.high) != i ||
-                !sf_settle_near(slow_flow_pairs_state_step, SF_MOVES_A, 2, exactly, model, NULL, &of))
+                !sf_settle_near(slow_flow_pairs_state_step, SF_VARY_A, 2, exactly, model, NULL, &of))
                 return -1;
             A[n] = of.A.high, stable[n++] = (unsigned char)found->at[k].rising;
         }

@@ -21,10 +21,10 @@ enum {
 
 /* by how much each step of a recursion errs by itself, over the sum of its terms: its own eight roundings, and those of
  * A, a and A^2 - a^2; where it begins its root and its angle */
-#define SF_STEP_DOUBT 0x1p-49
+#define SF_STEP_ERROR 0x1p-49
 /* of a share of the cycle, and of steps that, rounded, do not add up to the last piece */
-#define SF_SHARE_DOUBT 0x1p-48
-/* a root is taken for no less: it stands in products that vanish with it */
+#define SF_SHARE_ERROR 0x1p-48
+/* a root is taken for no less: it is a factor of products that vanish with it */
 #define SF_TINY_ROOT 0x1p-400
 
 /* What is known of a box, in the order in which the loop gives it: X and Y are A_x and A_y, X_x and Y_y their slopes,
@@ -37,7 +37,7 @@ typedef struct {
  * line, gain -- the steps' places by rising u, and what derivatives gain there, seen from u = 0 outwards
  * piece -- by rising u; last, even -- the odd part of the last one, which all of u has but for what is bounded, and
  *         what else it has
- * large -- the amplitude from which on motions are large beside all steps; infinite where that is not used
+ * large -- the amplitude from which on motions are large against all steps; infinite where that is not used
  * outer, size -- bounds of the derivatives of what is bounded, and of the terms that these are made of
  * upper, lower, place, rooted -- of each chart the pieces at both ends, the ends where x = 0 and y = 0, and whether x
  *         and y are roots */
@@ -91,25 +91,26 @@ static inline void sf_climb(double over, double under, int highest, int first, i
     const double A = 0.5 * (o + u), a = 0.5 * (u - o), span = o * u;
     const int above = over > 0 && size > 0, passed = above && under > 0;
     /* L_(k-1), L_k, M_(k-1) and M_k, and what they may be off by */
-    double at[4] = {0, above, 0, 0}, doubt[4], scale = 1;
+    double at[4] = {0, above, 0, 0}, error[4], scale = 1;
     if (passed) {
         const double root = sqrt(span);
         off_centre_begin(A, a, root > SF_TINY_ROOT ? root : SF_TINY_ROOT, atan2(root, a), at);
     }
     for (int k = 0; k < 4; k++)
-        doubt[k] = passed ? SF_STEP_DOUBT * fabs(at[k]) : 0;
+        error[k] = passed ? SF_STEP_ERROR * fabs(at[k]) : 0;
     for (int k = 0; k <= highest; k++) {
         if (k > 0 && above) {
-            double next[2], error[2];
+            double next[2], raised[2];
             off_centre_up(k, A, a, span, at[0], at[1], at[2], at[3], next);
             /* the same sums of what their terms may be off by, these terms' own roundings too: nothing cancels */
-            off_centre_up(k, A, -fabs(a), fabs(span), doubt[0] + SF_STEP_DOUBT * at[0], doubt[1] + SF_STEP_DOUBT * at[1],
-                          doubt[2] + SF_STEP_DOUBT * fabs(at[2]), doubt[3] + SF_STEP_DOUBT * at[3], error);
-            at[0] = at[1], at[1] = sfi_most(next[0], 0), doubt[0] = doubt[1], doubt[1] = error[0];
-            at[2] = at[3], at[3] = sfi_most(next[1], 0), doubt[2] = doubt[3], doubt[3] = error[1];
+            off_centre_up(k, A, -fabs(a), fabs(span), error[0] + SF_STEP_ERROR * at[0],
+                          error[1] + SF_STEP_ERROR * at[1], error[2] + SF_STEP_ERROR * fabs(at[2]),
+                          error[3] + SF_STEP_ERROR * at[3], raised);
+            at[0] = at[1], at[1] = sfi_most(next[0], 0), error[0] = error[1], error[1] = raised[0];
+            at[2] = at[3], at[3] = sfi_most(next[1], 0), error[2] = error[3], error[3] = raised[1];
         }
         for (int side = first; side <= last; side++) {
-            const double off = (side ? 1 : -1) * (doubt[1] + doubt[3]) * (1 + 0x1p-40);
+            const double off = (side ? 1 : -1) * (error[1] + error[3]) * (1 + 0x1p-40);
             const double L = scale * sfi_most(at[1] + off, 0), U = scale * sfi_most(at[1] + at[3] + off, 0),
                          V = scale * sfi_most(at[1] - at[3] + off, 0);
             if (side)
@@ -175,7 +176,7 @@ static int sf_degree(const double *D, int highest) {
     return highest;
 }
 
-/* Adds a polynomial: what it has beside a straight line is a step on either side of u = 0, with powers of one sign. */
+/* Adds a polynomial: what it has besides a straight line is a step on either side of u = 0, with powers of one sign. */
 static void sf_add_piece(const double *D, sf_interval top, sf_interval bottom, sf_interval A, int highest,
                          sf_weighted *sums, sf_interval *straight)
 {
@@ -204,7 +205,7 @@ static void sf_sum_up(const sf_weighted *sums, int terms, const sf_interval *str
 
 /* ==== What the force and its slope gain at steps that are passed ================================================= */
 
-/* One end of a motion beside a step: the root of how far it is past that, the square of this root where x = 0, X, and
+/* One end of a motion next to a step: the root of how far it is past that, the square of this root where x = 0, X, and
  * whether x is a root. */
 typedef struct {
     sf_interval root, X;
@@ -236,7 +237,7 @@ static void sf_share(const sf_near *own, const sf_near *other, sf_interval A, do
 
 /* What a step's gains of f, f' and f'' share in c_3 and s_2 where all of the motions pass it. One on the left is that of
  * -f(-u), of which derivatives and the cosine change their signs. */
-static void sf_share_beside(const double *D, int highest, int right, sf_interval over, sf_interval under,
+static void sf_share_near(const double *D, int highest, int right, sf_interval over, sf_interval under,
                             sf_interval *c_3, sf_interval *s_2)
 {
     const sf_interval A = sfi_times(0.5, sfi_add(over, under)), a = sfi_times(0.5, sfi_sub(under, over));
@@ -279,14 +280,14 @@ static double sf_share_inside(const sf_charts *of, sf_interval top, sf_interval 
         const double line = of->line[side ? 0 : of->lines - 1];
         const double over = side ? line - bottom.hi : top.lo - line, under = side ? top.hi - line : line - bottom.lo;
         if (over > 0)
-            inside -= under > 0 ? sfi_most(atan2(sqrt(over * under), 0.5 * (under - over)) / SFI_PI - SF_SHARE_DOUBT, 0)
+            inside -= under > 0 ? sfi_most(atan2(sqrt(over * under), 0.5 * (under - over)) / SFI_PI - SF_SHARE_ERROR, 0)
                                 : 1;
     }
     return sfi_most(sfi_least(inside, 1), 0);
 }
 
-/* The sums of a motion that is large beside all steps: by the last piece's odd part alone, and what the force has beside
- * it as something bounded. There steps cancel, and with them what is known of their sum. */
+/* The sums of a motion that is large against all steps: by the last piece's odd part alone, and what the force has
+ * next to it as something bounded. There steps cancel, and with them what is known of their sum. */
 static void sf_sum_large(const sf_charts *of, sf_interval top, sf_interval bottom, sf_interval A, sf_interval *out) {
     const int order[SF_SUMS] = {0, 0, 1, 1, 2, 2, 2}, highest = of->highest;
     const double size = sfi_most(fabs(top.hi), fabs(bottom.lo)) * (1 + 0x1p-50), inside = sf_share_inside(of, top, bottom);
@@ -301,7 +302,7 @@ static void sf_sum_large(const sf_charts *of, sf_interval top, sf_interval botto
         const double even = sf_far(of->even, order[i], highest, size);
         /* nearer, but for steps that, rounded, do not add up to the last piece: of large motions that is more */
         const double nearer = outer * sfi_least(most * inside, mean) + even * mean +
-                              SF_SHARE_DOUBT * sf_far(of->size, order[i], highest, size);
+                              SF_SHARE_ERROR * sf_far(of->size, order[i], highest, size);
         const double bound = sfi_least(sfi_most(outer, even) * mean, nearer) * (1 + 0x1p-40);
         out[i] = sfi_add(out[i], sfi_of(-bound, bound));
     }
@@ -368,7 +369,7 @@ static void sf_on_all(const sf_charts *of, sf_interval x, sf_interval y, int cha
         sf_make_ladder(right ? over : under, right ? under : over, highest, &ladder);
         sf_add_step(gain, 0, right, 1, &ladder, highest, sums);
         if (outer)
-            sf_share_beside(gain, highest, right, right ? above : below, right ? below : above, &c_3, &s_2);
+            sf_share_near(gain, highest, right, right ? above : below, right ? below : above, &c_3, &s_2);
         if (gain[0] != 0 || (highest > 0 && gain[1] != 0)) {
             const double D_0 = gain[0] / SFI_PI, D_1 = (highest > 0 ? gain[1] : 0) / SFI_PI;
             const sf_near at_x = {sfi_sqrt(over), out->X, beyond_x, root_x},

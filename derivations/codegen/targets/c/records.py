@@ -19,7 +19,7 @@ from ....mechanisms import DAMPING, FORCING, Mechanism, Parameter
 from ...form import GENERAL, Module
 from ...provenance import tools
 from ...views import templates
-from .. import held, interval, pair
+from .. import bounded, interval, pair
 from ..printing import literal
 from .printer import CPrinter
 
@@ -126,9 +126,9 @@ def spring_of(module: Module) -> Spring:
     first: dict[object, str] = {}
     sums = tuple(replace(one, chosen_by=first.setdefault(one.guards, one.name)) for one in every)
     begins = module.enclosed.begins if module.enclosed else ()
-    of_held = held.name_of(module) if module.bounded else ""
+    of_bounded = bounded.name_of(module) if module.bounded else ""
     numbers = (module.name, mechanism, len(mechanism.breakpoints), domain, sums, up_to)
-    return Spring(*numbers, *exact, bent=bent, summed=bool(module.sums), begins=begins, bounded=of_held)
+    return Spring(*numbers, *exact, bent=bent, summed=bool(module.sums), begins=begins, bounded=of_bounded)
 
 
 def sums_of(name: str, width: int, module: Module) -> Sums:

@@ -128,7 +128,7 @@ static PyObject *interpreted(PyObject *self, PyObject *arguments)
                                           (size_t)numbers.len / sizeof(double), &status);
     RELEASE(&code, &numbers);
     if (status == SF_NO_PROGRAM)
-        return PyErr_Format(PyExc_ValueError, "%s: what stands for its force is no program", name);
+        return PyErr_Format(PyExc_ValueError, "%s: its force is no program", name);
     return status == SF_NO_ROOM   ? PyErr_NoMemory()
            : status == SF_TOO_LARGE ? Py_NewRef(Py_None)
                                     : PyCapsule_New((void *)law, LAW, NULL);

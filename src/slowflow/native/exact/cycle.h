@@ -245,8 +245,8 @@ static inline void sf_in_columns(const double *row, long k, long size, double *o
         out[sf_column(j, k)] = row[j];
 }
 
-/* Newton's iteration from z, which it moves. SF_DIVERGES where it does not converge. `along`, if not NULL: the solution
- * of J x = 0, row x = 1 at the end. `work`: (k + 3)^2 + 2 (k + 3) + 3 (k + 4) numbers. */
+/* Newton's iteration from z, which it changes. SF_DIVERGES where it does not converge. `along`, if not NULL: the
+ * solution of J x = 0, row x = 1 at the end. `work`: (k + 3)^2 + 2 (k + 3) + 3 (k + 4) numbers. */
 static sf_outcome sf_newton(sf_forced *forced, const sf_cycle *cycle, double *z, const sf_extra *extra, int most,
                             double tolerance, sf_equations *out, double *direction, double *work)
 {

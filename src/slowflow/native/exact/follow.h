@@ -19,8 +19,8 @@ typedef struct {
     const sf_piece *piece;
     const double *edge;
     double mu, zeta;
-    int inertial; /* whether F_0 stands for a force F_0 Omega^2 */
-    double load;  /* static force beside that */
+    int inertial; /* whether F_0 means a force F_0 Omega^2 */
+    double load;  /* static force besides that */
     double c_2;   /* quadratic damping */
     int released; /* whether friction acts on piece `about` only */
     double mu_s;  /* what friction holds a mass at rest with, where that is more than mu */
@@ -36,7 +36,7 @@ typedef struct {
 } sf_forced;
 
 /* A stretch of smooth motion. slip: sign of the velocity, 0 at rest; undecided: touches a stop within rounding. Python
- * reads it as it stands. */
+ * reads this layout. */
 typedef struct {
     int slip, region;
     double theta, u, v, end, u_end, v_end;
@@ -88,7 +88,8 @@ static inline int sf_stopped(const sf_system *system, int region, double u)
     return u == 0.0 && system->jump != 0.0 ? 0 : region;
 }
 
-/* how many zeros v has in time where a mass breaks away: two, as the push balances friction, unless more held it */
+/* how many zeros v has in time where a mass breaks away: two, as the push balances friction, unless static friction
+ * is larger */
 static inline int sf_zeros_of_start(const sf_system *system, int region)
 {
     return sf_static(system, region) > sf_friction(system, region) ? 1 : 2;
@@ -259,7 +260,7 @@ static sf_outcome sf_advance(const sf_piece *over, const sf_drive *drive, double
     return isfinite(*u) && isfinite(*v) ? SF_GOOD : SF_STALLS;
 }
 
-/* Of a phase u, v and the acceleration of the mass, as seen by who stands still, on a grid of theta that does not fall,
+/* Of a phase u, v and the acceleration of the mass, in the inertial frame, on a grid of theta that does not fall,
  * at or after its start. */
 static sf_outcome sf_sample(sf_forced *forced, const sf_phase *phase, const double *grid, long count, double (*out)[3])
 {
@@ -267,7 +268,7 @@ static sf_outcome sf_sample(sf_forced *forced, const sf_phase *phase, const doub
     const sf_piece *const over = sf_piece_of(forced->system, phase->region);
     const sf_drive drive = sf_drive_of(forced, phase->slip, phase->region);
     /* a phase that ends where its piece does has no series from there on: a rounding later is still on the way there */
-    const double doubt = count > 0 ? 0x1p-50 * fmax(fabs(start), fabs(grid[count - 1])) / drive.Omega : 0.0;
+    const double tolerance = count > 0 ? 0x1p-50 * fmax(fabs(start), fabs(grid[count - 1])) / drive.Omega : 0.0;
     double passed = 0.0, theta = start, u = phase->u, v = phase->v;
     long i = 0;
     sf_expansion x;
@@ -285,10 +286,10 @@ static sf_outcome sf_sample(sf_forced *forced, const sf_phase *phase, const doub
             h = sf_met(&x, h, place), there = place;
         for (; i < count; i++) {
             const double at = (grid[i] - start) / drive.Omega - passed;
-            if (!(at <= h + doubt))
+            if (!(at <= h + tolerance))
                 break;
             out[i][0] = sf_at(x.u, at), out[i][1] = sf_at(x.v, at);
-            /* seen by who stands still the forcing is no force */
+            /* in the inertial frame the forcing is no force */
             out[i][2] = sf_rate(&drive, 0.0, sf_value(over, out[i][0]), out[i][1]);
         }
         u = there, v = sf_at(x.v, h);

@@ -19,7 +19,7 @@ enum { SF_LEAST_PARTS = 6, SF_MOST_FORCE_PARTS = 64, SF_SAMPLED = 128, SF_MOST_S
 #define SF_APART 0.01
 /* of the averages' sizes: how far they may be off, by far; of the sizes that there are: how far is searched; of sigma: a
  * cell that is not cut any more */
-#define SF_DOUBT 0x1p-42
+#define SF_ERROR 0x1p-42
 #define SF_SEARCHED 1e8
 #define SF_NARROW 0x1p-40
 /* by how much more than a bound of sigma is searched, as a motion may be there */
@@ -84,8 +84,8 @@ static sf_positive sf_positive_of(const sf_system *system, double small, double 
     return found;
 }
 
-/* of where u f is positive and of where it is negative: |E[u f]|, |E[u^3 f]|/sigma^2; square: E[f^2]. Python reads it as
- * it stands. */
+/* of where u f is positive and of where it is negative: |E[u f]|, |E[u^3 f]|/sigma^2; square: E[f^2]. Python reads
+ * this layout. */
 typedef struct {
     double sigma, first[2], third[2], square;
 } sf_gaussian;
@@ -150,7 +150,7 @@ static sf_gaussian sf_averages(const sf_positive *force, double sigma)
     return found;
 }
 
-/* A stationary motion. Python reads it as it stands. */
+/* A stationary motion. Python reads this layout. */
 typedef struct {
     double u, square, k, v;
 } sf_stationary;
@@ -207,10 +207,10 @@ static void sf_search_balances(sf_balances *of, const sf_gaussian *a, const sf_g
 {
     const double grows = b->sigma / a->sigma, cube = grows * grows * grows;
     const double least = a->first[0] / grows - b->first[1] * grows, most = b->first[0] * grows - a->first[1] / grows;
-    const double doubt = SF_DOUBT * (b->first[0] + b->first[1]);
-    if (least - doubt > of->level || most + doubt < of->level)
+    const double error = SF_ERROR * (b->first[0] + b->first[1]);
+    if (least - error > of->level || most + error < of->level)
         return;
-    const double steep = SF_DOUBT * (b->third[0] + b->third[1]) + doubt;
+    const double steep = SF_ERROR * (b->third[0] + b->third[1]) + error;
     if (a->third[0] / cube - b->third[1] * cube - most > steep ||
         b->third[0] * cube - a->third[1] / cube - least < -steep) {
         if ((sf_first(a) < of->level) != (sf_first(b) < of->level)) {

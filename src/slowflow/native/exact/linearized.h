@@ -25,7 +25,7 @@ typedef struct {
     double low, high, x, y, slope;
 } sf_band;
 
-/* most: k I_0 is at most that; least: so is no damping below; Python writes it as it stands, bands behind */
+/* most: k I_0 is at most that; least: so is no damping below; Python writes this layout, bands behind */
 typedef struct {
     double most, least, mu, zeta, c_2, node[SF_HALF], weight[SF_HALF];
     sf_band band[];
@@ -80,8 +80,8 @@ static sf_moments sf_moments_at(const sf_table *table, int bands, double p, doub
     return found;
 }
 
-/* Between which ends the slopes are where p and q differ by no more than r, [i][j] as of sf_moments. Slopes of ln I_j are
- * weighted means of those of -ln Z; their own slopes are means of the second ones and covariances beside them. */
+/* Between which ends the slopes are where p and q differ by no more than r, [i][j] as of sf_moments. Slopes of ln
+ * I_j are weighted means of those of -ln Z; their own slopes are means of the second ones and covariances with them. */
 static void sf_slopes_within(const sf_moments *at, double p, double q, const double r[2], double low[2][2],
                              double high[2][2])
 {
@@ -242,16 +242,16 @@ static sf_ends sf_stiffness_within(const sf_positive *force, const sf_gaussian *
     slope->low = fmax(-3.0 * most, a->third[0] / aa / fifth - b->third[1] / bb * fifth - 3.0 * K.high);
     slope->high = fmin(3.0 * most, b->third[0] / bb * fifth - a->third[1] / aa / fifth - 3.0 * K.low);
     const double low = fmin(slope->low, 0.0) * width, high = fmax(slope->high, 0.0) * width;
-    const double doubt = SF_DOUBT * (b->first[0] + b->first[1]) / bb;
-    K.low = fmax(K.low, fmax(sf_first(a) / aa + low, sf_first(b) / bb - high)) - doubt;
-    K.high = fmin(K.high, fmin(sf_first(a) / aa + high, sf_first(b) / bb - low)) + doubt;
+    const double error = SF_ERROR * (b->first[0] + b->first[1]) / bb;
+    K.low = fmax(K.low, fmax(sf_first(a) / aa + low, sf_first(b) / bb - high)) - error;
+    K.high = fmin(K.high, fmin(sf_first(a) / aa + high, sf_first(b) / bb - low)) + error;
     return K;
 }
 
 static void sf_search_stationary(sf_linearized *of, const sf_gaussian *a, const sf_gaussian *b)
 {
     const double grows = b->sigma / a->sigma, soft = SF_SOFT * exp(2.0 * of->table->band[0].low);
-    if (a->first[0] / grows - b->first[1] * grows > (1.0 + SF_DOUBT) * of->table->most)
+    if (a->first[0] / grows - b->first[1] * grows > (1.0 + SF_ERROR) * of->table->most)
         return;
     sf_ends slope;
     const sf_ends K = sf_stiffness_within(of->force, a, b, &slope);
@@ -260,8 +260,8 @@ static void sf_search_stationary(sf_linearized *of, const sf_gaussian *a, const 
     const double low = log(fmax(K.low, soft)), high = log(fmax(K.high, soft)), r = 0.5 * (high - low);
     const sf_equivalent at = sf_equivalent_by(of, low + r, SF_AS_NEAR);
     const sf_ends by_p = sf_slope_within(of->table, &at, r);
-    const double L = at.moments.value[0], doubt = SF_AS_NEAR + (K.low < soft ? 4.0 * SF_SOFT : 0.0);
-    const double shift = fmax(-by_p.low, by_p.high) * r + doubt;
+    const double L = at.moments.value[0], error = SF_AS_NEAR + (K.low < soft ? 4.0 * SF_SOFT : 0.0);
+    const double shift = fmax(-by_p.low, by_p.high) * r + error;
     if (L + shift < 2.0 * log(a->sigma) || L - shift > 2.0 * log(b->sigma))
         return;
     if (K.low >= soft) {

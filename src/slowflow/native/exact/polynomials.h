@@ -10,8 +10,8 @@
 
 enum { SF_MOST_POWER = 4, SF_SUMMED = SF_MOST_DEGREE + 1 };
 
-/* On one side of 0, from `begin` over `length`. sums: of f and of its slope beside the power, of degrees 0 to `degree`,
- * 0 beyond. */
+/* On one side of 0, from `begin` over `length`. sums: of f and of its slope next to the power, of degrees 0 to
+ * `degree`, 0 beyond. */
 typedef struct {
     double side, begin, length, power, degree, sums[2][SF_SUMMED];
 } sf_polynomial;

@@ -11,7 +11,7 @@ typedef struct {
 } sf_arc;
 
 /* a phase of the motion, and the arc that it is under, which begins at tau = since; the largest of some of its
- * accelerations, and which that is. Python reads it as it stands. */
+ * accelerations, and which that is. Python reads this layout. */
 typedef struct {
     double since;
     sf_arc arc;
@@ -59,15 +59,15 @@ static sf_outcome sf_under(sf_shocked *shock, double since, const sf_arc *arc)
     sf_outcome outcome = SF_GOOD;
     shock->phases.count = 0;
     /* at rest the spring holds the load but for a rounding, which tells nothing of where the mass goes */
-    const double doubt = system->load != 0.0 ? SF_BALANCED * (fabs(system->load) + arc->F) : 0.0;
+    const double error = system->load != 0.0 ? SF_BALANCED * (fabs(system->load) + arc->F) : 0.0;
     const double holds = sf_holding(system, region), push = fabs(sf_push(&forced, region, arc->theta, u));
-    const int balanced = shock->v == 0.0 && push <= fmax(holds, doubt);
+    const int balanced = shock->v == 0.0 && push <= fmax(holds, error);
     if (arc->F == 0.0 && balanced) {
         if (!sf_append(&shock->phases, (sf_phase){0, region, arc->theta, u, 0.0, end, u, 0.0, SF_TIME, 0}))
             return SF_NO_MEMORY;
     }
     else {
-        if (balanced && holds < doubt) /* some roundings back from where F cos(theta) begins to push: it goes there */
+        if (balanced && holds < error) /* some roundings back from where F cos(theta) begins to push: it goes there */
             u += copysign(SF_BACK, sin(arc->theta)) * fmax(fmax(fabs(u), fabs(system->load)), arc->F);
         outcome = sf_follow(&forced, arc->theta, u, shock->v, end, NULL, &shock->phases);
     }
@@ -148,7 +148,7 @@ static void sf_spaced(double low, double high, long count, double *out)
     out[count - 1] = high;
 }
 
-/* The largest |acceleration| of the mass, as seen by who stands still, at angles within a phase, and at which. */
+/* The largest |acceleration| of the mass, in the inertial frame, at angles within a phase, and at which. */
 static sf_outcome sf_accelerations(sf_shocked *shock, const double *theta, long count, sf_stretch *one)
 {
     sf_forced forced = sf_forced_by(shock, &one->arc);

@@ -69,7 +69,7 @@ static sf_box *read_boxes(PyArrayObject *const *inputs, int d, ptrdiff_t n)
         boxes[k].of = *(const npy_intp *)PyArray_GETPTR1(inputs[4], k);
         for (int i = 0; i < d; i++)
             for (int of = 0; of < 4; of++)
-                to[of][i] = *(const double *)PyArray_GETPTR2(inputs[of], i, k), boxes[k].doubt[i] = 0;
+                to[of][i] = *(const double *)PyArray_GETPTR2(inputs[of], i, k), boxes[k].error[i] = 0;
     }
     return boxes;
 }

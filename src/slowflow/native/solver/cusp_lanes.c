@@ -58,33 +58,33 @@ static inline channel channel_on(shared of, double tau_lo, double tau_hi)
     const double turned = of.sign > 0 ? 1.0 : 0.0, kappa_lo = of.kappa_lo, kappa_hi = of.kappa_hi;
     const double t_lo = turned > 0 ? tau_lo : -tau_hi, t_hi = turned > 0 ? tau_hi : -tau_lo;
     const double size = SF_GREATER(fabs(tau_lo), fabs(tau_hi)), deep = SF_GREATER(-kappa_lo, 1.0);
-    const double doubt_X = SF_DOUBT * (of.B_hi * size + SF_GREATER(fabs(of.h_A_lo), fabs(of.h_A_hi)));
-    const double X_lo = LEAST(tau_lo, of.B_lo, of.B_hi) - of.h_A_hi - doubt_X;
-    const double X_hi = MOST(tau_hi, of.B_lo, of.B_hi) - of.h_A_lo + doubt_X;
+    const double error_X = SF_ERROR * (of.B_hi * size + SF_GREATER(fabs(of.h_A_lo), fabs(of.h_A_hi)));
+    const double X_lo = LEAST(tau_lo, of.B_lo, of.B_hi) - of.h_A_hi - error_X;
+    const double X_hi = MOST(tau_hi, of.B_lo, of.B_hi) - of.h_A_lo + error_X;
     const double w_lo = sqrt(SF_GREATER(X_lo, 0.0)), w_hi = sqrt(SF_GREATER(X_hi, 0.0));
 
-    const double q = of.m * of.zeta, Q_lo = 2 * q * w_lo * (1 - SF_DOUBT), Q_hi = 2 * q * w_hi * (1 + SF_DOUBT);
-    const double u_lo = 1 - kappa_hi, u_hi = 1 - kappa_lo, doubt_e = SF_DOUBT * (u_hi * (1 + size) + 1);
-    const double e_lo = LEAST(1 - t_hi, u_lo, u_hi) - 1 - doubt_e, e_hi = MOST(1 - t_lo, u_lo, u_hi) - 1 + doubt_e;
+    const double q = of.m * of.zeta, Q_lo = 2 * q * w_lo * (1 - SF_ERROR), Q_hi = 2 * q * w_hi * (1 + SF_ERROR);
+    const double u_lo = 1 - kappa_hi, u_hi = 1 - kappa_lo, error_e = SF_ERROR * (u_hi * (1 + size) + 1);
+    const double e_lo = LEAST(1 - t_hi, u_lo, u_hi) - 1 - error_e, e_hi = MOST(1 - t_lo, u_lo, u_hi) - 1 + error_e;
     const int is_positive = e_lo * of.P_hi + Q_lo > 0, is_negative = (e_hi < 0) & (e_hi * of.P_lo + Q_hi < 0);
 
-    const double sum_lo = kappa_lo + t_lo, sum_hi = kappa_hi + t_hi, doubt_s = SF_DOUBT * (size + deep);
-    const double c = -MOST(sum_hi + doubt_s, -kappa_hi, -kappa_lo);
+    const double sum_lo = kappa_lo + t_lo, sum_hi = kappa_hi + t_hi, error_s = SF_ERROR * (size + deep);
+    const double c = -MOST(sum_hi + error_s, -kappa_hi, -kappa_lo);
     const double level = of.m * of.m + of.a * Q_lo + LEAST(c, of.a * of.P_lo, of.b * of.P_hi);
-    const double doubt_F = SF_DOUBT * (of.m * of.m + of.a * Q_lo + of.b * of.P_hi * fabs(c));
-    const int is_above = (kappa_hi <= 0) & (level - doubt_F > of.most * of.most);
+    const double error_F = SF_ERROR * (of.m * of.m + of.a * Q_lo + of.b * of.P_hi * fabs(c));
+    const int is_above = (kappa_hi <= 0) & (level - error_F > of.most * of.most);
 
-    const double doubt_g = 4 * (1 + of.rho_hi) * doubt_s;
+    const double error_g = 4 * (1 + of.rho_hi) * error_s;
     const double g_lo = LEAST(sum_lo, of.rho_lo, of.rho_hi) + 3 * t_lo,
                  g_hi = MOST(sum_hi, of.rho_lo, of.rho_hi) + 3 * t_hi;
     const double of_zeta = 4 * of.zeta * of.zeta;
-    const double by_hi = (q / (of.b * w_hi) + of_zeta) / of.B_hi * (1 - SF_DOUBT);
-    const double by_lo = (q / (of.a * w_lo) + of_zeta) / of.B_lo * (1 + SF_DOUBT);
+    const double by_hi = (q / (of.b * w_hi) + of_zeta) / of.B_hi * (1 - SF_ERROR);
+    const double by_lo = (q / (of.a * w_lo) + of_zeta) / of.B_lo * (1 + SF_ERROR);
     const double k_lo = sum_lo + t_lo + (turned > 0 ? by_hi : -by_lo),
                  k_hi = sum_hi + t_hi + (turned > 0 ? by_lo : -by_hi);
-    const double doubt_k = 4 * doubt_s + SF_DOUBT * by_lo;
+    const double error_k = 4 * error_s + SF_ERROR * by_lo;
     return (channel){(X_hi <= 0) | is_positive | is_negative | is_above, X_lo > 0,
-                     ((g_lo > doubt_g) | (g_hi < -doubt_g)) & ((k_lo > doubt_k) | (k_hi < -doubt_k))};
+                     ((g_lo > error_g) | (g_hi < -error_g)) & ((k_lo > error_k) | (k_hi < -error_k))};
 }
 
 SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
@@ -110,24 +110,24 @@ SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
         const double sign = h2_a < 0 ? -1.0 : 1.0, from = fabs(h2_a);
         const double least = sign > 0 ? on.h2_lo : -on.h2_hi, greatest = sign > 0 ? on.h2_hi : -on.h2_lo;
         const double s_lo = SF_LESSER(sign * h3_a, sign * h3_b), s_hi = SF_GREATER(sign * h3_a, sign * h3_b);
-        const double rho_lo = (1 - SF_DOUBT) * SF_LESSER(a * s_lo / from, b * s_lo / (from + s_hi * width));
-        const double rho_hi = (1 + SF_DOUBT) * SF_GREATER(a * s_hi / from, b * s_hi / (from + s_lo * width));
+        const double rho_lo = (1 - SF_ERROR) * SF_LESSER(a * s_lo / from, b * s_lo / (from + s_hi * width));
+        const double rho_hi = (1 + SF_ERROR) * SF_GREATER(a * s_hi / from, b * s_hi / (from + s_lo * width));
         const double first = k_a / (a * a * h2_a), last = k_b / (b * b * h2_b),
-                     doubt = 4 * SF_DOUBT * (1 + fabs(first));
-        const double rough_lo = SF_LESSER(first, -1 / (2 + rho_lo)) - doubt;
-        const double rough_hi = SF_GREATER(first, -1 / (2 + rho_hi)) + doubt;
+                     error = 4 * SF_ERROR * (1 + fabs(first));
+        const double rough_lo = SF_LESSER(first, -1 / (2 + rho_lo)) - error;
+        const double rough_hi = SF_GREATER(first, -1 / (2 + rho_hi)) + error;
         /* its slope is -(1 + kappa (2 + rho))/A */
         const double bent_lo = 1 + LEAST(rough_lo, 2 + rho_lo, 2 + rho_hi),
                      bent_hi = 1 + MOST(rough_hi, 2 + rho_lo, 2 + rho_hi);
-        const double steep = SF_DOUBT * (1 + fabs(rough_lo) + fabs(rough_hi)) * (2 + rho_hi);
+        const double steep = SF_ERROR * (1 + fabs(rough_lo) + fabs(rough_hi)) * (2 + rho_hi);
         const double slope_lo = -MOST(bent_hi + steep, 1 / b, 1 / a), slope_hi = -LEAST(bent_lo - steep, 1 / b, 1 / a);
-        const double off = 2 * doubt + SF_DOUBT * width * (fabs(slope_lo) + fabs(slope_hi));
+        const double off = 2 * error + SF_ERROR * width * (fabs(slope_lo) + fabs(slope_hi));
         const double under = sf_lane_under(first, last, slope_lo, slope_hi, width) - off;
         const double over = -sf_lane_under(-first, -last, -slope_hi, -slope_lo, width) + off;
         const double kappa_lo = SF_GREATER(rough_lo, under), kappa_hi = SF_LESSER(rough_hi, over);
 
         /* sf_range_cusp_scaled */
-        const double B_lo = a * least * (1 - SF_DOUBT), B_hi = b * greatest * (1 + SF_DOUBT);
+        const double B_lo = a * least * (1 - SF_ERROR), B_hi = b * greatest * (1 + SF_ERROR);
         const double P_lo = a * B_lo * B_lo, P_hi = b * B_hi * B_hi;
         const shared of = {a, b, m, zeta, most, sign, B_lo, B_hi, P_lo, P_hi, on.h1_lo, on.h1_hi,
                            kappa_lo, kappa_hi, rho_lo, rho_hi};
@@ -138,12 +138,12 @@ SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
         const double less_lo = SF_LESSER(2 * on.h1_lo * z_lo / B_hi, 2 * on.h1_lo * z_hi / B_lo);
         const double less_hi = SF_GREATER(2 * on.h1_hi * z_lo / B_hi, 2 * on.h1_hi * z_hi / B_lo);
         const double c_lo = kappa_lo - less_hi, c_hi = kappa_hi - less_lo;
-        const double doubt_c = SF_DOUBT * (fabs(kappa_lo) + fabs(kappa_hi) + fabs(less_lo) + fabs(less_hi));
+        const double error_c = SF_ERROR * (fabs(kappa_lo) + fabs(kappa_hi) + fabs(less_lo) + fabs(less_hi));
         const double near = (p_lo > 0) | (p_hi < 0) ? SF_LESSER(fabs(p_lo), fabs(p_hi)) : 0.0,
                      far = SF_GREATER(fabs(p_lo), fabs(p_hi));
-        const double b_lo = c_lo - doubt_c, b_hi = c_hi + doubt_c,
-                     doubt_d = SF_DOUBT * (far * far + fabs(b_lo) + fabs(b_hi));
-        const double disc_lo = near * near - b_hi - doubt_d, disc_hi = far * far - b_lo + doubt_d;
+        const double b_lo = c_lo - error_c, b_hi = c_hi + error_c,
+                     error_d = SF_ERROR * (far * far + fabs(b_lo) + fabs(b_hi));
+        const double disc_lo = near * near - b_hi - error_d, disc_hi = far * far - b_lo + error_d;
         /* the root's size, that of the lower channel with -p in place of p; it rises with that, and falls with b, where
          * b <= 0 */
         const int corners = b_hi <= 0;
@@ -151,9 +151,9 @@ SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
         const double root_lo = sqrt(SF_GREATER(disc_lo, 0.0)), root_hi = sqrt(SF_GREATER(disc_hi, 0.0));
         const double corner_lo = sqrt(SF_GREATER(turned_lo * turned_lo - b_hi, 0.0)),
                      corner_hi = sqrt(SF_GREATER(turned_hi * turned_hi - b_lo, 0.0));
-        const double doubt_t = 4 * SF_DOUBT * (far + root_hi);
-        const double size_lo = turned_lo + (corners ? corner_lo : root_lo) - doubt_t,
-                     size_hi = turned_hi + (corners ? corner_hi : root_hi) + doubt_t;
+        const double error_t = 4 * SF_ERROR * (far + root_hi);
+        const double size_lo = turned_lo + (corners ? corner_lo : root_lo) - error_t,
+                     size_hi = turned_hi + (corners ? corner_hi : root_hi) + error_t;
         const channel found = channel_on(of, which > 0 ? size_lo : -size_hi, which > 0 ? size_hi : -size_lo);
 
         const double product = (at_a.least > 0 ? at_a.y : NAN) * (at_b.least > 0 ? at_b.y : NAN);

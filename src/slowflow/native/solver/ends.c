@@ -87,9 +87,9 @@ typedef struct {
 
 enum { SF_OF_BOX = 6, SF_OF_SYSTEM = sizeof(sf_values) / sizeof(double), SF_MOST_OUT = 4 * SF_OF_MOTION };
 
-/* A function of boxes, for each: charts, low, high, chart, load, the remainder of the force or nothing, then numbers of
- * these sizes, 0 behind the last -> so many numbers. Where there are no such charts any number is held, so that nothing
- * is taken to be absent there. */
+/* A function of boxes, for each: charts, low, high, chart, load, the remainder of the force or nothing, then numbers
+ * of these sizes, 0 behind the last -> so many numbers. Where there are no such charts any number is allowed, so
+ * that nothing is taken to be absent there. */
 static void by_boxes(void (*call)(const sf_on_box *in, double *out), const int *sizes, int outputs, char **operands,
                      const ptrdiff_t *dimensions, const ptrdiff_t *steps)
 {

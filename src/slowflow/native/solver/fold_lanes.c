@@ -20,7 +20,7 @@ typedef struct {
 } value;
 
 static inline value value_at(double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double k,
-                             double least, double doubt_k)
+                             double least, double error_k)
 {
     double fold[3], tangent[2];
     slow_flow_intercept(A, h, h_A, h_AA, tangent);
@@ -31,7 +31,7 @@ static inline value value_at(double A, double F_0, double m, double zeta, double
     const double size = F_0 + fabs(h) + A * (1 + SF_FINITE_SIZE(h_A)) + of_k;
     const int exists = beyond >= 0;
     return (value){fold[0], fold[1], fold[2], slow_flow_fold_square(fold[2], A, fold[0]), exists,
-                   (!(fabs(beyond) > doubt_k)) | (exists & (!(fabs(fold[0]) > SF_CLOSE * size)))};
+                   (!(fabs(beyond) > error_k)) | (exists & (!(fabs(fold[0]) > SF_CLOSE * size)))};
 }
 
 /* |k| at a fold with this Omega^2 */
@@ -80,13 +80,13 @@ SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
 
         /* h, and k, whose slope is -A h_AA */
         const double slope = SF_GREATER(SF_FINITE_SIZE(on.h1_lo), SF_FINITE_SIZE(on.h1_hi));
-        const double doubt_h = SF_CLOSE * (F_0 + fabs(h_a) + fabs(h_b) + b * slope) + width * on.e1;
-        const double h_lo = sf_lane_under(h_a, h_b, on.h1_lo, on.h1_hi, width) - doubt_h;
-        const double h_hi = -sf_lane_under(-h_a, -h_b, -on.h1_hi, -on.h1_lo, width) + doubt_h;
+        const double error_h = SF_CLOSE * (F_0 + fabs(h_a) + fabs(h_b) + b * slope) + width * on.e1;
+        const double h_lo = sf_lane_under(h_a, h_b, on.h1_lo, on.h1_hi, width) - error_h;
+        const double h_hi = -sf_lane_under(-h_a, -h_b, -on.h1_hi, -on.h1_lo, width) + error_h;
         const double k1_lo = -(on.h2_hi * (on.h2_hi >= 0 ? b : a)), k1_hi = -(on.h2_lo * (on.h2_lo >= 0 ? a : b));
-        const double doubt_k = SF_CLOSE * (SF_FINITE_SIZE(k_a) + fabs(k_b) + least) + b * on.e1;
-        const double k_lo = sf_lane_under(k_a, k_b, k1_lo, k1_hi, width) - doubt_k;
-        const double k_hi = -sf_lane_under(-k_a, -k_b, -k1_hi, -k1_lo, width) + doubt_k;
+        const double error_k = SF_CLOSE * (SF_FINITE_SIZE(k_a) + fabs(k_b) + least) + b * on.e1;
+        const double k_lo = sf_lane_under(k_a, k_b, k1_lo, k1_hi, width) - error_k;
+        const double k_hi = -sf_lane_under(-k_a, -k_b, -k1_hi, -k1_lo, width) + error_k;
 
         /* folds are where |k| is no less than the least */
         const int is_above = k_hi >= least, is_below = k_lo <= -least, straddles = is_above & is_below;
@@ -115,23 +115,23 @@ SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
                      p_hi = SF_GREATER(SF_GREATER(p1, p2), SF_GREATER(p3, p4));
         const int p_known = p1 + p2 + p3 + p4 == p1 + p2 + p3 + p4;
         const double X_lo = inert_lo / b, X_hi = inert_hi / a;
-        const double doubt_lo = SF_CLOSE * (SF_FINITE_SIZE(on.h1_lo) + SF_FINITE_SIZE(p_lo) + X_hi),
-                     doubt_hi = SF_CLOSE * (SF_FINITE_SIZE(on.h1_hi) + SF_FINITE_SIZE(p_hi) + X_lo);
-        const double dy_lo = on.h1_lo + p_lo - X_hi - doubt_lo, dy_hi = on.h1_hi + p_hi - X_lo + doubt_hi;
+        const double error_lo = SF_CLOSE * (SF_FINITE_SIZE(on.h1_lo) + SF_FINITE_SIZE(p_lo) + X_hi),
+                     error_hi = SF_CLOSE * (SF_FINITE_SIZE(on.h1_hi) + SF_FINITE_SIZE(p_hi) + X_lo);
+        const double dy_lo = on.h1_lo + p_lo - X_hi - error_lo, dy_hi = on.h1_hi + p_hi - X_lo + error_hi;
         const int is_monotone = p_known & ((dy_lo > 0) | (dy_hi < 0));
 
         /* the ends; where the channel begins or ends on the cell, at Omega = 0, it has the sign of h_A */
-        const value at_a = value_at(a, F_0, m, zeta, h_a, h1_a, h2_a, k_a, least, doubt_k);
-        const value at_b = value_at(b, F_0, m, zeta, h_b, h1_b, h2_b, k_b, least, doubt_k);
+        const value at_a = value_at(a, F_0, m, zeta, h_a, h1_a, h2_a, k_a, least, error_k);
+        const value at_b = value_at(b, F_0, m, zeta, h_b, h1_b, h2_b, k_b, least, error_k);
         const int begins = (at_a.exists == 0) & at_b.exists, ends = at_a.exists & (at_b.exists == 0);
         const int passes_least = ((k1_lo > 0) | (k1_hi < 0)) & ((on.h1_lo > 0) | (on.h1_hi < 0));
         const int is_throughout = inner > least;
         const int is_settled = (straddles == 0) & (is_throughout | ((begins | ends) & passes_least));
         const int negative_a = begins ? on.h1_hi < 0 : at_a.y < 0, negative_b = ends ? on.h1_hi < 0 : at_b.y < 0;
         const int passes = negative_a != negative_b;
-        const double doubt_y = SF_CLOSE * (fabs(at_a.y) + fabs(at_b.y)) + doubt_h;
-        const double under = sf_lane_under(at_a.y, at_b.y, dy_lo, dy_hi, width) - doubt_y,
-                     over = -sf_lane_under(-at_a.y, -at_b.y, -dy_hi, -dy_lo, width) + doubt_y;
+        const double error_y = SF_CLOSE * (fabs(at_a.y) + fabs(at_b.y)) + error_h;
+        const double under = sf_lane_under(at_a.y, at_b.y, dy_lo, dy_hi, width) - error_y,
+                     over = -sf_lane_under(-at_a.y, -at_b.y, -dy_hi, -dy_lo, width) + error_y;
         const int stays = is_throughout & p_known & ((under > 0) | (over < 0));
         const int is_nowhere = (k_hi < least) & (k_lo > -least);
         const int has_none = is_nowhere | ((straddles == 0) & ((y_lo > 0) | (y_hi < 0) | stays)) |
@@ -170,7 +170,7 @@ SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
 }
 
 /* Where the function vanishes by this amplitude and the one before, in x; next to where the channel begins or ends at
- * first by what |k| is there. Omega from F = 0, which at a fold A moves to second order only. */
+ * first by what |k| is there. Omega from F = 0, which at a fold A changes to second order only. */
 SF_WIDE static void approach(ptrdiff_t n, sf_lane_zeros *zeros)
 {
     SF_EACH(i, n) {

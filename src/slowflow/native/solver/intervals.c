@@ -23,10 +23,10 @@ void sf_interval_product_loop(char **operands, const ptrdiff_t *dimensions, cons
         double low = NAN, high = NAN;
         int unknown = 0;
         for (int j = 0; j < 4; j++) {
-            const double x = a[j >> 1], y = b[j & 1], product = x * y, doubt = ULP * fabs(product) + LEAST;
+            const double x = a[j >> 1], y = b[j & 1], product = x * y, error = ULP * fabs(product) + LEAST;
             const int zero = x == 0 || y == 0;
-            low = fmin(low, zero ? 0 : product - doubt);
-            high = fmax(high, zero ? 0 : product + doubt);
+            low = fmin(low, zero ? 0 : product - error);
+            high = fmax(high, zero ? 0 : product + error);
             unknown |= isnan(product) && !zero;
         }
         OUT(4) = unknown ? NAN : low;

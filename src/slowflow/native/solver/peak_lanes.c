@@ -32,10 +32,10 @@ static inline channel channel_on(double w_lo, double w_hi, double a, double b, d
     const double q = m * zeta, e = 2 * zeta * zeta;
     const double R_lo = e * a + (m > 0 ? q / w_hi : 0.0), R_hi = e * b + (m > 0 ? q / w_lo : 0.0);
     const double I_lo = 2 * zeta * a * w_lo + m, I_hi = 2 * zeta * b * w_hi + m;
-    const double doubt = 4 * SF_CLOSE * (R_hi * R_hi + I_hi * I_hi + F_0 * F_0);
+    const double error = 4 * SF_CLOSE * (R_hi * R_hi + I_hi * I_hi + F_0 * F_0);
     const double S_lo = w_lo * w_lo - on.h1_hi, S_hi = w_hi * w_hi - on.h1_lo;
-    return (channel){(R_lo * R_lo + (I_lo - F_0) * (I_lo + F_0) > doubt) |
-                         (R_hi * R_hi + (I_hi - F_0) * (I_hi + F_0) < -doubt),
+    return (channel){(R_lo * R_lo + (I_lo - F_0) * (I_lo + F_0) > error) |
+                         (R_hi * R_hi + (I_hi - F_0) * (I_hi + F_0) < -error),
                      S_lo > 4 * SF_CLOSE * (w_lo * w_lo + SF_FINITE_SIZE(on.h1_hi)),
                      S_hi < -4 * SF_CLOSE * (w_hi * w_hi + SF_FINITE_SIZE(on.h1_lo))};
 }
@@ -52,12 +52,12 @@ SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
 
         /* h, and p of the cubic: a critical point exists where both corners have it, and lies between theirs */
         const double slope = SF_GREATER(SF_FINITE_SIZE(on.h1_lo), SF_FINITE_SIZE(on.h1_hi));
-        const double doubt_h = SF_CLOSE * (fabs(h_a) + fabs(h_b) + b * (e + slope)) + width * on.e1;
+        const double error_h = SF_CLOSE * (fabs(h_a) + fabs(h_b) + b * (e + slope)) + width * on.e1;
         const double h_least = SF_LESSER(h_a, h_b), h_most = SF_GREATER(h_a, h_b);
         const double h_under = sf_lane_under(h_a, h_b, on.h1_lo, on.h1_hi, width);
         const double h_over = -sf_lane_under(-h_a, -h_b, -on.h1_hi, -on.h1_lo, width);
-        const double p_lo = (on.h2_hi <= 0 ? h_least : h_under) + e * a - doubt_h;
-        const double p_hi = (on.h2_lo >= 0 ? h_most : h_over) + e * b + doubt_h;
+        const double p_lo = (on.h2_hi <= 0 ? h_least : h_under) + e * a - error_h;
+        const double p_hi = (on.h2_lo >= 0 ? h_most : h_over) + e * b + error_h;
         const sf_lane_critical low = sf_lane_critical_at(a, p_lo, q), high = sf_lane_critical_at(b, p_hi, q);
         const int is_nowhere = (p_lo >= 0) | (low.rho > 1 + MAY_MEET),
                   is_throughout = (p_hi < 0) & (high.rho < 1 - MAY_MEET);

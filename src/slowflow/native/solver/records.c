@@ -1,7 +1,7 @@
 /* Records and models as capsules. Takes a mechanism's name or a capsule and numbers; returns a capsule.
  *
  * RECORDS has those of the mechanisms that were compiled in, by name; MOST the most numbers of a design, parameters and
- * breakpoints of a record. What the functions take and return is said in their table below.
+ * breakpoints of a record. What the functions take and return is in their table below.
  *
  * A record compiled elsewhere is a capsule named SF_RECORD around its sf_mechanism, which has to live as long as
  * the capsule and the functions for many designs that were made from it.

@@ -77,11 +77,11 @@ SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
         const int has_one = passes & (is_monotone | is_convex | is_concave);
 
         /* whether rounding may decide a sign at an end */
-        const double doubt_a = SF_CLOSE * (fabs(h_a) + a * (1 + fabs(h1_a) + X)),
-                     doubt_b = SF_CLOSE * (fabs(h_b) + b * (1 + fabs(h1_b) + X));
+        const double error_a = SF_CLOSE * (fabs(h_a) + a * (1 + fabs(h1_a) + X)),
+                     error_b = SF_CLOSE * (fabs(h_b) + b * (1 + fabs(h1_b) + X));
         const int close_a = (fabs(h1_a) < HUGE_VAL) &
-                            !(fabs(F_a) > doubt_a * (2 * fabs(R_a) + doubt_a) + SF_CLOSE * (I_a * I_a + F_0 * F_0));
-        const int close_b = !(fabs(F_b) > doubt_b * (2 * fabs(R_b) + doubt_b) + SF_CLOSE * (I_b * I_b + F_0 * F_0));
+                            !(fabs(F_a) > error_a * (2 * fabs(R_a) + error_a) + SF_CLOSE * (I_a * I_a + F_0 * F_0));
+        const int close_b = !(fabs(F_b) > error_b * (2 * fabs(R_b) + error_b) + SF_CLOSE * (I_b * I_b + F_0 * F_0));
         const int is_known = (fabs(F_a) < HUGE_VAL) & (h1_a == h1_a) & (h2_a == h2_a) & (h3_a == h3_a) &
                              (fabs(h1_b) < HUGE_VAL) & (fabs(h2_b) < HUGE_VAL) & (fabs(h3_b) < HUGE_VAL);
 

@@ -11,12 +11,12 @@ from ..pair.printer import high_and_low
 from ..printing import literal
 
 
-class HeldPrinter(CallPrinter):
-    """With the functions of native/held.h."""
+class BoundedPrinter(CallPrinter):
+    """With the functions of native/bounded.h."""
 
-    prefix = "sfh_"
-    infinity = "sfh_point(HUGE_VAL)"
-    functions: ClassVar = {sp.sqrt: "sfh_sqrt", sp.atan2: "sfh_atan2"}
+    prefix = "sfb_"
+    infinity = "sfb_point(HUGE_VAL)"
+    functions: ClassVar = {sp.sqrt: "sfb_sqrt", sp.atan2: "sfb_atan2"}
 
     def _number(self, expr: sp.Expr) -> str:
         value = expr.doit()

@@ -1,9 +1,9 @@
 """Kernels in double-double with a bound of their error: a C header for each module with any, and Carlson's series.
 
-In:  `Module`s with the straight-line code of their kernels; of these the kernels that are `held`.
+In:  `Module`s with the straight-line code of their kernels; of these the kernels that are `bounded`.
 Out: a dict from file name (below `generated/`) to text.
 
-The C calls native/held.h and native/carlson.h, which are runtime code. Closed forms that divide by what may be small
+The C calls native/bounded.h and native/carlson.h, which are runtime code. Closed forms that divide by what may be small
 are evaluated so: a proof by doubles takes the doubles around the result, an answer's last digits the result itself.
 """
 
@@ -21,12 +21,12 @@ from ...provenance import tools
 from ...views import Code, Language, Line, templates, view
 from .. import interval
 from ..c.printer import CPrinter
-from .printer import HeldPrinter
+from .printer import BoundedPrinter
 
-C = Language(HeldPrinter(), conjunction=" && ", wrap_in_parentheses=False, names={"I": "I_"})
+C = Language(BoundedPrinter(), conjunction=" && ", wrap_in_parentheses=False, names={"I": "I_"})
 #: what the template, which is that of intervals, says of them
 ABOUT = {
-    "number": "sf_held",
+    "number": "sf_bounded",
     "inline": "static inline",
     "arithmetic": "carlson",
     "how": "in double-double with a bound of the error",
@@ -37,7 +37,7 @@ ABOUT = {
 def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     """Every file."""
     integrals = templates(Path(__file__).parent).get_template("carlson.h.jinja")
-    result = {"native/held_carlson.h": integrals.render(tools=tools(), series=[printed(one) for one in carlson()])}
+    result = {"native/bounded_carlson.h": integrals.render(tools=tools(), series=[printed(one) for one in carlson()])}
     for module in modules:
         if module.bounded:
             kernels = [view(kernel, code[module.name][kernel.name], C) for kernel in module.bounded]
@@ -48,7 +48,7 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
 
 def name_of(module: Module) -> str:
     """Of a module's functions, and of their file."""
-    return f"{module.name}_held"
+    return f"{module.name}_bounded"
 
 
 def printed(series: Series) -> dict[str, object]:
