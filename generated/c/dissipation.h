@@ -73,12 +73,11 @@ SF_KERNEL void dissipation_released(double A, double m, double eta, double u_cr,
    Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 */
 SF_KERNEL void dissipation_rest_moves(double A, double *out)
 {
+    for (int k = 0; k < 6; k++)
+        out[k] = 0.0;
     out[0] = 1.0;
-    out[1] = 0.0;
-    out[2] = 0.0;
     out[3] = A;
     out[4] = 1.0;
-    out[5] = 0.0;
 }
 
 /* What m, then eta, then u_cr does to them where friction acts for |u| < u_cr only.

@@ -85,14 +85,12 @@ SF_KERNEL void duffing_harmonics(double A, const double *p, double *out)
     const double t0 = 1.5 * beta;
     const double A2 = A * A;
     const double A3 = A * A2;
+    for (int k = 0; k < 8; k++)
+        out[k] = 0.0;
     out[0] = -0.25 * A3 * beta;
     out[1] = -0.75 * A2 * beta;
     out[2] = -A * t0;
     out[3] = -t0;
-    out[4] = 0.0;
-    out[5] = 0.0;
-    out[6] = 0.0;
-    out[7] = 0.0;
 }
 
 /* d/dp of h, h_A and h_AA at a fixed A, for each parameter p in turn.
@@ -159,13 +157,11 @@ SF_KERNEL void duffing_steps(const double *p, double *out)
     const double alpha = p[0];
     const double beta = p[1];
     const double t0 = 6.0 * beta;
-    out[0] = 0.0;
+    for (int k = 0; k < 8; k++)
+        out[k] = 0.0;
     out[1] = alpha;
-    out[2] = 0.0;
     out[3] = t0;
-    out[4] = 0.0;
     out[5] = alpha;
-    out[6] = 0.0;
     out[7] = t0;
 }
 
@@ -174,13 +170,9 @@ SF_KERNEL void duffing_steps(const double *p, double *out)
    Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 */
 SF_KERNEL void duffing_steps_by(const double *p, double *out)
 {
-    out[0] = 0.0;
+    for (int k = 0; k < 8; k++)
+        out[k] = 0.0;
     out[1] = 1.0;
-    out[2] = 0.0;
-    out[3] = 0.0;
-    out[4] = 0.0;
-    out[5] = 0.0;
-    out[6] = 0.0;
     out[7] = 6.0;
 }
 
@@ -205,7 +197,8 @@ SF_KERNEL double duffing_force_1_u(double u, double alpha, double beta)
    force_1: 4 operations. Proved, error / u (1 + kappa): 1.67 */
 SF_KERNEL double duffing_force(double u, double alpha, double beta)
 {
-    return duffing_force_1(u, alpha, beta);
+    
+        return duffing_force_1(u, alpha, beta);
 }
 
 /* Reduced resultant of F_A and F_AA: coefficients of A^0, A^2, ...; its roots are candidates for the onset.

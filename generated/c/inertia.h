@@ -153,11 +153,10 @@ SF_KERNEL void inertia_outer_rising(double A, double F_0, double m, double zeta,
 
 SF_KERNEL void inertia_outer(double A, double F_0, double m, double zeta, double h, double *out)
 {
-    if (2.0 * A * zeta * zeta + h <= 0.0) {
+    if (2.0 * A * zeta * zeta + h <= 0.0)
         inertia_outer_falling(A, F_0, m, zeta, h, out);
-        return;
-    }
-    inertia_outer_rising(A, F_0, m, zeta, h, out);
+    else
+        inertia_outer_rising(A, F_0, m, zeta, h, out);
 }
 
 /* What the least level of an amplitude follows from; it has one where the first, fall, is positive.

@@ -98,11 +98,9 @@ SF_KERNEL void motion_rates_by_parameter(double cosine, double v, double Omega, 
     const double t1 = 2.0 * v;
     const double t2 = 1.0 / Omega;
     const double t3 = -t2;
+    for (int k = 0; k < 10; k++)
+        out[k] = 0.0;
     out[0] = -t0 * v;
-    out[1] = 0.0;
-    out[2] = 0.0;
-    out[3] = 0.0;
-    out[4] = 0.0;
     out[5] = -t0 * (F_0 * cosine - f - friction - t1 * zeta);
     out[6] = cosine * t2;
     out[7] = -t1 * t2;

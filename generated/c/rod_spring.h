@@ -161,15 +161,12 @@ SF_KERNEL void rod_spring_averaged_passed_1_far_1(double A, const double *p, dou
 SF_KERNEL void rod_spring_averaged(double A, const double *p, double *out)
 {
     const double u_cr = p[3];
-    if (A <= u_cr) {
+    if (A <= u_cr)
         rod_spring_averaged_passed_0(A, p, out);
-        return;
-    }
-    if (A <= 1.05 * u_cr) {
+    else if (A <= 1.05 * u_cr)
         rod_spring_averaged_passed_1(A, p, out);
-        return;
-    }
-    rod_spring_averaged_passed_1_far_1(A, p, out);
+    else
+        rod_spring_averaged_passed_1_far_1(A, p, out);
 }
 
 /* h, h_A together.
@@ -266,15 +263,12 @@ SF_KERNEL void rod_spring_averaged_2_passed_1_far_1(double A, const double *p, d
 SF_KERNEL void rod_spring_averaged_2(double A, const double *p, double *out)
 {
     const double u_cr = p[3];
-    if (A <= u_cr) {
+    if (A <= u_cr)
         rod_spring_averaged_2_passed_0(A, p, out);
-        return;
-    }
-    if (A <= 1.05 * u_cr) {
+    else if (A <= 1.05 * u_cr)
         rod_spring_averaged_2_passed_1(A, p, out);
-        return;
-    }
-    rod_spring_averaged_2_passed_1_far_1(A, p, out);
+    else
+        rod_spring_averaged_2_passed_1_far_1(A, p, out);
 }
 
 /* H, H_A together.
@@ -369,15 +363,12 @@ SF_KERNEL void rod_spring_averaged_H_passed_1_far_1(double A, const double *p, d
 SF_KERNEL void rod_spring_averaged_H(double A, const double *p, double *out)
 {
     const double u_cr = p[3];
-    if (A <= u_cr) {
+    if (A <= u_cr)
         rod_spring_averaged_H_passed_0(A, p, out);
-        return;
-    }
-    if (A <= 1.05 * u_cr) {
+    else if (A <= 1.05 * u_cr)
         rod_spring_averaged_H_passed_1(A, p, out);
-        return;
-    }
-    rod_spring_averaged_H_passed_1_far_1(A, p, out);
+    else
+        rod_spring_averaged_H_passed_1_far_1(A, p, out);
 }
 
 /* h - A h_A, where the tangent of h meets A = 0; linear terms are none.
@@ -451,9 +442,10 @@ SF_KERNEL double rod_spring_intercept(double A, double alpha, double beta, doubl
 {
     if (A <= u_cr)
         return rod_spring_intercept_passed_0(A, alpha, beta, gamma, u_cr);
-    if (A <= 1.05 * u_cr)
+    else if (A <= 1.05 * u_cr)
         return rod_spring_intercept_passed_1(A, alpha, beta, gamma, u_cr);
-    return rod_spring_intercept_passed_1_far_1(A, alpha, beta, gamma, u_cr);
+    else
+        return rod_spring_intercept_passed_1_far_1(A, alpha, beta, gamma, u_cr);
 }
 
 /* Higher harmonics of the force, as h is its first: h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA.
@@ -698,15 +690,12 @@ SF_KERNEL void rod_spring_harmonics_passed_1_far_1(double A, const double *p, do
 SF_KERNEL void rod_spring_harmonics(double A, const double *p, double *out)
 {
     const double u_cr = p[3];
-    if (A <= u_cr) {
+    if (A <= u_cr)
         rod_spring_harmonics_passed_0(A, p, out);
-        return;
-    }
-    if (A <= 1.05 * u_cr) {
+    else if (A <= 1.05 * u_cr)
         rod_spring_harmonics_passed_1(A, p, out);
-        return;
-    }
-    rod_spring_harmonics_passed_1_far_1(A, p, out);
+    else
+        rod_spring_harmonics_passed_1_far_1(A, p, out);
 }
 
 /* d/dp of h, h_A and h_AA at a fixed A, for each parameter p in turn.
@@ -721,18 +710,16 @@ SF_KERNEL void rod_spring_by_parameter_passed_0(double A, double h, double h_A, 
     const double A3 = A * A2;
     const double A4 = A2 * A2;
     const double A5 = A * A4;
+    for (int k = 0; k < 12; k++)
+        out[k] = 0.0;
     out[0] = -A;
     out[1] = -1.0;
-    out[2] = 0.0;
     out[3] = -0.75 * A3;
     out[4] = -2.25 * A2;
     out[5] = -4.5 * A;
     out[6] = -0.625 * A5;
     out[7] = -3.125 * A4;
     out[8] = -12.5 * A3;
-    out[9] = 0.0;
-    out[10] = 0.0;
-    out[11] = 0.0;
 }
 
 SF_KERNEL void rod_spring_by_parameter_passed_1(double A, double h, double h_A, double h_AA, const double *p, double *out)
@@ -856,15 +843,12 @@ SF_KERNEL void rod_spring_by_parameter_passed_1_far_1(double A, double h, double
 SF_KERNEL void rod_spring_by_parameter(double A, double h, double h_A, double h_AA, const double *p, double *out)
 {
     const double u_cr = p[3];
-    if (A <= u_cr) {
+    if (A <= u_cr)
         rod_spring_by_parameter_passed_0(A, h, h_A, h_AA, p, out);
-        return;
-    }
-    if (A <= 1.05 * u_cr) {
+    else if (A <= 1.05 * u_cr)
         rod_spring_by_parameter_passed_1(A, h, h_A, h_AA, p, out);
-        return;
-    }
-    rod_spring_by_parameter_passed_1_far_1(A, h, h_A, h_AA, p, out);
+    else
+        rod_spring_by_parameter_passed_1_far_1(A, h, h_A, h_AA, p, out);
 }
 
 /* d/d of each number of the design: of each parameter in turn, then of each breakpoint.
@@ -876,6 +860,8 @@ SF_KERNEL void rod_spring_by_design(double lam, double r, double delta_h, double
     const double t2 = 0.5 * t1;
     const double t3 = 0.375 * t1;
     const double t4 = -t1 / (sqrt(delta_h) * sqrt(2.0 - delta_h));
+    for (int k = 0; k < 15; k++)
+        out[k] = 0.0;
     out[0] = -delta_h * r;
     out[1] = -delta_h * lam;
     out[2] = -t0;
@@ -885,11 +871,7 @@ SF_KERNEL void rod_spring_by_design(double lam, double r, double delta_h, double
     out[6] = -r * t3;
     out[7] = -lam * t3;
     out[8] = -0.375 * t0;
-    out[9] = 0.0;
-    out[10] = 0.0;
     out[11] = t4;
-    out[12] = 0.0;
-    out[13] = 0.0;
     out[14] = t4;
 }
 
@@ -958,11 +940,10 @@ SF_KERNEL void rod_spring_steps(const double *p, double *out)
     const double t1 = 120.0 * gamma;
     const double t2 = u_cr * u_cr;
     const double t3 = gamma * t2;
-    out[0] = 0.0;
+    for (int k = 0; k < 18; k++)
+        out[k] = 0.0;
     out[1] = alpha;
-    out[2] = 0.0;
     out[3] = t0;
-    out[4] = 0.0;
     out[5] = t1;
     out[6] = -u_cr * (alpha + t2 * (beta + t3) - 1.0);
     out[7] = -alpha + t2 * (-3.0 * beta - 5.0 * t3) + 1.0;
@@ -970,12 +951,7 @@ SF_KERNEL void rod_spring_steps(const double *p, double *out)
     out[9] = -t0 - 60.0 * t3;
     out[10] = -t1 * u_cr;
     out[11] = -t1;
-    out[12] = 0.0;
     out[13] = 1.0;
-    out[14] = 0.0;
-    out[15] = 0.0;
-    out[16] = 0.0;
-    out[17] = 0.0;
 }
 
 /* What each parameter does to derivatives of each piece at u = 0, then to their gains at each breakpoint.
@@ -991,78 +967,23 @@ SF_KERNEL void rod_spring_steps_by(const double *p, double *out)
     const double u_cr3 = u_cr * u_cr2;
     const double u_cr4 = u_cr2 * u_cr2;
     const double u_cr5 = u_cr * u_cr4;
-    out[0] = 0.0;
+    for (int k = 0; k < 72; k++)
+        out[k] = 0.0;
     out[1] = 1.0;
-    out[2] = 0.0;
-    out[3] = 0.0;
-    out[4] = 0.0;
-    out[5] = 0.0;
-    out[6] = 0.0;
-    out[7] = 0.0;
-    out[8] = 0.0;
-    out[9] = 0.0;
-    out[10] = 0.0;
-    out[11] = 0.0;
     out[12] = -u_cr;
     out[13] = -1.0;
-    out[14] = 0.0;
-    out[15] = 0.0;
-    out[16] = 0.0;
-    out[17] = 0.0;
-    out[18] = 0.0;
-    out[19] = 0.0;
-    out[20] = 0.0;
     out[21] = 6.0;
-    out[22] = 0.0;
-    out[23] = 0.0;
-    out[24] = 0.0;
-    out[25] = 0.0;
-    out[26] = 0.0;
-    out[27] = 0.0;
-    out[28] = 0.0;
-    out[29] = 0.0;
     out[30] = -u_cr3;
     out[31] = -3.0 * u_cr2;
     out[32] = -6.0 * u_cr;
     out[33] = -6.0;
-    out[34] = 0.0;
-    out[35] = 0.0;
-    out[36] = 0.0;
-    out[37] = 0.0;
-    out[38] = 0.0;
-    out[39] = 0.0;
-    out[40] = 0.0;
     out[41] = 120.0;
-    out[42] = 0.0;
-    out[43] = 0.0;
-    out[44] = 0.0;
-    out[45] = 0.0;
-    out[46] = 0.0;
-    out[47] = 0.0;
     out[48] = -u_cr5;
     out[49] = -5.0 * u_cr4;
     out[50] = -20.0 * u_cr3;
     out[51] = -60.0 * u_cr2;
     out[52] = -120.0 * u_cr;
     out[53] = -120.0;
-    out[54] = 0.0;
-    out[55] = 0.0;
-    out[56] = 0.0;
-    out[57] = 0.0;
-    out[58] = 0.0;
-    out[59] = 0.0;
-    out[60] = 0.0;
-    out[61] = 0.0;
-    out[62] = 0.0;
-    out[63] = 0.0;
-    out[64] = 0.0;
-    out[65] = 0.0;
-    out[66] = 0.0;
-    out[67] = 0.0;
-    out[68] = 0.0;
-    out[69] = 0.0;
-    out[70] = 0.0;
-    out[71] = 0.0;
 }
 
 /* Piece 1 of the whole restoring force u + F_k(u).
@@ -1107,7 +1028,8 @@ SF_KERNEL double rod_spring_force(double u, double alpha, double beta, double ga
 {
     if (fabs(u) <= u_cr)
         return rod_spring_force_1(u, alpha, beta, gamma, u_cr);
-    return rod_spring_force_2(u, alpha, beta, gamma, u_cr);
+    else
+        return rod_spring_force_2(u, alpha, beta, gamma, u_cr);
 }
 
 /* Reduced resultant of F_A and F_AA: coefficients of A^0, A^2, ...; its roots are candidates for the onset.

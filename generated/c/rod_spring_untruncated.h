@@ -1094,43 +1094,26 @@ SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steep(double A, cons
 SF_KERNEL void rod_spring_untruncated_averaged_all(double A, const double *p, double *out)
 {
     const double delta_h = p[2];
-    if ((A <= sqrt(-delta_h * delta_h + 2.0 * delta_h)) && (sqrt(-delta_h * delta_h + 2.0 * delta_h) <= A)) {
+    if ((A <= sqrt(-delta_h * delta_h + 2.0 * delta_h)) && (sqrt(-delta_h * delta_h + 2.0 * delta_h) <= A))
         rod_spring_untruncated_averaged_all_passed_0_end(A, p, out);
-        return;
-    }
-    if ((A <= sqrt(-delta_h * delta_h + 2.0 * delta_h)) && (A <= 0.69999999999999996)) {
+    else if ((A <= sqrt(-delta_h * delta_h + 2.0 * delta_h)) && (A <= 0.69999999999999996))
         rod_spring_untruncated_averaged_all_passed_0(A, p, out);
-        return;
-    }
-    if (A <= sqrt(-delta_h * delta_h + 2.0 * delta_h)) {
+    else if (A <= sqrt(-delta_h * delta_h + 2.0 * delta_h))
         rod_spring_untruncated_averaged_all_passed_0_steep(A, p, out);
-        return;
-    }
-    if ((sqrt(-delta_h * delta_h + 2.0 * delta_h) <= 0.75) && (1.05 * sqrt(-delta_h * delta_h + 2.0 * delta_h) <= A)) {
+    else if ((sqrt(-delta_h * delta_h + 2.0 * delta_h) <= 0.75) && (1.05 * sqrt(-delta_h * delta_h + 2.0 * delta_h) <= A))
         rod_spring_untruncated_averaged_all_passed_1_far(A, p, out);
-        return;
-    }
-    if (sqrt(-delta_h * delta_h + 2.0 * delta_h) <= 0.75) {
+    else if (sqrt(-delta_h * delta_h + 2.0 * delta_h) <= 0.75)
         rod_spring_untruncated_averaged_all_passed_1(A, p, out);
-        return;
-    }
-    if ((sqrt(-delta_h * delta_h + 2.0 * delta_h) <= 0.92000000000000004) && (1.05 * sqrt(-delta_h * delta_h + 2.0 * delta_h) <= A)) {
+    else if ((sqrt(-delta_h * delta_h + 2.0 * delta_h) <= 0.92000000000000004) && (1.05 * sqrt(-delta_h * delta_h + 2.0 * delta_h) <= A))
         rod_spring_untruncated_averaged_all_passed_1_steeper_far(A, p, out);
-        return;
-    }
-    if (sqrt(-delta_h * delta_h + 2.0 * delta_h) <= 0.92000000000000004) {
+    else if (sqrt(-delta_h * delta_h + 2.0 * delta_h) <= 0.92000000000000004)
         rod_spring_untruncated_averaged_all_passed_1_steeper(A, p, out);
-        return;
-    }
-    if (1.05 * sqrt(-delta_h * delta_h + 2.0 * delta_h) <= A) {
+    else if (1.05 * sqrt(-delta_h * delta_h + 2.0 * delta_h) <= A)
         rod_spring_untruncated_averaged_all_passed_1_steep_far(A, p, out);
-        return;
-    }
-    if (sqrt(-0.75 * delta_h * delta_h + 1.5 * delta_h + 0.25) <= A) {
+    else if (sqrt(-0.75 * delta_h * delta_h + 1.5 * delta_h + 0.25) <= A)
         rod_spring_untruncated_averaged_all_passed_1_steep_away(A, p, out);
-        return;
-    }
-    rod_spring_untruncated_averaged_all_passed_1_steep(A, p, out);
+    else
+        rod_spring_untruncated_averaged_all_passed_1_steep(A, p, out);
 }
 
 /* Higher harmonics of the force, as h is its first: h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA.
@@ -1242,11 +1225,10 @@ SF_KERNEL void rod_spring_untruncated_harmonics_passed_1(double A, const double 
 SF_KERNEL void rod_spring_untruncated_harmonics(double A, const double *p, double *out)
 {
     const double delta_h = p[2];
-    if (A <= sqrt(-delta_h * delta_h + 2.0 * delta_h)) {
+    if (A <= sqrt(-delta_h * delta_h + 2.0 * delta_h))
         rod_spring_untruncated_harmonics_passed_0(A, p, out);
-        return;
-    }
-    rod_spring_untruncated_harmonics_passed_1(A, p, out);
+    else
+        rod_spring_untruncated_harmonics_passed_1(A, p, out);
 }
 
 /* d/dp of h, h_A and h_AA at a fixed A, for each parameter p in turn.
@@ -1259,15 +1241,13 @@ SF_KERNEL void rod_spring_untruncated_by_parameter_passed_0(double A, double h, 
     const double alpha = p[0];
     const double beta = p[1];
     const double t0 = 1.0 / beta;
+    for (int k = 0; k < 9; k++)
+        out[k] = 0.0;
     out[0] = -A;
     out[1] = -1.0;
-    out[2] = 0.0;
     out[3] = t0 * (A * alpha + h);
     out[4] = t0 * (alpha + h_A);
     out[5] = h_AA * t0;
-    out[6] = 0.0;
-    out[7] = 0.0;
-    out[8] = 0.0;
 }
 
 SF_KERNEL void rod_spring_untruncated_by_parameter_passed_1(double A, double h, double h_A, double h_AA, const double *p, double *out)
@@ -1289,9 +1269,8 @@ SF_KERNEL void rod_spring_untruncated_by_parameter_passed_1(double A, double h, 
     const double t5 = 1.0 / root;
     const double u_cr2 = u_cr * u_cr;
     const double u_cr3 = u_cr * u_cr2;
-    out[0] = 0.0;
-    out[1] = 0.0;
-    out[2] = 0.0;
+    for (int k = 0; k < 9; k++)
+        out[k] = 0.0;
     out[3] = t2 * (A + h);
     out[4] = t2 * (h_A + 1.0);
     out[5] = h_AA * t2;
@@ -1331,9 +1310,8 @@ SF_KERNEL void rod_spring_untruncated_by_parameter_passed_1_far_1(double A, doub
     const double t3 = 2.5464790894703255 * beta * inner;
     const double x3 = x * x2;
     const double t4 = x3 / y;
-    out[0] = 0.0;
-    out[1] = 0.0;
-    out[2] = 0.0;
+    for (int k = 0; k < 9; k++)
+        out[k] = 0.0;
     out[3] = t2 * (A + h);
     out[4] = t2 * (h_A + 1.0);
     out[5] = h_AA * t2;
@@ -1345,15 +1323,12 @@ SF_KERNEL void rod_spring_untruncated_by_parameter_passed_1_far_1(double A, doub
 SF_KERNEL void rod_spring_untruncated_by_parameter(double A, double h, double h_A, double h_AA, const double *p, double *out)
 {
     const double delta_h = p[2];
-    if (A <= sqrt(-delta_h * delta_h + 2.0 * delta_h)) {
+    if (A <= sqrt(-delta_h * delta_h + 2.0 * delta_h))
         rod_spring_untruncated_by_parameter_passed_0(A, h, h_A, h_AA, p, out);
-        return;
-    }
-    if (A <= 1.05 * sqrt(-delta_h * delta_h + 2.0 * delta_h)) {
+    else if (A <= 1.05 * sqrt(-delta_h * delta_h + 2.0 * delta_h))
         rod_spring_untruncated_by_parameter_passed_1(A, h, h_A, h_AA, p, out);
-        return;
-    }
-    rod_spring_untruncated_by_parameter_passed_1_far_1(A, h, h_A, h_AA, p, out);
+    else
+        rod_spring_untruncated_by_parameter_passed_1_far_1(A, h, h_A, h_AA, p, out);
 }
 
 /* d/d of each number of the design: of each parameter in turn, then of each breakpoint.
@@ -1364,17 +1339,15 @@ SF_KERNEL void rod_spring_untruncated_by_design(double lam, double r, double del
     const double t0 = lam * r;
     const double t1 = delta_h - 1.0;
     const double t2 = 0.5 * t1;
+    for (int k = 0; k < 12; k++)
+        out[k] = 0.0;
     out[0] = -delta_h * r;
     out[1] = -delta_h * lam;
     out[2] = -t0;
     out[3] = -r * t2;
     out[4] = -lam * t2;
     out[5] = -0.5 * t0;
-    out[6] = 0.0;
-    out[7] = 0.0;
     out[8] = 1.0;
-    out[9] = 0.0;
-    out[10] = 0.0;
     out[11] = -t1 / (sqrt(delta_h) * sqrt(2.0 - delta_h));
 }
 
@@ -1463,7 +1436,8 @@ SF_KERNEL double rod_spring_untruncated_force(double u, double alpha, double bet
 {
     if (sqrt(-delta_h * delta_h + 2.0 * delta_h) <= fabs(u))
         return rod_spring_untruncated_force_2(u, alpha, beta, delta_h);
-    return rod_spring_untruncated_force_1(u, alpha, beta, delta_h);
+    else
+        return rod_spring_untruncated_force_1(u, alpha, beta, delta_h);
 }
 
 /* h, h_A, h_AA, h_AAA together.

@@ -76,56 +76,40 @@ SF_KERNEL void sensitivities_slopes(double Omega, double A, double R, double I_0
     const double t36 = t17 * t33 + t23 * t34 + t27 * t35 + 4.0 * t30;
     const double t37 = 8.0 * t27;
     const double t38 = 8.0 * Omega;
+    for (int k = 0; k < 48; k++)
+        out[k] = 0.0;
     out[0] = 2.0 * (I_ * t10 + R * t5);
     out[1] = -S_Omega + t14 * (I_ * t13 + t11);
     out[2] = -S_F;
     out[3] = 2.0 * (I_ * I_0AA + I_ * t15 + R * h_AA + t10 * t10 + t5 * t5);
     out[4] = t19;
-    out[5] = 0.0;
     out[6] = 2.0 * (I_ * I_0AAA + I_0AA * t20 + R * h_AAA + 3.0 * h_AA * t5 + 4.0 * t1 * t10 + t10 * (I_0AA +
         t15));
     out[7] = 4.0 * (I_ * d * t2 + I_0AA * t18 + h_AA * t12 + t13 * t8 + t17 * t20 + t2 * t5);
-    out[8] = 0.0;
     out[9] = t19;
     out[10] = -S_OmegaOmega + t14 * (I_ * t16 + R + t21 + t7);
     out[11] = -S_FOmega;
     out[12] = t5;
     out[13] = t22;
-    out[14] = 0.0;
-    out[15] = 0.0;
-    out[16] = 0.0;
     out[17] = 1.0;
-    out[18] = 0.0;
     out[19] = 1.0;
-    out[20] = 0.0;
     out[21] = 1.0;
-    out[22] = 0.0;
-    out[23] = 0.0;
     out[24] = t23 * t26 + t27 * t29;
     out[25] = t14 * (t13 * t28 + t30) + fabs(S_Omega);
     out[26] = fabs(S_F);
     out[27] = t1 * t33 + 2.0 * t23 * t23 + t26 * t31 + 2.0 * t27 * t27 + t29 * t32;
     out[28] = t36;
-    out[29] = 0.0;
     out[30] = t1 * t37 + 6.0 * t23 * t31 + t26 * fabs(h_AAA) + 4.0 * t27 * t32 + 2.0 * t27 * (t15 + t32) + t29 *
         fabs(I_0AAA);
     out[31] = 8.0 * d * t13 * t6 + d * t28 * t38 + t17 * t37 + t23 * t38 + t31 * t34 + t32 * t35;
-    out[32] = 0.0;
     out[33] = t36;
     out[34] = t14 * (t16 * t28 + t21 + t24 + 3.0 * t6) + fabs(S_OmegaOmega);
     out[35] = fabs(S_FOmega);
     out[36] = t23;
     out[37] = t22;
-    out[38] = 0.0;
-    out[39] = 0.0;
-    out[40] = 0.0;
     out[41] = 1.0;
-    out[42] = 0.0;
     out[43] = 1.0;
-    out[44] = 0.0;
     out[45] = 1.0;
-    out[46] = 0.0;
-    out[47] = 0.0;
 }
 
 /* What a parameter does to what vanishes, with the opposite sign.
@@ -188,13 +172,11 @@ SF_KERNEL void sensitivities_of_state(double Omega, double A, double I_0, double
    Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 */
 SF_KERNEL void sensitivities_by_force(double Omega, double F_0, double *out)
 {
+    for (int k = 0; k < 7; k++)
+        out[k] = 0.0;
     out[0] = F_0;
-    out[1] = 0.0;
     out[2] = 1.0;
-    out[3] = 0.0;
-    out[4] = 0.0;
     out[5] = 2.0 * F_0;
-    out[6] = 0.0;
 }
 
 /* Force, its slopes by Omega and F_0; of its square S_Omega, S_OmegaOmega, S_F, S_FOmega: an excitation by inertia.

@@ -184,7 +184,8 @@ SF_KERNEL double slow_flow_isolation(double A, double F_0, double reduction, dou
 {
     if (h <= 0.0)
         return slow_flow_isolation_inwards(A, F_0, reduction, h);
-    return slow_flow_isolation_outwards(A, F_0, reduction, h);
+    else
+        return slow_flow_isolation_outwards(A, F_0, reduction, h);
 }
 
 /* The forcing up to which a mass at rest stays there: that of a state as A tends to 0.
@@ -524,7 +525,8 @@ SF_KERNEL double slow_flow_offset_stiffness(double Omega, double A, double h, do
 {
     if (0.5 * fabs(h_A) + 0.5 * fabs(h) / A <= fabs(8.0 * Omega * Omega + h_A + h / A))
         return slow_flow_offset_stiffness_over(Omega, A, h, h_A);
-    return slow_flow_offset_stiffness_apart(Omega, A, h, h_A);
+    else
+        return slow_flow_offset_stiffness_apart(Omega, A, h, h_A);
 }
 
 /* dOmega/dA along the response.
