@@ -22,7 +22,7 @@ from ..claims import claim
 from ..kernels import Branch, Formulas, Lets
 from ..mechanisms import EXCITATIONS as stated
 from ..paper.equation_of_motion import F, groups, m, omega, omega_n
-from ..paper.slow_flow import I, R, reduction, removed, slope
+from ..paper.slow_flow import I, R, reduction, removed, slope, turn
 from ..paper.slow_flow import m as friction
 from ..symbols import F_0, A, Omega, h, h_A, h_AA, h_AAA, zeta
 from ..systems.along import T, k
@@ -48,9 +48,8 @@ cubic = sp.Symbol("cubic", real=True)
 of_I = sp.Symbol("of_I", positive=True)
 #: slopes of R on the fold locus; what a root is of, which rounding may take below 0
 steep, other, part = sp.symbols("steep other part", real=True)
-#: a force; what holds a mass at rest; Omega^2
+#: a force; what holds a mass at rest
 excited, holds = sp.symbols("force holds", nonnegative=True)
-turn = sp.Symbol("turn", nonnegative=True)
 #: what h/A may at most take from the bound of the level
 lost = sp.Symbol("lost", real=True)
 

@@ -34,7 +34,7 @@ import sympy as sp
 from ..claims import claim
 from ..kernels import Formulas, Lets
 from ..paper.averaging import cycle_integral
-from ..symbols import A, Omega, c_2, mu, psi, zeta
+from ..symbols import A, Omega, c_2, mu, psi, u, zeta
 
 #: root mean squares of displacement and velocity; two-sided density of white noise
 sigma_u, sigma_v, S_0 = sp.symbols("sigma_u sigma_v S_0", positive=True)
@@ -165,7 +165,7 @@ def _by_energy(of: Formulas, force: sp.Expr) -> None:
     E drifts by (pi S_0 T - L)/T and spreads by 2 pi S_0 W_1/T; no probability flows where E has the density
     T exp(-P), and u and v thus exp(-P), with dP/dE = L/(pi S_0 W_1). Viscous damping alone makes that exact.
     """
-    E, u, v = sp.symbols("E u v", real=True)
+    E, v = sp.symbols("E v", real=True)
     W_1, L, P, V = (sp.Function(name) for name in ("W_1", "L", "P", "V"))
     noise = sp.pi * S_0
     T, slope = sp.diff(W_1(E), E), L(E) / (noise * W_1(E))

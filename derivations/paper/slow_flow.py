@@ -23,8 +23,6 @@ R, I = sp.symbols("R I", real=True)
 m = sp.Symbol("m", nonnegative=True)
 #: -h as A tends to 0, where it pulls inwards; Omega^2
 preload, turn = sp.symbols("preload turn", nonnegative=True)
-#: of a frequency
-square = sp.Symbol("square", real=True)
 #: 1 less the square of a transmissibility; the root of it times F_0; sqrt(h^2 + removed^2)
 reduction, removed, whole = sp.symbols("reduction removed whole", nonnegative=True)
 
@@ -125,7 +123,7 @@ def slow_flow(averaged: Averaged, scene: str = "") -> Formulas:
 
     # (26): cos phi = 0 leaves R = 0, Omega^2 = -h/A: the root of a quotient, which SymPy would take apart
     backbone = sp.sqrt(sp.solve(R_value.subs(Omega**2, R), R)[0])
-    root = Lets([(square, backbone**2)], sp.sqrt(square))
+    root = Lets([(turn, backbone**2)], sp.sqrt(turn))
     of.add("backbone", root, "Frequency on the backbone.", "(26)", "A > 0, h <= 0")
     of.backbone = backbone
 

@@ -27,9 +27,9 @@ from ..kernels import Formulas, Let, Lets
 from ..paper.slow_flow import I, R, m, slope
 from ..symbols import F_0, A, Omega, h, h_A, h_AA, h_AAA, zeta
 
-#: Omega^2, R and dR/dA where F_AA = 0, and the root of the discriminant that gives them, with its sign
+#: Omega^2 and dR/dA where F_AA = 0, and the root of the discriminant that gives them, with its sign
 X_ = sp.Symbol("X", nonnegative=True)
-R_, T, root = sp.symbols("R T root", real=True)
+T, root = sp.symbols("T root", real=True)
 #: h - A h_A, where the tangent of h meets A = 0, and its slope along A
 k, k_A = sp.symbols("k k_A", real=True)
 #: numbers without scale, which on a cell of amplitudes vary by little where h is nearly a power of A:
@@ -52,7 +52,7 @@ _most, _fastest = sp.symbols("c fastest", nonnegative=True)
 #: of arguments
 ORDER = (
     *(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA),
-    *(k, k_A, kappa, rho, X_, T, t, R_, root, over_A, apart, lacks),
+    *(k, k_A, kappa, rho, X_, T, t, R, root, over_A, apart, lacks),
 )
 
 
@@ -274,14 +274,14 @@ def _cusps(of: Formulas, flow: Formulas) -> None:
     F_A/2 may be taken less A F_AA/2, and its slope is -F_AOmega F_AAA/(2 F_AAOmega).
     """
     (X,) = sp.solve(slope(flow.R).subs(Omega, sp.sqrt(X_)) - T, X_)
-    of_T = {R: R_, h_A: T - _w**2, Omega: _w, I: flow.I.subs(Omega, _w)}
-    of_flow = {R_: flow.R, k: _intercept(flow.R), T: slope(flow.R), X_: Omega**2, _w: Omega}
+    of_T = {h_A: T - _w**2, Omega: _w, I: flow.I.subs(Omega, _w)}
+    of_flow = {R: flow.R, k: _intercept(flow.R), T: slope(flow.R), X_: Omega**2, _w: Omega}
     half_F_AA, half_F_A, half_F_AAA = (sp.expand((f / 2).subs(of_T)) for f in (flow.F_AA, flow.F_A, flow.F_AAA))
     by_Omega = sp.expand(flow.F_AOmega.subs(of_T) / (4 * _w))
-    claim("R by k and T", (R_ - k - A * T).subs(of_flow))
+    claim("R by k and T", (R - k - A * T).subs(of_flow))
 
     in_T, in_X = (
-        sp.Poly(sp.expand(half_F_AA.subs(R_, R_value).subs(_w, sp.sqrt(square)).subs(T, unknown)), variable)
+        sp.Poly(sp.expand(half_F_AA.subs(R, R_value).subs(_w, sp.sqrt(square)).subs(T, unknown)), variable)
         for R_value, square, unknown, variable in ((k + A * T, X, T, T), (h + A * X_, X_, X_ + h_A, X_))
     )
     for quadratic in (in_T, in_X):
@@ -298,17 +298,17 @@ def _cusps(of: Formulas, flow: Formulas) -> None:
     text = "F_AA/2 = T^2 + 2 a T + b = X^2 + 2 c X + d, T = dR/dA, X = Omega^2: a, b, c, d, and a^2 - b = c^2 - d."
     of.add("cusps", quadratics, text, "from (33)", "A > 0")
     # where h_AA has the sign of R nothing cancels in the second
-    (of_R,) = sp.solve(half_F_AA, R_)
+    (of_R,) = sp.solve(half_F_AA, R)
     text = "R where F_AA = 0 (`cusps`), in two forms: by its tangent, and from F_AA itself."
     of.add("cusp_R", (k + A * T, of_R.subs(_w**2, X_)), text, "from (33)", "A > 0, X >= 0")
 
     # F_AAOmega is 8 Omega times the root of the discriminant, with its sign
     F_AAOmega = 8 * Omega * (slope(flow.R) + half_e)
     claim("F_AAOmega where F_AA = 0", (flow.F_AAOmega - F_AAOmega).subs(of.lets))
-    less = sp.collect(sp.expand((half_F_A - A * half_F_AA).subs(R_, k + A * T)), T)
+    less = sp.collect(sp.expand((half_F_A - A * half_F_AA).subs(R, k + A * T)), T)
     derivative = -by_Omega * half_F_AAA / (2 * root)
     expected = -flow.F_AOmega * flow.F_AAA / (2 * F_AAOmega)
-    level = sp.sqrt(k * R_ + sp.expand(_intercept(flow.I) * flow.I.subs(Omega, _w)))
+    level = sp.sqrt(k * R + sp.expand(_intercept(flow.I) * flow.I.subs(Omega, _w)))
     for one, whole, what in (
         (half_F_A, flow.F_A / 2, "F_A"),
         (less, (flow.F_A - A * flow.F_AA) / 2, "F_A less A F_AA"),
@@ -332,11 +332,11 @@ def _cusps(of: Formulas, flow: Formulas) -> None:
 
         No h_AA, which may be steep along A.
         """
-        (balanced,) = sp.solve(half_F_A.subs(X_, _w**2), R_)
-        (square,) = sp.solve((flow.R - R_).subs(Omega, sp.sqrt(_X)), _X)
+        (balanced,) = sp.solve(half_F_A.subs(X_, _w**2), R)
+        (square,) = sp.solve((flow.R - R).subs(Omega, sp.sqrt(_X)), _X)
         of_flow = {T: slope(flow.R), _w: Omega}
         claim("R where F_A = 0", ((R - balanced) * T).subs(of_flow) - flow.F_A.subs(I, flow.I) / 2)
-        return Lets([*of_X, (R_, balanced)], (square, level**2))
+        return Lets([*of_X, (R, balanced)], (square, level**2))
 
     _scaled(of, quadratics, X, of_X)
 
@@ -350,7 +350,7 @@ def _scaled(of: Formulas, quadratics: Lets, X: sp.Expr, of_X: list[Let]) -> None
     unit, sum_ = A * h_AA, sp.Symbol("sum", real=True)
     along_A = slope(k / (A**2 * h_AA), {k: -A * h_AA}).subs({k: kappa * A**2 * h_AA, h_AAA: rho * h_AA / A})
     claim("the slope of kappa", A * along_A + 1 + kappa * (2 + rho))
-    by_scale = {k: kappa * A * unit, T: t * unit, R_: sum_ * A * unit, h_AAA: rho * h_AA / A, root: scaled_root * unit}
+    by_scale = {k: kappa * A * unit, T: t * unit, R: sum_ * A * unit, h_AAA: rho * h_AA / A, root: scaled_root * unit}
     half, constant, discriminant = (
         sp.expand(quadratics.value[number].subs(quadratics.lets).subs(by_scale) / unit**power)
         for number, power in ((0, 1), (1, 2), (4, 2))

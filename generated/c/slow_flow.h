@@ -130,8 +130,8 @@ SF_KERNEL double slow_flow_phase(double Omega, double A, double m, double zeta, 
    Measured, error / u (1 + kappa): 0.71 */
 SF_KERNEL double slow_flow_backbone(double A, double h)
 {
-    const double square = -h / A;
-    return sqrt(square);
+    const double turn = -h / A;
+    return sqrt(turn);
 }
 
 /* Largest amplitude that the forcing can hold at this frequency.

@@ -95,8 +95,8 @@ static inline sf_interval slow_flow_intervals_F_OmegaOmega(sf_interval Omega, sf
    Equation (26). Domain: A > 0, h <= 0. */
 static inline sf_interval slow_flow_intervals_backbone(sf_interval A, sf_interval h)
 {
-    const sf_interval square = sfi_neg(sfi_div(h, A));
-    return sfi_sqrt(square);
+    const sf_interval turn = sfi_neg(sfi_div(h, A));
+    return sfi_sqrt(turn);
 }
 
 /* F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.

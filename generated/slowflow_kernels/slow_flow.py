@@ -171,8 +171,8 @@ def backbone(A: ArrayLike, h: ArrayLike) -> Any:
     Measured, error / u (1 + kappa): 0.71
     """
     A, h = floats(A, h)
-    square = -h / A
-    return np.sqrt(square)
+    turn = -h / A
+    return np.sqrt(turn)
 
 
 def limit_envelope(Omega: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike) -> Any:

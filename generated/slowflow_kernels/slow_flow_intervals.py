@@ -97,8 +97,8 @@ def backbone(A, h):
 
     Equation (26). Domain: A > 0, h <= 0.
     """
-    square = -h / A
-    return square.sqrt()
+    turn = -h / A
+    return turn.sqrt()
 
 
 def level(Omega, A, m, zeta, h):
