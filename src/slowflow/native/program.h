@@ -44,48 +44,17 @@ struct sf_program {
 /* ---- one number at a time */
 
 /* What pairs have, and intervals, each with its value at a and b. */
-#define SF_OPERATIONS_IN_PAIRS(OPERATION)                     \
-    OPERATION(ADD, sfp_add(a, b))                             \
-    OPERATION(SUB, sfp_sub(a, b))                             \
-    OPERATION(MUL, sfp_mul(a, b))                             \
-    OPERATION(DIV, sfp_div(a, b))                             \
-    OPERATION(NEG, sfp_neg(a))                                \
-    OPERATION(SQRT, sfp_sqrt(a))                              \
-    OPERATION(ATAN2, pair_angles_atan2(a, b))                 \
-    OPERATION(ATAN2_SWAPPED, pair_angles_atan2_swapped(a, b)) \
-    OPERATION(SQUARE, sfp_square(a))                          \
-    OPERATION(INVERSE, sfp_inverse(a))                        \
-    OPERATION(TIMES, sfp_times(a.high, b))
-#define SF_OPERATIONS_ON_INTERVALS(OPERATION) \
-    OPERATION(ADD, sfi_add(a, b))             \
-    OPERATION(SUB, sfi_sub(a, b))             \
-    OPERATION(MUL, sfi_mul(a, b))             \
-    OPERATION(DIV, sfi_div(a, b))             \
-    OPERATION(NEG, sfi_neg(a))                \
-    OPERATION(SQRT, sfi_sqrt(a))              \
-    OPERATION(ATAN2, sfi_atan2(a, b))         \
-    OPERATION(SQUARE, sfi_square(a))          \
-    OPERATION(INVERSE, sfi_inverse(a))        \
-    OPERATION(TIMES, sfi_times(a.lo, b))      \
-    OPERATION(WITHIN, sfi_within(a, b.lo))    \
-    OPERATION(ROOT, sfi_root(a))              \
-    OPERATION(POWER, sfi_power(a, b))         \
-    OPERATION(EXP, sfi_exp(a))                \
-    OPERATION(LOG, sfi_log(a))                \
-    OPERATION(LOG1P, sfi_log1p(a))            \
-    OPERATION(CBRT, sfi_cbrt(a))              \
-    OPERATION(SIN, sfi_sin(a))                \
-    OPERATION(COS, sfi_cos(a))                \
-    OPERATION(TAN, sfi_tan(a))                \
-    OPERATION(SINH, sfi_sinh(a))              \
-    OPERATION(COSH, sfi_cosh(a))              \
-    OPERATION(TANH, sfi_tanh(a))              \
-    OPERATION(ASIN, sfi_asin(a))              \
-    OPERATION(ACOS, sfi_acos(a))              \
-    OPERATION(ATAN, sfi_atan(a))              \
-    OPERATION(ASINH, sfi_asinh(a))            \
-    OPERATION(ACOSH, sfi_acosh(a))            \
-    OPERATION(ATANH, sfi_atanh(a))
+#define SF_OPERATIONS_IN_BOTH(OPERATION, prefix)                                                                       \
+    OPERATION(ADD, prefix##add(a, b)) OPERATION(SUB, prefix##sub(a, b)) OPERATION(MUL, prefix##mul(a, b))              \
+    OPERATION(DIV, prefix##div(a, b)) OPERATION(NEG, prefix##neg(a)) OPERATION(SQUARE, prefix##square(a))              \
+    OPERATION(INVERSE, prefix##inverse(a))
+#define SF_OPERATIONS_IN_PAIRS(OPERATION)                                                                              \
+    SF_OPERATIONS_IN_BOTH(OPERATION, sfp_) OPERATION(SQRT, sfp_sqrt(a)) OPERATION(TIMES, sfp_times(a.high, b))         \
+    OPERATION(ATAN2, pair_angles_atan2(a, b)) OPERATION(ATAN2_SWAPPED, pair_angles_atan2_swapped(a, b))
+#define SF_OPERATIONS_ON_INTERVALS(OPERATION)                                                                          \
+    SF_OPERATIONS_IN_BOTH(OPERATION, sfi_) SF_OPERATIONS_OF_ONE(OPERATION, sfi_) OPERATION(ATAN2, sfi_atan2(a, b))     \
+    OPERATION(TIMES, sfi_times(a.lo, b)) OPERATION(WITHIN, sfi_within(a, b.lo)) OPERATION(ROOT, sfi_root(a))           \
+    OPERATION(POWER, sfi_power(a, b))
 
 SF_ARITHMETIC(sf_in_pairs, SF_OPERATIONS_IN_PAIRS)
 SF_ARITHMETIC(sf_on_intervals, SF_OPERATIONS_ON_INTERVALS)
@@ -316,38 +285,34 @@ static void sf_program_bent(const sf_mechanism *self, sf_interval A, const doubl
     sf_enclose(&self->program->bent, ends, A, p, out);
 }
 
-static void sf_program_parameters_within(const sf_mechanism *self, const double *design, sf_interval *p)
-{
-    sf_interval inputs[SF_MOST_DESIGN];
-    for (int i = 0; i < self->design_size; i++)
-        inputs[i] = sfi_point(design[i]);
-    sf_at_on_intervals(&self->program->given_within, -1, inputs, p);
-}
-
-static void sf_program_averaged_within(const sf_mechanism *self, int passed, sf_interval A, sf_interval beyond,
-                                       const sf_interval *p, sf_interval *out)
-{
-    sf_interval arguments[2 + SF_MOST_PARAMETERS + SF_MOST_BREAKS] = {A, beyond};
-    const int inputs = self->breakpoints > 0 ? 2 : 1;
-    memcpy(arguments + inputs, p, (size_t)(self->parameters + self->breakpoints) * sizeof *p);
-    sf_at_on_intervals(&self->program->within, passed, arguments, out);
-}
-
-static void sf_program_parameters_in_pairs(const sf_mechanism *self, const double *design, sf_pair *p)
-{
-    sf_pair inputs[SF_MOST_DESIGN];
-    for (int i = 0; i < self->design_size; i++)
-        inputs[i] = sfp_point(design[i]);
-    sf_at_in_pairs(&self->program->given_in_pairs, -1, inputs, p);
-}
+/* In pairs, and on intervals: parameters of a design, and all averages where so many breakpoints are passed. */
+#define SF_PROGRAM_EXACTLY(number, point, at, parameters_name, of_design, averaged_name, averages)                     \
+    static void parameters_name(const sf_mechanism *self, const double *design, number *p)                             \
+    {                                                                                                                  \
+        number inputs[SF_MOST_DESIGN];                                                                                 \
+        for (int i = 0; i < self->design_size; i++)                                                                    \
+            inputs[i] = point(design[i]);                                                                              \
+        at(&self->program->of_design, -1, inputs, p);                                                                  \
+    }                                                                                                                  \
+    static void averaged_name(const sf_mechanism *self, int passed, number A, number beyond, const number *p,          \
+                              number *out)                                                                             \
+    {                                                                                                                  \
+        number arguments[2 + SF_MOST_PARAMETERS + SF_MOST_BREAKS] = {A, beyond};                                       \
+        const int inputs = self->breakpoints > 0 ? 2 : 1;                                                              \
+        memcpy(arguments + inputs, p, (size_t)(self->parameters + self->breakpoints) * sizeof *p);                     \
+        at(&self->program->averages, passed, arguments, out);                                                          \
+    }
+SF_PROGRAM_EXACTLY(sf_pair, sfp_point, sf_at_in_pairs, sf_program_parameters_in_pairs, given_in_pairs,
+                   sf_program_all_in_pairs, in_pairs)
+SF_PROGRAM_EXACTLY(sf_interval, sfi_point, sf_at_on_intervals, sf_program_parameters_within, given_within,
+                   sf_program_averaged_within, within)
+#undef SF_PROGRAM_EXACTLY
 
 static void sf_program_averaged_in_pairs(const sf_mechanism *self, int passed, int count, sf_pair A, sf_pair beyond,
                                          const sf_pair *p, sf_pair *out)
 {
-    sf_pair all[5], arguments[2 + SF_MOST_PARAMETERS + SF_MOST_BREAKS] = {A, beyond};
-    const int inputs = self->breakpoints > 0 ? 2 : 1;
-    memcpy(arguments + inputs, p, (size_t)(self->parameters + self->breakpoints) * sizeof *p);
-    sf_at_in_pairs(&self->program->in_pairs, passed, arguments, all);
+    sf_pair all[5];
+    sf_program_all_in_pairs(self, passed, A, beyond, p, all);
     memcpy(out, all, (count <= 2 ? 2 : 4) * sizeof *out);
 }
 

@@ -30,36 +30,20 @@ typedef struct {
     const double (*constant)[2];
 } sf_straight;
 
+/* Functions of one number, as an arithmetic's prefix names them. */
+#define SF_OPERATIONS_OF_ONE(OPERATION, prefix)                                                                        \
+    OPERATION(SQRT, prefix##sqrt(a)) OPERATION(CBRT, prefix##cbrt(a))                                                  \
+    OPERATION(EXP, prefix##exp(a)) OPERATION(LOG, prefix##log(a)) OPERATION(LOG1P, prefix##log1p(a))                   \
+    OPERATION(SIN, prefix##sin(a)) OPERATION(COS, prefix##cos(a)) OPERATION(TAN, prefix##tan(a))                       \
+    OPERATION(SINH, prefix##sinh(a)) OPERATION(COSH, prefix##cosh(a)) OPERATION(TANH, prefix##tanh(a))                 \
+    OPERATION(ASIN, prefix##asin(a)) OPERATION(ACOS, prefix##acos(a)) OPERATION(ATAN, prefix##atan(a))                 \
+    OPERATION(ASINH, prefix##asinh(a)) OPERATION(ACOSH, prefix##acosh(a)) OPERATION(ATANH, prefix##atanh(a))
 /* What doubles have, with its value at a and b. */
-#define SF_OPERATIONS_IN_DOUBLES(OPERATION)              \
-    OPERATION(ADD, a + b)                                \
-    OPERATION(SUB, a - b)                                \
-    OPERATION(MUL, a * b)                                \
-    OPERATION(DIV, a / b)                                \
-    OPERATION(NEG, -a)                                   \
-    OPERATION(SQRT, sqrt(a))                             \
-    OPERATION(ATAN2, angles_atan2(a, b))                 \
-    OPERATION(ATAN2_SWAPPED, angles_atan2_swapped(a, b)) \
-    OPERATION(POWER, pow(a, b))                          \
-    OPERATION(ABS, fabs(a))                              \
-    OPERATION(COPYSIGN, copysign(a, b))                  \
-    OPERATION(EXP, exp(a))                               \
-    OPERATION(LOG, log(a))                               \
-    OPERATION(LOG1P, log1p(a))                           \
-    OPERATION(CBRT, cbrt(a))                             \
-    OPERATION(SIN, sin(a))                               \
-    OPERATION(COS, cos(a))                               \
-    OPERATION(TAN, tan(a))                               \
-    OPERATION(SINH, sinh(a))                             \
-    OPERATION(COSH, cosh(a))                             \
-    OPERATION(TANH, tanh(a))                             \
-    OPERATION(ASIN, asin(a))                             \
-    OPERATION(ACOS, acos(a))                             \
-    OPERATION(ATAN, atan(a))                             \
-    OPERATION(ASINH, asinh(a))                           \
-    OPERATION(ACOSH, acosh(a))                           \
-    OPERATION(ATANH, atanh(a))                           \
-    OPERATION(HYPOT, hypot(a, b))
+#define SF_OPERATIONS_IN_DOUBLES(OPERATION)                                                                            \
+    OPERATION(ADD, a + b) OPERATION(SUB, a - b) OPERATION(MUL, a * b) OPERATION(DIV, a / b) OPERATION(NEG, -a)         \
+    OPERATION(ATAN2, angles_atan2(a, b)) OPERATION(ATAN2_SWAPPED, angles_atan2_swapped(a, b))                          \
+    OPERATION(POWER, pow(a, b)) OPERATION(HYPOT, hypot(a, b)) OPERATION(ABS, fabs(a))                                  \
+    OPERATION(COPYSIGN, copysign(a, b)) SF_OPERATIONS_OF_ONE(OPERATION, )
 
 /* Whether an arithmetic has an operation. */
 typedef int sf_arithmetic(int operation);
