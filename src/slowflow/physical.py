@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from typing import Unpack
 
     from slowflow import physical_answers as answers
-    from slowflow.physical_answers import Amplitude, Amplitudes, Number, Numbers, Window
+    from slowflow.physical_answers import Amplitude, Number, Numbers, Window
 
 #: dimensionless names by those in SI units, where these differ
 PLAIN = {column.si: column.name for column in QUANTITIES.values() if column.si}
@@ -150,15 +150,15 @@ class Physical:
         """Find the lowest amplitude whose response reaches the stroke (34): .F_cr in N, .f_cr in Hz, .x_cr in m."""
         return self._answer("detachment")
 
-    def saddle_nodes(self, amplitude: Number | None = None, /, **at: Unpack[Amplitude]) -> answers.AtOne:
+    def saddle_nodes(self, amplitude: Number | None = None, /, **at: Unpack[Amplitude[Number]]) -> answers.AtOne:
         """Find every fold at F in N (or Y, a, U), where a sweep jumps (30): .f in Hz, .A in m, .kind, .corner."""
         return self._answer("saddle_nodes", amplitude, at)
 
-    def peak(self, amplitude: Number | None = None, /, **at: Unpack[Amplitude]) -> answers.One:
+    def peak(self, amplitude: Number | None = None, /, **at: Unpack[Amplitude[Number]]) -> answers.One:
         """Find the highest peak at F in N (or Y, a, U): .A in m at .f in Hz; under a load .x_max at .f_max too."""
         return self._answer("peak", amplitude, at)
 
-    def amplitudes(self, *, f: Numbers, **at: Unpack[Amplitudes]) -> answers.States:
+    def amplitudes(self, *, f: Numbers, **at: Unpack[Amplitude[Numbers]]) -> answers.States:
         """Find every steady state at f (24), (30): .f in Hz, .A in m, .phi in rad, .stable, .transmissibility_dB.
 
         Under a load .A is the amplitude about the mean displacement .B, and .x_max = |B| + A the largest |x|, all in m.
@@ -179,7 +179,7 @@ class Physical:
         *,
         f: Window | None = None,
         samples: int = 1000,
-        **at: Unpack[Amplitude],
+        **at: Unpack[Amplitude[Number]],
     ) -> answers.AtOne:
         """Compute the response curve (24): .f in Hz, .A in m, .phi in rad, .stable, .branch, .transmissibility_dB.
 
@@ -219,7 +219,7 @@ class Physical:
         """Amplitude of the excitation in its unit up to which a mass sticks at every frequency, 4 mu/pi (27)."""
         return self.oscillator.sticking_forcing * self.scales.sizes[self.scales.amplitude]
 
-    def transmissibility_floor(self, amplitude: Number | None = None, /, **at: Unpack[Amplitude]) -> float:
+    def transmissibility_floor(self, amplitude: Number | None = None, /, **at: Unpack[Amplitude[Number]]) -> float:
         """Compute the transmissibility as f tends to infinity at F in N (or Y, a, U), a ratio."""
         one, F_0 = self._excited(amplitude, at)
         return float(one._ask("transmissibility_floor", F_0=F_0))
@@ -228,7 +228,7 @@ class Physical:
         """Compute the frequency in Hz on the backbone (26) at amplitudes A > 0 in m, in their shape."""
         return np.asarray(self._ask("backbone", A=A) * self.scales.sizes["frequency"])
 
-    def limit_envelope(self, *, f: Numbers, **at: Unpack[Amplitudes]) -> Floats:
+    def limit_envelope(self, *, f: Numbers, **at: Unpack[Amplitude[Numbers]]) -> Floats:
         """Compute the amplitude in m that no response exceeds (27), in the common shape of the arguments.
 
         Parameters
@@ -242,7 +242,7 @@ class Physical:
         return np.asarray(one._ask("limit_envelope", f=f, F_0=F_0) * self.scales.sizes["length"])
 
     def certify(
-        self, amplitude: Number | None = None, /, *, f: Number | None = None, **at: Unpack[Amplitude]
+        self, amplitude: Number | None = None, /, *, f: Number | None = None, **at: Unpack[Amplitude[Number]]
     ) -> answers.Certificate:
         """Prove all folds at one amplitude, its F_SN and F_cr in N, and all states at a frequency: print it.
 
@@ -265,7 +265,7 @@ class Physical:
         samples: int = 400,
         x_0: Number | None = None,
         v_0: Number = 0.0,
-        **at: Unpack[Amplitude],
+        **at: Unpack[Amplitude[Number]],
     ) -> answers.SteadyState:
         """Find a periodic motion of the equation of motion (3), and its displacement over one period.
 
@@ -305,7 +305,7 @@ class Physical:
         step: float = 0.02,
         x_0: Number | None = None,
         v_0: Number = 0.0,
-        **at: Unpack[Amplitude],
+        **at: Unpack[Amplitude[Number]],
     ) -> answers.Response:
         """Follow the response curve of the equation of motion (3): points, stability, stops, folds.
 
@@ -339,7 +339,7 @@ class Physical:
         return cast("answers.Response", dataclasses.replace(curve, values=values))
 
     def sweep(
-        self, *, f: Numbers, x_0: Number | None = None, v_0: Number = 0.0, **at: Unpack[Amplitude]
+        self, *, f: Numbers, x_0: Number | None = None, v_0: Number = 0.0, **at: Unpack[Amplitude[Number]]
     ) -> answers.AtOne:
         """Follow a stepped-sine test: .f in Hz, .A in m, .stops, .settled, and .jumps in Hz, shape (k, 2).
 
@@ -444,16 +444,16 @@ class Physical:
             found = self.oscillator.random(psd=(at, density))
         return cast("answers.Random", self.scales.quantities(found))
 
-    def margins(self, amplitude: Number | None = None, /, **at: Unpack[Amplitude]) -> answers.One:
+    def margins(self, amplitude: Number | None = None, /, **at: Unpack[Amplitude[Number]]) -> answers.One:
         """Compare F in N (or Y, a, U) with F_SN and F_cr: .of_SN = F_SN/F and .of_cr = F_cr/F, < 1 beyond them."""
         return self._answer("margins", amplitude, at)
 
-    def hysteresis(self, amplitude: Number | None = None, /, **at: Unpack[Amplitude]) -> answers.AtOne:
+    def hysteresis(self, amplitude: Number | None = None, /, **at: Unpack[Amplitude[Number]]) -> answers.AtOne:
         """Find bands with several stable motions at F in N (or Y, a, U): .f_low and .f_high in Hz, .motions."""
         return self._answer("hysteresis", amplitude, at)
 
     def isolation(
-        self, amplitude: Number | None = None, /, level_dB: float = 0.0, **at: Unpack[Amplitude]
+        self, amplitude: Number | None = None, /, level_dB: float = 0.0, **at: Unpack[Amplitude[Number]]
     ) -> answers.One:
         """Find the frequency above which every stable motion transmits less than a level: .f in Hz, .A in m.
 
@@ -466,7 +466,7 @@ class Physical:
         """
         return self._answer("isolation", amplitude, at, level_dB=level_dB)
 
-    def spectrum(self, *, f: Numbers, **at: Unpack[Amplitudes]) -> answers.AtEach:
+    def spectrum(self, *, f: Numbers, **at: Unpack[Amplitude[Numbers]]) -> answers.AtEach:
         """Find the largest stable motion at each row of a load spectrum, one tone at a time, in their order.
 
         Parameters
@@ -491,7 +491,7 @@ class Physical:
         f: Window | None = None,
         of: str = "A",
         ax: Any = None,
-        **at: Unpack[Amplitudes],
+        **at: Unpack[Amplitude[Numbers]],
     ) -> Any:
         """Draw the response at one amplitude, or at each of several, into Matplotlib axes, or new ones; return these.
 
@@ -520,7 +520,7 @@ class Physical:
         pictures.legend(ax, pictures.axis(found[0][0], letter))
         return ax
 
-    def explain(self, question: str, amplitude: Number | None = None, /, **at: Unpack[Amplitude]) -> Plan:
+    def explain(self, question: str, amplitude: Number | None = None, /, **at: Unpack[Amplitude[Number]]) -> Plan:
         """Say what runs for a question, what is skipped, and why.
 
         Parameters

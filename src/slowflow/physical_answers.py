@@ -8,7 +8,7 @@ displacement.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, Protocol, TypedDict
+from typing import Any, Generic, Protocol, TypedDict, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -40,22 +40,25 @@ Numbers = Number | Sequence[Plain] | Array
 Window = Sequence[Plain] | Array | WithUnit
 
 
-class Amplitude(TypedDict, total=False):
+T = TypeVar("T")
+
+
+class Amplitude(TypedDict, Generic[T], total=False):
     """The amplitude of the excitation by its letter: force, displacement or acceleration of the base, unbalance."""
 
-    F: Number
-    Y: Number
-    a: Number
-    U: Number
+    F: T
+    Y: T
+    a: T
+    U: T
 
 
-class Amplitudes(TypedDict, total=False):
-    """Several of them."""
+class Excited(Generic[T]):
+    """With the amplitude of the excitation."""
 
-    F: Numbers
-    Y: Numbers
-    a: Numbers
-    U: Numbers
+    F: T
+    Y: T
+    a: T
+    U: T
 
 
 class Explained(Quantities):
@@ -99,40 +102,21 @@ class Rows(Explained):
     isola: tuple[bool, ...]
 
 
-class AtOne(Rows):
+class AtOne(Rows, Excited[float]):
     """At one amplitude of the excitation: of `saddle_nodes`, `frequency_response`, `sweep` and `hysteresis`."""
 
-    F: float
-    Y: float
-    a: float
-    U: float
 
-
-class AtEach(Rows):
+class AtEach(Rows, Excited[Floats]):
     """Of `fold_locus`, `cusps`, `isola_points` and `spectrum`."""
 
-    F: Floats
-    Y: Floats
-    a: Floats
-    U: Floats
 
-
-class States(Rows):
+class States(Rows, Excited[float | Floats]):
     """Of `amplitudes`."""
 
-    F: float | Floats
-    Y: float | Floats
-    a: float | Floats
-    U: float | Floats
 
-
-class One(Explained):
+class One(Explained, Excited[float]):
     """Answers with a single entry, None where there is none: forcings, peaks, isolation, margins."""
 
-    F: float
-    Y: float
-    a: float
-    U: float
     F_SN: float | None
     Y_SN: float | None
     a_SN: float | None
@@ -197,15 +181,11 @@ class Motion(Explained):
     v: Floats
 
 
-class SteadyState(Motion):
+class SteadyState(Motion, Excited[float]):
     """Of `steady_state`."""
 
     f: float
     A: float
-    F: float
-    Y: float
-    a: float
-    U: float
     stops: int
     stable: bool
     period: float

@@ -82,7 +82,8 @@ def declared(cls):
         if base.__module__ == physical_answers.__name__
         for name in vars(base).get("__annotations__", ())
     }
-    return {name: hints[name] for name in own}
+    excited = [typing.get_args(base)[0] for base in getattr(cls, "__orig_bases__", ()) if typing.get_args(base)]
+    return {name: excited[0] if isinstance(hints[name], typing.TypeVar) else hints[name] for name in own}
 
 
 def is_of(value, hint):
