@@ -25,7 +25,7 @@ from slowflow.model import Floats, Model
 from slowflow.support.errors import Refused
 from slowflow.text import text
 from slowflow.transmissibility import in_motion
-from slowflow_kernels.conventions import OnsetKind, Pinned, Status
+from slowflow_kernels.conventions import Status
 
 ONLY_OFFSET = "{u_max} is that of motions with a mean B: without a load A is the largest |{u}|"
 
@@ -468,7 +468,7 @@ class SaddleNodes(Moving, WithMean, Drawn, Table):
         Where a fold meets another, at a cusp or an isola point, or comes to a breakpoint or leaves it, it has no
         gradient, and `.status` and `.message` say so. Under a load as `SteadyStates.gradient`.
         """
-        return self._gradient_from(sensitivities.of_folds, self.Omega, self.A, self.F_0, self.corner)
+        return self._gradient_from(sensitivities.of_points, "saddle_nodes", self.Omega, self.A, self.F_0, self.corner)
 
     def measure(self, force: str | None = None) -> MeasuredFolds:
         """Compare each fold with one of the equation of motion (3), in some ms each.
@@ -513,8 +513,8 @@ class SaddleNodeOnset(Point):
         onsets at one forcing, which it does not look for, it is that of this one. Under a load also B, and by the load;
         on a corner that a jump of the force makes there is none.
         """
-        kind = OnsetKind[self.kind.upper() or "NO"]
-        return self._gradient_from(sensitivities.of_onset, self.F_SN, self.Omega, self.A, kind)
+        at = self.Omega, self.A, self.F_SN, self.kind
+        return self._gradient_from(sensitivities.of_points, "saddle_node_onset", *at)
 
 
 @dataclass(frozen=True, eq=False)
@@ -555,7 +555,7 @@ class Cusps(Table):
 
     def gradient(self) -> Gradient:
         """Differentiate F_0, Omega and A of each cusp by the parameters, exactly."""
-        return sensitivities.of_extrema(of_model(self._model), Pinned.CUSP, self.F_0, self.Omega, self.A)
+        return sensitivities.of_points(of_model(self._model), "cusps", self.Omega, self.A, self.F_0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -579,7 +579,7 @@ class IsolaPoints(Table):
 
     def gradient(self) -> Gradient:
         """Differentiate F_0, Omega and A of each isola point by the parameters, exactly."""
-        return sensitivities.of_extrema(of_model(self._model), Pinned.ISOLA, self.F_0, self.Omega, self.A)
+        return sensitivities.of_points(of_model(self._model), "isola_points", self.Omega, self.A, self.F_0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -619,7 +619,7 @@ class Peak(Point):
         `.status` and `.message` say so. Of two peaks of one height it is that of this one. Under a load also B, and
         u_max if it is that motion's; where the mean turns back there, NotAvailable is raised.
         """
-        return self._gradient_from(sensitivities.of_peak, self.A, self.Omega, self.F_0)
+        return self._gradient_from(sensitivities.of_points, "peak", self.Omega, self.A, self.F_0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -643,4 +643,4 @@ class Detachment(Point):
 
     def gradient(self) -> Gradient:
         """Differentiate F_cr, Omega_cr and u_cr by the parameters, exactly; under a load A and B instead of u_cr."""
-        return self._gradient_from(sensitivities.of_detachment, self.F_cr, self.Omega_cr, self.u_cr)
+        return self._gradient_from(sensitivities.of_points, "detachment", self.Omega_cr, self.u_cr, self.F_cr)

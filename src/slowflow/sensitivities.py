@@ -137,29 +137,47 @@ def _of_places(design: Design, at: tuple[Any, Any, Any], rows: int, columns: int
     return slopes, status
 
 
-def of_folds(design: Design, Omega: Any, A: Any, F_0: Any, corner: Any) -> Gradient:
-    """Of folds at a forcing."""
-    kind = _either(corner, Pinned.CORNER_FOLD, Pinned.FOLD)
-    return gradient(design, kind, (A, Omega, F_0), {"Omega": 1, "A": 0}, ("F_0",))
+#: of points, by question: the rows of their numbers
+NUMBERS: Mapping[str, Mapping[str, int]] = {
+    "saddle_nodes": {"Omega": 1, "A": 0},
+    "peak": {"A": 0, "Omega": 1},
+    "detachment": {"F_cr": 2, "Omega_cr": 1, "u_cr": 0},
+    "saddle_node_onset": {"F_SN": 2, "Omega": 1, "A": 0},
+    **{question: {"F_0": 2, "Omega": 1, "A": 0} for question in ("cusps", "isola_points")},
+}
+#: what they are: of an onset by the number of its kind, of the first of which there is none; of others the second is
+#: that of a fold on a corner, and of a peak and a detachment at rest, which stay there
+_KINDS: Mapping[str, tuple[Pinned, ...]] = {
+    "amplitudes": (Pinned.STATE,),
+    "saddle_nodes": (Pinned.FOLD, Pinned.CORNER_FOLD),
+    "peak": (Pinned.PEAK, Pinned.STATE),
+    "detachment": (Pinned.CORNER_TOP, Pinned.CORNER_REST),
+    "saddle_node_onset": (Pinned.CUSP, Pinned.CUSP, Pinned.ISOLA, Pinned.CORNER_END),
+    "isolation": (Pinned.FOLD,),
+    "cusps": (Pinned.CUSP,),
+    "isola_points": (Pinned.ISOLA,),
+}
 
 
-def of_peak(design: Design, A: Any, Omega: Any, F_0: Any) -> Gradient:
-    """Of the highest peak; one at rest stays there."""
-    kind = _either(Omega == 0, Pinned.STATE, Pinned.PEAK)
-    return gradient(design, kind, (A, Omega, F_0), {"A": 0, "Omega": 1}, ("F_0",))
+def pinned(question: str, Omega: Any, what: Any) -> Any:
+    """What points are, numbers of `Pinned`, from whether folds are on a corner, or an onset's kind, or its number."""
+    kinds = np.array(_KINDS[question], dtype=float)
+    if isinstance(what, str):
+        what = OnsetKind[what.upper() or "NO"]
+    return kinds[np.asarray((Omega == 0) & (kinds.size > 1) if what is None else what, dtype=int)]
 
 
-def of_detachment(design: Design, F_cr: Any, Omega_cr: Any, u_cr: Any) -> Gradient:
-    """Of the lowest forcing that reaches u_cr; one at rest stays there."""
-    kind = _either(Omega_cr == 0, Pinned.CORNER_REST, Pinned.CORNER_TOP)
-    return gradient(design, kind, (u_cr, Omega_cr, F_cr), {"F_cr": 2, "Omega_cr": 1, "u_cr": 0})
+def of_points(design: Design, question: str, Omega: Any, A: Any, F_0: Any, what: Any = None) -> Gradient:
+    """Of what a question is answered with, as `pinned` has it."""
+    kind, by = pinned(question, Omega, what), ("F_0",) if question in ("saddle_nodes", "peak") else ()
+    return gradient(design, kind, (A, Omega, F_0), NUMBERS[question], by)
 
 
 def of_isolation(design: Design, Omega: Any, A: Any, F_0: Any, at_fold: Any, ratio: Any) -> Gradient:
     """Of where isolation begins: of the state that transmits that share of what drives it, or of a fold."""
     shape = np.broadcast(*design.numbers, Omega, A, F_0).shape
     Omega, A, on_fold = (np.broadcast_to(np.asarray(one), shape) for one in (_known(Omega), _known(A), at_fold))
-    folds = of_folds(design, Omega, np.where(on_fold, A, np.nan), F_0, np.zeros(shape, bool))
+    folds = of_points(design, "saddle_nodes", Omega, np.where(on_fold, A, np.nan), F_0, np.zeros(shape, bool))
     by = (*folds.by, "Omega")
     slopes, status = _slopes(
         design, float(Pinned.STATE), (np.where(on_fold, np.nan, A), Omega, F_0), OF_STATES, len(by)
@@ -192,24 +210,3 @@ def along_frequency(slopes: Floats, status: Any, Omega: Floats, A: Floats, ratio
     status = np.where(meets & (status == MovesStatus.OK), np.int8(MovesStatus.MEETS), status)
     found[status != MovesStatus.OK] = np.nan
     return found, status
-
-
-def of_onset(design: Design, F_SN: Any, Omega: Any, A: Any, kind: Any) -> Gradient:
-    """Of the lowest forcing that has a fold; kind a number of `OnsetKind`."""
-    pinned = _ONSETS[kind]
-    return gradient(design, pinned, (A, Omega, F_SN), {"F_SN": 2, "Omega": 1, "A": 0})
-
-
-#: what an onset is, by the number of its kind; of the first there is none
-_PINNED = {OnsetKind.CUSP: Pinned.CUSP, OnsetKind.ISOLA: Pinned.ISOLA, OnsetKind.CORNER: Pinned.CORNER_END}
-_ONSETS = np.array([float(_PINNED.get(kind, Pinned.CUSP)) for kind in OnsetKind])
-
-
-def of_extrema(design: Design, kind: Pinned, F_0: Any, Omega: Any, A: Any) -> Gradient:
-    """Of cusps or isola points of the fold locus."""
-    return gradient(design, float(kind), (A, Omega, F_0), {"F_0": 2, "Omega": 1, "A": 0})
-
-
-def _either(flag: Any, one: Pinned, other: Pinned) -> Any:
-    """One where the flag holds, else the other."""
-    return np.where(flag, float(one), float(other)) if isinstance(flag, np.ndarray) else float(one if flag else other)

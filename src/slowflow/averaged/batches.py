@@ -21,7 +21,7 @@ from slowflow.gradient import NO_GRADIENT, Gradient
 from slowflow.mechanism import Flags
 from slowflow.model import THROUGHOUT, Floats, SlowFlow
 from slowflow.results import NOT_AVERAGED, Remark
-from slowflow.sensitivities import Design, of_detachment, of_folds, of_isolation, of_onset, of_peak, of_states
+from slowflow.sensitivities import Design, of_isolation, of_points, of_states
 from slowflow.support.errors import Refused
 from slowflow.table import AVERAGING, QUESTIONS, Question
 from slowflow.transmissibility import in_motion
@@ -405,13 +405,15 @@ def _corner(folds: Batch) -> Any:
 #: of averaged answers, by question
 GRADIENTS: Mapping[str, Callable[[Batch, Design], Gradient]] = MappingProxyType(
     {
-        "detachment": lambda one, of: of_detachment(of, one.F_cr, one.Omega_cr, one.u_cr),
-        "saddle_node_onset": lambda one, of: of_onset(of, one.F_SN, one.Omega, one.A, one.kind),
-        "saddle_nodes": lambda one, of: of_folds(of.with_places(), one.Omega, one.A, one._forcing, _corner(one)),
+        "detachment": lambda one, of: of_points(of, "detachment", one.Omega_cr, one.u_cr, one.F_cr),
+        "saddle_node_onset": lambda one, of: of_points(of, "saddle_node_onset", one.Omega, one.A, one.F_SN, one.kind),
+        "saddle_nodes": lambda one, of: of_points(
+            of.with_places(), "saddle_nodes", one.Omega, one.A, one._forcing, _corner(one)
+        ),
         "amplitudes": lambda one, of: of_states(
             of.with_places(), one._frequency, one.A, one._forcing, one.phi, one.transmissibility
         ),
-        "peak": lambda one, of: of_peak(of, one.A, one.Omega, np.asarray(one._F_0, dtype=float)),
+        "peak": lambda one, of: of_points(of, "peak", one.Omega, one.A, np.asarray(one._F_0, dtype=float)),
         "isolation": lambda one, of: of_isolation(
             of, one.Omega, one.A, np.asarray(one._F_0, dtype=float), one.at_fold == 1, one._ratio
         ),

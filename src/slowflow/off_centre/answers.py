@@ -5,11 +5,9 @@ The answers are those of `slowflow.results`, with B and the load.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, ClassVar, NoReturn
-
-import numpy as np
 
 from slowflow import validate
 from slowflow.answer import Table, entry
@@ -20,8 +18,8 @@ from slowflow.model import Floats, Model
 from slowflow.off_centre import sensitivities
 from slowflow.off_centre.sensitivities import Design
 from slowflow.results import NOT_MEASURED, Remark
+from slowflow.sensitivities import pinned
 from slowflow.table import QUESTIONS
-from slowflow_kernels.conventions import Pinned
 
 #: the numbers of an answer that move with the parameters, by question
 NUMBERS: Mapping[str, tuple[str, ...]] = {
@@ -74,23 +72,16 @@ class RestPositions(Table):
         return sensitivities.of_rest(Design.of(self._model, self.load), self.u)
 
 
-#: of each answer the question that it is to, and what its points are, of `Pinned`. A detachment at rest stays there, as
-#: a peak at Omega = 0 does; of an onset at which more than two folds are born, and of what is on a jump of the force
-#: there is no gradient
-_POINTS: Mapping[str, tuple[str, Callable[[Any], Any]]] = {
-    "SteadyStates": ("amplitudes", lambda _: Pinned.STATE),
-    "FrequencyResponse": ("amplitudes", lambda _: Pinned.STATE),
-    "SaddleNodes": (
-        "saddle_nodes",
-        lambda one: np.where(one.corner, int(Pinned.CORNER_FOLD), int(Pinned.FOLD)),
-    ),
-    "Detachment": ("detachment", lambda one: Pinned.CORNER_REST if one.Omega_cr == 0 else Pinned.CORNER_TOP),
-    "Peak": ("peak", lambda one: Pinned.STATE if one.Omega == 0 else Pinned.PEAK),
-    "SaddleNodeOnset": (
-        "saddle_node_onset",
-        lambda one: {"cusp": Pinned.CUSP, "isola": Pinned.ISOLA}.get(one.kind, Pinned.CORNER_END),
-    ),
-    "Isolation": ("isolation", lambda _: Pinned.FOLD),
+#: of each answer the question that it is to; of an onset at which more than two folds are born, and of what is on a
+#: jump of the force there is no gradient
+_QUESTIONS: Mapping[str, str] = {
+    "SteadyStates": "amplitudes",
+    "FrequencyResponse": "amplitudes",
+    "SaddleNodes": "saddle_nodes",
+    "Detachment": "detachment",
+    "Peak": "peak",
+    "SaddleNodeOnset": "saddle_node_onset",
+    "Isolation": "isolation",
 }
 
 
@@ -100,7 +91,7 @@ def gradient(found: Any) -> Gradient:
     Raises NotAvailable where it is not known how the force moves with the design, and of a peak at which the mean turns
     back.
     """
-    question, kinds = _POINTS[type(found).__name__]
+    question = _QUESTIONS[type(found).__name__]
     names = NUMBERS[question]
     if question == "peak":
         if found._turns:
@@ -114,4 +105,5 @@ def gradient(found: Any) -> Gradient:
     if question == "detachment":  # of the piece alone to whose end it comes
         design = design.first()
     of = {name: one for one, name in called.items()}
-    return sensitivities.gradient(design, kinds(found), point, of, QUESTIONS[question].takes)
+    kinds = pinned(question, point[2], getattr(found, "corner", getattr(found, "kind", None)))
+    return sensitivities.gradient(design, kinds, point, of, QUESTIONS[question].takes)
