@@ -19,7 +19,6 @@ from slowflow.measured import table, validity
 from slowflow.oscillator import Oscillator
 from slowflow.physical import Physical
 from slowflow.quantities import DENSITIES, OF_KIND, Scales
-from slowflow.random_vibration import excitation
 from slowflow.support.record import Parameter
 from slowflow.table import COLUMNS
 from slowflow.text import Sentence, in_units, text
@@ -106,7 +105,7 @@ def about() -> dict[str, Any]:
         "version": __version__,
         "mechanisms": mechanisms,
         "damping": [_parameter(one) for one in DAMPING],
-        "density": _density(),
+        "density": {"g": DENSITIES["g^2/Hz"][0], "most": 40},
         "excitations": {name: _excitation(name, title) for name, title in EXCITED_BY.items()},
         "scales": {name: dict(scale._asdict()) for name, scale in SCALES.items()},
         "physical_names": PHYSICAL_NAMES,
@@ -178,13 +177,6 @@ def _mechanism(design: Design) -> dict[str, Any]:
         "rod": record.design == ROD_SPRING.design,
         "odd": record.odd,
     }
-
-
-def _density() -> dict[str, Any]:
-    """What a table of a spectral density is made with: half of Gauss's rule, and the most points that it may have."""
-    half = slice(excitation.NODES // 2, None)
-    rule = {"nodes": excitation._AT[half].tolist(), "weights": excitation._WEIGHTS[half].tolist()}
-    return {**rule, "widest": excitation.WIDEST, "margin": excitation.MARGIN, "g": DENSITIES["g^2/Hz"][0], "most": 40}
 
 
 def _excitation(name: str, title: str) -> dict[str, Any]:

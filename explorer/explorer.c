@@ -19,14 +19,14 @@
 
 #define EXPORT(name) __attribute__((export_name(#name))) name
 
-/* points of one answer, and numbers of a spectral density */
-enum { MOST = 1 << 14, COLUMNS = 5, MOST_ROWS = 1 << 12 };
+/* points of one answer, and of a spectral density */
+enum { MOST = 1 << 14, COLUMNS = 5, MOST_POINTS = 40 };
 
 static sf_mechanism excited; /* the record that was chosen, by what excites it */
 static sf_model model;
 static sf_inputs inputs, *known; /* known: NULL where no proof is possible */
 static sf_room room;
-static double in[SF_MOST_DESIGN + SF_MOST_DAMPING], out[COLUMNS][MOST], spectrum[MOST_ROWS];
+static double in[SF_MOST_DESIGN + SF_MOST_DAMPING], out[COLUMNS][MOST], spectrum[MOST_POINTS][2];
 static unsigned char flags[3][MOST];
 static long long branch[MOST];
 static int undecided, rises, chosen;
@@ -267,23 +267,15 @@ void EXPORT(force)(int mechanism, double u_max, int n)
     }
 }
 
-double *EXPORT(density)(void) { return spectrum; }
-int EXPORT(room_of_density)(void) { return MOST_ROWS; }
+double *EXPORT(density)(void) { return spectrum[0]; }
+int EXPORT(room_of_density)(void) { return MOST_POINTS; }
 
 double sf_explored_force(double u) { return forces[chosen](u, model.p); }
 
-/* What dry friction adds to the damping at sigma_v = 1. */
-double EXPORT(dry)(void)
-{
-    double c[3];
-    linearization_equivalent_damping(1, in[excited.design_size], model.zeta, 0, c);
-    return c[2];
-}
-
 /* Under white noise of a power, or the density in `spectrum`: see random.h. */
-int EXPORT(random)(double power, int bands)
+int EXPORT(random)(double power, int points)
 {
     double *const columns[4] = {out[0], out[1], out[2], out[3]};
     const double mu = in[excited.design_size];
-    return sf_explored_random(model.b, model.breaks, mu, model.zeta, power, spectrum, bands, MOST, columns);
+    return sf_explored_random(model.b, model.breaks, mu, model.zeta, power, spectrum, points, MOST, columns);
 }

@@ -25,41 +25,18 @@ function convertDensity(rows, from, to) {
   return rows.map(([f, G]) => [(f / from.Omega) * to.Omega, (G / from.G) * to.G]);
 }
 
-/** The excitation as the solvers take it: the power of white noise, or a table as `random_vibration.excitation` makes it;
- * null where friction, `dry` at a velocity of 1, holds the mass. */
-function excitationOf(state, plain, dry) {
-  if (state.psd[0].length === 1) return { power: (Math.PI * state.psd[0][0]) / 2, rows: [], bands: 0 };
+/** The excitation as the solvers take it: the power of white noise, or points of frequency and density. */
+function excitationOf(state) {
+  if (state.psd[0].length === 1) return { power: (Math.PI * state.psd[0][0]) / 2, points: [] };
   const { Omega, G } = densityMeasure(state);
-  const { nodes, weights, widest, margin } = DATA.density;
-  const points = state.psd.map(([f, density]) => [Math.log(f / Omega), Math.log(density / G)]);
-  const bands = [];
-  for (let i = 0; i + 1 < points.length; i++) {
-    const [[a, y], [b, end]] = [points[i], points[i + 1]];
-    const parts = Math.ceil((b - a) / widest);
-    for (let k = 0; k < parts; k++) bands.push([a + ((b - a) * k) / parts, k + 1 < parts ? a + ((b - a) * (k + 1)) / parts : b, a, y, (end - y) / (b - a)]);
-  }
-  let [whole, over] = [0, 0];
-  for (const [low, high, x, y, slope] of bands)
-    for (const sign of [-1, 1])
-      nodes.forEach((node, j) => {
-        const at = 0.5 * (low + high) + 0.5 * sign * node * (high - low);
-        const term = 0.5 * (high - low) * weights[j] * Math.exp(y + slope * (at - x));
-        whole += term * Math.exp(at);
-        over += term;
-      });
-  if (!(dry < Math.sqrt(whole))) return null;
-  const strength = Math.PI * Math.exp(Math.max(...points.map(([, y]) => y)));
-  const least = Math.max(2 * plain.zeta, dry ** 2 / strength);
-  const most = (strength + 0.5 * over) / least;
-  return { power: 0, rows: [most, least / margin, plain.mu, plain.zeta, 0, ...nodes, ...weights, ...bands.flat()], bands: bands.length };
+  return { power: 0, points: state.psd.map(([f, density]) => [f / Omega, density / G]) };
 }
 
 /** Root mean squares under the density of a state: rows by rising u, or a word where there are none. */
 function randomOf(solvers, state, plain) {
   if (!DATA.mechanisms[state.mechanism].odd) return { n: 0, word: "of forces that are odd only" };
   if (plain.mu === 0 && plain.zeta === 0) return { n: 0, word: "without damping unbounded" };
-  const excitation = excitationOf(state, plain, solvers.dry());
-  if (excitation === null) return { n: 0, word: "friction holds the mass nearly all of the time" };
-  const found = solvers.random(excitation);
-  return found.n > 0 ? found : { n: 0, word: found.n < 0 ? "not resolved" : "no linear oscillator is equivalent" };
+  const words = { 0: "no linear oscillator is equivalent", "-1": "not resolved", "-2": "friction holds the mass nearly all of the time" };
+  const found = solvers.random(excitationOf(state));
+  return found.n > 0 ? found : { n: 0, word: words[found.n] };
 }

@@ -19,7 +19,7 @@ class Solvers {
     const most = native.capacity();
     this.native = native;
     this.input = new Float64Array(memory, native.input(), 18);
-    this.density = new Float64Array(memory, native.density(), native.room_of_density());
+    this.density = new Float64Array(memory, native.density(), 2 * native.room_of_density());
     this.columns = [0, 1, 2, 3, 4].map((i) => new Float64Array(memory, native.column(i), most));
     this.flags = [0, 1, 2].map((i) => new Uint8Array(memory, native.flag(i), most));
     this.branches = new BigInt64Array(memory, native.branches(), most);
@@ -144,15 +144,11 @@ class Solvers {
     return { n, Omega: this.column(0, n), A: this.column(1, n) };
   }
 
-  /** What dry friction adds to the equivalent damping at a velocity of 1. */
-  dry() {
-    return this.native.dry();
-  }
-
-  /** Root mean squares of stationary motions, see `excitationOf`; n < 0 where they are not resolved. */
-  random({ power, rows, bands }) {
-    this.density.set(rows);
-    const n = this.native.random(power, bands);
+  /** Root mean squares of stationary motions, see `excitationOf`; n is -1 where they are not resolved, -2 where friction
+   * holds the mass. */
+  random({ power, points }) {
+    this.density.set(points.flat());
+    const n = this.native.random(power, points.length);
     return { n, u: this.column(0, Math.max(0, n)), v: this.column(1, Math.max(0, n)), k: this.column(2, Math.max(0, n)), friction: this.column(3, Math.max(0, n)) };
   }
 

@@ -19,6 +19,13 @@ With p = ln k, q = ln c and x = 1 - Omega^2/k the slopes of -ln Z, of which thos
 
     by p  -2 x/z,   z = x^2 + 4 r^2 (1 - x),   r = c/(2 sqrt(k))        by q  -2 c^2 Omega^2/Z, between -2 and 0
 
+Where G goes as Omega^s, and jumps by dG at some frequencies, the slope by p at the same damping ratio has no resonance:
+
+    dI_j/dp + (dI_j/dq)/2 = int (s + j - 3)/2 G Omega^j/Z dOmega + sum dG Omega^(j+1)/(2 Z)
+
+as Z is homogeneous (`_check_scales`). The poles of 1/Z next to the real axis, at ln Omega = p/2 +- i theta with
+sin(theta) = r, are what makes a quadrature of I_j slow: `resonance` has what they add to it in closed form.
+
 White noise has a constant two-sided density S_0 (G = 2 S_0): its I_j follow from the moments of the linear oscillator.
 Of it there is a second approximation, for any odd force that pulls towards the centre: its energy E = v^2/2 + int f du
 changes slowly (Stratonovich, Roberts). `_by_energy` has the density of energies.
@@ -50,8 +57,14 @@ _v = sp.Symbol("v", positive=True)
 W = sp.symbols("W_0:3", positive=True)
 v_n = (sp.Integer(1), *sp.symbols("v_1:5", positive=True))
 
+#: a pole: its angle, sin(theta) = ratio; of the density there ln G and its slope by ln(Omega)
+theta, slope = sp.symbols("theta slope", real=True)
+G = sp.Symbol("G", positive=True)
+#: at ln(Omega) = X, int dx/(x - X) less what quadrature has for it, and its slope by X: real and imaginary parts
+E_re, E_im, D_re, D_im = sp.symbols("E_re E_im D_re D_im", real=True)
 #: of arguments
-ORDER = (Omega, end, sigma_u, sigma_v, *W, *v_n[1:], S_0, k, c, ratio, mu, zeta, c_2)
+ORDER = (Omega, end, sigma_u, sigma_v, *W, *v_n[1:], S_0, theta, k, c)
+ORDER += (slope, G, E_re, E_im, D_re, D_im, ratio, mu, zeta, c_2)
 
 
 def _mean(of_v: sp.Expr, sigma: sp.Symbol) -> sp.Expr:
@@ -93,6 +106,7 @@ def linearization() -> Formulas:
     text = "Mean square of the damping force of (3)."
     of.add("damping_force", sp.collect(_mean(force**2, sigma_v), sigma_v), text, "(3)")
     _response(of)
+    _resonance(of)
     _by_energy(of, force)
 
     @of.kernel("(3)", "k > 0, c > 0")
@@ -134,6 +148,7 @@ def _check_cycles() -> None:
 def _response(of: Formulas) -> None:
     """-ln Z and its slopes, with bounds of these that hold at every frequency."""
     Z = (k - Omega**2) ** 2 + c**2 * Omega**2
+    _check_scales(Z)
     square = sp.Symbol("Z", positive=True)
     by_k = -2 * k * (k - Omega**2) / square
     by_c = -2 * c**2 * Omega**2 / square
@@ -156,6 +171,49 @@ def _response(of: Formulas) -> None:
     text = "Of the slope of -ln Z by ln k the least and the largest, and the largest k^2/Z, at any frequency."
     bounds = (steep, flat, sp.factor(1 / scaled.subs(x, least)))
     of.add("steepest", bounds, text, "(3)", "0 < ratio < 1/2")
+
+
+def _check_scales(Z: sp.Expr) -> None:
+    """Z is homogeneous, of the order 2 in k, sqrt(Omega) and sqrt(c): so by parts the slope at a damping ratio."""
+    euler = k * sp.diff(Z, k) + (c * sp.diff(Z, c) + Omega * sp.diff(Z, Omega)) / 2
+    claim("Z is homogeneous", sp.expand(euler - 2 * Z))
+
+
+def _resonance(of: Formulas) -> None:
+    """What a pole of 1/Z adds to a quadrature of I_0 and I_2, by its residue, and to their slopes by p and q.
+
+    With X = ln(Omega) the integrand is G Omega^(j+1)/Z: without R/(X - X_p) of the pole X_p = p/2 + i theta, and of the
+    conjugate one, it is smooth. E(X_p) is the integral of 1/(X - X_p) less its quadrature.
+    """
+    p, q, middle = sp.symbols("p q middle", real=True)
+    X, there = sp.symbols("X there")
+    pole, damped = p / 2 + sp.I * theta, sp.exp(q)
+    own = sp.exp(p / 2) * 2 * sp.sin(theta)
+    Z = (sp.exp(p) - sp.exp(2 * X)) ** 2 + own**2 * sp.exp(2 * X)
+    steep = 4 * sp.I * damped * sp.exp(p / 2) * sp.cos(theta) * sp.exp(2 * pole)
+    claim("1/Z has a pole at p/2 + i theta", sp.expand(Z.subs(X, pole).rewrite(sp.exp)))
+    slope_of_Z = sp.diff(Z, X).subs(X, pole) - steep.subs(damped, own)
+    claim("the slope of Z there", sp.expand(slope_of_Z.rewrite(sp.exp)))
+
+    def slope_by(one: sp.Expr, by: sp.Symbol) -> sp.Expr:
+        """Its slope, where theta moves as ln sin(theta) = q - p/2 - ln 2 does."""
+        turns = sp.diff(q - p / 2, by) / sp.diff(sp.log(sp.sin(theta)), theta)
+        return sp.diff(one, by) + turns * sp.diff(one, theta)
+
+    # near the pole: E; logarithm of the residue, with G over that where ln(Omega) is p/2
+    left = E_re + sp.I * E_im + (D_re + sp.I * D_im) * (pole - there)
+    found: list[sp.Expr] = []
+    for j in (0, 2):
+        residue = slope * (pole - middle) + (j + 1) * pole - sp.expand_log(sp.log(steep), force=True)
+        size = G * k ** sp.Rational(j - 2, 2) / (2 * c * sp.cos(theta))
+        factors = [left, *(slope_by(residue, by) * left + slope_by(left, by) for by in (p, q))]
+        for factor in factors:
+            real, imaginary = sp.expand(factor.subs({there: pole, middle: p / 2})).as_real_imag()
+            # of both poles together: twice the real part of the residue
+            turned = (slope + j - 1) * theta
+            found.append(size * (real * sp.sin(turned) + imaginary * sp.cos(turned)))
+    text = "What a pole of 1/Z adds to I_0, its slopes by ln k and ln c, then to I_2 and its slopes."
+    of.add("resonance", found, text, "(3)", "0 < theta < pi/2, k > 0, c > 0")
 
 
 def _by_energy(of: Formulas, force: sp.Expr) -> None:

@@ -53,4 +53,43 @@ SF_KERNEL void linearization_steepest(double ratio, double *out)
     out[2] = -0.25 * t0 * t2 / (ratio * ratio);
 }
 
+/* What a pole of 1/Z adds to I_0, its slopes by ln k and ln c, then to I_2 and its slopes.
+   Equation (3). Domain: 0 < theta < pi/2, k > 0, c > 0. Operations: 94. */
+SF_KERNEL void linearization_resonance(double theta, double k, double c, double slope, double G, double E_re, double E_im, double D_re, double D_im, double *out)
+{
+    const double t0 = theta * (slope - 1.0);
+    const double t1 = cos(t0);
+    const double t2 = sin(t0);
+    const double t3 = cos(theta);
+    const double t4 = 1.0 / t3;
+    const double t5 = 0.5 * G * t4 / c;
+    const double t6 = t5 / k;
+    const double t7 = sin(theta);
+    const double t8 = t4 * t7;
+    const double t9 = E_re * t8;
+    const double t10 = 0.5 * t9;
+    const double t11 = 0.5 * D_re;
+    const double t12 = 1.0 / (t3 * t3);
+    const double t13 = t7 * t7;
+    const double t14 = t12 * t13;
+    const double t15 = E_im * t14;
+    const double t16 = 0.5 * slope;
+    const double t17 = E_re * t16;
+    const double t18 = -0.5 * D_im - 0.5 * E_im * slope + t11 * t8 + 0.5 * t15 + t17 * t8;
+    const double t19 = E_im * t8;
+    const double t20 = 0.5 * t19;
+    const double t21 = 0.5 * D_im * t8 + E_im * t16 * t8 - 0.5 * E_re * t14 + t11 + t17;
+    const double t22 = D_re * t8 - E_im + slope * t9 + t15;
+    const double t23 = D_im * t8 - E_re * t12 * t13 + E_re + slope * t19;
+    const double t24 = theta * (slope + 1.0);
+    const double t25 = cos(t24);
+    const double t26 = sin(t24);
+    out[0] = t6 * (E_im * t1 + E_re * t2);
+    out[1] = t6 * (t1 * (-E_im + t10 - t18) + t2 * (-E_re - t20 + t21));
+    out[2] = t6 * (t1 * (t22 - t9) + t2 * (t19 - t23));
+    out[3] = t5 * (E_im * t25 + E_re * t26);
+    out[4] = t5 * (t25 * (-t10 - t18) + t26 * (t20 + t21));
+    out[5] = t5 * (t25 * (t22 + t9) + t26 * (-t19 - t23));
+}
+
 #endif

@@ -46,6 +46,10 @@ MOUNT = {
 ROAD = ([1.0, 5.0, 100.0], [1e-4, 1e-4, 1e-4 * (5 / 100) ** 2])
 
 
+#: a density with a step down and one up
+STEPS = [0.3, 1.0, 1.0, 2.0, 2.0, 9.0], [0.1, 0.1, 1e-3, 1e-3, 0.2, 0.1]
+
+
 def spread(g):
     """Flat up to 2, then falling."""
     return [0.4, 2.0, 40.0], [g, g, g / 400]
@@ -132,7 +136,7 @@ def averages(force, sigma):
 
 def moments(psd, p, q, *radii):
     """ln I_j of C, and between which ends their slopes are within radii of p and q, [j][by p, by q]."""
-    found = np.frombuffer(EXACT.moments(Tabulated(*psd).rows(0.0, 0.05, 0.0), p, q, *(radii or (0.0, 0.0))))
+    found = np.frombuffer(EXACT.moments(Tabulated(*psd).for_C, p, q, *(radii or (0.0, 0.0))))
     return found[:2], found[2:6].reshape(2, 2), found[6:].reshape(2, 2)
 
 
@@ -170,7 +174,7 @@ def test_moments_have_their_reference_values():
     np.testing.assert_allclose(found, [0.306535818895922, 0.30638426685095], rtol=3e-15)
 
 
-@pytest.mark.parametrize("psd", (FLOOR, spread(0.01)))
+@pytest.mark.parametrize("psd", (FLOOR, spread(0.01), STEPS))
 def test_slopes_within_radii_hold_those_there(psd):
     random = np.random.default_rng(3)
     for p, q, size in zip(
@@ -210,8 +214,8 @@ def test_many_designs_have_a_status_where_one_is_refused():
     assert (few.status, few.count, few.u_rms.shape) == (Status.TOO_MANY, 2, (1,))
     assert few.u_rms[0] == found.u_rms[0, 0]
     one = Duffing(1.0, 0.5, mu=0.01, zeta=0.03)
-    table = Duffing.many([1.0, -1.0], [0.5, 0.0], 0.01, 0.03).random(psd=FLOOR)
-    assert table.status.tolist() == [Status.OK, Status.UNRESOLVED]
+    table = Duffing.many([1.0, -1.0, 1.0], [0.5, 0.0, 0.5], [0.01, 0.01, 5.0], 0.03).random(psd=FLOOR)
+    assert table.status.tolist() == [Status.OK, Status.UNRESOLVED, Status.UNRESOLVED]
     assert table.u_rms[0, 0] == one.random(psd=FLOOR).u_rms[0]
     with pytest.raises(Refused, match="either S_0"):
         Duffing.many(1.0, 0.5, 0.01, 0.03).random()

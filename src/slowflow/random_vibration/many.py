@@ -45,14 +45,15 @@ def answer(designs: Designs, S_0: Any, psd: Any, places: int, workers: int = 1) 
         valid = valid & np.isfinite(own["S_0"]) & (own["S_0"] > 0)
     valid = valid & damped
     laws = tuple(recurrences(law) for law in designs.mechanism.pieces)
-    together = valid & (_stiffness_is_finite(designs.mechanism, own) if S_0 is not None and None not in laws else False)
+    together = valid & (_stiffness_is_finite(designs.mechanism, own) if None not in laws else False)
 
     def solve(part: tuple[Any, ...]) -> None:
         chunk = batched[part]
         motions, count = np.full((chunk.size, places, 4), np.nan), np.empty(chunk.size, np.int8)
         some = {name: value[chunk] for name, value in own.items()}
         constants, ends, damping = design_rows(designs.mechanism, some, DAMPED_BY)
-        EXACT.stationary_of_each(laws, constants, ends, damping, np.pi * some["S_0"], count, motions)
+        power, table = (b"", excitation.for_C) if S_0 is None else (np.pi * some["S_0"], b"")
+        EXACT.stationary_of_each(laws, constants, ends, damping, power, table, count, motions)
         first = np.where(ends > 0, ends, np.inf).min(axis=1, initial=np.inf, keepdims=True)
         end = np.where(np.isfinite(first), first, np.nan)
         with np.errstate(invalid="ignore"):  # empty places

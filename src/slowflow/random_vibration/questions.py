@@ -28,6 +28,7 @@ UNDECIDED = Sentence("there may be another equivalent linear oscillator next to 
 #: share of friction in the damping up to which sigma_u and sigma_v were within 5 % of records of the motion, where the
 #: excitation has frequencies up to so many times the lowest one (docs/validity.md)
 MOST_DRY, NARROW = 0.8, 4.0
+STUCK = "friction holds the mass nearly all of the time: no linear damping is equivalent to it"
 _erfc = np.frompyfunc(math.erfc, 1, 1)
 GIVES_WAY = "no linear oscillator is equivalent: in the mean the spring pushes away from the centre, or gives way"
 SEVERAL = Sentence(
@@ -75,7 +76,9 @@ def stationary(system: EquationOfMotion, excitation: Excitation) -> dict[str, Fl
     if system.mu == system.zeta == 0 and not (system.c_2 > 0 and isinstance(excitation, White)):
         raise validate.NotAvailable(UNDAMPED)
     laws = system.mu, system.zeta, system.c_2
-    *left, found = EXACT.stationary(handle(system), excitation.rows(*laws))
+    *left, found = EXACT.stationary(handle(system), excitation.for_C)
+    if left[0] < 0:
+        raise NotSettled(STUCK)
     if left[0]:
         raise NotSettled(UNDECIDED.format(*left))
     u, square, k, v = np.frombuffer(found).reshape(-1, 4).T

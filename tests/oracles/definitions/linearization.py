@@ -68,6 +68,24 @@ def steepest(ratio):
     return [slope(low), slope(high), 1 / modulus(peak, mpf(1), 2 * ratio)]
 
 
+def resonance(theta, k, c, slope, G, E_re, E_im, D_re, D_im):
+    """The residue by the slope of Z at its root, for roots that move: E is straight there, G a power of Omega."""
+    at = mp.log(k) / 2 + 1j * theta
+
+    def adds(p, q, power):
+        X = p / 2 + 1j * mp.asin(mp.exp(q - p / 2) / 2)
+        W = mp.exp(X)
+        by_X = -4 * W**2 * (mp.exp(p) - W**2) + 2 * mp.exp(2 * q) * W**2
+        density = G * mp.exp(slope * (X - mp.log(k) / 2))
+        return 2 * mp.re(density * W ** (power + 1) / by_X * (mp.mpc(E_re, E_im) + mp.mpc(D_re, D_im) * (X - at)))
+
+    p, q = mp.log(k), mp.log(2 * mp.sqrt(k) * mp.sin(theta))
+    # c is 2 sqrt(k) sin(theta), and what is proportional to 1/c takes it as it is
+    size = mp.exp(q) / c
+    by = ((0, 0), (1, 0), (0, 1))
+    return [size * mp.diff(lambda p, q, j=j: adds(p, q, j), (p, q), order) for j in (0, 2) for order in by]
+
+
 def white(S_0, k, c):
     edges = [0, mp.sqrt(k) / 2, mp.sqrt(k), 2 * mp.sqrt(k), mp.inf]
     return [mp.quad(lambda w, j=j: 2 * S_0 * w**j / modulus(w, k, c), edges) for j in (0, 2)]
@@ -87,6 +105,7 @@ LINEARIZATION = {
     "crossings": ("end sigma_u sigma_v", crossings),
     "damping_force_by_moments": ("v_1 v_2 v_3 v_4 mu zeta c_2", damping_force_by_moments),
     "energy_loss": ("W_0 W_1 W_2 S_0 mu zeta c_2", energy_loss),
+    "resonance": ("theta k c slope G E_re E_im D_re D_im", resonance),
 }
 
 

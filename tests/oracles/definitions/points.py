@@ -118,6 +118,8 @@ RANGES = {
     # random vibration
     **dict.fromkeys(("sigma_u", "sigma_v", "end"), (0.05, 0.5)),
     **{"S_0": (1e-4, 1e-2), "c": (0.1, 1.0), "ratio": (0.02, 0.45)},
+    **{"theta": (0.02, 1.2), "slope": (-3.0, 3.0), "G": (1e-4, 1e-2)},
+    **dict.fromkeys(("E_re", "E_im", "D_re", "D_im"), (-1.0, 1.0)),
     **dict.fromkeys(("W_0", "W_1", "W_2", "v_1", "v_2", "v_3", "v_4"), (0.05, 0.5)),
 }
 

@@ -511,7 +511,6 @@ static PyObject *shocks(PyObject *self, PyObject *arguments)
 }
 
 enum { SF_MOST_MOTIONS = 64 };
-#define BANDS(table) ((int)(((table).len - (Py_ssize_t)sizeof(sf_table)) / (Py_ssize_t)sizeof(sf_band)))
 
 /* An sf_gaussian at each of several sigma, as bytes */
 static PyObject *averages(PyObject *self, PyObject *arguments)
@@ -539,6 +538,22 @@ static PyObject *averages(PyObject *self, PyObject *arguments)
     return found;
 }
 
+/* An sf_table as bytes, of points that rise: frequency and density of each */
+static PyObject *table(PyObject *self, PyObject *arguments)
+{
+    (void)self;
+    Py_buffer points;
+    if (!PyArg_ParseTuple(arguments, "y*", &points))
+        return NULL;
+    const int count = (int)(points.len / (Py_ssize_t)(2 * sizeof(double)));
+    const Py_ssize_t size = (Py_ssize_t)(sizeof(sf_table) + (size_t)sf_read_table(points.buf, count, NULL) * sizeof(sf_band));
+    PyObject *const found = PyBytes_FromStringAndSize(NULL, size);
+    if (found != NULL)
+        sf_read_table(points.buf, count, (sf_table *)PyBytes_AsString(found));
+    PyBuffer_Release(&points);
+    return found;
+}
+
 /* ln I_0 and ln I_2 of a table, and between which ends their slopes are within radii of p and q: ten numbers as bytes */
 static PyObject *moments(PyObject *self, PyObject *arguments)
 {
@@ -547,15 +562,15 @@ static PyObject *moments(PyObject *self, PyObject *arguments)
     double p, q, r[2], found[10];
     if (!PyArg_ParseTuple(arguments, "y*dddd", &table, &p, &q, &r[0], &r[1]))
         return NULL;
-    const sf_moments at = sf_moments_at(table.buf, BANDS(table), p, q);
-    sf_slopes_within(&at, p, q, r, (double(*)[2])(found + 2), (double(*)[2])(found + 6));
+    const sf_moments at = sf_moments_at(table.buf, p, q);
+    sf_slopes_within(table.buf, &at, p, q, r, (double(*)[2])(found + 2), (double(*)[2])(found + 6));
     memcpy(found, at.value, sizeof at.value);
     RELEASE(&table);
     return PyBytes_FromStringAndSize((const char *)found, sizeof found);
 }
 
-/* (k and c next to which there may be others, or 0; an sf_stationary each, as bytes), of the power of white noise or a
- * table */
+/* (k and c next to which there may be others, or 0, k = -1 where friction holds the mass; an sf_stationary each, as
+ * bytes), of the power of white noise or a table */
 static PyObject *stationary(PyObject *self, PyObject *arguments)
 {
     (void)self;
@@ -572,8 +587,8 @@ static PyObject *stationary(PyObject *self, PyObject *arguments)
     Py_BEGIN_ALLOW_THREADS
     if (power > 0.0)
         sf_white(system, power, &found);
-    else
-        sf_tabulated(system, table.buf, BANDS(table), &found);
+    else if (!sf_tabulated(system, table.buf, &found))
+        found.undecided[0] = -1.0;
     Py_END_ALLOW_THREADS
     PyBuffer_Release(&table);
     if (found.count > found.max_count)
@@ -589,13 +604,13 @@ static PyObject *stationary_of_each(PyObject *self, PyObject *arguments)
     (void)self;
     PyObject *laws;
     sf_designs of = {0};
-    Py_buffer damping, power, counts, out;
-    if (!PyArg_ParseTuple(arguments, "O!y*y*y*y*w*w*", &PyTuple_Type, &laws, &of.constants, &of.ends, &damping, &power,
-                          &counts, &out))
+    Py_buffer damping, power, table, counts, out;
+    if (!PyArg_ParseTuple(arguments, "O!y*y*y*y*y*w*w*", &PyTuple_Type, &laws, &of.constants, &of.ends, &damping, &power,
+                          &table, &counts, &out))
         return NULL;
     const Py_ssize_t count = counts.len, one = (Py_ssize_t)sizeof(double);
     const Py_ssize_t max_count = count ? out.len / count / (Py_ssize_t)sizeof(sf_stationary) : 0;
-    const int fit = designs_fit(&of, laws, count) && power.len == count * one && damping.len == 3 * count * one &&
+    const int fit = designs_fit(&of, laws, count) && (table.len || power.len == count * one) && damping.len == 3 * count * one &&
                     out.len == count * max_count * (Py_ssize_t)sizeof(sf_stationary);
     if (fit) {
         Py_BEGIN_ALLOW_THREADS
@@ -604,12 +619,15 @@ static PyObject *stationary_of_each(PyObject *self, PyObject *arguments)
             sf_system system = design(&of, k, own);
             system.c_2 = own[2];
             sf_motions found = {.max_count = (int)max_count, .at = (sf_stationary *)out.buf + k * max_count};
-            sf_white(&system, ((const double *)power.buf)[k], &found);
+            if (table.len && !sf_tabulated(&system, table.buf, &found))
+                found.undecided[0] = -1.0;
+            if (!table.len)
+                sf_white(&system, ((const double *)power.buf)[k], &found);
             ((signed char *)counts.buf)[k] = (signed char)(found.undecided[0] != 0.0 ? -1 : found.count);
         }
         Py_END_ALLOW_THREADS
     }
-    RELEASE(&damping, &power, &counts, &out);
+    RELEASE(&damping, &power, &table, &counts, &out);
     return done_with(&of, fit);
 }
 
@@ -640,9 +658,10 @@ static PyMethodDef methods[] = {
      "None."},
     {"averages", averages, METH_VARARGS, "system, sigma -> Gaussian averages of the force as bytes."},
     {"moments", moments, METH_VARARGS, "table, p, q, radii -> ln I_0, ln I_2, ends of their slopes as bytes."},
+    {"table", table, METH_VARARGS, "points of a spectral density -> what `stationary` takes, as bytes."},
     {"stationary", stationary, METH_VARARGS, "system, power or table -> k, c next to others or 0, motions as bytes."},
     {"stationary_of_each", stationary_of_each, METH_VARARGS,
-     "laws, constants, ends, damping, powers, counts, places for motions -> None."},
+     "laws, constants, ends, damping, powers or a table, counts, places for motions -> None."},
     {NULL, NULL, 0, NULL},
 };
 

@@ -10,67 +10,148 @@
  * sigma_u bounds k, and that L = ln I_0 by its slope: the cell holds no root, at most one, or is cut. */
 #pragma once
 
+#include <stddef.h>
+
 #include "gaussian.h"
 
-/* half of the nodes of Gauss's rule in a part of a table, at most 1 wide in ln(Omega), or of one next to a resonance,
- * which double from its width on, and of a damping ratio below that not from less */
-enum { SF_HALF = 6, SF_MOST_DOUBLINGS = 40 };
+/* parts of a table in a unit of ln(Omega) at least, and more by its slope: so Gauss's rule is as near as roundings
+ * where no pole is nearer than so many half widths */
+#define SF_PARTS 2.0
+#define SF_PARTS_BY_SLOPE 0.25
+#define SF_POLE_NEAR 5.05
+enum { SF_IN_PART = 2 * SF_NODES };
+/* by how much less the lowest damping is taken to be; a lower damping ratio than that is taken for it */
+#define SF_MARGIN 1.5
+#define SF_LEAST_RATIO 0x1p-40
 /* of k over the square of a table's lowest frequency, below which it does not matter; by how much I_0 may change there */
 #define SF_SOFT 1e-6
 /* how near a damping is wanted in a cell; I_0 is much nearer */
 #define SF_AS_NEAR 0x1p-14
 
-/* ln G is y + slope (ln Omega - x) on it */
+/* from low to high of ln(Omega); ln G is y + slope (ln Omega - x); G at low is by `rises` more than below it; at the
+ * nodes Omega and G dOmega */
 typedef struct {
-    double low, high, x, y, slope;
+    double low, high, x, y, slope, rises, Omega[SF_IN_PART], weight[SF_IN_PART];
 } sf_band;
 
-/* most: k I_0 is at most that; least: so is no damping below; Python writes this layout, bands behind */
+/* strength: pi times the largest density; whole: int G dOmega; over: int G/Omega dOmega; least, most: of the slopes;
+ * falls: G at the end. Python keeps it as it stands, bands behind. */
 typedef struct {
-    double most, least, mu, zeta, c_2, node[SF_HALF], weight[SF_HALF];
+    double strength, whole, over, least, most, falls;
+    int bands;
     sf_band band[];
 } sf_table;
+
+static void sf_put_nodes(const sf_band *line, double low, double high, double *Omega, double *weight)
+{
+    const double m = 0.5 * (low + high), h = 0.5 * (high - low);
+    for (int j = 0; j < SF_IN_PART; j++) {
+        const int k = j % SF_NODES;
+        const double x = m + (j < SF_NODES ? -h : h) * sf_gauss_node[k];
+        Omega[j] = exp(x);
+        weight[j] = h * sf_gauss_weight[k] * Omega[j] * exp(line->y + line->slope * (x - line->x));
+    }
+}
+
+/* Parts of the straight line from a point (Omega, G) to the next one, 0 of a step. */
+static int sf_parts(const double *at, double *slope)
+{
+    const double width = log(at[2]) - log(at[0]);
+    *slope = width > 0.0 ? (log(at[3]) - log(at[1])) / width : 0.0;
+    return (int)ceil(width * (SF_PARTS + SF_PARTS_BY_SLOPE * fabs(*slope)));
+}
+
+/* The table of rising points, at least two; without one to write to only how many bands it has. */
+static int sf_read_table(const double (*points)[2], int count, sf_table *to)
+{
+    int bands = 0;
+    double slope, below = 0.0, largest = 0.0;
+    sf_table read = {.least = HUGE_VAL, .most = -HUGE_VAL};
+    for (int i = 0; i + 1 < count; i++) {
+        const int pieces = sf_parts(points[i], &slope);
+        const double x = log(points[i][0]), y = log(points[i][1]), width = log(points[i + 1][0]) - x;
+        for (int j = 0; to != NULL && j < pieces; j++) {
+            sf_band *const band = &to->band[bands + j];
+            *band = (sf_band){x + width * j / pieces, x + width * (j + 1) / pieces, x, y, slope,
+                              j ? 0.0 : points[i][1] - below, {0.0}, {0.0}};
+            sf_put_nodes(band, band->low, band->high, band->Omega, band->weight);
+            for (int k = 0; k < SF_IN_PART; k++)
+                read.whole += band->weight[k], read.over += band->weight[k] / band->Omega[k];
+        }
+        bands += pieces;
+        largest = fmax(largest, fmax(points[i][1], points[i + 1][1]));
+        if (pieces)
+            below = points[i + 1][1], read.least = fmin(read.least, slope), read.most = fmax(read.most, slope);
+    }
+    if (to != NULL) {
+        read.strength = 3.14159265358979324 * largest, read.falls = below, read.bands = bands;
+        memcpy(to, &read, offsetof(sf_table, band));
+    }
+    return bands;
+}
 
 /* At (p, q): ln I_0 and ln I_2, by p and q */
 typedef struct {
     double value[2], by[2][2];
 } sf_moments;
 
-static void sf_add_band(const sf_table *table, const sf_band *band, double a, double b, double k, double c,
-                        double sums[2][3])
+/* middle, theta: parts of the pole next to the real axis, p/2 + i theta; infinite where there is none */
+typedef struct {
+    double k, c, middle, theta;
+} sf_resonance;
+
+static void sf_add_part(const sf_resonance *at, const sf_band *line, double low, double high, const double *Omega,
+                        const double *weight, double sums[2][3])
 {
-    const double m = 0.5 * (a + b), h = 0.5 * (b - a), Omega = exp(m);
-    const double density = h * Omega * exp(band->y + band->slope * (m - band->x));
-    for (int j = 0; j < SF_HALF; j++) {
-        const double grows = exp(h * table->node[j]), more = exp((band->slope + 1.0) * h * table->node[j]);
-        for (int side = 0; side < 2; side++) {
-            const double at = side ? Omega * grows : Omega / grows;
-            double of[3];
-            linearization_response(at, k, c, of);
-            double term = table->weight[j] * (side ? density * more : density / more) / of[0];
-            for (int i = 0; i < 2; i++, term *= at * at)
-                sums[i][0] += term, sums[i][1] += term * of[1], sums[i][2] += term * of[2];
-        }
+    double terms[2][3][SF_IN_PART];
+    for (int j = 0; j < SF_IN_PART; j++) {
+        double of[3];
+        linearization_response(Omega[j], at->k, at->c, of);
+        const double term = weight[j] / of[0], more = term * (Omega[j] * Omega[j]);
+        terms[0][0][j] = term, terms[0][1][j] = term * of[1], terms[0][2][j] = term * of[2];
+        terms[1][0][j] = more, terms[1][1][j] = more * of[1], terms[1][2][j] = more * of[2];
     }
+    for (int i = 0; i < 2; i++)
+        for (int by = 0; by < 3; by++)
+            for (int j = 0; j < SF_IN_PART; j++)
+                sums[i][by] += terms[i][by][j];
+    const double a = low - at->middle, b = high - at->middle, m = 0.5 * (a + b), h = 0.5 * (b - a);
+    const double tt = at->theta * at->theta;
+    if (!(m * m + tt < SF_POLE_NEAR * SF_POLE_NEAR * h * h))
+        return;
+    /* int dx/(x - X) less its quadrature, and the slope of both by X */
+    const double aa = a * a + tt, bb = b * b + tt;
+    double E[2] = {0.5 * log(bb / aa), atan2(-at->theta, b) - atan2(-at->theta, a)}, adds[6];
+    double D[2] = {a / aa - b / bb, at->theta / aa - at->theta / bb};
+    for (int j = 0; j < SF_IN_PART; j++) {
+        const int k = j % SF_NODES;
+        const double x = m + (j < SF_NODES ? -h : h) * sf_gauss_node[k], over = 1.0 / (x * x + tt);
+        const double term = h * sf_gauss_weight[k] * over;
+        E[0] -= term * x, E[1] -= term * at->theta;
+        D[0] -= term * over * (x * x - tt), D[1] -= term * over * (2.0 * x * at->theta);
+    }
+    const double G = exp(line->y + line->slope * (at->middle - line->x));
+    linearization_resonance(at->theta, at->k, at->c, line->slope, G, E[0], E[1], D[0], D[1], adds);
+    for (int i = 0; i < 2; i++)
+        for (int by = 0; by < 3; by++)
+            sums[i][by] += adds[3 * i + by];
 }
 
-static sf_moments sf_moments_at(const sf_table *table, int bands, double p, double q)
+static sf_moments sf_moments_at(const sf_table *table, double p, double q)
 {
-    const double k = exp(p), c = exp(q), ratio = fmin(fmax(0.5 * exp(q - 0.5 * p), 0x1p-40), 1.0);
-    double edge[2 * SF_MOST_DOUBLINGS + 3], sums[2][3] = {{0.0}};
-    int edges = 0, from = 0;
-    const int doublings = (int)ceil(-log2(ratio));
-    for (int i = -doublings - 1; i <= doublings + 1; i++)
-        edge[edges++] = 0.5 * p + (i > 0 ? ldexp(ratio, i - 1) : i < 0 ? -ldexp(ratio, -i - 1) : 0.0);
-    for (int i = 0; i < bands; i++) {
+    const double ratio = fmax(0.5 * exp(q - 0.5 * p), SF_LEAST_RATIO);
+    const sf_resonance at = {exp(p), exp(q), 0.5 * p, ratio < 1.0 ? asin(ratio) : HUGE_VAL};
+    double sums[2][3] = {{0.0}}, Omega[SF_IN_PART], weight[SF_IN_PART];
+    for (int i = 0; i < table->bands; i++) {
         const sf_band *const band = &table->band[i];
-        double low = band->low;
-        for (; from < edges && edge[from] < band->high; from++)
-            if (edge[from] > low) {
-                sf_add_band(table, band, low, edge[from], k, c, sums);
-                low = edge[from];
-            }
-        sf_add_band(table, band, low, band->high, k, c, sums);
+        if (at.middle > band->low && at.middle < band->high && at.theta < HUGE_VAL) {
+            /* no node is next to the pole, where what a sum and the pole have in common would cancel */
+            sf_put_nodes(band, band->low, at.middle, Omega, weight);
+            sf_add_part(&at, band, band->low, at.middle, Omega, weight, sums);
+            sf_put_nodes(band, at.middle, band->high, Omega, weight);
+            sf_add_part(&at, band, at.middle, band->high, Omega, weight, sums);
+        } else
+            sf_add_part(&at, band, band->low, band->high, band->Omega, band->weight, sums);
     }
     sf_moments found;
     for (int i = 0; i < 2; i++) {
@@ -80,10 +161,39 @@ static sf_moments sf_moments_at(const sf_table *table, int bands, double p, doub
     return found;
 }
 
+/* Narrows what bounds the slope of ln I_j by p, j = 2 i: at a constant damping ratio that is (j - 3 + s)/2 in the mean of
+ * the slopes s of ln G, and what its jumps add; by q it is between -2 and 0. Jumps add dG Omega^(j+1)/(2 Z I_j), where I_j
+ * is less by no more than the bound of the slope has it, which is tried. */
+static void sf_slope_by_scaling(const sf_table *table, int i, double value, double p, double q, const double r[2],
+                                double *low, double *high)
+{
+    double jumps[2] = {0.0};
+    const double k[2] = {exp(p - r[0]), exp(p + r[0])}, c = exp(q - r[1]);
+    for (int j = 0; j <= table->bands; j++) {
+        const double rises = j < table->bands ? table->band[j].rises : -table->falls;
+        if (rises == 0.0)
+            continue;
+        const double x = j < table->bands ? table->band[j].low : table->band[j - 1].high, Omega = exp(x);
+        const double away = fmax(fmax(k[0] - Omega * Omega, Omega * Omega - k[1]), 0.0);
+        const double Z = away * away + c * c * Omega * Omega;
+        jumps[rises > 0.0] += 0.5 * fabs(rises) * exp((2 * i + 1) * x - value) / Z;
+    }
+    for (double tried = 0.0, n = 0.0; n < 4.0; n += 1.0) {
+        const double less = exp(tried * r[0] + 2.0 * r[1]);
+        const double least = i - 1.5 + 0.5 * table->least - less * jumps[0];
+        const double most = i - 0.5 + 0.5 * table->most + less * jumps[1], steepest = fmax(-least, most);
+        if (steepest <= tried) {
+            *low = fmax(*low, least), *high = fmin(*high, most);
+            return;
+        }
+        tried = 1.1 * steepest;
+    }
+}
+
 /* Between which ends the slopes are where p and q differ by no more than r, [i][j] as of sf_moments. Slopes of ln
  * I_j are weighted means of those of -ln Z; their own slopes are means of the second ones and covariances with them. */
-static void sf_slopes_within(const sf_moments *at, double p, double q, const double r[2], double low[2][2],
-                             double high[2][2])
+static void sf_slopes_within(const sf_table *table, const sf_moments *at, double p, double q, const double r[2],
+                             double low[2][2], double high[2][2])
 {
     const double ratio = 0.5 * exp(q - r[1] - 0.5 * (p + r[0]));
     double of[3];
@@ -96,6 +206,7 @@ static void sf_slopes_within(const sf_moments *at, double p, double q, const dou
     for (int i = 0; i < 2; i++) {
         low[i][0] = fmax(-down, at->by[i][0] - shift[0]), high[i][0] = fmin(most, at->by[i][0] + shift[0]);
         low[i][1] = fmax(-2.0, at->by[i][1] - shift[1]), high[i][1] = fmin(0.0, at->by[i][1] + shift[1]);
+        sf_slope_by_scaling(table, i, at->value[i], p, q, r, &low[i][0], &high[i][0]);
     }
 }
 
@@ -111,24 +222,30 @@ static inline double sf_damping_by_p(const sf_equivalent *at)
     return at->D * at->moments.by[1][0] / (1.0 - at->D * at->moments.by[1][1]);
 }
 
+/* A design under a table. most: k I_0 is at most that; least: so is no damping below */
+typedef struct {
+    const sf_table *table;
+    double mu, zeta, c_2, most, least;
+} sf_under_table;
+
 /* D rises with sigma_v. */
-static double sf_damping_at(const sf_table *table, double ln_square, double *ln_c)
+static double sf_damping_at(const sf_under_table *of, double ln_square, double *ln_c)
 {
     double c[3];
-    linearization_equivalent_damping(exp(0.5 * ln_square), table->mu, table->zeta, table->c_2, c);
+    linearization_equivalent_damping(exp(0.5 * ln_square), of->mu, of->zeta, of->c_2, c);
     *ln_c = log(c[0]);
     return 0.5 * c[1] / c[0];
 }
 
 /* By Newton's iteration for ln C - q, which falls, between ends that close in; from a q on, until a step is as near. NaN
  * where it is lost. */
-static sf_equivalent sf_equivalent_at(const sf_table *table, int bands, double p, double q, double near)
+static sf_equivalent sf_equivalent_at(const sf_under_table *of, double p, double q, double near)
 {
-    double low = log(table->least), high = HUGE_VAL, ln_c;
+    double low = log(of->least), high = HUGE_VAL, ln_c;
     sf_equivalent at = {.p = p, .q = fmax(q, low)};
     for (int i = 0; i < SF_MOST_STEPS; i++) {
-        at.moments = sf_moments_at(table, bands, p, at.q);
-        at.D = sf_damping_at(table, at.moments.value[1], &ln_c);
+        at.moments = sf_moments_at(of->table, p, at.q);
+        at.D = sf_damping_at(of, at.moments.value[1], &ln_c);
         const double excess = ln_c - at.q, step = excess / (1.0 - at.D * at.moments.by[1][1]);
         if (excess > 0.0)
             low = at.q;
@@ -156,14 +273,14 @@ static inline sf_ends sf_ends_of_product(sf_ends a, sf_ends b)
 }
 
 /* Between which ends dL/dp is where p differs by no more than r; infinite where that is not known. */
-static sf_ends sf_slope_within(const sf_table *table, const sf_equivalent *at, double r)
+static sf_ends sf_slope_within(const sf_under_table *of, const sf_equivalent *at, double r)
 {
     double apart = 1.5 * fabs(sf_damping_by_p(at)) * r, low[2][2], high[2][2], ln_c;
     for (int i = 0; i < 6; i++) {
-        sf_slopes_within(&at->moments, at->p, at->q, (double[2]){r, apart + SF_AS_NEAR}, low, high);
+        sf_slopes_within(of->table, &at->moments, at->p, at->q, (double[2]){r, apart + SF_AS_NEAR}, low, high);
         const double shift = fmax(-low[1][0], high[1][0]) * r - low[1][1] * (apart + SF_AS_NEAR);
-        const sf_ends D = {sf_damping_at(table, at->moments.value[1] - shift, &ln_c),
-                           sf_damping_at(table, at->moments.value[1] + shift, &ln_c)};
+        const sf_ends D = {sf_damping_at(of, at->moments.value[1] - shift, &ln_c),
+                           sf_damping_at(of, at->moments.value[1] + shift, &ln_c)};
         const sf_ends falls = sf_ends_of_product(D, (sf_ends){low[1][1], high[1][1]});
         const sf_ends over = {1.0 / (1.0 - falls.low), 1.0 / (1.0 - falls.high)};
         if (!(falls.high < 1.0))
@@ -181,17 +298,17 @@ static sf_ends sf_slope_within(const sf_table *table, const sf_equivalent *at, d
 
 /* near: where a damping was found last */
 typedef struct {
-    const sf_table *table;
+    const sf_under_table *excited;
     const sf_positive *force;
     sf_equivalent near;
-    int bands, cells;
+    int cells;
     sf_motions *found;
 } sf_linearized;
 
 static sf_equivalent sf_equivalent_by(sf_linearized *of, double p, double near)
 {
     const double q = of->near.q + sf_damping_by_p(&of->near) * (p - of->near.p);
-    const sf_equivalent at = sf_equivalent_at(of->table, of->bands, p, q, near);
+    const sf_equivalent at = sf_equivalent_at(of->excited, p, q, near);
     if (at.q == at.q)
         of->near = at;
     return at;
@@ -212,7 +329,7 @@ static void sf_put_stationary(sf_linearized *of, const sf_gaussian *a, const sf_
     sf_gaussian at = *b;
     double low = a->sigma, high = b->sigma, excess = sf_excess(of, &at, &damped);
     if (isnan(excess) || damped.q != damped.q)
-        of->found->undecided[0] = exp(damped.p), of->found->undecided[1] = of->table->least;
+        of->found->undecided[0] = exp(damped.p), of->found->undecided[1] = of->excited->least;
     if (below == (excess < 0.0))
         return;
     for (int i = 0, last = 0; i < SF_MOST_STEPS && !last; i++) {
@@ -250,8 +367,8 @@ static sf_ends sf_stiffness_within(const sf_positive *force, const sf_gaussian *
 
 static void sf_search_stationary(sf_linearized *of, const sf_gaussian *a, const sf_gaussian *b)
 {
-    const double grows = b->sigma / a->sigma, soft = SF_SOFT * exp(2.0 * of->table->band[0].low);
-    if (a->first[0] / grows - b->first[1] * grows > (1.0 + SF_ERROR) * of->table->most)
+    const double grows = b->sigma / a->sigma, soft = SF_SOFT * exp(2.0 * of->excited->table->band[0].low);
+    if (a->first[0] / grows - b->first[1] * grows > (1.0 + SF_ERROR) * of->excited->most)
         return;
     sf_ends slope;
     const sf_ends K = sf_stiffness_within(of->force, a, b, &slope);
@@ -259,7 +376,7 @@ static void sf_search_stationary(sf_linearized *of, const sf_gaussian *a, const 
         return;
     const double low = log(fmax(K.low, soft)), high = log(fmax(K.high, soft)), r = 0.5 * (high - low);
     const sf_equivalent at = sf_equivalent_by(of, low + r, SF_AS_NEAR);
-    const sf_ends by_p = sf_slope_within(of->table, &at, r);
+    const sf_ends by_p = sf_slope_within(of->excited, &at, r);
     const double L = at.moments.value[0], error = SF_AS_NEAR + (K.low < soft ? 4.0 * SF_SOFT : 0.0);
     const double shift = fmax(-by_p.low, by_p.high) * r + error;
     if (L + shift < 2.0 * log(a->sigma) || L - shift > 2.0 * log(b->sigma))
@@ -284,13 +401,23 @@ static void sf_search_stationary(sf_linearized *of, const sf_gaussian *a, const 
         sf_search_stationary(of, &middle, b);
 }
 
-/* Every stationary motion, by rising sigma_u. */
-static void sf_tabulated(const sf_system *system, const sf_table *table, int bands, sf_motions *found)
+/* Every stationary motion, by rising sigma_u; 0 where friction holds the mass nearly all of the time. Below the lowest c
+ * the damping that it leads to is more at each k: c I_2 is at most `strength`, and k I_0 that over c and what
+ * |y|/(y^2 + c^2 Omega^2) adds, which is at most 1/(2 c Omega). */
+static int sf_tabulated(const sf_system *system, const sf_table *table, sf_motions *found)
 {
-    const double size = sqrt(table->most);
+    double c[3];
+    linearization_equivalent_damping(1.0, system->mu, system->zeta, system->c_2, c);
+    if (!(c[2] < sqrt(table->whole)))
+        return 0;
+    const double least = fmax(2.0 * system->zeta, c[2] * c[2] / table->strength);
+    const sf_under_table excited = {table, system->mu, system->zeta, system->c_2,
+                                (table->strength + 0.5 * table->over) / least, least / SF_MARGIN};
+    const double size = sqrt(excited.most);
     const sf_positive force = sf_positive_of(system, fmin(size, 1.0), fmax(size, 1.0));
     const sf_gaussian a = sf_averages(&force, force.small / SF_SEARCHED);
     const sf_gaussian b = sf_averages(&force, force.large * SF_SEARCHED);
-    sf_linearized of = {table, &force, {.q = log(table->least)}, bands, 0, found};
+    sf_linearized of = {&excited, &force, {.q = log(excited.least)}, 0, found};
     sf_search_stationary(&of, &a, &b);
+    return 1;
 }
