@@ -52,8 +52,25 @@ class Branch:
         return set().union(*(one.free_symbols for one in expressions)) - {symbol for symbol, _ in self.lets}
 
 
+class Called:
+    """What is printed as a function: the last of its arguments may be a mechanism's parameters, an array in C."""
+
+    arguments: tuple[sp.Symbol, ...]
+    parameters: int
+
+    @property
+    def plain(self) -> tuple[sp.Symbol, ...]:
+        """The arguments before the parameters."""
+        return self.arguments[: len(self.arguments) - self.parameters]
+
+    @property
+    def packed(self) -> tuple[sp.Symbol, ...]:
+        """The parameters."""
+        return self.arguments[len(self.arguments) - self.parameters :]
+
+
 @dataclass(frozen=True)
-class Kernel:
+class Kernel(Called):
     """A generated function of real numbers.
 
     parameters -- how many of the last arguments are the mechanism's parameters

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from ..kernels import Branch as Branch
-from ..kernels import Kernel, Let
+from ..kernels import Called, Kernel, Let
 from ..paper.slow_flow import SCENES
 from ..symbols import h, h_A, h_AA, h_AAA
 from .prose import Prose
@@ -35,7 +35,7 @@ NAMES = ("", "_A", "_AA", "_AAA")
 
 
 @dataclass(frozen=True)
-class Selection:
+class Selection(Called):
     """A function that takes some outputs of another with the same arguments.
 
     source   -- the other one; it returns a tuple
@@ -72,7 +72,7 @@ class Selection:
 
 
 @dataclass(frozen=True)
-class Composition:
+class Composition(Called):
     """A function that calls `inner` of the slow flow with m = friction(mu) and h, h_A, ... of the mechanism put in.
 
     average  -- what gives h and its first derivatives; None where the inner kernel takes none
@@ -197,7 +197,7 @@ class Sums:
     @property
     def parameters(self) -> tuple[sp.Symbol, ...]:
         """Of the mechanism."""
-        return self.closing.arguments[len(self.closing.arguments) - self.closing.parameters :]
+        return self.closing.packed
 
 
 @dataclass(frozen=True)

@@ -1,6 +1,6 @@
 """Kernels as a template needs them: printed line by line, with what each branch and output depends on.
 
-In:  a `Kernel` with the straight-line `Program`s of its branches, a `Selection` or `Composition`; a `Language`.
+In:  a `Kernel` with the straight-line `Program`s of its branches, or a `Composition`; a `Language`.
 Out: `KernelView`, or a dict for what only calls others.
 """
 
@@ -22,7 +22,7 @@ from ..paper.restoring_force import FAR
 from ..paper.slow_flow import m
 from .bytecode import kept_beside
 from .compensated import Exact, twofold
-from .form import AVERAGED, Branch, Composition, Kernel, Module, Selection, TwofoldKernel
+from .form import AVERAGED, Branch, Composition, Kernel, Module, TwofoldKernel
 from .passes import Let, Program, program_of, straight_line
 from .prose import Prose, escaped
 from .proved import in_words
@@ -98,6 +98,16 @@ class KernelView:
     outputs_partial: tuple[bool, ...]
     unused: tuple[str, ...]
     guard_names: tuple[str, ...]
+
+    @property
+    def plain(self) -> tuple[str, ...]:
+        """The arguments before a mechanism's parameters."""
+        return self.arguments[: len(self.kernel.plain)]
+
+    @property
+    def packed(self) -> tuple[str, ...]:
+        """The parameters."""
+        return self.arguments[len(self.kernel.plain) :]
 
     @property
     def doc(self) -> str:
@@ -448,42 +458,14 @@ def twofold_view(kernel: TwofoldKernel, language: Language) -> dict[str, object]
 
 
 def composition_view(composition: Composition, calls: Calls) -> dict[str, object]:
-    """A composition as a template needs it: what to compute first, and the call of the inner kernel."""
-    arguments = [argument.name for argument in composition.arguments]
-    split = len(arguments) - composition.parameters
+    """A composition with the call of the inner kernel: its arguments, and what the average gives of them."""
     average = composition.average
     outputs = AVERAGED[: average.width] if average else ()
     local = {symbol.name: name for symbol, name in zip(AVERAGED, calls.averages, strict=True)}
     local[m.name] = calls.friction
     return {
-        "name": composition.name,
-        "doc": composition.doc,
-        "equation": composition.equation,
-        "domain": composition.domain,
-        "plain": arguments[:split],
-        "packed": arguments[split:],
+        "of": composition,
         "averages": [local[symbol.name] if symbol in composition.inner.arguments else "_" for symbol in outputs],
-        "average_function": average.name if average else "",
         "inner": calls.inner(composition.inner.name),
         "passed": [local.get(argument.name, argument.name) for argument in composition.inner.arguments],
-        "width": composition.width,
-        "returns": composition.returns,
-    }
-
-
-def selection_view(selection: Selection) -> dict[str, object]:
-    """A selection as a template needs it."""
-    arguments = [argument.name for argument in selection.arguments]
-    return {
-        "name": selection.name,
-        "doc": selection.doc,
-        "equation": selection.equation,
-        "domain": selection.domain,
-        "arguments": arguments,
-        "plain": arguments[: len(arguments) - selection.parameters],
-        "packed": arguments[len(arguments) - selection.parameters :],
-        "source": selection.source.name,
-        "width": selection.source.width,
-        "chosen": selection.chosen,
-        "returns": selection.returns,
     }

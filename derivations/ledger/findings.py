@@ -85,6 +85,11 @@ def _findings(facts: Facts, evidence: dict[str, str]) -> list[Finding]:
         if (label, mesh.k) != ("0.0300", 395)
     )
     entry = "table:table_2_row_{}_{}".format
+
+    def judged(title: str, *rows: str) -> Finding:
+        """A finding whose paragraph is the evidence of the first of its rows."""
+        return Finding(title, rows, evidence[rows[0]])
+
     return [
         Finding(
             "(20): the prefactor is half of what (21) and (22) need",
@@ -95,20 +100,12 @@ def _findings(facts: Facts, evidence: dict[str, str]) -> list[Finding]:
             f"({'both proved' if facts.integrals_agree else 'not proved'}), and (19) is right with these. So (20) "
             "should read H_i = −(1/π)∫; (21) onwards do not carry the slip on.",
         ),
-        Finding(
-            "Section 3.1: a nonzero μ does not force a numerical solution",
-            ("claim:numerical_only",),
-            evidence["claim:numerical_only"],
+        judged("Section 3.1: a nonzero μ does not force a numerical solution", "claim:numerical_only"),
+        judged(
+            "Section 3.2: a negative trace does not make every eigenvalue's real part negative", "claim:trace_negative"
         ),
-        Finding(
-            "Section 3.2: a negative trace does not make every eigenvalue's real part negative",
-            ("claim:trace_negative",),
-            evidence["claim:trace_negative"],
-        ),
-        Finding(
-            "Section 3.2: at a saddle node an eigenvalue is zero, not purely imaginary",
-            ("claim:imaginary_eigenvalue",),
-            evidence["claim:imaginary_eigenvalue"],
+        judged(
+            "Section 3.2: at a saddle node an eigenvalue is zero, not purely imaginary", "claim:imaginary_eigenvalue"
         ),
         Finding(
             "(33): the least positive real root is not A_s",
@@ -127,26 +124,17 @@ def _findings(facts: Facts, evidence: dict[str, str]) -> list[Finding]:
             ("claim:S_below_half",),
             evidence["claim:S_below_half"] + " (S = 1 for Ω > 1/2 is right, and proved: see `S_above_half`.)",
         ),
-        Finding(
-            "Section 4.2: λ changes the stiffness at fixed u_cr as r does",
-            ("claim:r_only_method",),
-            evidence["claim:r_only_method"],
-        ),
-        Finding(
+        judged("Section 4.2: λ changes the stiffness at fixed u_cr as r does", "claim:r_only_method"),
+        judged(
             "Section 4.2: friction's equivalent damping is not negligible near resonance",
-            ("claim:zeta_eq_near_resonance",),
-            evidence["claim:zeta_eq_near_resonance"],
+            "claim:zeta_eq_near_resonance",
         ),
         Finding(
             "Section 4.2: F_cr tends to 4μ/π, not πμ/4",
             ("formula:F_cr_limit_literal", "number:F_cr_limit", "claim:F_cr_limit"),
             evidence["claim:F_cr_limit"] + " The fraction is upside down: μ/F_0 = π/4 is the sticking threshold.",
         ),
-        Finding(
-            "Section 4.3: Ω_cr = 0.9288 is another point's frequency",
-            ("number:Omega_cr", "claim:example_Omega_cr"),
-            evidence["number:Omega_cr"],
-        ),
+        judged("Section 4.3: Ω_cr = 0.9288 is another point's frequency", "number:Omega_cr", "claim:example_Omega_cr"),
         Finding(
             "Table 2, row F_cr: computed at F_0 = 0.0300, and its jump-down is not at u_cr",
             (entry(3, "jump_up_Omega"), entry(3, "jump_down_Omega"), entry(3, "jump_down_A")),
@@ -163,11 +151,7 @@ def _findings(facts: Facts, evidence: dict[str, str]) -> list[Finding]:
             "digits while the amplitudes are off by up to half a step; the two that round differently are "
             f"{evidence_pair(facts)}.",
         ),
-        Finding(
-            "Table 2, 0.040: the jump-down frequency is 0.99385, printed 0.9938",
-            (entry(4, "jump_down_Omega"),),
-            evidence[entry(4, "jump_down_Omega")],
-        ),
+        judged("Table 2, 0.040: the jump-down frequency is 0.99385, printed 0.9938", entry(4, "jump_down_Omega")),
         Finding(
             "Table 2, 0.050: the jump-down frequency 1.0175 is the value of nothing found",
             (entry(5, "jump_down_Omega"), "claim:jump_points"),
@@ -176,11 +160,7 @@ def _findings(facts: Facts, evidence: dict[str, str]) -> list[Finding]:
             + f" In all, {facts.table_2_differing} of Table 2's 16 frequencies and amplitudes are not roundings of the "
             "folds.",
         ),
-        Finding(
-            "Section 5 (3): viscous damping raises F_cr at low preload too",
-            ("claim:conclusion_3_zeta",),
-            evidence["claim:conclusion_3_zeta"],
-        ),
+        judged("Section 5 (3): viscous damping raises F_cr at low preload too", "claim:conclusion_3_zeta"),
         Finding(
             "(A1): the spring force is printed x",
             ("formula:smoothed_equation_of_motion_x",),

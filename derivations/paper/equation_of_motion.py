@@ -119,7 +119,7 @@ def _roots(condition: sp.Expr) -> list[sp.Expr]:
         slope, constant = sp.Poly(condition, u).all_coeffs()
         return [sp.cancel(-constant / slope)]
     # check=False: SymPy would have to know delta_h < 1 to confirm the root, and drops it otherwise
-    return list(sp.solve(condition, u, check=False))
+    return list(sp.solve(condition, u, check=False, simplify=False))
 
 
 def without_cancellation(force: sp.Expr) -> sp.Expr:

@@ -216,15 +216,12 @@ static inline void rod_spring_intervals_known_passed_1_far_1(sf_interval A, sf_i
 static inline void rod_spring_intervals_known(int passed, sf_interval A, sf_interval beyond, const sf_interval *p, sf_interval *out)
 {
     const sf_interval u_cr = p[3];
-    if (passed == 0) {
+    if (passed == 0)
         rod_spring_intervals_known_passed_0(A, beyond, p, out);
-        return;
-    }
-    if (passed == 1 && A.lo <= sfi_mul(sfi_around(1.05), u_cr).hi) {
+    else if (passed == 1 && A.lo <= sfi_mul(sfi_around(1.05), u_cr).hi)
         rod_spring_intervals_known_passed_1(A, beyond, p, out);
-        return;
-    }
-    rod_spring_intervals_known_passed_1_far_1(A, beyond, p, out);
+    else
+        rod_spring_intervals_known_passed_1_far_1(A, beyond, p, out);
 }
 
 SF_FAMILY_END

@@ -224,15 +224,12 @@ TWOFOLD_INLINE void rod_spring_pairs_known_passed_1(sf_pair A, sf_pair beyond, c
 TWOFOLD_INLINE void rod_spring_pairs_known(int passed, sf_pair A, sf_pair beyond, const sf_pair *p, sf_pair *out)
 {
     const sf_pair u_cr = p[3];
-    if (passed == 0) {
+    if (passed == 0)
         rod_spring_pairs_known_passed_0(A, beyond, p, out);
-        return;
-    }
-    if (passed == 1 && A.high > 64.0 * u_cr.high) {
+    else if (passed == 1 && A.high > 64.0 * u_cr.high)
         rod_spring_pairs_known_passed_1_far_1(A, beyond, p, out);
-        return;
-    }
-    rod_spring_pairs_known_passed_1(A, beyond, p, out);
+    else
+        rod_spring_pairs_known_passed_1(A, beyond, p, out);
 }
 
 SF_FAMILY_END

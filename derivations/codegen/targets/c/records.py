@@ -16,7 +16,7 @@ import sympy as sp
 
 from ....forces.elliptic import FEW
 from ....mechanisms import DAMPING, FORCING, Mechanism, Parameter
-from ...form import GENERAL, Module
+from ...form import GENERAL, Kernel, Module
 from ...provenance import tools
 from ...views import templates
 from .. import bounded, interval, pair
@@ -136,14 +136,17 @@ def sums_of(name: str, width: int, module: Module) -> Sums:
     kernel = next((one for one in module.kernels if one.name == name), None)
     if kernel is None or not all(branch.name and not branch.kernel for branch in kernel.branches):
         return Sums(name, width, (f"{module.name}_{name}",))
-    show = CPrinter().doprint
-    pairs = [branch.guards for branch in kernel.branches[:-1]]
-    guards = [" && ".join(f"{show(left)} <= {show(right)}" for left, right in guarded) for guarded in pairs]
-    symbols = {symbol for guarded in pairs for pair in guarded for side in pair for symbol in side.free_symbols}
-    parameters = module.record.mechanism.parameters
-    read = {symbol.name: number for number, symbol in enumerate(parameters) if symbol in symbols}
     functions = (f"{module.name}_{name}_{branch.name}" for branch in kernel.branches)
-    return Sums(name, width, tuple(functions), tuple(guards), read)
+    return Sums(name, width, tuple(functions), *guards_of(kernel, module.record.mechanism.parameters))
+
+
+def guards_of(kernel: Kernel, arguments: Sequence[sp.Symbol]) -> tuple[tuple[str, ...], dict[str, int]]:
+    """Guards of a kernel's regimes in C but the last, and the numbers of the arguments that they read, by name."""
+    show = CPrinter().doprint
+    guarded = [branch.guards for branch in kernel.branches[:-1]]
+    texts = (" && ".join(f"{show(left)} <= {show(right)}" for left, right in pairs) for pairs in guarded)
+    read = set().union(*(side.free_symbols for pairs in guarded for pair in pairs for side in pair))
+    return tuple(texts), {symbol.name: number for number, symbol in enumerate(arguments) if symbol in read}
 
 
 def within(parameters: Sequence[Parameter], name: str) -> str:

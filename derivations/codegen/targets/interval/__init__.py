@@ -110,8 +110,7 @@ def beyond_breakpoints(kernel: Kernel, code: Sequence[Program]) -> tuple[Kernel,
         lets = tuple((symbol, value.xreplace(known)) for symbol, value in program.lets)
         outputs = tuple(value.xreplace(known) for value in program.outputs)
         found.append(dataclasses.replace(program, lets=lets, outputs=outputs))
-    own = len(kernel.arguments) - kernel.parameters
-    return dataclasses.replace(kernel, arguments=(*kernel.arguments[:own], BEYOND, *kernel.arguments[own:])), found
+    return dataclasses.replace(kernel, arguments=(*kernel.plain, BEYOND, *kernel.packed)), found
 
 
 def widened_branch(printed: BranchView, branch: Branch) -> BranchView:

@@ -12,11 +12,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from ...form import Composition, Kernel, Module, Selection
+from ...form import Called, Composition, Kernel, Module, Selection
 from ...provenance import tools
 from ...views import composition_view, templates
 from ..c import calls
-from ..c.printer import CPrinter
+from ..c.records import guards_of
 
 # SF_MOST_OPERANDS in kernels.h
 MOST_OPERANDS = 32
@@ -89,24 +89,16 @@ def element(k: int) -> str:
     return f"X({k})"
 
 
-def packed(first: int, end: int) -> tuple[str, ...]:
-    """Arguments as the headers take parameters."""
-    return (f"(const double[]){{{', '.join(map(element, range(first, end)))}}}",) if first < end else ()
-
-
-def guards_of(kernel: Kernel, names: Sequence[str]) -> tuple[tuple[str, ...], dict[str, int]]:
-    """Guards of a kernel's regimes in C, and which of the named arguments they read."""
-    show = CPrinter().doprint
-    texts, symbols = [], set()
-    for branch in kernel.branches[:-1]:
-        texts.append(" && ".join(f"{show(left)} <= {show(right)}" for left, right in branch.guards))
-        symbols |= {side.name for pair in branch.guards for part in pair for side in part.free_symbols}
-    return tuple(texts), {name: number for number, name in enumerate(names) if name in symbols}
+def elements(function: Called) -> list[str]:
+    """The arguments as the headers take them where several numbers come back: parameters as an array."""
+    every = [*map(element, range(len(function.arguments)))]
+    own, parameters = every[: len(function.plain)], every[len(function.plain) :]
+    return [*own, *([f"(const double[]){{{', '.join(parameters)}}}"] if parameters else [])]
 
 
 def of(one: Kernel | Selection | Composition, module: Module) -> Ufunc:
     """Anything that is compiled as a ufunc: its regimes are those of the kernel that it is or calls."""
-    names = tuple(argument.name for argument in one.arguments)
+    inputs = len(one.arguments)
     prefix = f"{module.name}_{one.name}"
     if isinstance(one, Kernel):
         called, loop = one, of_kernel(one, module)
@@ -115,8 +107,8 @@ def of(one: Kernel | Selection | Composition, module: Module) -> Ufunc:
     else:
         called, loop = one.average, of_composition(one, module)
     if called is None:
-        return Ufunc(one.name, prefix, len(names), one.width, loop)
-    return Ufunc(one.name, prefix, len(names), one.width, loop, named(called, module)[1], *guards_of(called, names))
+        return Ufunc(one.name, prefix, inputs, one.width, loop)
+    return Ufunc(one.name, prefix, inputs, one.width, loop, named(called, module)[1], *guards_of(called, one.arguments))
 
 
 def named(kernel: Kernel, module: Module) -> tuple[str, tuple[str, ...]]:
@@ -133,12 +125,9 @@ def named(kernel: Kernel, module: Module) -> tuple[str, tuple[str, ...]]:
 
 def of_kernel(kernel: Kernel, module: Module) -> list[str]:
     """A call of a kernel."""
-    every = len(kernel.arguments)
     if kernel.returns == "scalar":  # the headers take the parameters one by one where a single number comes back
-        return ["SF_SCALAR", named(kernel, module)[0], *map(element, range(every))]
-    split = every - kernel.parameters
-    arguments = (*map(element, range(split)), *packed(split, every))
-    return ["SF_TUPLE", str(kernel.width), named(kernel, module)[0], *arguments]
+        return ["SF_SCALAR", named(kernel, module)[0], *map(element, range(len(kernel.arguments)))]
+    return ["SF_TUPLE", str(kernel.width), named(kernel, module)[0], *elements(kernel)]
 
 
 def through(
@@ -152,17 +141,13 @@ def through(
 
 def of_selection(selection: Selection, module: Module) -> list[str]:
     """A call of its source, of which the compiler leaves out what is not taken."""
-    every = len(selection.arguments)
-    split = every - selection.parameters
     taken = (f"values[{k}] = all[{number}]" for k, number in enumerate(selection.chosen))
-    arguments = (*map(element, range(split)), *packed(split, every))
-    return through(selection.source, module, selection.width, arguments, *taken)
+    return through(selection.source, module, selection.width, elements(selection), *taken)
 
 
 def of_composition(composition: Composition, module: Module) -> list[str]:
     """A call of the slow flow's function, within each regime of the average."""
     number = {argument.name: element(k) for k, argument in enumerate(composition.arguments)}
-    every = len(composition.arguments)
     in_C = calls(module)
     friction = in_C.friction.replace("(mu)", f"({number.get('mu', '')})")
     averages = tuple(f"all[{k}]" for k in range(len(in_C.averages)))
@@ -174,5 +159,5 @@ def of_composition(composition: Composition, module: Module) -> list[str]:
         return ["SF_TUPLE", str(composition.width), seen["inner"], *passed]
     inner = f"{seen['inner']}({', '.join(passed)}"
     last = f"values[0] = {inner})" if composition.returns == "scalar" else f"{inner}, values)"
-    arguments = (number["A"], *packed(every - composition.parameters, every))
+    arguments = (number["A"], *elements(composition)[len(composition.plain) :])
     return through(composition.average, module, composition.width, arguments, last)
