@@ -14,6 +14,7 @@ import numpy as np
 
 from slowflow import validate
 from slowflow.answer import joined, sentences
+from slowflow.averaged.plan import OFF_CENTRE, plan_off_centre
 from slowflow.averaged.questions import Averaged
 from slowflow.certificate import Certificate
 from slowflow.composed import ComposedQuestions
@@ -196,11 +197,9 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
             self._in_time(None)  # refuses laws that are stated at a frequency
         if not self._off_centre_by:
             return super().explain(question, F_0)
-        from slowflow.off_centre import plan
-
-        if question not in plan.STEPS:
+        if question not in OFF_CENTRE:
             self.at_centre(f"explain({question!r})")
-        return plan.plan(question, F_0, self.off_centre.model.unloaded)
+        return plan_off_centre(question, F_0, self.off_centre.model.unloaded)
 
     def replace(self, **changes: Any) -> Self:
         """Return another oscillator with some of the arguments changed that this one was made from, by name."""

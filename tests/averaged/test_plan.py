@@ -10,7 +10,6 @@ from slowflow import Duffing, backend
 from slowflow.averaged import plan, solvers
 from slowflow.example import TABLE_1, isolator
 from slowflow.model import Model
-from slowflow.off_centre import plan as off_centre
 from slowflow_kernels import duffing, rod_spring
 
 
@@ -166,7 +165,7 @@ NOT_AVERAGED = ("force", "stiffness", "sweep", "transient", "shock_spectrum")
 def test_every_question_off_the_centre_has_a_plan():
     """Of what a load has no answer to there is none; a plan can be copied, and says where the mass sticks."""
     loaded = isolator(load=0.03)
-    for name in off_centre.STEPS:
+    for name in plan.OFF_CENTRE:
         F_0 = 0.04 if name in plan.AT_ONE else None
         found = loaded.explain(name, F_0)
         assert callable(getattr(loaded, name)) and found.question == name
