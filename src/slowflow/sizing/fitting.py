@@ -66,7 +66,21 @@ Fitted = entry("Fitted", "parameter unit value error low high", "A row of `Fit`.
 
 
 @dataclass(frozen=True, eq=False)
-class Fit(Table):
+class Numbers(Table):
+    """What fits have in common: numbers with their standard errors and intervals, one row each."""
+
+    entry: ClassVar[Any] = Fitted
+
+    parameter: npt.NDArray[np.str_]
+    unit: npt.NDArray[np.str_]
+    value: Floats
+    error: Floats
+    low: Floats
+    high: Floats
+
+
+@dataclass(frozen=True, eq=False)
+class Fit(Numbers):
     """Numbers that a measurement says, one row each.
 
     value     -- the number, of a mount in SI units, which `unit` says
@@ -80,14 +94,6 @@ class Fit(Table):
     correlation -- of the numbers, shape (n, n)
     """
 
-    entry: ClassVar[Any] = Fitted
-
-    parameter: npt.NDArray[np.str_]
-    unit: npt.NDArray[np.str_]
-    value: Floats
-    error: Floats
-    low: Floats
-    high: Floats
     design: Any = field(repr=False)
     residuals: Floats
     at: Floats

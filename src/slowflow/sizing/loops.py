@@ -8,18 +8,16 @@ turn.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
 from slowflow import validate
-from slowflow.answer import Table
 from slowflow.isolator import Duffing
 from slowflow.mechanism import Floats
 from slowflow.physical import Physical
 from slowflow.quantities import SHEET, in_shown, si
-from slowflow.sizing.fitting import CONFIDENCE, Fitted
+from slowflow.sizing.fitting import CONFIDENCE, Numbers
 from slowflow.support.errors import NotSettled, Refused
 
 #: slower than this share of the fastest, a motion turns: friction changes sides, and may take a displacement for it
@@ -36,7 +34,7 @@ SYSTEMATIC = (
 
 
 @dataclass(frozen=True, eq=False)
-class Loop(Table):
+class Loop(Numbers):
     """What a force-displacement loop says, one row each; values in SI units.
 
     error     -- standard errors; low, high -- 95 % confidence intervals, of normal noise in the force
@@ -45,14 +43,6 @@ class Loop(Table):
     deviation -- standard deviation of the residuals, in N
     """
 
-    entry: ClassVar[Any] = Fitted
-
-    parameter: npt.NDArray[np.str_]
-    unit: npt.NDArray[np.str_]
-    value: Floats
-    error: Floats
-    low: Floats
-    high: Floats
     F_mean: float
     x: Floats = field(repr=False)
     F: Floats = field(repr=False)
