@@ -14,6 +14,7 @@ slopes, held on all of the box, can change it by. So it is held the better the s
 
 from __future__ import annotations
 
+from collections import namedtuple
 from collections.abc import Sequence
 from functools import cache
 from itertools import pairwise
@@ -103,17 +104,8 @@ class Part(NamedTuple):
         return [f - (u * b + a), slope - b, *others]
 
 
-class Ended(NamedTuple):
-    """Moments on boxes of both ends of the motion: c_0, s_0, c_1 +- s_1, of r'' with (1 +- cos)^2; c_3 and s_2."""
-
-    c_0: Interval
-    s_0: Interval
-    P_1: Interval
-    Q_1: Interval
-    P_P: Interval
-    Q_Q: Interval
-    c_3: Interval
-    s_2: Interval
+#: moments on boxes of both ends of the motion: c_0, s_0, c_1 +- s_1, of r'' with (1 +- cos)^2; c_3 and s_2
+Ended = namedtuple("Ended", "c_0 s_0 P_1 Q_1 P_P Q_Q c_3 s_2")
 
 
 class Curved:
