@@ -103,6 +103,7 @@ DATA_SHEET: Mapping[str, tuple[str, str]] = MappingProxyType(
 SHEET: Mapping[str, str] = MappingProxyType({name: unit for name, (unit, _) in DATA_SHEET.items()})
 #: a mount's names for the letters of the scales of its design and its damping
 NAMES = {"lam": "n", "k_h": "k_h", "Delta_h": "preload", "F_c": "friction", "c": "c", "c_q": "c_2"}
+NAMES |= {"k_1": "k_1", "k_3": "k_3"}
 #: numbers of a mount that add up over several
 PER_MOUNT = ("k_v", "k_h", "friction", "c", "c_2")
 #: the bases of all scales, in the order of their powers
@@ -126,6 +127,8 @@ OF_KIND: Mapping[str, Scale] = MappingProxyType(
         "rate": Scale("omega_n", 1.0, (0.5, 0.0, -0.5)),
     }
 )
+#: of a cubic spring
+CUBIC = {"alpha": Scale("k_1", 1.0, (1.0, 0.0, 0.0)), "beta": Scale("k_3", 1.0, (1.0, -2.0, 0.0))}
 WITHOUT_PRELOAD = "without preload the springs never touch the push-rod: no number of theirs moves an answer"
 #: member that only the dimensionless answer has
 OF_THE_ANSWER = "validity"
@@ -421,8 +424,8 @@ class Scales:
     @cached_property
     def measures(self) -> dict[str, tuple[str, Scale]]:
         """A mount's name for each number of a design and of its damping, by name, and its scale."""
-        damping = ((one, SCALES[one.name]) for one in (*DAMPING, *DISSIPATION))
-        scales = {one.name: scale for one, scale in (*zip(ROD_SPRING.design, ROD_SPRING.scales, strict=True), *damping)}
+        design = CUBIC if "k_1" in self.sheet else dict(zip(ROD_SPRING.design_names, ROD_SPRING.scales, strict=True))
+        scales = design | {one.name: SCALES[one.name] for one in (*DAMPING, *DISSIPATION)}
         scales |= {"zeta": PURE} if self.damping == "zeta" else {}
         found = {}
         for name, scale in scales.items():

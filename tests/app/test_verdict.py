@@ -176,6 +176,18 @@ def test_a_design_in_another_folder_reads_the_same_columns(tmp_path, monkeypatch
     assert {**changed.content, "mount": 0} == {**own.content, "mount": 0}
 
 
+def test_a_cubic_spring_meets_its_requirements_within_tolerances(tmp_path, capsys):
+    """Linear: the peak is F/(2 zeta sqrt(1 - zeta^2) k_1), and k_1 is off by at most a tenth."""
+    spring = {"m": 10.0, "k_1": 4000.0, "zeta": 0.1}
+    path = scene(tmp_path, PEAK + FREE, "questions = ['tolerances']\n[tolerances]\nk_1 = 0.1", spring, kind="spring")
+    assert cli.main(["meet", str(path), "-o", str(tmp_path / "met.toml"), "--quiet"]) == 0
+    zeta = read(tmp_path / "met.toml").content["spring"]["zeta"]
+    assert 2 * zeta * math.sqrt(1 - zeta**2) == pytest.approx(5.0 / (0.006 * 4000), rel=3e-6)
+    # half of the products are softer
+    assert verdict(read(tmp_path / "met.toml")).products == pytest.approx(0.5, abs=0.01)
+    capsys.readouterr()
+
+
 @pytest.mark.slow
 def test_of_several_load_cases_the_one_that_binds_is_a_root(tmp_path):
     """By bisection over single answers: the springs from which on it jumps at the greater force."""

@@ -9,7 +9,7 @@ import pytest
 import scipy
 from scipy.optimize import brentq
 
-from slowflow import Duffing, Isolator, progress
+from slowflow import Duffing, Isolator, derive, progress
 from slowflow.example import isolator
 from slowflow.sizing import fit, front, meet, sobol, tolerances
 from slowflow.sizing.subject import Subject
@@ -87,6 +87,19 @@ def of_spectrum(mount, table, sticks):
         "rows_detach": rows.detaches.sum(),
         "rows_stick": sticks,
     }
+
+
+def test_each_sample_of_a_cubic_spring_is_its_own_answer():
+    """Its stiffness is what it is measured in: a damping ratio follows k_1, and m is what moves."""
+    spring = Duffing.physical(m=12, k_1=2500, k_3=4e5, friction=0.4, zeta=0.02)
+    found = tolerances(spring, {"m": 0.1, "k_1": 0.1, "k_3": 0.2, "friction": 0.1, "zeta": 0.3}, F=20.0, samples=8)
+    for k in range(8):
+        one = spring.replace(**{name: float(values[k]) for name, values in found.drawn.items()})
+        assert found.samples["F_SN"][k] == pytest.approx(one.saddle_node_onset().F_SN, rel=1e-12)
+        assert found.samples["A_peak"][k] == pytest.approx(one.peak(20.0).A, rel=1e-12)
+        assert found.samples["f_rest"][k] == pytest.approx(one.at_rest().f_0, rel=1e-12)
+    best = meet(spring, {"zeta": (0.01, 0.3)}, at_least={"F_SN": 30.0})
+    assert spring.replace(**best.numbers).saddle_node_onset().F_SN == pytest.approx(30.0, rel=1e-6)
 
 
 def test_margins_over_a_load_spectrum_have_bands():
@@ -252,14 +265,14 @@ def test_an_index_that_is_not_defined_is_nan_and_said():
 
 def test_what_is_not_allowed_is_refused_in_words(monkeypatch):
     refused = [
-        (lambda: tolerances(Duffing(1.0, 0.1), {"beta": 0.1}), "must be an Isolator"),
+        (lambda: tolerances(Duffing, {"beta": 0.1}), "must be an oscillator, or a mount in SI units"),
         (lambda: tolerances(MOUNT, {"kh": 0.1}), "'kh' cannot be varied: it must be one of m, k_v, L, n, k_h"),
         (lambda: tolerances(MOUNT, {"k_h": 1.5}), r"within\['k_h'\] = 1.5 is not allowed"),
         (lambda: tolerances(MOUNT, {}), "name at least one number"),
         (lambda: tolerances(MOUNT, ["k_h"]), "within must be a mapping from names to how far each number may be off"),
         (lambda: tolerances(MOUNT.replace(friction=0), {"friction": 0.3}), "is a share of 0: give a distribution"),
         (lambda: tolerances(MOUNT, {"k_h": 0.1}, F_0=0.1), "the forcing of a mount is F"),
-        (lambda: tolerances(isolator(), {"r": 0.1}, F=0.1), "the forcing of an isolator is F_0"),
+        (lambda: tolerances(isolator(), {"r": 0.1}, F=0.1), "the forcing of an oscillator is F_0"),
         (lambda: tolerances(MOUNT, {"k_h": 0.1}, answers=["A_peak"]), "A_peak needs a forcing: give F"),
         (lambda: tolerances(MOUNT, {"k_h": 0.1}, F=5, answers=["A"]), "A needs a frequency: give f"),
         (lambda: tolerances(MOUNT, {"k_h": 0.1}, Omega=1.0), "the frequency of a mount is f"),
@@ -564,6 +577,29 @@ def test_a_backbone_without_noise_has_the_numbers_of_its_spring():
     A = np.linspace(0.004, 0.03, 8)
     found = fit(MOUNT.replace(k_h=1500, preload=0.010), A=A, backbone=MOUNT.backbone(A), free=["k_h", "preload"])
     assert found.value == pytest.approx([1700, 0.009], rel=1e-9)
+
+
+def test_a_cubic_spring_is_found_from_its_backbone():
+    """(2 pi f)^2 m = k_1 + 3/4 k_3 A^2; without a spring at the centre too."""
+    A = np.linspace(0.005, 0.05, 12)
+    for k_1, k_3 in ((2500.0, 4e5), (2500.0, -1e5), (0.0, 4e5)):
+        f = np.sqrt((k_1 + 0.75 * k_3 * A**2) / 12) / (2 * np.pi)
+        start = Duffing.physical(m=12, k_1=0.8 * k_1, k_3=1.3 * k_3)
+        free = ["k_1", "k_3"] if k_1 else ["k_3"]
+        found = fit(start, A=A, backbone=f, free=free)
+        np.testing.assert_allclose(found.value, [k_1, k_3] if k_1 else [k_3], rtol=1e-9)
+
+
+@pytest.mark.slow
+def test_every_mechanism_is_fitted_by_its_own_numbers():
+    """One that is derived at run time, from single answers on both sides of its breakpoint."""
+    made = derive.library("bilinear")
+    one = made(kappa=0.4, delta=0.2, mu=0.005, zeta=0.03)
+    Omega = np.linspace(0.5, 1.5, 25)
+    A = [one.amplitudes(Omega=at, F_0=0.05).A.max() for at in Omega]
+    found = fit(made(kappa=0.5, delta=0.25, mu=0.004, zeta=0.04), Omega=Omega, F_0=0.05, A=A)
+    assert found.parameter.tolist() == ["mu", "zeta", "kappa", "delta"]
+    np.testing.assert_allclose(found.value, [0.005, 0.03, 0.4, 0.2], rtol=1e-9)
 
 
 def test_one_data_set_is_weighted_by_nothing():

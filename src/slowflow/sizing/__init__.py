@@ -3,7 +3,7 @@
 In:  an `Isolator`, or a mount in SI units (`Isolator.physical`). Out: `tolerances`, `sobol`, `meet`, `front`, `fit`;
      of a measured force-displacement loop `from_loop`.
 
-Answers that can be asked for, of a mount; frequencies of an isolator without dimensions begin with Omega_ for f_:
+Answers that can be asked for, of a mount; frequencies of an oscillator without dimensions begin with Omega_ for f_:
 
     F_SN, F_cr   -- the lowest forcing with a fold, and that which lifts the springs; inf where there is none. Of a
                     mount on a base that shakes Y_SN and Y_cr, in m; with an unbalance U_SN and U_cr, in kg m

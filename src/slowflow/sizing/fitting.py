@@ -86,7 +86,7 @@ class Fit(Numbers):
     value     -- the number, of a mount in SI units, which `unit` says
     error     -- its standard error, of the equations made linear; low, high -- its 95 % confidence interval by the
                  profile likelihood, with 0 or inf where the points do not bound it
-    design    -- the isolator or the mount that has these numbers
+    design    -- the oscillator or the mount that has these numbers
     residuals -- measured less fitted amplitude, phase or jump frequency at each point, in the order of the points; up
                  first
     at        -- the frequency, or the forcing, of each point; names -- of `at` and `residuals`, with their units
@@ -130,7 +130,7 @@ def fit(
     free: Sequence[str] | None = None,
     **at: Unpack[Measured],
 ) -> Fit:
-    """Fit parameters of an isolator to measured amplitudes, phases, jumps or a backbone, by least squares.
+    """Fit parameters of an oscillator to measured amplitudes, phases, jumps or a backbone, by least squares.
 
     Noise is taken to be normal and the same at all points; noise in proportion to the amplitude leaves intervals that
     are too narrow. They know of noise alone, not that averaging is an approximation, which may move a number by a
@@ -142,7 +142,7 @@ def fit(
 
     Parameters
     ----------
-    of : Isolator or Physical
+    of : Oscillator or Physical
         Where the search begins, and what is not free; a mount in SI units.
     *sets : mapping
         Several data sets together: of each the arguments below by name, and `deviation`, its standard deviation. These
@@ -157,9 +157,9 @@ def fit(
     backbone : array_like, optional
         With A and no forcing: frequencies of free vibration at these amplitudes, or of resonance, in Hz of a mount.
     free : sequence of str, optional
-        Names of the parameters to fit; by default friction, damping, stiffness and preload of the springs.
+        Names of the parameters to fit; by default friction, damping and the springs' numbers.
     **at : Measured
-        Forcings by their letter, F, Y, a or U of a mount as in `Physical`, F_0 of an isolator, and frequencies, f in
+        Forcings by their letter, F, Y, a or U of a mount as in `Physical`, F_0 of an oscillator, and frequencies, f in
         Hz or Omega; they broadcast with A or phi.
 
     Returns
@@ -182,8 +182,8 @@ def fit(
             _one_set(of, free, **{name: value for name, value in one.items() if name != "deviation"}) for one in sets
         ]
         subject, measured = found[0][0], _together([one for _, one in found], [one.get("deviation") for one in sets])
-    damping = "c" if "c" in subject.nominal else "zeta"
-    default = ["friction", damping, "k_h", "preload"] if subject.mount else ["mu", "zeta", "r", "delta_h"]
+    # the number of springs is known
+    default = [subject.name(one) for one in ("mu", "zeta", *subject.mechanism.design_names) if one != "lam"]
     with np.errstate(
         over="ignore", divide="ignore", invalid="ignore"
     ):  # numbers at the ends of the range: words follow

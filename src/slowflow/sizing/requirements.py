@@ -114,7 +114,7 @@ class Front(Table):
         return replace(self, one=frozen(self.one / size), other=frozen(self.other / other), units=(shown, other_unit))
 
     def design(self, k: int) -> Any:
-        """Make the isolator or the mount of row k."""
+        """Make the oscillator or the mount of row k."""
         return self._of.replace(**{name: float(values[k]) for name, values in self.numbers.items()})
 
     def columns(self) -> dict[str, Any]:
@@ -368,7 +368,7 @@ def meet(
 
     Parameters
     ----------
-    of : Isolator or Physical
+    of : Oscillator or Physical
         The nominal design; a mount in SI units.
     free : mapping
         By name, the lowest and the highest value of each parameter that may change; distances are fractions of that.

@@ -1,4 +1,4 @@
-"""What is sized. Takes an isolator or a mount and values of its numbers; returns the answers of all these designs.
+"""What is sized. Takes an oscillator or a mount and values of its numbers; returns the answers of all these designs.
 
 A number of a mount is varied in its own terms, and may change what the answers are measured in, as m or k_v do.
 """
@@ -31,7 +31,7 @@ from slowflow_kernels.conventions import FoldKind, Status
 from slowflow_kernels.domains import DISSIPATION
 
 #: what can be asked of designs, and which column of `table` that is one of; a frequency is called with an f of a mount,
-#: with an Omega of an isolator
+#: with an Omega of an oscillator
 OF_ALL_FORCINGS = {"F_SN": "F_SN", "F_cr": "F_cr", "rest": "Omega"}
 OF_FRICTION = {"break_loose": "break_loose", "sticking": "sticking"}
 OF_FREQUENCIES = ("peak", "jump_up", "jump_down", "band", "isolation")
@@ -57,14 +57,14 @@ AT_NO_FREQUENCY = "{} is not available with structural damping, which is stated 
 PAIR = "({1}, {0}), the columns of a table"
 
 
-#: of an isolator without dimensions
+#: of an oscillator without dimensions
 UNSCALED = Scales(m=1.0, k_v=1.0, L=1.0)
 #: laws of damping beside mu and zeta, by the names of their numbers, and a mount's word for mu_s
 LAWS, STATIC = tuple(one.name for one in DISSIPATION), "static_friction"
 
 
 class Measured(TypedDict, total=False):
-    """Where something is measured: the amplitude of the excitation by its letter, F_0 of an isolator; the frequency."""
+    """Where something is measured: the amplitude of the excitation by its letter, or F_0; the frequency."""
 
     F: Any
     Y: Any
@@ -99,7 +99,7 @@ class Load:
 
 
 class Subject:
-    """An isolator or a mount whose numbers are varied.
+    """An oscillator or a mount whose numbers are varied.
 
     varied  -- names of those that are
     nominal -- the numbers that can be varied, by name, as they are
@@ -111,7 +111,8 @@ class Subject:
 
     at      -- the load case; of a base its letter tells whether displacement or acceleration is meant
 
-    Raises ValueError for what is no isolator, for a number that cannot be varied, and for a load of the other one.
+    Raises ValueError for what is no oscillator or has a force that is not odd, for a number that cannot be varied, and
+    for a load of the other one.
     """
 
     def __init__(self, of: Any, varied: Iterable[str] = (), at: Mapping[str, Any] = MappingProxyType({})) -> None:
@@ -122,27 +123,27 @@ class Subject:
             of, _ = of._excited(None, forcing)
         self.of = of
         self.mount = of if isinstance(of, Physical) else None
-        isolator = of.oscillator if isinstance(of, Physical) else of
-        if not isinstance(isolator, Isolator):
-            raise Refused(f"{of!r} is not allowed: it must be an Isolator, or one made by Isolator.physical")
-        # a single one without preload is answered as a linear spring, which has none of its numbers
-        self.mechanism, self.excitation = _averaged(isolator.given["force"]), isolator.excitation
-        self.loaded, self.rubs = isolator.load != 0, isolator.rubs
-        known = (UNSCALED if self.mount is None else self.mount.scales).measures
+        oscillator = of.oscillator if isinstance(of, Physical) else of
+        if not isinstance(oscillator, Oscillator):
+            raise Refused(f"{of!r} is not allowed: it must be an oscillator, or a mount in SI units")
+        # an isolator without preload is answered as a linear spring, which has none of its numbers
+        named = isinstance(oscillator, Isolator)
+        self.mechanism = _averaged(oscillator.given["force"]) if named else oscillator.model.mechanism
+        self.excitation, self.loaded, self.rubs = oscillator.excitation, oscillator.load != 0, oscillator.rubs
+        if not self.mechanism.odd:
+            raise Refused(f"{of!r} is not allowed: its force is not odd")
+        plain = {one: (one, PURE) for one in (*self.mechanism.design_names, "mu", "zeta", *LAWS)}
+        known = plain if self.mount is None else self.mount.scales.measures
         #: names and sizes here of the numbers of a design, by their names there; under a load without other laws
-        self._measures = {
-            name: row if self.mount else (name, PURE)
-            for name, row in known.items()
-            if not (self.loaded and name in LAWS)
-        }
+        self._measures = {name: row for name, row in known.items() if not (self.loaded and name in LAWS)}
         self.mounts = 1 if self.mount is None else self.mount.scales.mounts
-        self.nominal = self._numbers(isolator)
+        self.nominal = self._numbers(oscillator)
         for name in varied:
             if name not in self.nominal:
                 allowed = f"{', '.join(self.nominal)}{validate.meant(name, self.nominal)}"
                 raise Refused(f"{name!r} cannot be varied: it must be one of {allowed}")
         # laws of damping beside mu and zeta that some design has
-        self.laws = {*isolator.model.laws.present, *(name for name in LAWS if name in varied)}
+        self.laws = {*oscillator.model.laws.present, *(name for name in LAWS if name in varied)}
         self.one_by_one = self.loaded or bool(self.laws)
         letter = "Omega" if self.mount is None else "f"
         self.names = ("F_0", letter) if self.mount is None else (self.mount.scales.symbol("F_0"), letter)
@@ -150,7 +151,7 @@ class Subject:
             ("forcing", "frequency"), self.names, ((*LETTERS, "F_0"), ("f", "Omega")), strict=True
         ):
             if any(name != own for name in names if name in self.at):
-                raise Refused(f"the {what} of {'a mount' if self.mount else 'an isolator'} is {own}")
+                raise Refused(f"the {what} of {'a mount' if self.mount else 'an oscillator'} is {own}")
         others = ABOUT_THE_CENTRE if self.loaded else UNDER_A_LOAD
         others = others | (OF_INERTIA if self.loaded or self.excitation == "force" else {})
         others = others | (IN_A_SHOCK if "eta" in self.laws else {})
@@ -159,13 +160,15 @@ class Subject:
         if self.mount is not None:
             self.answers = {self.mount.scales.kind(name)[0]: plain for name, plain in self.answers.items()}
 
-    def _numbers(self, isolator: Isolator) -> dict[str, float]:
-        """What an isolator was made from, a mount's in SI units; static friction only where it is given."""
+    def _numbers(self, oscillator: Oscillator) -> dict[str, float]:
+        """What an oscillator was made from, a mount's in SI units; static friction only where it is given."""
         scales = UNSCALED if self.mount is None else self.mount.scales
         base = {name: getattr(scales, name) for name in ("m", "k_v", "L")}
-        own = {word: getattr(isolator, name) * size(scale, **base) for name, (word, scale) in self._measures.items()}
+        own = {word: getattr(oscillator, name) * size(scale, **base) for name, (word, scale) in self._measures.items()}
         if self.mount is None:
-            return own | {name: isolator.given[name] for name in ("load", "mu_s") if name in isolator.given}
+            return own | {name: oscillator.given[name] for name in ("load", "mu_s") if name in oscillator.given}
+        if "k_1" in own:
+            return {"m": base["m"], **own}
         # what moves is the load; m is what the vertical spring is preset for
         masses = {"load": base["m"], "m": float(si("m", self.mount.given["m"], "kg"))} if self.loaded else {}
         found: dict[str, float] = {**base, "k_v": base["k_v"] / scales.mounts, **masses, **own}
@@ -173,6 +176,10 @@ class Subject:
             # as it was given: rounded, it may be less than friction
             found[STATIC] = max(float(si(STATIC, static, "N")), found["friction"])
         return found
+
+    def name(self, plain: str) -> str:
+        """Of a dimensionless number, as it can be varied."""
+        return self._measures[plain][0]
 
     @property
     def amplitude(self) -> str:
@@ -283,13 +290,9 @@ class Subject:
         numbers: dict[str, Any] = {**self.nominal, **values}
         shape = np.broadcast_shapes(*(np.shape(value) for value in numbers.values()))
         units: dict[str, Any] = dict.fromkeys((*UNITS, ""), 1.0)
-        static, kinetic = numbers.pop(STATIC if self.mount else "mu_s", None), numbers[self._measures["mu"][0]]
+        static, kinetic = numbers.pop(STATIC if self.mount else "mu_s", None), numbers[self.name("mu")]
         if self.mount is not None:
-            base = {
-                "m": numbers["load" if self.loaded else "m"],
-                "k_v": numbers["k_v"] * self.mounts,
-                "L": numbers["L"],
-            }
+            base = self._base(numbers)
             units = {**sizes(**base), "": 1.0}
             weight = {"load": (numbers["load"] - numbers["m"]) * g / units["force"]} if self.loaded else {}
             own = self._measures.items()
@@ -304,6 +307,17 @@ class Subject:
             loads = {**arrays, "load": arrays.pop("load")}
             return OffCentreDesigns(self.mechanism, loads, self.excitation), mu_s, units
         return Designs(self.mechanism, arrays, self.excitation, self.rubs), mu_s, units
+
+    def _base(self, numbers: Mapping[str, Any]) -> dict[str, Any]:
+        """What answers of these designs are measured in."""
+        assert self.mount is not None
+        if "k_1" not in numbers:
+            k_v = numbers["k_v"] * self.mounts
+            return {"m": numbers["load" if self.loaded else "m"], "k_v": k_v, "L": numbers["L"]}
+        # as `Duffing.physical` has it: zeta is that of k_1
+        L = self.mount.scales.L
+        k_v = abs(numbers["k_1"]) if self.nominal["k_1"] else abs(numbers["k_3"]) * L**2
+        return {"m": numbers["m"], "k_v": k_v, "L": L}
 
 
 class _Batch:

@@ -135,11 +135,11 @@ def tolerances(
     seed: int = 0,
     **at: Unpack[LoadCase],
 ) -> Tolerances:
-    """Propagate tolerances of an isolator's parameters to its answers, by Latin hypercube sampling.
+    """Propagate tolerances of an oscillator's parameters to its answers, by Latin hypercube sampling.
 
     Parameters
     ----------
-    of : Isolator or Physical
+    of : Oscillator or Physical
         The nominal design; a mount in SI units.
     within : mapping
         By name of a parameter: 0.05 for any value within 5 % of the nominal one, or a distribution of the value itself,
@@ -152,7 +152,7 @@ def tolerances(
     seed : int
         Of the random numbers.
     **at : LoadCase
-        Forcing by its letter, F, Y, a or U of a mount as in `Physical`, F_0 of an isolator; frequency f in Hz or Omega;
+        Forcing by its letter, F, Y, a or U of a mount as in `Physical`, or F_0; frequency f in Hz or Omega;
         `shock`, peak and duration of a half sine of the base, in m/s^2 and s of a mount; `spectrum`, (f, F) or
         (Omega, F_0), as many numbers of each.
 
