@@ -27,7 +27,8 @@ html_css_files = ["site.css"]
 html_js_files = ["site.js"]
 html_search_scorer = str(DOCS / "site" / "scorer.js")
 html_extra_path = ["explorer.html"]
-html_split_index = True
+# the search has every name
+html_use_index = False
 html_copy_source = False
 html_show_sphinx = False
 html_math_renderer = "mathml"
@@ -42,7 +43,7 @@ autodoc_member_order = "bysource"
 autodoc_typehints = "none"
 # a method described by a base class is on the page of that
 autodoc_inherit_docstrings = False
-autodoc_default_options = {"members": True, "undoc-members": False, "show-inheritance": False}
+autodoc_default_options = {"members": True}
 
 
 def setup(app: Any) -> dict[str, Any]:

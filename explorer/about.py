@@ -36,15 +36,15 @@ PRESETS: tuple[tuple[str, Oscillator, float, float], ...] = (
     ("Frictionless", Isolator(**{**TABLE_1, "mu": 0.0}), 0.03, WINDOW[1]),
     ("Hardening Duffing", Duffing(alpha=1.0, beta=4.0, mu=0.01, zeta=0.03), 0.06, 2.5),
     ("Softening Duffing", Duffing(alpha=1.0, beta=-0.5, mu=0.01, zeta=0.05), 0.1, WINDOW[1]),
-    ("A floor that shakes", Isolator(**{**TABLE_1, "zeta": 0.05}, excitation="base"), 0.06, WINDOW[1]),
-    ("A machine out of balance", Isolator(**{**TABLE_1, "zeta": 0.05}, excitation="unbalance"), 0.05, WINDOW[1]),
+    ("Base excitation", Isolator(**{**TABLE_1, "zeta": 0.05}, excitation="base"), 0.06, WINDOW[1]),
+    ("Rotating unbalance", Isolator(**{**TABLE_1, "zeta": 0.05}, excitation="unbalance"), 0.05, WINDOW[1]),
 )
 #: those of the library: a title, its name there, its numbers, F_0, and the highest frequency that is shown
 LIBRARY: tuple[tuple[str, str, Mapping[str, float], float, float], ...] = (
     ("Elastic stops", "elastic_stop", {"kappa": 8.0, "delta": 0.2, "mu": 0.005, "zeta": 0.03}, 0.05, 2.5),
-    ("A stop on one side", "one_sided_stop", {"kappa": 8.0, "delta": 0.2, "mu": 0.005, "zeta": 0.03}, 0.05, 2.0),
-    ("A softer spring beyond", "bilinear", {"kappa": 0.4, "delta": 0.2, "mu": 0.005, "zeta": 0.03}, 0.05, WINDOW[1]),
-    ("Play", "dead_zone", {"delta": 0.2, "mu": 0.005, "zeta": 0.05}, 0.05, WINDOW[1]),
+    ("One-sided stop", "one_sided_stop", {"kappa": 8.0, "delta": 0.2, "mu": 0.005, "zeta": 0.03}, 0.05, 2.0),
+    ("Bilinear spring", "bilinear", {"kappa": 0.4, "delta": 0.2, "mu": 0.005, "zeta": 0.03}, 0.05, WINDOW[1]),
+    ("Dead zone", "dead_zone", {"delta": 0.2, "mu": 0.005, "zeta": 0.05}, 0.05, WINDOW[1]),
     ("Three springs", "three_spring", {"alpha": 1.0, "ell": 1.5, "mu": 0.0, "zeta": 0.03}, 0.006, WINDOW[1]),
     ("Cams and rollers", "cam_roller", {"r": 0.8, "rho": 0.8, "c": 0.1, "mu": 0.003, "zeta": 0.03}, 0.04, WINDOW[1]),
 )

@@ -25,10 +25,10 @@ from slowflow.results import MeasuredPoint, OfPoint, Remark
 from slowflow.text import Sentence, text
 from slowflow_kernels.conventions import ENDLESS, HIGHEST_OMEGA
 
-ISOLA = text("at {F_SN} an isolated curve is born: a sweep from rest does not meet it, and does not jump there")
+ISOLA = text("at {F_SN} an isolated curve is born: a sweep from rest neither reaches it nor jumps there")
 APART = text(
-    "motions beyond {u_cr} at a forcing below {F_cr} are on curves of their own: none at this forcing passes {u_cr}, "
-    "so that a slow change from rest does not come to them"
+    "motions beyond {u_cr} at a forcing below {F_cr} are on isolated curves, none of which passes {u_cr}, so that a "
+    "slow change from rest does not reach them"
 )
 WITHIN = "motions whose mean stiffness vanishes may lose their stability within a band too"
 NONE_STABLE = Sentence("no motion is stable at {Omega = :g}, {F_0 = :g}")
@@ -46,16 +46,16 @@ SHARED, ROUNDED = 32, 1e-13
 
 
 class Composed:
-    """What answers share that are put together from others."""
+    """Common part of answers that combine others."""
 
     def gradient(self) -> Gradient:
-        """Raises NotAvailable: what it is put together from has gradients."""
+        """Raises NotAvailable: the answers that it combines have gradients."""
         raise validate.NotAvailable(NO_GRADIENT)
 
 
 @dataclass(frozen=True, eq=False)
 class AtRest(Composed, Single):
-    """What there is to say of an oscillator that nothing excites.
+    """Data of an oscillator without excitation.
 
     Omega_0, k_0 -- natural frequency and stiffness of small motions about the centre; no frequency where k_0 < 0
     u_cr         -- the stroke, at which the springs detach; None for a force of one piece
@@ -75,17 +75,17 @@ class AtRest(Composed, Single):
 
 @dataclass(frozen=True, eq=False)
 class Margins(Composed, Single):
-    """How far a forcing is from what it should not reach; None where there is no such forcing.
+    """The critical forcings over a forcing F_0; None where there is no such forcing.
 
-    F_SN, F_cr  -- the lowest forcing that has a fold, and that lifts the springs; of an excitation by inertia F_cr may
-                   be what is only tended to, as the frequency tends to inf
+    F_SN, F_cr  -- the lowest forcing that has a fold, and that detaches the springs; under an excitation by inertia
+                   F_cr may be a limit that is not attained, as the frequency tends to inf
     of_SN, of_cr -- these over F_0: above 1 there is a margin
     kind        -- of the onset, as in `SaddleNodeOnset`
     folds       -- number of folds at F_0
-    detaches    -- whether a stable motion at F_0 passes u_cr, isolated curves included: these may be there below F_cr
+    detaches    -- whether a stable motion at F_0 passes u_cr, isolated curves included: which may exist below F_cr
     sticks      -- whether a mass at rest stays there, whatever the frequency
-    Omega_sticks -- up to which frequency it does: 0 where the forcing moves it at all, inf where at none
-    message     -- what to bear in mind
+    Omega_sticks -- frequency up to which it does: 0 where it moves at every frequency, inf where at none
+    message     -- diagnostics as text
     remarks     -- those of the onset, the detachment and the folds
     """
 
@@ -112,7 +112,7 @@ Band = entry(
 
 @dataclass(frozen=True, eq=False)
 class Hysteresis(Composed, Table):
-    """Bands of frequencies in which more than one motion is stable: which of them is seen depends on what was before.
+    """Bands of frequencies in which more than one motion is stable: which one is observed depends on the history.
 
     Omega_low, Omega_high -- ends of the band: folds, 0, or inf where a motion has no end, as without viscous damping
     motions -- number of stable ones in it, the rest among them at which a preload holds the mass
@@ -131,7 +131,7 @@ class Hysteresis(Composed, Table):
 
 @dataclass(frozen=True, eq=False)
 class Isolation(OfPoint, Single):
-    """From where on every stable motion transmits less than the force, or than a share of it, `level_dB`.
+    """The frequency above which every stable motion transmits less than the force, or a fraction of it, `level_dB`.
 
     Omega -- that frequency; 0 where this holds at all frequencies; None where there is no motion, or no such frequency
     A     -- the amplitude there
@@ -158,20 +158,20 @@ class Isolation(OfPoint, Single):
         return found
 
     def measure(self, of: str = "first", force: str | None = None) -> MeasuredPoint:
-        """From which frequency on the motion of the equation of motion (3) beside it transmits less, here and now.
+        """Compute by the equation of motion (3) the frequency above which the neighbouring motion transmits less.
 
-        of -- "first": of the transmitted force the fundamental harmonic counts, as in averaging; "peak": the peak of
-              its whole wave, to which friction adds as it changes sides
+        of -- "first": the fundamental harmonic of the transmitted force, as in averaging; "peak": the peak of its whole
+              wave, to which friction adds as it changes sign
 
         Where isolation begins at a fold it is that of the exact curve, unless the motions beyond transmit more. `force`
-        and what is raised as in `SteadyStates.measure`.
+        and errors as in `SteadyStates.measure`.
         """
         return self._measured(force, validate.choice("of", of, ("first", "peak")))
 
     def gradient(self) -> Gradient:
-        """How Omega and A move with the parameters and F_0, exactly: those of the state, or of the fold, at this end.
+        """Differentiate Omega and A by the parameters and F_0, exactly, as those of the state or fold where it begins.
 
-        Where isolation begins at no frequency that moves there is none, and `.status` and `.message` say so.
+        Where isolation begins at a fixed frequency there is none, and `.status` and `.message` say so.
         """
         at = self.Omega, self.A, self.F_0, self.at_fold, Level.of(self.level_dB).ratio
         return self._gradient_from(sensitivities.of_isolation, *at)

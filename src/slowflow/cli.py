@@ -200,7 +200,7 @@ def explain_scene(args: argparse.Namespace) -> int:
     if scene.free:
         print(f"free, for slowflow meet: {', '.join(scene.free)}")
     skipped = [question for question in QUESTIONS if not scene.of(question)]
-    print(f"not asked for, and not computed: {', '.join(skipped)}" if skipped else "all questions are asked")
+    print(f"not requested, not computed: {', '.join(skipped)}" if skipped else "all questions are requested")
     return 0
 
 

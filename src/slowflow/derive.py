@@ -271,7 +271,7 @@ def _sampled(
     if not inputs.flag("odd", odd):
         raise Refused("odd = False is not allowed: a force that is not odd is stated as polynomials")
     if reach is None:
-        raise Refused("reach = None is not allowed: a Python function is asked for its values up to there, say how far")
+        raise Refused("reach = None is not allowed: a Python function is sampled up to there")
     design = runtime.designed(inputs.parameters(parameters))
     _check_names(design)
     names = [parameter.symbol.name for parameter in design]

@@ -14,15 +14,15 @@ from slowflow.mechanism import Floats
 from slowflow_kernels.conventions import MovesStatus
 
 NO_GRADIENT = (
-    "this answer has no gradient, as it is put together from others: those of saddle_node_onset, detachment, "
-    "saddle_nodes, peak, amplitudes and isolation have"
+    "this answer has no gradient, as it combines others: those of saddle_node_onset, detachment, saddle_nodes, peak, "
+    "amplitudes and isolation have one"
 )
 #: why an answer has no gradient
 WITHOUT_GRADIENT = {
-    MovesStatus.NOTHING: "there is no answer that could move",
-    MovesStatus.MEETS: "it meets another answer there, as at a fold, a cusp or an isola point: beyond it there is "
-    "none, and next to it its slope has no bound",
-    MovesStatus.TURNS: "it comes to a breakpoint of the force there: on either side it moves in its own way",
+    MovesStatus.NOTHING: "there is no answer to differentiate",
+    MovesStatus.MEETS: "it merges with another answer there, as at a fold, a cusp or an isola point: beyond there "
+    "is none, and close to it the slope has no bound",
+    MovesStatus.TURNS: "it reaches a breakpoint of the force there, with a different gradient on either side",
     MovesStatus.BOUNDLESS: "a parameter is at the end of its domain, where a slope has no bound or a forcing is 0, or "
     "numbers are beyond the range of doubles",
 }

@@ -66,9 +66,9 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
     mu_s : float
         Static friction over k_v L, >= mu: it holds a mass at rest in exact motions, and has no part in averaging.
     excitation : {"force", "base", "unbalance"}
-        What F_0 is the amplitude of: a force over k_v L, the displacement of the base over L, or a rotating mass times
+        The excitation of amplitude F_0: a force over k_v L, a displacement of the base over L, or a rotating mass times
         its radius over m L. The last two are forces F_0 Omega^2, need zeta, eta or c_2 > 0, and have no proofs. A base
-        whose acceleration has a constant amplitude a is a force, F_0 = m a/(k_v L).
+        whose acceleration has a constant amplitude a acts as a force, F_0 = m a/(k_v L).
     load : float
         Static load over k_v L beyond what the vertical spring holds at the centre. Motions have a mean displacement
         then: questions without an answer for these raise ValueError, see `off_centre`.
@@ -202,7 +202,7 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         return plan_off_centre(question, F_0, self.off_centre.model.unloaded)
 
     def replace(self, **changes: Any) -> Self:
-        """Return another oscillator with some of the arguments changed that this one was made from, by name."""
+        """Return a copy with some of its arguments changed, by name."""
         return type(self)(**{**self.given, **changes})
 
     def __eq__(self, other: object) -> bool:

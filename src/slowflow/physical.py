@@ -72,7 +72,7 @@ class Physical:
         return f"{type(self.oscillator).__name__}.physical({arguments})"
 
     def replace(self, **changes: Any) -> Physical:
-        """Return another one with some of the arguments changed that this one was made from, by name."""
+        """Return a copy with some of its arguments changed, by name."""
         kept = dict(self.given)
         for one, other in (("c", "zeta"), ("zeta", "c")):  # they say the same
             if one in changes:
@@ -80,7 +80,7 @@ class Physical:
         return type(self.oscillator).physical(**{**kept, **changes})
 
     def at_rest(self) -> answers.AtRest:
-        """Compute what a data sheet states: natural frequencies, stiffness, stroke, loads, friction.
+        """Compute the data of a data sheet: natural frequencies, stiffness, stroke, loads, friction.
 
         Returns
         -------
@@ -116,7 +116,7 @@ class Physical:
         return cast("answers.AtRest", Quantities(values, units, found.answer))
 
     def sag(self, load: Number) -> float:
-        """Compute in m from the centre where a mass `load` in kg is in equilibrium if k_v is preset for m (5)."""
+        """Compute the equilibrium, in m from the centre, of a mass `load` in kg on a spring k_v preset for m (5)."""
         load = validate.number("load", si("load", load, "kg"), above=0.0)
         preset = float(si("m", self.given["m"], "kg"))
         weight = (load - preset) * g / self.scales.sizes["force"]
@@ -521,7 +521,7 @@ class Physical:
         return ax
 
     def explain(self, question: str, amplitude: Number | None = None, /, **at: Unpack[Amplitude[Number]]) -> Plan:
-        """Say what runs for a question, what is skipped, and why.
+        """List the steps of a question: which run, which are skipped, and why.
 
         Parameters
         ----------
@@ -544,7 +544,7 @@ class Physical:
 
     @property
     def second_approximation(self) -> Physical:
-        """The questions that the second approximation answers, with the higher harmonics of force and friction."""
+        """The second approximation of the same questions, with the higher harmonics of force and friction."""
         with self.scales.in_these_terms():
             return Physical(self.oscillator.second_approximation, self.scales, self.given)
 

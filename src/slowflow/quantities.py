@@ -260,7 +260,7 @@ class Quantities(Answer):
         averaged answer, and for a mount without preload, whose springs never touch.
         """
         if self.scales is None or not hasattr(self.answer, "gradient"):
-            raise Refused("gradients are known of averaged answers: this is none")
+            raise Refused("only averaged answers have gradients: this is none")
         if hasattr(self.answer, "response_psd"):  # the table has units as well
             raise Refused("gradients of random vibration are dimensionless: those of .answer.gradient()")
         return self.scales.gradient(self.answer.gradient())

@@ -21,7 +21,7 @@ Folds = TypeVar("Folds")
 
 
 class Questions(Generic[States, Response, Folds]):
-    """What is asked of the averaged motions of one oscillator, dimensionless as in (4).
+    """The questions about the averaged motions of one oscillator, dimensionless as in (4).
 
     F_0 is the amplitude of the excitation: a force over k_v L, the displacement of a base over L, or an unbalance over
     m L. A system answers each question by the method of the same name with an underscore. Its class says how complete
@@ -163,8 +163,8 @@ class Questions(Generic[States, Response, Folds]):
         -------
         Detachment
             .F_cr .Omega_cr .u_cr. Under a load it is the lowest forcing whose motion reaches the first breakpoint,
-            |B| + A = u_cr, on either side, with .A and .B. Of an asymmetric force it is that whose motion reaches an
-            end of the piece about u = 0, such as a stop.
+            |B| + A = u_cr, on either side, with .A and .B. Under an asymmetric force it is the lowest forcing whose
+            motion reaches an end of the piece about u = 0, such as a stop.
         """
         return self._system._detachment()
 

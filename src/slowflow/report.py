@@ -61,8 +61,8 @@ AT_EACH = {
 }
 ALSO = {
     "isolation": "From this frequency on less than a level is transmitted",
-    "amplitudes": "Motions at the frequencies asked for",
-    "cusps": "Where two folds come into being or meet",
+    "amplitudes": "Motions at the requested frequencies",
+    "cusps": "Where two folds are born or merge",
     "isola_points": "Where isolated curves are born or merge",
 }
 #: heads of the columns that compare with the equation of motion
@@ -76,7 +76,7 @@ NUMBERS |= {"delta_h": "the preload"}
 MEANING = {one.si or one.name: one.text for one in COLUMNS.values()} | {
     "f_n": "natural frequency of the mass on the vertical spring alone",
     "x_cr": "stroke, at which the horizontal springs detach",
-    "sticking": "force amplitude up to which averaging has the mass at rest",
+    "sticking": "force amplitude up to which the averaged mass sticks",
     "rests_within": "how far from the centre friction holds the mass at rest",
     "preset": "compression of the vertical spring that holds the mass at the centre",
     "lightest": "mass that would rest at the upper end of the stroke",
@@ -546,7 +546,7 @@ class Report:
             for row in ledger["rows"]
             if row["kind"] == "formula" and row["where"] in EQUATIONS
         ]
-        yield f"<p>Equations of {escape(ledger['paper'])}, each held against the derivation:</p>"
+        yield f"<p>Equations of {escape(ledger['paper'])}, each compared with the derivation:</p>"
         if self.plain.load != 0:
             remark = "with its balance beside them, which the paper has not"
             yield f"<p>Under a load these hold about a mean B, {remark}.</p>"

@@ -27,7 +27,7 @@ from slowflow.text import text
 from slowflow.transmissibility import in_motion
 from slowflow_kernels.conventions import Status
 
-ONLY_OFFSET = "{u_max} is that of motions with a mean B: without a load A is the largest |{u}|"
+ONLY_OFFSET = "only motions with a mean B have {u_max}: without a load A is the largest |{u}|"
 
 
 class Remark(IntFlag):
@@ -94,7 +94,7 @@ MeasuredFold = entry("MeasuredFold", "Omega A error error_of_A found reason", "O
 
 @dataclass(frozen=True, eq=False)
 class Measured(Table):
-    """The motions of the equation of motion (3) that averaged states lead to: arrays with one entry for each state.
+    """Motions of the equation of motion (3), found from averaged states: arrays with one entry for each state.
 
     Omega, A -- frequency, and largest |u| of the motion
     error    -- relative error of the averaged amplitude
@@ -118,7 +118,7 @@ class Measured(Table):
 
 @dataclass(frozen=True, eq=False)
 class MeasuredFolds(Table):
-    """The folds of the equation of motion (3) that averaged ones lead to: arrays with one entry for each fold.
+    """Folds of the equation of motion (3), found from averaged ones: arrays with one entry for each fold.
 
     Omega, A   -- of the exact fold
     error      -- relative error of the averaged frequency
@@ -141,7 +141,7 @@ class MeasuredFolds(Table):
 
 @dataclass(frozen=True, eq=False)
 class MeasuredPoint(Single):
-    """The peak, onset, detachment or isolation of the equation of motion (3) that an averaged one leads to; or None.
+    """The peak, onset, detachment or isolation of the equation of motion (3), found from an averaged one; or None.
 
     F_0, Omega, A -- forcing, frequency, and largest |u| of the motion
     error    -- relative error of the averaged result: of a peak A, of an onset F_SN, of a detachment F_cr, of isolation
@@ -161,16 +161,16 @@ class MeasuredPoint(Single):
 #: quantities that may be drawn of a response curve
 DRAWN = ("A", "phi", "transmissibility", "transmissibility_dB")
 #: of an answer of averaging alone, without an equation of motion
-NOT_ASKED = "this answer was not asked of an oscillator: no equation of motion is known to measure it against"
+NOT_ASKED = "this answer does not come from an oscillator: there is no equation of motion to compare it with"
 
 
 #: of an answer that is not averaged
-NOT_AVERAGED = "gradients are known of averaged answers, asked of an oscillator with a design: this is none"
+NOT_AVERAGED = "only averaged answers of an oscillator with a design have gradients: this is none"
 
 
 #: of an answer under a load: its gradient as a function of the answer
 GradientOf = Callable[[Any], Gradient]
-NOT_MEASURED = "off the centre states and folds are measured, as amplitudes(...).measure(): this answer is neither"
+NOT_MEASURED = "off the centre only states and folds can be measured, as amplitudes(...).measure(): this is neither"
 
 
 @dataclass(frozen=True, eq=False)
@@ -218,9 +218,9 @@ class Point(OfPoint, Single):
 
     @property
     def validity(self) -> Validity:
-        """Under a load: that its error against the equation of motion has not been measured."""
+        """Under a load: a message that the error of averaging has not been measured there."""
         if self.load is None or self._model is None:
-            raise validate.NoAttribute("validity is known of states and folds, and under a load: of this it is not")
+            raise validate.NoAttribute("validity is that of states and folds, or under a load: this is none of these")
         return off_centre(self._model.mu, *(getattr(self, name) for name in self.at))
 
     def measure(self, force: str | None = None) -> MeasuredPoint:
@@ -289,9 +289,7 @@ class SteadyStates(Moving, WithMean, InDecibels, Table):
     F_0      -- the forcing, one number; an array with that of each state where the question had several
     load     -- the static load over k_v L, where there is one
     message  -- diagnostics as text; empty if there are none
-    Omega_undecided -- frequencies of the question at which neither double precision nor ball arithmetic decides how
-    many
-                       states there are
+    Omega_undecided -- frequencies of the question at which the number of states is undecided
     """
 
     entry: ClassVar[Any] = State
@@ -509,8 +507,8 @@ class SaddleNodeOnset(Point):
     def gradient(self) -> Gradient:
         """Differentiate F_SN, Omega and A by the parameters, exactly; on a breakpoint with that.
 
-        Where more than two folds are born together there is no gradient, and `.status` and `.message` say so. Of two
-        onsets at one forcing, which it does not look for, it is that of this one. Under a load also B, and by the load;
+        Where more than two folds are born together there is no gradient, and `.status` and `.message` say so. If there
+        are two onsets at one forcing, it is that of this one. Under a load also B, and by the load;
         on a corner that a jump of the force makes there is none.
         """
         at = self.Omega, self.A, self.F_SN, self.kind
@@ -589,9 +587,8 @@ class Peak(Point):
     It is a maximum of the curve at which stable motions end, within the well of a softening spring.
 
     B, load  -- under a load, its mean displacement, and the load over k_v L
-    u_max, Omega_max -- under a load, the largest |u|, |B| + A, which a stroke must exceed, and its frequency, which may
-    be
-                that of another motion. Of motions whose mean stiffness is positive, as of stable ones
+    u_max, Omega_max -- under a load, the largest |u| = |B| + A, which the stroke must exceed, and its frequency, where
+                the motion may be another one. Only motions with a positive mean stiffness count, as stable ones have
     """
 
     at: ClassVar[tuple[str, str, str]] = ("F_0", "Omega", "A")

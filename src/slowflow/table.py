@@ -259,8 +259,7 @@ class ManyQuestions(Generic[Found]):
     """The questions about many designs, dimensionless: each returns a `Batch`, of a grid an xarray Dataset.
 
     F_0, Omega, acceleration, duration -- numbers or arrays that broadcast with the designs
-    places    -- largest number of entries of a design, along one more axis of the columns, NaN and 0 after the last
-    one;
+    places    -- largest number of entries of a design, along one more axis of the columns, NaN and 0 after the last;
                  `count` is how many there are, `Status.TOO_MANY` where these are more
     workers   -- threads that share the designs, -1 for one per processor; the digits do not depend on it
     stable    -- 1 where both eigenvalues of the Jacobian (28) have a negative real part
@@ -279,7 +278,7 @@ class ManyQuestions(Generic[Found]):
     def detachment(self, *, workers: int = 1) -> Found:
         """Find the lowest forcing whose response reaches u_cr (34): .F_cr .Omega_cr .u_cr; with a load .A .B.
 
-        With a load that whose motion reaches a breakpoint, on either side. `Status.NONE` without one.
+        With a load the lowest forcing whose motion reaches a breakpoint, on either side; `Status.NONE` if none does.
         """
 
     @asks(
@@ -413,7 +412,7 @@ class ManyQuestions(Generic[Found]):
 
     @asks({AVERAGING: "Omega_0 k_0 u_cr break_loose rests_within sticking status"})
     def at_rest(self, *, workers: int = 1) -> Found:
-        """Compute what holds at every forcing: .Omega_0 .k_0 .u_cr, by friction .break_loose .rests_within .sticking.
+        """Compute data without a forcing: .Omega_0 .k_0 .u_cr, and of friction .break_loose .rests_within .sticking.
 
         As a single `at_rest`: NaN where there is no frequency or no stroke; rests_within may be inf.
         """
@@ -428,8 +427,8 @@ class ManyQuestions(Generic[Found]):
         Returns
         -------
         Batch
-            .F_SN .F_cr .of_SN .of_cr are inf where there is no such forcing; F_SN is NaN where none is the lowest, or
-            which is not known, as the status .onset says; F_cr as in `slowflow.checks.Margins`. .kind is an
+            .F_SN .F_cr .of_SN .of_cr are inf where there is no such forcing; F_SN is NaN where there is no lowest one,
+            or it is not known, as the status .onset says; F_cr as in `slowflow.checks.Margins`. .kind is an
             `OnsetKind`: no sweep jumps at an isola's birth. .detaches is 1 where a stable motion passes u_cr, isolated
             curves included, which may exist below F_cr, .sticks where a mass at rest sticks at every frequency. .status
             is that of the folds, or of the onset, the detachment or the peak where one of these is not known.

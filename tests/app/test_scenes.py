@@ -200,7 +200,7 @@ def test_explain_lists_the_plan_and_solves_nothing(scene, monkeypatch, capsys):
     assert out.count("  takes         ") == len(scenes.read(path).asked) and "\ntogether " in out
     left = "rest, margins, hysteresis, isolation, spectrum, transient, shock_spectrum, random, tolerances, "
     left += "exact_response, fold_locus, cusps, isola_points"
-    assert out.endswith(f"not asked for, and not computed: {left}\n")
+    assert out.endswith(f"not requested, not computed: {left}\n")
 
 
 @pytest.mark.parametrize("path", SHIPPED, ids=lambda path: path.stem)

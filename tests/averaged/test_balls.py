@@ -193,12 +193,12 @@ def test_an_onset_that_doubles_refuse_is_proved():
     """delta_h = 1 - 1e-8: F_A and F_AA vanish there by quadrature of the force."""
     design = {"lam": 3.0, "r": 0.0507, "delta_h": 1 - 1e-8, "mu": 1e-4, "zeta": 0.02}
     iso = untruncated(design)
-    with pytest.raises(ArithmeticError, match=r"unresolved: .*certify\(F_0\).saddle_node_onset may hold it"):
+    with pytest.raises(ArithmeticError, match=r"unresolved: .*certify\(F_0\).saddle_node_onset may enclose it"):
         solvers.onset(iso.model)
     found, onset = answers.onset(iso.model), iso.saddle_node_onset()
     assert found.proved
     assert found.kind == onset.kind == "cusp"
-    assert onset.remarks == Remark.BY_BALLS and "balls of more digits" in onset.message
+    assert onset.remarks == Remark.BY_BALLS and "ball arithmetic resolved" in onset.message
     for value, (low, high) in zip((onset.F_SN, onset.Omega, onset.A), (found.F_0, found.Omega, found.A), strict=True):
         assert low <= value <= high
     A, w = (mpmath.mpf(float(ends.mean())) for ends in (found.A, found.Omega))

@@ -317,7 +317,7 @@ def test_what_meets_another_answer_has_no_gradient_and_says_so():
     assert len(folds.status) == 2
     assert np.all(folds.status == MovesStatus.MEETS)
     assert np.isnan(folds.slopes).all()
-    assert "meets another answer" in folds.message
+    assert "merges with another answer" in folds.message
     gradient = curve.gradient()
     at_folds = np.isin(curve.A, iso.saddle_nodes(F_0).A)
     assert at_folds.sum() == 2
@@ -352,7 +352,7 @@ def test_composed_answers_have_no_gradient_and_say_of_what():
     for of in (iso, many):
         spectrum = of.spectrum(Omega=[0.8, 0.9], F_0=F_0)
         for answer in (of.margins(F_0), of.hysteresis(F_0), spectrum, of.at_rest()):
-            with pytest.raises(ValueError, match="no gradient, as it is put together from others"):
+            with pytest.raises(ValueError, match="no gradient, as it combines others"):
                 answer.gradient()
 
 

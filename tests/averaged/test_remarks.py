@@ -71,7 +71,7 @@ def test_folds_that_doubles_do_not_tell_apart_say_so(F_0, monkeypatch):
     assert proof.proved and proof.bits > DOUBLES and len(proof.A) == 2
     monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
     found = one.saddle_nodes(F_0)
-    assert Remark.UNDECIDED in found.remarks and "doubles do not tell" in found.message
+    assert Remark.UNDECIDED in found.remarks and "is not resolved" in found.message
     assert "no saddle node" not in found.message
     assert int(many.saddle_nodes(F_0).remarks) == int(found.remarks)
 

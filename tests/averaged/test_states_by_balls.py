@@ -101,7 +101,7 @@ def test_states_next_to_a_fold_are_as_many_as_proved(name):
     assert many.count.tolist() == number and not many.undecided.any()
     assert many.remarks.tolist() == [int(state.remarks) for state in singles]
     assert not found.Omega_undecided.size and Remark.UNDECIDED not in found.remarks
-    assert (Remark.BY_BALLS in found.remarks) == ("balls of more digits" in found.message)
+    assert (Remark.BY_BALLS in found.remarks) == ("ball arithmetic resolved" in found.message)
     pairs = one.amplitudes(Omega=frequencies, F_0=np.full(len(frequencies), F_0))
     assert pairs.A.tolist() == found.A.tolist() and pairs.remarks == found.remarks
 
@@ -114,7 +114,7 @@ def test_folds_that_balls_decided_say_so_in_batches_too():
     for k, F in enumerate(F_0):
         found = one.saddle_nodes(F)
         assert many.remarks[k] == int(found.remarks)
-        assert (Remark.BY_BALLS in found.remarks) == ("balls of more digits" in found.message) == (k == 0)
+        assert (Remark.BY_BALLS in found.remarks) == ("ball arithmetic resolved" in found.message) == (k == 0)
 
 
 @flint
@@ -137,7 +137,8 @@ def test_balls_are_bounded_and_the_rest_is_undecided(monkeypatch):
     monkeypatch.setattr(proofs.Allowance.__init__, "__defaults__", (2,))
     found, many = one.amplitudes(Omega=frequencies, F_0=F_0), batch(one).amplitudes(Omega=frequencies, F_0=F_0)
     assert len(open_) > 2 and found.Omega_undecided.tolist() == open_[2:]
-    assert "balls were asked 2 times" in found.message and {Remark.BY_BALLS, Remark.UNDECIDED} <= set(found.remarks)
+    assert "ball arithmetic was used 2 times" in found.message
+    assert {Remark.BY_BALLS, Remark.UNDECIDED} <= set(found.remarks)
     assert many.undecided.tolist() == [w in open_[2:] for w in frequencies]
     by_balls, undecided = ((many.remarks & remark != 0).tolist() for remark in (Remark.BY_BALLS, Remark.UNDECIDED))
     assert by_balls == [w in open_[:2] for w in frequencies] and undecided == many.undecided.tolist()

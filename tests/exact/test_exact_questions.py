@@ -52,13 +52,13 @@ def test_a_mass_at_rest_begins_where_load_and_spring_balance():
     left = from_place(lambda u: u**3 - u, u=-1.0, **well)
     found = double.steady_state(Omega=1.2, F_0=0.1)
     assert found.A == pytest.approx(right, rel=1e-5) and found.harmonics(0)[0].real > 0
-    assert "at u = -1, 1: the mass begins at u = 1" in found.message
+    assert "at u = -1, 1: the mass starts from u = 1" in found.message
     other = double.steady_state(Omega=1.2, F_0=0.1, u_0=-1.0)
     assert other.A == pytest.approx(left, rel=1e-5) and other.harmonics(0)[0].real < 0 and other.message == ""
     swept = double.sweep(Omega=[1.2], F_0=0.1), double.sweep(Omega=[1.2], F_0=0.1, u_0=-1.0)
     assert [one.A[0] for one in swept] == pytest.approx([right, left], rel=1e-5)
     assert swept[0].message == found.message and swept[1].message == ""
-    with pytest.raises(ValueError, match="A says which motion it is, u_0 and v_0 from where one comes"):
+    with pytest.raises(ValueError, match="A selects a motion, u_0 and v_0 set the start"):
         double.steady_state(Omega=1.2, F_0=0.1, A=1.0, u_0=-1.0)
 
 
@@ -86,7 +86,7 @@ def test_a_curve_begins_in_the_well_that_is_chosen():
     oscillator = Duffing(-1.0, 1.0, zeta=0.1, load=0.1)
     wells = sorted(np.roots([1, 0, -1, -0.1]).real)[::2]
     curves = [oscillator.exact_response(0.05, Omega=(1.0, 1.2), u_0=u) for u in (None, *wells)]
-    assert "the mass begins at u = -0.94" in curves[0].message
+    assert "the mass starts from u = -0.94" in curves[0].message
     for curve, u in zip(curves[1:], wells, strict=True):
         expected = from_place(lambda u: u**3 - u, load=0.1, zeta=0.1, Omega=1.0, F_0=0.05, u=u)
         assert curve.A[0] == pytest.approx(expected, rel=1e-5)

@@ -294,10 +294,10 @@ def test_a_shock_under_a_load_begins_where_the_mass_rests():
     still = mount.transient(acceleration=0.0, duration=1.0, force="untruncated")
     assert other.value(still.u_end) == pytest.approx(0.3, rel=1e-14) and still.u_end != mount.rest().u[0]
     well = Duffing(-1.0, 1.0, zeta=0.05, load=0.05).transient(acceleration=0.1, duration=2.0)
-    assert "several stable places" in well.message
+    assert "several stable equilibria" in well.message
     # as it never comes back as far, the largest deflection is that at rest
     assert Duffing(1.0, 0.0, zeta=2.0, load=0.3).transient(acceleration=0.1, duration=2.0).tau_A == 0.0
-    with pytest.raises(ArithmeticError, match="no stable place of rest"):
+    with pytest.raises(ArithmeticError, match="no stable equilibrium to start from"):
         Duffing(1.0, -1.0, zeta=0.05, load=0.5).transient(acceleration=0.1, duration=1.0)
 
 
@@ -347,7 +347,7 @@ def test_shock_between_two_wells_begins_in_one():
     """By SciPy, from the well with u > 0."""
     pulse = {"acceleration": 0.3, "duration": 2.0}
     found = Duffing(-1.0, 1.0, zeta=0.1).transient(**pulse)
-    assert "at u = -1, 1: the mass begins at u = 1" in found.message
+    assert "at u = -1, 1: the mass starts from u = 1" in found.message
     u, _ = pulsed(lambda u: u**3 - u, 0.3, 2.0, 0.1, 20.0, (1.0, 0.0))
     assert found.A == pytest.approx(np.abs(u).max(), rel=1e-5)
     many = Duffing.many([-1.0, 1.0], 1.0, zeta=0.1).transient(**pulse)

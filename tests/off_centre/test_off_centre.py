@@ -764,7 +764,7 @@ def test_what_has_no_answer_off_the_centre_is_refused_in_words(loaded):
     (row,) = [line for line in page.splitlines() if line.startswith("| a static load")]
     refused = {*questions, *pairs, "random", "second_approximation", "fit"}
     assert set(re.findall(r"`(\w+)`", row)) == refused
-    with pytest.raises(ValueError, match="put together from others"):
+    with pytest.raises(ValueError, match="it combines others"):
         loaded.margins(0.04).gradient()
     with pytest.raises(ValueError, match="load = nan"):
         Duffing(1.0, 0.5, load=float("nan"))
@@ -1039,15 +1039,15 @@ def test_gradients_are_those_of_the_balance_by_hand(vanish, ask, by):
 
 def test_missing_gradient_under_a_load_is_explained(loaded):
     heavy = loaded.replace(load=0.1).saddle_node_onset()
-    assert heavy.kind == "corner" and "comes to a breakpoint" in heavy.gradient().message
+    assert heavy.kind == "corner" and "reaches a breakpoint" in heavy.gradient().message
     none = loaded.replace(load=0.45).detachment()
-    assert none.F_cr is None and "no answer that could move" in none.gradient().message
+    assert none.F_cr is None and "no answer to differentiate" in none.gradient().message
     bent = Duffing(1.0, 0.5, 0.0, 0.05, load=0.3)
     folds = bent.saddle_nodes(0.2)
     on_folds = answers.gradient(
         SteadyStates(folds.Omega, folds.A, folds.kind == "", 0.2, "", bent.off_centre._model, B=folds.B, load=0.3)
     )
-    assert "2 of 2: it meets another answer there" in on_folds.message and np.isnan(on_folds.slopes).all()
+    assert "2 of 2: it merges with another answer there" in on_folds.message and np.isnan(on_folds.slopes).all()
 
 
 def test_an_onset_whose_search_begins_at_it_is_answered():

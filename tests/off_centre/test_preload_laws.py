@@ -115,7 +115,7 @@ def test_onset_is_where_two_folds_come_or_they_end_at_rest(oscillator):
     onset = oscillator.saddle_node_onset()
     if oscillator.model.inertial:
         # R next to 0 at A Omega^2 = 4c/pi: with A its level m/Omega^2 tends to 0, too
-        assert onset.F_SN is None and "folds come ever lower" in onset.message
+        assert onset.F_SN is None and "folds occur at ever lower ones" in onset.message
         assert [len(oscillator.saddle_nodes(F_0)) % 2 for F_0 in (1e-3, 1e-4)] == [1, 1]
         return
     assert (onset.F_SN is None or onset.F_SN < oscillator.model.m) or "4 mu/pi" in onset.message

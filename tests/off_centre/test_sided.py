@@ -314,7 +314,7 @@ def test_exact_asymmetric_curve_jumps_as_sweeps_and_mirrors(stop):
 
 def test_exact_asymmetric_curve_says_averaging_knows_no_other(stop):
     found = stop(k=8.0, g=0.5, mu=0.005, zeta=0.0).exact_response(0.05, Omega=(0.4, 0.42), step=0.2)
-    assert found.stable.all() and "averaging does not say: frequency_response needs zeta > 0" in found.message
+    assert found.stable.all() and "averaging does not give them: frequency_response needs zeta > 0" in found.message
 
 
 def test_asymmetric_force_is_refused_centred_questions(stop):

@@ -206,7 +206,7 @@ def test_undamped_folds_without_stiffness_begin_at_friction(make):
     assert spring.alpha == 0
     onset = spring.saddle_node_onset()
     assert onset.F_SN is None
-    assert "as near above 4 mu/pi" in onset.message
+    assert "arbitrarily close above 4 mu/pi" in onset.message
     m = spring.sticking_forcing
     folds = spring.saddle_nodes(m * (1 + 1e-9))
     beta = spring.model.parameters[1]

@@ -147,7 +147,7 @@ def test_base_has_its_own_letter_in_plans_and_isola_onsets():
 
 def test_intervals_a_proof_looked_at_are_lengths():
     assert messages.intervals([(0.5, 1.0)]).in_units(SCALES) == "[50, 100 mm]"
-    assert messages.NOT_BOUNDED.format(0.5).in_units(SCALES) == "only amplitudes up to 50 mm are looked at"
+    assert messages.NOT_BOUNDED.format(0.5).in_units(SCALES) == "only amplitudes up to 50 mm are searched"
 
 
 def test_bounds_of_what_is_allowed_are_in_units_too():

@@ -271,7 +271,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         return self._batch(question, columns, extra, **at)
 
     rest = Unanswered(
-        text("many designs without a load have no rest: they rest at {u} = 0, or a single .off_centre tells")
+        text("many designs without a load have no rest: it is at {u} = 0; a double well's is in .off_centre")
     )
 
     def _batch(self, question: str, columns: Sequence[npt.NDArray[Any]], extra: dict[str, Any], **at: Any) -> Batch:

@@ -36,36 +36,36 @@ NO_FOLD = Sentence("no saddle node at {F_0 = :g}: the response is single-valued"
 NO_LOCUS = Sentence("no saddle node with an amplitude up to {A:g}, whatever the forcing")
 AT_JUMP = Sentence(", unless it lies within rounding of {A = :g}, where the force jumps")
 NO_CUSP = Sentence("no cusp of the fold locus with an amplitude up to {A:g}")
-FEW_DIGITS = Sentence("next to where the force is singular: doubles have few digits of those at {A = :g}")
-CUSPS_BY_BALLS = "next to where the force is singular, where doubles have few digits of them: found by balls of more"
+FEW_DIGITS = Sentence("close to a singularity of the force: those at {A = :g} have few correct digits in doubles")
+CUSPS_BY_BALLS = "close to a singularity of the force: their digits are from ball arithmetic"
 NO_ISOLA = Sentence("no isola is born or merges with an amplitude up to {A:g}")
 NO_LOWEST = Sentence(
-    "no lowest forcing: without viscous damping there are folds as near above 4 {mu}/pi = {sticking:g} as one asks"
+    "no lowest forcing: without viscous damping there are folds arbitrarily close above 4 {mu}/pi = {sticking:g}"
 )
 STIFF_AT_REST = Sentence(
-    "no lowest forcing: at ever smaller amplitudes there are folds as near above 4 {mu}/pi = {sticking:g} as one asks, "
+    "no lowest forcing: at ever smaller amplitudes there are folds arbitrarily close above 4 {mu}/pi = {sticking:g}, "
     "since the stiffness is infinite at {u} = 0"
 )
 NO_ONSET = "no saddle node"
 AT_REST = Sentence("below it there are folds that end at {Omega = :g}, from {F_0 = :g} on")
 OF_PRELOAD = Sentence(
-    "below it there are folds down to 4 {mu}/pi = {sticking:g}, at which motions end beside a mass that a preload holds"
+    "below it there are folds down to 4 {mu}/pi = {sticking:g}, of motions that coexist with a mass held by a preload"
 )
 NONE_BUT_OF_PRELOAD = Sentence(
-    "no lowest forcing: there are folds down to 4 {mu}/pi = {sticking:g}, at which motions end beside a mass that a "
-    "preload holds"
+    "no lowest forcing: there are folds down to 4 {mu}/pi = {sticking:g}, of motions that coexist with a mass held by "
+    "a preload"
 )
-PRELOAD_UNDAMPED = "the onset is unresolved: with a preload, and without viscous damping, it is not looked for"
+PRELOAD_UNDAMPED = "the onset is unresolved: with a preload, and without viscous damping, it is not searched for"
 NONE_BUT_AT_REST = Sentence("no saddle node is born: there are folds that end at {Omega = :g}, from {F_0 = :g} on")
 NO_DETACHMENT = "no detachment: the force has one piece only"
 NO_PEAK = "no peak: without viscous damping the response is unbounded"
 NO_TOP = Sentence("no peak: the amplitude tends to {F_0 = :g} from below as {Omega} tends to inf")
 ESCAPES = Sentence(
-    "no peak within the well: at {F_0 = :g} the response goes on beyond its top, where the spring pushes on and "
-    "nothing holds the mass"
+    "no peak within the well: at {F_0 = :g} the response passes its top, beyond which the spring force points outward "
+    "and nothing holds the mass"
 )
 NOT_REACHED = Sentence(
-    "the amplitude {u_cr = :g} is tended to as {Omega} tends to inf, at {F_0 = :g}, and not reached below that"
+    "the amplitude tends to {u_cr = :g} as {Omega} tends to inf, at {F_0 = :g}; below this forcing it is not reached"
 )
 BEYOND_RANGE = Sentence(
     "{F_cr} is not found: squares of the forces at the amplitude {u_cr = :g} are beyond the range of doubles"
@@ -73,36 +73,35 @@ BEYOND_RANGE = Sentence(
 NO_TOP_BELOW = Sentence("no peak: the amplitude tends to {A:g} from below as {Omega} tends to inf")
 NOT_CLOSED = Sentence("the response does not close: it has states of any amplitude; cut at {A = :g}")
 OPEN = text(
-    "no lowest amplitude of the excitation is attained: folds come ever lower as they go to higher amplitudes or "
-    "{Omega}"
+    "no lowest amplitude of the excitation: folds occur at ever lower ones as their own amplitude or {Omega} rises"
 )
 
 MOVES_EXACTLY = Sentence(
-    "by the equation of motion friction holds the mass up to {mu = :g} only: from there to 4 {mu}/pi it moves a "
-    "little, with stops"
+    "in the equation of motion friction holds the mass only up to {mu = :g}: from there to 4 {mu}/pi it moves "
+    "slightly, with stops"
 )
 
-ASKED_ENOUGH = "balls were asked {} times, and at others not"
+ENOUGH_BALLS = "ball arithmetic was used {} times, not at the other points"
 
 #: of proofs
-NO_DESIGN = "not certified: the numbers that the parameters follow from are not known"
-NO_INTERVALS = "not certified: the average of this force is not known on intervals of doubles"
-NO_BALLS = "balls of more digits may decide: pip install 'slowflow[proofs]'"
+NO_DESIGN = "not certified: the design parameters are not known"
+NO_INTERVALS = "not certified: the average of this force has no enclosure on intervals"
+NO_BALLS = "ball arithmetic may resolve it: pip install 'slowflow[proofs]'"
 FAILED = "not certified: the response is unresolved"
-IN_DOUBT = Sentence("doubles do not decide for A in {where:s}")
-BALLS_IN_DOUBT = Sentence("balls of {bits:d} bits do not decide{where:s}")
+IN_DOUBT = Sentence("double precision is inconclusive for A in {where:s}")
+BALLS_IN_DOUBT = Sentence("ball arithmetic with {bits:d} bits is inconclusive{where:s}")
 BETWEEN = Sentence("[{A:.17g}]")
-NO_ROOM = "there are more of them than places"
-NOT_BOUNDED = Sentence("only amplitudes up to {A:.6g} are looked at")
-NEAR_STICKING = text("{F_0} is so near to 4 {mu}/pi that doubles do not decide whether the mass moves")
-ONSET_IN_DOUBT = "doubles do not decide whether a lower forcing has a fold"
+NO_ROOM = "there are more than the solver has places for"
+NOT_BOUNDED = Sentence("only amplitudes up to {A:.6g} are searched")
+NEAR_STICKING = text("{F_0} is so close to 4 {mu}/pi that double precision does not decide whether the mass moves")
+ONSET_IN_DOUBT = "double precision does not decide whether a lower forcing has a fold"
 #: of an onset that there is not: what is not proved, and what is
 OF_NO_LOWEST = (
-    "not certified: that no forcing is the lowest that has a fold is not proved",
-    text("no lowest forcing: zeta = 0, and there are folds as near above 4 {mu}/pi as one asks"),
+    "not certified: it is not proved that there is no lowest forcing with a fold",
+    text("no lowest forcing: zeta = 0, and there are folds arbitrarily close above 4 {mu}/pi"),
 )
 OF_NO_ONSET = (
-    "not certified: that no fold is born at any forcing is not proved",
+    "not certified: it is not proved that no forcing has a fold",
     "no saddle node is born at any forcing",
 )
 
@@ -170,8 +169,7 @@ UNRESOLVED = Sentence("the response is unresolved at {F_0 = :.17g}: {why:s}")
 POWERS = "powers of it leave the range of doubles; in larger units of length it may be resolved"
 COINCIDE = "branches coincide within rounding"
 COINCIDE_AS = Sentence(
-    "branches coincide within rounding, as {F_0} exceeds 4 {mu}/pi = {sticking:.17g} by no more than rounding may make "
-    "of it"
+    "branches coincide within rounding, as {F_0} exceeds 4 {mu}/pi = {sticking:.17g} by no more than rounding"
 )
 SQUARES = Sentence(
     "the response is unresolved at {F_0 = :.17g}{laws:s}: squares of the forces at its amplitudes leave the range of "
@@ -189,14 +187,14 @@ def unresolved(model: Model, F_0: float) -> str:
 
 def _or_not_known(model: Model) -> str:
     """What else may leave an answer unresolved where averages are quadratures."""
-    return ", or the average does not settle at some amplitude" if model.mechanism.enclosed is not None else ""
+    return ", or the average does not converge at some amplitude" if model.mechanism.enclosed is not None else ""
 
 
 UNBOUNDED_AT = Sentence("no amplitude bounds the response at {F_0 = :g}")
 UNBOUNDED = "no amplitude bounds the response"
 ENDS_BY_REACH = Sentence(
-    ": the force of {name:s} does not hold motions of any size, or is beyond the range of doubles there; its `reach`, "
-    "a number > 0, the largest |{u}| that makes sense, ends the search: mechanism(..., reach=...)"
+    ": the force of {name:s} does not bound motions of any size, or is beyond the range of doubles there; give its "
+    "`reach`, a number > 0, the largest |{u}| for which it is valid: mechanism(..., reach=...)"
 )
 
 
@@ -210,17 +208,17 @@ def unbounded(model: Model, F_0: float | None) -> str:
 
 SLIDES_FREE = Sentence(
     "the onset is not resolved: up to |{u}| = {u:.6g} there is no spring, and no damping at {Omega = :g} that grows "
-    "with the amplitude, so folds come down to {Omega = :g} there; with eta > 0 it is"
+    "with the amplitude, so there are folds down to {Omega = :g}; eta > 0 resolves it"
 )
 BALANCED = text(
     "the onset is not resolved: with quadratic damping alone the level does not change with {Omega} where the "
-    "stiffness over a cycle is 0, as between negative stiffness at rest and the springs beyond it; with zeta > 0 or "
-    "eta > 0 it is"
+    "stiffness over a cycle is 0, as between negative stiffness at rest and the springs beyond it; zeta > 0 or "
+    "eta > 0 resolves it"
 )
 NEXT_TO = Sentence(
-    "the onset is unresolved: doubles do not tell which folds are born next to the breakpoint {A = :g}{why:s}"
+    "the onset is unresolved: double precision does not tell which folds are born at the breakpoint {A = :g}{why:s}"
 )
-IN_BALLS = text("; certify({F_0}).saddle_node_onset may hold it, in balls")
+IN_BALLS = text("; certify({F_0}).saddle_node_onset may enclose it, by ball arithmetic")
 
 
 def unresolved_onset(model: Model) -> str:
@@ -248,7 +246,7 @@ LEVELS_OFF = "the spring's force, which levels off, does not hold the mass"
 CUT_TOWARDS_REST = Sentence("unbounded as {Omega} tends to 0, where {why:s}: cut at {A = :g}")
 CUT_AT_REACH = Sentence("cut at {A = :g}{why:s}")
 EVERYWHERE = Sentence(
-    "no response curve: {A = :.17g} at every frequency, as all forces on the mass grow with {Omega}^2 alike"
+    "no response curve: {A = :.17g} at every frequency, as all forces on the mass are proportional to {Omega}^2"
 )
 PEAK_AT = Sentence("the peak is unresolved at {F_0 = :.17g}: there may be one within rounding of {A = :.17g}")
 

@@ -161,7 +161,7 @@ def decided_states(
     if messages.sticks(model, F_0) in (proof.message for proof in proved.values()):
         message = messages.sticks(model, F_0)
     if allowance.left < 0:
-        message = joined(message, messages.ASKED_ENOUGH.format(MOST_IN_BALLS))
+        message = joined(message, messages.ENOUGH_BALLS.format(MOST_IN_BALLS))
     codes = messages.codes(undecided.size > 0, cut) | Remark.BY_BALLS
     return SteadyStates(Omega, A, stable, F_0, message, model, Omega_undecided=undecided, remarks=codes)
 

@@ -40,25 +40,21 @@ STARTS_ABOVE = Sentence(
 )
 
 OTHER = Sentence(
-    "another curve is not part of this one: averaging has it at {Omega = :.4g}, {A = :.4g}; "
+    "there is another curve: averaging has it at {Omega = :.4g}, {A = :.4g}; "
     "start = steady_state({Omega=:.4g}, {F_0=:.4g}, {A=:.4g}) leads to it"
 )
 #: a pulse, or a step of a record, whose frequency is beyond the range of doubles
 SHORTEST = math.pi / sys.float_info.max
-NOWHERE = text(
-    "no motion from rest: there is no stable place of rest that the mass could begin at; {u_0}= says where it does"
-)
+NOWHERE = text("no motion from rest: there is no stable equilibrium to start from; set the initial displacement {u_0}=")
 SEVERAL = Sentence(
-    "there are several stable places of rest, at {u = :.6g}: the mass begins at {u} = {u_0:.6g}, the nearest to the "
-    "centre; {u_0}= has it begin elsewhere"
+    "there are several stable equilibria, at {u = :.6g}: the mass starts from {u} = {u_0:.6g}, the nearest to the "
+    "centre; {u_0}= sets another start"
 )
 #: displacement at which the sign of a force without stiffness at u = 0 is evaluated
 PROBE = 2.0**-20
-BOTH = Sentence("{name:s} says which motion it is, {u_0} and v_0 from where one comes: not both")
-ONLY = Sentence(
-    "this is the only motion that averaging knows of, and not one that the mass was seen to come to: {why:s}"
-)
-UNKNOWN = Sentence("whether there are other curves is not known, averaging does not say: {why:s}")
+BOTH = Sentence("{name:s} selects a motion, {u_0} and v_0 set the start of one: give one or the other")
+ONLY = Sentence("this is the only motion that averaging has, and the mass was not found to reach it from rest: {why:s}")
+UNKNOWN = Sentence("whether there are other curves is unknown, as averaging does not give them: {why:s}")
 NONE_NEAR = "no state at {Omega = :g} leads to a periodic motion of the equation of motion"
 START = "start = {start:r} is not allowed: start must be a steady state at {F_0 = :g}, {Omega} in {Omega:r}"
 ROWS = "{tau} and acceleration must be two rows of as many numbers, {tau} rising: not of {shapes:s}"

@@ -23,26 +23,26 @@ WORTH = 0.02
 WORTH_TRUNCATION = 0.005
 
 NOT_MEASURED = (
-    "not measured: how far averaging is off is known of the paper's isolator under a force only (docs/validity.md); "
-    ".measure() measures it here and now"
+    "not measured: the error of averaging is known for the paper's isolator under a force only (docs/validity.md); "
+    ".measure() computes it"
 )
 NOT_MEASURED_LAWS = (
-    "not measured: how far averaging is off is known of viscous damping and dry friction only (docs/validity.md); "
-    ".measure() measures it here and now"
+    "not measured: the error of averaging is known for viscous damping and dry friction only (docs/validity.md); "
+    ".measure() computes it"
 )
 NOT_MEASURED_OFF_CENTRE = (
-    "not measured: how far averaging is off is known of motions about the centre only (docs/validity.md); "
-    "measure() of states and folds measures here and now"
+    "not measured: the error of averaging is known for motions about the centre only (docs/validity.md); "
+    "measure() of states and folds computes it"
 )
 NEAR_STICKING = Sentence("{mu}/{F_0} = {ratio:.3g} is near pi/4, where averaging fails: amplitudes ")
 NEAR_STICKING_ATTACHED = Sentence(
-    "{mu}/{F_0} = {ratio:.3g} is {where:s} pi/4: while the springs touch, where alone friction acts, averaging "
-    "fails: amplitudes "
+    "{mu}/{F_0} = {ratio:.3g} is {where:s} pi/4: friction acts only while the springs are attached, and there "
+    "averaging fails: amplitudes "
 )
 #: and where that stands in Python
-IN_PYTHON = ", .validity tells it for each"
+IN_PYTHON = ", .validity has the error of each"
 OFF_BY = f"were measured to be off by up to {{:.0%}}{IN_PYTHON}"
-OFF_UNKNOWN = "are off, by how much was not measured for this mechanism"
+OFF_UNKNOWN = "are wrong by an amount that was not measured for this mechanism"
 STOPPING = "{mu/(A Omega^2)|friction/(m A omega^2)} >= {rest:g}"
 STOPS_SECOND = Sentence(
     f"in {{some:d}} of {{all:d}} states the mass stops within the cycle, or nearly so ({STOPPING}): their amplitudes "
@@ -57,8 +57,8 @@ _STOPPING, _SECOND = np.array(measured.STOPPING), np.array(measured.SECOND_BY_RE
 _SECOND_FROM = next(edge for edge, size in zip(_STOPPING.tolist(), _SECOND.tolist(), strict=True) if size >= WORTH)
 
 CORNER = text(
-    "a fold sits on the corner at {u_cr}, where the truncated force (6) jumps: it and its partner beside it are of the "
-    "truncation's making, force='untruncated' has neither"
+    "a fold sits on the corner at {u_cr}, where the truncated force (6) jumps: it and its neighbour are due "
+    "to the truncation, force='untruncated' has neither"
 )
 
 

@@ -66,7 +66,7 @@ BY_ITSELF = Sentence(
     "{question:s} is not available of motions that leave the centre by themselves with {what:s}: of them it is only "
     "with excitation = 'force', {mu} and zeta"
 )
-OPEN = Sentence("isolation is not available: motions beyond {A = :g} are not looked at, and the response may not close")
+OPEN = Sentence("isolation is not available: motions beyond {A = :g} are not searched, and the response may not close")
 CUT = Sentence("no peak up to {A = :g}, beyond which it is not looked for: the response may not close")
 TENDED_TO = Sentence(
     "the first breakpoint is tended to as {Omega} tends to inf, at {F_0 = :g}, and not reached below that"
@@ -74,7 +74,7 @@ TENDED_TO = Sentence(
 NO_MARGINS = "margins is not available here: "
 BEYOND = "at rest the mass stands at the first breakpoint or beyond it already"
 ONE_PIECE = "no detachment: the force has one piece only"
-NOT_REACHED = "no motion comes to the first breakpoint"
+NOT_REACHED = "no motion reaches the first breakpoint"
 UNKNOWN = "whether motions come to the first breakpoint is undecided, as where the mass rests is"
 TURNS = "the mean turns back where a motion goes farthest: how far is told to 2^-24 of it"
 NO_ONSET = "no saddle node at any forcing, up to amplitudes far beyond the size of the problem"

@@ -32,11 +32,12 @@ from slowflow_kernels.conventions import Status
 #: why a question about designs has no answer here, where it has one of averaging
 UNANSWERED = {
     "certify": "nothing is proved of the second approximation",
-    **dict.fromkeys(("margins", "hysteresis", "isolation", "spectrum"), "it is put together from averaging's answers"),
+    **dict.fromkeys(("margins", "hysteresis", "isolation", "spectrum"), "it combines averaged answers"),
     **dict.fromkeys(
-        ("at_rest", "transient", "shock_spectrum", "random"), "it is asked of the designs, at each depth the same"
+        ("at_rest", "transient", "shock_spectrum", "random"),
+        "it does not depend on the approximation: call it on the designs",
     ),
-    "rest": "it is asked of designs under a load",
+    "rest": "only designs under a load have it",
 }
 
 

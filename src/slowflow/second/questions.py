@@ -70,10 +70,10 @@ UNANSWERED = {
         ("backbone", "limit_envelope", "transmissibility_floor", "equivalent_damping", "stability"),
         "it is a formula of the slow flow alone; averaging has it",
     ),
-    **dict.fromkeys(("margins", "hysteresis", "isolation", "spectrum"), "it is put together from averaging's answers"),
+    **dict.fromkeys(("margins", "hysteresis", "isolation", "spectrum"), "it combines averaged answers"),
     **dict.fromkeys(
         ("steady_state", "exact_response", "sweep", "transient", "shock_spectrum"),
-        "it is asked of the oscillator, whose equation of motion answers it",
+        "it solves the equation of motion: call it on the oscillator",
     ),
     **dict.fromkeys(("rest", "off_centre"), "its motions are about the centre"),
     "validity": "what is measured of it stands in the .message of its answers",

@@ -34,7 +34,7 @@ MEMBERS, GENERATIONS = 15, 300
 #: where designs are asked one by one: designs for each free number from the best of which steps lead on, how many of
 #: them do, how many steps, and by which share of its range a number is moved to see what an answer does
 FEW, BEST, STEPS, APART = 8, 2, 25, 1e-6
-INFEASIBLE = "infeasible: the binding requirement is {}; as near as all of them can be had it is {:.4g}"
+INFEASIBLE = "infeasible: the binding requirement is {}, whose closest achievable value is {:.4g}"
 #: points of a front, by how much an end may miss the best that there is, and how near two designs are one
 POINTS, SLACK = 9, 1e-4
 NO_TRADE = "nothing is traded off: this design is the best in both answers"

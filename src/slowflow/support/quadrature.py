@@ -21,10 +21,10 @@ from slowflow.support.backend import loaded
 from slowflow.support.errors import NotSettled, Refused
 
 UNSETTLED = (
-    "the average at A = {:.17g} does not settle: the force is all but singular there, or a difference in which its "
-    "digits are lost; what lies beyond a `reach` that is stated with it is not asked for"
+    "the average at A = {:.17g} does not converge: the force is nearly singular there, or a difference that loses its "
+    "digits; a `reach` stated with it ends the search before"
 )
-NO_PROGRAM = "{} has averages by quadrature, and no program beside it that can be interpreted"
+NO_PROGRAM = "{} has averages by quadrature, and no program that can be interpreted"
 
 
 def record_of(module: ModuleType) -> Any:

@@ -408,7 +408,7 @@ def _at_forcing(
     def ask(balls: BallModel) -> Answer | None:
         if not F_0 > balls.m.hi:
             sticks = bool(F_0 <= balls.m.lo)
-            message = messages.sticks(model, F_0) if sticks else _in_doubt(" whether the mass moves")
+            message = messages.sticks(model, F_0) if sticks else _in_doubt(" on whether the mass moves")
             return make([], proved=sticks, message=message, A_max=0.0, bounded=sticks, doubt=_pairs([]))
         try:
             A_max = solvers.amplitude_bound(model, F_0)
