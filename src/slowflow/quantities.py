@@ -129,7 +129,7 @@ OF_KIND: Mapping[str, Scale] = MappingProxyType(
 )
 #: of a cubic spring
 CUBIC = {"alpha": Scale("k_1", 1.0, (1.0, 0.0, 0.0)), "beta": Scale("k_3", 1.0, (1.0, -2.0, 0.0))}
-WITHOUT_PRELOAD = "without preload the springs never touch the push-rod: no number of theirs moves an answer"
+WITHOUT_PRELOAD = "without preload the springs never touch the push-rod: none of their parameters affects an answer"
 #: member that only the dimensionless answer has
 OF_THE_ANSWER = "validity"
 #: quantities that can be drawn of a response curve
@@ -273,7 +273,7 @@ class Quantities(Answer):
         As `measure` of the dimensionless answer, with its errors. Raises ValueError for what is no averaged answer.
         """
         if self.scales is None or not hasattr(self.answer, "measure"):
-            raise Refused("averaged answers are measured against the equation of motion: this is none")
+            raise Refused("only averaged answers are measured against the equation of motion: this is none")
         with self.scales.in_these_terms():
             return self.scales.quantities(self.answer.measure(force=force, **options))
 
@@ -290,7 +290,7 @@ class Quantities(Answer):
 
     def _random(self) -> tuple[Any, dict[str, float]]:
         if self.scales is None or not hasattr(self.answer, "response_psd"):
-            raise Refused("random vibration has this: this is another answer")
+            raise Refused("only answers of random vibration have this")
         return self.answer, self.scales.sizes
 
     def __str__(self) -> str:
@@ -507,7 +507,7 @@ class Scales:
         depends on: derivatives by k_v, L and m go through all of these.
         """
         if "k_1" in self.sheet:
-            raise Refused("gradients in SI units are known of `Isolator.physical`; .answer.gradient() is dimensionless")
+            raise Refused("only `Isolator.physical` has gradients in SI units; .answer.gradient() is dimensionless")
         if found.by[: len(ROD_SPRING.design)] != ROD_SPRING.design_names:
             raise Refused(WITHOUT_PRELOAD)
         arguments = {"F_0": OF_KIND[self.amplitude], "Omega": SCALES["Omega"], "load": SCALES["F_0"]}

@@ -252,7 +252,7 @@ def test_what_cannot_be_had_is_refused_when_it_is_stated():
     with pytest.raises(ValueError, match="piece 1 must say where it ends"):
         stated((linear, None), (linear, None))
     for changes, message in (
-        ({"reach": None}, "say how far"),
+        ({"reach": None}, "is sampled up to there"),
         ({"odd": False}, "polynomials"),
         ({"compile": True}, "compiled"),
     ):

@@ -378,7 +378,7 @@ def test_errors_in_words():
     system = table_1(exact=False)
     with pytest.raises(ValueError, match="Omega = -1"):
         steady_state(system, Omega=-1, F_0=0.04)
-    with pytest.raises(ValueError, match="friction holds the mass for ever"):
+    with pytest.raises(ValueError, match="friction holds the mass, which never moves"):
         steady_state(system, Omega=0.9, F_0=0.01)
     with pytest.raises(ValueError, match=r"mu = -0\.1"):
         EquationOfMotion(linear(), -0.1, 0.1)

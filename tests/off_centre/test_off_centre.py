@@ -1140,7 +1140,7 @@ def test_answers_scale_with_the_unit_of_length_or_are_refused(octaves):
     s, F_0 = 2.0**octaves, 0.19427233724301723
     if octaves < -40:
         for ask in ("saddle_nodes", "peak"):
-            with pytest.raises(OverflowError, match="are too small beside 1; in smaller units of length"):
+            with pytest.raises(OverflowError, match="are too small against 1; in smaller units of length"):
                 getattr(mount(s), ask)(F_0 * s)
         return
     one, other = (mount(unit).amplitudes(Omega=1.5756199434710894, F_0=F_0 * unit) for unit in (1.0, s))

@@ -197,7 +197,7 @@ def test_what_a_base_does_without_an_end_is_said():
 def test_what_is_not_answered_off_the_centre_is_refused_in_words():
     well = Duffing(-0.5, 1.0, zeta=0.05, excitation="base")
     for ask in (well.off_centre.saddle_nodes, well.off_centre.peak, well.off_centre.frequency_response):
-        with pytest.raises(NotAvailable, match="leave the centre by themselves with excitation = 'base'"):
+        with pytest.raises(NotAvailable, match="excitation = 'base' for motions that leave the centre"):
             ask(0.1)
     assert len(well.off_centre.rest()) == 3
     assert well.replace(load=0.05).amplitudes(Omega=1.0, F_0=0.1).A.size

@@ -61,7 +61,7 @@ def test_what_a_cubic_spring_leaves_is_told_and_drawn():
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        (lambda t, x, F: from_loop(-x, F), "run through the other way"),
+        (lambda t, x, F: from_loop(-x, F), "the wrong direction"),
         (lambda t, x, F: from_loop(x[:40], F[:40]), "at least 50 samples"),
         (lambda t, x, F: from_loop(x, F[1:]), "rows of one length"),
         (lambda t, x, F: from_loop(x, F, t=t[::-1]), "the times must rise"),
@@ -121,5 +121,5 @@ def test_a_cubic_spring_is_refused_in_its_terms():
     assert (
         mount == Duffing.physical(m=1, k_1=2000, k_3=1e9, friction=0.5, zeta=0.05) and mount.replace(m=2).scales.m == 2
     )
-    with pytest.raises(ValueError, match=r"known of `Isolator\.physical`"):
+    with pytest.raises(ValueError, match=r"only `Isolator\.physical`"):
         mount.peak(1.0).gradient()

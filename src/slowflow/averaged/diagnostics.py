@@ -34,7 +34,7 @@ NEAR_STICKING_BELOW = text(
 
 MESSAGES: Mapping[Remark, str | Sentence] = {
     Remark.BEYOND_REACH: Sentence("amplitudes above {reach:g} are not reached: {reason:s}"),
-    Remark.NEGATIVE_STIFFNESS: text("negative stiffness at the centre: {u} = 0 is no stable equilibrium"),
+    Remark.NEGATIVE_STIFFNESS: text("negative stiffness at rest: {u} = 0 is no stable equilibrium"),
     Remark.LEAVES_CENTRE: "motions that leave the centre: the stiffness over their cycle does not restore the mean "
     "displacement; .off_centre has those with another mean",
     Remark.HELD_AT_REST: Sentence(

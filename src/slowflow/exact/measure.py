@@ -61,8 +61,8 @@ TAKEN = "it leads to the motion of another state"
 NO_FOLD = f"the exact curve beside it has no fold within a factor of {FOLD_WINDOW:g} of its frequency"
 NO_PEAK = f"the exact curve beside it has no peak within a factor of {FOLD_WINDOW:g} of its frequency"
 NO_FORCING = f"no forcing within a factor of {FARTHEST:g} of it is found at which the exact curve does so"
-BORN = "an isolated curve is born there, which the exact curve through the motions beside it does not show"
-TAKEN_FOLD = "the folds that the exact curve has beside it are nearer to other ones"
+BORN = "an isolated curve is born there, which the exact curve through neighbouring motions does not show"
+TAKEN_FOLD = "the neighbouring folds of the exact curve are closer to other ones"
 
 
 #: averaged states at a frequency

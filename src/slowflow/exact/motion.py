@@ -246,7 +246,7 @@ BALANCED = 2.0**-40
 FORCE = Sentence("{F_0 = :g}")
 INERTIA = Sentence("the inertia force {force:g} at {Omega = :g}")
 PUSH = Sentence(" and the push {force:g} of the spring at {u = :g}, together,")
-NEVER_MOVES = Sentence("{what:s} does not exceed {mu = :g}: friction holds the mass for ever, it never moves")
+NEVER_MOVES = Sentence("{what:s} does not exceed {mu = :g}: friction holds the mass, which never moves")
 STUCK = Sentence(
     "{what:s} does not exceed {holds:s} = {force:g}: friction holds a mass at rest for ever; of motions beside that, "
     "if there are any, steady_state has the one next to A="

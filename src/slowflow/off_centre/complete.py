@@ -38,7 +38,7 @@ TENDED = 2.0**-64
 #: |B| up to which a motion without a load is about the centre, where all others are told from it by more
 AT_CENTRE = 1e-12
 #: no bound of B, and so none of what is to be looked at
-ENDLESS = "folds of ever lower forcing go on to {Omega} = 0, or to where the mean turns back"
+ENDLESS = "folds occur at ever lower forcings towards {Omega} = 0, or to where the mean turns back"
 UNBOUNDED = "the outermost piece of the force does not grow: motions off the centre have no bound there"
 
 
@@ -152,9 +152,9 @@ class Complete:
             if best is not None and not best.kind:
                 raise NotSettled(text(ENDLESS))
             if best is not None and best.A < TENDED * self._steps.size:
-                raise NotSettled("folds of ever lower forcing go on to ever smaller amplitudes")
+                raise NotSettled("folds occur at ever lower forcings towards ever smaller amplitudes")
             if best is not None and best.A > self.A_max(best.F_0):
-                raise NotSettled("folds of ever lower forcing go on to ever larger amplitudes")
+                raise NotSettled("folds occur at ever lower forcings towards ever larger amplitudes")
             # a first one may lie beyond what is looked at for small forcings
             first = min(2.0**FIRST * self.A_max(self._flow.m), self._grown)
             A_max, F_0 = (first, math.inf) if best is None else (self.A_max(best.F_0), best.F_0)
@@ -163,7 +163,7 @@ class Complete:
                 return best
             known.append(search.descend(*lower))
             if best is not None and known[-1].F_0 >= best.F_0:
-                raise NotSettled("a lower fold is known of, but not reached")
+                raise NotSettled("a lower fold exists, but the search does not reach it")
 
     def A_max(self, F_0: float) -> float:
         """Up to which amplitude folds at F_0 are looked for: 2^8 times what the problem is as large as.

@@ -48,7 +48,7 @@ from slowflow_kernels import dissipation, off_centre
 #: a force that has shorter lengths is small beside what is rounded, as the size of a problem is taken to be 1 at least
 SHORTEST = 2.0**-40
 TOO_SMALL = Sentence(
-    "motions off the centre are unresolved: lengths of the force, {A[0]:.3g} at most, are too small beside "
+    "motions off the centre are unresolved: lengths of the force, {A[0]:.3g} at most, are too small against "
     "{A[1]:.3g}; in smaller units of length they may be resolved"
 )
 #: answers that are kept of one oscillator
@@ -63,23 +63,23 @@ COARSE = 2.0**-6
 BEGINS = 2.0**-10
 UNDAMPED = "{} needs zeta > 0, eta > 0 or c_2 > 0 off the centre: without damping that grows amplitudes have no bound"
 BY_ITSELF = Sentence(
-    "{question:s} is not available of motions that leave the centre by themselves with {what:s}: of them it is only "
-    "with excitation = 'force', {mu} and zeta"
+    "{question:s} is not available with {what:s} for motions that leave the centre without a load: it takes "
+    "excitation = 'force', {mu} and zeta there"
 )
 OPEN = Sentence("isolation is not available: motions beyond {A = :g} are not searched, and the response may not close")
-CUT = Sentence("no peak up to {A = :g}, beyond which it is not looked for: the response may not close")
+CUT = Sentence("no peak up to {A = :g}, the end of the search: the response may not close")
 TENDED_TO = Sentence(
-    "the first breakpoint is tended to as {Omega} tends to inf, at {F_0 = :g}, and not reached below that"
+    "the motion tends to the first breakpoint as {Omega} tends to inf, at {F_0 = :g}; below this it is not reached"
 )
 NO_MARGINS = "margins is not available here: "
-BEYOND = "at rest the mass stands at the first breakpoint or beyond it already"
+BEYOND = "at rest the mass is already at the first breakpoint or beyond it"
 ONE_PIECE = "no detachment: the force has one piece only"
 NOT_REACHED = "no motion reaches the first breakpoint"
-UNKNOWN = "whether motions come to the first breakpoint is undecided, as where the mass rests is"
-TURNS = "the mean turns back where a motion goes farthest: how far is told to 2^-24 of it"
+UNKNOWN = "whether motions reach the first breakpoint is undecided, as the equilibrium is"
+TURNS = "the mean turns back at the largest displacement, which is known to a relative 2^-24"
 NO_ONSET = "no saddle node at any forcing, up to amplitudes far beyond the size of the problem"
 UNDECIDED_ONSET = Sentence("the onset is undecided: {why:s}")
-ON_CORNER = "on a corner that the jump of the force makes: one that does not jump has none there"
+ON_CORNER = "on a corner due to the jump of the force: a force without this jump has none there"
 UNDECIDED = Sentence("how many states there are is undecided at {Omega = :.6g}{more:s}")
 UNDECIDED_BEYOND = Sentence("whether a stable motion transmits {what:s} at a higher frequency too is undecided")
 UNDECIDED_FOLDS = Sentence("whether there are others is undecided next to {A = :.6g}{more:s}")
@@ -307,7 +307,7 @@ class OffCentre(Unchanging, ComposedQuestions):
         """Every state at some frequencies, without a load those off the centre, and the number of its frequency."""
         x, of, undecided = self._complete.states(Omega, F_0)
         if undecided.size:
-            raise NotSettled("the response is unresolved: at a frequency next to a fold doubles do not decide")
+            raise NotSettled("the response is unresolved: double precision is inconclusive close to a fold")
         return x, of
 
     def _check_proof(self) -> None:

@@ -24,7 +24,7 @@ Stationary = entry(
     "u_rms v_rms a_rms stiffness damping Omega_e ratio_e beyond crossing_rate dry",
     "One stationary motion of a `RandomResponse`.",
 )
-NO_CYCLES = "averages over cycles of one energy are those under white noise: random(S_0=...) has them"
+NO_CYCLES = "averages over cycles of one energy are available under white noise only: random(S_0=...)"
 #: by how many root mean squares the largest displacement exceeds them at most, and steps up to there
 FARTHEST, STEPS = 12.0, 4000
 #: over natural frequencies how far up and down a picture goes

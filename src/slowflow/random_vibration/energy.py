@@ -28,8 +28,8 @@ from slowflow_kernels import linearization
 NODES = 20
 #: P from which on motions are left out; most panels of amplitudes up to there
 FARTHEST, MOST_PANELS = 50.0, 1000
-PUSHES_AWAY = Sentence("averages over cycles are not known: near {u = :.4g} the spring pushes away from the centre")
-GIVES_WAY = "averages over cycles are not known: the spring gives way"
+PUSHES_AWAY = Sentence("averages over cycles are not available: near {u = :.4g} the spring pushes away from the centre")
+GIVES_WAY = "averages over cycles are not available: the spring gives way"
 
 _at, _weights = legendre.leggauss(NODES)
 _inverse = np.linalg.inv(legendre.legvander(_at, NODES - 1))

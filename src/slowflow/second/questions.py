@@ -43,8 +43,8 @@ FEWER = "fewer states than in the first approximation at {} of {} frequencies"
 NO_CUSP = "the onset of the first approximation is of kind {}: the second follows a cusp only"
 FAR = "the second approximation does not come near the first: its harmonics are not small"
 NOT_DERIVED = Sentence("{u_cr = :g} is not allowed here: the harmonics of this force are derived for {u_cr} <= {A:g}")
-STATIC = text("the static amplitude reaches {u_cr} first: there is no motion whose harmonics could be told")
-NO_PEAK = "no peak of the second approximation beside the first's: {}"
+STATIC = text("the static amplitude reaches {u_cr} first: there is no motion with harmonics to evaluate")
+NO_PEAK = "no peak of the second approximation near the first's: {}"
 AT_REST = "the first's is the static amplitude, which has no harmonics"
 LEFT_OUT = "the curve ends before it turns"
 

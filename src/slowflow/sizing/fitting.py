@@ -50,7 +50,7 @@ MEMBERS, GENERATIONS, PATIENCE, NEARLY = 12, 600, 40, 1e-2
 #: decades between which the distance of designs lies that it begins with, as a share of the numbers found
 DECADES = (-2.5, -0.3)
 OTHER_START = "a search from the given start ends with a sum of squares of {:.3g}, from another one with {:.3g}"
-OPEN = "the points do not determine {}: an interval has no end within 1/1000 to 1000 times what the search began with"
+OPEN = "the points do not determine {}: an interval has no end within 1/1000 to 1000 times the start value"
 LINEAR = (
     "the intervals are those of the equations made linear: with other laws of damping designs take too "
     "long for those of the profile likelihood"

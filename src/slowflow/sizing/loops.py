@@ -148,7 +148,7 @@ def from_loop(x: Any, F: Any, *, t: Any = None) -> Loop:
     value, half = value / size, float(stdtrit(left, 0.5 * (1 + CONFIDENCE))) * error
     found = dict(zip(names, value.tolist(), strict=True))
     if found["friction"] + half[names.index("friction")] < 0:
-        raise Refused("the loop is run through the other way: where x rises, F must be above where x falls")
+        raise Refused("the loop has the wrong direction: where x rises, F must be above where x falls")
     correlation = 0.0
     if deviation > ROUNDING * np.abs(F).max():
         correlation = float(np.corrcoef(residuals[goes][1:], residuals[goes][:-1])[0, 1])
