@@ -1,6 +1,6 @@
 """Kernels as a template needs them: printed line by line, with what each branch and output depends on.
 
-In:  a `Kernel` with the straight-line `Program`s of its branches, or a `Composition`; a `Language`.
+In:  a `Kernel` with the straight-line `Program`s of its branches, or a `Composition`; a printer of `targets`.
 Out: `KernelView`, or a dict for what only calls others.
 """
 
@@ -13,6 +13,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import jinja2
 import sympy as sp
@@ -26,7 +27,10 @@ from .form import AVERAGED, Branch, Composition, Kernel, Module, TwofoldKernel
 from .passes import Let, Program, program_of, straight_line
 from .prose import Prose, escaped
 from .proved import in_words
-from .provenance import digest
+from .provenance import digest, tools
+
+if TYPE_CHECKING:
+    from .targets.printing import Rules
 
 #: the straight-line code of every branch, by kernel
 Code = dict[str, tuple[Program, ...]]
@@ -131,22 +135,6 @@ class KernelView:
 
 
 @dataclass(frozen=True)
-class Language:
-    """How a language writes expressions.
-
-    printer     -- its printer
-    conjunction -- between two conditions
-    wrap_in_parentheses -- whether a long right-hand side may only break inside of brackets
-    names       -- what it calls the symbols whose names it takes for something else
-    """
-
-    printer: sp.printing.printer.Printer
-    conjunction: str
-    wrap_in_parentheses: bool
-    names: dict[str, str]
-
-
-@dataclass(frozen=True)
 class Calls:
     """How a language calls other functions within a composition.
 
@@ -202,17 +190,14 @@ def _filled(context: jinja2.runtime.Context, text: str, indent: int, first: int 
     return fill(str(_shown(context, text)), indent, first)
 
 
-def _stated(name: str) -> bool:
-    """Whether a file states a mechanism."""
-    return name.startswith("mechanisms/")
-
-
-def sources(module: Module) -> dict[str, object]:
-    """For a header: the mechanism's file with its hash, or the steps of the derivation."""
-    return {
-        "inputs": {f"derivations/{name}": digest(DERIVATIONS / name) for name in module.inputs if _stated(name)},
-        "steps": [f"derivations/{name}" for name in module.inputs if not _stated(name)],
-    }
+def heading(module: Module) -> str:
+    """Of a generated file: where it is from, the mechanism's file with its hash, or the steps of the derivation."""
+    of_mechanism = [name for name in module.inputs if name.startswith("mechanisms/")]
+    steps = [f"derivations/{name}" for name in module.inputs if name not in of_mechanism]
+    inputs = [f"derivations/{name}, sha256 {digest(DERIVATIONS / name)}" for name in of_mechanism]
+    inputs += [f"none but the equation of motion in {', '.join(steps)}"] if steps else []
+    lines = ["Written by `make derive`; never edit.", *(f"Input: {one}" for one in inputs), f"Tools: {tools()}"]
+    return "\n".join(lines)
 
 
 def regimes(module: Module) -> str:
@@ -243,9 +228,9 @@ def returned(outputs: Sequence[str]) -> str:
     return f"(\n{lines}    )"
 
 
-def view(kernel: Kernel, code: Sequence[Program], language: Language) -> KernelView:
+def view(kernel: Kernel, code: Sequence[Program], printer: Rules) -> KernelView:
     """A kernel printed for one language."""
-    renamed = [language.names.get(argument.name, argument.name) for argument in kernel.arguments]
+    renamed = [*map(printer.doprint, kernel.arguments)]
     branches, used_anywhere, used_by_guards = [], set(), set()
     reached = [True] * kernel.width
     for branch, program in zip(kernel.branches, code, strict=True):
@@ -256,7 +241,7 @@ def view(kernel: Kernel, code: Sequence[Program], language: Language) -> KernelV
         used_by_guards |= guard_symbols
         used_here = set().union(*used) | guard_symbols
         used_anywhere |= used_here
-        branches.append(branch_view(branch, program, kernel, set().union(*used), language))
+        branches.append(branch_view(branch, program, kernel, set().union(*used), printer))
     return KernelView(
         kernel,
         tuple(renamed),
@@ -280,13 +265,11 @@ def used_arguments(program: Program, kernel: Kernel) -> list[set[sp.Symbol]]:
     return [of(output) for output in program.outputs]
 
 
-def branch_view(
-    branch: Branch, program: Program, kernel: Kernel, used: set[sp.Symbol], language: Language
-) -> BranchView:
+def branch_view(branch: Branch, program: Program, kernel: Kernel, used: set[sp.Symbol], printer: Rules) -> BranchView:
     """A branch printed for one language."""
-    show = language.printer.doprint
-    lines = printed(program.lets, language)
-    guard = language.conjunction.join(f"({show(left)} <= {show(right)})" for left, right in branch.guards)
+    show = printer.doprint
+    lines = printed(program.lets, printer)
+    guard = printer.conjunction.join(f"({show(left)} <= {show(right)})" for left, right in branch.guards)
     if len(branch.guards) == 1:
         guard = guard[1:-1]
     return BranchView(
@@ -296,18 +279,13 @@ def branch_view(
         guard,
         lines,
         tuple(show(output) for output in program.outputs),
-        tuple(named(argument, language) for argument in kernel.arguments if argument not in used),
+        tuple(show(argument) for argument in kernel.arguments if argument not in used),
         program.operations,
         in_words(program, kernel.arguments),
     )
 
 
-def named(symbol: sp.Symbol, language: Language) -> str:
-    """What a language calls a symbol."""
-    return language.names.get(symbol.name, symbol.name)
-
-
-def printed(lets: Sequence[Let], language: Language) -> tuple[Line, ...]:
+def printed(lets: Sequence[Let], printer: Rules) -> tuple[Line, ...]:
     """Lets as lines; the outputs of one call are one line, and calls whose outputs are only summed are one loop."""
     lines: list[Line] = []
     summed: set[sp.Symbol] = set()
@@ -317,20 +295,20 @@ def printed(lets: Sequence[Let], language: Language) -> tuple[Line, ...]:
         here = list(run)
         if repeated is None:
             plain = (let for call in here for let in call if let[0] not in summed)
-            lines += (_assigned(symbol, value, language) for symbol, value in plain)
+            lines += (_assigned(symbol, value, printer) for symbol, value in plain)
             continue
         if any([one.number for _, one in call] != list(range(len(repeated.outputs))) for call in here):
             raise ArithmeticError(f"not every output of {repeated.name} is used, or not in their order")
         sums = _sums(here, lets)
         if sums:
-            lines.append(_loop(here, sums, language))
+            lines.append(_loop(here, sums, printer))
             gone = {symbol for call in here for symbol, _ in call}
             others = {symbol.name for name, value in lets for symbol in {name, *value.free_symbols} - gone}
             if taken := others & {*lines[-1].columns, *lines[-1].name.split(", ")}:
                 raise ArithmeticError(f"{repeated.name} called in a loop hides {sorted(taken)}")
             summed |= {symbol for symbol, _ in sums}
         else:
-            lines += (_called(call, language) for call in here)
+            lines += (_called(call, printer) for call in here)
     return tuple(lines)
 
 
@@ -339,16 +317,16 @@ def _call(let: Let) -> object:
     return (let[1].repeated, let[1].args) if isinstance(let[1], Output) else let
 
 
-def _assigned(symbol: sp.Symbol, value: sp.Expr, language: Language) -> Line:
-    name = named(symbol, language)
-    return Line(name, wrapped(language.printer.doprint(value), len(name) + 3, language))
+def _assigned(symbol: sp.Symbol, value: sp.Expr, printer: Rules) -> Line:
+    name = printer.doprint(symbol)
+    return Line(name, wrapped(printer.doprint(value), len(name) + 3, printer))
 
 
-def _called(call: Sequence[Let], language: Language) -> Line:
+def _called(call: Sequence[Let], printer: Rules) -> Line:
     symbols, (value, *_) = zip(*call, strict=True)
     return Line(
-        ", ".join(named(symbol, language) for symbol in symbols),
-        ", ".join(map(language.printer.doprint, value.args)),
+        ", ".join(printer.doprint(symbol) for symbol in symbols),
+        ", ".join(map(printer.doprint, value.args)),
         function=value.repeated.name,
     )
 
@@ -363,25 +341,25 @@ def _sums(calls: Sequence[Sequence[Let]], lets: Sequence[Let]) -> list[Let]:
     return [] if None in found else found
 
 
-def _loop(calls: Sequence[Sequence[Let]], sums: Sequence[Let], language: Language) -> Line:
+def _loop(calls: Sequence[Sequence[Let]], sums: Sequence[Let], printer: Rules) -> Line:
     """These calls by a table of what varies, in the order in which the first sum has them."""
     by_name = {call[0][0]: call[0][1] for call in calls}
-    turns = [by_name[name] for name in language.printer._as_ordered_terms(sums[0][1])]
+    turns = [by_name[name] for name in printer._as_ordered_terms(sums[0][1])]
     repeated = turns[0].repeated
     varies = [len({turn.args[k] for turn in turns}) > 1 for k in range(len(turns[0].args))]
-    own = [named(symbol, language) for symbol in repeated.arguments]
-    show = language.printer.doprint
+    show = printer.doprint
+    own = [*map(show, repeated.arguments)]
     return Line(
         ", ".join(f"{name}_here" for name, _ in repeated.outputs),
         ", ".join(own[k] if vary else show(turns[0].args[k]) for k, vary in enumerate(varies)),
         function=repeated.name,
         columns=tuple(itertools.compress(own, varies)),
         table=tuple(tuple(map(show, itertools.compress(turn.args, varies))) for turn in turns),
-        sums=tuple(named(symbol, language) for symbol, _ in sums),
+        sums=tuple(show(symbol) for symbol, _ in sums),
     )
 
 
-def repeated_views(code: Code, language: Language) -> list[RepeatedView]:
+def repeated_views(code: Code, printer: Rules) -> list[RepeatedView]:
     """What the kernels of a module repeat, printed, by name."""
     found: dict[str, Repeated] = {}
 
@@ -400,9 +378,9 @@ def repeated_views(code: Code, language: Language) -> list[RepeatedView]:
             RepeatedView(
                 name,
                 one.doc,
-                tuple(named(argument, language) for argument in one.arguments),
-                printed(program.lets, language),
-                tuple((output, language.printer.doprint(value)) for output, value in outputs),
+                tuple(map(printer.doprint, one.arguments)),
+                printed(program.lets, printer),
+                tuple((output, printer.doprint(value)) for output, value in outputs),
             )
         )
     return views
@@ -414,30 +392,30 @@ def tables(views: Iterable[KernelView]) -> list[tuple[tuple[str, ...], tuple[tup
     return list(dict.fromkeys((line.columns, line.table) for line in lines))
 
 
-def wrapped(value: str, used: int, language: Language) -> str:
+def wrapped(value: str, used: int, printer: Rules) -> str:
     """A long right-hand side over several lines, broken at spaces; `used` columns stand before it."""
-    if not language.wrap_in_parentheses:
+    if not printer.bracketed:
         return fill(value, 8, used + len("    const double "))
     if len(value) + used + 8 <= WIDTH:
         return value
     return f"(\n        {fill(value, 8, 8)}\n    )"
 
 
-def twofold_view(kernel: TwofoldKernel, language: Language) -> dict[str, object]:
+def twofold_view(kernel: TwofoldKernel, printer: Rules) -> dict[str, object]:
     """A kernel in double-double as a template needs it; `op` says which lines are exact sums and products."""
-    show = language.printer.doprint
+    show = printer.doprint
     code = twofold(kernel)
     known = {line.high if isinstance(line, Exact) else line[0] for line in code.lines}
     plain_outputs = straight_line((), kernel.plain, {*kernel.arguments, *known})
 
     def plain(symbol: sp.Symbol, value: sp.Expr) -> dict[str, str]:
-        name = named(symbol, language)
-        return {"op": "", "name": name, "value": wrapped(show(value), len(name) + 3, language)}
+        name = printer.doprint(symbol)
+        return {"op": "", "name": name, "value": wrapped(show(value), len(name) + 3, printer)}
 
     lines = [
         {
             "op": line.op,
-            "name": named(line.high, language),
+            "name": printer.doprint(line.high),
             "low": line.low.name,
             "left": show(line.left),
             "right": show(line.right),
@@ -449,7 +427,7 @@ def twofold_view(kernel: TwofoldKernel, language: Language) -> dict[str, object]
     exact = Counter(line.op.removeprefix("two_") for line in code.lines if isinstance(line, Exact))
     return {
         "kernel": kernel,
-        "arguments": [named(argument, language) for argument in kernel.arguments],
+        "arguments": [*map(show, kernel.arguments)],
         "lines": [*lines, *(plain(symbol, value) for symbol, value in plain_outputs.lets)],
         "distilled": [show(part) for part in code.distilled],
         "outputs": [show(output) for output in (*code.outputs, *plain_outputs.outputs)],

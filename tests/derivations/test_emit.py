@@ -16,7 +16,7 @@ from sympy.codegen.cfunctions import hypot
 
 from derivations.codegen.bytecode import kept_beside
 from derivations.codegen.passes import operations, straight_line
-from derivations.codegen.targets.c import LANGUAGE
+from derivations.codegen.targets.c import PRINTER
 from derivations.codegen.targets.c.printer import CPrinter
 from derivations.codegen.targets.numpy.printer import NumpyPrinter
 from derivations.codegen.targets.printing import Unprintable, literal
@@ -311,7 +311,7 @@ def test_what_is_repeated_is_a_call_that_stands_for_its_lets():
     a, b, c, d = sp.symbols("a b c d", real=True)
     lets = [*differences().at((x, sp.Integer(3)), (a, b)), *differences().at((b, y), (c, d))]
     program = straight_line(lets, [a + d, c], (x, y))
-    first, second = printed(program.lets, LANGUAGE)
+    first, second = printed(program.lets, PRINTER)
     assert (first.name, first.value, first.function) == ("a, b", "x, 3.0", "beside")
     assert (second.name, second.value) == ("c, d", "b, y")
     # a sum and two differences in each call, and a + d
@@ -325,7 +325,7 @@ def test_repeats_are_refused_where_a_language_cannot_print_them():
     with pytest.raises(ArithmeticError, match="symbols or numbers"):
         differences().at((x + 1, y), (a, b))
     with pytest.raises(ArithmeticError, match="not every output"):
-        printed(straight_line(differences().at((x, y), (a, b)), [a], (x, y)).lets, LANGUAGE)
+        printed(straight_line(differences().at((x, y), (a, b)), [a], (x, y)).lets, PRINTER)
     with pytest.raises(ArithmeticError, match="one name"):
         Repeated("twice", "", (x,), ((x, x + 1),), ((y, x),))
 

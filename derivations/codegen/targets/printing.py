@@ -13,6 +13,8 @@ import functools
 from typing import ClassVar
 
 import sympy as sp
+from sympy.printing.c import C99CodePrinter
+from sympy.printing.numpy import NumPyPrinter
 from sympy.printing.precedence import PRECEDENCE
 
 from ..passes import is_constant
@@ -52,11 +54,34 @@ def ordered_terms(total: sp.Expr) -> list[sp.Expr]:
     return total.as_ordered_terms()
 
 
+def factors_of(product: sp.Expr) -> tuple[sp.Expr, list[sp.Expr], list[sp.Expr]]:
+    """The constant of a product, its other factors, and those of its denominator, as SymPy orders them."""
+    factors = product.as_ordered_factors()
+    constant = sp.Mul(*(factor.doit() for factor in factors if is_constant(factor)))
+    above, below = [], []
+    for factor in factors:
+        if is_constant(factor):
+            continue
+        if factor.is_Pow and factor.exp.could_extract_minus_sign():
+            below.append(sp.Pow(factor.base, -factor.exp))
+        else:
+            above.append(factor)
+    return constant, above, below
+
+
 class Rules:
-    """Mixed in before one of SymPy's printers; `functions` says what the language calls each function."""
+    """Mixed in before one of SymPy's printers.
+
+    functions   -- what the language calls each function
+    infinity    -- and infinity
+    conjunction -- what stands between two conditions
+    bracketed   -- whether a long right-hand side may only break inside of brackets
+    """
 
     functions: ClassVar[dict[object, str]]
     infinity: str
+    conjunction: str
+    bracketed: bool
 
     def _number(self, expr: sp.Expr) -> str:
         """A constant but an infinity, or a function of constants."""
@@ -81,22 +106,14 @@ class Rules:
         return text
 
     def _print_Mul(self, expr: sp.Expr) -> str:
-        factors = expr.as_ordered_factors()
-        constant = sp.Mul(*(factor.doit() for factor in factors if is_constant(factor)))
-        above, below = [], []
-        for factor in factors:
-            if is_constant(factor):
-                continue
-            if factor.is_Pow and factor.exp.could_extract_minus_sign():
-                below.append(self.parenthesize(sp.Pow(factor.base, -factor.exp), PRECEDENCE["Mul"]))
-            else:
-                above.append(self.parenthesize(factor, PRECEDENCE["Mul"]))
+        constant, *factors = factors_of(expr)
+        above, below = ([self.parenthesize(one, PRECEDENCE["Mul"]) for one in some] for some in factors)
         sign = "-" if constant.is_negative else ""
         if abs(constant) != 1 or not above:
             above.insert(0, literal(abs(constant)))
         text = sign + " * ".join(above)
         if below:
-            product = any(factor.is_Pow and factor.exp.is_Integer and factor.exp < -1 for factor in factors)
+            product = any(one.is_Pow and one.exp.is_Integer for one in factors[1])
             text += " / " + (f"({' * '.join(below)})" if len(below) > 1 or product else below[0])
         return text
 
@@ -152,3 +169,33 @@ class Rules:
             if not (number or built or (isinstance(node, sp.Function) and node.func in self.functions)):
                 self.emptyPrinter(node)
         return self._print(expr)
+
+
+class InC(Rules, C99CodePrinter):
+    """C99."""
+
+    conjunction, bracketed = " && ", False
+
+    def _print_Symbol(self, expr: sp.Symbol) -> str:
+        # complex.h makes a macro of I
+        return "I_" if expr.name == "I" else expr.name
+
+
+class SharedArctangent(InC):
+    """An angle and its complement from the same arguments in the same order: they share their arctangent."""
+
+    def _print_Function(self, expr: sp.Expr) -> str:
+        if expr.func is not sp.atan2:
+            return super()._print_Function(expr)
+        name, (y, x) = self.functions[sp.atan2], map(self._print, expr.args)
+        return f"{name}({y}, {x})" if y <= x else f"{name}_swapped({x}, {y})"
+
+
+class InPython(Rules, NumPyPrinter):
+    """Python, with NumPy as np."""
+
+    infinity = "np.inf"
+    conjunction, bracketed = " & ", True
+
+    def _print_Symbol(self, expr: sp.Symbol) -> str:
+        return expr.name

@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ...form import Module
-from ...views import Code, Language, view
+from ...views import Code, view
 from .. import interval
 from ..pair import closed
 from .printer import BallPrinter
@@ -24,7 +24,7 @@ ABOUT = {
     "the same name, to the digits of `flint.ctx`. passed_n is meant where A exceeds n breakpoints; beyond: by how much "
     "it exceeds the last of these.",
 }
-PYTHON = Language(BallPrinter(), conjunction=" and ", wrap_in_parentheses=True, names={})
+PYTHON = BallPrinter()
 
 
 def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:

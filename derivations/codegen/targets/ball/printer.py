@@ -15,6 +15,7 @@ from ..printing import Unprintable, literal
 class BallPrinter(EnclosurePrinter):
     """With the methods of `flint.arb`, and Carlson's integrals from slowflow.support/balls.py."""
 
+    conjunction = " and "
     functions: ClassVar = {sp.sqrt: "sqrt", sp.atan2: "arb.atan2", R_F: "R_F", R_D: "R_D"}
 
     def _number(self, expr: sp.Expr) -> str:

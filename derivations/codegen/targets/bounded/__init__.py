@@ -18,12 +18,12 @@ from ....forces.elliptic import Series, carlson
 from ...form import Module
 from ...passes import straight_line
 from ...provenance import tools
-from ...views import Code, Language, Line, templates, view
+from ...views import Code, Line, templates, view
 from .. import interval
 from ..c.printer import CPrinter
 from .printer import BoundedPrinter
 
-C = Language(BoundedPrinter(), conjunction=" && ", wrap_in_parentheses=False, names={"I": "I_"})
+C = BoundedPrinter()
 #: what the template, which is that of intervals, says of them
 ABOUT = {
     "number": "sf_bounded",
@@ -61,10 +61,10 @@ def printed(series: Series) -> dict[str, object]:
     return {
         "name": series.name,
         "power": str(series.power),
-        "lets": [Line(symbol.name, C.printer.doprint(value)) for symbol, value in program.lets],
-        "symmetric": [C.printer.doprint(value) for value in program.outputs[:-1]],
+        "lets": [Line(symbol.name, C.doprint(value)) for symbol, value in program.lets],
+        "symmetric": [C.doprint(value) for value in program.outputs[:-1]],
         "names": [symbol.name for symbol in in_doubles.values()],
-        "first": C.printer.doprint(program.outputs[-1]),
+        "first": C.doprint(program.outputs[-1]),
         "rest_lets": [Line(symbol.name, show(value)) for symbol, value in rest.lets],
         "rest": show(rest.outputs[0]),
     }

@@ -21,11 +21,10 @@ from ...views import (
     Calls,
     Code,
     KernelView,
-    Language,
     composition_view,
+    heading,
     regimes,
     repeated_views,
-    sources,
     tables,
     templates,
     twofold_view,
@@ -35,7 +34,7 @@ from ..printing import literal, stated
 from . import records, taylor
 from .printer import CPrinter
 
-LANGUAGE = Language(CPrinter(), conjunction=" && ", wrap_in_parentheses=False, names={"I": "I_"})
+PRINTER = CPrinter()
 
 
 def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
@@ -61,12 +60,12 @@ def headers(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     environment = templates(Path(__file__).parent)
     result = {}
     for module in (one for one in modules if one.in_c):
-        views = [view(one, code[module.name][one.name], LANGUAGE) for one in module.kernels if one.in_c]
+        views = [view(one, code[module.name][one.name], PRINTER) for one in module.kernels if one.in_c]
         result[f"c/{module.name}.h"] = environment.get_template("header.h.jinja").render(
             module=module,
             kernels=views,
-            repeated=repeated_views(code[module.name], LANGUAGE),
-            twofolds=[twofold_view(kernel, LANGUAGE) for kernel in module.twofolds],
+            repeated=repeated_views(code[module.name], PRINTER),
+            twofolds=[twofold_view(kernel, PRINTER) for kernel in module.twofolds],
             compositions=[composition_view(composition, calls(module)) for composition in module.compositions],
             includes=includes(module, views),
             regimes=regimes(module),
@@ -74,8 +73,7 @@ def headers(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
             tables=tables(views),
             measured=measured.of(module),
             rule=[(literal(node), literal(weight)) for node, weight in rule()] if module.sums else [],
-            tools=tools(),
-            **sources(module),
+            heading=heading(module),
         )
     return result
 

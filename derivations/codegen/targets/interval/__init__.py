@@ -21,14 +21,13 @@ import sympy as sp
 from ....symbols import A
 from ...form import Branch, Kernel, Module
 from ...passes import Program
-from ...provenance import tools
-from ...views import BranchView, Code, KernelView, Language, sources, templates, view
+from ...views import BranchView, Code, KernelView, heading, templates, view
 from ..printing import literal
 from .printer import CEnclosurePrinter, CIntervalPrinter, PythonIntervalPrinter
 
 #: how much an amplitude exceeds the breakpoint where its piece begins
 BEYOND = sp.Symbol("beyond", nonnegative=True)
-C = Language(CIntervalPrinter(), conjunction=" && ", wrap_in_parentheses=False, names={"I": "I_"})
+C = CIntervalPrinter()
 #: what the template says of intervals
 ABOUT = {
     "number": "sf_interval",
@@ -45,8 +44,8 @@ IN_PYTHON = {
     "operators and the methods `square` and `sqrt`.",
 }
 #: of forces of any kind
-ENCLOSED = Language(CEnclosurePrinter(), conjunction=" && ", wrap_in_parentheses=False, names={"I": "I_"})
-PYTHON = Language(PythonIntervalPrinter(), conjunction=" & ", wrap_in_parentheses=True, names={})
+ENCLOSED = CEnclosurePrinter()
+PYTHON = PythonIntervalPrinter()
 
 
 def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
@@ -79,14 +78,14 @@ def header_of(
 ) -> str:
     """A header of kernels on numbers of one kind, whose names begin with `name`."""
     template = templates(Path(__file__).parent).get_template("header.h.jinja")
-    known = {"tools": tools(), **sources(module), **about}
-    return template.render(module=module, prefix=name, kernels=kernels, choices=choices, **known)
+    known = {"module": module, "heading": heading(module), **about}
+    return template.render(prefix=name, kernels=kernels, choices=choices, **known)
 
 
 def module_of(module: Module, kernels: Sequence[KernelView], imports: Sequence[str], **about: str) -> str:
     """A Python module of such kernels."""
     template = templates(Path(__file__).parent).get_template("module.py.jinja")
-    return template.render(module=module, kernels=kernels, imports=imports, tools=tools(), **sources(module), **about)
+    return template.render(module=module, kernels=kernels, imports=imports, heading=heading(module), **about)
 
 
 def name_of(module: Module) -> str:
@@ -133,7 +132,7 @@ def choice(kernel: Kernel) -> list[tuple[str, str]]:
 
     Branches are chosen by the number of breakpoints passed; a series far from these where all of the interval lies far.
     """
-    show = C.printer.doprint
+    show = C.doprint
     found = []
     for branch in kernel.branches:
         near = [f"{show(left)}.lo <= {show(right)}.hi" for left, right in branch.guards if not right.is_Symbol]

@@ -5,26 +5,20 @@ from __future__ import annotations
 from typing import ClassVar
 
 import sympy as sp
-from sympy.printing.c import C99CodePrinter
-from sympy.printing.numpy import NumPyPrinter
 from sympy.printing.precedence import PRECEDENCE
 
 from ....forces.quadrature import FUNCTIONS
 from ...passes import is_constant
-from ..printing import Rules, Unprintable, literal
+from ..printing import InC, InPython, Unprintable, factors_of, literal
 
 
-class CallPrinter(Rules, C99CodePrinter):
+class CallPrinter(InC):
     """C99, each operation a call of a function whose name begins with `prefix`."""
 
     prefix: ClassVar[str]
 
     def _of(self, function: str, *arguments: str) -> str:
         return f"{self.prefix}{function}({', '.join(arguments)})"
-
-    def _print_Symbol(self, expr: sp.Symbol) -> str:
-        # complex.h makes a macro of I
-        return "I_" if expr.name == "I" else expr.name
 
     def _print_Add(self, expr: sp.Expr, order: str | None = None) -> str:
         first, *terms = sorted(self._as_ordered_terms(expr), key=sp.Expr.could_extract_minus_sign)
@@ -35,16 +29,8 @@ class CallPrinter(Rules, C99CodePrinter):
         return text
 
     def _print_Mul(self, expr: sp.Expr) -> str:
-        factors = expr.as_ordered_factors()
-        constant = sp.Mul(*(factor.doit() for factor in factors if is_constant(factor)))
-        above, below = [], []
-        for factor in factors:
-            if is_constant(factor):
-                continue
-            if factor.is_Pow and factor.exp.could_extract_minus_sign():
-                below.append(self._print(sp.Pow(factor.base, -factor.exp)))
-            else:
-                above.append(self._print(factor))
+        constant, *factors = factors_of(expr)
+        above, below = ([self._print(one) for one in some] for some in factors)
         text = self._product(above) if above else self._number(abs(constant))
         if above and abs(constant) != 1:
             text = self._times(abs(constant), text)
@@ -112,10 +98,9 @@ class CEnclosurePrinter(CIntervalPrinter):
         return self._number(expr) if is_constant(expr) else super()._print_Function(expr)
 
 
-class PythonIntervalPrinter(Rules, NumPyPrinter):
+class PythonIntervalPrinter(InPython):
     """Python, with the operators of an interval class and its methods `square` and `sqrt`."""
 
-    infinity = "np.inf"
     functions: ClassVar = {sp.sqrt: "sqrt"}
 
     def _number(self, expr: sp.Expr) -> str:
@@ -123,9 +108,6 @@ class PythonIntervalPrinter(Rules, NumPyPrinter):
         if not is_double(expr.doit()):
             raise Unprintable(f"a number that no double is equal to, on intervals: {expr}")
         return text
-
-    def _print_Symbol(self, expr: sp.Symbol) -> str:
-        return expr.name
 
     def _print_Pow(self, expr: sp.Expr, rational: bool = False) -> str:
         method = {sp.Integer(2): "square", sp.Rational(1, 2): "sqrt"}.get(expr.exp)

@@ -18,16 +18,14 @@ from ....paper.slow_flow import SCENES
 from ... import measured
 from ...form import AVERAGED, GENERAL, Composition, Kernel, Module, Selection, TwofoldKernel, suffix
 from ...prose import in_python
-from ...provenance import tools
 from ...views import (
     WIDTH,
     Calls,
     Code,
-    Language,
     composition_view,
+    heading,
     regimes,
     repeated_views,
-    sources,
     tables,
     templates,
     twofold_view,
@@ -41,8 +39,8 @@ from .printer import NumpyPrinter
 if TYPE_CHECKING:
     from ....extensions.scaling import Scale
 
-LANGUAGE = Language(NumpyPrinter(), conjunction=" & ", wrap_in_parentheses=True, names={})
-ENCLOSED = Language(EnclosurePrinter(), conjunction=" & ", wrap_in_parentheses=True, names={})
+PRINTER = NumpyPrinter()
+ENCLOSED = EnclosurePrinter()
 CALLS = Calls("flow.friction(mu)", "flow.{}".format, tuple("average" + symbol.name[1:] for symbol in AVERAGED))
 
 
@@ -89,7 +87,7 @@ def printed(module: Module) -> tuple[Kernel, ...]:
 def text(module: Module, code: Code) -> str:
     """One module."""
     named = (*printed(module), *module.twofolds, *module.selections, *module.compositions)
-    views = [view(kernel, code[kernel.name], LANGUAGE) for kernel in printed(module)]
+    views = [view(kernel, code[kernel.name], PRINTER) for kernel in printed(module)]
     return (
         _environment()
         .get_template("module.py.jinja")
@@ -97,8 +95,8 @@ def text(module: Module, code: Code) -> str:
             module=module,
             kernels=views,
             tables=tables(views),
-            repeated=repeated_views(code, LANGUAGE),
-            twofolds=[twofold_view(kernel, LANGUAGE) for kernel in module.twofolds],
+            repeated=repeated_views(code, PRINTER),
+            twofolds=[twofold_view(kernel, PRINTER) for kernel in module.twofolds],
             compositions=[composition_view(composition, CALLS) for composition in module.compositions],
             exported=exported(module),
             typed={one.name: signature(one) for one in named},
@@ -109,8 +107,7 @@ def text(module: Module, code: Code) -> str:
             has_balls=module.native and bool(module.in_balls),
             constants={name: constant(value) for name, value in module.constants.items()},
             compiled=module.native and bool(module.looped),
-            tools=tools(),
-            **sources(module),
+            heading=heading(module),
         )
     )
 
@@ -129,7 +126,7 @@ def taken(function: Kernel | TwofoldKernel | Selection | Composition) -> str:
 def returned(function: Kernel | TwofoldKernel | Selection | Composition) -> str:
     """What it returns."""
     if isinstance(function, TwofoldKernel):
-        shown = twofold_view(function, LANGUAGE)
+        shown = twofold_view(function, PRINTER)
         width, scalar = len(shown["outputs"]), bool(shown["distilled"]) or len(shown["outputs"]) == 1
     else:
         width, scalar = function.width, function.returns == "scalar"
@@ -141,7 +138,7 @@ def returned(function: Kernel | TwofoldKernel | Selection | Composition) -> str:
 def _environment() -> jinja2.Environment:
     environment = templates(Path(__file__).parent)
     environment.filters["constant"] = constant
-    environment.filters["wrapped"] = lambda value: wrapped(value, len("return"), LANGUAGE)
+    environment.filters["wrapped"] = lambda value: wrapped(value, len("return"), PRINTER)
     environment.filters["parameter"] = parameter
     environment.filters["scale"] = scale
     return environment

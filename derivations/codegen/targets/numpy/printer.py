@@ -2,41 +2,26 @@
 
 from __future__ import annotations
 
+import re
 from typing import ClassVar
 
 import sympy as sp
-from sympy.codegen.cfunctions import hypot, log1p
-from sympy.printing.numpy import NumPyPrinter
+from sympy.codegen.cfunctions import hypot
 from sympy.printing.precedence import PRECEDENCE
 
+from ....forces.quadrature import FUNCTIONS
 from ...compensated import copysign, fma
-from ..printing import Rules
+from ..printing import InPython
 
 
-class NumpyPrinter(Rules, NumPyPrinter):
-    """NumPy, imported as np."""
+class NumpyPrinter(InPython):
+    """NumPy, imported as np; an inverse is arcsin, not asin."""
 
-    infinity = "np.inf"
-    functions: ClassVar = {
+    functions: ClassVar = {function: f"np.{re.sub('^a', 'arc', function.__name__)}" for function in FUNCTIONS} | {
         sp.sqrt: "np.sqrt",
         sp.cbrt: "np.cbrt",
         hypot: "np.hypot",
         sp.Abs: "np.abs",
-        sp.sin: "np.sin",
-        sp.cos: "np.cos",
-        sp.tan: "np.tan",
-        sp.exp: "np.exp",
-        sp.log: "np.log",
-        log1p: "np.log1p",
-        sp.sinh: "np.sinh",
-        sp.cosh: "np.cosh",
-        sp.tanh: "np.tanh",
-        sp.asin: "np.arcsin",
-        sp.acos: "np.arccos",
-        sp.atan: "np.arctan",
-        sp.asinh: "np.arcsinh",
-        sp.acosh: "np.arccosh",
-        sp.atanh: "np.arctanh",
         sp.Pow: "np.power",
         fma: "",
         copysign: "np.copysign",
@@ -49,6 +34,3 @@ class NumpyPrinter(Rules, NumPyPrinter):
             x, y, z = (self.parenthesize(arg, PRECEDENCE["Mul"]) for arg in expr.args)
             return f"{x} * {y} + {z}"
         return super()._print_Function(expr)
-
-    def _print_Symbol(self, expr: sp.Symbol) -> str:
-        return expr.name

@@ -22,13 +22,13 @@ from ...arctangent import PAIRS_CUT, in_pairs
 from ...form import Kernel, Module
 from ...passes import Program
 from ...provenance import tools
-from ...views import BranchView, Code, KernelView, Language, Line, templates, view, wrapped
+from ...views import BranchView, Code, KernelView, Line, templates, view, wrapped
 from .. import interval
 from ..c.printer import CPrinter
 from ..printing import literal
 from .printer import PairPrinter, high_and_low
 
-C = Language(PairPrinter(), conjunction=" && ", wrap_in_parentheses=False, names={"I": "I_"})
+C = PairPrinter()
 DOUBLES = CPrinter()
 
 #: what the template, which is that of intervals, says of pairs
@@ -116,7 +116,7 @@ def rest_in_doubles(printed: BranchView, program: Program, kernel: Kernel) -> Br
         if symbol in needed:
             needed |= value.free_symbols
     pairs = {*kernel.arguments, *needed}
-    high = {symbol: sp.Symbol(f"{C.names.get(symbol.name, symbol.name)}.high") for symbol in pairs}
+    high = {symbol: sp.Symbol(f"{C.doprint(symbol)}.high") for symbol in pairs}
     show = DOUBLES.doprint
 
     def line(one: Line, symbol: sp.Symbol, value: sp.Expr) -> Line:

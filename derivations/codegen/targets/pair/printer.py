@@ -7,7 +7,7 @@ from typing import ClassVar
 import sympy as sp
 
 from ..interval.printer import CallPrinter, is_double
-from ..printing import literal
+from ..printing import SharedArctangent, literal
 
 
 def high_and_low(number: sp.Expr) -> tuple[str, str]:
@@ -16,19 +16,12 @@ def high_and_low(number: sp.Expr) -> tuple[str, str]:
     return high, literal(number - sp.Rational(float(high)))
 
 
-class PairPrinter(CallPrinter):
+class PairPrinter(SharedArctangent, CallPrinter):
     """With the functions of native/pair.h and the generated arctangent."""
 
     prefix = "sfp_"
     infinity = "sfp_point(HUGE_VAL)"
     functions: ClassVar = {sp.sqrt: "sfp_sqrt", sp.atan2: "pair_angles_atan2"}
-
-    def _print_Function(self, expr: sp.Expr) -> str:
-        if expr.func is sp.atan2:
-            # an angle and its complement from the same arguments in the same order: they share their arctangent
-            y, x = (self._print(arg) for arg in expr.args)
-            return f"pair_angles_atan2({y}, {x})" if y <= x else f"pair_angles_atan2_swapped({x}, {y})"
-        return super()._print_Function(expr)
 
     def _number(self, expr: sp.Expr) -> str:
         value = expr.doit()

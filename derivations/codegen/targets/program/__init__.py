@@ -20,7 +20,7 @@ from ...conventions import PROGRAM_FORM
 from ...form import Kernel, Module, Selection, Sums
 from ...views import Code, KernelView, view
 from .. import interval, pair
-from ..c import LANGUAGE as C
+from ..c import PRINTER as C
 from ..c.records import SUMS
 from ..printing import literal
 from . import motion as motion
@@ -122,8 +122,7 @@ class Recorder(Encoder):
                 return chosen(self.in_doubles(selection.source.name), selection)
         kernel = named(self.module.kernels, name)
         sides = [
-            (-1, [(C.printer.doprint(one), C.printer.doprint(other)) for one, other in branch.guards])
-            for branch in kernel.branches
+            (-1, [(C.doprint(one), C.doprint(other)) for one, other in branch.guards]) for branch in kernel.branches
         ]
         found = function(view(kernel, self.code[name], C), DOUBLES, sides)
         if not any(branch.kernel for branch in kernel.branches):
@@ -138,7 +137,7 @@ class Recorder(Encoder):
         module = self.module
         kernels = (*(one for one in (*module.kernels, *module.cells) if one.paired), *module.settled)
         printed = pair.near(named(kernels, name), self.code)
-        show, far = pair.C.printer.doprint, literal(FAR_IN_PAIRS)
+        show, far = pair.C.doprint, literal(FAR_IN_PAIRS)
         sides = [
             [(f"sfp_times({far}, {show(one)})", show(other)) for one, other in branch.guards]
             for branch in printed.kernel.branches
@@ -150,7 +149,7 @@ class Recorder(Encoder):
         module = self.module
         kernels = (*(one for one in module.kernels if one.enclosed), *module.cells)
         printed = interval.widened(named(kernels, name), self.code[name])
-        show = interval.C.printer.doprint
+        show = interval.C.doprint
         sides = [
             [(show(one), show(other)) for one, other in branch.guards if not other.is_Symbol]
             for branch in printed.kernel.branches
