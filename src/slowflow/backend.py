@@ -88,7 +88,7 @@ def compiled_model(
     """One oscillator as the compiled solvers take it, None where they have no record of its mechanism, or refuse it."""
     laws = len(damping) > 2
     if mechanism.samples is not None:
-        record = SOLVER.samples(mechanism.name, *mechanism.samples(*parameters), inertial, laws)
+        record = SOLVER.record(True, mechanism.name, *mechanism.samples(*parameters), inertial, laws)
     elif mechanism.odd and not mechanism.is_generated:
         stated = stated_by_module(mechanism)
         derived = stated is not None and mechanism.enclosed == stated.enclosed

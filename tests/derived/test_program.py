@@ -65,7 +65,7 @@ def data(mechanism):
 
 def read(integers, numbers):
     """The record of a program."""
-    return backend.SOLVER.program("any", array("i", integers).tobytes(), array("d", numbers).tobytes())
+    return backend.SOLVER.record(False, "any", array("i", integers).tobytes(), array("d", numbers).tobytes())
 
 
 def refused(integers, numbers):

@@ -130,7 +130,7 @@ def test_amplitude_interval_encloses_the_average_and_its_bend():
     for name, numbers in (("soft_stop", {"c": 3.0, "k": 6.0, "gap": 0.2}), ("wave", {"k": 0.2, "c": 3.0})):
         model = mechanism(name)(**numbers, **DAMPING).model
         samples = model.mechanism.samples(*model.parameters)
-        record = backend.SOLVER.samples(name, *samples, False, False)
+        record = backend.SOLVER.record(True, name, *samples, False, False)
         edges = [1e-3, 0.1, 0.2, 0.3, 0.31, 0.8, 1.5, 3.0]
         for low, high in pairwise(edges):
             of_h, bend = bent(record, model, low, high)

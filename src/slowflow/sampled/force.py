@@ -130,7 +130,7 @@ class Force:
 
     @cached_property
     def _record(self) -> Any:
-        return loaded("slowflow._native").samples(self.stated.name, *self.samples, False, False)
+        return loaded("slowflow._native").record(True, self.stated.name, *self.samples, False, False)
 
     def averages(self, A: Any, outputs: int) -> tuple[Any, ...]:
         """h and three derivatives; h_3 and h_5, each with three derivatives, as 8 outputs; or h - A h_A as one.

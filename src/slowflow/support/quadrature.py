@@ -45,7 +45,7 @@ def _interpreted(module: ModuleType) -> Any:
         return None
     program = json.loads(place.read_text())
     lists = array("i", program["words"]).tobytes(), array("d", program["numbers"]).tobytes()
-    return loaded("slowflow._native").program(module.MECHANISM.name, *lists)
+    return loaded("slowflow._native").record(False, module.MECHANISM.name, *lists)
 
 
 def averages(record: Any, numbers: tuple[float, ...], A: Any, outputs: int) -> Any:

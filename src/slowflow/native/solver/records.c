@@ -119,25 +119,30 @@ static void free_samples(PyObject *capsule)
     sf_here()->records->free_samples(PyCapsule_GetPointer(capsule, SF_RECORD));
 }
 
-/* A record from code, C ints, and numbers, doubles, as bytes. */
-static PyObject *read_record(PyObject *args, int sampled)
+static void surround(sf_mechanism *made, int inertial, int with_laws)
 {
-    sf_mechanism *record;
+    if (inertial)
+        sf_excite_by_inertia(made);
+    if (with_laws)
+        sf_add_laws(made);
+}
+
+static PyObject *read_record(PyObject *self, PyObject *args)
+{
+    sf_mechanism *made;
     const char *name, *code, *numbers;
     Py_ssize_t count, length;
-    int inertial = 0, with_laws = 0;
-    if (!PyArg_ParseTuple(args, "sy#y#|pp", &name, &code, &count, &numbers, &length, &inertial, &with_laws))
+    int sampled, inertial = 0, with_laws = 0;
+    (void)self;
+    if (!PyArg_ParseTuple(args, "psy#y#|pp", &sampled, &name, &code, &count, &numbers, &length, &inertial, &with_laws))
         return NULL;
     const sf_records *shipped = sf_here()->records;
     switch (shipped->read(sampled, shipped->all[0], name, (const int *)(const void *)code,
                           count / (Py_ssize_t)sizeof(int), (const double *)(const void *)numbers,
-                          length / (Py_ssize_t)sizeof(double), &record)) {
+                          length / (Py_ssize_t)sizeof(double), &made)) {
     case SF_OK:
-        if (inertial)
-            sf_excite_by_inertia(record);
-        if (with_laws)
-            sf_add_laws(record);
-        return PyCapsule_New(record, SF_RECORD, sampled ? free_samples : NULL);
+        surround(made, inertial, with_laws);
+        return PyCapsule_New(made, SF_RECORD, sampled ? free_samples : NULL);
     case SF_TOO_MANY:
         Py_RETURN_NONE;
     case SF_NO_MEMORY:
@@ -145,18 +150,6 @@ static PyObject *read_record(PyObject *args, int sampled)
     default:
         return PyErr_Format(PyExc_ValueError, "%s: its words and numbers are no %s", name, sampled ? "polynomials" : "program");
     }
-}
-
-static PyObject *program(PyObject *self, PyObject *args)
-{
-    (void)self;
-    return read_record(args, 0);
-}
-
-static PyObject *samples(PyObject *self, PyObject *args)
-{
-    (void)self;
-    return read_record(args, 1);
 }
 
 /* A function at an address, as what a record has in its place. */
@@ -199,10 +192,7 @@ static PyObject *called(PyObject *self, PyObject *args)
     SF_AT(made, averaged_2, at[4]), SF_AT(made, intercept, at[5]), SF_AT(made, harmonics, at[6]);
     if (bounds != NULL)
         made->bent = bounds->bent, made->program = bounds->program;
-    if (inertial)
-        sf_excite_by_inertia(made);
-    if (with_laws)
-        sf_add_laws(made);
+    surround(made, inertial, with_laws);
     PyObject *found = PyCapsule_New(made, SF_RECORD, free_called);
     if (found == NULL) {
         free(made);
@@ -364,12 +354,10 @@ static PyObject *prepared(PyObject *self, PyObject *capsule)
 static PyMethodDef functions[] = {
     {"prepared", prepared, METH_O, "(oscillator) -> 4 mu/pi, breakpoints, jumps at these; none at 0"},
     {"averages", averages, METH_VARARGS, "(record, parameters, A, out) -> None"},
-    {"program", program, METH_VARARGS,
-     "(name, code, numbers) -> a record that interprets them; ValueError where they are no program, None where the force "
-     "is beyond what a record has room for"},
-    {"samples", samples, METH_VARARGS,
-     "(name, code, numbers, inertial, with_laws) -> a record of one design of a force that is known by its values, let go "
-     "with the last oscillator that was made of it; likewise"},
+    {"record", read_record, METH_VARARGS,
+     "(sampled, name, code, numbers, inertial, with_laws) -> a record of C ints and doubles, as bytes: one that "
+     "interprets a program, or of one design of a force that is known by its values, let go with the last oscillator "
+     "that was made of it; ValueError where they are none, None where the force is beyond what a record has room for"},
     {"called", called, METH_VARARGS,
      "(name, sizes, reach, harmonics_up_to, addresses, keep, inertial, with_laws, enclosed) -> a record that calls "
      "functions at addresses, 0 for those that are not known, and keeps what these live in; enclosed: a record whose "
