@@ -82,13 +82,10 @@ def mechanism_module(mechanisms: Mapping[str, OfMechanism], name: str, flow: Mod
 
 def with_proofs(module: Module, derived: OfMechanism) -> Module:
     """The same with what compiled solvers and balls ask of it besides."""
-    return replace(
-        module,
-        cells=cell_kernels(derived),
-        settled=closely(derived),
-        bounded=bounded_kernels(derived),
-        balls=ball_kernels(derived),
-    )
+    module = replace(module, cells=cell_kernels(derived))
+    if not is_spelled_out(derived):
+        return module
+    return replace(module, settled=closely(derived), bounded=bounded_kernels(derived), balls=ball_kernels(derived))
 
 
 @dataclass(frozen=True)
@@ -263,8 +260,6 @@ def pieces_of(derived: OfMechanism) -> tuple[sp.Expr, sp.Expr, sp.Expr, elliptic
 
 def closely(derived: OfMechanism) -> tuple[Kernel, ...]:
     """The average of a force that is not truncated, piece by piece: on intervals, and in double-double."""
-    if not is_spelled_out(derived):
-        return ()
     a, b, rest, end = pieces_of(derived)
     of_parts = elliptic.detached_closely(b, rest, end)
     of = formulas(derived.oscillator.mechanism.parameters)
@@ -283,8 +278,6 @@ def closely(derived: OfMechanism) -> tuple[Kernel, ...]:
 
 def bounded_kernels(derived: OfMechanism) -> tuple[Kernel, ...]:
     """What of it is computed to more digits: where A exceeds the breakpoint, in closed form."""
-    if not is_spelled_out(derived):
-        return ()
     _, b, rest, end = pieces_of(derived)
     of_parts = elliptic.detached_closely(b, rest, end)
     of = formulas(derived.oscillator.mechanism.parameters)
@@ -320,8 +313,6 @@ def state_kinks(of: Formulas, derived: OfMechanism) -> None:
 
 def ball_kernels(derived: OfMechanism) -> tuple[Kernel, ...]:
     """What a proof asks for where an average is an algorithm that only approaches it: closed forms, for balls."""
-    if not is_spelled_out(derived):
-        return ()
     a, b, rest, end = pieces_of(derived)
     regimes = elliptic.in_balls(a, b, rest, end)
     cases = [

@@ -380,10 +380,8 @@ class Recurrence:
         further = [line.further.replace("first[", "c->first[") for line in self.lines]
         made = [f"w[{number}] = {line};" for number, line in enumerate(further, 1)]
         for i in range(self.fours):
-            for name, side in zip(
-                ("left", "right"), zip(*self.padded[LANES * i : LANES * (i + 1)], strict=True), strict=True
-            ):
-                made.append(f"{name}[{i}] = sf_four_of({', '.join(side)});")
+            left, right = zip(*self.padded[LANES * i : LANES * (i + 1)], strict=True)
+            made += [f"left[{i}] = sf_four_of({', '.join(left)});", f"right[{i}] = sf_four_of({', '.join(right)});"]
         return body(("c", "p", "w", "left", "right"), known, made)
 
     @property
@@ -435,7 +433,7 @@ class _Builder:
             factor, series = self._product(expression)
             if series is None:
                 return factor
-            return series if factor == "" else self.add(_scaled(factor, "first", series), _scaled(factor, "w", series))
+            return series if factor == "" else self._times_constant(factor, series)
         if expression.is_Pow:
             return self._power(self.of(expression.base), expression.exp)
         if expression.func in LED_BY:
@@ -510,7 +508,7 @@ class _Builder:
                 [(f"w[{below}]", "w[{own}]")],
                 f"1.0 / first[{below}]",
             )
-            return one if above == "1.0" else self.add(_scaled(above, "first", one), _scaled(above, "w", one))
+            return one if above == "1.0" else self._times_constant(above, one)
         return self.add(
             f"first[{above}] / first[{below}]",
             f"sf_quotient(c, {above}, {below}, {{own}}, {{0}})",
