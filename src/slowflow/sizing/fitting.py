@@ -81,10 +81,10 @@ class Numbers(Table):
 
 @dataclass(frozen=True, eq=False)
 class Fit(Numbers):
-    """Numbers that a measurement says, one row each.
+    """Parameters fitted to a measurement, one row each.
 
-    value     -- the number, of a mount in SI units, which `unit` says
-    error     -- its standard error, of the equations made linear; low, high -- its 95 % confidence interval by the
+    value     -- the fitted value, of a mount in SI units, named by `unit`
+    error     -- its standard error, of the linearized equations; low, high -- its 95 % confidence interval by the
                  profile likelihood, with 0 or inf where the points do not bound it
     design    -- the oscillator or the mount that has these numbers
     residuals -- measured less fitted amplitude, phase or jump frequency at each point, in the order of the points; up
