@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import sys
 
 import numpy as np
@@ -11,7 +12,7 @@ from scipy.optimize import brentq
 
 from slowflow import Duffing, Isolator, derive, progress
 from slowflow.example import isolator
-from slowflow.sizing import fit, front, meet, sobol, tolerances
+from slowflow.sizing import fit, from_loop, front, meet, sobol, tolerances
 from slowflow.sizing.subject import Subject
 from slowflow.support.errors import NotSettled
 from tests.sampling import fewer
@@ -586,6 +587,110 @@ def test_a_cubic_spring_is_found_from_its_backbone():
         free = ["k_1", "k_3"] if k_1 else ["k_3"]
         found = fit(start, A=A, backbone=f, free=free)
         np.testing.assert_allclose(found.value, [k_1, k_3] if k_1 else [k_3], rtol=1e-9)
+
+
+SPRING = {"friction": 0.4, "c": 8.0, "k_1": 2500.0, "k_3": 4e5}
+TIMES = np.linspace(0.0, 4.0, 200)
+
+
+def resisting_force(x, v):
+    return SPRING["k_1"] * x + SPRING["k_3"] * x**3 + SPRING["friction"] * np.sign(v) + SPRING["c"] * v
+
+
+@functools.cache
+def decay():
+    """12 kg on `SPRING`, released from 40 mm: by SciPy, from stop to stop."""
+    x, t, found = 0.04, 0.0, []
+    while t < TIMES[-1]:
+        side = -np.sign(x)
+
+        def rates(t, y, side=side):
+            return [y[1], -(resisting_force(y[0], 0.0) + SPRING["friction"] * side + SPRING["c"] * y[1]) / 12]
+
+        def stops(t, y):
+            return y[1]
+
+        stops.terminal, stops.direction = True, -side
+        own = {"rtol": 1e-10, "atol": 1e-12, "dense_output": True, "events": stops}
+        way = scipy.integrate.solve_ivp(rates, (t, TIMES[-1]), [x, 1e-12 * side], **own)
+        found.append(way.sol(TIMES[(TIMES >= t) & (TIMES < way.t[-1])])[0])
+        x, t = way.y[0, -1], way.t[-1]
+    return np.append(np.concatenate(found), x)[: TIMES.size]
+
+
+def in_time(random):
+    """A loop with a mean force, and a decay, with noise of their deviations."""
+    x, v = 0.03 * np.sin(2 * np.pi * TIMES), 0.06 * np.pi * np.cos(2 * np.pi * TIMES)
+    F = resisting_force(x, v) + 3.0 + 0.05 * random.standard_normal(TIMES.size)
+    released = decay() + 1e-4 * random.standard_normal(TIMES.size)
+    return {"x": x, "F": F, "t": TIMES, "deviation": 0.05}, {"x": released, "t": TIMES, "deviation": "0.1 mm"}
+
+
+def of_spring(found):
+    """Which intervals hold the truth."""
+    truth = {**SPRING, "x_0": 0.04}
+    return [row.low < truth[row.parameter] < row.high for row in found]
+
+
+@pytest.mark.slow
+def test_a_decay_and_a_loop_have_the_numbers_of_their_spring():
+    """Each by itself, and together with narrower intervals; a loop's by the linear equations of `from_loop` too."""
+    start = Duffing.physical(m=12, k_1=2400, k_3=3.5e5, friction=0.5, c=6)
+    loop, free = in_time(np.random.default_rng(2))
+    own = [{name: value for name, value in one.items() if name != "deviation"} for one in (loop, free)]
+    by_loop, by_decay, together = fit(start, **own[0]), fit(start, **own[1]), fit(start, loop, free)
+    assert by_decay.parameter.tolist() == ["friction", "c", "k_1", "k_3", "x_0"]
+    linear = from_loop(**own[0])
+    for row in linear:
+        (same,) = (one for one in by_loop if one.parameter == row.parameter)
+        assert same.value == pytest.approx(row.value, rel=1e-6) and same.error == pytest.approx(row.error, rel=0.01)
+    assert np.mean(of_spring(by_loop) + of_spring(by_decay) + of_spring(together)) > 0.8
+    for single in (by_loop, by_decay):
+        for row in single:
+            (both,) = (one for one in together if one.parameter == row.parameter)
+            assert both.error < row.error * 1.05
+    assert 0.85 < together.deviation < 1.15 and "linear" in by_decay.message
+
+
+@pytest.mark.night
+def test_intervals_of_decays_hold_the_truth_in_95_of_100():
+    start = Duffing.physical(m=12, k_1=2500, k_3=4e5, friction=0.4, c=8)
+    random, covered = np.random.default_rng(0), []
+    for _ in range(200):
+        covered += of_spring(fit(start, *in_time(random)))
+    assert 0.93 < np.mean(covered) < 0.97
+
+
+def test_a_loop_across_the_stroke_has_the_springs_of_its_mount():
+    """Quasi-static, without noise: the untruncated force of the push-rods, detached beyond the stroke."""
+    x = 0.05 * np.sin(np.linspace(0, 4 * np.pi, 400))
+    F = MOUNT.force(x) + 0.4 * np.sign(np.gradient(x))
+    found = fit(MOUNT.replace(**START), x=x, F=F, free=["friction", "k_h", "preload"])
+    assert found.value == pytest.approx([0.4, 1700, 0.009], rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("data", "message"),
+    (
+        ({"x": TIMES}, "x needs t, the times of a free decay, or F"),
+        ({"x": TIMES[:5], "t": TIMES[:5]}, "of at least 10 samples"),
+        ({"x": TIMES, "t": TIMES[::-1]}, "the times must rise"),
+        ({"x": TIMES, "t": TIMES}, "must begin with a displacement"),
+        ({"x": TIMES, "t": TIMES, "A": [1.0]}, "needs either"),
+        ({"t": TIMES, "A": TIMES, "f": 1.0, "F": 1.0}, "t needs x"),
+    ),
+)
+def test_what_is_no_motion_in_time_is_refused(data, message):
+    with pytest.raises(ValueError, match=message):
+        fit(MOUNT, **data)
+
+
+def test_motions_in_time_are_not_fitted_with_laws_at_a_frequency():
+    free = {"x": 0.01 * np.cos(TIMES), "t": TIMES}
+    with pytest.raises(ValueError, match="stated at one frequency"):
+        fit(MOUNT.replace(eta=0.1), **free)
+    with pytest.raises(ValueError, match="more than one free decay"):
+        fit(MOUNT, *[{**free, "deviation": 1e-4}] * 2)
 
 
 @pytest.mark.slow

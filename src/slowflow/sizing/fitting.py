@@ -1,4 +1,4 @@
-"""A fit. Takes measured amplitudes, phases or jump frequencies; returns numbers with confidence intervals.
+"""A fit. Takes measured amplitudes, phases, jumps, decays or loops; returns numbers with confidence intervals.
 
 By SciPy's least squares on the averaged states; of several motions at a frequency the one nearest to the measured one
 counts.
@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import contextlib
 import warnings
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, ClassVar, Unpack
 
@@ -20,10 +20,15 @@ from scipy.special import stdtrit
 from slowflow import validate
 from slowflow.answer import Table, entry, joined
 from slowflow.averaged.many import AMPLITUDES, SADDLE_NODES
-from slowflow.mechanism import Floats
+from slowflow.backend import EXACT
+from slowflow.exact.motion import MOST_STEPS, handle, system_of
+from slowflow.exact.transient import record
+from slowflow.mechanism import EquationOfMotion, Floats
+from slowflow.model import THROUGHOUT
 from slowflow.quantities import SHEET, SI, in_shown, si
+from slowflow.random_vibration.record import accelerations
 from slowflow.range_checks import Implausible
-from slowflow.sizing.subject import Measured, Subject, first_jump
+from slowflow.sizing.subject import AT_NO_FREQUENCY, Measured, Subject, first_jump
 from slowflow.support.errors import NotSettled, Refused
 
 #: share of all fits whose interval holds the number, if the noise is normal and the equations are right
@@ -52,9 +57,18 @@ DECADES = (-2.5, -0.3)
 OTHER_START = "a search from the given start ends with a sum of squares of {:.3g}, from another one with {:.3g}"
 OPEN = "the points do not determine {}: an interval has no end within 1/1000 to 1000 times the start value"
 LINEAR = (
-    "the intervals are those of the equations made linear: with other laws of damping designs take too "
-    "long for those of the profile likelihood"
+    "the intervals are those of the equations made linear: with other laws of damping, and in a free decay, designs "
+    "take too long for those of the profile likelihood"
 )
+#: slower than this share of the fastest, a motion turns: friction changes sides, and may take a displacement for it
+TURNS = 0.1
+#: samples of the polynomials that give the velocity, one in so many of all, and their degree
+WINDOW, DEGREE = 40, 3
+#: the displacement that a free decay begins with
+RELEASED = "x_0"
+LEAST_SAMPLES = 10
+#: a velocity that leaves friction alone
+SLOW = 1e-100
 ABSENT = "the fitted design has no such motion, or jump, at {} of the {} points"
 
 
@@ -87,9 +101,10 @@ class Fit(Numbers):
     error     -- its standard error, of the linearized equations; low, high -- its 95 % confidence interval by the
                  profile likelihood, with 0 or inf where the points do not bound it
     design    -- the oscillator or the mount that has these numbers
-    residuals -- measured less fitted amplitude, phase or jump frequency at each point, in the order of the points; up
-                 first
-    at        -- the frequency, or the forcing, of each point; names -- of `at` and `residuals`, with their units
+    residuals -- measured less fitted amplitude, phase, jump frequency, displacement or force at each point, in their
+                 order; up first
+    at        -- the frequency, the forcing, the time or the displacement of each point; names -- of `at` and
+                 `residuals`, with their units
     deviation -- standard deviation of the residuals, with as many degrees of freedom as points less numbers
     correlation -- of the numbers, shape (n, n)
     """
@@ -127,10 +142,14 @@ def fit(
     jump_up: Any = None,
     jump_down: Any = None,
     backbone: Any = None,
+    x: Any = None,
+    t: Any = None,
     free: Sequence[str] | None = None,
     **at: Unpack[Measured],
 ) -> Fit:
-    """Fit parameters of an oscillator to measured amplitudes, phases, jumps or a backbone, by least squares.
+    """Fit parameters of an oscillator to measured amplitudes, phases, jumps, a backbone, a free decay or a loop.
+
+    By least squares of residuals, of several data sets over their standard deviations.
 
     Noise is taken to be normal and the same at all points; noise in proportion to the amplitude leaves intervals that
     are too narrow. They know of noise alone, not that averaging is an approximation, which may move a number by a
@@ -138,7 +157,8 @@ def fit(
     91 to 96 % held the number, on curves that jump 88 to 97 %, see docs/howto/tolerances.md. With other laws of
     damping they are those of the equations made linear. A number that the points do not bound has an
     interval that ends at 0 or inf, and the message names it. It also says where a search from the given start ends in a
-    minimum that is not the lowest found; six starts are tried, which does not prove that there is no lower one.
+    minimum that is not the lowest found; six starts are tried, which does not prove that there is no lower one, and of
+    a free decay the given one alone.
 
     Parameters
     ----------
@@ -156,6 +176,11 @@ def fit(
         Instead of A: the frequency of the jump at each forcing, in Hz of a mount; one or both, NaN where none was seen.
     backbone : array_like, optional
         With A and no forcing: frequencies of free vibration at these amplitudes, or of resonance, in Hz of a mount.
+    x, t : array_like, optional
+        A free decay: displacements in m of a mount and their times in s, released from rest at the first sample; it
+        is integrated by the equation of motion, from a displacement x_0 that is found too, and its intervals are those
+        of the equations made linear. The start must have the frequency to within a fraction of a cycle. With F: the
+        forces in N of a force-displacement loop, whose viscous part needs the times; its mean force is left out.
     free : sequence of str, optional
         Names of the parameters to fit; by default friction, damping and the springs' numbers.
     **at : Measured
@@ -172,7 +197,7 @@ def fit(
     ValueError, ArithmeticError
         For what is not allowed, as fewer points than free parameters; where the points do not determine these.
     """
-    own = {"A": A, "phi": phi, "jump_up": jump_up, "jump_down": jump_down, "backbone": backbone, **at}
+    own = {"A": A, "phi": phi, "jump_up": jump_up, "jump_down": jump_down, "backbone": backbone, "x": x, "t": t, **at}
     if not sets:
         subject, measured = _one_set(of, free, **own)
     elif any(value is not None for value in own.values()):
@@ -199,16 +224,25 @@ def _one_set(
     jump_up: Any = None,
     jump_down: Any = None,
     backbone: Any = None,
+    x: Any = None,
+    t: Any = None,
     **at: Any,
 ) -> tuple[Subject, _Measured]:
     """What is varied, and one data set of it. Raises ValueError for what is not allowed."""
+    F = at.pop("F", None) if x is not None else None
     subject = Subject(of, () if free is None else free, at)
     of = subject.of
     with contextlib.nullcontext() if subject.mount is None else subject.mount.scales.in_these_terms():
         (of if subject.mount is None else of.oscillator).at_centre("fit")
     kinds = [A is None or backbone is not None, phi is None, jump_up is None and jump_down is None, backbone is None]
-    if kinds.count(False) != 1:
-        raise Refused("a fit needs either measured amplitudes A, or phases phi, or jump_up or jump_down, or a backbone")
+    if [*kinds, x is None].count(False) != 1:
+        raise Refused(
+            "a fit needs either measured amplitudes A, or phases phi, or jump_up or jump_down, or a backbone, or x"
+        )
+    if t is not None and x is None:
+        raise Refused("t needs x, the displacements at these times")
+    if x is not None:
+        return subject, _in_time(subject, {"x": x, "t": t, "F": F})
     if subject.mount:
         A, backbone = si("A", A, "m"), si("backbone", backbone, "Hz")
         jump_up, jump_down = si("jump_up", jump_up, "Hz"), si("jump_down", jump_down, "Hz")
@@ -233,17 +267,24 @@ def _together(sets: Sequence[_Measured], deviations: Sequence[Any]) -> _Measured
 
     values = np.concatenate([of.values / one for of, one in zip(sets, each, strict=True)])
     names = ("point", "measured less fitted, over its standard deviation")
-    return _Measured(values, np.arange(1.0, values.size + 1), of_designs, names)
+    released = [of.released for of in sets if of.released]
+    if len(released) > 1:
+        raise Refused("more than one free decay is not allowed: each has an x_0 of its own")
+    return _Measured(values, np.arange(1.0, values.size + 1), of_designs, names, sum(released))
 
 
 @dataclass(frozen=True)
 class _Measured:
-    """What was measured: values, where, what designs have there, a row each, from their numbers, and names of both."""
+    """What was measured: values, where, what designs have there, a row each, from their numbers, and names of both.
+
+    released -- of a free decay from which displacement, 0 of what is none
+    """
 
     values: Floats
     at: Floats
     of_designs: Callable[[Mapping[str, Any]], Floats]
     names: tuple[str, str]
+    released: float = 0.0
 
     @property
     def unit(self) -> str:
@@ -259,13 +300,17 @@ def _fitted(subject: Subject, measured: _Measured, names: list[str]) -> Fit:
     if size <= len(names):
         raise Refused(f"{size} points are too few for {len(names)} numbers")
     start = np.array([subject.nominal[name] or FROM_NOTHING for name in names])
+    one_by_one = subject.one_by_one
+    if measured.released:
+        names, start, one_by_one = [*names, RELEASED], np.append(start, measured.released), True
 
     def residuals(x: Floats) -> Floats:
         """Measured less what designs have, a row each; all that was measured where there is none, or no design."""
         columns = dict(zip(names, (x * start).T[..., np.newaxis], strict=True))
         return np.asarray(measured.values - measured.of_designs(columns))
 
-    found, own = _best(residuals, len(names))
+    # far from the frequency of a decay no start leads to it
+    found, own = _best(residuals, len(start), 0 if measured.released else STARTS)
     left = size - len(names)
     half = float(stdtrit(left, 0.5 * (1 + CONFIDENCE)))
     ends = None
@@ -273,7 +318,7 @@ def _fitted(subject: Subject, measured: _Measured, names: list[str]) -> Fit:
         ran_out = (found.x < LEAST * (1 + AT_AN_END)) | (found.x > MOST * (1 - AT_AN_END))
         error = np.sqrt(np.diag(_covariance(found, left)))
         # without noise they are narrower than rounding
-        if subject.one_by_one or ran_out.any() or (half * error < WIDTH * found.x).all():
+        if one_by_one or ran_out.any() or (half * error < WIDTH * found.x).all():
             break
         ends, lower = _region(residuals, found, half, left)
         if lower is None:
@@ -291,7 +336,8 @@ def _fitted(subject: Subject, measured: _Measured, names: list[str]) -> Fit:
     open_ = [name for name, one, other in zip(names, *ends, strict=True) if one == 0 or other == np.inf]
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", Implausible)  # the message says what numbers at the ends of the range are
-        design = subject.of.replace(**dict(zip(names, value.tolist(), strict=True)))
+        found_by_name = dict(zip(names, value.tolist(), strict=True))
+        design = subject.of.replace(**{name: one for name, one in found_by_name.items() if name != RELEASED})
     scale = float(measured.values @ measured.values)
     absent = np.count_nonzero(found.fun == measured.values)
     message = joined(
@@ -299,10 +345,11 @@ def _fitted(subject: Subject, measured: _Measured, names: list[str]) -> Fit:
         RAN_OUT.format(", ".join(np.array(names)[ran_out])) if ran_out.any() else "",
         OTHER_START.format(2 * own, 2 * found.cost) if own > found.cost * (1 + OTHER) + NOTHING * scale else "",
         OPEN.format(", ".join(open_)) if open_ else "",
-        LINEAR if subject.one_by_one else "",
+        LINEAR if one_by_one else "",
         ABSENT.format(absent, size) if absent else "",
     )
-    units = np.array([SHEET[name] if subject.mount else "" for name in names], dtype=np.str_)
+    sheet = {**SHEET, RELEASED: "m"}
+    units = np.array([sheet[name] if subject.mount else "" for name in names], dtype=np.str_)
     columns = (np.array(names), units, value, error * np.abs(start), low, high)
     return Fit(*columns, design, np.asarray(found.fun), measured.at, measured.names, deviation, correlation, message)
 
@@ -329,7 +376,7 @@ def _search(residuals: Residuals, x: Floats, tolerance: float = 1e-12, most: int
     return least_squares(lambda x: residuals(x[np.newaxis])[0], x, slopes, bounds=bounds, x_scale="jac", **ends)
 
 
-def _best(residuals: Residuals, n: int) -> tuple[Any, float]:
+def _best(residuals: Residuals, n: int, starts: int) -> tuple[Any, float]:
     """The lowest minimum from several starts, always the same ones, and half of the sum of squares from the given one.
 
     Without noise, where the given start leads to the numbers, none is lower.
@@ -338,7 +385,7 @@ def _best(residuals: Residuals, n: int) -> tuple[Any, float]:
     own = float(found.cost)
     # a low-discrepancy sequence: the fractional parts of multiples of powers of the root of x^(n + 1) = x + 1
     root = float(np.max(np.real(np.roots([1.0, *[0.0] * (n - 1), -1.0, -1.0]))))
-    for k in range(1, STARTS + 1):
+    for k in range(1, starts + 1):
         fraction = (0.5 + k * root ** -np.arange(1.0, n + 1)) % 1.0
         other = _search(residuals, FAR ** (2 * fraction - 1), tolerance=1e-4, most=30)
         if other.cost < found.cost * (1 - OTHER):
@@ -496,3 +543,85 @@ def _nearest(
     nearest = np.argmin(np.abs(there - measured[:, np.newaxis]), axis=-1)[..., np.newaxis]
     found = np.take_along_axis(there, nearest, -1)[..., 0]
     return np.where(np.isfinite(found), found, 0.0)
+
+
+def _in_time(subject: Subject, rows: Mapping[str, Any]) -> _Measured:
+    """Displacements of a free decay at times, or forces of a loop at displacements."""
+    units = {"x": "m", "t": "s", "F": "N"}
+    known = {
+        name: validate.finite_array(name, si(name, row, units[name]) if subject.mount else row)
+        for name, row in rows.items()
+        if row is not None
+    }
+    if len(known) < 2:
+        raise Refused("x needs t, the times of a free decay, or F, the forces of a loop")
+    if any(row.shape != (known["x"].size,) for row in known.values()) or known["x"].size < LEAST_SAMPLES:
+        raise Refused(f"{', '.join(known)} must be rows of one length, of at least {LEAST_SAMPLES} samples")
+    if "t" in known and (np.diff(known["t"]) <= 0).any():
+        raise Refused("t is not allowed: the times must rise")
+    if "eta" in subject.laws:
+        raise validate.NotAvailable(AT_NO_FREQUENCY.format("a fit to motions in time"))
+    return _loop(subject, **known) if "F" in known else _decay(subject, **known)
+
+
+def _systems(subject: Subject, values: Mapping[str, Any]) -> Iterator[tuple[int, EquationOfMotion, dict[str, float]]]:
+    """Equations of motion of designs with their numbers and scales; none of what is no design."""
+    designs, _, units = subject.designs({name: value for name, value in values.items() if name != RELEASED})
+    count = np.size(next(iter(values.values())))
+    numbers = {name: np.broadcast_to(value, (count, 1))[:, 0].tolist() for name, value in designs.values.items()}
+    sizes = {kind: np.broadcast_to(units[kind], (count, 1))[:, 0].tolist() for kind in ("length", "time", "force")}
+    for k in range(count):
+        with contextlib.suppress(ValueError):
+            system = system_of(designs, {name: column[k] for name, column in numbers.items()})
+            yield k, system, {kind: column[k] for kind, column in sizes.items()}
+
+
+def _decay(subject: Subject, x: Floats, t: Floats) -> _Measured:
+    """A free decay, from rest at the first sample."""
+    if not x[0]:
+        raise Refused("x is not allowed: a free decay must begin with a displacement")
+
+    def of_designs(values: Mapping[str, Any]) -> Floats:
+        """0 where a design's motion is lost."""
+        begins = np.ravel(values[RELEASED])
+        found = np.zeros((begins.size, x.size))
+        for k, system, sizes in _systems(subject, values):
+            arcs = record((t - t[0]) / sizes["time"], np.zeros(t.size))
+            begin = float(begins[k]) / sizes["length"]
+            outcome, _, _, states = EXACT.record(
+                handle(system), np.ascontiguousarray(arcs), begin, 0.0, *[MOST_STEPS] * 2
+            )
+            if not outcome:
+                found[k] = np.append(begin, np.frombuffer(states)[::2]) * sizes["length"]
+        return found
+
+    names = ("t/s", "measured less fitted x/m") if subject.mount else ("t", "measured less fitted x")
+    return _Measured(x, t, of_designs, names, float(x[0]))
+
+
+def _loop(subject: Subject, x: Floats, F: Floats, t: Floats | None = None) -> _Measured:
+    """A force-displacement loop where the motion does not turn, less its mean force; slow where there are no times."""
+    validate.is_plain("a fit to a loop", "" if subject.rubs == THROUGHOUT else f"rubs = {subject.rubs!r}")
+    v = _velocity(x) / (1.0 if t is None else _velocity(t))
+    goes = np.abs(v) > TURNS * np.abs(v).max()
+    if not goes.any():
+        raise NotSettled("the loop does not determine a spring: x does not change")
+    x, v, F = x[goes], v[goes] if t is not None else SLOW * np.sign(v[goes]), F[goes]
+
+    def of_designs(values: Mapping[str, Any]) -> Floats:
+        found = np.zeros((np.size(next(iter(values.values()))), x.size))
+        for k, system, sizes in _systems(subject, values):
+            scaled = v * (sizes["time"] / sizes["length"])
+            forces = accelerations(system, x / sizes["length"], scaled, np.zeros(x.size)) * sizes["force"]
+            found[k] = forces - forces.mean()
+        return found
+
+    names = ("x/m", "measured less fitted F/N") if subject.mount else ("x", "measured less fitted F")
+    return _Measured(F - F.mean(), x, of_designs, names)
+
+
+def _velocity(x: Floats) -> Floats:
+    """By sample, from polynomials through neighbours: noise in the displacement does not turn the motion."""
+    from scipy.signal import savgol_filter
+
+    return np.asarray(savgol_filter(x, max(DEGREE + 2, x.size // WINDOW) | 1, DEGREE, deriv=1))

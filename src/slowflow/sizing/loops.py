@@ -17,13 +17,9 @@ from slowflow.isolator import Duffing
 from slowflow.mechanism import Floats
 from slowflow.physical import Physical
 from slowflow.quantities import SHEET, in_shown, si
-from slowflow.sizing.fitting import CONFIDENCE, Numbers
+from slowflow.sizing.fitting import CONFIDENCE, TURNS, Numbers, _velocity
 from slowflow.support.errors import NotSettled, Refused
 
-#: slower than this share of the fastest, a motion turns: friction changes sides, and may take a displacement for it
-TURNS = 0.1
-#: samples of the polynomials that give the velocity, one in so many of all, and their degree
-WINDOW, DEGREE = 40, 3
 #: correlation of neighbouring residuals above which something else than noise is left, where they are more than this
 #: share of the force
 LEFT, ROUNDING = 0.5, 1e-3
@@ -158,10 +154,3 @@ def from_loop(x: Any, F: Any, *, t: Any = None) -> Loop:
     rows_of = value[own], error[own], (value - half)[own], (value + half)[own]
     fitted = np.where(goes, F - residuals, np.nan)
     return Loop(np.array(names[own]), units, *rows_of, found["F_mean"], x, F, fitted, deviation, message)
-
-
-def _velocity(x: Floats) -> Floats:
-    """By sample, from polynomials through neighbours: noise in the displacement does not turn the motion."""
-    from scipy.signal import savgol_filter
-
-    return np.asarray(savgol_filter(x, max(DEGREE + 2, x.size // WINDOW) | 1, DEGREE, deriv=1))
