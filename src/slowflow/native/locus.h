@@ -59,15 +59,17 @@ static void sf_extrema_on(const sf_model *model, const sf_stretch *piece, sf_law
 }
 
 /* undecided: whether rounding may hide some at which the level turns */
-static void sf_locus_zeros(const sf_model *model, const sf_stretch *piece, sf_law_search *search, sf_zeros *found) {
+static void sf_locus_zeros(const sf_model *model, const sf_stretch *piece, int whole, sf_law_search *search,
+                           sf_zeros *found) {
     sf_clear_zeros(found);
-    sf_ask_all(model, SF_STIFFNESS, 0, piece, found);
+    if (whole)
+        sf_ask_all(model, SF_STIFFNESS, 0, piece, found);
     found->undecided = 0;
     sf_extrema_on(model, piece, search, found);
     const int undecided = found->undecided;
-    if (sf_has_laws(model))
+    if (whole && sf_has_laws(model))
         sf_ask_boxes(model, SF_TURN, piece, search, found);
-    else if (model->zeta > 0)
+    else if (whole && model->zeta > 0)
         sf_ask_all(model, SF_TURN, 0, piece, found);
     found->undecided = undecided;
     sf_sort_zeros(found);
@@ -93,28 +95,9 @@ static int sf_is_extremum(const sf_zero *zero) {
     return zero->question == SF_CUSP || zero->question == SF_ISOLA || zero->question == SF_UNDAMPED;
 }
 
-/* Cusps and isola points up to A_max in work, without the locus, whose turns are beyond doubles where damping is weak:
- * there its two branches all but cross. */
-static sf_status sf_extrema(const sf_model *model, double A_max, sf_work *work) {
-    sf_clear_zeros(&work->extrema);
-    sf_stretches_up_to(model, A_max, &work->pieces);
-    for (int i = 0; i < work->pieces.n; i++) {
-        const sf_stretch *piece = &work->pieces.at[i];
-        if (!sf_has_force(piece))
-            continue;
-        sf_clear_zeros(&work->zeros);
-        sf_extrema_on(model, piece, &work->points, &work->zeros);
-        sf_sort_zeros(&work->zeros);
-        for (int k = 0; k < work->zeros.n; k++)
-            sf_add_zero(&work->extrema, work->zeros.at[k]);
-        if (work->zeros.status != SF_OK)
-            return work->zeros.status;
-    }
-    return work->extrema.status;
-}
-
-/* The locus up to A_max in work, with its cusps and isola points. */
-static sf_status sf_fold_locus(const sf_model *model, double A_max, sf_work *work) {
+/* Cusps and isola points up to A_max in work, and where `whole` the locus. Without it no turns are asked for, which are
+ * beyond doubles where damping is weak: there its two branches all but cross. */
+static sf_status sf_fold_locus(const sf_model *model, double A_max, int whole, sf_work *work) {
     sf_graph *graph = &work->locus;
     graph->events = 0, graph->status = SF_OK;
     work->A_max = A_max;
@@ -124,7 +107,7 @@ static sf_status sf_fold_locus(const sf_model *model, double A_max, sf_work *wor
         const sf_stretch *piece = &work->pieces.at[i];
         if (!sf_has_force(piece))
             continue;
-        sf_locus_zeros(model, piece, &work->points, &work->zeros);
+        sf_locus_zeros(model, piece, whole, &work->points, &work->zeros);
         sf_add_event(graph, i == 0 ? 0 : nextafter(piece->first.A, HUGE_VAL), 0, SF_CUT, 0);
         for (int k = 0; k < work->zeros.n; k++) {
             const sf_zero *zero = &work->zeros.at[k];
@@ -137,6 +120,8 @@ static sf_status sf_fold_locus(const sf_model *model, double A_max, sf_work *wor
         if (work->zeros.status != SF_OK)
             return work->zeros.status;
     }
+    if (!whole)
+        return work->extrema.status;
     sf_merge_events(graph);
     if (graph->status == SF_OK)
         sf_trace_arcs(model, SF_ON_LOCUS, graph);
@@ -382,7 +367,7 @@ static double sf_level_crossing(const sf_model *model, double F_0, const sf_arc 
 /* The folds of an excitation by inertia inside of pieces: where the level passes F_0 along the arcs of the fold
  * locus. */
 static sf_status sf_locus_folds(const sf_model *model, double F_0, sf_work *work, sf_folds *folds) {
-    const sf_status status = sf_fold_locus(model, work->A_max, work);
+    const sf_status status = sf_fold_locus(model, work->A_max, 1, work);
     if (status != SF_OK)
         return status;
     folds->undecided |= work->extrema.undecided;

@@ -96,7 +96,7 @@ static void sf_answer_locus(sf_query *q)
 {
     sf_work *work = &q->room->work;
     const long samples = (long)q->number[1];
-    const sf_status status = sf_fold_locus(q->model, q->number[0], work);
+    const sf_status status = sf_fold_locus(q->model, q->number[0], 1, work);
     const long n = status == SF_OK ? sf_draw_locus(q->model, samples, work, NULL, NULL, NULL, NULL) : 0;
     double *Omega = sf_reserve(q, n, 3 * sizeof *Omega);
     long long *branch = sf_reserve(q, n, sizeof *branch);
@@ -113,7 +113,7 @@ static void sf_answer_locus(sf_query *q)
 static void sf_answer_extrema(sf_query *q)
 {
     const sf_zeros *zeros = &q->room->work.extrema;
-    const sf_status status = sf_extrema(q->model, q->number[0], &q->room->work);
+    const sf_status status = sf_fold_locus(q->model, q->number[0], 0, &q->room->work);
     sf_extremum *at = sf_reserve(q, zeros->n, sizeof *at);
     long n = 0;
     if (at == NULL)
