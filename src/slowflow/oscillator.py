@@ -289,9 +289,16 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         Structural damping is (eta/Omega) u' in a motion at Omega. Raises ValueError as `restoring_force`, and for a
         force without a finite stiffness at u = 0.
         """
-        laws, force = self.model.laws, followed(self.restoring_force(which), self.model.mechanism.name)
-        others = self.model.inertial, self.load, laws.c_2, laws.rubs != THROUGHOUT, self.given.get("mu_s", 0.0)
-        return EquationOfMotion(force, self.mu, self.zeta, *others, laws.eta)
+        if which not in self._equations:
+            laws, force = self.model.laws, followed(self.restoring_force(which), self.model.mechanism.name)
+            others = self.model.inertial, self.load, laws.c_2, laws.rubs != THROUGHOUT, self.given.get("mu_s", 0.0)
+            self._equations[which] = EquationOfMotion(force, self.mu, self.zeta, *others, laws.eta)
+        return self._equations[which]
+
+    @cached_property
+    def _equations(self) -> dict[str | None, EquationOfMotion]:
+        """What `equation_of_motion` returned, by its argument: an oscillator does not change."""
+        return {}
 
     def _in_time(self, which: str | None) -> EquationOfMotion:
         """`equation_of_motion` of a motion that has no frequency. Raises ValueError for eta > 0."""

@@ -538,7 +538,7 @@ class ManyQuestions(Generic[Found]):
         ----------
         S_0, psd : array_like, tuple of array_like
             Densities of white noise, which broadcast with the designs; or frequencies and densities, the same for all
-            designs, in milliseconds each.
+            designs, in some 0.3 milliseconds each.
         places, workers : as in the class
             Largest number of motions; threads.
 
