@@ -209,7 +209,7 @@ int EXPORT(peak)(double F_0)
 /* out: Omega, A, F_0 along the fold locus. */
 long EXPORT(locus)(double A_max, long samples)
 {
-    const sf_status status = sf_fold_locus(&model, A_max, &room.work);
+    const sf_status status = sf_fold_locus(&model, A_max, 1, &room.work);
     if (status != SF_OK)
         return -(long)status;
     const long n = sf_draw_locus(&model, samples, &room.work, NULL, NULL, NULL, NULL);
@@ -277,5 +277,6 @@ int EXPORT(random)(double power, int points)
 {
     double *const columns[4] = {out[0], out[1], out[2], out[3]};
     const double mu = in[excited.design_size];
-    return sf_explored_random(model.b, model.breaks, mu, model.zeta, power, spectrum, points, MOST, columns);
+    return sf_explored_random(model.b, model.breaks, mu, model.zeta, power,
+                              (const double(*)[2])spectrum, points, MOST, columns);
 }
