@@ -5,8 +5,8 @@ import sympy as sp
 # slow variables, frequency, forcing and damping (4), (11)
 A, Omega, F_0 = sp.symbols("A Omega F_0", positive=True)
 mu, zeta = sp.symbols("mu zeta", nonnegative=True)
-# other laws of damping: loss factor of the vertical spring, factor of |u'|u'
-eta, c_2 = sp.symbols("eta c_2", nonnegative=True)
+# other laws of damping: loss factor of the vertical spring, factors of |u'|u' and u'^3, what zeta grows by with u^2
+eta, c_2, c_3, zeta_2 = sp.symbols("eta c_2 c_3 zeta_2", nonnegative=True)
 phi = sp.Symbol("phi", real=True)
 psi = sp.Symbol("psi", real=True)
 tau = sp.Symbol("tau", nonnegative=True)

@@ -50,7 +50,7 @@ from typing import Any
 import sympy as sp
 
 from ..claims import claim
-from ..extensions.dissipation import I_0, I_A, d
+from ..extensions.dissipation import I_0, I_A, d, d_3
 from ..kernels import Formulas, Let, Lets
 from ..paper.averaging import Averaged, F_k, cycle_integral, psi
 from ..paper.slow_flow import I, R, m, turn
@@ -311,7 +311,7 @@ def _by_ends() -> tuple[Callable[[sp.Expr], sp.Expr], Callable[[sp.Expr], sp.Exp
 
 def _by_R(laws: Formulas) -> tuple[Let, ...]:
     """What is known at a given R, in order."""
-    known = sp.expand(laws.I.subs(I_0, laws.at_rest[0].subs(mu, sp.pi * m / 4)))
+    known = sp.expand(laws.I.subs({I_0: laws.at_rest[0].subs(mu, sp.pi * m / 4), d_3: 0}))  # not asked for
     value = sp.expand(known.subs(Omega, speed / A))
     drift_value = sp.expand(sp.expand(A * sp.diff(known, A) - known).subs(Omega, speed / A))
     return (

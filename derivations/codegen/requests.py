@@ -49,13 +49,14 @@ REQUESTS = {
     "inertia": {"enclosed": "terms peak isola isola_apart", "unlooped": "amplitude moves_from"},
     "dissipation": {
         "generic": "*",
-        "in_c": f"""quadratic restoring at_rest released I I_A far F F_A F_AA response_quartic fold_quartic
-            far_by_inertia structural_bound quadratic_bound least_scaled static limit_envelope R_of_peak F_A_halved
-            F_OmegaOmega Omega_A Omega_A_by_inertia full_by_inertia rest_moves released_moves F_AOmegaOmega cusp_bend
-            isola_bend cusp_bend_by_inertia isola_bend_by_inertia {_SYSTEMS}""",
-        "enclosed": f"""at_rest released I I_A far R_of_response R_of_peak R_where_stationary far_by_inertia F_A_scaled
-            I_scaled static turn_share {_SYSTEMS}""",
-        "cells": """rest_intercept released_intercept sine_intercept sine_intercept_far R_of_peak_by_rest velocity""",
+        "in_c": f"""quadratic cubic restoring at_rest released viscous viscous_moves I I_A far F F_A F_AA
+            response_polynomial fold_polynomial far_by_inertia structural_bound quadratic_bound least_scaled static
+            limit_envelope R_of_peak F_A_halved F_OmegaOmega Omega_A Omega_A_by_inertia full_by_inertia rest_moves
+            released_moves F_AOmegaOmega cusp_bend isola_bend cusp_bend_by_inertia isola_bend_by_inertia {_SYSTEMS}""",
+        "enclosed": f"""at_rest released viscous I I_A far R_of_response R_of_peak R_where_stationary far_by_inertia
+            F_A_scaled I_scaled static turn_share {_SYSTEMS}""",
+        "cells": """rest_intercept released_intercept sine_intercept sine_intercept_far I_AA I_AA_far R_of_peak_by_rest
+            velocity""",
     },
     "off_centre": {
         "generic": "*",

@@ -3,16 +3,18 @@
 In:  the equation of motion (3), the averaged equations, the slow flow with all damping; the mechanism is an open h(A).
 Out: `Formulas`: with the sine balance (23) of any of these laws together, in I_0, its part that knows no frequency,
 
-    I = I_0 + 2 zeta A Omega + d A^2 Omega^2
+    I = I_0 + 2 zeta(A) A Omega + d A^2 Omega^2 + d_3 A^3 Omega^3
 
     law                                       force on the mass          its share of I
     structural, loss factor eta on k_v        (eta/Omega) u'             eta A, in I_0
+    viscous, growing with the displacement    2 zeta_2 u^2 u'            zeta(A) = zeta + zeta_2 A^2/4
     quadratic                                 c_2 |u'| u'                d A^2 Omega^2, d = 8 c_2/(3 pi)
+    cubic                                     c_3 u'^3                   d_3 A^3 Omega^3, d_3 = 3 c_3/4
     dry friction of what is attached          mu sign(u'), |u| < u_cr    m min(1, u_cr/A), in I_0
 
-    F_0^2 + F and F_A/2 stay quartics in Omega. Their leading coefficients are positive, and those of Omega and Omega^3
-    not negative: so each has at most two positive critical points, as without these laws. The third power is there
-    where viscous and quadratic damping meet.
+    F_0^2 + F and F_A/2 are polynomials in Omega of degree 4, with cubic damping 6. Beside the constant only the
+    coefficient of Omega^2 may be negative: so each has at most two positive critical points, as without these laws.
+    The square of an excitation by inertia has the power 4: with cubic damping there may be more, it is not derived.
     The trace of the Jacobian (28), (29), is -(A I)_A/(2 A Omega). (A I)_A is a sum of terms of which none is negative,
     and only friction beyond u_cr has none: so (30) alone decides stability where something else dissipates too.
 """
@@ -20,26 +22,30 @@ Out: `Formulas`: with the sine balance (23) of any of these laws together, in I_
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from itertools import pairwise
 
 import sympy as sp
 
 from ..claims import claim
 from ..kernels import Formulas, Lets
-from ..paper.averaging import VELOCITY, Averaged, cycle_integral
+from ..paper.averaging import DISPLACEMENT, VELOCITY, Averaged, cycle_integral
 from ..paper.averaging import H as averaged_force
 from ..paper.slow_flow import I, R, m, slope
-from ..symbols import F_0, A, Omega, c_2, eta, h, h_A, h_AA, h_AAA, mu, phi, psi, sigma, zeta
+from ..symbols import F_0, A, Omega, c_2, c_3, eta, h, h_A, h_AA, h_AAA, mu, phi, psi, sigma, zeta, zeta_2
 from ..systems.along import k
-from ..systems.gradients import I_0AAp, I_0Ap, I_0p, d_p, h_AAp, h_Ap, h_p, zeta_p
+from ..systems.gradients import I_0AAp, I_0Ap, I_0p, d_3p, d_p, h_AAp, h_Ap, h_p, zeta_AAp, zeta_Ap, zeta_p
 from ..systems.slopes import DERIVATIVES, hessian
 
 #: the |u| up to which something is attached
 u_cr = sp.Symbol("u_cr", positive=True)
 #: what |h| grows by at most, over dA
 steepest = sp.Symbol("steepest", nonnegative=True)
-#: I at Omega = 0 and its derivatives by A; 8 c_2/(3 pi)
+#: I at Omega = 0 and its derivatives by A; those of the viscous damping ratio of a cycle; 8 c_2/(3 pi)
+#: and 3 c_3/4
 I_0, I_0A, I_0AA, I_0AAA = REST = sp.symbols("I_0 I_0A I_0AA I_0AAA", real=True)
-d = sp.Symbol("d", nonnegative=True)
+zeta_A, zeta_AA, zeta_AAA = sp.symbols("zeta_A zeta_AA zeta_AAA", nonnegative=True)
+VISCOUS = zeta, zeta_A, zeta_AA, zeta_AAA
+d, d_3 = sp.symbols("d d_3", nonnegative=True)
 #: dI/dA and dR/dA; h/A, I_0/A and I/A
 I_A, R_A = sp.symbols("I_A R_A", real=True)
 h_over_A, I_0_over_A, I_over_A = sp.symbols("h_over_A I_0_over_A I_over_A", real=True)
@@ -51,10 +57,10 @@ level = sp.Symbol("level", nonnegative=True)
 psi_0 = sp.Symbol("psi_0", positive=True)
 
 #: what the systems of the search take, after the frequency
-KNOWN = (A, F_0, *REST, zeta, d, h, h_A, h_AA, h_AAA)
+KNOWN = (A, F_0, *REST, *VISCOUS, d, d_3, h, h_A, h_AA, h_AAA)
 #: of arguments
 ORDER = (
-    *(Omega, x, A, F_0, m, *REST, I_0_over_A, level, zeta, eta, d, c_2, u_cr),
+    *(Omega, x, A, F_0, m, *REST, I_0_over_A, level, *VISCOUS, zeta_2, eta, d, d_3, c_2, c_3, u_cr),
     *(h_over_A, h, h_A, h_AA, h_AAA, steepest, R, R_A, I, I_over_A, I_A),
 )
 #: the systems of the search, functions of (A, Omega) that vanish together, in words
@@ -80,8 +86,9 @@ def contribution(force: Callable[[int], sp.Expr], start: sp.Expr = sp.S.Zero) ->
 
 
 def by_A(expression: sp.Expr, slopes: dict[sp.Symbol, sp.Expr] | None = None) -> sp.Expr:
-    """d/dA along h, I_0 and their derivatives."""
-    return slope(expression, {I_0: I_0A, I_0A: I_0AA, I_0AA: I_0AAA, **(slopes or {})})
+    """d/dA along h, I_0, zeta and their derivatives."""
+    own = {symbol: rise for of in (REST, VISCOUS) for symbol, rise in pairwise(of)}
+    return slope(expression, own | (slopes or {}))
 
 
 def dissipation(averaged: Averaged, flow: Formulas, slopes: Formulas) -> Formulas:
@@ -90,11 +97,12 @@ def dissipation(averaged: Averaged, flow: Formulas, slopes: Formulas) -> Formula
     friction = contribution(lambda sign: mu * sp.Integer(sign))
     claim("the shares of viscous damping and dry friction", viscous + friction.subs(mu, sp.pi * m / 4) - flow.I)
     structural = contribution(lambda _: eta / Omega * VELOCITY)
+    growing = contribution(lambda _: 2 * (zeta + zeta_2 * DISPLACEMENT**2) * VELOCITY)
     attached = contribution(lambda sign: mu * sp.Integer(sign), psi_0).subs(sp.cos(psi_0), u_cr / A)
     if attached.has(psi_0):
         raise ArithmeticError(f"the share of friction on one piece: {attached}")
     of_friction = {mu: sp.solve(flow.friction - m, mu)[0]}
-    value = I_0 + viscous + d * A**2 * Omega**2
+    value = I_0 + viscous + d * A**2 * Omega**2 + d_3 * A**3 * Omega**3
     slope_of_R, R_Omega = by_A(flow.R), sp.diff(flow.R, Omega)
     along_A = {R: slope_of_R, I: by_A(value)}
     whole = {R: flow.R, I: value}
@@ -113,16 +121,15 @@ def dissipation(averaged: Averaged, flow: Formulas, slopes: Formulas) -> Formula
     def chain(of_share: sp.Expr) -> tuple[sp.Expr, ...]:
         return tuple(sp.diff(of_share.subs(of_friction), A, order) for order in range(4))
 
-    def sensitivities(of_share: tuple[sp.Expr, ...], *by: sp.Symbol) -> tuple[sp.Expr, ...]:
+    def sensitivities(of_share: Sequence[sp.Expr], *by: sp.Symbol) -> tuple[sp.Expr, ...]:
         return tuple(sp.diff(one, symbol) for symbol in by for one in of_share[:3])
 
-    @of.kernel("from (19)", "any")
-    def quadratic() -> sp.Expr:
-        """Quadratic damping's factor of A^2 Omega^2 in I."""
-        factor = sp.cancel(contribution(lambda sign: sign * c_2 * VELOCITY**2) / (A * Omega) ** 2)
-        if sp.diff(factor, c_2) * c_2 != factor:
-            raise ArithmeticError("quadratic damping's share of I is not proportional to c_2")
-        return factor
+    for name, c, power in (("quadratic", c_2, 2), ("cubic", c_3, 3)):
+        factor = sp.cancel(
+            contribution(lambda sign, c=c, n=power: sign ** (n + 1) * c * VELOCITY**n) / (A * Omega) ** power
+        )
+        claim(f"{name} damping's share of I is proportional to it", sp.diff(factor, c) * c - factor)
+        of.add(name, factor, f"The factor of A^{power} Omega^{power} in I of {name} damping.", "from (19)", "any")
 
     @of.kernel("from (23)", "A > 0, d > 0")
     def restoring() -> sp.Expr:
@@ -140,9 +147,17 @@ def dissipation(averaged: Averaged, flow: Formulas, slopes: Formulas) -> Formula
     of.add("rest_moves", sensitivities(at_rest, m, eta), text, "from (19)", "A > 0")
     text = f"What m, then eta, then u_cr does to them {only}"
     of.add("released_moves", sensitivities(released, m, eta, u_cr), text, "from (19)", beyond)
+    ratio = chain(sp.expand(growing * zeta / viscous))
+    text = "The viscous damping ratio of a cycle, and three derivatives by A."
+    viscous_ratio = of.add("viscous", ratio, text, "from (19)", "A > 0")
+    text = "What zeta_2 does to the first three of `viscous`."
+    of.add("viscous_moves", sensitivities(viscous_ratio, zeta_2), text, "from (19)", "A > 0")
     of.add("I", value, "Sine balance, -F_0 sin phi at a fixed point.", "(23)")
     of.add("I_A", by_A(value), "dI/dA.", "(23)")
-    far = tuple(sp.expand((one / Omega**2).subs(Omega, 1 / x)) for one in (flow.R, slope_of_R, value, by_A(value)))
+    of.add("I_AA", by_A(by_A(value)), "d2I/dA2.", "(23)")
+    # where all is over Omega^2, of an excitation by inertia, cubic damping is not derived
+    lower = value.subs(d_3, 0)
+    far = tuple(sp.expand((one / Omega**2).subs(Omega, 1 / x)) for one in (flow.R, slope_of_R, lower, by_A(lower)))
     of.add("far", far, "R, R_A, I and I_A over Omega^2, at x = 1/Omega.", "(23)", "x >= 0, A > 0")
 
     F = of.add("F", flow.F, "Zero at a steady state.", "(24)")
@@ -159,7 +174,7 @@ def dissipation(averaged: Averaged, flow: Formulas, slopes: Formulas) -> Formula
     # a product by parts would cancel where the forcing is small
     by_inertia = F.subs(F_0, F_0 * Omega**2)
     # -Omega^5/4 dlevel^2/dOmega of an excitation by inertia
-    least = h * R + I * (I_0 + zeta * A * Omega)
+    least = h * R + I * (I_0 + zeta * A * Omega - d_3 * A**3 * Omega**3 / 2)
     claim(
         "the slope of the level of an excitation by inertia",
         (4 * least + Omega**5 * sp.diff((F + F_0**2).subs(whole) / Omega**4, Omega)).subs(whole),
@@ -210,31 +225,34 @@ def dissipation(averaged: Averaged, flow: Formulas, slopes: Formulas) -> Formula
         root_A = sp.cancel(by_A(product) / (2 * root))
         return Lets([(root, sp.sqrt(product))], (*halves, h_A - root_A, h_A + root_A))
 
-    text = "as a polynomial in Omega: coefficients of 1, Omega, ..., Omega^4."
-    of.add("response_quartic", _coefficients((F + F_0**2).subs(whole)), f"F + F_0^2 {text}", "(24)", "A > 0")
-    of.add("fold_quartic", _coefficients((F_A / 2).subs(whole)), f"F_A/2 {text}", "(30)", "A > 0")
+    text = "as a polynomial in Omega: coefficients of 1, Omega, ..., Omega^6."
+    of.add("response_polynomial", _coefficients((F + F_0**2).subs(whole)), f"F + F_0^2 {text}", "(24)", "A > 0")
+    of.add("fold_polynomial", _coefficients((F_A / 2).subs(whole)), f"F_A/2 {text}", "(30)", "A > 0")
 
     @of.kernel("(27)", "Omega > 0, F_0 > m, one of zeta, eta, d > 0")
     def limit_envelope() -> sp.Expr:
         """Largest amplitude that the forcing can hold at this frequency, where friction acts throughout.
 
-        The largest A with I = F_0 where I_0 = m + eta A, in the form in which nothing cancels.
+        The largest A with I = F_0 where I_0 = m + eta A, in the form in which nothing cancels; no less than it where
+        more dissipates.
         """
-        balance = sp.Poly(sp.expand(value.subs(I_0, m + eta * A) - F_0), A)
+        balance = sp.Poly(sp.expand(lower.subs(I_0, m + eta * A) - F_0), A)
         found = _root(balance)
         claim("the limit envelope", balance.as_expr().subs(A, found))
         return found
 
     # F_Omega/(4 A Omega) and F_AOmega/Omega do not vanish at Omega = 0
     peak = R + zeta * I_0 / Omega + A * (2 * zeta**2 + d * I_0 + d * A * Omega * (3 * zeta + d * A * Omega))
+    v = A * Omega
+    peak += d_3 * A * v / 2 * (3 * I_0 + v * (8 * zeta + v * (5 * d + 3 * d_3 * v)))
     claim("F_Omega over 4 A Omega", (4 * A * Omega * peak - F_Omega).subs(whole))
 
     @of.kernel("from (30)", "x >= 0, A > 0")
     def turn_share() -> sp.Expr:
-        """D/Omega^2 at x = 1/Omega, where F_AOmega/(4 Omega) = R + A R_A + D."""
+        """D/Omega^2 at x = 1/Omega, where F_AOmega/(4 Omega) = R + A R_A + D without cubic damping."""
         linear = sp.Symbol("linear", real=True)
-        of_linear = 2 * zeta * by_A(A * I_0)
-        bend = sp.Poly(sp.expand((F_AOmega / 2).subs(whole)), Omega)
+        of_linear = by_A(2 * zeta * A * I_0)
+        bend = sp.Poly(sp.expand((F_AOmega / 2).subs(whole).subs(d_3, 0)), Omega)
         claim("F_AOmega at Omega = 0", bend.coeff_monomial(1) - of_linear)
         bend_over = sp.expand((bend.as_expr() - bend.coeff_monomial(1)) / Omega)
         turn = (sp.collect(bend_over, Omega) + linear / Omega).subs(linear, of_linear)
@@ -255,15 +273,15 @@ def dissipation(averaged: Averaged, flow: Formulas, slopes: Formulas) -> Formula
     of.add("R_of_response", Lets((), of_response), "The size of R where F = 0.", "(24)", quadrant)
     of.add("R_of_peak", Lets((), R_of_peak), "R where F_Omega = 0.", "from (24)", quadrant)
     text = "Where a level by inertia is stationary, x = 1/Omega: what is not negative, lower and higher R/Omega^2."
-    of.add("R_where_stationary", _R_where_stationary(flow.R, value, least), text, "from (24)", quadrant)
+    of.add("R_where_stationary", _R_where_stationary(flow.R, lower, least.subs(d_3, 0)), text, "from (24)", quadrant)
     scaled = sp.expand(value.subs(I_0, A * I_0_over_A) / A)
     of.add("I_scaled", scaled, "I/A, by I_0/A.", "(23)", quadrant)
     of.add("F_A_scaled", _F_A_scaled(halved, flow.R), "F_A/(2 A), by h/A and I/A.", "(30)", quadrant)
     text = "Of what 4/A times the least F_A/2 is not below where |k| <= A^2 |h_AA|/2, friction throughout: 1, A^2."
-    of.add("least_scaled", _least_scaled(_least_F_A(halved), value), text, "from (30)", "Omega >= 0")
+    of.add("least_scaled", _least_scaled(_least_F_A(halved), lower), text, "from (30)", "Omega >= 0")
 
     text = "F/Omega^4 at x = 1/Omega; and -Omega^3/4 dlevel^2/dOmega, less Omega times the third."
-    of_level = _far_by_inertia(flow.R, value, by_inertia.subs(whole), least.subs(whole))
+    of_level = _far_by_inertia(flow.R, lower, *(one.subs(whole).subs(d_3, 0) for one in (by_inertia, least)))
     of.add("far_by_inertia", of_level, text, "(24)", "x >= 0, A > 0")
     # dlevel^2/dOmega takes the place of a force's F_Omega
     bend = in_derivatives(least * DERIVATIVES[3, 0] * DERIVATIVES[1, 1])
@@ -273,7 +291,7 @@ def dissipation(averaged: Averaged, flow: Formulas, slopes: Formulas) -> Formula
     bend = in_derivatives(slopes.determinant, slopes.isola_by_it, others=there)
     of.add("isola_bend_by_inertia", bend, "As `isola_bend`, for an excitation by inertia.", both)
     text = "The amplitude that the response tends to as Omega grows."
-    of.add("full_by_inertia", _full(by_inertia.subs(whole)), text, "from (24)", "F_0 > 0")
+    of.add("full_by_inertia", _full(by_inertia.subs(whole).subs(d_3, 0)), text, "from (24)", "F_0 > 0")
 
     @of.kernel("from (23), (24)", "A > 0")
     def structural_bound() -> tuple[sp.Expr, ...]:
@@ -302,15 +320,23 @@ def dissipation(averaged: Averaged, flow: Formulas, slopes: Formulas) -> Formula
     of.add("released_intercept", _intercept(released), f"The same {only}", "from (19)", beyond)
     of_I = sp.expand(value - A * by_A(value)).subs(I_0, level + A * I_0A)
     of.add("sine_intercept", of_I, "I - A I_A, by that of I_0.", "from (23)", quadrant)
-    of_I = sp.expand((of_I / Omega**2).subs(Omega, 1 / x))
-    of.add("sine_intercept_far", of_I, "The same over Omega^2, at x = 1/Omega.", "from (23)", "x >= 0, A > 0")
+    of_I = sp.expand((of_I.subs(d_3, 0) / Omega**2).subs(Omega, 1 / x))
+    text = "The same over Omega^2, at x = 1/Omega."
+    of.add("sine_intercept_far", of_I, text, "from (23)", "x >= 0, A > 0")
+    of.add(
+        "I_AA_far",
+        sp.expand((of.I_AA.subs(d_3, 0) / Omega**2).subs(Omega, 1 / x)),
+        "d2I/dA2 over it.",
+        "(23)",
+        "x >= 0, A > 0",
+    )
     of.add("R_of_peak_by_rest", R - peak, "R where F_Omega = 0, by I at Omega = 0.", "from (24)")
 
     @of.kernel("from (23)", "I >= I_0", arguments=(I, I_0, zeta, d))
     def velocity() -> Lets:
-        """A Omega by I."""
+        """A Omega by I; no less than it where cubic damping dissipates too."""
         v = sp.Symbol("v", nonnegative=True)
-        balance = sp.Poly(sp.expand(value.subs(Omega, v / A)) - I, v)
+        balance = sp.Poly(sp.expand(lower.subs(Omega, v / A)) - I, v)
         found = _root(balance)
         claim("the velocity by I", balance.as_expr().subs(v, found))
         return Lets((), sp.simplify(found))
@@ -318,8 +344,14 @@ def dissipation(averaged: Averaged, flow: Formulas, slopes: Formulas) -> Formula
     # how answers move with the parameters is had from these too
     of.R, of.phase, of.transmissibility = flow.R, flow.phase, flow.transmissibility
     of.F_AAA, of.F_AAOmega = derivatives[DERIVATIVES[3, 0]], sp.factor_terms(by_amplitude(F_AOmega))
-    of.by_parameter = {h: h_p, h_A: h_Ap, h_AA: h_AAp, I_0: I_0p, I_0A: I_0Ap, I_0AA: I_0AAp, zeta: zeta_p, d: d_p}
-    of.rises = {I_0: I_0A, I_0A: I_0AA, I_0AA: I_0AAA}
+    of.by_parameter = dict(
+        zip(
+            (h, h_A, h_AA, *REST[:3], *VISCOUS[:3], d, d_3),
+            (h_p, h_Ap, h_AAp, I_0p, I_0Ap, I_0AAp, zeta_p, zeta_Ap, zeta_AAp, d_p, d_3p),
+            strict=True,
+        )
+    )
+    of.rises = {symbol: rise for of_one in (REST, VISCOUS) for symbol, rise in pairwise(of_one)}
     return of
 
 
@@ -343,7 +375,8 @@ def _searched(of: Formulas, of_R: sp.Expr, value: sp.Expr, F: sp.Expr, halved: s
     for w in (Omega, x):
 
         def at(whole: sp.Expr, w: sp.Symbol = w) -> sp.Expr:
-            return whole if w == Omega else sp.expand(sp.expand(whole / Omega**2).subs(Omega, 1 / x))
+            lower = whole.subs(d_3, 0)
+            return whole if w == Omega else sp.expand(sp.expand(lower / Omega**2).subs(Omega, 1 / x))
 
         known = {symbol: at(whole) for symbol, whole in ((R, of_R), (I, value), (R_A, by_A(of_R)), (I_A, by_A(value)))}
         # along A at a constant frequency
@@ -462,7 +495,7 @@ def _F_A_scaled(halved: sp.Expr, value: sp.Expr) -> sp.Expr:
 
 
 def _least_scaled(least_F_A: sp.Expr, value: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
-    """Friction raises I by a number, and the first power of A raises the whole: both are left out."""
+    """Friction raises I by a number, the first power of A the whole, and a zeta that grows I_A: all are left out."""
     without = value.subs(I_0, eta * A)
     whole = least_F_A.subs({I: without, I_A: sp.diff(without, A), k: A**2 * h_AA / 2})
     scaled = sp.Poly(sp.expand(whole / A**2), A)
@@ -475,10 +508,10 @@ def _least_scaled(least_F_A: sp.Expr, value: sp.Expr) -> tuple[sp.Expr, sp.Expr]
 def _coefficients(expression: sp.Expr) -> tuple[sp.Expr, ...]:
     """By power of Omega, after a check of the signs that bound the number of roots."""
     polynomial = sp.Poly(sp.expand(expression), Omega)
-    found = [polynomial.coeff_monomial(Omega**power) for power in range(5)]
-    if polynomial.degree() != 4:
-        raise ArithmeticError(f"not a quartic in Omega: {expression}")
-    for power in (1, 3, 4):
+    found = [polynomial.coeff_monomial(Omega**power) for power in range(7)]
+    if polynomial.degree() != 6:
+        raise ArithmeticError(f"not of degree 6 in Omega: {expression}")
+    for power in (1, 3, 4, 5, 6):
         # (A I_0)_A is not negative for each law by itself, see `_trace`
         named = sp.expand(found[power]).subs(I_0A, (sp.Symbol("rise", nonnegative=True) - I_0) / A)
         positive = named.subs(I_0, sp.Symbol("I_0", nonnegative=True))

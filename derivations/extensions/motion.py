@@ -12,9 +12,10 @@ from __future__ import annotations
 import sympy as sp
 from sympy.codegen.cfunctions import hypot
 
+from ..claims import claim
 from ..kernels import Formulas, Lets
 from ..paper.equation_of_motion import F, F_c, c, cos_forcing, groups, scaled_motion, sign_u_dot, u_ddot, u_dot
-from ..symbols import F_0, A, Omega, eta, mu, phi, u, zeta
+from ..symbols import F_0, A, Omega, c_3, eta, mu, phi, u, zeta, zeta_2
 
 theta, v = sp.symbols("theta v", real=True)
 cosine, sine = sp.symbols("cosine sine", real=True)
@@ -36,7 +37,7 @@ u_cr = sp.Symbol("u_cr", positive=True)
 
 #: of arguments
 ORDER = (
-    *(cosine, sine, v, Omega, A_1, A, eta, F_0, phi, mu, zeta, f_u, friction, nu, f, quadratic),
+    *(cosine, sine, v, Omega, A_1, A, eta, F_0, phi, mu, zeta, f_u, friction, nu, f, quadratic, c_3, zeta_2, u),
     *(left, right, slip, inner, outer, inner_u, outer_u),
 )
 
@@ -88,15 +89,18 @@ def motion() -> Formulas:
     of.add("acceleration", acceleration, "u'' of a slipping mass; friction is mu sign(u').", "(3)")
 
     @of.kernel("(3)")
-    def resistance() -> tuple[sp.Expr, sp.Expr]:
-        """Friction and quadratic damping, both times the sign of u'; and the zeta of the slope of all by u'."""
-        resists = friction + quadratic * v**2
-        damps = zeta + sp.diff(resists, v) / 2
+    def resistance() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
+        """Friction, quadratic damping, both times the sign of u', and the others; zeta by the slope of all by u'; and
+        what the slope by u adds to f_u.
+        """
+        resists = friction + quadratic * v**2 + c_3 * v**3 + 2 * zeta_2 * u**2 * v
+        damps, stiffens = zeta + sp.diff(resists, v) / 2, sp.diff(resists, u)
         for rate in rates:
-            whole = sp.diff(rate.subs(friction, resists), v) - _by(rate, v).subs(zeta, damps)
-            if sp.expand(whole) != 0:
-                raise ArithmeticError(f"the slope of the rates by u': {whole} is not zero")
-        return resists, damps
+            of_all = rate.subs(friction, resists)
+            for by, known in ((v, {zeta: damps}), (u, {f_u: f_u + stiffens})):
+                whole = sp.diff(of_all, by) + sp.diff(rate, f) * (f_u if by == u else 0) - _by(rate, by).subs(known)
+                claim("the slopes of the rates by u and u'", whole)
+        return resists, damps, stiffens
 
     @of.kernel("(3)", "F_0 > 0")
     def transmissibility() -> Lets:

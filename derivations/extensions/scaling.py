@@ -12,13 +12,13 @@ import sympy as sp
 
 from ..mechanisms import Mechanism
 from ..paper import equation_of_motion as osc
-from ..symbols import F_0, Omega, c_2, eta, mu, tau, u, zeta
+from ..symbols import F_0, Omega, c_2, c_3, eta, mu, tau, u, zeta, zeta_2
 from . import inertia
 
 k_v, L = sp.symbols("k_v L", positive=True)
 x = sp.Symbol("x", real=True)
-#: the factor of |x'|x' in (1), and the loss factor of k_v, whose force is eta k_v x'/omega
-c_q, loss = sp.symbols("c_q eta", positive=True)
+#: the factors of |x'|x', x'^3 and x^2 x' in (1), and the loss factor of k_v, whose force is eta k_v x'/omega
+c_q, c_c, c_xx, loss = sp.symbols("c_q c_c c_xx eta", positive=True)
 
 
 @dataclass(frozen=True)
@@ -56,10 +56,15 @@ def of_every_oscillator() -> dict[sp.Symbol, Scale]:
 
 def of_every_law() -> dict[sp.Symbol, Scale]:
     """Of the numbers of other laws of damping, whose forces are scaled as (1) is."""
-    forces = {c_2: c_q * osc.u_dot**2, eta: loss * k_v / osc.omega * osc.u_dot}
-    own = {c_2: osc.u_dot**2, eta: osc.u_dot / Omega}
+    forces = {
+        c_2: c_q * osc.u_dot**2,
+        c_3: c_c * osc.u_dot**3,
+        eta: loss * k_v / osc.omega * osc.u_dot,
+        zeta_2: c_xx * (L * u) ** 2 * osc.u_dot,
+    }
+    own = {c_2: osc.u_dot**2, c_3: osc.u_dot**3, eta: osc.u_dot / Omega, zeta_2: 2 * u**2 * osc.u_dot}
     groups, bases = osc.groups(k_v, L), (k_v, L, osc.m)
-    natural, letters = groups[osc.omega_n], {c_2: c_q, eta: loss}
+    natural, letters = groups[osc.omega_n], {c_2: c_q, c_3: c_c, eta: loss, zeta_2: c_xx}
     found = {}
     for number, force in forces.items():
         # x' = L omega_n u', over k_v L

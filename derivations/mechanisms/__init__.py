@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..symbols import F_0, c_2, eta, mu, zeta
+from ..symbols import F_0, c_2, c_3, eta, mu, zeta, zeta_2
 
 
 @dataclass(frozen=True)
@@ -52,6 +52,8 @@ DAMPING = (
 DISSIPATION = (
     Parameter(eta, "structural damping, the loss factor of the vertical spring", "1", least=0),
     Parameter(c_2, "quadratic damping, the factor of |u'|u'", "m/L", least=0),
+    Parameter(c_3, "cubic damping, the factor of u'^3", "sqrt(m^3/k_v)/L^2", least=0),
+    Parameter(zeta_2, "growth of the viscous damping ratio with u^2", "2 sqrt(k_v m)/L^2", least=0),
 )
 RUBS = {
     "throughout": "dry friction acts at every displacement",

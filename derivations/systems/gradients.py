@@ -25,9 +25,11 @@ from ..symbols import F_0, A, Omega, h, h_A
 
 #: what the parameter does: to h, h_A, h_AA at a fixed A; to what dissipates, see `dissipation`; to the forcing and the
 #: frequency that are given, and to the breakpoint that the answer lies on
-h_p, h_Ap, h_AAp, I_0p, I_0Ap, I_0AAp, zeta_p, d_p, forcing_p, frequency_p, end_p = OF_PARAMETER = sp.symbols(
-    "h_p h_Ap h_AAp I_0p I_0Ap I_0AAp zeta_p d_p forcing_p frequency_p end_p", real=True
+OF_PARAMETER = sp.symbols(
+    "h_p h_Ap h_AAp I_0p I_0Ap I_0AAp zeta_p zeta_Ap zeta_AAp d_p d_3p forcing_p frequency_p end_p", real=True
 )
+h_p, h_Ap, h_AAp, I_0p, I_0Ap, I_0AAp, zeta_p, zeta_Ap, zeta_AAp, d_p, d_3p, *_ = OF_PARAMETER
+*_, forcing_p, frequency_p, end_p = OF_PARAMETER
 #: what the answer does
 A_p, Omega_p, F_0_p = SENSITIVITIES = sp.symbols("A_p Omega_p F_0_p", real=True)
 #: the force's amplitude and its square, and their derivatives by Omega and F_0

@@ -58,13 +58,17 @@ SF_KERNEL double motion_acceleration(double cosine, double v, double F_0, double
     return F_0 * cosine - f - friction - 2.0 * v * zeta;
 }
 
-/* Friction and quadratic damping, both times the sign of u'; and the zeta of the slope of all by u'.
-   Equation (3). Domain: any. Operations: 5.
-   Proved, error / u (1 + kappa): 1.01, 1.01 */
-SF_KERNEL void motion_resistance(double v, double zeta, double friction, double quadratic, double *out)
+/* Friction, quadratic damping, both times the sign of u', and the others; zeta by the slope of all by u'; and what the slope by u adds to f_u.
+   Equation (3). Domain: any. Operations: 20.
+   Measured, error / u (1 + kappa): 0.54 */
+SF_KERNEL void motion_resistance(double v, double zeta, double friction, double quadratic, double c_3, double zeta_2, double u, double *out)
 {
-    out[0] = friction + quadratic * v * v;
-    out[1] = quadratic * v + zeta;
+    const double v2 = v * v;
+    const double t0 = u * u * zeta_2;
+    const double v3 = v * v2;
+    out[0] = c_3 * v3 + friction + quadratic * v2 + 2.0 * t0 * v;
+    out[1] = 1.5 * c_3 * v2 + quadratic * v + t0 + zeta;
+    out[2] = 4.0 * u * v * zeta_2;
 }
 
 /* The zeta of structural damping at one frequency, and its slope by Omega.

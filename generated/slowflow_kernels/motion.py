@@ -70,13 +70,20 @@ def acceleration(cosine: Any, v: Any, F_0: Any, zeta: Any, friction: Any, f: Any
     return F_0 * cosine - f - friction - 2.0 * v * zeta
 
 
-def resistance(v: Any, zeta: Any, friction: Any, quadratic: Any) -> tuple[Any, Any]:
-    """Friction and quadratic damping, both times the sign of u'; and the zeta of the slope of all by u'.
+def resistance(v: Any, zeta: Any, friction: Any, quadratic: Any, c_3: Any, zeta_2: Any, u: Any) -> tuple[Any, Any, Any]:
+    """Friction, quadratic damping, both times the sign of u', and the others; zeta by the slope of all by u'; and what the slope by u adds to f_u.
 
-    Equation (3). Domain: any. Shape: 2 results, each the arguments that it depends on, broadcast. Operations: 5.
-    Proved, error / u (1 + kappa): 1.01, 1.01
+    Equation (3). Domain: any. Shape: 3 results, each the arguments that it depends on, broadcast. Operations: 20.
+    Measured, error / u (1 + kappa): 0.54
     """
-    return friction + quadratic * v * v, quadratic * v + zeta
+    v2 = v * v
+    t0 = u * u * zeta_2
+    v3 = v * v2
+    return (
+        c_3 * v3 + friction + quadratic * v2 + 2.0 * t0 * v,
+        1.5 * c_3 * v2 + quadratic * v + t0 + zeta,
+        4.0 * u * v * zeta_2,
+    )
 
 
 def transmissibility(Omega: Any, A_1: Any, F_0: Any, phi: Any) -> Any:

@@ -14,7 +14,9 @@ SCALES = {
     "mu": Scale("F_c", 1.0, (1.0, 1.0, 0.0)),
     "zeta": Scale("c", 2.0, (0.5, 0.0, 0.5)),
     "c_2": Scale("c_q", 1.0, (0.0, -1.0, 1.0)),
+    "c_3": Scale("c_c", 1.0, (-0.5, -2.0, 1.5)),
     "eta": Scale("eta", 1.0, (0.0, 0.0, 0.0)),
+    "zeta_2": Scale("c_xx", 2.0, (0.5, -2.0, 0.5)),
 }
 #: of F_0, by what it is the amplitude of
 AMPLITUDES = {

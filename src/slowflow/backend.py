@@ -39,7 +39,7 @@ def record_of(mechanism: Mechanism, inertial: bool = False, laws: bool = False) 
     """The compiled record of a mechanism, None where there is none of this very one.
 
     inertial -- whether it is excited by inertia
-    laws     -- whether it takes other laws of damping: mu, zeta, eta, c_2, and whether friction ends at a breakpoint
+    laws     -- whether it takes other laws of damping: mu, zeta, those of `DISSIPATION`, whether friction ends
     """
     if not mechanism.is_generated:
         return None

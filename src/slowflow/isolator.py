@@ -90,6 +90,8 @@ class Isolator(Oscillator):
         zeta: float = 0.0,
         eta: float = 0.0,
         c_2: float = 0.0,
+        c_3: float = 0.0,
+        zeta_2: float = 0.0,
         rubs: str = THROUGHOUT,
         mu_s: float = 0.0,
         force: str = "truncated",
@@ -97,7 +99,7 @@ class Isolator(Oscillator):
         load: float = 0.0,
     ) -> None:
         design = {"lam": lam, "r": r, "delta_h": delta_h}
-        damping = {"mu": mu, "zeta": zeta, "eta": eta, "c_2": c_2}
+        damping = {"mu": mu, "zeta": zeta, "eta": eta, "c_2": c_2, "c_3": c_3, "zeta_2": zeta_2}
         super().__init__(_averaged(force), rubs=rubs, mu_s=mu_s, excitation=excitation, **damping, **design)
         if self.delta_h == 0:  # the springs never touch the rod: a linear spring without a breakpoint
             self.__dict__["model"] = Model(
@@ -135,6 +137,8 @@ class Isolator(Oscillator):
         zeta: float | None = None,
         eta: float = 0.0,
         c_2: Any = 0.0,
+        c_3: Any = 0.0,
+        c_xx: Any = 0.0,
         rubs: str = THROUGHOUT,
         static_friction: Any = None,
         load: Any = None,
@@ -168,6 +172,10 @@ class Isolator(Oscillator):
             Structural damping, the loss factor of the vertical spring, dimensionless.
         c_2 : float, N s^2/m^2
             Quadratic damping, the factor of the squared velocity.
+        c_3 : float, N s^3/m^3
+            Cubic damping, the factor of the cubed velocity.
+        c_xx : float, N s/m^3
+            Growth of the viscous damping with the squared displacement, (c + c_xx x^2) x', as of a horizontal damper.
         rubs : str
             Where friction acts: "throughout", or "attached", while the springs touch the push-rod.
         static_friction : float, N
@@ -199,7 +207,8 @@ class Isolator(Oscillator):
         scales = Scales(m=moving, k_v=of_all, L=L, excitation=excitation, damping=damping, mounts=mounts)
         preset = validate.number("m", si("m", m, "kg"), above=0.0)
         beyond = scales.m - preset
-        sheet = {"k_h": k_h, "n": n, "preload": preload, "friction": friction, "eta": eta, "c_2": c_2, **viscous}
+        sheet = {"k_h": k_h, "n": n, "preload": preload, "friction": friction, "eta": eta, "c_2": c_2}
+        sheet |= {"c_3": c_3, "c_xx": c_xx, **viscous}
         known = {name: si(name, value, SHEET[name]) for name, value in sheet.items()}
         numbers = _numbers(scales, known)
         mu_s, mu = 0.0, numbers["mu"]
@@ -207,7 +216,7 @@ class Isolator(Oscillator):
             static_force = si("static_friction", static_friction, "N")
             static = validate.number("static_friction", static_force, least=known["friction"])
             mu_s = max(mu, static * mounts / scales.of(SCALES["mu"]))
-        laws = Laws.of(numbers["eta"], numbers["c_2"], rubs)
+        laws = Laws.of(rubs, **numbers)
         weight = beyond * g / scales.sizes["force"]
         numbers |= {"mu_s": mu_s, "load": weight}
         with scales.in_these_terms():
@@ -219,7 +228,8 @@ class Isolator(Oscillator):
         arguments = {"m": m, "k_v": k_v, "k_h": k_h, "n": n, "L": L, "preload": preload, "friction": friction}
         arguments |= {"mounts": mounts} if mounts > 1 else {}
         arguments |= {"c": c} if c is not None else {"zeta": isolator.zeta}
-        arguments |= {name: {"c_2": c_2}.get(name, value) for name, value in laws.present.items()}
+        in_terms = {"c_2": ("c_2", c_2), "c_3": ("c_3", c_3), "zeta_2": ("c_xx", c_xx)}
+        arguments |= dict(in_terms.get(name, (name, value)) for name, value in laws.present.items())
         arguments |= {} if static_friction is None else {"static_friction": static_friction}
         arguments |= {"load": load, "force": force, "excitation": excitation}
         in_si = {name: si(name, value, SHEET[name]) for name, value in arguments.items() if value is not None}
@@ -237,6 +247,8 @@ class Isolator(Oscillator):
         zeta: Any = 0.0,
         eta: Any = 0.0,
         c_2: Any = 0.0,
+        c_3: Any = 0.0,
+        zeta_2: Any = 0.0,
         rubs: str = THROUGHOUT,
         force: str = "truncated",
         excitation: str = "force",
@@ -250,7 +262,8 @@ class Isolator(Oscillator):
         Raises ValueError for what is no real array and for shapes that do not broadcast, and nothing for a single
         design: each answer has a status.
         """
-        numbers = {"lam": lam, "r": r, "delta_h": delta_h, "mu": mu, "zeta": zeta, "eta": eta, "c_2": c_2}
+        numbers = {"lam": lam, "r": r, "delta_h": delta_h, "mu": mu, "zeta": zeta}
+        numbers |= {"eta": eta, "c_2": c_2, "c_3": c_3, "zeta_2": zeta_2}
         return super().many(_averaged(force), rubs=rubs, excitation=excitation, load=load, **numbers)
 
 
@@ -278,11 +291,13 @@ class Duffing(Oscillator):
         *,
         eta: float = 0.0,
         c_2: float = 0.0,
+        c_3: float = 0.0,
+        zeta_2: float = 0.0,
         mu_s: float = 0.0,
         excitation: str = "force",
         load: float = 0.0,
     ) -> None:
-        damping = {"mu": mu, "zeta": zeta, "eta": eta, "c_2": c_2, "mu_s": mu_s}
+        damping = {"mu": mu, "zeta": zeta, "eta": eta, "c_2": c_2, "c_3": c_3, "zeta_2": zeta_2, "mu_s": mu_s}
         rubs = THROUGHOUT  # one piece, without springs that detach
         super().__init__(DUFFING, alpha=alpha, beta=beta, rubs=rubs, excitation=excitation, load=load, **damping)
         del self.given["mechanism"]
@@ -300,6 +315,8 @@ class Duffing(Oscillator):
         zeta: float | None = None,
         eta: float = 0.0,
         c_2: Any = 0.0,
+        c_3: Any = 0.0,
+        c_xx: Any = 0.0,
         excitation: str = "force",
     ) -> Physical:
         """Make a mass on a cubic spring, k_1 x + k_3 x^3; questions and answers are in newtons, metres and hertz.
@@ -310,7 +327,7 @@ class Duffing(Oscillator):
             Mass that moves, at rest at x = 0.
         k_1, k_3 : float, N/m and N/m^3
             A negative k_1 is a double well, a negative k_3 a softening spring.
-        friction, c, zeta, eta, c_2, excitation : as of `Isolator.physical`
+        friction, c, zeta, eta, c_2, c_3, c_xx, excitation : as of `Isolator.physical`
             Of them zeta is c/(2 sqrt(|k_1| m)), of k_1 = 0 c/(2 sqrt(|k_3| m)) with a displacement of 1 m.
 
         Returns
@@ -331,7 +348,7 @@ class Duffing(Oscillator):
             raise Refused("k_1 = k_3 = 0 is not allowed: there is no spring")
         excitation = validate.excitation(excitation, tuple(EXCITED))
         scales = Scales(m=m, k_v=k_v, L=L, excitation=excitation, damping=damping)
-        laws = {"friction": friction, "eta": eta, "c_2": c_2, **viscous}
+        laws = {"friction": friction, "eta": eta, "c_2": c_2, "c_3": c_3, "c_xx": c_xx, **viscous}
         arguments = {"m": m, **springs, **laws, "excitation": excitation}
         in_si = {name: si(name, value, SHEET[name]) for name, value in arguments.items()}
         laws_of = _numbers(scales, in_si)
@@ -350,9 +367,20 @@ class Duffing(Oscillator):
         *,
         eta: Any = 0.0,
         c_2: Any = 0.0,
+        c_3: Any = 0.0,
+        zeta_2: Any = 0.0,
         excitation: str = "force",
         load: Any = 0.0,
     ) -> Any:
         """Make a batch of Duffing oscillators, arguments as of `Duffing`, as `Isolator.many` does."""
-        numbers = {"alpha": alpha, "beta": beta, "mu": mu, "zeta": zeta, "eta": eta, "c_2": c_2}
+        numbers = {
+            "alpha": alpha,
+            "beta": beta,
+            "mu": mu,
+            "zeta": zeta,
+            "eta": eta,
+            "c_2": c_2,
+            "c_3": c_3,
+            "zeta_2": zeta_2,
+        }
         return super().many(DUFFING, excitation=excitation, load=load, **numbers)

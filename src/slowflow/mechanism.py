@@ -210,6 +210,8 @@ class EquationOfMotion:
     released -- whether friction acts on the first piece of the force only
     mu_s     -- what friction holds a mass at rest with, where that is more than mu
     eta      -- structural damping, (eta/Omega) u' in a motion at Omega
+    c_3      -- cubic damping, c_3 u'^3
+    zeta_2   -- viscous damping that grows with the displacement, 2 (zeta + zeta_2 u^2) u'
     """
 
     force: Force
@@ -221,9 +223,11 @@ class EquationOfMotion:
     released: bool = False
     mu_s: float = 0.0
     eta: float = 0.0
+    c_3: float = 0.0
+    zeta_2: float = 0.0
 
     def __post_init__(self) -> None:
-        for name in ("mu", "zeta", "c_2", "mu_s", "eta"):
+        for name in ("mu", "zeta", "c_2", "mu_s", "eta", "c_3", "zeta_2"):
             value = getattr(self, name)
             if not (np.isfinite(value) and value >= 0):
                 raise Refused(f"{name} = {value} must be finite and not negative")

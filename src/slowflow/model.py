@@ -28,6 +28,8 @@ from slowflow_kernels.scenes import flow_of
 
 __all__ = ["Floats", "Laws", "Model", "check_names"]
 
+FORCE_ALONE = "the response with cubic damping is derived for a force, or a base's acceleration"
+WITHOUT_ZETA = "the damping of small motions would vanish faster than their amplitude"
 WITHOUT_DAMPING = (
     "the response to an excitation by inertia is derived with viscous, structural or quadratic damping only"
 )
@@ -70,22 +72,30 @@ THROUGHOUT = next(iter(RUBS))
 class Laws:
     """The damping laws of an oscillator other than viscous damping and dry friction throughout.
 
-    eta  -- loss factor of the vertical spring
-    c_2  -- quadratic damping, c_2 |u'|u'
-    rubs -- where dry friction acts, a key of `RUBS`
+    eta    -- loss factor of the vertical spring
+    c_2    -- quadratic damping, c_2 |u'|u'
+    c_3    -- cubic damping, c_3 u'^3
+    zeta_2 -- viscous damping that grows with the displacement, 2 (zeta + zeta_2 u^2) u'
+    rubs   -- where dry friction acts, a key of `RUBS`
     """
 
     eta: float = 0.0
     c_2: float = 0.0
+    c_3: float = 0.0
+    zeta_2: float = 0.0
     rubs: str = THROUGHOUT
 
     @classmethod
-    def of(cls, eta: Any, c_2: Any, rubs: Any) -> Laws:
+    def of(cls, rubs: Any, **numbers: Any) -> Laws:
         """From what a user gives. Raises ValueError for a number outside its domain, or another word."""
-        of_eta, of_c_2 = DISSIPATION
         where = validate.choice("rubs", rubs, tuple(RUBS))
-        eta, c_2 = validate.within(of_eta, eta), validate.within(of_c_2, c_2)
-        return cls(eta, c_2, where) if eta or c_2 or where != THROUGHOUT else NO_LAWS
+        values = {domain.name: validate.within(domain, numbers.get(domain.name, 0.0)) for domain in DISSIPATION}
+        return cls(rubs=where, **values) if any(values.values()) or where != THROUGHOUT else NO_LAWS
+
+    @property
+    def numbers(self) -> dict[str, Any]:
+        """Those of `DISSIPATION`, in its order."""
+        return {domain.name: getattr(self, domain.name) for domain in DISSIPATION}
 
     @cached_property
     def present(self) -> dict[str, Any]:
@@ -101,12 +111,14 @@ class Laws:
         """Whether there are any."""
         return bool(self.present)
 
-    def description(self) -> str:
-        """The names and values of those that are present."""
-        return listed(self.present)
+    def description(self, *without: str) -> str:
+        """The names and values of those that are present, without these names."""
+        return listed({name: value for name, value in self.present.items() if name not in without})
 
 
 NO_LAWS = Laws()
+#: those of `DISSIPATION` whose share is derived for motions with a mean
+WITH_MEAN = tuple(domain.name for domain in DISSIPATION if domain.name in ("eta", "c_2"))
 
 
 def break_loose(m: Any, preload: Any) -> Floats:
@@ -142,7 +154,7 @@ class SlowFlow:
     def each(self, function: Callable[[Any], Any]) -> SlowFlow:
         """That of others, by a function of each number."""
         parameters = tuple(map(function, self.parameters))
-        laws = Laws(function(self.laws.eta), function(self.laws.c_2), self.laws.rubs)
+        laws = Laws(rubs=self.laws.rubs, **{name: function(value) for name, value in self.laws.numbers.items()})
         return SlowFlow(self.mechanism, parameters, function(self.mu), function(self.zeta), self.excitation, laws)
 
     @cached_property
@@ -187,6 +199,11 @@ class SlowFlow:
         """8 c_2/(3 pi), the factor of A^2 Omega^2 in I."""
         return dissipation.quadratic(self.laws.c_2)
 
+    @cached_property
+    def d_3(self) -> Any:
+        """3 c_3/4, the factor of A^3 Omega^3 in I."""
+        return dissipation.cubic(self.laws.c_3)
+
     def at_rest(self, A: Any) -> tuple[Floats, ...]:
         """The part of I (23) that knows no frequency, and three derivatives by A; shapes that broadcast."""
         within: tuple[Floats, ...] = dissipation.at_rest(A, self.m, self.laws.eta)
@@ -196,11 +213,16 @@ class SlowFlow:
         released = dissipation.released(np.maximum(A, u_cr), self.m, self.laws.eta, u_cr)
         return tuple(np.where(np.asarray(A) > u_cr, two, one) for one, two in zip(within, released, strict=True))
 
+    def viscous(self, A: Any) -> tuple[Any, ...]:
+        """The viscous damping ratio of a cycle, and three derivatives by A."""
+        found: tuple[Any, ...] = dissipation.viscous(A, self.zeta, self.laws.zeta_2)
+        return found
+
     def sine(self, Omega: Any, A: Any) -> Floats:
         """I, the sine balance (23), -F_0 sin phi at a steady state; shapes that broadcast."""
         if not self.laws.any:
             return np.asarray(self.flow.I(Omega, A, self.m, self.zeta))
-        return np.asarray(dissipation.I(Omega, A, self.at_rest(A)[0], self.zeta, self.d))
+        return np.asarray(dissipation.I(Omega, A, self.at_rest(A)[0], self.viscous(A)[0], self.d, self.d_3))
 
     def equivalent_damping(self, Omega: Any, A: Any) -> tuple[Any, Any]:
         """m and zeta of the slow flow's kernels that have the same I at (Omega, A); only its slopes are others."""
@@ -220,10 +242,10 @@ class SlowFlow:
         return dissipation if self.laws.any else self.flow
 
     def _damping(self, A: Any, orders: int) -> tuple[Any, ...]:
-        """What kernels of `curve` take between A and h: m, zeta, or derivatives of I_0 below `orders`, zeta, d."""
+        """What kernels of `curve` take between A and h: m, zeta, or I_0, zeta, slopes below `orders`, then d, d_3."""
         if not self.laws.any:
             return self.m, self.zeta
-        return *self.at_rest(A)[:orders], self.zeta, self.d
+        return *self.at_rest(A)[:orders], *self.viscous(A)[:orders], self.d, self.d_3
 
     def F_A(self, Omega: Any, A: Any, averages: Any = None) -> Floats:
         """dF/dA (24), positive where a steady state is stable (30), at (Omega, A), shapes that broadcast.
@@ -263,7 +285,7 @@ class SlowFlow:
     def floor(self, F_0: Any) -> Any:
         """What transmissibility tends to as Omega tends to inf, see `Averaged.transmissibility_floor`."""
         if self.inertial:
-            return dissipation.I(1.0, dissipation.full_by_inertia(F_0, self.d), 0.0, 0.0, self.d) / F_0
+            return dissipation.I(1.0, dissipation.full_by_inertia(F_0, self.d), 0.0, 0.0, self.d, 0.0) / F_0
         with np.errstate(over="ignore"):  # a share of next to no force
             return np.minimum(1.0, general_flow.transmissibility(1.0, 0.0, F_0, self.m, self.zeta, self.preload))
 
@@ -304,9 +326,12 @@ class Model(SlowFlow):
             raise Refused(
                 self.laws.description() + " is not allowed without zeta, eta or c_2: nothing would dissipate beyond"
             )
+        for name in ("c_3", "zeta_2"):
+            if self.zeta == 0 and name in self.laws.present:
+                raise Refused(f"{listed({name: self.laws.present[name]})} is not allowed with zeta = 0: {WITHOUT_ZETA}")
         laws: tuple[float, ...] = ()
         if self.laws.any:
-            laws = self.laws.eta, self.laws.c_2, float(self.laws.rubs != THROUGHOUT)
+            laws = *self.laws.numbers.values(), float(self.laws.rubs != THROUGHOUT)
         damping = self.mu, self.zeta, *laws
         native = backend.compiled_model(self.mechanism, self.parameters, damping, self.design, self.inertial)
         m, breakpoints, jumps = self._prepared() if native is None else backend.SOLVER.prepared(native)
@@ -323,6 +348,8 @@ class Model(SlowFlow):
         """Raises ValueError for an excitation by inertia that has no answer here."""
         if self.zeta == self.laws.eta == self.laws.c_2 == 0:
             raise Refused(f"excitation = {self.excitation!r} is not allowed with zeta = 0: {WITHOUT_DAMPING}")
+        if self.laws.c_3 > 0:
+            raise Refused(f"excitation = {self.excitation!r} is not allowed with c_3: {FORCE_ALONE}")
         self._check_preload(f"excitation = {self.excitation!r}")
 
     def _check_preload(self, what: str) -> None:

@@ -20,7 +20,7 @@ from slowflow.certificate import Certificate
 from slowflow.composed import ComposedQuestions
 from slowflow.immutable import Unchanging
 from slowflow.mechanism import EquationOfMotion, Floats, Force, Mechanism, followed
-from slowflow.model import CENTRED, THROUGHOUT, Laws, Loaded, Model, off_centre_by
+from slowflow.model import CENTRED, THROUGHOUT, WITH_MEAN, Laws, Loaded, Model, off_centre_by
 from slowflow.results import Remark, SaddleNodeOnset
 from slowflow.support.errors import Refused
 from slowflow.table import SHOCKS
@@ -59,16 +59,18 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         The record of its restoring force, `MECHANISM` of a module of `slowflow_kernels`.
     mu, zeta : float
         Dry friction over k_v L, and viscous damping ratio, >= 0.
-    eta, c_2 : float
-        Structural damping, the loss factor of the vertical spring, and quadratic damping c_2 |u'|u', over m/L, >= 0.
+    eta, c_2, c_3, zeta_2 : float
+        Structural damping, the loss factor of the vertical spring; quadratic damping c_2 |u'|u', over m/L, and cubic
+        damping c_3 u'^3; viscous damping that grows with the displacement, 2 (zeta + zeta_2 u^2) u'. All >= 0; the
+        last two need zeta > 0.
     rubs : {"throughout", "attached"}
         Where dry friction acts: at all u, or for |u| below the first breakpoint only.
     mu_s : float
         Static friction over k_v L, >= mu: it holds a mass at rest in exact motions, and has no part in averaging.
     excitation : {"force", "base", "unbalance"}
         The excitation of amplitude F_0: a force over k_v L, a displacement of the base over L, or a rotating mass times
-        its radius over m L. The last two are forces F_0 Omega^2, need zeta, eta or c_2 > 0, and have no proofs. A base
-        whose acceleration has a constant amplitude a acts as a force, F_0 = m a/(k_v L).
+        its radius over m L. The last two are forces F_0 Omega^2, need zeta, eta or c_2 > 0 and c_3 = 0, and have no
+        proofs. A base whose acceleration has a constant amplitude a acts as a force, F_0 = m a/(k_v L).
     load : float
         Static load over k_v L beyond what the vertical spring holds at the centre. Motions have a mean displacement
         then: questions without an answer for these raise ValueError, see `off_centre`.
@@ -84,9 +86,9 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
 
     Notes
     -----
-    With eta, c_2 or rubs="attached" there are no proofs and no second approximation, with eta > 0, which is defined at
-    a frequency, no shocks. It is immutable: each of these numbers, and each parameter of the force, can be read by its
-    name, and `replace` makes another oscillator.
+    With eta, c_2, c_3, zeta_2 or rubs="attached" there are no proofs and no second approximation, with eta > 0, which
+    is defined at a frequency, no shocks. It is immutable: each of these numbers, and each parameter of the force, can
+    be read by its name, and `replace` makes another oscillator.
     """
 
     stays = "an oscillator does not change"
@@ -96,6 +98,8 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
     design: tuple[float, ...]
     eta: float
     c_2: float
+    c_3: float
+    zeta_2: float
     rubs: str
     mu_s: float
     excitation: str
@@ -109,6 +113,8 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         zeta: float = 0.0,
         eta: float = 0.0,
         c_2: float = 0.0,
+        c_3: float = 0.0,
+        zeta_2: float = 0.0,
         rubs: str = THROUGHOUT,
         mu_s: float = 0.0,
         excitation: str = "force",
@@ -116,10 +122,10 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         **design: float,
     ) -> None:
         values = {**design, "mu": mu, "zeta": zeta}
-        laws = Laws.of(eta, c_2, rubs)
+        laws = Laws.of(rubs, eta=eta, c_2=c_2, c_3=c_3, zeta_2=zeta_2)
         known_as = validate.excitation(excitation, tuple(EXCITATIONS))
         if not mechanism.odd:  # nothing is averaged about the centre, which these would be asked of
-            self._check_rubs(off_centre_by(mechanism, 0.0), laws)
+            self._check_offset(off_centre_by(mechanism, 0.0), laws)
         super().__init__(Model.of(mechanism, values, known_as, laws))
         model = self.model
         own = dict(zip(mechanism.design_names, model.design, strict=True))
@@ -129,7 +135,9 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         self.__dict__.update(
             own, design=model.design, given={**arguments, **laws.present}, excitation=known_as, load=0.0
         )
-        self.__dict__.update(eta=laws.eta, c_2=laws.c_2, rubs=laws.rubs, mu_s=model.mu)
+        self.__dict__.update(
+            eta=laws.eta, c_2=laws.c_2, c_3=laws.c_3, zeta_2=laws.zeta_2, rubs=laws.rubs, mu_s=model.mu
+        )
         if isinstance(mu_s, np.ndarray) or mu_s != 0:
             if not (static := validate.number("mu_s", mu_s, least=0.0)) >= self.mu:
                 raise Refused(text(LESS_THAN_MU, static, self.mu))
@@ -141,16 +149,16 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         """Offset the motion by a load or by a force that is not odd: the slow flow about the centre is gone then."""
         load = validate.number("load", load)
         why = off_centre_by(self.model.mechanism, load)
-        self._check_rubs(why, self.model.laws)
+        self._check_offset(why, self.model.laws)
         if load != 0:
             self.given["load"] = self.__dict__["load"] = load
         self.__dict__["model"] = Loaded(self.model, load)
         self.off_centre  # noqa: B018  refuses a force that nothing is derived for
 
     @staticmethod
-    def _check_rubs(question: str, laws: Laws) -> None:
-        """Refuse friction that ends at u_cr for offset motions: |u| passes u_cr on one side only."""
-        validate.is_plain(question, "" if laws.rubs == THROUGHOUT else f"rubs = {laws.rubs!r}")
+    def _check_offset(question: str, laws: Laws) -> None:
+        """Refuse laws that are not derived for offset motions, of which |u| passes u_cr on one side only."""
+        validate.is_plain(question, laws.description(*WITH_MEAN))
 
     @property
     def _off_centre_by(self) -> str:
@@ -171,7 +179,7 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         Without a load too: a mass between two wells, or on a softening spring, may leave the centre by itself. Raises
         ValueError for a force whose offset motions are not derived, and for friction that ends at u_cr.
         """
-        self._check_rubs("off_centre", self.model.laws)
+        self._check_offset("off_centre", self.model.laws)
         return self._off_centre
 
     def at_centre(self, question: str) -> None:
@@ -292,7 +300,9 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         if which not in self._equations:
             laws, force = self.model.laws, followed(self.restoring_force(which), self.model.mechanism.name)
             others = self.model.inertial, self.load, laws.c_2, laws.rubs != THROUGHOUT, self.given.get("mu_s", 0.0)
-            self._equations[which] = EquationOfMotion(force, self.mu, self.zeta, *others, laws.eta)
+            self._equations[which] = EquationOfMotion(
+                force, self.mu, self.zeta, *others, laws.eta, laws.c_3, laws.zeta_2
+            )
         return self._equations[which]
 
     @cached_property
@@ -536,8 +546,8 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         Raises
         ------
         ValueError
-            For both or none of S_0 and psd, without mu and zeta (under white noise c_2 suffices), for eta > 0,
-            rubs="attached", under a load and for an asymmetric force.
+            For both or none of S_0 and psd, without mu and zeta (under white noise c_2 suffices), for eta, c_3,
+            zeta_2 > 0, rubs="attached", under a load and for an asymmetric force.
         ArithmeticError
             Where there is no stationary motion.
         """
@@ -588,6 +598,8 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         zeta: Any = 0.0,
         eta: Any = 0.0,
         c_2: Any = 0.0,
+        c_3: Any = 0.0,
+        zeta_2: Any = 0.0,
         rubs: str = THROUGHOUT,
         excitation: str = "force",
         load: Any = 0.0,
@@ -602,7 +614,7 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         """
         from slowflow.grid import designs_of
 
-        values, laws = {**design, "mu": mu, "zeta": zeta}, {"eta": eta, "c_2": c_2}
+        values, laws = {**design, "mu": mu, "zeta": zeta}, {"eta": eta, "c_2": c_2, "c_3": c_3, "zeta_2": zeta_2}
         return designs_of(mechanism, values, laws, rubs, excitation, load)
 
 

@@ -95,6 +95,8 @@ DATA_SHEET: Mapping[str, tuple[str, str]] = MappingProxyType(
         "zeta": ("", "viscous damping ratio, c over 2 √(k_v m)"),
         "eta": ("", "loss factor of the vertical spring"),
         "c_2": ("N s^2/m^2", "quadratic damping"),
+        "c_3": ("N s^3/m^3", "cubic damping"),
+        "c_xx": ("N s/m^3", "growth of the viscous damping with the squared displacement"),
         "rubs": ("", "where friction acts"),
         "force": ("", "the springs' force that is averaged: truncated (6), or untruncated (5)"),
         "excitation": ("", "kind of excitation"),
@@ -102,10 +104,10 @@ DATA_SHEET: Mapping[str, tuple[str, str]] = MappingProxyType(
 )
 SHEET: Mapping[str, str] = MappingProxyType({name: unit for name, (unit, _) in DATA_SHEET.items()})
 #: a mount's names for the letters of the scales of its design and its damping
-NAMES = {"lam": "n", "k_h": "k_h", "Delta_h": "preload", "F_c": "friction", "c": "c", "c_q": "c_2"}
-NAMES |= {"k_1": "k_1", "k_3": "k_3"}
+NAMES = {"lam": "n", "k_h": "k_h", "Delta_h": "preload", "F_c": "friction", "c": "c", "c_q": "c_2", "c_c": "c_3"}
+NAMES |= {"c_xx": "c_xx", "k_1": "k_1", "k_3": "k_3"}
 #: numbers of a mount that add up over several
-PER_MOUNT = ("k_v", "k_h", "friction", "c", "c_2")
+PER_MOUNT = ("k_v", "k_h", "friction", "c", "c_2", "c_3", "c_xx")
 #: the bases of all scales, in the order of their powers
 BASE = ("k_v", "L", "m")
 #: of a dimensionless number
@@ -121,6 +123,8 @@ OF_KIND: Mapping[str, Scale] = MappingProxyType(
         "time": SCALES["tau"],
         "unbalance": AMPLITUDES["unbalance"],
         "quadratic damping": SCALES["c_2"],
+        "cubic damping": SCALES["c_3"],
+        "growing damping": SCALES["zeta_2"],
         "acceleration": Scale("a", 1.0, (1.0, 1.0, -1.0)),
         "stiffness": Scale("k", 1.0, (1.0, 0.0, 0.0)),
         "damping": Scale("c", 1.0, (0.5, 0.0, 0.5)),

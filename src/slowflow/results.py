@@ -241,7 +241,7 @@ def of_model(model: Model | None) -> sensitivities.Design:
     laws, numbers = model.laws, (*model.design, model.mu, model.zeta)
     if not laws.any:
         return sensitivities.Design(model.mechanism, numbers, model.excitation)
-    return sensitivities.Design(model.mechanism, (*numbers, laws.eta, laws.c_2), model.excitation, laws.rubs)
+    return sensitivities.Design(model.mechanism, (*numbers, *laws.numbers.values()), model.excitation, laws.rubs)
 
 
 class WithMean:

@@ -33,7 +33,7 @@ OF_RECORD = "gradient() is not available for {}: its record does not say how its
 class Design(NamedTuple):
     """Whose answers these are: mechanism, numbers of the design and the damping, or arrays of them, and excitation.
 
-    rubs -- where dry friction acts, if there are other laws of damping: the numbers then end with eta and c_2
+    rubs -- where dry friction acts, if there are other laws of damping: numbers then end with those of `DISSIPATION`
     """
 
     mechanism: Mechanism

@@ -149,6 +149,8 @@ QUOTED = (
     Column("mu", "dry friction", "force", "friction"),
     Column("mu_s", "static friction", "force", "static_friction"),
     Column("c_2", "quadratic damping", "quadratic damping"),
+    Column("c_3", "cubic damping", "cubic damping"),
+    Column("zeta_2", "growth of the viscous damping ratio with u^2", "growing damping", "c_xx"),
     Column("u_0", "initial displacement", "length", "x_0"),
     Column("v_0", "initial velocity", "speed"),
     Column("after", "duration of a free motion", "time"),

@@ -428,7 +428,7 @@ WRONG = {
         "preload = 0.009",
         "preloda = 0.009",
         "9: preloda is not a key of [mount]: it must be one of m, k_v, k_h, L, preload, n, mounts, friction, c, zeta, "
-        "eta, c_2, rubs, static_friction, load, force, excitation. Did you mean 'preload'?",
+        "eta, c_2, c_3, c_xx, rubs, static_friction, load, force, excitation. Did you mean 'preload'?",
     ),
     "a number outside its domain": (
         "zeta = 0.02",
@@ -493,7 +493,7 @@ WRONG = {
         "zeta = 0.02",
         "zeta = 0.02\neta_2 = 0.1",
         "12: eta_2 is not a key of [mount]: it must be one of m, k_v, k_h, L, preload, n, mounts, friction, c, zeta, "
-        "eta, c_2, rubs, static_friction, load, force, excitation\n",
+        "eta, c_2, c_3, c_xx, rubs, static_friction, load, force, excitation\n",
     ),
     "a length so small that scales leave the doubles": (
         "L = 0.080",

@@ -13,6 +13,7 @@ from scipy.integrate import quad, solve_ivp
 from scipy.optimize import brentq, minimize_scalar
 
 from slowflow import Duffing, Isolator, Oscillator, derive, exact
+from slowflow.exact.motion import Forced, advance
 from slowflow.results import Remark
 from slowflow.sizing import tolerances
 from slowflow_kernels import duffing
@@ -26,10 +27,10 @@ LOOSE = Isolator(lam=3.0, r=0.5, delta_h=0.02, mu=0.03, zeta=0.03, rubs="attache
 
 def balances(osc, Omega, A):
     """R and I of the oscillator's own numbers, I by the work of each law over a cycle."""
-    model, c_2 = osc.model, osc.c_2
     way = np.minimum(A, osc.breakpoints[0]) if osc.rubs == "attached" else A
-    work = 4 * osc.mu * way + np.pi * (osc.eta + 2 * osc.zeta * Omega) * A**2 + 8 / 3 * c_2 * Omega**2 * A**3
-    return A * Omega**2 + model.averaged(A)[0], work / (np.pi * A)
+    work = 4 * osc.mu * way + np.pi * (osc.eta + 2 * osc.zeta * Omega) * A**2 + 8 / 3 * osc.c_2 * Omega**2 * A**3
+    work = work + np.pi * (0.5 * osc.zeta_2 * Omega + 0.75 * osc.c_3 * Omega**3) * A**4
+    return A * Omega**2 + osc.model.averaged(A)[0], work / (np.pi * A)
 
 
 def drawn(rng):
@@ -41,6 +42,8 @@ def drawn(rng):
     zeta = rng.choice([0.0, 10 ** rng.uniform(-3, -0.5)]) if eta or c_2 else 10 ** rng.uniform(-3, -0.5)
     mu = rng.choice([0.0, 10 ** rng.uniform(-3.5, -1.7)])
     damping = {"mu": mu, "zeta": zeta, "eta": eta, "c_2": c_2}
+    for law in ("c_3", "zeta_2") if zeta > 0 else ():
+        damping[law] = float(rng.choice([0.0, 10 ** rng.uniform(-1, 1.5)]))
     if not rod:
         return Duffing(rng.choice([1.0, 0.4]), rng.choice([-1, 1]) * 10 ** rng.uniform(-1, 1), **damping)
     r = rng.uniform(0.3, 3)
@@ -74,6 +77,41 @@ def test_linear_quadratic_damping_is_a_quadratic_in_A_squared():
     X = peak.Omega**2
     assert (1 - X) == pytest.approx(d**2 * peak.A**2 * X, rel=1e-12)
     assert peak.A**2 * (1 - X) ** 2 + (d * peak.A**2 * X) ** 2 == pytest.approx(F_0**2, rel=1e-12)
+
+
+def test_linear_cubic_damping_is_a_cubic_in_A_squared():
+    zeta, c_3, zeta_2, F_0 = 0.02, 3.0, 5.0, 0.04
+    osc, Omega = Duffing(1.0, 0.0, zeta=zeta, c_3=c_3, zeta_2=zeta_2), np.array([0.3, 0.999, 1.0, 1.7])
+    found = osc.amplitudes(Omega=Omega, F_0=F_0)
+    rise = 0.5 * zeta_2 * Omega + 0.75 * c_3 * Omega**3  # I = 2 zeta A Omega + rise A^3
+    for square, w, a in zip(found.A**2, found.Omega, rise, strict=True):
+        roots = np.roots([a**2, 4 * zeta * w * a, (1 - w**2) ** 2 + (2 * zeta * w) ** 2, -(F_0**2)])
+        assert [root.real for root in roots if abs(root.imag) < 1e-12 and root.real > 0] == pytest.approx([square])
+    envelope = osc.limit_envelope(Omega=Omega, F_0=F_0)
+    assert 2 * zeta * envelope * Omega + rise * envelope**3 == pytest.approx(F_0, rel=1e-12)
+    assert (osc.limit_envelope(Omega=Omega, F_0=1e-30) > 0).all()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.part(2)
+def test_numbers_of_states_change_at_folds_alone_with_cubic_damping(seed):
+    """States counted on a grid in A of their own: folds lie between frequencies at which the counts differ by two."""
+    rng, A = np.random.default_rng(seed), np.geomspace(1e-6, 100, 60001)
+    zeta, alpha, beta = 10 ** rng.uniform(-2.5, -1), rng.choice([1.0, -0.3]), 10 ** rng.uniform(-0.5, 1)
+    laws = {"c_3": 10 ** rng.uniform(-2, 1), "zeta_2": 10 ** rng.uniform(-2, 1), "c_2": rng.choice([0.0, 0.1])}
+    osc, F_0 = Duffing(alpha, beta, 0.002, zeta, **laws), 10 ** rng.uniform(-1.5, 0)
+    folds = osc.saddle_nodes(F_0)
+    at = np.geomspace(0.1, 5, 90)
+    at = [w for w in at if np.abs(folds.Omega / w - 1).min(initial=1.0) > 0.02]
+    counts = []
+    for w in at:
+        R, lag = balances(osc, w, A)
+        F = R**2 + lag**2 - F_0**2
+        counts.append(np.count_nonzero((F[1:] < 0) != (F[:-1] < 0)))
+    for (w, one), (above, other) in pairwise(zip(at, counts, strict=True)):
+        between = np.count_nonzero((w < folds.Omega) & (folds.Omega < above))
+        assert abs(other - one) == 2 * between if between < 2 else (other - one) % 4 == 2 * between % 4, (osc, F_0, w)
 
 
 def test_laws_that_are_not_there_change_nothing():
@@ -115,6 +153,8 @@ def test_state_is_stable_where_both_eigenvalues_are():
             continue
         F_0 = osc.sticking_forcing + 10 ** rng.uniform(-2.5, -1)
         found = osc.amplitudes(Omega=np.linspace(0.4, 1.6, 7), F_0=F_0)
+        if Remark.BEYOND_WELL in found.remarks:  # where no motion stays, whatever averages say
+            continue
 
         def rates(A, phi, Omega, osc=osc, F_0=F_0):
             R, lag = balances(osc, Omega, A)
@@ -140,6 +180,8 @@ def test_state_is_stable_where_both_eigenvalues_are():
     [
         Duffing(1.0, 0.5, eta=0.02),
         Duffing(1.0, 2.0, 0.003, 0.01, c_2=0.05),
+        Duffing(1.0, 2.0, 0.003, 0.01, c_3=0.5, zeta_2=0.2),
+        RUBBING.replace(c_3=0.5),
         RUBBING,
         RUBBING.replace(force="truncated", eta=0.01),
         LOOSE,
@@ -259,6 +301,8 @@ def test_structural_sweeps_and_measurements_are_single_motions(osc):
 FORCED = [
     (Duffing(1.0, 0.5, eta=0.15), 1.0, 0.04, 0.005),
     (Duffing(1.0, 0.5, c_2=1.0), 1.1, 0.06, 0.005),
+    (Duffing(1.0, 0.5, zeta=0.05, c_3=2.0, zeta_2=1.5), 1.1, 0.2, 0.02),
+    (RUBBING.replace(zeta=0.08, c_3=0.1, zeta_2=0.05), 0.95, 0.1, 0.02),
     (RUBBING.replace(zeta=0.08), 0.95, 0.1, 0.02),
 ]
 SHAKEN = [
@@ -277,6 +321,22 @@ def test_exact_motions_are_those_of_independent_integration(osc, Omega, F_0, wit
     (A,) = osc.amplitudes(Omega=Omega, F_0=F_0).A
     assert pytest.approx(A, rel=within) == state.A
     assert osc.rubs != "attached" or state.A > osc.breakpoints[0]
+
+
+@pytest.mark.parametrize("slip", [1, -1])
+def test_motions_with_cubic_damping_have_the_slopes_of_differences(slip):
+    """By the state at the start, Omega and F_0, where all laws but friction act."""
+    system = Duffing(1.0, 0.5, zeta=0.03, c_2=0.2, c_3=0.7, zeta_2=0.9).equation_of_motion()
+
+    def state(u, v, Omega, F_0):
+        found = advance(Forced(system, Omega, F_0), slip, 0, 0.3, u, v, 1.1)
+        return np.array(found[:2]), found[2]
+
+    at = np.array([0.4 * slip, 0.5 * slip, 1.1, 0.3])
+    _, flow = state(*at)
+    for column, step in enumerate(np.eye(4) * 1e-5):
+        difference = (state(*(at + step))[0] - state(*(at - step))[0]) / 2e-5
+        assert flow[:, column] == pytest.approx(difference, abs=1e-9)
 
 
 @pytest.mark.slow
@@ -357,9 +417,9 @@ NUMBERS = {
         # folds on the corner that friction makes, where it ends; an isola's birth
         (LOOSE.replace(eta=0.0005, c_2=0.001), ("folds", "onset")),
         (RUBBING.replace(force="truncated", mu=0.02), ("folds", "states")),
-        (Duffing(1.0, 2.0, 0.003, 0.01, eta=0.01, c_2=0.05), ("states", "peak")),
+        (Duffing(1.0, 2.0, 0.003, 0.01, eta=0.01, c_2=0.05, c_3=0.3, zeta_2=0.5), ("states", "peak")),
         (LOOSE.replace(eta=0.0005, c_2=0.001, excitation="base"), ("onset", "detachment")),
-        (Duffing(1.0, 2.0, 0.0, 0.01, eta=0.01, c_2=0.05, excitation="unbalance"), ("states", "peak")),
+        (Duffing(1.0, 2.0, 0.0, 0.01, eta=0.01, zeta_2=0.5, excitation="unbalance"), ("states", "peak", "onset")),
     ],
     ids=str,
 )
@@ -377,7 +437,7 @@ def test_a_law_that_is_not_there_has_a_slope_too():
     """By eta and c_2 at 0, from above; and where friction ends a motion at u_cr has none."""
     osc = LOOSE.replace(force="truncated")
     gradient = osc.amplitudes(Omega=1.02, F_0=0.0502).gradient()
-    for by in ("eta", "c_2"):
+    for by in ("eta", "c_2", "c_3", "zeta_2"):
         ahead = (
             osc.replace(**{by: 1e-7}).amplitudes(Omega=1.02, F_0=0.0502).A - osc.amplitudes(Omega=1.02, F_0=0.0502).A
         )
@@ -392,9 +452,12 @@ def test_a_law_that_is_not_there_has_a_slope_too():
 
 @pytest.mark.slow
 def test_a_mount_has_the_same_gradients():
-    mount = Isolator.physical(m=12, k_v=2500, k_h=600, n=2, L=0.08, preload=0.002, c=8.0, eta=0.01, c_2=5.0)
-    by = ("eta", "c_2", "k_v", "L", "m")
-    assert mount.peak(F=5).gradient().by == ("n", "k_h", "preload", "friction", "c", "eta", "c_2", "F", "k_v", "L", "m")
+    mount = Isolator.physical(
+        m=12, k_v=2500, k_h=600, n=2, L=0.08, preload=0.002, c=8.0, eta=0.01, c_2=5.0, c_3=9.0, c_xx=500.0
+    )
+    by = ("eta", "c_2", "c_3", "c_xx", "k_v", "L", "m")
+    laws = "eta", "c_2", "c_3", "c_xx"
+    assert mount.peak(F=5).gradient().by == ("n", "k_h", "preload", "friction", "c", *laws, "F", "k_v", "L", "m")
     numbers = {name: mount.given[name] for name in by}
     assert assert_slopes_are_differences(mount.replace, numbers, {"peak": lambda one: one.peak(F=5)}, by)
 
@@ -634,6 +697,23 @@ def test_what_has_no_answer_is_refused_in_words():
         _ = shaken.second_approximation
     with pytest.raises(ValueError, match="viscous, structural or quadratic damping only"):
         Duffing(1.0, 0.5, mu=0.01, excitation="base")
+    with pytest.raises(ValueError, match="cubic damping is derived for a force"):
+        Duffing(1.0, 0.5, zeta=0.01, c_3=0.1, excitation="base")
+    for law in ("c_3", "zeta_2"):
+        with pytest.raises(ValueError, match=f"{law} = 0.1 is not allowed with zeta = 0"):
+            Duffing(1.0, 0.5, mu=0.01, **{law: 0.1})
+        for ask in (
+            lambda law=law: Duffing(1.0, 0.5, zeta=0.01, load=0.1, **{law: 0.1}),
+            lambda law=law: Duffing(1.0, 0.5, zeta=0.01, **{law: 0.1}).random(S_0=0.01),
+        ):
+            with pytest.raises(ValueError, match=f"{law} = 0.1"):
+                ask()
+        for ask in (
+            lambda law=law: Duffing.many(1.0, 0.5, zeta=[0.01], load=0.1, **{law: 0.1}),
+            lambda law=law: Duffing.many(1.0, 0.5, zeta=[0.01], **{law: 0.1}).random(S_0=0.01),
+        ):
+            with pytest.raises(ValueError, match=law):
+                ask()
     with pytest.raises(ValueError, match="its force has one piece"):
         Oscillator(duffing.MECHANISM, alpha=1.0, beta=0.5, mu=0.01, zeta=0.02, rubs="attached")
     with pytest.raises(ValueError, match="nothing would dissipate beyond"):

@@ -237,6 +237,7 @@ class Family(NamedTuple):
 
 
 LAWS = {"eta": {"eta": 0.05}, "c_2": {"c_2": 0.1}, "attached": {"rubs": "attached"}}
+LAWS |= {"c_3": {"c_3": 0.5}, "zeta_2": {"zeta_2": 0.5}}
 
 FAMILIES: dict[str, Family] = {
     "batch isolator": Family(batch(Isolator, isolators, 11), 1_000_000, 200),

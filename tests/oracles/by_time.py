@@ -73,7 +73,8 @@ def largest(pull: Pull, osc: Any, Omega: float, F_0: float, turns: int, preload:
             return force * np.cos(Omega * tau) - pull(u) - side * preload
 
         def field(tau: float, y: Any, slip: float = slip, mu: float = mu, resting: Any = resting) -> Any:
-            resists = (2 * osc.zeta + osc.eta / Omega) * y[1] + slip * (osc.c_2 * y[1] ** 2 + mu)
+            viscous = 2 * (osc.zeta + osc.zeta_2 * y[0] ** 2) + osc.eta / Omega + osc.c_3 * y[1] ** 2
+            resists = viscous * y[1] + slip * (osc.c_2 * y[1] ** 2 + mu)
             return [y[1], resting(tau, y[0]) - resists]
 
         events = [lambda tau, y: y[1], lambda tau, y: abs(y[0]) - edge, lambda tau, y: y[0] if preload else 1.0]

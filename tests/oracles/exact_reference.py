@@ -59,7 +59,7 @@ def resistance(drive: Any, v: Any) -> Any:
     """What resists like friction at a velocity, and zeta with its slope beside it."""
     if drive.quadratic == 0:
         return drive.friction, drive.zeta
-    return motion.resistance(v, drive.zeta, drive.friction, drive.quadratic)
+    return motion.resistance(v, drive.zeta, drive.friction, drive.quadratic, 0.0, 0.0, 0.0)[:2]
 
 
 def accelerated(forced: Forced, slip: int, region: int, theta: float, u: float, v: float) -> float:

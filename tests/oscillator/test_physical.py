@@ -62,6 +62,8 @@ def test_scales_are_the_papers_groups():
         "mu": k_v * L,
         "zeta": 2 * math.sqrt(k_v * m),
         "c_2": m / L,
+        "c_3": math.sqrt(m**3 / k_v) / L**2,
+        "zeta_2": 2 * math.sqrt(k_v * m) / L**2,
         "eta": 1.0,
     }
     assert {name: scales.of(scale) for name, scale in SCALES.items()} == pytest.approx(expected, rel=1e-15)
@@ -69,7 +71,7 @@ def test_scales_are_the_papers_groups():
 
 def test_a_mount_with_every_law_of_damping_balances_in_newtons():
     """The first harmonic of (1) with the force (2) and each law's own, in SI units, by quadrature of one cycle."""
-    laws = {"eta": 0.03, "c_2": 25.0, "rubs": "attached"}
+    laws = {"eta": 0.03, "c_2": 25.0, "c_3": 20.0, "c_xx": 900.0, "rubs": "attached"}
     mount = Isolator.physical(**MOUNT, **laws, force="untruncated")
     m, k_v, L, preload = (MOUNT[name] for name in ("m", "k_v", "L", "preload"))
     F, f = 25.0, 2.1
@@ -83,7 +85,8 @@ def test_a_mount_with_every_law_of_damping_balances_in_newtons():
         pushing = max(preload - (L - height), 0.0)
         rubs = 0.4 * math.copysign(1.0, v) if abs(x) < x_cr else 0.0
         force = k_v * x - 3 * 1700 * pushing * x / height
-        return -m * omega**2 * x + c * v + rubs + laws["eta"] * k_v / omega * v + laws["c_2"] * abs(v) * v + force
+        viscous = c + laws["eta"] * k_v / omega + laws["c_xx"] * x**2 + laws["c_2"] * abs(v) + laws["c_3"] * v**2
+        return -m * omega**2 * x + viscous * v + rubs + force
 
     for A, phi in zip(found.A, found.phi, strict=True):
         edge = math.acos(min(1.0, x_cr / A))
@@ -183,10 +186,10 @@ def test_an_amplitude_is_called_and_measured_by_what_is_excited():
 
 @pytest.mark.parametrize("excitation", ["force", "acceleration"])
 def test_several_mounts_share_the_mass_and_add_springs(excitation):
-    laws = {"c_2": 3.0, "eta": 0.01, "static_friction": 0.6}
+    laws = {"c_2": 3.0, "c_3": 2.0, "c_xx": 400.0, "eta": 0.01, "static_friction": 0.6}
     one = Isolator.physical(**MOUNT, **laws, excitation=excitation)
     sheet = {**MOUNT, **laws} | {name: MOUNT[name] / 4 for name in ("k_v", "k_h", "friction")}
-    sheet |= {"c_2": laws["c_2"] / 4, "static_friction": laws["static_friction"] / 4}
+    sheet |= {name: laws[name] / 4 for name in laws if name != "eta"}
     four = Isolator.physical(**sheet, mounts=4, excitation=excitation)
     assert four.oscillator == one.oscillator and four.scales.sizes == one.scales.sizes
     assert four.peak(0.7) == one.peak(0.7) and four.replace(zeta=0.03).given["mounts"] == 4

@@ -189,8 +189,8 @@ class Designs(Unchanging, ManyQuestions[Batch]):
     """Arrays of designs of one mechanism, and the questions about them.
 
     mechanism -- record of the mechanism
-    values    -- the numbers of its design by name, mu, zeta, and eta and c_2 where they are given; real arrays that
-                 broadcast
+    values    -- the numbers of its design by name, mu, zeta, and eta, c_2 and zeta_2 where they are given; real arrays
+                 that broadcast
     excitation -- what F_0 is the amplitude of, the same for all: "force", "base" or "unbalance"
     rubs      -- where dry friction acts, the same for all: "throughout" or "attached"
 
@@ -237,16 +237,17 @@ class Designs(Unchanging, ManyQuestions[Batch]):
     @property
     def _flow(self) -> SlowFlow:
         """The slow flow of all designs; a number outside its domain, which has a status, may warn."""
-        names = (one.name for one in (*DAMPING, *DISSIPATION))
-        mu, zeta, eta, c_2 = (np.asarray(self.values.get(name, 0.0), dtype=float) for name in names)
-        laws = Laws(eta, c_2, self.rubs)  # type: ignore[arg-type]
+        damping = {
+            one.name: np.asarray(self.values.get(one.name, 0.0), dtype=float) for one in (*DAMPING, *DISSIPATION)
+        }
+        mu, zeta = (damping.pop(one.name) for one in DAMPING)
+        laws = Laws(rubs=self.rubs, **damping)  # type: ignore[arg-type]
         return SlowFlow(self.mechanism, self._parameters, mu, zeta, self.excitation, laws)
 
     def model(self, numbers: dict[str, float]) -> Model:
         """One design, from its numbers by name. Raises ValueError for one outside its domain."""
         own = dict(numbers)
-        eta, c_2 = (own.pop(one.name, 0.0) for one in DISSIPATION)
-        laws = Laws.of(eta, c_2, self.rubs)
+        laws = Laws.of(self.rubs, **{one.name: own.pop(one.name, 0.0) for one in DISSIPATION})
         return Model.of(self.mechanism, own, self.excitation, laws)
 
     def _ask(self, question: str, /, *, workers: int = 1, **kwargs: Any) -> Batch:
@@ -468,7 +469,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         return outputs
 
     def _with_all_laws(self, values: dict[str, npt.NDArray[Any]]) -> list[npt.NDArray[Any]]:
-        """What a record with laws of damping takes: design, mu, zeta, eta, c_2, whether friction ends; then F_0."""
+        """What a record with laws of damping takes: design, mu, zeta, the others, whether friction ends; then F_0."""
         names = [domain.name for domain in (*self.mechanism.design, *DAMPING, *DISSIPATION)]
         ends = np.array(float(self.rubs != THROUGHOUT))
         arguments = (value for name, value in values.items() if name not in self.values)

@@ -44,6 +44,8 @@ State = TypeVar("State", FrequencyResponse, SteadyStates)
 NONE = np.empty(0)
 #: of a peak: where the next lower one is looked for, by more than roundings below it
 JUST_BELOW = 1 - 2.0**-30
+#: of Newton's method
+MOST_STEPS = 200
 
 Answer = TypeVar("Answer", FrequencyResponse, SteadyStates, SaddleNodes, SaddleNodeOnset, Detachment, Peak)
 
@@ -375,8 +377,15 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         force = self.model.force(F_0, Omega)
         bounded = np.inf
         if self.model.laws.any:
-            laws = self.model.laws.eta, self.model.d
-            bounded = dissipation.limit_envelope(Omega, force, self.model.m, self.zeta, *laws)
+            model, eta = self.model, self.model.laws.eta
+            bounded = dissipation.limit_envelope(Omega, force, model.m, self.zeta, eta, model.d)
+            # with c_3 or zeta_2 it lies above: I is convex in A, so that Newton's method falls to where I = F_0
+            for _ in range(MOST_STEPS if model.laws.c_3 + model.laws.zeta_2 > 0 else 0):
+                (zeta, zeta_A, *_), above = model.viscous(bounded), bounded
+                excess = dissipation.I(Omega, above, model.m + eta * above, zeta, model.d, model.d_3) - force
+                bounded = above - excess / dissipation.I_A(Omega, above, eta, zeta, zeta_A, model.d, model.d_3)
+                if np.all(bounded >= above):
+                    break
         elif self.zeta != 0:
             bounded = self.model.flow.limit_envelope(Omega, force, self.model.m, self.zeta)
         return np.broadcast_to(np.where(force <= self.model.m, 0.0, bounded), shape).copy()

@@ -165,7 +165,8 @@ def system_of(designs: Any, numbers: dict[str, float], load: float = 0.0) -> Equ
     """
     model = designs.model(numbers)
     force = followed(Force.of(designs.mechanism, model.parameters), designs.mechanism.name)
-    laws: dict[str, Any] = {"c_2": model.laws.c_2, "released": model.laws.rubs != THROUGHOUT}
+    laws: dict[str, Any] = {name: getattr(model.laws, name) for name in ("c_2", "c_3", "zeta_2")}
+    laws["released"] = model.laws.rubs != THROUGHOUT
     return EquationOfMotion(force, model.mu, model.zeta, load=load, **laws)
 
 
@@ -190,8 +191,9 @@ def _compile(system: EquationOfMotion) -> Any:
     else:
         laws_of = [_law(piece, *ends[i : i + 2]) for i, piece in enumerate(force.pieces)]
     laws, constants = zip(*laws_of, strict=True)
-    damping = system.mu, system.zeta, system.inertial, system.load, system.c_2, system.released, system.mu_s, system.eta
-    return EXACT.system(laws, constants, force.edges, centre, force.odd, *damping, force.jump)
+    damping = system.mu, system.zeta, system.inertial, system.load, system.c_2, system.released, system.mu_s
+    others = system.eta, system.c_3, system.zeta_2, force.jump
+    return EXACT.system(laws, constants, force.edges, centre, force.odd, *damping, *others)
 
 
 def advance(

@@ -10,7 +10,7 @@ from typing import Any
 from slowflow import validate
 from slowflow.designs import Designs
 from slowflow.mechanism import Mechanism
-from slowflow.model import THROUGHOUT, off_centre_by
+from slowflow.model import THROUGHOUT, WITH_MEAN, off_centre_by
 from slowflow.table import ManyQuestions
 from slowflow_kernels.domains import EXCITATIONS, RUBS
 
@@ -20,14 +20,19 @@ def designs_of(
 ) -> ManyQuestions[Any]:
     """Many designs of a mechanism from their numbers by name; what maps need is loaded where a number is labelled.
 
-    laws -- eta and c_2: a plain 0 is none, as of load
+    laws -- eta, c_2, ...: a plain 0 is none, as of load
     """
     validate.excitation(excitation, tuple(EXCITATIONS))
     validate.choice("rubs", rubs, tuple(RUBS))
     values |= {name: value for name, value in laws.items() if not _is_none(value)}
     if not mechanism.odd or not _is_none(load):
         why = off_centre_by(mechanism, 0.0) or "load"
-        validate.is_plain(why, "" if rubs == THROUGHOUT else f"rubs = {rubs!r}")
+        others = (
+            [f"rubs = {rubs!r}"]
+            if rubs != THROUGHOUT
+            else [name for name in laws if name in values and name not in WITH_MEAN]
+        )
+        validate.is_plain(why, ", ".join(others))
         values["load"] = load
     if any(validate.is_labelled(value) for value in values.values()):
         from slowflow.grid.designs import Grid

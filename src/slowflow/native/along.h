@@ -85,13 +85,14 @@ static inline int sf_has_sloping_rest(const sf_model *model, double A) {
 /* h over A at A = 0; where I_0 changes with A, F_A at Omega = 0 */
 static inline void sf_ask_stiffness(const sf_task *task, const sf_sample *at, sf_answer *out) {
     const sf_model *model = task->model;
-    double rest[4];
+    double rest[4], zeta[4];
     out->exists[0] = 1;
     if (sf_has_sloping_rest(model, task->first->A)) {
         sf_rest_at(model, at->A, model->breaks > 0 && task->first->A >= model->b[0], rest);
-        out->y[0] = dissipation_F_A(0, at->A, rest[0], rest[1], model->zeta, model->d, at->h, at->h_A);
-        out->dy[0] =
-            dissipation_F_AA(0, at->A, rest[0], rest[1], rest[2], model->zeta, model->d, at->h, at->h_A, at->h_AA);
+        sf_zeta_at(model, at->A, zeta);
+        out->y[0] = dissipation_F_A(0, at->A, rest[0], rest[1], zeta[0], zeta[1], model->d, model->d_3, at->h, at->h_A);
+        out->dy[0] = dissipation_F_AA(0, at->A, rest[0], rest[1], rest[2], zeta[0], zeta[1], zeta[2], model->d, model->d_3, at->h,
+                                      at->h_A, at->h_AA);
         return;
     }
     out->exists[1] = 1;
@@ -420,15 +421,17 @@ static inline int sf_is_minimum(const sf_model *model, sf_question question, con
 /* By other laws of damping: whether the level has a minimum along the fold locus, and at an isola point F a saddle. */
 static inline int sf_is_law_minimum(const sf_model *model, sf_question question, const sf_sample *at, double w,
                                     int *saddle) {
-    const double A = at->A, zeta = model->zeta, d = model->d;
-    double rest[4], bend[2];
+    const double A = at->A, d = model->d;
+    double rest[4], zeta[4], bend[2];
     sf_rest_at(model, A, sf_is_beyond(model, A), rest);
+    sf_zeta_at(model, A, zeta);
     *saddle = 0;
     if (question == SF_CUSP)
         return (sf_inertial(model) ? dissipation_cusp_bend_by_inertia : dissipation_cusp_bend)(
-                   w, A, rest[0], rest[1], rest[2], rest[3], zeta, d, at->h, at->h_A, at->h_AA, at->h_AAA) > 0;
+                   w, A, rest[0], rest[1], rest[2], rest[3], zeta[0], zeta[1], zeta[2], zeta[3], d, model->d_3, at->h, at->h_A,
+                   at->h_AA, at->h_AAA) > 0;
     (sf_inertial(model) ? dissipation_isola_bend_by_inertia : dissipation_isola_bend)(
-        w, A, rest[0], rest[1], rest[2], zeta, d, at->h, at->h_A, at->h_AA, bend);
+        w, A, rest[0], rest[1], rest[2], zeta[0], zeta[1], zeta[2], d, model->d_3, at->h, at->h_A, at->h_AA, bend);
     *saddle = bend[0] < 0;
     return bend[1] > 0;
 }

@@ -18,16 +18,16 @@ static void sf_isolate_at(const sf_model *model, const sf_sample *at, double F_0
 }
 
 /* The same by other laws of damping. */
-static void sf_make_law_quartic_at(const sf_model *model, const sf_sample *at, double F_0, sf_law_quartic *q) {
-    sf_make_law_quartic(model, at, F_0 < 0 ? SF_OF_FOLDS : SF_OF_RESPONSE, F_0, sf_is_beyond(model, at->A), q);
+static void sf_make_law_polynomial_at(const sf_model *model, const sf_sample *at, double F_0, sf_law_polynomial *q) {
+    sf_make_law_polynomial(model, at, F_0 < 0 ? SF_OF_FOLDS : SF_OF_RESPONSE, F_0, sf_is_beyond(model, at->A), q);
 }
 
 /* How many roots there are at an amplitude; negative where that is beyond the range of doubles. */
 static int sf_count_at(const sf_model *model, const sf_sample *at, double F_0) {
-    sf_law_quartic by_laws;
+    sf_law_polynomial by_laws;
     sf_isolated q;
     if (sf_has_laws(model)) {
-        sf_make_law_quartic_at(model, at, F_0, &by_laws);
+        sf_make_law_polynomial_at(model, at, F_0, &by_laws);
         return sf_law_count(&by_laws);
     }
     if (F_0 < 0 && model->zeta == 0) /* the factor R = 0 is the backbone, at the level m */
@@ -40,10 +40,10 @@ static int sf_count_at(const sf_model *model, const sf_sample *at, double F_0) {
 
 /* Root number `index` of `count`. */
 static double sf_branch_at(const sf_model *model, const sf_sample *at, double F_0, int count, int index) {
-    sf_law_quartic by_laws;
+    sf_law_polynomial by_laws;
     sf_isolated q;
     if (sf_has_laws(model) && (F_0 >= 0 || at->A > 0)) {
-        sf_make_law_quartic_at(model, at, F_0, &by_laws);
+        sf_make_law_polynomial_at(model, at, F_0, &by_laws);
         return sf_law_branch(&by_laws, count, index);
     }
     if (F_0 >= 0 && sf_inertial(model))
@@ -101,14 +101,14 @@ static void sf_end_all(const sf_model *model, double F_0, sf_graph *graph, const
  * these but roots vanish all the same (a breakpoint that is an extremum to rounding), by the critical value next to
  * 0. */
 static int sf_lower_pair(const sf_model *model, double F_0, const sf_event *event, const sf_sample *at, double *Omega) {
-    sf_law_quartic by_laws;
+    sf_law_polynomial by_laws;
     sf_isolated q;
     int lower;
     *Omega = event->Omega;
     if (event->kind == SF_PAIR_LOW || event->kind == SF_PAIR_HIGH)
         return event->kind == SF_PAIR_LOW;
     if (sf_has_laws(model)) {
-        sf_make_law_quartic_at(model, at, F_0, &by_laws);
+        sf_make_law_polynomial_at(model, at, F_0, &by_laws);
         lower = by_laws.w[0] > 0 && fabs(by_laws.f[1]) < fabs(by_laws.f[2]);
         *Omega = by_laws.by_x ? 1 / by_laws.w[!lower] : by_laws.w[!lower];
         return by_laws.by_x ? !lower : lower;

@@ -21,11 +21,11 @@ typedef struct {
 } sf_damping;
 
 static double sf_sine(const sf_damping *of, double Omega, double A) {
-    return dissipation_I(Omega, A, of->m + of->eta * A, of->zeta, of->d);
+    return dissipation_I(Omega, A, of->m + of->eta * A, of->zeta, of->d, 0);
 }
 
 static double sf_sine_A(const sf_damping *of, double Omega, double A) {
-    return dissipation_I_A(Omega, A, of->eta, of->zeta, of->d);
+    return dissipation_I_A(Omega, A, of->eta, of->zeta, 0, of->d, 0);
 }
 
 /* (c_1^2 - s_1^2)/(2 c_1), as h_A = 2 s_0/A - 4 of it along the balance; and A's slope, of c_1's sign.
@@ -163,8 +163,9 @@ enum { SF_FOLD_PARTS = 8, SF_FOLD_ROUNDS = 10, SF_FOLD_HALVINGS = 60 };
 /* I I_A/A, with friction's share at another amplitude: I/A has half of the slope that quadratic damping gives to I, whose
  * share of I_A/A knows no amplitude. */
 static double sf_resistance(const sf_damping *of, double Omega, double A, double of_friction) {
-    const double over = dissipation_I_A(Omega, A, of->eta, of->zeta, 0.5 * of->d);
-    const double at_rest = dissipation_I_A(Omega, 0, of->eta, of->zeta, 0), rising = dissipation_I_A(Omega, 1, 0, 0, of->d);
+    const double over = dissipation_I_A(Omega, A, of->eta, of->zeta, 0, 0.5 * of->d, 0);
+    const double at_rest = dissipation_I_A(Omega, 0, of->eta, of->zeta, 0, 0, 0),
+                 rising = dissipation_I_A(Omega, 1, 0, 0, 0, of->d, 0);
     return of->m * (at_rest / of_friction + rising) + sf_sine_A(of, Omega, A) * over;
 }
 

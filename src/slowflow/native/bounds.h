@@ -28,12 +28,19 @@ static double sf_least_forcing(const sf_model *model, const sf_sample *at, doubl
     return level < at_rest ? level : at_rest;
 }
 
+/* A damping ratio that no cycle of this amplitude or more has less than. */
+static double sf_least_zeta(const sf_model *model, double A) {
+    double zeta[4];
+    sf_zeta_at(model, A, zeta);
+    return zeta[0];
+}
+
 /* What |h| is at most at a state of an amplitude: the frequencies that damping leaves to it fall as the amplitude
  * rises. */
 static double sf_most_restoring(const sf_model *model, double F_0, double A) {
     double most = HUGE_VAL;
     if (model->zeta > 0)
-        most = fmin(most, slow_flow_most_restoring(A, F_0, sf_friction_throughout(model), model->zeta));
+        most = fmin(most, slow_flow_most_restoring(A, F_0, sf_friction_throughout(model), sf_least_zeta(model, A)));
     if (model->d > 0)
         most = fmin(most, dissipation_restoring(A, F_0, model->d));
     return most;
@@ -65,7 +72,7 @@ static int sf_excludes(const sf_model *model, double F_0, double most, double A,
     if (!sf_inertial(model))
         return h.lo > most || h.hi < -most;
     /* of all states above F_0 zeta^2 A is half of |h| at most */
-    inertia_bound(A, F_0, model->zeta, h.lo, 0, 0, 0, 0.5, values);
+    inertia_bound(A, F_0, sf_least_zeta(model, A), h.lo, 0, 0, 0, 0.5, values);
     if (A > F_0 && (h.lo >= 0 || (model->zeta > 0 && values[0] > 0)))
         return 1;
     dissipation_structural_bound(A, F_0, model->eta, fmax(fabs(h.lo), fabs(h.hi)), 0, values);
@@ -102,13 +109,14 @@ static int sf_bounds_bent(const sf_model *model, double F_0, double A) {
  * number. */
 static int sf_viscous_bounds(const sf_model *model, double F_0, double A) {
     double lost[2] = {0.5, 0.5}, values[4];
+    const double zeta = sf_least_zeta(model, A);
     const sf_sample at = sf_sample_at(model, A);
     const sf_sample far = sf_sample_at(model, SF_ENDLESS * fmax(A, 1));
     /* zeta^2 A is at most so much of |h|: of all states half of it, and less where |h|/A is known to rise */
     if (at.k >= 0 && at.h_AA <= 0 && fmax(at.h_AAA, far.h_AAA) <= 0 && at.h < 0)
-        lost[1] = fmin(inertia_share(A, model->zeta, at.h), 0.5);
+        lost[1] = fmin(inertia_share(A, zeta, at.h), 0.5);
     for (int i = 0; i < 2; i++) {
-        inertia_bound(A, F_0, model->zeta, at.h, at.h_A, at.h_AA, fmin(at.h_AAA, far.h_AAA), lost[i], values);
+        inertia_bound(A, F_0, zeta, at.h, at.h_A, at.h_AA, fmin(at.h_AAA, far.h_AAA), lost[i], values);
         if (values[0] > 0 && values[1] > 0 && values[2] > 0 && values[3] > 0)
             return 1;
     }
@@ -138,7 +146,8 @@ static int sf_is_far(const sf_model *model, double F_0, double A) {
     const sf_sample rest = sf_sample_at(model, 0);
     const sf_sample less = sf_sample_at(model, A / SF_STATIC_MULTIPLE);
     /* the slope at rest and what zeta^2 A is of |h|, as shares of |h|/A */
-    const double shares = at.h < 0 ? -fabs(rest.h_A) * A / at.h + inertia_share(A, model->zeta, at.h) : HUGE_VAL;
+    const double shares = at.h < 0 ? -fabs(rest.h_A) * A / at.h + inertia_share(A, sf_least_zeta(model, A), at.h)
+                                   : HUGE_VAL;
     return SF_STATIC_MULTIPLE * shares <= 1 && less.A > F_0 && sf_count_at(model, &less, F_0) == 2;
 }
 
@@ -234,7 +243,7 @@ static sf_status sf_amplitude_bound(const sf_model *model, double F_0, double *A
     if (bound < HUGE_VAL && !(bent && !inertial && model->reach < bound)) {
         *A_max = bound;
     } else if (inertial) {
-        status = SF_UNBOUNDED;
+        status = model->zeta_2 > 0 ? SF_NO_BOUND : SF_UNBOUNDED; /* that zeta grows bounds it, or may */
     } else if ((bent || laws) && cut < HUGE_VAL) {
         const sf_sample at = sf_sample_at(model, cut);
         status = sf_count_at(model, &at, F_0) > 0 ? SF_UNBOUNDED : SF_OK;

@@ -25,8 +25,8 @@ static int sf_is_biquadratic(const sf_model *model, double F_0, double A) {
         return 0;
     const sf_sample at = sf_sample_at(model, A);
     if (sf_has_laws(model)) {
-        sf_law_quartic by_laws;
-        sf_make_law_quartic(model, &at, SF_OF_RESPONSE, F_0, sf_is_beyond(model, A), &by_laws);
+        sf_law_polynomial by_laws;
+        sf_make_law_polynomial(model, &at, SF_OF_RESPONSE, F_0, sf_is_beyond(model, A), &by_laws);
         return by_laws.c[1] == 0 && by_laws.c[2] < 0;
     }
     sf_isolate_response(&q, A, at.h, model->m, model->zeta, F_0);
@@ -83,7 +83,7 @@ typedef struct {
     int falls;
 } sf_far_end;
 
-static int sf_meets_far(const sf_model *model, const sf_law_quartic *end, const sf_law_point *peak) {
+static int sf_meets_far(const sf_model *model, const sf_law_polynomial *end, const sf_law_point *peak) {
     const sf_sample at = sf_sample_at(model, peak->A);
     return peak->Omega * end->c[1] > -end->c[2] && sf_bends_at_peak(model, &at, peak->Omega);
 }
@@ -92,8 +92,8 @@ static int sf_meets_far(const sf_model *model, const sf_law_quartic *end, const 
 static sf_far_end sf_far_end_of(const sf_model *model, double F_0, sf_law_points *peaks) {
     sf_far_end out = {dissipation_full_by_inertia(F_0, model->d), 0};
     const sf_sample at = sf_sample_at(model, out.A);
-    sf_law_quartic q;
-    sf_make_law_quartic(model, &at, SF_OF_RESPONSE, F_0, sf_is_beyond(model, out.A), &q);
+    sf_law_polynomial q;
+    sf_make_law_polynomial(model, &at, SF_OF_RESPONSE, F_0, sf_is_beyond(model, out.A), &q);
     out.falls = q.c[2] < 0 && q.c[1] * q.c[1] <= SF_HARDLY * -q.c[2] * F_0 * F_0;
     for (int i = 0; out.falls && i < peaks->n; i++)
         if (sf_meets_far(model, &q, &peaks->at[i])) {

@@ -8,10 +8,11 @@
 /* rounds in which R and w narrow each other */
 enum { SF_NARROWINGS = 2 };
 
-/* What is known on a cell: over: h/A; rest: I_0 and derivatives; level: I_0 - A I_0A */
+/* What is known on a cell: over: h/A; rest: I_0 and derivatives; zeta: the damping ratio of a cycle and its derivatives;
+ * level: I_0 - A I_0A */
 typedef struct {
     sf_cell cell;
-    sf_interval over, rest[4], level;
+    sf_interval over, rest[4], zeta[4], level;
 } sf_strip;
 
 /* R and I, and their slopes along A at a frequency */
@@ -57,6 +58,7 @@ static void sf_make_strip(const sf_law_search *search, const sf_node *a, const s
         out->over = cell->h_A; /* h vanishes at A = 0 */
     }
     out->level = sf_rest_within(&search->laws, cell->A, out->rest);
+    sf_zeta_within(&search->laws, cell->A, out->zeta);
 }
 
 static void sf_balances_at(const sf_law_search *search, const sf_strip *strip, sf_interval w, sf_balances *out) {
@@ -64,14 +66,14 @@ static void sf_balances_at(const sf_law_search *search, const sf_strip *strip, s
     const sf_laws_within *laws = &search->laws;
     if (search->far) {
         sf_interval known[4];
-        dissipation_intervals_far(w, cell->A, strip->rest[0], strip->rest[1], laws->zeta, laws->d, cell->h, cell->h_A,
-                                  known);
+        dissipation_intervals_far(w, cell->A, strip->rest[0], strip->rest[1], strip->zeta[0], strip->zeta[1], laws->d,
+                                  cell->h, cell->h_A, known);
         out->R = known[0], out->R_A = known[1], out->I = known[2], out->I_A = known[3];
     } else {
         const sf_interval square = sfi_square(w);
         out->R = sfi_add(sfi_mul(cell->A, square), cell->h), out->R_A = sfi_add(square, cell->h_A);
-        out->I = dissipation_intervals_I(w, cell->A, strip->rest[0], laws->zeta, laws->d);
-        out->I_A = dissipation_intervals_I_A(w, cell->A, strip->rest[1], laws->zeta, laws->d);
+        out->I = dissipation_intervals_I(w, cell->A, strip->rest[0], strip->zeta[0], laws->d, laws->d_3);
+        out->I_A = dissipation_intervals_I_A(w, cell->A, strip->rest[1], strip->zeta[0], strip->zeta[1], laws->d, laws->d_3);
     }
 }
 
@@ -104,10 +106,10 @@ static void sf_limit_by_damping(const sf_law_search *search, const sf_strip *str
     if (!(search->F_0 < HUGE_VAL) || search->far != sf_inertial(search->model))
         return;
     if (search->far)
-        most = dissipation_intervals_velocity(search->force, sfi_mul(laws->d, sfi_square(A)), sfi_mul(laws->zeta, A),
+        most = dissipation_intervals_velocity(search->force, sfi_mul(laws->d, sfi_square(A)), sfi_mul(strip->zeta[0], A),
                                               strip->rest[0]);
     else if (A.lo > 0)
-        most = sfi_div(dissipation_intervals_velocity(search->force, strip->rest[0], laws->zeta, laws->d), A);
+        most = sfi_div(dissipation_intervals_velocity(search->force, strip->rest[0], strip->zeta[0], laws->d), A);
     w->hi = sfi_least(w->hi, sfi_most(most.hi, 0));
 }
 
@@ -116,7 +118,7 @@ static void sf_limit_by_damping(const sf_law_search *search, const sf_strip *str
 static void sf_limit_from_below(const sf_law_search *search, const sf_strip *strip, sf_interval R, sf_interval *w) {
     const sf_laws_within *laws = &search->laws;
     const sf_interval A = strip->cell.A, I = dissipation_intervals_R_of_response(search->force, R);
-    const sf_interval least = dissipation_intervals_velocity(I, sfi_mul(laws->d, sfi_square(A)), sfi_mul(laws->zeta, A),
+    const sf_interval least = dissipation_intervals_velocity(I, sfi_mul(laws->d, sfi_square(A)), sfi_mul(strip->zeta[0], A),
                                                              strip->rest[0]);
     if (least.lo > w->lo)
         w->lo = least.lo;
@@ -136,9 +138,9 @@ static sf_interval sf_stationary_R(const sf_law_search *search, const sf_strip *
     const sf_interval A = strip->cell.A;
     sf_interval found[3];
     if (!search->far) /* by I, or as I may vanish with Omega by its parts */
-        return sfi_both(sfi_both(of->R, dissipation_intervals_R_of_peak(of->w, A, laws->zeta, laws->d, I)),
-                        dissipation_intervals_R_of_peak_by_rest(of->w, A, strip->rest[0], laws->zeta, laws->d));
-    dissipation_intervals_R_where_stationary(of->w, A, strip->rest[0], laws->zeta, laws->d, found);
+        return sfi_both(sfi_both(of->R, dissipation_intervals_R_of_peak(of->w, A, strip->zeta[0], laws->d, laws->d_3, I)),
+                        dissipation_intervals_R_of_peak_by_rest(of->w, A, strip->rest[0], strip->zeta[0], laws->d, laws->d_3));
+    dissipation_intervals_R_where_stationary(of->w, A, strip->rest[0], strip->zeta[0], laws->d, found);
     if (found[0].hi < 0)
         return sfi_of(1, -1);
     found[1] = sfi_both(of->R, found[1]), found[2] = sfi_both(of->R, found[2]);
@@ -154,7 +156,7 @@ static int sf_rises_from_rest(const sf_law_search *search, const sf_strip *strip
     double least[2];
     if (!(cell->A.lo == 0 && I_A.lo >= 0 && w.lo >= 0))
         return 0;
-    const sf_interval I = dissipation_intervals_I_scaled(w, cell->A, sfi_of(over, HUGE_VAL), laws->zeta, laws->d);
+    const sf_interval I = dissipation_intervals_I_scaled(w, cell->A, sfi_of(over, HUGE_VAL), strip->zeta[0], laws->d, laws->d_3);
     if (dissipation_intervals_F_A_scaled(w, cell->h_A, cell->h_A, I, I_A).lo > 0)
         return 1;
     dissipation_least_scaled(w.lo * (1 - SF_CLOSE), search->model->zeta, search->model->eta, search->model->d, bend, least);
@@ -167,7 +169,7 @@ static int sf_rises_from_rest(const sf_law_search *search, const sf_strip *strip
 static int sf_has_level_slope(const sf_law_search *search, const sf_strip *strip, sf_interval w) {
     const sf_laws_within *laws = &search->laws;
     sf_interval of[3];
-    dissipation_intervals_far_by_inertia(w, strip->cell.A, search->force, strip->rest[0], laws->zeta, laws->d,
+    dissipation_intervals_far_by_inertia(w, strip->cell.A, search->force, strip->rest[0], strip->zeta[0], laws->d,
                                          strip->cell.h, of);
     return sfi_has_sign(sfi_add(of[1], sfi_div(of[2], w))); /* its third part grows with Omega */
 }
@@ -225,13 +227,16 @@ static int sf_narrow_unknowns(const sf_law_search *search, const sf_strip *strip
             return 0;
         if (folded && stationary) {
             /* R_A is what F_A = 0 makes of the R that a stationary level leaves; where h vanishes too, it tells */
-            const sf_interval zeta = search->far ? sfi_mul(search->laws.zeta, cell->A) : search->laws.zeta;
-            const sf_interval grows = search->far ? strip->rest[0] : sfi_mul(search->laws.d, cell->A);
+            const sf_interval zeta = search->far ? sfi_mul(strip->zeta[0], cell->A) : strip->zeta[0];
+            const sf_interval cubic = sfi_times(1.5, sfi_mul(search->laws.d_3, sfi_mul(sfi_square(cell->A), of->w)));
+            const sf_interval grows = search->far ? strip->rest[0] : sfi_add(sfi_mul(search->laws.d, cell->A), cubic);
             const sf_interval ratio = sfi_inverse(sfi_add(grows, sfi_div(zeta, of->w)));
             const sf_interval far = sfi_both(sfi_mul(cell->h, at.I_A),
                                              sfi_mul(sfi_sub(of->R, cell->A), sfi_div(at.I_A, square)));
-            const sf_interval slope = search->far ? sfi_mul(far, ratio)
-                                                  : sfi_add(sfi_times(2, square), sfi_mul(strip->rest[1], ratio));
+            const sf_interval rise =
+                sfi_add(strip->rest[1], sfi_times(2, sfi_mul(sfi_mul(strip->zeta[1], cell->A), of->w)));
+            const sf_interval slope =
+                search->far ? sfi_mul(far, ratio) : sfi_add(sfi_times(2, square), sfi_mul(rise, ratio));
             at.R_A = sfi_both(slope, at.R_A);
             if (sf_is_none(at.R_A))
                 return 0;
@@ -252,15 +257,20 @@ static int sf_narrow_unknowns(const sf_law_search *search, const sf_strip *strip
             of->R = sfi_both(of->R, sf_ratio(P, at.R_A));
             if (forced) {
                 const sf_interval level =
-                    search->far ? dissipation_intervals_sine_intercept_far(of->w, cell->A, strip->level, search->laws.d)
-                                : dissipation_intervals_sine_intercept(of->w, cell->A, strip->level, search->laws.d);
+                    search->far ? dissipation_intervals_sine_intercept_far(of->w, cell->A, strip->level, strip->zeta[1],
+                                                                             search->laws.d)
+                                : dissipation_intervals_sine_intercept(of->w, cell->A, strip->level, strip->zeta[1],
+                                                                         search->laws.d, search->laws.d_3);
                 /* k R + (I - A I_A) I = F_0^2 */
                 of->R = sfi_both(of->R, sf_ratio(sfi_sub(sfi_square(force), sfi_mul(level, at.I)), K));
             }
             if (search->system == SF_LAW_CUSPS) {
                 const sf_interval scale = search->far ? square : sfi_point(1);
-                const sf_interval bend = sfi_add(sfi_mul(strip->rest[2], scale),
-                                                 sfi_times(2, sfi_mul(search->laws.d, search->far ? sfi_point(1) : square)));
+                const sf_interval bend =
+                    search->far ? dissipation_intervals_I_AA_far(of->w, cell->A, strip->rest[2], strip->zeta[1],
+                                                                 strip->zeta[2], search->laws.d)
+                                : dissipation_intervals_I_AA(of->w, cell->A, strip->rest[2], strip->zeta[1],
+                                                             strip->zeta[2], search->laws.d, search->laws.d_3);
                 const sf_interval rest = sfi_add(sfi_add(sfi_square(at.R_A), sfi_square(at.I_A)), sfi_mul(at.I, bend));
                 /* next to a jump folds go to Omega = inf, where that is all that tells: no part of F_AA is negative */
                 if (rest.lo >= 0 &&
@@ -268,18 +278,18 @@ static int sf_narrow_unknowns(const sf_law_search *search, const sf_strip *strip
                     return 0;
                 of->R = sfi_both(of->R, sf_ratio(sfi_neg(rest), sfi_mul(cell->h_AA, scale)));
             }
-            if (search->system == SF_LAW_TURNS) {
+            if (search->system == SF_LAW_TURNS && search->laws.d_3.hi == 0) {
                 const sf_laws_within *laws = &search->laws;
                 const sf_interval x = sfi_inverse(of->w);
                 const sf_interval ratio = dissipation_intervals_turn_share(x, cell->A, strip->rest[0], strip->rest[1],
-                                                                           laws->zeta, laws->d);
+                                                                           strip->zeta[0], strip->zeta[1], laws->d);
                 const sf_interval excess = sfi_mul(ratio, square);
                 sf_interval far[4];
                 of->R = sfi_both(of->R, sfi_neg(sfi_add(sfi_mul(cell->A, at.R_A), excess)));
                 at.R_A = sfi_both(at.R_A, sfi_neg(sfi_div(sfi_add(of->R, excess), cell->A)));
                 /* both functions without h_A, over powers of Omega */
-                dissipation_intervals_far(x, cell->A, strip->rest[0], strip->rest[1], laws->zeta, laws->d, cell->h,
-                                          cell->h_A, far);
+                dissipation_intervals_far(x, cell->A, strip->rest[0], strip->rest[1], strip->zeta[0], strip->zeta[1],
+                                          laws->d, cell->h, cell->h_A, far);
                 if (sfi_has_sign(sfi_sub(sfi_mul(far[0], sfi_add(far[0], ratio)),
                                          sfi_mul(cell->A, sfi_mul(far[2], far[3])))))
                     return 0;

@@ -19,21 +19,21 @@ enum {
     SF_MOST_COLUMNS = SF_MOST_DESIGN + SF_MOST_DAMPING + 2
 };
 
-/* What each number that a user gives does: to h and two derivatives, to I_0 and two derivatives, ... */
+/* What each number that a user gives does: to h, I_0 and zeta with two derivatives each, ... */
 typedef struct {
-    double h[3][SF_MOST_COLUMNS], rest[3][SF_MOST_COLUMNS], zeta[SF_MOST_COLUMNS], d[SF_MOST_COLUMNS];
+    double h[3][SF_MOST_COLUMNS], rest[3][SF_MOST_COLUMNS], zeta[3][SF_MOST_COLUMNS], d[2][SF_MOST_COLUMNS];
     double end[SF_MOST_COLUMNS], forcing[SF_MOST_COLUMNS], frequency[SF_MOST_COLUMNS];
 } sf_causes;
 
-/* An answer: where it is, what it is, and by what it is excited: its force, and what follows from that; I_0 and three
- * derivatives, and whether these are taken beyond where friction ends. */
+/* An answer: where it is, what it is, and by what it is excited: its force, and what follows from that; I_0 and zeta with
+ * three derivatives each, and whether these are taken beyond where friction ends. */
 typedef struct {
     sf_pinned kind;
     int inertial;
     double Omega, F_0, excited[SF_EXCITED], R;
     sf_sample at;
     int beyond;
-    double rest[4];
+    double rest[4], zeta[4];
 } sf_pinned_answer;
 
 /* Whether a value has lost its sign to rounding, as far as a share of its size says. */
@@ -68,9 +68,10 @@ static int sf_finds_forcing(sf_pinned kind) {
 SF_ALWAYS void sf_slopes_at(int laws, const sf_pinned_answer *answer, const sf_model *model, double slopes[2 * SF_SIZES])
 {
     const sf_sample *at = &answer->at;
-    const double *square = answer->excited + 3, *rest = answer->rest;
+    const double *square = answer->excited + 3, *rest = answer->rest, *zeta = answer->zeta;
     sensitivities_slopes(answer->Omega, at->A, answer->R, rest[0], laws ? rest[1] : 0, laws ? rest[2] : 0,
-                         laws ? rest[3] : 0, model->zeta, laws ? model->d : 0, at->h, at->h_A, at->h_AA, at->h_AAA,
+                         laws ? rest[3] : 0, zeta[0], laws ? zeta[1] : 0, laws ? zeta[2] : 0, laws ? zeta[3] : 0,
+                         laws ? model->d : 0, laws ? model->d_3 : 0, at->h, at->h_A, at->h_AA, at->h_AAA,
                          square[0], square[1], square[2], square[3], slopes);
 }
 
@@ -133,9 +134,11 @@ SF_ALWAYS int sf_solve(sf_pinned kind, int laws, const sf_pinned_answer *answer,
     for (int j = 0; j < columns; j++) {
         double right[SF_CONDITIONS], found[SF_UNKNOWNS] = {0, 0, 0};
         sensitivities_right(answer->Omega, at->A, answer->R, answer->rest[0], laws ? answer->rest[1] : 0,
-                            laws ? answer->rest[2] : 0, model->zeta, laws ? model->d : 0, at->h_A, at->h_AA,
+                            laws ? answer->rest[2] : 0, answer->zeta[0], laws ? answer->zeta[1] : 0,
+                            laws ? answer->zeta[2] : 0, laws ? model->d : 0, laws ? model->d_3 : 0, at->h_A, at->h_AA,
                             of->h[0][j], of->h[1][j], of->h[2][j], of->rest[0][j], laws ? of->rest[1][j] : 0,
-                            laws ? of->rest[2][j] : 0, of->zeta[j], laws ? of->d[j] : 0, of->forcing[j],
+                            laws ? of->rest[2][j] : 0, of->zeta[0][j], laws ? of->zeta[1][j] : 0,
+                            laws ? of->zeta[2][j] : 0, laws ? of->d[0][j] : 0, laws ? of->d[1][j] : 0, of->forcing[j],
                             of->frequency[j], of->end[j], right);
         for (int i = 0; i < 3; i++) {
             const double *slope = slopes + 3 * rows[i];
@@ -183,29 +186,31 @@ static SF_FLAT int sf_move(const sf_pinned_answer *answer, const sf_model *model
 }
 
 /* What the damping, the forcing and the frequency do, which is the same everywhere: columns are the numbers of the
- * design first, then mu, zeta, of other laws eta and c_2, then F_0 and Omega. */
+ * design first, then mu, zeta, of other laws eta, c_2, c_3 and zeta_2, then F_0 and Omega. */
 static void sf_begin_causes(const sf_mechanism *mechanism, sf_causes *out)
 {
-    const int design = mechanism->design_size, next = design + (sf_takes_laws(mechanism) ? 4 : 2);
+    const int design = mechanism->design_size, next = design + (sf_takes_laws(mechanism) ? 6 : 2);
     memset(out, 0, sizeof *out);
     out->rest[0][design] = slow_flow_friction(1); /* to which it is proportional */
-    out->zeta[design + 1] = out->forcing[next] = out->frequency[next + 1] = 1;
+    out->zeta[0][design + 1] = out->forcing[next] = out->frequency[next + 1] = 1;
     if (sf_takes_laws(mechanism))
-        out->d[design + 3] = dissipation_quadratic(1);
+        out->d[0][design + 3] = dissipation_quadratic(1), out->d[1][design + 4] = dissipation_cubic(1);
 }
 
-/* What friction, structural damping and, where friction ends, the breakpoint do to I_0 at an answer. */
+/* What friction, structural damping and, where friction ends, the breakpoint do to I_0 at an answer, and zeta_2 to zeta. */
 static void sf_causes_of_rest(const sf_model *model, const sf_pinned_answer *answer, const double *of_end,
                               sf_causes *out)
 {
     const int design = model->mechanism->design_size, released = model->released && answer->beyond;
-    double of[9] = {0};
+    double of[9] = {0}, of_zeta[3];
+    dissipation_viscous_moves(answer->at.A, of_zeta);
     if (released)
         dissipation_released_moves(fmax(answer->at.A, model->b[0]), model->m, model->b[0], of);
     else
         dissipation_rest_moves(answer->at.A, of);
     for (int i = 0; i < 3; i++) {
         out->rest[i][design] = slow_flow_friction(1) * of[i], out->rest[i][design + 2] = of[3 + i];
+        out->zeta[i][design + 5] = of_zeta[i];
         for (int j = 0; j < design; j++)
             out->rest[i][j] = released ? of[6 + i] * of_end[j] : 0;
     }
@@ -264,6 +269,7 @@ static sf_moves_status sf_gradient(const sf_model *model, const double *of_desig
     answer->at = sf_sample_at(model, A);
     answer->beyond = sf_is_beyond(model, A);
     sf_rest_at(model, A, answer->beyond, answer->rest);
+    sf_zeta_at(model, A, answer->zeta);
     (answer->inertial ? sensitivities_by_inertia : sensitivities_by_force)(w, F_0, answer->excited);
     answer->R = slow_flow_R(w, A, at->h), size_of_R = slow_flow_R(w, A, fabs(at->h));
     if (sf_finds_forcing(answer->kind) && sf_vanishes(answer->excited[0], size_of_R, SF_MEETING))
@@ -292,9 +298,10 @@ static sf_moves_status sf_gradient(const sf_model *model, const double *of_desig
             out[i > 0 ? rows - SF_UNKNOWNS + i : 0][j] = rates[i][j];
     for (int j = 0; j < columns && rows == SF_STATE_ROWS; j++) {
         double found[2];
-        sensitivities_of_state(w, at->A, answer->rest[0], answer->rest[1], model->zeta, model->d, at->h, at->h_A,
+        sensitivities_of_state(w, at->A, answer->rest[0], answer->rest[1], answer->zeta[0], answer->zeta[1], model->d,
+                               model->d_3, at->h, at->h_A,
                                answer->excited[0], answer->excited[1], answer->excited[2], of->h[0][j], of->rest[0][j],
-                               of->zeta[j], of->d[j], rates[0][j], rates[1][j], rates[2][j], found);
+                               of->zeta[0][j], of->d[0][j], of->d[1][j], rates[0][j], rates[1][j], rates[2][j], found);
         out[1][j] = found[0], out[2][j] = found[1];
     }
     for (int i = 0; i < rows; i++)
@@ -304,11 +311,10 @@ static sf_moves_status sf_gradient(const sf_model *model, const double *of_desig
 }
 
 /* An answer by what is known there, and what one number does to that: A, Omega, F_0, what it is, whether inertia
- * excites; h, h_A, h_AA, h_AAA; I_0 and three derivatives; zeta, d; then of h, h_A, h_AA, I_0, I_0A, I_0AA, zeta, d,
- * the forcing, the frequency and an end. Returns derivatives as of `sf_gradient`, and 1; where the answer meets
- * another NaN, and 0. */
+ * excites; h, I_0 and zeta with three derivatives each; d, d_3; then of h, I_0 and zeta with two derivatives each, d, d_3,
+ * the forcing, the frequency and an end. Returns derivatives as of `sf_gradient`, and 1; where the answer meets another
+ * NaN, and 0. */
 static void sf_slopes_of(const double *in, double *out) {
-    const double *of_rest = in + 18;
     sf_pinned_answer answer = {.kind = (sf_pinned)in[3], .inertial = in[4] != 0, .Omega = in[1], .F_0 = in[2]};
     double rates[SF_UNKNOWNS][SF_MOST_COLUMNS];
     sf_causes of;
@@ -316,11 +322,12 @@ static void sf_slopes_of(const double *in, double *out) {
     answer.at.A = in[0];
     memcpy(answer.at.averages, in + 5, 4 * sizeof *in);
     memcpy(answer.rest, in + 9, 4 * sizeof *in);
-    model.zeta = in[13], model.d = in[14];
+    memcpy(answer.zeta, in + 13, 4 * sizeof *in);
+    model.d = in[17], model.d_3 = in[18];
     for (int i = 0; i < 3; i++)
-        of.h[i][0] = in[15 + i], of.rest[i][0] = of_rest[i];
-    of.zeta[0] = in[21], of.d[0] = in[22];
-    of.forcing[0] = in[23], of.frequency[0] = in[24], of.end[0] = in[25];
+        of.h[i][0] = in[19 + i], of.rest[i][0] = in[22 + i], of.zeta[i][0] = in[25 + i];
+    of.d[0][0] = in[28], of.d[1][0] = in[29];
+    of.forcing[0] = in[30], of.frequency[0] = in[31], of.end[0] = in[32];
     (answer.inertial ? sensitivities_by_inertia : sensitivities_by_force)(in[1], in[2], answer.excited);
     answer.R = answer.kind == SF_CORNER_BACKBONE_PINNED ? 0 : slow_flow_R(in[1], in[0], in[5]);
     out[SF_STATE_ROWS] = sf_solve(answer.kind, 1, &answer, &model, &of, 1, rates);
@@ -329,8 +336,8 @@ static void sf_slopes_of(const double *in, double *out) {
     if (out[SF_STATE_ROWS] == 0)
         return;
     out[0] = rates[0][0], out[3] = rates[1][0], out[4] = rates[2][0];
-    sensitivities_of_state(in[1], in[0], in[9], in[10], in[13], in[14], in[5], in[6], answer.excited[0],
-                           answer.excited[1], answer.excited[2], in[15], in[18], in[21], in[22], out[0], out[3],
+    sensitivities_of_state(in[1], in[0], in[9], in[10], in[13], in[14], in[17], in[18], in[5], in[6], answer.excited[0],
+                           answer.excited[1], answer.excited[2], in[19], in[22], in[25], in[28], in[29], out[0], out[3],
                            out[4], out + 1);
 }
 

@@ -1,12 +1,13 @@
 /* Other laws of damping beside viscous damping and dry friction on all of the way. Takes an amplitude; returns I and
  * its slopes there, and the frequencies of states and folds.
  *
- *   I = I_0 + 2 zeta A Omega + d (A Omega)^2
+ *   I = I_0 + 2 zeta(A) A Omega + d (A Omega)^2 + d_3 (A Omega)^3
  *
- * I_0 is friction, on all of the way or up to the first breakpoint, and structural damping. F and F_A/2 are quartics in
- * Omega whose coefficients of Omega, Omega^3 and Omega^4 are not negative (derivations/extensions/dissipation.py): they have at
- * most two positive critical points, a maximum and then a minimum. Under an excitation by inertia F over Omega^4 is such
- * a quartic in 1/Omega.
+ * I_0 is friction, on all of the way or up to the first breakpoint, and structural damping; zeta(A) = zeta + zeta_2 A^2/4,
+ * in which zeta > 0 bounds it from below. F and F_A/2 are of degree 6 in Omega, 4 without d_3, of whose coefficients that of
+ * Omega^2 alone may be negative beside the constant (derivations/extensions/dissipation.py): they have at most two positive
+ * critical points, a maximum and then a minimum. Under an excitation by inertia, with d_3 = 0, F over Omega^4 is such a
+ * polynomial in 1/Omega.
  */
 #pragma once
 
@@ -29,19 +30,20 @@ static inline int sf_has_laws(const sf_model *model) {
 #endif
 }
 
-/* mu, zeta, eta, c_2, and whether friction ends at the first breakpoint */
+/* mu, zeta, eta, c_2, c_3, zeta_2, and whether friction ends at the first breakpoint */
 static inline int sf_laws_damping_of(const double *inputs, double *damping) {
-    for (int i = 0; i < 4; i++)
+    for (int i = 0; i < 6; i++)
         if (!(inputs[i] >= 0 && inputs[i] < HUGE_VAL))
             return 0;
     damping[0] = slow_flow_friction(inputs[0]), damping[1] = inputs[1], damping[2] = inputs[2];
-    damping[3] = dissipation_quadratic(inputs[3]), damping[4] = inputs[4] != 0;
-    /* without friction beyond the breakpoint something else has to dissipate there */
-    return inputs[4] == 0 || inputs[1] + inputs[2] + inputs[3] > 0;
+    damping[3] = dissipation_quadratic(inputs[3]), damping[4] = dissipation_cubic(inputs[4]);
+    damping[5] = inputs[5], damping[6] = inputs[6] != 0;
+    /* without friction beyond the breakpoint something else has to dissipate there, and next to rest beside c_3, zeta_2 */
+    return (inputs[6] == 0 || inputs[1] + inputs[2] + inputs[3] > 0) && (inputs[4] + inputs[5] == 0 || inputs[1] > 0);
 }
 
 static inline int sf_inertial_laws_damping_of(const double *inputs, double *damping) {
-    return sf_laws_damping_of(inputs, damping) && inputs[1] + inputs[2] + inputs[3] > 0;
+    return sf_laws_damping_of(inputs, damping) && inputs[4] == 0 && inputs[1] + inputs[2] + inputs[3] > 0;
 }
 
 static inline int sf_takes_laws(const sf_mechanism *mechanism) { return mechanism->damping_size == SF_MOST_DAMPING; }
@@ -78,12 +80,20 @@ static inline void sf_rest_at(const sf_model *model, double A, int beyond, doubl
         dissipation_at_rest(A, model->m, model->eta, rest);
 }
 
+/* The viscous damping ratio of a cycle and three derivatives by A. */
+static inline void sf_zeta_at(const sf_model *model, double A, double zeta[4]) {
+    zeta[0] = model->zeta, zeta[1] = zeta[2] = zeta[3] = 0;
+    if (model->zeta_2 != 0)
+        dissipation_viscous(A, model->zeta, model->zeta_2, zeta);
+}
+
 static inline int sf_is_beyond(const sf_model *model, double A) { return model->breaks > 0 && A > model->b[0]; }
 
 static inline double sf_law_I(const sf_model *model, double A, double w) {
-    double rest[4];
+    double rest[4], zeta[4];
     sf_rest_at(model, A, sf_is_beyond(model, A), rest);
-    return dissipation_I(w, A, rest[0], model->zeta, model->d);
+    sf_zeta_at(model, A, zeta);
+    return dissipation_I(w, A, rest[0], zeta[0], model->d, model->d_3);
 }
 
 /* As sf_level. */
@@ -92,68 +102,83 @@ static inline double sf_law_level(const sf_model *model, const sf_sample *at, do
 }
 
 static inline double sf_law_F_A(const sf_model *model, const sf_sample *at, double w, int beyond) {
-    double rest[4];
+    double rest[4], zeta[4];
     sf_rest_at(model, at->A, beyond, rest);
-    return dissipation_F_A(w, at->A, rest[0], rest[1], model->zeta, model->d, at->h, at->h_A);
+    sf_zeta_at(model, at->A, zeta);
+    return dissipation_F_A(w, at->A, rest[0], rest[1], zeta[0], zeta[1], model->d, model->d_3, at->h, at->h_A);
 }
 
 /* dOmega/dA along the response. */
 static inline double sf_law_Omega_A(const sf_model *model, const sf_sample *at, double w) {
-    double rest[4];
+    double rest[4], zeta[4];
     sf_rest_at(model, at->A, sf_is_beyond(model, at->A), rest);
+    sf_zeta_at(model, at->A, zeta);
     return (model->mechanism->inertial ? dissipation_Omega_A_by_inertia : dissipation_Omega_A)(
-        w, at->A, rest[0], rest[1], model->zeta, model->d, at->h, at->h_A);
+        w, at->A, rest[0], rest[1], zeta[0], zeta[1], model->d, model->d_3, at->h, at->h_A);
 }
 
 static inline double sf_law_F_AA(const sf_model *model, const sf_sample *at, double w) {
-    double rest[4];
+    double rest[4], zeta[4];
     sf_rest_at(model, at->A, sf_is_beyond(model, at->A), rest);
-    return dissipation_F_AA(w, at->A, rest[0], rest[1], rest[2], model->zeta, model->d, at->h, at->h_A, at->h_AA);
+    sf_zeta_at(model, at->A, zeta);
+    return dissipation_F_AA(w, at->A, rest[0], rest[1], rest[2], zeta[0], zeta[1], zeta[2], model->d, model->d_3, at->h, at->h_A,
+                            at->h_AA);
 }
 
-/* ==== The quartic of an amplitude ================================================================================= */
+/* ==== The polynomial of an amplitude ================================================================================= */
 
-typedef enum { SF_OF_RESPONSE, SF_OF_FOLDS } sf_law_quartic_kind;
+typedef enum { SF_OF_RESPONSE, SF_OF_FOLDS } sf_law_polynomial_kind;
 
 /* by_x: it is one in 1/Omega; exist: whether there are critical points w[0] <= w[1]; f: its values at 0 and at these */
 typedef struct {
     const sf_model *model;
     const sf_sample *at;
-    sf_law_quartic_kind kind;
-    double F_0, rest[4], c[5], w[2], f[3];
+    sf_law_polynomial_kind kind;
+    double F_0, rest[4], zeta[4], c[7], w[2], f[3];
     int by_x, exist;
-} sf_law_quartic;
+} sf_law_polynomial;
 
 /* F or F_A/2 from R and I, in which nothing cancels but what cancels in them. */
-static inline double sf_law_value(const sf_law_quartic *q, double w) {
+static inline double sf_law_value(const sf_law_polynomial *q, double w) {
     const sf_model *model = q->model;
     const sf_sample *at = q->at;
     double far[3];
     if (q->kind == SF_OF_FOLDS)
-        return 0.5 * dissipation_F_A(w, at->A, q->rest[0], q->rest[1], model->zeta, model->d, at->h, at->h_A);
+        return 0.5 * dissipation_F_A(w, at->A, q->rest[0], q->rest[1], q->zeta[0], q->zeta[1], model->d, model->d_3, at->h, at->h_A);
     if (!q->by_x)
-        return dissipation_F(w, at->A, q->F_0, q->rest[0], model->zeta, model->d, at->h);
-    dissipation_far_by_inertia(w, at->A, q->F_0, q->rest[0], model->zeta, model->d, at->h, far);
+        return dissipation_F(w, at->A, q->F_0, q->rest[0], q->zeta[0], model->d, model->d_3, at->h);
+    dissipation_far_by_inertia(w, at->A, q->F_0, q->rest[0], q->zeta[0], model->d, at->h, far);
     return far[0];
 }
 
-static inline double sf_quartic_slope(const double c[5], double w) {
-    return c[1] + w * (2 * c[2] + w * (3 * c[3] + w * (4 * c[4])));
+/* Its derivative by w, and that one's. */
+static inline double sf_polynomial_slope(const double c[7], double w) {
+    return c[1] + w * (2 * c[2] + w * (3 * c[3] + w * (4 * c[4] + w * (5 * c[5] + w * (6 * c[6])))));
+}
+static inline double sf_polynomial_bend(const double c[7], double w) {
+    return 2 * c[2] + w * (6 * c[3] + w * (12 * c[4] + w * (20 * c[5] + w * (30 * c[6]))));
 }
 
-/* Both positive zeros of the derivative, which is convex: Newton's steps from outside do not pass them. */
-static inline void sf_find_critical(sf_law_quartic *q) {
+/* Both positive zeros of the derivative, which is convex: Newton's steps from outside do not pass them. Its least value
+ * lies where the second derivative vanishes, which is convex too. */
+static inline void sf_find_critical(sf_law_polynomial *q) {
     const double *c = q->c;
-    const double least = -2 * c[2] / (1.5 * c[3] + sqrt(2.25 * c[3] * c[3] - 6 * c[4] * c[2])) / 2;
+    double least = -2 * c[2] / (1.5 * c[3] + sqrt(2.25 * c[3] * c[3] - 6 * c[4] * c[2])) / 2;
     q->w[0] = q->w[1] = 0;
-    q->exist = c[2] < 0 && sf_quartic_slope(c, least) < 0;
+    for (int i = 0; i < SF_MOST_LAW_STEPS && c[2] < 0 && c[5] + c[6] > 0; i++) {
+        const double last = least;
+        least -= sf_polynomial_bend(c, least) / (6 * c[3] + least * (24 * c[4] + least * (60 * c[5] + least * (120 * c[6]))));
+        if (!(fabs(least - last) > 0x1p-51 * least))
+            break;
+    }
+    q->exist = c[2] < 0 && sf_polynomial_slope(c, least) < 0;
     if (!q->exist)
         return;
     q->w[1] = sqrt(-c[2] / (2 * c[4]));
     for (int k = 0; k < 2; k++) {
         for (int i = 0; i < SF_MOST_LAW_STEPS; i++) {
             const double w = q->w[k];
-            const double step = sf_quartic_slope(c, w) / (2 * c[2] + w * (6 * c[3] + w * (12 * c[4])));
+            const double step = sf_polynomial_slope(c, w) / sf_polynomial_bend(c, w);
             if (!(fabs(step) < HUGE_VAL))
                 break;
             q->w[k] = k == 0 ? fmin(fmax(w - step, 0), least) : fmax(w - step, least);
@@ -163,15 +188,16 @@ static inline void sf_find_critical(sf_law_quartic *q) {
     }
 }
 
-static inline void sf_make_law_quartic(const sf_model *model, const sf_sample *at, sf_law_quartic_kind kind, double F_0,
-                                       int beyond, sf_law_quartic *q) {
+static inline void sf_make_law_polynomial(const sf_model *model, const sf_sample *at, sf_law_polynomial_kind kind, double F_0,
+                                       int beyond, sf_law_polynomial *q) {
     q->model = model, q->at = at, q->kind = kind, q->F_0 = F_0;
     q->by_x = sf_inertial(model) && kind == SF_OF_RESPONSE;
     sf_rest_at(model, at->A, beyond, q->rest);
+    sf_zeta_at(model, at->A, q->zeta);
     if (kind == SF_OF_FOLDS) {
-        dissipation_fold_quartic(at->A, q->rest[0], q->rest[1], model->zeta, model->d, at->h, at->h_A, q->c);
+        dissipation_fold_polynomial(at->A, q->rest[0], q->rest[1], q->zeta[0], q->zeta[1], model->d, model->d_3, at->h, at->h_A, q->c);
     } else {
-        dissipation_response_quartic(at->A, q->rest[0], model->zeta, model->d, at->h, q->c);
+        dissipation_response_polynomial(at->A, q->rest[0], q->zeta[0], model->d, model->d_3, at->h, q->c);
     }
     for (int i = 0; q->by_x && i < 2; i++) {
         const double swapped = q->c[i];
@@ -183,14 +209,14 @@ static inline void sf_make_law_quartic(const sf_model *model, const sf_sample *a
         q->f[1 + i] = q->exist ? sf_law_value(q, q->w[i]) : NAN;
 }
 
-/* Above the largest root: where the quartic without its odd powers, which only raise it, vanishes. */
-static inline double sf_above_roots(const sf_law_quartic *q) {
+/* Above the largest root: where it vanishes without the powers 1, 3, 5 and 6, which only raise it. */
+static inline double sf_above_roots(const sf_law_polynomial *q) {
     const double *c = q->c, root = sqrt(fmax(c[2] * c[2] - 4 * c[4] * q->f[0], 0));
     const double square = c[2] > 0 ? -2 * q->f[0] / (c[2] + root) : (root - c[2]) / (2 * c[4]);
     return sqrt(fmax(square, 0)) * (1 + 0x1p-20) + 1e-300;
 }
 
-static inline double sf_law_root(const sf_law_quartic *q, double low, double high, int falls) {
+static inline double sf_law_root(const sf_law_polynomial *q, double low, double high, int falls) {
     double w = 0.5 * (low + high);
     for (int i = 0; i < SF_MOST_LAW_STEPS; i++) {
         const double before = w, f = sf_law_value(q, w);
@@ -198,7 +224,7 @@ static inline double sf_law_root(const sf_law_quartic *q, double low, double hig
             low = w;
         else
             high = w;
-        w -= f / sf_quartic_slope(q->c, w);
+        w -= f / sf_polynomial_slope(q->c, w);
         if (!(w > low && w < high))
             w = 0.5 * (low + high);
         if (fabs(w - before) <= 0x1p-52 * before)
@@ -208,13 +234,13 @@ static inline double sf_law_root(const sf_law_quartic *q, double low, double hig
 }
 
 /* How many there are. */
-static inline int sf_law_count(const sf_law_quartic *q) {
+static inline int sf_law_count(const sf_law_polynomial *q) {
     sf_place place[3];
     return sf_places(q->exist, q->f[0] < 0, q->f[1] > 0, q->f[2] < 0, place);
 }
 
 /* Number `index` of `count` by rising Omega. */
-static inline double sf_law_branch(const sf_law_quartic *q, int count, int index) {
+static inline double sf_law_branch(const sf_law_polynomial *q, int count, int index) {
     const sf_place place = sf_place_of(q->exist, q->f[0], q->f[1], q->f[2], count, q->by_x ? count - 1 - index : index);
     const int lower = place == SF_BELOW || place == SF_RISING, highest = place == SF_ABOVE || place == SF_RISING;
     double w = place == SF_AT_0 ? 0 : q->w[place != SF_AT_W1];
@@ -226,10 +252,10 @@ static inline double sf_law_branch(const sf_law_quartic *q, int count, int index
 
 /* Every Omega at which the amplitude is a steady state at F_0, or on the fold locus, by its size; returns how many.
  * beyond: as in sf_rest_at */
-static inline int sf_law_frequencies(const sf_model *model, const sf_sample *at, sf_law_quartic_kind kind, double F_0,
+static inline int sf_law_frequencies(const sf_model *model, const sf_sample *at, sf_law_polynomial_kind kind, double F_0,
                                      int beyond, double Omega[3]) {
-    sf_law_quartic q;
-    sf_make_law_quartic(model, at, kind, F_0, beyond, &q);
+    sf_law_polynomial q;
+    sf_make_law_polynomial(model, at, kind, F_0, beyond, &q);
     const int n = sf_law_count(&q);
     for (int i = 0; i < n; i++)
         Omega[i] = sf_law_branch(&q, n, i);
@@ -238,9 +264,9 @@ static inline int sf_law_frequencies(const sf_model *model, const sf_sample *at,
 
 /* Every Omega > 0 at which the level of the amplitude is stationary, by its size; returns how many. */
 static inline int sf_law_stationary(const sf_model *model, const sf_sample *at, double Omega[2]) {
-    sf_law_quartic q;
+    sf_law_polynomial q;
     int n = 0;
-    sf_make_law_quartic(model, at, SF_OF_RESPONSE, 0, sf_is_beyond(model, at->A), &q);
+    sf_make_law_polynomial(model, at, SF_OF_RESPONSE, 0, sf_is_beyond(model, at->A), &q);
     for (int i = 0; q.exist && i < 2; i++)
         if (q.w[i] > 0)
             Omega[n++] = q.w[i];
@@ -255,7 +281,7 @@ static inline int sf_law_stationary(const sf_model *model, const sf_sample *at, 
 static inline double sf_full_level(const sf_model *model, const sf_sample *at) {
     double rest[4], far[3];
     sf_rest_at(model, at->A, sf_is_beyond(model, at->A), rest);
-    dissipation_far_by_inertia(0, at->A, 0, rest[0], model->zeta, model->d, at->h, far);
+    dissipation_far_by_inertia(0, at->A, 0, rest[0], model->zeta, model->d, at->h, far); /* zeta vanishes there */
     return sqrt(far[0]);
 }
 
@@ -275,13 +301,13 @@ static inline double sf_least_by_laws(const sf_model *model, const sf_sample *at
     return least;
 }
 
-/* Whether doubles hold squares of coefficients of the quartics up to an amplitude, and (d F_0)^2; and F_0^4. */
+/* Whether doubles hold squares of coefficients of the polynomials up to an amplitude, and (d F_0)^2; and F_0^4. */
 static inline int sf_laws_are_in_range(const sf_model *model, double F_0, double A_max) {
-    sf_law_quartic q;
+    sf_law_polynomial q;
     int bounded = F_0 >= SF_LEAST_F_0 && model->d * F_0 * (model->d * F_0) < HUGE_VAL;
     const sf_sample at = sf_sample_without_k_at(model, A_max);
-    sf_make_law_quartic(model, &at, SF_OF_RESPONSE, F_0, sf_is_beyond(model, A_max), &q);
-    for (int i = 0; i < 5; i++)
+    sf_make_law_polynomial(model, &at, SF_OF_RESPONSE, F_0, sf_is_beyond(model, A_max), &q);
+    for (int i = 0; i < 7; i++)
         bounded = bounded && q.c[i] * q.c[i] < HUGE_VAL;
     return bounded;
 }
@@ -290,13 +316,14 @@ static inline int sf_laws_are_in_range(const sf_model *model, double F_0, double
 
 /* What dissipates, as intervals; beyond: on amplitudes beyond where friction ends */
 typedef struct {
-    sf_interval m, zeta, eta, d, u_cr;
+    sf_interval m, zeta, eta, d, d_3, zeta_2, u_cr;
     int beyond;
 } sf_laws_within;
 
 static inline void sf_hold_laws(const sf_model *model, int piece, sf_laws_within *out) {
     out->m = sfi_point(model->m), out->zeta = sfi_point(model->zeta);
     out->eta = sfi_point(model->eta), out->d = sfi_point(model->d);
+    out->d_3 = sfi_point(model->d_3), out->zeta_2 = sfi_point(model->zeta_2);
     out->beyond = model->released && piece > 0;
     out->u_cr = sfi_point(out->beyond ? model->b[0] : 0);
 }
@@ -310,4 +337,11 @@ static inline sf_interval sf_rest_within(const sf_laws_within *laws, sf_interval
     }
     dissipation_intervals_at_rest(A, laws->m, laws->eta, rest);
     return dissipation_intervals_rest_intercept(laws->m);
+}
+
+/* As sf_zeta_at. */
+static inline void sf_zeta_within(const sf_laws_within *laws, sf_interval A, sf_interval zeta[4]) {
+    zeta[0] = laws->zeta, zeta[1] = zeta[2] = zeta[3] = sfi_point(0);
+    if (laws->zeta_2.hi != 0)
+        dissipation_intervals_viscous(A, laws->zeta, laws->zeta_2, zeta);
 }

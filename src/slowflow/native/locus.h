@@ -36,10 +36,12 @@ static void sf_ask_boxes(const sf_model *model, sf_question question, const sf_s
     for (int i = 0; i < search->found.n; i++) {
         const double A = search->found.at[i].A, w = search->found.at[i].Omega;
         sf_zero zero = {A, w, 0, question, 0, 0};
-        double rest[4];
+        double rest[4], zeta[4];
         const sf_sample at = sf_sample_at(model, A);
         sf_rest_at(model, A, number > 0, rest);
-        zero.channel = !(dissipation_F_AOmegaOmega(w, A, rest[0], rest[1], model->zeta, model->d, at.h, at.h_A) < 0);
+        sf_zeta_at(model, A, zeta);
+        zero.channel =
+            !(dissipation_F_AOmegaOmega(w, A, rest[0], rest[1], zeta[0], zeta[1], model->d, model->d_3, at.h, at.h_A) < 0);
         zero.rising = sf_law_F_AA(model, &at, w) > 0;
         sf_add_zero(found, zero);
     }

@@ -17,7 +17,7 @@
 enum {
     SF_FORM = 12, /* of the record below; one of another form is refused */
     SF_MOST_DESIGN = 32,
-    SF_MOST_DAMPING = 5,
+    SF_MOST_DAMPING = 7,
     SF_MOST_PARAMETERS = 64,
     SF_MOST_BREAKS = 16
 };

@@ -17,7 +17,8 @@
 #include "slow_flow_mu0.h"
 #include "slow_flow_zeta0.h"
 
-/* m, zeta: the damping as the quartics of roots.h take it, I = 2 zeta A Omega + m; eta, d, released: other laws of it,
+/* m, zeta: the damping as the quartics of roots.h take it, I = 2 zeta A Omega + m; eta, d, d_3, zeta_2, released: other laws of
+ * it,
  * see laws.h, 0 where the record takes none; breaks: number of breakpoints b > 0,
  * by rising size; jump: force just below less force just above; kink: the same of its slope and of its curvature;
  * reach:
@@ -31,7 +32,7 @@ typedef struct {
     union {
         double damping[SF_MOST_DAMPING];
         struct {
-            double m, zeta, eta, d, released;
+            double m, zeta, eta, d, d_3, zeta_2, released;
         };
     };
     double b[SF_MOST_BREAKS], jump[SF_MOST_BREAKS], kink[SF_MOST_BREAKS][2];
@@ -114,8 +115,10 @@ static inline int sf_has_preload_by_inertia(const sf_model *model) {
 static inline int sf_prepare(const sf_mechanism *mechanism, const double *design, sf_model *model) {
     double b[SF_MOST_BREAKS], jump[SF_MOST_BREAKS], kink[2 * SF_MOST_BREAKS];
     if (mechanism->damping_size < SF_MOST_DAMPING)
-        model->eta = model->d = model->released = 0;
-    model->by_laws = model->eta != 0 || model->d != 0 || model->released != 0;
+        model->eta = model->d = model->d_3 = model->zeta_2 = model->released = 0;
+    model->by_laws = 0;
+    for (int i = 2; i < SF_MOST_DAMPING; i++)
+        model->by_laws |= model->damping[i] != 0;
     if (!(model->m <= SF_LARGEST))
         return 0;
     for (int i = 0; i < mechanism->parameters; i++)

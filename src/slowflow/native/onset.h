@@ -63,14 +63,14 @@ static sf_status sf_leave_play(const sf_model *model, int piece, sf_stretch *of)
     const sf_sample first = of->first;
     const double base = piece > 0 ? model->b[piece - 1] : 0;
     const int is_stationary = sf_inertial(model) && model->zeta + model->m == 0;
-    double least[5], beyond = of->last.A - base;
+    double least[7], beyond = of->last.A - base;
     if (model->eta > 0)
         return SF_OK;
     if (is_stationary && (first.h > 0 || (piece == 0 && first.h_A > 0)))
         return SF_UNRESOLVED;
     if (!(piece > 0 && first.h == 0 && first.h_A == 0))
         return SF_OK;
-    dissipation_fold_quartic(base, model->m, 0, model->zeta, model->d, 0, 0, least);
+    dissipation_fold_polynomial(base, model->m, 0, model->zeta, 0, model->d, model->d_3, 0, 0, least);
     if (!(least[2] > 0 && first.h_AA < 0) || (model->released && model->m > 0))
         return model->d > 0 && (is_stationary || !sf_inertial(model)) ? SF_UNRESOLVED : SF_OK;
     for (int i = 0; i < SF_MOST_LEAVING; i++, beyond *= SF_LEAVING) {
@@ -107,7 +107,7 @@ static void sf_consider_end_by_laws(const sf_model *model, double A, sf_onset *b
     sf_rest_at(model, A, sf_is_beyond(model, A), rest);
     if (fabs(at.h) < fabs(A * at.h_A))
         best->rest = fmin(best->rest, rest[0]);
-    else if (model->zeta * rest[0] > 0 || dissipation_F_OmegaOmega(0, A, rest[0], model->zeta, model->d, at.h) >= 0)
+    else if (model->zeta * rest[0] > 0 || dissipation_F_OmegaOmega(0, A, rest[0], model->zeta, model->d, model->d_3, at.h) >= 0)
         best->rest = fmin(best->rest, sf_law_level(model, &at, 0));
 }
 

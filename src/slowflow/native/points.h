@@ -45,10 +45,12 @@ enum {
 /* ==== The functions ============================================================================================== */
 
 typedef void sf_functions_of(double w, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA,
-                             double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I,
+                             double zeta, double zeta_A,
+                             double zeta_AA, double zeta_AAA, double d, double d_3, double h, double h_A, double h_AA, double h_AAA, double R, double I,
                              double R_A, double I_A, double *out);
 typedef void sf_functions_on(sf_interval w, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A,
-                             sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval d, sf_interval h,
+                             sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval zeta_A,
+                             sf_interval zeta_AA, sf_interval zeta_AAA, sf_interval d, sf_interval d_3, sf_interval h,
                              sf_interval h_A, sf_interval h_AA, sf_interval h_AAA, sf_interval R, sf_interval I,
                              sf_interval R_A, sf_interval I_A, sf_interval *out);
 
@@ -69,37 +71,39 @@ static sf_functions_on *const sf_on_boxes[SF_LAW_SYSTEMS][2][2] = SF_FORMS(inter
 static void sf_functions_within(const sf_law_search *search, const sf_strip *strip, int by_w, sf_interval u,
                                 sf_interval out[6]) {
     const sf_cell *cell = &strip->cell;
-    const sf_interval *rest = strip->rest;
+    const sf_interval *rest = strip->rest, *zeta = strip->zeta;
     const sf_interval w = by_w ? u : sfi_sqrt(sf_square_of(search, strip, u));
     sf_balances of;
     sf_balances_at(search, strip, w, &of);
     if (!by_w)
         of.R = u, of.R_A = sf_slope_of(search, strip, u);
     sf_on_boxes[search->system][search->far][by_w](w, cell->A, search->force, rest[0], rest[1], rest[2], rest[3],
-                                                   search->laws.zeta, search->laws.d, cell->h, cell->h_A, cell->h_AA,
+                                                   zeta[0], zeta[1], zeta[2], zeta[3], search->laws.d, search->laws.d_3, cell->h, cell->h_A, cell->h_AA,
                                                    cell->h_AAA, of.R, of.I, of.R_A, of.I_A, out);
 }
 
 /* At a point, of which Omega, R and the size of its terms are set, NaN where there is none. */
 static void sf_functions_at(const sf_law_search *search, const sf_sample *at, sf_law_point *point, double out[6]) {
-    const double A = at->A, u = point->u, zeta = search->model->zeta, d = search->model->d;
+    const double A = at->A, u = point->u, d = search->model->d, d_3 = search->model->d_3;
     const double square = search->far ? (u - A) / at->h : (u - at->h) / A;
     const double w = point->by_w ? u : square > 0 ? sqrt(square) : NAN;
-    double rest[4], of[4];
+    double rest[4], zeta[4], of[4];
     sf_rest_at(search->model, A, search->laws.beyond, rest);
+    sf_zeta_at(search->model, A, zeta);
     if (search->far) {
-        dissipation_far(w, A, rest[0], rest[1], zeta, d, at->h, at->h_A, of);
+        dissipation_far(w, A, rest[0], rest[1], zeta[0], zeta[1], d, at->h, at->h_A, of);
         point->Omega = 1 / w, point->size = A + fabs(at->h) * w * w;
     } else {
         of[0] = slow_flow_R(w, A, at->h), of[1] = w * w + at->h_A;
-        of[2] = dissipation_I(w, A, rest[0], zeta, d), of[3] = dissipation_I_A(w, A, rest[1], zeta, d);
+        of[2] = dissipation_I(w, A, rest[0], zeta[0], d, d_3);
+        of[3] = dissipation_I_A(w, A, rest[1], zeta[0], zeta[1], d, d_3);
         point->Omega = w, point->size = fabs(at->h) + A * w * w;
     }
     if (!point->by_w)
         of[0] = u, of[1] = search->far ? (at->k + at->h_A * u) / at->h : (u - at->k) / A;
     point->R = of[0];
-    sf_at_points[search->system][search->far][point->by_w](w, A, search->F_0, rest[0], rest[1], rest[2], rest[3], zeta, d,
-                                                           at->h, at->h_A, at->h_AA, at->h_AAA, of[0], of[2], of[1],
+    sf_at_points[search->system][search->far][point->by_w](w, A, search->F_0, rest[0], rest[1], rest[2], rest[3],
+                                                           zeta[0], zeta[1], zeta[2], zeta[3], d, d_3, at->h, at->h_A, at->h_AA, at->h_AAA, of[0], of[2], of[1],
                                                            of[3], out);
 }
 

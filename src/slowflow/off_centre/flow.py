@@ -43,11 +43,11 @@ class Flow(SlowFlow):
 
     def _damping(self, A: Any, orders: int) -> tuple[Any, ...]:
         """See `SlowFlow`."""
-        return *(self.m + self.laws.eta * A, self.laws.eta, 0.0)[:orders], self.zeta, self.d
+        return *(self.m + self.laws.eta * A, self.laws.eta, 0.0)[:orders], *(self.zeta, 0.0, 0.0)[:orders], self.d, 0.0
 
     def sine_A(self, Omega: Any, A: Any) -> Any:
         """The slope of the sine balance (23) by A."""
-        return dissipation.I_A(Omega, A, self.laws.eta, self.zeta, self.d)
+        return dissipation.I_A(Omega, A, self.laws.eta, self.zeta, 0.0, self.d, 0.0)
 
     def force(self, F_0: Any, Omega: Any) -> Any:
         """Amplitude of the force on the mass, of the shape of both."""
@@ -84,9 +84,9 @@ class Flow(SlowFlow):
 
     def F_Omega(self, Omega: Any, A: Any, h: Any) -> Any:
         """Slope of F by Omega at a state: that of the squared level, times Omega^4 under an excitation by inertia."""
-        I_0, zeta, d = self._damping(A, 1)
+        I_0, zeta, d, d_3 = self._damping(A, 1)
         if not self.inertial:
-            return dissipation.F_Omega(Omega, A, I_0, zeta, d, h)
+            return dissipation.F_Omega(Omega, A, I_0, zeta, d, d_3, h)
         _, stays, grows = dissipation.far_by_inertia(1 / Omega, A, 0.0, I_0, zeta, d, h)
         return -4.0 * Omega * (stays + Omega * grows)
 

@@ -23,7 +23,7 @@ from slowflow.checks import Spectrum
 from slowflow.exact import shocks_many
 from slowflow.gradient import Gradient
 from slowflow.mechanism import Flags, Mechanism
-from slowflow.model import AT_CENTRE, Floats, Model, off_centre_by
+from slowflow.model import AT_CENTRE, WITH_MEAN, Floats, Model, off_centre_by
 from slowflow.off_centre.answers import NUMBERS
 from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import NO_MEANS, NOT_SMOOTH
@@ -32,7 +32,7 @@ from slowflow.results import Remark
 from slowflow.table import AVERAGING, MORE_POINTS, OFFSET, QUESTIONS, SHOCKS, ManyQuestions, Unanswered
 from slowflow.validate import NotAvailable
 from slowflow_kernels.conventions import MovesStatus, Status
-from slowflow_kernels.domains import DAMPING, DISSIPATION
+from slowflow_kernels.domains import DAMPING
 
 NO_GRADIENT = (
     "off the centre states, folds, onsets, detachments, peaks, isolation and places of rest have gradients: this "
@@ -62,8 +62,8 @@ class OffCentreBatch(Batch):
         arguments = self._asked_at()
         numbers = {**self._designs.values, **arguments}
         known = dict(zip(numbers, np.broadcast_arrays(*numbers.values()), strict=True))
-        laws = DISSIPATION if any(one.name in numbers for one in DISSIPATION) else ()
-        by = (*self._designs.mechanism.design_names, *(one.name for one in (*DAMPING, *laws)), "load", *arguments)
+        laws = WITH_MEAN if any(name in numbers for name in WITH_MEAN) else ()
+        by = (*self._designs.mechanism.design_names, *(one.name for one in DAMPING), *laws, "load", *arguments)
         columns = tuple(getattr(self, name) for name in names)
         several = columns[0].ndim > self.status.ndim
         slopes = np.full((*columns[0].shape, len(names), len(by)), np.nan)

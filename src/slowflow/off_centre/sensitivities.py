@@ -16,7 +16,7 @@ import numpy as np
 from slowflow import sensitivities
 from slowflow.backend import SOLVER
 from slowflow.gradient import Gradient
-from slowflow.model import Floats, Model
+from slowflow.model import WITH_MEAN, Floats, Model
 from slowflow.off_centre.curved import Curved
 from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import ORDERS, Steps
@@ -92,7 +92,7 @@ class Design:
     def damping(self) -> dict[str, float]:
         """Of all laws where there are others than friction and viscous damping."""
         model, laws = self.model, self.model.laws
-        others = {"eta": laws.eta, "c_2": laws.c_2} if laws.any else {}
+        others = {name: getattr(laws, name) for name in WITH_MEAN} if laws.any else {}
         return {"mu": model.mu, "zeta": model.zeta, **others}
 
 
@@ -190,12 +190,12 @@ def _of_kind(
     if kind in (Pinned.CORNER_TOP, Pinned.CORNER_REST):
         side, ends[: len(model.design)] = design.end(A, B)
         (ends,) = off_centre.moved_at_end(side, means.c[1], means.s[1], c_p[0], of_load, ends)
-    place, causes = len(model.design), np.zeros((5, len(names), A.size))
+    place, causes = len(model.design), np.zeros((8, len(names), A.size))
     of_m, of_eta = np.reshape([np.broadcast_to(one, A.shape) for one in dissipation.rest_moves(A)], (2, 3, A.size))
     causes[:3, place], causes[3, place + 1] = slow_flow.friction(1.0) * of_m, 1.0
     if model.laws.any:
-        causes[:3, place + 2], causes[4, place + 3] = of_eta, dissipation.quadratic(1.0)
-    at = A, Omega, F_0, kind, model.inertial, h, h_A, h_AA, h_AAA, *flow.at_rest(A), flow.zeta, flow.d
+        causes[:3, place + 2], causes[6, place + 3] = of_eta, dissipation.quadratic(1.0)
+    at = A, Omega, F_0, kind, model.inertial, h, h_A, h_AA, h_AAA, *flow.at_rest(A), *flow.viscous(A), flow.d, flow.d_3
     columns = np.broadcast_arrays(*at, *of_h, *causes, of_F_0, of_Omega, ends)
     A_p, phi_p, passed_p, Omega_p, F_0_p, isolated = np.moveaxis(SOLVER.moved(np.stack(columns, axis=-1)), -1, 0)
     found = {"A": A_p, "B": B_p - means.s[1] / means.c[1] * A_p, "Omega": Omega_p, "F_0": F_0_p}

@@ -28,7 +28,7 @@ OTHER_LAWS = Sentence("random is not available with {laws:s}, only with {mu}, {z
 
 def answer(designs: Designs, S_0: Any, psd: Any, places: int, workers: int = 1) -> Batch:
     """See `random` of `slowflow.table.ManyQuestions`."""
-    if "eta" in designs.values or designs.rubs != THROUGHOUT:
+    if {"eta", "c_3", "zeta_2"} & set(designs.values) or designs.rubs != THROUGHOUT:
         raise validate.NotAvailable(OTHER_LAWS.format(designs.laws))
     excitation = excited_by(None if S_0 is None else 1.0, psd)
     places, threads = validate.count("places", places, least=1), validate.workers(workers)

@@ -49,7 +49,7 @@ IN_A_BAND = (
 def random(oscillator: Any, system: EquationOfMotion, S_0: Any, psd: Any) -> RandomResponse:
     """See `slowflow.oscillator.Oscillator.random`."""
     excitation = excited_by(S_0, psd)
-    validate.is_plain("random", f"rubs = {oscillator.rubs!r}" if system.released else "")
+    validate.is_plain("random", oscillator.model.laws.description("c_2"))
     columns = stationary(system, excitation)
     u, dry = columns["u_rms"], columns["dry"]
     message = joined(

@@ -115,5 +115,6 @@ def followed(system: EquationOfMotion, w: Floats, step: float) -> Floats:
 def accelerations(system: EquationOfMotion, u: Floats, v: Floats, w: Floats) -> Any:
     """Of the mass as seen by who stands still, where the base is what pushes: it goes with the base where it sticks."""
     sign, f = np.sign(v), system.force(u)
-    resists, _ = motion.resistance(v, system.zeta, system.mu * sign, system.c_2 * sign)
+    laws = system.mu * sign, system.c_2 * sign, system.c_3, system.zeta_2
+    resists = motion.resistance(v, system.zeta, *laws, u)[0]
     return np.where(v == 0, w, -motion.acceleration(0.0, v, 0.0, system.zeta, resists, f))

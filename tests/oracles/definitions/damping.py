@@ -17,9 +17,17 @@ def by_work(work, A):
     return work / (mp.pi * A)
 
 
-def quadratic_work(Omega, A, c_2):
-    """c_2 u'^2 along the way from A to -A and back, where u'^2 = Omega^2 (A^2 - u^2)."""
-    return 2 * mp.quad(lambda u: c_2 * Omega**2 * (A**2 - u**2), [-A, A])
+def power_work(c, power):
+    """That of c |u'|^power at A = Omega = 1, along the way from 1 to -1 and back, where u'^2 = 1 - u^2."""
+    return 2 * mp.quad(lambda u: c * (1 - u**2) ** (mpf(power) / 2), [-1, 1])
+
+
+def viscous_ratio(A, zeta, zeta_2):
+    """The work of 2 (zeta + zeta_2 u^2) u' in a cycle over that of 2 u', and three derivatives by A."""
+    (a,) = variables((A,), 3)
+    of_zeta, of_zeta_2 = (mp.quad(lambda s, n=n: s**n * mp.sqrt(1 - s**2), [-1, 1]) for n in (0, 2))
+    ratio = zeta + zeta_2 * a**2 * (of_zeta_2 / of_zeta)
+    return [mp.chop(ratio.derivative(order), TINY) for order in range(4)]
 
 
 #: what rounding leaves of a zero
@@ -40,22 +48,25 @@ def rest_share(A, *others):
     return [mp.chop(dissipation.derivative(order), TINY) for order in range(4)]
 
 
+BY_A = "", "_A", "_AA", "_AAA"
+
+
 class Laws:
     """R, I and what follows from them, as series in A and Omega about a kernel's arguments.
 
     Where R and I are arguments they stand for the values at (Omega, A), and their slopes are those of A Omega^2 + h
-    and of I_0 + 2 zeta A Omega + d (A Omega)^2.
+    and of I_0 + 2 zeta A Omega + d (A Omega)^2 + d_3 (A Omega)^3.
     """
 
     def __init__(self, names, x, order, by_inertia=False):
         at = dict(zip(names.split(), x, strict=True))
-        self.zeta, self.d = at.get("zeta", 0), at.get("d", 0)
+        self.d, self.d_3 = at.get("d", 0), at.get("d_3", 0)
         self.A, self.Omega = variables((at["A"], at["Omega"]), order)
-        self.h, self.rest = (
-            near(at["A"], [at.get(name, 0) for name in names])(self.A)
-            for names in (("h", "h_A", "h_AA", "h_AAA"), ("I_0", "I_0A", "I_0AA", "I_0AAA"))
+        self.h, self.rest, self.zeta = (
+            near(at["A"], [at.get(f"{name}{by}", 0) for by in slopes])(self.A)
+            for name, slopes in (("h", BY_A), ("I_0", ("", "A", "AA", "AAA")), ("zeta", BY_A))
         )
-        self.own = law_balances(self.Omega, self.A, self.rest, self.zeta, self.d, self.h)
+        self.own = law_balances(self.Omega, self.A, self.rest, self.zeta, self.d, self.d_3, self.h)
         self.R, self.I = (
             one + (at[name] - one.value) if name in at else one for name, one in zip("RI", self.own, strict=True)
         )
@@ -72,7 +83,8 @@ class Laws:
 
     def peak(self):
         """F_Omega/(4 A Omega), in which the I of I_0 counts; with the slopes of R and I themselves."""
-        return self.R + self.own[1] * (self.zeta / self.Omega + self.d * self.A)
+        ratio = self.zeta / self.Omega + self.d * self.A + mpf("1.5") * self.d_3 * self.A**2 * self.Omega
+        return self.R + self.own[1] * ratio
 
     def bend(self):
         """F_AOmega/(2 Omega) of the R and I that h and I_0 give."""
@@ -80,7 +92,8 @@ class Laws:
 
     def least(self):
         """-Omega^5/4 times the slope of the level by Omega, in which h and I_0 count; with the slopes of R and I."""
-        return self.R * self.h + self.I * (self.rest + self.zeta * self.A * self.Omega)
+        v = self.A * self.Omega
+        return self.R * self.h + self.I * (self.rest + self.zeta * v - self.d_3 * v**3 / 2)
 
     def level(self):
         """Of an excitation by inertia, squared."""
@@ -102,12 +115,12 @@ def dissipated_slope(order, names, halved=False):
     return slope
 
 
-def quartic_of(half, names):
+def polynomial_of(half, names):
     """Coefficients of F, or of F_A/2, of which these are all."""
 
     def coefficients(*x):
-        F = Laws(f"Omega {names}", (mpf(0), *x), 5).F()
-        return [(F.by(0) / 2 if half else F).derivative(0, power) / mp.factorial(power) for power in range(5)]
+        F = Laws(f"Omega {names}", (mpf(0), *x), 7).F()
+        return [(F.by(0) / 2 if half else F).derivative(0, power) / mp.factorial(power) for power in range(7)]
 
     return coefficients
 
@@ -124,7 +137,7 @@ def slope_where_stays(name, names):
 
 def level_of_laws(w, a, rest, zeta, d, h):
     """Of an excitation by inertia."""
-    return sum(part**2 for part in law_balances(w, a, rest, zeta, d, h)) / w**4
+    return sum(part**2 for part in law_balances(w, a, rest, zeta, d, 0, h)) / w**4
 
 
 def cusp_by_inertia(names):
@@ -152,21 +165,31 @@ def isola_by_inertia(names):
 def searched_system(system, far, unknown):
     """Both functions and slopes by A and another unknown, from local balances that have the values and slopes given."""
 
-    def of(at, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, R_0, I_at, R_A, I_A):
+    def of(at, A, F_0, *x):
+        (I_0, I_0A, I_0AA, I_0AAA), (z, z_A, z_AA, z_AAA), (d, d_3), (h, h_A, h_AA, h_AAA) = (
+            x[:4],
+            x[4:8],
+            x[8:10],
+            x[10:14],
+        )
+        R_0, I_at, R_A, I_A = x[14:]
         a, w = variables((0, at), 3)
 
         def taylor(*values):
             return sum((value * a**k / mp.factorial(k) for k, value in enumerate(values)), 0 * a)
 
         def of_I(w):  # what depends on w, but for the first slope along A
-            return (
-                taylor(I_0, I_0A, I_0AA, I_0AAA) * w**2 + 2 * zeta * (A + a) * w
-                if far
-                else (2 * zeta * (A + a) * w + d * (A + a) ** 2 * w**2)
-            )
+            viscous = 2 * zeta * (A + a) * w
+            if far:
+                return taylor(I_0, I_0A, I_0AA, I_0AAA) * w**2 + viscous
+            return viscous + d * (A + a) ** 2 * w**2 + d_3 * (A + a) ** 3 * w**3
 
-        unit = at**2 if far else 1
-        bend_I = [I_0AA * unit + 2 * d * (1 if far else at**2), I_0AAA * unit]
+        zeta = taylor(z, z_A, z_AA, z_AAA)
+        unit, cubic = at**2 if far else 1, 0 if far else 6 * d_3 * at**3
+        bend_I = [
+            I_0AA * unit + 2 * (2 * z_A + A * z_AA) * at + 2 * d * (1 if far else at**2) + A * cubic,
+            I_0AAA * unit + 2 * (3 * z_AA + A * z_AAA) * at + cubic,
+        ]
         R = taylor(R_0, R_A, h_AA * unit, h_AAA * unit)
         R += (taylor(h, h_A, h_AA, h_AAA) if far else A + a) * (w**2 - at**2)
         I = taylor(I_at, I_A, *bend_I) + of_I(w) - of_I(0 * w + at)
@@ -182,14 +205,14 @@ def searched_system(system, far, unknown):
 
         # where R^2 + I^2 is stationary in w, over its slope by R, or by what leaves it finite at w = 0
         rest, place = taylor(I_0, I_0A), A + a
+        ratio = zeta / w + d * place + mpf("1.5") * d_3 * place**2 * w
         if unknown == "R":
-            ratio = (place * zeta + rest * w) / (taylor(h, h_A) * w) if far else zeta / w + d * place
-            still = R + I * ratio
+            still = R + I * ((place * zeta + rest * w) / (taylor(h, h_A) * w) if far else ratio)
         elif far:
             still = R * taylor(h, h_A, h_AA) + rest * I
             still += place * zeta * (rest * w + 2 * zeta * place + d * place**2 / w)
         else:
-            still = R + zeta * rest / w + place * (2 * zeta**2 + d * rest + d * place * w * (3 * zeta + d * place * w))
+            still = R + (rest + 2 * zeta * place * w + d * (place * w) ** 2 + d_3 * (place * w) ** 3) * ratio
         level = both(2 * square - F_0**2)
         fold, cusp, peak = both(square, 1), both(square, 2), both(still)
         pairs = {"folds": (level, fold), "peaks": (level, peak), "cusps": (fold, cusp), "isolas": (fold, peak)}
@@ -227,10 +250,10 @@ def stationary_R(x, A, I_0, zeta, d):
     return [(higher - lower) ** 2, lower, higher]
 
 
-def far_balances(x, A, I_0, I_0A, zeta, d, h, h_A):
+def far_balances(x, A, I_0, I_0A, zeta, zeta_A, d, h, h_A):
     """R, R_A, I and I_A over Omega^2 at Omega = 1/x."""
     w, force = 1 / x, near(A, [h, h_A])
-    names, of = "Omega A I_0 I_0A zeta d", (w, A, I_0, I_0A, zeta, d)
+    names, of = "Omega A I_0 I_0A zeta zeta_A d", (w, A, I_0, I_0A, zeta, zeta_A, d)
     of_R = [mp.diff(lambda a: balances(w, a, 0, zeta, force(a))[0], A, order) for order in (0, 1)]
     return [x**2 * one for one in (*of_R, *dissipated_balance(names)(*of), *dissipated_balance(names, 1)(*of))]
 
@@ -238,7 +261,7 @@ def far_balances(x, A, I_0, I_0A, zeta, d, h, h_A):
 def turn_beside(x, A, *damping):
     """F_AOmega/(4 Omega) over Omega^2 at the h and h_A for which R and R_A vanish."""
     w = 1 / x
-    slope = dissipated_slope((1, 1), "Omega A I_0 I_0A zeta d h h_A")(w, A, *damping, -A * w**2, -(w**2))
+    slope = dissipated_slope((1, 1), "Omega A I_0 I_0A zeta zeta_A d h h_A")(w, A, *damping, -A * w**2, -(w**2))
     return [slope[0] / (4 * w) * x**2]
 
 
@@ -249,10 +272,10 @@ def largest_held(Omega, F_0, m, zeta, eta, d):
         return max(root.real for root in roots)
 
 
-def law_balances(w, a, rest, zeta, d, h):
+def law_balances(w, a, rest, zeta, d, d_3, h):
     """R and I of any laws, from I_0."""
     R, I = balances(w, a, rest, zeta, h)
-    return R, I + d * (a * w) ** 2
+    return R, I + d * (a * w) ** 2 + d_3 * (a * w) ** 3
 
 
 def rest_moves(A, m=1, *ends):
@@ -293,9 +316,9 @@ def slope_of_sum(pairs):
     return mp.diff(lambda t: sum((value + slope * t) ** 2 for value, slope in pairs), 0)
 
 
-def vanishing_R(Omega, A, zeta, d, I):
+def vanishing_R(Omega, A, zeta, d, d_3, I):
     """R at which R^2 + I^2 is stationary in Omega."""
-    by_R, by_I = (mp.diff(lambda w, n=n: law_balances(w, A, 0, zeta, d, 0)[n], Omega) for n in (0, 1))
+    by_R, by_I = (mp.diff(lambda w, n=n: law_balances(w, A, 0, zeta, d, d_3, 0)[n], Omega) for n in (0, 1))
     return -I * by_I / by_R
 
 
@@ -320,7 +343,7 @@ def least_from_rest(Omega, zeta, eta, d, h_AA):
     """The least F_A for I_0 = eta A and k = A^2 h_AA/2, times 4 A over A^2: its first and third coefficient."""
 
     def whole(A):
-        lag = lambda a: law_balances(Omega, a, eta * a, zeta, d, 0)[1]  # noqa: E731
+        lag = lambda a: law_balances(Omega, a, eta * a, zeta, d, 0, 0)[1]  # noqa: E731
         return least_slope(A, A**2 * h_AA / 2, lag(A), mp.diff(lag, A))[0] / A**2
 
     # a quadratic in A, by three of its values
@@ -339,48 +362,62 @@ def static_halves(F_0, I_0, I_0A, h, h_A):
     return [half(mpf(1), sign) for sign in (-1, 1)] + [mp.diff(lambda a, s=sign: half(a, s), 1) for sign in (-1, 1)]
 
 
+#: what the systems of the search take between F_0 and R
+KNOWN = "I_0 I_0A I_0AA I_0AAA zeta zeta_A zeta_AA zeta_AAA d d_3 h h_A h_AA h_AAA"
 DISSIPATION: dict[str, tuple[str, Function]] = {
-    "quadratic": ("c_2", lambda c_2: [by_work(quadratic_work(1, 1, c_2), 1)]),
+    "quadratic": ("c_2", lambda c_2: [by_work(power_work(c_2, 2), 1)]),
+    "cubic": ("c_3", lambda c_3: [by_work(power_work(c_3, 3), 1)]),
+    "viscous": ("A zeta zeta_2", viscous_ratio),
+    "viscous_moves": ("A", lambda A: viscous_ratio(A, 0, 1)[:3]),
     # |h| is largest where R = -F_0 at the frequency at which quadratic damping takes all of the forcing
     "restoring": ("A F_0 d", lambda A, F_0, d: [F_0 + A * mp.findroot(lambda X: d * A**2 * X - F_0, F_0 / d / A**2)]),
     "at_rest": ("A m eta", rest_share),
     "released": ("A m eta u_cr", rest_share),
-    "I": ("Omega A I_0 zeta d", dissipated_balance("Omega A I_0 zeta d")),
+    "I": ("Omega A I_0 zeta d d_3", dissipated_balance("Omega A I_0 zeta d d_3")),
     **{
         f"F_{''.join(letters)}": (names, dissipated_slope((letters.count("A"), letters.count("Omega")), names))
         for letters, names in (
-            (("A",), "Omega A I_0 I_0A zeta d h h_A"),
-            (("A", "A"), "Omega A I_0 I_0A I_0AA zeta d h h_A h_AA"),
-            (("Omega",), "Omega A I_0 zeta d h"),
-            (("Omega", "Omega"), "Omega A I_0 zeta d h"),
-            (("A", "Omega"), "Omega A I_0 I_0A zeta d h h_A"),
-            (("A", "Omega", "Omega"), "Omega A I_0 I_0A zeta d h h_A"),
+            (("A",), "Omega A I_0 I_0A zeta zeta_A d d_3 h h_A"),
+            (("A", "A"), "Omega A I_0 I_0A I_0AA zeta zeta_A zeta_AA d d_3 h h_A h_AA"),
+            (("Omega",), "Omega A I_0 zeta d d_3 h"),
+            (("Omega", "Omega"), "Omega A I_0 zeta d d_3 h"),
+            (("A", "Omega"), "Omega A I_0 I_0A zeta zeta_A d d_3 h h_A"),
+            (("A", "Omega", "Omega"), "Omega A I_0 I_0A zeta zeta_A d d_3 h h_A"),
         )
     },
-    "Omega_A": (names := "Omega A I_0 I_0A zeta d h h_A", slope_where_stays("F", names)),
+    "Omega_A": (names := "Omega A I_0 I_0A zeta zeta_A d d_3 h h_A", slope_where_stays("F", names)),
     "stability": (names, dissipated_slope((1, 0), names, halved=True)),
-    "response_quartic": (names := "A I_0 zeta d h", quartic_of(False, names)),
-    "fold_quartic": (names := "A I_0 I_0A zeta d h h_A", quartic_of(True, names)),
-    "turn_share": ("x A I_0 I_0A zeta d", turn_beside),
+    "response_polynomial": (names := "A I_0 zeta d d_3 h", polynomial_of(False, names)),
+    "fold_polynomial": (names := "A I_0 I_0A zeta zeta_A d d_3 h h_A", polynomial_of(True, names)),
+    "turn_share": ("x A I_0 I_0A zeta zeta_A d", turn_beside),
     "limit_envelope": ("Omega F_0 m zeta eta d", lambda *x: [largest_held(*x)]),
     "rest_moves": ("A", rest_moves),
     "released_moves": ("A m u_cr", rest_moves),
-    "I_A": ("Omega A I_0A zeta d", dissipated_balance("Omega A I_0A zeta d", 1)),
-    "far": ("x A I_0 I_0A zeta d h h_A", far_balances),
-    "F": (names := "Omega A F_0 I_0 zeta d h", lambda *x: [law_response(*x)]),
-    "cusp_bend": (names := "Omega A I_0 I_0A I_0AA I_0AAA zeta d h h_A h_AA h_AAA", law_bend(names)),
-    "isola_bend": (names := "Omega A I_0 I_0A I_0AA zeta d h h_A h_AA", law_isola(names)),
+    "I_A": ("Omega A I_0A zeta zeta_A d d_3", dissipated_balance("Omega A I_0A zeta zeta_A d d_3", 1)),
+    "far": ("x A I_0 I_0A zeta zeta_A d h h_A", far_balances),
+    "F": (names := "Omega A F_0 I_0 zeta d d_3 h", lambda *x: [law_response(*x)]),
+    "cusp_bend": (
+        names := "Omega A I_0 I_0A I_0AA I_0AAA zeta zeta_A zeta_AA zeta_AAA d d_3 h h_A h_AA h_AAA",
+        law_bend(names),
+    ),
+    "isola_bend": (names := "Omega A I_0 I_0A I_0AA zeta zeta_A zeta_AA d d_3 h h_A h_AA", law_isola(names)),
     "F_A_halved": ("R R_A I I_A", lambda R, R_A, I, I_A: [slope_of_sum(((R, R_A), (I, I_A))) / 2]),
     "R_of_response": ("F_0 I", lambda F_0, I: [mp.sqrt(mpf(F_0) ** 2 - mpf(I) ** 2)]),
-    "R_of_peak": ("Omega A zeta d I", lambda *x: [vanishing_R(*x)]),
-    "I_scaled": ("Omega A I_0_over_A zeta d", lambda w, A, r, *laws: [law_balances(w, A, r * A, *laws, 0)[1] / A]),
+    "R_of_peak": ("Omega A zeta d d_3 I", lambda *x: [vanishing_R(*x)]),
+    "I_scaled": ("Omega A I_0_over_A zeta d d_3", lambda w, A, r, *laws: [law_balances(w, A, r * A, *laws, 0)[1] / A]),
     "F_A_scaled": ("Omega h_over_A h_A I_over_A I_A", scaled_slope),
     "least_scaled": ("Omega zeta eta d h_AA", least_from_rest),
-    "Omega_A_by_inertia": (names := "Omega A I_0 I_0A zeta d h h_A", slope_where_stays("level", names)),
+    "Omega_A_by_inertia": (names := "Omega A I_0 I_0A zeta zeta_A d d_3 h h_A", slope_where_stays("level", names)),
     "far_by_inertia": ("x A F_0 I_0 zeta d h", far_by_inertia),
     "R_where_stationary": ("x A I_0 zeta d", stationary_R),
-    "cusp_bend_by_inertia": (names := "Omega A I_0 I_0A I_0AA I_0AAA zeta d h h_A h_AA h_AAA", cusp_by_inertia(names)),
-    "isola_bend_by_inertia": (names := "Omega A I_0 I_0A I_0AA zeta d h h_A h_AA", isola_by_inertia(names)),
+    "cusp_bend_by_inertia": (
+        names := "Omega A I_0 I_0A I_0AA I_0AAA zeta zeta_A zeta_AA zeta_AAA d d_3 h h_A h_AA h_AAA",
+        cusp_by_inertia(names),
+    ),
+    "isola_bend_by_inertia": (
+        names := "Omega A I_0 I_0A I_0AA zeta zeta_A zeta_AA d d_3 h h_A h_AA",
+        isola_by_inertia(names),
+    ),
     "full_by_inertia": (
         "F_0 d",
         lambda F_0, d: [mp.findroot(lambda a: a**2 + (d * a**2) ** 2 - F_0**2, F_0 / (1 + d * F_0))],
@@ -395,7 +432,7 @@ DISSIPATION: dict[str, tuple[str, Function]] = {
     "quadratic_bound": ("F_0 d", lambda F_0, d: [mp.findroot(lambda a: d * a**2 - F_0, mp.sqrt(F_0 / d))]),
     **{
         f"{system}_{'far_' if far else ''}by_{unknown}": (
-            f"{'x' if far else 'Omega'} A F_0 I_0 I_0A I_0AA I_0AAA zeta d h h_A h_AA h_AAA R I R_A I_A",
+            f"{'x' if far else 'Omega'} A F_0 {KNOWN} R I R_A I_A",
             searched_system(system, far, unknown),
         )
         for far in (False, True)
@@ -405,7 +442,7 @@ DISSIPATION: dict[str, tuple[str, Function]] = {
     "static": ("F_0 I_0 I_0A h h_A", static_halves),
     **{
         f"turns_by_{unknown}": (
-            "Omega A F_0 I_0 I_0A I_0AA I_0AAA zeta d h h_A h_AA h_AAA R I R_A I_A",
+            f"Omega A F_0 {KNOWN} R I R_A I_A",
             searched_system("turns", False, unknown),
         )
         for unknown in ("R", "Omega")

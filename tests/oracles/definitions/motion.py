@@ -65,11 +65,14 @@ def smoothed_by_state(mu, zeta, nu, left, right, slip, inner, outer, inner_u, ou
     return matrix(rates, (mpf(0), mpf(0)))
 
 
-def resisting(v, zeta, friction, quadratic):
-    """By the derivative of all that resists."""
-    whole = 2 * zeta * v + friction + quadratic * v**2
-    slope = mp.diff(lambda x: 2 * zeta * x + friction + quadratic * x**2, v)
-    return [whole - 2 * zeta * v, slope / 2]
+def resisting(v, zeta, friction, quadratic, c_3, zeta_2, u):
+    """By the derivatives of all that resists."""
+
+    def whole(v, u):
+        return 2 * (zeta + zeta_2 * u**2) * v + friction + quadratic * v**2 + c_3 * v**3
+
+    by_v, by_u = (mp.diff(whole, (v, u), order) for order in ((1, 0), (0, 1)))
+    return [whole(v, u) - 2 * zeta * v, by_v / 2, by_u]
 
 
 def passed_on(Omega, A_1, F_0, phi):
@@ -139,7 +142,7 @@ MOTION: dict[str, tuple[str, Function]] = {
     "rates_by_parameter": ("cosine v Omega F_0 zeta mu f", rates_by_parameter),
     "smoothed": ("cosine v F_0 mu zeta left right slip inner outer", smoothed),
     "smoothed_by_state": ("mu zeta nu left right slip inner outer inner_u outer_u", smoothed_by_state),
-    "resistance": ("v zeta friction quadratic", resisting),
+    "resistance": ("v zeta friction quadratic c_3 zeta_2 u", resisting),
     "transmissibility": ("Omega A_1 F_0 phi", lambda *x: [passed_on(*x)]),
     "stopping": ("Omega A mu", stopping),
     "structural": ("Omega eta", of_structural),

@@ -28,6 +28,7 @@ RANGES = {
     "m": (0.001, 0.03),
     "mu": (0.001, 0.02),
     "zeta": (0.004, 0.1),
+    **{"zeta_A": (0.0, 0.2), "zeta_AA": (0.0, 0.5), "zeta_AAA": (0.0, 1.0), "zeta_2": (0.01, 1.0), "d_3": (0.01, 1.0)},
     "h": (-1.0, -0.001),
     "steepest": (0.0, 3.0),
     "reduction": (0.01, 0.999),
@@ -75,6 +76,7 @@ RANGES = {
     "T": (-0.9, 0.9),
     "R": (0.1, 4.0),
     # 1/Omega, and what the least level of an excitation by inertia follows from
+    "u": (-1.0, 1.0),
     "x": (0.5, 3.0),
     "fall": (0.001, 1.0),
     "linear": (0.0001, 0.03),
@@ -83,7 +85,7 @@ RANGES = {
     **{"cubic": (-1.0, 1.0), "other": (-1.0, 1.0), "share": (-0.5, 0.5)},
     # other laws of damping
     "eta": (0.005, 0.2),
-    "c_2": (0.05, 2.0),
+    **{"c_2": (0.05, 2.0), "c_3": (0.05, 2.0)},
     "d": (0.05, 2.0),
     "u_cr": (0.05, 0.5),
     "I": (0.01, 0.1),
@@ -112,7 +114,7 @@ RANGES = {
     "k": (0.04, 4.0),
     # what a parameter does, and what an answer does then
     **dict.fromkeys(("h_p", "h_Ap", "m_p", "zeta_p", "end_p", "forcing_p", "frequency_p"), (-1.0, 1.0)),
-    **dict.fromkeys(("I_0p", "I_0Ap", "d_p", "A_p", "Omega_p", "F_0_p"), (-1.0, 1.0)),
+    **dict.fromkeys(("I_0p", "I_0Ap", "zeta_Ap", "zeta_AAp", "d_p", "d_3p", "A_p", "Omega_p", "F_0_p"), (-1.0, 1.0)),
     "I_0AAp": (-5.0, 5.0),
     "h_AAp": (-5.0, 5.0),
     # random vibration

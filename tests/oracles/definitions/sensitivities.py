@@ -6,7 +6,7 @@ import random
 
 from mpmath import mp, mpf
 
-from tests.oracles.definitions.damping import law_balances
+from tests.oracles.definitions.damping import KNOWN, law_balances
 from tests.oracles.definitions.inertia import shaken
 from tests.oracles.definitions.points import Function, entry, points
 from tests.oracles.definitions.series import variables
@@ -32,11 +32,12 @@ FORCES: dict[str, Function] = {"force": lambda w, F_0: F_0 + 0 * w, "inertia": s
 
 def balanced(x):
     """R and I by A, Omega and a parameter, of h, I_0, zeta and d, each with what the parameter does to it."""
-    A, h, h_p, rest, rest_p, (zeta, d), (zeta_p, d_p) = x
-    of_A, of_p, of_rest, of_rest_p = (near(A, values) for values in (h, h_p, rest, rest_p))
+    A, *values, (d, d_3), (d_p, d_3p) = x
+    of = [near(A, one) for one in values]
 
     def both(a, w, p):
-        return law_balances(w, a, of_rest(a) + of_rest_p(a) * p, zeta + zeta_p * p, d + d_p * p, of_A(a) + of_p(a) * p)
+        h, rest, zeta = (at(a) + by_p(a) * p for at, by_p in zip(of[::2], of[1::2], strict=True))
+        return law_balances(w, a, rest, zeta, d + d_p * p, d_3 + d_3p * p, h)
 
     return both
 
@@ -49,8 +50,8 @@ def implicit(kind, force):
     conditions, pivots = ANSWERS[kind]
 
     def of(Omega, A, F_0, *x):
-        both = balanced((A, x[6:10], x[10:13], x[:4], x[13:16], x[4:6], x[16:18]))
-        forcing_p, frequency_p, end_p = x[18:]
+        both = balanced((A, x[10:14], x[14:17], x[:4], x[17:20], x[4:8], x[20:23], x[8:10], x[23:25]))
+        forcing_p, frequency_p, end_p = x[25:]
         a, w, f, p = variables((A, Omega, F_0, mpf(0)), 1 + max(sum(DERIVATIVES.get(name, ())) for name in conditions))
         R, I = both(a, w, p)
         if "R" in conditions:
@@ -84,12 +85,12 @@ def implicit(kind, force):
 
 def slopes(Omega, A, R, *x):
     """F's derivatives, R's, and 1 where a number is given: by A, Omega and F_0; then their sizes."""
-    rest, (zeta, d), h, (S_Omega, S_OmegaOmega, S_F, S_FOmega) = x[:4], x[4:6], x[6:10], x[10:]
+    rest, zeta, (d, d_3), h, (S_Omega, S_OmegaOmega, S_F, S_FOmega) = x[:4], x[4:8], x[8:10], x[10:14], x[14:]
 
     def rows(sign, h):
-        local, lag = (near(A, [sign(value) for value in values]) for values in (h, rest))
+        local, lag, ratio = (near(A, [sign(value) for value in values]) for values in (h, rest, zeta))
         a, w = variables((A, Omega), 3)
-        both = law_balances(w, a, lag(a), zeta, d, local(a))
+        both = law_balances(w, a, lag(a), ratio(a), d, d_3, local(a))
         F, R = sum(part**2 for part in both).derivative, both[0].derivative
         excited = -1 if sign is mpf else 1
         by_Omega, by_both = (F(0, n) + excited * sign(S) for n, S in ((1, S_Omega), (2, S_OmegaOmega)))
@@ -106,22 +107,24 @@ def slopes(Omega, A, R, *x):
     return [*rows(mpf, (R - A * Omega**2, *h[1:])), *rows(abs, h)]
 
 
-def right(Omega, A, R, I_0, I_0A, I_0AA, zeta, d, h_A, h_AA, *x):
+def right(Omega, A, R, *x):
     """What a parameter does to F, its derivatives and R, with the opposite sign; and to what is given."""
-    both = balanced((A, (R - A * Omega**2, h_A, h_AA), x[:3], (I_0, I_0A, I_0AA), x[3:6], (zeta, d), x[6:8]))
+    rest, zeta, d, h, x = x[:3], x[3:6], x[6:8], (R - A * Omega**2, *x[8:10]), x[10:]
+    both = balanced((A, h, x[:3], rest, x[3:6], zeta, x[6:9], d, x[9:11]))
     R_of, I_of = both(*variables((A, Omega, mpf(0)), 3))
     F = (R_of**2 + I_of**2).derivative
-    return [-F(0, 0, 1), -F(1, 0, 1), -F(2, 0, 1), -F(0, 1, 1), -R_of.derivative(0, 0, 1), *x[8:]]
+    return [-F(0, 0, 1), -F(1, 0, 1), -F(2, 0, 1), -F(0, 1, 1), -R_of.derivative(0, 0, 1), *x[11:]]
 
 
-def of_state(Omega, A, I_0, I_0A, zeta, d, h, h_A, force, force_Omega, force_F, *x):
+def of_state(Omega, A, I_0, I_0A, zeta, zeta_A, d, d_3, h, h_A, force, force_Omega, force_F, *x):
     """Derivatives of phase and transmissibility along a perturbation, from R, I and h."""
-    h_p, I_0p, zeta_p, d_p, A_p, Omega_p, F_0_p = x
+    h_p, I_0p, zeta_p, d_p, d_3p, A_p, Omega_p, F_0_p = x
 
     def perturbed(p):
         w, a, restoring = Omega + Omega_p * p, A + A_p * p, h + (h_p + h_A * A_p) * p
         rest = I_0 + (I_0p + I_0A * A_p) * p
-        return *law_balances(w, a, rest, zeta + zeta_p * p, d + d_p * p, restoring), restoring
+        ratio = zeta + (zeta_p + zeta_A * A_p) * p
+        return *law_balances(w, a, rest, ratio, d + d_p * p, d_3 + d_3p * p, restoring), restoring
 
     def turned(p):
         R, I, _ = perturbed(p)
@@ -147,16 +150,16 @@ def excited(force):
     return of
 
 
-AT = "Omega A F_0 I_0 I_0A I_0AA I_0AAA zeta d h h_A h_AA h_AAA"
-CAUSES = "h_p h_Ap h_AAp I_0p I_0Ap I_0AAp zeta_p d_p forcing_p frequency_p end_p"
+AT = f"Omega A F_0 {KNOWN}"
+CAUSES = "h_p h_Ap h_AAp I_0p I_0Ap I_0AAp zeta_p zeta_Ap zeta_AAp d_p d_3p forcing_p frequency_p end_p"
 SENSITIVITIES: dict[str, tuple[str, Function]] = {
     "slopes": (
-        "Omega A R I_0 I_0A I_0AA I_0AAA zeta d h h_A h_AA h_AAA S_Omega S_OmegaOmega S_F S_FOmega",
+        f"Omega A R {KNOWN} S_Omega S_OmegaOmega S_F S_FOmega",
         slopes,
     ),
-    "right": (f"Omega A R I_0 I_0A I_0AA zeta d h_A h_AA {CAUSES}", right),
+    "right": (f"Omega A R I_0 I_0A I_0AA zeta zeta_A zeta_AA d d_3 h_A h_AA {CAUSES}", right),
     "of_state": (
-        "Omega A I_0 I_0A zeta d h h_A force force_Omega force_F h_p I_0p zeta_p d_p A_p Omega_p F_0_p",
+        "Omega A I_0 I_0A zeta zeta_A d d_3 h h_A force force_Omega force_F h_p I_0p zeta_p d_p d_3p A_p Omega_p F_0_p",
         of_state,
     ),
     **{f"by_{name}": ("Omega F_0", excited(name)) for name in FORCES},

@@ -44,10 +44,11 @@ static PyObject *make_system(PyObject *self, PyObject *arguments)
 {
     (void)self;
     PyObject *laws, *constants, *edges;
-    double mu, zeta, load, c_2, mu_s, eta, jump = 0.0;
+    double mu, zeta, load, c_2, mu_s, eta, c_3, zeta_2, jump = 0.0;
     int about, odd, inertial, released;
-    if (!PyArg_ParseTuple(arguments, "O!O!O!ipddpddpdd|d", &PyTuple_Type, &laws, &PyTuple_Type, &constants,
-                          &PyTuple_Type, &edges, &about, &odd, &mu, &zeta, &inertial, &load, &c_2, &released, &mu_s, &eta, &jump))
+    if (!PyArg_ParseTuple(arguments, "O!O!O!ipddpddpdddd|d", &PyTuple_Type, &laws, &PyTuple_Type, &constants,
+                          &PyTuple_Type, &edges, &about, &odd, &mu, &zeta, &inertial, &load, &c_2, &released, &mu_s, &eta, &c_3,
+                          &zeta_2, &jump))
         return NULL;
     const Py_ssize_t pieces = PyTuple_Size(laws);
     if (pieces < 1 || PyTuple_Size(constants) != pieces || PyTuple_Size(edges) != pieces - 1 || about < 0 ||
@@ -71,7 +72,7 @@ static PyObject *make_system(PyObject *self, PyObject *arguments)
     sf_piece *const piece = (sf_piece *)(system + 1);
     double *const edge = (double *)(piece + pieces), *at = edge + pieces + 1;
     *system = (sf_system){(int)pieces, about, odd, piece, edge, mu, zeta, inertial, load,
-                          c_2, released, mu_s, jump, eta};
+                          c_2, released, mu_s, jump, eta, c_3, zeta_2};
     edge[0] = -SF_FAR, edge[pieces] = SF_FAR;
     numbers(edges, edge + 1, pieces - 1);
     for (Py_ssize_t i = 0; i < pieces && !PyErr_Occurred(); i++) {
@@ -633,7 +634,7 @@ static PyObject *stationary_of_each(PyObject *self, PyObject *arguments)
 
 static PyMethodDef methods[] = {
     {"system", make_system, METH_VARARGS,
-     "laws, constants, edges, about, odd, mu, zeta, inertial, load, c_2, released, mu_s, eta -> an oscillator."},
+     "laws, constants, edges, about, odd, mu, zeta, inertial, load, c_2, released, mu_s, eta, c_3, zeta_2 -> an oscillator."},
     {"laws", laws, METH_O, "The laws of a table in a shared library, by name."},
     {"interpreted", interpreted, METH_VARARGS, "name, code, numbers -> a law, None where it is too large."},
     {"polynomials", polynomials, METH_VARARGS, "rows for u < 0, for u > 0 -> a law."},

@@ -26,6 +26,7 @@ typedef struct {
     double mu_s;  /* what friction holds a mass at rest with, where that is more than mu */
     double jump;  /* f(0+): where it is not 0 piece `about` is the place u = 0, without width, with f = 0 */
     double eta;   /* structural damping, (eta/Omega) u' */
+    double c_3, zeta_2; /* cubic damping, and the growth of zeta with u^2 */
 } sf_system;
 
 /* F_0: amplitude of the excitation, see sf_forcing */
@@ -110,7 +111,8 @@ static inline sf_drive sf_drive_of(const sf_forced *forced, int slip, int region
     const double friction = slip * sf_friction(system, region) - system->load;
     double zeta[2];
     sf_damping(forced, zeta);
-    return (sf_drive){forced->Omega, sf_forcing(forced), zeta[0], friction, slip * system->c_2, zeta[1]};
+    return (sf_drive){forced->Omega, sf_forcing(forced), zeta[0], friction, slip * system->c_2, zeta[1],
+                      system->c_3, system->zeta_2};
 }
 
 /* what friction has to hold at rest */
@@ -130,9 +132,10 @@ static inline void sf_push_slopes(const sf_forced *forced, int region, double th
 static inline double sf_acceleration(const sf_forced *forced, int slip, int region, double theta, double u, double v)
 {
     const sf_system *const system = forced->system;
-    double resists[2], zeta[2];
+    double resists[3], zeta[2];
     sf_damping(forced, zeta);
-    motion_resistance(v, zeta[0], slip * sf_friction(system, region), slip * system->c_2, resists);
+    motion_resistance(v, zeta[0], slip * sf_friction(system, region), slip * system->c_2, system->c_3, system->zeta_2, u,
+                      resists);
     return motion_acceleration(cos(theta), v, sf_forcing(forced), zeta[0], resists[0],
                                sf_value(sf_piece_of(system, region), u) - system->load);
 }
@@ -290,7 +293,7 @@ static sf_outcome sf_sample(sf_forced *forced, const sf_phase *phase, const doub
                 break;
             out[i][0] = sf_at(x.u, at), out[i][1] = sf_at(x.v, at);
             /* in the inertial frame the forcing is no force */
-            out[i][2] = sf_rate(&drive, 0.0, sf_value(over, out[i][0]), out[i][1]);
+            out[i][2] = sf_rate(&drive, 0.0, sf_value(over, out[i][0]), out[i][0], out[i][1]);
         }
         u = there, v = sf_at(x.v, h);
         passed += h;

@@ -96,7 +96,7 @@ static inline const sf_piece *sf_piece_at(const sf_piece *piece, const sf_drive 
     if (piece->law->breaks != SF_BEGINS || piece->below == NULL)
         return piece;
     const double place = sf_meeting(piece, u), side = copysign(1.0, place), beyond = side * (u - place);
-    const double push = sf_rate(drive, cos(theta), piece->law->value(piece->law, piece->p[u > 0.0], place), 0.0);
+    const double push = sf_rate(drive, cos(theta), piece->law->value(piece->law, piece->p[u > 0.0], place), place, 0.0);
     const double goes = v != 0.0 ? v * direction : push, near = sf_near(place, v);
     const int turns = side * push < 0.0 && v * v <= 2.0 * fabs(push) * near;
     return beyond < 0.0 || (beyond <= near && (side * goes < 0.0 || turns)) ? piece->below : piece;
@@ -115,7 +115,7 @@ static SF_INLINE double sf_expanded(const sf_piece *piece, const sf_drive *drive
             return sf_branched(law, p, drive, direction, copysign(1.0, place), theta, place, u, v, flow, x);
     }
     else if (law->breaks == SF_SEAMS) {
-        const double goes = v != 0.0 ? v * direction : sf_rate(drive, cos(theta), sf_value(piece, u), 0.0);
+        const double goes = v != 0.0 ? v * direction : sf_rate(drive, cos(theta), sf_value(piece, u), u, 0.0);
         const double own = p[law->constants];
         p = law->at(law, u != 0.0 || sf_is_on_one_side(piece) ? own : copysign(1.0, goes), u, goes);
     }
@@ -130,7 +130,7 @@ static SF_INLINE double sf_expanded(const sf_piece *piece, const sf_drive *drive
         return sf_step_of(x, flow != NULL);
     }
     else if (u == 0.0 && law->breaks != SF_SMOOTH) {
-        const double side = v != 0.0 ? v * direction : sf_rate(drive, cos(theta), 0.0, 0.0);
+        const double side = v != 0.0 ? v * direction : sf_rate(drive, cos(theta), 0.0, 0.0, 0.0);
         p = piece->p[side > 0.0];
         if (law->breaks == SF_BRANCHES)
             return sf_branched(law, p, drive, direction, side, theta, 0.0, 0.0, v, flow, x);

@@ -11,8 +11,13 @@
 /* the constants of a slip phase: friction is mu times the sign of the velocity, less a static load, and quadratic is
  * c_2 times it; structural damping is part of zeta, and has it go with Omega */
 typedef struct {
-    double Omega, F_0, zeta, friction, quadratic, zeta_by_Omega;
+    double Omega, F_0, zeta, friction, quadratic, zeta_by_Omega, c_3, zeta_2;
 } sf_drive;
+
+/* u^2, u v and v^2 in time, as far as c_3 and zeta_2 ask for them */
+typedef struct {
+    double uu[SF_TERMS], uv[SF_TERMS], vv[SF_TERMS];
+} sf_products;
 
 /* in time from the start of the step, coefficient by coefficient */
 typedef struct {
@@ -127,34 +132,46 @@ static SF_INLINE const double *sf_carried(sf_next *next, const double *p, int n,
     return now;
 }
 
-/* coefficient n of a product with v */
-static SF_INLINE double sf_with_v(const sf_series v, const sf_series a, int n)
+/* coefficient n of a product */
+static SF_INLINE double sf_times_at(const sf_series a, const sf_series b, int n)
 {
     double sum = 0.0;
     for (int j = 0; j <= n; j++)
-        sum += v[j] * a[n - j];
+        sum += a[j] * b[n - j];
     return sum;
 }
 
-static SF_INLINE void sf_fours_with_v(const sf_series v, const sf_four *a, int n, sf_four *sum)
+/* the same, times a number, added to a sum */
+static SF_INLINE void sf_add_fours(double factor, const sf_series a, const sf_four *b, int n, sf_four *sum)
 {
-    *sum = sf_all(0.0);
+    sf_four found = sf_all(0.0);
     for (int j = 0; j <= n; j++)
-        *sum = sf_more(*sum, sf_all(v[j]), a[n - j]);
+        found = sf_more(found, sf_all(a[j]), b[n - j]);
+    *sum = sf_more(*sum, sf_all(factor), found);
+}
+
+static SF_INLINE int sf_has_products(const sf_drive *drive) { return drive->c_3 != 0.0 || drive->zeta_2 != 0.0; }
+
+static SF_INLINE void sf_add_products(const sf_series u, const sf_series v, int n, sf_products *of)
+{
+    of->uu[n] = sf_times_at(u, u, n), of->uv[n] = sf_times_at(u, v, n), of->vv[n] = sf_times_at(v, v, n);
 }
 
 /* v' where a step begins, in a force f, as in the events of a motion */
-static SF_INLINE double sf_rate(const sf_drive *drive, double cosine, double f, double v)
+static SF_INLINE double sf_rate(const sf_drive *drive, double cosine, double f, double u, double v)
 {
-    double resists[2];
-    motion_resistance(v, drive->zeta, drive->friction, drive->quadratic, resists);
+    double resists[3];
+    motion_resistance(v, drive->zeta, drive->friction, drive->quadratic, drive->c_3, drive->zeta_2, u, resists);
     return motion_acceleration(cosine, v, drive->F_0, drive->zeta, resists[0], f);
 }
 
 /* coefficient n of v', n > 0, from those of cos theta and f: of what resists a constant is in the first alone */
-static SF_INLINE double sf_rate_of(const sf_drive *drive, double cosine, double f, const sf_series v, int n)
+static SF_INLINE double sf_rate_of(const sf_drive *drive, double cosine, double f, const sf_series v,
+                                   const sf_products *of, int n)
 {
-    const double resists = drive->quadratic != 0.0 ? drive->quadratic * sf_with_v(v, v, n) : 0.0;
+    double resists = drive->quadratic != 0.0 ? drive->quadratic * sf_times_at(v, v, n) : 0.0;
+    if (sf_has_products(drive))
+        resists += drive->c_3 * sf_times_at(v, of->vv, n) + 2.0 * drive->zeta_2 * sf_times_at(v, of->uu, n);
     return motion_acceleration(cosine, v[n], drive->F_0, drive->zeta, resists, f);
 }
 
@@ -186,14 +203,16 @@ static SF_INLINE void sf_expand(sf_begin *begin, sf_next *next, const double *p,
     const double by_Omega = both ? sf_by_Omega(drive->Omega) : 0.0;
     const double damped_more = both ? sf_damped(drive->zeta_by_Omega) : 0.0;
     const sf_four damped = sf_all(both ? sf_damped(drive->zeta) : 0.0);
-    const sf_four damped_by_v = sf_all(both ? sf_damped(drive->quadratic) : 0.0);
+    const double damped_by_v = both ? sf_damped(drive->quadratic) : 0.0;
     double cosine = cos(theta), sine = sin(theta);
     sf_four slopes[SF_TERMS], pull;
+    sf_products products;
     memset(w + series, 0, (size_t)series * sizeof *w); /* taken while coefficients 1 are put in, times zero */
     w[0] = u;
     begin(p, w, over);
     x->u[0] = u, x->v[0] = v;
-    double rate = sf_rate(drive, cosine, w[value], v);
+    double rate = sf_rate(drive, cosine, w[value], u, v);
+    sf_add_products(x->u, x->v, 0, &products);
     x->u[1] = v;
     slopes[0] = pull = sf_all(both ? w[slope] : 0.0);
     if (both) {
@@ -206,10 +225,12 @@ static SF_INLINE void sf_expand(sf_begin *begin, sf_next *next, const double *p,
             const sf_four each = sf_all(sf_over[n]);
             x->U[n] = sf_times(sf_plus(x->V[n - 1], sf_four_of(0.0, 0.0, x->v[n - 1] * by_Omega, 0.0)), each);
             sf_four resisted = sf_more(pull, damped, x->V[n - 1]);
-            if (drive->quadratic != 0.0) {
-                sf_four with_v;
-                sf_fours_with_v(x->v, x->V, n - 1, &with_v);
-                resisted = sf_more(resisted, damped_by_v, with_v);
+            if (drive->quadratic != 0.0)
+                sf_add_fours(damped_by_v, x->v, x->V, n - 1, &resisted);
+            if (sf_has_products(drive)) { /* as `motion_resistance` has the slopes by u and v */
+                sf_add_fours(3.0 * drive->c_3, products.vv, x->V, n - 1, &resisted);
+                sf_add_fours(2.0 * drive->zeta_2, products.uu, x->V, n - 1, &resisted);
+                sf_add_fours(4.0 * drive->zeta_2, products.uv, x->U, n - 1, &resisted);
             }
             const double of_Omega = rate * by_Omega - damped_more * x->v[n - 1];
             x->V[n] = sf_times(sf_less(sf_four_of(0.0, 0.0, of_Omega, cosine), resisted), each);
@@ -220,7 +241,9 @@ static SF_INLINE void sf_expand(sf_begin *begin, sf_next *next, const double *p,
         const double turned = -drive->Omega * sine * sf_over[n];
         sine = drive->Omega * cosine * sf_over[n], cosine = turned;
         const double *const now = sf_carried(next, p, n, x->u[n], series, fours, over, w, left, right);
-        rate = sf_rate_of(drive, cosine, now[value], x->v, n);
+        if (sf_has_products(drive))
+            sf_add_products(x->u, x->v, n, &products);
+        rate = sf_rate_of(drive, cosine, now[value], x->v, &products, n);
         if (both)
             pull = sf_times(slopes[0], x->U[n]);
         if (both && !linear) {

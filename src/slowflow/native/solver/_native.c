@@ -34,7 +34,7 @@ static const struct {
      sf_may_be_state_loop},
     {"folds_between", "(2),(2),(2),(4),(),(),(),()->(2),()", "dddddddddd",
      "A, p, e, damping, inertial, sign of R, lowest, highest F_0 -> |R|; whether there are folds.", sf_folds_between_loop},
-    {"moved", "(26)->(6)", "dd", "an answer by what is known there, and of that -> derivatives, whether it is single.",
+    {"moved", "(33)->(6)", "dd", "an answer by what is known there, and of that -> derivatives, whether it is single.",
      sf_slopes_loop},
     {"interval_product", "(),(),(),()->(),()", "dddddd", "lo, hi, lo, hi -> lo, hi", sf_interval_product_loop},
     {"interval_square", "(),()->(),()", "dddd", "lo, hi -> lo, hi", sf_interval_square_loop},

@@ -130,6 +130,9 @@ static void by_boxes(void (*call)(const sf_on_box *in, double *out), const int *
             *(double *)(void *)(operands[all] + i * steps[all] + k * *core) = out[k];
     }
 }
+/* numbers that a row takes or gives at most */
+enum { SF_MOST_OF_ROW = 40 };
+
 /* A function of numbers in a row, for each element: inputs one after the other, then outputs.
  * sizes -- of the operands, 0 behind the last; core axes, of those above 1, have their strides behind all others */
 static void by_rows(void (*call)(const double *in, double *out), int inputs, const int *sizes, char **operands,
@@ -139,7 +142,7 @@ static void by_rows(void (*call)(const double *in, double *out), int inputs, con
     while (sizes[all] > 0)
         all++;
     for (ptrdiff_t i = 0; i < dimensions[0]; i++) {
-        double in[2 * SF_OF_MOTION], out[2 * SF_OF_MOTION], *next = in;
+        double in[SF_MOST_OF_ROW], out[SF_MOST_OF_ROW], *next = in;
         const ptrdiff_t *core = steps + all;
         for (int operand = 0; operand < all; operand++) {
             char *at = operands[operand] + i * steps[operand];
@@ -262,4 +265,4 @@ BOXES_LOOP(sf_ended_fold_loop, ended_fold, SF_OF_SYSTEM, 1, 1, 4, 1)
 BOXES_LOOP(sf_ended_edge_loop, ended_edge, SF_OF_SYSTEM, 1)
 ROWS_LOOP(sf_may_be_state_loop, may_be_state, 5, 2, 2, 1, 1, 4, 1)
 ROWS_LOOP(sf_folds_between_loop, folds_between, 8, 2, 2, 2, 4, 1, 1, 1, 1, 2, 1)
-ROWS_LOOP(sf_slopes_loop, slopes_of, 1, 26, 6)
+ROWS_LOOP(sf_slopes_loop, slopes_of, 1, 33, 6)
