@@ -255,7 +255,7 @@ def serve(args: argparse.Namespace) -> int:
 def new_scene(args: argparse.Namespace) -> int:
     """Write the starter, or a scene of a measured loop; 2 where there is a file of that name."""
     if (args.loop is None) != (args.mass is None):
-        print("--from loop.csv and --mass '12 kg' need each other: a loop does not tell the mass", file=sys.stderr)
+        print("--from loop.csv and --mass '12 kg' need each other: a loop does not contain the mass", file=sys.stderr)
         return 2
     text = STARTER if args.loop is None else of_loop(args.loop, args.mass)
     try:

@@ -66,8 +66,8 @@ def test_a_phase_nobody_reads_is_not_computed():
 
 
 def test_undecided_fold_counts_plan_balls():
-    assert "balls" in str(isolator().explain("saddle_nodes", 0.04))
-    assert "balls" not in str(isolator(excitation="base").explain("saddle_nodes", 0.04))
+    assert "ball arithmetic" in str(isolator().explain("saddle_nodes", 0.04))
+    assert "ball arithmetic" not in str(isolator(excitation="base").explain("saddle_nodes", 0.04))
 
 
 def test_questions_about_all_forcings_are_explained():

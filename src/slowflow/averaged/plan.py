@@ -41,7 +41,7 @@ ONE_PIECE = ("one piece: no angles, no corner", "linear: one piece, no angles, n
 NO_FOLDS = Step("folds", False, "a linear oscillator has none")
 FOLDS = "level crossings of the fold locus, and corners"
 STATES = "of states at each frequency: one on each piece of the curve"
-IN_BALLS = "; where doubles do not tell how many, balls, with python-flint"
+IN_BALLS = "; where double precision is inconclusive, ball arithmetic by python-flint"
 UNDAMPED = Step("fold locus", True, text("zeta = 0: {Omega}^2 = -h_A, so that the level says h - A h_A"))
 _NEWTON = (
     "Newton's iteration on the motion with its order of switches, from what averaging or the motion before leads to"
