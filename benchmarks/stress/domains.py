@@ -57,10 +57,13 @@ SIGNED, POSITIVE = (1e-9, 1e3, True, True), (1e-9, 1e3, False, False)
 OF_LAWS: dict[str, Limits] = {
     **{"x": (1e-3, 1e3, False, False), "I": (1e-12, 1e3, False, True), "I_0": (1e-12, 1.0, False, True)},
     **{"eta": (1e-12, 1.0, False, True), "d": (1e-12, 1e3, False, True), "c_2": (1e-12, 1e3, False, True)},
+    **dict.fromkeys(("c_3", "d_3", "zeta_2"), (1e-12, 1e3, False, True)),
+    **dict.fromkeys(("zeta_A", "zeta_AA", "zeta_AAA"), (1e-9, 1e6, False, True)),
     **{"I_0A": BOX["h_A"], "I_0AA": BOX["h_AA"], "I_0AAA": BOX["h_AAA"], "I_A": BOX["h_A"], "R_A": BOX["h_A"]},
     **dict.fromkeys(("I_0_over_A", "I_over_A"), (1e-12, 1e6, False, True)),
     **{"h_over_A": BOX["h_A"], "beside": BOX["h_A"], "steepest": (1e-9, 1e6, False, True)},
-    **dict.fromkeys(("h_p", "h_Ap", "h_AAp", "I_0p", "I_0Ap", "I_0AAp", "zeta_p", "d_p"), SIGNED),
+    **dict.fromkeys(("h_p", "h_Ap", "h_AAp", "I_0p", "I_0Ap", "I_0AAp", "zeta_p", "zeta_Ap", "zeta_AAp"), SIGNED),
+    **dict.fromkeys(("d_p", "d_3p"), SIGNED),
     **dict.fromkeys(("end_p", "forcing_p", "frequency_p", "A_p", "Omega_p", "F_0_p"), SIGNED),
     **dict.fromkeys(("S_Omega", "S_OmegaOmega", "S_F", "S_FOmega", "force_Omega", "force_F"), SIGNED),
     "force": POSITIVE,
@@ -347,7 +350,8 @@ def _intercept(x: Point, rng: np.random.Generator) -> None:
 
 def _response_of_laws(x: Point, rng: np.random.Generator) -> None:
     R, I = x["A"] * x["Omega"] ** 2 + x["h"], x["I_0"] + 2 * x["zeta"] * x["A"] * x["Omega"]
-    x["F_0"] = ulps(math.hypot(R, I + x["d"] * (x["A"] * x["Omega"]) ** 2), few(rng))
+    v = x["A"] * x["Omega"]
+    x["F_0"] = ulps(math.hypot(R, I + x["d"] * v**2 + x["d_3"] * v**3), few(rng))
 
 
 def _balanced(x: Point, rng: np.random.Generator) -> None:
@@ -406,7 +410,7 @@ LOCATIONS: dict[str, tuple[set[str], Callable[[Point, np.random.Generator], None
     "mu to 0": ({"mu"}, _frictionless),
     "cusp": ({"Omega", "A", "zeta", "h", "h_A", "h_AA"}, _triple),
     "double root": ({"A", "p", "q"}, _double_cubic),
-    "on the response, other laws": ({"Omega", "A", "F_0", "I_0", "zeta", "d", "h"}, _response_of_laws),
+    "on the response, other laws": ({"Omega", "A", "F_0", "I_0", "zeta", "d", "d_3", "h"}, _response_of_laws),
     "on the response, R and I": ({"F_0", "R", "I"}, _balanced),
     "I an ulp below F_0": ({"F_0", "I"}, _all_taken),
     "b at A": ({"A", "b"}, _bends_at_end),

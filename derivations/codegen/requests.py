@@ -56,7 +56,7 @@ REQUESTS = {
         "enclosed": f"""at_rest released viscous I I_A far R_of_response R_of_peak R_where_stationary far_by_inertia
             F_A_scaled I_scaled static turn_share {_SYSTEMS}""",
         "cells": """rest_intercept released_intercept sine_intercept sine_intercept_far I_AA I_AA_far R_of_peak_by_rest
-            velocity""",
+            velocity turn_terms""",
     },
     "off_centre": {
         "generic": "*",

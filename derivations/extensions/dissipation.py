@@ -262,6 +262,15 @@ def dissipation(averaged: Averaged, flow: Formulas, slopes: Formulas) -> Formula
             raise ArithmeticError(f"what F_AOmega has beside R and R_A: {found}")
         return sp.collect(found, x)
 
+    @of.kernel("from (30)", "x >= 0, A > 0")
+    def turn_terms() -> tuple[sp.Expr, ...]:
+        """R x^2, D x^4, I x^3 and I_A x^3 at x = 1/Omega, where F_AOmega/(4 Omega) = R + A R_A + D."""
+        excess = sp.expand(sp.expand((F_AOmega / (4 * Omega)).subs(whole)) - flow.R - A * slope_of_R)
+        if excess.has(h, h_A):
+            raise ArithmeticError(f"what F_AOmega has beside R and R_A: {excess}")
+        powers = ((flow.R, 2), (excess, 4), (value, 3), (by_A(value), 3))
+        return tuple(sp.collect(sp.expand(one.subs(Omega, 1 / x) * x**power), x) for one, power in powers)
+
     halved = sp.expand((sp.diff(F, R) * R_A + sp.diff(F, I) * I_A) / 2)
     claim("F_A by R, I and their slopes", halved.subs({R_A: slope_of_R, I_A: by_A(value)}) - F_A / 2)
     R_of_peak = -sp.expand(sp.cancel(sp.diff(value, Omega) / R_Omega)) * I

@@ -954,6 +954,39 @@ static inline sf_interval dissipation_intervals_velocity(sf_interval I_, sf_inte
     return sfi_div(t0, sfi_add(zeta, sfi_sqrt(sfi_add(sfi_mul(d, t0), sfi_square(zeta)))));
 }
 
+/* R x^2, D x^4, I x^3 and I_A x^3 at x = 1/Omega, where F_AOmega/(4 Omega) = R + A R_A + D.
+   Equation from (30). Domain: x >= 0, A > 0. */
+static inline void dissipation_intervals_turn_terms(sf_interval x, sf_interval A, sf_interval I_0, sf_interval I_0A, sf_interval zeta, sf_interval zeta_A, sf_interval d, sf_interval d_3, sf_interval h, sf_interval *out)
+{
+    const sf_interval x2 = sfi_square(x);
+    const sf_interval A2 = sfi_square(A);
+    const sf_interval A4 = sfi_square(A2);
+    const sf_interval t0 = sfi_mul(A4, d_3);
+    const sf_interval t1 = sfi_mul(A, zeta_A);
+    const sf_interval A3 = sfi_mul(A, A2);
+    const sf_interval t2 = sfi_mul(A3, d_3);
+    const sf_interval t3 = sfi_times(4.0, zeta_A);
+    const sf_interval t4 = sfi_times(2.0, sfi_mul(A, d));
+    const sf_interval t5 = sfi_mul(A2, d);
+    const sf_interval x3 = sfi_mul(x, x2);
+    const sf_interval t6 = sfi_mul(A2, d_3);
+    const sf_interval t7 = sfi_times(2.0, zeta);
+    const sf_interval x4 = sfi_square(x2);
+    const sf_interval x5 = sfi_mul(x, x4);
+    const sf_interval A5 = sfi_mul(A, A4);
+    out[0] = sfi_add(A, sfi_mul(h, x2));
+    out[1] = sfi_add(sfi_add(sfi_add(sfi_add(sfi_add(sfi_times(9.0, sfi_mul(A5, sfi_square(d_3))), sfi_times(12.5,
+        sfi_mul(sfi_mul(d, t0), x))), sfi_mul(x2, sfi_add(sfi_add(sfi_times(4.0, sfi_mul(A3, sfi_square(d))),
+        sfi_mul(t0, t3)), sfi_times(16.0, sfi_mul(t2, zeta))))), sfi_mul(x3, sfi_add(sfi_add(sfi_add(sfi_times(3.0,
+        sfi_mul(sfi_mul(A3, d), zeta_A)), sfi_times(4.5, sfi_mul(I_0, t6))), sfi_times(1.5, sfi_mul(I_0A, t2))),
+        sfi_times(9.0, sfi_mul(t5, zeta))))), sfi_mul(x4, sfi_add(sfi_add(sfi_add(sfi_times(4.0, sfi_mul(A,
+        sfi_square(zeta))), sfi_mul(sfi_mul(A2, t3), zeta)), sfi_mul(I_0, t4)), sfi_mul(I_0A, t5)))), sfi_mul(x5,
+        sfi_add(sfi_add(sfi_mul(sfi_mul(A, I_0A), zeta), sfi_mul(I_0, t1)), sfi_mul(I_0, zeta))));
+    out[2] = sfi_add(sfi_add(sfi_add(sfi_mul(sfi_mul(A, t7), x2), sfi_mul(I_0, x3)), t2), sfi_mul(t5, x));
+    out[3] = sfi_add(sfi_add(sfi_add(sfi_mul(I_0A, x3), sfi_mul(t4, x)), sfi_times(3.0, t6)), sfi_mul(x2,
+        sfi_add(sfi_times(2.0, t1), t7)));
+}
+
 SF_FAMILY_END
 
 #endif

@@ -133,6 +133,7 @@ def damping_force_by_moments(v_1: Any, v_2: Any, v_3: Any, v_4: Any, mu: Any, ze
     """Mean square of the damping force of (3), from the means of powers of |v|.
 
     Equation (3). Domain: v_1 > 0. Shape: the arguments that it depends on, broadcast. Operations: 19.
+    Proved, error / u (1 + kappa): 16.21
     """
     t0 = 4.0 * zeta
     return (

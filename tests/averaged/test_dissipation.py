@@ -95,7 +95,7 @@ def test_linear_cubic_damping_is_a_cubic_in_A_squared():
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", range(6))
 @pytest.mark.part(2)
-def test_numbers_of_states_change_at_folds_alone_with_cubic_damping(seed):
+def test_states_change_in_number_at_folds_with_cubic_damping(seed):
     """States counted on a grid in A of their own: folds lie between frequencies at which the counts differ by two."""
     rng, A = np.random.default_rng(seed), np.geomspace(1e-6, 100, 60001)
     zeta, alpha, beta = 10 ** rng.uniform(-2.5, -1), rng.choice([1.0, -0.3]), 10 ** rng.uniform(-0.5, 1)
@@ -182,6 +182,10 @@ def test_state_is_stable_where_both_eigenvalues_are():
         Duffing(1.0, 2.0, 0.003, 0.01, c_2=0.05),
         Duffing(1.0, 2.0, 0.003, 0.01, c_3=0.5, zeta_2=0.2),
         RUBBING.replace(c_3=0.5),
+        # the lowest level lies on u_cr, where the slope of the force jumps, or the force; cusps lie above Omega = 1
+        Isolator(lam=3.0, r=0.95, delta_h=0.035, zeta=0.0084, c_2=0.18, force="untruncated"),
+        Isolator(lam=3.0, r=1.1484, delta_h=0.02871, mu=0.00412, zeta=0.00057, zeta_2=1.1432, force="untruncated"),
+        Isolator(lam=3.0, r=1.5905, delta_h=0.021814, mu=0.003136, zeta=0.000404, c_3=3.0603, zeta_2=1.5378),
         RUBBING,
         RUBBING.replace(force="truncated", eta=0.01),
         LOOSE,
@@ -192,7 +196,7 @@ def test_onset_is_where_folds_come_with_the_level_of_the_locus(osc):
     onset = osc.saddle_node_onset()
     assert len(osc.saddle_nodes(onset.F_SN * (1 - 1e-6))) == 0
     above = osc.saddle_nodes(onset.F_SN * (1 + 1e-4))
-    assert len(above) >= 2
+    assert len(above) >= (1 if onset.kind == "corner" else 2)
     # the locus holds the folds of a forcing, and nothing on it lies lower than the onset
     F_0 = 1.5 * onset.F_SN
     locus, folds = osc.fold_locus(A_max=1.0, samples=2000), osc.saddle_nodes(F_0)
@@ -324,7 +328,7 @@ def test_exact_motions_are_those_of_independent_integration(osc, Omega, F_0, wit
 
 
 @pytest.mark.parametrize("slip", [1, -1])
-def test_motions_with_cubic_damping_have_the_slopes_of_differences(slip):
+def test_cubic_damping_motions_have_slopes_of_differences(slip):
     """By the state at the start, Omega and F_0, where all laws but friction act."""
     system = Duffing(1.0, 0.5, zeta=0.03, c_2=0.2, c_3=0.7, zeta_2=0.9).equation_of_motion()
 

@@ -118,7 +118,7 @@ def test_one_rule_solves_the_conditions_of_every_answer(kind, force):
     names, pinned = f"{sensitivities.AT} {sensitivities.CAUSES}", Pinned[kind.upper()]
     at = drawn.points(random.Random(kind + force), names, fewer(6, 3))
     Omega, A, F_0, *x = np.array(at).T
-    known = A, Omega, F_0, float(pinned), float(force == "inertia"), *x[6:10], *x[:6], *x[10:]
+    known = A, Omega, F_0, float(pinned), float(force == "inertia"), *x[10:14], *x[:10], *x[14:]
     solved = SOLVER.moved(np.stack(np.broadcast_arrays(*known), axis=-1))
     assert solved[:, 5].all()
     for k, point in enumerate(at):
@@ -196,7 +196,8 @@ def isolated(Omega, A, numbers):
     """What vanishes where a Duffing oscillator transmits as much as drives it: (24), and the square that is left."""
     h = -numbers["alpha"] * A - mp.mpf(3) / 4 * numbers["beta"] * A**3
     quadratic = 8 / (3 * mp.pi) * numbers["c_2"] * A**2 * Omega**2
-    I = 4 * numbers["mu"] / mp.pi + 2 * numbers["zeta"] * A * Omega + numbers["eta"] * A + quadratic
+    rising = (numbers["zeta_2"] * Omega / 2 + 3 * numbers["c_3"] * Omega**3 / 4) * A**3
+    I = 4 * numbers["mu"] / mp.pi + 2 * numbers["zeta"] * A * Omega + numbers["eta"] * A + quadratic + rising
     force = numbers["F_0"] * Omega ** numbers["power"]
     return [(A * Omega**2 + h) ** 2 + I**2 - force**2, h**2 + I**2 - force**2]
 
@@ -205,7 +206,7 @@ def isolated(Omega, A, numbers):
     ("excitation", "laws", "F_0"),
     [
         ("force", {}, 0.2),
-        ("force", {"eta": 0.02, "c_2": 0.1}, 0.2),
+        ("force", {"eta": 0.02, "c_2": 0.1, "c_3": 0.1, "zeta_2": 0.2}, 0.2),
         ("unbalance", {}, 0.02),
         ("base", {"c_2": 0.2}, 0.05),
     ],
@@ -217,7 +218,7 @@ def test_where_isolation_begins_moves_as_a_root_at_forty_digits(excitation, laws
     gradient = found.gradient()
     assert not found.at_fold and not gradient.message and set(gradient.by) >= {*parameters, "F_0"}
     with mp.workdps(50):
-        numbers = {"eta": 0, "c_2": 0, "power": 0 if excitation == "force" else 2}
+        numbers = {"eta": 0, "c_2": 0, "c_3": 0, "zeta_2": 0, "power": 0 if excitation == "force" else 2}
         numbers = {name: mp.mpf(value) for name, value in {**numbers, **parameters, "F_0": F_0}.items()}
         step = mp.mpf(10) ** -16
         for by in gradient.by:

@@ -351,7 +351,7 @@ def test_every_shipped_force_is_compiled():
 
 
 def test_c_refuses_what_does_not_fit():
-    damping = 0.0, 0.1, False, 0.0, 0.0, False, 0.0, 0.0
+    damping = 0.0, 0.1, False, 0.0, 0.0, False, 0.0, 0.0, 0.0, 0.0
     piece = linear().pieces[0]
     number = recurrences(piece.law)
     with pytest.raises(ValueError, match="pieces of a force"):

@@ -278,20 +278,29 @@ static int sf_narrow_unknowns(const sf_law_search *search, const sf_strip *strip
                     return 0;
                 of->R = sfi_both(of->R, sf_ratio(sfi_neg(rest), sfi_mul(cell->h_AA, scale)));
             }
-            if (search->system == SF_LAW_TURNS && search->laws.d_3.hi == 0) {
+            if (search->system == SF_LAW_TURNS) {
                 const sf_laws_within *laws = &search->laws;
                 const sf_interval x = sfi_inverse(of->w);
-                const sf_interval ratio = dissipation_intervals_turn_share(x, cell->A, strip->rest[0], strip->rest[1],
-                                                                           strip->zeta[0], strip->zeta[1], laws->d);
-                const sf_interval excess = sfi_mul(ratio, square);
-                sf_interval far[4];
+                sf_interval excess, both;
+                if (laws->d_3.hi > 0) {
+                    sf_interval of_x[4];
+                    dissipation_intervals_turn_terms(x, cell->A, strip->rest[0], strip->rest[1], strip->zeta[0],
+                                                     strip->zeta[1], laws->d, laws->d_3, cell->h, of_x);
+                    excess = sfi_mul(of_x[1], sfi_square(square));
+                    both = sfi_sub(sfi_mul(of_x[0], sfi_add(sfi_mul(sfi_square(x), of_x[0]), of_x[1])),
+                                   sfi_mul(cell->A, sfi_mul(of_x[2], of_x[3])));
+                } else {
+                    sf_interval far[4];
+                    const sf_interval ratio = dissipation_intervals_turn_share(
+                        x, cell->A, strip->rest[0], strip->rest[1], strip->zeta[0], strip->zeta[1], laws->d);
+                    excess = sfi_mul(ratio, square);
+                    dissipation_intervals_far(x, cell->A, strip->rest[0], strip->rest[1], strip->zeta[0], strip->zeta[1],
+                                              laws->d, cell->h, cell->h_A, far);
+                    both = sfi_sub(sfi_mul(far[0], sfi_add(far[0], ratio)), sfi_mul(cell->A, sfi_mul(far[2], far[3])));
+                }
                 of->R = sfi_both(of->R, sfi_neg(sfi_add(sfi_mul(cell->A, at.R_A), excess)));
                 at.R_A = sfi_both(at.R_A, sfi_neg(sfi_div(sfi_add(of->R, excess), cell->A)));
-                /* both functions without h_A, over powers of Omega */
-                dissipation_intervals_far(x, cell->A, strip->rest[0], strip->rest[1], strip->zeta[0], strip->zeta[1],
-                                          laws->d, cell->h, cell->h_A, far);
-                if (sfi_has_sign(sfi_sub(sfi_mul(far[0], sfi_add(far[0], ratio)),
-                                         sfi_mul(cell->A, sfi_mul(far[2], far[3])))))
+                if (sfi_has_sign(both)) /* both functions without h_A, over powers of Omega */
                     return 0;
             }
             at.R_A = sfi_both(at.R_A, sf_ratio(P, of->R));

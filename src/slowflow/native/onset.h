@@ -221,15 +221,19 @@ static void sf_consider_jump(const sf_model *model, const sf_sample *at, double 
         sf_consider_end(model, at, sf_level(model, at, 0), best);
 }
 
-/* The same by other laws of damping. Folds sit on it where the sign of F_A changes across it: that begins and ends where
- * F_A vanishes on one side, or R where the force jumps; between, the level may be stationary. */
+/* The same by other laws of damping. The locus below comes to the breakpoint where F_A vanishes; where the slope of the
+ * force jumps its level may turn there. Folds sit on it where the sign of F_A changes across it: that begins and ends
+ * where F_A vanishes on one side, or R where the force jumps; between, the level may be stationary. */
 static void sf_consider_corner_by_laws(const sf_model *model, int k, const sf_sample *at, sf_onset *best) {
     const int beyond = sf_is_beyond(model, at->A);
     double w[9];
+    int n = sf_law_frequencies(model, at, SF_OF_FOLDS, 0, beyond, w);
+    for (int i = 0; i < n; i++)
+        if (w[i] > 0)
+            sf_consider(sf_law_level(model, at, w[i]), w[i], at->A, SF_CORNER_KIND, best);
     if (!sf_has_corner(model, k))
         return;
-    int n = sf_law_frequencies(model, at, SF_OF_FOLDS, 0, beyond, w);
-    n += sf_law_stationary(model, at, w + n);
+    n = sf_law_stationary(model, at, w);
     if (model->jump[k] == 0)
         n += sf_law_frequencies(model, at, SF_OF_FOLDS, 0, 1, w + n);
     else if (at->h < 0)

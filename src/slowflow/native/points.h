@@ -406,10 +406,10 @@ static void sf_search_points_up_to(sf_law_search *search, const sf_sample *first
 }
 
 /* All of them. Neither F_A nor F_AA knows of the excitation: cusps up to a level are looked for up to Omega = 1, and
- * beyond by 1/Omega. */
+ * beyond by 1/Omega, but for cubic damping, which grows over Omega^2. */
 static void sf_search_points(sf_law_search *search, const sf_sample *first, const sf_sample *last) {
     const int far = search->far;
-    if (search->system != SF_LAW_CUSPS || !(search->F_0 < HUGE_VAL)) {
+    if (search->system != SF_LAW_CUSPS || !(search->F_0 < HUGE_VAL) || search->laws.d_3.hi > 0) {
         sf_search_points_up_to(search, first, last, HUGE_VAL);
         return;
     }
