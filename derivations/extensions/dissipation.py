@@ -247,29 +247,20 @@ def dissipation(averaged: Averaged, flow: Formulas, slopes: Formulas) -> Formula
     peak += d_3 * A * v / 2 * (3 * I_0 + v * (8 * zeta + v * (5 * d + 3 * d_3 * v)))
     claim("F_Omega over 4 A Omega", (4 * A * Omega * peak - F_Omega).subs(whole))
 
-    @of.kernel("from (30)", "x >= 0, A > 0")
-    def turn_share() -> sp.Expr:
-        """D/Omega^2 at x = 1/Omega, where F_AOmega/(4 Omega) = R + A R_A + D without cubic damping."""
-        linear = sp.Symbol("linear", real=True)
-        of_linear = by_A(2 * zeta * A * I_0)
-        bend = sp.Poly(sp.expand((F_AOmega / 2).subs(whole).subs(d_3, 0)), Omega)
-        claim("F_AOmega at Omega = 0", bend.coeff_monomial(1) - of_linear)
-        bend_over = sp.expand((bend.as_expr() - bend.coeff_monomial(1)) / Omega)
-        turn = (sp.collect(bend_over, Omega) + linear / Omega).subs(linear, of_linear)
-        # where it vanishes R_A is -R/A less this over A
-        found = sp.expand(sp.expand(turn / 2 - flow.R - A * slope_of_R).subs(Omega, 1 / x) * x**2)
-        if found.has(h, h_A) or any(power.exp < 0 for power in found.atoms(sp.Pow) if power.base == x):
-            raise ArithmeticError(f"what F_AOmega has beside R and R_A: {found}")
-        return sp.collect(found, x)
+    # D, where F_AOmega/(4 Omega) = R + A R_A + D
+    excess = sp.expand(sp.expand((F_AOmega / (4 * Omega)).subs(whole)) - flow.R - A * slope_of_R)
+    claim("D without h", excess - excess.subs({h: 0, h_A: 0}))
 
-    @of.kernel("from (30)", "x >= 0, A > 0")
-    def turn_terms() -> tuple[sp.Expr, ...]:
-        """R x^2, D x^4, I x^3 and I_A x^3 at x = 1/Omega, where F_AOmega/(4 Omega) = R + A R_A + D."""
-        excess = sp.expand(sp.expand((F_AOmega / (4 * Omega)).subs(whole)) - flow.R - A * slope_of_R)
-        if excess.has(h, h_A):
-            raise ArithmeticError(f"what F_AOmega has beside R and R_A: {excess}")
-        powers = ((flow.R, 2), (excess, 4), (value, 3), (by_A(value), 3))
-        return tuple(sp.collect(sp.expand(one.subs(Omega, 1 / x) * x**power), x) for one, power in powers)
+    def over(one: sp.Expr, power: int) -> sp.Expr:
+        """Over a power of Omega, at x = 1/Omega, in which it is a polynomial."""
+        found = sp.expand(one.subs(Omega, 1 / x) * x**power)
+        return sp.collect(sp.Poly(found, x).as_expr(), x)
+
+    text = "D/Omega^2 at x = 1/Omega, where F_AOmega/(4 Omega) = R + A R_A + D without cubic damping."
+    of.add("turn_share", over(excess.subs(d_3, 0), 2), text, "from (30)", "x >= 0, A > 0")
+    powers = ((flow.R, 2), (excess, 4), (value, 3), (by_A(value), 3))
+    text = "R x^2, D x^4, I x^3 and I_A x^3 at x = 1/Omega, where F_AOmega/(4 Omega) = R + A R_A + D."
+    of.add("turn_terms", tuple(over(*one) for one in powers), text, "from (30)", "x >= 0, A > 0")
 
     halved = sp.expand((sp.diff(F, R) * R_A + sp.diff(F, I) * I_A) / 2)
     claim("F_A by R, I and their slopes", halved.subs({R_A: slope_of_R, I_A: by_A(value)}) - F_A / 2)
