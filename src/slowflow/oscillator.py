@@ -135,9 +135,7 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         self.__dict__.update(
             own, design=model.design, given={**arguments, **laws.present}, excitation=known_as, load=0.0
         )
-        self.__dict__.update(
-            eta=laws.eta, c_2=laws.c_2, c_3=laws.c_3, zeta_2=laws.zeta_2, rubs=laws.rubs, mu_s=model.mu
-        )
+        self.__dict__.update(laws.numbers, rubs=laws.rubs, mu_s=model.mu)
         if isinstance(mu_s, np.ndarray) or mu_s != 0:
             if not (static := validate.number("mu_s", mu_s, least=0.0)) >= self.mu:
                 raise Refused(text(LESS_THAN_MU, static, self.mu))
@@ -299,10 +297,9 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         """
         if which not in self._equations:
             laws, force = self.model.laws, followed(self.restoring_force(which), self.model.mechanism.name)
-            others = self.model.inertial, self.load, laws.c_2, laws.rubs != THROUGHOUT, self.given.get("mu_s", 0.0)
-            self._equations[which] = EquationOfMotion(
-                force, self.mu, self.zeta, *others, laws.eta, laws.c_3, laws.zeta_2
-            )
+            others = {"released": laws.rubs != THROUGHOUT, "mu_s": self.given.get("mu_s", 0.0), **laws.numbers}
+            at = self.mu, self.zeta, self.model.inertial, self.load
+            self._equations[which] = EquationOfMotion(force, *at, **others)
         return self._equations[which]
 
     @cached_property

@@ -189,7 +189,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
     """Arrays of designs of one mechanism, and the questions about them.
 
     mechanism -- record of the mechanism
-    values    -- the numbers of its design by name, mu, zeta, and eta, c_2 and zeta_2 where they are given; real arrays
+    values    -- the numbers of its design by name, mu, zeta, and those of `DISSIPATION` that are given; real arrays
                  that broadcast
     excitation -- what F_0 is the amplitude of, the same for all: "force", "base" or "unbalance"
     rubs      -- where dry friction acts, the same for all: "throughout" or "attached"

@@ -165,9 +165,8 @@ def system_of(designs: Any, numbers: dict[str, float], load: float = 0.0) -> Equ
     """
     model = designs.model(numbers)
     force = followed(Force.of(designs.mechanism, model.parameters), designs.mechanism.name)
-    laws: dict[str, Any] = {name: getattr(model.laws, name) for name in ("c_2", "c_3", "zeta_2")}
-    laws["released"] = model.laws.rubs != THROUGHOUT
-    return EquationOfMotion(force, model.mu, model.zeta, load=load, **laws)
+    released = model.laws.rubs != THROUGHOUT
+    return EquationOfMotion(force, model.mu, model.zeta, load=load, released=released, **model.laws.numbers)
 
 
 def handle(system: EquationOfMotion) -> Any:

@@ -27,12 +27,8 @@ def designs_of(
     values |= {name: value for name, value in laws.items() if not _is_none(value)}
     if not mechanism.odd or not _is_none(load):
         why = off_centre_by(mechanism, 0.0) or "load"
-        others = (
-            [f"rubs = {rubs!r}"]
-            if rubs != THROUGHOUT
-            else [name for name in laws if name in values and name not in WITH_MEAN]
-        )
-        validate.is_plain(why, ", ".join(others))
+        others = [name for name in laws if name in values and name not in WITH_MEAN]
+        validate.is_plain(why, ", ".join([*others, *[f"rubs = {rubs!r}"] * (rubs != THROUGHOUT)]))
         values["load"] = load
     if any(validate.is_labelled(value) for value in values.values()):
         from slowflow.grid.designs import Grid

@@ -17,7 +17,7 @@
  * known in closed form, and SF_REST has no zeros.
  *
  * The functions are generated, for numbers and for intervals: derivations/systems/along.py eliminates Omega.
- * */
+ */
 #pragma once
 
 #include "inertial.h"
@@ -91,8 +91,8 @@ static inline void sf_ask_stiffness(const sf_task *task, const sf_sample *at, sf
         sf_rest_at(model, at->A, model->breaks > 0 && task->first->A >= model->b[0], rest);
         sf_zeta_at(model, at->A, zeta);
         out->y[0] = dissipation_F_A(0, at->A, rest[0], rest[1], zeta[0], zeta[1], model->d, model->d_3, at->h, at->h_A);
-        out->dy[0] = dissipation_F_AA(0, at->A, rest[0], rest[1], rest[2], zeta[0], zeta[1], zeta[2], model->d, model->d_3, at->h,
-                                      at->h_A, at->h_AA);
+        out->dy[0] = dissipation_F_AA(0, at->A, rest[0], rest[1], rest[2], zeta[0], zeta[1], zeta[2], model->d,
+                                      model->d_3, at->h, at->h_A, at->h_AA);
         return;
     }
     out->exists[1] = 1;
@@ -428,8 +428,8 @@ static inline int sf_is_law_minimum(const sf_model *model, sf_question question,
     *saddle = 0;
     if (question == SF_CUSP)
         return (sf_inertial(model) ? dissipation_cusp_bend_by_inertia : dissipation_cusp_bend)(
-                   w, A, rest[0], rest[1], rest[2], rest[3], zeta[0], zeta[1], zeta[2], zeta[3], d, model->d_3, at->h, at->h_A,
-                   at->h_AA, at->h_AAA) > 0;
+                   w, A, rest[0], rest[1], rest[2], rest[3], zeta[0], zeta[1], zeta[2], zeta[3], d, model->d_3,
+                   at->h, at->h_A, at->h_AA, at->h_AAA) > 0;
     (sf_inertial(model) ? dissipation_isola_bend_by_inertia : dissipation_isola_bend)(
         w, A, rest[0], rest[1], rest[2], zeta[0], zeta[1], zeta[2], d, model->d_3, at->h, at->h_A, at->h_AA, bend);
     *saddle = bend[0] < 0;

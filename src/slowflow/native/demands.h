@@ -227,10 +227,11 @@ static int sf_narrow_unknowns(const sf_law_search *search, const sf_strip *strip
             return 0;
         if (folded && stationary) {
             /* R_A is what F_A = 0 makes of the R that a stationary level leaves; where h vanishes too, it tells */
-            const sf_interval zeta = search->far ? sfi_mul(strip->zeta[0], cell->A) : strip->zeta[0];
-            const sf_interval cubic = sfi_times(1.5, sfi_mul(search->laws.d_3, sfi_mul(sfi_square(cell->A), of->w)));
-            const sf_interval grows = search->far ? strip->rest[0] : sfi_add(sfi_mul(search->laws.d, cell->A), cubic);
-            const sf_interval ratio = sfi_inverse(sfi_add(grows, sfi_div(zeta, of->w)));
+            const sf_interval of_unit_I = /* R over -I there */
+                search->far ? sfi_add(strip->rest[0], sfi_div(sfi_mul(strip->zeta[0], cell->A), of->w))
+                            : dissipation_intervals_R_of_peak(of->w, cell->A, strip->zeta[0], search->laws.d,
+                                                              search->laws.d_3, sfi_point(-1));
+            const sf_interval ratio = sfi_inverse(of_unit_I);
             const sf_interval far = sfi_both(sfi_mul(cell->h, at.I_A),
                                              sfi_mul(sfi_sub(of->R, cell->A), sfi_div(at.I_A, square)));
             const sf_interval rise =

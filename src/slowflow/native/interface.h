@@ -100,7 +100,7 @@ typedef struct sf_call sf_call;
  * answer    -- of one design: its status, which is the last output, then an item for each of the others but `n` and `i`;
  *              no items where it is no design to query
  * of_given  -- whether that needs the oscillator as it was given, not only in pairs
- * */
+ */
 typedef struct {
     const char *name, *shape, *types, *doc;
     int at;

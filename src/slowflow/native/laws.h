@@ -121,8 +121,8 @@ static inline double sf_law_F_AA(const sf_model *model, const sf_sample *at, dou
     double rest[4], zeta[4];
     sf_rest_at(model, at->A, sf_is_beyond(model, at->A), rest);
     sf_zeta_at(model, at->A, zeta);
-    return dissipation_F_AA(w, at->A, rest[0], rest[1], rest[2], zeta[0], zeta[1], zeta[2], model->d, model->d_3, at->h, at->h_A,
-                            at->h_AA);
+    return dissipation_F_AA(w, at->A, rest[0], rest[1], rest[2], zeta[0], zeta[1], zeta[2], model->d, model->d_3, at->h,
+                            at->h_A, at->h_AA);
 }
 
 /* ==== The polynomial of an amplitude ================================================================================= */
@@ -144,7 +144,8 @@ static inline double sf_law_value(const sf_law_polynomial *q, double w) {
     const sf_sample *at = q->at;
     double far[3];
     if (q->kind == SF_OF_FOLDS)
-        return 0.5 * dissipation_F_A(w, at->A, q->rest[0], q->rest[1], q->zeta[0], q->zeta[1], model->d, model->d_3, at->h, at->h_A);
+        return 0.5 * dissipation_F_A(w, at->A, q->rest[0], q->rest[1], q->zeta[0], q->zeta[1], model->d, model->d_3,
+                                     at->h, at->h_A);
     if (!q->by_x)
         return dissipation_F(w, at->A, q->F_0, q->rest[0], q->zeta[0], model->d, model->d_3, at->h);
     dissipation_far_by_inertia(w, at->A, q->F_0, q->rest[0], q->zeta[0], model->d, at->h, far);
@@ -167,7 +168,8 @@ static inline void sf_find_critical(sf_law_polynomial *q) {
     q->w[0] = q->w[1] = 0;
     for (int i = 0; i < SF_MOST_LAW_STEPS && c[2] < 0 && c[5] + c[6] > 0; i++) {
         const double last = least;
-        least -= sf_polynomial_bend(c, least) / (6 * c[3] + least * (24 * c[4] + least * (60 * c[5] + least * (120 * c[6]))));
+        least -= sf_polynomial_bend(c, least) /
+                 (6 * c[3] + least * (24 * c[4] + least * (60 * c[5] + least * (120 * c[6]))));
         if (!(fabs(least - last) > 0x1p-51 * least))
             break;
     }
@@ -188,14 +190,15 @@ static inline void sf_find_critical(sf_law_polynomial *q) {
     }
 }
 
-static inline void sf_make_law_polynomial(const sf_model *model, const sf_sample *at, sf_law_polynomial_kind kind, double F_0,
-                                       int beyond, sf_law_polynomial *q) {
+static inline void sf_make_law_polynomial(const sf_model *model, const sf_sample *at, sf_law_polynomial_kind kind,
+                                          double F_0, int beyond, sf_law_polynomial *q) {
     q->model = model, q->at = at, q->kind = kind, q->F_0 = F_0;
     q->by_x = sf_inertial(model) && kind == SF_OF_RESPONSE;
     sf_rest_at(model, at->A, beyond, q->rest);
     sf_zeta_at(model, at->A, q->zeta);
     if (kind == SF_OF_FOLDS) {
-        dissipation_fold_polynomial(at->A, q->rest[0], q->rest[1], q->zeta[0], q->zeta[1], model->d, model->d_3, at->h, at->h_A, q->c);
+        dissipation_fold_polynomial(at->A, q->rest[0], q->rest[1], q->zeta[0], q->zeta[1], model->d, model->d_3, at->h,
+                                    at->h_A, q->c);
     } else {
         dissipation_response_polynomial(at->A, q->rest[0], q->zeta[0], model->d, model->d_3, at->h, q->c);
     }

@@ -45,9 +45,9 @@ enum {
 /* ==== The functions ============================================================================================== */
 
 typedef void sf_functions_of(double w, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA,
-                             double zeta, double zeta_A,
-                             double zeta_AA, double zeta_AAA, double d, double d_3, double h, double h_A, double h_AA, double h_AAA, double R, double I,
-                             double R_A, double I_A, double *out);
+                             double zeta, double zeta_A, double zeta_AA, double zeta_AAA, double d, double d_3, double h,
+                             double h_A, double h_AA, double h_AAA, double R, double I, double R_A, double I_A,
+                             double *out);
 typedef void sf_functions_on(sf_interval w, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A,
                              sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval zeta_A,
                              sf_interval zeta_AA, sf_interval zeta_AAA, sf_interval d, sf_interval d_3, sf_interval h,
@@ -78,8 +78,9 @@ static void sf_functions_within(const sf_law_search *search, const sf_strip *str
     if (!by_w)
         of.R = u, of.R_A = sf_slope_of(search, strip, u);
     sf_on_boxes[search->system][search->far][by_w](w, cell->A, search->force, rest[0], rest[1], rest[2], rest[3],
-                                                   zeta[0], zeta[1], zeta[2], zeta[3], search->laws.d, search->laws.d_3, cell->h, cell->h_A, cell->h_AA,
-                                                   cell->h_AAA, of.R, of.I, of.R_A, of.I_A, out);
+                                                   zeta[0], zeta[1], zeta[2], zeta[3], search->laws.d, search->laws.d_3,
+                                                   cell->h, cell->h_A, cell->h_AA, cell->h_AAA, of.R, of.I, of.R_A,
+                                                   of.I_A, out);
 }
 
 /* At a point, of which Omega, R and the size of its terms are set, NaN where there is none. */
@@ -103,8 +104,8 @@ static void sf_functions_at(const sf_law_search *search, const sf_sample *at, sf
         of[0] = u, of[1] = search->far ? (at->k + at->h_A * u) / at->h : (u - at->k) / A;
     point->R = of[0];
     sf_at_points[search->system][search->far][point->by_w](w, A, search->F_0, rest[0], rest[1], rest[2], rest[3],
-                                                           zeta[0], zeta[1], zeta[2], zeta[3], d, d_3, at->h, at->h_A, at->h_AA, at->h_AAA, of[0], of[2], of[1],
-                                                           of[3], out);
+                                                           zeta[0], zeta[1], zeta[2], zeta[3], d, d_3, at->h, at->h_A,
+                                                           at->h_AA, at->h_AAA, of[0], of[2], of[1], of[3], out);
 }
 
 static sf_interval sf_determinant(const sf_interval f[6]) {

@@ -19,6 +19,7 @@ from slowflow.random_vibration.questions import columns, excited_by, stationary
 from slowflow.table import AVERAGING, QUESTIONS
 from slowflow.text import Sentence
 from slowflow_kernels.conventions import Status
+from slowflow_kernels.domains import DISSIPATION
 
 #: designs in a chunk, which take some tenths of a second
 CHUNK = 2**13
@@ -28,7 +29,7 @@ OTHER_LAWS = Sentence("random is not available with {laws:s}, only with {mu}, {z
 
 def answer(designs: Designs, S_0: Any, psd: Any, places: int, workers: int = 1) -> Batch:
     """See `random` of `slowflow.table.ManyQuestions`."""
-    if {"eta", "c_3", "zeta_2"} & set(designs.values) or designs.rubs != THROUGHOUT:
+    if {one.name for one in DISSIPATION} & set(designs.values) - set(DAMPED_BY) or designs.rubs != THROUGHOUT:
         raise validate.NotAvailable(OTHER_LAWS.format(designs.laws))
     excitation = excited_by(None if S_0 is None else 1.0, psd)
     places, threads = validate.count("places", places, least=1), validate.workers(workers)

@@ -212,7 +212,8 @@ static SF_INLINE void sf_expand(sf_begin *begin, sf_next *next, const double *p,
     begin(p, w, over);
     x->u[0] = u, x->v[0] = v;
     double rate = sf_rate(drive, cosine, w[value], u, v);
-    sf_add_products(x->u, x->v, 0, &products);
+    if (sf_has_products(drive))
+        sf_add_products(x->u, x->v, 0, &products);
     x->u[1] = v;
     slopes[0] = pull = sf_all(both ? w[slope] : 0.0);
     if (both) {
