@@ -21,7 +21,7 @@ from slowflow.averaged import messages, solvers
 from slowflow.certificate import DOUBLES, Proved, ProvedFolds, ProvedForcing, ProvedStates
 from slowflow.mechanism import Flags
 from slowflow.model import Floats, Model
-from slowflow.results import Cusps, FrequencyResponse, Remark, SaddleNodeOnset, SaddleNodes, SteadyStates
+from slowflow.results import NOTHING, Cusps, FrequencyResponse, Remark, SaddleNodeOnset, SaddleNodes, SteadyStates
 from slowflow_kernels.conventions import SAME, Status
 
 Answer = TypeVar("Answer", bound=Proved)
@@ -110,10 +110,12 @@ def is_plain(model: Model) -> bool:
     return bool(model.design) and not model.inertial and not model.laws.any
 
 
-def decided(found: SaddleNodes, model: Model, allowance: Allowance) -> SaddleNodes:
+def decided(found: SaddleNodes, model: Model, allowance: Allowance | None) -> SaddleNodes:
     """Folds whose number doubles leave undecided, as balls prove them; as they are where these do not decide either."""
+    if found.remarks is NOTHING:  # of most, and to look for one code takes longer
+        return found
     balls = in_balls() if Remark.UNDECIDED in found.remarks and is_plain(model) else None
-    proof = None if balls is None or not allowance.take() else balls.folds(model, found.F_0)
+    proof = None if balls is None or not (allowance or Allowance()).take() else balls.folds(model, found.F_0)
     if proof is None or not proof.proved:
         return found
     # doubles may have more digits of one that lies next to a breakpoint
@@ -167,7 +169,7 @@ def decided_states(
 
 
 def decided_curve(
-    found: FrequencyResponse, model: Model, window: tuple[float, float], allowance: Allowance
+    found: FrequencyResponse, model: Model, window: tuple[float, float], allowance: Allowance | None
 ) -> FrequencyResponse:
     """A response curve in a window of which doubles leave open how many folds it has: not where balls prove its own.
 

@@ -95,10 +95,8 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         self, F_0: float, *, samples: int, Omega: tuple[float, float], allowance: proofs.Allowance | None = None
     ) -> FrequencyResponse:
         """`frequency_response` without the remarks on averaging: what another approximation starts from."""
-        F_0 = validate.number("F_0", F_0, above=0.0)
-        samples, shown = validate.curve(samples, Omega)
-        found = solvers.frequency_response(self.model, F_0, samples, shown)
-        return self._centred(proofs.decided_curve(found, self.model, shown, allowance or proofs.Allowance()))
+        found = solvers.frequency_response(self.model, F_0, samples, Omega)
+        return self._centred(proofs.decided_curve(found, self.model, Omega, allowance))
 
     def _amplitudes(self, at: Floats, F_0: float, allowance: proofs.Allowance | None = None) -> SteadyStates:
         return self._with_rests(self._remarked(self.states(Omega=at, F_0=F_0, allowance=allowance), F_0), at)
@@ -127,15 +125,15 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         at = validate.frequencies("Omega", Omega).ravel()
         allowance = allowance or proofs.Allowance()
         try:
-            found = solvers.states(self.model, at, validate.number("F_0", F_0, above=0.0))
+            found = solvers.states(self.model, at, F_0)
         except OverflowError:
             raise
         except ArithmeticError:  # branches coincide within rounding
-            found = proofs.nothing_decided(self.model, at, float(F_0))
-            if (by_balls := proofs.decided_states(found, self.model, at, float(F_0), allowance)) is found:
+            found = proofs.nothing_decided(self.model, at, F_0)
+            if (by_balls := proofs.decided_states(found, self.model, at, F_0, allowance)) is found:
                 raise
             return self._centred(by_balls)
-        return self._centred(proofs.decided_states(found, self.model, at, float(F_0), allowance))
+        return self._centred(proofs.decided_states(found, self.model, at, F_0, allowance))
 
     def _check_proof(self) -> None:
         """Raises ValueError where no proof of the averaged equations is derived."""
@@ -187,10 +185,9 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
 
     def folds(self, F_0: float, *, allowance: proofs.Allowance | None = None) -> SaddleNodes:
         """`saddle_nodes` without the remarks on averaging: what another approximation starts from."""
-        F_0 = validate.number("F_0", F_0, above=0.0)
         # finding the onset costs time too: it is used only if it is known already
         if plan.may_have_folds(F_0, self.model, self.__dict__.get("_onset")):
-            return proofs.decided(solvers.folds(self.model, F_0), self.model, allowance or proofs.Allowance())
+            return proofs.decided(solvers.folds(self.model, F_0), self.model, allowance)
         message, _ = messages.of_folds(self.model, F_0, False, "")
         none: dict[str, Any] = {"Omega": NONE, "A": NONE, "kind": np.empty(0, "U9"), "corner": np.empty(0, bool)}
         return SaddleNodes._made(**none, F_0=F_0, message=message, remarks=NOTHING, _model=self.model)
