@@ -47,6 +47,7 @@ MODULES = (
     "slowflow.sizing.loops",
     "slowflow.progress",
     "slowflow.scenes",
+    "slowflow.starters",
     "slowflow.schema",
     "slowflow_kernels.conventions",
     "slowflow.averaged.plan",

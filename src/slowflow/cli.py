@@ -20,7 +20,7 @@ from slowflow import backend, files, progress, verdict
 from slowflow.answer import Answer, in_text
 from slowflow.isolator import ROD_SPRING
 from slowflow.measured import costs
-from slowflow.scenes import QUESTIONS, STARTER, Asked, Scene, of_loop, read
+from slowflow.scenes import QUESTIONS, Asked, Scene, read
 from slowflow.support.errors import SlowflowError
 from slowflow_kernels.domains import DAMPING
 
@@ -257,7 +257,10 @@ def new_scene(args: argparse.Namespace) -> int:
     if (args.loop is None) != (args.mass is None):
         print("--from loop.csv and --mass '12 kg' need each other: a loop does not contain the mass", file=sys.stderr)
         return 2
-    text = STARTER if args.loop is None else of_loop(args.loop, args.mass)
+    # here, not above: no other command needs it
+    from slowflow import starters
+
+    text = starters.STARTER if args.loop is None else starters.of_loop(args.loop, args.mass)
     try:
         with args.scene.open("x", encoding="utf-8") as file:
             file.write(text)

@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 
 import slowflow
-from slowflow import Duffing, Isolator, cli, files, scenes
+from slowflow import Duffing, Isolator, cli, files, scenes, starters
 from slowflow.averaged import solvers
 from slowflow.example import isolator
 from slowflow.sizing import tolerances
@@ -350,7 +350,7 @@ def test_scenes_are_checked_in_turn_without_computing(scene, monkeypatch, capsys
 
 def test_the_starter_runs_and_is_not_written_over(tmp_path, capsys):
     path = tmp_path / "mine.toml"
-    assert run("new", path, capsys=capsys)[0] == 0 and path.read_text() == scenes.STARTER
+    assert run("new", path, capsys=capsys)[0] == 0 and path.read_text() == starters.STARTER
     assert run("run", path, capsys=capsys)[0] == 0
     path.write_text("mine")
     code, _, err = run("new", path, capsys=capsys)

@@ -22,7 +22,7 @@ from scipy.integrate import quad
 
 from docs import api
 from docs.site import docstrings
-from slowflow import Remark, cli, scenes
+from slowflow import Remark, cli, starters
 from slowflow.averaged.questions import Averaged
 from slowflow.results import State
 from slowflow_kernels.conventions import FoldKind, OnsetKind, Status
@@ -307,7 +307,7 @@ def test_examples_of_the_list_run(path: str, tmp_path: Path, monkeypatch: pytest
     for package in ("matplotlib", *EXAMPLES_NEED.get(path, ())):
         pytest.importorskip(package, reason=f"an extra is not installed: {package}")
     monkeypatch.chdir(tmp_path)
-    Path("scene.toml").write_text(scenes.STARTER, encoding="utf-8")
+    Path("scene.toml").write_text(starters.STARTER, encoding="utf-8")
     examples = dict(api.EXAMPLES[path])
     begin = api.EXAMPLES["begin"] + examples.pop("begin", "")
     module = import_module(path)

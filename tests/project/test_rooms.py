@@ -16,7 +16,7 @@ FLOORS = (
     ("__main__",),
     ("cli",),
     ("report", "tools"),
-    ("schema",),
+    ("schema", "starters"),
     ("scenes",),
     ("verdict",),
     ("sizing",),
