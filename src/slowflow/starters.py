@@ -17,7 +17,7 @@ STARTER = """\
 # slowflow explain scene.toml       says what runs for them
 
 [mount]                 # a data sheet, in SI units: kg, N/m, m, N
-m = 12.0                # mass, for which the vertical spring is preset
+m = 12.0                # mass that the vertical spring is preloaded to carry
 k_v = 2500.0            # vertical spring
 k_h = 1700.0            # each of the n horizontal springs
 n = 3
