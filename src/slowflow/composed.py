@@ -1,4 +1,4 @@
-"""The questions that are put together from others: margins, hysteresis, isolation and load spectra."""
+"""The questions that combine others: margins, hysteresis, isolation and load spectra."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class ComposedQuestions(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
-    """What is put together from the averaged answers about one oscillator, whatever system gives these."""
+    """Questions that combine the averaged answers about one oscillator, from any system."""
 
     def _check_margins(self) -> None:
         """Raises NotAvailable where it is not known which forcing detaches; of most systems it always is."""
@@ -62,8 +62,8 @@ class ComposedQuestions(Questions[SteadyStates, FrequencyResponse, SaddleNodes])
         Returns
         -------
         Hysteresis
-            .Omega_low .Omega_high .motions, shape (n,). Under a load a motion of a negative mean stiffness may lose its
-            stability within a band too, and the message says where one takes part.
+            .Omega_low .Omega_high .motions, shape (n,). Under a load a motion with negative mean stiffness may also
+            lose its stability within a band; the message reports such motions.
 
         Raises
         ------
@@ -75,7 +75,7 @@ class ComposedQuestions(Questions[SteadyStates, FrequencyResponse, SaddleNodes])
         return checks.hysteresis(self._system, F_0)
 
     def isolation(self, F_0: float, level_dB: float = 0.0) -> checks.Isolation:
-        """Find the frequency from which on every stable motion at F_0 transmits less than F_0, or than a level of it.
+        """Find the frequency above which every stable motion at F_0 transmits less than F_0, or a given fraction of it.
 
         Parameters
         ----------
@@ -87,23 +87,23 @@ class ComposedQuestions(Questions[SteadyStates, FrequencyResponse, SaddleNodes])
         Returns
         -------
         Isolation
-            .Omega, and .A there. Of the transmitted force the first harmonic counts; `.measure()` has that of the
-            equation of motion, and of the peak of its whole wave. For a linear spring it is sqrt(2) times the natural
-            frequency at 0 dB. Under base excitation it is that from which on the mass moves less than the base.
-            Friction alone transmits 4 mu/pi at any frequency: where the level is not above that there is none.
-            Under a load it is found on the response curve, and that no stable motion transmits that beyond it is proved
-            but for 2^-16 of it; where that is undecided the answer says so, `Remark.UNDECIDED`.
+            .Omega, and .A there, by the first harmonic of the transmitted force; `.measure()` gives the frequency for
+            the equation of motion, by first harmonic or peak. For a linear spring at 0 dB it is sqrt(2) times the
+            natural frequency. Under base excitation the mass moves less than the base above this frequency. Friction
+            alone transmits 4 mu/pi at any frequency: for levels below that there is no result. Under a load it is found
+            on the response curve; it is proved, to a relative 2^-16, that no stable motion transmits more at higher
+            frequencies. An undecided result is marked `Remark.UNDECIDED`.
 
         Raises
         ------
         ValueError
-            For F_0 <= 0 and level_dB > 0, and under a load where motions exceed the amplitude `A_max` of `off_centre`,
-            as a hardening spring on a base that moves too much.
+            For F_0 <= 0 and level_dB > 0, and under a load if motions exceed the amplitude `A_max` of `off_centre`, as
+            those of a hardening spring under large base motion.
         """
         return self._system._isolation(F_0, level_dB)
 
     def spectrum(self, *, Omega: Reals, F_0: Reals) -> checks.Spectrum:
-        """Find what the motion does at each row of a load spectrum, one tone at a time, in their order.
+        """Evaluate each row of a load spectrum, one tone at a time, in order.
 
         Parameters
         ----------
@@ -113,9 +113,9 @@ class ComposedQuestions(Questions[SteadyStates, FrequencyResponse, SaddleNodes])
         Returns
         -------
         Spectrum
-            Which rows have several motions, cross a fold from the one before, detach, stick; see
-            `slowflow.checks.Spectrum`. Under a load rows with several forcings take some tenths of a second each, few
-            rows two seconds: folds of forcings between are found, which rows share.
+            Which rows have several motions, cross a fold on the way from the previous row, detach, stick; see
+            `slowflow.checks.Spectrum`. Under a load, rows with different forcings take some tenths of a second each, at
+            least two seconds in all, because the folds of intermediate forcings are needed.
 
         Raises
         ------

@@ -145,12 +145,12 @@ class Isolator(Oscillator):
         force: str = "untruncated",
         excitation: str = "force",
     ) -> Physical:
-        """Make an isolator from its data sheet, whose questions and answers are in newtons, metres and hertz.
+        """Make an isolator from its data sheet, with arguments and answers in newtons, metres and hertz.
 
-        Numbers are plain ones in these units, or quantities of pint. Without `load` it is taken for granted that the
-        vertical spring is preset, by m g/k_v, so that m rests at the centre, where the push-rods lie flat. Another load
-        rests off the centre, `rest()` tells where, and moves about there without symmetry: its answers have a mean B.
-        A number that is allowed, and looks as if it were in another unit, as L = 80, is reported in a warning.
+        Arguments are numbers in these units, or quantities of pint. Without `load` the vertical spring is assumed to be
+        preloaded by m g/k_v, so that m rests at the centre, where the push-rods are horizontal. Another load rests off
+        the centre, at `rest()`, and its motions are asymmetric: answers then include a mean B. An allowed number that
+        seems to be in another unit, such as L = 80, gives a warning.
 
         Parameters
         ----------
@@ -163,7 +163,8 @@ class Isolator(Oscillator):
         n : int
             Number of horizontal springs.
         mounts : int
-            How many equal mounts share the mass: m and load are the whole mass, all other data those of one.
+            Number of equal mounts that share the mass: m and load are the whole mass, all other data those of one
+            mount.
         friction : float, N
             Dry friction.
         c, zeta : float, N s/m, or dimensionless
@@ -179,14 +180,14 @@ class Isolator(Oscillator):
         rubs : str
             Where friction acts: "throughout", or "attached", while the springs touch the push-rod.
         static_friction : float, N
-            Break-loose force, where that is more than `friction`: for exact motions.
+            Break-loose force, if larger than `friction`; used by exact motions only.
         load : float, kg
-            Mass that sits on it and moves, where that is not the m that k_v is preset for.
+            Mass that the mount carries, if it differs from the mass m that k_v is preloaded to carry.
         force : str
             "untruncated" as the geometry gives it (5), or "truncated" as the paper averages it (6).
         excitation : str
-            "force", in N; "base" or "acceleration", base excitation by its displacement in m or its acceleration in
-            m/s^2; "unbalance", a rotating mass times its radius, in kg m: it is part of m.
+            "force", in N; "base" or "acceleration", base excitation by the displacement in m or the acceleration in
+            m/s^2; "unbalance", a rotating mass times its radius, in kg m; the rotating mass is part of m.
 
         Returns
         -------
@@ -196,8 +197,8 @@ class Isolator(Oscillator):
         Raises
         ------
         ValueError
-            For a number outside its domain, for laws of damping as `Isolator`, and for a load with rubs="attached", for
-            which asymmetric motions are not derived.
+            For a number outside its domain, for combinations of damping laws as in `Isolator`, and for a load with
+            rubs="attached", for which offset motions are not derived.
         """
         moving = m if load is None else validate.number("load", si("load", load, "kg"), above=0.0)
         excitation = validate.excitation(excitation, tuple(EXCITED))
@@ -259,8 +260,8 @@ class Isolator(Oscillator):
         Arrays of xarray or dask make a map over named axes, which may be larger than memory; see
         `slowflow.grid.designs`.
 
-        Raises ValueError for what is no real array and for shapes that do not broadcast, and nothing for a single
-        design: each answer has a status.
+        Raises ValueError for arguments that are not real arrays and for shapes that do not broadcast. Invalid designs
+        raise nothing: each entry has a status.
         """
         numbers = {"lam": lam, "r": r, "delta_h": delta_h, "mu": mu, "zeta": zeta}
         numbers |= {"eta": eta, "c_2": c_2, "c_3": c_3, "zeta_2": zeta_2}
@@ -319,7 +320,7 @@ class Duffing(Oscillator):
         c_xx: Any = 0.0,
         excitation: str = "force",
     ) -> Physical:
-        """Make a mass on a cubic spring, k_1 x + k_3 x^3; questions and answers are in newtons, metres and hertz.
+        """Make a mass on a cubic spring, k_1 x + k_3 x^3, in newtons, metres and hertz.
 
         Parameters
         ----------
@@ -328,7 +329,7 @@ class Duffing(Oscillator):
         k_1, k_3 : float, N/m and N/m^3
             A negative k_1 is a double well, a negative k_3 a softening spring.
         friction, c, zeta, eta, c_2, c_3, c_xx, excitation : as of `Isolator.physical`
-            Of them zeta is c/(2 sqrt(|k_1| m)), of k_1 = 0 c/(2 sqrt(|k_3| m)) with a displacement of 1 m.
+            Here zeta is c/(2 sqrt(k m)) with k = |k_1|, or k = |k_3| (1 m)^2 if k_1 = 0.
 
         Returns
         -------

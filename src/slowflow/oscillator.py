@@ -66,16 +66,16 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
     rubs : {"throughout", "attached"}
         Where dry friction acts: at all u, or for |u| below the first breakpoint only.
     mu_s : float
-        Static friction over k_v L, >= mu: it holds a mass at rest in exact motions, and has no part in averaging.
+        Static friction over k_v L, >= mu: it holds a mass at rest in exact motions; averaging does not use it.
     excitation : {"force", "base", "unbalance"}
         The excitation of amplitude F_0: a force over k_v L, a displacement of the base over L, or a rotating mass times
         its radius over m L. The last two are forces F_0 Omega^2, need zeta, eta or c_2 > 0 and c_3 = 0, and have no
         proofs. A base whose acceleration has a constant amplitude a acts as a force, F_0 = m a/(k_v L).
     load : float
-        Static load over k_v L beyond what the vertical spring holds at the centre. Motions have a mean displacement
-        then: questions without an answer for these raise ValueError, see `off_centre`.
+        Static load over k_v L in addition to the load that the vertical spring carries at the centre. Motions then have
+        a mean displacement; questions that do not support it raise ValueError, see `off_centre`.
     **design : float
-        The numbers that `mechanism.design` names, each within its domain.
+        The parameters that `mechanism.design` names, each within its domain.
 
     Raises
     ------
@@ -86,9 +86,9 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
 
     Notes
     -----
-    With eta, c_2, c_3, zeta_2 or rubs="attached" there are no proofs and no second approximation, with eta > 0, which
-    is defined at a frequency, no shocks. It is immutable: each of these numbers, and each parameter of the force, can
-    be read by its name, and `replace` makes another oscillator.
+    With eta, c_2, c_3, zeta_2 or rubs="attached" there are no proofs and no second approximation; with eta > 0, which
+    is defined at one frequency, there are no shocks. Oscillators are immutable: each parameter can be read by its name,
+    and `replace` returns a changed copy.
     """
 
     stays = "an oscillator does not change"
@@ -172,9 +172,9 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
 
     @property
     def off_centre(self) -> OffCentre:
-        """The questions about motions with a mean displacement B: all equilibria, all states and folds with their B.
+        """Questions about offset motions, with a mean displacement B: all equilibria, states and folds.
 
-        Without a load too: a mass between two wells, or on a softening spring, may leave the centre by itself. Raises
+        Also without a load: a mass in a double well, or on a softening spring, may leave the centre by itself. Raises
         ValueError for a force whose offset motions are not derived, and for friction that ends at u_cr.
         """
         self._check_offset("off_centre", self.model.laws)
@@ -338,24 +338,24 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         Omega, F_0 : float
             Frequency and amplitude of the excitation, > 0, dimensionless.
         A : float, optional
-            The motion whose amplitude is nearest to A, stable or not, of those that averaging leads to: from its states
-            at Omega, its folds near it, and A itself, under a load without its folds; where none of them leads to a
-            motion, the limit of the motion from the averaged state nearest to A; with static friction also that of a
-            mass at rest. Close to a fold the nearest one may be unstable, see `.stable`. By default the motion that a
-            mass at rest tends to.
+            Select the motion with the amplitude nearest to A, stable or not. Newton's iteration starts from the
+            averaged states at Omega, from the averaged folds near it (not under a load) and from A itself; if none
+            converges, the motion from the averaged state nearest to A is followed until it settles; with static
+            friction also the motion of a mass at rest. Close to a fold the nearest one may be unstable, see `.stable`.
+            By default the motion that a mass at rest tends to.
         force : {"truncated", "untruncated"}, optional
             As in `restoring_force`.
         u_0, v_0 : float, optional
-            Displacement and velocity at tau = 0, where the forcing is largest, in place of A: the motion that this one
-            tends to. By default the mass is at rest where spring and load balance: at u = 0 if it is stable, else at
-            the stable equilibrium of `rest` nearest to it, of two as near at that with u > 0. Where there are several,
-            `.message` says which.
+            Initial displacement and velocity at tau = 0, where the forcing is largest, instead of A: the result is the
+            motion that the mass then tends to. By default the mass starts from rest at u = 0 if that is a stable
+            equilibrium, else at the stable equilibrium of `rest` nearest to it (u > 0 if two are equally near). If
+            there are several, `.message` names the one used.
 
         Returns
         -------
         SteadyState
-            .A .stops .stable .period .multipliers; `.force` is that on the mass, F_0 Omega^2 for an excitation by
-            inertia.
+            .A .stops .stable .period .multipliers; `.force` is the force on the mass, F_0 Omega^2 for base excitation
+            and unbalance.
 
         Raises
         ------
@@ -379,8 +379,8 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
     ) -> exact.Response:
         """Follow the response curve of the equation of motion (3): points, stability, stops, folds.
 
-        It is the curve through the motion that a mass at rest tends to at the lowest frequency, or one that begins with
-        u_0 and v_0, or through `start`. No proof that there are no others.
+        The curve passes through the motion that a mass at rest, or with u_0 and v_0, tends to at the lowest frequency,
+        or through `start`. That there are no other curves is not proved.
 
         Parameters
         ----------
@@ -389,8 +389,8 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         Omega : tuple of float
             Window of frequencies, 0 < low < high.
         start : SteadyState, optional
-            A motion on the curve: an isolated curve needs its own, `steady_state(Omega=..., F_0=..., A=...)`, and where
-            averaging has another one, `.message` gives these numbers.
+            A motion on the curve. An isolated curve needs its own start, `steady_state(Omega=..., F_0=..., A=...)`; if
+            averaging predicts another curve, `.message` gives these numbers.
         step : float
             Largest distance of neighbouring points, > 0 and <= 0.5, relative.
         force : {"truncated", "untruncated"}, optional
@@ -401,18 +401,18 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         Returns
         -------
         Response
-            .Omega .A .stable .folds .peak; .A is the largest |u|, of offset motions too. An excitation by inertia is so
-            small at low frequencies that friction may hold the mass: the curve begins close to where it begins to move,
-            and `.message` says so; where friction holds the mass throughout the curve has no point. A curve that takes
-            more than some ten seconds, or cannot be followed further, is returned up to there: `.complete` is False,
-            and `.message` says where and why.
+            .Omega .A .stable .folds .peak; .A is the largest |u|, also of offset motions. At low frequencies the force
+            of base excitation or unbalance may not overcome friction: the curve then begins near the frequency at which
+            the mass starts to move, as `.message` reports; if friction holds the mass throughout, the curve has no
+            point. A curve that takes more than about ten seconds, or that cannot be followed further, is returned as
+            far as it was computed: `.complete` is False, and `.message` gives the place and the reason.
 
         Raises
         ------
         ValueError
             For parameters out of range.
         ArithmeticError
-            Where there is no start or resonance is unbounded.
+            If no starting motion is found, or if the resonance is unbounded.
         """
         return self._motions(self.equation_of_motion(force)).exact_response(F_0, Omega, start, step, u_0, v_0)
 
@@ -421,8 +421,9 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
     ) -> exact.Sweep:
         """Follow a stepped-sine test through the frequencies in their order: amplitudes and jumps.
 
-        The motion is followed at each frequency until it is shown to tend to a stable periodic one, whose amplitude is
-        returned, and goes on from there; `.settled` is False where it does not within 2000 periods of the forcing.
+        At each frequency the motion is followed until it is shown to tend to a stable periodic motion, whose amplitude
+        is returned; the next frequency continues from there. `.settled` is False where it does not settle within 2000
+        periods of the forcing.
 
         Parameters
         ----------
@@ -438,7 +439,7 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         Returns
         -------
         Sweep
-            .Omega .A .settled, shape (n,), and .jumps, shape (k, 2): frequencies before and after each.
+            .Omega .A .settled, shape (n,), and .jumps, shape (k, 2): frequencies before and after each jump.
 
         Raises
         ------
@@ -465,12 +466,12 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         Parameters
         ----------
         acceleration : array_like, optional
-            Of the base, over k_v L/m: the peak of a half sine, or the samples of a record, shape (n,). By default there
-            is none, and the mass moves freely from u_0 and v_0.
+            Acceleration of the base over k_v L/m: the peak of a half sine, or the samples of a record, shape (n,). By
+            default none: the mass moves freely from u_0 and v_0.
         duration : float, optional
-            Of the half sine, in tau.
+            Duration of the half sine, in tau.
         tau : array_like, optional
-            Times of the samples instead, rising, shape (n,); linear between them.
+            Times of the samples of a record, ascending, shape (n,); the acceleration is linear between them.
         after : float, optional
             Duration of the free motion afterwards, by default ten natural periods; longer until the mass has turned
             twice.
@@ -500,14 +501,14 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         Parameters
         ----------
         acceleration, duration : array_like
-            Peak and duration of the pulse as in `transient`, > 0, that broadcast.
+            Peak and duration of the pulse as in `transient`, > 0; they broadcast.
         force : {"truncated", "untruncated"}, optional
             The force of (6) or of (5); by default the one that is averaged.
 
         Returns
         -------
         ShockSpectrum
-            A row for each pulse: .A .a_max .ratio .detaches.
+            One row per pulse: .A .a_max .ratio .detaches.
 
         Raises
         ------
@@ -521,30 +522,30 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
     def random(self, *, S_0: float | None = None, psd: tuple[Reals, Reals] | None = None) -> RandomResponse:
         """Find the stationary motions under a Gaussian excitation w(tau), by statistical linearization.
 
-        Under base excitation w is minus its acceleration, over k_v L/m; else a force, over k_v L, in the place of F_0
-        cos(Omega tau).
+        Under base excitation w is minus the acceleration of the base, over k_v L/m; otherwise a force, over k_v L, in
+        place of F_0 cos(Omega tau).
 
         Parameters
         ----------
         S_0 : float, optional
             Constant two-sided spectral density of white noise, E[w(t) w(t + s)] = 2 pi S_0 delta(s).
         psd : tuple of array_like, optional
-            One-sided density instead: frequencies and densities, linear in log-log between these, 0 outside; its
+            One-sided density instead: frequencies and densities, linear in log-log between the points, 0 outside; the
             integral over Omega is the mean square of w.
 
         Returns
         -------
         RandomResponse
             .u_rms .v_rms .a_rms, .stiffness and .damping of the equivalent linear oscillator, .beyond and
-            .crossing_rate of the first breakpoint: every such oscillator, as is proved, by rising u_rms. Where there
-            are several, or dry friction is most of the damping, `.message` says so; `.measure()` compares with the
-            motion itself.
+            .crossing_rate of the first breakpoint, in ascending order of u_rms; it is proved that there are no others.
+            If there are several, or if dry friction dominates the damping, `.message` reports it; `.measure()` compares
+            with simulated motions.
 
         Raises
         ------
         ValueError
-            For both or none of S_0 and psd, without mu and zeta (under white noise c_2 suffices), for eta, c_3,
-            zeta_2 > 0, rubs="attached", under a load and for an asymmetric force.
+            If both or neither of S_0 and psd are given, without mu and zeta (under white noise c_2 suffices), for eta,
+            c_3, zeta_2 > 0, rubs="attached", under a load and for an asymmetric force.
         ArithmeticError
             Where there is no stationary motion.
         """
@@ -554,7 +555,7 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         return random(self, self._in_time(None), S_0, psd)
 
     def at_rest(self) -> checks.AtRest:
-        """Compute what holds at every forcing: .Omega_0 .k_0 .u_cr, by friction .break_loose .rests_within .sticking.
+        """Compute data that do not depend on the forcing: .Omega_0 .k_0 .u_cr .break_loose .rests_within .sticking.
 
         Raises ValueError under a load, and for a force that is not odd: `rest` has the equilibria.
         """
@@ -576,9 +577,9 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
 
     @cached_property
     def second_approximation(self) -> SecondApproximation:
-        """The same questions with the higher harmonics of force and friction: closer to the equation of motion.
+        """The same questions with higher harmonics of force and friction, which is closer to the equation of motion.
 
-        Raises ValueError where these harmonics are not derived: for force="untruncated" with u_cr > 3/4.
+        Raises ValueError if these harmonics are not derived: for force="untruncated" with u_cr > 3/4.
         """
         from slowflow.second import SecondApproximation
 
@@ -602,12 +603,12 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         load: Any = 0.0,
         **design: Any,
     ) -> Any:
-        """Many designs of one mechanism at once, from arrays that broadcast; see `slowflow.averaged.many`.
+        """Make a batch of designs of one mechanism from arrays that broadcast; see `slowflow.averaged.many`.
 
         Arrays of xarray or dask make a map over named axes; see `slowflow.grid.designs`. With a load, or for a force
-        that is not odd, answers have the mean B; see `slowflow.off_centre.many`. Raises ValueError for what is no real
-        array and for shapes that do not broadcast, TypeError for a name that is missing or unknown, and nothing for a
-        single design: each answer has a status.
+        that is not odd, answers include the mean B; see `slowflow.off_centre.many`. Raises ValueError for arguments
+        that are not real arrays and for shapes that do not broadcast, TypeError for a missing or unknown name. Invalid
+        designs raise nothing: each entry has a status.
         """
         from slowflow.grid import designs_of
 

@@ -1,7 +1,7 @@
 """Oscillators in newtons, metres and hertz. Takes a dimensionless one and its `Scales`; returns `Quantities`.
 
-Arguments in SI units, or quantities of pint, are made dimensionless: the table of columns has the dimensionless name
-and the kind of each number, `slowflow.quantities` its unit.
+Arguments in SI units, or quantities of pint, are made dimensionless. The table of columns has the dimensionless name
+and the kind of each number, `slowflow.quantities` the units.
 """
 
 from __future__ import annotations
@@ -48,19 +48,19 @@ def _takes(question: Any) -> Mapping[str, inspect.Parameter]:
 
 @dataclass(frozen=True, repr=False)
 class Physical:
-    """An oscillator in SI units: forces in N, frequencies f in Hz, lengths in m, in arguments and answers.
+    """An oscillator in SI units: arguments and answers have forces in N, frequencies f in Hz, lengths in m.
 
-    A question takes the amplitude of the excitation first, or by its letter: a force F in N, the displacement Y of the
-    base in m or its acceleration a in m/s^2, or an unbalance U in kg m, the rotating mass times its radius. Answers use
-    the same letter: Y_SN or a_cr in place of F_SN and F_cr. Under base excitation each question takes a or Y, whatever
-    `excitation` is: the motion relative to the base is that under a force m a at every frequency.
+    A question takes the amplitude of the excitation as its first argument, or by name: a force F in N, the displacement
+    Y of the base in m or its acceleration a in m/s^2, or an unbalance U in kg m, the rotating mass times its radius.
+    Answers use the same letter: Y_SN or a_cr instead of F_SN and F_cr. Under base excitation each question accepts a as
+    well as Y: relative to the base, the mass moves as under a force m a at every frequency.
 
     oscillator -- the dimensionless oscillator
     scales     -- the mass, stiffness and length that make its numbers dimensionless (4)
     given      -- the arguments that it was made from, for `replace`
 
-    It is immutable. Arguments may be quantities of pint or strings such as "0.3 g" too. Each question is that of the
-    dimensionless `Oscillator` of the same name, with its diagnostics and errors, these in SI units.
+    Objects are immutable. Arguments may also be quantities of pint or strings such as "0.3 g". Each question
+    corresponds to that of the dimensionless `Oscillator` of the same name; diagnostics and errors are in SI units.
     """
 
     oscillator: Any
@@ -86,19 +86,19 @@ class Physical:
         -------
         Quantities
             .f_n in Hz: natural frequency of the mass on the vertical spring alone;
-            .f_0 in Hz, .k_0 in N/m: of small motions about the centre, no f_0 where k_0 < 0;
+            .f_0 in Hz, .k_0 in N/m: frequency and stiffness of small motions about the centre, no f_0 if k_0 < 0;
             .x_cr in m: the stroke, at which the springs detach, None if they never touch;
-            .preset in m: compression of k_v that holds the mass at the centre, m g/k_v;
-            .lightest, .heaviest in kg: masses with an equilibrium at -x_cr and x_cr while k_v is preset for m, no
-            lightest where even none would have its equilibrium above -x_cr;
+            .preset in m: compression of k_v that carries the mass at the centre, m g/k_v;
+            .lightest, .heaviest in kg: masses with an equilibrium at -x_cr and x_cr if k_v is preloaded for m; no
+                lightest mass if the spring without any mass rests within the stroke;
             .break_loose in N: constant force that friction holds, the static one if specified;
-            .rests_within in m: distance from the centre within which friction holds the mass, None for any;
-            .sticking in N: force amplitude up to which the averaged mass sticks, 4/pi times the friction (27).
+            .rests_within in m: distance from the centre within which friction holds the mass, None if unlimited;
+            .sticking in N: force amplitude up to which averaging predicts sticking, 4/pi times the friction (27).
 
         Raises
         ------
         ValueError
-            With a load that k_v is not preset for: `rest` has its equilibria.
+            With a load other than m: `rest` has its equilibria.
         """
         if (first := getattr(self.oscillator, "first", None)) is not None:  # the springs are the same at each depth
             return dataclasses.replace(self, oscillator=first).at_rest()
@@ -116,7 +116,7 @@ class Physical:
         return cast("answers.AtRest", Quantities(values, units, found.answer))
 
     def sag(self, load: Number) -> float:
-        """Compute the equilibrium, in m from the centre, of a mass `load` in kg on a spring k_v preset for m (5)."""
+        """Compute the equilibrium, in m from the centre, of a mass `load` in kg on a spring k_v preloaded for m (5)."""
         load = validate.number("load", si("load", load, "kg"), above=0.0)
         preset = float(si("m", self.given["m"], "kg"))
         weight = (load - preset) * g / self.scales.sizes["force"]
@@ -131,11 +131,11 @@ class Physical:
     # ---- the questions
 
     def rest(self) -> answers.Rows:
-        """Find every equilibrium without friction: .x in m, .stable, .stiffness in N/m, .load in kg."""
+        """Find every equilibrium, without friction: .x in m, .stable, .stiffness in N/m, .load in kg."""
         return self._answer("rest")
 
     def force(self, x: Numbers) -> Floats:
-        """Compute the restoring force in N at displacements x in m, without the weight that k_v is preset for."""
+        """Compute the restoring force in N at displacements x in m, without the weight that k_v carries."""
         return np.asarray(self._ask("force", x=x) * self.scales.sizes["force"])
 
     def stiffness(self, x: Numbers) -> Floats:
@@ -207,7 +207,7 @@ class Physical:
         return self._answer("fold_locus", samples=samples, A_max=A_max)
 
     def cusps(self, *, A_max: Number | None = None) -> answers.AtEach:
-        """Find where two folds appear or merge, up to A_max in m: .F in N, .f in Hz, .A in m, .minimum."""
+        """Find the cusps, where two folds appear or merge, up to A_max in m: .F in N, .f in Hz, .A in m, .minimum."""
         return self._answer("cusps", A_max=A_max)
 
     def isola_points(self, *, A_max: Number | None = None) -> answers.AtEach:
@@ -216,7 +216,7 @@ class Physical:
 
     @property
     def sticking_forcing(self) -> float:
-        """Amplitude of the excitation in its unit up to which a mass sticks at every frequency, 4 mu/pi (27)."""
+        """Amplitude of the excitation, in SI units, up to which a mass sticks at every frequency, 4 mu/pi (27)."""
         return self.oscillator.sticking_forcing * self.scales.sizes[self.scales.amplitude]
 
     def transmissibility_floor(self, amplitude: Number | None = None, /, **at: Unpack[Amplitude[Number]]) -> float:
@@ -244,9 +244,10 @@ class Physical:
     def certify(
         self, amplitude: Number | None = None, /, *, f: Number | None = None, **at: Unpack[Amplitude[Number]]
     ) -> answers.Certificate:
-        """Prove all folds at one amplitude, its F_SN and F_cr in N, and all states at a frequency: print it.
+        """Prove all folds at one amplitude, F_SN and F_cr in N, and all states at a frequency.
 
-        The proof is of the dimensionless numbers: `.answer` has the proved intervals, which are rounded here.
+        Print the result. The proof concerns the dimensionless numbers: `.answer` has the proved intervals, which are
+        rounded here.
 
         Parameters
         ----------
@@ -274,19 +275,19 @@ class Physical:
         f : float
             Frequency in Hz, > 0.
         A : float, optional
-            The motion whose amplitude is nearest to A, in m; by default that which a mass at rest comes to.
+            Select the motion with the amplitude nearest to A, in m; by default the one that a mass at rest tends to.
         samples : int
             Points over one period.
         x_0, v_0 : float, optional
-            Displacement in m and velocity in m/s at t = 0, in place of A.
+            Displacement in m and velocity in m/s at t = 0, instead of A.
         **at : float
             Amplitude of the excitation: F in N, Y in m, a in m/s^2 or U in kg m.
 
         Returns
         -------
         Quantities
-            .A in m, the largest |x|, .x_max of `amplitudes` under a load; .stops, .stable, .period in s; .t in s, .x in
-            m and .v in m/s, shape (samples,). `.answer` is the dimensionless motion.
+            .A in m, the largest |x| (under a load comparable to .x_max of `amplitudes`); .stops, .stable, .period in s;
+            .t in s, .x in m and .v in m/s, shape (samples,). `.answer` is the dimensionless motion.
         """
         one, F_0 = self._excited(None, at)
         found = one._ask("steady_state", f=f, F_0=F_0, A=A, x_0=x_0, v_0=v_0)
@@ -320,7 +321,7 @@ class Physical:
         step : float
             Largest relative distance of neighbouring points, > 0 and <= 0.5.
         x_0, v_0 : float, optional
-            Initial displacement in m and velocity in m/s, in place of `start`.
+            Initial displacement in m and velocity in m/s, instead of `start`.
 
         Returns
         -------
@@ -374,24 +375,24 @@ class Physical:
         Parameters
         ----------
         acceleration : array_like, optional
-            Of the base in m/s^2: the peak of a half sine, or the samples of a record, shape (n,).
+            Acceleration of the base in m/s^2: the peak of a half sine, or the samples of a record, shape (n,).
         duration : float, optional
-            Of the half sine, in s.
+            Duration of the half sine, in s.
         t : array_like, optional
-            Times of the samples in s, rising, shape (n,).
+            Times of the samples in s, ascending, shape (n,).
         after : float, optional
             Duration in s of the free motion afterwards, by default ten natural periods.
         samples : int
-            Points over time.
+            Number of points over time.
         x_0, v_0 : float, optional
             Initial displacement in m and velocity in m/s relative to the base; by default the mass is at rest.
 
         Returns
         -------
         Quantities
-            Relative to the base .A in m, the largest |x|, at .t_A in s, .detaches, first at .t_detaches in s, .x_cr in
-            m, and .x_end in m, where friction holds the mass if .rests. Absolute .a_max in m/s^2 at .t_a in s. The
-            motion .t .x .v .a and the acceleration of the .base, shape (samples,). `.answer` is the dimensionless
+            Relative to the base: .A in m, the largest |x|, at .t_A in s; .detaches, first at .t_detaches in s; .x_cr in
+            m; .x_end in m, where friction holds the mass if .rests. Absolute: .a_max in m/s^2 at .t_a in s. The motion
+            has .t .x .v .a and the acceleration of the base, .base, shape (samples,). `.answer` is the dimensionless
             motion.
         """
         pulse = {"acceleration": acceleration, "duration": duration, "t": t, "after": after}
@@ -405,7 +406,7 @@ class Physical:
         Parameters
         ----------
         acceleration, duration : array_like
-            Peak in m/s^2 and duration in s, > 0, that broadcast.
+            Peak in m/s^2 and duration in s, > 0; they broadcast.
 
         Returns
         -------
@@ -420,10 +421,10 @@ class Physical:
         Parameters
         ----------
         psd : tuple of array_like, or Columns
-            Frequencies in Hz and one-sided densities, linear in log-log between these, 0 outside; or the columns f and
-            G of a file with its unit, see `slowflow.measurements`.
+            Frequencies in Hz and one-sided densities, linear in log-log between the points, 0 outside; or the columns f
+            and G of a file with their unit, see `slowflow.measurements`.
         unit : str
-            Of the densities: "g^2/Hz" or "(m/s^2)^2/Hz" of the base's acceleration, "N^2/Hz" of a force.
+            Unit of the densities: "g^2/Hz" or "(m/s^2)^2/Hz" for the base's acceleration, "N^2/Hz" for a force.
 
         Returns
         -------
@@ -445,7 +446,7 @@ class Physical:
         return cast("answers.Random", self.scales.quantities(found))
 
     def margins(self, amplitude: Number | None = None, /, **at: Unpack[Amplitude[Number]]) -> answers.One:
-        """Compare F in N (or Y, a, U) with F_SN and F_cr: .of_SN = F_SN/F and .of_cr = F_cr/F, < 1 beyond them."""
+        """Compare F in N (or Y, a, U) with F_SN and F_cr: .of_SN = F_SN/F and .of_cr = F_cr/F, < 1 if exceeded."""
         return self._answer("margins", amplitude, at)
 
     def hysteresis(self, amplitude: Number | None = None, /, **at: Unpack[Amplitude[Number]]) -> answers.AtOne:
@@ -467,7 +468,7 @@ class Physical:
         return self._answer("isolation", amplitude, at, level_dB=level_dB)
 
     def spectrum(self, *, f: Numbers, **at: Unpack[Amplitude[Numbers]]) -> answers.AtEach:
-        """Find the largest stable motion at each row of a load spectrum, one tone at a time, in their order.
+        """Find the largest stable motion for each row of a load spectrum, one tone at a time, in order.
 
         Parameters
         ----------
@@ -479,7 +480,7 @@ class Physical:
         Returns
         -------
         Quantities
-            .A in m, .transmissibility_dB, .motions, .crosses a fold, .detaches, .sticks, shape (n,).
+            .A in m, .transmissibility_dB, .motions, .crosses (a fold), .detaches, .sticks, shape (n,).
         """
         return self._answer("spectrum", None, at, f=f)
 
@@ -493,7 +494,7 @@ class Physical:
         ax: Any = None,
         **at: Unpack[Amplitude[Numbers]],
     ) -> Any:
-        """Draw the response at one amplitude, or at each of several, into Matplotlib axes, or new ones; return these.
+        """Plot the response at one amplitude, or at each of several; return the Matplotlib axes, new ones by default.
 
         f  -- window of frequencies in Hz, by default from 0 to twice f_n
         of -- quantity over f: "A" in mm, under a load .x_max; "phi" or "transmissibility_dB"

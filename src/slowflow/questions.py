@@ -1,4 +1,4 @@
-"""The questions about one oscillator: each stands here once, with what it takes and what is refused before any work.
+"""The questions about one oscillator: each is declared here, with its arguments and the checks before any work.
 
 A system answers it: averaging about the centre (`averaged.questions`), averaging with a mean displacement B
 (`off_centre.questions`), or the second approximation (`second.questions`).
@@ -24,8 +24,8 @@ class Questions(Generic[States, Response, Folds]):
     """The questions about the averaged motions of one oscillator, dimensionless as in (4).
 
     F_0 is the amplitude of the excitation: a force over k_v L, the displacement of a base over L, or an unbalance over
-    m L. A system answers each question by the method of the same name with an underscore. Its class says how complete
-    its answers are.
+    m L. A system answers each question by the method of the same name with an underscore; its class documents how
+    complete the answers are.
     """
 
     @property
@@ -38,7 +38,7 @@ class Questions(Generic[States, Response, Folds]):
     ) -> Response:
         """Compute the response curve at one forcing, every branch and isolated curve.
 
-        On it (A Omega^2 + h)^2 + (2 zeta A Omega + 4 mu/pi)^2 = F_0^2 (24); stability is that of (30).
+        Its points satisfy (A Omega^2 + h)^2 + (2 zeta A Omega + 4 mu/pi)^2 = F_0^2 (24); stability follows from (30).
 
         Parameters
         ----------
@@ -52,16 +52,16 @@ class Questions(Generic[States, Response, Folds]):
         Returns
         -------
         FrequencyResponse
-            .Omega .A .phi .stable .branch .isola, shape (n,); under a load also the mean displacement .B. With an
-            excitation by inertia the curve begins where the mass begins to move, or at 2^-10 of the window's end.
-            F_0 <= 4 mu/pi gives no point and a message.
+            .Omega .A .phi .stable .branch .isola, shape (n,); under a load also the mean displacement .B. With base
+            excitation or unbalance the curve begins where the mass begins to move, or at 2^-10 of the window's end. F_0
+            <= 4 mu/pi gives no point and a message.
 
         Raises
         ------
         ValueError
-            For a number that is not allowed, and under a load without damping that grows with the amplitude.
+            For an invalid number, and under a load without damping that grows with the amplitude.
         ArithmeticError
-            Where it is undecided which states are on one curve.
+            If it is undecided which states belong to the same curve.
         """
         F_0 = validate.number("F_0", F_0, above=0.0)
         samples, window = validate.curve(samples, Omega)
@@ -75,17 +75,17 @@ class Questions(Generic[States, Response, Folds]):
         Omega : array_like
             Frequencies, > 0 and <= 1e40, over sqrt(k_v/m).
         F_0 : array_like
-            Amplitude of the excitation, > 0, dimensionless; an array that broadcasts with Omega makes pairs, each a
-            single tone.
+            Amplitude of the excitation, > 0, dimensionless; an array that broadcasts with Omega makes pairs, each of
+            which is a single tone.
 
         Returns
         -------
         SteadyStates
-            .Omega .A .phi .stable, shape (n,), in the order of the points, then by rising A; under a load also the mean
-            displacement .B. Where the force does not exceed 4 mu/pi friction holds the mass: A = 0 is a steady state,
-            which transmits all of the force, and moves with a base that moves.
-            Where double precision is inconclusive the number is resolved in ball arithmetic, as for `saddle_nodes`, at
-            200 points at most; .Omega_undecided has the frequencies at which that is inconclusive too.
+            .Omega .A .phi .stable, shape (n,), in the order of the points, then in ascending order of A; under a load
+            also the mean displacement .B. Where the force does not exceed 4 mu/pi friction holds the mass: A = 0 is a
+            steady state, which transmits the whole force, or moves with the base. Where double precision is
+            inconclusive, ball arithmetic resolves the number of states, as for `saddle_nodes`, at 200 points at most;
+            .Omega_undecided has the frequencies at which it is inconclusive too.
 
         Raises
         ------
@@ -100,31 +100,31 @@ class Questions(Generic[States, Response, Folds]):
         return system._amplitudes(at, validate.number("F_0", F_0, above=0.0))
 
     def saddle_nodes(self, F_0: float, *, certify: bool = False) -> Folds:
-        """Find every fold of the response curve at one forcing, by rising Omega, then by rising A.
+        """Find every fold of the response curve at one forcing, in ascending order of Omega, then of A.
 
-        There F = 0 (24) and F_A = 0 (30): a stable and an unstable steady state merge, and a sweep jumps.
+        At a fold F = 0 (24) and F_A = 0 (30): a stable and an unstable steady state merge, and a sweep jumps.
 
         Parameters
         ----------
         F_0 : float
             Amplitude of the excitation, > 0, dimensionless.
         certify : bool
-            Whether .proof holds an enclosure of each fold, and whether there are proved to be no others. Not under a
-            load. A proof that finds another number of folds than the answer says so in its message.
+            Whether to compute .proof: an enclosure of each fold, and whether it is proved that there are no others. Not
+            under a load. If the proof finds a different number of folds, its message reports that.
 
         Returns
         -------
         SaddleNodes
             .Omega .A .kind .corner, shape (n,); under a load also the mean displacement .B, up to the amplitude
-            `A_max(F_0)` of `off_centre`. Where double precision is inconclusive the number is resolved in ball
-            arithmetic, in hundredths of a second, with python-flint (`pip install 'slowflow[proofs]'`);
-            `Remark.UNDECIDED` says where that is inconclusive too.
+            `A_max(F_0)` of `off_centre`. Where double precision is inconclusive, ball arithmetic resolves the number,
+            in hundredths of a second, with python-flint (`pip install 'slowflow[proofs]'`); `Remark.UNDECIDED` marks a
+            result for which it is inconclusive too.
 
         Raises
         ------
         ValueError
-            For F_0 <= 0, where there is no proof to certify with, and under a load without damping that grows with the
-            amplitude.
+            For F_0 <= 0, with certify=True if no proof is available, and under a load without damping that grows with
+            the amplitude.
         """
         system = self._system
         if certify:
@@ -141,16 +141,16 @@ class Questions(Generic[States, Response, Folds]):
         Returns
         -------
         SaddleNodeOnset
-            .F_SN .Omega .A .kind; `.untruncated` is the onset of the untruncated force where the onset lies on a corner
-            that only the truncation makes. Where double precision is inconclusive it is resolved in ball arithmetic,
-            as for `saddle_nodes`, in some seconds. Under a load it is the lowest forcing for which a stable motion ends
-            at a fold, with its mean displacement .B: that none is below it is proved up to 2^-16 of F_SN; nearer to it,
-            it is the least of its surroundings.
+            .F_SN .Omega .A .kind; `.untruncated` is the onset of the untruncated force if the onset lies on a corner
+            due to the truncation alone. Where double precision is inconclusive, ball arithmetic resolves it, as for
+            `saddle_nodes`, in some seconds. Under a load it is the lowest forcing for which a stable motion ends at a
+            fold, with its mean displacement .B; it is proved that there is none below (1 - 2^-16) F_SN, and F_SN is a
+            local minimum.
 
         Raises
         ------
         ArithmeticError
-            Where it is undecided, or would be by python-flint, which is not installed.
+            If it is undecided, or if python-flint, which is not installed, is needed to resolve it.
         ValueError
             Under a load without damping that grows with the amplitude.
         """
@@ -162,17 +162,18 @@ class Questions(Generic[States, Response, Folds]):
         Returns
         -------
         Detachment
-            .F_cr .Omega_cr .u_cr. Under a load it is the lowest forcing whose motion reaches the first breakpoint,
-            |B| + A = u_cr, on either side, with .A and .B. Under an asymmetric force it is the lowest forcing whose
-            motion reaches an end of the piece about u = 0, such as a stop.
+            .F_cr .Omega_cr .u_cr. Under a load it is the lowest forcing whose motion reaches the first breakpoint, |B|
+            + A = u_cr, on either side, with .A and .B; under an asymmetric force, the lowest forcing whose motion
+            reaches an end of the piece about u = 0, such as a stop.
         """
         return self._system._detachment()
 
     def peak(self, F_0: float) -> Peak:
         """Find the highest peak of the response at one forcing, isolated curves included.
 
-        A peak is a top of the curve over Omega at which stable motions end, so that F of (24) rises with A there. Where
-        the curve has none, as its amplitude only falls with Omega, it is the static amplitude, with Omega = 0.
+        A peak is a maximum of the curve over Omega at which stable motions end, so that F of (24) increases with A
+        there. If the curve has none because the amplitude decreases with Omega throughout, the static amplitude at
+        Omega = 0 is returned.
 
         Parameters
         ----------
@@ -182,22 +183,20 @@ class Questions(Generic[States, Response, Folds]):
         Returns
         -------
         Peak
-            .A .Omega; None with a message where the response passes the top of a potential well, without viscous
-            damping, and where an excitation by inertia has a response that is unbounded, or whose amplitude only rises,
-            towards F_0.
-            Where the spring softens to a top of its well, as alpha u + beta u^3 with beta < 0 at
-            |u| = sqrt(-alpha/beta), it is the highest peak of motions that turn within the well. Averaging has states
-            beyond, none of them stable, and `Remark.BEYOND_WELL` says that `amplitudes` and `frequency_response` have
-            them.
-            Under a load it is the largest amplitude of motions with a positive mean stiffness, with .B, and the largest
-            |u| = |B| + A of all of them, .u_max at .Omega_max: that no motion exceeds it is proved but for 2^-24 of it,
-            up to the amplitude `A_max(F_0)` of `off_centre`.
+            .A .Omega; None with a message if the response passes the top of a potential well, without viscous damping,
+            and if the response to base excitation or unbalance is unbounded or its amplitude increases towards F_0
+            throughout. For a softening spring with a potential well, such as alpha u + beta u^3 with beta < 0, whose
+            top is at |u| = sqrt(-alpha/beta), it is the highest peak of motions that turn within the well. Averaging
+            also has states beyond the well, all of them unstable; `Remark.BEYOND_WELL` marks `amplitudes` and
+            `frequency_response` that contain them. Under a load it is the largest amplitude of motions with a positive
+            mean stiffness, with .B, and the largest |u| = |B| + A of all of them, .u_max at .Omega_max; it is proved,
+            up to the amplitude `A_max(F_0)` of `off_centre`, that no motion exceeds it by more than a relative 2^-24.
 
         Raises
         ------
         ValueError
             For F_0 <= 0, and under a load without damping that grows with the amplitude.
         ArithmeticError
-            Under a load where too many boxes stay undecided.
+            Under a load, if too many boxes stay undecided.
         """
         return self._system._peak(validate.number("F_0", F_0, above=0.0))

@@ -1,7 +1,7 @@
-"""Records of the questions' answers: arrays and numbers; where there is no answer, `message` has the reason.
+"""Results of the questions: arrays and numbers; if there is no result, `message` gives the reason.
 
-Results are immutable, their arrays included, and compare by value. Those with several entries have a length, and an
-index or a loop gives one entry as a named tuple: `for fold in iso.saddle_nodes(0.04): fold.Omega`.
+Results are immutable, their arrays included, and compare by value. Results with several entries have a length; indexing
+or iterating gives named tuples: `for fold in iso.saddle_nodes(0.04): fold.Omega`.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ ONLY_OFFSET = "only motions with a mean B have {u_max}: without a load A is the 
 
 
 class Remark(IntFlag):
-    """Diagnostics of an answer, as codes that add up; `.message` has them as text."""
+    """Diagnostics of an answer, as flags; `.message` has them as text."""
 
     #: mu/F_0 is near pi/4, where averaging fails
     NEAR_STICKING = 1
@@ -99,7 +99,7 @@ class Measured(Table):
     Omega, A -- frequency, and largest |u| of the motion
     error    -- relative error of the averaged amplitude
     stable, stops -- whether the motion is stable; its stops in one period
-    found    -- whether there is such a motion: A and error are nan where there is none
+    found    -- whether there is such a motion; otherwise A and error are nan
     reason   -- why there is none
     message  -- how many states have none, and why; empty if all have one
     """
@@ -123,7 +123,7 @@ class MeasuredFolds(Table):
     Omega, A   -- of the exact fold
     error      -- relative error of the averaged frequency
     error_of_A -- relative error of the averaged amplitude
-    found      -- whether there is such a fold: the other columns are nan where there is none
+    found      -- whether there is such a fold; otherwise the other columns are nan
     reason     -- why there is none
     message    -- how many have none, and why; empty if all have one
     """
@@ -141,11 +141,11 @@ class MeasuredFolds(Table):
 
 @dataclass(frozen=True, eq=False)
 class MeasuredPoint(Single):
-    """The peak, onset, detachment or isolation of the equation of motion (3), found from an averaged one; or None.
+    """The peak, onset, detachment or isolation of the equation of motion (3), found from the averaged one; or None.
 
     F_0, Omega, A -- forcing, frequency, and largest |u| of the motion
-    error    -- relative error of the averaged result: of a peak A, of an onset F_SN, of a detachment F_cr, of isolation
-                Omega
+    error    -- relative error of the averaged result: A of a peak, F_SN of an onset, F_cr of a detachment, Omega of
+            isolation
     error_of_Omega -- relative error of the averaged frequency
     message  -- why there is none
     """
@@ -175,7 +175,7 @@ NOT_MEASURED = "off the centre only states and folds can be measured, as amplitu
 
 @dataclass(frozen=True, eq=False)
 class Moving:
-    """What averaged answers have in common: comparison with exact motions, and gradients under a load."""
+    """Common part of averaged answers: comparison with exact motions, and gradients under a load."""
 
     #: the oscillator, whose `measured` compares an answer with the equation of motion
     _equation: Any = field(default=None, kw_only=True, repr=False)
@@ -194,7 +194,7 @@ class Moving:
 
 @dataclass(frozen=True, eq=False)
 class OfPoint(Moving):
-    """What a peak, an onset and a detachment have in common: each is compared with one of the equation of motion."""
+    """Common part of peak, onset and detachment: comparison with the equation of motion."""
 
     if TYPE_CHECKING:
         load: float | None
@@ -224,12 +224,12 @@ class Point(OfPoint, Single):
         return off_centre(self._model.mu, *(getattr(self, name) for name in self.at))
 
     def measure(self, force: str | None = None) -> MeasuredPoint:
-        """Compare it with that of the equation of motion (3), in tenths of a second where compiled.
+        """Compare the point with that of the equation of motion (3), in tenths of a second if compiled.
 
-        The exact curve is followed from motions near a peak. An onset is the forcing at which the exact curve near it
-        becomes vertical, or gets folds at a corner; where an isolated curve is born there is no such forcing. A
-        detachment is the forcing at which the exact curve of the first piece alone has a peak of u_cr. `force` and
-        errors as in `SteadyStates.measure`, and ArithmeticError where that takes too many steps.
+        For a peak, the exact curve is followed from nearby motions. The exact onset is the forcing at which the exact
+        curve becomes vertical nearby, or gets folds at a corner; the birth of an isolated curve is not compared. The
+        exact detachment is the forcing at which the exact curve of the first piece alone has a peak of u_cr. `force`
+        and errors as in `SteadyStates.measure`; ArithmeticError if it takes too many steps.
         """
         return self._measured(force)
 
@@ -245,7 +245,7 @@ def of_model(model: Model | None) -> sensitivities.Design:
 
 
 class WithMean:
-    """What states and folds have in common: the mean displacement, which is 0 without a load."""
+    """Common part of states and folds: the mean displacement, which is 0 without a load."""
 
     entry: ClassVar[Any]
     with_mean: ClassVar[Any]
@@ -260,12 +260,12 @@ class WithMean:
 
     @property
     def mean(self) -> Floats:
-        """The mean displacement of each: B, and 0 without a load."""
+        """Mean displacement of each entry: B, or 0 without a load."""
         return np.zeros(self.A.size) if self.B is None else self.B
 
 
 class InDecibels:
-    """What tables of states have in common, of every approximation."""
+    """Common part of tables of states, for every approximation."""
 
     if TYPE_CHECKING:
         transmissibility: Any
@@ -283,11 +283,11 @@ class SteadyStates(Moving, WithMean, InDecibels, Table):
 
     Omega, A -- frequency and amplitude, dimensionless; A = 0 where friction holds the mass at rest
     B        -- under a load the mean displacement, u = B + A cos(Omega tau + phi), so that |B| + A is the largest |u|,
-                `u_max`; where friction holds the mass each stable equilibrium, about which it may hold it as well
+            `u_max`; for a mass held by friction each stable equilibrium, near which friction may hold it as well
     stable   -- True where both eigenvalues of the Jacobian (28) have a negative real part; under a load where F_A (30)
                 along the balance of the mean is positive, and the mean stiffness too
-    F_0      -- the forcing, one number; an array with that of each state where the question had several
-    load     -- the static load over k_v L, where there is one
+    F_0      -- the forcing, a number; an array with the forcing of each state if the question had several
+    load     -- the static load over k_v L, if there is one
     message  -- diagnostics as text; empty if there are none
     Omega_undecided -- frequencies of the question at which the number of states is undecided
     """
@@ -316,7 +316,7 @@ class SteadyStates(Moving, WithMean, InDecibels, Table):
 
     @property
     def u_max(self) -> Floats:
-        """The largest |u| of each motion: |B| + A, under a load; `A` is that without one."""
+        """The largest |u| of each motion under a load, |B| + A; without a load it is `A`."""
         if self.B is None:
             raise validate.NoAttribute(text(ONLY_OFFSET))
         return np.asarray(np.abs(self.B) + self.A)
@@ -330,19 +330,19 @@ class SteadyStates(Moving, WithMean, InDecibels, Table):
     def phi(self) -> Floats:
         """Phase of u = A cos(Omega tau + phi) in radians, in [-pi, 0] (25); computed on first use.
 
-        Of a mass at rest it is the one with which it begins to move, -pi/2 without a preload.
+        For a mass at rest it is the phase with which the motion begins, -pi/2 without a preload.
         """
         flow, h = self._balance
         return frozen(np.asarray(flow.phase(self.Omega, self.A, h)) + 0 * self.A)
 
     @property
     def force(self) -> float | Floats:
-        """Amplitude of the force on the mass in each state: F_0, or F_0 Omega^2 for an excitation by inertia."""
+        """Amplitude of the force on the mass in each state: F_0, or F_0 Omega^2 for base excitation and unbalance."""
         return self._model.force(self.F_0, self.Omega)
 
     @cached_property
     def transmissibility(self) -> Floats:
-        """Fundamental harmonic of the force of spring, damper and friction over `.force`, of each state, dimensionless.
+        """First harmonic of the force of spring, damper and friction over `.force`, for each state, dimensionless.
 
         Under base excitation it is also the absolute displacement of the mass over that of the base. It is 1 for a mass
         at rest.
@@ -355,9 +355,8 @@ class SteadyStates(Moving, WithMean, InDecibels, Table):
     def relative(self) -> Floats:
         """A over F_0 of each state, the ratio of two displacements.
 
-        Under base excitation the displacement relative to the base over that of the base. Of a force it is over the
-        static deflection of the vertical spring alone, of an unbalance over the amplitude that the mass tends to as
-        Omega tends to inf.
+        Under base excitation: relative displacement over that of the base; under a force: over the static deflection of
+        the vertical spring alone; with an unbalance: over the limit of the amplitude as Omega tends to inf.
         """
         return np.asarray(self.A / self.F_0)
 
@@ -369,21 +368,22 @@ class SteadyStates(Moving, WithMean, InDecibels, Table):
         return of_states(self._model, self.Omega, self.A)
 
     def gradient(self) -> Gradient:
-        """Differentiate A, phi and transmissibility of each state by the parameters, F_0 and Omega, exactly.
+        """Differentiate A, phi and transmissibility of each state with respect to the parameters, F_0 and Omega.
 
-        Where a state is a fold, or lies on a breakpoint at which the force jumps, it has no gradient, and `.status` and
-        `.message` say so. Under a load also B, and by the load; raises NotAvailable where the force's derivatives by
-        the design are not known.
+        The derivatives are exact. A state that is a fold, or lies on a breakpoint at which the force jumps, has no
+        gradient;
+        `.status` and `.message` say so. Under a load also B, and with respect to the load; raises NotAvailable if the
+        derivatives of the force with respect to the design are not known.
         """
         return self._gradient_from(
             sensitivities.of_states, self.Omega, self.A, self.F_0, self.phi, self.transmissibility
         )
 
     def measure(self, force: str | None = None) -> Measured:
-        """Compare each state with a motion of the equation of motion (3), in some 0.2 ms each.
+        """Compare each state with a motion of the equation of motion (3), in about 0.2 ms each.
 
-        Newton's iteration leads from a state to a motion of half to one and a half times its amplitude; of two states
-        at one frequency that lead to the same motion, one has none.
+        Newton's iteration starts from the state and accepts a motion of half to one and a half times its amplitude. If
+        two states at one frequency lead to the same motion, only one of them keeps it.
 
         Parameters
         ----------
@@ -393,12 +393,12 @@ class SteadyStates(Moving, WithMean, InDecibels, Table):
         Returns
         -------
         Measured
-            .A .error .stable .stops .found; under a load .A is the largest |u|, and .error that of `u_max`.
+            .A .error .stable .stops .found; under a load .A is the largest |u|, and .error the error of `u_max`.
 
         Raises
         ------
         ValueError
-            Where there is no such force, or neither friction nor viscous damping lets a motion settle.
+            If there is no such force, or if there is neither friction nor viscous damping.
         """
         return self._against_motion(force)
 
@@ -407,7 +407,7 @@ class SteadyStates(Moving, WithMean, InDecibels, Table):
 class FrequencyResponse(Drawn, SteadyStates):
     """A response curve: points in order along each branch.
 
-    branch -- number of the connected curve that a point lies on, from 0; isolated curves come last
+    branch -- index of the connected curve that contains the point, from 0; isolated curves come last
     isola  -- for each branch, whether it is closed
     F_0    -- the forcing
     """
@@ -428,13 +428,13 @@ class FrequencyResponse(Drawn, SteadyStates):
 
 @dataclass(frozen=True, eq=False)
 class SaddleNodes(Moving, WithMean, Drawn, Table):
-    """Folds of the response curve at one forcing, by rising Omega: arrays of one length.
+    """Folds of the response curve at one forcing, in ascending order of Omega: arrays of one length.
 
     kind   -- "jump-up": a sweep jumps from the fold to a larger amplitude; "jump-down": to a smaller one; under a load
-              "unstable" where both motions that merge are unstable
+            "unstable" if both motions that merge are unstable
     corner -- True where the fold lies on a breakpoint of the force
-    B, load -- under a load, the mean displacement of each, and the load over k_v L
-    proof  -- enclosures of all folds, and whether these are proved to be all; None without certify=True
+    B, load -- under a load, the mean displacement of each fold, and the load over k_v L
+    proof  -- enclosures of all folds, and whether the set is proved complete; None without certify=True
     """
 
     entry: ClassVar[Any] = SaddleNode
@@ -461,33 +461,34 @@ class SaddleNodes(Moving, WithMean, Drawn, Table):
         return of_states(self._model, self.Omega, self.A, corner=bool(self.corner.any()))
 
     def gradient(self) -> Gradient:
-        """Differentiate Omega and A of each fold by the parameters and F_0, exactly; a corner stays on its breakpoint.
+        """Differentiate Omega and A of each fold with respect to the parameters and F_0; a corner stays on its
+        breakpoint.
 
-        Where a fold meets another, at a cusp or an isola point, or comes to a breakpoint or leaves it, it has no
-        gradient, and `.status` and `.message` say so. Under a load as `SteadyStates.gradient`.
+        The derivatives are exact. A fold that meets another, at a cusp or an isola point, or that reaches or leaves a
+        breakpoint, has no gradient; `.status` and `.message` say so. Under a load as `SteadyStates.gradient`.
         """
         return self._gradient_from(sensitivities.of_points, "saddle_nodes", self.Omega, self.A, self.F_0, self.corner)
 
     def measure(self, force: str | None = None) -> MeasuredFolds:
-        """Compare each fold with one of the equation of motion (3), in some ms each.
+        """Compare each fold with one of the equation of motion (3), in a few ms each.
 
-        The exact curve is followed from motions near the fold, up to the first fold on it. `force` and errors as in
-        `SteadyStates.measure`; under a load `.A` of the answer is the largest |u| at the fold, and `.error_of_A` that
-        of |B| + A.
+        The exact curve is followed from motions near the averaged fold up to its first fold. `force` and errors as in
+        `SteadyStates.measure`; under a load `.A` is the largest |u| at the fold, and `.error_of_A` the error of |B| +
+        A.
         """
         return self._against_motion(force)
 
 
 @dataclass(frozen=True, eq=False)
 class SaddleNodeOnset(Point):
-    """The lowest forcing that has a fold; None and a message where there is none.
+    """The lowest forcing that has a fold; None and a message if there is none.
 
-    kind -- "cusp" (the response gets a vertical inflection), "isola" (an isolated curve is born), "corner" (at a
+    kind -- "cusp" (the response has a vertical inflection), "isola" (an isolated curve is born), "corner" (at a
             breakpoint)
-    untruncated -- the onset of the untruncated force, where this one is on a corner that only the truncation makes;
-                   without one its message says why, which may be that double precision is inconclusive
-    B, load     -- under a load, the mean displacement, and the load over k_v L; the onset is the lowest forcing for
-                   which a stable motion ends at a fold then
+    untruncated -- the onset of the untruncated force, if this onset lies on a corner due to the truncation alone; if
+            there is none, its message gives the reason, which may be that double precision is inconclusive
+    B, load     -- under a load, the mean displacement, and the load over k_v L; the onset is then the lowest forcing
+            for which a stable motion ends at a fold
     """
 
     at: ClassVar[tuple[str, str, str]] = ("F_SN", "Omega", "A")
@@ -505,11 +506,11 @@ class SaddleNodeOnset(Point):
     _status: Status = field(default=Status.NONE, kw_only=True, repr=False)
 
     def gradient(self) -> Gradient:
-        """Differentiate F_SN, Omega and A by the parameters, exactly; on a breakpoint with that.
+        """Differentiate F_SN, Omega and A with respect to the parameters; an onset on a breakpoint stays on it.
 
-        Where more than two folds are born together there is no gradient, and `.status` and `.message` say so. If there
-        are two onsets at one forcing, it is that of this one. Under a load also B, and by the load;
-        on a corner that a jump of the force makes there is none.
+        The derivatives are exact. If more than two folds are born together there is no gradient; `.status` and
+        `.message` say so. Of two onsets at one forcing, the gradient is that of the reported one. Under a load also B,
+        and with respect to the load; a corner at a jump of the force then has no gradient.
         """
         at = self.Omega, self.A, self.F_SN, self.kind
         return self._gradient_from(sensitivities.of_points, "saddle_node_onset", *at)
@@ -517,10 +518,10 @@ class SaddleNodeOnset(Point):
 
 @dataclass(frozen=True, eq=False)
 class FoldLocus(Drawn, Table):
-    """The saddle nodes of every forcing: points in order along each branch, in arrays of one length.
+    """The saddle nodes of all forcings: points in order along each branch, in arrays of one length.
 
     Omega, A, F_0 -- a fold and the forcing that has it
-    branch        -- number of the connected branch that a point lies on, from 0; breakpoints separate branches
+    branch        -- index of the connected branch that contains the point, from 0; breakpoints separate branches
     """
 
     entry: ClassVar[Any] = LocusPoint
@@ -535,10 +536,10 @@ class FoldLocus(Drawn, Table):
 
 @dataclass(frozen=True, eq=False)
 class Cusps(Table):
-    """Cusps of the fold locus, F = F_A = F_AA = 0, by rising amplitude: arrays of one length.
+    """Cusps of the fold locus, F = F_A = F_AA = 0, in ascending order of amplitude: arrays of one length.
 
-    minimum -- True where two folds appear as the forcing rises; False where two merge and vanish
-    remarks -- `Remark.UNDECIDED` where doubles have few digits of one, `Remark.BY_BALLS` where ball arithmetic had more
+    minimum -- True if two folds appear as the forcing increases; False if two merge and vanish
+    remarks -- `Remark.UNDECIDED` if double precision gives few digits, `Remark.BY_BALLS` if ball arithmetic gave them
     """
 
     entry: ClassVar[Any] = Cusp
@@ -552,17 +553,17 @@ class Cusps(Table):
     _model: Model | None = field(default=None, kw_only=True, repr=False)
 
     def gradient(self) -> Gradient:
-        """Differentiate F_0, Omega and A of each cusp by the parameters, exactly."""
+        """Differentiate F_0, Omega and A of each cusp with respect to the parameters; exact derivatives."""
         return sensitivities.of_points(of_model(self._model), "cusps", self.Omega, self.A, self.F_0)
 
 
 @dataclass(frozen=True, eq=False)
 class IsolaPoints(Table):
-    """Points with F = F_A = F_Omega = 0, by rising amplitude: arrays of one length.
+    """Points with F = F_A = F_Omega = 0, in ascending order of amplitude: arrays of one length.
 
-    kind -- what happens there as the forcing rises: an isolated curve's "birth", its "death", or a "merger" of two
+    kind -- what happens there as the forcing increases: "birth" or "death" of an isolated curve, or "merger" of two
             pieces of the response curve (or their separation)
-    remarks -- `Remark.UNDECIDED` where doubles have few digits of one
+    remarks -- `Remark.UNDECIDED` if double precision gives few digits
     """
 
     entry: ClassVar[Any] = IsolaPoint
@@ -576,19 +577,19 @@ class IsolaPoints(Table):
     _model: Model | None = field(default=None, kw_only=True, repr=False)
 
     def gradient(self) -> Gradient:
-        """Differentiate F_0, Omega and A of each isola point by the parameters, exactly."""
+        """Differentiate F_0, Omega and A of each isola point with respect to the parameters; exact derivatives."""
         return sensitivities.of_points(of_model(self._model), "isola_points", self.Omega, self.A, self.F_0)
 
 
 @dataclass(frozen=True, eq=False)
 class Peak(Point):
-    """The highest peak of the response at one forcing, isolas included; None and a message where there is none.
+    """The highest peak of the response at one forcing, isolas included; None and a message if there is none.
 
-    It is a maximum of the curve at which stable motions end, within the well of a softening spring.
+    It is a maximum of the curve at which stable motions end; for a softening spring it lies within the potential well.
 
     B, load  -- under a load, its mean displacement, and the load over k_v L
-    u_max, Omega_max -- under a load, the largest |u| = |B| + A, which the stroke must exceed, and its frequency, where
-                the motion may be another one. Only motions with a positive mean stiffness count, as stable ones have
+    u_max, Omega_max -- under a load, the largest |u| = |B| + A of all motions with positive mean stiffness, which the
+            stroke must exceed, and its frequency; this motion may be another one than the peak
     """
 
     at: ClassVar[tuple[str, str, str]] = ("F_0", "Omega", "A")
@@ -610,18 +611,19 @@ class Peak(Point):
     _escapes: bool = field(default=False, kw_only=True, repr=False)
 
     def gradient(self) -> Gradient:
-        """Differentiate A and Omega by the parameters and F_0, exactly; a peak at Omega = 0 stays there.
+        """Differentiate A and Omega with respect to the parameters and F_0; a peak at Omega = 0 stays there.
 
-        Where the peak is an isola point, or lies on a breakpoint at which the force jumps, it has no gradient, and
-        `.status` and `.message` say so. Of two peaks of one height it is that of this one. Under a load also B, and
-        u_max if it is that motion's; where the mean turns back there, NotAvailable is raised.
+        The derivatives are exact. A peak that is an isola point, or lies on a breakpoint at which the force jumps, has
+        no gradient; `.status` and `.message` say so. Of two peaks of equal height, the gradient is that of the reported
+        one. Under a load also B, and u_max if it belongs to the same motion; raises NotAvailable if the peak lies at a
+        turning point of the mean.
         """
         return self._gradient_from(sensitivities.of_points, "peak", self.Omega, self.A, self.F_0)
 
 
 @dataclass(frozen=True, eq=False)
 class Detachment(Point):
-    """The lowest forcing that reaches u_cr, its frequency, and u_cr; None and a message where there is no u_cr.
+    """The lowest forcing that reaches u_cr, its frequency, and u_cr; None and a message if there is no u_cr.
 
     A, B, load -- under a load, amplitude and mean displacement of the motion with |B| + A = u_cr, and the load over
                   k_v L
@@ -639,5 +641,5 @@ class Detachment(Point):
     remarks: Remark = field(default_factory=_nothing, kw_only=True)
 
     def gradient(self) -> Gradient:
-        """Differentiate F_cr, Omega_cr and u_cr by the parameters, exactly; under a load A and B instead of u_cr."""
+        """Differentiate F_cr, Omega_cr and u_cr with respect to the parameters; under a load A, B instead of u_cr."""
         return self._gradient_from(sensitivities.of_points, "detachment", self.Omega_cr, self.u_cr, self.F_cr)

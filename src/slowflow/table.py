@@ -1,9 +1,9 @@
 # mypy: disable-error-code="empty-body"
-"""The table of questions: of each its name, its arguments, and the columns of its answer, by system.
+"""The table of questions: name, arguments and columns of the answer, by system.
 
-A row is a decorator of the method about many designs, whose name, arguments and text it takes, and holds the columns of
-the answer. From it follow the same question on a grid, the type, axis, meaning and kind of unit of each column, the
-layout of a store, and the names in SI units.
+A row is a decorator of the method about many designs: it takes name, arguments and text from the method and lists the
+columns of the answer. The same question on a grid, the type, axis, meaning and unit of each column, the layout of a
+store and the names in SI units follow from it.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ class Column(NamedTuple):
     name -- dimensionless
     text -- meaning
     kind -- kind of unit, a key of `quantities.UNITS`; "amplitude" for that of the excitation, "" for none
-    si   -- name in SI units, if another one
+    si   -- name in SI units, if different
     type -- in batches
     none -- value of an empty entry there; NaN for doubles
     """
@@ -215,7 +215,7 @@ def asks(
     argument_axes: Mapping[str, str] = MappingProxyType({}),
     kinds: type[IntEnum] | None = None,
 ) -> Callable[[Method], Method]:
-    """Make a question's row of columns by system and of the decorated method, which has its name, arguments and text.
+    """Register a question: columns by system; name, arguments and text are those of the decorated method.
 
     columns -- of each system, written "name" or "name:axis"
     """
@@ -246,7 +246,7 @@ def asks(
 
 
 class Unanswered:
-    """In place of a question's method where it has no answer: access raises NoAttribute with the reason."""
+    """Placeholder for a question that is not supported: access raises NoAttribute with the reason."""
 
     def __init__(self, why: str) -> None:
         self.why = why
@@ -261,15 +261,15 @@ class ManyQuestions(Generic[Found]):
     """The questions about many designs, dimensionless: each returns a `Batch`, of a grid an xarray Dataset.
 
     F_0, Omega, acceleration, duration -- numbers or arrays that broadcast with the designs
-    places    -- largest number of entries of a design, along one more axis of the columns, NaN and 0 after the last;
-                 `count` is how many there are, `Status.TOO_MANY` where these are more
-    workers   -- threads that share the designs, -1 for one per processor; the digits do not depend on it
+    places    -- largest number of entries per design, along an additional axis of the columns, filled with NaN and 0;
+            `count` is the number of entries, `Status.TOO_MANY` marks designs with more
+    workers   -- threads that share the designs, -1 for one per processor; the results do not depend on it
     stable    -- 1 where both eigenvalues of the Jacobian (28) have a negative real part
-    undecided -- 1 where neither double precision nor ball arithmetic decides how many entries there are, or where one
-    lies
+    undecided -- 1 where neither double precision nor ball arithmetic resolves the number of entries, or the position of
+            one
 
-    For a design without an answer nothing is raised: `status` has the reason. Raises ValueError for arrays that do not
-    broadcast, and for an argument common to all designs that is not allowed.
+    A design without a result raises nothing: `status` has the reason. Raises ValueError for arrays that do not
+    broadcast, and for an invalid argument that is common to all designs.
     """
 
     def _ask(self, question: str, /, *, workers: int = 1, **arguments: Any) -> Found:
@@ -291,11 +291,11 @@ class ManyQuestions(Generic[Found]):
         """Find the lowest forcing that has a fold (33): .F_SN .Omega .A .kind .at_rest; with a load .B.
 
         kind    -- an `OnsetKind`: a cusp, an isola's birth, on a breakpoint
-        at_rest -- 1 where folds below it, or without it, end at Omega = 0
+        at_rest -- 1 where there are folds below the onset, or without an onset, that end at Omega = 0
 
-        `.untruncated` is F_SN of the untruncated force where the onset is on a corner that only the truncation makes.
-        Where double precision is inconclusive ball arithmetic decides, as for single designs, for the first 20 designs.
-        With a load `Status.UNRESOLVED` where the onset is undecided.
+        `.untruncated` is F_SN of the untruncated force where the onset lies on a corner due to the truncation alone.
+        Where double precision is inconclusive, ball arithmetic resolves the first 20 designs, as for single designs.
+        With a load `Status.UNRESOLVED` marks an undecided onset.
         """
 
     @asks(
@@ -314,9 +314,9 @@ class ManyQuestions(Generic[Found]):
         Returns
         -------
         Batch
-            .kind is a `FoldKind`: where a sweep jumps, and whether the fold is on a corner at a breakpoint; 0 where
-            both motions that merge are unstable. Where double precision is inconclusive ball arithmetic decides, as for
-            single designs, see `certify`, for the first 200 designs.
+            .kind is a `FoldKind`: direction of the jump, and whether the fold is a corner at a breakpoint; 0 if both
+            motions that merge are unstable. Where double precision is inconclusive, ball arithmetic resolves the first
+            200 designs, as for single designs; see `certify`.
         """
 
     @asks(
@@ -338,8 +338,8 @@ class ManyQuestions(Generic[Found]):
         -------
         Batch
             .A is 0 where friction holds the mass at rest, with `Status.STICKS` if there is no other state; in the
-            second approximation it is the largest displacement, and .A_1 the amplitude of the fundamental harmonic.
-            With a load .B is the mean displacement. .undecided as in `saddle_nodes`.
+            second approximation it is the largest displacement, and .A_1 the amplitude of the first harmonic. With a
+            load .B is the mean displacement. .undecided as in `saddle_nodes`.
         """
 
     @asks(
@@ -371,22 +371,23 @@ class ManyQuestions(Generic[Found]):
         Returns
         -------
         Batch
-            Points lie along one more axis, in order along each branch, of `samples` and 64 more (256 in the second
-            approximation) entries: after the last of .points NaN, branch -1 and 0. .branch is the number of the
-            connected curve, from 0, isolated curves last, .isola 1 where it is closed; .fold_Omega .fold_A .fold_kind
-            .count are as in `saddle_nodes`, not in the second approximation. `Status.TOO_MANY` where a curve has more
-            points, which has none then, or more folds than `places`. Some 25 bytes a point.
+            Points lie along an additional axis of `samples` + 64 entries (+ 256 in the second approximation), in order
+            along each branch; the first .points entries are used, the others are NaN, 0 and branch -1. .branch is the
+            index of the connected curve, from 0, isolated curves last, .isola 1 where it is closed; .fold_Omega .fold_A
+            .fold_kind .count are as in `saddle_nodes`, not in the second approximation. `Status.TOO_MANY` marks a curve
+            with more points, which is left empty, or with more folds than `places`. About 25 bytes per point.
         """
 
     @asks(_same("A Omega status", AVERAGING, SECOND) | {OFFSET: "A B Omega u_max Omega_max status"})
     def peak(self, F_0: Any, *, workers: int = 1) -> Found:
-        """Find the highest peak at F_0, isolas included: .A .Omega, which is 0 where A only falls with Omega.
+        """Find the highest peak at F_0, isolas included: .A .Omega, which is 0 if A decreases with Omega throughout.
 
         Returns
         -------
         Batch
-            Within the well of a softening spring. `Status.UNBOUNDED` where the response does not close, within it. With
-            a load .B, and .u_max at .Omega_max of the motion with the largest displacement.
+            For a softening spring, the peak within the potential well. `Status.UNBOUNDED` marks a response that does
+            not close within it. With a load also .B, and .u_max at .Omega_max of the motion with the largest
+            displacement.
         """
 
     @asks({AVERAGING: "count proved bits status"})
@@ -401,11 +402,11 @@ class ManyQuestions(Generic[Found]):
         Returns
         -------
         Batch
-            .proved is 1 where these are proved to be all, with amplitudes as in a single `certify`, 0 where undecided;
-            .bits is the precision: 53 for intervals of doubles, more for balls. Where intervals are inconclusive ball
-            arithmetic decides, with python-flint (`pip install 'slowflow[proofs]'`), one design after the other, in
+            .proved is 1 where the count is proved, with amplitudes as in a single `certify`, 0 where undecided; .bits
+            is the precision: 53 for intervals of doubles, more for balls. Where intervals are inconclusive, ball
+            arithmetic is used, with python-flint (`pip install 'slowflow[proofs]'`), one design after the other, in
             some hundredths of a second each. `Status.UNRESOLVED` where no proof is possible: for a force whose averages
-            have enclosures in neither.
+            have no enclosures.
         """
 
     @asks({OFFSET: "u:place stiffness:place count status"})
@@ -414,9 +415,9 @@ class ManyQuestions(Generic[Found]):
 
     @asks({AVERAGING: "Omega_0 k_0 u_cr break_loose rests_within sticking status"})
     def at_rest(self, *, workers: int = 1) -> Found:
-        """Compute data without a forcing: .Omega_0 .k_0 .u_cr, and of friction .break_loose .rests_within .sticking.
+        """Compute data that do not depend on the forcing: .Omega_0 .k_0 .u_cr .break_loose .rests_within .sticking.
 
-        As a single `at_rest`: NaN where there is no frequency or no stroke; rests_within may be inf.
+        As `at_rest` of a single design: NaN if there is no frequency or no stroke; rests_within may be inf.
         """
 
     @asks(
@@ -429,11 +430,11 @@ class ManyQuestions(Generic[Found]):
         Returns
         -------
         Batch
-            .F_SN .F_cr .of_SN .of_cr are inf where there is no such forcing; F_SN is NaN where there is no lowest one,
-            or it is not known, as the status .onset says; F_cr as in `slowflow.checks.Margins`. .kind is an
-            `OnsetKind`: no sweep jumps at an isola's birth. .detaches is 1 where a stable motion passes u_cr, isolated
-            curves included, which may exist below F_cr, .sticks where a mass at rest sticks at every frequency. .status
-            is that of the folds, or of the onset, the detachment or the peak where one of these is not known.
+            .F_SN .F_cr .of_SN .of_cr are inf if there is no such forcing; F_SN is NaN if there is no lowest one, or if
+            it is unknown, as given by the status .onset; F_cr as in `slowflow.checks.Margins`. .kind is an `OnsetKind`;
+            at the birth of an isola no sweep jumps. .detaches is 1 if a stable motion passes u_cr, also on isolated
+            curves, which may exist below F_cr; .sticks is 1 if a mass at rest sticks at every frequency. .status is
+            that of the folds, or of the onset, the detachment or the peak if one of these is unknown.
         """
 
     @asks(_same("Omega_low:place Omega_high:place motions:place count status", AVERAGING, OFFSET))
@@ -448,17 +449,18 @@ class ManyQuestions(Generic[Found]):
 
     @asks({AVERAGING: "Omega A at_fold status", OFFSET: "Omega A at_fold status B"})
     def isolation(self, F_0: Any, *, level_dB: Any = None, workers: int = 1) -> Found:
-        """Find the frequency above which less than F_0, or a level of it, is transmitted: .Omega .A .at_fold.
+        """Find the frequency above which less than F_0, or a given fraction of it, is transmitted: .Omega .A .at_fold.
 
         Parameters
         ----------
         F_0, level_dB, workers : as in the class
-            Amplitudes of the excitation, > 0; levels in decibels, <= 0, that broadcast too, by default 0; threads.
+            Amplitudes of the excitation, > 0; levels in decibels, <= 0, by default 0, which broadcast too; threads.
 
         Returns
         -------
         Batch
-            .Omega is 0, .A NaN, where every motion transmits less; NaN where there is no such frequency, `Status.NONE`.
+            .Omega is 0 and .A NaN if every motion transmits less; both are NaN, with `Status.NONE`, if there is no such
+            frequency.
         """
 
     @asks(
@@ -475,14 +477,14 @@ class ManyQuestions(Generic[Found]):
         Parameters
         ----------
         Omega, F_0, workers : as in the class
-            Frequencies and amplitudes, > 0, rows along the last axis, whose other axes broadcast with the designs;
-            threads.
+            Frequencies and amplitudes, > 0, with the rows along the last axis; the other axes broadcast with the
+            designs; threads.
 
         Returns
         -------
         Batch
-            The axes are those of the designs, then that of the rows. `Status.NONE` where no motion is stable; else the
-            status of the states that fail, or of the folds in between.
+            The axes are those of the designs, then that of the rows. `Status.NONE` if no motion is stable; otherwise
+            the status of the states that fail, or of the folds in between.
         """
 
     @asks(
@@ -497,7 +499,7 @@ class ManyQuestions(Generic[Found]):
         Parameters
         ----------
         acceleration, duration, tau : array_like
-            Peak and duration of a half sine, which broadcast with the designs; or a record's samples and times, along
+            Peak and duration of a half sine, which broadcast with the designs; or samples and times of a record along
             their last axis, whose other axes broadcast.
         after, workers : as in `Oscillator.transient`
             Duration of the free motion afterwards, in tau; threads.
@@ -505,9 +507,9 @@ class ManyQuestions(Generic[Found]):
         Returns
         -------
         Batch
-            Some thirty thousand designs in a second. `Status.UNRESOLVED` where the motion escapes or chatters. With a
-            load .stands, the number of stable equilibria: it begins at that nearest to the centre, in hundredths of a
-            second a design.
+            About thirty thousand designs per second. `Status.UNRESOLVED` if the motion escapes or chatters. With a load
+            also .stands, the number of stable equilibria: the motion begins at the one nearest to the centre; a design
+            takes hundredths of a second.
         """
 
     @asks({AVERAGING: "A a_max ratio detaches status", OFFSET: "A a_max ratio detaches status stands"})
@@ -534,21 +536,21 @@ class ManyQuestions(Generic[Found]):
     def random(
         self, *, S_0: Any = None, psd: tuple[Any, Any] | None = None, places: int = 3, workers: int = 1
     ) -> Found:
-        """Find stationary random vibration: .u_rms, rising, .v_rms .a_rms .stiffness .damping .beyond .dry .count.
+        """Find stationary random vibration: .u_rms, ascending, .v_rms .a_rms .stiffness .damping .beyond .dry .count.
 
         Parameters
         ----------
         S_0, psd : array_like, tuple of array_like
             Densities of white noise, which broadcast with the designs; or frequencies and densities, the same for all
-            designs, in some 0.3 milliseconds each.
+            designs, at about 0.3 milliseconds per design.
         places, workers : as in the class
             Largest number of motions; threads.
 
         Returns
         -------
         Batch
-            As a single `random`, whose diagnostics hold where there are several motions, or dry is above 0.8.
-            `Status.UNRESOLVED` also where there is no stationary motion.
+            As `random` of a single design; its diagnostics apply if there are several motions, or if .dry exceeds 0.8.
+            `Status.UNRESOLVED` also if there is no stationary motion.
         """
 
 
