@@ -36,10 +36,10 @@ WHEN_READ = ("message", "remarks", "untruncated")
 
 
 class Answer:
-    """Base of all results: read-only arrays, comparison by value, plain numbers and lists on demand.
+    """Base class of results: read-only arrays, comparison by value, conversion to plain numbers and lists.
 
-    labels   -- by name, texts printed in place of some numbers
-    has_rows -- whether `columns` has a row for each of several entries, or the one of a single answer
+    labels   -- texts printed instead of some numbers, by name
+    has_rows -- whether `columns` has a row for each of several entries, or one row for a single answer
     """
 
     labels: ClassVar[Labels] = MappingProxyType({})
@@ -102,15 +102,15 @@ class Answer:
         return {field.name for field in dataclasses.fields(self) if field.type == "float | None"}  # type: ignore[arg-type]
 
     def units_of_columns(self) -> Mapping[str, str]:
-        """Units of the columns that have one; by default none is known."""
+        """Units of the columns, for those that have one; empty by default."""
         return {}
 
     def words_of(self, name: str, value: Any) -> str:
-        """Text printed in place of a number; empty for most."""
+        """Text printed instead of a number; usually empty."""
         return self.labels.get(name, {}).get(value, "") if isinstance(value, float) else ""
 
     def units_beside(self) -> Mapping[str, str]:
-        """Units of the values of `about`; by default none is known."""
+        """Units of the values of `about`; empty by default."""
         return {}
 
     def _members(self) -> Mapping[str, Any]:
@@ -136,9 +136,9 @@ class Answer:
         return {name: plain(value) for name, value in self._content().items()}
 
     def columns(self) -> dict[str, Any]:
-        """Return arrays of one length by name, a row for each entry; of a single answer its numbers and texts.
+        """Return arrays of one length by name, a row for each entry; a single answer has its numbers and texts.
 
-        Answers within an answer, and arrays of other lengths, are in `to_dict` only.
+        Nested answers and arrays of other lengths are in `to_dict` only.
         """
         numbers = self._numbers()
         found = {
@@ -147,11 +147,11 @@ class Answer:
         return {name: np.array([plain(value)]) for name, value in found.items() if isinstance(value, PLAIN)}
 
     def about(self) -> dict[str, Any]:
-        """Return what holds for all rows of `columns`: message, forcing, parameters of the oscillator."""
+        """Return values common to all rows of `columns`: message, forcing, parameters of the oscillator."""
         return {}
 
     def to_pandas(self) -> Any:
-        """Convert `columns` to a DataFrame, `about` to its `.attrs`. Raises ImportError without pandas."""
+        """Convert `columns` to a DataFrame, with `about` in `.attrs`. Raises ImportError without pandas."""
         pandas = optional("pandas", "to_pandas")
         frame = pandas.DataFrame(self.columns())
         frame.attrs.update({**self.about(), "units": {**self.units_beside(), **self.units_of_columns()}})
@@ -160,8 +160,8 @@ class Answer:
     def to_xarray(self) -> Any:
         """Convert `columns` to a Dataset along "entry", each with its units. Raises ImportError without xarray.
 
-        Where "entry" is a column of its own, as of a gradient, they lie along "row". `about` is in the attributes, with
-        units, as "F" and "F_units".
+        If "entry" is itself a column, as in a gradient, the dimension is "row". `about` is in the attributes, with
+        units, such as "F" and "F_units".
         """
         xarray = optional("xarray", "to_xarray")
         units = self.units_of_columns()
@@ -175,32 +175,33 @@ class Answer:
 
 
 class Single(Answer):
-    """An answer in plain numbers and texts, without arrays to protect."""
+    """An answer that consists of plain numbers and texts."""
 
     def __post_init__(self) -> None:
         pass
 
 
 class Drawn(Answer):
-    """Base of results that have a picture.
+    """Base class of results that can be plotted.
 
-    picture  -- its name, of `pictures.PICTURES`
-    can_draw -- quantities that may be drawn
+    picture  -- name of the plot in `pictures.PICTURES`
+    can_draw -- quantities that can be plotted
     """
 
     picture: ClassVar[str]
     can_draw: ClassVar[Any] = ("A",)
 
     def plot(self, ax: Any = None, *, of: str = "A") -> Any:
-        """Draw it into Matplotlib axes, or new ones, and return these.
+        """Plot into Matplotlib axes, new ones by default, and return them.
 
         of -- quantity of a response curve: "A", "phi", "transmissibility" or "transmissibility_dB"; "B" under a load,
               "A_1" in the second approximation
 
-        Curves over Omega, solid where stable and dashed where not, with bars where an exact motion stops; folds as
-        triangles that point where a sweep jumps, a sweep's jumps as arrows. A fold locus goes on to forcings without a
-        bound: its axes end at four times the least. A shock over tau, tinted beyond u_cr; a shock spectrum as the ratio
-        over the duration. Raises ValueError for another `of`, ImportError without Matplotlib.
+        Curves over Omega are solid where stable and dashed where unstable, with bars where an exact motion stops; folds
+        are triangles that point in the direction of the jump, jumps of a sweep are arrows. The forcing axis of a fold
+        locus, which is unbounded, ends at four times the smallest forcing. A shock is plotted over tau, shaded beyond
+        u_cr; a shock spectrum as the ratio over the duration. Raises ValueError for another `of`, ImportError without
+        Matplotlib.
         """
         from slowflow import pictures
 
@@ -221,9 +222,9 @@ def entry(name: str, columns: str, doc: str) -> Any:
 
 
 class Table(Answer):
-    """An answer with several entries: arrays of one length, `entry` naming those that make up one of them.
+    """An answer with several entries: arrays of one length; `entry` names those that form an entry.
 
-    extra_columns -- further columns of each entry, not among its names
+    extra_columns -- further columns of each entry, not in its named tuple
     """
 
     entry: ClassVar[Any]
@@ -253,13 +254,13 @@ class Table(Answer):
         return (entry(*values) for values in zip(*columns, strict=True))
 
     def columns(self) -> dict[str, Any]:
-        """Return arrays of one length by name: those of the entries, then further ones."""
+        """Return arrays of one length by name: those of the entries, then the further ones."""
         found = {name: getattr(self, name) for name in (*self._entry_of()._fields, *self._beside_of())}
         content, shape = self._content().items(), (len(self),)
         return found | {name: one for name, one in content if isinstance(one, np.ndarray) and one.shape == shape}
 
     def about(self) -> dict[str, Any]:
-        """Return message, forcing, and the parameters of the oscillator where the answer knows them."""
+        """Return message, forcing and, if known, the parameters of the oscillator."""
         known = {name: plain(value) for name, value in self._content().items() if isinstance(value, PLAIN)}
         model = getattr(self, "_model", None)
         return known if model is None else known | model.arguments()

@@ -1,7 +1,7 @@
-"""What an engineer asks of many designs under a load. Takes designs and forcings; returns columns, a row a design.
+"""Engineering checks of many designs. Takes designs and forcings; returns columns, one row per design.
 
-The same answers as of `checks`, from the batch questions. What these do not tell, as of designs with more than two
-folds or with other damping than viscous damping and dry friction, is asked design by design.
+The answers are those of `checks`, computed from the batch questions. Where these do not suffice, as for designs with
+more than two folds or with other damping laws, single designs are evaluated.
 """
 
 from __future__ import annotations
@@ -100,9 +100,9 @@ def margins(designs: Designs, F_0: Any, workers: int = 1) -> Batch:
 
 
 def lifting(designs: Designs, detachments: Batch) -> Floats:
-    """F_cr of each design, inf where there is none, and where it is only tended to as Omega rises the limit.
+    """F_cr of each design; inf if there is none, and the limit if it is only approached as Omega increases.
 
-    That is u_cr, and more with quadratic damping, under which the amplitude tends to less than F_0.
+    The limit is u_cr, or more with quadratic damping, for which the amplitude tends to less than F_0.
     """
     none: Any = math.inf
     if designs.excitation != "force":
@@ -114,7 +114,7 @@ def lifting(designs: Designs, detachments: Batch) -> Floats:
 
 
 def full(designs: Designs, F_0: Any) -> Floats:
-    """The amplitude that the response to an excitation by inertia tends to as Omega rises: F_0 without c_2."""
+    """The limit of the amplitude under base excitation or unbalance as Omega tends to inf: F_0 without c_2."""
     return np.asarray(dissipation.full_by_inertia(np.asarray(F_0, dtype=float), designs._flow.d))
 
 
@@ -153,8 +153,8 @@ def hysteresis(designs: Designs, F_0: Any, places: int = 3, workers: int = 1) ->
 def isolation(designs: Designs, F_0: Any, level_dB: Any = None, workers: int = 1) -> Batch:
     """See `slowflow.designs.Designs.isolation`.
 
-    `isolating.isolated_each` by peaks and folds. Designs whose motions may leave the centre, or whose peak or folds are
-    not all known, are answered singly.
+    Uses `isolating.isolated_each` with peaks and folds. Designs whose motions may leave the centre, or whose peak or
+    folds are not all known, are evaluated singly.
     """
     peaks, folds = designs.peak(F_0, workers=workers), designs.saddle_nodes(F_0, workers=workers)
     level = validate.real_array("level_dB", 0.0 if level_dB is None else level_dB)

@@ -1,4 +1,4 @@
-"""Proofs about answers: enclosures in intervals or balls, whether they are complete, and the certificate of these."""
+"""Proofs about answers: enclosures in intervals or balls, whether they are complete, and their certificate."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ DOUBLES = 53
 
 @dataclass(frozen=True, eq=False)
 class Proved(Answer):
-    """What is proved for the oscillator whose numbers are exactly the given doubles.
+    """Statements proved for the oscillator whose parameters are exactly the given doubles.
 
-    proved  -- whether all of it is
+    proved  -- whether everything is proved
     message -- what is not proved, and why; empty if all is
-    bits    -- of the arithmetic: `DOUBLES` of intervals of doubles, more of balls
+    bits    -- precision: `DOUBLES` for intervals of doubles, more for balls
     """
 
     proved: bool
@@ -33,12 +33,12 @@ class Proved(Answer):
 
 @dataclass(frozen=True, eq=False)
 class ProvedStates(Proved):
-    """All steady states at a frequency, by rising A; each interval of A holds one, no two the same.
+    """All steady states at a frequency, in ascending order of A; each interval of A contains exactly one.
 
-    A       -- lowest and highest amplitude of each, shape (n, 2)
+    A       -- bounds of each amplitude, shape (n, 2)
     stable  -- the sign of F_A (30), shape (n,)
     A_max   -- amplitude up to which it is proved that there are no others
-    bounded -- whether it is proved that there are none above either, up to 2^60 times as high
+    bounded -- whether it is also proved that there are none above, up to 2^60 A_max
     doubt   -- undecided intervals of A, shape (k, 2)
     """
 
@@ -51,10 +51,10 @@ class ProvedStates(Proved):
 
 @dataclass(frozen=True, eq=False)
 class ProvedFolds(Proved):
-    """All folds at a forcing, by rising Omega; each pair of intervals holds one, no two the same.
+    """All folds at a forcing, in ascending order of Omega; each pair of intervals contains exactly one.
 
-    Omega, A -- lowest and highest of each, shape (n, 2)
-    kind     -- as in `SaddleNodes`, "" where the sign of F_AA is not proved
+    Omega, A -- bounds of each, shape (n, 2)
+    kind     -- as in `SaddleNodes`, "" if the sign of F_AA is not proved
     corner   -- True where the fold lies on a breakpoint of the force
     A_max, bounded, doubt -- as in `ProvedStates`
     """
@@ -70,9 +70,9 @@ class ProvedFolds(Proved):
 
 @dataclass(frozen=True, eq=False)
 class ProvedForcing(Proved):
-    """A critical forcing: lowest and highest of F_0, Omega and A, each a pair of shape (2,); empty where there is none.
+    """A critical forcing: bounds of F_0, Omega and A, each of shape (2,); empty if there is none.
 
-    kind -- of an onset, as in `SaddleNodeOnset`, "" if it is not proved
+    kind -- kind of an onset, as in `SaddleNodeOnset`, "" if it is not proved
     """
 
     F_0: Floats
@@ -87,7 +87,7 @@ class Certificate(Answer):
 
     saddle_nodes -- all folds at F_0
     saddle_node_onset, detachment -- F_SN and F_cr
-    amplitudes   -- all states at a frequency, None without one
+    amplitudes   -- all states at a frequency, None without a frequency
     """
 
     F_0: float

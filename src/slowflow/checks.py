@@ -1,6 +1,6 @@
-"""What an engineer asks of an oscillator under a load: margins, hysteresis, isolation, a load spectrum.
+"""Engineering checks of an oscillator: margins, hysteresis, isolation, a load spectrum.
 
-In:  an averaged oscillator, forcings, frequencies. Out: records, from the averaged answers alone.
+In:  an averaged oscillator, forcings, frequencies. Out: records, computed from the averaged answers.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ class Composed:
     """Common part of answers that combine others."""
 
     def gradient(self) -> Gradient:
-        """Raises NotAvailable: the answers that it combines have gradients."""
+        """Raise NotAvailable: only the answers that it combines have gradients."""
         raise validate.NotAvailable(NO_GRADIENT)
 
 
@@ -59,10 +59,10 @@ class AtRest(Composed, Single):
 
     Omega_0, k_0 -- natural frequency and stiffness of small motions about the centre; no frequency where k_0 < 0
     u_cr         -- the stroke, at which the springs detach; None for a force of one piece
-    break_loose  -- the constant force that friction holds, the static one where it is given
-    rests_within -- how far from the centre friction holds the mass, of the untruncated force if there is one; None
-                    where it holds it anywhere
-    sticking     -- the amplitude of a force up to which averaging has the mass at rest, 4 mu/pi (27)
+    break_loose  -- the constant force that friction holds, static friction if specified
+    rests_within -- distance from the centre within which friction holds the mass, by the untruncated force if there is
+            one; None if unlimited
+    sticking     -- the force amplitude up to which averaging predicts sticking, 4 mu/pi (27)
     """
 
     Omega_0: float | None
@@ -75,16 +75,16 @@ class AtRest(Composed, Single):
 
 @dataclass(frozen=True, eq=False)
 class Margins(Composed, Single):
-    """The critical forcings over a forcing F_0; None where there is no such forcing.
+    """The critical forcings over a forcing F_0; None if there is no such forcing.
 
-    F_SN, F_cr  -- the lowest forcing that has a fold, and that detaches the springs; under an excitation by inertia
-                   F_cr may be a limit that is not attained, as the frequency tends to inf
-    of_SN, of_cr -- these over F_0: above 1 there is a margin
+    F_SN, F_cr  -- the lowest forcing that has a fold, and the lowest that detaches the springs; under base excitation
+            or unbalance F_cr may be a limit that is not attained, as the frequency tends to inf
+    of_SN, of_cr -- these over F_0: margins, above 1 if the limit is not exceeded
     kind        -- of the onset, as in `SaddleNodeOnset`
     folds       -- number of folds at F_0
-    detaches    -- whether a stable motion at F_0 passes u_cr, isolated curves included: which may exist below F_cr
-    sticks      -- whether a mass at rest stays there, whatever the frequency
-    Omega_sticks -- frequency up to which it does: 0 where it moves at every frequency, inf where at none
+    detaches    -- whether a stable motion at F_0 passes u_cr, also on isolated curves, which may exist below F_cr
+    sticks      -- whether a mass at rest sticks at every frequency
+    Omega_sticks -- frequency up to which it sticks: 0 if it moves at every frequency, inf if at none
     message     -- diagnostics as text
     remarks     -- those of the onset, the detachment and the folds
     """
@@ -112,10 +112,10 @@ Band = entry(
 
 @dataclass(frozen=True, eq=False)
 class Hysteresis(Composed, Table):
-    """Bands of frequencies in which more than one motion is stable: which one is observed depends on the history.
+    """Bands of frequencies with more than one stable motion; which one is observed depends on the history.
 
-    Omega_low, Omega_high -- ends of the band: folds, 0, or inf where a motion has no end, as without viscous damping
-    motions -- number of stable ones in it, the rest among them at which a preload holds the mass
+    Omega_low, Omega_high -- ends of the band: folds, 0, or inf if a motion has no end, as without viscous damping
+    motions -- number of stable motions in it, including the equilibrium at which a preload holds the mass
     remarks -- those of the folds
     """
 
@@ -133,12 +133,12 @@ class Hysteresis(Composed, Table):
 class Isolation(OfPoint, Single):
     """The frequency above which every stable motion transmits less than the force, or a fraction of it, `level_dB`.
 
-    Omega -- that frequency; 0 where this holds at all frequencies; None where there is no motion, or no such frequency
+    Omega -- that frequency; 0 if this holds at all frequencies; None if there is no motion, or no such frequency
     A     -- the amplitude there
-    at_fold -- whether a motion that transmits more ends there in a fold, and does not pass that transmissibility
-    B, load -- under a load, the mean displacement there, None as A is, and the load over k_v L
+    at_fold -- whether a motion that transmits more ends there in a fold, without attaining the level
+    B, load -- under a load, the mean displacement there, None if A is None, and the load over k_v L
     remarks -- those of the response
-    level_dB -- the transmissibility in decibels, 0 of the whole force, for which it is not shown
+    level_dB -- the transmissibility in decibels, not printed if 0
     """
 
     Omega: float | None
@@ -158,20 +158,21 @@ class Isolation(OfPoint, Single):
         return found
 
     def measure(self, of: str = "first", force: str | None = None) -> MeasuredPoint:
-        """Compute by the equation of motion (3) the frequency above which the neighbouring motion transmits less.
+        """Compute the frequency of isolation by the equation of motion (3), from neighbouring motions.
 
-        of -- "first": the fundamental harmonic of the transmitted force, as in averaging; "peak": the peak of its whole
-              wave, to which friction adds as it changes sign
+        of -- "first": the fundamental harmonic of the transmitted force, as in averaging; "peak": the peak of its
+                waveform, which includes the jumps of friction
 
-        Where isolation begins at a fold it is that of the exact curve, unless the motions beyond transmit more. `force`
-        and errors as in `SteadyStates.measure`.
+        If isolation begins at a fold, the fold of the exact curve is returned, unless the motions beyond it transmit
+        more. `force` and errors as in `SteadyStates.measure`.
         """
         return self._measured(force, validate.choice("of", of, ("first", "peak")))
 
     def gradient(self) -> Gradient:
-        """Differentiate Omega and A by the parameters and F_0, exactly, as those of the state or fold where it begins.
+        """Differentiate Omega and A with respect to the parameters and F_0, as those of the state or fold there.
 
-        Where isolation begins at a fixed frequency there is none, and `.status` and `.message` say so.
+        The derivatives are exact. If isolation begins at a fixed frequency there is no gradient; `.status` and
+        `.message` say so.
         """
         at = self.Omega, self.A, self.F_0, self.at_fold, Level.of(self.level_dB).ratio
         return self._gradient_from(sensitivities.of_isolation, *at)
@@ -182,13 +183,12 @@ Load = entry("Load", "Omega F_0 A transmissibility_dB motions crosses detaches s
 
 @dataclass(frozen=True, eq=False)
 class Spectrum(Composed, Table):
-    """A load spectrum, one tone at a time, row by row in its order.
+    """A load spectrum, one tone at a time, row by row in the given order.
 
-    A        -- the largest stable amplitude, off the centre about the mean; 0 where the mass sticks, nan where no
-                motion is stable
-    transmissibility_dB -- of that motion; 0 where the mass sticks, nan where no motion is stable
+    A        -- the largest stable amplitude, about the mean; 0 if the mass sticks, nan if no motion is stable
+    transmissibility_dB -- that of this motion; 0 if the mass sticks, nan if no motion is stable
     motions  -- number of stable motions
-    crosses  -- whether a fold, at which a stable motion ends, lies on the straight way from the row before
+    crosses  -- whether a fold, at which a stable motion ends, lies on the straight line from the previous row
     detaches -- whether a stable motion passes u_cr
     sticks   -- whether the mass does not move
     """
@@ -208,7 +208,7 @@ class Spectrum(Composed, Table):
 
 
 def at_rest(oscillator: Any) -> AtRest:
-    """See `Oscillator.at_rest`; of an oscillator about its centre."""
+    """See `Oscillator.at_rest`; for an oscillator about its centre."""
     (stiffness,) = oscillator.stiffness([0.0]).tolist()
     model = oscillator.model
     only = model.mechanism.truncated and model.mechanism.load_untruncated is None
@@ -228,9 +228,9 @@ def at_rest(oscillator: Any) -> AtRest:
 
 
 def rests_within(laws: Sequence[Law], parameters: Sequence[Any], ends: Sequence[Any], mu: Any) -> Floats:
-    """The |u| up to which a force as large as mu holds the mass, |f(u)| <= mu, inf where it does everywhere.
+    """The |u| up to which friction holds the mass, |f(u)| <= mu; inf if everywhere.
 
-    laws, ends -- of the pieces of the force, the last without end; parameters -- of all of them. Shapes that broadcast
+    laws, ends -- of the pieces of the force, the last without end; parameters -- of all of them. Shapes broadcast
     """
     friction, *values = np.broadcast_arrays(*(np.asarray(value, dtype=float) for value in (mu, *parameters, *ends)))
     parameters, ends = values[: len(parameters)], values[len(parameters) :]
@@ -253,7 +253,7 @@ def rests_within(laws: Sequence[Law], parameters: Sequence[Any], ends: Sequence[
 
 
 def margins(oscillator: Any, F_0: float) -> Margins:
-    """See `ComposedQuestions.margins`; of what answers them."""
+    """See `ComposedQuestions.margins`; for an oscillator that answers them."""
     oscillator._check_margins()
     folds = oscillator.saddle_nodes(F_0)
     onset, detachment = oscillator.saddle_node_onset(), oscillator.detachment()
@@ -304,13 +304,13 @@ def passes_first_end(oscillator: Any, F_0: float) -> bool:
 
 
 def resonates(flow: SlowFlow) -> Any:
-    """Whether motions of any amplitude have a frequency of their own: those without viscous damping are stable then."""
+    """Whether motions of any amplitude have a frequency: without viscous damping they are then stable."""
     with np.errstate(all="ignore"):  # a force of one's own may go beyond the range of doubles
         return np.asarray(flow.averaged(ENDLESS)[1]) < 0
 
 
 def hysteresis(oscillator: Any, F_0: float) -> Hysteresis:
-    """See `ComposedQuestions.hysteresis`; of what answers them."""
+    """See `ComposedQuestions.hysteresis`; for an oscillator that answers them."""
     folds = oscillator.saddle_nodes(F_0)
     # beyond the last fold the number of motions does not change any more
     ends = [0.0, *np.unique(folds.Omega).tolist(), math.inf]
@@ -359,7 +359,7 @@ def _highest(oscillator: Any, F_0: float, level: Level = WHOLE) -> float:
 
 
 def spectrum(oscillator: Any, Omega: Any, F_0: Any) -> Spectrum:
-    """See `ComposedQuestions.spectrum`; of what answers them, which may have the folds of several forcings together."""
+    """See `ComposedQuestions.spectrum`; the oscillator may compute the folds of several forcings together."""
     arguments = {"Omega": validate.frequencies("Omega", Omega), "F_0": validate.positive_array("F_0", F_0)}
     shape = validate.common_shape(arguments)
     at, F = (np.broadcast_to(values, shape).ravel() for values in arguments.values())
@@ -398,7 +398,7 @@ def spectrum(oscillator: Any, Omega: Any, F_0: Any) -> Spectrum:
 
 
 def on_both_sides(folds: Floats, Omega: Any) -> Ints:
-    """How many of the folds along the last axis, NaN for none, lie at or below Omega, and how many above; (2, ...)."""
+    """Number of folds along the last axis (NaN for none) at or below Omega, and above it; shape (2, ...)."""
     above = folds > Omega[..., np.newaxis]
     return np.array([(~above & ~np.isnan(folds)).sum(axis=-1), above.sum(axis=-1)])
 
@@ -418,14 +418,15 @@ def crossed(
     pieces: int = HALVES,
     forcings: Floats | None = None,
 ) -> Flags:
-    """On which of the straight ways from one (Omega, F_0) to another, each of shape (2, n), a fold lies.
+    """Which of the straight lines from one (Omega, F_0) to another, each of shape (2, n), cross a fold.
 
-    sides -- of ways by their number, at (Omega, F_0) on them: `on_both_sides`
-    pieces -- into how many the way is cut at once: more where several forcings cost hardly more than one
-    forcings -- at which ways are cut first; without at `STEPS` shares of each
+    sides    -- `on_both_sides` for lines by their index, at points (Omega, F_0) on them
+    pieces   -- number of pieces into which a line is divided at once: more if several forcings cost little more than
+            one
+    forcings -- forcings at which lines are divided first; by default at `STEPS` fractions of each
 
-    As every fold of a forcing is known, one that is met is one that changes sides. Where folds are born or end as well,
-    the way is cut until they do so on a piece too short to matter.
+    Since all folds of a forcing are known, a crossed fold is one that changes sides. Where folds appear or vanish, the
+    line is divided until this happens on a negligibly short piece.
     """
     found = np.zeros(start.shape[1], dtype=bool)
 

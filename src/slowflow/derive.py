@@ -1,7 +1,7 @@
-"""Mechanisms of one's own, derived in the running program. Takes pieces of a force; returns what answers for it.
+"""Custom mechanisms, derived at run time. Takes pieces of a force; returns a mechanism that makes oscillators.
 
-The door to the derivation, which comes with slowflow as `slowflow.derivation` and needs the extra
-`slowflow[derive]`; nothing else here needs it, and it is opened by the first call.
+The interface to the derivation, which is installed as `slowflow.derivation`, needs the extra `slowflow[derive]` and is
+imported by the first call.
 
     import sympy as sp
     from slowflow import derive
@@ -49,7 +49,7 @@ LAST_OF_C = "_motion.c"
 
 
 class Stated:
-    """A user-defined mechanism: called with its parameters it makes an oscillator, `many` takes arrays of them."""
+    """A user-defined mechanism: calling it with parameters makes an oscillator, `many` a batch."""
 
     #: the same record as a generated module's `MECHANISM`
     record: Mechanism
@@ -58,7 +58,7 @@ class Stated:
         self.record = record
 
     def __call__(self, *, excitation: str = "force", rubs: str = THROUGHOUT, **numbers: float) -> Oscillator:
-        """Make an oscillator of these parameters, damping among them, as `Oscillator(record, ...)` does."""
+        """Make an oscillator from its parameters, damping included, as `Oscillator(record, ...)` does."""
         return Oscillator(self.record, excitation=excitation, rubs=rubs, **numbers)
 
     def many(self, *, excitation: str = "force", rubs: str = THROUGHOUT, **numbers: Any) -> Any:
@@ -72,7 +72,7 @@ class Stated:
 class Sampled(Stated):
     """A mechanism whose force is given by Python functions, sampled instead of derived.
 
-    Averages and exact motions are those of polynomials that interpolate the samples.
+    Averages and exact motions use the polynomials that interpolate the samples.
     """
 
     def __repr__(self) -> str:
@@ -80,7 +80,7 @@ class Sampled(Stated):
 
 
 class Derived(Stated):
-    """A derived mechanism: called with its parameters it makes an oscillator, `many` takes arrays of them."""
+    """A derived mechanism: calling it with parameters makes an oscillator, `many` a batch."""
 
     #: where its sources are, and what was compiled of them
     folder: Path
@@ -92,16 +92,16 @@ class Derived(Stated):
 
     @property
     def stated_name(self) -> str:
-        """The name in the call; the record's name has a hash of everything it depends on."""
+        """The name in the call; the record's name includes a hash of everything it depends on."""
         return self._stated.name
 
     @property
     def compiled(self) -> bool:
-        """Whether code compiled for this force answers; otherwise its programs are interpreted, to the same bits."""
+        """Whether compiled code is used for this force; otherwise its programs are interpreted, with the same bits."""
         return self.record.name in _attached
 
     def document(self) -> str:
-        """Describe the derivation: motion, slow flow, average in each regime, response, folds.
+        """Describe the derivation: equation of motion, slow flow, average in each regime, response, folds.
 
         Returns
         -------
@@ -111,18 +111,18 @@ class Derived(Stated):
         return _derivation().description(self._stated).markdown()
 
     def write(self, folder: Path) -> list[str]:
-        """Write what `make derive` writes of the package's own mechanisms, and the derivation in Markdown and LaTeX.
+        """Write the kernels, as `make derive` does, and the derivation in Markdown and LaTeX.
 
-        A Python module of kernels on NumPy, but for averages by quadrature, which slowflow's compiled code sums by the
-        program beside it; C headers (which include those of `include()`), for an odd force the program that the solvers
-        interpret and `exported.c`, which gives their functions symbols, C sources with the record that the solvers take
-        and with the force as power series, derivation.md and derivation.tex, MANIFEST.json with a hash of each. Files
-        of an earlier run are replaced.
+        The files are a Python module of NumPy kernels (averages by quadrature are computed by slowflow's compiled code
+        from a program in the folder); C headers, which include those of `include()`; C sources with the record that the
+        solvers take and with the force as power series; for an odd force also the program that the solvers interpret
+        and `exported.c`, which exports the functions; derivation.md and derivation.tex; MANIFEST.json with a hash of
+        each file. Files of an earlier run are replaced.
 
         Parameters
         ----------
         folder : path_like
-            Where to write; it is made if it does not exist.
+            Output folder; it is created if it does not exist.
 
         Returns
         -------
@@ -151,48 +151,48 @@ def mechanism(
     odd: bool = True,
     compile: bool = False,
 ) -> Stated:
-    """Derive a mechanism from its restoring force f(u), dimensionless; one or two seconds, once for the same content.
+    """Derive a mechanism from its restoring force f(u), dimensionless, in one or two seconds; results are cached.
 
-    Polynomials have averages in closed form; powers that are no integers and elementary functions are averaged by
-    quadrature.
+    Polynomials are averaged in closed form; fractional powers and elementary functions by quadrature.
 
     Parameters
     ----------
     name : str
-        Of a module.
+        Name of the module.
     pieces : sequence of tuple
-        By rising |u|: the whole force for u > 0, an expression in the SymPy symbol u and the parameters, and the |u| at
-        which the piece ends, None for the last one. A constant in the first piece is a preload. The odd force is
-        f(|u|) sign(u); where it was not written so the mechanism says that when it is printed.
-        Or Python functions, all of them, called as f(u, **parameters) with a number or an array u; each ends at a
-        number or at a function of the parameters. They need `reach`, are smooth between their ends, and the first one
-        is odd. See `Sampled`.
+        In ascending order of |u|: the force for u > 0, an expression in the SymPy symbol u and the parameters, and the
+        |u| at which the piece ends, None for the last one. A constant in the first piece is a preload. The force is
+        f(|u|) sign(u); printing the mechanism shows whether the expression itself is odd. Or all pieces are Python
+        functions, called as f(u, **parameters) with a number or an array u; each ends at a number or at a function of
+        the parameters. They require `reach`, must be smooth between their ends, and the first one must be odd. See
+        `Sampled`.
     parameters : mapping
-        By name: "doc", "unit" and the bounds "above", "least", "below", "most", each if there is one.
+        For each parameter name a mapping with any of "doc", "unit" and the bounds "above", "least", "below", "most".
     title : str
-        For documents and printing.
+        Title for documents and printing.
     reach, reach_reason : float and str, optional
-        The largest |u| that makes sense, and why; a linear spring with gaps that close has none.
+        The largest |u| for which the force is valid, and the reason; by default unlimited.
     odd : bool
-        Whether the force is; else its pieces are for all u, by rising u, each with the u of any sign at which it ends:
-        polynomials, or smooth up to their ends. Motions then have a mean B, see `Oscillator.off_centre`.
+        Whether the force is odd; otherwise its pieces cover all u in ascending order, each with the u, of either sign,
+        at which it ends; they are polynomials, or smooth up to their ends. Motions then have a mean B, see
+        `Oscillator.off_centre`.
     compile : bool
-        Print C and call the C compiler (the environment's CC, or Python's own). Without, answers have the same bits, as
-        programs are interpreted; batches of polynomials take up to three times as long.
+        Generate C and call the C compiler (CC of the environment, or Python's own). Otherwise programs are interpreted,
+        with the same bits; batches with polynomial forces then take up to three times as long.
 
     Returns
     -------
     Derived or Sampled
-        Sampled for Python functions.
+        `Sampled` for Python functions.
 
     Raises
     ------
     ValueError, TypeError
-        For what is not allowed, with what is.
+        For invalid arguments; the message states what is allowed.
     ArithmeticError, ImportError
-        For a force that cannot be derived, with the reason; without the extra `slowflow[derive]`.
+        For a force that cannot be derived, with the reason; if the extra `slowflow[derive]` is missing.
     BuildFailed
-        Where the compiler fails, with its output, or slowflow itself is not compiled.
+        If the compiler fails, with its output, or if slowflow itself is not compiled.
     """
     furthest = () if reach is None else (reach, reach_reason)
     inputs = _derivation("slowflow.derivation.given")
@@ -209,24 +209,24 @@ def mechanism(
 
 
 def library(name: str, *, compile: bool = False) -> Derived:
-    """Derive a mechanism of the library, as `library("elastic_stop")`; docs/mechanisms.md shows them.
+    """Derive a mechanism of the library, such as `library("elastic_stop")`; docs/mechanisms.md shows them.
 
     Parameters
     ----------
     name : str
         A file of `slowflow.derivation.library`.
     compile : bool
-        As of `mechanism`.
+        As in `mechanism`.
 
     Returns
     -------
     Derived
-        Printed, it names its parameters.
+        Printing it lists its parameters.
 
     Raises
     ------
     ValueError
-        For a name that is not in the library, with those that are; else as `mechanism` does.
+        For a name that is not in the library; otherwise as `mechanism`.
     """
     return _derived(_derivation("slowflow.derivation.library").stated(name), compile)
 

@@ -1,6 +1,6 @@
-"""Many oscillators, asked at three depths. Takes arrays of numbers; returns averaged to exact answers of each design.
+"""Batches of oscillators at three levels of approximation. Takes arrays; returns averaged to exact answers.
 
-The averaged questions come from `slowflow.averaged.many`; the others are loaded when asked for, as are maps.
+The averaged questions come from `slowflow.averaged.many`; the others, and maps, are imported on first use.
 """
 
 from __future__ import annotations
@@ -21,11 +21,11 @@ LOADS = ("at_rest", "margins", "hysteresis", "isolation", "spectrum")
 
 
 class Designs(many.Designs):
-    """Arrays of designs of one mechanism, asked at three depths; see `slowflow.averaged.many`."""
+    """Arrays of designs of one mechanism, at three levels of approximation; see `slowflow.averaged.many`."""
 
     @cached_property
     def second_approximation(self) -> SecondDesigns:
-        """The same questions with the higher harmonics of force and friction."""
+        """The same questions with higher harmonics of force and friction."""
         from slowflow.second.many import SecondDesigns
 
         validate.is_plain("second_approximation", self.laws)

@@ -1,4 +1,4 @@
-"""Gradients: the derivatives of an answer's numbers by each parameter, and why some do not exist."""
+"""Gradients: derivatives of an answer's numbers with respect to each parameter, and why some do not exist."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ WITHOUT_GRADIENT = {
 
 
 class Slope(NamedTuple):
-    """The derivative of one number of an answer by one parameter: of each entry, where the answer has several."""
+    """The derivative of one number of an answer with respect to one parameter, for each entry if there are several."""
 
     of: str
     by: str
@@ -38,18 +38,19 @@ class Slope(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Gradient(Answer):
-    """The derivatives of an answer's numbers by each parameter, exact: d(number)/d(parameter).
+    """The exact derivatives of an answer's numbers with respect to each parameter: d(number)/d(parameter).
 
-    Dimensionless, or in SI units of an answer in units.
+    They are dimensionless, or in SI units if the answer has units.
 
-    of      -- the numbers, as "Omega", "A", "F_SN"
-    by      -- the parameters: those of the design, mu, zeta, and the question's arguments, F_0 and Omega
+    of      -- the numbers, such as "Omega", "A", "F_SN"
+    by      -- the parameters: those of the design, mu, zeta, and the arguments of the question, F_0 and Omega
     slopes  -- shape (..., numbers, parameters), after the shape of the answer; NaN where there is no gradient
-    status  -- whether there is one, a number of `slowflow_kernels.conventions.MovesStatus`, 0 where there is
+    status  -- code of `slowflow_kernels.conventions.MovesStatus`, 0 if there is a gradient
     message -- why some have none; empty if all have one
 
-    `gradient["A", "delta_h"]` is one slope of each entry of the answer, `gradient["A"]` that by every parameter. A loop
-    gives a `Slope` for each number and each parameter; of a table, as pandas', each entry has a row of its own.
+    `gradient["A", "delta_h"]` is one derivative for each entry of the answer, `gradient["A"]` has those with respect to
+    all parameters. Iterating gives a `Slope` for each number and each parameter; in a table (pandas), each entry has
+    its own row.
     """
 
     has_rows = True
@@ -79,7 +80,7 @@ class Gradient(Answer):
         return len(self.of) * len(self.by)
 
     def columns(self) -> dict[str, Any]:
-        """Return a row for each slope of each entry; a single answer has no column of entries."""
+        """Return a row for each derivative of each entry; a single answer has no column of entries."""
         rows = [(*entry, *pair) for entry in np.ndindex(self.status.shape) for pair in self._pairs()]
         names = [f"entry_{k}" if k else "entry" for k in range(self.status.ndim)]
         columns = zip(*rows, strict=True) if rows else ([],) * (len(names) + 2)
@@ -104,7 +105,7 @@ class Gradient(Answer):
         return f"no gradient: {'; '.join(texts)}" if texts else ""
 
     def condition(self, of: str) -> Any:
-        """Compute the condition number of a number: its relative change over the largest one of the parameters.
+        """Compute the relative condition number of a number: its relative change over that of the parameters.
 
         The sum of |p d(number)/dp|/|number| over the parameters, shape (...); NaN where there is no gradient.
         """

@@ -1,11 +1,11 @@
-"""Measured columns. Takes a CSV file whose head has names and units; returns arrays by name, in SI units.
+"""Measured columns. Takes a CSV file whose header has names and units; returns arrays by name, in SI units.
 
     f [Hz], a [g]
     2.0, 0.05
     5.0, 0.04
 
-Names are those of the arguments that take the columns: f, F (Y, a, U), A or phi of points, t and acceleration of a
-record, f and G of a spectral density, x and F of a loop.
+Names are those of the arguments that take the columns: f, F (Y, a, U), A or phi for points, t and acceleration for a
+record, f and G for a spectral density, x and F for a loop.
 """
 
 from __future__ import annotations
@@ -28,10 +28,10 @@ SEPARATORS = "\t;,"
 
 
 class Columns(dict[str, Floats]):
-    """Columns by name, in SI units; of a spectral density in its own.
+    """Columns by name, in SI units; a spectral density in its own unit.
 
-    units -- the unit of each that has one
-    head  -- the file and the line of their names
+    units -- the unit of each column that has one
+    head  -- the file and the line of the header
     """
 
     units: dict[str, str]
@@ -39,12 +39,12 @@ class Columns(dict[str, Floats]):
 
 
 def read_csv(path: str | Path) -> Columns:
-    """The columns of a CSV file, by name; what is empty is NaN.
+    """Read the columns of a CSV file, by name; empty cells are NaN.
 
-    path -- of a text whose first line has names with units, as "a [m/s^2]"; commas, semicolons or tabs are between
-            columns, and lines that begin with # are comments
+    path -- a text file whose first line has names with units, such as "a [m/s^2]"; columns are separated by commas,
+            semicolons or tabs, and lines that begin with # are comments
 
-    Raises ValueError for what is not allowed, with the line.
+    Raises ValueError for invalid contents, with the line number.
     """
     path = Path(path)
     try:

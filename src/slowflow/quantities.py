@@ -1,8 +1,8 @@
 """Numbers with units. Takes dimensionless answers and m, k_v, L; returns `Quantities`, the answers in SI units.
 
 The scale of each number is derived (4): `slowflow_kernels.scaling`. Arguments are plain SI numbers (kg, N, N/m, m, s;
-frequencies in Hz), strings such as "0.3 g", or quantities of pint. Answers are plain SI numbers again, and printed, or
-`in_units()`, in N, mm, Hz and ms.
+frequencies in Hz), strings such as "0.3 g", or quantities of pint. Attributes of answers are plain SI numbers; they
+print, and convert by `in_units()`, in N, mm, Hz and ms.
 """
 
 from __future__ import annotations
@@ -142,14 +142,15 @@ DRAWN = ("A", "phi", "transmissibility_dB")
 
 @dataclass(frozen=True, eq=False)
 class Quantities(Answer):
-    """An answer in physical units; its numbers are read by name, as `.F_SN`, `.f`, `.A`. Print it.
+    """An answer in physical units; its numbers are attributes, such as `.F_SN`, `.f`, `.A`. It prints as a table.
 
     values -- numbers, texts and arrays by name
     units  -- the unit of each that has one
-    answer -- the same, dimensionless: its `.validity` and so on
-    entry  -- names of the columns of an entry; an answer with several has a length, and an index or a loop gives one
-    scales -- the scales of the answer's numbers, None where they are no such answer's
-    chosen -- whether the units are those of `in_units`, and shown; others are shown in N, mm, Hz, ms
+    answer -- the dimensionless answer, with `.validity` and so on
+    entry  -- names of the columns of an entry; an answer with several entries has a length, indexing or iterating gives
+            entries
+    scales -- the scales of the answer's numbers, None if it has none
+    chosen -- whether the units are those chosen by `in_units`; otherwise numbers print in N, mm, Hz, ms
     """
 
     values: Mapping[str, Any]
@@ -200,7 +201,7 @@ class Quantities(Answer):
         return {name: self.values[name] for name in self.entry}
 
     def about(self) -> dict[str, Any]:
-        """Return what holds for all rows, the numbers of the mount, and the dimensionless parameters."""
+        """Return values common to all rows, the data of the mount, and the dimensionless parameters."""
         extra = self.answer.about() if isinstance(self.answer, Answer) else {}
         known = {name: plain(value) for name, value in self.values.items() if isinstance(value, PLAIN)}
         sheet = {} if self.scales is None else self.scales.sheet
@@ -215,7 +216,7 @@ class Quantities(Answer):
         return self.units
 
     def words_of(self, name: str, value: Any) -> str:
-        """Text of the dimensionless answer: none and infinite are the same in all units."""
+        """Text of the dimensionless answer: "none" and infinity do not depend on units."""
         if self.scales is None or not isinstance(self.answer, Answer):
             return ""
         plain_name = next((one for one in self.answer.labels if self.scales.kind(one)[0] == name), name)
@@ -237,9 +238,9 @@ class Quantities(Answer):
         return {**super().to_dict(), "units": dict(self.units)}
 
     def in_units(self, *units: str) -> Quantities:
-        """Convert to other units, as in_units("kN", "rpm"); by default, and for other kinds, to N, mm, Hz, ms.
+        """Convert to other units, such as in_units("kN", "rpm"); other quantities are in N, mm, Hz, ms.
 
-        Raises ValueError for a unit that is none of `UNITS`.
+        Raises ValueError for a unit that is not in `UNITS`.
         """
         target = {}
         for unit in (*USUAL, *units):
@@ -256,12 +257,12 @@ class Quantities(Answer):
         return Quantities(values, found, self.answer, self.entry, self.scales, chosen=True)
 
     def gradient(self) -> Gradient:
-        """Differentiate the numbers by those of the mount and by the question's arguments, exactly.
+        """Differentiate the numbers with respect to the data of the mount and the question's arguments.
 
-        As the gradient of the dimensionless answer, but in SI units, whatever units this answer is in. `.of` are its
-        names, as "Y_SN" or "A", `.by` those of the mount: "k_h", "preload", "friction", "zeta" or "c", "m", "k_v", "L",
-        "n" as if it were any number, and F (Y, U) and f where the question took them. Raises ValueError for what is no
-        averaged answer, and for a mount without preload, whose springs never touch.
+        The derivatives are exact and in SI units, whatever units this answer is in. `.of` has the names of the numbers,
+        such as "Y_SN" or "A", `.by` those of the parameters: "k_h", "preload", "friction", "zeta" or "c", "m", "k_v",
+        "L", "n" as a real number, and F (Y, U) and f if the question took them. Raises ValueError for answers that are
+        not averaged, and for a mount without preload, whose springs never touch the push-rod.
         """
         if self.scales is None or not hasattr(self.answer, "gradient"):
             raise Refused("only averaged answers have gradients: this is none")
@@ -272,9 +273,10 @@ class Quantities(Answer):
     def measure(self, force: str | None = None, **options: Any) -> Quantities:
         """Compare averaged states, folds, a peak, an onset, a detachment with the equation of motion, in SI units.
 
-        options -- of isolation of="first" or "peak", of random vibration samples, records and seed
+        options -- for isolation of="first" or "peak"; for random vibration samples, records and seed
 
-        As `measure` of the dimensionless answer, with its errors. Raises ValueError for what is no averaged answer.
+        Results and errors as `measure` of the dimensionless answer. Raises ValueError for answers that are not
+        averaged.
         """
         if self.scales is None or not hasattr(self.answer, "measure"):
             raise Refused("only averaged answers are measured against the equation of motion: this is none")
@@ -301,11 +303,11 @@ class Quantities(Answer):
         return "\n".join(in_text(self if self.chosen else self.in_units()))
 
     def plot(self, ax: Any = None, *, of: str | None = None) -> Any:
-        """Draw a curve, folds, a fold locus or a shock, in mm, Hz, N, into Matplotlib axes, or new ones; return these.
+        """Plot a curve, folds, a fold locus or a shock, in mm, Hz, N; return the Matplotlib axes, new ones by default.
 
         of -- quantity of a response curve: "A", "phi" or "transmissibility_dB"
 
-        Other units: `in_units` first. Raises ValueError where there is no picture of this answer, ImportError without
+        For other units call `in_units` first. Raises ValueError if this answer has no plot, ImportError without
         Matplotlib.
         """
         picture = getattr(self.answer, "picture", None)
@@ -327,7 +329,7 @@ def _times(value: Any, size: float) -> Any:
 
 
 def si(name: str, value: Any, unit: str) -> Any:
-    """Convert a number or array to SI units: a plain one as it is, "0.3 g" or a quantity of pint to `unit`."""
+    """Convert a number or array to SI units: plain numbers are unchanged; `unit` is the target of others."""
     if isinstance(value, str) and unit:
         number, _, word = value.strip().partition(" ")
         known = UNITS[KIND_OF[unit]]
@@ -384,12 +386,12 @@ def sizes(*, m: Any, k_v: Any, L: Any) -> dict[str, Any]:
 class Scales:
     """The scales of the dimensionless numbers of an oscillator (4), in SI units: m in kg, k_v in N/m, L in m.
 
-    mounts     -- number of equal mounts that share the mass: k_v is that of all of them, `measures` are those of one
-    excitation -- what F_0 is the amplitude of, a key of `EXCITED`
+    mounts     -- number of equal mounts that share the mass: k_v is that of all mounts, `measures` are those of one
+    excitation -- kind of excitation with the amplitude F_0, a key of `EXCITED`
     damping    -- name of viscous damping, "zeta" or "c"
-    sheet      -- the numbers that a mount was made from, in the units of `SHEET`
+    sheet      -- the data of the mount, in the units of `SHEET`
 
-    Numbers, or quantities of pint. Raises ValueError for one that is not > 0.
+    Values are numbers or quantities of pint. Raises ValueError for a scale that is not > 0.
     """
 
     m: float
@@ -417,17 +419,17 @@ class Scales:
 
     @property
     def amplitude(self) -> str:
-        """Kind of the amplitude of the excitation."""
+        """Kind of unit of the amplitude of the excitation."""
         return EXCITED[self.excitation][1]
 
     @property
     def of_oscillator(self) -> str:
-        """Excitation of the dimensionless oscillator: a base's acceleration a is a force m a on the mass."""
+        """Excitation of the dimensionless oscillator: an acceleration a of the base is a force m a on the mass."""
         return "force" if self.excitation == "acceleration" else self.excitation
 
     @cached_property
     def measures(self) -> dict[str, tuple[str, Scale]]:
-        """A mount's name for each number of a design and of its damping, by name, and its scale."""
+        """For each number of a design and its damping, by name: the mount's name, and the scale."""
         design = CUBIC if "k_1" in self.sheet else dict(zip(ROD_SPRING.design_names, ROD_SPRING.scales, strict=True))
         scales = design | {one.name: SCALES[one.name] for one in (*DAMPING, *DISSIPATION)}
         scales |= {"zeta": PURE} if self.damping == "zeta" else {}
@@ -443,13 +445,13 @@ class Scales:
         return float(size(scale, m=self.m, k_v=self.k_v, L=self.L))
 
     def over(self, name: str, value: Any, domain: Parameter, scale: Scale) -> float:
-        """Make a number of a mount dimensionless. Raises ValueError, in its terms, outside the domain."""
+        """Make a number of a mount dimensionless. Raises ValueError, in the mount's terms, outside the domain."""
         size = self.of(scale)
         allowed = {bound: limit * size for bound, limit in domain.bounds.items()}
         return validate.number(name, value, **allowed) / size
 
     def quantities(self, answer: Answer) -> Quantities:
-        """Convert the answer to a dimensionless question, and those in it, to SI units."""
+        """Convert a dimensionless answer, and the answers in it, to SI units."""
         found = answer._content()
         entry = (*answer._entry_of()._fields, *answer._beside_of()) if isinstance(answer, Table) else ()
         if entry and "F_0" not in entry and np.ndim(found.get("F_0", 0.0)):
@@ -505,10 +507,10 @@ class Scales:
         return Quantities(values, units, answer, tuple(self.kind(name)[0] for name in entry), self)
 
     def gradient(self, found: Gradient) -> Gradient:
-        """Convert a gradient to SI units, by the numbers of a mount. Raises ValueError where these are not known.
+        """Convert a gradient to SI units, with respect to a mount's data. Raises ValueError if these are not known.
 
         A number of a mount is its dimensionless number times powers of k_v, L and m (4), and so is each number that it
-        depends on: derivatives by k_v, L and m go through all of these.
+        depends on: derivatives with respect to k_v, L and m include all of these.
         """
         if "k_1" in self.sheet:
             raise Refused("only `Isolator.physical` has gradients in SI units; .answer.gradient() is dimensionless")

@@ -1,4 +1,4 @@
-"""What a motion passes on: the numbers of its whole wave, and what they may be of.
+"""Transmissibility of the whole waveform: first harmonic, peak and RMS of force, relative or absolute displacement.
 
 In:  waves of exact motions and of the second approximation.
 Out: `Transmitted`, in ratio and in decibels; `OF`.
@@ -22,9 +22,9 @@ FIXED_BASE = (
 
 
 class Transmitted(NamedTuple):
-    """What a motion passes on over what drives it: at its frequency, at most, and root mean square.
+    """Transmissibility by first harmonic (`first`), peak and root mean square (`rms`).
 
-    Numbers, or arrays with that of each point of a curve. Without harmonics peak is first, and rms that over sqrt(2).
+    Numbers, or arrays along a curve. Without higher harmonics, peak = first and rms = first/sqrt(2).
     """
 
     first: Any
@@ -39,15 +39,12 @@ class Transmitted(NamedTuple):
 
 
 def in_motion(A: Any, ratio: Any) -> Any:
-    """Transmissibility of states, `ratio` of those that move: a mass at rest, A = 0, passes on all that drives it.
-
-    What is transmitted is the excitation less the inertia of the mass, which has none then.
-    """
+    """Transmissibility of states, `ratio` of those that move; a mass at rest, A = 0, transmits the whole excitation."""
     return np.where(np.asarray(A) == 0, 1.0, ratio)
 
 
 def validated(of: str, *, inertial: bool) -> str:
-    """`of`, one of `OF`. Raises ValueError for another one, and where the base stands still for "absolute"."""
+    """Return `of`, one of `OF`. Raises ValueError for another value, and for "absolute" if no inertia excites."""
     validate.choice("of", of, OF)
     if of == "absolute" and not inertial:
         raise Refused(FIXED_BASE)

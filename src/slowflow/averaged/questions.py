@@ -56,8 +56,8 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
     model    -- its slow flow
     mu, zeta -- dry friction over k_v L, and viscous damping ratio
 
-    F_0 is the amplitude of its excitation. Of one by inertia, a base that shakes or an unbalance, it is not the force,
-    which is F_0 Omega^2; u is the displacement from the base then.
+    F_0 is the amplitude of the excitation. For base excitation and unbalance the force is F_0 Omega^2, and u is the
+    displacement relative to the base.
     """
 
     model: Model
@@ -75,11 +75,11 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
 
     @property
     def sticking_forcing(self) -> float:
-        """A forcing that does not exceed it leaves a mass at rest, whatever the frequency: 4 mu/pi (27).
+        """Amplitude of the excitation up to which a mass at rest sticks at every frequency: 4 mu/pi (27).
 
-        With a preload c sign(u) it is 4/pi sqrt(mu^2 + c^2), what F_0 is for a state that tends to rest; from 4 mu/pi
-        on the mass may also move then, and answers say so; with rubs="attached", beyond u_cr, from less on.
-        0 for an excitation by inertia: however small, it moves the mass from Omega = sqrt(4 mu/(pi F_0)) on.
+        With a preload c sign(u) it is 4/pi sqrt(mu^2 + c^2), the limit of F_0 as A tends to 0; above 4 mu/pi, or less
+        with rubs="attached", motions may coexist with the mass at rest, and a message reports them. It is 0 for base
+        excitation and unbalance, which move the mass from Omega = sqrt(4 mu/(pi F_0)) on, however small they are.
         """
         return 0.0 if self.model.inertial else self.model.break_loose
 
@@ -94,7 +94,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
     def curve(
         self, F_0: float, *, samples: int, Omega: tuple[float, float], allowance: proofs.Allowance | None = None
     ) -> FrequencyResponse:
-        """`frequency_response` without the remarks on averaging: what another approximation starts from."""
+        """`frequency_response` without the diagnostics of averaging, as a start for other approximations."""
         found = solvers.frequency_response(self.model, F_0, samples, Omega)
         return self._centred(proofs.decided_curve(found, self.model, Omega, allowance))
 
@@ -121,7 +121,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         return dataclasses.replace(found, **merged, message=joined(found.message, message))
 
     def states(self, *, Omega: Any, F_0: float, allowance: proofs.Allowance | None = None) -> SteadyStates:
-        """`amplitudes` of masses that move, without the remarks on averaging: what other approximations start from."""
+        """`amplitudes` of moving masses without the diagnostics of averaging, as a start for other approximations."""
         at = validate.frequencies("Omega", Omega).ravel()
         allowance = allowance or proofs.Allowance()
         try:
@@ -156,15 +156,14 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         Returns
         -------
         Certificate
-            Enclosures, and whether each is proved, of the oscillator whose numbers are exactly the given doubles. Where
-            intervals of doubles are inconclusive ball arithmetic decides, with python-flint
-            (`pip install 'slowflow[proofs]'`); `bits` says which it was.
+            Enclosures, and whether each is proved, for the oscillator whose parameters are exactly the given doubles.
+            Where intervals of doubles are inconclusive, ball arithmetic is used, with python-flint (`pip install
+            'slowflow[proofs]'`); `bits` is the precision used.
 
         Raises
         ------
         ValueError
-            For a number that is not allowed, for an excitation by inertia, and for other laws of damping than mu and
-            zeta.
+            For an invalid number, for base excitation and unbalance, and for damping laws other than mu and zeta.
         """
         self._check_proof()
         found = self.saddle_nodes(F_0)
@@ -184,7 +183,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         return dataclasses.replace(proof, message=joined(proof.message, note))
 
     def folds(self, F_0: float, *, allowance: proofs.Allowance | None = None) -> SaddleNodes:
-        """`saddle_nodes` without the remarks on averaging: what another approximation starts from."""
+        """`saddle_nodes` without the diagnostics of averaging, as a start for other approximations."""
         # finding the onset costs time too: it is used only if it is known already
         if plan.may_have_folds(F_0, self.model, self.__dict__.get("_onset")):
             return proofs.decided(solvers.folds(self.model, F_0), self.model, allowance)
@@ -223,11 +222,11 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         return states.A > self.breakpoints[0]
 
     def transmissibility_floor(self, F_0: float) -> float:
-        """Compute what transmissibility tends to as Omega tends to infinity: 4 mu/(pi F_0), or 0 by inertia.
+        """Compute the limit of the transmissibility as Omega tends to infinity: 4 mu/(pi F_0) under a force.
 
-        There A Omega vanishes, or is small compared with a force that grows with Omega^2: friction, and a preload, are
-        all that a constant force leaves. Quadratic damping grows with Omega^2 too: under inertia it leaves
-        8 c_2 A^2/(3 pi F_0), at the amplitude A that the response tends to.
+        Under a constant force only friction and a preload are transmitted in this limit. Under base excitation and
+        unbalance the limit is 0, or 8 c_2 A^2/(3 pi F_0) with quadratic damping, which grows with Omega^2 like the
+        force; A is the limit of the amplitude.
 
         Parameters
         ----------
@@ -247,10 +246,10 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         return float(self.model.floor(validate.number("F_0", F_0, above=0.0)))
 
     def closes(self, F_0: float) -> bool:
-        """Tell whether the response at F_0 is known to have a highest amplitude.
+        """Determine whether the response at F_0 is known to have a largest amplitude.
 
-        Without damping other than friction it has none, nor under a base motion so large that a hardening spring does
-        not end the resonance, nor where a user-defined force softens up to its reach.
+        It has none without damping other than friction, under a base motion so large that a hardening spring does not
+        end the resonance, or if a user-defined force softens up to its reach.
 
         Parameters
         ----------
@@ -260,7 +259,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         Returns
         -------
         bool
-            True also where the mass sticks, so that there is nothing to close.
+            True also if the mass sticks.
 
         Raises
         ------
@@ -280,7 +279,8 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         samples : int
             About how many points, 2 to 10^6.
         A_max : float, optional
-            Largest amplitude, > 0, over L; by default the mechanism's reach. One without (`Duffing`) needs it.
+            Largest amplitude, > 0, over L; by default the mechanism's reach. Required for a mechanism without reach,
+            such as `Duffing`.
 
         Returns
         -------
@@ -290,7 +290,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         Raises
         ------
         ValueError
-            For a number that is not allowed, or no A_max where one is needed.
+            For an invalid number, or a missing A_max.
         """
         samples = validate.count("samples", samples, least=2, most=validate.MOST_SAMPLES)
         return solvers.fold_locus(self.model, self._up_to(A_max), samples)
@@ -298,8 +298,9 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
     def cusps(self, *, A_max: float | None = None) -> Cusps:
         """Find where two folds merge as the forcing changes, F = F_A = F_AA = 0.
 
-        Close to where the force is singular, within a unit in the last place, double precision leaves few digits: ball
-        arithmetic has more, with python-flint, in up to a second; `Remark.UNDECIDED` says where it has not either.
+        Within a unit in the last place of a singularity of the force, double precision gives few digits; ball
+        arithmetic gives more, with python-flint, in up to a second. `Remark.UNDECIDED` marks cusps for which it does
+        not.
 
         Parameters
         ----------
@@ -365,7 +366,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         Raises
         ------
         ValueError
-            For rubs="attached": beyond u_cr friction's part of I falls, and I = F_0 has no closed form.
+            For rubs="attached": beyond u_cr the friction term of I decreases, and I = F_0 has no closed form.
         """
         if self.model.laws.rubs != THROUGHOUT:
             validate.is_plain("limit_envelope", self.model.laws.description())
@@ -436,8 +437,8 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
     def plot(self, F_0: Any, *, Omega: tuple[float, float] = validate.WINDOW, of: str = "A", ax: Any = None) -> Any:
         """Draw the response at one forcing, or at each of several, into Matplotlib axes.
 
-        Stable is solid, unstable dashed, folds are triangles that point where a sweep jumps. With the amplitude: tinted
-        beyond u_cr, and where friction would hold the mass where it turns, A Omega^2 < mu.
+        Stable states are solid, unstable ones dashed; folds are triangles that point in the direction of the jump. For
+        the amplitude, the regions beyond u_cr and with stops, A Omega^2 < mu, are shaded.
 
         Parameters
         ----------
@@ -446,7 +447,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         Omega : tuple of float
             Window of frequencies.
         of : str
-            What is drawn over Omega: "A" (under a load .u_max), "phi", "transmissibility" or "transmissibility_dB".
+            Quantity plotted over Omega: "A" (under a load .u_max), "phi", "transmissibility" or "transmissibility_dB".
         ax : matplotlib.axes.Axes, optional
             Where to draw; new axes by default.
 
@@ -478,16 +479,16 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         return ax
 
     def explain(self, question: str, F_0: float | None = None) -> plan.Plan:
-        """Say what runs for a question, what is skipped, and why: the question itself follows this plan.
+        """List the steps of a question: which run, which are skipped, and why; the question itself follows this plan.
 
         Parameters
         ----------
         question : str
             Its name, such as "saddle_nodes".
         F_0 : float, optional
-            Amplitude of the excitation, > 0. Questions at one forcing need it, as "saddle_nodes", "margins" or
-            "exact_response"; those about all forcings, as "saddle_node_onset", and about rows of their own, as
-            "spectrum" or "transient", take none.
+            Amplitude of the excitation, > 0. Required by questions at one forcing, such as "saddle_nodes", "margins" or
+            "exact_response"; not accepted by those about all forcings, such as "saddle_node_onset", or about their own
+            rows, such as "spectrum" or "transient".
 
         Returns
         -------
@@ -497,7 +498,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         Raises
         ------
         ValueError
-            For another question, F_0 <= 0, and one that is missing or not needed.
+            For an unknown question, F_0 <= 0, and a missing or unexpected F_0.
         """
         if question not in plan.QUESTIONS:
             allowed = f"{', '.join(plan.QUESTIONS)}{validate.meant(question, plan.QUESTIONS)}"
@@ -509,7 +510,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         return plan.plan(question, plan.forcing(question, F_0), self.model, self.__dict__.get("_onset"))
 
     def onset(self, allowance: proofs.Allowance | None = None) -> SaddleNodeOnset:
-        """`saddle_node_onset` without the remarks on averaging: what another approximation starts from."""
+        """`saddle_node_onset` without the diagnostics of averaging, as a start for other approximations."""
         if plan.needs_no_solver("saddle_node_onset", self.model):
             return SaddleNodeOnset(None, None, None, "", messages.NO_ONSET)
         try:

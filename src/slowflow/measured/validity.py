@@ -1,7 +1,7 @@
-"""How far averaged answers are from the equation of motion. Takes amplitudes and frequencies; returns sizes, words.
+"""Measured errors of averaged answers. Takes amplitudes and frequencies; returns errors and messages.
 
-The sizes were measured on exact motions of the paper's isolator, see docs/validity.md; `table` holds them, and names
-the mechanisms that they hold for. Of any other mechanism this says that nothing was measured.
+The errors were measured on exact motions of the paper's isolator, see docs/validity.md; `table` contains them, and
+names the mechanisms to which they apply. For any other mechanism the message says that nothing was measured.
 """
 
 from __future__ import annotations
@@ -64,17 +64,18 @@ CORNER = text(
 
 @dataclass(frozen=True, eq=False)
 class Validity(Answer):
-    """What is known of the error of averaged states; arrays with one entry for each state.
+    """Known errors of averaged states; arrays with one entry for each state.
 
     ratio      -- mu/F_0
-    rest       -- mu/(A Omega^2), friction over the force of inertia where the mass turns: from about 1 on it rests
-    typical    -- relative error of A within which half of the points measured with such `ratio` and `rest` had the
-                  exact amplitude, at a frequency within 1 %
-    error      -- the same for 95 of 100; beside a jump that averaging misplaces it is the height of the jump.
-                  Figures below 1 % say no more than that the exact curve passes within that 1 %
-    truncation -- the share of it that comes from the truncated force (6), nearest measured case; 0 where none was made
-                  (all three: nan for a mechanism that was not measured)
-    message    -- remarks in words; empty if there is nothing to say
+    rest       -- mu/(A Omega^2), friction over inertia force at the turning points: from about 1 on the mass stops
+            there
+    typical    -- median relative error of A, at a frequency within 1 %, of the measured points with such `ratio` and
+            `rest`
+    error      -- the same for 95 of 100 points; next to a jump that averaging misplaces it is the height of the jump.
+            Values below 1 % mean only that the exact curve passes within 1 %
+    truncation -- the part of it due to the truncated force (6), from the nearest measured case; 0 if not measured (all
+            three: nan for a mechanism that was not measured)
+    message    -- diagnostics as text; empty if there are none
     """
 
     ratio: Floats
@@ -89,7 +90,7 @@ class Validity(Answer):
 
 
 def of_states(model: Model, Omega: Floats, A: Floats, *, corner: bool = False) -> Validity:
-    """The validity of averaged steady states of that model; `corner` tells that a fold on a breakpoint is there."""
+    """The validity of averaged steady states of the model; `corner` marks folds on a breakpoint."""
     h = model.averaged(A)[0]
     F_0 = model.flow.level(Omega, A, *model.equivalent_damping(Omega, A), h)
     with np.errstate(divide="ignore", invalid="ignore"):  # at Omega = 0
@@ -127,7 +128,7 @@ def of_states(model: Model, Omega: Floats, A: Floats, *, corner: bool = False) -
 
 
 def off_centre(mu: float, F_0: Any, Omega: Any, A: Any) -> Validity:
-    """That of averaged motions off the centre: nothing was measured there. None stands for no motion."""
+    """The validity of averaged offset motions: nothing was measured for these. None if there is no motion."""
     arrays = [np.asarray([] if A is None else value, dtype=float).ravel() for value in (F_0, Omega, A)]
     F_0, Omega, A = np.broadcast_arrays(*arrays)
     with np.errstate(divide="ignore", invalid="ignore"):  # at Omega = 0
@@ -142,7 +143,7 @@ def is_near_sticking(mu: Any, F_0: Any) -> Any:
 
 
 def near_sticking(model: Model, F_0: float) -> str:
-    """The remark for a forcing that does not exceed friction by much; empty for others."""
+    """The message for a forcing that barely exceeds friction; empty for others."""
     if not is_near_sticking(model.mu, F_0):
         return ""
     ratio = model.mu / F_0
@@ -153,7 +154,7 @@ def near_sticking(model: Model, F_0: float) -> str:
 
 
 def of_second(model: Model, Omega: Floats, A: Floats) -> str:
-    """The remark for states of the second approximation in which the mass stops; empty if there are none."""
+    """The message for states of the second approximation in which the mass stops; empty if there are none."""
     if model.mu == 0:
         return ""
     with np.errstate(divide="ignore"):

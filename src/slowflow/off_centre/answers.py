@@ -1,6 +1,6 @@
-"""What is off the centre of an answer: places of rest, and how numbers with a mean displacement B move.
+"""Answers about offset motions: equilibria, and gradients of numbers with a mean displacement B.
 
-The answers are those of `slowflow.results`, with B and the load.
+The other answers are those of `slowflow.results`, with B and the load.
 """
 
 from __future__ import annotations
@@ -41,11 +41,12 @@ Rest = entry("Rest", "u stiffness stable", "A place of rest, as in `RestPosition
 
 @dataclass(frozen=True, eq=False)
 class RestPositions(Table):
-    """Where the mass stands without forcing and friction, f(u) = load, by rising u; friction holds it near by too.
+    """Equilibria without forcing and friction, f(u) = load, in ascending order of u; friction also holds the mass
+    nearby.
 
     u      -- displacement
-    stiffness -- df/du there over k_v: its square root is the frequency of small motions about it
-    stable -- where that is positive
+    stiffness -- df/du there over k_v; its square root is the frequency of small motions
+    stable -- whether the stiffness is positive
     load   -- the static load over k_v L
     """
 
@@ -60,14 +61,16 @@ class RestPositions(Table):
     _model: Model | None = field(default=None, kw_only=True, repr=False)
 
     def measure(self) -> NoReturn:
-        """Raises NotAvailable: a place of rest is one of the equation of motion itself."""
+        """Raise NotAvailable: an equilibrium is exact, nothing is averaged."""
         raise validate.NotAvailable(NOT_MEASURED)
 
     def gradient(self) -> Gradient:
-        """How u and the stiffness of each place move with the parameters and the load, exactly.
+        """Differentiate u and the stiffness of each equilibrium with respect to the parameters and the load.
 
-        Where two places meet, and where one is a breakpoint of the force, there is none, and `.status` and `.message`
-        say so. Raises NotAvailable where it is not known how the force moves with the design.
+        The derivatives are exact. Where two equilibria meet, or one lies on a breakpoint of the force, there is no
+        gradient;
+        `.status` and `.message` say so. Raises NotAvailable if the derivatives of the force with respect to the design
+        are not known.
         """
         return sensitivities.of_rest(Design.of(self._model, self.load), self.u)
 
@@ -86,10 +89,10 @@ _QUESTIONS: Mapping[str, str] = {
 
 
 def gradient(found: Any) -> Gradient:
-    """The exact sensitivities of an answer to the parameters, the load and the arguments of the query.
+    """The exact derivatives of an answer with respect to the parameters, the load and the arguments of the query.
 
-    Raises NotAvailable where it is not known how the force moves with the design, and of a peak at which the mean turns
-    back.
+    Raises NotAvailable if the derivatives of the force with respect to the design are not known, and for a peak at a
+    turning point of the mean.
     """
     question = _QUESTIONS[type(found).__name__]
     names = NUMBERS[question]

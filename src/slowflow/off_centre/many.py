@@ -1,7 +1,7 @@
-"""Many designs off the centre. Takes arrays of designs and loads that broadcast; returns the questions of `OffCentre`.
+"""Offset motions of many designs. Takes arrays of designs and loads that broadcast; answers as `OffCentre` does.
 
-Each design is answered as a single one is, with the same digits: some hundredths of a second each.
-One that has no answer, or is none, gets NaN and a status, as in `slowflow.averaged.many`.
+Each design is evaluated like a single one, with the same digits, in some hundredths of a second. Invalid designs and
+those without a result get NaN and a status, as in `slowflow.averaged.many`.
 """
 
 from __future__ import annotations
@@ -45,17 +45,18 @@ Found = tuple[dict[str, Any], Remark]
 
 
 class OffCentreBatch(Batch):
-    """An answer off the centre: `remarks` are those of the single answers, and so are gradients."""
+    """An answer about offset motions: `remarks` and gradients are those of the single answers."""
 
     def gradient(self) -> Gradient:
-        """The sensitivities of the answer to the parameters, the load and the arguments of the query, for each design.
+        """The exact gradients with respect to the parameters, the load and the arguments of the query, for each design.
 
-        `.slopes` have shape (..., numbers, parameters), behind the shape of the columns; they are those of the single
-        answers, design by design, of which those that are not kept are computed again. Where there is no
-        answer, and where a single one has no gradient, `.status` and `.message` say so. Of a peak the slopes of `u_max`
-        are NaN where another motion has that, and those by eta and c_2 of designs that have neither.
+        `.slopes` have shape (..., numbers, parameters), after the shape of the columns; they are those of the single
+        answers, which are computed again if no longer cached. `.status` and `.message` say which designs have no answer
+        or no gradient. For a peak, the slopes of `u_max` are NaN if it belongs to another motion; so are slopes with
+        respect to eta and c_2 for designs that have neither.
 
-        Raises NotAvailable where it is not known how the force moves with the design, and of an answer without one.
+        Raises NotAvailable if the derivatives of the force with respect to the design are not known, and for an answer
+        without gradient.
         """
         if (names := NUMBERS.get(self.question.name)) is None:
             raise NotAvailable(NO_GRADIENT)
@@ -89,15 +90,15 @@ class OffCentreBatch(Batch):
 
 
 class OffCentreDesigns(many.Designs):
-    """Arrays of designs of one mechanism under static loads, and the questions off the centre about them.
+    """Arrays of designs of one mechanism under static loads, and the questions about their offset motions.
 
-    values -- as of `slowflow.averaged.many.Designs`, with "load"
+    values     -- as in `slowflow.averaged.many.Designs`, with "load"
     excitation -- as there; friction acts throughout
 
-    `workers` changes nothing: these searches are Python, of which one thread at a time runs. What is to be shared is
-    cut by who asks, or a grid's blocks on dask's processes.
+    `workers` has no effect: these searches run in Python, in one thread at a time. To use several processes, divide the
+    designs, or use the blocks of a grid with dask's processes.
 
-    Raises TypeError and ValueError as that does, ValueError for a force that is no piecewise polynomial.
+    Raises TypeError and ValueError as that class, and ValueError for a force that is not a piecewise polynomial.
     """
 
     _singles: dict[tuple[float, ...], OffCentre]
@@ -119,7 +120,7 @@ class OffCentreDesigns(many.Designs):
         raise AttributeError(f"many designs off the centre have no {name}{why}")
 
     def model(self, numbers: dict[str, float]) -> Model:
-        """One design without its load, from its numbers by name. Raises ValueError for one outside its domain."""
+        """Model of one design without its load, from numbers by name. Raises ValueError for one outside its domain."""
         return super().model({name: value for name, value in numbers.items() if name != "load"})
 
     def _ask(self, question: str, /, *, workers: int = 1, **kwargs: Any) -> Batch:
@@ -262,7 +263,7 @@ class OffCentreDesigns(many.Designs):
 
 
 def check_polynomial(mechanism: Mechanism) -> None:
-    """Raises ValueError for a force that is not answered off the centre."""
+    """Raise ValueError for a force whose offset motions are not supported."""
     if mechanism.steps is None and mechanism.curved is None:
         raise validate.NotAvailable("load is not available for " + NO_MEANS.format(mechanism.name, NOT_SMOOTH))
 

@@ -1,6 +1,6 @@
-"""The averaged questions off the centre. Takes a force as steps with damping and load; returns states with B.
+"""The averaged questions about offset motions. Takes a force as steps with damping and load; returns states with B.
 
-u = B + A cos psi with the balance of the mean f_0(A, B) = 0. Every answer holds all there is (see `complete`).
+The motion is u = B + A cos psi, with the balance of the mean f_0(A, B) = 0. Every answer is complete (see `complete`).
 """
 
 from __future__ import annotations
@@ -117,15 +117,15 @@ def _kept(answer: Method) -> Method:
 
 
 class OffCentre(Unchanging, ComposedQuestions):
-    """An oscillator under a static load, or one whose motions may leave the centre, averaged.
+    """An averaged oscillator under a static load, or one whose motions may leave the centre.
 
-    load -- the static load over k_v L, what the mass weighs beyond what the vertical spring holds at the centre
-    asked -- what measures answers against the equation of motion, where that is known
+    load  -- the static load over k_v L, in addition to the load that the vertical spring carries at the centre
+    asked -- the oscillator that compares answers with the equation of motion, if known
 
-    Answers are kept for some time, as one is made of others: a response of its folds, margins of almost all.
+    Answers are cached for some time, because some are made of others: a response of its folds, margins of almost all.
     The force may be any piecewise polynomial, odd or not, and any other that is smooth up to the ends of its pieces.
-    What excites and what dissipates is as about the centre, but for friction that ends at u_cr; motions that leave the
-    centre by themselves, without a load, have a force, viscous damping and friction.
+    Excitation and damping are as for centred motions, except friction that ends at u_cr; motions that leave the centre
+    by themselves, without a load, require a force as excitation, viscous damping and friction.
     """
 
     stays = "an oscillator does not change"
@@ -168,17 +168,17 @@ class OffCentre(Unchanging, ComposedQuestions):
 
     @property
     def sticking_forcing(self) -> float:
-        """4 mu/pi: a forcing that does not exceed it leaves a mass at rest, wherever that is (27); 0 under inertia."""
+        """4 mu/pi: up to this forcing a mass at rest stays at its equilibrium (27); 0 for base or unbalance."""
         return 0.0 if self._flow.inertial else self._model.m
 
     @property
     def breakpoints(self) -> tuple[float, ...]:
-        """The |u| at which the force passes from one piece to the next; u where the force is not odd."""
+        """The |u| at which the force passes from one piece to the next; u if the force is not odd."""
         return self._model.breakpoints
 
     @_kept
     def rest(self) -> RestPositions:
-        """Every place of rest, f(u) = load. Raises ArithmeticError in a dead zone, where each is one."""
+        """Every equilibrium, f(u) = load. Raises ArithmeticError in a dead zone, where all positions are equilibria."""
         # a bound of 0, as of a linear force without a load, leaves u = 0: it is looked for in a box around it
         bound = self._complete.offset_bound(0.0) or 1.0
         self._steps.check_balanced()
@@ -499,9 +499,9 @@ class OffCentre(Unchanging, ComposedQuestions):
         return isolating.begins_of(partial(self._isolation_at, level), curve, level, *found)
 
     def A_max(self, F_0: float) -> float:
-        """Up to which amplitude folds at F_0 are looked for: 2^8 times what the problem is as large as.
+        """Amplitude up to which folds at F_0 are searched: 2^8 times the characteristic length of the problem.
 
-        Raises ValueError for F_0 <= 0, and where nothing is looked for, as `saddle_nodes`.
+        Raises ValueError for F_0 <= 0, and otherwise as `saddle_nodes`.
         """
         self._check_answered("A_max")
         return self._complete.A_max(validate.number("F_0", F_0, above=0.0))
