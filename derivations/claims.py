@@ -42,7 +42,7 @@ def claim(sentence: str, left: sp.Expr | bool | BooleanAtom, right: sp.Expr = sp
 
 def page() -> str:
     """What has been proved so far, as Markdown."""
-    lines = ["# What is proved on the way", "", "Each derivation proves these anew, exactly, or stops.", ""]
+    lines = ["# Identities proved in the derivation", "", "Each derivation proves these exactly, or stops.", ""]
     for module, sentences in PROVED.items():
         lines += [f"## {module}", ""]
         lines += [f"- {f'{eq}: ' if eq else ''}`{sentence}`" for sentence, eq in sentences.items()]

@@ -77,17 +77,17 @@ def balance(force: Sided) -> Iterator[Block]:
         ("f_0", rf"{of_motion} \rangle - p = 0"),
         ("h", rf"-2 {of_motion} \cos\psi \rangle"),
     )
-    yield "In $F_A$ below $h_A$ is that along $f_0 = 0$."
+    yield "In $F_A$ below, $h_A$ is the derivative along $f_0 = 0$."
     if force.is_polynomial:
         yield (
-            "Beyond the end $b$ of a piece the force has beside that piece\n"
-            r"$\sum D_k (u - b)^k/k!$, which adds to the means over the $\psi$ for which $u$ is beyond:"
+            "Beyond the end $b$ of a piece the force of that piece changes by\n"
+            r"$\sum D_k (u - b)^k/k!$, which adds to the means over the $\psi$ for which $u$ is beyond $b$:"
         )
         gains = force.steps[len(force.pieces) :]
     else:
         yield (
-            "At the end $b$ of a piece the force gains $D_0$, its slope $D_1$: the means of steps $D_0 + D_1 (u - b)$\n"
-            r"over the $\psi$ for which $u$ is beyond are closed. What is left has a continuous slope, and is summed:"
+            "At the end $b$ of a piece the force jumps by $D_0$, its slope by $D_1$. The means of $D_0 + D_1 (u - b)$\n"
+            r"over the $\psi$ for which $u$ is beyond $b$ are closed. The rest has a continuous slope and is summed:"
         )
         gains = tuple(row[:2] for row in force.curved.gains)
     for end, row in zip(force.ends, gains, strict=True):
@@ -147,7 +147,7 @@ def parameters(mechanism: Mechanism | Sided, definitions: Mapping[sp.Symbol, sp.
         (f"${latex(one.symbol)}$", Prose("" if one.unit == "1" else one.unit), Prose(one.doc), allowed(one))
         for one in (*mechanism.design, *DAMPING, FORCING)
     )
-    yield Table(("number", "measured in", "what it is", "allowed"), rows)
+    yield Table(("symbol", "scale", "meaning", "domain"), rows)
     formulas = {name: value for name, value in definitions.items() if name != value}
     if formulas:
         yield display(*((latex(name), value) for name, value in formulas.items()))
@@ -216,9 +216,9 @@ def contact(average_: Quadrature, number: int) -> Iterator[Block]:
     one = average_.contacts[number]
     b = latex(tuple(average_.breakpoints)[one.begins - 1])
     part, power = latex(one.force), latex(one.exponent)
-    yield f"There $f$ is without what begins at ${b}$ as a broken power and goes on from there:"
+    yield f"There $f$ excludes the fractional power that begins at ${b}$:"
     yield display((f"f_{{{number + 1}}}(u)", part))
-    yield f"That is differentiated at a fixed share $y$ of $A - {b}$, with $u = {b} + (A - {b}) y$:"
+    yield f"This term is differentiated at a fixed fraction $y$ of $A - {b}$, with $u = {b} + (A - {b}) y$:"
     under = (
         rf"\frac{{f_{{{number + 1}}}(u)}}{{(A - {b})^{{{latex(one.power)}}}}} \frac{{u}}{{A}} "
         rf"\sqrt{{\frac{{A + {b}}}{{A + u}}}}"
@@ -276,11 +276,11 @@ def eliminated(derived: OfMechanism, flow: Formulas) -> Iterator[Block]:
     if 1 < degree <= MOST_ELIMINATED and not first.has(sp.pi):
         yield (
             "Up to the first breakpoint, if there is one, $h$ is a polynomial in $A$, and $\\Omega$ is eliminated.\n"
-            "Roots are candidates: elimination adds some, so each is tried in the equations that it came from.\n"
+            "Roots are candidates: elimination adds some, so each is checked in the original equations.\n"
             "Folds at a forcing, $F = F_A = 0$:"
         )
         yield polynomial(critical_forcings.saddle_nodes(flow, whole), "a")
-        yield "Where two folds are born, $F_A = F_{AA} = 0$, and the lowest forcing that has any may be:"
+        yield "Where two folds are born, $F_A = F_{AA} = 0$, a candidate for the lowest forcing with a fold:"
         yield polynomial(critical_forcings.saddle_node_onset(flow, whole), "b", number="33")
     if whole.breakpoints:
         yield f"The lowest forcing that reaches $A = {latex(whole.breakpoints[0])}$, where $F = F_\\Omega = 0$:"

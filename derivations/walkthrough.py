@@ -28,10 +28,10 @@ BEGIN = f"""# The derivation, equation by equation
 
 From the equation of motion (1) to the forcing F_SN = 0.0217 at which jumps begin. Paper: {CITATION}.
 
-Each equation stands as published, then as derived where its form is another, then with a verdict. A proof makes
-published less derived a quotient of polynomials over the rationals, by sin² + cos² = 1 and (√e)² = e; both are one if
-it is the zero polynomial. `ledger/published.py` is the paper, typed by hand, errors included; it shares nothing with
-the derivation.
+Each equation is shown as published, then as derived if the form differs, with a verdict. A proof writes published minus
+derived as a quotient of polynomials over the rationals, by sin² + cos² = 1 and (√e)² = e; the two agree if it is the
+zero polynomial. `ledger/published.py` is the paper, typed by hand, errors included; it shares nothing with the
+derivation.
 """
 
 
@@ -64,17 +64,17 @@ SECTIONS = (
         "averaging",
         {
             "(8)": "(3) with small damping, friction, force and nonlinearity, near Ω = 1.",
-            "(9)": "What is small: all but inertia and Ω²u.",
+            "(9)": "The small terms: all except inertia and Ω²u.",
             "(10)": "The scale ε: barred numbers are ε times those without a bar, and Ω² = 1 + εσ.",
             "text after (10)": "G is periodic in τ.",
             "(11)": "The motion that is assumed: a cosine whose amplitude and phase vary slowly.",
-            "text after (11)": "Its angle.",
+            "text after (11)": "The angle of this motion.",
             "(12)": "The derivative of u = A cos ψ, with A' and φ'.",
-            "(13)": "For (12) to have the form of (11).",
+            "(13)": "The condition for (12) to take the form of (11).",
             "(14)": "The derivative of u' = −AΩ sin ψ.",
-            "(15)": "(14) put into (8).",
+            "(15)": "(14) inserted into (8).",
             "(16)": "(13) and (15), linear in A' and Aφ'.",
-            "(17)": "Solved for both.",
+            "(17)": "The solution of (16).",
             "(18)": "A and φ change little in a cycle: the right sides are replaced by their means over it.",
             "(19)": "The integrals of (18). u' changes its sign at ψ = π, so friction is integrated over half-cycles: "
             "the mean of −μ sign(u') sin ψ is that of μ|sin ψ|. From here on ε = 1.",
@@ -84,8 +84,8 @@ SECTIONS = (
         "The averaged restoring force",
         "restoring_force",
         {
-            "(20)": "What the mechanism adds to (19): one number for each amplitude. (21), (22) and (19) need −1/π in "
-            "front.",
+            "(20)": "The contribution of the mechanism to (19), a function of the amplitude. (21), (22) and (19) need "
+            "−1/π in front.",
             "(21)": "A ≤ u_cr: the springs never detach, ∫cos^(n+1) over the cycle.",
             "text before (22)": "A > u_cr: the springs detach twice a cycle, at u = ±u_cr.",
             "(22)": "The same integral over the intervals in which |u| < u_cr.",
@@ -95,9 +95,10 @@ SECTIONS = (
         "The slow flow",
         "slow_flow",
         {
-            "(23)": "(19) at rest, A' = φ' = 0. With H = h + A these are I + F_0 sin φ = 0 and R + F_0 cos φ = 0, "
-            "R = AΩ² + h, I = 2ζAΩ + 4μ/π.",
-            "(24)": "sin² + cos² = 1 takes φ away: R² + I² = F_0². Unexpanded it keeps the digits that cancel here.",
+            "(23)": "The fixed points of (19), A' = φ' = 0. With H = h + A these are I + F_0 sin φ = 0 and "
+            "R + F_0 cos φ = 0, R = AΩ² + h, I = 2ζAΩ + 4μ/π.",
+            "(24)": "sin² + cos² = 1 eliminates φ: R² + I² = F_0². The unexpanded form keeps the digits "
+            "that cancel here.",
             "(25)": "The quotient of both equations of (23).",
             "(26)": "cos φ = 0: R = 0.",
             "(27)": "sin φ = −1: I = F_0.",
@@ -112,9 +113,9 @@ SECTIONS = (
             "(29)": "Its eigenvalues. The trace is negative, so a fixed point is stable where the determinant is "
             "positive.",
             "(30)": "4Ω² det D_qΓ = F_A/(2A): the boundary of stability is where the response has a vertical tangent.",
-            "(31)": "The derivative of H_2 that (30) asks for, taken under the integral (20): moving ends add the jump "
+            "(31)": "The derivative of H_2 that (30) needs, taken under the integral (20): moving ends add the jump "
             "of the force.",
-            "(32)": "What (31) abbreviates.",
+            "(32)": "Abbreviations of (31).",
         },
     ),
     Section(
@@ -122,22 +123,22 @@ SECTIONS = (
         "critical_forcings",
         {
             "(33)": "Two folds are born where F_A = F_AA = 0. Both are polynomials in Ω and A while A ≤ u_cr: the "
-            "resultant takes Ω away. Its roots are candidates, to be tried in both equations.",
+            "resultant eliminates Ω. Its roots are candidates, to be checked in both equations.",
             "(34)": "The least force that reaches A = u_cr: F = F_Ω = 0 there, again by the resultant in Ω.",
             "text after (34)": "The preload at which the stiffness α vanishes.",
         },
     ),
     Section(
-        "Den Hartog's solution, and what friction is worth",
+        "Den Hartog's solution, equivalent damping",
         "den_hartog",
         {
             "(35)": "Without springs and viscous damping the half-cycle between two stops is linear: four conditions "
             "at its ends give its four constants.",
             "(36)": "The mass does not stop within the half-cycle, u' < 0 on all of it, while A exceeds this.",
-            "(37)": "The functions in both.",
-            "text of Section 4.1": "(27), as a ratio.",
-            "(38)": "The viscous damping whose term in (23) equals both.",
-            "text of Section 4.2": "(34) as the preload, and u_cr with it, vanishes.",
+            "(37)": "The functions in (35) and (36).",
+            "text of Section 4.1": "The sticking condition as a ratio.",
+            "(38)": "The viscous damping ratio with the same dissipative term in (23).",
+            "text of Section 4.2": "The limit of (34) as the preload, and with it u_cr, tends to 0.",
         },
     ),
 )
@@ -221,12 +222,13 @@ def equations(where: str, rows: list[Row], facts: Facts) -> Iterator[str]:
             yield from ("Derived:", "")
             yield display(*(named if facts.subjects[row.id].shown else sides(left, values))).markdown() + "\n"
         if row.difference:
-            yield from (f"Published less derived: `{row.difference}`.", "")
+            yield from (f"Published minus derived: `{row.difference}`.", "")
         yield from (f"**{row.verdict.capitalize()}.** {in_markdown(row.evidence)}".rstrip(), "")
         if len(readings) > 1 and not literal:
             own, *others = (in_markdown(one.quantity.partition(" [")[2][:-1]) for one in (row, *readings.values()))
             others = [other for other in others if other != own]
-            yield from (f"Our text of the paper is damaged here. Read: {own}; not: {', nor: '.join(others)}.", "")
+            tried = f"The reading that holds: {own}; not: {', nor: '.join(others)}."
+            yield from (f"Our text of the paper is damaged here. {tried}", "")
 
 
 def sides(left: Sequence[str], expressions: Sequence[sp.Expr]) -> list[tuple[str, str]]:
@@ -304,7 +306,7 @@ def numbers(facts: Facts) -> Iterator[str]:
         yield f"| {' | '.join(cells)} |"
     yield from (
         "",
-        "Why some printed numbers differ says the ledger, which has (A1), (A2) and every sentence too.",
+        "The ledger explains why some printed numbers differ; it also has (A1), (A2) and every sentence.",
     )
 
 

@@ -241,7 +241,7 @@ def section_3_3(facts: Facts) -> dict[str, Verdict]:
             FALSE,
             f"The least positive root with Table 1 is A = {significant(least)}. There F_A and F_AA vanish together at "
             f"Ω = {significant(negative)} < 0 only: no point of the response. A_s = {significant(onset.A)} is the "
-            f"second root. The least root is spurious for {len(others)} other isolators tried as well.",
+            f"second root. The least root is spurious for {len(others)} other isolators too.",
         ),
         "Omega_s": (
             LOOSE,
@@ -345,15 +345,15 @@ def section_4_2(facts: Facts) -> dict[str, Verdict]:
     claim("u_cr free of r", all(not value.has(r) for value in [facts.rod.oscillator.exact_ends[0]]))
     gains = {fraction: facts.F_cr_gain(fraction) for fraction in ("1", "10", "100")}
     envelope = (
-        "F_cr² is the least of R² + I² at A = u_cr, and only I = 2ζu_crΩ + 4μ/π > 0 holds ζ and μ: by the envelope "
+        "F_cr² is the least of R² + I² at A = u_cr, and only I = 2ζu_crΩ + 4μ/π > 0 contains ζ and μ: by the envelope "
         "theorem ∂F_cr²/∂ζ = 4u_crΩI > 0, ∂F_cr²/∂μ = 8I/π > 0."
     )
     gain_text = ", ".join(f"{rounded(100 * gain, 0)} % at {fraction} %" for fraction, gain in gains.items())
     return {
         "r_only_method": (
             FALSE,
-            "u_cr holds δ_h only, and λ and r enter (5) only as the product λr: the number of horizontal springs λ "
-            "does the same.",
+            "u_cr depends on δ_h only, and λ and r enter (5) only as the product λr: the number of horizontal springs "
+            "λ does the same.",
         ),
         "u_cr_of_delta_h": (TRUE, "du_cr²/dδ_h = 2(1 − δ_h) > 0."),
         "F_cr_of_delta_h": (

@@ -133,8 +133,8 @@ def _explained(facts: Facts, label: str, kind: str, quantity: str, printed: str,
     if _truncated(value, digits) == printed:
         return (
             f"The derived value is {significant(value - arb(_halfway(value, digits)), 2)} above the middle between two "
-            "printed values. The printed one is it cut off, or read off a mesh as the amplitudes are: linear "
-            f"interpolation of F between frequencies 1/{MESH} apart lowers this Ω by up to "
+            "printed values. The printed value is this number truncated, or read off a mesh as the amplitudes are: "
+            f"linear interpolation of F between frequencies 1/{MESH} apart lowers this Ω by up to "
             f"{significant(facts.chord_shortfall, 2)}."
         )
     tried = "; ".join(f"{name}: {rounded(p.Omega, 6)}" for name, p in facts.variants.items())
@@ -290,7 +290,7 @@ def _number(facts: Facts, name: str, printed: str) -> Entry:
         row, column = name.removeprefix("table_2_row_").split("_", 1)
         return table_2_entry(facts, int(row), column)
     if printed in BRACKETS:
-        return Entry(AMBIGUOUS, "", evidence=f"Both readings stand among the formulas, under {BRACKETS[printed]}.")
+        return Entry(AMBIGUOUS, "", evidence=f"Both readings are listed among the formulas, under {BRACKETS[printed]}.")
     if name.endswith("_r") and printed == "2.03":
         return Entry(INPUT, "", evidence="Table 1's 3747/1848 = 2.0276, rounded.")
     return Entry(INPUT, "")

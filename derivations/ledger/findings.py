@@ -98,7 +98,7 @@ def _findings(facts: Facts, evidence: dict[str, str]) -> list[Finding]:
             "half: the derived integrand is −(1/π) f_k cos ψ. Integrated over the pieces it gives the published (21) "
             "and, over the four intervals, the published (22) "
             f"({'both proved' if facts.integrals_agree else 'not proved'}), and (19) is right with these. So (20) "
-            "should read H_i = −(1/π)∫; (21) onwards do not carry the slip on.",
+            "should read H_i = −(1/π)∫; the slip does not affect (21) and later equations.",
         ),
         judged("Section 3.1: a nonzero μ does not force a numerical solution", "claim:numerical_only"),
         judged(
@@ -112,7 +112,7 @@ def _findings(facts: Facts, evidence: dict[str, str]) -> list[Finding]:
             ("claim:minimum_root", "claim:one_positive_root"),
             "(33) itself is right: degree 36, even powers, one irreducible factor. "
             + evidence["claim:minimum_root"]
-            + " Elimination cannot see the sign of Ω: a root of the resultant is a candidate, to be tried in F_A = "
+            + " Elimination cannot see the sign of Ω: a root of the resultant is a candidate, to be checked in F_A = "
             "F_AA = 0. The printed F_SN = 0.0217 belongs to the second root. (34) is alike: "
             + evidence["claim:resultant_even_6"].partition("Three")[1]
             + evidence["claim:resultant_even_6"].partition("Three")[2]
@@ -134,7 +134,9 @@ def _findings(facts: Facts, evidence: dict[str, str]) -> list[Finding]:
             ("formula:F_cr_limit_literal", "number:F_cr_limit", "claim:F_cr_limit"),
             evidence["claim:F_cr_limit"] + " The fraction is upside down: μ/F_0 = π/4 is the sticking threshold.",
         ),
-        judged("Section 4.3: Ω_cr = 0.9288 is another point's frequency", "number:Omega_cr", "claim:example_Omega_cr"),
+        judged(
+            "Section 4.3: Ω_cr = 0.9288 is the frequency of another point", "number:Omega_cr", "claim:example_Omega_cr"
+        ),
         Finding(
             "Table 2, row F_cr: computed at F_0 = 0.0300, and its jump-down is not at u_cr",
             (entry(3, "jump_up_Omega"), entry(3, "jump_down_Omega"), entry(3, "jump_down_A")),
@@ -153,7 +155,7 @@ def _findings(facts: Facts, evidence: dict[str, str]) -> list[Finding]:
         ),
         judged("Table 2, 0.040: the jump-down frequency is 0.99385, printed 0.9938", entry(4, "jump_down_Omega")),
         Finding(
-            "Table 2, 0.050: the jump-down frequency 1.0175 is the value of nothing found",
+            "Table 2, 0.050: nothing found has the jump-down frequency 1.0175",
             (entry(5, "jump_down_Omega"), "claim:jump_points"),
             f"The fold is at Ω = {significant(facts.fold('0.050', 'jump-down').Omega)}. "
             + evidence[entry(5, "jump_down_Omega")]

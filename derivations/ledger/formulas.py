@@ -443,7 +443,7 @@ def _smoothing(results: Results) -> dict[str, Subject]:
 
 def _preloads(results: Results) -> dict[str, Subject]:
     half = sp.solve(stiffness(results).subs(lam, 3) - sp.Rational(1, 2), delta_h)[0]
-    choice = "A choice; held against the preload that gives α = 1/2 with λ = 3."
+    choice = "A choice; compared with the preload that gives α = 1/2 with λ = 3."
     return {
         "delta_h_caption_inverse": same(half, remark=choice),
         "delta_h_caption_literal": same(half, remark="With r = 2.03 it would be δ_h > 1, longer than the rod."),

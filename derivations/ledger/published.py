@@ -635,7 +635,7 @@ FORMULAS: tuple[Formula, ...] = (
     Formula("(29)", "characteristic equation", characteristic_equation),
     Formula("(30)", "stability boundary", stability_boundary),
     Formula("(31)", "dH_2/dA", dH_2_dA_inverse_A, "fourth term 6 q A^-1 u_cr"),
-    Formula("(31)", "dH_2/dA", dH_2_dA_A, "fourth term 6 q A u_cr, as the plain text stands"),
+    Formula("(31)", "dH_2/dA", dH_2_dA_A, "fourth term 6 q A u_cr, as in the plain text"),
     Formula("(32)", "p", p),
     Formula("(32)", "q", q),
     Formula("(32)", "psi_0", psi_0),

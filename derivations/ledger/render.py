@@ -5,6 +5,8 @@ from __future__ import annotations
 import json
 from dataclasses import asdict
 from fractions import Fraction
+from itertools import groupby
+from operator import attrgetter
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +16,8 @@ from . import measured
 from .findings import Finding, readings
 from .rows import ALLOWED, LOOSE, TRUE, VOCABULARY, Row
 
+#: letters of the rows of a kind on a page
+MOST_SHOWN = 9000
 TITLES = {"formula": "Formulas", "table": "Tables 1 and 2", "number": "Numbers", "claim": "Sentences"}
 CITATION = (
     "G. Iarriccio, Primary Resonance Analysis of High-Static–Low-Dynamic Stiffness Isolators with Piecewise Stiffness, "
@@ -27,6 +31,24 @@ def _cell(text: str) -> str:
 
 def _code(text: str) -> str:
     return "`" + text.replace("|", "\\|") + "`" if text else ""
+
+
+def stretches(rows: list[Row], kind: str) -> list[tuple[str, list[Row]]]:
+    """The rows of a kind, as many as fit on a page of the site, under their title and the first and last place."""
+    pages: list[list[Row]] = []
+    for _, place in groupby((row for row in rows if row.kind == kind), key=attrgetter("where")):
+        these = list(place)
+        if not pages or sum(map(_size, pages[-1] + these)) > MOST_SHOWN:
+            pages.append([])
+        pages[-1] += these
+    if len(pages) == 1:
+        return [(TITLES[kind], pages[0])]
+    return [(f"{TITLES[kind]}: {page[0].where} to {page[-1].where}", page) for page in pages]
+
+
+def _size(row: Row) -> int:
+    """Letters of a row, and as many as its lines and borders take."""
+    return 60 + len(row.published + row.derived + row.difference + row.evidence)
 
 
 def counts(rows: list[Row]) -> dict[str, dict[str, int]]:
@@ -64,7 +86,7 @@ def markdown(
             readings=readings(rows),
             counts=counts(rows),
             kinds=list(ALLOWED),
-            titles=TITLES,
+            stretches={kind: stretches(rows, kind) for kind in ALLOWED},
             vocabulary=VOCABULARY,
             citation=CITATION,
             criteria=measured.CRITERIA,

@@ -44,7 +44,7 @@ def test_each_verdict_is_the_ledgers(page: str, facts: Facts) -> None:
         stated = {verdict.lower() for verdict in re.findall(r"^\*\*([^*]+)\.\*\*", part, re.MULTILINE)}
         assert stated and stated <= verdicts, where
         if all(verdict == "differs" for verdict in verdicts):
-            assert "Published less derived" in part, where
+            assert "Published minus derived" in part, where
 
 
 def test_expressions_are_set_in_the_papers_letters(page: str) -> None:

@@ -25,7 +25,7 @@ PAGES = [
     *sorted((DOCS / "howto").glob("*.md")),
 ]
 #: they derive mechanisms, or ask much
-SLOW = ("mechanisms", "own_mechanism", "off_centre", "damping", "tutorial", "tolerances", "gallery")
+SLOW = ("mechanisms", "own_mechanism", "off_centre", "damping", "tutorial", "tolerances", "fit", "gallery")
 PATHS, *LANGUAGES = (DOCS / "howto" / "languages.md").read_text(encoding="utf-8").split("\n## ")
 #: what a language's lines need besides a C compiler: programs, and packages of Python
 NEEDED = {

@@ -154,7 +154,7 @@ def fit(
     Noise is taken to be normal and the same at all points; noise in proportion to the amplitude leaves intervals that
     are too narrow. They know of noise alone, not that averaging is an approximation, which may move a number by a
     percent. They are those of the profile likelihood, with Student's t: of 100 fits each of one to four numbers
-    91 to 96 % held the number, on curves that jump 88 to 97 %, see docs/howto/tolerances.md. With other laws of
+    91 to 96 % held the number, on curves that jump 88 to 97 %, see docs/howto/fit.md. With other laws of
     damping they are those of the equations made linear. A number that the points do not bound has an
     interval that ends at 0 or inf, and the message names it. It also says where a search from the given start ends in a
     minimum that is not the lowest found; six starts are tried, which does not prove that there is no lower one, and of
