@@ -1,6 +1,6 @@
 /* Elementary functions of closed intervals of doubles. Takes intervals; returns one that holds every value.
  *
- * Where an argument leaves a function's domain nothing is known: NaN. As slowflow/intervals.py.
+ * Where an argument leaves a function's domain nothing is known: NaN.
  */
 #pragma once
 

@@ -100,8 +100,10 @@ static inline sf_interval sfi_square(sf_interval a) {
     return sfi_of(sfi_most(sfi_product_down(lo, lo), 0), sfi_product_up(hi, hi));
 }
 
-/* 1/a of an interval on one side of 0, which it may touch */
+/* 1/a of an interval on one side of 0, which it may touch; of any other, or one that is not known, it is any number */
 static inline sf_interval sfi_inverse(sf_interval a) {
+    if (!(a.lo <= a.hi))
+        return sfi_of(-HUGE_VAL, HUGE_VAL);
     if (a.lo >= 0)
         return sfi_of(sfi_most(sfi_down(1 / a.hi) - SFI_LEAST, 0), a.lo > 0 ? sfi_up(1 / a.lo) + SFI_LEAST : HUGE_VAL);
     if (a.hi <= 0)

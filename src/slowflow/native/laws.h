@@ -61,14 +61,6 @@ static inline int sf_allows_laws(const sf_model *model) {
     return at.h <= 0 && (fabs(at.h_A) < HUGE_VAL || !(model->eta != 0 || model->d != 0 || model->released != 0));
 }
 
-/* Whether the force jumps at none of some breakpoint, by its numbers. */
-static inline int sf_is_continuous(const sf_model *model) {
-    int i = 0;
-    while (i < model->breaks && model->jump[i] != 0)
-        i++;
-    return i < model->breaks;
-}
-
 /* Friction that is left wherever the mass is. */
 static inline double sf_friction_throughout(const sf_model *model) { return model->released ? 0 : model->m; }
 

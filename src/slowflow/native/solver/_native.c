@@ -36,9 +36,6 @@ static const struct {
      "A, p, e, damping, inertial, sign of R, lowest, highest F_0 -> |R|; whether there are folds.", sf_folds_between_loop},
     {"moved", "(33)->(6)", "dd", "an answer by what is known there, and of that -> derivatives, whether it is single.",
      sf_slopes_loop},
-    {"interval_product", "(),(),(),()->(),()", "dddddd", "lo, hi, lo, hi -> lo, hi", sf_interval_product_loop},
-    {"interval_square", "(),()->(),()", "dddd", "lo, hi -> lo, hi", sf_interval_square_loop},
-    {"interval_inverse", "(),()->(),()", "dddd", "lo, hi -> lo, hi", sf_interval_inverse_loop},
 };
 
 static int fill(PyObject *self)
@@ -48,7 +45,8 @@ static int fill(PyObject *self)
                         "built on a processor with fma and AVX2, which this one has not: build again");
         return -1;
     }
-    if (sf_add_records(self) < 0 || sf_add_questions(self) < 0 || sf_add_boxes(self) < 0)
+    if (sf_add_records(self) < 0 || sf_add_questions(self) < 0 || sf_add_boxes(self) < 0 ||
+        sf_add_intervals(self) < 0)
         return -1;
     for (size_t i = 0; i < sizeof gufuncs / sizeof gufuncs[0]; i++) {
         PyObject *gufunc = sf_new_ufunc(gufuncs[i].name, gufuncs[i].doc, gufuncs[i].signature, gufuncs[i].types,

@@ -1,69 +1,48 @@
-/* Arithmetic on intervals over NumPy's operands, as slowflow/intervals.py takes it.
- *
- * Otherwise than in interval.h 0 times what is not known is 0, and ends that are no numbers do not hide others: the
- * search in boxes asks for that. Of a few boxes NumPy takes most of its time between its operations.
- */
-#include <math.h>
+/* The operations on intervals (program.h) over NumPy's operands, as slowflow/intervals.py takes them. */
+#define PY_SSIZE_T_CLEAN
+#include <Python.h>
 
+#include "elementary.h"
+#include "program.h"
 #include "solver.h"
 
-#define ULP 0x1p-52
-#define LEAST 0x1p-1022
+typedef struct {
+    const char *name;
+    sf_interval (*of)(sf_interval a, sf_interval b);
+} operation;
+
+#define FUNCTION(x, value)                                    \
+    static sf_interval of_##x(sf_interval a, sf_interval b)   \
+    {                                                         \
+        (void)a, (void)b;                                     \
+        return value;                                         \
+    }
+#define ROW(x, value) {#x, of_##x},
+SF_OPERATIONS_ON_INTERVALS(FUNCTION)
+static const operation operations[] = {SF_OPERATIONS_ON_INTERVALS(ROW)};
+
 #define IN(k) (*(const double *)(operands[k] + i * steps[k]))
 #define OUT(k) (*(double *)(operands[k] + i * steps[k]))
 
-static inline double wider(double x, double ulp) { return x + ulp * fabs(x); }
-
-/* (lo, hi) times (lo, hi): the extremes of four products, of those that are numbers; NaN where one is not known. */
-void sf_interval_product_loop(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data)
+static void loop(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data)
 {
-    (void)data;
+    const operation *const operation = data;
     for (ptrdiff_t i = 0; i < dimensions[0]; i++) {
-        const double a[2] = {IN(0), IN(1)}, b[2] = {IN(2), IN(3)};
-        double low = NAN, high = NAN;
-        int unknown = 0;
-        for (int j = 0; j < 4; j++) {
-            const double x = a[j >> 1], y = b[j & 1], product = x * y, error = ULP * fabs(product) + LEAST;
-            const int zero = x == 0 || y == 0;
-            low = fmin(low, zero ? 0 : product - error);
-            high = fmax(high, zero ? 0 : product + error);
-            unknown |= isnan(product) && !zero;
-        }
-        OUT(4) = unknown ? NAN : low;
-        OUT(5) = unknown ? NAN : high;
+        const sf_interval found = operation->of(sfi_of(IN(0), IN(1)), sfi_of(IN(2), IN(3)));
+        OUT(4) = found.lo, OUT(5) = found.hi;
     }
 }
 
-/* The square of (lo, hi), which is not negative; NaN where lo <= hi is not known. */
-void sf_interval_square_loop(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data)
+int sf_add_intervals(PyObject *module)
 {
-    (void)data;
-    for (ptrdiff_t i = 0; i < dimensions[0]; i++) {
-        const double lo = IN(0), hi = IN(1);
-        const int known = lo <= hi;
-        const double least = lo > 0 ? lo : hi < 0 ? -hi : 0, most = -lo > hi ? -lo : hi;
-        const double low = wider(least * least, -ULP) - LEAST * (least != 0);
-        OUT(2) = !known ? NAN : low < 0 ? 0 : low;
-        OUT(3) = known ? wider(most * most, ULP) + LEAST * (most != 0) : NAN;
+    PyObject *const found = PyDict_New();
+    int failed = found == NULL || PyModule_AddObjectRef(module, "INTERVALS", found) < 0;
+    for (size_t i = 0; i < sizeof operations / sizeof *operations && !failed; i++) {
+        PyObject *const ufunc = sf_new_ufunc(operations[i].name, "lo, hi, lo, hi -> lo, hi", "(),(),(),()->(),()",
+                                             "dddddd", loop, (void *)&operations[i]);
+        failed = ufunc == NULL || PyDict_SetItemString(found, operations[i].name, ufunc) < 0;
+        Py_XDECREF(ufunc);
     }
-}
-
-/* 1 over (lo, hi) on one side of 0, which it may touch; anything over one that holds 0 inside. */
-void sf_interval_inverse_loop(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data)
-{
-    (void)data;
-    for (ptrdiff_t i = 0; i < dimensions[0]; i++) {
-        const double lo = IN(0), hi = IN(1);
-        double low = wider(1 / hi, -ULP) - LEAST, high = wider(1 / lo, ULP) + LEAST;
-        if (hi > 0)
-            low = lo >= 0 ? (low < 0 ? 0 : low) : -HUGE_VAL;
-        if (lo < 0)
-            high = hi <= 0 ? (high > 0 ? 0 : high) : HUGE_VAL;
-        if (hi == 0)
-            low = -HUGE_VAL;
-        if (lo == 0)
-            high = HUGE_VAL;
-        OUT(2) = lo <= hi ? low : NAN;
-        OUT(3) = lo <= hi ? high : NAN;
-    }
+    Py_XDECREF(found);
+    return failed ? -1 : 0;
 }

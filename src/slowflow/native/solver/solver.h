@@ -12,7 +12,6 @@ sf_gufunc_loop sf_response_roots_loop, sf_fold_roots_loop, sf_peak_roots_loop;
 sf_gufunc_loop sf_law_roots_loop, sf_law_peak_roots_loop;
 sf_gufunc_loop sf_step_means_loop, sf_ends_loop, sf_on_balance_loop, sf_ended_state_loop, sf_ended_fold_loop;
 sf_gufunc_loop sf_ended_edge_loop, sf_may_be_state_loop, sf_folds_between_loop, sf_slopes_loop;
-sf_gufunc_loop sf_interval_product_loop, sf_interval_square_loop, sf_interval_inverse_loop;
 
 /* The solvers for this processor. */
 const sf_solvers *sf_here(void);
@@ -37,8 +36,9 @@ int sf_add_function(struct _object *module, const char *name, const char *doc,
 int sf_add_maker(struct _object *module, const char *name, const char *doc,
                  struct _object *(*make)(const sf_mechanism *record, const void *how), const void *how);
 
-/* Members of a module: records and models, questions about one oscillator and about many, the search in boxes; -1 with an
- * exception set. */
+/* Members of a module: records and models, questions about one oscillator and about many, the search in boxes, operations
+ * on intervals; -1 with an exception set. */
 int sf_add_records(struct _object *module);
 int sf_add_questions(struct _object *module);
 int sf_add_boxes(struct _object *module);
+int sf_add_intervals(struct _object *module);
