@@ -1,4 +1,4 @@
-"""The mechanism's record, and its restoring force as the integrators want it.
+"""The mechanism's record, and its restoring force in the form that integrators take.
 
 In:  `Mechanism`, the record that the derivation fills for each equation of motion, and a mechanism's parameters.
 Out: `Force` (pieces and breakpoints) and `EquationOfMotion` (force, friction, damping), both immutable and hashable.

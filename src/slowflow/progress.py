@@ -1,7 +1,7 @@
-"""Progress of long work. Takes the parts of a work; logs how far it is, under "slowflow" at level INFO.
+"""Progress of long computations, logged under "slowflow" at level INFO.
 
-A line comes after a second, and again whenever a tenth more of the time has passed, but not within a second. A program
-that has set up `logging` reads them; others do within `shown`.
+A line is logged after a second, and again after each further tenth of the elapsed time, but at most once a second.
+Programs that configure `logging` see them; others use `shown`.
 
     from slowflow import Isolator, progress
     from slowflow.sizing import tolerances
@@ -36,7 +36,7 @@ def _logger() -> Any:
 
 @contextlib.contextmanager
 def shown() -> Iterator[None]:
-    """Print to stderr what is logged within it."""
+    """Print progress to stderr within this context."""
     import logging
 
     log, handler = logging.getLogger("slowflow"), logging.StreamHandler()
@@ -51,7 +51,7 @@ def shown() -> Iterator[None]:
 
 
 class Tally:
-    """How many designs of so many are done; counted by any thread, and logged from time to time."""
+    """Counter of completed designs; any thread may add, and progress is logged from time to time."""
 
     def __init__(self, total: int, what: str = "designs") -> None:
         self._log, self._lock, self._begun = _logger(), threading.Lock(), time.monotonic()
@@ -59,13 +59,13 @@ class Tally:
         self._total, self._what, self._done = total, what, 0
 
     def add(self, more: int) -> None:
-        """So many more are done."""
+        """Add completed designs."""
         with self._lock:
             self._done += more
         self.come_to(lambda: self._done)
 
     def come_to(self, count: Callable[[], int]) -> None:
-        """Count how many are done if it is time to log it."""
+        """Count the completed designs if it is time to log."""
         now = time.monotonic()
         with self._lock:
             if self._log is None or now < self._next:
@@ -76,7 +76,7 @@ class Tally:
 
 
 def each(items: Iterable[T], total: int, what: str = "designs") -> Iterator[T]:
-    """The items, so many in all; between them, how many are done."""
+    """Iterate over items, of known number, and log progress."""
     tally = Tally(total, what)
     for item in items:
         yield item
@@ -84,7 +84,7 @@ def each(items: Iterable[T], total: int, what: str = "designs") -> Iterator[T]:
 
 
 def chunks(count: int, at_once: int, what: str) -> Iterator[slice]:
-    """Slices of at most `at_once` that make up `count`; between them, how many of `what` are done."""
+    """Slices of at most `at_once` that cover `count`; progress of `what` is logged between them."""
     tally = Tally(count, what)
     for start in range(0, count, at_once):
         yield slice(start, start + at_once)
@@ -93,7 +93,7 @@ def chunks(count: int, at_once: int, what: str) -> Iterator[slice]:
 
 @contextlib.contextmanager
 def named(what: str) -> Iterator[None]:
-    """Log that `what` is being done if it takes longer than a second, and then how long it took."""
+    """Log that `what` is running if it takes longer than a second, and then its duration."""
     if (log := _logger()) is None:
         yield
         return

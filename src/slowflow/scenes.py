@@ -1,4 +1,4 @@
-"""Scenes. Takes a TOML file with an oscillator, forcings and the questions wanted; returns their answers.
+"""Input files (scenes). Takes a TOML file with an oscillator, forcings and questions; returns the answers.
 
     [mount]                     # as Isolator.physical, in SI units; or [spring], as Duffing.physical; or [isolator],
                                 # [duffing], dimensionless
@@ -14,39 +14,39 @@
     F = [3.0, "0.8 lbf"]        # N; F_0 for [isolator] and [duffing]; with excitation = "base" Y in m or a in m/s^2,
                                 # of an "unbalance" U in kg m
     f = [5.0]                   # Hz; Omega for these
-    level_dB = [0, -20]         # for "isolation": below which transmissibility; without 0, of all that drives
+    level_dB = [0, -20]         # for "isolation": transmissibility below which it stays
     questions = ["saddle_nodes", "amplitudes", "spectrum"]
 
     [spectrum]                  # pairs, one tone at a time
     f = [2.0, 2.2, 5.0]
     F = [5.0, 5.0, 3.0]
 
-    [tolerances]                # for the question "tolerances": shares of the numbers above; of answers at each F,
-    k_h = 0.05                  # with each f, in the [spectrum] and in each half sine of the [shock], as far as given
+    [tolerances]                # for the question "tolerances": relative half widths; answers at each F,
+    k_h = 0.05                  # with each f, in the [spectrum] and in each half sine of the [shock], if specified
 
-    [shock]                     # for "transient" and "shock_spectrum": half sines of the base, every pair of these
+    [shock]                     # for "transient" and "shock_spectrum": half sines of the base, all combinations
     acceleration = [20.0]       # m/s^2
     duration = [0.011, 0.02]    # s; or, of one record, its times t (tau without dimensions)
 
-    [psd]                       # for "random": a one-sided power spectral density, straight in log-log
-    f = [1, 5, 100]             # Hz; Omega without dimensions, where there is no unit
+    [psd]                       # for "random": a one-sided power spectral density, linear in log-log
+    f = [1, 5, 100]             # Hz; Omega for a dimensionless oscillator, without unit
     G = [1e-4, 1e-4, 2.5e-7]
     unit = "g^2/Hz"             # or "(m/s^2)^2/Hz", of the base; "N^2/Hz", of a force
 
-    [require]                   # what must hold: `run` and `report` say whether it does, and by which margin
+    [require]                   # requirements: `run` and `report` give verdict and margins
     # jumps = "none"            # at each F of [ask]; detachment = "none" as well
     transmissibility_dB = { below = -10, from_f = 8 }
     relative_displacement = { below = "60 mm", under = ["peak", "shock", "random"], duration = "1 h" }
     absolute_acceleration = { below = "0.5 g", under = "random", rms = true }
 
-    [free]                      # for `slowflow meet`: numbers of the mount that may change, from and to
+    [free]                      # for `slowflow meet`: free parameters of the mount, with their ranges
     k_v = [2000, "3 N/mm"]
     zeta = [0.02, 0.1]
 
-[spectrum], the record of a [shock], and [psd] may have `file = "columns.csv"` in place of their lists, in the folder of
-the scene, see `slowflow.measurements`. Only what is asked for is computed. A scene names no code and no expression:
-numbers, words, lists of these. What is wrong in it raises `SceneError`, which says where, what is allowed, and which
-known word is nearest.
+[spectrum], the record of a [shock], and [psd] may have `file = "columns.csv"` instead of lists, in the folder of the
+scene, see `slowflow.measurements`. Only the requested questions are computed. A scene contains no code and no
+expressions: only numbers, words and lists of these. Errors raise `SceneError` with line, allowed values and the closest
+known word.
 """
 
 from __future__ import annotations
@@ -99,11 +99,11 @@ QUESTIONS: Mapping[str, frozenset[str]] = {
 
 @dataclass(frozen=True)
 class Kind:
-    """A table that states an oscillator.
+    """A table that defines an oscillator.
 
-    make               -- of its keys, which are its arguments
+    make               -- function of its keys that makes the oscillator
     forcing, frequency -- names of the keys in [ask], and of the methods' arguments
-    time               -- that of the times of a record
+    time               -- name of the times of a record
     """
 
     make: Callable[..., Any]
@@ -113,17 +113,17 @@ class Kind:
 
     @property
     def in_si(self) -> bool:
-        """Whether its numbers are those of a data sheet."""
+        """Whether its numbers are in SI units."""
         return self.frequency == "f"
 
     @property
     def keys(self) -> tuple[str, ...]:
-        """Those that it may have."""
+        """The allowed keys."""
         return tuple(inspect.signature(self.make).parameters)
 
     @property
     def needed(self) -> tuple[str, ...]:
-        """Those that it must have."""
+        """The required keys."""
         parameters = inspect.signature(self.make).parameters
         return tuple(name for name, one in parameters.items() if one.default is inspect.Parameter.empty)
 
@@ -151,9 +151,9 @@ OF_A_PULSE = ("acceleration", "duration")
 
 @dataclass(frozen=True)
 class Asked:
-    """One question of a scene: at which forcing and frequencies, by the names of the arguments.
+    """One question of a scene, with forcing and frequencies by the names of the arguments.
 
-    kinds -- of a mount, of which kind these are: keys of `quantities.UNITS`
+    kinds -- for a mount, the kinds of unit of these: keys of `quantities.UNITS`
     """
 
     question: str
@@ -167,7 +167,7 @@ class Asked:
         return next(known, None)
 
     def numbers(self) -> dict[str, float]:
-        """The arguments that are a single number, the forcing or a pulse, in the units in which answers are shown."""
+        """The arguments that are single numbers, the forcing or a pulse, in the units of printed answers."""
         pulse = zip(OF_A_PULSE, self.arguments.get("shock", ()), strict=False)
         found = {name: value for name, value in (*self.arguments.items(), *pulse) if isinstance(value, float)}
         sizes = {name: UNITS[kind][SHOWN[kind]] for name, kind in self.kinds.items()}
@@ -178,13 +178,13 @@ class Asked:
         return {name: SHOWN[kind] for name, kind in self.kinds.items()}
 
     def given_in(self) -> dict[str, str]:
-        """The units in which a scene has the arguments, by their names; of those in pairs by the names of the parts."""
+        """The units of the arguments in a scene, by name; for pairs by the names of their members."""
         pairs = {"shock": OF_A_PULSE, "spectrum": [name for name in self.kinds if name in (*LETTERS, "f")]}
         names = [part for name in self.arguments for part in pairs.get(name, [name])]
         return {name: SI[self.kinds[name]] for name in names if name in self.kinds}
 
     def count(self) -> int:
-        """How many answers it makes up: one for each frequency, row of a spectrum, pulse of a shock spectrum."""
+        """Number of answers: one for each frequency, row of a spectrum, pulse of a shock spectrum."""
         if self.question == "amplitudes":
             return next(len(values) for name, values in self.arguments.items() if name in FREQUENCIES)
         if self.question == "shock_spectrum":
@@ -194,7 +194,7 @@ class Asked:
 
     @property
     def cost(self) -> str:
-        """Its entry in `measured.costs`: the question, and of tolerances what they are of."""
+        """Its entry in `measured.costs`: the question, for tolerances also their kind."""
         if self.question != "tolerances":
             return self.question
         of = {"spectrum": "in a spectrum", "shock": "in a shock", **dict.fromkeys(FREQUENCIES, "at a frequency")}
@@ -203,7 +203,7 @@ class Asked:
         )
 
     def content(self, answer: Answer) -> dict[str, Any]:
-        """Itself and its answer, as plain Python."""
+        """Query and answer, as plain Python."""
         what = {"question": self.question, "asked": dict(self.arguments), "asked_in": self.given_in()}
         return {**what, **answer.to_dict()}
 
@@ -219,14 +219,14 @@ class Asked:
 class Scene:
     """A scene that can be run.
 
-    path, text -- where it is from
+    path, text -- its source
     content    -- the same as plain Python
     oscillator -- an `Isolator`, `Duffing` or, in physical units, `Physical`
     asked      -- the questions, in order
-    warnings   -- what looks implausible
-    requirements -- what must hold, at the forcings of [ask], `given_forcings`, and in shocks and spectra, `cases`
-    free       -- numbers of the oscillator that may change to meet them, each with its ends
-    answers    -- those that have been computed, by question and arguments, whoever has asked
+    warnings   -- implausible numbers
+    requirements -- requirements at the forcings of [ask], `given_forcings`, and in shocks and spectra, `cases`
+    free       -- parameters of the oscillator that may change to meet them, each with its range
+    answers    -- answers computed so far, by question and arguments
     """
 
     path: Path
@@ -242,11 +242,11 @@ class Scene:
     answers: dict[Any, Any] = field(default_factory=dict, compare=False, repr=False)
 
     def answer(self, query: Asked) -> Answer:
-        """The answer to one of its questions, of a mount in N, mm and Hz; computed when it is first asked for."""
+        """The answer to one of its questions, for a mount in N, mm and Hz; computed on first use."""
         return shown(self.ask(query.question, **query.arguments))
 
     def ask(self, question: str, **arguments: Any) -> Any:
-        """What the oscillator answers, of a mount in SI units; computed when it is first asked for."""
+        """The oscillator's answer, for a mount in SI units; computed on first use."""
         if (key := (question, repr(sorted(arguments.items())))) not in self.answers:
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore", range_checks.Implausible)  # among `warnings` already
@@ -262,13 +262,13 @@ class Scene:
         return partial(tolerances, self.oscillator)
 
     def explain(self, query: Asked) -> Plan | None:
-        """What runs for it and what is skipped; None for what is a formula, or put together from other questions."""
+        """The plan of a question; None for a formula, or a combination of other questions."""
         if query.question not in plan.QUESTIONS:
             return None
         return self.oscillator.explain(query.question, query.forcing)
 
     def seconds(self, query: Asked) -> float:
-        """About how long it takes, by what such questions took when they were measured."""
+        """Estimated time, from measured times of such questions."""
         oscillator: Any = self.oscillator.oscillator if isinstance(self.oscillator, Physical) else self.oscillator
         plain, laws, load = costs.COSTS[query.cost]
         each = load if oscillator.load != 0 else laws if oscillator.model.laws.any else plain
@@ -276,23 +276,22 @@ class Scene:
         return (each or max(plain, laws, load)) * query.count()
 
     def forcings(self) -> list[float]:
-        """The forcings of its questions, and those at which something is required, each once, in their order."""
+        """The forcings of its questions and requirements, each once, in order."""
         own = (one.forcing for one in self.asked if one.forcing is not None)
         return list(dict.fromkeys((*own, *self.given_forcings)))
 
     def of(self, question: str) -> list[Asked]:
-        """What it asks by one question."""
+        """Its queries of one question."""
         return [query for query in self.asked if query.question == question]
 
     def of_design(self, design: Any) -> Scene:
-        """The same of another oscillator."""
+        """The same scene with another oscillator."""
         return replace(self, oscillator=design, answers={})
 
     def with_numbers(self, numbers: Mapping[str, float], folder: Path | None = None) -> str:
-        """Its text with other numbers of the oscillator, as a file in `folder`, by default its own.
+        """Its text with other parameters of the oscillator, as a file in `folder`, by default its own.
 
-        Relative paths of CSV files still name the same files. Raises SceneError where the text does not have the
-        numbers line by line.
+        Relative paths of CSV files are adapted. Raises SceneError if the text does not have one parameter per line.
         """
         lines, reader = self.text.splitlines(), _Reader(self.path, self.text, dict(self.content))
         (table,) = KINDS.keys() & self.content.keys()
@@ -317,17 +316,17 @@ class Scene:
 
     @property
     def sha256(self) -> str:
-        """Of the text."""
+        """Hash of the text."""
         return hashlib.sha256(self.text.encode()).hexdigest()
 
 
 def from_tables(content: Mapping[str, Any]) -> Scene:
-    """A scene whose tables are plain Python already. Raises SceneError, without a file, for what is wrong."""
+    """Make a scene from tables in plain Python. Raises SceneError, without a file name, for errors."""
     return _Reader(Path(), "", dict(content)).scene()
 
 
 def read(path: Path) -> Scene:
-    """A scene's file. Raises SceneError for what is wrong in it or no file, OSError where it cannot be read."""
+    """Read an input file. Raises SceneError for errors in it or a missing file, OSError if it cannot be read."""
     try:
         text = path.read_text(encoding="utf-8")
     except FileNotFoundError:

@@ -1,8 +1,8 @@
-"""What a scene may have, as JSON schema. Takes nothing but the tables that scenes are read by; returns plain Python.
+"""JSON schema of input files (scenes), from the tables by which scenes are read; plain Python.
 
-Editors complete and check a scene by it (`slowflow new --schema`), and tools take their arguments by it
-(`slowflow.tools`). Names, units and meanings are those of the data sheet, the columns and the questions; what only a
-computation shows, as the domain of a dimensionless number, the reader of the scene refuses.
+Editors use it for completion and validation (`slowflow schema`), and tools for their arguments (`slowflow.tools`).
+Names, units and meanings are those of the data sheet, the columns and the questions. Conditions that need a
+computation, such as the domain of a dimensionless number, are checked when the scene is read.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ AMPLITUDE: Schema = {**QUANTITY, "exclusiveMinimum": 0}
 
 
 def scene() -> Schema:
-    """The schema of a whole scene, whose tables are in it."""
+    """The schema of a scene that contains all its tables."""
     tables = {name: _oscillator(name) for name in KINDS}
     tables |= {"ask": _ask((*_arguments(QUESTIONS), "questions")), **{name: _table(name) for name in _tables()}}
     tables["require"] = _requirements()
@@ -46,7 +46,7 @@ def scene() -> Schema:
 
 
 def scene_file() -> Schema:
-    """The schema of a scene that is a file, whose tables may be files beside it."""
+    """The schema of a scene in a file, whose columns may be in other files."""
     found = scene()
     for name in OF_FILES:
         table = found["properties"][name]
@@ -56,7 +56,7 @@ def scene_file() -> Schema:
 
 
 def question(name: str) -> Schema:
-    """The schema of what one question reads of a scene: an oscillator, and [ask] or the table it needs."""
+    """The schema of the input of one question: an oscillator, and [ask] or the table it needs."""
     tables = {kind: _oscillator(kind) for kind in KINDS}
     needed = [TABLES[name]] if name in TABLES else []
     if arguments := _arguments([name]):
@@ -66,7 +66,7 @@ def question(name: str) -> Schema:
 
 
 def description(name: str) -> str:
-    """What a question answers, in its docstring's words; units are those of the arguments."""
+    """Description of a question, from its docstring; units are those of the arguments."""
     of_mount = getattr(Physical, name, None)
     if of_mount is None:
         return "How far answers spread when numbers of the oscillator are off by shares of themselves."

@@ -1,7 +1,7 @@
-"""What many designs at once are answered with: columns by the table of questions, remarks, gradients and tables.
+"""Answers about many designs: columns by the table of questions, diagnostics, gradients and tables.
 
-A design that has no answer, or is none, has NaN and nothing was raised for it: `status` says why, by the numbers of
-`slowflow_kernels.conventions.Status`, 0 for an answer. The questions are those of `slowflow.table`.
+Invalid designs, and designs without a result, have NaN; `status` gives the reason, as a code of
+`slowflow_kernels.conventions.Status`, 0 for a result. The questions are those of `slowflow.table`.
 """
 
 from __future__ import annotations
@@ -33,13 +33,14 @@ Codes = npt.NDArray[np.int8]
 
 
 class Batch(Answer):
-    """The answer to one question about many designs: its columns, read by name, each of the designs' shape.
+    """The answer to one question about many designs: its columns are attributes, each of the designs' shape.
 
-    question, system -- the row of the table, and by what it is answered
+    question, system -- the row of the table, and the system that answers it
     asked            -- the arguments of the query, by name
-    remarks          -- sums of `slowflow.results.Remark`, as a single answer has them; computed when first asked for
+    remarks          -- flags of `slowflow.results.Remark`, as in a single answer; computed on first use
 
-    Columns that have an axis behind those of the designs, of places, points or rows, are NaN and 0 behind the last one.
+    Columns with an axis after those of the designs, of entries, points or rows, are filled with NaN and 0 after the
+    last one.
     """
 
     has_rows = True
@@ -113,11 +114,11 @@ class Batch(Answer):
         system: str = AVERAGING,
         **extra: Any,
     ) -> None:
-        """An answer from its columns, in any order; `extra` may hold
+        """Make an answer from its columns, in any order; `extra` may contain
 
-        remarks  -- those of answers that are made of others, or of single ones
-        by_balls -- which designs balls decided
-        escapes  -- of peaks, which have none because the response goes on beyond a well
+        remarks  -- those of composed or single answers
+        by_balls -- which designs were resolved in ball arithmetic
+        escapes  -- for peaks, which designs have none because the response continues beyond a well
         """
         row = QUESTIONS[question]
         values = {name: values[name] for name in row.columns[system]}
@@ -156,17 +157,17 @@ class Batch(Answer):
 
     @property
     def inner(self) -> Mapping[str, str]:
-        """Which columns have one more axis behind those of the designs, and what that is called."""
+        """Which columns have an additional axis after those of the designs, and its name."""
         return {name: axis for name, axis in self.question.columns[self.system].items() if axis}
 
     def plot_map(self, x: str, y: str, of: str, ax: Any = None) -> Any:
-        """Draw a number of each design over two parameters into Matplotlib axes, or new ones, and return these.
+        """Plot a number of each design over two parameters; return the Matplotlib axes, new ones by default.
 
-        x, y -- names of parameters, "F_0", or "Omega" of states: each varies along one axis of the batch, and nothing
+        x, y -- names of parameters, "F_0", or for states "Omega": each varies along one axis of the batch, and nothing
                 else varies
-        of   -- which number: a column, as "F_SN"
+        of   -- a column, such as "F_SN"
 
-        Grey is where there is no answer. Raises ValueError for another name, and for a batch that is no such grid.
+        Designs without a result are grey. Raises ValueError for another name, and for a batch that is not such a grid.
         """
         from slowflow import pictures
 
@@ -180,9 +181,10 @@ class Batch(Answer):
         return {name: np.asarray(value) for name, value in self.asked.items()}
 
     def columns(self) -> dict[str, Any]:
-        """A row for each design, in the order of the flattened arrays: its numbers, then the answer's.
+        """A row for each design, in the order of the flattened arrays: its parameters, then the numbers of the answer.
 
-        What has several places becomes a column for each, as Omega_0. Of curves a row for each point of each design;
+        An answer with several entries has a column for each, such as Omega_0. Curves have a row for each point of each
+        design;
         their folds are columns of `saddle_nodes`.
         """
         shape = self.status.shape
@@ -201,9 +203,9 @@ class Batch(Answer):
         return found
 
     def to_xarray(self) -> Any:
-        """A Dataset along the designs' own dimensions, "design_0" and so on; their numbers, F_0, Omega as coordinates.
+        """Make a Dataset with dimensions "design_0" and so on; parameters, F_0 and Omega are coordinates.
 
-        Several places of an answer are a dimension more. Each has its units, all dimensionless: "1". Raises ImportError
+        Several entries of an answer are an additional dimension. All units are "1", dimensionless. Raises ImportError
         without xarray.
         """
         xarray = optional("xarray", "to_xarray")
@@ -221,7 +223,7 @@ class Batch(Answer):
         return xarray.Dataset(found, coords=coordinates, attrs={"mechanism": self._designs.mechanism.name})
 
     def about(self) -> dict[str, Any]:
-        """The mechanism, the shape of the designs, and where friction acts if not throughout."""
+        """Return the mechanism, the shape of the designs, and where friction acts if not throughout."""
         friction = {} if self._designs.rubs == THROUGHOUT else {"rubs": self._designs.rubs}
         return {"mechanism": self._designs.mechanism.name, "shape": self.status.shape, **friction}
 
@@ -250,7 +252,7 @@ class Batch(Answer):
 
     @cached_property
     def remarks(self) -> diagnostics.Codes:
-        """What to bear in mind with each design's answer, sums of `slowflow.results.Remark`, as a single one has it."""
+        """Diagnostics of each design's answer, flags of `slowflow.results.Remark`, as in a single answer."""
         if (known := self._extra.get("remarks")) is not None:
             return frozen(known)
         found = np.where(self._has_remarks, self._designs.remarks(self._F_0, *_states(self)), np.uint16(0))
@@ -300,10 +302,10 @@ class Batch(Answer):
         return (self.count > 0) | (self.undecided != 0) | (self._designs.excitation != "force")
 
     def gradient(self) -> Gradient:
-        """How the numbers of each design's answer move with the parameters, exactly, as of a single answer.
+        """Differentiate the numbers of each design's answer with respect to the parameters, as for a single answer.
 
-        `.slopes` of shape (..., numbers, parameters), behind the shape of the columns. Raises ValueError for what is no
-        averaged answer, and for one that is put together from others.
+        `.slopes` have shape (..., numbers, parameters), after the shape of the columns. Raises ValueError for answers
+        that are not averaged or that combine others.
         """
         if (of := GRADIENTS.get(self.question.name)) is None:
             raise validate.NotAvailable(NO_GRADIENT)
@@ -326,9 +328,9 @@ class Batch(Answer):
 
     @cached_property
     def phi(self) -> Floats:
-        """Phase of u = A cos(Omega tau + phi) in radians, in [-pi, 0] (25); NaN in an empty place.
+        """Phase of u = A cos(Omega tau + phi) in radians, in [-pi, 0] (25); NaN for empty entries.
 
-        Of states and points of curves. Computed when first asked for.
+        For states and points of curves; computed on first use.
         """
         if (known := self._values.get("phi")) is not None:
             return known
@@ -339,7 +341,7 @@ class Batch(Answer):
 
     @cached_property
     def transmissibility(self) -> Floats:
-        """What is passed on of what drives it, as of single `SteadyStates`; NaN in an empty place."""
+        """Transmissibility, as in `SteadyStates`; NaN for empty entries."""
         if (known := self._values.get("transmissibility")) is not None:
             return known
         self._has("transmissibility", *OF_STATES)
@@ -357,15 +359,15 @@ class Batch(Answer):
 
     @property
     def relative(self) -> Floats:
-        """As of single `SteadyStates`: A over F_0; NaN in an empty place."""
+        """A over F_0, as in `SteadyStates`; NaN for empty entries."""
         self._has("relative", *OF_STATES)
         return np.asarray(self.A / self._forcing)
 
     @cached_property
     def untruncated(self) -> Floats:
-        """F_SN of the untruncated force where the onset is on a corner that only the truncation makes; NaN elsewhere.
+        """F_SN of the untruncated force where the onset lies on a corner due to the truncation alone; NaN elsewhere.
 
-        NaN there too if it has none. Computed when first asked for.
+        NaN also if the untruncated force has no onset. Computed on first use.
         """
         self._has("untruncated", "saddle_node_onset")
         return frozen(self._designs.untruncated_onset((self.remarks & Remark.OF_TRUNCATION) != 0))

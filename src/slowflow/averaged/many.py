@@ -1,12 +1,12 @@
 """Many designs at once. Takes arrays of parameters that broadcast; returns critical forcings, folds, states and peaks.
 
-A question says how one design is asked, and has its answer in the columns of the table: in doubles alone, with an
-allowance of 0, and what these leave undecided a batch asks balls afterwards.
+A question defines how one design is evaluated; the answer fills the columns of the table. Single designs are first
+evaluated in double precision alone, with an allowance of 0; a batch then resolves undecided ones in ball arithmetic.
 
-Made by `Isolator.many(...)` and `Duffing.many(...)`. Nothing but the answers is allocated: inputs stay as they are,
-broadcast views included. `workers` threads share the designs (-1: one for each processor) and give the same digits; the
-NumPy solvers use one. Ctrl-C is heard within a second. A design that has no answer, or is none, gets NaN and nothing is
-raised for it: `status` says why, by the numbers of `slowflow_kernels.conventions.Status`, 0 for an answer.
+Made by `Isolator.many(...)` and `Duffing.many(...)`. Only the answers are allocated: inputs, broadcast views included,
+are not copied. `workers` threads share the designs (-1: one for each processor) and give the same digits. Ctrl-C takes
+effect within a second. Invalid designs, and designs without a result, get NaN and raise nothing: `status` gives the
+reason, as a code of `slowflow_kernels.conventions.Status`, 0 for a result.
 """
 
 from __future__ import annotations
@@ -51,14 +51,14 @@ MOST_COUNTED = int(np.iinfo(np.int8).max)
 
 
 def kinds(found: Any) -> Any:
-    """Codes of an onset, or of each fold."""
+    """Codes of the kind of an onset, or of each fold."""
     if isinstance(found.kind, str):
         return OnsetKind[found.kind.upper() or "NO"]
     return [FOLD_KINDS.get((fold.kind, fold.corner), 0) for fold in found]
 
 
 def failed(error: Exception) -> Status:
-    """How a design fared that was refused, or has no answer."""
+    """Status of a design that was refused or has no answer."""
     if isinstance(error, ValueError):
         return Status.INVALID
     return Status.NO_BOUND if isinstance(error, OverflowError) else Status.UNRESOLVED
@@ -87,13 +87,13 @@ class Question:
     """A question about many designs.
 
     name    -- that of its row
-    one     -- the single answer of an averaged oscillator, from an allowance of balls, F_0 and Omega; with a curve its
-               folds; None of a proof, which only the compiled solvers give in doubles
-    batch   -- the compiled solvers' generalised ufunc of a record; None where designs are asked one by one
-    at_once -- designs that take no more than some tenths of a second: until then Ctrl-C is not heard
-    system  -- by what it is answered
-    points  -- of a curve
-    empty   -- the status where there is nothing at a forcing
+    one     -- the answer of a single averaged oscillator, from an allowance of ball computations, F_0 and Omega; a
+            curve comes with its folds; None for a proof, which only the compiled solvers give in double precision
+    batch   -- generalized ufunc of the compiled solvers for a record; None if designs are evaluated one by one
+    at_once -- number of designs that take some tenths of a second, after which Ctrl-C takes effect
+    system  -- the system that answers it
+    points  -- number of points of a curve
+    empty   -- the status if there is nothing at a forcing
     """
 
     name: str
@@ -105,13 +105,13 @@ class Question:
     empty: Status = Status.OK
 
     def blank(self, places: int, status: Status, shape: tuple[int, ...] = ()) -> dict[str, npt.NDArray[Any]]:
-        """The columns with nothing in them."""
+        """Empty columns."""
         columns = QUESTIONS[self.name].blank(self.system, shape, place=places, point=self.points)
         columns["status"][...] = status
         return columns
 
     def columns(self, found: Any, places: int) -> dict[str, npt.NDArray[Any]]:
-        """The columns of a single answer; of a curve with its folds those of both."""
+        """The columns of a single answer; for a curve with its folds, those of both."""
         if isinstance(found, tuple):
             curve, folds = found
             columns, of_folds = self.columns(curve, places), SADDLE_NODES.columns(folds, places)
@@ -159,7 +159,7 @@ def _peak(oscillator: Any, _: proofs.Allowance, F_0: float) -> Any:
 
 
 def curves(samples: int, window: tuple[float, float]) -> Question:
-    """The question about response curves of so many samples in a window of Omega."""
+    """The question about response curves with a number of samples in a window of Omega."""
     n = samples + MORE_POINTS[AVERAGING]
 
     def one(oscillator: Any, allowance: proofs.Allowance, F_0: float) -> Any:
@@ -189,9 +189,9 @@ class Designs(Unchanging, ManyQuestions[Batch]):
     """Arrays of designs of one mechanism, and the questions about them.
 
     mechanism -- record of the mechanism
-    values    -- the numbers of its design by name, mu, zeta, and those of `DISSIPATION` that are given; real arrays
-                 that broadcast
-    excitation -- what F_0 is the amplitude of, the same for all: "force", "base" or "unbalance"
+    values    -- the parameters of its design by name, mu, zeta, and those of `DISSIPATION` that are used; real arrays
+            that broadcast
+    excitation -- kind of excitation with the amplitude F_0, the same for all: "force", "base" or "unbalance"
     rubs      -- where dry friction acts, the same for all: "throughout" or "attached"
 
     Raises TypeError for a name that is missing or unknown.
@@ -224,7 +224,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
 
     @property
     def design(self) -> list[Floats]:
-        """The numbers that the mechanism's parameters follow from, in its order."""
+        """The parameters of the design, in the mechanism's order."""
         return [np.asarray(self.values[domain.name], dtype=float) for domain in self.mechanism.design]
 
     @cached_property
@@ -245,7 +245,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         return SlowFlow(self.mechanism, self._parameters, mu, zeta, self.excitation, laws)
 
     def model(self, numbers: dict[str, float]) -> Model:
-        """One design, from its numbers by name. Raises ValueError for one outside its domain."""
+        """Model of one design, from numbers by name. Raises ValueError for one outside its domain."""
         own = dict(numbers)
         laws = Laws.of(self.rubs, **{one.name: own.pop(one.name, 0.0) for one in DISSIPATION})
         return Model.of(self.mechanism, own, self.excitation, laws)
@@ -379,7 +379,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
                 status[at] = Status.STICKS if sticks else Status.OK
 
     def untruncated_onset(self, selected: Flags) -> Floats:
-        """F_SN of the force that the truncated one stands for, for the selected designs; NaN for others."""
+        """F_SN of the untruncated force, for the selected designs; NaN for others."""
         F_SN = np.full(self.shape, np.nan)
         load = self.mechanism.load_untruncated
         if load is not None and selected.any():
@@ -389,7 +389,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
 
     @property
     def give_way(self) -> Flags:
-        """Whether there are states beyond the well at any force that moves the mass, of each."""
+        """Whether states beyond the well exist for any force that moves the mass, for each design."""
         if self.excitation != "force":
             return np.zeros(self.shape, dtype=bool)
         with np.errstate(all="ignore"):  # a number outside its domain has a status
@@ -397,7 +397,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
             return np.asarray(may & diagnostics.gives_way(flow) if may.any() else may)
 
     def remarks(self, F_0: Any, Omega: Any, A: Any, corner: Any) -> diagnostics.Codes:
-        """What to bear in mind with states of each design, along one more axis; see `diagnostics.of_designs`."""
+        """Diagnostics of the states of each design, along an additional axis; see `diagnostics.of_designs`."""
         with np.errstate(all="ignore"):  # a number outside its domain has a status, and no amplitude
             force = np.asarray(F_0)[..., np.newaxis]
             if self.excitation != "force":
@@ -407,7 +407,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
     def spanned(
         self, x: str, y: str, of: str, values: Floats, extra: dict[str, Any]
     ) -> tuple[tuple[str, Floats], tuple[str, Floats], tuple[str, Floats]]:
-        """Two parameters that span the designs and values over these, each with its name, for a map."""
+        """Two parameters that span the designs, and values over these, each with its name, for a map."""
         known = {**self.values, **extra}
         if values.ndim != 2 or x == y:
             raise Refused(f"{of} over {x!r} and {y!r} is no map: a batch of two axes spanned by them is wanted")
@@ -430,7 +430,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
     def ask(
         self, question: Question, workers: int, F_0: Any = None, places: int = 0, Omega: Any = None
     ) -> list[npt.NDArray[Any]]:
-        """The columns of the answer to a question; a question of its own is another depth's."""
+        """The columns of the answer to a question; `question` may be that of another level of approximation."""
         threads = validate.workers(workers)
         at = {name: value for name, value in (("F_0", F_0), ("Omega", Omega)) if value is not None}
         for name, value in at.items():

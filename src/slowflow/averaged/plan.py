@@ -1,7 +1,7 @@
-"""What runs for a question and what does not. Takes an oscillator's models and the question; returns the plan.
+"""The steps of a question. Takes an oscillator's models and the question; returns the plan.
 
-It is made in one place and obeyed: an oscillator searches for folds where `may_have_folds` says so, and so does the
-plan, which has the reasons, step by step, and is made on request.
+Solvers and plan use the same conditions: an oscillator searches for folds if `may_have_folds` is true, and the plan,
+made on request, gives the reason, step by step.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from slowflow_kernels.conventions import CLOSE
 
 @dataclass(frozen=True)
 class Step:
-    """One step: whether it runs, and which variant of it or why not."""
+    """One step: whether it runs, and in which variant, or why not."""
 
     name: str
     runs: bool
@@ -208,12 +208,12 @@ AT_ONE = (
 
 @dataclass(frozen=True)
 class Plan:
-    """The way to an answer.
+    """The steps to an answer.
 
-    model -- what the solvers get; None where nothing has to be solved
+    model  -- model for the solvers; None if nothing has to be solved
     sticks -- whether the mass stays at rest
-    steps -- the same in words
-    where -- at which forcing, in words
+    steps  -- the steps, with text
+    where  -- text about the forcing
     """
 
     question: str
@@ -224,7 +224,7 @@ class Plan:
 
     @property
     def sticks(self) -> bool:
-        """Whether nothing is solved because the mass stays at rest."""
+        """Whether nothing is solved, because the mass stays at rest."""
         return self.model is None
 
     def __str__(self) -> str:
@@ -233,7 +233,7 @@ class Plan:
 
 
 def forcing(question: str, F_0: float | None) -> float | None:
-    """F_0 of a question at one forcing, None of others. Raises ValueError where it is missing, or not needed."""
+    """F_0 of a question at one forcing, None for others. Raises ValueError if it is missing, or not expected."""
     if question in AT_ONE:
         return validate.number("F_0", F_0, above=0.0)
     if F_0 is not None:
@@ -242,7 +242,7 @@ def forcing(question: str, F_0: float | None) -> float | None:
 
 
 def may_have_folds(F_0: float, whole: Model, onset: SaddleNodeOnset | None) -> bool:
-    """Whether folds are searched for: not of a linear oscillator, nor below the onset, however F_SN is rounded."""
+    """Whether folds are searched for: not for a linear oscillator, nor below the onset, however F_SN is rounded."""
     if whole.linear:
         return False
     if onset is None or onset.F_SN is None or Remark.FOLDS_AT_REST in onset.remarks:
@@ -251,14 +251,14 @@ def may_have_folds(F_0: float, whole: Model, onset: SaddleNodeOnset | None) -> b
 
 
 def needs_no_solver(question: str, whole: Model) -> bool:
-    """Whether it is known beforehand that there is no onset, or no detachment."""
+    """Whether it is known in advance that there is no onset, or no detachment."""
     return whole.linear if question == "saddle_node_onset" else question == "detachment" and not whole.breakpoints
 
 
 def plan(question: str, F_0: float | None, whole: Model, onset: SaddleNodeOnset | None = None) -> Plan:
     """The plan for one of `QUESTIONS`.
 
-    F_0   -- as `forcing` gives it
+    F_0   -- as returned by `forcing`
     whole -- the oscillator
     onset -- the onset of folds, if it is known already
     """
@@ -283,7 +283,7 @@ def plan(question: str, F_0: float | None, whole: Model, onset: SaddleNodeOnset 
 
 
 def plan_off_centre(question: str, F_0: float | None, model: Model) -> Plan:
-    """The plan for one of `OFF_CENTRE`. Raises ValueError for a forcing that is missing, or not needed."""
+    """The plan for one of `OFF_CENTRE`. Raises ValueError for a forcing that is missing, or not expected."""
     at = forcing(question, F_0)
     may_stick = question in ("amplitudes", "saddle_nodes", "frequency_response", "isolation")
     if at is not None and may_stick and model.sticks(at):

@@ -1,7 +1,8 @@
 """The equation of motion (3) itself, solved without averaging: periodic motions, response curves, sweeps.
 
 `steady_state`, `exact_response`, `sweep` and `transient` take an `EquationOfMotion` (restoring force in pieces, dry
-friction, viscous damping) and its excitation. Switches between slip and stick, attached and detached, are exact.
+friction, viscous damping) and its excitation. The times of slip, stick and detachment are roots of the solution, not
+smoothed.
 """
 
 from slowflow.exact.response import Fold, Response, exact_response

@@ -1,4 +1,4 @@
-"""Response curves over Omega through all folds, by `continuation`: amplitude, stability, stops, folds and borders."""
+"""Response curves over Omega through all folds, by continuation: amplitude, stability, stops, folds and borders."""
 
 from __future__ import annotations
 
@@ -32,8 +32,8 @@ FOLD_OFFSET, JUMP_OFFSET, JUMP_TURNS = 1e-5, 1e-3, 2000
 class Fold:
     """A saddle node of the curve.
 
-    `kind` is what a sweep does there, `corner` whether it sits where the order of switches changes, e.g. where the
-    springs just detach.
+    `kind` is the direction of the jump of a sweep, `corner` whether the order of switches changes there, for example
+    because the springs just detach.
     """
 
     Omega: float
@@ -58,13 +58,13 @@ class Response(Drawn, Table):
     Omega, A     -- frequency, largest |u|
     stable       -- whether both Floquet multipliers lie inside the unit circle
     multipliers  -- over one period, shape (points, 2)
-    stops        -- rests in one period
+    stops        -- number of stick phases per period
     folds        -- by rising Omega
     borders      -- (Omega, A) where the order of switches changes
     closed       -- whether the curve closed on itself (an isola)
-    message      -- curves that do not hang together with this one, as far as averaging knows; where it was given up,
-                    and why; empty if there is nothing to say
-    complete     -- whether it was followed to its ends; if not, the points are those that were reached before
+    message      -- other, disconnected curves, as predicted by averaging; where and why the computation stopped; empty
+            if there is nothing to report
+    complete     -- whether it was followed to its ends; if not, the points are those computed before it stopped
     """
 
     entry: ClassVar[Any] = ResponsePoint
@@ -89,18 +89,18 @@ class Response(Drawn, Table):
         return describe(point.cycle, point.z, self.F_0, point.monodromy)
 
     def transmitted(self, of: str = "force") -> Transmitted:
-        """What each motion passes on: first harmonic, peak and root mean square, arrays along the curve.
+        """Transmissibility of each motion by first harmonic, peak and root mean square, arrays along the curve.
 
-        See `SteadyState.transmitted`; about a millisecond for each point.
+        See `SteadyState.transmitted`; about a millisecond per point.
         """
         values = [self.steady_state(k).transmitted(of) for k in range(len(self))]
         return Transmitted(*np.array(values).reshape(-1, 3).T)
 
     @functools.cached_property
     def peak(self) -> SteadyState:
-        """The highest motion of the curve, stable or not, found between its points too, whatever their distance.
+        """The motion with the largest A on the curve, stable or not, also between computed points.
 
-        A is stationary there along the curve, or it is at a border or at an end of the range.
+        It is a maximum along the curve, a border, or an end of the range.
         """
         if not self.states:
             raise NotSettled("no peak, as no motion: " + self.message)
@@ -118,15 +118,16 @@ def exact_response(
     start: SteadyState | None = None,
     step: float = STEP,
 ) -> Response:
-    """The response curve between two frequencies, through all its folds.
+    """Follow the response curve between two frequencies, through all its folds.
 
-    start -- a point of the curve; without it the steady state at the lower frequency, reached from rest. A curve that
-             does not hang together with that one (an isola) needs its own start.
-    step  -- largest distance of neighbouring points: relative change of u_0, radians of phase, twice that of Omega
+    start -- a point of the curve; by default the steady state at the lower frequency, reached from rest. A disconnected
+             curve (an isola) needs its own start.
+    step  -- largest distance between neighbouring points: relative change of u_0, radians of phase, twice the relative
+             change of Omega
 
-    A curve that takes more than `MOST_WORK` integration steps (some ten seconds), or that cannot be followed further,
-    is given as far as it was reached, `complete` False. Raises ValueError for parameters out of range, ArithmeticError
-    where no start is found, nothing beyond it is reached, or resonance is unbounded.
+    A curve that takes more than `MOST_WORK` integration steps (about ten seconds), or that cannot be followed further,
+    is returned as far as it was computed, with `complete` False. Raises ValueError for parameters out of range,
+    ArithmeticError if no start is found, nothing beyond it is reached, or resonance is unbounded.
     """
     low, high = (float(end) for end in Omega)
     if not (0 < low < high < math.inf):
@@ -167,9 +168,9 @@ def _collect(path: Path, first: Point) -> tuple[list[Point], ArithmeticError | N
 
 
 def first_fold(start: SteadyState, towards: float, Omega_range: tuple[float, float]) -> ResponsePoint | None:
-    """The first fold of the curve from a steady state on, towards rising (1) or falling (-1) Omega.
+    """The first fold of the curve from a steady state, towards increasing (1) or decreasing (-1) Omega.
 
-    None where it leaves the range of Omega before, or cannot be followed.
+    None if the curve leaves the range of Omega before, or cannot be followed.
     """
     points, turned = Path(start.F_0, *Omega_range, STEP, start).up_to_fold(start, towards)
     if not turned:
@@ -179,7 +180,7 @@ def first_fold(start: SteadyState, towards: float, Omega_range: tuple[float, flo
 
 
 def empty_response(F_0: float, message: str) -> Response:
-    """The curve of a mass that stays at rest: no point, and why."""
+    """The empty curve of a mass that stays at rest, with the reason."""
     none = np.empty(0)
     multipliers, stops = np.empty((0, 2), dtype=np.complex128), np.empty(0, dtype=np.int64)
     return Response(F_0, none, none, none > 0, multipliers, stops, (), (), False, (), message)

@@ -41,7 +41,7 @@ ARRIVED, NEARER, UNLIKE = 1e-8, 0.1, 0.5
 
 
 def lengths(system: EquationOfMotion) -> tuple[int, ...]:
-    """`HALF_TURNS` that a motion may have: an asymmetric one is never its own mirror image half a turn later."""
+    """`HALF_TURNS` that a motion may have: an asymmetric motion is never its own mirror image half a turn later."""
     return HALF_TURNS if system.centred else tuple(n for n in HALF_TURNS if n % 2 == 0)
 
 
@@ -91,23 +91,23 @@ NOT_FOUND = Sentence(
 
 
 class NotPeriodic(NotSettled):
-    """The motion was followed for `MOST_TURNS` turns and not seen to approach a periodic one."""
+    """The motion did not approach a periodic one within `MOST_TURNS` periods of the forcing."""
 
 
 @dataclass(frozen=True, eq=False)
 class SteadyState(Answer):
     """A periodic motion. All quantities dimensionless; arrays over one period have `samples` entries, tau from 0.
 
-    F_0          -- amplitude of the excitation; `force` is that of the force
-    A            -- largest |u|, the mean included, good to about 1e-13 whatever its size
-    stops        -- rests in one period
+    F_0          -- amplitude of the excitation; `force` is the amplitude of the force
+    A            -- largest |u|, the mean included, with a relative error of about 1e-13
+    stops        -- number of stick phases per period
     multipliers  -- Floquet multipliers over `period`, shape (2,)
-    half_multipliers -- of the map over half a period with u -> -u, where the motion is half-wave symmetric, else None;
-                        `multipliers` are their squares
-    stable       -- both multipliers inside the unit circle
+    half_multipliers -- multipliers of the map over half a period with u -> -u, for a half-wave symmetric motion, else
+            None; `multipliers` are their squares
+    stable       -- whether both multipliers lie inside the unit circle
     symmetric    -- whether u(tau + period/2) = -u(tau)
-    phases       -- of one cycle, from its highest turning point
-    message      -- what to bear in mind; empty if there is nothing to say
+    phases       -- phases of one cycle, from its highest turning point
+    message      -- diagnostics as text; empty if there are none
     """
 
     has_rows = True
@@ -127,7 +127,7 @@ class SteadyState(Answer):
 
     @property
     def force(self) -> float:
-        """Amplitude of the force on the mass: F_0, or F_0 Omega^2 for an excitation by inertia."""
+        """Amplitude of the force on the mass: F_0, or F_0 Omega^2 for base excitation and unbalance."""
         return self.cycle.system.forcing(Omega=self.Omega, F_0=self.F_0)
 
     @property
@@ -137,7 +137,7 @@ class SteadyState(Answer):
 
     @functools.cached_property
     def residual(self) -> float:
-        """Largest difference of (u, v) after one period from a point within the first phase, followed with switches."""
+        """Residual of periodicity: difference of (u, v) after one period, from a point within the first phase."""
         forced = Forced(self.cycle.system, self.Omega, self.F_0)
         slip, region = self.cycle.signature[0]
         theta, span = float(self.unknowns[1]), float(self.unknowns[2])
@@ -148,7 +148,7 @@ class SteadyState(Answer):
 
     @property
     def undecided(self) -> bool:
-        """Whether rounding hides if the mass stops once more: its velocity touches zero within a slip."""
+        """Whether rounding decides if there is a further stop: the velocity touches zero within a slip phase."""
         return any(phase.undecided for phase in self.phases)
 
     def series(self, samples: int = 400) -> tuple[Floats, Floats, Floats]:
@@ -158,18 +158,18 @@ class SteadyState(Answer):
         return theta / self.Omega, u, v
 
     def columns(self, samples: int = 400) -> dict[str, Floats]:
-        """tau, u and v, as `series` gives them: what `to_pandas` and `to_xarray` have."""
+        """Return tau, u and v from `series`, for `to_pandas` and `to_xarray`."""
         return dict(zip(("tau", "u", "v"), self.series(samples), strict=True))
 
     def about(self) -> dict[str, Any]:
-        """Frequency, forcing, amplitude, stops, stability."""
+        """Return frequency, forcing, amplitude, stops, stability."""
         return {name: getattr(self, name) for name in ("Omega", "F_0", "A", "stops", "stable", "symmetric", "period")}
 
     def __str__(self) -> str:
         return "\n".join(in_values(self, self.about()))
 
     def harmonics(self, most: int = 7) -> NDArray[np.complex128]:
-        """c_0 ... c_most of u = Re sum c_k exp(i k Omega' tau), Omega' = 2 pi/period; by a Gauss rule on each phase."""
+        """Compute c_0 ... c_most of u = Re sum c_k exp(i k Omega' tau), Omega' = 2 pi/period, by Gauss quadrature."""
         orders = np.arange(most + 1)
         span = self.cycle.half_turns * math.pi
         whole = self.Omega * self.period
@@ -184,14 +184,14 @@ class SteadyState(Answer):
         return total
 
     def transmitted(self, of: str = "force") -> Transmitted:
-        """What the motion passes on, all harmonics of it, over what drives it.
+        """Transmissibility with all harmonics: first harmonic, peak and root mean square.
 
-        of -- "force": spring, damper and friction over the amplitude of the force; on a base that shakes it is as well
-              the acceleration of the mass over that of the base. "relative": u over F_0, its mean included.
-              "absolute": of a base that shakes the displacement of the mass over that of the base, of an unbalance that
-              of the centre of mass over F_0.
+        of -- "force": force of spring, damper and friction over the amplitude of the force; under base excitation this
+              is also the acceleration of the mass over that of the base. "relative": u over F_0, mean included.
+              "absolute": under base excitation the displacement of the mass over that of the base, with an unbalance
+              the displacement of the centre of mass over F_0.
 
-        Raises ValueError for another `of`, and for "absolute" where the base stands still.
+        Raises ValueError for another `of`, and for "absolute" under a force.
         """
         validated(of, inertial=self.cycle.system.inertial)
         whole = self.cycle.half_turns * math.pi
@@ -276,19 +276,19 @@ def steady_state(
     u_0: float = 0.0,
     v_0: float = 0.0,
 ) -> SteadyState:
-    """The periodic motion at one frequency.
+    """Find a periodic motion at one frequency.
 
-    guess      -- a neighbouring `SteadyState`, or (A, phi) of u = A cos(Omega tau + phi); without it the mass is
-                  released at u_0 with the velocity v_0, where the forcing is largest, and followed until it settles,
-                  which finds stable motions only
-    half_turns -- 1: look for half-wave symmetric motions u(tau + pi/Omega) = -u(tau); 2: for any with the forcing's
-                  period; n: with the state (-1)^n times the same after n pi/Omega. By default all of up to 16 turns
-                  of the forcing, the shortest first; under a load none that are their own mirror images.
+    guess      -- a neighbouring `SteadyState`, or (A, phi) of u = A cos(Omega tau + phi); by default the mass is
+                  released at u_0 with velocity v_0, where the forcing is largest, and followed until it settles, which
+                  finds stable motions only
+    half_turns -- 1: half-wave symmetric motions u(tau + pi/Omega) = -u(tau); 2: any motion with the period of the
+                  forcing;
+                  n: motions whose state after n pi/Omega is (-1)^n times the initial one. By default all of up to 16
+                  periods of the forcing, the shortest first; under a load none that are their own mirror images.
 
-    A guess leads to a motion near it, stable or not; if Newton's iteration finds none, the motion is followed from the
-    guess until it settles. The motion returned has been followed through all its switches.
-    Raises ValueError for parameters out of range or where friction holds the mass for ever, ArithmeticError if nothing
-    periodic is found.
+    A guess leads to a motion near it, stable or not; if Newton's iteration does not converge, the motion is followed
+    from the guess until it settles. The returned motion is verified through all its switches. Raises ValueError for
+    parameters out of range or if friction holds the mass permanently, ArithmeticError if nothing periodic is found.
     """
     check_forcing(system, Omega, F_0, initial=(u_0, v_0) if guess is None else None)
     forced = Forced(system, float(Omega), float(F_0))

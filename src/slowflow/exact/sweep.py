@@ -34,17 +34,16 @@ SweepPoint = entry("SweepPoint", "Omega A stops turns settled", "One frequency o
 
 @dataclass(frozen=True, eq=False)
 class Sweep(Drawn, Table):
-    """What a stepped sweep shows; arrays in the order of the frequencies.
+    """A stepped-sine sweep; arrays in the order of the frequencies.
 
     Omega   -- the frequencies
-    A       -- largest |u| of the stable motion that is settled to; where none is, over the last turn of the forcing;
-               where friction holds the mass, as at low frequencies of an excitation by inertia, its offset;
-               in a dead zone, where no force restores the mean, it is about the last mean
-    stops   -- rests in one period of it, or in that turn
-    turns   -- turns of the forcing followed before it was shown that the motion tends there
-    settled -- whether it was, within the turns that are followed at most
+    A       -- largest |u| of the settled motion; if it did not settle, over the last period of the forcing; if friction
+            holds the mass, its offset; in a dead zone, where no force restores the mean, about the last mean
+    stops   -- number of stick phases in one period of the motion, or in that last period
+    turns   -- periods of the forcing until the motion was shown to settle
+    settled -- whether it settled within the largest number of periods
     jumps   -- pairs (Omega before, Omega after) between which the motion left its branch
-    message -- what to bear in mind; empty if there is nothing to say
+    message -- diagnostics as text; empty if there are none
     """
 
     entry: ClassVar[Any] = SweepPoint
@@ -73,14 +72,13 @@ def sweep(
     u_0: float = 0.0,
     v_0: float = 0.0,
 ) -> Sweep:
-    """Follows the motion from (u_0, v_0) through the frequencies, keeping state and phase of the forcing at each step.
+    """Follow the motion from (u_0, v_0) through the frequencies, keeping state and phase of the forcing at each step.
 
-    most_turns -- at one frequency
+    most_turns -- largest number of periods of the forcing at one frequency
 
-    At each frequency the motion is followed until it is shown to tend to a periodic one; from that one it goes on.
-    A jump is a change of branch, see `Branches`.
-    Raises ValueError for parameters out of range, or where the mass would never move, ArithmeticError where the motion
-    escapes or chatters.
+    At each frequency the motion is followed until it is shown to tend to a periodic one, from which the next frequency
+    continues. A jump is a change of branch, see `Branches`. Raises ValueError for parameters out of range, or if the
+    mass never moves, ArithmeticError if the motion escapes or chatters.
     """
     frequencies = np.array(Omega, dtype=float, order="C")
     if frequencies.ndim != 1 or frequencies.size == 0:

@@ -75,16 +75,16 @@ class Series(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Transient(Drawn):
-    """What a mass does when its base is accelerated, or when it is let go. All dimensionless; accelerations in k_v L/m.
+    """Response to an acceleration of the base, or free motion. All dimensionless; accelerations over k_v L/m.
 
-    A, tau_A      -- largest |u|, the deflection of the springs, under a load with that at rest, and when it is reached
-    a_max, tau_a  -- largest acceleration of the mass, as seen by who stands still, and when
-    u_cr          -- the stroke, None where the springs never touch, and of a force that is not odd
+    A, tau_A      -- largest |u|, the deflection of the springs, static deflection included, and its time
+    a_max, tau_a  -- largest absolute acceleration of the mass, and its time
+    u_cr          -- the stroke; None if the springs never touch, and for a force that is not odd
     detaches      -- whether the springs detach, |u| > u_cr, or u leaves the piece about 0
-    tau_detaches  -- when first, None if never
-    rests         -- whether friction holds the mass at the end of what was followed, at u_end
-    message       -- what to bear in mind
-    stretches     -- the motion in its phases
+    tau_detaches  -- time of the first detachment, None if never
+    rests         -- whether friction holds the mass at the end of the computed motion, at u_end
+    message       -- diagnostics as text
+    stretches     -- the phases of the motion
 
     `series` gives the motion over time.
     """
@@ -104,7 +104,7 @@ class Transient(Drawn):
     picture: ClassVar[str] = "history"
 
     def series(self, samples: int = 400) -> Series:
-        """The motion at `samples` equal steps from the pulse's beginning to the end of what was followed."""
+        """The motion at `samples` equal steps from the beginning of the pulse to the end of the computed motion."""
         first, last = self.stretches[0], self.stretches[-1]
         tau = np.linspace(first.since, last.tau(last.phase.end), samples)
         out = np.zeros((4, samples))
@@ -181,13 +181,13 @@ Shock = entry("Shock", "acceleration duration A a_max ratio detaches", "One puls
 
 @dataclass(frozen=True, eq=False)
 class ShockSpectrum(Drawn, Table):
-    """What half sines of the base do, pulse by pulse.
+    """Shock response spectrum of half sines of the base, pulse by pulse.
 
     acceleration, duration -- of the pulse, over k_v L/m and in tau
-    A        -- the largest deflection of the springs, during the pulse or later, under a load with that at rest
-    a_max    -- the largest acceleration of the mass; ratio -- this over the pulse's
+    A        -- the largest deflection of the springs, during or after the pulse, static deflection included
+    a_max    -- the largest acceleration of the mass; ratio -- a_max over the peak of the pulse
     detaches -- whether the springs detach
-    message  -- what to bear in mind
+    message  -- diagnostics as text
     """
 
     entry: ClassVar[Any] = Shock

@@ -1,6 +1,6 @@
-"""Many designs of one mechanism; of arrays of xarray and dask maps, out come Datasets, and Zarr stores that resume.
+"""Many designs of one mechanism; arrays of xarray and dask make maps: Datasets, and Zarr stores that can be resumed.
 
-Maps need `pip install 'slowflow[grid]'`. Nothing of it is imported before such an array is given.
+Maps need `pip install 'slowflow[grid]'`. Their modules are imported when such an array is passed.
 """
 
 from __future__ import annotations
@@ -18,9 +18,9 @@ from slowflow_kernels.domains import EXCITATIONS, RUBS
 def designs_of(
     mechanism: Mechanism, values: dict[str, Any], laws: dict[str, Any], rubs: str, excitation: str, load: Any
 ) -> ManyQuestions[Any]:
-    """Many designs of a mechanism from their numbers by name; what maps need is loaded where a number is labelled.
+    """Make designs of a mechanism from numbers by name; labelled arrays make a map.
 
-    laws -- eta, c_2, ...: a plain 0 is none, as of load
+    laws -- eta, c_2, ...: a plain 0 means absent, as for load
     """
     validate.excitation(excitation, tuple(EXCITATIONS))
     validate.choice("rubs", rubs, tuple(RUBS))

@@ -1,6 +1,6 @@
 """Designs in arrays with named axes, or in blocks. Takes arrays of xarray or dask; returns Datasets of answers.
 
-Numbers of dask stay where they are until an answer is computed, block by block; `store` writes the blocks into Zarr.
+Dask arrays stay lazy until an answer is computed, block by block; `store` writes the blocks into Zarr.
 """
 
 from __future__ import annotations
@@ -35,20 +35,20 @@ AT_ONCE = 2**18
 
 
 class Grid(Unchanging, ManyQuestions[Any]):
-    """Designs of one mechanism over named axes, and the questions about them; answers are xarray's Datasets.
+    """Designs of one mechanism over named axes, and the questions about them; answers are xarray Datasets.
 
     mechanism -- record of the mechanism
-    values    -- the numbers of its design by name, mu and zeta, and eta and c_2 if they are given: xarray's DataArrays,
-                 which broadcast by the names of their axes; or dask's and NumPy's arrays, which broadcast as NumPy's
-                 do, axes "design_0" and so on
-    excitation, rubs -- as of `slowflow.averaged.many.Designs`
+    values    -- the parameters of its design by name, mu and zeta, and eta and c_2 if used: DataArrays, which broadcast
+            by the names of their axes; or dask and NumPy arrays, which broadcast by position, with axes "design_0" and
+            so on
+    excitation, rubs -- as in `slowflow.averaged.many.Designs`
 
-    An answer has the columns of a batch's and `remarks`, over all axes, with the parameters as coordinates; of the
-    arrays' own coordinates those of axes are kept. It is computed at once, unless a parameter is dask's: then nothing
-    is before `.compute()`. `workers` threads share one block beside those of dask.
+    An answer has the columns of a batch, including `remarks`, over all axes, with the parameters as coordinates;
+    coordinates of axes are kept. It is computed at once, unless a parameter is a dask array: then by `.compute()`.
+    `workers` threads share one block, in addition to dask's own.
 
-    Raises TypeError for a name that is missing or unknown, ValueError for what holds no real numbers and for axes that
-    do not fit, ImportError without xarray.
+    Raises TypeError for a missing or unknown name, ValueError for arrays without real numbers and for axes that do not
+    match, ImportError without xarray.
     """
 
     mechanism: Mechanism
@@ -82,7 +82,7 @@ class Grid(Unchanging, ManyQuestions[Any]):
 
     @cached_property
     def second_approximation(self) -> Grid:
-        """The same questions with the higher harmonics of force and friction; see `slowflow.second.many`."""
+        """The same questions with higher harmonics of force and friction; see `slowflow.second.many`."""
         validate.is_plain("second_approximation", self._laws)
         if "load" in self._parameters:
             raise validate.NotAvailable(AT_CENTRE.format(off_centre_by(self.mechanism, 0.0) or "with a load"))
@@ -98,12 +98,12 @@ class Grid(Unchanging, ManyQuestions[Any]):
 
     @property
     def sizes(self) -> dict[str, int]:
-        """How many designs there are along each axis, by its name."""
+        """Number of designs along each axis, by name."""
         return sizes(self.values)
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """The same without the names."""
+        """Number of designs along each axis."""
         return tuple(self.sizes.values())
 
     def _ask(self, question: str, /, *, workers: int = 1, **arguments: Any) -> Any:
@@ -111,18 +111,18 @@ class Grid(Unchanging, ManyQuestions[Any]):
         return self._answer(*self.asked(question, workers, **arguments))
 
     def store(self, path: Any, question: str, *, workers: int = 1, **arguments: Any) -> Any:
-        """A question's answer as a Zarr store, written block by block; a store that was begun is continued.
+        """Write a question's answer into a Zarr store, block by block; an incomplete store is continued.
 
-        path     -- folder of the store, which every worker of a cluster must reach; or what else Zarr takes for one
-        question -- name of the method, as "saddle_node_onset"
-        arguments -- of this question, as F_0, Omega and places
+        path      -- folder of the store, which every worker of a cluster must reach; or another store that Zarr accepts
+        question  -- name of the method, such as "saddle_node_onset"
+        arguments -- arguments of this question, such as F_0, Omega and places
 
-        Blocks are cut as the parameters are, and by some 250,000 designs along axes that none of them cuts. Wherever it
-        is stopped, a call with the same numbers computes what is missing, and the store gets the same bits; until then
-        it has `complete` = 0 among its attributes, and status -1 for what is not computed yet. Returns the store as a
-        lazy Dataset.
-        Raises ValueError for a store of other numbers, another question, version or backend, FileExistsError where
-        there is something else, and all before anything is computed; ImportError without dask, xarray and Zarr.
+        Blocks are the chunks of the parameters, or about 250,000 designs along unchunked axes. After an interruption, a
+        call with the same numbers computes the missing blocks, with the same bits; until then the attribute `complete`
+        is 0, and status is -1 for missing entries. Returns the store as a lazy Dataset.
+
+        Raises ValueError for a store with other numbers, another question, version or backend, and FileExistsError if
+        the path is something else, before anything is computed; ImportError without dask, xarray and Zarr.
         """
         for package in ("dask", "zarr"):
             optional(package, "store", "grid")
@@ -139,11 +139,11 @@ class Grid(Unchanging, ManyQuestions[Any]):
         return filled(path, ask, values, axes, blocks(values, axes))
 
     def asked(self, question: str, workers: int, **arguments: Any) -> tuple[Ask, dict[str, Any]]:
-        """A question as a function of a block's numbers, and all the numbers that it takes.
+        """Return a question as a function of a block's numbers, and all the numbers that it takes.
 
-        arguments -- of the question, other than the designs, as their method takes them
+        arguments -- of the question, other than the designs, as its method takes them
 
-        Raises TypeError for what is missing or unknown, ValueError for what is not allowed.
+        Raises TypeError for missing or unknown arguments, ValueError for invalid ones.
         """
         system = OFFSET if "load" in self._parameters else self._depth
         known = tuple(name for name, row in QUESTIONS.items() if system in row.columns)
@@ -239,7 +239,7 @@ class Grid(Unchanging, ManyQuestions[Any]):
 
 
 def labelled(values: Mapping[str, Any]) -> dict[str, Any]:
-    """Numbers by name as DataArrays that share their axes, with the coordinates of these alone; small ones are read."""
+    """Numbers by name as DataArrays with common axes and the coordinates of these; small ones are loaded."""
     xarray = optional("xarray", "a grid", "grid")
     named = any(isinstance(value, (xarray.DataArray, xarray.Variable)) and value.ndim for value in values.values())
     found = {}
@@ -272,7 +272,7 @@ def labelled(values: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def tabled(name: str, value: Any, axis: str) -> Any:
-    """A column of a table, or a record, as a DataArray that may have this axis, which one without names is."""
+    """A column of a table, or a record, as a DataArray that may have this axis; an unnamed array has it."""
     xarray = optional("xarray", "a grid", "grid")
     array = value if validate.is_labelled(value) else validate.real_array(name, value)
     if array.dtype.kind not in "fiu":
@@ -307,7 +307,7 @@ def _parameter(name: str, value: Any) -> Any:
 
 
 def sizes(values: Mapping[str, Any]) -> dict[str, int]:
-    """Lengths of all axes of the designs by name, in the order in which the parameters have them."""
+    """Lengths of all axes of the designs by name, in the order of the parameters."""
     found: dict[str, int] = {}
     for value in values.values():
         found |= {str(dim): int(length) for dim, length in value.sizes.items() if dim not in INNER}
@@ -315,7 +315,7 @@ def sizes(values: Mapping[str, Any]) -> dict[str, int]:
 
 
 def blocks(values: Mapping[str, Any], lengths: Mapping[str, int]) -> dict[str, int]:
-    """How many designs a block has along each axis: as the arrays are cut, along others as few as fit into a block."""
+    """Number of designs per block along each axis: the arrays' chunks, along other axes as many as fit into a block."""
     optional("dask", "blocks", "grid")
     from dask.array.core import normalize_chunks
 
@@ -334,7 +334,7 @@ def blocks(values: Mapping[str, Any], lengths: Mapping[str, int]) -> dict[str, i
 
 
 def must_travel(mechanism: Mechanism) -> None:
-    """Raises ValueError for a mechanism whose functions another process would not find again."""
+    """Raise ValueError for a mechanism whose functions cannot be sent to another process."""
     try:
         pickle.loads(pickle.dumps(mechanism))
     except Exception as error:

@@ -1,4 +1,4 @@
-"""Answers about random vibration. Take equivalent linear oscillators; return tables, spectra, averages of records."""
+"""Answers about random vibration: equivalent linear oscillators, spectra, averages of records."""
 
 from __future__ import annotations
 
@@ -33,18 +33,18 @@ SHOWN = 10.0
 
 @dataclass(frozen=True, eq=False)
 class RandomResponse(Drawn, Table):
-    """Stationary motions under a Gaussian excitation by statistical linearization, by rising u_rms; dimensionless.
+    """Stationary motions under a Gaussian excitation by statistical linearization, in ascending order of u_rms.
 
-    u_rms, v_rms -- root mean squares of displacement and velocity, seen from the base
-    a_rms        -- of the absolute acceleration of the mass; of the transmitted force where a force is what excites
-    stiffness, damping -- k and c of the linear oscillator u'' + c u' + k u = w that misses (3) least in the mean square
+    u_rms, v_rms -- root mean squares of displacement and velocity relative to the base; all numbers are dimensionless
+    a_rms        -- of the absolute acceleration of the mass; if a force excites, of the transmitted force
+    stiffness, damping -- k and c of the linear oscillator u'' + c u' + k u = w with the least mean square error in (3)
     Omega_e, ratio_e -- its natural frequency and its damping ratio
-    beyond        -- share of the time in which |u| is beyond the first breakpoint, NaN where there is none
-    crossing_rate -- how often in a unit of tau |u| passes it (Rice)
-    dry           -- share of dry friction in the damping: how far the answer may be trusted
-    message       -- what to bear in mind
+    beyond        -- fraction of the time in which |u| is beyond the first breakpoint, NaN if there is none
+    crossing_rate -- rate at which |u| crosses it, per unit of tau (Rice)
+    dry           -- fraction of the damping due to dry friction, on which the accuracy depends
+    message       -- diagnostics as text
 
-    That there are no others is proved: see `native/exact/linearized.h`.
+    It is proved that there are no others: see `native/exact/linearized.h`.
     """
 
     entry: ClassVar[Any] = Stationary
@@ -67,23 +67,23 @@ class RandomResponse(Drawn, Table):
 
     @property
     def window(self) -> tuple[float, float]:
-        """Frequencies between which there is something to see of the spectrum."""
+        """Range of frequencies for plots of the spectrum."""
         near = float(self.Omega_e.min()) / SHOWN, float(self.Omega_e.max()) * SHOWN
         of = self.excitation
         return (max(near[0], of.Omega[0]), min(near[1], of.Omega[-1])) if isinstance(of, Tabulated) else near
 
     def response_psd(self, Omega: Any) -> Floats:
-        """One-sided spectral density of u at frequencies, (motions, n): that of the linear oscillators."""
+        """One-sided spectral density of u at frequencies, for the linear oscillators, shape (motions, n)."""
         at = validate.positive_array("Omega", Omega)
         Z, _, _ = linearization.response(at, self.stiffness[:, np.newaxis], self.damping[:, np.newaxis])
         return np.asarray(self.excitation.density(at) / Z)
 
     @property
     def by_energy(self) -> ByEnergy:
-        """Averages over cycles, with a damping that depends on the energy: nearer to (3) than linearization, see there.
+        """Stochastic averaging of the energy, which is more accurate than linearization; see `ByEnergy`.
 
-        Raises ValueError where the excitation is no white noise; ArithmeticError where the spring pushes away from the
-        centre, as of two wells, or gives way.
+        Raises ValueError if the excitation is not white noise; ArithmeticError if the spring pushes away from the
+        centre anywhere, as in a double well.
         """
         if not isinstance(self.excitation, White):
             raise Refused(NO_CYCLES)
@@ -92,9 +92,9 @@ class RandomResponse(Drawn, Table):
         return ByEnergy(math.sqrt(u), math.sqrt(v), math.sqrt(a), fraction, fourth / u**2)
 
     def largest(self, duration: float) -> Floats:
-        """The mean of the largest |u| within a duration, (motions,).
+        """Mean of the largest |u| within a duration, shape (motions,).
 
-        Passages of levels are as rare and as independent of each other as those of Poisson's process.
+        Level crossings are treated as a Poisson process.
         """
         tau = validate.number("duration", duration, above=0.0)
         passes = linearization.crossings(0.0, self.u_rms, self.v_rms) * tau
@@ -103,24 +103,25 @@ class RandomResponse(Drawn, Table):
         return np.asarray(self.u_rms * np.trapezoid(survives, dx=width, axis=1))
 
     def gradient(self) -> Gradient:
-        """How u_rms, v_rms and a_rms of each motion move with the design, mu, zeta, c_2 and S_0, exactly.
+        """Differentiate u_rms, v_rms and a_rms of each motion with respect to the design, mu, zeta, c_2 and S_0.
 
-        c_2 where there is some, S_0 of white noise. Where two equivalent oscillators meet there is no gradient, and
-        `.status` and `.message` say so. Raises ValueError where it is not known how the force moves with the design.
+        The derivatives are exact; those with respect to c_2 if it is not 0, to S_0 for white noise. Where two
+        equivalent oscillators merge there is no gradient; `.status` and `.message` say so. Raises ValueError if the
+        derivatives of the force with respect to the design are not known.
         """
         return gradient(self, self.system, self._equation)
 
     def measure(
         self, force: str | None = None, *, samples: int = 1_000_000, records: int = 16, seed: int = 0
     ) -> MeasuredRandom:
-        """The same of the equation of motion (3) itself, followed under records of the excitation, with intervals.
+        """Simulate the equation of motion (3) under records of the excitation; averages with confidence intervals.
 
         force   -- "truncated" for (6), "untruncated" for (5); by default the one that is averaged
-        samples -- of all records together
-        records -- how many records, whose averages make up the intervals
+        samples -- total number of samples
+        records -- number of records, whose averages give the intervals
         seed    -- of the random numbers
 
-        Raises ArithmeticError where the motion escapes.
+        Raises ArithmeticError if the motion escapes.
         """
         system = self.system if force is None else self._equation.equation_of_motion(force)
         linear = self.excitation, self.stiffness, self.damping
@@ -129,12 +130,12 @@ class RandomResponse(Drawn, Table):
 
 @dataclass(frozen=True, eq=False)
 class ByEnergy(Single):
-    """Stationary motion under white noise by averages over cycles; dimensionless.
+    """Stationary motion under white noise by stochastic averaging of the energy; dimensionless.
 
-    Without dry friction and quadratic damping that is the solution of the Fokker-Planck equation: exact.
+    Without dry friction and quadratic damping it is the exact solution of the Fokker-Planck equation.
 
-    u_rms, v_rms, a_rms -- as of `RandomResponse`
-    beyond   -- share of the time beyond the first breakpoint, NaN where there is none
+    u_rms, v_rms, a_rms -- as in `RandomResponse`
+    beyond   -- fraction of the time beyond the first breakpoint, NaN if there is none
     kurtosis -- of u: 3 of a Gaussian motion
     """
 
@@ -149,11 +150,11 @@ class ByEnergy(Single):
 class MeasuredRandom(Single):
     """Averages over records of the motion; dimensionless.
 
-    u_rms, v_rms, a_rms -- as of `RandomResponse`
-    u_margin, v_margin, a_margin -- half the confidence interval of each, 95 %
-    beyond   -- share of the time beyond the first breakpoint, NaN where there is none
-    kurtosis -- of u: 3 of a Gaussian motion
-    duration -- of all records together
+    u_rms, v_rms, a_rms -- as in `RandomResponse`
+    u_margin, v_margin, a_margin -- half widths of their 95 % confidence intervals
+    beyond   -- fraction of the time beyond the first breakpoint, NaN if there is none
+    kurtosis -- of u: 3 for a Gaussian motion
+    duration -- total duration of the records
     """
 
     u_rms: float

@@ -1,4 +1,4 @@
-"""The second approximation: an averaged oscillator's questions with what the higher harmonics change."""
+"""The second approximation: the questions about an averaged oscillator, with higher harmonics."""
 
 from slowflow.second.questions import SecondApproximation
 

@@ -1,4 +1,4 @@
-"""What the second approximation answers with: as averaging, and the first harmonic's amplitude A_1 beside A."""
+"""Answers of the second approximation: those of averaging, with the amplitude A_1 of the first harmonic."""
 
 from __future__ import annotations
 
@@ -35,10 +35,10 @@ NOT_OF_SECOND = {
 
 
 class SecondTable(Table):
-    """What answers of the second approximation share: why some of what averaging's have is not there."""
+    """Common part of answers of the second approximation: reasons for attributes that only averaged answers have."""
 
     def __getattr__(self, name: str) -> Any:
-        """Raises AttributeError, with the reason where averaging's answers have what is asked for."""
+        """Raise AttributeError, with the reason if averaged answers have the attribute."""
         why = f": {NOT_OF_SECOND[name]}" if name in NOT_OF_SECOND else ""
         raise AttributeError(f"an answer of the second approximation has no {name}{why}")
 
@@ -50,8 +50,8 @@ class SecondStates(InDecibels, SecondTable):
     Omega, A -- frequency, and largest displacement; A = 0 where friction holds the mass at rest
     A_1, phi -- amplitude of the first harmonic, and its phase in radians, in [-pi, 0]
     stable   -- True where the steady state is stable
-    message  -- remarks in words; empty if there is nothing to say
-    F_0      -- the forcing, one number; an array with that of each state where several were asked for
+    message  -- diagnostics as text; empty if there are none
+    F_0      -- the forcing, a number; an array with the forcing of each state if there were several
     force    -- amplitude of the force on the mass in each state
     """
 
@@ -72,19 +72,19 @@ class SecondStates(InDecibels, SecondTable):
 
     @property
     def transmissibility(self) -> Floats:
-        """Fundamental harmonic of what spring, damper and friction pass on, over `.force`: the force less inertia."""
+        """First harmonic of the force of spring, damper and friction over `.force`."""
         with np.errstate(divide="ignore", invalid="ignore"):  # of a mass at rest on a base that hardly shakes
             passed = motion.transmissibility(self.Omega, self.A_1, self.force, self.phi)
         return frozen(in_motion(self.A, passed))
 
     def transmitted(self, of: str = "force") -> Transmitted:
-        """What the whole wave passes on over what drives it: first harmonic, largest value, root mean square.
+        """Transmissibility of the waveform: first harmonic, peak, root mean square.
 
-        of -- "force", "relative" or "absolute", as of exact motions, see `slowflow.exact.SteadyState.transmitted`
+        of -- "force", "relative" or "absolute", as for exact motions, see `slowflow.exact.SteadyState.transmitted`
 
-        The motion has harmonics 3 and 5 of the spring and all of friction's; `first` is `transmissibility`, or A_1 over
-        F_0. Some 0.1 ms for each state. Raises ValueError for another `of`, and for "absolute" where the base stands
-        still.
+        The motion has harmonics 3 and 5 of the spring and all harmonics of friction; `first` is `transmissibility`, or
+        A_1 over F_0. It takes about 0.1 ms per state. Raises ValueError for another `of`, and for "absolute" under a
+        force.
         """
         from slowflow.second.wave import Waves
 

@@ -1,9 +1,9 @@
 """Many designs in the second approximation. Takes arrays of designs; returns critical forcings, folds and peaks.
 
-The answers are those of `slowflow.averaged.batches`, with the largest displacement as A. A design has the status
-`Status.NONE` where the second approximation has no answer though averaging may have one, as where its harmonics are not
-small, and `Status.INVALID` also where the harmonics of its force are not derived. States
-and curves are answered one by one, some milliseconds each.
+The answers are those of `slowflow.averaged.batches`, with the largest displacement as A. `Status.NONE` marks designs
+without an answer in the second approximation, though averaging may have one, for example because the harmonics are not
+small; `Status.INVALID` also those for whose force the harmonics are not derived. States and curves are computed one by
+one, in some milliseconds each.
 """
 
 from __future__ import annotations
@@ -42,11 +42,11 @@ UNANSWERED = {
 
 
 class SecondBatch(Batch):
-    """An answer of the second approximation; of states and curves what they pass on is that of the whole motion."""
+    """An answer of the second approximation, with the transmissibility of the waveform for states and curves."""
 
     @cached_property
     def transmissibility(self) -> Floats:
-        """As of single `SecondStates`; NaN in an empty place. Computed when first asked for."""
+        """As in `SecondStates`; NaN for empty entries. Computed on first use."""
         self._has("transmissibility", *OF_STATES)
         with np.errstate(all="ignore"):  # empty places
             force = self._designs._flow.force(self._forcing, self._frequency)
@@ -54,7 +54,7 @@ class SecondBatch(Batch):
             return frozen(in_motion(self.A, passed))
 
     def transmitted(self, of: str = "force") -> Transmitted:
-        """As of single `SecondStates`, NaN in an empty place; some 0.1 ms for each state, one design after another."""
+        """As in `SecondStates`; NaN for empty entries. It takes about 0.1 ms per state, one design after another."""
         from slowflow.second.wave import Waves
 
         self._has("transmitted", *OF_STATES)
@@ -73,11 +73,11 @@ class SecondBatch(Batch):
 
 @dataclass(frozen=True)
 class SecondDesigns(ManyQuestions[SecondBatch]):
-    """The questions of many designs in the second approximation; `.second_approximation` of designs makes it.
+    """The questions about many designs in the second approximation, made by `.second_approximation` of designs.
 
-    `workers` as of the designs.
+    `workers` as for the designs.
 
-    first -- the designs, averaged
+    first -- the averaged designs
     """
 
     first: Designs

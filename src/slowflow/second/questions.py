@@ -1,8 +1,8 @@
-"""The second approximation. Takes an averaged oscillator; returns its answers with what the higher harmonics change.
+"""The second approximation. Takes an averaged oscillator; returns its answers with higher harmonics.
 
-The first approximation is complete and certain; the second starts from it and follows its points by Newton's iteration
-on the generated balance of `slowflow_kernels.second_approximation`. It holds where the change is small. What does not
-survive is left out, and `message` says so.
+The first approximation is complete and proved; the second starts from its points and corrects them by Newton's
+iteration on the generated balance of `slowflow_kernels.second_approximation`. It is valid where the correction is
+small. Points that do not converge are left out, and `message` reports them.
 """
 
 from __future__ import annotations
@@ -87,16 +87,16 @@ UNANSWERED = {
 
 @dataclass(frozen=True)
 class SecondApproximation(Questions[SecondStates, SecondResponse, SecondFolds]):
-    """The questions of an oscillator in the second approximation; `.second_approximation` of an oscillator makes it.
+    """The questions about an oscillator in the second approximation, made by its `.second_approximation`.
 
     Answers have the largest displacement as A, and the amplitude of the first harmonic as A_1. Arguments and errors are
-    the oscillator's. Inside, as in the kernels, A is A_1 + a_3 + a_5: friction's harmonics take a little off it.
-    Raises ValueError where these harmonics are not derived.
+    those of the oscillator. Internally, as in the kernels, A is A_1 + a_3 + a_5; the harmonics of friction reduce it
+    slightly. Raises ValueError if these harmonics are not derived.
 
-    Averaging's curve is complete, and the branches of the second approximation are those that come of it where the
-    harmonics are small; what is lost on the way is told in words. Nothing here is proved beyond that.
+    The averaged curve is complete; the branches of the second approximation are those that follow from it where the
+    harmonics are small. Points that are lost are reported. Nothing else is proved.
 
-    first -- the oscillator, averaged
+    first -- the averaged oscillator
     """
 
     first: Averaged
@@ -111,14 +111,14 @@ class SecondApproximation(Questions[SecondStates, SecondResponse, SecondFolds]):
         raise validate.NotAvailable(f"certify is not available: {UNANSWERED['certify']}")
 
     def __getattr__(self, name: str) -> Any:
-        """Raises AttributeError, with the reason where averaging answers the question of that name."""
+        """Raise AttributeError, with the reason if averaging answers the question of that name."""
         why = f": {UNANSWERED[name]}" if name in UNANSWERED else ""
         raise AttributeError(f"the second approximation has no {name}{why}")
 
     def explain(self, question: str, F_0: float | None = None) -> Plan:
-        """What runs for a question: averaging's plan, and what is made of its answer; see `Averaged.explain`.
+        """List the steps of a question: those of averaging, then the corrections; see `Averaged.explain`.
 
-        Raises ValueError as that, and for a question that the second approximation does not answer.
+        Raises ValueError as that method, and for a question that the second approximation does not answer.
         """
         if question not in SECOND:
             why = f"; {question}: {UNANSWERED[question]}" if question in UNANSWERED else ""

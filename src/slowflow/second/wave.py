@@ -1,7 +1,7 @@
-"""The whole wave of a steady state in the second approximation. Takes states; returns what they pass on.
+"""Waveforms of steady states in the second approximation, and their transmissibility.
 
-The motion over half a cycle is the generated `wave`, with every harmonic of friction; what is passed on is spring,
-damper and friction of it, as of exact motions. Over the other half it is the same with the other sign.
+The motion over half a cycle is the generated `wave`, with all harmonics of friction; the transmitted force is that of
+spring, damper and friction, as for exact motions. In the other half cycle it has the opposite sign.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ class Waves:
     F_0: Floats
 
     def transmitted(self, of: str) -> Transmitted:
-        """First harmonic, largest value and root mean square of a wave over what drives it; `of` as in `OF`."""
+        """Transmissibility by first harmonic, peak and root mean square of the waveform; `of` as in `OF`."""
         moving = np.flatnonzero(self.u_max > 0)
         # a mass at rest passes on all that drives it
         size = 0.0 if of == "relative" else 1.0

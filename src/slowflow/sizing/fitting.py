@@ -1,7 +1,7 @@
 """A fit. Takes measured amplitudes, phases, jumps, decays or loops; returns numbers with confidence intervals.
 
-By SciPy's least squares on the averaged states; of several motions at a frequency the one nearest to the measured one
-counts.
+Least squares on the averaged states, by SciPy; of several motions at a frequency the one nearest to the measured value
+is used.
 """
 
 from __future__ import annotations
@@ -81,7 +81,7 @@ Fitted = entry("Fitted", "parameter unit value error low high", "A row of `Fit`.
 
 @dataclass(frozen=True, eq=False)
 class Numbers(Table):
-    """What fits have in common: numbers with their standard errors and intervals, one row each."""
+    """Common part of fits: numbers with their standard errors and intervals, one row each."""
 
     entry: ClassVar[Any] = Fitted
 
@@ -97,16 +97,16 @@ class Numbers(Table):
 class Fit(Numbers):
     """Parameters fitted to a measurement, one row each.
 
-    value     -- the fitted value, of a mount in SI units, named by `unit`
-    error     -- its standard error, of the linearized equations; low, high -- its 95 % confidence interval by the
-                 profile likelihood, with 0 or inf where the points do not bound it
-    design    -- the oscillator or the mount that has these numbers
-    residuals -- measured less fitted amplitude, phase, jump frequency, displacement or force at each point, in their
-                 order; up first
+    value     -- the fitted value, for a mount in SI units, given by `unit`
+    error     -- its standard error, from the linearized equations; low, high -- its 95 % confidence interval by the
+                 profile likelihood, with 0 or inf where the data do not bound it
+    design    -- the oscillator or mount with the fitted values
+    residuals -- measured minus fitted amplitude, phase, jump frequency, displacement or force at each point, in order;
+                 upward jumps first
     at        -- the frequency, the forcing, the time or the displacement of each point; names -- of `at` and
-                 `residuals`, with their units
-    deviation -- standard deviation of the residuals, with as many degrees of freedom as points less numbers
-    correlation -- of the numbers, shape (n, n)
+            `residuals`, with units
+    deviation -- standard deviation of the residuals, with (points - parameters) degrees of freedom
+    correlation -- correlation matrix of the parameters, shape (n, n)
     """
 
     design: Any = field(repr=False)
@@ -118,9 +118,9 @@ class Fit(Numbers):
     message: str
 
     def plot(self, ax: Any = None) -> Any:
-        """Draw the residuals into Matplotlib axes, or new ones, and return these; of a mount in mm, N, Hz.
+        """Plot the residuals, for a mount in mm, N, Hz; return the Matplotlib axes, new ones by default.
 
-        The band of two deviations is tinted.
+        The band of two standard deviations is shaded.
         """
         from slowflow import pictures
 
@@ -149,53 +149,53 @@ def fit(
 ) -> Fit:
     """Fit parameters of an oscillator to measured amplitudes, phases, jumps, a backbone, a free decay or a loop.
 
-    By least squares of residuals, of several data sets over their standard deviations.
+    The residuals are minimized by least squares; those of several data sets are weighted by their standard deviations.
 
-    Noise is taken to be normal and the same at all points; noise in proportion to the amplitude leaves intervals that
-    are too narrow. They know of noise alone, not that averaging is an approximation, which may move a number by a
-    percent. They are those of the profile likelihood, with Student's t: of 100 fits each of one to four numbers
-    91 to 96 % held the number, on curves that jump 88 to 97 %, see docs/howto/fit.md. With other laws of
-    damping they are those of the equations made linear. A number that the points do not bound has an
-    interval that ends at 0 or inf, and the message names it. It also says where a search from the given start ends in a
-    minimum that is not the lowest found; six starts are tried, which does not prove that there is no lower one, and of
-    a free decay the given one alone.
+    Noise is assumed to be normal and equal at all points; with noise in proportion to the amplitude the intervals are
+    too narrow. The intervals account for noise alone, not for the error of averaging, which may shift a parameter by a
+    percent. They use the profile likelihood with Student's t: in 100 fits of one to four parameters, 91 to 96 % of the
+    intervals contained the true value, on curves that jump 88 to 97 %, see docs/howto/fit.md. For other damping laws
+    they are linearized. A parameter that the data do not bound has an interval that ends at 0 or inf, and the message
+    names it. Six starting points are tried (for a free decay only the given one), which does not prove that there is no
+    lower minimum; the message reports if the given start leads to a higher one.
 
     Parameters
     ----------
     of : Oscillator or Physical
-        Where the search begins, and what is not free; a mount in SI units.
+        The starting point, and the values of the parameters that are not free; a mount in SI units.
     *sets : mapping
-        Several data sets together: of each the arguments below by name, and `deviation`, its standard deviation. These
-        weight the sets: of the fit, deviation is then about 1, and far from it where one of them is wrong.
+        Several data sets together: for each the arguments below by name, and `deviation`, its standard deviation, which
+        weights the set. The deviation of the fit is then about 1, unless one of these is wrong.
     A : array_like, optional
-        Measured amplitudes, in m of a mount.
+        Measured amplitudes, for a mount in m.
     phi : array_like, optional
-        Instead of A: phases of the first harmonic, in radians, as of `amplitudes`: -pi/2 is a lag of a quarter cycle.
-        Whole cycles make no difference.
+        Instead of A: phases of the first harmonic, in radians, as in `amplitudes`: -pi/2 is a lag of a quarter cycle.
+        Multiples of 2 pi do not matter.
     jump_up, jump_down : array_like, optional
-        Instead of A: the frequency of the jump at each forcing, in Hz of a mount; one or both, NaN where none was seen.
+        Instead of A: the frequency of the jump at each forcing, for a mount in Hz; one or both, NaN where none was
+        observed.
     backbone : array_like, optional
-        With A and no forcing: frequencies of free vibration at these amplitudes, or of resonance, in Hz of a mount.
+        With A and no forcing: frequencies of free vibration at these amplitudes, or of resonance, for a mount in Hz.
     x, t : array_like, optional
-        A free decay: displacements in m of a mount and their times in s, released from rest at the first sample; it
-        is integrated by the equation of motion, from a displacement x_0 that is found too, and its intervals are those
-        of the equations made linear. The start must have the frequency to within a fraction of a cycle. With F: the
+        A free decay: displacements (for a mount in m) and their times (in s), released from rest at the first sample.
+        The equation of motion is integrated from an initial displacement x_0 that is fitted too; the intervals are
+        linearized. Over the record, the starting point must stay within a fraction of a cycle of the data. With F: the
         forces in N of a force-displacement loop, whose viscous part needs the times; its mean force is left out.
     free : sequence of str, optional
-        Names of the parameters to fit; by default friction, damping and the springs' numbers.
+        Names of the parameters to fit; by default friction, damping and stiffnesses.
     **at : Measured
-        Forcings by their letter, F, Y, a or U of a mount as in `Physical`, F_0 of an oscillator, and frequencies, f in
-        Hz or Omega; they broadcast with A or phi.
+        Forcings by name, F, Y, a or U for a mount as in `Physical`, F_0 for an oscillator, and frequencies, f in Hz or
+        Omega; they broadcast with A or phi.
 
     Returns
     -------
     Fit
-        .value .error .low .high, one entry a parameter; .design has the fitted values.
+        .value .error .low .high, one entry per parameter; .design has the fitted values.
 
     Raises
     ------
     ValueError, ArithmeticError
-        For what is not allowed, as fewer points than free parameters; where the points do not determine these.
+        For invalid arguments, such as fewer points than free parameters; if the data do not determine the parameters.
     """
     own = {"A": A, "phi": phi, "jump_up": jump_up, "jump_down": jump_down, "backbone": backbone, "x": x, "t": t, **at}
     if not sets:

@@ -1,8 +1,8 @@
 """A measured force-displacement loop. Takes displacement and force; returns spring and friction with intervals.
 
-The force is linear in what is sought: F = F_mean + k_1 x + k_3 x^3 + friction sign(v) + c v. Spring and friction are
-the mean of the two branches and half of the height between them; one least squares finds all, where the motion does not
-turn.
+The force is linear in the unknowns: F = F_mean + k_1 x + k_3 x^3 + friction sign(v) + c v. The spring is the mean of
+the two branches, friction half of the distance between them; a least-squares fit finds all, without the samples at
+which the motion reverses.
 """
 
 from __future__ import annotations
@@ -31,11 +31,11 @@ SYSTEMATIC = (
 
 @dataclass(frozen=True, eq=False)
 class Loop(Numbers):
-    """What a force-displacement loop says, one row each; values in SI units.
+    """Parameters identified from a force-displacement loop, one row each; values in SI units.
 
-    error     -- standard errors; low, high -- 95 % confidence intervals, of normal noise in the force
+    error     -- standard errors; low, high -- 95 % confidence intervals, for normal noise in the force
     F_mean    -- force at x = 0 between the branches, in N
-    x, F      -- the loop; fitted -- the force on it, NaN where the motion turns
+    x, F      -- the loop; fitted -- the fitted force, NaN where the motion reverses
     deviation -- standard deviation of the residuals, in N
     """
 
@@ -54,18 +54,18 @@ class Loop(Numbers):
         m : float
             The mass in kg.
         **more : Any
-            Other arguments of `Duffing.physical`, as zeta, or in place of what was found.
+            Other arguments of `Duffing.physical`, such as zeta, or replacements of identified ones.
 
         Returns
         -------
         Physical
-            What answers all questions in SI units.
+            The mount, in SI units.
         """
         found = dict(zip(self.parameter.tolist(), self.value.tolist(), strict=True))
         return Duffing.physical(m=m, **{**found, **more})
 
     def plot(self, ax: Any = None) -> Any:
-        """Draw the loop and what was fitted, in N and mm.
+        """Plot the loop and the fit, in N and mm.
 
         Parameters
         ----------
@@ -75,7 +75,7 @@ class Loop(Numbers):
         Returns
         -------
         matplotlib.axes.Axes
-            The axes drawn into.
+            The axes.
         """
         from slowflow import pictures
 
@@ -86,28 +86,28 @@ class Loop(Numbers):
 def from_loop(x: Any, F: Any, *, t: Any = None) -> Loop:
     """Identify spring and friction of a measured force-displacement loop, by linear least squares.
 
-    Intervals know of normal noise in the force alone. Samples where the motion turns are left out. At one frequency
-    structural damping looks like viscous damping: its loss factor is then 2 pi f c/k_1.
+    Intervals account for normal noise in the force alone. Samples at which the motion reverses are left out. At one
+    frequency structural damping is equivalent to viscous damping: its loss factor is then 2 pi f c/k_1.
 
     Parameters
     ----------
     x : array_like
-        Displacement from the place of rest, in m, shape (n,): sample by sample as measured, over one cycle or several.
+        Displacement from the equilibrium, in m, shape (n,): sample by sample as measured, over one cycle or several.
     F : array_like
         Force in N, shape (n,).
     t : array_like, optional
-        Times of the samples in s, rising: the viscous damping c is found too.
+        Times of the samples in s, ascending; the viscous damping c is then identified too.
 
     Returns
     -------
     Loop
-        .value .error .low .high of k_1, k_3, friction and c, in SI units; `.oscillator(m=...)` has these numbers.
+        .value .error .low .high of k_1, k_3, friction and c, in SI units; `.oscillator(m=...)` makes an oscillator with
+        these.
 
     Raises
     ------
     ValueError, ArithmeticError
-        For what is not allowed, and for a loop that is run through the other way; where it does not determine the
-        numbers.
+        For invalid arguments, and for a loop with the wrong direction; if it does not determine the parameters.
     """
     x, F = (validate.finite_array(name, si(name, value, unit)) for name, value, unit in (("x", x, "m"), ("F", F, "N")))
     rows = {"x": x, "F": F}

@@ -1,8 +1,8 @@
-"""Inverse design. Takes a design, free numbers and what is required; returns the nearest design that has it.
+"""Inverse design. Takes a design, free parameters and requirements; returns the nearest design that meets them.
 
-Where two answers pull apart: the designs of which none is better in one without being worse in the other. By SciPy's
-differential evolution over the batch questions, from a seed: each generation is one batch. The nearest design that it
-finds is finished by sequential quadratic programming, whose slopes are differences.
+For conflicting answers: the Pareto front. The search is SciPy's differential evolution over the batch questions, from a
+seed:
+each generation is one batch. The nearest design is refined by sequential quadratic programming with finite differences.
 """
 
 from __future__ import annotations
@@ -44,14 +44,14 @@ BACK = 1e-3
 
 @dataclass(frozen=True, eq=False)
 class Met(Answer):
-    """The design that meets requirements and is nearest to the one that was given, or comes nearest to meeting them.
+    """The design that meets the requirements and is nearest to the nominal one, or that violates them least.
 
     design   -- an `Isolator`, or a mount
     feasible -- whether it meets them
-    numbers  -- the free numbers, by name
-    reached  -- the required answers, by name, in SI units of a mount, printed in N, mm, Hz
-    units    -- of both, by name, where they have one
-    binding  -- of an infeasible design the requirement that it violates most, in words; "" of others
+    numbers  -- the free parameters, by name
+    reached  -- the required answers, by name, for a mount in SI units, printed in N, mm, Hz
+    units    -- of both, by name, if they have one
+    binding  -- for an infeasible design the requirement with the largest violation, as text; otherwise ""
     """
 
     design: Any = field(repr=False)
@@ -73,7 +73,7 @@ class Met(Answer):
         return replace(self, reached=reached, units={**self.units, **units})
 
     def columns(self) -> dict[str, Any]:
-        """Whether they are met, the free numbers and the required answers under their names, and the message."""
+        """Whether they are met, the free parameters and the required answers by name, and the message."""
         found = {"feasible": self.feasible, **self.numbers, **self.reached}
         return {name: np.array([value]) for name, value in (found | {"message": self.message}).items()}
 
@@ -87,12 +87,12 @@ Compromise = entry("Compromise", "one other", "A row of `Front`: the two answers
 
 @dataclass(frozen=True, eq=False)
 class Front(Table):
-    """Designs of which none is better in one answer without being worse in the other, by rising `one`.
+    """Pareto-optimal designs for two answers, in ascending order of `one`.
 
-    one, other -- the two answers, in SI units of a mount, printed in N, mm, Hz
-    answers    -- their names; units -- theirs, "" without dimensions
-    numbers    -- the free numbers of each design, by name, as on the data sheet
-    message    -- which requirement cannot be met where there is none; that nothing is traded off where there is one
+    one, other -- the two answers, for a mount in SI units, printed in N, mm, Hz
+    answers    -- their names; units -- their units, "" if dimensionless
+    numbers    -- the free parameters of each design, by name, as on the data sheet
+    message    -- the requirement that cannot be met if there is no design; that there is no trade-off if there is one
     """
 
     entry: ClassVar[Any] = Compromise
@@ -114,20 +114,20 @@ class Front(Table):
         return replace(self, one=frozen(self.one / size), other=frozen(self.other / other), units=(shown, other_unit))
 
     def design(self, k: int) -> Any:
-        """Make the oscillator or the mount of row k."""
+        """Make the oscillator or mount of row k."""
         return self._of.replace(**{name: float(values[k]) for name, values in self.numbers.items()})
 
     def columns(self) -> dict[str, Any]:
-        """The two answers under their names, and the free numbers."""
+        """The two answers by name, and the free parameters."""
         return {self.answers[0]: self.one, self.answers[1]: self.other, **self.numbers}
 
     def units_of_columns(self) -> Mapping[str, str]:
-        """Of the answers, and of the numbers of a data sheet, where they have one."""
+        """Units of the answers and of the parameters, if they have one."""
         known = {**dict(zip(self.answers, self.units, strict=True)), **_sheet(self._of, self.numbers)}
         return {name: unit for name, unit in known.items() if unit}
 
     def plot(self, ax: Any = None) -> Any:
-        """Draw one answer over the other into Matplotlib axes, or new ones, and return these."""
+        """Plot one answer over the other; return the Matplotlib axes, new ones by default."""
         from slowflow import pictures
 
         shown = self.in_units()
@@ -364,23 +364,23 @@ def meet(
 ) -> Met:
     """Find the design nearest to `of` that meets requirements.
 
-    An answer that a design does not have meets nothing; F_SN and F_cr are infinite where there is no such forcing.
+    A missing answer violates its requirement; F_SN and F_cr are infinite if there is no such forcing.
 
     Parameters
     ----------
     of : Oscillator or Physical
         The nominal design; a mount in SI units.
     free : mapping
-        By name, the lowest and the highest value of each parameter that may change; distances are fractions of that.
+        By name, the lowest and the highest value of each free parameter; distances are fractions of this range.
     at_least, at_most : mapping, optional
-        By name of an answer that `slowflow.sizing` lists, what it has to reach and not to exceed.
+        By name of an answer listed in `slowflow.sizing`, its lower or upper limit.
     margins : callable, optional
-        What else has to hold: a function of a design, which returns by name margins that have to be at least 1, each
-        positive. Its designs are tried one by one.
+        Further requirements: a function of a design that returns positive margins by name, which have to be at least 1.
+        Its designs are evaluated one by one.
     seed : int
-        Of the search.
+        Seed of the search.
     **at : LoadCase
-        As of `tolerances`.
+        As in `tolerances`.
 
     Returns
     -------
@@ -422,26 +422,26 @@ def front(
 ) -> Front:
     """Trace the Pareto front of two answers: no design is better in one without being worse in the other.
 
-    The best of one answer, then the best of the other at each of several levels of the first.
+    First the best value of one answer is computed, then the best of the other at several levels of the first.
 
     Parameters
     ----------
-    of, free : as of `meet`
+    of, free : as in `meet`
         The design and its free parameters.
     high, low : iterable of str
         Names of answers to maximise, and to minimise: two in all.
-    at_least, at_most : as of `meet`
-        Requirements; none is needed.
+    at_least, at_most : as in `meet`
+        Optional requirements.
     points : int
-        How many designs along the front.
-    seed, **at : as of `meet`
+        Number of designs along the front.
+    seed, **at : as in `meet`
         The random numbers and the load case.
 
     Returns
     -------
     Front
-        One row a design. Where one is the best in both it is the only row, and where none meets the requirements there
-        is none; .message says so.
+        One row per design. A design that is best in both answers is the only row; if none meets the requirements there
+        is no row. `.message` reports both cases.
 
     Raises
     ------

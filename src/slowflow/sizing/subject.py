@@ -1,6 +1,6 @@
-"""What is sized. Takes an oscillator or a mount and values of its numbers; returns the answers of all these designs.
+"""Subject of sizing. Takes an oscillator or mount and parameter values; returns the answers of all these designs.
 
-A number of a mount is varied in its own terms, and may change what the answers are measured in, as m or k_v do.
+Parameters of a mount are varied in SI units; some, such as m or k_v, change the scales of the answers.
 """
 
 from __future__ import annotations
@@ -64,7 +64,7 @@ LAWS, STATIC = tuple(one.name for one in DISSIPATION), "static_friction"
 
 
 class Measured(TypedDict, total=False):
-    """Where something is measured: the amplitude of the excitation by its letter, or F_0; the frequency."""
+    """Conditions of a measurement: the amplitude of the excitation by name, or F_0; the frequency."""
 
     F: Any
     Y: Any
@@ -76,7 +76,7 @@ class Measured(TypedDict, total=False):
 
 
 class LoadCase(Measured, total=False):
-    """What a design has to bear; the shock and the load spectrum are pairs."""
+    """A load case; the shock and the load spectrum are pairs."""
 
     shock: tuple[Any, Any] | None
     spectrum: tuple[Any, Any] | None
@@ -84,7 +84,7 @@ class LoadCase(Measured, total=False):
 
 @dataclass(frozen=True)
 class Load:
-    """What a design has to bear, None where that is not given; in SI units of a mount.
+    """A load case, None for what is not specified; for a mount in SI units.
 
     forcing -- amplitude of the excitation
     frequency -- of the excitation

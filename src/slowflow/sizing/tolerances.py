@@ -1,4 +1,4 @@
-"""Tolerances. Takes a design and how far its numbers may be off; returns bands of its answers, and which matters.
+"""Tolerances. Takes a design and tolerances of its parameters; returns bands of its answers, and sensitivity indices.
 
 Samples are drawn by Latin hypercubes from a seed, the same on every machine; Sobol' indices are SALib's, an optional
 package: `pip install 'slowflow[sizing]'`.
@@ -39,11 +39,11 @@ class Tolerances(Table):
     """Bands of answers over a tolerance.
 
     answer, unit -- what it is
-    nominal      -- of the design as it is
-    low, median, high -- 2.5, 50 and 97.5 of 100 samples lie below; of samples that have the answer
-    share        -- of samples that have the answer
-    samples      -- the answers of each, by name
-    drawn        -- the numbers of each, by name
+    nominal      -- value for the nominal design
+    low, median, high -- 2.5, 50 and 97.5 % quantiles of the samples that have the answer
+    share        -- fraction of samples that have the answer
+    samples      -- the answers of all samples, by name
+    drawn        -- the parameters of all samples, by name
     """
 
     entry: ClassVar[Any] = Tolerance
@@ -74,9 +74,9 @@ Index = entry("Index", "answer parameter first first_error total total_error", "
 
 @dataclass(frozen=True, eq=False)
 class Sobol(Table):
-    """How much of an answer's variance is a parameter's doing; NaN where some samples have no answer.
+    """Sobol' indices: the fraction of an answer's variance due to a parameter; NaN if some samples have no answer.
 
-    first, total -- by itself, and with all that it does together with others
+    first, total -- by itself, and including interactions with others
     first_error, total_error -- half width of their 95 % intervals
     """
 
@@ -145,21 +145,21 @@ def tolerances(
         By name of a parameter: 0.05 for any value within 5 % of the nominal one, or a distribution of the value itself,
         anything with SciPy's `ppf`.
     answers : iterable of str, optional
-        Which of those that `slowflow.sizing` lists; by default all that the load case allows.
+        Names listed in `slowflow.sizing`; by default all that the load case allows.
     samples : int, optional
-        How many designs; by default 10,000. Under a static load and with other laws of damping each takes up to tenths
-        of a second: there 100, and the ends of bands are accordingly rough.
+        Number of designs; by default 10,000. Under a static load and with other damping laws each takes up to tenths of
+        a second: the default is then 100, and the ends of the bands are less accurate.
     seed : int
-        Of the random numbers.
+        Seed of the random numbers.
     **at : LoadCase
-        Forcing by its letter, F, Y, a or U of a mount as in `Physical`, or F_0; frequency f in Hz or Omega;
-        `shock`, peak and duration of a half sine of the base, in m/s^2 and s of a mount; `spectrum`, (f, F) or
-        (Omega, F_0), as many numbers of each.
+        Forcing by name, F, Y, a or U for a mount as in `Physical`, or F_0; frequency f in Hz or Omega; `shock`, peak
+        and duration of a half sine of the base, for a mount in m/s^2 and s; `spectrum`, (f, F) or (Omega, F_0), two
+        rows of equal length.
 
     Returns
     -------
     Tolerances
-        .nominal .low .median .high .share, one entry an answer; of a mount in SI units.
+        .nominal .low .median .high .share, one entry per answer; for a mount in SI units.
 
     Raises
     ------
@@ -202,11 +202,11 @@ def sobol(
 
     Parameters
     ----------
-    of, within, answers : as of `tolerances`
+    of, within, answers : as in `tolerances`
         The design, its tolerances and the answers.
     samples : int, optional
         A power of two; by default 1024, under a static load 32.
-    seed, **at : as of `tolerances`
+    seed, **at : as in `tolerances`
         The random numbers and the load case.
 
     Returns

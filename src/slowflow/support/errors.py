@@ -1,15 +1,15 @@
-"""The errors that slowflow raises on purpose: one base class, each also the built-in error that callers know.
+"""The exceptions of slowflow: one base class; each is also the corresponding built-in exception.
 
-Anything else that leaves the package is a defect.
+Any other exception from the package is a bug.
 """
 
 
 class SlowflowError(Exception):
-    """Base class of every error that slowflow raises on purpose; its message says what, where, and what is allowed."""
+    """Base class of all deliberate exceptions; the message states what is wrong, where, and what is allowed."""
 
 
 class Refused(SlowflowError, ValueError):
-    """An argument outside its domain, or a question that has no answer here."""
+    """An argument outside its domain, or a question that is not available here."""
 
 
 class WrongType(SlowflowError, TypeError):
@@ -17,16 +17,16 @@ class WrongType(SlowflowError, TypeError):
 
 
 class NotSettled(SlowflowError, ArithmeticError):
-    """The computation did not reach an answer that can be trusted."""
+    """The computation did not reach a reliable result."""
 
 
 class OutOfRange(NotSettled, OverflowError):
-    """Numbers leave the range of doubles, or an amplitude has no bound."""
+    """Numbers exceed the range of double precision, or an amplitude is unbounded."""
 
 
 class BuildFailed(SlowflowError, RuntimeError):
-    """Compiled code that was requested cannot be had: the message holds what the compiler printed."""
+    """Requested compilation failed; the message contains the compiler's output."""
 
 
 class SceneError(Refused):
-    """A scene that cannot be run: which file, line, key and value, and what is allowed."""
+    """An invalid input file: file, line, key and value, and what is allowed."""
