@@ -8,6 +8,7 @@ The search and its proof are native/boxes.h's; equations are evaluated for all b
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -23,19 +24,9 @@ MOST_BOXES, MOST_EACH = 150_000, 4_000
 TOO_MANY = "the states are unresolved: too many boxes stay undecided"
 
 
-class Equations:
-    """As many equations as unknowns; `of` tells which of several systems each box or point belongs to."""
-
-    def limits(self, of: Ints) -> tuple[Any, Any]:
-        """Lower and upper ends of all that there is, which broadcast to (d, n): no box is made larger beyond."""
-        raise NotImplementedError
-
-    def on(self, low: Floats, high: Floats, of: Ints) -> Floats:
-        """Rows (n, 36) as `sf_values` of native/boxes.h: values in the middle of boxes, and on them, slopes, ends.
-
-        By their lower and upper ends, of three unknowns each; the last are those between which solutions are.
-        """
-        raise NotImplementedError
+#: values in the middle of boxes, then values on them, slopes and between which ends solutions are: rows (n, 36), as
+#: `sf_values` of native/boxes.h, from lower and upper ends (d, n) and from which of several systems each box belongs to
+OnBoxes = Callable[[Floats, Floats, Ints], Floats]
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,12 +42,17 @@ class Solutions:
     undecided_of: Ints
 
 
-def solve(equations: Equations, low: Floats, high: Floats, of: Ints) -> Solutions:
-    """All solutions in the boxes from low to high, shape (d, n). Raises ArithmeticError where too many stay open."""
-    least, most = (np.broadcast_to(ends, low.shape) for ends in equations.limits(of))
+def solve(on: OnBoxes, low: Floats, high: Floats, of: Ints, limits: tuple[Any, Any] = (-np.inf, np.inf)) -> Solutions:
+    """All solutions of as many equations as unknowns in the boxes from low to high, shape (d, n).
+
+    limits -- lower and upper ends of all that there is, which broadcast to (d, n): no box is made larger beyond
+
+    Raises ArithmeticError where too many stay open.
+    """
+    least, most = (np.broadcast_to(ends, low.shape) for ends in limits)
     count = max(MOST_BOXES, MOST_EACH * np.unique(of).size)
     with np.errstate(all="ignore"):
-        found = SOLVER.solve_boxes(equations.on, low, high, least, most, of, count)
+        found = SOLVER.solve_boxes(on, low, high, least, most, of, count)
     if found is None:
         raise NotSettled(TOO_MANY)
     return Solutions(*found)

@@ -14,7 +14,7 @@ import numpy as np
 from slowflow.mechanism import Ints
 from slowflow.model import Floats
 from slowflow.off_centre.boxes import Solutions, solve
-from slowflow.off_centre.by_turning_points import ON, EndedEdge, EndedFold, EndedState
+from slowflow.off_centre.by_turning_points import ON, ByMotion, Equations, folds, on_edges, refined, solve_edges, states
 from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import Steps
 from slowflow.off_centre.onset import Lowest, Search
@@ -35,6 +35,8 @@ SUBDIVISIONS = 8
 TOGETHER = 64
 #: the amplitude of an onset beside the size of the problem below which folds tend to rest, as next to a preload
 TENDED = 2.0**-64
+#: x or y next to an edge of its chart
+NEAR = 2.0**-8
 #: |B| up to which a motion without a load is about the centre, where all others are told from it by more
 AT_CENTRE = 1e-12
 #: no bound of B, and so none of what is to be looked at
@@ -70,7 +72,7 @@ class Complete:
     def folds(self, F_0: Floats) -> Solutions:
         """All folds at some forcings but those on corners, by A, B and R."""
         boxes = self.sheets.folds(max(map(self.A_max, F_0.tolist())), F_0, self._flow)
-        found = self._solved(EndedFold(self.sheets.charts, self._flow, F_0), *boxes)
+        found = self._solved(folds(self.sheets.charts, self._flow, F_0), *boxes)
         # the equations go on to negative squares of Omega, as if it were 0 there
         A, B, R = found.x
         moving = R + 2 * self._steps.at(A, B, 0).s[0] > 0
@@ -109,7 +111,7 @@ class Complete:
             ends = np.linspace(0.0, high, SUBDIVISIONS + 1)
             boxes.append((ends[:-1].ravel(), ends[1:].ravel(), np.tile(charts.system(edge, of), SUBDIVISIONS)))
         low, high, of = (np.concatenate(column) for column in zip(*boxes, strict=True))
-        solved = solve(EndedEdge(charts), low[np.newaxis], high[np.newaxis], of)
+        solved = solve_edges(charts, low, high, of)
         motions = np.stack(charts.on_edge(solved.x[0], solved.of))
         return motions[:, motions[0] > 0]
 
@@ -137,7 +139,7 @@ class Complete:
         low, high = distances[np.newaxis, :-1], distances[np.newaxis, 1:]
         with np.errstate(all="ignore"):
             number = np.repeat(self.sheets.charts.system(edge, charts), low.size)
-            f_0 = EndedEdge(self.sheets.charts).on(low, high, number)[:, ON]
+            f_0 = on_edges(self.sheets.charts, low, high, number)[:, ON]
         may = ~((f_0[:, 0] > 0) | (f_0[:, 1] < 0))
         if may[-1]:
             raise Refused(UNBOUNDED)
@@ -226,20 +228,24 @@ class Complete:
         most = max(self.A_max(F_0), float(bounds[np.isfinite(bounds)].max(initial=0.0)))
         most = min(most, self._grown)
         boxes = self.sheets.states(most, Omega, F_0, self._flow)
-        return self._solved(EndedState(self.sheets.charts, self._flow, Omega, F_0), *boxes)
+        return self._solved(states(self.sheets.charts, self._flow, Omega, F_0), *boxes)
 
-    def _solved(self, equations: EndedState | EndedFold, low: Floats, high: Floats, of: Ints) -> Solutions:
+    def _solved(self, equations: Equations, low: Floats, high: Floats, of: Ints) -> Solutions:
         """Solutions by A and B, and by the number of the frequency or forcing."""
-        found = solve(equations, low, high, of)
-        x, of = self._motions(equations, found.x, found.of, exact=True)
-        return Solutions(x, of, *self._motions(equations, found.undecided, found.undecided_of, exact=False))
+        (on, by_motion), charts = equations, self.sheets.charts
+        (_, chart), free = charts.of_system(of), np.full((len(low) - 2, of.size), np.inf)
+        limits = np.concatenate((charts.low[:, chart], -free)), np.concatenate((charts.high[:, chart], free))
+        found = solve(on, low, high, of, limits)
+        x, of = self._motions(found.x, found.of, by_motion)
+        return Solutions(x, of, *self._motions(found.undecided, found.undecided_of))
 
-    def _motions(self, equations: EndedState | EndedFold, x: Floats, of: Ints, *, exact: bool) -> tuple[Floats, Ints]:
-        """Points by A and B, and by the number of the frequency or forcing, in order."""
-        z = np.concatenate((np.stack(self.sheets.charts.motion(x[0], x[1], equations.chart(of))), x[2:]))
-        if exact and of.size:
-            z = equations.refined(z, x, of)
-        number = equations.number(of)
+    def _motions(self, x: Floats, of: Ints, by_motion: ByMotion | None = None) -> tuple[Floats, Ints]:
+        """Points by A and B, and by the number of the frequency or forcing, in order; to their last digits by that."""
+        charts, (number, chart) = self.sheets.charts, self.sheets.charts.of_system(of)
+        z = np.concatenate((np.stack(charts.motion(x[0], x[1], chart)), x[2:]))
+        if by_motion is not None and of.size:
+            # next to an edge x and y have more digits
+            z = refined(by_motion, z, number, (charts.rooted[:, chart] & (x[:2] < NEAR)).any(axis=0))
         if self.has_centre:
             # those about the centre have solvers of their own, and all others are there mirrored as well
             off = np.flatnonzero(z[1] > AT_CENTRE)

@@ -25,7 +25,7 @@ from slowflow.model import CENTRED, Floats, Loaded, Model, off_centre_by
 from slowflow.off_centre import answers
 from slowflow.off_centre.answers import RestPositions
 from slowflow.off_centre.boxes import Solutions, solve
-from slowflow.off_centre.by_turning_points import Resting
+from slowflow.off_centre.by_turning_points import at_rest
 from slowflow.off_centre.complete import AT_CENTRE, SUBDIVISIONS, Complete
 from slowflow.off_centre.curve import Curves, curves, newton
 from slowflow.off_centre.flow import Flow, Slow
@@ -186,8 +186,8 @@ class OffCentre(Unchanging, ComposedQuestions):
             (np.linspace(-bound, bound, SUBDIVISIONS + 1), self._steps.positions * self._steps.sides)
         )
         edges = np.unique(edges[(edges >= -bound) & (edges <= bound)])
-        resting = Resting(self._complete.sheets.charts)
-        found = solve(resting, edges[np.newaxis, :-1], edges[np.newaxis, 1:], np.zeros(edges.size - 1, int))
+        on = partial(at_rest, self._complete.sheets.charts)
+        found = solve(on, edges[np.newaxis, :-1], edges[np.newaxis, 1:], np.zeros(edges.size - 1, int))
         (u,) = found.x
         u = np.sort(u)
         stiffness = self._steps.at(np.zeros(u.size), u, 1).c[1]

@@ -19,8 +19,8 @@ from slowflow.backend import SOLVER
 from slowflow.intervals import Interval
 from slowflow.mechanism import Flags, Ints
 from slowflow.model import Floats
-from slowflow.off_centre.boxes import MOST_BOXES, TOO_MANY, solve
-from slowflow.off_centre.by_turning_points import EndedEdge
+from slowflow.off_centre.boxes import MOST_BOXES, TOO_MANY
+from slowflow.off_centre.by_turning_points import solve_edges
 from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import Steps
 from slowflow.off_centre.turning_points import Charts, above_diagonal
@@ -148,8 +148,8 @@ class Sheets:
         if octave not in self._corners:
             charts = self.charts
             edge, some = np.nonzero(charts.rooted[:, cells.chart] & (cells.low == 0))
-            low, high = (ends[1 - edge, some][np.newaxis] for ends in (cells.low, cells.high))
-            solved = solve(EndedEdge(charts), low, high, charts.system(edge, cells.chart[some]))
+            low, high = (ends[1 - edge, some] for ends in (cells.low, cells.high))
+            solved = solve_edges(charts, low, high, charts.system(edge, cells.chart[some]))
             of = (numbers.tolist() for numbers in charts.of_system(solved.of))
             found = [self._corner(*at) for at in zip(*of, solved.x[0].tolist(), strict=True)]
             self._corners[octave] = found, np.stack(charts.on_edge(solved.undecided[0], solved.undecided_of))
@@ -161,7 +161,7 @@ class Sheets:
         with np.errstate(all="ignore"):
             charts = np.array((other, chart))
             here, _ = self.charts.on(positions, positions, charts)
-            rows = SOLVER.on_balance(*self.charts.operands(positions, positions, charts, self.steps.load), False)
+            rows = SOLVER.on_balance(*self.charts.operands(positions, positions, charts), False)
             bent, A_t = Interval(rows[:, 6:8].T), Interval(rows[:, 8:10].T)
             e = (bent - here.s_0 / here.A) * 4.0
             # without ends, what is not known, they add to NaN
@@ -175,7 +175,7 @@ class Sheets:
         """What the balance leaves of boxes that may hold it, up to an amplitude."""
         charts = self.charts
         low = above_diagonal(low, high, charts.passes[chart])
-        rows = SOLVER.on_balance(*charts.operands(low, high, chart, self.steps.load), charts.has_centre)
+        rows = SOLVER.on_balance(*charts.operands(low, high, chart), charts.has_centre)
         left = np.flatnonzero((rows[:, 14] != 0) & (rows[:, 10] <= A_max))
         found = Cells(chart[left], rows[left].T)
         small = np.flatnonzero(found.A.lo <= np.where(charts.passes[found.chart], 0.0, SMALL * self._size))

@@ -129,11 +129,11 @@ class Charts:
         sizes = (self._at.size, steps.highest, self.passes.size, self._large)
         return np.concatenate([sizes, *(np.ravel(row) for row in rows)]).astype(float)
 
-    def operands(self, low: Floats, high: Floats, chart: Ints, load: float) -> tuple[Any, ...]:
+    def operands(self, low: Floats, high: Floats, chart: Ints, load: float | None = None) -> tuple[Any, ...]:
         """What compiled functions of boxes take first, (2, n) or more, within the limits of their charts.
 
-        load -- what <f> is; NaN where it is not known. The last operand is the force's remainder, without its steps, on
-        the box and in its middle.
+        load -- what <f> is, if not the load; NaN where it is not known. The last operand is the force's remainder,
+        without its steps, on the box and in its middle.
         """
         rows: Floats = NOTHING
         if (curved := self.steps.curved) is not None:
@@ -146,7 +146,7 @@ class Charts:
             upper, lower = self.place[:, both]
             found = curved.by_ends(past_x + upper, -past_y + lower)
             rows = np.concatenate([one.ends for one in found]).reshape(16, 2, -1).T.reshape(-1, 32)
-        return self._packed, low.T, high.T, chart, load, rows
+        return self._packed, low.T, high.T, chart, self.steps.load if load is None else load, rows
 
     def on(self, low: Floats, high: Floats, chart: Ints) -> tuple[Local, Local]:
         """On boxes within the limits of their charts, (2, n), and in their middles."""
