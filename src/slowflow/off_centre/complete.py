@@ -16,12 +16,11 @@ from slowflow.model import Floats
 from slowflow.off_centre.boxes import Solutions, solve
 from slowflow.off_centre.by_turning_points import ON, ByMotion, Equations, folds, on_edges, refined, solve_edges, states
 from slowflow.off_centre.flow import Flow
-from slowflow.off_centre.means import Steps
+from slowflow.off_centre.means import UNBOUNDED, Steps
 from slowflow.off_centre.onset import Lowest, Search
 from slowflow.off_centre.solution_sheets import FARTHEST, TOO_FAR, Corner, Sheets
 from slowflow.support.errors import NotSettled, OutOfRange, Refused
 from slowflow.text import text
-from slowflow_kernels import off_centre
 
 #: octaves of the amplitude that are looked at above the size of the problem
 ABOVE = 8
@@ -41,7 +40,6 @@ NEAR = 2.0**-8
 AT_CENTRE = 1e-12
 #: no bound of B, and so none of what is to be looked at
 ENDLESS = "folds occur at ever lower forcings towards {Omega} = 0, or to where the mean turns back"
-UNBOUNDED = "the outermost piece of the force does not grow: motions off the centre have no bound there"
 
 
 class Complete:
@@ -52,7 +50,6 @@ class Complete:
 
     def __init__(self, steps: Steps, flow: Flow) -> None:
         self._steps, self._flow = steps, flow
-        self._breakpoints = tuple(map(float, steps.breakpoints))
         self.sheets = Sheets(steps, self.offset_bound)
 
     @property
@@ -105,8 +102,7 @@ class Complete:
             of = charts.about(edge)
             high = charts.high[1 - edge, of]
             if not np.isfinite(high).all():
-                polynomial = self._steps.curved is None
-                most = 2 * (self._highest_at(edge) if polynomial else self._highest_by_octaves(edge, of))
+                most = 2 * self._highest_at(edge, of)
                 high = np.minimum(high, np.where(charts.rooted[1 - edge, of], np.sqrt(most), most))
             ends = np.linspace(0.0, high, SUBDIVISIONS + 1)
             boxes.append((ends[:-1].ravel(), ends[1:].ravel(), np.tile(charts.system(edge, of), SUBDIVISIONS)))
@@ -115,32 +111,15 @@ class Complete:
         motions = np.stack(charts.on_edge(solved.x[0], solved.of))
         return motions[:, motions[0] > 0]
 
-    def _highest_at(self, edge: int) -> float:
-        """An amplitude up to which the mean may be balanced of motions that come to an end of a piece with one only.
-
-        <f(end -+ A (1 - cos psi))> is a polynomial in A, whose roots Cauchy's bound holds.
-        """
-        about, end = self._steps.gains[0], self._steps.inner[1 - edge]
-        n = np.arange(about.size)
-        factorials = np.cumprod(np.maximum(n, 1.0))
-        at_end = [float(about[k:] @ (end ** n[: n.size - k] / factorials[: n.size - k])) for k in n]
-        means = np.cumprod(np.append(1.0, off_centre.versine(n[:-1])))
-        coefficients = np.trim_zeros(np.array(at_end) * means / factorials * (1.0 if edge else -1.0) ** n, "b")
-        if coefficients.size < 2:
-            raise Refused(UNBOUNDED)
-        size = np.abs(coefficients)
-        size[0] += abs(self._steps.load)
-        return float(1.0 + size[:-1].max() / size[-1])
-
-    def _highest_by_octaves(self, edge: int, charts: Ints) -> float:
-        """The same of a piece that is no polynomial: beyond it the mean of the force is never the load."""
+    def _highest_at(self, edge: int, charts: Ints) -> float:
+        """An amplitude beyond which the mean is not balanced where motions come to the end of a piece with one only."""
         edges = self._steps.size * 2.0 ** np.arange(0, OCTAVES + 0.25, 0.5)
         distances = 2 * edges if not self.sheets.charts.rooted[1 - edge, charts[0]] else np.sqrt(2 * edges)
-        low, high = distances[np.newaxis, :-1], distances[np.newaxis, 1:]
+        low, high = (np.tile(ends, charts.size)[np.newaxis] for ends in (distances[:-1], distances[1:]))
         with np.errstate(all="ignore"):
-            number = np.repeat(self.sheets.charts.system(edge, charts), low.size)
+            number = np.repeat(self.sheets.charts.system(edge, charts), distances.size - 1)
             f_0 = on_edges(self.sheets.charts, low, high, number)[:, ON]
-        may = ~((f_0[:, 0] > 0) | (f_0[:, 1] < 0))
+        may = np.any(((f_0[:, 0] <= 0) & (f_0[:, 1] >= 0)).reshape(charts.size, -1), axis=0)
         if may[-1]:
             raise Refused(UNBOUNDED)
         return float(edges[1:][may].max(initial=edges[0]))
@@ -185,38 +164,11 @@ class Complete:
         return math.inf if self._steps.beyond is None else max(one.grown for one in self._steps.beyond)
 
     def offset_bound(self, A: float) -> float:
-        """What |B| does not exceed where the mean is balanced, for amplitudes up to A.
-
-        Beyond A and all breakpoints the mean of the force is a polynomial in B, whose roots Cauchy's bound holds.
-        """
-        if self._steps.beyond is not None:
-            settled = max(one.settled for one in self._steps.beyond)
-            if not math.isfinite(settled):
-                raise Refused(UNBOUNDED)
-            return (A + settled) * (1 + 2.0**-40)
-        try:
-            bound = max(self._outer_bound(np.trim_zeros(last, "b").tolist(), A) for last in self._steps.outer)
-        except OverflowError:  # of a power of A, in Python's words
-            bound = math.inf
+        """What |B| does not exceed where the mean is balanced, for amplitudes up to A: no motion is all `settled`."""
+        bound = (A + self._steps.settled) * (1 + 2.0**-40)
         if not bound < FARTHEST:
             raise OutOfRange(TOO_FAR.format(max(A, bound)))
         return bound
-
-    def _outer_bound(self, last: list[float], A: float) -> float:
-        n = len(last) - 1
-        if n < 1:
-            raise Refused(UNBOUNDED)
-        # coefficients of B^k in <f(B + A cos psi)>, |.| at most
-        size = [
-            sum(abs(last[j]) / (math.factorial(k) * math.factorial(j - k)) * A ** (j - k) for j in range(k, n + 1))
-            for k in range(n)
-        ]
-        size[0] += abs(self._steps.load)
-        cauchy = 1.0 + max(size) * math.factorial(n) / abs(last[n])
-        beyond = A + max(map(abs, self._breakpoints), default=0.0)
-        # the sum of the n-th roots holds them too, and is less for small ones
-        lagrange = 2 * max((value * math.factorial(n) / abs(last[n])) ** (1 / (n - k)) for k, value in enumerate(size))
-        return float(max(beyond, min(cauchy, lagrange)) * (1 + 2.0**-40))
 
     def _at(self, Omega: Floats, F_0: float) -> Solutions:
         """All states at some frequencies, by A and B."""

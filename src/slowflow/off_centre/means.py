@@ -23,7 +23,7 @@ from slowflow.mechanism import Mechanism
 from slowflow.model import Floats
 from slowflow.off_centre.curved import Curved, Part
 from slowflow.off_centre.smooth import SINGULAR, Beyond, check, outwards
-from slowflow.support.errors import NotSettled
+from slowflow.support.errors import NotSettled, Refused
 from slowflow.text import Sentence, text
 
 NO_MEANS = Sentence("{name:s}: motions off the centre are not derived for a force {what:s}")
@@ -31,6 +31,8 @@ NEXT_TO_REST = text("a force that may jump at {u} = 0 and does not has no gradie
 JUMPS = text("that jumps at {u} = 0, as a preload does")
 NO_EXTENT = text("of which the first piece ends at {u} = 0, and another is no polynomial")
 NOT_SMOOTH = "of which a piece is no polynomial, nor known to be smooth up to its ends"
+
+UNBOUNDED = "the outermost piece of the force does not grow: motions off the centre have no bound there"
 
 #: derivatives of the force that are asked for at most, as `off_centre.averaged` does
 ORDERS = 3
@@ -120,9 +122,14 @@ class Steps:
         return max(min(1.0, SMALL * self.length), abs(self.load), *ends)
 
     @property
-    def outer(self) -> tuple[Floats, Floats]:
-        """Beyond all ends the force on the right, and -f(-u) of that on the left: derivatives at u = 0."""
-        return self.pieces[-1], _turned(self.pieces[0])
+    def settled(self) -> float:
+        """The |u| from which on the force is nowhere the load. Raises ValueError where it does not grow."""
+        if self.beyond is None:
+            roots = (_root_bound(outer, self.load) for outer in (self.pieces[-1], self.pieces[0]))
+            return max(*roots, *map(abs, map(float, self.breakpoints)))
+        if math.isinf(found := max(one.settled for one in self.beyond)):
+            raise Refused(UNBOUNDED)
+        return found
 
     def check_balanced(self) -> None:
         """Raises ArithmeticError where the force is the load on a whole interval of u, as in a dead zone."""
@@ -347,6 +354,18 @@ def _combined(kernels: Sequence[Any], slopes: Floats, parameters: tuple[float, .
 
 def _enclosed(kernel: Any, parameters: tuple[float, ...], u: Elementary) -> Any:
     return kernel(Elementary.point, u, *map(Elementary.point, parameters))
+
+
+def _root_bound(derivatives: Floats, load: float) -> float:
+    """What |u| does not exceed where a polynomial with these derivatives at u = 0 is the load."""
+    last = np.abs(np.trim_zeros(derivatives, "b")).tolist()
+    if (n := len(last) - 1) < 1:
+        raise Refused(UNBOUNDED)
+    size = [value / math.factorial(k) for k, value in enumerate(last[:-1])]
+    size[0] += abs(load)
+    ratio: list[float] = [value * math.factorial(n) / last[n] for value in size]
+    # Cauchy's bound; the sum of the n-th roots holds them too, and is less for small ones
+    return float(min(1.0 + max(ratio), 2 * max(value ** (1 / (n - k)) for k, value in enumerate(ratio))))
 
 
 def _turned(derivatives: Floats) -> Floats:
