@@ -65,13 +65,17 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: p
 
 @pytest.hookimpl(wrapper=True)
 def pytest_collection() -> Generator[None, object, object]:
-    """A fifth of the time went into searching for garbage among modules and items, which stay to the end."""
+    """A fifth of the time went into searching for garbage among modules and items, which stay to the end.
+
+    Then a search follows after more new objects than by default: trees and expressions are made by the thousand.
+    """
     gc.disable()
     try:
         return (yield)
     finally:
         gc.enable()
         gc.freeze()
+        gc.set_threshold(50_000)
 
 
 def pytest_itemcollected(item: pytest.Item) -> None:

@@ -373,6 +373,7 @@ def loop(tmp_path):
     return written
 
 
+@pytest.mark.slow
 def test_a_scene_of_a_measured_loop_is_ready_to_run(loop, tmp_path, capsys):
     out = tmp_path / "rig.toml"
     assert run("new", out, "--from", loop(), "--mass", "8 kg", capsys=capsys)[0] == 0

@@ -124,6 +124,7 @@ def test_what_has_no_answer_is_not_met_and_says_why(tmp_path):
     assert "needs dry friction or viscous damping" in found.message
 
 
+@pytest.mark.slow
 def test_the_exit_code_says_whether_all_is_met(tmp_path, capsys):
     path = scene(tmp_path, 'jumps = "none"')
     assert cli.main(["run", str(path)]) == 0

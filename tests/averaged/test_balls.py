@@ -18,6 +18,7 @@ from slowflow.certificate import DOUBLES
 from slowflow.results import Remark
 from tests.averaged.test_certified import check_folds, holds, level_ulps
 from tests.averaged.test_certified_cases import CENTRED, of_record
+from tests.sampling import slow
 
 #: designs of the force that is not truncated: as in Table 1, nearly quasi-zero stiffness, negative stiffness, steep
 UNTRUNCATED = (
@@ -153,7 +154,7 @@ def roots_of_F(design, A, F_0):
     return w, np.sign((A * w**2 + h) * (w**2 + h_A) + 2 * zeta * w * (2 * zeta * A * w + m))
 
 
-@pytest.mark.parametrize("design", UNTRUNCATED)
+@pytest.mark.parametrize("design", [UNTRUNCATED[0], *slow(*UNTRUNCATED[1:])])
 def test_untruncated_folds_are_proved_and_those_of_a_scan(design):
     iso = untruncated(design)
     F_0 = 1.3 * iso.saddle_node_onset().F_SN

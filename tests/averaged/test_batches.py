@@ -60,6 +60,7 @@ def test_a_map_for_workers_is_refused_with_the_reason(more):
         Isolator.many(lam=3, r=[1.0], delta_h=0.1, **more).detachment(workers=map)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "question",
     [

@@ -116,7 +116,7 @@ def perturbed(mechanism, kind, at, numbers):
 def test_one_rule_solves_the_conditions_of_every_answer(kind, force):
     """At random points, which are no answers: the residuals of the conditions are subtracted."""
     names, pinned = f"{sensitivities.AT} {sensitivities.CAUSES}", Pinned[kind.upper()]
-    at = drawn.points(random.Random(kind + force), names, fewer(6, 3))
+    at = drawn.points(random.Random(kind + force), names, fewer(6, 6))
     Omega, A, F_0, *x = np.array(at).T
     known = A, Omega, F_0, float(pinned), float(force == "inertia"), *x[10:14], *x[:10], *x[14:]
     solved = SOLVER.moved(np.stack(np.broadcast_arrays(*known), axis=-1))

@@ -122,7 +122,7 @@ def test_a_lower_level_never_begins_earlier(seed, levels):
 @pytest.mark.parametrize("excitation", ["force", "base"])
 def test_many_designs_at_many_levels_are_those_of_each(excitation, laws):
     rng = np.random.default_rng(5)
-    n = fewer(40, 4)
+    n = fewer(40, 10)
     parameters = {"alpha": rng.uniform(0.1, 2, n), "beta": rng.uniform(-0.3, 2, n), "mu": 10 ** rng.uniform(-5, -2, n)}
     parameters["zeta"] = 10 ** rng.uniform(-2, 0, n)
     F_0, levels = 10 ** rng.uniform(-2, -0.5, n), np.array([[0.0], [-7.0], [-21.0], [-70.0]])
@@ -242,6 +242,7 @@ def transmitted(alpha: float, beta: float, zeta: float, F_0: float, Omega: float
     return float(np.abs(force).max() / F_0), float(2 * abs((force * np.exp(-1j * Omega * at)).mean()) / F_0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("level_dB", [-3.0, -20.0])
 def test_measured_it_is_where_an_integrator_finds_that_level(level_dB):
     parameters, F_0 = {"alpha": 0.5, "beta": 0.5, "zeta": 0.15}, 0.2  # one motion at each frequency

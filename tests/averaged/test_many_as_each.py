@@ -23,7 +23,7 @@ ANSWERED = (Status.OK, Status.NONE, Status.UNBOUNDED)
 #: frequencies of rows of a load spectrum
 OVER = (0.7, 1.2, 0.9, 0.9, 0.6)
 #: designs of each kind, few enough to be asked alone; of those that take long
-COUNT, FEW = fewer(40, 2), 5
+COUNT, FEW = fewer(40, 4), 5
 
 
 def isolators(draw, count):

@@ -19,6 +19,7 @@ from slowflow.results import Remark
 from slowflow_kernels import duffing
 from slowflow_kernels.conventions import Status
 from tests.oracles import averaged, counts
+from tests.sampling import slow
 
 #: an onset that only the truncation makes, negative stiffness at rest, the paper's isolator rubbing, one that sticks,
 #: negative stiffness with an onset
@@ -62,7 +63,7 @@ def test_isola_by_a_jump_under_inertia_is_the_truncations():
 AT_REST = {"alpha": 1.0021174150372412, "beta": -0.7852683936675544, "mu": 0.03237752605590381, "zeta": 1e-4}
 
 
-@pytest.mark.parametrize("F_0", [0.5048231197593197, 0.5048231197858863, 0.5048231198056137])
+@pytest.mark.parametrize("F_0", [0.5048231197593197, *slow(0.5048231197858863, 0.5048231198056137)])
 def test_folds_that_doubles_do_not_tell_apart_say_so(F_0, monkeypatch):
     one, many = Duffing(**AT_REST), Duffing.many(**AT_REST)
     assert counts.Folds(averaged.Duffing(**AT_REST)).count(F_0) == 2

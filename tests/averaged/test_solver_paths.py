@@ -41,6 +41,7 @@ UNITS = 16
 
 
 @pytest.mark.parametrize(("name", "oscillator", "record"), CASES, ids=[case[0] for case in CASES])
+@pytest.mark.part(2)
 def test_everything_agrees_with_the_certified_reference(name, oscillator, record):
     found, exact = oscillator.saddle_node_onset(), record["onset"]
     assert (found.F_SN is None) == (exact is None)

@@ -7,7 +7,6 @@ bits; numbers of states and folds against proved ones, at the stored wrong cases
 from __future__ import annotations
 
 import math
-import warnings
 
 import numpy as np
 import pytest
@@ -51,19 +50,17 @@ def test_every_kernel_has_worst_points():
     assert set(KERNELS) == set(kernels.named()) - without_outputs
 
 
-@pytest.mark.parametrize(("module", "kernel"), KERNELS)
-def test_no_kernel_is_worse_at_its_worst_points(package, module, kernel):
+@pytest.mark.parametrize("module", sorted({module for module, _ in KERNELS}))
+def test_no_kernel_is_worse_at_its_worst_points(package, module):
     backend, modules = package
-    function = getattr(modules[module], kernel)
-    for row in KERNELS[module, kernel]:
+    for row in (row for row in BASELINE["kernels"] if row["module"] == module):
         before = row["errors"][backend]
         if before is None or before == "inf":  # lost already: the page says where
             continue
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            values = np.ravel(np.array(function(*row["at"]), dtype=float))
+        with np.errstate(all="ignore"):
+            values = np.ravel(np.array(getattr(modules[module], row["kernel"])(*row["at"]), dtype=float))
         # the arctangent, sine and cube root of another library may differ by an ulp
-        assert worst(values, row) <= max(before * ROUNDED, 0.5), row["at"]
+        assert worst(values, row) <= max(before * ROUNDED, 0.5), (row["kernel"], row["at"])
 
 
 @pytest.mark.parametrize("kind", KINDS)

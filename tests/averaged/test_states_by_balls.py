@@ -14,6 +14,7 @@ from slowflow.averaged.many import AMPLITUDES
 from slowflow.results import Remark
 from slowflow_kernels.conventions import Status
 from tests.oracles import averaged, counts
+from tests.sampling import slow
 
 flint = pytest.mark.skipif(importlib.util.find_spec("flint") is None, reason="balls are of python-flint")
 
@@ -211,7 +212,7 @@ NEXT_TO_LEVELS = (
 )
 
 
-@pytest.mark.parametrize(("design", "F_0", "number"), NEXT_TO_LEVELS)
+@pytest.mark.parametrize(("design", "F_0", "number"), [NEXT_TO_LEVELS[0], *slow(*NEXT_TO_LEVELS[1:])])
 def test_curve_is_decided_where_balls_prove_its_folds(design, F_0, number, monkeypatch):
     one = Duffing(*design)
     assert averaged.Duffing(**dict(zip(("alpha", "beta", "mu", "zeta"), design, strict=True))).fold_count(F_0) == number

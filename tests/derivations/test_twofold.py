@@ -13,6 +13,7 @@ from derivations.codegen.compensated import Exact, magnitude
 from slowflow.backend import SOLVER as roots
 from slowflow.support import twofold
 from slowflow_kernels import frequencies
+from tests.sampling import fewer
 
 a, b, c = sp.symbols("a b c", real=True)
 x = sp.Symbol("x", positive=True)
@@ -45,7 +46,7 @@ def near_roots(name, count):
 
 @pytest.mark.parametrize("name", ["response", "fold"])
 def test_errors_stay_below_their_bounds_where_the_terms_cancel(name):
-    rows = near_roots(name, 2000)
+    rows = near_roots(name, fewer(2000, 5))
     tails = rows[0] * np.random.default_rng(9).uniform(-1, 1, rows.shape[1]) * 2.0**-54
     plain, size = getattr(frequencies, name)(*rows)
     fine, fine_size = getattr(frequencies, name + "_fine")(*rows)
@@ -61,7 +62,7 @@ def test_errors_stay_below_their_bounds_where_the_terms_cancel(name):
         assert abs(Fraction(with_tails[k]) - beyond) <= bound + abs(beyond) / 2**53
         cancelled += abs(value) < Fraction(size[k]) / 2**45
     # this was a test: most values are what rounding hides
-    assert cancelled > 1000
+    assert cancelled > rows.shape[1] / 2
 
 
 def test_the_derivative_in_pairs_is_exact_to_double_double():

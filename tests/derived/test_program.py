@@ -153,6 +153,7 @@ def test_what_holds_nothing_yet_is_not_read(valid, data):
         assert refused(changed(integers, place, data.draw(st.sampled_from(empty))), numbers)
 
 
+@pytest.mark.slow
 @given(st.data())
 @settings(max_examples=fewer(200, 5))
 def test_other_sizes_than_a_function_takes_and_gives_are_refused(valid, data):

@@ -9,13 +9,14 @@ from scipy.integrate import solve_ivp
 
 from slowflow import Oscillator, derive
 from tests.oracles.exact_reference import ScipyIntegrator, again
+from tests.sampling import slow
 
 u, c, k, hard, gap = sp.symbols("u c k hard gap")
 ABOVE_0 = {"above": 0}
 C, K, MU, ZETA = 0.05, 1.0, 0.01, 0.05
 
 
-@pytest.fixture(scope="module", params=[False, True], ids=["interpreted", "compiled"])
+@pytest.fixture(scope="module", params=[False, *slow(True)], ids=["interpreted", "compiled"])
 def spring(request):
     """A preload on a linear spring."""
     made = derive.mechanism("sprung", [(c + k * u, None)], {"c": ABOVE_0, "k": ABOVE_0}, compile=request.param)
@@ -133,6 +134,7 @@ def test_broken_power_behind_a_preload_has_scipys_motions():
         )
 
 
+@pytest.mark.slow
 def test_detachment_behind_a_preload_is_the_first_pieces_peak(spring):
     force = c + k * u
     pieces = [(force, gap), (force + hard * (u - gap), None)]

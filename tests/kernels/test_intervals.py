@@ -12,6 +12,7 @@ import pytest
 from slowflow.intervals import Elementary, Interval
 from tests.files import stored
 from tests.native import intervals
+from tests.sampling import fewer
 
 #: in Python, where balls go by them, and in C
 MODULES = ("slow_flow_intervals", "slow_flow_mu0_intervals", "slow_flow_zeta0_intervals")
@@ -22,8 +23,8 @@ FUNCTIONS = [
 ORACLE = stored("kernel_oracle")
 #: those that are evaluated at points too; the rest is there on intervals only
 AT_POINTS = [
-    (how, module, name)
-    for how, functions in (("Python", FUNCTIONS), ("C", intervals.prototypes(IN_C)))
+    pytest.param(how, module, name, marks=marks)
+    for how, functions, marks in (("Python", FUNCTIONS, ()), ("C", intervals.prototypes(IN_C), pytest.mark.slow))
     for module, name in functions
     if name in ORACLE[module.removesuffix("_intervals")]
 ]
@@ -52,7 +53,7 @@ def has_sign(interval):
 
 
 def test_operations_enclose_the_exact_results():
-    rng, n = np.random.default_rng(1), 2000
+    rng, n = np.random.default_rng(1), fewer(2000, 5)
     a, b = random_intervals(rng, n), random_intervals(rng, n)
     apart = has_sign(b)
     with np.errstate(all="ignore"):
@@ -212,12 +213,12 @@ def compiled(once):
 
 
 @pytest.fixture
-def enclosures(compiled):
+def enclosures(request):
     """Of a function in Python or in C, at boxes (arguments, 2): its outputs, (outputs, 2)."""
 
     def found(how, module, kernel, boxes):
         if how == "C":
-            return compiled(module, kernel, boxes)
+            return request.getfixturevalue("compiled")(module, kernel, boxes)
         values = function_of(module, kernel)(*(Interval.of(*box) for box in np.array(boxes)[..., np.newaxis]))
         values = values if isinstance(values, tuple) else (values,)
         return np.array([one.ends[:, 0] if isinstance(one, Interval) else (one, one) for one in values])

@@ -46,6 +46,7 @@ def patched():
     return derive.mechanism("patched", pieces, {"p": {}, "q": {}}, odd=False, compile=True)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("A", "B"), [(0.05, 0.1), (0.3, 0.0), (0.6, 0.1), (0.2, -0.5), (0.1, 0.6), (0.3, -0.25)])
 def test_means_of_any_force_are_exact_integrals(patched, A, B):
     """The mean, the first harmonic, and their slopes as differences of these integrals at 40 digits."""

@@ -43,7 +43,7 @@ EXAMPLES_NEED = {
 SLOW = {
     "slowflow.derive",
     "slowflow.grid.designs",
-    "slowflow.sizing.requirements",
+    *(f"slowflow.sizing.{room}" for room in ("fitting", "requirements", "tolerances")),
     *(f"slowflow.off_centre.{room}" for room in ("answers", "many", "questions")),
 }
 DECISIONS = ROOT / "docs" / "decisions"

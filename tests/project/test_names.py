@@ -78,6 +78,7 @@ def defined(tree):
                 yield name
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("room", "public"), ROOMS.items())
 def test_names_that_are_gone_do_not_return(room, public):
     files = [ROOT / room] if room.endswith(".py") else sorted((ROOT / room).rglob("*.py"))

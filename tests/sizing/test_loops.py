@@ -86,7 +86,7 @@ def test_a_loop_becomes_an_oscillator_with_its_numbers():
 
 @pytest.mark.parametrize(
     "spring",
-    [{"k_1": 2000.0, "k_3": 5e6}, {"k_1": 2000.0}, *slow({"k_1": 0.0, "k_3": 2e7})],
+    [{"k_1": 2000.0, "k_3": 5e6}, *slow({"k_1": 2000.0}, {"k_1": 0.0, "k_3": 2e7})],
 )
 def test_a_mass_on_a_cubic_spring_moves_by_its_equation(spring):
     m, c, F, f = 12.0, 40.0, 6.0, 2.3
