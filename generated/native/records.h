@@ -106,11 +106,11 @@ OF_DESIGN(duffing_record_parameters_within, sf_interval, duffing_intervals_given
 OF_DESIGN(duffing_record_parameters_in_pairs, sf_pair, duffing_pairs_given(sfp_point(design[0]), sfp_point(design[1]), out))
 
 ROWS(duffing_record_averaged_loop, duffing_averaged, 4)
-SUMS(duffing_record_averaged, duffing_averaged, duffing_record_averaged_loop(n, n, A, p, out))
+SUMS(duffing_record_averaged, duffing_record_averaged_loop(n, n, A, p, out))
 ROWS(duffing_record_averaged_2_loop, duffing_averaged_2, 2)
-SUMS(duffing_record_averaged_2, duffing_averaged_2, duffing_record_averaged_2_loop(n, n, A, p, out))
+SUMS(duffing_record_averaged_2, duffing_record_averaged_2_loop(n, n, A, p, out))
 ROWS(duffing_record_harmonics_loop, duffing_harmonics, 8)
-SUMS(duffing_record_harmonics, duffing_harmonics, duffing_record_harmonics_loop(n, n, A, p, out))
+SUMS(duffing_record_harmonics, duffing_record_harmonics_loop(n, n, A, p, out))
 
 INTERCEPT(duffing_record_intercept, duffing_intercept(A, p[0], p[1]))
 BY_PARAMETER(duffing_record_by_parameter, duffing_by_parameter)
@@ -156,17 +156,17 @@ ROWS(rod_spring_record_averaged_loop_0, rod_spring_averaged_passed_0, 4)
 ROWS(rod_spring_record_averaged_loop_1, rod_spring_averaged_passed_1, 4)
 ROWS(rod_spring_record_averaged_loop_2, rod_spring_averaged_passed_1_far_1, 4)
 static const rows rod_spring_record_averaged_loops[] = {rod_spring_record_averaged_loop_0, rod_spring_record_averaged_loop_1, rod_spring_record_averaged_loop_2};
-SUMS(rod_spring_record_averaged, rod_spring_averaged, records_by_regime(rod_spring_record_averaged_loops, rod_spring_record_averaged_regime, n, A, p, out))
+SUMS(rod_spring_record_averaged, records_by_regime(rod_spring_record_averaged_loops, rod_spring_record_averaged_regime, n, A, p, out))
 ROWS(rod_spring_record_averaged_2_loop_0, rod_spring_averaged_2_passed_0, 2)
 ROWS(rod_spring_record_averaged_2_loop_1, rod_spring_averaged_2_passed_1, 2)
 ROWS(rod_spring_record_averaged_2_loop_2, rod_spring_averaged_2_passed_1_far_1, 2)
 static const rows rod_spring_record_averaged_2_loops[] = {rod_spring_record_averaged_2_loop_0, rod_spring_record_averaged_2_loop_1, rod_spring_record_averaged_2_loop_2};
-SUMS(rod_spring_record_averaged_2, rod_spring_averaged_2, records_by_regime(rod_spring_record_averaged_2_loops, rod_spring_record_averaged_regime, n, A, p, out))
+SUMS(rod_spring_record_averaged_2, records_by_regime(rod_spring_record_averaged_2_loops, rod_spring_record_averaged_regime, n, A, p, out))
 ROWS(rod_spring_record_harmonics_loop_0, rod_spring_harmonics_passed_0, 8)
 ROWS(rod_spring_record_harmonics_loop_1, rod_spring_harmonics_passed_1, 8)
 ROWS(rod_spring_record_harmonics_loop_2, rod_spring_harmonics_passed_1_far_1, 8)
 static const rows rod_spring_record_harmonics_loops[] = {rod_spring_record_harmonics_loop_0, rod_spring_record_harmonics_loop_1, rod_spring_record_harmonics_loop_2};
-SUMS(rod_spring_record_harmonics, rod_spring_harmonics, records_by_regime(rod_spring_record_harmonics_loops, rod_spring_record_averaged_regime, n, A, p, out))
+SUMS(rod_spring_record_harmonics, records_by_regime(rod_spring_record_harmonics_loops, rod_spring_record_averaged_regime, n, A, p, out))
 
 INTERCEPT(rod_spring_record_intercept, rod_spring_intercept(A, p[0], p[1], p[2], p[3]))
 BY_PARAMETER(rod_spring_record_by_parameter, rod_spring_by_parameter)
@@ -215,9 +215,9 @@ OF_DESIGN(rod_spring_untruncated_record_parameters_within, sf_interval, rod_spri
 OF_DESIGN(rod_spring_untruncated_record_parameters_in_pairs, sf_pair, rod_spring_untruncated_pairs_given(sfp_point(design[0]), sfp_point(design[1]), sfp_point(design[2]), out))
 
 ROWS(rod_spring_untruncated_record_averaged_loop, rod_spring_untruncated_averaged, 4)
-SUMS(rod_spring_untruncated_record_averaged, rod_spring_untruncated_averaged, rod_spring_untruncated_record_averaged_loop(n, n, A, p, out))
+SUMS(rod_spring_untruncated_record_averaged, rod_spring_untruncated_record_averaged_loop(n, n, A, p, out))
 ROWS(rod_spring_untruncated_record_averaged_2_loop, rod_spring_untruncated_averaged_2, 2)
-SUMS(rod_spring_untruncated_record_averaged_2, rod_spring_untruncated_averaged_2, rod_spring_untruncated_record_averaged_2_loop(n, n, A, p, out))
+SUMS(rod_spring_untruncated_record_averaged_2, rod_spring_untruncated_record_averaged_2_loop(n, n, A, p, out))
 static inline int rod_spring_untruncated_record_harmonics_regime(double A, const double *p)
 {
     const double delta_h = p[2];
@@ -226,7 +226,7 @@ static inline int rod_spring_untruncated_record_harmonics_regime(double A, const
 ROWS(rod_spring_untruncated_record_harmonics_loop_0, rod_spring_untruncated_harmonics_passed_0, 8)
 ROWS(rod_spring_untruncated_record_harmonics_loop_1, rod_spring_untruncated_harmonics_passed_1, 8)
 static const rows rod_spring_untruncated_record_harmonics_loops[] = {rod_spring_untruncated_record_harmonics_loop_0, rod_spring_untruncated_record_harmonics_loop_1};
-SUMS(rod_spring_untruncated_record_harmonics, rod_spring_untruncated_harmonics, records_by_regime(rod_spring_untruncated_record_harmonics_loops, rod_spring_untruncated_record_harmonics_regime, n, A, p, out))
+SUMS(rod_spring_untruncated_record_harmonics, records_by_regime(rod_spring_untruncated_record_harmonics_loops, rod_spring_untruncated_record_harmonics_regime, n, A, p, out))
 
 INTERCEPT(rod_spring_untruncated_record_intercept, rod_spring_untruncated_intercept(A, p[0], p[1], p[2]))
 BY_PARAMETER(rod_spring_untruncated_record_by_parameter, rod_spring_untruncated_by_parameter)

@@ -78,14 +78,11 @@ static void records_no_breakpoint(const sf_mechanism *self, const double *p, dou
     }
 
 /* The same in any regime: all amplitudes by one loop, or those of one regime in a row by that regime's. */
-#define SUMS(member, function, all) \
+#define SUMS(member, all) \
     static void member(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out) \
     { \
         (void)self; \
-        if (n == 1) \
-            function(A[0], p, out); \
-        else \
-            all; \
+        all; \
     }
 
 typedef void (*rows)(ptrdiff_t n, ptrdiff_t apart, const double *A, const double *p, double *out);
