@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from itertools import chain, pairwise
+from itertools import chain, islice, pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -138,8 +138,8 @@ class _Skeleton:
             segments += [_Part(one, two, ()) for one, two in pairwise(numbers)]
             last = numbers[-1]
         self.size = max((float(np.abs(x).max()) for x in self.x if x.size), default=0.0)
-        while segments:
-            segments = self._cut([part for part in segments if not self._link(part)])
+        while segments := [part for part in segments if not self._link(part)]:
+            segments = self._cut(segments)
 
     def _ask(self, Omega: Sequence[float]) -> list[int]:
         """States at new frequencies; the numbers of these."""
@@ -151,33 +151,25 @@ class _Skeleton:
 
     def _cut(self, segments: list[_Part]) -> list[_Part]:
         """Each in two, or, with a fold inside, a narrower one and what is beside it."""
-        new: list[float] = []
-        for part in segments:
-            a, b = self.Omega[part.a], self.Omega[part.b]
-            if part.cuts > CUTS:
-                raise NotSettled(UNRESOLVED.format((a, b)))
-            if part.folds:
-                fold = float(self.folds[0, list(part.folds)].mean())
-                # where another fold is near on one side, as near on the other
-                width = 0.25 * min(fold - a, b - fold)
-                new += [fold - width, fold + width]
-            else:
-                new.append(0.5 * (a + b))
-        numbers = iter(self._ask(new) if new else [])
+        inner = [self._inside(part) for part in segments]
+        numbers = iter(self._ask([*chain(*inner)]))
         found: list[_Part] = []
-        for part in segments:
-            cuts = part.cuts + 1
-            if part.folds:
-                left, right = next(numbers), next(numbers)
-                found += [
-                    _Part(part.a, left, (), cuts),
-                    _Part(left, right, part.folds, cuts),
-                    _Part(right, part.b, (), cuts),
-                ]
-            else:
-                middle = next(numbers)
-                found += [_Part(part.a, middle, (), cuts), _Part(middle, part.b, (), cuts)]
+        for part, new in zip(segments, inner, strict=True):
+            ends = pairwise([part.a, *islice(numbers, len(new)), part.b])
+            found += [_Part(*pair, part.folds if k == 1 else (), part.cuts + 1) for k, pair in enumerate(ends)]
         return found
+
+    def _inside(self, part: _Part) -> list[float]:
+        """Where one is cut: in the middle, or on both sides of its folds."""
+        a, b = self.Omega[part.a], self.Omega[part.b]
+        if part.cuts > CUTS:
+            raise NotSettled(UNRESOLVED.format((a, b)))
+        if not part.folds:
+            return [0.5 * (a + b)]
+        fold = float(self.folds[0, list(part.folds)].mean())
+        # where another fold is near on one side, as near on the other
+        width = 0.25 * min(fold - a, b - fold)
+        return [fold - width, fold + width]
 
     def _link(self, part: _Part) -> bool:
         """Links what is on one arc, if that is told of all states on both sides."""
