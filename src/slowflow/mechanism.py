@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any, Protocol
 
@@ -269,8 +269,6 @@ def followed(force: Force, name: str) -> Force:
 
     Raises ValueError where they are not, of a mechanism by its name.
     """
-    if any(piece.law.whole for piece in force.pieces):
-        force = replace(force, pieces=tuple(Piece(one.law.whole or one.law, one.constants) for one in force.pieces))
     if force.odd and force.value(0.0) != 0:
         first = force.pieces[0]
         force = Force((OneSided(first.law, first.constants, 0), *force.pieces), (0.0, *force.breakpoints))

@@ -140,32 +140,24 @@ class Force:
         return tuple(averages(self._record, self.numbers, A, outputs))
 
     def value(self, number: int, u: Any, order: int) -> Any:
-        """A piece of the force, or its slope, on both sides of u = 0."""
-        begin = (0.0, *self.ends)[number]
-        size = np.abs(u)
-        side = np.copysign(1.0, u) if order == 0 else 1.0
-        piece = self.smooth[number]
+        """A piece of the force, or its slope, on both sides of u = 0.
+
+        Of the last one beyond the reach too, where averages have a straight line; NaN where its function is not smooth.
+        """
+        piece, size = self.smooth[number], np.abs(u)
         if piece is None:
             return 0.0 * size
-        v = size - begin
-        if number + 1 < len(self.smooth):
-            return side * piece.at(v, (order,))[0]
-        (inside,) = piece.at(np.minimum(v, piece.length), (order,))
-        value, slope = self.line
-        beyond = value + slope * np.maximum(v - piece.length, 0.0) if order == 0 else slope
-        return side * np.where(v > piece.length, beyond, inside)
-
-    def value_throughout(self, number: int, u: Any, order: int) -> Any:
-        """The last piece, or its slope, beyond the reach as well; NaN where the function gives nothing smooth there."""
-        found, size, reach = np.array(self.value(number, u, order)), np.abs(u), self.ends[-1]
-        beyond = (size > reach) & np.isfinite(size)
+        side = np.copysign(1.0, u) if order == 0 else np.ones_like(size)
+        v, reach, last = size - (0.0, *self.ends)[number], self.ends[-1], number + 1 == len(self.smooth)
+        found = np.array(side * piece.at(np.minimum(v, piece.length) if last else v, (order,))[0])
+        beyond = last & (size > reach)
         if np.any(beyond):
-            side = np.copysign(1.0, u) if order == 0 else np.ones_like(size)
-            doubled = np.frexp(np.where(beyond, size, reach) / reach)[1] - 1
-            for k in np.unique(doubled[beyond]).tolist():
-                here, piece = beyond & (doubled == k), self._doubling(k)
-                v = (size - reach * 2.0**k)[here]
-                found[here] = np.nan if piece is None else side[here] * piece.at(v, (order,))[0]
+            found[beyond] = np.nan
+            doubled = np.frexp(np.where(beyond & np.isfinite(size), size, 0.5 * reach) / reach)[1] - 1
+            for k in np.unique(doubled[doubled >= 0]).tolist():
+                here = doubled == k
+                if (piece := self._doubling(k)) is not None:
+                    found[here] = side[here] * piece.at((size - reach * 2.0**k)[here], (order,))[0]
         return found[()]
 
     def _doubling(self, k: int) -> Smooth | None:
@@ -339,14 +331,9 @@ OF_ONE: dict[str, Callable[[Force], Any]] = {
         f"a Python function, by {force.points} of its values, error {force.error:.1g}; sums over polynomials"
     ),
 }
-#: how many outputs averages have; of a piece the method that gives it, and which derivative
+#: how many outputs averages have; of a piece which derivative it is
 AVERAGES = {"averaged": 4, "harmonics": 8, "intercept": 1}
-OF_PIECE = {
-    "force": (Force.value, 0),
-    "slope": (Force.value, 1),
-    "force_throughout": (Force.value_throughout, 0),
-    "slope_throughout": (Force.value_throughout, 1),
-}
+OF_PIECE = {"force": 0, "slope": 1}
 
 
 @dataclass(frozen=True)
@@ -371,8 +358,8 @@ class SampledFunction:
         if what in AVERAGES:
             found = self._by_design(numbers, first, of=lambda force, A: force.averages(A, AVERAGES[what]))
             return found if what != "intercept" else found[0]
-        method, order = OF_PIECE[what]
-        return self._by_design(numbers, first, of=lambda force, u: (method(force, self.number, u, order),))[0]
+        order = OF_PIECE[what]
+        return self._by_design(numbers, first, of=lambda force, u: (force.value(self.number, u, order),))[0]
 
     def _by_design(self, numbers: Sequence[Any], *extra: Any, of: Callable[..., Sequence[Any]]) -> tuple[Any, ...]:
         """What is of one design, of arrays of them: each once."""
@@ -396,9 +383,6 @@ class SampledFunction:
 
 def record(stated: Stated, title: str, design: tuple[Parameter, ...], reach_reason: str) -> Mechanism:
     """The record of a mechanism whose force is stated by functions."""
-    count = len(stated.functions)
-    last = count - 1
-    whole = Law(SampledFunction(stated, "force_throughout", last), SampledFunction(stated, "slope_throughout", last))
     functions: dict[str, Any] = {name: SampledFunction(stated, name) for name in (*OF_DESIGNS, *OF_ONE, *AVERAGES)}
     return Mechanism(
         **functions,
@@ -407,12 +391,8 @@ def record(stated: Stated, title: str, design: tuple[Parameter, ...], reach_reas
         design=design,
         parameters=design,
         pieces=tuple(
-            Law(
-                SampledFunction(stated, "force", k),
-                SampledFunction(stated, "slope", k),
-                whole=whole if k == last else None,
-            )
-            for k in range(count)
+            Law(SampledFunction(stated, "force", k), SampledFunction(stated, "slope", k))
+            for k in range(len(stated.functions))
         ),
         harmonics_up_to=math.inf,
         reach=stated.reach,

@@ -82,13 +82,11 @@ class Law(NamedTuple):
     """One piece of a force and its slope: functions of (u, *parameters), for any kind of number that has arithmetic.
 
     name  -- of its Taylor recurrences; empty for a law that none were generated for
-    whole -- the `Law` by which motions are followed, where this one holds as far as averaging goes only; else None
     """
 
     force: Function
     slope: Function
     name: str = ""
-    whole: Any = None
 
 
 class Curved(NamedTuple):
