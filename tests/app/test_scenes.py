@@ -388,6 +388,7 @@ def test_a_scene_of_a_measured_loop_is_ready_to_run(loop, tmp_path, capsys):
     assert run("new", out, "--from", loop(), "--mass", "8 kg", capsys=capsys)[0] == 2
 
 
+@pytest.mark.slow
 def test_numbers_that_a_loop_does_not_show_are_left_out(loop, tmp_path, capsys):
     """A linear spring alone, its times unknown."""
     x = 20 * np.sin(np.linspace(0.0, 5 * math.tau, 1000))

@@ -303,7 +303,7 @@ BEYOND_DOUBLES = {
 }
 
 
-@pytest.mark.parametrize("zeta", [0.0, 0.02])
+@pytest.mark.parametrize("zeta", [0.02, *slow(0.0)])
 @pytest.mark.parametrize("case", BEYOND_DOUBLES)
 @pytest.mark.parametrize("question", batch_questions.ALL)
 def test_design_beyond_doubles_has_a_status_and_spoils_no_other(question, case, zeta):

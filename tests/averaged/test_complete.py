@@ -14,6 +14,7 @@ from slowflow.backend import SOLVER
 from slowflow.example import TABLE_1
 from slowflow.results import Remark
 from tests.averaged.test_solver_paths import random_designs
+from tests.sampling import slow
 
 #: designs; NumPy takes a hundred times as long for each
 MANY = 1000
@@ -391,7 +392,7 @@ def test_a_softening_spring_has_its_fold_at_rest_at_any_forcing(F_0):
     assert folds.Omega.tolist() == pytest.approx([F_0 / (0.2 * A)], rel=1e-9)
 
 
-@pytest.mark.parametrize("F_0", [1e-58, 1e-100, 1e43, 1e60, 1e100])
+@pytest.mark.parametrize("F_0", [1e-100, 1e100, *slow(1e-58, 1e43, 1e60)])
 def test_forcings_far_from_1_are_answered(F_0):
     """Weak ones leave A = F_0/(2 zeta) at resonance, the peak of the linear oscillator to first order; strong ones a
     peak on the backbone, where 2 zeta A Omega = F_0 and Omega^2 = 3/4 beta A^2."""
@@ -405,7 +406,7 @@ def test_forcings_far_from_1_are_answered(F_0):
         assert oscillator.saddle_nodes(F_0).kind.tolist() == ["jump-up", "jump-down"]
 
 
-@pytest.mark.parametrize("delta_h", [1e-60, 1e-120])
+@pytest.mark.parametrize("delta_h", [1e-60, *slow(1e-120)])
 def test_next_to_no_preload_the_oscillator_is_linear(delta_h):
     """But for folds at u_cr, where the truncated force jumps: doubles do not tell two from none, balls may."""
     oscillator = Isolator(lam=3, r=2, delta_h=delta_h, mu=0.01, zeta=0.1)

@@ -19,6 +19,7 @@ from slowflow.sizing import tolerances
 from slowflow_kernels import duffing
 from slowflow_kernels.conventions import MovesStatus, Status
 from tests.oracles.by_time import largest
+from tests.sampling import slow
 from tests.slopes import assert_slopes_are_differences
 
 RUBBING = Isolator(lam=3.0, r=2.0, delta_h=0.08, mu=0.012, zeta=0.04, rubs="attached", force="untruncated")
@@ -504,9 +505,8 @@ def rests_of(osc, Omega, F_0, turns):
 @pytest.mark.parametrize(
     "osc",
     [
-        Duffing(1.0, 0.5, 0.02, 0.02, mu_s=0.03),
         Duffing(1.0, 0.5, 0.01, eta=0.1, c_2=1.0, mu_s=0.045),
-        RUBBING.replace(mu=0.02, mu_s=0.04),
+        *slow(Duffing(1.0, 0.5, 0.02, 0.02, mu_s=0.03), RUBBING.replace(mu=0.02, mu_s=0.04)),
     ],
     ids=repr,
 )

@@ -9,7 +9,6 @@ import sympy as sp
 
 from slowflow import Duffing, derive
 from slowflow.results import Remark
-from tests.sampling import slow
 
 U = 2.0**-53
 LAWS = {
@@ -130,7 +129,8 @@ def states_at(Omega, F, mu):
     return A[:-1][signs[1:] != signs[:-1]]
 
 
-@pytest.mark.parametrize("mu", [0.02, *slow(0.0, 0.03, 0.05)])
+@pytest.mark.slow
+@pytest.mark.parametrize("mu", [0.0, 0.02, 0.03, 0.05])
 def test_onset_lies_below_the_forcing_the_spring_does_not_hold(yielding, mu):
     """F = F_A = F_AA = 0 there, by 40 digits; a hundredth lower there is one state at each frequency, higher three."""
     mount = yielding(k=K, g=G, mu=mu, **DAMPED)

@@ -31,6 +31,7 @@ def linear(zeta: float, level_dB: float) -> float:
 @pytest.mark.parametrize("level_dB", LEVELS)
 @pytest.mark.parametrize("zeta", [1e-4, 0.001, 0.05, 0.4, 1.5, 3.0])
 @pytest.mark.parametrize("excitation", ["force", "base", "unbalance"])
+@pytest.mark.part(3)
 def test_isolation_of_a_linear_mount_is_the_closed_form(excitation, zeta, level_dB):
     """Of any damping from sqrt(2) times its natural frequency on, where the level is 0 dB; singly and in a batch."""
     omega_n = math.sqrt(2.0)

@@ -11,6 +11,7 @@ import sympy as sp
 from slowflow import Duffing, derive
 from slowflow.results import Remark
 from slowflow_kernels.conventions import Status
+from tests.sampling import slow
 
 A, W = np.linspace(2e-3, 1, 500), np.linspace(0.0, 1.3, 521)
 #: midpoints of a quarter of a turn: of an even periodic function their mean is exact but for rounding
@@ -79,7 +80,7 @@ def test_softening_peak_moves_with_friction_without_a_jump(mu):
     assert Duffing.many(1.0, -1.0, mu=[mu], zeta=0.1).peak(0.06).A == pytest.approx([peak.A], rel=1e-12)
 
 
-@pytest.mark.parametrize("excitation", ["force", "unbalance"])
+@pytest.mark.parametrize("excitation", ["force", *slow("unbalance")])
 def test_peaks_within_a_well_are_those_of_a_scan_and_of_a_batch(excitation):
     rng, power = np.random.default_rng(35), 2 * (excitation != "force")
     drawn = np.array([draw(rng, power) for _ in range(20)])

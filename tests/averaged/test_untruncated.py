@@ -19,6 +19,7 @@ from slowflow.results import Remark
 from slowflow_kernels import rod_spring, rod_spring_untruncated
 from tests.oracles import kernels
 from tests.oracles.answers import Nearby, errors
+from tests.sampling import slow
 
 DIGITS = 30
 STEP = mpf(10) ** -10
@@ -235,8 +236,8 @@ def test_many_takes_the_force():
 
 #: where 1 - u_cr, which is (1 - delta_h)^2/2, is next to nothing
 STEEP = (0.98, 0.99, 1 - 1e-4, 1 - 1e-6, 1 - 1e-9, 1 - 2.0**-52)
-#: of these, the fast tests have the first and one next to the length of the rod
-STEEP_FEW = [pytest.param(one, marks=[] if one in (STEEP[0], STEEP[4]) else pytest.mark.slow) for one in STEEP]
+#: of these, the fast tests have one next to the length of the rod
+STEEP_FEW = [*slow(*STEEP[:4]), STEEP[4], *slow(*STEEP[5:])]
 ROUNDING = 2.0**-53
 
 

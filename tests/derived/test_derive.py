@@ -457,7 +457,7 @@ def test_an_oscillator_is_pickled_into_another_process(stop, folder):
 
 
 @pytest.mark.skipif(os.name != "posix", reason="owners and modes are looked at on POSIX only")
-@pytest.mark.parametrize("how", ["open", "group", "above", "planted while it was open", "of another user"])
+@pytest.mark.parametrize("how", ["open", "of another user", *slow("group", "above", "planted while it was open")])
 def test_a_module_that_others_could_have_planted_does_not_run(tmp_path, how):
     """In a separate process; the same module in a folder of the user's own is imported."""
     import slowflow.derived

@@ -77,7 +77,7 @@ def refused(integers, numbers):
     return False
 
 
-@pytest.fixture(scope="module", params=("summed_hertz", *slow("two_stops", "jump")))
+@pytest.fixture(scope="module", params=slow("summed_hertz", "two_stops", "jump"))
 def valid(request):
     """A program, and where each operation and each list of outputs begins in its integers."""
     from slowflow.derivation.codegen.targets.program import Recorder

@@ -68,7 +68,7 @@ def test_gradients_are_by_damping_and_the_forcing_alone(name, compile):
             assert found[of, which] == pytest.approx(expected[of, which], rel=1e-9)
 
 
-@pytest.mark.parametrize("compile", [False, True])
+@pytest.mark.parametrize("compile", [False, *slow(True)])
 def test_batches_are_over_damping(compile):
     made, _, _ = pair("cubic", compile)
     zeta = np.array([0.03, 0.05])

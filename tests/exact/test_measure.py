@@ -14,6 +14,7 @@ from slowflow.results import NOT_ASKED, SteadyStates
 from slowflow_kernels import den_hartog
 from tests.oracles.by_time import last_turn, settled
 from tests.oracles.exact_reference import ScipyIntegrator, again
+from tests.sampling import slow
 
 
 def test_linear_error_is_that_beside_den_hartogs_amplitude():
@@ -85,7 +86,9 @@ def test_detachment_is_measured_by_that_of_the_first_piece():
             assert (curve.peak.A > averaged.u_cr) == beyond
 
 
-@pytest.mark.parametrize("oscillator", [isolator(), Duffing(1.0, 0.1, 0.0, 0.025), Duffing(1.0, -0.05, 0.0, 0.05)])
+@pytest.mark.parametrize(
+    "oscillator", [isolator(), *slow(Duffing(1.0, 0.1, 0.0, 0.025), Duffing(1.0, -0.05, 0.0, 0.05))]
+)
 def test_onset_is_measured_by_the_first_fold_of_exact_curves(oscillator):
     """By finer steps, to 10^-4; and the second approximation is nearer to it than averaging."""
     averaged = oscillator.saddle_node_onset()

@@ -252,6 +252,7 @@ def positive_frequencies(case: dict, A: np.ndarray, h: np.ndarray, F_0: float) -
     return [np.sort(r.real[(abs(r.imag) < 1e-9) & (r.real > 1e-9)]) for r in roots]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "index", "forcing"),
     [("table_1", 1, k) for k in range(6)] + [("random_isolators", i, 0) for i in range(0, 200, 40)],
@@ -284,6 +285,7 @@ def contour_cases() -> list[tuple]:
     ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "index", "forcing"), contour_cases())
 def test_components_by_contours(name: str, index: int, forcing: int) -> None:
     case = cases(name)[index]

@@ -10,6 +10,7 @@ import pytest
 from slowflow import Duffing, Isolator
 from slowflow.results import Remark
 from slowflow_kernels.conventions import Status
+from tests.sampling import slow
 
 
 def test_margins_of_many_say_where_folds_end_at_rest():
@@ -141,7 +142,7 @@ def test_on_a_base_margins_say_why_no_springs_detach():
     assert why and why in shaken.message and why not in pushed.message
 
 
-@pytest.mark.parametrize("samples", [20, 300])
+@pytest.mark.parametrize("samples", [20, *slow(300)])
 def test_a_response_has_about_as_many_points_as_samples(samples):
     """States at which its arcs were told apart were all points: 477 of 20, and a batch had no room for them."""
     design = {"lam": 1.4, "r": 3.5, "delta_h": 0.39, "mu": 0.00053, "zeta": 0.013, "load": -0.033}

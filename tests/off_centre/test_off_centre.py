@@ -1130,7 +1130,7 @@ def test_peak_of_undetermined_frequency_is_refused():
             assert found.message if found.Omega is None else found.Omega > 0
 
 
-@pytest.mark.parametrize("octaves", [-150, -100, -45, -20, -10, 60, 150])
+@pytest.mark.parametrize("octaves", [-100, 60, *slow(-150, -45, -20, -10, 150)])
 def test_answers_scale_with_the_unit_of_length_or_are_refused(octaves):
     """On a base lengths of 1e-30 gave a peak at Omega = 1e32 without a word."""
 

@@ -279,6 +279,7 @@ def test_a_force_of_four_pieces_is_followed_through_all_of_them(patched):
     assert state.A == pytest.approx(A, rel=0.05)
 
 
+@pytest.mark.slow
 def test_compiled_motions_off_the_centre_are_scipys(stop, patched):
     """Switches, amplitudes, multipliers of pieces on both sides of the centre and on one; a start at a jump."""
     for oscillator, Omega, F_0 in (

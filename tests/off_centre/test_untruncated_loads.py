@@ -48,6 +48,7 @@ def test_states_and_folds_satisfy_the_averaged_equations(design, load, F_0):
                 assert abs(one) < 1e-12
 
 
+@pytest.mark.slow
 @CASES
 def test_two_states_come_into_being_at_each_fold(design, load, F_0):
     iso = Isolator(**design, load=load, force="untruncated")

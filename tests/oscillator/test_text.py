@@ -46,6 +46,7 @@ def strings(path):
                 yield node.value
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("path", sorted(SOURCE.rglob("*.py")), ids=lambda path: str(path.relative_to(SOURCE)))
 def test_symbols_in_sentences_are_quantities(path):
     """In places, so that each symbol and its number have a known kind; that of no quantity would keep its size."""

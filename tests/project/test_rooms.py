@@ -94,6 +94,7 @@ def test_every_room_is_packed():
     assert {".".join(room.parts) for room in rooms} <= set(stated["packages"])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("path", FILES, ids=lambda path: str(path.relative_to(SOURCE)))
 def test_imports_run_down(path):
     here = room_of(path)
@@ -105,6 +106,7 @@ def test_imports_run_down(path):
             assert room == here or FLOOR[room] < FLOOR[here], f"{path.name} imports {module}"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("path", sorted(DERIVATION.rglob("*.py")), ids=lambda path: str(path.relative_to(DERIVATION)))
 def test_the_derivation_needs_only_what_comes_before(path):
     """At the top of a file, inside a function, or for types alone."""

@@ -140,7 +140,7 @@ def moments(psd, p, q, *radii):
     return found[:2], found[2:6].reshape(2, 2), found[6:].reshape(2, 2)
 
 
-@pytest.mark.parametrize("sigma", (0.02, 0.15, 0.2, 0.3, 0.4, 3.0, 100.0))
+@pytest.mark.parametrize("sigma", (0.02, 0.3, *slow(0.15, 0.2, 0.4, 3.0, 100.0)))
 def test_stiffness_of_the_truncated_force_is_the_closed_form(sigma):
     iso = Isolator(**DESIGN, zeta=0.02)
     (found,), _ = averages(iso.restoring_force(), np.array([sigma]))
