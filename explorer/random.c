@@ -45,10 +45,7 @@ int sf_explored_random(const double *b, int breaks, double mu, double zeta, doub
     }
     if (found.undecided[0] != 0.0 || found.count > found.max_count)
         return -1;
-    for (int i = 0; i < found.count; i++) {
-        double c[3];
-        linearization_equivalent_damping(at[i].v, mu, zeta, 0.0, c);
-        out[0][i] = at[i].u, out[1][i] = at[i].v, out[2][i] = at[i].k, out[3][i] = c[2] / c[0];
-    }
+    for (int i = 0; i < found.count; i++)
+        out[0][i] = at[i].u, out[1][i] = at[i].v, out[2][i] = at[i].k, out[3][i] = at[i].dry / at[i].c;
     return found.count;
 }

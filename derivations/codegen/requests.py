@@ -63,7 +63,10 @@ REQUESTS = {
         "in_c": "begin up down ended_along",
         "enclosed": "ended_slopes ended_state ended_along ended_fold beside begin down",
     },
-    "linearization": {"generic": "*", "in_c": "equivalent_damping response resonance steepest"},
+    "linearization": {
+        "generic": "*",
+        "in_c": "over_displacements equivalent_damping damping_force response resonance steepest",
+    },
     "sensitivities": {"generic": "*"},
     "sampled": {
         "generic": "*",

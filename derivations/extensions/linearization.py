@@ -6,10 +6,11 @@ Out: `Formulas`: equivalent damping, mean square of the damping force, the respo
 
 The linear oscillator u'' + c u' + k u = w is the one whose force misses that of (3) least in the mean square (Caughey):
 
-    k = E[u f(u)]/sigma_u^2        c = E[v r(v)]/sigma_v^2,   r(v) = mu sign(v) + 2 zeta v + c_2 |v| v
+    k = E[u f(u)]/sigma_u^2   c = E[v r]/sigma_v^2,   r = mu sign(v) + 2 (zeta + zeta_2 u^2) v + c_2 |v| v + c_3 v^3
 
-as displacement u and velocity v = u' of a stationary Gaussian motion are independent. A narrow-band motion has an
-amplitude A of the Rayleigh distribution, so that k is a mean of what (20) gives at each amplitude: E[u f] = -E[A h]/2.
+as displacement u and velocity v = u' of a stationary Gaussian motion are independent. Friction may end where |u| passes
+level sigma_u; `within` is the share of the time below. A narrow-band motion has an amplitude A of the Rayleigh
+distribution, so that k is a mean of what (20) gives at each amplitude: E[u f] = -E[A h]/2.
 
 Of an excitation with the one-sided power spectral density G(Omega)
 
@@ -34,14 +35,13 @@ changes slowly (Stratonovich, Roberts). `_by_energy` has the density of energies
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable
 
 import sympy as sp
 
 from ..claims import claim
 from ..kernels import Formulas, Lets
 from ..paper.averaging import cycle_integral
-from ..symbols import A, Omega, c_2, mu, psi, u, zeta
+from ..symbols import A, Omega, c_2, c_3, mu, psi, u, zeta, zeta_2
 
 #: root mean squares of displacement and velocity; two-sided density of white noise
 sigma_u, sigma_v, S_0 = sp.symbols("sigma_u sigma_v S_0", positive=True)
@@ -52,10 +52,13 @@ end = sp.Symbol("end", positive=True)
 #: 1 - Omega^2/k, and Z/k^2
 x, z = sp.symbols("x z", real=True)
 
+#: where friction ends, over sigma_u; the share of the time in which it acts, erf(level/sqrt(2)); 1 then, 0 else
+level, within = sp.symbols("level within", positive=True)
+_acts = sp.Symbol("acts")
+
 _v = sp.Symbol("v", positive=True)
-#: over a cycle of one energy int |v|^n |du|; over all time the means of |v|^n
-W = sp.symbols("W_0:3", positive=True)
-v_n = (sp.Integer(1), *sp.symbols("v_1:5", positive=True))
+#: over a cycle of one energy int |v| |du| and int r |du|
+W_1, lost = sp.symbols("W_1 lost", positive=True)
 
 #: a pole: its angle, sin(theta) = ratio; of the density there ln G and its slope by ln(Omega)
 theta, slope = sp.symbols("theta slope", real=True)
@@ -63,25 +66,30 @@ G = sp.Symbol("G", positive=True)
 #: at ln(Omega) = X, int dx/(x - X) less what quadrature has for it, and its slope by X: real and imaginary parts
 E_re, E_im, D_re, D_im = sp.symbols("E_re E_im D_re D_im", real=True)
 #: of arguments
-ORDER = (Omega, end, sigma_u, sigma_v, *W, *v_n[1:], S_0, theta, k, c)
-ORDER += (slope, G, E_re, E_im, D_re, D_im, ratio, mu, zeta, c_2)
+ORDER = (Omega, end, level, within, sigma_u, sigma_v, W_1, lost, S_0, theta, k, c)
+ORDER += (slope, G, E_re, E_im, D_re, D_im, ratio, mu, zeta, c_2, c_3, zeta_2)
 
 
 def _mean(of_v: sp.Expr, sigma: sp.Symbol) -> sp.Expr:
-    """E of an even function of a Gaussian number, written for positive ones."""
-    return sp.expand(_by_powers(of_v, lambda n: sigma**n * _moment(n)))
+    """E of an even polynomial of a Gaussian number, written for positive ones."""
+    return sp.expand(sp.Add(*(factor * sigma**n * _moment(n) for (n,), factor in sp.Poly(of_v, _v).terms())))
 
 
-def _by_powers(of_v: sp.Expr, mean: Callable[[int], sp.Expr]) -> sp.Expr:
-    """The mean of a polynomial in v > 0, from that of each power."""
-    return sp.Add(*(factor * mean(n) for (n,), factor in sp.Poly(of_v, _v).terms()))
+def _mean_over_u(of_u: sp.Expr) -> sp.Expr:
+    """E of an even polynomial of u, with what acts below the end."""
+    ends = {0: sp.oo, 1: level, 2: level}
+    terms = sp.Poly(of_u, u, _acts).terms()
+    return sp.expand(sp.Add(*(factor * sigma_u**n * _moment(n, ends[acts]) for (n, acts), factor in terms)))
 
 
 @functools.cache
-def _moment(power: int) -> sp.Expr:
-    """E[|v|^power] of a Gaussian number with the root mean square 1."""
+def _moment(power: int, to: sp.Expr = sp.oo) -> sp.Expr:
+    """E[|v|^power] of a Gaussian number with the root mean square 1, of |v| up to an end."""
     density = sp.exp(-(_v**2) / 2) / sp.sqrt(2 * sp.pi)
-    return 2 * sp.integrate(_v**power * density, (_v, 0, sp.oo))
+    return sp.expand(2 * sp.integrate(_v**power * density, (_v, 0, to))).subs(_FRACTION, within)
+
+
+_FRACTION = sp.erf(level / sp.sqrt(2))
 
 
 def linearization() -> Formulas:
@@ -89,7 +97,17 @@ def linearization() -> Formulas:
     of = Formulas(ORDER, domain="sigma_v > 0")
     _check_least_squares()
     _check_cycles()
-    force = mu + 2 * zeta * _v + c_2 * _v**2
+    _check_fraction()
+    force = mu + 2 * zeta * _v + c_2 * _v**2 + c_3 * _v**3
+    of_both = force.subs({mu: _acts * mu, zeta: zeta + zeta_2 * u**2})
+
+    @of.kernel("(3)", "level > 0, sigma_u > 0")
+    def over_displacements() -> tuple[sp.Expr, ...]:
+        """Friction and viscous damping ratio in the mean over u, then their slopes by ln(sigma_u)."""
+        found = [_mean_over_u(of_both.coeff(_v, n) / (2 if n else 1)) for n in (0, 1)]
+        apart = (one.subs({within: _FRACTION.subs(level, end / sigma_u)}) for one in found)
+        slopes = (sigma_u * sp.diff(one, sigma_u).subs(end, level * sigma_u) for one in apart)
+        return *found, *map(sp.simplify, slopes)
 
     @of.kernel("(3)")
     def equivalent_damping() -> tuple[sp.Expr, ...]:
@@ -104,10 +122,11 @@ def linearization() -> Formulas:
         return found, slope, found.coeff(sigma_v, -1) / sigma_v
 
     text = "Mean square of the damping force of (3)."
-    of.add("damping_force", sp.collect(_mean(force**2, sigma_v), sigma_v), text, "(3)")
+    square = _mean_over_u(_mean(sp.expand(of_both**2), sigma_v))
+    of.add("damping_force", sp.collect(square, sigma_v), text, "(3)", "level > 0")
     _response(of)
     _resonance(of)
-    _by_energy(of, force)
+    _by_energy(of)
 
     @of.kernel("(3)", "k > 0, c > 0")
     def white() -> tuple[sp.Expr, sp.Expr]:
@@ -127,6 +146,16 @@ def linearization() -> Formulas:
         return sp.simplify(2 * density * _mean(_v, sigma_v) / 2)
 
     return of
+
+
+def _check_fraction() -> None:
+    """The slope of ln(within) by ln(level) falls: its own is a square times (1 - level^2) within - level within'."""
+    by_level = sp.diff(_FRACTION, level)
+    own = (1 - level**2) * _FRACTION - level * by_level
+    slope = sp.diff(level * by_level / _FRACTION, level)
+    claim("the slope of the slope of ln(within) by ln(level)", sp.expand(slope * _FRACTION**2 / by_level - own))
+    claim("it is 0 at level = 0", own.subs(level, 0))
+    claim("and falls", sp.simplify(sp.diff(own, level) + 2 * level * _FRACTION))
 
 
 def _check_least_squares() -> None:
@@ -216,7 +245,7 @@ def _resonance(of: Formulas) -> None:
     of.add("resonance", found, text, "(3)", "0 < theta < pi/2, k > 0, c > 0")
 
 
-def _by_energy(of: Formulas, force: sp.Expr) -> None:
+def _by_energy(of: Formulas) -> None:
     """Density of u and v under white noise, by Itô's rule dE = (pi S_0 - v r) dtau + sqrt(2 pi S_0) v dB over a cycle.
 
     A cycle of an energy takes the time T = dW_1/dE, in which v^2 adds up to W_1 and what is lost to L = int r |du|. So
@@ -224,21 +253,18 @@ def _by_energy(of: Formulas, force: sp.Expr) -> None:
     T exp(-P), and u and v thus exp(-P), with dP/dE = L/(pi S_0 W_1). Viscous damping alone makes that exact.
     """
     E, v = sp.symbols("E v", real=True)
-    W_1, L, P, V = (sp.Function(name) for name in ("W_1", "L", "P", "V"))
+    W, L, P, V = (sp.Function(name) for name in ("W_1", "L", "P", "V"))
     noise = sp.pi * S_0
-    T, slope = sp.diff(W_1(E), E), L(E) / (noise * W_1(E))
+    T, slope = sp.diff(W(E), E), L(E) / (noise * W(E))
     density = T * sp.exp(-P(E))
-    flow = (noise * T - L(E)) / T * density - sp.diff(noise * W_1(E) / T * density, E)
+    flow = (noise * T - L(E)) / T * density - sp.diff(noise * W(E) / T * density, E)
     claim("no probability flows from energy to energy", sp.simplify(flow.subs(sp.diff(P(E), E), slope)))
 
-    loss = _by_powers(force, lambda n: W[n])
-    slope = sp.expand(loss / (noise * W[1]))
-    viscous = slope.subs({mu: 0, c_2: 0})
+    slope = lost / (noise * W_1)
+    viscous = slope.subs(lost, 2 * zeta * W_1)
     density = sp.exp(-viscous * (v**2 / 2 + V(u)))
     slows = (2 * zeta * v + sp.diff(V(u), u)) * density + noise * sp.diff(density, v)
     flow = sp.diff(slows, v) - v * sp.diff(density, u)
     claim("viscous damping keeps the density of u and v as it is (Fokker-Planck)", sp.simplify(flow))
     text = "Slope of P by the energy, from integrals over a cycle: under white noise u and v have the density exp(-P)."
     of.add("energy_loss", slope, text, "(3)", "W_1 > 0, S_0 > 0")
-    text = "Mean square of the damping force of (3), from the means of powers of |v|."
-    of.add("damping_force_by_moments", sp.expand(_by_powers(force**2, lambda n: v_n[n])), text, "(3)", "v_1 > 0")

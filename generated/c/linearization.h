@@ -16,15 +16,51 @@
 
 #include "inline.h"
 
-/* Damping of the linear oscillator, its slope by ln(sigma_v), and what of it is dry friction's.
-   Equation (3). Domain: sigma_v > 0. Operations: 8. */
-SF_KERNEL void linearization_equivalent_damping(double sigma_v, double mu, double zeta, double c_2, double *out)
+/* Friction and viscous damping ratio in the mean over u, then their slopes by ln(sigma_u).
+   Equation (3). Domain: level > 0, sigma_u > 0. Operations: 11. */
+SF_KERNEL void linearization_over_displacements(double level, double within, double sigma_u, double mu, double zeta, double zeta_2, double *out)
 {
-    const double t0 = 1.5957691216057308 * c_2 * sigma_v;
-    const double t1 = 0.79788456080286541 * mu / sigma_v;
-    out[0] = t0 + t1 + 2.0 * zeta;
-    out[1] = t0 - t1;
-    out[2] = t1;
+    const double t0 = sigma_u * sigma_u * zeta_2;
+    out[0] = mu * within;
+    out[1] = t0 + zeta;
+    out[2] = -0.79788456080286541 * level * mu * exp(-0.5 * level * level);
+    out[3] = 2.0 * t0;
+}
+
+/* Damping of the linear oscillator, its slope by ln(sigma_v), and what of it is dry friction's.
+   Equation (3). Domain: sigma_v > 0. Operations: 14. */
+SF_KERNEL void linearization_equivalent_damping(double sigma_v, double mu, double zeta, double c_2, double c_3, double *out)
+{
+    const double t0 = c_3 * sigma_v * sigma_v;
+    const double t1 = 1.5957691216057308 * c_2 * sigma_v;
+    const double t2 = 0.79788456080286541 * mu / sigma_v;
+    out[0] = 3.0 * t0 + t1 + t2 + 2.0 * zeta;
+    out[1] = 6.0 * t0 + t1 - t2;
+    out[2] = t2;
+}
+
+/* Mean square of the damping force of (3).
+   Equation (3). Domain: level > 0. Operations: 65. */
+SF_KERNEL double linearization_damping_force(double level, double within, double sigma_u, double sigma_v, double mu, double zeta, double c_2, double c_3, double zeta_2)
+{
+    const double t0 = 0.79788456080286541 * c_2;
+    const double t1 = 12.0 * c_3;
+    const double sigma_u2 = sigma_u * sigma_u;
+    const double t2 = sigma_u2 * zeta_2;
+    const double t3 = mu * within;
+    const double t4 = 8.0 * zeta;
+    const double t5 = 3.1915382432114616 * t3;
+    const double t6 = 8.0 * t2;
+    const double sigma_v2 = sigma_v * sigma_v;
+    const double sigma_u4 = sigma_u2 * sigma_u2;
+    const double sigma_v3 = sigma_v * sigma_v2;
+    const double sigma_v4 = sigma_v2 * sigma_v2;
+    const double sigma_v6 = sigma_v3 * sigma_v3;
+    const double sigma_v5 = sigma_v * sigma_v4;
+    return 15.0 * c_3 * c_3 * sigma_v6 + 16.0 * c_3 * sigma_v5 * t0 + mu * mu * within + sigma_v *
+        (-0.31830988618379069 * level * mu * t6 * exp(-0.5 * level * level) + t2 * t5 + t5 * zeta) + sigma_v2 * (2.0
+        * c_2 * t3 + 12.0 * sigma_u4 * zeta_2 * zeta_2 + t2 * t4 + 4.0 * zeta * zeta) + sigma_v3 * (c_3 * t5 + t0 *
+        t4 + t0 * t6) + sigma_v4 * (3.0 * c_2 * c_2 + t1 * t2 + t1 * zeta);
 }
 
 /* Z, and the slopes of -ln Z by ln k and ln c.

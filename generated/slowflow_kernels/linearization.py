@@ -19,34 +19,57 @@ import numpy as np
 
 
 __all__ = [
-    "crossings", "damping_force", "damping_force_by_moments", "energy_loss", "equivalent_damping", "resonance",
+    "crossings", "damping_force", "energy_loss", "equivalent_damping", "over_displacements", "resonance",
     "response", "steepest", "white",
 ]
 
 
-def equivalent_damping(sigma_v: Any, mu: Any, zeta: Any, c_2: Any) -> tuple[Any, Any, Any]:
+def over_displacements(level: Any, within: Any, sigma_u: Any, mu: Any, zeta: Any, zeta_2: Any) -> tuple[Any, Any, Any, Any]:
+    """Friction and viscous damping ratio in the mean over u, then their slopes by ln(sigma_u).
+
+    Equation (3). Domain: level > 0, sigma_u > 0. Shape: 4 results, each the arguments that it depends on,
+    broadcast. Operations: 11.
+    """
+    t0 = sigma_u * sigma_u * zeta_2
+    return mu * within, t0 + zeta, -0.79788456080286541 * level * mu * np.exp(-0.5 * level * level), 2.0 * t0
+
+
+def equivalent_damping(sigma_v: Any, mu: Any, zeta: Any, c_2: Any, c_3: Any) -> tuple[Any, Any, Any]:
     """Damping of the linear oscillator, its slope by ln(sigma_v), and what of it is dry friction's.
 
     Equation (3). Domain: sigma_v > 0. Shape: 3 results, each the arguments that it depends on, broadcast.
-    Operations: 8.
+    Operations: 14.
     """
-    t0 = 1.5957691216057308 * c_2 * sigma_v
-    t1 = 0.79788456080286541 * mu / sigma_v
-    return t0 + t1 + 2.0 * zeta, t0 - t1, t1
+    t0 = c_3 * sigma_v * sigma_v
+    t1 = 1.5957691216057308 * c_2 * sigma_v
+    t2 = 0.79788456080286541 * mu / sigma_v
+    return 3.0 * t0 + t1 + t2 + 2.0 * zeta, 6.0 * t0 + t1 - t2, t2
 
 
-def damping_force(sigma_v: Any, mu: Any, zeta: Any, c_2: Any) -> Any:
+def damping_force(level: Any, within: Any, sigma_u: Any, sigma_v: Any, mu: Any, zeta: Any, c_2: Any, c_3: Any, zeta_2: Any) -> Any:
     """Mean square of the damping force of (3).
 
-    Equation (3). Domain: sigma_v > 0. Shape: the arguments that it depends on, broadcast. Operations: 24.
+    Equation (3). Domain: level > 0. Shape: the arguments that it depends on, broadcast. Operations: 65.
     """
-    t0 = 0.79788456080286541 * zeta
+    t0 = 0.79788456080286541 * c_2
+    t1 = 12.0 * c_3
+    sigma_u2 = sigma_u * sigma_u
+    t2 = sigma_u2 * zeta_2
+    t3 = mu * within
+    t4 = 8.0 * zeta
+    t5 = 3.1915382432114616 * t3
+    t6 = 8.0 * t2
     sigma_v2 = sigma_v * sigma_v
-    sigma_v4 = sigma_v2 * sigma_v2
+    sigma_u4 = sigma_u2 * sigma_u2
     sigma_v3 = sigma_v * sigma_v2
+    sigma_v4 = sigma_v2 * sigma_v2
+    sigma_v6 = sigma_v3 * sigma_v3
+    sigma_v5 = sigma_v * sigma_v4
     return (
-        3.0 * c_2 * c_2 * sigma_v4 + 8.0 * c_2 * sigma_v3 * t0 + mu * mu + 4.0 * mu * sigma_v * t0 + sigma_v2 * (2.0
-        * c_2 * mu + 4.0 * zeta * zeta)
+        15.0 * c_3 * c_3 * sigma_v6 + 16.0 * c_3 * sigma_v5 * t0 + mu * mu * within + sigma_v *
+        (-0.31830988618379069 * level * mu * t6 * np.exp(-0.5 * level * level) + t2 * t5 + t5 * zeta) + sigma_v2 *
+        (2.0 * c_2 * t3 + 12.0 * sigma_u4 * zeta_2 * zeta_2 + t2 * t4 + 4.0 * zeta * zeta) + sigma_v3 * (c_3 * t5 +
+        t0 * t4 + t0 * t6) + sigma_v4 * (3.0 * c_2 * c_2 + t1 * t2 + t1 * zeta)
     )
 
 
@@ -119,26 +142,12 @@ def resonance(theta: Any, k: Any, c: Any, slope: Any, G: Any, E_re: Any, E_im: A
     )
 
 
-def energy_loss(W_0: Any, W_1: Any, W_2: Any, S_0: Any, mu: Any, zeta: Any, c_2: Any) -> Any:
+def energy_loss(W_1: Any, lost: Any, S_0: Any) -> Any:
     """Slope of P by the energy, from integrals over a cycle: under white noise u and v have the density exp(-P).
 
-    Equation (3). Domain: W_1 > 0, S_0 > 0. Shape: the arguments that it depends on, broadcast. Operations: 10.
+    Equation (3). Domain: W_1 > 0, S_0 > 0. Shape: the arguments that it depends on, broadcast. Operations: 3.
     """
-    t0 = 0.31830988618379069 / S_0
-    t1 = t0 / W_1
-    return W_0 * mu * t1 + W_2 * c_2 * t1 + 2.0 * t0 * zeta
-
-
-def damping_force_by_moments(v_1: Any, v_2: Any, v_3: Any, v_4: Any, mu: Any, zeta: Any, c_2: Any) -> Any:
-    """Mean square of the damping force of (3), from the means of powers of |v|.
-
-    Equation (3). Domain: v_1 > 0. Shape: the arguments that it depends on, broadcast. Operations: 19.
-    Proved, error / u (1 + kappa): 16.21
-    """
-    t0 = 4.0 * zeta
-    return (
-        c_2 * c_2 * v_4 + 2.0 * c_2 * mu * v_2 + c_2 * t0 * v_3 + mu * mu + mu * t0 * v_1 + 4.0 * v_2 * zeta * zeta
-    )
+    return 0.31830988618379069 * lost / (S_0 * W_1)
 
 
 def white(S_0: Any, k: Any, c: Any) -> tuple[Any, Any]:

@@ -87,8 +87,8 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
     Notes
     -----
     With eta, c_2, c_3, zeta_2 or rubs="attached" there are no proofs and no second approximation; with eta > 0, which
-    is defined at one frequency, there are no shocks. Oscillators are immutable: each parameter can be read by its name,
-    and `replace` returns a changed copy.
+    is defined at one frequency, there are no shocks and no random vibration. Oscillators are immutable: each parameter
+    can be read by its name, and `replace` returns a changed copy.
     """
 
     stays = "an oscillator does not change"
@@ -544,8 +544,8 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         Raises
         ------
         ValueError
-            If both or neither of S_0 and psd are given, without mu and zeta (under white noise c_2 suffices), for eta,
-            c_3, zeta_2 > 0, rubs="attached", under a load and for an asymmetric force.
+            If both or neither of S_0 and psd are given; without zeta and mu (under white noise c_2 suffices, under a
+            psd mu with rubs="attached" does not); for eta > 0, under a load and for an asymmetric force.
         ArithmeticError
             Where there is no stationary motion.
         """

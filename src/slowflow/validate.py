@@ -142,6 +142,12 @@ def is_force(question: str, excitation: str) -> None:
         raise NotAvailable(f"{question} is not available with excitation = {excitation!r}, only with 'force'")
 
 
+def is_in_time(question: str, names: Iterable[str], laws: str) -> None:
+    """NotAvailable where a question about motions without a frequency is asked of structural damping."""
+    if "eta" in names:
+        raise NotAvailable(f"{question} is not available with {laws}: structural damping is stated at one frequency")
+
+
 def is_plain(question: str, laws: str) -> None:
     """NotAvailable where a question is asked of an oscillator with other laws of damping, which are named."""
     if laws:

@@ -92,12 +92,15 @@ def moment(psd, k, c, power):
     return total
 
 
-def scanned(system, psd, low, high, count=160):
-    """All k that a scan finds: for each k the one c, then the zeros of what the stiffness differs from k by."""
+def scanned(system, psd, low, high, count=100):
+    """All sigma_u that a scan finds: for each k and the one c, then zeros of what I_0 differs from its square by."""
 
-    def damping(sigma_v):
+    def damping(sigma_u, sigma_v):
+        slips = math.erf(system.force.first_end / sigma_u / math.sqrt(2)) if system.released else 1.0
+        factors = system.mu * slips, 2 * (system.zeta + system.zeta_2 * sigma_u**2), system.c_2, system.c_3
+
         def resists(v):
-            return v * (system.mu + 2 * system.zeta * v + system.c_2 * v * v)
+            return sum(factor * v ** (n + 1) for n, factor in enumerate(factors))
 
         def density(v):
             return math.exp(-0.5 * (v / sigma_v) ** 2) / (sigma_v * math.sqrt(2 * math.pi))
@@ -113,12 +116,14 @@ def scanned(system, psd, low, high, count=160):
         return 2 * quad(lambda u: u * system.force.value(u) * density(u), 0, 10 * sigma, points=ends)[0] / sigma**2
 
     @functools.cache
-    def excess(k):
+    def excess(sigma):
+        k = stiffness(sigma)
+
         def own(q):
-            return math.log(damping(math.sqrt(moment(psd, k, math.exp(q), 2)))) - q
+            return math.log(damping(sigma, math.sqrt(moment(psd, k, math.exp(q), 2)))) - q
 
         c = math.exp(brentq(own, math.log(1e-3), math.log(1e3), xtol=1e-13))
-        return stiffness(math.sqrt(moment(psd, k, c, 0))) - k
+        return math.log(moment(psd, k, c, 0)) - 2 * math.log(sigma)
 
     grid = np.geomspace(low, high, count).tolist()
     return [brentq(excess, a, b, xtol=1e-13) for a, b in itertools.pairwise(grid) if (excess(a) > 0) != (excess(b) > 0)]
@@ -219,7 +224,7 @@ def test_many_designs_have_a_status_where_one_is_refused():
     assert table.u_rms[0, 0] == one.random(psd=FLOOR).u_rms[0]
     with pytest.raises(Refused, match="either S_0"):
         Duffing.many(1.0, 0.5, 0.01, 0.03).random()
-    with pytest.raises(Refused, match="only with mu, zeta and c_2"):
+    with pytest.raises(Refused, match="stated at one frequency"):
         Duffing.many(1.0, 0.5, 0.01, 0.03, eta=0.1).random(S_0=1.0)
 
 
@@ -276,16 +281,22 @@ def test_three_linear_oscillators_are_all_found_and_named():
     assert "3 linear oscillators are equivalent" in found.message
 
 
-@pytest.mark.parametrize("case", [1, 2, *slow(0, 3, 4, 5)])
+@pytest.mark.parametrize("case", [1, 2, 7, *slow(0, 3, 4, 5, 6, 8, 9)])
 def test_stationary_motions_are_those_of_a_scan(case):
     random = np.random.default_rng(100 + case)
     laws = {"zeta": random.uniform(0.01, 0.1), "mu": random.choice([0.0, 0.01]), "c_2": random.choice([0.0, 0.1])}
-    one = Isolator(**DESIGN, **laws) if case % 2 else Duffing(1.0, random.uniform(-0.01, 1.0), **laws)
+    if case > 5:
+        laws |= {"mu": 0.02, "c_3": random.choice([0.0, 0.2]), "zeta_2": random.uniform(0.0, 1.0)}
+    rubs = {"rubs": "attached"} if case > 5 and case % 2 else {}
+    one = Isolator(**DESIGN, **laws, **rubs) if case % 2 else Duffing(1.0, random.uniform(-0.01, 1.0), **laws)
     low = random.uniform(0.6, 1.2)
     psd = spread(random.uniform(5e-4, 5e-3)) if case % 3 == 0 else ([low, 1.3 * low], [0.03, 0.01])
     found = one.random(psd=psd)
-    expected = scanned(one.equation_of_motion(), psd, 0.2 * found.stiffness[0], 5 * found.stiffness[-1])
-    np.testing.assert_allclose(np.sort(found.stiffness), expected, rtol=1e-8)
+    expected = scanned(one.equation_of_motion(), psd, 0.2 * found.u_rms[0], 5 * found.u_rms[-1])
+    np.testing.assert_allclose(found.u_rms, expected, rtol=1e-8)
+    design = DESIGN if case % 2 else {name: getattr(one, name) for name in ("alpha", "beta")}
+    many = type(one).many(**design, **laws, **rubs)
+    assert many.random(psd=psd).u_rms[: len(found)].tolist() == found.u_rms.tolist()
 
 
 def test_the_mean_of_the_largest_is_that_of_rare_passages():
@@ -326,6 +337,23 @@ def tails(x, most):
     return found
 
 
+def test_growing_damping_of_a_linear_spring_is_closed():
+    """sigma_u and sigma_v are one: (2 zeta + (2 zeta_2 + 3 c_3) sigma^2) sigma^2 = pi S_0."""
+    zeta, c_3, zeta_2, S_0 = 0.03, np.array([0.2, 0.0, 0.5]), np.array([0.0, 0.4, 0.3]), 0.02
+    found = Duffing.many(1.0, 0.0, 0.0, zeta, c_3=c_3, zeta_2=zeta_2).random(S_0=S_0)
+    grows = 2 * zeta_2 + 3 * c_3
+    square = (np.sqrt(zeta**2 + math.pi * S_0 * grows) - zeta) / grows
+    np.testing.assert_allclose(found.u_rms[:, 0] ** 2, square, rtol=1e-13)
+    np.testing.assert_allclose(found.v_rms[:, 0] ** 2, square, rtol=1e-13)
+    # E[r^2] by the moments 1, 3 and 15 of u and v
+    viscous = zeta**2 + 2 * zeta * zeta_2 * square + 3 * zeta_2**2 * square**2
+    of_r = 4 * viscous * square + 4 * c_3 * (zeta + zeta_2 * square) * 3 * square**2 + 15 * c_3**2 * square**3
+    np.testing.assert_allclose(found.a_rms[:, 0] ** 2, square + of_r, rtol=1e-13)
+    for k in range(3):
+        one = Duffing(1.0, 0.0, zeta=zeta, c_3=c_3[k], zeta_2=zeta_2[k]).random(S_0=S_0)
+        assert one.u_rms[0] == found.u_rms[k, 0]
+
+
 def velocity_under(S_0, mu, zeta):
     """sigma_v of c sigma_v^2 = pi S_0, c = 2 zeta + sqrt(2/pi) mu/sigma_v."""
     dry = mp.sqrt(2 / mp.pi) * mu
@@ -351,25 +379,28 @@ def test_gradient_of_a_cubic_spring_is_that_of_closed_forms():
             assert slope == pytest.approx(float(expected), rel=2e-13, abs=1e-15)
 
 
+@pytest.mark.parametrize("laws", ({}, {"zeta_2": 0.7, "rubs": "attached"}))
 @mp.workdps(40)
-def test_gradient_of_a_force_that_jumps_is_that_of_its_tails():
-    """The force jumps at u_cr, which the design moves."""
+def test_gradient_of_a_force_that_jumps_is_that_of_its_tails(laws):
+    """The force jumps at u_cr, which the design moves, and where friction may end."""
 
-    def u_rms(lam, r, delta_h, mu, zeta, S_0):
+    def u_rms(lam, r, delta_h, mu, zeta, *rest):
+        *zeta_2, S_0 = rest
         alpha, beta, gamma, u_cr = rod_coefficients(lam, r, delta_h)
 
         def excess(s):
             T = tails(u_cr / s, 6)
             of_u = alpha * s**2 + 3 * beta * s**4 + 15 * gamma * s**6
             beyond = (1 - alpha) * s**2 * T[2] - beta * s**4 * T[4] - gamma * s**6 * T[6]
-            return of_u + 2 * beyond - velocity_under(S_0, mu, zeta) ** 2
+            slips = 1 - 2 * T[0] if laws else 1
+            return of_u + 2 * beyond - velocity_under(S_0, mu * slips, zeta + sum(zeta_2) * s**2) ** 2
 
         return mp.findroot(excess, mpf(found.u_rms[0]))
 
-    at = (*DESIGN.values(), 0.012, 0.02, 1e-3)
-    found = Isolator(**DESIGN, mu=at[3], zeta=at[4]).random(S_0=at[5])
+    at = (*DESIGN.values(), 0.012, 0.02, *list(laws.values())[:1], 1e-3)
+    found = Isolator(**DESIGN, mu=at[3], zeta=at[4], **laws).random(S_0=at[-1])
     for j, slope in enumerate(found.gradient()["u_rms"][0]):
-        expected = mp.diff(u_rms, [mpf(value) for value in at], [int(j == n) for n in range(6)])
+        expected = mp.diff(u_rms, [mpf(value) for value in at], [int(j == n) for n in range(len(at))])
         assert slope == pytest.approx(float(expected), rel=2e-13)
 
 
@@ -489,6 +520,31 @@ def test_cycles_of_a_linear_spring_have_closed_integrals():
     assert found.a_rms**2 == pytest.approx(square + np.convolve([mu, 2 * zeta, c_2], [mu, 2 * zeta, c_2]) @ means)
 
 
+def test_cycles_with_all_damping_have_their_density():
+    """Of u and v it is exp(-P) of their energy, P by the loss of a cycle over pi S_0 times its area."""
+    S_0, laws = 1e-3, {"mu": 0.02, "zeta": 0.02, "c_2": 0.1, "c_3": 0.3, "zeta_2": 0.5}
+    one = Isolator(**DESIGN, **laws, rubs="attached")
+    u_cr, force = one.u_cr, one.restoring_force()
+    u = np.linspace(0, 0.9, 9001)
+    V = np.concatenate(([0.0], np.cumsum(force(0.5 * (u[1:] + u[:-1]))) * u[1]))
+    v = np.linspace(0, 1.0, 2001)
+
+    def resists(u, v):
+        viscous = 2 * (laws["zeta"] + laws["zeta_2"] * u**2)
+        return laws["mu"] * (u < u_cr) + viscous * v + laws["c_2"] * v**2 + laws["c_3"] * v**3
+
+    root = np.linspace(1e-7, math.sqrt(V[-1]), 400)
+    speed = [np.sqrt(2 * np.maximum(e * e - V, 0)) for e in root]
+    slope = 2 * root * np.array([np.sum(resists(u, s) * (s > 0)) / np.sum(s) for s in speed]) / (math.pi * S_0)
+    P = np.concatenate(([0.0], np.cumsum(0.5 * (slope[1:] + slope[:-1]) * np.diff(root))))
+    at = np.meshgrid(u[::10], v, indexing="ij")
+    density = np.exp(-np.interp(V[::10, np.newaxis] + 0.5 * v**2, root**2, P))
+    density *= np.where(v == 0, 0.5, 1.0) * np.where(u[::10, np.newaxis] == 0, 0.5, 1.0)
+    means = [np.average(of, weights=density) for of in (at[0] ** 2, at[1] ** 2, resists(*at) ** 2 + force(at[0]) ** 2)]
+    found = one.random(S_0=S_0).by_energy
+    np.testing.assert_allclose([found.u_rms, found.v_rms, found.a_rms], np.sqrt(means), rtol=2e-3)
+
+
 @pytest.mark.parametrize(("mu", "u_rms", "within"), ((0.012, 0.20875, 0.002), (0.05, 0.10228, 0.025)))
 def test_cycles_with_friction_are_near_records(mu, u_rms, within):
     """Those of another integrator, to 0.0002; friction is 0.56 and 0.93 of the damping."""
@@ -552,7 +608,7 @@ def test_straight_lines_between_samples_have_the_spectrum():
         ({}, {"psd": ([1.0, 2.0], [1.0])}, "two rows"),
         ({}, {"psd": ([2.0, 1.0], [1.0, 1.0])}, "rise"),
         ({}, {"psd": ([1.0, 2.0], [1.0, 0.0])}, "G"),
-        ({"zeta": 0.0}, {"S_0": 1.0}, "friction or viscous"),
+        ({"zeta": 0.0}, {"S_0": 1.0}, "needs viscous damping"),
         ({"eta": 0.1}, {"S_0": 1.0}, "eta"),
         ({"load": 0.1}, {"S_0": 1.0}, "load"),
     ),
@@ -566,6 +622,17 @@ def test_a_mass_that_friction_holds_has_no_equivalent_damping():
     one = Duffing(1.0, 1.0, mu=0.5, zeta=0.02)
     with pytest.raises(ArithmeticError, match="friction holds"):
         one.random(psd=spread(1e-3))
+
+
+def test_friction_that_ends_may_hold_up_to_some_displacement():
+    one = Isolator(**DESIGN, mu=2.4, zeta=0.02)
+    attached = one.replace(rubs="attached")
+    for other, density in ((one, 1.0), (attached, 0.05)):
+        with pytest.raises(ArithmeticError, match="friction holds"):
+            other.random(psd=spread(density))
+    found = attached.random(psd=spread(1.0)).u_rms
+    np.testing.assert_allclose(found, scanned(attached.equation_of_motion(), spread(1.0), 0.275, 12.0, 24), rtol=1e-8)
+    assert len(found) == 2
 
 
 def test_a_spring_that_gives_way_has_no_stationary_motion():

@@ -47,10 +47,7 @@ def answer(
     at_rest -- of one design, from its numbers by name, what has its equilibria
     batch   -- what an answer is
     """
-    if "eta" in designs.values:
-        raise validate.NotAvailable(
-            f"{question} is not available with {designs.laws}: structural damping is stated at one frequency"
-        )
+    validate.is_in_time(question, designs.values, designs.laws)
     if (duration is None) == (tau is None):
         raise Refused(NO_PULSE)
     last = AFTER if after is None else validate.number("after", after, least=0.0)

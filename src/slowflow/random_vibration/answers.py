@@ -103,11 +103,11 @@ class RandomResponse(Drawn, Table):
         return np.asarray(self.u_rms * np.trapezoid(survives, dx=width, axis=1))
 
     def gradient(self) -> Gradient:
-        """Differentiate u_rms, v_rms and a_rms of each motion with respect to the design, mu, zeta, c_2 and S_0.
+        """Differentiate u_rms, v_rms and a_rms of each motion with respect to the design, its damping and S_0.
 
-        The derivatives are exact; those with respect to c_2 if it is not 0, to S_0 for white noise. Where two
-        equivalent oscillators merge there is no gradient; `.status` and `.message` say so. Raises ValueError if the
-        derivatives of the force with respect to the design are not known.
+        The derivatives are exact; those with respect to c_2, c_3 and zeta_2 if these are not 0, to S_0 for white noise.
+        Where two equivalent oscillators merge there is no gradient; `.status` and `.message` say so. Raises ValueError
+        if the derivatives of the force with respect to the design are not known.
         """
         return gradient(self, self.system, self._equation)
 
@@ -132,7 +132,7 @@ class RandomResponse(Drawn, Table):
 class ByEnergy(Single):
     """Stationary motion under white noise by stochastic averaging of the energy; dimensionless.
 
-    Without dry friction and quadratic damping it is the exact solution of the Fokker-Planck equation.
+    With viscous damping 2 zeta u' alone it is the exact solution of the Fokker-Planck equation.
 
     u_rms, v_rms, a_rms -- as in `RandomResponse`
     beyond   -- fraction of the time beyond the first breakpoint, NaN if there is none

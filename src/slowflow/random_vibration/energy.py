@@ -3,11 +3,12 @@
 u and v have the density exp(-P)/N, where P is a function of the energy and rises with it by `linearization.energy_loss`
 (`derivations/extensions/linearization.py`). A cycle of the amplitude a has the velocity v^2 = 2 int_u^a f(u) du, and
 
-    W_n = int |v|^n |du|,  J_X = int X |v| |du|
+    J_X = int X |v| |du|,   L_Y = int Y/|v| |du|
 
-The time that it is where X = 1 is dJ_X/dE, which has no bound where the force jumps. By parts there is none of it:
+The time that it is where X = 1 is dJ_X/dE, which has no bound where the force jumps. By parts there is none of it, for
+X of u alone; Y that vanish with v, as v^2 and what r^2 is more than at v = 0, need no such step:
 
-    N = int J_1 exp(-P) dP,   N E[X] = int J_X exp(-P) dP,   N E[|v|^n] = int W_{n-1} exp(-P) dE
+    N = int J_1 exp(-P) dP,   N E[X] = int J_X exp(-P) dP,   N E[Y] = int L_Y exp(-P) dE
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ from numpy.polynomial import legendre
 from slowflow.mechanism import EquationOfMotion, Floats, Piece
 from slowflow.support.errors import NotSettled
 from slowflow.text import Sentence
-from slowflow_kernels import linearization
+from slowflow_kernels import linearization, motion
 
 #: nodes of Gauss's rule in a piece of the force, and in a panel of amplitudes
 NODES = 20
@@ -45,9 +46,9 @@ def averages(system: EquationOfMotion, S_0: float, scale: float) -> Floats:
 
     Raises ArithmeticError where the spring pushes away from the centre or gives way.
     """
-    laws, first = (system.mu, system.zeta, system.c_2), system.force.innermost
+    first = system.force.innermost
     pieces, ends = system.force.pieces[first:], (0.0, *system.force.breakpoints[first:], math.inf)
-    P, of_u, of_v = 0.0, np.zeros(5), np.zeros(4)
+    P, of_u, of_v = 0.0, np.zeros(5), np.zeros(2)
     for number, begin, end in _panels(ends, scale):
         # next to a breakpoint what follows changes as a power of the square root of what is beyond it
         s = begin + (end - begin) * AT
@@ -58,20 +59,29 @@ def averages(system: EquationOfMotion, S_0: float, scale: float) -> Floats:
         if not f.any():  # within a dead zone the energy is 0
             continue
         dE = f * 2 * scale * s * (end - begin)
-        W, J = _cycles(pieces[: number + 1], ends, a)
-        dP = linearization.energy_loss(W[0], W[1], W[2], S_0, *laws) * dE
+        J, (lost, more) = _cycles(system, pieces[: number + 1], ends, a)
+        dP = linearization.energy_loss(J[0], lost, S_0) * dE
         weights = WEIGHTS * np.exp(-P - UP_TO @ dP)
         of_u += J @ (weights * dP)
-        of_v += W @ (weights * dE)
+        of_v += np.array([J[0], more]) @ (weights * dE)
         P += WEIGHTS @ dP
         if P > FARTHEST:
             break
     else:
         raise NotSettled(GIVES_WAY)
-    v_1, v_2, v_3, v_4 = of_v / of_u[0]
+    v_2, more = of_v / of_u[0]
     square, of_force, beyond, fourth = of_u[1:] / of_u[0]
-    resists = linearization.damping_force_by_moments(v_1, v_2, v_3, v_4, *laws)
-    return np.array([square, v_2, of_force + resists, beyond, fourth])
+    at_rest = system.mu**2 * (1 - beyond if system.released else 1)
+    return np.array([square, v_2, of_force + at_rest + more, beyond, fourth])
+
+
+def damping_force(system: EquationOfMotion, u: Floats, v: Floats) -> Floats:
+    """What resists a velocity, of numbers whose shapes are one."""
+    sign, laws = np.sign(v), (system.c_3, system.zeta_2)
+    end = system.force.first_end
+    acts = True if end is None or not system.released else np.abs(u) <= end
+    resists, _, _ = motion.resistance(v, system.zeta, system.mu * acts * sign, system.c_2 * sign, *laws, u)
+    return np.asarray(-motion.acceleration(0.0, v, 0.0, system.zeta, resists, 0.0))
 
 
 def _panels(ends: Sequence[float], scale: float) -> Iterator[tuple[int, float, float]]:
@@ -82,9 +92,11 @@ def _panels(ends: Sequence[float], scale: float) -> Iterator[tuple[int, float, f
         yield from ((number, *panel) for panel in itertools.pairwise(edges))
 
 
-def _cycles(pieces: Sequence[Piece], ends: Sequence[float], a: Floats) -> tuple[Floats, Floats]:
-    """W_0 to W_3 and J_X of 1, u^2, f^2, whether u is beyond the first piece, and u^4, (..., amplitudes)."""
-    W, J, square, top = np.zeros((4, a.size)), np.zeros((5, a.size)), np.zeros((a.size, 1)), a[:, np.newaxis]
+def _cycles(
+    system: EquationOfMotion, pieces: Sequence[Piece], ends: Sequence[float], a: Floats
+) -> tuple[Floats, Floats]:
+    """J_X of 1, u^2, f^2, whether u is beyond the first piece, and u^4; L_Y of v r, and of r^2 less that at v = 0."""
+    L, J, square, top = np.zeros((2, a.size)), np.zeros((5, a.size)), np.zeros((a.size, 1)), a[:, np.newaxis]
     for number in reversed(range(len(pieces))):
         # next to a turning point v is the root of what is left
         width = top - ends[number]
@@ -92,9 +104,9 @@ def _cycles(pieces: Sequence[Piece], ends: Sequence[float], a: Floats) -> tuple[
         f = pieces[number](u)
         v = np.sqrt(square + 2 * (f * du) @ UP_TO.T)
         weights = 4 * du * WEIGHTS
-        powers = v ** np.arange(4)[:, np.newaxis, np.newaxis]
-        W += (weights * powers).sum(axis=2)
+        r, friction = damping_force(system, u, v), 0.0 if system.released and number else system.mu
+        L += (weights * np.array([r, (r - friction) * (r + friction) / v])).sum(axis=2)
         of_u = np.array([np.ones(u.shape), u**2, f**2, np.full(u.shape, number > 0), u**4])
         J += (weights * v * of_u).sum(axis=2)
         square, top = square + 2 * (f * du) @ WEIGHTS[:, np.newaxis], np.full_like(top, ends[number])
-    return W, J
+    return J, L

@@ -24,6 +24,8 @@ from slowflow.sensitivities import OF_FUNCTIONS, OF_RECORD
 from slowflow_kernels import linearization
 from slowflow_kernels.conventions import MovesStatus
 
+#: of `EquationOfMotion`
+LAWS = "mu", "zeta", "c_2", "c_3", "zeta_2"
 #: u/sigma up to which averages reach
 FARTHEST = 12.0
 #: a determinant below which two motions are one, that of two motions far apart being some units
@@ -36,9 +38,11 @@ def gradient(found: Any, system: EquationOfMotion, oscillator: Any) -> Gradient:
     mechanism, names = model.mechanism, model.mechanism.design_names
     if mechanism.by_design is None:
         raise validate.NotAvailable((OF_FUNCTIONS if mechanism.told else OF_RECORD).format(mechanism.name))
-    laws = (system.mu, system.zeta, system.c_2)[: 2 + (system.c_2 > 0)]
+    others = [name for name in LAWS[2:] if getattr(system, name) > 0]
+    present = [*LAWS[:2], *others]
+    laws = tuple(getattr(system, name) for name in present)
     power = (found.excitation.S_0,) if isinstance(found.excitation, White) else ()
-    by = (*(*names, "mu", "zeta", "c_2")[: len(names) + len(laws)], *("S_0",) * len(power))
+    by = (*names, *present, *("S_0",) * len(power))
     parameters, ends = model.parameters, np.array(mechanism.breakpoints(*model.parameters), dtype=float)
     # of each parameter, then of each breakpoint, by each number of the design
     by_design = np.array(mechanism.by_design(*model.design), dtype=float).reshape(-1, len(names))
@@ -51,7 +55,7 @@ def gradient(found: Any, system: EquationOfMotion, oscillator: Any) -> Gradient:
             shifts = by_design @ step[2:count]
             shifted = np.array(parameters) + shifts[: len(parameters)]
             edges = (ends + shifts[len(parameters) :])[ends > 0]
-            resists = np.array([*laws, 0.0])[:3] + np.append(step[count:], 0.0)[:3]
+            resists = {name: value + change for name, value, change in zip(present, laws, step[count:], strict=True)}
             return _state(system, shifted, edges, resists, u * (1 + step[0]), v * (1 + step[1]))
 
         by_all = np.array([at(1j * IMAGINARY * one).imag / IMAGINARY for one in np.eye(size)]).T
@@ -69,16 +73,17 @@ def gradient(found: Any, system: EquationOfMotion, oscillator: Any) -> Gradient:
     return Gradient(("u_rms", "v_rms", "a_rms"), by, slopes, status, values, (*model.design, *laws, *power))
 
 
-def _state(system: EquationOfMotion, parameters: Any, ends: Any, laws: Any, u: Any, v: Any) -> Any:
+def _state(system: EquationOfMotion, parameters: Any, ends: Any, laws: dict[str, Any], u: Any, v: Any) -> Any:
     """ln k, ln c and E[a^2], of complex numbers."""
-    means = np.zeros(2, complex)
+    means = np.zeros(3, complex)
+    within: Any = 1.0
     first = system.force.innermost
     edges = (0.0, *ends, FARTHEST * u.real)
     for piece, (low, high) in zip(system.force.pieces[first:], itertools.pairwise(edges), strict=True):
 
         def integrand(x: Any, law: Any = piece.law) -> Any:
             f = law.force(x, *parameters)
-            return np.array([x * f, f * f]) * np.exp(-0.5 * (x / u) ** 2) * math.sqrt(2 / math.pi) / u
+            return np.array([x * f, f * f, np.ones_like(x)]) * np.exp(-0.5 * (x / u) ** 2) * math.sqrt(2 / math.pi) / u
 
         if low.real >= edges[-1]:
             break
@@ -91,5 +96,11 @@ def _state(system: EquationOfMotion, parameters: Any, ends: Any, laws: Any, u: A
         for end, sign in ((low, -1), (high, 1)):
             if end.imag:
                 means += sign * 1j * end.imag * integrand(end.real)
-    c, _, _ = linearization.equivalent_damping(v, *laws)
-    return np.array([np.log(means[0] / u**2), np.log(c), means[1] + linearization.damping_force(v, *laws)])
+        if system.released and low == 0:
+            within = means[2]
+    level = min(edges[1] / u, FARTHEST, key=np.real) if system.released else FARTHEST
+    mu, zeta, c_2, c_3, zeta_2 = (laws.get(name, 0.0) for name in LAWS)
+    friction, viscous, _, _ = linearization.over_displacements(level, within, u, mu, zeta, zeta_2)
+    c, _, _ = linearization.equivalent_damping(v, friction, viscous, c_2, c_3)
+    of_a = means[1] + linearization.damping_force(level, within, u, v, mu, zeta, c_2, c_3, zeta_2)
+    return np.array([np.log(means[0] / u**2), np.log(c), of_a])

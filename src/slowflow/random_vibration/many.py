@@ -15,22 +15,19 @@ from slowflow.exact.motion import design_rows, recurrences, system_of
 from slowflow.mechanism import Floats
 from slowflow.model import THROUGHOUT
 from slowflow.random_vibration.excitation import White
-from slowflow.random_vibration.questions import columns, excited_by, stationary
+from slowflow.random_vibration.questions import columns, excited_by, is_damped, stationary
 from slowflow.table import AVERAGING, QUESTIONS
-from slowflow.text import Sentence
 from slowflow_kernels.conventions import Status
-from slowflow_kernels.domains import DISSIPATION
 
 #: designs in a chunk, which take some tenths of a second
 CHUNK = 2**13
-DAMPED_BY = "mu", "zeta", "c_2"
-OTHER_LAWS = Sentence("random is not available with {laws:s}, only with {mu}, {zeta} and c_2")
+DAMPED_BY = "mu", "zeta", "c_2", "c_3", "zeta_2", "released"
 
 
 def answer(designs: Designs, S_0: Any, psd: Any, places: int, workers: int = 1) -> Batch:
     """See `random` of `slowflow.table.ManyQuestions`."""
-    if {one.name for one in DISSIPATION} & set(designs.values) - set(DAMPED_BY) or designs.rubs != THROUGHOUT:
-        raise validate.NotAvailable(OTHER_LAWS.format(designs.laws))
+    validate.is_in_time("random", designs.values, designs.laws)
+    released = designs.rubs != THROUGHOUT
     excitation = excited_by(None if S_0 is None else 1.0, psd)
     places, threads = validate.count("places", places, least=1), validate.workers(workers)
     power = {} if S_0 is None else {"S_0": validate.real_array("S_0", S_0)}
@@ -40,26 +37,24 @@ def answer(designs: Designs, S_0: Any, psd: Any, places: int, workers: int = 1) 
     found = QUESTIONS["random"].blank(AVERAGING, own["mu"].shape, place=places)
     (status := found["status"])[...] = Status.INVALID
     valid = np.broadcast_to(designs.detachment(workers=workers).status != Status.INVALID, shape).ravel()
-    damped = (own["mu"] != 0) | (own["zeta"] != 0)
+    valid = valid & is_damped(own["mu"], own["zeta"], own.get("c_2", 0.0), released, S_0 is not None)
     if S_0 is not None:
-        damped |= own.get("c_2", 0.0) != 0
-        valid = valid & np.isfinite(own["S_0"]) & (own["S_0"] > 0)
-    valid = valid & damped
+        valid &= np.isfinite(own["S_0"]) & (own["S_0"] > 0)
     laws = tuple(recurrences(law) for law in designs.mechanism.pieces)
     together = valid & (_stiffness_is_finite(designs.mechanism, own) if None not in laws else False)
 
     def solve(part: tuple[Any, ...]) -> None:
         chunk = batched[part]
-        motions, count = np.full((chunk.size, places, 4), np.nan), np.empty(chunk.size, np.int8)
+        motions, count = np.full((chunk.size, places, 6), np.nan), np.empty(chunk.size, np.int8)
         some = {name: value[chunk] for name, value in own.items()}
+        some["released"] = np.full(chunk.size, released)
         constants, ends, damping = design_rows(designs.mechanism, some, DAMPED_BY)
         power, table = (b"", excitation.for_C) if S_0 is None else (np.pi * some["S_0"], b"")
         EXACT.stationary_of_each(laws, constants, ends, damping, power, table, count, motions)
         first = np.where(ends > 0, ends, np.inf).min(axis=1, initial=np.inf, keepdims=True)
         end = np.where(np.isfinite(first), first, np.nan)
         with np.errstate(invalid="ignore"):  # empty places
-            u, square, k, v = np.moveaxis(motions, 2, 0)
-            values = columns(u, square, k, v, damping.T[..., np.newaxis], end)
+            values = columns(motions, end)
         for name, value in values.items():
             found[name][chunk] = value
         found["count"][chunk] = np.maximum(count, 0)

@@ -20,8 +20,8 @@ from slowflow_kernels import linearization
 
 ONE_OF = "random takes either S_0, of white noise, or psd, a table of frequencies and densities"
 UNDAMPED = text(
-    "random vibration needs dry friction or viscous damping, under white noise c_2 does: {mu = :g} and zeta = 0 leave "
-    "none",
+    "random vibration needs viscous damping, or dry friction that acts throughout; under white noise c_2 does: "
+    "{mu = :g} and zeta = 0 leave none",
     0.0,
 )
 UNDECIDED = Sentence("there may be another equivalent linear oscillator next to {stiffness = :.4g}, {damping = :.4g}")
@@ -49,7 +49,6 @@ IN_A_BAND = (
 def random(oscillator: Any, system: EquationOfMotion, S_0: Any, psd: Any) -> RandomResponse:
     """See `slowflow.oscillator.Oscillator.random`."""
     excitation = excited_by(S_0, psd)
-    validate.is_plain("random", oscillator.model.laws.description("c_2"))
     columns = stationary(system, excitation)
     u, dry = columns["u_rms"], columns["dry"]
     message = joined(
@@ -73,31 +72,28 @@ def excited_by(S_0: Any, psd: Any) -> Excitation:
 
 def stationary(system: EquationOfMotion, excitation: Excitation) -> dict[str, Floats]:
     """The columns of `RandomResponse`, by rising u_rms. Raises as `Oscillator.random`."""
-    if system.mu == system.zeta == 0 and not (system.c_2 > 0 and isinstance(excitation, White)):
+    if not is_damped(system.mu, system.zeta, system.c_2, system.released, isinstance(excitation, White)):
         raise validate.NotAvailable(UNDAMPED)
-    laws = system.mu, system.zeta, system.c_2
     *left, found = EXACT.stationary(handle(system), excitation.for_C)
     if left[0] < 0:
         raise NotSettled(STUCK)
     if left[0]:
         raise NotSettled(UNDECIDED.format(*left))
-    u, square, k, v = np.frombuffer(found).reshape(-1, 4).T
-    if not u.size:
+    if not found:
         raise NotSettled(GIVES_WAY)
     end = math.nan if (first := system.force.first_end) is None else first
-    return columns(u, square, k, v, laws, end)
+    return columns(np.frombuffer(found).reshape(-1, 6), end)
 
 
-def columns(u: Floats, square: Floats, k: Floats, v: Floats, laws: Any, end: Any) -> dict[str, Floats]:
-    """Columns of stationary motions, of shapes that broadcast.
+def is_damped(mu: Any, zeta: Any, c_2: Any, released: bool, white: bool) -> Any:
+    """Whether there are stationary motions at any stiffness, of numbers or arrays."""
+    return (zeta != 0) | (mu != 0) & (white or not released) | (c_2 != 0) & white
 
-    square -- mean square of the force
-    laws   -- mu, zeta and c_2
-    end    -- of its first piece, NaN where there is none
-    """
-    c, _, dry = linearization.equivalent_damping(v, *laws)
-    a = np.sqrt(square + linearization.damping_force(v, *laws))
+
+def columns(motions: Floats, end: Any) -> dict[str, Floats]:
+    """Columns of stationary motions, (..., 6) in C's order, for the end of the force's first piece, NaN without one."""
+    u, v, square, k, c, dry = np.moveaxis(motions, -1, 0)
     beyond = np.asarray(_erfc(end / (math.sqrt(2) * u)), dtype=float)
     rate = linearization.crossings(end, u, v)
-    found = u, v, a, k, c, np.sqrt(k), c / (2 * np.sqrt(k)), beyond, rate, dry / c
+    found = u, v, np.sqrt(square), k, c, np.sqrt(k), c / (2 * np.sqrt(k)), beyond, rate, dry / c
     return dict(zip(Stationary._fields, found, strict=True))

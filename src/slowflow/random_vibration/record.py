@@ -17,9 +17,10 @@ from slowflow.backend import EXACT
 from slowflow.exact.motion import MOST_STEPS, handle, lost
 from slowflow.exact.transient import record as arcs_of
 from slowflow.mechanism import EquationOfMotion, Floats
+from slowflow.random_vibration.energy import damping_force
 from slowflow.random_vibration.excitation import Excitation, White
 from slowflow.support.errors import NotSettled
-from slowflow_kernels import linearization, motion
+from slowflow_kernels import linearization
 
 #: steps of time: of the slowest of natural periods over a turn, of the times in which damping acts on white noise, and
 #: of the period over a turn of the highest frequency of a table that counts
@@ -114,7 +115,4 @@ def followed(system: EquationOfMotion, w: Floats, step: float) -> Floats:
 
 def accelerations(system: EquationOfMotion, u: Floats, v: Floats, w: Floats) -> Any:
     """Of the mass as seen by who stands still, where the base is what pushes: it goes with the base where it sticks."""
-    sign, f = np.sign(v), system.force(u)
-    laws = system.mu * sign, system.c_2 * sign, system.c_3, system.zeta_2
-    resists = motion.resistance(v, system.zeta, *laws, u)[0]
-    return np.where(v == 0, w, -motion.acceleration(0.0, v, 0.0, system.zeta, resists, f))
+    return np.where(v == 0, w, system.force(u) + damping_force(system, u, v))

@@ -8,7 +8,7 @@ from mpmath import mp, mpf
 
 from tests.oracles.definitions.points import entry, points
 
-FAR = 20
+FAR = 9
 
 
 def gaussian(v, sigma):
@@ -17,32 +17,54 @@ def gaussian(v, sigma):
 
 def mean(f, sigma):
     """E f(v) of an even function."""
-    return 2 * mp.quad(lambda v: f(v) * gaussian(v, sigma), [n * sigma for n in range(FAR)])
+    panels = [2 * n * sigma for n in range(FAR)]
+    return 2 * mp.quad(lambda v: f(v) * gaussian(v, sigma), panels, method="gauss-legendre")
 
 
-def resistance(v, mu, zeta, c_2):
-    return mu * mp.sign(v) + 2 * zeta * v + c_2 * abs(v) * v
+def resistance(v, mu, zeta, c_2, c_3):
+    return mu * mp.sign(v) + 2 * zeta * v + c_2 * abs(v) * v + c_3 * v**3
 
 
-def damping(sigma_v, mu, zeta, c_2):
-    return mean(lambda v: v * resistance(v, mu, zeta, c_2), sigma_v) / mean(lambda v: v * v, sigma_v)
+def damping(sigma_v, *laws):
+    return mean(lambda v: v * resistance(v, *laws), sigma_v) / mean(lambda v: v * v, sigma_v)
 
 
-def equivalent_damping(sigma_v, mu, zeta, c_2):
-    slope = mp.diff(lambda x: damping(sigma_v * mp.exp(x), mu, zeta, c_2), 0)
-    return [damping(sigma_v, mu, zeta, c_2), slope, damping(sigma_v, mu, mpf(0), mpf(0))]
+def over_displacements(level, within, sigma_u, mu, zeta, zeta_2):
+    """What changes by ln(sigma_u): what friction has between the levels at sigma_u and next to it."""
+
+    def viscous(x):
+        return zeta + zeta_2 * mean(lambda u: u * u, sigma_u * mp.exp(x))
+
+    def friction(x):
+        return mu * (within + mp.quad(lambda t: 2 * gaussian(t, 1), [level, level * mp.exp(-x)]))
+
+    return [friction(0), viscous(0), mp.diff(friction, 0), mp.diff(viscous, 0)]
 
 
-def energy_loss(path, area, cube, S_0, mu, zeta, c_2):
+def equivalent_damping(sigma_v, mu, zeta, c_2, c_3):
+    slope = mp.diff(lambda x: damping(sigma_v * mp.exp(x), mu, zeta, c_2, c_3), 0)
+    return [damping(sigma_v, mu, zeta, c_2, c_3), slope, damping(sigma_v, mu, mpf(0), mpf(0), mpf(0))]
+
+
+def damping_force(level, within, sigma_u, sigma_v, mu, zeta, c_2, c_3, zeta_2):
+    """From the shares of the time and of u^2 where friction acts."""
+    within_square = within - 2 * mp.quad(lambda t: (1 - t * t) * gaussian(t, 1), [0, level])
+    means = (1, sigma_u**2, 3 * sigma_u**4), (within, within_square * sigma_u**2)
+
+    def others(v, power):
+        """Factors of u^0 and u^2."""
+        return (resistance(v, 0, zeta, c_2, c_3), 2 * zeta_2 * v)[power]
+
+    def square(v):
+        own = sum(others(v, i) * others(v, j) * means[0][i + j] for i in (0, 1) for j in (0, 1))
+        return own + 2 * mu * sum(others(v, i) * means[1][i] for i in (0, 1)) + mu**2 * within
+
+    return [mean(square, sigma_v)]
+
+
+def energy_loss(area, lost, S_0):
     """Of a cycle that is lost of what noise adds, pi S_0 in a unit of time, per area."""
-    return [(mu * path + c_2 * cube) / (mp.pi * S_0 * area) + 2 * zeta / (mp.pi * S_0)]
-
-
-def damping_force_by_moments(v_1, v_2, v_3, v_4, mu, zeta, c_2):
-    """Of the three forces their squares, then their products."""
-    return [
-        mu**2 + (2 * zeta) ** 2 * v_2 + c_2**2 * v_4 + 2 * (2 * zeta * mu * v_1 + mu * c_2 * v_2 + 2 * zeta * c_2 * v_3)
-    ]
+    return [lost / (mp.pi * S_0 * area)]
 
 
 def modulus(Omega, k, c):
@@ -97,14 +119,14 @@ def crossings(end, sigma_u, sigma_v):
 
 
 LINEARIZATION = {
-    "equivalent_damping": ("sigma_v mu zeta c_2", equivalent_damping),
-    "damping_force": ("sigma_v mu zeta c_2", lambda s, *laws: [mean(lambda v: resistance(v, *laws) ** 2, s)]),
+    "over_displacements": ("level within sigma_u mu zeta zeta_2", over_displacements),
+    "equivalent_damping": ("sigma_v mu zeta c_2 c_3", equivalent_damping),
+    "damping_force": ("level within sigma_u sigma_v mu zeta c_2 c_3 zeta_2", damping_force),
     "response": ("Omega k c", response),
     "steepest": ("ratio", steepest),
     "white": ("S_0 k c", white),
     "crossings": ("end sigma_u sigma_v", crossings),
-    "damping_force_by_moments": ("v_1 v_2 v_3 v_4 mu zeta c_2", damping_force_by_moments),
-    "energy_loss": ("W_0 W_1 W_2 S_0 mu zeta c_2", energy_loss),
+    "energy_loss": ("W_1 lost S_0", energy_loss),
     "resonance": ("theta k c slope G E_re E_im D_re D_im", resonance),
 }
 

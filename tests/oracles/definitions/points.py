@@ -122,7 +122,7 @@ RANGES = {
     **{"S_0": (1e-4, 1e-2), "c": (0.1, 1.0), "ratio": (0.02, 0.45)},
     **{"theta": (0.02, 1.2), "slope": (-3.0, 3.0), "G": (1e-4, 1e-2)},
     **dict.fromkeys(("E_re", "E_im", "D_re", "D_im"), (-1.0, 1.0)),
-    **dict.fromkeys(("W_0", "W_1", "W_2", "v_1", "v_2", "v_3", "v_4"), (0.05, 0.5)),
+    **{"W_1": (0.05, 0.5), "level": (0.2, 3.0), "within": (0.05, 1.0)},
 }
 
 TABLE_1 = tuple(float(published.TABLE_1[name]) for name in ("lam", "r", "delta_h"))

@@ -598,8 +598,8 @@ static PyObject *stationary(PyObject *self, PyObject *arguments)
                          found.count * (Py_ssize_t)sizeof(sf_stationary));
 }
 
-/* The same of designs under white noise, for each mu, zeta and c_2, and its power; out come how many there are, -1 where
- * that is undecided, and places for these. */
+/* The same of designs under white noise or a table, for each mu, zeta, c_2, c_3, zeta_2 and whether friction ends at the
+ * first breakpoint, and the power; out come how many there are, -1 where that is undecided, and places for these. */
 static PyObject *stationary_of_each(PyObject *self, PyObject *arguments)
 {
     (void)self;
@@ -611,14 +611,14 @@ static PyObject *stationary_of_each(PyObject *self, PyObject *arguments)
         return NULL;
     const Py_ssize_t count = counts.len, one = (Py_ssize_t)sizeof(double);
     const Py_ssize_t max_count = count ? out.len / count / (Py_ssize_t)sizeof(sf_stationary) : 0;
-    const int fit = designs_fit(&of, laws, count) && (table.len || power.len == count * one) && damping.len == 3 * count * one &&
+    const int fit = designs_fit(&of, laws, count) && (table.len || power.len == count * one) && damping.len == 6 * count * one &&
                     out.len == count * max_count * (Py_ssize_t)sizeof(sf_stationary);
     if (fit) {
         Py_BEGIN_ALLOW_THREADS
         for (Py_ssize_t k = 0; k < count; k++) {
-            const double *const own = (const double *)damping.buf + 3 * k;
+            const double *const own = (const double *)damping.buf + 6 * k;
             sf_system system = design(&of, k, own);
-            system.c_2 = own[2];
+            system.c_2 = own[2], system.c_3 = own[3], system.zeta_2 = own[4], system.released = own[5] != 0.0;
             sf_motions found = {.max_count = (int)max_count, .at = (sf_stationary *)out.buf + k * max_count};
             if (table.len && !sf_tabulated(&system, table.buf, &found))
                 found.undecided[0] = -1.0;

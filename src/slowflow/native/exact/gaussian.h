@@ -150,9 +150,10 @@ static sf_gaussian sf_averages(const sf_positive *force, double sigma)
     return found;
 }
 
-/* A stationary motion. Python reads this layout. */
+/* A stationary motion: root mean squares of u and v, mean square of what the spring and the damping push with, k, c, and
+ * what of that is dry friction's. Python reads this layout. */
 typedef struct {
-    double u, square, k, v;
+    double u, v, square, k, c, dry;
 } sf_stationary;
 
 /* Motions that are found. max_count: room for so many; count: of all that there are; undecided: k and c next to which there
@@ -163,29 +164,131 @@ typedef struct {
     sf_stationary *at;
 } sf_motions;
 
-static void sf_put_motion(sf_motions *to, const sf_gaussian *at, double v)
+/* Damping in the mean over u at a sigma_u: friction, which may end at a displacement, and the viscous ratio, with slopes by
+ * ln(sigma_u). That of the logarithm of friction falls as sigma_u rises. level: the end over sigma_u; within: P(|u| < end) */
+typedef struct {
+    double mu, zeta, mu_slope, zeta_slope, level, within;
+} sf_over_u;
+
+static sf_over_u sf_damping_over_u(const sf_system *system, double sigma)
 {
-    if (to->count < to->max_count)
-        to->at[to->count] = (sf_stationary){at->sigma, at->square, sf_first(at) / (at->sigma * at->sigma), v};
-    to->count++;
+    const int first = system->about + 1 + (system->jump != 0.0);
+    const double end = system->released && first < system->pieces ? system->edge[first] : HUGE_VAL;
+    const double level = fmin(end / sigma, SF_FARTHEST), within = erf(level * 0.70710678118654752);
+    double of[4];
+    linearization_over_displacements(level, within, sigma, system->mu, system->zeta, system->zeta_2, of);
+    return (sf_over_u){of[0], of[1], of[2], of[3], level, within};
 }
 
-/* level: what E[u f] is to be, at the velocity v */
+static inline void sf_equivalent_damping(const sf_system *system, double v, double mu, double zeta, double c[3])
+{
+    linearization_equivalent_damping(v, mu, zeta, system->c_2, system->c_3, c);
+}
+
+static void sf_put_motion(const sf_system *system, sf_motions *to, const sf_gaussian *at, double v)
+{
+    if (to->count++ >= to->max_count)
+        return;
+    const sf_over_u of = sf_damping_over_u(system, at->sigma);
+    double c[3];
+    sf_equivalent_damping(system, v, of.mu, of.zeta, c);
+    const double resists = linearization_damping_force(of.level, of.within, at->sigma, v, system->mu, system->zeta,
+                                                       system->c_2, system->c_3, system->zeta_2);
+    to->at[to->count - 1] = (sf_stationary){
+        at->sigma, v, at->square + resists, sf_first(at) / (at->sigma * at->sigma), c[0], c[2]};
+}
+
+static inline sf_ends sf_ends_of_product(sf_ends a, sf_ends b)
+{
+    const double each[4] = {a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high};
+    return (sf_ends){fmin(fmin(each[0], each[1]), fmin(each[2], each[3])),
+                     fmax(fmax(each[0], each[1]), fmax(each[2], each[3]))};
+}
+
+/* Between which ends the slopes of ln(c) by ln(sigma_v) and ln(sigma_u) are in a cell, for velocities v: that by
+ * ln(sigma_v) rises with v, falls with friction, and is monotone in zeta. */
+static void sf_damping_within(const sf_system *system, const sf_over_u *a, const sf_over_u *b, sf_ends v, sf_ends *by_v,
+                              sf_ends *by_u)
+{
+    double slow[2][3], fast[2][3];
+    for (int i = 0; i < 2; i++) {
+        sf_equivalent_damping(system, v.low, a->mu, (i ? b : a)->zeta, slow[i]);
+        sf_equivalent_damping(system, v.high, b->mu, (i ? a : b)->zeta, fast[i]);
+    }
+    *by_v = (sf_ends){fmin(slow[0][1] / slow[0][0], slow[1][1] / slow[1][0]),
+                      fmax(fast[0][1] / fast[0][0], fast[1][1] / fast[1][0])};
+    const double least = slow[0][0] - slow[0][2] + fast[0][2], most = fast[0][0] - fast[0][2] + slow[0][2];
+    const double first = a->mu > 0.0 ? a->mu_slope / a->mu : 0.0, last = b->mu > 0.0 ? b->mu_slope / b->mu : 0.0;
+    const sf_ends slope = {slow[0][2] * last + 2.0 * a->zeta_slope, fast[0][2] * first + 2.0 * b->zeta_slope};
+    *by_u = sf_ends_of_product(slope, (sf_ends){1.0 / most, 1.0 / least});
+}
+
+/* sigma_v under white noise of a power pi S_0 = c sigma_v^2, and c there. The slope of ln(c) by ln(sigma_v) rises from -1
+ * on: from the second step on Newton's iteration for that comes from above. */
+static double sf_velocity(const sf_system *system, double mu, double zeta, double power, double c[3])
+{
+    double v = sqrt(power), step = 1.0;
+    for (int i = 0; i < SF_MOST_STEPS && fabs(step) > 0x1p-28; i++) {
+        sf_equivalent_damping(system, v, mu, zeta, c);
+        step = log(power / (c[0] * v * v)) / (2.0 + c[1] / c[0]);
+        v *= exp(step);
+    }
+    return v;
+}
+
+/* What E[u f] is to be: v^2, and its slope by ln(sigma_u). */
 typedef struct {
+    double v, square, slope;
+} sf_level;
+
+/* varies: whether the level depends on sigma_u; if not, at */
+typedef struct {
+    const sf_system *system;
     const sf_positive *force;
-    double level, v, c;
+    double power;
+    int varies;
+    sf_level at;
     int cells;
     sf_motions *found;
 } sf_balances;
 
-/* The root in a cell on which E[u f] is monotone, by Newton's iteration between ends that close in. */
+static sf_level sf_level_at(const sf_balances *of, double sigma)
+{
+    if (!of->varies && of->at.v > 0.0)
+        return of->at;
+    const sf_over_u at = sf_damping_over_u(of->system, sigma);
+    double c[3];
+    const double v = sf_velocity(of->system, at.mu, at.zeta, of->power, c), square = v * v;
+    const double by_u = (at.mu > 0.0 ? c[2] * at.mu_slope / at.mu : 0.0) + 2.0 * at.zeta_slope;
+    return (sf_level){v, square, -2.0 * square * by_u / (2.0 * c[0] + c[1])};
+}
+
+/* Between which ends the level and its slope are in a cell. */
+static void sf_level_within(const sf_balances *of, double low, double high, sf_ends *square, sf_ends *slope)
+{
+    *square = (sf_ends){of->at.square, of->at.square}, *slope = (sf_ends){0.0, 0.0};
+    if (!of->varies)
+        return;
+    const sf_over_u a = sf_damping_over_u(of->system, low), b = sf_damping_over_u(of->system, high);
+    double c[3];
+    const sf_ends v = {sf_velocity(of->system, a.mu, b.zeta, of->power, c),
+                       sf_velocity(of->system, b.mu, a.zeta, of->power, c)};
+    sf_ends by_v, by_u;
+    sf_damping_within(of->system, &a, &b, v, &by_v, &by_u);
+    *square = (sf_ends){v.low * v.low, v.high * v.high};
+    const sf_ends over = {-2.0 / (2.0 + by_v.low), -2.0 / (2.0 + by_v.high)};
+    *slope = sf_ends_of_product(sf_ends_of_product(by_u, over), *square);
+}
+
+/* The root in a cell on which E[u f] less the level is monotone, by Newton's iteration between ends that close in. */
 static sf_gaussian sf_balanced(const sf_balances *of, sf_gaussian low, sf_gaussian high)
 {
-    const int rises = sf_first(&low) < of->level;
+    const int rises = sf_first(&low) < sf_level_at(of, low.sigma).square;
     sf_gaussian at = rises ? high : low;
     for (int i = 0; i < SF_MOST_STEPS; i++) {
-        const double first = sf_first(&at), step = (of->level - first) / (sf_third(&at) - first);
-        if ((first < of->level) == rises)
+        const sf_level level = sf_level_at(of, at.sigma);
+        const double first = sf_first(&at), step = (level.square - first) / (sf_third(&at) - first - level.slope);
+        if ((first < level.square) == rises)
             low = at;
         else
             high = at;
@@ -208,20 +311,24 @@ static void sf_search_balances(sf_balances *of, const sf_gaussian *a, const sf_g
     const double grows = b->sigma / a->sigma, cube = grows * grows * grows;
     const double least = a->first[0] / grows - b->first[1] * grows, most = b->first[0] * grows - a->first[1] / grows;
     const double error = SF_ERROR * (b->first[0] + b->first[1]);
-    if (least - error > of->level || most + error < of->level)
+    sf_ends level, slope;
+    sf_level_within(of, a->sigma, b->sigma, &level, &slope);
+    if (least - error > level.high || most + error < level.low)
         return;
     const double steep = SF_ERROR * (b->third[0] + b->third[1]) + error;
-    if (a->third[0] / cube - b->third[1] * cube - most > steep ||
-        b->third[0] * cube - a->third[1] / cube - least < -steep) {
-        if ((sf_first(a) < of->level) != (sf_first(b) < of->level)) {
+    if (a->third[0] / cube - b->third[1] * cube - most - slope.high > steep ||
+        b->third[0] * cube - a->third[1] / cube - least - slope.low < -steep) {
+        if ((sf_first(a) < sf_level_at(of, a->sigma).square) != (sf_first(b) < sf_level_at(of, b->sigma).square)) {
             const sf_gaussian at = sf_balanced(of, *a, *b);
-            sf_put_motion(of->found, &at, of->v);
+            sf_put_motion(of->system, of->found, &at, sf_level_at(of, at.sigma).v);
         }
         return;
     }
     if (grows <= 1.0 + SF_NARROW || of->cells++ >= SF_MOST_CELLS) {
-        if (!isnan(sf_first(a)) && !isnan(sf_first(b))) /* where the force is not known there is no motion */
-            of->found->undecided[0] = of->level / (a->sigma * a->sigma), of->found->undecided[1] = of->c;
+        if (!isnan(sf_first(a)) && !isnan(sf_first(b))) { /* where the force is not known there is no motion */
+            of->found->undecided[0] = level.high / (a->sigma * a->sigma);
+            of->found->undecided[1] = of->power / level.high;
+        }
         return;
     }
     const sf_gaussian middle = sf_averages(of->force, sqrt(a->sigma) * sqrt(b->sigma));
@@ -231,24 +338,22 @@ static void sf_search_balances(sf_balances *of, const sf_gaussian *a, const sf_g
         sf_search_balances(of, &middle, b);
 }
 
-/* Under white noise of a power pi S_0 = c sigma_v^2: every stationary motion, by rising sigma_u. The slope of ln(c) by
- * ln(sigma_v) rises from -1 on: from the second step on Newton's iteration for that comes from above. */
+/* Under white noise of a power pi S_0 = c sigma_v^2: every stationary motion, by rising sigma_u. */
 static void sf_white(const sf_system *system, double power, sf_motions *found)
 {
-    double v = sqrt(power), step = 1.0, c[3] = {0.0};
-    for (int i = 0; i < SF_MOST_STEPS && fabs(step) > 0x1p-28; i++) {
-        linearization_equivalent_damping(v, system->mu, system->zeta, system->c_2, c);
-        step = log(power / (c[0] * v * v)) / (2.0 + c[1] / c[0]);
-        v *= exp(step);
-    }
-    const sf_positive force = sf_positive_of(system, v, v);
+    sf_balances of = {.system = system, .power = power, .found = found};
+    of.varies = system->released || system->zeta_2 != 0.0;
+    of.at = sf_level_at(&of, 1.0);
+    const sf_positive force = sf_positive_of(system, of.at.v, of.at.v);
+    of.force = &force;
+    sf_ends square, slope;
+    sf_level_within(&of, force.small / SF_SEARCHED, force.large * SF_SEARCHED, &square, &slope);
     /* E[u f]/sigma^2 is between the secants: from above v over the root of the least one there is no motion, nor below
      * that of the largest one up to there */
     const double least = sf_secants_up_to(&force, HUGE_VAL).low;
-    const double to = fmin(force.large * SF_SEARCHED, least > 0.0 ? SF_ASIDE * v / sqrt(least) : HUGE_VAL);
+    const double to = fmin(force.large * SF_SEARCHED, least > 0.0 ? SF_ASIDE * sqrt(square.high / least) : HUGE_VAL);
     const double most = sf_secants_up_to(&force, SF_FARTHEST * to).high;
-    const double from = fmax(force.small / SF_SEARCHED, most > 0.0 ? v / (SF_ASIDE * sqrt(most)) : 0.0);
+    const double from = fmax(force.small / SF_SEARCHED, most > 0.0 ? sqrt(square.low / most) / SF_ASIDE : 0.0);
     const sf_gaussian a = sf_averages(&force, from), b = sf_averages(&force, to);
-    sf_balances of = {&force, v * v, v, c[0], 0, found};
     sf_search_balances(&of, &a, &b);
 }

@@ -210,43 +210,54 @@ static void sf_slopes_within(const sf_table *table, const sf_moments *at, double
     }
 }
 
-/* The damping at a stiffness: by_p and by_q of ln I_0 and ln I_2 there; D: half the slope of ln C by ln(sigma_v). */
+/* The damping at a stiffness and a sigma_u: by_p and by_q of ln I_0 and ln I_2 there; D: half the slope of ln C by
+ * ln(sigma_v); by_u: its slope by ln(sigma_u). */
 typedef struct {
-    double p, q, D;
+    double p, q, D, by_u;
     sf_moments moments;
 } sf_equivalent;
 
-/* dq/dp */
+/* dq/dp, and dq/dln(sigma_u) */
 static inline double sf_damping_by_p(const sf_equivalent *at)
 {
     return at->D * at->moments.by[1][0] / (1.0 - at->D * at->moments.by[1][1]);
 }
+static inline double sf_damping_by_u(const sf_equivalent *at) { return at->by_u / (1.0 - at->D * at->moments.by[1][1]); }
 
-/* A design under a table. most: k I_0 is at most that; least: so is no damping below */
 typedef struct {
     const sf_table *table;
-    double mu, zeta, c_2, most, least;
+    const sf_system *system;
 } sf_under_table;
 
-/* D rises with sigma_v. */
-static double sf_damping_at(const sf_under_table *of, double ln_square, double *ln_c)
+/* The damping that there is at least, at any stiffness: c sigma_v is at most the root of the mean square of the excitation,
+ * c sigma_v^2 at most `strength`. Infinite where friction holds the mass nearly all of the time. */
+static double sf_least_damping(const sf_under_table *of, double mu, double zeta)
 {
     double c[3];
-    linearization_equivalent_damping(exp(0.5 * ln_square), of->mu, of->zeta, of->c_2, c);
-    *ln_c = log(c[0]);
-    return 0.5 * c[1] / c[0];
+    sf_equivalent_damping(of->system, 1.0, mu, zeta, c);
+    const double slips = 1.0 - c[2] / sqrt(of->table->whole);
+    return slips > 0.0 ? fmax(2.0 * zeta / slips, c[2] * c[2] / of->table->strength) : HUGE_VAL;
 }
+
+static int sf_is_held(const sf_under_table *of, double sigma)
+{
+    return sf_least_damping(of, sf_damping_over_u(of->system, sigma).mu, 0.0) == HUGE_VAL;
+}
+
+/* k I_0 is at most that: c k I_0 is c I_2 and what |y|/(y^2 + c^2 Omega^2) adds, at most 1/(2 c Omega). */
+static inline double sf_most(const sf_table *table, double least) { return (table->strength + 0.5 * table->over) / least; }
 
 /* By Newton's iteration for ln C - q, which falls, between ends that close in; from a q on, until a step is as near. NaN
  * where it is lost. */
-static sf_equivalent sf_equivalent_at(const sf_under_table *of, double p, double q, double near)
+static sf_equivalent sf_equivalent_at(const sf_under_table *of, const sf_over_u *damping, double p, double q, double near)
 {
-    double low = log(of->least), high = HUGE_VAL, ln_c;
+    double low = log(sf_least_damping(of, damping->mu, damping->zeta) / SF_MARGIN), high = HUGE_VAL, c[3];
     sf_equivalent at = {.p = p, .q = fmax(q, low)};
     for (int i = 0; i < SF_MOST_STEPS; i++) {
         at.moments = sf_moments_at(of->table, p, at.q);
-        at.D = sf_damping_at(of, at.moments.value[1], &ln_c);
-        const double excess = ln_c - at.q, step = excess / (1.0 - at.D * at.moments.by[1][1]);
+        sf_equivalent_damping(of->system, exp(0.5 * at.moments.value[1]), damping->mu, damping->zeta, c);
+        at.D = 0.5 * c[1] / c[0];
+        const double excess = log(c[0]) - at.q, step = excess / (1.0 - at.D * at.moments.by[1][1]);
         if (excess > 0.0)
             low = at.q;
         else
@@ -257,6 +268,7 @@ static sf_equivalent sf_equivalent_at(const sf_under_table *of, double p, double
             for (int j = 0; j < 2; j++)
                 at.moments.value[j] += step * at.moments.by[j][1];
             at.q += step;
+            at.by_u = ((damping->mu > 0.0 ? c[2] * damping->mu_slope / damping->mu : 0.0) + 2.0 * damping->zeta_slope) / c[0];
             return at;
         }
         at.q = inside ? next : high < HUGE_VAL ? 0.5 * (low + high) : low + 1.0;
@@ -265,35 +277,35 @@ static sf_equivalent sf_equivalent_at(const sf_under_table *of, double p, double
     return at;
 }
 
-static inline sf_ends sf_ends_of_product(sf_ends a, sf_ends b)
+/* Between which ends dL/dp and dL/dln(sigma_u) are where p differs by no more than r[0], and ln(sigma_u) by r[1], in a
+ * cell whose ends have the damping a and b; infinite where that is not known. */
+static void sf_slope_within(const sf_under_table *of, const sf_equivalent *at, const sf_over_u *a, const sf_over_u *b,
+                            const double r[2], sf_ends *by_p, sf_ends *by_u)
 {
-    const double each[4] = {a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high};
-    return (sf_ends){fmin(fmin(each[0], each[1]), fmin(each[2], each[3])),
-                     fmax(fmax(each[0], each[1]), fmax(each[2], each[3]))};
-}
-
-/* Between which ends dL/dp is where p differs by no more than r; infinite where that is not known. */
-static sf_ends sf_slope_within(const sf_under_table *of, const sf_equivalent *at, double r)
-{
-    double apart = 1.5 * fabs(sf_damping_by_p(at)) * r, low[2][2], high[2][2], ln_c;
+    double apart = 1.5 * (fabs(sf_damping_by_p(at)) * r[0] + fabs(sf_damping_by_u(at)) * r[1]), low[2][2], high[2][2];
+    *by_p = *by_u = (sf_ends){-HUGE_VAL, HUGE_VAL};
     for (int i = 0; i < 6; i++) {
-        sf_slopes_within(of->table, &at->moments, at->p, at->q, (double[2]){r, apart + SF_AS_NEAR}, low, high);
-        const double shift = fmax(-low[1][0], high[1][0]) * r - low[1][1] * (apart + SF_AS_NEAR);
-        const sf_ends D = {sf_damping_at(of, at->moments.value[1] - shift, &ln_c),
-                           sf_damping_at(of, at->moments.value[1] + shift, &ln_c)};
+        const double square = at->moments.value[1];
+        sf_slopes_within(of->table, &at->moments, at->p, at->q, (double[2]){r[0], apart + SF_AS_NEAR}, low, high);
+        const double shift = fmax(-low[1][0], high[1][0]) * r[0] - low[1][1] * (apart + SF_AS_NEAR);
+        sf_ends D, own;
+        sf_damping_within(of->system, a, b, (sf_ends){exp(0.5 * (square - shift)), exp(0.5 * (square + shift))}, &D, &own);
+        D.low *= 0.5, D.high *= 0.5;
         const sf_ends falls = sf_ends_of_product(D, (sf_ends){low[1][1], high[1][1]});
         const sf_ends over = {1.0 / (1.0 - falls.low), 1.0 / (1.0 - falls.high)};
         if (!(falls.high < 1.0))
-            break;
+            return;
         const sf_ends q = sf_ends_of_product(sf_ends_of_product(D, (sf_ends){low[1][0], high[1][0]}), over);
-        const double change = fmax(-q.low, q.high) * r;
-        if (change <= apart) { /* q(p) does not leave the box */
-            const sf_ends by_q = sf_ends_of_product(q, (sf_ends){low[0][1], high[0][1]});
-            return (sf_ends){low[0][0] + by_q.low, high[0][0] + by_q.high};
+        const sf_ends q_by_u = sf_ends_of_product(own, over);
+        const double change = fmax(-q.low, q.high) * r[0] + fmax(-q_by_u.low, q_by_u.high) * r[1];
+        if (change <= apart) { /* q does not leave the box */
+            *by_u = sf_ends_of_product(q, (sf_ends){low[0][1], high[0][1]});
+            *by_p = (sf_ends){low[0][0] + by_u->low, high[0][0] + by_u->high};
+            *by_u = sf_ends_of_product(q_by_u, (sf_ends){low[0][1], high[0][1]});
+            return;
         }
         apart = 1.25 * change;
     }
-    return (sf_ends){-HUGE_VAL, HUGE_VAL};
 }
 
 /* near: where a damping was found last */
@@ -305,10 +317,10 @@ typedef struct {
     sf_motions *found;
 } sf_linearized;
 
-static sf_equivalent sf_equivalent_by(sf_linearized *of, double p, double near)
+static sf_equivalent sf_equivalent_by(sf_linearized *of, const sf_over_u *damping, double p, double near)
 {
     const double q = of->near.q + sf_damping_by_p(&of->near) * (p - of->near.p);
-    const sf_equivalent at = sf_equivalent_at(of->excited, p, q, near);
+    const sf_equivalent at = sf_equivalent_at(of->excited, damping, p, q, near);
     if (at.q == at.q)
         of->near = at;
     return at;
@@ -317,7 +329,8 @@ static sf_equivalent sf_equivalent_by(sf_linearized *of, double p, double near)
 /* ln I_0 - 2 ln(sigma) */
 static double sf_excess(sf_linearized *of, const sf_gaussian *at, sf_equivalent *damped)
 {
-    *damped = sf_equivalent_by(of, log(sf_first(at)) - 2.0 * log(at->sigma), 0x1p-28);
+    const sf_over_u damping = sf_damping_over_u(of->excited->system, at->sigma);
+    *damped = sf_equivalent_by(of, &damping, log(sf_first(at)) - 2.0 * log(at->sigma), 0x1p-28);
     return damped->moments.value[0] - 2.0 * log(at->sigma);
 }
 
@@ -329,12 +342,13 @@ static void sf_put_stationary(sf_linearized *of, const sf_gaussian *a, const sf_
     sf_gaussian at = *b;
     double low = a->sigma, high = b->sigma, excess = sf_excess(of, &at, &damped);
     if (isnan(excess) || damped.q != damped.q)
-        of->found->undecided[0] = exp(damped.p), of->found->undecided[1] = of->excited->least;
+        of->found->undecided[0] = exp(damped.p), of->found->undecided[1] = exp(of->near.q);
     if (below == (excess < 0.0))
         return;
     for (int i = 0, last = 0; i < SF_MOST_STEPS && !last; i++) {
         double(*const by)[2] = damped.moments.by;
-        const double steep = (by[0][0] + by[0][1] * sf_damping_by_p(&damped)) * (sf_third(&at) / sf_first(&at) - 3.0) - 2.0;
+        const double by_p = by[0][0] + by[0][1] * sf_damping_by_p(&damped), by_u = by[0][1] * sf_damping_by_u(&damped);
+        const double steep = by_p * (sf_third(&at) / sf_first(&at) - 3.0) + by_u - 2.0;
         const double next = at.sigma * exp(-excess / steep);
         if ((excess < 0.0) == below)
             low = at.sigma;
@@ -344,7 +358,7 @@ static void sf_put_stationary(sf_linearized *of, const sf_gaussian *a, const sf_
         at = sf_averages(of->force, last || (next > low && next < high) ? next : sqrt(low * high));
         excess = sf_excess(of, &at, &damped);
     }
-    sf_put_motion(of->found, &at, exp(0.5 * damped.moments.value[1]));
+    sf_put_motion(of->excited->system, of->found, &at, exp(0.5 * damped.moments.value[1]));
 }
 
 /* The stiffness in a cell, and its slope by ln(sigma): from its averages, and from what f/u is up to there. */
@@ -367,24 +381,31 @@ static sf_ends sf_stiffness_within(const sf_positive *force, const sf_gaussian *
 
 static void sf_search_stationary(sf_linearized *of, const sf_gaussian *a, const sf_gaussian *b)
 {
-    const double grows = b->sigma / a->sigma, soft = SF_SOFT * exp(2.0 * of->excited->table->band[0].low);
-    if (a->first[0] / grows - b->first[1] * grows > (1.0 + SF_ERROR) * of->excited->most)
+    const sf_table *const table = of->excited->table;
+    const double grows = b->sigma / a->sigma, soft = SF_SOFT * exp(2.0 * table->band[0].low);
+    const sf_over_u first = sf_damping_over_u(of->excited->system, a->sigma);
+    const sf_over_u last = sf_damping_over_u(of->excited->system, b->sigma);
+    const double least = sf_least_damping(of->excited, last.mu, first.zeta);
+    if (a->first[0] / grows - b->first[1] * grows > (1.0 + SF_ERROR) * sf_most(table, least))
         return;
     sf_ends slope;
     const sf_ends K = sf_stiffness_within(of->force, a, b, &slope);
     if (K.high <= 0.0)
         return;
     const double low = log(fmax(K.low, soft)), high = log(fmax(K.high, soft)), r = 0.5 * (high - low);
-    const sf_equivalent at = sf_equivalent_by(of, low + r, SF_AS_NEAR);
-    const sf_ends by_p = sf_slope_within(of->excited, &at, r);
+    const double middle_sigma = sqrt(a->sigma) * sqrt(b->sigma), width = 0.5 * log(grows);
+    const sf_over_u damping = sf_damping_over_u(of->excited->system, middle_sigma);
+    const sf_equivalent at = sf_equivalent_by(of, &damping, low + r, SF_AS_NEAR);
+    sf_ends by_p, by_u;
+    sf_slope_within(of->excited, &at, &first, &last, (double[2]){r, width}, &by_p, &by_u);
     const double L = at.moments.value[0], error = SF_AS_NEAR + (K.low < soft ? 4.0 * SF_SOFT : 0.0);
-    const double shift = fmax(-by_p.low, by_p.high) * r + error;
+    const double shift = fmax(-by_p.low, by_p.high) * r + fmax(-by_u.low, by_u.high) * width + error;
     if (L + shift < 2.0 * log(a->sigma) || L - shift > 2.0 * log(b->sigma))
         return;
     if (K.low >= soft) {
         const sf_ends over = {1.0 / K.high, 1.0 / K.low};
         const sf_ends excess = sf_ends_of_product(by_p, sf_ends_of_product(slope, over));
-        if (excess.high < 2.0 || excess.low > 2.0) {
+        if (excess.high + by_u.high < 2.0 || excess.low + by_u.low > 2.0) {
             sf_put_stationary(of, a, b);
             return;
         }
@@ -394,30 +415,33 @@ static void sf_search_stationary(sf_linearized *of, const sf_gaussian *a, const 
             of->found->undecided[0] = exp(at.p), of->found->undecided[1] = exp(at.q);
         return;
     }
-    const sf_gaussian middle = sf_averages(of->force, sqrt(a->sigma) * sqrt(b->sigma));
+    const sf_gaussian middle = sf_averages(of->force, middle_sigma);
     if (!(isnan(sf_first(a)) && isnan(sf_first(&middle))))
         sf_search_stationary(of, a, &middle);
     if (!(isnan(sf_first(&middle)) && isnan(sf_first(b))))
         sf_search_stationary(of, &middle, b);
 }
 
-/* Every stationary motion, by rising sigma_u; 0 where friction holds the mass nearly all of the time. Below the lowest c
- * the damping that it leads to is more at each k: c I_2 is at most `strength`, and k I_0 that over c and what
- * |y|/(y^2 + c^2 Omega^2) adds, which is at most 1/(2 c Omega). */
+/* Every stationary motion, by rising sigma_u; 0 where there is none, as friction holds the mass nearly all of the time: that
+ * which ends at a displacement may do so up to some sigma_u. */
 static int sf_tabulated(const sf_system *system, const sf_table *table, sf_motions *found)
 {
-    double c[3];
-    linearization_equivalent_damping(1.0, system->mu, system->zeta, system->c_2, c);
-    if (!(c[2] < sqrt(table->whole)))
+    const sf_under_table excited = {table, system};
+    const double size = sqrt(sf_most(table, sf_least_damping(&excited, system->released ? 0.0 : system->mu, system->zeta)));
+    if (size == 0.0)
         return 0;
-    const double least = fmax(2.0 * system->zeta, c[2] * c[2] / table->strength);
-    const sf_under_table excited = {table, system->mu, system->zeta, system->c_2,
-                                (table->strength + 0.5 * table->over) / least, least / SF_MARGIN};
-    const double size = sqrt(excited.most);
     const sf_positive force = sf_positive_of(system, fmin(size, 1.0), fmax(size, 1.0));
-    const sf_gaussian a = sf_averages(&force, force.small / SF_SEARCHED);
-    const sf_gaussian b = sf_averages(&force, force.large * SF_SEARCHED);
-    sf_linearized of = {&excited, &force, {.q = log(excited.least)}, 0, found};
+    double from = force.small / SF_SEARCHED, to = force.large * SF_SEARCHED, high = to;
+    if (sf_is_held(&excited, to))
+        return 0;
+    const int sticks = sf_is_held(&excited, from);
+    if (sticks) {
+        for (double m = sqrt(from * high); m > from && m < high; m = sqrt(from * high))
+            *(sf_is_held(&excited, m) ? &from : &high) = m;
+        from = high;
+    }
+    const sf_gaussian a = sf_averages(&force, from), b = sf_averages(&force, to);
+    sf_linearized of = {.excited = &excited, .force = &force, .near = {.q = -HUGE_VAL}, .found = found};
     sf_search_stationary(&of, &a, &b);
-    return 1;
+    return !sticks || found->count > 0 || found->undecided[0] != 0.0;
 }
