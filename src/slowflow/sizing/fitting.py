@@ -67,6 +67,8 @@ WINDOW, DEGREE = 40, 3
 #: the displacement that a free decay begins with
 RELEASED = "x_0"
 LEAST_SAMPLES = 10
+#: what is measured, by the arguments of `fit`
+MEASURED = ("A", "phi", "jump_up", "jump_down", "backbone", "x", "t")
 #: a velocity that leaves friction alone
 SLOW = 1e-100
 ABSENT = "the fitted design has no such motion, or jump, at {} of the {} points"
@@ -199,13 +201,11 @@ def fit(
     """
     own = {"A": A, "phi": phi, "jump_up": jump_up, "jump_down": jump_down, "backbone": backbone, "x": x, "t": t, **at}
     if not sets:
-        subject, measured = _one_set(of, free, **own)
+        subject, measured = _one_set(of, free, own)
     elif any(value is not None for value in own.values()):
         raise Refused("a fit takes either data sets or one by its arguments: put these into a set of their own")
     else:
-        found = [
-            _one_set(of, free, **{name: value for name, value in one.items() if name != "deviation"}) for one in sets
-        ]
+        found = [_one_set(of, free, {name: one[name] for name in one if name != "deviation"}) for one in sets]
         subject, measured = found[0][0], _together([one for _, one in found], [one.get("deviation") for one in sets])
     # the number of springs is known
     default = [subject.name(one) for one in ("mu", "zeta", *subject.mechanism.design_names) if one != "lam"]
@@ -215,20 +215,10 @@ def fit(
         return _fitted(subject, measured, default if free is None else list(free))
 
 
-def _one_set(
-    of: Any,
-    free: Sequence[str] | None,
-    *,
-    A: Any = None,
-    phi: Any = None,
-    jump_up: Any = None,
-    jump_down: Any = None,
-    backbone: Any = None,
-    x: Any = None,
-    t: Any = None,
-    **at: Any,
-) -> tuple[Subject, _Measured]:
-    """What is varied, and one data set of it. Raises ValueError for what is not allowed."""
+def _one_set(of: Any, free: Sequence[str] | None, given: Mapping[str, Any]) -> tuple[Subject, _Measured]:
+    """What is varied, and one data set of it, as `fit` takes it. Raises ValueError for what is not allowed."""
+    A, phi, jump_up, jump_down, backbone, x, t = map(given.get, MEASURED)
+    at = {name: value for name, value in given.items() if name not in MEASURED}
     F = at.pop("F", None) if x is not None else None
     subject = Subject(of, () if free is None else free, at)
     of = subject.of
