@@ -12,7 +12,6 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
 from slowflow import batch_checks, checks, validate
 from slowflow.averaged import many
@@ -22,7 +21,7 @@ from slowflow.averaged.questions import Averaged
 from slowflow.checks import Spectrum
 from slowflow.exact import shocks_many
 from slowflow.gradient import Gradient
-from slowflow.mechanism import Flags, Mechanism
+from slowflow.mechanism import Mechanism
 from slowflow.model import AT_CENTRE, WITH_MEAN, Floats, Model, off_centre_by
 from slowflow.off_centre.answers import NUMBERS
 from slowflow.off_centre.flow import Flow
@@ -191,45 +190,29 @@ class OffCentreDesigns(many.Designs):
         at_centre = np.zeros(shape, dtype=bool)
         if self.mechanism.odd and AVERAGING in QUESTIONS[question.name].columns:
             at_centre = np.broadcast_to(self.values["load"] == 0, shape)
-            known = dict(zip(values, np.broadcast_arrays(*values.values()), strict=True))
-            self._at_centre(question.name, at_centre, known, workers, options, columns, remarks)
+        if at_centre.any():
+            known = zip(values, np.broadcast_arrays(*values.values()), strict=True)
+            centred = self._centred(question.name, {name: one[at_centre] for name, one in known}, workers, options)
+            for name, column in columns.items():
+                column[at_centre] = _of_centred(centred, name)
+            remarks[at_centre] = centred.remarks
         for place, own, numbers in self._each(~at_centre, *arguments.values()):
             found, remarks[place] = self._of_one(question, tuple(own), dict(zip(at, numbers, strict=True)), places)
             many._put(list(columns.values()), place, found)
         return OffCentreBatch(question.name, columns, self, at, OFFSET, remarks=remarks)
 
-    def _at_centre(
-        self,
-        question: str,
-        where: Flags,
-        numbers: dict[str, Any],
-        workers: int,
-        options: Mapping[str, Any],
-        columns: dict[str, Any],
-        remarks: npt.NDArray[np.uint16],
-    ) -> None:
-        """Change the columns of designs without a load to their answers about the centre, of mean 0.
+    def _centred(self, question: str, numbers: dict[str, Any], workers: int, options: Mapping[str, Any]) -> Batch:
+        """The answer of designs without a load about the centre, as the single one is.
 
-        The single answer of such a design is that: motions that leave the centre by themselves are `.off_centre`'s.
+        Motions that leave it by themselves are `.off_centre`'s.
         """
-        if not where.any():
-            return
-        own = {name: value[where] for name, value in numbers.items()}
-        arguments = {name: own.pop(name) for name in tuple(own) if name not in self.values}
-        del own["load"]
+        own = {name: numbers[name] for name in self.values if name != "load"}
+        options = {**options, **{name: value for name, value in numbers.items() if name not in self.values}}
         designs = many.Designs(self.mechanism, own, self.excitation)
-        if question in COMPOSED:
-            answer = getattr(batch_checks, question)(designs, **arguments, **options, workers=workers)
-        else:
-            answer = designs._ask(question, **arguments, **options, workers=workers)
-        for name, column in columns.items():
-            source = name if hasattr(answer, name) else AS_CENTRED.get(name, "A")
-            if name == "B":  # 0 where there is a motion
-                source = source if hasattr(answer, source) else "u_cr"
-                column[where] = np.where(np.isnan(getattr(answer, source)), np.nan, 0.0)
-            else:
-                column[where] = getattr(answer, source)
-        remarks[where] = answer.remarks
+        composed = question in COMPOSED
+        ask = partial(getattr(batch_checks, question), designs) if composed else partial(designs._ask, question)
+        found: Batch = ask(**options, workers=workers)
+        return found
 
     def _of_one(self, question: Question, numbers: tuple[float, ...], at: dict[str, float], places: int) -> Found:
         """One design's answer, with a status in place of an exception."""
@@ -273,6 +256,14 @@ AS_CENTRED = {"A": "u_cr", "u_max": "A", "Omega_max": "Omega"}
 #: questions about the centre that many designs have
 CENTRED = frozenset(("at_rest", "certify", "random", "second_approximation"))
 COMPOSED = ("margins", "hysteresis", "isolation")
+
+
+def _of_centred(found: Batch, name: str) -> Any:
+    """A column of an answer about the centre, by its name off it: B is 0 where there is a motion."""
+    source = name if hasattr(found, name) else AS_CENTRED.get(name, "A")
+    if name == "B":
+        return np.where(np.isnan(getattr(found, source if hasattr(found, source) else "u_cr")), np.nan, 0.0)
+    return getattr(found, source)
 
 
 def _runs(Omega: Floats, F_0: Floats) -> list[slice]:
