@@ -215,10 +215,10 @@ def fit(
         return _fitted(subject, measured, default if free is None else list(free))
 
 
-def _one_set(of: Any, free: Sequence[str] | None, given: Mapping[str, Any]) -> tuple[Subject, _Measured]:
+def _one_set(of: Any, free: Sequence[str] | None, data: Mapping[str, Any]) -> tuple[Subject, _Measured]:
     """What is varied, and one data set of it, as `fit` takes it. Raises ValueError for what is not allowed."""
-    A, phi, jump_up, jump_down, backbone, x, t = map(given.get, MEASURED)
-    at = {name: value for name, value in given.items() if name not in MEASURED}
+    A, phi, jump_up, jump_down, backbone, x, t = map(data.get, MEASURED)
+    at = {name: value for name, value in data.items() if name not in MEASURED}
     F = at.pop("F", None) if x is not None else None
     subject = Subject(of, () if free is None else free, at)
     of = subject.of
