@@ -63,16 +63,14 @@ static int sf_finds_forcing(sf_pinned kind) {
     return kind >= SF_CUSP_PINNED; /* those before are at a forcing */
 }
 
-/* The slopes of the conditions at an answer by A, Omega and F_0, and their sizes. laws: whether there may be others than
- * mu and zeta, a constant of each call. */
-SF_ALWAYS void sf_slopes_at(int laws, const sf_pinned_answer *answer, const sf_model *model, double slopes[2 * SF_SIZES])
+/* The slopes of the conditions at an answer by A, Omega and F_0, and their sizes. */
+SF_ALWAYS void sf_slopes_at(const sf_pinned_answer *answer, const sf_model *model, double slopes[2 * SF_SIZES])
 {
     const sf_sample *at = &answer->at;
     const double *square = answer->excited + 3, *rest = answer->rest, *zeta = answer->zeta;
-    sensitivities_slopes(answer->Omega, at->A, answer->R, rest[0], laws ? rest[1] : 0, laws ? rest[2] : 0,
-                         laws ? rest[3] : 0, zeta[0], laws ? zeta[1] : 0, laws ? zeta[2] : 0, laws ? zeta[3] : 0,
-                         laws ? model->d : 0, laws ? model->d_3 : 0, at->h, at->h_A, at->h_AA, at->h_AAA,
-                         square[0], square[1], square[2], square[3], slopes);
+    sensitivities_slopes(answer->Omega, at->A, answer->R, rest[0], rest[1], rest[2], rest[3], zeta[0], zeta[1], zeta[2],
+                         zeta[3], model->d, model->d_3, at->h, at->h_A, at->h_AA, at->h_AAA, square[0], square[1],
+                         square[2], square[3], slopes);
 }
 
 /* Which of the answers on breakpoint k an onset there is: whatever comes next to vanishing. Folds leave it where F_A
@@ -88,7 +86,7 @@ static void sf_pin_on_break(const sf_model *model, int k, const double *slopes, 
     if (ends) {
         past.beyond = 1;
         sf_rest_at(model, past.at.A, 1, past.rest);
-        sf_slopes_at(1, &past, model, beyond);
+        sf_slopes_at(&past, model, beyond);
         values[2] = beyond[0], sizes[2] = beyond[SF_SIZES];
     }
     if (answer->kind == SF_CORNER_FOLD_PINNED) {
@@ -109,15 +107,15 @@ static void sf_pin_on_break(const sf_model *model, int k, const double *slopes, 
 }
 
 /* The derivatives of A, Omega and F_0 by number j go to column j. Returns 0 where an answer meets another. The kind
- * is a constant of each call, as laws is: what it does not ask for is not computed. */
-SF_ALWAYS int sf_solve(sf_pinned kind, int laws, const sf_pinned_answer *answer, const sf_model *model, const sf_causes *of,
+ * is a constant of each call: what it does not ask for is not computed. */
+SF_ALWAYS int sf_solve(sf_pinned kind, const sf_pinned_answer *answer, const sf_model *model, const sf_causes *of,
                            int columns, double rates[SF_UNKNOWNS][SF_MOST_COLUMNS])
 {
     static const signed char systems[][9] = SF_SYSTEMS;
     const signed char *rows = systems[kind], *unknowns = rows + 3, together = rows[6], *vanishing = rows + 7;
     const sf_sample *at = &answer->at;
     double slopes[2 * SF_SIZES], determinant = 1;
-    sf_slopes_at(laws, answer, model, slopes);
+    sf_slopes_at(answer, model, slopes);
     slopes[vanishing[0]] = slopes[vanishing[1]] = 0;
     for (int i = 0; i < 3 - 2 * together; i++) {
         const double *pivot = slopes + 3 * rows[i] + unknowns[i];
@@ -133,12 +131,10 @@ SF_ALWAYS int sf_solve(sf_pinned kind, int laws, const sf_pinned_answer *answer,
     }
     for (int j = 0; j < columns; j++) {
         double right[SF_CONDITIONS], found[SF_UNKNOWNS] = {0, 0, 0};
-        sensitivities_right(answer->Omega, at->A, answer->R, answer->rest[0], laws ? answer->rest[1] : 0,
-                            laws ? answer->rest[2] : 0, answer->zeta[0], laws ? answer->zeta[1] : 0,
-                            laws ? answer->zeta[2] : 0, laws ? model->d : 0, laws ? model->d_3 : 0, at->h_A, at->h_AA,
-                            of->h[0][j], of->h[1][j], of->h[2][j], of->rest[0][j], laws ? of->rest[1][j] : 0,
-                            laws ? of->rest[2][j] : 0, of->zeta[0][j], laws ? of->zeta[1][j] : 0,
-                            laws ? of->zeta[2][j] : 0, laws ? of->d[0][j] : 0, laws ? of->d[1][j] : 0, of->forcing[j],
+        sensitivities_right(answer->Omega, at->A, answer->R, answer->rest[0], answer->rest[1], answer->rest[2],
+                            answer->zeta[0], answer->zeta[1], answer->zeta[2], model->d, model->d_3, at->h_A, at->h_AA,
+                            of->h[0][j], of->h[1][j], of->h[2][j], of->rest[0][j], of->rest[1][j], of->rest[2][j],
+                            of->zeta[0][j], of->zeta[1][j], of->zeta[2][j], of->d[0][j], of->d[1][j], of->forcing[j],
                             of->frequency[j], of->end[j], right);
         for (int i = 0; i < 3; i++) {
             const double *slope = slopes + 3 * rows[i];
@@ -167,8 +163,7 @@ static SF_FLAT int sf_move(const sf_pinned_answer *answer, const sf_model *model
 {
 #define SF_SOLVE(kind)                                                                                                 \
     case kind:                                                                                                         \
-        return sf_takes_laws(model->mechanism) ? sf_solve(kind, 1, answer, model, of, columns, rates)                  \
-                                               : sf_solve(kind, 0, answer, model, of, columns, rates);
+        return sf_solve(kind, answer, model, of, columns, rates);
     switch (answer->kind) {
         SF_SOLVE(SF_STATE_PINNED)
         SF_SOLVE(SF_FOLD_PINNED)
@@ -277,7 +272,7 @@ static sf_moves_status sf_gradient(const sf_model *model, const double *of_desig
     if (answer->kind == SF_CORNER_FOLD_PINNED || answer->kind == SF_CORNER_END_PINNED) {
         double slopes[2 * SF_SIZES];
         const int is_fold = answer->kind == SF_CORNER_FOLD_PINNED;
-        sf_slopes_at(1, answer, model, slopes);
+        sf_slopes_at(answer, model, slopes);
         sf_pin_on_break(model, piece, slopes, size_of_R, answer);
         if (is_fold && answer->kind != SF_CORNER_FOLD_PINNED)
             return SF_TURNS_MOVES;
@@ -330,7 +325,7 @@ static void sf_slopes_of(const double *in, double *out) {
     of.forcing[0] = in[30], of.frequency[0] = in[31], of.end[0] = in[32];
     (answer.inertial ? sensitivities_by_inertia : sensitivities_by_force)(in[1], in[2], answer.excited);
     answer.R = answer.kind == SF_CORNER_BACKBONE_PINNED ? 0 : slow_flow_R(in[1], in[0], in[5]);
-    out[SF_STATE_ROWS] = sf_solve(answer.kind, 1, &answer, &model, &of, 1, rates);
+    out[SF_STATE_ROWS] = sf_solve(answer.kind, &answer, &model, &of, 1, rates);
     for (int i = 0; i < SF_STATE_ROWS; i++)
         out[i] = NAN;
     if (out[SF_STATE_ROWS] == 0)
