@@ -7,7 +7,7 @@ are optional: `pip install 'slowflow[tables]'`.
 from __future__ import annotations
 
 import dataclasses
-import importlib
+import importlib.util
 import operator
 import sys
 from collections import namedtuple
@@ -120,6 +120,24 @@ class Answer:
     def __str__(self) -> str:
         return "\n".join(in_text(shown(self)))
 
+    def _repr_html_(self) -> str:
+        """Return the answer as notebooks show it: a table or text, diagnostics, and its plot if Matplotlib is there."""
+        from html import escape
+
+        one = shown(self)
+        if not one.has_rows or "__str__" in vars(type(one)):  # some have lines of their own
+            return f"<pre>{escape(str(self))}</pre>{self._figure()}"
+        columns, cells = one.columns(), "".join
+        names, *rows = _rows(columns, one.units_of_columns())
+        table = [cells(f"<th>{escape(name)}</th>" for name in names)]
+        table += [cells(f"<td>{escape(cell)}</td>" for cell in row) for row in rows]
+        below = "<br>".join(escape(text) for text in (_more(columns), str(one.about().get("message", ""))) if text)
+        return f"<table>{cells(f'<tr>{row}</tr>' for row in table)}</table><p>{below}</p>{self._figure()}"
+
+    def _figure(self) -> str:
+        """Its plot as SVG in HTML; empty for an answer without one."""
+        return ""
+
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Answer) or type(self) is not type(other):
             return NotImplemented
@@ -209,6 +227,9 @@ class Drawn(Answer):
         draw = pictures.PICTURES[self.picture]
         return draw(ax, self) if self.picture != "response" else pictures.response(ax, self, quantity)
 
+    def _figure(self) -> str:
+        return drawn(self, self.picture)
+
 
 #: metadata of a field that only answers under a load have, or only the others
 LOADED, UNLOADED = MappingProxyType({"loaded": True}), MappingProxyType({"loaded": False})
@@ -276,8 +297,17 @@ def _freeze(value: Any) -> None:
 
 
 def shown(answer: Any) -> Any:
-    """Return an answer in the units in which it is printed; as it is where it has none."""
-    return answer.in_units() if hasattr(answer, "in_units") else answer
+    """Return an answer in the units in which it is printed; as it is where it has none, or where these were chosen."""
+    return answer if getattr(answer, "chosen", not hasattr(answer, "in_units")) else answer.in_units()
+
+
+def drawn(answer: Any, picture: str) -> str:
+    """Return the plot of an answer as SVG in HTML; empty without Matplotlib, and for folds, whose table suffices."""
+    if picture == "folds" or not importlib.util.find_spec("matplotlib"):
+        return ""
+    from slowflow import page
+
+    return page.figure(answer.plot(page.axes()), "")
 
 
 def in_text(answer: Answer) -> Iterator[str]:
@@ -316,19 +346,28 @@ def in_values(answer: Answer, values: Mapping[str, Any]) -> Iterator[str]:
 
 
 def _table(columns: Mapping[str, Any], units: Mapping[str, str]) -> Iterator[str]:
+    """The lines of a table."""
+    rows = _rows(columns, units)
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    for row in rows:
+        yield "  ".join(text.rjust(width) for text, width in zip(row, widths, strict=True))
+    if more := _more(columns):
+        yield more
+
+
+def _rows(columns: Mapping[str, Any], units: Mapping[str, str]) -> list[list[str]]:
     """Columns under their names, at most `SHOWN` rows; of many columns the first and the last, as many as `ACROSS`."""
     names = list(columns)
-    if len(names) > ACROSS:
+    if many := len(names) > ACROSS:
         names = [*names[: ACROSS - 2], *names[-1:]]
     rows = [[head(name, units) for name in names]]
     rows += ([_short(value) for value in row] for row in zip(*(columns[name][:SHOWN] for name in names), strict=True))
-    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
-    for row in rows:
-        cells = [text.rjust(width) for text, width in zip(row, widths, strict=True)]
-        yield "  ".join(cells if len(names) == len(columns) else [*cells[:-1], "...", cells[-1]])
-    more = len(columns[names[0]]) - SHOWN
-    if more > 0:
-        yield f"and {more} more"
+    return [[*row[:-1], "...", row[-1]] for row in rows] if many else rows
+
+
+def _more(columns: Mapping[str, Any]) -> str:
+    more = len(next(iter(columns.values()))) - SHOWN
+    return f"and {more} more" if more > 0 else ""
 
 
 def head(name: str, units: Mapping[str, str]) -> str:

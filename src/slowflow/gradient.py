@@ -20,11 +20,11 @@ NO_GRADIENT = (
 #: why an answer has no gradient
 WITHOUT_GRADIENT = {
     MovesStatus.NOTHING: "there is no answer to differentiate",
-    MovesStatus.MEETS: "it merges with another answer there, as at a fold, a cusp or an isola point: beyond there "
-    "is none, and close to it the slope has no bound",
+    MovesStatus.MEETS: "it merges with another answer there, as at a fold, a cusp or an isola point: beyond "
+    "it there is none, and close to it the derivative is unbounded",
     MovesStatus.TURNS: "it reaches a breakpoint of the force there, with a different gradient on either side",
-    MovesStatus.BOUNDLESS: "a parameter is at the end of its domain, where a slope has no bound or a forcing is 0, or "
-    "numbers are beyond the range of doubles",
+    MovesStatus.BOUNDLESS: "a parameter is at the end of its domain: a derivative is unbounded, or a forcing is 0, "
+    "or numbers are beyond the range of doubles",
 }
 
 
@@ -66,7 +66,7 @@ class Gradient(Answer):
         # only what is its own: the parameters may be a user's arrays
         self.slopes.flags.writeable = self.status.flags.writeable = False
 
-    def __getitem__(self, what: str | tuple[str, str]) -> Any:
+    def __getitem__(self, what: str | tuple[str, str]) -> Floats:
         of, by = (what, None) if isinstance(what, str) else what
         if of not in self.of or (by is not None and by not in self.by):
             raise KeyError(f"{what!r}: the numbers are {', '.join(self.of)}, the parameters {', '.join(self.by)}")

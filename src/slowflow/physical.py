@@ -190,7 +190,7 @@ class Physical:
         f : tuple of float, optional
             Window of frequencies in Hz, by default from 0 to twice f_n.
         samples : int
-            About how many points, 2 to 10^6.
+            Approximate number of points, 2 to 10^6.
         """
         return self._answer("frequency_response", amplitude, at, f=f, samples=samples)
 
@@ -200,7 +200,7 @@ class Physical:
         Parameters
         ----------
         samples : int
-            About how many points, 2 to 10^6.
+            Approximate number of points, 2 to 10^6.
         A_max : float, optional
             Largest amplitude in m, by default the mechanism's reach; `Duffing` needs it.
         """
@@ -329,7 +329,7 @@ class Physical:
             .f in Hz, .A in m, the largest |x|, .stable, .stops, shape (n,); .folds with .f .A .kind .corner; .complete.
         """
         if not (start is None or isinstance(start, Quantities)):
-            raise Refused(f"start = {start!r} is not allowed: start must be what steady_state gave")
+            raise Refused(f"start = {start!r} is not allowed: start must be a result of steady_state")
         begun = None if start is None else start.answer
         one, F_0 = self._excited(amplitude, at)
         found = one._ask("exact_response", F_0=F_0, f=f, start=begun, step=step, x_0=x_0, v_0=v_0)
@@ -512,7 +512,7 @@ class Physical:
         drawn = pictures.height(found[0][0]) if of == "A" else of
         ax = pictures.responses(ax, found, drawn)
         window = validate.WINDOW if f is None else self._window(f)
-        ax.set_xlim(*(end * self.scales.sizes["frequency"] for end in window))
+        pictures.window(ax, *(end * self.scales.sizes["frequency"] for end in window))
         if of == "A":
             length = self.scales.sizes["length"] / UNITS["length"]["mm"]
             pictures.breakpoints(ax, [length * end for end in self.oscillator.breakpoints], "x")

@@ -260,17 +260,25 @@ def responses(ax: Any, found: Sequence[tuple[Any, Any]], of: str = "A", *, names
         ax.set(xlabel=axis(points, _has(points, "Omega", "f")), ylabel=axis(points, of))
     if of in HEIGHTS:
         ax.set_ylim(bottom=0.0)
-    if of == "transmissibility_dB":
-        ax.axhline(0.0, color="0.4", linewidth=0.8, zorder=-2)
+    if of.startswith("transmissibility"):
+        ax.axhline(float(of == "transmissibility"), color="0.4", linewidth=0.8, zorder=-2)
+        ax.set_xscale("log")
     if of == "phi" and not (found and found[0][0].units_of_columns().get(of) == "deg"):
         ax.set(ylim=(-np.pi, 0.0))
         ax.set_yticks([-np.pi, -np.pi / 2, 0], [r"$-\pi$", r"$-\pi/2$", "0"])
     return ax
 
 
+def window(ax: Any, low: float, high: float) -> None:
+    """The limits of the frequency axis; a logarithmic one has two decades at most."""
+    ax.set_xlim(max(low, 0.01 * high) if ax.get_xscale() == "log" else low, high)
+
+
 def response(ax: Any, found: Any, of: str = "A") -> Any:
     """One curve, its forcing beside it."""
     ax = responses(ax, [(found, None)], of)
+    if ax.get_xscale() == "log":
+        window(ax, *ax.dataLim.intervalx)
     legend(ax, axis(found, _has(found, *AMPLITUDES)))
     return ax
 
@@ -469,10 +477,11 @@ def design_map(ax: Any, x: tuple[str, Values], y: tuple[str, Values], values: tu
     """
     ax = axes(ax)
     ax.set_facecolor(NO_ANSWER)
-    drawn = ax.pcolormesh(
-        x[1], y[1], np.ma.masked_invalid(values[1]), cmap="cividis", shading="nearest", rasterized=True
-    )
+    known = np.ma.masked_invalid(values[1])
+    drawn = ax.pcolormesh(x[1], y[1], known, cmap="cividis", shading="nearest", rasterized=True)
     ax.figure.colorbar(drawn, ax=ax, label=label(values[0]))
+    if min(known.shape) > 1 and np.unique(known.compressed()).size > 1:
+        ax.clabel(ax.contour(x[1], y[1], known, levels=5, colors="k", linewidths=0.6), fontsize="small")
     ax.set(xlabel=label(x[0]), ylabel=label(y[0]))
     if not np.all(np.isfinite(values[1])):
         ax.legend(handles=[Patch(color=NO_ANSWER, label="no answer")], loc="best")

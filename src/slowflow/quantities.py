@@ -15,12 +15,12 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from types import MappingProxyType, SimpleNamespace
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 
 from slowflow import validate
-from slowflow.answer import PLAIN, Answer, Table, in_text, plain
+from slowflow.answer import PLAIN, Answer, Table, drawn, plain, shown
 from slowflow.gradient import Gradient
 from slowflow.mechanism import Floats
 from slowflow.support.errors import Refused, WrongType
@@ -79,9 +79,9 @@ SHOWN = MappingProxyType({KIND_OF[unit]: unit for unit in USUAL})
 #: the numbers of a data sheet: their units, "" for none, and meaning
 DATA_SHEET: Mapping[str, tuple[str, str]] = MappingProxyType(
     {
-        "m": ("kg", "mass for which the vertical spring is preset"),
+        "m": ("kg", "mass that the vertical spring is preloaded to carry"),
         "mounts": ("", "number of equal mounts that share the mass; the other data are those of one"),
-        "load": ("kg", "mass on the mount, if another one"),
+        "load": ("kg", "mass on the mount, if different from m"),
         "k_v": ("N/m", "stiffness of the vertical spring"),
         "k_h": ("N/m", "stiffness of each horizontal spring"),
         "k_1": ("N/m", "stiffness of a cubic spring at the centre"),
@@ -174,8 +174,8 @@ class Quantities(Answer):
         if name not in values:
             if name == OF_THE_ANSWER and isinstance(answer := self.__dict__.get("answer"), Answer):
                 getattr(answer, name)  # which may say why it has none
-                raise AttributeError(f"{name!r} is no part of an answer in units: .answer.{name} is dimensionless")
-            raise AttributeError(f"{name!r} is no part of this answer: it has {', '.join(values)}")
+                raise AttributeError(f"{name!r} is not part of an answer in units: .answer.{name} is dimensionless")
+            raise AttributeError(f"{name!r} is not part of this answer: it has {', '.join(values)}")
         return values[name]
 
     def __len__(self) -> int:
@@ -191,7 +191,7 @@ class Quantities(Answer):
 
     def _entries(self) -> tuple[str, ...]:
         if not self.entry:
-            raise WrongType("this answer has no entries: it is a single one")
+            raise WrongType("this answer has no entries: it is a single answer")
         return self.entry
 
     def columns(self) -> dict[str, Any]:
@@ -237,7 +237,7 @@ class Quantities(Answer):
         """Convert to plain Python: lists for arrays, numbers and texts, by name; and `units`, a dictionary."""
         return {**super().to_dict(), "units": dict(self.units)}
 
-    def in_units(self, *units: str) -> Quantities:
+    def in_units(self, *units: str) -> Self:
         """Convert to other units, such as in_units("kN", "rpm"); other quantities are in N, mm, Hz, ms.
 
         Raises ValueError for a unit that is not in `UNITS`.
@@ -254,7 +254,7 @@ class Quantities(Answer):
         for name, value in values.items():
             if isinstance(value, Quantities):
                 values[name] = value.in_units(*units)
-        return Quantities(values, found, self.answer, self.entry, self.scales, chosen=True)
+        return type(self)(values, found, self.answer, self.entry, self.scales, chosen=True)
 
     def gradient(self) -> Gradient:
         """Differentiate the numbers with respect to the data of the mount and the question's arguments.
@@ -299,8 +299,8 @@ class Quantities(Answer):
             raise Refused("only answers of random vibration have this")
         return self.answer, self.scales.sizes
 
-    def __str__(self) -> str:
-        return "\n".join(in_text(self if self.chosen else self.in_units()))
+    def _figure(self) -> str:
+        return drawn(self, picture) if (picture := getattr(self.answer, "picture", "")) else ""
 
     def plot(self, ax: Any = None, *, of: str | None = None) -> Any:
         """Plot a curve, folds, a fold locus or a shock, in mm, Hz, N; return the Matplotlib axes, new ones by default.
@@ -312,13 +312,12 @@ class Quantities(Answer):
         """
         picture = getattr(self.answer, "picture", None)
         if picture is None:
-            raise Refused(f"there is no picture of this answer: it has {', '.join(self.values)}")
+            raise Refused(f"there is no plot of this answer: it has {', '.join(self.values)}")
         from slowflow import pictures
 
-        shown = self if self.chosen else self.in_units()
         if picture != "response":
-            return pictures.PICTURES[picture](ax, shown)
-        return pictures.response(ax, shown, "A" if of is None else validate.choice("of", of, DRAWN))
+            return pictures.PICTURES[picture](ax, shown(self))
+        return pictures.response(ax, shown(self), "A" if of is None else validate.choice("of", of, DRAWN))
 
 
 def _times(value: Any, size: float) -> Any:

@@ -339,7 +339,7 @@ def test_a_mount_draws_the_same_in_its_units():
     )
     assert mount.frequency_response(5).plot(of="phi").get_xlabel() == "frequency $f$ / Hz"
     assert mount.transient(acceleration=20, duration=0.05).plot().get_xlabel() == "time $t$ / ms"
-    with pytest.raises(ValueError, match="no picture of this answer"):
+    with pytest.raises(ValueError, match="no plot of this answer"):
         mount.detachment().plot()
 
 

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import copy
+import html
 import json
 import pickle
+import re
 import sys
 from collections.abc import Mapping
 from concurrent.futures import ProcessPoolExecutor
@@ -336,6 +338,17 @@ def test_no_answer_prints_raw(name):
     assert repr(one).startswith(f"{type(one).__name__}(") and repr(one) != printed
     lines = printed.splitlines()
     assert len(lines) <= answer.SHOWN + 3 and max(map(len, lines)) <= 200
+
+
+@pytest.mark.parametrize("name", ANSWERS)
+def test_a_notebook_shows_what_is_printed(name):
+    """A table or the lines, without the answers within it; curves also have a plot."""
+    pytest.importorskip("matplotlib")
+    one = ANSWERS[name]
+    text, figure, _ = one._repr_html_().partition("<figure>")
+    tokens = html.unescape(re.sub(r"<[^>]*>", " ", text)).split()
+    assert len(tokens) > 1 and str(one).split()[: len(tokens)] == tokens
+    assert bool(figure) == (getattr(one, "picture", "folds") != "folds")
 
 
 def test_what_is_printed_of_an_answer_are_its_numbers():

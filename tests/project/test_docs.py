@@ -73,6 +73,22 @@ def test_an_example_runs(example: Path, capsys: pytest.CaptureFixture[str]) -> N
     assert len(capsys.readouterr().out.splitlines()) >= 5
 
 
+def test_the_notebook_has_the_answers_of_its_cells() -> None:
+    """Run anew, without plots: what each cell shows is what is stored."""
+    pytest.importorskip("matplotlib")
+    space: dict[str, Any] = {}
+    for cell in json.loads((ROOT / "examples" / "mount.ipynb").read_text(encoding="utf-8"))["cells"]:
+        outputs = [output["data"] for output in cell.get("outputs", []) if "text/html" in output["data"]]
+        if cell["cell_type"] == "code":
+            body = ast.parse("".join(cell["source"])).body
+            last = ast.unparse(body.pop()) if outputs else "None"
+            exec(ast.unparse(body), space)
+            answer = eval(last, space)
+            assert [(str(answer), answer._repr_html_().partition("<figure>")[0]) for _ in outputs] == [
+                ("".join(one["text/plain"]), "".join(one["text/html"]).partition("<figure>")[0]) for one in outputs
+            ]
+
+
 def test_the_example_of_table_1_prints_the_certified_folds(capsys: pytest.CaptureFixture[str]) -> None:
     runpy.run_path(str(ROOT / "examples" / "table_1.py"))
     printed = capsys.readouterr().out

@@ -1,7 +1,7 @@
 """The averaged questions about one oscillator. Takes its slow flow as numbers; returns curves, folds, forcings.
 
-Everything is dimensionless, as in (4): displacement in rod lengths, force in k_v L, frequency in sqrt(k_v/m). What runs
-for a question, and what is skipped, `plan` decides; `solvers` has the compiled solvers.
+Everything is dimensionless, as in (4): displacement in rod lengths, force in k_v L, frequency in sqrt(k_v/m). `plan`
+decides which steps run for a question; `solvers` has the compiled solvers.
 """
 
 from __future__ import annotations
@@ -157,8 +157,8 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         -------
         Certificate
             Enclosures, and whether each is proved, for the oscillator whose parameters are exactly the given doubles.
-            Where intervals of doubles are inconclusive, ball arithmetic is used, with python-flint (`pip install
-            'slowflow[proofs]'`); `bits` is the precision used.
+            Where intervals of doubles are inconclusive, ball arithmetic is used, with python-flint
+            (`pip install 'slowflow[proofs]'`); `bits` is the precision used.
 
         Raises
         ------
@@ -277,7 +277,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         Parameters
         ----------
         samples : int
-            About how many points, 2 to 10^6.
+            Approximate number of points, 2 to 10^6.
         A_max : float, optional
             Largest amplitude, > 0, over L; by default the mechanism's reach. Required for a mechanism without reach,
             such as `Duffing`.
@@ -470,7 +470,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         found = [(self.frequency_response(F, Omega=Omega), self.saddle_nodes(F)) for F in forcings]
         drawn = pictures.height(found[0][0]) if of == "A" else of
         ax = pictures.responses(ax, found, drawn)
-        ax.set_xlim(Omega)
+        pictures.window(ax, *Omega)
         if of == "A":
             pictures.breakpoints(ax, self.breakpoints)
         if drawn == "A":
@@ -569,7 +569,7 @@ def _in_range(what: str, values: Any) -> Floats:
     """The values, infinite ones included; OverflowError where one is the difference of two such."""
     found = np.asarray(values)
     if np.isnan(found).any():
-        raise OutOfRange(f"{what} cannot be evaluated there: what it is made of is beyond the range of doubles")
+        raise OutOfRange(f"{what} cannot be evaluated there: intermediate values exceed the range of doubles")
     return found
 
 
