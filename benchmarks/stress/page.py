@@ -45,8 +45,8 @@ Written by `make stress`. Numbers and exact points, of every kernel: `benchmarks
 points are replayed by `tests/averaged/test_stability.py`, where no error may grow.
 
 Errors are in u (1 + κ), u = 2^-53. κ is the relative condition number of a result in all its arguments: rounding each
-argument once, and the result once, costs up to that. A search starts from the worst of the points drawn and moves
-single coordinates by ulps and by factors as long as the error grows, so each figure is a lower bound of the true
+argument once, and the result once, may cost as much. A search starts from the worst of the points drawn and moves
+single coordinates by ulps and by factors while the error grows, so each figure is a lower bound of the true
 maximum. Exact values: kernels to 40 digits and more, roots by FLINT, answers by Newton's method in 420 bits, counts
 by proof.
 """
@@ -226,7 +226,7 @@ def scale_lines(found: list[Numbers]) -> list[str]:
         "### Millions of cases against proofs in intervals",
         "",
         "Double precision alone. Many decades of damping, with and without friction; some frequencies lie next to",
-        "folds. *Differ* are cases of which another number is proved and which are not marked as undecided.",
+        "folds. *Differ*: cases whose proved number is another one, and which are not marked as undecided.",
         "Where only the proof fails, ball arithmetic agrees wherever it was tried",
         "(`tests/averaged/test_undecided.py`).",
         "",
@@ -371,8 +371,8 @@ def in_short(numbers: Numbers) -> list[str]:
         sum(t[name] for t in numbers["counts against proofs"]) for name in ("asked", "differ", "undecided", "unproved")
     )
     lines = [
-        f"- **Kernels, target {kernels.TARGET:g} u (1 + κ)**: {len(found) - len(beyond)} of {len(found)} keep to it; "
-        + (f"{len(beyond)} miss it, named below." if beyond else "none misses it."),
+        f"- **Kernels, target {kernels.TARGET:g} u (1 + κ)**: {len(found) - len(beyond)} of {len(found)} meet it; "
+        + (f"{len(beyond)} miss it and are listed below." if beyond else "none misses it."),
         f"- **Roots in Omega, target {roots.TARGET:g} u (1 + κ)**: the worst of {quartics:,} is "
         f"{number(max(value(w['error']) for w in of_roots))}; {wrong_roots} wrong numbers of roots.",
         f"- **Answers, target {answers.TARGET:g} u (1 + κ)**: {len(of_answers) - len(missed)} of {len(of_answers)} "
@@ -410,7 +410,7 @@ def page(numbers: Numbers) -> str:
             ("kernels", "number", "within the target", "median of the worst", "worst"), by_group(numbers["kernels"])
         ),
         "",
-        "Where the target is missed:" if misses else "Every kernel keeps to the target.",
+        "Kernels that miss the target:" if misses else "Every kernel keeps to the target.",
         "",
         *(table(KERNELS, misses) if misses else []),
         "",
@@ -423,7 +423,7 @@ def page(numbers: Numbers) -> str:
         "### At 1e±150 and subnormal numbers",
         "",
         f"Beyond the box, arguments at {', '.join(f'{x:.3g}' for x in domains.EXTREME)}: {kept} of {tried} kernels",
-        "of the general case are as good there wherever the result itself is a normal double. The others overflow, or",
+        "of the general case are as accurate there wherever the result is a normal double. The others overflow, or",
         "lose digits to underflow, on the way:",
         "",
         *table(("kernel", "beyond the target", "worst", "where"), extreme),
@@ -448,7 +448,7 @@ def page(numbers: Numbers) -> str:
         "![Errors of answers against condition](stability_answers.png)",
         "",
         "κ is the condition with respect to parameters and forcing, plus that with respect to kernel values. *Alone*",
-        "are answers to which Newton's method finds no solution within a hundredth: an ulp above 4 mu/pi, at the tip",
+        "are results without a solution of Newton's method within a hundredth: an ulp above 4 mu/pi, at the tip",
         "of a curve with zeta of 1e-9 and less, and on the corner. A fold closer to u_cr than doubles resolve is given",
         "at a double next to u_cr, where A may miss the target.",
         "Ranges: " + "; ".join(f"{name} {low:g} to {high:g}" for name, (low, high) in answers.BOUNDS.items()) + ".",
@@ -474,7 +474,7 @@ def page(numbers: Numbers) -> str:
         *proof_lines(numbers["proofs"][0]),
         "## Common alternatives",
         "",
-        "The same cases, decided ones: `numpy.roots` on the coefficients of (24), a sign change between the points of",
+        "The decided cases: `numpy.roots` on the coefficients of (24), a sign change between the points of",
         "a grid and `brentq`, `fsolve` from a grid of starts, `numpy.roots` on the resultant's coefficients.",
         "",
         *table(
@@ -537,7 +537,7 @@ def balls_fraction(numbers: Numbers) -> str:
     total, proved = (
         sum(sum(found[name].values()) for found in numbers["families"].values()) for name in ("asked", "proved")
     )
-    return f"{proved:,} of {total:,} of families that are hard for doubles or that they have no proof of"
+    return f"{proved:,} of {total:,} of families that are hard for double precision or without a proof in it"
 
 
 def proof_lines(numbers: Numbers) -> list[str]:
@@ -563,7 +563,7 @@ def proof_lines(numbers: Numbers) -> list[str]:
         f"{proofs.MOST_SPRINGS} springs, {drawn}, *excess* being F_0/(4 mu/pi) - 1. The relative width of an",
         f"enclosure of A is {numbers['width']:.2g}, median, {numbers['widest']:.2g} at most. Everything of Table 2",
         f"takes {1e3 * numbers['table_2']:.2g} ms. What stays undecided is repeated in balls of 128 or 512 bits, by",
-        f"python-flint, in {slowest:.2g} s at most. Hard families are drawn otherwise in one number: delta_h to",
+        f"python-flint, in {slowest:.2g} s at most. Hard families differ in one parameter: delta_h to",
         "1 - 10^-16 and to 10^-12, alpha to 10^-16, excess from 10^-16 to 10^-6; and the force that is not truncated.",
         "",
         *table(("drawn", *(f"{what}, by doubles" for what in proofs.QUESTIONS), "all, with balls"), by_family),

@@ -22,9 +22,9 @@ from slowflow.support.backend import NATIVE, loaded
 from slowflow.support.errors import Refused
 from slowflow.support.record import Mechanism, stated_by_module
 
-ENCLOSED = "{}: enclosed is not allowed in a record that is typed: only what is derived is known on intervals"
+ENCLOSED = "{}: enclosed is not allowed in a hand-written record: only derived forces have enclosures"
 NO_ROOM = (
-    "{} is not allowed: its force has {} numbers of a design (at most {}), {} parameters (at most {}) and {} "
+    "{} is not allowed: its force has {} design parameters (at most {}), {} parameters (at most {}) and {} "
     "breakpoints (at most {})"
 )
 TOO_LONG = "{} is not allowed: its formulas are too long to be interpreted; with compile = True they are compiled"

@@ -192,11 +192,11 @@ def explain_scene(args: argparse.Namespace) -> int:
         total += (seconds := scene.seconds(query))
         print(*(f"  {step}" for step in (plan.steps if plan else ())), f"  {'takes':14}{_some(seconds)}", sep="\n")
     print(
-        f"together {_some(total)}: estimates, medians of random mounts on {costs.MACHINE}; there nine of ten took at "
-        f"most {costs.SPREAD:g} times as long, or as short"
+        f"together {_some(total)}: estimates from medians of random mounts on {costs.MACHINE}; nine of ten were "
+        f"within a factor of {costs.SPREAD:g}"
     )
     if scene.requirements:
-        print(f"then what must hold: {', '.join(one.name for one in scene.requirements)}")
+        print(f"then the requirements: {', '.join(one.name for one in scene.requirements)}")
     if scene.free:
         print(f"free, for slowflow meet: {', '.join(scene.free)}")
     skipped = [question for question in QUESTIONS if not scene.of(question)]
@@ -225,7 +225,9 @@ def derive_mechanisms(args: argparse.Namespace) -> int:
         return 2
     found = [value for value in kept if isinstance(value, Derived)]
     if not found:
-        print(f"{program} keeps no mechanism: give what slowflow.derive.mechanism returns a name", file=sys.stderr)
+        print(
+            f"{program} defines no mechanism: assign the result of slowflow.derive.mechanism to a name", file=sys.stderr
+        )
         return 2
     for mechanism in dict.fromkeys(found):
         folder = args.out / mechanism.stated_name
@@ -255,7 +257,10 @@ def serve(args: argparse.Namespace) -> int:
 def new_scene(args: argparse.Namespace) -> int:
     """Write the starter, or a scene of a measured loop; 2 where there is a file of that name."""
     if (args.loop is None) != (args.mass is None):
-        print("--from loop.csv and --mass '12 kg' need each other: a loop does not contain the mass", file=sys.stderr)
+        print(
+            "--from loop.csv and --mass '12 kg' must be used together: a loop does not contain the mass",
+            file=sys.stderr,
+        )
         return 2
     # here, not above: no other command needs it
     from slowflow import starters
@@ -265,7 +270,7 @@ def new_scene(args: argparse.Namespace) -> int:
         with args.scene.open("x", encoding="utf-8") as file:
             file.write(text)
     except FileExistsError:
-        print(f"{args.scene} is there already: it is left as it is", file=sys.stderr)
+        print(f"{args.scene} already exists: it is not changed", file=sys.stderr)
         return 2
     print(f"{args.scene} is written: slowflow run {args.scene}")
     return 0
@@ -324,7 +329,7 @@ def parser() -> argparse.ArgumentParser:
         prog="slowflow",
         description="Slow flow of piecewise-smooth vibration isolators.",
         epilog="Exit codes: 0 done; 1 a question that could not be answered, or a proof that was not found; "
-        "2 arguments or a scene that are not allowed; 130 interrupted; 141 whoever read the output stopped.",
+        "2 arguments or a scene that are not allowed; 130 interrupted; 141 the output was closed by its reader.",
     )
     whole.add_argument("--version", action="version", version=f"slowflow {slowflow.__version__}")
     commands = whole.add_subparsers(dest="command", required=True)
@@ -334,45 +339,53 @@ def parser() -> argparse.ArgumentParser:
         one.set_defaults(run=run)
         return one.add_argument
 
-    quiet = {"action": "store_true", "help": "say nothing of what is being done"}
-    command(print_info, "info", "versions, how the compiled code was built")
+    quiet = {"action": "store_true", "help": "suppress progress output"}
+    command(print_info, "info", "print versions, and how the compiled code was built")
     option = command(
         certify,
         "certify",
-        "proofs at a forcing: all folds, F_SN, F_cr, each in an interval; exit code 1 where one is not proved",
-        "An isolator in interval arithmetic. Numbers that are not given are those of the paper's Table 1.",
+        "prove all folds at a forcing, F_SN and F_cr, each in an interval; exit code 1 if one is not proved",
+        "Proofs for an isolator in interval arithmetic. Omitted parameters are those of Table 1 of the paper.",
     )
     option("F_0", type=float, help="forcing amplitude over k_v L")
-    option("--Omega", type=float, help="a frequency, of which all states are wanted too")
+    option("--Omega", type=float, help="a frequency at which all states are proved too")
     for domain in OF_ISOLATOR:
         option(f"--{domain.name}", type=float, help=domain.doc)
-    option = command(run_scene, "run", "the answers that a scene asks for", run_scene.__doc__)
-    option("scene", type=Path, help="TOML file; `slowflow new` writes one to begin with")
+    option = command(run_scene, "run", "compute the answers of an input file", run_scene.__doc__)
+    option("scene", type=Path, help="TOML file; `slowflow new` writes an example")
     option("-o", "--out", type=Path, metavar="DIR", help="write CSV and JSON there instead of printing")
     option("--json", action="store_true", help="print JSON")
     option("--report", type=Path, metavar="FILE", help="write the report too, from the same answers, as an HTML page")
     option("--quiet", **quiet)
-    option = command(meet_scene, "meet", "the nearest design that meets what a scene requires", meet_scene.__doc__)
+    option = command(
+        meet_scene, "meet", "find the nearest design that meets the requirements of an input file", meet_scene.__doc__
+    )
     option("scene", type=Path, help="TOML file with [require] and [free]")
-    option("-o", "--out", type=Path, metavar="FILE", help="write the scene with that design")
+    option("-o", "--out", type=Path, metavar="FILE", help="write the input file with that design")
     option("--json", action="store_true", help="print JSON")
     option("--quiet", **quiet)
-    option = command(check_scenes, "check", "whether a scene is allowed; computes nothing")
+    option = command(check_scenes, "check", "check an input file; computes nothing")
     option("scene", type=Path, nargs="+")
-    text = "what runs for a scene, what is skipped, and about how long it takes; computes nothing"
+    text = "list what runs for an input file, what is skipped, and the estimated time; computes nothing"
     command(explain_scene, "explain", text)("scene", type=Path)
-    option = command(write_report, "report", "a scene's answers, curves and errors on one HTML page")
+    option = command(write_report, "report", "write results, curves and errors on one HTML page")
     option("scene", type=Path)
     option("-o", "--out", type=Path, metavar="FILE", default=Path("report.html"), help="default: %(default)s")
     option("--quiet", **quiet)
-    option = command(new_scene, "new", "write a commented scene to begin with")
+    option = command(new_scene, "new", "write a commented input file as a starting point")
     option("scene", type=Path, nargs="?", default=Path("scene.toml"), help="default: %(default)s")
-    option("--from", type=Path, dest="loop", metavar="CSV", help="of a measured force-displacement loop: x, F, also t")
-    option("--mass", type=_quantity, metavar="M", help="that sits on its spring, in kg or with a unit, as '12 kg'")
-    command(print_schema, "schema", "what a scene may have, as JSON schema, by which editors complete it")
-    command(serve, "mcp", "the questions as tools of the Model Context Protocol, on standard input and output")
+    option(
+        "--from",
+        type=Path,
+        dest="loop",
+        metavar="CSV",
+        help="CSV file of a measured force-displacement loop: columns x, F, optionally t",
+    )
+    option("--mass", type=_quantity, metavar="M", help="mass on the spring, in kg or with a unit, such as '12 kg'")
+    command(print_schema, "schema", "print the JSON schema of input files, for completion in editors")
+    command(serve, "mcp", "serve the questions as tools of the Model Context Protocol, on standard input and output")
     option = command(
-        derive_mechanisms, "derive", "kernels, C and derivation of mechanisms that a Python program states"
+        derive_mechanisms, "derive", "write kernels, C and derivation of the mechanisms that a Python program defines"
     )
     option(
         "program",

@@ -200,7 +200,7 @@ def mechanism(
     if any(functions):
         if not all(functions):
             raise WrongType(
-                f"piece {functions.index(False) + 1} is no Python function, as others are: all are, or none is"
+                f"piece {functions.index(False) + 1} is not a Python function: either all pieces are, or none"
             )
         return _sampled(name, pieces, parameters, title, reach, reach_reason, odd, compile)
     stated = _derivation().stated(name, pieces, parameters, title, *furthest, odd=odd)
@@ -243,7 +243,7 @@ def _check_names(design: Sequence[Any]) -> None:
     for parameter in design:
         if parameter.symbol.name in _taken():
             raise Refused(
-                f"parameter {parameter.symbol.name!r} is not allowed: an oscillator has something else by that name"
+                f"parameter {parameter.symbol.name!r} is not allowed: an oscillator has an attribute of that name"
             )
 
 

@@ -12,5 +12,5 @@ DESIGN: tuple[float, float, float] = (TABLE_1["lam"], TABLE_1["r"], TABLE_1["del
 
 
 def isolator(**changes: Any) -> Isolator:
-    """The isolator of Table 1, made anew at each call; keywords as Isolator's take the place of what is given there."""
+    """The isolator of Table 1, made anew at each call; keywords of `Isolator` replace its parameters."""
     return Isolator(**{**TABLE_1, **changes})

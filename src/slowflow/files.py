@@ -51,8 +51,8 @@ def written(folder: Path, names: Sequence[str]) -> list[Path]:
     for path in found:
         if not isinstance(recorded, dict) or recorded.get(path.name) != digest(path.read_bytes()):
             raise Refused(
-                f"{path} is not as slowflow wrote it by the record in {folder / RECORD}, and would stand among the "
-                "answers: move it away, or write to another folder"
+                f"{path} differs from what slowflow wrote, by the record in {folder / RECORD}, and would be mixed "
+                "with the new results: move it, or write to another folder"
             )
     return found
 

@@ -9,7 +9,7 @@ class Unchanging:
     """Whose numbers can be read and not be set: what is known of it is known of these numbers."""
 
     #: that it does not change, and what to do instead with a name
-    stays: ClassVar[str] = "many designs do not change"
+    stays: ClassVar[str] = "designs are immutable"
     instead: ClassVar[str] = "many({}=...) makes others"
 
     def __setattr__(self, name: str, value: Any) -> None:

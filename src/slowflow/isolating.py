@@ -26,10 +26,8 @@ from slowflow_kernels.conventions import HIGHEST_OMEGA
 Begins = TypeVar("Begins")
 
 ISOLATES = Sentence("every motion transmits less than {what:s}")
-NEVER = Sentence("a motion that transmits more than {what:s} has no end towards high frequencies")
-FLOOR = Sentence(
-    "however high the frequency, {what:s} passes on {floor:.4g} dB: from none on less than {level:g} dB is transmitted"
-)
+NEVER = Sentence("a motion that transmits more than {what:s} extends to arbitrarily high frequencies")
+FLOOR = Sentence("at any frequency, however high, {what:s} transmits {floor:.4g} dB: it never stays below {level:g} dB")
 #: frequencies looked at, over the highest one at which anything can be transmitted in full
 BEYOND = 1.1
 #: amplitudes looked at of each of many designs, and the lowest of them over that of the peak

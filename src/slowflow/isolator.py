@@ -44,7 +44,7 @@ def _averaged(force: Any) -> Mechanism:
 def _viscous(c: Any, zeta: float | None) -> dict[str, Any]:
     """The viscous damping of a data sheet, by the one name that it has there."""
     if c is not None and zeta is not None:
-        raise Refused("c and zeta say the same: give one of them")
+        raise Refused("c and zeta both define the viscous damping: specify one of them")
     return {"zeta": 0.0 if zeta is None else zeta} if c is None else {"c": c}
 
 

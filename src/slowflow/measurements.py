@@ -50,10 +50,10 @@ def read_csv(path: str | Path) -> Columns:
     try:
         lines = path.read_text(encoding="utf-8-sig").splitlines()
     except (FileNotFoundError, IsADirectoryError, UnicodeDecodeError) as error:
-        raise Refused(f"{path}: this is no file of text that can be read: {error}") from None
+        raise Refused(f"{path}: this file cannot be read as text: {error}") from None
     kept = [(number, line) for number, line in enumerate(lines, 1) if line.strip() and not line.startswith("#")]
     if len(kept) < 2:
-        raise Refused(f"{path}: there must be a head, as 'f [Hz], a [m/s^2]', and rows of numbers below it")
+        raise Refused(f"{path}: there must be a header, such as 'f [Hz], a [m/s^2]', and rows of numbers below it")
     separator = max(SEPARATORS, key=kept[0][1].count)
     cut = [(number, next(csv.reader([line], delimiter=separator))) for number, line in kept]
     (first, heads), *rows = cut
@@ -68,7 +68,7 @@ def read_csv(path: str | Path) -> Columns:
         found.units |= {name: unit} if unit else {}
     for k, (number, cells) in enumerate(rows):
         if len(cells) != len(heads):
-            raise Refused(f"{path}:{number}: {len(cells)} columns, and the head has {len(heads)}")
+            raise Refused(f"{path}:{number}: {len(cells)} columns, but the header has {len(heads)}")
         for (name, column), cell, size in zip(found.items(), cells, sizes, strict=True):
             try:
                 column[k] = float(cell.strip() or "nan") * size
@@ -82,7 +82,9 @@ def _head(where: str, head: str) -> tuple[str, str, float]:
     """The name of a column, its unit in SI, and the size of the one that it is in."""
     match = HEAD.fullmatch(head)
     if match is None:
-        raise Refused(f"{where}: {head.strip()!r} is no head of a column: write a name and a unit, as 'a [m/s^2]'")
+        raise Refused(
+            f"{where}: {head.strip()!r} is not the header of a column: write a name and a unit, such as 'a [m/s^2]'"
+        )
     name, *units = match.groups(default="")
     unit = "".join(units).strip()
     known = ("", *KIND_OF, *DENSITIES)

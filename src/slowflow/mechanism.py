@@ -102,9 +102,9 @@ class OneSided(Piece):
 class Force:
     """The whole restoring force f(u) = u + F_k(u), piece by piece; a breakpoint belongs to the inner one.
 
-    pieces, breakpoints -- by rising |u|, as for u > 0: piece i holds for breakpoints[i-1] < |u| <= breakpoints[i].
-                   Where the force jumps at u = 0, as by a preload, the first holds there only, with f = 0 and its
-                   breakpoint at 0: a mass may rest there. Of a force that is not odd they are by rising u
+    pieces, breakpoints -- in ascending order of |u|, for u > 0: piece i is valid for breakpoints[i-1] < |u| <=
+           breakpoints[i]. If the force jumps at u = 0, as by a preload, only the first one is valid there, with
+           f = 0 and its breakpoint at 0: a mass may rest there. A force that is not odd has them in order of u
     odd -- whether it is odd, so that a motion may be the mirror image of itself half a turn later
 
     It may jump at a breakpoint, as the truncated force (6) does at u_cr. Regions are numbered from the piece about
@@ -146,12 +146,12 @@ class Force:
 
     @property
     def jump(self) -> float:
-        """f(0+), what it jumps to at u = 0: it holds a mass there that friction alone would not."""
+        """f(0+), the height of the jump at u = 0, which may hold a mass there in addition to friction."""
         return self.pieces[1].value(0.0) if self.innermost else 0.0
 
     @property
     def edges(self) -> tuple[float, ...]:
-        """The u at which each piece but the last ends, by rising u."""
+        """The u at which each piece except the last ends, in ascending order."""
         return (*(-end for end in reversed(self.breakpoints)), *self.breakpoints) if self.odd else self.breakpoints
 
     @property

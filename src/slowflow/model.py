@@ -525,7 +525,7 @@ KNOWN = (
 #: questions that look at motions about the centre, or begin there
 CENTRED = Sentence("{question:s} is not available with {why:s}, only about the centre")
 AT_CENTRE = Sentence(
-    "{why:s}: not available, this question is about motions about the centre. Off it there are rest, detachment, "
+    "{why:s}: not available, this question is about centred motions. For offset motions there are rest, detachment, "
     "saddle_nodes, saddle_node_onset, amplitudes, frequency_response, peak, margins, hysteresis, isolation, spectrum, "
     "and exact motions: steady_state, exact_response, sweep, transient and shock_spectrum"
 )

@@ -46,7 +46,7 @@ FORCES = ("truncated", "untruncated")
 #: arguments that an oscillator's repr leaves out
 DEFAULTS = (("force", FORCES[0]), ("excitation", "force"))
 
-LESS_THAN_MU = "{mu_s = :r} is not allowed: static friction is not less than {mu = :r}"
+LESS_THAN_MU = "{mu_s = :r} is not allowed: static friction must be at least {mu = :r}"
 WITHOUT_TRUNCATION = Sentence("without truncation {F_SN = :.4g}, a {kind:s}")
 
 
@@ -91,7 +91,7 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
     can be read by its name, and `replace` returns a changed copy.
     """
 
-    stays = "an oscillator does not change"
+    stays = "oscillators are immutable"
     instead = "replace({}=...) makes another"
 
     given: dict[str, Any]
@@ -304,7 +304,7 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
 
     @cached_property
     def _equations(self) -> dict[str | None, EquationOfMotion]:
-        """What `equation_of_motion` returned, by its argument: an oscillator does not change."""
+        """What `equation_of_motion` returned, by its argument: oscillators are immutable."""
         return {}
 
     def _in_time(self, which: str | None) -> EquationOfMotion:
@@ -489,7 +489,7 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         Raises
         ------
         ValueError
-            For what is not allowed.
+            For invalid arguments; the message states what is allowed.
         ArithmeticError
             Where the motion escapes a softening spring.
         """
@@ -513,7 +513,7 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         Raises
         ------
         ValueError
-            For what is not allowed.
+            For invalid arguments; the message states what is allowed.
         ArithmeticError
             Where the motion escapes a softening spring.
         """

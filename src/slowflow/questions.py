@@ -45,7 +45,7 @@ class Questions(Generic[States, Response, Folds]):
         F_0 : float
             Amplitude of the excitation, > 0, dimensionless.
         samples : int
-            About how many points, 2 to 10^6; folds, peaks and corners are among them exactly.
+            Approximate number of points, 2 to 10^6; folds, peaks and corners are among them exactly.
         Omega : tuple of float
             Window of frequencies, 0 <= low < high <= 1e40, over sqrt(k_v/m).
 

@@ -60,7 +60,7 @@ AT_EACH = {
     "hysteresis": "Bands with several stable motions",
 }
 ALSO = {
-    "isolation": "From this frequency on less than a level is transmitted",
+    "isolation": "Frequency above which the transmissibility stays below a level",
     "amplitudes": "Motions at the requested frequencies",
     "cusps": "Where two folds are born or merge",
     "isola_points": "Where isolated curves are born or merge",
@@ -111,7 +111,7 @@ def html(scene: Scene) -> str:
         "Random vibration": report.random(),
         "Tolerances": report.tolerances(),
         "Designs beside it": report.map(),
-        "How far to trust it": report.trust(),
+        "Accuracy": report.trust(),
         "Equations": report.equations(),
         "Data": report.data(),
     }
@@ -268,7 +268,7 @@ class Report:
         if peak and peak[0].A is not None:
             yield f"Its highest motion is {_one(peak[0], 'A')}, at {_one(peak[0], self.f)}."
         if isolation and (begin := _one(isolation[0], self.f)) is not None:
-            open_ = ", as far as is decided" if isolation[0].remarks & Remark.UNDECIDED else ""
+            open_ = ", as far as resolved" if isolation[0].remarks & Remark.UNDECIDED else ""
             yield f"From {begin} on its transmissibility is below 0 dB{open_}."
         for one in self.scene.of("isolation"):
             level = one.arguments.get("level_dB", 0.0) if one.forcing == F else 0.0
@@ -372,7 +372,7 @@ class Report:
                 yield _table("Shocks of the base, by the equation of motion", answer)
             ax = pictures.shocks(page.axes(), answer, "below")
             yield page.figure(
-                ax, "The largest acceleration of the mass over the pulse's, over the duration of the pulse."
+                ax, "The largest acceleration of the mass over that of the pulse, as a function of the duration."
             )
 
     def random(self) -> Iterator[str]:
@@ -480,7 +480,7 @@ class Report:
         if rows:
             yield page.table("The largest displacement by averaging and by the equation of motion itself", heads, rows)
         else:
-            yield "<p>Not compared with the equation of motion: the scene asks for amplitudes at no frequency.</p>"
+            yield "<p>Not compared with the equation of motion: the scene requests amplitudes at no frequency.</p>"
 
     def _expected(self) -> Iterator[str]:
         """What measurements say of the error of the highest motion, and of the curve's other points."""
@@ -548,9 +548,9 @@ class Report:
         ]
         yield f"<p>Equations of {escape(ledger['paper'])}, each compared with the derivation:</p>"
         if self.plain.load != 0:
-            remark = "with its balance beside them, which the paper has not"
+            remark = "with the balance of the mean, which is not in the paper"
             yield f"<p>Under a load these hold about a mean B, {remark}.</p>"
-        heads = ("equation", "what", "verdict", "as published; what vanishes, or the value")
+        heads = ("equation", "what", "verdict", "as published: expression that vanishes, or value")
         yield page.table("Verdicts", heads, rows)
 
     def data(self) -> Iterator[str]:

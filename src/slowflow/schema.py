@@ -40,7 +40,9 @@ def scene() -> Schema:
     tables |= {"ask": _ask((*_arguments(QUESTIONS), "questions")), **{name: _table(name) for name in _tables()}}
     tables["require"] = _requirements()
     ranges = {"type": "array", "items": QUANTITY, "minItems": 2, "maxItems": 2}
-    tables["free"] = _object("What may change to meet that: lowest, highest", dict.fromkeys(_numbers(), ranges))
+    tables["free"] = _object(
+        "Free parameters to meet the requirements: lowest, highest", dict.fromkeys(_numbers(), ranges)
+    )
     one_of = [{"required": [name]} for name in KINDS]
     return {"$schema": DRAFT, "title": "slowflow scene", **_object("", tables, ["ask"]), "oneOf": one_of}
 
@@ -69,7 +71,7 @@ def description(name: str) -> str:
     """Description of a question, from its docstring; units are those of the arguments."""
     of_mount = getattr(Physical, name, None)
     if of_mount is None:
-        return "How far answers spread when numbers of the oscillator are off by shares of themselves."
+        return "Spread of the answers under relative tolerances of the parameters."
     return inspect.cleandoc(of_mount.__doc__ or "").partition("\n\n")[0]
 
 
@@ -139,11 +141,11 @@ def _ask(keys: Iterable[str]) -> Schema:
     ends = {"type": "array", "items": {**QUANTITY, "minimum": 0}, "minItems": 2, "maxItems": 2}
     known = amplitudes | {
         "window": {"description": "ends of the frequencies of a response, in the unit of these", **ends},
-        "samples": {"description": "about how many points a response has", "type": "integer", "minimum": 2},
+        "samples": {"description": "approximate number of points of a response", "type": "integer", "minimum": 2},
         "level_dB": _list({"type": "number", "maximum": 0}, COLUMNS["level_dB"].text),
-        "questions": _list({"enum": list(QUESTIONS)}, "what is asked; nothing else is computed"),
+        "questions": _list({"enum": list(QUESTIONS)}, "questions to compute; nothing else is computed"),
     }
-    return _object("Where questions are asked", {key: known[key] for key in keys})
+    return _object("Forcings and frequencies of the questions", {key: known[key] for key in keys})
 
 
 def _tables() -> tuple[str, ...]:
@@ -159,14 +161,14 @@ def _table(name: str) -> Schema:
     """One of those that a question needs."""
     if name == "tolerances":
         fraction: Schema = {"type": "number", "minimum": 0, "exclusiveMaximum": 1}
-        return _object("Shares by which numbers may be off", dict.fromkeys(_numbers(), fraction))
+        return _object("Relative tolerances of parameters", dict.fromkeys(_numbers(), fraction))
     if name == "spectrum":
         return _object(
             "Tones, one at a time: pairs", {key: _list(AMPLITUDE, one) for key, one in _amplitudes().items()}
         )
     if name == "psd":
         keys = {key: _list(POSITIVE, one) for key, one in _amplitudes().items() if key in FREQUENCIES}
-        keys["G"] = _list(POSITIVE, "one-sided spectral density at these, straight in log-log between them")
+        keys["G"] = _list(POSITIVE, "one-sided spectral density at these, linear in log-log between them")
         keys["unit"] = {"description": "of a mount's G", "enum": list(DENSITIES)}
         return _object("A power spectral density", keys, ["G"])
     texts = {key: f"{COLUMNS[key].text}; of a mount in {SI[OF_MOUNT[key]]}" for key in OF_A_PULSE}

@@ -24,10 +24,12 @@ from slowflow_kernels.domains import DAMPING, DISSIPATION
 Codes = npt.NDArray[np.int8]
 
 OF_FUNCTIONS = (
-    "gradient() is not available for {}: its force is stated by Python functions, which are known by their values, not "
-    "by how these move with the parameters; stated by SymPy expressions it has gradients"
+    "gradient() is not available for {}: its force is defined by Python functions, whose derivatives with respect to "
+    "the parameters are unknown; SymPy expressions have gradients"
 )
-OF_RECORD = "gradient() is not available for {}: its record does not say how its average moves with the parameters"
+OF_RECORD = (
+    "gradient() is not available for {}: its record has no derivatives of its average with respect to the parameters"
+)
 
 
 class Design(NamedTuple):

@@ -61,7 +61,7 @@ def of_loop(path: Path, m: Any) -> str:
 
     path -- of a CSV file with columns x, F and, for viscous damping, t
 
-    A number whose interval holds 0 is left out. Raises ValueError for what is no loop, with file and line.
+    A number whose interval holds 0 is left out. Raises ValueError for an invalid loop, with file and line.
     """
     columns, units = read_csv(path), {"x": "m", "F": "N", "t": "s"}
     if not {"x", "F"} <= columns.keys() <= units.keys():

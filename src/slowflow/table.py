@@ -304,7 +304,7 @@ class ManyQuestions(Generic[Found]):
         kinds=FoldKind,
     )
     def saddle_nodes(self, F_0: Any, *, places: int = 6, workers: int = 1) -> Found:
-        """Find every fold at F_0 (24), (30), by rising Omega: .Omega .A .kind .count .undecided; with a load .B.
+        """Find every fold at F_0 (24), (30), sorted by Omega: .Omega .A .kind .count .undecided; with a load .B.
 
         Parameters
         ----------
@@ -327,7 +327,7 @@ class ManyQuestions(Generic[Found]):
         }
     )
     def amplitudes(self, *, F_0: Any, Omega: Any, places: int = 6, workers: int = 1) -> Found:
-        """Find every steady state at (Omega, F_0) (24), (30), by rising A: .A .phi .stable .count .transmissibility.
+        """Find every steady state at (Omega, F_0) (24), (30), sorted by A: .A .phi .stable .count .transmissibility.
 
         Parameters
         ----------
@@ -411,7 +411,7 @@ class ManyQuestions(Generic[Found]):
 
     @asks({OFFSET: "u:place stiffness:place count status"})
     def rest(self, *, places: int = 3, workers: int = 1) -> Found:
-        """Find every equilibrium under a load, by rising u: .u .stiffness .count."""
+        """Find every equilibrium under a load, sorted by u: .u .stiffness .count."""
 
     @asks({AVERAGING: "Omega_0 k_0 u_cr break_loose rests_within sticking status"})
     def at_rest(self, *, workers: int = 1) -> Found:

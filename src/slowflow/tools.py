@@ -23,7 +23,7 @@ from slowflow.version import __version__
 
 INSTRUCTIONS = (
     "Primary resonance of vibration isolators: jump frequencies, response, transmissibility, shocks, random vibration. "
-    "A [mount] is a data sheet in SI units (kg, N, N/m, m, Hz); what is not given is zero, or its default. Amplitudes "
+    "A [mount] is a data sheet in SI units (kg, N, N/m, m, Hz); omitted keys are zero, or have defaults. Amplitudes "
     "are F in N, or with excitation = 'base' Y in m or a in m/s^2. Answers are first-order averages unless they say "
     "otherwise: tell the user the remarks and the known errors that come with them."
 )
@@ -69,7 +69,7 @@ def errors(found: Any) -> str:
 def tools() -> list[types.Tool]:
     """One for each question, and one for a whole scene."""
     found = {name: (schema.description(name), schema.question(name)) for name in QUESTIONS}
-    found[SCENE] = "Several questions at once, and a verdict on what must hold.", schema.scene()
+    found[SCENE] = "Several questions at once, and a verdict on the requirements.", schema.scene()
     hints = types.ToolAnnotations(read_only_hint=True, open_world_hint=False)
     return [
         types.Tool(name=name, description=text, input_schema=of, annotations=hints)

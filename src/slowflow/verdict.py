@@ -215,5 +215,5 @@ def in_words(found: Verdict) -> str:
     count = int(found.met.sum())
     share = "" if found.products is None else f"; {100 * found.products:g} of 100 products within [tolerances] meet all"
     if found.all_met:
-        return f"requirements met: {count} of {count}; the least margin: {least}{share}"
+        return f"requirements met: {count} of {count}; the smallest margin: {least}{share}"
     return f"requirements not met: {len(found) - count} of {len(found)}; the first: {least}{share}"

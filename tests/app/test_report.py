@@ -242,7 +242,7 @@ def test_what_is_undecided_of_isolation_is_said_in_short_too(monkeypatch):
         return replace(ask(*at, **arguments), remarks=Remark.UNDECIDED)
 
     monkeypatch.setattr(Isolator, "isolation", undecided)
-    expected = plain.replace("is below 0 dB.", "is below 0 dB, as far as is decided.")
+    expected = plain.replace("is below 0 dB.", "is below 0 dB, as far as resolved.")
     assert " ".join(report.Report(scenes.read(MOUNT)).in_short(5.0)) == expected != plain
 
 

@@ -324,7 +324,7 @@ def test_answers_of_an_earlier_scene_go_and_others_are_refused(scene, tmp_path, 
         before = (out / name).read_text() if (out / name).exists() else None
         (out / name).write_text("changed")
         code, printed, err = run("run", scene(f"{ask}questions = {second}\n"), "-o", out, "--quiet", capsys=capsys)
-        assert (code, printed) == (2, "") and err.startswith(f"{out / name} is not as slowflow wrote it")
+        assert (code, printed) == (2, "") and err.startswith(f"{out / name} differs from what slowflow wrote")
         assert (out / name).read_text() == "changed"
         (out / name).unlink() if before is None else (out / name).write_text(before)
 

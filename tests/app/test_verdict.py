@@ -43,7 +43,9 @@ def test_a_linear_mount_has_margins_in_closed_form(tmp_path):
     assert found.value[3] == pytest.approx(1e3 * peak, rel=1e-12)
     assert found.limit[3] == 7.0 and found.unit[3] == "mm"
     assert found.margin[3] == pytest.approx(7e-3 / peak, rel=1e-12)
-    assert in_words(found) == "requirements met: 4 of 4; the least margin: relative_displacement, F = 5 N, margin 1.11"
+    assert (
+        in_words(found) == "requirements met: 4 of 4; the smallest margin: relative_displacement, F = 5 N, margin 1.11"
+    )
 
 
 def test_margins_and_shocks_are_those_of_their_questions(tmp_path):
@@ -135,7 +137,7 @@ def test_the_exit_code_says_whether_all_is_met(tmp_path, capsys):
     assert cli.main(["check", str(path)]) == 0
     assert "to meet: jumps" in capsys.readouterr().out
     assert cli.main(["explain", str(path)]) == 0
-    assert "then what must hold: jumps" in capsys.readouterr().out
+    assert "then the requirements: jumps" in capsys.readouterr().out
     page = report.html(read(path))
     assert page.index("requirements not met: 1 of 1") < page.index("k_h")
 
@@ -153,7 +155,7 @@ def test_the_nearest_design_has_nothing_to_spare_of_what_binds(tmp_path, capsys)
     assert cli.main(["meet", str(path), "-o", str(out)]) == 0
     printed = capsys.readouterr().out
     assert "feasible                        True" in printed
-    assert "requirements met: 3 of 3; the least margin: relative_displacement, F = 5 N, margin 1\n" in printed
+    assert "requirements met: 3 of 3; the smallest margin: relative_displacement, F = 5 N, margin 1\n" in printed
     zeta = read(out).content["mount"].pop("zeta")
     assert 2 * zeta * math.sqrt(1 - zeta**2) == pytest.approx(5.0 / (0.006 * 4000), rel=3e-6)
     assert {**read(path).content["mount"], "zeta": zeta} == read(out).content["mount"]

@@ -199,7 +199,7 @@ def test_an_onset_that_doubles_refuse_is_proved():
     found, onset = answers.onset(iso.model), iso.saddle_node_onset()
     assert found.proved
     assert found.kind == onset.kind == "cusp"
-    assert onset.remarks == Remark.BY_BALLS and "ball arithmetic resolved" in onset.message
+    assert onset.remarks == Remark.BY_BALLS and "resolved in ball arithmetic" in onset.message
     for value, (low, high) in zip((onset.F_SN, onset.Omega, onset.A), (found.F_0, found.Omega, found.A), strict=True):
         assert low <= value <= high
     A, w = (mpmath.mpf(float(ends.mean())) for ends in (found.A, found.Omega))

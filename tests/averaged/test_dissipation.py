@@ -615,7 +615,9 @@ def test_onsets_that_boxes_cannot_tell_are_refused():
     dead_zone = derive.library("dead_zone")
     with pytest.raises(ArithmeticError, match=r"up to \|u\| = 0\.2 there is no spring"):
         dead_zone(delta=0.2, c_2=0.1, excitation="base").saddle_node_onset()
-    with pytest.raises(ArithmeticError, match="double precision does not tell"):  # it lies nearer to 0.2 than a double
+    with pytest.raises(
+        ArithmeticError, match="double precision does not resolve"
+    ):  # it lies nearer to 0.2 than a double
         dead_zone(delta=0.2, c_2=1e-9, mu=0.01).saddle_node_onset()
     assert dead_zone(delta=0.2, c_2=0.1, eta=0.02).saddle_node_onset().kind == "cusp"
     assert dead_zone(delta=0.2, c_2=0.1, zeta=0.02, excitation="base").saddle_node_onset().kind == "isola"

@@ -165,7 +165,7 @@ def test_curves_beyond_it_are_drawn_in_a_window_and_cut(yielding):
     states = mount.amplitudes(Omega=[0.01, 0.5, 1.0], F_0=0.2)
     assert np.abs(off_balance(states.Omega, states.A, 0.2, 0.0)).max() < 1e-12 and len(states) == 3
     for answer in (mount.peak(0.2), mount.saddle_nodes(0.2), mount.frequency_response(0.2)):
-        assert "which levels off, does not hold the mass: cut at A = 20" in answer.message
+        assert "the spring force levels off and does not hold the mass: cut at A = 20" in answer.message
     assert Remark.CUT in mount.saddle_nodes(0.2).remarks
     with pytest.raises(OverflowError, match="no amplitude bounds the response"):
         yielding(k=K, g=G, mu=0.09, **DAMPED).saddle_node_onset()

@@ -151,7 +151,7 @@ def test_what_friction_passes_on_at_any_frequency_is_told():
     parameters, F_0 = {"alpha": 1.0, "beta": 0.5, "mu": 0.01, "zeta": 0.05}, 0.1
     floor = 20 * math.log10(4 * 0.01 / (math.pi * F_0))
     found = Duffing(**parameters).isolation(F_0, floor - 0.01)
-    assert found.Omega is None and f"friction passes on {floor:.4g} dB" in found.message
+    assert found.Omega is None and f"friction transmits {floor:.4g} dB" in found.message
     assert Duffing(**parameters).isolation(F_0, floor + 0.01).Omega > 10
     many = Duffing.many(**parameters).isolation(F_0, level_dB=[floor - 0.01, floor + 0.01, math.nan, 1.0])
     assert many.status.tolist() == [Status.NONE, Status.OK, Status.INVALID, Status.INVALID]

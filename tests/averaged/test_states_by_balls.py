@@ -102,7 +102,7 @@ def test_states_next_to_a_fold_are_as_many_as_proved(name):
     assert many.count.tolist() == number and not many.undecided.any()
     assert many.remarks.tolist() == [int(state.remarks) for state in singles]
     assert not found.Omega_undecided.size and Remark.UNDECIDED not in found.remarks
-    assert (Remark.BY_BALLS in found.remarks) == ("ball arithmetic resolved" in found.message)
+    assert (Remark.BY_BALLS in found.remarks) == ("resolved in ball arithmetic" in found.message)
     pairs = one.amplitudes(Omega=frequencies, F_0=np.full(len(frequencies), F_0))
     assert pairs.A.tolist() == found.A.tolist() and pairs.remarks == found.remarks
 
@@ -115,7 +115,7 @@ def test_folds_that_balls_decided_say_so_in_batches_too():
     for k, F in enumerate(F_0):
         found = one.saddle_nodes(F)
         assert many.remarks[k] == int(found.remarks)
-        assert (Remark.BY_BALLS in found.remarks) == ("ball arithmetic resolved" in found.message) == (k == 0)
+        assert (Remark.BY_BALLS in found.remarks) == ("resolved in ball arithmetic" in found.message) == (k == 0)
 
 
 @flint

@@ -277,7 +277,7 @@ def test_the_command_line_writes_what_a_program_derives(tmp_path, capsys):
 @pytest.mark.parametrize(
     ("program", "message"),
     [
-        ("x = 1", "keeps no mechanism"),
+        ("x = 1", "defines no mechanism"),
         (PROGRAM.replace("(k_1 * u, gap)", "(k_1 * u * j, gap)"), "mine.py, line 8: NameError: name 'j'"),
         (PROGRAM.replace('"stop",', '"no name",'), "line 7: Refused: name = 'no name' is not allowed"),
         (None, "no such file"),

@@ -494,7 +494,7 @@ def test_within_a_play_no_mean_is_singled_out_and_that_is_said():
     Omega, F_0, zeta = 0.6, 0.05, 0.1
     one = loose(k=2.0, gap=1.0, zeta=zeta)
     A = F_0 / (Omega * np.hypot(Omega, 2 * zeta))
-    with pytest.raises(ArithmeticError, match=f"amplitude {A:.6g} stays within .* no force brings its mean back"):
+    with pytest.raises(ArithmeticError, match=f"amplitude {A:.6g} stays within .* no force restores its mean"):
         one.steady_state(Omega=Omega, F_0=F_0)
     assert one.steady_state(Omega=Omega, F_0=F_0, A=A).A == pytest.approx(A, rel=1e-12)
     # u' + 2 zeta u = F_0 sin(Omega tau)/Omega from rest on, and goes on so where the frequency steps: its mean is 0
@@ -509,7 +509,7 @@ def test_without_a_spring_no_mean_is_singled_out_either(excitation):
     free, Omega, F_0, zeta = Duffing(0.0, 0.0, zeta=0.1, excitation=excitation), 0.9, 0.05, 0.1
     A = F_0 * (1.0 if excitation == "force" else Omega**2) / (Omega * np.hypot(Omega, 2 * zeta))
     for ask in (free.steady_state, lambda Omega, F_0: free.exact_response(F_0, Omega=(Omega, 1.1))):
-        with pytest.raises(ArithmeticError, match=f"amplitude {A:.6g} stays where no force brings its mean back"):
+        with pytest.raises(ArithmeticError, match=f"amplitude {A:.6g} stays where no force restores its mean"):
             ask(Omega=Omega, F_0=F_0)
     assert free.steady_state(Omega=Omega, F_0=F_0, A=A).A == pytest.approx(A, rel=1e-12)
 

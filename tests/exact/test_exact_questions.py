@@ -286,7 +286,7 @@ def test_neutral_mean_that_is_driven_off_is_not_settled_on():
     try:
         found = oscillator.steady_state(Omega=1.5, F_0=0.05)
     except NotSettled as refusal:
-        assert "does not find it" in str(refusal)
+        assert "does not converge to it" in str(refusal)
     else:
         assert abs(found.harmonics(0)[0]) >= 1e-6
 
@@ -312,7 +312,7 @@ def test_no_trial_runs_off_to_zero_frequency():
     with limited(200_000):
         part = oscillator.exact_response(F_0, Omega=window, force="truncated")
     last = f"at Omega = {part.Omega[-1]:.9g}, A = {part.A[-1]:.9g}"
-    assert not part.complete and "a part of the curve only: given up after 200000 integration" in part.message
+    assert not part.complete and "a part of the curve only: stopped after 200000 integration" in part.message
     assert part.message.endswith(last) and 1 < len(part) < len(curve)
     assert part.Omega == pytest.approx(curve.Omega[: len(part)], rel=1e-9)
 
@@ -324,17 +324,17 @@ def test_a_curve_that_is_given_up_keeps_its_points():
         start = isolator().steady_state(Omega=0.5, F_0=0.04)
         with limited(most):
             part = isolator().exact_response(0.04, start=start)
-        assert not part.complete and f"given up after {most} integration steps" in part.message
+        assert not part.complete and f"stopped after {most} integration steps" in part.message
         assert 50 < len(part) < len(whole) and part.A == pytest.approx(whole.A[: len(part)], rel=1e-9)
-    with pytest.raises(ArithmeticError, match="given up after 10 integration steps"), limited(10):
+    with pytest.raises(ArithmeticError, match="stopped after 10 integration steps"), limited(10):
         isolator().exact_response(0.04, start=start)
     assert whole.complete and whole.message == ""
 
 
 def test_work_is_bounded_and_said_so():
-    """Each integration, and each question as a whole, is given up after a stated number of steps."""
+    """Each integration, and each question as a whole, is stopped after a stated number of steps."""
     slow = exact.EquationOfMotion(isolator().restoring_force(), 0.012, 0.02)
-    with pytest.raises(ArithmeticError, match="given up after 100 integration steps"), limited(100):
+    with pytest.raises(ArithmeticError, match="stopped after 100 integration steps"), limited(100):
         exact.steady_state(slow, Omega=0.9, F_0=0.04)
     with pytest.raises(ArithmeticError, match=r"the integration stalls near u = .*: its steps become too many"):
         exact.steady_state(slow, Omega=1e-9, F_0=0.04)

@@ -511,8 +511,8 @@ def test_what_is_there_already_is_not_written_over(tmp_path):
     [
         ({"question": "peaks"}, ValueError, "question"),
         ({"question": "peak"}, TypeError, "F_0 is missing for peak"),
-        ({"question": "detachment", "F_0": 0.1}, TypeError, "F_0 is nothing for detachment"),
-        ({"question": "peak", "F_0": 0.1, "places": 2}, TypeError, "places is nothing for peak"),
+        ({"question": "detachment", "F_0": 0.1}, TypeError, "F_0 is not an argument of detachment"),
+        ({"question": "peak", "F_0": 0.1, "places": 2}, TypeError, "places is not an argument of peak"),
         ({"question": "peak", "F_0": "0.1"}, ValueError, "F_0"),
         ({"question": "saddle_nodes", "F_0": 0.1, "places": 0}, ValueError, "places"),
         ({"question": "peak", "F_0": 0.1, "workers": 0}, ValueError, "workers"),
@@ -559,7 +559,7 @@ def test_a_force_with_named_axes_is_not_taken_for_one_without():
 
 
 def test_the_second_approximation_proves_nothing(tmp_path):
-    with pytest.raises(ValueError, match="nothing is proved of the second approximation"):
+    with pytest.raises(ValueError, match="the second approximation has no proofs"):
         over().second_approximation.store(tmp_path / "map.zarr", "certify", F_0=0.05)
 
 

@@ -113,7 +113,7 @@ def test_stops_are_announced_where_there_are_any(Omega, mu):
 def test_the_resonance_of_table_1_is_nothing_to_remark_on():
     curve = isolator().frequency_response(0.04, Omega=(0.7, 1.0))
     assert curve.message == "" and curve.validity.message == ""
-    assert str(curve.validity) == "nothing known against it"
+    assert str(curve.validity) == "no known limitation"
     assert curve.validity.error.max() < 0.05
     assert isolator().saddle_nodes(0.04).validity.message == ""
 

@@ -169,7 +169,7 @@ def test_endless_motion_leaves_no_isolation_frequency():
     """A hardening spring without viscous damping: its resonance goes on to any frequency."""
     hardening = Duffing(1.0, 1.0, mu=0.01)
     found = hardening.isolation(0.1)
-    assert found.Omega is None and "has no end towards high frequencies" in found.message
+    assert found.Omega is None and "extends to arbitrarily high frequencies" in found.message
     (band,), (fold,) = hardening.hysteresis(0.1), hardening.saddle_nodes(0.1)
     assert (band.Omega_low, band.Omega_high, band.motions) == (fold.Omega, math.inf, 2)
 
@@ -235,7 +235,7 @@ def test_fold_is_crossed_where_the_number_of_states_changes():
 def test_pairs_are_said_to_be_single_tones(load):
     """By integration, the response to two tones together is neither single response nor their sum."""
     duffing = Duffing(1.0, 0.3, mu=0.01, zeta=0.05, load=load)
-    pairs, several = {"Omega": [0.8, 1.2], "F_0": [0.2, 0.3]}, "tones that act together are not covered"
+    pairs, several = {"Omega": [0.8, 1.2], "F_0": [0.2, 0.3]}, "simultaneous tones are not covered"
     depths = [duffing.spectrum, duffing.amplitudes]
     depths += [] if load else [duffing.second_approximation.amplitudes]
     for ask in depths:

@@ -1098,7 +1098,7 @@ def test_forcing_beyond_all_sizes_is_refused_before_memory():
 
 def test_undamped_range_of_folds_is_refused():
     """It divided by the damping, with a warning."""
-    with pytest.raises(ValueError, match="A_max needs zeta > 0, eta > 0 or c_2 > 0 off the centre"):
+    with pytest.raises(ValueError, match="A_max needs zeta > 0, eta > 0 or c_2 > 0 for offset motions"):
         Isolator(lam=2, r=0.3, delta_h=0.3).off_centre.A_max(1.3)
     with pytest.raises(ValueError, match=r"F_0 = -1\.0 is not allowed"):
         isolator().off_centre.A_max(-1.0)

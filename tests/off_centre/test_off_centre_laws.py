@@ -171,7 +171,7 @@ def test_damping_without_viscous_part_is_the_limit(law):
 
 
 def test_without_damping_that_grows_the_reason_is_said():
-    with pytest.raises(ValueError, match=r"needs zeta > 0, eta > 0 or c_2 > 0 off the centre"):
+    with pytest.raises(ValueError, match=r"needs zeta > 0, eta > 0 or c_2 > 0 for offset motions"):
         Duffing(1.0, 1.0, mu=0.01, load=0.1).peak(0.1)
 
 

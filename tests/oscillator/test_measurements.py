@@ -47,8 +47,8 @@ def test_what_slowflow_writes_is_read_again(file):
         ),
         ("f [Hz], a [gg]\n1, 1\n", "Did you mean 'g'"),
         ("#\nf [Hz], a [g]\n1, 1\n2, x\n", "points.csv:4: a = 'x' is no number"),
-        ("f [Hz], a [g]\n1, 1\n2\n", "points.csv:3: 1 columns, and the head has 2"),
-        ("1, 2\n3, 4\n", "points.csv:1: '1' is no head of a column: write a name and a unit"),
+        ("f [Hz], a [g]\n1, 1\n2\n", "points.csv:3: 1 columns, but the header has 2"),
+        ("1, 2\n3, 4\n", "points.csv:1: '1' is not the header of a column: write a name and a unit"),
         ("f, f\n3, 4\n", "points.csv:1: there are two columns f"),
         ("f [Hz]\n", "points.csv: there must be a head"),
     ],
@@ -59,7 +59,7 @@ def test_what_is_no_table_of_columns_is_refused_with_its_line(text, message, fil
 
 
 def test_a_missing_file_is_named(tmp_path):
-    with pytest.raises(ValueError, match=r"none\.csv: this is no file of text that can be read"):
+    with pytest.raises(ValueError, match=r"none\.csv: this file cannot be read as text"):
         read_csv(tmp_path / "none.csv")
 
 

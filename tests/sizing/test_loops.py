@@ -112,7 +112,7 @@ def test_a_cubic_spring_is_refused_in_its_terms():
         ({"k_1": 0.0}, "there is no spring"),
         ({"k_1": math.nan}, "k_1 = nan is not allowed"),
         ({"k_1": 5.0, "friction": -1}, "friction = -1 is not allowed"),
-        ({"k_1": 5.0, "c": 1.0, "zeta": 0.1}, "give one of them"),
+        ({"k_1": 5.0, "c": 1.0, "zeta": 0.1}, "specify one of them"),
         ({"k_1": "5 N/cm"}, "k_1 must be a number in N/m, or one with a unit of N/m, N/mm, lbf/in"),
     ):
         with pytest.raises(ValueError, match=message):

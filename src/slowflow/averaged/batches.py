@@ -128,7 +128,7 @@ class Batch(Answer):
             value.setflags(write=False)
 
     def __setattr__(self, name: str, value: Any) -> None:
-        raise AttributeError(f"an answer does not change: {name!r} cannot be set")
+        raise AttributeError(f"answers are immutable: {name!r} cannot be set")
 
     def __reduce__(self) -> tuple[Any, ...]:
         own = self.question.name, dict(self._values), self._designs, dict(self.asked), self.system
@@ -137,7 +137,7 @@ class Batch(Answer):
     def __getattr__(self, name: str) -> Any:
         values = self.__dict__.get("_values", {})  # not there yet while it is made
         if name not in values:
-            raise validate.NoAttribute(f"{name!r} is no column of this answer: it has {', '.join(values)}")
+            raise validate.NoAttribute(f"{name!r} is not a column of this answer: it has {', '.join(values)}")
         return values[name]
 
     def __repr__(self) -> str:

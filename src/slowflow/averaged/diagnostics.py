@@ -34,23 +34,23 @@ NEAR_STICKING_BELOW = text(
 
 MESSAGES: Mapping[Remark, str | Sentence] = {
     Remark.BEYOND_REACH: Sentence("amplitudes above {reach:g} are not reached: {reason:s}"),
-    Remark.NEGATIVE_STIFFNESS: text("negative stiffness at rest: {u} = 0 is no stable equilibrium"),
+    Remark.NEGATIVE_STIFFNESS: text("negative stiffness at rest: {u} = 0 is not a stable equilibrium"),
     Remark.LEAVES_CENTRE: "motions that leave the centre: the stiffness over their cycle does not restore the mean "
     "displacement; .off_centre has those with another mean",
     Remark.HELD_AT_REST: Sentence(
         "a mass at rest stays there, whatever the frequency, up to {F_0} = {held:g}: {holds:s} it"
     ),
     Remark.UNDECIDED: text(
-        "close to where folds or states merge, {Omega = :g} or 4 {mu}/pi: their number, or place, is not resolved", 0.0
+        "close to where folds or states merge, {Omega = :g} or 4 {mu}/pi: their number or position is not resolved", 0.0
     ),
     Remark.BEYOND_WELL: "there are states beyond the well, which turn where the spring force points outward: none "
     "is stable, as exact motions do not return from there",
     Remark.UNSUSTAINED: "there are states next to the top of the well that the equation of motion need not have: a "
     "free motion of such an amplitude loses more energy per cycle than the excitation supplies; measure() checks it",
-    Remark.BY_BALLS: "ball arithmetic resolved how many there are, or which is lowest, as doubles are inconclusive",
+    Remark.BY_BALLS: "number, or which one is lowest, resolved in ball arithmetic, as double precision is inconclusive",
     Remark.MIRRORED: Sentence(
-        "{mirrored:s} is not odd: for {u} < 0 the force is that of |{u}| with the other sign; odd=False takes it as it "
-        "is written"
+        "{mirrored:s} is not odd: for {u} < 0 the force is that of |{u}| with the opposite sign; odd=False takes it "
+        "as written"
     ),
     Remark.OF_TRUNCATION: text(
         "at the corner at {u_cr}, where the truncated force (6) jumps: the untruncated one has none"

@@ -272,7 +272,10 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         return self._batch(question, columns, extra, **at)
 
     rest = Unanswered(
-        text("many designs without a load have no rest: it is at {u} = 0; a double well's is in .off_centre")
+        text(
+            "rest is not available for many designs without a load: the equilibrium is {u} = 0; for a double well "
+            "use .off_centre"
+        )
     )
 
     def _batch(self, question: str, columns: Sequence[npt.NDArray[Any]], extra: dict[str, Any], **at: Any) -> Batch:
@@ -410,7 +413,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         """Two parameters that span the designs, and values over these, each with its name, for a map."""
         known = {**self.values, **extra}
         if values.ndim != 2 or x == y:
-            raise Refused(f"{of} over {x!r} and {y!r} is no map: a batch of two axes spanned by them is wanted")
+            raise Refused(f"{of} over {x!r} and {y!r} is not a map: the batch must have two axes, spanned by them")
         spread = {name: np.broadcast_to(np.asarray(value, dtype=float), values.shape) for name, value in known.items()}
         lines = {}
         for name in (x, y):
@@ -436,7 +439,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         for name, value in at.items():
             if validate.is_labelled(value):
                 raise Refused(
-                    f"{name} has named axes, or is cut into blocks: at least one number of the designs must too"
+                    f"{name} has named axes, or is divided into blocks: at least one parameter of the designs must too"
                 )
         values = {**self.values, **{name: validate.real_array(name, value) for name, value in at.items()}}
         shape = validate.common_shape(values)

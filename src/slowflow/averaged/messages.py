@@ -73,7 +73,7 @@ BEYOND_RANGE = Sentence(
 NO_TOP_BELOW = Sentence("no peak: the amplitude tends to {A:g} from below as {Omega} tends to inf")
 NOT_CLOSED = Sentence("the response does not close: it has states of any amplitude; cut at {A = :g}")
 OPEN = text(
-    "no lowest amplitude of the excitation: folds occur at ever lower ones as their own amplitude or {Omega} rises"
+    "no lowest amplitude of the excitation: folds occur at ever lower ones as their amplitude A or {Omega} increases"
 )
 
 MOVES_EXACTLY = Sentence(
@@ -91,7 +91,7 @@ FAILED = "not certified: the response is unresolved"
 IN_DOUBT = Sentence("double precision is inconclusive for A in {where:s}")
 BALLS_IN_DOUBT = Sentence("ball arithmetic with {bits:d} bits is inconclusive{where:s}")
 BETWEEN = Sentence("[{A:.17g}]")
-NO_ROOM = "there are more than the solver has places for"
+NO_ROOM = "there are more than the solver can store"
 NOT_BOUNDED = Sentence("only amplitudes up to {A:.6g} are searched")
 NEAR_STICKING = text("{F_0} is so close to 4 {mu}/pi that double precision does not decide whether the mass moves")
 ONSET_IN_DOUBT = "double precision does not decide whether a lower forcing has a fold"
@@ -211,12 +211,12 @@ SLIDES_FREE = Sentence(
     "with the amplitude, so there are folds down to {Omega = :g}; eta > 0 resolves it"
 )
 BALANCED = text(
-    "the onset is not resolved: with quadratic damping alone the level does not change with {Omega} where the "
-    "stiffness over a cycle is 0, as between negative stiffness at rest and the springs beyond it; zeta > 0 or "
+    "the onset is not resolved: with quadratic damping alone the forcing of a fold does not depend on {Omega} where "
+    "the averaged stiffness is 0, as between negative stiffness at the centre and the springs beyond it; zeta > 0 or "
     "eta > 0 resolves it"
 )
 NEXT_TO = Sentence(
-    "the onset is unresolved: double precision does not tell which folds are born at the breakpoint {A = :g}{why:s}"
+    "the onset is unresolved: double precision does not resolve which folds are born at the breakpoint {A = :g}{why:s}"
 )
 IN_BALLS = text("; certify({F_0}).saddle_node_onset may enclose it, by ball arithmetic")
 
@@ -242,7 +242,7 @@ def unresolved_onset(model: Model) -> str:
 
 
 CUT = Sentence("unbounded without viscous damping: cut at {A = :g}{why:s}")
-LEVELS_OFF = "the spring's force, which levels off, does not hold the mass"
+LEVELS_OFF = "the spring force levels off and does not hold the mass"
 CUT_TOWARDS_REST = Sentence("unbounded as {Omega} tends to 0, where {why:s}: cut at {A = :g}")
 CUT_AT_REACH = Sentence("cut at {A = :g}{why:s}")
 EVERYWHERE = Sentence(
@@ -283,7 +283,7 @@ def with_folds_at_rest(model: Model, onset: SaddleNodeOnset, rest: float) -> Sad
 
 
 NO_STATE = Sentence("no steady state at {Omega = :g}")
-UNDECIDED_AT = Sentence("how many states there are is undecided at {Omega = :.17g}{more:s}")
+UNDECIDED_AT = Sentence("the number of states is undecided at {Omega = :.17g}{more:s}")
 EMPTY_WINDOW = Sentence("no steady state for {Omega} in [{Omega:g}]")
 
 
@@ -307,15 +307,15 @@ def moves_exactly(model: Model, force: Floats) -> str:
 
 #: what arrays of both frequencies and forcings could be taken for
 TONES = text(
-    "each pair of {Omega} and {F_0} is a single tone; tones that act together are not covered, their motions do not "
-    "add up"
+    "each pair of {Omega} and {F_0} is a single tone; simultaneous tones are not covered, as their motions do "
+    "not superpose"
 )
 
 
 def at_pairs(Omega: Floats, messages: Iterable[str]) -> str:
     """Each message at pairs of frequencies and forcings once, the first `SAID`; and that tones do not act together."""
     distinct = list(dict.fromkeys(message for message in messages if message))
-    more = f"and {len(distinct) - MOST_MESSAGES} remarks more" if len(distinct) > MOST_MESSAGES else ""
+    more = f"and {len(distinct) - MOST_MESSAGES} more remarks" if len(distinct) > MOST_MESSAGES else ""
     return joined(*distinct[:MOST_MESSAGES], more, TONES if np.unique(Omega).size > 1 else "")
 
 

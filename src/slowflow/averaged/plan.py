@@ -42,7 +42,7 @@ NO_FOLDS = Step("folds", False, "a linear oscillator has none")
 FOLDS = "level crossings of the fold locus, and corners"
 STATES = "of states at each frequency: one on each piece of the curve"
 IN_BALLS = "; where double precision is inconclusive, ball arithmetic by python-flint"
-UNDAMPED = Step("fold locus", True, text("zeta = 0: {Omega}^2 = -h_A, so that the level says h - A h_A"))
+UNDAMPED = Step("fold locus", True, text("zeta = 0: {Omega}^2 = -h_A, so that the level follows from h - A h_A"))
 _NEWTON = (
     "Newton's iteration on the motion with its order of switches, from what averaging or the motion before leads to"
 )
@@ -90,7 +90,7 @@ COMPOSED: Mapping[str, tuple[Step, ...]] = MappingProxyType(
         ),
         "hysteresis": (
             Step("folds", True, "the ends of the bands"),
-            Step("states", True, "in the middle between each two folds: how many are stable"),
+            Step("states", True, "midway between neighbouring folds: the number of stable states"),
         ),
         "isolation": (
             Step("peaks", True, "up to which frequency there is anything to look at"),
@@ -99,7 +99,7 @@ COMPOSED: Mapping[str, tuple[Step, ...]] = MappingProxyType(
         ),
         "spectrum": (
             Step("states", True, "of each row"),
-            Step("folds", True, "of the forcings on the way from row to row: on which side of it they lie"),
+            Step("folds", True, "of the forcings between rows: on which side of the line they lie"),
             Step("curve", False, "not needed: rows are tones"),
         ),
         "certify": (
@@ -117,20 +117,24 @@ COMPOSED: Mapping[str, tuple[Step, ...]] = MappingProxyType(
         "backbone": _formula("explicit in A: where R = 0"),
         "stability": _formula(text("the left side of (30), explicit in {Omega} and A")),
         "equivalent_damping": _formula(text("explicit in {Omega} and A")),
-        "transmissibility_floor": _formula(text("explicit in {F_0}: what friction passes on")),
+        "transmissibility_floor": _formula(text("explicit in {F_0}: the force that friction transmits")),
         "limit_envelope": _formula(
-            text("explicit in {Omega} and {F_0}: where damping alone takes {F_0}, I = {F_0} (27)")
+            text("explicit in {Omega} and {F_0}: where damping alone balances {F_0}, I = {F_0} (27)")
         ),
         "at_rest": (
             Step("force", True, "its stiffness at the centre, and how far friction holds the mass against it"),
             _NOTHING_MOVES,
         ),
         "rest": (
-            Step("boxes", True, text("{u} is cut until each part is proved to hold one place of rest, or none")),
+            Step(
+                "boxes",
+                True,
+                text("the range of {u} is divided until each part is proved to contain one equilibrium, or none"),
+            ),
             _NOTHING_MOVES,
         ),
         "steady_state": (
-            Step("averaging", True, "where A is given: states and folds to begin with"),
+            Step("averaging", True, "with A: states and folds as starting points"),
             _MOTION,
             Step("cycle", True, _NEWTON),
         ),
@@ -138,7 +142,7 @@ COMPOSED: Mapping[str, tuple[Step, ...]] = MappingProxyType(
             Step("start", True, "followed from rest at the lowest frequency until it is shown to settle"),
             _MOTION,
             Step("curve", True, f"{_NEWTON}; folds, borders and stability on the way"),
-            Step("averaging", True, "which other curves there are, in words"),
+            Step("averaging", True, "a message about other curves"),
         ),
         "sweep": (
             _MOTION,
@@ -156,8 +160,8 @@ COMPOSED: Mapping[str, tuple[Step, ...]] = MappingProxyType(
         ),
     }
 )
-_PLANE = "the plane of amplitude A and mean B is cut until each box is proved to hold"
-_REST = text("{u} is cut until each part is proved to hold one place with f({u}) = load, or none")
+_PLANE = "the plane of amplitude A and mean B is divided until each box is proved to contain"
+_REST = text("the range of {u} is divided until each part is proved to contain one solution of f({u}) = load, or none")
 _BOXES = f"{_PLANE} one or none"
 
 #: questions to the equation of motion, which does not ask where the centre is
@@ -183,7 +187,7 @@ OFF_CENTRE: dict[str, tuple[Step, ...]] = {
         Step("states", True, "all of them between each two folds: they tell the arcs"),
         Step("curve", True, "each arc followed, and neighbours shown to be on one"),
     ),
-    "peak": (Step("boxes", True, f"{_PLANE} no motion that goes farther, by a bound on its least forcing"),),
+    "peak": (Step("boxes", True, f"{_PLANE} no larger motion, by a bound on its least forcing"),),
     "margins": (
         *(step for step in COMPOSED["margins"] if step.name != "curve"),
         Step("reach", True, text("whether a stable motion passes {u_cr}; not where the force has one piece")),

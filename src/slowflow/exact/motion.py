@@ -41,7 +41,7 @@ from slowflow_kernels.exact_conventions import FAR, MOST_PHASES, Outcome
 MOST_STEPS = 200_000  # of one integration: a slip takes some tens, hundreds at low frequency
 #: steps of one question, 240 times what a curve of 390 points takes: ten to twenty seconds
 MOST_WORK = 3_000_000
-GIVEN_UP = "given up after {} integration steps, more than an answer should take"
+GIVEN_UP = "stopped after {} integration steps, the limit for one answer"
 
 
 class OutOfWork(Exception):
@@ -249,8 +249,8 @@ INERTIA = Sentence("the inertia force {force:g} at {Omega = :g}")
 PUSH = Sentence(" and the push {force:g} of the spring at {u = :g}, together,")
 NEVER_MOVES = Sentence("{what:s} does not exceed {mu = :g}: friction holds the mass, which never moves")
 STUCK = Sentence(
-    "{what:s} does not exceed {holds:s} = {force:g}: friction holds a mass at rest for ever; of motions beside that, "
-    "if there are any, steady_state has the one next to A="
+    "{what:s} does not exceed {holds:s} = {force:g}: friction holds a mass at rest permanently; other motions, "
+    "if there are any, are found by steady_state(..., A=...)"
 )
 NO_DAMPING = text("{mu = :g} and zeta = 0: without any damping the forced motion has no attracting steady state", 0.0)
 
@@ -399,7 +399,7 @@ def sticking_message(system: EquationOfMotion, Omega: float, F_0: float, u: floa
     region, push = system.force.region_of(u), _net_force(system, u)
     total = excitation + PUSH.format(push, u) if push else excitation
     name = text("{mu_s}" if system.mu_s > system.mu else "{mu}")
-    jump = text(" and what the force jumps to at {u} = 0, together") if system.force.jump else ""
+    jump = text(" and the jump of the force at {u} = 0, together,") if system.force.jump else ""
     return STUCK.format(total, name + jump, system.holds(region))
 
 

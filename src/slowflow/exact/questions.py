@@ -40,7 +40,7 @@ STARTS_ABOVE = Sentence(
 )
 
 OTHER = Sentence(
-    "there is another curve: averaging has it at {Omega = :.4g}, {A = :.4g}; "
+    "averaging predicts another curve, at {Omega = :.4g}, {A = :.4g}; "
     "start = steady_state({Omega=:.4g}, {F_0=:.4g}, {A=:.4g}) leads to it"
 )
 #: a pulse, or a step of a record, whose frequency is beyond the range of doubles
@@ -53,11 +53,11 @@ SEVERAL = Sentence(
 #: displacement at which the sign of a force without stiffness at u = 0 is evaluated
 PROBE = 2.0**-20
 BOTH = Sentence("{name:s} selects a motion, {u_0} and v_0 set the start of one: give one or the other")
-ONLY = Sentence("this is the only motion that averaging has, and the mass was not found to reach it from rest: {why:s}")
+ONLY = Sentence("averaging has only this motion, and the mass was not found to reach it from rest: {why:s}")
 UNKNOWN = Sentence("whether there are other curves is unknown, as averaging does not give them: {why:s}")
 NONE_NEAR = "no state at {Omega = :g} leads to a periodic motion of the equation of motion"
 START = "start = {start:r} is not allowed: start must be a steady state at {F_0 = :g}, {Omega} in {Omega:r}"
-ROWS = "{tau} and acceleration must be two rows of as many numbers, {tau} rising: not of {shapes:s}"
+ROWS = "{tau} and acceleration must be two rows of equal length, {tau} ascending: not of {shapes:s}"
 
 
 #: (A, phi) and the mean B that Newton's iteration starts from

@@ -103,7 +103,7 @@ class Response(Drawn, Table):
         It is a maximum along the curve, a border, or an end of the range.
         """
         if not self.states:
-            raise NotSettled("no peak, as no motion: " + self.message)
+            raise NotSettled("no peak, as there is no motion: " + self.message)
         with limited():
             point = _highest(self.F_0, self.states)
         return describe(point.cycle, point.z, self.F_0, point.monodromy)
@@ -131,7 +131,7 @@ def exact_response(
     """
     low, high = (float(end) for end in Omega)
     if not (0 < low < high < math.inf):
-        raise Refused(text("{Omega = :r} must rise and be positive", Omega))
+        raise Refused(text("{Omega = :r} must be ascending and positive", Omega))
     if not 0 < step <= 0.5:
         raise Refused(f"step = {step} must lie in (0, 0.5]")
     check_forcing(system, low, F_0)

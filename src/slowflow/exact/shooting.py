@@ -65,20 +65,19 @@ FARTHER, SEEN = 60, 100.0
 SLOPES = 16
 
 FREE_MEAN = Sentence(
-    "no steady state is singled out at {Omega = :g}, {F_0 = :g}: a motion of amplitude {A:.6g} stays {where:s} no "
-    "force brings its mean back, and each such mean is as good as another; {A = :.6g} gives the one about {u} = 0"
+    "the steady state at {Omega = :g}, {F_0 = :g} is not unique: a motion of amplitude {A:.6g} stays {where:s} no "
+    "force restores its mean, so that the mean is arbitrary; {A = :.6g} gives the motion about {u} = 0"
 )
 WITHIN_END = Sentence("within |{u}| = {u:g}, where")
 
 CHAOTIC = Sentence(
     "no steady state found at {Omega = :g}, {F_0 = :g}: the motion is chaotic, as far as {turns:d} turns of the "
-    "forcing tell: motions that begin beside each other part by a factor of {rate:.2g} in each; A= gives the periodic "
+    "forcing tell: neighbouring motions separate by a factor of {rate:.2g} in each; A= gives the periodic "
     "motion, stable or not, next to an amplitude"
 )
 STICKS_AT_JUMP = Sentence(
-    "the motion at {Omega = :g}, {F_0 = :g} repeats itself with {A = :.6g}, but the mass rests at {u} = 0 in each "
-    "turn, where the force jumps, after passing it ever more often: that is followed in time, by sweep, and has no "
-    "multipliers"
+    "the motion at {Omega = :g}, {F_0 = :g} is periodic with {A = :.6g}, but the mass comes to rest at {u} = 0 in each "
+    "turn, where the force jumps, after infinitely many crossings: it has no multipliers; sweep follows it in time"
 )
 COMES_TO_REST = Sentence(
     "no steady state found at {Omega = :g}, {F_0 = :g}: a motion from {u = :.6g} on comes to rest, where "
@@ -563,11 +562,11 @@ def _by_time_stepping(forced: Forced, theta: float, state: tuple[float, float], 
         )
     change, longest = end.change / largest(end.phases), max(map(_turns, tries))
     why = (
-        "it repeats itself, but Newton's iteration does not find it: sweep follows it in time"
+        "it is periodic, but Newton's iteration does not converge to it: sweep follows it in time"
         if change <= CLOSURE
-        else "it still drifts, too slowly to be followed to where it settles"
+        else "it still drifts, too slowly to be followed until it settles"
         if change < 1e-3
-        else f"it may be on its way still, or chaotic, or a subharmonic of more than {longest} turns"
+        else f"it may not have settled yet, or be chaotic, or be a subharmonic of more than {longest} turns"
     )
     raise NotPeriodic(NOT_FOUND.format(forced.Omega, forced.F_0, end.turns, end.change, why))
 

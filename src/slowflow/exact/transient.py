@@ -28,8 +28,8 @@ ARC = 1e-3
 #: largest rounding error of the equilibrium, relative to the pulse
 WEAK = 2.0**-10
 TOO_WEAK = Sentence(
-    "a pulse of {acceleration:g} is too weak to be followed beside {u = :g}, where the mass rests: rounding of that "
-    "place and of its load is {share:.2g} of it"
+    "a pulse of {acceleration:g} is too weak compared with the equilibrium {u = :g}: rounding errors of the "
+    "equilibrium and of its load are {share:.2g} of it"
 )
 #: for how long the free motion is shown: ten periods of the mass on k_v alone
 AFTER = 10 * TURN
@@ -165,7 +165,7 @@ def transient(
     outcome, steps, numbers, packed = EXACT.shock(handle(system), *arguments)
     spend(steps)
     if outcome == Outcome.DIVERGES:
-        raise NotSettled(f"within {MOST_TURNS} turns after the pulse the mass does not turn twice, and does not rest")
+        raise NotSettled(f"within {MOST_TURNS} turns after the pulse the mass neither reverses twice nor comes to rest")
     if outcome:  # the message has the time: an arc's frequency and force are not the user's
         tau, u, F = numbers
         raise NotSettled(LOST.format(lost(outcome, system, u), tau, ACCELERATED if F else FREE))

@@ -156,7 +156,7 @@ class Grid(Unchanging, ManyQuestions[Any]):
                 raise WrongType(f"{name} is missing for {question}")
         for name in arguments:
             if name not in (*entry.takes, *entry.may, *entry.options):
-                raise WrongType(f"{name} is nothing for {question}")
+                raise WrongType(f"{name} is not an argument of {question}")
         options = {name: arguments.pop(name, default) for name, default in entry.options.items()}
         self._check(question, options, arguments, workers)
         if options.get("psd") is not None:  # as a store tells it

@@ -86,7 +86,7 @@ class Validity(Answer):
     message: str
 
     def __str__(self) -> str:
-        return self.message or "nothing known against it"
+        return self.message or "no known limitation"
 
 
 def of_states(model: Model, Omega: Floats, A: Floats, *, corner: bool = False) -> Validity:

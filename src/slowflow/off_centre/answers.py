@@ -33,7 +33,7 @@ NUMBERS: Mapping[str, tuple[str, ...]] = {
 }
 #: what some of them are elsewhere
 CALLED = {"F_cr": "F_0", "F_SN": "F_0", "Omega_cr": "Omega"}
-WITHIN = "no gradient is derived where the mean turns back at the peak"
+WITHIN = "no gradient is derived for a peak at a turning point of the mean"
 
 
 Rest = entry("Rest", "u stiffness stable", "A place of rest, as in `RestPositions`.")

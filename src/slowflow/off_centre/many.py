@@ -34,8 +34,8 @@ from slowflow_kernels.conventions import MovesStatus, Status
 from slowflow_kernels.domains import DAMPING
 
 NO_GRADIENT = (
-    "off the centre states, folds, onsets, detachments, peaks, isolation and places of rest have gradients: this "
-    "answer has none"
+    "for offset motions, gradients are available for states, folds, onsets, detachments, peaks, isolation and "
+    "equilibria only"
 )
 #: designs that are kept with what is known of them, some 0.2 MB each
 KEPT = 256
@@ -116,7 +116,7 @@ class OffCentreDesigns(many.Designs):
         if name in CENTRED:
             raise validate.NoAttribute(AT_CENTRE.format(off_centre_by(self.mechanism, 0.0) or "with a load"))
         why = ", a single oscillator has it" if hasattr(OffCentre, name) else ""
-        raise AttributeError(f"many designs off the centre have no {name}{why}")
+        raise AttributeError(f"the offset motions of many designs have no {name}{why}")
 
     def model(self, numbers: dict[str, float]) -> Model:
         """Model of one design without its load, from numbers by name. Raises ValueError for one outside its domain."""

@@ -26,13 +26,13 @@ from slowflow.off_centre.smooth import SINGULAR, Beyond, check, outwards
 from slowflow.support.errors import NotSettled, Refused
 from slowflow.text import Sentence, text
 
-NO_MEANS = Sentence("{name:s}: motions off the centre are not derived for a force {what:s}")
-NEXT_TO_REST = text("a force that may jump at {u} = 0 and does not has no gradients off the centre")
+NO_MEANS = Sentence("{name:s}: offset motions are not derived for a force {what:s}")
+NEXT_TO_REST = text("a force that may jump at {u} = 0 and does not has no gradients for offset motions")
 JUMPS = text("that jumps at {u} = 0, as a preload does")
 NO_EXTENT = text("of which the first piece ends at {u} = 0, and another is no polynomial")
 NOT_SMOOTH = "of which a piece is no polynomial, nor known to be smooth up to its ends"
 
-UNBOUNDED = "the outermost piece of the force does not grow: motions off the centre have no bound there"
+UNBOUNDED = "the outermost piece of the force does not grow: offset motions are unbounded there"
 
 #: derivatives of the force that are asked for at most, as `off_centre.averaged` does
 ORDERS = 3
@@ -51,8 +51,8 @@ class Means:
 
 
 IN_DEAD_ZONE = Sentence(
-    "in a play a mean is not singled out: the force is the load, {load:g}, on all of {u[0]:g} < {u} < {u[1]:g}, where "
-    "the mass rests, and moves, about one place as well as about another"
+    "in a dead zone the mean is arbitrary: the force equals the load, {load:g}, for all {u[0]:g} < {u} < {u[1]:g}, "
+    "where the mass may rest, or move, about any point"
 )
 
 

@@ -48,7 +48,7 @@ from slowflow_kernels import dissipation, off_centre
 #: a force that has shorter lengths is small beside what is rounded, as the size of a problem is taken to be 1 at least
 SHORTEST = 2.0**-40
 TOO_SMALL = Sentence(
-    "motions off the centre are unresolved: lengths of the force, {A[0]:.3g} at most, are too small against "
+    "offset motions are unresolved: lengths of the force, {A[0]:.3g} at most, are too small against "
     "{A[1]:.3g}; in smaller units of length they may be resolved"
 )
 #: answers that are kept of one oscillator
@@ -61,7 +61,7 @@ SAMPLES = 300
 COARSE = 2.0**-6
 #: above the frequency from which on a base moves the mass, and of the highest one of a window, where curves begin
 BEGINS = 2.0**-10
-UNDAMPED = "{} needs zeta > 0, eta > 0 or c_2 > 0 off the centre: without damping that grows amplitudes have no bound"
+UNDAMPED = "{} needs zeta > 0, eta > 0 or c_2 > 0 for offset motions: without damping that grows they are unbounded"
 BY_ITSELF = Sentence(
     "{question:s} is not available with {what:s} for motions that leave the centre without a load: it takes "
     "excitation = 'force', {mu} and zeta there"
@@ -76,11 +76,11 @@ BEYOND = "at rest the mass is already at the first breakpoint or beyond it"
 ONE_PIECE = "no detachment: the force has one piece only"
 NOT_REACHED = "no motion reaches the first breakpoint"
 UNKNOWN = "whether motions reach the first breakpoint is undecided, as the equilibrium is"
-TURNS = "the mean turns back at the largest displacement, which is known to a relative 2^-24"
+TURNS = "the largest displacement is at a turning point of the mean; it is known to a relative 2^-24"
 NO_ONSET = "no saddle node at any forcing, up to amplitudes far beyond the size of the problem"
 UNDECIDED_ONSET = Sentence("the onset is undecided: {why:s}")
 ON_CORNER = "on a corner due to the jump of the force: a force without this jump has none there"
-UNDECIDED = Sentence("how many states there are is undecided at {Omega = :.6g}{more:s}")
+UNDECIDED = Sentence("the number of states is undecided at {Omega = :.6g}{more:s}")
 UNDECIDED_BEYOND = Sentence("whether a stable motion transmits {what:s} at a higher frequency too is undecided")
 UNDECIDED_FOLDS = Sentence("whether there are others is undecided next to {A = :.6g}{more:s}")
 UNDECIDED_REST = Sentence("whether there are others is undecided next to {u = :.6g}{more:s}")
@@ -128,7 +128,7 @@ class OffCentre(Unchanging, ComposedQuestions):
     by themselves, without a load, require a force as excitation, viscous damping and friction.
     """
 
-    stays = "an oscillator does not change"
+    stays = "oscillators are immutable"
     instead = "replace({}=...) of the oscillator itself makes another"
 
     model: Loaded
@@ -387,7 +387,7 @@ class OffCentre(Unchanging, ComposedQuestions):
             return self._made(Peak, None, None, F_0, why)
         highest, widest = (self._farthest(F_0, measure) for measure in (AMPLITUDE, LARGEST))
         if highest is None or widest is None:
-            raise NotSettled("the farthest motion is unresolved: none is found")
+            raise NotSettled("the largest motion is unresolved: none is found")
         if max(abs(widest.A - highest.A), abs(abs(widest.B) - abs(highest.B))) <= SAME * highest.A:
             widest = replace(highest, value=highest.A + abs(highest.B))
         notes = _Notes(TURNS) if highest.turns or widest.turns else _Notes()

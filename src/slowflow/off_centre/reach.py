@@ -87,7 +87,7 @@ class Measure(NamedTuple):
 #: the amplitude; the largest |u|; the square of the frequency on the backbone, where that is not below 1
 AMPLITUDE = Measure(lambda A, B, p: A, lambda A, B, p: A.hi)
 NO_FREQUENCY = Sentence(
-    "how far motions go is unresolved: doubles do not tell the frequency at which they have {A = :g}"
+    "the largest motion is unresolved: double precision does not resolve the frequency at which {A = :g}"
 )
 LARGEST = Measure(lambda A, B, p: A + np.abs(B), lambda A, B, p: A.hi + np.maximum(-B.lo, B.hi))
 BACKBONE = Measure(lambda A, B, p: np.maximum(p, 1.0), lambda A, B, p: np.maximum(p.hi, 1.0))
@@ -123,7 +123,7 @@ class Reach:
         while cells.chart.size:
             looked_at, rounds = looked_at + cells.chart.size, rounds + 1
             if looked_at > MOST_BOXES:
-                raise NotSettled("the farthest motion is unresolved: too many boxes stay undecided")
+                raise NotSettled("the largest motion is unresolved: too many boxes stay undecided")
             with np.errstate(all="ignore"):
                 most = measure.most(cells.A, cells.B, cells.p)
                 left = self._may_move(cells, F_0)

@@ -27,7 +27,7 @@ from slowflow_kernels.conventions import MEETING, SAME, MovesStatus, Pinned
 #: answers on a corner that a jump of the force makes, which move in their own ways on either side of it
 ON_A_JUMP = (Pinned.CORNER_FOLD, Pinned.CORNER_END)
 
-NO_DESIGN = "no gradient: the record of this force does not have its derivatives by the design"
+NO_DESIGN = "no gradient: the record of this force does not have its derivatives with respect to the design"
 
 
 @dataclass(frozen=True)

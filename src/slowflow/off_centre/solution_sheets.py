@@ -35,10 +35,8 @@ FINE, SMALL, ROUNDS = 2.0**-4, 2.0**-8, 16
 SIGNS = np.array([[-1.0], [1.0]])
 #: amplitudes beyond it are not followed, as their squares are beyond the range of doubles
 FARTHEST = 2.0**500
-TOO_FAR = Sentence(
-    "motions off the centre are unresolved: amplitudes may be as large as {A:.3g}, beyond the range of doubles"
-)
-UNKNOWN = "folds are unresolved: where the mean turns back their frequencies have no bound"
+TOO_FAR = Sentence("offset motions are unresolved: amplitudes may be as large as {A:.3g}, beyond the range of doubles")
+UNKNOWN = "folds are unresolved: their frequencies are unbounded at turning points of the mean"
 
 
 @dataclass(frozen=True, eq=False)

@@ -33,7 +33,7 @@ LARGE = 4.0
 #: steps on both sides and powers of u in a piece, at most: as native/turning_points.h has room
 MOST_LINES, MOST_POWERS = 32, 64
 TOO_LARGE = Sentence(
-    "motions off the centre are not derived for a force of {lines:d} breakpoints and powers up to {highest:d}: at most "
+    "offset motions are not derived for a force with {lines:d} breakpoints and powers up to {highest:d}: at most "
     "{most[0]:d} and {most[1]:d}"
 )
 

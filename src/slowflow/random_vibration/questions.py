@@ -32,8 +32,8 @@ STUCK = "friction holds the mass nearly all of the time: no linear damping is eq
 _erfc = np.frompyfunc(math.erfc, 1, 1)
 GIVES_WAY = "no linear oscillator is equivalent: in the mean the spring pushes away from the centre, or gives way"
 SEVERAL = Sentence(
-    "{count:d} linear oscillators are equivalent: the motion moves from one to the other, with the averages of none; "
-    "measure() follows it in time"
+    "{count:d} linear oscillators are equivalent: the motion switches between them, and its averages agree with "
+    "none of theirs; measure() simulates it"
 )
 DRY = Sentence(
     "dry friction is {dry:.2g} of the equivalent damping: above {most:g} root mean squares may be off by more than "
@@ -41,8 +41,8 @@ DRY = Sentence(
 )
 NEARER = "by_energy is within 4 % up to 0.9, "
 IN_A_BAND = (
-    "the excitation is in a narrow band, in and out of which the natural frequency of the motion goes: root mean "
-    "squares may be off by 9 %, with stops by 25 %; measure() follows the motion in time"
+    "the excitation is narrow-band, and the natural frequency of the motion moves in and out of the band: root mean "
+    "squares may be off by 9 %, with stops by 25 %; measure() simulates the motion"
 )
 
 

@@ -314,7 +314,7 @@ def check_signature(what: str, function: Callable[..., Any], names: Sequence[str
 
 # ---- the record: what it has as functions of arrays of designs is asked of the force of each
 
-REACHED = "averaging does not ask the function for what lies beyond"
+REACHED = "averaging does not evaluate the function beyond it"
 
 
 #: what a force says of a design: tuples of numbers that may be of arrays of designs, and what is of one design only

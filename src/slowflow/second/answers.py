@@ -28,9 +28,9 @@ SecondFold = entry("SecondFold", "Omega A A_1 kind corner", "A fold in the secon
 
 #: why averaging's answers have these, and those of the second approximation have not
 NOT_OF_SECOND = {
-    "validity": "its errors are no table; docs/validity.md has what was measured of them",
-    "measure": "averaging's answer has it, and steady_state the motion itself",
-    "gradient": "its derivatives by parameters are not derived; averaging's answer has them",
+    "validity": "it has no table of errors; docs/validity.md has the measured ones",
+    "measure": "the averaged answer has it, and steady_state gives the exact motion",
+    "gradient": "its derivatives are not available; the averaged answer has them",
 }
 
 
@@ -111,7 +111,7 @@ class SecondResponse(Drawn, SecondStates):
 
 @dataclass(frozen=True, eq=False)
 class SecondFolds(Drawn, SecondTable):
-    """Folds of the response curve in the second approximation, by rising Omega: arrays of one length.
+    """Folds of the response curve in the second approximation, sorted by Omega: arrays of one length.
 
     Omega, A, A_1 -- as in `SecondStates`; kind and corner as in `SaddleNodes`
     """

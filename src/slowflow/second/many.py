@@ -31,7 +31,7 @@ from slowflow_kernels.conventions import Status
 
 #: why a question about designs has no answer here, where it has one of averaging
 UNANSWERED = {
-    "certify": "nothing is proved of the second approximation",
+    "certify": "the second approximation has no proofs",
     **dict.fromkeys(("margins", "hysteresis", "isolation", "spectrum"), "it combines averaged answers"),
     **dict.fromkeys(
         ("at_rest", "transient", "shock_spectrum", "random"),

@@ -41,11 +41,11 @@ UNSOLVED = "left out: {} of {} folds, next to which the curve is lost"
 NO_FOLD = Sentence("no saddle node at {F_0 = :g} in the second approximation")
 FEWER = "fewer states than in the first approximation at {} of {} frequencies"
 NO_CUSP = "the onset of the first approximation is of kind {}: the second follows a cusp only"
-FAR = "the second approximation does not come near the first: its harmonics are not small"
+FAR = "the second approximation does not converge near the first: its harmonics are not small"
 NOT_DERIVED = Sentence("{u_cr = :g} is not allowed here: the harmonics of this force are derived for {u_cr} <= {A:g}")
 STATIC = text("the static amplitude reaches {u_cr} first: there is no motion with harmonics to evaluate")
-NO_PEAK = "no peak of the second approximation near the first's: {}"
-AT_REST = "the first's is the static amplitude, which has no harmonics"
+NO_PEAK = "no peak of the second approximation near that of the first: {}"
+AT_REST = "that one is the static amplitude, which has no harmonics"
 LEFT_OUT = "the curve ends before it turns"
 
 #: a peak is put between the points of a curve where it exceeds all of them by more
@@ -53,7 +53,7 @@ HIGHER = 1 + 2.0**-40
 
 #: what is made of averaging's answer to a question
 SECOND = {
-    "frequency_response": "each point moves to the balance of harmonics 1, 3 and 5 beside it",
+    "frequency_response": "each point is corrected to the balance of harmonics 1, 3 and 5",
     "amplitudes": "the curve is followed, and crossed at each frequency",
     "saddle_nodes": "the curve is followed, and turns between two of its points",
     "peak": "the curve is followed about averaging's highest peak",
@@ -76,9 +76,9 @@ UNANSWERED = {
         "it solves the equation of motion: call it on the oscillator",
     ),
     **dict.fromkeys(("rest", "off_centre"), "its motions are about the centre"),
-    "validity": "what is measured of it stands in the .message of its answers",
+    "validity": "measured errors are in the .message of its answers",
     "many": "batches begin with the designs, as Isolator.many(...).second_approximation",
-    "certify": "what is proved is proved of the averaged equations",
+    "certify": "proofs concern the averaged equations",
     "plot": text(
         "its answers are drawn by their own .plot(); beside {u_cr} and where the mass stops by the oscillator's"
     ),
@@ -126,7 +126,7 @@ class SecondApproximation(Questions[SecondStates, SecondResponse, SecondFolds]):
             raise Refused(f"question = {question!r} is not allowed: it must be one of {allowed}")
         first = self.first.explain(question, F_0)
         skipped = first.sticks or (question == "saddle_nodes" and not first.steps[-1].runs)
-        after = Step("harmonics", not skipped, "nothing to begin with" if skipped else SECOND[question])
+        after = Step("harmonics", not skipped, "no starting point" if skipped else SECOND[question])
         return replace(first, steps=(*first.steps, after))
 
     def _frequency_response(self, F_0: float, samples: int, window: tuple[float, float]) -> SecondResponse:

@@ -37,9 +37,7 @@ CONFIDENCE = 0.95
 LEAST, MOST, FROM_NOTHING = 1e-3, 1e3, 1e-3
 #: how near to an end of that range a number has run into it
 AT_AN_END = 1e-3
-RAN_OUT = (
-    "no fit: {} left the range from 1/1000 to 1000 times what the search began with. Are units and the start right?"
-)
+RAN_OUT = "no fit: {} left the range from 1/1000 to 1000 times the start value: check units and start"
 #: starts beside the given one, and how far from it they are, as a factor
 STARTS, FAR = 5, 3.0
 #: how often a lower minimum beside the one found is taken; from which share on a sum of squares is another one, and
@@ -331,7 +329,7 @@ def _fitted(subject: Subject, measured: _Measured, names: list[str]) -> Fit:
     scale = float(measured.values @ measured.values)
     absent = np.count_nonzero(found.fun == measured.values)
     message = joined(
-        "" if found.success else f"the search did not end: {found.message}",
+        "" if found.success else f"the search did not converge: {found.message}",
         RAN_OUT.format(", ".join(np.array(names)[ran_out])) if ran_out.any() else "",
         OTHER_START.format(2 * own, 2 * found.cost) if own > found.cost * (1 + OTHER) + NOTHING * scale else "",
         OPEN.format(", ".join(open_)) if open_ else "",

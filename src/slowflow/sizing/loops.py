@@ -25,7 +25,7 @@ from slowflow.support.errors import NotSettled, Refused
 LEFT, ROUNDING = 0.5, 1e-3
 LEAST_SAMPLES = 50
 SYSTEMATIC = (
-    "neighbouring residuals are alike, {:.2f} of their size: the loop has more in it than this, as `plot` shows"
+    "neighbouring residuals are correlated ({:.2f}): the model lacks an effect that the loop has, as `plot` shows"
 )
 
 

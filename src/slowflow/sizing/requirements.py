@@ -37,7 +37,7 @@ FEW, BEST, STEPS, APART = 8, 2, 25, 1e-6
 INFEASIBLE = "infeasible: the binding requirement is {}, whose closest achievable value is {:.4g}"
 #: points of a front, by how much an end may miss the best that there is, and how near two designs are one
 POINTS, SLACK = 9, 1e-4
-NO_TRADE = "nothing is traded off: this design is the best in both answers"
+NO_TRADE = "no trade-off: this design is the best in both answers"
 #: by how much farther off than the search's design its finish begins: on the edge itself no step seems to help
 BACK = 1e-3
 
@@ -390,7 +390,7 @@ def meet(
     Raises
     ------
     ValueError
-        For what is not allowed.
+        For invalid arguments; the message states what is allowed.
     """
     search = _Search(of, free, at_least, at_most, seed, at, margins)
     subject = search.subject
@@ -446,7 +446,7 @@ def front(
     Raises
     ------
     ValueError
-        For what is not allowed.
+        For invalid arguments; the message states what is allowed.
     """
     search = _Search(of, free, at_least, at_most, seed, at)
     subject = search.subject

@@ -38,7 +38,7 @@ Tolerance = entry("Tolerance", "answer unit nominal low median high share", "A r
 class Tolerances(Table):
     """Bands of answers over a tolerance.
 
-    answer, unit -- what it is
+    answer, unit -- name and unit of the answer
     nominal      -- value for the nominal design
     low, median, high -- 2.5, 50 and 97.5 % quantiles of the samples that have the answer
     share        -- fraction of samples that have the answer
@@ -164,7 +164,7 @@ def tolerances(
     Raises
     ------
     ValueError
-        For what is not allowed.
+        For invalid arguments; the message states what is allowed.
     """
     subject = Subject(of, _within(within), at)
     load = subject.load()
@@ -217,7 +217,7 @@ def sobol(
     Raises
     ------
     ValueError, ImportError
-        For what is not allowed; without SALib.
+        For invalid arguments; without SALib.
     """
     subject = Subject(of, _within(within), at)
     load = subject.load()

@@ -22,7 +22,7 @@ from slowflow.support.errors import NotSettled, Refused
 
 UNSETTLED = (
     "the average at A = {:.17g} does not converge: the force is nearly singular there, or a difference that loses its "
-    "digits; a `reach` stated with it ends the search before"
+    "digits; a smaller `reach` ends the search before it"
 )
 NO_PROGRAM = "{} has averages by quadrature, and no program that can be interpreted"
 
