@@ -370,7 +370,7 @@ class Calls:
 @pytest.mark.slow
 @pytest.mark.skipif(COMPILER is None, reason="no C compiler")
 @pytest.mark.parametrize("name", EVERY)
-@pytest.mark.part(3)
+@pytest.mark.part(5)
 def test_a_program_gives_the_bits_of_compiled_C(name):
     """Every function of the record, and batches, at random designs; next to breakpoints too."""
     mechanism = made(name)
