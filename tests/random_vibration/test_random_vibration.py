@@ -578,11 +578,22 @@ def test_friction_of_most_of_the_damping_is_named():
     assert found.dry[0] > 0.8
     assert "dry friction is 0.93 of the equivalent damping" in found.message
     assert "by_energy is within 4 % up to 0.9" in found.message
+    assert "above 0.5 root mean" in Isolator(**DESIGN, mu=0.02, zeta=0.02, rubs="attached").random(S_0=1e-3).message
+
+
+@pytest.mark.parametrize(("law", "size", "off"), (("c_3", 0.5, 0.053), ("zeta_2", 0.5, 0.042), ("c_2", 1.0, 0.04)))
+def test_nonlinear_damping_is_named_by_its_fraction(law, size, off):
+    """Records of the motion have larger root mean squares than linearization, as energy has."""
+    assert Isolator(**DESIGN, zeta=0.02, **{law: 0.01}).random(S_0=1e-3).message == ""
+    found = Isolator(**DESIGN, zeta=0.005, **{law: size}).random(S_0=1e-3)
+    assert "nonlinear damping is 0." in found.message
+    assert "by_energy is within 2 %, measure() follows" in found.message
+    assert found.u_rms[0] / found.by_energy.u_rms == pytest.approx(1 - off, abs=0.015)
 
 
 def test_an_excitation_in_a_narrow_band_is_named():
     one = Duffing(1.0, 1.0, zeta=0.05)
-    assert "narrow band" in one.random(psd=([0.9, 1.4], [0.01, 0.01])).message
+    assert "narrow-band" in one.random(psd=([0.9, 1.4], [0.01, 0.01])).message
     assert one.random(psd=([0.5, 2.1], [0.01, 0.01])).message == ""
 
 

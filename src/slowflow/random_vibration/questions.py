@@ -25,9 +25,10 @@ UNDAMPED = text(
     0.0,
 )
 UNDECIDED = Sentence("there may be another equivalent linear oscillator next to {stiffness = :.4g}, {damping = :.4g}")
-#: share of friction in the damping up to which sigma_u and sigma_v were within 5 % of records of the motion, where the
-#: excitation has frequencies up to so many times the lowest one (docs/validity.md)
-MOST_DRY, NARROW = 0.8, 4.0
+#: up to these shares in the damping sigma_u and sigma_v were within 5 % of records of the motion: of friction
+#: throughout, of friction that ends, of c_2, c_3 and zeta_2; and from so many times the lowest frequency of the
+#: excitation to its highest one (docs/validity.md)
+MOST_DRY, MOST_ATTACHED, MOST_NONLINEAR, NARROW = 0.8, 0.5, 0.5, 4.0
 STUCK = "friction holds the mass nearly all of the time: no linear damping is equivalent to it"
 _erfc = np.frompyfunc(math.erfc, 1, 1)
 GIVES_WAY = "no linear oscillator is equivalent: in the mean the spring pushes away from the centre, or gives way"
@@ -40,6 +41,11 @@ DRY = Sentence(
     "5 %; {nearer:s}measure() follows the motion in time"
 )
 NEARER = "by_energy is within 4 % up to 0.9, "
+NONLINEAR = Sentence(
+    "nonlinear damping is {nonlinear:.2g} of the equivalent damping: above {most:g} root mean squares may be off by "
+    "8 %; {nearer:s}measure() follows the motion in time"
+)
+NEARER_NONLINEAR = "by_energy is within 2 %, "
 IN_A_BAND = (
     "the excitation is narrow-band, and the natural frequency of the motion moves in and out of the band: root mean "
     "squares may be off by 9 %, with stops by 25 %; measure() simulates the motion"
@@ -50,11 +56,14 @@ def random(oscillator: Any, system: EquationOfMotion, S_0: Any, psd: Any) -> Ran
     """See `slowflow.oscillator.Oscillator.random`."""
     excitation = excited_by(S_0, psd)
     columns = stationary(system, excitation)
-    u, dry = columns["u_rms"], columns["dry"]
+    u, dry, white = columns["u_rms"], columns["dry"], isinstance(excitation, White)
+    most = MOST_ATTACHED if system.released else MOST_DRY
+    nonlinear = 1 - dry - 2 * system.zeta / columns["damping"]
     message = joined(
         SEVERAL.format(u.size) if u.size > 1 else "",
-        DRY.format(float(dry.max()), MOST_DRY, NEARER * isinstance(excitation, White))
-        if (dry > MOST_DRY).any()
+        DRY.format(float(dry.max()), most, NEARER * white) if (dry > most).any() else "",
+        NONLINEAR.format(float(nonlinear.max()), MOST_NONLINEAR, NEARER_NONLINEAR * white)
+        if (nonlinear > MOST_NONLINEAR).any()
         else "",
         IN_A_BAND if isinstance(excitation, Tabulated) and excitation.Omega[-1] < NARROW * excitation.Omega[0] else "",
     )
