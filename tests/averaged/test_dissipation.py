@@ -583,7 +583,7 @@ def test_static_friction_affects_exact_motions_only():
     moving = [one.steady_state(Omega=0.9, F_0=0.05) for one in (osc, same)]
     assert moving[0].stops == 0 and moving[0].A == pytest.approx(moving[1].A, rel=1e-10)
     assert osc.steady_state(Omega=0.9, F_0=0.04).A == 0 < same.steady_state(Omega=0.9, F_0=0.04).A
-    with pytest.raises(ValueError, match=r"mu_s = 0.01 is not allowed: static friction is not less than mu = 0.02"):
+    with pytest.raises(ValueError, match=r"mu_s = 0.01 is not allowed: static friction must be at least mu = 0.02"):
         osc.replace(mu_s=0.01)
     parameters = {"m": 12, "k_v": 2500, "k_h": 1700, "L": 0.08, "preload": 0.009, "friction": 0.4, "zeta": 0.02}
     mount = Isolator.physical(**parameters, static_friction=0.6)
@@ -708,18 +708,10 @@ def test_what_has_no_answer_is_refused_in_words():
     for law in ("c_3", "zeta_2"):
         with pytest.raises(ValueError, match=f"{law} = 0.1 is not allowed with zeta = 0"):
             Duffing(1.0, 0.5, mu=0.01, **{law: 0.1})
-        for ask in (
-            lambda law=law: Duffing(1.0, 0.5, zeta=0.01, load=0.1, **{law: 0.1}),
-            lambda law=law: Duffing(1.0, 0.5, zeta=0.01, **{law: 0.1}).random(S_0=0.01),
-        ):
-            with pytest.raises(ValueError, match=f"{law} = 0.1"):
-                ask()
-        for ask in (
-            lambda law=law: Duffing.many(1.0, 0.5, zeta=[0.01], load=0.1, **{law: 0.1}),
-            lambda law=law: Duffing.many(1.0, 0.5, zeta=[0.01], **{law: 0.1}).random(S_0=0.01),
-        ):
-            with pytest.raises(ValueError, match=law):
-                ask()
+        with pytest.raises(ValueError, match=f"{law} = 0.1"):
+            Duffing(1.0, 0.5, zeta=0.01, load=0.1, **{law: 0.1})
+        with pytest.raises(ValueError, match=law):
+            Duffing.many(1.0, 0.5, zeta=[0.01], load=0.1, **{law: 0.1})
     with pytest.raises(ValueError, match="its force has one piece"):
         Oscillator(duffing.MECHANISM, alpha=1.0, beta=0.5, mu=0.01, zeta=0.02, rubs="attached")
     with pytest.raises(ValueError, match="nothing would dissipate beyond"):
