@@ -21,6 +21,8 @@ from slowflow.support.errors import NotSettled
 #: boxes that are looked at for one system: usual questions take hundreds, hard ones some ten thousand; this many take
 #: some seconds. And for each of many, on the average
 MOST_BOXES, MOST_EACH = 150_000, 4_000
+#: a box as C has it, `sf_box` of native/boxes.h
+BOX = np.dtype([*((name, float, 3) for name in ("low", "high", "least", "most", "error")), ("of", np.intp)], align=True)
 TOO_MANY = "the states are unresolved: too many boxes stay undecided"
 
 
@@ -49,10 +51,13 @@ def solve(on: OnBoxes, low: Floats, high: Floats, of: Ints, limits: tuple[Any, A
 
     Raises ArithmeticError where too many stay open.
     """
-    least, most = (np.broadcast_to(ends, low.shape) for ends in limits)
+    boxes = np.zeros(of.size, BOX)
+    for name, ends in zip(("low", "high", "least", "most"), (low, high, *limits), strict=True):
+        boxes[name][:, : len(low)] = np.broadcast_to(ends, low.shape).T
+    boxes["of"] = of
     count = max(MOST_BOXES, MOST_EACH * np.unique(of).size)
     with np.errstate(all="ignore"):
-        found = SOLVER.solve_boxes(on, low, high, least, most, of, count)
+        found = SOLVER.solve_boxes(on, len(low), boxes, count)
     if found is None:
         raise NotSettled(TOO_MANY)
     return Solutions(*found)
