@@ -110,13 +110,20 @@ def is_plain(model: Model) -> bool:
     return bool(model.design) and not model.inertial and not model.laws.any
 
 
+def _by_balls(question: str, model: Model, allowance: Allowance | None, *numbers: float) -> Any:
+    """What balls prove of a question, None where they are not available, not allowed any more, or inconclusive."""
+    balls = in_balls() if is_plain(model) else None
+    allowed = balls is not None and (allowance or Allowance()).take()
+    proof = getattr(balls, question)(model, *numbers) if allowed else None
+    return proof if proof is not None and proof.proved else None
+
+
 def decided(found: SaddleNodes, model: Model, allowance: Allowance | None) -> SaddleNodes:
     """Folds whose number doubles leave undecided, as balls prove them; as they are where these do not decide either."""
     if found.remarks is NOTHING:  # of most, and to look for one code takes longer
         return found
-    balls = in_balls() if Remark.UNDECIDED in found.remarks and is_plain(model) else None
-    proof = None if balls is None or not (allowance or Allowance()).take() else balls.folds(model, found.F_0)
-    if proof is None or not proof.proved:
+    proof = _by_balls("folds", model, allowance, found.F_0) if Remark.UNDECIDED in found.remarks else None
+    if proof is None:
         return found
     # doubles may have more digits of one that lies next to a breakpoint
     same = proof.corner.tolist() == found.corner.tolist()
@@ -146,13 +153,10 @@ def decided_states(
     In the order of `frequencies`, repeated ones too. Unchanged where balls do not decide either, or have been used too
     often already.
     """
-    balls = in_balls() if found.Omega_undecided.size and is_plain(model) else None
-    if balls is None:
-        return found
     proved: dict[float, ProvedStates] = {}
-    for w in np.unique(found.Omega_undecided).tolist():
-        proof = balls.states(model, w, F_0) if allowance.take() else None
-        if proof is not None and proof.proved and not np.isnan(_middle(proof.A, None)).any():
+    for w in np.unique(found.Omega_undecided).tolist() if found.Omega_undecided.size else ():
+        proof = _by_balls("states", model, allowance, w, F_0)
+        if proof is not None and not np.isnan(_middle(proof.A, None)).any():
             proved[w] = proof
     if not proved:
         return found
@@ -197,23 +201,20 @@ def _same(one: Floats, other: Floats) -> bool:
     return bool((np.abs(one - other) <= SAME * one).all())
 
 
-def decided_onset(model: Model, allowance: Allowance) -> SaddleNodeOnset | None:
+def decided_onset(model: Model, allowance: Allowance | None) -> SaddleNodeOnset | None:
     """The onset that doubles refuse, as balls prove it, with the level of lower folds that end at rest.
 
     None where they do not: of an excitation by inertia, of other laws of damping, with a preload, without viscous
     damping, and of a force that is infinitely stiff at rest.
     """
-    if not is_plain(model) or model.zeta == 0 or model.preload > 0 or not np.isfinite(model.averaged(0.0)[1]):
+    if model.zeta == 0 or model.preload > 0 or not np.isfinite(model.averaged(0.0)[1]):
         return None
-    balls = in_balls()
-    if balls is None or not allowance.take():
-        return None
-    proof = balls.onset(model)
+    proof = _by_balls("onset", model, allowance)
     # that none is born is proved of amplitudes up to one that stands for infinite ones, and no forcing bounds them
-    if proof is None or not (proof.proved and proof.kind):
+    if proof is None or not proof.kind:
         return None
     # whether folds at rest lie below it has to be proved as well
-    low, high = balls.at_rest(model, proof.F_0[1])
+    low, high = in_balls().at_rest(model, proof.F_0[1])
     on_end = [b for b in model.breakpoints if proof.kind == "corner" and proof.A[0] <= b <= proof.A[1]]
     ends = np.array((proof.F_0, proof.Omega, proof.A))
     F_SN, Omega, A = _middle(ends, np.array((np.nan, np.nan, on_end[0])) if on_end else None).tolist()
@@ -226,9 +227,9 @@ def decided_onset(model: Model, allowance: Allowance) -> SaddleNodeOnset | None:
 
 def decided_cusps(found: Cusps, model: Model, A_max: float) -> Cusps:
     """Cusps of which doubles have few digits, as balls prove them; as they are where these do not decide either."""
-    balls = in_balls() if Remark.UNDECIDED in found.remarks and is_plain(model) and model.zeta > 0 else None
-    proof = None if balls is None else balls.cusps(model, A_max)
-    if proof is None or not proof.proved:
+    asks = Remark.UNDECIDED in found.remarks and model.zeta > 0
+    proof = _by_balls("cusps", model, None, A_max) if asks else None
+    if proof is None:
         return found
     F_0, Omega, A = (_middle(enclosed, None) for enclosed in (proof.F_0, proof.Omega, proof.A))
     if np.isnan((F_0, Omega, A)).any():

@@ -518,7 +518,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         except OverflowError:
             raise
         except ArithmeticError:
-            if (by_balls := proofs.decided_onset(self.model, allowance or proofs.Allowance())) is None:
+            if (by_balls := proofs.decided_onset(self.model, allowance)) is None:
                 raise
             return by_balls
 
