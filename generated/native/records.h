@@ -43,6 +43,16 @@ static int records_is_forcing(double F_0)
     return F_0 > 0.0 && F_0 < INFINITY;
 }
 
+static double records_dissipation(double Omega, double A, const double *damping)
+{
+    return slow_flow_I(Omega, A, damping[0], damping[1]);
+}
+
+static double records_level(double Omega, double A, const double *damping, double h)
+{
+    return slow_flow_level(Omega, A, damping[0], damping[1], h);
+}
+
 /* What every record has: functions of these names, and what no mechanism changes. */
 #define IN_EVERY_RECORD(mechanism) \
     .form = SF_FORM, .name = #mechanism, .damping_size = 2, \
@@ -50,7 +60,8 @@ static int records_is_forcing(double F_0)
     .is_forcing = records_is_forcing, .averaged = mechanism##_record_averaged, \
     .averaged_2 = mechanism##_record_averaged_2, .intercept = mechanism##_record_intercept, \
     .harmonics = mechanism##_record_harmonics, .by_parameter = mechanism##_record_by_parameter, \
-    .by_design = mechanism##_record_by_design
+    .by_design = mechanism##_record_by_design, .dissipation = records_dissipation, .level = records_level, \
+    .mean_offset = records_centred
 
 static int duffing_record_parameters_of(const sf_mechanism *self, const double *design, double *p)
 {
@@ -118,6 +129,8 @@ static const sf_mechanism duffing_record = {
     .parameters = 2,
     .breakpoints = 0,
     .reach = INFINITY,
+    .ends = records_no_breakpoint,
+    .jumps = records_no_breakpoint,
     .harmonics_up_to = INFINITY,
     .parameters_within = duffing_record_parameters_within,
     .averaged_within = duffing_record_averaged_within,

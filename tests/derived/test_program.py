@@ -305,7 +305,7 @@ class Calls:
         values, n = doubles(design), len(A)
         found["inside"] = self.ask("parameters_of", values, p)
         found["p"] = bits(p)
-        for name in filter(self.has, ("ends", "jumps", "kinks") if self.record.breakpoints else ()):
+        for name in ("ends", "jumps", *(["kinks"] if self.has("kinks") else [])):
             self.ask(name, p, b)
             found[name] = bits(b)
         amplitudes = doubles(A)

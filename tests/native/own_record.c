@@ -1,5 +1,6 @@
 /* A record that the package has not: a cubic spring with its parameters the other way round, beta, alpha, and an end b
- * of its first piece behind which the force goes on as it was; b = 0 is no end.  A test may build it of another FORM. */
+ * of its first piece behind which the force goes on as it was; b = 0 is no end.  A test may build it with other answers
+ * in its slots: FORM, OFFSET, LEVEL and THRESHOLD. */
 #include <math.h>
 
 #include "mechanism.h"
@@ -7,6 +8,15 @@
 
 #ifndef FORM
 #define FORM SF_FORM
+#endif
+#ifndef OFFSET
+#define OFFSET 0.0
+#endif
+#ifndef LEVEL
+#define LEVEL 1.0
+#endif
+#ifndef THRESHOLD
+#define THRESHOLD 1.0
 #endif
 
 static int parameters_of(const sf_mechanism *self, const double *design, double *p) {
@@ -64,6 +74,20 @@ static double intercept(const sf_mechanism *self, double A, const double *p) {
     return 1.5 * (A * (A * A)) * p[0];
 }
 
+static double dissipation(double Omega, double A, const double *damping) {
+    return slow_flow_I(Omega, A, THRESHOLD * damping[0], damping[1]);
+}
+
+static double level(double Omega, double A, const double *damping, double h) {
+    return LEVEL * slow_flow_level(Omega, A, damping[0], damping[1], h);
+}
+
+static double mean_offset(double A, const double *p) {
+    (void)A;
+    (void)p;
+    return OFFSET;
+}
+
 extern const sf_mechanism own_record;
 const sf_mechanism own_record = {
     .form = FORM,
@@ -81,4 +105,7 @@ const sf_mechanism own_record = {
     .averaged = averaged,
     .averaged_2 = averaged_2,
     .intercept = intercept,
+    .dissipation = dissipation,
+    .level = level,
+    .mean_offset = mean_offset,
 };

@@ -91,8 +91,7 @@ def test_record_averages_many_amplitudes_as_the_kernels_do(name):
     stated = kernels.MECHANISM
     assert record.parameters == len(stated.parameters) and record.reach == stated.reach
     b, jump = records.doubles([0.0] * 4), records.doubles([0.0] * 4)
-    if record.breakpoints:
-        record.ask("ends", p, b), record.ask("jumps", p, jump)
+    record.ask("ends", p, b), record.ask("jumps", p, jump)
     assert list(b)[: record.breakpoints] == [float(end) for end in kernels.breakpoints(*parameters)]
     assert list(jump)[: record.breakpoints] == [float(step) for step in kernels.jumps(*parameters)]
     A = [0.1, 0.3, 0.5, 0.7, 0.9]
@@ -105,11 +104,17 @@ def test_record_averages_many_amplitudes_as_the_kernels_do(name):
 
 
 @pytest.mark.parametrize("name", MECHANISMS)
-def test_record_knows_damping_and_excitation(name):
-    record, damping = records.opened(NATIVE.RECORDS[name]), records.doubles([0.0] * 2)
+def test_record_knows_damping_excitation_and_odd_forces(name):
+    record = records.opened(NATIVE.RECORDS[name])
+    damping, p = records.doubles([0.0] * 2), records.doubles([0.5] * 16)
     assert record.damping_of(records.doubles([0.012, 0.02]), damping)
-    assert list(damping) == [slow_flow.friction(0.012), 0.02]
+    m, zeta = damping
+    assert m == slow_flow.friction(0.012)
+    assert record.dissipation(0.9, 0.4, damping) == slow_flow.I(0.9, 0.4, m, zeta)
+    assert record.dissipation(0.0, 0.0, damping) == m
+    assert record.level(0.9, 0.4, damping, -0.3) == slow_flow.level(0.9, 0.4, m, zeta, -0.3)
     assert record.inertial == 0
+    assert record.mean_offset(0.4, p) == 0
 
 
 def test_a_ufunc_of_a_record_is_made_once():
@@ -156,6 +161,30 @@ def test_a_record_compiled_elsewhere_is_solved_like_our_own(own, alpha, beta):
     found = many.saddle_node_onset()
     expected = (found.F_SN, found.Omega, found.A, found.kind, found.at_rest, found.status)
     same(NATIVE.many_onset(record)(beta, alpha, 0.0, *damping), expected)
+
+
+def test_the_solvers_ask_the_record_what_forcing_a_state_takes(own):
+    plain, doubled = (NATIVE.model(own(*options), (0.5, 1.0, 0.0), (0.012, 0.02)) for options in ((), ("-DLEVEL=2.0",)))
+    _, Omega, A, F_0, _ = NATIVE.fold_locus(plain, 2.0, 50)
+    _, same_Omega, same_A, twice, _ = NATIVE.fold_locus(doubled, 2.0, 50)
+    assert (same_Omega == Omega).all() and (same_A == A).all() and (twice == 2 * F_0).all()
+    levels, doubled_levels = (NATIVE.extrema(model, 2.0)[1] for model in (plain, doubled))
+    assert levels.size > 0 and (doubled_levels == 2 * levels).all()
+
+
+def test_the_solvers_ask_the_record_whether_the_mass_sticks(own):
+    sticks, m = 2, slow_flow.friction(0.012)
+    plain, rough = (NATIVE.model(own(*o), (0.5, 1.0, 0.0), (0.012, 0.02)) for o in ((), ("-DTHRESHOLD=2.0",)))
+    for model, threshold in ((plain, m), (rough, 2 * m)):
+        assert NATIVE.saddle_nodes(model, threshold)[0] == NATIVE.peak(model, threshold, np.inf)[0] == sticks
+        above = np.nextafter(threshold, 1)
+        assert sticks not in (NATIVE.saddle_nodes(model, above)[0], NATIVE.peak(model, above, np.inf)[0])
+
+
+def test_an_offset_motion_reaches_farther_than_its_amplitude(own):
+    centred, off = (NATIVE.model(own(*o), (0.5, 1.0, 0.25), (0.0, 0.02)) for o in ((), ("-DOFFSET=-0.125",)))
+    assert NATIVE.detachment(centred)[3] == 0.25 and NATIVE.detachment(off)[3] == 0.375
+    assert NATIVE.detachment(centred)[1:3] == NATIVE.detachment(off)[1:3]
 
 
 def test_a_record_of_another_form_is_refused(own):

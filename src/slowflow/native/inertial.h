@@ -18,9 +18,13 @@ static inline int sf_inertial_damping_of(const double *inputs, double *damping) 
     return 1;
 }
 
+static inline double sf_inertial_level(double Omega, double A, const double *damping, double h) {
+    return inertia_level(Omega, A, damping[0], damping[1], h);
+}
+
 /* Makes a copy of a record that of the same mechanism excited by inertia. */
 static inline void sf_excite_by_inertia(sf_mechanism *record) {
-    record->inertial = 1, record->damping_of = sf_inertial_damping_of;
+    record->inertial = 1, record->level = sf_inertial_level, record->damping_of = sf_inertial_damping_of;
 }
 
 /* x = 1/Omega where the level is least; 0 where it only falls. */

@@ -315,7 +315,9 @@ static double sf_locus_level(const sf_model *model, const sf_sample *at, double 
         return sf_level(model, at, w);
     if (sf_inertial(model))
         return inertia_fold_level(w, at->A, model->m, model->zeta, other);
-    return inertia_fold_force(w, at->A, model->m, model->zeta, other);
+    /* by what the record's excitation differs from a force */
+    return inertia_fold_force(w, at->A, model->m, model->zeta, other) *
+           (sf_level(model, at, w) / slow_flow_level(w, at->A, model->m, model->zeta, at->h));
 }
 
 /* Omega of a fold of an excitation by inertia where damping is so weak that what rounding leaves of R takes it off the
@@ -448,7 +450,11 @@ static double sf_extremum_level(const sf_model *model, const sf_zero *zero, cons
         return slow_flow_isola_level(zero->Omega, zero->A, model->m, model->zeta);
     if (zero->question != SF_CUSP)
         return sf_level(model, at, zero->Omega);
-    return sf_inertial(model) ? inertia_amplitude(zero->Omega, zero->level) : zero->level;
+    if (sf_inertial(model))
+        return inertia_amplitude(zero->Omega, zero->level);
+    /* by what the record's excitation differs from a force */
+    return zero->level *
+           (sf_level(model, at, zero->Omega) / slow_flow_level(zero->Omega, at->A, model->m, model->zeta, at->h));
 }
 
 static sf_extremum sf_extremum_at(const sf_model *model, const sf_zero *zero) {

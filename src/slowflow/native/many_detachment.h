@@ -19,7 +19,7 @@ typedef struct {
     int n;
     ptrdiff_t k[SF_DETACHING];
     double number[SF_MOST_DESIGN * SF_DETACHING], mu[SF_DETACHING], m[SF_DETACHING], zeta[SF_DETACHING];
-    double A[SF_DETACHING], h[SF_DETACHING];
+    double A[SF_DETACHING], h[SF_DETACHING], u_cr[SF_DETACHING];
     double end[4 * SF_DETACHING], Omega[SF_DETACHING], F_0[SF_DETACHING], change[SF_DETACHING];
 } sf_detaching;
 
@@ -102,7 +102,7 @@ static int sf_enter_detachment(const sf_call *at, sf_detaching *block) {
     for (int i = 0; i < mechanism->design_size; i++)
         block->number[i * SF_DETACHING + d] = inputs.design[i];
     block->k[d] = at->k, block->mu[d] = inputs.damping[0], block->m[d] = model.m, block->zeta[d] = model.zeta;
-    block->A[d] = end.A, block->h[d] = end.h;
+    block->A[d] = end.A, block->h[d] = end.h, block->u_cr[d] = sf_largest_displacement(&model, end.A);
     block->n++;
     return 1;
 }
@@ -124,7 +124,7 @@ static void sf_loop_detachment(sf_call *at) {
             if (isnan(block.change[d]))
                 sf_detach_singly(at);
             else
-                sf_write_detachment(at, block.F_0[d], block.Omega[d], block.A[d], SF_OK);
+                sf_write_detachment(at, block.F_0[d], block.Omega[d], block.u_cr[d], SF_OK);
         }
     }
 }

@@ -15,7 +15,7 @@
 #include "pair.h"
 
 enum {
-    SF_FORM = 13, /* of the record below; one of another form is refused */
+    SF_FORM = 12, /* of the record below; one of another form is refused */
     SF_MOST_DESIGN = 32,
     SF_MOST_DAMPING = 7,
     SF_MOST_PARAMETERS = 64,
@@ -42,8 +42,8 @@ struct sf_mechanism {
     int (*damping_of)(const double *inputs, double *damping);
     int (*is_forcing)(double F_0);
 
-    /* The |u| at which a piece of the force ends, by rising size, and the force just below less the force just above;
-     * NULL where there is one piece. */
+    /* The |u| at which a piece of the force ends, by rising size, and the force just below less the force just
+     * above. */
     void (*ends)(const sf_mechanism *self, const double *p, double *b);
     void (*jumps)(const sf_mechanism *self, const double *p, double *jump);
     /* What the slope and the curvature of the force lose at each breakpoint in turn; NULL where the force or its slope
@@ -71,7 +71,16 @@ struct sf_mechanism {
     void (*by_parameter)(const sf_mechanism *self, double A, const double *averaged, const double *p, double *out);
     void (*by_design)(const sf_mechanism *self, const double *design, double *out);
 
-    int inertial; /* whether the excitation is by inertia, of a force F_0 Omega^2 */
+    /* Damping: I, the sine balance (23). At Omega = A = 0 it is the forcing that leaves the mass at rest. */
+    double (*dissipation)(double Omega, double A, const double *damping);
+
+    /* Excitation: the amplitude F_0 for which (Omega, A) is a steady state (24), and whether that means a force
+     * F_0 Omega^2, of inertia. */
+    double (*level)(double Omega, double A, const double *damping, double h);
+    int inertial;
+
+    /* Mean B of the motion u = B + A cos psi; |B| + A is the largest displacement. */
+    double (*mean_offset)(double A, const double *p);
 
     /* The same on intervals, for proofs; NULL where no such form is known. The excitation is a force there, and the
      * motion is about u = 0. p holds the parameters that follow from a design, then the jumps at its breakpoints.
@@ -112,7 +121,8 @@ struct sf_mechanism {
 static inline void sf_take_surroundings(const sf_mechanism *like, sf_mechanism *record)
 {
     record->form = SF_FORM, record->damping_size = like->damping_size, record->damping_of = like->damping_of;
-    record->is_forcing = like->is_forcing;
+    record->is_forcing = like->is_forcing, record->dissipation = like->dissipation, record->level = like->level;
+    record->mean_offset = like->mean_offset;
 }
 
 /* A parameter that is a difference of nearly equal numbers, as a stiffness next to 0, has few digits in doubles: such

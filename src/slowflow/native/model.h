@@ -188,12 +188,12 @@ static inline double sf_force(const sf_model *model, double F_0, double w) {
 
 /* The amplitude of the excitation for which (Omega, A) is a steady state. */
 static inline double sf_level(const sf_model *model, const sf_sample *at, double w) {
-    return (sf_inertial(model) ? inertia_level : slow_flow_level)(w, at->A, model->m, model->zeta, at->h);
+    return model->mechanism->level(w, at->A, model->damping, at->h);
 }
 
 /* Whether the excitation leaves the mass at rest at every frequency (27). */
 static inline int sf_sticks(const sf_model *model, double F_0) {
-    return !sf_inertial(model) && !(F_0 > model->m);
+    return !sf_inertial(model) && !(F_0 > model->mechanism->dissipation(0, 0, model->damping));
 }
 
 static inline int sf_opposite(double a, double b) { return (a < 0) != (b < 0); }

@@ -7,12 +7,17 @@
 
 #include "law_peaks.h"
 
+/* |u| at most in a motion of an amplitude. */
+static double sf_largest_displacement(const sf_model *model, double A) {
+    return A + fabs(model->mechanism->mean_offset(A, model->p));
+}
+
 static sf_status sf_detachment(const sf_model *model, double *F_cr, double *Omega_cr, double *u_cr) {
     *F_cr = *Omega_cr = *u_cr = NAN;
     if (model->breaks == 0)
         return SF_NONE;
     const sf_sample at = sf_sample_at(model, model->b[0]);
-    *u_cr = at.A;
+    *u_cr = sf_largest_displacement(model, at.A);
     *F_cr = sf_least_forcing(model, &at, Omega_cr);
     if (*F_cr < HUGE_VAL)
         return SF_OK;
@@ -201,7 +206,7 @@ static void sf_consider_jump(const sf_model *model, const sf_sample *at, double 
     if (at->h < 0 && J < 0) {
         const double Omega = slow_flow_backbone(at->A, at->h);
         /* R is 0 there, and its rounding may exceed a weak damping's I */
-        const double level = slow_flow_I(Omega, at->A, model->m, model->zeta);
+        const double level = model->mechanism->dissipation(Omega, at->A, model->damping);
         sf_consider(level, Omega, at->A, SF_CORNER_KIND, best);
         if (at->k >= 0) /* h_A <= h/A < 0: up to Omega R and R_A are not positive, so F_A is; beyond, I is larger */
             return;

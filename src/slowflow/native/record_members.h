@@ -8,6 +8,22 @@
 #include "clones.h"
 #include "mechanism.h"
 
+/* An odd force moves about its centre. */
+static double records_centred(double A, const double *p)
+{
+    (void)(A);
+    (void)(p);
+    return 0.0;
+}
+
+/* For a force of one piece. */
+static void records_no_breakpoint(const sf_mechanism *self, const double *p, double *out)
+{
+    (void)(self);
+    (void)(p);
+    (void)(out);
+}
+
 /* Functions of a record that pass a function of a header on. */
 #define PASSES_ON(result, member, arguments, call) \
     static result member arguments \

@@ -25,7 +25,8 @@ static int sf_are_corners_close(const sf_model *model, const sf_inputs *inputs, 
 
 /* Whether F_0 is off the forcing that leaves the mass at rest by no more than rounding may make of it. */
 static int sf_nearly_sticks(const sf_model *model, double F_0) {
-    return !sf_inertial(model) && F_0 <= model->m * (1 + SF_CLOSE) && F_0 >= model->m * (1 - SF_CLOSE);
+    const double friction = model->mechanism->dissipation(0, 0, model->damping);
+    return !sf_inertial(model) && F_0 <= friction * (1 + SF_CLOSE) && F_0 >= friction * (1 - SF_CLOSE);
 }
 
 /* A fold in the middle of its enclosure; which way a sweep leaves it doubles say where the proof does not. */
