@@ -17,7 +17,7 @@ from .findings import Finding, readings
 from .rows import ALLOWED, LOOSE, TRUE, VOCABULARY, Row
 
 #: letters of the rows of a kind on a page
-MOST_SHOWN = 9000
+MOST_SHOWN = 8000
 TITLES = {"formula": "Formulas", "table": "Tables 1 and 2", "number": "Numbers", "claim": "Sentences"}
 CITATION = (
     "G. Iarriccio, Primary Resonance Analysis of High-Static–Low-Dynamic Stiffness Isolators with Piecewise Stiffness, "

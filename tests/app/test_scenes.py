@@ -354,7 +354,7 @@ def test_the_starter_runs_and_is_not_written_over(tmp_path, capsys):
     assert run("run", path, capsys=capsys)[0] == 0
     path.write_text("mine")
     code, _, err = run("new", path, capsys=capsys)
-    assert code == 2 and "is there already" in err and path.read_text() == "mine"
+    assert code == 2 and "already exists" in err and path.read_text() == "mine"
 
 
 @pytest.fixture
@@ -419,7 +419,7 @@ def test_what_is_no_measured_loop_is_refused_with_its_line(head, message, loop, 
 def test_a_loop_needs_a_mass(loop, tmp_path, capsys):
     for options in (("--from", loop()), ("--mass", "8")):
         code, _, err = run("new", tmp_path / "rig.toml", *options, capsys=capsys)
-        assert code == 2 and "need each other" in err
+        assert code == 2 and "must be used together" in err
     code, _, err = run("new", tmp_path / "rig.toml", "--from", loop(), "--mass", "8 g", capsys=capsys)
     assert code == 2 and "m = '8 g' is not allowed: m must be a number in kg" in err
 

@@ -557,7 +557,7 @@ def test_a_folder_that_is_made_is_for_the_user_alone(tmp_path):
         ({"parameters": {"out": {}}}, ValueError, "parameter 'out' is not allowed"),
         ({"parameters": {"short": {}}}, ValueError, "it is a word of C"),
         *(
-            ({"pieces": [(sp.Symbol(name) * u, None)], "parameters": {name: {}}}, ValueError, "has something else")
+            ({"pieces": [(sp.Symbol(name) * u, None)], "parameters": {name: {}}}, ValueError, "an attribute of that name")
             for name in ("mu_s", "model", "peak")
         ),
         ({"parameters": {"k_1": {"over": 0}}}, ValueError, "'over' is not allowed"),

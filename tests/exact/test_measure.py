@@ -105,7 +105,7 @@ def test_onset_is_measured_by_the_first_fold_of_exact_curves(oscillator):
 def test_missing_peak_onset_or_detachment_is_not_measured():
     plain = Duffing(1.0, 0.1, 0.0, 0.025)
     assert "one piece only" in plain.detachment().measure().message
-    assert "nothing moves" in Duffing(1.0, 0.0, 0.0, 0.8).peak(0.1).measure().message
+    assert "the mass does not move" in Duffing(1.0, 0.0, 0.0, 0.8).peak(0.1).measure().message
     assert "without viscous damping" in Duffing(1.0, 0.1, 0.02, 0.0).peak(0.1).measure().message
     assert "no saddle node" in Duffing(1.0, 0.0, 0.0, 0.1).saddle_node_onset().measure().message
     numbers = {"lam": 5, "r": 0.5152307809931513, "delta_h": 0.2813440740415054, "mu": 0.0457149750553505}

@@ -124,7 +124,7 @@ def test_motions_beyond_doubles_are_refused(parameters):
         lambda of: of.amplitudes(Omega=0.9, F_0=0.05),
         lambda of: of.peak(0.05),
     ):
-        with pytest.raises(OverflowError, match=r"off the centre are unresolved: .* beyond the range of doubles"):
+        with pytest.raises(OverflowError, match=r"offset motions are unresolved: .* beyond the range of doubles"):
             query(one)
         assert query(many).status == Status.NO_BOUND
     assert "beyond the range of doubles" in one.saddle_node_onset().message

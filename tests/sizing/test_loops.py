@@ -52,7 +52,7 @@ def test_noise_in_the_displacement_does_not_turn_the_motion():
 def test_what_a_cubic_spring_leaves_is_told_and_drawn():
     t, x, F = loop(noise=0.005, k_5=1e11)
     found = from_loop(x, F, t=t)
-    assert "neighbouring residuals are alike" in found.message
+    assert "neighbouring residuals are correlated" in found.message
     lines = found.plot().get_lines()
     np.testing.assert_allclose(lines[0].get_xdata(), 1e3 * x)
     assert np.nanmax(np.abs(lines[1].get_ydata() - F)) < 5

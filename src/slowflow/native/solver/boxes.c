@@ -51,20 +51,20 @@ static int on(void *self, ptrdiff_t n, const sf_box_place *points, sf_values *ou
 static PyObject *solve(PyObject *self, PyObject *args)
 {
     PyObject *result = NULL;
-    Py_buffer given;
+    Py_buffer buffer;
     called of;
     Py_ssize_t most;
     (void)self;
-    if (!PyArg_ParseTuple(args, "Oiy*n", &of.on, &of.d, &given, &most))
+    if (!PyArg_ParseTuple(args, "Oiy*n", &of.on, &of.d, &buffer, &most))
         return NULL;
-    const ptrdiff_t n = given.len / (ptrdiff_t)sizeof(sf_box);
-    if (of.d >= 1 && of.d <= SF_MOST_UNKNOWNS && given.len == n * (ptrdiff_t)sizeof(sf_box)) {
+    const ptrdiff_t n = buffer.len / (ptrdiff_t)sizeof(sf_box);
+    if (of.d >= 1 && of.d <= SF_MOST_UNKNOWNS && buffer.len == n * (ptrdiff_t)sizeof(sf_box)) {
         const sf_box_equations equations = {of.d, on, &of};
-        sf_box *boxes = malloc((size_t)given.len + 1);
+        sf_box *boxes = malloc((size_t)buffer.len + 1);
         sf_solutions found = {0};
         int state = SF_BOXES_NO_ROOM;
         if (boxes != NULL)
-            state = sf_solve_boxes(&equations, memcpy(boxes, given.buf, (size_t)given.len), n, most, &found);
+            state = sf_solve_boxes(&equations, memcpy(boxes, buffer.buf, (size_t)buffer.len), n, most, &found);
         if (state == SF_BOXES_SOLVED)
             result = Py_BuildValue("NNNN", COLUMNS(sf_solution, x, of.d, found.count, found.found),
                                    SYSTEMS(sf_solution, found.count, found.found),
@@ -77,7 +77,7 @@ static PyObject *solve(PyObject *self, PyObject *args)
         free(found.found), free(found.undecided);
     } else
         PyErr_SetString(PyExc_ValueError, "boxes of 1 to 3 unknowns are rows as sf_box of native/boxes.h has them");
-    PyBuffer_Release(&given);
+    PyBuffer_Release(&buffer);
     return result;
 }
 
