@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 
 from benchmarks import acm1010, boost
-from slowflow.backend import SOLVER
+from slowflow.core.backend import SOLVER
 from tests.native.roots import build, why_not
 from tests.oracles.frequencies import U, relative_error, roots, stress_cases
 

@@ -15,8 +15,8 @@ from typing import Any
 import numpy as np
 
 from slowflow.averaged import solvers
+from slowflow.core.model import Model
 from slowflow.example import TABLE_1, isolator
-from slowflow.model import Model
 from slowflow_kernels import duffing, rod_spring
 
 WINDOW = (0.0, 2.0)

@@ -1,6 +1,6 @@
 """How long each question of a scene takes: times of random designs, which `slowflow explain` estimates from.
 
-    python -m benchmarks.costs    writes src/slowflow/measured/costs.py, in some ten minutes
+    python -m benchmarks.costs    writes src/slowflow/app/costs.py, in some ten minutes
 
 A design is a mount of usual numbers from a fixed seed. Its time is that of the processor, which other programs on the
 machine change least. What a time is counted by, as a frequency or a row of a spectrum, `Asked.count` says.
@@ -17,16 +17,16 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from benchmarks.environment import processor
-from slowflow.scenes import QUESTIONS, Asked, Scene, read
+from slowflow.answers.table import SHOCKS
+from slowflow.app.scenes import QUESTIONS, Asked, Scene, read
 from slowflow.sizing import tolerances
 from slowflow.sizing.subject import Subject
 from slowflow.sizing.tolerances import FEW_SAMPLES
 from slowflow.support.errors import SlowflowError
-from slowflow.table import SHOCKS
 
 #: designs of each kind; seconds after which no further design is asked
 DESIGNS, SEED, PATIENCE = 15, 35, 6.0
-WHERE = Path("src/slowflow/measured/costs.py")
+WHERE = Path("src/slowflow/app/costs.py")
 #: what a mount has besides, by kind
 KINDS = {"plain": "", "laws": "eta = 0.02\nc_2 = 20.0", "load": "load = {load:.4f}"}
 MOUNT = """[mount]

@@ -25,13 +25,14 @@ from benchmarks import bench_exact, certified, jobs
 from benchmarks.bench_roots import SCENES
 from benchmarks.document import quantity
 from benchmarks.remote import ROOT
-from slowflow import backend, example
+from slowflow import example
+from slowflow.answers.table import QUESTIONS
 from slowflow.averaged.many import AMPLITUDES, ONSET, PEAK, SADDLE_NODES, Question
-from slowflow.backend import SOLVER
+from slowflow.core import backend
+from slowflow.core.backend import SOLVER
+from slowflow.core.validate import WINDOW
 from slowflow.exact.motion import TURN, handle
 from slowflow.example import TABLE_1
-from slowflow.table import QUESTIONS
-from slowflow.validate import WINDOW
 from slowflow_kernels import slow_flow
 from slowflow_kernels.second_conventions import BEYOND, Wanted
 from slowflow_kernels.second_conventions import SAMPLES as FEWER

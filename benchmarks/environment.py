@@ -7,7 +7,8 @@ import os
 import platform
 from pathlib import Path
 
-from slowflow import __version__, backend
+from slowflow import __version__
+from slowflow.core import backend
 
 
 def processor() -> str:

@@ -18,7 +18,7 @@ from benchmarks import certified
 from benchmarks.bench_solver import random_designs, table_1_designs
 from benchmarks.remote import processor
 from slowflow import Isolator
-from slowflow.backend import SOLVER
+from slowflow.core.backend import SOLVER
 from slowflow.example import isolator
 from slowflow_kernels import rod_spring
 

@@ -2,8 +2,9 @@
 
 A quarter of an hour of one core.
 
-`python -m benchmarks.validity` measures, writes benchmarks/results/validity.json and src/slowflow/measured/table.py,
-and lets `validity_page` draw the figures and write docs/validity.md; `--draw` does all but measure.
+`python -m benchmarks.validity` measures, writes benchmarks/results/validity.json and
+src/slowflow/answers/validity_table.py, and lets `validity_page` draw the figures and write docs/validity.md; `--draw`
+does all but measure.
 """
 
 from __future__ import annotations
@@ -24,16 +25,16 @@ from scipy.optimize import brentq
 
 from benchmarks import validity_page
 from slowflow import Isolator, derive, example
+from slowflow.core.mechanism import EquationOfMotion, Force
 from slowflow.exact import Response, SteadyState, exact_response
 from slowflow.example import TABLE_1
-from slowflow.mechanism import EquationOfMotion, Force
 from slowflow.second import SecondApproximation
 from slowflow.support.errors import NotSettled
 from slowflow_kernels import linearization, slow_flow
 
 ROOT = Path(__file__).resolve().parents[1]
 RESULTS = ROOT / "benchmarks/results/validity.json"
-TABLE = ROOT / "src/slowflow/measured/table.py"
+TABLE = ROOT / "src/slowflow/answers/validity_table.py"
 
 #: Table 1, but for what a map varies
 RATIOS = (0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.55, 0.6, 0.65, 0.7, 0.74, 0.77)
@@ -499,7 +500,7 @@ def spread(sizes: np.ndarray) -> dict[str, Any]:
 
 
 def table(numbers: dict[str, Any]) -> str:
-    """What `slowflow.measured.validity` looks up, as a Python module."""
+    """What `slowflow.answers.validity` looks up, as a Python module."""
     pool = numbers["pool"]
     errors = {
         name: [[_filled(row, j, pool["by rest"][j], name) for j in range(len(REST_BINS))] for row in pool["both"]]

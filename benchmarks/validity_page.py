@@ -15,7 +15,8 @@ from benchmarks import claims_page
 from derivations.ledger import figures as judged
 from derivations.ledger import measured
 from examples.paper import figures
-from slowflow import example, pictures
+from slowflow import example
+from slowflow.answers import pictures
 
 mpl.use("Agg")
 import matplotlib.pyplot as plt

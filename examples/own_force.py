@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from slowflow.mechanism import Law, Mechanism, Parameter
-from slowflow.oscillator import Oscillator
+from slowflow.core.mechanism import Law, Mechanism, Parameter
+from slowflow.oscillators.oscillator import Oscillator
 
 
 def averaged(A, s, gap):

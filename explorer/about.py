@@ -11,18 +11,19 @@ from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 from slowflow import Duffing, Isolator, derive
+from slowflow.answers import validity
+from slowflow.answers import validity_table as table
+from slowflow.answers.quantities import DENSITIES, OF_KIND, Scales
+from slowflow.answers.table import COLUMNS
 from slowflow.averaged.diagnostics import MESSAGES, NEAR_STICKING_BELOW
 from slowflow.averaged.messages import STICKS, STICKS_BELOW
+from slowflow.core.validate import WINDOW
 from slowflow.example import TABLE_1
-from slowflow.isolator import ROD_SPRING
-from slowflow.measured import table, validity
-from slowflow.oscillator import Oscillator
-from slowflow.physical import Physical
-from slowflow.quantities import DENSITIES, OF_KIND, Scales
+from slowflow.oscillators.isolator import ROD_SPRING
+from slowflow.oscillators.oscillator import Oscillator
+from slowflow.oscillators.physical import Physical
 from slowflow.support.record import Parameter
-from slowflow.table import COLUMNS
-from slowflow.text import Sentence, in_units, text
-from slowflow.validate import WINDOW
+from slowflow.support.text import Sentence, in_units, text
 from slowflow.version import __version__
 from slowflow_kernels.conventions import OnsetKind, Status
 from slowflow_kernels.domains import DAMPING, EXCITATIONS

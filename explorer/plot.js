@@ -1,4 +1,4 @@
-/* Pictures as SVG. Takes numbers; returns axes and paths. Signs are those of `slowflow.pictures`. */
+/* Pictures as SVG. Takes numbers; returns axes and paths. Signs are those of `slowflow.answers.pictures`. */
 
 const SVG = "http://www.w3.org/2000/svg";
 

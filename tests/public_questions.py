@@ -1,6 +1,6 @@
 """Every public question with its arguments: strategies of bad and extreme values, by class and by name.
 
-A question that is not among them fails `tests/oscillator/test_any_input.py`.
+A question that is not among them fails `tests/oscillators/test_any_input.py`.
 """
 
 from __future__ import annotations
@@ -10,11 +10,11 @@ import math
 import numpy as np
 from hypothesis import strategies as st
 
-from slowflow.designs import Designs
-from slowflow.isolator import Isolator
+from slowflow.grid.many import Designs
 from slowflow.off_centre.many import OffCentreDesigns
 from slowflow.off_centre.questions import OffCentre
-from slowflow.physical import Physical
+from slowflow.oscillators.isolator import Isolator
+from slowflow.oscillators.physical import Physical
 from slowflow.second import SecondApproximation
 from slowflow.second.many import SecondDesigns
 

@@ -21,8 +21,8 @@ from benchmarks.stress import instead
 from benchmarks.stress.answers import NAMES, design, oscillator
 from benchmarks.stress.domains import ulps
 from benchmarks.stress.search import Point
+from slowflow.answers.results import Remark
 from slowflow.averaged.proofs import Allowance
-from slowflow.results import Remark
 from slowflow.support.errors import NotSettled, SlowflowError
 from tests.oracles import counts as proved
 from tests.oracles.averaged import Duffing, RodSpring

@@ -18,8 +18,8 @@ from typing import Any
 import numpy as np
 
 from slowflow import Isolator, example
+from slowflow.answers.certificate import DOUBLES, Proved
 from slowflow.averaged import proofs
-from slowflow.certificate import DOUBLES, Proved
 
 SEED = 29
 #: by decades: of r, delta_h, mu, zeta, of F_0/(4 mu/pi) - 1, and Omega

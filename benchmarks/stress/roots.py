@@ -15,7 +15,7 @@ import numpy as np
 
 from benchmarks.stress import search
 from benchmarks.stress.search import Found, Point
-from slowflow.backend import SOLVER
+from slowflow.core.backend import SOLVER
 from tests.oracles.frequencies import KINDS, U, relative_error, stress_cases
 from tests.oracles.frequencies import roots as certified
 

@@ -7,7 +7,7 @@ import io
 import re
 from typing import Any
 
-from slowflow import backend
+from slowflow.core import backend
 
 #: pages whose code shows what it does by what it prints; others show pictures
 PAGES = re.compile(r"(index|tutorial|howto/\w+)$")

@@ -7,8 +7,8 @@ from pathlib import Path
 
 from examples.paper.figures import FIGURES, draw
 from examples.paper.report import report
-from slowflow import progress
-from slowflow.report import read_ledger
+from slowflow.app.report import read_ledger
+from slowflow.support import progress
 
 
 def main() -> None:

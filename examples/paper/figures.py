@@ -18,12 +18,14 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.lines import Line2D
 
-from slowflow import example, pictures, progress
+from slowflow import example
+from slowflow.answers import pictures
+from slowflow.answers.pictures import COLOURS, STABLE, label, ramp
+from slowflow.core.mechanism import EquationOfMotion, linear
 from slowflow.exact.response import exact_response
 from slowflow.example import TABLE_1
-from slowflow.isolator import Duffing, Isolator
-from slowflow.mechanism import EquationOfMotion, linear
-from slowflow.pictures import COLOURS, STABLE, label, ramp
+from slowflow.oscillators.isolator import Duffing, Isolator
+from slowflow.support import progress
 from slowflow_kernels import den_hartog
 
 #: as the captions have them; lam is 3 throughout

@@ -12,8 +12,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from slowflow import example
-from slowflow.isolator import Isolator
-from slowflow.results import SaddleNodes
+from slowflow.answers.results import SaddleNodes
+from slowflow.oscillators.isolator import Isolator
 from slowflow.support.errors import NotSettled
 
 #: the ledger prints 12 significant digits

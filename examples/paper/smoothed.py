@@ -17,8 +17,8 @@ from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 from scipy.special import expit
 
+from slowflow.core.mechanism import EquationOfMotion
 from slowflow.exact.motion import check_forcing
-from slowflow.mechanism import EquationOfMotion
 from slowflow.support.errors import NotSettled, Refused
 from slowflow_kernels import motion
 

@@ -1,21 +1,17 @@
 """slowflow: response curves, folds and critical forcings of vibration isolators, from derived and generated equations.
 
 In:  an oscillator's parameters. Out: `Isolator`, `Duffing`, `Oscillator` of any derived mechanism, and their answers:
-     the classes of `slowflow.results`, in units `Quantities`.
+     the classes of `slowflow.answers.results`, in units `Quantities`.
 """
 
 import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from slowflow.certificate import Certificate
-    from slowflow.gradient import Gradient
-    from slowflow.isolator import Duffing, Isolator
-    from slowflow.measurements import read_csv
-    from slowflow.oscillator import Oscillator
-    from slowflow.physical import Physical
-    from slowflow.quantities import Quantities
-    from slowflow.results import (
+    from slowflow.answers.certificate import Certificate
+    from slowflow.answers.gradient import Gradient
+    from slowflow.answers.quantities import Quantities
+    from slowflow.answers.results import (
         Cusps,
         Detachment,
         FoldLocus,
@@ -27,6 +23,10 @@ if TYPE_CHECKING:
         SaddleNodes,
         SteadyStates,
     )
+    from slowflow.oscillators.isolator import Duffing, Isolator
+    from slowflow.oscillators.measurements import read_csv
+    from slowflow.oscillators.oscillator import Oscillator
+    from slowflow.oscillators.physical import Physical
     from slowflow.support.errors import (
         BuildFailed,
         NotSettled,
@@ -72,13 +72,13 @@ __all__ = [
 _HOMES = (
     "version",
     "support.errors",
-    "isolator",
-    "physical",
-    "quantities",
-    "measurements",
-    "results",
-    "certificate",
-    "gradient",
+    "oscillators.isolator",
+    "oscillators.physical",
+    "answers.quantities",
+    "oscillators.measurements",
+    "answers.results",
+    "answers.certificate",
+    "answers.gradient",
 )
 
 

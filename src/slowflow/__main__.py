@@ -2,7 +2,7 @@
 
 import sys
 
-from slowflow.cli import main
+from slowflow.app.cli import main
 
 if __name__ == "__main__":
     sys.exit(main())

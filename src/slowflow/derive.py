@@ -31,10 +31,12 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from slowflow import backend, files, sampled
-from slowflow.mechanism import Mechanism, Parameter
-from slowflow.model import THROUGHOUT
-from slowflow.oscillator import Oscillator
+from slowflow import sampled
+from slowflow.answers import files
+from slowflow.core import backend
+from slowflow.core.mechanism import Mechanism, Parameter
+from slowflow.core.model import THROUGHOUT
+from slowflow.oscillators.oscillator import Oscillator
 from slowflow.support.errors import BuildFailed, Refused, WrongType
 from slowflow.support.ownership import check_own
 from slowflow.version import include
@@ -421,4 +423,4 @@ def _capsule(loaded: ctypes.CDLL, name: str, kind: bytes) -> Any:
 
 #: what capsules with a record and with pieces of a force are called, in mechanism.h and _exact.c; these names have to
 #: outlive the capsules
-CAPSULE, LAWS = b"slowflow.mechanism", b"slowflow._exact.laws"
+CAPSULE, LAWS = b"slowflow.core.mechanism", b"slowflow._exact.laws"

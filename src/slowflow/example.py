@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from slowflow.isolator import Isolator
+from slowflow.oscillators.isolator import Isolator
 from slowflow_kernels.table_1 import TABLE_1
 
 #: lam, r and delta_h, as `slowflow_kernels.rod_spring.coefficients` takes them

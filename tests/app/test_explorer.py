@@ -23,7 +23,7 @@ import pytest
 from explorer.__main__ import HERE, MOST, PAGE, ROOT, digest
 from explorer.about import EXCITED_BY, LIBRARY, MOUNT, MOUNT_FORCE, PRESETS, designs, messages
 from slowflow import Duffing, Isolator, Remark, derive, example
-from slowflow.oscillator import Oscillator
+from slowflow.oscillators.oscillator import Oscillator
 from slowflow_kernels.table_1 import TABLE_1
 
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)

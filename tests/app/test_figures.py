@@ -13,7 +13,7 @@ from slowflow.example import TABLE_1, isolator
 from tests.files import Lazily
 
 plt, colours = map(Lazily, ("matplotlib.pyplot", "matplotlib.colors"))
-figures, pictures = map(Lazily, ("examples.paper.figures", "slowflow.pictures"))
+figures, pictures = map(Lazily, ("examples.paper.figures", "slowflow.answers.pictures"))
 
 
 @pytest.fixture(autouse=True, scope="module")

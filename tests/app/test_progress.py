@@ -9,8 +9,9 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from slowflow import Isolator, progress
+from slowflow import Isolator
 from slowflow.averaged import many as batches
+from slowflow.support import progress
 from tests.batch_questions import ALL, OFF_CENTRE, ask
 
 

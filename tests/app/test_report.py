@@ -14,11 +14,13 @@ from html.parser import HTMLParser
 
 import pytest
 
-from slowflow import Isolator, cli, files, scenes
-from slowflow.results import Remark
+from slowflow import Isolator
+from slowflow.answers import files
+from slowflow.answers.results import Remark
+from slowflow.app import cli, scenes
 from tests.files import ROOT, Lazily
 
-pieces, report = map(Lazily, ("slowflow.page", "slowflow.report"))
+pieces, report = map(Lazily, ("slowflow.answers.page", "slowflow.app.report"))
 
 MOUNT = ROOT / "scenes" / "mount.toml"
 

@@ -16,7 +16,9 @@ import numpy as np
 import pytest
 
 import slowflow
-from slowflow import Duffing, Isolator, cli, files, scenes, starters
+from slowflow import Duffing, Isolator
+from slowflow.answers import files
+from slowflow.app import cli, scenes, starters
 from slowflow.averaged import solvers
 from slowflow.example import isolator
 from slowflow.sizing import tolerances

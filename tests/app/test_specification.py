@@ -9,7 +9,7 @@ import csv
 import numpy as np
 import pytest
 
-from slowflow import scenes, verdict
+from slowflow.app import scenes, verdict
 from tests.files import ROOT
 
 g = 9.80665

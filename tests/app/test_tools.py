@@ -11,8 +11,8 @@ import tomllib
 import anyio
 import pytest
 
-from slowflow import schema
-from slowflow.scenes import QUESTIONS
+from slowflow.app import schema
+from slowflow.app.scenes import QUESTIONS
 from tests.files import ROOT, Lazily
 
 mcp, stdio, jsonschema = map(Lazily, ("mcp", "mcp.client.stdio", "jsonschema"))

@@ -6,13 +6,14 @@ import math
 import pytest
 from scipy.optimize import brentq
 
-from slowflow import Isolator, cli
-from slowflow.scenes import read
+from slowflow import Isolator
+from slowflow.app import cli
+from slowflow.app.scenes import read
+from slowflow.app.verdict import in_words, meet, verdict
 from slowflow.support.errors import SceneError
-from slowflow.verdict import in_words, meet, verdict
 from tests.files import Lazily
 
-report = Lazily("slowflow.report")
+report = Lazily("slowflow.app.report")
 
 #: a linear mount: without a preload the springs never touch
 LINEAR = {"m": 10.0, "k_v": 4000.0, "k_h": 1000.0, "L": 0.1, "preload": 0.0, "zeta": 0.1}

@@ -11,11 +11,11 @@ import numpy as np
 import pytest
 
 from slowflow import Duffing, Isolator, example
+from slowflow.answers.certificate import DOUBLES
+from slowflow.answers.results import Remark
 from slowflow.averaged import messages, proofs, solvers
 from slowflow.averaged.balls import questions as answers
 from slowflow.averaged.balls.search import AT_0, BallModel, Enclosure, averages_of
-from slowflow.certificate import DOUBLES
-from slowflow.results import Remark
 from tests.averaged.test_certified import check_folds, holds, level_ulps
 from tests.averaged.test_certified_cases import CENTRED, of_record
 from tests.sampling import slow

@@ -10,9 +10,10 @@ from functools import partial
 import numpy as np
 import pytest
 
-from slowflow import Duffing, Isolator, backend
+from slowflow import Duffing, Isolator
+from slowflow.answers.results import Remark
 from slowflow.averaged import many as batches
-from slowflow.results import Remark
+from slowflow.core import backend
 from slowflow_kernels.conventions import Status
 from tests import batch_questions
 from tests.batch_questions import columns

@@ -12,7 +12,8 @@ import mpmath
 import numpy as np
 import pytest
 
-from slowflow import Duffing, Isolator, cli, example
+from slowflow import Duffing, Isolator, example
+from slowflow.app import cli
 from slowflow.averaged import messages, proofs, solvers
 from slowflow.averaged.balls.search import BallModel, averages_of
 from tests.averaged.test_certified_cases import CENTRED, of_record

@@ -17,7 +17,7 @@ import pytest
 import sympy as sp
 
 from slowflow import Duffing, Isolator, derive
-from slowflow.results import Remark
+from slowflow.answers.results import Remark
 from slowflow_kernels.conventions import MovesStatus
 from tests.files import stored
 from tests.oracles.errors import U, error

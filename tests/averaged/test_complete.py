@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 from slowflow import Duffing, Isolator, example
+from slowflow.answers.results import Remark
 from slowflow.averaged import solvers
-from slowflow.backend import SOLVER
+from slowflow.core.backend import SOLVER
 from slowflow.example import TABLE_1
-from slowflow.results import Remark
 from tests.averaged.test_solver_paths import random_designs
 from tests.sampling import slow
 

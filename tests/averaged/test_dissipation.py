@@ -13,8 +13,8 @@ from scipy.integrate import quad, solve_ivp
 from scipy.optimize import brentq, minimize_scalar
 
 from slowflow import Duffing, Isolator, Oscillator, derive, exact
+from slowflow.answers.results import Remark
 from slowflow.exact.motion import Forced, advance
-from slowflow.results import Remark
 from slowflow.sizing import tolerances
 from slowflow_kernels import duffing
 from slowflow_kernels.conventions import MovesStatus, Status

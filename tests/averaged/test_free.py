@@ -8,7 +8,7 @@ import pytest
 import sympy as sp
 
 from slowflow import Duffing, derive
-from slowflow.results import Remark
+from slowflow.answers.results import Remark
 
 U = 2.0**-53
 LAWS = {

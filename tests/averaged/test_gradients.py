@@ -9,7 +9,7 @@ import pytest
 from mpmath import mp
 
 from slowflow import Duffing, Isolator, example
-from slowflow.backend import SOLVER
+from slowflow.core.backend import SOLVER
 from slowflow_kernels.conventions import MovesStatus, Pinned
 from tests.averaged.test_certified_cases import CENTRED, of_record
 from tests.files import stored

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from slowflow import Duffing, Isolator, derive, example
+from slowflow.answers.results import Remark
 from slowflow.averaged import solvers
-from slowflow.results import Remark
 from slowflow_kernels import den_hartog
 from slowflow_kernels.conventions import Status
 from tests.averaged.test_certified_cases import on_a_base

@@ -10,7 +10,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from slowflow import Duffing, Isolator, isolating, scenes
+from slowflow import Duffing, Isolator
+from slowflow.app import scenes
+from slowflow.averaged import isolating
 from slowflow.support.errors import Refused
 from slowflow_kernels.conventions import Status
 from tests.oracles import by_time

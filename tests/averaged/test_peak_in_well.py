@@ -9,7 +9,7 @@ import pytest
 import sympy as sp
 
 from slowflow import Duffing, derive
-from slowflow.results import Remark
+from slowflow.answers.results import Remark
 from slowflow_kernels.conventions import Status
 from tests.sampling import slow
 

@@ -6,10 +6,11 @@ import pickle
 import numpy as np
 import pytest
 
-from slowflow import Duffing, backend
+from slowflow import Duffing
 from slowflow.averaged import plan, solvers
+from slowflow.core import backend
+from slowflow.core.model import Model
 from slowflow.example import TABLE_1, isolator
-from slowflow.model import Model
 from slowflow_kernels import duffing, rod_spring
 
 

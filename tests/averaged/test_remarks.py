@@ -11,11 +11,11 @@ import sympy as sp
 from scipy.integrate import solve_ivp
 
 from slowflow import Duffing, Isolator, Oscillator, derive
+from slowflow.answers.certificate import DOUBLES
+from slowflow.answers.results import Remark
 from slowflow.averaged import diagnostics, proofs
-from slowflow.certificate import DOUBLES
 from slowflow.exact import shooting
 from slowflow.example import TABLE_1
-from slowflow.results import Remark
 from slowflow_kernels import duffing
 from slowflow_kernels.conventions import Status
 from tests.oracles import averaged, counts

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from slowflow.backend import SOLVER
+from slowflow.core.backend import SOLVER
 from tests.native.roots import Solver, build, why_not
 from tests.oracles.frequencies import KINDS, U, relative_error, roots, stress_cases
 from tests.sampling import fewer, slow

@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 
 from slowflow import Duffing, Isolator
+from slowflow.answers.results import Remark
 from slowflow.averaged import diagnostics
 from slowflow.example import TABLE_1, isolator
-from slowflow.results import Remark
 from tests.files import stored
 from tests.oracles.errors import error
 

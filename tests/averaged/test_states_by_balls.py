@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 from slowflow import Duffing, Isolator
+from slowflow.answers.results import Remark
 from slowflow.averaged import proofs, solvers
 from slowflow.averaged.many import AMPLITUDES
-from slowflow.results import Remark
 from slowflow_kernels.conventions import Status
 from tests.oracles import averaged, counts
 from tests.sampling import slow

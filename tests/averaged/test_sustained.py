@@ -10,11 +10,11 @@ import sympy as sp
 from scipy.integrate import quad
 
 from slowflow import Duffing, derive
+from slowflow.answers.results import Remark
 from slowflow.averaged.sustained import free_motions, unsustained
+from slowflow.core.model import SlowFlow
 from slowflow.exact import shooting
-from slowflow.isolator import DUFFING
-from slowflow.model import SlowFlow
-from slowflow.results import Remark
+from slowflow.oscillators.isolator import DUFFING
 
 SOFTENING = Duffing(1.0, -0.1, zeta=0.022)
 

@@ -11,11 +11,11 @@ import numpy as np
 import pytest
 
 from slowflow import Duffing, Isolator
+from slowflow.answers.certificate import DOUBLES
+from slowflow.answers.results import Remark
 from slowflow.averaged import proofs, solvers
 from slowflow.averaged.many import PROVED_FOLDS, PROVED_STATES, SADDLE_NODES
-from slowflow.certificate import DOUBLES
-from slowflow.oscillator import Oscillator
-from slowflow.results import Remark
+from slowflow.oscillators.oscillator import Oscillator
 from slowflow.support.errors import NotSettled
 from slowflow_kernels import duffing
 from slowflow_kernels.conventions import Status

@@ -14,8 +14,8 @@ from mpmath import mp, mpf
 from scipy.special import roots_legendre
 
 from slowflow import Isolator
+from slowflow.answers.results import Remark
 from slowflow.example import DESIGN
-from slowflow.results import Remark
 from slowflow_kernels import rod_spring, rod_spring_untruncated
 from tests.oracles import kernels
 from tests.oracles.answers import Nearby, errors

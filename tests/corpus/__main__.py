@@ -20,7 +20,7 @@ from typing import Any
 
 import numpy as np
 
-from slowflow.cli import info
+from slowflow.app.cli import info
 from tests.corpus.families import FAMILIES
 from tests.corpus.record import differences, reduced
 

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from slowflow import SlowflowError
-from slowflow.answer import Answer
+from slowflow.answers.answer import Answer
 from slowflow.averaged.batches import Batch
 
 #: numbers of a column that are kept by value

@@ -14,7 +14,7 @@ from derivations.paper.equation_of_motion import oscillator
 from derivations.paper.restoring_force import restoring
 from derivations.symbols import A
 from slowflow import derive
-from slowflow.cli import main
+from slowflow.app.cli import main
 from slowflow.exact import steady_state, sweep
 from tests.files import ROOT
 from tests.oracles.exact_reference import again

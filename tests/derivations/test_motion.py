@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from slowflow.mechanism import Force
+from slowflow.core.mechanism import Force
 from slowflow_kernels import duffing, motion, rod_spring, rod_spring_untruncated
 
 COMPLEX_STEP = 1e-100  # the derivative of an analytic expression is exact to rounding for any step this small

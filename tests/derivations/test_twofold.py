@@ -10,7 +10,7 @@ import sympy as sp
 
 from derivations.codegen import compensated
 from derivations.codegen.compensated import Exact, magnitude
-from slowflow.backend import SOLVER as roots
+from slowflow.core.backend import SOLVER as roots
 from slowflow.support import twofold
 from slowflow_kernels import frequencies
 from tests.sampling import fewer

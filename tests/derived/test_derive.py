@@ -26,7 +26,7 @@ import sympy as sp
 from scipy.integrate import solve_ivp
 
 from slowflow import Duffing, SlowflowError, derive, include
-from slowflow.cli import main
+from slowflow.app.cli import main
 from tests.sampling import slow
 
 u, k_1, k_2, gap, alpha, beta = sp.symbols("u k_1 k_2 gap alpha beta")
@@ -557,7 +557,11 @@ def test_a_folder_that_is_made_is_for_the_user_alone(tmp_path):
         ({"parameters": {"out": {}}}, ValueError, "parameter 'out' is not allowed"),
         ({"parameters": {"short": {}}}, ValueError, "it is a word of C"),
         *(
-            ({"pieces": [(sp.Symbol(name) * u, None)], "parameters": {name: {}}}, ValueError, "an attribute of that name")
+            (
+                {"pieces": [(sp.Symbol(name) * u, None)], "parameters": {name: {}}},
+                ValueError,
+                "an attribute of that name",
+            )
             for name in ("mu_s", "model", "peak")
         ),
         ({"parameters": {"k_1": {"over": 0}}}, ValueError, "'over' is not allowed"),

@@ -10,9 +10,10 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from slowflow import Duffing, backend, derive
-from slowflow.model import break_loose
-from slowflow.results import Remark
+from slowflow import Duffing, derive
+from slowflow.answers.results import Remark
+from slowflow.core import backend
+from slowflow.core.model import break_loose
 from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import Status
 from tests.files import stored

@@ -11,7 +11,8 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from slowflow import backend, derive, exact, include
+from slowflow import derive, exact, include
+from slowflow.core import backend
 from slowflow_kernels.conventions import Status
 from tests.derived.test_forces import ABOVE_0, CASES, DAMPING, FORCES, c, derived, k, u
 from tests.native.compiler import COMPILER

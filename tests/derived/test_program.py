@@ -16,7 +16,8 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from slowflow import backend, derive
+from slowflow import derive
+from slowflow.core import backend
 from slowflow_kernels.program_conventions import MOST_REGISTERS, Operation
 from tests.derived.test_forces import FORCES
 from tests.native.compiler import COMPILER

@@ -12,9 +12,10 @@ import pytest
 import sympy as sp
 from scipy.integrate import solve_ivp
 
-from slowflow import backend, derive
+from slowflow import derive
+from slowflow.core import backend
+from slowflow.core.validate import NotAvailable
 from slowflow.support.errors import NotSettled
-from slowflow.validate import NotAvailable
 from tests.files import stored
 from tests.native.records import bent
 

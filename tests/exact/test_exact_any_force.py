@@ -16,9 +16,9 @@ from derivations.codegen.targets.program import motion
 from derivations.codegen.views import templates
 from derivations.symbols import u
 from slowflow import derive, include
-from slowflow.backend import EXACT
+from slowflow.core.backend import EXACT
+from slowflow.core.mechanism import Force, Law, Piece
 from slowflow.exact import EquationOfMotion, exact_response, steady_state
-from slowflow.mechanism import Force, Law, Piece
 from slowflow_kernels.exact_conventions import Event
 from tests.derivations.test_taylor import CONSTANTS, a, b, fake_module, slope_of
 from tests.derivations.test_taylor import FORCES as EVERY

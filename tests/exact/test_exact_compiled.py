@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 
 from slowflow import Duffing, Isolator
-from slowflow.backend import EXACT
+from slowflow.core.backend import EXACT
+from slowflow.core.mechanism import Force
 from slowflow.exact import EquationOfMotion, exact_response, linear, steady_state, sweep
 from slowflow.exact.continuation import Path
 from slowflow.exact.motion import Forced, follow, recurrences
 from slowflow.exact.shooting import converge, lengths
 from slowflow.example import TABLE_1
-from slowflow.mechanism import Force
 from slowflow_kernels import rod_spring
 from slowflow_kernels.exact_conventions import Event
 from tests.oracles.exact_cases import random_cases, random_motions

@@ -11,9 +11,9 @@ from scipy.integrate import cumulative_trapezoid, solve_ivp
 from scipy.optimize import brentq
 
 from slowflow import Duffing, Isolator, derive, exact
+from slowflow.answers.results import Remark
 from slowflow.exact import EquationOfMotion, half_sine, linear, record, transient
 from slowflow.example import isolator
-from slowflow.results import Remark
 from slowflow_kernels.conventions import Status
 from tests.oracles import by_time
 

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from slowflow import Duffing, Isolator, derive
+from slowflow.answers.results import NOT_ASKED, SteadyStates
 from slowflow.averaged.questions import Averaged
 from slowflow.exact import steady_state
 from slowflow.exact.measure import AT_REST, BORN, NO_MOTION, TAKEN, states
 from slowflow.example import isolator
-from slowflow.results import NOT_ASKED, SteadyStates
 from slowflow_kernels import den_hartog
 from tests.oracles.by_time import last_turn, settled
 from tests.oracles.exact_reference import ScipyIntegrator, again

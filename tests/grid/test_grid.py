@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 
 from slowflow import Duffing, Isolator, Oscillator
-from slowflow.results import Remark
+from slowflow.answers.results import Remark
 from slowflow_kernels import rod_spring
 from slowflow_kernels.conventions import FoldKind, OnsetKind, Status
 from tests.files import Lazily

@@ -9,7 +9,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from slowflow.intervals import Elementary, Interval
+from slowflow.core.intervals import Elementary, Interval
 from tests.files import stored
 from tests.native import intervals
 from tests.sampling import fewer

@@ -13,7 +13,7 @@ import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.optimize import minimize_scalar
 
-from slowflow.oscillator import Oscillator
+from slowflow.oscillators.oscillator import Oscillator
 from slowflow_kernels import bilinear
 
 K_1, K_2, D, MU, ZETA = 1.0, 9.0, 0.2, 0.01, 0.03  # K_1 is the unit of stiffness

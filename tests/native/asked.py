@@ -25,6 +25,6 @@ class Finder:
 sys.meta_path.insert(0, Finder)
 sys.modules["flint"] = None  # what balls are asked takes minutes, and nothing of it is compiled here
 
-from slowflow import backend  # noqa: E402
+from slowflow.core import backend  # noqa: E402
 
 assert Path(backend.SOLVER.__file__).parent == Path(backend.EXACT.__file__).parent == FOLDER

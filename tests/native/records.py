@@ -18,7 +18,7 @@ FromNumbers = ctypes.CFUNCTYPE(ctypes.c_int, Doubles, Doubles)
 FromDesign = ctypes.CFUNCTYPE(ctypes.c_int, Self, Doubles, Doubles)
 Fill = ctypes.CFUNCTYPE(None, Self, Doubles, Doubles)
 Averages = ctypes.CFUNCTYPE(None, Self, ctypes.c_ssize_t, Doubles, Doubles, Doubles)
-NAME = b"slowflow.mechanism"
+NAME = b"slowflow.core.mechanism"
 
 
 class Interval(ctypes.Structure):

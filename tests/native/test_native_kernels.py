@@ -25,7 +25,7 @@ import numpy as np
 import pytest
 
 from derivations.codegen.arctangent import series
-from slowflow.backend import SOLVER as roots
+from slowflow.core.backend import SOLVER as roots
 from slowflow.example import DESIGN
 from slowflow.support import backend as support
 from slowflow_kernels import MODULES, rod_spring, slow_flow

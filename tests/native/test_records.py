@@ -11,8 +11,9 @@ import numpy as np
 import pytest
 
 from derivations.mechanisms import DAMPING, FORCING, all_mechanisms
-from slowflow import Duffing, backend
-from slowflow.model import Model
+from slowflow import Duffing
+from slowflow.core import backend
+from slowflow.core.model import Model
 from slowflow_kernels import duffing, slow_flow
 from tests.native import records, roots
 from tests.oracles.stated import Stated

@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from slowflow import backend
+from slowflow.core import backend
 from tests.files import ROOT
 
 NATIVE = ROOT / "src" / "slowflow" / "native"
@@ -54,7 +54,7 @@ def test_no_question_does_in_c_what_c_does_not_define(tmp_path):
     chosen = "-k", "test_there_is_an_answer and not pictures"
     options = "-q", "-s", "-n0", "-p", "no:cacheprovider", "-p", "tests.native.asked", *chosen
     done = subprocess.run(
-        [sys.executable, "-m", "pytest", *options, "tests/oscillator/test_any_input.py"],
+        [sys.executable, "-m", "pytest", *options, "tests/oscillators/test_any_input.py"],
         cwd=ROOT,
         env={
             **os.environ,

@@ -8,7 +8,7 @@ import pytest
 import sympy as sp
 
 from slowflow import derive
-from slowflow.intervals import Interval
+from slowflow.core.intervals import Interval
 from slowflow.off_centre.means import Steps
 
 u, k, g, q, d, p, z = sp.symbols("u k g q d p z")

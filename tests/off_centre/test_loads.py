@@ -12,7 +12,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from slowflow import Duffing, Isolator, derive
-from slowflow.checks import APART, ISOLA
+from slowflow.averaged.checks import APART, ISOLA
 from slowflow.example import isolator
 from slowflow_kernels.conventions import Status
 

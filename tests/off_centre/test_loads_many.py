@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from slowflow import Duffing, Isolator
-from slowflow.results import Remark
+from slowflow.answers.results import Remark
 from slowflow_kernels.conventions import Status
 from tests.sampling import slow
 

@@ -18,15 +18,15 @@ from scipy.optimize import brentq
 from scipy.spatial import cKDTree
 
 from slowflow import Duffing, Isolator, Oscillator, derive
-from slowflow.backend import SOLVER
+from slowflow.answers.results import Remark, SteadyStates
+from slowflow.core.backend import SOLVER
+from slowflow.core.model import Model
 from slowflow.example import TABLE_1, isolator
-from slowflow.isolator import ROD_SPRING
-from slowflow.model import Model
 from slowflow.off_centre import answers
 from slowflow.off_centre.means import ORDERS, Steps
 from slowflow.off_centre.questions import OffCentre
 from slowflow.off_centre.turning_points import Charts
-from slowflow.results import Remark, SteadyStates
+from slowflow.oscillators.isolator import ROD_SPRING
 from slowflow.support.errors import NotSettled
 from slowflow_kernels import duffing, rod_spring
 from slowflow_kernels.conventions import Status

@@ -7,11 +7,11 @@ import sympy as sp
 from scipy.optimize import brentq
 
 from slowflow import Duffing, Isolator
+from slowflow.core.model import Laws
+from slowflow.core.validate import NotAvailable
 from slowflow.example import TABLE_1
-from slowflow.model import Laws
 from slowflow.off_centre.flow import Flow
 from slowflow.sizing import tolerances
-from slowflow.validate import NotAvailable
 from slowflow_kernels.duffing import MECHANISM
 from tests.oracles.by_time import mean_and_first
 from tests.slopes import assert_slopes_are_differences

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from slowflow import Duffing, Isolator, Oscillator
+from slowflow.answers.results import Remark
 from slowflow.example import TABLE_1
-from slowflow.isolator import ROD_SPRING
-from slowflow.results import Remark
+from slowflow.oscillators.isolator import ROD_SPRING
 from slowflow_kernels.conventions import Status
 
 

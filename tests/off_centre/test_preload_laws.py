@@ -9,7 +9,7 @@ import pytest
 import sympy as sp
 
 from slowflow import Duffing, derive
-from slowflow.results import Remark
+from slowflow.answers.results import Remark
 from tests.oracles.by_time import largest
 
 u, k, c, gap = sp.symbols("u k c gap")

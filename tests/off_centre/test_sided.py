@@ -11,10 +11,10 @@ import sympy as sp
 from scipy.optimize import brentq
 
 from slowflow import Duffing, derive, exact
+from slowflow.answers.results import Remark
+from slowflow.core.validate import NotAvailable
 from slowflow.exact.motion import Forced, follow
 from slowflow.off_centre.means import ORDERS, Steps
-from slowflow.results import Remark
-from slowflow.validate import NotAvailable
 from slowflow_kernels.conventions import Status
 from tests.off_centre.test_off_centre import mean
 from tests.oracles import exact_reference

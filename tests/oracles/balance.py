@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
-from slowflow.model import Floats, Model
+from slowflow.core.model import Floats, Model
 from slowflow_kernels import inertia
 from slowflow_kernels import second_approximation as kernels
 

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slowflow.mechanism import Floats, Law, Piece
+from slowflow.core.mechanism import Floats, Law, Piece
 from slowflow_kernels.exact_conventions import FAR, Event
 
 MOST_STEPS, CHUNK = 200_000, 20_000  # steps between two looks at Ctrl-C: some hundredths of a second

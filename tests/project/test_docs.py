@@ -22,9 +22,10 @@ from scipy.integrate import quad
 
 from docs import api
 from docs.site import docstrings
-from slowflow import Remark, cli, starters
+from slowflow import Remark
+from slowflow.answers.results import State
+from slowflow.app import cli, starters
 from slowflow.averaged.questions import Averaged
-from slowflow.results import State
 from slowflow_kernels.conventions import FoldKind, OnsetKind, Status
 from tests.files import ROOT, stored
 
@@ -33,7 +34,7 @@ EXAMPLES = sorted((ROOT / "examples").glob("*.py"))
 NEEDED = {"stored_map": ("xarray", "dask", "zarr")}
 #: those of examples in the list of signatures, by module
 EXAMPLES_NEED = {
-    "slowflow.answer": ("pandas", "xarray"),
+    "slowflow.answers.answer": ("pandas", "xarray"),
     "slowflow.averaged.batches": ("xarray",),
     "slowflow.derive": ("sympy", "flint"),
     "slowflow.grid.designs": ("xarray", "dask", "zarr"),
@@ -277,7 +278,7 @@ def test_workflows_run_the_makefile_on_every_python_listed() -> None:
 
 
 #: docstrings of modules with code, and which of these need what deriving needs
-DOCUMENTED = {"slowflow.derive": "sympy", "slowflow.progress": "", "slowflow.scenes": ""}
+DOCUMENTED = {"slowflow.derive": "sympy", "slowflow.support.progress": "", "slowflow.app.scenes": ""}
 
 
 @pytest.mark.slow
@@ -296,7 +297,7 @@ def test_the_code_in_a_docstring_runs(name: str, tmp_path: Path, capsys: pytest.
         pytest.importorskip(DOCUMENTED[name])
     docstring = inspect.getdoc(import_module(name)) or ""
     code = "\n".join(line[4:] for line in docstring.splitlines() if line.startswith("    ") or not line)
-    if name != "slowflow.scenes":
+    if name != "slowflow.app.scenes":
         exec(code, {})
         return
     scene = tmp_path / "scene.toml"

@@ -14,7 +14,8 @@ import numpy as np
 import pytest
 
 from docs.site import docstrings, printed
-from slowflow import cli, example
+from slowflow import example
+from slowflow.app import cli
 from slowflow_kernels import rod_spring
 from tests.files import ROOT
 

@@ -38,7 +38,8 @@ import json
 import os
 os.environ["SLOWFLOW_DERIVED"] = "derived"
 import sympy as sp
-from slowflow import backend, derive
+from slowflow import derive
+from slowflow.core import backend
 
 u, b, k, d = sp.symbols("u b k d")
 about = {name: {"above": 0} for name in ("b", "k", "d")}
@@ -196,7 +197,7 @@ def test_with_matplotlib_scenes_and_reports_are_made(wheel: Path, tmp_path: Path
     (tmp_path / "empty").mkdir()
     # in one program, which starts once
     scenes = sorted((ROOT / "scenes").glob("*.toml"))
-    code = "import sys; from slowflow.cli import main; print([main(command.split()) for command in sys.argv[1:]])"
+    code = "import sys; from slowflow.app.cli import main; print([main(command.split()) for command in sys.argv[1:]])"
     commands = [f"run {scene} -o {scene.stem} --quiet" for scene in scenes]
     commands += [f"report {scene} -o {scene.stem}.html --quiet" for scene in scenes[:2]]
     done = run([programs / "python", "-c", code, *commands], tmp_path / "empty")

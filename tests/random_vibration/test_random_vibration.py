@@ -11,12 +11,12 @@ from scipy.integrate import quad
 from scipy.optimize import brentq
 
 from slowflow import Duffing, Isolator, Refused
-from slowflow.backend import EXACT
+from slowflow.app.scenes import read
+from slowflow.core.backend import EXACT
+from slowflow.core.mechanism import EquationOfMotion
 from slowflow.exact import motion
-from slowflow.mechanism import EquationOfMotion
 from slowflow.random_vibration.excitation import Tabulated
 from slowflow.random_vibration.record import process
-from slowflow.scenes import read
 from slowflow.support.errors import SceneError
 from slowflow_kernels.conventions import Status
 from slowflow_kernels.table_1 import TABLE_1
@@ -24,7 +24,7 @@ from tests.files import Lazily
 from tests.oracles.definitions.forces import rod_coefficients
 from tests.sampling import slow
 
-report = Lazily("slowflow.report")
+report = Lazily("slowflow.app.report")
 
 DESIGN = {name: TABLE_1[name] for name in ("lam", "r", "delta_h")}
 #: ten points over three decades, with all of a resonance within

@@ -16,9 +16,10 @@ from mpmath import mp, mpf
 from scipy.optimize import brentq
 
 from derivations.extensions.second_approximation import friction_sum
-from slowflow import Duffing, Isolator, backend
-from slowflow.answer import joined
+from slowflow import Duffing, Isolator
+from slowflow.answers.answer import joined
 from slowflow.averaged.questions import Averaged
+from slowflow.core import backend
 from slowflow.example import isolator
 from slowflow_kernels import den_hartog, second_approximation
 from slowflow_kernels.conventions import Status

@@ -10,10 +10,11 @@ import pytest
 import scipy
 from scipy.optimize import brentq
 
-from slowflow import Duffing, Isolator, derive, progress
+from slowflow import Duffing, Isolator, derive
 from slowflow.example import isolator
 from slowflow.sizing import fit, from_loop, front, meet, sobol, tolerances
 from slowflow.sizing.subject import Subject
+from slowflow.support import progress
 from slowflow.support.errors import NotSettled
 from tests.sampling import fewer
 

@@ -1,7 +1,7 @@
 """Answers about many designs: columns by the table of questions, diagnostics, gradients and tables.
 
 Invalid designs, and designs without a result, have NaN; `status` gives the reason, as a code of
-`slowflow_kernels.conventions.Status`, 0 for a result. The questions are those of `slowflow.table`.
+`slowflow_kernels.conventions.Status`, 0 for a result. The questions are those of `slowflow.answers.table`.
 """
 
 from __future__ import annotations
@@ -14,17 +14,17 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from slowflow import validate
-from slowflow.answer import Answer, frozen, optional
+from slowflow.answers.answer import Answer, frozen, optional
+from slowflow.answers.gradient import NO_GRADIENT, Gradient
+from slowflow.answers.results import NOT_AVERAGED, Remark
+from slowflow.answers.sensitivities import Design, of_isolation, of_points, of_states
+from slowflow.answers.table import AVERAGING, QUESTIONS, Question
+from slowflow.answers.transmissibility import in_motion
 from slowflow.averaged import diagnostics
-from slowflow.gradient import NO_GRADIENT, Gradient
-from slowflow.mechanism import Flags
-from slowflow.model import THROUGHOUT, Floats, SlowFlow
-from slowflow.results import NOT_AVERAGED, Remark
-from slowflow.sensitivities import Design, of_isolation, of_points, of_states
+from slowflow.core import validate
+from slowflow.core.mechanism import Flags
+from slowflow.core.model import THROUGHOUT, Floats, SlowFlow
 from slowflow.support.errors import Refused
-from slowflow.table import AVERAGING, QUESTIONS, Question
-from slowflow.transmissibility import in_motion
 from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import FoldKind, OnsetKind, Status
 from slowflow_kernels.domains import DAMPING, DISSIPATION
@@ -37,7 +37,7 @@ class Batch(Answer):
 
     question, system -- the row of the table, and the system that answers it
     asked            -- the arguments of the query, by name
-    remarks          -- flags of `slowflow.results.Remark`, as in a single answer; computed on first use
+    remarks          -- flags of `slowflow.Remark`, as in a single answer; computed on first use
 
     Columns with an axis after those of the designs, of entries, points or rows, are filled with NaN and 0 after the
     last one.
@@ -169,7 +169,7 @@ class Batch(Answer):
 
         Designs without a result are grey. Raises ValueError for another name, and for a batch that is not such a grid.
         """
-        from slowflow import pictures
+        from slowflow.answers import pictures
 
         numbers = [name for name, value in self._values.items() if value.dtype == float]
         values = np.asarray(getattr(self, validate.choice("of", of, tuple(numbers))))
@@ -252,7 +252,7 @@ class Batch(Answer):
 
     @cached_property
     def remarks(self) -> diagnostics.Codes:
-        """Diagnostics of each design's answer, flags of `slowflow.results.Remark`, as in a single answer."""
+        """Diagnostics of each design's answer, flags of `slowflow.Remark`, as in a single answer."""
         if (known := self._extra.get("remarks")) is not None:
             return frozen(known)
         found = np.where(self._has_remarks, self._designs.remarks(self._F_0, *_states(self)), np.uint16(0))

@@ -7,7 +7,7 @@ import time
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from slowflow import progress
+from slowflow.support import progress
 
 #: designs of the first part, few enough where each takes as long as any, and seconds that a part is to take at most
 FIRST_PART, TOO_LONG = 16, 0.4

@@ -13,11 +13,11 @@ from typing import Any
 
 import numpy as np
 
-from slowflow.intervals import Elementary, Interval
-from slowflow.mechanism import Flags, Mechanism
-from slowflow.model import Floats, Model
+from slowflow.core.intervals import Elementary, Interval
+from slowflow.core.mechanism import Flags, Mechanism
+from slowflow.core.model import Floats, Model
 from slowflow.support.errors import Refused
-from slowflow.text import Sentence, listed
+from slowflow.support.text import Sentence, listed
 
 INFINITE = Sentence(
     "{numbers:s}: not allowed for {name:s}, whose force is infinite or no number at |{u}| = {u:.6g}, within its reach "

@@ -13,12 +13,12 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from slowflow.answers import validity
+from slowflow.answers.results import NOTHING, Remark
 from slowflow.averaged import sustained
-from slowflow.measured import validity
-from slowflow.mechanism import Flags, Floats, by_piece
-from slowflow.model import THROUGHOUT, Model, SlowFlow
-from slowflow.results import NOTHING, Remark
-from slowflow.text import Sentence, text
+from slowflow.core.mechanism import Flags, Floats, by_piece
+from slowflow.core.model import THROUGHOUT, Model, SlowFlow
+from slowflow.support.text import Sentence, text
 from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import ENDLESS
 

@@ -21,20 +21,21 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from slowflow import backend, progress, validate
+from slowflow.answers.certificate import DOUBLES
+from slowflow.answers.results import Remark
+from slowflow.answers.table import AVERAGING, MORE_POINTS, QUESTIONS, ManyQuestions, Unanswered
 from slowflow.averaged import diagnostics, messages, proofs, solvers
 from slowflow.averaged.batches import Batch, Codes
 from slowflow.averaged.chunks import blocks, map_chunks
 from slowflow.averaged.defined import check_defined, may_be_undefined
 from slowflow.averaged.questions import Averaged
-from slowflow.certificate import DOUBLES
-from slowflow.immutable import Unchanging
-from slowflow.mechanism import Flags, Mechanism
-from slowflow.model import THROUGHOUT, Floats, Laws, Model, SlowFlow, check_names
-from slowflow.results import Remark
+from slowflow.core import backend, validate
+from slowflow.core.mechanism import Flags, Mechanism
+from slowflow.core.model import THROUGHOUT, Floats, Laws, Model, SlowFlow, check_names
+from slowflow.support import progress
 from slowflow.support.errors import Refused
-from slowflow.table import AVERAGING, MORE_POINTS, QUESTIONS, ManyQuestions, Unanswered
-from slowflow.text import text
+from slowflow.support.immutable import Unchanging
+from slowflow.support.text import text
 from slowflow_kernels import inertia
 from slowflow_kernels.conventions import FoldKind, OnsetKind, Status
 from slowflow_kernels.domains import DAMPING, DISSIPATION

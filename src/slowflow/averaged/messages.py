@@ -11,12 +11,12 @@ from typing import Any
 
 import numpy as np
 
-from slowflow import backend
-from slowflow.answer import joined
-from slowflow.mechanism import Flags
-from slowflow.model import THROUGHOUT, Floats, Model
-from slowflow.results import NOTHING, Peak, Remark, SaddleNodeOnset
-from slowflow.text import Sentence, text, together
+from slowflow.answers.answer import joined
+from slowflow.answers.results import NOTHING, Peak, Remark, SaddleNodeOnset
+from slowflow.core import backend
+from slowflow.core.mechanism import Flags
+from slowflow.core.model import THROUGHOUT, Floats, Model
+from slowflow.support.text import Sentence, text, together
 from slowflow_kernels import dissipation, inertia
 from slowflow_kernels.conventions import CLOSE, Status
 

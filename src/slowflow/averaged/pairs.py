@@ -12,10 +12,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slowflow import validate
+from slowflow.answers.results import NOTHING
 from slowflow.averaged import messages
-from slowflow.mechanism import Floats
-from slowflow.results import NOTHING
+from slowflow.core import validate
+from slowflow.core.mechanism import Floats
 
 
 class Pairs(NamedTuple):

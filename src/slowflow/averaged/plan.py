@@ -10,12 +10,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from types import MappingProxyType
 
-from slowflow import validate
+from slowflow.answers.results import Remark, SaddleNodeOnset
 from slowflow.averaged import messages, proofs
-from slowflow.model import Model
-from slowflow.results import Remark, SaddleNodeOnset
+from slowflow.core import validate
+from slowflow.core.model import Model
 from slowflow.support.errors import Refused
-from slowflow.text import Sentence, text
+from slowflow.support.text import Sentence, text
 from slowflow_kernels.conventions import CLOSE
 
 

@@ -15,13 +15,21 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from slowflow import backend
-from slowflow.answer import joined
+from slowflow.answers.answer import joined
+from slowflow.answers.certificate import DOUBLES, Proved, ProvedFolds, ProvedForcing, ProvedStates
+from slowflow.answers.results import (
+    NOTHING,
+    Cusps,
+    FrequencyResponse,
+    Remark,
+    SaddleNodeOnset,
+    SaddleNodes,
+    SteadyStates,
+)
 from slowflow.averaged import messages, solvers
-from slowflow.certificate import DOUBLES, Proved, ProvedFolds, ProvedForcing, ProvedStates
-from slowflow.mechanism import Flags
-from slowflow.model import Floats, Model
-from slowflow.results import NOTHING, Cusps, FrequencyResponse, Remark, SaddleNodeOnset, SaddleNodes, SteadyStates
+from slowflow.core import backend
+from slowflow.core.mechanism import Flags
+from slowflow.core.model import Floats, Model
 from slowflow_kernels.conventions import SAME, Status
 
 Answer = TypeVar("Answer", bound=Proved)

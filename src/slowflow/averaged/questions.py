@@ -13,14 +13,10 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
-from slowflow import validate
-from slowflow.answer import joined
-from slowflow.averaged import diagnostics, messages, pairs, plan, proofs, solvers
-from slowflow.averaged.defined import check_defined
-from slowflow.certificate import Certificate, ProvedFolds
-from slowflow.model import THROUGHOUT, Floats, Model
-from slowflow.questions import Questions
-from slowflow.results import (
+from slowflow.answers.answer import joined
+from slowflow.answers.certificate import Certificate, ProvedFolds
+from slowflow.answers.questions import Questions
+from slowflow.answers.results import (
     DRAWN,
     NOTHING,
     Cusps,
@@ -34,11 +30,15 @@ from slowflow.results import (
     SaddleNodes,
     SteadyStates,
 )
+from slowflow.averaged import diagnostics, messages, pairs, plan, proofs, solvers
+from slowflow.averaged.defined import check_defined
+from slowflow.core import validate
+from slowflow.core.model import THROUGHOUT, Floats, Model
 from slowflow.support.errors import OutOfRange, Refused
 from slowflow_kernels import dissipation
 
 if TYPE_CHECKING:
-    from slowflow.mechanism import Reals
+    from slowflow.core.mechanism import Reals
 
 State = TypeVar("State", FrequencyResponse, SteadyStates)
 NONE = np.empty(0)
@@ -463,7 +463,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         ImportError
             Without Matplotlib.
         """
-        from slowflow import pictures
+        from slowflow.answers import pictures
 
         forcings = validate.several("F_0", F_0)
         validate.choice("of", of, DRAWN)

@@ -8,10 +8,7 @@ from operator import add
 
 import numpy as np
 
-from slowflow import backend
-from slowflow.averaged import messages
-from slowflow.model import Floats, Model
-from slowflow.results import (
+from slowflow.answers.results import (
     NOTHING,
     Cusps,
     Detachment,
@@ -23,6 +20,9 @@ from slowflow.results import (
     SaddleNodes,
     SteadyStates,
 )
+from slowflow.averaged import messages
+from slowflow.core import backend
+from slowflow.core.model import Floats, Model
 from slowflow.support.errors import NotSettled, OutOfRange
 from slowflow_kernels import dissipation
 from slowflow_kernels.conventions import STATIC_MULTIPLE, OnsetKind, Status

@@ -19,8 +19,8 @@ from typing import Any
 
 import numpy as np
 
-from slowflow.mechanism import Flags, Floats, Mechanism, by_piece
-from slowflow.model import SlowFlow
+from slowflow.core.mechanism import Flags, Floats, Mechanism, by_piece
+from slowflow.core.model import SlowFlow
 from slowflow_kernels import slow_flow
 
 #: how far from a state, relative in amplitude and in frequency, a motion that is sustained counts as near it; the

@@ -5,11 +5,11 @@ friction, viscous damping) and its excitation. The times of slip, stick and deta
 smoothed.
 """
 
+from slowflow.core.mechanism import EquationOfMotion, Force, Law, Piece, linear
 from slowflow.exact.response import Fold, Response, exact_response
 from slowflow.exact.shooting import SteadyState, steady_state
 from slowflow.exact.sweep import Sweep, sweep
 from slowflow.exact.transient import ShockSpectrum, Transient, half_sine, record, transient
-from slowflow.mechanism import EquationOfMotion, Force, Law, Piece, linear
 
 __all__ = [
     "EquationOfMotion",

@@ -16,13 +16,13 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from slowflow.backend import EXACT
+from slowflow.core.backend import EXACT
+from slowflow.core.mechanism import Floats
 from slowflow.exact.cycle import Cycle, Equations, closed_cycle
 from slowflow.exact.motion import Forced, follow, handle, spend, steps_left
 from slowflow.exact.shooting import SteadyState
-from slowflow.mechanism import Floats
 from slowflow.support.errors import NotSettled
-from slowflow.text import text
+from slowflow.support.text import text
 from slowflow_kernels.exact_conventions import ALONG
 
 STEP = 0.02  # largest step: relative in u_0, radians in theta_0, half of it in Omega

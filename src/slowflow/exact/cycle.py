@@ -21,11 +21,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from slowflow.backend import EXACT
+from slowflow.core.backend import EXACT
+from slowflow.core.mechanism import EquationOfMotion, Floats
 from slowflow.exact.motion import Forced, Phase, advance, edge_ahead, follow, handle, signature, spend, steps_left
-from slowflow.mechanism import EquationOfMotion, Floats
 from slowflow.support.errors import NotSettled
-from slowflow.text import text
+from slowflow.support.text import text
 from slowflow_kernels import motion
 from slowflow_kernels.exact_conventions import MOST_NEWTON, ON_TIME, OVER_END, TOLERANCE, ExtraKind
 

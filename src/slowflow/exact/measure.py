@@ -15,10 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from slowflow.exact import response, shooting
-from slowflow.exact.motion import limited
-from slowflow.mechanism import EquationOfMotion, Floats, Force
-from slowflow.results import (
+from slowflow.answers.results import (
     Detachment,
     Measured,
     MeasuredFolds,
@@ -27,8 +24,11 @@ from slowflow.results import (
     SaddleNodes,
     SteadyStates,
 )
+from slowflow.core.mechanism import EquationOfMotion, Floats, Force
+from slowflow.exact import response, shooting
+from slowflow.exact.motion import limited
 from slowflow.support.errors import NotSettled
-from slowflow.text import text
+from slowflow.support.text import text
 
 #: motions nearer to each other than this, relative in amplitude, are one
 MATCHES = 1e-8

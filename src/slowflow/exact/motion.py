@@ -26,12 +26,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slowflow.backend import EXACT
-from slowflow.mechanism import EquationOfMotion, Floats, Force, Law, Piece, followed
-from slowflow.model import THROUGHOUT
+from slowflow.core.backend import EXACT
+from slowflow.core.mechanism import EquationOfMotion, Floats, Force, Law, Piece, followed
+from slowflow.core.model import THROUGHOUT
 from slowflow.sampled import rows
 from slowflow.support.errors import NotSettled, Refused
-from slowflow.text import Sentence, text
+from slowflow.support.text import Sentence, text
 from slowflow_kernels import motion
 from slowflow_kernels.exact_conventions import FAR, MOST_PHASES, Outcome
 

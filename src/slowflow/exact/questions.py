@@ -10,20 +10,20 @@ from typing import Any
 
 import numpy as np
 
-from slowflow import validate
-from slowflow.answer import joined
+from slowflow.answers.answer import joined
+from slowflow.answers.results import Remark
 from slowflow.averaged.diagnostics import MESSAGES
+from slowflow.core import validate
+from slowflow.core.mechanism import EquationOfMotion
+from slowflow.core.model import Loaded
 from slowflow.exact import response, shooting
 from slowflow.exact.motion import check_forcing, must_stick, stays_at_rest, sticking_message
 from slowflow.exact.sweep import Sweep
 from slowflow.exact.sweep import sweep as exact_sweep
 from slowflow.exact.transient import AFTER, NO_PULSE, Arc, ShockSpectrum, Transient, half_sine, record, shock_spectrum
 from slowflow.exact.transient import transient as exact_transient
-from slowflow.mechanism import EquationOfMotion
-from slowflow.model import Loaded
-from slowflow.results import Remark
 from slowflow.support.errors import NotSettled, Refused
-from slowflow.text import Sentence, text
+from slowflow.support.text import Sentence, text
 from slowflow_kernels import inertia
 
 #: distance, relative in amplitude and frequency, from which on the averaged points are those of another curve
@@ -66,7 +66,7 @@ Guess = tuple[tuple[float, float], float]
 
 @dataclass(frozen=True)
 class Motions:
-    """What is asked of an oscillator's motions: `slowflow.oscillator.Oscillator` has each question by its name.
+    """What is asked of an oscillator's motions: `slowflow.Oscillator` has each question by its name.
 
     averaged -- the oscillator, or its `OffCentre`: averaged answers, which are guesses
     system   -- its equation of motion

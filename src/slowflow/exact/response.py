@@ -13,14 +13,14 @@ from typing import Any, ClassVar, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from slowflow.answer import Drawn, Table
+from slowflow.answers.answer import Drawn, Table
+from slowflow.answers.transmissibility import Transmitted
+from slowflow.core.mechanism import EquationOfMotion, Flags, Floats
 from slowflow.exact.continuation import FOLDS, STEP, LostCurve, Path, Point, is_same
 from slowflow.exact.motion import Forced, OutOfWork, check_forcing, limited
 from slowflow.exact.shooting import Limit, SteadyState, converge, describe, lengths, steady_state
-from slowflow.mechanism import EquationOfMotion, Flags, Floats
 from slowflow.support.errors import NotSettled, Refused
-from slowflow.text import text
-from slowflow.transmissibility import Transmitted
+from slowflow.support.text import text
 
 NEAR_TOP = 0.9  # fraction of the highest point's amplitude above which a segment of the curve may contain its peak
 PARTLY = "a part of the curve only: "

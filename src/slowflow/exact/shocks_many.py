@@ -7,18 +7,19 @@ from typing import Any
 
 import numpy as np
 
-from slowflow import progress, validate
+from slowflow.answers.results import Remark
 from slowflow.averaged.batches import Batch
 from slowflow.averaged.chunks import map_chunks
 from slowflow.averaged.many import Designs, failed
-from slowflow.backend import EXACT
+from slowflow.core import validate
+from slowflow.core.backend import EXACT
+from slowflow.core.mechanism import Floats
 from slowflow.exact import questions
 from slowflow.exact.motion import MOST_STEPS, MOST_WORK, design_rows, recurrences, system_of
 from slowflow.exact.transient import AFTER, NO_PULSE, half_sine, record, transient
-from slowflow.mechanism import Floats
-from slowflow.results import Remark
+from slowflow.support import progress
 from slowflow.support.errors import Refused
-from slowflow.text import text
+from slowflow.support.text import text
 from slowflow_kernels.conventions import Status
 from slowflow_kernels.exact_conventions import Outcome
 
@@ -42,7 +43,7 @@ def answer(
     at_rest: AtRest,
     batch: Callable[..., Batch] = Batch,
 ) -> Batch:
-    """See `shock_spectrum` and `transient` of `slowflow.table.ManyQuestions`.
+    """See `shock_spectrum` and `transient` of `slowflow.answers.table.ManyQuestions`.
 
     at_rest -- of one design, from its numbers by name, what has its equilibria
     batch   -- what an answer is

@@ -14,14 +14,14 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from slowflow.answer import Answer, in_values
+from slowflow.answers.answer import Answer, in_values
+from slowflow.answers.transmissibility import Transmitted, validated
+from slowflow.core.mechanism import EquationOfMotion, Floats
 from slowflow.exact import motion
 from slowflow.exact.cycle import Cycle, closed_cycle, required_half_turns, sticks_at_jump
 from slowflow.exact.motion import TURN, Forced, Phase, check_forcing, check_numbers, follow, limited
-from slowflow.mechanism import EquationOfMotion, Floats
 from slowflow.support.errors import NotSettled, Refused
-from slowflow.text import Sentence
-from slowflow.transmissibility import Transmitted, validated
+from slowflow.support.text import Sentence
 
 MOST_TURNS = 3000  # of the forcing, before time stepping gives up
 DIVERGENCE_TURNS = 30  # over which motions that begin next to each other are compared

@@ -11,13 +11,13 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from slowflow.answer import Drawn, Table, entry
+from slowflow.answers.answer import Drawn, Table, entry
+from slowflow.core.mechanism import EquationOfMotion, Flags, Floats
 from slowflow.exact.continuation import Path, Point, passed_fold
 from slowflow.exact.motion import Forced, check_numbers, limited, stops
 from slowflow.exact.shooting import SteadyState, at_rest, continue_stepping, converge, largest, lengths
-from slowflow.mechanism import EquationOfMotion, Flags, Floats
 from slowflow.support.errors import Refused
-from slowflow.text import text
+from slowflow.support.text import text
 
 #: largest step along a branch that is followed from frequency to frequency: it is bent as its tangents say
 STEP = 0.1

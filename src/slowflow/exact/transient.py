@@ -14,12 +14,12 @@ from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 
-from slowflow.answer import Drawn, Table, entry
-from slowflow.backend import EXACT
+from slowflow.answers.answer import Drawn, Table, entry
+from slowflow.core.backend import EXACT
+from slowflow.core.mechanism import EquationOfMotion, Flags, Floats
 from slowflow.exact.motion import MOST_STEPS, MOST_WORK, TURN, Forced, Phase, handle, limited, lost, sample, spend
-from slowflow.mechanism import EquationOfMotion, Flags, Floats
 from slowflow.support.errors import NotSettled
-from slowflow.text import Sentence, text
+from slowflow.support.text import Sentence, text
 from slowflow_kernels.exact_conventions import BACK, MOST_TURNS, Outcome
 
 NO_PULSE = text("a pulse needs either its duration, of a half sine, or {tau}, the times of a record")

@@ -7,11 +7,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from slowflow import validate
-from slowflow.designs import Designs
-from slowflow.mechanism import Mechanism
-from slowflow.model import THROUGHOUT, WITH_MEAN, off_centre_by
-from slowflow.table import ManyQuestions
+from slowflow.answers.table import ManyQuestions
+from slowflow.core import validate
+from slowflow.core.mechanism import Mechanism
+from slowflow.core.model import THROUGHOUT, WITH_MEAN, off_centre_by
+from slowflow.grid.many import Designs
 from slowflow_kernels.domains import EXCITATIONS, RUBS
 
 

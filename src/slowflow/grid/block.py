@@ -15,14 +15,14 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from slowflow import backend
-from slowflow.designs import Designs
-from slowflow.mechanism import Mechanism
-from slowflow.model import THROUGHOUT
+from slowflow.answers.results import Remark
+from slowflow.answers.table import AVERAGING, COLUMNS, MORE_POINTS, OFFSET, QUESTIONS, ManyQuestions, Question
+from slowflow.core import backend
+from slowflow.core.mechanism import Mechanism
+from slowflow.core.model import THROUGHOUT
+from slowflow.grid.many import Designs
 from slowflow.off_centre.many import OffCentreDesigns
-from slowflow.results import Remark
 from slowflow.second.many import SecondDesigns
-from slowflow.table import AVERAGING, COLUMNS, MORE_POINTS, OFFSET, QUESTIONS, ManyQuestions, Question
 from slowflow.version import __version__
 from slowflow_kernels.conventions import FoldKind, Status
 from slowflow_kernels.domains import DAMPING, DISSIPATION

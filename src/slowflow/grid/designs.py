@@ -13,19 +13,19 @@ from typing import Any
 
 import numpy as np
 
-from slowflow import validate
-from slowflow.answer import optional
+from slowflow.answers.answer import optional
+from slowflow.answers.table import AVERAGING, OFFSET, QUESTIONS, SECOND, ManyQuestions, Question
+from slowflow.core import validate
+from slowflow.core.mechanism import Mechanism
+from slowflow.core.model import AT_CENTRE, THROUGHOUT, check_names, off_centre_by
 from slowflow.exact.transient import NO_PULSE
 from slowflow.grid.block import INNER, Ask, lengths, made_by, of_column, of_map
-from slowflow.immutable import Unchanging
-from slowflow.mechanism import Mechanism
-from slowflow.model import AT_CENTRE, THROUGHOUT, check_names, off_centre_by
 from slowflow.off_centre.many import check_polynomial
 from slowflow.random_vibration.questions import excited_by
 from slowflow.second.many import UNANSWERED
 from slowflow.support.errors import Refused, WrongType
-from slowflow.table import AVERAGING, OFFSET, QUESTIONS, SECOND, ManyQuestions, Question
-from slowflow.text import text
+from slowflow.support.immutable import Unchanging
+from slowflow.support.text import text
 from slowflow_kernels.domains import DISSIPATION
 
 __all__ = ["Grid"]

@@ -22,9 +22,9 @@ import xarray
 import zarr
 from dask.callbacks import Callback
 
-from slowflow import progress
+from slowflow.core.model import THROUGHOUT
 from slowflow.grid.block import INNER, NOT_YET, Ask, of_column, of_map
-from slowflow.model import THROUGHOUT
+from slowflow.support import progress
 from slowflow.support.errors import Refused
 
 #: which blocks are written; it is made last, so that a store which has it is prepared

@@ -1,6 +1,6 @@
 """Answers about offset motions: equilibria, and gradients of numbers with a mean displacement B.
 
-The other answers are those of `slowflow.results`, with B and the load.
+The other answers are those of `slowflow.answers.results`, with B and the load.
 """
 
 from __future__ import annotations
@@ -9,17 +9,17 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, ClassVar, NoReturn
 
-from slowflow import validate
-from slowflow.answer import Table, entry
-from slowflow.gradient import Gradient
-from slowflow.isolating import Level
-from slowflow.mechanism import Flags
-from slowflow.model import Floats, Model
+from slowflow.answers.answer import Table, entry
+from slowflow.answers.gradient import Gradient
+from slowflow.answers.results import NOT_MEASURED, Remark
+from slowflow.answers.sensitivities import pinned
+from slowflow.answers.table import QUESTIONS
+from slowflow.averaged.isolating import Level
+from slowflow.core import validate
+from slowflow.core.mechanism import Flags
+from slowflow.core.model import Floats, Model
 from slowflow.off_centre import sensitivities
 from slowflow.off_centre.sensitivities import Design
-from slowflow.results import NOT_MEASURED, Remark
-from slowflow.sensitivities import pinned
-from slowflow.table import QUESTIONS
 
 #: the numbers of an answer that move with the parameters, by question
 NUMBERS: Mapping[str, tuple[str, ...]] = {

@@ -14,8 +14,8 @@ from typing import Any
 
 import numpy as np
 
-from slowflow.backend import SOLVER
-from slowflow.mechanism import Floats, Ints
+from slowflow.core.backend import SOLVER
+from slowflow.core.mechanism import Floats, Ints
 from slowflow.support.errors import NotSettled
 
 #: boxes that are looked at for one system: usual questions take hundreds, hard ones some ten thousand; this many take

@@ -16,10 +16,10 @@ from typing import Any
 
 import numpy as np
 
-from slowflow.backend import SOLVER
-from slowflow.intervals import ALL, Interval
-from slowflow.mechanism import Flags, Ints
-from slowflow.model import Floats
+from slowflow.core.backend import SOLVER
+from slowflow.core.intervals import ALL, Interval
+from slowflow.core.mechanism import Flags, Ints
+from slowflow.core.model import Floats
 from slowflow.off_centre.boxes import OnBoxes, Solutions, solve
 from slowflow.off_centre.flow import Flow, Slow
 from slowflow.off_centre.turning_points import EDGES, Charts

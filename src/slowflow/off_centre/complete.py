@@ -11,8 +11,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from slowflow.mechanism import Ints
-from slowflow.model import Floats
+from slowflow.core.mechanism import Ints
+from slowflow.core.model import Floats
 from slowflow.off_centre.boxes import Solutions, solve
 from slowflow.off_centre.by_turning_points import ON, ByMotion, Equations, folds, on_edges, refined, solve_edges, states
 from slowflow.off_centre.flow import Flow
@@ -20,7 +20,7 @@ from slowflow.off_centre.means import UNBOUNDED, Steps
 from slowflow.off_centre.onset import Lowest, Search
 from slowflow.off_centre.solution_sheets import FARTHEST, TOO_FAR, Corner, Sheets
 from slowflow.support.errors import NotSettled, OutOfRange, Refused
-from slowflow.text import text
+from slowflow.support.text import text
 
 #: octaves of the amplitude that are looked at above the size of the problem
 ABOVE = 8

@@ -16,11 +16,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slowflow.mechanism import Flags, Ints
-from slowflow.model import Floats
+from slowflow.core.mechanism import Flags, Ints
+from slowflow.core.model import Floats
 from slowflow.off_centre.flow import Slow
 from slowflow.support.errors import NotSettled
-from slowflow.text import Sentence
+from slowflow.support.text import Sentence
 
 #: frequencies of a cell that are asked for at first, and how often a stretch is cut where its arcs are not told apart
 FIRST, CUTS = 6, 12

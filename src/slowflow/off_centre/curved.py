@@ -22,9 +22,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slowflow.intervals import ALL, Elementary, Interval
-from slowflow.mechanism import Flags
-from slowflow.model import Floats
+from slowflow.core.intervals import ALL, Elementary, Interval
+from slowflow.core.mechanism import Flags
+from slowflow.core.model import Floats
 
 #: nodes of Gauss's rule on each panel, and its most panels between two ends
 NODES, MOST_PANELS = 16, 256

@@ -12,10 +12,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slowflow.backend import SOLVER
-from slowflow.intervals import Interval
-from slowflow.mechanism import Flags
-from slowflow.model import THROUGHOUT, Floats, SlowFlow
+from slowflow.core.backend import SOLVER
+from slowflow.core.intervals import Interval
+from slowflow.core.mechanism import Flags
+from slowflow.core.model import THROUGHOUT, Floats, SlowFlow
 from slowflow.off_centre.means import Means, Steps
 from slowflow_kernels import dissipation, inertia, off_centre, slow_flow
 

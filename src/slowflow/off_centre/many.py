@@ -13,23 +13,23 @@ from typing import Any
 
 import numpy as np
 
-from slowflow import batch_checks, checks, validate
-from slowflow.averaged import many
+from slowflow.answers.gradient import Gradient
+from slowflow.answers.results import Remark
+from slowflow.answers.table import AVERAGING, MORE_POINTS, OFFSET, QUESTIONS, SHOCKS, ManyQuestions, Unanswered
+from slowflow.averaged import batch_checks, checks, many
 from slowflow.averaged.batches import Batch
+from slowflow.averaged.checks import Spectrum
 from slowflow.averaged.many import Question, failed, kinds
 from slowflow.averaged.questions import Averaged
-from slowflow.checks import Spectrum
+from slowflow.core import validate
+from slowflow.core.mechanism import Mechanism
+from slowflow.core.model import AT_CENTRE, WITH_MEAN, Floats, Model, off_centre_by
+from slowflow.core.validate import NotAvailable
 from slowflow.exact import shocks_many
-from slowflow.gradient import Gradient
-from slowflow.mechanism import Mechanism
-from slowflow.model import AT_CENTRE, WITH_MEAN, Floats, Model, off_centre_by
 from slowflow.off_centre.answers import NUMBERS
 from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import NO_MEANS, NOT_SMOOTH
 from slowflow.off_centre.questions import OffCentre
-from slowflow.results import Remark
-from slowflow.table import AVERAGING, MORE_POINTS, OFFSET, QUESTIONS, SHOCKS, ManyQuestions, Unanswered
-from slowflow.validate import NotAvailable
 from slowflow_kernels.conventions import MovesStatus, Status
 from slowflow_kernels.domains import DAMPING
 

@@ -16,15 +16,15 @@ from typing import Any
 
 import numpy as np
 
-from slowflow import validate
-from slowflow.backend import SOLVER
-from slowflow.intervals import Elementary
-from slowflow.mechanism import Mechanism
-from slowflow.model import Floats
+from slowflow.core import validate
+from slowflow.core.backend import SOLVER
+from slowflow.core.intervals import Elementary
+from slowflow.core.mechanism import Mechanism
+from slowflow.core.model import Floats
 from slowflow.off_centre.curved import Curved, Part
 from slowflow.off_centre.smooth import SINGULAR, Beyond, check, outwards
 from slowflow.support.errors import NotSettled, Refused
-from slowflow.text import Sentence, text
+from slowflow.support.text import Sentence, text
 
 NO_MEANS = Sentence("{name:s}: offset motions are not derived for a force {what:s}")
 NEXT_TO_REST = text("a force that may jump at {u} = 0 and does not has no gradients for offset motions")

@@ -22,8 +22,8 @@ from functools import partial
 import numpy as np
 from scipy.optimize import brentq, minimize_scalar
 
-from slowflow.mechanism import Flags
-from slowflow.model import Floats
+from slowflow.core.mechanism import Flags
+from slowflow.core.model import Floats
 from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import ORDERS
 from slowflow.off_centre.solution_sheets import SIGNS, Cells, Corner, Sheets

@@ -13,15 +13,23 @@ from typing import Any, NamedTuple, TypeVar, cast
 
 import numpy as np
 
-from slowflow import checks, isolating, validate
-from slowflow.answer import joined
-from slowflow.averaged import diagnostics, messages
+from slowflow.answers.answer import joined
+from slowflow.answers.results import (
+    Detachment,
+    FrequencyResponse,
+    Peak,
+    Remark,
+    SaddleNodeOnset,
+    SaddleNodes,
+    SteadyStates,
+)
+from slowflow.averaged import checks, diagnostics, isolating, messages
+from slowflow.averaged.composed import ComposedQuestions
 from slowflow.averaged.pairs import at_pairs
 from slowflow.averaged.questions import Averaged
-from slowflow.composed import ComposedQuestions
-from slowflow.immutable import Unchanging
-from slowflow.mechanism import Ints
-from slowflow.model import CENTRED, Floats, Loaded, Model, off_centre_by
+from slowflow.core import validate
+from slowflow.core.mechanism import Ints
+from slowflow.core.model import CENTRED, Floats, Loaded, Model, off_centre_by
 from slowflow.off_centre import answers
 from slowflow.off_centre.answers import RestPositions
 from slowflow.off_centre.boxes import Solutions, solve
@@ -32,17 +40,9 @@ from slowflow.off_centre.flow import Flow, Slow
 from slowflow.off_centre.means import ORDERS, Steps
 from slowflow.off_centre.reach import AMPLITUDE, LARGEST, Farthest, Measure, Reach, Transmissibility
 from slowflow.off_centre.reach import BEYOND as BEYOND_IT
-from slowflow.results import (
-    Detachment,
-    FrequencyResponse,
-    Peak,
-    Remark,
-    SaddleNodeOnset,
-    SaddleNodes,
-    SteadyStates,
-)
 from slowflow.support.errors import NotSettled, OutOfRange, Refused
-from slowflow.text import Sentence, together
+from slowflow.support.immutable import Unchanging
+from slowflow.support.text import Sentence, together
 from slowflow_kernels import dissipation, off_centre
 
 #: a force that has shorter lengths is small beside what is rounded, as the size of a problem is taken to be 1 at least

@@ -26,13 +26,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from slowflow.intervals import Interval
-from slowflow.mechanism import Flags
-from slowflow.model import Floats
+from slowflow.core.intervals import Interval
+from slowflow.core.mechanism import Flags
+from slowflow.core.model import Floats
 from slowflow.off_centre.flow import ROUNDED, Flow, Slow
 from slowflow.off_centre.solution_sheets import Cells, Sheets
 from slowflow.support.errors import NotSettled
-from slowflow.text import Sentence
+from slowflow.support.text import Sentence
 from slowflow_kernels.conventions import HIGHEST_OMEGA
 
 #: share of the farthest beyond which it is proved that no motion goes

@@ -2,7 +2,7 @@
 
 By the implicit function theorem. What a number of the design does to the force, piece by piece, makes the means over a
 cycle move (`Steps.moved`), these move the balance and h along it (`off_centre.moved`), and from there on the answers
-move as those about the centre do (`slowflow.sensitivities`).
+move as those about the centre do (`slowflow.answers.sensitivities`).
 """
 
 from __future__ import annotations
@@ -13,14 +13,14 @@ from typing import Any
 
 import numpy as np
 
-from slowflow import sensitivities
-from slowflow.backend import SOLVER
-from slowflow.gradient import Gradient
-from slowflow.model import WITH_MEAN, Floats, Model
+from slowflow.answers import sensitivities
+from slowflow.answers.gradient import Gradient
+from slowflow.core.backend import SOLVER
+from slowflow.core.model import WITH_MEAN, Floats, Model
+from slowflow.core.validate import NotAvailable
 from slowflow.off_centre.curved import Curved
 from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import ORDERS, Steps
-from slowflow.validate import NotAvailable
 from slowflow_kernels import dissipation, off_centre, slow_flow
 from slowflow_kernels.conventions import MEETING, SAME, MovesStatus, Pinned
 

@@ -11,11 +11,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from slowflow.intervals import Interval
-from slowflow.model import Floats
+from slowflow.core.intervals import Interval
+from slowflow.core.model import Floats
 from slowflow.off_centre.curved import Part
 from slowflow.support.errors import Refused
-from slowflow.text import Sentence
+from slowflow.support.text import Sentence
 
 #: parts of an octave, octaves from the least to the most that is looked at, beside the size of the problem
 DIVISIONS, LEAST, MOST = 8, -20, 40

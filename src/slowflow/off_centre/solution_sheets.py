@@ -15,17 +15,17 @@ from typing import NamedTuple
 
 import numpy as np
 
-from slowflow.backend import SOLVER
-from slowflow.intervals import Interval
-from slowflow.mechanism import Flags, Ints
-from slowflow.model import Floats
+from slowflow.core.backend import SOLVER
+from slowflow.core.intervals import Interval
+from slowflow.core.mechanism import Flags, Ints
+from slowflow.core.model import Floats
 from slowflow.off_centre.boxes import MOST_BOXES, TOO_MANY
 from slowflow.off_centre.by_turning_points import solve_edges
 from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import Steps
 from slowflow.off_centre.turning_points import Charts, above_diagonal
 from slowflow.support.errors import NotSettled, OutOfRange
-from slowflow.text import Sentence
+from slowflow.support.text import Sentence
 
 #: octaves of the ends' distance from a chart's edge that are cut apart at first, by twos, and parts between two edges
 BELOW, DIVISIONS = 5, 4

@@ -20,13 +20,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slowflow.backend import SOLVER
-from slowflow.intervals import ALL, Interval
-from slowflow.mechanism import Flags, Ints
-from slowflow.model import Floats
+from slowflow.core.backend import SOLVER
+from slowflow.core.intervals import ALL, Interval
+from slowflow.core.mechanism import Flags, Ints
+from slowflow.core.model import Floats
 from slowflow.off_centre.means import Steps
 from slowflow.support.errors import Refused
-from slowflow.text import Sentence
+from slowflow.support.text import Sentence
 
 #: times the farthest step, the amplitude from which on motions are large beside all steps
 LARGE = 4.0

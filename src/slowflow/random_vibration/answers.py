@@ -8,10 +8,10 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from slowflow import validate
-from slowflow.answer import Drawn, Single, Table, entry
-from slowflow.gradient import Gradient
-from slowflow.mechanism import EquationOfMotion, Floats
+from slowflow.answers.answer import Drawn, Single, Table, entry
+from slowflow.answers.gradient import Gradient
+from slowflow.core import validate
+from slowflow.core.mechanism import EquationOfMotion, Floats
 from slowflow.random_vibration.energy import averages
 from slowflow.random_vibration.excitation import Excitation, Tabulated, White
 from slowflow.random_vibration.gradient import gradient

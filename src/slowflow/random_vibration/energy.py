@@ -20,9 +20,9 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 from numpy.polynomial import legendre
 
-from slowflow.mechanism import EquationOfMotion, Floats, Piece
+from slowflow.core.mechanism import EquationOfMotion, Floats, Piece
 from slowflow.support.errors import NotSettled
-from slowflow.text import Sentence
+from slowflow.support.text import Sentence
 from slowflow_kernels import linearization, motion
 
 #: nodes of Gauss's rule in a piece of the force, and in a panel of amplitudes

@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from slowflow import validate
-from slowflow.backend import EXACT
-from slowflow.mechanism import Floats
+from slowflow.core import validate
+from slowflow.core.backend import EXACT
+from slowflow.core.mechanism import Floats
 from slowflow.support.errors import Refused
 from slowflow_kernels import linearization
 

@@ -15,12 +15,12 @@ from typing import Any
 
 import numpy as np
 
-from slowflow import validate
-from slowflow.gradient import Gradient
-from slowflow.mechanism import EquationOfMotion
+from slowflow.answers.gradient import Gradient
+from slowflow.answers.sensitivities import OF_FUNCTIONS, OF_RECORD
+from slowflow.core import validate
+from slowflow.core.mechanism import EquationOfMotion
 from slowflow.random_vibration.energy import AT, WEIGHTS
 from slowflow.random_vibration.excitation import IMAGINARY, White
-from slowflow.sensitivities import OF_FUNCTIONS, OF_RECORD
 from slowflow_kernels import linearization
 from slowflow_kernels.conventions import MovesStatus
 

@@ -6,17 +6,18 @@ from typing import Any
 
 import numpy as np
 
-from slowflow import progress, validate
+from slowflow.answers.table import AVERAGING, QUESTIONS
 from slowflow.averaged.batches import Batch
 from slowflow.averaged.chunks import blocks, map_chunks
 from slowflow.averaged.many import Designs, failed
-from slowflow.backend import EXACT
+from slowflow.core import validate
+from slowflow.core.backend import EXACT
+from slowflow.core.mechanism import Floats
+from slowflow.core.model import THROUGHOUT
 from slowflow.exact.motion import design_rows, recurrences, system_of
-from slowflow.mechanism import Floats
-from slowflow.model import THROUGHOUT
 from slowflow.random_vibration.excitation import White
 from slowflow.random_vibration.questions import columns, excited_by, is_damped, stationary
-from slowflow.table import AVERAGING, QUESTIONS
+from slowflow.support import progress
 from slowflow_kernels.conventions import Status
 
 #: designs in a chunk, which take some tenths of a second
@@ -25,7 +26,7 @@ DAMPED_BY = "mu", "zeta", "c_2", "c_3", "zeta_2", "released"
 
 
 def answer(designs: Designs, S_0: Any, psd: Any, places: int, workers: int = 1) -> Batch:
-    """See `random` of `slowflow.table.ManyQuestions`."""
+    """See `random` of `slowflow.answers.table.ManyQuestions`."""
     validate.is_in_time("random", designs.values, designs.laws)
     released = designs.rubs != THROUGHOUT
     excitation = excited_by(None if S_0 is None else 1.0, psd)

@@ -7,15 +7,15 @@ from typing import Any
 
 import numpy as np
 
-from slowflow import validate
-from slowflow.answer import joined
-from slowflow.backend import EXACT
+from slowflow.answers.answer import joined
+from slowflow.core import validate
+from slowflow.core.backend import EXACT
+from slowflow.core.mechanism import EquationOfMotion, Floats
 from slowflow.exact.motion import handle
-from slowflow.mechanism import EquationOfMotion, Floats
 from slowflow.random_vibration.answers import RandomResponse, Stationary
 from slowflow.random_vibration.excitation import Excitation, Tabulated, White
 from slowflow.support.errors import NotSettled, Refused
-from slowflow.text import Sentence, text
+from slowflow.support.text import Sentence, text
 from slowflow_kernels import linearization
 
 ONE_OF = "random takes either S_0, of white noise, or psd, a table of frequencies and densities"
@@ -53,7 +53,7 @@ IN_A_BAND = (
 
 
 def random(oscillator: Any, system: EquationOfMotion, S_0: Any, psd: Any) -> RandomResponse:
-    """See `slowflow.oscillator.Oscillator.random`."""
+    """See `slowflow.oscillators.oscillator.Oscillator.random`."""
     excitation = excited_by(S_0, psd)
     columns = stationary(system, excitation)
     u, dry, white = columns["u_rms"], columns["dry"], isinstance(excitation, White)

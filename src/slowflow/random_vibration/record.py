@@ -12,11 +12,11 @@ from typing import Any
 
 import numpy as np
 
-from slowflow import validate
-from slowflow.backend import EXACT
+from slowflow.core import validate
+from slowflow.core.backend import EXACT
+from slowflow.core.mechanism import EquationOfMotion, Floats
 from slowflow.exact.motion import MOST_STEPS, handle, lost
 from slowflow.exact.transient import record as arcs_of
-from slowflow.mechanism import EquationOfMotion, Floats
 from slowflow.random_vibration.energy import damping_force
 from slowflow.random_vibration.excitation import Excitation, White
 from slowflow.support.errors import NotSettled

@@ -8,11 +8,11 @@ from typing import Any, ClassVar
 import numpy as np
 import numpy.typing as npt
 
-from slowflow.answer import Drawn, Table, entry, frozen
-from slowflow.mechanism import Flags, Ints
-from slowflow.model import Floats, Model
-from slowflow.results import DRAWN, InDecibels
-from slowflow.transmissibility import Transmitted, in_motion, validated
+from slowflow.answers.answer import Drawn, Table, entry, frozen
+from slowflow.answers.results import DRAWN, InDecibels
+from slowflow.answers.transmissibility import Transmitted, in_motion, validated
+from slowflow.core.mechanism import Flags, Ints
+from slowflow.core.model import Floats, Model
 from slowflow_kernels import motion
 
 SecondState = entry(

@@ -16,16 +16,16 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from slowflow import validate
-from slowflow.answer import frozen
+from slowflow.answers.answer import frozen
+from slowflow.answers.table import MORE_POINTS, QUESTIONS, SECOND, ManyQuestions, Unanswered
+from slowflow.answers.transmissibility import Transmitted, in_motion, validated
 from slowflow.averaged.batches import OF_STATES, Batch
 from slowflow.averaged.many import Designs, Question
 from slowflow.averaged.questions import Averaged
-from slowflow.backend import SOLVER
-from slowflow.mechanism import Floats
+from slowflow.core import validate
+from slowflow.core.backend import SOLVER
+from slowflow.core.mechanism import Floats
 from slowflow.second.questions import SecondApproximation
-from slowflow.table import MORE_POINTS, QUESTIONS, SECOND, ManyQuestions, Unanswered
-from slowflow.transmissibility import Transmitted, in_motion, validated
 from slowflow_kernels import motion
 from slowflow_kernels.conventions import Status
 

@@ -13,20 +13,20 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from slowflow import validate
-from slowflow.answer import joined
+from slowflow.answers import validity
+from slowflow.answers.answer import joined
+from slowflow.answers.questions import Questions
+from slowflow.answers.results import Detachment, Peak, Remark, SaddleNodeOnset, SteadyStates
 from slowflow.averaged import diagnostics, messages, solvers
 from slowflow.averaged.pairs import at_pairs, with_rests
 from slowflow.averaged.plan import Plan, Step
-from slowflow.backend import SOLVER
-from slowflow.measured import validity
-from slowflow.mechanism import Flags, Ints
-from slowflow.model import Floats
-from slowflow.questions import Questions
-from slowflow.results import Detachment, Peak, Remark, SaddleNodeOnset, SteadyStates
+from slowflow.core import validate
+from slowflow.core.backend import SOLVER
+from slowflow.core.mechanism import Flags, Ints
+from slowflow.core.model import Floats
 from slowflow.second.answers import SecondFolds, SecondResponse, SecondStates
 from slowflow.support.errors import Refused
-from slowflow.text import Sentence, text
+from slowflow.support.text import Sentence, text
 from slowflow_kernels.conventions import Status
 from slowflow_kernels.second_conventions import BEYOND, SAMPLES, Wanted
 

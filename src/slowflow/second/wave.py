@@ -13,9 +13,9 @@ from functools import cached_property
 
 import numpy as np
 
-from slowflow.mechanism import Force, Ints
-from slowflow.model import Floats, Model
-from slowflow.transmissibility import Transmitted
+from slowflow.answers.transmissibility import Transmitted
+from slowflow.core.mechanism import Force, Ints
+from slowflow.core.model import Floats, Model
 from slowflow_kernels import motion
 from slowflow_kernels import second_approximation as kernels
 from slowflow_kernels.second_conventions import ROUNDING, STEPS

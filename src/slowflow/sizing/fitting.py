@@ -17,17 +17,17 @@ import numpy.typing as npt
 from scipy.optimize import least_squares
 from scipy.special import stdtrit
 
-from slowflow import validate
-from slowflow.answer import Table, entry, joined
+from slowflow.answers.answer import Table, entry, joined
+from slowflow.answers.quantities import SHEET, SI, in_shown, si
 from slowflow.averaged.many import AMPLITUDES, SADDLE_NODES
-from slowflow.backend import EXACT
+from slowflow.core import validate
+from slowflow.core.backend import EXACT
+from slowflow.core.mechanism import EquationOfMotion, Floats
+from slowflow.core.model import THROUGHOUT
 from slowflow.exact.motion import MOST_STEPS, handle, system_of
 from slowflow.exact.transient import record
-from slowflow.mechanism import EquationOfMotion, Floats
-from slowflow.model import THROUGHOUT
-from slowflow.quantities import SHEET, SI, in_shown, si
+from slowflow.oscillators.range_checks import Implausible
 from slowflow.random_vibration.record import accelerations
-from slowflow.range_checks import Implausible
 from slowflow.sizing.subject import AT_NO_FREQUENCY, Measured, Subject, first_jump
 from slowflow.support.errors import NotSettled, Refused
 
@@ -122,7 +122,7 @@ class Fit(Numbers):
 
         The band of two standard deviations is shaded.
         """
-        from slowflow import pictures
+        from slowflow.answers import pictures
 
         names, sizes = [], []
         for name in self.names:

@@ -12,11 +12,11 @@ from typing import Any
 
 import numpy as np
 
-from slowflow import validate
-from slowflow.isolator import Duffing
-from slowflow.mechanism import Floats
-from slowflow.physical import Physical
-from slowflow.quantities import SHEET, in_shown, si
+from slowflow.answers.quantities import SHEET, in_shown, si
+from slowflow.core import validate
+from slowflow.core.mechanism import Floats
+from slowflow.oscillators.isolator import Duffing
+from slowflow.oscillators.physical import Physical
 from slowflow.sizing.fitting import CONFIDENCE, TURNS, Numbers, _velocity
 from slowflow.support.errors import NotSettled, Refused
 
@@ -77,7 +77,7 @@ class Loop(Numbers):
         matplotlib.axes.Axes
             The axes.
         """
-        from slowflow import pictures
+        from slowflow.answers import pictures
 
         (length, mm), (force, _) = in_shown("m"), in_shown("N")
         return pictures.loop(ax, self.x / mm, self.F, self.fitted, (f"x/{length}", f"F/{force}"))

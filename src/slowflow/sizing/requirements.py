@@ -17,12 +17,13 @@ import numpy as np
 import scipy  # its `stats`, half a second, when it is used
 from scipy.optimize import differential_evolution, minimize
 
-from slowflow import progress, validate
-from slowflow.answer import Answer, Table, entry, frozen, head
-from slowflow.mechanism import Floats
-from slowflow.physical import Physical
-from slowflow.quantities import SHEET, in_shown
+from slowflow.answers.answer import Answer, Table, entry, frozen, head
+from slowflow.answers.quantities import SHEET, in_shown
+from slowflow.core import validate
+from slowflow.core.mechanism import Floats
+from slowflow.oscillators.physical import Physical
 from slowflow.sizing.subject import LoadCase, Subject
+from slowflow.support import progress
 from slowflow.support.errors import Refused
 
 #: what is missing of an answer that a design does not have: more than any two doubles differ, as the log of their ratio
@@ -128,7 +129,7 @@ class Front(Table):
 
     def plot(self, ax: Any = None) -> Any:
         """Plot one answer over the other; return the Matplotlib axes, new ones by default."""
-        from slowflow import pictures
+        from slowflow.answers import pictures
 
         shown = self.in_units()
         units = shown.units_of_columns()

@@ -13,19 +13,19 @@ from typing import Any, TypedDict
 
 import numpy as np
 
-from slowflow import validate
-from slowflow.answer import frozen
+from slowflow.answers.answer import frozen
+from slowflow.answers.quantities import LETTERS, PURE, SHEET, SI, UNITS, Scales, g, si, size, sizes
+from slowflow.answers.table import COLUMNS
+from slowflow.averaged.batch_checks import full, lifting
 from slowflow.averaged.batches import Batch
-from slowflow.batch_checks import full, lifting
-from slowflow.designs import Designs
-from slowflow.isolator import Isolator, _averaged
-from slowflow.mechanism import Floats
+from slowflow.core import validate
+from slowflow.core.mechanism import Floats
+from slowflow.grid.many import Designs
 from slowflow.off_centre.many import OffCentreDesigns
-from slowflow.oscillator import Oscillator
-from slowflow.physical import Physical
-from slowflow.quantities import LETTERS, PURE, SHEET, SI, UNITS, Scales, g, si, size, sizes
+from slowflow.oscillators.isolator import Isolator, _averaged
+from slowflow.oscillators.oscillator import Oscillator
+from slowflow.oscillators.physical import Physical
 from slowflow.support.errors import Refused, WrongType
-from slowflow.table import COLUMNS
 from slowflow_kernels import inertia, slow_flow
 from slowflow_kernels.conventions import FoldKind, Status
 from slowflow_kernels.domains import DISSIPATION

@@ -14,11 +14,12 @@ import numpy as np
 import numpy.typing as npt
 import scipy  # its `stats`, half a second, when it is used
 
-from slowflow import progress, validate
-from slowflow.answer import Table, entry, frozen, optional
-from slowflow.mechanism import Floats
-from slowflow.quantities import in_shown, si
+from slowflow.answers.answer import Table, entry, frozen, optional
+from slowflow.answers.quantities import in_shown, si
+from slowflow.core import validate
+from slowflow.core.mechanism import Floats
 from slowflow.sizing.subject import Load, LoadCase, Subject
+from slowflow.support import progress
 from slowflow.support.errors import Refused
 
 #: ends of a band: 95 of 100 samples lie within

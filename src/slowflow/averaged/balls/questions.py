@@ -16,7 +16,8 @@ from typing import Any, NamedTuple, TypeVar
 import numpy as np
 from flint import arb, ctx
 
-from slowflow.answer import joined
+from slowflow.answers.answer import joined
+from slowflow.answers.certificate import Proved, ProvedFolds, ProvedForcing, ProvedStates
 from slowflow.averaged import messages, solvers
 from slowflow.averaged.balls.search import (
     ALL,
@@ -37,9 +38,8 @@ from slowflow.averaged.balls.search import (
     frequencies_of,
     hull,
 )
-from slowflow.certificate import Proved, ProvedFolds, ProvedForcing, ProvedStates
-from slowflow.mechanism import Flags
-from slowflow.model import Floats, Model
+from slowflow.core.mechanism import Flags
+from slowflow.core.model import Floats, Model
 from slowflow_kernels import slow_flow_intervals as flow
 from slowflow_kernels import slow_flow_mu0_intervals as of_mu_0
 from slowflow_kernels import slow_flow_zeta0_intervals as of_zeta_0

@@ -16,8 +16,8 @@ from typing import Any, NamedTuple
 
 from flint import arb, ctx
 
-from slowflow.mechanism import Mechanism
-from slowflow.model import Model
+from slowflow.core.mechanism import Mechanism
+from slowflow.core.model import Model
 from slowflow_kernels import slow_flow_balls
 from slowflow_kernels import slow_flow_intervals as flow
 from slowflow_kernels.conventions import ENDLESS

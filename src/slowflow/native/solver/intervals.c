@@ -1,4 +1,4 @@
-/* The operations on intervals (program.h) over NumPy's operands, as slowflow/intervals.py takes them. */
+/* The operations on intervals (program.h) over NumPy's operands, as slowflow/core/intervals.py takes them. */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 

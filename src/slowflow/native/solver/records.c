@@ -13,8 +13,8 @@
 #include "laws.h"
 #include "solver.h"
 
-#define SF_RECORD "slowflow.mechanism"
-#define SF_MODEL "slowflow.model"
+#define SF_RECORD "slowflow.core.mechanism"
+#define SF_MODEL "slowflow.core.model"
 
 const sf_solvers *sf_here(void)
 {

@@ -1,0 +1,1 @@
+"""Answers, their units, pictures and gradients, and the table of questions."""

@@ -1,0 +1,226 @@
+"""Types of questions in SI units, for type checkers: their arguments, and the numbers that each returns.
+
+Nothing is of these classes when a program runs: an answer is `Quantities`, whose numbers are read by name. Which of the
+declared numbers an answer has, its question says; by another excitation F is called Y, a or U, and a load adds a mean
+displacement.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, Generic, Protocol, TypedDict, TypeVar
+
+import numpy as np
+import numpy.typing as npt
+
+from slowflow.answers.quantities import Quantities
+from slowflow.answers.results import Remark
+from slowflow.core.mechanism import Array, Flags, Floats, Ints
+
+Strings = npt.NDArray[np.str_]
+
+
+class WithUnit(Protocol):
+    """A quantity of pint."""
+
+    @property
+    def magnitude(self) -> Any:
+        """Its number or numbers."""
+        ...
+
+    def to(self, unit: Any, /) -> Any:
+        """Convert to another unit."""
+        ...
+
+
+#: one number, which may be a string with a unit, an array of them, and the two ends of a window
+Plain = float | np.floating[Any] | np.integer[Any] | WithUnit
+Number = Plain | str
+Numbers = Number | Sequence[Plain] | Array
+Window = Sequence[Plain] | Array | WithUnit
+
+
+T = TypeVar("T")
+
+
+class Amplitude(TypedDict, Generic[T], total=False):
+    """The amplitude of the excitation by its letter: force, displacement or acceleration of the base, unbalance."""
+
+    F: T
+    Y: T
+    a: T
+    U: T
+
+
+class Excited(Generic[T]):
+    """With the amplitude of the excitation."""
+
+    F: T
+    Y: T
+    a: T
+    U: T
+
+
+class Explained(Quantities):
+    """With diagnostics."""
+
+    message: str
+    remarks: Remark
+    load: float
+
+
+class Rows(Explained):
+    """Answers with several entries: arrays of one length."""
+
+    f: Floats
+    f_low: Floats
+    f_high: Floats
+    f_undecided: Floats
+    jumps: Floats
+    A: Floats
+    B: Floats
+    x: Floats
+    x_max: Floats
+    phi: Floats
+    transmissibility_dB: Floats
+    stiffness: Floats
+    acceleration: Floats
+    duration: Floats
+    a_max: Floats
+    ratio: Floats
+    stable: Flags
+    corner: Flags
+    minimum: Flags
+    settled: Flags
+    crosses: Flags
+    detaches: Flags
+    sticks: Flags
+    kind: Strings
+    branch: Ints
+    stops: Ints
+    motions: Ints
+    isola: tuple[bool, ...]
+
+
+class AtOne(Rows, Excited[float]):
+    """At one amplitude of the excitation: of `saddle_nodes`, `frequency_response`, `sweep` and `hysteresis`."""
+
+
+class AtEach(Rows, Excited[Floats]):
+    """Of `fold_locus`, `cusps`, `isola_points` and `spectrum`."""
+
+
+class States(Rows, Excited[float | Floats]):
+    """Of `amplitudes`."""
+
+
+class One(Explained, Excited[float]):
+    """Answers with a single entry, None where there is none: forcings, peaks, isolation, margins."""
+
+    F_SN: float | None
+    Y_SN: float | None
+    a_SN: float | None
+    U_SN: float | None
+    F_cr: float | None
+    Y_cr: float | None
+    a_cr: float | None
+    U_cr: float | None
+    of_SN: float | None
+    of_cr: float | None
+    f: float | None
+    f_cr: float | None
+    f_max: float | None
+    f_sticks: float
+    A: float | None
+    B: float | None
+    x_cr: float | None
+    x_max: float | None
+    kind: str
+    folds: int
+    detaches: bool
+    sticks: bool
+    at_fold: bool
+    untruncated: Quantities | None
+
+
+class Random(Explained):
+    """Of `random`."""
+
+    x_rms: Floats
+    v_rms: Floats
+    a_rms: Floats
+    stiffness: Floats
+    damping: Floats
+    f_e: Floats
+    ratio_e: Floats
+    beyond: Floats
+    crossing_rate: Floats
+    dry: Floats
+
+
+class AtRest(Quantities):
+    """Of `at_rest`."""
+
+    f_n: float
+    f_0: float | None
+    k_0: float
+    x_cr: float | None
+    preset: float
+    lightest: float | None
+    heaviest: float | None
+    break_loose: float
+    rests_within: float | None
+    sticking: float
+
+
+class Motion(Explained):
+    """What motions have over time: displacement and velocity of the mass."""
+
+    t: Floats
+    x: Floats
+    v: Floats
+
+
+class SteadyState(Motion, Excited[float]):
+    """Of `steady_state`."""
+
+    f: float
+    A: float
+    stops: int
+    stable: bool
+    period: float
+
+
+class Transient(Motion):
+    """Of `transient`."""
+
+    A: float
+    t_A: float
+    a_max: float
+    t_a: float
+    x_cr: float | None
+    detaches: bool
+    t_detaches: float | None
+    rests: bool
+    x_end: float
+    a: Floats
+    base: Floats
+
+
+class Response(AtOne):
+    """Of `exact_response`."""
+
+    closed: bool
+    complete: bool
+    folds: Rows
+
+
+class Certificate(Quantities):
+    """Of `certify`."""
+
+    F: float
+    a: float
+    saddle_nodes: Quantities
+    saddle_node_onset: Quantities
+    detachment: Quantities
+    amplitudes: Quantities | None

@@ -1,0 +1,558 @@
+# mypy: disable-error-code="empty-body"
+"""The table of questions: name, arguments and columns of the answer, by system.
+
+A row is a decorator of the method about many designs: it takes name, arguments and text from the method and lists the
+columns of the answer. The same question on a grid, the type, axis, meaning and unit of each column, the layout of a
+store and the names in SI units follow from it.
+"""
+
+from __future__ import annotations
+
+import functools
+import inspect
+from collections.abc import Callable, Mapping
+from enum import IntEnum
+from types import MappingProxyType
+from typing import Any, Generic, NamedTuple, TypeVar, cast
+
+import numpy as np
+import numpy.typing as npt
+
+from slowflow.core import validate
+from slowflow_kernels.conventions import FoldKind, OnsetKind
+
+#: the systems that answer: first-order averaging about the centre, with higher harmonics, with a mean B
+AVERAGING, SECOND, OFFSET = "averaging", "second approximation", "offset motion"
+#: points of a batch's curves beyond the samples: one for each piece that folds, peaks and corners cut a curve into, and
+#: one for each curve; in the second approximation also those inserted where the harmonics change fast
+MORE_POINTS = {AVERAGING: 64, SECOND: 256, OFFSET: 64}
+
+
+class Column(NamedTuple):
+    """A column of an answer.
+
+    name -- dimensionless
+    text -- meaning
+    kind -- kind of unit, a key of `quantities.UNITS`; "amplitude" for that of the excitation, "" for none
+    si   -- name in SI units, if different
+    type -- in batches
+    none -- value of an empty entry there; NaN for doubles
+    """
+
+    name: str
+    text: str
+    kind: str = ""
+    si: str = ""
+    type: type = float
+    none: int = 0
+
+    def blank(self, shape: tuple[int, ...]) -> npt.NDArray[Any]:
+        """Empty entries."""
+        return np.full(shape, np.nan if self.type is float else self.none, self.type)
+
+
+#: by name, common to all questions
+COLUMNS: Mapping[str, Column] = MappingProxyType(
+    {
+        one.name: one
+        for one in (
+            Column("F_0", "forcing, the amplitude of the excitation", "amplitude"),
+            Column("F_SN", "lowest forcing that has a fold (33)", "amplitude"),
+            Column("F_cr", "lowest forcing that reaches u_cr (34)", "amplitude"),
+            Column("Omega", "frequency", "frequency", "f"),
+            Column("Omega_cr", "frequency at which it is reached", "frequency", "f_cr"),
+            Column("Omega_max", "frequency of the largest displacement", "frequency", "f_max"),
+            Column("Omega_low", "lower end of a band with several stable motions", "frequency", "f_low"),
+            Column("Omega_high", "upper end of that band", "frequency", "f_high"),
+            Column("Omega_0", "natural frequency of small motions about the centre", "frequency", "f_0"),
+            Column("Omega_sticks", "frequency up to which the mass sticks", "frequency", "f_sticks"),
+            Column("Omega_undecided", "frequencies at which the count is undecided", "frequency", "f_undecided"),
+            Column("jumps", "frequencies before and after each jump", "frequency"),
+            Column("A", "amplitude; in the second approximation the largest displacement", "length"),
+            Column("A_1", "amplitude of the fundamental harmonic", "length"),
+            Column("A_max", "largest amplitude searched", "length"),
+            Column("B", "mean displacement of a motion", "length"),
+            Column("u_max", "largest |u|", "length", "x_max"),
+            Column("u_cr", "amplitude at which the springs detach", "length", "x_cr"),
+            Column("u", "equilibrium position", "length", "x"),
+            Column("u_end", "final displacement", "length", "x_end"),
+            Column("rests_within", "distance from the centre within which friction holds the mass", "length"),
+            Column("doubt", "intervals of amplitude left undecided", "length"),
+            Column("u_rms", "root mean square of the displacement", "length", "x_rms"),
+            Column("v_rms", "root mean square of the velocity", "speed"),
+            Column("a_rms", "root mean square of the absolute acceleration", "acceleration"),
+            Column("u_margin", "half the 95 % confidence interval of u_rms", "length", "x_margin"),
+            Column("v_margin", "half the 95 % confidence interval of v_rms", "speed"),
+            Column("a_margin", "half the 95 % confidence interval of a_rms", "acceleration"),
+            Column("S_0", "two-sided spectral density of white noise"),
+            Column("Omega_e", "natural frequency of the equivalent linear oscillator", "frequency", "f_e"),
+            Column("damping", "damping of the equivalent linear oscillator", "damping"),
+            Column("ratio_e", "damping ratio of the equivalent linear oscillator"),
+            Column("dry", "fraction of that damping due to dry friction"),
+            Column("beyond", "fraction of the time beyond the first breakpoint"),
+            Column("crossing_rate", "rate at which |u| crosses the first breakpoint", "rate"),
+            Column("v", "velocity", "speed"),
+            Column("a", "acceleration of the mass", "acceleration"),
+            Column("base", "acceleration of the base", "acceleration"),
+            Column("a_max", "largest acceleration of the mass", "acceleration"),
+            Column("acceleration", "acceleration of the base, over k_v L/m", "acceleration"),
+            Column("tau", "times of the samples of a record", "time", "t"),
+            Column("tau_A", "time of the largest deflection", "time", "t_A"),
+            Column("tau_a", "time of the largest acceleration", "time", "t_a"),
+            Column("tau_detaches", "time at which the springs first detach", "time", "t_detaches"),
+            Column("duration", "duration of a half sine", "time"),
+            Column("period", "period of a motion", "time"),
+            Column("k_0", "stiffness at the centre", "stiffness"),
+            Column("stiffness", "stiffness at an equilibrium, or of the equivalent linear oscillator", "stiffness"),
+            Column("break_loose", "constant force that friction holds", "force"),
+            Column("sticking", "force amplitude up to which the mass sticks, 4 mu/pi (27)", "force"),
+            Column("force", "restoring force", "force"),
+            Column("load", "static load beyond what the vertical spring holds at the centre", "mass"),
+            Column("phi", "phase in radians", "angle"),
+            Column("of_SN", "F_SN over F_0: a margin above 1"),
+            Column("of_cr", "F_cr over F_0: a margin above 1"),
+            Column("ratio", "largest acceleration of the mass over that of the pulse"),
+            Column("transmissibility", "transmitted force over the exciting force"),
+            Column("transmissibility_dB", "transmissibility in decibels"),
+            Column("level_dB", "upper bound of transmissibility in decibels"),
+            Column("kind", "kind of fold", type=np.int8),
+            Column("stable", "1 where a state is stable", type=np.int8),
+            Column("at_rest", "1 where folds below the onset, or without it, end at Omega = 0", type=np.int8),
+            Column("onset", "status of the onset: why there is no F_SN", type=np.int8),
+            Column("folds", "number of folds", type=np.int8),
+            Column("motions", "number of stable motions", type=np.int8),
+            Column("crosses", "1 where a fold is crossed on the way from the row before", type=np.int8),
+            Column("detaches", "1 where the springs detach", type=np.int8),
+            Column("sticks", "1 where the mass sticks", type=np.int8),
+            Column("rests", "1 where friction holds the mass at the end", type=np.int8),
+            Column("stands", "number of stable equilibria", type=np.int8),
+            Column("at_fold", "1 where a motion that transmits more ends there in a fold", type=np.int8),
+            Column("branch", "number of the connected curve, from 0; -1 after the last point", type=np.int16, none=-1),
+            Column("isola", "1 where that curve is closed", type=np.int8),
+            Column("points", "number of points", type=np.intc),
+            Column("fold_Omega", "frequency of a fold", "frequency"),
+            Column("fold_A", "amplitude of a fold", "length"),
+            Column("fold_kind", "kind of fold", type=np.int8),
+            Column("count", "number of entries, also where these exceed places, or number proved", type=np.int8),
+            Column("proved", "1 where these are proved to be all", type=np.int8),
+            Column("bits", "bits of the proof: 53 for intervals of doubles, more for balls", type=np.int16),
+            Column("undecided", "1 where neither double precision nor ball arithmetic decides the count", type=np.int8),
+            Column("status", "status code: whether there is an answer, or why there is none", type=np.int8),
+            Column("remarks", "diagnostics of the answer, codes that add up", type=np.uint16),
+        )
+    }
+)  # fmt: skip
+
+
+#: quantities of messages that are no columns
+QUOTED = (
+    Column("mu", "dry friction", "force", "friction"),
+    Column("mu_s", "static friction", "force", "static_friction"),
+    Column("c_2", "quadratic damping", "quadratic damping"),
+    Column("c_3", "cubic damping", "cubic damping"),
+    Column("zeta_2", "growth of the viscous damping ratio with u^2", "growing damping", "c_xx"),
+    Column("u_0", "initial displacement", "length", "x_0"),
+    Column("v_0", "initial velocity", "speed"),
+    Column("after", "duration of a free motion", "time"),
+    Column("reach", "largest |u| for which the force is valid", "length"),
+    Column("held", "amplitude up to which friction holds a mass at rest", "amplitude"),
+)
+#: all quantities of messages, by name
+QUANTITIES: Mapping[str, Column] = MappingProxyType({**COLUMNS, **{one.name: one for one in QUOTED}})
+
+
+class Question(NamedTuple):
+    """A question about many designs.
+
+    name    -- of its method
+    columns -- of its answer by system, each with its axis after those of the designs, "" for none
+    takes   -- required arguments that broadcast with the designs; may -- optional ones
+    options -- other arguments, the same for all designs, with their defaults
+    argument_axes -- the axis of a table or a record that such an argument may have after those of the designs
+    kinds   -- meaning of the numbers in `kind`
+    """
+
+    name: str
+    columns: Mapping[str, Mapping[str, str]]
+    takes: tuple[str, ...] = ()
+    may: tuple[str, ...] = ()
+    options: Mapping[str, Any] = MappingProxyType({})
+    argument_axes: Mapping[str, str] = MappingProxyType({})
+    kinds: type[IntEnum] | None = None
+
+    def blank(self, system: str, shape: tuple[int, ...], **lengths: int) -> dict[str, npt.NDArray[Any]]:
+        """Empty columns of designs of a shape; `lengths` are those of the axes after theirs."""
+        inner = {"": (), **{axis: (length,) for axis, length in lengths.items()}}
+        return {name: COLUMNS[name].blank((*shape, *inner[axis])) for name, axis in self.columns[system].items()}
+
+    def layout(self, system: str) -> dict[str, tuple[str, np.dtype[Any]]]:
+        """The axis and the type of each column, by name; remarks last."""
+        columns = self.columns[system]
+        own = {"remarks": "row"} if "row" in columns.values() else {"remarks": ""}
+        return {name: (axis, np.dtype(COLUMNS[name].type)) for name, axis in {**columns, **own}.items()}
+
+
+def _same(columns: str, *systems: str) -> dict[str, str]:
+    """These columns for each of the systems."""
+    return dict.fromkeys(systems, columns)
+
+
+_CURVE = "Omega:point A:point stable:point branch:point isola:point points"
+_FOLDS_OF_IT = "fold_Omega:place fold_A:place fold_kind:place count undecided status"
+_TRANSIENT = "A tau_A a_max tau_a detaches tau_detaches rests u_end status"
+
+_ROWS: dict[str, Question] = {}
+#: the questions by name, each as its method of `ManyQuestions` declares it
+QUESTIONS: Mapping[str, Question] = MappingProxyType(_ROWS)
+
+Found = TypeVar("Found", covariant=True)
+Method = TypeVar("Method", bound=Callable[..., Any])
+
+
+def asks(
+    columns: Mapping[str, str],
+    *,
+    argument_axes: Mapping[str, str] = MappingProxyType({}),
+    kinds: type[IntEnum] | None = None,
+) -> Callable[[Method], Method]:
+    """Register a question: columns by system; name, arguments and text are those of the decorated method.
+
+    columns -- of each system, written "name" or "name:axis"
+    """
+
+    def declared(method: Method) -> Method:
+        name, (_, *parameters) = method.__name__, inspect.signature(method).parameters.values()
+        positional = [one.name for one in parameters if one.kind is one.POSITIONAL_OR_KEYWORD]
+        defaults = {one.name: one.default for one in parameters if one.default is not one.empty}
+        takes = tuple(one.name for one in parameters if one.name not in defaults)
+        may = tuple(one.name for one in parameters if one.default is None and one.annotation == "Any")
+        options = {one: value for one, value in defaults.items() if one not in (*may, "workers")}
+        axes = {
+            system: {one: axis for one, _, axis in (column.partition(":") for column in text.split())}
+            for system, text in columns.items()
+        }
+        _ROWS[name] = Question(name, axes, takes, may, options, argument_axes, kinds)
+
+        @functools.wraps(method)
+        def ask(self: Any, /, *arguments: Any, **named: Any) -> Any:
+            method(self, *arguments, **named)  # only refuses other arguments
+            for one, value in zip(positional, arguments):  # noqa: B905
+                named[one] = value
+            return self._ask(name, **{**defaults, **named})
+
+        return cast("Method", ask)
+
+    return declared
+
+
+class Unanswered:
+    """Placeholder for a question that is not supported: access raises NoAttribute with the reason."""
+
+    def __init__(self, why: str) -> None:
+        self.why = why
+
+    def __get__(self, one: Any, kind: Any = None) -> Any:
+        if one is None:
+            return self
+        raise validate.NoAttribute(self.why)
+
+
+class ManyQuestions(Generic[Found]):
+    """The questions about many designs, dimensionless: each returns a `Batch`, of a grid an xarray Dataset.
+
+    F_0, Omega, acceleration, duration -- numbers or arrays that broadcast with the designs
+    places    -- largest number of entries per design, along an additional axis of the columns, filled with NaN and 0;
+            `count` is the number of entries, `Status.TOO_MANY` marks designs with more
+    workers   -- threads that share the designs, -1 for one per processor; the results do not depend on it
+    stable    -- 1 where both eigenvalues of the Jacobian (28) have a negative real part
+    undecided -- 1 where neither double precision nor ball arithmetic resolves the number of entries, or the position of
+            one
+
+    A design without a result raises nothing: `status` has the reason. Raises ValueError for arrays that do not
+    broadcast, and for an invalid argument that is common to all designs.
+    """
+
+    def _ask(self, question: str, /, *, workers: int = 1, **arguments: Any) -> Found:
+        """The answer to a question by its name, from its method's arguments."""
+        raise NotImplementedError
+
+    @asks(_same("F_cr Omega_cr u_cr status", AVERAGING, SECOND) | {OFFSET: "F_cr Omega_cr A B status"})
+    def detachment(self, *, workers: int = 1) -> Found:
+        """Find the lowest forcing whose response reaches u_cr (34): .F_cr .Omega_cr .u_cr; with a load .A .B.
+
+        With a load the lowest forcing whose motion reaches a breakpoint, on either side; `Status.NONE` if none does.
+        """
+
+    @asks(
+        _same("F_SN Omega A kind at_rest status", AVERAGING, SECOND) | {OFFSET: "F_SN Omega A B kind status"},
+        kinds=OnsetKind,
+    )
+    def saddle_node_onset(self, *, workers: int = 1) -> Found:
+        """Find the lowest forcing that has a fold (33): .F_SN .Omega .A .kind .at_rest; with a load .B.
+
+        kind    -- an `OnsetKind`: a cusp, an isola's birth, on a breakpoint
+        at_rest -- 1 where there are folds below the onset, or without an onset, that end at Omega = 0
+
+        `.untruncated` is F_SN of the untruncated force where the onset lies on a corner due to the truncation alone.
+        Where double precision is inconclusive, ball arithmetic resolves the first 20 designs, as for single designs.
+        With a load `Status.UNRESOLVED` marks an undecided onset.
+        """
+
+    @asks(
+        _same("Omega:place A:place kind:place count undecided status", AVERAGING, SECOND)
+        | {OFFSET: "Omega:place A:place B:place kind:place count undecided status"},
+        kinds=FoldKind,
+    )
+    def saddle_nodes(self, F_0: Any, *, places: int = 6, workers: int = 1) -> Found:
+        """Find every fold at F_0 (24), (30), sorted by Omega: .Omega .A .kind .count .undecided; with a load .B.
+
+        Parameters
+        ----------
+        F_0, places, workers : as in the class
+            Amplitudes of the excitation, > 0; largest number of folds; threads.
+
+        Returns
+        -------
+        Batch
+            .kind is a `FoldKind`: direction of the jump, and whether the fold is a corner at a breakpoint; 0 if both
+            motions that merge are unstable. Where double precision is inconclusive, ball arithmetic resolves the first
+            200 designs, as for single designs; see `certify`.
+        """
+
+    @asks(
+        {
+            AVERAGING: "A:place stable:place count undecided status",
+            SECOND: "A:place A_1:place phi:place stable:place count undecided status",
+            OFFSET: "A:place B:place phi:place transmissibility:place stable:place count undecided status",
+        }
+    )
+    def amplitudes(self, *, F_0: Any, Omega: Any, places: int = 6, workers: int = 1) -> Found:
+        """Find every steady state at (Omega, F_0) (24), (30), sorted by A: .A .phi .stable .count .transmissibility.
+
+        Parameters
+        ----------
+        F_0, Omega, places, workers : as in the class
+            Amplitudes and frequencies of the excitation, > 0; largest number of states; threads.
+
+        Returns
+        -------
+        Batch
+            .A is 0 where friction holds the mass at rest, with `Status.STICKS` if there is no other state; in the
+            second approximation it is the largest displacement, and .A_1 the amplitude of the first harmonic. With a
+            load .B is the mean displacement. .undecided as in `saddle_nodes`.
+        """
+
+    @asks(
+        {
+            AVERAGING: f"{_CURVE} {_FOLDS_OF_IT}",
+            SECOND: "Omega:point A:point A_1:point phi:point stable:point branch:point isola:point points "
+            "undecided status",
+            OFFSET: f"{_CURVE} {_FOLDS_OF_IT} B:point phi:point transmissibility:point",
+        }
+    )
+    def frequency_response(
+        self,
+        F_0: Any,
+        *,
+        samples: int = 1000,
+        Omega: tuple[float, float] = validate.WINDOW,
+        places: int = 6,
+        workers: int = 1,
+    ) -> Found:
+        """Compute the response curve at F_0 (24), (30), with every fold: .Omega .A .stable .branch .isola .points.
+
+        Parameters
+        ----------
+        F_0, samples, Omega : as in the class
+            Amplitudes of the excitation, > 0; about how many points; window of frequencies, the same for all designs.
+        places, workers : int
+            Largest number of folds; threads.
+
+        Returns
+        -------
+        Batch
+            Points lie along an additional axis of `samples` + 64 entries (+ 256 in the second approximation), in order
+            along each branch; the first .points entries are used, the others are NaN, 0 and branch -1. .branch is the
+            index of the connected curve, from 0, isolated curves last, .isola 1 where it is closed; .fold_Omega .fold_A
+            .fold_kind .count are as in `saddle_nodes`, not in the second approximation. `Status.TOO_MANY` marks a curve
+            with more points, which is left empty, or with more folds than `places`. About 25 bytes per point.
+        """
+
+    @asks(_same("A Omega status", AVERAGING, SECOND) | {OFFSET: "A B Omega u_max Omega_max status"})
+    def peak(self, F_0: Any, *, workers: int = 1) -> Found:
+        """Find the highest peak at F_0, isolas included: .A .Omega, which is 0 if A decreases with Omega throughout.
+
+        Returns
+        -------
+        Batch
+            For a softening spring, the peak within the potential well. `Status.UNBOUNDED` marks a response that does
+            not close within it. With a load also .B, and .u_max at .Omega_max of the motion with the largest
+            displacement.
+        """
+
+    @asks({AVERAGING: "count proved bits status"})
+    def certify(self, F_0: Any, *, Omega: Any = None, workers: int = 1) -> Found:
+        """Prove the number of folds at F_0, or of states at (Omega, F_0), about the centre: .count .proved .bits.
+
+        Parameters
+        ----------
+        F_0, Omega, workers : as in the class
+            Amplitudes of the excitation and, for states, frequencies, > 0; threads.
+
+        Returns
+        -------
+        Batch
+            .proved is 1 where the count is proved, with amplitudes as in a single `certify`, 0 where undecided; .bits
+            is the precision: 53 for intervals of doubles, more for balls. Where intervals are inconclusive, ball
+            arithmetic is used, with python-flint (`pip install 'slowflow[proofs]'`), one design after the other, in
+            some hundredths of a second each. `Status.UNRESOLVED` where no proof is possible: for a force whose averages
+            have no enclosures.
+        """
+
+    @asks({OFFSET: "u:place stiffness:place count status"})
+    def rest(self, *, places: int = 3, workers: int = 1) -> Found:
+        """Find every equilibrium under a load, sorted by u: .u .stiffness .count."""
+
+    @asks({AVERAGING: "Omega_0 k_0 u_cr break_loose rests_within sticking status"})
+    def at_rest(self, *, workers: int = 1) -> Found:
+        """Compute data that do not depend on the forcing: .Omega_0 .k_0 .u_cr .break_loose .rests_within .sticking.
+
+        As `at_rest` of a single design: NaN if there is no frequency or no stroke; rests_within may be inf.
+        """
+
+    @asks(
+        _same("F_SN F_cr of_SN of_cr kind folds detaches sticks Omega_sticks onset status", AVERAGING, OFFSET),
+        kinds=OnsetKind,
+    )
+    def margins(self, F_0: Any, *, workers: int = 1) -> Found:
+        """Compare F_0 with F_SN and F_cr: .of_SN .of_cr .folds .detaches .sticks .Omega_sticks .onset.
+
+        Returns
+        -------
+        Batch
+            .F_SN .F_cr .of_SN .of_cr are inf if there is no such forcing; F_SN is NaN if there is no lowest one, or if
+            it is unknown, as given by the status .onset; F_cr as in `averaged.checks.Margins`. .kind is an `OnsetKind`;
+            at the birth of an isola no sweep jumps. .detaches is 1 if a stable motion passes u_cr, also on isolated
+            curves, which may exist below F_cr; .sticks is 1 if a mass at rest sticks at every frequency. .status is
+            that of the folds, or of the onset, the detachment or the peak if one of these is unknown.
+        """
+
+    @asks(_same("Omega_low:place Omega_high:place motions:place count status", AVERAGING, OFFSET))
+    def hysteresis(self, F_0: Any, *, places: int = 3, workers: int = 1) -> Found:
+        """Find the bands of Omega with several stable motions at F_0: .Omega_low .Omega_high .motions .count.
+
+        Parameters
+        ----------
+        F_0, places, workers : as in the class
+            Amplitudes of the excitation, > 0; largest number of bands; threads.
+        """
+
+    @asks({AVERAGING: "Omega A at_fold status", OFFSET: "Omega A at_fold status B"})
+    def isolation(self, F_0: Any, *, level_dB: Any = None, workers: int = 1) -> Found:
+        """Find the frequency above which less than F_0, or a given fraction of it, is transmitted: .Omega .A .at_fold.
+
+        Parameters
+        ----------
+        F_0, level_dB, workers : as in the class
+            Amplitudes of the excitation, > 0; levels in decibels, <= 0, by default 0, which broadcast too; threads.
+
+        Returns
+        -------
+        Batch
+            .Omega is 0 and .A NaN if every motion transmits less; both are NaN, with `Status.NONE`, if there is no such
+            frequency.
+        """
+
+    @asks(
+        _same(
+            "A:row transmissibility_dB:row motions:row crosses:row detaches:row sticks:row status:row",
+            AVERAGING,
+            OFFSET,
+        ),
+        argument_axes={"Omega": "row", "F_0": "row"},
+    )
+    def spectrum(self, *, Omega: Any, F_0: Any, workers: int = 1) -> Found:
+        """Evaluate a load spectrum, one tone at a time: .A .transmissibility_dB .motions .crosses .detaches .sticks.
+
+        Parameters
+        ----------
+        Omega, F_0, workers : as in the class
+            Frequencies and amplitudes, > 0, with the rows along the last axis; the other axes broadcast with the
+            designs; threads.
+
+        Returns
+        -------
+        Batch
+            The axes are those of the designs, then that of the rows. `Status.NONE` if no motion is stable; otherwise
+            the status of the states that fail, or of the folds in between.
+        """
+
+    @asks(
+        {AVERAGING: _TRANSIENT, OFFSET: f"{_TRANSIENT} stands"},
+        argument_axes={"tau": "instant", "acceleration": "instant"},
+    )
+    def transient(
+        self, *, acceleration: Any, duration: Any = None, tau: Any = None, after: float | None = None, workers: int = 1
+    ) -> Found:
+        """Integrate the response to a shock of the base: .A .tau_A .a_max .tau_a .detaches .tau_detaches .rests .u_end.
+
+        Parameters
+        ----------
+        acceleration, duration, tau : array_like
+            Peak and duration of a half sine, which broadcast with the designs; or samples and times of a record along
+            their last axis, whose other axes broadcast.
+        after, workers : as in `Oscillator.transient`
+            Duration of the free motion afterwards, in tau; threads.
+
+        Returns
+        -------
+        Batch
+            About thirty thousand designs per second. `Status.UNRESOLVED` if the motion escapes or chatters. With a load
+            also .stands, the number of stable equilibria: the motion begins at the one nearest to the centre; a design
+            takes hundredths of a second.
+        """
+
+    @asks({AVERAGING: "A a_max ratio detaches status", OFFSET: "A a_max ratio detaches status stands"})
+    def shock_spectrum(self, *, acceleration: Any, duration: Any, workers: int = 1) -> Found:
+        """Compute the shock response spectrum of half sines: .A .a_max .ratio .detaches; with a load .stands too.
+
+        Parameters
+        ----------
+        acceleration, duration, workers : as in the class
+            Peaks and durations, > 0; threads.
+
+        Raises
+        ------
+        ValueError
+            For structural damping. Designs with other damping laws are integrated one by one, in milliseconds each.
+        """
+
+    @asks(
+        {
+            AVERAGING: "u_rms:place v_rms:place a_rms:place stiffness:place damping:place Omega_e:place ratio_e:place "
+            "beyond:place crossing_rate:place dry:place count status"
+        }
+    )
+    def random(
+        self, *, S_0: Any = None, psd: tuple[Any, Any] | None = None, places: int = 3, workers: int = 1
+    ) -> Found:
+        """Find stationary random vibration: .u_rms, ascending, .v_rms .a_rms .stiffness .damping .beyond .dry .count.
+
+        Parameters
+        ----------
+        S_0, psd : array_like, tuple of array_like
+            Densities of white noise, which broadcast with the designs; or frequencies and densities, the same for all
+            designs, at about 0.3 milliseconds per design.
+        places, workers : as in the class
+            Largest number of motions; threads.
+
+        Returns
+        -------
+        Batch
+            As `random` of a single design; its diagnostics apply if there are several motions, or if .dry exceeds 0.8.
+            `Status.UNRESOLVED` also if there is no stationary motion.
+        """
+
+
+#: questions about motions in time under a pulse or a record of the base's acceleration
+SHOCKS = tuple(name for name, row in QUESTIONS.items() if "acceleration" in row.takes)

@@ -1,0 +1,701 @@
+"""Input files (scenes). Takes a TOML file with an oscillator, forcings and questions; returns the answers.
+
+    [mount]                     # as Isolator.physical, in SI units; or [spring], as Duffing.physical; or [isolator],
+                                # [duffing], dimensionless
+    m = 12
+    k_v = 2500
+    k_h = 1700
+    L = 0.080
+    preload = 0.009
+    friction = 0.4
+    zeta = 0.02
+
+    [ask]
+    F = [3.0, "0.8 lbf"]        # N; F_0 for [isolator] and [duffing]; with excitation = "base" Y in m or a in m/s^2,
+                                # of an "unbalance" U in kg m
+    f = [5.0]                   # Hz; Omega for these
+    level_dB = [0, -20]         # for "isolation": transmissibility below which it stays
+    questions = ["saddle_nodes", "amplitudes", "spectrum"]
+
+    [spectrum]                  # pairs, one tone at a time
+    f = [2.0, 2.2, 5.0]
+    F = [5.0, 5.0, 3.0]
+
+    [tolerances]                # for the question "tolerances": relative half widths; answers at each F,
+    k_h = 0.05                  # with each f, in the [spectrum] and in each half sine of the [shock], if specified
+
+    [shock]                     # for "transient" and "shock_spectrum": half sines of the base, all combinations
+    acceleration = [20.0]       # m/s^2
+    duration = [0.011, 0.02]    # s; or, of one record, its times t (tau without dimensions)
+
+    [psd]                       # for "random": a one-sided power spectral density, linear in log-log
+    f = [1, 5, 100]             # Hz; Omega for a dimensionless oscillator, without unit
+    G = [1e-4, 1e-4, 2.5e-7]
+    unit = "g^2/Hz"             # or "(m/s^2)^2/Hz", of the base; "N^2/Hz", of a force
+
+    [require]                   # requirements: `run` and `report` give verdict and margins
+    # jumps = "none"            # at each F of [ask]; detachment = "none" as well
+    transmissibility_dB = { below = -10, from_f = 8 }
+    relative_displacement = { below = "60 mm", under = ["peak", "shock", "random"], duration = "1 h" }
+    absolute_acceleration = { below = "0.5 g", under = "random", rms = true }
+
+    [free]                      # for `slowflow meet`: free parameters of the mount, with their ranges
+    k_v = [2000, "3 N/mm"]
+    zeta = [0.02, 0.1]
+
+[spectrum], the record of a [shock], and [psd] may have `file = "columns.csv"` instead of lists, in the folder of the
+scene, see `slowflow.oscillators.measurements`. Only the requested questions are computed. A scene contains no code and
+no expressions: only numbers, words and lists of these. Errors raise `SceneError` with line, allowed values and the
+closest known word.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import inspect
+import itertools
+import os
+import re
+import tomllib
+import warnings
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from slowflow.answers.answer import Answer, shown
+from slowflow.answers.quantities import DENSITIES, EXCITED, LETTERS, SHOWN, SI, UNITS, si
+from slowflow.answers.table import COLUMNS, SHOCKS
+from slowflow.answers.table import QUESTIONS as ROWS
+from slowflow.app import costs
+from slowflow.app.verdict import AMOUNTS, NONE, REQUIREMENTS, TRANSMISSIBILITY, Requirement, kind_of
+from slowflow.averaged import plan
+from slowflow.averaged.plan import Plan
+from slowflow.core import validate
+from slowflow.oscillators import range_checks
+from slowflow.oscillators.isolator import Duffing, Isolator
+from slowflow.oscillators.measurements import read_csv
+from slowflow.oscillators.physical import Physical
+from slowflow.support.errors import Refused, SceneError
+
+
+def _takes(question: str) -> frozenset[str]:
+    """What the method of this name takes without dimensions, but of a frequency that it need not be given "window"."""
+    parameters = inspect.signature(getattr(Isolator, question)).parameters.values()
+    return frozenset(
+        "window" if one.name == "Omega" and one.default is not one.empty else one.name for one in parameters
+    )
+
+
+#: what a scene may ask, and what that takes: those of the table but proofs, which a certificate has, tolerances, and
+#: what many designs are not asked
+QUESTIONS: Mapping[str, frozenset[str]] = {
+    **{name: _takes(name) for name in ROWS if name != "certify"},
+    "tolerances": frozenset(),
+    **{name: _takes(name) for name in ("random", "exact_response", "fold_locus", "cusps", "isola_points")},
+}
+
+
+@dataclass(frozen=True)
+class Kind:
+    """A table that defines an oscillator.
+
+    make               -- function of its keys that makes the oscillator
+    forcing, frequency -- names of the keys in [ask], and of the methods' arguments
+    time               -- name of the times of a record
+    """
+
+    make: Callable[..., Any]
+    forcing: str = "F_0"
+    frequency: str = "Omega"
+    time: str = "tau"
+
+    @property
+    def in_si(self) -> bool:
+        """Whether its numbers are in SI units."""
+        return self.frequency == "f"
+
+    @property
+    def keys(self) -> tuple[str, ...]:
+        """The allowed keys."""
+        return tuple(inspect.signature(self.make).parameters)
+
+    @property
+    def needed(self) -> tuple[str, ...]:
+        """The required keys."""
+        parameters = inspect.signature(self.make).parameters
+        return tuple(name for name, one in parameters.items() if one.default is inspect.Parameter.empty)
+
+
+KINDS = {
+    "mount": Kind(Isolator.physical, "F", "f", "t"),
+    "spring": Kind(Duffing.physical, "F", "f", "t"),
+    "isolator": Kind(Isolator),
+    "duffing": Kind(Duffing),
+}
+#: keys of these that are no numbers with a tolerance
+NO_NUMBERS = ("load", "force", "excitation", "rubs", "mu_s", "static_friction")
+#: what the amplitude of an excitation is called
+FORCINGS = (*LETTERS, "F_0")
+#: of which kind the arguments of a mount's questions are
+OF_MOUNT = {one.si or one.name: one.kind for one in COLUMNS.values()}
+OF_MOUNT |= dict(EXCITED.values())
+#: names of the frequency
+FREQUENCIES = ("f", "Omega")
+#: tables whose columns a CSV file may have
+OF_FILES = ("spectrum", "shock", "psd")
+#: what a half sine of the base is given by
+OF_A_PULSE = ("acceleration", "duration")
+
+
+@dataclass(frozen=True)
+class Asked:
+    """One question of a scene, with forcing and frequencies by the names of the arguments.
+
+    kinds -- for a mount, the kinds of unit of these: keys of `quantities.UNITS`
+    """
+
+    question: str
+    arguments: Mapping[str, Any]
+    kinds: Mapping[str, str] = field(default_factory=dict)
+
+    @property
+    def forcing(self) -> float | None:
+        """The forcing, if it has one."""
+        known = (value for name, value in self.arguments.items() if name in FORCINGS and isinstance(value, float))
+        return next(known, None)
+
+    def numbers(self) -> dict[str, float]:
+        """The arguments that are single numbers, the forcing or a pulse, in the units of printed answers."""
+        pulse = zip(OF_A_PULSE, self.arguments.get("shock", ()), strict=False)
+        found = {name: value for name, value in (*self.arguments.items(), *pulse) if isinstance(value, float)}
+        sizes = {name: UNITS[kind][SHOWN[kind]] for name, kind in self.kinds.items()}
+        return {name: value / sizes.get(name, 1.0) for name, value in found.items()}
+
+    def units(self) -> dict[str, str]:
+        """Those units, by the names of the arguments."""
+        return {name: SHOWN[kind] for name, kind in self.kinds.items()}
+
+    def given_in(self) -> dict[str, str]:
+        """The units of the arguments in a scene, by name; for pairs by the names of their members."""
+        pairs = {"shock": OF_A_PULSE, "spectrum": [name for name in self.kinds if name in (*LETTERS, "f")]}
+        names = [part for name in self.arguments for part in pairs.get(name, [name])]
+        return {name: SI[self.kinds[name]] for name in names if name in self.kinds}
+
+    def count(self) -> int:
+        """Number of answers: one for each frequency, row of a spectrum, pulse of a shock spectrum."""
+        if self.question == "amplitudes":
+            return next(len(values) for name, values in self.arguments.items() if name in FREQUENCIES)
+        if self.question == "shock_spectrum":
+            return len(self.arguments["acceleration"]) * len(self.arguments["duration"])
+        rows = self.arguments.get("spectrum", self.arguments.values() if self.question == "spectrum" else [[None]])
+        return len(next(iter(rows)))
+
+    @property
+    def cost(self) -> str:
+        """Its entry in `measured.costs`: the question, for tolerances also their kind."""
+        if self.question != "tolerances":
+            return self.question
+        of = {"spectrum": "in a spectrum", "shock": "in a shock", **dict.fromkeys(FREQUENCIES, "at a frequency")}
+        return next(
+            (f"tolerances {load_case}" for name, load_case in of.items() if name in self.arguments), "tolerances"
+        )
+
+    def content(self, answer: Answer) -> dict[str, Any]:
+        """Query and answer, as plain Python."""
+        what = {"question": self.question, "asked": dict(self.arguments), "asked_in": self.given_in()}
+        return {**what, **answer.to_dict()}
+
+    def __str__(self) -> str:
+        units = self.units()
+        text = ", ".join(f"{name} = {value:g} {units.get(name, '')}".rstrip() for name, value in self.numbers().items())
+        if "spectrum" in self.arguments:
+            return f"{self.question} in the load spectrum"
+        return f"{self.question} at {text}" if text else self.question
+
+
+@dataclass(frozen=True)
+class Scene:
+    """A scene that can be run.
+
+    path, text -- its source
+    content    -- the same as plain Python
+    oscillator -- an `Isolator`, `Duffing` or, in physical units, `Physical`
+    asked      -- the questions, in order
+    warnings   -- implausible numbers
+    requirements -- requirements at the forcings of [ask], `given_forcings`, and in shocks and spectra, `cases`
+    free       -- parameters of the oscillator that may change to meet them, each with its range
+    answers    -- answers computed so far, by question and arguments
+    """
+
+    path: Path
+    text: str
+    content: Mapping[str, Any]
+    oscillator: Isolator | Duffing | Physical
+    asked: tuple[Asked, ...]
+    warnings: tuple[str, ...] = ()
+    requirements: tuple[Requirement, ...] = ()
+    given_forcings: tuple[float, ...] = ()
+    cases: tuple[Asked, ...] = ()
+    free: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    answers: dict[Any, Any] = field(default_factory=dict, compare=False, repr=False)
+
+    def answer(self, query: Asked) -> Answer:
+        """The answer to one of its questions, for a mount in N, mm and Hz; computed on first use."""
+        return shown(self.ask(query.question, **query.arguments))
+
+    def ask(self, question: str, **arguments: Any) -> Any:
+        """The oscillator's answer, for a mount in SI units; computed on first use."""
+        if (key := (question, repr(sorted(arguments.items())))) not in self.answers:
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore", range_checks.Implausible)  # among `warnings` already
+                self.answers[key] = self._method(question)(**arguments)
+        return self.answers[key]
+
+    def _method(self, question: str) -> Callable[..., Any]:
+        """What answers a question."""
+        if question != "tolerances":
+            return getattr(self.oscillator, question)
+        from slowflow.sizing import tolerances  # here, not above: it imports SciPy's statistics
+
+        return partial(tolerances, self.oscillator)
+
+    def explain(self, query: Asked) -> Plan | None:
+        """The plan of a question; None for a formula, or a combination of other questions."""
+        if query.question not in plan.QUESTIONS:
+            return None
+        return self.oscillator.explain(query.question, query.forcing)
+
+    def seconds(self, query: Asked) -> float:
+        """Estimated time, from measured times of such questions."""
+        oscillator: Any = self.oscillator.oscillator if isinstance(self.oscillator, Physical) else self.oscillator
+        plain, laws, load = costs.COSTS[query.cost]
+        each = load if oscillator.load != 0 else laws if oscillator.model.laws.any else plain
+        # what was not measured, as a shock with eta, which is refused, takes at most what the others take
+        return (each or max(plain, laws, load)) * query.count()
+
+    def forcings(self) -> list[float]:
+        """The forcings of its questions and requirements, each once, in order."""
+        own = (one.forcing for one in self.asked if one.forcing is not None)
+        return list(dict.fromkeys((*own, *self.given_forcings)))
+
+    def of(self, question: str) -> list[Asked]:
+        """Its queries of one question."""
+        return [query for query in self.asked if query.question == question]
+
+    def of_design(self, design: Any) -> Scene:
+        """The same scene with another oscillator."""
+        return replace(self, oscillator=design, answers={})
+
+    def with_numbers(self, numbers: Mapping[str, float], folder: Path | None = None) -> str:
+        """Its text with other parameters of the oscillator, as a file in `folder`, by default its own.
+
+        Relative paths of CSV files are adapted. Raises SceneError if the text does not have one parameter per line.
+        """
+        lines, reader = self.text.splitlines(), _Reader(self.path, self.text, dict(self.content))
+        (table,) = KINDS.keys() & self.content.keys()
+        expected = tomllib.loads(self.text)
+        changed: list[tuple[str, str, Any]] = [(table, key, value) for key, value in numbers.items()]
+        here = self.path.parent
+        for name in OF_FILES:
+            if file := expected.get(name, {}).get("file"):
+                there = here / file if Path(file).is_absolute() else os.path.relpath(here / file, folder or here)
+                changed.append((name, "file", Path(there).as_posix()))
+        for name, key, value in changed:
+            k = reader._line(name, key) - 1
+            value_of = rf"""(\b{re.escape(key)}\s*=\s*)("[^"]*"|'[^']*'|[^\s#]+)"""
+            line, count = re.subn(value_of, rf"\g<1>{value!r}", lines[k], count=1)
+            lines[k] = line if count else f"{lines[k]}\n{key} = {value!r}"
+            expected[name][key] = value
+        text = "\n".join(lines) + "\n"
+        with contextlib.suppress(tomllib.TOMLDecodeError):
+            if tomllib.loads(text) == expected:
+                return text
+        raise SceneError(f"{self.path}: [{table}] must have a line for each number, which another one can take")
+
+    @property
+    def sha256(self) -> str:
+        """Hash of the text."""
+        return hashlib.sha256(self.text.encode()).hexdigest()
+
+
+def from_tables(content: Mapping[str, Any]) -> Scene:
+    """Make a scene from tables in plain Python. Raises SceneError, without a file name, for errors."""
+    return _Reader(Path(), "", dict(content)).scene()
+
+
+def read(path: Path) -> Scene:
+    """Read an input file. Raises SceneError for errors in it or a missing file, OSError if it cannot be read."""
+    try:
+        text = path.read_text(encoding="utf-8")
+    except FileNotFoundError:
+        raise SceneError(f"{path}: there is no such file; `slowflow new` writes a scene to begin with") from None
+    except IsADirectoryError:
+        raise SceneError(f"{path}: this is a folder, not a scene") from None
+    except UnicodeDecodeError as error:
+        raise SceneError(f"{path}: this is not UTF-8: {error.reason} at byte {error.start}") from None
+    try:
+        content = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise SceneError(f"{path}: this is not TOML: {error}") from None
+    return _Reader(path, text, {name: _with_columns(path, name, table) for name, table in content.items()}).scene()
+
+
+def _with_columns(path: Path, name: str, table: Any) -> Any:
+    """A table with the columns of its file in place of the file's name."""
+    if name not in OF_FILES or not isinstance(table, dict) or "file" not in table:
+        return table
+    if not isinstance(table["file"], str):
+        raise SceneError(
+            f"{path}: file = {table['file']!r} in [{name}] is not allowed: it must be the name of a CSV file"
+        )
+    columns = read_csv(path.parent / table["file"])
+    unit = {"unit": columns.units["G"]} if "G" in columns.units else {}
+    own = {key: value for key, value in table.items() if key != "file"}
+    return {**own, **unit, **{key: column.tolist() for key, column in columns.items()}}
+
+
+@dataclass(frozen=True)
+class _Reader:
+    path: Path
+    text: str
+    content: dict[str, Any]
+
+    def scene(self) -> Scene:
+        self._known("", self.content, (*KINDS, "ask", "spectrum", "tolerances", "shock", "psd", "require", "free"))
+        stated = [name for name in KINDS if name in self.content]
+        if len(stated) != 1:
+            one_of = ", ".join(f"[{name}]" for name in KINDS)
+            raise self._error(stated[-1] if stated else "", "", f"needs one of {one_of}, has {len(stated)}")
+        (name,) = stated
+        kind, table = KINDS[name], self._table(name)
+        self._known(name, table, kind.keys)
+        if kind.in_si and table.get("excitation") == "base" and self._accelerates():
+            table = {**table, "excitation": "acceleration"}
+        if kind.in_si and table.get("excitation") in tuple(EXCITED):
+            kind = replace(kind, forcing=EXCITED[table["excitation"]][0])
+        self._complete(name, table, kind.needed)
+        # first: what it refuses, as a word for the excitation, decides which keys [ask] has
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            oscillator = self._tried(name, table, lambda: kind.make(**table))
+        ask = self._table("ask")
+        self._asks("ask", ask, kind, ("window", "samples", "level_dB", "questions"))
+        if "require" not in self.content:
+            self._complete("ask", ask, ("questions",))
+        if "samples" in ask:
+            self._tried(
+                "ask", ask, lambda: validate.count("samples", ask["samples"], least=2, most=validate.MOST_SAMPLES)
+            )
+        kinds = {key: OF_MOUNT[key] for key in (kind.forcing, kind.frequency, *OF_A_PULSE, kind.time) if kind.in_si}
+        queries = tuple(replace(one, kinds=kinds) for one in self._queries(kind, ask))
+        remarks = dict.fromkeys((*(str(one.message) for one in caught), *_implausible(oscillator, queries)))
+        required: dict[str, Any] = {}
+        if "require" in self.content:
+            cases = [one for name in ("shock", "psd") if name in self.content for one in self._case(name, kind)]
+            required["requirements"] = tuple(self._required(kind))
+            required["given_forcings"] = tuple(self._positive(kind.forcing)) if kind.forcing in ask else ()
+            required["cases"] = tuple(replace(one, kinds=kinds) for one in cases)
+        if "free" in self.content:
+            required["free"] = self._free(oscillator, kind)
+        return Scene(self.path, self.text, self.content, oscillator, queries, tuple(remarks), **required)
+
+    def _free(self, oscillator: Any, kind: Kind) -> dict[str, tuple[float, float]]:
+        """The numbers that may change to meet what is required, each with its ends."""
+        # here, not above: it imports SciPy
+        from slowflow.sizing.subject import Subject
+
+        table = self._table("free")
+        if not self.content.get("require"):
+            raise self._error("free", "", "needs [require]: what is to be met")
+        self._known("free", table, tuple(key for key in kind.keys if key not in NO_NUMBERS))
+        subject = self._tried("free", table, lambda: Subject(oscillator, table))
+        return self._tried("free", table, lambda: {key: subject.ends(key, value) for key, value in table.items()})
+
+    def _accelerates(self) -> bool:
+        """Whether a base is given by its acceleration."""
+        return any(isinstance(table := self.content.get(name), dict) and "a" in table for name in ("ask", "spectrum"))
+
+    def _case(self, name: str, kind: Kind) -> Iterator[Asked]:
+        """A load case of requirements beside forcings."""
+        if name == "shock":
+            return self._shocks("transient", kind)
+        return iter([Asked("random", self._psd("random", kind))])
+
+    def _required(self, kind: Kind) -> Iterator[Requirement]:
+        """What must hold."""
+        table = self._table("require")
+        self._known("require", table, REQUIREMENTS)
+        for name, value in table.items():
+            yield self._tried("require", table, partial(self._requirement, kind, name, value))
+
+    def _requirement(self, kind: Kind, name: str, value: Any) -> Requirement:
+        """One of them. Raises ValueError for what it must not be, or where its load case is missing."""
+        at_forcings = ("ask", kind.forcing) if kind.forcing in self.content.get("ask", {}) else ()
+        if name in NONE:
+            validate.choice(name, value, ("none",))
+        needs = {"peak": "ask", "shock": "shock", "random": "psd"}
+        if name not in AMOUNTS and not at_forcings:
+            raise Refused(f"{name} is required at forcings: {kind.forcing} is missing in [ask]")
+        if name in NONE:
+            return Requirement(name)
+        start = f"from_{kind.frequency}"
+        keys = ("below", start) if name == TRANSMISSIBILITY else ("below", "under", "rms", "duration")
+        if not isinstance(value, dict) or not set(keys[:2]) <= set(value) <= set(keys):
+            raise Refused(f"{name} must be a table with {' and '.join(keys[:2])}; it may have {', '.join(keys)}")
+        if name == TRANSMISSIBILITY:
+            start_at = validate.number(start, si(start, value[start], SI["frequency"] if kind.in_si else ""), above=0.0)
+            return Requirement(name, validate.number("below", value["below"], most=0.0), {"from": start_at})
+        under = value["under"] if isinstance(value["under"], list) else [value["under"]]
+        for one in under:
+            validate.choice("under", one, tuple(AMOUNTS[name]))
+            if needs[one] not in self.content or (one == "peak" and not at_forcings):
+                raise Refused(f"{name} under {one!r} needs [{needs[one]}], with {kind.forcing} for a peak")
+        rms = value.get("rms", False) is True
+        if "random" in under and not rms and (name != "relative_displacement" or "duration" not in value):
+            raise Refused(
+                f"{name} under 'random' needs rms = true, or for a displacement the duration whose maximum counts"
+            )
+        more = {"under": under, "rms": rms}
+        if "duration" in value:
+            duration = si("duration", value["duration"], SI["time"] if kind.in_si else "")
+            more["duration"] = validate.number("duration", duration, above=0.0)
+        below = si("below", value["below"], SI[kind_of(name)]) if kind.in_si else value["below"]
+        return Requirement(name, validate.number("below", below, above=0.0), more)
+
+    def _queries(self, kind: Kind, ask: Mapping[str, Any]) -> Iterator[Asked]:
+        """The questions with their arguments."""
+        questions = self._list("ask", "questions", str) if "questions" in ask else []
+        for name in questions:
+            if name not in QUESTIONS:
+                message = f"= {name!r} is not allowed: it must be one of {', '.join(QUESTIONS)}"
+                raise self._error("ask", "questions", message, name, QUESTIONS)
+            if name == "tolerances":
+                yield from self._tolerances(name, kind)
+            elif name == "spectrum":
+                yield Asked(name, self._spectrum(name, kind))
+            elif name in SHOCKS:
+                yield from self._shocks(name, kind)
+            elif name == "random":
+                yield Asked(name, self._psd(name, kind))
+            else:
+                yield from self._plain(name, kind, ask)
+
+    def _plain(self, name: str, kind: Kind, ask: Mapping[str, Any]) -> Iterator[Asked]:
+        """A question at what [ask] has of that which it takes."""
+        takes = QUESTIONS[name]
+        for key, symbol in ((kind.forcing, "F_0"), (kind.frequency, "Omega")):
+            if symbol in takes and key not in ask:
+                raise self._error("ask", "", f"{key} is missing: {name} needs it")
+        arguments: dict[str, Any] = {kind.frequency: self._positive(kind.frequency)} if "Omega" in takes else {}
+        if "window" in takes and "window" in ask:
+            arguments[kind.frequency] = self._tried("ask", ask, lambda: self._window(kind.frequency, ask["window"]))
+        if "samples" in takes and "samples" in ask:
+            arguments["samples"] = ask["samples"]
+        decibels = self._numbers("level_dB", most=0.0) if "level_dB" in takes and "level_dB" in ask else []
+        levels: list[dict[str, Any]] = [{"level_dB": one} for one in decibels] or [{}]
+        for forcing in self._positive(kind.forcing) if "F_0" in takes else [None]:
+            for level in levels:
+                yield Asked(name, {**({} if forcing is None else {kind.forcing: forcing}), **arguments, **level})
+
+    def _spectrum(self, question: str, kind: Kind) -> dict[str, Any]:
+        """The pairs of a load spectrum."""
+        table = self._table("spectrum", question)
+        names = (kind.frequency, kind.forcing)
+        self._asks("spectrum", table, kind)
+        self._complete("spectrum", table, names)
+        pairs = {name: self._positive(name, "spectrum") for name in names}
+        lengths = [len(values) for values in pairs.values()]
+        if lengths[0] != lengths[1]:
+            message = f"has {lengths[1]} numbers, and {names[0]} has {lengths[0]}: they are pairs"
+            raise self._error("spectrum", names[1], message)
+        return pairs
+
+    def _shocks(self, name: str, kind: Kind) -> Iterator[Asked]:
+        """The pulses of a shock: every pair of a peak and a duration, or a record."""
+        table = self._table("shock", name)
+        self._known("shock", table, (*OF_A_PULSE, kind.time))
+        if kind.time in table and name == "transient":
+            self._complete("shock", table, ("acceleration", kind.time))
+            samples = {key: self._numbers(key, "shock") for key in ("acceleration", kind.time)}
+            if "duration" in table or len(samples["acceleration"]) != len(samples[kind.time]):
+                message = "must have one time for each sample of acceleration, and no duration"
+                raise self._error("shock", kind.time, message)
+            yield Asked(name, samples)
+            return
+        self._complete("shock", table, OF_A_PULSE)
+        peaks, durations = (self._positive(key, "shock") for key in OF_A_PULSE)
+        if name == "shock_spectrum":
+            yield Asked(name, {"acceleration": [[peak] for peak in peaks], "duration": durations})
+            return
+        for peak, duration in itertools.product(peaks, durations):
+            yield Asked(name, {"acceleration": peak, "duration": duration})
+
+    def _psd(self, question: str, kind: Kind) -> dict[str, Any]:
+        """A spectral density, of a mount in a unit."""
+        table = self._table("psd", question)
+        self._known("psd", table, (kind.frequency, "G", *["unit"] * kind.in_si))
+        self._complete("psd", table, (kind.frequency, "G"))
+        rows = tuple(self._positive(key, "psd") for key in (kind.frequency, "G"))
+        if "unit" not in table:
+            return {"psd": rows}
+        allowed = tuple(DENSITIES)
+        return {"psd": rows, "unit": self._tried("psd", table, lambda: validate.choice("unit", table["unit"], allowed))}
+
+    def _tolerances(self, name: str, kind: Kind) -> Iterator[Asked]:
+        """Shares by which numbers may be off: at each forcing, then with each frequency, in the spectrum, in shocks."""
+        # here, not above: it imports SciPy
+        from slowflow.sizing.subject import AT_A_FREQUENCY, IN_A_SHOCK, IN_A_SPECTRUM
+
+        within = {"within": self._within(name, kind)}
+        ask, spectrum, shock = (self.content.get(table, {}) for table in ("ask", "spectrum", "shock"))
+        forcings = self._positive(kind.forcing) if kind.forcing in ask else []
+        frequencies = self._positive(kind.frequency) if kind.frequency in ask else []
+        for forcing in forcings:
+            yield Asked(name, {kind.forcing: forcing, **within})
+            for at in frequencies:
+                yield Asked(name, {kind.forcing: forcing, kind.frequency: at, **within, "answers": [*AT_A_FREQUENCY]})
+        if spectrum:
+            pairs = tuple(self._spectrum(name, kind).values())
+            yield Asked(name, {"spectrum": pairs, **within, "answers": [*IN_A_SPECTRUM]})
+        if shock and kind.time not in shock:
+            for one in self._shocks("transient", kind):
+                pulse = tuple(one.arguments[key] for key in OF_A_PULSE)
+                yield Asked(name, {"shock": pulse, **within, "answers": [*IN_A_SHOCK]})
+        if not (forcings or spectrum or shock):
+            yield Asked(name, within)
+
+    def _within(self, question: str, kind: Kind) -> dict[str, float]:
+        """Shares of its numbers by which these may be off."""
+        table = self._table("tolerances", question)
+        self._known("tolerances", table, tuple(key for key in kind.keys if key not in NO_NUMBERS))
+        bounds = {"least": 0.0, "below": 1.0}
+        return self._tried(
+            "tolerances", table, lambda: {key: validate.number(key, value, **bounds) for key, value in table.items()}
+        )
+
+    def _positive(self, key: str, table: str = "ask") -> list[float]:
+        """A list of numbers > 0."""
+        return self._numbers(key, table, above=0.0)
+
+    def _numbers(self, key: str, table: str = "ask", **bounds: float) -> list[float]:
+        """A list of numbers within bounds, of a mount in SI units."""
+        unit = self._unit(key)
+        values = self._list(table, key, (int, float, str) if unit else (int, float))
+        return self._tried(
+            table, self.content[table], lambda: [validate.number(key, si(key, one, unit), **bounds) for one in values]
+        )
+
+    def _window(self, key: str, ends: Any) -> tuple[float, float]:
+        """Ends of frequencies, of a mount in SI units."""
+        known = [si("window", one, self._unit(key)) for one in ends] if isinstance(ends, list) else ends
+        return validate.window("window", known)
+
+    def _unit(self, key: str) -> str:
+        """In which unit a mount has it; empty where it has none."""
+        in_si = any(kind.in_si for name, kind in KINDS.items() if name in self.content)
+        return SI.get(OF_MOUNT.get(key, ""), "") if in_si else ""
+
+    def _table(self, name: str, question: str = "") -> dict[str, Any]:
+        """A table, and which question needs it, if one does."""
+        value = self.content.get(name)
+        if value is None and question:
+            message = f"= {question!r} needs a table [{name}], which is missing"
+            raise self._error("ask", "questions", message)
+        if not isinstance(value, dict):
+            raise self._error(name, "", "a table is missing" if value is None else "must be a table")
+        return value
+
+    def _list(self, table: str, key: str, kind: Any) -> list[Any]:
+        """A list of numbers or words, or a single one."""
+        value = self.content[table][key]
+        values = value if isinstance(value, list) else [value]
+        if not values or not all(isinstance(one, kind) and not isinstance(one, bool) for one in values):
+            what = "words" if kind is str else "numbers"
+            quoted = "" if kind is str else next(filter(None, map(_quoted, values)), "")
+            raise self._error(table, key, f"= {value!r} is not allowed: {key} must be a list of {what}{quoted}")
+        return values
+
+    def _known(self, table: str, values: Mapping[str, Any], known: tuple[str, ...]) -> None:
+        for key in values:
+            if key not in known:
+                where = (table, key) if table else (key, "")
+                what = f"is not a key of [{table}]" if table else "is not a table of a scene"
+                raise self._error(*where, f"{what}: it must be one of {', '.join(known)}", key, known)
+
+    def _asks(self, table: str, values: Mapping[str, Any], kind: Kind, more: tuple[str, ...] = ()) -> None:
+        """As `_known`; for a forcing or frequency of another oscillator the message names the one to use here."""
+        known = (kind.forcing, kind.frequency, *more)
+        for key in values:
+            if key in (*FORCINGS, *FREQUENCIES) and key not in known:
+                right, of = (kind.forcing, kind.forcing) if key in FORCINGS else (kind.frequency, "f")
+                unit = f", in {SI[OF_MOUNT[of]]}" if kind.in_si else ", dimensionless"
+                what = "the frequency"
+                if key in FORCINGS:
+                    excited = next((name for name, (letter, *_) in EXCITED.items() if letter == right), "")
+                    what = f"the amplitude of the excitation{f' = {excited!r}' if excited else ''}"
+                message = (
+                    f"is not a key of [{table}] here: it must be one of {', '.join(known)}; {what} is {right}{unit}"
+                )
+                raise self._error(table, key, message)
+        self._known(table, values, known)
+
+    def _complete(self, table: str, values: Mapping[str, Any], needed: tuple[str, ...]) -> None:
+        for key in needed:
+            if key not in values:
+                raise self._error(table, "", f"{key} is missing: [{table}] needs {', '.join(needed)}")
+
+    def _tried(self, table: str, values: Mapping[str, Any], make: Callable[[], Any]) -> Any:
+        """What is made of a table; the reason for a refusal begins with the key."""
+        try:
+            return make()
+        except ValueError as error:
+            key = re.split(r"[ \[]", str(error), maxsplit=1)[0]
+            at = self._at(table, key if key in values else "")
+            raise SceneError(f"{at}{error}{_quoted(values.get(key))}") from None
+
+    def _error(self, table: str, key: str, message: str, word: str = "", known: Any = ()) -> SceneError:
+        name = key or (f"[{table}]" if table else "the scene")
+        return SceneError(f"{self._at(table, key)}{name} {message}{validate.meant(word, known or ())}")
+
+    def _at(self, table: str, key: str) -> str:
+        """Where that stands in the file, if there is one."""
+        return f"{self.path}:{self._line(table, key)}: " if self.path.name else ""
+
+    def _line(self, table: str, key: str) -> int:
+        """Where a table or a key of it stands; 1 where that cannot be told, as in a table on one line."""
+        inside, found = "", 1
+        for number, line in enumerate(self.text.splitlines(), start=1):
+            if head := re.match(r"\s*\[\s*([\w-]+)\s*\]", line):
+                inside = head[1]
+                if inside == table:
+                    found = number
+            elif key and inside == table and re.match(rf"\s*{re.escape(key)}\s*=", line):
+                return number
+            elif not inside and re.match(rf"\s*{re.escape(table)}\s*=", line):
+                return number
+        return found
+
+
+def _implausible(of: Any, queries: Iterable[Asked]) -> Iterator[str]:
+    """Remarks on frequencies and durations of a mount that look as if they were in another unit."""
+    if not isinstance(of, Physical):
+        return
+    f_n = of.scales.sizes["frequency"]
+    for one in queries:
+        values = [("f", one.arguments.get("f")), ("f", one.arguments.get("spectrum", [None])[0])]
+        values += [("duration", one.arguments.get("duration")), ("duration", one.arguments.get("shock", [None])[-1])]
+        for name, value in values:
+            if value is not None:
+                remark = range_checks.of_frequency if name == "f" else range_checks.of_duration
+                yield from remark(max(value) if isinstance(value, (list, tuple)) else value, f_n)
+
+
+def _quoted(value: Any) -> str:
+    """What to do with a number that was written as a word; empty for anything else."""
+    try:
+        return f". Remove the quotes: {float(value):g} is a number" if isinstance(value, str) else ""
+    except ValueError:
+        return ""

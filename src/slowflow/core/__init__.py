@@ -1,0 +1,1 @@
+"""The averaged equations as numbers: mechanism, model, checks of arguments, the compiled solvers."""

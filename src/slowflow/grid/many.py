@@ -1,0 +1,55 @@
+"""Batches of oscillators at three levels of approximation. Takes arrays; returns averaged to exact answers.
+
+The averaged questions come from `slowflow.averaged.many`; the others, and maps, are imported on first use.
+"""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+from slowflow.answers.table import SHOCKS
+from slowflow.averaged import many
+from slowflow.core import validate
+
+if TYPE_CHECKING:
+    from slowflow.averaged.batches import Batch
+    from slowflow.second.many import SecondDesigns
+
+#: questions that other rooms answer, which are loaded when asked for
+LOADS = ("at_rest", "margins", "hysteresis", "isolation", "spectrum")
+
+
+class Designs(many.Designs):
+    """Arrays of designs of one mechanism, at three levels of approximation; see `slowflow.averaged.many`."""
+
+    @cached_property
+    def second_approximation(self) -> SecondDesigns:
+        """The same questions with higher harmonics of force and friction."""
+        from slowflow.second.many import SecondDesigns
+
+        validate.is_plain("second_approximation", self.laws)
+        return SecondDesigns(self)
+
+    def _ask(self, question: str, /, *, workers: int = 1, **kwargs: Any) -> Batch:
+        """The answer to a question by its name, from what its method takes."""
+        if question in SHOCKS:
+            from slowflow.exact import shocks_many
+            from slowflow.off_centre.questions import OffCentre
+
+            def at_rest(one: dict[str, float]) -> OffCentre:
+                return OffCentre(self.model(one), 0.0)
+
+            return shocks_many.answer(self, question, **kwargs, workers=workers, at_rest=at_rest)
+        if question == "random":
+            from slowflow.random_vibration import many as random_many
+
+            return random_many.answer(self, **kwargs, workers=workers)
+        if question not in LOADS:
+            return super()._ask(question, workers=workers, **kwargs)
+        from slowflow.averaged import batch_checks
+
+        if "places" in kwargs:
+            kwargs["places"] = validate.count("places", kwargs["places"], least=1)
+        found: Batch = getattr(batch_checks, question)(self, **kwargs, workers=workers)
+        return found

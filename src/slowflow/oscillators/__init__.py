@@ -1,0 +1,1 @@
+"""The oscillators that users hold, dimensionless and in SI units."""

@@ -1,0 +1,388 @@
+"""The shipped oscillators by name. Takes their parameters; returns oscillators that answer every question.
+
+`Isolator` is the paper's mechanism, `Duffing` one cubic piece. Names, domains and one-line docs are the records'.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+import warnings
+from collections.abc import Mapping
+from typing import Any
+
+from slowflow.answers.quantities import EXCITED, SHEET, Scales, g, si
+from slowflow.core import validate
+from slowflow.core.mechanism import LINEAR, Force, Mechanism, described
+from slowflow.core.model import THROUGHOUT, Laws, Model
+from slowflow.oscillators import range_checks
+from slowflow.oscillators.oscillator import FORCES, Oscillator
+from slowflow.oscillators.physical import Physical
+from slowflow.support.errors import Refused
+from slowflow.support.text import text
+from slowflow_kernels import duffing, rod_spring
+from slowflow_kernels.domains import DAMPING, DISSIPATION
+from slowflow_kernels.scaling import SCALES
+
+ROD_SPRING: Mechanism = rod_spring.MECHANISM
+DUFFING: Mechanism = duffing.MECHANISM
+#: of the numbers of a design and of its damping, by name
+DOMAINS = {domain.name: domain for domain in (*ROD_SPRING.design, *DAMPING, *DISSIPATION)}
+
+
+NEGATIVE = (
+    "delta_h = {delta_h:g} exceeds 1/(lam r) = {most:g}: negative stiffness at rest (alpha = {alpha:g}); the averaged "
+    "motion is about {u} = 0"
+)
+
+
+def _averaged(force: Any) -> Mechanism:
+    """The isolator's mechanism with the force that is to be averaged, one of `FORCES`."""
+    untruncated = validate.choice("force", force, FORCES) == "untruncated"
+    return ROD_SPRING.load_untruncated() if untruncated and ROD_SPRING.load_untruncated else ROD_SPRING
+
+
+def _viscous(c: Any, zeta: float | None) -> dict[str, Any]:
+    """The viscous damping of a data sheet, by the one name that it has there."""
+    if c is not None and zeta is not None:
+        raise Refused("c and zeta both define the viscous damping: specify one of them")
+    return {"zeta": 0.0 if zeta is None else zeta} if c is None else {"c": c}
+
+
+def _numbers(scales: Scales, known: Mapping[str, Any]) -> dict[str, Any]:
+    """The dimensionless numbers of what is known of a data sheet, in SI units."""
+    measured = scales.measures.items()
+    return {
+        name: scales.over(word, known[word], DOMAINS[name], scale) for name, (word, scale) in measured if word in known
+    }
+
+
+class Isolator(Oscillator):
+    __doc__ = f"""The high-static-low-dynamic-stiffness isolator of (1)-(7), whose springs detach from the rod at u_cr.
+
+{described((*ROD_SPRING.design, *DAMPING, *DISSIPATION))}
+    rubs -- "throughout", or "attached": dry friction acts while the springs touch the push-rod, |u| < u_cr
+    mu_s -- static friction, as in `Oscillator`
+    force -- what is averaged: "truncated" for the fifth-order polynomial (6), which jumps at u_cr, "untruncated" for
+        the force as the geometry gives it (5)
+    excitation -- "force", "base" or "unbalance", as in `Oscillator`
+    load -- static load beyond what the vertical spring holds at the centre, over k_v L, as in `Oscillator`
+
+    delta_h > 1/(lam r) is a negative stiffness at rest, which works with a warning. Raises ValueError for a number
+    outside its domain, or another word for the force.
+    """
+
+    lam: float
+    r: float
+    delta_h: float
+    alpha: float
+    beta: float
+    gamma: float
+    u_cr: float
+
+    @validate.asked_by_name
+    def __init__(
+        self,
+        *,
+        lam: float,
+        r: float,
+        delta_h: float,
+        mu: float = 0.0,
+        zeta: float = 0.0,
+        eta: float = 0.0,
+        c_2: float = 0.0,
+        c_3: float = 0.0,
+        zeta_2: float = 0.0,
+        rubs: str = THROUGHOUT,
+        mu_s: float = 0.0,
+        force: str = "truncated",
+        excitation: str = "force",
+        load: float = 0.0,
+    ) -> None:
+        design = {"lam": lam, "r": r, "delta_h": delta_h}
+        damping = {"mu": mu, "zeta": zeta, "eta": eta, "c_2": c_2, "c_3": c_3, "zeta_2": zeta_2}
+        super().__init__(_averaged(force), rubs=rubs, mu_s=mu_s, excitation=excitation, **damping, **design)
+        if self.delta_h == 0:  # the springs never touch the rod: a linear spring without a breakpoint
+            self.__dict__["model"] = Model(
+                DUFFING, LINEAR, self.mu, self.zeta, design=LINEAR, excitation=excitation, laws=self.model.laws
+            )
+        if not self.model.mechanism.truncated:
+            coefficients = zip(ROD_SPRING.parameters, ROD_SPRING.coefficients(*self.design), strict=True)
+            self.__dict__.update({name.name: float(value) for name, value in coefficients})
+        del self.given["mechanism"]
+        self.given["force"] = force
+        if load != 0:
+            self._put(load)
+        if self.alpha < 0:
+            warnings.warn(text(NEGATIVE, self.delta_h, 1 / (self.lam * self.r), self.alpha), stacklevel=3)
+
+    def restoring_force(self, which: str | None = None) -> Force:
+        if which == "truncated":
+            return Force.of(ROD_SPRING, (self.alpha, self.beta, self.gamma, self.u_cr))
+        return super().restoring_force(which)
+
+    @classmethod
+    @validate.asked_by_name
+    def physical(
+        cls,
+        *,
+        m: Any,
+        k_v: Any,
+        k_h: Any,
+        L: Any,
+        preload: Any,
+        n: int = 3,
+        mounts: int = 1,
+        friction: Any = 0.0,
+        c: Any = None,
+        zeta: float | None = None,
+        eta: float = 0.0,
+        c_2: Any = 0.0,
+        c_3: Any = 0.0,
+        c_xx: Any = 0.0,
+        rubs: str = THROUGHOUT,
+        static_friction: Any = None,
+        load: Any = None,
+        force: str = "untruncated",
+        excitation: str = "force",
+    ) -> Physical:
+        """Make an isolator from its data sheet, with arguments and answers in newtons, metres and hertz.
+
+        Arguments are numbers in these units, or quantities of pint. Without `load` the vertical spring is assumed to be
+        preloaded by m g/k_v, so that m rests at the centre, where the push-rods are horizontal. Another load rests off
+        the centre, at `rest()`, and its motions are asymmetric: answers then include a mean B. An allowed number that
+        seems to be in another unit, such as L = 80, gives a warning.
+
+        Parameters
+        ----------
+        m : float, kg
+            Mass that moves.
+        k_v, k_h : float, N/m
+            Stiffness of the vertical spring, and of each horizontal one.
+        L, preload : float, m
+            Length of the push-rod, and compression of each horizontal spring at the centre.
+        n : int
+            Number of horizontal springs.
+        mounts : int
+            Number of equal mounts that share the mass: m and load are the whole mass, all other data those of one
+            mount.
+        friction : float, N
+            Dry friction.
+        c, zeta : float, N s/m, or dimensionless
+            Viscous damping, or the damping ratio c/(2 sqrt(k_v m)): one of them, or neither for none.
+        eta : float
+            Structural damping, the loss factor of the vertical spring, dimensionless.
+        c_2 : float, N s^2/m^2
+            Quadratic damping, the factor of the squared velocity.
+        c_3 : float, N s^3/m^3
+            Cubic damping, the factor of the cubed velocity.
+        c_xx : float, N s/m^3
+            Growth of the viscous damping with the squared displacement, (c + c_xx x^2) x', as of a horizontal damper.
+        rubs : str
+            Where friction acts: "throughout", or "attached", while the springs touch the push-rod.
+        static_friction : float, N
+            Break-loose force, if larger than `friction`; used by exact motions only.
+        load : float, kg
+            Mass that the mount carries, if it differs from the mass m that k_v is preloaded to carry.
+        force : str
+            "untruncated" as the geometry gives it (5), or "truncated" as the paper averages it (6).
+        excitation : str
+            "force", in N; "base" or "acceleration", base excitation by the displacement in m or the acceleration in
+            m/s^2; "unbalance", a rotating mass times its radius, in kg m; the rotating mass is part of m.
+
+        Returns
+        -------
+        Physical
+            The mount.
+
+        Raises
+        ------
+        ValueError
+            For a number outside its domain, for combinations of damping laws as in `Isolator`, and for a load with
+            rubs="attached", for which offset motions are not derived.
+        """
+        moving = m if load is None else validate.number("load", si("load", load, "kg"), above=0.0)
+        excitation = validate.excitation(excitation, tuple(EXCITED))
+        mounts = validate.count("mounts", mounts, least=1)
+        of_all = mounts * validate.number("k_v", si("k_v", k_v, "N/m"), above=0.0)
+        (damping,) = viscous = _viscous(c, zeta)
+        scales = Scales(m=moving, k_v=of_all, L=L, excitation=excitation, damping=damping, mounts=mounts)
+        preset = validate.number("m", si("m", m, "kg"), above=0.0)
+        beyond = scales.m - preset
+        sheet = {"k_h": k_h, "n": n, "preload": preload, "friction": friction, "eta": eta, "c_2": c_2}
+        sheet |= {"c_3": c_3, "c_xx": c_xx, **viscous}
+        known = {name: si(name, value, SHEET[name]) for name, value in sheet.items()}
+        numbers = _numbers(scales, known)
+        mu_s, mu = 0.0, numbers["mu"]
+        if static_friction is not None:
+            static_force = si("static_friction", static_friction, "N")
+            static = validate.number("static_friction", static_force, least=known["friction"])
+            mu_s = max(mu, static * mounts / scales.of(SCALES["mu"]))
+        laws = Laws.of(rubs, **numbers)
+        weight = beyond * g / scales.sizes["force"]
+        numbers |= {"mu_s": mu_s, "load": weight}
+        with scales.in_these_terms():
+            isolator = cls(force=force, excitation=scales.of_oscillator, rubs=laws.rubs, **numbers)
+        sheet = {"k_v": of_all / mounts, "L": scales.L} | {name: float(known[name]) for name in ("k_h", "n", "preload")}
+        others = {"m": max(scales.m, scales.m - beyond) / mounts, "zeta": isolator.zeta}
+        others |= {"friction": mu * scales.sizes["force"] / mounts}
+        range_checks.warn(range_checks.of_mount(**sheet, **others, g=g), stacklevel=3)
+        arguments = {"m": m, "k_v": k_v, "k_h": k_h, "n": n, "L": L, "preload": preload, "friction": friction}
+        arguments |= {"mounts": mounts} if mounts > 1 else {}
+        arguments |= {"c": c} if c is not None else {"zeta": isolator.zeta}
+        in_terms = {"c_2": ("c_2", c_2), "c_3": ("c_3", c_3), "zeta_2": ("c_xx", c_xx)}
+        arguments |= dict(in_terms.get(name, (name, value)) for name, value in laws.present.items())
+        arguments |= {} if static_friction is None else {"static_friction": static_friction}
+        arguments |= {"load": load, "force": force, "excitation": excitation}
+        in_si = {name: si(name, value, SHEET[name]) for name, value in arguments.items() if value is not None}
+        return Physical(isolator, dataclasses.replace(scales, sheet=in_si), arguments)
+
+    @classmethod
+    @validate.asked_by_name
+    def many(  # type: ignore[override]
+        cls,
+        *,
+        lam: Any,
+        r: Any,
+        delta_h: Any,
+        mu: Any = 0.0,
+        zeta: Any = 0.0,
+        eta: Any = 0.0,
+        c_2: Any = 0.0,
+        c_3: Any = 0.0,
+        zeta_2: Any = 0.0,
+        rubs: str = THROUGHOUT,
+        force: str = "truncated",
+        excitation: str = "force",
+        load: Any = 0.0,
+    ) -> Any:
+        """Make a batch of isolators, arguments as of `Isolator`, from arrays that broadcast; see `Oscillator.many`.
+
+        Arrays of xarray or dask make a map over named axes, which may be larger than memory; see
+        `slowflow.grid.designs`.
+
+        Raises ValueError for arguments that are not real arrays and for shapes that do not broadcast. Invalid designs
+        raise nothing: each entry has a status.
+        """
+        numbers = {"lam": lam, "r": r, "delta_h": delta_h, "mu": mu, "zeta": zeta}
+        numbers |= {"eta": eta, "c_2": c_2, "c_3": c_3, "zeta_2": zeta_2}
+        return super().many(_averaged(force), rubs=rubs, excitation=excitation, load=load, **numbers)
+
+
+class Duffing(Oscillator):
+    __doc__ = f"""u'' + 2 zeta u' + mu sign(u') + alpha u + beta u^3 = F_0 cos(Omega tau), one piece for all u.
+
+{described((*DUFFING.design, *DAMPING, *DISSIPATION))}
+    mu_s -- static friction, as in `Oscillator`
+    excitation -- "force", "base" or "unbalance", as in `Oscillator`
+    load -- added to the right side, over k_v L, as in `Oscillator`
+
+    Raises ValueError for a number outside its domain, or another word for the excitation.
+    """
+
+    alpha: float
+    beta: float
+
+    @validate.asked_by_name
+    def __init__(
+        self,
+        alpha: float,
+        beta: float,
+        mu: float = 0.0,
+        zeta: float = 0.0,
+        *,
+        eta: float = 0.0,
+        c_2: float = 0.0,
+        c_3: float = 0.0,
+        zeta_2: float = 0.0,
+        mu_s: float = 0.0,
+        excitation: str = "force",
+        load: float = 0.0,
+    ) -> None:
+        damping = {"mu": mu, "zeta": zeta, "eta": eta, "c_2": c_2, "c_3": c_3, "zeta_2": zeta_2, "mu_s": mu_s}
+        rubs = THROUGHOUT  # one piece, without springs that detach
+        super().__init__(DUFFING, alpha=alpha, beta=beta, rubs=rubs, excitation=excitation, load=load, **damping)
+        del self.given["mechanism"]
+
+    @classmethod
+    @validate.asked_by_name
+    def physical(
+        cls,
+        *,
+        m: Any,
+        k_1: Any,
+        k_3: Any = 0.0,
+        friction: Any = 0.0,
+        c: Any = None,
+        zeta: float | None = None,
+        eta: float = 0.0,
+        c_2: Any = 0.0,
+        c_3: Any = 0.0,
+        c_xx: Any = 0.0,
+        excitation: str = "force",
+    ) -> Physical:
+        """Make a mass on a cubic spring, k_1 x + k_3 x^3, in newtons, metres and hertz.
+
+        Parameters
+        ----------
+        m : float, kg
+            Mass that moves, at rest at x = 0.
+        k_1, k_3 : float, N/m and N/m^3
+            A negative k_1 is a double well, a negative k_3 a softening spring.
+        friction, c, zeta, eta, c_2, c_3, c_xx, excitation : as of `Isolator.physical`
+            Here zeta is c/(2 sqrt(k m)) with k = |k_1|, or k = |k_3| (1 m)^2 if k_1 = 0.
+
+        Returns
+        -------
+        Physical
+            The mount.
+
+        Raises
+        ------
+        ValueError
+            For a number outside its domain, and without a spring.
+        """
+        (damping,) = viscous = _viscous(c, zeta)
+        springs = {"k_1": k_1, "k_3": k_3}
+        k_1, k_3 = (validate.number(name, si(name, value, SHEET[name])) for name, value in springs.items())
+        L = math.sqrt(abs(k_1 / k_3)) if k_1 and k_3 else 1.0  # what makes both terms 1
+        if not (k_v := abs(k_1) or abs(k_3) * L**2):
+            raise Refused("k_1 = k_3 = 0 is not allowed: there is no spring")
+        excitation = validate.excitation(excitation, tuple(EXCITED))
+        scales = Scales(m=m, k_v=k_v, L=L, excitation=excitation, damping=damping)
+        laws = {"friction": friction, "eta": eta, "c_2": c_2, "c_3": c_3, "c_xx": c_xx, **viscous}
+        arguments = {"m": m, **springs, **laws, "excitation": excitation}
+        in_si = {name: si(name, value, SHEET[name]) for name, value in arguments.items()}
+        laws_of = _numbers(scales, in_si)
+        with scales.in_these_terms():
+            oscillator = cls(k_1 / k_v, k_3 * L**2 / k_v, excitation=scales.of_oscillator, **laws_of)
+        return Physical(oscillator, dataclasses.replace(scales, sheet=in_si), arguments)
+
+    @classmethod
+    @validate.asked_by_name
+    def many(  # type: ignore[override]
+        cls,
+        alpha: Any,
+        beta: Any,
+        mu: Any = 0.0,
+        zeta: Any = 0.0,
+        *,
+        eta: Any = 0.0,
+        c_2: Any = 0.0,
+        c_3: Any = 0.0,
+        zeta_2: Any = 0.0,
+        excitation: str = "force",
+        load: Any = 0.0,
+    ) -> Any:
+        """Make a batch of Duffing oscillators, arguments as of `Duffing`, as `Isolator.many` does."""
+        numbers = {
+            "alpha": alpha,
+            "beta": beta,
+            "mu": mu,
+            "zeta": zeta,
+            "eta": eta,
+            "c_2": c_2,
+            "c_3": c_3,
+            "zeta_2": zeta_2,
+        }
+        return super().many(DUFFING, excitation=excitation, load=load, **numbers)
