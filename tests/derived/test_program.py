@@ -204,7 +204,7 @@ def test_a_force_beyond_what_a_record_has_room_for_is_refused():
     names = sp.symbols(f"a0:{33}")
     pieces = [(u + sum(names) * u**3, None)]
     with pytest.raises(
-        ValueError, match=r"crowded_\w+ is not allowed: its force has 33 numbers of a design \(at most 32\)"
+        ValueError, match=r"crowded_\w+ is not allowed: its force has 33 design parameters \(at most 32\)"
     ):
         derive.mechanism("crowded", pieces, {a.name: ABOVE_0 for a in names})
 

@@ -242,7 +242,7 @@ def test_maps_under_a_load_have_the_answers_of_the_batch(tmp_path):
         for name, value in {**expected._content(), "remarks": expected.remarks}.items():
             assert found[name].transpose("load", ...).values.tobytes() == value.tobytes(), (question, name)
     for refused in (lambda: designs.certify(0.2), lambda: designs.at_rest(), lambda: designs.second_approximation):
-        with pytest.raises(ValueError, match="about the centre"):
+        with pytest.raises(ValueError, match="about centred motions"):
             refused()
     with pytest.raises(ValueError, match="rest is not available without a load"):
         over().rest()

@@ -24,9 +24,9 @@ SCALES = Scales(m=1000 / math.tau**2, k_v=1000.0, L=0.1)
 SYMBOLS = re.compile(r"\b(?:F_0|F_SN|F_cr|Omega|mu|mu_s|tau|u|u_0|u_cr)\b")
 #: where sentences have symbols of their own: published formulas, pictures, the table itself, and what a record or a
 #: function of one's own is refused for, in the terms that it is stated in
-OWN = ("pictures.py", "table.py", "derive.py", "sampled/")
+OWN = ("answers/pictures.py", "answers/table.py", "derive.py", "sampled/")
 #: sentences that are never shown with units: a plan of rounding, help of the command line, a defect's message
-PLAIN = ("averaged/balls/questions.py", "cli.py", "report.py")
+PLAIN = ("averaged/balls/questions.py", "app/cli.py", "app/report.py")
 
 
 def strings(path):

@@ -178,7 +178,7 @@ def test_a_scene_runs_in_any_folder(installed: Path, tmp_path: Path) -> None:
 
 def test_a_wheel_has_the_solvers_for_any_processor(installed: Path, tmp_path: Path) -> None:
     """A checkout may leave them out."""
-    code = "from slowflow import backend; print(backend.SOLVER and backend.SOLVER.BUILD['builds'])"
+    code = "from slowflow.core import backend; print(backend.SOLVER and backend.SOLVER.BUILD['builds'])"
     done = run([installed / "python", "-c", code], tmp_path)
     assert done.stdout.split(", ")[0].strip() in ("baseline", "one", "None"), done.stderr
 

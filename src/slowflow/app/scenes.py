@@ -45,8 +45,7 @@
 
 [spectrum], the record of a [shock], and [psd] may have `file = "columns.csv"` instead of lists, in the folder of the
 scene, see `slowflow.oscillators.measurements`. Only the requested questions are computed. A scene contains no code and
-no expressions: only numbers, words and lists of these. Errors raise `SceneError` with line, allowed values and the
-closest known word.
+no expressions: numbers, words, lists. Errors raise `SceneError` with line, allowed values and the closest known word.
 """
 
 from __future__ import annotations
