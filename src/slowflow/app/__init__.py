@@ -1,1 +1,1 @@
-"""Programs on top: the command line, scenes, reports, the explorer's and editors' data."""
+"""The command line, input files, requirements, reports, and the server for language models."""
