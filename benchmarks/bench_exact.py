@@ -164,7 +164,7 @@ def in_turn(most: int = 101) -> list[tuple[Job, float, float | None]]:
     """
     other: Any = None
     if importlib.util.find_spec("heyoka"):
-        from tests.oracles.exact_heyoka import HeyokaIntegrator
+        from benchmarks.exact_heyoka import HeyokaIntegrator
 
         other = HeyokaIntegrator()
     out = []

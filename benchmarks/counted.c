@@ -406,10 +406,11 @@ int curve(const char *name, const double *design, double F_0, const double *wind
     sf_model model;
     sf_inputs inputs;
     sf_room *room = malloc(sizeof *room);
-    sf_points points;
+    double *block = malloc((size_t)size * SF_OF_POINT);
+    const sf_points points = sf_points_in(block, size);
     long n = 0;
     int answered = 0;
-    if (sf_new_points(size, &points) && room != NULL && find_record(name) &&
+    if (block != NULL && room != NULL && find_record(name) &&
         record->parameters_of(record, design, model.p) && record->damping_of(design + record->design_size, model.damping) &&
         sf_prepare(record, design, &model) &&
         sf_give(record, design, design[record->design_size], design[record->design_size + 1], &inputs)) {
@@ -432,7 +433,7 @@ int curve(const char *name, const double *design, double F_0, const double *wind
         out[0] = (double)n, out[1] = (double)averages, out[2] = (double)ranges;
         answered &= n <= size;
     }
-    free(room), sf_free_points(&points);
+    free(room), free(block);
     return answered;
 }
 

@@ -7,7 +7,6 @@ each run, and prints the seed that --hypothesis-seed repeats it by.
 from __future__ import annotations
 
 import gc
-import importlib
 import os
 import secrets
 import sys
@@ -126,15 +125,6 @@ def once(tmp_path_factory: pytest.TempPathFactory) -> Once:
         return folder
 
     return once
-
-
-@pytest.fixture(scope="session", params=["scipy", "heyoka"])
-def integrator(request: pytest.FixtureRequest) -> object:
-    """An integrator that shares nothing with the package; for some systems heyoka has no wheels."""
-    if request.param == "scipy":
-        return importlib.import_module("tests.oracles.exact_reference").ScipyIntegrator()
-    pytest.importorskip("heyoka")
-    return importlib.import_module("tests.oracles.exact_heyoka").HeyokaIntegrator()
 
 
 @pytest.fixture(scope="session")

@@ -18,6 +18,7 @@ from slowflow.averaged.balls import questions as answers
 from slowflow.averaged.balls.search import AT_0, BallModel, Enclosure, averages_of
 from tests.averaged.test_certified import check_folds, holds, level_ulps
 from tests.averaged.test_certified_cases import CENTRED, of_record
+from tests.averaged.test_untruncated import folds_by_scanning
 from tests.sampling import slow
 
 #: designs of the force that is not truncated: as in Table 1, nearly quasi-zero stiffness, negative stiffness, steep
@@ -101,9 +102,9 @@ def test_balls_enclose_certified_answers():
             assert holds(answers.detachment(model).F_0, case["detachment"]["F_cr"])
 
 
-def spring(design, u, functions):
+def spring(design, u):
     """The force of the horizontal springs, of which each has lost 1 - sqrt(1 - u^2) of its preload."""
-    root = functions.sqrt(1 - u * u)
+    root = mpmath.sqrt(1 - u * u)
     return -design["lam"] * design["r"] * (design["delta_h"] - 1 + root) * u / root
 
 
@@ -112,7 +113,7 @@ def average(design, A):
     design = {name: mpmath.mpf(value) for name, value in design.items()}
     u_cr = mpmath.sqrt(design["delta_h"] * (2 - design["delta_h"]))
     theta = mpmath.pi / 2 if u_cr >= A else mpmath.asin(u_cr / A)
-    integral = mpmath.quad(lambda t: spring(design, A * mpmath.sin(t), mpmath) * mpmath.sin(t), [0, theta / 2, theta])
+    integral = mpmath.quad(lambda t: spring(design, A * mpmath.sin(t)) * mpmath.sin(t), [0, theta / 2, theta])
     return -A - 4 / mpmath.pi * integral
 
 
@@ -134,43 +135,15 @@ def test_averages_in_balls_are_those_of_the_force(A):
             assert abs(float(difference / exact) - 1) < 1e-14
 
 
-#: of Gauss's rule on -1 to 1
-NODES, WEIGHTS = np.polynomial.legendre.leggauss(120)
-
-
-def roots_of_F(design, A, F_0):
-    """Omega of F = 0 at an amplitude, and the sign of F_A there, by NumPy's roots of (24) and quadrature."""
-
-    def h_at(A):
-        u_cr = math.sqrt(design["delta_h"] * (2 - design["delta_h"]))
-        half = math.asin(min(1.0, u_cr / A)) / 2
-        sine = np.sin(half * (1 + NODES))
-        return -A - 4 / math.pi * half * np.dot(WEIGHTS, spring(design, A * sine, np) * sine)
-
-    h, h_A = h_at(A), (h_at(A * (1 + 1e-5)) - h_at(A * (1 - 1e-5))) / (2e-5 * A)
-    zeta, m = design["zeta"], 4 * design["mu"] / math.pi
-    found = np.roots([A**2, 0, 2 * A * h + 4 * zeta**2 * A**2, 4 * zeta * m * A, h**2 + m**2 - F_0**2])
-    w = np.sort(found.real[(found.imag == 0) & (found.real > 0)])
-    return w, np.sign((A * w**2 + h) * (w**2 + h_A) + 2 * zeta * w * (2 * zeta * A * w + m))
-
-
 @pytest.mark.parametrize("design", [UNTRUNCATED[0], *slow(*UNTRUNCATED[1:])])
 def test_untruncated_folds_are_proved_and_those_of_a_scan(design):
     iso = untruncated(design)
     F_0 = 1.3 * iso.saddle_node_onset().F_SN
-    proof = iso.saddle_nodes(F_0, certify=True).proof
-    assert proof.proved
-    assert proof.bounded
-    turns, before = 0, np.empty(0)
-    for A in np.linspace(0.005, 1.1, 1500) * iso.peak(F_0).A:
-        _, sign = roots_of_F(design, A, F_0)
-        # along a branch of the response stability changes at a fold
-        if before.size == sign.size:
-            turns += int((before != sign).sum())
-        before = sign
-    assert turns == len(proof.A)
-    for Omega, A in zip(proof.Omega.mean(axis=1), proof.A.mean(axis=1), strict=True):
-        assert min(abs(roots_of_F(design, A, F_0)[0] - Omega)) < 1e-9 * Omega
+    found = iso.saddle_nodes(F_0, certify=True)
+    assert found.proof.proved and found.proof.bounded
+    assert len(found) == len(found.proof.A) == folds_by_scanning(design, F_0)
+    for values, ends in ((found.Omega, found.proof.Omega), (found.A, found.proof.A)):
+        assert (ends[:, 0] <= values).all() and (values <= ends[:, 1]).all()
 
 
 @pytest.mark.parametrize("design", UNTRUNCATED)

@@ -1,78 +1,10 @@
-"""The level along the fold locus: its derived second derivative against the locus itself, traced as roots."""
+"""What the lanes of folds and cusps state in C of derived functions: their terms, by the kernels."""
 
 from __future__ import annotations
 
 import pytest
-from mpmath import mp, mpf
 
 from slowflow_kernels import slow_flow
-
-OMEGA, A, M, ZETA = mpf(0.75), mpf(0.625), mpf(0.015625), mpf(0.0625)
-
-
-def squared_level(w, a, h):
-    """R^2 + I^2 (23)."""
-    return (a * w**2 + h(a)) ** 2 + (2 * ZETA * a * w + M) ** 2
-
-
-def taylor(values):
-    return lambda a: sum(value * (a - A) ** k / mp.factorial(k) for k, value in enumerate(values))
-
-
-def at_a_cusp() -> list:
-    """h and its derivatives at A for which F_A = F_AA = 0."""
-    h, h_AAA = mpf("-0.3"), mpf("1.3")
-
-    def slopes(h_A, h_AA):
-        return [mp.diff(lambda a: squared_level(OMEGA, a, taylor((h, h_A, h_AA))), A, n) for n in (1, 2)]
-
-    return [h, *mp.findroot(slopes, (mpf(-1), mpf(0))), h_AAA]
-
-
-def at_an_isola_point() -> list:
-    """The same for F_A = F_Omega = 0."""
-
-    def slopes(h, h_A):
-        return [mp.diff(lambda a, w: squared_level(w, a, taylor((h, h_A))), (A, OMEGA), by) for by in ((1, 0), (0, 1))]
-
-    return [*mp.findroot(slopes, (mpf("-0.4"), mpf(1))), mpf("0.7"), mpf("1.3")]
-
-
-def traced(h):
-    """The squared level along the fold locus as a function of A, and F_AOmega at the point."""
-
-    def level(a):
-        Omega = mp.findroot(lambda w: mp.diff(lambda b: squared_level(w, b, h), a), OMEGA)
-        return squared_level(Omega, a, h)
-
-    return level, mp.diff(lambda a, w: squared_level(w, a, h), (A, OMEGA), (1, 1))
-
-
-@pytest.mark.parametrize(("point", "kernel"), [(at_a_cusp, "cusp"), (at_an_isola_point, "isola")])
-def test_second_level_derivative_along_the_fold_locus(point, kernel):
-    with mp.workdps(60):
-        values = point()
-        level, F_AOmega = traced(taylor(values))
-        expected = mp.diff(level, A, 2) * F_AOmega**2
-        if kernel == "cusp":
-            T = OMEGA**2 + values[1]
-            found = slow_flow.cusp_bend(*map(float, (OMEGA, A, ZETA, *values[2:], T))) * float(A)
-        else:
-            found = slow_flow.isola_bend(*map(float, (OMEGA, A, M, ZETA, values[2])))
-    assert found == pytest.approx(float(expected), rel=1e-12)
-
-
-def test_level_slope_along_the_fold_locus():
-    """At a fold that is neither a cusp nor an isola point."""
-    with mp.workdps(60):
-        h, h_AA = mpf(-0.3), mpf(0.7)
-        h_A = mp.findroot(lambda x: mp.diff(lambda a: squared_level(OMEGA, a, taylor((h, x))), A), mpf(-1))
-        values = [h, h_A, h_AA]
-        level, F_AOmega = traced(taylor(values))
-        expected = mp.diff(level, A) * F_AOmega**2
-        found = slow_flow.level_rise(*map(float, (OMEGA, A, M, ZETA, *values)))
-    assert abs(expected) > 1e-4
-    assert found == pytest.approx(float(expected), rel=1e-12)
 
 
 @pytest.mark.parametrize(("h", "h_AA"), [(-0.3, -0.4), (-0.9, 0.4)])

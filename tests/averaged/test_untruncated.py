@@ -1,7 +1,6 @@
-"""Isolators with force="untruncated": folds, onset and detachment against quadrature of the force (5) in mpmath.
+"""Isolators with force="untruncated": folds, onset and detachment against solutions in 420 bits and a scan.
 
-The reference knows the geometry only: a rod of length 1, lam springs of stiffness r, shortened by delta_h. Newton's
-step from an answer to the reference's solution is the error of the answer.
+The scan knows the geometry only: a rod of length 1, lam springs of stiffness r, shortened by delta_h.
 """
 
 from __future__ import annotations
@@ -15,15 +14,12 @@ from scipy.special import roots_legendre
 
 from slowflow import Isolator
 from slowflow.answers.results import Remark
-from slowflow.example import DESIGN
-from slowflow_kernels import rod_spring, rod_spring_untruncated
+from slowflow_kernels import rod_spring_untruncated
 from tests.oracles import kernels
 from tests.oracles.answers import Nearby, errors
 from tests.sampling import slow
 
 DIGITS = 30
-STEP = mpf(10) ** -10
-BOUND = 1e-12
 
 
 def designs(count: int) -> list[dict[str, float]]:
@@ -49,47 +45,6 @@ def designs(count: int) -> list[dict[str, float]]:
 DESIGNS = designs(20)
 
 
-class Reference:
-    """h and its slope by quadrature, at 30 digits."""
-
-    def __init__(self, lam, r, delta_h, mu, zeta):
-        self.stiffness, self.delta_h = mpf(lam) * mpf(r), mpf(delta_h)
-        self.m, self.zeta = 4 * mpf(mu) / mp.pi, mpf(zeta)
-        self.u_cr = mp.sqrt(1 - (1 - self.delta_h) ** 2)
-
-    def force(self, u):
-        """The horizontal springs' share of f and f'."""
-        height = mp.sqrt(1 - u**2)
-        compression = self.delta_h - 1 + height
-        return -self.stiffness * compression * u / height, -self.stiffness * (1 - (1 - self.delta_h) / height**3)
-
-    def h(self, A):
-        """h and h_A; the force is continuous, so that its ends add nothing to h_A."""
-        end = mp.asin(self.u_cr / A) if A > self.u_cr else mp.pi / 2
-        cuts = [end * (1 - mpf(4) ** -k) for k in range(4)] + [end]
-
-        def integrand(t):
-            s = mp.sin(t)
-            force, slope = self.force(A * s)
-            return mp.mpc(force * s, slope * s * s)
-
-        total = mp.quad(integrand, cuts, method="gauss-legendre")
-        return -A - 4 / mp.pi * total.real, -1 - 4 / mp.pi * total.imag
-
-    def balances(self, Omega, A):
-        """R, I, F_A/2, and F_Omega/(4 A)."""
-        h, h_A = self.h(A)
-        R, I = A * Omega**2 + h, 2 * self.zeta * A * Omega + self.m
-        return R, I, R * (Omega**2 + h_A) + 2 * self.zeta * Omega * I, Omega * R + self.zeta * I
-
-    def newton(self, equations, Omega, A):
-        """One step in (Omega, A) on two equations, by difference quotients."""
-        here = equations(Omega, A)
-        by_Omega = [(b - a) / STEP for a, b in zip(here, equations(Omega + STEP, A), strict=True)]
-        by_A = [(b - a) / STEP for a, b in zip(here, equations(Omega, A + STEP), strict=True)]
-        return mp.lu_solve(mp.matrix([[x, y] for x, y in zip(by_Omega, by_A, strict=True)]), -mp.matrix(here))
-
-
 def forcing(F_cr: float, F_SN: float | None, m: float) -> list[float]:
     return [F_0 for F_0 in (0.9 * F_cr, 1.1 * F_cr, 1.6 * F_cr) if F_SN and F_0 > max(F_SN, m)]
 
@@ -97,53 +52,24 @@ def forcing(F_cr: float, F_SN: float | None, m: float) -> list[float]:
 @pytest.mark.slow
 @pytest.mark.parametrize("k", range(len(DESIGNS)))
 @pytest.mark.part(3)
-def test_against_quadrature(k):
+def test_untruncated_answers_are_exact_and_complete(k):
+    """Against solutions in 420 bits, whose averages `test_stability` holds against quadratures; folds by a scan."""
     design = DESIGNS[k]
-    with pytest.MonkeyPatch.context() as patch, mp.workdps(DIGITS):
+    with pytest.MonkeyPatch.context() as patch:
         patch.setattr("warnings.warn", lambda *_, **__: None)  # of a negative stiffness at rest
-        isolator, reference = Isolator(**design, force="untruncated"), Reference(**design)
-
-        found = isolator.detachment()
-        assert float(reference.u_cr) == pytest.approx(found.u_cr, rel=4e-16)
-        Omega = mpf(found.Omega_cr)
-        if Omega > 0:
-            at = lambda w: reference.balances(w, reference.u_cr)[3]  # noqa: E731
-            Omega -= at(Omega) * STEP / (at(Omega + STEP) - at(Omega))
-        R, I, _, _ = reference.balances(Omega, reference.u_cr)
-        assert abs(found.F_cr / mp.hypot(R, I) - 1) < BOUND
-        assert abs(found.Omega_cr - Omega) < BOUND
-
-        onset = isolator.saddle_node_onset()
-        if onset.F_SN is not None:
-            check_onset(reference, onset)
-        for F_0 in forcing(found.F_cr, onset.F_SN, isolator.sticking_forcing):
+        isolator, nearby = Isolator(**design, force="untruncated"), Nearby("rod_spring_untruncated", **design)
+        detachment, onset = isolator.detachment(), isolator.saddle_node_onset()
+        least, _ = nearby.on_corner("detachment", detachment.Omega_cr, detachment.F_cr)
+        assert detachment.Omega_cr == pytest.approx(float(least.Omega.mid()), rel=1e-12)
+        assert detachment.u_cr == pytest.approx(float(least.A.mid()), rel=4e-16)
+        found = [(detachment, "detachment", {}), (onset, "saddle_node_onset", {})]
+        for F_0 in forcing(detachment.F_cr, onset.F_SN, isolator.sticking_forcing):
             folds = isolator.saddle_nodes(F_0)
             assert not folds.corner.any()
             assert len(folds) == folds_by_scanning(design, F_0)
-
-            def on_fold(w, A, F_0=F_0):
-                R, I, half_F_A, _ = reference.balances(w, A)
-                return R**2 + I**2 - mpf(F_0) ** 2, half_F_A
-
-            for Omega, A in zip(folds.Omega, folds.A, strict=True):
-                step = reference.newton(on_fold, mpf(Omega), mpf(A))
-                assert abs(step[0] / Omega) < BOUND
-                assert abs(step[1] / A) < BOUND
-
-
-def check_onset(reference, onset):
-    """F_SN is a stationary value of the level along the fold locus, or its value at u_cr."""
-    Omega, A = mpf(onset.Omega), mpf(onset.A)
-    if onset.kind == "corner":
-        A = reference.u_cr
-        at = lambda w: reference.balances(w, A)[2]  # noqa: E731
-        Omega -= at(Omega) * STEP / (at(Omega + STEP) - at(Omega))
-    else:
-        # only F_A = 0 has to be met: the level is stationary along it
-        half_F_A = reference.balances(Omega, A)[2]
-        Omega -= half_F_A * STEP / (reference.balances(Omega + STEP, A)[2] - half_F_A)
-    R, I, _, _ = reference.balances(Omega, A)
-    assert abs(onset.F_SN / mp.hypot(R, I) - 1) < BOUND
+            found += [(fold, "saddle_nodes", {"F_0": F_0}) for fold in folds]
+        for one, question, query in found:
+            assert max(rounding for _, rounding in errors(one, nearby, question, query).values()) <= 2, question
 
 
 def folds_by_scanning(design: dict[str, float], F_0: float) -> int:
@@ -185,28 +111,6 @@ def test_no_preload_is_linear():
     A = np.array([1e-3, 0.4, 2.0])
     np.testing.assert_allclose(isolator.backbone(A), 1.0, rtol=1e-15)
     assert isolator.saddle_node_onset().F_SN is None
-
-
-def test_vanishing_preload_is_linear():
-    """delta_h -> 0 at given lam r: h -> -A, as u_cr^3 beyond u_cr."""
-    A = np.array([0.05, 0.3, 1.0, 2.0])
-    for delta_h in (1e-6, 1e-9, 1e-12):
-        p = rod_spring_untruncated.coefficients(3.0, 2.0, delta_h)
-        (u_cr,) = rod_spring_untruncated.breakpoints(*p)
-        h = rod_spring_untruncated.h(A, *p)
-        # the springs take at most lam r delta_h |u| off the force, over |u| < u_cr
-        bound = 4 / np.pi * 6.0 * delta_h * u_cr * (1.1 * u_cr / A) ** 2
-        assert (np.abs(h + A) <= bound + 2e-16 * A).all()
-
-
-@pytest.mark.parametrize(("lam", "r", "delta_h"), [DESIGN, (4, 2.0, 0.125)])
-def test_truncation_is_of_seventh_order(lam, r, delta_h):
-    """h - h_truncated = -(35/64)(5/8) beta A^7 (1 + O(A^2)): the term of u^7 in (5) is (5/8) beta."""
-    exact, truncated = rod_spring_untruncated.coefficients(lam, r, delta_h), rod_spring.coefficients(lam, r, delta_h)
-    A = np.array([0.05, 0.1, 0.2])
-    difference = rod_spring_untruncated.h(A, *exact) - rod_spring.h(A, *truncated)
-    leading = -35 / 64 * 5 / 8 * float(exact[1]) * A**7
-    np.testing.assert_allclose(difference, leading, rtol=0.04, atol=2e-17)
 
 
 def test_quasi_zero_stiffness_keeps_its_digits():

@@ -214,28 +214,6 @@ def test_help_of_each_kernel_states_the_shape_it_gives(name):
             assert all(np.broadcast_shapes(shape, common) == common for shape in shapes), kernel
 
 
-def test_compositions_are_the_slow_flow_of_h():
-    """A mechanism's functions equal the calls by hand, bit for bit, across the regimes."""
-    drawn = arguments(rod_spring_signature, 5)
-    Omega, A, F_0, mu, zeta = (drawn[name] for name in ("Omega", "A", "F_0", "mu", "zeta"))
-    p = tuple(drawn[parameter.name] for parameter in rod_spring.MECHANISM.parameters)
-    h, h_A = rod_spring.averaged_2(A, *p)
-    m = slow_flow.friction(mu)
-    by_hand = {
-        "F": (slow_flow.F(Omega, A, F_0, m, zeta, rod_spring.h(A, *p)), (Omega, A, F_0, mu, zeta)),
-        "F_A": (slow_flow.F_A(Omega, A, m, zeta, h, h_A), (Omega, A, mu, zeta)),
-    }
-    for name, (expected, before) in by_hand.items():
-        assert np.array_equal(getattr(rod_spring, name)(*before, *p), expected)
-    expected = slow_flow.jacobian(Omega, A, m, zeta, h, h_A)
-    for x, y in zip(rod_spring.jacobian(Omega, A, mu, zeta, *p), expected, strict=True):
-        assert np.array_equal(x, y)
-
-
-def rod_spring_signature(Omega, A, F_0, mu, zeta, alpha, beta, gamma, u_cr):
-    """Names of arguments only."""
-
-
 def test_arguments_broadcast():
     p = rod_spring.coefficients(*DESIGN)
     A, beta = np.linspace(0.05, 1, 7)[:, None], np.linspace(0.5, 2, 5)

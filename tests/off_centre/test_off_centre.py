@@ -28,45 +28,16 @@ from slowflow.off_centre.questions import OffCentre
 from slowflow.off_centre.turning_points import Charts
 from slowflow.oscillators.isolator import ROD_SPRING
 from slowflow.support.errors import NotSettled
-from slowflow_kernels import duffing, rod_spring
 from slowflow_kernels.conventions import Status
 from tests.files import ROOT, stored
-from tests.oracles.definitions import averaged_force
 from tests.sampling import part, slow
 
-MECHANISMS = {"duffing": duffing.MECHANISM, "rod_spring": rod_spring.MECHANISM}
 CERTIFIED = stored("off_centre")
 
 
 @pytest.fixture(scope="module")
 def loaded():
     return Isolator(**TABLE_1, load=0.03)
-
-
-@pytest.mark.parametrize("name", ["duffing", "rod_spring"])
-def test_steps_by_parameter_are_derivatives_at_a_fixed_place(name):
-    """Of each piece at 0, then of their gains at each end, by differences of the pieces in 60 digits."""
-    numbers = (0.7, 0.4, 0.3, 0.35)[: 2 if name == "duffing" else 4]
-    found, (_, ends) = MECHANISMS[name].steps_by(*numbers), averaged_force.pieces(name, numbers)
-
-    def derivative(piece: int, parameter: int, at: float, order: int) -> mpmath.mpf:
-        def of(value: float, u: float) -> mpmath.mpf:
-            shifted = [*map(mpmath.mpf, numbers)]
-            shifted[parameter] = value
-            return averaged_force.pieces(name, shifted)[0][piece](u)
-
-        return mpmath.diff(of, (mpmath.mpf(numbers[parameter]), mpmath.mpf(at)), (1, order))
-
-    with mpmath.workdps(60):
-        rows = [(piece, None, 0.0) for piece in range(len(ends) + 1)]
-        rows += [(piece + 1, piece, float(end)) for piece, end in enumerate(ends)]
-        sure = [
-            float(derivative(above, p, at, n) - (0 if below is None else derivative(below, p, at, n)))
-            for p in range(len(numbers))
-            for above, below, at in rows
-            for n in range(len(found) // len(numbers) // len(rows))
-        ]
-    assert found == pytest.approx(sure, rel=1e-14, abs=1e-14)
 
 
 def test_linear_spring_moves_under_a_load_as_without():

@@ -1,6 +1,6 @@
 """Motions and cycles by another integrator, event by event in Python: what the compiled ones are held against.
 
-In:  an oscillator, an integrator of smooth motion: `ScipyIntegrator` here, or heyoka's.
+In:  an oscillator, an integrator of smooth motion: `ScipyIntegrator` here, in benchmarks heyoka's too.
 Out: `follow`, the phases of a motion; `again`, a periodic motion solved for once more, with its multipliers;
      `equations` of a cycle.
 

@@ -21,7 +21,7 @@ from slowflow.answers.answer import joined
 from slowflow.averaged.questions import Averaged
 from slowflow.core import backend
 from slowflow.example import isolator
-from slowflow_kernels import den_hartog, second_approximation
+from slowflow_kernels import den_hartog
 from slowflow_kernels.conventions import Status
 from slowflow_kernels.second_conventions import BEYOND, Wanted
 from tests.files import stored
@@ -379,38 +379,6 @@ def test_bad_input_is_refused_as_in_the_first():
     ):
         with pytest.raises(ValueError, match="is not allowed"):
             call()
-
-
-def test_kernels_agree_with_one_another():
-    """The forcing of `detachment` and R, F of `response`, u_max of both; F and F_A of `response` and `folds`."""
-    rng = np.random.default_rng(3)
-    ends = ((0.7, 1.5), (0.1, 0.9), (0.02, 0.1), (0, 0.02), (0, 0.1))
-    Omega, A, F_0, m, zeta = (rng.uniform(*pair, 50) for pair in ends)
-    four = [-A * Omega**2 * rng.uniform(0.5, 3, 50), *(A * rng.uniform(-0.1, 0.1, 50) for _ in range(11))]
-    three = [values for k, values in enumerate(four) if k % 4 != 3]
-    u_max, _, _, _, F, F_A, *_ = second_approximation.response(Omega, A, F_0, m, zeta, *three)
-    level = np.sqrt(F + F_0**2)
-    assert np.allclose((level, u_max), second_approximation.detachment(Omega, A, m, zeta, *three)[:2], rtol=1e-12)
-    assert np.allclose((F, F_A), second_approximation.folds(Omega, A, F_0, m, zeta, *four)[:2], rtol=1e-9, atol=1e-13)
-
-
-@pytest.mark.parametrize("force", FORCES)
-@pytest.mark.parametrize("A", [0.1, 0.3, 0.45, 0.8])
-def test_derivatives_are_those_of_the_values(force, A):
-    """By differences, on both sides of u_cr."""
-    balance, Omega, F_0 = Balance(isolator(force=force).model), 0.9, 0.04
-    step = 1e-5 * np.array([-1.0, 1.0])
-
-    def slope(values):
-        return (values[1] - values[0]) / 2e-5
-
-    u_max, _, _, R, F, F_A, *_ = balance.response(Omega, A + step, F_0)
-    at = balance.response(Omega + step, A, F_0)
-    u_A, u_Omega, F_Omega = slope(u_max), slope(at[0]), slope(at[4])
-    *_, found_F_A, found_F_Omega, R_A, R_Omega = balance.response(Omega, A, F_0)
-    found = (found_F_A, found_F_Omega, R_A, R_Omega, balance.folds(Omega, A, F_0)[2], balance.detachment(Omega, A)[2])
-    expected = (slope(F), F_Omega, slope(R), slope(at[3]), slope(F_A), F_Omega * u_A - slope(F) * u_Omega)
-    assert np.allclose(found, expected, rtol=1e-6, atol=1e-9)
 
 
 @pytest.mark.parametrize("mu", [0.0, 0.012])

@@ -1,7 +1,7 @@
-"""Smooth motion by heyoka, a Taylor integrator that shares nothing with the package. For tests and benchmarks only.
+"""Smooth motion by heyoka, a Taylor integrator that shares nothing with the package.
 
 In:  a piece of the force, the constants of the phase, a state, a span of theta = Omega tau.
-Out: what `exact_reference` asks of an integrator.
+Out: what `tests.oracles.exact_reference` asks of an integrator.
 """
 
 from __future__ import annotations
