@@ -10,15 +10,16 @@ from __future__ import annotations
 
 import functools
 import inspect
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from enum import IntEnum
 from types import MappingProxyType
-from typing import Any, Generic, NamedTuple, TypeVar, cast
+from typing import Any, Generic, NamedTuple, TypeVar, cast, get_args, get_type_hints
 
 import numpy as np
 import numpy.typing as npt
 
 from slowflow.core import validate
+from slowflow.core.mechanism import Floats
 from slowflow_kernels.conventions import FoldKind, OnsetKind
 
 #: the systems that answer: first-order averaging about the centre, with higher harmonics, with a mean B
@@ -51,98 +52,113 @@ class Column(NamedTuple):
         return np.full(shape, np.nan if self.type is float else self.none, self.type)
 
 
-#: by name, common to all questions
-COLUMNS: Mapping[str, Column] = MappingProxyType(
-    {
-        one.name: one
-        for one in (
-            Column("F_0", "forcing, the amplitude of the excitation", "amplitude"),
-            Column("F_SN", "lowest forcing that has a fold (33)", "amplitude"),
-            Column("F_cr", "lowest forcing that reaches u_cr (34)", "amplitude"),
-            Column("Omega", "frequency", "frequency", "f"),
-            Column("Omega_cr", "frequency at which it is reached", "frequency", "f_cr"),
-            Column("Omega_max", "frequency of the largest displacement", "frequency", "f_max"),
-            Column("Omega_low", "lower end of a band with several stable motions", "frequency", "f_low"),
-            Column("Omega_high", "upper end of that band", "frequency", "f_high"),
-            Column("Omega_0", "natural frequency of small motions about the centre", "frequency", "f_0"),
-            Column("Omega_sticks", "frequency up to which the mass sticks", "frequency", "f_sticks"),
-            Column("Omega_undecided", "frequencies at which the count is undecided", "frequency", "f_undecided"),
-            Column("jumps", "frequencies before and after each jump", "frequency"),
-            Column("A", "amplitude; in the second approximation the largest displacement", "length"),
-            Column("A_1", "amplitude of the fundamental harmonic", "length"),
-            Column("A_max", "largest amplitude searched", "length"),
-            Column("B", "mean displacement of a motion", "length"),
-            Column("u_max", "largest |u|", "length", "x_max"),
-            Column("u_cr", "amplitude at which the springs detach", "length", "x_cr"),
-            Column("u", "equilibrium position", "length", "x"),
-            Column("u_end", "final displacement", "length", "x_end"),
-            Column("rests_within", "distance from the centre within which friction holds the mass", "length"),
-            Column("doubt", "intervals of amplitude left undecided", "length"),
-            Column("u_rms", "root mean square of the displacement", "length", "x_rms"),
-            Column("v_rms", "root mean square of the velocity", "speed"),
-            Column("a_rms", "root mean square of the absolute acceleration", "acceleration"),
-            Column("u_margin", "half the 95 % confidence interval of u_rms", "length", "x_margin"),
-            Column("v_margin", "half the 95 % confidence interval of v_rms", "speed"),
-            Column("a_margin", "half the 95 % confidence interval of a_rms", "acceleration"),
-            Column("S_0", "two-sided spectral density of white noise"),
-            Column("Omega_e", "natural frequency of the equivalent linear oscillator", "frequency", "f_e"),
-            Column("damping", "damping of the equivalent linear oscillator", "damping"),
-            Column("ratio_e", "damping ratio of the equivalent linear oscillator"),
-            Column("dry", "fraction of that damping due to dry friction"),
-            Column("beyond", "fraction of the time beyond the first breakpoint"),
-            Column("crossing_rate", "rate at which |u| crosses the first breakpoint", "rate"),
-            Column("v", "velocity", "speed"),
-            Column("a", "acceleration of the mass", "acceleration"),
-            Column("base", "acceleration of the base", "acceleration"),
-            Column("a_max", "largest acceleration of the mass", "acceleration"),
-            Column("acceleration", "acceleration of the base, over k_v L/m", "acceleration"),
-            Column("tau", "times of the samples of a record", "time", "t"),
-            Column("tau_A", "time of the largest deflection", "time", "t_A"),
-            Column("tau_a", "time of the largest acceleration", "time", "t_a"),
-            Column("tau_detaches", "time at which the springs first detach", "time", "t_detaches"),
-            Column("duration", "duration of a half sine", "time"),
-            Column("period", "period of a motion", "time"),
-            Column("k_0", "stiffness at the centre", "stiffness"),
-            Column("stiffness", "stiffness at an equilibrium, or of the equivalent linear oscillator", "stiffness"),
-            Column("break_loose", "constant force that friction holds", "force"),
-            Column("sticking", "force amplitude up to which the mass sticks, 4 mu/pi (27)", "force"),
-            Column("force", "restoring force", "force"),
-            Column("load", "static load beyond what the vertical spring holds at the centre", "mass"),
-            Column("phi", "phase in radians", "angle"),
-            Column("of_SN", "F_SN over F_0: a margin above 1"),
-            Column("of_cr", "F_cr over F_0: a margin above 1"),
-            Column("ratio", "largest acceleration of the mass over that of the pulse"),
-            Column("transmissibility", "transmitted force over the exciting force"),
-            Column("transmissibility_dB", "transmissibility in decibels"),
-            Column("level_dB", "upper bound of transmissibility in decibels"),
-            Column("kind", "kind of fold", type=np.int8),
-            Column("stable", "1 where a state is stable", type=np.int8),
-            Column("at_rest", "1 where folds below the onset, or without it, end at Omega = 0", type=np.int8),
-            Column("onset", "status of the onset: why there is no F_SN", type=np.int8),
-            Column("folds", "number of folds", type=np.int8),
-            Column("motions", "number of stable motions", type=np.int8),
-            Column("crosses", "1 where a fold is crossed on the way from the row before", type=np.int8),
-            Column("detaches", "1 where the springs detach", type=np.int8),
-            Column("sticks", "1 where the mass sticks", type=np.int8),
-            Column("rests", "1 where friction holds the mass at the end", type=np.int8),
-            Column("stands", "number of stable equilibria", type=np.int8),
-            Column("at_fold", "1 where a motion that transmits more ends there in a fold", type=np.int8),
-            Column("branch", "number of the connected curve, from 0; -1 after the last point", type=np.int16, none=-1),
-            Column("isola", "1 where that curve is closed", type=np.int8),
-            Column("points", "number of points", type=np.intc),
-            Column("fold_Omega", "frequency of a fold", "frequency"),
-            Column("fold_A", "amplitude of a fold", "length"),
-            Column("fold_kind", "kind of fold", type=np.int8),
-            Column("count", "number of entries, also where these exceed places, or number proved", type=np.int8),
-            Column("proved", "1 where these are proved to be all", type=np.int8),
-            Column("bits", "bits of the proof: 53 for intervals of doubles, more for balls", type=np.int16),
-            Column("undecided", "1 where neither double precision nor ball arithmetic decides the count", type=np.int8),
-            Column("status", "status code: whether there is an answer, or why there is none", type=np.int8),
-            Column("remarks", "diagnostics of the answer, codes that add up", type=np.uint16),
-        )
-    }
-)  # fmt: skip
+Codes = npt.NDArray[np.int8]
+#: sizes that a code has no room for
+Sizes = npt.NDArray[np.int16]
 
+
+def column(text: str, kind: str = "", si: str = "", none: int = 0) -> Any:
+    """A line of `Columns`; its annotation says the type."""
+    return Column("", text, kind, si, none=none)
+
+
+class Columns:
+    """The columns of answers about many designs, common to all questions; a type checker has their types from here."""
+
+    F_0: Floats = column("forcing, the amplitude of the excitation", "amplitude")
+    F_SN: Floats = column("lowest forcing that has a fold (33)", "amplitude")
+    F_cr: Floats = column("lowest forcing that reaches u_cr (34)", "amplitude")
+    Omega: Floats = column("frequency", "frequency", "f")
+    Omega_cr: Floats = column("frequency at which it is reached", "frequency", "f_cr")
+    Omega_max: Floats = column("frequency of the largest displacement", "frequency", "f_max")
+    Omega_low: Floats = column("lower end of a band with several stable motions", "frequency", "f_low")
+    Omega_high: Floats = column("upper end of that band", "frequency", "f_high")
+    Omega_0: Floats = column("natural frequency of small motions about the centre", "frequency", "f_0")
+    Omega_sticks: Floats = column("frequency up to which the mass sticks", "frequency", "f_sticks")
+    Omega_undecided: Floats = column("frequencies at which the count is undecided", "frequency", "f_undecided")
+    jumps: Floats = column("frequencies before and after each jump", "frequency")
+    A: Floats = column("amplitude; in the second approximation the largest displacement", "length")
+    A_1: Floats = column("amplitude of the fundamental harmonic", "length")
+    A_max: Floats = column("largest amplitude searched", "length")
+    B: Floats = column("mean displacement of a motion", "length")
+    u_max: Floats = column("largest |u|", "length", "x_max")
+    u_cr: Floats = column("amplitude at which the springs detach", "length", "x_cr")
+    u: Floats = column("equilibrium position", "length", "x")
+    u_end: Floats = column("final displacement", "length", "x_end")
+    rests_within: Floats = column("distance from the centre within which friction holds the mass", "length")
+    doubt: Floats = column("intervals of amplitude left undecided", "length")
+    u_rms: Floats = column("root mean square of the displacement", "length", "x_rms")
+    v_rms: Floats = column("root mean square of the velocity", "speed")
+    a_rms: Floats = column("root mean square of the absolute acceleration", "acceleration")
+    u_margin: Floats = column("half the 95 % confidence interval of u_rms", "length", "x_margin")
+    v_margin: Floats = column("half the 95 % confidence interval of v_rms", "speed")
+    a_margin: Floats = column("half the 95 % confidence interval of a_rms", "acceleration")
+    S_0: Floats = column("two-sided spectral density of white noise")
+    Omega_e: Floats = column("natural frequency of the equivalent linear oscillator", "frequency", "f_e")
+    damping: Floats = column("damping of the equivalent linear oscillator", "damping")
+    ratio_e: Floats = column("damping ratio of the equivalent linear oscillator")
+    dry: Floats = column("fraction of that damping due to dry friction")
+    beyond: Floats = column("fraction of the time beyond the first breakpoint")
+    crossing_rate: Floats = column("rate at which |u| crosses the first breakpoint", "rate")
+    v: Floats = column("velocity", "speed")
+    a: Floats = column("acceleration of the mass", "acceleration")
+    base: Floats = column("acceleration of the base", "acceleration")
+    a_max: Floats = column("largest acceleration of the mass", "acceleration")
+    acceleration: Floats = column("acceleration of the base, over k_v L/m", "acceleration")
+    tau: Floats = column("times of the samples of a record", "time", "t")
+    tau_A: Floats = column("time of the largest deflection", "time", "t_A")
+    tau_a: Floats = column("time of the largest acceleration", "time", "t_a")
+    tau_detaches: Floats = column("time at which the springs first detach", "time", "t_detaches")
+    duration: Floats = column("duration of a half sine", "time")
+    period: Floats = column("period of a motion", "time")
+    k_0: Floats = column("stiffness at the centre", "stiffness")
+    stiffness: Floats = column("stiffness at an equilibrium, or of the equivalent linear oscillator", "stiffness")
+    break_loose: Floats = column("constant force that friction holds", "force")
+    sticking: Floats = column("force amplitude up to which the mass sticks, 4 mu/pi (27)", "force")
+    force: Floats = column("restoring force", "force")
+    load: Floats = column("static load beyond what the vertical spring holds at the centre", "mass")
+    phi: Floats = column("phase in radians", "angle")
+    of_SN: Floats = column("F_SN over F_0: a margin above 1")
+    of_cr: Floats = column("F_cr over F_0: a margin above 1")
+    ratio: Floats = column("largest acceleration of the mass over that of the pulse")
+    transmissibility: Floats = column("transmitted force over the exciting force")
+    transmissibility_dB: Floats = column("transmissibility in decibels")
+    level_dB: Floats = column("upper bound of transmissibility in decibels")
+    kind: Codes = column("kind of fold")
+    stable: Codes = column("1 where a state is stable")
+    at_rest: Codes = column("1 where folds below the onset, or without it, end at Omega = 0")
+    onset: Codes = column("status of the onset: why there is no F_SN")
+    folds: Codes = column("number of folds")
+    motions: Codes = column("number of stable motions")
+    crosses: Codes = column("1 where a fold is crossed on the way from the row before")
+    detaches: Codes = column("1 where the springs detach")
+    sticks: Codes = column("1 where the mass sticks")
+    rests: Codes = column("1 where friction holds the mass at the end")
+    stands: Codes = column("number of stable equilibria")
+    at_fold: Codes = column("1 where a motion that transmits more ends there in a fold")
+    branch: Sizes = column("number of the connected curve, from 0; -1 after the last point", none=-1)
+    isola: Codes = column("1 where that curve is closed")
+    points: npt.NDArray[np.intc] = column("number of points")
+    fold_Omega: Floats = column("frequency of a fold", "frequency")
+    fold_A: Floats = column("amplitude of a fold", "length")
+    fold_kind: Codes = column("kind of fold")
+    count: Codes = column("number of entries, also where these exceed places, or number proved")
+    proved: Codes = column("1 where these are proved to be all")
+    bits: Sizes = column("bits of the proof: 53 for intervals of doubles, more for balls")
+    undecided: Codes = column("1 where neither double precision nor ball arithmetic decides the count")
+    status: Codes = column("status code: whether there is an answer, or why there is none")
+    remarks: npt.NDArray[np.uint16] = column("diagnostics of the answer, codes that add up")
+
+
+def _columns() -> Iterator[tuple[str, Column]]:
+    """The columns by name; what an array of each holds its annotation says."""
+    for name, kind in get_type_hints(Columns).items():
+        (of,) = get_args(get_args(kind)[1])
+        yield name, getattr(Columns, name)._replace(name=name, type=float if of is np.float64 else of)
+
+
+#: by name
+COLUMNS: Mapping[str, Column] = MappingProxyType(dict(_columns()))
 
 #: quantities of messages that are no columns
 QUOTED = (

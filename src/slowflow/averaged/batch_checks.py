@@ -15,9 +15,9 @@ from typing import Any
 import numpy as np
 
 from slowflow.answers.results import Remark
-from slowflow.answers.table import AVERAGING, QUESTIONS
+from slowflow.answers.table import AVERAGING, QUESTIONS, Codes
 from slowflow.averaged import checks, isolating
-from slowflow.averaged.batches import Batch, Codes
+from slowflow.averaged.batches import Batch
 from slowflow.averaged.diagnostics import gives_way, stay_centred
 from slowflow.averaged.many import Designs
 from slowflow.averaged.questions import Averaged

@@ -18,7 +18,7 @@ from slowflow.answers.answer import Answer, frozen, optional
 from slowflow.answers.gradient import NO_GRADIENT, Gradient
 from slowflow.answers.results import NOT_AVERAGED, Remark
 from slowflow.answers.sensitivities import Design, of_isolation, of_points, of_states
-from slowflow.answers.table import AVERAGING, QUESTIONS, Question
+from slowflow.answers.table import AVERAGING, QUESTIONS, Columns, Question
 from slowflow.answers.transmissibility import in_motion
 from slowflow.averaged import diagnostics
 from slowflow.core import validate
@@ -29,10 +29,13 @@ from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import FoldKind, OnsetKind, Status
 from slowflow_kernels.domains import DAMPING, DISSIPATION
 
-Codes = npt.NDArray[np.int8]
+if TYPE_CHECKING:  # which columns an answer has, its row tells; four of them some answers compute
+    OfDesigns = Columns
+else:
+    OfDesigns = object
 
 
-class Batch(Answer):
+class Batch(Answer, OfDesigns):
     """The answer to one question about many designs: its columns are attributes, each of the designs' shape.
 
     question, system -- the row of the table, and the system that answers it
@@ -44,59 +47,6 @@ class Batch(Answer):
     """
 
     has_rows = True
-
-    if TYPE_CHECKING:  # which of these an answer has, its row tells
-        F_SN: Floats
-        F_cr: Floats
-        Omega: Floats
-        Omega_cr: Floats
-        Omega_max: Floats
-        Omega_low: Floats
-        Omega_high: Floats
-        Omega_0: Floats
-        Omega_sticks: Floats
-        A: Floats
-        A_1: Floats
-        B: Floats
-        u: Floats
-        u_max: Floats
-        u_cr: Floats
-        u_end: Floats
-        rests_within: Floats
-        a_max: Floats
-        tau_A: Floats
-        tau_a: Floats
-        tau_detaches: Floats
-        k_0: Floats
-        stiffness: Floats
-        break_loose: Floats
-        sticking: Floats
-        of_SN: Floats
-        of_cr: Floats
-        ratio: Floats
-        fold_Omega: Floats
-        fold_A: Floats
-        kind: Codes
-        fold_kind: Codes
-        stable: Codes
-        at_rest: Codes
-        onset: Codes
-        folds: Codes
-        motions: Codes
-        crosses: Codes
-        detaches: Codes
-        sticks: Codes
-        rests: Codes
-        stands: Codes
-        at_fold: Codes
-        isola: Codes
-        count: Codes
-        proved: Codes
-        undecided: Codes
-        status: Codes
-        branch: npt.NDArray[np.int16]
-        bits: npt.NDArray[np.int16]
-        points: npt.NDArray[np.intc]
 
     question: Question
     system: str
@@ -121,11 +71,10 @@ class Batch(Answer):
         escapes  -- for peaks, which designs have none because the response continues beyond a well
         """
         row = QUESTIONS[question]
-        values = {name: values[name] for name in row.columns[system]}
-        self.__dict__.update(question=row, system=system, asked=MappingProxyType(dict(arguments)))
-        self.__dict__.update(_values=MappingProxyType(dict(values)), _designs=designs, _extra=extra)
-        for value in values.values():
-            value.setflags(write=False)
+        values = {name: frozen(values[name]) for name in row.columns[system]}
+        # a column precedes what is computed where there is none
+        self.__dict__.update(values, question=row, system=system, asked=MappingProxyType(dict(arguments)))
+        self.__dict__.update(_values=MappingProxyType(values), _designs=designs, _extra=extra)
 
     def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError(f"answers are immutable: {name!r} cannot be set")
@@ -136,9 +85,7 @@ class Batch(Answer):
 
     def __getattr__(self, name: str) -> Any:
         values = self.__dict__.get("_values", {})  # not there yet while it is made
-        if name not in values:
-            raise validate.NoAttribute(f"{name!r} is not a column of this answer: it has {', '.join(values)}")
-        return values[name]
+        raise validate.NoAttribute(f"{name!r} is not a column of this answer: it has {', '.join(values)}")
 
     def __repr__(self) -> str:
         columns = ", ".join(f"{name}={value!r}" for name, value in self._values.items())
@@ -251,7 +198,7 @@ class Batch(Answer):
         return self.Omega
 
     @cached_property
-    def remarks(self) -> diagnostics.Codes:
+    def remarks(self) -> diagnostics.Codes:  # type: ignore[override]
         """Diagnostics of each design's answer, flags of `slowflow.Remark`, as in a single answer."""
         if (known := self._extra.get("remarks")) is not None:
             return frozen(known)
@@ -327,33 +274,27 @@ class Batch(Answer):
             self.__getattr__(name)
 
     @cached_property
-    def phi(self) -> Floats:
+    def phi(self) -> Floats:  # type: ignore[override]
         """Phase of u = A cos(Omega tau + phi) in radians, in [-pi, 0] (25); NaN for empty entries.
 
         For states and points of curves; computed on first use.
         """
-        if (known := self._values.get("phi")) is not None:
-            return known
         self._has("phi", *OF_STATES)
         with np.errstate(all="ignore"):  # empty places
             flow, h = self._balance
             return frozen(flow.phase(self._frequency, self.A, h))
 
     @cached_property
-    def transmissibility(self) -> Floats:
+    def transmissibility(self) -> Floats:  # type: ignore[override]
         """Transmissibility, as in `SteadyStates`; NaN for empty entries."""
-        if (known := self._values.get("transmissibility")) is not None:
-            return known
         self._has("transmissibility", *OF_STATES)
         with np.errstate(all="ignore"):  # empty places
             flow, h = self._balance
             return frozen(in_motion(self.A, flow.transmissibility(self._frequency, self.A, self._forcing, h)))
 
-    @property
-    def transmissibility_dB(self) -> Floats:
+    @cached_property
+    def transmissibility_dB(self) -> Floats:  # type: ignore[override]
         """`transmissibility` in decibels, 20 log10; -inf where nothing is transmitted."""
-        if (known := self._values.get("transmissibility_dB")) is not None:
-            return known
         with np.errstate(divide="ignore"):
             return np.asarray(20.0 * np.log10(self.transmissibility))
 

@@ -23,9 +23,9 @@ import numpy.typing as npt
 
 from slowflow.answers.certificate import DOUBLES
 from slowflow.answers.results import Remark
-from slowflow.answers.table import AVERAGING, MORE_POINTS, QUESTIONS, ManyQuestions, Unanswered
+from slowflow.answers.table import AVERAGING, MORE_POINTS, QUESTIONS, Codes, ManyQuestions, Unanswered
 from slowflow.averaged import diagnostics, messages, proofs, solvers
-from slowflow.averaged.batches import Batch, Codes
+from slowflow.averaged.batches import Batch
 from slowflow.averaged.chunks import blocks, map_chunks
 from slowflow.averaged.defined import check_defined, may_be_undefined
 from slowflow.averaged.questions import Averaged

@@ -45,7 +45,7 @@ class SecondBatch(Batch):
     """An answer of the second approximation, with the transmissibility of the waveform for states and curves."""
 
     @cached_property
-    def transmissibility(self) -> Floats:
+    def transmissibility(self) -> Floats:  # type: ignore[override]
         """As in `SecondStates`; NaN for empty entries. Computed on first use."""
         self._has("transmissibility", *OF_STATES)
         with np.errstate(all="ignore"):  # empty places
