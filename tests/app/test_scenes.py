@@ -292,7 +292,7 @@ def test_explain_says_what_run_refuses_and_goes_on(scene, capsys):
     code, out, _ = run("explain", path, capsys=capsys)
     assert (
         code == 0
-        and "  refused       eta = 0.02 is not allowed here: structural damping" in out
+        and "  refused       transient is not available with eta: structural damping" in out
         and "detachment\n" in out
     )
 

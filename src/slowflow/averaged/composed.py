@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING
 
 from slowflow.answers.questions import Questions
 from slowflow.answers.results import FrequencyResponse, SaddleNodes, SteadyStates
+from slowflow.averaged import checks
 
 if TYPE_CHECKING:
-    from slowflow.averaged import checks
     from slowflow.core.mechanism import Reals
 
 
@@ -20,13 +20,9 @@ class ComposedQuestions(Questions[SteadyStates, FrequencyResponse, SaddleNodes])
 
     def _detaches(self, F_0: float) -> bool:
         """Whether a stable motion passes the first breakpoint."""
-        from slowflow.averaged import checks
-
         return checks.passes_first_end(self, F_0)
 
     def _isolation(self, F_0: float, level_dB: float) -> checks.Isolation:
-        from slowflow.averaged import checks
-
         return checks.isolation(self, F_0, level_dB)
 
     def margins(self, F_0: float) -> checks.Margins:
@@ -47,8 +43,6 @@ class ComposedQuestions(Questions[SteadyStates, FrequencyResponse, SaddleNodes])
         ValueError
             For F_0 <= 0.
         """
-        from slowflow.averaged import checks
-
         return checks.margins(self._system, F_0)
 
     def hysteresis(self, F_0: float) -> checks.Hysteresis:
@@ -70,8 +64,6 @@ class ComposedQuestions(Questions[SteadyStates, FrequencyResponse, SaddleNodes])
         ValueError
             For F_0 <= 0.
         """
-        from slowflow.averaged import checks
-
         return checks.hysteresis(self._system, F_0)
 
     def isolation(self, F_0: float, level_dB: float = 0.0) -> checks.Isolation:
@@ -122,6 +114,4 @@ class ComposedQuestions(Questions[SteadyStates, FrequencyResponse, SaddleNodes])
         ValueError
             For numbers <= 0 and for shapes that do not broadcast.
         """
-        from slowflow.averaged import checks
-
         return checks.spectrum(self._system, Omega, F_0)

@@ -142,10 +142,10 @@ def is_force(question: str, excitation: str) -> None:
         raise NotAvailable(f"{question} is not available with excitation = {excitation!r}, only with 'force'")
 
 
-def is_in_time(question: str, names: Iterable[str], laws: str) -> None:
+def is_in_time(question: str, laws: Iterable[str]) -> None:
     """NotAvailable where a question about motions without a frequency is asked of structural damping."""
-    if "eta" in names:
-        raise NotAvailable(f"{question} is not available with {laws}: structural damping is stated at one frequency")
+    if "eta" in laws:
+        raise NotAvailable(f"{question} is not available with eta: structural damping is stated at one frequency")
 
 
 def is_plain(question: str, laws: str) -> None:

@@ -48,7 +48,7 @@ def answer(
     at_rest -- of one design, from its numbers by name, what has its equilibria
     batch   -- what an answer is
     """
-    validate.is_in_time(question, designs.values, designs.laws)
+    validate.is_in_time(question, designs.values)
     if (duration is None) == (tau is None):
         raise Refused(NO_PULSE)
     last = AFTER if after is None else validate.number("after", after, least=0.0)

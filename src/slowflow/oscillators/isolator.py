@@ -375,14 +375,5 @@ class Duffing(Oscillator):
         load: Any = 0.0,
     ) -> Any:
         """Make a batch of Duffing oscillators, arguments as of `Duffing`, as `Isolator.many` does."""
-        numbers = {
-            "alpha": alpha,
-            "beta": beta,
-            "mu": mu,
-            "zeta": zeta,
-            "eta": eta,
-            "c_2": c_2,
-            "c_3": c_3,
-            "zeta_2": zeta_2,
-        }
-        return super().many(DUFFING, excitation=excitation, load=load, **numbers)
+        damping = {"mu": mu, "zeta": zeta, "eta": eta, "c_2": c_2, "c_3": c_3, "zeta_2": zeta_2}
+        return super().many(DUFFING, alpha=alpha, beta=beta, excitation=excitation, load=load, **damping)

@@ -16,6 +16,7 @@ from slowflow.answers.answer import joined, sentences
 from slowflow.answers.certificate import Certificate
 from slowflow.answers.results import Remark, SaddleNodeOnset
 from slowflow.answers.table import SHOCKS
+from slowflow.averaged import checks
 from slowflow.averaged.composed import ComposedQuestions
 from slowflow.averaged.plan import OFF_CENTRE, plan_off_centre
 from slowflow.averaged.questions import Averaged
@@ -29,7 +30,6 @@ from slowflow_kernels.domains import EXCITATIONS
 
 if TYPE_CHECKING:
     from slowflow import exact
-    from slowflow.averaged import checks
     from slowflow.averaged.plan import Plan
     from slowflow.core.mechanism import Reals
     from slowflow.exact.questions import Motions
@@ -201,7 +201,7 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
 
     def explain(self, question: str, F_0: float | None = None) -> Plan:
         if question in SHOCKS:
-            self._in_time(None)  # refuses laws that are stated at a frequency
+            validate.is_in_time(question, self.model.laws.present)
         if not self._off_centre_by:
             return super().explain(question, F_0)
         if question not in OFF_CENTRE:
@@ -307,14 +307,6 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
     def _equations(self) -> dict[str | None, EquationOfMotion]:
         """What `equation_of_motion` returned, by its argument: oscillators are immutable."""
         return {}
-
-    def _in_time(self, which: str | None) -> EquationOfMotion:
-        """`equation_of_motion` of a motion that has no frequency. Raises ValueError for eta > 0."""
-        if self.eta > 0:
-            raise validate.NotAvailable(
-                f"eta = {self.eta:g} is not allowed here: structural damping is stated at one frequency"
-            )
-        return self.equation_of_motion(which)
 
     def _motions(self, system: EquationOfMotion) -> Motions:
         """Its motions by an equation of motion, whose integrator is imported on first use."""
@@ -494,7 +486,8 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         ArithmeticError
             Where the motion escapes a softening spring.
         """
-        return self._motions(self._in_time(force)).transient(acceleration, duration, tau, after, u_0, v_0)
+        validate.is_in_time("transient", self.model.laws.present)
+        return self._motions(self.equation_of_motion(force)).transient(acceleration, duration, tau, after, u_0, v_0)
 
     def shock_spectrum(self, *, acceleration: Reals, duration: Reals, force: str | None = None) -> exact.ShockSpectrum:
         """Compute the shock response spectrum: largest deflection and acceleration after half sines of the base.
@@ -518,7 +511,8 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         ArithmeticError
             Where the motion escapes a softening spring.
         """
-        return self._motions(self._in_time(force)).shock_spectrum(acceleration, duration)
+        validate.is_in_time("shock_spectrum", self.model.laws.present)
+        return self._motions(self.equation_of_motion(force)).shock_spectrum(acceleration, duration)
 
     def random(self, *, S_0: float | None = None, psd: tuple[Reals, Reals] | None = None) -> RandomResponse:
         """Find the stationary motions under a Gaussian excitation w(tau), by statistical linearization.
@@ -553,15 +547,14 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         from slowflow.random_vibration.questions import random
 
         self.at_centre("random")
-        return random(self, self._in_time(None), S_0, psd)
+        validate.is_in_time("random", self.model.laws.present)
+        return random(self, self.equation_of_motion(None), S_0, psd)
 
     def at_rest(self) -> checks.AtRest:
         """Compute data that do not depend on the forcing: .Omega_0 .k_0 .u_cr .break_loose .rests_within .sticking.
 
         Raises ValueError under a load, and for a force that is not odd: `rest` has the equilibria.
         """
-        from slowflow.averaged import checks
-
         self.at_centre("at_rest")
         return checks.at_rest(self)
 

@@ -27,7 +27,7 @@ DAMPED_BY = "mu", "zeta", "c_2", "c_3", "zeta_2", "released"
 
 def answer(designs: Designs, S_0: Any, psd: Any, places: int, workers: int = 1) -> Batch:
     """See `random` of `slowflow.answers.table.ManyQuestions`."""
-    validate.is_in_time("random", designs.values, designs.laws)
+    validate.is_in_time("random", designs.values)
     released = designs.rubs != THROUGHOUT
     excitation = excited_by(None if S_0 is None else 1.0, psd)
     places, threads = validate.count("places", places, least=1), validate.workers(workers)

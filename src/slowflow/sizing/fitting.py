@@ -28,7 +28,7 @@ from slowflow.exact.motion import MOST_STEPS, handle, system_of
 from slowflow.exact.transient import record
 from slowflow.oscillators.range_checks import Implausible
 from slowflow.random_vibration.record import accelerations
-from slowflow.sizing.subject import AT_NO_FREQUENCY, Measured, Subject, first_jump
+from slowflow.sizing.subject import Measured, Subject, first_jump
 from slowflow.support.errors import NotSettled, Refused
 
 #: share of all fits whose interval holds the number, if the noise is normal and the equations are right
@@ -547,8 +547,7 @@ def _in_time(subject: Subject, rows: Mapping[str, Any]) -> _Measured:
         raise Refused(f"{', '.join(known)} must be rows of one length, of at least {LEAST_SAMPLES} samples")
     if "t" in known and (np.diff(known["t"]) <= 0).any():
         raise Refused("t is not allowed: the times must rise")
-    if "eta" in subject.laws:
-        raise validate.NotAvailable(AT_NO_FREQUENCY.format("a fit to motions in time"))
+    validate.is_in_time("a fit to motions in time", subject.laws)
     return _loop(subject, **known) if "F" in known else _decay(subject, **known)
 
 

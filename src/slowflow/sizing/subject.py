@@ -9,11 +9,12 @@ import math
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType, SimpleNamespace
-from typing import Any, TypedDict
+from typing import Any
 
 import numpy as np
 
 from slowflow.answers.answer import frozen
+from slowflow.answers.physical_answers import Amplitude
 from slowflow.answers.quantities import LETTERS, PURE, SHEET, SI, UNITS, Scales, g, si, size, sizes
 from slowflow.answers.table import COLUMNS
 from slowflow.averaged.batch_checks import full, lifting
@@ -49,9 +50,6 @@ ABOUT_THE_CENTRE = {"rests_within": "rests_within"}
 OF_INERTIA = {"sticks": "Omega_sticks"}
 COLUMN = OF_ALL_FORCINGS | OF_FRICTION | ABOUT_THE_CENTRE | AT_A_FORCING | OF_INERTIA | UNDER_A_LOAD
 COLUMN |= AT_A_FREQUENCY | IN_A_SPECTRUM | IN_A_SHOCK
-#: what is not known with structural damping
-AT_NO_FREQUENCY = "{} is not available with structural damping, which is stated at one frequency"
-
 
 #: what a load spectrum is
 PAIR = "({1}, {0}), the columns of a table"
@@ -63,13 +61,9 @@ UNSCALED = Scales(m=1.0, k_v=1.0, L=1.0)
 LAWS, STATIC = tuple(one.name for one in DISSIPATION), "static_friction"
 
 
-class Measured(TypedDict, total=False):
+class Measured(Amplitude[Any], total=False):
     """Conditions of a measurement: the amplitude of the excitation by name, or F_0; the frequency."""
 
-    F: Any
-    Y: Any
-    a: Any
-    U: Any
     F_0: Any
     f: Any
     Omega: Any
@@ -254,8 +248,8 @@ class Subject:
         if names is None:
             return [name for name, plain in self.answers.items() if plain not in missing]
         for name in names:
-            if name in IN_A_SHOCK and "eta" in self.laws:
-                raise validate.NotAvailable(AT_NO_FREQUENCY.format(name))
+            if name in IN_A_SHOCK:
+                validate.is_in_time(name, self.laws)
             if name not in self.answers:
                 allowed = f"{', '.join(self.answers)}{validate.meant(name, self.answers)}"
                 raise Refused(f"{name!r} is no answer: it must be one of {allowed}")
