@@ -387,10 +387,11 @@ def test_laws_are_columns_of_a_batch_and_of_a_map():
         lambda: grid.certify(0.04),
         lambda: Isolator.many(**parameters, eta=0.1).certify(0.04),
         lambda: Isolator.many(**parameters, eta=0.1).second_approximation,
-        lambda: Isolator.many(**parameters, eta=0.1).shock_spectrum(acceleration=0.1, duration=1.0),
     ):
         with pytest.raises(ValueError, match=r"eta.*rubs = 'attached'"):
             ask()
+    with pytest.raises(ValueError, match="shock_spectrum is not available with eta"):
+        Isolator.many(**parameters, eta=0.1).shock_spectrum(acceleration=0.1, duration=1.0)
     with pytest.raises(ValueError, match="rubs = 'never'"):
         Isolator.many(**{**parameters, "rubs": "never"})
 
