@@ -7,7 +7,6 @@ import math
 import pickle
 import re
 import time
-from dataclasses import replace
 from types import SimpleNamespace
 
 import mpmath
@@ -19,10 +18,11 @@ from scipy.spatial import cKDTree
 
 from slowflow import Duffing, Isolator, Oscillator, derive
 from slowflow.answers.results import Remark, SteadyStates
+from slowflow.averaged.isolating import Level
 from slowflow.core.backend import SOLVER
 from slowflow.core.model import Model
 from slowflow.example import TABLE_1, isolator
-from slowflow.off_centre import answers
+from slowflow.off_centre import answers, reach
 from slowflow.off_centre.means import ORDERS, Steps
 from slowflow.off_centre.questions import OffCentre
 from slowflow.off_centre.turning_points import Charts
@@ -933,21 +933,16 @@ def test_less_force_is_transmitted_from_the_isolation_on(loaded):
     assert (beyond.transmissibility[beyond.stable] < 1).all()
 
 
-@pytest.mark.slow
-def test_transmission_beyond_a_wrong_isolation_is_noticed(loaded, monkeypatch):
-    """Where samples of the response step over its last stretch, more are taken, or the answer is undecided."""
-    true, begins = loaded.isolation(0.04), OffCentre._begins
+def test_transmission_beyond_a_frequency_is_found(loaded):
+    true, last = loaded.isolation(0.04), loaded.off_centre._reach.last_transmitting
     assert Remark.UNDECIDED not in true.remarks and not true.message
-    low, high = loaded.off_centre._reach.transmits_beyond(0.04, 0.97 * true.Omega)
-    assert low < true.Omega < high
+    motion, is_proved = last(0.04, Level.of(0.0), 0.97 * true.Omega)
+    assert is_proved and motion.Omega == pytest.approx(true.Omega, rel=1e-14)
+    assert last(0.04, Level.of(0.0), 1.0001 * true.Omega) == (None, True)
 
-    def early(*arguments):
-        return replace(begins(*arguments), Omega=0.97 * true.Omega)
 
-    answers = iter((early, begins))
-    monkeypatch.setattr(OffCentre, "_begins", lambda *arguments: next(answers)(*arguments))
-    assert loaded.isolation(0.04).Omega == pytest.approx(true.Omega, rel=1e-12)
-    monkeypatch.setattr(OffCentre, "_begins", early)
+def test_isolation_that_is_not_proved_is_undecided(loaded, monkeypatch):
+    monkeypatch.setattr(reach, "MOST_BOXES", 1)
     assert loaded.isolation(0.04).remarks & Remark.UNDECIDED and "undecided" in loaded.isolation(0.04).message
     values = {name: [value] for name, value in {**TABLE_1, "load": 0.03}.items()}
     many = Isolator.many(**values).isolation(0.04)

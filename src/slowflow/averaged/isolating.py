@@ -88,7 +88,7 @@ def isolated(model: Model, curve: Any, F_0: float, level: Level) -> tuple[Any, .
     def crossing(one: Ints, other: Ints) -> tuple[Floats, ...]:
         return _crossing(model, F_0, A[one], A[other], level, stable[one] & stable[other])
 
-    found = begins(curve, (Omega, A), _transmits(model, Omega, A, F_0, level), crossing)
+    found = begins(curve, (Omega, A), transmits(model, Omega, A, F_0, level), crossing)
     return _from_rest_on(rests_up_to(model, F_0), *found)
 
 
@@ -112,7 +112,7 @@ def isolated_each(
     low, high = grid[rows, k, np.newaxis], grid[rows, k + 1, np.newaxis]
     at, of_A = _crossing(flow.each(itemgetter(rows)), F_0[rows], low, high, levels)
     last, last_A = _last(len(F_0), rows, at[:, 0], of_A[:, 0])
-    ends = np.where(_transmits(flow, Omega, A, F_0, level), Omega, -math.inf)
+    ends = np.where(transmits(flow, Omega, A, F_0, level), Omega, -math.inf)
     at_end = ends.argmax(axis=1)[:, np.newaxis]
     end, end_A = (np.take_along_axis(one, at_end, axis=1)[:, 0] for one in (ends, A))
     at_fold = end > last
@@ -130,22 +130,22 @@ def _last(n: int, rows: Ints, Omega: Floats, *others: Floats) -> tuple[Floats, .
     return tuple(found)
 
 
-def _transmits(of: Any, Omega: Floats, A: Floats, F_0: Any, level: Level) -> Any:
-    """Whether motions transmit that much; none does where one of them is NaN."""
-    whole = np.asarray(level.dB == 0)
+def transmits(of: Any, Omega: Floats, A: Floats, F_0: Any, level: Level, h: Any = None) -> Any:
+    """Whether motions transmit that much; none does where one of them is NaN. h -- as `up_to` takes it"""
+    whole, h = np.asarray(level.dB == 0), of.averaged(A)[0] if h is None else h
     with np.errstate(invalid="ignore"):
-        transmits = Omega >= 0
+        passes = Omega >= 0
         if whole.any():  # each state transmits the whole force at Omega = 0, where rounding would decide
-            transmits = transmits & (~whole | (Omega <= _up_to(of, A, F_0, level)))
+            passes = passes & (~whole | (Omega <= up_to(of, A, F_0, level, h)))
         if not whole.all():
-            transmits = transmits & (whole | (in_motion(A, _passed(of, Omega, A, F_0)) >= level.ratio))
-    return transmits
+            passes = passes & (whole | (in_motion(A, of.transmissibility(Omega, A, F_0, h)) >= level.ratio))
+    return passes
 
 
 def _crossing(of: Any, F_0: Any, A: Floats, other: Floats, level: Level, sure: Any = False) -> tuple[Floats, Floats]:
     """Omega and A of motions at F_0 that transmit that, between two amplitudes; -inf where none is stable."""
     root = _between(of, F_0, A, other, level)
-    at_root = _up_to(of, root, F_0, level)
+    at_root = up_to(of, root, F_0, level)
     with np.errstate(all="ignore"):
         return np.where(sure | (of.F_A(at_root, root) > 0), at_root, -math.inf), root
 
@@ -201,28 +201,27 @@ def begins(
     return True, *(column[end] for column in at)
 
 
-def _up_to(of: Any, A: Floats, F_0: Any, level: Level) -> Floats:
-    """The frequency up to which motions of these amplitudes transmit that; -inf where there is none."""
+def up_to(of: Any, A: Floats, F_0: Any, level: Level, h: Any = None) -> Floats:
+    """The frequency up to which motions of these amplitudes transmit that; -inf where there is none.
+
+    h -- by default that of motions about the centre
+    """
     kernel = inertia.isolation if of.inertial else slow_flow.isolation
     with np.errstate(all="ignore"):
-        Omega = kernel(A, F_0, level.reduction, of.averaged(A)[0])
+        Omega = kernel(A, F_0, level.reduction, of.averaged(A)[0] if h is None else h)
     return np.where(Omega > 0, Omega, -math.inf)
 
 
 def _excess(of: Any, A: Floats, F_0: Any, level: Level) -> Floats:
     """The transmissibility at F_0 of motions with the frequency of that level, less that: the sign counts."""
-    Omega = _up_to(of, A, F_0, level)
+    h = of.averaged(A)[0]
+    Omega = up_to(of, A, F_0, level, h)
     with np.errstate(all="ignore"):
         # of the whole force the forcing of these motions less F_0 has that sign
         found = np.asarray(of.level(Omega, A) - F_0)
         if np.any(level.dB):
-            found = np.where(level.dB, _passed(of, Omega, A, F_0) - level.ratio, found)
+            found = np.where(level.dB, of.transmissibility(Omega, A, F_0, h) - level.ratio, found)
     return found
-
-
-def _passed(of: Any, Omega: Floats, A: Floats, F_0: Any) -> Floats:
-    """Transmissibility of motions."""
-    return np.asarray(of.transmissibility(Omega, A, F_0, of.averaged(A)[0]))
 
 
 def _lowest(of: Any, F_0: Any, level: Level) -> Any:
@@ -259,7 +258,7 @@ def highest(of: Any, A_max: float, F_0: float, level: Level, samples: int) -> fl
     """A frequency beyond which no motion up to an amplitude transmits that."""
     A = A_max * np.arange(1, samples + 1) / samples
     if not level.dB:
-        return min(BEYOND * max(1.0, float(_up_to(of, A, F_0, level).max())), float(HIGHEST_OMEGA))
+        return min(BEYOND * max(1.0, float(up_to(of, A, F_0, level).max())), float(HIGHEST_OMEGA))
     with np.errstate(all="ignore"):
         steepest = ((np.abs(of.averaged(A)[0]) - of.preload) / A).max()
     return min(float(last_passed(of, F_0, level, max(steepest, 1.0), of.preload)), float(HIGHEST_OMEGA))

@@ -186,6 +186,13 @@ class Slow(NamedTuple):
         arguments = flow.force(self.F_0, Omega), flow.sine(Omega, x[0]), flow.sine_A(Omega, x[0]), self.steps.load
         return off_centre.state(Omega, x[0], *arguments, *means.c, *means.s)
 
+    def stability(self, Omega: Any, A: Floats, B: Floats) -> tuple[Flags, Floats]:
+        """Where states are stable, those at rest too, and h there."""
+        means, averages = self.steps.averaged(A, B)
+        with np.errstate(all="ignore"):
+            turns = self.flow.F_A(Omega, A, averages)
+        return ((turns > 0) | (A == 0)) & (means.c[1] > 0), np.asarray(averages[0])
+
     def step(self, state: Any) -> Floats:
         """Newton's to f_0 = F = 0."""
         f_0, F, f_A, f_B, F_A, F_B = state

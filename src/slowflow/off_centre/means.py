@@ -25,6 +25,7 @@ from slowflow.off_centre.curved import Curved, Part
 from slowflow.off_centre.smooth import SINGULAR, Beyond, check, outwards
 from slowflow.support.errors import NotSettled, Refused
 from slowflow.support.text import Sentence, text
+from slowflow_kernels import off_centre
 
 NO_MEANS = Sentence("{name:s}: offset motions are not derived for a force {what:s}")
 NEXT_TO_REST = text("a force that may jump at {u} = 0 and does not has no gradients for offset motions")
@@ -293,6 +294,12 @@ class Steps:
             return Means(c, s)
         others = self.curved.at(A, B, orders)
         return Means(*(tuple(map(np.add, *both)) for both in zip((c, s), others, strict=True)))
+
+    def averaged(self, A: Floats, B: Floats) -> tuple[Means, tuple[Floats, ...]]:
+        """All means, and h, h_A, h_AA, h_AAA along the balance."""
+        means = self.at(A, B, ORDERS)
+        with np.errstate(all="ignore"):
+            return means, off_centre.averaged(A, *means.c[1:], *means.s)
 
     def sensitivity(
         self, A: Floats, B: Floats, gains: Floats, positions: Floats, curved: Curved | None = None

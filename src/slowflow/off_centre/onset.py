@@ -25,10 +25,8 @@ from scipy.optimize import brentq, minimize_scalar
 from slowflow.core.mechanism import Flags
 from slowflow.core.model import Floats
 from slowflow.off_centre.flow import Flow
-from slowflow.off_centre.means import ORDERS
 from slowflow.off_centre.solution_sheets import SIGNS, Cells, Corner, Sheets
 from slowflow.support.errors import NotSettled
-from slowflow_kernels import off_centre
 
 #: relative distance below F_SN within which no fold is proved to be absent
 GAP = 2.0**-16
@@ -159,8 +157,7 @@ class Search:
 
     def _slopes(self, A: float, B: float) -> dict[str, float]:
         at = np.array([A]), np.array([B])
-        means, Omega = self.steps.at(*at, ORDERS), self.folds(*at)[1]
-        averages = off_centre.averaged(at[0], *means.c[1:], *means.s)
+        (_, averages), Omega = self.steps.averaged(*at), self.folds(*at)[1]
         return {
             "cusp": float(self.flow.F_AA(Omega, at[0], averages)[0]),
             "isola": float(np.asarray(self.flow.F_Omega(Omega, at[0], averages[0]))[0]),
@@ -182,8 +179,7 @@ class Search:
             with np.errstate(all="ignore"):
                 cells = cells.take(may(cells))
             if 0 < cells.chart.size <= FEW:
-                x, y = 0.5 * (cells.low + cells.high)
-                A, B = self.sheets.charts.motion(x, y, cells.chart)
+                A, B = self.sheets.middles(cells)
                 for _ in range(4):
                     means = self.steps.at(A, B, 1)
                     with np.errstate(all="ignore"):

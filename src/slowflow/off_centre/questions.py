@@ -35,11 +35,10 @@ from slowflow.off_centre.answers import RestPositions
 from slowflow.off_centre.boxes import Solutions, solve
 from slowflow.off_centre.by_turning_points import at_rest
 from slowflow.off_centre.complete import AT_CENTRE, SUBDIVISIONS, Complete
-from slowflow.off_centre.curve import Curves, curves, newton
+from slowflow.off_centre.curve import Curves, curves
 from slowflow.off_centre.flow import Flow, Slow
-from slowflow.off_centre.means import ORDERS, Steps
-from slowflow.off_centre.reach import AMPLITUDE, LARGEST, Farthest, Measure, Reach, Transmissibility
-from slowflow.off_centre.reach import BEYOND as BEYOND_IT
+from slowflow.off_centre.means import Steps
+from slowflow.off_centre.reach import AMPLITUDE, LARGEST, Farthest, Measure, Reach
 from slowflow.support.errors import NotSettled, OutOfRange, Refused
 from slowflow.support.immutable import Unchanging
 from slowflow.support.text import Sentence, together
@@ -55,10 +54,6 @@ TOO_SMALL = Sentence(
 KEPT = 64
 #: motions whose A and B differ by less beside A are one, found twice
 SAME = 2.0**-20
-#: points of a response on which isolation is looked for: that nothing transmits more beyond has a proof of its own
-SAMPLES = 300
-#: how nearly the highest frequency is known that is looked at for isolation
-COARSE = 2.0**-6
 #: above the frequency from which on a base moves the mass, and of the highest one of a window, where curves begin
 BEGINS = 2.0**-10
 UNDAMPED = "{} needs zeta > 0, eta > 0 or c_2 > 0 for offset motions: without damping that grows they are unbounded"
@@ -97,8 +92,9 @@ class _Notes(NamedTuple):
     remarks: Remark = Remark(0)
 
     def combine(self, other: _Notes) -> _Notes:
-        """Both, this first."""
-        return _Notes(joined(self.message, other.message), self.remarks | other.remarks)
+        """Both, this first, and a message that both have once."""
+        message = self.message if other.message in self.message else joined(self.message, other.message)
+        return _Notes(message, self.remarks | other.remarks)
 
 
 def _kept(answer: Method) -> Method:
@@ -444,59 +440,32 @@ class OffCentre(Unchanging, ComposedQuestions):
     def _isolation(self, F_0: float, level_dB: float) -> checks.Isolation:
         F_0, level = validate.number("F_0", F_0, above=0.0), isolating.as_level(level_dB)
         self._check_answered("isolation")
+        extra: dict[str, Any] = {"load": self.load, "_model": self._model, "_gradient_of": answers.gradient}
+        made: Callable[..., checks.Isolation] = partial(checks.Isolation, level_dB=level.dB, **extra)
         sticks = messages.STICKS.format(F_0, self._model.m) if self._flow.sticks(F_0) else ""
         floor = Averaged(self._model).transmissibility_floor(F_0)
         if why := sticks or isolating.passes_on(self._model, floor, level):
-            return self._isolation_at(level, None, None, None, False, F_0, why, Remark(0))
+            return made(None, None, False, F_0, why, Remark(0))
         if self._flow.inertial and self._is_cut(F_0):
             raise validate.NotAvailable(OPEN.format(self.A_max(F_0)))
-        # what is transmitted has the square h^2 + I^2, as much as F_0 where R = -h, at Omega^2 = 2 p with p = -h/A
-        backbone = self._reach.highest_backbone(F_0, COARSE)
-        highest = isolating.BEYOND * math.sqrt(2 * (1 + COARSE) * backbone)
-        fraction = None
-        if level.dB:
-            steepest = (1 + COARSE) * backbone
-            highest = float(isolating.last_passed(self._flow, F_0, level, steepest))
-            fraction = Transmissibility(float(level.ratio), highest, steepest)
-        found = self._begins(F_0, 0.0, highest, level)
-        if found.Omega is None or not (left := self._reach.transmits_beyond(F_0, found.Omega, fraction)):
-            return found
-        # between points of the response a motion may come to transmit F_0 and leave that again: more points there
-        if math.isfinite(left[1]):
-            higher = self._begins(F_0, left[0] * (1 + BEYOND_IT), isolating.BEYOND * left[1], level)
-            if higher.Omega and not self._reach.transmits_beyond(F_0, higher.Omega, fraction):
-                return higher
-        message = joined(found.message, UNDECIDED_BEYOND.format(str(level)))
-        return replace(found, message=message, remarks=found.remarks | Remark.UNDECIDED)
-
-    def _isolation_at(
-        self, level: isolating.Level, Omega: float | None, A: float | None, B: float | None, *others: Any
-    ) -> checks.Isolation:
-        extra: dict[str, Any] = {"B": B, "load": self.load, "_model": self._model, "_gradient_of": answers.gradient}
-        return checks.Isolation(Omega, A, *others, level_dB=level.dB, **extra)
-
-    def _begins(self, F_0: float, low: float, high: float, level: isolating.Level) -> checks.Isolation:
-        """Where isolation begins on points of the response between two frequencies."""
-        curve = self._frequency_response(F_0, SAMPLES, (low, high))
-        slow, ratio = Slow(self._steps, self._flow, F_0), float(level.ratio)
-
-        def passes(*between: Ints) -> tuple[Floats, ...]:
-            (low, start), (high, end) = ((curve.Omega[k], np.stack((curve.A[k], curve.mean[k]))) for k in between)
-
-            def at(Omega: Floats) -> Floats:
-                return newton(slow, Omega, start + (Omega - low) / (high - low) * (end - start))[0]
-
-            def excess(Omega: Floats) -> Floats:
-                x = at(Omega)
-                h = -2 * self._steps.at(x[0], x[1], 0).s[0]
-                return np.asarray(self._flow.transmissibility(Omega, x[0], F_0, h)) - ratio
-
-            Omega = isolating.zeros(excess, low, high)
-            return np.where(curve.stable[between[0]], Omega, -math.inf), *at(Omega)
-
-        at_points = curve.Omega, curve.A, curve.mean
-        found = isolating.begins(curve, at_points, curve.transmissibility >= level.ratio, passes)
-        return isolating.begins_of(partial(self._isolation_at, level), curve, level, *found)
+        folds = self.saddle_nodes(F_0)
+        h = -2 * self._steps.at(folds.A, folds.mean, 0).s[0]
+        passes = (folds.kind != "unstable") & isolating.transmits(self._flow, folds.Omega, folds.A, F_0, level, h)
+        ends = np.stack((folds.Omega, folds.A, folds.mean))[:, passes].T.tolist()
+        Omega, A, B = ends[-1] if ends else (0.0, None, None)
+        last, is_proved = self._reach.last_transmitting(F_0, level, Omega)
+        if last is not None:
+            Omega, A, B = last.Omega, last.A, last.B
+        notes = _Notes(folds.message, folds.remarks) if len(folds) else _Notes()
+        if A is not None:
+            notes = notes.combine(self._beyond_reach(A, B))
+        elif is_proved:
+            notes = notes.combine(_Notes(isolating.ISOLATES.format(str(level))))
+        else:
+            Omega = None
+        if not is_proved:
+            notes = notes.combine(_Notes(UNDECIDED_BEYOND.format(str(level)), Remark.UNDECIDED))
+        return made(Omega, A, bool(ends) and last is None, F_0, **notes._asdict(), B=B)
 
     def A_max(self, F_0: float) -> float:
         """Amplitude up to which folds at F_0 are searched: 2^8 times the characteristic length of the problem.
@@ -514,9 +483,8 @@ class OffCentre(Unchanging, ComposedQuestions):
         centred -- those about the centre, by their own solvers
         """
         A, B, R = x
-        means = self._steps.at(A, B, ORDERS)
+        means, averages = self._steps.averaged(A, B)
         with np.errstate(all="ignore"):
-            averages = off_centre.averaged(A, *means.c[1:], *means.s)
             Omega = np.where(on_corner == "", self._frequency(A, R, F_0, averages[0]), R)
             bends = self._flow.F_AA(Omega, A, averages)
         kind = np.where(bends < 0, "jump-up", "jump-down")
@@ -547,7 +515,7 @@ class OffCentre(Unchanging, ComposedQuestions):
         self, at: Floats, A: Floats, B: Floats, F_0: float, notes: _Notes, undecided: Floats, of: Ints
     ) -> SteadyStates:
         Omega = at[of]
-        stable, h = self._stability(Omega, A, B)
+        stable, h = Slow(self._steps, self._flow, F_0).stability(Omega, A, B)
         notes = notes.combine(self._beyond_reach(A, B))
         extra = {"Omega_undecided": undecided, "_h": h, "_flow": self._flow, **notes._asdict()}
         return self._made(SteadyStates, Omega, A, stable, F_0, B=B, **extra)
@@ -559,16 +527,8 @@ class OffCentre(Unchanging, ComposedQuestions):
             return _Notes()
         return _Notes(diagnostics.MESSAGES[Remark.BEYOND_REACH].format(reach=reach, reason=reason), Remark.BEYOND_REACH)
 
-    def _stability(self, Omega: Floats, A: Floats, B: Floats) -> tuple[Any, Floats]:
-        """Where states are stable, and h there."""
-        means = self._steps.at(A, B, ORDERS)
-        with np.errstate(all="ignore"):
-            averages = off_centre.averaged(A, *means.c[1:], *means.s)
-            turns = self._flow.F_A(Omega, A, averages)
-        return ((turns > 0) | (A == 0)) & (means.c[1] > 0), np.asarray(averages[0])
-
     def _response(self, found: Curves, F_0: float, notes: _Notes) -> FrequencyResponse:
-        stable, h = self._stability(found.Omega, found.A, found.B)
+        stable, h = Slow(self._steps, self._flow, F_0).stability(found.Omega, found.A, found.B)
         notes = notes.combine(self._beyond_reach(found.A, found.B))
         extra = {"branch": found.branch, "isola": found.closed, "_h": h, "_flow": self._flow, **notes._asdict()}
         return self._made(FrequencyResponse, found.Omega, found.A, stable, F_0, B=found.B, **extra)

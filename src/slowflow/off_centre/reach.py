@@ -10,30 +10,28 @@ least |p| of a box is below that of all its motions, and no frequency has to be 
 more than F_0, and those that are nearer than a motion that is known. Motions with c_1 = df_0/dB > 0 are looked at, as
 those are of which stable ones are.
 
-`transmits_beyond` goes on in the same way with the motions beyond a frequency that transmit all of F_0, Omega^2 <= 2 p:
-their frequencies lie between the two, and what F is there, and by which sign it changes with A, is known on boxes. Of a
-share of F_0 another frequency is the last, and what is transmitted is known on boxes as well.
+`last_transmitting` goes on in the same way with the motions at F_0 that transmit a level. Their frequency is explicit
+in A and p (slowflow/averaged/isolating.py); it rises with p and falls with A, so that corners of a box bound it, and
+with it what is transmitted.
 """
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
-from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 
-from slowflow.core.intervals import Interval
+from slowflow.averaged.isolating import Level, up_to
+from slowflow.core.intervals import ALL, Interval
 from slowflow.core.mechanism import Flags
 from slowflow.core.model import Floats
 from slowflow.off_centre.flow import ROUNDED, Flow, Slow
 from slowflow.off_centre.solution_sheets import Cells, Sheets
 from slowflow.support.errors import NotSettled
 from slowflow.support.text import Sentence
-from slowflow_kernels.conventions import HIGHEST_OMEGA
 
 #: share of the farthest beyond which it is proved that no motion goes
 GAP = 2.0**-24
@@ -41,26 +39,12 @@ GAP = 2.0**-24
 MOST_BOXES, MIDDLES, STEPS = 100_000, 64, 10
 #: rounds after which it is looked for them again
 EVERY = 6
-#: share of a frequency beyond which it is proved that nothing transmits the force; boxes and rounds for that
-BEYOND, MOST_BEYOND, ROUNDS = 2.0**-16, 20_000, 80
-#: parts of a range of frequencies, and how often what is left of it is cut into parts again
-DIVISIONS, NARROWED = 8, 5
-#: share of the forcing that motions are small against
-SMALL = 2.0**-40
+#: share of a frequency beyond which it is proved that nothing transmits a level
+BEYOND = 2.0**-16
+#: by how much A and B change for the slopes of a frequency, beside A + |B|: they set only how fast Newton's method is
+NEAR = 2.0**-26
 #: by how much a forcing may be off by rounding
 AT = 2.0**-40
-
-
-@dataclass(frozen=True)
-class Transmissibility:
-    """A transmissibility, and a bound of the frequencies at which motions reach it.
-
-    ratio, last -- which, and a frequency beyond which none with |h| <= steepest A transmits it
-    """
-
-    ratio: float
-    last: float
-    steepest: float
 
 
 @dataclass(frozen=True)
@@ -78,19 +62,18 @@ class Farthest:
 
 
 class Measure(NamedTuple):
-    """How far a motion goes: at A, B and p, and what that does not exceed on boxes of these."""
+    """How far a motion goes: at A and B, and what that does not exceed on boxes of these."""
 
-    at: Callable[[Floats, Floats, Floats], Floats]
-    most: Callable[[Interval, Interval, Interval], Floats]
+    at: Callable[[Floats, Floats], Floats]
+    most: Callable[[Interval, Interval], Floats]
 
 
-#: the amplitude; the largest |u|; the square of the frequency on the backbone, where that is not below 1
-AMPLITUDE = Measure(lambda A, B, p: A, lambda A, B, p: A.hi)
+#: the amplitude; the largest |u|
+AMPLITUDE = Measure(lambda A, B: A, lambda A, B: A.hi)
 NO_FREQUENCY = Sentence(
     "the largest motion is unresolved: double precision does not resolve the frequency at which {A = :g}"
 )
-LARGEST = Measure(lambda A, B, p: A + np.abs(B), lambda A, B, p: A.hi + np.maximum(-B.lo, B.hi))
-BACKBONE = Measure(lambda A, B, p: np.maximum(p, 1.0), lambda A, B, p: np.maximum(p.hi, 1.0))
+LARGEST = Measure(lambda A, B: A + np.abs(B), lambda A, B: A.hi + np.maximum(-B.lo, B.hi))
 
 
 class Reach:
@@ -104,102 +87,90 @@ class Reach:
 
         None where no motion is found. Raises ArithmeticError where too many boxes stay undecided.
         """
-        return self._farthest(F_0, measure, GAP, 0.0)[0]
 
-    def highest_backbone(self, F_0: float, gap: float) -> float:
-        """The square of a frequency, 1 at least, that the backbone does not exceed at any motion at F_0, nearly.
+        def most(cells: Cells) -> Floats:
+            return np.where(self._may_move(cells, F_0), measure.most(cells.A, cells.B), -np.inf)
 
-        Next to where two pieces meet at rest p is as its slopes make it down to no size at all: there it is not known
-        which of them it takes.
+        found, is_proved = self._search(F_0, most, partial(self._motions, F_0=F_0, measure=measure), GAP)
+        if not is_proved:
+            raise NotSettled("the largest motion is unresolved: too many boxes stay undecided")
+        return found
+
+    def last_transmitting(self, F_0: float, level: Level, Omega: float) -> tuple[Farthest | None, bool]:
+        """The stable motion beyond Omega that transmits a level at the highest frequency; whether no other does.
+
+        One that is nearer to it, or to Omega, than by `BEYOND` of that may be missed.
         """
-        found, bound = self._farthest(F_0, BACKBONE, gap, SMALL * F_0)
-        return max(1.0 if found is None else found.value, bound)
+        most = partial(self._transmits_up_to, F_0=F_0, level=level)
+        motions = partial(self._transmitting, F_0=F_0, level=level)
+        known = Farthest(Omega, Omega, 0.0, 0.0, False)
+        found, is_proved = self._search(F_0, most, motions, BEYOND, known)
+        return None if found is known else found, is_proved
 
-    def _farthest(self, F_0: float, measure: Measure, gap: float, small: float) -> tuple[Farthest | None, float]:
-        """The same, and a bound for motions that are no larger than `small`, which are not told apart."""
-        bound = -np.inf
-        best, looked_at, rounds = None, 0, 0
-        cells = self.sheets.cells(self._A_max(F_0), partial(self._may_move, F_0=F_0))
+    def _search(
+        self,
+        F_0: float,
+        most: Callable[[Cells], Floats],
+        motions: Callable[[Floats], Farthest | None],
+        gap: float,
+        best: Farthest | None = None,
+    ) -> tuple[Farthest | None, bool]:
+        """The motion of the largest value, and whether none exceeds it by more than a share of that.
+
+        most    -- what values of motions on cells do not exceed: -inf where there are none, NaN where it is not known
+        motions -- the best of those that are found from some places
+        best    -- one that is known
+        """
+
+        def may(cells: Cells) -> Flags:
+            with np.errstate(all="ignore"):
+                value = most(cells)
+            return np.isnan(value) | (value > (-np.inf if best is None else best.value * (1 + gap)))
+
+        looked_at, rounds, cells = 0, 0, self.sheets.cells(self._A_max(F_0), may)
         while cells.chart.size:
             looked_at, rounds = looked_at + cells.chart.size, rounds + 1
             if looked_at > MOST_BOXES:
-                raise NotSettled("the largest motion is unresolved: too many boxes stay undecided")
+                return best, False
             with np.errstate(all="ignore"):
-                most = measure.most(cells.A, cells.B, cells.p)
-                left = self._may_move(cells, F_0)
-                # p is not known of what has no size
-                left &= np.isnan(most) | (most > (-np.inf if best is None else best.value * (1 + gap)))
-                aside = left & (LARGEST.most(cells.A, cells.B, cells.p) <= small) & np.isfinite(most)
-                bound = max(bound, float(np.max(most[aside], initial=-np.inf)))
-                left &= ~aside
-                cells, most = cells.take(left), most[left]
-                # a motion that is found in one round mostly stays the farthest in the next ones
-                first = np.argsort(-most, kind="stable")[: MIDDLES if rounds % EVERY == 1 else 0]
-                x, y = 0.5 * (cells.low + cells.high)[:, first]
-                motions = np.stack(self.sheets.charts.motion(x, y, cells.chart[first]))
-                found = self._motions(motions, F_0, measure) if first.size else None
-                if found is not None and (best is None or found.value > best.value):
-                    best = found
+                if rounds % EVERY == 1:
+                    # a motion that is found in one round mostly stays the best in the next ones
+                    first = np.argsort(-most(cells), kind="stable")[:MIDDLES]
+                    found = motions(self.sheets.middles(cells.take(first)))
+                    if found is not None and (best is None or found.value > best.value):
+                        best = found
+                    cells = cells.take(may(cells))
                 cells = self.sheets.cut(cells)
-        return best, bound
+                cells = cells.take(may(cells))
+        return best, True
 
     def _may_move(self, cells: Cells, F_0: float) -> Flags:
         """Which cells may hold a motion at F_0 that is stable."""
         return np.asarray((cells.rising.hi > 0) & (self.flow.needed(cells.A, cells.p) * (1 - ROUNDED) <= F_0))
 
-    def transmits_beyond(
-        self, F_0: float, Omega: float, limit: Transmissibility | None = None
-    ) -> tuple[float, float] | None:
-        """Between which frequencies beyond Omega stable motions at F_0 may transmit it; None: proved, nowhere.
-
-        What is nearer to Omega than by `BEYOND` of it is not looked at.
-        """
-        least = (Omega * (1 + BEYOND)) ** 2
-        may = partial(self._may_transmit, F_0=F_0, least=least, limit=limit)
-        cells, looked_at = self.sheets.cells(self._A_max(F_0), may), 0
-        for _ in range(ROUNDS):
-            cells = cells.take(may(cells))
-            looked_at += cells.chart.size
-            if not cells.chart.size:
-                return None
-            if looked_at > MOST_BEYOND:
-                break
-            with np.errstate(all="ignore"):
-                cells = self.sheets.cut(cells)
-        return Omega, math.sqrt(2 * max(float(cells.p.hi.max()), 0.0)) if limit is None else limit.last
-
-    def _may_transmit(self, cells: Cells, F_0: float, least: float, limit: Transmissibility | None) -> Flags:
-        """Which cells may hold a stable motion at F_0 with least <= Omega^2 <= 2 p, or that transmits `limit`."""
-        with np.errstate(all="ignore"):
-            highest = 2 * cells.p.hi * (1 + ROUNDED)
-            if limit is not None:
-                highest = np.where(cells.p.lo >= -limit.steepest, limit.last**2, float(HIGHEST_OMEGA) ** 2)
-            none = ~self._may_move(cells, F_0) | (highest < least)
-            start = np.full(none.size, least * (1 - ROUNDED))
-            end = np.maximum(highest, start)
-            shares = np.arange(DIVISIONS + 1)[:, np.newaxis] / DIVISIONS
-            # ever less of the range of Omega^2
-            for _ in range(NARROWED):
-                edges = start + shares * (end - start)
-                may = np.array([self._may_at(cells, F_0, *ends, limit) for ends in pairwise(edges)])
-                none |= ~may.any(axis=0)
-                first, last = np.argmax(may, axis=0), DIVISIONS - np.argmax(may[::-1], axis=0)
-                n = np.arange(none.size)
-                start, end = np.where(none, start, edges[first, n]), np.where(none, end, edges[last, n])
-        return np.asarray(~none)
-
-    def _may_at(self, cells: Cells, F_0: float, low: Floats, high: Floats, limit: Transmissibility | None) -> Flags:
-        """Which of them may have Omega^2 between two numbers each."""
-        square = Interval.of(low * (1 - ROUNDED), high * (1 + ROUNDED))
-        at = square.sqrt()
-        R, (I, I_A) = cells.A * (square - cells.p), self.flow.balances(at, cells.A)
-        level, force = R.square() + I.square(), self.flow.force(F_0, at.ends) ** 2
+    def _transmits_up_to(self, cells: Cells, F_0: float, level: Level) -> Floats:
+        """Up to which frequency stable motions at F_0 may transmit a level, by cells; -inf where none does."""
+        flow, A, e = self.flow, cells.A, cells.e
+        p = Interval(np.where(np.isnan(cells.p.ends), ALL, cells.p.ends))
+        corners = up_to(flow, A.ends[:, np.newaxis], F_0, level, -A.ends[:, np.newaxis] * p.ends)
+        # an amplitude that is too small for a level is next to one at which it is transmitted at any frequency
+        low, high = np.maximum(corners[1, 0], 0.0), np.where(corners[0, 1] > 0, corners[0, 1], np.inf)
+        # I and h, and under a force A Omega too, rise with A and |p|; over Omega^2 what is transmitted falls with Omega
+        at = np.array((high, low) if flow.inertial else (np.maximum(corners[0, 0], 0.0), corners[1, 1]))
+        sizes = np.where((p.lo > 0) | (p.hi < 0), np.abs(p.ends).min(axis=0), 0.0), np.abs(p.ends).max(axis=0)
+        passed = np.hypot(A.ends * sizes, flow.sine(at, A.ends)) / flow.force(F_0, at)
+        none = (passed[0] * (1 - ROUNDED) > level.ratio) | (passed[1] * (1 + ROUNDED) < level.ratio)
+        square = Interval.of(low * (1 - ROUNDED), high * (1 + ROUNDED)).square()
+        R, (I, I_A) = A * (square - p), flow.balances(square.sqrt(), A)
         # F_A along the balance
-        rises = R * (square - cells.p - cells.e) + I * I_A
-        beyond = (level.lo > force[1] * (1 + ROUNDED)) | (level.hi < force[0] * (1 - ROUNDED))
-        if limit is not None:
-            beyond |= ((cells.A * cells.p).square() + I.square()).hi < limit.ratio**2 * force[0] * (1 - ROUNDED)
-        return np.asarray(~(beyond | (rises.hi < 0)))
+        none |= ((R * (square - p - e) + I * I_A).hi < 0) | ~(corners[1, 1] > 0)
+        # where the mean turns back motions lose their stability while they transmit that: below the level's frequency,
+        # which motions with R < 0 are if Omega^2 < p, or up to that of R = F_0
+        nearest = np.inf if flow.inertial else np.sqrt(p.hi + F_0 / A.lo)
+        turning = np.where(passed[1] * (1 + ROUNDED) < level.ratio, np.sqrt(p.hi), np.fmin(high, nearest))
+        most = np.where(none, -np.inf, high)
+        most = np.where(cells.rising.lo > 0, most, np.where(p.hi > 0, turning, -np.inf))
+        return np.where(self._may_move(cells, F_0), most, -np.inf)
 
     def _motions(self, x: Floats, F_0: float, measure: Measure) -> Farthest | None:
         """The farthest that is found from some places: where all of F_0 is needed, and on the balance near by."""
@@ -219,7 +190,7 @@ class Reach:
         holds &= np.where(turns, level <= F_0, np.abs(level - F_0) <= AT * F_0)
         if not holds.any():
             return None
-        value = np.where(holds, measure.at(A, B, 2 * means.s[0] / A), -np.inf)
+        value = np.where(holds, measure.at(A, B), -np.inf)
         k = int(np.argmax(value))
         at = float(Omega[k]) if not turns[k] else self._highest(A[k : k + 1], -2 * means.s[0][k : k + 1], F_0)
         return Farthest(float(value[k]), at, float(A[k]), float(B[k]), bool(turns[k]))
@@ -233,6 +204,27 @@ class Reach:
         _, Omega = self.flow.least_forcing(x[0], -2 * means.s[0])
         f_0, _, _, f_B, _, _ = state = slow.state(Omega, x, means)
         return np.where(turns, np.stack((0 * f_0, f_0 / f_B)), slow.step(state))
+
+    def _transmitting(self, x: Floats, F_0: float, level: Level) -> Farthest | None:
+        """The stable motion of the highest frequency that is found from some places and transmits a level."""
+        slow = Slow(self.steps, self.flow, F_0)
+
+        def frequency(x: Floats) -> Floats:
+            return up_to(self.flow, x[0], F_0, level, -2 * self.steps.at(x[0], x[1], 0).s[0])
+
+        for _ in range(STEPS):
+            Omega, near = frequency(x), NEAR * (x[0] + np.abs(x[1]))
+            by_A, by_B = ((frequency(x + near * one) - Omega) / near for one in np.eye(2)[..., np.newaxis])
+            *state, F_A, F_B = slow.state(Omega, x)
+            by_Omega = self.flow.F_Omega(Omega, x[0], -2 * self.steps.at(x[0], x[1], 0).s[0])
+            change = slow.step((*state, F_A + by_Omega * by_A, F_B + by_Omega * by_B))
+            x = x - change
+        Omega = frequency(x)
+        holds = (np.abs(change).max(axis=0) <= AT * x[0]) & (Omega > 0) & slow.stability(Omega, *x)[0]
+        if not holds.any():
+            return None
+        k = int(np.argmax(np.where(holds, Omega, -np.inf)))
+        return Farthest(float(Omega[k]), float(Omega[k]), float(x[0, k]), float(x[1, k]), False)
 
     def _highest(self, A: Floats, h: Floats, F_0: float) -> float:
         """The highest frequency of a state. Raises ArithmeticError where rounding leaves none."""

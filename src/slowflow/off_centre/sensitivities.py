@@ -179,8 +179,7 @@ def _of_kind(
 ) -> tuple[Mapping[str, Floats], Mapping[str, Floats], Any]:
     """The sensitivities of the answers to each parameter, (names, n) each; the answers; their status."""
     model, steps, flow = design.model, design.steps, Flow.of(design.model)
-    means = steps.at(A, B, ORDERS)
-    h, h_A, h_AA, h_AAA = off_centre.averaged(A, *means.c[1:], *means.s)
+    means, (h, h_A, h_AA, h_AAA) = steps.averaged(A, B)
     of_load, of_F_0, of_Omega = (
         (np.array(names) == name)[:, np.newaxis] * np.ones(A.size) for name in ("load", "F_0", "Omega")
     )

@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -60,7 +60,7 @@ class Cells:
     A = property(lambda self: Interval(self.rows[10:12]))
     B = property(lambda self: Interval(self.rows[12:14]))
 
-    def take(self, which: Flags) -> Cells:
+    def take(self, which: Any) -> Cells:
         """Some of them."""
         return Cells(self.chart[which], self.rows[:, which])
 
@@ -124,6 +124,11 @@ class Sheets:
     def cut(self, cells: Cells, A_max: float = math.inf) -> Cells:
         """Each in two, less what the balance leaves out, up to an amplitude."""
         return self.looked_at(*halved(cells.low, cells.high, self._wide(cells)), np.tile(cells.chart, 2), A_max)
+
+    def middles(self, cells: Cells) -> Floats:
+        """A and B of a motion in each, (2, n)."""
+        x, y = 0.5 * (cells.low + cells.high)
+        return np.stack(self.charts.motion(x, y, cells.chart))
 
     def _wide(self, cells: Cells) -> Floats:
         """By how much either end of the motion changes over cells."""
