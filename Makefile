@@ -35,8 +35,10 @@ NUMPYDOC := $(addprefix src/slowflow/,oscillators/physical.py oscillators/oscill
 NATIVE := $(wildcard src/slowflow/native/*.[ch] src/slowflow/native/*/*.[ch] generated/c/*.h generated/native/*.[ch])
 PYTEST := $(BIN)/python -m pytest -n auto --dist worksteal
 
-.PHONY: paper figures test test-fast test-all mutate derive $(DERIVED) check lint corpus bench validity stress explorer docs links dist clean
+.PHONY: paper figures test tests test-fast test-all every-test mutate derive $(DERIVED) check lint corpus bench validity stress explorer docs links dist clean
 .DELETE_ON_ERROR:
+# what pip installs and what the compiler makes do not wait for each other, nor do tests for mypy
+MAKEFLAGS += --jobs=2
 # containers often forbid Python to keep bytecode: all that is imported, SymPy too, would be compiled anew in each of the
 # some hundred processes of a test run
 unexport PYTHONDONTWRITEBYTECODE
@@ -47,16 +49,20 @@ paper: derive
 figures: $(INSTALLED) $(COMPILED)
 	$(BIN)/python -m examples.paper --figures --out output
 
-test: $(DEVELOPED) lint
+test: lint tests
+
+tests: $(DEVELOPED)
 	$(BIN)/slowflow info
 	$(PYTEST) -m "not night"
 
 test-fast: $(DEVELOPED)
 	$(PYTEST) -m "not slow and not night"
 
-test-all: export SLOWFLOW_TESTS = all
-test-all: $(DEVELOPED) lint
+every-test: export SLOWFLOW_TESTS = all
+every-test: $(DEVELOPED)
 	$(PYTEST)
+
+test-all: lint every-test
 
 mutate: $(DEVELOPED)
 	$(BIN)/python -m tests.mutants
@@ -64,7 +70,7 @@ mutate: $(DEVELOPED)
 # Derived beside the compiler, which reads generated/; and compiled again in a make of its own, which sees what was written.
 # Where nothing differs, as in a fresh clone, nothing is.
 derive:
-	@$(MAKE) --no-print-directory -j 2 $(COMPILED) $(DERIVED)
+	@$(MAKE) --no-print-directory $(COMPILED) $(DERIVED)
 	$(BIN)/python -m derivations --from $(DERIVED)
 	@$(MAKE) --no-print-directory $(COMPILED)
 

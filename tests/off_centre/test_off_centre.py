@@ -790,20 +790,9 @@ def balance_of_a_cubic(alpha, beta, zeta, load, F_0, Omega, A, B):
     return alpha * B + beta * (B**3 + 1.5 * A**2 * B) - load, R**2 + I**2 - F_0**2, R, I
 
 
-def state_by_hand(Omega, A, B, *numbers):
-    return *balance_of_a_cubic(*numbers, A, B)[:2], Omega - numbers[5]
-
-
 def peak_by_hand(Omega, A, B, *numbers):
     f_0, F, R, I = balance_of_a_cubic(*numbers[:5], Omega, A, B)
     return f_0, F, Omega * R + numbers[2] * I
-
-
-def fold_by_hand(Omega, A, B, *numbers):
-    alpha, beta = numbers[:2]
-    f_0, F, R, I = balance_of_a_cubic(*numbers[:5], Omega, A, B)
-    of_A = R * (R / A - 1.5 * beta * A**2) + I * I / A  # half of F_A
-    return f_0, F, 3 * beta * A * B * (-6 * beta * A * B * R) - (alpha + 3 * beta * B**2 + 1.5 * beta * A**2) * of_A
 
 
 @pytest.mark.parametrize(("alpha", "beta", "load", "F_0"), [(1.0, 0.5, 0.3, 0.2), (-0.5, 1.0, 0.02, 0.2)])
@@ -964,43 +953,6 @@ def test_curve_without_folds_climbs_a_narrow_resonance():
     assert curve.A.max() == pytest.approx(peak.A, rel=1e-3)
     assert np.diff(np.sort(curve.Omega)).max() < 0.005
     assert curve.A[::100] == pytest.approx(osc.amplitudes(Omega=curve.Omega[::100], F_0=0.0206).A, rel=1e-9)
-
-
-@pytest.mark.parametrize(
-    ("vanish", "ask", "by"),
-    [
-        (
-            state_by_hand,
-            lambda of: of.amplitudes(Omega=1.28, F_0=0.2),
-            ("alpha", "beta", "zeta", "load", "F_0", "Omega"),
-        ),
-        (peak_by_hand, lambda of: of.peak(0.2), ("alpha", "beta", "zeta", "load", "F_0")),
-        (fold_by_hand, lambda of: of.saddle_nodes(0.2), ("alpha", "beta", "zeta", "load", "F_0")),
-    ],
-)
-def test_gradients_are_those_of_the_balance_by_hand(vanish, ask, by):
-    """Derivatives of roots that are found to 40 digits."""
-    found = ask(Duffing(1.0, 0.5, 0.0, 0.05, load=0.3))
-    gradient = found.gradient()
-    assert not gradient.message and set(gradient.by) == {*by, "mu"}
-    known = [mpmath.mpf(value) for value in (1.0, 0.5, 0.05, 0.3, 0.2, 1.28)]
-    points = np.column_stack([np.atleast_1d(getattr(found, name)) for name in ("Omega", "A", "B")])
-    names = [name for name in ("Omega", "A", "B") if name in gradient.of]
-    with mpmath.workdps(60):
-        for place, point in enumerate(points):
-            for number, name in enumerate(by):
-
-                def solved(value, point=point, number=number):
-                    numbers = [*known[:number], value, *known[number + 1 :]]
-                    start = tuple(map(mpmath.mpf, point))
-                    return mpmath.findroot(lambda *x: vanish(*x, *numbers), start, tol=1e-90)
-
-                step = mpmath.mpf(10) ** -15
-                ends = [solved(known[number] + sign * step) for sign in (1, -1)]
-                slopes = dict(zip(("Omega", "A", "B"), (ends[0] - ends[1]) / (2 * step), strict=True))
-                for one in names:
-                    value = np.atleast_1d(gradient[one, name])[place]
-                    assert value == pytest.approx(float(slopes[one]), rel=1e-11, abs=1e-12)
 
 
 def test_missing_gradient_under_a_load_is_explained(loaded):
