@@ -335,8 +335,8 @@ def test_gradients_are_those_of_integrals_at_forty_digits(request, name, questio
                 values = conditions_by_hand(name, question, shifted, {**known, by: known.get(by, 0) + by_how_much})
                 return mpmath.matrix(values)
 
-            def slope(vanish=vanish, **moved):
-                return (vanish(**moved, by_how_much=step) - vanish(**moved, by_how_much=-step)) / (2 * step)
+            def slope(vanish=vanish, **unknown):
+                return (vanish(**unknown, by_how_much=step) - vanish(**unknown, by_how_much=-step)) / (2 * step)
 
             assert max(map(abs, vanish())) < (1e-12 if question == "peak" else 1e-13)
             system = mpmath.matrix([list(row) for row in zip(*(slope(of=k) for k in range(len(x))), strict=True)])
