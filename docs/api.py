@@ -34,11 +34,9 @@ MODULES = (
     "slowflow.answers.gradient",
     "slowflow.answers.answer",
     "slowflow.averaged.checks",
-    "slowflow.averaged.batch_checks",
     "slowflow.answers.validity",
     "slowflow.averaged.many",
     "slowflow.averaged.batches",
-    "slowflow.grid",
     "slowflow.grid.designs",
     "slowflow.sizing",
     "slowflow.sizing.tolerances",
@@ -47,8 +45,6 @@ MODULES = (
     "slowflow.sizing.loops",
     "slowflow.support.progress",
     "slowflow.app.scenes",
-    "slowflow.app.starters",
-    "slowflow.app.schema",
     "slowflow_kernels.conventions",
     "slowflow.averaged.plan",
     "slowflow.random_vibration.answers",
@@ -56,7 +52,6 @@ MODULES = (
     "slowflow.second.answers",
     "slowflow.second.many",
     "slowflow.exact",
-    "slowflow.exact.shocks_many",
     "slowflow.answers.transmissibility",
     "slowflow.core.mechanism",
     "slowflow.derive",
@@ -65,13 +60,20 @@ MODULES = (
 
 
 def public(module: ModuleType) -> Iterator[tuple[str, Any]]:
-    """The classes and functions that a module lists, or, without a list, that it defines."""
+    """The classes and functions that a module lists, or, without a list, the classes that it defines."""
     listed = getattr(module, "__all__", None)
     for name in listed or vars(module):
         value = getattr(module, name)
-        here = listed or getattr(value, "__module__", "") == module.__name__
-        if here and not name.startswith("_") and (inspect.isclass(value) or inspect.isfunction(value)):
+        if inspect.isclass(value) and (listed or value.__module__ == module.__name__) and name[0] != "_":
             yield name, value
+        elif inspect.isfunction(value) and listed:
+            yield name, value
+
+
+def home(name: str, value: Any) -> str:
+    """The module on whose page a public name is: that which defines it, or the first that lists it."""
+    modules = (path for path in (value.__module__, *MODULES) if path in MODULES)
+    return next(path for path in modules if (name, value) in public(import_module(path)))
 
 
 def members(kind: type) -> Iterator[tuple[str, Any]]:
@@ -86,7 +88,7 @@ def names() -> Iterator[tuple[str, str, Any]]:
     """Module, name and value of all that is public, once each; a class's methods as "Class.method"."""
     for path in MODULES:
         for name, value in public(import_module(path)):
-            if value.__module__ == path or value.__module__ not in MODULES:
+            if home(name, value) == path:
                 yield path, name, value
                 if inspect.isclass(value):
                     yield from ((path, f"{name}.{member}", of) for member, of in members(value))

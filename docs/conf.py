@@ -43,7 +43,6 @@ autodoc_member_order = "bysource"
 autodoc_typehints = "none"
 # a method described by a base class is on the page of that
 autodoc_inherit_docstrings = False
-autodoc_default_options = {"members": True}
 
 
 def setup(app: Any) -> dict[str, Any]:

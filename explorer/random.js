@@ -36,7 +36,7 @@ function excitationOf(state) {
 function randomOf(solvers, state, plain) {
   if (!DATA.mechanisms[state.mechanism].odd) return { n: 0, word: "of forces that are odd only" };
   if (plain.mu === 0 && plain.zeta === 0) return { n: 0, word: "without damping unbounded" };
-  const words = { 0: "no linear oscillator is equivalent", "-1": "not resolved", "-2": "friction holds the mass nearly all of the time" };
+  const words = { 0: "there is no equivalent linear oscillator", "-1": "not resolved", "-2": "friction holds the mass nearly all of the time" };
   const found = solvers.random(excitationOf(state));
   return found.n > 0 ? found : { n: 0, word: words[found.n] };
 }

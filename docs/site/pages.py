@@ -14,7 +14,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any
 
-from docs.api import EXAMPLES, MODULES, block
+from docs.api import EXAMPLES, MODULES, block, home, public
 
 ROOT = Path(__file__).parents[2]
 #: files that are pages of the site elsewhere
@@ -134,61 +134,34 @@ def derivation(folder: Path) -> None:
     )
 
 
-def public(module: str) -> dict[str, Any]:
-    """Its names with a docstring: those of `__all__`, or that it defines itself."""
-    here = import_module(module)
-    stated = getattr(here, "__all__", None)
-    own = [
-        name for name, value in vars(here).items() if getattr(value, "__module__", None) == module and name[0] != "_"
-    ]
-    found = {name: getattr(here, name) for name in (own if stated is None else stated)}
-    return {name: value for name, value in found.items() if getattr(value, "__doc__", None) or not callable(value)}
+def directive(kind: str, name: str, options: list[str]) -> list[str]:
+    """Lines that show a docstring."""
+    return ["```{eval-rst}", f".. auto{kind}:: {name}", *(f"   {option}" for option in options), "```", ""]
 
 
 def reference(folder: Path) -> None:
-    """A page for each public class, and one for each module with all else, from their docstrings."""
-    pages: dict[str, list[str]] = {module: [module.replace(".", "_")] for module in MODULES}
-    home: dict[int, str] = {}
+    """A page for each public class, and one for each module with its functions and codes, from their docstrings."""
+    pages: dict[str, list[str]] = {}
     for module in MODULES:
-        for value in public(module).values():
-            if callable(value):
-                home.setdefault(id(value), value.__module__ if value.__module__ in MODULES else module)
-    for module in MODULES:
-        page, links, shown = pages[module][0], [], []
         begin = EXAMPLES.get(module, {}).get("begin", "")
         first = ["Examples here begin with these lines too:", "", *block(begin)] if begin else []
-        for name, value in public(module).items():
-            there = home.get(id(value), module)
+        here, elsewhere, pages[module] = [], [], [module.replace(".", "_")]
+        for name, value in public(import_module(module)):
+            there = home(name, value)
             own_page = inspect.isclass(value) and not issubclass(value, Exception | Enum)
-            target = f"{there}.{name}".replace(".", "_") if own_page else there.replace(".", "_")
+            target = (f"{there}.{name}" if own_page else there).replace(".", "_")
             if own_page or there != module:
-                links.append(name)
-                shown.append(f"[{name}]({target}.md)")
+                elsewhere.append(f"[{name}]({target}.md)")
+            else:
+                here.append(name)
             if own_page and there == module:
-                lines = [
-                    f"# {name}",
-                    "",
-                    *first,
-                    "```{eval-rst}",
-                    f".. autoclass:: {module}.{name}",
-                    "   :members:",
-                    "```",
-                ]
-                (folder / f"{target}.md").write_text("\n".join([*lines, ""]), encoding="utf-8")
+                lines = [f"# {name}", "", *first, *directive("class", f"{module}.{name}", [":members:"])]
+                (folder / f"{target}.md").write_text("\n".join(lines), encoding="utf-8")
                 pages[module].append(target)
-        apart = [f"   :exclude-members: {', '.join(links)}"] if links else []
-        lines = [
-            f"# {module}",
-            "",
-            *first,
-            "```{eval-rst}",
-            f".. automodule:: {module}",
-            *apart,
-            "```",
-            "",
-        ]
-        lines += ["On their own pages: " + ", ".join(shown) + ".", ""] if links else []
-        (folder / f"{page}.md").write_text("\n".join(lines), encoding="utf-8")
+        shown = [f":members: {', '.join(here)}"] if here else []
+        lines = [f"# {module}", "", *(first if here else []), *directive("module", module, shown)]
+        lines += ["On their own pages: " + ", ".join(elsewhere) + ".", ""] if elsewhere else []
+        (folder / f"{pages[module][0]}.md").write_text("\n".join(lines), encoding="utf-8")
     text = (Path(__file__).parent / "reference.txt").read_text(encoding="utf-8")
     text += "\n".join(["\nExamples begin with these lines:", "", *block(EXAMPLES["begin"])])
     for title, belongs in PURPOSES.items():

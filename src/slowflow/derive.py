@@ -41,6 +41,8 @@ from slowflow.support.errors import BuildFailed, Refused, WrongType
 from slowflow.support.ownership import check_own
 from slowflow.version import include
 
+__all__ = ["Derived", "Sampled", "Stated", "library", "mechanism"]
+
 NEEDED = "deriving needs SymPy, python-flint, Jinja2 and platformdirs: pip install 'slowflow[derive]'"
 #: IEEE arithmetic, as the package itself is compiled; -O3 takes a third longer, and answers are no sooner there
 FLAGS = ("-std=c11", "-O2", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off", "-fPIC")
@@ -271,9 +273,9 @@ def _sampled(
     if inputs.flag("compile", compile):
         raise Refused("compile = True is not allowed: a Python function cannot be compiled, a SymPy expression can")
     if not inputs.flag("odd", odd):
-        raise Refused("odd = False is not allowed: a force that is not odd is stated as polynomials")
+        raise Refused("odd = False is not allowed: the pieces of a force that is not odd must be polynomials in SymPy")
     if reach is None:
-        raise Refused("reach = None is not allowed: a Python function is sampled up to there")
+        raise Refused("reach = None is not allowed: a Python function is sampled up to its reach")
     design = runtime.designed(inputs.parameters(parameters))
     _check_names(design)
     names = [parameter.symbol.name for parameter in design]
@@ -294,7 +296,7 @@ def _sampled(
         bounds = {key: float(bound) for key in inputs.BOUNDS if (bound := getattr(one, key)) is not None}
         of_record.append(Parameter(one.symbol.name, one.doc, one.unit, **bounds))
     stated = sampled.Stated(name, tuple(functions), tuple(ends), tuple(names), float(inputs.reach(reach)))
-    titled = title or f"{name}, stated by Python functions"
+    titled = title or f"{name}, defined by Python functions"
     record = sampled.record(stated, titled[0].upper() + titled[1:], tuple(of_record), reach_reason)
     backend.check_room(record)
     return Sampled(record)

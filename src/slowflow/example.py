@@ -7,6 +7,8 @@ from typing import Any
 from slowflow.oscillators.isolator import Isolator
 from slowflow_kernels.table_1 import TABLE_1
 
+__all__ = ["isolator"]
+
 #: lam, r and delta_h, as `slowflow_kernels.rod_spring.coefficients` takes them
 DESIGN: tuple[float, float, float] = (TABLE_1["lam"], TABLE_1["r"], TABLE_1["delta_h"])
 

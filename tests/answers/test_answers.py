@@ -360,7 +360,7 @@ def test_what_is_printed_of_an_answer_are_its_numbers():
         known = {key: value for key, value in one.to_dict().items() if value not in (None, "")}
         assert printed.keys() == known.keys() - {"remarks", "tau_detaches"} | (printed.keys() & {"tau_detaches"})
         for key, value in known.items():
-            if isinstance(value, float) and key in printed and not one.words_of(key, value):
+            if isinstance(value, float) and key in printed and not one.text_of(key, value):
                 assert float(printed[key]) == pytest.approx(value, rel=6e-4)
 
 

@@ -226,7 +226,7 @@ def test_columns_of_a_scene_are_those_of_a_file(scene, tmp_path):
     for one, other in zip(read.asked, same.asked, strict=True):
         assert read.answer(one) == same.answer(other)
     (tmp_path / "table.csv").write_text("F [N], f [Hz]\n5, 2\n3, 5 Hz\n")
-    with pytest.raises(ValueError, match=r"table.csv:3: f = '5 Hz' is no number"):
+    with pytest.raises(ValueError, match=r"table.csv:3: f = '5 Hz' is not a number"):
         scenes.read(scene(head + files))
     with pytest.raises(scenes.SceneError, match=r"file = 3 in \[psd\] is not allowed"):
         scenes.read(scene(head + "[psd]\nfile = 3\n"))
@@ -288,7 +288,7 @@ def test_explain_says_what_run_refuses_and_goes_on(scene, capsys):
     text = MOUNT.partition("[ask]")[0] + 'eta = 0.02\n[ask]\nF = [3.0]\nquestions = ["transient", "detachment"]\n'
     path = scene(text + "[shock]\nacceleration = 10\nduration = 0.01\n")
     code, _, err = run("run", path, capsys=capsys)
-    assert code == 1 and "structural damping is stated at one frequency" in err
+    assert code == 1 and "structural damping is defined at one frequency" in err
     code, out, _ = run("explain", path, capsys=capsys)
     assert (
         code == 0
@@ -408,7 +408,7 @@ def test_numbers_that_a_loop_does_not_show_are_left_out(loop, tmp_path, capsys):
         ("t [ms], x [mm], y [N]", "loop.csv:1: a loop has columns x, F and, for viscous damping, t, not t, x, y"),
         ("# rig\nt [ms], x [N], F [N]", "loop.csv:2: x in N is not allowed: x must have a unit of m"),
         ("t [ms], x [mm], F [pound]", "loop.csv:1: the unit of 'F [pound]' is not known"),
-        ("t [ms], x [mm], F [N]\n1, two, 3", "loop.csv:2: x = 'two' is no number"),
+        ("t [ms], x [mm], F [N]\n1, two, 3", "loop.csv:2: x = 'two' is not a number"),
         ("t [ms], x [mm], F [N]\n1, , 3", "loop.csv: x = nan is not allowed"),
         ("x [mm], t [ms], F [N]", "loop.csv: t is not allowed: the times must rise"),
     ),
@@ -502,7 +502,7 @@ WRONG = {
     "a length so small that scales leave the doubles": (
         "L = 0.080",
         "L = 1e-320",
-        "4: m = 12, k_v = 2500, L = 9.99989e-321: not allowed together, beyond doubles\n",
+        "4: m = 12, k_v = 2500, L = 9.99989e-321: not allowed together, out of the range of doubles\n",
     ),
     "two oscillators": (
         "[ask]",
@@ -639,7 +639,7 @@ def test_shock_is_peaks_by_durations_or_a_record(scene, tmp_path, capsys):
         assert float(one["A/mm"]) == 1e3 * found.A == float(row["A/mm"]), pulse
         assert float(row["duration/ms"]) == pytest.approx(1e3 * pulse["duration"], rel=1e-15)
     _, out, _ = run("explain", path, capsys=capsys)
-    assert "averaging     skipped  not needed: a shock is no steady state" in out
+    assert "averaging     skipped  not needed: the motion is not a steady state" in out
     record = head.replace(', "shock_spectrum"', "") + "acceleration = [0, 20.0, -5.0, 0]\nt = [0, 0.01, 0.02, 0.03]\n"
     assert run("run", scene(record), "-o", tmp_path / "two", "--quiet", capsys=capsys) == (0, "", "")
     (row,) = rows_of(tmp_path / "two" / "transient.csv")

@@ -256,7 +256,7 @@ def test_a_scene_without_a_line_for_each_number_is_not_written(tmp_path, capsys)
         "".join(f"mount.{name} = {value}\n" for name, value in LINEAR.items()) + text[text.index("[ask]") :]
     )
     assert cli.main(["meet", str(path), "-o", str(tmp_path / "met.toml")]) == 2
-    assert "must have a line for each number" in capsys.readouterr().err
+    assert "must have one parameter per line" in capsys.readouterr().err
     assert not (tmp_path / "met.toml").exists()
 
 

@@ -57,7 +57,7 @@ def test_a_number_of_workers_that_is_none_is_refused(workers):
 @pytest.mark.parametrize("more", [{}, {"load": 0.01}], ids=["about the centre", "off it"])
 def test_a_map_for_workers_is_refused_with_the_reason(more):
     """SciPy takes one, and so somebody will give one."""
-    with pytest.raises(ValueError, match=r"workers = .*map.* is not allowed: threads write into arrays"):
+    with pytest.raises(ValueError, match=r"workers = .*map.* is not allowed: threads write into shared arrays"):
         Isolator.many(lam=3, r=[1.0], delta_h=0.1, **more).detachment(workers=map)
 
 

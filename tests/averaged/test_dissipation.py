@@ -695,7 +695,7 @@ def test_what_has_no_answer_is_refused_in_words():
         lambda: damped.transient(acceleration=0.1, duration=1.0),
         lambda: damped.shock_spectrum(acceleration=0.1, duration=1.0),
     ):
-        with pytest.raises(ValueError, match="structural damping is stated at one frequency"):
+        with pytest.raises(ValueError, match="structural damping is defined at one frequency"):
             ask()
     with pytest.raises(ValueError, match="limit_envelope is not available with rubs = 'attached'"):
         rubbing.limit_envelope(Omega=1.0, F_0=0.04)

@@ -82,7 +82,7 @@ def test_questions_about_all_forcings_are_explained():
     assert "A = u_cr only" in str(whole.explain("detachment"))
     assert runs(whole.explain("fold_locus"))["fold locus"]
     assert not runs(whole.explain("cusps"))["fold locus"] and not runs(whole.explain("isola_points"))["fold locus"]
-    with pytest.raises(ValueError, match=r"F_0 = 0\.04 is not allowed: cusps is about all forcings"):
+    with pytest.raises(ValueError, match=r"F_0 = 0\.04 is not allowed: cusps takes no forcing"):
         whole.explain("cusps", 0.04)
     with pytest.raises(ValueError, match="F_0 = None is not allowed"):
         whole.explain("peak")
@@ -178,7 +178,7 @@ def test_every_question_off_the_centre_has_a_plan():
     for name in ("certify", "fold_locus", "cusps"):
         with pytest.raises(ValueError, match=rf"explain\('{name}'\) is not available with load = 0\.03"):
             loaded.explain(name)
-    with pytest.raises(ValueError, match="detachment is about all forcings"):
+    with pytest.raises(ValueError, match="detachment takes no forcing"):
         loaded.explain("detachment", 0.04)
     with pytest.raises(ValueError, match="certify is not available with excitation = 'base'"):
         isolator(excitation="base").explain("certify", 0.04)

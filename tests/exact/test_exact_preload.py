@@ -107,7 +107,7 @@ def test_rest_on_a_jump_of_the_force_is_followed_and_said(spring):
     start = -math.acos((MU + C) / F_0) / Omega
     _, (A, v) = slips(Omega, F_0, start, np.array([0.0, 0.0]), 10.0, 1, 1)
     assert v == 0 and swept.settled.all() and swept.A[0] == pytest.approx(A, rel=1e-7)
-    with pytest.raises(ArithmeticError, match="the mass comes to rest at u = 0 in each turn, where the force jumps"):
+    with pytest.raises(ArithmeticError, match="the mass comes to rest at u = 0 in each period, where the force jumps"):
         spring.steady_state(Omega=Omega, F_0=F_0)
 
 

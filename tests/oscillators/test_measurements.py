@@ -46,7 +46,7 @@ def test_what_slowflow_writes_is_read_again(file):
             "points.csv:1: the unit of 'a \\[furlong\\]' is not known: it must be one of N,",
         ),
         ("f [Hz], a [gg]\n1, 1\n", "Did you mean 'g'"),
-        ("#\nf [Hz], a [g]\n1, 1\n2, x\n", "points.csv:4: a = 'x' is no number"),
+        ("#\nf [Hz], a [g]\n1, 1\n2, x\n", "points.csv:4: a = 'x' is not a number"),
         ("f [Hz], a [g]\n1, 1\n2\n", "points.csv:3: 1 columns, but the header has 2"),
         ("1, 2\n3, 4\n", "points.csv:1: '1' is not the header of a column: write a name and a unit"),
         ("f, f\n3, 4\n", "points.csv:1: there are two columns f"),

@@ -291,7 +291,7 @@ def test_what_is_measured_is_in_physical_units(mount):
         assert np.array_equal(found.f, exact.Omega * f) and np.array_equal(found.A, exact.A * L)
         assert np.array_equal(found.error, exact.error)
     assert found.F == exact.F_0 * F and found.units["F"] == "N"
-    with pytest.raises(ValueError, match="only averaged answers are measured against"):
+    with pytest.raises(ValueError, match="only averaged answers can be compared"):
         mount.sweep(f=[2.1], F=5).measure()
     with pytest.raises(ValueError, match="friction = 0"):
         mount.replace(friction=0.0, zeta=0.0).amplitudes(f=1.5, F=5).measure()
@@ -586,7 +586,7 @@ def test_numbers_of_an_answer_have_a_unit_or_none_by_list():
 # ---- words ---------------------------------------------------------------------------------------------------------
 
 
-def words_of(mount):
+def text_of(mount):
     """All that is said beside answers of a mount, and where there is none; plans too."""
     for F in (0.3, 0.509, 0.51, 2.0, 5.0, 30.0):
         for question in ("saddle_nodes", "peak", "frequency_response", "margins", "hysteresis", "isolation"):
@@ -606,7 +606,7 @@ def words_of(mount):
 )
 def test_words_about_a_mount_are_in_its_letters_and_units(changes):
     mount = Isolator.physical(**{**MOUNT, **changes})
-    messages = [text for text in words_of(mount) if text]
+    messages = [text for text in text_of(mount) if text]
     for text in messages:
         # what scenes of the slow flow are called has the paper's letters
         checked = re.sub(r"runs .*", "", text)

@@ -22,11 +22,11 @@ ROOMS = {
 #: fields of public answers and records, and public keywords, which stay, by file of `src/slowflow`
 PUBLIC = {
     "answers/physical_answers.py": {"rests"},
-    "answers/table.py": {"places"},
+    "answers/table.py": {"places", "rests", "stands"},
     "app/scenes.py": {"asked"},
     "app/verdict.py": {"share"},
     "averaged/batch_checks.py": {"places"},
-    "averaged/batches.py": {"asked", "rests", "stands"},
+    "averaged/batches.py": {"asked"},
     "averaged/many.py": {"places"},
     "exact/transient.py": {"rests"},
     "grid/designs.py": {"asked"},

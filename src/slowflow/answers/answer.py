@@ -21,6 +21,8 @@ import numpy.typing as npt
 from slowflow.core import validate
 from slowflow.support.text import Text, together
 
+__all__ = ["Answer", "Drawn", "Single", "Table"]
+
 #: types of a table's entries
 PLAIN = (bool, int, float, str)
 #: by name of a number, texts for some of its values
@@ -105,11 +107,11 @@ class Answer:
         """Units of the columns, for those that have one; empty by default."""
         return {}
 
-    def words_of(self, name: str, value: Any) -> str:
+    def text_of(self, name: str, value: Any) -> str:
         """Text printed instead of a number; usually empty."""
         return self.labels.get(name, {}).get(value, "") if isinstance(value, float) else ""
 
-    def units_beside(self) -> Mapping[str, str]:
+    def units_of_about(self) -> Mapping[str, str]:
         """Units of the values of `about`; empty by default."""
         return {}
 
@@ -172,7 +174,7 @@ class Answer:
         """Convert `columns` to a DataFrame, with `about` in `.attrs`. Raises ImportError without pandas."""
         pandas = optional("pandas", "to_pandas")
         frame = pandas.DataFrame(self.columns())
-        frame.attrs.update({**self.about(), "units": {**self.units_beside(), **self.units_of_columns()}})
+        frame.attrs.update({**self.about(), "units": {**self.units_of_about(), **self.units_of_columns()}})
         return frame
 
     def to_xarray(self) -> Any:
@@ -188,7 +190,7 @@ class Answer:
         found = {name: (row, column, {"units": units.get(name, "1")}) for name, column in columns.items()}
         entry = {row: np.arange(max(map(len, columns.values()), default=0))}
         attributes = {name: value for name, value in self.about().items() if value is not None}
-        attributes |= {f"{name}_units": unit for name, unit in self.units_beside().items()}
+        attributes |= {f"{name}_units": unit for name, unit in self.units_of_about().items()}
         return xarray.Dataset(found, coords=entry, attrs=attributes)
 
 
@@ -202,12 +204,15 @@ class Single(Answer):
 class Drawn(Answer):
     """Base class of results that can be plotted.
 
-    picture  -- name of the plot in `pictures.PICTURES`
-    can_draw -- quantities that can be plotted
+    picture -- name of the plot in `pictures.PICTURES`
     """
 
     picture: ClassVar[str]
-    can_draw: ClassVar[Any] = ("A",)
+
+    @property
+    def can_draw(self) -> tuple[str, ...]:
+        """Quantities that `plot` may draw, for `of`."""
+        return ("A",)
 
     def plot(self, ax: Any = None, *, of: str = "A") -> Any:
         """Plot into Matplotlib axes, new ones by default, and return them.
@@ -332,7 +337,7 @@ def in_values(answer: Answer, values: Mapping[str, Any]) -> Iterator[str]:
     width = max(NAMED, *(len(name) + 2 for name in values))
     for name, value in values.items():
         if name != "remarks" and str(value) not in ("", "nan"):
-            label = answer.words_of(name, value)
+            label = answer.text_of(name, value)
             yield f"{name:{width}}{label}" if label else f"{name:{width}}{_short(value)} {units.get(name, '')}".rstrip()
     by_length: dict[int, dict[str, Any]] = {}
     for name, value in answer._members().items():

@@ -207,7 +207,7 @@ class Quantities(Answer):
         sheet = {} if self.scales is None else self.scales.sheet
         return {**extra, **sheet, **(known if self.entry else {})}
 
-    def units_beside(self) -> Mapping[str, str]:
+    def units_of_about(self) -> Mapping[str, str]:
         """Units of the values of `about`."""
         return {name: unit for name in self.about() if (unit := self.units.get(name, SHEET.get(name, "")))}
 
@@ -215,12 +215,12 @@ class Quantities(Answer):
         """`units`."""
         return self.units
 
-    def words_of(self, name: str, value: Any) -> str:
+    def text_of(self, name: str, value: Any) -> str:
         """Text of the dimensionless answer: "none" and infinity do not depend on units."""
         if self.scales is None or not isinstance(self.answer, Answer):
             return ""
         plain_name = next((one for one in self.answer.labels if self.scales.kind(one)[0] == name), name)
-        return self.answer.words_of(plain_name, value)
+        return self.answer.text_of(plain_name, value)
 
     def _numbers(self) -> set[str]:
         # those without a unit, as a margin, are called the same in the dimensionless answer
@@ -265,7 +265,7 @@ class Quantities(Answer):
         not averaged, and for a mount without preload, whose springs never touch the push-rod.
         """
         if self.scales is None or not hasattr(self.answer, "gradient"):
-            raise Refused("only averaged answers have gradients: this is none")
+            raise Refused("only averaged answers have gradients: this answer is not averaged")
         if hasattr(self.answer, "response_psd"):  # the table has units as well
             raise Refused("gradients of random vibration are dimensionless: those of .answer.gradient()")
         return self.scales.gradient(self.answer.gradient())
@@ -279,7 +279,9 @@ class Quantities(Answer):
         averaged.
         """
         if self.scales is None or not hasattr(self.answer, "measure"):
-            raise Refused("only averaged answers are measured against the equation of motion: this is none")
+            raise Refused(
+                "only averaged answers can be compared with the equation of motion: this answer is not averaged"
+            )
         with self.scales.in_these_terms():
             return self.scales.quantities(self.answer.measure(force=force, **options))
 
@@ -409,7 +411,9 @@ class Scales:
         except OverflowError:  # a power of Python's numbers that NumPy would call infinite
             doubles = False
         if not doubles:
-            raise Refused(f"m = {self.m:g}, k_v = {self.k_v:g}, L = {self.L:g}: not allowed together, beyond doubles")
+            raise Refused(
+                f"m = {self.m:g}, k_v = {self.k_v:g}, L = {self.L:g}: not allowed together, out of the range of doubles"
+            )
 
     @cached_property
     def sizes(self) -> dict[str, float]:

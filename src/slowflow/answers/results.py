@@ -166,12 +166,14 @@ NOT_ASKED = "this answer does not come from an oscillator: there is no equation 
 
 
 #: of an answer that is not averaged
-NOT_AVERAGED = "only averaged answers of an oscillator with a design have gradients: this is none"
+NOT_AVERAGED = "only averaged answers of an oscillator with design parameters have gradients"
 
 
 #: of an answer under a load: its gradient as a function of the answer
 GradientOf = Callable[[Any], Gradient]
-NOT_MEASURED = "off the centre only states and folds can be measured, as amplitudes(...).measure(): this is neither"
+NOT_MEASURED = (
+    "for offset motions only states and folds can be compared with the equation of motion, as amplitudes(...).measure()"
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -221,7 +223,7 @@ class Point(OfPoint, Single):
     def validity(self) -> Validity:
         """Under a load: a message that the error of averaging has not been measured there."""
         if self.load is None or self._model is None:
-            raise validate.NoAttribute("validity is that of states and folds, or under a load: this is none of these")
+            raise validate.NoAttribute("only states and folds, and answers under a load, have a validity")
         return off_centre(self._model.mu, *(getattr(self, name) for name in self.at))
 
     def measure(self, force: str | None = None) -> MeasuredPoint:

@@ -22,6 +22,8 @@ from slowflow.core import validate
 from slowflow.core.mechanism import Floats
 from slowflow_kernels.conventions import FoldKind, OnsetKind
 
+__all__ = ["Columns", "ManyQuestions"]
+
 #: the systems that answer: first-order averaging about the centre, with higher harmonics, with a mean B
 AVERAGING, SECOND, OFFSET = "averaging", "second approximation", "offset motion"
 #: points of a batch's curves beyond the samples: one for each piece that folds, peaks and corners cut a curve into, and
@@ -113,7 +115,7 @@ class Columns:
     period: Floats = column("period of a motion", "time")
     k_0: Floats = column("stiffness at the centre", "stiffness")
     stiffness: Floats = column("stiffness at an equilibrium, or of the equivalent linear oscillator", "stiffness")
-    break_loose: Floats = column("constant force that friction holds", "force")
+    break_loose: Floats = column("largest constant force that friction can hold", "force")
     sticking: Floats = column("force amplitude up to which the mass sticks, 4 mu/pi (27)", "force")
     force: Floats = column("restoring force", "force")
     load: Floats = column("static load beyond what the vertical spring holds at the centre", "mass")
@@ -130,7 +132,7 @@ class Columns:
     onset: Codes = column("status of the onset: why there is no F_SN")
     folds: Codes = column("number of folds")
     motions: Codes = column("number of stable motions")
-    crosses: Codes = column("1 where a fold is crossed on the way from the row before")
+    crosses: Codes = column("1 where a fold lies between the previous row and this one")
     detaches: Codes = column("1 where the springs detach")
     sticks: Codes = column("1 where the mass sticks")
     rests: Codes = column("1 where friction holds the mass at the end")

@@ -288,7 +288,7 @@ class Report:
         for text in self.scene.warnings:
             yield f"<p>Note: {page.inline(text)}</p>"
         if self.plain.load != 0:
-            yield _table("Where it rests under its load", self._shown("rest"))
+            yield _table("Equilibrium under the load", self._shown("rest"))
         elif self.mount:
             found = self._shown("at_rest")
             units = found.units_of_columns()
@@ -347,7 +347,7 @@ class Report:
     def spectrum(self) -> Iterator[str]:
         """A load spectrum, row by row."""
         for one in self.scene.of("spectrum"):
-            yield _table("Each tone by itself, in the order of the table", self.scene.answer(one))
+            yield _table("One tone at a time, in the order of the table", self.scene.answer(one))
 
     def shocks(self) -> Iterator[str]:
         """What the scene asks of shocks, by the equation of motion."""
@@ -364,7 +364,7 @@ class Report:
             worst = max(range(len(found)), key=lambda k: float(found[k].columns()["A"][0]))
             ax = pictures.history(page.axes(), found[worst], "below")
             _, _, shock = str(queries[worst]).partition(" at ")  # nothing of a record
-            caption = "The motion of the mass, seen from its base, in the shock that deflects it most"
+            caption = "The motion of the mass, relative to its base, in the shock that deflects it most"
             yield page.figure(ax, f"{caption}{shock and ': ' + shock}.")
         for one in self.scene.of("shock_spectrum"):
             answer: Any = self.scene.answer(one)
@@ -381,7 +381,9 @@ class Report:
             found: Any = self.scene.answer(one)
             yield _table("Stationary motions under the spectral density, by statistical linearization", found)
             ax = pictures.psd(page.axes(), found, "below")
-            yield page.figure(ax, "The one-sided spectral density of the displacement of the mass, seen from its base.")
+            yield page.figure(
+                ax, "The one-sided spectral density of the displacement of the mass, relative to its base."
+            )
 
     def tolerances(self) -> Iterator[str]:
         """What the scene asks of tolerances."""
@@ -396,7 +398,7 @@ class Report:
             if len(found) > FEW:
                 ax = pictures.bands(page.axes(), found)
                 yield page.figure(
-                    ax, f"Where 95 of 100 designs lie, over the nominal value, as far as twice that: {one}."
+                    ax, f"The range of 95 of 100 designs, relative to the nominal value, cut at twice that: {one}."
                 )
 
     def map(self) -> Iterator[str]:
@@ -420,7 +422,7 @@ class Report:
         ax = pictures.design_map(page.axes(), (name_x, columns / of_x), (name_y, rows / of_y), found)
         ax.plot(subject.nominal[x] / of_x, subject.nominal[y] / of_y, "o", color="white", markeredgecolor="black")
         what, over = EXCITATION[self.excitation], f"{NUMBERS[x]} and {NUMBERS[y]}"
-        yield page.figure(ax, f"The {what} from which on it jumps, over {over}; the circle is the design at hand.")
+        yield page.figure(ax, f"The {what} from which on it jumps, over {over}; the circle marks this design.")
 
     def trust(self) -> Iterator[str]:
         """Jumps by averaging, the second approximation and the equation of motion; amplitudes; curves."""
@@ -529,7 +531,7 @@ class Report:
         if len(found) > 1:
             ax = pictures.depths(page.axes(), found)
             at_F = f"{self._in_unit(F)} {self.unit}" if self.unit else f"{self.letter} = {F:g}"
-            caption = f"by {'two' if len(found) == 2 else 'three'} depths: they lie the closer the better."
+            caption = f"by {'two' if len(found) == 2 else 'three'} depths: the closer they lie, the better."
             yield page.figure(ax, f"The response at {at_F} about its peak, {caption}")
         yield from missing
 
@@ -628,7 +630,7 @@ def _cell(answer: Answer, name: str, value: Any) -> str:
     """A cell of a column; one that names a number has that as it is read."""
     if name in NAMES:
         return f"{page.TEXT}{page.term(value)}"
-    return answer.words_of(name, value) or page.cell(value)
+    return answer.text_of(name, value) or page.cell(value)
 
 
 def _notes(answers: Sequence[Answer], before: Sequence[Mapping[str, Any]], units: Mapping[str, str]) -> str:

@@ -79,6 +79,8 @@ from slowflow.oscillators.measurements import read_csv
 from slowflow.oscillators.physical import Physical
 from slowflow.support.errors import Refused, SceneError
 
+__all__ = ["Asked", "Kind", "Scene", "from_tables", "read"]
+
 
 def _takes(question: str) -> frozenset[str]:
     """What the method of this name takes without dimensions, but of a frequency that it need not be given "window"."""
@@ -312,7 +314,7 @@ class Scene:
         with contextlib.suppress(tomllib.TOMLDecodeError):
             if tomllib.loads(text) == expected:
                 return text
-        raise SceneError(f"{self.path}: [{table}] must have a line for each number, which another one can take")
+        raise SceneError(f"{self.path}: [{table}] must have one parameter per line, so that its value can be replaced")
 
     @property
     def sha256(self) -> str:
@@ -330,7 +332,7 @@ def read(path: Path) -> Scene:
     try:
         text = path.read_text(encoding="utf-8")
     except FileNotFoundError:
-        raise SceneError(f"{path}: there is no such file; `slowflow new` writes a scene to begin with") from None
+        raise SceneError(f"{path}: there is no such file; `slowflow new` writes an example") from None
     except IsADirectoryError:
         raise SceneError(f"{path}: this is a folder, not a scene") from None
     except UnicodeDecodeError as error:
@@ -408,7 +410,7 @@ class _Reader:
 
         table = self._table("free")
         if not self.content.get("require"):
-            raise self._error("free", "", "needs [require]: what is to be met")
+            raise self._error("free", "", "needs [require], the requirements to meet")
         self._known("free", table, tuple(key for key in kind.keys if key not in NO_NUMBERS))
         subject = self._tried("free", table, lambda: Subject(oscillator, table))
         return self._tried("free", table, lambda: {key: subject.ends(key, value) for key, value in table.items()})

@@ -14,7 +14,7 @@ from slowflow.support.errors import Refused
 STARTER = """\
 # slowflow run scene.toml           prints the answers
 # slowflow run scene.toml -o DIR    writes them as CSV and JSON
-# slowflow explain scene.toml       says what runs for them
+# slowflow explain scene.toml       lists what runs
 
 [mount]                 # a data sheet, in SI units: kg, N/m, m, N
 m = 12.0                # mass that the vertical spring is preloaded to carry
@@ -31,15 +31,15 @@ F = [3.0, 5.0]          # force amplitudes, N
 f = [5.0]               # frequencies, Hz, for "amplitudes"
 window = [0.5, 6.0]     # frequencies shown of a response, Hz
 questions = [
-    "at_rest",              # natural frequency, stroke, loads
-    "saddle_node_onset",    # from which force on it jumps
-    "detachment",           # from which force on its springs detach
-    "saddle_nodes",         # where it jumps
-    "margins",              # how far a force is from these
-    "hysteresis",           # frequencies with several motions
-    "isolation",            # from which frequency on it transmits less than the force
+    "at_rest",              # natural frequency, stroke, break-loose force
+    "saddle_node_onset",    # lowest force with jumps
+    "detachment",           # lowest force that detaches the springs
+    "saddle_nodes",         # jump frequencies
+    "margins",              # margins of each force to these
+    "hysteresis",           # frequency bands with several motions
+    "isolation",            # frequency above which it transmits less than the force
     "peak",
-    "amplitudes",           # every motion at the frequencies, and what it transmits
+    "amplitudes",           # every motion at the frequencies f, with its transmissibility
     "frequency_response",   # every branch
 ]
 """

@@ -86,7 +86,9 @@ async def _call(context: Any, parameters: types.CallToolRequestParams) -> types.
     """In a thread: what takes seconds holds up nobody else."""
     try:
         if parameters.name not in (*QUESTIONS, SCENE):
-            raise SlowflowError(f"{parameters.name!r} is no tool: it must be one of {', '.join((*QUESTIONS, SCENE))}")
+            raise SlowflowError(
+                f"{parameters.name!r} is not a tool: it must be one of {', '.join((*QUESTIONS, SCENE))}"
+            )
         text, content = await anyio.to_thread.run_sync(answer, parameters.name, parameters.arguments or {})
     except SlowflowError as error:
         return types.CallToolResult(content=[types.TextContent(type="text", text=str(error))], is_error=True)

@@ -20,7 +20,7 @@ from slowflow.support.errors import Refused
 from slowflow.support.text import Sentence, listed
 
 INFINITE = Sentence(
-    "{numbers:s}: not allowed for {name:s}, whose force is infinite or no number at |{u}| = {u:.6g}, within its reach "
+    "{numbers:s}: not allowed for {name:s}, whose force is infinite or NaN at |{u}| = {u:.6g}, within its reach "
     "{reach:g}"
 )
 #: into how many parts a piece is divided first; how short one is, over the reach, that is not cut again

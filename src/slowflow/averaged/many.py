@@ -40,6 +40,8 @@ from slowflow_kernels import inertia
 from slowflow_kernels.conventions import FoldKind, OnsetKind, Status
 from slowflow_kernels.domains import DAMPING, DISSIPATION
 
+__all__ = ["Designs"]
+
 #: of single answers, by their words and whether on a corner
 FOLD_KINDS = {
     ("jump-up", False): FoldKind.JUMP_UP,
@@ -422,7 +424,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
             axis = 1 if np.array_equal(array, np.broadcast_to(array[:1], values.shape), equal_nan=True) else 0
             line = array[0] if axis == 1 else array[:, 0]
             if not np.array_equal(array, np.broadcast_to(line if axis else line[:, np.newaxis], values.shape)):
-                raise Refused(f"{name} is no axis of the map: it varies along both axes of the batch")
+                raise Refused(f"{name} is not an axis of the map: it varies along both axes of the batch")
             lines[name] = axis, np.asarray(line)
         if lines[x][0] == lines[y][0]:
             raise Refused(f"{x} and {y} vary along the same axis of the batch, or one of them does not vary")

@@ -81,7 +81,7 @@ MOVES_EXACTLY = Sentence(
     "slightly, with stops"
 )
 
-ENOUGH_BALLS = "ball arithmetic was used {} times, not at the other points"
+ENOUGH_BALLS = "ball arithmetic was used for {} points, not for the others"
 
 #: of proofs
 NO_DESIGN = "not certified: the design parameters are not known"

@@ -21,7 +21,7 @@ from slowflow_kernels.conventions import CLOSE
 
 @dataclass(frozen=True)
 class Step:
-    """One step: whether it runs, and in which variant, or why not."""
+    """A step of a plan: whether it runs, with a description or the reason."""
 
     name: str
     runs: bool
@@ -32,32 +32,30 @@ class Step:
 
 
 AT = Sentence(" at {F_0 = :g}")
-ABOUT_ALL = Sentence("{F_0 = :r} is not allowed: {question:s} is about all forcings")
+ABOUT_ALL = Sentence("{F_0 = :r} is not allowed: {question:s} takes no forcing")
 QUARTIC = Sentence("{laws:s}: F is a quartic in {Omega}")
-BELOW = Sentence("{F_0} < {F_SN = :g}: there is none")
-PIECES = text("its pieces up to the highest amplitude at {F_0}")
+BELOW = Sentence("{F_0} < {F_SN = :g}: there are none")
+PIECES = text("pieces up to the largest amplitude at {F_0}")
 #: whether it is linear
 ONE_PIECE = ("one piece: no angles, no corner", "linear: one piece, no angles, no corner")
 NO_FOLDS = Step("folds", False, "a linear oscillator has none")
 FOLDS = "level crossings of the fold locus, and corners"
-STATES = "of states at each frequency: one on each piece of the curve"
+STATES = "number of states at each frequency: one on each piece of the curve"
 IN_BALLS = "; where double precision is inconclusive, ball arithmetic by python-flint"
-UNDAMPED = Step("fold locus", True, text("zeta = 0: {Omega}^2 = -h_A, so that the level follows from h - A h_A"))
-_NEWTON = (
-    "Newton's iteration on the motion with its order of switches, from what averaging or the motion before leads to"
-)
-_MOTION = Step("motion", True, "Taylor series from switch to switch: a stop, a breakpoint, a break-away")
-_NOTHING_MOVES = Step("averaging", False, "not needed: nothing moves")
-_NO_STEADY_STATE = Step("averaging", False, "not needed: a shock is no steady state")
+UNDAMPED = Step("fold locus", True, text("zeta = 0: {Omega}^2 = -h_A, so the forcing follows from h - A h_A"))
+_NEWTON = "Newton's method for the periodic motion and its sequence of events, from averaging or the previous motion"
+_MOTION = Step("motion", True, "Taylor series from event to event: stop, breakpoint, break-away")
+_NOTHING_MOVES = Step("averaging", False, "not needed: a static question")
+_NO_STEADY_STATE = Step("averaging", False, "not needed: the motion is not a steady state")
 _CURVE = (
-    Step("curve", True, "events, arcs and pieces between them"),
-    Step("folds", True, f"{FOLDS}: they cut the curve into pieces"),
+    Step("curve", True, "its events, and the arcs between them"),
+    Step("folds", True, f"{FOLDS}; they divide the curve into pieces"),
     Step("phase", False, "computed when .phi is first read"),
 )
 
 
 def _formula(why: str) -> tuple[Step, ...]:
-    return Step("formula", True, why), Step("curve", False, "not needed: there is a formula")
+    return Step("formula", True, why), Step("curve", False, "not needed: a formula suffices")
 
 
 #: what averaging solves, by what it does when it has the force and the slow flow
@@ -71,65 +69,73 @@ SOLVED: Mapping[str, tuple[Step, ...]] = MappingProxyType(
             Step("folds", False, "not needed for this question"),
         ),
         "saddle_node_onset": (
-            Step("fold locus", False, "cusps, isola points and breakpoints are explicit in A: the lowest"),
+            Step(
+                "fold locus",
+                False,
+                "not traced: the lowest of cusps, isola points and corners is explicit in A",
+            ),
         ),
         "detachment": (),
-        "fold_locus": (Step("fold locus", True, "for each A the frequencies at which F_A = 0, and the forcing there"),),
-        "cusps": (Step("fold locus", False, "cusps are explicit in A"),),
-        "isola_points": (Step("fold locus", False, "isola points are explicit in A"),),
+        "fold_locus": (Step("fold locus", True, "for each A the frequencies with F_A = 0, and their forcings"),),
+        "cusps": (Step("fold locus", False, "not traced: cusps are explicit in A"),),
+        "isola_points": (Step("fold locus", False, "not traced: isola points are explicit in A"),),
     }
 )
 #: questions that ask others, or the equation of motion, by what they do
 COMPOSED: Mapping[str, tuple[Step, ...]] = MappingProxyType(
     {
         "margins": (
-            Step("folds", True, text("how many there are at {F_0}")),
+            Step("folds", True, text("number of folds at {F_0}")),
             Step("onset", True, text("{F_SN}, found once for the oscillator")),
             Step("detachment", True, text("{F_cr}, found once for the oscillator")),
-            Step("curve", True, text("whether a stable motion passes {u_cr}; not where the force has one piece")),
+            Step("curve", True, text("whether a stable motion passes {u_cr}; not for a force of one piece")),
         ),
         "hysteresis": (
             Step("folds", True, "the ends of the bands"),
-            Step("states", True, "midway between neighbouring folds: the number of stable states"),
+            Step("states", True, "number of stable states midway between neighbouring folds"),
         ),
         "isolation": (
-            Step("peaks", True, "up to which frequency there is anything to look at"),
-            Step("curve", True, "its last stable point that transmits the force"),
-            Step("root", True, "next to that point, in A"),
+            Step("peaks", True, "the highest frequency at which a motion can transmit the force"),
+            Step("curve", True, "the last stable point that transmits the force"),
+            Step("root", True, "the crossing of the level next to that point, in A"),
         ),
         "spectrum": (
-            Step("states", True, "of each row"),
-            Step("folds", True, "of the forcings between rows: on which side of the line they lie"),
-            Step("curve", False, "not needed: rows are tones"),
+            Step("states", True, "states of each row"),
+            Step(
+                "folds",
+                True,
+                "at forcings between two rows: whether the path crosses a fold",
+            ),
+            Step("curve", False, "not needed: each row is a single tone"),
         ),
         "certify": (
-            Step("folds", True, "as saddle_nodes has them"),
+            Step("folds", True, "as for saddle_nodes"),
             Step(
                 "proof",
                 True,
-                text("of folds, {F_SN} and {F_cr}, and of states where {Omega} is given, in interval arithmetic"),
+                text("in interval arithmetic: folds, {F_SN}, {F_cr}, and states if {Omega} is given"),
             ),
         ),
         **dict.fromkeys(
             ("force", "stiffness"),
-            (Step("formula", True, text("of the piece of the force that holds {u}")), _NOTHING_MOVES),
+            (Step("formula", True, text("the piece of the force that contains {u}")), _NOTHING_MOVES),
         ),
         "backbone": _formula("explicit in A: where R = 0"),
         "stability": _formula(text("the left side of (30), explicit in {Omega} and A")),
         "equivalent_damping": _formula(text("explicit in {Omega} and A")),
-        "transmissibility_floor": _formula(text("explicit in {F_0}: the force that friction transmits")),
+        "transmissibility_floor": _formula(text("explicit in {F_0}: the force transmitted by friction")),
         "limit_envelope": _formula(
             text("explicit in {Omega} and {F_0}: where damping alone balances {F_0}, I = {F_0} (27)")
         ),
         "at_rest": (
-            Step("force", True, "its stiffness at the centre, and how far friction holds the mass against it"),
+            Step("force", True, "its stiffness at the centre, and the distance within which friction holds the mass"),
             _NOTHING_MOVES,
         ),
         "rest": (
             Step(
                 "boxes",
                 True,
-                text("the range of {u} is divided until each part is proved to contain one equilibrium, or none"),
+                text("the range of {u} is bisected until each interval is proved to hold one or no equilibrium"),
             ),
             _NOTHING_MOVES,
         ),
@@ -139,29 +145,35 @@ COMPOSED: Mapping[str, tuple[Step, ...]] = MappingProxyType(
             Step("cycle", True, _NEWTON),
         ),
         "exact_response": (
-            Step("start", True, "followed from rest at the lowest frequency until it is shown to settle"),
+            Step("start", True, "motion from rest at the lowest frequency, until it is shown to settle"),
             _MOTION,
-            Step("curve", True, f"{_NEWTON}; folds, borders and stability on the way"),
-            Step("averaging", True, "a message about other curves"),
+            Step("curve", True, f"{_NEWTON}; with folds, changes of that sequence, and stability"),
+            Step("averaging", True, "for a message about disconnected curves"),
         ),
         "sweep": (
             _MOTION,
-            Step("settling", True, "at each frequency until it is shown to tend to a periodic motion"),
-            Step("averaging", False, "not needed: a sweep only follows"),
+            Step("settling", True, "at each frequency, until the motion is shown to tend to a periodic one"),
+            Step("averaging", False, "not needed: a sweep only follows the motion"),
         ),
         "transient": (
-            Step("motion", True, f"{_MOTION.why}; during the pulse, and after it until it turns twice or rests"),
+            Step(
+                "motion", True, f"{_MOTION.why}; during the pulse, and afterwards until the mass turns twice or rests"
+            ),
             _NO_STEADY_STATE,
         ),
-        "shock_spectrum": (Step("motion", True, f"of each pulse: {_MOTION.why}"), _NO_STEADY_STATE),
+        "shock_spectrum": (Step("motion", True, f"for each pulse: {_MOTION.why}"), _NO_STEADY_STATE),
         "random": (
-            Step("linearization", True, "Gaussian averages of force and damping; every fixed point, in cells"),
+            Step(
+                "linearization", True, "Gaussian averages of force and damping; all fixed points, by a complete search"
+            ),
             _NO_STEADY_STATE,
         ),
     }
 )
 _PLANE = "the plane of amplitude A and mean B is divided until each box is proved to contain"
-_REST = text("the range of {u} is divided until each part is proved to contain one solution of f({u}) = load, or none")
+_REST = text(
+    "the range of {u} is bisected until each interval is proved to contain one solution of f({u}) = load or none"
+)
 _BOXES = f"{_PLANE} one or none"
 
 #: questions to the equation of motion, which does not ask where the centre is
@@ -170,11 +182,11 @@ _EXACT = ("steady_state", "exact_response", "sweep", "transient", "shock_spectru
 OFF_CENTRE: dict[str, tuple[Step, ...]] = {
     "rest": (Step("boxes", True, _REST),),
     "detachment": (
-        Step("boxes", True, "along |B| + A at the first breakpoint: where the mean is balanced"),
-        Step("forcing", True, "the least of these, each at its best frequency"),
+        Step("boxes", True, "motions with |B| + A at the first breakpoint whose mean is in balance"),
+        Step("forcing", True, "the lowest of their forcings over all frequencies"),
     ),
     "saddle_node_onset": (
-        Step("descent", True, "from a fold down to where the forcing is stationary"),
+        Step("descent", True, "along the fold locus down to a minimum of the forcing"),
         Step("boxes", True, f"{_PLANE} no fold at a lower forcing"),
     ),
     "amplitudes": (Step("boxes", True, f"{_BOXES}, at each frequency"),),
@@ -183,20 +195,20 @@ OFF_CENTRE: dict[str, tuple[Step, ...]] = {
         Step("corners", True, "folds on a breakpoint at which the force jumps"),
     ),
     "frequency_response": (
-        Step("folds", True, "all of them: they cut the response into arcs"),
-        Step("states", True, "all of them between each two folds: they tell the arcs"),
-        Step("curve", True, "each arc followed, and neighbours shown to be on one"),
+        Step("folds", True, "all folds; they divide the response into arcs"),
+        Step("states", True, "all states at a frequency between each two folds, which identify the arcs"),
+        Step("curve", True, "each arc is followed; neighbouring points are shown to be connected"),
     ),
-    "peak": (Step("boxes", True, f"{_PLANE} no larger motion, by a bound on its least forcing"),),
+    "peak": (Step("boxes", True, f"{_PLANE} no larger motion, by a bound on the forcing that it needs"),),
     "margins": (
         *(step for step in COMPOSED["margins"] if step.name != "curve"),
-        Step("reach", True, text("whether a stable motion passes {u_cr}; not where the force has one piece")),
+        Step("reach", True, text("whether a stable motion passes {u_cr}; not for a force of one piece")),
     ),
     "isolation": (
-        Step("boxes", True, "up to which frequency there is anything to look at"),
-        Step("curve", True, "its last stable point that transmits the force"),
-        Step("root", True, "next to that point"),
-        Step("proof", True, f"{_PLANE} no stable motion that transmits the force beyond it"),
+        Step("boxes", True, "the highest frequency at which a motion can transmit the force"),
+        Step("curve", True, "the last stable point that transmits the force"),
+        Step("root", True, "the crossing of the level next to that point"),
+        Step("proof", True, f"{_PLANE} no stable motion that transmits the force at a higher frequency"),
     ),
     "spectrum": COMPOSED["spectrum"][:-1],
     **{question: COMPOSED[question] for question in ("force", "stiffness", "hysteresis", *_EXACT)},
@@ -299,9 +311,9 @@ def _force(question: str, F_0: float | None, whole: Model) -> Step:
     """The step of the force: what is evaluated, or the mechanism's own description of how it is known."""
     description = whole.mechanism.told
     if question == "detachment":
-        return Step("force", True, text("its first piece, at A = {u_cr} only"))
+        return Step("force", True, text("the first piece, at A = {u_cr} only"))
     if description is not None:
         return Step("force", True, description(*whole.parameters))
     if not whole.breakpoints:
         return Step("force", True, ONE_PIECE[whole.linear])
-    return Step("force", True, PIECES if F_0 is not None else "all its pieces")
+    return Step("force", True, PIECES if F_0 is not None else "all pieces")

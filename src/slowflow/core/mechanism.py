@@ -1,10 +1,9 @@
-"""The mechanism's record, and its restoring force in the form that integrators take.
+"""Mechanisms: the record, the restoring force with its numbers, and the equation of motion.
 
-In:  `Mechanism`, the record that the derivation fills for each equation of motion, and a mechanism's parameters.
-Out: `Force` (pieces and breakpoints) and `EquationOfMotion` (force, friction, damping), both immutable and hashable.
-
-A piece's functions are plain arithmetic and NumPy functions of (u, *constants), so one text serves floats, complex
-numbers and an integrator's symbols. Integrators compile a law once; constants are run-time parameters.
+A `Mechanism` and its parameters make a `Force` (pieces and breakpoints); with friction and damping it is an
+`EquationOfMotion`. Both are immutable and hashable. The functions of a piece take (u, *constants) and consist of
+arithmetic and NumPy functions, so that they accept floats, complex numbers and an integrator's symbols. Integrators
+compile a law once; constants are run-time parameters.
 """
 
 from __future__ import annotations
@@ -103,12 +102,12 @@ class Force:
     """The whole restoring force f(u) = u + F_k(u), piece by piece; a breakpoint belongs to the inner one.
 
     pieces, breakpoints -- in ascending order of |u|, for u > 0: piece i is valid for breakpoints[i-1] < |u| <=
-           breakpoints[i]. If the force jumps at u = 0, as by a preload, only the first one is valid there, with
-           f = 0 and its breakpoint at 0: a mass may rest there. A force that is not odd has them in order of u
-    odd -- whether it is odd, so that a motion may be the mirror image of itself half a turn later
+           breakpoints[i]. If the force jumps at u = 0, as with a preload, the first piece is the point u = 0 itself,
+           with f = 0, where a mass may rest. For a force that is not odd they are in ascending order of u
+    odd -- whether the force is odd, so that a motion may be its own mirror image half a period later
 
-    It may jump at a breakpoint, as the truncated force (6) does at u_cr. Regions are numbered from the piece about
-    u = 0 on, those at lower u negative.
+    The force may jump at a breakpoint, as the truncated force (6) does at u_cr. Regions are the numbers of the pieces,
+    counted from the piece about u = 0, negative on the side of lower u.
     """
 
     pieces: tuple[Piece, ...]
@@ -126,7 +125,7 @@ class Force:
 
     @staticmethod
     def of(mechanism: Mechanism, parameters: tuple[float, ...]) -> Force:
-        """The force of a mechanism with these parameters; a breakpoint at 0 leaves only what lies beyond."""
+        """Make the force of a mechanism from its parameters; a piece that ends at u = 0 is left out."""
         pieces = tuple(Piece(law, parameters) for law in mechanism.pieces)
         ends = tuple(float(end) for end in mechanism.breakpoints(*parameters))
         if not mechanism.odd:
@@ -136,12 +135,12 @@ class Force:
 
     @property
     def innermost(self) -> int:
-        """The number of the first piece that a mass may move in: 1 of a force that jumps at u = 0."""
+        """Number of the first piece in which a mass can move: 1 if the force jumps at u = 0, else 0."""
         return int(isinstance(self.pieces[0], OneSided))
 
     @property
     def first_end(self) -> float | None:
-        """Where the first piece ends that a mass may move in; None where there is one piece only. Of an odd force."""
+        """End of that piece, for an odd force; None if there is only one piece."""
         return next(iter(self.breakpoints[self.innermost :]), None)
 
     @property
@@ -160,23 +159,23 @@ class Force:
         return len(self.breakpoints) if self.odd else sum(b < 0 for b in self.breakpoints)
 
     def beyond(self, slip: int, region: int) -> int:
-        """The region into which a mass slips from that one."""
+        """Return the region that a mass enters from another one, by the direction of its slip."""
         return region + slip or self.innermost * slip
 
     def region_of(self, u: float) -> int:
-        """The number of the piece that holds u, with the sign of u."""
+        """Return the region of a displacement u."""
         if not self.odd:
             return sum(u > b for b in self.breakpoints) - self._about
         index = sum(abs(u) > b for b in self.breakpoints)
         return index if u > 0 else -index
 
     def piece(self, region: int) -> Piece:
-        """The piece of that number; where the force jumps at u = 0, on its side."""
+        """Return the piece of a region; next to a jump at u = 0, on its side of it."""
         piece = self.pieces[abs(region) if self.odd else self._about + region]
         return OneSided(piece.law, piece.constants, region) if self.innermost and abs(region) == 1 else piece
 
     def edge_ahead(self, slip: int, region: int) -> float | None:
-        """The breakpoint towards which a mass in that piece slips, with its sign; None if there is none."""
+        """Return the breakpoint ahead of a mass that slips within a region, with its sign; None if there is none."""
         ahead, edges = self._about + region - (slip < 0), self.edges
         return edges[ahead] if 0 <= ahead < len(edges) else None
 
@@ -204,11 +203,11 @@ class Force:
 class EquationOfMotion:
     """Equation (3) without its forcing: f(u), mu >= 0, zeta >= 0, all dimensionless.
 
-    inertial -- whether it is excited by inertia, so that F_0 stands for a force F_0 Omega^2
-    load     -- static force beside F_0 cos(Omega tau)
+    inertial -- whether inertia excites it (base excitation, unbalance), so that the force is F_0 Omega^2
+    load     -- static force in addition to F_0 cos(Omega tau)
     c_2      -- quadratic damping, c_2 |u'|u'
     released -- whether friction acts on the first piece of the force only
-    mu_s     -- what friction holds a mass at rest with, where that is more than mu
+    mu_s     -- static friction, if larger than mu
     eta      -- structural damping, (eta/Omega) u' in a motion at Omega
     c_3      -- cubic damping, c_3 u'^3
     zeta_2   -- viscous damping that grows with the displacement, 2 (zeta + zeta_2 u^2) u'
@@ -234,25 +233,25 @@ class EquationOfMotion:
 
     @property
     def centred(self) -> bool:
-        """Whether motions may be about u = 0: the force is odd, and there is no load."""
+        """Whether motions may be symmetric about u = 0: the force is odd, and there is no load."""
         return self.load == 0 and self.force.odd
 
     def friction(self, region: int) -> float:
-        """mu on a piece of the force, by its number, signed or not."""
+        """Return the kinetic friction in a region."""
         return 0.0 if self.released and region != 0 else self.mu
 
     def holds(self, region: int) -> float:
-        """The largest push against which friction holds a mass at rest there."""
+        """Return the largest force against which friction can hold a mass at rest in a region."""
         bound = 0.0 if self.released and region != 0 else max(self.mu, self.mu_s)
         return bound + self.force.jump if region == 0 else bound
 
     @property
     def is_damped(self) -> bool:
-        """Whether anything resists."""
+        """Whether there is any damping or friction."""
         return not self.mu == self.zeta == self.c_2 == self.eta == 0
 
     def forcing(self, *, Omega: float, F_0: float) -> float:
-        """Amplitude of the force at an amplitude F_0 of the excitation."""
+        """Return the amplitude of the force for an amplitude F_0 of the excitation."""
         return float(inertia.force(Omega, F_0)) if self.inertial else F_0
 
 
@@ -314,7 +313,7 @@ def linear() -> Force:
 
 
 def described(domains: Iterable[Parameter]) -> str:
-    """Parameters and their domains, a line each, as a docstring has them."""
+    """Return parameters and their domains, one line each, for a docstring."""
     return "\n".join(f"    {domain.name} -- {domain.doc}, {allowed(domain)}" for domain in domains)
 
 

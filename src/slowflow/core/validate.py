@@ -130,8 +130,8 @@ def workers(value: Any) -> int:
     """How many threads: an integer >= 1, or -1 for one for each processor; no map-like callable, as SciPy has it."""
     if callable(value):
         raise Refused(
-            f"workers = {value!r} is not allowed: threads write into arrays that they share, which a map of other "
-            "processes cannot; workers must be an integer >= 1 or -1, and a map by blocks, .store(...), is for clusters"
+            f"workers = {value!r} is not allowed: threads write into shared arrays, which a map over processes "
+            "cannot; workers must be an integer >= 1 or -1, and a map by blocks, .store(...), is for clusters"
         )
     return os.cpu_count() or 1 if value == -1 else count("workers", value, least=1)
 
@@ -145,7 +145,7 @@ def is_force(question: str, excitation: str) -> None:
 def is_in_time(question: str, laws: Iterable[str]) -> None:
     """NotAvailable where a question about motions without a frequency is asked of structural damping."""
     if "eta" in laws:
-        raise NotAvailable(f"{question} is not available with eta: structural damping is stated at one frequency")
+        raise NotAvailable(f"{question} is not available with eta: structural damping is defined at one frequency")
 
 
 def is_plain(question: str, laws: str) -> None:

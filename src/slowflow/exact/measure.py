@@ -56,11 +56,11 @@ RISING = (0.01, 0.03, 0.1, 0.3, 0.7, 1.5, 3.0, 7.0)
 
 AT_REST = text("at {Omega = :g} the mass does not move", 0.0)
 NO_MOTION = "Newton's iteration finds no motion near it"
-NO_LEVEL = f"no frequency within a factor of {1 + RISING[-1]:g} of it is found above which the motion transmits less"
+NO_LEVEL = f"no frequency above which the motion transmits less is found within a factor of {1 + RISING[-1]:g} of it"
 TAKEN = "it leads to the motion of another state"
 NO_FOLD = f"the exact curve near it has no fold within a factor of {FOLD_WINDOW:g} of its frequency"
 NO_PEAK = f"the exact curve near it has no peak within a factor of {FOLD_WINDOW:g} of its frequency"
-NO_FORCING = f"no forcing within a factor of {FARTHEST:g} of it is found at which the exact curve does so"
+NO_FORCING = f"no such forcing of the exact curve is found within a factor of {FARTHEST:g} of it"
 BORN = "an isolated curve is born there, which the exact curve through neighbouring motions does not show"
 TAKEN_FOLD = "the neighbouring folds of the exact curve are closer to other ones"
 

@@ -230,7 +230,7 @@ TURN = 2.0 * math.pi
 PHASE = struct.Struct("@iiddddddi?0d")  # a phase as C has it, in the order of `Phase`
 
 CHATTERS = Sentence(
-    "the mass chatters near {u = :.6g}, where the restoring force jumps: more than {most:d} switches in one turn"
+    "the mass chatters near {u = :.6g}, where the restoring force jumps: more than {most:d} events in one period"
 )
 ESCAPES = Sentence("the motion escapes: |{u}| passes {u:g}, the restoring force does not hold it")
 STALLS = Sentence(

@@ -71,21 +71,21 @@ FREE_MEAN = Sentence(
 WITHIN_END = Sentence("within |{u}| = {u:g}, where")
 
 CHAOTIC = Sentence(
-    "no steady state found at {Omega = :g}, {F_0 = :g}: the motion is chaotic, as far as {turns:d} turns of the "
-    "forcing tell: neighbouring motions separate by a factor of {rate:.2g} in each; A= gives the periodic "
+    "no steady state found at {Omega = :g}, {F_0 = :g}: the motion is chaotic, as far as {turns:d} periods of "
+    "the forcing show: neighbouring motions separate by a factor of {rate:.2g} in each; A= gives the periodic "
     "motion, stable or not, next to an amplitude"
 )
 STICKS_AT_JUMP = Sentence(
     "the motion at {Omega = :g}, {F_0 = :g} is periodic with {A = :.6g}, but the mass comes to rest at {u} = 0 in each "
-    "turn, where the force jumps, after infinitely many crossings: it has no multipliers; sweep follows it in time"
+    "period, where the force jumps, after infinitely many crossings: it has no multipliers; sweep follows it in time"
 )
 COMES_TO_REST = Sentence(
     "no steady state found at {Omega = :g}, {F_0 = :g}: a motion from {u = :.6g} on comes to rest, where "
     "friction holds the mass"
 )
 NOT_FOUND = Sentence(
-    "no steady state found at {Omega = :}, {F_0 = :}: after {turns:d} turns of the forcing the motion comes back only "
-    "to within {A:.1e}; {why:s}"
+    "no steady state found at {Omega = :}, {F_0 = :}: after {turns:d} periods of the forcing the motion comes back "
+    "only to within {A:.1e}; {why:s}"
 )
 
 
@@ -566,7 +566,7 @@ def _by_time_stepping(forced: Forced, theta: float, state: tuple[float, float], 
         if change <= CLOSURE
         else "it still drifts, too slowly to be followed until it settles"
         if change < 1e-3
-        else f"it may not have settled yet, or be chaotic, or be a subharmonic of more than {longest} turns"
+        else f"it may not have settled yet, or be chaotic, or be a subharmonic of more than {longest} periods"
     )
     raise NotPeriodic(NOT_FOUND.format(forced.Omega, forced.F_0, end.turns, end.change, why))
 

@@ -80,7 +80,7 @@ class Transient(Drawn):
     A, tau_A      -- largest |u|, the deflection of the springs, static deflection included, and its time
     a_max, tau_a  -- largest absolute acceleration of the mass, and its time
     u_cr          -- the stroke; None if the springs never touch, and for a force that is not odd
-    detaches      -- whether the springs detach, |u| > u_cr, or u leaves the piece about 0
+    detaches      -- whether the springs detach, |u| > u_cr, or for an asymmetric force u leaves the piece about 0
     tau_detaches  -- time of the first detachment, None if never
     rests         -- whether friction holds the mass at the end of the computed motion, at u_end
     message       -- diagnostics as text
@@ -120,14 +120,14 @@ class Transient(Drawn):
 
 
 def half_sine(acceleration: Any, duration: Any) -> Floats:
-    """acceleration sin(pi tau/duration) up to the duration, as arcs: shape (..., 1, 4) of numbers that broadcast."""
+    """Make a half sine, acceleration sin(pi tau/duration) for 0 <= tau <= duration, as arcs of shape (..., 1, 4)."""
     a, span = np.broadcast_arrays(np.asarray(acceleration, dtype=float), np.asarray(duration, dtype=float))
     columns = span, math.pi / span, np.abs(a), np.copysign(0.5 * math.pi, a)
     return np.stack(columns, axis=-1)[..., np.newaxis, :]
 
 
 def record(tau: Floats, acceleration: Floats) -> Floats:
-    """The acceleration through samples, as arcs: shape (..., n - 1, 4) of those of shape (..., n), tau rising."""
+    """Interpolate an acceleration sampled at ascending tau, shape (..., n), by arcs, shape (..., n - 1, 4)."""
     before, after = -acceleration[..., :-1], -acceleration[..., 1:]
     # F cos theta at both ends of the arc
     quadrature = (before * math.cos(ARC) - after) / math.sin(ARC)
@@ -147,13 +147,15 @@ def transient(
     v: float = 0.0,
     rest: float | None = None,
 ) -> Transient:
-    """The motion from u = `at` with the velocity v under the arcs, rows of `Arc`, and freely for `after` after them.
+    """Integrate the motion from u = `at` with velocity v under the arcs, rows of `Arc`, and free motion afterwards.
 
-    rest -- where the mass rests without friction; `at` if it is not given
+    begin -- tau at which the arcs begin
+    after -- duration of the free motion; longer until the mass has turned twice or friction holds it: as it only loses
+             energy, A and a_max are then the largest for all time
+    rest  -- equilibrium without friction, by default `at`
 
-    It is followed until the mass has turned twice since, or friction holds it: a free motion only loses energy, so that
-    A and a_max are the largest for all time. Raises ArithmeticError where the motion escapes a softening spring,
-    chatters where the force jumps, or does not turn, and off the centre where a pulse is lost beside the load.
+    Raises ArithmeticError if the motion escapes a softening spring, chatters where the force jumps, or does not turn,
+    and if a pulse is too weak compared with the load.
     """
     rest = at if rest is None else rest
     peak, rounding = float(arcs[:, 2].max(initial=0.0)), BACK * max(abs(at), abs(system.load))
@@ -165,7 +167,9 @@ def transient(
     outcome, steps, numbers, packed = EXACT.shock(handle(system), *arguments)
     spend(steps)
     if outcome == Outcome.DIVERGES:
-        raise NotSettled(f"within {MOST_TURNS} turns after the pulse the mass neither reverses twice nor comes to rest")
+        raise NotSettled(
+            f"within {MOST_TURNS} periods after the pulse the mass neither reverses twice nor comes to rest"
+        )
     if outcome:  # the message has the time: an arc's frequency and force are not the user's
         tau, u, F = numbers
         raise NotSettled(LOST.format(lost(outcome, system, u), tau, ACCELERATED if F else FREE))
@@ -185,7 +189,8 @@ class ShockSpectrum(Drawn, Table):
 
     acceleration, duration -- of the pulse, over k_v L/m and in tau
     A        -- the largest deflection of the springs, during or after the pulse, static deflection included
-    a_max    -- the largest acceleration of the mass; ratio -- a_max over the peak of the pulse
+    a_max    -- the largest acceleration of the mass
+    ratio    -- a_max over the peak of the pulse
     detaches -- whether the springs detach
     message  -- diagnostics as text
     """

@@ -133,7 +133,7 @@ class Grid(Unchanging, ManyQuestions[Any]):
         nested = {dim for value in values.values() for dim, index in value.indexes.items() if index.nlevels > 1}
         if nested:
             raise Refused(
-                f"the coordinate {nested.pop()} has several levels, which Zarr does not hold: .reset_index it"
+                f"the coordinate {nested.pop()} has several levels, which Zarr cannot store: call its .reset_index"
             )
         axes = sizes(values)
         return filled(path, ask, values, axes, blocks(values, axes))
@@ -169,9 +169,7 @@ class Grid(Unchanging, ManyQuestions[Any]):
         axes = {dim for name, value in values.items() for dim in value.dims if dim != entry.argument_axes.get(name)}
         taken = {*INNER, "done", *found.columns()} & {*axes, *values}
         if taken:
-            raise Refused(
-                f"an axis or a parameter cannot be named {taken.pop()}: the answer has something of that name"
-            )
+            raise Refused(f"an axis or a parameter cannot be named {taken.pop()}: the answer has a column of that name")
         return found, values
 
     def _check(self, question: str, options: Mapping[str, Any], arguments: Mapping[str, Any], workers: int) -> None:
@@ -252,9 +250,7 @@ def labelled(values: Mapping[str, Any]) -> dict[str, Any]:
         if isinstance(array, (xarray.DataArray, xarray.Variable)):
             found[name] = xarray.DataArray(array).reset_coords(drop=True)
         elif named and array.ndim:
-            raise Refused(
-                f"{name} has axes without names beside others that have them: xarray.DataArray({name}, dims=...)"
-            )
+            raise Refused(f"{name} has axes without names, while others have names: xarray.DataArray({name}, dims=...)")
         else:
             found[name] = xarray.DataArray(array) if named else array
     if not named:
@@ -265,9 +261,7 @@ def labelled(values: Mapping[str, Any]) -> dict[str, Any]:
     found = {name: _parameter(name, value) for name, value in zip(found, aligned, strict=True)}
     own = [name for name in found if name in sizes(found) and found[name].dims != (name,)]
     if own:
-        raise Refused(
-            f"an axis is named {own[0]}, which {own[0]} itself does not lie along alone: give it another name"
-        )
+        raise Refused(f"an axis is named {own[0]}, but {own[0]} itself has other axes: rename the axis")
     return found
 
 
@@ -302,7 +296,7 @@ def _parameter(name: str, value: Any) -> Any:
     """One parameter, in doubles; where it lies along an axis of its own name it must be that axis' coordinate."""
     value = value if value.dtype == float else value.astype(float)
     if name in value.coords and not np.array_equal(value.coords[name], value, equal_nan=True):
-        raise Refused(f"the coordinate {name} is not the numbers of {name}: give the axis another name")
+        raise Refused(f"the coordinate {name} differs from the values of {name}: rename the axis")
     return value
 
 

@@ -146,17 +146,17 @@ def _begun(path: Any, identity: dict[str, Any], about: dict[str, Any]) -> Any:
         group = zarr.open_group(path, mode="r+")
     except (FileNotFoundError, FileExistsError):
         if folder is not None and folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
-            raise FileExistsError(f"{path} is there, and is no store of Zarr") from None
+            raise FileExistsError(f"{path} exists and is not a Zarr store") from None
         return zarr.create_group(path, attributes=about)
     begun = json.loads(group.attrs.get("asked", "{}"))
     if not begun:
-        raise FileExistsError(f"{path} is a store of Zarr, but not one of these maps")
+        raise FileExistsError(f"{path} is a Zarr store, but not that of a map")
     other = sorted(name for name in begun | identity if begun.get(name) != identity.get(name))
     if other:
         differences = "; ".join(
             f"{name}: {begun.get(name, 'none')} there, {identity.get(name, 'none')} here" for name in other
         )
-        raise Refused(f"{path} was begun with others, and is left as it is: {differences}")
+        raise Refused(f"{path} was begun with other values and is unchanged: {differences}")
     return group
 
 

@@ -28,10 +28,10 @@ from slowflow.support.text import Sentence, text
 from slowflow_kernels import off_centre
 
 NO_MEANS = Sentence("{name:s}: offset motions are not derived for a force {what:s}")
-NEXT_TO_REST = text("a force that may jump at {u} = 0 and does not has no gradients for offset motions")
+NEXT_TO_REST = text("a force without the jump at {u} = 0 that its formula allows has no gradients for offset motions")
 JUMPS = text("that jumps at {u} = 0, as a preload does")
-NO_EXTENT = text("of which the first piece ends at {u} = 0, and another is no polynomial")
-NOT_SMOOTH = "of which a piece is no polynomial, nor known to be smooth up to its ends"
+NO_EXTENT = text("whose first piece ends at {u} = 0, with another piece that is not a polynomial")
+NOT_SMOOTH = "with a piece that is neither a polynomial nor known to be smooth up to its ends"
 
 UNBOUNDED = "the outermost piece of the force does not grow: offset motions are unbounded there"
 

@@ -24,9 +24,7 @@ FARTHEST = 2.0**1000
 #: what is larger is beyond all numbers; how large a force is at a wall, and how near to it
 GROWN = 2.0**24
 HUGE, AT_WALL, NARROW = 2.0**120, 2.0**16, 2.0**-40
-SINGULAR = Sentence(
-    "{name:s}: piece {number:d} of its force is not smooth at {u = :g}, where it holds: it has to end before that"
-)
+SINGULAR = Sentence("{name:s}: piece {number:d} of its force is not smooth at {u = :g}: it must end before that")
 
 
 @dataclass(frozen=True)

@@ -22,6 +22,8 @@ from slowflow.core.mechanism import Floats
 from slowflow.core.validate import meant
 from slowflow.support.errors import Refused
 
+__all__ = ["Columns", "read_csv"]
+
 #: a head, as "a [m/s^2]", or as slowflow writes it, "a/(m/s^2)", "a/g", "a"
 HEAD = re.compile(r"\s*([A-Za-z]\w*)\s*(?:\[(.*)\]|/(.*))?\s*")
 SEPARATORS = "\t;,"
@@ -73,7 +75,7 @@ def read_csv(path: str | Path) -> Columns:
             try:
                 column[k] = float(cell.strip() or "nan") * size
             except ValueError:
-                raise Refused(f"{path}:{number}: {name} = {cell.strip()!r} is no number") from None
+                raise Refused(f"{path}:{number}: {name} = {cell.strip()!r} is not a number") from None
     found.update({name: frozen(column) for name, column in found.items()})
     return found
 

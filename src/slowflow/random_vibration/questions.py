@@ -20,8 +20,8 @@ from slowflow_kernels import linearization
 
 ONE_OF = "random takes either S_0, of white noise, or psd, a table of frequencies and densities"
 UNDAMPED = text(
-    "random vibration needs viscous damping, or dry friction that acts throughout; under white noise c_2 does: "
-    "{mu = :g} and zeta = 0 leave none",
+    "random vibration needs viscous damping, or dry friction that acts throughout; under white noise c_2 suffices: "
+    "{mu = :g} and zeta = 0 leave no damping",
     0.0,
 )
 UNDECIDED = Sentence("there may be another equivalent linear oscillator next to {stiffness = :.4g}, {damping = :.4g}")
@@ -31,10 +31,10 @@ UNDECIDED = Sentence("there may be another equivalent linear oscillator next to 
 MOST_DRY, MOST_ATTACHED, MOST_NONLINEAR, NARROW = 0.8, 0.5, 0.5, 4.0
 STUCK = "friction holds the mass nearly all of the time: no linear damping is equivalent to it"
 _erfc = np.frompyfunc(math.erfc, 1, 1)
-GIVES_WAY = "no linear oscillator is equivalent: in the mean the spring pushes away from the centre, or gives way"
+GIVES_WAY = "there is no equivalent linear oscillator: on average the spring pushes away from the centre, or gives way"
 SEVERAL = Sentence(
-    "{count:d} linear oscillators are equivalent: the motion switches between them, and its averages agree with "
-    "none of theirs; measure() simulates it"
+    "there are {count:d} equivalent linear oscillators: the motion switches between them, and its averages match none "
+    "of theirs; measure() simulates it"
 )
 DRY = Sentence(
     "dry friction is {dry:.2g} of the equivalent damping: above {most:g} root mean squares may be off by more than "

@@ -82,7 +82,7 @@ class Smooth:
         size = float(np.abs(expected).max(initial=0.0))
         self.error = float(np.abs(expected - self.at(v, (0,))[0]).max()) / size if size > 0 else 0.0
         if self.error > math.sqrt(RESOLVED):
-            raise Refused(f"{name} is not the polynomial through {self.points} of its values: {_LEFT}")
+            raise Refused(f"{name} is not resolved by the polynomial through {self.points} points: {_LEFT}")
 
     def _points(self, count: int) -> Floats:
         return np.asarray(0.5 * self.length * (1 - np.cos(np.pi * (np.arange(count) + 0.5) / count)))
@@ -100,7 +100,9 @@ class Smooth:
                 break
             count *= 2
         if found is None:
-            raise Refused(f"{name}: {MOST} of its values leave {tail / size:.1g} of it open: {_LEFT}")
+            raise Refused(
+                f"{name} is not resolved: with {MOST} points the relative error is {tail / size:.1g}: {_LEFT}"
+            )
         coefficients, tail, self.points = found
         self.noise = float(max(tail, 2.0**-53 * np.abs(coefficients).max()))
         kept = np.flatnonzero(np.abs(coefficients) > self.noise)
@@ -187,7 +189,7 @@ class Smooth:
         return middle - radius, middle + radius
 
 
-_LEFT = "what is not smooth at some |u| ends a piece there, and a power that is no whole number is stated as a formula"
+_LEFT = "end the piece where the function is not smooth, and define a fractional power by a formula"
 
 
 def rows(values: Callable[[Floats], Floats], begin: float, end: float, first: float) -> Floats:

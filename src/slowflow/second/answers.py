@@ -106,7 +106,11 @@ class SecondResponse(Drawn, SecondStates):
     branch: Ints
     isola: tuple[bool, ...]
     picture: ClassVar[str] = "response"
-    can_draw: ClassVar[tuple[str, ...]] = ("A_1", *DRAWN)
+
+    @property
+    def can_draw(self) -> tuple[str, ...]:
+        """Quantities that `plot` may draw over Omega."""
+        return ("A_1", *DRAWN)
 
 
 @dataclass(frozen=True, eq=False)

@@ -80,7 +80,7 @@ UNANSWERED = {
     "many": "batches begin with the designs, as Isolator.many(...).second_approximation",
     "certify": "proofs concern the averaged equations",
     "plot": text(
-        "its answers are drawn by their own .plot(); beside {u_cr} and where the mass stops by the oscillator's"
+        "its answers have their own .plot(); that of the oscillator also shows {u_cr} and where the mass stops"
     ),
 }
 

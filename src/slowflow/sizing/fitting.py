@@ -31,6 +31,8 @@ from slowflow.random_vibration.record import accelerations
 from slowflow.sizing.subject import Measured, Subject, first_jump
 from slowflow.support.errors import NotSettled, Refused
 
+__all__ = ["Fit", "Fitted", "Numbers", "fit"]
+
 #: share of all fits whose interval holds the number, if the noise is normal and the equations are right
 CONFIDENCE = 0.95
 #: what a number may become, over what it was; a number that is 0 may become this share of 1
@@ -55,8 +57,8 @@ DECADES = (-2.5, -0.3)
 OTHER_START = "a search from the given start ends with a sum of squares of {:.3g}, from another one with {:.3g}"
 OPEN = "the points do not determine {}: an interval has no end within 1/1000 to 1000 times the start value"
 LINEAR = (
-    "the intervals are those of the equations made linear: with other laws of damping, and in a free decay, designs "
-    "take too long for those of the profile likelihood"
+    "the intervals are those of the linearized equations: with other laws of damping, and for a free decay, the "
+    "profile likelihood would take too long"
 )
 #: slower than this share of the fastest, a motion turns: friction changes sides, and may take a displacement for it
 TURNS = 0.1
@@ -201,7 +203,7 @@ def fit(
     if not sets:
         subject, measured = _one_set(of, free, own)
     elif any(value is not None for value in own.values()):
-        raise Refused("a fit takes either data sets or one by its arguments: put these into a set of their own")
+        raise Refused("a fit takes either data sets or keyword arguments: put the latter into a data set of their own")
     else:
         found = [_one_set(of, free, {name: one[name] for name in one if name != "deviation"}) for one in sets]
         subject, measured = found[0][0], _together([one for _, one in found], [one.get("deviation") for one in sets])
@@ -254,7 +256,7 @@ def _together(sets: Sequence[_Measured], deviations: Sequence[Any]) -> _Measured
         return np.concatenate(rows, axis=-1)
 
     values = np.concatenate([of.values / one for of, one in zip(sets, each, strict=True)])
-    names = ("point", "measured less fitted, over its standard deviation")
+    names = ("point", "measured minus fitted, over its standard deviation")
     released = [of.released for of in sets if of.released]
     if len(released) > 1:
         raise Refused("more than one free decay is not allowed: each has an x_0 of its own")
@@ -284,9 +286,9 @@ def _fitted(subject: Subject, measured: _Measured, names: list[str]) -> Fit:
     """The numbers that leave the least squares."""
     size = measured.values.size
     if not names:
-        raise Refused("free = [] is not allowed: name at least one number to find")
+        raise Refused("free = [] is not allowed: name at least one parameter to fit")
     if size <= len(names):
-        raise Refused(f"{size} points are too few for {len(names)} numbers")
+        raise Refused(f"{size} points are too few for {len(names)} parameters")
     start = np.array([subject.nominal[name] or FROM_NOTHING for name in names])
     one_by_one = subject.one_by_one
     if measured.released:
@@ -450,12 +452,12 @@ def _mixed(random: np.random.Generator, x: Floats) -> Floats:
 def _states(subject: Subject, conditions: Mapping[str, Any], name: str, values: Any) -> _Measured:
     """Amplitudes A or phases phi, as `name` says, at frequencies and forcings."""
     if any(value is None for value in conditions.values()):
-        raise Refused(f"{' and '.join(conditions)} are needed: where the {name} were measured")
+        raise Refused(f"{' and '.join(conditions)} are needed, at which the {name} were measured")
     points = {word: validate.positive_array(word, value) for word, value in conditions.items()}
     points[name] = validate.finite_array(name, values, positive=name == "A")
     shape = validate.common_shape(points)
     at, forcing, measured = (np.broadcast_to(array, shape).ravel() for array in points.values())
-    what = f"measured less fitted {name}"
+    what = f"measured minus fitted {name}"
     names = ("f/Hz", f"{what}/m" if name == "A" else what) if subject.mount else (next(iter(conditions)), what)
     return _Measured(measured, at, lambda numbers: _nearest(subject, numbers, at, forcing, name, measured), names)
 
@@ -464,7 +466,7 @@ def _jumps(subject: Subject, forcing: Any, up: Any, down: Any) -> _Measured:
     """Frequencies of jumps at forcings."""
     force, frequency = subject.names
     if forcing is None:
-        raise Refused(f"{force} is needed: at which it jumped")
+        raise Refused(f"{force} is needed, at which it jumped")
     forces = validate.positive_array(force, forcing).ravel()
     seen = []
     for name, value in (("jump_up", up), ("jump_down", down)):
@@ -485,14 +487,14 @@ def _jumps(subject: Subject, forcing: Any, up: Any, down: Any) -> _Measured:
         return np.asarray(np.nan_to_num(found)[..., there])
 
     units = (f"/{SI[subject.amplitude]}", "/Hz") if subject.mount else ("", "")
-    names = (f"{force}{units[0]}", f"measured less fitted {frequency}{units[1]}")
+    names = (f"{force}{units[0]}", f"measured minus fitted {frequency}{units[1]}")
     return _Measured(measured[there], np.broadcast_to(forces, there.shape)[there], of_designs, names)
 
 
 def _backbone(subject: Subject, amplitudes: Any, frequencies: Any) -> _Measured:
     """Frequencies of the backbone at amplitudes."""
     if amplitudes is None:
-        raise Refused("A is needed: at which amplitudes the backbone was measured")
+        raise Refused("A is needed, the amplitudes of the backbone")
     points = {
         "A": validate.positive_array("A", amplitudes),
         "backbone": validate.positive_array("backbone", frequencies),
@@ -508,7 +510,9 @@ def _backbone(subject: Subject, amplitudes: Any, frequencies: Any) -> _Measured:
 
     frequency = subject.names[1]
     names = (
-        ("A/m", f"measured less fitted {frequency}/Hz") if subject.mount else ("A", f"measured less fitted {frequency}")
+        ("A/m", f"measured minus fitted {frequency}/Hz")
+        if subject.mount
+        else ("A", f"measured minus fitted {frequency}")
     )
     return _Measured(measured, A, of_designs, names)
 
@@ -582,7 +586,7 @@ def _decay(subject: Subject, x: Floats, t: Floats) -> _Measured:
                 found[k] = np.append(begin, np.frombuffer(states)[::2]) * sizes["length"]
         return found
 
-    names = ("t/s", "measured less fitted x/m") if subject.mount else ("t", "measured less fitted x")
+    names = ("t/s", "measured minus fitted x/m") if subject.mount else ("t", "measured minus fitted x")
     return _Measured(x, t, of_designs, names, float(x[0]))
 
 
@@ -603,7 +607,7 @@ def _loop(subject: Subject, x: Floats, F: Floats, t: Floats | None = None) -> _M
             found[k] = forces - forces.mean()
         return found
 
-    names = ("x/m", "measured less fitted F/N") if subject.mount else ("x", "measured less fitted F")
+    names = ("x/m", "measured minus fitted F/N") if subject.mount else ("x", "measured minus fitted F")
     return _Measured(F - F.mean(), x, of_designs, names)
 
 

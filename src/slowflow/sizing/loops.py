@@ -20,6 +20,8 @@ from slowflow.oscillators.physical import Physical
 from slowflow.sizing.fitting import CONFIDENCE, TURNS, Numbers, _velocity
 from slowflow.support.errors import NotSettled, Refused
 
+__all__ = ["Loop", "from_loop"]
+
 #: correlation of neighbouring residuals above which something else than noise is left, where they are more than this
 #: share of the force
 LEFT, ROUNDING = 0.5, 1e-3
@@ -144,7 +146,7 @@ def from_loop(x: Any, F: Any, *, t: Any = None) -> Loop:
     value, half = value / size, float(stdtrit(left, 0.5 * (1 + CONFIDENCE))) * error
     found = dict(zip(names, value.tolist(), strict=True))
     if found["friction"] + half[names.index("friction")] < 0:
-        raise Refused("the loop has the wrong direction: where x rises, F must be above where x falls")
+        raise Refused("the loop has the wrong direction: where x rises, F must be larger than where x falls")
     correlation = 0.0
     if deviation > ROUNDING * np.abs(F).max():
         correlation = float(np.corrcoef(residuals[goes][1:], residuals[goes][:-1])[0, 1])

@@ -26,6 +26,8 @@ from slowflow.sizing.subject import LoadCase, Subject
 from slowflow.support import progress
 from slowflow.support.errors import Refused
 
+__all__ = ["Compromise", "Front", "Met", "front", "meet"]
+
 #: what is missing of an answer that a design does not have: more than any two doubles differ, as the log of their ratio
 ABSENT = 2e3
 #: a requirement is met to rounding
@@ -396,7 +398,7 @@ def meet(
     search = _Search(of, free, at_least, at_most, seed, at, margins)
     subject = search.subject
     if not search.targets or not free:
-        raise Refused("meet needs at least one requirement and one free number")
+        raise Refused("meet needs at least one requirement and one free parameter")
     # ranges as narrow as rounding, requirements as large as numbers are
     with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
         x = search.nearest()
@@ -453,7 +455,7 @@ def front(
     subject = search.subject
     pair = [(name, 1.0) for name in high] + [(name, -1.0) for name in low]
     if len({name for name, _ in pair}) != 2 or len(pair) != 2 or not free:
-        raise Refused("front needs two answers, in high or in low, and at least one free number")
+        raise Refused("front needs two answers, in high or in low, and at least one free parameter")
     names = one, other = (pair[0][0], pair[1][0])
     subject.answered(names, search.load)
     units = subject.unit(one), subject.unit(other)

@@ -112,7 +112,9 @@ class Subject:
     def __init__(self, of: Any, varied: Iterable[str] = (), at: Mapping[str, Any] = MappingProxyType({})) -> None:
         self.at = {name: value for name, value in at.items() if value is not None}
         if unknown := self.at.keys() - LoadCase.__annotations__:
-            raise WrongType(f"{min(unknown)!r} is no argument: a load case has {', '.join(LoadCase.__annotations__)}")
+            raise WrongType(
+                f"{min(unknown)!r} is not an argument: a load case has {', '.join(LoadCase.__annotations__)}"
+            )
         if isinstance(of, Physical) and (forcing := {name: self.at[name] for name in LETTERS if name in self.at}):
             of, _ = of._excited(None, forcing)
         self.of = of
@@ -252,7 +254,7 @@ class Subject:
                 validate.is_in_time(name, self.laws)
             if name not in self.answers:
                 allowed = f"{', '.join(self.answers)}{validate.meant(name, self.answers)}"
-                raise Refused(f"{name!r} is no answer: it must be one of {allowed}")
+                raise Refused(f"{name!r} is not an answer: it must be one of {allowed}")
             if needed := missing.get(self.answers[name]):
                 known = {"shock": "a shock of the base", "spectrum": "a load spectrum", frequency: "a frequency"}
                 what = known.get(needed, "a forcing")

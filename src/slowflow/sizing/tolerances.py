@@ -22,6 +22,8 @@ from slowflow.sizing.subject import Load, LoadCase, Subject
 from slowflow.support import progress
 from slowflow.support.errors import Refused
 
+__all__ = ["Index", "Sobol", "Tolerance", "Tolerances", "sobol", "tolerances"]
+
 #: ends of a band: 95 of 100 samples lie within
 LOW, HIGH = 0.025, 0.975
 MOST_SAMPLES = 10**7
@@ -29,7 +31,7 @@ MOST_SAMPLES = 10**7
 AT_ONCE, SAMPLES, OF_INDICES = 2000, 10_000, 1024
 #: the same of designs that are asked one by one
 FEW_AT_ONCE, FEW_SAMPLES, FEW_OF_INDICES = 5, 100, 32
-MISSING = "{} has no answer for {:.2g} of the samples, which its band leaves out"
+MISSING = "{} has no answer for {:.2g} of the samples, which its band excludes"
 
 
 Tolerance = entry("Tolerance", "answer unit nominal low median high share", "A row of `Tolerances`.")
@@ -102,16 +104,16 @@ def _drawn(subject: Subject, within: Mapping[str, Any], shares: Floats) -> dict[
             share_of = f"within[{name!r}]"
             part = validate.number(share_of, si(share_of, off, ""), least=0.0, below=1.0)
             if part and not subject.nominal[name]:
-                raise Refused(f"within[{name!r}] = {part:g} is a share of 0: give a distribution of the value itself")
+                raise Refused(f"within[{name!r}] = {part:g} is relative to the nominal value 0: give a distribution")
             found[name] = subject.nominal[name] * (1 + part * (2 * fraction - 1))
     return found
 
 
 def _within(value: Any) -> Mapping[str, Any]:
     """How far which numbers may be off, as it was given. Raises ValueError for what is not allowed."""
-    within = validate.mapping("within", value, "how far each number may be off")
+    within = validate.mapping("within", value, "tolerances")
     if not within:
-        raise Refused("within = {} is not allowed: name at least one number and how far it may be off")
+        raise Refused("within = {} is not allowed: give at least one parameter with its tolerance")
     return within
 
 

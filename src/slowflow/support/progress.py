@@ -21,6 +21,8 @@ import time
 from collections.abc import Callable, Iterable, Iterator
 from typing import Any, TypeVar
 
+__all__ = ["shown"]
+
 T = TypeVar("T")
 
 #: seconds before the first line, and at least between two; the latter over the time that has passed

@@ -1,7 +1,6 @@
-"""What a mechanism says of itself, as one record that the derivation fills: `MECHANISM` in each generated module.
+"""The record of a mechanism, filled by the derivation: `MECHANISM` of each generated module.
 
-In:  what the generated modules state.
-Out: `Parameter`, `Scale`, `Law` and `Mechanism`, all immutable. All is dimensionless, in the paper's symbols (3)-(7).
+`Parameter`, `Scale`, `Law` and `Mechanism` are immutable. All numbers are dimensionless, symbols those of (3)-(7).
 """
 
 from __future__ import annotations
@@ -32,13 +31,13 @@ Function = Callable[..., Any]
 
 @dataclass(frozen=True)
 class Parameter:
-    """A dimensionless number, and which are allowed: finite ones within these bounds.
+    """A dimensionless parameter and its domain: the finite numbers within these bounds.
 
-    name -- of the argument
-    doc  -- one line: what it is
-    unit -- what the dimensional quantity is measured in, "1" for a number
-    above, least -- it is greater than the one, or not less than the other; None where nothing bounds it from below
-    below, most  -- it is less than the one, or not greater than the other; None where nothing bounds it from above
+    name -- name of the argument
+    doc  -- description, one line
+    unit -- scale of the dimensional quantity, "1" for a pure number
+    above, least -- lower bounds, exclusive and inclusive; None for no bound
+    below, most  -- upper bounds, exclusive and inclusive; None for no bound
     """
 
     name: str
@@ -51,12 +50,12 @@ class Parameter:
 
     @property
     def bounds(self) -> dict[str, float]:
-        """Those that it has, by name."""
+        """The bounds that are set, by name."""
         found = {"above": self.above, "least": self.least, "below": self.below, "most": self.most}
         return {name: bound for name, bound in found.items() if bound is not None}
 
     def holds(self, value: float) -> bool:
-        """Whether a number is one of those allowed."""
+        """Return whether a number lies in the domain."""
         return (
             isfinite(value)
             and (self.above is None or value > self.above)
@@ -67,10 +66,10 @@ class Parameter:
 
 
 class Scale(NamedTuple):
-    """What a dimensionless number is measured in, factor k_v^p L^q m^s: times this it is the dimensional quantity (4).
+    """The scale factor k_v^p L^q m^s of a dimensionless number: their product is the dimensional quantity (4).
 
-    letter -- the paper's for that quantity
-    powers -- of k_v, L and m
+    letter -- the paper's symbol of that quantity
+    powers -- exponents of k_v, L and m
     """
 
     letter: str
@@ -81,7 +80,7 @@ class Scale(NamedTuple):
 class Law(NamedTuple):
     """One piece of a force and its slope: functions of (u, *parameters), for any kind of number that has arithmetic.
 
-    name  -- of its Taylor recurrences; empty for a law that none were generated for
+    name  -- name of its Taylor recurrences; empty if none were generated
     """
 
     force: Function
@@ -110,48 +109,45 @@ class Curved(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Mechanism:
-    """A restoring force u + F_k(u), its average and its parameters. Two are equal if all that they state is.
+    """A restoring force u + F_k(u), its average and its parameters. Records compare by value.
 
-    name, title -- of the generated module, and one line
-    design      -- what a user gives beside the damping
-    parameters  -- what the functions below take, in their order
-    coefficients -- the parameters from the design, as a tuple (5), (7)
-    pieces      -- the force u + F_k(u), piece by piece by rising |u|; a piece holds up to its breakpoint and there
-    breakpoints -- of the parameters: the |u| at which each piece but the last ends (5)
-    jumps       -- of the parameters: what the force loses at each breakpoint, f below less f above
-    hardening   -- of the parameters: f(u)/u rises with |u| where none of these numbers is negative
+    name, title -- name of the generated module, and a description of one line
+    design      -- parameters of the design, without those of damping
+    parameters  -- arguments of the functions below, in their order
+    coefficients -- function of the design that returns the parameters (5), (7)
+    pieces      -- the force u + F_k(u) in pieces, by rising |u|; a breakpoint belongs to the inner piece
+    breakpoints -- function of the parameters: the |u| at which each piece except the last ends (5)
+    jumps       -- function of the parameters: the drop of the force at each breakpoint, f below minus f above
+    hardening   -- function of the parameters: f(u)/u rises with |u| if none of its values is negative
     averaged    -- h = H - A and its first three derivatives at (A, *parameters) (20)-(22), (31)
-    intercept   -- h - A h_A at (A, *parameters) without what cancels in it
+    intercept   -- h - A h_A at (A, *parameters), without cancellation
     harmonics   -- h_3, h_5, each with its first three derivatives, at (A, *parameters)
-    harmonics_up_to -- the largest breakpoint for which `harmonics` holds
-    reach, reach_reason -- largest |u| that the mechanism can take, inf if it has none, and what happens there; of a
-                   design `reach_at`
-    truncated   -- whether the force is a Taylor polynomial that stands for another
-    load_untruncated -- loads the record of the force that `truncated` stands for; None where there is none
-    load_balls  -- loads the module that has the averages in balls, for proofs; None where none is generated
-    scales      -- what each number of the design is measured in; () where the design has no dimensional quantities
+    harmonics_up_to -- the largest breakpoint for which `harmonics` is valid
+    reach, reach_reason -- largest |u| of the mechanism, inf if unlimited, and the reason; `reach_at` for a design
+    truncated   -- whether the force is the Taylor polynomial of another one
+    load_untruncated -- loads the record of that other force; None if there is none
+    load_balls  -- loads the averages in ball arithmetic, for proofs; None if they are not generated
+    scales      -- scale of each parameter of the design; () if the design has no dimensional quantities
     by_parameter -- d/dp of h, h_A, h_AA at (A, h, h_A, h_AA, *parameters), for each parameter p in turn
-    by_design   -- d/d of each number of the design, of each parameter in turn, then of each breakpoint; without these
-                   two there are no gradients
-    kinks       -- of the parameters: what slope and curvature of the force lose at each breakpoint; None where the
-                   force or its slope jumps at all of them
-    enclosed    -- of each piece, at (around, A, u less its begin, sine, *parameters) on intervals: what stands under
-                   the integrals of the average; None where h_AAA is proved to be monotone on each piece; () where
-                   only `samples` bound the force
-    steps       -- of the parameters: f and its derivatives just above u = 0, as many as the force has; their gains at
-                   each breakpoint; and those of the last piece, by its formula, at u = 0. None where a piece is no
-                   polynomial. Of a force that is not odd: those of each piece by its formula at u = 0, and their gains
-                   at each breakpoint
-    steps_by    -- of the parameters: what each in turn does to the derivatives of each piece at u = 0, and to their
-                   gains at each breakpoint, u held fixed
-    curved      -- where `steps` is None, what means off the centre are summed from; None where nothing is known there
-    told        -- of the parameters: in words, how a force is known that is no formula; None for one that is
-    samples     -- of the parameters: the words and numbers by which the compiled solvers know a force that is no
-                   formula; None for one that is
-    mirrored    -- the first piece, in words, where as it was written it is another one for u < 0 than the mirror image
-                   that stands for it; "" where it is not
-    odd         -- whether the force is odd, its pieces stated for u > 0; else they are by rising u, breakpoints are
-                   such u, and what is about the centre is `unknown`
+    by_design   -- derivatives of each parameter, then of each breakpoint, with respect to each parameter of the design;
+                   without this and `by_parameter` there are no gradients
+    kinks       -- function of the parameters: the drops of slope and curvature of the force at each breakpoint; None
+                   if the force or its slope jumps at all breakpoints
+    enclosed    -- for each piece the integrand of the average on intervals, at (around, A, u minus the start of the
+                   piece, sine, *parameters); None if h_AAA is proved to be monotone on each piece; () if only `samples`
+                   bound the force
+    steps       -- function of the parameters: f and its derivatives just above u = 0; their increments at each
+                   breakpoint; and those of the formula of the last piece at u = 0. None if a piece is not a polynomial.
+                   For a force that is not odd: those of the formula of each piece at u = 0, and their increments
+    steps_by    -- function of the parameters: derivatives of `steps` with respect to each parameter, at fixed u
+    curved      -- functions that give the averages of offset motions if `steps` is None; None if there are none
+    told        -- function of the parameters: a description of a force that is not a formula; None for a formula
+    samples     -- function of the parameters: the data from which the compiled solvers evaluate a force that is not a
+                   formula; None for a formula
+    mirrored    -- text of the first piece if its expression is not odd, so that its mirror image is used for u < 0;
+                   otherwise ""
+    odd         -- whether the force is odd, with pieces for u > 0; otherwise pieces and breakpoints are those of rising
+                   u, and the averages about the centre are `unknown`
     """
 
     name: str
@@ -187,12 +183,12 @@ class Mechanism:
 
     @cached_property
     def design_names(self) -> tuple[str, ...]:
-        """Of the numbers of a design, in their order."""
+        """Names of the parameters of a design, in their order."""
         return tuple(one.name for one in self.design)
 
     @cached_property
     def parameter_names(self) -> tuple[str, ...]:
-        """Of the parameters, in their order."""
+        """Names of the parameters, in their order."""
         return tuple(one.name for one in self.parameters)
 
     def at_rest(self, *parameters: Any) -> tuple[Any, ...]:
@@ -277,4 +273,4 @@ def nothing(*parameters: Any) -> tuple[()]:
 
 def unknown(*numbers: Any) -> Any:
     """What is about the centre, of a force that is not odd: raises ValueError."""
-    raise Refused("the force is not odd: no motion is about the centre, and nothing is averaged about it")
+    raise Refused("the force is not odd: its motions are not centred, and have no averages about the centre")
