@@ -167,7 +167,7 @@ FAMILIES = {
     # of the second c_2 A is some 10^-5 and nothing else damps: folds lie so near to the backbone that gradients count
     # as singular
     "damped_base": Family(on_a_base, 2.0, 2.0, gradients=True, singular=(1,), sticks=True, softening=True),
-    "inertia": Family(on_a_base, state=2.0, phase=100.0, A_on_corner=False, sticks=True),
+    "inertia": Family(on_a_base, state=2.0, phase=100.0, A_on_corner=False, gradients=True, sticks=True),
     **{
         name: Family(with_a_mean, phase=20.0, corners=False, sticks=True, mean=mean)
         for name, mean in (("sided", (4.0, 1.0)), ("curved", (32.0, 16.0)), ("off_centre_laws", (4.0, 1.0)))

@@ -12,15 +12,12 @@ from slowflow import Duffing, Isolator, example
 from slowflow.core.backend import SOLVER
 from slowflow_kernels.conventions import MovesStatus, Pinned
 from tests.averaged.test_certified_cases import CENTRED, of_record
-from tests.files import stored
 from tests.oracles.answers import Nearby
 from tests.oracles.definitions import points as drawn
 from tests.oracles.definitions import sensitivities
 from tests.sampling import fewer, slow
 
 F_0 = 0.04
-#: of a critical forcing, as the reference names its numbers
-OF_FORCING = ("F_0", "Omega", "A")
 
 
 def random_oscillators(count):
@@ -41,56 +38,6 @@ def random_oscillators(count):
 
 
 # ---- certified
-
-
-@pytest.mark.slow
-def test_condition_numbers_are_those_of_every_reference_case():
-    """Those of the reference are rounded to three digits."""
-    compared, kinds = 0, set()
-    for case in CENTRED:
-        of = of_record(case)
-        found = []
-        onset, detachment = case["onset"], case.get("detachment")
-        if onset and onset["global"]:
-            gradient = of.saddle_node_onset().gradient()
-            found += [
-                (gradient.condition(x), onset["condition"][y]) for x, y in zip(gradient.of, OF_FORCING, strict=True)
-            ]
-            kinds.add(onset["kind"])
-        if detachment and detachment["attained"]:
-            gradient = of.detachment().gradient()
-            found += [
-                (gradient.condition(x), detachment["condition"][y])
-                for x, y in zip(gradient.of, OF_FORCING, strict=True)
-            ]
-        for forcing in case["forcings"]:
-            at = forcing["F_0"][1]
-            gradient = of.saddle_nodes(at).gradient()
-            for x in gradient.of:
-                found += zip(gradient.condition(x), (one["condition"][x] for one in forcing["folds"]), strict=True)
-            kinds |= {one["corner"] for one in forcing["folds"]}
-            for states in forcing["amplitudes"]:
-                gradient = of.amplitudes(Omega=states["Omega"][1], F_0=at).gradient()
-                found += zip(gradient.condition("A"), (one["condition"]["A"] for one in states["steady"]), strict=True)
-        np.testing.assert_allclose(*np.array(found, dtype=float).reshape(-1, 2).T, rtol=5.01e-3)
-        compared += len(found)
-    assert compared > 8000
-    assert {"cusp", "corner", True} <= kinds
-
-
-def test_condition_numbers_on_a_base_are_the_references():
-    found = []
-    for case in stored("inertia")[::2]:
-        of, at = of_record(case).replace(excitation="base"), case["F_0"][1]
-        gradient = of.saddle_nodes(at).gradient()
-        for x in gradient.of:
-            found += zip(gradient.condition(x), (fold["condition"][x] for fold in case["folds"]), strict=True)
-        for states in case["amplitudes"]:
-            here = of.amplitudes(Omega=states["Omega"][1], F_0=at)
-            conditions = here.gradient().condition("A")[here.A > 0]  # a mass at rest has none
-            found += zip(conditions, (one["condition"]["A"] for one in states["steady"]), strict=True)
-    np.testing.assert_allclose(*np.array(found).T, rtol=5.01e-3)
-    assert len(found) > 75
 
 
 #: relative, of a parameter: the error of a difference quotient is its square

@@ -14,6 +14,7 @@ from slowflow import Duffing, Isolator
 from slowflow.answers.results import Remark
 from slowflow.averaged import diagnostics
 from slowflow.example import TABLE_1, isolator
+from tests.averaged.test_certified_cases import ROUNDED
 from tests.files import stored
 from tests.oracles.errors import error
 
@@ -49,6 +50,12 @@ def test_everything_agrees_with_the_certified_reference(name, oscillator, record
         assert found.kind == exact["kind"]
         for field in ("F_SN", "Omega", "A"):
             assert error(getattr(found, field), exact, field) <= UNITS
+        if exact["global"]:
+            check_conditions(found, [exact], {"F_SN": "F_0", "Omega": "Omega", "A": "A"})
+    if record.get("detachment", {}).get("attained"):
+        check_conditions(
+            oscillator.detachment(), [record["detachment"]], {"F_cr": "F_0", "Omega_cr": "Omega", "u_cr": "A"}
+        )
     check_extrema(oscillator, record["fold_locus"]["extrema"])
     for forcing in record["forcings"]:
         F_0 = decoded(forcing["F_0"])
@@ -59,8 +66,17 @@ def test_everything_agrees_with_the_certified_reference(name, oscillator, record
             check_states(oscillator, oscillator.amplitudes(Omega=decoded(states["Omega"]), F_0=F_0), states["steady"])
 
 
+def check_conditions(found, exact, names):
+    """Condition numbers of gradients; those of the reference have three digits."""
+    gradient = found.gradient()
+    for name, known in names.items():
+        expected = [one["condition"][known] for one in exact]
+        np.testing.assert_allclose(np.ravel(gradient.condition(name)), expected, rtol=ROUNDED)
+
+
 def check_folds(found, exact):
     assert len(found) == len(exact)
+    check_conditions(found, exact, {"Omega": "Omega", "A": "A"})
     for k, fold in enumerate(exact):
         assert (found.kind[k], found.corner[k]) == (fold["kind"], fold["corner"])
         assert error(found.Omega[k], fold, "Omega") <= UNITS
@@ -113,6 +129,7 @@ def check_states(oscillator, found, exact):
     ]
     assert (Remark.LEAVES_CENTRE in found.remarks) == (not kept.all())
     assert (Remark.BEYOND_WELL in found.remarks) == beyond.any()
+    check_conditions(found, exact, {"A": "A"})
     for k, state in enumerate(exact):
         assert error(found.A[k], state, "A") <= UNITS
         assert found.phi[k] == pytest.approx(float(state["phi"]), rel=1e-9)

@@ -48,21 +48,6 @@ def test_linear_spring_moves_under_a_load_as_without():
     assert len(linear.replace(load=0.3).saddle_nodes(0.2)) == 0
 
 
-@pytest.mark.parametrize(
-    ("alpha", "beta", "load"), [(-0.5, 1.0, 0.0), (-0.5, 1.0, 0.02), (1.0, 0.5, 0.3), (1.0, -0.1, 0.1)]
-)
-def test_a_cubic_spring_is_balanced_as_it_is_by_hand(alpha, beta, load):
-    """f_0 = alpha B + beta (B^3 + 3/2 A^2 B) - load, and -h = alpha A + 3/4 beta A^3 + 3 beta A B^2."""
-    F_0, zeta, Omega = 0.05, 0.05, 1.2
-    found = Duffing(alpha, beta, 0.0, zeta, load=load).off_centre.amplitudes(Omega=Omega, F_0=F_0)
-    A, B = found.A, found.B
-    terms = np.array([alpha * B, beta * B**3, 1.5 * beta * A**2 * B, np.full(A.size, -load)])
-    assert len(found) and (np.abs(terms.sum(axis=0)) <= 2.0**-51 * np.abs(terms).sum(axis=0)).all()
-    R = A * Omega**2 - alpha * A - 0.75 * beta * A**3 - 3 * beta * A * B**2
-    assert np.hypot(R, 2 * zeta * A * Omega) == pytest.approx(np.full(A.size, F_0), rel=1e-13)
-    assert found.phi == pytest.approx(np.arctan2(-2 * zeta * A * Omega, -R), rel=1e-12)
-
-
 @pytest.mark.slow
 def test_states_detachments_and_onsets_are_the_certified_ones():
     """24 cubic springs, 12 truncated isolators, the onsets of 8 cubic springs, to 40 digits."""

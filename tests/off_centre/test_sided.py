@@ -8,7 +8,6 @@ import mpmath
 import numpy as np
 import pytest
 import sympy as sp
-from scipy.optimize import brentq
 
 from slowflow import Duffing, derive, exact
 from slowflow.answers.results import Remark
@@ -19,7 +18,6 @@ from slowflow_kernels.conventions import Status
 from tests.off_centre.test_off_centre import mean
 from tests.oracles import exact_reference
 from tests.oracles.by_time import mean_and_first
-from tests.sampling import slow
 from tests.slopes import assert_slopes_are_differences
 
 u, k, g, p, q, a, b = sp.symbols("u k g p q a b")
@@ -142,40 +140,6 @@ def test_mirrored_stop_has_mirrored_answers(stop):
     assert folds.B == pytest.approx(-mirrored.B, rel=1e-9)
     assert one.detachment().F_cr == pytest.approx(other.detachment().F_cr, rel=1e-13)
     assert other.detachment().B - other.detachment().A == pytest.approx(-0.2, rel=1e-14)
-
-
-def of_contact(A, B, k, g):
-    """f_0 and s_0 of u + k (u - g) for u > g, by hand."""
-    x = np.clip((g - B) / A, -1.0, 1.0)
-    angle, sine = np.arccos(x), np.sqrt(1 - x * x)
-    s_0 = A / 2 + k * ((B - g) * sine + A / 2 * (angle + x * sine)) / np.pi
-    return B + k * ((B - g) * angle + A * sine) / np.pi, s_0
-
-
-@pytest.mark.parametrize(
-    ("Omega", "load"),
-    [(1.15, 0.03), *slow((1.05, 0.0), (1.15, 0.0), (0.9, 0.3))],
-)
-def test_every_state_against_a_stop_is_there(stop, Omega, load):
-    """At each amplitude the balance has one mean, by bisection, and F changes its sign at states alone."""
-    stiff, gap, F_0 = 8.0, 0.2, 0.03
-    found = stop(k=stiff, g=gap, load=load, **DAMPED).amplitudes(Omega=Omega, F_0=F_0)
-
-    def centre(A):
-        return brentq(lambda B: of_contact(A, B, stiff, gap)[0] - load, -10.0, 10.0, xtol=1e-300, rtol=1e-15)
-
-    def F(A):
-        R, I = A * Omega**2 - 2 * of_contact(A, centre(A), stiff, gap)[1], 2 * 0.03 * A * Omega + 0.02 / np.pi
-        return R * R + I * I - F_0**2
-
-    grid = np.concatenate((np.linspace(1e-4, 0.6, 1500), [0.7, 1.0]))
-    values = np.array([F(A) for A in grid])
-    roots = [brentq(F, grid[i], grid[i + 1], rtol=1e-14) for i in np.flatnonzero(values[:-1] * values[1:] < 0)]
-    assert len(found) == len(roots) and not found.message
-    assert found.A == pytest.approx(roots, rel=1e-11)
-    assert found.B == pytest.approx([centre(A) for A in roots], rel=1e-10, abs=1e-15)
-    slopes = [F(A * (1 + 1e-6)) - F(A * (1 - 1e-6)) for A in roots]
-    assert found.stable.tolist() == [slope > 0 for slope in slopes]
 
 
 #: pieces by rising u, their numbers, and a forcing: stops on either side, a stiffer side, even powers, a jump
