@@ -235,18 +235,37 @@ FIGURES = {
 }
 
 
-def draw(folder: Path, names: Iterable[str] = tuple(FIGURES)) -> list[Path]:
-    """Figures by number as PNG and SVG; the files written. Without a display, and the same bytes each time."""
+#: what each format records of itself that would differ between two runs
+UNDATED = {"png": "Software", "svg": "Date", "pdf": "CreationDate", "pgf": None}
+
+
+def draw(
+    folder: Path,
+    names: Iterable[str] = tuple(FIGURES),
+    formats: Iterable[str] = ("png", "svg"),
+    *,
+    width: float = 7.2,
+    style: Sequence[str] = (),
+) -> list[Path]:
+    """Draw figures by number; return the files written. Without a display, and the same bytes each time.
+
+    formats -- keys of `UNDATED`; pgf needs a LaTeX installation
+    width   -- in inches; text is 10 points high on figures of the default width, and 7 in a column of a journal
+    style   -- style sheets of Matplotlib, applied last
+    """
     folder.mkdir(parents=True, exist_ok=True)
     written = []
-    with plt.rc_context({"svg.hashsalt": "slowflow", "svg.fonttype": "path"}):
+    narrow = width < pictures.NARROW  # the legend is below the axes then
+    column = {"font.size": 7.0, "axes.linewidth": 0.5} if narrow else {}
+    fixed = {"svg.hashsalt": "slowflow", "svg.fonttype": "path", **column}
+    with plt.rc_context(fixed), plt.style.context(list(style)):
         for name in names:
-            figure = mpl.figure.Figure(figsize=(7.2, 4.4), layout="constrained")
+            figure = mpl.figure.Figure(figsize=(width, width * (0.9 if narrow else 4.4 / 7.2)), layout="constrained")
             with progress.named(f"Fig. {name}"):
                 FIGURES[name].draw(figure.subplots())
-            for suffix in ("png", "svg"):
+            for suffix in formats:
                 path = folder / f"fig_{name}.{suffix}"
-                figure.savefig(path, dpi=160, metadata={"Date": None} if suffix == "svg" else {"Software": None})
+                figure.savefig(path, dpi=160, metadata={UNDATED[suffix]: None} if UNDATED[suffix] else None)
                 written.append(path)
     return written
 

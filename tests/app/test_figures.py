@@ -2,6 +2,7 @@
 
 import importlib
 import math
+import re
 import sys
 
 import numpy as np
@@ -450,3 +451,23 @@ def test_what_was_named_has_a_column_of_the_legend_by_itself(curves, first):
     pictures.legend(ax, place="below", more=[(pictures.Line2D([], []), one) for one in ("c", "d", "e")[: 5 - curves]])
     labels = [text.get_text() for text in ax.get_legend().get_texts()]
     assert labels[: len(first)] == first and "" not in labels[len(first) :]
+
+
+def test_a_figure_for_a_column_of_a_journal_has_its_width(tmp_path):
+    """In points, 72 an inch; the same bytes each time; text as the style sheet has it."""
+    (path,) = figures.draw(tmp_path, ["6a"], ["pdf"], width=84 / 25.4)
+    written = path.read_bytes()
+    width, height = map(float, re.search(rb"/MediaBox \[ 0 0 ([0-9.]+) ([0-9.]+) \]", written).groups())
+    assert width == pytest.approx(84 / 25.4 * 72) and height < width
+    assert figures.draw(tmp_path, ["6a"], ["pdf"], width=84 / 25.4)[0].read_bytes() == written
+    sheet = tmp_path / "journal.mplstyle"
+    sheet.write_text("font.size: 9")
+    assert figures.draw(tmp_path, ["6a"], ["pdf"], width=84 / 25.4, style=[str(sheet)])[0].read_bytes() != written
+
+
+def test_a_legend_is_below_the_axes_of_a_narrow_figure():
+    wide, narrow = (plt.Figure(figsize=(width, 3), layout="constrained") for width in (7, 3))
+    for figure in (wide, narrow):
+        isolator().plot(0.04, ax=figure.subplots())
+    assert wide.axes[0].get_legend() and not wide.legends
+    assert narrow.legends and not narrow.axes[0].get_legend()

@@ -94,9 +94,12 @@ LOCATIONS: Any = {
     "beside": {"loc": "center left", "bbox_to_anchor": (1.06, 0.5)},
     "below": {"loc": "upper center", "bbox_to_anchor": (0.5, -0.14)},
     "in": {"loc": "lower right"},
+    "outside": {"loc": "outside lower center"},
 }
 #: letters of a name in a legend of three columns
 SHORT = 16
+#: width of a figure in inches, as of a column of a journal, that has no room for a legend beside the axes
+NARROW = 5.0
 #: bands beyond this many times the nominal value run out of the picture
 WIDEST = 2.0
 #: what the amplitude of the excitation is called
@@ -217,15 +220,18 @@ def stopping(ax: Any, mu: float) -> None:
 
 
 def legend(ax: Any, title: str = "", *, place: str = "beside", more: Sequence[tuple[Any, str]] = ()) -> None:
-    """What was named, and what styles, signs and tints mean that were used; "beside" or "below" the axes, or "in".
+    """Add a legend of what was named and of the styles, signs and tints in use, "beside" or "below" the axes, or "in".
 
+    place -- on figures narrower than `NARROW` always below
     more -- further entries: handles and their labels
     """
     handles, labels = ax.get_legend_handles_labels()
     entries = [*more, *_signs(ax)]
     if handles or entries:
+        if ax.figure.get_figwidth() < NARROW:
+            place = "outside"
         where = LOCATIONS[place]
-        if place == "below":
+        if place in ("below", "outside"):
             columns = 3 if max(map(len, (*labels, *(text for _, text in entries)))) <= SHORT else 2
             where = {**where, "ncols": columns}
             rows = math.ceil((len(handles) + len(entries)) / columns)
@@ -235,7 +241,8 @@ def legend(ax: Any, title: str = "", *, place: str = "beside", more: Sequence[tu
                 labels += [""] * empty
         handles += [handle for handle, _ in entries]
         labels += [text for _, text in entries]
-        ax.legend(handles, labels, title=title or None, frameon=False, handlelength=2.6, **where)
+        owner = ax.figure if place == "outside" else ax
+        owner.legend(handles, labels, title=title or None, frameon=False, handlelength=2.6, **where)
 
 
 def responses(ax: Any, found: Sequence[tuple[Any, Any]], of: str = "A", *, names: Sequence[str] = ()) -> Any:
