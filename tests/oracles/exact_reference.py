@@ -19,9 +19,9 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 from slowflow.exact import EquationOfMotion, Force
-from slowflow.exact.cycle import Border, Cycle, Equations
+from slowflow.exact.cycle import Cycle
 from slowflow.exact.motion import EXACT, PHASE, Forced, Phase, advance, edge_ahead, handle, signature
-from slowflow_kernels import inertia, motion
+from slowflow_kernels import motion
 from slowflow_kernels.exact_conventions import FAR, GRAZING, MOST_PHASES, TOLERANCE, Event
 
 TURN = 2 * math.pi
@@ -209,13 +209,6 @@ def break_away(forced: Forced, region: int, theta: float, u: float) -> tuple[flo
     return found
 
 
-def push_slopes(forced: Forced, region: int, theta: float, u: float) -> tuple[float, float, float]:
-    """Derivatives of the push by theta, u, and the amplitude of the force."""
-    slope = forced.piece(region).slope(u)
-    by_theta, by_u, by_force = motion.push_slopes(math.cos(theta), math.sin(theta), forced.force, slope)
-    return by_theta, by_u, by_force
-
-
 def after_stop(forced: Forced, slip: int, region: int, theta: float, u: float) -> int:
     """What follows a stop reached in direction `slip`: the next direction, 0 if friction holds the mass."""
     push, holds = forced.push(region, theta, u), forced.system.holds(region)
@@ -311,35 +304,29 @@ def _move_off(
     return (theta, u, 0.0) if slips else None
 
 
-def equations(cycle: Cycle, integrator: Any, z: Any, F_0: float) -> Equations:
-    """Residual and derivatives at z, and the monodromy matrix with saltation at every switch."""
+def equations(cycle: Cycle, integrator: Any, z: Any, F_0: float) -> tuple[Any, Any, Any]:
+    """Residual at z, its derivatives by all of z but Omega, and the monodromy matrix with saltation at every switch."""
     system, phases, Omega = cycle.system, cycle.signature, float(z[-1])
     k = len(phases)
     forced = Forced(system, Omega, F_0)
     u, v, theta = float(z[0]), 0.0, float(z[1])
-    residual = np.empty(k + 2)
-    jacobian = np.zeros((k + 2, k + 4))
-    # derivatives of u, v, theta by the unknowns; the last one is the amplitude of the force up to the end
-    of_state = np.zeros((2, k + 4))
-    of_state[0, 0] = 1.0
-    of_theta = np.zeros(k + 4)
-    of_theta[1] = 1.0
+    residual, jacobian = np.empty(k + 2), np.zeros((k + 2, k + 2))
+    # derivatives of u, v, theta by the unknowns
+    of_state, of_theta = np.eye(2, k + 2), np.eye(1, k + 2, 1)[0]
+    of_state[1] = 0.0
     monodromy = np.eye(2)
-    A, of_A = abs(u), math.copysign(1.0, u) * of_state[0]
-    borders: list[Border] = []
     for i, (slip, region) in enumerate(phases):
         end = theta + float(z[2 + i])
         next_slip, next_region = phases[(i + 1) % k]
         if i == k - 1:
             next_slip, next_region = cycle.sign * next_slip, cycle.sign * next_region
         if slip == 0:
-            push = forced.push(region, end, u)
             of_theta[2 + i] = 1.0
             of_state[1] = 0.0
-            residual[i] = push - next_slip * system.holds(region)
-            by_theta, by_u, by_force = push_slopes(forced, region, end, u)
+            residual[i] = forced.push(region, end, u) - next_slip * system.holds(region)
+            slope = forced.piece(region).slope(u)
+            by_theta, by_u, _ = motion.push_slopes(math.cos(end), math.sin(end), forced.force, slope)
             jacobian[i] = by_theta * of_theta + by_u * of_state[0]
-            jacobian[i, -1] += by_force
             # v is forgotten; where the push that breaks it away exceeds friction the acceleration jumps from 0, and
             # u tells when
             jump = accelerated(forced, next_slip, region, end, u, 0.0) if system.mu_s > system.mu else 0.0
@@ -349,19 +336,14 @@ def equations(cycle: Cycle, integrator: Any, z: Any, F_0: float) -> Equations:
         piece, drive = forced.piece(region), drive_of(forced, slip, region)
         rate = np.array([v, accelerated(forced, slip, region, theta, u, v)]) / Omega
         u, v, flow = integrator.advance(piece, drive, theta, u, v, end)
-        of_state -= np.outer(rate, of_theta)
-        of_state = flow[:, :2] @ of_state
+        of_state = flow[:, :2] @ (of_state - np.outer(rate, of_theta))
         of_theta[2 + i] = 1.0
         acceleration = accelerated(forced, slip, region, end, u, v)
         of_state += np.outer((v / Omega, acceleration / Omega), of_theta)
-        of_state[:, -2:] += flow[:, 2:]
         monodromy = flow[:, :2] @ monodromy
         theta = end
-        if abs(u) > A:
-            A, of_A = abs(u), math.copysign(1.0, u) * of_state[0]
         if next_region != region:
-            edge = edge_ahead(system, slip, region)
-            residual[i] = u - edge
+            residual[i] = u - edge_ahead(system, slip, region)
             jacobian[i] = of_state[0]
             if v != 0.0:
                 after = accelerated(forced, slip, next_region, end, u, v)
@@ -373,33 +355,12 @@ def equations(cycle: Cycle, integrator: Any, z: Any, F_0: float) -> Equations:
                 monodromy[1] = 0.0
             elif acceleration != 0.0:
                 monodromy[1] *= motion.turned(acceleration, accelerated(forced, next_slip, region, end, u, v))
-            borders += _borders(cycle, forced, i, next_slip, end, u, of_state[0], of_theta)
     residual[k] = u - cycle.sign * float(z[0])
     jacobian[k] = of_state[0]
     jacobian[k, 0] -= cycle.sign
     residual[k + 1] = float(np.sum(z[2:-1])) - math.pi * cycle.half_turns
-    jacobian[k + 1, 2:-2] = 1.0
-    if system.inertial:
-        slopes = inertia.force_slopes(Omega, F_0)
-        for by in (jacobian, of_A, *(border.gradient for border in borders)):
-            by[..., -2] += slopes[0] * by[..., -1]
-            by[..., -1] *= slopes[1]
-    return Equations(residual, jacobian, cycle.sign * monodromy, A, of_A, tuple(borders))
-
-
-def _borders(
-    cycle: Cycle, forced: Forced, phase: int, next_slip: int, theta: float, u: float, of_u: Any, of_theta: Any
-) -> list[Border]:
-    slip, region = cycle.signature[phase]
-    edge = edge_ahead(cycle.system, slip, region)
-    found = [] if abs(edge) == FAR else [Border(phase, False, slip * (edge - u), -slip * of_u)]
-    if next_slip != 0 and cycle.system.holds(region) > 0:
-        by_theta, by_u, by_force = push_slopes(forced, region, theta, u)
-        slope = by_theta * of_theta + by_u * of_u
-        slope[-1] += by_force
-        margin = next_slip * forced.push(region, theta, u) - cycle.system.holds(region)
-        found.append(Border(phase, True, margin, next_slip * slope))
-    return found
+    jacobian[k + 1, 2:] = 1.0
+    return residual, jacobian, cycle.sign * monodromy
 
 
 def again(found: Any, integrator: Any) -> Any:
@@ -409,17 +370,16 @@ def again(found: Any, integrator: Any) -> Any:
     """
     cycle, F_0, z = found.cycle, found.F_0, found.unknowns.copy()
     for _ in range(8):
-        at = equations(cycle, integrator, z, F_0)
-        step = np.linalg.solve(at.jacobian[:, :-2], -at.residual)
-        z[:-1] += step
-        if np.max(np.abs(at.residual)) <= 100 * TOLERANCE:
+        residual, jacobian, monodromy = equations(cycle, integrator, z, F_0)
+        z[:-1] -= np.linalg.solve(jacobian, residual)
+        if np.max(np.abs(residual)) <= 100 * TOLERANCE:
             break
-    assert np.max(np.abs(at.residual)) <= 100 * TOLERANCE
+    assert np.max(np.abs(residual)) <= 100 * TOLERANCE
     start = cycle.signature[0] if cycle.starts_sticking else None
     forced, theta = Forced(cycle.system, found.Omega, F_0), float(z[1])
     phases = follow(forced, integrator, theta, float(z[0]), 0.0, theta + math.pi * cycle.half_turns + 1e-6, start)
     phases = phases[: len(cycle.signature)]
     assert signature(phases) == cycle.signature
-    multipliers = cycle.multipliers(at.monodromy)
+    multipliers = cycle.multipliers(monodromy)
     A = max(max(abs(phase.u), abs(phase.u_end)) for phase in phases)
     return SimpleNamespace(A=A, multipliers=multipliers**2 if cycle.sign == -1 else multipliers, unknowns=z)
