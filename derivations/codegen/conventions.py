@@ -112,7 +112,15 @@ CONVENTIONS = tuple(
     _conventions(name, stated)
     for name, stated in tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8")).items()
 )
-_PROGRAMS = next(one for one in CONVENTIONS if one.name == "program_conventions")
+_BY_NAME = {one.name: one for one in CONVENTIONS}
+
+
+def _number(of: str, name: str) -> Any:
+    return next(number.value for number in _BY_NAME[of].numbers if number.name == name)
+
+
 #: what programs do, and the form of the data that they are
-OPERATION = _PROGRAMS.tables[0]
-PROGRAM_FORM = next(number.value for number in _PROGRAMS.numbers if number.name == "PROGRAM_FORM")
+OPERATION = _BY_NAME["program_conventions"].tables[0]
+PROGRAM_FORM = _number("program_conventions", "PROGRAM_FORM")
+#: of a force whose coefficients are printed, at most
+FORCE_DEGREE = _number("exact_conventions", "FORCE_DEGREE")

@@ -58,6 +58,8 @@ typedef enum {
 #define SF_MOST_TURNS 3000
 /* of a polynomial by which motions are followed where values tell a force, at most */
 #define SF_MOST_DEGREE 64
+/* of a force whose coefficients are printed, at most */
+#define SF_FORCE_DEGREE 9
 /* speed over distance at which a mass that creeps back is at rest, or both over A */
 #define SF_CREEPS 1.0000000000000001e-09
 /* of load and shock, by which a mass at rest may be off balance */

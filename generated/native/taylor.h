@@ -73,6 +73,17 @@ static double duffing_force_1_slope(const sf_law *self, const double *p, double 
     return alpha + 3.0 * beta * u * u;
 }
 
+static int duffing_force_1_powers(const double *p, double *c)
+{
+    const double alpha = p[0];
+    const double beta = p[1];
+    c[0] = 0.0;
+    c[1] = alpha;
+    c[2] = 0.0;
+    c[3] = beta;
+    return 3;
+}
+
 
 static SF_INLINE void duffing_force_1_begin(const double *p, double *first, double *over)
 {
@@ -153,6 +164,20 @@ static double rod_spring_force_1_slope(const sf_law *self, const double *p, doub
     const double gamma = p[2];
     const double t0 = u * u;
     return alpha + t0 * (3.0 * beta + 5.0 * gamma * t0);
+}
+
+static int rod_spring_force_1_powers(const double *p, double *c)
+{
+    const double alpha = p[0];
+    const double beta = p[1];
+    const double gamma = p[2];
+    c[0] = 0.0;
+    c[1] = alpha;
+    c[2] = 0.0;
+    c[3] = beta;
+    c[4] = 0.0;
+    c[5] = gamma;
+    return 5;
 }
 
 
@@ -241,6 +266,14 @@ static double rod_spring_force_2_slope(const sf_law *self, const double *p, doub
 {
     (void)self, (void)p, (void)u;
     return 1.0;
+}
+
+static int rod_spring_force_2_powers(const double *p, double *c)
+{
+    (void)p;
+    c[0] = 0.0;
+    c[1] = 1.0;
+    return 1;
 }
 
 
@@ -411,6 +444,14 @@ static double rod_spring_untruncated_force_2_slope(const sf_law *self, const dou
     return 1.0;
 }
 
+static int rod_spring_untruncated_force_2_powers(const double *p, double *c)
+{
+    (void)p;
+    c[0] = 0.0;
+    c[1] = 1.0;
+    return 1;
+}
+
 
 static SF_INLINE void rod_spring_untruncated_force_2_begin(const double *p, double *first, double *over)
 {
@@ -453,11 +494,11 @@ SF_FMA static void rod_spring_untruncated_force_2(const sf_law *self, const doub
 enum { SF_LAWS = 5 };
 
 static const sf_law sf_laws[SF_LAWS + 1] = {
-    {"duffing.force_1", 2, SF_SMOOTH, duffing_force_1_value, duffing_force_1_slope, duffing_force_1, NULL, NULL, NULL},
-    {"rod_spring.force_1", 4, SF_SMOOTH, rod_spring_force_1_value, rod_spring_force_1_slope, rod_spring_force_1, NULL, NULL, NULL},
-    {"rod_spring.force_2", 4, SF_SMOOTH, rod_spring_force_2_value, rod_spring_force_2_slope, rod_spring_force_2, NULL, NULL, NULL},
-    {"rod_spring_untruncated.force_1", 3, SF_SMOOTH, rod_spring_untruncated_force_1_value, rod_spring_untruncated_force_1_slope, rod_spring_untruncated_force_1, NULL, NULL, NULL},
-    {"rod_spring_untruncated.force_2", 3, SF_SMOOTH, rod_spring_untruncated_force_2_value, rod_spring_untruncated_force_2_slope, rod_spring_untruncated_force_2, NULL, NULL, NULL},
+    {"duffing.force_1", 2, SF_SMOOTH, duffing_force_1_value, duffing_force_1_slope, duffing_force_1, NULL, NULL, NULL, duffing_force_1_powers},
+    {"rod_spring.force_1", 4, SF_SMOOTH, rod_spring_force_1_value, rod_spring_force_1_slope, rod_spring_force_1, NULL, NULL, NULL, rod_spring_force_1_powers},
+    {"rod_spring.force_2", 4, SF_SMOOTH, rod_spring_force_2_value, rod_spring_force_2_slope, rod_spring_force_2, NULL, NULL, NULL, rod_spring_force_2_powers},
+    {"rod_spring_untruncated.force_1", 3, SF_SMOOTH, rod_spring_untruncated_force_1_value, rod_spring_untruncated_force_1_slope, rod_spring_untruncated_force_1, NULL, NULL, NULL, NULL},
+    {"rod_spring_untruncated.force_2", 3, SF_SMOOTH, rod_spring_untruncated_force_2_value, rod_spring_untruncated_force_2_slope, rod_spring_untruncated_force_2, NULL, NULL, NULL, rod_spring_untruncated_force_2_powers},
     {0},
 };
 

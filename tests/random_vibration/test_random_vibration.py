@@ -228,6 +228,35 @@ def test_many_designs_have_a_status_where_one_is_refused():
         Duffing.many(1.0, 0.5, 0.01, 0.03, eta=0.1).random(S_0=1.0)
 
 
+@pytest.mark.parametrize("beta", (0.5, -0.02, *slow(0.0)))
+def test_polynomial_has_the_motions_of_its_force_by_quadrature(beta):
+    """The coefficients of a shipped force are printed, those of an interpreted one are not."""
+    import sympy as sp
+
+    from slowflow import derive
+
+    u, k = sp.symbols("u k")
+    cubic = derive.mechanism("cubic", [(u + k * u**3, None)], {"k": {}}, compile=False)
+    damping = {"mu": 0.01, "zeta": 0.03}
+    for excitation in ({"S_0": 0.02}, {"psd": FLOOR}):
+        closed = Duffing(1.0, beta, **damping).random(**excitation)
+        found = cubic(k=beta, **damping).random(**excitation)
+        assert len(found) == len(closed)
+        for name in ("u_rms", "v_rms", "a_rms", "stiffness"):
+            np.testing.assert_allclose(getattr(found, name), getattr(closed, name), rtol=2e-13)
+
+
+@pytest.mark.parametrize("well", (0.0, 0.4))
+def test_rule_of_signs_leaves_every_motion_of_two_wells(well):
+    """u f = u^4 - well u^2 falls, then rises: at any level there is one motion, 3 s^4 - well s^2 = E[v^2]."""
+    S_0 = np.geomspace(1e-9, 10, 7)
+    found = Duffing.many(-well, 1.0, mu=0.0, zeta=0.05).random(S_0=S_0)
+    square = math.pi * S_0 / 0.1
+    np.testing.assert_array_equal(found.count, 1)
+    exact = np.sqrt((well + np.sqrt(well**2 + 12 * square)) / 6)
+    np.testing.assert_allclose(found.u_rms[:, 0], exact, rtol=4e-15)
+
+
 def test_linear_oscillator_under_white_noise_is_closed():
     found = Duffing(2.0, 0.0, zeta=0.05).random(S_0=0.01)
     assert len(found) == 1

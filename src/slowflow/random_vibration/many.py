@@ -16,7 +16,7 @@ from slowflow.core.mechanism import Floats
 from slowflow.core.model import THROUGHOUT
 from slowflow.exact.motion import design_rows, recurrences, system_of
 from slowflow.random_vibration.excitation import White
-from slowflow.random_vibration.questions import columns, excited_by, is_damped, stationary
+from slowflow.random_vibration.questions import NUMBERS, columns, excited_by, is_damped, stationary
 from slowflow.support import progress
 from slowflow_kernels.conventions import Status
 
@@ -46,7 +46,7 @@ def answer(designs: Designs, S_0: Any, psd: Any, places: int, workers: int = 1) 
 
     def solve(part: tuple[Any, ...]) -> None:
         chunk = batched[part]
-        motions, count = np.full((chunk.size, places, 6), np.nan), np.empty(chunk.size, np.int8)
+        motions, count = np.full((chunk.size, places, NUMBERS), np.nan), np.empty(chunk.size, np.int8)
         some = {name: value[chunk] for name, value in own.items()}
         some["released"] = np.full(chunk.size, released)
         constants, ends, damping = design_rows(designs.mechanism, some, DAMPED_BY)

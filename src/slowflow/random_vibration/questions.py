@@ -25,12 +25,13 @@ UNDAMPED = text(
     0.0,
 )
 UNDECIDED = Sentence("there may be another equivalent linear oscillator next to {stiffness = :.4g}, {damping = :.4g}")
+#: of a stationary motion: `sf_stationary` of `native/exact/gaussian.h`
+NUMBERS = 7
 #: up to these shares in the damping sigma_u and sigma_v were within 5 % of records of the motion: of friction
 #: throughout, of friction that ends, of c_2, c_3 and zeta_2; and from so many times the lowest frequency of the
 #: excitation to its highest one (docs/validity.md)
 MOST_DRY, MOST_ATTACHED, MOST_NONLINEAR, NARROW = 0.8, 0.5, 0.5, 4.0
 STUCK = "friction holds the mass nearly all of the time: no linear damping is equivalent to it"
-_erfc = np.frompyfunc(math.erfc, 1, 1)
 GIVES_WAY = "there is no equivalent linear oscillator: on average the spring pushes away from the centre, or gives way"
 SEVERAL = Sentence(
     "there are {count:d} equivalent linear oscillators: the motion switches between them, and its averages match none "
@@ -91,7 +92,7 @@ def stationary(system: EquationOfMotion, excitation: Excitation) -> dict[str, Fl
     if not found:
         raise NotSettled(GIVES_WAY)
     end = math.nan if (first := system.force.first_end) is None else first
-    return columns(np.frombuffer(found).reshape(-1, 6), end)
+    return columns(np.frombuffer(found).reshape(-1, NUMBERS), end)
 
 
 def is_damped(mu: Any, zeta: Any, c_2: Any, released: bool, white: bool) -> Any:
@@ -100,9 +101,9 @@ def is_damped(mu: Any, zeta: Any, c_2: Any, released: bool, white: bool) -> Any:
 
 
 def columns(motions: Floats, end: Any) -> dict[str, Floats]:
-    """Columns of stationary motions, (..., 6) in C's order, for the end of the force's first piece, NaN without one."""
-    u, v, square, k, c, dry = np.moveaxis(motions, -1, 0)
-    beyond = np.asarray(_erfc(end / (math.sqrt(2) * u)), dtype=float)
+    """Columns of stationary motions, (..., NUMBERS), for the end of the force's first piece, NaN without one."""
+    u, v, square, k, c, dry, beyond = np.moveaxis(motions, -1, 0)
     rate = linearization.crossings(end, u, v)
-    found = u, v, np.sqrt(square), k, c, np.sqrt(k), c / (2 * np.sqrt(k)), beyond, rate, dry / c
+    Omega = np.sqrt(k)
+    found = u, v, np.sqrt(square), k, c, Omega, c / (2 * Omega), np.where(np.isnan(end), end, beyond), rate, dry / c
     return dict(zip(Stationary._fields, found, strict=True))

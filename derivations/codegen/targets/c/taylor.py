@@ -39,6 +39,7 @@ from ....forces.elliptic import gauss
 from ....forces.quadrature import singular_at
 from ....symbols import u
 from ...compensated import copysign
+from ...conventions import FORCE_DEGREE
 from ...form import Let, Module
 from ...passes import is_constant, straight_line
 from ...provenance import tools
@@ -176,6 +177,7 @@ class Recurrences:
     doc    -- what it is
     scalars -- f, df/du and other leading coefficients, by name
     force, both -- recurrences of f alone, and of f and df/du
+    powers -- what writes the coefficients of a polynomial in u > 0 and returns its degree; None for any other force
     linear -- whether df/du is a constant
     constants -- how many it takes, without the side of u = 0
     breaks -- what it is at u = 0, or where it begins, as src/slowflow/native/exact/step.h names it
@@ -187,6 +189,7 @@ class Recurrences:
     scalars: dict[str, Body]
     force: Recurrence
     both: Recurrence
+    powers: Body | None
     linear: bool
     constants: int
     breaks: str
@@ -246,16 +249,33 @@ def laws(modules: Sequence[Module]) -> Iterator[Recurrences]:
                 scalars=scalars,
                 force=recurrence(prefix, constants, lets, outputs[:1]),
                 both=both,
+                powers=powers(original, forms["value"], constants),
                 linear=not gradient.lets and not gradient.outputs[0].has(u),
                 constants=len(constants),
                 breaks=breaks(original, forms["value"]) if law.begins is None else "SF_BEGINS",
             )
 
 
+def powers(lets: Sequence[Let], force: sp.Expr, constants: tuple[sp.Symbol, ...]) -> Body | None:
+    """The coefficients of a force for u > 0."""
+    stated = in_full(lets, force).xreplace({SIDE: sp.Integer(1)})
+    if not stated.is_polynomial(u) or sp.degree(stated, u) > FORCE_DEGREE:
+        return None
+    coefficients = sp.Poly(stated, u).all_coeffs()[::-1]
+    lines = [f"c[{power}] = {PRINTER.doprint(factor)};" for power, factor in enumerate(coefficients)]
+    return body(("p", "c"), packed(constants), lines, str(len(coefficients) - 1))
+
+
+def in_full(lets: Sequence[Let], expression: sp.Expr) -> sp.Expr:
+    """An expression without lets."""
+    for symbol, stated in reversed(lets):
+        expression = expression.xreplace({symbol: stated})
+    return expression
+
+
 def breaks(lets: Sequence[Let], force: sp.Expr) -> str:
     """What a piece is at u = 0."""
-    for symbol, stated in reversed(lets):
-        force = force.xreplace({symbol: stated})
+    force = in_full(lets, force)
     if not force.has(SIDE):
         return "SF_SMOOTH"
     return "SF_BRANCHES" if singular_at(force.xreplace({SIDE: sp.Integer(1)}), sp.Integer(0)) else "SF_MEETS"
@@ -270,10 +290,7 @@ def in_powers(outputs: Sequence[sp.Expr], lets: Sequence[Let]) -> tuple[sp.Expr 
     if not (value.is_Mul and u in value.args):
         return None, []
     secant = sp.Mul(*(factor for factor in value.args if factor != u))
-    ratio, gradient = secant, slope
-    for symbol, of_symbol in reversed(lets):
-        ratio, gradient = (form.xreplace({symbol: of_symbol}) for form in (ratio, gradient))
-    ratio, gradient = by_root(ratio), by_root(gradient)
+    ratio, gradient = (by_root(in_full(lets, form)) for form in (secant, slope))
     if ratio is None or gradient is None:
         return None, []
     return secant, [u * SECANT(ratio), SLOPE(gradient)]

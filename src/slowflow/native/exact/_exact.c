@@ -530,7 +530,8 @@ static PyObject *averages(PyObject *self, PyObject *arguments)
         double small = HUGE_VAL, large = 0.0;
         for (Py_ssize_t i = 0; i < count; i++)
             small = fmin(small, at[i]), large = fmax(large, at[i]);
-        const sf_positive force = sf_positive_of(system, small, large);
+        sf_positive force;
+        sf_put_parts(system, small, large, &force);
         for (Py_ssize_t i = 0; i < count; i++)
             out[i] = sf_averages(&force, at[i]);
         Py_END_ALLOW_THREADS

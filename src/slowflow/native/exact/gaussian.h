@@ -15,6 +15,12 @@
 #define SF_FARTHEST 10.0
 #define SF_WIDEST 1.0
 enum { SF_LEAST_PARTS = 6, SF_MOST_FORCE_PARTS = 64, SF_SAMPLED = 128, SF_MOST_SAMPLES = 1024 };
+/* sqrt(2/pi), as both sides of u = 0 are alike; x^2 from which on moments up to x are taken upwards */
+#define SF_DENSITY 0.79788456080286536
+#define SF_UPWARDS 6.0
+enum { SF_MOMENTS = 2 * SF_FORCE_DEGREE + 2 };
+/* of the size of its terms: how far a coefficient may be off, by far */
+#define SF_ROUNDED 0x1p-45
 /* of the range of f/u: by how much it may be off between samples */
 #define SF_APART 0.01
 /* of the averages' sizes: how far they may be off, by far; of the sizes that there are: how far is searched; of sigma: a
@@ -24,20 +30,24 @@ enum { SF_LEAST_PARTS = 6, SF_MOST_FORCE_PARTS = 64, SF_SAMPLED = 128, SF_MOST_S
 #define SF_NARROW 0x1p-40
 /* by how much more than a bound of sigma is searched, as a motion may be there */
 #define SF_ASIDE 1.001
+/* by how much more or less sigma is where that is not known yet */
+#define SF_FURTHER 4.0
 enum { SF_MOST_CELLS = 50000, SF_MOST_STEPS = 100 };
 
-/* Of a piece a part without a change of sign: what is summed is smooth there. */
+/* A part of a piece. degree: of the polynomial in u that it is, with c next to its powers; -1 of any other force. odd:
+ * whether it has odd powers alone */
 typedef struct {
     const sf_piece *piece;
-    double low, high;
+    double low, high, c[SF_FORCE_DEGREE + 1];
+    int degree, odd;
 } sf_part_of_force;
 
 typedef struct {
     double low, high;
 } sf_ends;
 
-/* The force for u > 0. small, large: the sizes that there are; u, secants: samples by rising u, and between which ends
- * f/u is up to there */
+/* The force for u > 0: its pieces, or parts of these without a change of sign, where what is summed is smooth. small, large:
+ * the sizes that there are; u, secants: samples by rising u, and between which ends f/u is up to there */
 typedef struct {
     double small, large;
     int count, samples;
@@ -46,20 +56,41 @@ typedef struct {
     sf_ends secants[SF_MOST_SAMPLES];
 } sf_positive;
 
-/* A piece from low to high, cut where its force changes its sign between samples. */
-static void sf_add_parts(const sf_piece *piece, double low, double high, sf_positive *to)
+static void sf_put_piece(const sf_piece *piece, double low, double high, sf_part_of_force *to)
 {
-    const double from = fmax(low, 0.01 * to->small / SF_SEARCHED);
-    const double top = fmin(high, 2.0 * SF_FARTHEST * to->large * SF_SEARCHED), grows = pow(top / from, 1.0 / SF_SAMPLED);
+    to->piece = piece, to->low = low, to->high = high, to->degree = -1, to->odd = 1;
+    if (piece->law->powers != NULL)
+        to->degree = piece->law->powers(piece->p[1], to->c);
+    for (int k = 0; k <= to->degree; k += 2)
+        to->odd &= to->c[k] == 0.0;
+}
+
+static void sf_put_pieces(const sf_system *system, sf_positive *to)
+{
+    to->count = to->samples = 0;
+    for (int i = system->about + (system->jump != 0.0); i < system->pieces && to->count < SF_MOST_FORCE_PARTS; i++)
+        sf_put_piece(&system->piece[i], fmax(system->edge[i], 0.0),
+                     i + 1 < system->pieces ? system->edge[i + 1] : HUGE_VAL, &to->at[to->count++]);
+}
+
+/* A piece, cut where its force changes its sign between samples. */
+static void sf_add_parts(const sf_part_of_force *whole, sf_positive *to)
+{
+    const sf_piece *const piece = whole->piece;
+    const double from = fmax(whole->low, 0.01 * to->small / SF_SEARCHED);
+    const double top = fmin(whole->high, 2.0 * SF_FARTHEST * to->large * SF_SEARCHED);
+    const double grows = pow(top / from, 1.0 / SF_SAMPLED);
     double u = from, sign = 0.0;
+    sf_part_of_force part = *whole;
     for (int i = 0; i < SF_SAMPLED && to->count < SF_MOST_FORCE_PARTS - 1; i++) {
         const double next = i + 1 < SF_SAMPLED ? u * grows : top, f = sf_value(piece, next);
         if (f * sign < 0.0) {
             double a = u, b = next;
             for (double m = 0.5 * (a + b); m > a && m < b; m = 0.5 * (a + b))
                 *(sf_value(piece, m) * sign > 0.0 ? &a : &b) = m;
-            to->at[to->count++] = (sf_part_of_force){piece, low, b};
-            low = b;
+            part.high = b;
+            to->at[to->count++] = part;
+            part.low = b, part.high = whole->high;
         }
         sign = f != 0.0 ? f : sign, u = next;
         if (to->samples < SF_MOST_SAMPLES) {
@@ -68,20 +99,19 @@ static void sf_add_parts(const sf_piece *piece, double low, double high, sf_posi
             to->secants[to->samples++] = (sf_ends){fmin(before.low, f / u), fmax(before.high, f / u)};
         }
     }
-    to->at[to->count++] = (sf_part_of_force){piece, low, high};
+    to->at[to->count++] = part;
 }
 
-static sf_positive sf_positive_of(const sf_system *system, double small, double large)
+static void sf_put_parts(const sf_system *system, double small, double large, sf_positive *to)
 {
-    sf_positive found;
-    found.small = small, found.large = large, found.count = found.samples = 0;
-    for (int i = system->about + 1; i < system->pieces; i++)
-        if (system->edge[i] > 0.0)
-            found.small = fmin(found.small, system->edge[i]), found.large = fmax(found.large, system->edge[i]);
-    for (int i = system->about + (system->jump != 0.0); i < system->pieces && found.count < SF_MOST_FORCE_PARTS; i++)
-        sf_add_parts(&system->piece[i], fmax(system->edge[i], 0.0),
-                     i + 1 < system->pieces ? system->edge[i + 1] : HUGE_VAL, &found);
-    return found;
+    sf_positive whole;
+    sf_put_pieces(system, &whole);
+    to->small = small, to->large = large, to->count = to->samples = 0;
+    for (int i = 0; i < whole.count; i++)
+        if (whole.at[i].low > 0.0)
+            to->small = fmin(to->small, whole.at[i].low), to->large = fmax(to->large, whole.at[i].low);
+    for (int i = 0; i < whole.count && to->count < SF_MOST_FORCE_PARTS; i++)
+        sf_add_parts(&whole.at[i], to);
 }
 
 /* of where u f is positive and of where it is negative: |E[u f]|, |E[u^3 f]|/sigma^2; square: E[f^2]. Python reads
@@ -102,8 +132,7 @@ static void sf_add_piece(const sf_piece *piece, double low, double high, sf_gaus
     double near[SF_NODES], grows[SF_NODES], over[SF_NODES], positive[2] = {0.0}, negative[2] = {0.0}, square = 0.0;
     for (int j = 0; j < SF_NODES; j++) {
         const double step = h * sf_gauss_node[j];
-        /* sqrt(2/pi), as both sides of u = 0 are alike */
-        near[j] = 0.79788456080286536 * h * sf_gauss_weight[j] * exp(-0.5 * step * step);
+        near[j] = SF_DENSITY * h * sf_gauss_weight[j] * exp(-0.5 * step * step);
         grows[j] = exp((low + h) * step), over[j] = exp(2.0 * h * step);
     }
     for (int k = 0; k < pieces; k++) {
@@ -139,21 +168,114 @@ static sf_ends sf_secants_up_to(const sf_positive *force, double u)
     return (sf_ends){found.low - more, found.high + more};
 }
 
+/* The moments of x^0 to x^last beyond an end: of positive terms. */
+static void sf_put_moments_beyond(double low, int last, double *m)
+{
+    const double density = SF_DENSITY * exp(-0.5 * low * low);
+    double power = density;
+    m[0] = erfc(low * 0.70710678118654752), m[1] = density;
+    for (int n = 2; n <= last; n++)
+        power *= low, m[n] = (n - 1) * m[n - 2] + power;
+}
+
+/* Those of even powers up to an end: from x^0 upwards, or where that cancels from the series of the last one downwards. */
+static void sf_put_moments_up_to(double high, int last, double *m)
+{
+    const double xx = high * high, density = high < SF_FARTHEST ? SF_DENSITY * exp(-0.5 * xx) : 0.0;
+    double power[SF_MOMENTS];
+    power[0] = density * high;
+    for (int n = 2; n <= last; n += 2)
+        power[n] = power[n - 2] * xx;
+    if (xx > SF_UPWARDS) {
+        m[0] = density > 0.0 ? erf(high * 0.70710678118654752) : 1.0;
+        for (int n = 2; n <= last; n += 2)
+            m[n] = (n - 1) * m[n - 2] - power[n - 2];
+        return;
+    }
+    double term = power[last] / (last + 1), sum = term;
+    for (double n = last + 3; term > 0x1p-56 * sum; n += 2.0)
+        term *= xx / n, sum += term;
+    m[last] = sum;
+    for (int n = last; n > 0; n -= 2)
+        m[n - 2] = (m[n] + power[n - 2]) / (n - 1);
+}
+
+/* What a polynomial adds up to x = high, if it is odd, or from x = low on. */
+static void sf_add_polynomial(const sf_part_of_force *part, double low, double high, sf_gaussian *to)
+{
+    const int least = low == 0.0 && part->odd, by = 1 + least, degree = part->degree;
+    const int last = 2 * degree > degree + 3 ? 2 * degree : degree + 3;
+    double m[SF_MOMENTS], f[SF_FORCE_DEGREE + 1], scale = 1.0, first = 0.0, third = 0.0;
+    if (least)
+        sf_put_moments_up_to(high, last + (last & 1), m);
+    else
+        sf_put_moments_beyond(low, last, m);
+    for (int k = 0; k <= degree; k++, scale *= to->sigma)
+        f[k] = part->c[k] * scale;
+    for (int k = least; k <= degree; k += by) {
+        first += f[k] * m[k + 1], third += f[k] * m[k + 3];
+        for (int j = least; j <= degree; j += by)
+            to->square += f[k] * f[j] * m[k + j];
+    }
+    to->first[first < 0.0] += to->sigma * fabs(first), to->third[third < 0.0] += to->sigma * fabs(third);
+}
+
 static sf_gaussian sf_averages(const sf_positive *force, double sigma)
 {
     sf_gaussian found = {.sigma = sigma};
     for (int i = 0; i < force->count; i++) {
-        const double low = force->at[i].low / sigma, high = fmin(force->at[i].high / sigma, SF_FARTHEST);
-        if (high > low)
-            sf_add_piece(force->at[i].piece, low, high, &found);
+        const sf_part_of_force *const part = &force->at[i];
+        const double low = part->low / sigma, high = fmin(part->high / sigma, SF_FARTHEST);
+        if (!(high > low))
+            continue;
+        if (part->degree >= 0 && (high == SF_FARTHEST || (low == 0.0 && part->odd)))
+            sf_add_polynomial(part, low, high, &found);
+        else
+            sf_add_piece(part->piece, low, high, &found);
     }
     return found;
 }
 
-/* A stationary motion: root mean squares of u and v, mean square of what the spring and the damping push with, k, c, and
- * what of that is dry friction's. Python reads this layout. */
+/* How often u f - square changes its sign, or 2 where that may be more than once. sigma (E[u f] - square) is a Laplace
+ * transform of it, at 1/(2 sigma^2): it has no more zeros than that (Laguerre). In a part the coefficients about its begin
+ * do not change their sign less often (Descartes), and once is as often as both ends say. */
+static int sf_changes(const sf_positive *force, double square)
+{
+    int changes = 0, before = -1;
+    for (int i = 0; i < force->count; i++) {
+        const sf_part_of_force *const part = &force->at[i];
+        const int degree = part->degree + 1;
+        const double low = part->low, width = part->high - low;
+        double c[SF_FORCE_DEGREE + 2] = {-square}, size[SF_FORCE_DEGREE + 2] = {square}, end = 0.0, end_size = 0.0;
+        for (int k = 1; k <= degree; k++)
+            c[k] = part->c[k - 1], size[k] = fabs(c[k]);
+        for (int j = 0; low > 0.0 && j < degree; j++)
+            for (int k = degree - 1; k >= j; k--)
+                c[k] += low * c[k + 1], size[k] += low * size[k + 1];
+        int first = 0, last = 0, within = 0;
+        for (int k = 0; k <= degree; k++) {
+            if (size[k] == 0.0)
+                continue;
+            if (!(fabs(c[k]) > SF_ROUNDED * size[k]))
+                return 2;
+            const int sign = c[k] > 0.0 ? 1 : -1;
+            first = first ? first : sign, within += last == -sign, last = sign;
+        }
+        for (int k = degree; k >= 0 && width < HUGE_VAL; k--)
+            end = c[k] + width * end, end_size = size[k] + width * end_size;
+        if (degree == 0 || within > 1 || (width < HUGE_VAL && !(fabs(end) > SF_ROUNDED * end_size)))
+            return 2;
+        if (width < HUGE_VAL)
+            last = end > 0.0 ? 1 : -1;
+        changes += (first != before) + (last != first), before = last;
+    }
+    return changes < 2 ? changes : 2;
+}
+
+/* A stationary motion: root mean squares of u and v, mean square of what the spring and the damping push with, k, c, what of
+ * that is dry friction's, and P(|u| > first breakpoint). Python reads this layout. */
 typedef struct {
-    double u, v, square, k, c, dry;
+    double u, v, square, k, c, dry, beyond;
 } sf_stationary;
 
 /* Motions that are found. max_count: room for so many; count: of all that there are; undecided: k and c next to which there
@@ -170,10 +292,16 @@ typedef struct {
     double mu, zeta, mu_slope, zeta_slope, level, within;
 } sf_over_u;
 
-static sf_over_u sf_damping_over_u(const sf_system *system, double sigma)
+/* of the first piece; infinite without another one */
+static inline double sf_first_end(const sf_system *system)
 {
     const int first = system->about + 1 + (system->jump != 0.0);
-    const double end = system->released && first < system->pieces ? system->edge[first] : HUGE_VAL;
+    return first < system->pieces ? system->edge[first] : HUGE_VAL;
+}
+
+static sf_over_u sf_damping_over_u(const sf_system *system, double sigma)
+{
+    const double end = system->released ? sf_first_end(system) : HUGE_VAL;
     const double level = fmin(end / sigma, SF_FARTHEST), within = erf(level * 0.70710678118654752);
     double of[4];
     linearization_over_displacements(level, within, sigma, system->mu, system->zeta, system->zeta_2, of);
@@ -185,7 +313,7 @@ static inline void sf_equivalent_damping(const sf_system *system, double v, doub
     linearization_equivalent_damping(v, mu, zeta, system->c_2, system->c_3, c);
 }
 
-static void sf_put_motion(const sf_system *system, sf_motions *to, const sf_gaussian *at, double v)
+static void sf_put_motion(const sf_system *system, sf_motions *to, const sf_gaussian *at, double v, double k)
 {
     if (to->count++ >= to->max_count)
         return;
@@ -195,7 +323,8 @@ static void sf_put_motion(const sf_system *system, sf_motions *to, const sf_gaus
     const double resists = linearization_damping_force(of.level, of.within, at->sigma, v, system->mu, system->zeta,
                                                        system->c_2, system->c_3, system->zeta_2);
     to->at[to->count - 1] = (sf_stationary){
-        at->sigma, v, at->square + resists, sf_first(at) / (at->sigma * at->sigma), c[0], c[2]};
+        at->sigma, v, at->square + resists, k, c[0], c[2],
+        erfc(sf_first_end(system) / at->sigma * 0.70710678118654752)};
 }
 
 static inline sf_ends sf_ends_of_product(sf_ends a, sf_ends b)
@@ -223,11 +352,13 @@ static void sf_damping_within(const sf_system *system, const sf_over_u *a, const
     *by_u = sf_ends_of_product(slope, (sf_ends){1.0 / most, 1.0 / least});
 }
 
-/* sigma_v under white noise of a power pi S_0 = c sigma_v^2, and c there. The slope of ln(c) by ln(sigma_v) rises from -1
- * on: from the second step on Newton's iteration for that comes from above. */
+/* sigma_v under white noise of a power pi S_0 = c sigma_v^2, and c there; with friction and zeta alone in closed form. The
+ * slope of ln(c) by ln(sigma_v) rises from -1 on: from the second step on Newton's iteration for that comes from above. */
 static double sf_velocity(const sf_system *system, double mu, double zeta, double power, double c[3])
 {
-    double v = sqrt(power), step = 1.0;
+    sf_equivalent_damping(system, 1.0, mu, 0.0, c);
+    const double dry = c[2], resists = dry + sqrt(dry * dry + 8.0 * zeta * power);
+    double v = resists > 0.0 ? 2.0 * power / resists : sqrt(power), step = 1.0;
     for (int i = 0; i < SF_MOST_STEPS && fabs(step) > 0x1p-28; i++) {
         sf_equivalent_damping(system, v, mu, zeta, c);
         step = log(power / (c[0] * v * v)) / (2.0 + c[1] / c[0]);
@@ -280,30 +411,35 @@ static void sf_level_within(const sf_balances *of, double low, double high, sf_e
     *slope = sf_ends_of_product(sf_ends_of_product(by_u, over), *square);
 }
 
-/* The root in a cell on which E[u f] less the level is monotone, by Newton's iteration between ends that close in. */
-static sf_gaussian sf_balanced(const sf_balances *of, sf_gaussian low, sf_gaussian high)
+/* The root between two sigma where E[u f] less the level is monotone, by Newton's iteration for its logarithm. */
+static sf_gaussian sf_balanced(const sf_balances *of, double low, double high, int rises, sf_gaussian at)
 {
-    const int rises = sf_first(&low) < sf_level_at(of, low.sigma).square;
-    sf_gaussian at = rises ? high : low;
     for (int i = 0; i < SF_MOST_STEPS; i++) {
         const sf_level level = sf_level_at(of, at.sigma);
-        const double first = sf_first(&at), step = (level.square - first) / (sf_third(&at) - first - level.slope);
-        if ((first < level.square) == rises)
-            low = at;
-        else
-            high = at;
+        const double first = sf_first(&at), excess = log(level.square / first);
+        const double step = excess / (sf_third(&at) / first - 1.0 - level.slope / level.square);
+        const int below = (first < level.square) == rises;
+        *(below ? &low : &high) = at.sigma;
         double next = at.sigma * exp(step);
-        if (!(next > low.sigma && next < high.sigma)) {
-            if (fabs(step) <= 0x1p-48 || high.sigma <= low.sigma * (1.0 + 0x1p-51))
+        if (!(next > low && next < high)) {
+            if (fabs(step) <= 0x1p-48 || high <= low * (1.0 + 0x1p-51))
                 break;
-            next = sqrt(low.sigma * high.sigma);
+            next = low > 0.0 && high < HUGE_VAL ? sqrt(low * high) : at.sigma * (below ? SF_FURTHER : 1.0 / SF_FURTHER);
         }
-        const int last = fabs(step) <= 0x1p-30; /* as many digits come as there are */
+        /* as many digits come as there are: E[u f] and its logarithm are straight enough */
+        const int last = fabs(step) * fmax(fabs(step), fabs(excess)) <= 0x1p-60;
         at = sf_averages(of->force, next);
         if (last)
             break;
     }
     return at;
+}
+
+static void sf_put_balanced(const sf_balances *of, double low, double high, int rises, sf_gaussian from)
+{
+    const sf_gaussian at = sf_balanced(of, low, high, rises, from);
+    const sf_level level = sf_level_at(of, at.sigma); /* E[u f] itself cancels where a spring pushes away from 0 */
+    sf_put_motion(of->system, of->found, &at, level.v, level.square / (at.sigma * at.sigma));
 }
 
 static void sf_search_balances(sf_balances *of, const sf_gaussian *a, const sf_gaussian *b)
@@ -318,10 +454,9 @@ static void sf_search_balances(sf_balances *of, const sf_gaussian *a, const sf_g
     const double steep = SF_ERROR * (b->third[0] + b->third[1]) + error;
     if (a->third[0] / cube - b->third[1] * cube - most - slope.high > steep ||
         b->third[0] * cube - a->third[1] / cube - least - slope.low < -steep) {
-        if ((sf_first(a) < sf_level_at(of, a->sigma).square) != (sf_first(b) < sf_level_at(of, b->sigma).square)) {
-            const sf_gaussian at = sf_balanced(of, *a, *b);
-            sf_put_motion(of->system, of->found, &at, sf_level_at(of, at.sigma).v);
-        }
+        const int rises = sf_first(a) < sf_level_at(of, a->sigma).square;
+        if (rises != (sf_first(b) < sf_level_at(of, b->sigma).square))
+            sf_put_balanced(of, a->sigma, b->sigma, rises, rises ? *b : *a);
         return;
     }
     if (grows <= 1.0 + SF_NARROW || of->cells++ >= SF_MOST_CELLS) {
@@ -344,8 +479,16 @@ static void sf_white(const sf_system *system, double power, sf_motions *found)
     sf_balances of = {.system = system, .power = power, .found = found};
     of.varies = system->released || system->zeta_2 != 0.0;
     of.at = sf_level_at(&of, 1.0);
-    const sf_positive force = sf_positive_of(system, of.at.v, of.at.v);
+    sf_positive force;
     of.force = &force;
+    sf_put_pieces(system, &force);
+    const int changes = of.varies ? 2 : sf_changes(&force, of.at.square);
+    if (changes < 2) { /* from -square on */
+        if (changes)
+            sf_put_balanced(&of, 0.0, HUGE_VAL, 1, sf_averages(&force, of.at.v));
+        return;
+    }
+    sf_put_parts(system, of.at.v, of.at.v, &force);
     sf_ends square, slope;
     sf_level_within(&of, force.small / SF_SEARCHED, force.large * SF_SEARCHED, &square, &slope);
     /* E[u f]/sigma^2 is between the secants: from above v over the root of the least one there is no motion, nor below

@@ -133,6 +133,7 @@ static const sf_law *sf_read_law(const char *name, const int *code, size_t count
                              sf_interpreted_expand,
                              breaks == SF_BEGINS ? sf_interpreted_begins : NULL,
                              NULL,
+                             NULL,
                              NULL};
         sf_read_straight(&from, sf_in_doubles, constants + 2, 1, &made->value);
         sf_read_straight(&from, sf_in_doubles, constants + 2, 1, &made->slope);

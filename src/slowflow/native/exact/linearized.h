@@ -358,7 +358,7 @@ static void sf_put_stationary(sf_linearized *of, const sf_gaussian *a, const sf_
         at = sf_averages(of->force, last || (next > low && next < high) ? next : sqrt(low * high));
         excess = sf_excess(of, &at, &damped);
     }
-    sf_put_motion(of->excited->system, of->found, &at, exp(0.5 * damped.moments.value[1]));
+    sf_put_motion(of->excited->system, of->found, &at, exp(0.5 * damped.moments.value[1]), exp(damped.p));
 }
 
 /* The stiffness in a cell, and its slope by ln(sigma): from its averages, and from what f/u is up to there. */
@@ -430,7 +430,8 @@ static int sf_tabulated(const sf_system *system, const sf_table *table, sf_motio
     const double size = sqrt(sf_most(table, sf_least_damping(&excited, system->released ? 0.0 : system->mu, system->zeta)));
     if (size == 0.0)
         return 0;
-    const sf_positive force = sf_positive_of(system, fmin(size, 1.0), fmax(size, 1.0));
+    sf_positive force;
+    sf_put_parts(system, fmin(size, 1.0), fmax(size, 1.0), &force);
     double from = force.small / SF_SEARCHED, to = force.large * SF_SEARCHED, high = to;
     if (sf_is_held(&excited, to))
         return 0;

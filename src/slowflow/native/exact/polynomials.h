@@ -161,7 +161,7 @@ static sf_law *sf_polynomial_law(const double (*const rows[2])[4 + 2 * SF_SUMMED
     if (made == NULL)
         return NULL;
     made->law = (sf_law){"polynomials", 0, SF_SEAMS, sf_polynomial_value, sf_polynomial_slope, sf_polynomial_expand,
-                         NULL, sf_polynomial_seam, sf_polynomial_at};
+                         NULL, sf_polynomial_seam, sf_polynomial_at, NULL};
     for (int s = 0; s < 2; s++) {
         made->count[s] = count[s];
         made->side[s] = (sf_polynomial *)(made + 1) + s * count[0];

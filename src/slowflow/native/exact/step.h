@@ -36,7 +36,8 @@ typedef enum { SF_SMOOTH, SF_MEETS, SF_BRANCHES, SF_BEGINS, SF_SEAMS } sf_breaks
  * by which one text serves many forces. After its constants, p holds the side of u = 0, 1 or -1. begins: the u at which
  * it begins without a series on the side of u, or NULL. Of SF_SEAMS: seam, the place ahead of u in a direction, 0 among
  * them where the piece is on both sides; at, what expansions take in place of p from u on in a direction. The others
- * have neither. */
+ * have neither. powers: writes what a polynomial in u > 0 has next to u^0, u^1, ..., and returns its degree, at most
+ * SF_FORCE_DEGREE; NULL for any other force. */
 typedef struct sf_law sf_law;
 
 struct sf_law {
@@ -50,6 +51,7 @@ struct sf_law {
     double (*begins)(const sf_law *self, const double *p, double u);
     double (*seam)(const sf_law *self, double u, double direction, int both);
     const double *(*at)(const sf_law *self, double side, double u, double direction);
+    int (*powers)(const double *p, double *c);
 };
 
 /* A piece with its constants for u < 0 and for u > 0, and the next one towards u = 0, or NULL. Where a force jumps at
