@@ -215,7 +215,7 @@ def test_motions_in_either_well_are_two():
 def test_what_is_no_asymmetric_state_or_fold_is_not_measured():
     osc = Duffing(1.0, 0.6, 0.0, 0.03, load=0.3)
     for answer in (osc.peak(0.1), osc.rest(), osc.saddle_node_onset()):
-        with pytest.raises(ValueError, match="only states and folds can be measured"):
+        with pytest.raises(ValueError, match="only states and folds can be compared with the equation of motion"):
             answer.measure()
 
 
