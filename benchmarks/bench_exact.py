@@ -33,7 +33,7 @@ from tests.oracles.exact_scipy import half_turn
 
 FORCINGS = (0.025, 0.03, 0.0301, 0.04, 0.05)
 #: a job that `benchmarks.counted` takes apart, and its frequency
-TURNS, OMEGA = "200 turns of the forcing with every switch", 0.9
+TURNS, OMEGA = "200 periods of the forcing with all events", 0.9
 NAMES = {False: "truncated (6)", True: "untruncated (5)"}
 
 
@@ -189,7 +189,12 @@ def measured() -> list[Row]:
     """`answer.measure()`: a state's averaged amplitude compared with the motion that it leads to."""
     states = example.isolator(force="untruncated").amplitudes(Omega=np.linspace(0.5, 1.5, 300), F_0=0.04)
     return [
-        Row("an averaged answer's error, measured, a state", 1e3 * best(states.measure, 3) / len(states), "ms", 0.2)
+        Row(
+            "error of an averaged result by the equation of motion, per state",
+            1e3 * best(states.measure, 3) / len(states),
+            "ms",
+            0.2,
+        )
     ]
 
 

@@ -56,7 +56,7 @@ def bench_table(rows: list[dict[str, Any]], targets: bool = True) -> list[str]:
     """Job, measured median, comparison, error; with targets these and whether they are reached."""
     cells = []
     for row in rows:
-        others = [text or f"{name} is not at hand here" for name, text in row.get("others", {}).items()]
+        others = [text or f"{name} is not installed here" for name, text in row.get("others", {}).items()]
         measured = (
             row["job"],
             quantity(row["measured"], row["unit"]),
@@ -122,7 +122,9 @@ def peers_table(rows: list[dict[str, Any]]) -> list[str]:
                 error,
             )
         )
-    return table(("tool", "variant", "time", "times slowflow's", "points", "folds", "error of the folds' Omega"), cells)
+    return table(
+        ("tool", "variant", "time", "relative to slowflow", "points", "folds", "error of the folds' Omega"), cells
+    )
 
 
 def grid_table(rows: list[dict[str, Any]]) -> list[str]:
@@ -256,7 +258,7 @@ GRID_WORDS = (
 PEERS_WORDS = (
     "Table 1 with F_0 = 0.04: the averaged response from Omega = 0.3 to 2 and both folds, all in one run and in turn.",
     "A fold counts as found within 1 %; the error is the larger of the two found. Each tool runs in an environment of",
-    "its own; `benchmarks/peers/` holds one short adapter for each.",
+    "its own; `benchmarks/peers/` has an adapter for each.",
 )
 
 

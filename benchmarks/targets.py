@@ -166,7 +166,7 @@ def kernels(size: Size) -> list[Target]:
         theirs = f"{max(of[scene, 'lambdify(cse=True)']['error_max'] for scene in scenes):.2g} u(1+κ)"
         out.append(
             Target(
-                f"H and H′, {regime}: lambdify(cse=True) over ours, least of {len(scenes)}",
+                f"H and H′, {regime}: lambdify(cse=True) over slowflow, least of {len(scenes)}",
                 *(10, min(ratios), "×", False),
                 f"{' to '.join(quantity(ratio, '×') for ratio in sorted({min(ratios), max(ratios)}))}; "
                 f"theirs {quantity(of[slowest, 'lambdify(cse=True)']['ns'] * 1e-9, 's')}",
@@ -267,7 +267,7 @@ def cores(size: Size) -> list[Target]:
         each = ", ".join(f"{n}: {quantity(size.onsets / seconds, 'a second')}" for n, seconds in taken.items())
         out.append(
             Target(
-                f"{title} of {size.onsets} designs on {there} cores over one, near-linear",
+                f"{title} of {size.onsets} designs on {there} cores over one core",
                 *(0.8 * there, taken[1] / taken[there], "×", False),
                 f"by workers {each}",
                 *("", "cores"),

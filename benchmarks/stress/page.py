@@ -26,17 +26,16 @@ GROUPS = {
 U = 2.0**-53
 #: what is known of kernels that miss the target
 WHY = {
-    "rod_spring.F_A": "h and h_A are right to 0.3 u (1 + kappa), of kappa 20 and 21, but the conditions cancel: kappa "
-    "of F_A is 1.2. With both exact and rounded once it errs by 0.74",
-    "rod_spring.fold_quartic": "its coefficient h h_A: these are right to 0.3 and 2.1 u (1 + kappa), of kappa 5 and "
-    "7, which are of opposite signs, and that of the product is 1.3. With both exact and rounded once it errs by 0.67",
-    "rod_spring.saddle_node_onset": "its coefficient of A^20 is a sum of seven products of both signs, the largest 11 "
-    "times as large as the sum and all together 24 times, each rounded several times; of 1 + kappa 17",
-    "rod_spring_untruncated.F_A": "as that of rod_spring: the conditions of h and h_A cancel in it. A longer search of "
-    "the same kernel found 5.6",
+    "rod_spring.F_A": "the errors of h and h_A are 0.3 u (1 + kappa), with kappa 20 and 21; in F_A they cancel, "
+    "to kappa = 1.2. From h and h_A rounded once the error is 0.74",
+    "rod_spring.fold_quartic": "the coefficient h h_A: the errors of h and h_A are 0.3 and 2.1 u (1 + kappa), with "
+    "kappa 5 and 7 of opposite signs; the product has kappa = 1.3. From h and h_A rounded once the error is 0.67",
+    "rod_spring.saddle_node_onset": "the coefficient of A^20 is a sum of seven products of both signs, each rounded "
+    "several times; the largest is 11 times the sum, their absolute values are 24 times the sum, and 1 + kappa is 17",
+    "rod_spring_untruncated.F_A": "as for rod_spring, the conditions of h and h_A cancel. A longer search found 5.6",
     "rod_spring_untruncated.harmonics": "T_5 = 16 s^5 - 20 s^3 + 5 s: the fifth harmonic is a difference",
-    "rod_spring_untruncated.stability": "far above u_cr at low frequencies the product of two numbers next to -1 that "
-    "depend on no argument: seven roundings, each of one u, while kappa is next to 0",
+    "rod_spring_untruncated.stability": "far above u_cr and at low frequencies the product of two numbers near -1 "
+    "that hardly depend on the arguments: seven roundings of one u each, while kappa is near 0",
 }
 
 HEAD = """# Rounding errors: worst cases found by search
@@ -376,13 +375,13 @@ def in_short(numbers: Numbers) -> list[str]:
         f"- **Roots in Omega, target {roots.TARGET:g} u (1 + κ)**: the worst of {quartics:,} is "
         f"{number(max(value(w['error']) for w in of_roots))}; {wrong_roots} wrong numbers of roots.",
         f"- **Answers, target {answers.TARGET:g} u (1 + κ)**: {len(of_answers) - len(missed)} of {len(of_answers)} "
-        f"kinds keep to it{'; the others are marked below' if missed else ''}.",
-        f"- **Counts, target none wrong of 10^7**: of {cases:,} next to levels at which numbers change, {wrong:,} are "
-        f"wrong without being marked; {marked:,} ({marked / cases:.1%}) are marked as undecided in double precision. "
-        f"Of {balls:,} of these ball arithmetic leaves {open_:,} undecided and has {wrong_balls:,} wrong. Of {many:,} "
-        f"more, {differ:,} differ from a proof without being marked, {of_many:,} ({of_many / many:.1%}) are marked, "
-        f"{unproved:,} have no proof.",
-        f"- **Proofs, target 99 % of folds by doubles alone, at most twice the time**: "
+        f"kinds meet it{'; the others are marked below' if missed else ''}.",
+        f"- **Counts, target none wrong of 10^7**: of {cases:,} near levels at which the count changes, {wrong:,} are "
+        f"wrong and not marked; {marked:,} ({marked / cases:.1%}) are marked as undecided in double precision. "
+        f"Ball arithmetic, for {balls:,} of these, leaves {open_:,} undecided and {wrong_balls:,} wrong. Of {many:,} "
+        f"further cases, {differ:,} differ from a proof and are not marked, {of_many:,} ({of_many / many:.1%}) are "
+        f"marked, and {unproved:,} have no proof.",
+        f"- **Proofs, target 99 % of folds in double precision, in at most twice the time**: "
         f"{fraction(numbers['proofs'][0], 'folds', 'alone')} at {numbers['proofs'][0]['ratio']:.2f} times the time of "
         f"`saddle_nodes`, median; with balls {balls_fraction(numbers['proofs'][0])}.",
     ]
@@ -398,7 +397,7 @@ def page(numbers: Numbers) -> str:
         HEAD,
         *environment_lines(numbers["environment"]),
         "",
-        "## In short",
+        "## Summary",
         "",
         *in_short(numbers),
         "",
@@ -410,28 +409,28 @@ def page(numbers: Numbers) -> str:
             ("kernels", "number", "within the target", "median of the worst", "worst"), by_group(numbers["kernels"])
         ),
         "",
-        "Kernels that miss the target:" if misses else "Every kernel keeps to the target.",
+        "Kernels that miss the target:" if misses else "Every kernel meets the target.",
         "",
         *(table(KERNELS, misses) if misses else []),
         "",
-        *(f"- {row[0]}: {WHY.get(row[0], 'why is not known')}." for row in misses),
+        *(f"- {row[0]}: {WHY.get(row[0], 'the cause is not known')}." for row in misses),
         "",
-        "Arguments lie within the sizes of `benchmarks/stress/domains.py`, and where the formula is defined. Hard",
-        "places are drawn on purpose: " + "; ".join(domains.LOCATIONS) + ". Kernels of gradients with",
+        "Arguments lie within the bounds of `benchmarks/stress/domains.py` and the domain of the formula. Hard",
+        "cases are drawn on purpose: " + "; ".join(domains.LOCATIONS) + ". Kernels of gradients with",
         "viscous damping and dry friction alone are not searched.",
         "",
         "### At 1e±150 and subnormal numbers",
         "",
         f"Beyond the box, arguments at {', '.join(f'{x:.3g}' for x in domains.EXTREME)}: {kept} of {tried} kernels",
         "of the general case are as accurate there wherever the result is a normal double. The others overflow, or",
-        "lose digits to underflow, on the way:",
+        "lose digits to underflow, in intermediate results:",
         "",
         *table(("kernel", "beyond the target", "worst", "where"), extreme),
         "",
         "### Proved bounds",
         "",
-        "Where a kernel is a polynomial, or one over monomials, its bound may be proved for all arguments, without",
-        "overflow and underflow. The header of each generated function states such bounds. All else here is measured.",
+        "For kernels that are polynomials, or polynomials over monomials, a bound can be proved for all arguments,",
+        "without overflow and underflow; the header of each generated function states it. All else is measured.",
         "",
         "## Roots in Omega",
         "",
@@ -439,7 +438,7 @@ def page(numbers: Numbers) -> str:
         "",
         *(f"- {kind}: {name}" for kind, name in roots.NAMES.items()),
         "",
-        "Double and triple roots, where kappa is infinite, count for the number of roots only.",
+        "For double and triple roots, where kappa is infinite, only the number of roots is compared.",
         "",
         *table(ROOTS, by_root(numbers["roots"])),
         "",
@@ -448,9 +447,9 @@ def page(numbers: Numbers) -> str:
         "![Errors of answers against condition](stability_answers.png)",
         "",
         "κ is the condition with respect to parameters and forcing, plus that with respect to kernel values. *Alone*",
-        "are results without a solution of Newton's method within a hundredth: an ulp above 4 mu/pi, at the tip",
-        "of a curve with zeta of 1e-9 and less, and on the corner. A fold closer to u_cr than doubles resolve is given",
-        "at a double next to u_cr, where A may miss the target.",
+        "are results near which Newton's method finds no solution within 1 %: an ulp above 4 mu/pi, at the tip",
+        "of a curve with zeta of 1e-9 and less, and on the corner. A fold closer to u_cr than doubles resolve is",
+        "returned at a double next to u_cr, where A may miss the target.",
         "Ranges: " + "; ".join(f"{name} {low:g} to {high:g}" for name, (low, high) in answers.BOUNDS.items()) + ".",
         "",
         *table(ANSWERS, by_answer(of_answers)),
@@ -459,10 +458,10 @@ def page(numbers: Numbers) -> str:
         *unjudged_lines(of_answers),
         "## Numbers of states and folds",
         "",
-        "Forcings from an ulp to a tenth from the levels at which the number changes, and between them;",
+        "Forcings at relative distances from an ulp to 0.1 from levels at which the number changes, and between them;",
         f"{counts.FORCINGS['states']} at each frequency, {counts.FORCINGS['folds']} of each oscillator, zeta from 1e-4",
-        f"to 0.5. *Next to a level* means within {counts.UNDECIDED:g} u (1 + κ) of it, which rounding the arguments",
-        "once may cost. *Wrong* numbers are not marked as undecided, *undecided* ones are. Of these",
+        f"to 0.5. *Next to a level* means within {counts.UNDECIDED:g} u (1 + κ) of it, as far as rounding the",
+        "arguments once may shift it. *Wrong* numbers are not marked as undecided; of the *undecided* ones",
         f"{counts.ASKED_OF_BALLS:.0%}, drawn at random, were repeated in ball arithmetic.",
         "",
         *table(COUNTS, by_count(numbers["counts"])),
@@ -562,13 +561,13 @@ def proof_lines(numbers: Numbers) -> list[str]:
         f"`Isolator.certify` of {numbers['isolators']:,} random isolators, in intervals of doubles: 1 to",
         f"{proofs.MOST_SPRINGS} springs, {drawn}, *excess* being F_0/(4 mu/pi) - 1. The relative width of an",
         f"enclosure of A is {numbers['width']:.2g}, median, {numbers['widest']:.2g} at most. Everything of Table 2",
-        f"takes {1e3 * numbers['table_2']:.2g} ms. What stays undecided is repeated in balls of 128 or 512 bits, by",
-        f"python-flint, in {slowest:.2g} s at most. Hard families differ in one parameter: delta_h to",
-        "1 - 10^-16 and to 10^-12, alpha to 10^-16, excess from 10^-16 to 10^-6; and the force that is not truncated.",
+        f"takes {1e3 * numbers['table_2']:.2g} ms. Undecided cases are repeated in ball arithmetic of 128 or 512 bits,",
+        f"by python-flint, in {slowest:.2g} s at most. In hard families one parameter is extreme: delta_h to",
+        "1 - 10^-16 and to 10^-12, alpha to 10^-16, excess from 10^-16 to 10^-6; and the untruncated force.",
         "",
         *table(("drawn", *(f"{what}, by doubles" for what in proofs.QUESTIONS), "all, with balls"), by_family),
         "",
-        "Folds next to F_SN, where two of them are one to within rounding:",
+        "Folds near F_SN, where two of them coincide within rounding:",
         "",
         *table(("relative distance of F_0 from F_SN", "proved by doubles alone", "proved"), by_distance),
         "",

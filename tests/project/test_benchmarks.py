@@ -99,7 +99,7 @@ def test_peers_not_at_hand_keep_their_figures() -> None:
     assert row["others"] == {"Boost.Math": "80 ns"}
     about = {"ratio": "NumPy", "at_most": True, "target": 1.0, "measured": 2.0, "unit": "s", "reached": False}
     (*_, line) = document.bench_table([{"job": "quartic", **about, "others": {"Boost.Math": "80 ns", "ACM": None}}])
-    assert "NumPy; 80 ns; ACM is not at hand here" in line
+    assert "NumPy; 80 ns; ACM is not installed here" in line
 
 
 def test_the_pages_are_those_of_the_results(tmp_path: Path) -> None:
