@@ -30,48 +30,62 @@ def magnet():
     return derive.mechanism("magnet", pieces, {"q": ABOVE, "d": ABOVE}, odd=False, compile=True)
 
 
-@pytest.fixture(scope="module")
-def patched():
-    """Four pieces that differ in all: roots, a jump, bends, a saturating spring."""
-    pieces = [
+#: four pieces that differ in all: roots, a jump, bends, a saturating spring; powers of any parity, two jumps, a bend
+PATCHED = {
+    "curves": [
         (2 * u + p, -0.4),
         (sp.sqrt(1 + u * q) - 1, -0.1),
         (sp.sinh(u / q) * q / 2, 0.25),
         (u + p * sp.tanh((u - 0.25) / q), None),
-    ]
-    return derive.mechanism("patched_curves", pieces, {"p": {}, "q": ABOVE}, odd=False)
+    ],
+    "powers": [
+        (2 * u + p, -0.4),
+        (u + u**3 / 2, -0.1),
+        (u - q * u**2 + u**3, 0.25),
+        (sp.Rational(3, 2) * (u - 0.25) + 0.25 - q * 0.25**2 + 0.25**3, None),
+    ],
+}
+
+
+def patches(name):
+    return derive.mechanism(f"patched_{name}", PATCHED[name], {"p": {}, "q": ABOVE}, odd=False)
+
+
+@pytest.fixture(scope="module")
+def patched():
+    return patches("curves")
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("A", "B"), [(0.05, 0.1), (0.3, 0.0), (0.6, 0.1), (0.3, -0.25), (4.0, 0.3)])
+@pytest.mark.parametrize("name", PATCHED)
+@pytest.mark.parametrize(
+    ("A", "B"), [(0.05, 0.1), (0.3, 0.0), (0.6, 0.1), (0.2, -0.5), (0.1, 0.6), (0.3, -0.25), (4.0, 0.3)]
+)
 @pytest.mark.part(3)
-def test_means_are_those_of_exact_integrals(patched, A, B):
+def test_means_are_those_of_exact_integrals(name, A, B):
     """The mean, the first harmonic, and their slopes as differences of these integrals at 30 digits."""
-    oscillator = patched(p=0.1, q=0.7, **DAMPED)
+    oscillator = patches(name)(p=0.1, q=0.7, **DAMPED)
     steps = Steps(oscillator.model.mechanism, oscillator.model.parameters, 0.0)
     at = steps.at(np.array([A]), np.array([B]), 3)
+    exact = {p: sp.Rational(0.1), q: sp.Rational(0.7)}
+    pieces = [sp.lambdify(u, sp.nsimplify(force.subs(exact), rational=True), "mpmath") for force, _ in PATCHED[name]]
+    ends = [mpmath.mpf(-2) / 5, mpmath.mpf(-1) / 10, mpmath.mpf(1) / 4]
     with mpmath.workdps(30):
-        p_, q_ = mpmath.mpf(0.1), mpmath.mpf(0.7)
-        pieces = (
-            lambda x: 2 * x + p_,
-            lambda x: mpmath.sqrt(1 + x * q_) - 1,
-            lambda x: mpmath.sinh(x / q_) * q_ / 2,
-            lambda x: x + p_ * mpmath.tanh((x - mpmath.mpf(1) / 4) / q_),
-        )
-        ends = [mpmath.mpf(-2) / 5, mpmath.mpf(-1) / 10, mpmath.mpf(1) / 4]
-
-        def law(x):
-            return pieces[sum(x > end for end in ends)](x)
 
         def whole(b, w):
             cuts = sorted(mpmath.acos((end - b) / A) for end in (*ends, mpmath.mpf(0)) if abs(end - b) < A)
             edges = [mpmath.mpf(0), *cuts, mpmath.pi]
-            return mpmath.quad(lambda y: law(b + A * mpmath.cos(y)) * mpmath.cos(y) ** w, edges) / mpmath.pi
+
+            def law(y):
+                x = b + A * mpmath.cos(y)
+                return pieces[sum(x > end for end in ends)](x) * mpmath.cos(y) ** w
+
+            return mpmath.quad(law, edges) / mpmath.pi
 
         for family, weight in ((at.c, 0), (at.s, 1)):
             for n in range(3):
-                exact = mpmath.diff(lambda b, w=weight: whole(b, w), mpmath.mpf(B), n, h=1e-8)
-                assert family[n][0] == pytest.approx(float(exact), rel=1e-11, abs=1e-13 * 20**n)
+                slope = mpmath.diff(lambda b, w=weight: whole(b, w), mpmath.mpf(B), n, h=1e-8)
+                assert family[n][0] == pytest.approx(float(slope), rel=1e-11, abs=1e-13 * 20**n)
 
 
 @pytest.mark.slow

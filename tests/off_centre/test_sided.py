@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import pickle
 
-import mpmath
 import numpy as np
 import pytest
 import sympy as sp
@@ -13,9 +12,8 @@ from slowflow import Duffing, derive, exact
 from slowflow.answers.results import Remark
 from slowflow.core.validate import NotAvailable
 from slowflow.exact.motion import Forced, follow
-from slowflow.off_centre.means import ORDERS, Steps
 from slowflow_kernels.conventions import Status
-from tests.off_centre.test_off_centre import mean
+from tests.off_centre.test_curved import PATCHED
 from tests.oracles import exact_reference
 from tests.oracles.by_time import mean_and_first
 from tests.slopes import assert_slopes_are_differences
@@ -34,40 +32,7 @@ def stop():
 
 @pytest.fixture(scope="module")
 def patched():
-    """Four pieces that differ in all: powers of any parity, two jumps, a bend."""
-    pieces = [
-        (2 * u + p, -0.4),
-        (u + u**3 / 2, -0.1),
-        (u - q * u**2 + u**3, 0.25),
-        (sp.Rational(3, 2) * (u - 0.25) + 0.25 - q * 0.25**2 + 0.25**3, None),
-    ]
-    return derive.mechanism("patched", pieces, {"p": {}, "q": {}}, odd=False, compile=True)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(("A", "B"), [(0.05, 0.1), (0.3, 0.0), (0.6, 0.1), (0.2, -0.5), (0.1, 0.6), (0.3, -0.25)])
-def test_means_of_any_force_are_exact_integrals(patched, A, B):
-    """The mean, the first harmonic, and their slopes as differences of these integrals at 40 digits."""
-    oscillator = patched(p=0.1, q=0.7, **DAMPED)
-    steps = Steps(oscillator.model.mechanism, oscillator.model.parameters, 0.0)
-    at = steps.at(np.array([A]), np.array([B]), ORDERS)
-    with mpmath.workdps(40):
-        p_, q_, quarter = mpmath.mpf(0.1), mpmath.mpf(0.7), mpmath.mpf(1) / 4
-        pieces = (
-            lambda x: 2 * x + p_,
-            lambda x: x + x**3 / 2,
-            lambda x: x - q_ * x**2 + x**3,
-            lambda x: 3 * (x - quarter) / 2 + quarter - q_ * quarter**2 + quarter**3,
-        )
-        ends = [mpmath.mpf(-2) / 5, mpmath.mpf(-1) / 10, quarter]
-
-        def law(x):
-            return pieces[sum(x > end for end in ends)]
-
-        for family, weight in ((at.c, 0), (at.s, 1)):
-            for n in range(3):
-                exact = mpmath.diff(lambda b, w=weight: mean(law, ends, mpmath.mpf(A), b, w), mpmath.mpf(B), n, h=1e-12)
-                assert family[n][0] == pytest.approx(float(exact), rel=1e-11, abs=1e-13 * 20**n)
+    return derive.mechanism("patched", PATCHED["powers"], {"p": {}, "q": {}}, odd=False, compile=True)
 
 
 @pytest.mark.slow
