@@ -7,6 +7,7 @@ import dataclasses
 import math
 import pickle
 import re
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -668,40 +669,30 @@ def test_exact_curve_begins_at_a_motion_of_the_mount():
     assert np.abs(curve.A - state.A).min() < 1e-12
 
 
-def differences(ask, numbers, step):
-    """What an answer moves by with a step of numbers, but for its third power: by four mounts."""
-    ends = np.array(
-        [ask({**numbers, **{name: numbers[name] + k * far for name, far in step.items()}}) for k in (-2, -1, 1, 2)]
-    )
-    return np.array([1, -8, 8, -1]) @ ends / 12
-
-
 @pytest.mark.parametrize(
     ("excitation", "damping", "F"),
     [("force", {"c": 10.0}, 5.0), ("base", {"zeta": 0.05}, 0.004), ("acceleration", {"zeta": 0.05}, 0.5)],
 )
 def test_gradients_in_si_units_are_the_differences_of_mounts(excitation, damping, F):
-    sheet = {name: value for name, value in MOUNT.items() if name != "zeta"} | damping
     letter = LETTER[excitation]
-    numbers = {**sheet, letter: F, "f": 2.5}
+    numbers = {name: value for name, value in MOUNT.items() if name != "zeta"} | damping | {letter: F}
 
-    def states(parameters):
-        at = {name: parameters[name] for name in (letter, "f")}
-        mount = Isolator.physical(**{name: parameters[name] for name in sheet}, excitation=excitation)
-        return mount.amplitudes(f=[at["f"], 1.2 * at["f"]], **{letter: at[letter]})
+    def states(f, **numbers):
+        forcing = {letter: numbers.pop(letter)}
+        return Isolator.physical(**numbers, excitation=excitation).amplitudes(f=f, **forcing)
 
-    found = states(numbers).gradient()
-    assert found.of == ("A", "phi", "transmissibility")
-    assert set(found.by) == set(numbers)
-    # the second state's frequency is 1.2 times the number that is moved; a number of springs is whole
-    for name in set(numbers) - {"n"}:
-        for answer, value in (("A", lambda of: of.A), ("phi", lambda of: of.answer.phi)):
-            step = 1e-4 * numbers[name]
-            change = differences(lambda values, value=value: value(states(values)), numbers, {name: step}) / step
-            factor = np.array([1.0, 1.2 if name == "f" else 1.0])
-            assert found[answer, name] * factor == pytest.approx(change, rel=1e-7), (answer, name)
-    change = np.abs(found["A"][0] * [numbers[name] for name in found.by]).sum()
-    assert found.condition("A")[0] == pytest.approx(change / states(numbers).A[0], rel=1e-13)
+    def as_numbers(answer):
+        ratio = 10 ** (answer.transmissibility_dB / 20)
+        return SimpleNamespace(gradient=answer.gradient, A=answer.A, phi=answer.phi, transmissibility=ratio)
+
+    for f in (2.5, 3.0):
+        numbers["f"] = f
+        found = states(**numbers).gradient()
+        assert found.of == ("A", "phi", "transmissibility") and set(found.by) == set(numbers)
+        # a number of springs is whole
+        assert assert_slopes_are_differences(states, numbers, {"": as_numbers}, {*numbers} - {"n"})
+        change = np.abs(found["A"][0] * [numbers[name] for name in found.by]).sum()
+        assert found.condition("A")[0] == pytest.approx(change / states(**numbers).A[0], rel=1e-13)
 
 
 def test_angles_are_shown_in_degrees_too(mount):
