@@ -99,6 +99,9 @@ def is_spelled_out(lets: Sequence[Let]) -> bool:
 @functools.cache
 def program_of(repeated: Repeated) -> Program:
     """Straight-line code of what is repeated."""
+    if repeated.straight:
+        outputs = tuple(value for _, value in repeated.outputs)
+        return Program(repeated.lets, outputs, _counted(repeated.lets, outputs))
     return straight_line(repeated.lets, [value for _, value in repeated.outputs], repeated.arguments, named=True)
 
 

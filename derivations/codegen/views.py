@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import functools
 import itertools
+import re
 import textwrap
 from collections import Counter
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -37,6 +38,8 @@ Code = dict[str, tuple[Program, ...]]
 
 DERIVATIONS = Path(__file__).parents[1]
 WIDTH = 116
+#: of outputs whose bounds a comment lists
+MOST_BOUNDS = 8
 
 
 @dataclass(frozen=True)
@@ -122,16 +125,22 @@ class KernelView:
         """Whether every output has a proved bound in every regime."""
         return all(branch.proved and "-" not in branch.proved for branch in self.branches)
 
+    def facts(self, measured: Mapping[str, str]) -> str:
+        """Equation, domain, operations and rounding errors, by regime where there are several, in a sentence each."""
+        named = {f" in {branch.name}" if branch.name else "": branch for branch in self.branches if branch.printed}
+        operations = ", ".join(f"{branch.operations}{regime}" for regime, branch in named.items())
+        errors = [f"proved{regime} {worst(branch.proved)}" for regime, branch in named.items() if branch.proved]
+        if not self.proved and self.kernel.name in measured:
+            errors.append(f"measured {measured[self.kernel.name]}")
+        known = [f"Equation {self.kernel.equation}. Domain: {self.kernel.domain}."]
+        known += [f"Operations: {operations}."] if operations else []
+        known += [f"Error / u (1 + kappa): {'; '.join(errors)}."] if errors else []
+        return " ".join(known)
+
     @property
     def leaves_out(self) -> bool:
         """Whether it has no use for an argument in some regime."""
         return not self.kernel.width or any(branch.unused for branch in self.branches)
-
-    @property
-    def uses_angles(self) -> bool:
-        """Whether it calls the generated arctangent."""
-        texts = (text for branch in self.branches for text in (*branch.outputs, *(line.value for line in branch.lets)))
-        return any("angles_" in text for text in texts)
 
 
 @dataclass(frozen=True)
@@ -219,21 +228,35 @@ def fill(text: str, indent: int, first: int = 0) -> str:
     return whole.fill(text)[first:]
 
 
-def returned(outputs: Sequence[str]) -> str:
-    """A tuple as a function in Python returns it: on one line where that holds it, else an output a line."""
-    line = ", ".join(outputs)
-    if len(outputs) > 1 and len(f"    return {line}") <= WIDTH:
+def returned(outputs: Sequence[str], shaped_by: Sequence[str] = (), function: str = "broadcast_outputs") -> str:
+    """A tuple as a function in Python returns it: on one line where that holds it, else an output a line.
+
+    Numbers that follow one another share theirs. `shaped_by`: the arguments whose shape a function gives the outputs.
+    """
+    of = f"{function}(({', '.join(shaped_by)}{',' if len(shaped_by) == 1 else ''}), " if shaped_by else ""
+    line = f"{of}{', '.join(outputs)}{')' if shaped_by else ''}"
+    if (len(outputs) > 1 or shaped_by) and len(f"    return {line}") <= WIDTH:
         return line
-    lines = "".join(f"        {fill(output, 8, 8)},\n" for output in outputs)
-    return f"(\n{lines}    )"
+    runs = itertools.groupby(outputs, lambda output: bool(re.fullmatch(r"-?[\d.]+", output)))
+    together = (one for is_number, run in runs for one in ([", ".join(run)] if is_number else run))
+    lines = "".join(f"        {fill(one, 8, 8)},\n" for one in together)
+    return f"{of.rstrip() or '('}\n{lines}    )"
 
 
-def view(kernel: Kernel, code: Sequence[Program], printer: Rules) -> KernelView:
-    """A kernel printed for one language."""
+def worst(proved: str) -> str:
+    """Bounds output by output; of many that are all proved the largest."""
+    bounds = proved.split(", ")
+    return proved if "-" in bounds or len(bounds) <= MOST_BOUNDS else f"{max(bounds, key=float)} at most"
+
+
+def view(
+    kernel: Kernel, code: Sequence[Program], printer: Rules, with_calls: Sequence[Program] | None = None
+) -> KernelView:
+    """A kernel printed for one language, with calls of what it has in common with others where these are stated."""
     renamed = [*map(printer.doprint, kernel.arguments)]
     branches, used_anywhere, used_by_guards = [], set(), set()
     reached = [True] * kernel.width
-    for branch, program in zip(kernel.branches, code, strict=True):
+    for branch, program, shown in zip(kernel.branches, code, with_calls or code, strict=True):
         used = used_arguments(program, kernel)
         for k, names in enumerate(used):
             reached[k] = reached[k] and names == set(kernel.arguments)
@@ -241,7 +264,7 @@ def view(kernel: Kernel, code: Sequence[Program], printer: Rules) -> KernelView:
         used_by_guards |= guard_symbols
         used_here = set().union(*used) | guard_symbols
         used_anywhere |= used_here
-        branches.append(branch_view(branch, program, kernel, set().union(*used), printer))
+        branches.append(branch_view(branch, program, kernel, set().union(*used), printer, shown.lets))
     return KernelView(
         kernel,
         tuple(renamed),
@@ -265,10 +288,12 @@ def used_arguments(program: Program, kernel: Kernel) -> list[set[sp.Symbol]]:
     return [of(output) for output in program.outputs]
 
 
-def branch_view(branch: Branch, program: Program, kernel: Kernel, used: set[sp.Symbol], printer: Rules) -> BranchView:
-    """A branch printed for one language."""
+def branch_view(
+    branch: Branch, program: Program, kernel: Kernel, used: set[sp.Symbol], printer: Rules, shown: Sequence[Let]
+) -> BranchView:
+    """A branch printed for one language, `shown` in place of its lets."""
     show = printer.doprint
-    lines = printed(program.lets, printer)
+    lines = printed(shown, printer)
     guard = printer.conjunction.join(f"({show(left)} <= {show(right)})" for left, right in branch.guards)
     if len(branch.guards) == 1:
         guard = guard[1:-1]

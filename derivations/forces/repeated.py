@@ -31,6 +31,7 @@ class Repeated:
     name    -- of the function
     doc     -- what it gives
     outputs -- expressions in the arguments and the lets, each by its name
+    straight -- whether the lets are straight-line code already
     """
 
     name: str
@@ -38,6 +39,7 @@ class Repeated:
     arguments: tuple[sp.Symbol, ...]
     lets: tuple[Let, ...]
     outputs: tuple[Let, ...]
+    straight: bool = False
 
     def __post_init__(self) -> None:
         names = [symbol.name for symbol in (*self.arguments, *(symbol for symbol, _ in (*self.lets, *self.outputs)))]

@@ -19,16 +19,15 @@
 #include "inline.h"
 
 /* Response function.
-   Equation (37). Domain: Omega > 0, Omega != 1. Operations: 3.
-   Measured, error / u (1 + kappa): 1.4 */
+   Equation (37). Domain: Omega > 0, Omega != 1. Operations: 3. Error / u (1 + kappa): measured 1.4. */
 SF_KERNEL double den_hartog_V(double Omega)
 {
     return -1.0 / ((Omega - 1.0) * (Omega + 1.0));
 }
 
 /* Damping function.
-   Equation (37). Domain: Omega > 0, Omega not 1, 1/3, 1/5 and so on. Operations: 6.
-   Measured, error / u (1 + kappa): 1.4 */
+   Equation (37). Domain: Omega > 0, Omega not 1, 1/3, 1/5 and so on. Operations: 6. Error / u (1 + kappa): measured
+   1.4. */
 SF_KERNEL double den_hartog_U(double Omega)
 {
     const double t0 = 1.0 / Omega;
@@ -36,8 +35,8 @@ SF_KERNEL double den_hartog_U(double Omega)
 }
 
 /* S is the maximum of this over 0 < tau < pi/Omega.
-   Equation (37). Domain: 0 < tau < pi/Omega, Omega > 0, Omega not 1, 1/3, 1/5 and so on. Operations: 23.
-   Measured, error / u (1 + kappa): 3.9 */
+   Equation (37). Domain: 0 < tau < pi/Omega, Omega > 0, Omega not 1, 1/3, 1/5 and so on. Operations: 23. Error / u
+   (1 + kappa): measured 3.9. */
 SF_KERNEL double den_hartog_S_ratio(double tau, double Omega)
 {
     const double t0 = 1.0 / Omega;
@@ -49,8 +48,8 @@ SF_KERNEL double den_hartog_S_ratio(double tau, double Omega)
 }
 
 /* Amplitude of the motion.
-   Equation (35). Domain: F_0 |V| > mu |U|, Omega > 0, Omega not 1, 1/3, 1/5 and so on. Operations: 14.
-   Measured, error / u (1 + kappa): 1.5 */
+   Equation (35). Domain: F_0 |V| > mu |U|, Omega > 0, Omega not 1, 1/3, 1/5 and so on. Operations: 14. Error / u (1
+   + kappa): measured 1.5. */
 SF_KERNEL double den_hartog_amplitude(double Omega, double F_0, double mu)
 {
     const double t0 = Omega - 1.0;
@@ -63,8 +62,8 @@ SF_KERNEL double den_hartog_amplitude(double Omega, double F_0, double mu)
 }
 
 /* The motion has no stops while its amplitude exceeds this.
-   Equation (36). Domain: Omega > 0, Omega not 1, 1/3, 1/5 and so on. Operations: 20.
-   Measured, error / u (1 + kappa): 1.9 */
+   Equation (36). Domain: Omega > 0, Omega not 1, 1/3, 1/5 and so on. Operations: 20. Error / u (1 + kappa):
+   measured 1.9. */
 SF_KERNEL double den_hartog_bound(double Omega, double F_0, double S)
 {
     const double t0 = Omega - 1.0;
@@ -78,7 +77,7 @@ SF_KERNEL double den_hartog_bound(double Omega, double F_0, double S)
 
 /* Displacement tau after a maximum.
    Equation from (37). Domain: 0 <= tau <= pi/Omega, Omega > 0, Omega not 1, 1/3, 1/5 and so on. Operations: 27.
-   Measured, error / u (1 + kappa): 1.7 */
+   Error / u (1 + kappa): measured 1.7. */
 SF_KERNEL double den_hartog_motion(double tau, double Omega, double A, double mu)
 {
     const double t0 = 1.0 / Omega;

@@ -29,32 +29,28 @@
 SF_FAMILY_BEGIN
 
 /* The factor of A^2 Omega^2 in I of quadratic damping.
-   Equation from (19). Domain: any. Operations: 1.
-   Measured, error / u (1 + kappa): 0.69 */
+   Equation from (19). Domain: any. Operations: 1. Error / u (1 + kappa): measured 0.69. */
 SF_KERNEL double dissipation_quadratic(double c_2)
 {
     return 0.84882636315677518 * c_2;
 }
 
 /* The factor of A^3 Omega^3 in I of cubic damping.
-   Equation from (19). Domain: any. Operations: 1.
-   Proved, error / u (1 + kappa): 0.51 */
+   Equation from (19). Domain: any. Operations: 1. Error / u (1 + kappa): proved 0.51. */
 SF_KERNEL double dissipation_cubic(double c_3)
 {
     return 0.75 * c_3;
 }
 
 /* The largest |h| of a state with this amplitude, as quadratic damping bounds its frequency.
-   Equation from (23). Domain: A > 0, d > 0. Operations: 3.
-   Proved, error / u (1 + kappa): 2.01 */
+   Equation from (23). Domain: A > 0, d > 0. Operations: 3. Error / u (1 + kappa): proved 2.01. */
 SF_KERNEL double dissipation_restoring(double A, double F_0, double d)
 {
     return F_0 + F_0 / (A * d);
 }
 
 /* I_0, I at Omega = 0, and three derivatives by A: friction acts throughout.
-   Equation from (19). Domain: A > 0. Operations: 2.
-   Proved, error / u (1 + kappa): 1.01, 0.0, 0.0, 0.0 */
+   Equation from (19). Domain: A > 0. Operations: 2. Error / u (1 + kappa): proved 1.01, 0.0, 0.0, 0.0. */
 SF_KERNEL void dissipation_at_rest(double A, double m, double eta, double *out)
 {
     out[0] = A * eta + m;
@@ -64,8 +60,7 @@ SF_KERNEL void dissipation_at_rest(double A, double m, double eta, double *out)
 }
 
 /* The same where friction acts for |u| < u_cr only.
-   Equation from (19). Domain: A >= u_cr > 0. Operations: 13.
-   Proved, error / u (1 + kappa): 1.01, 1.01, 0.67, 0.86 */
+   Equation from (19). Domain: A >= u_cr > 0. Operations: 13. Error / u (1 + kappa): proved 1.01, 1.01, 0.67, 0.86. */
 SF_KERNEL void dissipation_released(double A, double m, double eta, double u_cr, double *out)
 {
     const double t0 = m * u_cr;
@@ -79,8 +74,7 @@ SF_KERNEL void dissipation_released(double A, double m, double eta, double u_cr,
 }
 
 /* What m, then eta, does to I_0, I_0A and I_0AA: friction acts throughout.
-   Equation from (19). Domain: A > 0. Operations: 0.
-   Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 */
+   Equation from (19). Domain: A > 0. Operations: 0. Error / u (1 + kappa): proved 0.0, 0.0, 0.0, 0.0, 0.0, 0.0. */
 SF_KERNEL void dissipation_rest_moves(double A, double *out)
 {
     for (int k = 0; k < 6; k++)
@@ -91,8 +85,7 @@ SF_KERNEL void dissipation_rest_moves(double A, double *out)
 }
 
 /* What m, then eta, then u_cr does to them where friction acts for |u| < u_cr only.
-   Equation from (19). Domain: A >= u_cr > 0. Operations: 11.
-   Proved, error / u (1 + kappa): 0.67, 0.76, 0.81, 0.0, 0.0, 0.0, 0.67, 0.76, 0.81 */
+   Equation from (19). Domain: A >= u_cr > 0. Operations: 11. Error / u (1 + kappa): proved 0.81 at most. */
 SF_KERNEL void dissipation_released_moves(double A, double m, double u_cr, double *out)
 {
     const double t0 = 1.0 / A;
@@ -112,8 +105,7 @@ SF_KERNEL void dissipation_released_moves(double A, double m, double u_cr, doubl
 }
 
 /* The viscous damping ratio of a cycle, and three derivatives by A.
-   Equation from (19). Domain: A > 0. Operations: 6.
-   Proved, error / u (1 + kappa): 1.01, 0.34, 0.0, 0.0 */
+   Equation from (19). Domain: A > 0. Operations: 6. Error / u (1 + kappa): proved 1.01, 0.34, 0.0, 0.0. */
 SF_KERNEL void dissipation_viscous(double A, double zeta, double zeta_2, double *out)
 {
     const double t0 = 0.5 * zeta_2;
@@ -124,8 +116,7 @@ SF_KERNEL void dissipation_viscous(double A, double zeta, double zeta_2, double 
 }
 
 /* What zeta_2 does to the first three of `viscous`.
-   Equation from (19). Domain: A > 0. Operations: 3.
-   Proved, error / u (1 + kappa): 0.34, 0.0, 0.0 */
+   Equation from (19). Domain: A > 0. Operations: 3. Error / u (1 + kappa): proved 0.34, 0.0, 0.0. */
 SF_KERNEL void dissipation_viscous_moves(double A, double *out)
 {
     out[0] = 0.25 * A * A;
@@ -134,8 +125,7 @@ SF_KERNEL void dissipation_viscous_moves(double A, double *out)
 }
 
 /* Sine balance, -F_0 sin phi at a fixed point.
-   Equation (23). Domain: Omega > 0, A > 0. Operations: 14.
-   Proved, error / u (1 + kappa): 7.01 */
+   Equation (23). Domain: Omega > 0, A > 0. Operations: 14. Error / u (1 + kappa): proved 7.01. */
 SF_KERNEL double dissipation_I(double Omega, double A, double I_0, double zeta, double d, double d_3)
 {
     const double A2 = A * A;
@@ -146,8 +136,7 @@ SF_KERNEL double dissipation_I(double Omega, double A, double I_0, double zeta, 
 }
 
 /* dI/dA.
-   Equation (23). Domain: Omega > 0, A > 0. Operations: 17.
-   Proved, error / u (1 + kappa): 7.26 */
+   Equation (23). Domain: Omega > 0, A > 0. Operations: 17. Error / u (1 + kappa): proved 7.26. */
 SF_KERNEL double dissipation_I_A(double Omega, double A, double I_0A, double zeta, double zeta_A, double d, double d_3)
 {
     const double t0 = 2.0 * Omega;
@@ -157,8 +146,7 @@ SF_KERNEL double dissipation_I_A(double Omega, double A, double I_0A, double zet
 }
 
 /* R, R_A, I and I_A over Omega^2, at x = 1/Omega.
-   Equation (23). Domain: x >= 0, A > 0. Operations: 21.
-   Proved, error / u (1 + kappa): 1.01, 1.34, 4.01, 4.51 */
+   Equation (23). Domain: x >= 0, A > 0. Operations: 21. Error / u (1 + kappa): proved 1.01, 1.34, 4.01, 4.51. */
 SF_KERNEL void dissipation_far(double x, double A, double I_0, double I_0A, double zeta, double zeta_A, double d, double h, double h_A, double *out)
 {
     const double t0 = x * x;
@@ -171,8 +159,7 @@ SF_KERNEL void dissipation_far(double x, double A, double I_0, double I_0A, doub
 }
 
 /* Zero at a steady state.
-   Equation (24). Domain: Omega > 0, A > 0. Operations: 21.
-   Measured, error / u (1 + kappa): 0.51 */
+   Equation (24). Domain: Omega > 0, A > 0. Operations: 21. Error / u (1 + kappa): measured 0.51. */
 SF_KERNEL double dissipation_F(double Omega, double A, double F_0, double I_0, double zeta, double d, double d_3, double h)
 {
     const double Omega2 = Omega * Omega;
@@ -185,8 +172,7 @@ SF_KERNEL double dissipation_F(double Omega, double A, double F_0, double I_0, d
 }
 
 /* dF/dA; positive where stable.
-   Equation (24), (30). Domain: Omega > 0, A > 0. Operations: 31.
-   Measured, error / u (1 + kappa): 0.64 */
+   Equation (24), (30). Domain: Omega > 0, A > 0. Operations: 31. Error / u (1 + kappa): measured 0.64. */
 SF_KERNEL double dissipation_F_A(double Omega, double A, double I_0, double I_0A, double zeta, double zeta_A, double d, double d_3, double h, double h_A)
 {
     const double Omega2 = Omega * Omega;
@@ -203,8 +189,7 @@ SF_KERNEL double dissipation_F_A(double Omega, double A, double I_0, double I_0A
 }
 
 /* d2F/dA2.
-   Equation (24). Domain: Omega > 0, A > 0. Operations: 48.
-   Measured, error / u (1 + kappa): 0.89 */
+   Equation (24). Domain: Omega > 0, A > 0. Operations: 48. Error / u (1 + kappa): measured 0.89. */
 SF_KERNEL double dissipation_F_AA(double Omega, double A, double I_0, double I_0A, double I_0AA, double zeta, double zeta_A, double zeta_AA, double d, double d_3, double h, double h_A, double h_AA)
 {
     const double Omega2 = Omega * Omega;
@@ -226,8 +211,7 @@ SF_KERNEL double dissipation_F_AA(double Omega, double A, double I_0, double I_0
 }
 
 /* d2F/dOmega2.
-   Equation (24). Domain: Omega > 0, A > 0. Operations: 35.
-   Measured, error / u (1 + kappa): 0.84 */
+   Equation (24). Domain: Omega > 0, A > 0. Operations: 35. Error / u (1 + kappa): measured 0.84. */
 SF_KERNEL double dissipation_F_OmegaOmega(double Omega, double A, double I_0, double zeta, double d, double d_3, double h)
 {
     const double Omega2 = Omega * Omega;
@@ -247,8 +231,7 @@ SF_KERNEL double dissipation_F_OmegaOmega(double Omega, double A, double I_0, do
 }
 
 /* d3F/dA dOmega2.
-   Equation (24). Domain: Omega > 0, A > 0. Operations: 59.
-   Measured, error / u (1 + kappa): 0.76 */
+   Equation (24). Domain: Omega > 0, A > 0. Operations: 59. Error / u (1 + kappa): measured 0.76. */
 SF_KERNEL double dissipation_F_AOmegaOmega(double Omega, double A, double I_0, double I_0A, double zeta, double zeta_A, double d, double d_3, double h, double h_A)
 {
     const double Omega2 = Omega * Omega;
@@ -272,8 +255,7 @@ SF_KERNEL double dissipation_F_AOmegaOmega(double Omega, double A, double I_0, d
 }
 
 /* dOmega/dA along the response.
-   Equation from (24). Domain: Omega > 0, A > 0. Operations: 46.
-   Measured, error / u (1 + kappa): 0.78 */
+   Equation from (24). Domain: Omega > 0, A > 0. Operations: 46. Error / u (1 + kappa): measured 0.78. */
 SF_KERNEL double dissipation_Omega_A(double Omega, double A, double I_0, double I_0A, double zeta, double zeta_A, double d, double d_3, double h, double h_A)
 {
     const double Omega2 = Omega * Omega;
@@ -293,8 +275,7 @@ SF_KERNEL double dissipation_Omega_A(double Omega, double A, double I_0, double 
 }
 
 /* The same of an excitation by inertia.
-   Equation from (24). Domain: Omega > 0, A > 0. Operations: 42.
-   Measured, error / u (1 + kappa): 0.95 */
+   Equation from (24). Domain: Omega > 0, A > 0. Operations: 42. Error / u (1 + kappa): measured 0.95. */
 SF_KERNEL double dissipation_Omega_A_by_inertia(double Omega, double A, double I_0, double I_0A, double zeta, double zeta_A, double d, double d_3, double h, double h_A)
 {
     const double Omega2 = Omega * Omega;
@@ -314,8 +295,7 @@ SF_KERNEL double dissipation_Omega_A_by_inertia(double Omega, double A, double I
 }
 
 /* Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum.
-   Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 98.
-   Measured, error / u (1 + kappa): 0.93 */
+   Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 98. Error / u (1 + kappa): measured 0.93. */
 SF_KERNEL double dissipation_cusp_bend(double Omega, double A, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double zeta_A, double zeta_AA, double zeta_AAA, double d, double d_3, double h, double h_A, double h_AA, double h_AAA)
 {
     const double Omega2 = Omega * Omega;
@@ -354,8 +334,7 @@ SF_KERNEL double dissipation_cusp_bend(double Omega, double A, double I_0, doubl
 }
 
 /* At an isola point: negative at a saddle of F; and as `cusp_bend`.
-   Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 133.
-   Measured, error / u (1 + kappa): 0.71 */
+   Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 133. Error / u (1 + kappa): measured 0.71. */
 SF_KERNEL void dissipation_isola_bend(double Omega, double A, double I_0, double I_0A, double I_0AA, double zeta, double zeta_A, double zeta_AA, double d, double d_3, double h, double h_A, double h_AA, double *out)
 {
     const double Omega2 = Omega * Omega;
@@ -400,8 +379,7 @@ SF_KERNEL void dissipation_isola_bend(double Omega, double A, double I_0, double
 }
 
 /* F at Omega = 0 by its halves h - c and h + c, c^2 = F_0^2 - I_0^2; and the slope of each.
-   Equation from (24). Domain: F_0 > I_0. Operations: 10.
-   Measured, error / u (1 + kappa): 0.71 */
+   Equation from (24). Domain: F_0 > I_0. Operations: 10. Error / u (1 + kappa): measured 0.71. */
 SF_KERNEL void dissipation_static(double F_0, double I_0, double I_0A, double h, double h_A, double *out)
 {
     const double c = sqrt((F_0 - I_0) * (F_0 + I_0));
@@ -413,8 +391,8 @@ SF_KERNEL void dissipation_static(double F_0, double I_0, double I_0A, double h,
 }
 
 /* F + F_0^2 as a polynomial in Omega: coefficients of 1, Omega, ..., Omega^6.
-   Equation (24). Domain: A > 0. Operations: 34.
-   Proved, error / u (1 + kappa): 0.67, 0.51, 2.51, 2.51, 3.67, 0.76, 0.78 */
+   Equation (24). Domain: A > 0. Operations: 34. Error / u (1 + kappa): proved 0.67, 0.51, 2.51, 2.51, 3.67, 0.76,
+   0.78. */
 SF_KERNEL void dissipation_response_polynomial(double A, double I_0, double zeta, double d, double d_3, double h, double *out)
 {
     const double t0 = 4.0 * zeta;
@@ -434,8 +412,8 @@ SF_KERNEL void dissipation_response_polynomial(double A, double I_0, double zeta
 }
 
 /* F_A/2 as a polynomial in Omega: coefficients of 1, Omega, ..., Omega^6.
-   Equation (30). Domain: A > 0. Operations: 56.
-   Proved, error / u (1 + kappa): 1.01, 2.01, 7.15, 6.01, 6.17, 0.86, 0.88 */
+   Equation (30). Domain: A > 0. Operations: 56. Error / u (1 + kappa): proved 1.01, 2.01, 7.15, 6.01, 6.17, 0.86,
+   0.88. */
 SF_KERNEL void dissipation_fold_polynomial(double A, double I_0, double I_0A, double zeta, double zeta_A, double d, double d_3, double h, double h_A, double *out)
 {
     const double t0 = 2.0 * I_0;
@@ -455,8 +433,8 @@ SF_KERNEL void dissipation_fold_polynomial(double A, double I_0, double I_0A, do
 }
 
 /* Largest amplitude that the forcing can hold at this frequency, where friction acts throughout.
-   Equation (27). Domain: Omega > 0, F_0 > m, one of zeta, eta, d > 0. Operations: 16.
-   Measured, error / u (1 + kappa): 0.89 */
+   Equation (27). Domain: Omega > 0, F_0 > m, one of zeta, eta, d > 0. Operations: 16. Error / u (1 + kappa):
+   measured 0.89. */
 SF_KERNEL double dissipation_limit_envelope(double Omega, double F_0, double m, double zeta, double eta, double d)
 {
     const double t0 = 2.0 * Omega * zeta + eta;
@@ -464,25 +442,21 @@ SF_KERNEL double dissipation_limit_envelope(double Omega, double F_0, double m, 
 }
 
 /* F_A/2 by R, I and their slopes.
-   Equation (30). Domain: Omega >= 0, A > 0. Operations: 3.
-   Proved, error / u (1 + kappa): 1.01 */
+   Equation (30). Domain: Omega >= 0, A > 0. Operations: 3. Error / u (1 + kappa): proved 1.01. */
 SF_KERNEL double dissipation_F_A_halved(double R, double R_A, double I_, double I_A)
 {
     return I_ * I_A + R * R_A;
 }
 
 /* R where F_Omega = 0.
-   Equation from (24). Domain: Omega >= 0, A > 0. Operations: 9.
-   Proved, error / u (1 + kappa): 4.76 */
+   Equation from (24). Domain: Omega >= 0, A > 0. Operations: 9. Error / u (1 + kappa): proved 4.76. */
 SF_KERNEL double dissipation_R_of_peak(double Omega, double A, double zeta, double d, double d_3, double I_)
 {
     return I_ * (-1.5 * A * A * Omega * d_3 - A * d - zeta / Omega);
 }
 
 /* Of what 4/A times the least F_A/2 is not below where |k| <= A^2 |h_AA|/2, friction throughout: 1, A^2.
-   Equation from (30). Domain: Omega >= 0. Operations: 13.
-   Proved, error / u (1 + kappa): -, 1.01
-   Measured, error / u (1 + kappa): 0.78 */
+   Equation from (30). Domain: Omega >= 0. Operations: 13. Error / u (1 + kappa): proved -, 1.01; measured 0.78. */
 SF_KERNEL void dissipation_least_scaled(double Omega, double zeta, double eta, double d, double h_AA, double *out)
 {
     const double t0 = 2.0 * Omega * zeta + eta;
@@ -493,9 +467,7 @@ SF_KERNEL void dissipation_least_scaled(double Omega, double zeta, double eta, d
 }
 
 /* F/Omega^4 at x = 1/Omega; and -Omega^3/4 dlevel^2/dOmega, less Omega times the third.
-   Equation (24). Domain: x >= 0, A > 0. Operations: 34.
-   Proved, error / u (1 + kappa): -, -, 0.67
-   Measured, error / u (1 + kappa): 1.2 */
+   Equation (24). Domain: x >= 0, A > 0. Operations: 34. Error / u (1 + kappa): proved -, -, 0.67; measured 1.2. */
 SF_KERNEL void dissipation_far_by_inertia(double x, double A, double F_0, double I_0, double zeta, double d, double h, double *out)
 {
     const double t0 = x * x;
@@ -511,8 +483,7 @@ SF_KERNEL void dissipation_far_by_inertia(double x, double A, double F_0, double
 }
 
 /* As `cusp_bend`, for an excitation by inertia.
-   Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 102.
-   Measured, error / u (1 + kappa): 0.81 */
+   Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 102. Error / u (1 + kappa): measured 0.81. */
 SF_KERNEL double dissipation_cusp_bend_by_inertia(double Omega, double A, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double zeta_A, double zeta_AA, double zeta_AAA, double d, double d_3, double h, double h_A, double h_AA, double h_AAA)
 {
     const double Omega2 = Omega * Omega;
@@ -549,8 +520,7 @@ SF_KERNEL double dissipation_cusp_bend_by_inertia(double Omega, double A, double
 }
 
 /* As `isola_bend`, for an excitation by inertia.
-   Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 102.
-   Measured, error / u (1 + kappa): 1.5 */
+   Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 102. Error / u (1 + kappa): measured 1.5. */
 SF_KERNEL void dissipation_isola_bend_by_inertia(double Omega, double A, double I_0, double I_0A, double I_0AA, double zeta, double zeta_A, double zeta_AA, double d, double d_3, double h, double h_A, double h_AA, double *out)
 {
     const double Omega2 = Omega * Omega;
@@ -587,17 +557,14 @@ SF_KERNEL void dissipation_isola_bend_by_inertia(double Omega, double A, double 
 }
 
 /* The amplitude that the response tends to as Omega grows.
-   Equation from (24). Domain: F_0 > 0. Operations: 10.
-   Measured, error / u (1 + kappa): 1.4 */
+   Equation from (24). Domain: F_0 > 0. Operations: 10. Error / u (1 + kappa): measured 1.4. */
 SF_KERNEL double dissipation_full_by_inertia(double F_0, double d)
 {
     return 1.4142135623730951 * F_0 / sqrt(sqrt(4.0 * F_0 * F_0 * d * d + 1.0) + 1.0);
 }
 
 /* Both positive: no state above A, while |h| grows by steepest dA at most.
-   Equation from (23), (24). Domain: A > 0. Operations: 10.
-   Proved, error / u (1 + kappa): -, 3.76
-   Measured, error / u (1 + kappa): 0.85 */
+   Equation from (23), (24). Domain: A > 0. Operations: 10. Error / u (1 + kappa): proved -, 3.76; measured 0.85. */
 SF_KERNEL void dissipation_structural_bound(double A, double F_0, double eta, double h, double steepest, double *out)
 {
     const double t0 = A - F_0;
@@ -607,17 +574,15 @@ SF_KERNEL void dissipation_structural_bound(double A, double F_0, double eta, do
 }
 
 /* What no amplitude exceeds.
-   Equation from (23), (24). Domain: d > 0. Operations: 3.
-   Measured, error / u (1 + kappa): 1.2 */
+   Equation from (23), (24). Domain: d > 0. Operations: 3. Error / u (1 + kappa): measured 1.2. */
 SF_KERNEL double dissipation_quadratic_bound(double F_0, double d)
 {
     return sqrt(F_0) / sqrt(d);
 }
 
 /* F and F_A/2; derivatives by A and by R of the first, then of the second.
-   Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 73.
-   Proved, error / u (1 + kappa): -, 1.01, 9.26, 8.26, -, -
-   Measured, error / u (1 + kappa): 0.83 */
+   Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 73. Error / u (1 + kappa): proved -, 1.01, 9.26,
+   8.26, -, -; measured 0.83. */
 SF_KERNEL void dissipation_folds_by_R(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double zeta_A, double zeta_AA, double zeta_AAA, double d, double d_3, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
     const double t0 = 1.0 / Omega;
@@ -645,9 +610,8 @@ SF_KERNEL void dissipation_folds_by_R(double Omega, double A, double F_0, double
 }
 
 /* F and what vanishes where the level is stationary; derivatives by A and by R of the first, then of the second.
-   Equation from (24). Domain: Omega > 0, A > 0. Operations: 61.
-   Proved, error / u (1 + kappa): -, 6.01, 9.26, 8.26, -, -
-   Measured, error / u (1 + kappa): 0.92 */
+   Equation from (24). Domain: Omega > 0, A > 0. Operations: 61. Error / u (1 + kappa): proved -, 6.01, 9.26, 8.26,
+   -, -; measured 0.92. */
 SF_KERNEL void dissipation_peaks_by_R(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double zeta_A, double zeta_AA, double zeta_AAA, double d, double d_3, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
     const double t0 = A * d;
@@ -672,9 +636,8 @@ SF_KERNEL void dissipation_peaks_by_R(double Omega, double A, double F_0, double
 }
 
 /* F_A/2 and F_AA/2; derivatives by A and by R of the first, then of the second.
-   Equation from (30), (33). Domain: Omega > 0, A > 0. Operations: 125.
-   Proved, error / u (1 + kappa): 1.01, 10.26, -, -, -, -
-   Measured, error / u (1 + kappa): 0.71 */
+   Equation from (30), (33). Domain: Omega > 0, A > 0. Operations: 125. Error / u (1 + kappa): proved 1.01, 10.26,
+   -, -, -, -; measured 0.71. */
 SF_KERNEL void dissipation_cusps_by_R(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double zeta_A, double zeta_AA, double zeta_AAA, double d, double d_3, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
     const double t0 = Omega * zeta_A;
@@ -718,9 +681,8 @@ SF_KERNEL void dissipation_cusps_by_R(double Omega, double A, double F_0, double
 }
 
 /* F_A/2 and what vanishes where the level is stationary; derivatives by A and by R of the first, then of the second.
-   Equation from (30). Domain: Omega > 0, A > 0. Operations: 95.
-   Proved, error / u (1 + kappa): 1.01, 6.01, -, -, -, -
-   Measured, error / u (1 + kappa): 0.67 */
+   Equation from (30). Domain: Omega > 0, A > 0. Operations: 95. Error / u (1 + kappa): proved 1.01, 6.01, -, -, -,
+   -; measured 0.67. */
 SF_KERNEL void dissipation_isolas_by_R(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double zeta_A, double zeta_AA, double zeta_AAA, double d, double d_3, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
     const double t0 = A * d;
@@ -754,9 +716,8 @@ SF_KERNEL void dissipation_isolas_by_R(double Omega, double A, double F_0, doubl
 }
 
 /* F_A/2 and F_AOmega/(4 Omega); derivatives by A and by R of the first, then of the second.
-   Equation from (30). Domain: Omega > 0, A > 0. Operations: 241.
-   Proved, error / u (1 + kappa): 1.01, -, -, -, -, -
-   Measured, error / u (1 + kappa): 1.3 */
+   Equation from (30). Domain: Omega > 0, A > 0. Operations: 241. Error / u (1 + kappa): proved 1.01, -, -, -, -, -;
+   measured 1.3. */
 SF_KERNEL void dissipation_turns_by_R(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double zeta_A, double zeta_AA, double zeta_AAA, double d, double d_3, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
     const double t0 = R * R_A;
@@ -835,9 +796,8 @@ SF_KERNEL void dissipation_turns_by_R(double Omega, double A, double F_0, double
 }
 
 /* F and F_A/2; derivatives by A and by Omega of the first, then of the second.
-   Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 59.
-   Proved, error / u (1 + kappa): -, 1.01, 1.01, 7.26, 10.26, -
-   Measured, error / u (1 + kappa): 0.5 */
+   Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 59. Error / u (1 + kappa): proved -, 1.01, 1.01,
+   7.26, 10.26, -; measured 0.5. */
 SF_KERNEL void dissipation_folds_by_Omega(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double zeta_A, double zeta_AA, double zeta_AAA, double d, double d_3, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
     const double t0 = I_ * I_A + R * R_A;
@@ -861,9 +821,8 @@ SF_KERNEL void dissipation_folds_by_Omega(double Omega, double A, double F_0, do
 }
 
 /* F and what vanishes where the level is stationary; derivatives by A and by Omega of the first, then of the second.
-   Equation from (24). Domain: Omega > 0, A > 0. Operations: 101.
-   Proved, error / u (1 + kappa): -, -, 1.01, 7.26, -, -
-   Measured, error / u (1 + kappa): 0.68 */
+   Equation from (24). Domain: Omega > 0, A > 0. Operations: 101. Error / u (1 + kappa): proved -, -, 1.01, 7.26, -,
+   -; measured 0.68. */
 SF_KERNEL void dissipation_peaks_by_Omega(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double zeta_A, double zeta_AA, double zeta_AAA, double d, double d_3, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
     const double t0 = 1.0 / Omega;
@@ -899,9 +858,8 @@ SF_KERNEL void dissipation_peaks_by_Omega(double Omega, double A, double F_0, do
 }
 
 /* F_A/2 and F_AA/2; derivatives by A and by Omega of the first, then of the second.
-   Equation from (30), (33). Domain: Omega > 0, A > 0. Operations: 99.
-   Proved, error / u (1 + kappa): 1.01, 8.26, 8.26, -, -, -
-   Measured, error / u (1 + kappa): 1.2 */
+   Equation from (30), (33). Domain: Omega > 0, A > 0. Operations: 99. Error / u (1 + kappa): proved 1.01, 8.26,
+   8.26, -, -, -; measured 1.2. */
 SF_KERNEL void dissipation_cusps_by_Omega(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double zeta_A, double zeta_AA, double zeta_AAA, double d, double d_3, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
     const double Omega2 = Omega * Omega;
@@ -936,9 +894,8 @@ SF_KERNEL void dissipation_cusps_by_Omega(double Omega, double A, double F_0, do
 }
 
 /* F_A/2 and what vanishes where the level is stationary; derivatives by A and by Omega of the first, then of the second.
-   Equation from (30). Domain: Omega > 0, A > 0. Operations: 125.
-   Proved, error / u (1 + kappa): 1.01, -, 10.26, -, -, -
-   Measured, error / u (1 + kappa): 0.49 */
+   Equation from (30). Domain: Omega > 0, A > 0. Operations: 125. Error / u (1 + kappa): proved 1.01, -, 10.26, -,
+   -, -; measured 0.49. */
 SF_KERNEL void dissipation_isolas_by_Omega(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double zeta_A, double zeta_AA, double zeta_AAA, double d, double d_3, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
     const double t0 = 1.0 / Omega;
@@ -979,9 +936,8 @@ SF_KERNEL void dissipation_isolas_by_Omega(double Omega, double A, double F_0, d
 }
 
 /* F_A/2 and F_AOmega/(4 Omega); derivatives by A and by Omega of the first, then of the second.
-   Equation from (30). Domain: Omega > 0, A > 0. Operations: 203.
-   Proved, error / u (1 + kappa): 1.01, -, 10.26, -, -, -
-   Measured, error / u (1 + kappa): 1.3 */
+   Equation from (30). Domain: Omega > 0, A > 0. Operations: 203. Error / u (1 + kappa): proved 1.01, -, 10.26, -,
+   -, -; measured 1.3. */
 SF_KERNEL void dissipation_turns_by_Omega(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double zeta_A, double zeta_AA, double zeta_AAA, double d, double d_3, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
     const double t0 = A * R_A;
@@ -1045,9 +1001,8 @@ SF_KERNEL void dissipation_turns_by_Omega(double Omega, double A, double F_0, do
 }
 
 /* F and F_A/2 of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by R of the first, then of the second.
-   Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 54.
-   Proved, error / u (1 + kappa): -, 1.01, 4.01, 3.51, 24.51, 12.34
-   Measured, error / u (1 + kappa): 0.7 */
+   Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 54. Error / u (1 + kappa): proved -, 1.01, 4.01,
+   3.51, 24.51, 12.34; measured 0.7. */
 SF_KERNEL void dissipation_folds_far_by_R(double x, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double zeta_A, double zeta_AA, double zeta_AAA, double d, double d_3, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
     const double t0 = 1.0 / h;
@@ -1067,9 +1022,8 @@ SF_KERNEL void dissipation_folds_far_by_R(double x, double A, double F_0, double
 }
 
 /* F and what vanishes where the level is stationary of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by R of the first, then of the second.
-   Equation from (24). Domain: Omega > 0, A > 0. Operations: 56.
-   Proved, error / u (1 + kappa): -, 3.26, 4.51, 4.01, -, -
-   Measured, error / u (1 + kappa): 0.97 */
+   Equation from (24). Domain: Omega > 0, A > 0. Operations: 56. Error / u (1 + kappa): proved -, 3.26, 4.51, 4.01,
+   -, -; measured 0.97. */
 SF_KERNEL void dissipation_peaks_far_by_R(double x, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double zeta_A, double zeta_AA, double zeta_AAA, double d, double d_3, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
     const double t0 = 1.0 / h;
@@ -1095,9 +1049,8 @@ SF_KERNEL void dissipation_peaks_far_by_R(double x, double A, double F_0, double
 }
 
 /* F_A/2 and F_AA/2 of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by R of the first, then of the second.
-   Equation from (30), (33). Domain: Omega > 0, A > 0. Operations: 99.
-   Proved, error / u (1 + kappa): 1.01, 8.01, 21.51, 12.34, -, -
-   Measured, error / u (1 + kappa): 0.63 */
+   Equation from (30), (33). Domain: Omega > 0, A > 0. Operations: 99. Error / u (1 + kappa): proved 1.01, 8.01,
+   21.51, 12.34, -, -; measured 0.63. */
 SF_KERNEL void dissipation_cusps_far_by_R(double x, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double zeta_A, double zeta_AA, double zeta_AAA, double d, double d_3, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
     const double t0 = 2.0 * d;
@@ -1134,9 +1087,8 @@ SF_KERNEL void dissipation_cusps_far_by_R(double x, double A, double F_0, double
 }
 
 /* F_A/2 and what vanishes where the level is stationary of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by R of the first, then of the second.
-   Equation from (30). Domain: Omega > 0, A > 0. Operations: 80.
-   Proved, error / u (1 + kappa): 1.01, 3.26, 25.84, 13.67, -, -
-   Measured, error / u (1 + kappa): 0.46 */
+   Equation from (30). Domain: Omega > 0, A > 0. Operations: 80. Error / u (1 + kappa): proved 1.01, 3.26, 25.84,
+   13.67, -, -; measured 0.46. */
 SF_KERNEL void dissipation_isolas_far_by_R(double x, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double zeta_A, double zeta_AA, double zeta_AAA, double d, double d_3, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
     const double t0 = 1.0 / h;
@@ -1166,9 +1118,8 @@ SF_KERNEL void dissipation_isolas_far_by_R(double x, double A, double F_0, doubl
 }
 
 /* F and F_A/2 of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by x of the first, then of the second.
-   Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 49.
-   Proved, error / u (1 + kappa): -, 1.01, 1.01, 2.01, 8.01, 8.34
-   Measured, error / u (1 + kappa): 0.5 */
+   Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 49. Error / u (1 + kappa): proved -, 1.01, 1.01,
+   2.01, 8.01, 8.34; measured 0.5. */
 SF_KERNEL void dissipation_folds_far_by_x(double x, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double zeta_A, double zeta_AA, double zeta_AAA, double d, double d_3, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
     const double t0 = I_ * I_A + R * R_A;
@@ -1185,9 +1136,8 @@ SF_KERNEL void dissipation_folds_far_by_x(double x, double A, double F_0, double
 }
 
 /* F and what vanishes where the level is stationary of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by x of the first, then of the second.
-   Equation from (24). Domain: Omega > 0, A > 0. Operations: 59.
-   Proved, error / u (1 + kappa): -, 7.01, 1.01, 2.01, -, 8.51
-   Measured, error / u (1 + kappa): 0.55 */
+   Equation from (24). Domain: Omega > 0, A > 0. Operations: 59. Error / u (1 + kappa): proved -, 7.01, 1.01, 2.01,
+   -, 8.51; measured 0.55. */
 SF_KERNEL void dissipation_peaks_far_by_x(double x, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double zeta_A, double zeta_AA, double zeta_AAA, double d, double d_3, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
     const double t0 = R * h;
@@ -1209,9 +1159,8 @@ SF_KERNEL void dissipation_peaks_far_by_x(double x, double A, double F_0, double
 }
 
 /* F_A/2 and F_AA/2 of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by x of the first, then of the second.
-   Equation from (30), (33). Domain: Omega > 0, A > 0. Operations: 87.
-   Proved, error / u (1 + kappa): 1.01, 6.01, 6.01, 8.34, 13.41, -
-   Measured, error / u (1 + kappa): 0.58 */
+   Equation from (30), (33). Domain: Omega > 0, A > 0. Operations: 87. Error / u (1 + kappa): proved 1.01, 6.01,
+   6.01, 8.34, 13.41, -; measured 0.58. */
 SF_KERNEL void dissipation_cusps_far_by_x(double x, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double zeta_A, double zeta_AA, double zeta_AAA, double d, double d_3, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
     const double t0 = 2.0 * d;
@@ -1241,9 +1190,8 @@ SF_KERNEL void dissipation_cusps_far_by_x(double x, double A, double F_0, double
 }
 
 /* F_A/2 and what vanishes where the level is stationary of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by x of the first, then of the second.
-   Equation from (30). Domain: Omega > 0, A > 0. Operations: 77.
-   Proved, error / u (1 + kappa): 1.01, 7.01, 8.01, 8.34, -, 8.51
-   Measured, error / u (1 + kappa): 0.71 */
+   Equation from (30). Domain: Omega > 0, A > 0. Operations: 77. Error / u (1 + kappa): proved 1.01, 7.01, 8.01,
+   8.34, -, 8.51; measured 0.71. */
 SF_KERNEL void dissipation_isolas_far_by_x(double x, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double zeta_A, double zeta_AA, double zeta_AAA, double d, double d_3, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
     const double t0 = A * zeta;

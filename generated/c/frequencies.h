@@ -31,8 +31,7 @@
 #define FREQUENCIES_FINE 3.1554436208840472e-30
 
 /* F, and what its rounding error is below ROUGH times of.
-   Equation (24). Domain: Omega >= 0, A > 0. Operations: 20.
-   Measured, error / u (1 + kappa): 0.98 */
+   Equation (24). Domain: Omega >= 0, A > 0. Operations: 20. Error / u (1 + kappa): measured 0.98. */
 SF_TWOFOLD void frequencies_response(double Omega, double A, double F_0, double m, double zeta, double h, double *out)
 {
     const double t0 = A * Omega * Omega;
@@ -45,9 +44,7 @@ SF_TWOFOLD void frequencies_response(double Omega, double A, double F_0, double 
 }
 
 /* F at Omega = 0, and what its rounding error is below ROUGH times of.
-   Equation (24). Domain: any. Operations: 7.
-   Proved, error / u (1 + kappa): -, 1.34
-   Measured, error / u (1 + kappa): 1.3 */
+   Equation (24). Domain: any. Operations: 7. Error / u (1 + kappa): proved -, 1.34; measured 1.3. */
 SF_TWOFOLD void frequencies_response_at_0(double F_0, double m, double h, double *out)
 {
     const double t0 = h * h;
@@ -57,8 +54,7 @@ SF_TWOFOLD void frequencies_response_at_0(double F_0, double m, double h, double
 }
 
 /* F_A/2, and what its rounding error is below ROUGH times of.
-   Equation (30). Domain: Omega >= 0, A > 0. Operations: 23.
-   Measured, error / u (1 + kappa): 1.1 */
+   Equation (30). Domain: Omega >= 0, A > 0. Operations: 23. Error / u (1 + kappa): measured 1.1. */
 SF_TWOFOLD void frequencies_fold(double Omega, double A, double m, double zeta, double h, double h_A, double *out)
 {
     const double t0 = Omega * Omega;
@@ -74,33 +70,29 @@ SF_TWOFOLD void frequencies_fold(double Omega, double A, double m, double zeta, 
 }
 
 /* F_A/2 at Omega = 0.
-   Equation (30). Domain: any. Operations: 1.
-   Proved, error / u (1 + kappa): 0.34 */
+   Equation (30). Domain: any. Operations: 1. Error / u (1 + kappa): proved 0.34. */
 SF_TWOFOLD double frequencies_fold_at_0(double h, double h_A)
 {
     return h * h_A;
 }
 
 /* A Omega^3 + p Omega + q.
-   Equation from (24), (30). Domain: Omega >= 0, A > 0. Operations: 5.
-   Proved, error / u (1 + kappa): 2.67 */
+   Equation from (24), (30). Domain: Omega >= 0, A > 0. Operations: 5. Error / u (1 + kappa): proved 2.67. */
 SF_TWOFOLD double frequencies_cubic(double Omega, double A, double p, double q)
 {
     return Omega * (A * Omega * Omega + p) + q;
 }
 
 /* Its derivative by Omega.
-   Equation from (24), (30). Domain: Omega >= 0, A > 0. Operations: 4.
-   Proved, error / u (1 + kappa): 1.26 */
+   Equation from (24), (30). Domain: Omega >= 0, A > 0. Operations: 4. Error / u (1 + kappa): proved 1.26. */
 SF_TWOFOLD double frequencies_cubic_slope(double Omega, double A, double p)
 {
     return 3.0 * A * Omega * Omega + p;
 }
 
 /* Of a quartic from 0 to a critical point, and its magnitude.
-   Equation from (24), (30). Domain: Omega >= 0, A > 0. Operations: 11.
-   Proved, error / u (1 + kappa): 3.01, -
-   Measured, error / u (1 + kappa): 0.55 */
+   Equation from (24), (30). Domain: Omega >= 0, A > 0. Operations: 11. Error / u (1 + kappa): proved 3.01, -;
+   measured 0.55. */
 SF_TWOFOLD void frequencies_rise(double Omega, double A, double p, double k, double *out)
 {
     const double t0 = Omega * Omega;
@@ -111,9 +103,7 @@ SF_TWOFOLD void frequencies_rise(double Omega, double A, double p, double k, dou
 }
 
 /* F in double-double, and what its error is below FINE times of.
-   Equation (24). Domain: Omega >= 0, A > 0.
-   Exact: 6 products and 4 sums.
-   Measured, error / u (1 + kappa): 1.9 */
+   Exact: 6 products and 4 sums. Equation (24). Domain: Omega >= 0, A > 0. Error / u (1 + kappa): measured 1.9. */
 SF_TWOFOLD void frequencies_response_fine(double Omega, double A, double F_0, double m, double zeta, double h, double *out)
 {
     double d0_low;
@@ -151,9 +141,7 @@ SF_TWOFOLD void frequencies_response_fine(double Omega, double A, double F_0, do
 }
 
 /* F at Omega + tail in double-double, and what its error is below FINE times of.
-   Equation (24). Domain: Omega >= 0, A > 0.
-   Exact: 7 products and 4 sums.
-   Measured, error / u (1 + kappa): 1.7 */
+   Exact: 7 products and 4 sums. Equation (24). Domain: Omega >= 0, A > 0. Error / u (1 + kappa): measured 1.7. */
 SF_TWOFOLD void frequencies_response_beside(double Omega, double tail, double A, double F_0, double m, double zeta, double h, double *out)
 {
     double d0_low;
@@ -196,9 +184,7 @@ SF_TWOFOLD void frequencies_response_beside(double Omega, double tail, double A,
 }
 
 /* The derivative of F by Omega is k (A Omega^3 + p Omega + q): p, p_low, q, q_low, k.
-   Equation (24). Domain: A > 0.
-   Exact: 3 products and 2 sums.
-   Measured, error / u (1 + kappa): 0.31 */
+   Exact: 3 products and 2 sums. Equation (24). Domain: A > 0. Error / u (1 + kappa): measured 0.31. */
 SF_TWOFOLD void frequencies_response_derivative(double A, double m, double zeta, double h, double *out)
 {
     double d0_low;
@@ -221,9 +207,7 @@ SF_TWOFOLD void frequencies_response_derivative(double A, double m, double zeta,
 }
 
 /* F at Omega = 0, with a certain sign.
-   Equation (24). Domain: any.
-   Exact: 3 products.
-   Measured, error / u (1 + kappa): 0.34 */
+   Exact: 3 products. Equation (24). Domain: any. Error / u (1 + kappa): measured 0.34. */
 SF_TWOFOLD double frequencies_response_exactly_at_0(double F_0, double m, double h)
 {
     double d0_low;
@@ -237,9 +221,7 @@ SF_TWOFOLD double frequencies_response_exactly_at_0(double F_0, double m, double
 }
 
 /* F_A/2 in double-double, and what its error is below FINE times of.
-   Equation (30). Domain: Omega >= 0, A > 0.
-   Exact: 7 products and 4 sums.
-   Measured, error / u (1 + kappa): 1.5 */
+   Exact: 7 products and 4 sums. Equation (30). Domain: Omega >= 0, A > 0. Error / u (1 + kappa): measured 1.5. */
 SF_TWOFOLD void frequencies_fold_fine(double Omega, double A, double m, double zeta, double h, double h_A, double *out)
 {
     double d0_low;
@@ -282,9 +264,7 @@ SF_TWOFOLD void frequencies_fold_fine(double Omega, double A, double m, double z
 }
 
 /* F_A/2 at Omega + tail in double-double, and what its error is below FINE times of.
-   Equation (30). Domain: Omega >= 0, A > 0.
-   Exact: 8 products and 4 sums.
-   Measured, error / u (1 + kappa): 1.1 */
+   Exact: 8 products and 4 sums. Equation (30). Domain: Omega >= 0, A > 0. Error / u (1 + kappa): measured 1.1. */
 SF_TWOFOLD void frequencies_fold_beside(double Omega, double tail, double A, double m, double zeta, double h, double h_A, double *out)
 {
     double d0_low;
@@ -334,9 +314,7 @@ SF_TWOFOLD void frequencies_fold_beside(double Omega, double tail, double A, dou
 }
 
 /* The derivative of F_A/2 by Omega is k (A Omega^3 + p Omega + q): p, p_low, q, q_low, k.
-   Equation (30). Domain: A > 0.
-   Exact: 4 products and 4 sums.
-   Measured, error / u (1 + kappa): 0.76 */
+   Exact: 4 products and 4 sums. Equation (30). Domain: A > 0. Error / u (1 + kappa): measured 0.76. */
 SF_TWOFOLD void frequencies_fold_derivative(double A, double m, double zeta, double h, double h_A, double *out)
 {
     double d0_low;
@@ -366,9 +344,7 @@ SF_TWOFOLD void frequencies_fold_derivative(double A, double m, double zeta, dou
 }
 
 /* A Omega^3 + p Omega + q in double-double.
-   Equation from (24), (30). Domain: A > 0.
-   Exact: 3 products and 2 sums.
-   Measured, error / u (1 + kappa): 0.5 */
+   Exact: 3 products and 2 sums. Equation from (24), (30). Domain: A > 0. Error / u (1 + kappa): measured 0.5. */
 SF_TWOFOLD double frequencies_cubic_fine(double Omega, double A, double p, double p_low, double q, double q_low)
 {
     double d0_low;
@@ -389,9 +365,7 @@ SF_TWOFOLD double frequencies_cubic_fine(double Omega, double A, double p, doubl
 }
 
 /* Of the cubic, over A: for p < 0 < q positive where it has two positive roots; and its first term.
-   Equation from (24), (30). Domain: A > 0.
-   Exact: 5 products and 1 sum.
-   Measured, error / u (1 + kappa): 1.6 */
+   Exact: 5 products and 1 sum. Equation from (24), (30). Domain: A > 0. Error / u (1 + kappa): measured 1.6. */
 SF_TWOFOLD void frequencies_discriminant(double A, double p, double p_low, double q, double q_low, double *out)
 {
     double d0_low;

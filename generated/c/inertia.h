@@ -22,16 +22,14 @@
 #include "inline.h"
 
 /* Amplitude of the force on the mass.
-   Equation beside (3). Domain: Omega >= 0. Operations: 2.
-   Proved, error / u (1 + kappa): 0.51 */
+   Equation beside (3). Domain: Omega >= 0. Operations: 2. Error / u (1 + kappa): proved 0.51. */
 SF_KERNEL double inertia_force(double Omega, double F_0)
 {
     return F_0 * Omega * Omega;
 }
 
 /* Its slopes by Omega, F_0.
-   Equation beside (3). Domain: Omega >= 0. Operations: 3.
-   Proved, error / u (1 + kappa): 0.34, 0.34 */
+   Equation beside (3). Domain: Omega >= 0. Operations: 3. Error / u (1 + kappa): proved 0.34, 0.34. */
 SF_KERNEL void inertia_force_slopes(double Omega, double F_0, double *out)
 {
     out[0] = 2.0 * F_0 * Omega;
@@ -39,16 +37,14 @@ SF_KERNEL void inertia_force_slopes(double Omega, double F_0, double *out)
 }
 
 /* The F_0 of a force at one frequency.
-   Equation beside (3). Domain: Omega > 0. Operations: 2.
-   Proved, error / u (1 + kappa): 0.51 */
+   Equation beside (3). Domain: Omega > 0. Operations: 2. Error / u (1 + kappa): proved 0.51. */
 SF_KERNEL double inertia_amplitude(double Omega, double force)
 {
     return force / (Omega * Omega);
 }
 
 /* The Omega from which on the force exceeds what holds a mass at rest, 4 mu/pi on the average.
-   Equation beside (3). Domain: F_0 > 0, holds >= 0. Operations: 2.
-   Measured, error / u (1 + kappa): 0.61 */
+   Equation beside (3). Domain: F_0 > 0, holds >= 0. Operations: 2. Error / u (1 + kappa): measured 0.61. */
 SF_KERNEL double inertia_moves_from(double F_0, double holds)
 {
     const double turn = holds / F_0;
@@ -56,8 +52,8 @@ SF_KERNEL double inertia_moves_from(double F_0, double holds)
 }
 
 /* Frequency of a state that transmits sqrt(1 - reduction) of what drives it, though it moves.
-   Equation from (23). Domain: A > F_0 sqrt(reduction), 0 <= reduction < 1, h <= 0. Operations: 8.
-   Measured, error / u (1 + kappa): 0.64 */
+   Equation from (23). Domain: A > F_0 sqrt(reduction), 0 <= reduction < 1, h <= 0. Operations: 8. Error / u (1 +
+   kappa): measured 0.64. */
 SF_KERNEL double inertia_isolation(double A, double F_0, double reduction, double h)
 {
     const double removed = F_0 * sqrt(reduction);
@@ -66,8 +62,7 @@ SF_KERNEL double inertia_isolation(double A, double F_0, double reduction, doubl
 }
 
 /* The amplitude F_0 of the excitation for which (Omega, A) is a steady state.
-   Equation from (24). Domain: Omega > 0, A > 0. Operations: 12.
-   Measured, error / u (1 + kappa): 1.3 */
+   Equation from (24). Domain: Omega > 0, A > 0. Operations: 12. Error / u (1 + kappa): measured 1.3. */
 SF_KERNEL double inertia_level(double Omega, double A, double m, double zeta, double h)
 {
     const double t0 = Omega * Omega;
@@ -77,8 +72,7 @@ SF_KERNEL double inertia_level(double Omega, double A, double m, double zeta, do
 }
 
 /* Zero at a steady state.
-   Equation from (24). Domain: Omega > 0, A > 0. Operations: 13.
-   Measured, error / u (1 + kappa): 0.81 */
+   Equation from (24). Domain: Omega > 0, A > 0. Operations: 13. Error / u (1 + kappa): measured 0.81. */
 SF_KERNEL double inertia_F(double Omega, double A, double F_0, double m, double zeta, double h)
 {
     const double t0 = Omega * Omega;
@@ -89,8 +83,7 @@ SF_KERNEL double inertia_F(double Omega, double A, double F_0, double m, double 
 }
 
 /* Omega^5 times the derivative of level^2 by Omega.
-   Equation from (24). Domain: Omega > 0, A > 0. Operations: 13.
-   Proved, error / u (1 + kappa): 5.26 */
+   Equation from (24). Domain: Omega > 0, A > 0. Operations: 13. Error / u (1 + kappa): proved 5.26. */
 SF_KERNEL double inertia_level_slope(double Omega, double A, double m, double zeta, double h)
 {
     const double R = A * Omega * Omega + h;
@@ -100,8 +93,7 @@ SF_KERNEL double inertia_level_slope(double Omega, double A, double m, double ze
 }
 
 /* dOmega/dA along the response.
-   Equation from (24). Domain: Omega > 0, A > 0. Operations: 21.
-   Measured, error / u (1 + kappa): 1.1 */
+   Equation from (24). Domain: Omega > 0, A > 0. Operations: 21. Error / u (1 + kappa): measured 1.1. */
 SF_KERNEL double inertia_Omega_A(double Omega, double A, double m, double zeta, double h, double h_A)
 {
     const double t0 = Omega * Omega;
@@ -113,10 +105,8 @@ SF_KERNEL double inertia_Omega_A(double Omega, double A, double m, double zeta, 
 }
 
 /* 1/Omega^2 below the low frequency of an amplitude, and above the high one, where it has that.
-   Equation from (24). Domain: A > 0, where F has a root.
-   falling: 30 operations.
-   rising: 30 operations.
-   Measured, error / u (1 + kappa): 1.1 */
+   Equation from (24). Domain: A > 0, where F has a root. Operations: 30 in falling, 30 in rising. Error / u (1 +
+   kappa): measured 1.1. */
 SF_KERNEL void inertia_outer_falling(double A, double F_0, double m, double zeta, double h, double *out)
 {
     const double t0 = zeta * zeta;
@@ -160,8 +150,7 @@ SF_KERNEL void inertia_outer(double A, double F_0, double m, double zeta, double
 }
 
 /* What the least level of an amplitude follows from; it has one where the first, fall, is positive.
-   Equation from (24). Domain: A > 0. Operations: 11.
-   Proved, error / u (1 + kappa): 1.61, 0.76, 0.67 */
+   Equation from (24). Domain: A > 0. Operations: 11. Error / u (1 + kappa): proved 1.61, 0.76, 0.67. */
 SF_KERNEL void inertia_terms(double A, double m, double zeta, double h, double *out)
 {
     out[0] = -A * (2.0 * A * zeta * zeta + h);
@@ -170,16 +159,14 @@ SF_KERNEL void inertia_terms(double A, double m, double zeta, double h, double *
 }
 
 /* x = 1/Omega where the level of an amplitude is least, by its `terms`.
-   Equation from (24). Domain: fall > 0, linear >= 0, rest > 0. Operations: 8.
-   Measured, error / u (1 + kappa): 1.3 */
+   Equation from (24). Domain: fall > 0, linear >= 0, rest > 0. Operations: 8. Error / u (1 + kappa): measured 1.3. */
 SF_KERNEL double inertia_least(double fall, double linear, double rest)
 {
     return 8.0 * fall / (linear + sqrt(64.0 * fall * rest + linear * linear));
 }
 
 /* dOmega/dA where the level of an amplitude is least: what a rounding of A does to Omega there.
-   Equation from (24). Domain: x of `least`, h < 0. Operations: 24.
-   Measured, error / u (1 + kappa): 1.7 */
+   Equation from (24). Domain: x of `least`, h < 0. Operations: 24. Error / u (1 + kappa): measured 1.7. */
 SF_KERNEL double inertia_least_Omega_A(double x, double A, double m, double zeta, double h, double h_A)
 {
     const double t0 = x * x;
@@ -190,8 +177,7 @@ SF_KERNEL double inertia_least_Omega_A(double x, double A, double m, double zeta
 }
 
 /* The least level of an amplitude less F_0, and its slope along A.
-   Equation from (24). Domain: x of `least`, h < 0. Operations: 19.
-   Measured, error / u (1 + kappa): 0.87 */
+   Equation from (24). Domain: x of `least`, h < 0. Operations: 19. Error / u (1 + kappa): measured 0.87. */
 SF_KERNEL void inertia_peak(double x, double A, double F_0, double m, double zeta, double h, double h_A, double *out)
 {
     const double t0 = A * zeta;
@@ -205,8 +191,7 @@ SF_KERNEL void inertia_peak(double x, double A, double F_0, double m, double zet
 }
 
 /* Has the sign of F_A where an amplitude's level is least: zero at an isola point; its slope along A.
-   Equation from (24), (30). Domain: x of `least`, h < 0. Operations: 50.
-   Measured, error / u (1 + kappa): 1.2 */
+   Equation from (24), (30). Domain: x of `least`, h < 0. Operations: 50. Error / u (1 + kappa): measured 1.2. */
 SF_KERNEL void inertia_isola(double x, double A, double m, double zeta, double h, double h_A, double h_AA, double *out)
 {
     const double t0 = A * zeta;
@@ -226,8 +211,7 @@ SF_KERNEL void inertia_isola(double x, double A, double m, double zeta, double h
 }
 
 /* The same without its slope by k = h - A h_A and cubic = 3 h - A h_A, small where h is like A^3.
-   Equation from (24), (30). Domain: x of `least`, h < 0. Operations: 17.
-   Measured, error / u (1 + kappa): 1.1 */
+   Equation from (24), (30). Domain: x of `least`, h < 0. Operations: 17. Error / u (1 + kappa): measured 1.1. */
 SF_KERNEL double inertia_isola_apart(double x, double A, double m, double zeta, double h, double k, double cubic)
 {
     const double t0 = A * zeta;
@@ -239,8 +223,8 @@ SF_KERNEL double inertia_isola_apart(double x, double A, double m, double zeta, 
 }
 
 /* dR/dA at a fold by k = h - A h_A: of the two with F_A = 0 the larger, the other; -R/I with the first.
-   Equation from (30). Domain: Omega > 0, A > 0, zeta > 0, k other than 0. Operations: 24.
-   Measured, error / u (1 + kappa): 1.1 */
+   Equation from (30). Domain: Omega > 0, A > 0, zeta > 0, k other than 0. Operations: 24. Error / u (1 + kappa):
+   measured 1.1. */
 SF_KERNEL void inertia_fold_slopes(double Omega, double A, double m, double zeta, double k, double *out)
 {
     const double t0 = 2.0 * Omega * zeta;
@@ -256,8 +240,7 @@ SF_KERNEL void inertia_fold_slopes(double Omega, double A, double m, double zeta
 }
 
 /* The F_0 of a force at a fold, by the one of `fold_slopes` that is not its own.
-   Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 10.
-   Measured, error / u (1 + kappa): 0.91 */
+   Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 10. Error / u (1 + kappa): measured 0.91. */
 SF_KERNEL double inertia_fold_force(double Omega, double A, double m, double zeta, double other)
 {
     const double I_ = 2.0 * A * Omega * zeta + m;
@@ -265,8 +248,7 @@ SF_KERNEL double inertia_fold_force(double Omega, double A, double m, double zet
 }
 
 /* The F_0 of a fold, by the one of `fold_slopes` that is not its own.
-   Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 12.
-   Measured, error / u (1 + kappa): 0.73 */
+   Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 12. Error / u (1 + kappa): measured 0.73. */
 SF_KERNEL double inertia_fold_level(double Omega, double A, double m, double zeta, double other)
 {
     const double I_ = 2.0 * A * Omega * zeta + m;
@@ -274,8 +256,7 @@ SF_KERNEL double inertia_fold_level(double Omega, double A, double m, double zet
 }
 
 /* -R/I where the level is least and R small beside A Omega^2.
-   Equation from (24). Domain: Omega > 0, A > 0, zeta > 0. Operations: 22.
-   Measured, error / u (1 + kappa): 1.2 */
+   Equation from (24). Domain: Omega > 0, A > 0, zeta > 0. Operations: 22. Error / u (1 + kappa): measured 1.2. */
 SF_KERNEL double inertia_peak_share(double Omega, double A, double m, double zeta)
 {
     const double t0 = A * Omega * zeta;
@@ -289,8 +270,7 @@ SF_KERNEL double inertia_peak_share(double Omega, double A, double m, double zet
 }
 
 /* Omega of a steady state with that -R/I.
-   Equation from (24). Domain: A > 0, F_0 > 0. Operations: 13.
-   Measured, error / u (1 + kappa): 1.2 */
+   Equation from (24). Domain: A > 0, F_0 > 0. Operations: 13. Error / u (1 + kappa): measured 1.2. */
 SF_KERNEL double inertia_Omega_of_share(double A, double F_0, double m, double zeta, double share)
 {
     const double of_I = F_0 / sqrt(share * share + 1.0);
@@ -298,8 +278,7 @@ SF_KERNEL double inertia_Omega_of_share(double A, double F_0, double m, double z
 }
 
 /* Positive where the level rises with A along the fold locus, negative where it falls.
-   Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 32.
-   Measured, error / u (1 + kappa): 1.3 */
+   Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 32. Error / u (1 + kappa): measured 1.3. */
 SF_KERNEL double inertia_level_rise(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA)
 {
     const double t0 = Omega * Omega;
@@ -314,8 +293,7 @@ SF_KERNEL double inertia_level_rise(double Omega, double A, double m, double zet
 }
 
 /* Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum.
-   Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 30.
-   Measured, error / u (1 + kappa): 0.87 */
+   Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 30. Error / u (1 + kappa): measured 0.87. */
 SF_KERNEL double inertia_cusp_bend(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA, double h_AAA)
 {
     const double t0 = Omega * Omega;
@@ -329,8 +307,7 @@ SF_KERNEL double inertia_cusp_bend(double Omega, double A, double m, double zeta
 }
 
 /* At an isola point: negative where the level has a saddle in (A, Omega).
-   Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 55.
-   Measured, error / u (1 + kappa): 1.7 */
+   Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 55. Error / u (1 + kappa): measured 1.7. */
 SF_KERNEL double inertia_hessian(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA)
 {
     const double t0 = Omega * Omega;
@@ -357,8 +334,8 @@ SF_KERNEL double inertia_hessian(double Omega, double A, double m, double zeta, 
 }
 
 /* Positive where no state has an amplitude A > F_0, if zeta^2 A <= lost |h|; three derivatives by A.
-   Equation from (24). Domain: A > 0, h < 0, lost <= 1/2. Operations: 20.
-   Proved, error / u (1 + kappa): 14.01, 14.01, 12.01, 10.01 */
+   Equation from (24). Domain: A > 0, h < 0, lost <= 1/2. Operations: 20. Error / u (1 + kappa): proved 14.01,
+   14.01, 12.01, 10.01. */
 SF_KERNEL void inertia_bound(double A, double F_0, double zeta, double h, double h_A, double h_AA, double h_AAA, double lost, double *out)
 {
     const double t0 = F_0 * F_0;
@@ -373,8 +350,7 @@ SF_KERNEL void inertia_bound(double A, double F_0, double zeta, double h, double
 }
 
 /* What zeta^2 A is of |h|: `lost` of the `bound`.
-   Equation from (24). Domain: h < 0. Operations: 3.
-   Proved, error / u (1 + kappa): 0.61 */
+   Equation from (24). Domain: h < 0. Operations: 3. Error / u (1 + kappa): proved 0.61. */
 SF_KERNEL double inertia_share(double A, double zeta, double h)
 {
     const double twice = zeta * zeta;

@@ -11,6 +11,13 @@
 #define SF_KERNEL static inline
 #endif
 
+/* of what several kernels call, which the compiler takes apart again: each needs some of its results */
+#ifdef __GNUC__
+#define SF_COMMON static inline __attribute__((always_inline))
+#else
+#define SF_COMMON static inline
+#endif
+
 /* before a loop over a table, which then vectorises with what is around it */
 #if defined(__GNUC__) && !defined(__clang__)
 #define SF_UNROLLED _Pragma("GCC unroll 32")

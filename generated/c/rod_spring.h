@@ -29,17 +29,46 @@ SF_FAMILY_BEGIN
 #define ROD_SPRING_PARAMETERS 4
 #define ROD_SPRING_BREAKPOINTS 1
 
+/* What averaged_passed_1_far_1, averaged_2_passed_1_far_1, averaged_H_passed_1_far_1, intercept_passed_1_far_1,
+   by_parameter_passed_1_far_1 have in common. */
+SF_COMMON void rod_spring_common_1(double A, double u_cr, double *root_out, double *x_out, double *y_out,
+    double *M8_out, double *M6_out)
+{
+    const double root = sqrt((A - u_cr) * (A + u_cr));
+    const double t0 = 1.0 / A;
+    const double x = t0 * u_cr;
+    const double y = root * t0;
+    const double x2 = x * x;
+    const double s = x / sqrt(2.0 * y + 2.0);
+    const double s2 = s * s;
+    const double s4 = s2 * s2;
+    const double s8 = s4 * s4;
+    const double s9 = s * s8;
+    const double M8 = s9 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (3.6963081749325447e-05
+        * s4 + 6.2301919302519632e-05) + 0.00011102157704373623) + 0.00021201233531153478) + 0.00044230925731169869)
+        + 0.00103759765625) + 0.0028666834677419355) + 0.010127314814814815) + 0.05434782608695652) +
+        0.73684210526315785) - 74.666666666666671) - 162.90909090909091) + s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 *
+        (s4 * (s4 * (s4 * (s4 * (2.8978731853911948e-05 * s4 + 4.7688218677100145e-05) + 8.2529815179961072e-05) +
+        0.00015194217363993326) + 0.00030240198461020863) + 0.00066602552259290536) + 0.0016830906723484848) +
+        0.0051858836206896556) + 0.021874999999999999) + 0.16666666666666666) + 8.235294117647058) +
+        172.30769230769232) + 56.888888888888886);
+    const double x3 = x * x2;
+    const double x6 = x3 * x3;
+    const double x7 = x * x6;
+    const double M6 = 1.1428571428571428 * M8 + 0.14285714285714285 * x7 * y;
+    *root_out = root;
+    *x_out = x;
+    *y_out = y;
+    *M8_out = M8;
+    *M6_out = M6;
+}
+
 /* h, h_A, h_AA, h_AAA together.
-   Equation (20)-(22), (31). Domain: A >= 0.
-   passed_0: 19 operations. Proved, error / u (1 + kappa): 5.51, 4.51, 2.34, 1.51
-   passed_1: 116 operations.
-   passed_1_far_1: 167 operations.
-   Measured, error / u (1 + kappa): 2.2 */
+   Equation (20)-(22), (31). Domain: A >= 0. Operations: 19 in passed_0, 116 in passed_1, 167 in passed_1_far_1.
+   Error / u (1 + kappa): proved in passed_0 5.51, 4.51, 2.34, 1.51; measured 2.2. */
 SF_KERNEL void rod_spring_averaged_passed_0(double A, const double *p, double *out)
 {
-    const double alpha = p[0];
-    const double beta = p[1];
-    const double gamma = p[2];
+    const double alpha = p[0], beta = p[1], gamma = p[2];
     const double t0 = -alpha;
     const double t1 = A * A;
     const double t2 = gamma * t1;
@@ -52,10 +81,7 @@ SF_KERNEL void rod_spring_averaged_passed_0(double A, const double *p, double *o
 
 SF_KERNEL void rod_spring_averaged_passed_1(double A, const double *p, double *out)
 {
-    const double alpha = p[0];
-    const double beta = p[1];
-    const double gamma = p[2];
-    const double u_cr = p[3];
+    const double alpha = p[0], beta = p[1], gamma = p[2], u_cr = p[3];
     const double root = sqrt((A - u_cr) * (A + u_cr));
     const double t0 = 1.0 / A;
     const double x = t0 * u_cr;
@@ -105,33 +131,15 @@ SF_KERNEL void rod_spring_averaged_passed_1(double A, const double *p, double *o
 
 SF_KERNEL void rod_spring_averaged_passed_1_far_1(double A, const double *p, double *out)
 {
-    const double alpha = p[0];
-    const double beta = p[1];
-    const double gamma = p[2];
-    const double u_cr = p[3];
-    const double root = sqrt((A - u_cr) * (A + u_cr));
+    const double alpha = p[0], beta = p[1], gamma = p[2], u_cr = p[3];
+    double root, x, y, M8, M6;
+    rod_spring_common_1(A, u_cr, &root, &x, &y, &M8, &M6);
     const double t0 = 1.0 / A;
-    const double x = t0 * u_cr;
-    const double y = root * t0;
     const double x2 = x * x;
     const double z = x2 / (y * y);
-    const double s = x / sqrt(2.0 * y + 2.0);
-    const double s2 = s * s;
-    const double s4 = s2 * s2;
-    const double s8 = s4 * s4;
-    const double s9 = s * s8;
-    const double M8 = s9 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (3.6963081749325447e-05
-        * s4 + 6.2301919302519632e-05) + 0.00011102157704373623) + 0.00021201233531153478) + 0.00044230925731169869)
-        + 0.00103759765625) + 0.0028666834677419355) + 0.010127314814814815) + 0.05434782608695652) +
-        0.73684210526315785) - 74.666666666666671) - 162.90909090909091) + s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 *
-        (s4 * (s4 * (s4 * (s4 * (2.8978731853911948e-05 * s4 + 4.7688218677100145e-05) + 8.2529815179961072e-05) +
-        0.00015194217363993326) + 0.00030240198461020863) + 0.00066602552259290536) + 0.0016830906723484848) +
-        0.0051858836206896556) + 0.021874999999999999) + 0.16666666666666666) + 8.235294117647058) +
-        172.30769230769232) + 56.888888888888886);
     const double x3 = x * x2;
     const double x6 = x3 * x3;
     const double x7 = x * x6;
-    const double M6 = 1.1428571428571428 * M8 + 0.14285714285714285 * x7 * y;
     const double x4 = x2 * x2;
     const double x5 = x * x4;
     const double M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y;
@@ -170,16 +178,11 @@ SF_KERNEL void rod_spring_averaged(double A, const double *p, double *out)
 }
 
 /* h, h_A together.
-   Equation (20)-(22), (31). Domain: A >= 0.
-   passed_0: 13 operations. Proved, error / u (1 + kappa): 5.51, 4.51
-   passed_1: 56 operations.
-   passed_1_far_1: 117 operations.
-   Measured, error / u (1 + kappa): 1.6 */
+   Equation (20)-(22), (31). Domain: A >= 0. Operations: 13 in passed_0, 56 in passed_1, 117 in passed_1_far_1.
+   Error / u (1 + kappa): proved in passed_0 5.51, 4.51; measured 1.6. */
 SF_KERNEL void rod_spring_averaged_2_passed_0(double A, const double *p, double *out)
 {
-    const double alpha = p[0];
-    const double beta = p[1];
-    const double gamma = p[2];
+    const double alpha = p[0], beta = p[1], gamma = p[2];
     const double t0 = -alpha;
     const double t1 = A * A;
     const double t2 = gamma * t1;
@@ -189,10 +192,7 @@ SF_KERNEL void rod_spring_averaged_2_passed_0(double A, const double *p, double 
 
 SF_KERNEL void rod_spring_averaged_2_passed_1(double A, const double *p, double *out)
 {
-    const double alpha = p[0];
-    const double beta = p[1];
-    const double gamma = p[2];
-    const double u_cr = p[3];
+    const double alpha = p[0], beta = p[1], gamma = p[2], u_cr = p[3];
     const double root = sqrt((A - u_cr) * (A + u_cr));
     const double t0 = 1.0 / A;
     const double x = t0 * u_cr;
@@ -220,32 +220,13 @@ SF_KERNEL void rod_spring_averaged_2_passed_1(double A, const double *p, double 
 
 SF_KERNEL void rod_spring_averaged_2_passed_1_far_1(double A, const double *p, double *out)
 {
-    const double alpha = p[0];
-    const double beta = p[1];
-    const double gamma = p[2];
-    const double u_cr = p[3];
-    const double root = sqrt((A - u_cr) * (A + u_cr));
-    const double t0 = 1.0 / A;
-    const double x = t0 * u_cr;
-    const double y = root * t0;
-    const double s = x / sqrt(2.0 * y + 2.0);
-    const double s2 = s * s;
-    const double s4 = s2 * s2;
-    const double s8 = s4 * s4;
-    const double s9 = s * s8;
-    const double M8 = s9 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (3.6963081749325447e-05
-        * s4 + 6.2301919302519632e-05) + 0.00011102157704373623) + 0.00021201233531153478) + 0.00044230925731169869)
-        + 0.00103759765625) + 0.0028666834677419355) + 0.010127314814814815) + 0.05434782608695652) +
-        0.73684210526315785) - 74.666666666666671) - 162.90909090909091) + s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 *
-        (s4 * (s4 * (s4 * (s4 * (2.8978731853911948e-05 * s4 + 4.7688218677100145e-05) + 8.2529815179961072e-05) +
-        0.00015194217363993326) + 0.00030240198461020863) + 0.00066602552259290536) + 0.0016830906723484848) +
-        0.0051858836206896556) + 0.021874999999999999) + 0.16666666666666666) + 8.235294117647058) +
-        172.30769230769232) + 56.888888888888886);
+    const double alpha = p[0], beta = p[1], gamma = p[2], u_cr = p[3];
+    double root, x, y, M8, M6;
+    rod_spring_common_1(A, u_cr, &root, &x, &y, &M8, &M6);
     const double x2 = x * x;
     const double x3 = x * x2;
     const double x6 = x3 * x3;
     const double x7 = x * x6;
-    const double M6 = 1.1428571428571428 * M8 + 0.14285714285714285 * x7 * y;
     const double x4 = x2 * x2;
     const double x5 = x * x4;
     const double M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y;
@@ -272,16 +253,11 @@ SF_KERNEL void rod_spring_averaged_2(double A, const double *p, double *out)
 }
 
 /* H, H_A together.
-   Equation (20)-(22), (31). Domain: A >= 0.
-   passed_0: 14 operations. Proved, error / u (1 + kappa): 7.67, 6.34
-   passed_1: 52 operations.
-   passed_1_far_1: 115 operations.
-   Measured, error / u (1 + kappa): 3 */
+   Equation (20)-(22), (31). Domain: A >= 0. Operations: 14 in passed_0, 52 in passed_1, 115 in passed_1_far_1.
+   Error / u (1 + kappa): proved in passed_0 7.67, 6.34; measured 3. */
 SF_KERNEL void rod_spring_averaged_H_passed_0(double A, const double *p, double *out)
 {
-    const double alpha = p[0];
-    const double beta = p[1];
-    const double gamma = p[2];
+    const double alpha = p[0], beta = p[1], gamma = p[2];
     const double t0 = A * A;
     const double t1 = gamma * t0;
     const double t2 = 1.0 - alpha;
@@ -291,10 +267,7 @@ SF_KERNEL void rod_spring_averaged_H_passed_0(double A, const double *p, double 
 
 SF_KERNEL void rod_spring_averaged_H_passed_1(double A, const double *p, double *out)
 {
-    const double alpha = p[0];
-    const double beta = p[1];
-    const double gamma = p[2];
-    const double u_cr = p[3];
+    const double alpha = p[0], beta = p[1], gamma = p[2], u_cr = p[3];
     const double root = sqrt((A - u_cr) * (A + u_cr));
     const double t0 = 1.0 / A;
     const double x = t0 * u_cr;
@@ -320,32 +293,13 @@ SF_KERNEL void rod_spring_averaged_H_passed_1(double A, const double *p, double 
 
 SF_KERNEL void rod_spring_averaged_H_passed_1_far_1(double A, const double *p, double *out)
 {
-    const double alpha = p[0];
-    const double beta = p[1];
-    const double gamma = p[2];
-    const double u_cr = p[3];
-    const double root = sqrt((A - u_cr) * (A + u_cr));
-    const double t0 = 1.0 / A;
-    const double x = t0 * u_cr;
-    const double y = root * t0;
-    const double s = x / sqrt(2.0 * y + 2.0);
-    const double s2 = s * s;
-    const double s4 = s2 * s2;
-    const double s8 = s4 * s4;
-    const double s9 = s * s8;
-    const double M8 = s9 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (3.6963081749325447e-05
-        * s4 + 6.2301919302519632e-05) + 0.00011102157704373623) + 0.00021201233531153478) + 0.00044230925731169869)
-        + 0.00103759765625) + 0.0028666834677419355) + 0.010127314814814815) + 0.05434782608695652) +
-        0.73684210526315785) - 74.666666666666671) - 162.90909090909091) + s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 *
-        (s4 * (s4 * (s4 * (s4 * (2.8978731853911948e-05 * s4 + 4.7688218677100145e-05) + 8.2529815179961072e-05) +
-        0.00015194217363993326) + 0.00030240198461020863) + 0.00066602552259290536) + 0.0016830906723484848) +
-        0.0051858836206896556) + 0.021874999999999999) + 0.16666666666666666) + 8.235294117647058) +
-        172.30769230769232) + 56.888888888888886);
+    const double alpha = p[0], beta = p[1], gamma = p[2], u_cr = p[3];
+    double root, x, y, M8, M6;
+    rod_spring_common_1(A, u_cr, &root, &x, &y, &M8, &M6);
     const double x2 = x * x;
     const double x3 = x * x2;
     const double x6 = x3 * x3;
     const double x7 = x * x6;
-    const double M6 = 1.1428571428571428 * M8 + 0.14285714285714285 * x7 * y;
     const double x4 = x2 * x2;
     const double x5 = x * x4;
     const double M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y;
@@ -372,11 +326,8 @@ SF_KERNEL void rod_spring_averaged_H(double A, const double *p, double *out)
 }
 
 /* h - A h_A, where the tangent of h meets A = 0; linear terms are none.
-   Equation (20)-(22), (31). Domain: A >= 0.
-   passed_0: 7 operations. Proved, error / u (1 + kappa): 4.61
-   passed_1: 45 operations.
-   passed_1_far_1: 99 operations.
-   Measured, error / u (1 + kappa): 3 */
+   Equation (20)-(22), (31). Domain: A >= 0. Operations: 7 in passed_0, 45 in passed_1, 99 in passed_1_far_1. Error
+   / u (1 + kappa): proved in passed_0 4.61; measured 3. */
 SF_KERNEL double rod_spring_intercept_passed_0(double A, double alpha, double beta, double gamma, double u_cr)
 {
     const double A2 = A * A;
@@ -407,28 +358,12 @@ SF_KERNEL double rod_spring_intercept_passed_1(double A, double alpha, double be
 
 SF_KERNEL double rod_spring_intercept_passed_1_far_1(double A, double alpha, double beta, double gamma, double u_cr)
 {
-    const double root = sqrt((A - u_cr) * (A + u_cr));
-    const double t0 = 1.0 / A;
-    const double x = t0 * u_cr;
-    const double y = root * t0;
-    const double s = x / sqrt(2.0 * y + 2.0);
-    const double s2 = s * s;
-    const double s4 = s2 * s2;
-    const double s8 = s4 * s4;
-    const double s9 = s * s8;
-    const double M8 = s9 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (3.6963081749325447e-05
-        * s4 + 6.2301919302519632e-05) + 0.00011102157704373623) + 0.00021201233531153478) + 0.00044230925731169869)
-        + 0.00103759765625) + 0.0028666834677419355) + 0.010127314814814815) + 0.05434782608695652) +
-        0.73684210526315785) - 74.666666666666671) - 162.90909090909091) + s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 *
-        (s4 * (s4 * (s4 * (s4 * (2.8978731853911948e-05 * s4 + 4.7688218677100145e-05) + 8.2529815179961072e-05) +
-        0.00015194217363993326) + 0.00030240198461020863) + 0.00066602552259290536) + 0.0016830906723484848) +
-        0.0051858836206896556) + 0.021874999999999999) + 0.16666666666666666) + 8.235294117647058) +
-        172.30769230769232) + 56.888888888888886);
+    double root, x, y, M8, M6;
+    rod_spring_common_1(A, u_cr, &root, &x, &y, &M8, &M6);
     const double x2 = x * x;
     const double x3 = x * x2;
     const double x6 = x3 * x3;
     const double x7 = x * x6;
-    const double M6 = 1.1428571428571428 * M8 + 0.14285714285714285 * x7 * y;
     const double t1 = 1.0 / y;
     const double t2 = A * A;
     const double x4 = x2 * x2;
@@ -449,15 +384,11 @@ SF_KERNEL double rod_spring_intercept(double A, double alpha, double beta, doubl
 }
 
 /* Higher harmonics of the force, as h is its first: h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA.
-   Equation beyond (20). Domain: A >= 0.
-   passed_0: 26 operations. Proved, error / u (1 + kappa): 4.11, 3.51, 2.34, 1.51, 0.72, 0.84, 0.81, 0.76
-   passed_1: 278 operations.
-   passed_1_far_1: 331 operations.
-   Measured, error / u (1 + kappa): 3.8 */
+   Equation beyond (20). Domain: A >= 0. Operations: 26 in passed_0, 278 in passed_1, 331 in passed_1_far_1. Error /
+   u (1 + kappa): proved in passed_0 4.11, 3.51, 2.34, 1.51, 0.72, 0.84, 0.81, 0.76; measured 3.8. */
 SF_KERNEL void rod_spring_harmonics_passed_0(double A, const double *p, double *out)
 {
-    const double beta = p[1];
-    const double gamma = p[2];
+    const double beta = p[1], gamma = p[2];
     const double A2 = A * A;
     const double A3 = A * A2;
     const double t0 = A2 * gamma;
@@ -476,10 +407,7 @@ SF_KERNEL void rod_spring_harmonics_passed_0(double A, const double *p, double *
 
 SF_KERNEL void rod_spring_harmonics_passed_1(double A, const double *p, double *out)
 {
-    const double alpha = p[0];
-    const double beta = p[1];
-    const double gamma = p[2];
-    const double u_cr = p[3];
+    const double alpha = p[0], beta = p[1], gamma = p[2], u_cr = p[3];
     const double root = sqrt((A - u_cr) * (A + u_cr));
     const double t0 = 1.0 / A;
     const double x = t0 * u_cr;
@@ -574,10 +502,7 @@ SF_KERNEL void rod_spring_harmonics_passed_1(double A, const double *p, double *
 
 SF_KERNEL void rod_spring_harmonics_passed_1_far_1(double A, const double *p, double *out)
 {
-    const double alpha = p[0];
-    const double beta = p[1];
-    const double gamma = p[2];
-    const double u_cr = p[3];
+    const double alpha = p[0], beta = p[1], gamma = p[2], u_cr = p[3];
     const double root = sqrt((A - u_cr) * (A + u_cr));
     const double t0 = 1.0 / A;
     const double x = t0 * u_cr;
@@ -699,11 +624,8 @@ SF_KERNEL void rod_spring_harmonics(double A, const double *p, double *out)
 }
 
 /* d/dp of h, h_A and h_AA at a fixed A, for each parameter p in turn.
-   Equation from (20)-(22), (31). Domain: A > 0.
-   passed_0: 10 operations. Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.76, 0.67, 0.51, 0.84, 0.81, 0.76, 0.0,
-   0.0, 0.0
-   passed_1: 109 operations.
-   passed_1_far_1: 159 operations. */
+   Equation from (20)-(22), (31). Domain: A > 0. Operations: 10 in passed_0, 109 in passed_1, 159 in passed_1_far_1.
+   Error / u (1 + kappa): proved in passed_0 0.84 at most. */
 SF_KERNEL void rod_spring_by_parameter_passed_0(double A, double h, double h_A, double h_AA, const double *p, double *out)
 {
     const double A2 = A * A;
@@ -724,10 +646,7 @@ SF_KERNEL void rod_spring_by_parameter_passed_0(double A, double h, double h_A, 
 
 SF_KERNEL void rod_spring_by_parameter_passed_1(double A, double h, double h_A, double h_AA, const double *p, double *out)
 {
-    const double alpha = p[0];
-    const double beta = p[1];
-    const double gamma = p[2];
-    const double u_cr = p[3];
+    const double alpha = p[0], beta = p[1], gamma = p[2], u_cr = p[3];
     const double root = sqrt((A - u_cr) * (A + u_cr));
     const double t0 = 1.0 / A;
     const double x = t0 * u_cr;
@@ -774,33 +693,15 @@ SF_KERNEL void rod_spring_by_parameter_passed_1(double A, double h, double h_A, 
 
 SF_KERNEL void rod_spring_by_parameter_passed_1_far_1(double A, double h, double h_A, double h_AA, const double *p, double *out)
 {
-    const double alpha = p[0];
-    const double beta = p[1];
-    const double gamma = p[2];
-    const double u_cr = p[3];
-    const double root = sqrt((A - u_cr) * (A + u_cr));
+    const double alpha = p[0], beta = p[1], gamma = p[2], u_cr = p[3];
+    double root, x, y, M8, M6;
+    rod_spring_common_1(A, u_cr, &root, &x, &y, &M8, &M6);
     const double t0 = 1.0 / A;
-    const double x = t0 * u_cr;
-    const double y = root * t0;
     const double x2 = x * x;
     const double z = x2 / (y * y);
-    const double s = x / sqrt(2.0 * y + 2.0);
-    const double s2 = s * s;
-    const double s4 = s2 * s2;
-    const double s8 = s4 * s4;
-    const double s9 = s * s8;
-    const double M8 = s9 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (3.6963081749325447e-05
-        * s4 + 6.2301919302519632e-05) + 0.00011102157704373623) + 0.00021201233531153478) + 0.00044230925731169869)
-        + 0.00103759765625) + 0.0028666834677419355) + 0.010127314814814815) + 0.05434782608695652) +
-        0.73684210526315785) - 74.666666666666671) - 162.90909090909091) + s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 *
-        (s4 * (s4 * (s4 * (s4 * (2.8978731853911948e-05 * s4 + 4.7688218677100145e-05) + 8.2529815179961072e-05) +
-        0.00015194217363993326) + 0.00030240198461020863) + 0.00066602552259290536) + 0.0016830906723484848) +
-        0.0051858836206896556) + 0.021874999999999999) + 0.16666666666666666) + 8.235294117647058) +
-        172.30769230769232) + 56.888888888888886);
     const double x3 = x * x2;
     const double x6 = x3 * x3;
     const double x7 = x * x6;
-    const double M6 = 1.1428571428571428 * M8 + 0.14285714285714285 * x7 * y;
     const double x4 = x2 * x2;
     const double x5 = x * x4;
     const double M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y;
@@ -876,9 +777,8 @@ SF_KERNEL void rod_spring_by_design(double lam, double r, double delta_h, double
 }
 
 /* The parameters alpha, beta, gamma, u_cr from the design.
-   Equation (5), (7). Domain: any design. Operations: 11.
-   Proved, error / u (1 + kappa): 1.34, 6.01, 8.01, -
-   Measured, error / u (1 + kappa): 2 */
+   Equation (5), (7). Domain: any design. Operations: 11. Error / u (1 + kappa): proved 1.34, 6.01, 8.01, -;
+   measured 2. */
 SF_KERNEL void rod_spring_coefficients(double lam, double r, double delta_h, double *out)
 {
     const double t0 = lam * r;
@@ -890,8 +790,7 @@ SF_KERNEL void rod_spring_coefficients(double lam, double r, double delta_h, dou
 }
 
 /* The |u| at which a piece of the force ends.
-   Equation (5). Domain: any parameters. Operations: 0.
-   Proved, error / u (1 + kappa): 0.0 */
+   Equation (5). Domain: any parameters. Operations: 0. Error / u (1 + kappa): proved 0.0. */
 SF_KERNEL void rod_spring_breakpoints(const double *p, double *out)
 {
     const double u_cr = p[3];
@@ -899,27 +798,19 @@ SF_KERNEL void rod_spring_breakpoints(const double *p, double *out)
 }
 
 /* What the force loses at each breakpoint: f below less f above.
-   Equation (6). Domain: any parameters. Operations: 7.
-   Proved, error / u (1 + kappa): 7.67 */
+   Equation (6). Domain: any parameters. Operations: 7. Error / u (1 + kappa): proved 7.67. */
 SF_KERNEL void rod_spring_jumps(const double *p, double *out)
 {
-    const double alpha = p[0];
-    const double beta = p[1];
-    const double gamma = p[2];
-    const double u_cr = p[3];
+    const double alpha = p[0], beta = p[1], gamma = p[2], u_cr = p[3];
     const double t0 = u_cr * u_cr;
     out[0] = u_cr * (alpha + t0 * (beta + gamma * t0) - 1.0);
 }
 
 /* The force over the displacement, f(u)/u, rises with |u| where none of these is negative.
-   Equation from (3). Domain: any parameters. Operations: 7.
-   Proved, error / u (1 + kappa): 0.0, 0.0, 7.67 */
+   Equation from (3). Domain: any parameters. Operations: 7. Error / u (1 + kappa): proved 0.0, 0.0, 7.67. */
 SF_KERNEL void rod_spring_hardening(const double *p, double *out)
 {
-    const double alpha = p[0];
-    const double beta = p[1];
-    const double gamma = p[2];
-    const double u_cr = p[3];
+    const double alpha = p[0], beta = p[1], gamma = p[2], u_cr = p[3];
     const double t0 = u_cr * u_cr;
     out[0] = beta;
     out[1] = gamma;
@@ -927,15 +818,10 @@ SF_KERNEL void rod_spring_hardening(const double *p, double *out)
 }
 
 /* f and its derivatives just above 0, their gains at each breakpoint, and the last piece's by its formula at 0.
-   Equation (3), (5). Domain: any parameters. Operations: 21.
-   Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.51, 0.0, 0.51, 7.67, 7.34, 2.34, 1.51, 0.67, 0.51, 0.0, 0.0, 0.0,
-   0.0, 0.0, 0.0 */
+   Equation (3), (5). Domain: any parameters. Operations: 21. Error / u (1 + kappa): proved 7.67 at most. */
 SF_KERNEL void rod_spring_steps(const double *p, double *out)
 {
-    const double alpha = p[0];
-    const double beta = p[1];
-    const double gamma = p[2];
-    const double u_cr = p[3];
+    const double alpha = p[0], beta = p[1], gamma = p[2], u_cr = p[3];
     const double t0 = 6.0 * beta;
     const double t1 = 120.0 * gamma;
     const double t2 = u_cr * u_cr;
@@ -955,11 +841,7 @@ SF_KERNEL void rod_spring_steps(const double *p, double *out)
 }
 
 /* What each parameter does to derivatives of each piece at u = 0, then to their gains at each breakpoint.
-   Equation (3). Domain: any parameters. Operations: 10.
-   Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-   0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.51, 0.67, 0.51, 0.0, 0.0, 0.0, 0.0, 0.0,
-   0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.67, 0.81, 0.76, 0.67, 0.51, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-   0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 */
+   Equation (3). Domain: any parameters. Operations: 10. Error / u (1 + kappa): proved 0.81 at most. */
 SF_KERNEL void rod_spring_steps_by(const double *p, double *out)
 {
     const double u_cr = p[3];
@@ -987,8 +869,7 @@ SF_KERNEL void rod_spring_steps_by(const double *p, double *out)
 }
 
 /* Piece 1 of the whole restoring force u + F_k(u).
-   Equation (3), (6). Domain: where it holds. Operations: 6.
-   Proved, error / u (1 + kappa): 4.76 */
+   Equation (3), (6). Domain: where it holds. Operations: 6. Error / u (1 + kappa): proved 4.76. */
 SF_KERNEL double rod_spring_force_1(double u, double alpha, double beta, double gamma, double u_cr)
 {
     const double t0 = u * u;
@@ -996,8 +877,7 @@ SF_KERNEL double rod_spring_force_1(double u, double alpha, double beta, double 
 }
 
 /* d/du of piece 1 of the whole restoring force u + F_k(u).
-   Equation (3), (6). Domain: where it holds. Operations: 7.
-   Proved, error / u (1 + kappa): 4.51 */
+   Equation (3), (6). Domain: where it holds. Operations: 7. Error / u (1 + kappa): proved 4.51. */
 SF_KERNEL double rod_spring_force_1_u(double u, double alpha, double beta, double gamma, double u_cr)
 {
     const double t0 = u * u;
@@ -1005,25 +885,21 @@ SF_KERNEL double rod_spring_force_1_u(double u, double alpha, double beta, doubl
 }
 
 /* Piece 2 of the whole restoring force u + F_k(u).
-   Equation (3), (6). Domain: where it holds. Operations: 0.
-   Proved, error / u (1 + kappa): 0.0 */
+   Equation (3), (6). Domain: where it holds. Operations: 0. Error / u (1 + kappa): proved 0.0. */
 SF_KERNEL double rod_spring_force_2(double u, double alpha, double beta, double gamma, double u_cr)
 {
     return u;
 }
 
 /* d/du of piece 2 of the whole restoring force u + F_k(u).
-   Equation (3), (6). Domain: where it holds. Operations: 0.
-   Proved, error / u (1 + kappa): 0.0 */
+   Equation (3), (6). Domain: where it holds. Operations: 0. Error / u (1 + kappa): proved 0.0. */
 SF_KERNEL double rod_spring_force_2_u(double u, double alpha, double beta, double gamma, double u_cr)
 {
     return 1.0;
 }
 
 /* Whole dimensionless restoring force u + F_k(u), truncated.
-   Equation (3), (6). Domain: any u.
-   force_1: 6 operations. Proved, error / u (1 + kappa): 4.76
-   force_2: 0 operations. Proved, error / u (1 + kappa): 0.0 */
+   Equation (3), (6). Domain: any u. */
 SF_KERNEL double rod_spring_force(double u, double alpha, double beta, double gamma, double u_cr)
 {
     if (fabs(u) <= u_cr)
@@ -1033,15 +909,12 @@ SF_KERNEL double rod_spring_force(double u, double alpha, double beta, double ga
 }
 
 /* Reduced resultant of F_A and F_AA: coefficients of A^0, A^2, ...; its roots are candidates for the onset.
-   Equation (33). Domain: roots with 0 < A <= u_cr. Operations: 238.
-   Proved, error / u (1 + kappa): 0.82, 0.91, 6.01, 4.01, 8.17, -, -, -, -, -, -, -, -, -, -, 4.8, 5.04, 0.89, 0.89
-   Measured, error / u (1 + kappa): 4.2 */
+   Equation (33). Domain: roots with 0 < A <= u_cr. Operations: 238. Error / u (1 + kappa): proved 0.82, 0.91, 6.01,
+   4.01, 8.17, -, -, -, -, -, -, -, -, -, -, 4.8, 5.04, 0.89, 0.89; measured 4.2. */
 #define ROD_SPRING_SADDLE_NODE_ONSET_COUNT 19
 SF_KERNEL void rod_spring_saddle_node_onset(double m, double zeta, const double *p, double *out)
 {
-    const double alpha = p[0];
-    const double beta = p[1];
-    const double gamma = p[2];
+    const double alpha = p[0], beta = p[1], gamma = p[2];
     const double t0 = alpha * alpha;
     const double zeta2 = zeta * zeta;
     const double zeta4 = zeta2 * zeta2;
@@ -1111,14 +984,11 @@ SF_KERNEL void rod_spring_saddle_node_onset(double m, double zeta, const double 
 }
 
 /* Reduced resultant of F and F_A: coefficients of A^0, A^2, ...; its roots are candidates for folds.
-   Equation from (24), (30). Domain: roots with 0 < A <= u_cr. Operations: 355.
-   Measured, error / u (1 + kappa): 1.9 */
+   Equation from (24), (30). Domain: roots with 0 < A <= u_cr. Operations: 355. Error / u (1 + kappa): measured 1.9. */
 #define ROD_SPRING_SADDLE_NODES_COUNT 17
 SF_KERNEL void rod_spring_saddle_nodes(double F_0, double m, double zeta, const double *p, double *out)
 {
-    const double alpha = p[0];
-    const double beta = p[1];
-    const double gamma = p[2];
+    const double alpha = p[0], beta = p[1], gamma = p[2];
     const double excess = (F_0 - m) * (F_0 + m);
     const double m2 = m * m;
     const double zeta2 = zeta * zeta;
@@ -1218,8 +1088,7 @@ SF_KERNEL void rod_spring_saddle_nodes(double F_0, double m, double zeta, const 
 }
 
 /* The averaged restoring force h = H - A.
-   Equation (20)-(22). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 0.97 */
+   Equation (20)-(22). Domain: A >= 0. Error / u (1 + kappa): measured 0.97. */
 SF_KERNEL double rod_spring_h(double A, double alpha, double beta, double gamma, double u_cr)
 {
     const double p[] = {alpha, beta, gamma, u_cr};
@@ -1229,8 +1098,7 @@ SF_KERNEL double rod_spring_h(double A, double alpha, double beta, double gamma,
 }
 
 /* d/dA of the averaged restoring force h = H - A.
-   Equation (31). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 2.8 */
+   Equation (31). Domain: A >= 0. Error / u (1 + kappa): measured 2.8. */
 SF_KERNEL double rod_spring_h_A(double A, double alpha, double beta, double gamma, double u_cr)
 {
     const double p[] = {alpha, beta, gamma, u_cr};
@@ -1240,8 +1108,7 @@ SF_KERNEL double rod_spring_h_A(double A, double alpha, double beta, double gamm
 }
 
 /* d2/dA2 of the averaged restoring force h = H - A.
-   Equation from (31). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 2.5 */
+   Equation from (31). Domain: A >= 0. Error / u (1 + kappa): measured 2.5. */
 SF_KERNEL double rod_spring_h_AA(double A, double alpha, double beta, double gamma, double u_cr)
 {
     const double p[] = {alpha, beta, gamma, u_cr};
@@ -1251,8 +1118,7 @@ SF_KERNEL double rod_spring_h_AA(double A, double alpha, double beta, double gam
 }
 
 /* d3/dA3 of the averaged restoring force h = H - A.
-   Equation from (31). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 0.83 */
+   Equation from (31). Domain: A >= 0. Error / u (1 + kappa): measured 0.83. */
 SF_KERNEL double rod_spring_h_AAA(double A, double alpha, double beta, double gamma, double u_cr)
 {
     const double p[] = {alpha, beta, gamma, u_cr};
@@ -1262,8 +1128,7 @@ SF_KERNEL double rod_spring_h_AAA(double A, double alpha, double beta, double ga
 }
 
 /* The averaged force H beside the vertical spring.
-   Equation (20)-(22). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 1.7 */
+   Equation (20)-(22). Domain: A >= 0. Error / u (1 + kappa): measured 1.7. */
 SF_KERNEL double rod_spring_H(double A, double alpha, double beta, double gamma, double u_cr)
 {
     const double p[] = {alpha, beta, gamma, u_cr};
@@ -1273,8 +1138,7 @@ SF_KERNEL double rod_spring_H(double A, double alpha, double beta, double gamma,
 }
 
 /* d/dA of the averaged force H beside the vertical spring.
-   Equation (31). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 2.9 */
+   Equation (31). Domain: A >= 0. Error / u (1 + kappa): measured 2.9. */
 SF_KERNEL double rod_spring_H_A(double A, double alpha, double beta, double gamma, double u_cr)
 {
     const double p[] = {alpha, beta, gamma, u_cr};
@@ -1284,8 +1148,7 @@ SF_KERNEL double rod_spring_H_A(double A, double alpha, double beta, double gamm
 }
 
 /* d2/dA2 of the averaged force H beside the vertical spring.
-   Equation from (31). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 1.8 */
+   Equation from (31). Domain: A >= 0. Error / u (1 + kappa): measured 1.8. */
 SF_KERNEL double rod_spring_H_AA(double A, double alpha, double beta, double gamma, double u_cr)
 {
     const double p[] = {alpha, beta, gamma, u_cr};
@@ -1295,8 +1158,7 @@ SF_KERNEL double rod_spring_H_AA(double A, double alpha, double beta, double gam
 }
 
 /* Frequency response; zero at a steady state.
-   Equation (24). Domain: Omega > 0, A > 0.
-   Measured, error / u (1 + kappa): 1.7 */
+   Equation (24). Domain: Omega > 0, A > 0. Error / u (1 + kappa): measured 1.7. */
 SF_KERNEL double rod_spring_F(double Omega, double A, double F_0, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -1305,8 +1167,7 @@ SF_KERNEL double rod_spring_F(double Omega, double A, double F_0, double mu, dou
 }
 
 /* dF/dA; positive where stable.
-   Equation (24), (30). Domain: Omega > 0, A > 0.
-   Measured, error / u (1 + kappa): 7.1 */
+   Equation (24), (30). Domain: Omega > 0, A > 0. Error / u (1 + kappa): measured 7.1. */
 SF_KERNEL double rod_spring_F_A(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -1315,8 +1176,7 @@ SF_KERNEL double rod_spring_F_A(double Omega, double A, double mu, double zeta, 
 }
 
 /* The forcing F_0 for which (Omega, A) is a steady state.
-   Equation (24). Domain: Omega >= 0, A > 0.
-   Measured, error / u (1 + kappa): 1.7 */
+   Equation (24). Domain: Omega >= 0, A > 0. Error / u (1 + kappa): measured 1.7. */
 SF_KERNEL double rod_spring_level(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -1325,8 +1185,7 @@ SF_KERNEL double rod_spring_level(double Omega, double A, double mu, double zeta
 }
 
 /* Phase phi of a steady state, from -pi to 0.
-   Equation (25). Domain: Omega > 0, A > 0.
-   Measured, error / u (1 + kappa): 1.5 */
+   Equation (25). Domain: Omega > 0, A > 0. Error / u (1 + kappa): measured 1.5. */
 SF_KERNEL double rod_spring_phase(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -1335,8 +1194,7 @@ SF_KERNEL double rod_spring_phase(double Omega, double A, double mu, double zeta
 }
 
 /* Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22.
-   Equation (28). Domain: Omega > 0, A > 0.
-   Measured, error / u (1 + kappa): 1.7 */
+   Equation (28). Domain: Omega > 0, A > 0. Error / u (1 + kappa): measured 1.7. */
 SF_KERNEL void rod_spring_jacobian(double Omega, double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
@@ -1345,8 +1203,7 @@ SF_KERNEL void rod_spring_jacobian(double Omega, double A, double mu, double zet
 }
 
 /* 4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
-   Equation (30). Domain: Omega > 0, A > 0.
-   Measured, error / u (1 + kappa): 3.9 */
+   Equation (30). Domain: Omega > 0, A > 0. Error / u (1 + kappa): measured 3.9. */
 SF_KERNEL double rod_spring_stability(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -1355,8 +1212,7 @@ SF_KERNEL double rod_spring_stability(double Omega, double A, double mu, double 
 }
 
 /* Fundamental harmonic of the force on the base over F_0, at a steady state.
-   Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0.
-   Measured, error / u (1 + kappa): 1.1 */
+   Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0. Error / u (1 + kappa): measured 1.1. */
 SF_KERNEL double rod_spring_transmissibility(double Omega, double A, double F_0, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -1365,8 +1221,7 @@ SF_KERNEL double rod_spring_transmissibility(double Omega, double A, double F_0,
 }
 
 /* Frequency on the backbone.
-   Equation (26). Domain: A > 0, h <= 0.
-   Measured, error / u (1 + kappa): 1.8 */
+   Equation (26). Domain: A > 0, h <= 0. Error / u (1 + kappa): measured 1.8. */
 SF_KERNEL double rod_spring_backbone(double A, const double *p)
 {
     double average[2];
@@ -1375,24 +1230,21 @@ SF_KERNEL double rod_spring_backbone(double A, const double *p)
 }
 
 /* Largest amplitude that the forcing can hold at this frequency.
-   Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise.
-   Measured, error / u (1 + kappa): 0.58 */
+   Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise. Error / u (1 + kappa): measured 0.58. */
 SF_KERNEL double rod_spring_limit_envelope(double Omega, double F_0, double mu, double zeta)
 {
     return slow_flow_limit_envelope(Omega, F_0, slow_flow_friction(mu), zeta);
 }
 
 /* Viscous damping ratio that dissipates as much as zeta and friction together.
-   Equation (38). Domain: Omega > 0, A > 0.
-   Measured, error / u (1 + kappa): 0.82 */
+   Equation (38). Domain: Omega > 0, A > 0. Error / u (1 + kappa): measured 0.82. */
 SF_KERNEL double rod_spring_equivalent_damping(double Omega, double A, double mu, double zeta)
 {
     return slow_flow_equivalent_damping(Omega, A, slow_flow_friction(mu), zeta);
 }
 
 /* F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
-   Equation (24). Domain: A > 0.
-   Measured, error / u (1 + kappa): 1.8 */
+   Equation (24). Domain: A > 0. Error / u (1 + kappa): measured 1.8. */
 SF_KERNEL void rod_spring_response_quartic(double A, double F_0, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
@@ -1401,8 +1253,7 @@ SF_KERNEL void rod_spring_response_quartic(double A, double F_0, double mu, doub
 }
 
 /* F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
-   Equation (24), (30). Domain: A > 0.
-   Measured, error / u (1 + kappa): 8.8 */
+   Equation (24), (30). Domain: A > 0. Error / u (1 + kappa): measured 8.8. */
 SF_KERNEL void rod_spring_fold_quartic(double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
@@ -1411,8 +1262,7 @@ SF_KERNEL void rod_spring_fold_quartic(double A, double mu, double zeta, const d
 }
 
 /* F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3.
-   Equation (34). Domain: A > 0.
-   Measured, error / u (1 + kappa): 0.98 */
+   Equation (34). Domain: A > 0. Error / u (1 + kappa): measured 0.98. */
 SF_KERNEL void rod_spring_peak_cubic(double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
@@ -1421,8 +1271,7 @@ SF_KERNEL void rod_spring_peak_cubic(double A, double mu, double zeta, const dou
 }
 
 /* Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
-   Equation (34). Domain: A > 0.
-   Measured, error / u (1 + kappa): 1.7 */
+   Equation (34). Domain: A > 0. Error / u (1 + kappa): measured 1.7. */
 SF_KERNEL void rod_spring_detachment(double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];

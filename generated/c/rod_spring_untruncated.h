@@ -148,7 +148,7 @@ static const double rod_spring_untruncated_nodes_5[][4] = {
 };
 
 /* The term of int sin^2 at a node. */
-SF_KERNEL void rod_spring_untruncated_arc_node(double X2, double K2, double T2, double *W)
+SF_COMMON void rod_spring_untruncated_arc_node(double X2, double K2, double T2, double *W)
 {
     const double g = 1.0 / (T2 * X2 + 1.0);
     const double g2 = g * g;
@@ -156,8 +156,68 @@ SF_KERNEL void rod_spring_untruncated_arc_node(double X2, double K2, double T2, 
     *W = K2 * g3;
 }
 
+/* What averaged_all_passed_1_steep_far, averaged_all_passed_1_steep_away have in common. */
+SF_COMMON void rod_spring_untruncated_common_1(double A, double delta_h, double *u_cr_out, double *c_out,
+    double *root_out, double *x2_out, double *third_out, double *lam0_1_out, double *lam0_2_out, double *lam0_3_out,
+    double *term0_0_out, double *term01_0_out, double *term02_0_out, double *term03_0_out, double *X0_0_out,
+    double *X0_1_out, double *Z0_2_out, double *Z0_3_out, double *Y0_0_out, double *Z0_1_out, double *Z0_0_out)
+{
+    const double u_cr = sqrt(-delta_h * delta_h + 2.0 * delta_h);
+    const double c = 1.0 - delta_h;
+    const double c2 = c * c;
+    const double lacking = c2 - (1.0 - u_cr) * (u_cr + 1.0);
+    const double half = 0.5 * (A - u_cr) * (A + u_cr);
+    const double root = sqrt(2.0 * half - 0.5 * fabs(half - lacking) + 0.5 * fabs(half + lacking));
+    const double A2 = A * A;
+    const double x2 = u_cr * u_cr / A2;
+    const double y2 = root * root / A2;
+    const double third = 0.33333333333333331 * u_cr * x2 / A;
+    const double a0_0 = sqrt(y2);
+    const double a0_half_0 = 0.5 / a0_0;
+    const double a0_half_0_2 = a0_half_0 * a0_half_0;
+    const double a0_half_0_3 = a0_half_0 * a0_half_0_2;
+    const double a02_0 = -a0_half_0_3;
+    const double a03_0 = -2.0 * a02_0 * a0_half_0_2;
+    const double b0_0 = sqrt(c2);
+    const double lam0_0 = a0_0 * b0_0 + a0_0 + b0_0;
+    const double lam0_1 = a0_half_0 * b0_0 + a0_half_0;
+    const double lam0_2 = a02_0 * b0_0 + a02_0;
+    const double lam0_3 = a03_0 * b0_0 + a03_0;
+    const double q0_0 = lam0_0 + 1.0;
+    const double term0_0 = 1.0 / q0_0;
+    const double term01_0 = -lam0_1 * term0_0 * term0_0;
+    const double term02_0 = -term0_0 * (lam0_1 * term01_0 + lam0_2 * term0_0);
+    const double term03_0 = -term0_0 * (lam0_1 * term02_0 + lam0_2 * term01_0 + lam0_3 * term0_0);
+    const double X0_0 = 0.25 * lam0_0 + 0.25 * y2;
+    const double X0_1 = 0.25 * lam0_1 + 0.25;
+    const double Y0_0 = 0.25 * c2 + 0.25 * lam0_0;
+    const double Z0_0 = 0.25 * lam0_0 + 0.25;
+    const double Z0_1 = 0.25 * lam0_1;
+    const double Z0_2 = 0.25 * lam0_2;
+    const double Z0_3 = 0.25 * lam0_3;
+    *u_cr_out = u_cr;
+    *c_out = c;
+    *root_out = root;
+    *x2_out = x2;
+    *third_out = third;
+    *lam0_1_out = lam0_1;
+    *lam0_2_out = lam0_2;
+    *lam0_3_out = lam0_3;
+    *term0_0_out = term0_0;
+    *term01_0_out = term01_0;
+    *term02_0_out = term02_0;
+    *term03_0_out = term03_0;
+    *X0_0_out = X0_0;
+    *X0_1_out = X0_1;
+    *Z0_2_out = Z0_2;
+    *Z0_3_out = Z0_3;
+    *Y0_0_out = Y0_0;
+    *Z0_1_out = Z0_1;
+    *Z0_0_out = Z0_0;
+}
+
 /* One duplication of the arguments of R_D, and what it takes off over 3, as Taylor series. */
-SF_KERNEL void rod_spring_untruncated_duplication(double x_0, double x_1, double x_2, double x_3, double y_0,
+SF_COMMON void rod_spring_untruncated_duplication(double x_0, double x_1, double x_2, double x_3, double y_0,
     double y_1, double y_2, double y_3, double z_0, double z_1, double z_2, double z_3, double *next_X_0,
     double *next_X_1, double *next_X_2, double *next_X_3, double *next_Y_0, double *next_Y_1, double *next_Y_2,
     double *next_Y_3, double *next_Z_0, double *next_Z_1, double *next_Z_2, double *next_Z_3, double *share_0,
@@ -227,7 +287,7 @@ SF_KERNEL void rod_spring_untruncated_duplication(double x_0, double x_1, double
 }
 
 /* R_D of arguments that are nearly equal, as a Taylor series. */
-SF_KERNEL void rod_spring_untruncated_remainder(double x_0, double x_1, double x_2, double x_3, double y_0,
+SF_COMMON void rod_spring_untruncated_remainder(double x_0, double x_1, double x_2, double x_3, double y_0,
     double y_1, double y_2, double y_3, double z_0, double z_1, double z_2, double z_3, double *last_0,
     double *last_1, double *last_2, double *last_3)
 {
@@ -313,7 +373,7 @@ SF_KERNEL void rod_spring_untruncated_remainder(double x_0, double x_1, double x
 }
 
 /* R_D by what one duplication has made of its arguments and has taken off, as a Taylor series. */
-SF_KERNEL void rod_spring_untruncated_duplications(double X0_0, double X0_1, double X0_2, double X0_3, double Y0_0,
+SF_COMMON void rod_spring_untruncated_duplications(double X0_0, double X0_1, double X0_2, double X0_3, double Y0_0,
     double Y0_1, double Y0_2, double Y0_3, double Z0_0, double Z0_1, double Z0_2, double Z0_3, double term0_0,
     double term0_1, double term0_2, double term0_3, double *R_0, double *R_1, double *R_2, double *R_3)
 {
@@ -356,7 +416,7 @@ SF_KERNEL void rod_spring_untruncated_duplications(double X0_0, double X0_1, dou
 }
 
 /* Terms of int sin^2 tan^(2n) (1/c - 1/Delta) at a node, by n. */
-SF_KERNEL void rod_spring_untruncated_far_node(double x, double X2, double less, double both, double K, double c,
+SF_COMMON void rod_spring_untruncated_far_node(double x, double X2, double less, double both, double K, double c,
     double T2, double U2, double *W, double *Wq, double *Wq_2, double *Wq_3)
 {
     const double g = 1.0 / (T2 * X2 + 1.0);
@@ -376,7 +436,7 @@ SF_KERNEL void rod_spring_untruncated_far_node(double x, double X2, double less,
 }
 
 /* Terms of int g^(j)(A s) s^j T_n dt at a node, by n, then by j. */
-SF_KERNEL void rod_spring_untruncated_harmonic_node(double x, double x2, double less, double weight, double T,
+SF_COMMON void rod_spring_untruncated_harmonic_node(double x, double x2, double less, double weight, double T,
     double T2, double c, double A, double u_cr, double *sum_3_0, double *sum_3_1, double *sum_3_2, double *sum_3_3,
     double *sum_5_0, double *sum_5_1, double *sum_5_2, double *sum_5_3)
 {
@@ -406,7 +466,7 @@ SF_KERNEL void rod_spring_untruncated_harmonic_node(double x, double x2, double 
 }
 
 /* Terms of int f^(n + j)(A s) s^j cos^(2n) t dt at a point, by n, then by j. */
-SF_KERNEL void rod_spring_untruncated_midpoint(double s, double cosine, double A, double *moment_3_0,
+SF_COMMON void rod_spring_untruncated_midpoint(double s, double cosine, double A, double *moment_3_0,
     double *moment_3_1, double *moment_3_2, double *moment_3_3, double *moment_5_0, double *moment_5_1,
     double *moment_5_2, double *moment_5_3)
 {
@@ -448,7 +508,7 @@ SF_KERNEL void rod_spring_untruncated_midpoint(double s, double cosine, double A
 }
 
 /* Terms of int sin^2 (1/c - 1/Delta), sin^4/Delta^3, sin^4/Delta^5, sin^4 (1 + 4 u^2)/Delta^7 at a node. */
-SF_KERNEL void rod_spring_untruncated_near_node(double x, double X2, double less, double both, double K, double c,
+SF_COMMON void rod_spring_untruncated_near_node(double x, double X2, double less, double both, double K, double c,
     double T2, double U2, double *W, double *V3, double *V5, double *V7)
 {
     const double g = 1.0 / (T2 * X2 + 1.0);
@@ -464,7 +524,7 @@ SF_KERNEL void rod_spring_untruncated_near_node(double x, double X2, double less
 }
 
 /* Terms of int sin^2 tan^(2n) at a node, by n. */
-SF_KERNEL void rod_spring_untruncated_tangent_node(double X2, double K2, double T2, double *W, double *Wq,
+SF_COMMON void rod_spring_untruncated_tangent_node(double X2, double K2, double T2, double *W, double *Wq,
     double *Wq_2, double *Wq_3)
 {
     const double g = 1.0 / (T2 * X2 + 1.0);
@@ -482,23 +542,12 @@ SF_KERNEL void rod_spring_untruncated_tangent_node(double X2, double K2, double 
 }
 
 /* h, h_A, h_AA, h_AAA, H, H_A, h - A h_A together.
-   Equation (20)-(22), (31). Domain: A >= 0.
-   passed_0_end: 154 operations.
-   passed_0: 94 operations.
-   passed_0_steep: 146 operations.
-   passed_1_far: 655 operations.
-   passed_1: 615 operations.
-   passed_1_steeper_far: 988 operations.
-   passed_1_steeper: 944 operations.
-   passed_1_steep_far: 1673 operations.
-   passed_1_steep_away: 1357 operations.
-   passed_1_steep: 1444 operations.
-   Measured, error / u (1 + kappa): 3.8 */
+   Equation (20)-(22), (31). Domain: A >= 0. Operations: 154 in passed_0_end, 94 in passed_0, 146 in passed_0_steep,
+   655 in passed_1_far, 615 in passed_1, 988 in passed_1_steeper_far, 944 in passed_1_steeper, 1673 in
+   passed_1_steep_far, 1357 in passed_1_steep_away, 1444 in passed_1_steep. Error / u (1 + kappa): measured 3.8. */
 SF_KERNEL void rod_spring_untruncated_averaged_all_passed_0_end(double A, const double *p, double *out)
 {
-    const double alpha = p[0];
-    const double beta = p[1];
-    const double delta_h = p[2];
+    const double alpha = p[0], beta = p[1], delta_h = p[2];
     const double m = A * A;
     const double k_c = 1.0 - delta_h;
     const double k = k_c * k_c;
@@ -565,8 +614,7 @@ SF_KERNEL void rod_spring_untruncated_averaged_all_passed_0_end(double A, const 
 
 SF_KERNEL void rod_spring_untruncated_averaged_all_passed_0(double A, const double *p, double *out)
 {
-    const double alpha = p[0];
-    const double beta = p[1];
+    const double alpha = p[0], beta = p[1];
     const double m = A * A;
     const double t0 = 1.0 - m;
     const double k_c = sqrt(t0);
@@ -612,8 +660,7 @@ SF_KERNEL void rod_spring_untruncated_averaged_all_passed_0(double A, const doub
 
 SF_KERNEL void rod_spring_untruncated_averaged_all_passed_0_steep(double A, const double *p, double *out)
 {
-    const double alpha = p[0];
-    const double beta = p[1];
+    const double alpha = p[0], beta = p[1];
     const double m = A * A;
     const double t0 = A + 1.0;
     const double t1 = 1.0 - A;
@@ -678,8 +725,7 @@ SF_KERNEL void rod_spring_untruncated_averaged_all_passed_0_steep(double A, cons
 
 SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_far(double A, const double *p, double *out)
 {
-    const double beta = p[1];
-    const double delta_h = p[2];
+    const double beta = p[1], delta_h = p[2];
     const double u_cr = sqrt(-delta_h * delta_h + 2.0 * delta_h);
     const double c = 1.0 - delta_h;
     const double root = sqrt((A - u_cr) * (A + u_cr));
@@ -717,8 +763,7 @@ SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_far(double A, const 
 
 SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1(double A, const double *p, double *out)
 {
-    const double beta = p[1];
-    const double delta_h = p[2];
+    const double beta = p[1], delta_h = p[2];
     const double u_cr = sqrt(-delta_h * delta_h + 2.0 * delta_h);
     const double c = 1.0 - delta_h;
     const double root = sqrt((A - u_cr) * (A + u_cr));
@@ -767,8 +812,7 @@ SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1(double A, const doub
 
 SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steeper_far(double A, const double *p, double *out)
 {
-    const double beta = p[1];
-    const double delta_h = p[2];
+    const double beta = p[1], delta_h = p[2];
     const double u_cr = sqrt(-delta_h * delta_h + 2.0 * delta_h);
     const double c = 1.0 - delta_h;
     const double root = sqrt((A - u_cr) * (A + u_cr));
@@ -806,8 +850,7 @@ SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steeper_far(double A
 
 SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steeper(double A, const double *p, double *out)
 {
-    const double beta = p[1];
-    const double delta_h = p[2];
+    const double beta = p[1], delta_h = p[2];
     const double u_cr = sqrt(-delta_h * delta_h + 2.0 * delta_h);
     const double c = 1.0 - delta_h;
     const double c2 = c * c;
@@ -858,48 +901,19 @@ SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steeper(double A, co
 
 SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steep_far(double A, const double *p, double *out)
 {
-    const double beta = p[1];
-    const double delta_h = p[2];
-    const double u_cr = sqrt(-delta_h * delta_h + 2.0 * delta_h);
-    const double c = 1.0 - delta_h;
-    const double c2 = c * c;
-    const double lacking = c2 - (1.0 - u_cr) * (u_cr + 1.0);
-    const double half = 0.5 * (A - u_cr) * (A + u_cr);
-    const double root = sqrt(2.0 * half - 0.5 * fabs(half - lacking) + 0.5 * fabs(half + lacking));
+    const double beta = p[1], delta_h = p[2];
+    double u_cr, c, root, x2, third, lam0_1, lam0_2, lam0_3, term0_0, term01_0, term02_0, term03_0, X0_0, X0_1,
+        Z0_2, Z0_3, Y0_0, Z0_1, Z0_0;
+    rod_spring_untruncated_common_1(A, delta_h, &u_cr, &c, &root, &x2, &third, &lam0_1, &lam0_2, &lam0_3, &term0_0,
+        &term01_0, &term02_0, &term03_0, &X0_0, &X0_1, &Z0_2, &Z0_3, &Y0_0, &Z0_1, &Z0_0);
     const double T = u_cr / (A + root);
     const double t0 = T * T;
     const double A2 = A * A;
-    const double x2 = u_cr * u_cr / A2;
-    const double y2 = root * root / A2;
-    const double third = 0.33333333333333331 * u_cr * x2 / A;
-    const double a0_0 = sqrt(y2);
-    const double a0_half_0 = 0.5 / a0_0;
-    const double a0_half_0_2 = a0_half_0 * a0_half_0;
-    const double a0_half_0_3 = a0_half_0 * a0_half_0_2;
-    const double a02_0 = -a0_half_0_3;
-    const double a03_0 = -2.0 * a02_0 * a0_half_0_2;
-    const double b0_0 = sqrt(c2);
-    const double lam0_0 = a0_0 * b0_0 + a0_0 + b0_0;
-    const double lam0_1 = a0_half_0 * b0_0 + a0_half_0;
-    const double lam0_2 = a02_0 * b0_0 + a02_0;
-    const double lam0_3 = a03_0 * b0_0 + a03_0;
-    const double q0_0 = lam0_0 + 1.0;
-    const double term0_0 = 1.0 / q0_0;
-    const double term01_0 = -lam0_1 * term0_0 * term0_0;
-    const double term02_0 = -term0_0 * (lam0_1 * term01_0 + lam0_2 * term0_0);
-    const double term03_0 = -term0_0 * (lam0_1 * term02_0 + lam0_2 * term01_0 + lam0_3 * term0_0);
-    const double X0_0 = 0.25 * lam0_0 + 0.25 * y2;
-    const double X0_1 = 0.25 * lam0_1 + 0.25;
     const double X0_2 = 0.25 * lam0_2;
     const double X0_3 = 0.25 * lam0_3;
-    const double Y0_0 = 0.25 * c2 + 0.25 * lam0_0;
     const double Y0_1 = 0.25 * lam0_1;
     const double Y0_2 = 0.25 * lam0_2;
     const double Y0_3 = 0.25 * lam0_3;
-    const double Z0_0 = 0.25 * lam0_0 + 0.25;
-    const double Z0_1 = 0.25 * lam0_1;
-    const double Z0_2 = 0.25 * lam0_2;
-    const double Z0_3 = 0.25 * lam0_3;
     double R_0, R_1, R_2, R_3;
     rod_spring_untruncated_duplications(X0_0, X0_1, X0_2, X0_3, Y0_0, Y0_1, Y0_2, Y0_3, Z0_0, Z0_1, Z0_2, Z0_3,
         term0_0, term01_0, term02_0, term03_0, &R_0, &R_1, &R_2, &R_3);
@@ -935,46 +949,17 @@ SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steep_far(double A, 
 
 SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steep_away(double A, const double *p, double *out)
 {
-    const double beta = p[1];
-    const double delta_h = p[2];
-    const double u_cr = sqrt(-delta_h * delta_h + 2.0 * delta_h);
-    const double c = 1.0 - delta_h;
-    const double c2 = c * c;
-    const double lacking = c2 - (1.0 - u_cr) * (u_cr + 1.0);
-    const double half = 0.5 * (A - u_cr) * (A + u_cr);
-    const double root = sqrt(2.0 * half - 0.5 * fabs(half - lacking) + 0.5 * fabs(half + lacking));
+    const double beta = p[1], delta_h = p[2];
+    double u_cr, c, root, x2, third, lam0_1, lam0_2, lam0_3, term0_0, term01_0, term02_0, term03_0, X0_0, X0_1,
+        Z0_2, Z0_3, Y0_0, Z0_1, Z0_0;
+    rod_spring_untruncated_common_1(A, delta_h, &u_cr, &c, &root, &x2, &third, &lam0_1, &lam0_2, &lam0_3, &term0_0,
+        &term01_0, &term02_0, &term03_0, &X0_0, &X0_1, &Z0_2, &Z0_3, &Y0_0, &Z0_1, &Z0_0);
     const double A2 = A * A;
-    const double x2 = u_cr * u_cr / A2;
-    const double y2 = root * root / A2;
-    const double third = 0.33333333333333331 * u_cr * x2 / A;
-    const double a0_0 = sqrt(y2);
-    const double a0_half_0 = 0.5 / a0_0;
-    const double a0_half_0_2 = a0_half_0 * a0_half_0;
-    const double a0_half_0_3 = a0_half_0 * a0_half_0_2;
-    const double a02_0 = -a0_half_0_3;
-    const double a03_0 = -2.0 * a02_0 * a0_half_0_2;
-    const double b0_0 = sqrt(c2);
-    const double lam0_0 = a0_0 * b0_0 + a0_0 + b0_0;
-    const double lam0_1 = a0_half_0 * b0_0 + a0_half_0;
-    const double lam0_2 = a02_0 * b0_0 + a02_0;
-    const double lam0_3 = a03_0 * b0_0 + a03_0;
-    const double q0_0 = lam0_0 + 1.0;
-    const double term0_0 = 1.0 / q0_0;
-    const double term01_0 = -lam0_1 * term0_0 * term0_0;
-    const double term02_0 = -term0_0 * (lam0_1 * term01_0 + lam0_2 * term0_0);
-    const double term03_0 = -term0_0 * (lam0_1 * term02_0 + lam0_2 * term01_0 + lam0_3 * term0_0);
-    const double X0_0 = 0.25 * lam0_0 + 0.25 * y2;
-    const double X0_1 = 0.25 * lam0_1 + 0.25;
     const double X0_2 = 0.25 * lam0_2;
     const double X0_3 = 0.25 * lam0_3;
-    const double Y0_0 = 0.25 * c2 + 0.25 * lam0_0;
     const double Y0_1 = 0.25 * lam0_1;
     const double Y0_2 = 0.25 * lam0_2;
     const double Y0_3 = 0.25 * lam0_3;
-    const double Z0_0 = 0.25 * lam0_0 + 0.25;
-    const double Z0_1 = 0.25 * lam0_1;
-    const double Z0_2 = 0.25 * lam0_2;
-    const double Z0_3 = 0.25 * lam0_3;
     double R_0, R_1, R_2, R_3;
     rod_spring_untruncated_duplications(X0_0, X0_1, X0_2, X0_3, Y0_0, Y0_1, Y0_2, Y0_3, Z0_0, Z0_1, Z0_2, Z0_3,
         term0_0, term01_0, term02_0, term03_0, &R_0, &R_1, &R_2, &R_3);
@@ -1010,8 +995,7 @@ SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steep_away(double A,
 
 SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steep(double A, const double *p, double *out)
 {
-    const double beta = p[1];
-    const double delta_h = p[2];
+    const double beta = p[1], delta_h = p[2];
     const double u_cr = sqrt(-delta_h * delta_h + 2.0 * delta_h);
     const double c = 1.0 - delta_h;
     const double c2 = c * c;
@@ -1117,10 +1101,8 @@ SF_KERNEL void rod_spring_untruncated_averaged_all(double A, const double *p, do
 }
 
 /* Higher harmonics of the force, as h is its first: h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA.
-   Equation beyond (20). Domain: A >= 0, u_cr <= 3/4.
-   passed_0: 1995 operations.
-   passed_1: 2537 operations.
-   Measured, error / u (1 + kappa): 5.9 */
+   Equation beyond (20). Domain: A >= 0, u_cr <= 3/4. Operations: 1995 in passed_0, 2537 in passed_1. Error / u (1 +
+   kappa): measured 5.9. */
 SF_KERNEL void rod_spring_untruncated_harmonics_passed_0(double A, const double *p, double *out)
 {
     const double beta = p[1];
@@ -1161,8 +1143,7 @@ SF_KERNEL void rod_spring_untruncated_harmonics_passed_0(double A, const double 
 
 SF_KERNEL void rod_spring_untruncated_harmonics_passed_1(double A, const double *p, double *out)
 {
-    const double beta = p[1];
-    const double delta_h = p[2];
+    const double beta = p[1], delta_h = p[2];
     const double u_cr = sqrt(-delta_h * delta_h + 2.0 * delta_h);
     const double c = 1.0 - delta_h;
     const double root = sqrt((A - u_cr) * (A + u_cr));
@@ -1232,14 +1213,11 @@ SF_KERNEL void rod_spring_untruncated_harmonics(double A, const double *p, doubl
 }
 
 /* d/dp of h, h_A and h_AA at a fixed A, for each parameter p in turn.
-   Equation from (20)-(22), (31). Domain: A > 0.
-   passed_0: 7 operations. Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 2.34, 3.01, 0.67, 0.0, 0.0, 0.0
-   passed_1: 44 operations.
-   passed_1_far_1: 100 operations. */
+   Equation from (20)-(22), (31). Domain: A > 0. Operations: 7 in passed_0, 44 in passed_1, 100 in passed_1_far_1.
+   Error / u (1 + kappa): proved in passed_0 3.01 at most. */
 SF_KERNEL void rod_spring_untruncated_by_parameter_passed_0(double A, double h, double h_A, double h_AA, const double *p, double *out)
 {
-    const double alpha = p[0];
-    const double beta = p[1];
+    const double alpha = p[0], beta = p[1];
     const double t0 = 1.0 / beta;
     for (int k = 0; k < 9; k++)
         out[k] = 0.0;
@@ -1252,8 +1230,7 @@ SF_KERNEL void rod_spring_untruncated_by_parameter_passed_0(double A, double h, 
 
 SF_KERNEL void rod_spring_untruncated_by_parameter_passed_1(double A, double h, double h_A, double h_AA, const double *p, double *out)
 {
-    const double beta = p[1];
-    const double delta_h = p[2];
+    const double beta = p[1], delta_h = p[2];
     const double u_cr = sqrt(-delta_h * delta_h + 2.0 * delta_h);
     const double t0 = 1.0 - delta_h;
     const double inner = -1.0 / (t0 * t0);
@@ -1281,8 +1258,7 @@ SF_KERNEL void rod_spring_untruncated_by_parameter_passed_1(double A, double h, 
 
 SF_KERNEL void rod_spring_untruncated_by_parameter_passed_1_far_1(double A, double h, double h_A, double h_AA, const double *p, double *out)
 {
-    const double beta = p[1];
-    const double delta_h = p[2];
+    const double beta = p[1], delta_h = p[2];
     const double u_cr = sqrt(-delta_h * delta_h + 2.0 * delta_h);
     const double t0 = 1.0 - delta_h;
     const double inner = -1.0 / (t0 * t0);
@@ -1332,8 +1308,8 @@ SF_KERNEL void rod_spring_untruncated_by_parameter(double A, double h, double h_
 }
 
 /* d/d of each number of the design: of each parameter in turn, then of each breakpoint.
-   Equation (5), (7). Domain: any design that has a breakpoint. Operations: 13.
-   Proved, error / u (1 + kappa): 0.34, 0.34, 0.34, 4.01, 4.01, 0.34, 0.0, 0.0, 0.0, 0.0, 0.0, - */
+   Equation (5), (7). Domain: any design that has a breakpoint. Operations: 13. Error / u (1 + kappa): proved 0.34,
+   0.34, 0.34, 4.01, 4.01, 0.34, 0.0, 0.0, 0.0, 0.0, 0.0, -. */
 SF_KERNEL void rod_spring_untruncated_by_design(double lam, double r, double delta_h, double *out)
 {
     const double t0 = lam * r;
@@ -1352,8 +1328,7 @@ SF_KERNEL void rod_spring_untruncated_by_design(double lam, double r, double del
 }
 
 /* The parameters alpha, beta, delta_h from the design.
-   Equation (5), (7). Domain: any design. Operations: 6.
-   Proved, error / u (1 + kappa): 1.34, 6.01, 0.0 */
+   Equation (5), (7). Domain: any design. Operations: 6. Error / u (1 + kappa): proved 1.34, 6.01, 0.0. */
 SF_KERNEL void rod_spring_untruncated_coefficients(double lam, double r, double delta_h, double *out)
 {
     const double t0 = lam * r;
@@ -1363,8 +1338,7 @@ SF_KERNEL void rod_spring_untruncated_coefficients(double lam, double r, double 
 }
 
 /* The |u| at which a piece of the force ends.
-   Equation (5). Domain: any parameters. Operations: 4.
-   Measured, error / u (1 + kappa): 0.96 */
+   Equation (5). Domain: any parameters. Operations: 4. Error / u (1 + kappa): measured 0.96. */
 SF_KERNEL void rod_spring_untruncated_breakpoints(const double *p, double *out)
 {
     const double delta_h = p[2];
@@ -1372,16 +1346,14 @@ SF_KERNEL void rod_spring_untruncated_breakpoints(const double *p, double *out)
 }
 
 /* What the force loses at each breakpoint: f below less f above.
-   Equation (5). Domain: any parameters. Operations: 0.
-   Proved, error / u (1 + kappa): 0.0 */
+   Equation (5). Domain: any parameters. Operations: 0. Error / u (1 + kappa): proved 0.0. */
 SF_KERNEL void rod_spring_untruncated_jumps(const double *p, double *out)
 {
     out[0] = 0.0;
 }
 
 /* The force over the displacement, f(u)/u, rises with |u| where none of these is negative.
-   Equation from (3). Domain: any parameters. Operations: 1.
-   Proved, error / u (1 + kappa): 0.0 */
+   Equation from (3). Domain: any parameters. Operations: 1. Error / u (1 + kappa): proved 0.0. */
 SF_KERNEL void rod_spring_untruncated_hardening(const double *p, double *out)
 {
     const double beta = p[1];
@@ -1389,8 +1361,7 @@ SF_KERNEL void rod_spring_untruncated_hardening(const double *p, double *out)
 }
 
 /* Piece 1 of the whole restoring force u + F_k(u).
-   Equation (3), (5). Domain: where it holds. Operations: 12.
-   Measured, error / u (1 + kappa): 0.85 */
+   Equation (3), (5). Domain: where it holds. Operations: 12. Error / u (1 + kappa): measured 0.85. */
 SF_KERNEL double rod_spring_untruncated_force_1(double u, double alpha, double beta, double delta_h)
 {
     const double t0 = sqrt((1.0 - u) * (u + 1.0));
@@ -1398,8 +1369,7 @@ SF_KERNEL double rod_spring_untruncated_force_1(double u, double alpha, double b
 }
 
 /* d/du of piece 1 of the whole restoring force u + F_k(u).
-   Equation (3), (5). Domain: where it holds. Operations: 23.
-   Measured, error / u (1 + kappa): 1.5 */
+   Equation (3), (5). Domain: where it holds. Operations: 23. Error / u (1 + kappa): measured 1.5. */
 SF_KERNEL double rod_spring_untruncated_force_1_u(double u, double alpha, double beta, double delta_h)
 {
     const double root_1 = sqrt((1.0 - u) * (u + 1.0));
@@ -1412,26 +1382,21 @@ SF_KERNEL double rod_spring_untruncated_force_1_u(double u, double alpha, double
 }
 
 /* Piece 2 of the whole restoring force u + F_k(u).
-   Equation (3), (5). Domain: where it holds. Operations: 0.
-   Proved, error / u (1 + kappa): 0.0 */
+   Equation (3), (5). Domain: where it holds. Operations: 0. Error / u (1 + kappa): proved 0.0. */
 SF_KERNEL double rod_spring_untruncated_force_2(double u, double alpha, double beta, double delta_h)
 {
     return u;
 }
 
 /* d/du of piece 2 of the whole restoring force u + F_k(u).
-   Equation (3), (5). Domain: where it holds. Operations: 0.
-   Proved, error / u (1 + kappa): 0.0 */
+   Equation (3), (5). Domain: where it holds. Operations: 0. Error / u (1 + kappa): proved 0.0. */
 SF_KERNEL double rod_spring_untruncated_force_2_u(double u, double alpha, double beta, double delta_h)
 {
     return 1.0;
 }
 
 /* Whole dimensionless restoring force u + F_k(u), untruncated.
-   Equation (3), (5). Domain: |u| < 1.
-   force_2: 0 operations. Proved, error / u (1 + kappa): 0.0
-   force_1: 12 operations.
-   Measured, error / u (1 + kappa): 0.86 */
+   Equation (3), (5). Domain: |u| < 1. Error / u (1 + kappa): measured 0.86. */
 SF_KERNEL double rod_spring_untruncated_force(double u, double alpha, double beta, double delta_h)
 {
     if (sqrt(-delta_h * delta_h + 2.0 * delta_h) <= fabs(u))
@@ -1441,8 +1406,7 @@ SF_KERNEL double rod_spring_untruncated_force(double u, double alpha, double bet
 }
 
 /* h, h_A, h_AA, h_AAA together.
-   Equation (20)-(22), (31). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 3.3 */
+   Equation (20)-(22), (31). Domain: A >= 0. Error / u (1 + kappa): measured 3.3. */
 SF_KERNEL void rod_spring_untruncated_averaged(double A, const double *p, double *out)
 {
     double values[7];
@@ -1454,8 +1418,7 @@ SF_KERNEL void rod_spring_untruncated_averaged(double A, const double *p, double
 }
 
 /* h, h_A together.
-   Equation (20)-(22), (31). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 1.7 */
+   Equation (20)-(22), (31). Domain: A >= 0. Error / u (1 + kappa): measured 1.7. */
 SF_KERNEL void rod_spring_untruncated_averaged_2(double A, const double *p, double *out)
 {
     double values[7];
@@ -1465,8 +1428,7 @@ SF_KERNEL void rod_spring_untruncated_averaged_2(double A, const double *p, doub
 }
 
 /* H, H_A together.
-   Equation (20)-(22), (31). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 3 */
+   Equation (20)-(22), (31). Domain: A >= 0. Error / u (1 + kappa): measured 3. */
 SF_KERNEL void rod_spring_untruncated_averaged_H(double A, const double *p, double *out)
 {
     double values[7];
@@ -1476,8 +1438,7 @@ SF_KERNEL void rod_spring_untruncated_averaged_H(double A, const double *p, doub
 }
 
 /* h - A h_A, where the tangent of h meets A = 0; linear terms are none.
-   Equation (20)-(22), (31). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 2.9 */
+   Equation (20)-(22), (31). Domain: A >= 0. Error / u (1 + kappa): measured 2.9. */
 SF_KERNEL double rod_spring_untruncated_intercept(double A, double alpha, double beta, double delta_h)
 {
     const double p[] = {alpha, beta, delta_h};
@@ -1487,8 +1448,7 @@ SF_KERNEL double rod_spring_untruncated_intercept(double A, double alpha, double
 }
 
 /* The averaged restoring force h = H - A.
-   Equation (20)-(22). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 1.4 */
+   Equation (20)-(22). Domain: A >= 0. Error / u (1 + kappa): measured 1.4. */
 SF_KERNEL double rod_spring_untruncated_h(double A, double alpha, double beta, double delta_h)
 {
     const double p[] = {alpha, beta, delta_h};
@@ -1498,8 +1458,7 @@ SF_KERNEL double rod_spring_untruncated_h(double A, double alpha, double beta, d
 }
 
 /* d/dA of the averaged restoring force h = H - A.
-   Equation (31). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 2.1 */
+   Equation (31). Domain: A >= 0. Error / u (1 + kappa): measured 2.1. */
 SF_KERNEL double rod_spring_untruncated_h_A(double A, double alpha, double beta, double delta_h)
 {
     const double p[] = {alpha, beta, delta_h};
@@ -1509,8 +1468,7 @@ SF_KERNEL double rod_spring_untruncated_h_A(double A, double alpha, double beta,
 }
 
 /* d2/dA2 of the averaged restoring force h = H - A.
-   Equation from (31). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 1.7 */
+   Equation from (31). Domain: A >= 0. Error / u (1 + kappa): measured 1.7. */
 SF_KERNEL double rod_spring_untruncated_h_AA(double A, double alpha, double beta, double delta_h)
 {
     const double p[] = {alpha, beta, delta_h};
@@ -1520,8 +1478,7 @@ SF_KERNEL double rod_spring_untruncated_h_AA(double A, double alpha, double beta
 }
 
 /* d3/dA3 of the averaged restoring force h = H - A.
-   Equation from (31). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 3.6 */
+   Equation from (31). Domain: A >= 0. Error / u (1 + kappa): measured 3.6. */
 SF_KERNEL double rod_spring_untruncated_h_AAA(double A, double alpha, double beta, double delta_h)
 {
     const double p[] = {alpha, beta, delta_h};
@@ -1531,8 +1488,7 @@ SF_KERNEL double rod_spring_untruncated_h_AAA(double A, double alpha, double bet
 }
 
 /* The averaged force H beside the vertical spring.
-   Equation (20)-(22). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 3.1 */
+   Equation (20)-(22). Domain: A >= 0. Error / u (1 + kappa): measured 3.1. */
 SF_KERNEL double rod_spring_untruncated_H(double A, double alpha, double beta, double delta_h)
 {
     const double p[] = {alpha, beta, delta_h};
@@ -1542,8 +1498,7 @@ SF_KERNEL double rod_spring_untruncated_H(double A, double alpha, double beta, d
 }
 
 /* d/dA of the averaged force H beside the vertical spring.
-   Equation (31). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 2 */
+   Equation (31). Domain: A >= 0. Error / u (1 + kappa): measured 2. */
 SF_KERNEL double rod_spring_untruncated_H_A(double A, double alpha, double beta, double delta_h)
 {
     const double p[] = {alpha, beta, delta_h};
@@ -1553,8 +1508,7 @@ SF_KERNEL double rod_spring_untruncated_H_A(double A, double alpha, double beta,
 }
 
 /* d2/dA2 of the averaged force H beside the vertical spring.
-   Equation from (31). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 2.4 */
+   Equation from (31). Domain: A >= 0. Error / u (1 + kappa): measured 2.4. */
 SF_KERNEL double rod_spring_untruncated_H_AA(double A, double alpha, double beta, double delta_h)
 {
     const double p[] = {alpha, beta, delta_h};
@@ -1564,8 +1518,7 @@ SF_KERNEL double rod_spring_untruncated_H_AA(double A, double alpha, double beta
 }
 
 /* Frequency response; zero at a steady state.
-   Equation (24). Domain: Omega > 0, A > 0.
-   Measured, error / u (1 + kappa): 1.5 */
+   Equation (24). Domain: Omega > 0, A > 0. Error / u (1 + kappa): measured 1.5. */
 SF_KERNEL double rod_spring_untruncated_F(double Omega, double A, double F_0, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -1574,8 +1527,7 @@ SF_KERNEL double rod_spring_untruncated_F(double Omega, double A, double F_0, do
 }
 
 /* dF/dA; positive where stable.
-   Equation (24), (30). Domain: Omega > 0, A > 0.
-   Measured, error / u (1 + kappa): 4.2 */
+   Equation (24), (30). Domain: Omega > 0, A > 0. Error / u (1 + kappa): measured 4.2. */
 SF_KERNEL double rod_spring_untruncated_F_A(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -1584,8 +1536,7 @@ SF_KERNEL double rod_spring_untruncated_F_A(double Omega, double A, double mu, d
 }
 
 /* The forcing F_0 for which (Omega, A) is a steady state.
-   Equation (24). Domain: Omega >= 0, A > 0.
-   Measured, error / u (1 + kappa): 1.5 */
+   Equation (24). Domain: Omega >= 0, A > 0. Error / u (1 + kappa): measured 1.5. */
 SF_KERNEL double rod_spring_untruncated_level(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -1594,8 +1545,7 @@ SF_KERNEL double rod_spring_untruncated_level(double Omega, double A, double mu,
 }
 
 /* Phase phi of a steady state, from -pi to 0.
-   Equation (25). Domain: Omega > 0, A > 0.
-   Measured, error / u (1 + kappa): 1.4 */
+   Equation (25). Domain: Omega > 0, A > 0. Error / u (1 + kappa): measured 1.4. */
 SF_KERNEL double rod_spring_untruncated_phase(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -1604,8 +1554,7 @@ SF_KERNEL double rod_spring_untruncated_phase(double Omega, double A, double mu,
 }
 
 /* Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22.
-   Equation (28). Domain: Omega > 0, A > 0.
-   Measured, error / u (1 + kappa): 1.8 */
+   Equation (28). Domain: Omega > 0, A > 0. Error / u (1 + kappa): measured 1.8. */
 SF_KERNEL void rod_spring_untruncated_jacobian(double Omega, double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
@@ -1614,8 +1563,7 @@ SF_KERNEL void rod_spring_untruncated_jacobian(double Omega, double A, double mu
 }
 
 /* 4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
-   Equation (30). Domain: Omega > 0, A > 0.
-   Measured, error / u (1 + kappa): 4.4 */
+   Equation (30). Domain: Omega > 0, A > 0. Error / u (1 + kappa): measured 4.4. */
 SF_KERNEL double rod_spring_untruncated_stability(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -1624,8 +1572,7 @@ SF_KERNEL double rod_spring_untruncated_stability(double Omega, double A, double
 }
 
 /* Fundamental harmonic of the force on the base over F_0, at a steady state.
-   Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0.
-   Measured, error / u (1 + kappa): 1.4 */
+   Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0. Error / u (1 + kappa): measured 1.4. */
 SF_KERNEL double rod_spring_untruncated_transmissibility(double Omega, double A, double F_0, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -1634,8 +1581,7 @@ SF_KERNEL double rod_spring_untruncated_transmissibility(double Omega, double A,
 }
 
 /* Frequency on the backbone.
-   Equation (26). Domain: A > 0, h <= 0.
-   Measured, error / u (1 + kappa): 1.6 */
+   Equation (26). Domain: A > 0, h <= 0. Error / u (1 + kappa): measured 1.6. */
 SF_KERNEL double rod_spring_untruncated_backbone(double A, const double *p)
 {
     double average[2];
@@ -1644,24 +1590,21 @@ SF_KERNEL double rod_spring_untruncated_backbone(double A, const double *p)
 }
 
 /* Largest amplitude that the forcing can hold at this frequency.
-   Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise.
-   Measured, error / u (1 + kappa): 0.66 */
+   Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise. Error / u (1 + kappa): measured 0.66. */
 SF_KERNEL double rod_spring_untruncated_limit_envelope(double Omega, double F_0, double mu, double zeta)
 {
     return slow_flow_limit_envelope(Omega, F_0, slow_flow_friction(mu), zeta);
 }
 
 /* Viscous damping ratio that dissipates as much as zeta and friction together.
-   Equation (38). Domain: Omega > 0, A > 0.
-   Measured, error / u (1 + kappa): 0.65 */
+   Equation (38). Domain: Omega > 0, A > 0. Error / u (1 + kappa): measured 0.65. */
 SF_KERNEL double rod_spring_untruncated_equivalent_damping(double Omega, double A, double mu, double zeta)
 {
     return slow_flow_equivalent_damping(Omega, A, slow_flow_friction(mu), zeta);
 }
 
 /* F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
-   Equation (24). Domain: A > 0.
-   Measured, error / u (1 + kappa): 1.4 */
+   Equation (24). Domain: A > 0. Error / u (1 + kappa): measured 1.4. */
 SF_KERNEL void rod_spring_untruncated_response_quartic(double A, double F_0, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
@@ -1670,8 +1613,7 @@ SF_KERNEL void rod_spring_untruncated_response_quartic(double A, double F_0, dou
 }
 
 /* F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
-   Equation (24), (30). Domain: A > 0.
-   Measured, error / u (1 + kappa): 3.7 */
+   Equation (24), (30). Domain: A > 0. Error / u (1 + kappa): measured 3.7. */
 SF_KERNEL void rod_spring_untruncated_fold_quartic(double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
@@ -1680,8 +1622,7 @@ SF_KERNEL void rod_spring_untruncated_fold_quartic(double A, double mu, double z
 }
 
 /* F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3.
-   Equation (34). Domain: A > 0.
-   Measured, error / u (1 + kappa): 2.3 */
+   Equation (34). Domain: A > 0. Error / u (1 + kappa): measured 2.3. */
 SF_KERNEL void rod_spring_untruncated_peak_cubic(double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
@@ -1690,8 +1631,7 @@ SF_KERNEL void rod_spring_untruncated_peak_cubic(double A, double mu, double zet
 }
 
 /* Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
-   Equation (34). Domain: A > 0.
-   Measured, error / u (1 + kappa): 1.6 */
+   Equation (34). Domain: A > 0. Error / u (1 + kappa): measured 1.6. */
 SF_KERNEL void rod_spring_untruncated_detachment(double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];

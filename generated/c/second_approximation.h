@@ -26,10 +26,13 @@
 
 #define SECOND_APPROXIMATION_RESONANCE 9.0
 
-/* Largest displacement, A_1 and phase, R, F, and dF/dA, dF/dOmega, dR/dA, dR/dOmega.
-   Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2. Operations: 254.
-   Measured, error / u (1 + kappa): 1.3 */
-SF_KERNEL void second_approximation_response(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_3, double h_3_A, double h_3_AA, double h_5, double h_5_A, double h_5_AA, double *out)
+/* What response, detachment, detachment_by_inertia have in common. */
+SF_COMMON void second_approximation_common_1(double A, double Omega, double h, double h_3, double h_3_A,
+    double h_3_AA, double h_5, double h_5_A, double h_5_AA, double h_A, double h_AA, double m, double *a_3_out,
+    double *a_3_A_out, double *a_3_Omega_out, double *a_5_out, double *a_5_A_out, double *a_5_Omega_out,
+    double *A_1_out, double *A_1_A_out, double *A_1_Omega_out, double *sine_out, double *sine_Omega_out,
+    double *u_max_out, double *u_max_A_out, double *u_max_Omega_out, double *spring_out, double *spring_Omega_out,
+    double *R_A_out)
 {
     const double t0 = 1.0 / A;
     const double Omega2 = Omega * Omega;
@@ -98,8 +101,41 @@ SF_KERNEL void second_approximation_response(double Omega, double A, double F_0,
     const double spring = a_3 * t25 + a_5 * t26 + h;
     const double spring_A = a_3 * h_3_AA + a_3_A * t25 + a_5 * h_5_AA + a_5_A * t26 + h_A - h_AA * t16;
     const double spring_Omega = a_3_Omega * t25 + a_5_Omega * t26;
-    const double R = A_1 * Omega2 - m * sine + spring;
     const double R_A = A_1_A * Omega2 - m * sine_A + spring_A;
+    *a_3_out = a_3;
+    *a_3_A_out = a_3_A;
+    *a_3_Omega_out = a_3_Omega;
+    *a_5_out = a_5;
+    *a_5_A_out = a_5_A;
+    *a_5_Omega_out = a_5_Omega;
+    *A_1_out = A_1;
+    *A_1_A_out = A_1_A;
+    *A_1_Omega_out = A_1_Omega;
+    *sine_out = sine;
+    *sine_Omega_out = sine_Omega;
+    *u_max_out = u_max;
+    *u_max_A_out = u_max_A;
+    *u_max_Omega_out = u_max_Omega;
+    *spring_out = spring;
+    *spring_Omega_out = spring_Omega;
+    *R_A_out = R_A;
+}
+
+/* Largest displacement, A_1 and phase, R, F, and dF/dA, dF/dOmega, dR/dA, dR/dOmega.
+   Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2. Operations: 254. Error / u (1 + kappa):
+   measured 1.3. */
+SF_KERNEL void second_approximation_response(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_3, double h_3_A, double h_3_AA, double h_5, double h_5_A, double h_5_AA, double *out)
+{
+    double a_3, a_3_A, a_3_Omega, a_5, a_5_A, a_5_Omega, A_1, A_1_A, A_1_Omega, sine, sine_Omega, u_max, u_max_A,
+        u_max_Omega, spring, spring_Omega, R_A;
+    second_approximation_common_1(A, Omega, h, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA, h_A, h_AA, m, &a_3, &a_3_A,
+        &a_3_Omega, &a_5, &a_5_A, &a_5_Omega, &A_1, &A_1_A, &A_1_Omega, &sine, &sine_Omega, &u_max, &u_max_A,
+        &u_max_Omega, &spring, &spring_Omega, &R_A);
+    const double Omega2 = Omega * Omega;
+    const double t18 = 1.0 / A_1;
+    const double t19 = m * t18;
+    const double t22 = 1.0 / (A_1 * A_1);
+    const double R = A_1 * Omega2 - m * sine + spring;
     const double t27 = 2.0 * Omega;
     const double R_Omega = A_1 * t27 + A_1_Omega * Omega2 - m * sine_Omega + spring_Omega;
     const double t28 = m * u_max;
@@ -127,79 +163,20 @@ SF_KERNEL void second_approximation_response(double Omega, double A, double F_0,
 }
 
 /* The forcing (24), largest displacement, and what vanishes where the forcing that reaches it is least.
-   Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2. Operations: 252.
-   Measured, error / u (1 + kappa): 1.6 */
+   Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2. Operations: 252. Error / u (1 + kappa):
+   measured 1.6. */
 SF_KERNEL void second_approximation_detachment(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA, double h_3, double h_3_A, double h_3_AA, double h_5, double h_5_A, double h_5_AA, double *out)
 {
-    const double t0 = 1.0 / A;
+    double a_3, a_3_A, a_3_Omega, a_5, a_5_A, a_5_Omega, A_1, A_1_A, A_1_Omega, sine, sine_Omega, u_max, u_max_A,
+        u_max_Omega, spring, spring_Omega, R_A;
+    second_approximation_common_1(A, Omega, h, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA, h_A, h_AA, m, &a_3, &a_3_A,
+        &a_3_Omega, &a_5, &a_5_A, &a_5_Omega, &A_1, &A_1_A, &A_1_Omega, &sine, &sine_Omega, &u_max, &u_max_A,
+        &u_max_Omega, &spring, &spring_Omega, &R_A);
     const double Omega2 = Omega * Omega;
-    const double t1 = 1.0 / Omega2;
-    const double kappa = -h * t0 * t1;
-    const double kappa_A = -h_A * t0 * t1 + h * t1 / (A * A);
-    const double Omega3 = Omega * Omega2;
-    const double t2 = 1.0 / Omega3;
-    const double t3 = 2.0 * t2;
-    const double kappa_Omega = h * t0 * t3;
-    const double t4 = 9.0 - kappa;
-    const double t5 = 1.0 / t4;
-    const double t6 = t1 * t5;
-    const double a_3 = -h_3 * t6;
-    const double t7 = kappa_A * t1;
-    const double t8 = 1.0 / (t4 * t4);
-    const double t9 = h_3 * t8;
-    const double a_3_A = -h_3_A * t6 - t7 * t9;
-    const double t10 = kappa_Omega * t1;
-    const double a_3_Omega = 2.0 * h_3 * t2 * t5 - t10 * t9;
-    const double t11 = 25.0 - kappa;
-    const double t12 = 1.0 / t11;
-    const double t13 = t1 * t12;
-    const double a_5 = -h_5 * t13;
-    const double t14 = 1.0 / (t11 * t11);
-    const double t15 = h_5 * t14;
-    const double a_5_A = -h_5_A * t13 - t15 * t7;
-    const double a_5_Omega = 2.0 * h_5 * t12 * t2 - t10 * t15;
-    const double t16 = a_3 + a_5;
-    const double share_A = a_3_A + a_5_A;
-    const double share_Omega = a_3_Omega + a_5_Omega;
-    const double A_1 = A - t16;
-    const double A_1_A = 1.0 - share_A;
-    const double A_1_Omega = -share_Omega;
-    const double t17 = 49.0 - kappa;
-    const double total = kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa *
-        (kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (4.4420846017798256e-35 * kappa +
-        3.5993895204234291e-33) + 2.9170831235780408e-31) + 2.3647520450964226e-29) + 1.9177758641615431e-27) +
-        1.5562307152262564e-25) + 1.264003059063471e-23) + 1.0280748556111104e-21) + 8.3794971769130177e-20) +
-        6.851973846392482e-18) + 5.6310244406867976e-16) + 4.6641592175262402e-14) + 3.912344846154278e-12) +
-        3.3510322056003729e-10) + 2.9768494689292246e-08) + 2.8346687069545959e-06) + 0.00031585946398298526) + t12
-        + t5 + 0.062181275759752595 + 1.0 / t17;
-    const double total_1 = kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa *
-        (kappa * (kappa * (kappa * (kappa * (kappa * (7.5515438230257031e-34 * kappa + 5.7590232326774865e-32) +
-        4.3756246853670614e-30) + 3.3106528631349914e-28) + 2.4931086234100061e-26) + 1.8674768582715075e-24) +
-        1.3904033649698182e-22) + 1.0280748556111104e-20) + 7.5415474592217156e-19) + 5.4815790771139856e-17) +
-        3.9417171084807582e-15) + 2.798495530515744e-13) + 1.9561724230771392e-11) + 1.3404128822401492e-09) +
-        8.9305484067876734e-08) + 5.6693374139091918e-06) + t14 + t8 + 0.00031585946398298526 + 1.0 / (t17 * t17);
     const double t18 = 1.0 / A_1;
     const double t19 = m * t18;
-    const double t20 = t1 * total;
-    const double sine = -t19 * t20;
-    const double t21 = t19 * total_1;
     const double t22 = 1.0 / (A_1 * A_1);
-    const double sine_A = A_1_A * m * t1 * t22 * total - t21 * t7;
-    const double sine_Omega = A_1_Omega * m * t20 * t22 - t10 * t21 + t19 * t3 * total;
-    const double cosine = sqrt((1.0 - sine) * (sine + 1.0));
-    const double cosine_1 = -sine / cosine;
-    const double u_max = A_1 * cosine + t16;
-    const double t23 = A_1 * cosine_1;
-    const double u_max_A = A_1_A * cosine + share_A + sine_A * t23;
-    const double u_max_Omega = A_1_Omega * cosine + share_Omega + sine_Omega * t23;
-    const double t24 = -h_A;
-    const double t25 = h_3_A + t24;
-    const double t26 = h_5_A + t24;
-    const double spring = a_3 * t25 + a_5 * t26 + h;
-    const double spring_A = a_3 * h_3_AA + a_3_A * t25 + a_5 * h_5_AA + a_5_A * t26 + h_A - h_AA * t16;
-    const double spring_Omega = a_3_Omega * t25 + a_5_Omega * t26;
     const double R = A_1 * Omega2 - m * sine + spring;
-    const double R_A = A_1_A * Omega2 - m * sine_A + spring_A;
     const double t27 = 2.0 * Omega;
     const double R_Omega = A_1 * t27 + A_1_Omega * Omega2 - m * sine_Omega + spring_Omega;
     const double t28 = m * u_max;
@@ -220,80 +197,23 @@ SF_KERNEL void second_approximation_detachment(double Omega, double A, double m,
 }
 
 /* The same of an excitation by inertia.
-   Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2. Operations: 287.
-   Measured, error / u (1 + kappa): 1.7 */
+   Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2. Operations: 287. Error / u (1 + kappa):
+   measured 1.7. */
 SF_KERNEL void second_approximation_detachment_by_inertia(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA, double h_3, double h_3_A, double h_3_AA, double h_5, double h_5_A, double h_5_AA, double *out)
 {
-    const double t0 = 1.0 / A;
+    double a_3, a_3_A, a_3_Omega, a_5, a_5_A, a_5_Omega, A_1, A_1_A, A_1_Omega, sine, sine_Omega, u_max, u_max_A,
+        u_max_Omega, spring, spring_Omega, R_A;
+    second_approximation_common_1(A, Omega, h, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA, h_A, h_AA, m, &a_3, &a_3_A,
+        &a_3_Omega, &a_5, &a_5_A, &a_5_Omega, &A_1, &A_1_A, &A_1_Omega, &sine, &sine_Omega, &u_max, &u_max_A,
+        &u_max_Omega, &spring, &spring_Omega, &R_A);
     const double Omega2 = Omega * Omega;
     const double t1 = 1.0 / Omega2;
-    const double kappa = -h * t0 * t1;
-    const double kappa_A = -h_A * t0 * t1 + h * t1 / (A * A);
     const double Omega3 = Omega * Omega2;
-    const double t2 = 1.0 / Omega3;
-    const double t3 = 2.0 * t2;
-    const double kappa_Omega = h * t0 * t3;
-    const double t4 = 9.0 - kappa;
-    const double t5 = 1.0 / t4;
-    const double t6 = t1 * t5;
-    const double a_3 = -h_3 * t6;
-    const double t7 = kappa_A * t1;
-    const double t8 = 1.0 / (t4 * t4);
-    const double t9 = h_3 * t8;
-    const double a_3_A = -h_3_A * t6 - t7 * t9;
-    const double t10 = kappa_Omega * t1;
-    const double a_3_Omega = 2.0 * h_3 * t2 * t5 - t10 * t9;
-    const double t11 = 25.0 - kappa;
-    const double t12 = 1.0 / t11;
-    const double t13 = t1 * t12;
-    const double a_5 = -h_5 * t13;
-    const double t14 = 1.0 / (t11 * t11);
-    const double t15 = h_5 * t14;
-    const double a_5_A = -h_5_A * t13 - t15 * t7;
-    const double a_5_Omega = 2.0 * h_5 * t12 * t2 - t10 * t15;
-    const double t16 = a_3 + a_5;
-    const double share_A = a_3_A + a_5_A;
-    const double share_Omega = a_3_Omega + a_5_Omega;
-    const double A_1 = A - t16;
-    const double A_1_A = 1.0 - share_A;
-    const double A_1_Omega = -share_Omega;
-    const double t17 = 49.0 - kappa;
-    const double total = kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa *
-        (kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (4.4420846017798256e-35 * kappa +
-        3.5993895204234291e-33) + 2.9170831235780408e-31) + 2.3647520450964226e-29) + 1.9177758641615431e-27) +
-        1.5562307152262564e-25) + 1.264003059063471e-23) + 1.0280748556111104e-21) + 8.3794971769130177e-20) +
-        6.851973846392482e-18) + 5.6310244406867976e-16) + 4.6641592175262402e-14) + 3.912344846154278e-12) +
-        3.3510322056003729e-10) + 2.9768494689292246e-08) + 2.8346687069545959e-06) + 0.00031585946398298526) + t12
-        + t5 + 0.062181275759752595 + 1.0 / t17;
-    const double total_1 = kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa *
-        (kappa * (kappa * (kappa * (kappa * (kappa * (7.5515438230257031e-34 * kappa + 5.7590232326774865e-32) +
-        4.3756246853670614e-30) + 3.3106528631349914e-28) + 2.4931086234100061e-26) + 1.8674768582715075e-24) +
-        1.3904033649698182e-22) + 1.0280748556111104e-20) + 7.5415474592217156e-19) + 5.4815790771139856e-17) +
-        3.9417171084807582e-15) + 2.798495530515744e-13) + 1.9561724230771392e-11) + 1.3404128822401492e-09) +
-        8.9305484067876734e-08) + 5.6693374139091918e-06) + t14 + t8 + 0.00031585946398298526 + 1.0 / (t17 * t17);
     const double t18 = 1.0 / A_1;
     const double t19 = m * t18;
-    const double t20 = t1 * total;
-    const double sine = -t19 * t20;
-    const double t21 = t19 * total_1;
     const double t22 = 1.0 / (A_1 * A_1);
-    const double sine_A = A_1_A * m * t1 * t22 * total - t21 * t7;
-    const double sine_Omega = A_1_Omega * m * t20 * t22 - t10 * t21 + t19 * t3 * total;
-    const double cosine = sqrt((1.0 - sine) * (sine + 1.0));
-    const double cosine_1 = -sine / cosine;
-    const double u_max = A_1 * cosine + t16;
-    const double t23 = A_1 * cosine_1;
-    const double u_max_A = A_1_A * cosine + share_A + sine_A * t23;
-    const double u_max_Omega = A_1_Omega * cosine + share_Omega + sine_Omega * t23;
-    const double t24 = -h_A;
-    const double t25 = h_3_A + t24;
-    const double t26 = h_5_A + t24;
-    const double spring = a_3 * t25 + a_5 * t26 + h;
-    const double spring_A = a_3 * h_3_AA + a_3_A * t25 + a_5 * h_5_AA + a_5_A * t26 + h_A - h_AA * t16;
-    const double spring_Omega = a_3_Omega * t25 + a_5_Omega * t26;
     const double t27 = m * sine;
     const double R = A_1 * Omega2 + spring - t27;
-    const double R_A = A_1_A * Omega2 - m * sine_A + spring_A;
     const double t28 = m * u_max;
     const double t29 = t18 * t28;
     const double t30 = a_3 * a_3;
@@ -320,8 +240,8 @@ SF_KERNEL void second_approximation_detachment_by_inertia(double Omega, double A
 }
 
 /* F and its derivatives: a fold has F = F_A = 0, a cusp all three.
-   Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2. Operations: 396.
-   Measured, error / u (1 + kappa): 1.5 */
+   Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2. Operations: 396. Error / u (1 + kappa):
+   measured 1.5. */
 SF_KERNEL void second_approximation_folds(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_3, double h_3_A, double h_3_AA, double h_3_AAA, double h_5, double h_5_A, double h_5_AA, double h_5_AAA, double *out)
 {
     const double t0 = 1.0 / A;
@@ -461,8 +381,8 @@ SF_KERNEL void second_approximation_folds(double Omega, double A, double F_0, do
 }
 
 /* Largest displacement and what `wave` takes.
-   Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2. Operations: 62.
-   Measured, error / u (1 + kappa): 1.1 */
+   Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2. Operations: 62. Error / u (1 + kappa):
+   measured 1.1. */
 SF_KERNEL void second_approximation_components(double Omega, double A, double m, double h, double h_3, double h_5, double *out)
 {
     const double t0 = 1.0 / (Omega * Omega);
@@ -493,8 +413,8 @@ SF_KERNEL void second_approximation_components(double Omega, double A, double m,
 }
 
 /* u and u' at an angle after the mass turned at its largest displacement.
-   Equation beyond (23). Domain: Omega > 0, 0 <= turned <= pi, |kappa| < 9. Operations: 343.
-   Measured, error / u (1 + kappa): 1.5 */
+   Equation beyond (23). Domain: Omega > 0, 0 <= turned <= pi, |kappa| < 9. Operations: 343. Error / u (1 + kappa):
+   measured 1.5. */
 SF_KERNEL void second_approximation_wave(double turned, double Omega, double m, double A_1, double sine, double cosine, double a_3, double a_5, double kappa, double *out)
 {
     const double c_1 = cos(turned);

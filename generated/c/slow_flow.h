@@ -26,32 +26,28 @@
 SF_FAMILY_BEGIN
 
 /* Dry friction's share of I.
-   Equation (23). Domain: mu >= 0. Operations: 1.
-   Measured, error / u (1 + kappa): 0.76 */
+   Equation (23). Domain: mu >= 0. Operations: 1. Error / u (1 + kappa): measured 0.76. */
 SF_KERNEL double slow_flow_friction(double mu)
 {
     return 1.2732395447351628 * mu;
 }
 
 /* Cosine balance, -F_0 cos phi at a fixed point.
-   Equation (23). Domain: Omega > 0, A > 0. Operations: 3.
-   Proved, error / u (1 + kappa): 1.01 */
+   Equation (23). Domain: Omega > 0, A > 0. Operations: 3. Error / u (1 + kappa): proved 1.01. */
 SF_KERNEL double slow_flow_R(double Omega, double A, double h)
 {
     return A * Omega * Omega + h;
 }
 
 /* Sine balance, -F_0 sin phi at a fixed point.
-   Equation (23). Domain: Omega > 0, A > 0. Operations: 4.
-   Proved, error / u (1 + kappa): 0.76 */
+   Equation (23). Domain: Omega > 0, A > 0. Operations: 4. Error / u (1 + kappa): proved 0.76. */
 SF_KERNEL double slow_flow_I(double Omega, double A, double m, double zeta)
 {
     return 2.0 * A * Omega * zeta + m;
 }
 
 /* Frequency response; zero at a steady state.
-   Equation (24). Domain: Omega > 0, A > 0. Operations: 12.
-   Measured, error / u (1 + kappa): 1.4 */
+   Equation (24). Domain: Omega > 0, A > 0. Operations: 12. Error / u (1 + kappa): measured 1.4. */
 SF_KERNEL double slow_flow_F(double Omega, double A, double F_0, double m, double zeta, double h)
 {
     const double R = A * Omega * Omega + h;
@@ -60,8 +56,7 @@ SF_KERNEL double slow_flow_F(double Omega, double A, double F_0, double m, doubl
 }
 
 /* dF/dA; positive where stable.
-   Equation (24), (30). Domain: Omega > 0, A > 0. Operations: 12.
-   Measured, error / u (1 + kappa): 1.1 */
+   Equation (24), (30). Domain: Omega > 0, A > 0. Operations: 12. Error / u (1 + kappa): measured 1.1. */
 SF_KERNEL double slow_flow_F_A(double Omega, double A, double m, double zeta, double h, double h_A)
 {
     const double t0 = Omega * Omega;
@@ -72,8 +67,7 @@ SF_KERNEL double slow_flow_F_A(double Omega, double A, double m, double zeta, do
 }
 
 /* d2F/dA2.
-   Equation (24), (33). Domain: Omega > 0, A > 0. Operations: 12.
-   Measured, error / u (1 + kappa): 1.3 */
+   Equation (24), (33). Domain: Omega > 0, A > 0. Operations: 12. Error / u (1 + kappa): measured 1.3. */
 SF_KERNEL double slow_flow_F_AA(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA)
 {
     const double t0 = Omega * Omega;
@@ -83,8 +77,7 @@ SF_KERNEL double slow_flow_F_AA(double Omega, double A, double m, double zeta, d
 }
 
 /* dF/dOmega.
-   Equation (24), (34). Domain: Omega > 0, A > 0. Operations: 12.
-   Proved, error / u (1 + kappa): 3.67 */
+   Equation (24), (34). Domain: Omega > 0, A > 0. Operations: 12. Error / u (1 + kappa): proved 3.67. */
 SF_KERNEL double slow_flow_F_Omega(double Omega, double A, double m, double zeta, double h)
 {
     const double R = A * Omega * Omega + h;
@@ -93,8 +86,7 @@ SF_KERNEL double slow_flow_F_Omega(double Omega, double A, double m, double zeta
 }
 
 /* d2F/dA dOmega.
-   Equation (24). Domain: Omega > 0, A > 0. Operations: 17.
-   Proved, error / u (1 + kappa): 4.72 */
+   Equation (24). Domain: Omega > 0, A > 0. Operations: 17. Error / u (1 + kappa): proved 4.72. */
 SF_KERNEL double slow_flow_F_AOmega(double Omega, double A, double m, double zeta, double h, double h_A)
 {
     const double t0 = Omega * Omega;
@@ -106,8 +98,7 @@ SF_KERNEL double slow_flow_F_AOmega(double Omega, double A, double m, double zet
 }
 
 /* d2F/dOmega2.
-   Equation (24). Domain: Omega > 0, A > 0. Operations: 11.
-   Proved, error / u (1 + kappa): 2.67 */
+   Equation (24). Domain: Omega > 0, A > 0. Operations: 11. Error / u (1 + kappa): proved 2.67. */
 SF_KERNEL double slow_flow_F_OmegaOmega(double Omega, double A, double zeta, double h)
 {
     const double t0 = A * Omega * Omega;
@@ -116,8 +107,7 @@ SF_KERNEL double slow_flow_F_OmegaOmega(double Omega, double A, double zeta, dou
 }
 
 /* Phase phi of a steady state, from -pi to 0.
-   Equation (25). Domain: Omega > 0, A > 0. Operations: 8.
-   Measured, error / u (1 + kappa): 0.87 */
+   Equation (25). Domain: Omega > 0, A > 0. Operations: 8. Error / u (1 + kappa): measured 0.87. */
 SF_KERNEL double slow_flow_phase(double Omega, double A, double m, double zeta, double h)
 {
     const double R = A * Omega * Omega + h;
@@ -126,8 +116,7 @@ SF_KERNEL double slow_flow_phase(double Omega, double A, double m, double zeta, 
 }
 
 /* Frequency on the backbone.
-   Equation (26). Domain: A > 0, h <= 0. Operations: 2.
-   Measured, error / u (1 + kappa): 0.71 */
+   Equation (26). Domain: A > 0, h <= 0. Operations: 2. Error / u (1 + kappa): measured 0.71. */
 SF_KERNEL double slow_flow_backbone(double A, double h)
 {
     const double turn = -h / A;
@@ -135,24 +124,21 @@ SF_KERNEL double slow_flow_backbone(double A, double h)
 }
 
 /* Largest amplitude that the forcing can hold at this frequency.
-   Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise. Operations: 4.
-   Proved, error / u (1 + kappa): 4.01 */
+   Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise. Operations: 4. Error / u (1 + kappa): proved 4.01. */
 SF_KERNEL double slow_flow_limit_envelope(double Omega, double F_0, double m, double zeta)
 {
     return 0.5 * (F_0 - m) / (Omega * zeta);
 }
 
 /* Viscous damping ratio that dissipates as much as zeta and friction together.
-   Equation (38). Domain: Omega > 0, A > 0. Operations: 4.
-   Proved, error / u (1 + kappa): 0.76 */
+   Equation (38). Domain: Omega > 0, A > 0. Operations: 4. Error / u (1 + kappa): proved 0.76. */
 SF_KERNEL double slow_flow_equivalent_damping(double Omega, double A, double m, double zeta)
 {
     return zeta + 0.5 * m / (A * Omega);
 }
 
 /* Fundamental harmonic of the force on the base over F_0, at a steady state.
-   Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0. Operations: 6.
-   Measured, error / u (1 + kappa): 0.67 */
+   Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0. Operations: 6. Error / u (1 + kappa): measured 0.67. */
 SF_KERNEL double slow_flow_transmissibility(double Omega, double A, double F_0, double m, double zeta, double h)
 {
     const double I_ = 2.0 * A * Omega * zeta + m;
@@ -160,10 +146,8 @@ SF_KERNEL double slow_flow_transmissibility(double Omega, double A, double F_0, 
 }
 
 /* Frequency of a state that transmits sqrt(1 - reduction) of what drives it, though it moves.
-   Equation from (23). Domain: A > 0, F_0 > 0, 0 <= reduction < 1.
-   inwards: 6 operations.
-   outwards: 8 operations.
-   Measured, error / u (1 + kappa): 0.71 */
+   Equation from (23). Domain: A > 0, F_0 > 0, 0 <= reduction < 1. Operations: 6 in inwards, 8 in outwards. Error /
+   u (1 + kappa): measured 0.71. */
 SF_KERNEL double slow_flow_isolation_inwards(double A, double F_0, double reduction, double h)
 {
     const double removed = F_0 * sqrt(reduction);
@@ -189,16 +173,14 @@ SF_KERNEL double slow_flow_isolation(double A, double F_0, double reduction, dou
 }
 
 /* The forcing up to which a mass at rest stays there: that of a state as A tends to 0.
-   Equation (24). Domain: preload >= 0, -h as A tends to 0. Operations: 1.
-   Measured, error / u (1 + kappa): 0.5 */
+   Equation (24). Domain: preload >= 0, -h as A tends to 0. Operations: 1. Error / u (1 + kappa): measured 0.5. */
 SF_KERNEL double slow_flow_held(double m, double preload)
 {
     return hypot(m, preload);
 }
 
 /* Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22.
-   Equation (28). Domain: Omega > 0, A > 0. Operations: 13.
-   Proved, error / u (1 + kappa): 0.0, 2.01, 3.01, 3.01 */
+   Equation (28). Domain: Omega > 0, A > 0. Operations: 13. Error / u (1 + kappa): proved 0.0, 2.01, 3.01, 3.01. */
 SF_KERNEL void slow_flow_jacobian(double Omega, double A, double m, double zeta, double h, double h_A, double *out)
 {
     const double t0 = Omega * Omega;
@@ -211,8 +193,7 @@ SF_KERNEL void slow_flow_jacobian(double Omega, double A, double m, double zeta,
 }
 
 /* 4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
-   Equation (30). Domain: Omega > 0, A > 0. Operations: 12.
-   Measured, error / u (1 + kappa): 1.1 */
+   Equation (30). Domain: Omega > 0, A > 0. Operations: 12. Error / u (1 + kappa): measured 1.1. */
 SF_KERNEL double slow_flow_stability(double Omega, double A, double m, double zeta, double h, double h_A)
 {
     const double t0 = Omega * Omega;
@@ -223,9 +204,7 @@ SF_KERNEL double slow_flow_stability(double Omega, double A, double m, double ze
 }
 
 /* F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
-   Equation (24). Domain: A > 0. Operations: 15.
-   Proved, error / u (1 + kappa): -, 0.51, 1.61, 0.34
-   Measured, error / u (1 + kappa): 0.98 */
+   Equation (24). Domain: A > 0. Operations: 15. Error / u (1 + kappa): proved -, 0.51, 1.61, 0.34; measured 0.98. */
 SF_KERNEL void slow_flow_response_quartic(double A, double F_0, double m, double zeta, double h, double *out)
 {
     const double t0 = A * A;
@@ -236,8 +215,7 @@ SF_KERNEL void slow_flow_response_quartic(double A, double F_0, double m, double
 }
 
 /* F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
-   Equation (24), (30). Domain: A > 0. Operations: 8.
-   Proved, error / u (1 + kappa): 0.34, 0.34, 2.34, 0.0 */
+   Equation (24), (30). Domain: A > 0. Operations: 8. Error / u (1 + kappa): proved 0.34, 0.34, 2.34, 0.0. */
 SF_KERNEL void slow_flow_fold_quartic(double A, double m, double zeta, double h, double h_A, double *out)
 {
     out[0] = h * h_A;
@@ -247,8 +225,7 @@ SF_KERNEL void slow_flow_fold_quartic(double A, double m, double zeta, double h,
 }
 
 /* F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3.
-   Equation (34). Domain: A > 0. Operations: 5.
-   Proved, error / u (1 + kappa): 0.34, 1.01, 0.0 */
+   Equation (34). Domain: A > 0. Operations: 5. Error / u (1 + kappa): proved 0.34, 1.01, 0.0. */
 SF_KERNEL void slow_flow_peak_cubic(double A, double m, double zeta, double h, double *out)
 {
     out[0] = m * zeta;
@@ -257,9 +234,7 @@ SF_KERNEL void slow_flow_peak_cubic(double A, double m, double zeta, double h, d
 }
 
 /* Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
-   Equation (34). Domain: A > 0. Operations: 37.
-   Proved, error / u (1 + kappa): -, -, 6.67, 0.0
-   Measured, error / u (1 + kappa): 1.3 */
+   Equation (34). Domain: A > 0. Operations: 37. Error / u (1 + kappa): proved -, -, 6.67, 0.0; measured 1.3. */
 #define SLOW_FLOW_DETACHMENT_COUNT 4
 SF_KERNEL void slow_flow_detachment(double A, double m, double zeta, double h, double *out)
 {
@@ -281,8 +256,7 @@ SF_KERNEL void slow_flow_detachment(double A, double m, double zeta, double h, d
 }
 
 /* The forcing F_0 for which (Omega, A) is a steady state.
-   Equation (24). Domain: Omega >= 0, A > 0. Operations: 11.
-   Measured, error / u (1 + kappa): 1.4 */
+   Equation (24). Domain: Omega >= 0, A > 0. Operations: 11. Error / u (1 + kappa): measured 1.4. */
 SF_KERNEL double slow_flow_level(double Omega, double A, double m, double zeta, double h)
 {
     const double R = A * Omega * Omega + h;
@@ -291,8 +265,7 @@ SF_KERNEL double slow_flow_level(double Omega, double A, double m, double zeta, 
 }
 
 /* F at Omega = 0 as a product: h - c, h + c, and the slope of both along A.
-   Equation from (24). Domain: F_0 >= m. Operations: 6.
-   Measured, error / u (1 + kappa): 1.2 */
+   Equation from (24). Domain: F_0 >= m. Operations: 6. Error / u (1 + kappa): measured 1.2. */
 SF_KERNEL void slow_flow_rest(double F_0, double m, double h, double h_A, double *out)
 {
     const double product = -(-F_0 + m) * (F_0 + m);
@@ -303,16 +276,14 @@ SF_KERNEL void slow_flow_rest(double F_0, double m, double h, double h_A, double
 }
 
 /* The |h| of a state at Omega = 0, and the least |h - A h_A| of a fold.
-   Equation from (24), (30). Domain: F_0 >= m. Operations: 5.
-   Measured, error / u (1 + kappa): 1.1 */
+   Equation from (24), (30). Domain: F_0 >= m. Operations: 5. Error / u (1 + kappa): measured 1.1. */
 SF_KERNEL double slow_flow_least_restoring(double F_0, double m)
 {
     return sqrt(F_0 - m) * sqrt(F_0 + m);
 }
 
 /* k = h - A h_A, where the tangent of h meets A = 0, and its slope along A.
-   Equation from (24), (30). Domain: A >= 0. Operations: 3.
-   Proved, error / u (1 + kappa): 1.01, 0.34 */
+   Equation from (24), (30). Domain: A >= 0. Operations: 3. Error / u (1 + kappa): proved 1.01, 0.34. */
 SF_KERNEL void slow_flow_intercept(double A, double h, double h_A, double h_AA, double *out)
 {
     out[0] = -A * h_A + h;
@@ -320,8 +291,7 @@ SF_KERNEL void slow_flow_intercept(double A, double h, double h_A, double h_AA, 
 }
 
 /* The largest |h| of a state with this amplitude: F_0 + (A Omega)^2/A at the highest Omega.
-   Equation from (23). Domain: A > 0, F_0 >= m, zeta > 0. Operations: 6.
-   Measured, error / u (1 + kappa): 0.85 */
+   Equation from (23). Domain: A > 0, F_0 >= m, zeta > 0. Operations: 6. Error / u (1 + kappa): measured 0.85. */
 SF_KERNEL double slow_flow_most_restoring(double A, double F_0, double m, double zeta)
 {
     const double c = -0.5 * (-F_0 + m) / zeta;
@@ -330,8 +300,8 @@ SF_KERNEL double slow_flow_most_restoring(double A, double F_0, double m, double
 }
 
 /* Zero at a fold at F_0: R of (23) less the R of F = F_A = 0; its slope along A, and Omega.
-   Equation from (24), (30). Domain: A > 0, F_0 > m, k^2 >= F_0^2 - m^2. Operations: 48.
-   Measured, error / u (1 + kappa): 1.9 */
+   Equation from (24), (30). Domain: A > 0, F_0 > m, k^2 >= F_0^2 - m^2. Operations: 48. Error / u (1 + kappa):
+   measured 1.9. */
 SF_KERNEL void slow_flow_fold(double A, double F_0, double m, double zeta, double h, double h_A, double k, double k_A, double *out)
 {
     const double excess = (F_0 - m) * (F_0 + m);
@@ -353,16 +323,14 @@ SF_KERNEL void slow_flow_fold(double A, double F_0, double m, double zeta, doubl
 }
 
 /* Omega^2 beside a fold by the R of F = F_A = 0, from the Omega by I and what R lacks of agreeing (`fold`).
-   Equation from (23). Domain: A > 0. Operations: 3.
-   Proved, error / u (1 + kappa): 1.01 */
+   Equation from (23). Domain: A > 0. Operations: 3. Error / u (1 + kappa): proved 1.01. */
 SF_KERNEL double slow_flow_fold_square(double Omega, double A, double lacks)
 {
     return Omega * Omega - lacks / A;
 }
 
 /* What F and F_A change by beside a fold, per what vanishes there (`fold`), at its A, Omega and I.
-   Equation from (24), (30). Domain: A > 0. Operations: 4.
-   Proved, error / u (1 + kappa): 0.0, 3.01 */
+   Equation from (24), (30). Domain: A > 0. Operations: 4. Error / u (1 + kappa): proved 0.0, 3.01. */
 SF_KERNEL void slow_flow_fold_moves(double A, double k, double R, double *out)
 {
     const double t0 = 2.0 * R;
@@ -371,16 +339,14 @@ SF_KERNEL void slow_flow_fold_moves(double A, double k, double R, double *out)
 }
 
 /* Omega at an isola point.
-   Equation from (30), (34). Domain: h_A >= 0. Operations: 1.
-   Measured, error / u (1 + kappa): 0.67 */
+   Equation from (30), (34). Domain: h_A >= 0. Operations: 1. Error / u (1 + kappa): measured 0.67. */
 SF_KERNEL double slow_flow_isola_Omega(double h_A)
 {
     return sqrt(h_A);
 }
 
 /* The forcing at an isola point: of R from h rounding leaves nothing where damping is weak.
-   Equation from (24), (30). Domain: Omega > 0. Operations: 7.
-   Measured, error / u (1 + kappa): 0.97 */
+   Equation from (24), (30). Domain: Omega > 0. Operations: 7. Error / u (1 + kappa): measured 0.97. */
 SF_KERNEL double slow_flow_isola_level(double Omega, double A, double m, double zeta)
 {
     const double I_ = 2.0 * A * Omega * zeta + m;
@@ -388,8 +354,8 @@ SF_KERNEL double slow_flow_isola_level(double Omega, double A, double m, double 
 }
 
 /* Zero at an isola point: F_Omega/(4 A) at its Omega, for m = 0 without the factor Omega; slope along A.
-   Equation from (30), (34). Domain: A > 0, h_A > 0; for m = 0 any h_A. Operations: 18.
-   Measured, error / u (1 + kappa): 1.7 */
+   Equation from (30), (34). Domain: A > 0, h_A > 0; for m = 0 any h_A. Operations: 18. Error / u (1 + kappa):
+   measured 1.7. */
 SF_KERNEL void slow_flow_isola(double A, double m, double zeta, double h, double h_A, double h_AA, double *out)
 {
     const double w = sqrt(h_A);
@@ -401,9 +367,8 @@ SF_KERNEL void slow_flow_isola(double A, double m, double zeta, double h, double
 }
 
 /* F_AA/2 = T^2 + 2 a T + b = X^2 + 2 c X + d, T = dR/dA, X = Omega^2: a, b, c, d, and a^2 - b = c^2 - d.
-   Equation from (33). Domain: A > 0. Operations: 15.
-   Proved, error / u (1 + kappa): 1.01, 1.01, 1.51, 1.01, -
-   Measured, error / u (1 + kappa): 0.89 */
+   Equation from (33). Domain: A > 0. Operations: 15. Error / u (1 + kappa): proved 1.01, 1.01, 1.51, 1.01, -;
+   measured 0.89. */
 SF_KERNEL void slow_flow_cusps(double A, double zeta, double h, double h_A, double h_AA, double k, double *out)
 {
     const double t0 = zeta * zeta;
@@ -417,8 +382,7 @@ SF_KERNEL void slow_flow_cusps(double A, double zeta, double h, double h_A, doub
 }
 
 /* R where F_AA = 0 (`cusps`), in two forms: by its tangent, and from F_AA itself.
-   Equation from (33). Domain: A > 0, X >= 0. Operations: 8.
-   Proved, error / u (1 + kappa): 1.01, 1.81 */
+   Equation from (33). Domain: A > 0, X >= 0. Operations: 8. Error / u (1 + kappa): proved 1.01, 1.81. */
 SF_KERNEL void slow_flow_cusp_R(double A, double zeta, double h_AA, double k, double X, double T, double *out)
 {
     out[0] = A * T + k;
@@ -426,8 +390,7 @@ SF_KERNEL void slow_flow_cusp_R(double A, double zeta, double h_AA, double k, do
 }
 
 /* Where F_AA = 0 (`cusps`; root = a + T): F_A/2, the same less A F_AA/2, its slope along A, F_0 if it is 0.
-   Equation from (33). Domain: A > 0, X > 0. Operations: 37.
-   Measured, error / u (1 + kappa): 1.2 */
+   Equation from (33). Domain: A > 0, X > 0. Operations: 37. Error / u (1 + kappa): measured 1.2. */
 SF_KERNEL void slow_flow_cusp(double A, double m, double zeta, double h_AA, double h_AAA, double k, double X, double T, double R, double root, double *out)
 {
     const double w = sqrt(X);
@@ -441,8 +404,7 @@ SF_KERNEL void slow_flow_cusp(double A, double m, double zeta, double h_AA, doub
 }
 
 /* Omega^2 and F_0^2 at a cusp with R from F_A = 0, by an X = Omega^2 that is nearly right, and T (`cusps`).
-   Equation from (30). Domain: A > 0, X > 0, T not 0. Operations: 14.
-   Measured, error / u (1 + kappa): 0.98 */
+   Equation from (30). Domain: A > 0, X > 0, T not 0. Operations: 14. Error / u (1 + kappa): measured 0.98. */
 SF_KERNEL void slow_flow_cusp_balance(double A, double m, double zeta, double h, double k, double X, double T, double *out)
 {
     const double w = sqrt(X);
@@ -454,8 +416,7 @@ SF_KERNEL void slow_flow_cusp_balance(double A, double m, double zeta, double h,
 }
 
 /* F_A/2 where F_AOmega = 0, an extremum of F_A over Omega, and its slope along A.
-   Equation from (30). Domain: Omega > 0, A > 0. Operations: 28.
-   Measured, error / u (1 + kappa): 1.5 */
+   Equation from (30). Domain: Omega > 0, A > 0. Operations: 28. Error / u (1 + kappa): measured 1.5. */
 SF_KERNEL void slow_flow_turn(double Omega, double A, double m, double zeta, double h_AA, double k, double *out)
 {
     const double t0 = A * Omega * zeta;
@@ -469,9 +430,8 @@ SF_KERNEL void slow_flow_turn(double Omega, double A, double m, double zeta, dou
 }
 
 /* F where F_Omega = 0: an extremum of F over Omega, and its slope along A.
-   Equation from (24), (34). Domain: Omega > 0, A > 0. Operations: 18.
-   Proved, error / u (1 + kappa): -, 3.67
-   Measured, error / u (1 + kappa): 1.1 */
+   Equation from (24), (34). Domain: Omega > 0, A > 0. Operations: 18. Error / u (1 + kappa): proved -, 3.67;
+   measured 1.1. */
 SF_KERNEL void slow_flow_peak(double Omega, double A, double F_0, double m, double zeta, double h_A, double *out)
 {
     const double t0 = 2.0 * A;
@@ -482,8 +442,7 @@ SF_KERNEL void slow_flow_peak(double Omega, double A, double F_0, double m, doub
 }
 
 /* dOmega/dA along F_Omega = 0: what a rounding of A does to Omega at a peak.
-   Equation from (34). Domain: Omega > 0, A > 0. Operations: 12.
-   Measured, error / u (1 + kappa): 1.6 */
+   Equation from (34). Domain: Omega > 0, A > 0. Operations: 12. Error / u (1 + kappa): measured 1.6. */
 SF_KERNEL double slow_flow_peak_Omega_A(double Omega, double A, double m, double zeta, double h_A)
 {
     const double Omega2 = Omega * Omega;
@@ -492,18 +451,15 @@ SF_KERNEL double slow_flow_peak_Omega_A(double Omega, double A, double m, double
 }
 
 /* Mean of the stiffness over a cycle of a motion about u = 0, which stays about it where this is positive.
-   Equation beside (30). Domain: A > 0. Operations: 4.
-   Proved, error / u (1 + kappa): 1.01 */
+   Equation beside (30). Domain: A > 0. Operations: 4. Error / u (1 + kappa): proved 1.01. */
 SF_KERNEL double slow_flow_mean_stiffness(double A, double h, double h_A)
 {
     return -0.5 * h_A - 0.5 * h / A;
 }
 
 /* What carries a small mean offset back; where the mean stiffness is negative this decides.
-   Equation beside (30). Domain: Omega > 0, A > 0.
-   over: 18 operations.
-   apart: 14 operations.
-   Measured, error / u (1 + kappa): 2 */
+   Equation beside (30). Domain: Omega > 0, A > 0. Operations: 18 in over, 14 in apart. Error / u (1 + kappa):
+   measured 2. */
 SF_KERNEL double slow_flow_offset_stiffness_over(double Omega, double A, double h, double h_A)
 {
     const double t0 = Omega * Omega;
@@ -530,8 +486,7 @@ SF_KERNEL double slow_flow_offset_stiffness(double Omega, double A, double h, do
 }
 
 /* dOmega/dA along the response.
-   Equation from (24). Domain: Omega > 0, A > 0. Operations: 18.
-   Measured, error / u (1 + kappa): 1.9 */
+   Equation from (24). Domain: Omega > 0, A > 0. Operations: 18. Error / u (1 + kappa): measured 1.9. */
 SF_KERNEL double slow_flow_Omega_A(double Omega, double A, double m, double zeta, double h, double h_A)
 {
     const double t0 = Omega * Omega;
@@ -545,8 +500,7 @@ SF_KERNEL double slow_flow_Omega_A(double Omega, double A, double m, double zeta
 }
 
 /* Positive where the level rises with A along the fold locus, negative where it falls.
-   Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 28.
-   Measured, error / u (1 + kappa): 1.3 */
+   Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 28. Error / u (1 + kappa): measured 1.3. */
 SF_KERNEL double slow_flow_level_rise(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA)
 {
     const double t0 = Omega * Omega;
@@ -564,8 +518,7 @@ SF_KERNEL double slow_flow_level_rise(double Omega, double A, double m, double z
 }
 
 /* Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum; T = dR/dA.
-   Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 30.
-   Measured, error / u (1 + kappa): 0.97 */
+   Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 30. Error / u (1 + kappa): measured 0.97. */
 SF_KERNEL double slow_flow_cusp_bend(double Omega, double A, double zeta, double h_AA, double h_AAA, double T)
 {
     const double t0 = Omega * Omega;
@@ -580,8 +533,7 @@ SF_KERNEL double slow_flow_cusp_bend(double Omega, double A, double zeta, double
 }
 
 /* The same at an isola point.
-   Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 33.
-   Measured, error / u (1 + kappa): 1 */
+   Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 33. Error / u (1 + kappa): measured 1. */
 SF_KERNEL double slow_flow_isola_bend(double Omega, double A, double m, double zeta, double h_AA)
 {
     const double t0 = 2.0 * A;
@@ -598,8 +550,7 @@ SF_KERNEL double slow_flow_isola_bend(double Omega, double A, double m, double z
 }
 
 /* F_AA F_OmegaOmega - F_AOmega^2 at an isola point: negative at a saddle.
-   Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 24.
-   Proved, error / u (1 + kappa): 14.01 */
+   Equation from (24), (30). Domain: Omega > 0, A > 0. Operations: 24. Error / u (1 + kappa): proved 14.01. */
 SF_KERNEL double slow_flow_isola_hessian(double Omega, double A, double m, double zeta, double h_AA)
 {
     const double t0 = 2.0 * A;
@@ -612,8 +563,7 @@ SF_KERNEL double slow_flow_isola_hessian(double Omega, double A, double m, doubl
 }
 
 /* An amplitude of the size of that far above resonance.
-   Equation from (24). Domain: Omega > 0, F_0 >= m. Operations: 7.
-   Measured, error / u (1 + kappa): 1.7 */
+   Equation from (24). Domain: Omega > 0, F_0 >= m. Operations: 7. Error / u (1 + kappa): measured 1.7. */
 SF_KERNEL double slow_flow_tail(double Omega, double F_0, double m)
 {
     const double square = (F_0 - m) * (F_0 + m);

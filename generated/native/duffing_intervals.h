@@ -23,8 +23,7 @@ static inline void duffing_intervals_given(sf_interval alpha, sf_interval beta, 
    Equation (20)-(22), (31). Domain: A >= 0. */
 static inline void duffing_intervals_known(sf_interval A, const sf_interval *p, sf_interval *out)
 {
-    const sf_interval alpha = p[0];
-    const sf_interval beta = p[1];
+    const sf_interval alpha = p[0], beta = p[1];
     const sf_interval A2 = sfi_square(A);
     const sf_interval t0 = sfi_mul(A2, beta);
     const sf_interval t1 = sfi_times(4.5, beta);

@@ -23,8 +23,7 @@ static inline void duffing_pairs_given(sf_pair alpha, sf_pair beta, sf_pair *out
    Equation (20)-(22), (31). Domain: A >= 0. */
 static inline void duffing_pairs_known(sf_pair A, const sf_pair *p, sf_pair *out)
 {
-    const sf_pair alpha = p[0];
-    const sf_pair beta = p[1];
+    const sf_pair alpha = p[0], beta = p[1];
     const sf_pair A2 = sfp_square(A);
     const sf_pair t0 = sfp_mul(A2, beta);
     const sf_pair t1 = sfp_times(4.5, beta);

@@ -44,9 +44,7 @@ static inline void rod_spring_intervals_given(sf_interval lam, sf_interval r, sf
    Equation (20)-(22), (31). Domain: A >= 0. */
 static inline void rod_spring_intervals_known_passed_0(sf_interval A, sf_interval beyond, const sf_interval *p, sf_interval *out)
 {
-    const sf_interval alpha = p[0];
-    const sf_interval beta = p[1];
-    const sf_interval gamma = p[2];
+    const sf_interval alpha = p[0], beta = p[1], gamma = p[2];
     const sf_interval t0 = sfi_neg(alpha);
     const sf_interval A2 = sfi_square(A);
     const sf_interval t1 = sfi_mul(A2, gamma);
@@ -61,11 +59,7 @@ static inline void rod_spring_intervals_known_passed_0(sf_interval A, sf_interva
 
 static inline void rod_spring_intervals_known_passed_1(sf_interval A, sf_interval beyond, const sf_interval *p, sf_interval *out)
 {
-    const sf_interval alpha = p[0];
-    const sf_interval beta = p[1];
-    const sf_interval gamma = p[2];
-    const sf_interval u_cr = p[3];
-    const sf_interval jump_1 = p[4];
+    const sf_interval alpha = p[0], beta = p[1], gamma = p[2], u_cr = p[3], jump_1 = p[4];
     const sf_interval root = sfi_mul(sfi_sqrt(beyond), sfi_sqrt(sfi_add(A, u_cr)));
     const sf_interval t0 = sfi_inverse(A);
     const sf_interval x = sfi_mul(t0, u_cr);
@@ -128,11 +122,7 @@ static inline void rod_spring_intervals_known_passed_1(sf_interval A, sf_interva
 
 static inline void rod_spring_intervals_known_passed_1_far_1(sf_interval A, sf_interval beyond, const sf_interval *p, sf_interval *out)
 {
-    const sf_interval alpha = p[0];
-    const sf_interval beta = p[1];
-    const sf_interval gamma = p[2];
-    const sf_interval u_cr = p[3];
-    const sf_interval jump_1 = p[4];
+    const sf_interval alpha = p[0], beta = p[1], gamma = p[2], u_cr = p[3], jump_1 = p[4];
     const sf_interval root = sfi_mul(sfi_sqrt(beyond), sfi_sqrt(sfi_add(A, u_cr)));
     const sf_interval t0 = sfi_inverse(A);
     const sf_interval x = sfi_mul(t0, u_cr);

@@ -44,9 +44,7 @@ static inline void rod_spring_pairs_given(sf_pair lam, sf_pair r, sf_pair delta_
    Equation (20)-(22), (31). Domain: A >= 0. */
 TWOFOLD_INLINE void rod_spring_pairs_known_passed_0(sf_pair A, sf_pair beyond, const sf_pair *p, sf_pair *out)
 {
-    const sf_pair alpha = p[0];
-    const sf_pair beta = p[1];
-    const sf_pair gamma = p[2];
+    const sf_pair alpha = p[0], beta = p[1], gamma = p[2];
     const sf_pair t0 = sfp_neg(alpha);
     const sf_pair A2 = sfp_square(A);
     const sf_pair t1 = sfp_mul(A2, gamma);
@@ -61,11 +59,7 @@ TWOFOLD_INLINE void rod_spring_pairs_known_passed_0(sf_pair A, sf_pair beyond, c
 
 TWOFOLD_INLINE void rod_spring_pairs_known_passed_1_far_1(sf_pair A, sf_pair beyond, const sf_pair *p, sf_pair *out)
 {
-    const sf_pair alpha = p[0];
-    const sf_pair beta = p[1];
-    const sf_pair gamma = p[2];
-    const sf_pair u_cr = p[3];
-    const sf_pair jump_1 = p[4];
+    const sf_pair alpha = p[0], beta = p[1], gamma = p[2], u_cr = p[3], jump_1 = p[4];
     const sf_pair root = sfp_mul(sfp_sqrt(beyond), sfp_sqrt(sfp_add(A, u_cr)));
     const sf_pair t0 = sfp_inverse(A);
     const sf_pair x = sfp_mul(t0, u_cr);
@@ -155,11 +149,7 @@ TWOFOLD_INLINE void rod_spring_pairs_known_passed_1_far_1(sf_pair A, sf_pair bey
 
 TWOFOLD_INLINE void rod_spring_pairs_known_passed_1(sf_pair A, sf_pair beyond, const sf_pair *p, sf_pair *out)
 {
-    const sf_pair alpha = p[0];
-    const sf_pair beta = p[1];
-    const sf_pair gamma = p[2];
-    const sf_pair u_cr = p[3];
-    const sf_pair jump_1 = p[4];
+    const sf_pair alpha = p[0], beta = p[1], gamma = p[2], u_cr = p[3], jump_1 = p[4];
     const sf_pair root = sfp_mul(sfp_sqrt(beyond), sfp_sqrt(sfp_add(A, u_cr)));
     const sf_pair t0 = sfp_inverse(A);
     const sf_pair x = sfp_mul(t0, u_cr);

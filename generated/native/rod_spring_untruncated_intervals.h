@@ -38,9 +38,7 @@ static inline void rod_spring_untruncated_intervals_given(sf_interval lam, sf_in
    Equation (5). Domain: any parameters. */
 static inline void rod_spring_untruncated_intervals_kinks(const sf_interval *p, sf_interval *out)
 {
-    const sf_interval alpha = p[0];
-    const sf_interval beta = p[1];
-    const sf_interval delta_h = p[2];
+    const sf_interval alpha = p[0], beta = p[1], delta_h = p[2];
     const sf_interval u_cr = sfi_sqrt(sfi_add(sfi_neg(sfi_square(delta_h)), sfi_times(2.0, delta_h)));
     const sf_interval c = sfi_sub(sfi_point(1.0), delta_h);
     const sf_interval t0 = sfi_times(2.0, beta);
@@ -54,8 +52,7 @@ static inline void rod_spring_untruncated_intervals_kinks(const sf_interval *p, 
    Equation (20)-(22), (31). Domain: A >= 0. */
 static inline void rod_spring_untruncated_intervals_attached(sf_interval A, const sf_interval *p, sf_interval *out)
 {
-    const sf_interval alpha = p[0];
-    const sf_interval beta = p[1];
+    const sf_interval alpha = p[0], beta = p[1];
     const sf_interval m = sfi_square(A);
     const sf_interval t0 = sfi_add(A, sfi_point(1.0));
     const sf_interval t1 = sfi_sub(sfi_point(1.0), A);
@@ -108,8 +105,7 @@ static inline void rod_spring_untruncated_intervals_attached(sf_interval A, cons
    Equation (20)-(22), (31). Domain: A >= 0. */
 static inline void rod_spring_untruncated_intervals_attached_steep(sf_interval A, const sf_interval *p, sf_interval *out)
 {
-    const sf_interval alpha = p[0];
-    const sf_interval beta = p[1];
+    const sf_interval alpha = p[0], beta = p[1];
     const sf_interval m = sfi_square(A);
     const sf_interval t0 = sfi_add(A, sfi_point(1.0));
     const sf_interval t1 = sfi_sub(sfi_point(1.0), A);

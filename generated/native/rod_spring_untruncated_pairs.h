@@ -38,9 +38,7 @@ static inline void rod_spring_untruncated_pairs_given(sf_pair lam, sf_pair r, sf
    Equation (5). Domain: any parameters. */
 static inline void rod_spring_untruncated_pairs_kinks(const sf_pair *p, sf_pair *out)
 {
-    const sf_pair alpha = p[0];
-    const sf_pair beta = p[1];
-    const sf_pair delta_h = p[2];
+    const sf_pair alpha = p[0], beta = p[1], delta_h = p[2];
     const sf_pair u_cr = sfp_sqrt(sfp_add(sfp_neg(sfp_square(delta_h)), sfp_times(2.0, delta_h)));
     const sf_pair c = sfp_sub(sfp_point(1.0), delta_h);
     const sf_pair t0 = sfp_times(2.0, beta);
@@ -54,8 +52,7 @@ static inline void rod_spring_untruncated_pairs_kinks(const sf_pair *p, sf_pair 
    Equation (20)-(22), (31). Domain: A >= 0. */
 static inline void rod_spring_untruncated_pairs_attached(sf_pair A, const sf_pair *p, sf_pair *out)
 {
-    const sf_pair alpha = p[0];
-    const sf_pair beta = p[1];
+    const sf_pair alpha = p[0], beta = p[1];
     const sf_pair m = sfp_square(A);
     const sf_pair t0 = sfp_add(A, sfp_point(1.0));
     const sf_pair t1 = sfp_sub(sfp_point(1.0), A);
@@ -108,8 +105,7 @@ static inline void rod_spring_untruncated_pairs_attached(sf_pair A, const sf_pai
    Equation (20)-(22), (31). Domain: A >= 0. */
 static inline void rod_spring_untruncated_pairs_attached_steep(sf_pair A, const sf_pair *p, sf_pair *out)
 {
-    const sf_pair alpha = p[0];
-    const sf_pair beta = p[1];
+    const sf_pair alpha = p[0], beta = p[1];
     const sf_pair m = sfp_square(A);
     const sf_pair t0 = sfp_add(A, sfp_point(1.0));
     const sf_pair t1 = sfp_sub(sfp_point(1.0), A);

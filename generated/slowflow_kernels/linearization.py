@@ -1,3 +1,4 @@
+
 """Stationary random vibration by statistical linearization.
 
 Written by `make derive`; never edit.
@@ -5,7 +6,8 @@ Input: none but the equation of motion in derivations/paper/equation_of_motion.p
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless, for any kind of number that has arithmetic: floats, complex numbers, arrays, an integrator's
-symbols. Each docstring gives equation number, domain and floating-point operations.
+symbols. Each output has the shape of the arguments that it depends on, broadcast. Each docstring gives equation number,
+domain and floating-point operations.
 """
 
 # a formatter would spread each polynomial over a page
@@ -27,8 +29,7 @@ __all__ = [
 def over_displacements(level: Any, within: Any, sigma_u: Any, mu: Any, zeta: Any, zeta_2: Any) -> tuple[Any, Any, Any, Any]:
     """Friction and viscous damping ratio in the mean over u, then their slopes by ln(sigma_u).
 
-    Equation (3). Domain: level > 0, sigma_u > 0. Shape: 4 results, each the arguments that it depends on,
-    broadcast. Operations: 11.
+    Equation (3). Domain: level > 0, sigma_u > 0. Operations: 11.
     """
     t0 = sigma_u * sigma_u * zeta_2
     return mu * within, t0 + zeta, -0.79788456080286541 * level * mu * np.exp(-0.5 * level * level), 2.0 * t0
@@ -37,8 +38,7 @@ def over_displacements(level: Any, within: Any, sigma_u: Any, mu: Any, zeta: Any
 def equivalent_damping(sigma_v: Any, mu: Any, zeta: Any, c_2: Any, c_3: Any) -> tuple[Any, Any, Any]:
     """Damping of the linear oscillator, its slope by ln(sigma_v), and what of it is dry friction's.
 
-    Equation (3). Domain: sigma_v > 0. Shape: 3 results, each the arguments that it depends on, broadcast.
-    Operations: 14.
+    Equation (3). Domain: sigma_v > 0. Operations: 14.
     """
     t0 = c_3 * sigma_v * sigma_v
     t1 = 1.5957691216057308 * c_2 * sigma_v
@@ -49,7 +49,7 @@ def equivalent_damping(sigma_v: Any, mu: Any, zeta: Any, c_2: Any, c_3: Any) -> 
 def damping_force(level: Any, within: Any, sigma_u: Any, sigma_v: Any, mu: Any, zeta: Any, c_2: Any, c_3: Any, zeta_2: Any) -> Any:
     """Mean square of the damping force of (3).
 
-    Equation (3). Domain: level > 0. Shape: the arguments that it depends on, broadcast. Operations: 65.
+    Equation (3). Domain: level > 0. Operations: 65.
     """
     t0 = 0.79788456080286541 * c_2
     t1 = 12.0 * c_3
@@ -76,8 +76,7 @@ def damping_force(level: Any, within: Any, sigma_u: Any, sigma_v: Any, mu: Any, 
 def response(Omega: Any, k: Any, c: Any) -> tuple[Any, Any, Any]:
     """Z, and the slopes of -ln Z by ln k and ln c.
 
-    Equation (3). Domain: Omega > 0, k > 0, c > 0. Shape: 3 results, each the arguments that it depends on,
-    broadcast. Operations: 10.
+    Equation (3). Domain: Omega > 0, k > 0, c > 0. Operations: 10.
     """
     t0 = Omega * Omega
     t1 = c * c * t0
@@ -90,8 +89,7 @@ def response(Omega: Any, k: Any, c: Any) -> tuple[Any, Any, Any]:
 def steepest(ratio: Any) -> tuple[Any, Any, Any]:
     """Of the slope of -ln Z by ln k the least and the largest, and the largest k^2/Z, at any frequency.
 
-    Equation (3). Domain: 0 < ratio < 1/2. Shape: 3 results, each the arguments that it depends on, broadcast.
-    Operations: 11.
+    Equation (3). Domain: 0 < ratio < 1/2. Operations: 11.
     """
     t0 = 1.0 / (ratio - 1.0)
     t1 = 0.5 / ratio
@@ -102,8 +100,7 @@ def steepest(ratio: Any) -> tuple[Any, Any, Any]:
 def resonance(theta: Any, k: Any, c: Any, slope: Any, G: Any, E_re: Any, E_im: Any, D_re: Any, D_im: Any) -> tuple[Any, Any, Any, Any, Any, Any]:
     """What a pole of 1/Z adds to I_0, its slopes by ln k and ln c, then to I_2 and its slopes.
 
-    Equation (3). Domain: 0 < theta < pi/2, k > 0, c > 0. Shape: 6 results, each the arguments that it depends on,
-    broadcast. Operations: 94.
+    Equation (3). Domain: 0 < theta < pi/2, k > 0, c > 0. Operations: 94.
     """
     t0 = theta * (slope - 1.0)
     t1 = np.cos(t0)
@@ -145,7 +142,7 @@ def resonance(theta: Any, k: Any, c: Any, slope: Any, G: Any, E_re: Any, E_im: A
 def energy_loss(W_1: Any, lost: Any, S_0: Any) -> Any:
     """Slope of P by the energy, from integrals over a cycle: under white noise u and v have the density exp(-P).
 
-    Equation (3). Domain: W_1 > 0, S_0 > 0. Shape: the arguments that it depends on, broadcast. Operations: 3.
+    Equation (3). Domain: W_1 > 0, S_0 > 0. Operations: 3.
     """
     return 0.31830988618379069 * lost / (S_0 * W_1)
 
@@ -153,8 +150,7 @@ def energy_loss(W_1: Any, lost: Any, S_0: Any) -> Any:
 def white(S_0: Any, k: Any, c: Any) -> tuple[Any, Any]:
     """Mean squares of displacement and velocity of the linear oscillator under white noise.
 
-    Equation (3). Domain: k > 0, c > 0. Shape: 2 results, each the arguments that it depends on, broadcast.
-    Operations: 3.
+    Equation (3). Domain: k > 0, c > 0. Operations: 3.
     """
     t0 = 3.1415926535897931 * S_0 / c
     return t0 / k, t0
@@ -163,8 +159,7 @@ def white(S_0: Any, k: Any, c: Any) -> tuple[Any, Any]:
 def crossings(end: Any, sigma_u: Any, sigma_v: Any) -> Any:
     """How often in a unit of tau a Gaussian motion passes u = end or u = -end outwards.
 
-    Equation Rice. Domain: sigma_u > 0, sigma_v > 0. Shape: the arguments that it depends on, broadcast. Operations:
-    8.
+    Equation Rice. Domain: sigma_u > 0, sigma_v > 0. Operations: 8.
     """
     return 0.31830988618379069 * sigma_v * np.exp(-0.5 * end * end / (sigma_u * sigma_u)) / sigma_u
 

@@ -1,3 +1,4 @@
+
 """The equation of motion of any mechanism, in the values of its force.
 
 Written by `make derive`; never edit.
@@ -5,7 +6,8 @@ Input: none but the equation of motion in derivations/paper/equation_of_motion.p
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless, for any kind of number that has arithmetic: floats, complex numbers, arrays, an integrator's
-symbols. Each docstring gives equation number, domain and floating-point operations.
+symbols. Each output has the shape of the arguments that it depends on, broadcast. Each docstring gives equation number,
+domain and floating-point operations.
 Rounding errors are in u (1 + kappa), u = 2^-53: proved ones hold wherever nothing overflows or underflows, measured
 ones are the worst of all outputs that was found, by a search for it with A 0.01 to 1, A_1 0.01 to 1, F_0 0.03 to
 0.1, Omega 0.3 to 2, after up to 1 of either sign, before up to 1 of either sign, beyond 0.001 to 0.1, by_theta up
@@ -37,8 +39,7 @@ __all__ = [
 def push(cosine: Any, F_0: Any, f: Any) -> Any:
     """What friction has to hold at rest; cosine of theta = Omega tau.
 
-    Equation (3). Domain: any. Shape: the arguments that it depends on, broadcast. Operations: 2.
-    Proved, error / u (1 + kappa): 1.01
+    Equation (3). Domain: any. Operations: 2. Error / u (1 + kappa): proved 1.01.
     """
     return F_0 * cosine - f
 
@@ -46,8 +47,7 @@ def push(cosine: Any, F_0: Any, f: Any) -> Any:
 def push_slopes(cosine: Any, sine: Any, F_0: Any, f_u: Any) -> tuple[Any, Any, Any]:
     """Derivatives of the push by theta, u, F_0.
 
-    Equation (3). Domain: any. Shape: 3 results, each the arguments that it depends on, broadcast. Operations: 1.
-    Proved, error / u (1 + kappa): 0.34, 0.0, 0.0
+    Equation (3). Domain: any. Operations: 1. Error / u (1 + kappa): proved 0.34, 0.0, 0.0.
     """
     return -F_0 * sine, -f_u, cosine
 
@@ -55,8 +55,7 @@ def push_slopes(cosine: Any, sine: Any, F_0: Any, f_u: Any) -> tuple[Any, Any, A
 def breakaway(F_0: Any, friction: Any, f: Any) -> Any:
     """The cosine of theta at which a mass at rest breaks away against friction mu or -mu.
 
-    Equation (3). Domain: F_0 > 0. Shape: the arguments that it depends on, broadcast. Operations: 2.
-    Proved, error / u (1 + kappa): 3.01
+    Equation (3). Domain: F_0 > 0. Operations: 2. Error / u (1 + kappa): proved 3.01.
     """
     return (f + friction) / F_0
 
@@ -64,8 +63,7 @@ def breakaway(F_0: Any, friction: Any, f: Any) -> Any:
 def acceleration(cosine: Any, v: Any, F_0: Any, zeta: Any, friction: Any, f: Any) -> Any:
     """u'' of a slipping mass; friction is mu sign(u').
 
-    Equation (3). Domain: any. Shape: the arguments that it depends on, broadcast. Operations: 6.
-    Proved, error / u (1 + kappa): 3.01
+    Equation (3). Domain: any. Operations: 6. Error / u (1 + kappa): proved 3.01.
     """
     return F_0 * cosine - f - friction - 2.0 * v * zeta
 
@@ -73,8 +71,7 @@ def acceleration(cosine: Any, v: Any, F_0: Any, zeta: Any, friction: Any, f: Any
 def resistance(v: Any, zeta: Any, friction: Any, quadratic: Any, c_3: Any, zeta_2: Any, u: Any) -> tuple[Any, Any, Any]:
     """Friction, quadratic damping, both times the sign of u', and the others; zeta by the slope of all by u'; and what the slope by u adds to f_u.
 
-    Equation (3). Domain: any. Shape: 3 results, each the arguments that it depends on, broadcast. Operations: 20.
-    Proved, error / u (1 + kappa): 5.01, 4.26, 0.51
+    Equation (3). Domain: any. Operations: 20. Error / u (1 + kappa): proved 5.01, 4.26, 0.51.
     """
     v2 = v * v
     t0 = u * u * zeta_2
@@ -89,8 +86,7 @@ def resistance(v: Any, zeta: Any, friction: Any, quadratic: Any, c_3: Any, zeta_
 def transmissibility(Omega: Any, A_1: Any, F_0: Any, phi: Any) -> Any:
     """Fundamental harmonic of what is passed on over F_0, where that of u is A_1 cos(theta + phi).
 
-    Equation (3). Domain: F_0 > 0. Shape: the arguments that it depends on, broadcast. Operations: 9.
-    Measured, error / u (1 + kappa): 1.3
+    Equation (3). Domain: F_0 > 0. Operations: 9. Error / u (1 + kappa): measured 1.3.
     """
     of_inertia = A_1 * Omega * Omega / F_0
     return np.hypot(of_inertia * np.cos(phi) + 1.0, of_inertia * np.sin(phi))
@@ -99,8 +95,7 @@ def transmissibility(Omega: Any, A_1: Any, F_0: Any, phi: Any) -> Any:
 def stopping(Omega: Any, A: Any, mu: Any) -> Any:
     """Friction over the largest force of inertia of A cos(theta), by which the mass stops within the cycle.
 
-    Equation (3). Domain: Omega > 0, A > 0. Shape: the arguments that it depends on, broadcast. Operations: 3.
-    Proved, error / u (1 + kappa): 0.61
+    Equation (3). Domain: Omega > 0, A > 0. Operations: 3. Error / u (1 + kappa): proved 0.61.
     """
     turn = Omega * Omega
     return mu / (A * turn)
@@ -109,9 +104,7 @@ def stopping(Omega: Any, A: Any, mu: Any) -> Any:
 def structural(Omega: Any, eta: Any) -> tuple[Any, Any]:
     """The zeta of structural damping at one frequency, and its slope by Omega.
 
-    Equation beside (3). Domain: Omega > 0. Shape: 2 results, each the arguments that it depends on, broadcast.
-    Operations: 4.
-    Proved, error / u (1 + kappa): 0.34, 0.51
+    Equation beside (3). Domain: Omega > 0. Operations: 4. Error / u (1 + kappa): proved 0.34, 0.51.
     """
     t0 = 0.5 * eta
     return t0 / Omega, -t0 / (Omega * Omega)
@@ -120,9 +113,7 @@ def structural(Omega: Any, eta: Any) -> tuple[Any, Any]:
 def rates(cosine: Any, v: Any, Omega: Any, F_0: Any, zeta: Any, friction: Any, f: Any) -> tuple[Any, Any]:
     """u and v by theta.
 
-    Equation (3). Domain: Omega > 0. Shape: 2 results, each the arguments that it depends on, broadcast. Operations:
-    9.
-    Proved, error / u (1 + kappa): 0.67, 5.01
+    Equation (3). Domain: Omega > 0. Operations: 9. Error / u (1 + kappa): proved 0.67, 5.01.
     """
     t0 = 1.0 / Omega
     return t0 * v, t0 * (F_0 * cosine - f - friction - 2.0 * v * zeta)
@@ -131,9 +122,7 @@ def rates(cosine: Any, v: Any, Omega: Any, F_0: Any, zeta: Any, friction: Any, f
 def rates_by_state(Omega: Any, zeta: Any, f_u: Any) -> tuple[Any, Any, Any, Any]:
     """Derivatives of the rates by u, v: of the first, then of the second.
 
-    Equation (3). Domain: Omega > 0. Shape: 4 results, each the arguments that it depends on, broadcast. Operations:
-    4.
-    Proved, error / u (1 + kappa): 0.0, 0.51, 0.67, 0.67
+    Equation (3). Domain: Omega > 0. Operations: 4. Error / u (1 + kappa): proved 0.0, 0.51, 0.67, 0.67.
     """
     t0 = 1.0 / Omega
     return 0.0, t0, -f_u * t0, -2.0 * t0 * zeta
@@ -142,9 +131,7 @@ def rates_by_state(Omega: Any, zeta: Any, f_u: Any) -> tuple[Any, Any, Any, Any]
 def rates_by_parameter(cosine: Any, v: Any, Omega: Any, F_0: Any, zeta: Any, friction: Any, f: Any) -> tuple[Any, Any, Any, Any, Any, Any, Any, Any, Any, Any]:
     """Derivatives of the rates by Omega, F_0, zeta, friction, f: of the first, then of the second.
 
-    Equation (3). Domain: Omega > 0. Shape: 10 results, each the arguments that it depends on, broadcast.
-    Operations: 13.
-    Proved, error / u (1 + kappa): 0.76, 0.0, 0.0, 0.0, 0.0, 6.01, 0.67, 0.67, 0.51, 0.51
+    Equation (3). Domain: Omega > 0. Operations: 13. Error / u (1 + kappa): proved 6.01 at most.
     """
     t0 = 1.0 / (Omega * Omega)
     t1 = 2.0 * v
@@ -152,10 +139,7 @@ def rates_by_parameter(cosine: Any, v: Any, Omega: Any, F_0: Any, zeta: Any, fri
     t3 = -t2
     return (
         -t0 * v,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
+        0.0, 0.0, 0.0, 0.0,
         -t0 * (F_0 * cosine - f - friction - t1 * zeta),
         cosine * t2,
         -t1 * t2,
@@ -167,10 +151,7 @@ def rates_by_parameter(cosine: Any, v: Any, Omega: Any, F_0: Any, zeta: Any, fri
 def smoothed(cosine: Any, v: Any, F_0: Any, mu: Any, zeta: Any, left: Any, right: Any, slip: Any, inner: Any, outer: Any) -> tuple[Any, Any]:
     """u and v by tau, smoothed: slip = tanh(nu v), left and right are logistic functions of nu (u +- u_cr).
 
-    Equation (A1), (A2). Domain: any. Shape: 2 results, each the arguments that it depends on, broadcast.
-    Operations: 11.
-    Proved, error / u (1 + kappa): 0.0, -
-    Measured, error / u (1 + kappa): 1.7
+    Equation (A1), (A2). Domain: any. Operations: 11. Error / u (1 + kappa): proved 0.0, -; measured 1.7.
     """
     weight = left - right
     return v, F_0 * cosine - mu * slip - outer - 2.0 * v * zeta - weight * (inner - outer)
@@ -179,16 +160,12 @@ def smoothed(cosine: Any, v: Any, F_0: Any, mu: Any, zeta: Any, left: Any, right
 def smoothed_by_state(mu: Any, zeta: Any, nu: Any, left: Any, right: Any, slip: Any, inner: Any, outer: Any, inner_u: Any, outer_u: Any) -> tuple[Any, Any, Any, Any]:
     """Derivatives of these rates by u, v: of the first, then of the second.
 
-    Equation (A1), (A2). Domain: any. Shape: 4 results, each the arguments that it depends on, broadcast.
-    Operations: 18.
-    Proved, error / u (1 + kappa): 0.0, 0.0, -, 4.51
-    Measured, error / u (1 + kappa): 0.9
+    Equation (A1), (A2). Domain: any. Operations: 18. Error / u (1 + kappa): proved 0.0, 0.0, -, 4.51; measured 0.9.
     """
     weight = left - right
     weight_u = -nu * weight * (left + right - 1.0)
     return (
-        0.0,
-        1.0,
+        0.0, 1.0,
         -inner_u * weight - outer_u * (1.0 - weight) - weight_u * (inner - outer),
         -mu * nu * (1.0 - slip * slip) - 2.0 * zeta,
     )
@@ -197,8 +174,7 @@ def smoothed_by_state(mu: Any, zeta: Any, nu: Any, left: Any, right: Any, slip: 
 def across(before: Any, after: Any, v: Any) -> Any:
     """What u' gains of a deviation of u where u'' changes at an edge.
 
-    Equation beside (3). Domain: v other than 0. Shape: the arguments that it depends on, broadcast. Operations: 2.
-    Proved, error / u (1 + kappa): 3.01
+    Equation beside (3). Domain: v other than 0. Operations: 2. Error / u (1 + kappa): proved 3.01.
     """
     return (after - before) / v
 
@@ -206,9 +182,7 @@ def across(before: Any, after: Any, v: Any) -> Any:
 def turned(before: Any, after: Any) -> Any:
     """What is left of a deviation of u' where the velocity changes its sign and u'' with it; 0 where the mass stops.
 
-    Equation beside (3). Domain: before other than 0. Shape: the arguments that it depends on, broadcast.
-    Operations: 1.
-    Proved, error / u (1 + kappa): 0.34
+    Equation beside (3). Domain: before other than 0. Operations: 1. Error / u (1 + kappa): proved 0.34.
     """
     return after / before
 
@@ -216,9 +190,8 @@ def turned(before: Any, after: Any) -> Any:
 def released(after: Any, Omega: Any, by_theta: Any, by_u: Any) -> Any:
     """What u' is of a deviation of u where the push on a mass at rest, with these slopes, breaks it away.
 
-    Equation beside (3). Domain: Omega > 0, by_theta other than 0. Shape: the arguments that it depends on,
-    broadcast. Operations: 3.
-    Proved, error / u (1 + kappa): 0.61
+    Equation beside (3). Domain: Omega > 0, by_theta other than 0. Operations: 3. Error / u (1 + kappa): proved
+    0.61.
     """
     return after * by_u / (Omega * by_theta)
 
@@ -226,9 +199,7 @@ def released(after: Any, Omega: Any, by_theta: Any, by_u: Any) -> Any:
 def out(beyond: Any, pull: Any) -> Any:
     """The time of a way beyond an edge, up to where a constant pull turns it.
 
-    Equation beside (3). Domain: beyond >= 0, pull > 0. Shape: the arguments that it depends on, broadcast.
-    Operations: 3.
-    Measured, error / u (1 + kappa): 0.68
+    Equation beside (3). Domain: beyond >= 0, pull > 0. Operations: 3. Error / u (1 + kappa): measured 0.68.
     """
     square = 2.0 * beyond / pull
     return np.sqrt(square)
@@ -237,9 +208,7 @@ def out(beyond: Any, pull: Any) -> Any:
 def back(beyond: Any, growth: Any) -> Any:
     """The time of the way back to it from rest, under a push that grows steadily from 0.
 
-    Equation beside (3). Domain: beyond >= 0, growth > 0. Shape: the arguments that it depends on, broadcast.
-    Operations: 3.
-    Measured, error / u (1 + kappa): 0.85
+    Equation beside (3). Domain: beyond >= 0, growth > 0. Operations: 3. Error / u (1 + kappa): measured 0.85.
     """
     cube = 6.0 * beyond / growth
     return np.cbrt(cube)

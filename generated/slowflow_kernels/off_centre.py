@@ -1,3 +1,4 @@
+
 """Motions off the centre, u = B + A cos psi, by the means of the force and its derivatives over a cycle.
 
 Written by `make derive`; never edit.
@@ -5,7 +6,8 @@ Input: none but the equation of motion in derivations/paper/averaging.py, deriva
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless, for any kind of number that has arithmetic: floats, complex numbers, arrays, an integrator's
-symbols. Each docstring gives equation number, domain and floating-point operations.
+symbols. Each output has the shape of the arguments that it depends on, broadcast. Each docstring gives equation number,
+domain and floating-point operations.
 Rounding errors are in u (1 + kappa), u = 2^-53: proved ones hold wherever nothing overflows or underflows, measured
 ones are the worst of all outputs that was found, by a search for it with A 1e-09 to 1000, B 1e-09 to 1000, F_0
 1e-09 to 1000, F_2 1e-09 to 1000 or 0, I 1e-12 to 1000 or 0, I_A 1e-09 to 1000 of either sign or 0, L_1 1e-09 to
@@ -44,10 +46,8 @@ __all__ = [
 def averaged(A: Any, c_1: Any, c_2: Any, c_3: Any, s_0: Any, s_1: Any, s_2: Any, s_3: Any) -> tuple[Any, Any, Any, Any]:
     """h, h_A, h_AA, h_AAA along the balance of the mean.
 
-    Equation (20), (31). Domain: A > 0, c_1 other than 0. Shape: 4 results, each the arguments that it depends on,
-    broadcast. Operations: 105.
-    Proved, error / u (1 + kappa): 0.0, 2.01, 28.01, -
-    Measured, error / u (1 + kappa): 0.78
+    Equation (20), (31). Domain: A > 0, c_1 other than 0. Operations: 105. Error / u (1 + kappa): proved 0.0, 2.01,
+    28.01, -; measured 0.78.
     """
     t0 = 1.0 / c_1
     B_A = -s_1 * t0
@@ -81,10 +81,8 @@ def averaged(A: Any, c_1: Any, c_2: Any, c_3: Any, s_0: Any, s_1: Any, s_2: Any,
 def state(Omega: Any, A: Any, force: Any, I: Any, I_A: Any, load: Any, c_0: Any, c_1: Any, s_0: Any, s_1: Any) -> tuple[Any, Any, Any, Any, Any, Any]:
     """What vanishes at a steady state: the balance of the mean and F; slopes of each by A and B.
 
-    Equation (24) and the mean of (3). Domain: A > 0. Shape: 6 results, each the arguments that it depends on,
-    broadcast. Operations: 21.
-    Proved, error / u (1 + kappa): 1.01, -, 0.0, 0.0, -, 1.51
-    Measured, error / u (1 + kappa): 1.1
+    Equation (24) and the mean of (3). Domain: A > 0. Operations: 21. Error / u (1 + kappa): proved 1.01, -, 0.0,
+    0.0, -, 1.51; measured 1.1.
     """
     t0 = 2.0 * s_0
     t1 = Omega * Omega
@@ -102,9 +100,8 @@ def state(Omega: Any, A: Any, force: Any, I: Any, I_A: Any, load: Any, c_0: Any,
 def fold(R: Any, A: Any, F_0: Any, F_2: Any, m: Any, eta: Any, zeta: Any, d: Any, load: Any, c_0: Any, c_1: Any, c_2: Any, s_0: Any, s_1: Any, s_2: Any) -> tuple[Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any]:
     """What vanishes at a fold, by R, with the force F_0 + F_2 Omega^2: the balance, F along it by c_1 A/2, and F; slopes of each by A, B and R.
 
-    Equation (24), (30) and the mean of (3). Domain: A > 0, R + 2 s_0 > 0. Shape: 12 results, each the arguments
-    that it depends on, broadcast. Operations: 125.
-    Measured, error / u (1 + kappa): 1.4
+    Equation (24), (30) and the mean of (3). Domain: A > 0, R + 2 s_0 > 0. Operations: 125. Error / u (1 + kappa):
+    measured 1.4.
     """
     t0 = 1.0 / A
     t1 = R + 2.0 * s_0
@@ -160,10 +157,8 @@ def fold(R: Any, A: Any, F_0: Any, F_2: Any, m: Any, eta: Any, zeta: Any, d: Any
 def ended_state(Omega: Any, A: Any, force: Any, I: Any, I_A: Any, load: Any, c_0: Any, s_0: Any, c_x: Any, c_y: Any, X: Any, Y: Any) -> tuple[Any, Any, Any, Any, Any, Any]:
     """What vanishes at a steady state, by coordinates x and y of the motion's ends: the balance of the mean and F; slopes of each by x and y.
 
-    Equation (24) and the mean of (3). Domain: A > 0. Shape: 6 results, each the arguments that it depends on,
-    broadcast. Operations: 30.
-    Proved, error / u (1 + kappa): 1.01, -, 0.0, 0.0, -, -
-    Measured, error / u (1 + kappa): 1.2
+    Equation (24) and the mean of (3). Domain: A > 0. Operations: 30. Error / u (1 + kappa): proved 1.01, -, 0.0,
+    0.0, -, -; measured 1.2.
     """
     t0 = 2.0 * s_0
     t1 = Omega * Omega
@@ -184,9 +179,7 @@ def ended_state(Omega: Any, A: Any, force: Any, I: Any, I_A: Any, load: Any, c_0
 def ended_along(A: Any, s_0: Any, c_x: Any, c_y: Any, X: Any, Y: Any) -> tuple[Any, Any]:
     """Along the balance, by coordinates of the motion's ends: A's slope, and what F_A gains there by R.
 
-    Equation (30) and the mean of (3). Domain: A > 0. Shape: 2 results, each the arguments that it depends on,
-    broadcast. Operations: 7.
-    Proved, error / u (1 + kappa): 1.01, 2.01
+    Equation (30) and the mean of (3). Domain: A > 0. Operations: 7. Error / u (1 + kappa): proved 1.01, 2.01.
     """
     t0 = -X * c_y + Y * c_x
     return t0, A * c_x * c_y + s_0 * t0
@@ -195,9 +188,7 @@ def ended_along(A: Any, s_0: Any, c_x: Any, c_y: Any, X: Any, Y: Any) -> tuple[A
 def ended_slopes(A: Any, s_0: Any, c_x: Any, c_y: Any, X: Any, Y: Any) -> tuple[Any, Any, Any]:
     """Slopes of s_0 by coordinates x and y of the motion's ends, and of c_x by y.
 
-    Equation the mean of (3). Domain: A > 0. Shape: 3 results, each the arguments that it depends on, broadcast.
-    Operations: 11.
-    Proved, error / u (1 + kappa): 1.26, 1.26, 2.01
+    Equation the mean of (3). Domain: A > 0. Operations: 11. Error / u (1 + kappa): proved 1.26, 1.26, 2.01.
     """
     t0 = 1.0 / A
     t1 = s_0 * t0
@@ -207,9 +198,8 @@ def ended_slopes(A: Any, s_0: Any, c_x: Any, c_y: Any, X: Any, Y: Any) -> tuple[
 def ended_fold(R: Any, A: Any, F_0: Any, F_2: Any, m: Any, eta: Any, zeta: Any, d: Any, load: Any, c_0: Any, s_0: Any, c_x: Any, c_y: Any, c_xx: Any, c_yy: Any, X: Any, Y: Any, X_x: Any, Y_y: Any) -> tuple[Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any, Any]:
     """What vanishes at a fold, by R, with the force F_0 + F_2 Omega^2, by coordinates x and y of the motion's ends: the balance, F along it times A/2, and F; slopes of each by x, y and R.
 
-    Equation (24), (30) and the mean of (3). Domain: A > 0, R + 2 s_0 > 0. Shape: 12 results, each the arguments
-    that it depends on, broadcast. Operations: 155.
-    Measured, error / u (1 + kappa): 1.4
+    Equation (24), (30) and the mean of (3). Domain: A > 0, R + 2 s_0 > 0. Operations: 155. Error / u (1 + kappa):
+    measured 1.4.
     """
     t0 = 1.0 / A
     t1 = R + 2.0 * s_0
@@ -275,9 +265,7 @@ def ended_fold(R: Any, A: Any, F_0: Any, F_2: Any, m: Any, eta: Any, zeta: Any, 
 def frequency_by_phase(A: Any, R: Any, I: Any, m: Any, zeta: Any, h: Any) -> tuple[Any, Any]:
     """Omega of a motion by I; and its square by R.
 
-    Equation (23). Domain: A > 0, zeta > 0. Shape: 2 results, each the arguments that it depends on, broadcast.
-    Operations: 7.
-    Proved, error / u (1 + kappa): 4.01, 3.01
+    Equation (23). Domain: A > 0, zeta > 0. Operations: 7. Error / u (1 + kappa): proved 4.01, 3.01.
     """
     t0 = 1.0 / A
     return 0.5 * t0 * (I - m) / zeta, t0 * (R - h)
@@ -286,8 +274,7 @@ def frequency_by_phase(A: Any, R: Any, I: Any, m: Any, zeta: Any, h: Any) -> tup
 def versine(k: Any) -> Any:
     """The mean of (1 - cos psi)^(k + 1) over that of (1 - cos psi)^k.
 
-    Equation the mean of (3). Domain: k >= 0. Shape: the arguments that it depends on, broadcast. Operations: 4.
-    Measured, error / u (1 + kappa): 0.48
+    Equation the mean of (3). Domain: k >= 0. Operations: 4. Error / u (1 + kappa): measured 0.48.
     """
     return (2.0 * k + 1.0) / (k + 1.0)
 
@@ -295,9 +282,7 @@ def versine(k: Any) -> Any:
 def beside(B: Any, c_3: Any, s_2: Any) -> Any:
     """(c_1^2 - s_1^2)/c_1 of an odd force without a load where f_0 = 0 and B is not 0, with c_3 and s_2 of some B between 0 and there.
 
-    Equation the mean of (3). Domain: c_3 other than 0. Shape: the arguments that it depends on, broadcast.
-    Operations: 7.
-    Proved, error / u (1 + kappa): 1.51
+    Equation the mean of (3). Domain: c_3 other than 0. Operations: 7. Error / u (1 + kappa): proved 1.51.
     """
     return 0.33333333333333331 * B * B * c_3 - 3.0 * s_2 * s_2 / c_3
 
@@ -305,10 +290,8 @@ def beside(B: Any, c_3: Any, s_2: Any) -> Any:
 def moved(A: Any, c_1: Any, c_2: Any, c_3: Any, s_1: Any, s_2: Any, s_3: Any, c_0_p: Any, c_1_p: Any, c_2_p: Any, s_0_p: Any, s_1_p: Any, s_2_p: Any, load_p: Any) -> tuple[Any, Any, Any, Any]:
     """B_p, h_p, h_Ap, h_AAp along the balance at a fixed A, by what a parameter does to means and load.
 
-    Equation (20), (31). Domain: A > 0, c_1 other than 0. Shape: 4 results, each the arguments that it depends on,
-    broadcast. Operations: 119.
-    Proved, error / u (1 + kappa): 3.01, 5.01, -, -
-    Measured, error / u (1 + kappa): 1.3
+    Equation (20), (31). Domain: A > 0, c_1 other than 0. Operations: 119. Error / u (1 + kappa): proved 3.01, 5.01,
+    -, -; measured 1.3.
     """
     t0 = 1.0 / c_1
     B_A = -s_1 * t0
@@ -348,9 +331,7 @@ def moved(A: Any, c_1: Any, c_2: Any, c_3: Any, s_1: Any, s_2: Any, s_3: Any, c_
 def moved_at_end(side: Any, c_1: Any, s_1: Any, c_0_p: Any, load_p: Any, end_p: Any) -> tuple[Any]:
     """A_p of a motion that comes to an end of a piece: at B + A for side = 1, at B - A for side = -1.
 
-    Equation the mean of (3). Domain: side c_1 other than s_1. Shape: a tuple of one, the arguments that it depends
-    on, broadcast. Operations: 6.
-    Measured, error / u (1 + kappa): 0.8
+    Equation the mean of (3). Domain: side c_1 other than s_1. Operations: 6. Error / u (1 + kappa): measured 0.8.
     """
     t0 = c_1 * side
     return (
@@ -361,9 +342,7 @@ def moved_at_end(side: Any, c_1: Any, s_1: Any, c_0_p: Any, load_p: Any, end_p: 
 def begin(A: Any, a: Any, root: Any, angle: Any) -> tuple[Any, Any, Any, Any]:
     """L_-1, L_0, M_-1, M_0 of a step at B + a that the motion passes at psi = angle.
 
-    Equation the mean of (3). Domain: root = sqrt(A^2 - a^2). Shape: 4 results, each the arguments that it depends
-    on, broadcast. Operations: 7.
-    Measured, error / u (1 + kappa): 0.99
+    Equation the mean of (3). Domain: root = sqrt(A^2 - a^2). Operations: 7. Error / u (1 + kappa): measured 0.99.
     """
     t0 = 0.31830988618379069 / root
     t1 = 1.0 / A
@@ -373,10 +352,7 @@ def begin(A: Any, a: Any, root: Any, angle: Any) -> tuple[Any, Any, Any, Any]:
 def up(k: Any, A: Any, a: Any, span: Any, L_2: Any, L_1: Any, M_2: Any, M_1: Any) -> tuple[Any, Any]:
     """L_k and M_k from the two below each; span = A^2 - a^2.
 
-    Equation the mean of (3). Domain: k >= 1. Shape: 2 results, each the arguments that it depends on, broadcast.
-    Operations: 19.
-    Proved, error / u (1 + kappa): 14.01, -
-    Measured, error / u (1 + kappa): 0.5
+    Equation the mean of (3). Domain: k >= 1. Operations: 19. Error / u (1 + kappa): proved 14.01, -; measured 0.5.
     """
     t0 = 2.0 * k
     t1 = k + 1.0
@@ -389,10 +365,8 @@ def up(k: Any, A: Any, a: Any, span: Any, L_2: Any, L_1: Any, M_2: Any, M_1: Any
 def down(k: Any, A: Any, a: Any, root: Any, L_1: Any, L_k: Any, M_1: Any, M_k: Any) -> tuple[Any, Any]:
     """L_(k-2) and M_(k-2) from the two above each.
 
-    Equation the mean of (3). Domain: root > 0. Shape: 2 results, each the arguments that it depends on, broadcast.
-    Operations: 21.
-    Proved, error / u (1 + kappa): 14.01, -
-    Measured, error / u (1 + kappa): 0.72
+    Equation the mean of (3). Domain: root > 0. Operations: 21. Error / u (1 + kappa): proved 14.01, -; measured
+    0.72.
     """
     t0 = 1.0 / (root * root)
     t1 = 2.0 * k

@@ -1,11 +1,13 @@
+
 """Second approximation of any mechanism, with higher harmonics, in A = A_1 + a_3 + a_5.
 
 Written by `make derive`; never edit.
 Input: none but the equation of motion in derivations/paper/averaging.py, derivations/paper/slow_flow.py, derivations/extensions/second_approximation.py, derivations/extensions/wave.py
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
-Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each
-docstring gives equation number, domain, shape and floating-point operations.
+Everything is dimensionless. Arguments broadcast; each output has their common shape, NumPy scalars for scalars, where
+arguments are of type ArrayLike, and the shape of those that it depends on where they may be any kind of number. Each
+docstring gives equation number, domain and floating-point operations, by regime where there are several.
 Rounding errors are in u (1 + kappa), u = 2^-53: proved ones hold wherever nothing overflows or underflows, measured
 ones are the worst of all outputs that was found, by a search for it with A 0.01 to 1, A_1 0.01 to 1, F_0 0.03 to
 0.1, Omega 0.3 to 2, a_3 up to 0.02 of either sign, a_5 up to 0.01 of either sign, cosine up to 0.99 of either sign,
@@ -26,7 +28,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from slowflow.support.backend import NATIVE, compiled
-from slowflow.support.broadcast import common_shape, floats, full
+from slowflow.support.broadcast import broadcast_outputs, floats
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -38,14 +40,8 @@ __all__ = [
 ]
 
 
-def response(Omega: ArrayLike, A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike, h_3: ArrayLike, h_3_A: ArrayLike, h_3_AA: ArrayLike, h_5: ArrayLike, h_5_A: ArrayLike, h_5_AA: ArrayLike) -> tuple[Any, Any, Any, Any, Any, Any, Any, Any, Any]:
-    """Largest displacement, A_1 and phase, R, F, and dF/dA, dF/dOmega, dR/dA, dR/dOmega.
-
-    Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2. Shape: 9 results, each as the arguments
-    broadcast. Operations: 254.
-    Measured, error / u (1 + kappa): 1.3
-    """
-    Omega, A, F_0, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA = floats(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA)
+def _common_1(A, Omega, h, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA, h_A, h_AA, m):
+    """What response, detachment, detachment_by_inertia have in common."""
     t0 = 1.0 / A
     Omega2 = Omega * Omega
     t1 = 1.0 / Omega2
@@ -117,8 +113,43 @@ def response(Omega: ArrayLike, A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta:
     spring = a_3 * t25 + a_5 * t26 + h
     spring_A = a_3 * h_3_AA + a_3_A * t25 + a_5 * h_5_AA + a_5_A * t26 + h_A - h_AA * t16
     spring_Omega = a_3_Omega * t25 + a_5_Omega * t26
-    R = A_1 * Omega2 - m * sine + spring
     R_A = A_1_A * Omega2 - m * sine_A + spring_A
+    return (
+        a_3,
+        a_3_A,
+        a_3_Omega,
+        a_5,
+        a_5_A,
+        a_5_Omega,
+        A_1,
+        A_1_A,
+        A_1_Omega,
+        sine,
+        sine_Omega,
+        u_max,
+        u_max_A,
+        u_max_Omega,
+        spring,
+        spring_Omega,
+        R_A,
+    )
+
+
+def response(Omega: ArrayLike, A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike, h_3: ArrayLike, h_3_A: ArrayLike, h_3_AA: ArrayLike, h_5: ArrayLike, h_5_A: ArrayLike, h_5_AA: ArrayLike) -> tuple[Any, Any, Any, Any, Any, Any, Any, Any, Any]:
+    """Largest displacement, A_1 and phase, R, F, and dF/dA, dF/dOmega, dR/dA, dR/dOmega.
+
+    Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2. Operations: 254. Error / u (1 + kappa):
+    measured 1.3.
+    """
+    Omega, A, F_0, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA = floats(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA)
+    a_3, a_3_A, a_3_Omega, a_5, a_5_A, a_5_Omega, A_1, A_1_A, A_1_Omega, sine, sine_Omega, u_max, u_max_A, u_max_Omega, spring, spring_Omega, R_A = _common_1(
+        A, Omega, h, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA, h_A, h_AA, m
+    )
+    Omega2 = Omega * Omega
+    t18 = 1.0 / A_1
+    t19 = m * t18
+    t22 = 1.0 / (A_1 * A_1)
+    R = A_1 * Omega2 - m * sine + spring
     t27 = 2.0 * Omega
     R_Omega = A_1 * t27 + A_1_Omega * Omega2 - m * sine_Omega + spring_Omega
     t28 = m * u_max
@@ -134,101 +165,34 @@ def response(Omega: ArrayLike, A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta:
     t35 = -I
     t36 = 2.0 * I
     t37 = 2.0 * R
-    shape = common_shape((Omega, A, F_0, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA))
-    return (
-        full(u_max, shape),
-        full(A_1, shape),
-        full(np.arctan2(t35, -R), shape),
-        full(R, shape),
-        full(R * R + (-F_0 - t35) * (F_0 + I), shape),
-        full(I_A * t36 + R_A * t37, shape),
-        full(I_Omega * t36 + R_Omega * t37, shape),
-        full(R_A, shape),
-        full(R_Omega, shape),
+    return broadcast_outputs((Omega, A, F_0, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA),
+        u_max,
+        A_1,
+        np.arctan2(t35, -R),
+        R,
+        R * R + (-F_0 - t35) * (F_0 + I),
+        I_A * t36 + R_A * t37,
+        I_Omega * t36 + R_Omega * t37,
+        R_A,
+        R_Omega,
     )
 
 
 def detachment(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike, h_3: ArrayLike, h_3_A: ArrayLike, h_3_AA: ArrayLike, h_5: ArrayLike, h_5_A: ArrayLike, h_5_AA: ArrayLike) -> tuple[Any, Any, Any]:
     """The forcing (24), largest displacement, and what vanishes where the forcing that reaches it is least.
 
-    Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2. Shape: 3 results, each as the arguments
-    broadcast. Operations: 252.
-    Measured, error / u (1 + kappa): 1.6
+    Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2. Operations: 252. Error / u (1 + kappa):
+    measured 1.6.
     """
     Omega, A, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA = floats(Omega, A, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA)
-    t0 = 1.0 / A
+    a_3, a_3_A, a_3_Omega, a_5, a_5_A, a_5_Omega, A_1, A_1_A, A_1_Omega, sine, sine_Omega, u_max, u_max_A, u_max_Omega, spring, spring_Omega, R_A = _common_1(
+        A, Omega, h, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA, h_A, h_AA, m
+    )
     Omega2 = Omega * Omega
-    t1 = 1.0 / Omega2
-    kappa = -h * t0 * t1
-    kappa_A = -h_A * t0 * t1 + h * t1 / (A * A)
-    Omega3 = Omega * Omega2
-    t2 = 1.0 / Omega3
-    t3 = 2.0 * t2
-    kappa_Omega = h * t0 * t3
-    t4 = 9.0 - kappa
-    t5 = 1.0 / t4
-    t6 = t1 * t5
-    a_3 = -h_3 * t6
-    t7 = kappa_A * t1
-    t8 = 1.0 / (t4 * t4)
-    t9 = h_3 * t8
-    a_3_A = -h_3_A * t6 - t7 * t9
-    t10 = kappa_Omega * t1
-    a_3_Omega = 2.0 * h_3 * t2 * t5 - t10 * t9
-    t11 = 25.0 - kappa
-    t12 = 1.0 / t11
-    t13 = t1 * t12
-    a_5 = -h_5 * t13
-    t14 = 1.0 / (t11 * t11)
-    t15 = h_5 * t14
-    a_5_A = -h_5_A * t13 - t15 * t7
-    a_5_Omega = 2.0 * h_5 * t12 * t2 - t10 * t15
-    t16 = a_3 + a_5
-    share_A = a_3_A + a_5_A
-    share_Omega = a_3_Omega + a_5_Omega
-    A_1 = A - t16
-    A_1_A = 1.0 - share_A
-    A_1_Omega = -share_Omega
-    t17 = 49.0 - kappa
-    total = (
-        kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa *
-        (kappa * (kappa * (kappa * (kappa * (4.4420846017798256e-35 * kappa + 3.5993895204234291e-33) +
-        2.9170831235780408e-31) + 2.3647520450964226e-29) + 1.9177758641615431e-27) + 1.5562307152262564e-25) +
-        1.264003059063471e-23) + 1.0280748556111104e-21) + 8.3794971769130177e-20) + 6.851973846392482e-18) +
-        5.6310244406867976e-16) + 4.6641592175262402e-14) + 3.912344846154278e-12) + 3.3510322056003729e-10) +
-        2.9768494689292246e-08) + 2.8346687069545959e-06) + 0.00031585946398298526) + t12 + t5 +
-        0.062181275759752595 + 1.0 / t17
-    )
-    total_1 = (
-        kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa *
-        (kappa * (kappa * (kappa * (7.5515438230257031e-34 * kappa + 5.7590232326774865e-32) +
-        4.3756246853670614e-30) + 3.3106528631349914e-28) + 2.4931086234100061e-26) + 1.8674768582715075e-24) +
-        1.3904033649698182e-22) + 1.0280748556111104e-20) + 7.5415474592217156e-19) + 5.4815790771139856e-17) +
-        3.9417171084807582e-15) + 2.798495530515744e-13) + 1.9561724230771392e-11) + 1.3404128822401492e-09) +
-        8.9305484067876734e-08) + 5.6693374139091918e-06) + t14 + t8 + 0.00031585946398298526 + 1.0 / (t17 * t17)
-    )
     t18 = 1.0 / A_1
     t19 = m * t18
-    t20 = t1 * total
-    sine = -t19 * t20
-    t21 = t19 * total_1
     t22 = 1.0 / (A_1 * A_1)
-    sine_A = A_1_A * m * t1 * t22 * total - t21 * t7
-    sine_Omega = A_1_Omega * m * t20 * t22 - t10 * t21 + t19 * t3 * total
-    cosine = np.sqrt((1.0 - sine) * (sine + 1.0))
-    cosine_1 = -sine / cosine
-    u_max = A_1 * cosine + t16
-    t23 = A_1 * cosine_1
-    u_max_A = A_1_A * cosine + share_A + sine_A * t23
-    u_max_Omega = A_1_Omega * cosine + share_Omega + sine_Omega * t23
-    t24 = -h_A
-    t25 = h_3_A + t24
-    t26 = h_5_A + t24
-    spring = a_3 * t25 + a_5 * t26 + h
-    spring_A = a_3 * h_3_AA + a_3_A * t25 + a_5 * h_5_AA + a_5_A * t26 + h_A - h_AA * t16
-    spring_Omega = a_3_Omega * t25 + a_5_Omega * t26
     R = A_1 * Omega2 - m * sine + spring
-    R_A = A_1_A * Omega2 - m * sine_A + spring_A
     t27 = 2.0 * Omega
     R_Omega = A_1 * t27 + A_1_Omega * Omega2 - m * sine_Omega + spring_Omega
     t28 = m * u_max
@@ -243,10 +207,9 @@ def detachment(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h:
     I_Omega = A_1_Omega * t34 + a_3_Omega * t32 + a_5_Omega * t33 + t19 * u_max_Omega + 2.0 * t30
     t35 = 2.0 * I
     t36 = 2.0 * R
-    shape = common_shape((Omega, A, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA))
-    return (
-        full(np.hypot(R, I), shape),
-        full(u_max, shape),
+    return broadcast_outputs((Omega, A, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA),
+        np.hypot(R, I),
+        u_max,
         u_max_A * (I_Omega * t35 + R_Omega * t36) - u_max_Omega * (I_A * t35 + R_A * t36),
     )
 
@@ -254,85 +217,21 @@ def detachment(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h:
 def detachment_by_inertia(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike, h_3: ArrayLike, h_3_A: ArrayLike, h_3_AA: ArrayLike, h_5: ArrayLike, h_5_A: ArrayLike, h_5_AA: ArrayLike) -> tuple[Any, Any, Any]:
     """The same of an excitation by inertia.
 
-    Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2. Shape: 3 results, each as the arguments
-    broadcast. Operations: 287.
-    Measured, error / u (1 + kappa): 1.7
+    Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2. Operations: 287. Error / u (1 + kappa):
+    measured 1.7.
     """
     Omega, A, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA = floats(Omega, A, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA)
-    t0 = 1.0 / A
+    a_3, a_3_A, a_3_Omega, a_5, a_5_A, a_5_Omega, A_1, A_1_A, A_1_Omega, sine, sine_Omega, u_max, u_max_A, u_max_Omega, spring, spring_Omega, R_A = _common_1(
+        A, Omega, h, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA, h_A, h_AA, m
+    )
     Omega2 = Omega * Omega
     t1 = 1.0 / Omega2
-    kappa = -h * t0 * t1
-    kappa_A = -h_A * t0 * t1 + h * t1 / (A * A)
     Omega3 = Omega * Omega2
-    t2 = 1.0 / Omega3
-    t3 = 2.0 * t2
-    kappa_Omega = h * t0 * t3
-    t4 = 9.0 - kappa
-    t5 = 1.0 / t4
-    t6 = t1 * t5
-    a_3 = -h_3 * t6
-    t7 = kappa_A * t1
-    t8 = 1.0 / (t4 * t4)
-    t9 = h_3 * t8
-    a_3_A = -h_3_A * t6 - t7 * t9
-    t10 = kappa_Omega * t1
-    a_3_Omega = 2.0 * h_3 * t2 * t5 - t10 * t9
-    t11 = 25.0 - kappa
-    t12 = 1.0 / t11
-    t13 = t1 * t12
-    a_5 = -h_5 * t13
-    t14 = 1.0 / (t11 * t11)
-    t15 = h_5 * t14
-    a_5_A = -h_5_A * t13 - t15 * t7
-    a_5_Omega = 2.0 * h_5 * t12 * t2 - t10 * t15
-    t16 = a_3 + a_5
-    share_A = a_3_A + a_5_A
-    share_Omega = a_3_Omega + a_5_Omega
-    A_1 = A - t16
-    A_1_A = 1.0 - share_A
-    A_1_Omega = -share_Omega
-    t17 = 49.0 - kappa
-    total = (
-        kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa *
-        (kappa * (kappa * (kappa * (kappa * (4.4420846017798256e-35 * kappa + 3.5993895204234291e-33) +
-        2.9170831235780408e-31) + 2.3647520450964226e-29) + 1.9177758641615431e-27) + 1.5562307152262564e-25) +
-        1.264003059063471e-23) + 1.0280748556111104e-21) + 8.3794971769130177e-20) + 6.851973846392482e-18) +
-        5.6310244406867976e-16) + 4.6641592175262402e-14) + 3.912344846154278e-12) + 3.3510322056003729e-10) +
-        2.9768494689292246e-08) + 2.8346687069545959e-06) + 0.00031585946398298526) + t12 + t5 +
-        0.062181275759752595 + 1.0 / t17
-    )
-    total_1 = (
-        kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa *
-        (kappa * (kappa * (kappa * (7.5515438230257031e-34 * kappa + 5.7590232326774865e-32) +
-        4.3756246853670614e-30) + 3.3106528631349914e-28) + 2.4931086234100061e-26) + 1.8674768582715075e-24) +
-        1.3904033649698182e-22) + 1.0280748556111104e-20) + 7.5415474592217156e-19) + 5.4815790771139856e-17) +
-        3.9417171084807582e-15) + 2.798495530515744e-13) + 1.9561724230771392e-11) + 1.3404128822401492e-09) +
-        8.9305484067876734e-08) + 5.6693374139091918e-06) + t14 + t8 + 0.00031585946398298526 + 1.0 / (t17 * t17)
-    )
     t18 = 1.0 / A_1
     t19 = m * t18
-    t20 = t1 * total
-    sine = -t19 * t20
-    t21 = t19 * total_1
     t22 = 1.0 / (A_1 * A_1)
-    sine_A = A_1_A * m * t1 * t22 * total - t21 * t7
-    sine_Omega = A_1_Omega * m * t20 * t22 - t10 * t21 + t19 * t3 * total
-    cosine = np.sqrt((1.0 - sine) * (sine + 1.0))
-    cosine_1 = -sine / cosine
-    u_max = A_1 * cosine + t16
-    t23 = A_1 * cosine_1
-    u_max_A = A_1_A * cosine + share_A + sine_A * t23
-    u_max_Omega = A_1_Omega * cosine + share_Omega + sine_Omega * t23
-    t24 = -h_A
-    t25 = h_3_A + t24
-    t26 = h_5_A + t24
-    spring = a_3 * t25 + a_5 * t26 + h
-    spring_A = a_3 * h_3_AA + a_3_A * t25 + a_5 * h_5_AA + a_5_A * t26 + h_A - h_AA * t16
-    spring_Omega = a_3_Omega * t25 + a_5_Omega * t26
     t27 = m * sine
     R = A_1 * Omega2 + spring - t27
-    R_A = A_1_A * Omega2 - m * sine_A + spring_A
     t28 = m * u_max
     t29 = t18 * t28
     t30 = a_3 * a_3
@@ -351,10 +250,9 @@ def detachment_by_inertia(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: Ar
     t38 = 18.0 * t30
     t39 = 50.0 * t31
     t40 = A_1_Omega * Omega2 * t22 * zeta
-    shape = common_shape((Omega, A, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA))
-    return (
-        full(t1 * np.hypot(R, I), shape),
-        full(u_max, shape),
+    return broadcast_outputs((Omega, A, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA),
+        t1 * np.hypot(R, I),
+        u_max,
         -u_max_Omega * (I_A * t36 + R_A * t37) + u_max_A * (t36 * (-A_1 * t33 - A_1_Omega * Omega * t35 + 2.0 *
         A_1_Omega * Omega2 * zeta + Omega * m * t18 * u_max_Omega + 36.0 * Omega2 * a_3 * a_3_Omega * t18 * zeta +
         100.0 * Omega2 * a_5 * a_5_Omega * t18 * zeta - 2.0 * t29 - t34 * t38 - t34 * t39 - t38 * t40 - t39 * t40) +
@@ -366,9 +264,8 @@ def detachment_by_inertia(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: Ar
 def folds(Omega: ArrayLike, A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike, h_AAA: ArrayLike, h_3: ArrayLike, h_3_A: ArrayLike, h_3_AA: ArrayLike, h_3_AAA: ArrayLike, h_5: ArrayLike, h_5_A: ArrayLike, h_5_AA: ArrayLike, h_5_AAA: ArrayLike) -> tuple[Any, Any, Any]:
     """F and its derivatives: a fold has F = F_A = 0, a cusp all three.
 
-    Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2. Shape: 3 results, each as the arguments
-    broadcast. Operations: 396.
-    Measured, error / u (1 + kappa): 1.5
+    Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2. Operations: 396. Error / u (1 + kappa):
+    measured 1.5.
     """
     Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA = floats(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA)
     t0 = 1.0 / A
@@ -516,20 +413,18 @@ def folds(Omega: ArrayLike, A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: Ar
     )
     t68 = 2.0 * I
     t69 = 2.0 * R
-    shape = common_shape((Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA))
-    return (
-        full(R * R + (-F_0 + I) * (F_0 + I), shape),
-        full(I_A * t68 + R_A * t69, shape),
-        full(2.0 * I_A * I_A + I_AA * t68 + 2.0 * R_A * R_A + R_AA * t69, shape),
+    return broadcast_outputs((Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA),
+        R * R + (-F_0 + I) * (F_0 + I),
+        I_A * t68 + R_A * t69,
+        2.0 * I_A * I_A + I_AA * t68 + 2.0 * R_A * R_A + R_AA * t69,
     )
 
 
 def components(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, h: ArrayLike, h_3: ArrayLike, h_5: ArrayLike) -> tuple[Any, Any, Any, Any, Any, Any, Any]:
     """Largest displacement and what `wave` takes.
 
-    Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2. Shape: 7 results, each as the arguments
-    broadcast. Operations: 62.
-    Measured, error / u (1 + kappa): 1.1
+    Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2. Operations: 62. Error / u (1 + kappa):
+    measured 1.1.
     """
     Omega, A, m, h, h_3, h_5 = floats(Omega, A, m, h, h_3, h_5)
     t0 = 1.0 / (Omega * Omega)
@@ -552,16 +447,14 @@ def components(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, h: ArrayLike, h_3: 
     sine = -m * t0 * total / A_1
     cosine = np.sqrt((1.0 - sine) * (sine + 1.0))
     u_max = A_1 * cosine + share
-    shape = common_shape((Omega, A, m, h, h_3, h_5))
-    return u_max, full(A_1, shape), sine, cosine, full(a_3, shape), full(a_5, shape), full(kappa, shape)
+    return broadcast_outputs((Omega, A, m, h, h_3, h_5), u_max, A_1, sine, cosine, a_3, a_5, kappa)
 
 
 def wave(turned: ArrayLike, Omega: ArrayLike, m: ArrayLike, A_1: ArrayLike, sine: ArrayLike, cosine: ArrayLike, a_3: ArrayLike, a_5: ArrayLike, kappa: ArrayLike) -> tuple[Any, Any]:
     """u and u' at an angle after the mass turned at its largest displacement.
 
-    Equation beyond (23). Domain: Omega > 0, 0 <= turned <= pi, |kappa| < 9. Shape: 2 results, each as the arguments
-    broadcast. Operations: 343.
-    Measured, error / u (1 + kappa): 1.5
+    Equation beyond (23). Domain: Omega > 0, 0 <= turned <= pi, |kappa| < 9. Operations: 343. Error / u (1 + kappa):
+    measured 1.5.
     """
     turned, Omega, m, A_1, sine, cosine, a_3, a_5, kappa = floats(turned, Omega, m, A_1, sine, cosine, a_3, a_5, kappa)
     c_1 = np.cos(turned)

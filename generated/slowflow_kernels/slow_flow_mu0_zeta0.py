@@ -1,11 +1,13 @@
+
 """Slow flow of any mechanism, in h = H - A and its derivatives, in the scene mu = 0 and zeta = 0.
 
 Written by `make derive`; never edit.
 Input: none but the equation of motion in derivations/paper/averaging.py, derivations/paper/slow_flow.py, derivations/asymmetric/offset.py, derivations/systems/along.py, derivations/systems/slopes.py, derivations/systems/newton.py, derivations/paper/critical_forcings.py
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
-Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each
-docstring gives equation number, domain, shape and floating-point operations.
+Everything is dimensionless. Arguments broadcast; each output has their common shape, NumPy scalars for scalars, where
+arguments are of type ArrayLike, and the shape of those that it depends on where they may be any kind of number. Each
+docstring gives equation number, domain and floating-point operations, by regime where there are several.
 Rounding errors are in u (1 + kappa), u = 2^-53: proved ones hold wherever nothing overflows or underflows, measured
 ones are the worst of all outputs that was found, by a search for it with A 1e-09 to 1000, h 1e-12 to 1000 of either
 sign or 0, m 1e-12 to 1 or 0, zeta 1e-12 to 1 or 0.
@@ -27,7 +29,7 @@ from slowflow_kernels.slow_flow_zeta0 import (
     fold, limit_envelope, undamped, undamped_Omega, undamped_level, undamped_rises,
 )
 from slowflow.support.backend import NATIVE, compiled
-from slowflow.support.broadcast import common_shape, floats, stacked
+from slowflow.support.broadcast import floats, stacked
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -46,18 +48,11 @@ __all__ = [
 def detachment(A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> Floats:
     """Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
 
-    Equation (34). Domain: A > 0. Shape: (2, ...), coefficients by rising power, each as the arguments broadcast.
-    Operations: 1.
-    Proved, error / u (1 + kappa): 0.34, 0.0
+    Equation (34). Domain: A > 0. Operations: 1. Error / u (1 + kappa): proved 0.34, 0.0. One array, coefficients by
+    rising power along its first axis.
     """
     A, m, zeta, h = floats(A, m, zeta, h)
-    return stacked(
-        (
-            -h * h,
-            1.0,
-        ),
-        common_shape((A, m, zeta, h)),
-    )
+    return stacked((A, m, zeta, h), -h * h, 1.0)
 
 
 if NATIVE is not None:

@@ -1,11 +1,13 @@
+
 """Slow flow of any mechanism, in h = H - A and its derivatives, in the scene zeta = 0.
 
 Written by `make derive`; never edit.
 Input: none but the equation of motion in derivations/paper/averaging.py, derivations/paper/slow_flow.py, derivations/asymmetric/offset.py, derivations/systems/along.py, derivations/systems/slopes.py, derivations/systems/newton.py, derivations/paper/critical_forcings.py
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
-Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each
-docstring gives equation number, domain, shape and floating-point operations.
+Everything is dimensionless. Arguments broadcast; each output has their common shape, NumPy scalars for scalars, where
+arguments are of type ArrayLike, and the shape of those that it depends on where they may be any kind of number. Each
+docstring gives equation number, domain and floating-point operations, by regime where there are several.
 Rounding errors are in u (1 + kappa), u = 2^-53: proved ones hold wherever nothing overflows or underflows, measured
 ones are the worst of all outputs that was found, by a search for it with A 1e-09 to 1000, F_0 1e-09 to 1000, Omega
 0.001 to 1000, h 1e-12 to 1000 of either sign or 0, h_A 1e-09 to 1e+06 of either sign or 0, h_AA 1e-09 to 1e+09 of
@@ -27,7 +29,7 @@ from slowflow_kernels.slow_flow import (
     response_quartic, stability,
 )
 from slowflow.support.backend import NATIVE, compiled
-from slowflow.support.broadcast import common_shape, floats, full, stacked
+from slowflow.support.broadcast import broadcast_outputs, common_shape, floats, full, stacked
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -46,8 +48,7 @@ __all__ = [
 def limit_envelope(Omega: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike) -> Any:
     """Largest amplitude that the forcing can hold at this frequency.
 
-    Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise. Shape: as the arguments broadcast. Operations: 0.
-    Measured, error / u (1 + kappa): 0
+    Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise. Operations: 0. Error / u (1 + kappa): measured 0.
     """
     Omega, F_0, m, zeta = floats(Omega, F_0, m, zeta)
     return full(np.inf, common_shape((Omega, F_0, m, zeta)))
@@ -56,28 +57,19 @@ def limit_envelope(Omega: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLi
 def detachment(A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike) -> Floats:
     """Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
 
-    Equation (34). Domain: A > 0. Shape: (3, ...), coefficients by rising power, each as the arguments broadcast.
-    Operations: 6.
-    Proved, error / u (1 + kappa): 0.81, 0.67, 0.0
+    Equation (34). Domain: A > 0. Operations: 6. Error / u (1 + kappa): proved 0.81, 0.67, 0.0. One array,
+    coefficients by rising power along its first axis.
     """
     A, m, zeta, h = floats(A, m, zeta, h)
     t0 = m * m
     t1 = h * h
-    return stacked(
-        (
-            t0 * (t0 + t1),
-            -2.0 * t0 - t1,
-            1.0,
-        ),
-        common_shape((A, m, zeta, h)),
-    )
+    return stacked((A, m, zeta, h), t0 * (t0 + t1), -2.0 * t0 - t1, 1.0)
 
 
 def undamped_Omega(h_A: ArrayLike) -> Any:
     """Omega of the folds.
 
-    Equation from (30). Domain: h_A <= 0. Shape: as the arguments broadcast. Operations: 1.
-    Measured, error / u (1 + kappa): 0.67
+    Equation from (30). Domain: h_A <= 0. Operations: 1. Error / u (1 + kappa): measured 0.67.
     """
     (h_A,) = floats(h_A)
     return np.sqrt(-h_A)
@@ -86,21 +78,18 @@ def undamped_Omega(h_A: ArrayLike) -> Any:
 def fold(F_0: ArrayLike, m: ArrayLike, k: ArrayLike, k_A: ArrayLike) -> tuple[Any, Any]:
     """Zero at a fold at F_0, where h_A < 0: R^2 + I^2 - F_0^2 on the undamped folds, and its slope along A.
 
-    Equation from (24), (30). Domain: F_0 > m. Shape: 2 results, each as the arguments broadcast. Operations: 9.
-    Measured, error / u (1 + kappa): 0.62
+    Equation from (24), (30). Domain: F_0 > m. Operations: 9. Error / u (1 + kappa): measured 0.62.
     """
     F_0, m, k, k_A = floats(F_0, m, k, k_A)
     excess = (F_0 - m) * (F_0 + m)
     least = np.sqrt(excess)
-    shape = common_shape((F_0, m, k, k_A))
-    return full((k - least) * (k + least), shape), full(2.0 * k * k_A, shape)
+    return broadcast_outputs((F_0, m, k, k_A), (k - least) * (k + least), 2.0 * k * k_A)
 
 
 def undamped_level(m: ArrayLike, k: ArrayLike) -> Any:
     """The forcing of a fold, whose R is k.
 
-    Equation from (24), (30). Domain: h_A <= 0. Shape: as the arguments broadcast. Operations: 4.
-    Measured, error / u (1 + kappa): 0.99
+    Equation from (24), (30). Domain: h_A <= 0. Operations: 4. Error / u (1 + kappa): measured 0.99.
     """
     m, k = floats(m, k)
     return np.sqrt(k * k + m * m)
@@ -109,23 +98,19 @@ def undamped_level(m: ArrayLike, k: ArrayLike) -> Any:
 def undamped_rises(h_AA: ArrayLike, h_AAA: ArrayLike, k: ArrayLike) -> tuple[Any, Any]:
     """The sign of the level's slope along A on the undamped folds; and, where that is 0, of the slope's own.
 
-    Equation from (24), (30). Domain: h_A <= 0. Shape: 2 results, each as the arguments broadcast. Operations: 2.
-    Proved, error / u (1 + kappa): 0.34, 0.34
+    Equation from (24), (30). Domain: h_A <= 0. Operations: 2. Error / u (1 + kappa): proved 0.34, 0.34.
     """
     h_AA, h_AAA, k = floats(h_AA, h_AAA, k)
-    shape = common_shape((h_AA, h_AAA, k))
-    return full(-h_AA * k, shape), full(-h_AAA * k, shape)
+    return broadcast_outputs((h_AA, h_AAA, k), -h_AA * k, -h_AAA * k)
 
 
 def undamped(A: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike, h_AAA: ArrayLike) -> tuple[Any, Any, Any, Any]:
     """The factors of F_AA/2 at the folds, each with its slope along A: h_AA, R.
 
-    Equation from (30), (33). Domain: A > 0. Shape: 4 results, each as the arguments broadcast. Operations: 3.
-    Proved, error / u (1 + kappa): 0.0, 0.0, 1.01, 0.34
+    Equation from (30), (33). Domain: A > 0. Operations: 3. Error / u (1 + kappa): proved 0.0, 0.0, 1.01, 0.34.
     """
     A, h, h_A, h_AA, h_AAA = floats(A, h, h_A, h_AA, h_AAA)
-    shape = common_shape((A, h, h_A, h_AA, h_AAA))
-    return full(h_AA, shape), full(h_AAA, shape), full(-A * h_A + h, shape), full(-A * h_AA, shape)
+    return broadcast_outputs((A, h, h_A, h_AA, h_AAA), h_AA, h_AAA, -A * h_A + h, -A * h_AA)
 
 
 if NATIVE is not None:

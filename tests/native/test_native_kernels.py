@@ -11,7 +11,6 @@ import math
 import pickle
 import platform
 import pydoc
-import re
 import shutil
 import subprocess
 import sys
@@ -159,9 +158,7 @@ def test_kernels_keep_their_names_arguments_and_words():
     assert [*inspect.signature(slow_flow.F).parameters] == ["Omega", "A", "F_0", "m", "zeta", "h"]
     assert slow_flow.F.__module__ == "slowflow_kernels.slow_flow"
     shown = pydoc.render_doc(slow_flow.F, renderer=pydoc.plaintext)
-    assert all(
-        word in shown for word in ("F(Omega: 'ArrayLike', A: 'ArrayLike',", "Equation (24).", "Shape: as the arguments")
-    )
+    assert all(word in shown for word in ("F(Omega: 'ArrayLike', A: 'ArrayLike',", "Equation (24).", "Operations: "))
     p = rod_spring.coefficients(3.0, 2.0, 0.08)
     named = dict(zip((one.name for one in rod_spring.MECHANISM.parameters), p, strict=True))
     assert rod_spring.averaged(A=0.3, **named) == rod_spring.averaged(0.3, *p)
@@ -179,37 +176,28 @@ def test_kernels_keep_their_names_arguments_and_words():
 
 
 @pytest.mark.parametrize("name", MODULES)
-def test_help_of_each_kernel_states_the_shape_it_gives(name):
-    """Arguments of shapes (2, 1) and (3,) in turn, so that "as the arguments broadcast" is (2, 3)."""
+def test_kernels_give_as_many_results_of_a_shape_as_they_say(name):
+    """By their annotations and their module's docstring; arguments of shapes (2, 1) and (3,) in turn."""
     module = importlib.import_module(f"slowflow_kernels.{name}")
+    broadcast = "each output has their common shape" in (module.__doc__ or "")
     for kernel in kernels_of(module) or module.__all__:
         function = getattr(module, kernel)
-        stated = (
-            re.search(r"Shape: (.*?)\.(?: Operations|\n)", function.__doc__ or "", re.S)
-            if inspect.isfunction(function)
-            else None
-        )
-        if stated is None:
+        if not inspect.isfunction(function) or "return" not in function.__annotations__:
             continue
-        description = " ".join(stated[1].split())
+        annotation = function.__annotations__["return"]
         drawn = arguments(function, 3, 6)
         shaped = [value[:2, np.newaxis] if i % 2 else value[:3] for i, value in enumerate(drawn.values())]
         common = np.broadcast_shapes(*(np.shape(value) for value in shaped))
         with np.errstate(all="ignore"):
             found = function(*shaped)
-        form = re.fullmatch(
-            r"(?:\((?P<rows>\d+), \.\.\.\), coefficients by rising power, each |(?P<one>a tuple of one, )"
-            r"|(?P<many>\d+) results, each )?(?P<each>as the arguments broadcast"
-            r"|the arguments that it depends on, broadcast)|none, \(\)",
-            description,
-        )
-        assert form, f"{kernel}: {description}"
-        assert isinstance(found, tuple) == (description == "none, ()" or bool(form["one"] or form["many"])), kernel
-        count = 0 if description == "none, ()" else int(form["rows"] or form["many"] or 1)
-        shapes = [np.shape(value) for value in (found if form["rows"] or isinstance(found, tuple) else (found,))]
-        assert len(shapes) == count, kernel
-        if form["each"] == "as the arguments broadcast":
-            assert shapes == [common] * count, kernel
+        assert isinstance(found, tuple) == annotation.startswith("tuple"), kernel
+        docstring = " ".join((function.__doc__ or "").split())
+        assert ("along its first axis" in docstring) == (annotation == "Floats"), kernel
+        results = found if isinstance(found, tuple) or annotation == "Floats" else (found,)
+        assert annotation == "Floats" or len(results) == annotation.count("Any"), kernel
+        shapes = [np.shape(value) for value in results]
+        if broadcast and "ArrayLike" in function.__annotations__.values():
+            assert shapes == [common] * len(results), kernel
         else:
             assert all(np.broadcast_shapes(shape, common) == common for shape in shapes), kernel
 

@@ -32,9 +32,15 @@ def full(value: Any, shape: tuple[int, ...]) -> Any:
     return copy
 
 
-def stacked(values: Sequence[Any], shape: tuple[int, ...]) -> Floats:
-    """Coefficients along a new first axis, each in the shape."""
-    stack = np.empty((len(values), *shape))
+def broadcast_outputs(arguments: Sequence[Floats], *values: Any) -> tuple[Any, ...]:
+    """Each value in the shape to which the arguments broadcast, whichever of them it depends on."""
+    shape = common_shape(arguments)
+    return tuple([full(value, shape) for value in values])
+
+
+def stacked(arguments: Sequence[Floats], *values: Any) -> Floats:
+    """Coefficients along a new first axis, each in the shape to which the arguments broadcast."""
+    stack = np.empty((len(values), *common_shape(arguments)))
     for number, value in enumerate(values):
         stack[number] = value
     return stack

@@ -14,6 +14,7 @@ import sympy as sp
 from ....forces.quadrature import rule
 from ... import measured
 from ...arctangent import estrin, series
+from ...common import with_calls
 from ...conventions import CONVENTIONS
 from ...form import Module
 from ...provenance import tools
@@ -21,6 +22,7 @@ from ...views import (
     Calls,
     Code,
     KernelView,
+    RepeatedView,
     composition_view,
     heading,
     regimes,
@@ -60,14 +62,18 @@ def headers(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     environment = templates(Path(__file__).parent)
     result = {}
     for module in (one for one in modules if one.in_c):
-        views = [view(one, code[module.name][one.name], PRINTER) for one in module.kernels if one.in_c]
+        of_module = code[module.name]
+        kernels = [one for one in module.kernels if one.in_c]
+        shared = with_calls(kernels, of_module, PRINTER)
+        views = [view(one, of_module[one.name], PRINTER, shared[one.name]) for one in kernels]
+        repeated = repeated_views(of_module | shared, PRINTER)
         result[f"c/{module.name}.h"] = environment.get_template("header.h.jinja").render(
             module=module,
             kernels=views,
-            repeated=repeated_views(code[module.name], PRINTER),
+            repeated=repeated,
             twofolds=[twofold_view(kernel, PRINTER) for kernel in module.twofolds],
             compositions=[composition_view(composition, calls(module)) for composition in module.compositions],
-            includes=includes(module, views),
+            includes=includes(module, views, repeated),
             regimes=regimes(module),
             numbers=numbers(module),
             tables=tables(views),
@@ -95,9 +101,12 @@ def calls(module: Module) -> Calls:
     return Calls(f"{module.flow}_friction(mu)", f"{module.flow}_{{}}".format, tuple(f"average[{k}]" for k in range(4)))
 
 
-def includes(module: Module, views: Sequence[KernelView]) -> list[str]:
+def includes(module: Module, views: Iterable[KernelView], repeated: Iterable[RepeatedView]) -> list[str]:
     """Headers of ours that a C header needs."""
-    angles = "angles" if any(view.uses_angles for view in views) else ""
+    branches = [branch for view in views for branch in view.branches]
+    lines = (line.value for one in (*branches, *repeated) for line in one.lets)
+    outputs = (output for branch in branches for output in branch.outputs)
+    angles = "angles" if any("angles_" in text for text in (*lines, *outputs)) else ""
     twofold = "twofold" if module.twofolds else ""
     quarter = "quarter" if module.sums else ""
     return [name for name in ("inline", angles, twofold, quarter, module.flow) if name]

@@ -16,6 +16,7 @@ import sympy as sp
 from ....mechanisms import DAMPING, DISSIPATION, EXCITATIONS, RUBS, Parameter
 from ....paper.slow_flow import SCENES
 from ... import measured
+from ...common import with_calls
 from ...form import AVERAGED, GENERAL, Composition, Kernel, Module, Selection, TwofoldKernel, suffix
 from ...prose import in_python
 from ...views import (
@@ -87,7 +88,8 @@ def printed(module: Module) -> tuple[Kernel, ...]:
 def text(module: Module, code: Code) -> str:
     """One module."""
     named = (*printed(module), *module.twofolds, *module.selections, *module.compositions)
-    views = [view(kernel, code[kernel.name], PRINTER) for kernel in printed(module)]
+    calls = with_calls(printed(module), code, PRINTER)
+    views = [view(kernel, code[kernel.name], PRINTER, calls[kernel.name]) for kernel in printed(module)]
     return (
         _environment()
         .get_template("module.py.jinja")
@@ -95,7 +97,7 @@ def text(module: Module, code: Code) -> str:
             module=module,
             kernels=views,
             tables=tables(views),
-            repeated=repeated_views(code, PRINTER),
+            repeated=repeated_views(code | calls, PRINTER),
             twofolds=[twofold_view(kernel, PRINTER) for kernel in module.twofolds],
             compositions=[composition_view(composition, CALLS) for composition in module.compositions],
             exported=exported(module),

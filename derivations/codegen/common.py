@@ -1,0 +1,151 @@
+"""What kernels of a module compute alike, printed once, as functions that they call.
+
+In:  the straight-line `Program`s of the kernels of a file.
+Out: the same programs, where calls of a `Repeated` stand for the lets that several of them have.
+
+Every operation stays what it is, in its order: results are the same to the last bit.
+"""
+
+from __future__ import annotations
+
+import itertools
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING
+
+import sympy as sp
+
+from ..forces.repeated import Output, Repeated
+from ..kernels import Kernel, Let
+from .passes import Program, operations
+
+if TYPE_CHECKING:
+    from .targets.printing import Rules
+
+#: operations that a line of code has, and lines that a function has to save
+PER_LINE, LEAST_SAVED = 12, 20
+_NAME = re.compile(r"\b[A-Za-z_]\w*\b")
+
+
+@dataclass
+class _Branch:
+    """The program of a kernel's branch.
+
+    named  -- what the derivation has a name for
+    values -- of each let, as printed, where the name of another let is the number of its value
+    lets   -- by their values, those that named ones are computed from, and from no call of anything else
+    """
+
+    kernel: str
+    name: str
+    program: Program
+    named: set[sp.Symbol]
+    values: dict[str, str] = field(default_factory=dict)
+    lets: dict[str, sp.Symbol] = field(default_factory=dict)
+
+
+#: values in order, and the branches that have them all
+_Shared = tuple[list[str], list[_Branch]]
+
+
+def with_calls(
+    kernels: Iterable[Kernel], code: Mapping[str, tuple[Program, ...]], printer: Rules
+) -> dict[str, tuple[Program, ...]]:
+    """The programs of these kernels with calls of what they have in common, as long as that saves lines."""
+    kernels = tuple(kernels)
+    every = [
+        _Branch(kernel.name, branch.name, program, {symbol for symbol, _ in branch.lets})
+        for kernel in kernels
+        for branch, program in zip(kernel.branches, code[kernel.name], strict=True)
+    ]
+    numbers: dict[str, str] = {}
+    for count in itertools.count(1):
+        for one in every:
+            _evaluate(one, numbers, printer)
+        shared = max(_shared(every), key=_saved, default=None)
+        if shared is None or _saved(shared) < LEAST_SAVED:
+            break
+        _put_out(f"common_{count}", *shared)
+    programs = iter(every)
+    return {kernel.name: tuple(next(programs).program for _ in kernel.branches) for kernel in kernels}
+
+
+def _evaluate(one: _Branch, numbers: dict[str, str], printer: Rules) -> None:
+    """What each of its lets is; the numbers are those of all branches."""
+    one.values, one.lets = {}, {}
+    apart: set[sp.Symbol] = set()
+    for symbol, value in one.program.lets:
+        called = value.repeated if isinstance(value, Output) else None
+        text = f"{type(value)} {value.args}" if called else printer.doprint(value)
+        whole = _NAME.sub(lambda found: one.values.get(found[0], found[0]), text)
+        one.values[symbol.name] = numbers.setdefault(whole, f"value^{len(numbers)}")
+        if (called and not called.straight) or not apart.isdisjoint(value.free_symbols):
+            apart.add(symbol)
+        elif not called:
+            one.lets[whole] = symbol
+    kept = {symbol for symbol, _ in _leading_to(one.program.lets, one.named & {*one.lets.values()})}
+    one.lets = {value: symbol for value, symbol in one.lets.items() if symbol in kept}
+
+
+def _leading_to(lets: Iterable[Let], symbols: Iterable[sp.Symbol]) -> list[Let]:
+    """The lets that these are, or are computed from."""
+    needed, kept = set(symbols), []
+    for symbol, value in reversed(tuple(lets)):
+        if symbol in needed:
+            needed |= value.free_symbols
+            kept.append((symbol, value))
+    return kept[::-1]
+
+
+def _shared(every: Sequence[_Branch]) -> Iterator[_Shared]:
+    """What two branches have, as far as named quantities need it, with all that have it."""
+    for one, other in itertools.combinations(every, 2):
+        same = {one.lets[value] for value in one.lets if value in other.lets}
+        needed = {symbol for symbol, _ in _leading_to(one.program.lets, same & one.named)}
+        values = [value for value, symbol in one.lets.items() if symbol in needed & same]
+        if len(values) > 1:
+            yield values, [each for each in every if each.lets.keys() >= {*values}]
+
+
+def _saved(shared: _Shared) -> int:
+    """Lines: a function has about eight more than its lets, and a call two."""
+    same, users = shared
+    values = dict(users[0].program.lets)
+    lines = sum(1 + operations(values[users[0].lets[value]]) // PER_LINE for value in same)
+    return lines * (len(users) - 1) - 8 - 2 * len(users)
+
+
+def _put_out(name: str, same: Sequence[str], users: Sequence[_Branch]) -> None:
+    """Put these lets into a function of this name, which the branches call for those that are named."""
+    first, *_ = users
+    own = {first.lets[value] for value in same}
+    lets = tuple(let for let in first.program.lets if let[0] in own)
+    arguments = sorted(set().union(*(value.free_symbols for _, value in lets)) - own, key=str)
+    results = [value for value in same if any(_is_result(one.lets[value], same, one) for one in users)]
+    callers = dict.fromkeys("_".join(filter(None, [one.kernel, one.name])) for one in users)
+    function = Repeated(
+        name,
+        f"What {', '.join(callers)} have in common.",
+        tuple(arguments),
+        lets,
+        tuple((sp.Symbol(f"{first.lets[value]}_out"), first.lets[value]) for value in results),
+        straight=True,
+    )
+    for one in users:
+        # what earlier calls give has another name in each branch
+        there = {one.values[symbol.name]: symbol for symbol, _ in one.program.lets}
+        taken = [there.get(first.values.get(argument.name, ""), argument) for argument in arguments]
+        outputs = [one.lets[value] for value in results]
+        rest = [let for let in one.program.lets if let[0] not in outputs]
+        earlier = [let for let in rest if isinstance(let[1], Output) and let[1].repeated.straight]
+        needed = set().union(*(output.free_symbols for output in one.program.outputs))
+        others = _leading_to([let for let in rest if let not in earlier], needed)
+        one.program = replace(one.program, lets=(*earlier, *function.at(taken, outputs), *others))
+
+
+def _is_result(symbol: sp.Symbol, same: Sequence[str], one: _Branch) -> bool:
+    """Whether it is named, and anything but these lets reads it."""
+    within = {one.lets[value] for value in same}
+    others = (value for name, value in one.program.lets if name not in within)
+    return symbol in one.named and any(symbol in value.free_symbols for value in (*others, *one.program.outputs))
