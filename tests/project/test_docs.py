@@ -23,7 +23,7 @@ from scipy.integrate import quad
 from docs import api
 from docs.site import docstrings
 from slowflow import Remark
-from slowflow.answers.results import State
+from slowflow.answers.results import SteadyStates
 from slowflow.app import cli, starters
 from slowflow.averaged.questions import Averaged
 from slowflow_kernels.conventions import FoldKind, OnsetKind, Status
@@ -433,7 +433,7 @@ def test_addresses_on_the_web_are_whole() -> None:
 
 
 def test_fields_of_a_named_tuple_are_not_said_by_their_number() -> None:
-    assert docstrings.unsaid(None, "class", "State.A", State.A, False, None) is True
+    assert docstrings.unsaid(None, "class", "State.A", SteadyStates.entry.A, False, None) is True
     assert docstrings.unsaid(None, "class", "Isolator.peak", Averaged.peak, False, None) is None
 
 

@@ -9,9 +9,9 @@ from __future__ import annotations
 import dataclasses
 import importlib.util
 import operator
-import sys
+import re
 from collections import namedtuple
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
@@ -240,22 +240,34 @@ class Drawn(Answer):
 LOADED, UNLOADED = MappingProxyType({"loaded": True}), MappingProxyType({"loaded": False})
 
 
-def entry(name: str, columns: str, doc: str) -> Any:
-    """Make the named tuple of a table's entries, with the named columns, in the module that calls."""
-    made: Any = namedtuple(name, columns, module=sys._getframe(1).f_globals.get("__name__"))  # type: ignore[misc]
-    made.__doc__ = doc
+def entry_of(table: type, attribute: str, name: str, columns: Iterable[str]) -> Any:
+    """Make the named tuple of a table's entries, an attribute of its class: so entries can be pickled."""
+    made: Any = namedtuple(name, columns, module=table.__module__)  # type: ignore[misc]
+    made.__qualname__, made.__doc__ = f"{table.__qualname__}.{attribute}", f"An entry of `{table.__name__}`."
     return made
 
 
-class Table(Answer):
-    """An answer with several entries: arrays of one length; `entry` names those that form an entry.
+#: annotations of a table's columns
+COLUMN = re.compile(r"Floats|Flags|Ints|(npt\.)?NDArray\[.*\]")
 
+
+class Table(Answer):
+    """An answer with several entries: arrays of one length.
+
+    entry -- the named tuple of an entry, by its name as a keyword of the class: of the arrays that the class declares,
+            or of `columns`
     extra_columns -- further columns of each entry, not in its named tuple
     """
 
     entry: ClassVar[Any]
     extra_columns: ClassVar[tuple[str, ...]] = ()
     has_rows = True
+
+    def __init_subclass__(cls, entry: str = "", columns: str = "", **more: Any) -> None:
+        super().__init_subclass__(**more)
+        if entry:
+            declared = (name for name, kind in cls.__annotations__.items() if COLUMN.fullmatch(kind))
+            cls.entry = entry_of(cls, "entry", entry, columns.split() or declared)
 
     def _entry_of(self) -> Any:
         """The named tuple of an entry."""

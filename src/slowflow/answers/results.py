@@ -16,7 +16,7 @@ import numpy as np
 import numpy.typing as npt
 
 from slowflow.answers import sensitivities
-from slowflow.answers.answer import LOADED, UNLOADED, Drawn, Single, Table, entry, frozen
+from slowflow.answers.answer import LOADED, UNLOADED, Drawn, Single, Table, entry_of, frozen
 from slowflow.answers.certificate import ProvedFolds
 from slowflow.answers.gradient import Gradient
 from slowflow.answers.transmissibility import in_motion
@@ -72,29 +72,8 @@ def _nothing() -> Remark:
     return NOTHING
 
 
-State = entry("State", "Omega A phi stable", "A steady state, as in `SteadyStates`.")
-CurvePoint = entry("CurvePoint", "Omega A phi stable branch", "A point of a response curve, as in `FrequencyResponse`.")
-SaddleNode = entry("SaddleNode", "Omega A kind corner", "A fold, as in `SaddleNodes`.")
-OffsetState = entry(
-    "OffsetState", "Omega A B phi stable", "A steady state with its mean, as in `SteadyStates` under a load."
-)
-OffsetPoint = entry(
-    "OffsetPoint",
-    "Omega A B phi stable branch",
-    "A point of a response curve with its mean, as in `FrequencyResponse` under a load.",
-)
-OffsetFold = entry("OffsetFold", "Omega A B kind corner", "A fold with its mean, as in `SaddleNodes` under a load.")
-LocusPoint = entry("LocusPoint", "Omega A F_0 branch", "A point of the fold locus, as in `FoldLocus`.")
-Cusp = entry("Cusp", "F_0 Omega A minimum", "A cusp of the fold locus, as in `Cusps`.")
-IsolaPoint = entry(
-    "IsolaPoint", "F_0 Omega A kind", "A point where an isolated curve is born, dies or merges, as in `IsolaPoints`."
-)
-MeasuredState = entry("MeasuredState", "Omega A error stable stops found reason", "One entry of `Measured`.")
-MeasuredFold = entry("MeasuredFold", "Omega A error error_of_A found reason", "One entry of `MeasuredFolds`.")
-
-
 @dataclass(frozen=True, eq=False)
-class Measured(Table):
+class Measured(Table, entry="MeasuredState"):
     """Motions of the equation of motion (3), found from averaged states: arrays with one entry for each state.
 
     Omega, A -- frequency, and largest |u| of the motion
@@ -104,8 +83,6 @@ class Measured(Table):
     reason   -- why there is none
     message  -- how many states have none, and why; empty if all have one
     """
-
-    entry: ClassVar[Any] = MeasuredState
 
     Omega: Floats
     A: Floats
@@ -118,7 +95,7 @@ class Measured(Table):
 
 
 @dataclass(frozen=True, eq=False)
-class MeasuredFolds(Table):
+class MeasuredFolds(Table, entry="MeasuredFold"):
     """Folds of the equation of motion (3), found from averaged ones: arrays with one entry for each fold.
 
     Omega, A   -- of the exact fold
@@ -128,8 +105,6 @@ class MeasuredFolds(Table):
     reason     -- why there is none
     message    -- how many have none, and why; empty if all have one
     """
-
-    entry: ClassVar[Any] = MeasuredFold
 
     Omega: Floats
     A: Floats
@@ -257,6 +232,12 @@ class WithMean:
         A: Floats
         B: Floats | None
 
+    def __init_subclass__(cls, with_mean: str = "", **more: Any) -> None:
+        super().__init_subclass__(**more)
+        if with_mean:
+            Omega, A, *others = cls.entry._fields
+            cls.with_mean = entry_of(cls, "with_mean", with_mean, (Omega, A, "B", *others))
+
     def _entry_of(self) -> Any:
         """The named tuple of an entry: with the mean, under a load."""
         return self.entry if self.B is None else self.with_mean
@@ -281,7 +262,9 @@ class InDecibels:
 
 
 @dataclass(frozen=True, eq=False)
-class SteadyStates(Moving, WithMean, InDecibels, Table):
+class SteadyStates(
+    Moving, WithMean, InDecibels, Table, entry="State", columns="Omega A phi stable", with_mean="OffsetState"
+):
     """Steady states, one entry each: flat arrays of one length.
 
     Omega, A -- frequency and amplitude, dimensionless; A = 0 where friction holds the mass at rest
@@ -295,8 +278,6 @@ class SteadyStates(Moving, WithMean, InDecibels, Table):
     Omega_undecided -- frequencies of the question at which the number of states is undecided
     """
 
-    entry: ClassVar[Any] = State
-    with_mean: ClassVar[Any] = OffsetState
     extra_columns: ClassVar[tuple[str, ...]] = ("transmissibility_dB",)
 
     Omega: Floats
@@ -407,16 +388,15 @@ class SteadyStates(Moving, WithMean, InDecibels, Table):
 
 
 @dataclass(frozen=True, eq=False)
-class FrequencyResponse(Drawn, SteadyStates):
+class FrequencyResponse(
+    Drawn, SteadyStates, entry="CurvePoint", columns="Omega A phi stable branch", with_mean="OffsetPoint"
+):
     """A response curve: points in order along each branch.
 
     branch -- index of the connected curve that contains the point, from 0; isolated curves come last
     isola  -- for each branch, whether it is closed
     F_0    -- the forcing
     """
-
-    entry: ClassVar[Any] = CurvePoint
-    with_mean: ClassVar[Any] = OffsetPoint
 
     F_0: float
     branch: Ints
@@ -430,7 +410,7 @@ class FrequencyResponse(Drawn, SteadyStates):
 
 
 @dataclass(frozen=True, eq=False)
-class SaddleNodes(Moving, WithMean, Drawn, Table):
+class SaddleNodes(Moving, WithMean, Drawn, Table, entry="SaddleNode", with_mean="OffsetFold"):
     """Folds of the response curve at one forcing, in ascending order of Omega: arrays of one length.
 
     kind   -- "jump-up": a sweep jumps from the fold to a larger amplitude; "jump-down": to a smaller one; under a load
@@ -439,9 +419,6 @@ class SaddleNodes(Moving, WithMean, Drawn, Table):
     B, load -- under a load, the mean displacement of each fold, and the load over k_v L
     proof  -- enclosures of all folds, and whether the set is proved complete; None without certify=True
     """
-
-    entry: ClassVar[Any] = SaddleNode
-    with_mean: ClassVar[Any] = OffsetFold
 
     Omega: Floats
     A: Floats
@@ -520,14 +497,12 @@ class SaddleNodeOnset(Point):
 
 
 @dataclass(frozen=True, eq=False)
-class FoldLocus(Drawn, Table):
+class FoldLocus(Drawn, Table, entry="LocusPoint"):
     """The saddle nodes of all forcings: points in order along each branch, in arrays of one length.
 
     Omega, A, F_0 -- a fold and the forcing that has it
     branch        -- index of the connected branch that contains the point, from 0; breakpoints separate branches
     """
-
-    entry: ClassVar[Any] = LocusPoint
 
     Omega: Floats
     A: Floats
@@ -538,14 +513,12 @@ class FoldLocus(Drawn, Table):
 
 
 @dataclass(frozen=True, eq=False)
-class Cusps(Table):
+class Cusps(Table, entry="Cusp"):
     """Cusps of the fold locus, F = F_A = F_AA = 0, in ascending order of amplitude: arrays of one length.
 
     minimum -- True if two folds appear as the forcing increases; False if two merge and vanish
     remarks -- `Remark.UNDECIDED` if double precision gives few digits, `Remark.BY_BALLS` if ball arithmetic gave them
     """
-
-    entry: ClassVar[Any] = Cusp
 
     F_0: Floats
     Omega: Floats
@@ -561,15 +534,13 @@ class Cusps(Table):
 
 
 @dataclass(frozen=True, eq=False)
-class IsolaPoints(Table):
+class IsolaPoints(Table, entry="IsolaPoint"):
     """Points with F = F_A = F_Omega = 0, in ascending order of amplitude: arrays of one length.
 
     kind -- what happens there as the forcing increases: "birth" or "death" of an isolated curve, or "merger" of two
             pieces of the response curve (or their separation)
     remarks -- `Remark.UNDECIDED` if double precision gives few digits
     """
-
-    entry: ClassVar[Any] = IsolaPoint
 
     F_0: Floats
     Omega: Floats

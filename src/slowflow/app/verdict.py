@@ -6,11 +6,12 @@ import math
 import warnings
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+import numpy.typing as npt
 
-from slowflow.answers.answer import Table, entry, joined, plain
+from slowflow.answers.answer import Table, joined, plain
 from slowflow.answers.quantities import SI, in_shown
 from slowflow.answers.table import COLUMNS
 from slowflow.core.mechanism import Flags, Floats
@@ -35,8 +36,6 @@ SPARE = 1 + 1e-6
 #: of how many products the share is that meets a requirement
 PRODUCTS = 200
 
-Required = entry("Required", "requirement case limit value unit margin met", "One requirement in one load case.")
-
 
 class Requirement(NamedTuple):
     """A requirement.
@@ -52,7 +51,7 @@ class Requirement(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class Verdict(Table):
+class Verdict(Table, entry="Required"):
     """What a scene requires, a row for each requirement in each load case.
 
     limit, value -- of jumps and detachment the forcing from which on there are any, and the forcing; of
@@ -64,13 +63,11 @@ class Verdict(Table):
     products -- of these the share that meets all
     """
 
-    entry: ClassVar[Any] = Required
-
-    requirement: Any
-    case: Any
+    requirement: npt.NDArray[np.str_]
+    case: npt.NDArray[np.str_]
     limit: Floats
     value: Floats
-    unit: Any
+    unit: npt.NDArray[np.str_]
     margin: Floats
     met: Flags
     message: str
@@ -125,7 +122,7 @@ def _of_design(scene: Any) -> Verdict:
                 row, message = [math.nan, math.nan, "", math.nan, False], f"{one.name}, {case}: {error}"
             rows.append((one.name, case, *row))
             texts.append(message)
-    columns = dict(zip(Required._fields, map(np.array, zip(*rows, strict=True)), strict=True))
+    columns = dict(zip(Verdict.entry._fields, map(np.array, zip(*rows, strict=True)), strict=True))
     return Verdict(**columns, message=joined(*dict.fromkeys(texts)))
 
 

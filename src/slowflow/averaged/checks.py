@@ -15,7 +15,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from slowflow.answers import sensitivities
-from slowflow.answers.answer import LOADED, Labels, Single, Table, entry, joined, sentences
+from slowflow.answers.answer import LOADED, Labels, Single, Table, joined, sentences
 from slowflow.answers.gradient import NO_GRADIENT, Gradient
 from slowflow.answers.results import MeasuredPoint, OfPoint, Remark
 from slowflow.averaged import diagnostics, messages, solvers
@@ -116,21 +116,14 @@ class Margins(Composed, Single):
     remarks: Remark
 
 
-Band = entry(
-    "Band", "Omega_low Omega_high motions", "A band of frequencies with several stable motions, as in `Hysteresis`."
-)
-
-
 @dataclass(frozen=True, eq=False)
-class Hysteresis(Composed, Table):
+class Hysteresis(Composed, Table, entry="Band"):
     """Bands of frequencies with more than one stable motion; which one is observed depends on the history.
 
     Omega_low, Omega_high -- ends of the band: folds, 0, or inf if a motion has no end, as without viscous damping
     motions -- number of stable motions in it, including the equilibrium at which a preload holds the mass
     remarks -- those of the folds
     """
-
-    entry: ClassVar[Any] = Band
 
     Omega_low: Floats
     Omega_high: Floats
@@ -189,11 +182,8 @@ class Isolation(OfPoint, Single):
         return self._gradient_from(sensitivities.of_isolation, *at)
 
 
-Load = entry("Load", "Omega F_0 A transmissibility_dB motions crosses detaches sticks", "A row of `Spectrum`.")
-
-
 @dataclass(frozen=True, eq=False)
-class Spectrum(Composed, Table):
+class Spectrum(Composed, Table, entry="Load"):
     """A load spectrum, one tone at a time, row by row in the given order.
 
     A        -- the largest stable amplitude, about the mean; 0 if the mass sticks, nan if no motion is stable
@@ -203,8 +193,6 @@ class Spectrum(Composed, Table):
     detaches -- whether a stable motion passes u_cr
     sticks   -- whether the mass does not move
     """
-
-    entry: ClassVar[Any] = Load
 
     Omega: Floats
     F_0: Floats
@@ -400,11 +388,10 @@ def spectrum(oscillator: Any, Omega: Any, F_0: Any) -> Spectrum:
     crosses = np.concatenate(([False], ways))[: at.size]
     found = [_row(oscillator, *here) for here in zip(at.tolist(), F.tolist(), crosses.tolist(), strict=True)]
     rows, texts, codes = zip(*found, strict=True) if found else ((), (), ())
-    columns = np.array(rows, dtype=float).reshape(-1, len(Load._fields)).T
+    names = Spectrum.entry._fields
+    columns = zip(names, np.array(rows, dtype=float).reshape(-1, len(names)).T, strict=True)
     kinds = {"motions": np.intp, "crosses": np.bool_, "detaches": np.bool_, "sticks": np.bool_}
-    typed: dict[str, Any] = {
-        name: column.astype(kinds.get(name, float)) for name, column in zip(Load._fields, columns, strict=True)
-    }
+    typed: dict[str, Any] = {name: column.astype(kinds.get(name, float)) for name, column in columns}
     return Spectrum(**typed, message=messages.at_pairs(at, texts), _remarks=np.array(codes, dtype=np.uint16))
 
 
@@ -474,10 +461,10 @@ def _row(oscillator: Any, Omega: float, F_0: float, crosses: bool) -> tuple[Any,
     states = oscillator.amplitudes(Omega=Omega, F_0=F_0)
     stable = np.flatnonzero(states.stable)
     if not stable.size:
-        none = Load(Omega, F_0, math.nan, math.nan, 0, crosses, False, False)
+        none = Spectrum.entry(Omega, F_0, math.nan, math.nan, 0, crosses, False, False)
         return none, joined(states.message, NONE_STABLE.format(Omega, F_0)), states.remarks
     top = stable[np.argmax(states.A[stable])]
     motions = int(np.count_nonzero(states.A[stable]))
     detaches = motions > 0 and bool(oscillator.breakpoints) and bool(oscillator._is_detached(states)[stable].any())
     A, dB = float(states.A[top]), float(states.transmissibility_dB[top])
-    return Load(Omega, F_0, A, dB, motions, crosses, detaches, motions == 0), states.message, states.remarks
+    return Spectrum.entry(Omega, F_0, A, dB, motions, crosses, detaches, motions == 0), states.message, states.remarks

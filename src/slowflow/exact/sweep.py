@@ -11,7 +11,7 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from slowflow.answers.answer import Drawn, Table, entry
+from slowflow.answers.answer import Drawn, Table
 from slowflow.core.mechanism import EquationOfMotion, Flags, Floats
 from slowflow.exact.continuation import Path, Point, passed_fold
 from slowflow.exact.motion import Forced, check_numbers, limited, stops
@@ -29,11 +29,8 @@ FINER, OFTEN = 8, 3
 MEETS = 1e-4
 
 
-SweepPoint = entry("SweepPoint", "Omega A stops turns settled", "One frequency of a `Sweep`.")
-
-
 @dataclass(frozen=True, eq=False)
-class Sweep(Drawn, Table):
+class Sweep(Drawn, Table, entry="SweepPoint"):
     """A stepped-sine sweep; arrays in the order of the frequencies.
 
     Omega   -- the frequencies
@@ -45,8 +42,6 @@ class Sweep(Drawn, Table):
     jumps   -- pairs (Omega before, Omega after) between which the motion left its branch
     message -- diagnostics as text; empty if there are none
     """
-
-    entry: ClassVar[Any] = SweepPoint
 
     F_0: float
     Omega: Floats

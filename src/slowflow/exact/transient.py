@@ -14,7 +14,7 @@ from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 
-from slowflow.answers.answer import Drawn, Table, entry
+from slowflow.answers.answer import Drawn, Table
 from slowflow.core.backend import EXACT
 from slowflow.core.mechanism import EquationOfMotion, Flags, Floats
 from slowflow.exact.motion import MOST_STEPS, MOST_WORK, TURN, Forced, Phase, handle, limited, lost, sample, spend
@@ -180,11 +180,8 @@ def transient(
     return Transient(A, tau_A, a_max, tau_a, u_cr, off, left if off else None, rests == 1, u_end, "", stretches, system)
 
 
-Shock = entry("Shock", "acceleration duration A a_max ratio detaches", "One pulse of a `ShockSpectrum`.")
-
-
 @dataclass(frozen=True, eq=False)
-class ShockSpectrum(Drawn, Table):
+class ShockSpectrum(Drawn, Table, entry="Shock"):
     """Shock response spectrum of half sines of the base, pulse by pulse.
 
     acceleration, duration -- of the pulse, over k_v L/m and in tau
@@ -194,8 +191,6 @@ class ShockSpectrum(Drawn, Table):
     detaches -- whether the springs detach
     message  -- diagnostics as text
     """
-
-    entry: ClassVar[Any] = Shock
 
     acceleration: Floats
     duration: Floats

@@ -9,15 +9,12 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from slowflow.answers.table import SHOCKS
-from slowflow.averaged import many
+from slowflow.averaged import batch_checks, many
 from slowflow.core import validate
 
 if TYPE_CHECKING:
     from slowflow.averaged.batches import Batch
     from slowflow.second.many import SecondDesigns
-
-#: questions that other rooms answer, which are loaded when asked for
-LOADS = ("at_rest", "margins", "hysteresis", "isolation", "spectrum")
 
 
 class Designs(many.Designs):
@@ -45,11 +42,9 @@ class Designs(many.Designs):
             from slowflow.random_vibration import many as random_many
 
             return random_many.answer(self, **kwargs, workers=workers)
-        if question not in LOADS:
+        if (combined := getattr(batch_checks, question, None)) is None:
             return super()._ask(question, workers=workers, **kwargs)
-        from slowflow.averaged import batch_checks
-
         if "places" in kwargs:
             kwargs["places"] = validate.count("places", kwargs["places"], least=1)
-        found: Batch = getattr(batch_checks, question)(self, **kwargs, workers=workers)
+        found: Batch = combined(self, **kwargs, workers=workers)
         return found

@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any, ClassVar, NoReturn
+from typing import Any, NoReturn
 
-from slowflow.answers.answer import Table, entry
+from slowflow.answers.answer import Table
 from slowflow.answers.gradient import Gradient
 from slowflow.answers.results import NOT_MEASURED, Remark
 from slowflow.answers.sensitivities import pinned
@@ -36,11 +36,8 @@ CALLED = {"F_cr": "F_0", "F_SN": "F_0", "Omega_cr": "Omega"}
 WITHIN = "no gradient is derived for a peak at a turning point of the mean"
 
 
-Rest = entry("Rest", "u stiffness stable", "A place of rest, as in `RestPositions`.")
-
-
 @dataclass(frozen=True, eq=False)
-class RestPositions(Table):
+class RestPositions(Table, entry="Rest"):
     """Equilibria without forcing and friction, f(u) = load, in ascending order of u; friction also holds the mass
     nearby.
 
@@ -49,8 +46,6 @@ class RestPositions(Table):
     stable -- whether the stiffness is positive
     load   -- the static load over k_v L
     """
-
-    entry: ClassVar[Any] = Rest
 
     u: Floats
     stiffness: Floats

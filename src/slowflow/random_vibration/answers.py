@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from slowflow.answers.answer import Drawn, Single, Table, entry
+from slowflow.answers.answer import Drawn, Single, Table
 from slowflow.answers.gradient import Gradient
 from slowflow.core import validate
 from slowflow.core.mechanism import EquationOfMotion, Floats
@@ -19,11 +19,6 @@ from slowflow.random_vibration.record import measured
 from slowflow.support.errors import Refused
 from slowflow_kernels import linearization
 
-Stationary = entry(
-    "Stationary",
-    "u_rms v_rms a_rms stiffness damping Omega_e ratio_e beyond crossing_rate dry",
-    "One stationary motion of a `RandomResponse`.",
-)
 NO_CYCLES = "averages over cycles of one energy are available under white noise only: random(S_0=...)"
 #: by how many root mean squares the largest displacement exceeds them at most, and steps up to there
 FARTHEST, STEPS = 12.0, 4000
@@ -32,7 +27,7 @@ SHOWN = 10.0
 
 
 @dataclass(frozen=True, eq=False)
-class RandomResponse(Drawn, Table):
+class RandomResponse(Drawn, Table, entry="Stationary"):
     """Stationary motions under a Gaussian excitation by statistical linearization, in ascending order of u_rms.
 
     u_rms, v_rms -- root mean squares of displacement and velocity relative to the base; all numbers are dimensionless
@@ -47,7 +42,6 @@ class RandomResponse(Drawn, Table):
     It is proved that there are no others: see `native/exact/linearized.h`.
     """
 
-    entry: ClassVar[Any] = Stationary
     picture: ClassVar[str] = "psd"
 
     u_rms: Floats

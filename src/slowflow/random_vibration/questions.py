@@ -12,7 +12,7 @@ from slowflow.core import validate
 from slowflow.core.backend import EXACT
 from slowflow.core.mechanism import EquationOfMotion, Floats
 from slowflow.exact.motion import handle
-from slowflow.random_vibration.answers import RandomResponse, Stationary
+from slowflow.random_vibration.answers import RandomResponse
 from slowflow.random_vibration.excitation import Excitation, Tabulated, White
 from slowflow.support.errors import NotSettled, Refused
 from slowflow.support.text import Sentence, text
@@ -106,4 +106,4 @@ def columns(motions: Floats, end: Any) -> dict[str, Floats]:
     rate = linearization.crossings(end, u, v)
     Omega = np.sqrt(k)
     found = u, v, np.sqrt(square), k, c, Omega, c / (2 * Omega), np.where(np.isnan(end), end, beyond), rate, dry / c
-    return dict(zip(Stationary._fields, found, strict=True))
+    return dict(zip(RandomResponse.entry._fields, found, strict=True))

@@ -8,23 +8,12 @@ from typing import Any, ClassVar
 import numpy as np
 import numpy.typing as npt
 
-from slowflow.answers.answer import Drawn, Table, entry, frozen
+from slowflow.answers.answer import Drawn, Table, frozen
 from slowflow.answers.results import DRAWN, InDecibels
 from slowflow.answers.transmissibility import Transmitted, in_motion, validated
 from slowflow.core.mechanism import Flags, Ints
 from slowflow.core.model import Floats, Model
 from slowflow_kernels import motion
-
-SecondState = entry(
-    "SecondState", "Omega A A_1 phi stable", "A steady state in the second approximation, as in `SecondStates`."
-)
-SecondCurvePoint = entry(
-    "SecondCurvePoint",
-    "Omega A A_1 phi stable branch",
-    "A point of a response curve in the second approximation, as in `SecondResponse`.",
-)
-SecondFold = entry("SecondFold", "Omega A A_1 kind corner", "A fold in the second approximation, as in `SecondFolds`.")
-
 
 #: why averaging's answers have these, and those of the second approximation have not
 NOT_OF_SECOND = {
@@ -44,7 +33,7 @@ class SecondTable(Table):
 
 
 @dataclass(frozen=True, eq=False)
-class SecondStates(InDecibels, SecondTable):
+class SecondStates(InDecibels, SecondTable, entry="SecondState", columns="Omega A A_1 phi stable"):
     """Steady states in the second approximation, one entry each: flat arrays of one length.
 
     Omega, A -- frequency, and largest displacement; A = 0 where friction holds the mass at rest
@@ -55,7 +44,6 @@ class SecondStates(InDecibels, SecondTable):
     force    -- amplitude of the force on the mass in each state
     """
 
-    entry: ClassVar[Any] = SecondState
     extra_columns: ClassVar[tuple[str, ...]] = ("transmissibility_dB",)
 
     Omega: Floats
@@ -94,13 +82,11 @@ class SecondStates(InDecibels, SecondTable):
 
 
 @dataclass(frozen=True, eq=False)
-class SecondResponse(Drawn, SecondStates):
+class SecondResponse(Drawn, SecondStates, entry="SecondCurvePoint", columns="Omega A A_1 phi stable branch"):
     """A response curve in the second approximation: points in order along each branch.
 
     branch, isola, F_0 -- as in `FrequencyResponse`
     """
-
-    entry: ClassVar[Any] = SecondCurvePoint
 
     F_0: float = field(kw_only=True)
     branch: Ints
@@ -114,13 +100,11 @@ class SecondResponse(Drawn, SecondStates):
 
 
 @dataclass(frozen=True, eq=False)
-class SecondFolds(Drawn, SecondTable):
+class SecondFolds(Drawn, SecondTable, entry="SecondFold"):
     """Folds of the response curve in the second approximation, sorted by Omega: arrays of one length.
 
     Omega, A, A_1 -- as in `SecondStates`; kind and corner as in `SaddleNodes`
     """
-
-    entry: ClassVar[Any] = SecondFold
 
     Omega: Floats
     A: Floats

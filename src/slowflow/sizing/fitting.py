@@ -10,14 +10,14 @@ import contextlib
 import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, ClassVar, Unpack
+from typing import Any, Unpack
 
 import numpy as np
 import numpy.typing as npt
 from scipy.optimize import least_squares
 from scipy.special import stdtrit
 
-from slowflow.answers.answer import Table, entry, joined
+from slowflow.answers.answer import Table, joined
 from slowflow.answers.quantities import SHEET, SI, in_shown, si
 from slowflow.averaged.many import AMPLITUDES, SADDLE_NODES
 from slowflow.core import validate
@@ -31,7 +31,7 @@ from slowflow.random_vibration.record import accelerations
 from slowflow.sizing.subject import Measured, Subject, first_jump
 from slowflow.support.errors import NotSettled, Refused
 
-__all__ = ["Fit", "Fitted", "Numbers", "fit"]
+__all__ = ["Fit", "Numbers", "fit"]
 
 #: share of all fits whose interval holds the number, if the noise is normal and the equations are right
 CONFIDENCE = 0.95
@@ -78,14 +78,9 @@ ABSENT = "the fitted design has no such motion, or jump, at {} of the {} points"
 Residuals = Callable[[Floats], Floats]
 
 
-Fitted = entry("Fitted", "parameter unit value error low high", "A row of `Fit`.")
-
-
 @dataclass(frozen=True, eq=False)
-class Numbers(Table):
+class Numbers(Table, entry="Fitted"):
     """Common part of fits: numbers with their standard errors and intervals, one row each."""
-
-    entry: ClassVar[Any] = Fitted
 
     parameter: npt.NDArray[np.str_]
     unit: npt.NDArray[np.str_]

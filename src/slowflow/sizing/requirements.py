@@ -11,13 +11,13 @@ import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
-from typing import Any, ClassVar, Unpack
+from typing import Any, Unpack
 
 import numpy as np
 import scipy  # its `stats`, half a second, when it is used
 from scipy.optimize import differential_evolution, minimize
 
-from slowflow.answers.answer import Answer, Table, entry, frozen, head
+from slowflow.answers.answer import Answer, Table, frozen, head
 from slowflow.answers.quantities import SHEET, in_shown
 from slowflow.core import validate
 from slowflow.core.mechanism import Floats
@@ -26,7 +26,7 @@ from slowflow.sizing.subject import LoadCase, Subject
 from slowflow.support import progress
 from slowflow.support.errors import Refused
 
-__all__ = ["Compromise", "Front", "Met", "front", "meet"]
+__all__ = ["Front", "Met", "front", "meet"]
 
 #: what is missing of an answer that a design does not have: more than any two doubles differ, as the log of their ratio
 ABSENT = 2e3
@@ -85,11 +85,8 @@ class Met(Answer):
         return self.units
 
 
-Compromise = entry("Compromise", "one other", "A row of `Front`: the two answers.")
-
-
 @dataclass(frozen=True, eq=False)
-class Front(Table):
+class Front(Table, entry="Compromise"):
     """Pareto-optimal designs for two answers, in ascending order of `one`.
 
     one, other -- the two answers, for a mount in SI units, printed in N, mm, Hz
@@ -97,8 +94,6 @@ class Front(Table):
     numbers    -- the free parameters of each design, by name, as on the data sheet
     message    -- the requirement that cannot be met if there is no design; that there is no trade-off if there is one
     """
-
-    entry: ClassVar[Any] = Compromise
 
     one: Floats
     other: Floats

@@ -8,13 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, ClassVar, Unpack
+from typing import Any, Unpack
 
 import numpy as np
 import numpy.typing as npt
 import scipy  # its `stats`, half a second, when it is used
 
-from slowflow.answers.answer import Table, entry, frozen, optional
+from slowflow.answers.answer import Table, frozen, optional
 from slowflow.answers.quantities import in_shown, si
 from slowflow.core import validate
 from slowflow.core.mechanism import Floats
@@ -22,7 +22,7 @@ from slowflow.sizing.subject import Load, LoadCase, Subject
 from slowflow.support import progress
 from slowflow.support.errors import Refused
 
-__all__ = ["Index", "Sobol", "Tolerance", "Tolerances", "sobol", "tolerances"]
+__all__ = ["Sobol", "Tolerances", "sobol", "tolerances"]
 
 #: ends of a band: 95 of 100 samples lie within
 LOW, HIGH = 0.025, 0.975
@@ -34,11 +34,8 @@ FEW_AT_ONCE, FEW_SAMPLES, FEW_OF_INDICES = 5, 100, 32
 MISSING = "{} has no answer for {:.2g} of the samples, which its band excludes"
 
 
-Tolerance = entry("Tolerance", "answer unit nominal low median high share", "A row of `Tolerances`.")
-
-
 @dataclass(frozen=True, eq=False)
-class Tolerances(Table):
+class Tolerances(Table, entry="Tolerance"):
     """Bands of answers over a tolerance.
 
     answer, unit -- name and unit of the answer
@@ -48,8 +45,6 @@ class Tolerances(Table):
     samples      -- the answers of all samples, by name
     drawn        -- the parameters of all samples, by name
     """
-
-    entry: ClassVar[Any] = Tolerance
 
     answer: npt.NDArray[np.str_]
     unit: npt.NDArray[np.str_]
@@ -72,18 +67,13 @@ class Tolerances(Table):
         return replace(self, unit=shown, samples=samples, **bands)
 
 
-Index = entry("Index", "answer parameter first first_error total total_error", "A row of `Sobol`.")
-
-
 @dataclass(frozen=True, eq=False)
-class Sobol(Table):
+class Sobol(Table, entry="Index"):
     """Sobol' indices: the fraction of an answer's variance due to a parameter; NaN if some samples have no answer.
 
     first, total -- by itself, and including interactions with others
     first_error, total_error -- half width of their 95 % intervals
     """
-
-    entry: ClassVar[Any] = Index
 
     answer: npt.NDArray[np.str_]
     parameter: npt.NDArray[np.str_]
