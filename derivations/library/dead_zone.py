@@ -20,12 +20,12 @@ alpha_1, u_d = sp.symbols("alpha_1 u_d", real=True)
 
 MECHANISM = Mechanism(
     name="dead_zone",
-    title="mass with play between springs",
+    title="mass with a dead zone between springs",
     x=x,
     k_v=k_v,
     length=L,
     pieces=(Piece(-k_v * x, until=x - d), Piece(-k_v * d)),
-    design=(Parameter(delta, "play d on either side", "L", above=0),),
+    design=(Parameter(delta, "clearance d on either side", "L", above=0),),
     ratios={delta: d / L},
     dimensional={d: delta * L},
     order=1,

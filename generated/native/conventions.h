@@ -1,4 +1,4 @@
-/* What the solvers of averaged motions have in common, in C and in Python.
+/* Codes and constants of the solvers of averaged motions, in C and in Python.
 
    Written by `make derive`; never edit.
    Input: derivations/codegen/conventions.py */
@@ -6,37 +6,37 @@
 #ifndef CONVENTIONS_H
 #define CONVENTIONS_H
 
-/* How a solver fared. */
+/* Status of a result. */
 typedef enum {
-    SF_OK = 0, /* an answer */
+    SF_OK = 0, /* a result */
     SF_INVALID = 1, /* a parameter outside its domain */
     SF_STICKS = 2, /* sticks: F_0 <= 4 mu/pi */
-    SF_NONE = 3, /* there is none (no fold, no breakpoint) */
-    SF_UNBOUNDED = 4, /* no viscous damping: no end of the response, no lowest forcing */
+    SF_NONE = 3, /* no such result, as no fold or no breakpoint */
+    SF_UNBOUNDED = 4, /* no viscous damping: the response is unbounded, there is no lowest forcing */
     SF_NO_BOUND = 5, /* no amplitude was found that bounds the response */
-    SF_TOO_MANY = 6, /* more of them than places */
+    SF_TOO_MANY = 6, /* more results than places */
     SF_UNRESOLVED = 7, /* branches coincide within rounding */
     SF_NO_MEMORY = 8 /* out of memory */
 } sf_status;
 
-/* What the lowest forcing with a fold is. */
+/* Kind of the lowest forcing with a fold. */
 typedef enum {
-    SF_NO_KIND = 0, /* there is none */
-    SF_CUSP_KIND = 1, /* two folds meet: the response gets a vertical inflection */
+    SF_NO_KIND = 0, /* none */
+    SF_CUSP_KIND = 1, /* two folds merge: the response has a vertical inflection */
     SF_ISOLA_KIND = 2, /* an isolated curve is born */
     SF_CORNER_KIND = 3 /* at a breakpoint */
 } sf_onset_kind;
 
-/* Where a sweep goes that leaves a fold. */
+/* Direction of the jump at a fold. */
 typedef enum {
-    SF_EMPTY = 0, /* an empty place */
+    SF_EMPTY = 0, /* an unused slot */
     SF_JUMP_UP = 1, /* to a larger amplitude */
     SF_JUMP_DOWN = 2, /* to a smaller one */
     SF_JUMP_UP_AT_CORNER = 3, /* to a larger amplitude, from a corner at a breakpoint */
     SF_JUMP_DOWN_AT_CORNER = 4 /* to a smaller one, from a corner at a breakpoint */
 } sf_fold_kind;
 
-/* The kind of an answer whose gradient is computed. */
+/* Kind of a result whose gradient is computed. */
 typedef enum {
     SF_STATE_PINNED = 0, /* a steady state; with Omega = 0 a peak at rest */
     SF_FOLD_PINNED = 1, /* a fold at a forcing */
@@ -50,13 +50,13 @@ typedef enum {
     SF_CORNER_REST_PINNED = 9 /* at Omega = 0 on a breakpoint */
 } sf_pinned;
 
-/* Whether an answer has a gradient. */
+/* Whether a result has a gradient. */
 typedef enum {
-    SF_OK_MOVES = 0, /* it has */
-    SF_NOTHING_MOVES = 1, /* there is no answer */
-    SF_MEETS_MOVES = 2, /* it meets another one there: beyond it there is none, and before it changes without bound */
-    SF_TURNS_MOVES = 3, /* it comes to a breakpoint there: on either side it has another gradient */
-    SF_BOUNDLESS_MOVES = 4 /* a slope is not finite, or a forcing 0, as at the end of a parameter's domain */
+    SF_OK_MOVES = 0, /* a gradient */
+    SF_NOTHING_MOVES = 1, /* no result to differentiate */
+    SF_MEETS_MOVES = 2, /* the result merges with another one, beyond which there is none; slopes are unbounded */
+    SF_TURNS_MOVES = 3, /* the result reaches a breakpoint, with different gradients on either side */
+    SF_BOUNDLESS_MOVES = 4 /* a slope is infinite, or a forcing is 0, as at the end of a parameter's domain */
 } sf_moves_status;
 
 /* highest frequency: for F_0 >= 1e-70 the square of A is in the range of doubles up to it */

@@ -1,4 +1,4 @@
-"""What the solvers of averaged motions have in common, in C and in Python.
+"""Codes and constants of the solvers of averaged motions, in C and in Python.
 
 Written by `make derive`; never edit.
 Input: derivations/codegen/conventions.py
@@ -8,15 +8,15 @@ from enum import IntEnum
 
 
 class Status(IntEnum):
-    """How a solver fared.
+    """Status of a result.
 
-    0  OK                   an answer
+    0  OK                   a result
     1  INVALID              a parameter outside its domain
     2  STICKS               sticks: F_0 <= 4 mu/pi
-    3  NONE                 there is none (no fold, no breakpoint)
-    4  UNBOUNDED            no viscous damping: no end of the response, no lowest forcing
+    3  NONE                 no such result, as no fold or no breakpoint
+    4  UNBOUNDED            no viscous damping: the response is unbounded, there is no lowest forcing
     5  NO_BOUND             no amplitude was found that bounds the response
-    6  TOO_MANY             more of them than places
+    6  TOO_MANY             more results than places
     7  UNRESOLVED           branches coincide within rounding
     8  NO_MEMORY            out of memory
     """
@@ -33,10 +33,10 @@ class Status(IntEnum):
 
 
 class OnsetKind(IntEnum):
-    """What the lowest forcing with a fold is.
+    """Kind of the lowest forcing with a fold.
 
-    0  NO                   there is none
-    1  CUSP                 two folds meet: the response gets a vertical inflection
+    0  NO                   none
+    1  CUSP                 two folds merge: the response has a vertical inflection
     2  ISOLA                an isolated curve is born
     3  CORNER               at a breakpoint
     """
@@ -48,9 +48,9 @@ class OnsetKind(IntEnum):
 
 
 class FoldKind(IntEnum):
-    """Where a sweep goes that leaves a fold.
+    """Direction of the jump at a fold.
 
-    0  EMPTY                an empty place
+    0  EMPTY                an unused slot
     1  JUMP_UP              to a larger amplitude
     2  JUMP_DOWN            to a smaller one
     3  JUMP_UP_AT_CORNER    to a larger amplitude, from a corner at a breakpoint
@@ -64,8 +64,8 @@ class FoldKind(IntEnum):
     JUMP_DOWN_AT_CORNER = 4
 
 
-class Pinned(IntEnum):
-    """The kind of an answer whose gradient is computed.
+class PointType(IntEnum):
+    """Kind of a result whose gradient is computed.
 
     0  STATE                a steady state; with Omega = 0 a peak at rest
     1  FOLD                 a fold at a forcing
@@ -91,14 +91,14 @@ class Pinned(IntEnum):
     CORNER_REST = 9
 
 
-class MovesStatus(IntEnum):
-    """Whether an answer has a gradient.
+class GradientStatus(IntEnum):
+    """Whether a result has a gradient.
 
-    0  OK                   it has
-    1  NOTHING              there is no answer
-    2  MEETS                it meets another one there: beyond it there is none, and before it changes without bound
-    3  TURNS                it comes to a breakpoint there: on either side it has another gradient
-    4  BOUNDLESS            a slope is not finite, or a forcing 0, as at the end of a parameter's domain
+    0  OK                   a gradient
+    1  NOTHING              no result to differentiate
+    2  MEETS                the result merges with another one, beyond which there is none; slopes are unbounded
+    3  TURNS                the result reaches a breakpoint, with different gradients on either side
+    4  BOUNDLESS            a slope is infinite, or a forcing is 0, as at the end of a parameter's domain
     """
 
     OK = 0

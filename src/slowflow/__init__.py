@@ -1,7 +1,7 @@
 """slowflow: response curves, folds and critical forcings of vibration isolators, from derived and generated equations.
 
-In:  an oscillator's parameters. Out: `Isolator`, `Duffing`, `Oscillator` of any derived mechanism, and their answers:
-     the classes of `slowflow.answers.results`, in units `Quantities`.
+`Isolator` and `Duffing`, or an `Oscillator` of any derived mechanism, answer questions by their methods. Results are
+classes of `slowflow.answers.results`; those in SI units are `Quantities`.
 """
 
 import importlib

@@ -18,7 +18,7 @@ import sympy as sp
 
 from slowflow import Duffing, Isolator, derive
 from slowflow.answers.results import Remark
-from slowflow_kernels.conventions import MovesStatus
+from slowflow_kernels.conventions import GradientStatus
 from tests.files import stored
 from tests.oracles.errors import U, error
 
@@ -255,7 +255,7 @@ def check_folds(one: Any, case: Case, family: Family, is_singular: bool) -> None
         assert (fold.corner and not family.A_on_corner) or error(fold.A, sure, "A") < of_A
         assert has_mean(fold, sure, family)
     if is_singular:
-        assert set(found.gradient().status) == {MovesStatus.MEETS}
+        assert set(found.gradient().status) == {GradientStatus.MEETS}
     elif family.gradients:
         gradient = found.gradient()
         for name in gradient.of:

@@ -17,7 +17,7 @@ from slowflow.answers.results import Remark
 from slowflow.exact.motion import Forced, advance
 from slowflow.sizing import tolerances
 from slowflow_kernels import duffing
-from slowflow_kernels.conventions import MovesStatus, Status
+from slowflow_kernels.conventions import GradientStatus, Status
 from tests.oracles.by_time import largest
 from tests.sampling import slow
 from tests.slopes import assert_slopes_are_differences
@@ -450,10 +450,10 @@ def test_a_law_that_is_not_there_has_a_slope_too():
         assert gradient["A", by] == pytest.approx(ahead / 1e-7, rel=1e-5)
     found, u_cr = LOOSE.amplitudes(Omega=1.02, F_0=0.0502), np.array(LOOSE.breakpoints)
     on_it = dataclasses.replace(found, Omega=found.Omega[:1], A=u_cr, stable=found.stable[:1])
-    assert on_it.gradient().status.tolist() == [MovesStatus.TURNS]
+    assert on_it.gradient().status.tolist() == [GradientStatus.TURNS]
     without = LOOSE.replace(rubs="throughout", c_2=0.1).amplitudes(Omega=1.02, F_0=0.0502)
     passes = dataclasses.replace(without, Omega=without.Omega[:1], A=u_cr, stable=without.stable[:1])
-    assert passes.gradient().status.tolist() == [MovesStatus.OK]
+    assert passes.gradient().status.tolist() == [GradientStatus.OK]
 
 
 @pytest.mark.slow

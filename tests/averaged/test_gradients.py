@@ -10,7 +10,7 @@ from mpmath import mp
 
 from slowflow import Duffing, Isolator, example
 from slowflow.core.backend import SOLVER
-from slowflow_kernels.conventions import MovesStatus, Pinned
+from slowflow_kernels.conventions import GradientStatus, PointType
 from tests.averaged.test_certified_cases import CENTRED, of_record
 from tests.oracles.answers import Nearby
 from tests.oracles.definitions import points as drawn
@@ -62,10 +62,10 @@ def perturbed(mechanism, kind, at, numbers):
 @pytest.mark.parametrize("kind", sensitivities.ANSWERS)
 def test_one_rule_solves_the_conditions_of_every_answer(kind, force):
     """At random points, which are no answers: the residuals of the conditions are subtracted."""
-    names, pinned = f"{sensitivities.AT} {sensitivities.CAUSES}", Pinned[kind.upper()]
+    names, point_type = f"{sensitivities.AT} {sensitivities.CAUSES}", PointType[kind.upper()]
     at = drawn.points(random.Random(kind + force), names, fewer(6, 6))
     Omega, A, F_0, *x = np.array(at).T
-    known = A, Omega, F_0, float(pinned), float(force == "inertia"), *x[10:14], *x[:10], *x[14:]
+    known = A, Omega, F_0, float(point_type), float(force == "inertia"), *x[10:14], *x[:10], *x[14:]
     solved = SOLVER.moved(np.stack(np.broadcast_arrays(*known), axis=-1))
     assert solved[:, 5].all()
     for k, point in enumerate(at):
@@ -181,7 +181,7 @@ def test_where_isolation_begins_moves_as_a_root_at_forty_digits(excitation, laws
                 assert gradient[of, by] == pytest.approx(float(slope), rel=1e-11), (of, by)
     many = Duffing.many(**{**parameters, "zeta": [-1.0, parameters["zeta"]]}, excitation=excitation).isolation(F_0)
     together = many.gradient()
-    assert together.by == gradient.by and together.status.tolist() == [MovesStatus.NOTHING, MovesStatus.OK]
+    assert together.by == gradient.by and together.status.tolist() == [GradientStatus.NOTHING, GradientStatus.OK]
     np.testing.assert_allclose(together.slopes[1], gradient.slopes, rtol=1e-9)
 
 
@@ -263,18 +263,18 @@ def test_what_meets_another_answer_has_no_gradient_and_says_so():
     onset, curve = iso.saddle_node_onset(), iso.frequency_response(F_0)
     folds = iso.saddle_nodes(onset.F_SN * (1 + 4e-16)).gradient()
     assert len(folds.status) == 2
-    assert np.all(folds.status == MovesStatus.MEETS)
+    assert np.all(folds.status == GradientStatus.MEETS)
     assert np.isnan(folds.slopes).all()
     assert "merges with another answer" in folds.message
     gradient = curve.gradient()
     at_folds = np.isin(curve.A, iso.saddle_nodes(F_0).A)
     assert at_folds.sum() == 2
-    assert np.all(gradient.status[at_folds] == MovesStatus.MEETS)
+    assert np.all(gradient.status[at_folds] == GradientStatus.MEETS)
 
 
 def test_answer_at_a_breakpoint_turns_where_the_force_jumps():
     """Only then: h_A of the untruncated force goes on."""
-    for force, status in (("truncated", MovesStatus.TURNS), ("untruncated", MovesStatus.OK)):
+    for force, status in (("truncated", GradientStatus.TURNS), ("untruncated", GradientStatus.OK)):
         iso = Isolator(lam=3, r=2, delta_h=0.1, mu=0.012, zeta=0.02, force=force)
         curve = iso.frequency_response(F_0)
         on_break = curve.A == iso.u_cr if force == "truncated" else curve.A == iso.breakpoints[0]
@@ -284,7 +284,7 @@ def test_answer_at_a_breakpoint_turns_where_the_force_jumps():
 
 def test_no_answer_has_no_gradient_and_says_so():
     gradient = Isolator(lam=3, r=2, delta_h=0.1, mu=0.012, zeta=0.02).peak(0.001).gradient()
-    assert gradient.status == MovesStatus.NOTHING
+    assert gradient.status == GradientStatus.NOTHING
     assert "no answer" in gradient.message
     assert np.isnan(gradient["A", "zeta"])
 
@@ -292,7 +292,7 @@ def test_no_answer_has_no_gradient_and_says_so():
 def test_infinite_slope_at_the_end_of_a_domain_is_said():
     """u_cr grows like the root of the preload."""
     gradient = Isolator.many(lam=3, r=[2.0], delta_h=0.0, mu=0.012, zeta=0.02).peak(F_0).gradient()
-    assert gradient.status == [MovesStatus.BOUNDLESS]
+    assert gradient.status == [GradientStatus.BOUNDLESS]
 
 
 def test_composed_answers_have_no_gradient_and_say_of_what():
@@ -307,7 +307,7 @@ def test_composed_answers_have_no_gradient_and_say_of_what():
 def test_a_forcing_of_zero_has_no_gradient_and_says_so():
     """Without friction and damping the backbone needs none; with either it does."""
     gradient = Isolator(lam=3, r=2, delta_h=0.1).detachment().gradient()
-    assert gradient.status == MovesStatus.BOUNDLESS
+    assert gradient.status == GradientStatus.BOUNDLESS
     assert "a forcing is 0" in gradient.message
 
 
@@ -315,7 +315,7 @@ def test_fold_next_to_a_breakpoint_keeps_no_spoilt_gradient():
     """Of two folds so near to each other that A - u_cr has two digits."""
     numbers = {"lam": 3.0, "r": 3.005406622627307, "delta_h": 0.0017304662034615412, "mu": 0.001032537769234336}
     corner, smooth = Isolator(**numbers).saddle_nodes(0.04869972786923327).gradient().status
-    assert (corner, smooth) == (MovesStatus.OK, MovesStatus.TURNS)
+    assert (corner, smooth) == (GradientStatus.OK, GradientStatus.TURNS)
 
 
 def test_other_approximations_have_no_gradient_of_averaging():

@@ -14,7 +14,7 @@ import sympy as sp
 
 from slowflow import Duffing, Isolator, derive
 from slowflow.support.errors import Refused, SlowflowError
-from slowflow_kernels.conventions import FoldKind, MovesStatus, OnsetKind, Status
+from slowflow_kernels.conventions import FoldKind, GradientStatus, OnsetKind, Status
 from tests.batch_questions import ALL, OFF_CENTRE, ROWS, ask, columns
 from tests.sampling import fewer
 
@@ -306,7 +306,7 @@ def test_many_have_the_gradient_of_each_alone(kind, question):
     assert gradient.slopes.shape == (*getattr(found, gradient.of[0]).shape, len(gradient.of), len(gradient.by))
     for k, single in enumerate(asked_alone(make, designs, same, F_0, question)):
         if isinstance(single, Exception) or np.isin(found.status[k], (Status.INVALID, Status.UNRESOLVED)).all():
-            assert (gradient.status[k] == MovesStatus.NOTHING).all() and np.isnan(gradient.slopes[k]).all()
+            assert (gradient.status[k] == GradientStatus.NOTHING).all() and np.isnan(gradient.slopes[k]).all()
             continue
         if "load" in designs and (single.load is None or np.all(found.status[k] == Status.STICKS)):
             continue  # about the centre nothing is moved by it, nor is a mass that friction holds
@@ -324,7 +324,7 @@ def test_many_have_the_gradient_of_each_alone(kind, question):
                 here = of_many[k, :size] if size is not None else of_many[k]
                 size_of = close * np.max(np.abs(np.nan_to_num(of_one)), initial=0.0) if near else 0.0
                 np.testing.assert_allclose(here, of_one, rtol=close, atol=size_of, err_msg=f"{question} {k}: {name}")
-        assert size is None or (gradient.status[k, size:] == MovesStatus.NOTHING).all()
+        assert size is None or (gradient.status[k, size:] == GradientStatus.NOTHING).all()
 
 
 @pytest.mark.slow

@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from slowflow.answers.answer import Answer
 from slowflow.core.mechanism import Floats
-from slowflow_kernels.conventions import MovesStatus
+from slowflow_kernels.conventions import GradientStatus
 
 NO_GRADIENT = (
     "this answer has no gradient, as it combines others: those of saddle_node_onset, detachment, saddle_nodes, peak, "
@@ -19,11 +19,11 @@ NO_GRADIENT = (
 )
 #: why an answer has no gradient
 WITHOUT_GRADIENT = {
-    MovesStatus.NOTHING: "there is no answer to differentiate",
-    MovesStatus.MEETS: "it merges with another answer there, as at a fold, a cusp or an isola point: beyond "
+    GradientStatus.NOTHING: "there is no answer to differentiate",
+    GradientStatus.MEETS: "it merges with another answer there, as at a fold, a cusp or an isola point: beyond "
     "it there is none, and close to it the derivative is unbounded",
-    MovesStatus.TURNS: "it reaches a breakpoint of the force there, with a different gradient on either side",
-    MovesStatus.BOUNDLESS: "a parameter is at the end of its domain: a derivative is unbounded, or a forcing is 0, "
+    GradientStatus.TURNS: "it reaches a breakpoint of the force there, with a different gradient on either side",
+    GradientStatus.BOUNDLESS: "a parameter is at the end of its domain: a derivative is unbounded, or a forcing is 0, "
     "or numbers are beyond the range of doubles",
 }
 
@@ -45,7 +45,7 @@ class Gradient(Answer):
     of      -- the numbers, such as "Omega", "A", "F_SN"
     by      -- the parameters: those of the design, mu, zeta, and the arguments of the question, F_0 and Omega
     slopes  -- shape (..., numbers, parameters), after the shape of the answer; NaN where there is no gradient
-    status  -- code of `slowflow_kernels.conventions.MovesStatus`, 0 if there is a gradient
+    status  -- code of `slowflow_kernels.conventions.GradientStatus`, 0 if there is a gradient
     message -- why some have none; empty if all have one
 
     `gradient["A", "delta_h"]` is one derivative for each entry of the answer, `gradient["A"]` has those with respect to
@@ -97,11 +97,11 @@ class Gradient(Answer):
     @property
     def message(self) -> str:
         """Why some answers have no gradient; empty if all have one."""
-        codes, counts = np.unique(self.status[self.status != MovesStatus.OK], return_counts=True)
+        codes, counts = np.unique(self.status[self.status != GradientStatus.OK], return_counts=True)
         texts = []
         for code, count in zip(codes, counts, strict=True):
             of_all = f"{count} of {self.status.size}: " if self.status.ndim else ""
-            texts.append(of_all + WITHOUT_GRADIENT[MovesStatus(code)])
+            texts.append(of_all + WITHOUT_GRADIENT[GradientStatus(code)])
         return f"no gradient: {'; '.join(texts)}" if texts else ""
 
     def condition(self, of: str) -> Any:

@@ -18,7 +18,7 @@ from slowflow.answers.gradient import Gradient
 from slowflow.core import backend, validate
 from slowflow.core.mechanism import Floats, Mechanism
 from slowflow.core.model import THROUGHOUT
-from slowflow_kernels.conventions import MEETING, MovesStatus, OnsetKind, Pinned
+from slowflow_kernels.conventions import MEETING, GradientStatus, OnsetKind, PointType
 from slowflow_kernels.domains import DAMPING, DISSIPATION
 
 Codes = npt.NDArray[np.int8]
@@ -54,7 +54,7 @@ def gradient(
     """The gradient of answers.
 
     design    -- whose they are; all arrays here broadcast
-    kind      -- what the answers are, numbers of `Pinned`; CORNER_END for any onset on a breakpoint
+    kind      -- what the answers are, numbers of `PointType`; CORNER_END for any onset on a breakpoint
     point     -- A, Omega and forcing of each, None or NaN where there is none
     of        -- the rows of the numbers, by name: 0 for A, 1 Omega, 2 forcing; evenly spaced
     arguments -- of the query: "F_0" and "Omega", or less
@@ -118,14 +118,14 @@ def of_states(design: Design, Omega: Any, A: Any, F_0: Any, phi: Any, transmissi
     slopes, status = _of_places(design, (A, Omega, F_0), len(values), len(by))
     if (sticks := np.broadcast_to(np.asarray(A) == 0, status.shape)).any():  # friction holds it there as well nearby
         slopes, status = np.array(slopes), np.array(status)
-        slopes[sticks], status[sticks] = 0.0, MovesStatus.OK
+        slopes[sticks], status[sticks] = 0.0, GradientStatus.OK
     return Gradient(("A", "phi", "transmissibility"), by, slopes, status, values, at)
 
 
 def _of_places(design: Design, at: tuple[Any, Any, Any], rows: int, columns: int) -> tuple[Floats, Codes]:
     """The first rows of `_slopes` of states, computed where there is one: a batch's places are mostly empty."""
     there = np.isfinite(at[0])
-    state = float(Pinned.STATE)
+    state = float(PointType.STATE)
     if there.all():
         slopes, status = _slopes(design, state, at, OF_STATES, columns)
         return slopes[..., :rows, :], status
@@ -133,7 +133,10 @@ def _of_places(design: Design, at: tuple[Any, Any, Any], rows: int, columns: int
     there, *numbers = arrays[: len(arrays) - len(at)]
     chosen = design._replace(numbers=tuple(number[there] for number in numbers))
     A, Omega, F_0 = (one[there] for one in arrays[-len(at) :])
-    slopes, status = np.full((*there.shape, rows, columns), np.nan), np.full(there.shape, MovesStatus.NOTHING, np.int8)
+    slopes, status = (
+        np.full((*there.shape, rows, columns), np.nan),
+        np.full(there.shape, GradientStatus.NOTHING, np.int8),
+    )
     found, status[there] = _slopes(chosen, state, (A, Omega, F_0), OF_STATES, columns)
     slopes[there] = found[..., :rows, :]
     return slopes, status
@@ -149,20 +152,20 @@ NUMBERS: Mapping[str, Mapping[str, int]] = {
 }
 #: what they are: of an onset by the number of its kind, of the first of which there is none; of others the second is
 #: that of a fold on a corner, and of a peak and a detachment at rest, which stay there
-_KINDS: Mapping[str, tuple[Pinned, ...]] = {
-    "amplitudes": (Pinned.STATE,),
-    "saddle_nodes": (Pinned.FOLD, Pinned.CORNER_FOLD),
-    "peak": (Pinned.PEAK, Pinned.STATE),
-    "detachment": (Pinned.CORNER_TOP, Pinned.CORNER_REST),
-    "saddle_node_onset": (Pinned.CUSP, Pinned.CUSP, Pinned.ISOLA, Pinned.CORNER_END),
-    "isolation": (Pinned.FOLD,),
-    "cusps": (Pinned.CUSP,),
-    "isola_points": (Pinned.ISOLA,),
+_KINDS: Mapping[str, tuple[PointType, ...]] = {
+    "amplitudes": (PointType.STATE,),
+    "saddle_nodes": (PointType.FOLD, PointType.CORNER_FOLD),
+    "peak": (PointType.PEAK, PointType.STATE),
+    "detachment": (PointType.CORNER_TOP, PointType.CORNER_REST),
+    "saddle_node_onset": (PointType.CUSP, PointType.CUSP, PointType.ISOLA, PointType.CORNER_END),
+    "isolation": (PointType.FOLD,),
+    "cusps": (PointType.CUSP,),
+    "isola_points": (PointType.ISOLA,),
 }
 
 
-def pinned(question: str, Omega: Any, what: Any) -> Any:
-    """What points are, numbers of `Pinned`, from whether folds are on a corner, or an onset's kind, or its number."""
+def point_type(question: str, Omega: Any, what: Any) -> Any:
+    """The `PointType` of results: `what` is whether folds are on a corner, the kind of an onset, or its number."""
     kinds = np.array(_KINDS[question], dtype=float)
     if isinstance(what, str):
         what = OnsetKind[what.upper() or "NO"]
@@ -170,8 +173,8 @@ def pinned(question: str, Omega: Any, what: Any) -> Any:
 
 
 def of_points(design: Design, question: str, Omega: Any, A: Any, F_0: Any, what: Any = None) -> Gradient:
-    """Of what a question is answered with, as `pinned` has it."""
-    kind, by = pinned(question, Omega, what), ("F_0",) if question in ("saddle_nodes", "peak") else ()
+    """The gradient of the results of a question; `what` as in `point_type`."""
+    kind, by = point_type(question, Omega, what), ("F_0",) if question in ("saddle_nodes", "peak") else ()
     return gradient(design, kind, (A, Omega, F_0), NUMBERS[question], by)
 
 
@@ -182,7 +185,7 @@ def of_isolation(design: Design, Omega: Any, A: Any, F_0: Any, at_fold: Any, rat
     folds = of_points(design, "saddle_nodes", Omega, np.where(on_fold, A, np.nan), F_0, np.zeros(shape, bool))
     by = (*folds.by, "Omega")
     slopes, status = _slopes(
-        design, float(Pinned.STATE), (np.where(on_fold, np.nan, A), Omega, F_0), OF_STATES, len(by)
+        design, float(PointType.STATE), (np.where(on_fold, np.nan, A), Omega, F_0), OF_STATES, len(by)
     )
     kept, status = along_frequency(slopes[..., 0:3:2, :], status, Omega, A, ratio)
     slopes = np.where(on_fold[..., np.newaxis, np.newaxis], folds.slopes, kept)
@@ -195,7 +198,7 @@ def _known(value: Any) -> Any:
 
 
 def along_frequency(slopes: Floats, status: Any, Omega: Floats, A: Floats, ratio: Any) -> tuple[Floats, Any]:
-    """How states move that keep what they transmit, as their frequency moves; `MovesStatus.MEETS` where none does.
+    """How states move that keep what they transmit, as their frequency moves; `GradientStatus.MEETS` where none does.
 
     slopes -- of A first, of what is transmitted last, by all numbers, Omega the last: (..., rows, columns)
     ratio  -- what is transmitted
@@ -209,6 +212,6 @@ def along_frequency(slopes: Floats, status: Any, Omega: Floats, A: Floats, ratio
         meets = vanishes(by_Omega[..., -1], size, MEETING)
         Omega_p = -fixed[..., -1:, :] / by_Omega[..., -1:, np.newaxis]
         found = np.concatenate((Omega_p, fixed[..., :-1, :] + by_Omega[..., :-1, np.newaxis] * Omega_p), axis=-2)
-    status = np.where(meets & (status == MovesStatus.OK), np.int8(MovesStatus.MEETS), status)
-    found[status != MovesStatus.OK] = np.nan
+    status = np.where(meets & (status == GradientStatus.OK), np.int8(GradientStatus.MEETS), status)
+    found[status != GradientStatus.OK] = np.nan
     return found, status

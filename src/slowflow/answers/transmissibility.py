@@ -1,7 +1,6 @@
 """Transmissibility of the whole waveform: first harmonic, peak and RMS of force, relative or absolute displacement.
 
-In:  waves of exact motions and of the second approximation.
-Out: `Transmitted`, in ratio and in decibels; `OF`.
+`transmitted` of exact motions and of the second approximation returns `Transmitted`.
 """
 
 from __future__ import annotations

@@ -12,7 +12,7 @@ from typing import Any, NoReturn
 from slowflow.answers.answer import Table
 from slowflow.answers.gradient import Gradient
 from slowflow.answers.results import NOT_MEASURED, Remark
-from slowflow.answers.sensitivities import pinned
+from slowflow.answers.sensitivities import point_type
 from slowflow.answers.table import QUESTIONS
 from slowflow.averaged.isolating import Level
 from slowflow.core import validate
@@ -103,5 +103,5 @@ def gradient(found: Any) -> Gradient:
     if question == "detachment":  # of the piece alone to whose end it comes
         design = design.first()
     of = {name: one for one, name in called.items()}
-    kinds = pinned(question, point[2], getattr(found, "corner", getattr(found, "kind", None)))
+    kinds = point_type(question, point[2], getattr(found, "corner", getattr(found, "kind", None)))
     return sensitivities.gradient(design, kinds, point, of, QUESTIONS[question].takes)

@@ -30,7 +30,7 @@ from slowflow.off_centre.answers import NUMBERS
 from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import NO_MEANS, NOT_SMOOTH
 from slowflow.off_centre.questions import OffCentre
-from slowflow_kernels.conventions import MovesStatus, Status
+from slowflow_kernels.conventions import GradientStatus, Status
 from slowflow_kernels.domains import DAMPING
 
 NO_GRADIENT = (
@@ -67,13 +67,13 @@ class OffCentreBatch(Batch):
         columns = tuple(getattr(self, name) for name in names)
         several = columns[0].ndim > self.status.ndim
         slopes = np.full((*columns[0].shape, len(names), len(by)), np.nan)
-        status = np.full(columns[0].shape, MovesStatus.NOTHING, np.int8)
+        status = np.full(columns[0].shape, GradientStatus.NOTHING, np.int8)
         answered = np.isin(self.status, (Status.OK, Status.TOO_MANY))
         for place, own_numbers, at in self._designs._each(answered, *arguments.values()):
             single = self._designs._single(tuple(own_numbers))
             answer = getattr(single, self.question.name)(**dict(zip(arguments, at, strict=True)))
             if getattr(answer, "_turns", False):  # the peak is on the balance of another mean, too
-                status[place] = MovesStatus.MEETS
+                status[place] = GradientStatus.MEETS
                 continue
             found = answer.gradient()
             own = (*place, slice(0, len(found.status))) if several else place

@@ -22,10 +22,10 @@ from slowflow.off_centre.curved import Curved
 from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import ORDERS, Steps
 from slowflow_kernels import dissipation, off_centre, slow_flow
-from slowflow_kernels.conventions import MEETING, SAME, MovesStatus, Pinned
+from slowflow_kernels.conventions import MEETING, SAME, GradientStatus, PointType
 
 #: answers on a corner that a jump of the force makes, which move in their own ways on either side of it
-ON_A_JUMP = (Pinned.CORNER_FOLD, Pinned.CORNER_END)
+ON_A_JUMP = (PointType.CORNER_FOLD, PointType.CORNER_END)
 
 NO_DESIGN = "no gradient: the record of this force does not have its derivatives with respect to the design"
 
@@ -116,29 +116,31 @@ def gradient(
 ) -> Gradient:
     """The gradient of answers at A, B, Omega and a forcing.
 
-    kinds -- what they are, of `Pinned`; of those on a breakpoint CORNER_TOP and CORNER_REST have one, where the motion
-             comes to the end of the first piece, whose design that is then
-    of    -- which numbers, by name: "A", "B", "Omega", "F_0", "u_max", and of states "phi" and "transmissibility"
+    kinds -- their `PointType`; of points on a breakpoint only CORNER_TOP and CORNER_REST have a gradient, where the
+             motion reaches the end of the first piece
+    of    -- numbers by name: "A", "B", "Omega", "F_0", "u_max", and of states "phi" and "transmissibility"
     arguments -- of the query: "F_0" and "Omega", or less
     """
     shape = np.shape(point[0])
     A, B, Omega, F_0 = (np.atleast_1d(np.broadcast_to(np.asarray(one, dtype=float), shape)).ravel() for one in point)
     kinds = np.broadcast_to(np.asarray(kinds), A.shape)
     names = (*design.names, *arguments)
-    slopes, status = np.full((A.size, len(of), len(names)), np.nan), np.full(A.size, MovesStatus.OK, np.int8)
+    slopes, status = np.full((A.size, len(of), len(names)), np.nan), np.full(A.size, GradientStatus.OK, np.int8)
     values = np.full((len(of), A.size), np.nan)
     with np.errstate(all="ignore"):
         for kind in np.unique(kinds):
             here = kinds == kind
             if kind in ON_A_JUMP:
-                status[here] = MovesStatus.TURNS
+                status[here] = GradientStatus.TURNS
                 continue
-            found, at, status[here] = _of_kind(design, Pinned(int(kind)), names, *(x[here] for x in (A, B, Omega, F_0)))
+            found, at, status[here] = _of_kind(
+                design, PointType(int(kind)), names, *(x[here] for x in (A, B, Omega, F_0))
+            )
             for row, name in enumerate(of.values()):
                 slopes[here, row], values[row, here] = found[name].T, at[name]
-    status[~np.isfinite(slopes).all(axis=(1, 2)) & (status == MovesStatus.OK)] = MovesStatus.BOUNDLESS
-    status[~(np.isfinite(A) & np.isfinite(F_0))] = MovesStatus.NOTHING
-    slopes[status != MovesStatus.OK] = np.nan
+    status[~np.isfinite(slopes).all(axis=(1, 2)) & (status == GradientStatus.OK)] = GradientStatus.BOUNDLESS
+    status[~(np.isfinite(A) & np.isfinite(F_0))] = GradientStatus.NOTHING
+    slopes[status != GradientStatus.OK] = np.nan
     model, known = design.model, {"F_0": point[3], "Omega": point[2]}
     numbers = (*model.design, *design.damping.values(), design.steps.load, *(known[name] for name in arguments))
     whole = slopes.reshape(*shape, len(of), len(names)), status.reshape(shape)
@@ -148,7 +150,7 @@ def gradient(
 def of_isolation(design: Design, point: tuple[Any, Any, Any, Any], ratio: Any) -> Gradient:
     """The gradient of the state at A, B, Omega and a forcing of this transmissibility."""
     of = {name: name for name in ("A", "B", "transmissibility")}
-    state = gradient(design, Pinned.STATE, point, of, ("F_0", "Omega"))
+    state = gradient(design, PointType.STATE, point, of, ("F_0", "Omega"))
     A, B, Omega = (np.asarray(one, dtype=float) for one in point[:3])
     slopes, status = sensitivities.along_frequency(state.slopes, state.status, Omega, A, ratio)
     return Gradient(("Omega", "A", "B"), state.by[:-1], slopes, status, (Omega, A, B), state._at[:-1])
@@ -166,16 +168,16 @@ def of_rest(design: Design, u: Floats) -> Gradient:
     slopes = np.stack((u_p, slope_p + curvature * u_p), axis=-1).transpose(1, 2, 0)
     ends = steps.positions[1:] * steps.sides[1:]
     comes = np.abs(u[:, np.newaxis] - ends) <= SAME * np.abs(ends)
-    status = np.where(np.abs(slope) > MEETING * size, MovesStatus.OK, MovesStatus.MEETS)
-    status = np.where(comes.any(axis=1), MovesStatus.TURNS, status)
-    status[~np.isfinite(slopes).all(axis=(1, 2)) & (status == MovesStatus.OK)] = MovesStatus.BOUNDLESS
-    slopes[status != MovesStatus.OK] = np.nan
+    status = np.where(np.abs(slope) > MEETING * size, GradientStatus.OK, GradientStatus.MEETS)
+    status = np.where(comes.any(axis=1), GradientStatus.TURNS, status)
+    status[~np.isfinite(slopes).all(axis=(1, 2)) & (status == GradientStatus.OK)] = GradientStatus.BOUNDLESS
+    slopes[status != GradientStatus.OK] = np.nan
     numbers = (*design.model.design, *design.damping.values(), steps.load)
     return Gradient(("u", "stiffness"), names, slopes, status.astype(np.int8), (u, slope), numbers)
 
 
 def _of_kind(
-    design: Design, kind: Pinned, names: tuple[str, ...], A: Floats, B: Floats, Omega: Floats, F_0: Floats
+    design: Design, kind: PointType, names: tuple[str, ...], A: Floats, B: Floats, Omega: Floats, F_0: Floats
 ) -> tuple[Mapping[str, Floats], Mapping[str, Floats], Any]:
     """The sensitivities of the answers to each parameter, (names, n) each; the answers; their status."""
     model, steps, flow = design.model, design.steps, Flow.of(design.model)
@@ -186,7 +188,7 @@ def _of_kind(
     (c_p, s_p), ends = design.sensitivities(A, B, len(names)), np.zeros((len(names), A.size))
     # mypy takes a starred argument for all that are left
     B_p, *of_h = off_centre.moved(A, *means.c[1:], *means.s[1:], *c_p, *s_p, of_load)  # type: ignore[call-arg]
-    if kind in (Pinned.CORNER_TOP, Pinned.CORNER_REST):
+    if kind in (PointType.CORNER_TOP, PointType.CORNER_REST):
         side, ends[: len(model.design)] = design.end(A, B)
         (ends,) = off_centre.moved_at_end(side, means.c[1], means.s[1], c_p[0], of_load, ends)
     place, causes = len(model.design), np.zeros((8, len(names), A.size))
@@ -209,4 +211,4 @@ def _of_kind(
         "phi": flow.phase(Omega, A, h),
         "transmissibility": flow.transmissibility(Omega, A, F_0, h),
     }
-    return found, values, np.where(isolated[0] == 1, MovesStatus.OK, MovesStatus.MEETS)
+    return found, values, np.where(isolated[0] == 1, GradientStatus.OK, GradientStatus.MEETS)

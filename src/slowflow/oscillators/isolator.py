@@ -68,8 +68,8 @@ class Isolator(Oscillator):
     excitation -- "force", "base" or "unbalance", as in `Oscillator`
     load -- static load beyond what the vertical spring holds at the centre, over k_v L, as in `Oscillator`
 
-    delta_h > 1/(lam r) is a negative stiffness at rest, which works with a warning. Raises ValueError for a number
-    outside its domain, or another word for the force.
+    For delta_h > 1/(lam r) the stiffness at rest is negative; a warning says so. Raises ValueError for a number
+    outside its domain, and for an unknown force.
     """
 
     lam: float
@@ -275,9 +275,9 @@ class Duffing(Oscillator):
 {described((*DUFFING.design, *DAMPING, *DISSIPATION))}
     mu_s -- static friction, as in `Oscillator`
     excitation -- "force", "base" or "unbalance", as in `Oscillator`
-    load -- added to the right side, over k_v L, as in `Oscillator`
+    load -- static load on the right-hand side, over k_v L, as in `Oscillator`
 
-    Raises ValueError for a number outside its domain, or another word for the excitation.
+    Raises ValueError for a number outside its domain, and for an unknown excitation.
     """
 
     alpha: float

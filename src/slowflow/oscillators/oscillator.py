@@ -278,7 +278,7 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         Raises
         ------
         ValueError
-            For another word, and where there is no such force.
+            For an unknown force, and if the mechanism does not have it.
         """
         mechanism = self.model.mechanism
         own = FORCES[0] if mechanism.truncated else FORCES[1]

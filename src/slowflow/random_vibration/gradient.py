@@ -22,7 +22,7 @@ from slowflow.core.mechanism import EquationOfMotion
 from slowflow.random_vibration.energy import AT, WEIGHTS
 from slowflow.random_vibration.excitation import IMAGINARY, White
 from slowflow_kernels import linearization
-from slowflow_kernels.conventions import MovesStatus
+from slowflow_kernels.conventions import GradientStatus
 
 #: of `EquationOfMotion`
 LAWS = "mu", "zeta", "c_2", "c_3", "zeta_2"
@@ -48,7 +48,7 @@ def gradient(found: Any, system: EquationOfMotion, oscillator: Any) -> Gradient:
     by_design = np.array(mechanism.by_design(*model.design), dtype=float).reshape(-1, len(names))
     count, size = 2 + len(names), 2 + len(names) + len(laws)
     slopes = np.empty((len(found), 3, len(by)))
-    status = np.full(len(found), MovesStatus.OK, np.int8)
+    status = np.full(len(found), GradientStatus.OK, np.int8)
     for row, (u, v) in enumerate(zip(found.u_rms, found.v_rms, strict=True)):
 
         def at(step: Any, u: float = u, v: float = v) -> Any:
@@ -62,7 +62,7 @@ def gradient(found: Any, system: EquationOfMotion, oscillator: Any) -> Gradient:
         by_p_q = found.excitation.slopes(float(found.stiffness[row]), float(found.damping[row]))
         matrix = 2 * np.eye(2) - by_p_q @ by_all[:2, :2]
         if not abs(np.linalg.det(matrix)) > SINGULAR:
-            status[row], slopes[row] = MovesStatus.MEETS, math.nan
+            status[row], slopes[row] = GradientStatus.MEETS, math.nan
             continue
         # I_0 and I_2 are in proportion to S_0, which nothing else depends on
         own = np.concatenate((by_p_q @ by_all[:2, 2:], 1 / np.tile(power, (2, 1))), axis=1)

@@ -1,7 +1,7 @@
 """Sizing: effect of tolerances, designs that meet requirements, parameters identified from measurements.
 
-In:  an `Isolator`, or a mount in SI units (`Isolator.physical`). Out: `tolerances`, `sobol`, `meet`, `front`, `fit`;
-     for a measured force-displacement loop `from_loop`.
+`tolerances`, `sobol`, `meet`, `front` and `fit` take an `Isolator`, or a mount in SI units (`Isolator.physical`);
+`from_loop` takes a measured force-displacement loop.
 
 Available answers for a mount; for a dimensionless oscillator the prefix f_ is Omega_:
 
