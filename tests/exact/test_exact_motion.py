@@ -28,7 +28,7 @@ from slowflow.exact.motion import Forced, follow, sample
 from slowflow.example import TABLE_1
 from slowflow_kernels import den_hartog
 from tests.oracles import by_time, exact_brute, exact_linear, exact_reference
-from tests.oracles.exact_cases import isolator, random_cases, table_1
+from tests.oracles.exact_cases import isolator, random_cases, random_motions, table_1
 from tests.sampling import part
 
 CASES = random_cases(60, seed=6)  # a seed with up to six stops and subharmonics: see the first test
@@ -143,6 +143,16 @@ def test_a_motion_is_told_over_its_own_period(zeta):
         assert state.transmitted().first == pytest.approx(
             math.hypot(1, 2 * zeta * Omega) * abs(state.harmonics(1)[1]) / F_0, rel=1e-12
         )
+
+
+def test_largest_transmitted_force_is_that_of_dense_samples():
+    """Also where the largest of few samples is the last but one of a phase, or its end is lower than what is before."""
+    for system, Omega, F_0 in random_motions(18, seed=7):
+        state = steady_state(system, Omega=Omega, F_0=F_0)
+        forced = Forced(system, Omega, F_0)
+        phases = [sample(forced, phase, np.linspace(phase.theta, phase.end, 20001)) for phase in state.phases]
+        dense = max(float(np.abs(one[:, 2]).max()) for one in phases) / forced.force
+        assert dense * (1 - 1e-14) <= state.transmitted().peak <= dense * (1 + 1e-7)
 
 
 @pytest.mark.parametrize("ratio", [0.1, 0.3, 0.6])

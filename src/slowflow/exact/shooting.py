@@ -52,7 +52,9 @@ def _turns(half_turns: int) -> int:
 
 CLOSURE = 1e-9  # distance, over the amplitude, at which a motion counts as closed
 GAUSS_NODES = 40  # per phase of the motion, for its harmonics
-PEAK_SAMPLES = 65  # per phase, between which the largest transmitted force is refined
+#: positions per phase at which a transmitted wave is searched for its largest size, and how often between two of them:
+#: the distance of positions is then 5e-7 of the phase, by whose square the size may be off
+PEAK_SAMPLES, PEAK_ROUNDS = 65, 4
 #: fractions of the amplitude at which the stiffness is tested for zero
 FRACTIONS = (0.25, 0.5, 0.9)
 #: change in a turn of the forcing, over the amplitude, at which a motion with a free mean counts as steady
@@ -217,22 +219,15 @@ class SteadyState(Answer):
         return -a if of == "force" else np.asarray(u + self.F_0 * np.cos(theta)) if of == "absolute" else u
 
     def _highest(self, of: str, phase: Phase) -> float:
-        """The largest size of that within a phase, its ends included."""
-        grid = np.linspace(phase.theta, phase.end, PEAK_SAMPLES)
-        sizes = np.abs(self._wave(of, phase, grid))
-        top = int(np.argmax(sizes))
-        if top in (0, sizes.size - 1):
-            return float(sizes[top])
-        # here, not above: a first motion does without SciPy, whose import takes longer than all else
-        from scipy.optimize import minimize_scalar
-
-        found = minimize_scalar(
-            lambda theta: -abs(float(self._wave(of, phase, np.array([theta]))[0])),
-            bounds=(grid[top - 1], grid[top + 1]),
-            method="bounded",
-            options={"xatol": 1e-9},
-        )
-        return max(float(sizes[top]), -float(found.fun))
+        """The largest size of that within a phase, its ends included, on ever finer grids about the largest so far."""
+        low, high, top = phase.theta, phase.end, 0.0
+        for _ in range(PEAK_ROUNDS):
+            grid = np.linspace(low, high, PEAK_SAMPLES)
+            sizes = np.abs(self._wave(of, phase, grid))
+            at = int(np.argmax(sizes))
+            top = max(top, float(sizes[at]))
+            low, high = grid[max(at - 1, 0)], grid[min(at + 1, PEAK_SAMPLES - 1)]
+        return top
 
     def _sample_phase(self, phase: Phase, theta: Floats) -> Floats:
         """u, v and acceleration at angles within a phase, as `motion.sample` has them."""
