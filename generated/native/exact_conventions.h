@@ -32,6 +32,17 @@ typedef enum {
     SF_BORDER = 2 /* a border's margin vanishes */
 } sf_extra_kind;
 
+/* Where a curve is not followed further without a decision. */
+typedef enum {
+    SF_FULL = 0, /* no room for more points */
+    SF_TURNS = 1, /* at a point beyond a fold, or beyond the largest amplitude */
+    SF_CLOSES = 2, /* at a point beyond the first one */
+    SF_BENDS = 3, /* before a point that is not near in a straight line */
+    SF_LEAVES = 4, /* before a point outside the range of Omega */
+    SF_SWITCHES = 5, /* before a point with another order of switches */
+    SF_LOST = 6 /* Newton's iteration finds no point */
+} sf_pause;
+
 /* in place of no breakpoint ahead: no motion of an isolator comes near */
 #define SF_FAR 1000000.0
 /* a velocity at a breakpoint that cannot be distinguished from rest: the way beyond is its square */

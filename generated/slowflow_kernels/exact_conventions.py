@@ -56,6 +56,27 @@ class ExtraKind(IntEnum):
     BORDER = 2
 
 
+class Pause(IntEnum):
+    """Where a curve is not followed further without a decision.
+
+    0  FULL       no room for more points
+    1  TURNS      at a point beyond a fold, or beyond the largest amplitude
+    2  CLOSES     at a point beyond the first one
+    3  BENDS      before a point that is not near in a straight line
+    4  LEAVES     before a point outside the range of Omega
+    5  SWITCHES   before a point with another order of switches
+    6  LOST       Newton's iteration finds no point
+    """
+
+    FULL = 0
+    TURNS = 1
+    CLOSES = 2
+    BENDS = 3
+    LEAVES = 4
+    SWITCHES = 5
+    LOST = 6
+
+
 # in place of no breakpoint ahead: no motion of an isolator comes near
 FAR = 1000000.0
 # a velocity at a breakpoint that cannot be distinguished from rest: the way beyond is its square
@@ -72,8 +93,6 @@ LOOSE = 9.9999999999999995e-07
 TOLERANCE = 1e-13
 # steps of Newton's iteration to a cycle, at most
 MOST_NEWTON = 12
-# steps of Newton's iteration to the next point of a curve, at most
-ALONG = 8
 # phase beyond a cycle's end in which its last switch is counted
 OVER_END = 9.9999999999999995e-07
 # after a shock, after which it is given up to see the mass turn twice

@@ -23,7 +23,7 @@ from slowflow.exact.motion import Forced, follow, handle, spend, steps_left
 from slowflow.exact.shooting import SteadyState
 from slowflow.support.errors import NotSettled
 from slowflow.support.text import text
-from slowflow_kernels.exact_conventions import ALONG
+from slowflow_kernels.exact_conventions import Pause
 
 STEP = 0.02  # largest step: relative in u_0, radians in theta_0, half of it in Omega
 SMALLEST_STEP = 1e-9
@@ -31,16 +31,17 @@ STRAIGHT = 0.98  # cosine of the largest angle between neighbouring tangents
 LARGEST = 1e3  # amplitude, in rod lengths, beyond which a curve counts as unbounded
 NEAR = 2e-3  # largest distance, in Omega and relative in u_0, of the first point beyond a border
 COINCIDE = 1e-8  # neighbouring folds closer than this, in Omega and A, are one turn there and back by rounding
-LEVEL = 1e-5  # Omega component of a tangent that counts as zero, as where phases vanish like a square root
-#: relative distance before a border at which the order of switches is tested: nearer, where motions touch a jump of
-#: the force, rounding decides
-BEFORE = 1e-3
+#: relative distance before a border at which the order of switches is tested, and which way the curve runs: nearer,
+#: where motions touch a jump of the force, phases vanish like a square root, and rounding decides
+TESTED = 1e-3
 AT_BORDER = 1e-10  # a span, or a margin, that counts as zero
 MOST_POINTS = 20_000
 TRACE_POINTS = 50  # points at a time: some milliseconds, after which Ctrl-C is heard
 PASSES = "the response curve at {F_0 = :} passes {A = :g} at {Omega = :.9g}: {why:s}choose a range on one side of it"
 ENDS = "the response curve at {F_0 = :} cannot be followed beyond {Omega = :.9g}, {A = :.9g}"
 FOLDS = ("fold", "corner")  # roles of points
+#: where the point that is found last is none of those that are followed
+BEFORE = (Pause.BENDS, Pause.LEAVES, Pause.SWITCHES)
 
 
 class LostCurve(NotSettled):
@@ -58,8 +59,10 @@ class Point(NamedTuple):
     rise: float
     monodromy: Floats
     role: str = ""  # "fold", "border", "corner"
-    #: the point before, in the same order of switches: its unknowns, its tangent, and the row by which it measured
-    previous: tuple[Floats, Floats, Floats] | None = None
+    #: whether the motion really switches in the order of the cycle
+    holds: bool = True
+    #: the point before, in the same order of switches: its unknowns, its tangent
+    previous: tuple[Floats, Floats] | None = None
 
     @classmethod
     def of(cls, cycle: Cycle, z: Floats, equations: Equations, tangent: Floats) -> Point:
@@ -69,19 +72,6 @@ class Point(NamedTuple):
     def flip(self) -> Point:
         """The point with the curve run through the other way."""
         return self._replace(tangent=-self.tangent, rise=-self.rise, previous=None)
-
-    def predict(self, row: Floats, size: float) -> Floats:
-        """Predict the unknowns at a distance measured by that row: cubic Hermite extrapolation, or the tangent."""
-        if self.previous is None:
-            return self.z + size * self.tangent
-        z, tangent, before = self.previous
-        # the cubic through both points along both tangents, over the distance as measured at the first
-        chord, rate = self.z - z, float(before @ self.tangent)
-        far = float(before @ chord)
-        x = size * rate / far
-        here, there = (far / rate) * self.tangent - chord, far * tangent - chord
-        bent = self.z + size * self.tangent + x * x * ((2.0 + x) * here + (1.0 + x) * there)
-        return bent + (size - float(row @ (bent - self.z))) * self.tangent
 
     @property
     def multipliers(self) -> NDArray[np.complex128]:
@@ -125,47 +115,42 @@ class Path:
         """The first point, to be left towards rising (direction 1) or falling Omega."""
         cycle, z = start.cycle, start.unknowns
         equations = cycle.equations(z, self.F_0)
-        tangent = self._tangent(z, equations, np.append(np.zeros(z.size - 1), direction))
-        return Point.of(cycle, z, equations, tangent)
+        tangent = np.linalg.svd(equations.jacobian[:, :-1])[2][-1]
+        return Point.of(cycle, z, equations, self._unit(z, math.copysign(1.0, direction * tangent[-1]) * tangent))
 
     def follow(self, point: Point) -> Iterator[Point]:
         """The points from `point` on, until Omega leaves the range or the curve closes."""
         first = point
         yield point
-        size = 0.1 * self.step
-        travelled = 0.0
+        size, travelled = 0.1 * self.step, 0.0
         for _ in range(MOST_POINTS):
-            traced, size, travelled = self._trace(point, first, size, travelled)
-            yield from traced
-            point = traced[-1] if traced else point
-            if len(traced) == TRACE_POINTS:
+            points, pause, size, travelled = self._trace(point, size, TRACE_POINTS, first, travelled)
+            beyond = points.pop() if pause in BEFORE else point
+            if points:
+                *before, new = point, *points
+                yield from before[1:]
+                if new.tangent[-1] * before[-1].tangent[-1] < 0:
+                    yield self._fold(before[-1], new, size)
+                yield new
+                if new.A > LARGEST:
+                    unbounded = new.cycle.system.zeta == new.cycle.system.eta == 0
+                    why = "without viscous damping resonance is unbounded (27); " if unbounded else ""
+                    raise NotSettled(text(PASSES, self.F_0, LARGEST, new.z[-1], why))
+                point = new
+            if pause == Pause.CLOSES:
+                self.closed = True
+                return
+            if pause in (Pause.FULL, Pause.TURNS):
+                size = min(1.5 * size, self.step)
                 continue
-            new = self._correct(point, size)
-            if new is not None and self._is_small(point, new, size):
-                if not self.low < float(new.z[-1]) < self.high:
-                    yield self._at_end(point, new)
-                    return
-                if new.cycle.holds(new.z, self.F_0):
-                    if new.tangent[-1] * point.tangent[-1] < 0:
-                        yield self._fold(point, new, size)
-                    yield new
-                    if new.A > LARGEST:
-                        unbounded = new.cycle.system.zeta == new.cycle.system.eta == 0
-                        why = "without viscous damping resonance is unbounded (27); " if unbounded else ""
-                        raise NotSettled(text(PASSES, self.F_0, LARGEST, new.z[-1], why))
-                    travelled += size
-                    if travelled > 10 * self.step and self._meets(point, new, first):
-                        self.closed = True
-                        return
-                    point = new
-                    size = min(1.5 * size, self.step)
-                    continue
-                crossed = self._cross(point, size)
-                if crossed is not None:
-                    yield from crossed
-                    point = crossed[-1]
-                    size = 0.05 * self.step
-                    continue
+            if pause == Pause.LEAVES:
+                yield self.at(self.high if beyond.z[-1] >= self.high else self.low, point, beyond) or beyond
+                return
+            if pause == Pause.SWITCHES and (crossed := self._cross(point, size)) is not None:
+                yield from crossed
+                point = crossed[-1]
+                size = 0.05 * self.step
+                continue
             size *= 0.5
             if size < SMALLEST_STEP:
                 if not self.restarts or point.cycle.system.centred:
@@ -184,27 +169,31 @@ class Path:
                     return points, True
         return points, False
 
-    def _trace(self, point: Point, first: Point, size: float, travelled: float) -> tuple[list[Point], float, float]:
-        """Points after one as long as nothing is to be decided, in C; the next step and the way from the first."""
+    def _trace(
+        self, point: Point, size: float, most: int, first: Point | None = None, travelled: float = 0.0
+    ) -> tuple[list[Point], Pause, float, float]:
+        """Up to so many points after one, in steps that begin with `size`; the last step, and the way from the first.
+
+        Where it pauses before a point, that is the last one.
+        """
         cycle, n = point.cycle, point.z.size
-        here = np.zeros(5 * n)  # unknowns and tangent, and those of the point before with its row, which C brings along
-        arrays = (point.z, point.tangent, *(point.previous or ()))
-        here[: len(arrays) * n] = np.concatenate(arrays)
-        start = (first.z, first.tangent) if first.cycle.signature == cycle.signature else (np.empty(0),)
-        rows = np.empty((TRACE_POINTS, 2 * n + 6))
+        begins = first is not None and first.cycle.signature == cycle.signature
+        start = np.concatenate((first.z, first.tangent)) if first is not None and begins else np.empty(0)
+        last = np.concatenate((point.z, point.tangent, *(point.previous or ())))
+        rows = np.empty((most, 2 * n + 7))
         limits = (self.low, self.high, self.step, STRAIGHT, LARGEST, self.least)
-        count, steps, size, travelled = EXACT.trace(
-            *(handle(cycle.system), cycle.packed, cycle.half_turns, cycle.starts_sticking, self.F_0, limits, here),
-            *(point.previous is not None, size, travelled, np.concatenate(start), steps_left(), rows),
+        count, steps, pause, size, travelled = EXACT.trace(
+            *(handle(cycle.system), cycle.packed, cycle.half_turns, cycle.starts_sticking, self.F_0, limits),
+            *(last, size, travelled, start, steps_left(), rows),
         )
         spend(steps, keep=count > 0)
-        points = [
-            Point(cycle, row[:n], row[n : 2 * n], float(row[2 * n]), float(row[2 * n + 1]), row[2 * n + 2 :])
-            for row in rows[:count]
-        ]
-        if points:
-            points[-1] = points[-1]._replace(previous=(here[2 * n : 3 * n], here[3 * n : 4 * n], here[4 * n :]))
-        return points, size, travelled
+        points: list[Point] = []
+        previous = point.z, point.tangent
+        rows = rows[: count + (pause in BEFORE)]
+        for row, (A, rise, *_, holds) in zip(rows, rows[:, 2 * n :].tolist(), strict=True):
+            points.append(Point(cycle, row[:n], row[n : 2 * n], A, rise, row[2 * n + 2 : -1], "", holds > 0, previous))
+            previous = points[-1].z, points[-1].tangent
+        return points, Pause(pause), size, travelled
 
     def _weights(self, z: Floats) -> Floats:
         # spans count too: where phases are about to vanish, the curve is smooth in them and in nothing else
@@ -213,12 +202,6 @@ class Path:
         weights[1] = 1.0
         weights[-1] = 4.0
         return weights
-
-    def _tangent(self, z: Floats, equations: Equations, sense: Floats) -> Floats:
-        """Unit tangent, in the sense of another."""
-        tangent = np.linalg.svd(equations.jacobian[:, :-1])[2][-1]
-        opposite = float(tangent @ (self._weights(z) * sense)) < 0
-        return self._unit(z, -tangent if opposite else tangent)
 
     def _unit(self, z: Floats, tangent: Floats | None) -> Floats:
         """The tangent at z, of unit length."""
@@ -230,33 +213,21 @@ class Path:
         """The point of the curve at arclength `size` from `point`, whether or not its order of switches holds."""
         if size == 0.0:
             return point
-        row = self._weights(point.z) * point.tangent
-        # tangents are of unit length: the weighted distance along this one is the size
-        value = float(row @ point.z) + size
-        found = point.cycle.newton(point.predict(row, size), self.F_0, row, value, most=ALONG)
-        if found is None:
-            return None
-        tangent = self._unit(found[0], found[1].direction)
-        return Point.of(point.cycle, *found, tangent)._replace(previous=(point.z, point.tangent, row))
+        points, *_ = self._trace(point, size, 1)
+        return points[0] if points else None
 
-    def _is_small(self, a: Point, b: Point, size: float) -> bool:
-        """Whether the curve is nearly straight between two points, and not much longer than the step between them."""
-        return float(a.tangent @ (self._weights(a.z) * b.tangent)) > STRAIGHT and self._distance(a, b) < 2 * size
-
-    def _distance(self, a: Point, b: Point) -> float:
-        difference = b.z - a.z
-        return math.sqrt(float(difference @ (self._weights(a.z) * difference)))
-
-    def _at_end(self, point: Point, beyond: Point) -> Point:
-        """The point where the curve leaves the range of Omega."""
-        target = self.high if beyond.z[-1] >= self.high else self.low
-        fraction = (target - point.z[-1]) / (beyond.z[-1] - point.z[-1])
-        z = point.z + fraction * (beyond.z - point.z)
-        z[-1] = target
-        found = point.cycle.newton(z, self.F_0)
-        if found is None:
-            return beyond
-        return Point.of(point.cycle, *found, self._tangent(found[0], found[1], point.tangent))
+    def at(self, Omega: float, before: Point, after: Point) -> Point | None:
+        """The point of the curve at a frequency between two others; None where Newton's iteration finds none."""
+        for base, other in ((before, after), (after, before)):
+            z = base.z.copy()
+            if base.cycle.signature == other.cycle.signature:
+                step = float(other.z[-1] - base.z[-1])
+                z += (0.0 if step == 0.0 else (Omega - float(base.z[-1])) / step) * (other.z - base.z)
+            z[-1] = Omega
+            found = self._solve_fixed(base.cycle, z, -1)
+            if found is not None and found.holds:
+                return found if float(found.tangent @ (self._weights(z) * base.tangent)) > 0 else found.flip()
+        return None
 
     def _fold(self, point: Point, new: Point, size: float) -> Point:
         """Where the tangent's Omega component vanishes."""
@@ -297,8 +268,8 @@ class Path:
                 return None
             if there.rise < 0.0:
                 found = self._zero(lambda at: at.rise, base, there, size)
-                return found if found.cycle.holds(found.z, self.F_0) else None
-            if not there.cycle.holds(there.z, self.F_0):
+                return found if found.holds else None
+            if not there.holds:
                 return None
             size *= 2.0
         return None
@@ -309,7 +280,7 @@ class Path:
         size = SMALLEST_STEP
         while size < self.step:
             there = self._correct(back, size)
-            if there is None or not there.cycle.holds(there.z, self.F_0):
+            if there is None or not there.holds:
                 return None
             if there.tangent[-1] * back.tangent[-1] < 0:
                 fold = self._fold(back, there, size)
@@ -317,20 +288,11 @@ class Path:
             size *= 1.5
         return None
 
-    def _meets(self, a: Point, b: Point, first: Point) -> bool:
-        """Whether the curve passes its first point between two neighbours."""
-        if not (a.cycle.signature == b.cycle.signature == first.cycle.signature):
-            return False
-        weights = self._weights(first.z)
-        before, after = (float((p.z - first.z) @ (weights * first.tangent)) for p in (a, b))
-        near = min(self._distance(first, a), self._distance(first, b))
-        return before < 0 <= after and near <= 2 * self.step
-
     def _cross(self, point: Point, size: float) -> list[Point] | None:
         """The border beyond `point`, and a first point with the new order of switches; a fold before it, if any."""
         limit = self._order_limit(point, size)
-        last = self._correct(point, limit)
-        if last is None:
+        before, last = (self._correct(point, size) for size in ((1.0 - TESTED) * limit, limit))
+        if before is None or last is None:
             return None
         for beyond in (1e-4, 1e-3, 1e-5, 1e-2, 1e-6):
             trial = self._correct(point, limit + beyond * self.step * 10)
@@ -340,9 +302,9 @@ class Path:
             if new is not None:
                 sense = point.tangent[-1]
                 found = []
-                if sense * last.tangent[-1] < 0 and abs(last.tangent[-1]) > LEVEL:
-                    found.append(self._fold(point, last, limit))
-                    sense = last.tangent[-1]
+                if sense * before.tangent[-1] < 0:
+                    found.append(self._fold(point, before, (1.0 - TESTED) * limit))
+                    sense = before.tangent[-1]
                 border, after = self._border(last, new), [new]
                 outgoing = new.tangent[-1]
                 if (new.z[-1] - border.z[-1]) * outgoing < 0 and abs(new.z[-1] - border.z[-1]) > COINCIDE:
@@ -362,7 +324,7 @@ class Path:
         border = self._border_ahead(point, size)
         if border is None:
             return self._halved(point, size)
-        before = (1.0 - BEFORE) * border
+        before = (1.0 - TESTED) * border
         return border if self._holds_at(point, before) else self._halved(point, before)
 
     def _border_ahead(self, point: Point, size: float) -> float | None:
@@ -405,7 +367,7 @@ class Path:
     def _holds_at(self, point: Point, size: float) -> bool:
         """Whether the order of switches holds at an arclength."""
         at = self._correct(point, size)
-        return at is not None and at.cycle.holds(at.z, self.F_0)
+        return at is not None and at.holds
 
     def _other_side(self, last: Point, trial: Point) -> Point | None:
         """A point near the border with the new order of switches."""
@@ -416,13 +378,11 @@ class Path:
             if cycle.order == last.cycle.order or not cycle.consistent:
                 continue
             for index in (0, -1):
-                row = np.zeros(z.size)
-                row[index] = 1.0
                 for offset in (0.0, 1e-6, -1e-6, 1e-5, -1e-5, 1e-4, -1e-4):
                     at = z.copy()
                     at[index] = z[index] * (1.0 + offset)
-                    new = self._solve_fixed(cycle, at, row)
-                    if new is None:
+                    new = self._solve_fixed(cycle, at, index)
+                    if new is None or not new.holds:
                         continue
                     size = max(abs(float(last.z[0])), self.least)
                     distance = max(abs(float(new.z[0] - last.z[0])) / size, abs(float(new.z[-1] - last.z[-1])))
@@ -468,19 +428,22 @@ class Path:
             return None
         return closed_cycle(cycle.system, cycle.half_turns, motion, forced.Omega)
 
-    def _solve_fixed(self, cycle: Cycle, z: Floats, row: Floats) -> Point | None:
-        """The solution with one unknown kept, if its order of switches holds."""
-        found = cycle.newton(z, self.F_0, row, float(row @ z))
-        if found is None or not cycle.holds(found[0], self.F_0):
+    def _solve_fixed(self, cycle: Cycle, z: Floats, index: int) -> Point | None:
+        """The solution with one unknown kept, along which that rises."""
+        row = np.zeros(z.size)
+        row[index] = 1.0
+        found = cycle.newton(z, self.F_0, row, float(z[index]))
+        if found is None:
             return None
-        return Point.of(cycle, *found, self._unit(found[0], found[1].direction))
+        tangent = self._unit(found[0], found[1].direction)
+        return Point.of(cycle, *found, tangent)._replace(holds=cycle.holds(found[0], self.F_0))
 
     def _orient(self, new: Point, last: Point) -> Point:
         """The first point beyond a border with its tangent turned away from the border."""
         senses = [new, new.flip()]
         for size in (1e-4, 1e-3, 1e-2):
             there = [self._correct(point, size) for point in senses]
-            valid = [point is not None and point.cycle.holds(point.z, self.F_0) for point in there]
+            valid = [point is not None and point.holds for point in there]
             if valid[0] != valid[1]:  # only one sense leads back across the border
                 return senses[0] if valid[0] else senses[1]
         offset = new.z[[0, -1]] - last.z[[0, -1]]

@@ -177,7 +177,7 @@ class Branches:
             for point in path.follow(path.begin(motion, sense)):
                 points.append(point)
                 while j <= end and len(points) > 1 and sense * (self.Omega[j] - point.z[-1]) <= 0.0:
-                    there = _between(points[-2], point, self.F_0, float(self.Omega[j]))
+                    there = path.at(float(self.Omega[j]), points[-2], point)
                     if there is None or not self._on_branch(j, there):
                         return j, self._jumps_off(j, there, points), _is_stable(points[:-1])
                     j += 1
@@ -235,7 +235,7 @@ class Branches:
         Omega = float(turn.z[-1])
         for one, other in itertools.pairwise(points):
             if min(one.z[-1], other.z[-1]) <= Omega <= max(one.z[-1], other.z[-1]):
-                there = _between(one, other, self.F_0, Omega)
+                there = Path(self.F_0, 0.0, math.inf, STEP, one).at(Omega, one, other)
                 return there is not None and abs(there.A - turn.A) <= MEETS * turn.A
         return False
 
@@ -243,17 +243,3 @@ class Branches:
 def _is_stable(points: list[Point]) -> bool:
     """Whether a branch is stable at all of its points but folds and borders."""
     return all(point.stable for point in points if not point.role)
-
-
-def _between(before: Point, after: Point, F_0: float, Omega: float) -> Point | None:
-    """The point of a branch at a frequency between two others; None where Newton's iteration finds none."""
-    for base, other in ((before, after), (after, before)):
-        z = base.z.copy()
-        if base.cycle.signature == other.cycle.signature:
-            step = float(other.z[-1] - base.z[-1])
-            z += (0.0 if step == 0.0 else (Omega - float(base.z[-1])) / step) * (other.z - base.z)
-        z[-1] = Omega
-        found = base.cycle.newton(z, F_0)
-        if found is not None and base.cycle.holds(found[0], F_0):
-            return Point.of(base.cycle, *found, base.tangent)
-    return None

@@ -351,52 +351,56 @@ static PyObject *newton(PyObject *self, PyObject *arguments)
     return result;
 }
 
-/* (points, steps, step, travelled): the points' numbers row by row in `rows`, which sets how many there may
- * be;
- * `point` holds z, the tangent and what sf_ahead wants of the point before; `first` z and tangent, or nothing. */
+/* (points, steps, pause, step, travelled): the points' numbers row by row in `rows`, which sets how many there may be;
+ * `points` holds z and tangent of the last point, of the one before if there is one; `first` z and tangent, or nothing. */
 static PyObject *trace(PyObject *self, PyObject *arguments)
 {
     (void)self;
     PyObject *result = NULL;
     const sf_system *system;
-    Py_buffer signature, point, first, rows;
+    Py_buffer signature, points, first, rows;
     sf_course course = {0};
-    double F_0, step, travelled;
-    int half_turns, has_before;
+    sf_trail trail = {0};
+    double F_0;
+    int half_turns;
     long left;
-    if (!PyArg_ParseTuple(arguments, "O&y*ipd(dddddd)w*pddy*lw*", oscillator, &system, &signature, &half_turns,
+    if (!PyArg_ParseTuple(arguments, "O&y*ipd(dddddd)y*ddy*lw*", oscillator, &system, &signature, &half_turns,
                           &course.starts_from_rest, &F_0, &course.low, &course.high, &course.step, &course.straight,
-                          &course.largest, &course.least, &point, &has_before, &step, &travelled, &first, &left, &rows))
+                          &course.largest, &course.least, &points, &trail.step, &trail.travelled, &first, &left, &rows))
         return NULL;
     const long k = (long)(signature.len / (Py_ssize_t)(2 * sizeof(int))), n = k + 4, size = k + 3;
-    const Py_ssize_t unknowns = size * (Py_ssize_t)sizeof(double);
+    const Py_ssize_t place = 2 * size * (Py_ssize_t)sizeof(double);
     const size_t of_newton = (size_t)(size * size + 2 * size + 3 * n), of_equations = sf_numbers(k);
+    const long room = (long)((size_t)rows.len / sizeof(double) / sf_numbers_of_point(k));
     double *const work = malloc((of_newton + 3 * (size_t)size + of_equations) * sizeof *work);
     sf_border *const at = malloc((size_t)(2 * k + 1) * sizeof *at);
     if (work == NULL || at == NULL)
         PyErr_NoMemory();
-    else if (!(k > 0 && point.len == 5 * unknowns && (first.len == 0 || first.len == 2 * unknowns)))
+    else if (!(k > 0 && room > 0 && (points.len == place || points.len == 2 * place) &&
+               (first.len == 0 || first.len == place)))
         PyErr_SetString(PyExc_ValueError, "arrays that do not fit the phases of the cycle");
     else {
         sf_forced forced = {system, 0.0, F_0, left};
         const sf_cycle cycle = {k, signature.buf, half_turns, half_turns % 2 ? -1 : 1};
-        double *const z = point.buf;
+        const double *const z = points.buf, *const begin = first.buf;
+        trail.last = (sf_place){z, z + size};
+        if (points.len > place)
+            trail.before = (sf_place){z + 2 * size, z + 3 * size};
+        if (first.len)
+            course.first = (sf_place){begin, begin + size};
         sf_equations found = sf_equations_in(work + of_newton + 3 * (size_t)size, at, k);
         sf_phases phases = {0};
-        const long room = (long)((size_t)rows.len / sizeof(double) / sf_numbers_of_point(k));
-        if (first.len)
-            course.first = first.buf, course.first_tangent = course.first + size;
+        sf_pause pause;
         long count;
         Py_BEGIN_ALLOW_THREADS
-        count = sf_trace(&forced, &cycle, &course, z, z + size, z + 2 * size, &has_before, &step, &travelled, rows.buf,
-                         room, &found, &phases, work);
+        count = sf_trace(&forced, &cycle, &course, &trail, rows.buf, room, &found, &phases, work, &pause);
         Py_END_ALLOW_THREADS
         free(phases.at);
-        result = Py_BuildValue("lldd", count, left - forced.left, step, travelled);
+        result = Py_BuildValue("llidd", count, left - forced.left, (int)pause, trail.step, trail.travelled);
     }
     free(work);
     free(at);
-    RELEASE(&signature, &point, &first, &rows);
+    RELEASE(&signature, &points, &first, &rows);
     return result;
 }
 
@@ -651,8 +655,8 @@ static PyMethodDef methods[] = {
      "system, phases, half_turns, z, F_0, extra, row, value, border, most, tolerance, steps, equations, along -> "
      "outcome, spent, A, monodromy, borders."},
     {"trace", trace, METH_VARARGS,
-     "system, phases, half_turns, starts_from_rest, F_0, course, point, has_before, step, travelled, first, steps, "
-     "rows -> points, spent, step, travelled."},
+     "system, phases, half_turns, starts_from_rest, F_0, course, last points, step, travelled, first, steps, "
+     "rows -> points, spent, pause, step, travelled."},
     {"record", record, METH_VARARGS,
      "system, arcs, u, v, steps of one integration, of all -> outcome, steps, u, states."},
     {"shocks", shocks, METH_VARARGS,
