@@ -435,7 +435,7 @@ def test_motion_is_the_one_the_mass_comes_to(turns, alpha, beta, zeta, Omega, F_
 def test_motion_other_than_the_one_seen_says_so(monkeypatch):
     monkeypatch.setattr("slowflow.exact.shooting.MOST_TURNS", 12)
     found = Duffing(1.0, 0.1, zeta=0.001).steady_state(Omega=0.8, F_0=0.1)
-    assert "the mass was not found to reach it from rest" in found.message and "after 12 turns" in found.message
+    assert "the mass was not found to reach it from rest" in found.message and "after 12 periods" in found.message
     mount = Isolator.physical(m=25, k_v=9000, k_h=4000, n=3, L=0.08, preload=0.0, zeta=0.001)
     assert "the mass was not found to reach it" in mount.steady_state(f=3.3, F=2.0).message
 
