@@ -77,3 +77,11 @@ def test_gradients_are_slopes_in_a_random_direction(design, load, F_0):
     detachment = {"detachment": lambda one: one.detachment()}
     made = functools.partial(Isolator, force="untruncated")
     assert assert_slopes_are_differences(made, numbers, detachment, {*numbers} - {"lam"}) == {"detachment"}
+
+
+def test_onset_at_a_jump_of_the_slope_is_the_lowest_forcing():
+    """The motion just comes to u_cr: beyond it the level rises as a root does, and roundings count."""
+    numbers = {"lam": 3, "r": 1.4015379083224386, "delta_h": 0.05, "mu": 0.0, "zeta": 0.0744492629009588}
+    one = Isolator(**numbers, force="untruncated", load=-0.00315820991077285)
+    onset = one.saddle_node_onset().F_SN
+    assert [len(one.saddle_nodes(onset * (1 + change))) > 0 for change in (-1e-9, 1e-9)] == [False, True]

@@ -65,18 +65,16 @@ def folds(charts: Charts, flow: Flow, F_0: Floats) -> Equations:
 
 
 def refined(by_motion: ByMotion, z: Floats, number: Ints, kept: Flags) -> Floats:
-    """Solutions by A and B, and R, to their last digits; some are kept as they are."""
+    """Solutions by A and B, and R, to their last digits, a step of Newton's method on; some are kept as they are."""
     d = len(z)
     with np.errstate(all="ignore"):
-        for _ in range(3):
-            values, slopes = np.split(np.array([row + np.zeros(number.size) for row in by_motion(z, number)]), [d])
-            slopes = slopes.reshape(d, d, -1)
-            known = ~kept & np.isfinite(slopes).all(axis=(0, 1))
-            J = np.where(known, slopes, np.eye(d)[..., np.newaxis]).transpose(2, 0, 1)
-            change = np.linalg.solve(J, values.T[..., np.newaxis])[..., 0].T
-            size = np.maximum(np.abs(z), np.abs(z[:1]))
-            z = np.where(known & (np.abs(change) < 2.0**-30 * size).all(axis=0), z - change, z)
-    return z
+        values, slopes = np.split(np.array([row + np.zeros(number.size) for row in by_motion(z, number)]), [d])
+        slopes = slopes.reshape(d, d, -1)
+        known = ~kept & np.isfinite(slopes).all(axis=(0, 1))
+        J = np.where(known, slopes, np.eye(d)[..., np.newaxis]).transpose(2, 0, 1)
+        change = np.linalg.solve(J, values.T[..., np.newaxis])[..., 0].T
+        size = np.maximum(np.abs(z), np.abs(z[:1]))
+        return np.where(known & (np.abs(change) < 2.0**-30 * size).all(axis=0), z - change, z)
 
 
 def on_edges(charts: Charts, low: Floats, high: Floats, of: Ints) -> Floats:

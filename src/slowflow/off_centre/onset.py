@@ -32,9 +32,9 @@ from slowflow.support.errors import NotSettled
 GAP = 2.0**-16
 #: boxes that are looked at in all, and up to which number the middle of each is asked for a lower fold
 MOST_BOXES, FEW = 100_000, 2000
-#: how often boxes are halved: then both sides are as narrow as doubles allow, and the same box would come back; sides
-#: that end at 0 take a halving for each power of 2 that doubles have
-MOST_ROUNDS = 2200
+#: how often boxes are cut in four: then both sides are as narrow as doubles allow, and the same box would come back;
+#: sides that end at 0 take a halving for each power of 2 that doubles have
+MOST_ROUNDS = 1100
 #: by how many values a root is told
 VALUES = 16
 
@@ -151,6 +151,10 @@ class Search:
                 values = np.array([vanishes(root + one) for one in offsets.tolist()])
                 root -= float(values.mean() * (offsets @ offsets) / (offsets @ values))
                 levels = self.folds(*np.array([at(root + one) for one in offsets.tolist()]).T)
+                k = int(np.argmin(levels[0]))
+                if 0 < k < VALUES - 1 and levels[0][k] < levels[0].mean() * (1 - 2.0**-40) < np.inf:
+                    # just beyond an end at which the slope of the force jumps the level rises as a root does
+                    return Lowest(float(levels[0][k]), float(levels[1][k]), *at(root + offsets[k]), name)
                 if levels[0].mean() <= level[0] * (1 + 1e-9):
                     return Lowest(float(levels[0].mean()), float(levels[1].mean()), *at(root), name)
         return Lowest(float(level[0]), float(Omega[0]), A, B, "")

@@ -38,7 +38,7 @@ GAP = 2.0**-24
 #: boxes that are looked at in all; middles of boxes from which motions are looked for, and steps of Newton's method
 MOST_BOXES, MIDDLES, STEPS = 100_000, 64, 10
 #: rounds after which it is looked for them again
-EVERY = 6
+EVERY = 3
 #: share of a frequency beyond which it is proved that nothing transmits a level
 BEYOND = 2.0**-16
 #: by how much A and B change for the slopes of a frequency, beside A + |B|: they set only how fast Newton's method is

@@ -9,8 +9,9 @@ state, a fold or a peak: `Sheets.states` and `Sheets.folds` are the boxes that m
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -59,6 +60,11 @@ class Cells:
     rising = property(lambda self: Interval(self.rows[8:10]))
     A = property(lambda self: Interval(self.rows[10:12]))
     B = property(lambda self: Interval(self.rows[12:14]))
+
+    @classmethod
+    def joined(cls, chunks: Sequence[Cells]) -> Cells:
+        """All of some."""
+        return cls(*(np.concatenate([getattr(one, name) for one in chunks], axis=-1) for name in ("chart", "rows")))
 
     def take(self, which: Any) -> Cells:
         """Some of them."""
@@ -113,27 +119,31 @@ class Sheets:
                 if cells.chart.size > MOST_BOXES:
                     raise NotSettled(TOO_MANY)
                 cells = cells.take(may(cells))
-                fine = (self._wide(cells).max(axis=0) <= FINE * cells.A.hi) | (cells.A.hi <= SMALL * self._size)
+                fine = (self._wide(cells.low, cells.high, cells.chart).max(axis=0) <= FINE * cells.A.hi) | (
+                    cells.A.hi <= SMALL * self._size
+                )
                 fine |= number == ROUNDS - 1
                 done.append(cells.take(fine))
                 if fine.all():
                     break
                 cells = self.cut(cells.take(~fine), 2.0**octave)
-            return Cells(*(np.concatenate([getattr(one, name) for one in done], axis=-1) for name in ("chart", "rows")))
+            return Cells.joined(done)
 
     def cut(self, cells: Cells, A_max: float = math.inf) -> Cells:
-        """Each in two, less what the balance leaves out, up to an amplitude."""
-        return self.looked_at(*halved(cells.low, cells.high, self._wide(cells)), np.tile(cells.chart, 2), A_max)
+        """Each in four, less what the balance leaves out, up to an amplitude."""
+        low, high, chart = cells.low, cells.high, cells.chart
+        for _ in range(2):
+            (low, high), chart = halved(low, high, self._wide(low, high, chart)), np.tile(chart, 2)
+        return self.looked_at(low, high, chart, A_max)
 
     def middles(self, cells: Cells) -> Floats:
         """A and B of a motion in each, (2, n)."""
         x, y = 0.5 * (cells.low + cells.high)
         return np.stack(self.charts.motion(x, y, cells.chart))
 
-    def _wide(self, cells: Cells) -> Floats:
-        """By how much either end of the motion changes over cells."""
-        by = np.where(self.charts.rooted[:, cells.chart], 2 * cells.high, 1.0)
-        return np.asarray((cells.high - cells.low) * by)
+    def _wide(self, low: Floats, high: Floats, chart: Ints) -> Floats:
+        """By how much either end of the motion changes over boxes."""
+        return np.asarray((high - low) * np.where(self.charts.rooted[:, chart], 2 * high, 1.0))
 
     def _octave(self, A_max: float) -> int:
         """The least that is known and holds an amplitude, or that of the amplitude.
@@ -196,58 +206,50 @@ class Sheets:
         octaves = self._size * 0.5 ** np.arange(BELOW, -math.ceil(math.log2(bound / self._size)) - 2, -2)
         both, from_step = np.concatenate((-octaves[::-1], [0.0], octaves)), np.concatenate(([0.0], np.sqrt(octaves)))
 
+        @cache
         def edges(low: float, high: float, rooted: bool) -> Floats:
             if math.isfinite(low) and math.isfinite(high):
                 return np.linspace(low, high, DIVISIONS + 1)
             return from_step if rooted else np.unique(np.clip(both, low, high))
 
-        lows, highs, number = [], [], []
-        limits = np.stack((charts.low, charts.high, charts.rooted)).T.tolist()
-        for chart, axes in enumerate(limits):
+        boxes, number = [np.empty((4, 0))], [np.empty(0, dtype=np.intp)]
+        for chart, axes in enumerate(np.stack((charts.low, charts.high, charts.rooted)).T.tolist()):
             x, y = (edges(*axis) for axis in axes)
             if x.size * y.size > MOST_BOXES:  # an amplitude of hundreds of octaves
                 raise NotSettled(TOO_MANY)
-            low, high = (
-                np.stack((np.repeat(x[part], y.size - 1), np.tile(y[part], x.size - 1)))
-                for part in (slice(-1), slice(1, None))
-            )
-            some = charts.passes[chart] | (high.sum(axis=0) > 0)
-            lows.append(low[:, some])
-            highs.append(high[:, some])
-            number.append(np.full(some.sum(), chart))
-        return np.concatenate(lows, axis=1), np.concatenate(highs, axis=1), np.concatenate(number)
+            ends = np.broadcast_arrays(x[:-1, np.newaxis], y[:-1], x[1:, np.newaxis], y[1:])
+            box = np.stack(ends).reshape(4, -1)
+            boxes.append(box if charts.passes[chart] else box[:, box[2] + box[3] > 0])
+            number.append(np.full(boxes[-1].shape[1], chart))
+        low, high = np.split(np.concatenate(boxes, axis=1), 2)
+        return low, high, np.concatenate(number)
 
     def folds(self, A_max: float, F_0: Floats, flow: Flow) -> tuple[Floats, Floats, Ints]:
-        """Boxes of x, y and R in which folds may be, and of which system each is (`by_turning_points`)."""
+        """Boxes of x, y and R in which folds may be, and of which system each is (`by_turning_points`).
 
-        def may(cells: Cells) -> Flags:
-            at = F_0[:, np.newaxis, np.newaxis]
-            return np.asarray(flow.folds_between(cells.A, cells.p, cells.e, SIGNS, at, at)[1].any(axis=(0, 1)))
+        Cells on which R has no bound are cut further.
+        """
+        at = F_0[:, np.newaxis, np.newaxis]
 
-        cells = self.cells(A_max, may)
-        lows, highs, systems = [], [], []
-        for i, forcing in enumerate(F_0.tolist()):
-            for sign in (-1.0, 1.0):
-                for found, ends in self._with_folds(cells, forcing, flow, sign):
-                    lows.append(np.concatenate((found.low, ends[:1])))
-                    highs.append(np.concatenate((found.high, ends[1:])))
-                    systems.append(self.charts.system(i, found.chart))
-        return np.concatenate(lows, axis=1), np.concatenate(highs, axis=1), np.concatenate(systems)
+        def between(cells: Cells) -> tuple[Floats, Flags]:
+            """By forcing, sign of R and cell."""
+            return flow.folds_between(cells.A, cells.p, cells.e, SIGNS, at, at)
 
-    def _with_folds(self, cells: Cells, F_0: float, flow: Flow, sign: float) -> Iterator[tuple[Cells, Floats]]:
-        """Cells that may hold a fold with R of that sign, and the ends of R: those without are cut further."""
-        for _ in range(ROUNDS):
-            with np.errstate(all="ignore"):
-                R, may = flow.folds_between(cells.A, cells.p, cells.e, sign, F_0, F_0)
-                ends = R if sign > 0 else -R[::-1]
-                known = np.asarray(np.isfinite(ends).all(axis=0))
-                whole, open_ = cells.take(may & known), cells.take(may & ~known)
-            yield whole, ends[:, may & known]
-            if not open_.chart.size:
-                return
-            with np.errstate(all="ignore"):
-                cells = self.cut(open_)
-        raise NotSettled(UNKNOWN)
+        cells = self.cells(A_max, lambda cells: np.asarray(between(cells)[1].any(axis=(0, 1))))
+        with np.errstate(all="ignore"):
+            for _ in range(ROUNDS):
+                R, may = between(cells)
+                unbounded = (may & ~np.isfinite(R).all(axis=0)).any(axis=(0, 1))
+                if not unbounded.any():
+                    break
+                cells = Cells.joined([cells.take(~unbounded), self.cut(cells.take(unbounded))])
+            else:
+                raise NotSettled(UNKNOWN)
+        number, sign, cell = np.nonzero(may)
+        R = R[:, number, sign, cell]
+        R = np.where(SIGNS[sign, 0] > 0, R, -R[::-1])
+        low, high = (np.concatenate((ends[:, cell], R[k : k + 1])) for k, ends in enumerate((cells.low, cells.high)))
+        return low, high, self.charts.system(number, cells.chart[cell])
 
     def states(self, A_max: float, Omega: Floats, F_0: float, flow: Flow) -> tuple[Floats, Floats, Ints]:
         """Boxes of x and y in which states may be, and of which system each is."""
