@@ -357,7 +357,7 @@ def test_what_has_no_number_has_no_empty_table():
     lines = lines_of(ROOT / "scenes" / "coulomb.toml")
     at = lines.index("The highest peak")  # at 0.4 N it sticks, at 0.6 N it has no bound
     assert lines[at + 1].startswith("sticks: F = 0.4 N")
-    at = lines.index("It jumps from this force on")
+    at = lines.index("Lowest force with jumps")
     assert lines[at + 1].startswith("no lowest forcing")
     assert any(line.startswith("Left out: a map of designs, none of which has") for line in lines)
     assert not any(".validity" in line for line in lines)

@@ -55,7 +55,7 @@ FEW = 2
 AT_EACH = {
     "margins": "Margins to jumps and to detachment: above 1 is safe",
     "peak": "The highest peak",
-    "isolation": "The transmissibility stays below its limit from this frequency on",
+    "isolation": "Frequency above which the transmissibility stays below its limit",
     "saddle_nodes": "Where a sweep jumps",
     "hysteresis": "Bands with several stable motions",
 }
@@ -77,7 +77,7 @@ MEANING = {one.si or one.name: one.text for one in COLUMNS.values()} | {
     "f_n": "natural frequency of the mass on the vertical spring alone",
     "x_cr": "stroke, at which the horizontal springs detach",
     "sticking": "force amplitude up to which the averaged mass sticks",
-    "rests_within": "how far from the centre friction holds the mass at rest",
+    "rests_within": "distance from the centre within which friction holds the mass",
     "preset": "compression of the vertical spring that holds the mass at the centre",
     "lightest": "mass that would rest at the upper end of the stroke",
     "heaviest": "mass that would rest at its lower end",
@@ -101,16 +101,16 @@ def html(scene: Scene) -> str:
         raise Refused(f"{scene.path}: a report is of an isolator: the scene must hold [mount] or [isolator]")
     sections = {
         "Verdict": report.verdict(),
-        "In short": report.summary(),
+        "Summary": report.summary(),
         "The design": report.design(),
-        "What it does": report.answers(),
+        "Results": report.answers(),
         "Curves": report.curves(),
         "Folds": report.locus(),
         "Load spectrum": report.spectrum(),
         "Shocks": report.shocks(),
         "Random vibration": report.random(),
         "Tolerances": report.tolerances(),
-        "Designs beside it": report.map(),
+        "Neighbouring designs": report.map(),
         "Accuracy": report.trust(),
         "Equations": report.equations(),
         "Data": report.data(),
@@ -281,7 +281,7 @@ class Report:
         sheet = self.mount.scales.sheet if self.mount else self.of.given
         rows: list[Any] = [(page.inline(name), page.cell(value)) for name, value in sheet.items()]
         if self.mount:
-            heads = (*heads, "unit", "what it is")
+            heads = (*heads, "unit", "meaning")
             known = [DATA_SHEET[name] for name in sheet]
             rows = [(*row, unit, page.prose(meaning)) for row, (unit, meaning) in zip(rows, known, strict=True)]
         yield page.table("Design data", heads, rows)
@@ -303,8 +303,8 @@ class Report:
         """What was asked at each force, and the forces from which on it jumps and its springs detach."""
         what, of_force = EXCITATION[self.excitation], self.plain.excitation == "force"
         left_out: list[str] = []
-        yield _table(f"It jumps from this {what} on", self._shown("saddle_node_onset"))
-        yield _table(f"Its springs detach from this {what} on", self._shown("detachment"))
+        yield _table(f"Lowest {what} with jumps", self._shown("saddle_node_onset"))
+        yield _table(f"Lowest {what} that detaches the springs", self._shown("detachment"))
         for question, caption in AT_EACH.items():
             if found := self._at_each(question, self.forcings, left_out):
                 # a force moves the mass at all frequencies, or at none, which `sticks` says
