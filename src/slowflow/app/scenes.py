@@ -95,7 +95,7 @@ def _takes(question: str) -> frozenset[str]:
 QUESTIONS: Mapping[str, frozenset[str]] = {
     **{name: _takes(name) for name in ROWS if name != "certify"},
     "tolerances": frozenset(),
-    **{name: _takes(name) for name in ("random", "exact_response", "fold_locus", "cusps", "isola_points")},
+    **{name: _takes(name) for name in ("exact_response", "fold_locus", "cusps", "isola_points")},
 }
 
 

@@ -42,13 +42,6 @@ from slowflow_kernels.domains import DAMPING, DISSIPATION
 
 __all__ = ["Designs"]
 
-#: of single answers, by their words and whether on a corner
-FOLD_KINDS = {
-    ("jump-up", False): FoldKind.JUMP_UP,
-    ("jump-down", False): FoldKind.JUMP_DOWN,
-    ("jump-up", True): FoldKind.JUMP_UP_AT_CORNER,
-    ("jump-down", True): FoldKind.JUMP_DOWN_AT_CORNER,
-}
 #: what a batch counts to; where rounding makes more of a curve's folds or states these are no answer
 MOST_COUNTED = int(np.iinfo(np.int8).max)
 
@@ -57,7 +50,8 @@ def kinds(found: Any) -> Any:
     """Codes of the kind of an onset, or of each fold."""
     if isinstance(found.kind, str):
         return OnsetKind[found.kind.upper() or "NO"]
-    return [FOLD_KINDS.get((fold.kind, fold.corner), 0) for fold in found]
+    names = (f"{fold.kind}{'-at-corner' * fold.corner}".upper().replace("-", "_") for fold in found)
+    return [FoldKind.__members__.get(name, FoldKind.EMPTY) for name in names]
 
 
 def failed(error: Exception) -> Status:
