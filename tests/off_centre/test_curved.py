@@ -412,6 +412,6 @@ def test_motions_against_a_magnet_are_those_of_its_average(magnet):
 def test_a_closed_gap_is_refused_under_a_load():
     """Its stiffness counted twice, or nothing was found, without a word."""
     closing = derive.mechanism("closing", [(sp.sin(u), g), (3 * u + u**3, None)], {"g": {"least": 0}}, reach=2)
-    with pytest.raises(ValueError, match="of which the first piece ends at u = 0"):
+    with pytest.raises(ValueError, match="a force whose first piece ends at u = 0"):
         closing(g=0.0, mu=0.01, zeta=0.05, load=0.05)
     assert closing(g=0.1, mu=0.01, zeta=0.05, load=0.05).rest().stable.all()
