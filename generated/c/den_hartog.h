@@ -7,8 +7,7 @@
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
    Operations are those in floating point. Bounds of rounding errors, output by output, are proved for all arguments
    where nothing overflows or underflows (derivations/codegen/rounding.py).
-   Others are measured: the worst error of all outputs that was found, by a search for it with A 0.01 to 1, F_0 0.03
-   to 0.1, Omega 0.3 to 2, S 0.5 to 2, mu 0.001 to 0.02, tau 1e-09 to 30.
+   Others are measured: the worst error of all outputs that was found, by a search that den_hartog.py describes.
    u = 2^-53, kappa is the relative condition number of an output in all arguments. */
 
 #ifndef DEN_HARTOG_H

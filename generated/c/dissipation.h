@@ -7,16 +7,7 @@
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
    Operations are those in floating point. Bounds of rounding errors, output by output, are proved for all arguments
    where nothing overflows or underflows (derivations/codegen/rounding.py).
-   Others are measured: the worst error of all outputs that was found, by a search for it with A 1e-09 to 1000, F_0
-   1e-09 to 1000, I 1e-12 to 1000 or 0, I_0 1e-12 to 1 or 0, I_0A 1e-09 to 1e+06 of either sign or 0, I_0AA 1e-09 to
-   1e+09 of either sign or 0, I_0AAA 1e-09 to 1e+12 of either sign or 0, I_0_over_A 1e-12 to 1e+06 or 0, I_A 1e-09
-   to 1e+06 of either sign or 0, I_over_A 1e-12 to 1e+06 or 0, Omega 0.001 to 1000, R 1e-09 to 1e+06 of either sign
-   or 0, R_A 1e-09 to 1e+06 of either sign or 0, c_2 1e-12 to 1000 or 0, c_3 1e-12 to 1000 or 0, d 1e-12 to 1000 or
-   0, d_3 1e-12 to 1000 or 0, eta 1e-12 to 1 or 0, h 1e-12 to 1000 of either sign or 0, h_A 1e-09 to 1e+06 of either
-   sign or 0, h_AA 1e-09 to 1e+09 of either sign or 0, h_AAA 1e-09 to 1e+12 of either sign or 0, h_over_A 1e-09 to
-   1e+06 of either sign or 0, m 1e-12 to 1 or 0, steepest 1e-09 to 1e+06 or 0, u_cr 1e-06 to 1, x 0.001 to 1000,
-   zeta 1e-12 to 1 or 0, zeta_2 1e-12 to 1000 or 0, zeta_A 1e-09 to 1e+06 or 0, zeta_AA 1e-09 to 1e+06 or 0,
-   zeta_AAA 1e-09 to 1e+06 or 0.
+   Others are measured: the worst error of all outputs that was found, by a search that dissipation.py describes.
    u = 2^-53, kappa is the relative condition number of an output in all arguments. */
 
 #ifndef DISSIPATION_H

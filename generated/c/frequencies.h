@@ -7,11 +7,7 @@
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
    Operations are those in floating point. Bounds of rounding errors, output by output, are proved for all arguments
    where nothing overflows or underflows (derivations/codegen/rounding.py).
-   Others are measured: the worst error of all outputs that was found, by a search for it with A 1e-09 to 1000, F_0
-   1e-09 to 1000, Omega 0.001 to 1000, h 1e-12 to 1000 of either sign or 0, h_A 1e-09 to 1e+06 of either sign or 0,
-   k 1e-09 to 1000 of either sign, m 1e-12 to 1 or 0, p 1e-09 to 1000 of either sign, p_low up to 1e-10 of either
-   sign, q 1e-12 to 1000 or 0, q_low up to 1e-10 of either sign, tail up to 1e-10 of either sign, zeta 1e-12 to 1 or
-   0.
+   Others are measured: the worst error of all outputs that was found, by a search that frequencies.py describes.
    u = 2^-53, kappa is the relative condition number of an output in all arguments. */
 
 #ifndef FREQUENCIES_H

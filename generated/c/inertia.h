@@ -7,11 +7,7 @@
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
    Operations are those in floating point. Bounds of rounding errors, output by output, are proved for all arguments
    where nothing overflows or underflows (derivations/codegen/rounding.py).
-   Others are measured: the worst error of all outputs that was found, by a search for it with A 0.01 to 1, F_0 0.03
-   to 0.1, Omega 0.3 to 2, cubic up to 1 of either sign, fall 0.001 to 1, force 0.001 to 0.1, h 0.001 to 1 of either
-   sign, h_A up to 2 of either sign, h_AA up to 5 of either sign, h_AAA up to 20 of either sign, holds 0.001 to 0.1,
-   k 0.04 to 4, linear 0.0001 to 0.03, lost 0.001 to 0.5, m 0.001 to 0.03, other up to 1 of either sign, reduction
-   0.01 to 0.999, rest 0.001 to 1, share up to 0.5 of either sign, x 0.5 to 3, zeta 0.004 to 0.1.
+   Others are measured: the worst error of all outputs that was found, by a search that inertia.py describes.
    u = 2^-53, kappa is the relative condition number of an output in all arguments. */
 
 #ifndef INERTIA_H

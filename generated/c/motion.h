@@ -7,14 +7,7 @@
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
    Operations are those in floating point. Bounds of rounding errors, output by output, are proved for all arguments
    where nothing overflows or underflows (derivations/codegen/rounding.py).
-   Others are measured: the worst error of all outputs that was found, by a search for it with A 0.01 to 1, A_1 0.01
-   to 1, F_0 0.03 to 0.1, Omega 0.3 to 2, after up to 1 of either sign, before up to 1 of either sign, beyond 0.001
-   to 0.1, by_theta up to 1 of either sign, by_u up to 1 of either sign, c_3 0.05 to 2, cosine up to 0.99 of either
-   sign, eta 0.005 to 0.2, f up to 1 of either sign, f_u up to 2 of either sign, friction 0.001 to 0.02, growth 0.01
-   to 1, inner up to 1 of either sign, inner_u up to 2 of either sign, left 0.01 to 0.99, mu 0.001 to 0.02, nu 10 to
-   1000, outer up to 1 of either sign, outer_u up to 2 of either sign, phi 0.05 to 3.1 of either sign, pull 0.01 to
-   1, quadratic up to 0.5 of either sign, right 0.01 to 0.99, sine up to 0.99 of either sign, slip up to 0.99 of
-   either sign, u up to 1 of either sign, v up to 1 of either sign, zeta 0.004 to 0.1, zeta_2 0.01 to 1.
+   Others are measured: the worst error of all outputs that was found, by a search that motion.py describes.
    u = 2^-53, kappa is the relative condition number of an output in all arguments. */
 
 #ifndef MOTION_H

@@ -7,23 +7,7 @@
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
    Operations are those in floating point. Bounds of rounding errors, output by output, are proved for all arguments
    where nothing overflows or underflows (derivations/codegen/rounding.py).
-   Others are measured: the worst error of all outputs that was found, by a search for it with A 1e-09 to 1000, B
-   1e-09 to 1000, F_0 1e-09 to 1000, F_2 1e-09 to 1000 or 0, I 1e-12 to 1000 or 0, I_A 1e-09 to 1000 of either sign
-   or 0, L_1 1e-09 to 1000 of either sign or 0, L_2 1e-09 to 1000 of either sign or 0, L_k 1e-09 to 1000 of either
-   sign or 0, M_1 1e-09 to 1000 of either sign or 0, M_2 1e-09 to 1000 of either sign or 0, M_k 1e-09 to 1000 of
-   either sign or 0, Omega 0.001 to 1000, R 1e-09 to 1e+06 of either sign or 0, X 1e-09 to 1000, X_x 1e-09 to 1000
-   of either sign or 0, Y 1e-09 to 1000, Y_y 1e-09 to 1000 of either sign or 0, a 1e-09 to 1000 of either sign or 0,
-   angle 1e-09 to 3.142, c_0 1e-09 to 1000 of either sign or 0, c_0_p 1e-09 to 1000 of either sign or 0, c_1 1e-09
-   to 1000 of either sign or 0, c_1_p 1e-09 to 1000 of either sign or 0, c_2 1e-09 to 1000 of either sign or 0,
-   c_2_p 1e-09 to 1000 of either sign or 0, c_3 1e-09 to 1000 of either sign or 0, c_x 1e-09 to 1000 of either sign
-   or 0, c_xx 1e-09 to 1000 of either sign or 0, c_y 1e-09 to 1000 of either sign or 0, c_yy 1e-09 to 1000 of either
-   sign or 0, d 1e-12 to 1000 or 0, end_p 1e-09 to 1000 of either sign or 0, eta 1e-12 to 1 or 0, force 1e-09 to
-   1000, h 1e-12 to 1000 of either sign or 0, k 1 to 1000 of either sign or 0, load 1e-09 to 1000 of either sign or
-   0, load_p 1e-09 to 1000 of either sign or 0, m 1e-12 to 1 or 0, root 1e-09 to 1000, s_0 1e-09 to 1000 of either
-   sign or 0, s_0_p 1e-09 to 1000 of either sign or 0, s_1 1e-09 to 1000 of either sign or 0, s_1_p 1e-09 to 1000 of
-   either sign or 0, s_2 1e-09 to 1000 of either sign or 0, s_2_p 1e-09 to 1000 of either sign or 0, s_3 1e-09 to
-   1000 of either sign or 0, side 1 to 1 of either sign, span 1e-09 to 1000 of either sign or 0, zeta 1e-12 to 1 or
-   0.
+   Others are measured: the worst error of all outputs that was found, by a search that off_centre.py describes.
    u = 2^-53, kappa is the relative condition number of an output in all arguments. */
 
 #ifndef OFF_CENTRE_H

@@ -8,10 +8,7 @@
    Regimes: passed_n where A exceeds n breakpoints, far_k where it exceeds k of them 21/20 times.
    Operations are those in floating point. Bounds of rounding errors, output by output, are proved for all arguments
    where nothing overflows or underflows (derivations/codegen/rounding.py).
-   Others are measured: the worst error of all outputs that was found, by a search for it with A 1e-09 to 1000, F_0
-   1e-09 to 1000, Omega 0.001 to 1000, alpha 1e-16 to 1000 of either sign or 0, beta 1e-12 to 1000 of either sign or
-   0, delta_h 1e-12 to 1, gamma 1e-12 to 1000 or 0, lam 1 to 100, m 1e-12 to 1 or 0, mu 1e-12 to 1 or 0, r 1e-06 to
-   1e+06, u 1e-09 to 1000 of either sign or 0, u_cr 1e-06 to 1, zeta 1e-12 to 1 or 0.
+   Others are measured: the worst error of all outputs that was found, by a search that rod_spring.py describes.
    u = 2^-53, kappa is the relative condition number of an output in all arguments. */
 
 #ifndef ROD_SPRING_H

@@ -7,11 +7,7 @@
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
    Operations are those in floating point. Bounds of rounding errors, output by output, are proved for all arguments
    where nothing overflows or underflows (derivations/codegen/rounding.py).
-   Others are measured: the worst error of all outputs that was found, by a search for it with A 1e-09 to 1000, b
-   1e-09 to 1000, cosine 1e-09 to 1, f 1e-09 to 1000 of either sign or 0, f_u 1e-09 to 1000 of either sign or 0,
-   f_uu 1e-09 to 1000 of either sign or 0, f_uuu 1e-09 to 1000 of either sign or 0, f_uuuu 1e-09 to 1000 of either
-   sign or 0, lost_0 1e-09 to 1000 of either sign or 0, lost_1 1e-09 to 1000 of either sign or 0, lost_2 1e-09 to
-   1000 of either sign or 0, lost_3 1e-09 to 1000 of either sign or 0, sine 1e-09 to 1.
+   Others are measured: the worst error of all outputs that was found, by a search that sampled.py describes.
    u = 2^-53, kappa is the relative condition number of an output in all arguments. */
 
 #ifndef SAMPLED_H

@@ -7,13 +7,7 @@
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
    Operations are those in floating point. Bounds of rounding errors, output by output, are proved for all arguments
    where nothing overflows or underflows (derivations/codegen/rounding.py).
-   Others are measured: the worst error of all outputs that was found, by a search for it with A 0.01 to 1, A_1 0.01
-   to 1, F_0 0.03 to 0.1, Omega 0.3 to 2, a_3 up to 0.02 of either sign, a_5 up to 0.01 of either sign, cosine up to
-   0.99 of either sign, h 0.001 to 1 of either sign, h_3 up to 0.02 of either sign, h_3_A up to 0.2 of either sign,
-   h_3_AA up to 2 of either sign, h_3_AAA up to 20 of either sign, h_5 up to 0.02 of either sign, h_5_A up to 0.2 of
-   either sign, h_5_AA up to 2 of either sign, h_5_AAA up to 20 of either sign, h_A up to 2 of either sign, h_AA up
-   to 5 of either sign, h_AAA up to 20 of either sign, kappa up to 8 of either sign, m 0.001 to 0.03, sine up to
-   0.99 of either sign, turned up to 3.14, zeta 0.004 to 0.1.
+   Others are measured: the worst error of all outputs that was found, by a search that second_approximation.py describes.
    u = 2^-53, kappa is the relative condition number of an output in all arguments. */
 
 #ifndef SECOND_APPROXIMATION_H

@@ -7,21 +7,7 @@
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
    Operations are those in floating point. Bounds of rounding errors, output by output, are proved for all arguments
    where nothing overflows or underflows (derivations/codegen/rounding.py).
-   Others are measured: the worst error of all outputs that was found, by a search for it with A 1e-09 to 1000, A_p
-   1e-09 to 1000 of either sign or 0, F_0 1e-09 to 1000, F_0_p 1e-09 to 1000 of either sign or 0, I_0 1e-12 to 1 or
-   0, I_0A 1e-09 to 1e+06 of either sign or 0, I_0AA 1e-09 to 1e+09 of either sign or 0, I_0AAA 1e-09 to 1e+12 of
-   either sign or 0, I_0AAp 1e-09 to 1000 of either sign or 0, I_0Ap 1e-09 to 1000 of either sign or 0, I_0p 1e-09
-   to 1000 of either sign or 0, Omega 0.001 to 1000, Omega_p 1e-09 to 1000 of either sign or 0, R 1e-09 to 1e+06 of
-   either sign or 0, S_F 1e-09 to 1000 of either sign or 0, S_FOmega 1e-09 to 1000 of either sign or 0, S_Omega
-   1e-09 to 1000 of either sign or 0, S_OmegaOmega 1e-09 to 1000 of either sign or 0, d 1e-12 to 1000 or 0, d_3
-   1e-12 to 1000 or 0, d_3p 1e-09 to 1000 of either sign or 0, d_p 1e-09 to 1000 of either sign or 0, end_p 1e-09 to
-   1000 of either sign or 0, force 1e-09 to 1000, force_F 1e-09 to 1000 of either sign or 0, force_Omega 1e-09 to
-   1000 of either sign or 0, forcing_p 1e-09 to 1000 of either sign or 0, frequency_p 1e-09 to 1000 of either sign
-   or 0, h 1e-12 to 1000 of either sign or 0, h_A 1e-09 to 1e+06 of either sign or 0, h_AA 1e-09 to 1e+09 of either
-   sign or 0, h_AAA 1e-09 to 1e+12 of either sign or 0, h_AAp 1e-09 to 1000 of either sign or 0, h_Ap 1e-09 to 1000
-   of either sign or 0, h_p 1e-09 to 1000 of either sign or 0, zeta 1e-12 to 1 or 0, zeta_A 1e-09 to 1e+06 or 0,
-   zeta_AA 1e-09 to 1e+06 or 0, zeta_AAA 1e-09 to 1e+06 or 0, zeta_AAp 1e-09 to 1000 of either sign or 0, zeta_Ap
-   1e-09 to 1000 of either sign or 0, zeta_p 1e-09 to 1000 of either sign or 0.
+   Others are measured: the worst error of all outputs that was found, by a search that sensitivities.py describes.
    u = 2^-53, kappa is the relative condition number of an output in all arguments. */
 
 #ifndef SENSITIVITIES_H

@@ -7,10 +7,7 @@
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
    Operations are those in floating point. Bounds of rounding errors, output by output, are proved for all arguments
    where nothing overflows or underflows (derivations/codegen/rounding.py).
-   Others are measured: the worst error of all outputs that was found, by a search for it with A 1e-09 to 1000, F_0
-   1e-09 to 1000, h 1e-12 to 1000 of either sign or 0, h_A 1e-09 to 1e+06 of either sign or 0, h_AA 1e-09 to 1e+09
-   of either sign or 0, k 1e-09 to 1000 of either sign, k_A 1e-09 to 1e+06 of either sign or 0, m 1e-12 to 1 or 0,
-   zeta 1e-12 to 1 or 0.
+   Others are measured: the worst error of all outputs that was found, by a search that slow_flow_mu0.py describes.
    u = 2^-53, kappa is the relative condition number of an output in all arguments. */
 
 #ifndef SLOW_FLOW_MU0_H

@@ -4,7 +4,8 @@
    Input: none but the equation of motion in derivations/paper/averaging.py, derivations/paper/slow_flow.py, derivations/extensions/dissipation.py
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
-   Each output holds every value that the function of the same name takes on the arguments; `out` takes the outputs. */
+   Each output holds every value that the function of the same name takes on the arguments; `out` takes the outputs.
+   Equations and domains that are not said here are those of dissipation.h. */
 
 #ifndef DISSIPATION_INTERVALS_H
 #define DISSIPATION_INTERVALS_H
@@ -14,8 +15,7 @@
 
 SF_FAMILY_BEGIN
 
-/* I_0, I at Omega = 0, and three derivatives by A: friction acts throughout.
-   Equation from (19). Domain: A > 0. */
+/* I_0, I at Omega = 0, and three derivatives by A: friction acts throughout. */
 static inline void dissipation_intervals_at_rest(sf_interval A, sf_interval m, sf_interval eta, sf_interval *out)
 {
     out[0] = sfi_add(sfi_mul(A, eta), m);
@@ -24,8 +24,7 @@ static inline void dissipation_intervals_at_rest(sf_interval A, sf_interval m, s
     out[3] = sfi_point(0.0);
 }
 
-/* The same where friction acts for |u| < u_cr only.
-   Equation from (19). Domain: A >= u_cr > 0. */
+/* The same where friction acts for |u| < u_cr only. */
 static inline void dissipation_intervals_released(sf_interval A, sf_interval m, sf_interval eta, sf_interval u_cr, sf_interval *out)
 {
     const sf_interval t0 = sfi_mul(m, u_cr);
@@ -38,8 +37,7 @@ static inline void dissipation_intervals_released(sf_interval A, sf_interval m, 
     out[3] = sfi_neg(sfi_div(sfi_times(6.0, t0), A4));
 }
 
-/* The viscous damping ratio of a cycle, and three derivatives by A.
-   Equation from (19). Domain: A > 0. */
+/* The viscous damping ratio of a cycle, and three derivatives by A. */
 static inline void dissipation_intervals_viscous(sf_interval A, sf_interval zeta, sf_interval zeta_2, sf_interval *out)
 {
     const sf_interval t0 = sfi_times(0.5, zeta_2);
@@ -49,8 +47,7 @@ static inline void dissipation_intervals_viscous(sf_interval A, sf_interval zeta
     out[3] = sfi_point(0.0);
 }
 
-/* Sine balance, -F_0 sin phi at a fixed point.
-   Equation (23). Domain: Omega > 0, A > 0. */
+/* Sine balance, -F_0 sin phi at a fixed point. */
 static inline sf_interval dissipation_intervals_I(sf_interval Omega, sf_interval A, sf_interval I_0, sf_interval zeta, sf_interval d, sf_interval d_3)
 {
     const sf_interval A2 = sfi_square(A);
@@ -61,8 +58,7 @@ static inline sf_interval dissipation_intervals_I(sf_interval Omega, sf_interval
         Omega2), d)), sfi_mul(sfi_mul(A3, Omega3), d_3)), I_0);
 }
 
-/* dI/dA.
-   Equation (23). Domain: Omega > 0, A > 0. */
+/* dI/dA. */
 static inline sf_interval dissipation_intervals_I_A(sf_interval Omega, sf_interval A, sf_interval I_0A, sf_interval zeta, sf_interval zeta_A, sf_interval d, sf_interval d_3)
 {
     const sf_interval t0 = sfi_times(2.0, Omega);
@@ -72,8 +68,7 @@ static inline sf_interval dissipation_intervals_I_A(sf_interval Omega, sf_interv
         sfi_times(2.0, sfi_mul(sfi_mul(A, Omega2), d))), sfi_mul(sfi_mul(A, t0), zeta_A)), I_0A), sfi_mul(t0, zeta));
 }
 
-/* R, R_A, I and I_A over Omega^2, at x = 1/Omega.
-   Equation (23). Domain: x >= 0, A > 0. */
+/* R, R_A, I and I_A over Omega^2, at x = 1/Omega. */
 static inline void dissipation_intervals_far(sf_interval x, sf_interval A, sf_interval I_0, sf_interval I_0A, sf_interval zeta, sf_interval zeta_A, sf_interval d, sf_interval h, sf_interval h_A, sf_interval *out)
 {
     const sf_interval t0 = sfi_square(x);
@@ -86,8 +81,7 @@ static inline void dissipation_intervals_far(sf_interval x, sf_interval A, sf_in
         sfi_times(2.0, t2));
 }
 
-/* F at Omega = 0 by its halves h - c and h + c, c^2 = F_0^2 - I_0^2; and the slope of each.
-   Equation from (24). Domain: F_0 > I_0. */
+/* F at Omega = 0 by its halves h - c and h + c, c^2 = F_0^2 - I_0^2; and the slope of each. */
 static inline void dissipation_intervals_static(sf_interval F_0, sf_interval I_0, sf_interval I_0A, sf_interval h, sf_interval h_A, sf_interval *out)
 {
     const sf_interval c = sfi_sqrt(sfi_mul(sfi_sub(F_0, I_0), sfi_add(F_0, I_0)));
@@ -98,8 +92,7 @@ static inline void dissipation_intervals_static(sf_interval F_0, sf_interval I_0
     out[3] = sfi_sub(h_A, t0);
 }
 
-/* D/Omega^2 at x = 1/Omega, where F_AOmega/(4 Omega) = R + A R_A + D without cubic damping.
-   Equation from (30). Domain: x >= 0, A > 0. */
+/* D/Omega^2 at x = 1/Omega, where F_AOmega/(4 Omega) = R + A R_A + D without cubic damping. */
 static inline sf_interval dissipation_intervals_turn_share(sf_interval x, sf_interval A, sf_interval I_0, sf_interval I_0A, sf_interval zeta, sf_interval zeta_A, sf_interval d)
 {
     const sf_interval A2 = sfi_square(A);
@@ -115,23 +108,20 @@ static inline sf_interval dissipation_intervals_turn_share(sf_interval x, sf_int
         sfi_add(sfi_add(sfi_mul(sfi_mul(A, I_0A), zeta), sfi_mul(I_0, zeta)), sfi_mul(t0, zeta_A))));
 }
 
-/* The size of R where F = 0.
-   Equation (24). Domain: Omega >= 0, A > 0. */
+/* The size of R where F = 0. */
 static inline sf_interval dissipation_intervals_R_of_response(sf_interval F_0, sf_interval I_)
 {
     return sfi_sqrt(sfi_sub(sfi_square(F_0), sfi_square(I_)));
 }
 
-/* R where F_Omega = 0.
-   Equation from (24). Domain: Omega >= 0, A > 0. */
+/* R where F_Omega = 0. */
 static inline sf_interval dissipation_intervals_R_of_peak(sf_interval Omega, sf_interval A, sf_interval zeta, sf_interval d, sf_interval d_3, sf_interval I_)
 {
     return sfi_mul(I_, sfi_sub(sfi_sub(sfi_neg(sfi_times(1.5, sfi_mul(sfi_mul(sfi_square(A), Omega), d_3))),
         sfi_mul(A, d)), sfi_div(zeta, Omega)));
 }
 
-/* Where a level by inertia is stationary, x = 1/Omega: what is not negative, lower and higher R/Omega^2.
-   Equation from (24). Domain: Omega >= 0, A > 0. */
+/* Where a level by inertia is stationary, x = 1/Omega: what is not negative, lower and higher R/Omega^2. */
 static inline void dissipation_intervals_R_where_stationary(sf_interval x, sf_interval A, sf_interval I_0, sf_interval zeta, sf_interval d, sf_interval *out)
 {
     const sf_interval t0 = sfi_square(A);
@@ -145,8 +135,7 @@ static inline void dissipation_intervals_R_where_stationary(sf_interval x, sf_in
     out[2] = t4;
 }
 
-/* I/A, by I_0/A.
-   Equation (23). Domain: Omega >= 0, A > 0. */
+/* I/A, by I_0/A. */
 static inline sf_interval dissipation_intervals_I_scaled(sf_interval Omega, sf_interval A, sf_interval I_0_over_A, sf_interval zeta, sf_interval d, sf_interval d_3)
 {
     const sf_interval Omega2 = sfi_square(Omega);
@@ -155,16 +144,14 @@ static inline sf_interval dissipation_intervals_I_scaled(sf_interval Omega, sf_i
         d)), I_0_over_A), sfi_times(2.0, sfi_mul(Omega, zeta)));
 }
 
-/* F_A/(2 A), by h/A and I/A.
-   Equation (30). Domain: Omega >= 0, A > 0. */
+/* F_A/(2 A), by h/A and I/A. */
 static inline sf_interval dissipation_intervals_F_A_scaled(sf_interval Omega, sf_interval h_over_A, sf_interval h_A, sf_interval I_over_A, sf_interval I_A)
 {
     const sf_interval t0 = sfi_square(Omega);
     return sfi_add(sfi_mul(I_A, I_over_A), sfi_mul(sfi_add(h_A, t0), sfi_add(h_over_A, t0)));
 }
 
-/* F/Omega^4 at x = 1/Omega; and -Omega^3/4 dlevel^2/dOmega, less Omega times the third.
-   Equation (24). Domain: x >= 0, A > 0. */
+/* F/Omega^4 at x = 1/Omega; and -Omega^3/4 dlevel^2/dOmega, less Omega times the third. */
 static inline void dissipation_intervals_far_by_inertia(sf_interval x, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval zeta, sf_interval d, sf_interval h, sf_interval *out)
 {
     const sf_interval t0 = sfi_square(x);
@@ -180,8 +167,7 @@ static inline void dissipation_intervals_far_by_inertia(sf_interval x, sf_interv
     out[2] = sfi_mul(sfi_mul(A3, d), zeta);
 }
 
-/* F and F_A/2; derivatives by A and by R of the first, then of the second.
-   Equation from (24), (30). Domain: Omega > 0, A > 0. */
+/* F and F_A/2; derivatives by A and by R of the first, then of the second. */
 static inline void dissipation_intervals_folds_by_R(sf_interval Omega, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A, sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval zeta_A, sf_interval zeta_AA, sf_interval zeta_AAA, sf_interval d, sf_interval d_3, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval h_AAA, sf_interval R, sf_interval I_, sf_interval R_A, sf_interval I_A, sf_interval *out)
 {
     const sf_interval t0 = sfi_inverse(Omega);
@@ -211,8 +197,7 @@ static inline void dissipation_intervals_folds_by_R(sf_interval Omega, sf_interv
     out[5] = sfi_add(sfi_add(sfi_add(sfi_mul(R, t6), R_A), sfi_mul(sfi_mul(t11, t12), t6)), sfi_mul(t4, t8));
 }
 
-/* F and what vanishes where the level is stationary; derivatives by A and by R of the first, then of the second.
-   Equation from (24). Domain: Omega > 0, A > 0. */
+/* F and what vanishes where the level is stationary; derivatives by A and by R of the first, then of the second. */
 static inline void dissipation_intervals_peaks_by_R(sf_interval Omega, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A, sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval zeta_A, sf_interval zeta_AA, sf_interval zeta_AAA, sf_interval d, sf_interval d_3, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval h_AAA, sf_interval R, sf_interval I_, sf_interval R_A, sf_interval I_A, sf_interval *out)
 {
     const sf_interval t0 = sfi_mul(A, d);
@@ -238,8 +223,7 @@ static inline void dissipation_intervals_peaks_by_R(sf_interval Omega, sf_interv
     out[5] = sfi_add(sfi_add(t11, sfi_mul(t12, t8)), sfi_point(1.0));
 }
 
-/* F_A/2 and F_AA/2; derivatives by A and by R of the first, then of the second.
-   Equation from (30), (33). Domain: Omega > 0, A > 0. */
+/* F_A/2 and F_AA/2; derivatives by A and by R of the first, then of the second. */
 static inline void dissipation_intervals_cusps_by_R(sf_interval Omega, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A, sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval zeta_A, sf_interval zeta_AA, sf_interval zeta_AAA, sf_interval d, sf_interval d_3, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval h_AAA, sf_interval R, sf_interval I_, sf_interval R_A, sf_interval I_A, sf_interval *out)
 {
     const sf_interval t0 = sfi_mul(Omega, zeta_A);
@@ -289,8 +273,7 @@ static inline void dissipation_intervals_cusps_by_R(sf_interval Omega, sf_interv
         sfi_mul(t24, t28));
 }
 
-/* F_A/2 and what vanishes where the level is stationary; derivatives by A and by R of the first, then of the second.
-   Equation from (30). Domain: Omega > 0, A > 0. */
+/* F_A/2 and what vanishes where the level is stationary; derivatives by A and by R of the first, then of the second. */
 static inline void dissipation_intervals_isolas_by_R(sf_interval Omega, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A, sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval zeta_A, sf_interval zeta_AA, sf_interval zeta_AAA, sf_interval d, sf_interval d_3, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval h_AAA, sf_interval R, sf_interval I_, sf_interval R_A, sf_interval I_A, sf_interval *out)
 {
     const sf_interval t0 = sfi_mul(A, d);
@@ -328,8 +311,7 @@ static inline void dissipation_intervals_isolas_by_R(sf_interval Omega, sf_inter
     out[5] = sfi_add(sfi_add(sfi_mul(t17, t4), sfi_mul(t18, t9)), sfi_point(1.0));
 }
 
-/* F_A/2 and F_AOmega/(4 Omega); derivatives by A and by R of the first, then of the second.
-   Equation from (30). Domain: Omega > 0, A > 0. */
+/* F_A/2 and F_AOmega/(4 Omega); derivatives by A and by R of the first, then of the second. */
 static inline void dissipation_intervals_turns_by_R(sf_interval Omega, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A, sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval zeta_A, sf_interval zeta_AA, sf_interval zeta_AAA, sf_interval d, sf_interval d_3, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval h_AAA, sf_interval R, sf_interval I_, sf_interval R_A, sf_interval I_A, sf_interval *out)
 {
     const sf_interval t0 = sfi_mul(R, R_A);
@@ -418,8 +400,7 @@ static inline void dissipation_intervals_turns_by_R(sf_interval Omega, sf_interv
         t52), sfi_point(2.0));
 }
 
-/* F and F_A/2; derivatives by A and by Omega of the first, then of the second.
-   Equation from (24), (30). Domain: Omega > 0, A > 0. */
+/* F and F_A/2; derivatives by A and by Omega of the first, then of the second. */
 static inline void dissipation_intervals_folds_by_Omega(sf_interval Omega, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A, sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval zeta_A, sf_interval zeta_AA, sf_interval zeta_AAA, sf_interval d, sf_interval d_3, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval h_AAA, sf_interval R, sf_interval I_, sf_interval R_A, sf_interval I_A, sf_interval *out)
 {
     const sf_interval t0 = sfi_add(sfi_mul(I_, I_A), sfi_mul(R, R_A));
@@ -445,8 +426,7 @@ static inline void dissipation_intervals_folds_by_Omega(sf_interval Omega, sf_in
         sfi_mul(R_A, t4)), t2);
 }
 
-/* F and what vanishes where the level is stationary; derivatives by A and by Omega of the first, then of the second.
-   Equation from (24). Domain: Omega > 0, A > 0. */
+/* F and what vanishes where the level is stationary; derivatives by A and by Omega of the first, then of the second. */
 static inline void dissipation_intervals_peaks_by_Omega(sf_interval Omega, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A, sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval zeta_A, sf_interval zeta_AA, sf_interval zeta_AAA, sf_interval d, sf_interval d_3, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval h_AAA, sf_interval R, sf_interval I_, sf_interval R_A, sf_interval I_A, sf_interval *out)
 {
     const sf_interval t0 = sfi_inverse(Omega);
@@ -487,8 +467,7 @@ static inline void dissipation_intervals_peaks_by_Omega(sf_interval Omega, sf_in
         t3));
 }
 
-/* F_A/2 and F_AA/2; derivatives by A and by Omega of the first, then of the second.
-   Equation from (30), (33). Domain: Omega > 0, A > 0. */
+/* F_A/2 and F_AA/2; derivatives by A and by Omega of the first, then of the second. */
 static inline void dissipation_intervals_cusps_by_Omega(sf_interval Omega, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A, sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval zeta_A, sf_interval zeta_AA, sf_interval zeta_AAA, sf_interval d, sf_interval d_3, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval h_AAA, sf_interval R, sf_interval I_, sf_interval R_A, sf_interval I_A, sf_interval *out)
 {
     const sf_interval Omega2 = sfi_square(Omega);
@@ -526,8 +505,7 @@ static inline void dissipation_intervals_cusps_by_Omega(sf_interval Omega, sf_in
         sfi_mul(h_AA, t5)), sfi_mul(t11, t14)), sfi_mul(t18, t4));
 }
 
-/* F_A/2 and what vanishes where the level is stationary; derivatives by A and by Omega of the first, then of the second.
-   Equation from (30). Domain: Omega > 0, A > 0. */
+/* F_A/2 and what vanishes where the level is stationary; derivatives by A and by Omega of the first, then of the second. */
 static inline void dissipation_intervals_isolas_by_Omega(sf_interval Omega, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A, sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval zeta_A, sf_interval zeta_AA, sf_interval zeta_AAA, sf_interval d, sf_interval d_3, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval h_AAA, sf_interval R, sf_interval I_, sf_interval R_A, sf_interval I_A, sf_interval *out)
 {
     const sf_interval t0 = sfi_inverse(Omega);
@@ -573,8 +551,7 @@ static inline void dissipation_intervals_isolas_by_Omega(sf_interval Omega, sf_i
         zeta), Omega2)), sfi_mul(sfi_mul(Omega, t19), t21)), t12);
 }
 
-/* F_A/2 and F_AOmega/(4 Omega); derivatives by A and by Omega of the first, then of the second.
-   Equation from (30). Domain: Omega > 0, A > 0. */
+/* F_A/2 and F_AOmega/(4 Omega); derivatives by A and by Omega of the first, then of the second. */
 static inline void dissipation_intervals_turns_by_Omega(sf_interval Omega, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A, sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval zeta_A, sf_interval zeta_AA, sf_interval zeta_AAA, sf_interval d, sf_interval d_3, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval h_AAA, sf_interval R, sf_interval I_, sf_interval R_A, sf_interval I_A, sf_interval *out)
 {
     const sf_interval t0 = sfi_mul(A, R_A);
@@ -648,8 +625,7 @@ static inline void dissipation_intervals_turns_by_Omega(sf_interval Omega, sf_in
         t8)), sfi_mul(t37, t9)), sfi_times(4.0, sfi_mul(t7, sfi_square(zeta))));
 }
 
-/* F and F_A/2 of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by R of the first, then of the second.
-   Equation from (24), (30). Domain: Omega > 0, A > 0. */
+/* F and F_A/2 of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by R of the first, then of the second. */
 static inline void dissipation_intervals_folds_far_by_R(sf_interval x, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A, sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval zeta_A, sf_interval zeta_AA, sf_interval zeta_AAA, sf_interval d, sf_interval d_3, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval h_AAA, sf_interval R, sf_interval I_, sf_interval R_A, sf_interval I_A, sf_interval *out)
 {
     const sf_interval t0 = sfi_inverse(h);
@@ -669,8 +645,7 @@ static inline void dissipation_intervals_folds_far_by_R(sf_interval x, sf_interv
     out[5] = sfi_add(sfi_add(sfi_add(sfi_mul(I_, t6), sfi_mul(I_A, t2)), sfi_mul(R, t5)), R_A);
 }
 
-/* F and what vanishes where the level is stationary of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by R of the first, then of the second.
-   Equation from (24). Domain: Omega > 0, A > 0. */
+/* F and what vanishes where the level is stationary of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by R of the first, then of the second. */
 static inline void dissipation_intervals_peaks_far_by_R(sf_interval x, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A, sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval zeta_A, sf_interval zeta_AA, sf_interval zeta_AAA, sf_interval d, sf_interval d_3, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval h_AAA, sf_interval R, sf_interval I_, sf_interval R_A, sf_interval I_A, sf_interval *out)
 {
     const sf_interval t0 = sfi_inverse(h);
@@ -698,8 +673,7 @@ static inline void dissipation_intervals_peaks_far_by_R(sf_interval x, sf_interv
         sfi_point(1.0));
 }
 
-/* F_A/2 and F_AA/2 of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by R of the first, then of the second.
-   Equation from (30), (33). Domain: Omega > 0, A > 0. */
+/* F_A/2 and F_AA/2 of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by R of the first, then of the second. */
 static inline void dissipation_intervals_cusps_far_by_R(sf_interval x, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A, sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval zeta_A, sf_interval zeta_AA, sf_interval zeta_AAA, sf_interval d, sf_interval d_3, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval h_AAA, sf_interval R, sf_interval I_, sf_interval R_A, sf_interval I_A, sf_interval *out)
 {
     const sf_interval t0 = sfi_times(2.0, d);
@@ -739,8 +713,7 @@ static inline void dissipation_intervals_cusps_far_by_R(sf_interval x, sf_interv
         t4);
 }
 
-/* F_A/2 and what vanishes where the level is stationary of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by R of the first, then of the second.
-   Equation from (30). Domain: Omega > 0, A > 0. */
+/* F_A/2 and what vanishes where the level is stationary of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by R of the first, then of the second. */
 static inline void dissipation_intervals_isolas_far_by_R(sf_interval x, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A, sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval zeta_A, sf_interval zeta_AA, sf_interval zeta_AAA, sf_interval d, sf_interval d_3, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval h_AAA, sf_interval R, sf_interval I_, sf_interval R_A, sf_interval I_A, sf_interval *out)
 {
     const sf_interval t0 = sfi_inverse(h);
@@ -771,8 +744,7 @@ static inline void dissipation_intervals_isolas_far_by_R(sf_interval x, sf_inter
     out[5] = sfi_add(sfi_sub(sfi_mul(sfi_mul(sfi_mul(t1, t13), t14), t6), sfi_mul(t12, t14)), sfi_point(1.0));
 }
 
-/* F and F_A/2 of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by x of the first, then of the second.
-   Equation from (24), (30). Domain: Omega > 0, A > 0. */
+/* F and F_A/2 of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by x of the first, then of the second. */
 static inline void dissipation_intervals_folds_far_by_x(sf_interval x, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A, sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval zeta_A, sf_interval zeta_AA, sf_interval zeta_AAA, sf_interval d, sf_interval d_3, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval h_AAA, sf_interval R, sf_interval I_, sf_interval R_A, sf_interval I_A, sf_interval *out)
 {
     const sf_interval t0 = sfi_add(sfi_mul(I_, I_A), sfi_mul(R, R_A));
@@ -790,8 +762,7 @@ static inline void dissipation_intervals_folds_far_by_x(sf_interval x, sf_interv
         x)), zeta)), sfi_mul(I_A, t2)), sfi_mul(sfi_mul(R_A, h), x)), sfi_mul(h_A, t1)));
 }
 
-/* F and what vanishes where the level is stationary of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by x of the first, then of the second.
-   Equation from (24). Domain: Omega > 0, A > 0. */
+/* F and what vanishes where the level is stationary of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by x of the first, then of the second. */
 static inline void dissipation_intervals_peaks_far_by_x(sf_interval x, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A, sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval zeta_A, sf_interval zeta_AA, sf_interval zeta_AAA, sf_interval d, sf_interval d_3, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval h_AAA, sf_interval R, sf_interval I_, sf_interval R_A, sf_interval I_A, sf_interval *out)
 {
     const sf_interval t0 = sfi_mul(R, h);
@@ -814,8 +785,7 @@ static inline void dissipation_intervals_peaks_far_by_x(sf_interval x, sf_interv
         sfi_mul(t1, sfi_sub(I_0, sfi_div(sfi_mul(d, t4), sfi_square(x)))));
 }
 
-/* F_A/2 and F_AA/2 of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by x of the first, then of the second.
-   Equation from (30), (33). Domain: Omega > 0, A > 0. */
+/* F_A/2 and F_AA/2 of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by x of the first, then of the second. */
 static inline void dissipation_intervals_cusps_far_by_x(sf_interval x, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A, sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval zeta_A, sf_interval zeta_AA, sf_interval zeta_AAA, sf_interval d, sf_interval d_3, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval h_AAA, sf_interval R, sf_interval I_, sf_interval R_A, sf_interval I_A, sf_interval *out)
 {
     const sf_interval t0 = sfi_times(2.0, d);
@@ -848,8 +818,7 @@ static inline void dissipation_intervals_cusps_far_by_x(sf_interval x, sf_interv
         sfi_mul(h_A, t10))), sfi_mul(h_AA, t9)), sfi_mul(t11, t8)), sfi_mul(t3, zeta_A)));
 }
 
-/* F_A/2 and what vanishes where the level is stationary of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by x of the first, then of the second.
-   Equation from (30). Domain: Omega > 0, A > 0. */
+/* F_A/2 and what vanishes where the level is stationary of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by x of the first, then of the second. */
 static inline void dissipation_intervals_isolas_far_by_x(sf_interval x, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A, sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval zeta_A, sf_interval zeta_AA, sf_interval zeta_AAA, sf_interval d, sf_interval d_3, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval h_AAA, sf_interval R, sf_interval I_, sf_interval R_A, sf_interval I_A, sf_interval *out)
 {
     const sf_interval t0 = sfi_mul(A, zeta);

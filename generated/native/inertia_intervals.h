@@ -4,15 +4,15 @@
    Input: none but the equation of motion in derivations/paper/equation_of_motion.py, derivations/paper/averaging.py, derivations/paper/slow_flow.py, derivations/extensions/inertia.py
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
-   Each output holds every value that the function of the same name takes on the arguments; `out` takes the outputs. */
+   Each output holds every value that the function of the same name takes on the arguments; `out` takes the outputs.
+   Equations and domains that are not said here are those of inertia.h. */
 
 #ifndef INERTIA_INTERVALS_H
 #define INERTIA_INTERVALS_H
 
 #include "interval.h"
 
-/* What the least level of an amplitude follows from; it has one where the first, fall, is positive.
-   Equation from (24). Domain: A > 0. */
+/* What the least level of an amplitude follows from; it has one where the first, fall, is positive. */
 static inline void inertia_intervals_terms(sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval *out)
 {
     out[0] = sfi_neg(sfi_mul(A, sfi_add(sfi_times(2.0, sfi_mul(A, sfi_square(zeta))), h)));
@@ -20,8 +20,7 @@ static inline void inertia_intervals_terms(sf_interval A, sf_interval m, sf_inte
     out[2] = sfi_add(sfi_square(h), sfi_square(m));
 }
 
-/* The least level of an amplitude less F_0, and its slope along A.
-   Equation from (24). Domain: x of `least`, h < 0. */
+/* The least level of an amplitude less F_0, and its slope along A. */
 static inline void inertia_intervals_peak(sf_interval x, sf_interval A, sf_interval F_0, sf_interval m, sf_interval zeta, sf_interval h, sf_interval h_A, sf_interval *out)
 {
     const sf_interval t0 = sfi_mul(A, zeta);
@@ -35,8 +34,7 @@ static inline void inertia_intervals_peak(sf_interval x, sf_interval A, sf_inter
         sfi_mul(t2, zeta))), root);
 }
 
-/* Has the sign of F_A where an amplitude's level is least: zero at an isola point; its slope along A.
-   Equation from (24), (30). Domain: x of `least`, h < 0. */
+/* Has the sign of F_A where an amplitude's level is least: zero at an isola point; its slope along A. */
 static inline void inertia_intervals_isola(sf_interval x, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval *out)
 {
     const sf_interval t0 = sfi_mul(A, zeta);
@@ -58,8 +56,7 @@ static inline void inertia_intervals_isola(sf_interval x, sf_interval A, sf_inte
         sfi_mul(m, t0)))));
 }
 
-/* The same without its slope by k = h - A h_A and cubic = 3 h - A h_A, small where h is like A^3.
-   Equation from (24), (30). Domain: x of `least`, h < 0. */
+/* The same without its slope by k = h - A h_A and cubic = 3 h - A h_A, small where h is like A^3. */
 static inline sf_interval inertia_intervals_isola_apart(sf_interval x, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval k, sf_interval cubic)
 {
     const sf_interval t0 = sfi_mul(A, zeta);

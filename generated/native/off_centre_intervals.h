@@ -4,15 +4,15 @@
    Input: none but the equation of motion in derivations/paper/averaging.py, derivations/paper/slow_flow.py, derivations/asymmetric/off_centre.py
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
-   Each output holds every value that the function of the same name takes on the arguments; `out` takes the outputs. */
+   Each output holds every value that the function of the same name takes on the arguments; `out` takes the outputs.
+   Equations and domains that are not said here are those of off_centre.h. */
 
 #ifndef OFF_CENTRE_INTERVALS_H
 #define OFF_CENTRE_INTERVALS_H
 
 #include "interval.h"
 
-/* What vanishes at a steady state, by coordinates x and y of the motion's ends: the balance of the mean and F; slopes of each by x and y.
-   Equation (24) and the mean of (3). Domain: A > 0. */
+/* What vanishes at a steady state, by coordinates x and y of the motion's ends: the balance of the mean and F; slopes of each by x and y. */
 static inline void off_centre_intervals_ended_state(sf_interval Omega, sf_interval A, sf_interval force, sf_interval I_, sf_interval I_A, sf_interval load, sf_interval c_0, sf_interval s_0, sf_interval c_x, sf_interval c_y, sf_interval X, sf_interval Y, sf_interval *out)
 {
     const sf_interval t0 = sfi_times(2.0, s_0);
@@ -31,8 +31,7 @@ static inline void off_centre_intervals_ended_state(sf_interval Omega, sf_interv
         c_y))));
 }
 
-/* Along the balance, by coordinates of the motion's ends: A's slope, and what F_A gains there by R.
-   Equation (30) and the mean of (3). Domain: A > 0. */
+/* Along the balance, by coordinates of the motion's ends: A's slope, and what F_A gains there by R. */
 static inline void off_centre_intervals_ended_along(sf_interval A, sf_interval s_0, sf_interval c_x, sf_interval c_y, sf_interval X, sf_interval Y, sf_interval *out)
 {
     const sf_interval t0 = sfi_add(sfi_neg(sfi_mul(X, c_y)), sfi_mul(Y, c_x));
@@ -40,8 +39,7 @@ static inline void off_centre_intervals_ended_along(sf_interval A, sf_interval s
     out[1] = sfi_add(sfi_mul(sfi_mul(A, c_x), c_y), sfi_mul(s_0, t0));
 }
 
-/* Slopes of s_0 by coordinates x and y of the motion's ends, and of c_x by y.
-   Equation the mean of (3). Domain: A > 0. */
+/* Slopes of s_0 by coordinates x and y of the motion's ends, and of c_x by y. */
 static inline void off_centre_intervals_ended_slopes(sf_interval A, sf_interval s_0, sf_interval c_x, sf_interval c_y, sf_interval X, sf_interval Y, sf_interval *out)
 {
     const sf_interval t0 = sfi_inverse(A);
@@ -51,8 +49,7 @@ static inline void off_centre_intervals_ended_slopes(sf_interval A, sf_interval 
     out[2] = sfi_times(0.5, sfi_mul(t0, sfi_sub(sfi_neg(sfi_mul(X, c_y)), sfi_mul(Y, c_x))));
 }
 
-/* What vanishes at a fold, by R, with the force F_0 + F_2 Omega^2, by coordinates x and y of the motion's ends: the balance, F along it times A/2, and F; slopes of each by x, y and R.
-   Equation (24), (30) and the mean of (3). Domain: A > 0, R + 2 s_0 > 0. */
+/* What vanishes at a fold, by R, with the force F_0 + F_2 Omega^2, by coordinates x and y of the motion's ends: the balance, F along it times A/2, and F; slopes of each by x, y and R. */
 static inline void off_centre_intervals_ended_fold(sf_interval R, sf_interval A, sf_interval F_0, sf_interval F_2, sf_interval m, sf_interval eta, sf_interval zeta, sf_interval d, sf_interval load, sf_interval c_0, sf_interval s_0, sf_interval c_x, sf_interval c_y, sf_interval c_xx, sf_interval c_yy, sf_interval X, sf_interval Y, sf_interval X_x, sf_interval Y_y, sf_interval *out)
 {
     const sf_interval t0 = sfi_inverse(A);
@@ -116,16 +113,14 @@ static inline void off_centre_intervals_ended_fold(sf_interval R, sf_interval A,
     out[11] = sfi_sub(sfi_add(sfi_mul(sfi_mul(A, I_), t22), sfi_times(2.0, R)), t37);
 }
 
-/* (c_1^2 - s_1^2)/c_1 of an odd force without a load where f_0 = 0 and B is not 0, with c_3 and s_2 of some B between 0 and there.
-   Equation the mean of (3). Domain: c_3 other than 0. */
+/* (c_1^2 - s_1^2)/c_1 of an odd force without a load where f_0 = 0 and B is not 0, with c_3 and s_2 of some B between 0 and there. */
 static inline sf_interval off_centre_intervals_beside(sf_interval B, sf_interval c_3, sf_interval s_2)
 {
     return sfi_sub(sfi_mul(sfi_around(0.33333333333333331), sfi_mul(sfi_square(B), c_3)), sfi_div(sfi_times(3.0,
         sfi_square(s_2)), c_3));
 }
 
-/* L_-1, L_0, M_-1, M_0 of a step at B + a that the motion passes at psi = angle.
-   Equation the mean of (3). Domain: root = sqrt(A^2 - a^2). */
+/* L_-1, L_0, M_-1, M_0 of a step at B + a that the motion passes at psi = angle. */
 static inline void off_centre_intervals_begin(sf_interval A, sf_interval a, sf_interval root, sf_interval angle, sf_interval *out)
 {
     const sf_interval t0 = sfi_div(sfi_around(0.31830988618379069), root);
@@ -136,8 +131,7 @@ static inline void off_centre_intervals_begin(sf_interval A, sf_interval a, sf_i
     out[3] = sfi_mul(sfi_around(0.31830988618379069), sfi_mul(root, t1));
 }
 
-/* L_(k-2) and M_(k-2) from the two above each.
-   Equation the mean of (3). Domain: root > 0. */
+/* L_(k-2) and M_(k-2) from the two above each. */
 static inline void off_centre_intervals_down(sf_interval k, sf_interval A, sf_interval a, sf_interval root, sf_interval L_1, sf_interval L_k, sf_interval M_1, sf_interval M_k, sf_interval *out)
 {
     const sf_interval t0 = sfi_inverse(sfi_square(root));

@@ -5,6 +5,7 @@
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
    `out` takes the outputs, where there are several.
+   Equations and domains that are not said here are those of rod_spring.h.
    passed: how many breakpoints the amplitude exceeds; beyond: by how much it exceeds the last of these. */
 
 #ifndef ROD_SPRING_PAIRS_H
@@ -15,8 +16,7 @@
 
 SF_FAMILY_BEGIN
 
-/* The |u| at which a piece of the force ends.
-   Equation (5). Domain: any parameters. */
+/* The |u| at which a piece of the force ends. */
 static inline void rod_spring_pairs_breakpoints(const sf_pair *p, sf_pair *out)
 {
     const sf_pair u_cr = p[3];

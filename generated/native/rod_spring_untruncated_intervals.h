@@ -5,7 +5,8 @@
    Input: none but the equation of motion in derivations/asymmetric/curved.py
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
-   Each output holds every value that the function of the same name takes on the arguments; `out` takes the outputs. */
+   Each output holds every value that the function of the same name takes on the arguments; `out` takes the outputs.
+   Equations and domains that are not said here are those of rod_spring_untruncated.h. */
 
 #ifndef ROD_SPRING_UNTRUNCATED_INTERVALS_H
 #define ROD_SPRING_UNTRUNCATED_INTERVALS_H
@@ -15,8 +16,7 @@
 
 SF_FAMILY_BEGIN
 
-/* The |u| at which a piece of the force ends.
-   Equation (5). Domain: any parameters. */
+/* The |u| at which a piece of the force ends. */
 static inline void rod_spring_untruncated_intervals_breakpoints(const sf_interval *p, sf_interval *out)
 {
     const sf_interval delta_h = p[2];

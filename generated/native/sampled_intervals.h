@@ -4,15 +4,15 @@
    Input: none but the equation of motion in derivations/forces/quadrature.py, derivations/forces/sampled.py
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
-   Each output holds every value that the function of the same name takes on the arguments; `out` takes the outputs. */
+   Each output holds every value that the function of the same name takes on the arguments; `out` takes the outputs.
+   Equations and domains that are not said here are those of sampled.h. */
 
 #ifndef SAMPLED_INTERVALS_H
 #define SAMPLED_INTERVALS_H
 
 #include "interval.h"
 
-/* Under the integrals of h and h_AAAA.
-   Equation (20), (31). Domain: any. */
+/* Under the integrals of h and h_AAAA. */
 static inline void sampled_intervals_bent_terms(sf_interval sine, sf_interval f, sf_interval f_uuuu, sf_interval *out)
 {
     const sf_interval sine2 = sfi_square(sine);
@@ -22,8 +22,7 @@ static inline void sampled_intervals_bent_terms(sf_interval sine, sf_interval f,
     out[1] = sfi_neg(sfi_mul(sfi_around(1.2732395447351628), sfi_mul(f_uuuu, sine5)));
 }
 
-/* What a breakpoint adds to h_AAAA; derivatives of order 0 are the first to be lost.
-   Equation (31). Domain: A > b > 0. */
+/* What a breakpoint adds to h_AAAA; derivatives of order 0 are the first to be lost. */
 static inline sf_interval sampled_intervals_bent_end_0(sf_interval A, sf_interval b, sf_interval lost_0, sf_interval lost_1, sf_interval lost_2, sf_interval lost_3)
 {
     const sf_interval root = sfi_mul(sfi_sqrt(sfi_sub(A, b)), sfi_sqrt(sfi_add(A, b)));
@@ -51,8 +50,7 @@ static inline sf_interval sampled_intervals_bent_end_0(sf_interval A, sf_interva
         sfi_add(A2, sfi_times(4.0, root2))), sfi_mul(sfi_mul(sfi_mul(b5, lost_3), root2), t0))))))), root7));
 }
 
-/* What a breakpoint adds to h_AAAA; derivatives of order 1 are the first to be lost.
-   Equation (31). Domain: A > b > 0. */
+/* What a breakpoint adds to h_AAAA; derivatives of order 1 are the first to be lost. */
 static inline sf_interval sampled_intervals_bent_end_1(sf_interval A, sf_interval b, sf_interval lost_1, sf_interval lost_2, sf_interval lost_3)
 {
     const sf_interval root = sfi_mul(sfi_sqrt(sfi_sub(A, b)), sfi_sqrt(sfi_add(A, b)));
@@ -73,8 +71,7 @@ static inline sf_interval sampled_intervals_bent_end_1(sf_interval A, sf_interva
         root2))), sfi_mul(sfi_mul(sfi_mul(b5, lost_3), root2), t0))))), root5));
 }
 
-/* What a breakpoint adds to h_AAAA; derivatives of order 2 are the first to be lost.
-   Equation (31). Domain: A > b > 0. */
+/* What a breakpoint adds to h_AAAA; derivatives of order 2 are the first to be lost. */
 static inline sf_interval sampled_intervals_bent_end_2(sf_interval A, sf_interval b, sf_interval lost_2, sf_interval lost_3)
 {
     const sf_interval root = sfi_mul(sfi_sqrt(sfi_sub(A, b)), sfi_sqrt(sfi_add(A, b)));
@@ -91,8 +88,7 @@ static inline sf_interval sampled_intervals_bent_end_2(sf_interval A, sf_interva
         t0), sfi_add(A2, sfi_times(4.0, root2))), sfi_mul(sfi_mul(sfi_mul(b5, lost_3), root2), t0))), root3));
 }
 
-/* What a breakpoint adds to h_AAAA; derivatives of order 3 are the first to be lost.
-   Equation (31). Domain: A > b > 0. */
+/* What a breakpoint adds to h_AAAA; derivatives of order 3 are the first to be lost. */
 static inline sf_interval sampled_intervals_bent_end_3(sf_interval A, sf_interval b, sf_interval lost_3)
 {
     const sf_interval root = sfi_mul(sfi_sqrt(sfi_sub(A, b)), sfi_sqrt(sfi_add(A, b)));

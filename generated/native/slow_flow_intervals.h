@@ -4,7 +4,8 @@
    Input: none but the equation of motion in derivations/paper/averaging.py, derivations/paper/slow_flow.py, derivations/asymmetric/offset.py, derivations/systems/along.py, derivations/systems/slopes.py, derivations/systems/newton.py, derivations/paper/critical_forcings.py
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
-   Each output holds every value that the function of the same name takes on the arguments; `out` takes the outputs. */
+   Each output holds every value that the function of the same name takes on the arguments; `out` takes the outputs.
+   Equations and domains that are not said here are those of slow_flow.h. */
 
 #ifndef SLOW_FLOW_INTERVALS_H
 #define SLOW_FLOW_INTERVALS_H
@@ -14,22 +15,19 @@
 
 SF_FAMILY_BEGIN
 
-/* Dry friction's share of I.
-   Equation (23). Domain: mu >= 0. */
+/* Dry friction's share of I. */
 static inline sf_interval slow_flow_intervals_friction(sf_interval mu)
 {
     return sfi_mul(sfi_around(1.2732395447351628), mu);
 }
 
-/* Cosine balance, -F_0 cos phi at a fixed point.
-   Equation (23). Domain: Omega > 0, A > 0. */
+/* Cosine balance, -F_0 cos phi at a fixed point. */
 static inline sf_interval slow_flow_intervals_R(sf_interval Omega, sf_interval A, sf_interval h)
 {
     return sfi_add(sfi_mul(A, sfi_square(Omega)), h);
 }
 
-/* Frequency response; zero at a steady state.
-   Equation (24). Domain: Omega > 0, A > 0. */
+/* Frequency response; zero at a steady state. */
 static inline sf_interval slow_flow_intervals_F(sf_interval Omega, sf_interval A, sf_interval F_0, sf_interval m, sf_interval zeta, sf_interval h)
 {
     const sf_interval R = sfi_add(sfi_mul(A, sfi_square(Omega)), h);
@@ -37,8 +35,7 @@ static inline sf_interval slow_flow_intervals_F(sf_interval Omega, sf_interval A
     return sfi_add(sfi_square(R), sfi_mul(sfi_add(sfi_neg(F_0), I_), sfi_add(F_0, I_)));
 }
 
-/* dF/dA; positive where stable.
-   Equation (24), (30). Domain: Omega > 0, A > 0. */
+/* dF/dA; positive where stable. */
 static inline sf_interval slow_flow_intervals_F_A(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval h_A)
 {
     const sf_interval t0 = sfi_square(Omega);
@@ -48,8 +45,7 @@ static inline sf_interval slow_flow_intervals_F_A(sf_interval Omega, sf_interval
     return sfi_times(2.0, sfi_add(sfi_mul(I_, t1), sfi_mul(R, sfi_add(h_A, t0))));
 }
 
-/* d2F/dA2.
-   Equation (24), (33). Domain: Omega > 0, A > 0. */
+/* d2F/dA2. */
 static inline sf_interval slow_flow_intervals_F_AA(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval h_A, sf_interval h_AA)
 {
     const sf_interval t0 = sfi_square(Omega);
@@ -59,8 +55,7 @@ static inline sf_interval slow_flow_intervals_F_AA(sf_interval Omega, sf_interva
         sfi_square(t1)));
 }
 
-/* dF/dOmega.
-   Equation (24), (34). Domain: Omega > 0, A > 0. */
+/* dF/dOmega. */
 static inline sf_interval slow_flow_intervals_F_Omega(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h)
 {
     const sf_interval R = sfi_add(sfi_mul(A, sfi_square(Omega)), h);
@@ -68,8 +63,7 @@ static inline sf_interval slow_flow_intervals_F_Omega(sf_interval Omega, sf_inte
     return sfi_times(4.0, sfi_mul(A, sfi_add(sfi_mul(I_, zeta), sfi_mul(Omega, R))));
 }
 
-/* d2F/dA dOmega.
-   Equation (24). Domain: Omega > 0, A > 0. */
+/* d2F/dA dOmega. */
 static inline sf_interval slow_flow_intervals_F_AOmega(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval h_A)
 {
     const sf_interval t0 = sfi_square(Omega);
@@ -81,8 +75,7 @@ static inline sf_interval slow_flow_intervals_F_AOmega(sf_interval Omega, sf_int
         sfi_add(h_A, t0))), sfi_mul(t2, sfi_square(zeta))));
 }
 
-/* d2F/dOmega2.
-   Equation (24). Domain: Omega > 0, A > 0. */
+/* d2F/dOmega2. */
 static inline sf_interval slow_flow_intervals_F_OmegaOmega(sf_interval Omega, sf_interval A, sf_interval zeta, sf_interval h)
 {
     const sf_interval t0 = sfi_mul(A, sfi_square(Omega));
@@ -91,16 +84,14 @@ static inline sf_interval slow_flow_intervals_F_OmegaOmega(sf_interval Omega, sf
         sfi_times(2.0, t0))));
 }
 
-/* Frequency on the backbone.
-   Equation (26). Domain: A > 0, h <= 0. */
+/* Frequency on the backbone. */
 static inline sf_interval slow_flow_intervals_backbone(sf_interval A, sf_interval h)
 {
     const sf_interval turn = sfi_neg(sfi_div(h, A));
     return sfi_sqrt(turn);
 }
 
-/* F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
-   Equation (24), (30). Domain: A > 0. */
+/* F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4. */
 static inline void slow_flow_intervals_fold_quartic(sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval h_A, sf_interval *out)
 {
     out[0] = sfi_mul(h, h_A);
@@ -109,8 +100,7 @@ static inline void slow_flow_intervals_fold_quartic(sf_interval A, sf_interval m
     out[3] = A;
 }
 
-/* F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3.
-   Equation (34). Domain: A > 0. */
+/* F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3. */
 static inline void slow_flow_intervals_peak_cubic(sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval *out)
 {
     out[0] = sfi_mul(m, zeta);
@@ -118,8 +108,7 @@ static inline void slow_flow_intervals_peak_cubic(sf_interval A, sf_interval m, 
     out[2] = A;
 }
 
-/* The forcing F_0 for which (Omega, A) is a steady state.
-   Equation (24). Domain: Omega >= 0, A > 0. */
+/* The forcing F_0 for which (Omega, A) is a steady state. */
 static inline sf_interval slow_flow_intervals_level(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h)
 {
     const sf_interval R = sfi_add(sfi_mul(A, sfi_square(Omega)), h);
@@ -127,23 +116,20 @@ static inline sf_interval slow_flow_intervals_level(sf_interval Omega, sf_interv
     return sfi_sqrt(sfi_add(sfi_square(I_), sfi_square(R)));
 }
 
-/* The |h| of a state at Omega = 0, and the least |h - A h_A| of a fold.
-   Equation from (24), (30). Domain: F_0 >= m. */
+/* The |h| of a state at Omega = 0, and the least |h - A h_A| of a fold. */
 static inline sf_interval slow_flow_intervals_least_restoring(sf_interval F_0, sf_interval m)
 {
     return sfi_mul(sfi_sqrt(sfi_sub(F_0, m)), sfi_sqrt(sfi_add(F_0, m)));
 }
 
-/* k = h - A h_A, where the tangent of h meets A = 0, and its slope along A.
-   Equation from (24), (30). Domain: A >= 0. */
+/* k = h - A h_A, where the tangent of h meets A = 0, and its slope along A. */
 static inline void slow_flow_intervals_intercept(sf_interval A, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval *out)
 {
     out[0] = sfi_add(sfi_neg(sfi_mul(A, h_A)), h);
     out[1] = sfi_neg(sfi_mul(A, h_AA));
 }
 
-/* The largest |h| of a state with this amplitude: F_0 + (A Omega)^2/A at the highest Omega.
-   Equation from (23). Domain: A > 0, F_0 >= m, zeta > 0. */
+/* The largest |h| of a state with this amplitude: F_0 + (A Omega)^2/A at the highest Omega. */
 static inline sf_interval slow_flow_intervals_most_restoring(sf_interval A, sf_interval F_0, sf_interval m, sf_interval zeta)
 {
     const sf_interval c = sfi_neg(sfi_div(sfi_times(0.5, sfi_add(sfi_neg(F_0), m)), zeta));
@@ -151,8 +137,7 @@ static inline sf_interval slow_flow_intervals_most_restoring(sf_interval A, sf_i
     return sfi_add(F_0, sfi_mul(c, fastest));
 }
 
-/* Zero at a fold at F_0: R of (23) less the R of F = F_A = 0; its slope along A, and Omega.
-   Equation from (24), (30). Domain: A > 0, F_0 > m, k^2 >= F_0^2 - m^2. */
+/* Zero at a fold at F_0: R of (23) less the R of F = F_A = 0; its slope along A, and Omega. */
 static inline void slow_flow_intervals_fold(sf_interval A, sf_interval F_0, sf_interval m, sf_interval zeta, sf_interval h, sf_interval h_A, sf_interval k, sf_interval k_A, sf_interval *out)
 {
     const sf_interval excess = sfi_mul(sfi_sub(F_0, m), sfi_add(F_0, m));
@@ -175,15 +160,13 @@ static inline void slow_flow_intervals_fold(sf_interval A, sf_interval F_0, sf_i
     out[2] = sfi_div(sfi_times(0.5, sfi_mul(lag, t5)), zeta);
 }
 
-/* Omega at an isola point.
-   Equation from (30), (34). Domain: h_A >= 0. */
+/* Omega at an isola point. */
 static inline sf_interval slow_flow_intervals_isola_Omega(sf_interval h_A)
 {
     return sfi_sqrt(h_A);
 }
 
-/* Zero at an isola point: F_Omega/(4 A) at its Omega, for m = 0 without the factor Omega; slope along A.
-   Equation from (30), (34). Domain: A > 0, h_A > 0; for m = 0 any h_A. */
+/* Zero at an isola point: F_Omega/(4 A) at its Omega, for m = 0 without the factor Omega; slope along A. */
 static inline void slow_flow_intervals_isola(sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval *out)
 {
     const sf_interval w = sfi_sqrt(h_A);
@@ -194,8 +177,7 @@ static inline void slow_flow_intervals_isola(sf_interval A, sf_interval m, sf_in
     out[1] = sfi_add(sfi_div(sfi_times(0.5, sfi_mul(bracket, h_AA)), w), sfi_mul(bracket_A, w));
 }
 
-/* F_AA/2 = T^2 + 2 a T + b = X^2 + 2 c X + d, T = dR/dA, X = Omega^2: a, b, c, d, and a^2 - b = c^2 - d.
-   Equation from (33). Domain: A > 0. */
+/* F_AA/2 = T^2 + 2 a T + b = X^2 + 2 c X + d, T = dR/dA, X = Omega^2: a, b, c, d, and a^2 - b = c^2 - d. */
 static inline void slow_flow_intervals_cusps(sf_interval A, sf_interval zeta, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval k, sf_interval *out)
 {
     const sf_interval t0 = sfi_square(zeta);
@@ -208,16 +190,14 @@ static inline void slow_flow_intervals_cusps(sf_interval A, sf_interval zeta, sf
     out[4] = sfi_add(sfi_square(half_e), t1);
 }
 
-/* R where F_AA = 0 (`cusps`), in two forms: by its tangent, and from F_AA itself.
-   Equation from (33). Domain: A > 0, X >= 0. */
+/* R where F_AA = 0 (`cusps`), in two forms: by its tangent, and from F_AA itself. */
 static inline void slow_flow_intervals_cusp_R(sf_interval A, sf_interval zeta, sf_interval h_AA, sf_interval k, sf_interval X, sf_interval T, sf_interval *out)
 {
     out[0] = sfi_add(sfi_mul(A, T), k);
     out[1] = sfi_div(sfi_sub(sfi_neg(sfi_square(T)), sfi_times(4.0, sfi_mul(X, sfi_square(zeta)))), h_AA);
 }
 
-/* Where F_AA = 0 (`cusps`; root = a + T): F_A/2, the same less A F_AA/2, its slope along A, F_0 if it is 0.
-   Equation from (33). Domain: A > 0, X > 0. */
+/* Where F_AA = 0 (`cusps`; root = a + T): F_A/2, the same less A F_AA/2, its slope along A, F_0 if it is 0. */
 static inline void slow_flow_intervals_cusp(sf_interval A, sf_interval m, sf_interval zeta, sf_interval h_AA, sf_interval h_AAA, sf_interval k, sf_interval X, sf_interval T, sf_interval R, sf_interval root, sf_interval *out)
 {
     const sf_interval w = sfi_sqrt(X);
@@ -232,8 +212,7 @@ static inline void slow_flow_intervals_cusp(sf_interval A, sf_interval m, sf_int
     out[3] = sfi_sqrt(sfi_add(sfi_add(sfi_mul(A, t1), sfi_mul(R, k)), sfi_square(m)));
 }
 
-/* F_A/2 where F_AOmega = 0, an extremum of F_A over Omega, and its slope along A.
-   Equation from (30). Domain: Omega > 0, A > 0. */
+/* F_A/2 where F_AOmega = 0, an extremum of F_A over Omega, and its slope along A. */
 static inline void slow_flow_intervals_turn(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h_AA, sf_interval k, sf_interval *out)
 {
     const sf_interval t0 = sfi_mul(sfi_mul(A, Omega), zeta);
@@ -247,8 +226,7 @@ static inline void slow_flow_intervals_turn(sf_interval Omega, sf_interval A, sf
         sfi_div(sfi_square(t2), sfi_square(A)));
 }
 
-/* F where F_Omega = 0: an extremum of F over Omega, and its slope along A.
-   Equation from (24), (34). Domain: Omega > 0, A > 0. */
+/* F where F_Omega = 0: an extremum of F over Omega, and its slope along A. */
 static inline void slow_flow_intervals_peak(sf_interval Omega, sf_interval A, sf_interval F_0, sf_interval m, sf_interval zeta, sf_interval h_A, sf_interval *out)
 {
     const sf_interval t0 = sfi_times(2.0, A);
@@ -258,8 +236,7 @@ static inline void slow_flow_intervals_peak(sf_interval Omega, sf_interval A, sf
     out[1] = sfi_neg(sfi_times(2.0, sfi_mul(R, sfi_sub(sfi_square(Omega), h_A))));
 }
 
-/* Positive where the level rises with A along the fold locus, negative where it falls.
-   Equation from (24), (30). Domain: Omega > 0, A > 0. */
+/* Positive where the level rises with A along the fold locus, negative where it falls. */
 static inline sf_interval slow_flow_intervals_level_rise(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval h_A, sf_interval h_AA)
 {
     const sf_interval t0 = sfi_square(Omega);
@@ -277,8 +254,7 @@ static inline sf_interval slow_flow_intervals_level_rise(sf_interval Omega, sf_i
     return sfi_neg(sfi_mul(sfi_mul(F_AA, F_AOmega), F_Omega));
 }
 
-/* Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum; T = dR/dA.
-   Equation from (24), (30). Domain: Omega > 0, A > 0. */
+/* Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum; T = dR/dA. */
 static inline sf_interval slow_flow_intervals_cusp_bend(sf_interval Omega, sf_interval A, sf_interval zeta, sf_interval h_AA, sf_interval h_AAA, sf_interval T)
 {
     const sf_interval t0 = sfi_square(Omega);
@@ -293,8 +269,7 @@ static inline sf_interval slow_flow_intervals_cusp_bend(sf_interval Omega, sf_in
     return sfi_neg(sfi_div(sfi_mul(sfi_mul(F_AAA, F_AOmega), F_Omega), A));
 }
 
-/* The same at an isola point.
-   Equation from (24), (30). Domain: Omega > 0, A > 0. */
+/* The same at an isola point. */
 static inline sf_interval slow_flow_intervals_isola_bend(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h_AA)
 {
     const sf_interval t0 = sfi_times(2.0, A);

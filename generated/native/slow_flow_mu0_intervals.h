@@ -4,7 +4,8 @@
    Input: none but the equation of motion in derivations/paper/averaging.py, derivations/paper/slow_flow.py, derivations/asymmetric/offset.py, derivations/systems/along.py, derivations/systems/slopes.py, derivations/systems/newton.py, derivations/paper/critical_forcings.py
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
-   Each output holds every value that the function of the same name takes on the arguments; `out` takes the outputs. */
+   Each output holds every value that the function of the same name takes on the arguments; `out` takes the outputs.
+   Equations and domains that are not said here are those of slow_flow_mu0.h. */
 
 #ifndef SLOW_FLOW_MU0_INTERVALS_H
 #define SLOW_FLOW_MU0_INTERVALS_H
@@ -14,8 +15,7 @@
 
 SF_FAMILY_BEGIN
 
-/* Zero at an isola point: F_Omega/(4 A) at its Omega, for m = 0 without the factor Omega; slope along A.
-   Equation from (30), (34). Domain: A > 0, h_A > 0; for m = 0 any h_A. */
+/* Zero at an isola point: F_Omega/(4 A) at its Omega, for m = 0 without the factor Omega; slope along A. */
 static inline void slow_flow_mu0_intervals_isola(sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval *out)
 {
     const sf_interval t0 = sfi_times(2.0, sfi_square(zeta));

@@ -4,7 +4,8 @@
    Input: none but the equation of motion in derivations/paper/averaging.py, derivations/paper/slow_flow.py, derivations/asymmetric/offset.py, derivations/systems/along.py, derivations/systems/slopes.py, derivations/systems/newton.py, derivations/paper/critical_forcings.py
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
-   `out` takes the outputs, where there are several. */
+   `out` takes the outputs, where there are several.
+   Equations and domains that are not said here are those of slow_flow.h. */
 
 #ifndef SLOW_FLOW_PAIRS_H
 #define SLOW_FLOW_PAIRS_H
@@ -14,8 +15,7 @@
 
 SF_FAMILY_BEGIN
 
-/* Dry friction's share of I.
-   Equation (23). Domain: mu >= 0. */
+/* Dry friction's share of I. */
 static inline sf_pair slow_flow_pairs_friction(sf_pair mu)
 {
     return sfp_mul(sfp_of(1.2732395447351628, -7.8714706700729944e-17), mu);

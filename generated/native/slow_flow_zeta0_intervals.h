@@ -4,7 +4,8 @@
    Input: none but the equation of motion in derivations/paper/averaging.py, derivations/paper/slow_flow.py, derivations/asymmetric/offset.py, derivations/systems/along.py, derivations/systems/slopes.py, derivations/systems/newton.py, derivations/paper/critical_forcings.py
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
-   Each output holds every value that the function of the same name takes on the arguments; `out` takes the outputs. */
+   Each output holds every value that the function of the same name takes on the arguments; `out` takes the outputs.
+   Equations and domains that are not said here are those of slow_flow_zeta0.h. */
 
 #ifndef SLOW_FLOW_ZETA0_INTERVALS_H
 #define SLOW_FLOW_ZETA0_INTERVALS_H
@@ -14,15 +15,13 @@
 
 SF_FAMILY_BEGIN
 
-/* Omega of the folds.
-   Equation from (30). Domain: h_A <= 0. */
+/* Omega of the folds. */
 static inline sf_interval slow_flow_zeta0_intervals_undamped_Omega(sf_interval h_A)
 {
     return sfi_sqrt(sfi_neg(h_A));
 }
 
-/* Zero at a fold at F_0, where h_A < 0: R^2 + I^2 - F_0^2 on the undamped folds, and its slope along A.
-   Equation from (24), (30). Domain: F_0 > m. */
+/* Zero at a fold at F_0, where h_A < 0: R^2 + I^2 - F_0^2 on the undamped folds, and its slope along A. */
 static inline void slow_flow_zeta0_intervals_fold(sf_interval F_0, sf_interval m, sf_interval k, sf_interval k_A, sf_interval *out)
 {
     const sf_interval excess = sfi_mul(sfi_sub(F_0, m), sfi_add(F_0, m));
@@ -31,8 +30,7 @@ static inline void slow_flow_zeta0_intervals_fold(sf_interval F_0, sf_interval m
     out[1] = sfi_times(2.0, sfi_mul(k, k_A));
 }
 
-/* The sign of the level's slope along A on the undamped folds; and, where that is 0, of the slope's own.
-   Equation from (24), (30). Domain: h_A <= 0. */
+/* The sign of the level's slope along A on the undamped folds; and, where that is 0, of the slope's own. */
 static inline void slow_flow_zeta0_intervals_undamped_rises(sf_interval h_AA, sf_interval h_AAA, sf_interval k, sf_interval *out)
 {
     out[0] = sfi_neg(sfi_mul(h_AA, k));

@@ -5,7 +5,7 @@ Input: none but the equation of motion in derivations/paper/averaging.py, deriva
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Each output holds every value that the function of the same name takes on the arguments: objects with operators and
-the methods `square` and `sqrt`.
+the methods `square` and `sqrt`. Equations and domains that are not said here are those of slow_flow.py.
 """
 
 # a formatter would spread each polynomial over a page
@@ -19,28 +19,19 @@ __all__ = [
 
 
 def R(Omega, A, h):
-    """Cosine balance, -F_0 cos phi at a fixed point.
-
-    Equation (23). Domain: Omega > 0, A > 0.
-    """
+    """Cosine balance, -F_0 cos phi at a fixed point."""
     return A * Omega.square() + h
 
 
 def F(Omega, A, F_0, m, zeta, h):
-    """Frequency response; zero at a steady state.
-
-    Equation (24). Domain: Omega > 0, A > 0.
-    """
+    """Frequency response; zero at a steady state."""
     R = A * Omega.square() + h
     I = 2.0 * A * Omega * zeta + m
     return R.square() + (-F_0 + I) * (F_0 + I)
 
 
 def F_A(Omega, A, m, zeta, h, h_A):
-    """dF/dA; positive where stable.
-
-    Equation (24), (30). Domain: Omega > 0, A > 0.
-    """
+    """dF/dA; positive where stable."""
     t0 = Omega.square()
     R = A * t0 + h
     t1 = 2.0 * Omega * zeta
@@ -49,10 +40,7 @@ def F_A(Omega, A, m, zeta, h, h_A):
 
 
 def F_AA(Omega, A, m, zeta, h, h_A, h_AA):
-    """d2F/dA2.
-
-    Equation (24), (33). Domain: Omega > 0, A > 0.
-    """
+    """d2F/dA2."""
     t0 = Omega.square()
     R = A * t0 + h
     t1 = h_A + t0
@@ -60,20 +48,14 @@ def F_AA(Omega, A, m, zeta, h, h_A, h_AA):
 
 
 def F_Omega(Omega, A, m, zeta, h):
-    """dF/dOmega.
-
-    Equation (24), (34). Domain: Omega > 0, A > 0.
-    """
+    """dF/dOmega."""
     R = A * Omega.square() + h
     I = 2.0 * A * Omega * zeta + m
     return 4.0 * A * (I * zeta + Omega * R)
 
 
 def F_AOmega(Omega, A, m, zeta, h, h_A):
-    """d2F/dA dOmega.
-
-    Equation (24). Domain: Omega > 0, A > 0.
-    """
+    """d2F/dA dOmega."""
     t0 = Omega.square()
     R = A * t0 + h
     t1 = A * Omega
@@ -83,65 +65,44 @@ def F_AOmega(Omega, A, m, zeta, h, h_A):
 
 
 def F_OmegaOmega(Omega, A, zeta, h):
-    """d2F/dOmega2.
-
-    Equation (24). Domain: Omega > 0, A > 0.
-    """
+    """d2F/dOmega2."""
     t0 = A * Omega.square()
     R = h + t0
     return 4.0 * A * (2.0 * A * zeta.square() + R + 2.0 * t0)
 
 
 def backbone(A, h):
-    """Frequency on the backbone.
-
-    Equation (26). Domain: A > 0, h <= 0.
-    """
+    """Frequency on the backbone."""
     turn = -h / A
     return turn.sqrt()
 
 
 def level(Omega, A, m, zeta, h):
-    """The forcing F_0 for which (Omega, A) is a steady state.
-
-    Equation (24). Domain: Omega >= 0, A > 0.
-    """
+    """The forcing F_0 for which (Omega, A) is a steady state."""
     R = A * Omega.square() + h
     I = 2.0 * A * Omega * zeta + m
     return (I.square() + R.square()).sqrt()
 
 
 def least_restoring(F_0, m):
-    """The |h| of a state at Omega = 0, and the least |h - A h_A| of a fold.
-
-    Equation from (24), (30). Domain: F_0 >= m.
-    """
+    """The |h| of a state at Omega = 0, and the least |h - A h_A| of a fold."""
     return (F_0 - m).sqrt() * (F_0 + m).sqrt()
 
 
 def intercept(A, h, h_A, h_AA):
-    """k = h - A h_A, where the tangent of h meets A = 0, and its slope along A.
-
-    Equation from (24), (30). Domain: A >= 0.
-    """
+    """k = h - A h_A, where the tangent of h meets A = 0, and its slope along A."""
     return -A * h_A + h, -A * h_AA
 
 
 def most_restoring(A, F_0, m, zeta):
-    """The largest |h| of a state with this amplitude: F_0 + (A Omega)^2/A at the highest Omega.
-
-    Equation from (23). Domain: A > 0, F_0 >= m, zeta > 0.
-    """
+    """The largest |h| of a state with this amplitude: F_0 + (A Omega)^2/A at the highest Omega."""
     c = -0.5 * (-F_0 + m) / zeta
     fastest = c / A
     return F_0 + c * fastest
 
 
 def fold(A, F_0, m, zeta, h, h_A, k, k_A):
-    """Zero at a fold at F_0: R of (23) less the R of F = F_A = 0; its slope along A, and Omega.
-
-    Equation from (24), (30). Domain: A > 0, F_0 > m, k^2 >= F_0^2 - m^2.
-    """
+    """Zero at a fold at F_0: R of (23) less the R of F = F_A = 0; its slope along A, and Omega."""
     excess = (F_0 - m) * (F_0 + m)
     least = excess.sqrt()
     t0 = 1.0 / k
@@ -164,18 +125,12 @@ def fold(A, F_0, m, zeta, h, h_A, k, k_A):
 
 
 def isola_Omega(h_A):
-    """Omega at an isola point.
-
-    Equation from (30), (34). Domain: h_A >= 0.
-    """
+    """Omega at an isola point."""
     return h_A.sqrt()
 
 
 def isola(A, m, zeta, h, h_A, h_AA):
-    """Zero at an isola point: F_Omega/(4 A) at its Omega, for m = 0 without the factor Omega; slope along A.
-
-    Equation from (30), (34). Domain: A > 0, h_A > 0; for m = 0 any h_A.
-    """
+    """Zero at an isola point: F_Omega/(4 A) at its Omega, for m = 0 without the factor Omega; slope along A."""
     w = h_A.sqrt()
     t0 = 2.0 * zeta.square()
     bracket = A * (h_A + t0) + h
@@ -184,10 +139,7 @@ def isola(A, m, zeta, h, h_A, h_AA):
 
 
 def cusps(A, zeta, h, h_A, h_AA, k):
-    """F_AA/2 = T^2 + 2 a T + b = X^2 + 2 c X + d, T = dR/dA, X = Omega^2: a, b, c, d, and a^2 - b = c^2 - d.
-
-    Equation from (33). Domain: A > 0.
-    """
+    """F_AA/2 = T^2 + 2 a T + b = X^2 + 2 c X + d, T = dR/dA, X = Omega^2: a, b, c, d, and a^2 - b = c^2 - d."""
     t0 = zeta.square()
     half_e = 0.5 * A * h_AA + 2.0 * t0
     t1 = 4.0 * h_A * t0 - h_AA * k
@@ -195,18 +147,12 @@ def cusps(A, zeta, h, h_A, h_AA, k):
 
 
 def cusp_R(A, zeta, h_AA, k, X, T):
-    """R where F_AA = 0 (`cusps`), in two forms: by its tangent, and from F_AA itself.
-
-    Equation from (33). Domain: A > 0, X >= 0.
-    """
+    """R where F_AA = 0 (`cusps`), in two forms: by its tangent, and from F_AA itself."""
     return A * T + k, (-T.square() - 4.0 * X * zeta.square()) / h_AA
 
 
 def cusp(A, m, zeta, h_AA, h_AAA, k, X, T, R, root):
-    """Where F_AA = 0 (`cusps`; root = a + T): F_A/2, the same less A F_AA/2, its slope along A, F_0 if it is 0.
-
-    Equation from (33). Domain: A > 0, X > 0.
-    """
+    """Where F_AA = 0 (`cusps`; root = a + T): F_A/2, the same less A F_AA/2, its slope along A, F_0 if it is 0."""
     w = X.sqrt()
     t0 = m * zeta
     t1 = 2.0 * t0 * w
@@ -220,10 +166,7 @@ def cusp(A, m, zeta, h_AA, h_AAA, k, X, T, R, root):
 
 
 def level_rise(Omega, A, m, zeta, h, h_A, h_AA):
-    """Positive where the level rises with A along the fold locus, negative where it falls.
-
-    Equation from (24), (30). Domain: Omega > 0, A > 0.
-    """
+    """Positive where the level rises with A along the fold locus, negative where it falls."""
     t0 = Omega.square()
     R = A * t0 + h
     t1 = A * Omega
@@ -239,10 +182,7 @@ def level_rise(Omega, A, m, zeta, h, h_A, h_AA):
 
 
 def cusp_bend(Omega, A, zeta, h_AA, h_AAA, T):
-    """Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum; T = dR/dA.
-
-    Equation from (24), (30). Domain: Omega > 0, A > 0.
-    """
+    """Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum; T = dR/dA."""
     t0 = Omega.square()
     t1 = 4.0 * t0 * zeta.square()
     R = (-T.square() - t1) / h_AA
@@ -255,10 +195,7 @@ def cusp_bend(Omega, A, zeta, h_AA, h_AAA, T):
 
 
 def isola_bend(Omega, A, m, zeta, h_AA):
-    """The same at an isola point.
-
-    Equation from (24), (30). Domain: Omega > 0, A > 0.
-    """
+    """The same at an isola point."""
     t0 = 2.0 * A
     t1 = Omega * t0 * zeta + m
     R = -t1 * zeta / Omega

@@ -5,7 +5,7 @@ Input: none but the equation of motion in derivations/paper/averaging.py, deriva
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Each output holds every value that the function of the same name takes on the arguments: objects with operators and
-the methods `square` and `sqrt`.
+the methods `square` and `sqrt`. Equations and domains that are not said here are those of slow_flow_mu0.py.
 """
 
 # a formatter would spread each polynomial over a page
@@ -17,10 +17,7 @@ __all__ = [
 
 
 def isola(A, m, zeta, h, h_A, h_AA):
-    """Zero at an isola point: F_Omega/(4 A) at its Omega, for m = 0 without the factor Omega; slope along A.
-
-    Equation from (30), (34). Domain: A > 0, h_A > 0; for m = 0 any h_A.
-    """
+    """Zero at an isola point: F_Omega/(4 A) at its Omega, for m = 0 without the factor Omega; slope along A."""
     t0 = 2.0 * zeta.square()
     bracket = A * (h_A + t0) + h
     bracket_A = A * h_AA + 2.0 * h_A + t0

@@ -5,7 +5,7 @@ Input: none but the equation of motion in derivations/paper/averaging.py, deriva
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Each output holds every value that the function of the same name takes on the arguments: objects with operators and
-the methods `square` and `sqrt`.
+the methods `square` and `sqrt`. Equations and domains that are not said here are those of slow_flow_zeta0.py.
 """
 
 # a formatter would spread each polynomial over a page
@@ -17,28 +17,19 @@ __all__ = [
 
 
 def undamped_Omega(h_A):
-    """Omega of the folds.
-
-    Equation from (30). Domain: h_A <= 0.
-    """
+    """Omega of the folds."""
     return (-h_A).sqrt()
 
 
 def fold(F_0, m, k, k_A):
-    """Zero at a fold at F_0, where h_A < 0: R^2 + I^2 - F_0^2 on the undamped folds, and its slope along A.
-
-    Equation from (24), (30). Domain: F_0 > m.
-    """
+    """Zero at a fold at F_0, where h_A < 0: R^2 + I^2 - F_0^2 on the undamped folds, and its slope along A."""
     excess = (F_0 - m) * (F_0 + m)
     least = excess.sqrt()
     return (k - least) * (k + least), 2.0 * k * k_A
 
 
 def undamped_rises(h_AA, h_AAA, k):
-    """The sign of the level's slope along A on the undamped folds; and, where that is 0, of the slope's own.
-
-    Equation from (24), (30). Domain: h_A <= 0.
-    """
+    """The sign of the level's slope along A on the undamped folds; and, where that is 0, of the slope's own."""
     return -h_AA * k, -h_AAA * k
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib.util
+import itertools
 import math
 import subprocess
 import sys
@@ -15,6 +16,7 @@ from mpmath import mp, mpf
 from sympy.codegen.cfunctions import hypot
 
 from derivations.codegen.bytecode import kept_beside
+from derivations.codegen.common import with_calls
 from derivations.codegen.passes import operations, straight_line
 from derivations.codegen.targets.c import PRINTER
 from derivations.codegen.targets.c.printer import CPrinter
@@ -22,6 +24,7 @@ from derivations.codegen.targets.numpy.printer import NumpyPrinter
 from derivations.codegen.targets.printing import Unprintable, literal
 from derivations.codegen.views import printed
 from derivations.forces.repeated import Output, Repeated
+from derivations.kernels import Branch, Kernel
 from derivations.paper.averaging import averaged
 from derivations.paper.slow_flow import slow_flow
 from derivations.symbols import A
@@ -318,6 +321,36 @@ def test_what_is_repeated_is_a_call_that_stands_for_its_lets():
     assert program.operations == 2 * 3 + 1
     # of 5 and 3: -3 and -5; of -5 and 7: -7 and 5
     assert evaluated(program.lets, program.outputs, {x: mpf(5), y: mpf(7)}) == [-3 + 5, -7]
+
+
+def test_what_kernels_have_in_common_is_one_function():
+    """Of two kernels with one chain of names; a third, whose chain begins otherwise, keeps its own."""
+    names = sp.symbols("s_0:40", real=True)
+
+    def chain(begin):
+        steps = ((name, earlier * (earlier + x) / y) for earlier, name in itertools.pairwise(names))
+        return ((names[0], begin), *steps)
+
+    def kernel(name, begin, output):
+        return Kernel(name, (x, y, z), (Branch("", (), chain(begin), (output,)),), "", "", "")
+
+    kernels = [
+        kernel("sum", x + z, names[-1] + y),
+        kernel("product", x + z, names[-1] * z),
+        kernel("other", x - z, names[-1]),
+    ]
+    code = {one.name: (straight_line(one.branches[0].lets, one.branches[0].outputs, one.arguments),) for one in kernels}
+    found = with_calls(kernels, code, PRINTER)
+    calls = {
+        name: [value.repeated for _, value in one.lets if isinstance(value, Output)] for name, (one,) in found.items()
+    }
+    assert calls["sum"] == calls["product"] and len(calls["sum"]) == 1 and not calls["other"]
+    assert [name for name, _ in calls["sum"][0].outputs] == [sp.Symbol("s_39_out")]
+    at = {x: mpf(2), y: mpf(7), z: mpf(-1)}
+    for name, (program,) in code.items():
+        shared = found[name][0]
+        assert evaluated(shared.lets, shared.outputs, at) == evaluated(program.lets, program.outputs, at)
+        assert len(shared.lets) == (1 if calls[name] else len(program.lets))
 
 
 def test_repeats_are_refused_where_a_language_cannot_print_them():

@@ -78,14 +78,20 @@ def header_of(
 ) -> str:
     """A header of kernels on numbers of one kind, whose names begin with `name`."""
     template = templates(Path(__file__).parent).get_template("header.h.jinja")
-    known = {"module": module, "heading": heading(module), **about}
+    known = {"module": module, "heading": heading(module), "in_doubles": in_doubles(module), **about}
     return template.render(prefix=name, kernels=kernels, choices=choices, **known)
 
 
 def module_of(module: Module, kernels: Sequence[KernelView], imports: Sequence[str], **about: str) -> str:
     """A Python module of such kernels."""
     template = templates(Path(__file__).parent).get_template("module.py.jinja")
-    return template.render(module=module, kernels=kernels, imports=imports, heading=heading(module), **about)
+    known = {"module": module, "heading": heading(module), "in_doubles": in_doubles(module), **about}
+    return template.render(kernels=kernels, imports=imports, **known)
+
+
+def in_doubles(module: Module) -> set[str]:
+    """The kernels whose equations and domains are said where they are evaluated in doubles."""
+    return {kernel.name for kernel in module.kernels}
 
 
 def name_of(module: Module) -> str:
