@@ -82,14 +82,17 @@ def _mean_over_u(of_u: sp.Expr) -> sp.Expr:
     return sp.expand(sp.Add(*(factor * sigma_u**n * _moment(n, ends[acts]) for (n, acts), factor in terms)))
 
 
+_FRACTION = sp.erf(level / sp.sqrt(2))
+
+
 @functools.cache
 def _moment(power: int, to: sp.Expr = sp.oo) -> sp.Expr:
-    """E[|v|^power] of a Gaussian number with the root mean square 1, of |v| up to an end."""
-    density = sp.exp(-(_v**2) / 2) / sp.sqrt(2 * sp.pi)
-    return sp.expand(2 * sp.integrate(_v**power * density, (_v, 0, to))).subs(_FRACTION, within)
-
-
-_FRACTION = sp.erf(level / sp.sqrt(2))
+    """E[|v|^power] of a Gaussian number with the root mean square 1, of |v| up to an end; higher powers by parts."""
+    density = 2 * sp.exp(-(_v**2) / 2) / sp.sqrt(2 * sp.pi)
+    if power < 2:
+        return sp.integrate(_v**power * density, (_v, 0, to)).subs(_FRACTION, within)
+    at_end = 0 if to == sp.oo else to ** (power - 1) * density.subs(_v, to)
+    return sp.expand((power - 1) * _moment(power - 2, to) - at_end)
 
 
 def linearization() -> Formulas:
