@@ -140,9 +140,9 @@ def averages(force, sigma):
 
 
 def moments(psd, p, q, *radii):
-    """ln I_j of C, and between which ends their slopes are within radii of p and q, [j][by p, by q]."""
+    """ln I_j of C, slopes [j][by p, by q], ends of these and of that by p at a constant damping ratio, within radii."""
     found = np.frombuffer(EXACT.moments(Tabulated(*psd).for_C, p, q, *(radii or (0.0, 0.0))))
-    return found[:2], found[2:6].reshape(2, 2), found[6:].reshape(2, 2)
+    return found[:2], found[2:6].reshape(2, 2), found[6:].reshape(2, 3, 2)
 
 
 @pytest.mark.parametrize("sigma", (0.02, 0.3, *slow(0.15, 0.2, 0.4, 3.0, 100.0)))
@@ -185,11 +185,12 @@ def test_slopes_within_radii_hold_those_there(psd):
     for p, q, size in zip(
         random.uniform(-3, 3, 40), random.uniform(-5, 1, 40), 10 ** random.uniform(-5, 0.3, (40, 2)), strict=True
     ):
-        _, low, high = moments(psd, p, q, *size)
-        for fraction in random.uniform(-1, 1, (20, 2)):
-            _, inside, _ = moments(psd, *(np.array([p, q]) + fraction * size))
-            assert (low - 1e-9 <= inside).all()
-            assert (inside <= high + 1e-9).all()
+        *_, ends = moments(psd, p, q, *size)
+        for of_p, of_ratio in random.uniform(-1, 1, (20, 2)) * size:
+            _, inside, _ = moments(psd, p + of_p, q + of_ratio + 0.5 * of_p)
+            inside = np.column_stack((inside, inside @ (1, 0.5)))
+            assert (ends[..., 0] - 1e-9 <= inside).all()
+            assert (inside <= ends[..., 1] + 1e-9).all()
 
 
 # ---- stationary motions

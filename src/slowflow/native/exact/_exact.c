@@ -560,16 +560,18 @@ static PyObject *table(PyObject *self, PyObject *arguments)
     return found;
 }
 
-/* ln I_0 and ln I_2 of a table, and between which ends their slopes are within radii of p and q: ten numbers as bytes */
+/* ln I_0 and ln I_2 of a table, their slopes by p and q, and between which ends these and that by p at a constant
+ * damping ratio are within radii of p and of the logarithm of that ratio: eighteen numbers as bytes */
 static PyObject *moments(PyObject *self, PyObject *arguments)
 {
     (void)self;
     Py_buffer table;
-    double p, q, r[2], found[10];
+    double p, q, r[2], found[18];
     if (!PyArg_ParseTuple(arguments, "y*dddd", &table, &p, &q, &r[0], &r[1]))
         return NULL;
-    const sf_moments at = sf_moments_at(table.buf, p, q);
-    sf_slopes_within(table.buf, &at, p, q, r, (double(*)[2])(found + 2), (double(*)[2])(found + 6));
+    const sf_moments at = sf_moments_at(table.buf, p, q, sf_band_reach(r[0]));
+    sf_slopes_within(table.buf, &at, p, q, r, (sf_ends(*)[3])(void *)(found + 6));
+    memcpy(found + 2, at.by, sizeof at.by);
     memcpy(found, at.value, sizeof at.value);
     RELEASE(&table);
     return PyBytes_FromStringAndSize((const char *)found, sizeof found);

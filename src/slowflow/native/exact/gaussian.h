@@ -47,10 +47,11 @@ typedef struct {
 } sf_ends;
 
 /* The force for u > 0: its pieces, or parts of these without a change of sign, where what is summed is smooth. small, large:
- * the sizes that there are; u, secants: samples by rising u, and between which ends f/u is up to there */
+ * the sizes that there are; u, secants: samples by rising u, and between which ends f/u is up to there; hardens: whether f/u is
+ * known not to fall */
 typedef struct {
     double small, large;
-    int count, samples;
+    int count, samples, hardens;
     sf_part_of_force at[SF_MOST_FORCE_PARTS];
     double u[SF_MOST_SAMPLES];
     sf_ends secants[SF_MOST_SAMPLES];
@@ -102,10 +103,53 @@ static void sf_add_parts(const sf_part_of_force *whole, sf_positive *to)
     to->at[to->count++] = part;
 }
 
+/* How often the coefficients of a polynomial change their sign about a place, -1 where rounding does not tell. They are left
+ * there, with the sizes of their terms, and the first and the last sign, 0 if all are 0. */
+static int sf_sign_changes(double *c, double *size, int degree, double place, int sign[2])
+{
+    int changes = 0;
+    sign[0] = sign[1] = 0;
+    for (int k = 0; k <= degree; k++)
+        size[k] = fabs(c[k]);
+    for (int j = 0; place > 0.0 && j < degree; j++)
+        for (int k = degree - 1; k >= j; k--)
+            c[k] += place * c[k + 1], size[k] += place * size[k + 1];
+    for (int k = 0; k <= degree; k++) {
+        if (size[k] == 0.0)
+            continue;
+        if (!(fabs(c[k]) > SF_ROUNDED * size[k]))
+            return -1;
+        const int own = c[k] > 0.0 ? 1 : -1;
+        changes += sign[1] == -own, sign[1] = own;
+        sign[0] = sign[0] ? sign[0] : own;
+    }
+    return changes;
+}
+
+/* Whether f/u is known not to fall: u^2 times its slope has no negative coefficient about the begin of a piece, and the force
+ * does not jump downwards. */
+static int sf_hardens(const sf_positive *pieces)
+{
+    for (int i = 0; i < pieces->count; i++) {
+        const sf_part_of_force *const at = &pieces->at[i];
+        double c[SF_FORCE_DEGREE + 1], size[SF_FORCE_DEGREE + 1];
+        int sign[2];
+        for (int k = 0; k <= at->degree; k++)
+            c[k] = (k - 1) * at->c[k];
+        if (at->degree < 0 || sf_sign_changes(c, size, at->degree, at->low, sign) != 0 || sign[0] < 0)
+            return 0;
+        const double before = i ? sf_value(at[-1].piece, at->low) : 0.0, after = sf_value(at->piece, at->low);
+        if (after - before < -SF_ROUNDED * fabs(before))
+            return 0;
+    }
+    return 1;
+}
+
 static void sf_put_parts(const sf_system *system, double small, double large, sf_positive *to)
 {
     sf_positive whole;
     sf_put_pieces(system, &whole);
+    to->hardens = sf_hardens(&whole);
     to->small = small, to->large = large, to->count = to->samples = 0;
     for (int i = 0; i < whole.count; i++)
         if (whole.at[i].low > 0.0)
@@ -245,29 +289,22 @@ static int sf_changes(const sf_positive *force, double square)
     for (int i = 0; i < force->count; i++) {
         const sf_part_of_force *const part = &force->at[i];
         const int degree = part->degree + 1;
-        const double low = part->low, width = part->high - low;
-        double c[SF_FORCE_DEGREE + 2] = {-square}, size[SF_FORCE_DEGREE + 2] = {square}, end = 0.0, end_size = 0.0;
+        const double width = part->high - part->low;
+        double c[SF_FORCE_DEGREE + 2] = {-square}, size[SF_FORCE_DEGREE + 2], end = 0.0, end_size = 0.0;
+        int sign[2];
         for (int k = 1; k <= degree; k++)
-            c[k] = part->c[k - 1], size[k] = fabs(c[k]);
-        for (int j = 0; low > 0.0 && j < degree; j++)
-            for (int k = degree - 1; k >= j; k--)
-                c[k] += low * c[k + 1], size[k] += low * size[k + 1];
-        int first = 0, last = 0, within = 0;
-        for (int k = 0; k <= degree; k++) {
-            if (size[k] == 0.0)
-                continue;
-            if (!(fabs(c[k]) > SF_ROUNDED * size[k]))
-                return 2;
-            const int sign = c[k] > 0.0 ? 1 : -1;
-            first = first ? first : sign, within += last == -sign, last = sign;
-        }
-        for (int k = degree; k >= 0 && width < HUGE_VAL; k--)
-            end = c[k] + width * end, end_size = size[k] + width * end_size;
-        if (degree == 0 || within > 1 || (width < HUGE_VAL && !(fabs(end) > SF_ROUNDED * end_size)))
+            c[k] = part->c[k - 1];
+        const int within = sf_sign_changes(c, size, degree, part->low, sign);
+        if (degree == 0 || within < 0 || within > 1)
             return 2;
-        if (width < HUGE_VAL)
-            last = end > 0.0 ? 1 : -1;
-        changes += (first != before) + (last != first), before = last;
+        if (width < HUGE_VAL) {
+            for (int k = degree; k >= 0; k--)
+                end = c[k] + width * end, end_size = size[k] + width * end_size;
+            if (!(fabs(end) > SF_ROUNDED * end_size))
+                return 2;
+            sign[1] = end > 0.0 ? 1 : -1;
+        }
+        changes += (sign[0] != before) + (sign[1] != sign[0]), before = sign[1];
     }
     return changes < 2 ? changes : 2;
 }

@@ -25,8 +25,16 @@ enum { SF_IN_PART = 2 * SF_NODES };
 #define SF_LEAST_RATIO 0x1p-40
 /* of k over the square of a table's lowest frequency, below which it does not matter; by how much I_0 may change there */
 #define SF_SOFT 1e-6
+/* of ln(Omega): from where on a band is far from a pole; by how much -ln Z rises there with p, 2/(1 - exp(-2 SF_FAR_BAND)) - 1,
+ * at a constant damping ratio */
+#define SF_FAR_BAND 0.5
+#define SF_FAR_RISES 2.164
+enum { SF_TRIALS = 5, SF_MOST_HALVINGS = 20, SF_FIRST_HALVINGS = 10 };
+/* how much of a cell may be left where its bounds say so, or it is cut */
+#define SF_SHRINKS 0.5
 /* how near a damping is wanted in a cell; I_0 is much nearer */
 #define SF_AS_NEAR 0x1p-14
+#define SF_NEAREST 0x1p-28
 
 /* from low to high of ln(Omega); ln G is y + slope (ln Omega - x); G at low is by `rises` more than below it; at the
  * nodes Omega and G dOmega */
@@ -90,9 +98,11 @@ static int sf_read_table(const double (*points)[2], int count, sf_table *to)
     return bands;
 }
 
-/* At (p, q): ln I_0 and ln I_2, by p and q */
+/* At (p, q): ln I_0 and ln I_2, by p and q. far: the shares of bands farther from p/2 than a reach; near: between which ends
+ * the slopes of the others are */
 typedef struct {
-    double value[2], by[2][2];
+    double value[2], by[2][2], far[2];
+    sf_ends near;
 } sf_moments;
 
 /* middle, theta: parts of the pole next to the real axis, p/2 + i theta; infinite where there is none */
@@ -100,7 +110,7 @@ typedef struct {
     double k, c, middle, theta;
 } sf_resonance;
 
-static void sf_add_part(const sf_resonance *at, const sf_band *line, double low, double high, const double *Omega,
+SF_FMA static void sf_add_part(const sf_resonance *at, const sf_band *line, double low, double high, const double *Omega,
                         const double *weight, double sums[2][3])
 {
     double terms[2][3][SF_IN_PART];
@@ -137,13 +147,21 @@ static void sf_add_part(const sf_resonance *at, const sf_band *line, double low,
             sums[i][by] += adds[3 * i + by];
 }
 
-static sf_moments sf_moments_at(const sf_table *table, double p, double q)
+/* Of a box in which p differs by r at most, how far from p/2 bands are near. */
+static inline double sf_band_reach(double r) { return 0.5 * r + SF_FAR_BAND; }
+
+static sf_moments sf_moments_at(const sf_table *table, double p, double q, double reach)
 {
     const double ratio = fmax(0.5 * exp(q - 0.5 * p), SF_LEAST_RATIO);
     const sf_resonance at = {exp(p), exp(q), 0.5 * p, ratio < 1.0 ? asin(ratio) : HUGE_VAL};
-    double sums[2][3] = {{0.0}}, Omega[SF_IN_PART], weight[SF_IN_PART];
+    double both[2][2][3] = {{{0.0}}}, Omega[SF_IN_PART], weight[SF_IN_PART];
+    sf_moments found = {.near = {HUGE_VAL, -HUGE_VAL}};
     for (int i = 0; i < table->bands; i++) {
         const sf_band *const band = &table->band[i];
+        const int is_far = band->high < at.middle - reach || band->low > at.middle + reach;
+        double(*const sums)[3] = both[is_far];
+        if (!is_far)
+            found.near = (sf_ends){fmin(found.near.low, band->slope), fmax(found.near.high, band->slope)};
         if (at.middle > band->low && at.middle < band->high && at.theta < HUGE_VAL) {
             /* no node is next to the pole, where what a sum and the pole have in common would cancel */
             sf_put_nodes(band, band->low, at.middle, Omega, weight);
@@ -153,60 +171,99 @@ static sf_moments sf_moments_at(const sf_table *table, double p, double q)
         } else
             sf_add_part(&at, band, band->low, band->high, band->Omega, band->weight, sums);
     }
-    sf_moments found;
+    if (found.near.low > found.near.high)
+        found.near = (sf_ends){table->least, table->most};
     for (int i = 0; i < 2; i++) {
-        found.value[i] = log(sums[i][0]);
-        found.by[i][0] = sums[i][1] / sums[i][0], found.by[i][1] = sums[i][2] / sums[i][0];
+        const double sum = both[0][i][0] + both[1][i][0];
+        found.value[i] = log(sum), found.far[i] = both[1][i][0] / sum;
+        for (int by = 0; by < 2; by++)
+            found.by[i][by] = (both[0][i][by + 1] + both[1][i][by + 1]) / sum;
     }
     return found;
 }
 
-/* Narrows what bounds the slope of ln I_j by p, j = 2 i: at a constant damping ratio that is (j - 3 + s)/2 in the mean of
- * the slopes s of ln G, and what its jumps add; by q it is between -2 and 0. Jumps add dG Omega^(j+1)/(2 Z I_j), where I_j
- * is less by no more than the bound of the slope has it, which is tried. */
-static void sf_slope_by_scaling(const sf_table *table, int i, double value, double p, double q, const double r[2],
-                                double *low, double *high)
+/* What the jumps of a table add to the slopes of ln I_j, j = 2 i, at a constant damping ratio, down and up: at most
+ * dG Omega^(j+1)/(2 Z I_j), with I_j at the centre of the box. */
+static void sf_jumps_within(const sf_table *table, int i, double value, const sf_ends *k, double ratio, double jumps[2])
 {
-    double jumps[2] = {0.0};
-    const double k[2] = {exp(p - r[0]), exp(p + r[0])}, c = exp(q - r[1]);
+    const double c = 2.0 * ratio * sqrt(k->low);
+    jumps[0] = jumps[1] = 0.0;
     for (int j = 0; j <= table->bands; j++) {
         const double rises = j < table->bands ? table->band[j].rises : -table->falls;
         if (rises == 0.0)
             continue;
         const double x = j < table->bands ? table->band[j].low : table->band[j - 1].high, Omega = exp(x);
-        const double away = fmax(fmax(k[0] - Omega * Omega, Omega * Omega - k[1]), 0.0);
+        const double away = fmax(fmax(k->low - Omega * Omega, Omega * Omega - k->high), 0.0);
         const double Z = away * away + c * c * Omega * Omega;
         jumps[rises > 0.0] += 0.5 * fabs(rises) * exp((2 * i + 1) * x - value) / Z;
     }
-    for (double tried = 0.0, n = 0.0; n < 4.0; n += 1.0) {
-        const double less = exp(tried * r[0] + 2.0 * r[1]);
-        const double least = i - 1.5 + 0.5 * table->least - less * jumps[0];
-        const double most = i - 0.5 + 0.5 * table->most + less * jumps[1], steepest = fmax(-least, most);
-        if (steepest <= tried) {
-            *low = fmax(*low, least), *high = fmin(*high, most);
-            return;
-        }
-        tried = 1.1 * steepest;
-    }
 }
 
-/* Between which ends the slopes are where p and q differ by no more than r, [i][j] as of sf_moments. Slopes of ln
- * I_j are weighted means of those of -ln Z; their own slopes are means of the second ones and covariances with them. */
-static void sf_slopes_within(const sf_table *table, const sf_moments *at, double p, double q, const double r[2],
-                             double low[2][2], double high[2][2])
+/* In a box in which p differs by r[0] at most, and the logarithm of the damping ratio by r[1], whatever the table: between
+ * which ends the slope of ln I_j by p is, at a constant q, and by how much its slopes by p, at a constant damping ratio and by q
+ * differ from those at the centre. They are weighted means of slopes of -ln Z; their own ones are means of the second ones and
+ * covariances. */
+typedef struct {
+    sf_ends by_p;
+    double differ[3];
+} sf_steepness;
+
+enum { SF_BY_P, SF_BY_Q, SF_AT_RATIO };
+
+static sf_steepness sf_steepness_within(double p, double q, const double r[2])
 {
-    const double ratio = 0.5 * exp(q - r[1] - 0.5 * (p + r[0]));
+    const double ratio = 0.5 * exp(q - r[1] - 0.5 * p), by_q = r[1] + 0.5 * r[0];
     double of[3];
     linearization_steepest(ratio, of);
     const double down = ratio < 0.5 ? -of[0] : 2.0, most = of[1];
     const double peak = ratio < 0.5 ? of[2] : ratio < 0.70710678118654752 ? fmax(of[2], 1.0) : 1.0;
     const double both = 0.5 * (down + most), mixed = 2.0 * fmax(down, most) + both;
     const double by_p = fmax(0.25 + 2.0 * peak, fmax(down * (down - 1.0), most * (most + 1.0)) + both * both);
-    const double shift[2] = {by_p * r[0] + mixed * r[1], mixed * r[0] + r[1]};
+    const double of_p = by_p * r[0] + mixed * by_q, of_q = mixed * r[0] + by_q;
+    return (sf_steepness){{-down, most}, {of_p, of_q, of_p + 0.5 * of_q}};
+}
+
+static inline void sf_narrow(sf_ends *to, double low, double high)
+{
+    to->low = fmax(to->low, low), to->high = fmin(to->high, high);
+}
+
+/* Between which ends the slopes of ln I_j are in that box, j = 2 i, by p, by q, and by p at a constant damping ratio. At that
+ * 1/Z moves along ln(Omega): the slope is (j - 3 + s)/2 in the mean of the slopes s of ln G, and what jumps add; s is that of
+ * near bands, but for the share of the far ones. Away from its pole -ln Z rises with p by SF_FAR_RISES at most, and I_j falls by
+ * no more than the bound of the slope has it, which is tried. By q the slope is -2 y in the mean, 0 < y < 1, which moves with
+ * p as y and s/2 vary together, and with q by 1 at most. */
+static void sf_slopes_within(const sf_table *table, const sf_moments *at, double p, double q, const double r[2],
+                             sf_ends slopes[2][3])
+{
+    const sf_ends k = {exp(p - r[0]), exp(p + r[0])}, near = at->near;
+    const double middle = 0.5 * (near.low + near.high), apart = fmax(table->most - middle, middle - table->least);
+    const sf_steepness any = sf_steepness_within(p, q, r);
     for (int i = 0; i < 2; i++) {
-        low[i][0] = fmax(-down, at->by[i][0] - shift[0]), high[i][0] = fmin(most, at->by[i][0] + shift[0]);
-        low[i][1] = fmax(-2.0, at->by[i][1] - shift[1]), high[i][1] = fmin(0.0, at->by[i][1] + shift[1]);
-        sf_slope_by_scaling(table, i, at->value[i], p, q, r, &low[i][0], &high[i][0]);
+        sf_ends *const by = slopes[i];
+        const double there[3] = {at->by[i][0], at->by[i][1], at->by[i][0] + 0.5 * at->by[i][1]};
+        double jumps[2], tried = 0.0;
+        by[SF_BY_P] = any.by_p, by[SF_BY_Q] = (sf_ends){-2.0, 0.0}, by[SF_AT_RATIO] = (sf_ends){-HUGE_VAL, HUGE_VAL};
+        for (int n = 0; n < 3; n++)
+            sf_narrow(&by[n], there[n] - any.differ[n], there[n] + any.differ[n]);
+        sf_jumps_within(table, i, at->value[i], &k, 0.5 * exp(q - 0.5 * p - r[1]), jumps);
+        for (int n = 0; n < SF_TRIALS; n++) {
+            const double less = exp(tried * r[0] + 2.0 * r[1]);
+            const double far = fmin(1.0, at->far[i] * less * exp(SF_FAR_RISES * r[0]));
+            const double least = i - 1.5 + 0.5 * (near.low - far * (near.low - table->least)) - less * jumps[0];
+            const double most = i - 1.5 + 0.5 * (near.high + far * (table->most - near.high)) + less * jumps[1];
+            if (fmax(-least, most) <= tried) {
+                const double varies = 0.5 * (near.high - near.low) + far * apart + 2.0 * less * (jumps[0] + jumps[1]);
+                const double shift = varies * r[0] + r[1];
+                sf_narrow(&by[SF_AT_RATIO], least, most);
+                sf_narrow(&by[SF_BY_Q], there[SF_BY_Q] - shift, there[SF_BY_Q] + shift);
+                break;
+            }
+            tried = 1.1 * fmax(-least, most);
+        }
+        const sf_ends of_q = by[SF_BY_Q], of_p = by[SF_BY_P];
+        sf_narrow(&by[SF_BY_P], by[SF_AT_RATIO].low - 0.5 * of_q.high, by[SF_AT_RATIO].high - 0.5 * of_q.low);
+        sf_narrow(&by[SF_AT_RATIO], of_p.low + 0.5 * of_q.low, of_p.high + 0.5 * of_q.high);
     }
 }
 
@@ -249,12 +306,13 @@ static inline double sf_most(const sf_table *table, double least) { return (tabl
 
 /* By Newton's iteration for ln C - q, which falls, between ends that close in; from a q on, until a step is as near. NaN
  * where it is lost. */
-static sf_equivalent sf_equivalent_at(const sf_under_table *of, const sf_over_u *damping, double p, double q, double near)
+static sf_equivalent sf_equivalent_at(const sf_under_table *of, const sf_over_u *damping, double p, double q, double reach,
+                                      double near)
 {
     double low = log(sf_least_damping(of, damping->mu, damping->zeta) / SF_MARGIN), high = HUGE_VAL, c[3];
     sf_equivalent at = {.p = p, .q = fmax(q, low)};
     for (int i = 0; i < SF_MOST_STEPS; i++) {
-        at.moments = sf_moments_at(of->table, p, at.q);
+        at.moments = sf_moments_at(of->table, p, at.q, reach);
         sf_equivalent_damping(of->system, exp(0.5 * at.moments.value[1]), damping->mu, damping->zeta, c);
         at.D = 0.5 * c[1] / c[0];
         const double excess = log(c[0]) - at.q, step = excess / (1.0 - at.D * at.moments.by[1][1]);
@@ -277,34 +335,43 @@ static sf_equivalent sf_equivalent_at(const sf_under_table *of, const sf_over_u 
     return at;
 }
 
+static inline double sf_steepest_of(sf_ends of) { return fmax(-of.low, of.high); }
+
 /* Between which ends dL/dp and dL/dln(sigma_u) are where p differs by no more than r[0], and ln(sigma_u) by r[1], in a
  * cell whose ends have the damping a and b; infinite where that is not known. */
 static void sf_slope_within(const sf_under_table *of, const sf_equivalent *at, const sf_over_u *a, const sf_over_u *b,
                             const double r[2], sf_ends *by_p, sf_ends *by_u)
 {
-    double apart = 1.5 * (fabs(sf_damping_by_p(at)) * r[0] + fabs(sf_damping_by_u(at)) * r[1]), low[2][2], high[2][2];
+    double apart = 1.5 * (fabs(sf_damping_by_p(at) - 0.5) * r[0] + fabs(sf_damping_by_u(at)) * r[1]);
     *by_p = *by_u = (sf_ends){-HUGE_VAL, HUGE_VAL};
     for (int i = 0; i < 6; i++) {
-        const double square = at->moments.value[1];
-        sf_slopes_within(of->table, &at->moments, at->p, at->q, (double[2]){r[0], apart + SF_AS_NEAR}, low, high);
-        const double shift = fmax(-low[1][0], high[1][0]) * r[0] - low[1][1] * (apart + SF_AS_NEAR);
-        sf_ends D, own;
+        const double square = at->moments.value[1], ratio = apart + SF_AS_NEAR;
+        sf_ends slopes[2][3], D, own;
+        sf_slopes_within(of->table, &at->moments, at->p, at->q, (double[2]){r[0], ratio}, slopes);
+        const sf_ends *const I_0 = slopes[0], *const I_2 = slopes[1];
+        const double shift = sf_steepest_of(I_2[SF_AT_RATIO]) * r[0] - I_2[SF_BY_Q].low * ratio;
         sf_damping_within(of->system, a, b, (sf_ends){exp(0.5 * (square - shift)), exp(0.5 * (square + shift))}, &D, &own);
         D.low *= 0.5, D.high *= 0.5;
-        const sf_ends falls = sf_ends_of_product(D, (sf_ends){low[1][1], high[1][1]});
-        const sf_ends over = {1.0 / (1.0 - falls.low), 1.0 / (1.0 - falls.high)};
+        const sf_ends falls = sf_ends_of_product(D, I_2[SF_BY_Q]);
         if (!(falls.high < 1.0))
             return;
-        const sf_ends q = sf_ends_of_product(sf_ends_of_product(D, (sf_ends){low[1][0], high[1][0]}), over);
-        const sf_ends q_by_u = sf_ends_of_product(own, over);
-        const double change = fmax(-q.low, q.high) * r[0] + fmax(-q_by_u.low, q_by_u.high) * r[1];
-        if (change <= apart) { /* q does not leave the box */
-            *by_u = sf_ends_of_product(q, (sf_ends){low[0][1], high[0][1]});
-            *by_p = (sf_ends){low[0][0] + by_u->low, high[0][0] + by_u->high};
-            *by_u = sf_ends_of_product(q_by_u, (sf_ends){low[0][1], high[0][1]});
+        /* of ln C = q = ln(ratio) + p/2 + ln 2 */
+        const sf_ends over = {1.0 / (1.0 - falls.low), 1.0 / (1.0 - falls.high)};
+        const sf_ends drives = sf_ends_of_product(D, I_2[SF_AT_RATIO]);
+        const sf_ends ratio_by_p = sf_ends_of_product((sf_ends){drives.low - 0.5, drives.high - 0.5}, over);
+        const sf_ends ratio_by_u = sf_ends_of_product(own, over);
+        sf_ends q_by_p = sf_ends_of_product(sf_ends_of_product(D, I_2[SF_BY_P]), over);
+        sf_narrow(&q_by_p, ratio_by_p.low + 0.5, ratio_by_p.high + 0.5);
+        const sf_ends change = {q_by_p.low - 0.5, q_by_p.high - 0.5};
+        const double goes = sf_steepest_of(change) * r[0] + sf_steepest_of(ratio_by_u) * r[1];
+        if (goes <= apart) { /* the ratio does not leave the box */
+            const sf_ends by_q = sf_ends_of_product(q_by_p, I_0[SF_BY_Q]), by_ratio = sf_ends_of_product(change, I_0[SF_BY_Q]);
+            *by_p = (sf_ends){I_0[SF_BY_P].low + by_q.low, I_0[SF_BY_P].high + by_q.high};
+            sf_narrow(by_p, I_0[SF_AT_RATIO].low + by_ratio.low, I_0[SF_AT_RATIO].high + by_ratio.high);
+            *by_u = sf_ends_of_product(ratio_by_u, I_0[SF_BY_Q]);
             return;
         }
-        apart = 1.25 * change;
+        apart = 1.25 * goes;
     }
 }
 
@@ -317,35 +384,43 @@ typedef struct {
     sf_motions *found;
 } sf_linearized;
 
-static sf_equivalent sf_equivalent_by(sf_linearized *of, const sf_over_u *damping, double p, double near)
+static sf_equivalent sf_equivalent_by(sf_linearized *of, const sf_over_u *damping, double p, double reach, double near)
 {
     const double q = of->near.q + sf_damping_by_p(&of->near) * (p - of->near.p);
-    const sf_equivalent at = sf_equivalent_at(of->excited, damping, p, q, near);
+    const sf_equivalent at = sf_equivalent_at(of->excited, damping, p, q, reach, near);
     if (at.q == at.q)
         of->near = at;
     return at;
 }
 
-/* ln I_0 - 2 ln(sigma) */
-static double sf_excess(sf_linearized *of, const sf_gaussian *at, sf_equivalent *damped)
+/* ln I_0 - 2 ln(sigma), with a damping as near as that */
+static double sf_excess(sf_linearized *of, const sf_gaussian *at, double near, sf_equivalent *damped)
 {
     const sf_over_u damping = sf_damping_over_u(of->excited->system, at->sigma);
-    *damped = sf_equivalent_by(of, &damping, log(sf_first(at)) - 2.0 * log(at->sigma), 0x1p-28);
+    *damped = sf_equivalent_by(of, &damping, log(sf_first(at)) - 2.0 * log(at->sigma), 0.0, near);
     return damped->moments.value[0] - 2.0 * log(at->sigma);
 }
 
-/* The root in a cell on which the excess is monotone, if it has one: Newton's iteration between ends that close in. */
-static void sf_put_stationary(sf_linearized *of, const sf_gaussian *a, const sf_gaussian *b)
+/* The root in a cell on which the excess is monotone, if it has one: Newton's iteration between ends that close in, of which
+ * the excess may have a known sign, from a sigma on. */
+static void sf_put_stationary(sf_linearized *of, const sf_gaussian *a, const sf_gaussian *b, int falls, double from)
 {
-    sf_equivalent damped;
-    const int below = sf_excess(of, a, &damped) < 0.0;
-    sf_gaussian at = *b;
-    double low = a->sigma, high = b->sigma, excess = sf_excess(of, &at, &damped);
-    if (isnan(excess) || damped.q != damped.q)
-        of->found->undecided[0] = exp(damped.p), of->found->undecided[1] = exp(of->near.q);
-    if (below == (excess < 0.0))
-        return;
-    for (int i = 0, last = 0; i < SF_MOST_STEPS && !last; i++) {
+    sf_equivalent damped = of->near;
+    int below = 0;
+    if (!falls) {
+        below = sf_excess(of, a, SF_NEAREST, &damped) < 0.0;
+        const double excess = sf_excess(of, b, SF_NEAREST, &damped);
+        if (isnan(excess) || damped.q != damped.q)
+            of->found->undecided[0] = exp(damped.p), of->found->undecided[1] = exp(of->near.q);
+        if (below == (excess < 0.0))
+            return;
+    }
+    double low = a->sigma, high = b->sigma, near = SF_AS_NEAR;
+    sf_gaussian at = sf_averages(of->force, from > low && from < high ? from : sqrt(low) * sqrt(high));
+    for (int i = 0, last = 0; i < SF_MOST_STEPS; i++) {
+        const double excess = sf_excess(of, &at, near, &damped);
+        if (last)
+            break;
         double(*const by)[2] = damped.moments.by;
         const double by_p = by[0][0] + by[0][1] * sf_damping_by_p(&damped), by_u = by[0][1] * sf_damping_by_u(&damped);
         const double steep = by_p * (sf_third(&at) / sf_first(&at) - 3.0) + by_u - 2.0;
@@ -354,18 +429,26 @@ static void sf_put_stationary(sf_linearized *of, const sf_gaussian *a, const sf_
             low = at.sigma;
         else
             high = at.sigma;
-        last = fabs(excess) <= 0x1p-30 * fabs(steep) || high <= low * (1.0 + 0x1p-51);
+        last = (near == SF_NEAREST && fabs(excess) <= 0x1p-30 * fabs(steep)) || high <= low * (1.0 + 0x1p-51);
+        near = fabs(excess) < SF_AS_NEAR ? SF_NEAREST : SF_AS_NEAR;
         at = sf_averages(of->force, last || (next > low && next < high) ? next : sqrt(low * high));
-        excess = sf_excess(of, &at, &damped);
     }
     sf_put_motion(of->excited->system, of->found, &at, exp(0.5 * damped.moments.value[1]), exp(damped.p));
 }
 
-/* The stiffness in a cell, and its slope by ln(sigma): from its averages, and from what f/u is up to there. */
+/* The stiffness in a cell, and its slope by ln(sigma): from its averages, and from what f/u is up to there. Where that does not
+ * fall the slope, E[x^2 u (f/u)'] at u = sigma x, is an average of what is positive. */
 static sf_ends sf_stiffness_within(const sf_positive *force, const sf_gaussian *a, const sf_gaussian *b, sf_ends *slope)
 {
     const double grows = b->sigma / a->sigma, cube = grows * grows * grows, fifth = cube * grows * grows;
     const double aa = a->sigma * a->sigma, bb = b->sigma * b->sigma, width = log(grows);
+    if (force->hardens) {
+        const double at_a = (sf_third(a) - 3.0 * sf_first(a)) / aa, at_b = (sf_third(b) - 3.0 * sf_first(b)) / bb;
+        const double error = SF_ERROR * (b->first[0] + b->first[1]) / bb;
+        const double steep = SF_ERROR * (b->third[0] + b->third[1]) / bb + 3.0 * error;
+        *slope = (sf_ends){fmax(at_a - steep, 0.0) / cube, (at_b + steep) * cube};
+        return (sf_ends){sf_first(a) / aa - error, sf_first(b) / bb + error};
+    }
     const sf_ends secants = sf_secants_up_to(force, SF_FARTHEST * b->sigma);
     const double most = secants.high - secants.low;
     sf_ends K = {fmax(secants.low, a->first[0] / aa / cube - b->first[1] / bb * cube),
@@ -377,6 +460,22 @@ static sf_ends sf_stiffness_within(const sf_positive *force, const sf_gaussian *
     K.low = fmax(K.low, fmax(sf_first(a) / aa + low, sf_first(b) / bb - high)) - error;
     K.high = fmin(K.high, fmin(sf_first(a) / aa + high, sf_first(b) / bb - low)) + error;
     return K;
+}
+
+/* Where a cell of a rising stiffness is cut: where ln k is between two values, or in its middle if it is not there soon. */
+static sf_gaussian sf_cut_between(const sf_positive *force, const sf_gaussian *a, const sf_gaussian *b, sf_ends p)
+{
+    double low = a->sigma, high = b->sigma;
+    const sf_gaussian middle = sf_averages(force, sqrt(low) * sqrt(high));
+    sf_gaussian at = middle;
+    for (int i = 0; i < SF_MOST_HALVINGS; i++) {
+        const double there = log(sf_first(&at)) - 2.0 * log(at.sigma);
+        if (there >= p.low && there <= p.high)
+            return at;
+        *(there > p.high ? &high : &low) = at.sigma;
+        at = sf_averages(force, sqrt(low) * sqrt(high));
+    }
+    return middle;
 }
 
 static void sf_search_stationary(sf_linearized *of, const sf_gaussian *a, const sf_gaussian *b)
@@ -395,18 +494,19 @@ static void sf_search_stationary(sf_linearized *of, const sf_gaussian *a, const 
     const double low = log(fmax(K.low, soft)), high = log(fmax(K.high, soft)), r = 0.5 * (high - low);
     const double middle_sigma = sqrt(a->sigma) * sqrt(b->sigma), width = 0.5 * log(grows);
     const sf_over_u damping = sf_damping_over_u(of->excited->system, middle_sigma);
-    const sf_equivalent at = sf_equivalent_by(of, &damping, low + r, SF_AS_NEAR);
+    const sf_equivalent at = sf_equivalent_by(of, &damping, low + r, sf_band_reach(r), SF_AS_NEAR);
     sf_ends by_p, by_u;
     sf_slope_within(of->excited, &at, &first, &last, (double[2]){r, width}, &by_p, &by_u);
     const double L = at.moments.value[0], error = SF_AS_NEAR + (K.low < soft ? 4.0 * SF_SOFT : 0.0);
-    const double shift = fmax(-by_p.low, by_p.high) * r + fmax(-by_u.low, by_u.high) * width + error;
-    if (L + shift < 2.0 * log(a->sigma) || L - shift > 2.0 * log(b->sigma))
+    const double shift = sf_steepest_of(by_p) * r + sf_steepest_of(by_u) * width + error;
+    const double from = 0.5 * (L - shift), to = 0.5 * (L + shift), begin = log(a->sigma), end = log(b->sigma);
+    if (to < begin || from > end)
         return;
     if (K.low >= soft) {
         const sf_ends over = {1.0 / K.high, 1.0 / K.low};
         const sf_ends excess = sf_ends_of_product(by_p, sf_ends_of_product(slope, over));
         if (excess.high + by_u.high < 2.0 || excess.low + by_u.low > 2.0) {
-            sf_put_stationary(of, a, b);
+            sf_put_stationary(of, a, b, from > begin && to < end, exp(0.5 * L));
             return;
         }
     }
@@ -415,7 +515,15 @@ static void sf_search_stationary(sf_linearized *of, const sf_gaussian *a, const 
             of->found->undecided[0] = exp(at.p), of->found->undecided[1] = exp(at.q);
         return;
     }
-    const sf_gaussian middle = sf_averages(of->force, middle_sigma);
+    if (fmin(to, end) - fmax(from, begin) < SF_SHRINKS * (end - begin)) {
+        const sf_gaussian c = from > begin ? sf_averages(of->force, exp(from)) : *a;
+        const sf_gaussian d = to < end ? sf_averages(of->force, exp(to)) : *b;
+        sf_search_stationary(of, &c, &d);
+        return;
+    }
+    const sf_gaussian middle = of->force->hardens && K.low >= soft
+                                   ? sf_cut_between(of->force, a, b, (sf_ends){low + 0.5 * r, high - 0.5 * r})
+                                   : sf_averages(of->force, middle_sigma);
     if (!(isnan(sf_first(a)) && isnan(sf_first(&middle))))
         sf_search_stationary(of, a, &middle);
     if (!(isnan(sf_first(&middle)) && isnan(sf_first(b))))
@@ -441,7 +549,16 @@ static int sf_tabulated(const sf_system *system, const sf_table *table, sf_motio
             *(sf_is_held(&excited, m) ? &from : &high) = m;
         from = high;
     }
-    const sf_gaussian a = sf_averages(&force, from), b = sf_averages(&force, to);
+    const sf_gaussian a = sf_averages(&force, from);
+    sf_gaussian b = sf_averages(&force, to);
+    /* E[u f] is size^2 at most, and rises with f/u */
+    for (int i = 0; force.hardens && i < SF_FIRST_HALVINGS; i++) {
+        const sf_gaussian at = sf_averages(&force, sqrt(from) * sqrt(b.sigma));
+        if (sf_first(&at) > (1.0 + SF_ERROR) * size * size)
+            b = at;
+        else
+            from = at.sigma;
+    }
     sf_linearized of = {.excited = &excited, .force = &force, .near = {.q = -HUGE_VAL}, .found = found};
     sf_search_stationary(&of, &a, &b);
     return !sticks || found->count > 0 || found->undecided[0] != 0.0;
