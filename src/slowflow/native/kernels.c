@@ -6,15 +6,6 @@
 
 typedef double row[SF_BLOCK];
 
-/* Whether an output's memory meets an input's. NumPy then gives the same array twice; the loops expect two. */
-static int overlap(const char *a, ptrdiff_t a_step, const char *b, ptrdiff_t b_step, ptrdiff_t n)
-{
-    const char *a_end = a + a_step * (n - 1), *b_end = b + b_step * (n - 1);
-    const char *a_low = a < a_end ? a : a_end, *a_high = a < a_end ? a_end : a;
-    const char *b_low = b < b_end ? b : b_end, *b_high = b < b_end ? b_end : b;
-    return a_low < b_high + sizeof(double) && b_low < a_high + sizeof(double);
-}
-
 /* A block that holds several regimes: each one's elements side by side, and back. */
 static void run_mixed(const sf_kernel *kernel, ptrdiff_t n, const double *const *in, double *const *out,
                       const unsigned char *regime, const ptrdiff_t *steps)
@@ -130,8 +121,7 @@ static void run_blocks(const sf_kernel *kernel, char **operands, ptrdiff_t n, co
         in_place[j] = steps[j] == (ptrdiff_t)sizeof(double);
     for (int j = inputs; j < all; j++)
         for (int k = 0; k < inputs; k++)
-            if (in_place[j] && overlap(operands[j], steps[j], operands[k], steps[k], n))
-                in_place[j] = 0;
+            in_place[j] &= operands[j] != operands[k]; /* NumPy gives one array twice, and copies what else overlaps */
     for (int j = 0; j < inputs; j++)
         if (steps[j] == 0)
             for (int i = 0; i < (n < SF_BLOCK - SF_WIDEST ? n + SF_WIDEST : SF_BLOCK); i++)
