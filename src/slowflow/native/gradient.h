@@ -106,13 +106,12 @@ static void sf_pin_on_break(const sf_model *model, int k, const double *slopes, 
         *answer = past;
 }
 
-/* The derivatives of A, Omega and F_0 by number j go to column j. Returns 0 where an answer meets another. The kind
- * is a constant of each call: what it does not ask for is not computed. */
-SF_ALWAYS int sf_solve(sf_pinned kind, const sf_pinned_answer *answer, const sf_model *model, const sf_causes *of,
-                           int columns, double rates[SF_UNKNOWNS][SF_MOST_COLUMNS])
+/* The derivatives of A, Omega and F_0 by number j go to column j. Returns 0 where an answer meets another. */
+static int sf_solve(const sf_pinned_answer *answer, const sf_model *model, const sf_causes *of, int columns,
+                    double rates[SF_UNKNOWNS][SF_MOST_COLUMNS])
 {
     static const signed char systems[][9] = SF_SYSTEMS;
-    const signed char *rows = systems[kind], *unknowns = rows + 3, together = rows[6], *vanishing = rows + 7;
+    const signed char *rows = systems[answer->kind], *unknowns = rows + 3, together = rows[6], *vanishing = rows + 7;
     const sf_sample *at = &answer->at;
     double slopes[2 * SF_SIZES], determinant = 1;
     sf_slopes_at(answer, model, slopes);
@@ -156,28 +155,6 @@ SF_ALWAYS int sf_solve(sf_pinned kind, const sf_pinned_answer *answer, const sf_
             rates[i][j] = found[i];
     }
     return 1;
-}
-
-static SF_FLAT int sf_move(const sf_pinned_answer *answer, const sf_model *model, const sf_causes *of, int columns,
-                           double rates[SF_UNKNOWNS][SF_MOST_COLUMNS])
-{
-#define SF_SOLVE(kind)                                                                                                 \
-    case kind:                                                                                                         \
-        return sf_solve(kind, answer, model, of, columns, rates);
-    switch (answer->kind) {
-        SF_SOLVE(SF_STATE_PINNED)
-        SF_SOLVE(SF_FOLD_PINNED)
-        SF_SOLVE(SF_CORNER_FOLD_PINNED)
-        SF_SOLVE(SF_PEAK_PINNED)
-        SF_SOLVE(SF_CUSP_PINNED)
-        SF_SOLVE(SF_ISOLA_PINNED)
-        SF_SOLVE(SF_CORNER_TOP_PINNED)
-        SF_SOLVE(SF_CORNER_END_PINNED)
-        SF_SOLVE(SF_CORNER_BACKBONE_PINNED)
-        SF_SOLVE(SF_CORNER_REST_PINNED)
-    }
-#undef SF_SOLVE
-    return 0;
 }
 
 /* What the damping, the forcing and the frequency do, which is the same everywhere: columns are the numbers of the
@@ -286,7 +263,7 @@ static sf_moves_status sf_gradient(const sf_model *model, const double *of_desig
     if (sf_takes_laws(mechanism))
         sf_causes_of_rest(
             model, answer, of_design + (mechanism->parameters + mechanism->breakpoints - model->breaks) * mechanism->design_size, of);
-    if (!sf_move(answer, model, of, columns, rates))
+    if (!sf_solve(answer, model, of, columns, rates))
         return SF_MEETS_MOVES;
     for (int i = 0; i < SF_UNKNOWNS; i++)
         for (int j = 0; j < columns; j++)
@@ -325,7 +302,7 @@ static void sf_slopes_of(const double *in, double *out) {
     of.forcing[0] = in[30], of.frequency[0] = in[31], of.end[0] = in[32];
     (answer.inertial ? sensitivities_by_inertia : sensitivities_by_force)(in[1], in[2], answer.excited);
     answer.R = answer.kind == SF_CORNER_BACKBONE_PINNED ? 0 : slow_flow_R(in[1], in[0], in[5]);
-    out[SF_STATE_ROWS] = sf_solve(answer.kind, &answer, &model, &of, 1, rates);
+    out[SF_STATE_ROWS] = sf_solve(&answer, &model, &of, 1, rates);
     for (int i = 0; i < SF_STATE_ROWS; i++)
         out[i] = NAN;
     if (out[SF_STATE_ROWS] == 0)
