@@ -11,7 +11,7 @@
 
 #include "conventions.h"
 #include "inertia.h"
-#include "isolate.h"
+#include "roots.h"
 #include "mechanism.h"
 #include "slow_flow.h"
 #include "slow_flow_mu0.h"

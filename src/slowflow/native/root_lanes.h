@@ -9,7 +9,7 @@
 
 #include <stddef.h>
 
-#include "isolate.h"
+#include "roots.h"
 
 enum { SF_QUARTICS = 64, SF_MOST_JOBS = 3 * SF_QUARTICS };
 
@@ -25,7 +25,7 @@ typedef struct {
 
 enum { SF_F0_BELOW = 1, SF_F1_ABOVE = 2, SF_F2_BELOW = 4, SF_CRITICAL = 8, SF_UNSURE = -1 };
 
-/* Roots that are wanted: of which quartic of a block, and at which place (isolate.h), one of the first four; is_last:
+/* Roots that are wanted: of which quartic of a block, and at which place (roots.h), one of the first four; is_last:
  * whether Omega needs no further step */
 typedef struct {
     int n, of[SF_MOST_JOBS];
@@ -42,21 +42,11 @@ void sf_refine_lanes(sf_jobs *jobs);
 
 /* The root of job k, from what the lanes found of it. */
 static inline double sf_root_of_job(const sf_jobs *jobs, int k) {
-    sf_quartic s;
-    const int place = (int)jobs->place[k];
-    const double w = jobs->Omega[k], w1 = jobs->w1[k], w2 = jobs->w2[k];
+    sf_isolated q;
     if (!SF_UNLIKELY(jobs->is_last[k] == 0))
-        return w;
-    s.kind = SF_RESPONSE;
-    s.A = jobs->A[k], s.h = jobs->h[k], s.h_A = 0, s.m = jobs->m[k], s.zeta = jobs->zeta[k], s.F_0 = jobs->F_0[k];
-    sf_derivative_coefficients(&s);
-    if (place == 0)
-        return w > 0 && w < w1 ? sf_refine(&s, w, 0, w1, 1) : sf_root_below(&s, jobs->f0[k], w1, jobs->f1[k]);
-    if (place == 1)
-        return w > w1 && w < w2 ? sf_refine(&s, w, w1, w2, -1) : sf_root_between(&s, w1, jobs->f1[k], w2, jobs->f2[k]);
-    if (place == 2)
-        return w > w2 ? sf_refine(&s, w, w2, 2 * w, 1) : sf_root_above(&s, w2, jobs->f2[k]);
-    return sf_root_of_rising(&s, jobs->f0[k]);
+        return jobs->Omega[k];
+    sf_isolate_response(&q, jobs->A[k], jobs->h[k], jobs->m[k], jobs->zeta[k], jobs->F_0[k]);
+    return sf_root_at(&q, (sf_place)jobs->place[k]);
 }
 
 /* The places of the roots that a sum of signs shows, by rising Omega; returns their number. */

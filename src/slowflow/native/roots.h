@@ -295,65 +295,150 @@ SF_ALWAYS double sf_root_of_rising(const sf_quartic *s, double f0) {
     return sf_refine(s, start, 0, 2 * high, 1);
 }
 
-SF_ALWAYS int sf_quartic_roots(sf_quartic *s, double Omega[3]) {
-    double w1, w2;
+/* ==== One root at a time ========================================================================================== */
+
+/* critical points 0 < w1 < w2 if they exist, and the values f0 at 0, f1 at w1, f2 at w2; w1 = 0 if biquadratic */
+typedef struct {
+    sf_quartic s;
+    int exist;
+    double w1, w2, f0, f1, f2;
+} sf_isolated;
+
+typedef enum { SF_BELOW, SF_BETWEEN, SF_ABOVE, SF_RISING, SF_AT_W1, SF_AT_W2, SF_AT_0 } sf_place;
+
+static inline void sf_isolate(sf_isolated *q) {
+    sf_derivative_coefficients(&q->s);
+    q->f0 = sf_value_at_0(&q->s);
+    q->w1 = q->w2 = q->f1 = q->f2 = 0;
+    q->exist = sf_critical_points(&q->s, &q->w1, &q->w2) != 0;
+    if (!q->exist)
+        return;
+    q->f2 = sf_critical_value(&q->s, q->w2);
+    q->f1 = q->w1 == 0 ? q->f0 : sf_critical_value(&q->s, q->w1);
+}
+
+static inline void sf_isolate_response(sf_isolated *q, double A, double h, double m, double zeta, double F_0) {
+    q->s.kind = SF_RESPONSE;
+    q->s.A = A, q->s.h = h, q->s.h_A = 0, q->s.m = m, q->s.zeta = zeta, q->s.F_0 = F_0;
+    sf_isolate(q);
+}
+
+/* zeta > 0: without it the quartic falls into two factors */
+static inline void sf_isolate_fold(sf_isolated *q, double A, double h, double h_A, double m, double zeta) {
+    q->s.kind = SF_FOLD;
+    q->s.A = A, q->s.h = h, q->s.h_A = h_A, q->s.m = m, q->s.zeta = zeta, q->s.F_0 = 0;
+    sf_isolate(q);
+}
+
+/* The places of the roots that signs show, by rising Omega: whether there are critical points, and f0 and f2 are below
+ * and f1 above 0. A pair that touches is not counted. */
+static inline int sf_places(int exist, int f0_below, int f1_above, int f2_below, sf_place place[3]) {
     int n = 0;
-    sf_derivative_coefficients(s);
-    const double f0 = sf_value_at_0(s);
-    if (!sf_critical_points(s, &w1, &w2)) {
-        if (f0 < 0)
-            Omega[n++] = sf_root_of_rising(s, f0);
+    if (!exist) {
+        if (f0_below)
+            place[n++] = SF_RISING;
         return n;
     }
-    const double f2 = sf_critical_value(s, w2);
-    if (w1 == 0) { /* biquadratic, closed form: the guess is the root but for rounding */
-        if (f2 == 0) {
-            Omega[n++] = w2;
-            Omega[n++] = w2;
-        } else if (f2 < 0) {
-            const double twice_S = 2 * sqrt(-f2 / (s->k * s->A));
-            const double xx = w2 * w2 + twice_S;
-            if (f0 > 0)
-                Omega[n++] = sf_refine(s, sqrt(4 * f0 / (s->k * s->A * xx)), 0, w2, -1);
-            Omega[n++] = sf_refine(s, sqrt(xx), w2, 2 * sqrt(xx), 1);
-        }
-        return n;
-    }
-    const double f1 = sf_critical_value(s, w1);
-    if (f0 < 0 && f1 > 0)
-        Omega[n++] = sf_root_below(s, f0, w1, f1);
-    if (f1 == 0) {
-        Omega[n++] = w1;
-        Omega[n++] = w1;
-    } else if (f2 == 0) {
-        Omega[n++] = w2;
-        Omega[n++] = w2;
-    } else if (f1 > 0 && f2 < 0) {
-        Omega[n++] = sf_root_between(s, w1, f1, w2, f2);
-    }
-    if (f2 < 0)
-        Omega[n++] = sf_root_above(s, w2, f2);
-    else if (f1 == 0)
-        Omega[n++] = w2; /* triple root */
+    if (f0_below && f1_above)
+        place[n++] = SF_BELOW;
+    if (f1_above && f2_below)
+        place[n++] = SF_BETWEEN;
+    if (f2_below)
+        place[n++] = SF_ABOVE;
     return n;
+}
+
+static inline int sf_count(const sf_isolated *q) {
+    sf_place place[3];
+    return sf_places(q->exist, q->f0 < 0, q->f1 > 0, q->f2 < 0, place);
+}
+
+static double sf_root_at(const sf_isolated *q, sf_place place) {
+    const sf_quartic *s = &q->s;
+    if (q->exist && q->w1 == 0 && (place == SF_BETWEEN || place == SF_ABOVE)) { /* biquadratic: closed form */
+        const double twice_S = 2 * sqrt(-q->f2 / (s->k * s->A));
+        const double xx = q->w2 * q->w2 + twice_S;
+        if (place == SF_BETWEEN)
+            return sf_refine(s, sqrt(4 * q->f0 / (s->k * s->A * xx)), 0, q->w2, -1);
+        return sf_refine(s, sqrt(xx), q->w2, 2 * sqrt(xx), 1);
+    }
+    switch (place) {
+    case SF_BELOW:
+        return sf_root_below(s, q->f0, q->w1, q->f1);
+    case SF_BETWEEN:
+        return sf_root_between(s, q->w1, q->f1, q->w2, q->f2);
+    case SF_ABOVE:
+        return sf_root_above(s, q->w2, q->f2);
+    case SF_RISING:
+        return sf_root_of_rising(s, q->f0);
+    case SF_AT_W1:
+        return q->w1;
+    case SF_AT_W2:
+        return q->exist ? q->w2 : 0;
+    default:
+        return 0;
+    }
+}
+
+/* All of them with their multiplicity: pairs that touch are two, and where maximum and minimum coincide there are three. */
+static int sf_all_roots(const sf_isolated *q, double Omega[3]) {
+    sf_place place[3];
+    int n = sf_places(q->exist, q->f0 < 0, q->f1 > 0, q->f2 < 0, place);
+    if (q->exist && q->f1 == 0 && q->w1 > 0)
+        n = 3, place[0] = place[1] = SF_AT_W1, place[2] = q->f2 < 0 ? SF_ABOVE : SF_AT_W2;
+    else if (q->exist && q->f2 == 0)
+        place[n++] = SF_AT_W2, place[n++] = SF_AT_W2;
+    for (int i = 0; i < n; i++)
+        Omega[i] = sf_root_at(q, place[i]);
+    return n;
+}
+
+/* ==== A number of roots that is known ============================================================================= */
+
+/* Along a curve the number of roots is known from both sides. Where rounding hides a pair that is about to meet, or
+ * shows one that has met already, the known number decides, and the place where the pair meets represents the root. */
+
+/* Place of root number `index` of `count`, also where the signs count otherwise. */
+static inline sf_place sf_place_of(int exist, double f0, double f1, double f2, int count, int index) {
+    sf_place place[3];
+    const int shown = sf_places(exist, f0 < 0, f1 > 0, f2 < 0, place);
+    if (shown == count)
+        return index < count ? place[index] : SF_AT_W2;
+    if (shown == count - 1) /* the lowest has gone to 0 */
+        return index == 0 ? SF_AT_0 : place[index - 1];
+    if (shown == count + 1) /* one has come from 0 */
+        return place[index + 1];
+    if (shown == count - 2) {
+        if (!exist) /* maximum and minimum are about to meet: all three are */
+            return f0 < 0 ? SF_RISING : SF_AT_0;
+        if (!(f1 > 0))
+            return index < 2 ? SF_AT_W1 : place[index - 2];
+        return index < count - 2 ? place[index] : SF_AT_W2;
+    }
+    if (shown == count + 2) /* the pair that is nearest to nothing does not count */
+        return place[fabs(f1) < fabs(f2) ? index + 2 : index];
+    return shown > 0 ? place[shown - 1] : SF_AT_0;
+}
+
+static inline double sf_wanted_root(const sf_isolated *q, int count, int index) {
+    return sf_root_at(q, sf_place_of(q->exist, q->f0, q->f1, q->f2, count, index));
 }
 
 /* ==== Public ====================================================================================================== */
 
 SF_ALWAYS int sf_response_roots(double A, double h, double m, double zeta, double F_0, double Omega[3]) {
-    sf_quartic s;
+    sf_isolated q;
     Omega[0] = Omega[1] = Omega[2] = NAN;
     if (!(A > 0 && m >= 0 && zeta >= 0 && F_0 >= 0 && A + fabs(h) + m + zeta + F_0 < HUGE_VAL))
         return -1;
     if (F_0 < m)
         return 0; /* I >= m > F_0: the mass sticks */
-    s.kind = SF_RESPONSE;
-    s.A = A, s.h = h, s.h_A = 0, s.m = m, s.zeta = zeta, s.F_0 = F_0;
-    return sf_quartic_roots(&s, Omega);
+    sf_isolate_response(&q, A, h, m, zeta, F_0);
+    return sf_all_roots(&q, Omega);
 }
 
 SF_ALWAYS int sf_fold_roots(double A, double h, double h_A, double m, double zeta, double Omega[3]) {
-    sf_quartic s;
+    sf_isolated q;
     double scale = 1;
     int n = 0;
     Omega[0] = Omega[1] = Omega[2] = NAN;
@@ -368,17 +453,16 @@ SF_ALWAYS int sf_fold_roots(double A, double h, double h_A, double m, double zet
             Omega[n++] = fmax(x, y);
         return n;
     }
-    s.kind = SF_FOLD;
-    s.A = A, s.h = h, s.h_A = h_A, s.m = m, s.zeta = zeta, s.F_0 = 0;
     if (SF_UNLIKELY(fabs(h_A) > 0x1p100)) { /* next to a corner: measure w in units of sqrt|h_A|, lest w^4 overflow */
         int e;
         frexp(h_A, &e);
         e /= 4;
         scale = ldexp(1, 2 * e);
-        s.A = ldexp(A, 2 * e), s.h = ldexp(h, -2 * e), s.h_A = ldexp(h_A, -4 * e), s.m = ldexp(m, -2 * e);
-        s.zeta = ldexp(zeta, -2 * e);
+        A = ldexp(A, 2 * e), h = ldexp(h, -2 * e), h_A = ldexp(h_A, -4 * e), m = ldexp(m, -2 * e);
+        zeta = ldexp(zeta, -2 * e);
     }
-    n = sf_quartic_roots(&s, Omega);
+    sf_isolate_fold(&q, A, h, h_A, m, zeta);
+    n = sf_all_roots(&q, Omega);
     for (int i = 0; i < n; i++)
         Omega[i] *= scale;
     return n;
