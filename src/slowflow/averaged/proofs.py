@@ -100,8 +100,8 @@ def _or_in_balls(in_doubles: Callable[..., Answer]) -> Callable[..., Answer]:
     """A proof by doubles, and where these do not decide what balls say instead, by their question of the same name."""
 
     @functools.wraps(in_doubles)
-    def proof(model: Model, *numbers: float, **hints: Any) -> Answer:
-        found = in_doubles(model, *numbers, **hints)
+    def proof(model: Model, *numbers: float) -> Answer:
+        found = in_doubles(model, *numbers)
         if found.proved or not model.has_design:
             return found
         balls = in_balls()
@@ -284,9 +284,9 @@ def _middle(enclosed: Floats, known: Floats | None) -> Floats:
 
 
 @_or_in_balls
-def folds(model: Model, F_0: float, *, expected: Floats = _NOTHING) -> ProvedFolds:
-    """Every fold at F_0, with what is proved of it; `expected`: amplitudes where some are, which saves time."""
-    head, (Omega, A, corner, sign), others = _prove_at(backend.SOLVER.certify_folds, model, F_0, expected)
+def folds(model: Model, F_0: float) -> ProvedFolds:
+    """Every fold at F_0, with what is proved of it."""
+    head, (Omega, A, corner, sign), others = _prove_at(backend.SOLVER.certify_folds, model, F_0)
     return ProvedFolds(*head, Omega, A, _KINDS[sign], corner, *others)
 
 

@@ -176,7 +176,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
 
     def _proved_folds(self, found: SaddleNodes) -> ProvedFolds:
         """What is proved of an answer's folds."""
-        proof = proofs.folds(self.model, found.F_0, expected=found.A)
+        proof = proofs.folds(self.model, found.F_0)
         if not proof.proved or len(proof.A) == len(found):
             return proof
         note = f"{len(proof.A)} folds are proved, saddle_nodes gives {len(found)}"

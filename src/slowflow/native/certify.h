@@ -177,16 +177,14 @@ static sf_status sf_begin_certificate(const sf_model *model, const sf_inputs *in
     return status;
 }
 
-/* Every fold at F_0. hints: amplitudes where some are expected */
-static sf_status sf_certify_folds(const sf_model *model, const sf_inputs *inputs, double F_0, const double *hints,
-                                  int count, sf_room *room)
-{
+/* Every fold at F_0. */
+static sf_status sf_certify_folds(const sf_model *model, const sf_inputs *inputs, double F_0, sf_room *room) {
     sf_certificate *out = &room->found;
     sf_proving proving;
     const sf_status status = sf_begin_certificate(model, inputs, F_0, room, &proving);
     if (status != SF_OK || out->n_undecided > 0)
         return status;
-    proving.range = sf_fold_on, proving.channels = 1, proving.hints = hints, proving.expected = count;
+    proving.range = sf_fold_on, proving.channels = 1;
     sf_prove(&proving, out->A_max);
     sf_leave_all_undecided(inputs, &room->proof, out);
     for (int i = 0; i < room->proof.n; i++) {

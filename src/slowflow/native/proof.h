@@ -20,7 +20,7 @@
 
 typedef struct sf_proving sf_proving;
 
-/* range: a question's functions on a cell; hints: amplitudes next to which zeros are expected, so many */
+/* range: a question's functions on a cell */
 struct sf_proving {
     const sf_inputs *inputs;
     void (*range)(const sf_proving *, const sf_cell *, int open, sf_range out[2]);
@@ -28,8 +28,6 @@ struct sf_proving {
     double from; /* the first amplitude */
     sf_terms terms;
     sf_interval Omega;
-    const double *hints;
-    int expected;
     sf_proof *out;
 };
 
@@ -47,7 +45,7 @@ static inline sf_terms sf_terms_of(const sf_inputs *inputs, sf_interval F_0) {
     return terms;
 }
 
-/* About zeros from A = 0 on, none of which is expected anywhere. */
+/* About zeros from A = 0 on. */
 static inline sf_proving sf_proving_of(const sf_inputs *inputs, double F_0, sf_proof *out) {
     sf_proving proving;
     memset(&proving, 0, sizeof proving);
@@ -118,52 +116,10 @@ static int sf_crossing(const sf_proving *proving, sf_checked *a, sf_checked *b, 
     return sfi_positive(low) == sfi_positive(high) ? 0 : sfi_negative(low) ? 1 : -1;
 }
 
-/* Where a zero between two amplitudes is expected, or NaN. */
-static double sf_hint_between(const sf_proving *proving, double low, double high) {
-    const double begins = sf_beginning(proving->inputs, proving->piece).lo;
-    for (int i = 0; i < proving->expected; i++) {
-        const double x = proving->hints[i] - begins;
-        if (x > low && x < high)
-            return x;
-    }
-    return NAN;
-}
-
-/* Whether the one zero between two amplitudes is proved to lie next to x, where it is expected: Newton's method on
- * intervals leads from there into itself. Then `cell` becomes narrow. */
-static int sf_is_next_to(const sf_proving *proving, double x, double low, double high, int c, sf_interval *beyond,
-                         sf_cell *cell) {
-    sf_range on[2];
-    sf_cell around;
-    sf_checked at = sf_check_at(proving, x);
-    const sf_range *there = sf_value_at(proving, &at, c);
-    if (there->where != SF_THROUGHOUT || !sfi_has_sign(there->dy))
-        return 0;
-    const sf_interval step = sfi_div(there->y, there->dy);
-    const double away = 2 * sfi_most(sfi_most(-step.lo, step.hi), 0x1p-51 * x);
-    if (!(x - away > low && x + away < high))
-        return 0;
-    const sf_checked a = sf_check_at(proving, x - away);
-    const sf_checked b = sf_check_at(proving, x + away);
-    sf_range_between(proving, &a, &b, 1 << c, &around, on);
-    if (on[c].where != SF_THROUGHOUT || !sfi_has_sign(on[c].dy))
-        return 0;
-    const sf_interval next = sfi_sub(sfi_point(x), sfi_div(there->y, on[c].dy));
-    if (!(next.lo > a.known.A && next.hi < b.known.A))
-        return 0;
-    *cell = around;
-    *beyond = next;
-    cell->A = sf_beyond(proving->inputs, proving->piece, next);
-    return 1;
-}
-
 /* The one zero between two amplitudes, made narrow: by Newton's method on intervals, until that gains no more. */
 static void sf_narrow(const sf_proving *proving, sf_checked *a, sf_checked *b, int c, sf_range range,
                       sf_interval *beyond, sf_cell *cell)
 {
-    const double hint = sf_hint_between(proving, a->known.A, b->known.A);
-    if (hint > 0 && sf_is_next_to(proving, hint, a->known.A, b->known.A, c, beyond, cell))
-        return;
     *beyond = sfi_of(a->known.A, b->known.A);
     for (int i = 0; i < SF_MOST_STEPS; i++) {
         const double low = beyond->lo, high = beyond->hi, x = i == 0 ? sf_amid(0, low, high) : 0.5 * low + 0.5 * high;

@@ -271,7 +271,7 @@ static void sf_put_certificate(sf_query *q, sf_status status)
 
 static void sf_answer_certified_folds(sf_query *q)
 {
-    sf_put_certificate(q, sf_certify_folds(q->model, q->inputs, q->number[0], q->values, (int)q->length, q->room));
+    sf_put_certificate(q, sf_certify_folds(q->model, q->inputs, q->number[0], q->room));
 }
 
 static void sf_answer_certified_states(sf_query *q)
@@ -311,7 +311,7 @@ static void sf_put_number_proved(sf_query *q, sf_status status)
 
 static void sf_answer_proved_folds(sf_query *q)
 {
-    sf_put_number_proved(q, sf_certify_folds(q->model, q->inputs, q->number[0], NULL, 0, q->room));
+    sf_put_number_proved(q, sf_certify_folds(q->model, q->inputs, q->number[0], q->room));
 }
 
 static void sf_answer_proved_states(sf_query *q)
@@ -489,9 +489,8 @@ static const sf_row sf_rows_of_one[] = {
      sf_answer_response},
     {"steady_states", "F_0, [Omega] -> status, Omega, A, stable, Omega where undecided", 1, 1, 0,
      sf_answer_states_of},
-    {"certify_folds",
-     "F_0, [A where folds are expected] -> status, Omega, A, corner, sign of F_AA, undecided, A_max, bounded, complete",
-     1, 1, 1, sf_answer_certified_folds},
+    {"certify_folds", "F_0 -> status, Omega, A, corner, sign of F_AA, undecided, A_max, bounded, complete", 1, 0, 1,
+     sf_answer_certified_folds},
     {"certify_states", "F_0, Omega -> the same, with the sign of F_A", 2, 0, 1, sf_answer_certified_states},
     {"certify_onset", "status, F_SN, Omega, A, kind, whether it is proved", 0, 0, 1, sf_answer_certified_onset},
     {"certify_detachment", "status, F_cr, Omega_cr, u_cr", 0, 0, 1, sf_answer_certified_detachment},

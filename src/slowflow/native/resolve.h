@@ -47,7 +47,7 @@ static int sf_take_proved_folds(const sf_model *model, const sf_inputs *inputs, 
                                 sf_folds *folds)
 {
     const sf_certificate *found = &room->found;
-    if (sf_certify_folds(model, inputs, F_0, NULL, 0, room) != SF_OK || !sf_is_proved(found))
+    if (sf_certify_folds(model, inputs, F_0, room) != SF_OK || !sf_is_proved(found))
         return 0;
     int same = folds->status == SF_OK && found->n == folds->n;
     for (int i = 0; i < found->n; i++)
