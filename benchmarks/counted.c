@@ -17,8 +17,7 @@ enum { KEPT = 4096, ROUNDS = 20, MOST_INPUTS = SF_MOST_DESIGN + SF_MOST_DAMPING 
 typedef struct {
     sf_task task;
     sf_model model;
-    sf_sample first, last;
-    sf_known a, b;
+    sf_known a;
     sf_cell cell;
     int open;
 } kept_range;
@@ -49,12 +48,11 @@ static kept_quartic quartic_kept[KEPT];
 static const sf_mechanism *record;
 static volatile double sink;
 
-static void counted_range(const sf_task *task, const sf_known *a, const sf_known *b, sf_cell *cell, int open,
-                          sf_range out[2])
+static void counted_range(const sf_task *task, const sf_known *a, sf_cell *cell, int open, sf_range out[2])
 {
-    const kept_range kept = {*task, *task->model, *cell->first, *cell->last, *a, *b, *cell, open};
+    const kept_range kept = {*task, *task->model, *a, *cell, open};
     range_kept[ranges++ % KEPT] = kept;
-    sf_find_range(task, a, b, cell, open, out);
+    sf_find_range(task, a, cell, open, out);
 }
 
 static void counted_value(const sf_task *task, int open, const sf_sample *at, sf_answer *out) {
@@ -179,7 +177,6 @@ static void mend(void) {
         range_kept[i].model.mechanism = value_kept[i].model.mechanism = record;
         range_kept[i].task.model = &range_kept[i].model, value_kept[i].task.model = &value_kept[i].model;
         range_kept[i].task.most = value_kept[i].task.most = NULL;
-        range_kept[i].cell.first = &range_kept[i].first, range_kept[i].cell.last = &range_kept[i].last;
     }
 }
 
@@ -190,7 +187,7 @@ static double seconds_of_ranges(long n) {
         for (long i = 0; i < n; i++) {
             sf_cell cell = range_kept[i].cell;
             sf_range out[2];
-            sf_find_range(&range_kept[i].task, &range_kept[i].a, &range_kept[i].b, &cell, range_kept[i].open, out);
+            sf_find_range(&range_kept[i].task, &range_kept[i].a, &cell, range_kept[i].open, out);
             sink = out[0].y.lo;
         }
         best = least(best, (now() - start) / (double)n);

@@ -37,7 +37,7 @@ REQUESTS = {
         "searched": f"{_ON_INTERVALS} {_STATES}",
         "paired": "friction",
         "unlooped": "held",
-        "cells": f"{_STATES} fold_least cusps_scaled cusp_X cusp_scaled cusp_scaled_level cusp_scaled_slope",
+        "cells": f"{_STATES} fold_least",
         "settled": " ".join(f"{kind}_step" for kind in EQUATIONS),
     },
     "slow_flow_mu0": {"enclosed": "isola", "searched": "isola F_Omega_reduced", "cells": "F_Omega_reduced"},

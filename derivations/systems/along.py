@@ -23,7 +23,7 @@ import sympy as sp
 from sympy.codegen.cfunctions import hypot
 
 from ..claims import claim
-from ..kernels import Formulas, Let, Lets
+from ..kernels import Formulas, Lets
 from ..paper.slow_flow import I, R, m, slope
 from ..symbols import F_0, A, Omega, h, h_A, h_AA, h_AAA, zeta
 
@@ -33,8 +33,8 @@ T, root = sp.symbols("T root", real=True)
 #: h - A h_A, where the tangent of h meets A = 0, and its slope along A
 k, k_A = sp.symbols("k k_A", real=True)
 #: numbers without scale, which on a cell of amplitudes vary by little where h is nearly a power of A:
-#: k/(A^2 h_AA), A h_AAA/h_AA, dR/dA over A h_AA, and the root of its discriminant
-kappa, rho, t, scaled_root = sp.symbols("kappa rho t root", real=True)
+#: k/(A^2 h_AA), A h_AAA/h_AA, dR/dA over A h_AA
+kappa, rho, t = sp.symbols("kappa rho t", real=True)
 
 #: h/A, and h/A - h_A
 over_A, apart = sp.symbols("over_A apart", real=True)
@@ -52,7 +52,7 @@ _most, _fastest = sp.symbols("c fastest", nonnegative=True)
 #: of arguments
 ORDER = (
     *(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA),
-    *(k, k_A, kappa, rho, X_, T, t, R, root, over_A, apart, lacks),
+    *(k, k_A, X_, T, R, root, over_A, apart, lacks),
 )
 
 
@@ -338,53 +338,32 @@ def _cusps(of: Formulas, flow: Formulas) -> None:
         claim("R where F_A = 0", ((R - balanced) * T).subs(of_flow) - flow.F_A.subs(I, flow.I) / 2)
         return Lets([*of_X, (R, balanced)], (square, level**2))
 
-    _scaled(of, quadratics, X, of_X)
+    _scaled(of, flow, quadratics, X)
 
 
-def _scaled(of: Formulas, quadratics: Lets, X: sp.Expr, of_X: list[Let]) -> None:
-    """The same as at cusps by kappa, rho and t, for h_AA other than 0: on a cell of amplitudes these vary by less.
+def _scaled(of: Formulas, flow: Formulas, quadratics: Lets, X: sp.Expr) -> None:
+    """What bounds cusps in lanes (solver/cusp_lanes.c): kappa, rho and t, for h_AA other than 0, which vary by little.
 
     kappa stays between its value at one amplitude and -1/(2 + rho) as A rises from there, as A dkappa/dA = -1 -
     kappa (2 + rho).
     """
-    unit, sum_ = A * h_AA, sp.Symbol("sum", real=True)
+    unit, friction, ratio = A * h_AA, flow.I.subs(Omega, 0), sp.diff(flow.I, Omega) / (2 * A)
+    P, Q = A * unit**2, 2 * friction * ratio * _w
     along_A = slope(k / (A**2 * h_AA), {k: -A * h_AA}).subs({k: kappa * A**2 * h_AA, h_AAA: rho * h_AA / A})
-    claim("the slope of kappa", A * along_A + 1 + kappa * (2 + rho))
-    by_scale = {k: kappa * A * unit, T: t * unit, R: sum_ * A * unit, h_AAA: rho * h_AA / A, root: scaled_root * unit}
-    half, constant, discriminant = (
-        sp.expand(quadratics.value[number].subs(quadratics.lets).subs(by_scale) / unit**power)
-        for number, power in ((0, 1), (1, 2), (4, 2))
-    )
-    claim("the discriminant without scale", half**2 - constant - discriminant)
+    by_scale = {k: kappa * A * unit, T: t * unit, R: (kappa + t) * A * unit, h_AAA: rho * h_AA / A}
+    quadratic = (t**2 + 2 * quadratics.value[0] * t / unit + quadratics.value[1] / unit**2).subs(quadratics.lets)
+    damped = 2 * ratio**2 / unit
     _, less, derivative, level = (value.subs(by_scale) for value in of.cusp)
-    # on a cell that is wide in A, t and kappa vary by little: what they stand in is put beside the rest over A h_AA
-    rest = sp.expand(less.coeff(_w)) * _w
-    scaled_half_F_A = A * unit**2 * (sp.expand((less - rest) / (A * unit**2)) + rest / (A * unit**2))
-    claim("F_A without scale", scaled_half_F_A - less)
-    factors = sp.Mul.make_args(sp.factor(derivative))
-    bracket = next((factor for factor in factors if factor.is_Add and factor.has(_w)), sp.Integer(1))
-    # w once only
-    of_bracket = sp.expand(bracket / _w)
-    leading = sp.expand(of_bracket.coeff(h_AA) / A**2)
-    rest = sp.expand((of_bracket - A * unit * leading) / A)
-    scaled_bracket = leading + rest / unit
-    scaled_along = A * unit * scaled_bracket * sp.Mul(*(factor for factor in factors if factor != bracket)) * _w
-    claim("the slope of F_A without scale", scaled_along - derivative)
-    of.add(
-        "cusps_scaled",
-        Lets([(_half_e, half)], (_half_e, constant, _half_e**2 - constant)),
-        "F_AA/2 over (A h_AA)^2 as t^2 + 2 a t + b, t = dR/dA over A h_AA, kappa = k/(A^2 h_AA): a, b, a^2 - b.",
-        "from (33)",
-        "A > 0, h_AA other than 0",
-    )
-    of.add("cusp_X", X.subs(by_scale), "Omega^2 by t (`cusps_scaled`).", "from (33)", "A > 0")
-    lets = [*of_X, (sum_, kappa + t)]
-    for name, value, text in (
-        ("", scaled_half_F_A, "Where F_AA = 0 (`cusps_scaled`): F_A/2, in the form that t and kappa leave narrowest."),
-        ("_level", level, "F_0 if the F_A/2 of `cusp_scaled` is 0."),
-        ("_slope", scaled_along, "Slope along A of the F_A/2 of `cusp_scaled`, root = a + t, rho = A h_AAA/h_AA."),
+    factors = (rho * (kappa + t) + 3 * t, kappa + 2 * t + (friction * ratio / (A * _w) + 4 * ratio**2) / unit)
+    for what, one, other in (
+        ("the slope of kappa", A * along_A, -1 - kappa * (2 + rho)),
+        ("F_AA without scale", quadratic.subs(by_scale), t**2 + (2 * damped + 1) * t + kappa - 2 * damped * h_A / unit),
+        ("Omega^2 by t", X.subs(by_scale), unit * t - h_A),
+        ("F_A at a cusp without scale", less, P * ((kappa - 1) * (t - 1) - 1) + Q),
+        ("the forcing at a cusp without scale", level**2, friction**2 + A * Q + A * P * kappa * (kappa + t)),
+        ("the slope of F_A without scale", derivative * root, -(unit**3) * sp.Mul(*factors) / 2),
     ):
-        of.add("cusp_scaled" + name, Lets(lets, value), text, "from (33)", "A > 0, X > 0, h_AA other than 0")
+        claim(what, one - other)
 
 
 def _turn(of: Formulas, flow: Formulas) -> None:

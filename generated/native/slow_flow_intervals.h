@@ -330,61 +330,6 @@ static inline void slow_flow_intervals_fold_least(sf_interval zeta, sf_interval 
     out[1] = sfi_add(sfi_square(apart), sfi_times(8.0, sfi_mul(t0, sfi_add(sfi_times(2.0, t0), t1))));
 }
 
-/* F_AA/2 over (A h_AA)^2 as t^2 + 2 a t + b, t = dR/dA over A h_AA, kappa = k/(A^2 h_AA): a, b, a^2 - b.
-   Equation from (33). Domain: A > 0, h_AA other than 0. */
-static inline void slow_flow_intervals_cusps_scaled(sf_interval A, sf_interval zeta, sf_interval h_A, sf_interval h_AA, sf_interval kappa, sf_interval *out)
-{
-    const sf_interval t0 = sfi_square(zeta);
-    const sf_interval half_e = sfi_add(sfi_point(0.5), sfi_div(sfi_times(2.0, t0), sfi_mul(A, h_AA)));
-    const sf_interval t1 = sfi_div(sfi_times(4.0, sfi_mul(h_A, t0)), sfi_mul(sfi_square(A), sfi_square(h_AA)));
-    out[0] = half_e;
-    out[1] = sfi_sub(kappa, t1);
-    out[2] = sfi_add(sfi_sub(sfi_square(half_e), kappa), t1);
-}
-
-/* Omega^2 by t (`cusps_scaled`).
-   Equation from (33). Domain: A > 0. */
-static inline sf_interval slow_flow_intervals_cusp_X(sf_interval A, sf_interval h_A, sf_interval h_AA, sf_interval t)
-{
-    return sfi_sub(sfi_mul(sfi_mul(A, h_AA), t), h_A);
-}
-
-/* Where F_AA = 0 (`cusps_scaled`): F_A/2, in the form that t and kappa leave narrowest.
-   Equation from (33). Domain: A > 0, X > 0, h_AA other than 0. */
-static inline sf_interval slow_flow_intervals_cusp_scaled(sf_interval A, sf_interval m, sf_interval zeta, sf_interval h_AA, sf_interval kappa, sf_interval X, sf_interval t)
-{
-    const sf_interval w = sfi_sqrt(X);
-    const sf_interval A2 = sfi_square(A);
-    const sf_interval A3 = sfi_mul(A, A2);
-    const sf_interval t0 = sfi_square(h_AA);
-    return sfi_mul(sfi_mul(A3, t0), sfi_add(sfi_sub(sfi_sub(sfi_mul(kappa, t), kappa), t),
-        sfi_div(sfi_times(2.0, sfi_mul(sfi_mul(m, w), zeta)), sfi_mul(A3, t0))));
-}
-
-/* F_0 if the F_A/2 of `cusp_scaled` is 0.
-   Equation from (33). Domain: A > 0, X > 0, h_AA other than 0. */
-static inline sf_interval slow_flow_intervals_cusp_scaled_level(sf_interval A, sf_interval m, sf_interval zeta, sf_interval h_AA, sf_interval kappa, sf_interval X, sf_interval t)
-{
-    const sf_interval w = sfi_sqrt(X);
-    const sf_interval sum = sfi_add(kappa, t);
-    const sf_interval A2 = sfi_square(A);
-    const sf_interval A4 = sfi_square(A2);
-    return sfi_sqrt(sfi_add(sfi_add(sfi_times(2.0, sfi_mul(sfi_mul(sfi_mul(A, m), w), zeta)),
-        sfi_mul(sfi_mul(sfi_mul(A4, sfi_square(h_AA)), kappa), sum)), sfi_square(m)));
-}
-
-/* Slope along A of the F_A/2 of `cusp_scaled`, root = a + t, rho = A h_AAA/h_AA.
-   Equation from (33). Domain: A > 0, X > 0, h_AA other than 0. */
-static inline sf_interval slow_flow_intervals_cusp_scaled_slope(sf_interval A, sf_interval m, sf_interval zeta, sf_interval h_AA, sf_interval kappa, sf_interval rho, sf_interval X, sf_interval t, sf_interval root)
-{
-    const sf_interval w = sfi_sqrt(X);
-    const sf_interval sum = sfi_add(kappa, t);
-    const sf_interval t0 = sfi_inverse(A);
-    return sfi_neg(sfi_div(sfi_times(0.5, sfi_mul(sfi_mul(sfi_mul(sfi_square(A), sfi_square(h_AA)),
-        sfi_add(sfi_mul(rho, sum), sfi_times(3.0, t))), sfi_add(sfi_add(sum, t), sfi_div(sfi_mul(t0,
-        sfi_add(sfi_div(sfi_mul(sfi_mul(m, t0), zeta), w), sfi_times(4.0, sfi_square(zeta)))), h_AA)))), root));
-}
-
 SF_FAMILY_END
 
 #endif

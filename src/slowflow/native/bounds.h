@@ -53,7 +53,7 @@ static sf_interval sf_slope_from(const sf_model *model, const sf_sample *at) {
     const sf_sample far = sf_sample_without_k_at(model, SF_ENDLESS * fmax(at->A, 1));
     sf_know(at, &here);
     sf_know(&far, &there);
-    sf_make_slopes(model, at, &far, &here, &there, &cell);
+    sf_make_cell(model, &here, &there, &cell);
     return cell.h_A;
 }
 

@@ -31,9 +31,8 @@ typedef struct {
     sf_interval h, h_A, h_AA, h_AAA, k;
 } sf_known;
 
-/* first, last: the samples at its ends, NULL in a proof */
+/* What they are on all of an interval of A. */
 typedef struct {
-    const sf_sample *first, *last;
     sf_interval A, h, h_A, h_AA, h_AAA, k, k_A;
 } sf_cell;
 
@@ -136,82 +135,38 @@ static inline sf_interval sf_along(sf_interval f_a, sf_interval f_b, sf_interval
     return sfi_of(sf_between(f_a.lo, f_b.lo, slope, width).lo, sf_between(f_a.hi, f_b.hi, slope, width).hi);
 }
 
-/* The derivatives of h, which bound h. A: what holds the amplitudes of the cell */
-static inline void sf_make_slopes_on(sf_interval A, const sf_known *a, const sf_known *b, sf_cell *cell) {
-    const double width = sfi_up(b->A - a->A);
-    cell->first = cell->last = NULL;
-    cell->A = A;
-    cell->h_AAA = sfi_of(sfi_least(a->h_AAA.lo, b->h_AAA.lo), sfi_most(a->h_AAA.hi, b->h_AAA.hi));
-    cell->h_AA = sf_along(a->h_AA, b->h_AA, cell->h_AAA, width);
-    cell->h_A = sf_along(a->h_A, b->h_A, cell->h_AA, width);
-}
-
-/* The rest. */
-static inline void sf_add_values(const sf_known *a, const sf_known *b, sf_cell *cell) {
+/* Its lower derivatives, h and k, from what h_AAA is on a cell. */
+static inline void sf_complete_cell(const sf_known *a, const sf_known *b, sf_cell *cell) {
     const double width = sfi_up(b->A - a->A);
     sf_interval tangent[2];
+    cell->h_AA = sf_along(a->h_AA, b->h_AA, cell->h_AAA, width);
+    cell->h_A = sf_along(a->h_A, b->h_A, cell->h_AA, width);
     cell->h = sf_along(a->h, b->h, cell->h_A, width);
     slow_flow_intervals_intercept(cell->A, cell->h, cell->h_A, cell->h_AA, tangent);
     cell->k_A = tangent[1];
     cell->k = sf_along(a->k, b->k, cell->k_A, width);
 }
 
+/* Where h_AAA is monotone. A: what holds the amplitudes of the cell */
 static inline void sf_make_cell_on(sf_interval A, const sf_known *a, const sf_known *b, sf_cell *cell) {
-    sf_make_slopes_on(A, a, b, cell);
-    sf_add_values(a, b, cell);
+    cell->A = A;
+    cell->h_AAA = sfi_of(sfi_least(a->h_AAA.lo, b->h_AAA.lo), sfi_most(a->h_AAA.hi, b->h_AAA.hi));
+    sf_complete_cell(a, b, cell);
 }
 
-/* The same where h_AAA is not monotone, between what h_AAAA lets it be. */
-static inline void sf_make_slopes_bent(const sf_model *model, const sf_known *a, const sf_known *b, sf_cell *cell) {
-    const double width = sfi_up(b->A - a->A);
+/* Between two amplitudes; where h_AAA is not monotone, between what h_AAAA lets it be. */
+static inline void sf_make_cell(const sf_model *model, const sf_known *a, const sf_known *b, sf_cell *cell) {
+    const sf_interval A = sfi_of(a->A, b->A);
     sf_interval bent[2], low, high;
-    cell->A = sfi_of(a->A, b->A);
-    model->mechanism->bent(model->mechanism, cell->A, model->p, bent);
+    if (model->mechanism->bent == NULL) {
+        sf_make_cell_on(A, a, b, cell);
+        return;
+    }
+    cell->A = A;
+    model->mechanism->bent(model->mechanism, A, model->p, bent);
     low = sf_with_error(a->h_AAA.lo, a->A, bent[1].lo), high = sf_with_error(b->h_AAA.lo, b->A, bent[1].hi);
-    cell->h_AAA = sf_along(low, high, bent[1], width);
-    cell->h_AA = sf_along(a->h_AA, b->h_AA, cell->h_AAA, width);
-    cell->h_A = sf_along(a->h_A, b->h_A, cell->h_AA, width);
-}
-
-/* Between two samples, and what is known at these. */
-static inline void sf_make_slopes(const sf_model *model, const sf_sample *first, const sf_sample *last,
-                                  const sf_known *a, const sf_known *b, sf_cell *cell)
-{
-    if (model->mechanism->bent != NULL)
-        sf_make_slopes_bent(model, a, b, cell);
-    else
-        sf_make_slopes_on(sfi_of(a->A, b->A), a, b, cell);
-    cell->first = first, cell->last = last;
-}
-
-static inline double sf_kappa(const sf_sample *at) { return at->k / (at->A * at->A * at->h_AA); }
-
-/* rho of a power of A that h may nearly be; next to a steep corner h_AA grows faster */
-#define SF_HIGHEST_POWER 16
-
-/* rho = A h_AAA/h_AA and kappa = k/(A^2 h_AA), which vary by little where h is nearly a power of A; 0 where they are
- * not known to. From the first amplitude on |h_AA| rises as h_AAA lets it, and kappa stays between what it is there and
- * -1/(2 + rho), with the slope -(1 + kappa (2 + rho))/A (derivations/systems/along.py). */
-static inline int sf_scaled(const sf_cell *cell, sf_interval *rho, sf_interval *kappa) {
-    const sf_sample *a = cell->first, *b = cell->last;
-    const sf_interval slope = cell->h_AA.hi < 0 ? sfi_neg(cell->h_AAA) : cell->h_AAA;
-    if (a == NULL)
-        return 0;
-    const double from = fabs(a->h_AA), width = b->A - a->A;
-    if (!(a->A > 0 && sfi_has_sign(cell->h_AA) && slope.lo >= 0 && slope.hi < HUGE_VAL && from < HUGE_VAL))
-        return 0;
-    *rho = sfi_of((1 - SF_ERROR) * sfi_least(a->A * slope.lo / from, b->A * slope.lo / (from + slope.hi * width)),
-                  (1 + SF_ERROR) * sfi_most(a->A * slope.hi / from, b->A * slope.hi / (from + slope.lo * width)));
-    if (!(rho->hi < SF_HIGHEST_POWER))
-        return 0;
-    const double first = sf_kappa(a), last = sf_kappa(b);
-    const double error = 4 * SF_ERROR * (1 + fabs(first));
-    *kappa = sfi_of(sfi_least(first, -1 / (2 + rho->lo)) - error, sfi_most(first, -1 / (2 + rho->hi)) + error);
-    const sf_interval bent = sfi_add(sfi_point(1), sfi_mul(*kappa, sfi_add(sfi_point(2), *rho)));
-    const sf_interval kappa_A = sfi_neg(sfi_div(bent, cell->A));
-    *kappa = sfi_both(*kappa, sfi_of(sf_between(first - error, last - error, kappa_A, width).lo,
-                                     sf_between(first + error, last + error, kappa_A, width).hi));
-    return 1;
+    cell->h_AAA = sf_along(low, high, bent[1], sfi_up(b->A - a->A));
+    sf_complete_cell(a, b, cell);
 }
 
 /* An amplitude well inside: halfway in the coordinate in which h is smooth, in orders of magnitude if there are

@@ -48,8 +48,7 @@ static void sf_node_at(const sf_law_search *search, double A, sf_node *out) {
 /* Between two places on a piece. */
 static void sf_make_strip(const sf_law_search *search, const sf_node *a, const sf_node *b, sf_strip *out) {
     sf_cell *cell = &out->cell;
-    sf_make_slopes(search->model, &a->at, &b->at, &a->known, &b->known, cell);
-    sf_add_values(&a->known, &b->known, cell);
+    sf_make_cell(search->model, &a->known, &b->known, cell);
     if (cell->A.lo > 0) {
         const sf_interval slope = sfi_neg(sfi_div(cell->k, sfi_square(cell->A)));
         const sf_interval low = sfi_div(a->known.h, sfi_point(a->at.A)), high = sfi_div(b->known.h, sfi_point(b->at.A));

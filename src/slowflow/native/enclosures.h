@@ -140,45 +140,6 @@ static inline void sf_cusp_on(const sf_cell *cell, sf_interval m, sf_interval ze
 /* Whether a level may lie above what is still wanted. */
 static inline int sf_is_limited(const sf_task *task) { return task->most != NULL && *task->most < HUGE_VAL; }
 
-/* The same in numbers without scale; the larger Omega^2 has the larger t where h_AA > 0. What settles most cells comes
- * first. a, b: what is known at the ends, for the values of the cell, which few need */
-static inline void sf_range_cusp_scaled(const sf_task *task, const sf_known *a, const sf_known *b, sf_cell *cell,
-                                        sf_interval rho, sf_interval kappa, int open, sf_range out[2]) {
-    const sf_interval m = task->terms.m, zeta = task->terms.zeta;
-    const int limited = sf_is_limited(task);
-    sf_interval q[3];
-    slow_flow_intervals_cusps_scaled(cell->A, zeta, cell->h_A, cell->h_AA, kappa, q);
-    if (q[2].hi < 0)
-        return;
-    const sf_interval root = sfi_sqrt(q[2]);
-    for (int i = 0; i < 2; i++) {
-        const int larger_t = (i == 0) == (cell->h_AA.lo > 0);
-        if (!(open & 1 << i))
-            continue;
-        const sf_interval t = sf_quadratic_root_range(q[0], q[1], root, larger_t);
-        sf_interval X = slow_flow_intervals_cusp_X(cell->A, cell->h_A, cell->h_AA, t);
-        if (!(X.lo > 0)) { /* near Omega = 0 that cancels */
-            sf_interval by_X[5];
-            sf_add_values(a, b, cell);
-            slow_flow_intervals_cusps(cell->A, zeta, cell->h, cell->h_A, cell->h_AA, cell->k, by_X);
-            X = sfi_both(X, sf_quadratic_root_range(by_X[2], by_X[3], sfi_sqrt(by_X[4]), i == 0));
-        }
-        const sf_where where = sf_where_both(q[2], X);
-        if (where == SF_NOWHERE)
-            continue;
-        X.lo = sfi_most(X.lo, 0);
-        const sf_interval y = slow_flow_intervals_cusp_scaled(cell->A, m, zeta, cell->h_AA, kappa, X, t);
-        if (sfi_has_sign(y) ||
-            (limited &&
-             slow_flow_intervals_cusp_scaled_level(cell->A, m, zeta, cell->h_AA, kappa, X, t).lo > *task->most))
-            continue;
-        sf_range_simple(y,
-                        slow_flow_intervals_cusp_scaled_slope(cell->A, m, zeta, cell->h_AA, kappa, rho, X, t,
-                                                              larger_t ? root : sfi_neg(root)),
-                        where, &out[i]);
-    }
-}
-
 /* Whether two functions have one sign, or are 0. */
 static inline int sf_are_alike(sf_interval x, sf_interval y) {
     return (x.lo >= 0 && y.lo >= 0) || (x.hi <= 0 && y.hi <= 0);
@@ -200,16 +161,9 @@ static inline int sf_is_free_of_folds(const sf_known *a, const sf_cell *cell, sf
 
 /* On the fold locus R has the sign of k: F_AA/2 = (dR/dA)^2 + h_AA R + 4 zeta^2 Omega^2 vanishes only if h_AA has the
  * other one. */
-static inline void sf_range_cusp(const sf_task *task, const sf_known *a, const sf_known *b, sf_cell *cell, int open,
+static inline void sf_range_cusp(const sf_task *task, const sf_known *a, const sf_cell *cell, int open,
                                  sf_range out[2]) {
-    sf_interval rho, kappa;
     out[0].where = out[1].where = SF_NOWHERE;
-    if (sf_scaled(cell, &rho, &kappa)) {
-        if (!(kappa.lo >= 0))
-            sf_range_cusp_scaled(task, a, b, cell, rho, kappa, open, out);
-        return;
-    }
-    sf_add_values(a, b, cell);
     if (sf_are_alike(cell->h_AA, cell->k) || sf_is_free_of_folds(a, cell, task->terms.zeta))
         return;
     for (int i = 0; i < 2; i++) {
@@ -484,15 +438,9 @@ static inline void sf_range_inertial(const sf_task *task, const sf_cell *cell, s
     }
 }
 
-/* open: which channels are wanted; a, b: what is known at the ends of the cell, of which only the slopes are made */
-static inline void sf_find_range(const sf_task *task, const sf_known *a, const sf_known *b, sf_cell *cell, int open,
-                                 sf_range out[2]) {
+/* open: which channels are wanted; a: what is known where the cell begins */
+static inline void sf_find_range(const sf_task *task, const sf_known *a, sf_cell *cell, int open, sf_range out[2]) {
     const sf_model *model = task->model;
-    if (task->question == SF_CUSP) {
-        sf_range_cusp(task, a, b, cell, open, out);
-        return;
-    }
-    sf_add_values(a, b, cell);
     if (sf_is_of_inertia(task)) {
         sf_range_inertial(task, cell, out);
         return;
@@ -511,6 +459,7 @@ static inline void sf_find_range(const sf_task *task, const sf_known *a, const s
         sf_range_isola(&task->terms, cell, out);
         break;
     case SF_CUSP:
+        sf_range_cusp(task, a, cell, open, out);
         break;
     case SF_TURN:
         sf_range_turn(model, cell, open, out);

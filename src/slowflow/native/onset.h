@@ -149,14 +149,13 @@ static sf_status sf_consider_piece(const sf_model *model, const sf_stretch *piec
     sf_clear_zeros(zeros);
     sf_know(&piece->first, &first);
     sf_know(&piece->last, &last);
-    sf_make_slopes(model, &piece->first, &piece->last, &first, &last, &cell);
+    sf_make_cell(model, &first, &last, &cell);
     if (sf_inertial(model)) { /* at Omega = 0 the level is infinite */
         sf_ask_all(model, SF_ISOLA, 0, piece, zeros);
     } else if (!(first.h.hi <= 0 && cell.h_A.hi < 0)) {
         sf_ask_all(model, SF_STIFFNESS, 0, piece, zeros);
         sf_ask_all(model, SF_ISOLA, 0, piece, zeros);
     }
-    sf_add_values(&first, &last, &cell);
     cusps.most = sf_inertial(model) ? NULL : &most; /* which is a force */
     if (!sf_are_alike(cell.h_AA, cell.k))
         sf_find_zeros(&cusps, piece, zeros);

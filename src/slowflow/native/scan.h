@@ -298,8 +298,8 @@ static void sf_search_between(const sf_search *search, const sf_probe *a, const 
     if (search->found->status != SF_OK)
         return;
     if (last || !sf_is_too_wide(search, a, b, open, passing)) {
-        sf_make_slopes(search->task.model, &a->at, &b->at, &a->known, &b->known, &cell);
-        sf_find_range(&search->task, &a->known, &b->known, &cell, open, range);
+        sf_make_cell(search->task.model, &a->known, &b->known, &cell);
+        sf_find_range(&search->task, &a->known, &cell, open, range);
         for (int c = 0; c < 2; c++)
             if ((open & 1 << c) && sf_settle(search, a, b, c, &range[c], last))
                 open &= ~(1 << c);

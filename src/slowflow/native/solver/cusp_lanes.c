@@ -5,7 +5,7 @@
 #include "design_lanes.h"
 #include "slow_flow.h"
 
-/* rho of a power of A that h may nearly be, as in cells.h */
+/* rho of a power of A that h may nearly be; next to a steep corner h_AA grows faster */
 #define HIGHEST_POWER 16
 /* of A^3 h_AA^2, and of its inverse: beyond it products might underflow */
 #define SMALLEST 0x1p-900
@@ -40,7 +40,7 @@ static inline value value_at(double A, double h, double h_A, double h_AA, double
 #define MOST(hi, x_lo, x_hi) ((hi) * ((hi) >= 0 ? (x_hi) : (x_lo)))
 
 /* What is known of both channels on a cell, with B = A |h_AA|: tau = dR/dA / B is a root of tau^2 + 2 a tau + b, and
- * then Omega^2 = B tau - h_A (`cusps_scaled`, `cusp_X`) */
+ * then Omega^2 = B tau - h_A; kappa = k/(A^2 h_AA), rho = A h_AAA/h_AA (derivations/systems/along.py claims all of it) */
 typedef struct {
     double a, b, m, zeta, most, sign, B_lo, B_hi, P_lo, P_hi, h_A_lo, h_A_hi, kappa_lo, kappa_hi, rho_lo, rho_hi;
 } shared;
@@ -50,9 +50,9 @@ typedef struct {
 } channel;
 
 /* A channel whose tau lies between these. F_A/2 over P = A B^2 is (kappa - 1) (t - 1) - 1 + Q/P, t = dR/dA / (A h_AA),
- * Q = 2 m zeta Omega (`cusp_scaled`); its slope has the factors rho (kappa + t) + 3 t and kappa + 2 t + (m zeta/(A
- * Omega) + 4 zeta^2)/(A h_AA), and no other that vanishes (`cusp_scaled_slope`); F_0^2 is m^2 + A Q + A P kappa (kappa
- * + t) (`cusp_scaled_level`). Each is bounded by its terms. */
+ * Q = 2 m zeta Omega; its slope has the factors rho (kappa + t) + 3 t and kappa + 2 t + (m zeta/(A Omega) + 4
+ * zeta^2)/(A h_AA), and no other that vanishes; F_0^2 is m^2 + A Q + A P kappa (kappa + t). Each is bounded by its
+ * terms. */
 static inline channel channel_on(shared of, double tau_lo, double tau_hi)
 {
     const double turned = of.sign > 0 ? 1.0 : 0.0, kappa_lo = of.kappa_lo, kappa_hi = of.kappa_hi;
@@ -106,7 +106,8 @@ SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
         const int is_free = (a + fabs(h_a) == 0) &
                             (rises | (apart * apart + of_slope < -SF_CLOSE * (apart * apart + fabs(of_slope))));
 
-        /* sf_scaled */
+        /* rho, and kappa from its values at the ends: where h is nearly a power of A both vary by little. From the first
+         * amplitude on |h_AA| rises as h_AAA lets it, and kappa stays between what it is there and -1/(2 + rho) */
         const double sign = h2_a < 0 ? -1.0 : 1.0, from = fabs(h2_a);
         const double least = sign > 0 ? on.h2_lo : -on.h2_hi, greatest = sign > 0 ? on.h2_hi : -on.h2_lo;
         const double s_lo = SF_LESSER(sign * h3_a, sign * h3_b), s_hi = SF_GREATER(sign * h3_a, sign * h3_b);
@@ -126,7 +127,7 @@ SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
         const double over = -sf_lane_under(-first, -last, -slope_hi, -slope_lo, width) + off;
         const double kappa_lo = SF_GREATER(rough_lo, under), kappa_hi = SF_LESSER(rough_hi, over);
 
-        /* sf_range_cusp_scaled */
+        /* tau as a root of its quadratic */
         const double B_lo = a * least * (1 - SF_ERROR), B_hi = b * greatest * (1 + SF_ERROR);
         const double P_lo = a * B_lo * B_lo, P_hi = b * B_hi * B_hi;
         const shared of = {a, b, m, zeta, most, sign, B_lo, B_hi, P_lo, P_hi, on.h1_lo, on.h1_hi,
