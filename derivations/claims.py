@@ -42,9 +42,14 @@ def claim(sentence: str, left: sp.Expr | bool | BooleanAtom, right: sp.Expr = sp
 
 def page() -> str:
     """What has been proved so far, as Markdown."""
-    lines = ["# Identities proved in the derivation", "", "Each derivation proves these exactly, or stops.", ""]
+    lines = [
+        "# Identities proved in the derivation",
+        "",
+        "The derivation proves each statement exactly; if a proof fails, it stops with an error.",
+        "",
+    ]
     for module, sentences in PROVED.items():
         lines += [f"## {module}", ""]
-        lines += [f"- {f'{eq}: ' if eq else ''}`{sentence}`" for sentence, eq in sentences.items()]
+        lines += [f"- {f'{eq}: ' if eq else ''}{sentence}" for sentence, eq in sentences.items()]
         lines.append("")
     return "\n".join(lines)

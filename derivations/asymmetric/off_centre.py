@@ -119,19 +119,19 @@ def check_means() -> None:
     """The four slopes above, from the integrals' own; what is a whole derivative by psi has no mean."""
     value, slope = _f(_DISPLACED), sp.diff(_f(_DISPLACED), B).doit()
     by_A = sp.diff(value, A).doit()
-    claim("d c_0/dA = s_1", by_A - slope * sp.cos(psi))
-    claim("d s_0/dB = s_1", sp.diff(value * sp.cos(psi), B).doit() - slope * sp.cos(psi))
+    claim("`d c_0/dA = s_1`", by_A - slope * sp.cos(psi))
+    claim("`d s_0/dB = s_1`", sp.diff(value * sp.cos(psi), B).doit() - slope * sp.cos(psi))
     # A times (d s_0/dA - c_1) + s_0
     apart = A * (by_A * sp.cos(psi) - slope) + value * sp.cos(psi)
     apart -= sp.diff(value * sp.sin(psi), psi).doit()
-    claim("d s_0/dA = c_1 - s_0/A", sp.expand_trig(apart).subs(sp.sin(psi) ** 2, 1 - sp.cos(psi) ** 2))
+    claim("`d s_0/dA = c_1 - s_0/A`", sp.expand_trig(apart).subs(sp.sin(psi) ** 2, 1 - sp.cos(psi) ** 2))
 
 
 def check_balance(averaged: Averaged) -> None:
     """Of the equation of motion nothing but f and the load has a mean over a cycle."""
     halves = ((averaged.perturbation[0], 0, sp.pi), (averaged.perturbation[1], sp.pi, 2 * sp.pi))
     others = sum(cycle_integral(half.subs({F_k: 0, sigma: 0}), start, end) for half, start, end in halves)
-    claim("the mean of forcing, damping and friction", others)
+    claim("forcing, damping and friction have zero mean over a cycle", others)
 
 
 def off_centre(averaged: Averaged, flow: Formulas, laws: Formulas) -> Formulas:
@@ -141,7 +141,7 @@ def off_centre(averaged: Averaged, flow: Formulas, laws: Formulas) -> Formulas:
     of = Formulas(ORDER)
     of_mean, of_state, of_fold = "the mean of (3)", "(24) and the mean of (3)", "(24), (30) and the mean of (3)"
     # (20): H = -(1/pi) int F_k cos psi, of which s_0 is half the negative
-    claim("h = -2 s_0", averaged.restoring_integrand + F_k * sp.cos(psi) / sp.pi)
+    claim("`h = -2 s_0`", averaged.restoring_integrand + F_k * sp.cos(psi) / sp.pi)
     of_h = {h: -2 * s[0]}
     f_0 = c[0] - load
     R_value = flow.R.subs(of_h)
@@ -150,7 +150,7 @@ def off_centre(averaged: Averaged, flow: Formulas, laws: Formulas) -> Formulas:
     of.add("averaged", Lets(lets, chain), text, "(20), (31)", "A > 0, c_1 other than 0")
 
     F = R**2 + I**2 - force**2
-    claim("F by the force", (F - flow.F).subs(force, F_0))
+    claim("`F = R^2 + I^2 - force^2`", (F - flow.F).subs(force, F_0))
     # in R, I and I_A, which a kernel has first
     slopes = tuple(2 * (R * by(R_value) + I * of_I) for by, of_I in ((_by_A, I_A), (_by_B, 0)))
     of.add(
@@ -168,7 +168,7 @@ def off_centre(averaged: Averaged, flow: Formulas, laws: Formulas) -> Formulas:
     of.add("fold", Lets(by_R, fold), text, of_fold, "A > 0, R + 2 s_0 > 0")
     along_balance = 2 * s[0] / A - 2 * resists
     of_means = {resists: (c[1] ** 2 - s[1] ** 2) / c[1]}
-    claim("h_A along the balance", along_balance.subs(of_means) - chain[1].subs(lets))
+    claim("derivative of `h` by `A` along the balance of the mean", along_balance.subs(of_means) - chain[1].subs(lets))
 
     # by the motion's ends as by A and B, by the chain rule
     both, by_ends = _by_ends(), "by coordinates x and y of the motion's ends"
@@ -183,7 +183,7 @@ def off_centre(averaged: Averaged, flow: Formulas, laws: Formulas) -> Formulas:
     A_t = -c_y * X + c_x * Y
     gain = s[0] * A_t + A * c_x * c_y
     of_ends = {c_x: X * (c[1] + s[1]), c_y: -Y * (c[1] - s[1])}
-    claim("A rises along the balance where c_1 is positive", A_t.subs(of_ends) - 2 * X * Y * c[1])
+    claim("along the balance `dA` has the sign of `c_1`", A_t.subs(of_ends) - 2 * X * Y * c[1])
     # along the balance, which goes as (-c_y, c_x); c_1 has the sign of the first
     text = "Along the balance, by coordinates of the motion's ends: A's slope, and what F_A gains there by R."
     of.add("ended_along", (A_t, gain), text, "(30) and the mean of (3)", "A > 0")
@@ -210,7 +210,7 @@ def off_centre(averaged: Averaged, flow: Formulas, laws: Formulas) -> Formulas:
         whole = sp.expand(sp.diff(sp.sin(psi) * over**power, psi) / over**power)
         of_w = sp.cancel(sp.expand(whole.subs(sp.sin(psi) ** 2, w * (2 - w)).subs(sp.cos(psi), 1 - w)))
         rise, fall = (sp.Poly(of_w, w).coeff_monomial(w**n) for n in (0, 1))
-        claim("by parts", of_w - rise - fall * w)
+        claim("integration by parts of `(1 - cos(psi))^k`", of_w - rise - fall * w)
         return sp.factor(-rise / fall).subs(power, k)
 
     @of.kernel(of_mean, "c_3 other than 0")
@@ -278,7 +278,7 @@ def _by_parameter(of: Formulas, f_0: sp.Expr, value: sp.Expr, value_A: sp.Expr, 
     # the other way: h_A along the balance, then by the parameter
     explicit = value_A.subs(of_B[:1])
     by_parameter = by_p(explicit) + sensitivities[0] * _by_B(explicit)
-    claim("h_A by the parameter", (by_parameter - values[1]).subs(reversed(lets)))
+    claim("derivative of `h_A` by a parameter along the balance", (by_parameter - values[1]).subs(reversed(lets)))
     at_end = sp.Symbol("A_p")
     (edge,) = sp.solve(by_p(f_0) + at_end * _by_A(f_0) + side * (end_p - at_end) * _by_B(f_0), at_end)
     text = "B_p, h_p, h_Ap, h_AAp along the balance at a fixed A, by what a parameter does to means and load."
@@ -299,9 +299,15 @@ def _by_ends() -> tuple[Callable[[sp.Expr], sp.Expr], Callable[[sp.Expr], sp.Exp
     for chain, by_A, by_B in zip(chains, (X, Y), (X, -Y), strict=True):
         for value, slope in chain:
             if value in (c[0], s[0]):
-                claim("slopes by the ends", slope.subs(of_means) - by_A * _by_A(value) - by_B * _by_B(value))
+                claim(
+                    "derivatives by the turning points of the motion follow from those by `A` and `B`",
+                    slope.subs(of_means) - by_A * _by_A(value) - by_B * _by_B(value),
+                )
     mixed = of_means[c_x]
-    claim("the mixed slope of c_0", c_xy.subs(of_means) - Y * (_by_A(mixed) - _by_B(mixed)))
+    claim(
+        "mixed second derivative of `c_0` by the turning points",
+        c_xy.subs(of_means) - Y * (_by_A(mixed) - _by_B(mixed)),
+    )
 
     def by(chain: tuple[tuple[sp.Symbol, sp.Expr], ...]) -> Callable[[sp.Expr], sp.Expr]:
         return lambda expression: sum(sp.diff(expression, value) * slope for value, slope in chain)
@@ -352,7 +358,7 @@ def _check_fold_by_R(by_R: tuple[Let, ...], turns: sp.Expr, to: Any, by: tuple[B
     R_value = A * Omega**2 - 2 * s[0]
     slope = A * (to[0] * by[0](R_value**2 + of_Omega[I] ** 2) + to[1] * by[1](R_value**2 + of_Omega[I] ** 2)) / 2
     on_F = turns.subs(force**2, R**2 + I**2).subs({I: of_Omega[I], drift: of_Omega[drift]}).subs(R, R_value)
-    claim("F along the balance, by R", slope - on_F)
+    claim("derivative of `F` along the balance of the mean, at given `R`", slope - on_F)
 
 
 def _climb(of: Formulas) -> None:
@@ -362,7 +368,10 @@ def _climb(of: Formulas) -> None:
     # A sin(theta) (A cos(theta) - a)^(k-1), its derivative over (A cos(theta) - a)^(k-2)
     derivative = A * sp.cos(theta) * over - (power - 1) * A**2 * sp.sin(theta) ** 2
     found = power * over**2 + (2 * power - 1) * a * over - (power - 1) * (A**2 - a**2)
-    claim("the recursion of L", (derivative - found).subs(sp.sin(theta) ** 2, 1 - sp.cos(theta) ** 2))
+    claim(
+        "recursion of the integrals of `(A cos(theta) - a)^k`",
+        (derivative - found).subs(sp.sin(theta) ** 2, 1 - sp.cos(theta) ** 2),
+    )
     # with the factorials: k^2 L_k = -(2 k - 1) a L_(k-1) + (A^2 - a^2) L_(k-2); M_(k-1) is the slope of L_k by A
     up = (
         (span * L_2 - (2 * k - 1) * a * L_1) / k**2,

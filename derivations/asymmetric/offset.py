@@ -65,7 +65,11 @@ def offset() -> Formulas:
         alternating = sp.solve((k[0] - 4 * Omega**2) * _b + k[1] * _B, _b)[0]
         carried = sp.expand((k[0] * _B + k[1] * alternating / 2) / _B)
         structured = k[0] + k[1] ** 2 / (2 * (4 * Omega**2 - k[0]))
-        claim("what carries an offset back, by two stiffnesses", carried - structured, eq="beside (30)")
+        claim(
+            "stiffness against a mean offset: `k_0 + k_2^2/(2 (4 Omega^2 - k_0))`",
+            carried - structured,
+            eq="beside (30)",
+        )
         apart = structured.subs(dict(zip(k, (k_0, k_2), strict=True)))
         q = sp.Symbol("q", real=True)
         D = 2 * (4 * Omega**2 - k_0)
@@ -73,7 +77,7 @@ def offset() -> Formulas:
         of_h_A = sp.factor_terms(sp.expand(whole - whole.subs(h_A, 0)) / h_A)
         of_h_A, of_q = (sp.expand(part) for part in (of_h_A, whole.subs(h_A, 0) / q))
         over = ((h_A * of_h_A + q * of_q) / D).subs(q, h / A)
-        claim("both forms of what carries an offset back are one", over - apart, eq="beside (30)")
+        claim("both forms of the stiffness against a mean offset are equal", over - apart, eq="beside (30)")
         far = (sp.Abs(h / A) / 2 + sp.Abs(h_A) / 2, sp.Abs(D))
         return Branch("over", (far,), (), (over,)), Branch("apart", (), (), (apart,))
 

@@ -75,7 +75,7 @@ def derive(force: Sided) -> OneEnd:
     N = sp.simplify(2 * sp.integrate((sp.cos(psi) - sp.cos(a)) * sp.cos(psi), (psi, 0, a)) / sp.pi)
     slope = 1 + g * a / sp.pi
     claim(
-        "how the end over the amplitude falls with the angle of contact",
+        "derivative of the breakpoint over the amplitude by the angle of contact",
         sp.diff(sp.cos(a) - g * M, a) + sp.sin(a) * slope,
     )
     return OneEnd(parameters, place, M, N, _known(N), g * M, slope, 1 - sp.cos(a) + g * M)

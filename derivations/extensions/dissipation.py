@@ -80,7 +80,7 @@ def contribution(force: Callable[[int], sp.Expr], start: sp.Expr = sp.S.Zero) ->
     """
     halves = ((-1, start, sp.pi - start), (1, sp.pi + start, 2 * sp.pi - start))
     in_phase = sum(cycle_integral(force(sign) * sp.cos(psi), low, high) for sign, low, high in halves)
-    claim("the share in R of a dissipating force", in_phase)
+    claim("a damping force contributes nothing to `R`", in_phase)
     found = -sum(cycle_integral(force(sign) * sp.sin(psi), low, high) for sign, low, high in halves) / sp.pi
     return sp.factor(sp.expand(found, trig=True))
 
@@ -95,7 +95,10 @@ def dissipation(averaged: Averaged, flow: Formulas, slopes: Formulas) -> Formula
     """Of any mechanism, in I_0 and its derivatives; R, and what contains I as a number, are those of the slow flow."""
     viscous = contribution(lambda _: 2 * zeta * VELOCITY)
     friction = contribution(lambda sign: mu * sp.Integer(sign))
-    claim("the shares of viscous damping and dry friction", viscous + friction.subs(mu, sp.pi * m / 4) - flow.I)
+    claim(
+        "viscous damping and dry friction contribute `I = 2 zeta A Omega + m`",
+        viscous + friction.subs(mu, sp.pi * m / 4) - flow.I,
+    )
     structural = contribution(lambda _: eta / Omega * VELOCITY)
     growing = contribution(lambda _: 2 * (zeta + zeta_2 * DISPLACEMENT**2) * VELOCITY)
     attached = contribution(lambda sign: mu * sp.Integer(sign), psi_0).subs(sp.cos(psi_0), u_cr / A)
@@ -128,7 +131,10 @@ def dissipation(averaged: Averaged, flow: Formulas, slopes: Formulas) -> Formula
         factor = sp.cancel(
             contribution(lambda sign, c=c, n=power: sign ** (n + 1) * c * VELOCITY**n) / (A * Omega) ** power
         )
-        claim(f"{name} damping's share of I is proportional to it", sp.diff(factor, c) * c - factor)
+        claim(
+            f"the contribution of {name} damping to `I` is proportional to its coefficient",
+            sp.diff(factor, c) * c - factor,
+        )
         of.add(name, factor, f"The factor of A^{power} Omega^{power} in I of {name} damping.", "from (19)", "any")
 
     @of.kernel("from (23)", "A > 0, d > 0")
@@ -176,7 +182,7 @@ def dissipation(averaged: Averaged, flow: Formulas, slopes: Formulas) -> Formula
     # -Omega^5/4 dlevel^2/dOmega of an excitation by inertia
     least = h * R + I * (I_0 + zeta * A * Omega - d_3 * A**3 * Omega**3 / 2)
     claim(
-        "the slope of the level of an excitation by inertia",
+        "`Omega^5 d(F_0^2)/dOmega` under base excitation or unbalance",
         (4 * least + Omega**5 * sp.diff((F + F_0**2).subs(whole) / Omega**4, Omega)).subs(whole),
     )
     # on F = 0: dF/dOmega is Omega^4 times the slope of the squared level
@@ -221,7 +227,10 @@ def dissipation(averaged: Averaged, flow: Formulas, slopes: Formulas) -> Formula
         product = sp.factor(h**2 - at_0)
         root = sp.Symbol("c", nonnegative=True)
         halves = (h - root, h + root)
-        claim("the halves of F at Omega = 0", sp.expand(sp.Mul(*halves)).subs(root**2, product) - at_0)
+        claim(
+            "`F = (h - c) (h + c)` at `Omega = 0`, `c^2 = F_0^2 - I_0^2`",
+            sp.expand(sp.Mul(*halves)).subs(root**2, product) - at_0,
+        )
         root_A = sp.cancel(by_A(product) / (2 * root))
         return Lets([(root, sp.sqrt(product))], (*halves, h_A - root_A, h_A + root_A))
 
@@ -238,18 +247,21 @@ def dissipation(averaged: Averaged, flow: Formulas, slopes: Formulas) -> Formula
         """
         balance = sp.Poly(sp.expand(lower.subs(I_0, m + eta * A) - F_0), A)
         found = _root(balance)
-        claim("the limit envelope", balance.as_expr().subs(A, found))
+        claim("stable form of the limit envelope `I = F_0`", balance.as_expr().subs(A, found))
         return found
 
     # F_Omega/(4 A Omega) and F_AOmega/Omega do not vanish at Omega = 0
     peak = R + zeta * I_0 / Omega + A * (2 * zeta**2 + d * I_0 + d * A * Omega * (3 * zeta + d * A * Omega))
     v = A * Omega
     peak += d_3 * A * v / 2 * (3 * I_0 + v * (8 * zeta + v * (5 * d + 3 * d_3 * v)))
-    claim("F_Omega over 4 A Omega", (4 * A * Omega * peak - F_Omega).subs(whole))
+    claim(
+        "`F_Omega/(4 A Omega)` is a polynomial in `A`, `Omega` and `I_0/Omega`",
+        (4 * A * Omega * peak - F_Omega).subs(whole),
+    )
 
     # D, where F_AOmega/(4 Omega) = R + A R_A + D
     excess = sp.expand(sp.expand((F_AOmega / (4 * Omega)).subs(whole)) - flow.R - A * slope_of_R)
-    claim("D without h", excess - excess.subs({h: 0, h_A: 0}))
+    claim("`F_AOmega/(4 Omega) - R - A R_A` does not depend on `h`", excess - excess.subs({h: 0, h_A: 0}))
 
     def over(one: sp.Expr, power: int) -> sp.Expr:
         """Over a power of Omega, at x = 1/Omega, in which it is a polynomial."""
@@ -263,9 +275,9 @@ def dissipation(averaged: Averaged, flow: Formulas, slopes: Formulas) -> Formula
     of.add("turn_terms", tuple(over(*one) for one in powers), text, "from (30)", "x >= 0, A > 0")
 
     halved = sp.expand((sp.diff(F, R) * R_A + sp.diff(F, I) * I_A) / 2)
-    claim("F_A by R, I and their slopes", halved.subs({R_A: slope_of_R, I_A: by_A(value)}) - F_A / 2)
+    claim("`F_A/2 = R R_A + I I_A`", halved.subs({R_A: slope_of_R, I_A: by_A(value)}) - F_A / 2)
     R_of_peak = -sp.expand(sp.cancel(sp.diff(value, Omega) / R_Omega)) * I
-    claim("R where F_Omega vanishes", (peak - R + R_of_peak).subs(whole))
+    claim("`R` at `F_Omega = 0`", (peak - R + R_of_peak).subs(whole))
     # of numbers R and I
     quadrant = "Omega >= 0, A > 0"
     of.add("F_A_halved", Lets((), halved), "F_A/2 by R, I and their slopes.", "(30)", quadrant)
@@ -309,7 +321,10 @@ def dissipation(averaged: Averaged, flow: Formulas, slopes: Formulas) -> Formula
         d (A Omega)^2 <= I <= F_0 Omega^2.
         """
         found = sp.sqrt(F_0 / d)
-        claim("quadratic damping at its bound", sp.Poly(value, Omega).coeff_monomial(Omega**2).subs(A, found) - F_0)
+        claim(
+            "`d A^2 = F_0` at the bound of the amplitude under quadratic damping",
+            sp.Poly(value, Omega).coeff_monomial(Omega**2).subs(A, found) - F_0,
+        )
         return found
 
     _searched(of, flow.R, value, F, halved, peak)
@@ -338,7 +353,10 @@ def dissipation(averaged: Averaged, flow: Formulas, slopes: Formulas) -> Formula
         v = sp.Symbol("v", nonnegative=True)
         balance = sp.Poly(sp.expand(lower.subs(Omega, v / A)) - I, v)
         found = _root(balance)
-        claim("the velocity by I", balance.as_expr().subs(v, found))
+        claim(
+            "stable form of the root `A Omega` of `I = I_0 + 2 zeta A Omega + d (A Omega)^2`",
+            balance.as_expr().subs(v, found),
+        )
         return Lets((), sp.simplify(found))
 
     # how answers move with the parameters is had from these too
@@ -449,8 +467,11 @@ def _far_by_inertia(R: sp.Expr, I: sp.Expr, F: sp.Expr, least: sp.Expr) -> tuple
     if grows != zeta * d * A**3 or sp.Poly(stays, x).degree() != 2:
         raise ArithmeticError(f"what vanishes where a level is least: {of_least}")
     whole = sum(sp.expand(one.subs(at_x) * x**2) ** 2 for one in (R, I)) - F_0**2
-    claim("F over Omega^4", whole - F.subs(at_x) * x**4)
-    claim("the leading coefficient of F", whole.subs(x, 0) - (A**2 + d**2 * A**4 - F_0**2))
+    claim("`F/Omega^4` as a sum of squares less `F_0^2`", whole - F.subs(at_x) * x**4)
+    claim(
+        "`F/Omega^4` tends to `A^2 + d^2 A^4 - F_0^2` as `Omega` grows",
+        whole.subs(x, 0) - (A**2 + d**2 * A**4 - F_0**2),
+    )
     return whole, sp.collect(stays, x), grows
 
 
@@ -465,7 +486,7 @@ def _R_where_stationary(R_of: sp.Expr, I_of: sp.Expr, least: sp.Expr) -> tuple[s
     higher = (A + sp.sqrt(square)) / 2
     lower = product / higher
     for one in (lower, higher):
-        claim("R where a level is stationary", scaled.subs(Omega, 1 / x).subs(r, one))
+        claim("`R/Omega^2` where the forcing of an amplitude is stationary", scaled.subs(Omega, 1 / x).subs(r, one))
     return square, lower, higher
 
 
@@ -474,7 +495,7 @@ def _full(F: sp.Expr) -> sp.Expr:
     X = sp.Symbol("X", nonnegative=True)
     leading = sp.Poly(sp.expand(F), Omega).coeff_monomial(Omega**4).subs(A, sp.sqrt(X))
     found = 2 * F_0**2 / (1 + sp.sqrt(1 + 4 * d**2 * F_0**2))
-    claim("the amplitude as Omega grows", leading.subs(X, found))
+    claim("root `A^2` of this limit", leading.subs(X, found))
     return sp.sqrt(found)
 
 
@@ -490,7 +511,10 @@ def _F_A_scaled(halved: sp.Expr, value: sp.Expr) -> sp.Expr:
     """F_A/(2 A) by what stays as A falls to 0."""
     over, slope_of_R = sp.expand(value.subs(h, A * h_over_A) / A), by_A(value)
     found = over * slope_of_R + I_over_A * I_A
-    claim("F_A over 2 A", found - halved.subs({R: A * over, R_A: slope_of_R, I: A * I_over_A}) / A)
+    claim(
+        "`F_A/(2 A)` in quantities bounded as `A` tends to 0",
+        found - halved.subs({R: A * over, R_A: slope_of_R, I: A * I_over_A}) / A,
+    )
     return found
 
 
@@ -529,9 +553,11 @@ def _trace(averaged: Averaged, flow: Formulas, value: sp.Expr) -> sp.Expr:
     # the dissipation of the amplitude's equation, by the law that it has there
     own = sp.expand(flow.I)
     A_rate = sp.expand(A_rate + (own - value) / (2 * Omega))
-    claim("the amplitude's equation", -2 * Omega * A_rate - F_0 * sp.sin(phi) - value)
+    claim(
+        "slow flow of the amplitude: `-2 Omega A' = F_0 sin(phi) + I`", -2 * Omega * A_rate - F_0 * sp.sin(phi) - value
+    )
     whole = by_A(A_rate) + sp.diff(A_phi_rate / A, phi)
     at_fixed_point = sp.expand(whole).subs(F_0 * sp.sin(phi), -value)
     rise = by_A(A * value)
-    claim("the trace of the Jacobian", -2 * A * Omega * at_fixed_point - rise)
+    claim("trace of the Jacobian at a fixed point: `-(A I)_A/(2 A Omega)`", -2 * A * Omega * at_fixed_point - rise)
     return sp.collect(sp.expand(rise), (A, Omega))

@@ -65,7 +65,10 @@ def amplitude_of(name: str) -> sp.Expr:
     amplitude, dimensional = EXCITATIONS[name]
     of_every = groups(k_v, L)
     force = of_every[F_0].subs(F, dimensional)
-    claim(f"the force of {name}", force - amplitude * (of_every[Omega].subs(omega_n, of_every[omega_n])) ** 2)
+    claim(
+        f"the dimensionless force of {name} excitation is `F_0 Omega^2`",
+        force - amplitude * (of_every[Omega].subs(omega_n, of_every[omega_n])) ** 2,
+    )
     return amplitude
 
 
@@ -97,7 +100,10 @@ def inertia(flow: Formulas) -> Formulas:
         over = flow.R**2 - h**2 - (removed * force / F_0) ** 2
         (value,) = (root for root in sp.solve(sp.expand(over.subs(Omega, sp.sqrt(turn))), turn) if root != 0)
         apart = -2 * h / (A - removed**2 / A)
-        claim("the frequency of a transmissibility", value - apart)
+        claim(
+            "`R^2 - h^2 = reduction F_0^2 Omega^4` has the positive root `Omega^2 = -2 h/(A - reduction F_0^2/A)`",
+            value - apart,
+        )
         return Lets([(removed, F_0 * sp.sqrt(reduction)), (turn, apart)], sp.sqrt(turn))
 
     whole = {R: flow.R, I: flow.I}
@@ -109,9 +115,12 @@ def inertia(flow: Formulas) -> Formulas:
         return sp.sqrt(R**2 + I**2) / Omega**2
 
     F = of.add("F", flow.F.subs(F_0, force), "Zero at a steady state.", by_flow)
-    claim("F at the level", F.subs(F_0, level))
+    claim("`F = 0` at `F_0 = sqrt(R^2 + I^2)/Omega^2`, the forcing of a steady state", F.subs(F_0, level))
     of_level = sp.expand(Omega * sp.diff(G, Omega) - 4 * G)
-    claim("the slope of the level", Omega**5 * sp.diff(G / Omega**4, Omega) - of_level)
+    claim(
+        "`Omega^5 d(F_0^2)/dOmega` of this forcing is a polynomial in `Omega`",
+        Omega**5 * sp.diff(G / Omega**4, Omega) - of_level,
+    )
 
     @of.kernel(by_flow)
     def level_slope() -> sp.Expr:
@@ -120,7 +129,7 @@ def inertia(flow: Formulas) -> Formulas:
         Without what cancels between G and the derivative.
         """
         value = -4 * (h * R + I * (friction + zeta * A * Omega))
-        claim("the slope of the level in R and I", value.subs(whole) - of_level)
+        claim("the same derivative is `-4 (h R + I (m + zeta A Omega))`", value.subs(whole) - of_level)
         return value
 
     # on F = 0: dF/dOmega = G_Omega - 4 F_0^2 Omega^3 is the level's slope over Omega
@@ -155,7 +164,10 @@ def inertia(flow: Formulas) -> Formulas:
         # bend/Omega is a force's F_OmegaOmega less 3 F_Omega/Omega; in the determinant of a force no squares cancel
         lets, of_force = hessian_of(F_AA * flow.F_OmegaOmega - F_AOmega**2, flow.R, flow.I)
         value = of_force - 3 * flow.F_Omega * F_AA / Omega
-        claim("the determinant", (value.subs(lets) - (bend / Omega * F_AA - F_AOmega**2)).subs(whole))
+        claim(
+            "Hessian determinant of the forcing at an isola point",
+            (value.subs(lets) - (bend / Omega * F_AA - F_AOmega**2)).subs(whole),
+        )
         return Lets([*whole.items(), *lets], value)
 
     _bound(of, G)
@@ -169,21 +181,30 @@ def _outer(of: Formulas, F_value: sp.Expr) -> None:
     if linear_term != 0 or of_x.degree() != 4 or cubic.could_extract_minus_sign():
         raise ArithmeticError(f"more than a cubic term that is not negative beside a quadratic in x^2: {of_x}")
     of_falls, of_over = sp.factor(-second / 2), (A - F_0) * (A + F_0)
-    claim("F far above resonance", of_over - constant)
+    claim("`F/Omega^4` tends to `(A - F_0) (A + F_0)` as `Omega` grows", of_over - constant)
     # F_0^2 is put in by `square`: of A^2 (h + 2 zeta^2 A)^2 - A^2 square only small terms are left
     of_inner = sp.expand(of_falls**2 - fourth * constant)
     rest_of_it = sp.expand(of_inner - F_0**2 * fourth)
     viscous = sp.factor(rest_of_it - rest_of_it.coeff(zeta, 0))
     inner_value = F_0**2 * square + rest_of_it.coeff(zeta, 0) + viscous
-    claim("what the root is of", inner_value.subs(square, fourth) - of_inner)
+    claim(
+        "discriminant of `F/Omega^4` without its cubic term, a quadratic in `1/Omega^2`",
+        inner_value.subs(square, fourth) - of_inner,
+    )
     falling, rising = (
         ((falls + spread) / square, over / (spread + falls)),
         (-over / (spread - falls), (falls - spread) / square),
     )
     for larger, smaller in (falling, rising):
         product = (falls**2 - spread**2) / square
-        claim("the sum of the roots", (larger + smaller).subs(over, product) - 2 * falls / square)
-        claim("the product of the roots", (larger * smaller).subs(over, product) - product / square)
+        claim(
+            "sum of the two roots of this quadratic (Vieta)",
+            (larger + smaller).subs(over, product) - 2 * falls / square,
+        )
+        claim(
+            "product of the two roots of this quadratic (Vieta)",
+            (larger * smaller).subs(over, product) - product / square,
+        )
     lets = (
         (falls, of_falls),
         (square, fourth),
@@ -218,7 +239,10 @@ def _least(of: Formulas, quadratic: sp.Poly) -> None:
     def least() -> sp.Expr:
         """x = 1/Omega where the level of an amplitude is least, by its `terms`."""
         value = 8 * fall / (linear + sp.sqrt(linear**2 + 64 * fall * rest))
-        claim("where the level is least", 4 * rest * value**2 + linear * value - 4 * fall)
+        claim(
+            "stable form of the root `1/Omega` at which the forcing of an amplitude is least",
+            4 * rest * value**2 + linear * value - 4 * fall,
+        )
         return value
 
 
@@ -244,14 +268,21 @@ def _peak(of: Formulas, flow: Formulas, slope_of_level: sp.Expr, of_level: sp.Ex
         R follows from I, and nothing cancels: dlevel/dA = F_A/(2 level Omega^4), as its derivative by Omega vanishes.
         """
         (balanced,) = sp.solve(slope_of_level, R)
-        claim("R where the level is least", (balanced.subs(at_x) + I * drag / (h * x)).subs(of_drag))
+        claim(
+            "at the least forcing `R = -I (m/Omega + zeta A)/(h/Omega)`",
+            (balanced.subs(at_x) + I * drag / (h * x)).subs(of_drag),
+        )
         squared = (R**2 + I**2).subs(R, balanced).subs(at_x) * x**4
         claim(
-            "the least level", squared - (I * x * root).subs(root, sp.sqrt(x**2 + (drag / h) ** 2)).subs(of_drag) ** 2
+            "least forcing of an amplitude, squared",
+            squared - (I * x * root).subs(root, sp.sqrt(x**2 + (drag / h) ** 2)).subs(of_drag) ** 2,
         )
         half_F_A = (flow.F_A / 2).subs(R, balanced).subs(at_x)
         rises = 2 * zeta * x**2 - ratio * (1 + h_A * x**2)
-        claim("F_A where the level is least", half_F_A * x**3 - (I * rises).subs(ratio, drag / h).subs(of_drag))
+        claim(
+            "`F_A` at the least forcing of an amplitude",
+            half_F_A * x**3 - (I * rises).subs(ratio, drag / h).subs(of_drag),
+        )
         lets = (*of_drag.items(), (ratio, drag / h), (root, sp.sqrt(x**2 + ratio**2)))
         return Lets(lets, (slow * root - F_0, rises / root))
 
@@ -274,7 +305,7 @@ def _peak(of: Formulas, flow: Formulas, slope_of_level: sp.Expr, of_level: sp.Ex
         apart = -slow * drag**2 / h - zeta * A * cubic * x**2 - friction * k * x**3
         of_h = {cubic: 3 * h - A * h_A, k: h - A * h_A, **of_drag}
         left = (apart - A * isola[0]).subs(of_h)
-        claim("F_A where the level is least, by k and cubic", left - of_h[drag] * vanishing / (4 * h))
+        claim("the same by `h - A h_A` and `3 h - A h_A`", left - of_h[drag] * vanishing / (4 * h))
         return Lets(of_drag.items(), apart / A)
 
 
@@ -294,7 +325,7 @@ def _fold(of: Formulas, flow: Formulas) -> None:
         """
         larger = -k * (1 + root) / (2 * A)
         at_larger = sp.expand(quadratic.as_expr().subs(T, larger))
-        claim("dR/dA on the fold locus", at_larger.subs(root**2, 1 - 4 * A * constant / k**2))
+        claim("`F_A = 0` for the larger root `dR/dA`", at_larger.subs(root**2, 1 - 4 * A * constant / k**2))
         inner = 1 - 4 * A * constant / k**2
         lets = ((I, flow.I), (part, inner), (root, sp.sqrt((part + sp.Abs(part)) / 2)), (steep, larger))
         return Lets(lets, (steep, constant / (A * steep), constant / (I * steep)))
@@ -316,7 +347,7 @@ def _of_share(of: Formulas, flow: Formulas, slope_of_level: sp.Expr) -> None:
         leading, middle, constant = (sp.factor(term) for term in quadratic.all_coeffs())
         value = -2 * constant / (middle + root)
         square = (middle**2 - root**2) / (4 * constant)
-        claim("R where the level is least", square * value**2 + middle * value + constant)
+        claim("stable form of the root `-R/I` at the least forcing", square * value**2 + middle * value + constant)
         inner = middle**2 - 4 * leading * constant
         return Lets([(I, flow.I), (part, inner), (root, sp.sqrt((part + sp.Abs(part)) / 2))], value)
 
@@ -328,7 +359,7 @@ def _of_share(of: Formulas, flow: Formulas, slope_of_level: sp.Expr) -> None:
         """
         viscous = zeta * A
         value = (viscous + sp.sqrt(viscous**2 + of_I * friction)) / of_I
-        claim("the frequency of a level", (of_I * Omega**2 - flow.I).subs(Omega, value))
+        claim("root `Omega` of `I = F_0 Omega^2/sqrt(1 + (R/I)^2)`", (of_I * Omega**2 - flow.I).subs(Omega, value))
         return Lets([(of_I, F_0 / sp.sqrt(1 + ratio**2))], value)
 
 
@@ -339,7 +370,10 @@ def _bound(of: Formulas, G: sp.Expr) -> None:
     of_square = sp.expand(sp.expand(smooth / Omega**4).subs(Omega, 1 / sp.sqrt(square)))
     (where,) = sp.solve(sp.diff(of_square, square), square)
     least = of_square.subs(square, where)
-    claim("the least level without friction", least - 4 * zeta**2 * A**3 * (-h - zeta**2 * A) / h**2)
+    claim(
+        "without friction the least forcing is `F_0^2 = 4 zeta^2 A^3 (-h - zeta^2 A)/h^2`",
+        least - 4 * zeta**2 * A**3 * (-h - zeta**2 * A) / h**2,
+    )
     if any(term.could_extract_minus_sign() for term in sp.Add.make_args(sp.expand(G - smooth))):
         raise ArithmeticError("friction does not raise the level everywhere")
 

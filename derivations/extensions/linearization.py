@@ -121,7 +121,9 @@ def linearization() -> Formulas:
         found = sp.collect(sp.expand(_mean(_v * force, sigma_v) / sigma_v**2), sigma_v)
         slope = sp.expand(sigma_v * sp.diff(found, sigma_v))
         rises = sp.Add.make_args(sp.expand(found * sigma_v * sp.diff(slope, sigma_v) - slope**2))
-        claim("the slope of ln(c) by ln(sigma_v) rises", not any(one.could_extract_minus_sign() for one in rises))
+        claim(
+            "`d ln(c)/d ln(sigma_v)` increases with `sigma_v`", not any(one.could_extract_minus_sign() for one in rises)
+        )
         return found, slope, found.coeff(sigma_v, -1) / sigma_v
 
     text = "Mean square of the damping force of (3)."
@@ -156,16 +158,21 @@ def _check_fraction() -> None:
     by_level = sp.diff(_FRACTION, level)
     own = (1 - level**2) * _FRACTION - level * by_level
     slope = sp.diff(level * by_level / _FRACTION, level)
-    claim("the slope of the slope of ln(within) by ln(level)", sp.expand(slope * _FRACTION**2 / by_level - own))
-    claim("it is 0 at level = 0", own.subs(level, 0))
-    claim("and falls", sp.simplify(sp.diff(own, level) + 2 * level * _FRACTION))
+    claim(
+        "second derivative of `ln(within)` by `ln(level)` up to a positive factor",
+        sp.expand(slope * _FRACTION**2 / by_level - own),
+    )
+    claim("this second derivative is 0 at `level = 0`", own.subs(level, 0))
+    claim("this second derivative decreases with `level`", sp.simplify(sp.diff(own, level) + 2 * level * _FRACTION))
 
 
 def _check_least_squares() -> None:
     """What misses a force least in the mean square, by the moments of the force and of what it is linear in."""
     misses, of_force, product, square = sp.symbols("factor force product square", positive=True)
     error = of_force - 2 * misses * product + misses**2 * square
-    claim("k = E[u f]/E[u^2] misses f least", sp.solve(sp.diff(error, misses), misses)[0] - product / square)
+    claim(
+        "`k = E[u f]/E[u^2]` minimizes `E[(f - k u)^2]`", sp.solve(sp.diff(error, misses), misses)[0] - product / square
+    )
 
 
 def _check_cycles() -> None:
@@ -174,7 +181,10 @@ def _check_cycles() -> None:
     for power in (1, 3, 5, 7):
         over_cycle = cycle_integral((A * sp.cos(psi)) ** (power + 1), sp.S.Zero, 2 * sp.pi) / (2 * sp.pi)
         both = sp.integrate(over_cycle * rayleigh, (A, 0, sp.oo))
-        claim(f"E[u f] is a mean of those over a cycle, f = u^{power}", both - _mean(_v ** (power + 1), sigma_u))
+        claim(
+            f"`E[u f]` is the mean over Rayleigh-distributed amplitudes, `f = u^{power}`",
+            both - _mean(_v ** (power + 1), sigma_u),
+        )
 
 
 def _response(of: Formulas) -> None:
@@ -185,21 +195,27 @@ def _response(of: Formulas) -> None:
     by_k = -2 * k * (k - Omega**2) / square
     by_c = -2 * c**2 * Omega**2 / square
     for slope, by in ((by_k, k), (by_c, c)):
-        claim(f"the slope of -ln Z by ln {by}", slope.subs(square, Z) + by * sp.diff(sp.log(Z), by))
+        claim(f"derivative of `-ln Z` by `ln {by}`", slope.subs(square, Z) + by * sp.diff(sp.log(Z), by))
     text = "Z, and the slopes of -ln Z by ln k and ln c."
     of.add("response", Lets([(square, Z)], (square, by_k, by_c)), text, "(3)", "Omega > 0, k > 0, c > 0")
 
     scaled = x**2 + 4 * ratio**2 * (1 - x)
-    claim("Z by its scaled form", (Z - k**2 * scaled.subs({ratio: c / (2 * sp.sqrt(k)), x: 1 - Omega**2 / k})))
+    claim(
+        "`Z = k^2 (x^2 + 4 ratio^2 (1 - x))`, `x = 1 - Omega^2/k`, `ratio = c/(2 sqrt(k))`",
+        (Z - k**2 * scaled.subs({ratio: c / (2 * sp.sqrt(k)), x: 1 - Omega**2 / k})),
+    )
     slope = -2 * x / scaled
     # it is stationary at x = 2 ratio and -2 ratio, and x does not exceed 1
     at = sp.solve(sp.numer(sp.together(sp.diff(slope, x))), x)
-    claim("where the slope by ln k is stationary", sp.prod([1 - one / (2 * ratio) for one in at]).equals(0) is True)
+    claim(
+        "the derivative by `ln k` is stationary at `x = 2 ratio` and `x = -2 ratio`",
+        sp.prod([1 - one / (2 * ratio) for one in at]).equals(0) is True,
+    )
     steep, flat = (sp.factor(slope.subs(x, sign * 2 * ratio)) for sign in (1, -1))
     least = sp.solve(sp.diff(scaled, x), x)[0]
     # by p once more: x rises with p by 1 - x
     again = sp.factor(sp.diff(slope, x) * (1 - x) + sp.diff(slope, ratio) * (-ratio / 2))
-    claim("the second slope by ln k", again - sp.factor(slope**2 + slope - 2 / scaled))
+    claim("second derivative of `-ln Z` by `ln k`", again - sp.factor(slope**2 + slope - 2 / scaled))
     text = "Of the slope of -ln Z by ln k the least and the largest, and the largest k^2/Z, at any frequency."
     bounds = (steep, flat, sp.factor(1 / scaled.subs(x, least)))
     of.add("steepest", bounds, text, "(3)", "0 < ratio < 1/2")
@@ -208,7 +224,7 @@ def _response(of: Formulas) -> None:
 def _check_scales(Z: sp.Expr) -> None:
     """Z is homogeneous, of the order 2 in k, sqrt(Omega) and sqrt(c): so by parts the slope at a damping ratio."""
     euler = k * sp.diff(Z, k) + (c * sp.diff(Z, c) + Omega * sp.diff(Z, Omega)) / 2
-    claim("Z is homogeneous", sp.expand(euler - 2 * Z))
+    claim("`Z = (k - Omega^2)^2 + c^2 Omega^2` is homogeneous (Euler's theorem)", sp.expand(euler - 2 * Z))
 
 
 def _resonance(of: Formulas) -> None:
@@ -223,9 +239,9 @@ def _resonance(of: Formulas) -> None:
     own = sp.exp(p / 2) * 2 * sp.sin(theta)
     Z = (sp.exp(p) - sp.exp(2 * X)) ** 2 + own**2 * sp.exp(2 * X)
     steep = 4 * sp.I * damped * sp.exp(p / 2) * sp.cos(theta) * sp.exp(2 * pole)
-    claim("1/Z has a pole at p/2 + i theta", sp.expand(Z.subs(X, pole).rewrite(sp.exp)))
+    claim("`1/Z` has a pole at `ln(Omega) = p/2 + i theta`", sp.expand(Z.subs(X, pole).rewrite(sp.exp)))
     slope_of_Z = sp.diff(Z, X).subs(X, pole) - steep.subs(damped, own)
-    claim("the slope of Z there", sp.expand(slope_of_Z.rewrite(sp.exp)))
+    claim("derivative of `Z` by `ln(Omega)` at this pole", sp.expand(slope_of_Z.rewrite(sp.exp)))
 
     def slope_by(one: sp.Expr, by: sp.Symbol) -> sp.Expr:
         """Its slope, where theta moves as ln sin(theta) = q - p/2 - ln 2 does."""
@@ -261,13 +277,15 @@ def _by_energy(of: Formulas) -> None:
     T, slope = sp.diff(W(E), E), L(E) / (noise * W(E))
     density = T * sp.exp(-P(E))
     flow = (noise * T - L(E)) / T * density - sp.diff(noise * W(E) / T * density, E)
-    claim("no probability flows from energy to energy", sp.simplify(flow.subs(sp.diff(P(E), E), slope)))
+    claim(
+        "the stationary density of the energy has no probability flux", sp.simplify(flow.subs(sp.diff(P(E), E), slope))
+    )
 
     slope = lost / (noise * W_1)
     viscous = slope.subs(lost, 2 * zeta * W_1)
     density = sp.exp(-viscous * (v**2 / 2 + V(u)))
     slows = (2 * zeta * v + sp.diff(V(u), u)) * density + noise * sp.diff(density, v)
     flow = sp.diff(slows, v) - v * sp.diff(density, u)
-    claim("viscous damping keeps the density of u and v as it is (Fokker-Planck)", sp.simplify(flow))
+    claim("with viscous damping this density solves the stationary Fokker-Planck equation", sp.simplify(flow))
     text = "Slope of P by the energy, from integrals over a cycle: under white noise u and v have the density exp(-P)."
     of.add("energy_loss", slope, text, "(3)", "W_1 > 0, S_0 > 0")

@@ -99,7 +99,7 @@ def motion() -> Formulas:
             of_all = rate.subs(friction, resists)
             for by, known in ((v, {zeta: damps}), (u, {f_u: f_u + stiffens})):
                 whole = sp.diff(of_all, by) + sp.diff(rate, f) * (f_u if by == u else 0) - _by(rate, by).subs(known)
-                claim("the slopes of the rates by u and u'", whole)
+                claim("derivatives of the power-series rates by `u` and `u'` with every damping law", whole)
         return resists, damps, stiffens
 
     @of.kernel("(3)", "F_0 > 0")

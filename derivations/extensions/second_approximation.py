@@ -131,7 +131,7 @@ def second_approximation(averaged: Averaged, flow: Formulas) -> Formulas:
     # (23) calls 4 mu/pi m: friction's harmonics are m/n, and n b_n = -m/(n^2 Omega^2 - K)
     n = sp.Symbol("n", odd=True, positive=True)
     claim(
-        "the n-th harmonic of friction is m/n, n odd",
+        "the n-th harmonic of friction is `m/n`, n odd",
         n * friction_harmonic(averaged, n) - 4 * mu / sp.pi,
         eq="from (19)",
     )
@@ -163,7 +163,7 @@ def second_approximation(averaged: Averaged, flow: Formulas) -> Formulas:
     level_slope = 2 * (R * R_falls + I * I_falls)
     response, level = R**2 + (I - F_0) * (I + F_0), hypot(R, I)
     claim(
-        "F vanishes at the forcing of a steady state",
+        "`F = 0` at `F_0 = sqrt(R^2 + I^2)`",
         response.subs(F_0, sp.sqrt(sum(part**2 for part in level.args))),
         eq="(24)",
     )

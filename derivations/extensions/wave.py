@@ -50,7 +50,7 @@ def closed_sums() -> list[tuple[sp.Expr, sp.Expr]]:
     n = sp.Symbol("n", odd=True, positive=True)
     square = sp.pi / 4
     coefficient = sp.integrate(square * sp.sin(n * turned), (turned, 0, sp.pi)) * 2 / sp.pi
-    claim("the harmonics of the square wave are 1/n", coefficient - 1 / n)
+    claim("the odd harmonics of a square wave of height `pi/4` are `1/n`", coefficient - 1 / n)
     found, of_sines = [], square
     for _ in range(CLOSED):
         # cosines of odd multiples vanish at pi/2, sines at 0

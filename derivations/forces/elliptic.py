@@ -540,7 +540,7 @@ def detached(a: sp.Expr, b: sp.Expr, corner_: Corner, way: str, nodes: int = NOD
         raise ArithmeticError("the force jumps at the breakpoint")
     # f'' = 3 u/Delta^5 and f''' = 3 (1 + 4 u^2)/Delta^7, times sin^3 and sin^4
     for order, expected in ((2, 3 * u / ROOT**5), (3, 3 * (1 + 4 * u**2) / ROOT**7)):
-        claim("the derivatives of u/sqrt(1 - u^2)", sp.diff(whole, u, order) - expected, eq="(5)")
+        claim("derivatives of `u/sqrt(1 - u^2)`", sp.diff(whole, u, order) - expected, eq="(5)")
     forms = (
         -A * W,
         -(W - A**2 * V3),
@@ -550,7 +550,7 @@ def detached(a: sp.Expr, b: sp.Expr, corner_: Corner, way: str, nodes: int = NOD
     rest = [a * A, a, 0, 0]
     derivatives = tuple(-(r + 4 / sp.pi * b * form) for r, form in zip(rest, forms, strict=True))
     intercept = 4 / sp.pi * b * A**3 * V3
-    claim("h - A h_A where the force is detached", derivatives[0] - A * derivatives[1] - intercept, eq="(31)")
+    claim("`h - A h_A` beyond detachment", derivatives[0] - A * derivatives[1] - intercept, eq="(31)")
     return Regime((end,), (), tuple(quarter.lets), derivatives, intercept)
 
 
@@ -627,7 +627,10 @@ def _proved_by_second_parameter() -> None:
     for form, power in zip(forms, (2, 4), strict=True):
         slope_ = sp.diff(form, theta) + (sp.diff(form, f) + sp.diff(form, d) * sp.sin(theta) ** 2) / delta
         difference = slope_ - sp.sin(theta) ** power / (2 * delta**3)
-        claim("d/dm of an elliptic integral", difference.subs(sp.cos(theta), sp.sqrt(1 - sp.sin(theta) ** 2)))
+        claim(
+            "derivative of an elliptic integral by its parameter `m`",
+            difference.subs(sp.cos(theta), sp.sqrt(1 - sp.sin(theta) ** 2)),
+        )
 
 
 def in_balls(a: sp.Expr, b: sp.Expr, rest: sp.Expr, end: Corner) -> tuple[Regime, Regime]:
@@ -834,7 +837,7 @@ def carlson() -> tuple[Series, Series]:
         symmetric = sp.symbols(f"E2:{count + 1}", real=True)
         product = sp.expand(sp.prod(1 + t * one for one in all_of_them)).subs(z, -(x + y) / times)
         values = [sp.expand(product).coeff(t, degree) for degree in range(1, count + 1)]
-        claim("what the arguments differ by cancels", values[0])
+        claim("the deviations of the arguments from their mean sum to 0", values[0])
         lets = [(z, -(x + y) / times)]
         lets += [
             (symbol, sp.factor(sp.expand(sp.prod(1 + t * one for one in all_of_them)).coeff(t, degree)))

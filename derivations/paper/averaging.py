@@ -91,7 +91,11 @@ def averaged() -> Averaged:
     slow_flow = []
     for rate, harmonic, mechanism_term in zip(unaveraged, (sp.sin(psi), sp.cos(psi)), (0, H), strict=True):
         weight = sp.cancel(rate / (G * harmonic)).subs(epsilon, 1)
-        claim("A' is G sin psi, A phi' is G cos psi, times what has no psi", not weight.has(psi), eq="(17)")
+        claim(
+            "`A'` and `A phi'` are `G sin(psi)` and `G cos(psi)` times a factor without `psi`",
+            not weight.has(psi),
+            eq="(17)",
+        )
         known = sum(cycle_integral(half.subs(F_k, 0) * harmonic, start, end) for half, start, end in halves)
         # An odd force along A cos psi is even in psi: its sine component vanishes, its cosine component is
         # -F_k cos psi, which integrates to pi H.

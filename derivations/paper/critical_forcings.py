@@ -49,7 +49,7 @@ class Elimination:
     def by_even_power(self) -> tuple[sp.Expr, ...]:
         """Coefficients of the reduced resultant by even power of its unknown, constant first, zeros included."""
         odd = [power for power in self.reduced if power % 2]
-        claim(f"no odd powers of {self.unknown} in a resultant", not odd)
+        claim(f"the resultant has even powers of `{self.unknown}` only", not odd)
         top = max(self.reduced)
         return tuple(in_factors(self.reduced.get(power, sp.Integer(0))) for power in range(0, top + 1, 2))
 

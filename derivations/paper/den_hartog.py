@@ -80,7 +80,7 @@ def den_hartog() -> DenHartog:
     friction_share = velocity.coeff(mu)
     ratio = sp.factor_terms(sp.expand(Omega * friction_share)) / sp.sin(Omega * tau)
     claim(
-        "the forced share of the velocity is -A Omega sin(Omega tau)",
+        "the forced part of the velocity is `-A Omega sin(Omega tau)`",
         velocity - mu * friction_share + A * Omega * sp.sin(Omega * tau),
         eq="(37)",
     )

@@ -61,8 +61,8 @@ def scaled_motion(k_v: sp.Expr, length: sp.Expr) -> sp.Expr:
     natural = sp.sqrt(k_v / m)
     motion = equation_of_motion(k_v, length * u, length * natural * u_dot, length * natural**2 * u_ddot)
     scaled = sp.expand(motion / (k_v * length))
-    claim("inertia is 1 after the scaling", scaled.coeff(u_ddot), sp.S.One, eq="(3)")
-    claim("the vertical stiffness is 1 after the scaling", scaled.coeff(u), sp.S.One, eq="(3)")
+    claim("the coefficient of `u''` is 1 after the scaling", scaled.coeff(u_ddot), sp.S.One, eq="(3)")
+    claim("the coefficient of `u` is 1 after the scaling", scaled.coeff(u), sp.S.One, eq="(3)")
     return scaled
 
 

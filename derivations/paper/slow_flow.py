@@ -46,8 +46,12 @@ def slope(expression: sp.Expr, slopes: dict[sp.Symbol, sp.Expr] | None = None) -
 def coefficients(expression: sp.Expr, degree: int) -> tuple[sp.Expr, ...]:
     """Coefficients by power of Omega, constant first, without the second-highest: an error unless that vanishes."""
     polynomial = sp.Poly(expression, Omega)
-    claim(f"a polynomial of degree {degree} in Omega", polynomial.degree() == degree, eq="(24)")
-    claim("without its second-highest power", polynomial.coeff_monomial(Omega ** (degree - 1)), eq="(24)")
+    claim(f"the equation is a polynomial of degree {degree} in `Omega`", polynomial.degree() == degree, eq="(24)")
+    claim(
+        "its second-highest coefficient vanishes (depressed polynomial)",
+        polynomial.coeff_monomial(Omega ** (degree - 1)),
+        eq="(24)",
+    )
     return tuple(sp.collect(polynomial.coeff_monomial(Omega**k), (h, A)) for k in (*range(degree - 1), degree))
 
 
@@ -65,13 +69,26 @@ def _isolation(R_value: sp.Expr) -> tuple[tuple[tuple[sp.Symbol, sp.Expr], ...],
     )
     root = sp.sqrt(sp.factor(half**2 - square * constant) / A**2).subs(A**2, A * A)
     quadratic = balance.degree() == 2 and constant == -(removed**2)
-    claim("Omega^2 of a transmissibility solves a quadratic with one positive root", quadratic, eq="from (23)")
-    claim("the square of what its root takes is h^2 + removed^2", root**2, h**2 + removed**2, eq="from (23)")
+    claim(
+        "the condition of a given transmissibility is a quadratic in `Omega^2` with one positive root",
+        quadratic,
+        eq="from (23)",
+    )
+    claim(
+        "the discriminant of this quadratic over `4 A^2` is `h^2 + reduction F_0^2`",
+        root**2,
+        h**2 + removed**2,
+        eq="from (23)",
+    )
     scale = A / square  # of Omega^2, of a force
     inwards, outwards = (whole - half / A) * scale, removed**2 / ((whole + half / A) * A)
     of_lets = ((removed, F_0 * sp.sqrt(reduction)), (whole, hypot(h, removed)))
     for found in (inwards, outwards):
-        claim("both forms of it solve that", balance.as_expr().subs(turn, found).subs(whole, root), eq="from (23)")
+        claim(
+            "both stable forms of the root satisfy the quadratic",
+            balance.as_expr().subs(turn, found).subs(whole, root),
+            eq="from (23)",
+        )
     return tuple((*of_lets, (turn, found)) for found in (inwards, outwards))
 
 
@@ -172,7 +189,7 @@ def slow_flow(averaged: Averaged, scene: str = "") -> Formulas:
     of.add("jacobian", jacobian, text, "(28)")
     # (30): 2 A det = F_A / (4 Omega^2): the boundary of stability is the fold locus
     determinant = sp.expand(4 * Omega**2 * jacobian.det())
-    claim("F_A = 8 A Omega^2 det(D_q Gamma)", determinant, F_A.subs(whole) / (2 * A), eq="(30)")
+    claim("`F_A = 8 A Omega^2 det(D_q Gamma)`", determinant, F_A.subs(whole) / (2 * A), eq="(30)")
     text = "4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive."
     of.add("stability", sp.factor_terms(F_A / (2 * A)), text, "(30)")
 

@@ -64,7 +64,7 @@ def along(flow: Formulas) -> Formulas:
     def level() -> sp.Expr:
         """The forcing F_0 for which (Omega, A) is a steady state."""
         value = sp.sqrt(sp.expand(flow.F + F_0**2))
-        claim("(24) at the forcing of a steady state", flow.F.subs(F_0, value))
+        claim("`F = 0` at `F_0 = sqrt(R^2 + I^2)`", flow.F.subs(F_0, value))
         return value
 
     at_rest = flow.F.subs(of.lets).subs(Omega, 0)
@@ -74,9 +74,12 @@ def along(flow: Formulas) -> Formulas:
     def rest() -> Lets:
         """F at Omega = 0 as a product: h - c, h + c, and the slope of both along A."""
         halves = (h - _c, h + _c)
-        claim("the halves of F at Omega = 0", sp.Mul(*halves).expand().subs(_c**2, product) - at_rest)
+        claim(
+            "`F = (h - c) (h + c)` at `Omega = 0`, `c^2 = F_0^2 - m^2`",
+            sp.Mul(*halves).expand().subs(_c**2, product) - at_rest,
+        )
         slopes = {slope(half) for half in halves}
-        claim("the slope of both halves is one", len(slopes) == 1)
+        claim("both factors have the same derivative by `A`", len(slopes) == 1)
         return Lets([(_product, product), (_c, sp.sqrt(_product))], (*halves, slopes.pop()))
 
     @of.kernel("from (24), (30)", "F_0 >= m")
@@ -87,7 +90,7 @@ def along(flow: Formulas) -> Formulas:
         """
         friction = flow.I.subs(Omega, 0)
         value = sp.sqrt(F_0 - friction) * sp.sqrt(F_0 + friction)
-        claim("h^2 at Omega = 0", value**2 - product)
+        claim("`F = 0` at `Omega = 0` where `h^2 = (F_0 - m) (F_0 + m)`", value**2 - product)
         return value
 
     @of.kernel("from (24), (30)", "A >= 0")
@@ -106,7 +109,7 @@ def along(flow: Formulas) -> Formulas:
         bracket = leading * Omega**2 + _p
         value = bracket if q_value == 0 else Omega * bracket + q_value
         whole = value.subs(_p, p_value) * (Omega if q_value == 0 else 1)
-        claim("F_Omega/(4 A)", whole - flow.F_Omega.subs(of.lets) / (4 * A))
+        claim("`F_Omega/(4 A)` is a depressed cubic in `Omega`", whole - flow.F_Omega.subs(of.lets) / (4 * A))
         return Lets([(_p, p_value)], (value, sp.expand(sp.diff(value, Omega))))
 
     @of.kernel("(24)")
@@ -116,7 +119,7 @@ def along(flow: Formulas) -> Formulas:
         That is k at any Omega.
         """
         by_tangent = k + A * slope(flow.R)
-        claim("R by its tangent", by_tangent.subs(k, _intercept(flow.R)) - flow.R)
+        claim("`R = h - A h_A + A dR/dA`", by_tangent.subs(k, _intercept(flow.R)) - flow.R)
         return flow.R, by_tangent
 
     # of R both forms are taken first, and what both hold
@@ -150,8 +153,8 @@ def _bound(of: Formulas, flow: Formulas) -> None:
         """
         (highest,) = sp.solve(flow.I - F_0, Omega)
         c = sp.factor(A * highest)
-        claim("the bound of A Omega knows no A", not c.has(A))
-        claim("R less h", flow.R - h, A * Omega**2)
+        claim("the bound of `A Omega` does not depend on `A`", not c.has(A))
+        claim("`R - h = A Omega^2`", flow.R - h, A * Omega**2)
         return Lets([(_most, c), (_fastest, _most / A)], F_0 + _most * _fastest)
 
 
@@ -164,17 +167,17 @@ def _fold(of: Formulas, flow: Formulas) -> None:
     friction = _intercept(flow.I)
     line = k * R + friction * I - F_0**2
     off_line = A * flow.F_A / 2 - flow.F + line
-    claim("A F_A/2 - F against the line", off_line.subs(k, _intercept(flow.R)).subs(of.lets))
+    claim("`A F_A/2 - F = F_0^2 - (k R + m I)`, `k = h - A h_A`", off_line.subs(k, _intercept(flow.R)).subs(of.lets))
     excess = (F_0 - friction) * (F_0 + friction)
     J = _excess / (F_0 + friction * _ratio)
     at_fold = {R: F_0 * J / k, I: friction + _ratio * J}
-    claim("the line at a fold", line.subs(at_fold).subs(_excess, excess))
+    claim("a fold lies on the line `k R + m I = F_0^2`", line.subs(at_fold).subs(_excess, excess))
     # 1 - share^2 is excess/k^2
     on_circle = flow.F.subs(at_fold).subs(k, sp.sqrt(_excess / (1 - _ratio**2)))
-    claim("the circle at a fold", on_circle.subs(_excess, excess))
+    claim("a fold lies on the circle `R^2 + I^2 = F_0^2`", on_circle.subs(_excess, excess))
     # I - m in the form that holds the share once
     lag = _excess / (F_0 / _ratio + friction)
-    claim("I - m at a fold", lag - _ratio * J)
+    claim("`I - m` at a fold in a form without cancellation", lag - _ratio * J)
     w = sp.solve(flow.I - friction - _lag, Omega)[0]
     at_w = sp.expand(flow.R.subs(Omega, w))
     value = at_w - F_0 * _J / k
@@ -185,7 +188,7 @@ def _fold(of: Formulas, flow: Formulas) -> None:
     share_A = _excess * k_A / (k**3 * _ratio)
     whole = value.subs({_lag: lag, _J: J})
     error = slope(whole, {k: k_A, _ratio: share_A}) - derivative.subs({_lag: lag, _J: J})
-    claim("the slope along A at a fold", error.subs(_excess, k**2 * (1 - _ratio**2)))
+    claim("derivative of the fold condition by `A`", error.subs(_excess, k**2 * (1 - _ratio**2)))
     lets = (
         (_excess, excess),
         (_least, sp.sqrt(_excess)),
@@ -228,10 +231,13 @@ def _fold(of: Formulas, flow: Formulas) -> None:
         Of the fold quartic over its leading coefficient, without the odd term: friction only adds to F_A.
         """
         constant, odd, square, leading = flow.fold_quartic
-        claim("friction does not lower F_A", bool(sp.cancel(odd / (m * zeta)).is_nonnegative))
+        claim("friction does not decrease `F_A`", bool(sp.cancel(odd / (m * zeta)).is_nonnegative))
         b, c = (sp.expand(sp.expand(value / leading).subs(h, A * over_A)) for value in (square, constant))
         discriminant = sp.factor(sp.expand(b**2 - 4 * c - (over_A - h_A) ** 2)) + apart**2
-        claim("the discriminant of the least F_A", discriminant.subs(apart, over_A - h_A) - (b**2 - 4 * c))
+        claim(
+            "discriminant of `F_A` without friction, a quadratic in `Omega^2`",
+            discriminant.subs(apart, over_A - h_A) - (b**2 - 4 * c),
+        )
         return b, discriminant
 
 
@@ -240,12 +246,15 @@ def _isola(of: Formulas, flow: Formulas) -> None:
     eliminated = sp.expand(flow.F_A.subs(I, sp.solve(flow.F_Omega, I)[0]))
     # what vanishes at an isola point, F_A over 2 R; and F with R from F_Omega = 0
     of.isola_turns, remainder = sp.div(eliminated, 2 * R, R)
-    claim("F_A without I is R times a function of Omega and h_A", remainder == 0 and not of.isola_turns.has(R))
+    claim(
+        "at `F_Omega = 0`, `F_A` is `R` times a function of `Omega` and `h_A`",
+        remainder == 0 and not of.isola_turns.has(R),
+    )
     w = sp.sqrt(sp.solve(of.isola_turns.subs(Omega, sp.sqrt(_X)), _X)[0])
     of.add("isola_Omega", w, "Omega at an isola point.", "from (30), (34)", "h_A >= 0")
     R_value = sp.solve(flow.F_Omega, R)[0]
     of.isola_excess = flow.F.subs(R, R_value)
-    claim("F at the forcing of an isola point", of.isola_excess.subs(F_0, sp.sqrt(I**2 + R_value**2)))
+    claim("`F = 0` at the forcing of an isola point", of.isola_excess.subs(F_0, sp.sqrt(I**2 + R_value**2)))
     text = "The forcing at an isola point: of R from h rounding leaves nothing where damping is weak."
     of.add("isola_level", Lets([(I, flow.I)], hypot(I, R_value)), text, "from (24), (30)", "Omega > 0")
 
@@ -260,7 +269,7 @@ def _isola(of: Formulas, flow: Formulas) -> None:
         lets = ((_bracket, bracket), (_bracket_A, slope(bracket)))
         value = _w * _bracket + q_value
         at_w = flow.F_Omega.subs(of.lets).subs(Omega, w) / (4 * A)
-        claim("F_Omega/(4 A) at an isola point", value.subs(_bracket, bracket).subs(_w, w) - at_w)
+        claim("`F_Omega/(4 A)` at the frequency of an isola point", value.subs(_bracket, bracket).subs(_w, w) - at_w)
         if q_value == 0:
             return Lets(lets, (_bracket, _bracket_A))
         derivative = slope(value, {_bracket: _bracket_A, _w: slope(w).subs(w, _w)})
@@ -278,19 +287,25 @@ def _cusps(of: Formulas, flow: Formulas) -> None:
     of_flow = {R: flow.R, k: _intercept(flow.R), T: slope(flow.R), X_: Omega**2, _w: Omega}
     half_F_AA, half_F_A, half_F_AAA = (sp.expand((f / 2).subs(of_T)) for f in (flow.F_AA, flow.F_A, flow.F_AAA))
     by_Omega = sp.expand(flow.F_AOmega.subs(of_T) / (4 * _w))
-    claim("R by k and T", (R - k - A * T).subs(of_flow))
+    claim("`R = k + A T`, `T = dR/dA`", (R - k - A * T).subs(of_flow))
 
     in_T, in_X = (
         sp.Poly(sp.expand(half_F_AA.subs(R, R_value).subs(_w, sp.sqrt(square)).subs(T, unknown)), variable)
         for R_value, square, unknown, variable in ((k + A * T, X, T, T), (h + A * X_, X_, X_ + h_A, X_))
     )
     for quadratic in (in_T, in_X):
-        claim(f"F_AA/2 is a monic quadratic in {quadratic.gen}", quadratic.degree() == 2 and quadratic.LC() == 1)
+        claim(
+            f"`F_AA/2` is a monic quadratic in `{quadratic.gen}` (`T = dR/dA`, `X_ = Omega^2`)",
+            quadratic.degree() == 2 and quadratic.LC() == 1,
+        )
     half_e, half_c_1 = (quadratic.coeff_monomial(quadratic.gen) / 2 for quadratic in (in_T, in_X))
     discriminant = _half_e**2 - in_T.coeff_monomial(1)
     other = half_c_1**2 - in_X.coeff_monomial(1)
-    claim("the discriminant of F_AA/2", discriminant.subs(_half_e, half_e).subs(k, _intercept(flow.R)) - other)
-    claim("the linear coefficients of F_AA/2", half_c_1 - h_A - half_e)
+    claim(
+        "both quadratics have the same discriminant",
+        discriminant.subs(_half_e, half_e).subs(k, _intercept(flow.R)) - other,
+    )
+    claim("their linear coefficients differ by `2 h_A`", half_c_1 - h_A - half_e)
     quadratics = Lets(
         [(_half_e, half_e)],
         (_half_e, in_T.coeff_monomial(1), h_A + _half_e, in_X.coeff_monomial(1), discriminant),
@@ -304,16 +319,18 @@ def _cusps(of: Formulas, flow: Formulas) -> None:
 
     # F_AAOmega is 8 Omega times the root of the discriminant, with its sign
     F_AAOmega = 8 * Omega * (slope(flow.R) + half_e)
-    claim("F_AAOmega where F_AA = 0", (flow.F_AAOmega - F_AAOmega).subs(of.lets))
+    claim(
+        "`F_AAOmega` is `8 Omega` times the square root of the discriminant", (flow.F_AAOmega - F_AAOmega).subs(of.lets)
+    )
     less = sp.collect(sp.expand((half_F_A - A * half_F_AA).subs(R, k + A * T)), T)
     derivative = -by_Omega * half_F_AAA / (2 * root)
     expected = -flow.F_AOmega * flow.F_AAA / (2 * F_AAOmega)
     level = sp.sqrt(k * R + sp.expand(_intercept(flow.I) * flow.I.subs(Omega, _w)))
     for one, whole, what in (
-        (half_F_A, flow.F_A / 2, "F_A"),
-        (less, (flow.F_A - A * flow.F_AA) / 2, "F_A less A F_AA"),
-        (derivative.subs(root, T + half_e), expected, "the slope of F_A"),
-        (level**2, flow.F + F_0**2 - A * flow.F_A / 2, "the forcing at a cusp"),
+        (half_F_A, flow.F_A / 2, "`F_A/2` in `R`, `T` and `Omega`"),
+        (less, (flow.F_A - A * flow.F_AA) / 2, "`(F_A - A F_AA)/2` in `T`"),
+        (derivative.subs(root, T + half_e), expected, "derivative of `F_A` along `F_AA = 0`"),
+        (level**2, flow.F + F_0**2 - A * flow.F_A / 2, "`F_0^2` at a cusp"),
     ):
         claim(what, (one.subs(of_flow) - whole).subs(of.lets))
     half_F_A = half_F_A.subs(_w**2, X_)
@@ -335,7 +352,7 @@ def _cusps(of: Formulas, flow: Formulas) -> None:
         (balanced,) = sp.solve(half_F_A.subs(X_, _w**2), R)
         (square,) = sp.solve((flow.R - R).subs(Omega, sp.sqrt(_X)), _X)
         of_flow = {T: slope(flow.R), _w: Omega}
-        claim("R where F_A = 0", ((R - balanced) * T).subs(of_flow) - flow.F_A.subs(I, flow.I) / 2)
+        claim("`R` at `F_A = 0`", ((R - balanced) * T).subs(of_flow) - flow.F_A.subs(I, flow.I) / 2)
         return Lets([*of_X, (R, balanced)], (square, level**2))
 
     _scaled(of, flow, quadratics, X)
@@ -356,12 +373,24 @@ def _scaled(of: Formulas, flow: Formulas, quadratics: Lets, X: sp.Expr) -> None:
     _, less, derivative, level = (value.subs(by_scale) for value in of.cusp)
     factors = (rho * (kappa + t) + 3 * t, kappa + 2 * t + (friction * ratio / (A * _w) + 4 * ratio**2) / unit)
     for what, one, other in (
-        ("the slope of kappa", A * along_A, -1 - kappa * (2 + rho)),
-        ("F_AA without scale", quadratic.subs(by_scale), t**2 + (2 * damped + 1) * t + kappa - 2 * damped * h_A / unit),
-        ("Omega^2 by t", X.subs(by_scale), unit * t - h_A),
-        ("F_A at a cusp without scale", less, P * ((kappa - 1) * (t - 1) - 1) + Q),
-        ("the forcing at a cusp without scale", level**2, friction**2 + A * Q + A * P * kappa * (kappa + t)),
-        ("the slope of F_A without scale", derivative * root, -(unit**3) * sp.Mul(*factors) / 2),
+        (
+            "`A dkappa/dA = -1 - kappa (2 + rho)`, `kappa = k/(A^2 h_AA)`, `rho = A h_AAA/h_AA`",
+            A * along_A,
+            -1 - kappa * (2 + rho),
+        ),
+        (
+            "`F_AA = 0` in `kappa` and `t = T/(A h_AA)`",
+            quadratic.subs(by_scale),
+            t**2 + (2 * damped + 1) * t + kappa - 2 * damped * h_A / unit,
+        ),
+        ("`Omega^2 = A h_AA t - h_A`", X.subs(by_scale), unit * t - h_A),
+        ("`F_A` at a cusp in `kappa` and `t`", less, P * ((kappa - 1) * (t - 1) - 1) + Q),
+        ("`F_0^2` at a cusp in `kappa` and `t`", level**2, friction**2 + A * Q + A * P * kappa * (kappa + t)),
+        (
+            "derivative of `F_A` along `F_AA = 0` in `kappa`, `rho` and `t`",
+            derivative * root,
+            -(unit**3) * sp.Mul(*factors) / 2,
+        ),
     ):
         claim(what, one - other)
 
@@ -373,14 +402,14 @@ def _turn(of: Formulas, flow: Formulas) -> None:
     of_T = {R: k + A * T, h_A: T - Omega**2, I: flow.I}
     (balanced,) = sp.solve(flow.F_AOmega.subs(of_T), T)
     drawn = sp.factor(sp.expand(-A * balanced - k / 2))
-    claim("what damping adds where F_AOmega = 0 does not depend on the spring", not drawn.has(k))
+    claim("at `F_AOmega = 0`, `-R + k/2` does not depend on the spring", not drawn.has(k))
     of_R, of_slope = k / 2 - _drawn, -(k / 2 + _drawn) / A
     damped = sp.factor((flow.F_A / 2).subs(R, 0))
     value = of_R * of_slope + damped
     derivative = of_slope**2 + h_AA * of_R + sp.expand((flow.F_AA / 2).subs(R, 0) - slope(flow.R) ** 2)
     for one, whole in ((value, flow.F_A), (derivative, flow.F_AA)):
         left = one.subs(_drawn, drawn) - (whole / 2).subs(of_T).subs(T, balanced)
-        claim("F_A and its slope where F_AOmega = 0", left.subs(I, flow.I))
+        claim("`F_A` and `F_AA` at `F_AOmega = 0`", left.subs(I, flow.I))
     turn = Lets([(I, flow.I), (_drawn, drawn)], (value, derivative))
     text = "F_A/2 where F_AOmega = 0, an extremum of F_A over Omega, and its slope along A."
     of.add("turn", turn, text, "from (30)", "Omega > 0, A > 0")
@@ -390,7 +419,7 @@ def _peak(of: Formulas, flow: Formulas) -> None:
     """With R from F_Omega = 0, which is negative, F_A is -2 R (Omega^2 - h_A)."""
     balanced = sp.expand(sp.solve(flow.F_Omega, R)[0].subs(I, flow.I))
     derivative = -2 * R * (Omega**2 - h_A)
-    claim("F_A at an extremum of F over Omega", (flow.F_A - derivative).subs(R, balanced).subs(I, flow.I))
+    claim("`F_A = -2 R (Omega^2 - h_A)` at `F_Omega = 0`", (flow.F_A - derivative).subs(R, balanced).subs(I, flow.I))
     peak = Lets([(R, balanced), (I, flow.I)], (flow.F, derivative))
     text = "F where F_Omega = 0: an extremum of F over Omega, and its slope along A."
     of.add("peak", peak, text, "from (24), (34)")
@@ -409,10 +438,10 @@ def _peak(of: Formulas, flow: Formulas) -> None:
 def _undamped(of: Formulas, flow: Formulas) -> None:
     """F_A = 2 R (Omega^2 + h_A); on the second factor F_AA/2 = R h_AA."""
     factor, remainder = sp.div(sp.expand(flow.F_A), 2 * R, R)
-    claim("F_A has the factor R", remainder == 0 and not factor.has(R))
+    claim("without damping `F_A = 2 R (Omega^2 + h_A)`", remainder == 0 and not factor.has(R))
     (square,) = sp.solve(factor.subs(Omega, sp.sqrt(_X)), _X)
     first, remainder = sp.div(sp.expand(flow.F_AA.subs(Omega, sp.sqrt(square)) / 2), R, R)
-    claim("F_AA has the factor R where F_A = 0", remainder == 0 and not first.has(R))
+    claim("without damping `F_AA = 2 R h_AA` at `F_A = 0`", remainder == 0 and not first.has(R))
     second = flow.R.subs(Omega**2, square)
     at_fold = flow.F.subs({R: second, I: flow.I})
     both = "from (24), (30)"
@@ -423,12 +452,15 @@ def _undamped(of: Formulas, flow: Formulas) -> None:
         """Zero at a fold at F_0, where h_A < 0: R^2 + I^2 - F_0^2 on the undamped folds, and its slope along A."""
         lets = [(_excess, (F_0 - flow.I) * (F_0 + flow.I)), (_least, sp.sqrt(_excess))]
         value = (k - _least) * (k + _least)
-        claim("F on the undamped folds", value.subs(reversed(lets)).subs(k, second) - at_fold)
+        claim(
+            "`F = (k - e) (k + e)` on the undamped folds, `e^2 = F_0^2 - m^2`",
+            value.subs(reversed(lets)).subs(k, second) - at_fold,
+        )
         return Lets(lets, (value, slope(value, {k: k_A})))
 
     # the level is stationary along the locus just where F_AA vanishes
     level = sp.sqrt(k**2 + flow.I**2)
-    claim("the undamped folds' level", level.subs(k, second) ** 2 - at_fold - F_0**2)
+    claim("forcing of the undamped folds: `F_0^2 = k^2 + m^2`", level.subs(k, second) ** 2 - at_fold - F_0**2)
     of.add("undamped_level", level, "The forcing of a fold, whose R is k.", both, "h_A <= 0")
 
     @of.kernel(both, "h_A <= 0")
@@ -436,7 +468,7 @@ def _undamped(of: Formulas, flow: Formulas) -> None:
         """The sign of the level's slope along A on the undamped folds; and, where that is 0, of the slope's own."""
         rises = -first * k
         along_A = slope(level**2, {k: -A * h_AA})
-        claim("the level's slope along the undamped folds", along_A - 2 * A * rises)
+        claim("derivative of `F_0^2` by `A` along the undamped folds", along_A - 2 * A * rises)
         return rises, slope(along_A, {k: -A * h_AA}).subs(h_AA, 0) / (2 * A)
 
     factors = (first, slope(first), second, slope(second))

@@ -75,7 +75,11 @@ def slopes(flow: Formulas) -> Formulas:
     value = sp.factor(value.subs(lets).subs(at_isola).subs(I, flow.I))
     isola = sp.factor(bend.subs(F_Omega, 0) * F_AOmega**2)
     of_hessian, remainder = sp.div(isola, of.determinant, F_AA)
-    claim("the bend at an isola point is a multiple of the determinant", remainder, eq="from (24)")
+    claim(
+        "the curvature of the fold locus at an isola point is a multiple of the Hessian determinant of `F`",
+        remainder,
+        eq="from (24)",
+    )
     of.isola_by_it = of_hessian * of.determinant
     of.add("isola_bend", in_derivatives(of_hessian * value, at_isola), "The same at an isola point.", both)
     text = "F_AA F_OmegaOmega - F_AOmega^2 at an isola point: negative at a saddle."
@@ -126,7 +130,7 @@ def hessian(
     determinant = 4 * (jacobian**2 + (G_AA * S_OO - 2 * G_AO * S_AO + G_OO * S_AA) + (S_AA * S_OO - S_AO**2))
     lets = tuple(zip(names, (*G, *S), strict=True))
     error = determinant.subs(lets) - whole
-    claim("the determinant of F's second derivatives", error.subs({R: of_R, I: of_I}), eq="from (24)")
+    claim("Hessian determinant of `F` in a form without cancellation", error.subs({R: of_R, I: of_I}), eq="from (24)")
     return lets, determinant
 
 
