@@ -47,8 +47,9 @@ def quantity(value: float, unit: str) -> str:
 
 def table(head: tuple[str, ...], rows: list[tuple[str, ...]]) -> list[str]:
     """A Markdown table, its columns filled with blanks so that it reads well as text."""
-    width = [max(len(row[i]) for row in (head, *rows)) for i in range(len(head))]
-    lines = [head, tuple("-" * n for n in width), *rows]
+    cells = [tuple(cell.replace("|", "\\|") for cell in row) for row in (head, *rows)]
+    width = [max(map(len, column)) for column in zip(*cells, strict=True)]
+    lines = [cells[0], tuple("-" * n for n in width), *cells[1:]]
     return ["| " + " | ".join(cell.ljust(n) for cell, n in zip(line, width, strict=True)) + " |" for line in lines]
 
 
@@ -193,7 +194,7 @@ def users(found: dict[str, Any]) -> str:
     if peers := found.get("peers"):
         ways = dict.fromkeys((row["peer"], row["what"]) for row in peers["rows"])
         lines += ["## Other tools", "", *PEERS_WORDS, "", *peers_table(peers["rows"]), ""]
-        lines += ["What each does:", "", *(f"- {peer}: {what}." for peer, what in ways), ""]
+        lines += ["Methods:", "", *(f"- {peer}: {what}." for peer, what in ways), ""]
     if "work_precision" in found:
         lines += ["## Error against time", "", "![Error against time](work_precision.png)", ""]
     return "\n".join(lines)

@@ -225,7 +225,7 @@ def scale_lines(found: list[Numbers]) -> list[str]:
         "### Millions of cases against proofs in intervals",
         "",
         "Double precision alone. Many decades of damping, with and without friction; some frequencies lie next to",
-        "folds. *Differ*: cases whose proved number is another one, and which are not marked as undecided.",
+        "folds. *Differ*: cases whose number is not the proved one, and that are not marked as undecided.",
         "Where only the proof fails, ball arithmetic agrees wherever it was tried",
         "(`tests/averaged/test_undecided.py`).",
         "",
@@ -447,7 +447,7 @@ def page(numbers: Numbers) -> str:
         "![Errors of answers against condition](stability_answers.png)",
         "",
         "κ is the condition with respect to parameters and forcing, plus that with respect to kernel values. *Alone*",
-        "are results near which Newton's method finds no solution within 1 %: an ulp above 4 mu/pi, at the tip",
+        "counts results near which Newton's method finds no solution within 1 %: an ulp above 4 mu/pi, at the tip",
         "of a curve with zeta of 1e-9 and less, and on the corner. A fold closer to u_cr than doubles resolve is",
         "returned at a double next to u_cr, where A may miss the target.",
         "Ranges: " + "; ".join(f"{name} {low:g} to {high:g}" for name, (low, high) in answers.BOUNDS.items()) + ".",
@@ -473,8 +473,8 @@ def page(numbers: Numbers) -> str:
         *proof_lines(numbers["proofs"][0]),
         "## Common alternatives",
         "",
-        "The decided cases: `numpy.roots` on the coefficients of (24), a sign change between the points of",
-        "a grid and `brentq`, `fsolve` from a grid of starts, `numpy.roots` on the resultant's coefficients.",
+        "Other methods on the decided cases: `numpy.roots` on the coefficients of (24), a sign change between the",
+        "points of a grid and `brentq`, `fsolve` from a grid of starts, `numpy.roots` on the resultant's coefficients.",
         "",
         *table(
             ("question", "method", "wrong numbers", "error / u(1+κ)", "slowflow: wrong", "error"), by_other(numbers)
@@ -560,7 +560,7 @@ def proof_lines(numbers: Numbers) -> list[str]:
     lines = [
         f"`Isolator.certify` of {numbers['isolators']:,} random isolators, in intervals of doubles: 1 to",
         f"{proofs.MOST_SPRINGS} springs, {drawn}, *excess* being F_0/(4 mu/pi) - 1. The relative width of an",
-        f"enclosure of A is {numbers['width']:.2g}, median, {numbers['widest']:.2g} at most. Everything of Table 2",
+        f"enclosure of A is {numbers['width']:.2g}, median, {numbers['widest']:.2g} at most. All of Table 2",
         f"takes {1e3 * numbers['table_2']:.2g} ms. Undecided cases are repeated in ball arithmetic of 128 or 512 bits,",
         f"by python-flint, in {slowest:.2g} s at most. In hard families one parameter is extreme: delta_h to",
         "1 - 10^-16 and to 10^-12, alpha to 10^-16, excess from 10^-16 to 10^-6; and the untruncated force.",

@@ -159,8 +159,10 @@ def section_3_2(facts: Facts) -> dict[str, Verdict]:
         if determinant < 0:
             larger = (trace + (trace**2 - 4 * determinant).sqrt()) / 2
             claim("trace negative, one eigenvalue positive", sign(trace) < 0 < sign(larger))
-            found = f"At F_0 = 0.040, A = 0.35, Ω = {few(frequency)} the trace is {few(trace)} and an eigenvalue "
-            f"{few(larger)}."
+            found = (
+                f"At F_0 = 0.040, A = 0.35, Ω = {few(frequency)} the trace is {few(trace)} and an eigenvalue is "
+                f"{few(larger)}."
+            )
     claim("an unstable point", bool(found))
     boundary = flow.stability.subs({R: flow.R, I: flow.I}).subs(m, flow.friction)
     friction_term = sp.expand(sp.expand(boundary).coeff(mu))

@@ -26,7 +26,9 @@ CITATION = (
 
 
 def _cell(text: str) -> str:
-    return text.replace("|", "\\|").replace("*", "\\*").replace("_", "\\_")
+    # a code span shows a backslash as it is
+    spans = text.replace("|", "\\|").split("`")
+    return "`".join(span if i % 2 else span.replace("*", "\\*").replace("_", "\\_") for i, span in enumerate(spans))
 
 
 def _code(text: str) -> str:
@@ -43,7 +45,9 @@ def stretches(rows: list[Row], kind: str) -> list[tuple[str, list[Row]]]:
         pages[-1] += these
     if len(pages) == 1:
         return [(TITLES[kind], pages[0])]
-    return [(f"{TITLES[kind]}: {page[0].where} to {page[-1].where}", page) for page in pages]
+    ends = [(page[0].where, page[-1].where) for page in pages]
+    spans = [first if first == last else f"{first} to {last}" for first, last in ends]
+    return [(f"{TITLES[kind]}: {span}", page) for span, page in zip(spans, pages, strict=True)]
 
 
 def _size(row: Row) -> int:

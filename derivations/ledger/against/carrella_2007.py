@@ -115,9 +115,7 @@ def formulas(derived: Derived) -> dict[str, Judge]:
         def error(K: str) -> str:
             published, best = function(K_o=_ball(K), xp=BALLS), _best(_ball(K))
             lost = 1 - _excursion(_ball(K), published) / _excursion(_ball(K), best)
-            return (
-                f"{significant(published / best - 1, 2)} at K_o = {K} (of the excursion {significant(lost, 2)} is lost)"
-            )
+            return f"{significant(published / best - 1, 2)} at K_o = {K} (excursion lower by {significant(lost, 2)})"
 
         return f"Relative error: {', '.join(map(error, ('0.1', '0.5', '0.9')))}."
 

@@ -23,7 +23,7 @@ def saturation(k: Any, a: Any, A: Any, *, xp: Any) -> Any:
 
 PUBLICATION = Publication(
     name="describing_functions",
-    title="Play, slip and friction: describing functions",
+    title="Dead zone, saturation and relay: describing functions",
     citation="A. Gelb, W. E. Vander Velde, Multiple-Input Describing Functions and Nonlinear System Design "
     "(McGraw-Hill, 1968); J.-J. E. Slotine, W. Li, Applied Nonlinear Control (Prentice Hall, 1991), ch. 5",
     read_in="A C program, Describing function analysis for nonlinear systems, which has the formulas and cites both "

@@ -1,4 +1,4 @@
-"""The phases of a frame that rubs on its base, measured: the file of this name with the ending csv.
+"""Measured phases of a frame in frictional contact with its base: the file of this name with the ending csv.
 
 A mass on a linear spring with dry friction and next to no viscous damping, driven harmonically: phases by which the
 motion lags the driving force.
@@ -8,7 +8,7 @@ from . import Claim, Publication
 
 PUBLICATION = Publication(
     name="marino_cicirello_2020",
-    title="A frame that rubs on its base: measured phases",
+    title="A frame in frictional contact with its base: measured phases",
     citation="L. Marino, A. Cicirello, Experimental investigation of a single-degree-of-freedom system with Coulomb "
     "friction, Nonlinear Dynamics 99 (2020) 1781–1799, doi:10.1007/s11071-019-05443-2",
     read_in="Sentence: the abstract. Phases: the table of the case with a fixed wall, as used by A. Lye, L. Marino, A. "
