@@ -149,7 +149,7 @@ def stated(
         forces.append(without_poles_that_cancel(_in_ours(f"piece {number}", force, symbols, {"u": u}, odd=odd)))
         if end is not None:
             ends.append(_in_ours(f"the end of piece {number}", end, symbols, {}))
-    named = title or f"{name}, stated in a program"
+    named = title or f"{name}, a custom restoring force"
     if not odd:
         sided = Sided(name, named, tuple(forces), tuple(ends), design, furthest, reach_reason)
         check_sided(sided)
@@ -325,9 +325,9 @@ def check(average: Quadrature, name: str) -> None:
         for part in sp.preorder_traversal(piece):
             if not isinstance(part, known):
                 raise NotSettled(
-                    f"{name}: piece {number} has {part.func.__name__}, which no average is known for; forces are made "
-                    f"of {', '.join(function.__name__ for function in FUNCTIONS)}, powers and |u|, and what else "
-                    "changes at some |u| is a piece of its own"
+                    f"{name}: piece {number} contains {part.func.__name__}, whose average is not known; allowed are "
+                    f"{', '.join(function.__name__ for function in FUNCTIONS)}, powers and |u|; a change of formula "
+                    "at some |u| needs a piece of its own"
                 )
         for end in ends[number : number + 1]:
             singular = singular_at(piece, end)

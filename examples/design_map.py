@@ -5,7 +5,7 @@ import numpy as np
 from slowflow import Isolator
 
 r = np.linspace(0.5, 3.0, 6)[:, None]  # stiffness of a horizontal spring over that of the vertical one
-preload = np.linspace(0.1, 0.9, 5)  # as a fraction of the one of quasi-zero stiffness
+preload = np.linspace(0.1, 0.9, 5)  # relative to the preload of quasi-zero stiffness
 designs = Isolator.many(lam=3, r=r, delta_h=preload / (3 * r), mu=0.012, zeta=0.02)
 
 onset, detachment = designs.saddle_node_onset(), designs.detachment()

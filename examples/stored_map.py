@@ -18,7 +18,7 @@ def axis(name, numbers):
 
 
 r = axis("r", np.linspace(0.5, 3.0, 24)).chunk(r=8)  # three blocks along r; a map of 10^9 has some thousand
-preload = axis("preload", np.linspace(0.1, 0.9, 17))  # as a fraction of the one of quasi-zero stiffness
+preload = axis("preload", np.linspace(0.1, 0.9, 17))  # relative to the preload of quasi-zero stiffness
 mu = axis("mu", np.array([0.0, 0.01, 0.02]))
 designs = Isolator.many(lam=3, r=r, delta_h=preload / (3 * r), mu=mu, zeta=0.02)
 

@@ -95,8 +95,8 @@ def check(force: Sided) -> None:
         if strange:
             names = ", ".join(function.__name__ for function in FUNCTIONS)
             raise NotSettled(
-                f"{force.name}: piece {number} has {strange[0].func.__name__}, which no average is known for; forces "
-                f"are made of {names}, powers, and what else changes at some u is a piece of its own"
+                f"{force.name}: piece {number} contains {strange[0].func.__name__}, whose average is not known; "
+                f"allowed are {names} and powers; a change of formula at some u needs a piece of its own"
             )
         for end in force.ends[max(number - 2, 0) : number]:
             value, singular = sp.simplify(piece.subs(u, end)), singular_at(piece, end)

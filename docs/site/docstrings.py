@@ -65,8 +65,9 @@ def as_rst(app: Any, what: str, name: str, of: Any, options: Any, lines: list[st
 
 
 def unsaid(app: Any, what: str, name: str, of: Any, skip: bool, options: Any) -> bool | None:
-    """Sphinx's hook: fields of a named tuple, of which only their number is known, stand in its signature alone."""
-    return True if str(getattr(of, "__doc__", "")).startswith("Alias for field number") else None
+    """Sphinx's hook: leave out fields of a named tuple, which its signature has, and classes named by an attribute."""
+    field = str(getattr(of, "__doc__", "")).startswith("Alias for field number")
+    return True if field or (what == "class" and isinstance(of, type)) else None
 
 
 def example(name: str) -> Iterator[str]:

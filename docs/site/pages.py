@@ -29,7 +29,7 @@ ELSEWHERE = {
 }
 #: letters of a page in whose folder each section gets a page, up to which the first sections stay on it
 FIRST_PAGE = 4000
-#: what one wants from the reference, by patterns of modules: the first that fits
+#: sections of the reference, with patterns of their modules: the first that matches
 PURPOSES = {
     "Isolators and oscillators": r"^slowflow$|(physical|oscillator|composed|loads|example)$|(w|averaged)\.questions$",
     "Many designs": r"many|batches|asked|designs|grid|\.table$",

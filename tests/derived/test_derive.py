@@ -519,7 +519,7 @@ def test_a_folder_that_is_made_is_for_the_user_alone(tmp_path):
         ({"pieces": [(k_1 * u, None), (u, None)]}, ValueError, "piece 1 must say where it ends"),
         ({"pieces": [(k_1 * u, gap)]}, ValueError, "piece 1 must have no end"),
         ({"pieces": []}, ValueError, "at least one"),
-        ({"pieces": [(sp.Max(u, k_1), None)]}, ArithmeticError, "piece 1 has Max, .* is a piece of its own"),
+        ({"pieces": [(sp.Max(u, k_1), None)]}, ArithmeticError, "piece 1 contains Max, .* needs a piece of its own"),
         ({"pieces": [(k_1 / u, None)]}, ArithmeticError, "piece 1 is infinite at .u. = 0"),
         ({"pieces": [(u, gap), (u, gap - k_1), (u, None)]}, ArithmeticError, "piece 2 ends at .* not above gap"),
         ({"pieces": [(u, sp.sqrt(-gap)), (u, None)]}, ArithmeticError, "which is not above 0"),

@@ -212,7 +212,7 @@ class Quantities(Answer):
         return {name: unit for name in self.about() if (unit := self.units.get(name, SHEET.get(name, "")))}
 
     def units_of_columns(self) -> Mapping[str, str]:
-        """`units`."""
+        """Units of the columns, by name."""
         return self.units
 
     def text_of(self, name: str, value: Any) -> str:
@@ -470,7 +470,7 @@ class Scales:
         return SHOWN.get(self.kind(name)[1], "")
 
     def number(self, name: str, value: float, *, si: bool = False) -> float | str:
-        """Convert a dimensionless number to that unit, or to SI units; a load is the mass of the mount."""
+        """Convert a dimensionless number to the unit of printed answers, or to SI units; a load is the whole mass."""
         if name == "load":
             return f"{self.m:g}"
         kind = self.kind(name)[1]

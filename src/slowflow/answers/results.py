@@ -48,17 +48,16 @@ class Remark(IntFlag):
     FOLDS_AT_REST = 32
     #: a preload, or friction that ends at u_cr, holds a mass at rest; the motions coexist with that
     HELD_AT_REST = 64
-    #: close to where folds or states merge: neither double precision nor intervals decide how many there are; or folds
-    #: have few digits
+    #: folds or states nearly merge: neither double precision nor a proof resolves their number, or folds have few
+    #: digits
     UNDECIDED = 128
-    #: states of larger amplitude exist, or may: the response is cut, as it has no bound, or at the reach
+    #: larger amplitudes exist or may exist: the response is unbounded, or was cut at the mechanism's reach
     CUT = 256
     #: states that turn beyond the top of the potential well: exact motions do not return from there
     BEYOND_WELL = 512
-    #: double precision was inconclusive on the number of folds or states, or on where folds are born: ball arithmetic
-    #: decided
+    #: double precision was inconclusive on the number of folds or states, or on the onset; ball arithmetic resolved it
     BY_BALLS = 1024
-    #: the force for u < 0 is not the mirror image of that for u > 0, which was used
+    #: a user-defined force is not odd: for u < 0 the mirror image of its part for u > 0 is used
     MIRRORED = 2048
     #: resonant states close to the top of a well: every exact motion there dissipates more energy than is supplied
     UNSUSTAINED = 4096
@@ -98,7 +97,7 @@ class Measured(Table, entry="MeasuredState"):
 class MeasuredFolds(Table, entry="MeasuredFold"):
     """Folds of the equation of motion (3), found from averaged ones: arrays with one entry for each fold.
 
-    Omega, A   -- of the exact fold
+    Omega, A   -- frequency and amplitude of the exact fold
     error      -- relative error of the averaged frequency
     error_of_A -- relative error of the averaged amplitude
     found      -- whether there is such a fold; otherwise the other columns are nan
@@ -563,7 +562,7 @@ class Peak(Point):
 
     B, load  -- under a load, its mean displacement, and the load over k_v L
     u_max, Omega_max -- under a load, the largest |u| = |B| + A of all motions with positive mean stiffness, which the
-            stroke must exceed, and its frequency; this motion may be another one than the peak
+            stroke must exceed, and its frequency; this motion may differ from the peak
     """
 
     at: ClassVar[tuple[str, str, str]] = ("F_0", "Omega", "A")

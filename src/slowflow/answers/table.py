@@ -118,7 +118,7 @@ class Columns:
     break_loose: Floats = _column("largest constant force that friction can hold", "force")
     sticking: Floats = _column("force amplitude up to which the mass sticks, 4 mu/pi (27)", "force")
     force: Floats = _column("restoring force", "force")
-    load: Floats = _column("static load beyond what the vertical spring holds at the centre", "mass")
+    load: Floats = _column("static load in addition to that on the vertical spring at the centre", "mass")
     phi: Floats = _column("phase in radians", "angle")
     of_SN: Floats = _column("F_SN over F_0: a margin above 1")
     of_cr: Floats = _column("F_cr over F_0: a margin above 1")

@@ -69,7 +69,7 @@ class Validity(Answer):
     ratio      -- mu/F_0
     rest       -- mu/(A Omega^2), friction over inertia force at the turning points: from about 1 on the mass stops
             there
-    typical    -- median relative error of A, at a frequency within 1 %, of the measured points with such `ratio` and
+    typical    -- median relative error of A, at a frequency within 1 %, of the measured points with similar `ratio` and
             `rest`
     error      -- the same for 95 of 100 points; next to a jump that averaging misplaces it is the height of the jump.
             Values below 1 % mean only that the exact curve passes within 1 %

@@ -176,7 +176,7 @@ class Asked:
         return {name: value / sizes.get(name, 1.0) for name, value in found.items()}
 
     def units(self) -> dict[str, str]:
-        """Those units, by the names of the arguments."""
+        """Units of these numbers in printed answers, by the names of the arguments."""
         return {name: SHOWN[kind] for name, kind in self.kinds.items()}
 
     def given_in(self) -> dict[str, str]:
@@ -283,7 +283,7 @@ class Scene:
         return list(dict.fromkeys((*own, *self.given_forcings)))
 
     def of(self, question: str) -> list[Asked]:
-        """Its queries of one question."""
+        """Return the queries of one question in this scene."""
         return [query for query in self.asked if query.question == question]
 
     def of_design(self, design: Any) -> Scene:

@@ -1,6 +1,6 @@
-"""Engineering checks of an oscillator: margins, hysteresis, isolation, a load spectrum.
+"""Engineering checks of an oscillator: margins, hysteresis, isolation, load spectra.
 
-In:  an averaged oscillator, forcings, frequencies. Out: records, computed from the averaged answers.
+Takes an averaged oscillator, forcings and frequencies; returns records, computed from the averaged answers.
 """
 
 from __future__ import annotations

@@ -285,7 +285,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         Returns
         -------
         FoldLocus
-            .Omega .A .F .branch, shape (n,).
+            .Omega .A .F_0 .branch, shape (n,).
 
         Raises
         ------
@@ -310,7 +310,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         Returns
         -------
         Cusps
-            .F .Omega .A .minimum, shape (n,).
+            .F_0 .Omega .A .minimum, shape (n,).
         """
         limit = self._up_to(A_max)
         found = proofs.decided_cusps(solvers.extrema(self.model, limit)[0], self.model, limit)
@@ -327,7 +327,7 @@ class Averaged(Questions[SteadyStates, FrequencyResponse, SaddleNodes]):
         Returns
         -------
         IsolaPoints
-            .F .Omega .A .kind, shape (n,).
+            .F_0 .Omega .A .kind, shape (n,).
         """
         return dataclasses.replace(solvers.extrema(self.model, self._up_to(A_max))[1], _model=self.model)
 

@@ -118,7 +118,7 @@ class OffCentre(Unchanging, ComposedQuestions):
     load  -- the static load over k_v L, in addition to the load that the vertical spring carries at the centre
     asked -- the oscillator that compares answers with the equation of motion, if known
 
-    Answers are cached for some time, because some are made of others: a response of its folds, margins of almost all.
+    Answers are cached for some time, because some use others: a response curve uses its folds, margins use almost all.
     The force may be any piecewise polynomial, odd or not, and any other that is smooth up to the ends of its pieces.
     Excitation and damping are as for centred motions, except friction that ends at u_cr; motions that leave the centre
     by themselves, without a load, require a force as excitation, viscous damping and friction.

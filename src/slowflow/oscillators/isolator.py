@@ -63,10 +63,10 @@ class Isolator(Oscillator):
 {described((*ROD_SPRING.design, *DAMPING, *DISSIPATION))}
     rubs -- "throughout", or "attached": dry friction acts while the springs touch the push-rod, |u| < u_cr
     mu_s -- static friction, as in `Oscillator`
-    force -- what is averaged: "truncated" for the fifth-order polynomial (6), which jumps at u_cr, "untruncated" for
+    force -- the averaged force: "truncated" for the fifth-order polynomial (6), which jumps at u_cr, "untruncated" for
         the force as the geometry gives it (5)
     excitation -- "force", "base" or "unbalance", as in `Oscillator`
-    load -- static load beyond what the vertical spring holds at the centre, over k_v L, as in `Oscillator`
+    load -- static load in addition to that on the vertical spring at the centre, over k_v L, as in `Oscillator`
 
     For delta_h > 1/(lam r) the stiffness at rest is negative; a warning says so. Raises ValueError for a number
     outside its domain, and for an unknown force.
@@ -256,7 +256,7 @@ class Isolator(Oscillator):
         excitation: str = "force",
         load: Any = 0.0,
     ) -> Any:
-        """Make a batch of isolators, arguments as of `Isolator`, from arrays that broadcast; see `Oscillator.many`.
+        """Make a batch of isolators from the arguments of `Isolator`, arrays that broadcast; see `Oscillator.many`.
 
         Arrays of xarray or dask make a map over named axes, which may be larger than memory; see
         `slowflow.grid.designs`.
@@ -374,6 +374,6 @@ class Duffing(Oscillator):
         excitation: str = "force",
         load: Any = 0.0,
     ) -> Any:
-        """Make a batch of Duffing oscillators, arguments as of `Duffing`, as `Isolator.many` does."""
+        """Make a batch from the arguments of `Duffing`, arrays that broadcast; see `Isolator.many`."""
         damping = {"mu": mu, "zeta": zeta, "eta": eta, "c_2": c_2, "c_3": c_3, "zeta_2": zeta_2}
         return super().many(DUFFING, alpha=alpha, beta=beta, excitation=excitation, load=load, **damping)

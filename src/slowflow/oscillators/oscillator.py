@@ -564,7 +564,7 @@ class Oscillator(Unchanging, ComposedQuestions, Averaged):
         return self
 
     def measured(self, found: Any, force: str | None, of: str = "") -> Any:
-        """Compare one of its averaged answers with the equation of motion, for the `measure` of that answer."""
+        """Compare an averaged answer with the equation of motion; the `measure` of answers calls this."""
         from slowflow.exact import measure
 
         return measure.measured(self, found, force, of)

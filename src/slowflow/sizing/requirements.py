@@ -81,7 +81,7 @@ class Met(Answer):
         return {name: np.array([value]) for name, value in (found | {"message": self.message}).items()}
 
     def units_of_columns(self) -> Mapping[str, str]:
-        """`units`."""
+        """Units of the columns, by name."""
         return self.units
 
 

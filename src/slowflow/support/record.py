@@ -192,9 +192,9 @@ class Mechanism:
         return tuple(one.name for one in self.parameters)
 
     def at_rest(self, *parameters: Any) -> tuple[Any, ...]:
-        """h and its first three derivatives (20)-(22) as A tends to 0, of the first piece of any extent.
+        """h and its first three derivatives (20)-(22) as A tends to 0, of the first piece that has an extent.
 
-        At A = 0 that takes the piece below a breakpoint which is 0.
+        A breakpoint may be 0; `averaged` at A = 0 would use the empty piece that ends there.
         """
         ends = [np.asarray(end) == 0 for end in self.breakpoints(*parameters)]
         if not np.any([end.any() for end in ends]):
@@ -207,7 +207,7 @@ class Mechanism:
         return *(np.where(to_0, 0.0, f) for to_0, f in zip(tends, found, strict=False)), found[-1]
 
     def reach_at(self, *parameters: Any) -> Any:
-        """The reach of each of some designs: inf where of its pieces only the last is left, and that is linear."""
+        """The reach at parameters, in their shape: inf where only the last piece is left and is linear."""
         ends = [np.asarray(end) == 0 for end in self.breakpoints(*parameters)]
         if not (self.odd and ends and isfinite(self.reach)):
             return self.reach
@@ -221,7 +221,7 @@ class Mechanism:
 
     @cached_property
     def is_generated(self) -> bool:
-        """Whether a generated module of its name states it, unchanged: only then what is compiled is its own."""
+        """Whether this is the unchanged record of the generated module of its name, to which compiled code belongs."""
         module = self._module
         return module in (f"{package}.{self.name}" for package in GENERATED) and _record_in(module) is self
 
